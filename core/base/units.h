@@ -1,0 +1,16 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+namespace loomlight {
+
+/// Linear-light colour or per-channel coefficient; Rec. 709 primaries, D65 white.
+using Rgb = glm::vec3;
+
+/// Which set of yarns: the warp (ends, along y) or the weft (picks, along x).
+enum class System { warp = 0, weft = 1 };
+
+inline constexpr double kPi = 3.14159265358979323846;
+inline constexpr double kMmPerUm = 1e-3;
+
+}  // namespace loomlight

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace loomlight {
+
+/// The weave matrix of one repeat: cell (pick, end) is 1 where the warp end lies over the weft pick. Picks count up
+/// along the warp (+y), ends along the weft (+x), both from 0. An immutable value: `with...` make a changed copy that
+/// shares every untouched pick, so an edit of a 4000 x 4000 jacquard costs one row and the list of rows.
+class Weave {
+ public:
+  static constexpr int kMaxSide = 16384;
+
+  /// Plain weave, 2 x 2.
+  Weave();
+  /// `rows[p][e]` is 1 for warp over. All rows the same length; 1..kMaxSide on both sides (asserted: files are checked
+  /// where they are read).
+  explicit Weave(const std::vector<std::vector<uint8_t>>& rows);
+
+  int ends() const { return ends_; }
+  int picks() const { return static_cast<int>(rows_.size()); }
+
+  /// Any integers: the repeat goes on for ever in both directions.
+  bool warpOver(int pick, int end) const;
+  /// Within the repeat only: 0 <= pick < picks(), 0 <= end < ends(). The hot path.
+  bool at(int pick, int end) const { return (*rows_[pick])[end] != 0; }
+  std::span<const uint8_t> row(int pick) const { return *rows_[pick]; }
+
+  Weave with(int pick, int end, bool warpOver) const;
+  /// Another size of repeat: what fits is kept, the new cells continue the old repeat.
+  Weave resized(int ends, int picks) const;
+
+  friend bool operator==(const Weave& a, const Weave& b);
+
+ private:
+  using Row = std::vector<uint8_t>;
+  int ends_ = 0;
+  std::vector<std::shared_ptr<const Row>> rows_;
+};
+
+/// Threading, tie-up and treadling (or a liftplan): how a loom makes a weave. Shafts and treadles count from 1, as
+/// weavers and WIF files do; 0 or an empty list means none.
+struct Draft {
+  int shafts = 0;
+  int treadles = 0;
+  std::vector<std::vector<int>> threading;  ///< per end: the shafts it hangs on, usually one
+  std::vector<std::vector<int>> tieUp;      ///< per treadle: the shafts tied to it
+  std::vector<std::vector<int>> treadling;  ///< per pick: the treadles pressed
+  std::vector<std::vector<int>> liftplan;   ///< per pick: the shafts raised; used instead of tie-up where not empty
+  bool risingShed = true;                   ///< false: a tied shaft is pulled down (sinking shed)
+
+  bool operator==(const Draft&) const = default;
+};
+
+/// The weave that the draft makes. An end on no shaft is never up; a sinking shed complements the rest.
+Weave drawdown(const Draft& draft);
+
+}  // namespace loomlight

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/volume/component.h"
+
+namespace loomlight {
+
+/// The octree of one yarn in one crossing cell: sparse voxels at the leaf level, and the mixtures of every coarser
+/// level up to one voxel per cell, each level stored flat. A voxel holds no, one or two components (two where plies
+/// meet). Voxel coordinates are those of the cell's grid; a yarn that spills sideways has voxels at coordinates below 0
+/// or beyond the cell's size. Immutable; about 8 bytes a component and 20 bytes a block of 64 voxels.
+class Brick {
+ public:
+  /// 4 x 4 x 4 voxels. A voxel's components start at first + (set bits below it in occupied) + (the same in second).
+  struct Block {
+    uint64_t occupied = 0;
+    uint64_t second = 0;
+    uint32_t first = 0;
+  };
+  struct Level {
+    glm::ivec3 lower{0};   ///< first voxel, in voxels of this level
+    glm::ivec3 blocks{0};  ///< extent, in blocks
+    std::vector<Block> grid;
+    std::vector<Component> components;
+    bool operator==(const Level&) const;
+  };
+
+  explicit Brick(std::vector<Level> levels) : levels_(std::move(levels)) {}
+
+  int levels() const { return static_cast<int>(levels_.size()); }
+  const Level& level(int i) const { return levels_[i]; }
+
+  /// The components of voxel v of a level (0: leaves); empty where there are none or v is outside. Cost: one block and
+  /// one or two components read.
+  std::span<const Component> at(glm::ivec3 v, int level = 0) const;
+
+  size_t bytes() const;
+  size_t voxels() const;      ///< occupied leaves
+  size_t components() const;  ///< in leaves
+  friend bool operator==(const Brick&, const Brick&);
+
+ private:
+  std::vector<Level> levels_;
+};
+
+inline std::span<const Component> Brick::at(glm::ivec3 v, int levelIndex) const {
+  const Level& l = levels_[levelIndex];
+  v -= l.lower;
+  const glm::ivec3 b(v.x >> 2, v.y >> 2, v.z >> 2);
+  if (static_cast<unsigned>(b.x) >= static_cast<unsigned>(l.blocks.x) ||
+      static_cast<unsigned>(b.y) >= static_cast<unsigned>(l.blocks.y) ||
+      static_cast<unsigned>(b.z) >= static_cast<unsigned>(l.blocks.z))
+    return {};
+  const Block& block = l.grid[(b.z * l.blocks.y + b.y) * l.blocks.x + b.x];
+  const uint64_t bit = uint64_t{1} << ((v.x & 3) | (v.y & 3) << 2 | (v.z & 3) << 4);
+  if (!(block.occupied & bit)) return {};
+  const uint64_t below = bit - 1;
+  const auto index = block.first + std::popcount(block.occupied & below) + std::popcount(block.second & below);
+  return {l.components.data() + index, block.second & bit ? size_t{2} : size_t{1}};
+}
+
+}  // namespace loomlight

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace loomlight {
+
+/// Named float channels over one rectangle, row by row from the top left; the in-memory form of an EXR.
+struct Image {
+  struct Channel {
+    std::string name;                 ///< EXR names: R, G, B, A, depth.Z, normal.X ...
+    std::vector<float> values;        ///< width * height
+  };
+  int width = 0, height = 0;
+  std::vector<Channel> channels;
+  std::map<std::string, std::string> metadata;
+
+  const Channel* find(const std::string& name) const;
+  std::vector<float>& add(std::string name);  ///< zero-filled
+};
+
+/// Throw InputError, naming the file and what is wrong with it. Writers write a temporary file beside the target and
+/// rename it, so that a picture is whole or the old one is still there. Sizes beyond 16384 x 16384 are refused.
+Image readExr(const std::string& file);
+void writeExr(const std::string& file, const Image& image);
+
+/// 8-bit RGB or RGBA, sRGB-encoded by the caller.
+struct Pixels8 {
+  int width = 0, height = 0, channels = 4;
+  std::vector<uint8_t> bytes;
+};
+void writePng(const std::string& file, const Pixels8& pixels, const std::map<std::string, std::string>& text = {});
+Pixels8 readPng(const std::string& file);
+
+}  // namespace loomlight

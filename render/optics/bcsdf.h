@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "core/base/random.h"
+#include "core/fabric/fabric.h"
+
+namespace loomlight {
+
+/// What light does at one dielectric fibre: reflection R (p = 0), transmission TT (1), internal reflections TRT (2) and
+/// the rest (3 and more). Near-field: the offset h across the fibre is an argument. Absorption-free: what is absorbed
+/// depends only on the length travelled inside, which every function here reports, in fibre radii, so that colour can
+/// be applied once, at the end of a path.
+///
+/// Frame: the fibre runs along x; directions point away from the fibre, unit length. wo is where the path came from
+/// (towards the eye), wi where it goes (towards the light). The value Q includes the cosine to the fibre's normal plane
+/// and integrates to one over wi: it is the phase function after a collision. Longitudinal: d'Eon et al. 2011,
+/// symmetrised so that p(wi -> wo) cos = p(wo -> wi) cos (../README: "Optics"); azimuthal: Chiang et al. 2016.
+/// Immutable after construction; safe from any thread.
+class FibreBcsdf {
+ public:
+  static constexpr int kLobes = 4;
+
+  struct Sample {
+    glm::vec3 wi;
+    int order = 0;        ///< p of the chosen mode, 0, 1, 2, 3, 4, ... the residual has p >= 3
+    float length = 0;     ///< travelled inside the fibre, in radii
+    float pdf = 0;        ///< of wi, all modes together; equals the sum of Q, so the weight of a sample is 1
+  };
+  struct Value {
+    std::array<float, kLobes> q{};  ///< Q of each mode, [3] all p >= 3 together; absorption-free
+    float chord = 0;                ///< length per internal traverse, in radii: mode p travels p * chord
+    float inside = 0;               ///< internal reflectance f: of the residual, the share with order p is (1-f) f^(p-3)
+    float sum() const { return q[0] + q[1] + q[2] + q[3]; }
+  };
+
+  explicit FibreBcsdf(const Fibre& fibre);
+
+  /// h in [-1, 1]. Always succeeds.
+  Sample sample(glm::vec3 wo, float h, Random& random) const;
+  Value evaluate(glm::vec3 wo, glm::vec3 wi, float h) const;
+};
+
+}  // namespace loomlight

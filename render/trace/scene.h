@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/fabric/fabric.h"
+#include "core/shell/shell.h"
+#include "core/volume/cloth_volume.h"
+#include "render/optics/bcsdf.h"
+#include "render/trace/camera_rays.h"
+#include "render/light/lighting.h"
+
+namespace loomlight {
+
+class ShellEntry;
+
+/// One fibre material, ready for light: the lobes, and what is needed to turn lengths into colour.
+struct Material {
+  std::shared_ptr<const FibreBcsdf> bcsdf;
+  Rgb absorption_per_mm{0};
+};
+
+/// Everything a path needs, immutable and shared: an edit makes a new Scene from what did not change. `materials` has
+/// one entry per Fabric::fibres, `materialOfYarn` one per Fabric::yarns.
+struct Scene {
+  std::shared_ptr<const Fabric> fabric;
+  std::shared_ptr<const ClothVolume> volume;
+  std::shared_ptr<const Shell> shell;
+  std::shared_ptr<const ShellEntry> entry;
+  std::shared_ptr<const Lighting> lighting;
+  std::vector<Material> materials;
+  std::vector<int> materialOfYarn;
+};
+
+/// Builds the scene of a fabric, reusing from `previous` (may be null) every part that the edit did not touch. Returns
+/// null when stopped; throws InputError for files that cannot be used.
+std::shared_ptr<const Scene> makeScene(std::shared_ptr<const Fabric> fabric, const Task& task,
+                                       const Scene* previous = nullptr);
+
+}  // namespace loomlight
