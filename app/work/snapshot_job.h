@@ -1,0 +1,35 @@
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "core/fabric/fabric.h"
+#include "render/film/tone.h"
+
+namespace loomlight {
+
+/// Renders a fabric's own RenderSettings to a file (.exr with AOVs and metadata, or .png) on a thread of its own.
+/// Cancelling keeps nothing; the destructor cancels and waits for one path.
+class SnapshotJob {
+ public:
+  SnapshotJob(std::shared_ptr<const Fabric> fabric, std::string file, Tone tone);
+  ~SnapshotJob();
+  void cancel();
+  struct State {
+    bool finished = false;
+    bool cancelled = false;
+    double progress = 0;
+    std::string error;      ///< empty when all went well
+  };
+  State state() const;
+
+ private:
+  struct Shared;
+  std::shared_ptr<Shared> shared_;
+  std::jthread thread_;
+};
+
+}  // namespace loomlight
