@@ -13,12 +13,16 @@ namespace loomlight {
 class Weave {
  public:
   static constexpr int kMaxSide = 16384;
+  using Row = std::vector<uint8_t>;
+  using SharedRow = std::shared_ptr<const Row>;
 
   /// Plain weave, 2 x 2.
   Weave();
   /// `rows[p][e]` is 1 for warp over. All rows the same length; 1..kMaxSide on both sides (asserted: files are checked
   /// where they are read).
-  explicit Weave(const std::vector<std::vector<uint8_t>>& rows);
+  explicit Weave(const std::vector<Row>& rows);
+  /// The same, of rows that may be shared: by picks of one shed, or with another weave.
+  explicit Weave(std::vector<SharedRow> rows);
 
   int ends() const { return ends_; }
   int picks() const { return static_cast<int>(rows_.size()); }
@@ -36,9 +40,10 @@ class Weave {
   friend bool operator==(const Weave& a, const Weave& b);
 
  private:
-  using Row = std::vector<uint8_t>;
+  void assertShape() const;
+
   int ends_ = 0;
-  std::vector<std::shared_ptr<const Row>> rows_;
+  std::vector<SharedRow> rows_;
 };
 
 /// Threading, tie-up and treadling (or a liftplan): how a loom makes a weave. Shafts and treadles count from 1, as

@@ -1,0 +1,128 @@
+#include "core/fabric/weave.h"
+
+#include <algorithm>
+#include <cassert>
+#include <map>
+#include <utility>
+
+namespace loomlight {
+namespace {
+
+/// Remainder that is never negative, so that the repeat goes on below zero too.
+int wrapped(int i, int n) {
+  const int r = i % n;
+  return r < 0 ? r + n : r;
+}
+
+[[maybe_unused]] bool isSide(size_t n) {
+  return n >= 1 && n <= static_cast<size_t>(Weave::kMaxSide);
+}
+
+}  // namespace
+
+Weave::Weave() : Weave(std::vector<Row>{{1, 0}, {0, 1}}) {}
+
+Weave::Weave(const std::vector<Row>& rows) {
+  rows_.reserve(rows.size());
+  for (const Row& row : rows) rows_.push_back(std::make_shared<const Row>(row));
+  ends_ = rows.empty() ? 0 : static_cast<int>(rows.front().size());
+  assertShape();
+}
+
+Weave::Weave(std::vector<SharedRow> rows) : rows_(std::move(rows)) {
+  ends_ = rows_.empty() ? 0 : static_cast<int>(rows_.front()->size());
+  assertShape();
+}
+
+void Weave::assertShape() const {
+  assert(isSide(rows_.size()) && isSide(static_cast<size_t>(ends_)));
+  assert(std::all_of(rows_.begin(), rows_.end(),
+                     [this](const SharedRow& row) { return row->size() == static_cast<size_t>(ends_); }));
+}
+
+bool Weave::warpOver(int pick, int end) const {
+  return at(wrapped(pick, picks()), wrapped(end, ends_));
+}
+
+Weave Weave::with(int pick, int end, bool warpOver) const {
+  assert(pick >= 0 && pick < picks() && end >= 0 && end < ends_);
+  Weave changed = *this;
+  if (at(pick, end) != warpOver) {
+    Row row = *rows_[pick];
+    row[end] = warpOver ? 1 : 0;
+    changed.rows_[pick] = std::make_shared<const Row>(std::move(row));
+  }
+  return changed;
+}
+
+Weave Weave::resized(int ends, int picks) const {
+  assert(isSide(static_cast<size_t>(ends)) && isSide(static_cast<size_t>(picks)));
+  // Rows are made once for each pick of the old repeat and shared by the picks that continue it.
+  std::vector<SharedRow> made = rows_;
+  if (ends != ends_) {
+    for (SharedRow& row : made) {
+      Row wider(static_cast<size_t>(ends));
+      for (int e = 0; e < ends; ++e) wider[e] = (*row)[e % ends_];
+      row = std::make_shared<const Row>(std::move(wider));
+    }
+  }
+  std::vector<SharedRow> rows(static_cast<size_t>(picks));
+  for (int p = 0; p < picks; ++p) rows[p] = made[p % this->picks()];
+  return Weave(std::move(rows));
+}
+
+bool operator==(const Weave& a, const Weave& b) {
+  return a.ends_ == b.ends_ && std::equal(a.rows_.begin(), a.rows_.end(), b.rows_.begin(), b.rows_.end(),
+                                          [](const auto& x, const auto& y) { return x == y || *x == *y; });
+}
+
+namespace {
+
+/// The shafts that pick `pick` pulls on, as one flag a shaft; numbers of no shaft or treadle are passed over.
+std::vector<bool> pulledShafts(const Draft& draft, size_t pick) {
+  std::vector<bool> pulled(static_cast<size_t>(draft.shafts) + 1);
+  const auto pull = [&pulled](const std::vector<int>& shafts) {
+    for (const int shaft : shafts)
+      if (shaft >= 1 && static_cast<size_t>(shaft) < pulled.size()) pulled[shaft] = true;
+  };
+  if (!draft.liftplan.empty()) {
+    pull(draft.liftplan[pick]);
+  } else {
+    for (const int treadle : draft.treadling[pick])
+      if (treadle >= 1 && static_cast<size_t>(treadle) <= draft.tieUp.size()) pull(draft.tieUp[treadle - 1]);
+  }
+  return pulled;
+}
+
+}  // namespace
+
+Weave drawdown(const Draft& draft) {
+  const size_t picks = draft.liftplan.empty() ? draft.treadling.size() : draft.liftplan.size();
+  assert(isSide(picks) && isSide(draft.threading.size()) && draft.shafts >= 0);
+  // A liftplan says what is raised, whichever way the loom's treadles would move it.
+  const bool rising = draft.risingShed || !draft.liftplan.empty();
+  std::map<std::vector<bool>, Weave::SharedRow> rowOfShed;  // a draft has few sheds: picks of the same one share
+  std::vector<Weave::SharedRow> rows(picks);
+  for (size_t p = 0; p < picks; ++p) {
+    const std::vector<bool> pulled = pulledShafts(draft, p);
+    Weave::SharedRow& row = rowOfShed[pulled];
+    if (!row) {
+      Weave::Row cells(draft.threading.size(), 0);
+      for (size_t e = 0; e < cells.size(); ++e) {
+        bool hangs = false;
+        bool moved = false;
+        for (const int shaft : draft.threading[e]) {
+          if (shaft < 1 || shaft > draft.shafts) continue;
+          hangs = true;
+          moved = moved || pulled[shaft];
+        }
+        cells[e] = hangs && moved == rising ? 1 : 0;
+      }
+      row = std::make_shared<const Weave::Row>(std::move(cells));
+    }
+    rows[p] = row;
+  }
+  return Weave(std::move(rows));
+}
+
+}  // namespace loomlight
