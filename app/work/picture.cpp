@@ -1,0 +1,78 @@
+#include "app/work/picture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include "core/base/error.h"
+#include "core/fabric/fabric_json.h"
+#include "render/film/image.h"
+
+namespace loomlight {
+namespace {
+
+constexpr const char* kFabricKey = "loomlight.fabric";
+constexpr const char* kSamplesKey = "loomlight.samples_per_pixel";
+constexpr const char* kVersionKey = "loomlight.version";
+
+std::string extension(const std::string& file) {
+  std::string result = std::filesystem::path(file).extension().string();
+  std::transform(result.begin(), result.end(), result.begin(), [](unsigned char c) { return std::tolower(c); });
+  return result;
+}
+
+Fabric fabricInMetadata(const Image& image, const std::string& file) {
+  const auto found = image.metadata.find(kFabricKey);
+  if (found == image.metadata.end())
+    throw InputError(fmt::format("{}: expected the metadata '{}' that Loomlight writes into its pictures, found none",
+                                 file, kFabricKey));
+  return fabricFromJson(found->second, file);
+}
+
+}  // namespace
+
+void checkPictureName(const std::string& file) {
+  const std::string ending = extension(file);
+  if (ending != ".exr" && ending != ".png")
+    throw InputError(fmt::format("{}: expected the name of a picture that ends in .exr or .png", file));
+  const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(folder, ignored))
+    throw InputError(fmt::format("{}: expected a folder that exists, '{}' is none", file, folder.string()));
+}
+
+void writePicture(const std::string& file, const Film& film, const Fabric& fabric, const Tone& tone, bool keepSums) {
+  checkPictureName(file);
+  if (extension(file) == ".png") {
+    writePng(file, toPixels(film, tone), {{"Software", "Loomlight " LOOMLIGHT_VERSION}, {"Title", fabric.name}});
+    return;
+  }
+  Image image = film.toImage(keepSums);
+  image.metadata[kFabricKey] = fabricToJson(fabric);
+  image.metadata[kSamplesKey] = std::to_string(fabric.render.samplesPerPixel);
+  image.metadata[kVersionKey] = LOOMLIGHT_VERSION;
+  writeExr(file, image);
+}
+
+Fabric fabricOfPicture(const std::string& file) { return fabricInMetadata(readExr(file), file); }
+
+UnfinishedPicture readUnfinishedPicture(const std::string& file) {
+  const Image image = readExr(file);
+  UnfinishedPicture picture{fabricInMetadata(image, file), Film::fromImage(image, file)};
+  const auto& settings = picture.fabric.render;
+  if (picture.film.width() != settings.width || picture.film.height() != settings.height)
+    throw InputError(fmt::format("{}: expected {} x {} pixels as its metadata says, got {} x {}", file, settings.width,
+                                 settings.height, picture.film.width(), picture.film.height()));
+  const auto expected = static_cast<uint32_t>(settings.samplesPerPixel);
+  for (int y = 0; y < picture.film.height(); ++y)
+    for (int x = 0; x < picture.film.width(); ++x)
+      if (picture.film.samples(x, y) != expected)
+        throw InputError(fmt::format("{}: pixel ({}, {}): expected {} samples as in every other pixel, got {}; a "
+                                     "picture that was stopped within its first pass cannot be continued",
+                                     file, x, y, expected, picture.film.samples(x, y)));
+  return picture;
+}
+
+}  // namespace loomlight

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+
+#include "core/fabric/fabric.h"
+#include "render/film/film.h"
+#include "render/film/tone.h"
+
+namespace loomlight {
+
+/// Whether the name ends in an extension that writePicture() can write; throws InputError if not. Called before long
+/// work, so that a slip in the name costs nothing.
+void checkPictureName(const std::string& file);
+
+/// Writes a film as a picture; the file is whole or the old one is still there. `.exr`: linear light, every AOV, and
+/// as metadata the fabric with all its settings, the samples per pixel and the program's version, so that the picture
+/// can be rendered again from itself; the bytes depend on the arguments alone. `.png`: as the display shows it.
+/// `keepSums` adds to an .exr the film's exact sums, from which more samples can be continued. `fabric` is the one the
+/// film shows, its samplesPerPixel the number the film holds. Throws InputError when the file cannot be written.
+void writePicture(const std::string& file, const Film& film, const Fabric& fabric, const Tone& tone, bool keepSums);
+
+/// The fabric and settings in the metadata of an .exr of ours. Throws InputError when there are none.
+Fabric fabricOfPicture(const std::string& file);
+
+/// A picture to be continued: its fabric, and its film with samplesPerPixel samples in every pixel.
+struct UnfinishedPicture {
+  Fabric fabric;
+  Film film;
+};
+
+/// Reads an .exr written with `keepSums`. Throws InputError when it holds no sums, or not of whole passes.
+UnfinishedPicture readUnfinishedPicture(const std::string& file);
+
+}  // namespace loomlight
