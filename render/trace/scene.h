@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -20,8 +21,14 @@ struct Material {
   Rgb absorption_per_mm{0};
 };
 
+/// What a yarn's components need beside their statistics, per Fabric::yarns and system.
+struct YarnOptics {
+  int material = 0;           ///< index into Scene::materials
+  float fibreRadius_mm = 0;   ///< of the geometry; differs between warp and weft by less than a rounding of fibre counts
+};
+
 /// Everything a path needs, immutable and shared: an edit makes a new Scene from what did not change. `materials` has
-/// one entry per Fabric::fibres, `materialOfYarn` one per Fabric::yarns.
+/// one entry per Fabric::fibres.
 struct Scene {
   std::shared_ptr<const Fabric> fabric;
   std::shared_ptr<const ClothVolume> volume;
@@ -29,7 +36,7 @@ struct Scene {
   std::shared_ptr<const ShellEntry> entry;
   std::shared_ptr<const Lighting> lighting;
   std::vector<Material> materials;
-  std::vector<int> materialOfYarn;
+  std::array<std::vector<YarnOptics>, 2> yarns;  ///< [system][index into Fabric::yarns]
 };
 
 /// Builds the scene of a fabric, reusing from `previous` (may be null) every part that the edit did not touch. Returns

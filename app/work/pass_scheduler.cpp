@@ -1,0 +1,41 @@
+#include "app/work/pass_scheduler.h"
+
+#include <algorithm>
+
+namespace loomlight {
+namespace {
+
+constexpr double kFirstPictureSeconds = 1.0 / 30;
+constexpr double kShortestPassSeconds = 0.1;
+constexpr double kLongestPassSeconds = 1.0;
+constexpr int kCoarsest = 16;
+
+double pathsAt(const PassHistory& h, int divider) {
+  return static_cast<double>((h.width + divider - 1) / divider) * ((h.height + divider - 1) / divider);
+}
+
+int firstDivider(const PassHistory& h) {
+  if (h.secondsPerPath <= 0) return 8;
+  int divider = 1;
+  while (divider < kCoarsest && pathsAt(h, divider) * h.secondsPerPath > kFirstPictureSeconds) divider *= 2;
+  return divider;
+}
+
+}  // namespace
+
+PassPlan nextPass(const PassHistory& h, uint32_t samplesWanted) {
+  if (h.divider == 0) {
+    const int divider = firstDivider(h);
+    return {divider, 1};
+  }
+  // A quarter of the divider at a time: the coarse passes together cost less than a tenth of the first fine one.
+  if (h.divider > 1) return {std::max(1, h.divider / 4), 1};
+  if (h.samples >= samplesWanted) return {1, 0};
+  // A pass takes a quarter of the picture's age: the eye sees progress in proportion.
+  const double budget = std::clamp(h.seconds / 4, kShortestPassSeconds, kLongestPassSeconds);
+  const double perSample = std::max(1e-9, pathsAt(h, 1) * h.secondsPerPath);
+  const auto more = static_cast<uint32_t>(std::clamp(budget / perSample, 1.0, 64.0));
+  return {1, std::min(samplesWanted, h.samples + more)};
+}
+
+}  // namespace loomlight

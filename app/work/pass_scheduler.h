@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+
+namespace loomlight {
+
+/// What the tracer should do next: bring a picture of 1/divider of the resolution to `samples` samples a pixel.
+struct PassPlan {
+  int divider = 1;
+  uint32_t samples = 0;
+  bool operator==(const PassPlan&) const = default;
+};
+
+/// What it has done since the last restart.
+struct PassHistory {
+  int width = 0, height = 0;    ///< of the full picture
+  double secondsPerPath = 0;    ///< measured, on all threads together; 0: nothing measured yet
+  int divider = 0;              ///< of the last pass; 0: none yet
+  uint32_t samples = 0;         ///< at full resolution
+  double seconds = 0;           ///< since the restart
+};
+
+/// Coarse and quick first, then finer, then more samples in passes that grow longer as the picture grows older. Pure.
+/// samples == 0 in the plan: converged, nothing left to do.
+PassPlan nextPass(const PassHistory& history, uint32_t samplesWanted);
+
+}  // namespace loomlight

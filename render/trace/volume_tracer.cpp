@@ -1,0 +1,175 @@
+#include "render/trace/volume_tracer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/base/parallel.h"
+#include "render/trace/collision.h"
+
+namespace loomlight {
+namespace {
+
+/// Orthonormal frame of a fibre: x along the tangent.
+struct FibreFrame {
+  glm::vec3 x, y, z;
+
+  explicit FibreFrame(glm::vec3 tangent) : x(tangent) {
+    const glm::vec3 helper = std::abs(x.z) < 0.9f ? glm::vec3(0, 0, 1) : glm::vec3(1, 0, 0);
+    y = glm::normalize(glm::cross(helper, x));
+    z = glm::cross(x, y);
+  }
+  glm::vec3 toLocal(glm::vec3 v) const { return {glm::dot(v, x), glm::dot(v, y), glm::dot(v, z)}; }
+  glm::vec3 toWorld(glm::vec3 v) const { return v.x * x + v.y * y + v.z * z; }
+};
+
+/// What a path knows of itself. Colour is not in it: only how far it has travelled inside the fibres of each material.
+/// exp(-sum sigma_k L_k) is applied when the path meets light, exactly, for any number of channels.
+class PathState {
+ public:
+  explicit PathState(const Scene& scene) : materials_(scene.materials) {}
+
+  void travel(int material, float length_mm) { lengths_[material] += length_mm; }
+
+  /// Colour of the path so far, and of a further length inside one material.
+  Rgb throughput() const {
+    Rgb exponent(0.0f);
+    for (size_t k = 0; k < materials_.size(); ++k) exponent += materials_[k].absorption_per_mm * lengths_[k];
+    return weight_ * glm::exp(-exponent);
+  }
+
+  /// Ends the path at random when little can come of it. The brightest channel decides: the mean would kill saturated
+  /// hues.
+  bool survives(Random& random) {
+    constexpr float kWorthwhile = 0.2f;
+    const Rgb c = throughput();
+    const float brightest = std::max({c.r, c.g, c.b});
+    if (brightest >= kWorthwhile) return true;
+    const float chance = brightest / kWorthwhile;
+    if (random.uniform() >= chance) return false;
+    weight_ /= chance;
+    return true;
+  }
+
+ private:
+  static constexpr int kMaxMaterials = 64;  // of a valid fabric
+  const std::vector<Material>& materials_;
+  std::array<float, kMaxMaterials> lengths_{};
+  float weight_ = 1;
+};
+
+/// Light that arrives at a fibre straight from a lamp and goes on along the path: all modes of the fibre at once.
+Rgb scatteredColour(const FibreBcsdf::Value& value, Rgb absorption_per_mm, float fibreRadius_mm) {
+  // exp(-sigma L) of one traverse; mode p makes p of them, the residual 3, 4, ... in a geometric series.
+  const Rgb traverse = glm::exp(-absorption_per_mm * (value.chord * fibreRadius_mm));
+  const Rgb residual = traverse * traverse * traverse * (1.0f - value.inside) / (1.0f - value.inside * traverse);
+  return value.q[0] + traverse * (value.q[1] + traverse * value.q[2]) + residual * value.q[3];
+}
+
+/// Balance heuristic (Veach 1997).
+float misWeight(float own, float other) { return own / (own + other); }
+
+/// One lamp, seen from a collision.
+Rgb sampleLamp(const Scene& scene, const Collision& at, const FibreFrame& frame, glm::vec3 wo, float h, Random& random,
+               TraceCounts& counts) {
+  const auto light = scene.lighting->sample(at.place.world, random);
+  if (!light || light->pdf <= 0) return Rgb(0.0f);
+  const Material& material = scene.materials[at.optics.material];
+  const FibreBcsdf::Value value = material.bcsdf->evaluate(wo, frame.toLocal(light->wi), h);
+  const float pdf = value.sum();
+  if (pdf <= 0) return Rgb(0.0f);
+  const float weight = light->delta ? 1.0f : misWeight(light->pdf, pdf);
+  const float visible = transmittance(scene, at.place, light->wi, light->distance, random, counts);
+  if (visible == 0) return Rgb(0.0f);
+  return scatteredColour(value, material.absorption_per_mm, at.optics.fibreRadius_mm) * light->radiance *
+         (weight * visible / light->pdf);
+}
+
+void recordFirstHit(const Collision& at, PathSample& sample) {
+  sample.alpha = 1;
+  sample.depth_mm = at.distance_mm;
+  sample.normal = at.normal;
+  sample.tangent = at.tangent;
+  sample.yarn = at.yarn;
+  sample.end = at.end;
+  sample.pick = at.pick;
+}
+
+}  // namespace
+
+TraceCounts& TraceCounts::operator+=(const TraceCounts& other) {
+  paths += other.paths;
+  events += other.events;
+  rays += other.rays;
+  steps += other.steps;
+  return *this;
+}
+
+PathSample tracePath(const Scene& scene, const CameraRays& camera, int x, int y, uint32_t index, TraceCounts& counts) {
+  const RenderSettings& settings = scene.fabric->render;
+  Random random(hashCombine(hashCombine(hashCombine(settings.seed, x), y), index));
+  const float dx = random.uniform(), dy = random.uniform();
+  const Ray ray = camera.ray(static_cast<float>(x) + dx, static_cast<float>(y) + dy);
+  const bool lamps = scene.lighting->wantsSampling();
+  constexpr uint32_t kRouletteAfter = 4;
+
+  PathSample sample;
+  PathState state(scene);
+  Place place{ray.origin, -1};
+  glm::vec3 direction = ray.direction;
+  float scatterPdf = 0;
+  ++counts.paths;
+  for (;;) {
+    const auto collision = sampleCollision(scene, place, direction, random, counts);
+    if (!collision) {
+      if (sample.events > 0) {  // what the camera sees past the cloth is the backdrop's affair: alpha
+        const float weight = lamps ? misWeight(scatterPdf, scene.lighting->pdf(direction)) : 1.0f;
+        const Rgb light = state.throughput() * scene.lighting->escape(direction) * weight;
+        (sample.events == 1 ? sample.direct : sample.indirect) += light;
+      }
+      return sample;
+    }
+    if (sample.events == 0) recordFirstHit(*collision, sample);
+    ++sample.events;
+
+    const FibreFrame frame(collision->tangent);
+    const glm::vec3 wo = frame.toLocal(-direction);
+    const float h = 2.0f * random.uniform() - 1.0f;
+    if (lamps) {
+      const Rgb light = state.throughput() * sampleLamp(scene, *collision, frame, wo, h, random, counts);
+      (sample.events == 1 ? sample.direct : sample.indirect) += light;
+    }
+    if (sample.events >= static_cast<uint32_t>(settings.maxDepth)) return sample;
+
+    const Material& material = scene.materials[collision->optics.material];
+    const FibreBcsdf::Sample scattered = material.bcsdf->sample(wo, h, random);
+    state.travel(collision->optics.material, scattered.length * collision->optics.fibreRadius_mm);
+    if (sample.events > kRouletteAfter && !state.survives(random)) return sample;
+    scatterPdf = scattered.pdf;
+    direction = frame.toWorld(scattered.wi);
+    place = collision->place;
+  }
+}
+
+PassResult renderUpTo(uint32_t samples, const Scene& scene, const CameraRays& camera, Film& film, const Task& task,
+                      uint32_t firstSample) {
+  constexpr int kTile = 16;
+  const int columns = (film.width() + kTile - 1) / kTile;
+  const int rows = (film.height() + kTile - 1) / kTile;
+  std::vector<TraceCounts> tileCounts(static_cast<size_t>(columns) * rows);
+  parallelFor(tileCounts.size(), task.threads, [&](size_t tile) {
+    const int x0 = static_cast<int>(tile % columns) * kTile, y0 = static_cast<int>(tile / columns) * kTile;
+    for (int y = y0; y < std::min(y0 + kTile, film.height()); ++y)
+      for (int x = x0; x < std::min(x0 + kTile, film.width()); ++x)
+        for (uint32_t i = film.samples(x, y); i < samples; ++i) {
+          if (task.stopped()) return;
+          film.add(x, y, firstSample + i, tracePath(scene, camera, x, y, firstSample + i, tileCounts[tile]));
+        }
+  });
+  PassResult result;
+  for (const TraceCounts& c : tileCounts) result.counts += c;
+  result.complete = !task.stopped();
+  return result;
+}
+
+}  // namespace loomlight
