@@ -28,7 +28,7 @@ PassPlan nextPass(const PassHistory& h, uint32_t samplesWanted) {
     const int divider = firstDivider(h);
     return {divider, 1};
   }
-  // A quarter of the divider at a time: the coarse passes together cost less than a tenth of the first fine one.
+  // A quarter of the divider at a time: the coarse passes together cost at most a third of the first fine one.
   if (h.divider > 1) return {std::max(1, h.divider / 4), 1};
   if (h.samples >= samplesWanted) return {1, 0};
   // A pass takes a quarter of the picture's age: the eye sees progress in proportion.

@@ -51,12 +51,21 @@ void writePicture(const std::string& file, const Film& film, const Fabric& fabri
   }
   Image image = film.toImage(keepSums);
   image.metadata[kFabricKey] = fabricToJson(fabric);
-  image.metadata[kSamplesKey] = std::to_string(fabric.render.samplesPerPixel);
+  image.metadata[kSamplesKey] = std::to_string(fewestSamples(film));
   image.metadata[kVersionKey] = LOOMLIGHT_VERSION;
   writeExr(file, image);
 }
 
-Fabric fabricOfPicture(const std::string& file) { return fabricInMetadata(readExr(file), file); }
+Fabric fabricOfPicture(const std::string& file) {
+  return fabricInMetadata(readExr(file), file);
+}
+
+uint32_t fewestSamples(const Film& film) {
+  uint32_t fewest = film.samples(0, 0);
+  for (int y = 0; y < film.height(); ++y)
+    for (int x = 0; x < film.width(); ++x) fewest = std::min(fewest, film.samples(x, y));
+  return fewest;
+}
 
 UnfinishedPicture readUnfinishedPicture(const std::string& file) {
   const Image image = readExr(file);
@@ -65,13 +74,6 @@ UnfinishedPicture readUnfinishedPicture(const std::string& file) {
   if (picture.film.width() != settings.width || picture.film.height() != settings.height)
     throw InputError(fmt::format("{}: expected {} x {} pixels as its metadata says, got {} x {}", file, settings.width,
                                  settings.height, picture.film.width(), picture.film.height()));
-  const auto expected = static_cast<uint32_t>(settings.samplesPerPixel);
-  for (int y = 0; y < picture.film.height(); ++y)
-    for (int x = 0; x < picture.film.width(); ++x)
-      if (picture.film.samples(x, y) != expected)
-        throw InputError(fmt::format("{}: pixel ({}, {}): expected {} samples as in every other pixel, got {}; a "
-                                     "picture that was stopped within its first pass cannot be continued",
-                                     file, x, y, expected, picture.film.samples(x, y)));
   return picture;
 }
 
