@@ -1,10 +1,11 @@
 #pragma once
 
 #include <array>
-#include <memory>
 
 #include "core/base/random.h"
 #include "core/fabric/fabric.h"
+#include "render/optics/azimuthal_lobes.h"
+#include "render/optics/longitudinal_lobes.h"
 
 namespace loomlight {
 
@@ -16,30 +17,48 @@ namespace loomlight {
 /// Frame: the fibre runs along x; directions point away from the fibre, unit length. wo is where the path came from
 /// (towards the eye), wi where it goes (towards the light). The value Q includes the cosine to the fibre's normal plane
 /// and integrates to one over wi: it is the phase function after a collision. Longitudinal: d'Eon et al. 2011,
-/// symmetrised so that p(wi -> wo) cos = p(wo -> wi) cos (../README: "Optics"); azimuthal: Chiang et al. 2016.
-/// Immutable after construction; safe from any thread.
+/// symmetrised so that it keeps energy from both sides (longitudinal_lobes.h); azimuthal: Chiang et al. 2016, broadened
+/// where the section is not round (azimuthal_lobes.h).
+///
+/// h is the offset of the ray from the axis over the radius: the sine of the angle, about the axis, from the normal at
+/// the point that wo leaves to wo. Unless the fibre itself is traced, draw it uniformly from [-1, 1].
+/// Immutable after construction, which takes a few milliseconds; safe from any thread.
 class FibreBcsdf {
  public:
   static constexpr int kLobes = 4;
 
   struct Sample {
     glm::vec3 wi;
-    int order = 0;        ///< p of the chosen mode, 0, 1, 2, 3, 4, ... the residual has p >= 3
-    float length = 0;     ///< travelled inside the fibre, in radii
-    float pdf = 0;        ///< of wi, all modes together; equals the sum of Q, so the weight of a sample is 1
+    int order = 0;     ///< p of the chosen mode, 0, 1, 2, 3, 4, ... the residual has p >= 3
+    float length = 0;  ///< travelled inside the fibre, in radii
+    float pdf = 0;     ///< of wi, all modes together; equals the sum of Q, so the weight of a sample is 1
   };
   struct Value {
     std::array<float, kLobes> q{};  ///< Q of each mode, [3] all p >= 3 together; absorption-free
     float chord = 0;                ///< length per internal traverse, in radii: mode p travels p * chord
-    float inside = 0;               ///< internal reflectance f: of the residual, the share with order p is (1-f) f^(p-3)
+    float inside = 0;  ///< internal reflectance f: of the residual, the share with order p is (1-f) f^(p-3)
     float sum() const { return q[0] + q[1] + q[2] + q[3]; }
   };
 
+  /// How the light divides among the modes, and how far a traverse is: what a smooth fibre of this index does.
+  struct Modes {
+    std::array<float, kLobes> share{};  ///< sums to one
+    float chord = 0;                    ///< as in Value
+    float inside = 0;                   ///< as in Value
+  };
+
+  /// Uses the index, the roughnesses, the scale tilt and the section; takes them as valid.
   explicit FibreBcsdf(const Fibre& fibre);
 
   /// h in [-1, 1]. Always succeeds.
   Sample sample(glm::vec3 wo, float h, Random& random) const;
   Value evaluate(glm::vec3 wo, glm::vec3 wi, float h) const;
+  Modes modes(glm::vec3 wo, float h) const;
+
+ private:
+  float index_;
+  optics::LongitudinalLobes along_;
+  optics::AzimuthalLobes about_;
 };
 
 }  // namespace loomlight

@@ -9,7 +9,9 @@ namespace {
 /// What an orthographic camera sees is as high as what a perspective one with this field of view sees at the target.
 constexpr double kOrthographicFov_deg = 20.0;
 
-constexpr double radians(double degrees) { return degrees * kPi / 180.0; }
+constexpr double radians(double degrees) {
+  return degrees * kPi / 180.0;
+}
 
 }  // namespace
 
@@ -31,8 +33,8 @@ CameraRays::CameraRays(const Camera& camera, int width, int height)
 
 Ray CameraRays::ray(float x, float y) const {
   const float pixel = 2.0f * halfHeight_ / static_cast<float>(height_);
-  const glm::vec3 offset = pixel * ((x - 0.5f * static_cast<float>(width_)) * right_ +
-                                    (0.5f * static_cast<float>(height_) - y) * up_);
+  const glm::vec3 offset =
+      pixel * ((x - 0.5f * static_cast<float>(width_)) * right_ + (0.5f * static_cast<float>(height_) - y) * up_);
   if (orthographic_) return {eye_ + offset, forward_};
   return {eye_, glm::normalize(forward_ + offset)};
 }

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/base/random.h"
+#include "core/base/units.h"
+#include "core/fabric/fabric.h"
+#include "render/optics/dielectric_cylinder.h"
+#include "render/optics/lanes.h"
+
+namespace loomlight::optics {
+
+/// Scattering about the fibre: a logistic distribution, trimmed to [-pi, pi], around the turn that a smooth cylinder
+/// would give each mode (Chiang et al. 2016); the residual goes everywhere alike.
+///
+/// A section that is not round turns the normal by some angle d away from the radius, a different one at every bounce.
+/// To first order that turns a reflection from outside by 2d, one from inside by 2 eta d, a refraction by (eta - 1) d.
+/// A fibre in cloth lies at any angle about its own axis, so these turns are random and their variance is added to that
+/// of the surface roughness; what the fibre reflects or lets through in all is not touched.
+class AzimuthalLobes {
+ public:
+  AzimuthalLobes(double roughness, FibreSection section, double index);
+
+  /// Density over the azimuth of wi relative to wo, given by its cosine and sine, for every mode.
+  Lanes density(const CylinderHit& hit, float cosine, float sine) const {
+    const Lanes c = cosine * hit.turnCosine - sine * hit.turnSine;
+    const Lanes s = cosine * hit.turnSine + sine * hit.turnCosine;
+    const Lanes decay = exponential(-angle(s, c) * inverseScale_);
+    const Lanes root = 1 + decay;
+    return norm_ * decay / (root * root);
+  }
+
+  /// Azimuth of wi relative to wo; mode 0 to 3.
+  SinCos sample(int mode, const CylinderHit& hit, Random& random) const {
+    const float u = 2 * random.uniform() - 1;
+    const Inverse& inverse = inverse_[static_cast<size_t>(mode)];
+    if (inverse.scale == 0) return sinCosPi(u);
+    const float w = u * inverse.reach;
+    const float x = std::clamp(inverse.scale * std::log((1 + w) / (1 - w)), -1.0f, 1.0f);
+    const SinCos deviation = sinCosPi(x);
+    const float c = hit.turnCosine[mode], s = -hit.turnSine[mode];
+    return {c * deviation.sine + s * deviation.cosine, c * deviation.cosine - s * deviation.sine};
+  }
+
+  /// Standard deviation of the angle between normal and radius, over the outline; radians.
+  static double normalDeviation(FibreSection section);
+
+ private:
+  struct Inverse {
+    float scale = 0;  ///< of the logistic, in units of pi; 0: uniform
+    float reach = 0;  ///< twice the probability between the centre and pi before trimming
+  };
+  Lanes inverseScale_{}, norm_{};
+  std::array<Inverse, 4> inverse_{};
+};
+
+}  // namespace loomlight::optics

@@ -1,0 +1,70 @@
+#include "render/optics/bcsdf.h"
+
+#include <cmath>
+
+#include "render/optics/dielectric_cylinder.h"
+
+namespace loomlight {
+
+using namespace optics;
+
+namespace {
+
+std::array<float, FibreBcsdf::kLobes> toArray(Lanes lanes) {
+  return {lanes[0], lanes[1], lanes[2], lanes[3]};
+}
+
+/// Chooses R, TT, TRT or the residual.
+int chooseMode(Lanes share, float u) {
+  if (u < share[0]) return 0;
+  if (u < share[0] + share[1]) return 1;
+  if (u < share[0] + share[1] + share[2]) return 2;
+  // Rounding of the sum must not choose a residual that cannot be.
+  return share[3] > 0 ? 3 : 0;
+}
+
+/// Of the residual: 3 + k with probability (1 - f) f^k.
+int drawOrder(float inside, float u) {
+  constexpr float kMost = 1e6f;
+  return 3 + static_cast<int>(std::min(std::log(1 - u) / std::log(inside), kMost));
+}
+
+}  // namespace
+
+FibreBcsdf::FibreBcsdf(const Fibre& fibre)
+    : index_(static_cast<float>(fibre.refractiveIndex)),
+      along_(fibre.longitudinalRoughness, fibre.scaleTilt_deg * kPi / 180),
+      about_(fibre.azimuthalRoughness, fibre.section, fibre.refractiveIndex) {}
+
+FibreBcsdf::Sample FibreBcsdf::sample(glm::vec3 wo, float h, Random& random) const {
+  const CylinderHit hit(wo, h, index_);
+  const LongitudinalLobes::Outgoing o = along_.outgoing({hit.sineO, hit.cosineO});
+  const int mode = chooseMode(hit.share, random.uniform());
+  const Inclination i = along_.sample(mode, o, random);
+  const SinCos turn = about_.sample(mode, hit, random);
+
+  Sample sample;
+  sample.wi = {i.sine, i.cosine * (turn.cosine * hit.azimuthO.x - turn.sine * hit.azimuthO.y),
+               i.cosine * (turn.sine * hit.azimuthO.x + turn.cosine * hit.azimuthO.y)};
+  sample.order = mode < 3 ? mode : drawOrder(hit.inside, random.uniform());
+  sample.length = static_cast<float>(sample.order) * hit.chord;
+  sample.pdf = sum(hit.share * along_.density(o, i) * about_.density(hit, turn.cosine, turn.sine));
+  return sample;
+}
+
+FibreBcsdf::Value FibreBcsdf::evaluate(glm::vec3 wo, glm::vec3 wi, float h) const {
+  const CylinderHit hit(wo, h, index_);
+  const LongitudinalLobes::Outgoing o = along_.outgoing({hit.sineO, hit.cosineO});
+  const Inclination i{wi.x, std::min(std::sqrt(wi.y * wi.y + wi.z * wi.z), 1.0f)};
+  const glm::vec2 azimuth = i.cosine > 0 ? glm::vec2(wi.y, wi.z) / i.cosine : glm::vec2(1, 0);
+  const float cosine = azimuth.x * hit.azimuthO.x + azimuth.y * hit.azimuthO.y;
+  const float sine = azimuth.y * hit.azimuthO.x - azimuth.x * hit.azimuthO.y;
+  return {toArray(hit.share * along_.density(o, i) * about_.density(hit, cosine, sine)), hit.chord, hit.inside};
+}
+
+FibreBcsdf::Modes FibreBcsdf::modes(glm::vec3 wo, float h) const {
+  const CylinderHit hit(wo, h, index_);
+  return {toArray(hit.share), hit.chord, hit.inside};
+}
+
+}  // namespace loomlight

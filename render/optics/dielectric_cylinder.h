@@ -1,0 +1,61 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <glm/glm.hpp>
+
+#include "render/optics/lanes.h"
+
+namespace loomlight::optics {
+
+/// What a smooth, clear cylinder does to one ray: how the light divides among the modes, where each would leave, and
+/// how far it travels inside. With the Bravais index this is a circle in the plane across the fibre (Marschner et al.
+/// 2003).
+struct CylinderHit {
+  float sineO, cosineO;  ///< inclination of wo to the plane across the fibre
+  glm::vec2 azimuthO;    ///< unit; wo in that plane
+  Lanes share;           ///< probability of R, TT, TRT, residual; sums to one
+  float inside;          ///< internal reflectance f
+  float chord;           ///< length of one internal traverse, in radii
+  /// Unit complex numbers e^(-i Phi_p), Phi_p = 2 p gamma_t - 2 gamma_o + p pi: the turn in azimuth of each mode.
+  Lanes turnCosine, turnSine;
+
+  CylinderHit(glm::vec3 wo, float h, float index);
+};
+
+/// Reflectance for unpolarised light, from the cosine outside and index times the cosine inside (Fresnel).
+inline float fresnel(float cosine, float refracted, float index) {
+  const float s = (cosine - refracted) / (cosine + refracted);
+  const float p = (index * index * cosine - refracted) / (index * index * cosine + refracted);
+  return 0.5f * (s * s + p * p);
+}
+
+inline CylinderHit::CylinderHit(glm::vec3 wo, float h, float index) {
+  sineO = std::clamp(wo.x, -1.0f, 1.0f);
+  const float cosine2 = wo.y * wo.y + wo.z * wo.z;
+  cosineO = std::min(std::sqrt(cosine2), 1.0f);
+  azimuthO = cosineO > 0 ? glm::vec2(wo.y, wo.z) / cosineO : glm::vec2(1, 0);
+
+  // k = eta cos theta_t and e = eta cos theta_t cos gamma_t: every angle inside follows from these two roots.
+  const float k2 = index * index - sineO * sineO;
+  const float k = std::sqrt(k2);
+  const float e = std::sqrt(k2 - h * h * cosineO * cosineO);
+  const float cosGammaO = std::sqrt(std::max(0.0f, 1 - h * h));
+  const float cosGammaT = e / k, sinGammaT = h * cosineO / k;
+  chord = 2 * cosGammaT * index / k;
+
+  const float f = fresnel(cosineO * cosGammaO, e, index);
+  const float entering = (1 - f) * (1 - f);
+  inside = f;
+  share = Lanes{f, entering, entering * f, (1 - f) * f * f};
+
+  // First e^(2 i gamma_o), then per traverse once more -e^(-2 i gamma_t).
+  const float c0 = 1 - 2 * h * h, s0 = 2 * h * cosGammaO;
+  const float ct = 2 * sinGammaT * sinGammaT - 1, st = 2 * sinGammaT * cosGammaT;
+  const float c1 = c0 * ct - s0 * st, s1 = c0 * st + s0 * ct;
+  const float c2 = c1 * ct - s1 * st, s2 = c1 * st + s1 * ct;
+  turnCosine = Lanes{c0, c1, c2, 1};
+  turnSine = Lanes{s0, s1, s2, 0};
+}
+
+}  // namespace loomlight::optics

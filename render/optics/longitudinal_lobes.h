@@ -1,0 +1,106 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "core/base/random.h"
+#include "core/base/units.h"
+#include "render/optics/lanes.h"
+
+namespace loomlight::optics {
+
+/// An inclination to the plane across the fibre.
+struct Inclination {
+  float sine, cosine;
+};
+
+/// Scattering along the fibre. d'Eon et al. 2011 give the density of the inclination i of wi, for a lobe of variance v
+/// around the mirror cone,
+///   M(o, i) = exp(-sin_o sin_i / v) I0(cos_o cos_i / v) / (2 v sinh(1 / v)),   integral of M cos_i di = 1:
+/// energy is kept for light that leaves along o, but light that arrives along i is multiplied, several times at grazing
+/// angles. Sinkhorn's scaling of rows and columns repairs that: with the one function a() that solves
+///   a(o) * integral of a(i) M(o, i) cos_i^2 di = 1
+/// the lobe S = a(o) a(i) M(o, i) is symmetric, and S cos_i integrates to one from either side.
+class LongitudinalLobes {
+ public:
+  LongitudinalLobes(double roughness, double scaleTilt_rad);
+
+  /// Where wo lies, as every mode sees it: shifted by the tilt of the scales.
+  struct Outgoing {
+    Lanes sine, cosine, a;
+  };
+  Outgoing outgoing(Inclination o) const {
+    if (!tilted_) return {spread(o.sine), spread(o.cosine), correction(o.cosine)};
+    Outgoing shifted{o.sine * tiltCosine_ + o.cosine * tiltSine_,
+                     magnitude(o.cosine * tiltCosine_ - o.sine * tiltSine_), Lanes{}};
+    for (int mode = 0; mode < 4; ++mode) shifted.a[mode] = correction(mode, shifted.cosine[mode]);
+    return shifted;
+  }
+
+  /// S cos_i for every mode.
+  Lanes density(const Outgoing& o, Inclination i) const {
+    const Lanes sine = o.sine * i.cosine + o.cosine * i.sine;
+    const Lanes cosine = o.cosine * i.cosine - o.sine * i.sine;
+    // 1 - cos(o + i), without cancellation where narrow lobes live.
+    const Lanes versine = cosine > 0 ? sine * sine / (1 + cosine) : 1 - cosine;
+    const Lanes x = o.cosine * i.cosine * inverseVariance_;
+    const BesselI0 bessel = besselI0(x);
+    const Lanes decay = exponential(bessel.exponent - x - versine * inverseVariance_);
+    return o.a * correction(i.cosine) * i.cosine * norm_ * bessel.factor * decay;
+  }
+
+  /// Draws i from exactly that density: M by the inverse of its distribution (d'Eon et al. 2013), the rest by
+  /// rejection.
+  Inclination sample(int mode, const Outgoing& o, Random& random) const {
+    const Inverse& inverse = inverse_[static_cast<size_t>(mode)];
+    for (;;) {
+      const float u = random.uniform();
+      const float versine = std::min(-inverse.variance * std::log(u + (1 - u) * inverse.floor), 2.0f);
+      const float across = std::sqrt(versine * (2 - versine)) * sinCosPi(2 * random.uniform() - 1).cosine;
+      const float sine = std::clamp((versine - 1) * o.sine[mode] + across * o.cosine[mode], -1.0f, 1.0f);
+      const float cosine = std::sqrt((1 - sine) * (1 + sine));
+      // Written so that not-a-number is accepted: bad input must not hang.
+      if (!(random.uniform() * inverse.bound >= correction(mode, cosine) * cosine)) return {sine, cosine};
+    }
+  }
+
+  /// Bytes of the table of a().
+  size_t bytes() const { return table_.size() * sizeof(Lanes); }
+
+ private:
+  struct Inverse {
+    float variance = 0, floor = 0;  ///< v, exp(-2 / v)
+    float bound = 0;                ///< largest a cos_i
+  };
+
+  /// a() is smooth in the cosine, but changes fastest near zero: rows are even in its square root.
+  struct Place {
+    size_t row;
+    float next;
+  };
+  Place place(float cosine) const {
+    const float x = std::sqrt(cosine) * static_cast<float>(kRows);
+    const size_t row = std::min(static_cast<size_t>(static_cast<int>(x)), size_t{kRows - 1});
+    return {row, x - static_cast<float>(row)};
+  }
+  Lanes correction(float cosine) const {
+    const Place p = place(cosine);
+    return table_[p.row] + p.next * (table_[p.row + 1] - table_[p.row]);
+  }
+  float correction(int mode, float cosine) const {
+    const Place p = place(cosine);
+    return table_[p.row][mode] + p.next * (table_[p.row + 1][mode] - table_[p.row][mode]);
+  }
+  void solve(int mode, double variance);
+
+  static constexpr int kRows = 256;
+  bool tilted_ = false;
+  Lanes tiltCosine_{}, tiltSine_{};
+  Lanes inverseVariance_{}, norm_{};
+  std::array<Inverse, 4> inverse_{};
+  std::vector<Lanes> table_;
+};
+
+}  // namespace loomlight::optics
