@@ -10,8 +10,8 @@ namespace loomlight {
 /// Named float channels over one rectangle, row by row from the top left; the in-memory form of an EXR.
 struct Image {
   struct Channel {
-    std::string name;                 ///< EXR names: R, G, B, A, depth.Z, normal.X ...
-    std::vector<float> values;        ///< width * height
+    std::string name;           ///< EXR names: R, G, B, A, depth.Z, normal.X ...
+    std::vector<float> values;  ///< width * height
   };
   int width = 0, height = 0;
   std::vector<Channel> channels;

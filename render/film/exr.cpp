@@ -1,0 +1,212 @@
+// EXR by OpenEXR 3. What a hostile file could make the library allocate is checked before the library sees the file.
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfIO.h>
+#include <ImfInputFile.h>
+#include <ImfOutputFile.h>
+#include <ImfStringAttribute.h>
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <new>
+
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "render/film/image.h"
+
+namespace loomlight {
+namespace {
+
+constexpr int64_t kMaxSide = 16384;
+constexpr int64_t kMaxChannels = 1024;
+constexpr uint64_t kMaxBytes = uint64_t{1} << 31;  ///< of the pixels in memory; a 4K picture with all its sums fits
+
+// Bits of the version field (OpenEXR file layout).
+constexpr uint32_t kDeepFlag = 0x800, kMultiPartFlag = 0x1000;
+
+/// Walks the attributes of a header without believing any of its numbers.
+class HeaderGuard {
+ public:
+  explicit HeaderGuard(const std::string& file) : file_(file) {
+    std::error_code error;
+    if (!std::filesystem::exists(file, error)) throw InputError(fmt::format("{}: no such file", file));
+    if (!std::filesystem::is_regular_file(file, error)) throw InputError(fmt::format("{}: not a regular file", file));
+    size_ = std::filesystem::file_size(file, error);
+    stream_.open(file, std::ios::binary);
+    if (!stream_) throw InputError(fmt::format("{}: cannot be read: {}", file, std::strerror(errno)));
+  }
+
+  void check() {
+    if (integer() != 20000630u) throw InputError(fmt::format("{}: not an EXR file", file_));
+    const uint32_t version = integer();
+    if (version & kDeepFlag) throw InputError(fmt::format("{}: deep EXR files are not supported", file_));
+    do {
+      checkPart();
+    } while ((version & kMultiPartFlag) && stream_.peek() != 0);
+  }
+
+ private:
+  [[noreturn]] void damaged() const { throw InputError(fmt::format("{}: damaged EXR header", file_)); }
+
+  uint32_t integer() {
+    std::array<unsigned char, 4> b{};
+    if (!stream_.read(reinterpret_cast<char*>(b.data()), 4)) damaged();
+    return b[0] | b[1] << 8 | b[2] << 16 | static_cast<uint32_t>(b[3]) << 24;
+  }
+
+  std::string word() {
+    std::string text;
+    for (int c = stream_.get(); c != 0; c = stream_.get()) {
+      if (c < 0 || text.size() == 255) damaged();
+      text += static_cast<char>(c);
+    }
+    return text;
+  }
+
+  void checkPart() {
+    int64_t width = 0, height = 0, tileWidth = 0, tileHeight = 0, channels = 0;
+    for (std::string name = word(); !name.empty(); name = word()) {
+      const std::string type = word();
+      const uint32_t bytes = integer();
+      const auto start = stream_.tellg();
+      if (start < 0 || bytes > size_ - static_cast<uint64_t>(start)) damaged();
+      if (name == "dataWindow" && type == "box2i") {
+        const auto coordinate = [&] { return static_cast<int64_t>(static_cast<int32_t>(integer())); };
+        const int64_t minX = coordinate(), minY = coordinate();
+        width = coordinate() - minX + 1;
+        height = coordinate() - minY + 1;
+      } else if (name == "tiles" && type == "tiledesc") {
+        tileWidth = integer();
+        tileHeight = integer();
+      } else if (name == "channels" && type == "chlist") {
+        channels = bytes / 18;  // the shortest description of a channel
+      }
+      stream_.seekg(start + static_cast<std::streamoff>(bytes));
+    }
+    if (width < 1 || height < 1) damaged();
+    if (width > kMaxSide || height > kMaxSide || tileWidth > kMaxSide || tileHeight > kMaxSide)
+      throw InputError(fmt::format("{}: {} x {} pixels is too large, expected at most {} x {}", file_,
+                                   std::max(width, tileWidth), std::max(height, tileHeight), kMaxSide, kMaxSide));
+    if (channels > kMaxChannels)
+      throw InputError(fmt::format("{}: too many channels, expected at most {}", file_, kMaxChannels));
+    const uint64_t pixels = static_cast<uint64_t>(std::max(width * height, tileWidth * tileHeight));
+    // A description of a channel may be longer than the shortest: the exact count is checked again later.
+    if (pixels * static_cast<uint64_t>(std::max<int64_t>(1, channels / 16)) * sizeof(float) > kMaxBytes)
+      throw InputError(fmt::format("{}: too large: more than 2 GB of pixels", file_));
+  }
+
+  std::string file_;
+  std::ifstream stream_;
+  uint64_t size_ = 0;
+};
+
+/// Takes what OpenEXR writes: its own files swallow, in their destructors, that the disk is full.
+class MemoryStream : public Imf::OStream {
+ public:
+  explicit MemoryStream(const std::string& name) : OStream(name.c_str()) {}
+  const std::string& bytes() const { return bytes_; }
+
+  void write(const char bytes[], int count) override {
+    const size_t end = position_ + static_cast<size_t>(count);
+    if (end > bytes_.size()) bytes_.resize(end);
+    std::copy_n(bytes, count, bytes_.data() + position_);
+    position_ = end;
+  }
+  uint64_t tellp() override { return position_; }
+  void seekp(uint64_t position) override { position_ = position; }
+
+ private:
+  std::string bytes_;
+  size_t position_ = 0;
+};
+
+Image readChecked(const std::string& file) {
+  Imf::InputFile input(file.c_str());
+  const Imf::Header& header = input.header();
+  const Imath::Box2i window = header.dataWindow();
+  Image image;
+  image.width = window.max.x - window.min.x + 1;
+  image.height = window.max.y - window.min.y + 1;
+  uint64_t count = 0;
+  for (auto c = header.channels().begin(); c != header.channels().end(); ++c, ++count) {
+    if (c.channel().xSampling != 1 || c.channel().ySampling != 1)
+      throw InputError(fmt::format("{}: channel {} is subsampled, expected one value a pixel", file, c.name()));
+  }
+  const uint64_t pixels = static_cast<uint64_t>(image.width) * static_cast<uint64_t>(image.height);
+  if (pixels * count * sizeof(float) > kMaxBytes)
+    throw InputError(fmt::format("{}: too large: {} channels of {} x {} pixels are more than 2 GB", file, count,
+                                 image.width, image.height));
+  if (!input.isComplete()) throw InputError(fmt::format("{}: incomplete, some of its pixels are missing", file));
+
+  image.channels.reserve(count);
+  Imf::FrameBuffer buffer;
+  for (auto c = header.channels().begin(); c != header.channels().end(); ++c) {
+    float* values = image.add(c.name()).data();
+    buffer.insert(c.name(), Imf::Slice::Make(Imf::FLOAT, values, window));
+  }
+  input.setFrameBuffer(buffer);
+  input.readPixels(window.min.y, window.max.y);
+  for (auto a = header.begin(); a != header.end(); ++a) {
+    if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&a.attribute()))
+      image.metadata[a.name()] = text->value();
+  }
+  return image;
+}
+
+Imf::Header headerOf(const std::string& file, const Image& image) {
+  Imf::Header header(image.width, image.height);
+  header.compression() = Imf::ZIP_COMPRESSION;
+  for (const Image::Channel& channel : image.channels) header.channels().insert(channel.name, Imf::Channel(Imf::FLOAT));
+  for (const auto& [name, value] : image.metadata) {
+    if (name.empty() || name.size() > 255 || header.find(name) != header.end())
+      throw InputError(fmt::format("{}: '{}' cannot be the name of a text in an EXR", file, name));
+    header.insert(name, Imf::StringAttribute(value));
+  }
+  return header;
+}
+
+}  // namespace
+
+Image readExr(const std::string& file) {
+  HeaderGuard(file).check();
+  try {
+    return readChecked(file);
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw InputError(fmt::format("{}: needs more memory than there is", file));
+  } catch (const std::exception& e) {
+    throw InputError(fmt::format("{}: damaged or unsupported EXR file: {}", file, e.what()));
+  }
+}
+
+void writeExr(const std::string& file, const Image& image) {
+  if (image.width < 1 || image.height < 1 || image.width > kMaxSide || image.height > kMaxSide)
+    throw InputError(fmt::format("{}: cannot be written with {} x {} pixels, expected 1 to {} a side", file,
+                                 image.width, image.height, kMaxSide));
+  const Imf::Header header = headerOf(file, image);
+  Imf::FrameBuffer buffer;
+  for (const Image::Channel& channel : image.channels) {
+    assert(channel.values.size() == static_cast<size_t>(image.width) * static_cast<size_t>(image.height));
+    // OpenEXR shares one slice type between reading and writing; when writing it only reads.
+    buffer.insert(channel.name, Imf::Slice::Make(Imf::FLOAT, channel.values.data(), header.dataWindow()));
+  }
+  MemoryStream stream(file);
+  try {
+    Imf::OutputFile output(stream, header);
+    output.setFrameBuffer(buffer);
+    output.writePixels(image.height);
+  } catch (const std::exception& e) {
+    throw InputError(fmt::format("{}: cannot be written: {}", file, e.what()));
+  }
+  writeFileAtomically(file, stream.bytes());
+}
+
+}  // namespace loomlight

@@ -1,0 +1,163 @@
+#include "render/film/film.h"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "render/film/fixed_point.h"
+
+namespace loomlight {
+namespace {
+
+constexpr int kMaxSide = 16384;
+constexpr int kMaxId = 1 << 24;  ///< beyond it a float channel no longer holds every integer
+
+/// The machine's memory, or half of it all that there could be where the system does not tell.
+uint64_t physicalMemory() {
+  const long pages = sysconf(_SC_PHYS_PAGES), bytes = sysconf(_SC_PAGE_SIZE);
+  if (pages <= 0 || bytes <= 0) return std::numeric_limits<uint64_t>::max() / 2;
+  return static_cast<uint64_t>(pages) * static_cast<uint64_t>(bytes);
+}
+
+int clampId(int id) {
+  return std::clamp(id, -1, kMaxId);
+}
+
+}  // namespace
+
+Film::Film(int width, int height) : width_(width), height_(height) {
+  if (width < 1 || height < 1 || width > kMaxSide || height > kMaxSide)
+    throw InputError(fmt::format("a picture of {} x {} pixels: expected 1 to {} a side", width, height, kMaxSide));
+  const size_t count = static_cast<size_t>(width) * static_cast<size_t>(height);
+  const uint64_t bytes = count * bytesPerPixel;
+  if (bytes > physicalMemory())
+    throw InputError(fmt::format("a picture of {} x {} pixels needs {:.1f} GB for its sums, this machine has {:.1f}",
+                                 width, height, static_cast<double>(bytes) * 1e-9,
+                                 static_cast<double>(physicalMemory()) * 1e-9));
+  pixels_.resize(count);
+}
+
+void Film::add(int x, int y, uint32_t sampleIndex, const PathSample& sample) {
+  assert(x >= 0 && x < width_ && y >= 0 && y < height_ && sampleIndex < maxSamples);
+  Pixel& p = at(x, y);
+  uint64_t total[3];
+  for (int c = 0; c < 3; ++c) {
+    const uint64_t direct = fixedRadiance(sample.direct[c]), indirect = fixedRadiance(sample.indirect[c]);
+    p.direct[c] += direct;
+    p.indirect[c] += indirect;
+    total[c] = direct + indirect;
+  }
+  // From the rounded values, so that mean and second moment speak of the same samples.
+  p.luminance2 = saturatingAdd(p.luminance2, fixedSquare(luminance(total)));
+  p.events += sample.events;
+  ++p.samples;
+  if (!(sample.alpha >= 0.5f)) return;
+
+  p.depth += fixedDepth(sample.depth_mm);
+  for (int c = 0; c < 3; ++c) {
+    p.normal[c] += fixedDirection(sample.normal[c]);
+    p.tangent[c] += fixedDirection(sample.tangent[c]);
+  }
+  if (p.hits == 0 || sampleIndex < p.firstIndex) {
+    p.firstIndex = sampleIndex;
+    p.yarn = clampId(sample.yarn);
+    p.end = clampId(sample.end);
+    p.pick = clampId(sample.pick);
+    p.hitDepth = sample.depth_mm;
+  }
+  ++p.hits;
+}
+
+void Film::merge(const Film& other) {
+  assert(width_ == other.width_ && height_ == other.height_);
+  for (size_t i = 0; i < pixels_.size(); ++i) {
+    if (pixels_[i].samples > maxSamples - std::min(maxSamples, other.pixels_[i].samples))
+      throw InputError(fmt::format("pictures with together more than {} samples a pixel cannot be merged", maxSamples));
+  }
+  for (size_t i = 0; i < pixels_.size(); ++i) {
+    Pixel& p = pixels_[i];
+    const Pixel& q = other.pixels_[i];
+    if (q.hits > 0 && (p.hits == 0 || q.firstIndex < p.firstIndex)) {
+      p.firstIndex = q.firstIndex;
+      p.yarn = q.yarn;
+      p.end = q.end;
+      p.pick = q.pick;
+      p.hitDepth = q.hitDepth;
+    }
+    for (int c = 0; c < 3; ++c) {
+      p.direct[c] += q.direct[c];
+      p.indirect[c] += q.indirect[c];
+      p.normal[c] += q.normal[c];
+      p.tangent[c] += q.tangent[c];
+    }
+    p.luminance2 = saturatingAdd(p.luminance2, q.luminance2);
+    p.depth += q.depth;
+    p.events += q.events;
+    p.samples += q.samples;
+    p.hits += q.hits;
+  }
+}
+
+void Film::clear() {
+  std::fill(pixels_.begin(), pixels_.end(), Pixel{});
+}
+
+Rgb Film::mean(const Pixel& p) {
+  if (p.samples == 0) return Rgb(0);
+  const double scale = kRadianceQuantum / p.samples;
+  return {static_cast<float>(static_cast<double>(p.direct[0] + p.indirect[0]) * scale),
+          static_cast<float>(static_cast<double>(p.direct[1] + p.indirect[1]) * scale),
+          static_cast<float>(static_cast<double>(p.direct[2] + p.indirect[2]) * scale)};
+}
+
+float Film::variance(const Pixel& p) {
+  if (p.samples < 2) return 0;
+  if (p.luminance2 == std::numeric_limits<uint64_t>::max()) return std::numeric_limits<float>::infinity();
+  const uint64_t total[3] = {p.direct[0] + p.indirect[0], p.direct[1] + p.indirect[1], p.direct[2] + p.indirect[2]};
+  const double n = p.samples, mean = luminance(total) / n;
+  const double meanOfSquares = static_cast<double>(p.luminance2) * kSquareQuantum / n;
+  return static_cast<float>(std::max(0.0, meanOfSquares - mean * mean) / (n - 1));
+}
+
+Film::Hit Film::hit(const Pixel& p) {
+  if (p.hits == 0) return {};
+  return {p.yarn, p.end, p.pick, p.hitDepth};
+}
+
+Rgb Film::mean(int x, int y) const {
+  return mean(at(x, y));
+}
+float Film::variance(int x, int y) const {
+  return variance(at(x, y));
+}
+Film::Hit Film::hit(int x, int y) const {
+  return hit(at(x, y));
+}
+
+float Film::alpha(int x, int y) const {
+  const Pixel& p = at(x, y);
+  return p.samples == 0 ? 0.0f : static_cast<float>(static_cast<double>(p.hits) / p.samples);
+}
+
+double Film::totalEvents() const {
+  uint64_t events = 0;
+  for (const Pixel& p : pixels_) events += p.events;
+  return static_cast<double>(events);
+}
+
+void Film::toDisplayBuffer(std::vector<glm::vec4>& rgba, int threads) const {
+  rgba.resize(pixels_.size());
+  parallelFor(static_cast<size_t>(height_), threads, [&](size_t row) {
+    const int y = static_cast<int>(row);
+    glm::vec4* out = &rgba[row * static_cast<size_t>(width_)];
+    for (int x = 0; x < width_; ++x) out[x] = glm::vec4(mean(x, y), alpha(x, y));
+  });
+}
+
+}  // namespace loomlight

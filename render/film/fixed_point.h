@@ -1,0 +1,48 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+/// The film's fixed point: how a sample becomes the integers that are summed. See Film for quanta and ranges.
+namespace loomlight {
+
+inline constexpr double kRadianceQuantum = 0x1p-24, kSquareQuantum = 0x1p-28, kDepthQuantum_mm = 0x1p-16,
+                        kDirectionQuantum = 0x1p-10;
+inline constexpr double kMaxRadiance = 0x1p18, kMaxSquare = 0x1p34, kMaxDepth_mm = 0x1p20;
+
+/// Rounded to the nearest quantum; NaN and what is below zero give 0.
+inline uint64_t fixedPositive(double value, double maximum, double quantum) {
+  if (!(value > 0)) return 0;
+  return static_cast<uint64_t>(std::llrint(std::min(value, maximum) * (1 / quantum)));
+}
+
+inline uint64_t fixedRadiance(float value) {
+  return fixedPositive(value, kMaxRadiance, kRadianceQuantum);
+}
+inline uint64_t fixedDepth(float value_mm) {
+  return fixedPositive(value_mm, kMaxDepth_mm, kDepthQuantum_mm);
+}
+inline uint64_t fixedSquare(double luminance) {
+  return fixedPositive(luminance * luminance, kMaxSquare, kSquareQuantum);
+}
+
+inline int32_t fixedDirection(float component) {
+  if (std::isnan(component)) return 0;
+  return static_cast<int32_t>(
+      std::lrint(std::clamp(component, -1.0f, 1.0f) * static_cast<float>(1 / kDirectionQuantum)));
+}
+
+/// Associative and commutative, because all terms are positive.
+inline uint64_t saturatingAdd(uint64_t a, uint64_t b) {
+  return a > std::numeric_limits<uint64_t>::max() - b ? std::numeric_limits<uint64_t>::max() : a + b;
+}
+
+/// Rec. 709 luminance of radiance in quanta.
+inline double luminance(const uint64_t (&rgb)[3]) {
+  return kRadianceQuantum * (0.2126 * static_cast<double>(rgb[0]) + 0.7152 * static_cast<double>(rgb[1]) +
+                             0.0722 * static_cast<double>(rgb[2]));
+}
+
+}  // namespace loomlight

@@ -1,0 +1,107 @@
+// PNG by stb, whose two implementations live here and nowhere else. Texts are chunks that we add ourselves: stb cannot.
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_ONLY_PNG
+#define STBI_NO_FAILURE_STRINGS
+#define STBI_NO_HDR
+#define STBI_NO_LINEAR
+#define STBI_MAX_DIMENSIONS 16384
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#define STB_IMAGE_WRITE_STATIC
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
+#include <stb/stb_image.h>
+#include <stb/stb_image_write.h>
+#pragma GCC diagnostic pop
+
+#include <fmt/core.h>
+
+#include <array>
+#include <cassert>
+#include <climits>
+#include <memory>
+
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "render/film/image.h"
+
+namespace loomlight {
+namespace {
+
+constexpr int kMaxSide = STBI_MAX_DIMENSIONS;
+constexpr size_t kMaxFileBytes = size_t{1} << 30;
+constexpr size_t kHeaderBytes = 8 + 25;  ///< the signature and the IHDR chunk, which comes first
+
+/// CRC-32 of ISO 3309, as in the PNG specification, annex D.
+uint32_t crc(const std::string& bytes) {
+  static constexpr auto table = [] {
+    std::array<uint32_t, 256> t{};
+    for (uint32_t n = 0; n < 256; ++n) {
+      t[n] = n;
+      for (int k = 0; k < 8; ++k) t[n] = t[n] & 1 ? 0xEDB88320u ^ (t[n] >> 1) : t[n] >> 1;
+    }
+    return t;
+  }();
+  uint32_t c = ~0u;
+  for (const char byte : bytes) c = table[(c ^ static_cast<uint8_t>(byte)) & 255] ^ (c >> 8);
+  return ~c;
+}
+
+std::string bigEndian(uint32_t n) {
+  return {static_cast<char>(n >> 24), static_cast<char>(n >> 16), static_cast<char>(n >> 8), static_cast<char>(n)};
+}
+
+std::string chunk(const std::string& type, const std::string& data) {
+  return bigEndian(static_cast<uint32_t>(data.size())) + type + data + bigEndian(crc(type + data));
+}
+
+/// An iTXt chunk: UTF-8, uncompressed, no language.
+std::string textChunk(const std::string& file, const std::string& key, const std::string& value) {
+  if (key.empty() || key.size() > 79 || key.find('\0') != std::string::npos || value.size() > INT_MAX / 2)
+    throw InputError(fmt::format("{}: '{}' cannot be the name of a text in a PNG", file, key));
+  return chunk("iTXt", key + std::string(5, '\0') + value);
+}
+
+}  // namespace
+
+void writePng(const std::string& file, const Pixels8& pixels, const std::map<std::string, std::string>& text) {
+  assert(pixels.channels == 3 || pixels.channels == 4);
+  if (pixels.width < 1 || pixels.height < 1 || pixels.width > kMaxSide || pixels.height > kMaxSide)
+    throw InputError(fmt::format("{}: cannot be written with {} x {} pixels, expected 1 to {} a side", file,
+                                 pixels.width, pixels.height, kMaxSide));
+  std::string png;
+  const auto append = [](void* to, void* bytes, int count) {
+    static_cast<std::string*>(to)->append(static_cast<const char*>(bytes), static_cast<size_t>(count));
+  };
+  if (!stbi_write_png_to_func(append, &png, pixels.width, pixels.height, pixels.channels, pixels.bytes.data(),
+                              pixels.width * pixels.channels))
+    throw InputError(fmt::format("{}: needs more memory than there is", file));
+
+  std::string extra = chunk("sRGB", std::string(1, '\0'));  // perceptual intent
+  for (const auto& [key, value] : text) extra += textChunk(file, key, value);
+  png.insert(kHeaderBytes, extra);
+  writeFileAtomically(file, png);
+}
+
+Pixels8 readPng(const std::string& file) {
+  const std::string bytes = readFile(file, kMaxFileBytes);
+  const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+  const int size = static_cast<int>(bytes.size());
+  Pixels8 pixels;
+  int channelsInFile = 0;
+  if (!stbi_info_from_memory(data, size, &pixels.width, &pixels.height, &channelsInFile))
+    throw InputError(fmt::format("{}: not a PNG file, or one of more than {} x {} pixels", file, kMaxSide, kMaxSide));
+  const bool hasAlpha = channelsInFile == 2 || channelsInFile == 4;
+  pixels.channels = hasAlpha ? 4 : 3;
+  const std::unique_ptr<stbi_uc, void (*)(void*)> decoded(
+      stbi_load_from_memory(data, size, &pixels.width, &pixels.height, &channelsInFile, pixels.channels),
+      stbi_image_free);
+  if (!decoded) throw InputError(fmt::format("{}: damaged PNG file", file));
+  const size_t count =
+      static_cast<size_t>(pixels.width) * static_cast<size_t>(pixels.height) * static_cast<size_t>(pixels.channels);
+  pixels.bytes.assign(decoded.get(), decoded.get() + count);
+  return pixels;
+}
+
+}  // namespace loomlight
