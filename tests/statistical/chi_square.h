@@ -136,27 +136,27 @@ ChiSquare chiSquareOnInterval(double low, double high, Sampler&& sampler, Pdf&& 
 }
 
 /// sampler(Random&) gives a unit vector, or an empty std::optional where it finds nothing; pdf(glm::vec3) its density
-/// per solid angle. Bins are equal in the cosine to `axis` and in the angle about it.
+/// per solid angle. Bins are equal in the angle from `axis` and in the angle about it.
 template <class Sampler, class Pdf>
 ChiSquare chiSquareOnSphere(Sampler&& sampler, Pdf&& pdf, ChiSquareSettings settings = {}) {
   const glm::dvec3 axis = glm::normalize(glm::dvec3(settings.axis));
-  const glm::dvec3 u =
-      glm::normalize(glm::cross(axis, std::abs(axis.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
-  const glm::dvec3 v = glm::cross(axis, u);
+  const glm::dvec3 other = std::abs(axis.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+  const glm::dvec3 u = glm::normalize(glm::cross(axis, other)), v = glm::cross(axis, u);
   const int rows = settings.bins, columns = 2 * settings.bins;
-  const double dz = 2.0 / rows, dphi = 2 * kPi / columns;
+  const double dtheta = kPi / rows, dphi = 2 * kPi / columns;
   std::vector<double> counts(static_cast<size_t>(rows) * static_cast<size_t>(columns) + 1), mass(counts.size());
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < columns; ++column) {
-      const auto ring = [&](double z) {
-        const double r = std::sqrt(std::max(0.0, 1 - z * z));
+      const auto ring = [&](double theta) {
         const auto point = [&](double phi) {
-          return static_cast<double>(pdf(glm::vec3(z * axis + r * std::cos(phi) * u + r * std::sin(phi) * v)));
+          const glm::dvec3 around = std::cos(phi) * u + std::sin(phi) * v;
+          return static_cast<double>(pdf(glm::vec3(std::cos(theta) * axis + std::sin(theta) * around)));
         };
-        return integrate(point, -kPi + column * dphi, -kPi + (column + 1) * dphi, settings.quadrature);
+        const double low = -kPi + column * dphi;
+        return std::sin(theta) * integrate(point, low, low + dphi, settings.quadrature);
       };
       mass[static_cast<size_t>(row * columns + column)] =
-          integrate(ring, -1 + row * dz, -1 + (row + 1) * dz, settings.quadrature);
+          integrate(ring, row * dtheta, (row + 1) * dtheta, settings.quadrature);
     }
   }
   Random random(settings.seed);
@@ -166,7 +166,8 @@ ChiSquare chiSquareOnSphere(Sampler&& sampler, Pdf&& pdf, ChiSquareSettings sett
     if (w) {
       const glm::dvec3 d(*w);
       const double phi = std::atan2(glm::dot(d, v), glm::dot(d, u));
-      bin = detail::binOf(0.5 * (glm::dot(d, axis) + 1), rows) * static_cast<size_t>(columns) +
+      const double theta = std::acos(std::clamp(glm::dot(d, axis), -1.0, 1.0));
+      bin = detail::binOf(theta / kPi, rows) * static_cast<size_t>(columns) +
             detail::binOf((phi + kPi) / (2 * kPi), columns);
     }
     counts[bin] += 1;
