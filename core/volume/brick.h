@@ -1,9 +1,9 @@
 #pragma once
 
-#include <array>
 #include <bit>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/volume/component.h"
@@ -21,47 +21,51 @@ class Brick {
     uint64_t occupied = 0;
     uint64_t second = 0;
     uint32_t first = 0;
+    bool operator==(const Block&) const = default;
   };
   struct Level {
     glm::ivec3 lower{0};   ///< first voxel, in voxels of this level
     glm::ivec3 blocks{0};  ///< extent, in blocks
     std::vector<Block> grid;
     std::vector<Component> components;
-    bool operator==(const Level&) const;
+    /// See Brick::at.
+    std::span<const Component> at(glm::ivec3 v) const;
+    bool operator==(const Level&) const = default;
   };
 
-  explicit Brick(std::vector<Level> levels) : levels_(std::move(levels)) {}
+  Brick(std::vector<Level> levels, size_t segments) : levels_(std::move(levels)), segments_(segments) {}
 
   int levels() const { return static_cast<int>(levels_.size()); }
   const Level& level(int i) const { return levels_[i]; }
 
   /// The components of voxel v of a level (0: leaves); empty where there are none or v is outside. Cost: one block and
   /// one or two components read.
-  std::span<const Component> at(glm::ivec3 v, int level = 0) const;
+  std::span<const Component> at(glm::ivec3 v, int level = 0) const { return levels_[level].at(v); }
 
-  size_t bytes() const;
-  size_t voxels() const;      ///< occupied leaves
-  size_t components() const;  ///< in leaves
-  friend bool operator==(const Brick&, const Brick&);
+  size_t bytes() const;                          ///< all that it keeps, itself included
+  size_t voxels() const;                         ///< occupied leaves
+  size_t components() const;                     ///< in leaves
+  size_t segments() const { return segments_; }  ///< fibre segments it was made of
+  friend bool operator==(const Brick&, const Brick&) = default;
 
  private:
   std::vector<Level> levels_;
+  size_t segments_ = 0;
 };
 
-inline std::span<const Component> Brick::at(glm::ivec3 v, int levelIndex) const {
-  const Level& l = levels_[levelIndex];
-  v -= l.lower;
+inline std::span<const Component> Brick::Level::at(glm::ivec3 v) const {
+  v -= lower;
   const glm::ivec3 b(v.x >> 2, v.y >> 2, v.z >> 2);
-  if (static_cast<unsigned>(b.x) >= static_cast<unsigned>(l.blocks.x) ||
-      static_cast<unsigned>(b.y) >= static_cast<unsigned>(l.blocks.y) ||
-      static_cast<unsigned>(b.z) >= static_cast<unsigned>(l.blocks.z))
+  if (static_cast<unsigned>(b.x) >= static_cast<unsigned>(blocks.x) ||
+      static_cast<unsigned>(b.y) >= static_cast<unsigned>(blocks.y) ||
+      static_cast<unsigned>(b.z) >= static_cast<unsigned>(blocks.z))
     return {};
-  const Block& block = l.grid[(b.z * l.blocks.y + b.y) * l.blocks.x + b.x];
+  const Block& block = grid[(b.z * blocks.y + b.y) * blocks.x + b.x];
   const uint64_t bit = uint64_t{1} << ((v.x & 3) | (v.y & 3) << 2 | (v.z & 3) << 4);
   if (!(block.occupied & bit)) return {};
   const uint64_t below = bit - 1;
   const auto index = block.first + std::popcount(block.occupied & below) + std::popcount(block.second & below);
-  return {l.components.data() + index, block.second & bit ? size_t{2} : size_t{1}};
+  return {components.data() + index, block.second & bit ? size_t{2} : size_t{1}};
 }
 
 }  // namespace loomlight

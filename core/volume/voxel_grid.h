@@ -1,0 +1,33 @@
+#pragma once
+
+#include <algorithm>
+
+#include "core/geometry/cloth_geometry.h"
+
+namespace loomlight {
+
+/// The voxel grid all bricks of a cloth share. Voxels need not be exact cubes: a cell holds a whole number of them. A
+/// voxel of level l is 2^l leaves wide, counted from the cell's corner, so the last one of a cell may be cut by its
+/// edge.
+struct VoxelGrid {
+  glm::ivec3 cell{1};       ///< leaf voxels of one cell in x (across ends), y (across picks), z
+  glm::vec3 size_mm{1.0f};  ///< of a leaf voxel
+  float zLower_mm = 0;      ///< bottom of voxel layer 0
+  int levels = 1;
+  bool operator==(const VoxelGrid&) const = default;
+
+  /// Voxels of a level in one cell.
+  glm::ivec3 cellAt(int level) const {
+    const int round = (1 << level) - 1;
+    return {(cell.x + round) >> level, (cell.y + round) >> level, (cell.z + round) >> level};
+  }
+  /// Volume of a voxel of a level, as its brick counts it: below 0 and beyond the cell's size the next cells follow.
+  double volume_mm3(glm::ivec3 voxel, int level) const;
+};
+
+/// `resolution` leaf voxels per (smallest) yarn diameter; the slab |z| <= halfThickness is covered. Of absurd cloths,
+/// fine yarns in wide gaps or beside ropes, the leaf is coarser, so that no cell has more than kMaxCellVoxels.
+VoxelGrid makeGrid(const ClothGeometry& geometry, int resolution);
+inline constexpr double kMaxCellVoxels = 2e6;
+
+}  // namespace loomlight
