@@ -1,1 +1,55 @@
-int main() { return 0; }
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "app/commands/command_line.h"
+#include "app/commands/usage_error.h"
+#include "core/base/error.h"
+#ifdef LOOMLIGHT_EDITOR
+#include "app/editor/editor.h"
+#endif
+
+namespace loomlight {
+namespace {
+
+constexpr int kBadInput = 1, kBadUsage = 2;
+
+int run(const TextCommand& command) {
+  fmt::print("{}", command.text);
+  return 0;
+}
+
+int run(const EditCommand& command) {
+#ifdef LOOMLIGHT_EDITOR
+  EditorOptions options;
+  options.file = command.input;
+  options.threads = command.threads;
+  options.widgetMap = command.widgetMap;
+  return runEditor(options);
+#else
+  throw InputError("edit: this program was built without the editor (LOOMLIGHT_EDITOR=OFF)");
+#endif
+}
+
+}  // namespace
+}  // namespace loomlight
+
+int main(int argc, char** argv) {
+  using namespace loomlight;
+  try {
+    const Command command = parseCommandLine({argv + (argc > 0), argv + argc});
+    return std::visit([](const auto& chosen) { return run(chosen); }, command);
+  } catch (const UsageError& error) {
+    fmt::print(stderr, "loomlight: {}\nloomlight --help says more\n", error.what());
+    return kBadUsage;
+  } catch (const InputError& error) {
+    fmt::print(stderr, "loomlight: {}\n", error.what());
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "loomlight: there is not enough memory for this\n");
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "loomlight: {}\n", error.what());
+  }
+  return kBadInput;
+}

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 
+#include "app/work/file_name.h"
 #include "core/base/error.h"
 #include "core/fabric/fabric_json.h"
 #include "render/film/image.h"
@@ -16,12 +16,6 @@ namespace {
 constexpr const char* kFabricKey = "loomlight.fabric";
 constexpr const char* kSamplesKey = "loomlight.samples_per_pixel";
 constexpr const char* kVersionKey = "loomlight.version";
-
-std::string extension(const std::string& file) {
-  std::string result = std::filesystem::path(file).extension().string();
-  std::transform(result.begin(), result.end(), result.begin(), [](unsigned char c) { return std::tolower(c); });
-  return result;
-}
 
 Fabric fabricInMetadata(const Image& image, const std::string& file) {
   const auto found = image.metadata.find(kFabricKey);
@@ -34,7 +28,7 @@ Fabric fabricInMetadata(const Image& image, const std::string& file) {
 }  // namespace
 
 void checkPictureName(const std::string& file) {
-  const std::string ending = extension(file);
+  const std::string ending = lowerExtension(file);
   if (ending != ".exr" && ending != ".png")
     throw InputError(fmt::format("{}: expected the name of a picture that ends in .exr or .png", file));
   const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
@@ -45,7 +39,7 @@ void checkPictureName(const std::string& file) {
 
 void writePicture(const std::string& file, const Film& film, const Fabric& fabric, const Tone& tone, bool keepSums) {
   checkPictureName(file);
-  if (extension(file) == ".png") {
+  if (lowerExtension(file) == ".png") {
     writePng(file, toPixels(film, tone), {{"Software", "Loomlight " LOOMLIGHT_VERSION}, {"Title", fabric.name}});
     return;
   }

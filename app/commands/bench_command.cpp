@@ -1,0 +1,145 @@
+#include "app/commands/bench_command.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <unordered_set>
+
+#include "app/commands/inputs.h"
+#include "app/commands/interrupt.h"
+#include "app/commands/render_stats.h"
+#include "app/commands/stopwatch.h"
+#include "core/fabric/validate.h"
+#include "render/trace/scene.h"
+#include "render/trace/volume_tracer.h"
+
+namespace loomlight {
+namespace {
+
+struct Row {
+  int resolution = 0;
+  VolumeCounts volume;
+  double voxelise_s = 0;  ///< strands and voxels of all distinct bricks
+  double strands_s = 0;   ///< making the strands alone, on one thread
+  double trace_s = 0;
+  TraceCounts trace;
+};
+
+double median(std::vector<double> values) {
+  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+  return values[values.size() / 2];
+}
+
+/// Seconds to make the fibres of every distinct cell once.
+double strandSeconds(const ClothGeometry& geometry) {
+  const auto hashOf = [](const CellKey& key) { return hash(key); };
+  std::unordered_set<CellKey, decltype(hashOf)> keys(0, hashOf);
+  for (int pick = 0; pick < geometry.picks(); ++pick)
+    for (int end = 0; end < geometry.ends(); ++end)
+      for (const System system : {System::warp, System::weft}) keys.insert(geometry.key(system, pick, end));
+  Stopwatch watch;
+  size_t segments = 0;
+  for (const CellKey& key : keys) segments += geometry.strands(key).segments();
+  return segments > 0 ? watch.lap() : 0;
+}
+
+/// False when stopped.
+bool measure(const Fabric& fabric, int rounds, const Task& task, Row& row) {
+  row.resolution = fabric.render.resolution;
+  const auto scene = makeScene(std::make_shared<const Fabric>(fabric), task);
+  if (!scene) return false;
+  const ClothGeometry& geometry = scene->volume->geometry();
+  row.volume = scene->volume->counts();
+  const CameraRays camera(fabric.camera, fabric.render.width, fabric.render.height);
+  std::vector<double> voxelise, strands, trace;
+  for (int round = 0; round < rounds; ++round) {
+    Stopwatch watch;
+    const auto copy = std::make_shared<const ClothGeometry>(fabric, geometry.ends(), geometry.picks());
+    if (!ClothVolume::build(copy, fabric.render.resolution, task)) return false;
+    voxelise.push_back(watch.lap());
+    strands.push_back(strandSeconds(geometry));
+    Film film(fabric.render.width, fabric.render.height);
+    watch.lap();
+    const auto samples = static_cast<uint32_t>(fabric.render.samplesPerPixel);
+    const PassResult pass = renderUpTo(samples, *scene, camera, film, task);
+    if (!pass.complete) return false;
+    trace.push_back(watch.lap());
+    row.trace = pass.counts;
+  }
+  row.voxelise_s = median(voxelise);
+  row.strands_s = median(strands);
+  row.trace_s = median(trace);
+  return true;
+}
+
+double perCore(const Row& row, int threads) {
+  return static_cast<double>(row.trace.paths) / row.trace_s / threads;
+}
+double ratio(double amount, double of) {
+  return of > 0 ? amount / of : 0;
+}
+
+void printTable(const std::vector<Row>& rows, int threads) {
+  fmt::print(
+      "| resolution | bricks | voxels | components | MB | voxelise s | of it fibres s | paths/s/core | events/path | "
+      "ns/event | rays/path | voxels/ray |\n"
+      "|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
+  for (const Row& row : rows) {
+    const auto paths = static_cast<double>(row.trace.paths), events = static_cast<double>(row.trace.events),
+               rays = static_cast<double>(row.trace.rays), steps = static_cast<double>(row.trace.steps);
+    fmt::print("| {} | {} | {} | {} | {:.2f} | {:.3f} | {:.3f} | {:.0f} | {:.2f} | {:.0f} | {:.2f} | {:.2f} |\n",
+               row.resolution, row.volume.bricks, row.volume.voxels, row.volume.components,
+               static_cast<double>(row.volume.bytes) / 1e6, row.voxelise_s, row.strands_s, perCore(row, threads),
+               ratio(events, paths), ratio(1e9 * row.trace_s * threads, events), ratio(rays, paths),
+               ratio(steps, rays));
+  }
+}
+
+void printJson(const std::vector<Row>& rows, int threads) {
+  auto list = nlohmann::ordered_json::array();
+  for (const Row& row : rows) {
+    nlohmann::ordered_json json;
+    json["resolution"] = row.resolution;
+    json["bricks"] = row.volume.bricks;
+    json["voxels"] = row.volume.voxels;
+    json["components"] = row.volume.components;
+    json["volume_bytes"] = row.volume.bytes;
+    json["segments"] = row.volume.segments;
+    json["voxelise_seconds"] = row.voxelise_s;
+    json["strands_seconds"] = row.strands_s;
+    json["render_seconds"] = row.trace_s;
+    json["threads"] = threads;
+    json["paths"] = row.trace.paths;
+    json["events"] = row.trace.events;
+    json["rays"] = row.trace.rays;
+    json["steps"] = row.trace.steps;
+    json["paths_per_second_per_core"] = perCore(row, threads);
+    list.push_back(std::move(json));
+  }
+  fmt::print("{}\n", list.dump(2));
+}
+
+}  // namespace
+
+int run(const BenchCommand& command) {
+  const Interrupt interrupt;
+  Task task;
+  task.stop = interrupt.token();
+  task.threads = command.threads;
+  Fabric fabric = withOptions(fabricFromFile(command.input), command.options);
+  validate(fabric, command.input);
+  std::vector<Row> rows(command.resolutions.size());
+  for (size_t i = 0; i < rows.size(); ++i) {
+    fabric.render.resolution = command.resolutions[i];
+    fmt::print(stderr, "loomlight: measuring at resolution {}\n", command.resolutions[i]);
+    if (!measure(fabric, command.rounds, task, rows[i])) return Interrupt::kExitStatus;
+  }
+  if (command.json)
+    printJson(rows, command.threads);
+  else
+    printTable(rows, command.threads);
+  return 0;
+}
+
+}  // namespace loomlight

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/commands/fabric_options.h"
+
+namespace loomlight {
+
+/// loomlight bench volume FABRIC: what the volume of a fabric costs at several resolutions.
+struct BenchCommand {
+  std::string input;
+  FabricOptions options;
+  std::vector<int> resolutions{1, 2, 4, 8};
+  int rounds = 3;   ///< medians are of this many
+  int threads = 1;  ///< figures per core are cleanest on one
+  bool json = false;
+};
+
+/// A Markdown table, or JSON, on stdout. Exit status 0, or 130 when stopped. Throws InputError.
+int run(const BenchCommand& command);
+
+}  // namespace loomlight

@@ -1,0 +1,168 @@
+#include "app/commands/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <functional>
+
+#include "app/commands/usage_error.h"
+#include "core/fabric/field_tables.h"
+
+namespace loomlight {
+namespace {
+
+using Setter = std::function<void(const std::string& option, const std::string& text)>;
+
+// Values are parsed by our own functions, so that every message names the option and says what was expected.
+void addValue(CLI::App& app, const std::string& name, const std::string& value, const std::string& help,
+              const Setter& set) {
+  const std::string option = name.substr(name.rfind(',') + 1);
+  app.add_option_function<std::string>(
+         name, [option, set](const std::string& text) { set(option, text); }, help)
+      ->type_name(value);
+}
+
+template <class Object, class Number>
+int parseWholeField(const std::string& option, const std::string& text, Number Object::*member) {
+  const FieldInfo info = fieldInfo(member);
+  return static_cast<int>(parseWhole(option, text, static_cast<int64_t>(info.min), static_cast<int64_t>(info.max)));
+}
+
+void addFabricOptions(CLI::App& app, FabricOptions& options) {
+  addValue(app, "--drape", "flat|cylinder|sphere|FILE", "the surface the cloth lies on",
+           [&options](const auto& option, const auto& text) { options.drape = parseDrape(option, text); });
+  addValue(app, "--uv-scale", "MM", "millimetres of cloth per unit of a mesh's texture coordinates",
+           [&options](const auto& option, const auto& text) {
+             const FieldInfo info = fieldInfo(&Drape::uvScale_mm);
+             options.uvScale_mm = parseNumber(option, text, info.min, info.max);
+           });
+  addValue(app, "--resolution", "R", "voxels per yarn diameter: 1, 2, 4, 8 or 16",
+           [&options](const auto& option, const auto& text) { options.resolution = parseResolution(option, text); });
+}
+
+void addPictureOptions(CLI::App& app, FabricOptions& options) {
+  addValue(app, "--size", "WxH", "pixels",
+           [&options](const auto& option, const auto& text) { options.size = parseSize(option, text); });
+  addValue(app, "--spp", "N", "samples per pixel", [&options](const auto& option, const auto& text) {
+    options.samplesPerPixel = parseWholeField(option, text, &RenderSettings::samplesPerPixel);
+  });
+  addValue(app, "--seed", "N", "another number gives another pattern of noise",
+           [&options](const auto& option, const auto& text) { options.seed = parseSeed(option, text); });
+  addValue(app, "--view", "NAME|AZ,EL[,MM]", viewPresetNames() + ", or angles in degrees and a distance",
+           [&options](const auto& option, const auto& text) { options.view = parseView(option, text); });
+  addValue(app, "--light", "LIGHT", "ibl[:FILE], sky[:AZ,EL], directional[:AZ,EL], dome, point, back or furnace",
+           [&options](const auto& option, const auto& text) { options.light = parseLight(option, text); });
+  addValue(app, "--method", "volume", "how light is traced", [](const auto& option, const auto& text) {
+    if (text != "volume") throw UsageError(option + ": expected volume, got '" + text + "'");
+  });
+  addValue(app, "--max-depth", "N", "scattering events of a path, at most",
+           [&options](const auto& option, const auto& text) {
+             options.maxDepth = parseWholeField(option, text, &RenderSettings::maxDepth);
+           });
+  addValue(app, "--event-law", "projected|report", "how a path chooses its fibre: ours, or Eq. 12 of the report",
+           [&options](const auto& option, const auto& text) { options.eventLaw = parseEventLaw(option, text); });
+}
+
+void addThreads(CLI::App& app, int& threads) {
+  addValue(app, "--threads", "N", "threads; all where not given", [&threads](const auto& option, const auto& text) {
+    threads = static_cast<int>(parseWhole(option, text, 1, 1024));
+  });
+}
+
+void addEdit(CLI::App& app, EditCommand& command) {
+  app.add_option("FABRIC", command.input, "the fabric to open");
+  addThreads(app, command.threads);
+  app.add_option("--widget-map", command.widgetMap, "for tests: write where the widgets are, as JSON, to this file")
+      ->type_name("FILE");
+}
+
+void addRender(CLI::App& app, RenderCommand& command) {
+  app.add_option("FABRIC", command.input, "a fabric (.json), or a picture (.exr) to render again");
+  app.add_option("-o,--output", command.output, "the picture: .exr or .png")->type_name("OUT")->required();
+  addPictureOptions(app, command.options);
+  addFabricOptions(app, command.options);
+  addThreads(app, command.threads);
+  addValue(app, "--exposure", "STOPS", "brighter or darker; only a .png has it",
+           [&command](const auto& option, const auto& text) {
+             command.tone.exposure_stops = static_cast<float>(parseNumber(option, text, -20, 20));
+           });
+  app.add_option("--stats", command.stats, "write counts and times of every stage, as JSON")->type_name("FILE.json");
+  app.add_flag("--keep-sums", command.keepSums, "keep in the .exr what --resume needs");
+  app.add_option("--resume", command.resume, "go on with this picture until it has --spp samples")
+      ->type_name("FILE.exr");
+}
+
+void addInfo(CLI::App& app, InfoCommand& command) {
+  app.add_option("FABRIC", command.input, "a fabric (.json), weave bitmap (.png) or picture (.exr)")->required();
+  addFabricOptions(app, command.options);
+  app.add_flag("--json", command.json, "JSON instead of a table");
+}
+
+void addConvert(CLI::App& app, ConvertCommand& command) {
+  app.add_option("IN", command.input, "a fabric (.json), weave bitmap (.png) or picture (.exr)")->required();
+  app.add_option("OUT", command.output, "a fabric (.json) or weave bitmap (.png)")->required();
+  app.add_option("--like", command.like, "a fabric that gives yarns and all else but the weave")->type_name("FABRIC");
+}
+
+void addBench(CLI::App& app, BenchCommand& command, std::string& suite) {
+  app.add_option("SUITE", suite, "volume: voxels, memory and speed at several resolutions")->required();
+  app.add_option("FABRIC", command.input, "the fabric to measure")->required();
+  addPictureOptions(app, command.options);
+  addThreads(app, command.threads);
+  addValue(app, "--resolutions", "R,R,...", "1,2,4,8 where not given",
+           [&command](const auto& option, const auto& text) { command.resolutions = parseResolutions(option, text); });
+  addValue(app, "--rounds", "N", "medians are of this many", [&command](const auto& option, const auto& text) {
+    command.rounds = static_cast<int>(parseWhole(option, text, 1, 99));
+  });
+  app.add_flag("--json", command.json, "JSON instead of a table");
+}
+
+}  // namespace
+
+Command parseCommandLine(const std::vector<std::string>& words) {
+  EditCommand edit;
+  RenderCommand render;
+  InfoCommand info;
+  ConvertCommand convert;
+  BenchCommand bench;
+  std::string suite;
+
+  CLI::App app("Woven fabric, path-traced from the optics of its fibres.", "loomlight");
+  app.set_version_flag("--version", "loomlight " LOOMLIGHT_VERSION);
+  app.require_subcommand(0, 1);
+  addEdit(app, edit);
+  CLI::App* const edits = app.add_subcommand("edit", "open the editor (also without this word)");
+  addEdit(*edits, edit);
+  CLI::App* const renders = app.add_subcommand("render", "render a fabric to a picture");
+  addRender(*renders, render);
+  CLI::App* const informs = app.add_subcommand("info", "what follows from a fabric: mass, cover, floats, voxels");
+  addInfo(*informs, info);
+  CLI::App* const converts = app.add_subcommand("convert", "between fabrics and weave bitmaps");
+  addConvert(*converts, convert);
+  CLI::App* const benches = app.add_subcommand("bench", "measure what the volume of a fabric costs");
+  addBench(*benches, bench, suite);
+
+  try {
+    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // CLI11 takes them last to first
+  } catch (const CLI::CallForHelp&) {
+    for (const CLI::App* command : app.get_subcommands()) return TextCommand{command->help()};
+    return TextCommand{app.help()};
+  } catch (const CLI::CallForVersion& version) {
+    return TextCommand{std::string(version.what()) + "\n"};
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(error.what());
+  }
+
+  if (*renders) {
+    if (render.input.empty() && render.resume.empty()) throw UsageError("render: expected a FABRIC, or --resume");
+    return render;
+  }
+  if (*informs) return info;
+  if (*converts) return convert;
+  if (*benches) {
+    if (suite != "volume") throw UsageError("bench: expected the suite volume, got '" + suite + "'");
+    return bench;
+  }
+  return edit;
+}
+
+}  // namespace loomlight

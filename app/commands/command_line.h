@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "app/commands/bench_command.h"
+#include "app/commands/convert_command.h"
+#include "app/commands/info_command.h"
+#include "app/commands/render_command.h"
+
+namespace loomlight {
+
+/// loomlight [edit] [FABRIC]
+struct EditCommand {
+  std::string input;      ///< empty: a new fabric
+  int threads = 0;        ///< for tracing; 0: all but one
+  std::string widgetMap;  ///< debugging: file for the screen rectangles of named widgets; empty: none
+};
+
+/// --help and --version: text for stdout.
+struct TextCommand {
+  std::string text;
+};
+
+using Command = std::variant<EditCommand, RenderCommand, InfoCommand, ConvertCommand, BenchCommand, TextCommand>;
+
+/// What the words behind the program's name ask for. Throws UsageError.
+Command parseCommandLine(const std::vector<std::string>& words);
+
+}  // namespace loomlight

@@ -1,0 +1,35 @@
+#include "app/commands/convert_command.h"
+
+#include <fmt/format.h>
+
+#include "app/commands/inputs.h"
+#include "app/commands/weave_bitmap.h"
+#include "app/work/file_name.h"
+#include "core/base/error.h"
+#include "core/fabric/fabric_json.h"
+
+namespace loomlight {
+
+int run(const ConvertCommand& command) {
+  Fabric fabric = fabricFromFile(command.input);
+  if (!command.like.empty()) {
+    Fabric like = fabricFromFile(command.like);
+    like.name = fabric.name;
+    like.weave = fabric.weave;
+    like.draft = fabric.draft;
+    fabric = std::move(like);
+  }
+  const std::string extension = lowerExtension(command.output);
+  if (extension == ".json") {
+    writeFabric(fabric, command.output);
+  } else if (extension == ".png") {
+    writeWeaveBitmap(command.output, fabric.weave);
+  } else {
+    throw InputError(
+        fmt::format("{}: expected the name of a fabric (.json) or of a weave bitmap (.png)", command.output));
+  }
+  fmt::print("{}: {} ends, {} picks\n", command.output, fabric.weave.ends(), fabric.weave.picks());
+  return 0;
+}
+
+}  // namespace loomlight

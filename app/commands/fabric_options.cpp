@@ -1,0 +1,46 @@
+#include "app/commands/fabric_options.h"
+
+#include "core/shell/shell.h"
+
+namespace loomlight {
+namespace {
+
+void applyLight(const LightChoice& choice, Light& light) {
+  light.kind = choice.kind;
+  light.file = choice.file;
+  if (choice.angles) {
+    light.azimuth_deg = choice.angles->azimuth_deg;
+    light.elevation_deg = choice.angles->elevation_deg;
+  } else if (choice.kind == LightKind::sky && light.elevation_deg <= 0) {
+    light.elevation_deg = Light{}.elevation_deg;  // of a lamp below the cloth; no sky has its sun there
+  }
+}
+
+}  // namespace
+
+Fabric withOptions(Fabric fabric, const FabricOptions& options) {
+  RenderSettings& render = fabric.render;
+  if (options.size) {
+    render.width = options.size->width;
+    render.height = options.size->height;
+  }
+  render.samplesPerPixel = options.samplesPerPixel.value_or(render.samplesPerPixel);
+  render.seed = options.seed.value_or(render.seed);
+  render.resolution = options.resolution.value_or(render.resolution);
+  render.maxDepth = options.maxDepth.value_or(render.maxDepth);
+  render.eventLaw = options.eventLaw.value_or(render.eventLaw);
+
+  if (options.drape) {
+    fabric.drape.kind = options.drape->kind;
+    fabric.drape.file = options.drape->file;
+  }
+  fabric.drape.uvScale_mm = options.uvScale_mm.value_or(fabric.drape.uvScale_mm);
+  if (options.light) applyLight(*options.light, fabric.light);
+
+  auto view = options.view;
+  if (!view && options.drape) view = ViewChoice{fabric.camera.azimuth_deg, fabric.camera.elevation_deg, {}, {}};
+  if (view) fabric.camera = cameraOf(*view, fabric, makeDrape(fabric.drape));
+  return fabric;
+}
+
+}  // namespace loomlight

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "app/commands/option_values.h"
+#include "core/fabric/fabric.h"
+
+namespace loomlight {
+
+/// What a command line wants otherwise than the fabric's file says.
+struct FabricOptions {
+  std::optional<PictureSize> size;
+  std::optional<int> samplesPerPixel;
+  std::optional<uint64_t> seed;
+  std::optional<int> resolution;
+  std::optional<int> maxDepth;
+  std::optional<EventLaw> eventLaw;
+  std::optional<DrapeChoice> drape;
+  std::optional<double> uvScale_mm;
+  std::optional<ViewChoice> view;
+  std::optional<LightChoice> light;
+};
+
+/// The fabric with these options. Another drape without a view keeps the camera's angle, and moves the camera to see
+/// all of the piece. Throws InputError where a mesh that is to be seen cannot be used.
+Fabric withOptions(Fabric fabric, const FabricOptions& options);
+
+}  // namespace loomlight

@@ -1,0 +1,156 @@
+#include "app/commands/info_command.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <unordered_set>
+
+#include "app/commands/inputs.h"
+#include "app/commands/interrupt.h"
+#include "app/commands/progress.h"
+#include "core/base/hash.h"
+#include "core/fabric/derived.h"
+#include "core/fabric/validate.h"
+#include "render/trace/scene.h"
+
+namespace loomlight {
+namespace {
+
+/// The fewest shafts and treadles that can weave it: ends that always go together hang on one shaft, picks that are
+/// alike share a treadle.
+struct LoomNeeds {
+  size_t shafts = 0, treadles = 0;
+};
+
+LoomNeeds loomNeeds(const Fabric& fabric) {
+  if (fabric.draft) return {static_cast<size_t>(fabric.draft->shafts), static_cast<size_t>(fabric.draft->treadles)};
+  const Weave& weave = fabric.weave;
+  std::vector<uint64_t> ends(weave.ends(), 0);
+  std::unordered_set<uint64_t> kindsOfPick;
+  for (int pick = 0; pick < weave.picks(); ++pick) {
+    uint64_t hash = 0;
+    for (int end = 0; end < weave.ends(); ++end) {
+      hash = hashCombine(hash, weave.at(pick, end));
+      ends[end] = hashCombine(ends[end], weave.at(pick, end));
+    }
+    kindsOfPick.insert(hash);
+  }
+  return {std::unordered_set<uint64_t>(ends.begin(), ends.end()).size(), kindsOfPick.size()};
+}
+
+struct Information {
+  Floats floats;
+  Binding binding;
+  LoomNeeds loom;
+  CoverFactors cover;
+  ClothMeasures measures;
+  std::vector<std::string> warnings;
+  VolumeCounts volume;
+  int pieceEnds = 0, piecePicks = 0;
+};
+
+nlohmann::ordered_json toJson(const Fabric& fabric, const Information& of) {
+  nlohmann::ordered_json json;
+  json["name"] = fabric.name;
+  json["ends"] = fabric.weave.ends();
+  json["picks"] = fabric.weave.picks();
+  json["shafts"] = of.loom.shafts;
+  json["treadles"] = of.loom.treadles;
+  json["warp_up_cells"] = of.binding.warpUpCells;
+  json["max_warp_float"] = of.floats.warp();
+  json["max_weft_float"] = of.floats.weft();
+  json["ends_per_cm"] = fabric.ends_per_cm;
+  json["picks_per_cm"] = fabric.picks_per_cm;
+  json["cover_factor"] = of.cover.cloth;
+  json["cover_factor_warp"] = of.cover.warp;
+  json["cover_factor_weft"] = of.cover.weft;
+  json["areal_mass_g_m2"] = of.measures.arealMass_g_m2;
+  json["thickness_mm"] = of.measures.thickness_mm;
+  json["crimp_warp"] = of.measures.crimpWarp;
+  json["crimp_weft"] = of.measures.crimpWeft;
+  json["warnings"] = of.warnings;
+  json["piece_ends"] = of.pieceEnds;
+  json["piece_picks"] = of.piecePicks;
+  json["resolution"] = fabric.render.resolution;
+  json["bricks"] = of.volume.bricks;
+  json["voxels"] = of.volume.voxels;
+  json["components"] = of.volume.components;
+  json["volume_bytes"] = of.volume.bytes;
+  json["segments"] = of.volume.segments;
+  json["segments_represented"] = of.volume.segmentsRepresented;
+  return json;
+}
+
+void line(const char* label, const std::string& value, const std::string& remark = "") {
+  fmt::print("  {:<22}{:>14}{}{}\n", label, value, remark.empty() ? "" : "  ", remark);
+}
+
+void printTable(const Fabric& fabric, const Information& of) {
+  fmt::print("{}\n\nWeave\n", fabric.name);
+  line("repeat", fmt::format("{} x {}", fabric.weave.ends(), fabric.weave.picks()), "ends x picks");
+  line("shafts", fmt::format("{}", of.loom.shafts));
+  line("treadles", fmt::format("{}", of.loom.treadles));
+  line("warp on the face", fmt::format("{:.0f} %", 100 * of.binding.warpOnFace),
+       fmt::format("{} of {} crossings", of.binding.warpUpCells,
+                   static_cast<int64_t>(fabric.weave.ends()) * fabric.weave.picks()));
+  line("longest warp float", fmt::format("{}", of.floats.warp()),
+       fmt::format("picks, {:.2f} mm", floatLength_mm(fabric, System::warp, of.floats.warp())));
+  line("longest weft float", fmt::format("{}", of.floats.weft()),
+       fmt::format("ends, {:.2f} mm", floatLength_mm(fabric, System::weft, of.floats.weft())));
+  fmt::print("\nCloth\n");
+  line("sett", fmt::format("{:g} x {:g}", fabric.ends_per_cm, fabric.picks_per_cm), "per cm");
+  line("cover factor", fmt::format("{:.1f}", of.cover.cloth),
+       fmt::format("Peirce; warp {:.1f}, weft {:.1f}, 28 is closed", of.cover.warp, of.cover.weft));
+  line("mass", fmt::format("{:.1f}", of.measures.arealMass_g_m2), "g/m2");
+  line("thickness", fmt::format("{:.3f}", of.measures.thickness_mm), "mm");
+  line("crimp of the warp", fmt::format("{:.1f} %", 100 * of.measures.crimpWarp));
+  line("crimp of the weft", fmt::format("{:.1f} %", 100 * of.measures.crimpWeft));
+  fmt::print("\nVolume\n");
+  line("piece", fmt::format("{} x {}", of.pieceEnds, of.piecePicks), "ends x picks");
+  line("resolution", fmt::format("{}", fabric.render.resolution), "voxels per yarn diameter");
+  line("distinct bricks", fmt::format("{}", of.volume.bricks));
+  line("voxels", fmt::format("{}", of.volume.voxels));
+  line("components", fmt::format("{}", of.volume.components));
+  line("memory", fmt::format("{:.2f}", static_cast<double>(of.volume.bytes) / 1e6), "MB");
+  line("fibre segments", fmt::format("{:.3g}", of.volume.segmentsRepresented), "represented");
+  if (!of.warnings.empty()) fmt::print("\nWarnings\n");
+  for (const std::string& warning : of.warnings) fmt::print("  {}\n", warning);
+}
+
+}  // namespace
+
+int run(const InfoCommand& command) {
+  const Interrupt interrupt;
+  Fabric fabric = withOptions(fabricFromFile(command.input), command.options);
+  fabric.light = Light{};
+  fabric.light.kind = LightKind::dome;  // nothing here depends on light, so no environment need be loaded
+  validate(fabric, command.input);
+
+  std::shared_ptr<const Scene> scene;
+  {
+    Progress progress("voxelising");
+    Task task;
+    task.stop = interrupt.token();
+    task.progress = [&progress](double fraction) { progress.update(fraction); };
+    scene = makeScene(std::make_shared<const Fabric>(fabric), task);
+  }
+  if (!scene) return Interrupt::kExitStatus;
+  const ClothGeometry& geometry = scene->volume->geometry();
+  Information information;
+  information.floats = floats(fabric.weave);
+  information.binding = binding(fabric.weave);
+  information.loom = loomNeeds(fabric);
+  information.cover = coverFactors(fabric);
+  information.measures = geometry.measure();
+  information.warnings = warnings(fabric);
+  information.volume = scene->volume->counts();
+  information.pieceEnds = geometry.ends();
+  information.piecePicks = geometry.picks();
+  if (command.json)
+    fmt::print("{}\n", toJson(fabric, information).dump(2));
+  else
+    printTable(fabric, information);
+  return 0;
+}
+
+}  // namespace loomlight

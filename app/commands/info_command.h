@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "app/commands/fabric_options.h"
+
+namespace loomlight {
+
+/// loomlight info FABRIC: what follows from a fabric, without a picture.
+struct InfoCommand {
+  std::string input;
+  FabricOptions options;
+  bool json = false;
+};
+
+/// A table with units, or JSON, on stdout. Exit status 0, or 130 when stopped. Throws InputError.
+int run(const InfoCommand& command);
+
+}  // namespace loomlight

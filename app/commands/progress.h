@@ -1,0 +1,43 @@
+#pragma once
+
+#include <chrono>
+#include <cstdio>
+#include <mutex>
+#include <string>
+
+namespace loomlight {
+
+/// "2.4 s", "1 min 05 s", "3 h 20 min".
+std::string durationText(double seconds);
+/// "weaving  [######......]  52 %  12 s left", at most `columns` wide; a fraction of 0 has no time left yet.
+std::string progressBar(const std::string& label, double fraction, double elapsed_s, int columns);
+
+/// Tells on a stream how far long work is: on a terminal a bar that is drawn over itself, elsewhere a plain line every
+/// tenth of the way, at most one in two seconds. May be told from any thread.
+class Progress {
+ public:
+  explicit Progress(std::string label, std::FILE* out = stderr);
+  /// Takes the bar away, so that the next line stands where it stood.
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  /// fraction in [0, 1]; one that goes backwards is ignored.
+  void update(double fraction);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void drawBar(double elapsed_s);
+  void writeLine(double elapsed_s);
+
+  const std::string label_;
+  std::FILE* const out_;
+  const bool terminal_;
+  const Clock::time_point started_ = Clock::now();
+  std::mutex mutex_;
+  double fraction_ = 0;
+  double lastShown_s_ = 0;
+  int lastTenth_ = 0;
+};
+
+}  // namespace loomlight

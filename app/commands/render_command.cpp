@@ -1,0 +1,134 @@
+#include "app/commands/render_command.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "app/commands/inputs.h"
+#include "app/commands/interrupt.h"
+#include "app/commands/progress.h"
+#include "app/commands/render_stats.h"
+#include "app/commands/stopwatch.h"
+#include "app/commands/usage_error.h"
+#include "app/work/picture.h"
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/fabric/fabric_json.h"
+#include "core/fabric/validate.h"
+#include "render/trace/scene.h"
+#include "render/trace/volume_tracer.h"
+
+namespace loomlight {
+namespace {
+
+// Samples of two pictures may only be added where both ask for the same picture, but for the number of samples.
+void expectSamePicture(const Fabric& wanted, Fabric begun, const std::string& file) {
+  begun.render.samplesPerPixel = wanted.render.samplesPerPixel;
+  const auto differences =
+      nlohmann::json::diff(nlohmann::json::parse(fabricToJson(begun)), nlohmann::json::parse(fabricToJson(wanted)));
+  if (differences.empty()) return;
+  throw InputError(
+      fmt::format("{}: expected a picture of the same fabric with the same settings, but they differ at {}", file,
+                  differences[0].at("path").get<std::string>()));
+}
+
+struct Job {
+  std::shared_ptr<const Fabric> fabric;
+  Film film;
+  uint32_t samplesBegun = 0;  ///< in every pixel
+};
+
+Job prepare(const RenderCommand& command) {
+  std::optional<UnfinishedPicture> begun;
+  if (!command.resume.empty()) begun = readUnfinishedPicture(command.resume);
+  Fabric fabric = withOptions(command.input.empty() ? begun->fabric : fabricFromFile(command.input), command.options);
+  validate(fabric, command.input.empty() ? command.resume : command.input);
+  const RenderSettings settings = fabric.render;
+  auto shared = std::make_shared<const Fabric>(std::move(fabric));
+  if (!begun) return {shared, Film(settings.width, settings.height), 0};
+
+  expectSamePicture(*shared, begun->fabric, command.resume);
+  const uint32_t samples = fewestSamples(begun->film);
+  if (samples >= static_cast<uint32_t>(settings.samplesPerPixel))
+    throw UsageError(fmt::format("--spp: expected more than the {} samples that {} already has, got {}", samples,
+                                 command.resume, settings.samplesPerPixel));
+  return {shared, std::move(begun->film), samples};
+}
+
+/// Traces until every pixel has its samples. Returns false when stopped.
+bool trace(const Scene& scene, Job& job, Task task, TraceCounts& counts) {
+  const RenderSettings& settings = job.fabric->render;
+  const CameraRays camera(job.fabric->camera, settings.width, settings.height);
+  const auto samples = static_cast<uint32_t>(settings.samplesPerPixel);
+  const uint32_t first = job.samplesBegun;
+  Progress progress("rendering");
+  // Batches of about half a second: often enough for the bar, seldom enough to cost nothing.
+  constexpr double kBatch_s = 0.5;
+  uint32_t batch = 1;
+  for (uint32_t done = first; done < samples;) {
+    batch = std::min(batch, samples - done);
+    task.progress = [&progress, done, batch, first, samples](double fraction) {
+      progress.update((done - first + fraction * batch) / (samples - first));
+    };
+    Stopwatch watch;
+    const PassResult pass = renderUpTo(done + batch, scene, camera, job.film, task);
+    counts += pass.counts;
+    if (!pass.complete) return false;
+    done += batch;
+    progress.update(static_cast<double>(done - first) / (samples - first));
+    const double seconds = watch.lap();
+    if (seconds < 0.5 * kBatch_s) batch *= 2;
+    if (seconds > 2 * kBatch_s) batch = std::max(1u, batch / 2);
+  }
+  return true;
+}
+
+}  // namespace
+
+int run(const RenderCommand& command) {
+  Stopwatch whole;
+  RenderStats stats;
+  checkPictureName(command.output);
+  const Interrupt interrupt;
+  Job job = prepare(command);
+  const RenderSettings& settings = job.fabric->render;
+
+  Task task;
+  task.stop = interrupt.token();
+  task.threads = command.threads > 0 ? command.threads : hardwareThreads();
+  Stopwatch watch;
+  std::shared_ptr<const Scene> scene;
+  {
+    Progress progress("voxelising");
+    task.progress = [&progress](double fraction) { progress.update(fraction); };
+    scene = makeScene(job.fabric, task);
+  }
+  if (!scene) {
+    fmt::print(stderr, "loomlight: stopped before the first sample; nothing was written\n");
+    return Interrupt::kExitStatus;
+  }
+  for (const std::string& repair : scene->shell->repairs()) fmt::print(stderr, "loomlight: {}\n", repair);
+  stats.seconds.voxelise = watch.lap();
+  const bool complete = trace(*scene, job, task, stats.trace);
+  stats.seconds.render = watch.lap();
+
+  // A stopped picture keeps its sums, so that hours of work can be gone on with.
+  writePicture(command.output, job.film, *job.fabric, command.tone, command.keepSums || !complete);
+  stats.seconds.total = whole.lap();
+  const uint32_t samples = fewestSamples(job.film);
+  if (!command.stats.empty()) {
+    stats.width = settings.width;
+    stats.height = settings.height;
+    stats.samplesPerPixel = static_cast<int>(samples);
+    stats.threads = task.threads;
+    stats.volume = scene->volume->counts();
+    writeStats(command.stats, stats);
+  }
+  fmt::print("{}: {} x {}, {} samples per pixel{}, {}\n", command.output, settings.width, settings.height, samples,
+             complete ? "" : fmt::format(" of {}, stopped", settings.samplesPerPixel),
+             durationText(stats.seconds.total));
+  return complete ? 0 : Interrupt::kExitStatus;
+}
+
+}  // namespace loomlight

@@ -1,0 +1,125 @@
+#include "app/commands/command_line.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/commands/usage_error.h"
+
+namespace loomlight {
+namespace {
+
+using testing::HasSubstr;
+
+template <class Kind>
+Kind parsed(const std::vector<std::string>& words) {
+  const Command command = parseCommandLine(words);
+  EXPECT_TRUE(std::holds_alternative<Kind>(command));
+  return std::get<Kind>(command);
+}
+
+std::string complaint(const std::vector<std::string>& words) {
+  try {
+    parseCommandLine(words);
+  } catch (const UsageError& error) {
+    return error.what();
+  }
+  return "no complaint";
+}
+
+TEST(CommandLine, EditsByDefault) {
+  EXPECT_EQ(parsed<EditCommand>({}).input, "");
+  EXPECT_EQ(parsed<EditCommand>({"a.json"}).input, "a.json");
+  EXPECT_EQ(parsed<EditCommand>({"edit"}).input, "");
+  EXPECT_EQ(parsed<EditCommand>({"edit", "a.json"}).input, "a.json");
+}
+
+TEST(CommandLine, RenderTakesAllItsOptions) {
+  const auto render = parsed<RenderCommand>(
+      {"render",  "a.json",      "-o",          "b.exr",       "--size",   "64x48",      "--spp",
+       "16",      "--seed",      "7",           "--threads",   "3",        "--view",     "top",
+       "--drape", "sphere",      "--light",     "dome",        "--method", "volume",     "--resolution",
+       "4",       "--max-depth", "99",          "--event-law", "report",   "--exposure", "-1",
+       "--stats", "s.json",      "--keep-sums", "--resume",    "c.exr",    "--uv-scale", "10"});
+  EXPECT_EQ(render.input, "a.json");
+  EXPECT_EQ(render.output, "b.exr");
+  EXPECT_EQ(render.options.size->width, 64);
+  EXPECT_EQ(render.options.samplesPerPixel, 16);
+  EXPECT_EQ(render.options.seed, 7u);
+  EXPECT_EQ(render.threads, 3);
+  EXPECT_DOUBLE_EQ(render.options.view->elevation_deg, 90);
+  EXPECT_EQ(render.options.drape->kind, DrapeKind::sphere);
+  EXPECT_EQ(render.options.light->kind, LightKind::dome);
+  EXPECT_EQ(render.options.resolution, 4);
+  EXPECT_EQ(render.options.maxDepth, 99);
+  EXPECT_EQ(render.options.eventLaw, EventLaw::report);
+  EXPECT_FLOAT_EQ(render.tone.exposure_stops, -1);
+  EXPECT_EQ(render.stats, "s.json");
+  EXPECT_TRUE(render.keepSums);
+  EXPECT_EQ(render.resume, "c.exr");
+  EXPECT_DOUBLE_EQ(render.options.uvScale_mm.value(), 10);
+}
+
+TEST(CommandLine, WhatIsNotGivenIsLeftToTheFabric) {
+  const auto render = parsed<RenderCommand>({"render", "a.json", "-o", "b.png"});
+  Fabric fabric;
+  fabric.render.samplesPerPixel = 5;
+  fabric.camera.distance_mm = 17;
+  const Fabric same = withOptions(fabric, render.options);
+  EXPECT_EQ(same.render.samplesPerPixel, 5);
+  EXPECT_EQ(same.camera.distance_mm, 17);
+  EXPECT_EQ(same.light.kind, fabric.light.kind);
+  EXPECT_EQ(render.threads, 0);
+}
+
+TEST(CommandLine, ASkyHasItsSunAboveTheHorizon) {
+  Fabric fabric;
+  fabric.light.kind = LightKind::directional;
+  fabric.light.elevation_deg = -30;
+  FabricOptions options;
+  options.light = parseLight("--light", "ibl");
+  EXPECT_GT(withOptions(fabric, options).light.elevation_deg, 0);
+  options.light = parseLight("--light", "directional");
+  EXPECT_EQ(withOptions(fabric, options).light.elevation_deg, -30);
+}
+
+TEST(CommandLine, InfoConvertAndBench) {
+  const auto info = parsed<InfoCommand>({"info", "a.json", "--json", "--resolution", "2"});
+  EXPECT_EQ(info.input, "a.json");
+  EXPECT_TRUE(info.json);
+  EXPECT_EQ(info.options.resolution, 2);
+  const auto convert = parsed<ConvertCommand>({"convert", "a.png", "b.json", "--like", "c.json"});
+  EXPECT_EQ(convert.input, "a.png");
+  EXPECT_EQ(convert.output, "b.json");
+  EXPECT_EQ(convert.like, "c.json");
+  const auto bench = parsed<BenchCommand>({"bench", "volume", "a.json", "--resolutions", "2,4", "--rounds", "1"});
+  EXPECT_THAT(bench.resolutions, testing::ElementsAre(2, 4));
+  EXPECT_EQ(bench.rounds, 1);
+}
+
+TEST(CommandLine, HelpNamesEveryCommandAndOption) {
+  const std::string help = parsed<TextCommand>({"--help"}).text;
+  for (const char* word : {"edit", "render", "info", "convert", "bench"}) EXPECT_THAT(help, HasSubstr(word));
+  const std::string render = parsed<TextCommand>({"render", "--help"}).text;
+  for (const char* option : {"--size", "--spp", "--seed", "--threads", "--view", "--drape", "--light", "--method",
+                             "--resolution", "--max-depth", "--event-law", "--exposure", "--stats", "--resume"})
+    EXPECT_THAT(render, HasSubstr(option));
+  EXPECT_THAT(parsed<TextCommand>({"--version"}).text, HasSubstr(LOOMLIGHT_VERSION));
+}
+
+TEST(CommandLine, SlipsAreNamed) {
+  EXPECT_THAT(complaint({"render", "a.json"}), HasSubstr("--output"));
+  EXPECT_THAT(complaint({"render", "-o", "b.png"}), HasSubstr("FABRIC"));
+  EXPECT_THAT(complaint({"render", "a.json", "-o", "b.png", "--ssp", "3"}), HasSubstr("--ssp"));
+  EXPECT_THAT(complaint({"render", "a.json", "-o", "b.png", "--spp"}), HasSubstr("--spp"));
+  EXPECT_THAT(complaint({"render", "a.json", "-o", "b.png", "--spp", "0"}),
+              HasSubstr("--spp: expected a whole number"));
+  EXPECT_THAT(complaint({"render", "a.json", "-o", "b.png", "--method", "magic"}), HasSubstr("--method: expected"));
+  EXPECT_THAT(complaint({"render", "a.json", "-o", "b.png", "--threads", "0"}), HasSubstr("--threads"));
+  EXPECT_THAT(complaint({"info"}), HasSubstr("FABRIC"));
+  EXPECT_THAT(complaint({"convert", "a.json"}), HasSubstr("OUT"));
+  EXPECT_THAT(complaint({"bench", "speed", "a.json"}), HasSubstr("volume"));
+  EXPECT_NE(complaint({"a.json", "b.json"}), "no complaint");
+}
+
+}  // namespace
+}  // namespace loomlight
