@@ -2,6 +2,8 @@
 
 #include <cassert>
 
+#include "core/fabric/field_tables.h"
+
 namespace loomlight {
 namespace {
 
@@ -20,6 +22,36 @@ int Fabric::warpYarn(int end) const {
 
 int Fabric::weftYarn(int pick) const {
   return yarnAt(weftSequence, pick);
+}
+
+bool operator==(const Fibre& a, const Fibre& b) {
+  return equalFields(a, b);
+}
+bool operator==(const Yarn& a, const Yarn& b) {
+  return equalFields(a, b);
+}
+bool operator==(const Drape& a, const Drape& b) {
+  return equalFields(a, b);
+}
+bool operator==(const Light& a, const Light& b) {
+  return equalFields(a, b);
+}
+bool operator==(const Camera& a, const Camera& b) {
+  return equalFields(a, b);
+}
+bool operator==(const RenderSettings& a, const RenderSettings& b) {
+  return equalFields(a, b);
+}
+
+bool operator==(const Draft& a, const Draft& b) {
+  return equalFields(a, b) && a.threading == b.threading && a.tieUp == b.tieUp && a.treadling == b.treadling &&
+         a.liftplan == b.liftplan;
+}
+
+bool operator==(const Fabric& a, const Fabric& b) {
+  return equalFields(a, b) && a.weave == b.weave && a.draft == b.draft && a.warpSequence == b.warpSequence &&
+         a.weftSequence == b.weftSequence && a.yarns == b.yarns && a.fibres == b.fibres && a.drape == b.drape &&
+         a.light == b.light && a.camera == b.camera && a.render == b.render;
 }
 
 }  // namespace loomlight

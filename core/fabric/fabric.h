@@ -1,19 +1,15 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/base/units.h"
+#include "core/fabric/unknown_keys.h"
 #include "core/fabric/weave.h"
 
 namespace loomlight {
-
-/// What a file said beside the keys this version knows; written back unchanged. Null where there was nothing.
-using UnknownKeys = std::shared_ptr<const nlohmann::json>;
 
 enum class FibreSection { round, kidney, triangle, trilobal, serrated, polygon };
 
@@ -29,6 +25,7 @@ struct Fibre {
   double scaleTilt_deg = 0.0;              ///< -10..10; cuticle scales (wool 2-3)
   FibreSection section = FibreSection::round;
   UnknownKeys unknown;
+  friend bool operator==(const Fibre&, const Fibre&);
 };
 
 enum class TwistDirection { s, z };
@@ -54,6 +51,7 @@ struct Yarn {
   double migration = 0.0;                  ///< 0..1: how far fibres wander between core and surface
   FibreLayout layout = FibreLayout::packed;
   UnknownKeys unknown;
+  friend bool operator==(const Yarn&, const Yarn&);
 };
 
 enum class DrapeKind { flat, cylinder, sphere, mesh };
@@ -67,6 +65,7 @@ struct Drape {
   std::string file;                        ///< mesh: OBJ, PLY or OFF with texture coordinates
   double uvScale_mm = 1.0;                 ///< mesh: millimetres per unit of texture coordinate, 1e-3..1e6
   UnknownKeys unknown;
+  friend bool operator==(const Drape&, const Drape&);
 };
 
 enum class LightKind { sky, dome, furnace, back, headlight, directional, environment };
@@ -80,6 +79,7 @@ struct Light {
   double turbidity = 3.0;                  ///< sky: 2..10 (Preetham 1999)
   std::string file;                        ///< environment: lat-long EXR
   UnknownKeys unknown;
+  friend bool operator==(const Light&, const Light&);
 };
 
 /// Looks at `target` from a direction given by two angles; perspective, or orthographic when fov is 0.
@@ -90,6 +90,7 @@ struct Camera {
   double distance_mm = 60.0;               ///< 0.1..100000
   double fov_deg = 20.0;                   ///< vertical, 0..120; 0: orthographic, the height seen is that of 20 degrees
   UnknownKeys unknown;
+  friend bool operator==(const Camera&, const Camera&);
 };
 
 /// How a virtual scattering event chooses its component and tangent: ours (by sigma_i(d), tangents weighted by the
@@ -105,6 +106,7 @@ struct RenderSettings {
   int maxDepth = 4096;                     ///< scattering events a path, 1..65536
   EventLaw eventLaw = EventLaw::projected;
   UnknownKeys unknown;
+  friend bool operator==(const RenderSettings&, const RenderSettings&);
 };
 
 /// Everything a designer edits; a value. Edits make a new one; threads and undo share them as
@@ -130,6 +132,7 @@ struct Fabric {
   int weftYarn(int pick) const;
   double warpPitch_mm() const { return 10.0 / ends_per_cm; }   ///< distance between neighbouring ends (along x)
   double weftPitch_mm() const { return 10.0 / picks_per_cm; }  ///< distance between neighbouring picks (along y)
+  friend bool operator==(const Fabric&, const Fabric&);
 };
 
 }  // namespace loomlight

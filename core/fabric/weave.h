@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "core/fabric/unknown_keys.h"
+
 namespace loomlight {
 
 /// The weave matrix of one repeat: cell (pick, end) is 1 where the warp end lies over the weft pick. Picks count up
@@ -57,10 +59,13 @@ struct Draft {
   std::vector<std::vector<int>> liftplan;   ///< per pick: the shafts raised; used instead of tie-up where not empty
   bool risingShed = true;                   ///< false: a tied shaft is pulled down (sinking shed)
 
-  bool operator==(const Draft&) const = default;
+  UnknownKeys unknown;
+  friend bool operator==(const Draft&, const Draft&);
 };
 
-/// The weave that the draft makes. An end on no shaft is never up; a sinking shed complements the rest.
+/// The weave that the draft makes: an end is up where one of its shafts is tied to one of the pick's treadles, or is in
+/// the pick's lift. A sinking shed complements that, a liftplan never does; an end on no shaft is never up. Shafts and
+/// treadles that the loom does not have are passed over. Needs 1..Weave::kMaxSide ends and picks (asserted).
 Weave drawdown(const Draft& draft);
 
 }  // namespace loomlight

@@ -1,0 +1,129 @@
+#include "core/base/file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+
+#include "core/base/error.h"
+#include "core/base/hash.h"
+
+namespace loomlight {
+namespace {
+
+[[noreturn]] void fail(const std::string& file, const char* what) {
+  const int reason = errno;
+  throw InputError(fmt::format("{}: {}: {}", file, what, std::strerror(reason)));
+}
+
+class Descriptor {
+ public:
+  explicit Descriptor(int fd) : fd_(fd) {}
+  ~Descriptor() {
+    if (fd_ >= 0) ::close(fd_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int get() const { return fd_; }
+
+ private:
+  int fd_;
+};
+
+/// Opens a new file beside the target; with a name of its own, so that two writers never share one.
+int openBeside(const std::string& target, std::string& name) {
+  constexpr int kAttempts = 16;
+  auto number = static_cast<uint64_t>(std::chrono::steady_clock::now().time_since_epoch().count());
+  int fd = -1;
+  for (int i = 0; i < kAttempts && fd < 0; ++i) {
+    number = mixBits(number + static_cast<uint64_t>(::getpid()));
+    name = fmt::format("{}.{:016x}.tmp", target, number);
+    fd = ::open(name.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
+    if (fd < 0 && errno != EEXIST) break;
+  }
+  return fd;
+}
+
+bool writeAll(int fd, std::string_view content) {
+  while (!content.empty()) {
+    const ssize_t n = ::write(fd, content.data(), content.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) return false;
+    content.remove_prefix(static_cast<size_t>(n));
+  }
+  return true;
+}
+
+/// The file that is replaced hands on its permissions.
+bool keepPermissions(int fd, const std::string& target) {
+  struct stat old {};
+  return ::stat(target.c_str(), &old) != 0 || ::fchmod(fd, old.st_mode & 07777) == 0;
+}
+
+/// A rename is only safe from a power cut once the folder is on the disk too. Some file systems cannot sync folders;
+/// the file's own bytes are safe there already.
+void syncFolder(const std::filesystem::path& file) {
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  const Descriptor fd(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (fd.get() >= 0) (void)::fsync(fd.get());
+}
+
+}  // namespace
+
+std::string readFile(const std::string& file, size_t maxBytes) {
+  // Without O_NONBLOCK, opening a pipe that nobody writes to would hang.
+  const Descriptor fd(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+  if (fd.get() < 0) fail(file, "cannot be opened");
+  struct stat status {};
+  if (::fstat(fd.get(), &status) != 0) fail(file, "cannot be read");
+  if (!S_ISREG(status.st_mode)) throw InputError(file + ": expected a regular file");
+  std::string content;
+  const auto tooLarge = [&] {
+    return InputError(fmt::format("{}: expected a file of at most {} MB", file, maxBytes / 1'000'000));
+  };
+  if (static_cast<size_t>(status.st_size) > maxBytes) throw tooLarge();
+  content.resize(static_cast<size_t>(status.st_size) + 1);  // one more, to see the end of the file
+  size_t length = 0;
+  for (;;) {
+    if (length == content.size()) content.resize(content.size() * 2);
+    const ssize_t n = ::read(fd.get(), content.data() + length, content.size() - length);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) fail(file, "cannot be read");
+    if (n == 0) break;
+    length += static_cast<size_t>(n);
+    if (length > maxBytes) throw tooLarge();
+  }
+  content.resize(length);
+  return content;
+}
+
+void writeFileAtomically(const std::string& file, std::string_view content) {
+  // Through a symbolic link, the file it points to is the one to replace.
+  std::error_code none;
+  const std::filesystem::path real = std::filesystem::canonical(file, none);
+  const std::string target = none ? file : real.string();
+
+  std::string name;
+  bool written = false;
+  {
+    const Descriptor fd(openBeside(target, name));
+    if (fd.get() < 0) fail(file, "cannot be written");
+    written = writeAll(fd.get(), content) && keepPermissions(fd.get(), target) && ::fsync(fd.get()) == 0;
+  }
+  if (!written || ::rename(name.c_str(), target.c_str()) != 0) {
+    const int reason = errno;
+    ::unlink(name.c_str());
+    errno = reason;
+    fail(file, "cannot be written");
+  }
+  syncFolder(target);
+}
+
+}  // namespace loomlight

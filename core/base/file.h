@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace loomlight {
+
+/// The whole content of a regular file. Throws InputError if there is none, if it cannot be read, if it is something
+/// else (a folder, a pipe), or if it is larger than `maxBytes`.
+std::string readFile(const std::string& file, size_t maxBytes);
+
+/// Replaces a file's content, or makes the file: writes beside it, waits until the bytes are on the disk, then renames.
+/// Whenever it is interrupted, the file is whole or the old one is still there. Throws InputError, and leaves nothing
+/// behind, when it cannot be written.
+void writeFileAtomically(const std::string& file, std::string_view content);
+
+}  // namespace loomlight

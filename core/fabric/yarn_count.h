@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/fabric/fabric.h"
+
+namespace loomlight {
+
+/// The systems in which weavers say how fine a yarn is. Direct ones weigh a length (tex: g/km), indirect ones count
+/// lengths to a weight (Ne: hanks of 840 yards to the pound).
+enum class CountSystem { tex, dtex, denier, metric, cotton, worsted, linen };
+
+/// Linear density in tex, from any system and back; an involution for the indirect systems. `value` > 0. Constants:
+/// 590.5 tex = Ne 1, 885.8 = NeK 1 (worsted), 1653.5 = NeL 1 (linen), 1000 = Nm 1.
+double texFromCount(double value, CountSystem system);
+double countFromTex(double tex, CountSystem system);
+/// "tex", "Nm", "Ne"...
+const char* countUnit(CountSystem system);
+
+/// Linear density of one fibre, dtex (g per 10 km): rho pi r^2.
+double fibreFineness_dtex(const Fibre& fibre);
+/// Radius of a round fibre of that fineness, um.
+double fibreRadius_um(double fineness_dtex, double density_g_cm3);
+
+/// Linear density of the finished yarn, tex: its count, or plies * fibresPerPly * fibre where that is given. Take-up by
+/// twist is not in it: the geometry finds that, and scales its fibres so that a given count is met exactly.
+double yarnCount_tex(const Yarn& yarn, const Fibre& fibre);
+/// Fibres in the section of the whole yarn, not rounded.
+double fibresInYarn(const Yarn& yarn, const Fibre& fibre);
+/// Diameter of a round yarn of that count and packing, mm: 0.03568 sqrt(T / (rho phi)).
+double yarnDiameter_mm(const Yarn& yarn, const Fibre& fibre);
+
+}  // namespace loomlight
