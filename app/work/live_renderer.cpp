@@ -12,8 +12,9 @@
 #include "app/work/mailbox.h"
 #include "app/work/pass_scheduler.h"
 #include "core/base/parallel.h"
+#include "render/trace/path_tracer.h"
 #include "render/trace/scene.h"
-#include "render/trace/volume_tracer.h"
+#include "render/trace/volume_medium.h"
 
 namespace loomlight {
 namespace {
@@ -181,6 +182,7 @@ void LiveRenderer::Workers::refine(const TraceRequest& request, std::stop_token 
     std::lock_guard lock(mutex);
     if (status.pathsPerSecond > 0) history.secondsPerPath = 1.0 / status.pathsPerSecond;
   }
+  const VolumeMedium medium(*request.scene);
   std::optional<Film> film;
   while (!stop.stop_requested()) {
     history.seconds = secondsSince(start);
@@ -193,7 +195,7 @@ void LiveRenderer::Workers::refine(const TraceRequest& request, std::stop_token 
     task.threads = threads;
     task.stop = beginPass(history.divider != 0, stop);
     const auto passStart = Clock::now();
-    const PassResult result = renderUpTo(plan.samples, *request.scene, camera, *film, task);
+    const PassResult result = renderUpTo(plan.samples, *request.scene, medium, camera, *film, task);
     if (!result.complete) {
       if (!goesOn(stop)) return;
       continue;  // the film knows which samples it has

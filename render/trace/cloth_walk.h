@@ -1,17 +1,13 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
-#include "render/trace/scene.h"
+#include "render/trace/medium.h"
 #include "render/trace/shell_entry.h"
 
 namespace loomlight {
-
-/// A point of the scene, and the shell's tetrahedron it lies in; -1 outside of the shell.
-struct Place {
-  glm::vec3 world{0};
-  int tet = -1;
-};
 
 /// How the cloth lies where a ray crosses it: cloth-space tangents and densities become those of the world.
 struct LocalDrape {
@@ -29,6 +25,19 @@ struct LocalDrape {
   glm::vec3 normal() const { return isometric ? glm::vec3(0, 0, 1) : glm::normalize(glm::cross(frame[0], frame[1])); }
 };
 
+/// Distance at which a ray comes to the shell's bounds, 0 from inside of them; infinite if it misses them.
+inline float distanceToBounds(const Shell& shell, glm::vec3 origin, glm::vec3 direction) {
+  float enter = 0, leave = std::numeric_limits<float>::infinity();
+  for (int axis = 0; axis < 3; ++axis) {
+    const float inverse = 1.0f / direction[axis];
+    const float a = (shell.lower_mm()[axis] - origin[axis]) * inverse;
+    const float b = (shell.upper_mm()[axis] - origin[axis]) * inverse;
+    enter = std::max(enter, std::min(a, b));  // a NaN (in the plane of a face) loses every comparison
+    leave = std::min(leave, std::max(a, b));
+  }
+  return enter <= leave * (1 + 1e-5f) + 1e-5f ? enter : std::numeric_limits<float>::infinity();
+}
+
 /// Follows the ray from + t direction (unit) through every fold of the shell that it meets, for t in (0, tMax), and
 /// shows each voxel with content, in order, to visit(const VoxelContent&, float tEnter, float tLeave, const LocalDrape&,
 /// int tet), which returns false to stop. Parameters are world distances. True if nothing stopped it.
@@ -38,25 +47,30 @@ bool walkCloth(const Scene& scene, const Place& from, glm::vec3 direction, float
   const ClothVolume& volume = *scene.volume;
   const bool flat = shell.isFlat();
   int tet = from.tet;
-  float passed = 0;               // distance from `from` to `origin`
-  glm::vec3 origin = from.world;  // moved to each entry, so that far cameras cost no precision inside the cloth
-  for (;;) {
+  glm::vec3 origin = from.world;
+  float passed = 0;  // distance from `from` to `origin`: a far eye must not cost precision inside the cloth
+  if (tet < 0) {
+    const float distance = distanceToBounds(shell, origin, direction);
+    if (!(distance < tMax)) return true;
+    passed = 0.999f * distance;
+    origin += passed * direction;
+    tMax -= passed;
+  }
+  for (float t = 0;;) {
     if (tet < 0) {
-      const auto hit = scene.entry->enter(origin, direction, 0.0f, tMax - passed);
+      const auto hit = scene.entry->enter(origin, direction, t, tMax);
       if (!hit) return true;
       tet = hit->tet;
-      passed += hit->t;
-      origin += hit->t * direction;
+      t = hit->t;
     }
-    for (float t = 0; tet >= 0;) {
+    while (tet >= 0) {
       int face = 0;
       const float tExit = std::max(t, shell.exit(tet, origin, direction, face));
-      const float tStop = std::min(tExit, tMax - passed);
+      const float tStop = std::min(tExit, tMax);
       LocalDrape drape;
       glm::vec3 clothDirection = direction;
       if (!flat) {
-        const glm::vec3 middle = origin + 0.5f * (t + tStop) * direction;
-        drape.frame = shell.frame(tet, middle);
+        drape.frame = shell.frame(tet, origin + 0.5f * (t + tStop) * direction);
         drape.densityScale = 1.0f / std::abs(glm::determinant(drape.frame));
         drape.isometric = false;
         clothDirection = shell.tets()[tet].toCloth * direction;
@@ -67,15 +81,10 @@ bool walkCloth(const Scene& scene, const Place& from, glm::vec3 direction, float
                          return visit(content, passed + tEnter, passed + tLeave, drape, tet);
                        });
       if (!through) return false;
-      if (tStop < tExit) return true;
+      if (tExit >= tMax || flat) return true;  // flat: a box is convex, what leaves it is gone
       t = tExit;
-      tet = flat ? -1 : shell.tets()[tet].neighbour[face];
-      if (tet < 0) {
-        passed += t;
-        origin += t * direction;
-      }
+      tet = shell.tets()[tet].neighbour[face];
     }
-    if (flat) return true;  // a box is convex: what leaves it is gone
   }
 }
 

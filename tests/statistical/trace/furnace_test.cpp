@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "render/trace/volume_tracer.h"
+#include "render/trace/path_tracer.h"
+#include "render/trace/volume_medium.h"
 #include "tests/support/test_cloth.h"
 
 namespace loomlight {
@@ -15,12 +16,13 @@ Furnace renderFurnace(Fabric fabric, int side = 24, uint32_t samples = 8) {
   fabric.light.kind = LightKind::furnace;
   const auto scene = test::sceneOf(fabric);
   const CameraRays camera(fabric.camera, side, side);
+  const VolumeMedium medium(*scene);
   TraceCounts counts;
   Furnace mean;
   for (int y = 0; y < side; ++y)
     for (int x = 0; x < side; ++x)
       for (uint32_t i = 0; i < samples; ++i) {
-        const PathSample sample = tracePath(*scene, camera, x, y, i, counts);
+        const PathSample sample = tracePath(*scene, medium, camera, x, y, i, counts);
         mean.radiance += (sample.direct.g + sample.indirect.g) / (side * side * samples);
         mean.alpha += static_cast<double>(sample.alpha) / (side * side * samples);
       }
@@ -72,13 +74,14 @@ TEST(Dome, DyedClothKeepsBetweenReflectionAndWhite) {
   fabric.light.kind = LightKind::furnace;
   const auto scene = test::sceneOf(fabric);
   const CameraRays camera(fabric.camera, 16, 16);
+  const VolumeMedium medium(*scene);
   TraceCounts counts;
   Rgb sum(0.0f);
   float alpha = 0;
   for (int y = 0; y < 16; ++y)
     for (int x = 0; x < 16; ++x)
       for (uint32_t i = 0; i < 16; ++i) {
-        const PathSample sample = tracePath(*scene, camera, x, y, i, counts);
+        const PathSample sample = tracePath(*scene, medium, camera, x, y, i, counts);
         sum += sample.direct + sample.indirect;
         alpha += sample.alpha;
       }

@@ -2,7 +2,8 @@
 
 #include <cmath>
 
-#include "render/trace/collision.h"
+#include "render/optics/fibre_frame.h"
+#include "render/trace/volume_medium.h"
 #include "tests/support/test_cloth.h"
 
 namespace loomlight {
@@ -10,17 +11,15 @@ namespace {
 
 /// Scattering events of one path through a sheet that never absorbs, entering at a point of its upper face.
 uint64_t eventsOfPath(const Scene& scene, glm::vec3 origin, glm::vec3 direction, Random& random) {
-  Place place{origin, -1};
+  const VolumeMedium medium(scene);
+  Departure from{{origin, -1}};
   TraceCounts counts;
-  while (const auto collision = sampleCollision(scene, place, direction, random, counts)) {
-    const glm::vec3 x = collision->tangent;
-    const glm::vec3 y = glm::normalize(glm::cross(std::abs(x.z) < 0.9f ? glm::vec3(0, 0, 1) : glm::vec3(1, 0, 0), x));
-    const glm::vec3 z = glm::cross(x, y);
-    const glm::vec3 wo(glm::dot(-direction, x), glm::dot(-direction, y), glm::dot(-direction, z));
+  while (const auto collision = medium.collide(from, direction, random, counts)) {
+    const FibreFrame frame(collision->tangent);
     const FibreBcsdf& bcsdf = *scene.materials[collision->optics.material].bcsdf;
-    const glm::vec3 wi = bcsdf.sample(wo, 2 * random.uniform() - 1, random).wi;
-    direction = wi.x * x + wi.y * y + wi.z * z;
-    place = collision->place;
+    const auto scattered = bcsdf.sample(frame.toLocal(-direction), collision->offset, random);
+    direction = frame.toWorld(scattered.wi);
+    from = medium.leave(*collision, direction, scattered.order);
   }
   return counts.events;
 }

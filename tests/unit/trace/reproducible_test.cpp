@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "render/trace/volume_tracer.h"
+#include "render/trace/path_tracer.h"
+#include "render/trace/volume_medium.h"
 #include "tests/support/test_cloth.h"
 
 namespace loomlight {
@@ -20,7 +21,7 @@ class ReproducibleFilm : public testing::Test {
     Film film(kWidth, kHeight);
     Task task;
     task.threads = threads;
-    renderUpTo(samples, *scene_, camera_, film, task, first);
+    renderUpTo(samples, *scene_, VolumeMedium(*scene_), camera_, film, task, first);
     return film;
   }
   static void expectSame(const Film& a, const Film& b) {
@@ -49,7 +50,7 @@ TEST_F(ReproducibleFilm, WhenContinued) {
   Film film = render(2, 2);
   Task task;
   task.threads = 2;
-  renderUpTo(6, *scene_, camera_, film, task);
+  renderUpTo(6, *scene_, VolumeMedium(*scene_), camera_, film, task);
   expectSame(film, render(6, 1));
 }
 
@@ -69,7 +70,7 @@ TEST_F(ReproducibleFilm, StopsWithinAPath) {
   Task task;
   task.threads = 2;
   task.stop = stop.get_token();
-  const PassResult result = renderUpTo(4, *scene_, camera_, film, task);
+  const PassResult result = renderUpTo(4, *scene_, VolumeMedium(*scene_), camera_, film, task);
   EXPECT_FALSE(result.complete);
   EXPECT_LE(result.counts.paths, 2u);
 }

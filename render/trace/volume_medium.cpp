@@ -1,8 +1,9 @@
-#include "render/trace/collision.h"
+#include "render/trace/volume_medium.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "render/trace/cloth_walk.h"
 #include "render/trace/voxel_extinction.h"
 
 namespace loomlight {
@@ -26,16 +27,16 @@ glm::vec3 projectedTangent(const FibreDistribution& fibres, glm::vec3 direction,
 
 }  // namespace
 
-std::optional<Collision> sampleCollision(const Scene& scene, const Place& from, glm::vec3 direction, Random& random,
-                                         TraceCounts& counts) {
-  const EventLaw law = scene.fabric->render.eventLaw;
+std::optional<Collision> VolumeMedium::collide(const Departure& from, glm::vec3 direction, Random& random,
+                                               TraceCounts& counts) const {
+  const EventLaw law = scene_.fabric->render.eventLaw;
   float opticalDepth = -std::log1p(-random.uniform());
   std::optional<Collision> collision;
   ++counts.rays;
-  walkCloth(scene, from, direction, std::numeric_limits<float>::infinity(),
+  walkCloth(scene_, from.place, direction, std::numeric_limits<float>::infinity(),
             [&](const VoxelContent& content, float tEnter, float tLeave, const LocalDrape& drape, int tet) {
               ++counts.steps;
-              const VoxelExtinction voxel(scene, content, drape, direction);
+              const VoxelExtinction voxel(scene_, content, drape, direction);
               const float depth = voxel.total() * (tLeave - tEnter);
               if (opticalDepth >= depth) {
                 opticalDepth -= depth;
@@ -45,7 +46,7 @@ std::optional<Collision> sampleCollision(const Scene& scene, const Place& from, 
               const VoxelExtinction::Entry& entry = voxel.choose(random.uniform(), law);
               const FibreDistribution fibres = inWorld(entry.component->decode(), drape);
               Collision c;
-              c.place = {from.world + t * direction, tet};
+              c.place = {from.place.world + t * direction, tet};
               c.distance_mm = t;
               if (law == EventLaw::report) {
                 const float u1 = random.uniform(), u2 = random.uniform();
@@ -53,6 +54,7 @@ std::optional<Collision> sampleCollision(const Scene& scene, const Place& from, 
               } else {
                 c.tangent = projectedTangent(fibres, direction, random);
               }
+              c.offset = 2.0f * random.uniform() - 1.0f;
               c.normal = drape.normal();
               c.optics = *entry.optics;
               c.yarn = entry.yarn;
@@ -65,17 +67,19 @@ std::optional<Collision> sampleCollision(const Scene& scene, const Place& from, 
   return collision;
 }
 
-float transmittance(const Scene& scene, const Place& from, glm::vec3 direction, float distance, Random& random,
-                    TraceCounts& counts) {
+Departure VolumeMedium::leave(const Collision& collision, glm::vec3, int) const { return {collision.place}; }
+
+float VolumeMedium::transmittance(const Departure& from, glm::vec3 direction, float distance, Random& random,
+                                  TraceCounts& counts) const {
   constexpr float kExactDepth = 4.0f;
   const float deepest = kExactDepth - std::log1p(-random.uniform());
   float depth = 0;
   ++counts.rays;
   const bool through =
-      walkCloth(scene, from, direction, distance,
+      walkCloth(scene_, from.place, direction, distance,
                 [&](const VoxelContent& content, float tEnter, float tLeave, const LocalDrape& drape, int) {
                   ++counts.steps;
-                  depth += VoxelExtinction(scene, content, drape, direction).total() * (tLeave - tEnter);
+                  depth += VoxelExtinction(scene_, content, drape, direction).total() * (tLeave - tEnter);
                   return depth < deepest;
                 });
   return through ? std::exp(-std::min(depth, kExactDepth)) : 0.0f;

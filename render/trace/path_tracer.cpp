@@ -1,27 +1,14 @@
-#include "render/trace/volume_tracer.h"
+#include "render/trace/path_tracer.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "core/base/parallel.h"
-#include "render/trace/collision.h"
+#include "render/optics/fibre_frame.h"
 
 namespace loomlight {
 namespace {
-
-/// Orthonormal frame of a fibre: x along the tangent.
-struct FibreFrame {
-  glm::vec3 x, y, z;
-
-  explicit FibreFrame(glm::vec3 tangent) : x(tangent) {
-    const glm::vec3 helper = std::abs(x.z) < 0.9f ? glm::vec3(0, 0, 1) : glm::vec3(1, 0, 0);
-    y = glm::normalize(glm::cross(helper, x));
-    z = glm::cross(x, y);
-  }
-  glm::vec3 toLocal(glm::vec3 v) const { return {glm::dot(v, x), glm::dot(v, y), glm::dot(v, z)}; }
-  glm::vec3 toWorld(glm::vec3 v) const { return v.x * x + v.y * y + v.z * z; }
-};
 
 /// What a path knows of itself. Colour is not in it: only how far it has travelled inside the fibres of each material.
 /// exp(-sum sigma_k L_k) is applied when the path meets light, exactly, for any number of channels.
@@ -66,20 +53,29 @@ Rgb scatteredColour(const FibreBcsdf::Value& value, Rgb absorption_per_mm, float
   return value.q[0] + traverse * (value.q[1] + traverse * value.q[2]) + residual * value.q[3];
 }
 
+/// A mode, in proportion to what each contributes: which way a connection to a lamp leaves the fibre.
+int likelyOrder(const FibreBcsdf::Value& value, Random& random) {
+  float rest = random.uniform() * value.sum();
+  int order = 0;
+  while (order + 1 < FibreBcsdf::kLobes && (rest -= value.q[order]) >= 0) ++order;
+  return order;
+}
+
 /// Balance heuristic (Veach 1997).
 float misWeight(float own, float other) { return own / (own + other); }
 
 /// One lamp, seen from a collision.
-Rgb sampleLamp(const Scene& scene, const Collision& at, const FibreFrame& frame, glm::vec3 wo, float h, Random& random,
-               TraceCounts& counts) {
+Rgb sampleLamp(const Scene& scene, const Medium& medium, const Collision& at, const FibreFrame& frame, glm::vec3 wo,
+               Random& random, TraceCounts& counts) {
   const auto light = scene.lighting->sample(at.place.world, random);
   if (!light || light->pdf <= 0) return Rgb(0.0f);
   const Material& material = scene.materials[at.optics.material];
-  const FibreBcsdf::Value value = material.bcsdf->evaluate(wo, frame.toLocal(light->wi), h);
+  const FibreBcsdf::Value value = material.bcsdf->evaluate(wo, frame.toLocal(light->wi), at.offset);
   const float pdf = value.sum();
   if (pdf <= 0) return Rgb(0.0f);
   const float weight = light->delta ? 1.0f : misWeight(light->pdf, pdf);
-  const float visible = transmittance(scene, at.place, light->wi, light->distance, random, counts);
+  const Departure from = medium.leave(at, light->wi, likelyOrder(value, random));
+  const float visible = medium.transmittance(from, light->wi, light->distance, random, counts);
   if (visible == 0) return Rgb(0.0f);
   return scatteredColour(value, material.absorption_per_mm, at.optics.fibreRadius_mm) * light->radiance *
          (weight * visible / light->pdf);
@@ -105,7 +101,8 @@ TraceCounts& TraceCounts::operator+=(const TraceCounts& other) {
   return *this;
 }
 
-PathSample tracePath(const Scene& scene, const CameraRays& camera, int x, int y, uint32_t index, TraceCounts& counts) {
+PathSample tracePath(const Scene& scene, const Medium& medium, const CameraRays& camera, int x, int y, uint32_t index,
+                     TraceCounts& counts) {
   const RenderSettings& settings = scene.fabric->render;
   Random random(hashCombine(hashCombine(hashCombine(settings.seed, x), y), index));
   const float dx = random.uniform(), dy = random.uniform();
@@ -115,12 +112,12 @@ PathSample tracePath(const Scene& scene, const CameraRays& camera, int x, int y,
 
   PathSample sample;
   PathState state(scene);
-  Place place{ray.origin, -1};
+  Departure from{{ray.origin, -1}};
   glm::vec3 direction = ray.direction;
   float scatterPdf = 0;
   ++counts.paths;
   for (;;) {
-    const auto collision = sampleCollision(scene, place, direction, random, counts);
+    const auto collision = medium.collide(from, direction, random, counts);
     if (!collision) {
       if (sample.events > 0) {  // what the camera sees past the cloth is the backdrop's affair: alpha
         const float weight = lamps ? misWeight(scatterPdf, scene.lighting->pdf(direction)) : 1.0f;
@@ -134,25 +131,24 @@ PathSample tracePath(const Scene& scene, const CameraRays& camera, int x, int y,
 
     const FibreFrame frame(collision->tangent);
     const glm::vec3 wo = frame.toLocal(-direction);
-    const float h = 2.0f * random.uniform() - 1.0f;
     if (lamps) {
-      const Rgb light = state.throughput() * sampleLamp(scene, *collision, frame, wo, h, random, counts);
+      const Rgb light = state.throughput() * sampleLamp(scene, medium, *collision, frame, wo, random, counts);
       (sample.events == 1 ? sample.direct : sample.indirect) += light;
     }
     if (sample.events >= static_cast<uint32_t>(settings.maxDepth)) return sample;
 
     const Material& material = scene.materials[collision->optics.material];
-    const FibreBcsdf::Sample scattered = material.bcsdf->sample(wo, h, random);
+    const FibreBcsdf::Sample scattered = material.bcsdf->sample(wo, collision->offset, random);
     state.travel(collision->optics.material, scattered.length * collision->optics.fibreRadius_mm);
     if (sample.events > kRouletteAfter && !state.survives(random)) return sample;
     scatterPdf = scattered.pdf;
     direction = frame.toWorld(scattered.wi);
-    place = collision->place;
+    from = medium.leave(*collision, direction, scattered.order);
   }
 }
 
-PassResult renderUpTo(uint32_t samples, const Scene& scene, const CameraRays& camera, Film& film, const Task& task,
-                      uint32_t firstSample) {
+PassResult renderUpTo(uint32_t samples, const Scene& scene, const Medium& medium, const CameraRays& camera, Film& film,
+                      const Task& task, uint32_t firstSample) {
   constexpr int kTile = 16;
   const int columns = (film.width() + kTile - 1) / kTile;
   const int rows = (film.height() + kTile - 1) / kTile;
@@ -163,7 +159,7 @@ PassResult renderUpTo(uint32_t samples, const Scene& scene, const CameraRays& ca
       for (int x = x0; x < std::min(x0 + kTile, film.width()); ++x)
         for (uint32_t i = film.samples(x, y); i < samples; ++i) {
           if (task.stopped()) return;
-          film.add(x, y, firstSample + i, tracePath(scene, camera, x, y, firstSample + i, tileCounts[tile]));
+          film.add(x, y, firstSample + i, tracePath(scene, medium, camera, x, y, firstSample + i, tileCounts[tile]));
         }
   });
   PassResult result;

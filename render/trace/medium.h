@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "core/base/random.h"
+#include "render/trace/scene.h"
+
+namespace loomlight {
+
+/// A point of the scene, and the shell's tetrahedron it lies in; -1 outside of the shell.
+struct Place {
+  glm::vec3 world{0};
+  int tet = -1;
+};
+
+/// What a path or a pass cost.
+struct TraceCounts {
+  uint64_t paths = 0;
+  uint64_t events = 0;  ///< scattering events
+  uint64_t rays = 0;    ///< flights and shadow rays
+  uint64_t steps = 0;   ///< voxels with content that they crossed; volume only
+  TraceCounts& operator+=(const TraceCounts& other);
+};
+
+/// A scattering event: where a ray met a fibre, and which.
+struct Collision {
+  Place place;
+  float distance_mm = 0;      ///< along the ray, from the start of the flight
+  glm::vec3 tangent{1, 0, 0};
+  float offset = 0;           ///< h: where across the fibre, -1..1
+  glm::vec3 normal{0, 0, 1};  ///< of the cloth's face
+  YarnOptics optics;
+  int yarn = 0;               ///< index into Fabric::yarns
+  int end = 0, pick = 0;      ///< the crossing cell
+};
+
+/// Where light sets out: from the eye, or from the fibre that it has just left.
+struct Departure {
+  Place place;
+};
+
+/// The cloth, as light meets it: everything a path asks of it, and nothing about how it is stored. Immutable, and safe
+/// to ask from many threads.
+class Medium {
+ public:
+  virtual ~Medium() = default;
+
+  /// The first fibre along a ray; nullopt when the ray leaves the scene. `direction` is unit.
+  virtual std::optional<Collision> collide(const Departure& from, glm::vec3 direction, Random& random,
+                                           TraceCounts& counts) const = 0;
+
+  /// An unbiased estimate of the probability that a ray meets no fibre within `distance`.
+  virtual float transmittance(const Departure& from, glm::vec3 direction, float distance, Random& random,
+                              TraceCounts& counts) const = 0;
+
+  /// Where light that takes mode `order` (p) out of the fibre into direction wi sets out again.
+  virtual Departure leave(const Collision& collision, glm::vec3 wi, int order) const = 0;
+};
+
+}  // namespace loomlight

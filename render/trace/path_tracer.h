@@ -1,0 +1,27 @@
+#pragma once
+
+#include "core/base/task.h"
+#include "render/film/film.h"
+#include "render/trace/camera_rays.h"
+#include "render/trace/medium.h"
+#include "render/trace/scene.h"
+
+namespace loomlight {
+
+/// Sample `index` of the pixel: a pure function of (scene, medium, camera, seed, x, y, index). Adds its cost to
+/// `counts`. Light is gathered by sampling lamps and fibres, weighted against each other (Veach 1997); colour is applied
+/// where the path meets light, from the lengths travelled inside the fibres of each material.
+PathSample tracePath(const Scene& scene, const Medium& medium, const CameraRays& camera, int x, int y, uint32_t index,
+                     TraceCounts& counts);
+
+struct PassResult {
+  bool complete = true;  ///< false when stopped: some pixels lack some samples
+  TraceCounts counts;
+};
+
+/// Brings every pixel of the film to `samples` samples, numbered from `firstSample` on: traces those that are missing, so
+/// that a stopped or resumed picture goes on where each of its pixels is. Checks stop per path.
+PassResult renderUpTo(uint32_t samples, const Scene& scene, const Medium& medium, const CameraRays& camera, Film& film,
+                      const Task& task, uint32_t firstSample = 0);
+
+}  // namespace loomlight
