@@ -26,14 +26,14 @@ uint64_t Component::encodeDirection(glm::vec3 direction) {
   const int u0 = static_cast<int>(std::floor(u)), v0 = static_cast<int>(std::floor(v));
   // The map is not conformal, so the nearest code is not always the rounded one: compare the four around it.
   uint64_t best = 0;
-  float bestCosine = -1;
+  double bestSine = 2;  // squared; of the cosine float could not tell apart what lies within 0.3 mrad
   for (int corner = 0; corner < 4; ++corner) {
     const int i = std::clamp(u0 + (corner & 1), -kAxisCentre, kAxisCentre);
     const int j = std::clamp(v0 + (corner >> 1), -kAxisCentre, kAxisCentre);
     const auto code = static_cast<uint64_t>(i + kAxisCentre) | static_cast<uint64_t>(j + kAxisCentre) << 12;
-    const float cosine = std::abs(glm::dot(decodeDirection(code), m));
-    if (cosine > bestCosine) {
-      bestCosine = cosine;
+    const glm::dvec3 normal = glm::cross(glm::dvec3(decodeDirection(code)), glm::dvec3(m));
+    if (const double sine = glm::dot(normal, normal); sine < bestSine) {
+      bestSine = sine;
       best = code;
     }
   }

@@ -21,7 +21,7 @@ struct FibreDistribution {
 /// density 16.
 ///
 /// - Direction: an octahedral map of the upper hemisphere alone, because m and -m are the same line: twice as fine as a
-///   map of the sphere; off by at most 0.5 mrad. The axes x, y, z are exact.
+///   map of the sphere; off by at most 0.6 mrad. The axes x, y, z are exact.
 /// - Spread: its square root in 255 steps, finest where it matters, near 0; 0 and 1 are exact.
 /// - Length density: a float of 5 exponent and 11 mantissa bits, 2^-12 (2.4e-4) to 2^20 (1.0e6) per mm^2, off by at
 /// most
