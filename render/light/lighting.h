@@ -1,24 +1,17 @@
 #pragma once
 
-#include <memory>
-#include <vector>
+#include <optional>
+#include <variant>
 
 #include "core/base/random.h"
 #include "core/fabric/fabric.h"
+#include "render/film/image.h"
+#include "render/light/environment_light.h"
+#include "render/light/light_sample.h"
+#include "render/light/simple_lights.h"
+#include "render/light/sky_light.h"
 
 namespace loomlight {
-
-struct Image;
-
-/// Light arriving at a point from one direction, chosen by Lighting::sample.
-struct LightSample {
-  glm::vec3 wi{0, 0, 1};      ///< unit, towards the light
-  float distance = 0;         ///< mm; infinity for everything but point lights
-  Rgb radiance{0};            ///< already divided by nothing: for delta lights, the irradiance perpendicular to wi
-  float pdf = 0;              ///< per solid angle, times the probability of choosing this light; delta lights: that
-                              ///< probability alone
-  bool delta = false;         ///< wi can only be found by sampling the light
-};
 
 /// All the light of a scene, from far away or from the headlight. Immutable.
 class Lighting {
@@ -34,6 +27,13 @@ class Lighting {
   std::optional<LightSample> sample(glm::vec3 p, Random& random) const;
   /// The pdf with which sample() chooses the non-delta direction d.
   float pdf(glm::vec3 d) const;
+
+ private:
+  std::variant<UniformLight, SkyLight, EnvironmentLight, Headlight, DirectionalLight> light_;
 };
+
+/// What escape() sees, as a lat-long image (R, G, B; width x width / 2) that EnvironmentLight reads back with azimuth
+/// 0: a sky to look at, to edit, or to use elsewhere. Width 2..16384. Delta lights give black.
+Image environmentImage(const Light& light, int width);
 
 }  // namespace loomlight

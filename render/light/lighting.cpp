@@ -1,0 +1,79 @@
+#include "render/light/lighting.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "render/light/lat_long.h"
+
+namespace loomlight {
+namespace {
+
+using AnyLight = std::variant<UniformLight, SkyLight, EnvironmentLight, Headlight, DirectionalLight>;
+
+AnyLight makeLight(const Light& light, glm::vec3 eye_mm) {
+  const auto intensity = static_cast<float>(light.intensity);
+  switch (light.kind) {
+    case LightKind::sky:
+      return SkyLight(light);
+    case LightKind::dome:
+      return UniformLight(intensity, 0);
+    case LightKind::furnace:
+      return UniformLight(intensity, intensity);
+    case LightKind::back:
+      return UniformLight(0, intensity);
+    case LightKind::headlight:
+      return Headlight(intensity, eye_mm);
+    case LightKind::directional:
+      return DirectionalLight(light);
+    case LightKind::environment:
+      return EnvironmentLight(light);
+  }
+  return UniformLight(0, 0);
+}
+
+}  // namespace
+
+Lighting::Lighting(const Light& light, glm::vec3 eye_mm) : light_(makeLight(light, eye_mm)) {}
+
+Rgb Lighting::escape(glm::vec3 d) const {
+  return std::visit([&](const auto& light) { return light.escape(d); }, light_);
+}
+
+bool Lighting::wantsSampling() const {
+  return std::visit([](const auto& light) { return light.wantsSampling(); }, light_);
+}
+
+std::optional<LightSample> Lighting::sample(glm::vec3 p, Random& random) const {
+  return std::visit([&](const auto& light) { return light.sample(p, random); }, light_);
+}
+
+float Lighting::pdf(glm::vec3 d) const {
+  return std::visit([&](const auto& light) { return light.pdf(d); }, light_);
+}
+
+Image environmentImage(const Light& light, int width) {
+  if (width < 2 || width > 16384 || width % 2 != 0)
+    throw InputError(fmt::format("an environment {} pixels wide: expected an even number from 2 to 16384", width));
+  if (light.kind == LightKind::sky) return SkyLight(light).image(width);
+
+  const Lighting lighting(light, glm::vec3(0));
+  Image image;
+  image.width = width;
+  image.height = width / 2;
+  for (const char* name : {"R", "G", "B"}) image.add(name);
+  parallelFor(static_cast<size_t>(image.height), 0, [&](size_t y) {
+    const auto cosTheta = static_cast<float>(std::cos(kPi * (static_cast<double>(y) + 0.5) / image.height));
+    for (size_t x = 0; x < static_cast<size_t>(width); ++x) {
+      const Rgb radiance =
+          lighting.escape(latLongDirection((static_cast<float>(x) + 0.5f) / static_cast<float>(width), cosTheta));
+      for (int c = 0; c < 3; ++c)
+        image.channels[static_cast<size_t>(c)].values[y * static_cast<size_t>(width) + x] = radiance[c];
+    }
+  });
+  return image;
+}
+
+}  // namespace loomlight

@@ -1,0 +1,127 @@
+#include "render/light/sky_light.h"
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "core/base/parallel.h"
+#include "render/film/image.h"
+#include "render/light/lat_long.h"
+
+namespace loomlight {
+namespace {
+
+constexpr int kTableWidth = 128, kTableHeight = 64;  // the horizon falls between two rows
+
+constexpr double kSunHalfAngle = Daylight::sunHalfAngle_deg * kPi / 180;
+/// 1 - cos of the half angle; written so that the difference keeps its digits.
+const double kSunCap = 2 * std::pow(std::sin(kSunHalfAngle / 2), 2);
+const double kSunSolidAngle = 2 * kPi * kSunCap;
+
+SphereTable tabulate(const Daylight& daylight) {
+  std::vector<float> values;
+  values.reserve(static_cast<size_t>(kTableWidth) * kTableHeight);
+  for (int y = 0; y < kTableHeight; ++y) {
+    const auto cosTheta = static_cast<float>(std::cos(kPi * (y + 0.5) / kTableHeight));
+    for (int x = 0; x < kTableWidth; ++x)
+      values.push_back(
+          luminance(daylight.radiance(latLongDirection((static_cast<float>(x) + 0.5f) / kTableWidth, cosTheta))));
+  }
+  return SphereTable(kTableWidth, kTableHeight, values);
+}
+
+}  // namespace
+
+SkyLight::SkyLight(const Light& light)
+    : daylight_(light.turbidity, light.azimuth_deg, light.elevation_deg),
+      intensity_(static_cast<float>(light.intensity)),
+      table_(tabulate(daylight_)) {
+  const double sunPower = luminance(daylight_.sunRadiance()) * kSunSolidAngle;
+  if (sunPower > 0) sunChance_ = static_cast<float>(sunPower / (sunPower + table_.power()));
+  const glm::vec3 s = daylight_.sunDirection();
+  sunX_ = glm::normalize(glm::cross(s, std::abs(s.z) < 0.9f ? glm::vec3(0, 0, 1) : glm::vec3(1, 0, 0)));
+  sunY_ = glm::cross(s, sunX_);
+}
+
+/// By the chord, because the cosine of so small an angle has lost its digits.
+bool SkyLight::inSun(glm::vec3 d) const {
+  const glm::vec3 chord = d - daylight_.sunDirection();
+  return glm::dot(chord, chord) < static_cast<float>(2 * kSunCap);
+}
+
+Rgb SkyLight::escape(glm::vec3 d) const {
+  return radiance(d, inSun(d));
+}
+
+float SkyLight::pdf(glm::vec3 d) const {
+  return mixture(table_.pdf(d), inSun(d));
+}
+
+Rgb SkyLight::radiance(glm::vec3 d, bool inSun) const {
+  Rgb radiance = daylight_.radiance(d);
+  if (inSun && d.z > 0) radiance += daylight_.sunRadiance();
+  return radiance * intensity_;
+}
+
+float SkyLight::mixture(float tablePdf, bool inSun) const {
+  return (1 - sunChance_) * tablePdf + (inSun ? sunChance_ * static_cast<float>(1 / kSunSolidAngle) : 0.0f);
+}
+
+glm::vec3 SkyLight::sampleSun(Random& random) const {
+  const float cap = random.uniform() * static_cast<float>(kSunCap);
+  const float r = std::sqrt(cap * (2 - cap)), angle = random.uniform() * static_cast<float>(2 * kPi);
+  return glm::normalize((1 - cap) * daylight_.sunDirection() + r * (std::cos(angle) * sunX_ + std::sin(angle) * sunY_));
+}
+
+std::optional<LightSample> SkyLight::sample(glm::vec3, Random& random) const {
+  SphereTable::Sample chosen;
+  if (random.uniform() < sunChance_) {
+    chosen.direction = sampleSun(random);
+    chosen.pdf = table_.pdf(chosen.direction);
+  } else {
+    chosen = table_.sample(random);
+  }
+  const glm::vec3 wi = chosen.direction;
+  const bool sun = inSun(wi);
+  const LightSample sample{wi, std::numeric_limits<float>::infinity(), radiance(wi, sun), mixture(chosen.pdf, sun),
+                           false};
+  // A direction on the very edge of the sun may round out of it, over a part of the table that is never drawn.
+  if (!(sample.pdf > 0) || sample.radiance == Rgb(0)) return std::nullopt;
+  return sample;
+}
+
+Image SkyLight::image(int width) const {
+  Image image;
+  image.width = width;
+  image.height = width / 2;
+  const auto columns = static_cast<size_t>(image.width), rows = static_cast<size_t>(image.height);
+  for (const char* name : {"R", "G", "B"}) image.add(name);
+  const auto put = [&](size_t pixel, Rgb radiance) {
+    for (int c = 0; c < 3; ++c) image.channels[static_cast<size_t>(c)].values[pixel] += radiance[c] * intensity_;
+  };
+  parallelFor(rows, 0, [&](size_t y) {
+    const auto cosTheta =
+        static_cast<float>(std::cos(kPi * (static_cast<double>(y) + 0.5) / static_cast<double>(rows)));
+    for (size_t x = 0; x < columns; ++x)
+      put(y * columns + x,
+          daylight_.radiance(latLongDirection((static_cast<float>(x) + 0.5f) / static_cast<float>(columns), cosTheta)));
+  });
+  if (sunChance_ <= 0) return image;
+
+  // Every point of the disc brings its share of the power to the pixel it falls into.
+  constexpr int kPoints = 1 << 16;
+  Random random(1);
+  for (int i = 0; i < kPoints; ++i) {
+    const glm::vec3 d = sampleSun(random);
+    if (d.z <= 0) continue;
+    const auto x = static_cast<size_t>(cellOf(latLongU(d), image.width));
+    const auto y = static_cast<size_t>(cellOf(latLongV(d), image.height));
+    const double top = kPi * static_cast<double>(y) / static_cast<double>(rows),
+                 bottom = top + kPi / static_cast<double>(rows);
+    const double pixelSolidAngle = (std::cos(top) - std::cos(bottom)) * 2 * kPi / static_cast<double>(columns);
+    put(y * columns + x, daylight_.sunRadiance() * static_cast<float>(kSunSolidAngle / kPoints / pixelSolidAngle));
+  }
+  return image;
+}
+
+}  // namespace loomlight
