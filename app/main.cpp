@@ -6,10 +6,8 @@
 
 #include "app/commands/command_line.h"
 #include "app/commands/usage_error.h"
-#include "core/base/error.h"
-#ifdef LOOMLIGHT_EDITOR
 #include "app/editor/editor.h"
-#endif
+#include "core/base/error.h"
 
 namespace loomlight {
 namespace {
@@ -21,13 +19,9 @@ int run(const TextCommand& command) {
   return 0;
 }
 
-int run(const EditCommand& command) {
+int run([[maybe_unused]] const EditCommand& command) {
 #ifdef LOOMLIGHT_EDITOR
-  EditorOptions options;
-  options.file = command.input;
-  options.threads = command.threads;
-  options.widgetMap = command.widgetMap;
-  return runEditor(options);
+  return runEditor(command.options);
 #else
   throw InputError("edit: this program was built without the editor (LOOMLIGHT_EDITOR=OFF)");
 #endif

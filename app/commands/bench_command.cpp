@@ -11,8 +11,9 @@
 #include "app/commands/render_stats.h"
 #include "app/commands/stopwatch.h"
 #include "core/fabric/validate.h"
+#include "render/trace/path_tracer.h"
 #include "render/trace/scene.h"
-#include "render/trace/volume_tracer.h"
+#include "render/trace/volume_medium.h"
 
 namespace loomlight {
 namespace {
@@ -62,7 +63,7 @@ bool measure(const Fabric& fabric, int rounds, const Task& task, Row& row) {
     Film film(fabric.render.width, fabric.render.height);
     watch.lap();
     const auto samples = static_cast<uint32_t>(fabric.render.samplesPerPixel);
-    const PassResult pass = renderUpTo(samples, *scene, camera, film, task);
+    const PassResult pass = renderUpTo(samples, *scene, VolumeMedium(*scene), camera, film, task);
     if (!pass.complete) return false;
     trace.push_back(watch.lap());
     row.trace = pass.counts;

@@ -68,10 +68,19 @@ void addThreads(CLI::App& app, int& threads) {
   });
 }
 
-void addEdit(CLI::App& app, EditCommand& command) {
-  app.add_option("FABRIC", command.input, "the fabric to open");
-  addThreads(app, command.threads);
-  app.add_option("--widget-map", command.widgetMap, "for tests: write where the widgets are, as JSON, to this file")
+void addEdit(CLI::App& app, EditorOptions& options) {
+  app.add_option("FABRIC", options.fabricFile, "the fabric to open");
+  addThreads(app, options.threads);
+  addValue(app, "--window", "WxH", "size of the window, pixels", [&options](const auto& option, const auto& text) {
+    const PictureSize size = parseSize(option, text);
+    options.width = size.width;
+    options.height = size.height;
+  });
+  addValue(app, "--scale", "S", "of text and controls, 0.5 to 4; the monitor's where not given",
+           [&options](const auto& option, const auto& text) {
+             options.scale = static_cast<float>(parseNumber(option, text, 0.5, 4));
+           });
+  app.add_option("--widget-dump", options.widgetDump, "for tests: keep in this file where the widgets are, as JSON")
       ->type_name("FILE");
 }
 
@@ -129,9 +138,9 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   CLI::App app("Woven fabric, path-traced from the optics of its fibres.", "loomlight");
   app.set_version_flag("--version", "loomlight " LOOMLIGHT_VERSION);
   app.require_subcommand(0, 1);
-  addEdit(app, edit);
+  addEdit(app, edit.options);
   CLI::App* const edits = app.add_subcommand("edit", "open the editor (also without this word)");
-  addEdit(*edits, edit);
+  addEdit(*edits, edit.options);
   CLI::App* const renders = app.add_subcommand("render", "render a fabric to a picture");
   addRender(*renders, render);
   CLI::App* const informs = app.add_subcommand("info", "what follows from a fabric: mass, cover, floats, voxels");

@@ -8,14 +8,13 @@
 #include "app/commands/convert_command.h"
 #include "app/commands/info_command.h"
 #include "app/commands/render_command.h"
+#include "app/editor/editor.h"
 
 namespace loomlight {
 
 /// loomlight [edit] [FABRIC]
 struct EditCommand {
-  std::string input;      ///< empty: a new fabric
-  int threads = 0;        ///< for tracing; 0: all but one
-  std::string widgetMap;  ///< debugging: file for the screen rectangles of named widgets; empty: none
+  EditorOptions options;
 };
 
 /// --help and --version: text for stdout.

@@ -16,8 +16,9 @@
 #include "core/base/parallel.h"
 #include "core/fabric/fabric_json.h"
 #include "core/fabric/validate.h"
+#include "render/trace/path_tracer.h"
 #include "render/trace/scene.h"
-#include "render/trace/volume_tracer.h"
+#include "render/trace/volume_medium.h"
 
 namespace loomlight {
 namespace {
@@ -60,6 +61,7 @@ Job prepare(const RenderCommand& command) {
 bool trace(const Scene& scene, Job& job, Task task, TraceCounts& counts) {
   const RenderSettings& settings = job.fabric->render;
   const CameraRays camera(job.fabric->camera, settings.width, settings.height);
+  const VolumeMedium medium(scene);
   const auto samples = static_cast<uint32_t>(settings.samplesPerPixel);
   const uint32_t first = job.samplesBegun;
   Progress progress("rendering");
@@ -72,7 +74,7 @@ bool trace(const Scene& scene, Job& job, Task task, TraceCounts& counts) {
       progress.update((done - first + fraction * batch) / (samples - first));
     };
     Stopwatch watch;
-    const PassResult pass = renderUpTo(done + batch, scene, camera, job.film, task);
+    const PassResult pass = renderUpTo(done + batch, scene, VolumeMedium(scene), camera, job.film, task);
     counts += pass.counts;
     if (!pass.complete) return false;
     done += batch;
@@ -110,6 +112,8 @@ int run(const RenderCommand& command) {
   }
   for (const std::string& repair : scene->shell->repairs()) fmt::print(stderr, "loomlight: {}\n", repair);
   stats.seconds.voxelise = watch.lap();
+  fmt::print(stderr, "loomlight: rendering {} x {}, {} samples per pixel, threads: {}\n", settings.width,
+             settings.height, settings.samplesPerPixel, task.threads);
   const bool complete = trace(*scene, job, task, stats.trace);
   stats.seconds.render = watch.lap();
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/volume/cloth_volume.h"
-#include "render/trace/volume_tracer.h"
+#include "render/trace/medium.h"
 
 namespace loomlight {
 

@@ -27,10 +27,14 @@ std::string complaint(const std::vector<std::string>& words) {
 }
 
 TEST(CommandLine, EditsByDefault) {
-  EXPECT_EQ(parsed<EditCommand>({}).input, "");
-  EXPECT_EQ(parsed<EditCommand>({"a.json"}).input, "a.json");
-  EXPECT_EQ(parsed<EditCommand>({"edit"}).input, "");
-  EXPECT_EQ(parsed<EditCommand>({"edit", "a.json"}).input, "a.json");
+  EXPECT_EQ(parsed<EditCommand>({}).options.fabricFile, "");
+  EXPECT_EQ(parsed<EditCommand>({"a.json"}).options.fabricFile, "a.json");
+  EXPECT_EQ(parsed<EditCommand>({"edit"}).options.fabricFile, "");
+  EXPECT_EQ(parsed<EditCommand>({"edit", "a.json"}).options.fabricFile, "a.json");
+  const EditorOptions window = parsed<EditCommand>({"edit", "--window", "1280x720", "--scale", "1.5"}).options;
+  EXPECT_EQ(window.width, 1280);
+  EXPECT_EQ(window.height, 720);
+  EXPECT_FLOAT_EQ(window.scale, 1.5f);
 }
 
 TEST(CommandLine, RenderTakesAllItsOptions) {

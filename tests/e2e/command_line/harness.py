@@ -1,0 +1,116 @@
+"""What the tests of the command line share: running the program, small fabrics, reading its pictures."""
+
+import json
+import os
+import pathlib
+import re
+import struct
+import subprocess
+import tempfile
+import unittest
+import zlib
+
+LOOMLIGHT = os.environ["LOOMLIGHT"]
+ROOT = pathlib.Path(os.environ["LOOMLIGHT_ROOT"])
+SAMPLES = ROOT / "samples"
+
+# Small enough that the whole program runs in a fraction of a second.
+SMALL = {
+    "loomlight_version": 1,
+    "name": "small twill",
+    "weave": ["#..#", "##..", ".##.", "..##"],
+    "ends_per_cm": 20,
+    "picks_per_cm": 18,
+    "warp_sequence": [0],
+    "weft_sequence": [1],
+    "yarns": [
+        {"name": "warp", "fibre": 0, "fibres_per_ply": 20, "plies": 2, "yarn_twist_per_m": 400},
+        {"name": "weft", "fibre": 1, "fibres_per_ply": 40},
+    ],
+    "fibres": [
+        {"name": "blue", "radius_um": 9, "absorption_per_mm": [20, 8, 1]},
+        {"name": "white", "radius_um": 9},
+    ],
+    "drape": {"kind": "flat", "width_mm": 4, "height_mm": 4, "radius_mm": 3},
+    "camera": {"distance_mm": 14},
+    "render": {"width": 32, "height": 24, "samples_per_pixel": 4, "resolution": 2},
+}
+
+
+class CommandLineTest(unittest.TestCase):
+    """A test with a folder of its own."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="loomlight-test-")
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def run_program(self, *words, status=0, timeout=120, **options):
+        """Runs the program in the test's folder; returns stdout, or stderr where it is to fail."""
+        done = subprocess.run(
+            [LOOMLIGHT, *map(str, words)],
+            cwd=self.folder,
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            timeout=timeout,
+            text=True,
+            errors="replace",
+            **options,
+        )
+        self.assertEqual(done.returncode, status, f"{words}\n{done.stdout}{done.stderr}")
+        return done.stdout if status == 0 else done.stderr
+
+    def fabric(self, name="fabric.json", **changes):
+        """Writes the small fabric, with some of its top-level keys changed, and returns the file."""
+        file = self.folder / name
+        file.write_text(json.dumps({**SMALL, **changes}))
+        return file
+
+    def bytes_of(self, name):
+        return (self.folder / name).read_bytes()
+
+
+def read_png(file):
+    """Width, height and rows of pixels of an 8-bit PNG without interlace."""
+    data = pathlib.Path(file).read_bytes()
+    assert data[:8] == b"\x89PNG\r\n\x1a\n", "no PNG"
+    position, compressed = 8, b""
+    while position < len(data):
+        length, kind = struct.unpack(">I4s", data[position : position + 8])
+        body = data[position + 8 : position + 8 + length]
+        if kind == b"IHDR":
+            width, height, depth, colour, _, _, interlace = struct.unpack(">IIBBBBB", body)
+            assert depth == 8 and interlace == 0
+        elif kind == b"IDAT":
+            compressed += body
+        position += 12 + length
+    channels = {0: 1, 2: 3, 4: 2, 6: 4}[colour]
+    raw, stride, rows = zlib.decompress(compressed), width * channels, []
+    above = bytearray(stride)
+    for y in range(height):
+        start = y * (stride + 1)
+        kind, line = raw[start], bytearray(raw[start + 1 : start + 1 + stride])
+        for i in range(stride):
+            left = line[i - channels] if i >= channels else 0
+            corner = above[i - channels] if i >= channels else 0
+            line[i] = (line[i] + _predicted(kind, left, above[i], corner)) & 255
+        rows.append([tuple(line[i : i + channels]) for i in range(0, stride, channels)])
+        above = line
+    return width, height, rows
+
+
+def _predicted(kind, left, above, corner):
+    if kind == 4:
+        nearest = left + above - corner
+        return min((left, above, corner), key=lambda value: abs(nearest - value))
+    return (0, left, above, (left + above) // 2)[kind]
+
+
+def samples_said(text):
+    """The number of samples per pixel that `render` says it has reached."""
+    return int(re.search(r"(\d+) samples per pixel", text).group(1))
+
+
+def main():
+    unittest.main(verbosity=2)

@@ -1,0 +1,49 @@
+"""`info` says what follows from a fabric."""
+
+import json
+
+from harness import SAMPLES, CommandLineTest, main
+
+KEYS = """ends picks shafts treadles warp_up_cells max_warp_float max_weft_float cover_factor areal_mass_g_m2
+thickness_mm crimp_warp crimp_weft warnings bricks voxels components volume_bytes segments_represented""".split()
+
+
+class Info(CommandLineTest):
+    def test_the_numbers_of_a_twill(self):
+        info = json.loads(self.run_program("info", self.fabric(), "--json"))
+        self.assertEqual([key for key in KEYS if key not in info], [])
+        self.assertEqual((info["ends"], info["picks"]), (4, 4))
+        self.assertEqual((info["shafts"], info["treadles"]), (4, 4))
+        self.assertEqual(info["warp_up_cells"], 8)
+        self.assertEqual((info["max_warp_float"], info["max_weft_float"]), (2, 2))
+        self.assertIsInstance(info["warnings"], list)
+        # 20 ends and 18 picks per cm, of 40 fibres of cotton of 9 um each: tex = fibres * density * area.
+        tex = 40 * 1.52 * 3.14159265 * 0.009**2 * 1e0
+        uncrimped = 0.1 * (20 + 18) * tex
+        self.assertGreater(info["areal_mass_g_m2"], uncrimped)
+        self.assertLess(info["areal_mass_g_m2"], 1.5 * uncrimped)
+
+    def test_every_sample_has_plausible_numbers(self):
+        for sample in sorted(SAMPLES.glob("*.json")):
+            with self.subTest(sample=sample.name):
+                info = json.loads(self.run_program("info", sample, "--json", "--resolution", 1))
+                self.assertTrue(10 < info["areal_mass_g_m2"] < 700, info["areal_mass_g_m2"])
+                self.assertTrue(0.02 < info["thickness_mm"] < 3, info["thickness_mm"])
+                self.assertTrue(0 <= info["crimp_warp"] < 0.5 and 0 <= info["crimp_weft"] < 0.5)
+                self.assertTrue(0 < info["warp_up_cells"] < info["ends"] * info["picks"])
+                self.assertGreater(info["segments_represented"], 1000)
+
+    def test_the_table_has_units(self):
+        table = self.run_program("info", self.fabric())
+        for word in ("small twill", "g/m2", "mm", "per cm", "ends x picks", "MB"):
+            self.assertIn(word, table)
+
+    def test_a_piece_a_hundred_times_as_large_needs_no_more_memory(self):
+        sizes = []
+        for side in (4, 40):
+            drape = {"kind": "flat", "width_mm": side, "height_mm": side}
+            sizes.append(json.loads(self.run_program("info", self.fabric(drape=drape), "--json"))["volume_bytes"])
+        self.assertLess(sizes[1], 1.1 * sizes[0])
+
+
+main()

@@ -1,0 +1,58 @@
+"""`render` makes pictures of every sample, on every kind of surface, under every light."""
+
+from harness import SAMPLES, CommandLineTest, main, read_png
+
+
+class Render(CommandLineTest):
+    def picture(self, fabric, *options):
+        self.run_program("render", fabric, "-o", "out.png", "--size", "32x24", "--spp", 4, *options)
+        width, height, rows = read_png(self.folder / "out.png")
+        self.assertEqual((width, height), (32, 24))
+        return [pixel for row in rows for pixel in row]
+
+    def test_every_sample_lies_flat_and_on_a_cylinder(self):
+        samples = sorted(SAMPLES.glob("*.json"))
+        self.assertGreaterEqual(len(samples), 7)
+        for sample in samples:
+            for drape in ("flat", "cylinder"):
+                with self.subTest(sample=sample.name, drape=drape):
+                    pixels = self.picture(sample, "--resolution", 2, "--drape", drape)
+                    self.assertGreater(len(set(pixels)), 50, "a cloth has texture")
+
+    def test_every_light_shows_the_cloth(self):
+        fabric = self.fabric()
+        seen = set()
+        for light in ("ibl", "sky:40,60", "dome", "furnace", "back", "point", "directional:-90,60"):
+            with self.subTest(light=light):
+                pixels = self.picture(fabric, "--light", light, "--view", "top")
+                middle = pixels[12 * 32 + 8 : 12 * 32 + 24]
+                self.assertGreater(max(max(pixel[:3]) for pixel in middle), 30, "some light comes back")
+                seen.add(tuple(pixels))
+        self.assertEqual(len(seen), 7, "no light looks like another")
+
+    def test_views_differ(self):
+        fabric = self.fabric()
+        views = ("front", "top", "side", "close", "macro", "20,35", "20,35,40")
+        self.assertEqual(len({tuple(self.picture(fabric, "--view", view)) for view in views}), len(views))
+
+    def test_exposure_brightens_a_png_and_leaves_an_exr(self):
+        fabric = self.fabric()
+        dark = self.picture(fabric, "--light", "dome", "--exposure", -2)
+        bright = self.picture(fabric, "--light", "dome", "--exposure", 1)
+        self.assertGreater(sum(map(sum, bright)), sum(map(sum, dark)))
+        for stops in (-2, 1):
+            self.run_program("render", fabric, "-o", f"{stops}.exr", "--exposure", stops)
+        self.assertEqual(self.bytes_of("-2.exr"), self.bytes_of("1.exr"))
+
+    def test_a_log_has_plain_lines(self):
+        fabric = self.fabric()
+        text = self.run_program("render", fabric, "-o", "out.png")
+        self.assertEqual(len(text.splitlines()), 1)
+        self.assertIn("out.png: 32 x 24, 4 samples per pixel", text)
+
+    def test_a_weave_bitmap_is_cloth_too(self):
+        self.run_program("convert", self.fabric(), "weave.png")
+        self.assertGreater(len(set(self.picture("weave.png", "--resolution", 2))), 50)
+
+
+main()

@@ -1,0 +1,59 @@
+"""A picture is a function of fabric, settings, seed and samples: the same bytes, however it came about."""
+
+from harness import CommandLineTest, main
+
+
+class Reproduce(CommandLineTest):
+    def setUp(self):
+        super().setUp()
+        drape = {"kind": "cylinder", "width_mm": 4, "height_mm": 4, "radius_mm": 3}
+        self.cloth = self.fabric(drape=drape, light={"kind": "sky"})
+
+    def render(self, output, *options):
+        self.run_program("render", self.cloth, "-o", output, "--spp", 7, *options)
+        return self.bytes_of(output)
+
+    def test_any_number_of_threads(self):
+        one = self.render("1.exr", "--threads", 1)
+        self.assertEqual(one, self.render("2.exr", "--threads", 2))
+        self.assertEqual(one, self.render("3.exr", "--threads", 3))
+
+    def test_another_seed_is_another_picture(self):
+        self.assertNotEqual(self.render("1.exr"), self.render("2.exr", "--seed", 2))
+
+    def test_samples_split_over_runs(self):
+        whole = self.render("whole.exr", "--keep-sums")
+        self.run_program("render", self.cloth, "-o", "a.exr", "--spp", 3, "--keep-sums", "--threads", 1)
+        self.run_program("render", self.cloth, "-o", "b.exr", "--spp", 5, "--keep-sums", "--resume", "a.exr")
+        self.assertEqual(whole, self.render("c.exr", "--keep-sums", "--resume", "b.exr"))
+        # Without sums the picture is the same as well, only smaller.
+        slim = self.render("slim.exr")
+        self.assertEqual(slim, self.render("d.exr", "--resume", "b.exr"))
+        self.assertLess(len(slim), len(whole))
+
+    def test_going_on_needs_no_fabric(self):
+        self.run_program("render", self.cloth, "-o", "a.exr", "--spp", 3, "--keep-sums")
+        self.run_program("render", "--resume", "a.exr", "-o", "b.exr", "--spp", 7)
+        self.assertEqual(self.render("whole.exr"), self.bytes_of("b.exr"))
+
+    def test_going_on_with_another_picture_is_refused(self):
+        self.run_program("render", self.cloth, "-o", "a.exr", "--spp", 3, "--keep-sums")
+        message = self.run_program(
+            "render", self.cloth, "-o", "b.exr", "--spp", 7, "--seed", 9, "--resume", "a.exr", status=1
+        )
+        self.assertIn("a.exr", message)
+        self.assertIn("seed", message)
+        message = self.run_program("render", "--resume", "a.exr", "-o", "b.exr", "--spp", 3, status=2)
+        self.assertIn("--spp", message)
+        self.run_program("render", self.cloth, "-o", "slim.exr", "--spp", 3)
+        message = self.run_program("render", "--resume", "slim.exr", "-o", "b.exr", "--spp", 7, status=1)
+        self.assertIn("slim.exr", message)
+
+    def test_a_picture_renders_itself_again(self):
+        first = self.render("first.exr", "--light", "directional:-60,40", "--view", "20,40", "--resolution", 1)
+        self.cloth.unlink()
+        self.run_program("render", "first.exr", "-o", "second.exr")
+        self.assertEqual(first, self.bytes_of("second.exr"))
+
+
+main()

@@ -1,0 +1,53 @@
+"""A wrong command line: status 2, and a message that names what is wrong."""
+
+from harness import LOOMLIGHT, CommandLineTest, main
+
+
+class Usage(CommandLineTest):
+    def test_options_are_held_to_their_ranges(self):
+        for option, value in (
+            ("--size", "640"),
+            ("--size", "0x10"),
+            ("--size", "99999x10"),
+            ("--spp", "0"),
+            ("--spp", "many"),
+            ("--seed", "-1"),
+            ("--threads", "0"),
+            ("--view", "sideways"),
+            ("--drape", "cilinder"),
+            ("--light", "moon"),
+            ("--method", "magic"),
+            ("--resolution", "3"),
+            ("--max-depth", "0"),
+            ("--event-law", "other"),
+            ("--exposure", "nan"),
+            ("--uv-scale", "0"),
+        ):
+            with self.subTest(option=option, value=value):
+                message = self.run_program("render", "a.json", "-o", "a.png", option, value, status=2)
+                self.assertIn(option + ": expected", message)
+                self.assertIn(value, message)
+
+    def test_words_that_are_missing_or_too_many(self):
+        for words, said in (
+            (("render", "a.json"), "--output"),
+            (("render", "-o", "a.png"), "FABRIC"),
+            (("render", "a.json", "b.json", "-o", "a.png"), "b.json"),
+            (("render", "a.json", "-o", "a.png", "--colour", "red"), "--colour"),
+            (("info",), "FABRIC"),
+            (("convert", "a.json"), "OUT"),
+            (("bench", "races", "a.json"), "races"),
+        ):
+            with self.subTest(words=words):
+                self.assertIn(said, self.run_program(*words, status=2))
+
+    def test_help_and_version(self):
+        self.assertIn("render", self.run_program("--help"))
+        self.assertIn("--resolution", self.run_program("render", "--help"))
+        self.assertRegex(self.run_program("--version"), r"^loomlight \d+\.\d+\.\d+\n$")
+
+    def test_there_is_a_program(self):
+        self.assertTrue(LOOMLIGHT)
+
+
+main()
