@@ -1,0 +1,126 @@
+#include "core/shell/drape_mesh.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "core/base/error.h"
+
+namespace loomlight {
+namespace {
+
+/// Facets this fine differ from the smooth surface by 1e-4 of the radius, and cost a ray few tetrahedra.
+constexpr double kFacetAngle = 1.5 * kPi / 180.0;
+constexpr int kMaxCells = 200000;
+/// Cells straight along an axis may be long, but beyond this ratio their planes lose precision.
+constexpr double kMaxAspect = 64.0;
+constexpr double kSphereReach = 0.8 * kPi;
+
+struct SurfacePoint {
+  glm::dvec3 position;
+  glm::dvec3 normal;
+};
+
+/// A grid of `columns` x `rows` cells over the swatch [0, width] x [0, height], mapped by `surface`.
+DrapeMesh gridMesh(double width, double height, int columns, int rows,
+                   const std::function<SurfacePoint(glm::dvec2 uv)>& surface) {
+  DrapeMesh mesh;
+  for (int row = 0; row <= rows; ++row) {
+    for (int column = 0; column <= columns; ++column) {
+      const glm::dvec2 uv(width * column / columns, height * row / rows);
+      const SurfacePoint point = surface(uv);
+      mesh.positions.emplace_back(point.position);
+      mesh.normals.emplace_back(point.normal);
+      mesh.uv_mm.emplace_back(uv);
+    }
+  }
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      const uint32_t corner = static_cast<uint32_t>(row * (columns + 1) + column);
+      const uint32_t above = corner + static_cast<uint32_t>(columns) + 1;
+      mesh.triangles.emplace_back(corner, corner + 1, above + 1);
+      mesh.triangles.emplace_back(corner, above + 1, above);
+    }
+  }
+  return mesh;
+}
+
+int cellsFor(double length, double cell, int limit) {
+  return std::clamp(static_cast<int>(std::min(std::ceil(length / cell), 1e6)), 1, limit);
+}
+
+DrapeMesh flatDrape(const Drape& drape) {
+  const glm::dvec3 middle(drape.width_mm / 2, drape.height_mm / 2, 0);
+  return gridMesh(drape.width_mm, drape.height_mm, 1, 1, [&](glm::dvec2 uv) {
+    return SurfacePoint{glm::dvec3(uv, 0) - middle, {0, 0, 1}};
+  });
+}
+
+DrapeMesh cylinderDrape(const Drape& drape) {
+  const double radius = drape.radius_mm;
+  const double turn = 2 * kPi * radius;
+  // A swatch typed as one turn to a few digits is meant to close.
+  const bool closed = drape.height_mm > turn * (1 - 1e-4);
+  const double height = closed ? turn : drape.height_mm;
+  const int rows = cellsFor(height, radius * kFacetAngle, 1000);
+  const int columns = cellsFor(drape.width_mm, kMaxAspect * height / rows, kMaxCells / rows);
+
+  // Centre of the bounding box: the arc's top is at +radius, its lowest point at the two ends.
+  const double halfAngle = height / (2 * radius);
+  const double centre = radius * (1 + std::cos(halfAngle)) / 2;
+  DrapeMesh mesh = gridMesh(drape.width_mm, height, columns, rows, [&](glm::dvec2 uv) {
+    // Both ends of a closed coil must be the very same numbers, so that they are joined.
+    const double angle = closed && uv.y >= height ? -halfAngle : uv.y / radius - halfAngle;
+    const glm::dvec3 normal(0, std::sin(angle), std::cos(angle));
+    return SurfacePoint{radius * normal + glm::dvec3(uv.x - drape.width_mm / 2, 0, -centre), normal};
+  });
+  if (drape.height_mm > turn * (1 + 1e-4))
+    mesh.repairs.push_back(fmt::format(
+        "drape.height_mm: {:g} mm is more than one turn round a cylinder of radius {:g} mm; cut to {:.4g} mm",
+        drape.height_mm, radius, turn));
+  return mesh;
+}
+
+DrapeMesh sphereDrape(const Drape& drape) {
+  const double radius = drape.radius_mm;
+  const double halfDiagonal = std::hypot(drape.width_mm, drape.height_mm) / 2;
+  const double cut = std::min(1.0, kSphereReach * radius / halfDiagonal);
+  const double width = drape.width_mm * cut, height = drape.height_mm * cut;
+  const int columns = cellsFor(width, radius * kFacetAngle, 400);
+  const int rows = cellsFor(height, radius * kFacetAngle, 400);
+
+  const double reach = halfDiagonal * cut / radius;
+  const double centre = radius * (1 + std::cos(reach)) / 2;
+  DrapeMesh mesh = gridMesh(width, height, columns, rows, [&](glm::dvec2 uv) {
+    const glm::dvec2 arm = uv - glm::dvec2(width, height) / 2.0;
+    const double angle = glm::length(arm) / radius;
+    const double gather = angle > 1e-9 ? std::sin(angle) / angle : 1.0;
+    const glm::dvec3 normal(arm / radius * gather, std::cos(angle));
+    return SurfacePoint{radius * normal - glm::dvec3(0, 0, centre), normal};
+  });
+  if (cut < 1)
+    mesh.repairs.push_back(
+        fmt::format("drape: {:g} x {:g} mm does not fit on a sphere of radius {:g} mm; cut to {:.4g} x {:.4g} mm",
+                    drape.width_mm, drape.height_mm, radius, width, height));
+  return mesh;
+}
+
+void expectPositive(double value, const char* name) {
+  if (!(value > 0 && value <= 1e6))
+    throw InputError(fmt::format("drape.{}: expected a positive number of millimetres, got {:g}", name, value));
+}
+
+}  // namespace
+
+DrapeMesh makeDrape(const Drape& drape) {
+  if (drape.kind == DrapeKind::mesh) return loadDrapeMesh(drape.file, drape.uvScale_mm);
+  expectPositive(drape.width_mm, "width_mm");
+  expectPositive(drape.height_mm, "height_mm");
+  if (drape.kind == DrapeKind::flat) return flatDrape(drape);
+  expectPositive(drape.radius_mm, "radius_mm");
+  return drape.kind == DrapeKind::cylinder ? cylinderDrape(drape) : sphereDrape(drape);
+}
+
+}  // namespace loomlight

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+#include "core/fabric/fabric.h"
+
+namespace loomlight {
+
+/// A triangle mesh that cloth lies on: positions in mm, texture coordinates in mm of cloth (x along the weft, y along
+/// the warp). Seams (one position, two texture coordinates) split vertices. Every triangle is counter-clockwise both
+/// seen from the cloth's face and in texture space, so that (x, y, normal) is right-handed.
+struct DrapeMesh {
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> normals;  ///< unit, smooth, pointing to the cloth's face
+  std::vector<glm::vec2> uv_mm;
+  std::vector<glm::uvec3> triangles;
+  std::vector<std::string> repairs;  ///< what was mended or left out, in words for the user
+};
+
+/// The surface a fabric asks for: generated (flat, cylinder, sphere) or loaded. z is up; it is centred at the origin.
+/// - flat: two triangles in the xy-plane, face up.
+/// - cylinder: the warp goes round an axis along x, the middle of the swatch on top; isometric; one turn at most.
+/// - sphere: the exponential map about the top, so the two lines through the middle keep their length and rings about
+///   it are gathered by sin(a) / a; no farther than 0.8 of the way to the opposite pole.
+/// Throws InputError for a mesh that cannot be used, naming file, place and what was expected.
+DrapeMesh makeDrape(const Drape& drape);
+
+/// Reads an OBJ, PLY or OFF file (ASCII or, for PLY, binary) with texture coordinates, which are multiplied by
+/// `uvScale_mm`; positions are mm, moved so that the bounding box is centred at the origin. Repairs what can be
+/// repaired and says so; throws InputError otherwise.
+DrapeMesh loadDrapeMesh(const std::string& file, double uvScale_mm);
+
+}  // namespace loomlight
