@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 
 #include "core/base/parallel.h"
@@ -153,6 +154,7 @@ PassResult renderUpTo(uint32_t samples, const Scene& scene, const Medium& medium
   const int columns = (film.width() + kTile - 1) / kTile;
   const int rows = (film.height() + kTile - 1) / kTile;
   std::vector<TraceCounts> tileCounts(static_cast<size_t>(columns) * rows);
+  std::atomic<size_t> tilesDone{0};
   parallelFor(tileCounts.size(), task.threads, [&](size_t tile) {
     const int x0 = static_cast<int>(tile % columns) * kTile, y0 = static_cast<int>(tile / columns) * kTile;
     for (int y = y0; y < std::min(y0 + kTile, film.height()); ++y)
@@ -161,6 +163,7 @@ PassResult renderUpTo(uint32_t samples, const Scene& scene, const Medium& medium
           if (task.stopped()) return;
           film.add(x, y, firstSample + i, tracePath(scene, medium, camera, x, y, firstSample + i, tileCounts[tile]));
         }
+    task.report(static_cast<double>(++tilesDone) / static_cast<double>(tileCounts.size()));
   });
   PassResult result;
   for (const TraceCounts& c : tileCounts) result.counts += c;

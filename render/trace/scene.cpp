@@ -1,7 +1,11 @@
 #include "render/trace/scene.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
 
 #include "core/fabric/impact.h"
 #include "render/trace/shell_entry.h"
@@ -9,23 +13,56 @@
 namespace loomlight {
 namespace {
 
+class Stopwatch {
+ public:
+  double lap() {
+    const auto now = Clock::now();
+    return std::chrono::duration<double>(now - std::exchange(start_, now)).count();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now();
+};
+
 int crossings(double extent_mm, double pitch_mm) {
   // An extent that is a whole number of pitches up to rounding must not gain a crossing.
   return std::max(1, static_cast<int>(std::ceil(extent_mm / pitch_mm - 1e-4)));
 }
 
-struct ShellParts {
-  std::shared_ptr<const Shell> shell;
-  std::shared_ptr<const ShellEntry> entry;
+/// The cloth that a fabric's drape asks for.
+struct Piece {
+  std::optional<DrapeMesh> mesh;  ///< none: flat
+  int ends = 1, picks = 1;
 };
 
-ShellParts makeShell(const Fabric& fabric, const ClothGeometry& geometry, const DrapeMesh* mesh) {
+Piece makePiece(const Fabric& fabric) {
+  Piece piece;
+  glm::dvec2 size_mm(fabric.drape.width_mm, fabric.drape.height_mm);
+  if (fabric.drape.kind != DrapeKind::flat) {
+    piece.mesh = makeDrape(fabric.drape);
+    glm::vec2 lower(std::numeric_limits<float>::max()), upper(-std::numeric_limits<float>::max());
+    for (const glm::vec2 uv : piece.mesh->uv_mm) {
+      lower = glm::min(lower, uv);
+      upper = glm::max(upper, uv);
+    }
+    size_mm = upper - lower;
+  }
+  piece.ends = crossings(size_mm.x, fabric.warpPitch_mm());
+  piece.picks = crossings(size_mm.y, fabric.weftPitch_mm());
+  return piece;
+}
+
+std::shared_ptr<const Shell> makeShell(const Piece& piece, const ClothGeometry& geometry) {
   const double half = geometry.halfThickness_mm();
-  auto shell = mesh ? std::make_shared<const Shell>(*mesh, half)
-                    : std::make_shared<const Shell>(Shell::flat(geometry.ends() * fabric.warpPitch_mm(),
-                                                                geometry.picks() * fabric.weftPitch_mm(), half));
-  auto entry = std::make_shared<const ShellEntry>(shell);
-  return {std::move(shell), std::move(entry)};
+  if (piece.mesh) return std::make_shared<const Shell>(*piece.mesh, half);
+  return std::make_shared<const Shell>(Shell::flat(geometry.ends() * geometry.warpPitch_mm(),
+                                                   geometry.picks() * geometry.weftPitch_mm(), half));
+}
+
+bool sameOptics(const Fibre& a, const Fibre& b) {
+  return a.refractiveIndex == b.refractiveIndex && a.longitudinalRoughness == b.longitudinalRoughness &&
+         a.azimuthalRoughness == b.azimuthalRoughness && a.scaleTilt_deg == b.scaleTilt_deg && a.section == b.section;
 }
 
 std::vector<Material> makeMaterials(const Fabric& fabric, const Scene* previous) {
@@ -54,48 +91,45 @@ std::vector<YarnOptics> makeYarnOptics(const Fabric& fabric, const ClothGeometry
   return optics;
 }
 
+/// Volume and shell: all of them, or what the edit leaves of the previous scene's. False when stopped.
+bool makeCloth(Scene& scene, const Impact& change, const Scene* previous, const Task& task) {
+  const Fabric& fabric = *scene.fabric;
+  if (previous && !change.volume() && !change.threads && !change.drape) {
+    scene.volume = previous->volume;
+    scene.shell = previous->shell;
+    scene.entry = previous->entry;
+    return true;
+  }
+  Stopwatch watch;
+  const Piece piece = makePiece(fabric);
+  auto geometry = std::make_shared<const ClothGeometry>(fabric, piece.ends, piece.picks);
+  scene.seconds.geometry = watch.lap();
+  scene.volume = ClothVolume::build(geometry, fabric.render.resolution, task, previous ? previous->volume.get() : nullptr);
+  if (!scene.volume) return false;
+  scene.seconds.voxelise = watch.lap();
+  const bool sameShell = previous && !change.drape && !change.allBricks &&
+                         previous->volume->geometry().halfThickness_mm() == geometry->halfThickness_mm();
+  scene.shell = sameShell ? previous->shell : makeShell(piece, *geometry);
+  scene.entry = sameShell ? previous->entry : std::make_shared<const ShellEntry>(scene.shell);
+  scene.seconds.accelerate = watch.lap();
+  return !task.stopped();
+}
+
 }  // namespace
 
 std::shared_ptr<const Scene> makeScene(std::shared_ptr<const Fabric> fabric, const Task& task, const Scene* previous) {
-  Impact change = Impact::everything();
-  if (previous) change = impact(*previous->fabric, *fabric);
-
+  const Impact change = previous ? impact(*previous->fabric, *fabric) : Impact{};
   auto scene = std::make_shared<Scene>();
   scene->fabric = fabric;
-
-  if (previous && !change.geometry && !change.shell) {
-    scene->volume = previous->volume;
-    scene->shell = previous->shell;
-    scene->entry = previous->entry;
-  } else {
-    std::optional<DrapeMesh> mesh;
-    glm::dvec2 size(fabric->drape.width_mm, fabric->drape.height_mm);
-    if (fabric->drape.kind != DrapeKind::flat) {
-      mesh = makeDrape(fabric->drape);
-      glm::vec2 lower(std::numeric_limits<float>::max()), upper(-std::numeric_limits<float>::max());
-      for (const glm::vec2 uv : mesh->uv_mm) {
-        lower = glm::min(lower, uv);
-        upper = glm::max(upper, uv);
-      }
-      size = upper - lower;
-    }
-    auto geometry = std::make_shared<const ClothGeometry>(*fabric, crossings(size.x, fabric->warpPitch_mm()),
-                                                          crossings(size.y, fabric->weftPitch_mm()));
-    scene->volume = ClothVolume::build(geometry, fabric->render.resolution, task,
-                                       previous ? previous->volume.get() : nullptr);
-    if (!scene->volume) return nullptr;
-    const ShellParts parts = makeShell(*fabric, *geometry, mesh ? &*mesh : nullptr);
-    scene->shell = parts.shell;
-    scene->entry = parts.entry;
-  }
-  if (task.stopped()) return nullptr;
-
+  if (!makeCloth(*scene, change, previous, task)) return nullptr;
   scene->materials = makeMaterials(*fabric, previous);
   scene->yarns = {makeYarnOptics(*fabric, scene->volume->geometry(), System::warp),
                   makeYarnOptics(*fabric, scene->volume->geometry(), System::weft)};
-  const bool sameLight = previous && !change.lighting && !(fabric->light.kind == LightKind::headlight && change.camera);
-  scene->lighting = sameLight ? previous->lighting
-                              : std::make_shared<const Lighting>(fabric->light, CameraRays(fabric->camera, 1, 1).eye_mm());
+  const glm::vec3 eye = CameraRays(fabric->camera, 1, 1).eye_mm();
+  const bool sameLight = previous && !change.lighting &&
+                         (fabric->light.kind != LightKind::headlight || eye == previous->eye_mm);
+  scene->lighting = sameLight ? previous->lighting : std::make_shared<const Lighting>(fabric->light, eye);
+  scene->eye_mm = eye;
   return scene;
 }
 

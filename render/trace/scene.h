@@ -35,8 +35,12 @@ struct Scene {
   std::shared_ptr<const Shell> shell;
   std::shared_ptr<const ShellEntry> entry;
   std::shared_ptr<const Lighting> lighting;
+  glm::vec3 eye_mm{0};
   std::vector<Material> materials;
   std::array<std::vector<YarnOptics>, 2> yarns;  ///< [system][index into Fabric::yarns]
+  struct Seconds {
+    double geometry = 0, voxelise = 0, accelerate = 0;
+  } seconds;  ///< what making it took; 0 for what was reused
 };
 
 /// Builds the scene of a fabric, reusing from `previous` (may be null) every part that the edit did not touch. Returns
