@@ -37,13 +37,13 @@ AzimuthalLobes::AzimuthalLobes(double roughness, FibreSection section, double in
   const double variance[3] = {outside * outside, 2 * refraction * refraction,
                               2 * refraction * refraction + inside * inside};
   const double rough = logisticScale(roughness);
-  for (int mode = 0; mode < 3; ++mode) {
+  for (size_t mode = 0; mode < 3; ++mode) {
     // The variance of a logistic distribution is (pi scale)^2 / 3.
     const double scale = std::sqrt(rough * rough + 3 * variance[mode] / (kPi * kPi));
     const double reach = std::tanh(0.5 * kPi / scale);
     inverseScale_[mode] = static_cast<float>(1 / scale);
     norm_[mode] = static_cast<float>(1 / (scale * reach));
-    inverse_[static_cast<size_t>(mode)] = {static_cast<float>(scale / kPi), static_cast<float>(reach)};
+    inverse_[mode] = {static_cast<float>(scale / kPi), static_cast<float>(reach)};
   }
   norm_[3] = static_cast<float>(4 / (2 * kPi));  // decay 1, so that decay / (1 + decay)^2 is a quarter
 }

@@ -33,12 +33,12 @@ class AzimuthalLobes {
   }
 
   /// Azimuth of wi relative to wo; mode 0 to 3.
-  SinCos sample(int mode, const CylinderHit& hit, Random& random) const {
+  SinCos sample(size_t mode, const CylinderHit& hit, Random& random) const {
     const float u = 2 * random.uniform() - 1;
-    const Inverse& inverse = inverse_[static_cast<size_t>(mode)];
+    const Inverse& inverse = inverse_[mode];
     if (inverse.scale == 0) return sinCosPi(u);
     const float w = u * inverse.reach;
-    const float x = std::clamp(inverse.scale * std::log((1 + w) / (1 - w)), -1.0f, 1.0f);
+    const float x = std::clamp(inverse.scale * logarithm((1 + w) / (1 - w)), -1.0f, 1.0f);
     const SinCos deviation = sinCosPi(x);
     const float c = hit.turnCosine[mode], s = -hit.turnSine[mode];
     return {c * deviation.sine + s * deviation.cosine, c * deviation.cosine - s * deviation.sine};

@@ -14,19 +14,17 @@ std::array<float, FibreBcsdf::kLobes> toArray(Lanes lanes) {
   return {lanes[0], lanes[1], lanes[2], lanes[3]};
 }
 
-/// Chooses R, TT, TRT or the residual.
-int chooseMode(Lanes share, float u) {
-  if (u < share[0]) return 0;
-  if (u < share[0] + share[1]) return 1;
-  if (u < share[0] + share[1] + share[2]) return 2;
-  // Rounding of the sum must not choose a residual that cannot be.
-  return share[3] > 0 ? 3 : 0;
+/// Chooses R, TT, TRT or the residual. Sums of comparisons, since no processor can predict this branch.
+size_t chooseMode(Lanes share, float u) {
+  const float two = share[0] + share[1], three = two + share[2];
+  // Rounding of the sums must not choose a residual that cannot be.
+  return size_t{u >= share[0]} + size_t{u >= two} + size_t{u >= three && share[3] > 0};
 }
 
 /// Of the residual: 3 + k with probability (1 - f) f^k.
 int drawOrder(float inside, float u) {
   constexpr float kMost = 1e6f;
-  return 3 + static_cast<int>(std::min(std::log(1 - u) / std::log(inside), kMost));
+  return 3 + static_cast<int>(std::min(logarithm(1 - u) / logarithm(inside), kMost));
 }
 
 }  // namespace
@@ -39,14 +37,14 @@ FibreBcsdf::FibreBcsdf(const Fibre& fibre)
 FibreBcsdf::Sample FibreBcsdf::sample(glm::vec3 wo, float h, Random& random) const {
   const CylinderHit hit(wo, h, index_);
   const LongitudinalLobes::Outgoing o = along_.outgoing({hit.sineO, hit.cosineO});
-  const int mode = chooseMode(hit.share, random.uniform());
+  const size_t mode = chooseMode(hit.share, random.uniform());
   const Inclination i = along_.sample(mode, o, random);
   const SinCos turn = about_.sample(mode, hit, random);
 
   Sample sample;
   sample.wi = {i.sine, i.cosine * (turn.cosine * hit.azimuthO.x - turn.sine * hit.azimuthO.y),
                i.cosine * (turn.sine * hit.azimuthO.x + turn.cosine * hit.azimuthO.y)};
-  sample.order = mode < 3 ? mode : drawOrder(hit.inside, random.uniform());
+  sample.order = mode < 3 ? static_cast<int>(mode) : drawOrder(hit.inside, random.uniform());
   sample.length = static_cast<float>(sample.order) * hit.chord;
   sample.pdf = sum(hit.share * along_.density(o, i) * about_.density(hit, turn.cosine, turn.sine));
   return sample;
@@ -55,7 +53,7 @@ FibreBcsdf::Sample FibreBcsdf::sample(glm::vec3 wo, float h, Random& random) con
 FibreBcsdf::Value FibreBcsdf::evaluate(glm::vec3 wo, glm::vec3 wi, float h) const {
   const CylinderHit hit(wo, h, index_);
   const LongitudinalLobes::Outgoing o = along_.outgoing({hit.sineO, hit.cosineO});
-  const Inclination i{wi.x, std::min(std::sqrt(wi.y * wi.y + wi.z * wi.z), 1.0f)};
+  const Inclination i(wi.x, std::min(std::sqrt(wi.y * wi.y + wi.z * wi.z), 1.0f));
   const glm::vec2 azimuth = i.cosine > 0 ? glm::vec2(wi.y, wi.z) / i.cosine : glm::vec2(1, 0);
   const float cosine = azimuth.x * hit.azimuthO.x + azimuth.y * hit.azimuthO.y;
   const float sine = azimuth.y * hit.azimuthO.x - azimuth.x * hit.azimuthO.y;

@@ -37,32 +37,34 @@ LongitudinalLobes::LongitudinalLobes(double roughness, double scaleTilt_rad)
   const double b = roughness;
   const double root = 0.726 * b + 0.812 * b * b + 3.7 * std::pow(b, 20);
   constexpr double relative[4] = {1, 0.25, 4, 4};
-  for (int mode = 0; mode < 4; ++mode) {
-    tiltCosine_[mode] = static_cast<float>(std::cos(shifts[mode] * scaleTilt_rad));
-    tiltSine_[mode] = static_cast<float>(std::sin(shifts[mode] * scaleTilt_rad));
+  for (size_t mode = 0; mode < kModes; ++mode) {
+    const double tilt = shifts[mode] * scaleTilt_rad;
+    tilt_[mode] = {static_cast<float>(std::sin(tilt)), static_cast<float>(std::cos(tilt))};
     const double v = relative[mode] * root * root;
     inverseVariance_[mode] = static_cast<float>(1 / v);
+    inverseDeviation_[mode] = static_cast<float>(1 / std::sqrt(v));
     norm_[mode] = static_cast<float>(normOf(v));
-    inverse_[static_cast<size_t>(mode)] = {static_cast<float>(v), static_cast<float>(std::exp(-2 / v)), 0.0f};
+    const double floor = std::exp(-2 / v);
+    // Below what a random number can resolve it is zero, not a denormal, which processors are slow at.
+    inverse_[mode] = {static_cast<float>(v), floor > 1e-12 ? static_cast<float>(floor) : 0.0f, 0.0f};
     if (mode < 3) {
       solve(mode, v);
     } else {
       for (Lanes& row : table_) row[3] = row[2];  // TRT and the residual have the same variance
     }
   }
-  for (int mode = 0; mode < 4; ++mode) {
+  for (size_t mode = 0; mode < kModes; ++mode) {
     float bound = 0;
     // Between two rows a * cosine is at most the larger a times the larger cosine.
-    for (int row = 1; row <= kRows; ++row) {
-      const auto r = static_cast<size_t>(row);
+    for (size_t row = 1; row <= kRows; ++row) {
       const float x = static_cast<float>(row) / kRows;
-      bound = std::max(bound, std::max(table_[r - 1][mode], table_[r][mode]) * x * x);
+      bound = std::max(bound, std::max(table_[row - 1][mode], table_[row][mode]) * x * x);
     }
-    inverse_[static_cast<size_t>(mode)].bound = bound;
+    inverse_[mode].bound = bound;
   }
 }
 
-void LongitudinalLobes::solve(int mode, double variance) {
+void LongitudinalLobes::solve(size_t mode, double variance) {
   // Continued over the poles everything is periodic and smooth, so that the trapezoidal rule converges exponentially
   // once its step is below the width of the lobe.
   const int nodes = std::clamp(static_cast<int>(2 * kPi / std::sqrt(variance)) / 2 * 2, 64, 512);
@@ -93,12 +95,12 @@ void LongitudinalLobes::solve(int mode, double variance) {
     if (worst < 1e-8) break;
   }
   // The equation itself continues the solution from the nodes to any angle.
-  for (int r = 0; r <= kRows; ++r) {
+  for (size_t r = 0; r <= kRows; ++r) {
     const double x = static_cast<double>(r) / kRows;
     const double o = std::acos(x * x);
     double sum = 0;
     for (int k = 0; k < half; ++k) sum += entry(o, k) * a[index(k)];
-    table_[index(r)][mode] = static_cast<float>(1 / sum);
+    table_[r][mode] = static_cast<float>(1 / sum);
   }
 }
 

@@ -14,6 +14,9 @@ namespace loomlight::optics {
 /// An inclination to the plane across the fibre.
 struct Inclination {
   float sine, cosine;
+  float root;  ///< of the cosine
+
+  Inclination(float sine, float cosine) : sine(sine), cosine(cosine), root(std::sqrt(cosine)) {}
 };
 
 /// Scattering along the fibre. d'Eon et al. 2011 give the density of the inclination i of wi, for a lobe of variance v
@@ -29,13 +32,19 @@ class LongitudinalLobes {
 
   /// Where wo lies, as every mode sees it: shifted by the tilt of the scales.
   struct Outgoing {
-    Lanes sine, cosine, a;
+    Lanes sine, cosine, root, a;
   };
   Outgoing outgoing(Inclination o) const {
-    if (!tilted_) return {spread(o.sine), spread(o.cosine), correction(o.cosine)};
-    Outgoing shifted{o.sine * tiltCosine_ + o.cosine * tiltSine_,
-                     magnitude(o.cosine * tiltCosine_ - o.sine * tiltSine_), Lanes{}};
-    for (int mode = 0; mode < 4; ++mode) shifted.a[mode] = correction(mode, shifted.cosine[mode]);
+    if (!tilted_) return {spread(o.sine), spread(o.cosine), spread(o.root), correction(o)};
+    Outgoing shifted;
+    for (size_t mode = 0; mode < kModes; ++mode) {
+      const float sine = o.sine * tilt_[mode].cosine + o.cosine * tilt_[mode].sine;
+      const Inclination s(sine, std::abs(o.cosine * tilt_[mode].cosine - o.sine * tilt_[mode].sine));
+      shifted.sine[mode] = s.sine;
+      shifted.cosine[mode] = s.cosine;
+      shifted.root[mode] = s.root;
+      shifted.a[mode] = correction(mode, s);
+    }
     return shifted;
   }
 
@@ -45,24 +54,23 @@ class LongitudinalLobes {
     const Lanes cosine = o.cosine * i.cosine - o.sine * i.sine;
     // 1 - cos(o + i), without cancellation where narrow lobes live.
     const Lanes versine = cosine > 0 ? sine * sine / (1 + cosine) : 1 - cosine;
-    const Lanes x = o.cosine * i.cosine * inverseVariance_;
-    const BesselI0 bessel = besselI0(x);
-    const Lanes decay = exponential(bessel.exponent - x - versine * inverseVariance_);
-    return o.a * correction(i.cosine) * i.cosine * norm_ * bessel.factor * decay;
+    const BesselI0 bessel = besselI0(o.root * i.root * inverseDeviation_);
+    const Lanes decay = exponential(-bessel.rest - versine * inverseVariance_);
+    return o.a * correction(i) * i.cosine * norm_ * bessel.factor * decay;
   }
 
   /// Draws i from exactly that density: M by the inverse of its distribution (d'Eon et al. 2013), the rest by
   /// rejection.
-  Inclination sample(int mode, const Outgoing& o, Random& random) const {
-    const Inverse& inverse = inverse_[static_cast<size_t>(mode)];
+  Inclination sample(size_t mode, const Outgoing& o, Random& random) const {
+    const Inverse& inverse = inverse_[mode];
     for (;;) {
       const float u = random.uniform();
-      const float versine = std::min(-inverse.variance * std::log(u + (1 - u) * inverse.floor), 2.0f);
+      const float versine = std::min(-inverse.variance * logarithm(u + (1 - u) * inverse.floor), 2.0f);
       const float across = std::sqrt(versine * (2 - versine)) * sinCosPi(2 * random.uniform() - 1).cosine;
       const float sine = std::clamp((versine - 1) * o.sine[mode] + across * o.cosine[mode], -1.0f, 1.0f);
-      const float cosine = std::sqrt((1 - sine) * (1 + sine));
+      const Inclination i(sine, std::sqrt((1 - sine) * (1 + sine)));
       // Written so that not-a-number is accepted: bad input must not hang.
-      if (!(random.uniform() * inverse.bound >= correction(mode, cosine) * cosine)) return {sine, cosine};
+      if (!(random.uniform() * inverse.bound >= correction(mode, i) * i.cosine)) return i;
     }
   }
 
@@ -75,31 +83,32 @@ class LongitudinalLobes {
     float bound = 0;                ///< largest a cos_i
   };
 
-  /// a() is smooth in the cosine, but changes fastest near zero: rows are even in its square root.
+  /// a() is smooth in the cosine, but changes fastest near zero: rows are spaced evenly in its square root.
   struct Place {
     size_t row;
     float next;
   };
-  Place place(float cosine) const {
-    const float x = std::sqrt(cosine) * static_cast<float>(kRows);
-    const size_t row = std::min(static_cast<size_t>(static_cast<int>(x)), size_t{kRows - 1});
+  static Place place(Inclination t) {
+    const float x = t.root * static_cast<float>(kRows);
+    const size_t row = std::min(static_cast<size_t>(static_cast<int>(x)), kRows - 1);
     return {row, x - static_cast<float>(row)};
   }
-  Lanes correction(float cosine) const {
-    const Place p = place(cosine);
+  Lanes correction(Inclination t) const {
+    const Place p = place(t);
     return table_[p.row] + p.next * (table_[p.row + 1] - table_[p.row]);
   }
-  float correction(int mode, float cosine) const {
-    const Place p = place(cosine);
+  float correction(size_t mode, Inclination t) const {
+    const Place p = place(t);
     return table_[p.row][mode] + p.next * (table_[p.row + 1][mode] - table_[p.row][mode]);
   }
-  void solve(int mode, double variance);
+  void solve(size_t mode, double variance);
 
-  static constexpr int kRows = 256;
+  static constexpr size_t kModes = 4;
+  static constexpr size_t kRows = 256;
   bool tilted_ = false;
-  Lanes tiltCosine_{}, tiltSine_{};
-  Lanes inverseVariance_{}, norm_{};
-  std::array<Inverse, 4> inverse_{};
+  std::array<SinCos, kModes> tilt_{};
+  Lanes inverseVariance_{}, inverseDeviation_{}, norm_{};
+  std::array<Inverse, kModes> inverse_{};
   std::vector<Lanes> table_;
 };
 
