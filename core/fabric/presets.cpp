@@ -1,0 +1,212 @@
+#include "core/fabric/presets.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "core/fabric/colour.h"
+#include "core/fabric/yarn_count.h"
+
+namespace loomlight {
+namespace {
+
+/// An undyed fibre; `colour` is linear reflectance of the loose stock.
+struct Stock {
+  const char* name;
+  double fineness_dtex, density_g_cm3, refractiveIndex;
+  double longitudinalRoughness, azimuthalRoughness, scaleTilt_deg;
+  FibreSection section;
+  Rgb colour;
+  const char* provenance;
+};
+
+const Stock kStocks[] = {
+    {"cotton",
+     1.7,
+     1.52,
+     1.547,
+     0.30,
+     0.45,
+     0,
+     FibreSection::kidney,
+     {0.84f, 0.79f, 0.70f},
+     "density, fineness: handbook (Morton & Hearle: 1.52 at 65 % rh; 1.0-3.4 dtex); index from 1.578/1.532: handbook, "
+     "recalled; roughness, colour: guess"},
+    {"wool",
+     3.7,
+     1.31,
+     1.553,
+     0.25,
+     0.30,
+     2.5,
+     FibreSection::round,
+     {0.78f, 0.71f, 0.58f},
+     "density, fineness: handbook (Morton & Hearle: 3.4-4.6 dtex for 18-21 um, fine merino); index from 1.56/1.55: "
+     "measured (von Bergen); scale tilt: handbook, recalled; roughness, colour: guess"},
+    {"silk",
+     1.3,
+     1.34,
+     1.556,
+     0.12,
+     0.25,
+     0,
+     FibreSection::triangle,
+     {0.86f, 0.82f, 0.75f},
+     "density, fineness: handbook (Morton & Hearle: 0.95-1.6 dtex); index from 1.591/1.538: handbook, recalled; "
+     "roughness: "
+     "guess; colour: guess, within the measured bound of 0.64/mm"},
+    {"linen",
+     2.4,
+     1.50,
+     1.547,
+     0.25,
+     0.40,
+     0,
+     FibreSection::polygon,
+     {0.60f, 0.52f, 0.40f},
+     "density: handbook (Morton & Hearle: 1.50-1.53); fineness from 12-17 um: handbook; index from 1.59/1.525: "
+     "measured "
+     "(von Bergen); roughness, colour: guess"},
+    {"viscose",
+     1.7,
+     1.49,
+     1.527,
+     0.18,
+     0.35,
+     0,
+     FibreSection::serrated,
+     {0.90f, 0.89f, 0.86f},
+     "density: handbook (Morton & Hearle: 1.49); fineness 1.2-3 dtex, index from 1.54/1.52: handbook, recalled; "
+     "roughness, colour: guess"},
+    {"polyester",
+     1.7,
+     1.39,
+     1.597,
+     0.15,
+     0.20,
+     0,
+     FibreSection::round,
+     {0.92f, 0.92f, 0.91f},
+     "density: handbook (Morton & Hearle: 1.39); fineness 0.9-3.5 dtex: handbook; index from 1.72/1.535: measured "
+     "(DuPont X-156); roughness, colour: guess"},
+    {"nylon",
+     1.7,
+     1.14,
+     1.540,
+     0.15,
+     0.20,
+     0,
+     FibreSection::round,
+     {0.92f, 0.92f, 0.90f},
+     "density: handbook (Morton & Hearle: 1.14); fineness: handbook, recalled; index from 1.58/1.52: measured "
+     "(DuPont X-156); roughness, colour: guess"},
+};
+
+FibrePreset preset(const Stock& stock) {
+  Fibre fibre;
+  fibre.name = stock.name;
+  fibre.density_g_cm3 = stock.density_g_cm3;
+  fibre.radius_um = std::round(100.0 * fibreRadius_um(stock.fineness_dtex, stock.density_g_cm3)) / 100.0;
+  fibre.refractiveIndex = stock.refractiveIndex;
+  fibre.longitudinalRoughness = stock.longitudinalRoughness;
+  fibre.azimuthalRoughness = stock.azimuthalRoughness;
+  fibre.scaleTilt_deg = stock.scaleTilt_deg;
+  fibre.section = stock.section;
+  return {dyed(fibre, stock.colour), stock.fineness_dtex, stock.provenance};
+}
+
+Fibre fibreNamed(const std::string& name) {
+  const auto* found =
+      std::find_if(std::begin(kStocks), std::end(kStocks), [&](const Stock& s) { return name == s.name; });
+  assert(found != std::end(kStocks));
+  return preset(*found).fibre;
+}
+
+/// A count in any system, rounded to what one would type.
+double tex(double value, CountSystem system) {
+  return std::round(100.0 * texFromCount(value, system)) / 100.0;
+}
+double turns(double twistMultiplier, double tex) {
+  return std::round(twist_per_m(twistMultiplier, tex));
+}
+
+/// Spun of staple fibres on a ring: one single, Z, a little hairy. Hairs and loops per mm: cotton of Zhao et al. 2016.
+Yarn ringSpun(const char* name, double count_tex, double twistMultiplier) {
+  Yarn yarn;
+  yarn.name = name;
+  yarn.count_tex = count_tex;
+  yarn.plyTwist_per_m = turns(twistMultiplier, count_tex);
+  yarn.packing = 0.55;
+  yarn.flattening = 1.25;
+  yarn.hairiness_per_mm = 4.5;
+  yarn.hairLength_mm = 0.5;
+  yarn.migration = 0.25;
+  return yarn;
+}
+
+/// Two singles, twisted the other way; 60 to 70 % of their twist makes a yarn that does not kink.
+Yarn twoPly(Yarn single, double plyingTwist_per_m) {
+  single.count_tex *= 2;
+  single.plies = 2;
+  single.yarnTwist_per_m = plyingTwist_per_m;
+  single.yarnTwistDirection = TwistDirection::s;
+  single.flattening = 1.15;
+  return single;
+}
+
+/// Endless fibres, hardly twisted, no hairs.
+Yarn filament(const char* name, double count_tex, double twist_per_m, double packing, double flattening) {
+  Yarn yarn;
+  yarn.name = name;
+  yarn.count_tex = count_tex;
+  yarn.plyTwist_per_m = twist_per_m;
+  yarn.packing = packing;
+  yarn.flattening = flattening;
+  return yarn;
+}
+
+}  // namespace
+
+double twist_per_m(double twistMultiplier, double tex) {
+  return 957.0 * twistMultiplier / std::sqrt(tex);
+}
+
+Fibre dyed(Fibre fibre, const Rgb& colour) {
+  fibre.absorption_per_mm = absorptionFromColour(colour, fibre.azimuthalRoughness, fibre.radius_um);
+  return fibre;
+}
+
+std::vector<FibrePreset> fibrePresets() {
+  std::vector<FibrePreset> presets;
+  for (const Stock& stock : kStocks) presets.push_back(preset(stock));
+  return presets;
+}
+
+std::vector<YarnPreset> yarnPresets() {
+  const char* const spun =
+      "count, twist: handbook (TM 3.8-4.5); packing: handbook (0.5-0.6); hairs: measured (Zhao 2016); "
+      "flattening, migration: guess";
+  const char* const flat = "count: handbook; packing: handbook, recalled (0.7-0.8); twist, flattening: guess";
+  Yarn worsted = twoPly(ringSpun("Worsted wool 2/60 Nm", tex(60, CountSystem::metric), 2.8), 430);
+  worsted.packing = 0.5;
+  worsted.hairiness_per_mm = 5;
+  Yarn linen = ringSpun("Linen NeL 40", tex(40, CountSystem::linen), 3.0);
+  linen.packing = 0.6;
+  linen.hairiness_per_mm = 2;
+  return {
+      {ringSpun("Cotton Ne 30", tex(30, CountSystem::cotton), 4.0), fibreNamed("cotton"), spun},
+      {ringSpun("Cotton Ne 7, denim warp", tex(7, CountSystem::cotton), 4.4), fibreNamed("cotton"), spun},
+      {twoPly(ringSpun("Cotton 8/2", tex(8, CountSystem::cotton), 3.6), 250), fibreNamed("cotton"), spun},
+      {worsted, fibreNamed("wool"),
+       "count: handbook; twist: guess (plying at 65 % of the singles' twist); packing: handbook, recalled (0.45-0.55); "
+       "hairs, flattening, migration: guess"},
+      {linen, fibreNamed("linen"), "count: handbook; twist, packing, hairs, flattening, migration: guess"},
+      {filament("Silk 20/22 den", tex(21, CountSystem::denier), 150, 0.7, 1.3), fibreNamed("silk"), flat},
+      {filament("Silk crepe 20/22 den x 2", tex(42, CountSystem::denier), 2400, 0.75, 1.05), fibreNamed("silk"), flat},
+      {filament("Viscose 84 dtex", 8.4, 120, 0.7, 1.4), fibreNamed("viscose"), flat},
+      {filament("Polyester 167 dtex", 16.7, 100, 0.65, 1.5), fibreNamed("polyester"), flat},
+      {filament("Nylon 78 dtex", 7.8, 100, 0.7, 1.5), fibreNamed("nylon"), flat},
+  };
+}
+
+}  // namespace loomlight
