@@ -1,0 +1,58 @@
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include "core/geometry/cloth_geometry.h"
+#include "core/geometry/stations.h"
+
+namespace loomlight {
+namespace {
+
+struct KeyHash {
+  size_t operator()(const CellKey& key) const { return hash(key); }
+};
+
+/// Segments of the fibres of a cell, averaged over its phases.
+double segmentsOf(const YarnModel& yarn, const CellKey& key) {
+  const YarnGeometry& g = yarn.geometry;
+  const auto stations = layStations(yarn, key.previous, key.here, key.next, 0, g.pitch_mm);
+  double steps = 0;
+  for (size_t i = 0; i + 1 < stations.size(); ++i)
+    if (stations[i + 1].s_mm > -0.5 * g.pitch_mm && stations[i].s_mm < 0.5 * g.pitch_mm) ++steps;
+  double loose = 0;
+  for (const Flyaway& f : yarn.flyaways) loose += (f.end - f.start) * steps + 1;
+  return static_cast<double>(yarn.fibres.size()) * steps + loose / g.period;
+}
+
+}  // namespace
+
+ClothMeasures ClothGeometry::measure() const {
+  const int ends = std::min(repeatEnds_, ends_), picks = std::min(repeatPicks_, picks_);
+  ClothMeasures measures;
+  double highest = 0, lowest = 0;
+  for (const System system : {System::warp, System::weft}) {
+    std::unordered_map<CellKey, double, KeyHash> cells;
+    for (int pick = 0; pick < picks; ++pick)
+      for (int end = 0; end < ends; ++end) ++cells[shapeKey(system, pick, end)];
+
+    double axis = 0, mass_g = 0;
+    for (const auto& [key, count] : cells) {
+      const YarnModel& model = *of(system).yarns[key.yarn];
+      const YarnGeometry& g = model.geometry;
+      const double length = count * axisLength_mm(key);
+      axis += length;
+      mass_g += length * g.count_tex * 1e-6;
+      measures.segmentsPerRepeat += count * segmentsOf(model, key);
+      highest = std::max(highest, key.here.height_mm + g.halfHeight_mm);
+      lowest = std::min(lowest, key.here.height_mm - g.halfHeight_mm);
+    }
+    const double pitch = system == System::warp ? weftPitch_mm_ : warpPitch_mm_;
+    const double crimp = axis / (static_cast<double>(ends) * picks * pitch) - 1;
+    (system == System::warp ? measures.crimpWarp : measures.crimpWeft) = crimp;
+    measures.arealMass_g_m2 += mass_g / (static_cast<double>(ends) * picks * warpPitch_mm_ * weftPitch_mm_ * 1e-6);
+  }
+  measures.thickness_mm = highest - lowest;
+  return measures;
+}
+
+}  // namespace loomlight

@@ -1,0 +1,121 @@
+#include "core/geometry/stations.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loomlight {
+namespace {
+
+/// Twist along a transition, in cells against the share x of its length: t' is one cell per cellLength at both nodes,
+/// whatever lies beyond them, so fibres have no kinks, and one cell in all.
+class TwistEasing {
+ public:
+  TwistEasing(double length_mm, double cellLength_mm) : length_(length_mm) {
+    excess_ = std::clamp(length_mm / cellLength_mm, 0.3, 2.5) - 1;
+  }
+  double cells(double length_mm) const {
+    const double x = length_mm / length_;
+    return x + excess_ * x * (1 - x) * (1 - 2 * x);
+  }
+  double maxCellsPerMm() const { return (1 + std::max(excess_, -0.5 * excess_)) / length_; }
+
+ private:
+  double length_, excess_ = 0;
+};
+
+class CellStations {
+ public:
+  CellStations(const YarnModel& yarn, double pitch_mm) : yarn_(yarn), pitch_(pitch_mm) {
+    const double reach = yarn.bodyReach_mm * yarn.upScale();
+    reach_ = reach;
+    maxTilt_ = std::min(1.0, 0.499 * pitch_mm / std::max(reach, 1e-9));
+  }
+
+  /// The stations of a transition whose first node is at s and has the given phase; its last station too if `last`.
+  void add(const PathNode& from, const PathNode& to, double s_mm, double phase, bool last) {
+    const Transition path(from, to, pitch_);
+    const TwistEasing easing(path.length_mm(), yarn_.geometry.cellLength_mm);
+    const double rate = easing.maxCellsPerMm();
+    double wanted = 0;
+    for (const Transition::Piece& piece : path.pieces()) wanted += piece.length_mm / spacing(piece, rate);
+    const double coarser = std::max(1.0, wanted / kMaxStations);
+    for (const Transition::Piece& piece : path.pieces()) {
+      const int steps = static_cast<int>(std::ceil(piece.length_mm / (coarser * spacing(piece, rate))));
+      for (int i = 0; i < steps; ++i) {
+        const double length = piece.begin_mm + piece.length_mm * i / steps;
+        place(path.at(length), s_mm, phase + easing.cells(length));
+      }
+    }
+    if (last) place(path.at(path.length_mm()), s_mm, phase + 1);
+  }
+
+  /// Only those that this cell's fibres need.
+  std::vector<Station> take() {
+    const float edge = static_cast<float>(0.5 * pitch_);
+    const auto before = [edge](const Station& x) { return x.s_mm + x.spill_mm < -edge; };
+    const auto beyond = [edge](const Station& x) { return x.s_mm - x.spill_mm > edge; };
+    size_t first = 0, end = stations_.size();
+    while (first + 1 < end && before(stations_[first + 1])) ++first;
+    while (end > first + 2 && beyond(stations_[end - 2])) --end;
+    return {stations_.begin() + static_cast<ptrdiff_t>(first), stations_.begin() + static_cast<ptrdiff_t>(end)};
+  }
+
+ private:
+  /// Of stations on a piece, so that chords stay within the sagitta: h^2 / 8 times the second derivative of the
+  /// outermost fibre by the length of the axis. Its parts are the path's curvature, the twists, migration, and the
+  /// products of these.
+  double spacing(const Transition::Piece& piece, double cellsPerMm) const {
+    const YarnGeometry& g = yarn_.geometry;
+    const double turn = 2 * kPi * cellsPerMm / g.period;
+    const double spin = turn * std::abs(g.plyTurns + g.yarnTurns), swing = turn * std::abs(g.yarnTurns);
+    const double wander = turn * yarn_.wanderTurns, amplitude = 0.5 * g.migration * g.plyRadius_mm;
+    const double scale = std::max(yarn_.acrossScale(), yarn_.upScale());
+    const double inPly = yarn_.bodyReach_mm - g.plyOrbit_mm;
+    const double slope = scale * (inPly * spin + g.plyOrbit_mm * swing + amplitude * wander);
+    const double bend = std::abs(piece.curvature_per_mm);
+    const double second =
+        bend * (1 + bend * reach_) + 2 * bend * slope +
+        scale * (inPly * spin * spin + g.plyOrbit_mm * swing * swing + amplitude * wander * (wander + 2 * spin));
+    double step = std::sqrt(8 * kSagitta * g.fibreRadius_mm / std::max(second, 1e-12));
+    // Loops rise and fall within a yarn diameter.
+    if (!yarn_.flyaways.empty()) step = std::min(step, 0.25 * g.diameter_mm());
+    return std::max(step, 1e-9);
+  }
+
+  void place(const AxisPoint& at, double s_mm, double t) {
+    const YarnGeometry& g = yarn_.geometry;
+    Station x;
+    const double tilt = std::clamp(std::sin(at.angle), -maxTilt_, maxTilt_);
+    x.s_mm = static_cast<float>(s_mm + at.s_mm);
+    x.z_mm = static_cast<float>(at.z_mm);
+    x.normalS = static_cast<float>(-tilt);
+    x.normalZ = static_cast<float>(std::sqrt(1 - tilt * tilt));
+    x.spill_mm = static_cast<float>(1.001 * std::abs(tilt) * reach_);
+    x.t = t;
+    const double turn = 2 * kPi * t / g.period;
+    const auto direction = [](double angle, float& cosine, float& sine) {
+      cosine = static_cast<float>(std::cos(angle));
+      sine = static_cast<float>(std::sin(angle));
+    };
+    direction(turn * (g.plyTurns + g.yarnTurns), x.spinCos, x.spinSin);
+    direction(turn * g.yarnTurns, x.orbitCos, x.orbitSin);
+    direction(turn * yarn_.wanderTurns, x.wanderCos, x.wanderSin);
+    stations_.push_back(x);
+  }
+
+  const YarnModel& yarn_;
+  double pitch_, reach_ = 0, maxTilt_ = 1;
+  std::vector<Station> stations_;
+};
+
+}  // namespace
+
+std::vector<Station> layStations(const YarnModel& yarn, const PathNode& previous, const PathNode& here,
+                                 const PathNode& next, int phase, double pitch_mm) {
+  CellStations stations(yarn, pitch_mm);
+  stations.add(previous, here, -pitch_mm, phase - 1, false);
+  stations.add(here, next, 0, phase, true);
+  return stations.take();
+}
+
+}  // namespace loomlight

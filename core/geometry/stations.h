@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+#include "core/geometry/yarn_model.h"
+#include "core/geometry/yarn_path.h"
+
+namespace loomlight {
+
+/// A section of a yarn, where all its fibres have a point: what they share there.
+struct Station {
+  float s_mm = 0, z_mm = 0;          ///< of the axis, in the frame of the cell
+  float normalS = 0, normalZ = 1;    ///< direction of "up" in the section
+  float spill_mm = 0;                ///< how far fibres of the body may lie from s along the yarn
+  float spinCos = 1, spinSin = 0;    ///< angle of the plies' sections, both twists
+  float orbitCos = 1, orbitSin = 0;  ///< angle of the plies about the yarn's axis
+  float wanderCos = 1, wanderSin = 0;
+  double t = 0;  ///< cells from the start of the period
+};
+
+/// Where fibres may be off the true curve, in fibre radii: half the height of a chord's arc. Station spacing keeps to
+/// it in every piece of the path, for the outermost fibres (less where a cell would need more than kMaxStations).
+inline constexpr double kSagitta = 0.1;
+inline constexpr int kMaxStations = 1024;
+
+/// The stations of a cell from `previous` through `here` to `next`, in order, and those beside it whose fibres spill
+/// in: the fibres lie in planes normal to the path, so the cell's ends cut them at different stations. Each transition
+/// has its stations from its own nodes, hence both cells that share it have the same.
+std::vector<Station> layStations(const YarnModel& yarn, const PathNode& previous, const PathNode& here,
+                                 const PathNode& next, int phase, double pitch_mm);
+
+}  // namespace loomlight

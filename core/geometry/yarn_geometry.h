@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/fabric/fabric.h"
+
+namespace loomlight {
+
+/// A yarn, resolved to lengths, as the geometry of one system (warp or weft) sees it. Its fibres repeat after `period`
+/// cells, over which all twists make whole turns: that is what lets cells share one brick and still join seamlessly.
+/// Equal values have equal fibres. Nothing here depends on the weave: an edit of a crossing changes no yarn.
+struct YarnGeometry {
+  int plies = 1;
+  int fibresPerPly = 1;
+  double fibreRadius_mm = 0;  ///< chosen so that the whole number of fibres has exactly the yarn's count
+  double fibreDensity_g_cm3 = 0;
+  double count_tex = 0;     ///< of the yarn as it lies in the cloth, take-up of its twists and loose hairs included
+  double plyRadius_mm = 0;  ///< holds the fibres' volume at the yarn's packing
+  double plyOrbit_mm = 0;   ///< distance of the ply axes from the yarn axis; 0 for a single ply
+  double halfWidth_mm = 0;  ///< of the flattened yarn section, hairs excluded
+  double halfHeight_mm = 0;
+  double packing = 0;
+  int period = 1;            ///< cells
+  int plyTurns = 0;          ///< signed turns over one period; positive is Z (right-handed)
+  int yarnTurns = 0;         ///< of the plies about the yarn's axis; the plies turn along rigidly, as they are plied
+  double pitch_mm = 0;       ///< length of a cell along the yarn
+  double crossPitch_mm = 0;  ///< width of a cell across the yarn
+  double cellLength_mm = 0;  ///< typical length of axis in a cell: between a float's and a full interlacing's
+  double migration = 0;
+  double hairiness_per_mm = 0;
+  double hairLength_mm = 0;
+  FibreLayout layout = FibreLayout::packed;
+  uint64_t seed = 0;
+
+  double diameter_mm() const { return 2.0 * (plyOrbit_mm + plyRadius_mm); }  ///< round, before flattening
+  /// Area of a fibre's section times its density, g per mm of fibre.
+  double fibreMass_g_mm() const { return fibreDensity_g_cm3 * 1e-3 * kPi * fibreRadius_mm * fibreRadius_mm; }
+  bool operator==(const YarnGeometry&) const = default;
+};
+
+/// Yarns that differ only in colour, optics or name are one class: they have the same fibres. Class of each of
+/// fabric.yarns, numbered in the order in which they first appear there.
+std::vector<int> geometryClasses(const Fabric& fabric);
+
+/// Section and outline of a yarn; pitch and crossPitch are those of its system. Leaves twists, period, cell length,
+/// fibre count and fibre radius to resolveTwist() and calibration (yarn_model.h), which need the path.
+/// - ply radius: N fibres of volume fraction phi, N pi r^2 takeUp / phi = pi R^2;
+/// - plies touch: they orbit at R / sin(pi / plies);
+/// - flattening keeps the area. A yarn too wide for its pitch is squeezed to it and grows taller, to twice as tall as
+///   wide; beyond that (absurd setts) it overlaps its neighbours.
+YarnGeometry outlineYarn(const Yarn& yarn, const Fibre& fibre, double pitch_mm, double crossPitch_mm);
+
+/// Chooses the period, 4 to 16 cells (1 where nothing varies along the yarn), and whole turns over it. `turns per mm`
+/// is met to within kTwistTolerance in the tangent of the surface helix where any period does, else as nearly as one
+/// does: within 1/32 turn a cell. Twists beyond what a yarn can take (kMaxHelixTangent at its surface,
+/// kMaxTurnsPerCell) are reduced to that.
+void resolveTwist(YarnGeometry& geometry, const Yarn& yarn, double cellLength_mm);
+
+inline constexpr double kTwistTolerance = 0.02;
+inline constexpr double kMaxHelixTangent = 2.5;
+inline constexpr double kMaxTurnsPerCell = 64;
+
+/// Length of fibre per length of yarn, estimated for fibres spread evenly over their plies; turns in turns per mm.
+double estimateTakeUp(const YarnGeometry& geometry, double plyTurns_per_mm, double yarnTurns_per_mm);
+
+}  // namespace loomlight

@@ -1,0 +1,137 @@
+#include "core/geometry/yarn_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/random.h"
+#include "core/geometry/cell_strands.h"
+#include "core/geometry/cross_section.h"
+#include "core/geometry/stations.h"
+
+namespace loomlight {
+namespace {
+
+constexpr double kFlyawayShare = 0.25;  // of the length of all fibres, at most
+constexpr double kMigrationsPerTurn =
+    0.7;  // Zhao's fits lie between 0.1 and 1.9; not whole, or fibres only shift aside
+
+int wanderTurns(const YarnGeometry& g) {
+  if (g.migration <= 0) return 0;
+  const int turns = std::max(std::abs(g.plyTurns), std::abs(g.plyTurns + g.yarnTurns));
+  return std::max(1, static_cast<int>(std::lround(kMigrationsPerTurn * turns)));
+}
+
+double turnsPerMm(const YarnGeometry& g, int turns) {
+  return turns / (g.period * g.cellLength_mm);
+}
+
+void laySections(YarnModel& m) {
+  const YarnGeometry& g = m.geometry;
+  m.fibres.clear();
+  m.bodyReach_mm = 0;
+  for (int ply = 0; ply < g.plies; ++ply) {
+    const uint64_t seed = hashCombine(g.seed, ply);
+    Random random(hashCombine(seed, 1));
+    for (const glm::dvec2& p : plySection(g.layout, g.fibresPerPly, g.plyRadius_mm, g.fibreRadius_mm, seed)) {
+      const double wander = 2 * kPi * random.uniformDouble();
+      m.fibres.push_back({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(std::cos(wander)),
+                          static_cast<float>(std::sin(wander))});
+      m.bodyReach_mm = std::max(m.bodyReach_mm, g.plyOrbit_mm + glm::length(p));
+    }
+  }
+}
+
+void placeLooseFibres(YarnModel& m, double budget_mm) {
+  const YarnGeometry& g = m.geometry;
+  if (g.hairiness_per_mm > 0) m.flyaways = placeFlyaways(g, budget_mm);
+  m.flyawaysAt.resize(static_cast<size_t>(g.period));
+  for (int phase = 0; phase < g.period; ++phase)
+    for (size_t i = 0; i < m.flyaways.size(); ++i)
+      for (const double shift : {-1.0 * g.period, 0.0, 1.0 * g.period})
+        if (m.flyaways[i].start + shift < phase + 1 && m.flyaways[i].end + shift > phase - 1)
+          m.flyawaysAt[phase].push_back({static_cast<int>(i), shift});
+}
+
+/// Length of the loose fibres of a period, were the yarn straight.
+double looseLength_mm(const YarnModel& m) {
+  double total = 0;
+  for (const Flyaway& f : m.flyaways) {
+    constexpr int kSteps = 16;
+    for (int i = 0; i < kSteps; ++i) {
+      const auto at = [&](int k) { return f.start + (f.end - f.start) * k / kSteps; };
+      const glm::dvec2 d = flyawayOffset(f, m.geometry, at(i + 1)) - flyawayOffset(f, m.geometry, at(i));
+      const double ds = (at(i + 1) - at(i)) * m.geometry.cellLength_mm;
+      total += std::sqrt(glm::dot(d, d) + ds * ds);
+    }
+  }
+  return total;
+}
+
+/// Fibres a ply that a cell has room for in memory, at the stations it needs.
+int fibreLimit(const YarnModel& m) {
+  const PathNode straight;
+  const size_t stations = layStations(m, straight, straight, straight, 0, m.geometry.cellLength_mm).size();
+  const int byPoints = kMaxPointsPerCell / (m.geometry.plies * static_cast<int>(stations));
+  return std::clamp(byPoints, 1, kMaxFibresPerPly);
+}
+
+void measureStraight(YarnModel& m) {
+  const PathNode straight;
+  m.straightLength_mm.clear();
+  for (int phase = 0; phase < m.geometry.period; ++phase)
+    m.straightLength_mm.push_back(
+        layStrands(m, straight, straight, straight, phase, m.geometry.cellLength_mm).length_mm());
+}
+
+/// Fibre length per length of yarn.
+double meanTakeUp(const YarnModel& m) {
+  double total = 0;
+  for (const double length : m.straightLength_mm) total += length;
+  return total / (m.geometry.period * m.geometry.cellLength_mm);
+}
+
+}  // namespace
+
+double YarnModel::reachUp_mm() const {
+  double reach = bodyReach_mm * upScale();
+  const double scale = upScale();
+  for (const Flyaway& f : flyaways) reach = std::max(reach, f.root_mm * scale + f.rise_mm);
+  return reach + 1.05 * geometry.fibreRadius_mm;
+}
+
+std::shared_ptr<const YarnModel> makeYarnModel(YarnGeometry geometry, const Yarn& yarn, const Fibre& fibre) {
+  auto model = std::make_shared<YarnModel>();
+  YarnGeometry& g = model->geometry;
+  g = geometry;
+  const double radius = fibre.radius_um * kMmPerUm;
+  const double fibreArea = kPi * radius * radius;
+  const double takeUp = estimateTakeUp(g, turnsPerMm(g, g.plyTurns), turnsPerMm(g, g.yarnTurns));
+  // Section of all fibres cut square to each, mm^2: the linear density over the fibres' own.
+  const double area = yarn.fibresPerPly ? *yarn.fibresPerPly * g.plies * takeUp * fibreArea
+                                        : yarn.count_tex * 1e-3 / fibre.density_g_cm3;
+
+  g.fibreRadius_mm = radius;
+  model->wanderTurns = wanderTurns(g);
+  model->bodyReach_mm = g.plyOrbit_mm + g.plyRadius_mm;
+  placeLooseFibres(*model, kFlyawayShare * area / fibreArea * g.period * g.cellLength_mm);
+  const double loose = looseLength_mm(*model) / (g.period * g.cellLength_mm);
+  const int limit = fibreLimit(*model);
+  const double wanted = yarn.fibresPerPly ? *yarn.fibresPerPly : (area / fibreArea - loose) / (g.plies * takeUp);
+  g.fibresPerPly = std::clamp(static_cast<int>(std::lround(std::min(wanted, 1e6))), 1, limit);
+
+  // The sections of packed yarns depend on the radius, the radius on the take-up of the sections: the second round
+  // changes it by a few parts in ten thousand, far less than the clearance of the packing.
+  for (int round = 0; round < 2; ++round) {
+    if (yarn.fibresPerPly)
+      g.fibreRadius_mm = radius * std::sqrt(static_cast<double>(*yarn.fibresPerPly) / g.fibresPerPly);
+    else if (round == 0)
+      g.fibreRadius_mm = std::sqrt(area / (kPi * (g.plies * g.fibresPerPly * takeUp + loose)));
+    laySections(*model);
+    measureStraight(*model);
+    if (!yarn.fibresPerPly) g.fibreRadius_mm = std::sqrt(area / (kPi * meanTakeUp(*model)));
+  }
+  g.count_tex = 1e6 * g.fibreMass_g_mm() * meanTakeUp(*model);
+  return model;
+}
+
+}  // namespace loomlight

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/geometry/flyaways.h"
+#include "core/geometry/yarn_geometry.h"
+
+namespace loomlight {
+
+/// All that laying the fibres of a cell needs of its yarn, computed once: the section of the plies, the loose fibres.
+/// Immutable, and a pure function of its YarnGeometry.
+struct YarnModel {
+  struct Fibre {
+    float up = 0, across = 0;            ///< in the section of its ply, mm
+    float wanderCos = 1, wanderSin = 0;  ///< where it is in its migration
+  };
+
+  YarnGeometry geometry;
+  std::vector<Fibre> fibres;  ///< of ply 0, then of ply 1...
+  int wanderTurns = 0;        ///< migrations in a period; 0 for none
+  double bodyReach_mm = 0;    ///< furthest of these fibres from the yarn's axis, before flattening
+  std::vector<Flyaway> flyaways;
+  /// Per phase: the loose fibres near that cell, and the shift in cells that brings them there.
+  struct FlyawayUse {
+    int index;
+    double shift;
+  };
+  std::vector<std::vector<FlyawayUse>> flyawaysAt;
+  std::vector<double> straightLength_mm;  ///< per phase: of all fibres in a straight cell of length cellLength
+
+  double acrossScale() const { return geometry.halfWidth_mm / (0.5 * geometry.diameter_mm()); }  ///< of flattening
+  double upScale() const { return geometry.halfHeight_mm / (0.5 * geometry.diameter_mm()); }
+  /// Furthest that a fibre's surface rises above the yarn's axis, hairs included.
+  double reachUp_mm() const;
+};
+
+/// Gives a yarn with resolved twist its fibres. Their number is that of the yarn, or count over fineness and take-up,
+/// rounded; their radius then makes the yarn weigh its count exactly, take-up and loose fibres included. A yarn of more
+/// than kMaxFibresPerPly fibres a ply, or with more than kMaxPointsPerCell in a cell, gets thicker fibres instead, each
+/// for a bundle: the mass stays. A given number of fibres keeps its radius, and the count follows.
+std::shared_ptr<const YarnModel> makeYarnModel(YarnGeometry geometry, const Yarn& yarn, const Fibre& fibre);
+inline constexpr int kMaxFibresPerPly = 2000;
+inline constexpr int kMaxPointsPerCell = 400'000;
+
+}  // namespace loomlight

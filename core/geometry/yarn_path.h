@@ -1,0 +1,62 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "core/base/units.h"
+
+namespace loomlight {
+
+/// One point of a yarn's path, at a crossing. Between nodes the path is arc, straight line, arc (Peirce), with a flat
+/// top of half-length `flat_mm` for the flattened section it bends over (Kemp's racetrack).
+struct PathNode {
+  float height_mm = 0;  ///< of the yarn's axis above the mid-plane of the cloth
+  float radius_mm = 0;  ///< of the arc
+  float flat_mm = 0;
+  bool operator==(const PathNode&) const = default;
+};
+
+/// The steepest a yarn may climb, radians. Setts too tight even for this let yarns interpenetrate.
+inline constexpr double kSteepestPath = 75.0 * kPi / 180.0;
+
+/// A point of a yarn's axis: s along the yarn, z up (mm), and the angle of its tangent above the s axis.
+struct AxisPoint {
+  double s_mm = 0;
+  double z_mm = 0;
+  double angle = 0;
+};
+
+/// The path of a yarn's axis from one crossing to the next: horizontal at both nodes, C1 between, single-valued in s.
+/// It depends on its two nodes alone, so the two cells that share it agree about it.
+class Transition {
+ public:
+  /// A stretch of constant curvature.
+  struct Piece {
+    AxisPoint start;
+    double begin_mm = 0;  ///< length of axis before it
+    double length_mm = 0;
+    double curvature_per_mm = 0;  ///< signed: positive turns upwards
+  };
+
+  /// From `from` at s = 0 to `to` at s = pitch. Where the pitch leaves too little room, the flats shrink first, then
+  /// the radii, down to two arcs that meet (the jammed cloth).
+  Transition(const PathNode& from, const PathNode& to, double pitch_mm);
+
+  double length_mm() const { return length_mm_; }
+  std::span<const Piece> pieces() const { return {pieces_.data(), count_}; }
+  /// 0 <= length <= length_mm().
+  AxisPoint at(double length_mm) const;
+  /// Length of the axis from its start to the plane at s, 0 <= s <= pitch.
+  double lengthTo(double s_mm) const;
+
+ private:
+  void append(double length_mm, double curvature_per_mm);
+
+  std::array<Piece, 5> pieces_;
+  size_t count_ = 0;
+  double length_mm_ = 0;
+  AxisPoint end_;
+};
+
+}  // namespace loomlight
