@@ -189,6 +189,8 @@ MeshFile readMeshFile(const std::string& file) {
   bool read = false;
   std::exception_ptr failure;
   try {
+    // This reader learns what the vertices carry only by being asked about a file, not by reading from a stream.
+    if (extension == ".off") OpenMesh::IO::OFFReader().can_u_read(file);
     read = OpenMesh::IO::IOManager().read(stream, extension.substr(1), importer, options);
   } catch (...) {
     failure = std::current_exception();
