@@ -6,27 +6,11 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <tuple>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 
 namespace loomlight {
-namespace {
-
-/// Whether equal keys of these yarns have equal fibres. Written so that a new member of YarnGeometry does not compile
-/// until it is compared too.
-bool sameFibres(const YarnGeometry& yarn, const YarnGeometry& other) {
-  const auto tied = [](const YarnGeometry& y) {
-    const auto& [plies, fibres, fibreRadius, plyRadius, plyOrbit, halfWidth, halfHeight, packing, period, plyTurns,
-                 yarnTurns, pitch, crossPitch, migration, hairiness, hairLength, layout, seed] = y;
-    return std::tie(plies, fibres, fibreRadius, plyRadius, plyOrbit, halfWidth, halfHeight, packing, period, plyTurns,
-                    yarnTurns, pitch, crossPitch, migration, hairiness, hairLength, layout, seed);
-  };
-  return tied(yarn) == tied(other);
-}
-
-}  // namespace
 
 ClothVolume::ClothVolume(std::shared_ptr<const ClothGeometry> geometry, int resolution)
     : geometry_(std::move(geometry)), grid_(makeGrid(*geometry_, resolution)) {
@@ -60,8 +44,7 @@ ClothVolume::BrickMap ClothVolume::reusable(const ClothVolume& previous) const {
     if (isNew) {
       const YarnGeometry& old = previous.geometry_->yarn(oldKey.system, oldKey.yarn);
       for (const Yarn& yarn : yarns)
-        if (yarn.first == oldKey.system && sameFibres(geometry_->yarn(yarn.first, yarn.second), old))
-          entry->second = yarn.second;
+        if (yarn.first == oldKey.system && geometry_->yarn(yarn.first, yarn.second) == old) entry->second = yarn.second;
     }
     if (!entry->second) continue;
     CellKey key = oldKey;

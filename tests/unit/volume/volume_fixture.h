@@ -1,0 +1,63 @@
+#pragma once
+
+#include <memory>
+
+#include "core/base/random.h"
+#include "core/volume/cloth_volume.h"
+
+namespace loomlight::volume_test {
+
+/// A loosely set plain weave of single yarns, no hairs.
+inline Fabric plainFabric() {
+  Fabric fabric;
+  fabric.yarns[0].count_tex = 30;
+  fabric.yarns[0].plyTwist_per_m = 600;
+  fabric.ends_per_cm = 22;
+  fabric.picks_per_cm = 20;
+  return fabric;
+}
+
+/// A tight twill of a two-ply hairy warp over a flat single weft: its yarns spill over their cells.
+inline Fabric hairyTwill() {
+  Fabric fabric;
+  fabric.weave = Weave({{1, 1, 0, 0}, {0, 1, 1, 0}, {0, 0, 1, 1}, {1, 0, 0, 1}});
+  Yarn warp, weft;
+  warp.plies = 2;
+  warp.count_tex = 40;
+  warp.yarnTwist_per_m = 500;
+  warp.hairiness_per_mm = 8;
+  warp.hairLength_mm = 0.5;
+  weft.count_tex = 60;
+  weft.flattening = 2;
+  fabric.yarns = {warp, weft};
+  fabric.weftSequence = {1};
+  fabric.ends_per_cm = 26;
+  fabric.picks_per_cm = 24;
+  return fabric;
+}
+
+/// A jacquard: a repeat of `side` crossings a side, floats scattered at random.
+inline Fabric jacquard(int side) {
+  Fabric fabric = plainFabric();
+  Random random(17);
+  std::vector<std::vector<uint8_t>> rows(side, std::vector<uint8_t>(side));
+  for (int p = 0; p < side; ++p)
+    for (int e = 0; e < side; ++e) {
+      const bool figure = (p / 30 + e / 40) % 2 == 0;
+      rows[p][e] = (e + 3 * p) % 8 == 0 ? !figure : figure;  // satin of 8, warp- and weft-faced
+      if (random.below(50) == 0) rows[p][e] ^= 1;
+    }
+  fabric.weave = Weave(rows);
+  return fabric;
+}
+
+inline std::shared_ptr<const ClothGeometry> geometryOf(const Fabric& fabric, int ends, int picks) {
+  return std::make_shared<const ClothGeometry>(fabric, ends, picks);
+}
+
+inline std::shared_ptr<const ClothVolume> volumeOf(const Fabric& fabric, int ends, int picks, int resolution,
+                                                   const ClothVolume* previous = nullptr) {
+  return ClothVolume::build(geometryOf(fabric, ends, picks), resolution, Task{}, previous);
+}
+
+}  // namespace loomlight::volume_test
