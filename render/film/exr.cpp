@@ -86,7 +86,10 @@ class HeaderGuard {
         tileWidth = integer();
         tileHeight = integer();
       } else if (name == "channels" && type == "chlist") {
-        channels = bytes / 18;  // the shortest description of a channel
+        while (!word().empty()) {
+          stream_.seekg(16, std::ios::cur);  // type, linearity, sampling
+          ++channels;
+        }
       }
       stream_.seekg(start + static_cast<std::streamoff>(bytes));
     }
@@ -97,9 +100,9 @@ class HeaderGuard {
     if (channels > kMaxChannels)
       throw InputError(fmt::format("{}: too many channels, expected at most {}", file_, kMaxChannels));
     const uint64_t pixels = static_cast<uint64_t>(std::max(width * height, tileWidth * tileHeight));
-    // A description of a channel may be longer than the shortest: the exact count is checked again later.
-    if (pixels * static_cast<uint64_t>(std::max<int64_t>(1, channels / 16)) * sizeof(float) > kMaxBytes)
-      throw InputError(fmt::format("{}: too large: more than 2 GB of pixels", file_));
+    if (pixels * static_cast<uint64_t>(channels) * sizeof(float) > kMaxBytes)
+      throw InputError(fmt::format("{}: too large: {} channels of {} x {} pixels are more than 2 GB", file_, channels,
+                                   width, height));
   }
 
   std::string file_;
@@ -134,18 +137,12 @@ Image readChecked(const std::string& file) {
   Image image;
   image.width = window.max.x - window.min.x + 1;
   image.height = window.max.y - window.min.y + 1;
-  uint64_t count = 0;
-  for (auto c = header.channels().begin(); c != header.channels().end(); ++c, ++count) {
+  for (auto c = header.channels().begin(); c != header.channels().end(); ++c) {
     if (c.channel().xSampling != 1 || c.channel().ySampling != 1)
       throw InputError(fmt::format("{}: channel {} is subsampled, expected one value a pixel", file, c.name()));
   }
-  const uint64_t pixels = static_cast<uint64_t>(image.width) * static_cast<uint64_t>(image.height);
-  if (pixels * count * sizeof(float) > kMaxBytes)
-    throw InputError(fmt::format("{}: too large: {} channels of {} x {} pixels are more than 2 GB", file, count,
-                                 image.width, image.height));
   if (!input.isComplete()) throw InputError(fmt::format("{}: incomplete, some of its pixels are missing", file));
 
-  image.channels.reserve(count);
   Imf::FrameBuffer buffer;
   for (auto c = header.channels().begin(); c != header.channels().end(); ++c) {
     float* values = image.add(c.name()).data();

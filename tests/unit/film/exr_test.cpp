@@ -1,0 +1,231 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+
+#include <cmath>
+#include <limits>
+
+#include "core/base/error.h"
+#include "core/base/random.h"
+#include "render/film/image.h"
+#include "tests/unit/film/exr_bytes.h"
+#include "tests/unit/film/film_samples.h"
+#include "tests/unit/film/scratch_folder.h"
+
+namespace loomlight {
+namespace {
+
+using test::bytesOf;
+using test::ExrBytes;
+using test::putBytes;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+Image smallImage() {
+  Image image;
+  image.width = 4;
+  image.height = 2;
+  for (const char* name : {"R", "G", "B", "some.layer.with.depth.Z"}) {
+    std::vector<float>& values = image.add(name);
+    for (size_t i = 0; i < values.size(); ++i) values[i] = static_cast<float>(i) / 3 - 1;
+  }
+  return image;
+}
+
+ExrBytes smallFile() {
+  ExrBytes exr;
+  exr.channels = {{"half", ExrBytes::half, std::string("\x00\x3c\x00\xc0\x00\x38\x00\x7c", 8)},  // 1, -2, 0.5, inf
+                  {"uint", ExrBytes::uint, test::int32(0) + test::int32(7) + test::int32(1 << 20) + test::int32(-1)}};
+  return exr;
+}
+
+/// What reading these bytes complains of.
+std::string complaint(const std::string& bytes) {
+  const test::ScratchFolder folder;
+  putBytes(folder.file("bad.exr"), bytes);
+  const std::string message = test::messageOf<InputError>([&] { readExr(folder.file("bad.exr")); });
+  EXPECT_THAT(message, HasSubstr("bad.exr"));
+  return message;
+}
+
+TEST(Exr, RoundTripKeepsEveryBit) {
+  const test::ScratchFolder folder;
+  Image image = smallImage();
+  image.add("odd") = {std::numeric_limits<float>::infinity(),
+                      -0.0f,
+                      std::numeric_limits<float>::denorm_min(),
+                      std::numeric_limits<float>::max(),
+                      std::numeric_limits<float>::quiet_NaN(),
+                      1e-30f,
+                      16777216,
+                      -1};
+  writeExr(folder.file("a.exr"), image);
+  test::expectSameImage(image, readExr(folder.file("a.exr")));
+}
+
+TEST(Exr, RoundTripKeepsTexts) {
+  const test::ScratchFolder folder;
+  Image image = smallImage();
+  std::string json = "{\"weave\": [";
+  while (json.size() < 400000) json += "\n  \"Köper \\u00e9 0110\",";
+  image.metadata = {{"fabric", json},
+                    {"aNameOfMoreThanThirtyOneCharactersThatOldReadersRefuse", "x"},
+                    {"empty", ""},
+                    {"zeros", std::string("a\0b", 3)}};
+  writeExr(folder.file("a.exr"), image);
+  const Image read = readExr(folder.file("a.exr"));
+  for (const auto& [key, value] : image.metadata) {
+    ASSERT_TRUE(read.metadata.contains(key)) << key;
+    EXPECT_EQ(read.metadata.at(key), value) << key;
+  }
+}
+
+TEST(Exr, TextsMayNotTakeTheFormatsOwnNames) {
+  const test::ScratchFolder folder;
+  Image image = smallImage();
+  image.metadata["compression"] = "none, please";
+  EXPECT_THROW(writeExr(folder.file("a.exr"), image), InputError);
+  EXPECT_EQ(folder.entries(), 0u);
+}
+
+TEST(Exr, ReadsHalfAndUintFromAnyWindow) {
+  const test::ScratchFolder folder;
+  for (const bool tiled : {false, true}) {
+    ExrBytes exr = smallFile();
+    exr.tiled = tiled;
+    exr.minX = tiled ? 0 : -100;
+    exr.minY = tiled ? 0 : 70000;
+    putBytes(folder.file("a.exr"), exr.all());
+    const Image image = readExr(folder.file("a.exr"));
+    EXPECT_EQ(image.width, 4);
+    EXPECT_EQ(image.height, 2);
+    const float infinity = std::numeric_limits<float>::infinity();
+    EXPECT_THAT(image.find("half")->values, ElementsAre(1, -2, 0.5f, infinity, 1, -2, 0.5f, infinity));
+    EXPECT_THAT(image.find("uint")->values, ElementsAre(0, 7, 0x1p20f, 0x1p32f, 0, 7, 0x1p20f, 0x1p32f));
+  }
+}
+
+TEST(Exr, RefusesSubsampledChannels) {
+  ExrBytes exr = smallFile();
+  exr.channels[0].sampling = 2;
+  EXPECT_THAT(complaint(exr.all()), AllOf(HasSubstr("half"), HasSubstr("subsampled")));
+}
+
+TEST(Exr, RefusesDeepFiles) {
+  ExrBytes exr = smallFile();
+  exr.versionFlags = 0x800;
+  EXPECT_THAT(complaint(exr.all()), HasSubstr("deep"));
+}
+
+TEST(Exr, RefusesHugeClaimsWithoutBelievingThem) {
+  ExrBytes wide = smallFile();
+  wide.width = 2000000000;
+  EXPECT_THAT(complaint(wide.header()), HasSubstr("2000000000 x 2 pixels is too large"));
+  ExrBytes high = smallFile();
+  high.height = 16385;
+  EXPECT_THAT(complaint(high.header()), HasSubstr("4 x 16385 pixels is too large"));
+  ExrBytes negative = smallFile();
+  negative.width = -5;
+  EXPECT_THAT(complaint(negative.header()), HasSubstr("damaged"));
+  ExrBytes full = smallFile();
+  full.width = full.height = 16384;
+  full.channels.resize(4);
+  for (size_t i = 0; i < 4; ++i) full.channels[i].name = std::string(20, static_cast<char>('a' + i));
+  EXPECT_THAT(complaint(full.header()), HasSubstr("2 GB"));
+  ExrBytes attribute = smallFile();
+  attribute.extraAttributes = ExrBytes::attribute("comments", "string", "short", 2000000000);
+  EXPECT_THAT(complaint(attribute.header()), HasSubstr("damaged"));
+}
+
+TEST(Exr, RefusesWhatIsNoExr) {
+  EXPECT_THAT(complaint(""), HasSubstr("damaged EXR header"));
+  EXPECT_THAT(complaint("These are the threads of a story, and no picture at all."), HasSubstr("not an EXR file"));
+  Random random(1);
+  std::string garbage(5000, ' ');
+  for (char& c : garbage) c = static_cast<char>(random.next());
+  EXPECT_THAT(complaint(garbage), HasSubstr("not an EXR file"));
+}
+
+TEST(Exr, RefusesWhatIsNoFile) {
+  const test::ScratchFolder folder;
+  EXPECT_THAT(test::messageOf<InputError>([&] { readExr(folder.file("none.exr")); }), HasSubstr("no such file"));
+  EXPECT_THAT(test::messageOf<InputError>([&] { readExr(folder.file("")); }), HasSubstr("not a regular file"));
+  ASSERT_EQ(mkfifo(folder.file("pipe.exr").c_str(), 0600), 0);
+  EXPECT_THAT(test::messageOf<InputError>([&] { readExr(folder.file("pipe.exr")); }), HasSubstr("not a regular file"));
+}
+
+TEST(Exr, EveryTruncationIsRefused) {
+  const test::ScratchFolder folder;
+  writeExr(folder.file("a.exr"), smallImage());
+  const std::string bytes = bytesOf(folder.file("a.exr"));
+  for (size_t length = 0; length < bytes.size(); ++length) {
+    putBytes(folder.file("cut.exr"), bytes.substr(0, length));
+    EXPECT_THROW(readExr(folder.file("cut.exr")), InputError) << length << " of " << bytes.size() << " bytes";
+  }
+}
+
+TEST(Exr, DamagedBytesNeverDoMoreThanThrow) {
+  const test::ScratchFolder folder;
+  writeExr(folder.file("a.exr"), smallImage());
+  const std::string sound = bytesOf(folder.file("a.exr"));
+  Random random(2);
+  int refused = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    std::string bytes = sound;
+    for (uint32_t k = 0; k <= random.below(3); ++k)
+      bytes[random.below(static_cast<uint32_t>(bytes.size()))] = static_cast<char>(random.next());
+    putBytes(folder.file("b.exr"), bytes);
+    try {
+      const Image image = readExr(folder.file("b.exr"));
+      for (const Image::Channel& channel : image.channels)
+        EXPECT_EQ(channel.values.size(), static_cast<size_t>(image.width) * static_cast<size_t>(image.height));
+    } catch (const InputError&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 100);
+}
+
+TEST(Exr, FailedWritesNameTheFileAndLeaveTheOldOne) {
+  const test::ScratchFolder folder;
+  const std::string nowhere = folder.file("no/such/folder/a.exr");
+  EXPECT_THAT(test::messageOf<InputError>([&] { writeExr(nowhere, smallImage()); }), HasSubstr(nowhere));
+
+  const std::string file = folder.file("a.exr");
+  writeExr(file, smallImage());
+  const std::string before = bytesOf(file);
+  Image large = smallImage();
+  large.metadata["noise"] = std::string(300000, 'x');
+  // The disk is full, as far as this process can tell.
+  rlimit old{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &old), 0);
+  const rlimit tight{100000, old.rlim_max};
+  const auto handler = signal(SIGXFSZ, SIG_IGN);
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &tight), 0);
+  std::string message;
+  try {
+    writeExr(file, large);
+  } catch (const InputError& e) {
+    message = e.what();
+  }
+  setrlimit(RLIMIT_FSIZE, &old);
+  signal(SIGXFSZ, handler);
+  EXPECT_THAT(message, HasSubstr(file));
+  EXPECT_EQ(bytesOf(file), before);
+  EXPECT_EQ(folder.entries(), 1u);
+}
+
+TEST(Exr, ImpossibleSizesAreNotWritten) {
+  const test::ScratchFolder folder;
+  Image image;
+  EXPECT_THROW(writeExr(folder.file("a.exr"), image), InputError);
+  image.width = 16385;
+  image.height = 1;
+  EXPECT_THROW(writeExr(folder.file("a.exr"), image), InputError);
+}
+
+}  // namespace
+}  // namespace loomlight

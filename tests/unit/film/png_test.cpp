@@ -1,0 +1,155 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "core/base/random.h"
+#include "render/film/image.h"
+#include "tests/unit/film/scratch_folder.h"
+
+namespace loomlight {
+namespace {
+
+using test::bytesOf;
+using test::putBytes;
+using testing::HasSubstr;
+
+Pixels8 noise(int width, int height, int channels) {
+  Pixels8 pixels{width, height, channels, {}};
+  Random random(4);
+  for (int i = 0; i < width * height * channels; ++i) pixels.bytes.push_back(static_cast<uint8_t>(random.next()));
+  return pixels;
+}
+
+uint32_t bigEndian(const std::string& bytes, size_t at) {
+  uint32_t n = 0;
+  for (size_t i = 0; i < 4; ++i) n = n << 8 | static_cast<uint8_t>(bytes[at + i]);
+  return n;
+}
+
+/// CRC-32 bit by bit, without the table of the writer.
+uint32_t slowCrc(const std::string& bytes) {
+  uint32_t c = ~0u;
+  for (const char byte : bytes) {
+    c ^= static_cast<uint8_t>(byte);
+    for (int k = 0; k < 8; ++k) c = (c >> 1) ^ (0xEDB88320u & (0 - (c & 1)));
+  }
+  return ~c;
+}
+
+struct Chunk {
+  std::string type, data;
+};
+
+std::vector<Chunk> chunksOf(const std::string& png) {
+  std::vector<Chunk> chunks;
+  EXPECT_EQ(png.substr(0, 8), "\x89PNG\r\n\x1a\n");
+  for (size_t at = 8; at + 12 <= png.size();) {
+    const size_t length = bigEndian(png, at);
+    chunks.push_back({png.substr(at + 4, 4), png.substr(at + 8, length)});
+    EXPECT_EQ(bigEndian(png, at + 8 + length), slowCrc(png.substr(at + 4, 4 + length))) << chunks.back().type;
+    at += 12 + length;
+  }
+  return chunks;
+}
+
+std::string complaint(const std::string& bytes) {
+  const test::ScratchFolder folder;
+  putBytes(folder.file("bad.png"), bytes);
+  const std::string message = test::messageOf<InputError>([&] { readPng(folder.file("bad.png")); });
+  EXPECT_THAT(message, HasSubstr("bad.png"));
+  return message;
+}
+
+TEST(Png, RoundTripKeepsEveryByte) {
+  const test::ScratchFolder folder;
+  for (const int channels : {3, 4}) {
+    const Pixels8 pixels = noise(37, 11, channels);
+    writePng(folder.file("a.png"), pixels);
+    const Pixels8 read = readPng(folder.file("a.png"));
+    EXPECT_EQ(read.width, 37);
+    EXPECT_EQ(read.height, 11);
+    EXPECT_EQ(read.channels, channels);
+    EXPECT_EQ(read.bytes, pixels.bytes);
+  }
+}
+
+TEST(Png, TextsAndColourSpaceStandBeforeThePixels) {
+  const test::ScratchFolder folder;
+  const std::string json(400000, '{');
+  writePng(folder.file("a.png"), noise(8, 8, 3), {{"fabric", json}, {"Software", "Loomlight äöü"}});
+  const std::vector<Chunk> chunks = chunksOf(bytesOf(folder.file("a.png")));
+  ASSERT_GE(chunks.size(), 6u);
+  EXPECT_EQ(chunks[0].type, "IHDR");
+  EXPECT_EQ(chunks[1].type, "sRGB");
+  EXPECT_EQ(chunks[1].data, std::string(1, '\0'));
+  EXPECT_EQ(chunks[2].type, "iTXt");
+  EXPECT_EQ(chunks[2].data, "Software" + std::string(5, '\0') + "Loomlight äöü");
+  EXPECT_EQ(chunks[3].type, "iTXt");
+  EXPECT_EQ(chunks[3].data, "fabric" + std::string(5, '\0') + json);
+  EXPECT_EQ(chunks[4].type, "IDAT");
+  EXPECT_EQ(chunks.back().type, "IEND");
+  EXPECT_EQ(readPng(folder.file("a.png")).bytes, noise(8, 8, 3).bytes);
+}
+
+TEST(Png, NamesOfTextsKeepToTheFormat) {
+  const test::ScratchFolder folder;
+  EXPECT_THROW(writePng(folder.file("a.png"), noise(2, 2, 3), {{"", "x"}}), InputError);
+  EXPECT_THROW(writePng(folder.file("a.png"), noise(2, 2, 3), {{std::string(80, 'k'), "x"}}), InputError);
+  EXPECT_EQ(folder.entries(), 0u);
+}
+
+TEST(Png, RefusesWhatIsNoPng) {
+  EXPECT_THAT(complaint(""), HasSubstr("not a PNG file"));
+  EXPECT_THAT(complaint("P3 2 2 255 0 0 0"), HasSubstr("not a PNG file"));
+  EXPECT_THAT(complaint(std::string(100, '\xff')), HasSubstr("not a PNG file"));
+  const test::ScratchFolder folder;
+  EXPECT_THROW(readPng(folder.file("none.png")), InputError);
+  EXPECT_THROW(readPng(folder.file("")), InputError);
+}
+
+TEST(Png, RefusesHugeClaims) {
+  const test::ScratchFolder folder;
+  writePng(folder.file("a.png"), noise(2, 2, 3));
+  std::string bytes = bytesOf(folder.file("a.png"));
+  bytes[17] = '\x01';  // 65538 pixels wide
+  EXPECT_THAT(complaint(bytes), HasSubstr("16384"));
+}
+
+TEST(Png, TruncationBeforeTheEndIsRefused) {
+  const test::ScratchFolder folder;
+  writePng(folder.file("a.png"), noise(20, 20, 3));
+  const std::string bytes = bytesOf(folder.file("a.png"));
+  const size_t endOfPixels = bytes.size() - 12 - 4;  // the IEND chunk, the last CRC
+  for (size_t length = 0; length < endOfPixels; length += 13) complaint(bytes.substr(0, length));
+}
+
+TEST(Png, DamagedBytesNeverDoMoreThanThrow) {
+  const test::ScratchFolder folder;
+  writePng(folder.file("a.png"), noise(20, 20, 4));
+  const std::string sound = bytesOf(folder.file("a.png"));
+  Random random(9);
+  int refused = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    std::string bytes = sound;
+    for (int k = 0; k < 4; ++k)
+      bytes[random.below(static_cast<uint32_t>(bytes.size()))] = static_cast<char>(random.next());
+    putBytes(folder.file("b.png"), bytes);
+    try {
+      const Pixels8 pixels = readPng(folder.file("b.png"));
+      EXPECT_EQ(pixels.bytes.size(), static_cast<size_t>(pixels.width * pixels.height * pixels.channels));
+    } catch (const InputError&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 30);
+}
+
+TEST(Png, FailedWritesNameTheFile) {
+  const test::ScratchFolder folder;
+  const std::string nowhere = folder.file("no/such/folder/a.png");
+  EXPECT_THAT(test::messageOf<InputError>([&] { writePng(nowhere, noise(2, 2, 3)); }), HasSubstr(nowhere));
+  EXPECT_THROW(writePng(folder.file("a.png"), Pixels8{}), InputError);
+}
+
+}  // namespace
+}  // namespace loomlight
