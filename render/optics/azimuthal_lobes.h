@@ -23,7 +23,7 @@ class AzimuthalLobes {
  public:
   AzimuthalLobes(double roughness, FibreSection section, double index);
 
-  /// Density over the azimuth of wi relative to wo, given by its cosine and sine, for every mode.
+  /// Density over the azimuth of wi relative to wo for every mode; of its cosine and sine only the ratio counts.
   Lanes density(const CylinderHit& hit, float cosine, float sine) const {
     const Lanes c = cosine * hit.turnCosine - sine * hit.turnSine;
     const Lanes s = cosine * hit.turnSine + sine * hit.turnCosine;

@@ -53,10 +53,9 @@ FibreBcsdf::Sample FibreBcsdf::sample(glm::vec3 wo, float h, Random& random) con
 FibreBcsdf::Value FibreBcsdf::evaluate(glm::vec3 wo, glm::vec3 wi, float h) const {
   const CylinderHit hit(wo, h, index_);
   const LongitudinalLobes::Outgoing o = along_.outgoing({hit.sineO, hit.cosineO});
-  const Inclination i(wi.x, std::min(std::sqrt(wi.y * wi.y + wi.z * wi.z), 1.0f));
-  const glm::vec2 azimuth = i.cosine > 0 ? glm::vec2(wi.y, wi.z) / i.cosine : glm::vec2(1, 0);
-  const float cosine = azimuth.x * hit.azimuthO.x + azimuth.y * hit.azimuthO.y;
-  const float sine = azimuth.y * hit.azimuthO.x - azimuth.x * hit.azimuthO.y;
+  const Inclination i(wi.x, std::min(1.0f, std::sqrt(wi.y * wi.y + wi.z * wi.z)));
+  const float cosine = wi.y * hit.azimuthO.x + wi.z * hit.azimuthO.y;
+  const float sine = wi.z * hit.azimuthO.x - wi.y * hit.azimuthO.y;
   return {toArray(hit.share * along_.density(o, i) * about_.density(hit, cosine, sine)), hit.chord, hit.inside};
 }
 

@@ -25,24 +25,26 @@ struct CylinderHit {
 
 /// Reflectance for unpolarised light, from the cosine outside and index times the cosine inside (Fresnel).
 inline float fresnel(float cosine, float refracted, float index) {
-  const float s = (cosine - refracted) / (cosine + refracted);
-  const float p = (index * index * cosine - refracted) / (index * index * cosine + refracted);
-  return 0.5f * (s * s + p * p);
+  const float s = cosine - refracted, s2 = cosine + refracted;
+  const float p = index * index * cosine - refracted, p2 = index * index * cosine + refracted;
+  const float a = s * p2, b = p * s2, c = s2 * p2;
+  return 0.5f * (a * a + b * b) / (c * c);
 }
 
 inline CylinderHit::CylinderHit(glm::vec3 wo, float h, float index) {
-  sineO = std::clamp(wo.x, -1.0f, 1.0f);
-  const float cosine2 = wo.y * wo.y + wo.z * wo.z;
-  cosineO = std::min(std::sqrt(cosine2), 1.0f);
-  azimuthO = cosineO > 0 ? glm::vec2(wo.y, wo.z) / cosineO : glm::vec2(1, 0);
-
+  sineO = withinOne(wo.x);
+  const float cosine2 = std::min(1.0f, wo.y * wo.y + wo.z * wo.z);
+  h = withinOne(h);
   // k = eta cos theta_t and e = eta cos theta_t cos gamma_t: every angle inside follows from these two roots.
-  const float k2 = index * index - sineO * sineO;
+  const float k2 = index * index - 1 + cosine2;
+  cosineO = std::sqrt(cosine2);
   const float k = std::sqrt(k2);
-  const float e = std::sqrt(k2 - h * h * cosineO * cosineO);
-  const float cosGammaO = std::sqrt(std::max(0.0f, 1 - h * h));
-  const float cosGammaT = e / k, sinGammaT = h * cosineO / k;
-  chord = 2 * cosGammaT * index / k;
+  const float e = std::sqrt(k2 - h * h * cosine2);
+  const float cosGammaO = std::sqrt(1 - h * h);
+  azimuthO = cosineO > 0 ? glm::vec2(wo.y, wo.z) * (1 / cosineO) : glm::vec2(1, 0);
+  const float inverse = 1 / k;
+  const float cosGammaT = e * inverse, sinGammaT = h * cosineO * inverse;
+  chord = 2 * cosGammaT * index * inverse;
 
   const float f = fresnel(cosineO * cosGammaO, e, index);
   const float entering = (1 - f) * (1 - f);

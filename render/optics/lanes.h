@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -26,6 +27,10 @@ inline Lanes magnitude(Lanes a) {
 }
 inline Lanes squareRoot(Lanes a) {
   return Lanes{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])};
+}
+/// Clamped to [-1, 1]; not-a-number becomes 1, so that bad directions cannot leave a table.
+inline float withinOne(float x) {
+  return std::max(-1.0f, std::min(1.0f, x));
 }
 inline float sum(Lanes a) {
   return (a[0] + a[1]) + (a[2] + a[3]);
@@ -58,10 +63,10 @@ inline Lanes exponential(Lanes x) {
   return power * reinterpret_cast<Lanes>((whole + 127) << 23);
 }
 
-/// |atan2(sine, cosine)|, in [0, pi]; absolute error below 4e-7. The pair need not be normalised, only not both zero.
+/// |atan2(sine, cosine)|, in [0, pi]; absolute error below 4e-7. The pair need not be normalised; (0, 0) gives 0.
 inline Lanes angle(Lanes sine, Lanes cosine) {
   const Lanes s = magnitude(sine), c = magnitude(cosine);
-  const Lanes ratio = least(s, c) / most(s, c);
+  const Lanes ratio = least(s, c) / most(most(s, c), spread(1e-30f));
   Lanes a = ratio * polynomial(ratio * ratio, 0.999999882f, -0.333318127f, 0.199669618f, -0.140032902f, 0.0986886546f,
                                -0.0588297531f, 0.0237805186f, -0.00455979199f);
   a = s > c ? 1.57079633f - a : a;

@@ -30,7 +30,7 @@ double kernel(double o, double i, double v) {
 }  // namespace
 
 LongitudinalLobes::LongitudinalLobes(double roughness, double scaleTilt_rad)
-    : tilted_(scaleTilt_rad != 0), table_(kRows + 1) {
+    : tilted_(scaleTilt_rad != 0), table_(kRows + 2) {
   // The scales turn the mirror cone of each mode by a different multiple of their angle (Marschner et al. 2003).
   constexpr double shifts[4] = {-2, 1, 4, 0};
   // Variance by roughness (Chiang et al. 2016, Eq. 7), and of the other modes relative to R (Marschner et al. 2003).
@@ -44,9 +44,7 @@ LongitudinalLobes::LongitudinalLobes(double roughness, double scaleTilt_rad)
     inverseVariance_[mode] = static_cast<float>(1 / v);
     inverseDeviation_[mode] = static_cast<float>(1 / std::sqrt(v));
     norm_[mode] = static_cast<float>(normOf(v));
-    const double floor = std::exp(-2 / v);
-    // Below what a random number can resolve it is zero, not a denormal, which processors are slow at.
-    inverse_[mode] = {static_cast<float>(v), floor > 1e-12 ? static_cast<float>(floor) : 0.0f, 0.0f};
+    inverse_[mode].variance = static_cast<float>(v);
     if (mode < 3) {
       solve(mode, v);
     } else {
@@ -58,7 +56,7 @@ LongitudinalLobes::LongitudinalLobes(double roughness, double scaleTilt_rad)
     // Between two rows a * cosine is at most the larger a times the larger cosine.
     for (size_t row = 1; row <= kRows; ++row) {
       const float x = static_cast<float>(row) / kRows;
-      bound = std::max(bound, std::max(table_[row - 1][mode], table_[row][mode]) * x * x);
+      bound = std::max(bound, std::max(table_[row - 1][mode], table_[row][mode]) * x);
     }
     inverse_[mode].bound = bound;
   }
@@ -97,11 +95,12 @@ void LongitudinalLobes::solve(size_t mode, double variance) {
   // The equation itself continues the solution from the nodes to any angle.
   for (size_t r = 0; r <= kRows; ++r) {
     const double x = static_cast<double>(r) / kRows;
-    const double o = std::acos(x * x);
+    const double o = std::acos(x);
     double sum = 0;
     for (int k = 0; k < half; ++k) sum += entry(o, k) * a[index(k)];
     table_[r][mode] = static_cast<float>(1 / sum);
   }
+  table_[kRows + 1][mode] = table_[kRows][mode];
 }
 
 }  // namespace loomlight::optics

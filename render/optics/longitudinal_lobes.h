@@ -11,7 +11,7 @@
 
 namespace loomlight::optics {
 
-/// An inclination to the plane across the fibre.
+/// An inclination to the plane across the fibre; the cosine lies in [0, 1].
 struct Inclination {
   float sine, cosine;
   float root;  ///< of the cosine
@@ -50,10 +50,9 @@ class LongitudinalLobes {
 
   /// S cos_i for every mode.
   Lanes density(const Outgoing& o, Inclination i) const {
-    const Lanes sine = o.sine * i.cosine + o.cosine * i.sine;
-    const Lanes cosine = o.cosine * i.cosine - o.sine * i.sine;
-    // 1 - cos(o + i), without cancellation where narrow lobes live.
-    const Lanes versine = cosine > 0 ? sine * sine / (1 + cosine) : 1 - cosine;
+    // 1 - cos(o + i) as half a squared distance: narrow lobes would not survive the difference.
+    const Lanes sines = o.sine + i.sine, cosines = o.cosine - i.cosine;
+    const Lanes versine = 0.5f * (sines * sines + cosines * cosines);
     const BesselI0 bessel = besselI0(o.root * i.root * inverseDeviation_);
     const Lanes decay = exponential(-bessel.rest - versine * inverseVariance_);
     return o.a * correction(i) * i.cosine * norm_ * bessel.factor * decay;
@@ -64,13 +63,13 @@ class LongitudinalLobes {
   Inclination sample(size_t mode, const Outgoing& o, Random& random) const {
     const Inverse& inverse = inverse_[mode];
     for (;;) {
-      const float u = random.uniform();
-      const float versine = std::min(-inverse.variance * logarithm(u + (1 - u) * inverse.floor), 2.0f);
+      // An exponential variable has no memory: what is left of it modulo 2 is the same law trimmed to [0, 2].
+      const float decay = inverse.variance * -logarithm(1 - random.uniform());
+      const float versine = decay - 2 * std::floor(0.5f * decay);
       const float across = std::sqrt(versine * (2 - versine)) * sinCosPi(2 * random.uniform() - 1).cosine;
-      const float sine = std::clamp((versine - 1) * o.sine[mode] + across * o.cosine[mode], -1.0f, 1.0f);
+      const float sine = withinOne((versine - 1) * o.sine[mode] + across * o.cosine[mode]);
       const Inclination i(sine, std::sqrt((1 - sine) * (1 + sine)));
-      // Written so that not-a-number is accepted: bad input must not hang.
-      if (!(random.uniform() * inverse.bound >= correction(mode, i) * i.cosine)) return i;
+      if (random.uniform() * inverse.bound < correction(mode, i) * i.cosine) return i;
     }
   }
 
@@ -79,19 +78,18 @@ class LongitudinalLobes {
 
  private:
   struct Inverse {
-    float variance = 0, floor = 0;  ///< v, exp(-2 / v)
-    float bound = 0;                ///< largest a cos_i
+    float variance = 0;  ///< v
+    float bound = 0;     ///< largest a cos_i
   };
 
-  /// a() is smooth in the cosine, but changes fastest near zero: rows are spaced evenly in its square root.
+  /// a() is smooth in the cosine: one row for each of kRows equal steps from 0 to 1, and one more to interpolate with.
   struct Place {
     size_t row;
     float next;
   };
   static Place place(Inclination t) {
-    const float x = t.root * static_cast<float>(kRows);
-    const size_t row = std::min(static_cast<size_t>(static_cast<int>(x)), kRows - 1);
-    return {row, x - static_cast<float>(row)};
+    const float x = t.cosine * static_cast<float>(kRows);
+    return {static_cast<size_t>(static_cast<int>(x)), x - std::floor(x)};
   }
   Lanes correction(Inclination t) const {
     const Place p = place(t);
@@ -104,7 +102,7 @@ class LongitudinalLobes {
   void solve(size_t mode, double variance);
 
   static constexpr size_t kModes = 4;
-  static constexpr size_t kRows = 256;
+  static constexpr size_t kRows = 512;
   bool tilted_ = false;
   std::array<SinCos, kModes> tilt_{};
   Lanes inverseVariance_{}, inverseDeviation_{}, norm_{};
