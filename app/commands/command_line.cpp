@@ -69,7 +69,7 @@ void addThreads(CLI::App& app, int& threads) {
 }
 
 void addEdit(CLI::App& app, EditorOptions& options) {
-  app.add_option("FABRIC", options.fabricFile, "the fabric to open");
+  app.add_option("FABRIC", options.fabricFile, "the fabric to open")->type_name("");
   addThreads(app, options.threads);
   addValue(app, "--window", "WxH", "size of the window, pixels", [&options](const auto& option, const auto& text) {
     const PictureSize size = parseSize(option, text);
@@ -85,7 +85,7 @@ void addEdit(CLI::App& app, EditorOptions& options) {
 }
 
 void addRender(CLI::App& app, RenderCommand& command) {
-  app.add_option("FABRIC", command.input, "a fabric (.json), or a picture (.exr) to render again");
+  app.add_option("FABRIC", command.input, "a fabric (.json), or a picture (.exr) to render again")->type_name("");
   app.add_option("-o,--output", command.output, "the picture: .exr or .png")->type_name("OUT")->required();
   addPictureOptions(app, command.options);
   addFabricOptions(app, command.options);
@@ -101,20 +101,24 @@ void addRender(CLI::App& app, RenderCommand& command) {
 }
 
 void addInfo(CLI::App& app, InfoCommand& command) {
-  app.add_option("FABRIC", command.input, "a fabric (.json), weave bitmap (.png) or picture (.exr)")->required();
+  app.add_option("FABRIC", command.input, "a fabric (.json), weave bitmap (.png) or picture (.exr)")
+      ->type_name("")
+      ->required();
   addFabricOptions(app, command.options);
   app.add_flag("--json", command.json, "JSON instead of a table");
 }
 
 void addConvert(CLI::App& app, ConvertCommand& command) {
-  app.add_option("IN", command.input, "a fabric (.json), weave bitmap (.png) or picture (.exr)")->required();
-  app.add_option("OUT", command.output, "a fabric (.json) or weave bitmap (.png)")->required();
+  app.add_option("IN", command.input, "a fabric (.json), weave bitmap (.png) or picture (.exr)")
+      ->type_name("")
+      ->required();
+  app.add_option("OUT", command.output, "a fabric (.json) or weave bitmap (.png)")->type_name("")->required();
   app.add_option("--like", command.like, "a fabric that gives yarns and all else but the weave")->type_name("FABRIC");
 }
 
 void addBench(CLI::App& app, BenchCommand& command, std::string& suite) {
-  app.add_option("SUITE", suite, "volume: voxels, memory and speed at several resolutions")->required();
-  app.add_option("FABRIC", command.input, "the fabric to measure")->required();
+  app.add_option("SUITE", suite, "volume: voxels, memory and speed at several resolutions")->type_name("")->required();
+  app.add_option("FABRIC", command.input, "the fabric to measure")->type_name("")->required();
   addPictureOptions(app, command.options);
   addThreads(app, command.threads);
   addValue(app, "--resolutions", "R,R,...", "1,2,4,8 where not given",
@@ -153,8 +157,7 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   try {
     app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // CLI11 takes them last to first
   } catch (const CLI::CallForHelp&) {
-    for (const CLI::App* command : app.get_subcommands()) return TextCommand{command->help()};
-    return TextCommand{app.help()};
+    return TextCommand{app.help()};  // of the command whose word was given, if one was
   } catch (const CLI::CallForVersion& version) {
     return TextCommand{std::string(version.what()) + "\n"};
   } catch (const CLI::ParseError& error) {

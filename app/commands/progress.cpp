@@ -30,14 +30,17 @@ std::string durationText(double seconds) {
   const auto whole = static_cast<long long>(std::llround(std::min(seconds, 1e9)));
   if (whole < 60) return fmt::format("{} s", whole);
   if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
-  return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
+  if (whole < 100 * 3600) return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
+  return fmt::format("{} days", whole / 86400);
 }
 
 std::string progressBar(const std::string& label, double fraction, double elapsed_s, int columns) {
   const std::string left = timeLeft(fraction, elapsed_s);
   const std::string tail = fmt::format(" {:3} %  {}", static_cast<int>(100 * fraction), left);
-  // 15 columns for the time keep the bar still while the time's text changes length.
-  const int room = std::min(40, columns - static_cast<int>(label.size()) - 7 - 15 - 4);
+  // Room for the longest time keeps the bar still while the time's text changes length.
+  constexpr int kPercent = 8, kLongestTime = 16, kBrackets = 3, kCursor = 1;
+  const int room =
+      std::min(40, columns - static_cast<int>(label.size()) - kPercent - kLongestTime - kBrackets - kCursor);
   if (room < 4) return fmt::format("{}{}", label, tail).substr(0, std::max(0, columns - 1));
   const int filled = static_cast<int>(fraction * room);
   return fmt::format("{} [{}{}]{}", label, std::string(filled, '#'), std::string(room - filled, '.'), tail);
@@ -73,7 +76,7 @@ void Progress::drawBar(double elapsed_s) {
 
 void Progress::writeLine(double elapsed_s) {
   const int tenth = static_cast<int>(10 * fraction_);
-  if (tenth <= lastTenth_) return;
+  if (tenth <= lastTenth_ || tenth == 10) return;  // what follows says that all is done
   fmt::print(out_, "{}: {} %, {}\n", label_, 10 * tenth, timeLeft(fraction_, elapsed_s));
   std::fflush(out_);
   lastTenth_ = tenth;

@@ -7,7 +7,7 @@
 
 namespace loomlight {
 
-/// "2.4 s", "1 min 05 s", "3 h 20 min".
+/// "2.4 s", "1 min 05 s", "3 h 20 min", "12 days".
 std::string durationText(double seconds);
 /// "weaving  [######......]  52 %  12 s left", at most `columns` wide; a fraction of 0 has no time left yet.
 std::string progressBar(const std::string& label, double fraction, double elapsed_s, int columns);

@@ -61,9 +61,9 @@ class CommandLineTest(unittest.TestCase):
         self.assertEqual(done.returncode, status, f"{words}\n{done.stdout}{done.stderr}")
         return done.stdout if status == 0 else done.stderr
 
-    def fabric(self, name="fabric.json", **changes):
+    def fabric(self, file_name="fabric.json", **changes):
         """Writes the small fabric, with some of its top-level keys changed, and returns the file."""
-        file = self.folder / name
+        file = self.folder / file_name
         file.write_text(json.dumps({**SMALL, **changes}))
         return file
 
