@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/fabric/fabric.h"
+
+namespace loomlight {
+
+/// The fabric that is edited, how it came to be, and the file it lives in. Undo keeps the old values; they share what
+/// did not change.
+class Document {
+ public:
+  explicit Document(Fabric fabric, std::string file = {});
+
+  const std::shared_ptr<const Fabric>& fabric() const { return steps_[now_].fabric; }
+  const std::string& file() const { return file_; }  ///< empty while it has none
+  bool isDirty() const { return steps_[now_].id != savedId_; }
+  /// Counts up with every edit and every undo; looking around is none.
+  uint64_t revision() const { return revision_; }
+
+  /// All edits of one gesture (a drag, a text being typed) are one step of undo.
+  void edit(Fabric fabric, uint64_t gesture);
+  /// Looking around: no step of undo, no reason to ask at the end.
+  void lookFrom(const Camera& camera);
+  bool canUndo() const { return now_ > 0; }
+  bool canRedo() const { return now_ + 1 < steps_.size(); }
+  void undo();
+  void redo();
+
+  /// Writes the file and remembers it. Throws InputError, and is unchanged then.
+  void save(const std::string& file);
+
+ private:
+  struct Step {
+    std::shared_ptr<const Fabric> fabric;
+    uint64_t id = 0;
+  };
+  void go(size_t step);
+
+  std::vector<Step> steps_;
+  size_t now_ = 0;
+  std::string file_;
+  uint64_t nextId_ = 1, savedId_ = 0, revision_ = 0, gesture_ = 0;
+};
+
+}  // namespace loomlight

@@ -1,0 +1,97 @@
+#include "app/editor/editor.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+
+#include "app/editor/sample_fabric.h"
+#include "app/editor/session.h"
+#include "app/editor/user_folders.h"
+#include "app/editor/widget_dump.h"
+#include "app/editor/window.h"
+#include "core/fabric/fabric_json.h"
+
+namespace loomlight {
+namespace {
+
+/// An event is drawn out over a few frames: ImGui answers a click a frame late, and layout settles after it.
+constexpr int kFramesPerEvent = 3;
+/// The longest sleep; what wakes the window otherwise is input or a worker.
+constexpr double kLongestSleep_s = 5.0;
+
+Document firstDocument(const EditorOptions& options) {
+  if (options.fabricFile.empty()) return Document(sampleFabric());
+  return Document(readFabric(options.fabricFile), options.fabricFile);
+}
+
+double seconds() {
+  using namespace std::chrono;
+  return duration<double>(steady_clock::now().time_since_epoch()).count();
+}
+
+/// Draws one frame; returns after how many seconds the next one is wanted without any event.
+double drawFrame(Window& window, Session& session, WidgetProbe& probe, FieldMemory& memory) {
+  const Theme theme = session.settings().darkTheme ? Theme::dark() : Theme::light();
+  window.setTheme(theme);
+  window.beginFrame();
+  probe.beginFrame();
+  Ui ui{theme, window.fonts(), probe, memory, window.scale(), seconds()};
+  session.frame(ui);
+  window.endFrame(theme);
+  window.setTitle(session.title());
+  return ui.wakeIn;
+}
+
+void runLoop(Window& window, Session& session, const std::string& dumpFile) {
+  WidgetProbe probe(!dumpFile.empty());
+  WidgetDump dump(dumpFile);
+  FieldMemory memory;
+  int framesLeft = kFramesPerEvent;
+  double wakeIn = 0;
+  while (!session.isOver()) {
+    if (framesLeft > 0) {
+      window.waitForEvents(0);
+      --framesLeft;
+    } else {
+      window.waitForEvents(std::min(wakeIn, kLongestSleep_s));
+      framesLeft = kFramesPerEvent - 1;
+    }
+    for (const std::string& file : window.takeDroppedFiles()) session.openFile(file);
+    if (window.closeWanted()) {
+      window.refuseClose();
+      session.askToQuit();
+    }
+    wakeIn = drawFrame(window, session, probe, memory);
+    window.setFullScreen(session.wantsFullScreen());
+    if (probe.watching()) dump.write(probe.snapshot());
+  }
+}
+
+}  // namespace
+
+bool hasDisplay() {
+  if (!glfwInit()) return false;
+  glfwTerminate();
+  return true;
+}
+
+int runEditor(const EditorOptions& options) {
+  Document document = firstDocument(options);
+  Settings settings = readSettings(settingsFile());
+  if (options.width > 0) settings.windowWidth = options.width;
+  if (options.height > 0) settings.windowHeight = options.height;
+  Window window("Loomlight", settings.windowWidth, settings.windowHeight, options.scale);
+  Session session(std::move(document), settings, Window::wake, options.threads);
+  session.offerRecovery();
+  runLoop(window, session, options.widgetDump);
+  Settings last = session.settings();
+  last.windowWidth = static_cast<int>(window.sizeInWindow().x);
+  last.windowHeight = static_cast<int>(window.sizeInWindow().y);
+  writeSettings(settingsFile(), last);
+  return 0;
+}
+
+}  // namespace loomlight

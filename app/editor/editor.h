@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+namespace loomlight {
+
+struct EditorOptions {
+  std::string fabricFile;     ///< to open; empty: a sample cloth
+  int width = 0, height = 0;  ///< of the window; 0: as it was left, or 1440 x 900
+  float scale = 0;            ///< of the interface; 0: from the monitor
+  int threads = 0;            ///< for tracing; 0: all but one
+  std::string widgetDump;     ///< debugging and tests: a JSON file that always says where the named widgets are
+};
+
+/// Opens the window and runs until it is closed. Returns the exit status. Throws InputError when there is no display,
+/// or the fabric cannot be read.
+int runEditor(const EditorOptions& options);
+
+/// Whether a window can be opened at all here; cheap.
+bool hasDisplay();
+
+}  // namespace loomlight

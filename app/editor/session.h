@@ -1,0 +1,116 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/editor/autosave.h"
+#include "app/editor/document.h"
+#include "app/editor/insight.h"
+#include "app/editor/preset_store.h"
+#include "app/editor/settings.h"
+#include "app/editor/viewport_picture.h"
+#include "app/work/live_renderer.h"
+#include "app/work/snapshot_job.h"
+#include "ui/commands.h"
+#include "ui/dialogs.h"
+#include "ui/draft_view.h"
+#include "ui/file_browser.h"
+#include "ui/inspector.h"
+#include "ui/status_bar.h"
+#include "ui/viewport_panel.h"
+
+namespace loomlight {
+
+/// One designer at work: the document, the workers that follow it, and what each panel remembers. Draws a frame at a
+/// time, in the window's thread, and waits for nobody.
+class Session {
+ public:
+  /// `wake` brings the window to draw again; called from the workers.
+  Session(Document document, Settings settings, std::function<void()> wake, int threads);
+
+  void frame(Ui& ui);
+  void run(Command command);
+  /// Opens a fabric, or uses a mesh or an environment, by what the file is.
+  void openFile(const std::string& file);
+  /// Asks about unsaved work first, once.
+  void askToQuit();
+  /// Offers what an editor that did not end well has left behind.
+  void offerRecovery();
+
+  bool isOver() const { return over_; }
+  bool wantsFullScreen() const { return fullScreen_; }
+  const Settings& settings() const { return settings_; }
+  Settings& settings() { return settings_; }
+  std::string title() const;
+
+ private:
+  enum class FileTask { none, open, saveAs, mesh, environment, snapshot };
+  enum class Question { none, said, quit, discardForNew, discardForOpen, recover };
+
+  // session_panels.cpp: what is drawn
+  void drawPanels(Ui& ui);
+  void drawDraft(Ui& ui, const Insight* insight);
+  void drawViewport(Ui& ui, const LiveStatus& status);
+  void drawInspector(Ui& ui, const Insight* insight, const LiveStatus& status);
+  StatusModel statusModel(const Insight* insight, const LiveStatus& status) const;
+  void lookUnderPointer();
+  void tellProbe(Ui& ui, const LiveStatus& status) const;
+
+  // session_commands.cpp: what is done
+  void readKeys();
+  void edit(Fabric fabric);
+  void applyPreset(const std::string& name);
+  void drawDialogs(Ui& ui);
+  void drawSnapshot(Ui& ui);
+  void fileChosen(const std::string& file);
+  void answered(int answer);
+  void browse(FileTask task);
+  void save(const std::string& file);
+  void openFabric(const std::string& file);
+  void startOver(Document document);
+  void ask(Question question, std::string title, std::string text, std::vector<std::string> answers);
+  void say(std::string title, std::string text);
+  bool dialogIsOpen() const;
+  void followDocument();
+  Tone tone() const;
+
+  Settings settings_;
+  Document document_;
+  std::function<void()> wake_;
+  PresetStore presets_;
+  Autosave autosave_;
+  InsightWorker insightWorker_;
+  ViewportPicture picture_;
+  LiveRenderer renderer_;
+  std::unique_ptr<SnapshotJob> snapshot_;
+
+  DraftView draft_;
+  ViewportView viewport_;
+  InspectorView inspector_;
+  FileBrowser browser_;
+  MessageDialog message_;
+  SnapshotDialog snapshotDialog_;
+  SnapshotDialog::Progress snapshotProgress_;
+  KeysDialog keys_;
+
+  FileTask fileTask_ = FileTask::none;
+  Question question_ = Question::none;
+  std::string pendingFile_;  ///< to be opened once the user has agreed
+  std::string refusal_;      ///< why the last edit was not taken
+  std::shared_ptr<const Frame> shownFrame_;
+  std::optional<CrossingIndex> underPointer_;  ///< the crossing of the cloth under the mouse
+  std::string underPointerYarn_;
+  std::shared_ptr<const Fabric> requested_;  ///< what the renderer was last asked for
+  int requestedWidth_ = 0, requestedHeight_ = 0;
+  uint64_t generation_ = 0;
+  std::shared_ptr<const Fabric> insightFabric_;  ///< what the insight worker was last asked for
+  int insightYarn_ = -1;
+  uint64_t keptRevision_ = 0;  ///< of the document, last handed to autosave
+  uint64_t gesture_ = 1;
+  bool over_ = false, fullScreen_ = false;
+};
+
+}  // namespace loomlight

@@ -1,0 +1,331 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "app/editor/sample_fabric.h"
+#include "app/editor/session.h"
+#include "app/editor/user_folders.h"
+#include "core/base/error.h"
+#include "core/fabric/fabric_json.h"
+#include "core/fabric/validate.h"
+
+namespace loomlight {
+namespace fs = std::filesystem;
+namespace {
+
+bool pressed(int key) {
+  return ImGui::IsKeyPressed(key, false);
+}
+
+std::string extensionOf(const std::string& file) {
+  std::string extension = fs::path(file).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  return extension;
+}
+
+}  // namespace
+
+void Session::edit(Fabric fabric) {
+  try {
+    validate(fabric, "this edit");
+    refusal_.clear();
+    document_.edit(std::move(fabric), gesture_);
+  } catch (const InputError& error) {
+    refusal_ = error.what();
+  }
+}
+
+void Session::applyPreset(const std::string& name) {
+  try {
+    edit(dressed(*document_.fabric(), presets_.load(name)));
+    draft_.cell = 0;
+  } catch (const InputError& error) {
+    say("This preset cannot be used", error.what());
+  }
+}
+
+void Session::run(Command command) {
+  switch (command) {
+    case Command::newFabric:
+      if (document_.isDirty())
+        ask(Question::discardForNew, "Unsaved work",
+            "This cloth has changes that are not saved. Begin a new one without them?", {"Cancel", "Begin anew"});
+      else
+        startOver(Document(sampleFabric()));
+      break;
+    case Command::open:
+      browse(FileTask::open);
+      break;
+    case Command::save:
+      if (document_.file().empty())
+        browse(FileTask::saveAs);
+      else
+        save(document_.file());
+      break;
+    case Command::saveAs:
+      browse(FileTask::saveAs);
+      break;
+    case Command::savePreset:
+      try {
+        say("Kept as preset", fmt::format("\"{}\" is among the presets now.", presets_.keep(*document_.fabric())));
+      } catch (const InputError& error) {
+        say("The preset could not be kept", error.what());
+      }
+      break;
+    case Command::snapshot: {
+      const fs::path folder = settings_.folder.empty() ? homeFolder() : fs::path(settings_.folder);
+      snapshotProgress_ = {};
+      snapshotDialog_.show(document_.fabric()->render, (folder / (document_.fabric()->name + ".png")).string());
+      break;
+    }
+    case Command::chooseMesh:
+      browse(FileTask::mesh);
+      break;
+    case Command::chooseEnvironment:
+      browse(FileTask::environment);
+      break;
+    case Command::quit:
+      askToQuit();
+      break;
+    case Command::undo:
+      document_.undo();
+      break;
+    case Command::redo:
+      document_.redo();
+      break;
+    case Command::fitView:
+      viewport_.fitWanted = true;
+      break;
+    case Command::fitDraft:
+      draft_.cell = 0;
+      break;
+    case Command::togglePanels:
+      settings_.desk.panelsShown = !settings_.desk.panelsShown;
+      break;
+    case Command::fullScreen:
+      fullScreen_ = !fullScreen_;
+      break;
+    case Command::darkTheme:
+      settings_.darkTheme = true;
+      break;
+    case Command::lightTheme:
+      settings_.darkTheme = false;
+      break;
+    case Command::showKeys:
+      keys_.show();
+      break;
+    case Command::showAbout:
+      say("Loomlight " LOOMLIGHT_VERSION,
+          "Woven cloth, seen as it will look: path-traced from the optics of its fibres.\n\n"
+          "Colours are shown in sRGB with the white of daylight (D65). Apache License 2.0.");
+      break;
+  }
+}
+
+void Session::readKeys() {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (io.WantTextInput) return;
+  constexpr int kLetterF = 'F';
+  if (io.KeyCtrl) {
+    if (pressed('N')) run(Command::newFabric);
+    if (pressed('O')) run(Command::open);
+    if (pressed('S')) run(io.KeyShift ? Command::saveAs : Command::save);
+    if (pressed('Z')) run(io.KeyShift ? Command::redo : Command::undo);
+    if (pressed('Y')) run(Command::redo);
+    if (pressed('P')) run(Command::snapshot);
+    if (pressed('Q')) run(Command::quit);
+    return;
+  }
+  if (pressed(kLetterF)) run(io.KeyShift ? Command::fitDraft : Command::fitView);
+  if (pressed(ImGui::GetKeyIndex(ImGuiKey_Tab))) run(Command::togglePanels);
+  constexpr int kF1 = 290, kF11 = 300;  // GLFW's numbers, which its backend hands on
+  if (pressed(kF1)) run(Command::showKeys);
+  if (pressed(kF11)) run(Command::fullScreen);
+}
+
+void Session::startOver(Document document) {
+  document_ = std::move(document);
+  keptRevision_ = 0;
+  autosave_.forget();
+  refusal_.clear();
+  draft_.cell = 0;
+  inspector_.yarn = 0;
+}
+
+void Session::openFabric(const std::string& file) {
+  try {
+    startOver(Document(readFabric(file), file));
+    settings_.folder = fs::absolute(file).parent_path().string();
+  } catch (const InputError& error) {
+    say("This file cannot be opened", error.what());
+  }
+}
+
+void Session::openFile(const std::string& file) {
+  const std::string extension = extensionOf(file);
+  if (extension == ".obj" || extension == ".ply" || extension == ".off") {
+    Fabric fabric = *document_.fabric();
+    fabric.drape.kind = DrapeKind::mesh;
+    fabric.drape.file = file;
+    edit(std::move(fabric));
+    viewport_.fitWanted = true;
+  } else if (extension == ".exr") {
+    Fabric fabric = *document_.fabric();
+    fabric.light.kind = LightKind::environment;
+    fabric.light.file = file;
+    edit(std::move(fabric));
+  } else if (document_.isDirty()) {
+    pendingFile_ = file;
+    ask(Question::discardForOpen, "Unsaved work",
+        "This cloth has changes that are not saved. Open another one without them?", {"Cancel", "Open"});
+  } else {
+    openFabric(file);
+  }
+}
+
+void Session::save(const std::string& file) {
+  try {
+    document_.save(file);
+    settings_.folder = fs::absolute(file).parent_path().string();
+    autosave_.forget();
+  } catch (const InputError& error) {
+    say("The file could not be written", std::string(error.what()) + "\n\nNothing is lost: the cloth is still here.");
+  }
+}
+
+void Session::askToQuit() {
+  if (question_ == Question::quit && message_.isOpen()) return;
+  if (!document_.isDirty()) {
+    over_ = true;
+    return;
+  }
+  ask(Question::quit, "Unsaved work", fmt::format("\"{}\" has changes that are not saved.", document_.fabric()->name),
+      {"Go on", "Discard", "Save"});
+}
+
+void Session::offerRecovery() {
+  const auto left = Autosave::leftBehind(stateFolder());
+  if (!left) return;
+  pendingFile_ = left->string();
+  ask(Question::recover, "Unsaved work was found", "The editor ended before this work was saved. Take it up again?",
+      {"Throw away", "Take up"});
+}
+
+void Session::ask(Question question, std::string title, std::string text, std::vector<std::string> answers) {
+  question_ = question;
+  message_.show(std::move(title), std::move(text), std::move(answers));
+}
+
+void Session::say(std::string title, std::string text) {
+  ask(Question::said, std::move(title), std::move(text), {"OK"});
+}
+
+void Session::answered(int answer) {
+  const Question question = std::exchange(question_, Question::none);
+  if (question == Question::quit && answer == 1) over_ = true;
+  if (question == Question::quit && answer == 2) {
+    run(Command::save);
+    over_ = !document_.isDirty();
+  }
+  if (question == Question::discardForNew && answer == 1) startOver(Document(sampleFabric()));
+  if (question == Question::discardForOpen && answer == 1) openFabric(pendingFile_);
+  if (question != Question::recover) return;
+  try {
+    if (answer == 1) edit(readFabric(pendingFile_));
+  } catch (const InputError& error) {
+    say("The work could not be taken up", error.what());
+    return;
+  }
+  std::error_code ignored;
+  fs::remove(pendingFile_, ignored);
+}
+
+void Session::browse(FileTask task) {
+  fileTask_ = task;
+  const fs::path folder = settings_.folder.empty() ? homeFolder() : fs::path(settings_.folder);
+  const std::vector<FileBrowser::Place> places = {
+      {"Home", homeFolder()}, {"Presets", presetFolder()}, {"Computer", "/"}};
+  using Purpose = FileBrowser::Purpose;
+  switch (task) {
+    case FileTask::open:
+      browser_.show(Purpose::open, "Open a cloth", {".json"}, folder, places);
+      break;
+    case FileTask::saveAs: {
+      const fs::path file =
+          document_.file().empty() ? folder / (document_.fabric()->name + ".json") : fs::path(document_.file());
+      browser_.show(Purpose::save, "Save the cloth", {".json"}, file, places);
+      break;
+    }
+    case FileTask::mesh:
+      browser_.show(Purpose::open, "Choose a mesh", {".obj", ".ply", ".off"}, folder, places);
+      break;
+    case FileTask::environment:
+      browser_.show(Purpose::open, "Choose a surrounding", {".exr"}, folder, places);
+      break;
+    case FileTask::snapshot:
+      browser_.show(Purpose::save, "Where the snapshot goes", {".png", ".exr"}, snapshotDialog_.file(), places);
+      break;
+    case FileTask::none:
+      break;
+  }
+}
+
+void Session::fileChosen(const std::string& file) {
+  switch (std::exchange(fileTask_, FileTask::none)) {
+    case FileTask::open:
+    case FileTask::mesh:
+    case FileTask::environment:
+      openFile(file);
+      break;
+    case FileTask::saveAs:
+      save(file);
+      break;
+    case FileTask::snapshot:
+      snapshotDialog_.setFile(file);
+      break;
+    case FileTask::none:
+      break;
+  }
+}
+
+void Session::drawDialogs(Ui& ui) {
+  // The browser stands in for the snapshot dialog while it names its file.
+  if (!browser_.isOpen() && snapshotDialog_.isOpen()) drawSnapshot(ui);
+  if (const auto file = browser_.draw(ui)) fileChosen(*file);
+  if (const auto answer = message_.draw(ui)) answered(*answer);
+  keys_.draw(ui);
+}
+
+void Session::drawSnapshot(Ui& ui) {
+  if (snapshot_) {
+    const SnapshotJob::State state = snapshot_->state();
+    snapshotProgress_.running = !state.finished;
+    snapshotProgress_.fraction = state.finished ? 0 : state.progress;
+    ui.wakeWithin(0.1);
+    if (state.finished) {
+      snapshotProgress_.failed = !state.error.empty();
+      snapshotProgress_.outcome = state.cancelled       ? "Cancelled; no file was written."
+                                  : state.error.empty() ? "Saved " + snapshotDialog_.file()
+                                                        : state.error;
+      snapshot_.reset();
+      renderer_.pause(false);
+    }
+  }
+  const SnapshotDialog::Result result = snapshotDialog_.draw(ui, snapshotProgress_);
+  if (result.settings) {
+    Fabric fabric = *document_.fabric();
+    fabric.render = *result.settings;
+    edit(std::move(fabric));
+  }
+  if (result.chooseFile) browse(FileTask::snapshot);
+  if (result.cancel && snapshot_) snapshot_->cancel();
+  if (result.start && !snapshot_) {
+    renderer_.pause(true);
+    snapshot_ = std::make_unique<SnapshotJob>(document_.fabric(), snapshotDialog_.file(), tone());
+    snapshotProgress_.running = true;
+  }
+}
+
+}  // namespace loomlight

@@ -1,0 +1,175 @@
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "app/editor/session.h"
+#include "ui/desk.h"
+#include "ui/draft_panel.h"
+#include "ui/menu_bar.h"
+#include "ui/preset_list.h"
+#include "ui/yarn_colours.h"
+
+namespace loomlight {
+
+void Session::frame(Ui& ui) {
+  if (std::shared_ptr<const Frame> newest = renderer_.frame(); newest && newest != shownFrame_) {
+    picture_.upload(*newest);
+    shownFrame_ = std::move(newest);
+  }
+  // A gesture lasts while a button is down or a text is open; what it changes is one step of undo.
+  if (!ImGui::IsAnyMouseDown() && !ImGui::IsAnyItemActive()) ++gesture_;
+  if (!dialogIsOpen()) readKeys();
+  drawPanels(ui);
+  drawDialogs(ui);
+  followDocument();
+}
+
+void Session::drawPanels(Ui& ui) {
+  const LiveStatus status = renderer_.status();
+  const std::shared_ptr<const Insight> insight = insightWorker_.newest();
+  MenuModel menu;
+  menu.title = document_.fabric()->name;
+  menu.edited = document_.isDirty();
+  menu.canUndo = document_.canUndo();
+  menu.canRedo = document_.canRedo();
+  menu.darkTheme = settings_.darkTheme;
+  menu.panelsShown = settings_.desk.panelsShown;
+  const float menuHeight = ImGui::GetFontSize() + ui.px(16);
+  const std::optional<Command> command = menuBar(ui, menu);
+
+  const DeskAreas areas = deskAreas(settings_.desk, ImGui::GetIO().DisplaySize, menuHeight, ui.scale);
+  splitters(ui, settings_.desk, areas);
+  beginPanel("viewport", areas.viewport, false);
+  drawViewport(ui, status);
+  endPanel();
+  if (settings_.desk.panelsShown) {
+    beginPanel("draft", areas.draft, true);
+    drawDraft(ui, insight.get());
+    endPanel();
+    beginPanel("inspector", areas.inspector, true);
+    drawInspector(ui, insight.get(), status);
+    endPanel();
+  }
+  beginPanel("status", areas.status, false);
+  statusBar(ui, statusModel(insight.get(), status));
+  endPanel();
+  tellProbe(ui, status);
+  if (command) run(*command);
+}
+
+void Session::drawDraft(Ui& ui, const Insight*) {
+  const Fabric& fabric = *document_.fabric();
+  draft_.brushYarn = inspector_.yarn;
+  if (auto edited = draftPanel(ui, fabric, yarnColours(fabric), draft_, underPointer_)) edit(std::move(*edited));
+  inspector_.yarn = draft_.brushYarn;
+  if (const auto name = presetList(ui, presets_.names())) applyPreset(*name);
+}
+
+void Session::drawViewport(Ui& ui, const LiveStatus& status) {
+  std::optional<ViewportPicture::Outline> outline;
+  const Weave& weave = document_.fabric()->weave;
+  if (draft_.hovered) outline = {inRepeat(*draft_.hovered, weave), weave.ends(), weave.picks(), ui.theme.accent};
+  ViewportModel model;
+  model.picture = picture_.display(viewport_.width, viewport_.height, tone(), outline);
+  lookUnderPointer();
+  model.under = underPointer_;
+  model.underYarn = underPointerYarn_;
+  model.building = status.phase == LiveStatus::Phase::voxelising && status.buildProgress < 1;
+  model.buildProgress = status.buildProgress;
+  model.error = status.error;
+  ViewportEdit result = viewportPanel(ui, *document_.fabric(), model, viewport_);
+  if (result.fabric) edit(std::move(*result.fabric));
+  if (result.camera) document_.lookFrom(*result.camera);
+}
+
+void Session::lookUnderPointer() {
+  underPointer_.reset();
+  if (!viewport_.pointer || !shownFrame_ || shownFrame_->hits.empty()) return;
+  const int x = std::clamp(static_cast<int>(viewport_.pointer->x * static_cast<float>(shownFrame_->width)), 0,
+                           shownFrame_->width - 1);
+  const int y = std::clamp(static_cast<int>(viewport_.pointer->y * static_cast<float>(shownFrame_->height)), 0,
+                           shownFrame_->height - 1);
+  const Film::Hit& hit =
+      shownFrame_->hits[static_cast<size_t>(y) * static_cast<size_t>(shownFrame_->width) + static_cast<size_t>(x)];
+  const Fabric& fabric = *document_.fabric();
+  if (hit.yarn < 0) return;
+  underPointer_ = CrossingIndex{hit.pick, hit.end};
+  underPointerYarn_.clear();
+  // The picture may be of an older fabric that had more yarns.
+  if (hit.yarn < static_cast<int>(fabric.yarns.size()))
+    underPointerYarn_ = fabric.yarns[static_cast<size_t>(hit.yarn)].name;
+}
+
+void Session::drawInspector(Ui& ui, const Insight* insight, const LiveStatus& status) {
+  const Fabric& fabric = *document_.fabric();
+  InspectorModel model;
+  if (insight && insight->yarn == inspector_.yarn) model.section = &insight->section;
+  model.measured = status.builtGeneration > 0;
+  model.crimpWarp = status.measures.crimpWarp;
+  model.crimpWeft = status.measures.crimpWeft;
+  model.yarnColours = yarnColours(fabric);
+  InspectorResult result = inspector(ui, fabric, model, inspector_);
+  if (result.fabric) edit(std::move(*result.fabric));
+  if (result.camera) document_.lookFrom(*result.camera);
+  if (result.command) run(*result.command);
+}
+
+StatusModel Session::statusModel(const Insight* insight, const LiveStatus& status) const {
+  StatusModel model;
+  model.figuresKnown = insight && status.builtGeneration > 0;
+  if (model.figuresKnown) {
+    const int warp = insight->floats.warp(), weft = insight->floats.weft();
+    const double warpLength = floatLength_mm(*insight->fabric, System::warp, warp);
+    const double weftLength = floatLength_mm(*insight->fabric, System::weft, weft);
+    model.longestFloat = warpLength >= weftLength ? warp : weft;
+    model.longestFloat_mm = std::max(warpLength, weftLength);
+    model.coverPercent = 100 * std::min(1.0, insight->cover.fraction);
+    model.arealMass_g_m2 = status.measures.arealMass_g_m2;
+    model.thickness_mm = status.measures.thickness_mm;
+    if (!insight->warnings.empty()) {
+      model.warning = insight->warnings.front();
+      model.moreWarnings = static_cast<int>(insight->warnings.size()) - 1;
+    }
+  }
+  if (!status.notices.empty() && model.warning.empty()) model.warning = status.notices.front();
+  if (!refusal_.empty()) {
+    model.warning = refusal_;
+    model.moreWarnings = 0;
+  }
+  if (shownFrame_) {
+    model.samples = shownFrame_->samples;
+    model.seconds = shownFrame_->seconds;
+  }
+  switch (status.phase) {
+    case LiveStatus::Phase::idle:
+      model.work = "waiting";
+      break;
+    case LiveStatus::Phase::voxelising:
+      model.work = fmt::format("building {:3.0f} %", 100 * status.buildProgress);
+      break;
+    case LiveStatus::Phase::tracing:
+      model.work = "refining";
+      break;
+    case LiveStatus::Phase::converged:
+      model.work = "converged";
+      break;
+  }
+  return model;
+}
+
+void Session::tellProbe(Ui& ui, const LiveStatus& status) const {
+  if (!ui.probe.watching()) return;
+  ui.probe.fact("name", document_.fabric()->name);
+  ui.probe.fact("file", document_.file());
+  ui.probe.fact("dirty", document_.isDirty() ? "yes" : "no");
+  ui.probe.fact("revision", std::to_string(document_.revision()));
+  ui.probe.fact("generation", std::to_string(generation_));
+  ui.probe.fact("built_generation", std::to_string(status.builtGeneration));
+  ui.probe.fact("shown_generation", std::to_string(shownFrame_ ? shownFrame_->generation : 0));
+  ui.probe.fact("shown_samples", std::to_string(shownFrame_ ? shownFrame_->samples : 0));
+  ui.probe.fact("error", status.error);
+  ui.probe.fact("refusal", refusal_);
+  ui.probe.fact("dialog", dialogIsOpen() ? "open" : "none");
+}
+
+}  // namespace loomlight

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "ui/desk.h"
+
+namespace loomlight {
+
+/// What the editor remembers from one session to the next; nothing of the fabric.
+struct Settings {
+  int windowWidth = 1440, windowHeight = 900;
+  bool darkTheme = true;
+  DeskLayout desk;
+  std::string folder;  ///< where files were last opened or saved
+};
+
+/// A file that is missing or makes no sense gives the defaults: losing them costs a drag of a splitter.
+Settings readSettings(const std::filesystem::path& file);
+/// Tries to; a failure is no reason to hold up the end of a session.
+void writeSettings(const std::filesystem::path& file, const Settings& settings);
+
+}  // namespace loomlight

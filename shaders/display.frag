@@ -1,0 +1,53 @@
+#version 330 core
+// Linear, premultiplied light to the display: exposure, shoulder, sRGB. The same as toDisplay() in render/film/tone.cpp,
+// so that a PNG looks like the viewport. Exposure never costs a new picture.
+in vec2 uv;
+out vec4 display;
+
+uniform sampler2D picture;
+uniform isampler2D crossings;  // end and pick of every pixel; kNoCloth where there is none
+uniform float exposure;        // factor
+uniform bool filmic;
+uniform vec3 background;       // linear
+uniform ivec4 lit;             // end and pick of the repeat to outline, ends and picks of the repeat; w = 0: none
+uniform vec3 accent;           // sRGB
+
+const float kKnee = 0.7;
+const int kNoCloth = -2147483647;
+
+vec3 shoulder(vec3 c) {
+  float m = max(c.r, max(c.g, c.b));
+  if (!(m > kKnee)) return c;
+  float bent = 1.0 - (1.0 - kKnee) * (1.0 - kKnee) / (m + 1.0 - 2.0 * kKnee);
+  return c / m * bent;
+}
+
+vec3 encode(vec3 c) {
+  return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, greaterThan(c, vec3(0.0031308)));
+}
+
+bool isLit(ivec2 pixel) {
+  ivec2 c = texelFetch(crossings, clamp(pixel, ivec2(0), textureSize(crossings, 0) - 1), 0).rg;
+  if (c.r == kNoCloth) return false;
+  ivec2 repeat = lit.zw;
+  ivec2 within = c - repeat * ivec2(floor(vec2(c) / vec2(repeat)));
+  return within == lit.xy;
+}
+
+void main() {
+  vec4 light = texture(picture, uv);
+  // max() would keep a NaN; the comparison turns it black.
+  vec3 c = light.rgb * exposure + (1.0 - light.a) * background;
+  c = mix(vec3(0.0), min(c, vec3(1e30)), greaterThan(c, vec3(0.0)));
+  if (filmic) c = shoulder(c);
+  c = encode(min(c, vec3(1.0)));
+  if (lit.w > 0) {
+    ivec2 pixel = ivec2(uv * vec2(textureSize(crossings, 0)));
+    if (isLit(pixel)) {
+      bool edge = !(isLit(pixel + ivec2(1, 0)) && isLit(pixel - ivec2(1, 0)) && isLit(pixel + ivec2(0, 1)) &&
+                    isLit(pixel - ivec2(0, 1)));
+      c = mix(c, accent, edge ? 0.9 : 0.18);
+    }
+  }
+  display = vec4(c, 1.0);
+}

@@ -1,0 +1,36 @@
+#include "ui/choices.h"
+
+namespace loomlight {
+
+std::span<const char* const> lightNames() {
+  static constexpr const char* kNames[] = {"Sunny sky",     "White dome",    "All around", "From behind",
+                                           "At the camera", "One direction", "Picture"};
+  return kNames;
+}
+
+std::span<const char* const> drapeNames(const Drape& drape) {
+  static constexpr const char* kNames[] = {"Flat", "Cylinder", "Sphere", "Mesh"};
+  return std::span(kNames).first(drape.file.empty() ? 3 : 4);
+}
+
+std::span<const char* const> fibreSectionNames() {
+  static constexpr const char* kNames[] = {"Round", "Kidney", "Triangle", "Trilobal", "Serrated", "Polygon"};
+  return kNames;
+}
+
+std::span<const char* const> twistNames() {
+  static constexpr const char* kNames[] = {"S", "Z"};
+  return kNames;
+}
+
+std::span<const char* const> layoutNames() {
+  static constexpr const char* kNames[] = {"Random", "Packed"};
+  return kNames;
+}
+
+std::span<const char* const> eventLawNames() {
+  static constexpr const char* kNames[] = {"Projected", "Report"};
+  return kNames;
+}
+
+}  // namespace loomlight

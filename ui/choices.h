@@ -1,0 +1,18 @@
+#pragma once
+
+#include <span>
+
+#include "core/fabric/fabric.h"
+
+namespace loomlight {
+
+/// Names of enumerations as a designer reads them, in the order of the enumerators.
+std::span<const char* const> lightNames();
+/// A mesh can be chosen once there is a file.
+std::span<const char* const> drapeNames(const Drape& drape);
+std::span<const char* const> fibreSectionNames();
+std::span<const char* const> twistNames();
+std::span<const char* const> layoutNames();
+std::span<const char* const> eventLawNames();
+
+}  // namespace loomlight

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "ui/ui.h"
+
+namespace loomlight {
+
+/// Where the panels are. Widths in pixels at scale 1; kept between sessions.
+struct DeskLayout {
+  float draftWidth = 328;
+  float inspectorWidth = 336;
+  bool panelsShown = true;
+};
+
+struct DeskAreas {
+  struct Area {
+    ImVec2 min, size;
+  };
+  Area draft, viewport, inspector, status;
+};
+
+/// Divides the screen below the menu bar; the cloth never gets less than half of the width.
+DeskAreas deskAreas(const DeskLayout& layout, ImVec2 screen, float menuHeight, float scale);
+
+/// The gaps between the panels, to be dragged.
+void splitters(Ui& ui, DeskLayout& layout, const DeskAreas& areas);
+
+/// A panel that fills its area; endPanel() closes it.
+void beginPanel(const char* name, const DeskAreas::Area& area, bool padded);
+void endPanel();
+
+}  // namespace loomlight

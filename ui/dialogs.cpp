@@ -1,0 +1,150 @@
+#include "ui/dialogs.h"
+
+#include <fmt/core.h>
+#include <imgui_stdlib.h>
+
+#include "ui/member_fields.h"
+#include "ui/modal.h"
+
+namespace loomlight {
+
+void MessageDialog::show(std::string title, std::string text, std::vector<std::string> answers) {
+  title_ = std::move(title);
+  text_ = std::move(text);
+  answers_ = std::move(answers);
+  open_ = opening_ = true;
+}
+
+std::optional<int> MessageDialog::draw(Ui& ui) {
+  if (!open_) return std::nullopt;
+  const bool begin = opening_;
+  opening_ = false;
+  std::optional<int> answer;
+  if (!beginModal(ui, (title_ + "##message").c_str(), ImVec2(ui.px(480), 0), begin)) {
+    open_ = false;
+    return 0;
+  }
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(text_.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::Dummy(ImVec2(0, ui.px(8)));
+  const float width = ui.px(120);
+  const float count = static_cast<float>(answers_.size());
+  ImGui::SetCursorPosX(ImGui::GetWindowWidth() - ui.px(16) - count * width - (count - 1) * ui.px(8));
+  for (int i = 0; i < static_cast<int>(answers_.size()); ++i) {
+    if (i > 0) ImGui::SameLine();
+    if (button(ui, fmt::format("message.answer_{}", i).c_str(), answers_[static_cast<size_t>(i)].c_str(), width))
+      answer = i;
+  }
+  if (modalCancelled()) answer = 0;
+  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false)) answer = static_cast<int>(answers_.size()) - 1;
+  if (answer) {
+    open_ = false;
+    ImGui::CloseCurrentPopup();
+  }
+  endModal();
+  return answer;
+}
+
+void SnapshotDialog::show(const RenderSettings& settings, std::string file) {
+  settings_ = settings;
+  file_ = std::move(file);
+  open_ = opening_ = true;
+}
+
+SnapshotDialog::Result SnapshotDialog::draw(Ui& ui, const Progress& progress) {
+  Result result;
+  if (!open_) return result;
+  const bool begin = opening_;
+  opening_ = false;
+  if (!beginModal(ui, "Snapshot", ImVec2(ui.px(480), 0), begin)) {
+    open_ = false;
+    result.cancel = progress.running;
+    return result;
+  }
+  ImGui::BeginDisabled(progress.running);
+  bool changed = memberField(ui, "snapshot", settings_, &RenderSettings::width);
+  changed |= memberField(ui, "snapshot", settings_, &RenderSettings::height);
+  changed |= memberField(ui, "snapshot", settings_, &RenderSettings::samplesPerPixel);
+  textField(ui,
+            {"snapshot.file", "File",
+             "Where the picture goes: .png as the display shows it, .exr with all its light and layers"},
+            file_);
+  ImGui::Dummy(ImVec2(0, 0));
+  ImGui::SameLine(ImGui::GetContentRegionAvail().x * 0.44f + ui.px(16));
+  result.chooseFile = button(ui, "snapshot.browse", "Choose\xE2\x80\xA6");
+  ImGui::EndDisabled();
+  if (changed) result.settings = settings_;
+
+  ImGui::ProgressBar(static_cast<float>(progress.fraction), ImVec2(-1, ui.px(4)), "");
+  ImGui::PushStyleColor(ImGuiCol_Text, progress.failed ? ui.theme.error : ui.theme.textQuiet);
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(progress.running           ? fmt::format("{:.0f} %", 100 * progress.fraction).c_str()
+                         : progress.outcome.empty() ? " "
+                                                    : progress.outcome.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+  ui.probe.fact("snapshot.outcome", progress.running ? "running" : progress.outcome);
+
+  const float width = ui.px(120);
+  ImGui::SetCursorPosX(ImGui::GetWindowWidth() - 2 * width - ui.px(24));
+  const bool dismiss = button(ui, "snapshot.close", progress.running ? "Cancel" : "Close", width) || modalCancelled();
+  ImGui::SameLine();
+  result.start = button(ui, "snapshot.start", "Render", width, !progress.running && !file_.empty());
+  if (dismiss && progress.running) {
+    result.cancel = true;
+  } else if (dismiss) {
+    open_ = false;
+    ImGui::CloseCurrentPopup();
+  }
+  endModal();
+  return result;
+}
+
+void KeysDialog::draw(Ui& ui) {
+  if (!open_) return;
+  const bool begin = opening_;
+  opening_ = false;
+  if (!beginModal(ui, "Keys and mouse", ImVec2(ui.px(560), 0), begin)) {
+    open_ = false;
+    return;
+  }
+  static constexpr const char* kKeys[][2] = {
+      {"Left drag on the cloth", "Orbit"},
+      {"Shift or Space + drag, middle drag", "Move the view"},
+      {"Wheel", "Zoom at the pointer"},
+      {"F,  Shift+F", "Show the whole cloth, the whole repeat"},
+      {"Click or drag in the draft", "Turn crossings over; a drag paints the first one's new value"},
+      {"Right drag in the draft", "Weft over"},
+      {"Shift while painting", "Keep to a line"},
+      {"Drag a value", "Scrub it; Shift fine, Ctrl coarse"},
+      {"Click a value", "Type it; Esc keeps the old one"},
+      {"Ctrl+N,  Ctrl+O", "New, open"},
+      {"Ctrl+S,  Ctrl+Shift+S", "Save, save as"},
+      {"Ctrl+Z,  Ctrl+Shift+Z", "Undo, redo"},
+      {"Ctrl+P", "Snapshot"},
+      {"Tab,  F11", "Hide panels, full screen"},
+      {"Ctrl+Q", "Quit"},
+  };
+  if (ImGui::BeginTable("keys", 2)) {
+    ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthFixed, ui.px(232));
+    ImGui::TableSetupColumn("what");
+    for (const auto& key : kKeys) {
+      ImGui::TableNextRow();
+      ImGui::TableNextColumn();
+      ImGui::TextDisabled("%s", key[0]);
+      ImGui::TableNextColumn();
+      ImGui::TextUnformatted(key[1]);
+    }
+    ImGui::EndTable();
+  }
+  ImGui::Dummy(ImVec2(0, ui.px(4)));
+  ImGui::SetCursorPosX(ImGui::GetWindowWidth() - ui.px(136));
+  if (button(ui, "keys.close", "Close", ui.px(120)) || modalCancelled()) {
+    open_ = false;
+    ImGui::CloseCurrentPopup();
+  }
+  endModal();
+}
+
+}  // namespace loomlight

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/fabric/fabric.h"
+#include "ui/ui.h"
+
+namespace loomlight {
+
+/// Says something that must be read, with an answer or two.
+class MessageDialog {
+ public:
+  /// Answers from left to right; Escape is the first, Enter the last.
+  void show(std::string title, std::string text, std::vector<std::string> answers);
+  bool isOpen() const { return open_; }
+  /// Index of the answer, once.
+  std::optional<int> draw(Ui& ui);
+
+ private:
+  bool open_ = false, opening_ = false;
+  std::string title_, text_;
+  std::vector<std::string> answers_;
+};
+
+/// Size, samples and format of a picture to be rendered to a file, then its progress.
+class SnapshotDialog {
+ public:
+  struct Progress {
+    bool running = false;
+    double fraction = 0;
+    std::string outcome;  ///< after it: where the picture is, or what went wrong
+    bool failed = false;
+  };
+  struct Result {
+    std::optional<RenderSettings> settings;  ///< edited
+    bool chooseFile = false;
+    bool start = false;
+    bool cancel = false;
+  };
+  void show(const RenderSettings& settings, std::string file);
+  void setFile(std::string file) { file_ = std::move(file); }
+  const std::string& file() const { return file_; }
+  const RenderSettings& settings() const { return settings_; }
+  bool isOpen() const { return open_; }
+  Result draw(Ui& ui, const Progress& progress);
+
+ private:
+  bool open_ = false, opening_ = false;
+  RenderSettings settings_;
+  std::string file_;
+};
+
+/// All keys and mouse gestures.
+class KeysDialog {
+ public:
+  void show() { open_ = opening_ = true; }
+  bool isOpen() const { return open_; }
+  void draw(Ui& ui);
+
+ private:
+  bool open_ = false, opening_ = false;
+};
+
+}  // namespace loomlight

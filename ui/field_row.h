@@ -1,0 +1,18 @@
+#pragma once
+
+#include "ui/fields.h"
+
+namespace loomlight {
+
+/// The grid that all rows share: one height, labels in the left two fifths.
+struct FieldRow {
+  float width = 0;  ///< of the field
+  float height = 0;
+};
+
+/// Draws the label and puts the cursor where the field begins.
+FieldRow beginRow(Ui& ui, const RowText& text);
+/// Names the field's rectangle for tests and explains it to a resting mouse.
+void endRow(Ui& ui, const RowText& text, ImVec2 min, ImVec2 max);
+
+}  // namespace loomlight

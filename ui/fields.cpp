@@ -1,0 +1,221 @@
+#include "ui/fields.h"
+
+#include <imgui_internal.h>
+#include <imgui_stdlib.h>
+
+#include <cmath>
+
+#include "core/fabric/colour.h"
+#include "ui/field_row.h"
+
+namespace loomlight {
+namespace {
+
+constexpr double kRestSeconds = 0.5;
+constexpr float kLabelShare = 0.44f;
+
+}  // namespace
+
+ImVec4 toDisplayColour(const Rgb& linear) {
+  const Rgb display = srgbFromLinear(glm::clamp(linear, Rgb(0.0f), Rgb(1.0f)));
+  return ImVec4(display.x, display.y, display.z, 1.0f);
+}
+
+Rgb toLinearColour(const ImVec4& display) {
+  return linearFromSrgb(Rgb(display.x, display.y, display.z));
+}
+
+FieldRow beginRow(Ui& ui, const RowText& text) {
+  const float all = ImGui::GetContentRegionAvail().x;
+  const float label = std::floor(kLabelShare * all);
+  const float height = ImGui::GetFrameHeight();
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const ImVec4 clip(corner.x, corner.y, corner.x + label - ui.px(4), corner.y + height);
+  const float y = corner.y + 0.5f * (height - ImGui::GetFontSize());
+  draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), ImVec2(corner.x, y), packed(ui.theme.textQuiet), text.label,
+               nullptr, 0.0f, &clip);
+  ImGui::SetCursorScreenPos(ImVec2(corner.x + label, corner.y));
+  return {all - label, height};
+}
+
+void endRow(Ui& ui, const RowText& text, ImVec2 min, ImVec2 max) {
+  ui.probe.record(text.id, min, max);
+  const float left = ImGui::GetWindowPos().x + ImGui::GetStyle().WindowPadding.x;
+  if (!ImGui::IsAnyItemActive()) tooltipFor(ui, text.id.c_str(), ImVec2(left, min.y), max, text.tooltip);
+}
+
+void tooltipFor(Ui& ui, const char* id, ImVec2 min, ImVec2 max, const char* text) {
+  if (!*text) return;
+  const ImGuiID key = ImGui::GetID(id);
+  FieldMemory& memory = ui.memory;
+  if (!ImGui::IsWindowHovered() || !ImGui::IsMouseHoveringRect(min, max)) {
+    if (memory.restingOn == key) memory.restingOn = 0;
+    return;
+  }
+  if (memory.restingOn != key) {
+    memory.restingOn = key;
+    memory.restingSince = ui.time;
+  }
+  const double rested = ui.time - memory.restingSince;
+  if (rested < kRestSeconds) {
+    ui.wakeWithin(kRestSeconds - rested + 0.01);
+    return;
+  }
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(ui.px(320));
+  ImGui::TextUnformatted(text);
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+bool choiceField(Ui& ui, const RowText& text, std::span<const char* const> names, int& chosen, const char* otherwise) {
+  const FieldRow row = beginRow(ui, text);
+  const ImVec2 min = ImGui::GetCursorScreenPos();
+  const ImVec2 max(min.x + row.width, min.y + row.height);
+  ImGui::PushID(text.id.c_str());
+  ImGui::SetNextItemWidth(row.width);
+  bool changed = false;
+  const char* shown = chosen >= 0 && chosen < static_cast<int>(names.size()) ? names[chosen] : otherwise;
+  if (ImGui::BeginCombo("##choice", shown, ImGuiComboFlags_HeightLarge)) {
+    for (int i = 0; i < static_cast<int>(names.size()); ++i) {
+      if (ImGui::Selectable(names[i], i == chosen)) {
+        changed = i != chosen;
+        chosen = i;
+      }
+      ui.probe.recordItem(text.id + "/" + names[i]);
+    }
+    ImGui::EndCombo();
+  }
+  ImGui::PopID();
+  endRow(ui, text, min, max);
+  return changed;
+}
+
+bool segmentField(Ui& ui, const RowText& text, std::span<const char* const> names, int& chosen) {
+  const FieldRow row = beginRow(ui, text);
+  const ImVec2 min = ImGui::GetCursorScreenPos();
+  const ImVec2 max(min.x + row.width, min.y + row.height);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const float rounding = ImGui::GetStyle().FrameRounding;
+  draw.AddRectFilled(min, max, packed(ui.theme.field), rounding);
+  ImGui::PushID(text.id.c_str());
+  bool changed = false;
+  const float width = row.width / static_cast<float>(names.size());
+  for (int i = 0; i < static_cast<int>(names.size()); ++i) {
+    const ImVec2 a(min.x + width * static_cast<float>(i), min.y), b(a.x + width, max.y);
+    ImGui::SetCursorScreenPos(a);
+    if (ImGui::InvisibleButton(names[i], ImVec2(width, row.height)) && i != chosen) {
+      chosen = i;
+      changed = true;
+    }
+    ui.probe.recordItem(text.id + "/" + names[i]);
+    const bool on = i == chosen;
+    if (on || ImGui::IsItemHovered())
+      draw.AddRectFilled(a, b, packed(on ? ui.theme.fieldFill : ui.theme.fieldHover), rounding);
+    const ImVec2 size = ImGui::CalcTextSize(names[i]);
+    draw.AddText(ImVec2(0.5f * (a.x + b.x - size.x), 0.5f * (a.y + b.y - size.y)),
+                 packed(on ? ui.theme.text : ui.theme.textQuiet), names[i]);
+  }
+  ImGui::PopID();
+  endRow(ui, text, min, max);
+  return changed;
+}
+
+bool switchField(Ui& ui, const RowText& text, bool& value) {
+  static constexpr const char* kNames[] = {"Off", "On"};
+  int chosen = value ? 1 : 0;
+  if (!segmentField(ui, text, kNames, chosen)) return false;
+  value = chosen == 1;
+  return true;
+}
+
+bool textField(Ui& ui, const RowText& text, std::string& value) {
+  const FieldRow row = beginRow(ui, text);
+  const ImVec2 min = ImGui::GetCursorScreenPos();
+  ImGui::PushID(text.id.c_str());
+  ImGui::SetNextItemWidth(row.width);
+  const bool changed = ImGui::InputText("##text", &value);
+  ImGui::PopID();
+  endRow(ui, text, min, ImVec2(min.x + row.width, min.y + row.height));
+  return changed;
+}
+
+bool colourField(Ui& ui, const RowText& text, Rgb& linear) {
+  const FieldRow row = beginRow(ui, text);
+  const ImVec2 min = ImGui::GetCursorScreenPos();
+  ImGui::PushID(text.id.c_str());
+  const ImVec4 display = toDisplayColour(linear);
+  float edited[3] = {display.x, display.y, display.z};
+  bool changed = false;
+  constexpr ImGuiColorEditFlags kFlat = ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoDragDrop;
+  if (ImGui::ColorButton("##swatch", display, kFlat, ImVec2(row.width, row.height))) ImGui::OpenPopup("picker");
+  if (ImGui::BeginPopup("picker")) {
+    ImGui::SetNextItemWidth(ui.px(240));
+    changed = ImGui::ColorPicker3("##picker", edited,
+                                  ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_DisplayRGB |
+                                      ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_PickerHueBar);
+    ui.probe.recordItem(text.id + "/picker");
+    ImGui::EndPopup();
+  }
+  ImGui::PopID();
+  endRow(ui, text, min, ImVec2(min.x + row.width, min.y + row.height));
+  if (changed) linear = toLinearColour(ImVec4(edited[0], edited[1], edited[2], 1.0f));
+  return changed;
+}
+
+void readout(Ui& ui, const RowText& text, const std::string& value) {
+  const FieldRow row = beginRow(ui, text);
+  const ImVec2 min = ImGui::GetCursorScreenPos();
+  const ImVec2 max(min.x + row.width, min.y + row.height);
+  const ImVec2 size = ImGui::CalcTextSize(value.c_str());
+  const float y = min.y + 0.5f * (row.height - size.y);
+  ImGui::GetWindowDrawList()->AddText(ImVec2(max.x - ui.px(8) - size.x, y), packed(ui.theme.text), value.c_str());
+  ImGui::Dummy(ImVec2(row.width, row.height));
+  endRow(ui, text, min, max);
+}
+
+bool button(Ui& ui, const char* id, const char* label, float width, bool enabled, const char* tooltip) {
+  ImGui::PushID(id);
+  if (!enabled) ImGui::BeginDisabled();
+  const bool pressed = ImGui::Button(label, ImVec2(width, 0));
+  if (!enabled) ImGui::EndDisabled();
+  ImGui::PopID();
+  ui.probe.recordItem(id);
+  tooltipFor(ui, id, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), tooltip);
+  return pressed;
+}
+
+bool swatch(Ui& ui, const char* id, const ImVec4& colour, float size, bool selected, const char* tooltip) {
+  const ImVec2 min = ImGui::GetCursorScreenPos();
+  const bool pressed = ImGui::InvisibleButton(id, ImVec2(size, size));
+  const ImVec2 max(min.x + size, min.y + size);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const float inset = ui.px(3);
+  draw.AddRectFilled(ImVec2(min.x + inset, min.y + inset), ImVec2(max.x - inset, max.y - inset), packed(colour),
+                     ui.px(3));
+  if (selected || ImGui::IsItemHovered())
+    draw.AddRect(min, max, packed(selected ? ui.theme.accent : ui.theme.textQuiet), ui.px(5), 0, ui.px(1.5f));
+  ui.probe.record(id, min, max);
+  tooltipFor(ui, id, min, max, tooltip);
+  return pressed;
+}
+
+void heading(Ui& ui, const char* text) {
+  ImGui::Dummy(ImVec2(0, ui.px(2)));
+  ImGui::PushFont(ui.fonts.strong);
+  ImGui::TextUnformatted(text);
+  ImGui::PopFont();
+}
+
+void hint(Ui& ui, const std::string& text) {
+  ImGui::PushFont(ui.fonts.small);
+  ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.textQuiet);
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+  ImGui::PopFont();
+}
+
+}  // namespace loomlight

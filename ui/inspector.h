@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "ui/commands.h"
+#include "ui/crossing_index.h"
+#include "ui/ui.h"
+#include "ui/yarn_section.h"
+
+namespace loomlight {
+
+/// Which page is open and which yarn is looked at.
+struct InspectorView {
+  enum class Page { yarn, fibre, cloth, scene };
+  Page page = Page::yarn;
+  int yarn = 0;
+};
+
+/// Computed beside the fabric, by workers.
+struct InspectorModel {
+  const YarnSection* section = nullptr;  ///< of the yarn looked at; null while unknown
+  double crimpWarp = 0, crimpWeft = 0;
+  bool measured = false;
+  std::vector<ImVec4> yarnColours;  ///< for the display
+};
+
+struct InspectorResult {
+  std::optional<Fabric> fabric;
+  std::optional<Camera> camera;  ///< looking around is no edit of the cloth
+  std::optional<Command> command;
+};
+
+/// Yarn, fibre, cloth and scene. Fields hold the ranges of the file format.
+InspectorResult inspector(Ui& ui, const Fabric& fabric, const InspectorModel& model, InspectorView& view);
+
+// The pages; each returns the fabric after an edit.
+std::optional<Fabric> yarnPage(Ui& ui, const Fabric& fabric, const InspectorModel& model, InspectorView& view);
+std::optional<Fabric> fibrePage(Ui& ui, const Fabric& fabric, const InspectorModel& model, InspectorView& view);
+std::optional<Fabric> clothPage(Ui& ui, const Fabric& fabric, const InspectorModel& model);
+InspectorResult scenePage(Ui& ui, const Fabric& fabric);
+
+/// A swatch for each yarn; a click selects.
+void yarnChooser(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& colours, int& yarn, const char* prefix);
+
+}  // namespace loomlight

@@ -1,0 +1,82 @@
+#include "ui/menu_bar.h"
+
+namespace loomlight {
+namespace {
+
+class Menu {
+ public:
+  explicit Menu(Ui& ui) : ui_(ui) {}
+
+  void item(const char* id, const char* label, const char* keys, Command command, bool enabled = true,
+            bool ticked = false) {
+    if (ImGui::MenuItem(label, keys, ticked, enabled)) chosen_ = command;
+    ui_.probe.recordItem(id);
+  }
+  bool begin(const char* id, const char* label) {
+    const bool open = ImGui::BeginMenu(label);
+    if (!open) ui_.probe.recordItem(id);
+    return open;
+  }
+  std::optional<Command> chosen() const { return chosen_; }
+
+ private:
+  Ui& ui_;
+  std::optional<Command> chosen_;
+};
+
+}  // namespace
+
+std::optional<Command> menuBar(Ui& ui, const MenuModel& model) {
+  Menu menu(ui);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ui.px(8), ui.px(8)));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(12), ui.px(8)));
+  const bool shown = ImGui::BeginMainMenuBar();
+  ImGui::PopStyleVar(2);
+  if (!shown) return std::nullopt;
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(16), ui.px(10)));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(16), ui.px(12)));
+  if (menu.begin("menu.file", "File")) {
+    menu.item("menu.new", "New", "Ctrl+N", Command::newFabric);
+    menu.item("menu.open", "Open\xE2\x80\xA6", "Ctrl+O", Command::open);
+    ImGui::Separator();
+    menu.item("menu.save", "Save", "Ctrl+S", Command::save);
+    menu.item("menu.save_as", "Save as\xE2\x80\xA6", "Ctrl+Shift+S", Command::saveAs);
+    menu.item("menu.save_preset", "Keep as preset", "", Command::savePreset);
+    ImGui::Separator();
+    menu.item("menu.snapshot", "Snapshot\xE2\x80\xA6", "Ctrl+P", Command::snapshot);
+    ImGui::Separator();
+    menu.item("menu.quit", "Quit", "Ctrl+Q", Command::quit);
+    ImGui::EndMenu();
+  }
+  if (menu.begin("menu.edit", "Edit")) {
+    menu.item("menu.undo", "Undo", "Ctrl+Z", Command::undo, model.canUndo);
+    menu.item("menu.redo", "Redo", "Ctrl+Shift+Z", Command::redo, model.canRedo);
+    ImGui::EndMenu();
+  }
+  if (menu.begin("menu.view", "View")) {
+    menu.item("menu.fit", "Show the whole cloth", "F", Command::fitView);
+    menu.item("menu.fit_draft", "Show the whole repeat", "Shift+F", Command::fitDraft);
+    ImGui::Separator();
+    menu.item("menu.panels", "Panels", "Tab", Command::togglePanels, true, model.panelsShown);
+    menu.item("menu.fullscreen", "Full screen", "F11", Command::fullScreen);
+    ImGui::Separator();
+    menu.item("menu.dark", "Dark", "", Command::darkTheme, true, model.darkTheme);
+    menu.item("menu.light", "Light", "", Command::lightTheme, true, !model.darkTheme);
+    ImGui::EndMenu();
+  }
+  if (menu.begin("menu.help", "Help")) {
+    menu.item("menu.keys", "Keys and mouse", "F1", Command::showKeys);
+    menu.item("menu.about", "About Loomlight", "", Command::showAbout);
+    ImGui::EndMenu();
+  }
+  ImGui::PopStyleVar(2);
+  const std::string right = model.title + (model.edited ? "   \xE2\x97\x8F edited" : "");
+  const float width = ImGui::CalcTextSize(right.c_str()).x;
+  ImGui::SameLine(ImGui::GetWindowWidth() - width - ui.px(16));
+  ImGui::TextUnformatted(right.c_str());
+  ui.probe.recordItem("title");
+  ImGui::EndMainMenuBar();
+  return menu.chosen();
+}
+
+}  // namespace loomlight

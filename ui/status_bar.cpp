@@ -1,0 +1,58 @@
+#include "ui/status_bar.h"
+
+#include <fmt/core.h>
+
+#include "ui/fields.h"
+
+namespace loomlight {
+namespace {
+
+void figure(Ui& ui, const char* id, float x, const std::string& text, const char* tooltip, const ImVec4& colour) {
+  const ImVec2 window = ImGui::GetWindowPos();
+  const float y = window.y + 0.5f * (ImGui::GetWindowHeight() - ImGui::GetFontSize());
+  const ImVec2 at(window.x + x, y);
+  ImGui::GetWindowDrawList()->AddText(at, packed(colour), text.c_str());
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  const ImVec2 max(at.x + size.x, at.y + size.y);
+  ui.probe.record(id, at, max);
+  tooltipFor(ui, id, at, max, tooltip);
+}
+
+}  // namespace
+
+void statusBar(Ui& ui, const StatusModel& model) {
+  ImGui::PushFont(ui.fonts.small);
+  const ImVec4& quiet = ui.theme.textQuiet;
+  const float width = ImGui::GetWindowWidth();
+  float x = ui.px(16);
+  if (model.figuresKnown) {
+    figure(ui, "status.mass", x, fmt::format("{:.0f} g/m\xC2\xB2", model.arealMass_g_m2),
+           "Areal mass: what one square metre of this cloth weighs.", quiet);
+    figure(ui, "status.cover", x + ui.px(88), fmt::format("cover {:.0f} %", model.coverPercent),
+           "How much of the area yarns hide when the cloth is seen flat, from straight above.", quiet);
+    figure(ui, "status.thickness", x + ui.px(184), fmt::format("{:.2f} mm thick", model.thickness_mm),
+           "From the lowest to the highest fibre, loose hairs left out.", quiet);
+    figure(ui, "status.float", x + ui.px(304),
+           fmt::format("longest float {} ({:.1f} mm)", model.longestFloat, model.longestFloat_mm),
+           "The most crossings that a thread passes over or under without interlacing: long ones snag.", quiet);
+  }
+  // The place is reserved, so a warning that appears moves nothing.
+  std::string warning = model.warning;
+  if (model.moreWarnings > 0) warning += fmt::format("  (+{})", model.moreWarnings);
+  const float right = width - ui.px(330), left = x + ui.px(520);
+  if (!warning.empty() && right > left) {
+    const ImVec2 window = ImGui::GetWindowPos();
+    ImGui::PushClipRect(ImVec2(window.x + left, window.y),
+                        ImVec2(window.x + right, window.y + ImGui::GetWindowHeight()), true);
+    figure(ui, "status.warning", left, warning, warning.c_str(), ui.theme.warning);
+    ImGui::PopClipRect();
+  }
+  figure(ui, "status.work", width - ui.px(314), model.work, "What the workers behind the picture are doing.", quiet);
+  figure(ui, "status.samples", width - ui.px(150), fmt::format("{} spp", model.samples),
+         "Samples per pixel: light paths traced through every pixel. More is smoother.", quiet);
+  figure(ui, "status.seconds", width - ui.px(72), fmt::format("{:.1f} s", model.seconds),
+         "Time since this picture was begun.", quiet);
+  ImGui::PopFont();
+}
+
+}  // namespace loomlight

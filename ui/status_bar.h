@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+#include "ui/ui.h"
+
+namespace loomlight {
+
+/// One line of figures. Each has its place, so that a number that changes moves no other.
+struct StatusModel {
+  double arealMass_g_m2 = 0;
+  double coverPercent = 0;
+  int longestFloat = 0;
+  double longestFloat_mm = 0;
+  double thickness_mm = 0;
+  std::string warning;  ///< the most important one about the cloth; empty when all is well
+  int moreWarnings = 0;
+  int samples = 0;
+  double seconds = 0;
+  std::string work;  ///< what the workers do: "tracing", "building 40 %", "converged"
+  bool figuresKnown = false;
+};
+
+void statusBar(Ui& ui, const StatusModel& model);
+
+}  // namespace loomlight

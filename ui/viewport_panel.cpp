@@ -1,0 +1,151 @@
+#include "ui/viewport_panel.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "ui/camera_moves.h"
+#include "ui/choices.h"
+#include "ui/fields.h"
+
+namespace loomlight {
+namespace {
+
+/// A label on the picture that reads on any cloth.
+void pill(Ui& ui, ImVec2 corner, const std::string& text, const ImVec4& colour) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  const float pad = ui.px(8);
+  draw.AddRectFilled(corner, ImVec2(corner.x + size.x + 2 * pad, corner.y + size.y + pad), IM_COL32(18, 18, 19, 205),
+                     ui.px(4));
+  draw.AddText(ImVec2(corner.x + pad, corner.y + 0.5f * pad), packed(colour), text.c_str());
+}
+
+std::optional<Camera> mouseMoves(const Camera& camera, ViewportView& view, ImVec2 min, ImVec2 max) {
+  const ImGuiIO& io = ImGui::GetIO();
+  std::optional<Camera> moved;
+  if (ImGui::IsItemHovered() && io.MouseWheel != 0) {
+    const double x = io.MousePos.x - 0.5 * (min.x + max.x), y = io.MousePos.y - 0.5 * (min.y + max.y);
+    moved = zoomed(camera, io.MouseWheel, x, y, view.height);
+  }
+  if (!ImGui::IsItemActive()) {
+    view.drag = ViewportView::Drag::none;
+    return moved;
+  }
+  const bool space = ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_Space));
+  if (view.drag == ViewportView::Drag::none) {
+    const bool pan = io.MouseDown[ImGuiMouseButton_Middle] || io.KeyShift || space;
+    view.drag = pan ? ViewportView::Drag::pan : ViewportView::Drag::orbit;
+    return moved;
+  }
+  if (io.MouseDelta.x == 0 && io.MouseDelta.y == 0) return moved;
+  const Camera from = moved ? *moved : camera;
+  return view.drag == ViewportView::Drag::pan ? panned(from, io.MouseDelta.x, io.MouseDelta.y, view.height)
+                                              : orbited(from, io.MouseDelta.x, io.MouseDelta.y);
+}
+
+void drawOverlays(Ui& ui, const ViewportModel& model, ImVec2 min, ImVec2 max) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const float edge = ui.px(8);
+  if (model.building) {
+    const float along = min.x + static_cast<float>(model.buildProgress) * (max.x - min.x);
+    draw.AddRectFilled(min, ImVec2(along, min.y + ui.px(3)), packed(ui.theme.accent));
+  }
+  if (!model.picture) {
+    const char* text = "Building the cloth\xE2\x80\xA6";
+    const ImVec2 size = ImGui::CalcTextSize(text);
+    pill(ui, ImVec2(0.5f * (min.x + max.x - size.x), 0.5f * (min.y + max.y - size.y)), text, Theme::dark().text);
+  }
+  if (!model.error.empty()) pill(ui, ImVec2(min.x + edge, min.y + edge), model.error, Theme::dark().warning);
+  if (model.under) {
+    const float y = max.y - edge - ImGui::GetFontSize() - ui.px(8);
+    pill(ui, ImVec2(min.x + edge, y),
+         fmt::format("End {}, pick {}  \xC2\xB7  {}", model.under->end + 1, model.under->pick + 1, model.underYarn),
+         Theme::dark().text);
+  }
+}
+
+/// The strip below the picture: what is changed most often while looking.
+std::optional<Fabric> quickChoices(Ui& ui, const Fabric& fabric, ViewportView& view) {
+  std::optional<Fabric> edited;
+  const float gap = ui.px(16), all = ImGui::GetContentRegionAvail().x;
+  const float width = std::min(ui.px(220), (all - ui.px(64) - 3 * gap) / 3);
+  const float y = ImGui::GetCursorPosY();
+  auto column = [&](const char* id, int index, auto&& content) {
+    ImGui::SetCursorPos(ImVec2(ImGui::GetStyle().WindowPadding.x + static_cast<float>(index) * (width + gap), y));
+    ImGui::BeginChild(id, ImVec2(width, ImGui::GetFrameHeight()), false, ImGuiWindowFlags_NoScrollbar);
+    content();
+    ImGui::EndChild();
+  };
+  column("light", 0, [&] {
+    int kind = static_cast<int>(fabric.light.kind);
+    if (choiceField(ui, {"view.light", "Light", "What shines on the cloth"}, lightNames(), kind)) {
+      edited = fabric;
+      edited->light.kind = static_cast<LightKind>(kind);
+    }
+  });
+  column("drape", 1, [&] {
+    int kind = static_cast<int>(fabric.drape.kind);
+    const auto names = drapeNames(fabric.drape);
+    if (choiceField(ui, {"view.drape", "Drape", "The surface the cloth lies on"}, names, kind)) {
+      edited = fabric;
+      edited->drape.kind = static_cast<DrapeKind>(kind);
+      view.fitWanted = true;
+    }
+  });
+  column("exposure", 2, [&] {
+    NumberStyle style;
+    style.unit = "EV";
+    style.min = -8;
+    style.max = 8;
+    style.decimals = 1;
+    style.perPixel = 0.02;
+    numberField(ui,
+                {"view.exposure", "Exposure",
+                 "Brightness of the display, in stops: +1 is twice as bright. It "
+                 "changes neither the light nor the cloth."},
+                style, view.exposure_stops);
+  });
+  ImGui::SetCursorPos(ImVec2(ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - ui.px(56), y));
+  if (button(ui, "view.fit", "Fit", ui.px(56), true, "Show the whole cloth (F)")) view.fitWanted = true;
+  return edited;
+}
+
+}  // namespace
+
+ViewportEdit viewportPanel(Ui& ui, const Fabric& fabric, const ViewportModel& model, ViewportView& view) {
+  ViewportEdit edit;
+  const ImVec2 min = ImGui::GetWindowPos();
+  const float strip = ImGui::GetFrameHeight() + ui.px(16);
+  const ImVec2 max(min.x + ImGui::GetWindowWidth(), min.y + ImGui::GetWindowHeight() - strip);
+  const ImVec2 size(std::max(max.x - min.x, 1.0f), std::max(max.y - min.y, 1.0f));
+  view.width = static_cast<int>(size.x);
+  view.height = static_cast<int>(size.y);
+
+  ImGui::SetCursorScreenPos(min);
+  ImGui::InvisibleButton("cloth", size, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
+  ui.probe.recordItem("viewport");
+  edit.camera = mouseMoves(fabric.camera, view, min, max);
+  view.pointer.reset();
+  if (ImGui::IsItemHovered() && view.drag == ViewportView::Drag::none) {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    view.pointer = ImVec2((mouse.x - min.x) / size.x, (mouse.y - min.y) / size.y);
+  }
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.PushClipRect(min, max, true);
+  draw.AddRectFilled(min, max, packed(ui.theme.surround));
+  if (model.picture) draw.AddImage(model.picture, min, ImVec2(min.x + size.x, min.y + size.y));
+  drawOverlays(ui, model, min, max);
+  draw.PopClipRect();
+
+  ImGui::SetCursorScreenPos(ImVec2(min.x + ImGui::GetStyle().WindowPadding.x, max.y + ui.px(8)));
+  edit.fabric = quickChoices(ui, fabric, view);
+  if (view.fitWanted) {
+    const Fabric& shown = edit.fabric ? *edit.fabric : fabric;
+    edit.camera = fitted(shown.camera, shown.drape, size.x / size.y, model.meshRadius_mm);
+    view.fitWanted = false;
+  }
+  return edit;
+}
+
+}  // namespace loomlight

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "ui/crossing_index.h"
+#include "ui/ui.h"
+
+namespace loomlight {
+
+/// What the panel shows; put together by the editor each frame.
+struct ViewportModel {
+  ImTextureID picture = nullptr;       ///< of the display, as many pixels as the panel asked for; null: none yet
+  std::optional<CrossingIndex> under;  ///< crossing under the mouse
+  std::string underYarn;               ///< name of the yarn seen there
+  bool building = false;
+  double buildProgress = 1;
+  std::string error;          ///< why the newest fabric cannot be shown; empty if it can
+  double meshRadius_mm = 50;  ///< for fitting a mesh drape into view
+};
+
+/// How the picture is looked at; kept between frames, no part of the fabric.
+struct ViewportView {
+  double exposure_stops = 0;
+  bool filmic = true;
+  bool fitWanted = false;         ///< frame the whole cloth at the next frame
+  int width = 0, height = 0;      ///< pixels that the picture should have
+  std::optional<ImVec2> pointer;  ///< mouse over the picture, 0..1 from the top left
+  enum class Drag { none, orbit, pan };
+  Drag drag = Drag::none;
+};
+
+struct ViewportEdit {
+  std::optional<Camera> camera;  ///< looking around is no edit of the cloth
+  std::optional<Fabric> fabric;
+};
+
+/// The cloth: orbit, pan, zoom, exposure, and quick choices of light and drape.
+ViewportEdit viewportPanel(Ui& ui, const Fabric& fabric, const ViewportModel& model, ViewportView& view);
+
+}  // namespace loomlight

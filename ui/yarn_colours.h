@@ -1,0 +1,15 @@
+#pragma once
+
+#include <imgui.h>
+
+#include <vector>
+
+#include "core/fabric/fabric.h"
+
+namespace loomlight {
+
+/// How each yarn of the fabric looks in a thick mass, for swatches and drafts: display colours from the absorption of
+/// its fibre.
+std::vector<ImVec4> yarnColours(const Fabric& fabric);
+
+}  // namespace loomlight

@@ -1,0 +1,64 @@
+#include "ui/yarn_section.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace loomlight {
+namespace {
+
+/// The longest of 1, 2, 5, 10... micrometres that is no longer than this.
+double roundLength_um(double longest_um) {
+  const double decade = std::pow(10.0, std::floor(std::log10(longest_um)));
+  const double digits = longest_um / decade;
+  return decade * (digits >= 5 ? 5 : digits >= 2 ? 2 : 1);
+}
+
+void drawScaleBar(Ui& ui, ImVec2 max, double pixelsPerMm) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const double length_um = roundLength_um(1000.0 * ui.px(72) / pixelsPerMm);
+  const float length = static_cast<float>(length_um * 1e-3 * pixelsPerMm);
+  const std::string text =
+      length_um >= 1000 ? fmt::format("{:g} mm", length_um / 1000) : fmt::format("{:g} \xC2\xB5m", length_um);
+  const float y = max.y - ui.px(8), x = max.x - ui.px(10);
+  draw.AddLine(ImVec2(x - length, y), ImVec2(x, y), packed(ui.theme.textQuiet), ui.px(1.5f));
+  ImGui::PushFont(ui.fonts.small);
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  draw.AddText(ImVec2(x - size.x, y - size.y - ui.px(3)), packed(ui.theme.textQuiet), text.c_str());
+  ImGui::PopFont();
+}
+
+}  // namespace
+
+void drawYarnSection(Ui& ui, const YarnSection& section, const ImVec4& fibreColour, float height) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const ImVec2 min = ImGui::GetCursorScreenPos();
+  const ImVec2 max(min.x + ImGui::GetContentRegionAvail().x, min.y + height);
+  ImGui::Dummy(ImVec2(max.x - min.x, height));
+  ui.probe.recordItem("yarn.section");
+  draw.AddRectFilled(min, max, packed(ui.theme.field), ui.px(4));
+  if (section.points.empty() || section.halfWidth_mm <= 0) return;
+
+  const double room = 0.86;
+  const double pixelsPerMm =
+      room * 0.5 * std::min((max.x - min.x) / section.halfWidth_mm, (max.y - min.y) / section.halfHeight_mm);
+  const ImVec2 centre(0.5f * (min.x + max.x), 0.5f * (min.y + max.y));
+  const float radius = std::max(0.75f, static_cast<float>(section.fibreRadius_mm * pixelsPerMm));
+  const int segments = radius < 3 ? 6 : radius < 8 ? 12 : 24;
+  // Neighbouring fibres of one colour would run together: a darker rim keeps each one apart.
+  const ImVec4 rim(fibreColour.x * 0.55f, fibreColour.y * 0.55f, fibreColour.z * 0.55f, 1.0f);
+  draw.PushClipRect(min, max, true);
+  for (const YarnSection::Point& point : section.points) {
+    const ImVec2 at(centre.x + static_cast<float>(point.at_mm.x * pixelsPerMm),
+                    centre.y - static_cast<float>(point.at_mm.y * pixelsPerMm));
+    draw.AddCircleFilled(at, radius, packed(rim, point.hair ? 0.5f : 1.0f), segments);
+    if (radius > 1.5f)
+      draw.AddCircleFilled(at, radius - std::max(0.75f, 0.12f * radius), packed(fibreColour, point.hair ? 0.5f : 1.0f),
+                           segments);
+  }
+  draw.PopClipRect();
+  drawScaleBar(ui, max, pixelsPerMm);
+}
+
+}  // namespace loomlight

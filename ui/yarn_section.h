@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "ui/ui.h"
+
+namespace loomlight {
+
+/// Where the fibres of a yarn cut its cross-section, in the cloth: the very strands that are voxelised.
+struct YarnSection {
+  struct Point {
+    glm::vec2 at_mm{0};  ///< across the yarn, and up
+    uint8_t ply = 0;
+    bool hair = false;
+  };
+  std::vector<Point> points;
+  double fibreRadius_mm = 0;
+  double halfWidth_mm = 0, halfHeight_mm = 0;
+};
+
+/// Draws it to scale, `height` pixels high over the width of the panel, with a scale bar.
+void drawYarnSection(Ui& ui, const YarnSection& section, const ImVec4& fibreColour, float height);
+
+}  // namespace loomlight
