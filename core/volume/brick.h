@@ -23,11 +23,21 @@ class Brick {
     uint32_t first = 0;
     bool operator==(const Block&) const = default;
   };
+  /// Blocks are counted from the corner of each cell, and the last ones of a cell may be cut by its edge: so the blocks
+  /// of all bricks that reach into a cell coincide, and a traversal can test them together.
   struct Level {
-    glm::ivec3 lower{0};   ///< first voxel, in voxels of this level
+    glm::ivec3 cell{1};    ///< voxels of one cell
+    glm::ivec3 lower{0};   ///< first block
     glm::ivec3 blocks{0};  ///< extent, in blocks
     std::vector<Block> grid;
     std::vector<Component> components;
+
+    glm::ivec3 blocksPerCell() const { return (cell + 3) >> 2; }
+    /// Null where there is none.
+    const Block* block(glm::ivec3 b) const { return blockFromLower(b - lower); }
+    const Block* blockFromLower(glm::ivec3 b) const;
+    /// The components of a voxel of a block, by its number x + 4 y + 16 z there.
+    std::span<const Component> at(const Block& block, int voxel) const;
     /// See Brick::at.
     std::span<const Component> at(glm::ivec3 v) const;
     bool operator==(const Level&) const = default;
@@ -53,19 +63,30 @@ class Brick {
   size_t segments_ = 0;
 };
 
-inline std::span<const Component> Brick::Level::at(glm::ivec3 v) const {
-  v -= lower;
-  const glm::ivec3 b(v.x >> 2, v.y >> 2, v.z >> 2);
+inline const Brick::Block* Brick::Level::blockFromLower(glm::ivec3 b) const {
   if (static_cast<unsigned>(b.x) >= static_cast<unsigned>(blocks.x) ||
       static_cast<unsigned>(b.y) >= static_cast<unsigned>(blocks.y) ||
       static_cast<unsigned>(b.z) >= static_cast<unsigned>(blocks.z))
-    return {};
-  const Block& block = grid[(b.z * blocks.y + b.y) * blocks.x + b.x];
-  const uint64_t bit = uint64_t{1} << ((v.x & 3) | (v.y & 3) << 2 | (v.z & 3) << 4);
+    return nullptr;
+  return &grid[(b.z * blocks.y + b.y) * blocks.x + b.x];
+}
+
+inline std::span<const Component> Brick::Level::at(const Block& block, int voxel) const {
+  const uint64_t bit = uint64_t{1} << voxel;
   if (!(block.occupied & bit)) return {};
   const uint64_t below = bit - 1;
   const auto index = block.first + std::popcount(block.occupied & below) + std::popcount(block.second & below);
   return {components.data() + index, block.second & bit ? size_t{2} : size_t{1}};
+}
+
+inline std::span<const Component> Brick::Level::at(glm::ivec3 v) const {
+  const auto cellOf = [](int i, int size) { return i < 0 ? -1 : i >= size ? 1 : 0; };
+  const glm::ivec3 neighbour(cellOf(v.x, cell.x), cellOf(v.y, cell.y), 0);
+  v -= neighbour * cell;
+  if (glm::any(glm::lessThan(v, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(v, cell))) return {};
+  const Block* b = block((v >> 2) + neighbour * blocksPerCell());
+  if (!b) return {};
+  return at(*b, (v.x & 3) | (v.y & 3) << 2 | (v.z & 3) << 4);
 }
 
 }  // namespace loomlight

@@ -17,6 +17,7 @@ ClothVolume::ClothVolume(std::shared_ptr<const ClothGeometry> geometry, int reso
   cells_ = {geometry_->ends(), geometry_->picks(), 1};
   cell_mm_ = {geometry_->warpPitch_mm(), geometry_->weftPitch_mm(), -2.0 * grid_.zLower_mm};
   voxel_mm_ = cell_mm_ / glm::dvec3(grid_.cell);
+  perVoxel_ = 1.0 / voxel_mm_;
 }
 
 std::shared_ptr<const ClothVolume> ClothVolume::build(std::shared_ptr<const ClothGeometry> geometry, int resolution,
@@ -89,7 +90,7 @@ bool ClothVolume::makeBricks(const ClothVolume* previous, const Task& task) {
   for (size_t i = 0; i < missing.size(); ++i) needed[missing[i]] = std::move(made[i]);
   bricks_ = std::move(needed);
   for (TileMap& tiles : tiles_)
-    for (const TileMap::Need& need : tiles.needs()) tiles.place(need.slot, *bricks_[need.key], grid_);
+    for (const TileMap::Need& need : tiles.needs()) tiles.place(need.slot, *bricks_[need.key]);
   return true;
 }
 
@@ -118,7 +119,9 @@ glm::vec3 ClothVolume::upper_mm() const {
 
 const Brick& ClothVolume::brick(System system, int pick, int end) const {
   const bool warp = system == System::warp;
-  return *tiles_[static_cast<int>(system)].at(warp ? end : pick, warp ? pick : end).brick;
+  const TileMap& tiles = tiles_[static_cast<int>(system)];
+  const int along = warp ? pick : end;
+  return *tiles.at(warp ? end : pick, along, along % tiles.repeatAlong()).brick;
 }
 
 void ClothVolume::contentAt(glm::vec3 point, VoxelContent& content, int level) const {
@@ -136,7 +139,7 @@ void ClothVolume::contentAt(glm::vec3 point, VoxelContent& content, int level) c
   content.voxel = cell * grid_.cellAt(level) + voxel;
   Reaches reaches;
   gather(cell.y, cell.x, level, reaches);
-  look(reaches, voxel, content);
+  if (openBlock(reaches, voxel >> 2) != 0) look(reaches, numberInBlock(voxel), content);
 }
 
 }  // namespace loomlight

@@ -74,7 +74,8 @@ class ClothVolume {
   /// A brick that reaches into the current cell.
   struct Reach {
     const Brick::Level* level;
-    glm::ivec3 shift;  ///< from voxels of the cell to those of the brick
+    const Brick::Block* block;  ///< of the current 4 x 4 x 4 voxels; null where the brick has none
+    glm::ivec3 shift;           ///< from blocks of the cell to those of the brick
     System system;
     int index;
   };
@@ -82,6 +83,7 @@ class ClothVolume {
     int count = 0;
     Reach entries[VoxelContent::kMaxParts];
   };
+  class Walk;
   struct KeyHash {
     size_t operator()(const CellKey& key) const { return hash(key); }
   };
@@ -95,12 +97,16 @@ class ClothVolume {
   /// All bricks with voxels in a cell of the piece.
   void gather(int pick, int end, int level, Reaches& reaches) const;
   void gather(System system, int across, int along, int level, Reaches& reaches) const;
-  /// Fills in count and parts of the voxel (in its cell) that content.pick and .end name.
-  static void look(const Reaches& reaches, glm::ivec3 voxelInCell, VoxelContent& content);
+  /// Goes to a block of the cell; which of its voxels hold anything.
+  static uint64_t openBlock(Reaches& reaches, glm::ivec3 block);
+  /// Fills in count and parts: a voxel of the open block.
+  static void look(const Reaches& reaches, int voxel, VoxelContent& content);
+  static int numberInBlock(glm::ivec3 v) { return (v.x & 3) | (v.y & 3) << 2 | (v.z & 3) << 4; }
 
   std::shared_ptr<const ClothGeometry> geometry_;
   VoxelGrid grid_;
   glm::dvec3 cell_mm_{1};   ///< pitches, and the thickness of all layers
+  glm::dvec3 perVoxel_{1};  ///< 1 / voxel_mm_
   glm::dvec3 voxel_mm_{1};  ///< grid().size_mm unrounded: cells of a wide cloth must not drift against the geometry's
   glm::ivec3 cells_{1};     ///< ends, picks, 1
   std::array<TileMap, 2> tiles_;

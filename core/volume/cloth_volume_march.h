@@ -13,21 +13,22 @@ namespace loomlight {
 inline void ClothVolume::gather(System system, int across, int along, int level, Reaches& reaches) const {
   const TileMap& tiles = tiles_[static_cast<int>(system)];
   const int axis = system == System::warp ? 0 : 1;
+  const int inRepeat = along % tiles.repeatAlong();
   const auto add = [&](const TileMap::Slot& slot, int neighbour) {
     Reach& reach = reaches.entries[reaches.count++];
     reach.level = &slot.brick->level(level);
-    reach.shift = glm::ivec3(0);
-    reach.shift[axis] = -neighbour * grid_.cellAt(level)[axis];
+    reach.shift = -reach.level->lower;
+    reach.shift[axis] -= neighbour * reach.level->blocksPerCell()[axis];
     reach.system = system;
     reach.index = across + neighbour;
   };
-  add(tiles.at(across, along), 0);
+  add(tiles.at(across, along, inRepeat), 0);
   if (tiles.anyReachesAbove() && across > 0) {
-    const TileMap::Slot& slot = tiles.at(across - 1, along);
+    const TileMap::Slot& slot = tiles.at(across - 1, along, inRepeat);
     if (slot.reachesAbove) add(slot, -1);
   }
   if (tiles.anyReachesBelow() && across + 1 < cells_[axis]) {
-    const TileMap::Slot& slot = tiles.at(across + 1, along);
+    const TileMap::Slot& slot = tiles.at(across + 1, along, inRepeat);
     if (slot.reachesBelow) add(slot, 1);
   }
 }
@@ -38,87 +39,175 @@ inline void ClothVolume::gather(int pick, int end, int level, Reaches& reaches) 
   gather(System::weft, pick, end, level, reaches);
 }
 
-inline void ClothVolume::look(const Reaches& reaches, glm::ivec3 voxelInCell, VoxelContent& content) {
+inline uint64_t ClothVolume::openBlock(Reaches& reaches, glm::ivec3 block) {
+  uint64_t occupied = 0;
+  for (int i = 0; i < reaches.count; ++i) {
+    Reach& reach = reaches.entries[i];
+    reach.block = reach.level->blockFromLower(block + reach.shift);
+    if (reach.block) occupied |= reach.block->occupied;
+  }
+  return occupied;
+}
+
+inline void ClothVolume::look(const Reaches& reaches, int voxel, VoxelContent& content) {
   int count = 0;
   for (int i = 0; i < reaches.count; ++i) {
     const Reach& reach = reaches.entries[i];
-    const std::span<const Component> components = reach.level->at(voxelInCell + reach.shift);
-    if (components.empty()) continue;
-    content.parts[count++] = {components, reach.system, reach.index};
+    if (!reach.block) continue;
+    const std::span<const Component> components = reach.level->at(*reach.block, voxel);
+    if (!components.empty()) content.parts[count++] = {components, reach.system, reach.index};
   }
   content.count = count;
 }
 
+/// A ray on its way through the voxels of a piece; march() is its loop.
+class ClothVolume::Walk {
+ public:
+  Walk(const ClothVolume& volume, glm::vec3 origin, glm::vec3 direction, int level)
+      : volume_(volume), level_(level), perCell_(volume.grid_.cellAt(level)), o_(origin), d_(direction) {
+    o_.z -= volume.grid_.zLower_mm;
+  }
+
+  /// Clips [t, tEnd] to the piece; false if nothing is left.
+  bool clip(double& t, double& tEnd) {
+    const glm::dvec3 size = volume_.cell_mm_ * glm::dvec3(volume_.cells_);
+    for (int axis = 0; axis < 3; ++axis) {
+      if (d_[axis] == 0) {
+        if (!(o_[axis] >= 0 && o_[axis] < size[axis])) return false;
+        continue;
+      }
+      inverse_[axis] = 1 / d_[axis];
+      const double a = -o_[axis] * inverse_[axis], b = (size[axis] - o_[axis]) * inverse_[axis];
+      t = std::max(t, std::min(a, b));
+      tEnd = std::min(tEnd, std::max(a, b));
+    }
+    return t < tEnd;
+  }
+
+  /// Goes to the voxel at t.
+  void start(double t) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const double position = o_[axis] + t * d_[axis];
+      cell[axis] = std::clamp(static_cast<int>(position / volume_.cell_mm_[axis]), 0, volume_.cells_[axis] - 1);
+      enterCell(axis);
+      voxel[axis] = voxelAt(axis, t);
+      tNext[axis] = faceAhead(axis, voxel[axis]);
+    }
+  }
+
+  /// Crosses the face ahead in an axis; false if this leaves the piece.
+  bool step(int axis) { return moveTo(axis, voxel[axis] + (d_[axis] > 0 ? 1 : -1)); }
+
+  /// Leaves the block of 4 x 4 x 4 voxels; t becomes where. False if this leaves the piece or passes tEnd.
+  bool leaveBlock(double& t, double tEnd, int& axis) {
+    glm::ivec3 last;
+    glm::dvec3 exit;
+    for (int i = 0; i < 3; ++i) {
+      last[i] = d_[i] > 0 ? std::min(voxel[i] | 3, perCell_[i] - 1) : voxel[i] & ~3;
+      exit[i] = faceAhead(i, last[i]);
+    }
+    axis = nearest(exit);
+    if (!(exit[axis] < tEnd)) return false;
+    t = std::max(t, exit[axis]);
+    for (int i = 0; i < 3; ++i) {
+      if (i == axis) continue;
+      // Never back, nor out of the block, whatever rounding says.
+      const int reached = voxelAt(i, t);
+      voxel[i] = d_[i] > 0 ? std::clamp(reached, voxel[i], last[i]) : std::clamp(reached, last[i], voxel[i]);
+      tNext[i] = faceAhead(i, voxel[i]);
+    }
+    return moveTo(axis, last[axis] + (d_[axis] > 0 ? 1 : -1));
+  }
+
+  static int nearest(glm::dvec3 t) {
+    const int axis = t.y < t.x ? 1 : 0;
+    return t.z < t[axis] ? 2 : axis;
+  }
+
+  glm::ivec3 cell{0}, voxel{0};  ///< voxel: of the level, in its cell
+  glm::dvec3 tNext{0};           ///< of the faces ahead
+
+ private:
+  void enterCell(int axis) { inCell_[axis] = o_[axis] - cell[axis] * volume_.cell_mm_[axis]; }
+
+  int voxelAt(int axis, double t) const {
+    const double leaf = (inCell_[axis] + t * d_[axis]) * volume_.perVoxel_[axis];
+    return std::clamp(static_cast<int>(leaf), 0, volume_.grid_.cell[axis] - 1) >> level_;
+  }
+
+  double faceAhead(int axis, int v) const {
+    if (d_[axis] == 0) return std::numeric_limits<double>::infinity();
+    const int leaf = d_[axis] > 0 ? std::min((v + 1) << level_, volume_.grid_.cell[axis]) : v << level_;
+    return (leaf * volume_.voxel_mm_[axis] - inCell_[axis]) * inverse_[axis];
+  }
+
+  bool moveTo(int axis, int v) {
+    cellChanged = static_cast<unsigned>(v) >= static_cast<unsigned>(perCell_[axis]);
+    if (cellChanged) {
+      const bool up = v > 0;
+      cell[axis] += up ? 1 : -1;
+      if (static_cast<unsigned>(cell[axis]) >= static_cast<unsigned>(volume_.cells_[axis])) return false;
+      v = up ? 0 : perCell_[axis] - 1;
+      enterCell(axis);
+    }
+    voxel[axis] = v;
+    tNext[axis] = faceAhead(axis, v);
+    return true;
+  }
+
+  const ClothVolume& volume_;
+  int level_;
+  glm::ivec3 perCell_;
+  // In double: at the far side of a wide cloth a float's step is no longer small beside a voxel.
+  glm::dvec3 o_, d_, inverse_{0}, inCell_{0};
+
+ public:
+  bool cellChanged = false;
+};
+
 template <class Visit>
 bool ClothVolume::march(glm::vec3 origin, glm::vec3 direction, float t0, float t1, Visit&& visit, int level) const {
-  // In double: at the far side of a wide cloth a float's step is no longer small beside a voxel.
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   if (!(t0 < t1) || !std::isfinite(glm::dot(origin, glm::vec3(1)) + glm::dot(direction, glm::vec3(1)))) return true;
-  const glm::dvec3 o(origin.x, origin.y, static_cast<double>(origin.z) - grid_.zLower_mm), d(direction);
-  const glm::dvec3 size = cell_mm_ * glm::dvec3(cells_);
-  glm::dvec3 inverse(0), tNext(kInfinity);
   double t = std::max(t0, std::numeric_limits<float>::lowest()), tEnd = t1;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (d[axis] == 0) {
-      if (!(o[axis] >= 0 && o[axis] < size[axis])) return true;
-      continue;
-    }
-    inverse[axis] = 1 / d[axis];
-    const double a = -o[axis] * inverse[axis], b = (size[axis] - o[axis]) * inverse[axis];
-    t = std::max(t, std::min(a, b));
-    tEnd = std::min(tEnd, std::max(a, b));
-  }
-  if (!(t < tEnd)) return true;
+  Walk walk(*this, origin, direction, level);
+  if (!walk.clip(t, tEnd)) return true;
+  walk.start(t);
 
   const glm::ivec3 perCell = grid_.cellAt(level);
-  glm::ivec3 cell, voxel;  // voxel: of the level, in its cell
-  glm::dvec3 inCell;       // the origin, from the corner of the current cell
-  const auto enterCell = [&](int axis) { inCell[axis] = o[axis] - cell[axis] * cell_mm_[axis]; };
-  const auto nextFace = [&](int axis) {
-    const int leaf = d[axis] > 0 ? std::min((voxel[axis] + 1) << level, grid_.cell[axis]) : voxel[axis] << level;
-    return (leaf * voxel_mm_[axis] - inCell[axis]) * inverse[axis];
-  };
-  for (int axis = 0; axis < 3; ++axis) {
-    const double start = o[axis] + t * d[axis];
-    cell[axis] = std::clamp(static_cast<int>(start / cell_mm_[axis]), 0, cells_[axis] - 1);
-    enterCell(axis);
-    const double leaf = (start - cell[axis] * cell_mm_[axis]) / voxel_mm_[axis];
-    voxel[axis] = std::clamp(static_cast<int>(leaf), 0, grid_.cell[axis] - 1) >> level;
-    if (d[axis] != 0) tNext[axis] = nextFace(axis);
-  }
-
   VoxelContent content;
   Reaches reaches;
-  content.end = cell.x;
-  content.pick = cell.y;
-  gather(cell.y, cell.x, level, reaches);
+  const auto enterCell = [&] {
+    content.end = walk.cell.x;
+    content.pick = walk.cell.y;
+    gather(walk.cell.y, walk.cell.x, level, reaches);
+  };
+  enterCell();
+  uint64_t occupied = openBlock(reaches, walk.voxel >> 2);
   for (;;) {
-    int axis = tNext.y < tNext.x ? 1 : 0;
-    if (tNext.z < tNext[axis]) axis = 2;
-    const double tLeave = std::min(tNext[axis], tEnd);
-    // A step of no length is that of a ray through an edge, or one that starts on a face.
-    if (tLeave > t) {
-      look(reaches, voxel, content);
-      const auto enter = static_cast<float>(t), leave = static_cast<float>(tLeave);
-      if (content.count > 0 && enter < leave) {
-        content.voxel = cell * perCell + voxel;
-        if (!visit(static_cast<const VoxelContent&>(content), enter, leave)) return false;
+    int axis = 0, before = 0;
+    if (occupied == 0) {
+      if (!walk.leaveBlock(t, tEnd, axis)) return true;
+      before = -1;
+    } else {
+      axis = Walk::nearest(walk.tNext);
+      const double tLeave = std::min(walk.tNext[axis], tEnd);
+      const int number = numberInBlock(walk.voxel);
+      // A step of no length is that of a ray through an edge, or one that starts on a face.
+      if (occupied >> number & 1 && tLeave > t) {
+        const auto enter = static_cast<float>(t), leave = static_cast<float>(tLeave);
+        if (enter < leave) {
+          look(reaches, number, content);
+          content.voxel = walk.cell * perCell + walk.voxel;
+          if (!visit(static_cast<const VoxelContent&>(content), enter, leave)) return false;
+        }
       }
-      t = tLeave;
+      if (!(walk.tNext[axis] < tEnd)) return true;
+      t = std::max(t, tLeave);
+      before = walk.voxel[axis] >> 2;
+      if (!walk.step(axis)) return true;
     }
-    if (!(tNext[axis] < tEnd)) return true;
-    const int step = d[axis] > 0 ? 1 : -1;
-    voxel[axis] += step;
-    if (static_cast<unsigned>(voxel[axis]) >= static_cast<unsigned>(perCell[axis])) {
-      cell[axis] += step;
-      if (static_cast<unsigned>(cell[axis]) >= static_cast<unsigned>(cells_[axis])) return true;
-      voxel[axis] = step > 0 ? 0 : perCell[axis] - 1;
-      enterCell(axis);
-      content.end = cell.x;
-      content.pick = cell.y;
-      gather(cell.y, cell.x, level, reaches);
-    }
-    tNext[axis] = nextFace(axis);
+    if (walk.cellChanged) enterCell();
+    if (walk.cellChanged || walk.voxel[axis] >> 2 != before) occupied = openBlock(reaches, walk.voxel >> 2);
   }
 }
 

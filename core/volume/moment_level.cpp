@@ -108,8 +108,16 @@ MomentLevel MomentLevel::coarser(const VoxelGrid& grid) const {
 
 Brick::Level MomentLevel::fit(const VoxelGrid& grid) const {
   Brick::Level result;
-  result.lower = lower_;
-  result.blocks = (extent_ + 3) / 4;
+  result.cell = grid.cellAt(level_);
+  const glm::ivec3 perCell = result.blocksPerCell();
+  const auto blockOf = [&](glm::ivec3 v) {
+    const glm::ivec3 cell(floorDivide(v.x, result.cell.x), floorDivide(v.y, result.cell.y), 0);
+    return cell * perCell + ((v - cell * result.cell) >> 2);
+  };
+  if (!heads_.empty()) {
+    result.lower = blockOf(lower_);
+    result.blocks = blockOf(lower_ + extent_ - 1) + 1 - result.lower;
+  }
   result.grid.resize(static_cast<size_t>(result.blocks.x) * result.blocks.y * result.blocks.z);
 
   std::vector<Fitted> fitted;
@@ -119,20 +127,27 @@ Brick::Level MomentLevel::fit(const VoxelGrid& grid) const {
     return std::tie(links_[a].ply, links_[a].material) < std::tie(links_[b].ply, links_[b].material);
   };
   for (int block = 0; block < static_cast<int>(result.grid.size()); ++block) {
-    const glm::ivec3 b(block % result.blocks.x, block / result.blocks.x % result.blocks.y,
-                       block / (result.blocks.x * result.blocks.y));
+    const glm::ivec3 b = result.lower + glm::ivec3(block % result.blocks.x, block / result.blocks.x % result.blocks.y,
+                                                   block / (result.blocks.x * result.blocks.y));
+    const glm::ivec3 cell(floorDivide(b.x, perCell.x), floorDivide(b.y, perCell.y), 0);
+    const glm::ivec3 inCell = 4 * (b - cell * perCell), corner = cell * result.cell + inCell;
+    // What lies in the block, in its cell, and in the box of the moments.
+    const glm::ivec3 first = glm::max(lower_ - corner, 0);
+    const glm::ivec3 end = glm::min(glm::min(lower_ + extent_ - corner, result.cell - inCell), 4);
     for (int bit = 0; bit < 64; ++bit) {
-      const glm::ivec3 v = 4 * b + glm::ivec3(bit & 3, bit >> 2 & 3, bit >> 4);
-      if (v.x >= extent_.x || v.y >= extent_.y || v.z >= extent_.z) continue;
+      const glm::ivec3 offset(bit & 3, bit >> 2 & 3, bit >> 4), v = corner + offset;
+      if (glm::any(glm::lessThan(offset, first)) || glm::any(glm::greaterThanEqual(offset, end))) continue;
+      const int32_t head = heads_[indexOf(v)];
+      if (head < 0) continue;
       chain.clear();
-      for (int32_t i = heads_[indexOf(lower_ + v)]; i >= 0; i = links_[i].next)
+      for (int32_t i = head; i >= 0; i = links_[i].next)
         if (moments_[i].length_mm() > 0) chain.push_back(i);
       std::sort(chain.begin(), chain.end(), byPly);
       parts.clear();
       for (const int32_t i : chain) parts.push_back({moments_[i], links_[i].material});
       if (parts.empty()) continue;
       mergeToTwo(parts);
-      const double volume = grid.volume_mm3(lower_ + v, level_);
+      const double volume = grid.volume_mm3(v, level_);
       for (const Part& part : parts)
         fitted.push_back({fitDistribution(part.moments, volume, part.material), volume, block, bit});
     }

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
+#include <cstdint>
 #include <unordered_map>
 
 #include "core/base/error.h"
@@ -39,9 +41,9 @@ int64_t countOfRemainder(int64_t total, int64_t period, int64_t r) {
 
 TileMap::TileMap(const ClothGeometry& geometry, System system, const Task& task) : system_(system) {
   const bool warp = system == System::warp;
-  yarns_ = warp ? geometry.ends() : geometry.picks();
+  yarnCount_ = warp ? geometry.ends() : geometry.picks();
   cells_ = warp ? geometry.picks() : geometry.ends();
-  repeatAcross_ = std::min(yarns_, warp ? geometry.repeatEnds() : geometry.repeatPicks());
+  repeatAcross_ = std::min(yarnCount_, warp ? geometry.repeatEnds() : geometry.repeatPicks());
   repeatAlong_ = std::min(cells_, warp ? geometry.repeatPicks() : geometry.repeatEnds());
   if (static_cast<double>(repeatAcross_) * repeatAlong_ > kMaxCrossings)
     throw InputError(
@@ -49,7 +51,9 @@ TileMap::TileMap(const ClothGeometry& geometry, System system, const Task& task)
                     "yarn sequences whose lengths divide that of the weave make the repeat shorter",
                     geometry.repeatEnds(), geometry.repeatPicks(), kMaxCrossings));
   const std::vector<CellKey> keys = readClasses(geometry, task);
-  if (!task.stopped()) findNeeds(geometry, keys);
+  if (task.stopped()) return;
+  placeYarns(geometry, keys);
+  findNeeds(geometry, keys);
 }
 
 std::vector<CellKey> TileMap::readClasses(const ClothGeometry& geometry, const Task& task) {
@@ -91,78 +95,82 @@ std::vector<CellKey> TileMap::readClasses(const ClothGeometry& geometry, const T
   return std::move(all.keys);
 }
 
-void TileMap::findNeeds(const ClothGeometry& geometry, const std::vector<CellKey>& keys) {
+void TileMap::placeYarns(const ClothGeometry& geometry, const std::vector<CellKey>& keys) {
   size_t slots = 0;
   for (const CellKey& key : keys) {
-    const int period = std::max(1, geometry.yarn(system_, key.yarn).period);
-    classes_.push_back({static_cast<uint32_t>(slots), static_cast<uint32_t>(period)});
-    slots += static_cast<size_t>(period);
+    firstSlots_.push_back(static_cast<uint32_t>(slots));
+    slots += static_cast<size_t>(geometry.yarn(system_, key.yarn).period);
+    if (slots > UINT32_MAX)
+      throw InputError(
+          fmt::format("the cloth has {} shapes of yarn cells, each in all phases of its twist: expected "
+                      "fewer than 2^32 together",
+                      keys.size()));
   }
-  if (slots > UINT32_MAX)
-    throw InputError(fmt::format(
-        "the cloth has {} shapes of yarn cells in {} phases of twist: expected fewer than 2^32", keys.size(), slots));
   slots_.resize(slots);
-  phases_.resize(yarns_);
-  for (int across = 0; across < yarns_; ++across)
-    phases_[across] = static_cast<uint32_t>(system_ == System::warp ? geometry.phase(system_, 0, across)
-                                                                    : geometry.phase(system_, across, 0));
+  yarns_.resize(yarnCount_);
+  for (int across = 0; across < yarnCount_; ++across) {
+    const auto row = static_cast<uint32_t>(across % repeatAcross_) * static_cast<uint32_t>(repeatAlong_);
+    const int period = geometry.yarn(system_, keys[classAt(row)].yarn).period;
+    const int phase = system_ == System::warp ? geometry.phase(system_, 0, across) : geometry.phase(system_, across, 0);
+    assert(0 <= phase && phase < period && period <= UINT16_MAX);
+    yarns_[across] = {row, static_cast<uint16_t>(phase), static_cast<uint16_t>(period)};
+  }
+}
 
+void TileMap::findNeeds(const ClothGeometry& geometry, const std::vector<CellKey>& keys) {
   // Every phase that a class has in the piece. Once all phases of a class are found its crossings cost nothing more, so
   // the whole is about one visit per crossing of the repeat.
-  std::vector<uint8_t> found(slots, 0);
-  std::vector<uint32_t> foundOf(classes_.size(), 0);
-  std::vector<double> cellsOf(classes_.size(), 0);
+  std::vector<uint8_t> found(slots_.size(), 0);
+  std::vector<uint32_t> foundOf(keys.size(), 0);
+  std::vector<double> cellsOf(keys.size(), 0);
   std::vector<uint32_t> starts;
   for (int residue = 0; residue < repeatAcross_; ++residue) {
     starts.clear();
-    for (int across = residue; across < yarns_; across += repeatAcross_) starts.push_back(phases_[across]);
+    for (int across = residue; across < yarnCount_; across += repeatAcross_) starts.push_back(yarns_[across].phase);
     const auto yarns = static_cast<double>(starts.size());
+    const PlacedYarn& yarn = yarns_[residue];
     std::sort(starts.begin(), starts.end());
     starts.erase(std::unique(starts.begin(), starts.end()), starts.end());
     for (int along = 0; along < repeatAlong_; ++along) {
-      const uint32_t c = classOf(residue, along);
-      const ShapeClass& shape = classes_[c];
+      const uint32_t c = classAt(yarn.row + static_cast<uint32_t>(along));
       const int64_t repeats = countOfRemainder(cells_, repeatAlong_, along);
       cellsOf[c] += yarns * static_cast<double>(repeats);
-      if (foundOf[c] == shape.period) continue;
-      const int64_t distinct = std::min<int64_t>(repeats, shape.period);  // then the phases begin anew
+      if (foundOf[c] == yarn.period) continue;
+      const int64_t distinct = std::min<int64_t>(repeats, yarn.period);  // then the phases begin anew
       for (const uint32_t start : starts) {
         for (int64_t i = 0; i < distinct; ++i) {
-          uint8_t& flag = found[shape.firstSlot + (start + along + i * repeatAlong_) % shape.period];
+          uint8_t& flag = found[firstSlots_[c] + (start + along + i * repeatAlong_) % yarn.period];
           foundOf[c] += flag == 0;
           flag = 1;
         }
       }
     }
   }
-  for (size_t c = 0; c < classes_.size(); ++c) {
-    for (uint32_t phase = 0; phase < classes_[c].period; ++phase) {
-      const uint32_t slot = classes_[c].firstSlot + phase;
+  for (size_t c = 0; c < keys.size(); ++c) {
+    const int period = geometry.yarn(system_, keys[c].yarn).period;
+    for (int phase = 0; phase < period; ++phase) {
+      const uint32_t slot = firstSlots_[c] + static_cast<uint32_t>(phase);
       if (!found[slot]) continue;
       CellKey key = keys[c];
-      key.phase = static_cast<int>(phase);
+      key.phase = phase;
       needs_.push_back({key, slot, cellsOf[c] / foundOf[c]});
     }
   }
 }
 
-void TileMap::place(uint32_t slot, const Brick& brick, const VoxelGrid& grid) {
+void TileMap::place(uint32_t slot, const Brick& brick) {
   Slot& s = slots_[slot];
   s.brick = &brick;
   const int axis = system_ == System::warp ? 0 : 1;
   for (int l = 0; l < brick.levels(); ++l) {
     const Brick::Level& level = brick.level(l);
-    const int cell = grid.cellAt(l)[axis];
+    const int first = level.lower[axis], perCell = level.blocksPerCell()[axis];
     for (size_t i = 0; i < level.grid.size(); ++i) {
-      const int block = static_cast<int>(i);
-      const int first =
-          level.lower[axis] + 4 * (axis == 0 ? block % level.blocks.x : block / level.blocks.x % level.blocks.y);
-      for (int plane = 0; plane < 4; ++plane) {
-        const uint64_t mask = axis == 0 ? 0x1111111111111111ull << plane : 0x000F000F000F000Full << 4 * plane;
-        if (!(level.grid[i].occupied & mask)) continue;
-        s.reachesBelow |= first + plane < 0;
-        s.reachesAbove |= first + plane >= cell;
-      }
+      if (!level.grid[i].occupied) continue;
+      const auto block = static_cast<int>(i);
+      const int b = first + (axis == 0 ? block % level.blocks.x : block / level.blocks.x % level.blocks.y);
+      s.reachesBelow |= b < 0;
+      s.reachesAbove |= b >= perCell;
     }
   }
   anyReachesBelow_ |= s.reachesBelow;
@@ -170,8 +178,9 @@ void TileMap::place(uint32_t slot, const Brick& brick, const VoxelGrid& grid) {
 }
 
 size_t TileMap::bytes() const {
-  return (lowBits_.capacity() + highBits_.capacity()) * sizeof(uint16_t) + phases_.capacity() * sizeof(uint32_t) +
-         classes_.capacity() * sizeof(ShapeClass) + slots_.capacity() * sizeof(Slot) + needs_.capacity() * sizeof(Need);
+  return (lowBits_.capacity() + highBits_.capacity()) * sizeof(uint16_t) + yarns_.capacity() * sizeof(PlacedYarn) +
+         firstSlots_.capacity() * sizeof(uint32_t) + slots_.capacity() * sizeof(Slot) +
+         needs_.capacity() * sizeof(Need);
 }
 
 }  // namespace loomlight

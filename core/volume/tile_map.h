@@ -6,7 +6,6 @@
 #include "core/base/task.h"
 #include "core/geometry/cloth_geometry.h"
 #include "core/volume/brick.h"
-#include "core/volume/voxel_grid.h"
 
 namespace loomlight {
 
@@ -37,38 +36,41 @@ class TileMap {
 
   const std::vector<Need>& needs() const { return needs_; }
   /// Gives a slot its brick, which the caller keeps alive.
-  void place(uint32_t slot, const Brick& brick, const VoxelGrid& grid);
+  void place(uint32_t slot, const Brick& brick);
 
-  /// 0 <= across < yarns of the piece, 0 <= along < cells of a yarn.
-  const Slot& at(int across, int along) const {
-    const ShapeClass& shape = classes_[classOf(across % repeatAcross_, along % repeatAlong_)];
-    return slots_[shape.firstSlot + (phases_[across] + static_cast<uint32_t>(along)) % shape.period];
+  /// 0 <= across < yarns of the piece, 0 <= along < cells of a yarn; inRepeat = along % repeatAlong().
+  const Slot& at(int across, int along, int inRepeat) const {
+    const PlacedYarn& yarn = yarns_[across];
+    const uint32_t phase = (yarn.phase + static_cast<uint32_t>(along)) % yarn.period;
+    return slots_[firstSlots_[classAt(yarn.row + static_cast<uint32_t>(inRepeat))] + phase];
   }
+  int repeatAlong() const { return repeatAlong_; }
   bool anyReachesBelow() const { return anyReachesBelow_; }
   bool anyReachesAbove() const { return anyReachesAbove_; }
 
   size_t bytes() const;
 
  private:
-  struct ShapeClass {
-    uint32_t firstSlot = 0;
-    uint32_t period = 1;
+  struct PlacedYarn {
+    uint32_t row;            ///< where its crossings begin in the map of classes
+    uint16_t phase, period;  ///< of its first cell
   };
 
-  uint32_t classOf(int across, int along) const {
-    const size_t i = static_cast<size_t>(across) * repeatAlong_ + along;
-    return highBits_.empty() ? lowBits_[i] : lowBits_[i] | static_cast<uint32_t>(highBits_[i]) << 16;
+  uint32_t classAt(uint32_t crossing) const {
+    return highBits_.empty() ? lowBits_[crossing]
+                             : lowBits_[crossing] | static_cast<uint32_t>(highBits_[crossing]) << 16;
   }
   std::vector<CellKey> readClasses(const ClothGeometry& geometry, const Task& task);
+  void placeYarns(const ClothGeometry& geometry, const std::vector<CellKey>& keys);
   void findNeeds(const ClothGeometry& geometry, const std::vector<CellKey>& keys);
 
   System system_ = System::warp;
-  int yarns_ = 0, cells_ = 0;  ///< of the piece: across, and along each yarn
+  int yarnCount_ = 0, cells_ = 0;  ///< of the piece: across, and along each yarn
   int repeatAcross_ = 1, repeatAlong_ = 1;
   std::vector<uint16_t> lowBits_, highBits_;  ///< class per crossing of the repeat, yarn by yarn
-  std::vector<uint32_t> phases_;              ///< of the first cell of every yarn of the piece
-  std::vector<ShapeClass> classes_;
-  std::vector<Slot> slots_;  ///< per class, its phases
+  std::vector<PlacedYarn> yarns_;             ///< of the piece
+  std::vector<uint32_t> firstSlots_;          ///< per class; its phases follow
+  std::vector<Slot> slots_;
   std::vector<Need> needs_;
   bool anyReachesBelow_ = false, anyReachesAbove_ = false;
 };

@@ -24,10 +24,10 @@ double lengthOf(const CellStrands& strands) {
 double lengthOf(const Brick& brick, const VoxelGrid& grid, int level) {
   const Brick::Level& l = brick.level(level);
   double length = 0;
-  for (int z = 0; z < 4 * l.blocks.z; ++z)
-    for (int y = 0; y < 4 * l.blocks.y; ++y)
-      for (int x = 0; x < 4 * l.blocks.x; ++x) {
-        const glm::ivec3 v = l.lower + glm::ivec3(x, y, z);
+  for (int z = 0; z < l.cell.z; ++z)
+    for (int y = -l.cell.y; y < 2 * l.cell.y; ++y)
+      for (int x = -l.cell.x; x < 2 * l.cell.x; ++x) {
+        const glm::ivec3 v(x, y, z);
         for (const Component c : l.at(v)) length += c.lengthDensity() * grid.volume_mm3(v, level);
       }
   return length;

@@ -43,10 +43,10 @@ double lengthOf(const CellStrands& strands) {
 /// Visits every voxel of a brick that could be occupied: visit(voxel, components).
 template <class Visit>
 void forEachVoxel(const Brick::Level& level, const Visit& visit) {
-  for (int z = 0; z < 4 * level.blocks.z; ++z)
-    for (int y = 0; y < 4 * level.blocks.y; ++y)
-      for (int x = 0; x < 4 * level.blocks.x; ++x) {
-        const glm::ivec3 v = level.lower + glm::ivec3(x, y, z);
+  for (int z = 0; z < level.cell.z; ++z)
+    for (int y = -level.cell.y; y < 2 * level.cell.y; ++y)
+      for (int x = -level.cell.x; x < 2 * level.cell.x; ++x) {
+        const glm::ivec3 v(x, y, z);
         if (const auto components = level.at(v); !components.empty()) visit(v, components);
       }
 }
