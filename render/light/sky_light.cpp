@@ -67,16 +67,17 @@ float SkyLight::mixture(float tablePdf, bool inSun) const {
   return (1 - sunChance_) * tablePdf + (inSun ? sunChance_ * static_cast<float>(1 / kSunSolidAngle) : 0.0f);
 }
 
-glm::vec3 SkyLight::sampleSun(Random& random) const {
-  const float cap = random.uniform() * static_cast<float>(kSunCap);
-  const float r = std::sqrt(cap * (2 - cap)), angle = random.uniform() * static_cast<float>(2 * kPi);
+glm::vec3 SkyLight::sunPoint(float share, float angle) const {
+  const float cap = share * static_cast<float>(kSunCap);
+  const float r = std::sqrt(cap * (2 - cap));
   return glm::normalize((1 - cap) * daylight_.sunDirection() + r * (std::cos(angle) * sunX_ + std::sin(angle) * sunY_));
 }
 
 std::optional<LightSample> SkyLight::sample(glm::vec3, Random& random) const {
   SphereTable::Sample chosen;
   if (random.uniform() < sunChance_) {
-    chosen.direction = sampleSun(random);
+    const float share = random.uniform();
+    chosen.direction = sunPoint(share, random.uniform() * static_cast<float>(2 * kPi));
     chosen.pdf = table_.pdf(chosen.direction);
   } else {
     chosen = table_.sample(random);
@@ -108,11 +109,11 @@ Image SkyLight::image(int width) const {
   });
   if (sunChance_ <= 0) return image;
 
-  // Every point of the disc brings its share of the power to the pixel it falls into.
-  constexpr int kPoints = 1 << 16;
-  Random random(1);
+  // Points spread evenly over the disc by the golden angle; each brings its share to the pixel it falls into.
+  constexpr int kPoints = 4096;
   for (int i = 0; i < kPoints; ++i) {
-    const glm::vec3 d = sampleSun(random);
+    const glm::vec3 d =
+        sunPoint((static_cast<float>(i) + 0.5f) / kPoints, std::fmod(2.3999632f * static_cast<float>(i), 6.2831853f));
     if (d.z <= 0) continue;
     const auto x = static_cast<size_t>(cellOf(latLongU(d), image.width));
     const auto y = static_cast<size_t>(cellOf(latLongV(d), image.height));

@@ -21,14 +21,15 @@ class SkyLight {
   bool wantsSampling() const { return true; }
   std::optional<LightSample> sample(glm::vec3 p, Random& random) const;
   float pdf(glm::vec3 d) const;
-  /// Lat-long, width x width / 2. The sun's power is spread over the pixels it covers, exactly.
+  /// Lat-long, width x width / 2. The sun's power goes to the pixels it covers.
   Image image(int width) const;
 
  private:
   bool inSun(glm::vec3 d) const;
   Rgb radiance(glm::vec3 d, bool inSun) const;
   float mixture(float tablePdf, bool inSun) const;
-  glm::vec3 sampleSun(Random& random) const;
+  /// A point of the disc: `share` of its area lies further in, `angle` is about its centre.
+  glm::vec3 sunPoint(float share, float angle) const;
 
   Daylight daylight_;
   float intensity_;

@@ -1,0 +1,153 @@
+#include "render/light/lighting.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "core/base/error.h"
+#include "render/light/daylight.h"
+#include "render/light/lat_long.h"
+
+namespace loomlight {
+namespace {
+
+constexpr float kPiF = static_cast<float>(kPi);
+
+Lighting make(LightKind kind, double intensity = 1) {
+  Light light;
+  light.kind = kind;
+  light.intensity = intensity;
+  return Lighting(light, {0, 0, 60});
+}
+
+TEST(Lighting, UniformLightsShineFromTheirSide) {
+  const glm::vec3 up = glm::normalize(glm::vec3(1, 2, 0.1f)), down = glm::normalize(glm::vec3(1, 2, -0.1f));
+  struct Case {
+    LightKind kind;
+    float above, below;
+  };
+  for (const Case c : {Case{LightKind::dome, 1, 0}, {LightKind::furnace, 1, 1}, {LightKind::back, 0, 1}}) {
+    const Lighting lighting = make(c.kind, 2.5);
+    EXPECT_EQ(lighting.escape(up), Rgb(2.5f * c.above));
+    EXPECT_EQ(lighting.escape(down), Rgb(2.5f * c.below));
+    EXPECT_FALSE(lighting.wantsSampling());
+  }
+}
+
+TEST(Lighting, IntensityScalesRadianceAndLeavesTheDensityAlone) {
+  const glm::vec3 d = glm::normalize(glm::vec3(0.3f, -0.5f, 0.6f));
+  const Lighting one = make(LightKind::sky), three = make(LightKind::sky, 3);
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(three.escape(d)[c], 3 * one.escape(d)[c], 1e-5f);
+  EXPECT_EQ(three.pdf(d), one.pdf(d));
+}
+
+TEST(Lighting, NothingArrivesFromADarkLight) {
+  Random random(1);
+  for (const LightKind kind : {LightKind::sky, LightKind::dome, LightKind::headlight, LightKind::directional})
+    EXPECT_FALSE(make(kind, 0).sample({1, 2, 3}, random).has_value());
+}
+
+TEST(Lighting, HeadlightFallsWithTheSquareOfTheDistance) {
+  Random random(1);
+  const Lighting lighting = make(LightKind::headlight, 2);
+  const auto atOrigin = lighting.sample({0, 0, 0}, random), closer = lighting.sample({0, 0, 30}, random);
+  ASSERT_TRUE(atOrigin && closer);
+  EXPECT_TRUE(atOrigin->delta);
+  EXPECT_EQ(atOrigin->pdf, 1);
+  EXPECT_EQ(atOrigin->distance, 60);
+  EXPECT_EQ(atOrigin->wi, glm::vec3(0, 0, 1));
+  EXPECT_NEAR(atOrigin->radiance.g, 2 * kPiF, 1e-5f);
+  EXPECT_NEAR(closer->radiance.g, 8 * kPiF, 1e-4f);
+  EXPECT_FALSE(lighting.sample({0, 0, 60}, random).has_value());
+  EXPECT_TRUE(lighting.wantsSampling());
+  EXPECT_EQ(lighting.escape({0, 0, 1}), Rgb(0));
+  EXPECT_EQ(lighting.pdf({0, 0, 1}), 0);
+}
+
+TEST(Lighting, DirectionalLightComesFromItsAngles) {
+  Light light;
+  light.kind = LightKind::directional;
+  light.azimuth_deg = 90;
+  light.elevation_deg = 30;
+  Random random(1);
+  const auto sample = Lighting(light, {0, 0, 60}).sample({5, 5, 5}, random);
+  ASSERT_TRUE(sample);
+  EXPECT_TRUE(sample->delta);
+  EXPECT_NEAR(glm::distance(sample->wi, glm::vec3(0, std::cos(kPiF / 6), 0.5f)), 0, 1e-6f);
+  EXPECT_NEAR(sample->radiance.r, kPiF, 1e-5f);
+  EXPECT_EQ(sample->distance, std::numeric_limits<float>::infinity());
+}
+
+TEST(Lighting, SunIsWhereItsAnglesSayAndHalfADegreeWide) {
+  Light light;
+  light.azimuth_deg = 130;
+  light.elevation_deg = 45;
+  const Lighting lighting(light, {0, 0, 60});
+  const float inside = lighting.escape(directionOf(130, 45)).g, edge = lighting.escape(directionOf(130, 45.26)).g;
+  const float outside = lighting.escape(directionOf(130, 45.27)).g;
+  EXPECT_GT(edge, 0.99f * inside);
+  EXPECT_GT(inside, 1000 * outside);
+  EXPECT_GT(lighting.pdf(directionOf(130, 45.26)), 1000 * lighting.pdf(directionOf(130, 45.27)));
+}
+
+TEST(Lighting, SunBelowTheHorizonIsHidden) {
+  Light light;
+  light.elevation_deg = 0;  // half of the disc
+  const Lighting half(light, {0, 0, 60});
+  EXPECT_GT(half.escape(directionOf(130, 0.2)).r, 100 * half.escape(directionOf(130, -0.2)).r);
+  light.elevation_deg = -3;
+  const Lighting dusk(light, {0, 0, 60});
+  EXPECT_LT(dusk.escape(directionOf(130, -3)).r, 1);
+  Random random(1);
+  for (int i = 0; i < 1000; ++i) EXPECT_TRUE(dusk.sample({0, 0, 0}, random).has_value());
+}
+
+TEST(Lighting, MidnightIsDarkAndHarmless) {
+  Light light;
+  light.elevation_deg = -90;
+  const Lighting night(light, {0, 0, 60});
+  Random random(1);
+  for (int i = 0; i < 100; ++i) EXPECT_FALSE(night.sample({0, 0, 0}, random).has_value());
+  EXPECT_EQ(night.escape({0, 0, 1}), Rgb(0));
+  EXPECT_TRUE(std::isfinite(night.pdf({0, 0, 1})));
+}
+
+TEST(Lighting, AnImageOfTheSkyHoldsThePowerOfTheSunAtAnyWidth) {
+  Light light;
+  light.elevation_deg = 25;
+  const Daylight daylight(light.turbidity, light.azimuth_deg, light.elevation_deg);
+  const double half = Daylight::sunHalfAngle_deg * kPi / 180;
+  const double expected = daylight.sunRadiance().g * 2 * kPi * (1 - std::cos(half));
+  for (const int width : {16, 64, 256}) {
+    const Image image = environmentImage(light, width);
+    ASSERT_EQ(image.height, width / 2);
+    double sun = 0;  // what the pixels have beyond the sky at their centres
+    for (int y = 0; y < image.height; ++y) {
+      const double solidAngle =
+          (std::cos(kPi * y / image.height) - std::cos(kPi * (y + 1) / image.height)) * 2 * kPi / width;
+      const auto centre = static_cast<float>(std::cos(kPi * (y + 0.5) / image.height));
+      for (int x = 0; x < width; ++x) {
+        const glm::vec3 d = latLongDirection((static_cast<float>(x) + 0.5f) / static_cast<float>(width), centre);
+        sun += (image.find("G")->values[static_cast<size_t>(y * width + x)] - daylight.radiance(d).g) * solidAngle;
+      }
+    }
+    EXPECT_NEAR(sun, expected, 5e-4 * expected) << width;
+  }
+}
+
+TEST(Lighting, EnvironmentImagesHaveSensibleWidths) {
+  for (const int width : {0, -4, 3, 16386}) EXPECT_THROW(environmentImage(Light{}, width), InputError);
+}
+
+TEST(Lighting, EnvironmentImageOfADomeIsWhiteAbove) {
+  Light light;
+  light.kind = LightKind::dome;
+  const Image image = environmentImage(light, 8);
+  EXPECT_EQ(image.find("R")->values[0], 1);
+  EXPECT_EQ(image.find("B")->values[15], 1);
+  EXPECT_EQ(image.find("G")->values[16], 0);
+}
+
+}  // namespace
+}  // namespace loomlight
