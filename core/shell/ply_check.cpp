@@ -78,6 +78,7 @@ PlyHeader parseHeader(MeshText& text) {
     if (key == "comment" || key == "obj_info") continue;
     if (key == "format") {
       header.format = parseFormat(text, text.word());
+      if (text.word() != "1.0") text.fail("expected version 1.0 of the format");
     } else if (key == "element") {
       PlyElement element;
       element.name = text.word();
@@ -91,6 +92,8 @@ PlyHeader parseHeader(MeshText& text) {
     } else {
       text.fail(fmt::format("expected a line of a PLY header, got '{}'", key.substr(0, 40)));
     }
+    if (const std::string_view more = text.word(); !more.empty())
+      text.fail(fmt::format("expected the end of the header's line, got '{}'", more.substr(0, 40)));
   }
   text.fail("the file ends within its header; expected end_header");
 }

@@ -1,0 +1,142 @@
+#include "core/shell/drape_mesh.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "core/base/error.h"
+
+namespace loomlight {
+namespace {
+
+using testing::HasSubstr;
+
+Drape drapeOf(DrapeKind kind, double width, double height, double radius) {
+  Drape drape;
+  drape.kind = kind;
+  drape.width_mm = width;
+  drape.height_mm = height;
+  drape.radius_mm = radius;
+  return drape;
+}
+
+/// Length in the world of the image of the straight line in the cloth that runs along one row or column of the grid.
+double lengthAlong(const DrapeMesh& mesh, int axis, float across) {
+  std::vector<std::pair<float, glm::vec3>> points;
+  for (size_t i = 0; i < mesh.positions.size(); ++i)
+    if (std::abs(mesh.uv_mm[i][1 - axis] - across) < 1e-4f) points.emplace_back(mesh.uv_mm[i][axis], mesh.positions[i]);
+  std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  double length = 0;
+  for (size_t i = 1; i < points.size(); ++i) length += glm::distance(points[i].second, points[i - 1].second);
+  return length;
+}
+
+void expectSound(const DrapeMesh& mesh) {
+  glm::vec3 lower(1e9f), upper(-1e9f);
+  for (size_t i = 0; i < mesh.positions.size(); ++i) {
+    lower = glm::min(lower, mesh.positions[i]);
+    upper = glm::max(upper, mesh.positions[i]);
+    EXPECT_NEAR(glm::length(mesh.normals[i]), 1, 1e-5);
+  }
+  EXPECT_LT(glm::length(lower + upper), 1e-2f * glm::length(upper - lower)) << "not centred";
+  for (const glm::uvec3& t : mesh.triangles) {
+    const glm::vec3 normal =
+        glm::cross(mesh.positions[t[1]] - mesh.positions[t[0]], mesh.positions[t[2]] - mesh.positions[t[0]]);
+    const glm::vec2 u1 = mesh.uv_mm[t[1]] - mesh.uv_mm[t[0]], u2 = mesh.uv_mm[t[2]] - mesh.uv_mm[t[0]];
+    ASSERT_GT(u1.x * u2.y - u1.y * u2.x, 0) << "mirrored";
+    for (int k = 0; k < 3; ++k) ASSERT_GT(glm::dot(glm::normalize(normal), mesh.normals[t[k]]), 0.99f);
+  }
+}
+
+TEST(Drape, FlatLiesFaceUp) {
+  const DrapeMesh mesh = makeDrape(drapeOf(DrapeKind::flat, 20, 10, 6));
+  expectSound(mesh);
+  EXPECT_EQ(mesh.triangles.size(), 2u);
+  EXPECT_EQ(mesh.normals[0], glm::vec3(0, 0, 1));
+  EXPECT_NEAR(lengthAlong(mesh, 0, 0), 20, 1e-5);
+  EXPECT_NEAR(lengthAlong(mesh, 1, 0), 10, 1e-5);
+}
+
+TEST(Drape, CylinderIsIsometric) {
+  const DrapeMesh mesh = makeDrape(drapeOf(DrapeKind::cylinder, 20, 24, 6));
+  expectSound(mesh);
+  EXPECT_TRUE(mesh.repairs.empty());
+  // Facets of 1.5 degrees are shorter than their arcs by 1 - sinc(0.75 degrees) = 2.9e-5.
+  EXPECT_NEAR(lengthAlong(mesh, 1, 0), 24, 24 * 4e-5);
+  EXPECT_NEAR(lengthAlong(mesh, 0, 0), 20, 1e-4);
+  for (const glm::uvec3& t : mesh.triangles)
+    for (int k = 0; k < 3; ++k) {
+      const uint32_t a = t[k], b = t[(k + 1) % 3];
+      EXPECT_NEAR(glm::distance(mesh.positions[a], mesh.positions[b]) / glm::distance(mesh.uv_mm[a], mesh.uv_mm[b]), 1,
+                  1e-4);
+    }
+}
+
+TEST(Drape, CylinderShowsItsFaceUpwardsAndTheWarpRunsRound) {
+  const DrapeMesh mesh = makeDrape(drapeOf(DrapeKind::cylinder, 20, 20, 6));
+  const auto top = std::max_element(mesh.positions.begin(), mesh.positions.end(),
+                                    [](glm::vec3 a, glm::vec3 b) { return a.z < b.z; }) -
+                   mesh.positions.begin();
+  EXPECT_GT(mesh.normals[static_cast<size_t>(top)].z, 0.999f);
+  EXPECT_NEAR(mesh.uv_mm[static_cast<size_t>(top)].y, 10, 0.2);
+  for (size_t i = 0; i < mesh.positions.size(); ++i) EXPECT_NEAR(mesh.positions[i].x, mesh.uv_mm[i].x - 10, 1e-4);
+}
+
+TEST(Drape, CylinderIsCutToOneTurnAndSaysSo) {
+  const DrapeMesh mesh = makeDrape(drapeOf(DrapeKind::cylinder, 5, 100, 6));
+  expectSound(mesh);
+  ASSERT_EQ(mesh.repairs.size(), 1u);
+  EXPECT_THAT(mesh.repairs[0], HasSubstr("cut to 37.7 mm"));
+  EXPECT_NEAR(lengthAlong(mesh, 1, 0), 2 * kPi * 6, 2e-3);
+  // The ends meet exactly, so that the shell closes.
+  const auto lastRow =
+      std::find_if(mesh.uv_mm.begin(), mesh.uv_mm.end(), [&](glm::vec2 uv) { return uv.y == mesh.uv_mm.back().y; });
+  EXPECT_EQ(mesh.positions.front(), mesh.positions[static_cast<size_t>(lastRow - mesh.uv_mm.begin())]);
+}
+
+TEST(Drape, SphereKeepsLengthsThroughItsMiddle) {
+  const DrapeMesh mesh = makeDrape(drapeOf(DrapeKind::sphere, 14, 14, 6));
+  for (const glm::uvec3& t : mesh.triangles) {
+    const glm::vec2 u1 = mesh.uv_mm[t[1]] - mesh.uv_mm[t[0]], u2 = mesh.uv_mm[t[2]] - mesh.uv_mm[t[0]];
+    ASSERT_GT(u1.x * u2.y - u1.y * u2.x, 0);
+  }
+  const glm::vec3 centre = mesh.positions[0] - 6.0f * mesh.normals[0];
+  for (size_t i = 0; i < mesh.positions.size(); ++i) {
+    EXPECT_NEAR(glm::distance(mesh.positions[i], centre), 6, 1e-4);
+    // Exponential map: the angle from the top is the distance from the swatch's middle over the radius.
+    const double angle = std::acos(std::clamp(mesh.normals[i].z, -1.0f, 1.0f));
+    EXPECT_NEAR(angle * 6, glm::distance(mesh.uv_mm[i], glm::vec2(7, 7)), 5e-3);
+  }
+}
+
+TEST(Drape, SphereIsCutToWhatFits) {
+  const DrapeMesh mesh = makeDrape(drapeOf(DrapeKind::sphere, 100, 50, 6));
+  ASSERT_EQ(mesh.repairs.size(), 1u);
+  EXPECT_THAT(mesh.repairs[0], HasSubstr("does not fit on a sphere"));
+  float lowest = 1;
+  for (const glm::vec3& normal : mesh.normals) lowest = std::min(lowest, normal.z);
+  EXPECT_NEAR(lowest, std::cos(0.8 * kPi), 1e-4);
+}
+
+TEST(Drape, StaysSmallWhateverIsAsked) {
+  for (const DrapeKind kind : {DrapeKind::cylinder, DrapeKind::sphere})
+    for (const double radius : {0.5, 10000.0})
+      for (const double width : {1.0, 10000.0})
+        for (const double height : {1.0, 10000.0}) {
+          const DrapeMesh mesh = makeDrape(drapeOf(kind, width, height, radius));
+          EXPECT_LE(mesh.triangles.size(), 410000u);
+          EXPECT_GE(mesh.triangles.size(), 2u);
+        }
+}
+
+TEST(Drape, RefusesSizesThatAreNone) {
+  EXPECT_THROW(makeDrape(drapeOf(DrapeKind::flat, 0, 10, 6)), InputError);
+  EXPECT_THROW(makeDrape(drapeOf(DrapeKind::cylinder, 10, 10, -1)), InputError);
+  EXPECT_THROW(makeDrape(drapeOf(DrapeKind::sphere, 10, std::nan(""), 6)), InputError);
+}
+
+}  // namespace
+}  // namespace loomlight
