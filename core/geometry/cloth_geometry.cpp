@@ -34,6 +34,31 @@ int leastCommonMultiple(int a, int b) {
   return static_cast<int>(std::min<int64_t>(multiple, std::numeric_limits<int>::max()));
 }
 
+// A node's code: distance to the end of the float in 2 bits, the side in 1, the class crossed in the 6 that 64 yarns
+// need.
+constexpr int kFloatBits = 3, kOverBit = 4, kNodeBits = kFloatBits + 6;
+static_assert(kMaxFloatDistance < kOverBit);
+
+// The sides at the crossings within a float's reach of the three nodes of a cell, one bit each, tell how the yarn
+// floats at each node: a table, because key() is called for every crossing of a jacquard.
+constexpr int kFloatReach = kMaxFloatDistance + 1, kSidesSeen = 2 * kFloatReach + 1;
+
+constexpr std::array<std::array<uint8_t, 3>, 1 << kSidesSeen> makeFloatCodes() {
+  std::array<std::array<uint8_t, 3>, 1 << kSidesSeen> codes{};
+  for (unsigned sides = 0; sides < codes.size(); ++sides) {
+    const auto over = [sides](int i) { return (sides >> i & 1u) != 0; };
+    for (int node = 0; node < 3; ++node) {
+      const int i = kFloatReach - 1 + node;
+      int distance = 0;
+      while (distance < kMaxFloatDistance && over(i - distance - 1) == over(i) && over(i + distance + 1) == over(i))
+        ++distance;
+      codes[sides][node] = static_cast<uint8_t>((over(i) ? kOverBit : 0) | distance);
+    }
+  }
+  return codes;
+}
+constexpr auto kFloatCodes = makeFloatCodes();
+
 }  // namespace
 
 uint64_t hash(const CellKey& key) {
@@ -162,35 +187,39 @@ PathNode ClothGeometry::node(System system, int own, int other, bool over, int f
           static_cast<float>(warp ? c.warpFlat_mm : c.weftFlat_mm)};
 }
 
-CellKey ClothGeometry::shapeKey(System system, int pick, int end) const {
+ClothGeometry::ShapeCode ClothGeometry::shapeCode(System system, int pick, int end) const {
   const bool warp = system == System::warp;
   const int along = warp ? pick : end, across = warp ? end : pick;
   const int alongCount = warp ? weave_.picks() : weave_.ends();
   const int acrossIndex = wrap(across, warp ? weave_.ends() : weave_.picks());
-
-  // Which side the yarn is on at the crossings within a float's reach of the three nodes.
-  constexpr int kReach = kMaxFloatDistance + 2;
-  std::array<bool, 2 * kReach + 1> over;
-  int i = wrap(along - kReach, alongCount);
-  for (bool& up : over) {
-    up = warp ? weave_.at(i, acrossIndex) : !weave_.at(acrossIndex, i);
-    if (++i == alongCount) i = 0;
+  unsigned sides = 0;
+  int i = wrap(along + kFloatReach, alongCount);
+  for (int k = 0; k < kSidesSeen; ++k) {
+    sides = sides << 1 | static_cast<unsigned>(warp ? weave_.at(i, acrossIndex) : !weave_.at(acrossIndex, i));
+    if (--i < 0) i = alongCount - 1;
   }
-  const int own = classAt(system, across);
-  const System otherSystem = warp ? System::weft : System::warp;
-  const auto nodeAt = [&](int offset) {
-    const int centre = kReach + offset;
-    int distance = 0;
-    while (distance < kMaxFloatDistance && over[centre - distance - 1] == over[centre] &&
-           over[centre + distance + 1] == over[centre])
-      ++distance;
-    return node(system, own, classAt(otherSystem, along + offset), over[centre], distance);
+
+  const std::vector<int>& others = of(warp ? System::weft : System::warp).classes;
+  auto other = static_cast<size_t>(wrap(along - 1, static_cast<int>(others.size())));
+  auto code = static_cast<ShapeCode>(classAt(system, across));
+  for (const uint8_t floating : kFloatCodes[sides]) {
+    code = code << kNodeBits | static_cast<ShapeCode>(others[other]) << kFloatBits | floating;
+    if (++other == others.size()) other = 0;
+  }
+  return code;
+}
+
+CellKey ClothGeometry::shapeKey(System system, ShapeCode code) const {
+  const int own = static_cast<int>(code >> (3 * kNodeBits));
+  const auto nodeAt = [&](int place) {
+    const int bits = static_cast<int>(code >> (place * kNodeBits)) & ((1 << kNodeBits) - 1);
+    return node(system, own, bits >> kFloatBits, (bits & kOverBit) != 0, bits & (kOverBit - 1));
   };
-  return {system, own, 0, nodeAt(-1), nodeAt(0), nodeAt(1)};
+  return {system, own, 0, nodeAt(2), nodeAt(1), nodeAt(0)};
 }
 
 CellKey ClothGeometry::key(System system, int pick, int end) const {
-  CellKey key = shapeKey(system, pick, end);
+  CellKey key = shapeKey(system, shapeCode(system, pick, end));
   key.phase = phase(system, pick, end);
   return key;
 }

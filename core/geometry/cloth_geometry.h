@@ -79,9 +79,13 @@ class ClothGeometry {
     std::vector<int> classes;                             ///< the same as geometry classes
   };
   const SystemGeometry& of(System system) const { return systems_[static_cast<size_t>(system)]; }
+  /// What one node of a path comes from: the class of the yarn that is crossed, the side, and how far the nearest end
+  /// of the float is. Of a cell: its own class, and its three nodes, packed so that equal numbers mean equal keys.
+  using ShapeCode = uint64_t;
   int classAt(System system, int index) const;
   PathNode node(System system, int own, int other, bool over, int floatDistance) const;
-  CellKey shapeKey(System system, int pick, int end) const;
+  ShapeCode shapeCode(System system, int pick, int end) const;
+  CellKey shapeKey(System system, ShapeCode code) const;
   void resolveYarns(const Fabric& fabric);
   void findRepeat();
   void findThickness();

@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <cmath>
+#include <map>
 #include <unordered_map>
 
 #include "core/geometry/cloth_geometry.h"
@@ -7,10 +7,6 @@
 
 namespace loomlight {
 namespace {
-
-struct KeyHash {
-  size_t operator()(const CellKey& key) const { return hash(key); }
-};
 
 /// Segments of the fibres of a cell, averaged over its phases.
 double segmentsOf(const YarnModel& yarn, const CellKey& key) {
@@ -31,12 +27,17 @@ ClothMeasures ClothGeometry::measure() const {
   ClothMeasures measures;
   double highest = 0, lowest = 0;
   for (const System system : {System::warp, System::weft}) {
-    std::unordered_map<CellKey, double, KeyHash> cells;
+    // Sorted, so that the sums below do not depend on the library's hashing.
+    std::map<ShapeCode, int64_t> cells;
+    std::unordered_map<ShapeCode, int64_t> counts;
     for (int pick = 0; pick < picks; ++pick)
-      for (int end = 0; end < ends; ++end) ++cells[shapeKey(system, pick, end)];
+      for (int end = 0; end < ends; ++end) ++counts[shapeCode(system, pick, end)];
+    cells.insert(counts.begin(), counts.end());
 
     double axis = 0, mass_g = 0;
-    for (const auto& [key, count] : cells) {
+    for (const auto& [code, cellCount] : cells) {
+      const CellKey key = shapeKey(system, code);
+      const auto count = static_cast<double>(cellCount);
       const YarnModel& model = *of(system).yarns[key.yarn];
       const YarnGeometry& g = model.geometry;
       const double length = count * axisLength_mm(key);

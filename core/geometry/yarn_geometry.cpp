@@ -58,7 +58,7 @@ double plyRadius_mm(const YarnGeometry& g, const Yarn& yarn, const Fibre& fibre)
 void flatten(YarnGeometry& g, double flattening) {
   const double round = 0.5 * g.diameter_mm();
   double a = round * std::sqrt(flattening);
-  a = std::min(a, std::max(0.5 * g.crossPitch_mm, round * std::sqrt(0.5)));
+  a = std::min(a, std::max(0.5 * g.crossPitch_mm / g.contactShare(), round * std::sqrt(0.5)));
   a = std::min(a, 1.3 * g.crossPitch_mm);
   g.halfWidth_mm = a;
   g.halfHeight_mm = std::min(round * round / a, 2 * a);
@@ -73,6 +73,12 @@ auto shapeOf(const Yarn& y, const Fibre& f) {
 }
 
 }  // namespace
+
+double YarnGeometry::contactShare() const {
+  if (plies == 1) return 1;
+  const double mean = plies / kPi * std::sin(kPi / plies);
+  return (plyRadius_mm + mean * plyOrbit_mm) / (plyRadius_mm + plyOrbit_mm);
+}
 
 std::vector<int> geometryClasses(const Fabric& fabric) {
   std::vector<int> classes;

@@ -34,6 +34,9 @@ struct YarnGeometry {
   uint64_t seed = 0;
 
   double diameter_mm() const { return 2.0 * (plyOrbit_mm + plyRadius_mm); }  ///< round, before flattening
+  /// Half the section where another yarn rests on it, over half the circle around all plies: as the plies turn, the one
+  /// on top is at (n / pi) sin(pi / n) of its orbit on average. 1 for a single ply.
+  double contactShare() const;
   /// Area of a fibre's section times its density, g per mm of fibre.
   double fibreMass_g_mm() const { return fibreDensity_g_cm3 * 1e-3 * kPi * fibreRadius_mm * fibreRadius_mm; }
   bool operator==(const YarnGeometry&) const = default;
@@ -47,8 +50,8 @@ std::vector<int> geometryClasses(const Fabric& fabric);
 /// fibre count and fibre radius to resolveTwist() and calibration (yarn_model.h), which need the path.
 /// - ply radius: N fibres of volume fraction phi, N pi r^2 takeUp / phi = pi R^2;
 /// - plies touch: they orbit at R / sin(pi / plies);
-/// - flattening keeps the area. A yarn too wide for its pitch is squeezed to it and grows taller, to twice as tall as
-///   wide; beyond that (absurd setts) it overlaps its neighbours.
+/// - flattening keeps the area. A yarn too wide for its pitch is squeezed until it touches its neighbours and grows
+///   taller, to twice as tall as wide; beyond that (absurd setts) it overlaps them.
 YarnGeometry outlineYarn(const Yarn& yarn, const Fibre& fibre, double pitch_mm, double crossPitch_mm);
 
 /// Chooses the period, 4 to 16 cells (1 where nothing varies along the yarn), and whole turns over it. `turns per mm`

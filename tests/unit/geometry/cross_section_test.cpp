@@ -1,0 +1,73 @@
+#include "core/geometry/cross_section.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/base/random.h"
+
+namespace loomlight {
+namespace {
+
+TEST(PackedSection, FibresDoNotOverlap) {
+  for (const double packing : {0.1, 0.4, 0.55, 0.65, 0.75, 0.85})
+    for (const int count : {1, 2, 3, 5, 12, 40, 165, 600, 2000}) {
+      const double radius = std::sqrt(count / packing);
+      const auto fibres = plySection(FibreLayout::packed, count, radius, 1, 42);
+      ASSERT_EQ(fibres.size(), static_cast<size_t>(count));
+      EXPECT_LE(worstOverlap(fibres, 1), 0.02) << count << " fibres, packing " << packing;
+      for (const glm::dvec2& p : fibres) EXPECT_LE(glm::length(p), radius + 0.2) << packing << " " << count;
+    }
+}
+
+TEST(PackedSection, FillsItsDiscEvenly) {
+  // Within a disc of half the area lie half the fibres, within 4 sigma of a uniform scatter (packing makes it less).
+  const int count = 600;
+  const double radius = std::sqrt(count / 0.55);
+  int inside = 0;
+  for (const glm::dvec2& p : plySection(FibreLayout::packed, count, radius, 1, 3))
+    inside += glm::length(p) < radius * std::sqrt(0.5);
+  EXPECT_NEAR(inside, 300, 4 * std::sqrt(150.0));
+}
+
+TEST(RandomSection, IsUniformInTheDisc) {
+  // Mean square radius of a uniform disc of radius R is R^2 / 2, of variance R^4 / 12.
+  const int count = 2000;
+  const double radius = 50, rim = radius - 1;
+  double meanSquare = 0;
+  for (const glm::dvec2& p : plySection(FibreLayout::random, count, radius, 1, 9)) meanSquare += glm::dot(p, p) / count;
+  EXPECT_NEAR(meanSquare, rim * rim / 2, 4 * rim * rim / std::sqrt(12.0 * count));
+}
+
+TEST(RandomSection, AllowsOverlaps) {
+  EXPECT_GT(worstOverlap(plySection(FibreLayout::random, 165, std::sqrt(165 / 0.55), 1, 9), 1), 0.5);
+}
+
+TEST(Section, CentroidIsTheAxis) {
+  for (const FibreLayout layout : {FibreLayout::random, FibreLayout::packed}) {
+    glm::dvec2 sum(0);
+    for (const glm::dvec2& p : plySection(layout, 100, 15, 1, 5)) sum += p;
+    EXPECT_LT(glm::length(sum), 1e-9);
+  }
+}
+
+TEST(Section, IsAFunctionOfItsSeed) {
+  const auto section = [](uint64_t seed) { return plySection(FibreLayout::packed, 60, 11, 1, seed); };
+  EXPECT_EQ(section(1), section(1));
+  EXPECT_NE(section(1), section(2));
+}
+
+TEST(WorstOverlap, IsTheBruteForceAnswer) {
+  Random random(4);
+  for (int round = 0; round < 20; ++round) {
+    std::vector<glm::dvec2> points;
+    for (int i = 0; i < 50; ++i) points.push_back({30 * random.uniformDouble(), 30 * random.uniformDouble()});
+    double worst = 0;
+    for (size_t i = 0; i < points.size(); ++i)
+      for (size_t j = 0; j < i; ++j) worst = std::max(worst, 2 - glm::distance(points[i], points[j]));
+    EXPECT_DOUBLE_EQ(worstOverlap(points, 1), worst);
+  }
+}
+
+}  // namespace
+}  // namespace loomlight
