@@ -1,0 +1,110 @@
+#include "core/base/file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <thread>
+#include <vector>
+
+#include "core/base/error.h"
+
+namespace loomlight {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of its own for each test.
+class File : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::path(testing::TempDir()) / ("loomlight_" + std::to_string(::getpid()) + "_" +
+                                              testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string at(const std::string& name) const { return (folder_ / name).string(); }
+  size_t filesInFolder() const {
+    return static_cast<size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(File, ContentComesBackByteForByte) {
+  std::string content = "first\r\nsecond";
+  content += '\0';
+  content += "\xff";
+  writeFileAtomically(at("a"), content);
+  EXPECT_EQ(readFile(at("a"), 1000), content);
+  writeFileAtomically(at("a"), "");
+  EXPECT_EQ(readFile(at("a"), 1000), "");
+}
+
+TEST_F(File, LeavesNothingBeside) {
+  for (int i = 0; i < 5; ++i) writeFileAtomically(at("a"), "x");
+  EXPECT_THROW(writeFileAtomically(at("missing/b"), "x"), InputError);
+  fs::create_directories(at("folder/full"));
+  EXPECT_THROW(writeFileAtomically(at("folder"), "x"), InputError) << "a folder cannot be replaced";
+  EXPECT_EQ(filesInFolder(), 2u);
+}
+
+TEST_F(File, ReplacedFileKeepsItsPermissions) {
+  writeFileAtomically(at("a"), "x");
+  ASSERT_EQ(::chmod(at("a").c_str(), 0640), 0);
+  writeFileAtomically(at("a"), "y");
+  struct stat status {};
+  ASSERT_EQ(::stat(at("a").c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777, 0640u);
+}
+
+TEST_F(File, ReplacesWhatALinkPointsTo) {
+  writeFileAtomically(at("real"), "x");
+  fs::create_symlink(at("real"), at("link"));
+  writeFileAtomically(at("link"), "y");
+  EXPECT_TRUE(fs::is_symlink(at("link")));
+  EXPECT_EQ(readFile(at("real"), 10), "y");
+}
+
+TEST_F(File, ReaderSeesOldOrNewNeverPart) {
+  const std::string a(200'000, 'a'), b(100'000, 'b');
+  writeFileAtomically(at("f"), a);
+  std::jthread writer([&](std::stop_token stop) {
+    for (int i = 0; i < 20 && !stop.stop_requested(); ++i) writeFileAtomically(at("f"), i % 2 ? a : b);
+  });
+  for (int i = 0; i < 200; ++i) {
+    const std::string seen = readFile(at("f"), 1'000'000);
+    ASSERT_TRUE(seen == a || seen == b);
+  }
+}
+
+TEST_F(File, WhatCannotBeReadIsNamed) {
+  const auto complaint = [](const std::string& file, size_t most) {
+    try {
+      readFile(file, most);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(complaint(at("none"), 10), at("none") + ": cannot be opened: No such file or directory");
+  EXPECT_THAT(complaint(folder_.string(), 10), testing::HasSubstr("expected a regular file"));
+  EXPECT_THAT(complaint("/dev/zero", 10), testing::HasSubstr("expected a regular file"));
+  ASSERT_EQ(::mkfifo(at("pipe").c_str(), 0600), 0);
+  EXPECT_THAT(complaint(at("pipe"), 10), testing::HasSubstr("expected a regular file")) << "and it must not wait";
+  writeFileAtomically(at("large"), std::string(2'000'001, 'x'));
+  EXPECT_EQ(complaint(at("large"), 2'000'000), at("large") + ": expected a file of at most 2 MB");
+  EXPECT_EQ(complaint(at("large"), 2'000'001), "");
+}
+
+TEST_F(File, HugeFileIsRefusedUnread) {
+  writeFileAtomically(at("sparse"), "x");
+  fs::resize_file(at("sparse"), 1'000'000'000'000);
+  EXPECT_THROW(readFile(at("sparse"), 1'000'000), InputError);
+}
+
+}  // namespace
+}  // namespace loomlight
