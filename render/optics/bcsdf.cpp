@@ -31,7 +31,7 @@ int drawOrder(float inside, float u) {
 
 FibreBcsdf::FibreBcsdf(const Fibre& fibre)
     : index_(static_cast<float>(fibre.refractiveIndex)),
-      along_(fibre.longitudinalRoughness, fibre.scaleTilt_deg * kPi / 180),
+      along_(fibre.longitudinalRoughness, fibre.refractiveIndex, fibre.scaleTilt_deg * kPi / 180),
       about_(fibre.azimuthalRoughness, fibre.section, fibre.refractiveIndex) {}
 
 FibreBcsdf::Sample FibreBcsdf::sample(glm::vec3 wo, float h, Random& random) const {

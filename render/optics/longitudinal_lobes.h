@@ -23,19 +23,22 @@ struct Inclination {
 /// around the mirror cone,
 ///   M(o, i) = exp(-sin_o sin_i / v) I0(cos_o cos_i / v) / (2 v sinh(1 / v)),   integral of M cos_i di = 1:
 /// energy is kept for light that leaves along o, but light that arrives along i is multiplied, several times at grazing
-/// angles. Sinkhorn's scaling of rows and columns repairs that: with the one function a() that solves
-///   a(o) * integral of a(i) M(o, i) cos_i^2 di = 1
-/// the lobe S = a(o) a(i) M(o, i) is symmetric, and S cos_i integrates to one from either side.
+/// angles. Sinkhorn's scaling repairs that. With A(o) the share of the mode, mean over the offset h, and a() solving
+///   a(o) * integral of a(i) M(o, i) cos_i^2 di = A(o),
+/// a(o) a(i) M(o, i) is symmetric, so the fibre is reciprocal; and summed over the modes it carries, from either side,
+/// the sum of A, which is one: no light is lost or made. Given the mode, i has the density a(o) a(i) M cos_i / A(o).
 class LongitudinalLobes {
  public:
-  LongitudinalLobes(double roughness, double scaleTilt_rad);
+  /// roughness: beta_m in [0.05, 1]; index: refractive.
+  LongitudinalLobes(double roughness, double index, double scaleTilt_rad);
 
   /// Where wo lies, as every mode sees it: shifted by the tilt of the scales.
   struct Outgoing {
-    Lanes sine, cosine, root, a;
+    Lanes sine, cosine, root;
+    Lanes factor;  ///< a(o) / A(o)
   };
   Outgoing outgoing(Inclination o) const {
-    if (!tilted_) return {spread(o.sine), spread(o.cosine), spread(o.root), correction(o)};
+    if (!tilted_) return {spread(o.sine), spread(o.cosine), spread(o.root), lookUp(outgoing_, o)};
     Outgoing shifted;
     for (size_t mode = 0; mode < kModes; ++mode) {
       const float sine = o.sine * tilt_[mode].cosine + o.cosine * tilt_[mode].sine;
@@ -43,19 +46,19 @@ class LongitudinalLobes {
       shifted.sine[mode] = s.sine;
       shifted.cosine[mode] = s.cosine;
       shifted.root[mode] = s.root;
-      shifted.a[mode] = correction(mode, s);
+      shifted.factor[mode] = lookUp(outgoing_, mode, s);
     }
     return shifted;
   }
 
-  /// S cos_i for every mode.
+  /// Density of i per radian and cos_i, for every mode.
   Lanes density(const Outgoing& o, Inclination i) const {
     // 1 - cos(o + i) as half a squared distance: narrow lobes would not survive the difference.
     const Lanes sines = o.sine + i.sine, cosines = o.cosine - i.cosine;
     const Lanes versine = 0.5f * (sines * sines + cosines * cosines);
     const BesselI0 bessel = besselI0(o.root * i.root * inverseDeviation_);
     const Lanes decay = exponential(-bessel.rest - versine * inverseVariance_);
-    return o.a * correction(i) * i.cosine * norm_ * bessel.factor * decay;
+    return o.factor * lookUp(incoming_, i) * i.cosine * norm_ * bessel.factor * decay;
   }
 
   /// Draws i from exactly that density: M by the inverse of its distribution (d'Eon et al. 2013), the rest by
@@ -69,20 +72,24 @@ class LongitudinalLobes {
       const float across = std::sqrt(versine * (2 - versine)) * sinCosPi(2 * random.uniform() - 1).cosine;
       const float sine = withinOne((versine - 1) * o.sine[mode] + across * o.cosine[mode]);
       const Inclination i(sine, std::sqrt((1 - sine) * (1 + sine)));
-      if (random.uniform() * inverse.bound < correction(mode, i) * i.cosine) return i;
+      if (random.uniform() * inverse.bound < lookUp(incoming_, mode, i) * i.cosine) return i;
     }
   }
 
-  /// Bytes of the table of a().
-  size_t bytes() const { return table_.size() * sizeof(Lanes); }
+  /// Bytes of the tables.
+  size_t bytes() const { return (outgoing_.size() + incoming_.size()) * sizeof(Lanes); }
 
  private:
+  static constexpr size_t kModes = 4;
+  static constexpr size_t kRows = 512;
+
   struct Inverse {
     float variance = 0;  ///< v
-    float bound = 0;     ///< largest a cos_i
+    float bound = 0;     ///< largest a(i) cos_i
   };
 
-  /// a() is smooth in the cosine: one row for each of kRows equal steps from 0 to 1, and one more to interpolate with.
+  /// Functions of the cosine: one row for each of kRows equal steps from 0 to 1, and one more to interpolate with.
+  using Table = std::vector<Lanes>;
   struct Place {
     size_t row;
     float next;
@@ -91,23 +98,21 @@ class LongitudinalLobes {
     const float x = t.cosine * static_cast<float>(kRows);
     return {static_cast<size_t>(static_cast<int>(x)), x - std::floor(x)};
   }
-  Lanes correction(Inclination t) const {
+  static Lanes lookUp(const Table& table, Inclination t) {
     const Place p = place(t);
-    return table_[p.row] + p.next * (table_[p.row + 1] - table_[p.row]);
+    return table[p.row] + p.next * (table[p.row + 1] - table[p.row]);
   }
-  float correction(size_t mode, Inclination t) const {
+  static float lookUp(const Table& table, size_t mode, Inclination t) {
     const Place p = place(t);
-    return table_[p.row][mode] + p.next * (table_[p.row + 1][mode] - table_[p.row][mode]);
+    return table[p.row][mode] + p.next * (table[p.row + 1][mode] - table[p.row][mode]);
   }
-  void solve(size_t mode, double variance);
+  void solve(size_t mode, double variance, double index);
 
-  static constexpr size_t kModes = 4;
-  static constexpr size_t kRows = 512;
-  bool tilted_ = false;
+  bool tilted_;
   std::array<SinCos, kModes> tilt_{};
   Lanes inverseVariance_{}, inverseDeviation_{}, norm_{};
   std::array<Inverse, kModes> inverse_{};
-  std::vector<Lanes> table_;
+  Table outgoing_, incoming_;  ///< a / A, and a
 };
 
 }  // namespace loomlight::optics
