@@ -1,0 +1,147 @@
+#include <gtest/gtest.h>
+
+#include <set>
+#include <unordered_set>
+
+#include "core/base/random.h"
+#include "core/geometry/cloth_geometry.h"
+#include "tests/unit/geometry/cloths.h"
+
+namespace loomlight {
+namespace {
+
+struct KeyHash {
+  size_t operator()(const CellKey& key) const { return hash(key); }
+};
+
+CellKey withoutPhase(CellKey key) {
+  key.phase = 0;
+  return key;
+}
+
+TEST(CellKeys, RepeatUpToThePhase) {
+  for (const Fabric& fabric : cloths::all()) {
+    SCOPED_TRACE(fabric.name);
+    const ClothGeometry cloth(fabric, 100, 100);
+    for (const System system : {System::warp, System::weft})
+      for (int pick = -5; pick < 12; ++pick)
+        for (int end = -5; end < 12; ++end) {
+          const CellKey key = withoutPhase(cloth.key(system, pick, end));
+          EXPECT_EQ(key, withoutPhase(cloth.key(system, pick + cloth.repeatPicks(), end)));
+          EXPECT_EQ(key, withoutPhase(cloth.key(system, pick, end - cloth.repeatEnds())));
+          EXPECT_EQ(cloth.phase(system, pick, end), cloth.key(system, pick, end).phase);
+        }
+  }
+}
+
+TEST(CellKeys, RepeatIsTheSmallest) {
+  Fabric fabric = cloths::plain();
+  fabric.weave = Weave({{1, 0, 1, 0}, {0, 1, 0, 1}, {1, 0, 1, 0}, {0, 1, 0, 1}, {1, 0, 1, 0}, {0, 1, 0, 1}});
+  fabric.warpSequence = {0, 0, 0};
+  const ClothGeometry cloth(fabric, 100, 100);
+  EXPECT_EQ(cloth.repeatEnds(), 2);
+  EXPECT_EQ(cloth.repeatPicks(), 2);
+  const ClothGeometry mixed(cloths::mixed(), 100, 100);
+  EXPECT_EQ(mixed.repeatEnds(), 40);
+  EXPECT_EQ(mixed.repeatPicks(), 24);
+}
+
+TEST(CellKeys, NeighbouringYarnsAreNotInStep) {
+  const ClothGeometry cloth(cloths::plain(), 100, 100);
+  const int period = cloth.yarn(System::warp, 0).period;
+  std::set<int> steps;
+  for (int end = 0; end < 64; ++end)
+    steps.insert((cloth.phase(System::warp, 0, end + 1) - cloth.phase(System::warp, 0, end) + period) % period);
+  EXPECT_EQ(static_cast<int>(steps.size()), period);
+}
+
+TEST(CellKeys, ColourAndOpticsAreNotShape) {
+  Fabric fabric = cloths::plain();
+  Yarn blue = fabric.yarns[0];
+  blue.name = "blue";
+  blue.fibre = 1;
+  Fibre dyed = fabric.fibres[0];
+  dyed.name = "blue cotton";
+  dyed.absorption_per_mm = Rgb(80, 20, 2);
+  dyed.refractiveIndex = 1.6;
+  fabric.fibres.push_back(dyed);
+  fabric.yarns.push_back(blue);
+  fabric.warpSequence = {0, 1, 1};
+  const ClothGeometry cloth(fabric, 12, 12);
+  EXPECT_EQ(cloth.repeatEnds(), 2);
+  EXPECT_EQ(withoutPhase(cloth.key(System::warp, 0, 0)), withoutPhase(cloth.key(System::warp, 0, 2)));
+  EXPECT_EQ(cloth.yarnIndex(System::warp, 2), 1);
+  EXPECT_EQ(cloth.yarnIndex(System::warp, -1), 1);
+  EXPECT_EQ(cloth.yarnIndex(System::warp, -3), 0);
+}
+
+TEST(CellKeys, AnEditOfACrossingStaysLocal) {
+  Random random(11);
+  std::vector<std::vector<uint8_t>> rows(40, std::vector<uint8_t>(40));
+  for (auto& row : rows)
+    for (uint8_t& cell : row) cell = random.below(2) != 0;
+  Fabric fabric = cloths::plain();
+  fabric.weave = Weave(rows);
+  const ClothGeometry before(fabric, 40, 40);
+  fabric.weave = fabric.weave.with(20, 20, !fabric.weave.at(20, 20));
+  const ClothGeometry after(fabric, 40, 40);
+  EXPECT_EQ(before.yarn(System::warp, 0), after.yarn(System::warp, 0));
+  EXPECT_EQ(before.halfThickness_mm(), after.halfThickness_mm());
+  int changed = 0;
+  for (int pick = 0; pick < 40; ++pick)
+    for (int end = 0; end < 40; ++end)
+      for (const System system : {System::warp, System::weft}) {
+        if (before.key(system, pick, end) == after.key(system, pick, end)) continue;
+        ++changed;
+        const int across = system == System::warp ? end : pick, along = system == System::warp ? pick : end;
+        EXPECT_EQ(across, 20);
+        EXPECT_LE(std::abs(along - 20), kMaxFloatDistance + 1);
+      }
+  EXPECT_GE(changed, 6);
+}
+
+TEST(CellKeys, OfAJacquardAreFew) {
+  // Any weave whatever has at most this many: three nodes, two sides, four distances, one yarn a system.
+  Random random(5);
+  std::vector<std::vector<uint8_t>> rows(300, std::vector<uint8_t>(300));
+  for (auto& row : rows)
+    for (uint8_t& cell : row) cell = random.below(3) == 0;
+  Fabric fabric = cloths::plain();
+  fabric.weave = Weave(rows);
+  const ClothGeometry cloth(fabric, 300, 300);
+  std::unordered_set<CellKey, KeyHash> keys;
+  for (int pick = 0; pick < 300; ++pick)
+    for (int end = 0; end < 300; ++end) keys.insert(withoutPhase(cloth.key(System::warp, pick, end)));
+  EXPECT_LE(keys.size(), 100u);
+  EXPECT_GT(keys.size(), 10u);
+}
+
+TEST(CellKeys, HashSeparatesThem) {
+  const ClothGeometry cloth(cloths::mixed(), 100, 100);
+  std::unordered_set<CellKey, KeyHash> keys;
+  std::set<uint64_t> hashes;
+  for (int pick = 0; pick < 48; ++pick)
+    for (int end = 0; end < 80; ++end)
+      for (const System system : {System::warp, System::weft}) {
+        keys.insert(cloth.key(system, pick, end));
+        hashes.insert(hash(cloth.key(system, pick, end)));
+      }
+  EXPECT_EQ(keys.size(), hashes.size());
+}
+
+TEST(Measure, CountsTheSegmentsOfARepeat) {
+  for (const Fabric& fabric : {cloths::plain(), cloths::pliedSatin()}) {
+    SCOPED_TRACE(fabric.name);
+    const ClothGeometry cloth(fabric, 100, 100);
+    double segments = 0;
+    for (const System system : {System::warp, System::weft})
+      for (int pick = 0; pick < cloth.repeatPicks(); ++pick)
+        for (int end = 0; end < cloth.repeatEnds(); ++end)
+          segments += static_cast<double>(cloth.strands(cloth.key(system, pick, end)).segments());
+    // Stations beside the cell's ends are cut at differing places by different fibres: a segment a fibre, more or less.
+    EXPECT_NEAR(cloth.measure().segmentsPerRepeat / segments, 1, 0.1);
+  }
+}
+
+}  // namespace
+}  // namespace loomlight

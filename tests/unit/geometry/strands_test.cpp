@@ -1,0 +1,228 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <span>
+
+#include "core/geometry/cloth_geometry.h"
+#include "core/geometry/stations.h"
+#include "tests/unit/geometry/cloths.h"
+
+namespace loomlight {
+namespace {
+
+/// Fibres of a straight yarn: nothing but the twist turns them.
+Fabric straightYarn(double plyTwist, TwistDirection ply, int plies, double yarnTwist, TwistDirection yarn) {
+  Fabric f = cloths::plain();
+  f.weave = Weave(std::vector<std::vector<uint8_t>>{{1}});  // the warp floats over everything
+  f.yarns[0].plyTwist_per_m = plyTwist;
+  f.yarns[0].plyTwistDirection = ply;
+  f.yarns[0].plies = plies;
+  f.yarns[0].yarnTwist_per_m = yarnTwist;
+  f.yarns[0].yarnTwistDirection = yarn;
+  f.yarns[0].flattening = 1;
+  return f;
+}
+
+/// Mean of (r x dr/ds) . s over fibres, over mean r^2: turns per length of right-handed rotation, 1/mm, about the axis.
+double handedness(const CellStrands& cell, double axisHeight_mm) {
+  double rotation = 0, inertia = 0;
+  for (const CellStrands::Strand& strand : cell.strands) {
+    const glm::dvec3 a = cell.points[strand.first], b = cell.points[strand.first + strand.count - 1];
+    for (uint32_t i = strand.first; i + 1 < strand.first + strand.count; ++i) {
+      const glm::dvec3 p = cell.points[i], q = cell.points[i + 1];
+      const glm::dvec2 from(p.x, p.z - axisHeight_mm), to(q.x, q.z - axisHeight_mm);
+      // (u, s, z) is right-handed, so a right-handed turn about +s goes from z to u.
+      rotation += from.y * to.x - from.x * to.y;
+      inertia += glm::dot(from, from) * (q.y - p.y);
+    }
+    EXPECT_GT(b.y, a.y);
+  }
+  return rotation / inertia / (2 * kPi);
+}
+
+TEST(Twist, ZIsRightHandedAndOfTheSizeAsked) {
+  for (const TwistDirection direction : {TwistDirection::s, TwistDirection::z}) {
+    const ClothGeometry cloth(straightYarn(700, direction, 1, 0, TwistDirection::s), 4, 4);
+    const CellKey key = cloth.key(System::warp, 0, 0);
+    const double turns_per_mm = handedness(cloth.strands(key), key.here.height_mm);
+    const double expected = direction == TwistDirection::z ? 0.7 : -0.7;
+    // Met to kTwistTolerance in the tangent at the surface, and by the cell's length against its typical one.
+    const YarnGeometry& yarn = cloth.yarn(System::warp, 0);
+    const double tolerance =
+        kTwistTolerance / (kPi * yarn.diameter_mm()) + 0.7 * (yarn.cellLength_mm / yarn.pitch_mm - 1);
+    EXPECT_NEAR(turns_per_mm, expected, tolerance + 0.01);
+    EXPECT_EQ(yarn.plyTurns > 0, direction == TwistDirection::z);
+  }
+}
+
+TEST(Twist, PliesTurnAboutTheYarnTheirOwnWay) {
+  const Fabric fabric = straightYarn(0, TwistDirection::z, 2, 500, TwistDirection::s);
+  const ClothGeometry cloth(fabric, 4, 4);
+  const CellKey key = cloth.key(System::warp, 0, 0);
+  EXPECT_LT(handedness(cloth.strands(key), key.here.height_mm), -0.3);
+  EXPECT_LT(cloth.yarn(System::warp, 0).yarnTurns, 0);
+}
+
+TEST(Twist, BalancedPliesLayTheOuterFibresAlongTheYarn) {
+  // Singles Z, two of them plied S with half their twist: outermost, the spin of a ply and the swing about the yarn
+  // are equal and opposite.
+  const auto outerSlope = [](double yarnTwist) {
+    const Fabric fabric = straightYarn(800, TwistDirection::z, 2, yarnTwist, TwistDirection::s);
+    const ClothGeometry cloth(fabric, 4, 4);
+    const CellKey key = cloth.key(System::warp, 0, 0);
+    const YarnGeometry& yarn = cloth.yarn(System::warp, 0);
+    double sum = 0, count = 0;
+    const CellStrands cell = cloth.strands(key);
+    for (const CellStrands::Strand& strand : cell.strands)
+      for (uint32_t i = strand.first; i + 1 < strand.first + strand.count; ++i) {
+        const glm::dvec3 p = cell.points[i], d = glm::dvec3(cell.points[i + 1]) - p;
+        if (std::hypot(p.x, p.z - key.here.height_mm) < 0.8 * yarn.diameter_mm() / 2) continue;
+        sum += std::hypot(d.x, d.z) / d.y;
+        ++count;
+      }
+    return sum / count;
+  };
+  EXPECT_LT(outerSlope(400), 0.35 * outerSlope(0));
+}
+
+double distanceToLine(glm::dvec3 p, glm::dvec3 a, glm::dvec3 b) {
+  const double t = glm::clamp(glm::dot(p - a, b - a) / glm::dot(b - a, b - a), 0.0, 1.0);
+  return glm::distance(p, a + t * (b - a));
+}
+
+/// Furthest that any point of one polyline lies from another.
+double farthest(std::span<const glm::vec3> points, std::span<const glm::vec3> line) {
+  double worst = 0;
+  for (const glm::vec3& p : points) {
+    double nearest = 1e9;
+    for (size_t i = 0; i + 1 < line.size(); ++i) nearest = std::min(nearest, distanceToLine(p, line[i], line[i + 1]));
+    worst = std::max(worst, nearest);
+  }
+  return worst;
+}
+
+TEST(Strands, ChordsKeepToTheSagitta) {
+  for (const Fabric& fabric : cloths::all()) {
+    SCOPED_TRACE(fabric.name);
+    const ClothGeometry cloth(fabric, 8, 8);
+    for (const System system : {System::warp, System::weft})
+      for (int i = 0; i < 2; ++i) {
+        const CellKey key = cloth.key(system, i, i);
+        const YarnGeometry& geometry = cloth.yarn(system, key.yarn);
+        const Yarn& yarn = fabric.yarns[cloth.yarnIndex(system, i)];
+        const auto coarse = makeYarnModel(geometry, yarn, fabric.fibres[0]);
+        // The same fibres at stations for fibres a hundred times finer: as good as the curves themselves.
+        YarnModel fine = *coarse;
+        fine.geometry.fibreRadius_mm /= 100;
+        const auto lay = [&](const YarnModel& model) {
+          return layStrands(model, key.previous, key.here, key.next, key.phase, geometry.pitch_mm);
+        };
+        const CellStrands chords = lay(*coarse), curves = lay(fine);
+        ASSERT_EQ(chords.strands.size(), curves.strands.size());
+        EXPECT_GT(curves.points.size(), chords.points.size());
+        double worst = 0;
+        for (size_t k = 0; k < chords.strands.size(); ++k) {
+          const CellStrands::Strand &a = curves.strands[k], &b = chords.strands[k];
+          if (a.packing == 0) continue;  // loose fibres are laid more freely
+          worst = std::max(worst, farthest({&curves.points[a.first], a.count}, {&chords.points[b.first], b.count}));
+        }
+        EXPECT_LE(worst, 1.1 * kSagitta * geometry.fibreRadius_mm);
+        // And no points are wasted, where fibres are curved all along.
+        if (geometry.plyTurns != 0) EXPECT_GE(worst, 0.2 * kSagitta * geometry.fibreRadius_mm);
+      }
+  }
+}
+
+TEST(Strands, StationsAreNoDenserThanTheSagittaNeeds) {
+  // A straight, untwisted filament yarn in a float needs no points but its ends.
+  Fabric fabric = straightYarn(0, TwistDirection::z, 1, 0, TwistDirection::s);
+  const ClothGeometry cloth(fabric, 4, 4);
+  const CellStrands cell = cloth.strands(cloth.key(System::warp, 0, 0));
+  EXPECT_LE(cell.segments(), 2 * cell.strands.size());
+  EXPECT_EQ(cloth.yarn(System::warp, 0).period, 1);
+}
+
+TEST(Strands, EqualKeysHaveEqualFibres) {
+  const Fabric fabric = cloths::hairy();
+  const ClothGeometry cloth(fabric, 64, 64), again(fabric, 64, 64);
+  for (int pick = 0; pick < 16; ++pick) {
+    const CellKey key = cloth.key(System::weft, pick, 3);
+    const CellStrands a = cloth.strands(key), b = again.strands(again.key(System::weft, pick, 3));
+    ASSERT_EQ(a.points.size(), b.points.size());
+    EXPECT_EQ(0, std::memcmp(a.points.data(), b.points.data(), a.points.size() * sizeof(glm::vec3)));
+    EXPECT_EQ(a.fibreRadius_mm, b.fibreRadius_mm);
+  }
+}
+
+TEST(Strands, StayInTheirCellsAndBetweenTheFaces) {
+  for (Fabric fabric : cloths::all()) {
+    SCOPED_TRACE(fabric.name);
+    fabric.yarns[0].hairiness_per_mm = 10;
+    fabric.yarns[0].hairLength_mm = 3;
+    const ClothGeometry cloth(fabric, 8, 8);
+    for (const System system : {System::warp, System::weft})
+      for (int pick = 0; pick < 8; ++pick)
+        for (int end = 0; end < 8; ++end) {
+          const CellKey key = cloth.key(system, pick, end);
+          const YarnGeometry& yarn = cloth.yarn(system, key.yarn);
+          const CellStrands cell = cloth.strands(key);
+          ASSERT_GE(cell.strands.size(), static_cast<size_t>(yarn.plies * yarn.fibresPerPly));
+          size_t points = 0;
+          for (const CellStrands::Strand& strand : cell.strands) {
+            ASSERT_GE(strand.count, 2u);
+            ASSERT_LT(strand.ply, yarn.plies);
+            points += strand.count;
+          }
+          ASSERT_EQ(points, cell.points.size());
+          for (const glm::vec3& p : cell.points) {
+            ASSERT_LE(std::abs(p.x), 1.5 * yarn.crossPitch_mm);
+            ASSERT_LE(std::abs(p.y), 0.5f * static_cast<float>(yarn.pitch_mm));
+            ASSERT_LE(std::abs(p.z), cloth.halfThickness_mm());
+          }
+        }
+  }
+}
+
+TEST(Hairs, AreLooseAndReachBeyondTheBody) {
+  const ClothGeometry cloth(cloths::hairy(), 16, 16);
+  const YarnGeometry& yarn = cloth.yarn(System::warp, 0);
+  size_t loose = 0;
+  double furthest = 0;
+  for (int pick = 0; pick < yarn.period; ++pick) {
+    const CellKey key = cloth.key(System::warp, pick, 0);
+    const CellStrands cell = cloth.strands(key);
+    for (const CellStrands::Strand& strand : cell.strands) {
+      if (strand.packing > 0) continue;
+      ++loose;
+      for (uint32_t i = strand.first; i < strand.first + strand.count; ++i)
+        furthest = std::max<double>(furthest, std::abs(cell.points[i].z - key.here.height_mm));
+    }
+  }
+  // 6 a mm over the period, each in one cell at least.
+  EXPECT_GE(loose, static_cast<size_t>(5.5 * yarn.period * yarn.cellLength_mm));
+  EXPECT_GT(furthest, yarn.halfHeight_mm + 0.2);
+  EXPECT_LT(furthest, 2 * yarn.halfHeight_mm + yarn.diameter_mm() + 0.8);
+}
+
+TEST(Hairs, NeverOutweighTheYarn) {
+  Fabric fabric = cloths::hairy();
+  fabric.yarns[0].hairiness_per_mm = 50;
+  fabric.yarns[0].hairLength_mm = 3;
+  const ClothGeometry cloth(fabric, 16, 16);
+  double loose = 0, all = 0;
+  for (int pick = 0; pick < cloth.yarn(System::warp, 0).period; ++pick) {
+    const CellStrands cell = cloth.strands(cloth.key(System::warp, pick, 0));
+    all += cell.length_mm();
+    CellStrands hairs;
+    hairs.points = cell.points;
+    for (const CellStrands::Strand& strand : cell.strands)
+      if (strand.packing == 0) hairs.strands.push_back(strand);
+    loose += hairs.length_mm();
+  }
+  EXPECT_LT(loose, 0.4 * all);
+  EXPECT_GT(loose, 0.1 * all);
+}
+
+}  // namespace
+}  // namespace loomlight
