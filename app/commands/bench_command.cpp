@@ -21,8 +21,9 @@ namespace {
 struct Row {
   int resolution = 0;
   VolumeCounts volume;
+  // Processor time, all threads together:
   double voxelise_s = 0;  ///< strands and voxels of all distinct bricks
-  double strands_s = 0;   ///< making the strands alone, on one thread
+  double strands_s = 0;   ///< making the strands alone
   double trace_s = 0;
   TraceCounts trace;
 };
@@ -39,7 +40,7 @@ double strandSeconds(const ClothGeometry& geometry) {
   for (int pick = 0; pick < geometry.picks(); ++pick)
     for (int end = 0; end < geometry.ends(); ++end)
       for (const System system : {System::warp, System::weft}) keys.insert(geometry.key(system, pick, end));
-  Stopwatch watch;
+  CpuStopwatch watch;
   size_t segments = 0;
   for (const CellKey& key : keys) segments += geometry.strands(key).segments();
   return segments > 0 ? watch.lap() : 0;
@@ -55,7 +56,7 @@ bool measure(const Fabric& fabric, int rounds, const Task& task, Row& row) {
   const CameraRays camera(fabric.camera, fabric.render.width, fabric.render.height);
   std::vector<double> voxelise, strands, trace;
   for (int round = 0; round < rounds; ++round) {
-    Stopwatch watch;
+    CpuStopwatch watch;
     const auto copy = std::make_shared<const ClothGeometry>(fabric, geometry.ends(), geometry.picks());
     if (!ClothVolume::build(copy, fabric.render.resolution, task)) return false;
     voxelise.push_back(watch.lap());
@@ -74,16 +75,17 @@ bool measure(const Fabric& fabric, int rounds, const Task& task, Row& row) {
   return true;
 }
 
-double perCore(const Row& row, int threads) {
-  return static_cast<double>(row.trace.paths) / row.trace_s / threads;
-}
 double ratio(double amount, double of) {
   return of > 0 ? amount / of : 0;
 }
+double pathsPerSecond(const Row& row) {
+  return ratio(static_cast<double>(row.trace.paths), row.trace_s);
+}
 
-void printTable(const std::vector<Row>& rows, int threads) {
+void printTable(const std::vector<Row>& rows) {
   fmt::print(
-      "| resolution | bricks | voxels | components | MB | voxelise s | of it fibres s | paths/s/core | events/path | "
+      "| resolution | bricks | voxels | components | MB | voxelise, CPU s | of it fibres | paths/s/core | events/path "
+      "| "
       "ns/event | rays/path | voxels/ray |\n"
       "|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
   for (const Row& row : rows) {
@@ -91,13 +93,12 @@ void printTable(const std::vector<Row>& rows, int threads) {
                rays = static_cast<double>(row.trace.rays), steps = static_cast<double>(row.trace.steps);
     fmt::print("| {} | {} | {} | {} | {:.2f} | {:.3f} | {:.3f} | {:.0f} | {:.2f} | {:.0f} | {:.2f} | {:.2f} |\n",
                row.resolution, row.volume.bricks, row.volume.voxels, row.volume.components,
-               static_cast<double>(row.volume.bytes) / 1e6, row.voxelise_s, row.strands_s, perCore(row, threads),
-               ratio(events, paths), ratio(1e9 * row.trace_s * threads, events), ratio(rays, paths),
-               ratio(steps, rays));
+               static_cast<double>(row.volume.bytes) / 1e6, row.voxelise_s, row.strands_s, pathsPerSecond(row),
+               ratio(events, paths), ratio(1e9 * row.trace_s, events), ratio(rays, paths), ratio(steps, rays));
   }
 }
 
-void printJson(const std::vector<Row>& rows, int threads) {
+void printJson(const std::vector<Row>& rows) {
   auto list = nlohmann::ordered_json::array();
   for (const Row& row : rows) {
     nlohmann::ordered_json json;
@@ -107,15 +108,14 @@ void printJson(const std::vector<Row>& rows, int threads) {
     json["components"] = row.volume.components;
     json["volume_bytes"] = row.volume.bytes;
     json["segments"] = row.volume.segments;
-    json["voxelise_seconds"] = row.voxelise_s;
-    json["strands_seconds"] = row.strands_s;
-    json["render_seconds"] = row.trace_s;
-    json["threads"] = threads;
+    json["voxelise_cpu_seconds"] = row.voxelise_s;
+    json["strands_cpu_seconds"] = row.strands_s;
+    json["render_cpu_seconds"] = row.trace_s;
     json["paths"] = row.trace.paths;
     json["events"] = row.trace.events;
     json["rays"] = row.trace.rays;
     json["steps"] = row.trace.steps;
-    json["paths_per_second_per_core"] = perCore(row, threads);
+    json["paths_per_second_per_core"] = pathsPerSecond(row);
     list.push_back(std::move(json));
   }
   fmt::print("{}\n", list.dump(2));
@@ -137,9 +137,9 @@ int run(const BenchCommand& command) {
     if (!measure(fabric, command.rounds, task, rows[i])) return Interrupt::kExitStatus;
   }
   if (command.json)
-    printJson(rows, command.threads);
+    printJson(rows);
   else
-    printTable(rows, command.threads);
+    printTable(rows);
   return 0;
 }
 

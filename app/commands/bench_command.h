@@ -7,7 +7,8 @@
 
 namespace loomlight {
 
-/// loomlight bench volume FABRIC: what the volume of a fabric costs at several resolutions.
+/// loomlight bench volume FABRIC: what the volume of a fabric costs at several resolutions, in processor time, so that
+/// the figures are per core.
 struct BenchCommand {
   std::string input;
   FabricOptions options;

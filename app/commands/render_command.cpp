@@ -86,52 +86,48 @@ bool trace(const Scene& scene, Job& job, Task task, TraceCounts& counts) {
   return true;
 }
 
+/// Null when stopped.
+std::shared_ptr<const Scene> buildScene(const std::shared_ptr<const Fabric>& fabric, Task task) {
+  Progress progress("voxelising");
+  task.progress = [&progress](double fraction) { progress.update(fraction); };
+  return makeScene(fabric, task);
+}
+
 }  // namespace
 
 int run(const RenderCommand& command) {
   Stopwatch whole;
-  RenderStats stats;
   checkPictureName(command.output);
   const Interrupt interrupt;
   Job job = prepare(command);
   const RenderSettings& settings = job.fabric->render;
-
   Task task;
   task.stop = interrupt.token();
   task.threads = command.threads > 0 ? command.threads : hardwareThreads();
-  Stopwatch watch;
-  std::shared_ptr<const Scene> scene;
-  {
-    Progress progress("voxelising");
-    task.progress = [&progress](double fraction) { progress.update(fraction); };
-    scene = makeScene(job.fabric, task);
-  }
+
+  const auto scene = buildScene(job.fabric, task);
   if (!scene) {
     fmt::print(stderr, "loomlight: stopped before the first sample; nothing was written\n");
     return Interrupt::kExitStatus;
   }
   for (const std::string& repair : scene->shell->repairs()) fmt::print(stderr, "loomlight: {}\n", repair);
-  stats.seconds.voxelise = watch.lap();
   fmt::print(stderr, "loomlight: rendering {} x {}, {} samples per pixel, threads: {}\n", settings.width,
              settings.height, settings.samplesPerPixel, task.threads);
-  const bool complete = trace(*scene, job, task, stats.trace);
-  stats.seconds.render = watch.lap();
+  TraceCounts counts;
+  Stopwatch watch;
+  const bool complete = trace(*scene, job, task, counts);
+  const double render_s = watch.lap();
 
   // A stopped picture keeps its sums, so that hours of work can be gone on with.
   writePicture(command.output, job.film, *job.fabric, command.tone, command.keepSums || !complete);
-  stats.seconds.total = whole.lap();
-  const uint32_t samples = fewestSamples(job.film);
+  const double total_s = whole.lap();
+  const auto samples = static_cast<int>(fewestSamples(job.film));
   if (!command.stats.empty()) {
-    stats.width = settings.width;
-    stats.height = settings.height;
-    stats.samplesPerPixel = static_cast<int>(samples);
-    stats.threads = task.threads;
-    stats.volume = scene->volume->counts();
-    writeStats(command.stats, stats);
+    writeStats(command.stats, {settings.width, settings.height, samples, task.threads, scene->seconds, render_s,
+                               total_s, scene->volume->counts(), counts});
   }
   fmt::print("{}: {} x {}, {} samples per pixel{}, {}\n", command.output, settings.width, settings.height, samples,
-             complete ? "" : fmt::format(" of {}, stopped", settings.samplesPerPixel),
-             durationText(stats.seconds.total));
+             complete ? "" : fmt::format(" of {}, stopped", settings.samplesPerPixel), durationText(total_s));
   return complete ? 0 : Interrupt::kExitStatus;
 }
 

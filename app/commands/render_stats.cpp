@@ -21,9 +21,12 @@ void writeStats(const std::string& file, const RenderStats& stats) {
   json["height"] = stats.height;
   json["samples_per_pixel"] = stats.samplesPerPixel;
   json["threads"] = stats.threads;
-  const auto& s = stats.seconds;
-  json["seconds"] = {{"geometry", s.geometry}, {"voxelise", s.voxelise}, {"accelerate", s.accelerate},
-                     {"bvdf", s.bvdf},         {"render", s.render},     {"total", s.total}};
+  json["seconds"] = {{"geometry", stats.scene_s.geometry},
+                     {"voxelise", stats.scene_s.voxelise},
+                     {"accelerate", stats.scene_s.accelerate},
+                     {"bvdf", 0.0},
+                     {"render", stats.render_s},
+                     {"total", stats.total_s}};
   json["counts"] = {{"segments", stats.volume.segments}, {"bricks", stats.volume.bricks},
                     {"voxels", stats.volume.voxels},     {"components", stats.volume.components},
                     {"paths", stats.trace.paths},        {"events", stats.trace.events},

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <string>
 
-#include "core/volume/cloth_volume.h"
 #include "render/trace/medium.h"
+#include "render/trace/scene.h"
 
 namespace loomlight {
 
@@ -13,9 +13,9 @@ struct RenderStats {
   int width = 0, height = 0;
   int samplesPerPixel = 0;
   int threads = 0;
-  struct Seconds {
-    double geometry = 0, voxelise = 0, accelerate = 0, bvdf = 0, render = 0, total = 0;
-  } seconds;
+  Scene::Seconds scene_s;
+  double render_s = 0;
+  double total_s = 0;
   VolumeCounts volume;
   TraceCounts trace;
 };

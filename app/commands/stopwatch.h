@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <ctime>
 
 namespace loomlight {
 
@@ -18,6 +19,20 @@ class Stopwatch {
  private:
   using Clock = std::chrono::steady_clock;
   Clock::time_point began_ = Clock::now();
+};
+
+/// Processor time of all threads, lap by lap: what other programs do on the machine hardly moves it.
+class CpuStopwatch {
+ public:
+  double lap() {
+    const std::clock_t now = std::clock();
+    const double seconds = static_cast<double>(now - began_) / CLOCKS_PER_SEC;
+    began_ = now;
+    return seconds;
+  }
+
+ private:
+  std::clock_t began_ = std::clock();
 };
 
 }  // namespace loomlight
