@@ -17,6 +17,7 @@ ClothVolume::ClothVolume(std::shared_ptr<const ClothGeometry> geometry, int reso
   cells_ = {geometry_->ends(), geometry_->picks(), 1};
   cell_mm_ = {geometry_->warpPitch_mm(), geometry_->weftPitch_mm(), -2.0 * grid_.zLower_mm};
   voxel_mm_ = cell_mm_ / glm::dvec3(grid_.cell);
+  perCell_ = 1.0 / cell_mm_;
   perVoxel_ = 1.0 / voxel_mm_;
 }
 

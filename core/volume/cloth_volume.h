@@ -105,8 +105,8 @@ class ClothVolume {
 
   std::shared_ptr<const ClothGeometry> geometry_;
   VoxelGrid grid_;
-  glm::dvec3 cell_mm_{1};   ///< pitches, and the thickness of all layers
-  glm::dvec3 perVoxel_{1};  ///< 1 / voxel_mm_
+  glm::dvec3 cell_mm_{1};                ///< pitches, and the thickness of all layers
+  glm::dvec3 perCell_{1}, perVoxel_{1};  ///< 1 / cell_mm_, 1 / voxel_mm_
   glm::dvec3 voxel_mm_{1};  ///< grid().size_mm unrounded: cells of a wide cloth must not drift against the geometry's
   glm::ivec3 cells_{1};     ///< ends, picks, 1
   std::array<TileMap, 2> tiles_;

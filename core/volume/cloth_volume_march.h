@@ -60,12 +60,17 @@ inline void ClothVolume::look(const Reaches& reaches, int voxel, VoxelContent& c
   content.count = count;
 }
 
-/// A ray on its way through the voxels of a piece; march() is its loop.
+/// A ray on its way through a piece, block by block of 4 x 4 x 4 voxels.
 class ClothVolume::Walk {
  public:
   Walk(const ClothVolume& volume, glm::vec3 origin, glm::vec3 direction, int level)
       : volume_(volume), level_(level), perCell_(volume.grid_.cellAt(level)), o_(origin), d_(direction) {
     o_.z -= volume.grid_.zLower_mm;
+    for (int axis = 0; axis < 3; ++axis) {
+      upwards_[axis] = d_[axis] > 0 ? 1 : 0;
+      inverse_[axis] = d_[axis] != 0 ? 1 / d_[axis] : 0;
+      never_[axis] = d_[axis] != 0 ? 0 : std::numeric_limits<double>::infinity();
+    }
   }
 
   /// Clips [t, tEnd] to the piece; false if nothing is left.
@@ -76,7 +81,6 @@ class ClothVolume::Walk {
         if (!(o_[axis] >= 0 && o_[axis] < size[axis])) return false;
         continue;
       }
-      inverse_[axis] = 1 / d_[axis];
       const double a = -o_[axis] * inverse_[axis], b = (size[axis] - o_[axis]) * inverse_[axis];
       t = std::max(t, std::min(a, b));
       tEnd = std::min(tEnd, std::max(a, b));
@@ -84,48 +88,55 @@ class ClothVolume::Walk {
     return t < tEnd;
   }
 
-  /// Goes to the voxel at t.
+  /// Goes to the block at t.
   void start(double t) {
     for (int axis = 0; axis < 3; ++axis) {
       const double position = o_[axis] + t * d_[axis];
-      cell[axis] = std::clamp(static_cast<int>(position / volume_.cell_mm_[axis]), 0, volume_.cells_[axis] - 1);
+      cell[axis] = std::clamp(static_cast<int>(position * volume_.perCell_[axis]), 0, volume_.cells_[axis] - 1);
       enterCell(axis);
-      voxel[axis] = voxelAt(axis, t);
-      tNext[axis] = faceAhead(axis, voxel[axis]);
+      block[axis] = voxelAt(axis, t) >> 2;
+      tBlock[axis] = faceAhead(axis, lastVoxel(axis));
     }
   }
 
-  /// Crosses the face ahead in an axis; false if this leaves the piece.
-  bool step(int axis) { return moveTo(axis, voxel[axis] + (d_[axis] > 0 ? 1 : -1)); }
-
-  /// Leaves the block of 4 x 4 x 4 voxels; t becomes where. False if this leaves the piece or passes tEnd.
-  bool leaveBlock(double& t, double tEnd, int& axis) {
-    glm::ivec3 last;
-    glm::dvec3 exit;
-    for (int i = 0; i < 3; ++i) {
-      last[i] = d_[i] > 0 ? std::min(voxel[i] | 3, perCell_[i] - 1) : voxel[i] & ~3;
-      exit[i] = faceAhead(i, last[i]);
+  /// Crosses the block's face in an axis; false if this leaves the piece.
+  bool leaveBlock(int axis) {
+    const int step = 2 * upwards_[axis] - 1, count = (perCell_[axis] + 3) >> 2;
+    block[axis] += step;
+    cellChanged = static_cast<unsigned>(block[axis]) >= static_cast<unsigned>(count);
+    if (cellChanged) {
+      cell[axis] += step;
+      if (static_cast<unsigned>(cell[axis]) >= static_cast<unsigned>(volume_.cells_[axis])) return false;
+      block[axis] = upwards_[axis] ? 0 : count - 1;
+      enterCell(axis);
     }
-    axis = nearest(exit);
-    if (!(exit[axis] < tEnd)) return false;
-    t = std::max(t, exit[axis]);
-    for (int i = 0; i < 3; ++i) {
-      if (i == axis) continue;
-      // Never back, nor out of the block, whatever rounding says.
-      const int reached = voxelAt(i, t);
-      voxel[i] = d_[i] > 0 ? std::clamp(reached, voxel[i], last[i]) : std::clamp(reached, last[i], voxel[i]);
-      tNext[i] = faceAhead(i, voxel[i]);
-    }
-    return moveTo(axis, last[axis] + (d_[axis] > 0 ? 1 : -1));
+    tBlock[axis] = faceAhead(axis, lastVoxel(axis));
+    voxel[axis] = firstVoxel(axis);
+    tVoxel[axis] = faceAhead(axis, voxel[axis]);
+    return true;
   }
 
-  static int nearest(glm::dvec3 t) {
+  /// Goes to the voxel of the block at t: in the block, whatever rounding says.
+  void findVoxel(double t) {
+    for (int axis = 0; axis < 3; ++axis) {
+      voxel[axis] = std::clamp(voxelAt(axis, t), 4 * block[axis], std::min(4 * block[axis] + 3, perCell_[axis] - 1));
+      tVoxel[axis] = faceAhead(axis, voxel[axis]);
+    }
+  }
+  void leaveVoxel(int axis) {
+    voxel[axis] += 2 * upwards_[axis] - 1;
+    tVoxel[axis] = faceAhead(axis, voxel[axis]);
+  }
+  glm::ivec3 voxelOfCloth() const { return cell * perCell_ + voxel; }
+
+  static int nearest(const glm::dvec3& t) {
     const int axis = t.y < t.x ? 1 : 0;
     return t.z < t[axis] ? 2 : axis;
   }
 
-  glm::ivec3 cell{0}, voxel{0};  ///< voxel: of the level, in its cell
-  glm::dvec3 tNext{0};           ///< of the faces ahead
+  glm::ivec3 cell{0}, block{0}, voxel{0};  ///< block and voxel: in their cell, of the level
+  glm::dvec3 tBlock{0}, tVoxel{0};         ///< where the ray crosses their faces ahead
+  bool cellChanged = false;
 
  private:
   void enterCell(int axis) { inCell_[axis] = o_[axis] - cell[axis] * volume_.cell_mm_[axis]; }
@@ -134,25 +145,12 @@ class ClothVolume::Walk {
     const double leaf = (inCell_[axis] + t * d_[axis]) * volume_.perVoxel_[axis];
     return std::clamp(static_cast<int>(leaf), 0, volume_.grid_.cell[axis] - 1) >> level_;
   }
-
+  /// Of the block, those that the ray enters and leaves it by.
+  int firstVoxel(int axis) const { return std::min(4 * block[axis] + 3 * (1 - upwards_[axis]), perCell_[axis] - 1); }
+  int lastVoxel(int axis) const { return std::min(4 * block[axis] + 3 * upwards_[axis], perCell_[axis] - 1); }
   double faceAhead(int axis, int v) const {
-    if (d_[axis] == 0) return std::numeric_limits<double>::infinity();
-    const int leaf = d_[axis] > 0 ? std::min((v + 1) << level_, volume_.grid_.cell[axis]) : v << level_;
-    return (leaf * volume_.voxel_mm_[axis] - inCell_[axis]) * inverse_[axis];
-  }
-
-  bool moveTo(int axis, int v) {
-    cellChanged = static_cast<unsigned>(v) >= static_cast<unsigned>(perCell_[axis]);
-    if (cellChanged) {
-      const bool up = v > 0;
-      cell[axis] += up ? 1 : -1;
-      if (static_cast<unsigned>(cell[axis]) >= static_cast<unsigned>(volume_.cells_[axis])) return false;
-      v = up ? 0 : perCell_[axis] - 1;
-      enterCell(axis);
-    }
-    voxel[axis] = v;
-    tNext[axis] = faceAhead(axis, v);
-    return true;
+    const int leaf = std::min((v + upwards_[axis]) << level_, volume_.grid_.cell[axis]);
+    return (leaf * volume_.voxel_mm_[axis] - inCell_[axis]) * inverse_[axis] + never_[axis];
   }
 
   const ClothVolume& volume_;
@@ -160,9 +158,9 @@ class ClothVolume::Walk {
   glm::ivec3 perCell_;
   // In double: at the far side of a wide cloth a float's step is no longer small beside a voxel.
   glm::dvec3 o_, d_, inverse_{0}, inCell_{0};
-
- public:
-  bool cellChanged = false;
+  glm::dvec3 never_{0};  ///< infinite in the axes that the ray does not move along
+  glm::ivec3 upwards_{
+      0};  ///< 1 where it moves to greater coordinates; numbers, because signs are what no branch predicts
 };
 
 template <class Visit>
@@ -172,42 +170,43 @@ bool ClothVolume::march(glm::vec3 origin, glm::vec3 direction, float t0, float t
   Walk walk(*this, origin, direction, level);
   if (!walk.clip(t, tEnd)) return true;
   walk.start(t);
+  walk.cellChanged = true;
 
-  const glm::ivec3 perCell = grid_.cellAt(level);
   VoxelContent content;
   Reaches reaches;
-  const auto enterCell = [&] {
-    content.end = walk.cell.x;
-    content.pick = walk.cell.y;
-    gather(walk.cell.y, walk.cell.x, level, reaches);
-  };
-  enterCell();
-  uint64_t occupied = openBlock(reaches, walk.voxel >> 2);
+  bool inStep = false;  // whether the walk's voxel is that at t, without looking for it
   for (;;) {
-    int axis = 0, before = 0;
-    if (occupied == 0) {
-      if (!walk.leaveBlock(t, tEnd, axis)) return true;
-      before = -1;
-    } else {
-      axis = Walk::nearest(walk.tNext);
-      const double tLeave = std::min(walk.tNext[axis], tEnd);
-      const int number = numberInBlock(walk.voxel);
-      // A step of no length is that of a ray through an edge, or one that starts on a face.
-      if (occupied >> number & 1 && tLeave > t) {
+    if (walk.cellChanged) {
+      content.end = walk.cell.x;
+      content.pick = walk.cell.y;
+      gather(content.pick, content.end, level, reaches);
+    }
+    const uint64_t occupied = openBlock(reaches, walk.block);
+    const int side = Walk::nearest(walk.tBlock);
+    const double tLeaveBlock = std::min(walk.tBlock[side], tEnd);
+    if (occupied != 0 && tLeaveBlock > t) {
+      if (!inStep) walk.findVoxel(t);
+      // The faces of a block are faces of its voxels, computed alike, so the walk cannot step out of the block.
+      for (;;) {
+        const int axis = Walk::nearest(walk.tVoxel), number = numberInBlock(walk.voxel);
+        const double tLeave = std::min(walk.tVoxel[axis], tLeaveBlock);
+        // A step of no length is that of a ray through an edge, or one that starts on a face.
         const auto enter = static_cast<float>(t), leave = static_cast<float>(tLeave);
-        if (enter < leave) {
+        if ((occupied >> number & 1) != 0 && enter < leave) {
           look(reaches, number, content);
-          content.voxel = walk.cell * perCell + walk.voxel;
+          content.voxel = walk.voxelOfCloth();
           if (!visit(static_cast<const VoxelContent&>(content), enter, leave)) return false;
         }
+        t = std::max(t, tLeave);
+        if (!(walk.tVoxel[axis] < tLeaveBlock)) break;
+        walk.leaveVoxel(axis);
       }
-      if (!(walk.tNext[axis] < tEnd)) return true;
-      t = std::max(t, tLeave);
-      before = walk.voxel[axis] >> 2;
-      if (!walk.step(axis)) return true;
+      inStep = true;
+    } else {
+      inStep = false;
     }
-    if (walk.cellChanged) enterCell();
-    if (walk.cellChanged || walk.voxel[axis] >> 2 != before) occupied = openBlock(reaches, walk.voxel >> 2);
+    t = std::max(t, tLeaveBlock);
+    if (!(walk.tBlock[side] < tEnd) || !walk.leaveBlock(side)) return true;
   }
 }
 

@@ -1,5 +1,7 @@
 #include "core/volume/tangent_spread.h"
 
+#include <vector>
+
 namespace loomlight {
 namespace {
 
@@ -17,32 +19,33 @@ double overAngle(double spread, int steps, const F& f) {
   return sum * reach / steps;
 }
 
-/// E |sin angle(d, t)| where t is `theta` from m, uniformly around it, and m is alpha from d. The angle runs over one
-/// period of a smooth function, so the midpoint rule converges exponentially except where t passes through d.
-double overTurn(double alpha, double theta, int steps) {
-  const double along = std::cos(alpha) * std::cos(theta), across = std::sin(alpha) * std::sin(theta);
-  double sum = 0;
-  for (int i = 0; i < steps; ++i) {
-    const double cosine = along + across * std::cos(kPi * (i + 0.5) / steps);
-    sum += std::sqrt(std::max(0.0, 1 - cosine * cosine));
-  }
-  return sum / steps;
+/// Cosines of angles spread evenly over half a turn, the other half being alike. The integrands over a turn are smooth
+/// and periodic, so the midpoint rule converges exponentially, except where a fibre lies along the ray.
+std::vector<double> turnCosines(int steps) {
+  std::vector<double> cosines(steps);
+  for (int i = 0; i < steps; ++i) cosines[i] = std::cos(kPi * (i + 0.5) / steps);
+  return cosines;
 }
 
-double integrate(double alpha, double spread, int steps) {
+double integrate(double alpha, double spread, const std::vector<double>& turns) {
   if (spread <= 0) return std::abs(std::sin(alpha));
-  return overAngle(spread, steps, [&](double theta) { return overTurn(alpha, theta, steps); });
+  return overAngle(spread, static_cast<int>(turns.size()), [&](double theta) {
+    const double along = std::cos(alpha) * std::cos(theta), across = std::sin(alpha) * std::sin(theta);
+    double sum = 0;
+    for (const double turn : turns) {
+      const double cosine = along + across * turn;
+      sum += std::sqrt(std::max(0.0, 1 - cosine * cosine));
+    }
+    return sum / static_cast<double>(turns.size());
+  });
 }
 
 /// What the row s = 0 tends to: the plane instead of the sphere, alpha = x s with s -> 0, divided by s (Rice's mean).
-double planeLimit(double x, int steps) {
-  return overAngle(1.0, steps, [&](double theta) {
+double planeLimit(double x, const std::vector<double>& turns) {
+  return overAngle(1.0, static_cast<int>(turns.size()), [&](double theta) {
     double sum = 0;
-    for (int i = 0; i < steps; ++i) {
-      const double turn = kPi * (i + 0.5) / steps;
-      sum += std::sqrt(x * x + theta * theta + 2 * x * theta * std::cos(turn));
-    }
-    return sum / steps;
+    for (const double turn : turns) sum += std::sqrt(x * x + theta * theta + 2 * x * theta * turn);
+    return sum / static_cast<double>(turns.size());
   });
 }
 
@@ -54,11 +57,11 @@ const TangentSpread& TangentSpread::table() {
 }
 
 double TangentSpread::projectedLengthExact(double alpha_rad, double spread) {
-  return integrate(alpha_rad, spread, 400);
+  return integrate(alpha_rad, spread, turnCosines(400));
 }
 
 TangentSpread::TangentSpread() {
-  constexpr int kSteps = 96;  // within 1e-4 of the integral, in a few tens of milliseconds for the whole table
+  const std::vector<double> turns = turnCosines(64);  // within 3e-4 of the integral, and the table is made at once
   for (int j = 0; j < kSpreads; ++j) {
     const double s = static_cast<double>(j) / (kSpreads - 1), k = 2 * s * s;
     for (int i = 0; i < kRatios; ++i) {
@@ -66,10 +69,10 @@ TangentSpread::TangentSpread() {
       double value = 1;
       if (j == 0) {
         // sin^2 / (sin^2 + 2 s^2) = ratio at vanishing s.
-        if (ratio < 1) value = planeLimit(std::sqrt(2 * ratio / (1 - ratio)), kSteps) * std::sqrt((1 - ratio) / 2);
+        if (ratio < 1) value = planeLimit(std::sqrt(2 * ratio / (1 - ratio)), turns) * std::sqrt((1 - ratio) / 2);
       } else {
         const double sinSquare = std::min(1.0, k * ratio / (1 + k - ratio));
-        value = integrate(std::asin(std::sqrt(sinSquare)), s, kSteps) / std::sqrt(sinSquare + k);
+        value = integrate(std::asin(std::sqrt(sinSquare)), s, turns) / std::sqrt(sinSquare + k);
       }
       values_[j][i] = static_cast<float>(value);
     }
@@ -84,22 +87,21 @@ double TangentSpread::spreadFromMeanSquareSine(double meanSquare) {
   // Spread over root-mean-square sine, which is nearly linear: s = rms / sqrt(2) for small s.
   static constexpr int kSamples = 256;
   struct Inverse {
-    std::array<double, kSamples + 1> spread;
-    double rmsLast = std::sqrt(TangentSpread::meanSquareSine(1));
+    std::array<double, kSamples + 1> spread{};
+    double rmsOfOne = std::sqrt(TangentSpread::meanSquareSine(1));
     Inverse() {
-      for (int i = 0; i <= kSamples; ++i) {
-        const double rms = rmsLast * i / kSamples;
-        double low = 0, high = 1;
-        while (high - low > 1e-10) {
-          const double middle = 0.5 * (low + high);
-          (std::sqrt(TangentSpread::meanSquareSine(middle)) < rms ? low : high) = middle;
-        }
-        spread[i] = i == 0 ? 0 : 0.5 * (low + high);
+      double before = 0;
+      for (int i = 1, j = 1; j <= kSamples; ++j) {
+        const double s = static_cast<double>(j) / kSamples, rms = std::sqrt(TangentSpread::meanSquareSine(s));
+        for (; i < kSamples && rmsOfOne * i / kSamples <= rms; ++i)
+          spread[i] = s - (rms - rmsOfOne * i / kSamples) / (rms - before) / kSamples;
+        before = rms;
       }
+      spread[kSamples] = 1;
     }
   };
   static const Inverse inverse;
-  const double x = std::sqrt(std::max(0.0, meanSquare)) / inverse.rmsLast * kSamples;
+  const double x = std::sqrt(std::max(0.0, meanSquare)) / inverse.rmsOfOne * kSamples;
   if (!(x < kSamples)) return 1;
   const int i = static_cast<int>(x);
   return inverse.spread[i] + (x - i) * (inverse.spread[i + 1] - inverse.spread[i]);

@@ -249,20 +249,31 @@ TEST(March, VisitorStopsIt) {
 TEST(March, NamesTheYarnAndTheCell) {
   const auto volume = volumeOf(hairyTwill(), 6, 6, 4);
   const ClothGeometry& geometry = volume->geometry();
+  const VoxelGrid& grid = volume->grid();
   int warp = 0, weft = 0, neighbours = 0;
-  volume->march({0, 0.55f * volume->upper_mm().y, -0.02f}, {1, 0.02f, 0.01f}, 0, 9,
-                [&](const VoxelContent& content, float enter, float leave) {
-                  const float t = 0.5f * (enter + leave);
-                  EXPECT_EQ(content.end, static_cast<int>(t / geometry.warpPitch_mm()));
-                  for (int i = 0; i < content.count; ++i) {
-                    const bool isWarp = content.parts[i].system == System::warp;
-                    const int own = isWarp ? content.end : content.pick;
-                    EXPECT_LE(std::abs(content.parts[i].index - own), 1);
-                    neighbours += content.parts[i].index != own;
-                    ++(isWarp ? warp : weft);
-                  }
-                  return true;
-                });
+  for (int i = 0; i < 20; ++i) {
+    const float y = volume->upper_mm().y * (static_cast<float>(i) + 0.37f) / 20;
+    volume->march({0, y, -0.04f}, {1, 0, 0.01f}, 0, 9, [&](const VoxelContent& content, float enter, float leave) {
+      EXPECT_EQ(content.end, static_cast<int>(0.5f * (enter + leave) / geometry.warpPitch_mm()));
+      EXPECT_EQ(content.pick, static_cast<int>(y / geometry.weftPitch_mm()));
+      EXPECT_EQ(content.voxel.x / grid.cell.x, content.end);
+      EXPECT_EQ(content.voxel.y / grid.cell.y, content.pick);
+      for (int p = 0; p < content.count; ++p) {
+        const VoxelContent::Part& part = content.parts[p];
+        const bool isWarp = part.system == System::warp;
+        const int own = isWarp ? content.end : content.pick;
+        EXPECT_LE(std::abs(part.index - own), 1);
+        const Brick& brick =
+            volume->brick(part.system, isWarp ? content.pick : part.index, isWarp ? part.index : content.end);
+        const Component* first = brick.level(0).components.data();
+        EXPECT_GE(part.components.data(), first) << "of the yarn that it names";
+        EXPECT_LT(part.components.data(), first + brick.components());
+        neighbours += part.index != own;
+        ++(isWarp ? warp : weft);
+      }
+      return true;
+    });
+  }
   EXPECT_GT(warp, 0);
   EXPECT_GT(weft, 0);
   EXPECT_GT(neighbours, 0);
