@@ -63,7 +63,7 @@ inline Lanes exponential(Lanes x) {
   return power * reinterpret_cast<Lanes>((whole + 127) << 23);
 }
 
-/// |atan2(sine, cosine)|, in [0, pi]; absolute error below 4e-7. The pair need not be normalised; (0, 0) gives 0.
+/// |atan2(sine, cosine)|, in [0, pi]; absolute error below 6e-7. The pair need not be normalised; (0, 0) gives 0.
 inline Lanes angle(Lanes sine, Lanes cosine) {
   const Lanes s = magnitude(sine), c = magnitude(cosine);
   const Lanes ratio = least(s, c) / most(most(s, c), spread(1e-30f));
@@ -77,7 +77,7 @@ struct SinCos {
   float sine, cosine;
 };
 
-/// Of pi * y, y in [-1, 1]; absolute error below 3e-7.
+/// Of pi * y, y in [-1, 1]; absolute error below 6e-7.
 inline SinCos sinCosPi(float y) {
   const float t = y * y;
   return {y * polynomial(t, 3.14159265f, -5.16771255f, 2.55016034f, -0.599242231f, 0.0820817412f, -0.00727518478f,

@@ -7,19 +7,6 @@
 namespace loomlight::optics {
 namespace {
 
-/// e^-x I0(x), by its power series or, for large x, its asymptotic one (Abramowitz & Stegun 9.6.12, 9.7.1).
-double scaledBesselI0(double x) {
-  if (x > 30) {
-    double term = 1, sum = 1;
-    for (int k = 1; k <= 8; ++k) sum += term *= (2 * k - 1) * (2 * k - 1) / (8 * k * x);
-    return sum / std::sqrt(2 * kPi * x);
-  }
-  double term = 1, sum = 1;
-  const double q = 0.25 * x * x;
-  for (int k = 1; term > sum * 1e-16; ++k) sum += term *= q / (static_cast<double>(k) * k);
-  return sum * std::exp(-x);
-}
-
 /// Shares of the modes, averaged over the offset h, by the midpoint rule in its arcsine: periodic and smooth.
 Lanes meanShare(double cosine, double index) {
   constexpr int kPoints = 24;
@@ -39,12 +26,51 @@ double normOf(double v) {
   return 1 / (v * -std::expm1(-2 / v));
 }
 
-/// M(o, i) without its norm.
-double kernel(double o, double i, double v) {
-  const double half = std::sin(0.5 * (o + i));
-  const double exponent = -2 * half * half / v;
-  return exponent < -45 ? 0.0 : std::exp(exponent) * scaledBesselI0(std::cos(o) * std::cos(i) / v);
-}
+/// A quadrature rule over inclinations that weighs M(o, i) cos_i^2; functions of i are taken as even. Continued over
+/// the poles M is periodic and smooth, so that the midpoint rule converges exponentially once its step is below the
+/// width of the lobe; the lower bound on its points is for the shares, which change fast near the poles.
+class Quadrature {
+ public:
+  explicit Quadrature(double variance)
+      : variance_(variance), size_(static_cast<size_t>(std::clamp(0.25 * kPi / std::sqrt(variance), 32.0, 64.0)) * 4) {
+    const double step = 0.5 * kPi / static_cast<double>(size_);
+    for (size_t k = 0; k < size_; ++k) {
+      const double theta = (static_cast<double>(k) + 0.5) * step;
+      sine_.push_back(static_cast<float>(std::sin(theta)));
+      cosine_.push_back(static_cast<float>(std::cos(theta)));
+      weight_.push_back(normOf(variance) * step * std::cos(theta) * std::cos(theta));
+    }
+  }
+  size_t size() const { return size_; }
+  double cosine(size_t k) const { return static_cast<double>(cosine_[k]); }
+
+  /// Weights for an o of this cosine: the integral of f(i) M(o, i) cos_i^2 is the sum of f times these.
+  void weights(double cosine, double* result) const {
+    const auto c = static_cast<float>(cosine), s = static_cast<float>(std::sqrt(1 - cosine * cosine));
+    const auto inverse = static_cast<float>(1 / variance_);
+    for (size_t k = 0; k < size_; k += 4) {
+      Lanes si{}, ci{}, root{};
+      for (size_t lane = 0; lane < 4; ++lane) {
+        si[lane] = sine_[k + lane];
+        ci[lane] = cosine_[k + lane];
+        root[lane] = std::sqrt(c * ci[lane] * inverse);
+      }
+      const BesselI0 bessel = besselI0(root);
+      const auto side = [&](Lanes difference) {
+        const Lanes versine = 0.5f * (difference * difference + (c - ci) * (c - ci));
+        return bessel.factor * exponential(-bessel.rest - versine * inverse);
+      };
+      const Lanes both = side(s - si) + side(s + si);
+      for (size_t lane = 0; lane < 4; ++lane) result[k + lane] = weight_[k + lane] * static_cast<double>(both[lane]);
+    }
+  }
+
+ private:
+  double variance_;
+  size_t size_;
+  std::vector<float> sine_, cosine_;
+  std::vector<double> weight_;
+};
 
 }  // namespace
 
@@ -74,40 +100,31 @@ LongitudinalLobes::LongitudinalLobes(double roughness, double index, double scal
 }
 
 void LongitudinalLobes::solve(size_t mode, double variance, double index) {
-  // Continued over the poles M is periodic and smooth, so that the trapezoidal rule converges exponentially once its
-  // step is below the width of the lobe. a() is even: only one side of the plane is solved for.
-  const size_t half = static_cast<size_t>(std::clamp(kPi / std::sqrt(variance), 32.0, 256.0));
-  const double step = 0.5 * kPi / static_cast<double>(half);
-  std::vector<double> theta(half), weight(half), share(half), a(half), row(half), matrix(half * half);
-  for (size_t k = 0; k < half; ++k) {
-    theta[k] = (static_cast<double>(k) + 0.5) * step;
-    const double cosine = std::cos(theta[k]);
-    weight[k] = normOf(variance) * step * cosine * cosine;
-    share[k] = meanShare(cosine, index)[mode];
-    a[k] = std::sqrt(share[k] / cosine);  // the solution for narrow lobes, away from the poles
-  }
-  const auto entry = [&](double o, size_t k) {
-    return weight[k] * (kernel(o, theta[k], variance) + kernel(o, -theta[k], variance));
-  };
-  for (size_t j = 0; j < half; ++j) {
-    for (size_t k = 0; k < half; ++k) matrix[j * half + k] = entry(theta[j], k);
+  const Quadrature nodes(variance);
+  const size_t n = nodes.size();
+  std::vector<double> share(n), a(n), sums(n), matrix(n * n);
+  for (size_t k = 0; k < n; ++k) {
+    share[k] = meanShare(nodes.cosine(k), index)[mode];
+    a[k] = std::sqrt(share[k] / nodes.cosine(k));  // the solution for narrow lobes, away from the poles
+    nodes.weights(nodes.cosine(k), &matrix[k * n]);
   }
   double worst = 1;
-  for (int iteration = 0; iteration < 200 && worst > 1e-8; ++iteration) {
-    for (size_t j = 0; j < half; ++j) row[j] = std::inner_product(a.begin(), a.end(), &matrix[j * half], 0.0);
+  for (int iteration = 0; iteration < 200 && worst > 1e-7; ++iteration) {
+    for (size_t k = 0; k < n; ++k) sums[k] = std::inner_product(a.begin(), a.end(), &matrix[k * n], 0.0);
     worst = 0;
-    for (size_t j = 0; j < half; ++j) {
-      worst = std::max(worst, std::abs(a[j] * row[j] / share[j] - 1));
-      a[j] = std::sqrt(a[j] * share[j] / row[j]);
+    for (size_t k = 0; k < n; ++k) {
+      worst = std::max(worst, std::abs(a[k] * sums[k] / share[k] - 1));
+      a[k] = std::sqrt(a[k] * share[k] / sums[k]);
     }
   }
   // The equation itself continues the solution from the nodes to any angle.
-  for (size_t r = 0; r <= kRows; ++r) {
-    const double cosine = static_cast<double>(r) / kRows, o = std::acos(cosine);
-    double sum = 0;
-    for (size_t k = 0; k < half; ++k) sum += entry(o, k) * a[k];
-    outgoing_[r][mode] = static_cast<float>(1 / sum);
-    incoming_[r][mode] = static_cast<float>(meanShare(cosine, index)[mode] / sum);
+  std::vector<double> weights(n);
+  for (size_t row = 0; row <= kRows; ++row) {
+    const double cosine = static_cast<double>(row) / kRows;
+    nodes.weights(cosine, weights.data());
+    const double sum = std::inner_product(a.begin(), a.end(), weights.begin(), 0.0);
+    outgoing_[row][mode] = static_cast<float>(1 / sum);
+    incoming_[row][mode] = static_cast<float>(meanShare(cosine, index)[mode] / sum);
   }
   outgoing_[kRows + 1] = outgoing_[kRows];
   incoming_[kRows + 1] = incoming_[kRows];

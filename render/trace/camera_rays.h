@@ -9,7 +9,8 @@ struct Ray {
   glm::vec3 direction{0, 0, 1};  ///< unit
 };
 
-/// Makes the rays of a Camera for pictures of any size. z is up in the picture; looking straight down, +y is.
+/// Makes the rays of a Camera for pictures of any size. z is up in the picture; looking straight down, it is what lies
+/// beyond the target as one came over the azimuth: +y for an azimuth of -90 degrees.
 class CameraRays {
  public:
   CameraRays(const Camera& camera, int width, int height);
