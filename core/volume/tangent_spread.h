@@ -21,7 +21,7 @@ class TangentSpread {
  public:
   static const TangentSpread& table();
 
-  /// sinAlpha in [0, 1], spread in [0, 1]. Within 0.2 % of the integral; never above 1.
+  /// sinAlpha in [0, 1], spread in [0, 1]. Within 0.1 % of the integral; never above 1.
   float projectedLength(float sinAlpha, float spread) const {
     return projectedLengthOfSquare(sinAlpha * sinAlpha, spread);
   }
