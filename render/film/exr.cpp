@@ -130,7 +130,15 @@ class MemoryStream : public Imf::OStream {
   size_t position_ = 0;
 };
 
-Image readChecked(const std::string& file) {
+std::map<std::string, std::string> textsOf(const Imf::Header& header) {
+  std::map<std::string, std::string> texts;
+  for (auto a = header.begin(); a != header.end(); ++a) {
+    if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&a.attribute())) texts[a.name()] = text->value();
+  }
+  return texts;
+}
+
+Image readImage(const std::string& file) {
   Imf::InputFile input(file.c_str());
   const Imf::Header& header = input.header();
   const Imath::Box2i window = header.dataWindow();
@@ -150,11 +158,23 @@ Image readChecked(const std::string& file) {
   }
   input.setFrameBuffer(buffer);
   input.readPixels(window.min.y, window.max.y);
-  for (auto a = header.begin(); a != header.end(); ++a) {
-    if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&a.attribute()))
-      image.metadata[a.name()] = text->value();
-  }
+  image.metadata = textsOf(header);
   return image;
+}
+
+/// Runs read(file) on a file whose header makes no outrageous claims; what OpenEXR throws becomes an InputError.
+template <class Read>
+auto guarded(const std::string& file, Read&& read) {
+  HeaderGuard(file).check();
+  try {
+    return read(file);
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw InputError(fmt::format("{}: needs more memory than there is", file));
+  } catch (const std::exception& e) {
+    throw InputError(fmt::format("{}: damaged or unsupported EXR file: {}", file, e.what()));
+  }
 }
 
 Imf::Header headerOf(const std::string& file, const Image& image) {
@@ -172,16 +192,11 @@ Imf::Header headerOf(const std::string& file, const Image& image) {
 }  // namespace
 
 Image readExr(const std::string& file) {
-  HeaderGuard(file).check();
-  try {
-    return readChecked(file);
-  } catch (const InputError&) {
-    throw;
-  } catch (const std::bad_alloc&) {
-    throw InputError(fmt::format("{}: needs more memory than there is", file));
-  } catch (const std::exception& e) {
-    throw InputError(fmt::format("{}: damaged or unsupported EXR file: {}", file, e.what()));
-  }
+  return guarded(file, readImage);
+}
+
+std::map<std::string, std::string> readExrMetadata(const std::string& file) {
+  return guarded(file, [](const std::string& name) { return textsOf(Imf::InputFile(name.c_str()).header()); });
 }
 
 void writeExr(const std::string& file, const Image& image) {

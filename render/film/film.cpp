@@ -18,10 +18,10 @@ namespace {
 constexpr int kMaxSide = 16384;
 constexpr int kMaxId = 1 << 24;  ///< beyond it a float channel no longer holds every integer
 
-/// The machine's memory, or half of it all that there could be where the system does not tell.
+/// The machine's memory in bytes; no limit where the system does not tell.
 uint64_t physicalMemory() {
   const long pages = sysconf(_SC_PHYS_PAGES), bytes = sysconf(_SC_PAGE_SIZE);
-  if (pages <= 0 || bytes <= 0) return std::numeric_limits<uint64_t>::max() / 2;
+  if (pages <= 0 || bytes <= 0) return std::numeric_limits<uint64_t>::max();
   return static_cast<uint64_t>(pages) * static_cast<uint64_t>(bytes);
 }
 
@@ -35,12 +35,16 @@ Film::Film(int width, int height) : width_(width), height_(height) {
   if (width < 1 || height < 1 || width > kMaxSide || height > kMaxSide)
     throw InputError(fmt::format("a picture of {} x {} pixels: expected 1 to {} a side", width, height, kMaxSide));
   const size_t count = static_cast<size_t>(width) * static_cast<size_t>(height);
-  const uint64_t bytes = count * bytesPerPixel;
-  if (bytes > physicalMemory())
-    throw InputError(fmt::format("a picture of {} x {} pixels needs {:.1f} GB for its sums, this machine has {:.1f}",
-                                 width, height, static_cast<double>(bytes) * 1e-9,
-                                 static_cast<double>(physicalMemory()) * 1e-9));
-  pixels_.resize(count);
+  const auto tooLarge = [&] {
+    return InputError(fmt::format("a picture of {} x {} pixels needs {:.1f} GB for its sums, more than there is", width,
+                                  height, static_cast<double>(count * bytesPerPixel) * 1e-9));
+  };
+  if (count * bytesPerPixel > physicalMemory()) throw tooLarge();
+  try {
+    pixels_.resize(count);
+  } catch (const std::bad_alloc&) {
+    throw tooLarge();
+  }
 }
 
 void Film::add(int x, int y, uint32_t sampleIndex, const PathSample& sample) {

@@ -6,6 +6,7 @@
 
 #include "core/base/units.h"
 #include "render/film/image.h"
+#include "render/film/zero_allocator.h"
 
 namespace loomlight {
 
@@ -104,7 +105,7 @@ class Film {
   static void visitSums(P& pixel, Visit&& visit);
 
   int width_, height_;
-  std::vector<Pixel> pixels_;
+  std::vector<Pixel, ZeroAllocator<Pixel>> pixels_;
 };
 
 }  // namespace loomlight

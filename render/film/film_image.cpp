@@ -14,7 +14,7 @@
 namespace loomlight {
 namespace {
 
-const std::string kSumsKey = "loomlightSums";
+const std::string kSumsKey = "loomlight.sums";
 const std::string kSumsVersion = "1";  ///< counts up when quanta or channels change
 
 std::array<float, 3> split(uint64_t v) {

@@ -18,12 +18,14 @@ struct Image {
   std::map<std::string, std::string> metadata;
 
   const Channel* find(const std::string& name) const;
-  std::vector<float>& add(std::string name);  ///< zero-filled
+  std::vector<float>& add(std::string name);  ///< zero-filled; the reference is good until the next add
 };
 
 /// Throw InputError, naming the file and what is wrong with it. Writers write a temporary file beside the target and
 /// rename it, so that a picture is whole or the old one is still there. Sizes beyond 16384 x 16384 are refused.
 Image readExr(const std::string& file);
+/// Only its texts, without the pixels.
+std::map<std::string, std::string> readExrMetadata(const std::string& file);
 void writeExr(const std::string& file, const Image& image);
 
 /// 8-bit RGB or RGBA, sRGB-encoded by the caller.

@@ -70,7 +70,7 @@ TEST(FilmFile, MissingChannelsAreNamed) {
 
 TEST(FilmFile, OtherVersionsOfTheSumsAreRefused) {
   Image image = Film(2, 2).toImage(true);
-  image.metadata["loomlightSums"] = "99";
+  image.metadata["loomlight.sums"] = "99";
   EXPECT_THAT(test::messageOf<InputError>([&] { Film::fromImage(image, "b.exr"); }), HasSubstr("99"));
 }
 
