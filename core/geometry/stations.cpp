@@ -28,6 +28,8 @@ class CellStations {
   CellStations(const YarnModel& yarn, double pitch_mm) : yarn_(yarn), pitch_(pitch_mm) {
     const double reach = yarn.bodyReach_mm * yarn.upScale();
     reach_ = reach;
+    const int fibres = std::max(1, static_cast<int>(yarn.fibres.size()));
+    maxStations_ = std::clamp(kMaxPointsPerCell / fibres, kLeastMaxStations, kMaxStations);
     maxTilt_ = std::min(1.0, 0.499 * pitch_mm / std::max(reach, 1e-9));
   }
 
@@ -38,7 +40,7 @@ class CellStations {
     const double rate = easing.maxCellsPerMm();
     double wanted = 0;
     for (const Transition::Piece& piece : path.pieces()) wanted += piece.length_mm / spacing(piece, rate);
-    const double coarser = std::max(1.0, wanted / kMaxStations);
+    const double coarser = std::max(1.0, wanted / maxStations_);
     for (const Transition::Piece& piece : path.pieces()) {
       const int steps = static_cast<int>(std::ceil(piece.length_mm / (coarser * spacing(piece, rate))));
       for (int i = 0; i < steps; ++i) {
@@ -105,6 +107,7 @@ class CellStations {
 
   const YarnModel& yarn_;
   double pitch_, reach_ = 0, maxTilt_ = 1;
+  int maxStations_ = kMaxStations;
   std::vector<Station> stations_;
 };
 

@@ -18,10 +18,12 @@ struct Station {
   double t = 0;  ///< cells from the start of the period
 };
 
-/// Where fibres may be off the true curve, in fibre radii: half the height of a chord's arc. Station spacing keeps to
-/// it in every piece of the path, for the outermost fibres (less where a cell would need more than kMaxStations).
+/// Where fibres may be off the true curve, in fibre radii: the height of an arc above its chord. Station spacing keeps
+/// to it in every piece of the path, for the outermost fibres; less well where a transition would need more than
+/// kMaxStations, or a cell more than some kMaxPointsPerCell points: only where many fibres bend absurdly sharply.
 inline constexpr double kSagitta = 0.1;
 inline constexpr int kMaxStations = 1024;
+inline constexpr int kLeastMaxStations = 32;
 
 /// The stations of a cell from `previous` through `here` to `next`, in order, and those beside it whose fibres spill
 /// in: the fibres lie in planes normal to the path, so the cell's ends cut them at different stations. Each transition

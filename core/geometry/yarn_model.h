@@ -37,8 +37,8 @@ struct YarnModel {
 
 /// Gives a yarn with resolved twist its fibres. Their number is that of the yarn, or count over fineness and take-up,
 /// rounded; their radius then makes the yarn weigh its count exactly, take-up and loose fibres included. A yarn of more
-/// than kMaxFibresPerPly fibres a ply, or with more than kMaxPointsPerCell in a cell, gets thicker fibres instead, each
-/// for a bundle: the mass stays. A given number of fibres keeps its radius, and the count follows.
+/// than kMaxFibresPerPly fibres a ply, or with more than kMaxPointsPerCell points in a straight cell, gets thicker
+/// fibres instead, each for a bundle: the mass stays. A given number of fibres keeps its radius, and the count follows.
 std::shared_ptr<const YarnModel> makeYarnModel(YarnGeometry geometry, const Yarn& yarn, const Fibre& fibre);
 inline constexpr int kMaxFibresPerPly = 2000;
 inline constexpr int kMaxPointsPerCell = 400'000;

@@ -129,7 +129,9 @@ TEST(Strands, ChordsKeepToTheSagitta) {
         }
         EXPECT_LE(worst, 1.1 * kSagitta * geometry.fibreRadius_mm);
         // And no points are wasted, where fibres are curved all along.
-        if (geometry.plyTurns != 0) EXPECT_GE(worst, 0.2 * kSagitta * geometry.fibreRadius_mm);
+        if (geometry.plyTurns != 0) {
+          EXPECT_GE(worst, 0.2 * kSagitta * geometry.fibreRadius_mm);
+        }
       }
   }
 }
