@@ -10,7 +10,7 @@ namespace {
 /// exponentially.
 template <class F>
 double overAngle(double spread, int steps, const F& f) {
-  const double low = -10, high = std::log(8.5);  // beyond: 1e-9 and 2e-16 of the whole
+  const double low = -7, high = std::log(8.5);  // beyond: 4e-7 and 2e-16 of the whole
   const double h = (high - low) / steps;
   double sum = 0;
   for (int i = 0; i <= steps; ++i) {
