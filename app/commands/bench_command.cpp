@@ -4,11 +4,9 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <unordered_set>
 
 #include "app/commands/inputs.h"
 #include "app/commands/interrupt.h"
-#include "app/commands/render_stats.h"
 #include "app/commands/stopwatch.h"
 #include "core/fabric/validate.h"
 #include "render/trace/path_tracer.h"
@@ -23,7 +21,6 @@ struct Row {
   VolumeCounts volume;
   // Processor time, all threads together:
   double voxelise_s = 0;  ///< strands and voxels of all distinct bricks
-  double strands_s = 0;   ///< making the strands alone
   double trace_s = 0;
   TraceCounts trace;
 };
@@ -31,19 +28,6 @@ struct Row {
 double median(std::vector<double> values) {
   std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
   return values[values.size() / 2];
-}
-
-/// Seconds to make the fibres of every distinct cell once.
-double strandSeconds(const ClothGeometry& geometry) {
-  const auto hashOf = [](const CellKey& key) { return hash(key); };
-  std::unordered_set<CellKey, decltype(hashOf)> keys(0, hashOf);
-  for (int pick = 0; pick < geometry.picks(); ++pick)
-    for (int end = 0; end < geometry.ends(); ++end)
-      for (const System system : {System::warp, System::weft}) keys.insert(geometry.key(system, pick, end));
-  CpuStopwatch watch;
-  size_t segments = 0;
-  for (const CellKey& key : keys) segments += geometry.strands(key).segments();
-  return segments > 0 ? watch.lap() : 0;
 }
 
 /// False when stopped.
@@ -54,13 +38,12 @@ bool measure(const Fabric& fabric, int rounds, const Task& task, Row& row) {
   const ClothGeometry& geometry = scene->volume->geometry();
   row.volume = scene->volume->counts();
   const CameraRays camera(fabric.camera, fabric.render.width, fabric.render.height);
-  std::vector<double> voxelise, strands, trace;
+  std::vector<double> voxelise, trace;
   for (int round = 0; round < rounds; ++round) {
     CpuStopwatch watch;
     const auto copy = std::make_shared<const ClothGeometry>(fabric, geometry.ends(), geometry.picks());
     if (!ClothVolume::build(copy, fabric.render.resolution, task)) return false;
     voxelise.push_back(watch.lap());
-    strands.push_back(strandSeconds(geometry));
     Film film(fabric.render.width, fabric.render.height);
     watch.lap();
     const auto samples = static_cast<uint32_t>(fabric.render.samplesPerPixel);
@@ -70,7 +53,6 @@ bool measure(const Fabric& fabric, int rounds, const Task& task, Row& row) {
     row.trace = pass.counts;
   }
   row.voxelise_s = median(voxelise);
-  row.strands_s = median(strands);
   row.trace_s = median(trace);
   return true;
 }
@@ -84,16 +66,16 @@ double pathsPerSecond(const Row& row) {
 
 void printTable(const std::vector<Row>& rows) {
   fmt::print(
-      "| resolution | bricks | voxels | components | MB | voxelise, CPU s | of it fibres | paths/s/core | events/path "
-      "| "
-      "ns/event | rays/path | voxels/ray |\n"
+      "| resolution | bricks | voxels | components | MB | voxelise, CPU s | segments/s "
+      "| paths/s/core | events/path | ns/event | rays/path | voxels/ray |\n"
       "|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
   for (const Row& row : rows) {
     const auto paths = static_cast<double>(row.trace.paths), events = static_cast<double>(row.trace.events),
                rays = static_cast<double>(row.trace.rays), steps = static_cast<double>(row.trace.steps);
-    fmt::print("| {} | {} | {} | {} | {:.2f} | {:.3f} | {:.3f} | {:.0f} | {:.2f} | {:.0f} | {:.2f} | {:.2f} |\n",
+    fmt::print("| {} | {} | {} | {} | {:.2f} | {:.3f} | {:.2e} | {:.0f} | {:.2f} | {:.0f} | {:.2f} | {:.2f} |\n",
                row.resolution, row.volume.bricks, row.volume.voxels, row.volume.components,
-               static_cast<double>(row.volume.bytes) / 1e6, row.voxelise_s, row.strands_s, pathsPerSecond(row),
+               static_cast<double>(row.volume.bytes) / 1e6, row.voxelise_s,
+               ratio(static_cast<double>(row.volume.segments), row.voxelise_s), pathsPerSecond(row),
                ratio(events, paths), ratio(1e9 * row.trace_s, events), ratio(rays, paths), ratio(steps, rays));
   }
 }
@@ -109,7 +91,6 @@ void printJson(const std::vector<Row>& rows) {
     json["volume_bytes"] = row.volume.bytes;
     json["segments"] = row.volume.segments;
     json["voxelise_cpu_seconds"] = row.voxelise_s;
-    json["strands_cpu_seconds"] = row.strands_s;
     json["render_cpu_seconds"] = row.trace_s;
     json["paths"] = row.trace.paths;
     json["events"] = row.trace.events;
