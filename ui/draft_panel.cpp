@@ -121,6 +121,7 @@ std::optional<Fabric> structures(Ui& ui, const Fabric& fabric, DraftView& view) 
     drawThumbnail(ui, structure.weave, min, size);
     const bool chosen = structure.weave == fabric.weave;
     const ImVec2 max(min.x + size, min.y + size);
+    ImGui::GetWindowDrawList()->AddRect(min, max, packed(ui.theme.line), ui.px(2));
     if (chosen || ImGui::IsItemHovered())
       ImGui::GetWindowDrawList()->AddRect(
           ImVec2(min.x - ui.px(2), min.y - ui.px(2)), ImVec2(max.x + ui.px(2), max.y + ui.px(2)),

@@ -14,6 +14,13 @@ namespace {
 constexpr double kRestSeconds = 0.5;
 constexpr float kLabelShare = 0.44f;
 
+/// Says that a list opens here.
+void drawChevron(Ui& ui, ImVec2 centre) {
+  const float w = ui.px(4), h = ui.px(2);
+  const ImVec2 points[] = {{centre.x - w, centre.y - h}, {centre.x, centre.y + h}, {centre.x + w, centre.y - h}};
+  ImGui::GetWindowDrawList()->AddPolyline(points, 3, packed(ui.theme.textQuiet), 0, ui.px(1.5f));
+}
+
 }  // namespace
 
 ImVec4 toDisplayColour(const Rgb& linear) {
@@ -77,7 +84,9 @@ bool choiceField(Ui& ui, const RowText& text, std::span<const char* const> names
   ImGui::SetNextItemWidth(row.width);
   bool changed = false;
   const char* shown = chosen >= 0 && chosen < static_cast<int>(names.size()) ? names[chosen] : otherwise;
-  if (ImGui::BeginCombo("##choice", shown, ImGuiComboFlags_HeightLarge)) {
+  const bool open = ImGui::BeginCombo("##choice", shown, ImGuiComboFlags_HeightLarge | ImGuiComboFlags_NoArrowButton);
+  if (!open) drawChevron(ui, ImVec2(max.x - ui.px(14), 0.5f * (min.y + max.y)));
+  if (open) {
     for (int i = 0; i < static_cast<int>(names.size()); ++i) {
       if (ImGui::Selectable(names[i], i == chosen)) {
         changed = i != chosen;

@@ -71,10 +71,12 @@ std::optional<Command> menuBar(Ui& ui, const MenuModel& model) {
   }
   ImGui::PopStyleVar(2);
   const std::string right = model.title + (model.edited ? "   \xE2\x97\x8F edited" : "");
-  const float width = ImGui::CalcTextSize(right.c_str()).x;
-  ImGui::SameLine(ImGui::GetWindowWidth() - width - ui.px(16));
-  ImGui::TextUnformatted(right.c_str());
-  ui.probe.recordItem("title");
+  const ImVec2 size = ImGui::CalcTextSize(right.c_str());
+  const ImVec2 bar = ImGui::GetWindowPos();
+  const ImVec2 at(bar.x + ImGui::GetWindowWidth() - size.x - ui.px(16),
+                  bar.y + 0.5f * (ImGui::GetWindowHeight() - size.y));
+  ImGui::GetWindowDrawList()->AddText(at, packed(ui.theme.text), right.c_str());
+  ui.probe.record("title", at, ImVec2(at.x + size.x, at.y + size.y));
   ImGui::EndMainMenuBar();
   return menu.chosen();
 }

@@ -4,18 +4,25 @@
 
 namespace loomlight {
 
-std::optional<std::string> presetList(Ui& ui, const std::vector<std::string>& names) {
+std::optional<PresetChoice> presetList(Ui& ui, const std::vector<std::string>& own,
+                                       const std::vector<std::string>& samples) {
   heading(ui, "Presets");
-  std::optional<std::string> chosen;
+  std::optional<PresetChoice> chosen;
   ImGui::BeginChild("presets", ImVec2(0, 0));
-  if (names.empty())
-    hint(ui,
-         "File \xE2\x96\xB8 Keep as preset puts a cloth here. A preset dresses the scene: drape, light and camera "
-         "stay.");
-  for (const std::string& name : names) {
-    if (ImGui::Selectable(name.c_str())) chosen = name;
-    ui.probe.recordItem("preset/" + name);
-  }
+  auto list = [&](const std::vector<std::string>& names, bool isSample) {
+    for (size_t i = 0; i < names.size(); ++i) {
+      ImGui::PushID(isSample ? static_cast<int>(i) : -1 - static_cast<int>(i));
+      if (ImGui::Selectable(names[i].c_str())) chosen = {isSample, i};
+      const std::string id = (isSample ? "sample/" : "preset/") + names[i];
+      ui.probe.recordItem(id);
+      tooltipFor(ui, id.c_str(), ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
+                 "Puts this cloth on the present drape, in the present light.");
+      ImGui::PopID();
+    }
+  };
+  list(own, false);
+  if (!own.empty()) ImGui::Separator();
+  list(samples, true);
   ImGui::EndChild();
   return chosen;
 }

@@ -48,7 +48,8 @@ void statusBar(Ui& ui, const StatusModel& model) {
     ImGui::PopClipRect();
   }
   figure(ui, "status.work", width - ui.px(314), model.work, "What the workers behind the picture are doing.", quiet);
-  figure(ui, "status.samples", width - ui.px(150), fmt::format("{} spp", model.samples),
+  figure(ui, "status.samples", width - ui.px(150),
+         model.samples > 0 ? fmt::format("{} spp", model.samples) : std::string("preview"),
          "Samples per pixel: light paths traced through every pixel. More is smoother.", quiet);
   figure(ui, "status.seconds", width - ui.px(72), fmt::format("{:.1f} s", model.seconds),
          "Time since this picture was begun.", quiet);

@@ -132,7 +132,7 @@ ViewportEdit viewportPanel(Ui& ui, const Fabric& fabric, const ViewportModel& mo
     view.pointer = ImVec2((mouse.x - min.x) / size.x, (mouse.y - min.y) / size.y);
   }
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  draw.PushClipRect(min, max, true);
+  draw.PushClipRect(min, max, false);
   draw.AddRectFilled(min, max, packed(ui.theme.surround));
   if (model.picture) draw.AddImage(model.picture, min, ImVec2(min.x + size.x, min.y + size.y));
   drawOverlays(ui, model, min, max);

@@ -1,10 +1,15 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "core/fabric/fabric.h"
 
 namespace loomlight {
 
-/// The cloth that a new editor opens on: a blue cotton 2/2 twill with a lighter weft.
-Fabric sampleFabric();
+/// The sample cloths that travel inside the program, by name. The first is what a new editor opens on.
+std::vector<std::string> sampleNames();
+/// index < sampleNames().size()
+Fabric sampleFabric(size_t index = 0);
 
 }  // namespace loomlight

@@ -1,5 +1,6 @@
 #include "app/editor/session.h"
 
+#include "app/editor/sample_fabric.h"
 #include "app/editor/user_folders.h"
 
 namespace loomlight {
@@ -9,6 +10,7 @@ Session::Session(Document document, Settings settings, std::function<void()> wak
       document_(std::move(document)),
       wake_(std::move(wake)),
       presets_(presetFolder()),
+      sampleNames_(sampleNames()),
       autosave_(stateFolder()),
       insightWorker_(wake_),
       renderer_(wake_, threads) {}

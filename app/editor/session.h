@@ -19,6 +19,7 @@
 #include "ui/draft_view.h"
 #include "ui/file_browser.h"
 #include "ui/inspector.h"
+#include "ui/preset_list.h"
 #include "ui/status_bar.h"
 #include "ui/viewport_panel.h"
 
@@ -52,7 +53,7 @@ class Session {
 
   // session_panels.cpp: what is drawn
   void drawPanels(Ui& ui);
-  void drawDraft(Ui& ui, const Insight* insight);
+  void drawDraft(Ui& ui);
   void drawViewport(Ui& ui, const LiveStatus& status);
   void drawInspector(Ui& ui, const Insight* insight, const LiveStatus& status);
   StatusModel statusModel(const Insight* insight, const LiveStatus& status) const;
@@ -62,7 +63,7 @@ class Session {
   // session_commands.cpp: what is done
   void readKeys();
   void edit(Fabric fabric);
-  void applyPreset(const std::string& name);
+  void applyPreset(const PresetChoice& choice);
   void drawDialogs(Ui& ui);
   void drawSnapshot(Ui& ui);
   void fileChosen(const std::string& file);
@@ -81,6 +82,7 @@ class Session {
   Document document_;
   std::function<void()> wake_;
   PresetStore presets_;
+  std::vector<std::string> sampleNames_;
   Autosave autosave_;
   InsightWorker insightWorker_;
   ViewportPicture picture_;

@@ -37,9 +37,10 @@ void Session::edit(Fabric fabric) {
   }
 }
 
-void Session::applyPreset(const std::string& name) {
+void Session::applyPreset(const PresetChoice& choice) {
   try {
-    edit(dressed(*document_.fabric(), presets_.load(name)));
+    const Fabric cloth = choice.isSample ? sampleFabric(choice.index) : presets_.load(presets_.names()[choice.index]);
+    edit(dressed(*document_.fabric(), cloth));
     draft_.cell = 0;
   } catch (const InputError& error) {
     say("This preset cannot be used", error.what());

@@ -44,7 +44,7 @@ void Session::drawPanels(Ui& ui) {
   endPanel();
   if (settings_.desk.panelsShown) {
     beginPanel("draft", areas.draft, true);
-    drawDraft(ui, insight.get());
+    drawDraft(ui);
     endPanel();
     beginPanel("inspector", areas.inspector, true);
     drawInspector(ui, insight.get(), status);
@@ -57,12 +57,12 @@ void Session::drawPanels(Ui& ui) {
   if (command) run(*command);
 }
 
-void Session::drawDraft(Ui& ui, const Insight*) {
+void Session::drawDraft(Ui& ui) {
   const Fabric& fabric = *document_.fabric();
   draft_.brushYarn = inspector_.yarn;
   if (auto edited = draftPanel(ui, fabric, yarnColours(fabric), draft_, underPointer_)) edit(std::move(*edited));
   inspector_.yarn = draft_.brushYarn;
-  if (const auto name = presetList(ui, presets_.names())) applyPreset(*name);
+  if (const auto choice = presetList(ui, presets_.names(), sampleNames_)) applyPreset(*choice);
 }
 
 void Session::drawViewport(Ui& ui, const LiveStatus& status) {
