@@ -20,7 +20,9 @@ namespace loomlight {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+double secondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 /// Samples at which the viewport goes to sleep.
 constexpr uint32_t kViewportSamples = 1024;
@@ -90,7 +92,7 @@ struct LiveRenderer::Workers {
 
   std::shared_ptr<const Scene> scene;  // the builder's: the newest that could be built
 
-  std::jthread builder, tracer;        // last: they stop before what they use is gone
+  std::jthread builder, tracer;  // last: they stop before what they use is gone
 };
 
 void LiveRenderer::Workers::buildLoop(std::stop_token stop) {

@@ -16,7 +16,7 @@ namespace loomlight {
 /// What the viewport wants to see. `generation` counts up with every request and comes back in every frame.
 struct ViewRequest {
   std::shared_ptr<const Fabric> fabric;
-  int width = 0, height = 0;           ///< pixels of the viewport
+  int width = 0, height = 0;  ///< pixels of the viewport
   uint64_t generation = 0;
 };
 
@@ -24,25 +24,25 @@ struct ViewRequest {
 /// stretched.
 struct Frame {
   int width = 0, height = 0;
-  std::vector<glm::vec4> rgba;         ///< linear, premultiplied by alpha; row by row from the top left
-  std::vector<Film::Hit> hits;         ///< yarn and crossing per pixel; -1 where there is no cloth
-  uint64_t generation = 0;             ///< of the request it answers
-  int samples = 0;                     ///< per pixel; 0 for a coarse pass
-  int divider = 1;                     ///< of the resolution
-  double seconds = 0;                  ///< since the tracing of this request began
+  std::vector<glm::vec4> rgba;  ///< linear, premultiplied by alpha; row by row from the top left
+  std::vector<Film::Hit> hits;  ///< yarn and crossing per pixel; -1 where there is no cloth
+  uint64_t generation = 0;      ///< of the request it answers
+  int samples = 0;              ///< per pixel; 0 for a coarse pass
+  int divider = 1;              ///< of the resolution
+  double seconds = 0;           ///< since the tracing of this request began
 };
 
 struct LiveStatus {
   enum class Phase { idle, voxelising, tracing, converged };
   Phase phase = Phase::idle;
-  double buildProgress = 1;            ///< 0..1, of the voxelisation under way
-  uint64_t builtGeneration = 0;        ///< newest request whose volume is ready
+  double buildProgress = 1;      ///< 0..1, of the voxelisation under way
+  uint64_t builtGeneration = 0;  ///< newest request whose volume is ready
   VolumeCounts counts;
   ClothMeasures measures;
-  double buildSeconds = 0;             ///< of the last voxelisation
+  double buildSeconds = 0;  ///< of the last voxelisation
   double pathsPerSecond = 0;
-  std::string error;                   ///< of the newest request, for the user; empty if it could be built
-  std::vector<std::string> notices;    ///< repairs of a mesh and the like
+  std::string error;                 ///< of the newest request, for the user; empty if it could be built
+  std::vector<std::string> notices;  ///< repairs of a mesh and the like
 };
 
 /// The two workers behind the viewport: the builder turns the newest fabric into a scene, the tracer refines pictures
@@ -59,7 +59,7 @@ class LiveRenderer {
   void request(ViewRequest request);
   std::shared_ptr<const Frame> frame() const;  ///< the newest; null before the first
   LiveStatus status() const;
-  void pause(bool paused);                     ///< stops tracing (a snapshot needs the cores); the picture stays
+  void pause(bool paused);  ///< stops tracing (a snapshot needs the cores); the picture stays
 
  private:
   struct Workers;

@@ -13,11 +13,11 @@ struct PassPlan {
 
 /// What it has done since the last restart.
 struct PassHistory {
-  int width = 0, height = 0;    ///< of the full picture
-  double secondsPerPath = 0;    ///< measured, on all threads together; 0: nothing measured yet
-  int divider = 0;              ///< of the last pass; 0: none yet
-  uint32_t samples = 0;         ///< at full resolution
-  double seconds = 0;           ///< since the restart
+  int width = 0, height = 0;  ///< of the full picture
+  double secondsPerPath = 0;  ///< measured, on all threads together; 0: nothing measured yet
+  int divider = 0;            ///< of the last pass; 0: none yet
+  uint32_t samples = 0;       ///< at full resolution
+  double seconds = 0;         ///< since the restart
 };
 
 /// Coarse and quick first, then finer, then more samples in passes that grow longer as the picture grows older. Pure.

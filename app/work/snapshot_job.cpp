@@ -72,7 +72,9 @@ SnapshotJob::SnapshotJob(std::shared_ptr<const Fabric> fabric, std::string file,
 
 SnapshotJob::~SnapshotJob() = default;
 
-void SnapshotJob::cancel() { thread_.request_stop(); }
+void SnapshotJob::cancel() {
+  thread_.request_stop();
+}
 
 SnapshotJob::State SnapshotJob::state() const {
   std::lock_guard lock(shared_->mutex);

@@ -22,7 +22,7 @@ class SnapshotJob {
     bool finished = false;
     bool cancelled = false;
     double progress = 0;
-    std::string error;      ///< empty when all went well
+    std::string error;  ///< empty when all went well
   };
   State state() const;
 

@@ -11,9 +11,9 @@ namespace loomlight {
 
 /// How the cloth lies where a ray crosses it: cloth-space tangents and densities become those of the world.
 struct LocalDrape {
-  glm::mat3 frame{1.0f};       ///< d world / d cloth
-  float densityScale = 1.0f;   ///< 1 / det frame: the same fibres in more or less room
-  bool isometric = true;       ///< flat: nothing to transform
+  glm::mat3 frame{1.0f};      ///< d world / d cloth
+  float densityScale = 1.0f;  ///< 1 / det frame: the same fibres in more or less room
+  bool isometric = true;      ///< flat: nothing to transform
 
   /// World tangent of unit length; `stretch` receives the factor on the fibre's length.
   glm::vec3 tangent(glm::vec3 cloth, float& stretch) const {
@@ -39,8 +39,8 @@ inline float distanceToBounds(const Shell& shell, glm::vec3 origin, glm::vec3 di
 }
 
 /// Follows the ray from + t direction (unit) through every fold of the shell that it meets, for t in (0, tMax), and
-/// shows each voxel with content, in order, to visit(const VoxelContent&, float tEnter, float tLeave, const LocalDrape&,
-/// int tet), which returns false to stop. Parameters are world distances. True if nothing stopped it.
+/// shows each voxel with content, in order, to visit(const VoxelContent&, float tEnter, float tLeave, const
+/// LocalDrape&, int tet), which returns false to stop. Parameters are world distances. True if nothing stopped it.
 template <class Visit>
 bool walkCloth(const Scene& scene, const Place& from, glm::vec3 direction, float tMax, Visit&& visit) {
   const Shell& shell = *scene.shell;
@@ -75,11 +75,10 @@ bool walkCloth(const Scene& scene, const Place& from, glm::vec3 direction, float
         drape.isometric = false;
         clothDirection = shell.tets()[tet].toCloth * direction;
       }
-      const bool through =
-          volume.march(shell.toCloth(tet, origin), clothDirection, t, tStop,
-                       [&](const VoxelContent& content, float tEnter, float tLeave) {
-                         return visit(content, passed + tEnter, passed + tLeave, drape, tet);
-                       });
+      const bool through = volume.march(shell.toCloth(tet, origin), clothDirection, t, tStop,
+                                        [&](const VoxelContent& content, float tEnter, float tLeave) {
+                                          return visit(content, passed + tEnter, passed + tLeave, drape, tet);
+                                        });
       if (!through) return false;
       if (tExit >= tMax || flat) return true;  // flat: a box is convex, what leaves it is gone
       t = tExit;

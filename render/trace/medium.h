@@ -26,18 +26,24 @@ struct TraceCounts {
 /// A scattering event: where a ray met a fibre, and which.
 struct Collision {
   Place place;
-  float distance_mm = 0;      ///< along the ray, from the start of the flight
+  float distance_mm = 0;         ///< along the ray, from the start of the flight
+  glm::vec3 incoming{0, 0, -1};  ///< direction of the ray
   glm::vec3 tangent{1, 0, 0};
   float offset = 0;           ///< h: where across the fibre, -1..1
   glm::vec3 normal{0, 0, 1};  ///< of the cloth's face
   YarnOptics optics;
-  int yarn = 0;               ///< index into Fabric::yarns
-  int end = 0, pick = 0;      ///< the crossing cell
+  int yarn = 0;           ///< index into Fabric::yarns
+  int end = 0, pick = 0;  ///< the crossing cell
+  // Of explicit fibres only:
+  uint64_t fibre = 0;  ///< which; 0: statistics know no fibre
+  glm::vec3 axis{0};   ///< the axis of the fibre, where it was hit
 };
 
 /// Where light sets out: from the eye, or from the fibre that it has just left.
 struct Departure {
   Place place;
+  uint64_t fibre = 0;      ///< the fibre it leaves; 0: none, or unknown
+  float clearance_mm = 0;  ///< within this distance that fibre is not met again
 };
 
 /// The cloth, as light meets it: everything a path asks of it, and nothing about how it is stored. Immutable, and safe

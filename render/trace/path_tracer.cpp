@@ -63,7 +63,9 @@ int likelyOrder(const FibreBcsdf::Value& value, Random& random) {
 }
 
 /// Balance heuristic (Veach 1997).
-float misWeight(float own, float other) { return own / (own + other); }
+float misWeight(float own, float other) {
+  return own / (own + other);
+}
 
 /// One lamp, seen from a collision.
 Rgb sampleLamp(const Scene& scene, const Medium& medium, const Collision& at, const FibreFrame& frame, glm::vec3 wo,

@@ -9,8 +9,8 @@
 namespace loomlight {
 
 /// Sample `index` of the pixel: a pure function of (scene, medium, camera, seed, x, y, index). Adds its cost to
-/// `counts`. Light is gathered by sampling lamps and fibres, weighted against each other (Veach 1997); colour is applied
-/// where the path meets light, from the lengths travelled inside the fibres of each material.
+/// `counts`. Light is gathered by sampling lamps and fibres, weighted against each other (Veach 1997); colour is
+/// applied where the path meets light, from the lengths travelled inside the fibres of each material.
 PathSample tracePath(const Scene& scene, const Medium& medium, const CameraRays& camera, int x, int y, uint32_t index,
                      TraceCounts& counts);
 
@@ -19,8 +19,8 @@ struct PassResult {
   TraceCounts counts;
 };
 
-/// Brings every pixel of the film to `samples` samples, numbered from `firstSample` on: traces those that are missing, so
-/// that a stopped or resumed picture goes on where each of its pixels is. Checks stop per path.
+/// Brings every pixel of the film to `samples` samples, numbered from `firstSample` on: traces those that are missing,
+/// so that a stopped or resumed picture goes on where each of its pixels is. Checks stop per path.
 PassResult renderUpTo(uint32_t samples, const Scene& scene, const Medium& medium, const CameraRays& camera, Film& film,
                       const Task& task, uint32_t firstSample = 0);
 

@@ -56,8 +56,8 @@ Piece makePiece(const Fabric& fabric) {
 std::shared_ptr<const Shell> makeShell(const Piece& piece, const ClothGeometry& geometry) {
   const double half = geometry.halfThickness_mm();
   if (piece.mesh) return std::make_shared<const Shell>(*piece.mesh, half);
-  return std::make_shared<const Shell>(Shell::flat(geometry.ends() * geometry.warpPitch_mm(),
-                                                   geometry.picks() * geometry.weftPitch_mm(), half));
+  return std::make_shared<const Shell>(
+      Shell::flat(geometry.ends() * geometry.warpPitch_mm(), geometry.picks() * geometry.weftPitch_mm(), half));
 }
 
 bool sameOptics(const Fibre& a, const Fibre& b) {
@@ -70,8 +70,8 @@ std::vector<Material> makeMaterials(const Fabric& fabric, const Scene* previous)
   for (size_t i = 0; i < fabric.fibres.size(); ++i) {
     Material material;
     material.absorption_per_mm = fabric.fibres[i].absorption_per_mm;
-    const bool known = previous && i < previous->fabric->fibres.size() &&
-                       sameOptics(previous->fabric->fibres[i], fabric.fibres[i]);
+    const bool known =
+        previous && i < previous->fabric->fibres.size() && sameOptics(previous->fabric->fibres[i], fabric.fibres[i]);
     material.bcsdf = known ? previous->materials[i].bcsdf : std::make_shared<const FibreBcsdf>(fabric.fibres[i]);
     materials.push_back(std::move(material));
   }
@@ -104,7 +104,8 @@ bool makeCloth(Scene& scene, const Impact& change, const Scene* previous, const 
   const Piece piece = makePiece(fabric);
   auto geometry = std::make_shared<const ClothGeometry>(fabric, piece.ends, piece.picks);
   scene.seconds.geometry = watch.lap();
-  scene.volume = ClothVolume::build(geometry, fabric.render.resolution, task, previous ? previous->volume.get() : nullptr);
+  scene.volume =
+      ClothVolume::build(geometry, fabric.render.resolution, task, previous ? previous->volume.get() : nullptr);
   if (!scene.volume) return false;
   scene.seconds.voxelise = watch.lap();
   const bool sameShell = previous && !change.drape && !change.allBricks &&
@@ -126,8 +127,8 @@ std::shared_ptr<const Scene> makeScene(std::shared_ptr<const Fabric> fabric, con
   scene->yarns = {makeYarnOptics(*fabric, scene->volume->geometry(), System::warp),
                   makeYarnOptics(*fabric, scene->volume->geometry(), System::weft)};
   const glm::vec3 eye = CameraRays(fabric->camera, 1, 1).eye_mm();
-  const bool sameLight = previous && !change.lighting &&
-                         (fabric->light.kind != LightKind::headlight || eye == previous->eye_mm);
+  const bool sameLight =
+      previous && !change.lighting && (fabric->light.kind != LightKind::headlight || eye == previous->eye_mm);
   scene->lighting = sameLight ? previous->lighting : std::make_shared<const Lighting>(fabric->light, eye);
   scene->eye_mm = eye;
   return scene;

@@ -7,9 +7,9 @@
 #include "core/fabric/fabric.h"
 #include "core/shell/shell.h"
 #include "core/volume/cloth_volume.h"
+#include "render/light/lighting.h"
 #include "render/optics/bcsdf.h"
 #include "render/trace/camera_rays.h"
-#include "render/light/lighting.h"
 
 namespace loomlight {
 
@@ -23,8 +23,8 @@ struct Material {
 
 /// What a yarn's components need beside their statistics, per Fabric::yarns and system.
 struct YarnOptics {
-  int material = 0;           ///< index into Scene::materials
-  float fibreRadius_mm = 0;   ///< of the geometry; differs between warp and weft by less than a rounding of fibre counts
+  int material = 0;          ///< index into Scene::materials
+  float fibreRadius_mm = 0;  ///< of the geometry; differs between warp and weft by less than a rounding of fibre counts
 };
 
 /// Everything a path needs, immutable and shared: an edit makes a new Scene from what did not change. `materials` has

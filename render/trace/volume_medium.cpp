@@ -9,8 +9,8 @@
 namespace loomlight {
 namespace {
 
-/// A tangent of the fibre that a ray along d hits: the Gaussian about the mean, weighted by how much of a fibre's length
-/// the ray sees. Rejection; the number of trials is 1 / I(alpha, s), and events are as rare as I is small.
+/// A tangent of the fibre that a ray along d hits: the Gaussian about the mean, weighted by how much of a fibre's
+/// length the ray sees. Rejection; the number of trials is 1 / I(alpha, s), and events are as rare as I is small.
 glm::vec3 projectedTangent(const FibreDistribution& fibres, glm::vec3 direction, Random& random) {
   if (fibres.spread == 0) return fibres.direction;
   constexpr int kTrials = 1000;  // a fibre within 1e-3 rad of the ray; beyond that any tangent of the Gaussian will do
@@ -48,6 +48,7 @@ std::optional<Collision> VolumeMedium::collide(const Departure& from, glm::vec3 
               Collision c;
               c.place = {from.place.world + t * direction, tet};
               c.distance_mm = t;
+              c.incoming = direction;
               if (law == EventLaw::report) {
                 const float u1 = random.uniform(), u2 = random.uniform();
                 c.tangent = sampleTangent(fibres, u1, u2);
@@ -67,7 +68,9 @@ std::optional<Collision> VolumeMedium::collide(const Departure& from, glm::vec3 
   return collision;
 }
 
-Departure VolumeMedium::leave(const Collision& collision, glm::vec3, int) const { return {collision.place}; }
+Departure VolumeMedium::leave(const Collision& collision, glm::vec3, int) const {
+  return {collision.place};
+}
 
 float VolumeMedium::transmittance(const Departure& from, glm::vec3 direction, float distance, Random& random,
                                   TraceCounts& counts) const {

@@ -7,8 +7,8 @@ namespace loomlight {
 /// The cloth as a statistical volume: virtual scattering events (section 8.1 of the report). Free flights are exact
 /// exponentials through the summed extinction of every voxel; the component is chosen in proportion to its own
 /// extinction, the tangent weighted by the sine, which is the law of the fibre that a random ray hits
-/// (EventLaw::projected), or by density alone (EventLaw::report). h is uniform. Light leaves where it came in: a fibre is
-/// a point here.
+/// (EventLaw::projected), or by density alone (EventLaw::report). h is uniform. Light leaves where it came in: a fibre
+/// is a point here.
 class VolumeMedium final : public Medium {
  public:
   /// The scene must outlive the medium.

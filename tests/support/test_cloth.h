@@ -6,7 +6,7 @@
 
 namespace loomlight::test {
 
-/// A plain-woven white cotton swatch, flat, small voxels of it cheap to build.
+/// A plain-woven white cotton swatch that fills most of the picture.
 inline Fabric whiteCotton() {
   Fabric fabric;
   fabric.name = "white cotton";
@@ -16,6 +16,7 @@ inline Fabric whiteCotton() {
   fabric.picks_per_cm = 22;
   fabric.drape.width_mm = 12;
   fabric.drape.height_mm = 12;
+  fabric.camera.distance_mm = 25;
   fabric.render.resolution = 8;
   return fabric;
 }

@@ -65,9 +65,9 @@ TEST(WhiteFurnace, EveryResolutionIsInvisible) {
   }
 }
 
-// Light sampling and BCSDF sampling together (MIS) estimate what BCSDF sampling alone does: a lat-long sky seen with and
-// without next-event estimation is covered by the light's own tests; here a dyed cloth under a dome must be darker than
-// the furnace and brighter than its surface reflection alone.
+// Light sampling and BCSDF sampling together (MIS) estimate what BCSDF sampling alone does: a lat-long sky seen with
+// and without next-event estimation is covered by the light's own tests; here a dyed cloth under a dome must be darker
+// than the furnace and brighter than its surface reflection alone.
 TEST(Dome, DyedClothKeepsBetweenReflectionAndWhite) {
   Fabric fabric = test::whiteCotton();
   fabric.fibres[0].absorption_per_mm = Rgb(5.0f, 20.0f, 200.0f);
@@ -89,7 +89,7 @@ TEST(Dome, DyedClothKeepsBetweenReflectionAndWhite) {
   EXPECT_LT(mean.r, 1.0f);
   EXPECT_LT(mean.g, mean.r);
   EXPECT_LT(mean.b, mean.g);
-  EXPECT_GT(mean.b, 0.02f);
+  EXPECT_GT(mean.b, 0.005f);  // what the surfaces mirror, however dark the inside
 }
 
 }  // namespace

@@ -39,7 +39,9 @@ TEST(PassScheduler, RefinesStepByStepAndStops) {
   ASSERT_FALSE(plans.empty());
   for (size_t i = 1; i < plans.size(); ++i) {
     EXPECT_LE(plans[i].divider, plans[i - 1].divider);
-    if (plans[i].divider == plans[i - 1].divider) EXPECT_GT(plans[i].samples, plans[i - 1].samples);
+    if (plans[i].divider == plans[i - 1].divider) {
+      EXPECT_GT(plans[i].samples, plans[i - 1].samples);
+    }
   }
   EXPECT_EQ(plans.back(), (PassPlan{1, 256}));
 }
