@@ -75,7 +75,7 @@ class Shell {
   std::vector<std::string> repairs_;
   glm::vec2 uvLower_{0}, uvUpper_{0};
   glm::vec3 lower_{0}, upper_{0};
-  float halfThickness_ = 0;
+  float halfThickness_mm_ = 0;
 };
 
 }  // namespace loomlight

@@ -89,7 +89,7 @@ std::vector<glm::mat3> framesOf(const DrapeMesh& mesh, const PrismLayers& layers
 }  // namespace
 
 Shell::Shell(const DrapeMesh& mesh, double halfThickness_mm) : repairs_(mesh.repairs) {
-  halfThickness_ = static_cast<float>(halfThickness_mm);
+  halfThickness_mm_ = static_cast<float>(halfThickness_mm);
   const std::vector<uint32_t> welded = weldByPosition(mesh.positions);
   const PrismLayers layers = offsetLayers(mesh, welded, halfThickness_mm);
   repairs_.insert(repairs_.end(), layers.repairs.begin(), layers.repairs.end());
@@ -134,7 +134,7 @@ void Shell::addPrisms(const DrapeMesh& mesh, std::span<const uint32_t> triangles
         tet.vertex[i] = 2 * vertex + (corner >= 3 ? 1 : 0);
         world[i] = vertices_[tet.vertex[i]];
         cloth[i] = {glm::dvec2(mesh.uv_mm[vertex]) - glm::dvec2(uvLower_),
-                    corner >= 3 ? halfThickness_ : -halfThickness_};
+                    corner >= 3 ? halfThickness_mm_ : -halfThickness_mm_};
         const PrismFace face = kPrismFaces[k][i];
         tet.neighbour[i] = face.kind == PrismFace::Kind::inner ? static_cast<int32_t>(3 * prism + face.target) : -1;
       }

@@ -144,11 +144,12 @@ class ShellWalk : public testing::TestWithParam<const char*> {
 
   /// What is walked must be the union of the tetrahedra, to within rounding at its ends.
   void expectCovered(glm::vec3 origin, glm::vec3 direction, double tolerance) {
-    // A ray that grazes an edge has a length as uncertain as its distance from the edge: what rays beside it have.
+    // A ray that grazes an edge has a length as uncertain as its distance from the edge: what rays beside it have,
+    // as far off as planes and origins some 60 mm away are uncertain in float when met at a glancing angle.
     double least = length(bruteForce(*shell_, origin, direction)), most = least;
     const glm::vec3 aside = glm::normalize(glm::cross(direction, glm::vec3(0.3f, 0.5f, 0.8f)));
     for (const glm::vec3 beside : {aside, -aside, glm::cross(direction, aside), -glm::cross(direction, aside)}) {
-      const double near = length(bruteForce(*shell_, origin + 3e-5f * beside, direction));
+      const double near = length(bruteForce(*shell_, origin + 1e-4f * beside, direction));
       least = std::min(least, near);
       most = std::max(most, near);
     }
