@@ -1,5 +1,6 @@
 #include "render/optics/bcsdf.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "render/optics/dielectric_cylinder.h"
@@ -24,7 +25,7 @@ size_t chooseMode(Lanes share, float u) {
 /// Of the residual: 3 + k with probability (1 - f) f^k.
 int drawOrder(float inside, float u) {
   constexpr float kMost = 1e6f;
-  return 3 + static_cast<int>(std::min(logarithm(1 - u) / logarithm(inside), kMost));
+  return 3 + static_cast<int>(std::min(kMost, logarithm(1 - u) / logarithm(inside)));
 }
 
 }  // namespace
@@ -34,7 +35,7 @@ FibreBcsdf::FibreBcsdf(const Fibre& fibre)
       along_(fibre.longitudinalRoughness, fibre.refractiveIndex, fibre.scaleTilt_deg * kPi / 180),
       about_(fibre.azimuthalRoughness, fibre.section, fibre.refractiveIndex) {}
 
-FibreBcsdf::Sample FibreBcsdf::sample(glm::vec3 wo, float h, Random& random) const {
+FibreBcsdf::Sample FibreBcsdf::draw(glm::vec3 wo, float h, Random& random, bool withPdf) const {
   const CylinderHit hit(wo, h, index_);
   const LongitudinalLobes::Outgoing o = along_.outgoing({hit.sineO, hit.cosineO});
   const size_t mode = chooseMode(hit.share, random.uniform());
@@ -46,7 +47,7 @@ FibreBcsdf::Sample FibreBcsdf::sample(glm::vec3 wo, float h, Random& random) con
                i.cosine * (turn.sine * hit.azimuthO.x + turn.cosine * hit.azimuthO.y)};
   sample.order = mode < 3 ? static_cast<int>(mode) : drawOrder(hit.inside, random.uniform());
   sample.length = static_cast<float>(sample.order) * hit.chord;
-  sample.pdf = sum(hit.share * along_.density(o, i) * about_.density(hit, turn.cosine, turn.sine));
+  if (withPdf) sample.pdf = sum(hit.share * along_.density(o, i) * about_.density(hit, turn.cosine, turn.sine));
   return sample;
 }
 

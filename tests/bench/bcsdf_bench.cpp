@@ -44,6 +44,17 @@ void sample(benchmark::State& state) {
   }
 }
 
+void sampleWithoutPdf(benchmark::State& state) {
+  const FibreBcsdf bcsdf(fibreOf(state));
+  const std::vector<Query> list = queries();
+  Random random(2);
+  size_t i = 0;
+  for (auto _ : state) {
+    const Query& query = list[i++ % kQueries];
+    benchmark::DoNotOptimize(bcsdf.sampleWithoutPdf(query.wo, query.h, random));
+  }
+}
+
 void evaluate(benchmark::State& state) {
   const FibreBcsdf bcsdf(fibreOf(state));
   const std::vector<Query> list = queries();
@@ -61,6 +72,7 @@ void construct(benchmark::State& state) {
 
 // Arguments: roughness in hundredths, scale tilt in degrees.
 BENCHMARK(sample)->Args({5, 0})->Args({30, 0})->Args({80, 0})->Args({30, 3});
+BENCHMARK(sampleWithoutPdf)->Args({5, 0})->Args({30, 0})->Args({80, 0})->Args({30, 3});
 BENCHMARK(evaluate)->Args({5, 0})->Args({30, 0})->Args({80, 0})->Args({30, 3});
 BENCHMARK(construct)->Args({5, 0})->Args({30, 0})->Unit(benchmark::kMillisecond);
 

@@ -129,6 +129,18 @@ TEST(FibreBcsdf, SamplesHaveWeightOne) {
   }
 }
 
+TEST(FibreBcsdf, LeavingOutThePdfChangesNothingElse) {
+  const FibreBcsdf bcsdf(fibreOf(0.3, 0.3));
+  Random one(9), two(9);
+  for (int k = 0; k < 200; ++k) {
+    const glm::vec3 wo = direction(0.015 * (k - 100), 0.1 * k);
+    const FibreBcsdf::Sample with = bcsdf.sample(wo, 0.4f, one), without = bcsdf.sampleWithoutPdf(wo, 0.4f, two);
+    EXPECT_LT(glm::distance(with.wi, without.wi), 1e-6f);
+    EXPECT_EQ(with.order, without.order);
+    EXPECT_EQ(without.pdf, 0);
+  }
+}
+
 TEST(FibreBcsdf, ReflectsAndTransmitsWhereASmoothFibreWould) {
   const FibreBcsdf bcsdf(fibreOf(0.05, 0.05));
   const double theta = radians(30), phi = 0.4, gamma = std::asin(0.5);
