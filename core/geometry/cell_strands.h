@@ -24,8 +24,8 @@ struct CellStrands {
   };
   std::vector<glm::vec3> points;
   std::vector<Strand> strands;
-  /// The yarn's, but for less than a percent by which bending and the cell's own length change the take-up of the
-  /// twist: with this radius the cell weighs the yarn's count times the length of its axis, exactly.
+  /// The yarn's, but for the percent or two (0.3 % in open cloth) by which bending and the cell's own length change the
+  /// take-up of the twist: with this radius the cell weighs the yarn's count times the length of its axis, exactly.
   float fibreRadius_mm = 0;
 
   size_t segments() const { return points.size() - strands.size(); }

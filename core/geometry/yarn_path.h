@@ -28,7 +28,9 @@ struct AxisPoint {
 };
 
 /// The path of a yarn's axis from one crossing to the next: horizontal at both nodes, C1 between, single-valued in s.
-/// It depends on its two nodes alone, so the two cells that share it agree about it.
+/// It depends on its two nodes alone, so the two cells that share it agree about it. Its curvature jumps where arcs
+/// meet lines, so the tangents of twisted fibres off the axis jump there too, by up to their slope times half-height
+/// over radius.
 class Transition {
  public:
   /// A stretch of constant curvature.
