@@ -141,7 +141,8 @@ PathSample tracePath(const Scene& scene, const Medium& medium, const CameraRays&
     if (sample.events >= static_cast<uint32_t>(settings.maxDepth)) return sample;
 
     const Material& material = scene.materials[collision->optics.material];
-    const FibreBcsdf::Sample scattered = material.bcsdf->sample(wo, collision->offset, random);
+    const FibreBcsdf::Sample scattered = lamps ? material.bcsdf->sample(wo, collision->offset, random)
+                                               : material.bcsdf->sampleWithoutPdf(wo, collision->offset, random);
     state.travel(collision->optics.material, scattered.length * collision->optics.fibreRadius_mm);
     if (sample.events > kRouletteAfter && !state.survives(random)) return sample;
     scatterPdf = scattered.pdf;

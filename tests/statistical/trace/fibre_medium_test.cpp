@@ -1,0 +1,134 @@
+#include "render/trace/fibre_medium.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/base/error.h"
+#include "render/optics/fibre_frame.h"
+#include "render/trace/path_tracer.h"
+#include "render/trace/volume_medium.h"
+#include "tests/support/test_cloth.h"
+
+namespace loomlight {
+namespace {
+
+constexpr double kNoLimit = 4e9;
+
+Fabric smallWhiteCloth(FibreLayout layout) {
+  Fabric fabric = test::whiteCotton();
+  fabric.yarns[0].layout = layout;
+  fabric.yarns[0].count_tex = 10;
+  fabric.drape.width_mm = fabric.drape.height_mm = 5;
+  fabric.camera.distance_mm = 8;
+  return fabric;
+}
+
+// Every path through clear fibres in a white furnace returns exactly 1 (the depth limit aside).
+TEST(FibreMedium, WhiteClothIsInvisibleInAWhiteFurnace) {
+  for (const FibreLayout layout : {FibreLayout::packed, FibreLayout::random}) {
+    Fabric fabric = smallWhiteCloth(layout);
+    fabric.light.kind = LightKind::furnace;
+    const auto scene = test::sceneOf(fabric);
+    const auto fibres = FibreMedium::build(*scene, kNoLimit, Task{});
+    const CameraRays camera(fabric.camera, 16, 16);
+    TraceCounts counts;
+    double radiance = 0, alpha = 0;
+    for (int y = 0; y < 16; ++y)
+      for (int x = 0; x < 16; ++x)
+        for (uint32_t i = 0; i < 4; ++i) {
+          const PathSample sample = tracePath(*scene, *fibres, camera, x, y, i, counts);
+          radiance += sample.direct.g + sample.indirect.g;
+          alpha += sample.alpha;
+        }
+    EXPECT_GT(alpha, 16 * 16 * 4 * 0.5);
+    EXPECT_NEAR(radiance / alpha, 1.0, 0.001);
+  }
+}
+
+TEST(FibreMedium, HasTheFibresTheVolumeWasMadeOf) {
+  const Fabric fabric = smallWhiteCloth(FibreLayout::packed);
+  const auto scene = test::sceneOf(fabric);
+  const auto fibres = FibreMedium::build(*scene, kNoLimit, Task{});
+  const double estimated = FibreMedium::estimate(*scene).segments;
+  EXPECT_NEAR(static_cast<double>(fibres->segments()), estimated, 0.05 * estimated);  // the piece cuts the repeat
+  EXPECT_GT(fibres->geometryBytes(), 0u);
+  EXPECT_GT(fibres->acceleratorBytes(), 0u);
+}
+
+TEST(FibreMedium, RefusesWhatDoesNotFit) {
+  const auto scene = test::sceneOf(smallWhiteCloth(FibreLayout::packed));
+  try {
+    FibreMedium::build(*scene, 1e6, Task{});
+    FAIL() << "expected an InputError";
+  } catch (const InputError& e) {
+    EXPECT_NE(std::string(e.what()).find("GiB"), std::string::npos);
+  }
+}
+
+// Nearly every camera ray that meets fibres of the cloth is a hit in both; the mean coverage of a closed cloth agrees.
+TEST(FibreMedium, CoversWhatTheVolumeCovers) {
+  for (const DrapeKind drape : {DrapeKind::flat, DrapeKind::cylinder}) {
+    Fabric fabric = smallWhiteCloth(FibreLayout::packed);
+    fabric.drape.kind = drape;
+    fabric.drape.radius_mm = 3;
+    const auto scene = test::sceneOf(fabric);
+    const auto fibres = FibreMedium::build(*scene, kNoLimit, Task{});
+    const VolumeMedium volume(*scene);
+    const CameraRays camera(fabric.camera, 64, 64);
+    Random random(3);
+    TraceCounts counts;
+    double both[2] = {0, 0}, depth[2] = {0, 0};
+    for (int y = 0; y < 64; ++y)
+      for (int x = 0; x < 64; ++x) {
+        const Ray ray = camera.ray(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
+        const Medium* media[2] = {&volume, fibres.get()};
+        for (int m = 0; m < 2; ++m)
+          if (const auto hit = media[m]->collide({{ray.origin, -1}}, ray.direction, random, counts)) {
+            both[m] += 1;
+            depth[m] += hit->distance_mm;
+          }
+      }
+    EXPECT_NEAR(both[0] / both[1], 1.0, 0.1);
+    EXPECT_NEAR(depth[0] / both[0], depth[1] / both[1], 0.05);  // mm
+  }
+}
+
+// As for the volume: lateral fibre area over boundary area, here with every fibre explicit. Packed fibres touch a little,
+// so their free surface is a little smaller.
+TEST(FibreMedium, EventCountIsLateralAreaOverBoundaryArea) {
+  Fabric fabric = smallWhiteCloth(FibreLayout::packed);
+  fabric.drape.width_mm = fabric.drape.height_mm = 10;
+  const auto scene = test::sceneOf(fabric);
+  const auto fibres = FibreMedium::build(*scene, kNoLimit, Task{});
+  const ClothMeasures measures = scene->volume->geometry().measure();
+  const double expected = measures.arealMass_g_m2 * 1e-6 /
+                          (fabric.fibres[0].density_g_cm3 * 1e-3 * scene->yarns[0][0].fibreRadius_mm);
+  Random random(11);
+  constexpr int kPaths = 4000;
+  double sum = 0, squares = 0;
+  for (int i = 0; i < kPaths; ++i) {
+    const float u = random.uniform(), v = random.uniform(), a = random.uniform(), b = random.uniform();
+    const float sine = std::sqrt(a), phi = static_cast<float>(2 * kPi) * b;
+    glm::vec3 direction(sine * std::cos(phi), sine * std::sin(phi), -std::sqrt(1 - a));
+    const auto z = static_cast<float>(scene->volume->geometry().halfThickness_mm());
+    Departure from{{{2 * u - 1, 2 * v - 1, z + 1e-3f}, -1}};
+    TraceCounts counts;
+    while (const auto collision = fibres->collide(from, direction, random, counts)) {
+      const FibreFrame frame(collision->tangent);
+      const FibreBcsdf& bcsdf = *scene->materials[0].bcsdf;
+      const auto scattered = bcsdf.sample(frame.toLocal(-direction), collision->offset, random);
+      direction = frame.toWorld(scattered.wi);
+      from = fibres->leave(*collision, direction, scattered.order);
+    }
+    sum += static_cast<double>(counts.events);
+    squares += static_cast<double>(counts.events) * static_cast<double>(counts.events);
+  }
+  const double mean = sum / kPaths, error = std::sqrt((squares / kPaths - mean * mean) / kPaths);
+  EXPECT_NEAR(mean, expected, 0.03 * expected + 3 * error);
+  RecordProperty("mean", std::to_string(mean));
+  RecordProperty("expected", std::to_string(expected));
+}
+
+}  // namespace
+}  // namespace loomlight
