@@ -26,8 +26,7 @@ TEST(Progress, BarSaysHowFarAndHowLong) {
       progressBar("rendering", 0.5, 12, 80),
       AllOf(HasSubstr("rendering"), HasSubstr("50 %"), HasSubstr("12 s left"), HasSubstr("#."), Not(HasSubstr("\n"))));
   EXPECT_THAT(progressBar("rendering", 0, 12, 80), Not(HasSubstr("left")));
-  EXPECT_THAT(progressBar("rendering", 1, 12, 80), AllOf(HasSubstr("100 %"), Not(HasSubstr("."
-                                                                                           "]"))));
+  EXPECT_THAT(progressBar("rendering", 1, 12, 80), AllOf(HasSubstr("100 %"), Not(HasSubstr(".]"))));
 }
 
 TEST(Progress, BarFitsAnyTerminal) {
