@@ -55,6 +55,8 @@ std::optional<std::vector<int>> orderRow(Ui& ui, const RowText& text, const Fabr
   const bool changed = textField(ui, text, shown);
   const bool active = ImGui::IsItemActive();
   if (changed) typing.text = shown;
+  if (active && !typing.problem.empty())
+    problemBelow(ui, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), typing.problem);
   typing.open = active && (typing.open || changed);
   if (!changed) return std::nullopt;
   try {
@@ -80,11 +82,6 @@ std::optional<Fabric> orderRows(Ui& ui, const Fabric& fabric, DraftView& view) {
     edited = fabric;
     edited->weftSequence = std::move(*sequence);
   }
-  std::string problem = view.warpOrder.open ? view.warpOrder.problem : std::string();
-  if (view.weftOrder.open && problem.empty()) problem = view.weftOrder.problem;
-  ImGui::PushFont(ui.fonts.small);
-  ImGui::TextColored(ui.theme.warning, "%s", problem.empty() ? " " : problem.c_str());
-  ImGui::PopFont();
   return edited;
 }
 
@@ -104,7 +101,8 @@ void drawThumbnail(Ui& ui, const Weave& weave, ImVec2 min, float size) {
 std::optional<Fabric> structures(Ui& ui, const Fabric& fabric, DraftView& view) {
   std::optional<Fabric> edited;
   heading(ui, "Structures");
-  const float size = ui.px(40), gap = ui.px(8), all = ImGui::GetContentRegionAvail().x;
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(6), ui.px(6)));
+  const float size = ui.px(30), gap = ui.px(6), all = ImGui::GetContentRegionAvail().x;
   const int perLine = std::max(1, static_cast<int>((all + gap) / (size + gap)));
   for (int i = 0; i < static_cast<int>(view.palette.size()); ++i) {
     if (i % perLine != 0) ImGui::SameLine(0, gap);
@@ -128,6 +126,7 @@ std::optional<Fabric> structures(Ui& ui, const Fabric& fabric, DraftView& view) 
           packed(chosen ? ui.theme.accent : ui.theme.textQuiet), ui.px(4), 0, ui.px(1.5f));
     tooltipFor(ui, id.c_str(), min, max, structure.name.c_str());
   }
+  ImGui::PopStyleVar();
   return edited;
 }
 
@@ -138,7 +137,7 @@ std::optional<Fabric> draftPanel(Ui& ui, const Fabric& fabric, const std::vector
   panelHead(ui, view);
   const ImVec2 room = ImGui::GetContentRegionAvail();
   // Square where there is room; what stands below keeps its place.
-  const float below = 4 * ImGui::GetFrameHeightWithSpacing() + ui.px(240);
+  const float below = 4 * ImGui::GetFrameHeightWithSpacing() + ui.px(250);
   const float height = std::max(ui.px(160), std::min(room.x, room.y - below));
   std::optional<Fabric> edited = draftCanvas(ui, fabric, yarnColours, view, lit, ImVec2(room.x, height));
   if (auto resized = repeatRows(ui, fabric, view)) edited = std::move(resized);

@@ -32,6 +32,30 @@ Rgb toLinearColour(const ImVec4& display) {
   return linearFromSrgb(Rgb(display.x, display.y, display.z));
 }
 
+void problemBelow(Ui& ui, ImVec2 min, ImVec2 max, const std::string& problem) {
+  ImGui::GetWindowDrawList()->AddRect(min, max, packed(ui.theme.error), ImGui::GetStyle().FrameRounding);
+  ImDrawList& over = *ImGui::GetForegroundDrawList();
+  const ImVec2 size = ImGui::CalcTextSize(problem.c_str());
+  const float pad = ui.px(8);
+  const float left = std::max(ui.px(4), max.x - size.x - 2 * pad);
+  const ImVec2 corner(left, max.y + ui.px(4)), far(left + size.x + 2 * pad, corner.y + size.y + pad);
+  over.AddRectFilled(corner, far, packed(ui.theme.popup), ui.px(4));
+  over.AddRect(corner, far, packed(ui.theme.error), ui.px(4));
+  over.AddText(ImVec2(corner.x + pad, corner.y + pad / 2), packed(ui.theme.text), problem.c_str());
+}
+
+std::string shortened(const std::string& text, float width) {
+  if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+  constexpr const char* kEllipsis = "\xE2\x80\xA6";
+  std::string part = text;
+  while (!part.empty() && ImGui::CalcTextSize((part + kEllipsis).c_str()).x > width) {
+    // A character of UTF-8 goes as a whole: its continuation bytes first, then what they continue.
+    while (!part.empty() && (static_cast<unsigned char>(part.back()) & 0xC0) == 0x80) part.pop_back();
+    if (!part.empty()) part.pop_back();
+  }
+  return part + kEllipsis;
+}
+
 FieldRow beginRow(Ui& ui, const RowText& text) {
   const float all = ImGui::GetContentRegionAvail().x;
   const float label = std::floor(kLabelShare * all);
@@ -84,7 +108,9 @@ bool choiceField(Ui& ui, const RowText& text, std::span<const char* const> names
   ImGui::SetNextItemWidth(row.width);
   bool changed = false;
   const char* shown = chosen >= 0 && chosen < static_cast<int>(names.size()) ? names[chosen] : otherwise;
-  const bool open = ImGui::BeginCombo("##choice", shown, ImGuiComboFlags_HeightLarge | ImGuiComboFlags_NoArrowButton);
+  const std::string preview = shortened(shown, row.width - ui.px(32));
+  const bool open =
+      ImGui::BeginCombo("##choice", preview.c_str(), ImGuiComboFlags_HeightLarge | ImGuiComboFlags_NoArrowButton);
   if (!open) drawChevron(ui, ImVec2(max.x - ui.px(14), 0.5f * (min.y + max.y)));
   if (open) {
     for (int i = 0; i < static_cast<int>(names.size()); ++i) {

@@ -57,6 +57,12 @@ void hint(Ui& ui, const std::string& text);
 /// Shows `text` when the mouse has rested on the rectangle for a moment.
 void tooltipFor(Ui& ui, const char* id, ImVec2 min, ImVec2 max, const char* text);
 
+/// Says below a field what is wrong with its text, over whatever is there.
+void problemBelow(Ui& ui, ImVec2 min, ImVec2 max, const std::string& problem);
+
+/// `text`, or as much of it as fits into the width and an ellipsis.
+std::string shortened(const std::string& text, float width);
+
 ImVec4 toDisplayColour(const Rgb& linear);
 Rgb toLinearColour(const ImVec4& display);
 

@@ -54,7 +54,14 @@ void yarnChooser(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& colour
 InspectorResult inspector(Ui& ui, const Fabric& fabric, const InspectorModel& model, InspectorView& view) {
   view.yarn = std::clamp(view.yarn, 0, static_cast<int>(fabric.yarns.size()) - 1);
   pageTabs(ui, view);
-  ImGui::BeginChild("page", ImVec2(0, 0), false, ImGuiWindowFlags_NoSavedSettings);
+  // The scroll bar lives in the panel's margin, always, so that rows are as wide on a page that needs none.
+  const float margin = ImGui::GetStyle().ScrollbarSize;
+  const ImVec4 grab = view.pageScrolls ? ui.theme.fieldHover : ImVec4(0, 0, 0, 0);
+  ImGui::PushStyleColor(ImGuiCol_ScrollbarGrab, grab);
+  ImGui::BeginChild("page", ImVec2(ImGui::GetContentRegionAvail().x + margin, 0), false,
+                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysVerticalScrollbar);
+  ImGui::PopStyleColor();
+  view.pageScrolls = ImGui::GetScrollMaxY() > 0;
   InspectorResult result;
   switch (view.page) {
     case InspectorView::Page::yarn:

@@ -15,6 +15,7 @@ struct InspectorView {
   enum class Page { yarn, fibre, cloth, scene };
   Page page = Page::yarn;
   int yarn = 0;
+  bool pageScrolls = false;
 };
 
 /// Computed beside the fabric, by workers.

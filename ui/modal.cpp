@@ -1,5 +1,7 @@
 #include "ui/modal.h"
 
+#include "ui/fields.h"
+
 namespace loomlight {
 
 bool beginModal(Ui& ui, const char* title, ImVec2 size, bool open) {
@@ -10,13 +12,14 @@ bool beginModal(Ui& ui, const char* title, ImVec2 size, bool open) {
   if (size.y > 0) size.y = std::min(size.y, screen.y - 2 * edge);
   ImGui::SetNextWindowPos(ImVec2(0.5f * screen.x, 0.5f * screen.y), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
   ImGui::SetNextWindowSize(size, ImGuiCond_Always);
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ui.px(16), ui.px(10)));
-  ImGui::PushFont(ui.fonts.strong);
-  const bool shown = ImGui::BeginPopupModal(
-      title, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
-  ImGui::PopFont();
-  ImGui::PopStyleVar();
-  return shown;
+  const bool shown = ImGui::BeginPopupModal(title, nullptr,
+                                            ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                                ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+  if (!shown) return false;
+  const std::string text(title);
+  heading(ui, text.substr(0, text.find("##")).c_str());
+  ImGui::Dummy(ImVec2(0, ui.px(4)));
+  return true;
 }
 
 void endModal() {

@@ -80,9 +80,13 @@ void drawValue(Ui& ui, const NumberStyle& style, double value, const ImRect& box
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const float rounding = ImGui::GetStyle().FrameRounding;
   draw.AddRectFilled(box.Min, box.Max, packed(lit ? ui.theme.fieldHover : ui.theme.field), rounding);
-  const float along = static_cast<float>(fraction(style, value)) * box.GetWidth();
-  if (along > 1) {
-    draw.PushClipRect(box.Min, ImVec2(box.Min.x + along, box.Max.y), true);
+  // How far along its range; a range on both sides of zero fills from zero.
+  const double zero = style.min < 0 && style.max > 0 ? fraction(style, 0.0) : 0.0;
+  const double here = fraction(style, value);
+  const float from = static_cast<float>(std::min(zero, here)) * box.GetWidth();
+  const float to = static_cast<float>(std::max(zero, here)) * box.GetWidth();
+  if (to - from > 1) {
+    draw.PushClipRect(ImVec2(box.Min.x + from, box.Min.y), ImVec2(box.Min.x + to, box.Max.y), true);
     draw.AddRectFilled(box.Min, box.Max, packed(ui.theme.fieldFill, 0.75f), rounding);
     draw.PopClipRect();
   }
@@ -137,15 +141,7 @@ void showFailure(Ui& ui, ImGuiID id, const ImRect& box) {
     return;
   }
   ui.wakeWithin(0.5);
-  ImGui::GetWindowDrawList()->AddRect(box.Min, box.Max, packed(ui.theme.error), ImGui::GetStyle().FrameRounding);
-  ImDrawList& over = *ImGui::GetForegroundDrawList();
-  const ImVec2 size = ImGui::CalcTextSize(ui.memory.failure.c_str());
-  const float pad = ui.px(8);
-  const ImVec2 corner(box.Max.x - size.x - 2 * pad, box.Max.y + ui.px(4));
-  const ImVec2 far(box.Max.x, corner.y + size.y + pad);
-  over.AddRectFilled(corner, far, packed(ui.theme.popup), ui.px(4));
-  over.AddRect(corner, far, packed(ui.theme.error), ui.px(4));
-  over.AddText(ImVec2(corner.x + pad, corner.y + pad / 2), packed(ui.theme.text), ui.memory.failure.c_str());
+  problemBelow(ui, box.Min, box.Max, ui.memory.failure);
 }
 
 bool scrubValue(Ui& ui, const NumberStyle& style, double& value, ImGuiID id) {

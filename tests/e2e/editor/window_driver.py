@@ -1,0 +1,214 @@
+"""Drives the editor's real window: a virtual X server, mouse and keys by xdotool, screenshots by ImageMagick.
+
+Nothing here sleeps and hopes: every step waits for what it should bring about, and gives up with a message that says
+what did not happen. Mouse buttons and keys are held until the program has drawn a few frames, because Dear ImGui
+samples their state once a frame.
+"""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+
+class Failure(Exception):
+    pass
+
+
+def need(tool):
+    if shutil.which(tool) is None:
+        raise Failure(f"{tool} is not installed, and this test drives the window with it")
+
+
+class Display:
+    """An X server of our own; it chooses a free display itself."""
+
+    def __init__(self, width, height):
+        for tool in ("Xvfb", "xdotool", "import", "convert"):
+            need(tool)
+        read, write = os.pipe()
+        self.server = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{width}x{height}x24", "-nolisten", "tcp",
+             "+extension", "GLX"],
+            pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        os.close(write)
+        with os.fdopen(read) as pipe:
+            number = pipe.readline().strip()
+        if not number:
+            raise Failure("Xvfb did not start")
+        self.name = ":" + number
+
+    def close(self):
+        self.server.terminate()
+        self.server.wait(10)
+
+
+class Editor:
+    """The program in a home of its own, and what it says of its widgets."""
+
+    hold = 0.12  # seconds between the parts of a gesture; more than two frames even on a busy machine
+
+    def __init__(self, display, width, height):
+        self.process = None
+        self.home = tempfile.mkdtemp(prefix="loomlight-editor-")
+        self.dump_file = os.path.join(self.home, "widgets.json")
+        self.log_file = os.path.join(self.home, "log.txt")
+        self.width, self.height = width, height
+        self.environment = {**os.environ, "DISPLAY": display.name, "HOME": self.home,
+                            "XDG_DATA_HOME": self.home + "/data", "XDG_STATE_HOME": self.home + "/state",
+                            "XDG_CONFIG_HOME": self.home + "/config", "LIBGL_ALWAYS_SOFTWARE": "1"}
+
+    def start(self, program, arguments=()):
+        if os.path.exists(self.dump_file):
+            os.remove(self.dump_file)
+        with open(self.log_file, "a", encoding="utf-8") as log:
+            self.process = subprocess.Popen(
+                [program, "edit", *arguments, "--window", f"{self.width}x{self.height}", "--scale", "1",
+                 "--widget-dump", self.dump_file],
+                env=self.environment, stdout=log, stderr=log)
+        self.wait_until("the window shows its widgets", lambda: "viewport" in self.widgets())
+
+    def log(self):
+        with open(self.log_file, encoding="utf-8") as log:
+            return log.read()
+
+    def dump(self):
+        try:
+            with open(self.dump_file, encoding="utf-8") as file:
+                return json.load(file)
+        except FileNotFoundError:
+            return {"widgets": {}, "facts": {}}
+
+    def widgets(self):
+        return self.dump()["widgets"]
+
+    def fact(self, name):
+        return self.dump()["facts"].get(name, "")
+
+    def number(self, name):
+        return int(self.fact(name) or 0)
+
+    def wait_until(self, what, condition, seconds=40.0):
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            if self.process.poll() is not None:
+                raise Failure(f"the editor ended ({self.process.returncode}) while waiting until {what}\n{self.log()}")
+            if condition():
+                return
+            time.sleep(0.03)
+        raise Failure(f"waited {seconds:.0f} s in vain until {what}; facts: {self.dump()['facts']}\n{self.log()}")
+
+    def xdotool(self, *arguments):
+        subprocess.run(["xdotool", *map(str, arguments)], env=self.environment, check=True, timeout=20)
+
+    def pause(self):
+        time.sleep(self.hold)
+
+    def centre(self, widget):
+        """Where the widget is once it has come to rest: a list that opens is laid out over its first frames."""
+        seen = []
+
+        def rests():
+            seen.append(self.widgets().get(widget))
+            self.pause()
+            return seen[-1] is not None and seen[-1] == self.widgets().get(widget)
+
+        self.wait_until(f"{widget} is on the screen", rests)
+        x0, y0, x1, y1 = seen[-1]
+        return (x0 + x1) / 2, (y0 + y1) / 2
+
+    def move(self, x, y):
+        self.xdotool("mousemove", int(x), int(y))
+        self.pause()
+
+    def click(self, widget, button=1):
+        self.click_at(*self.centre(widget), button)
+
+    def click_at(self, x, y, button=1):
+        self.move(x, y)
+        self.xdotool("mousedown", button)
+        self.pause()
+        self.xdotool("mouseup", button)
+        self.pause()
+
+    def drag(self, start, end, button=1, steps=4):
+        self.move(*start)
+        self.xdotool("mousedown", button)
+        self.pause()
+        for i in range(1, steps + 1):
+            t = i / steps
+            self.move(start[0] + t * (end[0] - start[0]), start[1] + t * (end[1] - start[1]))
+        self.xdotool("mouseup", button)
+        self.pause()
+
+    def drag_widget(self, widget, dx, dy=0, button=1):
+        x, y = self.centre(widget)
+        self.drag((x, y), (x + dx, y + dy), button)
+
+    def key(self, *names):
+        for name in names:
+            parts = name.split("+")
+            for part in parts:
+                self.xdotool("keydown", part)
+            self.pause()
+            for part in reversed(parts):
+                self.xdotool("keyup", part)
+            self.pause()
+
+    def type(self, text):
+        self.xdotool("type", "--delay", "40", text)
+        self.pause()
+
+    def screenshot(self, name, widget=None):
+        """Writes a PNG of the window, or of one widget, and returns its file."""
+        file = os.path.join(self.home, name + ".png")
+        command = ["import", "-window", "root"]
+        if widget:
+            x0, y0, x1, y1 = (int(v) for v in self.widgets()[widget])
+            command += ["-crop", f"{x1 - x0}x{y1 - y0}+{x0}+{y0}", "+repage"]
+        subprocess.run([*command, file], env=self.environment, check=True, timeout=30)
+        return file
+
+    def wait_for_picture(self):
+        """Until what is shown is of the newest state of the fabric."""
+        self.wait_until("the picture follows the fabric",
+                        lambda: self.number("shown_generation") == self.number("generation"))
+
+    def wait_for_end(self, seconds=20):
+        try:
+            return self.process.wait(seconds)
+        except subprocess.TimeoutExpired as error:
+            raise Failure("the editor does not end") from error
+
+    def close(self):
+        if self.process and self.process.poll() is None:
+            self.process.kill()
+            self.process.wait()
+        shutil.rmtree(self.home, ignore_errors=True)
+
+
+def picture_statistics(file):
+    """Mean and standard deviation of all samples of a picture, 0..1."""
+    out = subprocess.run(["convert", file, "-format", "%[fx:mean] %[fx:standard_deviation]", "info:"],
+                         check=True, capture_output=True, text=True, timeout=30).stdout
+    mean, deviation = out.split()
+    return float(mean), float(deviation)
+
+
+def difference(a, b):
+    """Root mean square difference of two pictures of one size, 0..1."""
+    out = subprocess.run(["convert", a, b, "-metric", "RMSE", "-compare", "-format", "%[distortion]", "info:"],
+                         check=True, capture_output=True, text=True, timeout=30).stdout
+    return float(out)
+
+
+def run(test):
+    """Runs test(); says what failed and exits accordingly."""
+    try:
+        test()
+    except Failure as failure:
+        print(f"FAILED: {failure}", file=sys.stderr)
+        sys.exit(1)
