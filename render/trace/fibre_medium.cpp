@@ -239,6 +239,7 @@ std::optional<Collision> FibreMedium::collide(const Departure& from, glm::vec3 d
   c.offset = width > 0 ? std::clamp(glm::dot(across, normal) / width, -1.0f, 1.0f) : 0.0f;
   c.normal = normal;
   c.fibre = parts_->idOf(hit.hit);
+  c.events = from.events + 1;
   c.yarn = scene.volume->geometry().yarnIndex(curves.system, curves.index);
   c.optics = scene.yarns[static_cast<int>(curves.system)][c.yarn];
   c.axis = c.place.world - c.optics.fibreRadius_mm * normal;
@@ -264,7 +265,7 @@ float FibreMedium::transmittance(const Departure& from, glm::vec3 direction, flo
 
 Departure FibreMedium::leave(const Collision& collision, glm::vec3 wi, int order) const {
   const float radius = collision.optics.fibreRadius_mm;
-  Departure departure{collision.place, collision.fibre, kOwnFibreRadii * radius};
+  Departure departure{collision.place, collision.events, collision.fibre, kOwnFibreRadii * radius};
   const Yarn& yarn = parts_->scene.fabric->yarns[collision.yarn];
   if (yarn.layout == FibreLayout::random || order == 0) return departure;
 

@@ -34,6 +34,7 @@ struct Collision {
   YarnOptics optics;
   int yarn = 0;           ///< index into Fabric::yarns
   int end = 0, pick = 0;  ///< the crossing cell
+  int events = 1;         ///< fibres met on the path so far, this one included
   // Of explicit fibres only:
   uint64_t fibre = 0;  ///< which; 0: statistics know no fibre
   glm::vec3 axis{0};   ///< the axis of the fibre, where it was hit
@@ -42,6 +43,7 @@ struct Collision {
 /// Where light sets out: from the eye, or from the fibre that it has just left.
 struct Departure {
   Place place;
+  int events = 0;          ///< fibres met on the path so far
   uint64_t fibre = 0;      ///< the fibre it leaves; 0: none, or unknown
   float clearance_mm = 0;  ///< within this distance that fibre is not met again
 };

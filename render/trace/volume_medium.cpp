@@ -61,6 +61,7 @@ std::optional<Collision> VolumeMedium::collide(const Departure& from, glm::vec3 
               c.yarn = entry.yarn;
               c.end = content.end;
               c.pick = content.pick;
+              c.events = from.events + 1;
               collision = c;
               return false;
             });
