@@ -78,12 +78,12 @@ bool operator==(const Weave& a, const Weave& b) {
 
 namespace {
 
-/// The shafts that pick `pick` pulls on, as one flag a shaft; numbers of no shaft or treadle are passed over.
-std::vector<bool> pulledShafts(const Draft& draft, size_t pick) {
-  std::vector<bool> pulled(static_cast<size_t>(draft.shafts) + 1);
+/// The shafts that a pick pulls on, each once and in order; numbers of no shaft or treadle are passed over.
+std::vector<int> pulledShafts(const Draft& draft, size_t pick) {
+  std::vector<uint8_t> pulled(static_cast<size_t>(draft.shafts) + 1, 0);
   const auto pull = [&pulled](const std::vector<int>& shafts) {
     for (const int shaft : shafts)
-      if (shaft >= 1 && static_cast<size_t>(shaft) < pulled.size()) pulled[shaft] = true;
+      if (shaft >= 1 && static_cast<size_t>(shaft) < pulled.size()) pulled[shaft] = 1;
   };
   if (!draft.liftplan.empty()) {
     pull(draft.liftplan[pick]);
@@ -91,7 +91,10 @@ std::vector<bool> pulledShafts(const Draft& draft, size_t pick) {
     for (const int treadle : draft.treadling[pick])
       if (treadle >= 1 && static_cast<size_t>(treadle) <= draft.tieUp.size()) pull(draft.tieUp[treadle - 1]);
   }
-  return pulled;
+  std::vector<int> shafts;
+  for (int shaft = 1; shaft <= draft.shafts; ++shaft)
+    if (pulled[shaft]) shafts.push_back(shaft);
+  return shafts;
 }
 
 }  // namespace
@@ -101,23 +104,25 @@ Weave drawdown(const Draft& draft) {
   assert(isSide(picks) && isSide(draft.threading.size()) && draft.shafts >= 0);
   // A liftplan says what is raised, whichever way the loom's treadles would move it.
   const bool rising = draft.risingShed || !draft.liftplan.empty();
-  std::map<std::vector<bool>, Weave::SharedRow> rowOfShed;  // a draft has few sheds: picks of the same one share
+
+  std::vector<std::vector<size_t>> endsOfShaft(static_cast<size_t>(draft.shafts) + 1);
+  Weave::Row rest(draft.threading.size(), 0);  // a pick that pulls no shaft: a sinking shed leaves all hung ends up
+  for (size_t e = 0; e < draft.threading.size(); ++e)
+    for (const int shaft : draft.threading[e])
+      if (shaft >= 1 && shaft <= draft.shafts) {
+        endsOfShaft[shaft].push_back(e);
+        rest[e] = rising ? 0 : 1;
+      }
+
+  std::map<std::vector<int>, Weave::SharedRow> rowOfShed;  // a draft has few sheds: picks of the same one share
   std::vector<Weave::SharedRow> rows(picks);
   for (size_t p = 0; p < picks; ++p) {
-    const std::vector<bool> pulled = pulledShafts(draft, p);
+    const std::vector<int> pulled = pulledShafts(draft, p);
     Weave::SharedRow& row = rowOfShed[pulled];
     if (!row) {
-      Weave::Row cells(draft.threading.size(), 0);
-      for (size_t e = 0; e < cells.size(); ++e) {
-        bool hangs = false;
-        bool moved = false;
-        for (const int shaft : draft.threading[e]) {
-          if (shaft < 1 || shaft > draft.shafts) continue;
-          hangs = true;
-          moved = moved || pulled[shaft];
-        }
-        cells[e] = hangs && moved == rising ? 1 : 0;
-      }
+      Weave::Row cells = rest;
+      for (const int shaft : pulled)
+        for (const size_t end : endsOfShaft[shaft]) cells[end] = rising ? 1 : 0;
       row = std::make_shared<const Weave::Row>(std::move(cells));
     }
     rows[p] = row;

@@ -54,17 +54,17 @@ TEST(FieldTables, CoverEveryMember) {
     return n;
   };
   // Structured bindings fail to compile when a member is added, and then this test and the table are to be looked at.
-  const auto& [f1, f2, f3, f4, f5, f6, f7, f8, f9, fu] = Fibre{};
+  [[maybe_unused]] const auto& [f1, f2, f3, f4, f5, f6, f7, f8, f9, fu] = Fibre{};
   EXPECT_EQ(count(Fibre{}), 9);
-  const auto& [y1, y2, y3, y4, y5, y6, y7, y8, y9, y10, y11, y12, y13, y14, y15, yu] = Yarn{};
+  [[maybe_unused]] const auto& [y1, y2, y3, y4, y5, y6, y7, y8, y9, y10, y11, y12, y13, y14, y15, yu] = Yarn{};
   EXPECT_EQ(count(Yarn{}), 15);
-  const auto& [d1, d2, d3, d4, d5, d6, du] = Drape{};
+  [[maybe_unused]] const auto& [d1, d2, d3, d4, d5, d6, du] = Drape{};
   EXPECT_EQ(count(Drape{}), 6);
-  const auto& [l1, l2, l3, l4, l5, l6, lu] = Light{};
+  [[maybe_unused]] const auto& [l1, l2, l3, l4, l5, l6, lu] = Light{};
   EXPECT_EQ(count(Light{}), 6);
-  const auto& [c1, c2, c3, c4, c5, cu] = Camera{};
+  [[maybe_unused]] const auto& [c1, c2, c3, c4, c5, cu] = Camera{};
   EXPECT_EQ(count(Camera{}), 5);
-  const auto& [r1, r2, r3, r4, r5, r6, r7, ru] = RenderSettings{};
+  [[maybe_unused]] const auto& [r1, r2, r3, r4, r5, r6, r7, ru] = RenderSettings{};
   EXPECT_EQ(count(RenderSettings{}), 7);
 }
 
