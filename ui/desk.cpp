@@ -37,11 +37,11 @@ void splitter(Ui& ui, const char* name, ImVec2 min, ImVec2 size, float direction
 }  // namespace
 
 DeskAreas deskAreas(const DeskLayout& layout, ImVec2 screen, float menuHeight, float scale) {
-  const float gap = std::round(kGap * scale), status = std::round(kStatusHeight * scale);
+  const float gap = std::floor(kGap * scale), status = std::round(kStatusHeight * scale);
   const float top = menuHeight + gap, height = std::max(1.0f, screen.y - top - gap - status);
   const float width1 = screen.x / scale;
-  const float left = layout.panelsShown ? std::round(fittedWidth(layout.draftWidth, width1) * scale) : 0;
-  const float right = layout.panelsShown ? std::round(fittedWidth(layout.inspectorWidth, width1) * scale) : 0;
+  const float left = layout.panelsShown ? std::floor(fittedWidth(layout.draftWidth, width1) * scale) : 0;
+  const float right = layout.panelsShown ? std::floor(fittedWidth(layout.inspectorWidth, width1) * scale) : 0;
   const float leftGap = left > 0 ? gap : 0, rightGap = right > 0 ? gap : 0;
   DeskAreas areas;
   areas.draft = {ImVec2(0, top), ImVec2(left, height)};

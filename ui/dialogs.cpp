@@ -105,7 +105,7 @@ void KeysDialog::draw(Ui& ui) {
   if (!open_) return;
   const bool begin = opening_;
   opening_ = false;
-  if (!beginModal(ui, "Keys and mouse", ImVec2(ui.px(560), 0), begin)) {
+  if (!beginModal(ui, "Keys and mouse", ImVec2(ui.px(680), 0), begin)) {
     open_ = false;
     return;
   }

@@ -72,7 +72,7 @@ void drawBar(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& colours, c
     ImVec2 a(min.x, std::round(frame.y(i + step))), b(max.x, std::round(frame.y(i)) - gap);
     if (warp) a = ImVec2(std::round(frame.x(i)), min.y), b = ImVec2(std::round(frame.x(i + step)) - gap, max.y);
     const int period = static_cast<int>(warp ? fabric.warpSequence.size() : fabric.weftSequence.size());
-    const float opacity = i >= 0 && i < period ? 1.0f : 0.45f;
+    const float opacity = i >= 0 && i < period ? 1.0f : 0.7f;
     draw.AddRectFilled(a, b, packed(colours[static_cast<size_t>(yarn)], opacity));
   }
   draw.PopClipRect();

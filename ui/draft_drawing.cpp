@@ -76,12 +76,12 @@ void drawGrid(Ui& ui, const DraftFrame& frame) {
   }
 }
 
-/// What lies outside the one repeat that is edited recedes.
-void drawRepeat(Ui& ui, const Weave& weave, const DraftFrame& frame) {
+/// What lies outside the one repeat that is edited recedes on point paper; colours need all of the cloth to be judged.
+void drawRepeat(Ui& ui, const Weave& weave, const DraftFrame& frame, bool veiled) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const ImVec2 min(std::round(frame.x(0)), std::round(frame.y(weave.picks())));
   const ImVec2 max(std::round(frame.x(weave.ends())), std::round(frame.y(0)));
-  const ImU32 veil = packed(ui.theme.panel, 0.6f);
+  const ImU32 veil = packed(ui.theme.panel, veiled ? 0.6f : 0.0f);
   const float top = std::clamp(min.y, frame.min.y, frame.max.y), bottom = std::clamp(max.y, frame.min.y, frame.max.y);
   draw.AddRectFilled(frame.min, ImVec2(frame.max.x, top), veil);
   draw.AddRectFilled(ImVec2(frame.min.x, bottom), frame.max, veil);
@@ -101,7 +101,7 @@ void drawWeave(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& yarnColo
   draw.AddRectFilled(frame.min, frame.max, packed(ui.theme.paper));
   drawCells(ui, fabric, yarnColours, frame, inColour);
   drawGrid(ui, frame);
-  drawRepeat(ui, fabric.weave, frame);
+  drawRepeat(ui, fabric.weave, frame, !inColour);
   draw.PopClipRect();
 }
 

@@ -73,7 +73,8 @@ FieldRow beginRow(Ui& ui, const RowText& text) {
 void endRow(Ui& ui, const RowText& text, ImVec2 min, ImVec2 max) {
   ui.probe.record(text.id, min, max);
   const float left = ImGui::GetWindowPos().x + ImGui::GetStyle().WindowPadding.x;
-  if (!ImGui::IsAnyItemActive()) tooltipFor(ui, text.id.c_str(), ImVec2(left, min.y), max, text.tooltip);
+  if (!ImGui::IsAnyItemActive() && ui.memory.failed == 0)
+    tooltipFor(ui, text.id.c_str(), ImVec2(left, min.y), max, text.tooltip);
 }
 
 void tooltipFor(Ui& ui, const char* id, ImVec2 min, ImVec2 max, const char* text) {
@@ -120,6 +121,7 @@ bool choiceField(Ui& ui, const RowText& text, std::span<const char* const> names
       }
       ui.probe.recordItem(text.id + "/" + names[i]);
     }
+    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) ImGui::CloseCurrentPopup();
     ImGui::EndCombo();
   }
   ImGui::PopID();
@@ -191,6 +193,7 @@ bool colourField(Ui& ui, const RowText& text, Rgb& linear) {
                                   ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_DisplayRGB |
                                       ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_PickerHueBar);
     ui.probe.recordItem(text.id + "/picker");
+    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
   }
   ImGui::PopID();

@@ -14,7 +14,7 @@ void pageTabs(Ui& ui, InspectorView& view) {
   static constexpr const char* kIds[] = {"tab.yarn", "tab.fibre", "tab.cloth", "tab.scene"};
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const float all = ImGui::GetContentRegionAvail().x, width = all / 4, height = ui.px(32);
+  const float all = ImGui::GetContentRegionAvail().x, width = all / 4, height = ImGui::GetFrameHeight() + ui.px(4);
   for (int i = 0; i < 4; ++i) {
     const ImVec2 a(corner.x + width * static_cast<float>(i), corner.y);
     ImGui::SetCursorScreenPos(a);
@@ -56,7 +56,7 @@ InspectorResult inspector(Ui& ui, const Fabric& fabric, const InspectorModel& mo
   pageTabs(ui, view);
   // The scroll bar lives in the panel's margin, always, so that rows are as wide on a page that needs none.
   const float margin = ImGui::GetStyle().ScrollbarSize;
-  const ImVec4 grab = view.pageScrolls ? ui.theme.fieldHover : ImVec4(0, 0, 0, 0);
+  const ImVec4 grab = view.pageScrolls ? ui.theme.fieldFill : ImVec4(0, 0, 0, 0);
   ImGui::PushStyleColor(ImGuiCol_ScrollbarGrab, grab);
   ImGui::BeginChild("page", ImVec2(ImGui::GetContentRegionAvail().x + margin, 0), false,
                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysVerticalScrollbar);

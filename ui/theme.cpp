@@ -32,7 +32,7 @@ Theme Theme::dark() {
   t.onAccent = hex(0x10161b);
   t.warning = hex(0xe0ac4c);
   t.error = hex(0xe57f74);
-  t.popup = hex(0x29292b);
+  t.popup = hex(0x212122);
   t.paper = hex(0xd9d9d7);
   t.ink = hex(0x1b1b1c);
   t.surround = hex(kMiddleGrey);
@@ -53,7 +53,7 @@ Theme Theme::light() {
   t.onAccent = hex(0xffffff);
   t.warning = hex(0x8f5d00);
   t.error = hex(0xb3352a);
-  t.popup = hex(0xf4f4f4);
+  t.popup = hex(0xe9e9ea);
   t.paper = hex(0xffffff);
   t.ink = hex(0x2a2a2b);
   t.surround = hex(kMiddleGrey);
@@ -90,7 +90,7 @@ void Theme::apply(ImGuiStyle& style, float scale) const {
   set(ImGuiCol_WindowBg, panel);
   set(ImGuiCol_ChildBg, faded(panel, 0.0f));
   set(ImGuiCol_PopupBg, popup);
-  set(ImGuiCol_Border, line);
+  set(ImGuiCol_Border, fieldFill);
   set(ImGuiCol_FrameBg, field);
   set(ImGuiCol_FrameBgHovered, fieldHover);
   set(ImGuiCol_FrameBgActive, fieldHover);
@@ -98,14 +98,14 @@ void Theme::apply(ImGuiStyle& style, float scale) const {
   set(ImGuiCol_TitleBgActive, popup);
   set(ImGuiCol_MenuBarBg, panel);
   set(ImGuiCol_ScrollbarBg, faded(panel, 0.0f));
-  set(ImGuiCol_ScrollbarGrab, fieldHover);
+  set(ImGuiCol_ScrollbarGrab, fieldFill);
   set(ImGuiCol_ScrollbarGrabHovered, fieldFill);
   set(ImGuiCol_ScrollbarGrabActive, fieldFill);
   set(ImGuiCol_CheckMark, text);
   set(ImGuiCol_SliderGrab, textQuiet);
   set(ImGuiCol_SliderGrabActive, text);
-  set(ImGuiCol_Button, field);
-  set(ImGuiCol_ButtonHovered, fieldHover);
+  set(ImGuiCol_Button, fieldHover);
+  set(ImGuiCol_ButtonHovered, fieldFill);
   set(ImGuiCol_ButtonActive, fieldFill);
   set(ImGuiCol_Header, field);
   set(ImGuiCol_HeaderHovered, fieldHover);
@@ -114,7 +114,7 @@ void Theme::apply(ImGuiStyle& style, float scale) const {
   set(ImGuiCol_PlotHistogram, accent);
   set(ImGuiCol_TextSelectedBg, faded(accent, 0.35f));
   set(ImGuiCol_NavHighlight, accent);
-  set(ImGuiCol_ModalWindowDimBg, ImVec4(0, 0, 0, 0.45f));
+  set(ImGuiCol_ModalWindowDimBg, ImVec4(0, 0, 0, 0.35f));
 }
 
 }  // namespace loomlight

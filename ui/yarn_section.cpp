@@ -46,8 +46,11 @@ void drawYarnSection(Ui& ui, const YarnSection& section, const ImVec4& fibreColo
   const ImVec2 centre(0.5f * (min.x + max.x), 0.5f * (min.y + max.y));
   const float radius = std::max(0.75f, static_cast<float>(section.fibreRadius_mm * pixelsPerMm));
   const int segments = radius < 3 ? 6 : radius < 8 ? 12 : 24;
-  // Neighbouring fibres of one colour would run together: a darker rim keeps each one apart.
-  const ImVec4 rim(fibreColour.x * 0.55f, fibreColour.y * 0.55f, fibreColour.z * 0.55f, 1.0f);
+  // Neighbouring fibres of one colour would run together: a darker rim keeps each one apart, or a lighter one where
+  // nothing darker would show.
+  const bool dark = std::max({fibreColour.x, fibreColour.y, fibreColour.z}) < 0.35f;
+  auto shade = [&](float value) { return dark ? value + 0.3f : 0.55f * value; };
+  const ImVec4 rim(shade(fibreColour.x), shade(fibreColour.y), shade(fibreColour.z), 1.0f);
   draw.PushClipRect(min, max, true);
   for (const YarnSection::Point& point : section.points) {
     const ImVec2 at(centre.x + static_cast<float>(point.at_mm.x * pixelsPerMm),

@@ -68,7 +68,10 @@ void Session::drawDraft(Ui& ui) {
 void Session::drawViewport(Ui& ui, const LiveStatus& status) {
   std::optional<ViewportPicture::Outline> outline;
   const Weave& weave = document_.fabric()->weave;
-  if (draft_.hovered) outline = {inRepeat(*draft_.hovered, weave), weave.ends(), weave.picks(), ui.theme.accent};
+  // A coarse first pass has pixels larger than crossings; an outline of them would only be blocks.
+  constexpr int kCoarsest = 3;
+  if (draft_.hovered && shownFrame_ && shownFrame_->divider <= kCoarsest)
+    outline = {inRepeat(*draft_.hovered, weave), weave.ends(), weave.picks(), ui.theme.accent};
   ViewportModel model;
   model.picture = picture_.display(viewport_.width, viewport_.height, tone(), outline);
   lookUnderPointer();

@@ -1,0 +1,143 @@
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include "app/editor/autosave.h"
+#include "app/editor/insight.h"
+#include "app/editor/preset_store.h"
+#include "app/editor/sample_fabric.h"
+#include "app/editor/settings.h"
+#include "core/base/error.h"
+#include "core/fabric/fabric_json.h"
+#include "core/fabric/yarn_count.h"
+
+namespace loomlight {
+namespace {
+namespace fs = std::filesystem;
+
+/// An empty folder, removed at the end of the test.
+class Folder {
+ public:
+  Folder() : path(fs::path(testing::TempDir()) / ("loomlight-" + std::to_string(getpid()))) { fs::remove_all(path); }
+  ~Folder() { fs::remove_all(path); }
+  fs::path path;
+};
+
+bool comesTrue(const std::function<bool()>& condition) {
+  for (int i = 0; i < 1000; ++i) {
+    if (condition()) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return false;
+}
+
+TEST(Autosave, KeepsACopyAndRemovesItAtTheEnd) {
+  const Folder folder;
+  const fs::path file = folder.path / ("autosave-" + std::to_string(getpid()) + ".json");
+  {
+    Autosave autosave(folder.path);
+    autosave.keep(std::make_shared<const Fabric>(sampleFabric()));
+    ASSERT_TRUE(comesTrue([&] { return fs::exists(file); }));
+    EXPECT_EQ(readFabric(file.string()), sampleFabric());
+    EXPECT_FALSE(Autosave::leftBehind(folder.path).has_value()) << "its editor is still running";
+  }
+  EXPECT_FALSE(fs::exists(file));
+}
+
+TEST(Autosave, FindsWhatADeadEditorLeft) {
+  const Folder folder;
+  fs::create_directories(folder.path);
+  // No process has a number this large (the kernel's limit is 2^22).
+  const fs::path left = folder.path / "autosave-2000000000.json";
+  std::ofstream(left) << "{}";
+  std::ofstream(folder.path / "autosave-x.json") << "{}";
+  std::ofstream(folder.path / "notes.txt") << "";
+  EXPECT_EQ(Autosave::leftBehind(folder.path), left);
+}
+
+TEST(PresetStore, KeepsAndLoads) {
+  const Folder folder;
+  PresetStore store(folder.path);
+  EXPECT_TRUE(store.names().empty());
+  Fabric fabric = sampleFabric();
+  fabric.name = "../half/blue";
+  const std::string name = store.keep(fabric);
+  EXPECT_EQ(store.names(), std::vector<std::string>{name});
+  EXPECT_EQ(store.load(name), fabric);
+  EXPECT_TRUE(fs::exists(folder.path / (name + ".json"))) << "a name must not lead out of the folder";
+  EXPECT_THROW(store.load("none"), InputError);
+}
+
+TEST(PresetStore, DressingKeepsTheScene) {
+  Fabric scene = sampleFabric(0);
+  scene.light.kind = LightKind::dome;
+  scene.camera.azimuth_deg = 17;
+  const Fabric cloth = sampleFabric(1);
+  const Fabric worn = dressed(scene, cloth);
+  EXPECT_EQ(worn.weave, cloth.weave);
+  EXPECT_EQ(worn.yarns, cloth.yarns);
+  EXPECT_EQ(worn.light, scene.light);
+  EXPECT_EQ(worn.camera, scene.camera);
+  EXPECT_EQ(worn.drape, scene.drape);
+}
+
+TEST(Samples, AllOpen) {
+  for (size_t i = 0; i < sampleNames().size(); ++i) EXPECT_NO_THROW(sampleFabric(i)) << sampleNames()[i];
+}
+
+TEST(Settings, ComeBackAndSurviveNonsense) {
+  const Folder folder;
+  const fs::path file = folder.path / "editor.json";
+  Settings settings;
+  settings.windowWidth = 1777;
+  settings.darkTheme = false;
+  settings.desk.draftWidth = 401;
+  writeSettings(file, settings);
+  EXPECT_EQ(readSettings(file).windowWidth, 1777);
+  EXPECT_FALSE(readSettings(file).darkTheme);
+  EXPECT_EQ(readSettings(file).desk.draftWidth, 401);
+  for (const char* text : {"", "[]", "{\"window_width\": \"wide\"}", "{\"window_width\": -5}", "\xff\xfe"}) {
+    std::ofstream(file) << text;
+    EXPECT_GE(readSettings(file).windowWidth, 960) << text;
+  }
+}
+
+TEST(YarnSection, ShowsEveryFibreOnceInsideTheYarn) {
+  Fabric fabric = sampleFabric();
+  for (FibreLayout layout : {FibreLayout::random, FibreLayout::packed}) {
+    Yarn& yarn = fabric.yarns[0];
+    yarn.layout = layout;
+    yarn.hairiness_per_mm = 0;
+    yarn.plies = 3;
+    yarn.yarnTwist_per_m = 400;
+    yarn.fibresPerPly = 37;
+    const YarnSection section = yarnSection(fabric, 0);
+    EXPECT_EQ(section.points.size(), 3u * 37u);
+    for (const YarnSection::Point& point : section.points) {
+      EXPECT_LT(std::abs(point.at_mm.x), 1.05 * section.halfWidth_mm);
+      EXPECT_LT(std::abs(point.at_mm.y), 1.05 * section.halfHeight_mm);
+    }
+  }
+}
+
+TEST(InsightWorker, AnswersTheNewestRequest) {
+  InsightWorker worker([] {});
+  std::shared_ptr<const Fabric> last;
+  for (int i = 0; i < 20; ++i) {
+    Fabric fabric = sampleFabric();
+    fabric.ends_per_cm = 20 + i;
+    last = std::make_shared<const Fabric>(std::move(fabric));
+    worker.request(last, 0);
+  }
+  EXPECT_TRUE(comesTrue([&] {
+    const auto newest = worker.newest();
+    return newest && newest->fabric == last;
+  }));
+}
+
+}  // namespace
+}  // namespace loomlight

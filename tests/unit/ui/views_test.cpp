@@ -1,0 +1,125 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "ui/camera_moves.h"
+#include "ui/desk.h"
+#include "ui/draft_view.h"
+
+namespace loomlight {
+namespace {
+
+constexpr double kRadian = kPi / 180;
+
+/// Where a point of the scene is in the picture, pixels from its centre, right and down: the pinhole of Camera.
+glm::dvec2 project(const Camera& camera, const glm::dvec3& point, int height) {
+  const double a = camera.azimuth_deg * kRadian, e = camera.elevation_deg * kRadian;
+  const glm::dvec3 away(std::cos(e) * std::cos(a), std::cos(e) * std::sin(a), std::sin(e));
+  const glm::dvec3 right(-std::sin(a), std::cos(a), 0), up = glm::cross(away, right);
+  const glm::dvec3 d = point - (camera.target_mm + camera.distance_mm * away);
+  const double scale = 0.5 * height / std::tan(0.5 * camera.fov_deg * kRadian) / -glm::dot(d, away);
+  return {scale * glm::dot(d, right), -scale * glm::dot(d, up)};
+}
+
+Camera someCamera() {
+  Camera camera;
+  camera.target_mm = {1, -2, 0.5};
+  camera.azimuth_deg = -60;
+  camera.elevation_deg = 40;
+  return camera;
+}
+
+/// A point of the plane through the target, facing the camera, that is seen at (x, y).
+glm::dvec3 pointAt(const Camera& camera, double x, double y, int height) {
+  return panned(camera, -x, -y, height).target_mm;
+}
+
+TEST(CameraMoves, WhatIsUnderThePointerStaysThereWhileZooming) {
+  const Camera camera = someCamera();
+  const glm::dvec3 point = pointAt(camera, 120, -75, 600);
+  const glm::dvec2 before = project(camera, point, 600);
+  EXPECT_NEAR(before.x, 120, 1e-6);
+  EXPECT_NEAR(before.y, -75, 1e-6);
+  for (double clicks : {-3.0, 1.0, 5.0}) {
+    const glm::dvec2 after = project(zoomed(camera, clicks, 120, -75, 600), point, 600);
+    EXPECT_NEAR(after.x, 120, 1e-6) << clicks;
+    EXPECT_NEAR(after.y, -75, 1e-6) << clicks;
+  }
+}
+
+TEST(CameraMoves, PanningDragsThePointAlong) {
+  const Camera camera = someCamera();
+  const glm::dvec2 after = project(panned(camera, 33, 44, 600), camera.target_mm, 600);
+  EXPECT_NEAR(after.x, 33, 1e-6);
+  EXPECT_NEAR(after.y, 44, 1e-6);
+}
+
+TEST(CameraMoves, OrbitTurnsTheNearSideWithTheMouse) {
+  Camera camera;  // stands at -y, looks towards +y
+  const Camera moved = orbited(camera, 30, 0);
+  const glm::dvec3 nearSide(0, -5, 0);
+  EXPECT_GT(project(moved, nearSide, 600).x, project(camera, nearSide, 600).x);
+  EXPECT_DOUBLE_EQ(moved.distance_mm, camera.distance_mm);
+  EXPECT_LE(orbited(camera, 0, 1e6).elevation_deg, 90);
+  EXPECT_GE(orbited(camera, 0, -1e6).elevation_deg, -90);
+  EXPECT_LE(std::abs(orbited(camera, 1e6, 0).azimuth_deg), 360);
+}
+
+TEST(CameraMoves, FitShowsEveryCornerOfTheCloth) {
+  Drape drape;
+  drape.width_mm = 37;
+  drape.height_mm = 11;
+  const int height = 500;
+  for (double aspect : {0.5, 1.0, 2.0}) {
+    const Camera camera = fitted(someCamera(), drape, aspect, 1);
+    for (double x : {-18.5, 18.5})
+      for (double y : {-5.5, 5.5}) {
+        const glm::dvec2 p = project(camera, {x, y, 0}, height);
+        EXPECT_LE(std::abs(p.x), 0.5 * aspect * height);
+        EXPECT_LE(std::abs(p.y), 0.5 * height);
+      }
+  }
+}
+
+TEST(DraftView, TheCrossingUnderThePointerStaysThereWhileZooming) {
+  DraftView view;
+  const ImVec2 min(10, 20), max(310, 320);
+  fitDraft(view, Weave(), ImVec2(300, 300), 1);
+  const ImVec2 pointer(200, 110);
+  const CrossingIndex before = frameOf(view, min, max).at(pointer);
+  for (float clicks : {3.0f, 2.0f, -4.0f}) {
+    zoomDraft(view, min, max, pointer, clicks);
+    EXPECT_EQ(frameOf(view, min, max).at(pointer), before);
+  }
+}
+
+TEST(DraftView, FitShowsTheWholeRepeat) {
+  const Weave weave = Weave().resized(700, 300);
+  DraftView view;
+  fitDraft(view, weave, ImVec2(280, 240), 1);
+  const DraftFrame frame = frameOf(view, ImVec2(0, 0), ImVec2(280, 240));
+  EXPECT_EQ(frame.at(ImVec2(0.01f, 239.99f)), (CrossingIndex{0, 0}));
+  EXPECT_GE(frame.lastEnd(), 699);
+  EXPECT_GE(frame.lastPick(), 299);
+}
+
+TEST(CrossingIndex, WrapsIntoTheRepeatFromBothSides) {
+  const Weave weave = Weave().resized(5, 3);
+  EXPECT_EQ(inRepeat({-1, -1}, weave), (CrossingIndex{2, 4}));
+  EXPECT_EQ(inRepeat({7, 12}, weave), (CrossingIndex{1, 2}));
+}
+
+TEST(Desk, TheClothKeepsHalfOfTheWindow) {
+  DeskLayout layout;
+  layout.draftWidth = layout.inspectorWidth = 5000;
+  for (const ImVec2 screen : {ImVec2(1280, 720), ImVec2(1440, 900), ImVec2(2560, 1440)})
+    for (float scale : {1.0f, screen.x / 1280}) {
+      const DeskAreas areas = deskAreas(layout, screen, 31 * scale, scale);
+      EXPECT_GE(areas.viewport.size.x, 0.5f * screen.x - 1);
+      EXPECT_NEAR(areas.inspector.min.x + areas.inspector.size.x, screen.x, 1);
+      EXPECT_NEAR(areas.status.min.y + areas.status.size.y, screen.y, 1);
+    }
+}
+
+}  // namespace
+}  // namespace loomlight
