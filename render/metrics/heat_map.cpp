@@ -1,0 +1,32 @@
+#include "render/metrics/heat_map.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "render/film/tone.h"
+#include "render/metrics/colour_space.h"
+
+namespace loomlight {
+
+Rgb heatColour(double value) {
+  const double t = std::clamp(value, 0.0, 1.0);
+  // A path through the sRGB gamut with room to spare: violet while dark, yellow while light, no colour at the ends.
+  const double hue = (300 + 150 * t) * kPi / 180, chroma = 66 * std::sin(kPi * t);
+  const glm::dvec3 linear = linearFromLab({100 * t, chroma * std::cos(hue), chroma * std::sin(hue)});
+  return Rgb(glm::clamp(linear, 0.0, 1.0));
+}
+
+Pixels8 heatMap(const std::vector<float>& values, int width, int height, double range) {
+  assert(values.size() == static_cast<size_t>(width) * static_cast<size_t>(height) && range > 0);
+  const Tone tone{.exposure_stops = 0, .filmic = false};
+  Pixels8 pixels{width, height, 3, {}};
+  pixels.bytes.reserve(3 * values.size());
+  for (const float value : values) {
+    const Rgb colour = toDisplay(heatColour(value / range), tone);
+    for (int i = 0; i < 3; ++i) pixels.bytes.push_back(static_cast<uint8_t>(colour[i] * 255 + 0.5f));
+  }
+  return pixels;
+}
+
+}  // namespace loomlight

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/units.h"
+#include "render/film/image.h"
+
+namespace loomlight {
+
+/// Linear light, as the renderer leaves it: premultiplied, over black. What pictures are measured in.
+struct LinearPicture {
+  int width = 0, height = 0;
+  std::vector<Rgb> pixels;  ///< width * height, row by row from the top left
+};
+
+/// The channels R, G and B. Throws InputError, naming `file`, when one is missing.
+LinearPicture linearPicture(const Image& image, const std::string& file);
+/// From an .exr of ours or anyone's. Throws InputError; a .png holds no linear light and is refused.
+LinearPicture readLinearPicture(const std::string& file);
+
+inline bool isFinite(const Rgb& c) {
+  return !glm::any(glm::isnan(c)) && !glm::any(glm::isinf(c));
+}
+
+}  // namespace loomlight
