@@ -9,9 +9,9 @@
 #include "app/commands/interrupt.h"
 #include "app/commands/stopwatch.h"
 #include "core/fabric/validate.h"
+#include "render/trace/make_medium.h"
 #include "render/trace/path_tracer.h"
 #include "render/trace/scene.h"
-#include "render/trace/volume_medium.h"
 
 namespace loomlight {
 namespace {
@@ -35,6 +35,8 @@ bool measure(const Fabric& fabric, int rounds, const Task& task, Row& row) {
   row.resolution = fabric.render.resolution;
   const auto scene = makeScene(std::make_shared<const Fabric>(fabric), task);
   if (!scene) return false;
+  const auto medium = makeMedium(*scene, defaultMemoryLimit_bytes(), task);
+  if (!medium) return false;
   const ClothGeometry& geometry = scene->volume->geometry();
   row.volume = scene->volume->counts();
   const CameraRays camera(fabric.camera, fabric.render.width, fabric.render.height);
@@ -47,7 +49,7 @@ bool measure(const Fabric& fabric, int rounds, const Task& task, Row& row) {
     Film film(fabric.render.width, fabric.render.height);
     watch.lap();
     const auto samples = static_cast<uint32_t>(fabric.render.samplesPerPixel);
-    const PassResult pass = renderUpTo(samples, *scene, VolumeMedium(*scene), camera, film, task);
+    const PassResult pass = renderUpTo(samples, *scene, *medium, camera, film, task);
     if (!pass.complete) return false;
     trace.push_back(watch.lap());
     row.trace = pass.counts;

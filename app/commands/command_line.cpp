@@ -51,14 +51,16 @@ void addPictureOptions(CLI::App& app, FabricOptions& options) {
            [&options](const auto& option, const auto& text) { options.view = parseView(option, text); });
   addValue(app, "--light", "LIGHT", "ibl[:FILE], sky[:AZ,EL], directional[:AZ,EL], dome, point, back or furnace",
            [&options](const auto& option, const auto& text) { options.light = parseLight(option, text); });
-  addValue(app, "--method", "volume", "how light is traced", [](const auto& option, const auto& text) {
-    if (text != "volume") throw UsageError(option + ": expected volume, got '" + text + "'");
-  });
+  addValue(app, "--method", "volume|fibres", "what light is traced through: the volume, or every fibre as it is",
+           [&options](const auto& option, const auto& text) { options.method = parseMethod(option, text); });
+  addValue(app, "--estimator", "none|report|loomlight", "how the volume sees what is smaller than a voxel",
+           [&options](const auto& option, const auto& text) { options.estimator = parseEstimator(option, text); });
   addValue(app, "--max-depth", "N", "scattering events of a path, at most",
            [&options](const auto& option, const auto& text) {
              options.maxDepth = parseWholeField(option, text, &RenderSettings::maxDepth);
            });
-  addValue(app, "--event-law", "projected|report", "how a path chooses its fibre: ours, or Eq. 12 of the report",
+  addValue(app, "--event-law", "projected|report",
+           "without an estimator, how a path chooses its fibre: ours, or Eq. 12 of the report",
            [&options](const auto& option, const auto& text) { options.eventLaw = parseEventLaw(option, text); });
 }
 
@@ -66,6 +68,13 @@ void addThreads(CLI::App& app, int& threads) {
   addValue(app, "--threads", "N", "threads; all where not given", [&threads](const auto& option, const auto& text) {
     threads = static_cast<int>(parseWhole(option, text, 1, 1024));
   });
+}
+
+void addMemoryLimit(CLI::App& app, double& limit_bytes) {
+  addValue(app, "--memory-limit", "GB", "what fibres may take; three quarters of the memory where not given",
+           [&limit_bytes](const auto& option, const auto& text) {
+             limit_bytes = 1e9 * parseNumber(option, text, 1e-3, 1e6);
+           });
 }
 
 void addEdit(CLI::App& app, EditorOptions& options) {
@@ -90,6 +99,7 @@ void addRender(CLI::App& app, RenderCommand& command) {
   addPictureOptions(app, command.options);
   addFabricOptions(app, command.options);
   addThreads(app, command.threads);
+  addMemoryLimit(app, command.memoryLimit_bytes);
   addValue(app, "--exposure", "STOPS", "brighter or darker; only a .png has it",
            [&command](const auto& option, const auto& text) {
              command.tone.exposure_stops = static_cast<float>(parseNumber(option, text, -20, 20));

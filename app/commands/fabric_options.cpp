@@ -28,6 +28,8 @@ Fabric withOptions(Fabric fabric, const FabricOptions& options) {
   render.seed = options.seed.value_or(render.seed);
   render.resolution = options.resolution.value_or(render.resolution);
   render.maxDepth = options.maxDepth.value_or(render.maxDepth);
+  render.method = options.method.value_or(render.method);
+  render.estimator = options.estimator.value_or(options.eventLaw ? Estimator::none : render.estimator);
   render.eventLaw = options.eventLaw.value_or(render.eventLaw);
 
   if (options.drape) {

@@ -15,7 +15,9 @@ struct FabricOptions {
   std::optional<uint64_t> seed;
   std::optional<int> resolution;
   std::optional<int> maxDepth;
-  std::optional<EventLaw> eventLaw;
+  std::optional<Method> method;
+  std::optional<Estimator> estimator;
+  std::optional<EventLaw> eventLaw;  ///< without an estimator: means Estimator::none, whose law it is
   std::optional<DrapeChoice> drape;
   std::optional<double> uvScale_mm;
   std::optional<ViewChoice> view;

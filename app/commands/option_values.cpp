@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "app/commands/usage_error.h"
+#include "core/fabric/choice_names.h"
 
 namespace loomlight {
 namespace {
@@ -37,6 +38,12 @@ std::vector<std::string> split(const std::string& text, char separator) {
 
 bool knownResolution(int64_t value) {
   return value == 1 || value == 2 || value == 4 || value == 8 || value == 16;
+}
+
+template <class Enum>
+Enum parseChoice(const std::string& option, const std::string& text) {
+  if (const auto choice = choiceFromName<Enum>(text)) return *choice;
+  refuse(option, choiceList<Enum>(), text);
 }
 
 }  // namespace
@@ -82,10 +89,16 @@ std::vector<int> parseResolutions(const std::string& option, const std::string& 
   return resolutions;
 }
 
+Method parseMethod(const std::string& option, const std::string& text) {
+  return parseChoice<Method>(option, text);
+}
+
+Estimator parseEstimator(const std::string& option, const std::string& text) {
+  return parseChoice<Estimator>(option, text);
+}
+
 EventLaw parseEventLaw(const std::string& option, const std::string& text) {
-  if (text == "projected") return EventLaw::projected;
-  if (text == "report") return EventLaw::report;
-  refuse(option, "projected or report", text);
+  return parseChoice<EventLaw>(option, text);
 }
 
 ViewChoice parseView(const std::string& option, const std::string& text) {

@@ -31,6 +31,8 @@ int parseResolution(const std::string& option, const std::string& text);
 /// The same, several with commas between them.
 std::vector<int> parseResolutions(const std::string& option, const std::string& text);
 
+Method parseMethod(const std::string& option, const std::string& text);
+Estimator parseEstimator(const std::string& option, const std::string& text);
 EventLaw parseEventLaw(const std::string& option, const std::string& text);
 
 /// front, top, close, macro, side, or AZ,EL[,DISTANCE] in degrees and mm.

@@ -16,9 +16,9 @@
 #include "core/base/parallel.h"
 #include "core/fabric/fabric_json.h"
 #include "core/fabric/validate.h"
+#include "render/trace/fibre_medium.h"
 #include "render/trace/path_tracer.h"
 #include "render/trace/scene.h"
-#include "render/trace/volume_medium.h"
 
 namespace loomlight {
 namespace {
@@ -58,10 +58,9 @@ Job prepare(const RenderCommand& command) {
 }
 
 /// Traces until every pixel has its samples. Returns false when stopped.
-bool trace(const Scene& scene, Job& job, Task task, TraceCounts& counts) {
+bool trace(const Scene& scene, const Medium& medium, Job& job, Task task, TraceCounts& counts) {
   const RenderSettings& settings = job.fabric->render;
   const CameraRays camera(job.fabric->camera, settings.width, settings.height);
-  const VolumeMedium medium(scene);
   const auto samples = static_cast<uint32_t>(settings.samplesPerPixel);
   const uint32_t first = job.samplesBegun;
   Progress progress("rendering");
@@ -74,7 +73,7 @@ bool trace(const Scene& scene, Job& job, Task task, TraceCounts& counts) {
       progress.update((done - first + fraction * batch) / (samples - first));
     };
     Stopwatch watch;
-    const PassResult pass = renderUpTo(done + batch, scene, VolumeMedium(scene), camera, job.film, task);
+    const PassResult pass = renderUpTo(done + batch, scene, medium, camera, job.film, task);
     counts += pass.counts;
     if (!pass.complete) return false;
     done += batch;
@@ -93,6 +92,17 @@ std::shared_ptr<const Scene> buildScene(const std::shared_ptr<const Fabric>& fab
   return makeScene(fabric, task);
 }
 
+/// Null when stopped. Says beforehand what fibres will take.
+std::unique_ptr<const Medium> buildMedium(const Scene& scene, double memoryLimit_bytes, Task task, MediumCost& cost) {
+  if (scene.fabric->render.method != Method::fibres) return makeMedium(scene, memoryLimit_bytes, task, &cost);
+  const FibreMedium::Size size = FibreMedium::estimate(scene);
+  fmt::print(stderr, "loomlight: {:.3g} fibre segments will take about {:.2f} GB of memory\n", size.segments,
+             size.bytes * 1e-9);
+  Progress progress("laying fibres");
+  task.progress = [&progress](double fraction) { progress.update(fraction); };
+  return makeMedium(scene, memoryLimit_bytes, task, &cost);
+}
+
 }  // namespace
 
 int run(const RenderCommand& command) {
@@ -106,7 +116,9 @@ int run(const RenderCommand& command) {
   task.threads = command.threads > 0 ? command.threads : hardwareThreads();
 
   const auto scene = buildScene(job.fabric, task);
-  if (!scene) {
+  MediumCost mediumCost;
+  const auto medium = scene ? buildMedium(*scene, command.memoryLimit_bytes, task, mediumCost) : nullptr;
+  if (!medium) {
     fmt::print(stderr, "loomlight: stopped before the first sample; nothing was written\n");
     return Interrupt::kExitStatus;
   }
@@ -115,7 +127,7 @@ int run(const RenderCommand& command) {
              settings.height, settings.samplesPerPixel, task.threads);
   TraceCounts counts;
   Stopwatch watch;
-  const bool complete = trace(*scene, job, task, counts);
+  const bool complete = trace(*scene, *medium, job, task, counts);
   const double render_s = watch.lap();
 
   // A stopped picture keeps its sums, so that hours of work can be gone on with.
@@ -123,8 +135,8 @@ int run(const RenderCommand& command) {
   const double total_s = whole.lap();
   const auto samples = static_cast<int>(fewestSamples(job.film));
   if (!command.stats.empty()) {
-    writeStats(command.stats, {settings.width, settings.height, samples, task.threads, scene->seconds, render_s,
-                               total_s, scene->volume->counts(), counts});
+    writeStats(command.stats, {settings.method, settings.width, settings.height, samples, task.threads, scene->seconds,
+                               render_s, total_s, scene->volume->counts(), mediumCost, counts});
   }
   fmt::print("{}: {} x {}, {} samples per pixel{}, {}\n", command.output, settings.width, settings.height, samples,
              complete ? "" : fmt::format(" of {}, stopped", settings.samplesPerPixel), durationText(total_s));

@@ -4,6 +4,7 @@
 
 #include "app/commands/fabric_options.h"
 #include "render/film/tone.h"
+#include "render/trace/make_medium.h"
 
 namespace loomlight {
 
@@ -12,10 +13,11 @@ struct RenderCommand {
   std::string input;   ///< a fabric, or a picture that carries one; may be empty where `resume` is not
   std::string output;  ///< .exr or .png
   FabricOptions options;
-  Tone tone;           ///< of a .png
-  int threads = 0;     ///< 0: all
-  std::string stats;   ///< file for the figures; empty: none
-  std::string resume;  ///< an .exr with sums, to be continued; empty: none
+  Tone tone;                                              ///< of a .png
+  int threads = 0;                                        ///< 0: all
+  double memoryLimit_bytes = defaultMemoryLimit_bytes();  ///< of explicit fibres
+  std::string stats;                                      ///< file for the figures; empty: none
+  std::string resume;                                     ///< an .exr with sums, to be continued; empty: none
   bool keepSums = false;
 };
 

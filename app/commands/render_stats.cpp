@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/file.h"
+#include "core/fabric/choice_names.h"
 
 namespace loomlight {
 
@@ -16,24 +17,31 @@ size_t peakMemory() {
 
 void writeStats(const std::string& file, const RenderStats& stats) {
   nlohmann::ordered_json json;
-  json["method"] = "volume";
+  json["method"] = choiceName(stats.method);
   json["width"] = stats.width;
   json["height"] = stats.height;
   json["samples_per_pixel"] = stats.samplesPerPixel;
   json["threads"] = stats.threads;
   json["seconds"] = {{"geometry", stats.scene_s.geometry},
                      {"voxelise", stats.scene_s.voxelise},
-                     {"accelerate", stats.scene_s.accelerate},
+                     {"accelerate", stats.scene_s.accelerate + stats.medium.seconds},
                      {"bvdf", 0.0},
                      {"render", stats.render_s},
                      {"total", stats.total_s}};
-  json["counts"] = {{"segments", stats.volume.segments}, {"bricks", stats.volume.bricks},
-                    {"voxels", stats.volume.voxels},     {"components", stats.volume.components},
-                    {"paths", stats.trace.paths},        {"events", stats.trace.events},
-                    {"rays", stats.trace.rays},          {"steps", stats.trace.steps}};
-  // Strands are made brick by brick and not kept; the volume method has no acceleration structure over fibres.
-  json["bytes"] = {
-      {"geometry", 0}, {"accelerator", 0}, {"volume", stats.volume.bytes}, {"bvdf", 0}, {"peak_rss", peakMemory()}};
+  json["counts"] = {{"segments", stats.medium.segments > 0 ? stats.medium.segments : stats.volume.segments},
+                    {"bricks", stats.volume.bricks},
+                    {"voxels", stats.volume.voxels},
+                    {"components", stats.volume.components},
+                    {"paths", stats.trace.paths},
+                    {"events", stats.trace.events},
+                    {"rays", stats.trace.rays},
+                    {"steps", stats.trace.steps}};
+  // For a volume strands are made brick by brick and not kept, and no accelerator goes over them.
+  json["bytes"] = {{"geometry", stats.medium.geometryBytes},
+                   {"accelerator", stats.medium.acceleratorBytes},
+                   {"volume", stats.volume.bytes},
+                   {"bvdf", 0},
+                   {"peak_rss", peakMemory()}};
   writeFileAtomically(file, json.dump(2) + '\n');
 }
 

@@ -3,13 +3,14 @@
 #include <cstddef>
 #include <string>
 
-#include "render/trace/medium.h"
+#include "render/trace/make_medium.h"
 #include "render/trace/scene.h"
 
 namespace loomlight {
 
 /// What a picture took: the content of `--stats`.
 struct RenderStats {
+  Method method = Method::volume;
   int width = 0, height = 0;
   int samplesPerPixel = 0;
   int threads = 0;
@@ -17,6 +18,7 @@ struct RenderStats {
   double render_s = 0;
   double total_s = 0;
   VolumeCounts volume;
+  MediumCost medium;
   TraceCounts trace;
 };
 

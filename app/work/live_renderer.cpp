@@ -12,9 +12,9 @@
 #include "app/work/mailbox.h"
 #include "app/work/pass_scheduler.h"
 #include "core/base/parallel.h"
+#include "render/trace/make_medium.h"
 #include "render/trace/path_tracer.h"
 #include "render/trace/scene.h"
-#include "render/trace/volume_medium.h"
 
 namespace loomlight {
 namespace {
@@ -27,8 +27,30 @@ double secondsSince(Clock::time_point start) {
 /// Samples at which the viewport goes to sleep.
 constexpr uint32_t kViewportSamples = 1024;
 
+/// A scene and what its light is traced through, which may have been made for an earlier scene of the same cloth.
+struct Traceable {
+  std::shared_ptr<const Scene> scene, mediumScene;
+  std::shared_ptr<const Medium> medium;
+};
+
+/// Null pointers when stopped.
+Traceable makeTraceable(const std::shared_ptr<const Fabric>& fabric, const Task& task, const Traceable& previous) {
+  Traceable made;
+  made.scene = makeScene(fabric, task, previous.scene.get());
+  if (!made.scene) return {};
+  if (previous.medium && sameMedium(*previous.mediumScene, *made.scene)) {
+    made.mediumScene = previous.mediumScene;
+    made.medium = previous.medium;
+    return made;
+  }
+  // The tracer may hold the previous fibres until these are done.
+  made.mediumScene = made.scene;
+  made.medium = makeMedium(*made.scene, 0.5 * defaultMemoryLimit_bytes(), task);
+  return made.medium ? made : Traceable{};
+}
+
 struct TraceRequest {
-  std::shared_ptr<const Scene> scene;
+  Traceable cloth;
   ViewRequest view;
 };
 
@@ -90,7 +112,7 @@ struct LiveRenderer::Workers {
   bool sceneWaiting = false;
   bool paused = false;
 
-  std::shared_ptr<const Scene> scene;  // the builder's: the newest that could be built
+  Traceable cloth;  // the builder's: the newest that could be built
 
   std::jthread builder, tracer;  // last: they stop before what they use is gone
 };
@@ -118,10 +140,10 @@ void LiveRenderer::Workers::build(const ViewRequest& request, std::stop_token st
     wake();
   };
   const auto start = Clock::now();
-  std::shared_ptr<const Scene> built;
+  Traceable built;
   std::string error;
   try {
-    built = makeScene(request.fabric, task, scene.get());
+    built = makeTraceable(request.fabric, task, cloth);
   } catch (const std::exception& e) {
     error = e.what();
   }
@@ -129,22 +151,22 @@ void LiveRenderer::Workers::build(const ViewRequest& request, std::stop_token st
     std::lock_guard lock(mutex);
     status.buildProgress = 1;
     status.error = error;
-    buildMayBeCancelled = built || !error.empty();
-    if (built) {
+    buildMayBeCancelled = built.scene || !error.empty();
+    if (built.scene) {
       status.builtGeneration = request.generation;
-      if (!scene || built->volume != scene->volume) {
-        status.counts = built->volume->counts();
-        status.measures = built->volume->geometry().measure();
+      if (!cloth.scene || built.scene->volume != cloth.scene->volume) {
+        status.counts = built.scene->volume->counts();
+        status.measures = built.scene->volume->geometry().measure();
         status.buildSeconds = secondsSince(start);
       }
-      status.notices = built->shell->repairs();
+      status.notices = built.scene->shell->repairs();
       sceneWaiting = true;
       if (passMayBeCancelled) passStop.request_stop();
       resumed.notify_all();
     }
   }
-  if (built) {
-    scene = built;
+  if (built.scene) {
+    cloth = built;
     scenes.post({built, request});
   }
   wake();
@@ -184,7 +206,7 @@ void LiveRenderer::Workers::refine(const TraceRequest& request, std::stop_token 
     std::lock_guard lock(mutex);
     if (status.pathsPerSecond > 0) history.secondsPerPath = 1.0 / status.pathsPerSecond;
   }
-  const VolumeMedium medium(*request.scene);
+  const Scene& scene = *request.cloth.scene;
   std::optional<Film> film;
   while (!stop.stop_requested()) {
     history.seconds = secondsSince(start);
@@ -192,12 +214,12 @@ void LiveRenderer::Workers::refine(const TraceRequest& request, std::stop_token 
     if (plan.samples == 0) break;
     if (!film || plan.divider != history.divider)
       film.emplace((width + plan.divider - 1) / plan.divider, (height + plan.divider - 1) / plan.divider);
-    const CameraRays camera(request.scene->fabric->camera, film->width(), film->height());
+    const CameraRays camera(scene.fabric->camera, film->width(), film->height());
     Task task;
     task.threads = threads;
     task.stop = beginPass(history.divider != 0, stop);
     const auto passStart = Clock::now();
-    const PassResult result = renderUpTo(plan.samples, *request.scene, medium, camera, *film, task);
+    const PassResult result = renderUpTo(plan.samples, scene, *request.cloth.medium, camera, *film, task);
     if (!result.complete) {
       if (!goesOn(stop)) return;
       continue;  // the film knows which samples it has

@@ -5,9 +5,9 @@
 
 #include "app/work/picture.h"
 #include "core/base/parallel.h"
+#include "render/trace/make_medium.h"
 #include "render/trace/path_tracer.h"
 #include "render/trace/scene.h"
-#include "render/trace/volume_medium.h"
 
 namespace loomlight {
 
@@ -33,14 +33,15 @@ struct SnapshotJob::Shared {
     task.progress = [this](double fraction) { report(kBuildShare * fraction); };
     const auto scene = makeScene(fabric, task);
     if (!scene) return false;
-    const VolumeMedium medium(*scene);
+    const auto medium = makeMedium(*scene, defaultMemoryLimit_bytes(), task);
+    if (!medium) return false;
     const RenderSettings& settings = fabric->render;
     Film film(settings.width, settings.height);
     const CameraRays camera(fabric->camera, settings.width, settings.height);
     const auto samples = static_cast<uint32_t>(settings.samplesPerPixel);
     for (uint32_t done = 0; done < samples;) {
       done = std::min(samples, done + std::max(1u, samples / 64));
-      if (!renderUpTo(done, *scene, medium, camera, film, task).complete) return false;
+      if (!renderUpTo(done, *scene, *medium, camera, film, task).complete) return false;
       report(kBuildShare + (1 - kBuildShare) * done / samples);
     }
     writePicture(file, film, *fabric, tone, false);

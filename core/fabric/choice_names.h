@@ -34,6 +34,14 @@ struct ChoiceNames<LightKind> {
   static constexpr std::array names{"sky", "dome", "furnace", "back", "headlight", "directional", "environment"};
 };
 template <>
+struct ChoiceNames<Method> {
+  static constexpr std::array names{"volume", "fibres"};
+};
+template <>
+struct ChoiceNames<Estimator> {
+  static constexpr std::array names{"none", "report", "loomlight"};
+};
+template <>
 struct ChoiceNames<EventLaw> {
   static constexpr std::array names{"projected", "report"};
 };

@@ -26,7 +26,8 @@
 ///   drape               object: kind "flat" | "cylinder" | "sphere" | "mesh", width_mm, height_mm, ...
 ///   light               object: kind "sky" | "dome" | "furnace" | "back" | "headlight" | "directional" | "environment"
 ///   camera              object: target_mm [x, y, z], azimuth_deg, elevation_deg, distance_mm, fov_deg
-///   render              object: width, height, samples_per_pixel, seed, resolution, max_depth, event_law
+///   render              object: width, height, samples_per_pixel, seed, resolution, max_depth, method, estimator,
+///                       event_law
 namespace loomlight {
 
 inline constexpr int kFabricVersion = 1;

@@ -129,9 +129,17 @@ struct FieldTable<RenderSettings> {
             {"resolution", "Resolution", "per yarn", 1, 16, "Voxels across the thinnest yarn: 1, 2, 4, 8 or 16."}},
       Field{&RenderSettings::maxDepth,
             {"max_depth", "Depth", "events", 1, 65536, "Where a light path ends at the latest, in fibres met.", true}},
+      Field{
+          &RenderSettings::method,
+          {"method", "Method", "", 0, 0,
+           "What light is traced through: the volume, or every single fibre, which is the truth and takes far more."}},
+      Field{&RenderSettings::estimator,
+            {"estimator", "Estimator", "", 0, 0,
+             "How the volume sees what is smaller than a voxel: not at all, as the report does, or our way."}},
       Field{&RenderSettings::eventLaw,
             {"event_law", "Event law", "", 0, 0,
-             "How a path chooses its fibre: by what it sees of it, or as in the report, by density alone."}});
+             "Without an estimator, how a path chooses its fibre: by what it sees of it, or by density alone (the "
+             "report)."}});
 };
 
 template <>

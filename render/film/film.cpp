@@ -1,7 +1,6 @@
 #include "render/film/film.h"
 
 #include <fmt/core.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cassert>
@@ -9,6 +8,7 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "core/base/memory.h"
 #include "core/base/parallel.h"
 #include "render/film/fixed_point.h"
 
@@ -17,13 +17,6 @@ namespace {
 
 constexpr int kMaxSide = 16384;
 constexpr int kMaxId = 1 << 24;  ///< beyond it a float channel no longer holds every integer
-
-/// The machine's memory in bytes; no limit where the system does not tell.
-uint64_t physicalMemory() {
-  const long pages = sysconf(_SC_PHYS_PAGES), bytes = sysconf(_SC_PAGE_SIZE);
-  if (pages <= 0 || bytes <= 0) return std::numeric_limits<uint64_t>::max();
-  return static_cast<uint64_t>(pages) * static_cast<uint64_t>(bytes);
-}
 
 int clampId(int id) {
   return std::clamp(id, -1, kMaxId);
@@ -39,7 +32,7 @@ Film::Film(int width, int height) : width_(width), height_(height) {
     return InputError(fmt::format("a picture of {} x {} pixels needs {:.1f} GB for its sums, more than there is", width,
                                   height, static_cast<double>(count * bytesPerPixel) * 1e-9));
   };
-  if (count * bytesPerPixel > physicalMemory()) throw tooLarge();
+  if (count * bytesPerPixel > physicalMemory_bytes()) throw tooLarge();
   try {
     pixels_.resize(count);
   } catch (const std::bad_alloc&) {

@@ -45,8 +45,8 @@ class CommandLineTest(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
 
-    def run_program(self, *words, status=0, timeout=120, **options):
-        """Runs the program in the test's folder; returns stdout, or stderr where it is to fail."""
+    def run_program(self, *words, status=0, timeout=120, messages=False, **options):
+        """Runs the program in the test's folder; returns stdout, or stderr where it is to fail or for messages."""
         done = subprocess.run(
             [LOOMLIGHT, *map(str, words)],
             cwd=self.folder,
@@ -59,7 +59,7 @@ class CommandLineTest(unittest.TestCase):
             **options,
         )
         self.assertEqual(done.returncode, status, f"{words}\n{done.stdout}{done.stderr}")
-        return done.stdout if status == 0 else done.stderr
+        return done.stdout if status == 0 and not messages else done.stderr
 
     def fabric(self, file_name="fabric.json", **changes):
         """Writes the small fabric, with some of its top-level keys changed, and returns the file."""

@@ -38,12 +38,26 @@ TEST(CommandLine, EditsByDefault) {
 }
 
 TEST(CommandLine, RenderTakesAllItsOptions) {
-  const auto render = parsed<RenderCommand>(
-      {"render",  "a.json",      "-o",          "b.exr",       "--size",   "64x48",      "--spp",
-       "16",      "--seed",      "7",           "--threads",   "3",        "--view",     "top",
-       "--drape", "sphere",      "--light",     "dome",        "--method", "volume",     "--resolution",
-       "4",       "--max-depth", "99",          "--event-law", "report",   "--exposure", "-1",
-       "--stats", "s.json",      "--keep-sums", "--resume",    "c.exr",    "--uv-scale", "10"});
+  const auto render = parsed<RenderCommand>({"render",       "a.json",
+                                             "-o",           "b.exr",
+                                             "--size",       "64x48",
+                                             "--spp",        "16",
+                                             "--seed",       "7",
+                                             "--threads",    "3",
+                                             "--view",       "top",
+                                             "--drape",      "sphere",
+                                             "--light",      "dome",
+                                             "--method",     "fibres",
+                                             "--resolution", "4",
+                                             "--max-depth",  "99",
+                                             "--event-law",  "report",
+                                             "--exposure",   "-1",
+                                             "--stats",      "s.json",
+                                             "--keep-sums",  "--resume",
+                                             "c.exr",        "--uv-scale",
+                                             "10",           "--estimator",
+                                             "report",       "--memory-limit",
+                                             "2.5"});
   EXPECT_EQ(render.input, "a.json");
   EXPECT_EQ(render.output, "b.exr");
   EXPECT_EQ(render.options.size->width, 64);
@@ -55,12 +69,24 @@ TEST(CommandLine, RenderTakesAllItsOptions) {
   EXPECT_EQ(render.options.light->kind, LightKind::dome);
   EXPECT_EQ(render.options.resolution, 4);
   EXPECT_EQ(render.options.maxDepth, 99);
+  EXPECT_EQ(render.options.method, Method::fibres);
+  EXPECT_EQ(render.options.estimator, Estimator::report);
+  EXPECT_DOUBLE_EQ(render.memoryLimit_bytes, 2.5e9);
   EXPECT_EQ(render.options.eventLaw, EventLaw::report);
   EXPECT_FLOAT_EQ(render.tone.exposure_stops, -1);
   EXPECT_EQ(render.stats, "s.json");
   EXPECT_TRUE(render.keepSums);
   EXPECT_EQ(render.resume, "c.exr");
   EXPECT_DOUBLE_EQ(render.options.uvScale_mm.value(), 10);
+}
+
+// A law without the estimator that obeys it would change nothing.
+TEST(CommandLine, AnEventLawMeansNoEstimator) {
+  const auto law = parsed<RenderCommand>({"render", "a.json", "-o", "b.png", "--event-law", "report"});
+  EXPECT_EQ(withOptions(Fabric{}, law.options).render.estimator, Estimator::none);
+  const auto both =
+      parsed<RenderCommand>({"render", "a.json", "-o", "b.png", "--event-law", "report", "--estimator", "loomlight"});
+  EXPECT_EQ(withOptions(Fabric{}, both.options).render.estimator, Estimator::loomlight);
 }
 
 TEST(CommandLine, WhatIsNotGivenIsLeftToTheFabric) {

@@ -62,6 +62,8 @@ TEST(FabricJson, EveryValueComesBack) {
   f.camera.fov_deg = 0;
   f.render.seed = 18446744073709551615u;
   f.render.resolution = 16;
+  f.render.method = Method::fibres;
+  f.render.estimator = Estimator::none;
   f.render.eventLaw = EventLaw::report;
   const std::string text = fabricToJson(f);
   const Fabric back = fabricFromJson(text, "x.json");

@@ -64,8 +64,8 @@ TEST(FieldTables, CoverEveryMember) {
   EXPECT_EQ(count(Light{}), 6);
   [[maybe_unused]] const auto& [c1, c2, c3, c4, c5, cu] = Camera{};
   EXPECT_EQ(count(Camera{}), 5);
-  [[maybe_unused]] const auto& [r1, r2, r3, r4, r5, r6, r7, ru] = RenderSettings{};
-  EXPECT_EQ(count(RenderSettings{}), 7);
+  [[maybe_unused]] const auto& [r1, r2, r3, r4, r5, r6, r7, r8, r9, ru] = RenderSettings{};
+  EXPECT_EQ(count(RenderSettings{}), 9);
 }
 
 TEST(FieldTables, ComparisonIgnoresUnknownKeysOnly) {

@@ -168,6 +168,7 @@ TEST(Impact, RenderSettings) {
   EXPECT_TRUE(of([](Fabric& f) { f.render.samplesPerPixel *= 2; }).nothing()) << "more samples of the same picture";
   for (const auto& edit : std::vector<std::function<void(Fabric&)>>{
            [](Fabric& f) { f.render.seed = 7; }, [](Fabric& f) { f.render.maxDepth = 3; },
+           [](Fabric& f) { f.render.method = Method::fibres; }, [](Fabric& f) { f.render.estimator = Estimator::none; },
            [](Fabric& f) { f.render.eventLaw = EventLaw::report; }, [](Fabric& f) { f.render.width = 99; }}) {
     const Impact impact = of(edit);
     EXPECT_TRUE(impact.film);

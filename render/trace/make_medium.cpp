@@ -1,0 +1,57 @@
+#include "render/trace/make_medium.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "core/base/memory.h"
+#include "render/trace/fibre_medium.h"
+#include "render/trace/volume_medium.h"
+
+namespace loomlight {
+namespace {
+
+std::unique_ptr<const Medium> makeFibres(const Scene& scene, double memoryLimit_bytes, const Task& task,
+                                         MediumCost& cost) {
+  auto fibres = FibreMedium::build(scene, memoryLimit_bytes, task);
+  if (!fibres) return nullptr;
+  cost.segments = fibres->segments();
+  cost.geometryBytes = fibres->geometryBytes();
+  cost.acceleratorBytes = fibres->acceleratorBytes();
+  return fibres;
+}
+
+bool sameYarns(const std::vector<YarnOptics>& a, const std::vector<YarnOptics>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const YarnOptics& x, const YarnOptics& y) {
+    return x.material == y.material && x.fibreRadius_mm == y.fibreRadius_mm;
+  });
+}
+
+}  // namespace
+
+double defaultMemoryLimit_bytes() {
+  return 0.75 * static_cast<double>(physicalMemory_bytes());
+}
+
+std::unique_ptr<const Medium> makeMedium(const Scene& scene, double memoryLimit_bytes, const Task& task,
+                                         MediumCost* cost) {
+  const auto start = std::chrono::steady_clock::now();
+  MediumCost own;
+  std::unique_ptr<const Medium> medium;
+  if (scene.fabric->render.method == Method::fibres)
+    medium = makeFibres(scene, memoryLimit_bytes, task, own);
+  else
+    medium = std::make_unique<const VolumeMedium>(scene);
+  own.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (cost) *cost = own;
+  return medium;
+}
+
+bool sameMedium(const Scene& a, const Scene& b) {
+  const RenderSettings &x = a.fabric->render, &y = b.fabric->render;
+  return a.volume == b.volume && a.shell == b.shell && x.method == y.method && x.estimator == y.estimator &&
+         x.eventLaw == y.eventLaw && sameYarns(a.yarns[0], b.yarns[0]) && sameYarns(a.yarns[1], b.yarns[1]) &&
+         std::equal(a.materials.begin(), a.materials.end(), b.materials.begin(), b.materials.end(),
+                    [](const Material& m, const Material& n) { return m.bcsdf == n.bcsdf; });
+}
+
+}  // namespace loomlight
