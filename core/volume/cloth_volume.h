@@ -70,6 +70,8 @@ class ClothVolume {
   /// What the voxel around a point holds; nothing (count 0) outside the piece.
   void contentAt(glm::vec3 cloth_mm, VoxelContent& content, int level = 0) const;
 
+  class Probe;
+
  private:
   /// A brick that reaches into the current cell.
   struct Reach {
@@ -116,3 +118,4 @@ class ClothVolume {
 }  // namespace loomlight
 
 #include "core/volume/cloth_volume_march.h"
+#include "core/volume/cloth_volume_probe.h"

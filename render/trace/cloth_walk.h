@@ -38,17 +38,26 @@ inline float distanceToBounds(const Shell& shell, glm::vec3 origin, glm::vec3 di
   return enter <= leave * (1 + 1e-5f) + 1e-5f ? enter : std::numeric_limits<float>::infinity();
 }
 
+/// The part of a ray that lies in one tetrahedron of the shell (or in the box of a flat one).
+struct ShellSegment {
+  int tet;
+  glm::vec3 origin;          ///< of the ray, world
+  float tEnter, tLeave;      ///< on the ray, from that origin
+  float passed;              ///< distance from where the walk began to that origin
+  glm::vec3 clothOrigin;     ///< the same ray in cloth space, with the same parameter
+  glm::vec3 clothDirection;  ///< of any length
+  LocalDrape drape;
+};
+
 /// Follows the ray from + t direction (unit) through every fold of the shell that it meets, for t in (0, tMax), and
-/// shows each voxel with content, in order, to visit(const VoxelContent&, float tEnter, float tLeave, const
-/// LocalDrape&, int tet), which returns false to stop. Parameters are world distances. True if nothing stopped it.
+/// calls visit(const ShellSegment&), in order, until it returns false. True if nothing stopped it.
 template <class Visit>
-bool walkCloth(const Scene& scene, const Place& from, glm::vec3 direction, float tMax, Visit&& visit) {
+bool walkShell(const Scene& scene, const Place& from, glm::vec3 direction, float tMax, Visit&& visit) {
   const Shell& shell = *scene.shell;
-  const ClothVolume& volume = *scene.volume;
   const bool flat = shell.isFlat();
   int tet = from.tet;
   glm::vec3 origin = from.world;
-  float passed = 0;  // distance from `from` to `origin`: a far eye must not cost precision inside the cloth
+  float passed = 0;  // a far eye must not cost precision inside the cloth, so its ray begins anew near the cloth
   if (tet < 0) {
     const float distance = distanceToBounds(shell, origin, direction);
     if (!(distance < tMax)) return true;
@@ -66,25 +75,31 @@ bool walkCloth(const Scene& scene, const Place& from, glm::vec3 direction, float
     while (tet >= 0) {
       int face = 0;
       const float tExit = std::max(t, shell.exit(tet, origin, direction, face));
-      const float tStop = std::min(tExit, tMax);
-      LocalDrape drape;
-      glm::vec3 clothDirection = direction;
+      ShellSegment segment{tet, origin, t, std::min(tExit, tMax), passed, shell.toCloth(tet, origin), direction, {}};
       if (!flat) {
-        drape.frame = shell.frame(tet, origin + 0.5f * (t + tStop) * direction);
-        drape.densityScale = 1.0f / std::abs(glm::determinant(drape.frame));
-        drape.isometric = false;
-        clothDirection = shell.tets()[tet].toCloth * direction;
+        segment.drape.frame = shell.frame(tet, origin + 0.5f * (t + segment.tLeave) * direction);
+        segment.drape.densityScale = 1.0f / std::abs(glm::determinant(segment.drape.frame));
+        segment.drape.isometric = false;
+        segment.clothDirection = shell.tets()[tet].toCloth * direction;
       }
-      const bool through = volume.march(shell.toCloth(tet, origin), clothDirection, t, tStop,
-                                        [&](const VoxelContent& content, float tEnter, float tLeave) {
-                                          return visit(content, passed + tEnter, passed + tLeave, drape, tet);
-                                        });
-      if (!through) return false;
+      if (!visit(static_cast<const ShellSegment&>(segment))) return false;
       if (tExit >= tMax || flat) return true;  // flat: a box is convex, what leaves it is gone
       t = tExit;
       tet = shell.tets()[tet].neighbour[face];
     }
   }
+}
+
+/// Shows each voxel with content on the way, in order, to visit(const VoxelContent&, float tEnter, float tLeave, const
+/// LocalDrape&, int tet), which returns false to stop. Parameters are world distances from `from`.
+template <class Visit>
+bool walkCloth(const Scene& scene, const Place& from, glm::vec3 direction, float tMax, Visit&& visit) {
+  return walkShell(scene, from, direction, tMax, [&](const ShellSegment& s) {
+    return scene.volume->march(s.clothOrigin, s.clothDirection, s.tEnter, s.tLeave,
+                               [&](const VoxelContent& content, float tEnter, float tLeave) {
+                                 return visit(content, s.passed + tEnter, s.passed + tLeave, s.drape, s.tet);
+                               });
+  });
 }
 
 }  // namespace loomlight

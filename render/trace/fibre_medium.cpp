@@ -10,7 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/shell/cloth_to_world.h"
-#include "render/optics/fibre_frame.h"
+#include "render/trace/fibre_exit.h"
 
 namespace loomlight {
 namespace {
@@ -267,22 +267,7 @@ Departure FibreMedium::leave(const Collision& collision, glm::vec3 wi, int order
   const float radius = collision.optics.fibreRadius_mm;
   Departure departure{collision.place, collision.events, collision.fibre, kOwnFibreRadii * radius};
   const Yarn& yarn = parts_->scene.fabric->yarns[collision.yarn];
-  if (yarn.layout == FibreLayout::random || order == 0) return departure;
-
-  // The way out: every mode leaves as far beyond its exit normal as it came in before the normal it came in by, the
-  // angular momentum about the axis being kept.
-  const FibreFrame frame(collision.tangent);
-  const glm::vec3 out = frame.toLocal(wi), back = frame.toLocal(-collision.incoming);
-  const float across = std::hypot(out.y, out.z);
-  if (across == 0) return departure;
-  const float sine = collision.offset, cosine = std::sqrt(std::max(0.0f, 1 - sine * sine));
-  const glm::vec3 exitNormal(0, (out.y * cosine - out.z * sine) / across, (out.z * cosine + out.y * sine) / across);
-  // Along the fibre it has gone on as it came, refracted: sin(theta_t) = sin(theta_o) / eta on every traverse.
-  const Material& material = parts_->scene.materials[collision.optics.material];
-  const float chord = material.bcsdf->modes(back, sine).chord;
-  const double eta = parts_->scene.fabric->fibres[collision.optics.material].refractiveIndex;
-  const float along = -static_cast<float>(order) * chord * radius * back.x / static_cast<float>(eta);
-  departure.place.world = collision.axis + along * collision.tangent + radius * frame.toWorld(exitNormal);
+  if (yarn.layout == FibreLayout::packed) departure.place.world = fibreExit(parts_->scene, collision, wi, order);
   return departure;
 }
 

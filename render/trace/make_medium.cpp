@@ -4,7 +4,9 @@
 #include <chrono>
 
 #include "core/base/memory.h"
+#include "render/trace/bvdf_baker.h"
 #include "render/trace/fibre_medium.h"
+#include "render/trace/report_medium.h"
 #include "render/trace/volume_medium.h"
 
 namespace loomlight {
@@ -18,6 +20,13 @@ std::unique_ptr<const Medium> makeFibres(const Scene& scene, double memoryLimit_
   cost.geometryBytes = fibres->geometryBytes();
   cost.acceleratorBytes = fibres->acceleratorBytes();
   return fibres;
+}
+
+std::unique_ptr<const Medium> makeReport(const Scene& scene, const Task& task, MediumCost& cost) {
+  auto bvdf = bakeBvdf(*scene.fabric, BvdfOptions{}, BvdfCache(BvdfCache::userFolder()), task);
+  if (!bvdf) return nullptr;
+  cost.bvdfBytes = bvdf->bytes();
+  return std::make_unique<const ReportMedium>(scene, std::move(bvdf));
 }
 
 bool sameYarns(const std::vector<YarnOptics>& a, const std::vector<YarnOptics>& b) {
@@ -34,14 +43,22 @@ double defaultMemoryLimit_bytes() {
 
 std::unique_ptr<const Medium> makeMedium(const Scene& scene, double memoryLimit_bytes, const Task& task,
                                          MediumCost* cost) {
-  const auto start = std::chrono::steady_clock::now();
   MediumCost own;
+  const auto start = std::chrono::steady_clock::now();
+  const auto seconds = [start] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  const RenderSettings& settings = scene.fabric->render;
   std::unique_ptr<const Medium> medium;
-  if (scene.fabric->render.method == Method::fibres)
+  if (settings.method == Method::fibres) {
     medium = makeFibres(scene, memoryLimit_bytes, task, own);
-  else
+    own.fibreSeconds = seconds();
+  } else if (settings.estimator == Estimator::report) {
+    medium = makeReport(scene, task, own);
+    own.bvdfSeconds = seconds();
+  } else {
     medium = std::make_unique<const VolumeMedium>(scene);
-  own.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
   if (cost) *cost = own;
   return medium;
 }

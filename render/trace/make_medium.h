@@ -13,7 +13,9 @@ struct MediumCost {
   size_t segments = 0;  ///< of fibres, as they are traced
   size_t geometryBytes = 0;
   size_t acceleratorBytes = 0;
-  double seconds = 0;
+  double fibreSeconds = 0;
+  size_t bvdfBytes = 0;  ///< of local visibility, baked or out of the user's cache
+  double bvdfSeconds = 0;
 };
 
 /// What explicit fibres may take where nobody says otherwise: three quarters of the machine's memory.

@@ -23,6 +23,22 @@ struct TraceCounts {
   TraceCounts& operator+=(const TraceCounts& other);
 };
 
+/// A fibre that light has met: nearby, a straight cylinder.
+struct MetFibre {
+  glm::vec3 axis{0};
+  glm::vec3 tangent{1, 0, 0};
+  float radius_mm = 0;  ///< 0: none
+  int yarn = 0, end = 0, pick = 0;
+};
+
+/// The flight before a collision: a way now known to be free of fibres, and where it began.
+struct Trail {
+  glm::vec3 end{0};
+  glm::vec3 direction{0, 0, -1};
+  float length_mm = 0;
+  MetFibre from{};
+};
+
 /// A scattering event: where a ray met a fibre, and which.
 struct Collision {
   Place place;
@@ -35,9 +51,9 @@ struct Collision {
   int yarn = 0;           ///< index into Fabric::yarns
   int end = 0, pick = 0;  ///< the crossing cell
   int events = 1;         ///< fibres met on the path so far, this one included
-  // Of explicit fibres only:
-  uint64_t fibre = 0;  ///< which; 0: statistics know no fibre
-  glm::vec3 axis{0};   ///< the axis of the fibre, where it was hit
+  glm::vec3 axis{0};      ///< nearest point of the fibre's axis; media whose fibres have a radius
+  MetFibre before;        ///< the fibre that the flight came from; media that remember it
+  uint64_t fibre = 0;     ///< which; explicit fibres only
 };
 
 /// Where light sets out: from the eye, or from the fibre that it has just left.
@@ -46,6 +62,8 @@ struct Departure {
   int events = 0;          ///< fibres met on the path so far
   uint64_t fibre = 0;      ///< the fibre it leaves; 0: none, or unknown
   float clearance_mm = 0;  ///< within this distance that fibre is not met again
+  MetFibre leaving{};      ///< media that remember it
+  Trail trail{};
 };
 
 /// The cloth, as light meets it: everything a path asks of it, and nothing about how it is stored. Immutable, and safe

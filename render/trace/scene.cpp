@@ -85,7 +85,8 @@ std::vector<YarnOptics> makeYarnOptics(const Fabric& fabric, const ClothGeometry
   for (size_t i = 0; i < sequence.size(); ++i) {
     const int index = static_cast<int>(i);
     const CellKey key = system == System::warp ? geometry.key(system, 0, index) : geometry.key(system, index, 0);
-    optics[sequence[i]] = {fabric.yarns[sequence[i]].fibre,
+    const Yarn& yarn = fabric.yarns[sequence[i]];
+    optics[sequence[i]] = {yarn.fibre, yarn.layout == FibreLayout::packed,
                            static_cast<float>(geometry.yarn(system, key.yarn).fibreRadius_mm)};
   }
   return optics;

@@ -24,6 +24,7 @@ struct Material {
 /// What a yarn's components need beside their statistics, per Fabric::yarns and system.
 struct YarnOptics {
   int material = 0;          ///< index into Scene::materials
+  bool packed = false;       ///< FibreLayout::packed: its fibres do not overlap
   float fibreRadius_mm = 0;  ///< of the geometry; differs between warp and weft by less than a rounding of fibre counts
 };
 

@@ -34,21 +34,33 @@ class VoxelExtinction {
 
   explicit VoxelExtinction(glm::vec3 direction) : direction_(direction) {}
   VoxelExtinction(const Scene& scene, const VoxelContent& content, const LocalDrape& drape, glm::vec3 direction)
+      : VoxelExtinction(scene, content, drape, direction,
+                        [](const FibreDistribution&, const YarnOptics&) { return 1.0f; }) {}
+
+  /// With a factor on each component's extinction: factor(fibres in the world, optics).
+  template <class Factor>
+  VoxelExtinction(const Scene& scene, const VoxelContent& content, const LocalDrape& drape, glm::vec3 direction,
+                  Factor&& factor)
       : VoxelExtinction(direction) {
     for (int p = 0; p < content.count; ++p) {
       const VoxelContent::Part& part = content.parts[p];
       const int yarn = scene.volume->geometry().yarnIndex(part.system, part.index);
       const YarnOptics& optics = scene.yarns[static_cast<int>(part.system)][yarn];
-      for (const Component& component : part.components) add(component, drape, optics, yarn);
+      for (const Component& component : part.components) add(component, drape, optics, yarn, factor);
     }
   }
 
   void add(const Component& component, const LocalDrape& drape, const YarnOptics& optics, int yarn) {
+    add(component, drape, optics, yarn, [](const FibreDistribution&, const YarnOptics&) { return 1.0f; });
+  }
+  template <class Factor>
+  void add(const Component& component, const LocalDrape& drape, const YarnOptics& optics, int yarn, Factor&& factor) {
     const FibreDistribution fibres = inWorld(component.decode(), drape);
     const float cosine = glm::dot(direction_, fibres.direction);
-    const float sine = std::sqrt(std::max(0.0f, 1.0f - cosine * cosine));
+    const float sineSquared = std::max(0.0f, 1.0f - cosine * cosine);
     const float sigma = 2.0f * optics.fibreRadius_mm * fibres.lengthDensity *
-                        TangentSpread::table().projectedLength(sine, fibres.spread);
+                        TangentSpread::table().projectedLengthOfSquare(sineSquared, fibres.spread) *
+                        factor(fibres, optics);
     entries_[count_++] = {&component, &optics, yarn, fibres.lengthDensity, sigma};
     total_ += sigma;
   }

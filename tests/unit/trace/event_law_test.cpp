@@ -12,7 +12,7 @@ namespace {
 struct CrossedVoxel {
   Component warp = Component::encode({{0, 1, 0}, 0.0f, 1000.0f, 0.5f, 0});
   Component weft = Component::encode({{1, 0, 0}, 0.0f, 1000.0f, 0.5f, 0});
-  YarnOptics optics{0, 0.006f};
+  YarnOptics optics{0, false, 0.006f};
 
   double shareOfWarp(double elevation_rad, EventLaw law) const {
     // The ray runs over the warp: along y, at an elevation.
