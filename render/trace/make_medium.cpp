@@ -6,6 +6,7 @@
 #include "core/base/memory.h"
 #include "render/trace/bvdf_baker.h"
 #include "render/trace/fibre_medium.h"
+#include "render/trace/loomlight_medium.h"
 #include "render/trace/report_medium.h"
 #include "render/trace/volume_medium.h"
 
@@ -31,7 +32,7 @@ std::unique_ptr<const Medium> makeReport(const Scene& scene, const Task& task, M
 
 bool sameYarns(const std::vector<YarnOptics>& a, const std::vector<YarnOptics>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const YarnOptics& x, const YarnOptics& y) {
-    return x.material == y.material && x.fibreRadius_mm == y.fibreRadius_mm;
+    return x.material == y.material && x.packed == y.packed && x.fibreRadius_mm == y.fibreRadius_mm;
   });
 }
 
@@ -56,6 +57,8 @@ std::unique_ptr<const Medium> makeMedium(const Scene& scene, double memoryLimit_
   } else if (settings.estimator == Estimator::report) {
     medium = makeReport(scene, task, own);
     own.bvdfSeconds = seconds();
+  } else if (settings.estimator == Estimator::loomlight) {
+    medium = std::make_unique<const LoomlightMedium>(scene);
   } else {
     medium = std::make_unique<const VolumeMedium>(scene);
   }
