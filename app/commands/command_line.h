@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "app/commands/bench_command.h"
+#include "app/commands/brdf_command.h"
+#include "app/commands/compare_command.h"
 #include "app/commands/convert_command.h"
 #include "app/commands/info_command.h"
 #include "app/commands/render_command.h"
@@ -22,7 +24,8 @@ struct TextCommand {
   std::string text;
 };
 
-using Command = std::variant<EditCommand, RenderCommand, InfoCommand, ConvertCommand, BenchCommand, TextCommand>;
+using Command = std::variant<EditCommand, RenderCommand, InfoCommand, ConvertCommand, BenchCommand, BrdfCommand,
+                             CompareCommand, TextCommand>;
 
 /// What the words behind the program's name ask for. Throws UsageError.
 Command parseCommandLine(const std::vector<std::string>& words);
