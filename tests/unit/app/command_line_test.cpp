@@ -126,12 +126,36 @@ TEST(CommandLine, InfoConvertAndBench) {
   EXPECT_EQ(bench.rounds, 1);
 }
 
+TEST(CommandLine, CompareTakesPairsOfPictures) {
+  const auto compare = parsed<CompareCommand>(
+      {"compare",           "--again", "a2.exr", "r2.exr", "a.exr", "r.exr",   "--yardstick", "y.exr", "z.exr",
+       "--yardstick-again", "y2.exr",  "z2.exr", "-o",     "h.png", "--range", "0.2",         "--ppd", "30",
+       "--exposure",        "-2",      "--json"});
+  EXPECT_EQ(compare.pictures.picture, "a.exr");
+  EXPECT_EQ(compare.pictures.reference, "r.exr");
+  EXPECT_EQ(compare.again->picture, "a2.exr");
+  EXPECT_EQ(compare.again->reference, "r2.exr");
+  EXPECT_EQ(compare.yardstick->reference, "z.exr");
+  EXPECT_EQ(compare.yardstickAgain->picture, "y2.exr");
+  EXPECT_EQ(compare.heatMap, "h.png");
+  EXPECT_DOUBLE_EQ(compare.heatRange, 0.2);
+  EXPECT_DOUBLE_EQ(compare.viewing.pixelsPerDegree, 30);
+  EXPECT_DOUBLE_EQ(compare.viewing.exposure_stops, -2);
+  EXPECT_TRUE(compare.json);
+  EXPECT_THAT(complaint({"compare", "a.exr"}), HasSubstr("REFERENCE"));
+  EXPECT_THAT(complaint({"compare", "a.exr", "r.exr", "--again", "a2.exr"}), HasSubstr("--again"));
+  EXPECT_THAT(complaint({"compare", "a.exr", "r.exr", "--yardstick-again", "y", "z"}),
+              HasSubstr("--yardstick as well"));
+  EXPECT_THAT(complaint({"compare", "a.exr", "r.exr", "--ppd", "0"}), HasSubstr("--ppd: expected"));
+}
+
 TEST(CommandLine, HelpNamesEveryCommandAndOption) {
   const std::string help = parsed<TextCommand>({"--help"}).text;
-  for (const char* word : {"edit", "render", "info", "convert", "bench"}) EXPECT_THAT(help, HasSubstr(word));
+  for (const char* word : {"edit", "render", "info", "convert", "bench", "compare"}) EXPECT_THAT(help, HasSubstr(word));
   const std::string render = parsed<TextCommand>({"render", "--help"}).text;
-  for (const char* option : {"--size", "--spp", "--seed", "--threads", "--view", "--drape", "--light", "--method",
-                             "--resolution", "--max-depth", "--event-law", "--exposure", "--stats", "--resume"})
+  for (const char* option :
+       {"--size", "--spp", "--seed", "--threads", "--view", "--drape", "--light", "--method", "--resolution",
+        "--max-depth", "--estimator", "--memory-limit", "--event-law", "--exposure", "--stats", "--resume"})
     EXPECT_THAT(render, HasSubstr(option));
   EXPECT_THAT(parsed<TextCommand>({"--version"}).text, HasSubstr(LOOMLIGHT_VERSION));
 }
