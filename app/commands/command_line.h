@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "app/commands/bench_command.h"
-#include "app/commands/brdf_command.h"
 #include "app/commands/compare_command.h"
 #include "app/commands/convert_command.h"
 #include "app/commands/info_command.h"
@@ -24,8 +23,8 @@ struct TextCommand {
   std::string text;
 };
 
-using Command = std::variant<EditCommand, RenderCommand, InfoCommand, ConvertCommand, BenchCommand, BrdfCommand,
-                             CompareCommand, TextCommand>;
+using Command =
+    std::variant<EditCommand, RenderCommand, InfoCommand, ConvertCommand, BenchCommand, CompareCommand, TextCommand>;
 
 /// What the words behind the program's name ask for. Throws UsageError.
 Command parseCommandLine(const std::vector<std::string>& words);
