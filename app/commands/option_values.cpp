@@ -101,6 +101,16 @@ EventLaw parseEventLaw(const std::string& option, const std::string& text) {
   return parseChoice<EventLaw>(option, text);
 }
 
+HalfDomeGrid parseHalfDome(const std::string& option, const std::string& text) {
+  constexpr int kMost = 256;
+  const auto counts = split(text, 'x');
+  const auto azimuths = wholeText<int>(counts[0]);
+  const auto inclinations = counts.size() == 2 ? wholeText<int>(counts[1]) : std::nullopt;
+  if (!azimuths || !inclinations || *azimuths < 1 || *inclinations < 1 || *azimuths > kMost || *inclinations > kMost)
+    refuse(option, fmt::format("AZIMUTHSxINCLINATIONS, each from 1 to {}, such as 64x16", kMost), text);
+  return {*azimuths, *inclinations};
+}
+
 ViewChoice parseView(const std::string& option, const std::string& text) {
   if (const auto preset = viewPreset(text)) return *preset;
   const auto parts = split(text, ',');

@@ -7,6 +7,7 @@
 
 #include "app/commands/view.h"
 #include "core/fabric/fabric.h"
+#include "render/trace/half_dome.h"
 
 namespace loomlight {
 
@@ -33,6 +34,9 @@ std::vector<int> parseResolutions(const std::string& option, const std::string& 
 
 Method parseMethod(const std::string& option, const std::string& text);
 Estimator parseEstimator(const std::string& option, const std::string& text);
+/// 64x16: azimuths and inclinations, each from 1 to 256.
+HalfDomeGrid parseHalfDome(const std::string& option, const std::string& text);
+
 EventLaw parseEventLaw(const std::string& option, const std::string& text);
 
 /// front, top, close, macro, side, or AZ,EL[,DISTANCE] in degrees and mm.

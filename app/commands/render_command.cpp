@@ -94,11 +94,15 @@ std::shared_ptr<const Scene> buildScene(const std::shared_ptr<const Fabric>& fab
 
 /// Null when stopped. Says beforehand what fibres will take.
 std::unique_ptr<const Medium> buildMedium(const Scene& scene, double memoryLimit_bytes, Task task, MediumCost& cost) {
-  if (scene.fabric->render.method != Method::fibres) return makeMedium(scene, memoryLimit_bytes, task, &cost);
-  const FibreMedium::Size size = FibreMedium::estimate(scene);
-  fmt::print(stderr, "loomlight: {:.3g} fibre segments will take about {:.2f} GB of memory\n", size.segments,
-             size.bytes * 1e-9);
-  Progress progress("laying fibres");
+  const RenderSettings& settings = scene.fabric->render;
+  const bool fibres = settings.method == Method::fibres;
+  if (!fibres && settings.estimator != Estimator::report) return makeMedium(scene, memoryLimit_bytes, task, &cost);
+  if (fibres) {
+    const FibreMedium::Size size = FibreMedium::estimate(scene);
+    fmt::print(stderr, "loomlight: {:.3g} fibre segments will take about {:.2f} GB of memory\n", size.segments,
+               size.bytes * 1e-9);
+  }
+  Progress progress(fibres ? "laying fibres" : "baking visibility");
   task.progress = [&progress](double fraction) { progress.update(fraction); };
   return makeMedium(scene, memoryLimit_bytes, task, &cost);
 }

@@ -24,8 +24,8 @@ void writeStats(const std::string& file, const RenderStats& stats) {
   json["threads"] = stats.threads;
   json["seconds"] = {{"geometry", stats.scene_s.geometry},
                      {"voxelise", stats.scene_s.voxelise},
-                     {"accelerate", stats.scene_s.accelerate + stats.medium.seconds},
-                     {"bvdf", 0.0},
+                     {"accelerate", stats.scene_s.accelerate + stats.medium.fibreSeconds},
+                     {"bvdf", stats.medium.bvdfSeconds},
                      {"render", stats.render_s},
                      {"total", stats.total_s}};
   json["counts"] = {{"segments", stats.medium.segments > 0 ? stats.medium.segments : stats.volume.segments},
@@ -40,7 +40,7 @@ void writeStats(const std::string& file, const RenderStats& stats) {
   json["bytes"] = {{"geometry", stats.medium.geometryBytes},
                    {"accelerator", stats.medium.acceleratorBytes},
                    {"volume", stats.volume.bytes},
-                   {"bvdf", 0},
+                   {"bvdf", stats.medium.bvdfBytes},
                    {"peak_rss", peakMemory()}};
   writeFileAtomically(file, json.dump(2) + '\n');
 }

@@ -13,12 +13,12 @@ namespace {
 
 constexpr double kRadians = kPi / 180;
 constexpr int kPixels = 64;  // across a window seen from straight above
+constexpr int kFewestCrossings = 8, kMostCrossings = 48;
 
 /// Side of the square of cloth that the cameras see: enough crossings for a mean, and whole repeats where they are few.
 double window_mm(const Fabric& fabric) {
-  constexpr int kFewest = 8, kMost = 48;
   const auto side = [](int repeat, double pitch_mm) {
-    return pitch_mm * std::clamp((kFewest + repeat - 1) / repeat * repeat, kFewest, kMost);
+    return pitch_mm * std::clamp((kFewestCrossings + repeat - 1) / repeat * repeat, kFewestCrossings, kMostCrossings);
   };
   const ClothGeometry geometry(fabric, 1, 1);
   return std::max(side(geometry.repeatEnds(), geometry.warpPitch_mm()),

@@ -20,8 +20,8 @@ struct HalfDomeGrid {
   double inclination_deg(int j) const { return (j + 0.5) * 90.0 / inclinations; }
 };
 
-/// What the cameras of a half-dome see of a patch of cloth: Figs. 11 to 15 of the report. Each camera is one colour, the
-/// mean of its picture.
+/// What the cameras of a half-dome see of a patch of cloth: Figs. 11 to 15 of the report. Each camera is one colour,
+/// the mean of its picture.
 struct HalfDomeMeasure {
   HalfDomeGrid grid;
   std::vector<Rgb> radiance;  ///< inclination by inclination, from the normal down; in each, azimuth by azimuth
