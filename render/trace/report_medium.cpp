@@ -1,7 +1,6 @@
 #include "render/trace/report_medium.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include "render/trace/cloth_walk.h"
@@ -18,14 +17,19 @@ Scene withReportLaw(Scene scene) {
   return scene;
 }
 
-/// A departure from the first event carries what the BVDF says of its direction: its clearance is the way to the far
-/// side of the cell, and instead of a fibre, which statistics do not know, it holds the probability of getting there.
-void setLocalVisibility(Departure& departure, float visibility, float cell_mm) {
-  departure.fibre = std::bit_cast<uint32_t>(visibility);
-  departure.clearance_mm = cell_mm;
+glm::vec3 normalAt(const Shell& shell, const Place& place) {
+  if (shell.isFlat()) return {0, 0, 1};
+  const glm::mat3 frame = shell.frame(place.tet, place.world);
+  return glm::normalize(glm::cross(frame[0], frame[1]));
 }
-float localVisibility(const Departure& departure) {
-  return std::bit_cast<float>(static_cast<uint32_t>(departure.fibre));
+
+/// Distance to the far side of the cell around a place. Within the cell the drape is taken as affine: cells are small
+/// against its triangles, or its triangles nearly in one plane.
+float distanceThroughCell(const Scene& scene, const Place& from, glm::vec3 direction) {
+  const Shell& shell = *scene.shell;
+  const glm::vec3 cloth = shell.toCloth(from.tet, from.world);
+  const glm::vec3 clothDirection = shell.isFlat() ? direction : shell.tets()[from.tet].toCloth * direction;
+  return LocalCell::around(cloth, *scene.volume).exit(cloth, clothDirection);
 }
 
 }  // namespace
@@ -35,29 +39,28 @@ ReportMedium::ReportMedium(const Scene& scene, std::shared_ptr<const BvdfSet> bv
 
 std::optional<Collision> ReportMedium::collide(const Departure& from, glm::vec3 direction, Random& random,
                                                TraceCounts& counts) const {
-  return volume_.collide(from, direction, random, counts);
+  auto collision = volume_.collide(from, direction, random, counts);
+  if (collision) collision->events = from.events + 1;
+  return collision;
 }
 
 Departure ReportMedium::leave(const Collision& collision, glm::vec3 wi, int order) const {
   Departure departure = volume_.leave(collision, wi, order);
-  if (collision.events != 1) return departure;
-  const glm::mat3 frame = eventFrame(collision.normal, collision.tangent);
-  const float occlusion = bvdf_->of(collision.yarn).occlusion(wi * frame, -collision.incoming * frame);
-  // Within a cell the drape is taken as affine: cells are small against the triangles, or the triangles nearly flat.
-  const Shell& shell = *scene_.shell;
-  const int tet = collision.place.tet;
-  const glm::vec3 cloth = shell.toCloth(tet, collision.place.world);
-  const glm::vec3 clothDirection = shell.isFlat() ? wi : shell.tets()[tet].toCloth * wi;
-  setLocalVisibility(departure, 1 - occlusion, LocalCell::around(cloth, *scene_.volume).exit(cloth, clothDirection));
+  departure.events = collision.events;
+  departure.leaving.tangent = collision.tangent;
+  departure.leaving.yarn = collision.yarn;
+  departure.trail.direction = collision.incoming;
   return departure;
 }
 
 float ReportMedium::transmittance(const Departure& from, glm::vec3 direction, float distance, Random& random,
                                   TraceCounts& counts) const {
   if (from.events != 1) return volume_.transmittance(from, direction, distance, random, counts);
-  const float visibility = localVisibility(from);
-  if (visibility <= 0) return 0;
-  return visibility * transmittanceBeyond(from.clearance_mm, from, direction, distance, random, counts);
+  const glm::mat3 frame = eventFrame(normalAt(*scene_.shell, from.place), from.leaving.tangent);
+  const float visible = 1 - bvdf_->of(from.leaving.yarn).occlusion(direction * frame, -from.trail.direction * frame);
+  if (visible <= 0) return 0;
+  const float cell_mm = distanceThroughCell(scene_, from.place, direction);
+  return visible * transmittanceBeyond(cell_mm, from, direction, distance, random, counts);
 }
 
 float ReportMedium::transmittanceBeyond(float cell_mm, const Departure& from, glm::vec3 direction, float distance,

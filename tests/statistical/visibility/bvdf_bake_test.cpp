@@ -1,0 +1,111 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "render/trace/bvdf_baker.h"
+#include "render/visibility/bvdf_picture.h"
+#include "tests/support/test_cloth.h"
+
+namespace loomlight {
+namespace {
+
+struct Baked {
+  std::shared_ptr<const BvdfSet> quick, good;
+};
+
+/// White cotton after one pass and after sixteen, baked once for all tests.
+const Baked& cotton() {
+  static const Baked baked = [] {
+    const auto baker = BvdfBaker::begin(test::whiteCotton(), {}, Task{});
+    Baked result;
+    baker->advance(1, Task{});
+    result.quick = baker->tables();
+    baker->advance(15, Task{});
+    result.good = baker->tables();
+    return result;
+  }();
+  return baked;
+}
+
+std::vector<float> values(const Bvdf& table) {
+  return bvdfImage({{table}, 0, {0}}).channels[0].values;
+}
+
+glm::vec3 at(double theta_deg, double phi_deg) {
+  const double theta = theta_deg * kPi / 180, phi = phi_deg * kPi / 180;
+  return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
+}
+
+// Bins hold rays / bins shadow rays each, a fibre met or not. A binomial filter [1 2 1]/4 leaves 3/8 of the variance of
+// independent bins in each angle, 2 % in all four. Bins are not independent: those of one eye ray see one
+// neighbourhood, and the ratio to the law moves with both its counts; twice the deviation allows for that. A filter in
+// fewer angles, or many shadow rays an eye ray, would not pass.
+TEST(BvdfBaker, NoiseIsWhatItsRaysAllow) {
+  const std::vector<float> quick = values(cotton().quick->of(0)), good = values(cotton().good->of(0));
+  const double perBin = static_cast<double>(cotton().quick->rays) / static_cast<double>(quick.size());
+  double error = 0, variance = 0;
+  for (size_t i = 0; i < quick.size(); ++i) {
+    error += (quick[i] - good[i]) * (quick[i] - good[i]);
+    variance += good[i] * (1 - good[i]) / perBin;
+  }
+  error = std::sqrt(error / static_cast<double>(quick.size()));
+  const double bound = 2 * std::sqrt(std::pow(3.0 / 8, 4) * variance / static_cast<double>(quick.size()));
+  EXPECT_LT(error, bound);
+  EXPECT_GT(error, bound / 10);  // the tables are of other rays
+  RecordProperty("error", std::to_string(error));
+  RecordProperty("bound", std::to_string(bound));
+}
+
+// Fibres of a yarn are side by side: light from across is shadowed by neighbours, light from along them is not before
+// it comes out of the cloth's plane.
+TEST(BvdfBaker, LightFromAcrossTheFibresIsShadowedMore) {
+  const Bvdf& table = cotton().good->of(0);
+  for (const double theta : {30.0, 45.0, 60.0})
+    EXPECT_GT(table.occlusion(at(theta, 0), at(0, 0)), 1.5 * table.occlusion(at(theta, 90), at(0, 0))) << theta;
+}
+
+TEST(BvdfBaker, ShadowGrowsWithTheAngleToTheEye) {
+  const Bvdf& table = cotton().good->of(0);
+  for (const double phi : {0.0, 90.0}) {
+    double last = 0;
+    for (double theta = 10; theta <= 170; theta += 10) {
+      const double p = table.occlusion(at(theta, phi), at(0, 0));
+      EXPECT_GT(p, last - 0.03) << theta << " along " << phi;
+      last = p;
+    }
+    EXPECT_GT(last, 0.3);  // from behind
+  }
+}
+
+// Mean over light directions, for a view from above.
+double meanOcclusion(const Bvdf& table) {
+  double sum = 0;
+  for (int theta = 5; theta < 180; theta += 10)
+    for (int phi = 5; phi < 360; phi += 10) sum += table.occlusion(at(theta, phi), at(10, 40)) / (18 * 36);
+  return sum;
+}
+
+// A larger cell has more fibres in it ("the BVDF for lower octree levels mainly shows more shadowing").
+TEST(BvdfBaker, LargerCellsShadowMore) {
+  Fabric coarse = test::whiteCotton();
+  coarse.render.resolution = 4;
+  const auto baker = BvdfBaker::begin(coarse, {}, Task{});
+  ASSERT_TRUE(baker->advance(2, Task{}));
+  EXPECT_GT(meanOcclusion(baker->tables()->of(0)), meanOcclusion(cotton().good->of(0)) + 0.05);
+}
+
+// The same yarn in another weave has nearly the same BVDF, as the report found.
+TEST(BvdfBaker, IsAPropertyOfTheYarnMoreThanOfTheWeave) {
+  Fabric twill = test::whiteCotton();
+  twill.weave = Weave({{1, 1, 0, 0}, {0, 1, 1, 0}, {0, 0, 1, 1}, {1, 0, 0, 1}});
+  const auto baker = BvdfBaker::begin(twill, {}, Task{});
+  ASSERT_TRUE(baker->advance(8, Task{}));
+  const std::vector<float> plain = values(cotton().good->of(0)), other = values(baker->tables()->of(0));
+  double error = 0;
+  for (size_t i = 0; i < plain.size(); ++i)
+    error += std::pow(plain[i] - other[i], 2) / static_cast<double>(plain.size());
+  EXPECT_LT(std::sqrt(error), 0.05);
+}
+
+}  // namespace
+}  // namespace loomlight
