@@ -27,6 +27,11 @@ int parseWholeField(const std::string& option, const std::string& text, Number O
   return static_cast<int>(parseWhole(option, text, static_cast<int64_t>(info.min), static_cast<int64_t>(info.max)));
 }
 
+void addResolution(CLI::App& app, FabricOptions& options) {
+  addValue(app, "--resolution", "R", "voxels per yarn diameter: 1, 2, 4, 8 or 16",
+           [&options](const auto& option, const auto& text) { options.resolution = parseResolution(option, text); });
+}
+
 void addFabricOptions(CLI::App& app, FabricOptions& options) {
   addValue(app, "--drape", "flat|cylinder|sphere|FILE", "the surface the cloth lies on",
            [&options](const auto& option, const auto& text) { options.drape = parseDrape(option, text); });
@@ -35,20 +40,16 @@ void addFabricOptions(CLI::App& app, FabricOptions& options) {
              const FieldInfo info = fieldInfo(&Drape::uvScale_mm);
              options.uvScale_mm = parseNumber(option, text, info.min, info.max);
            });
-  addValue(app, "--resolution", "R", "voxels per yarn diameter: 1, 2, 4, 8 or 16",
-           [&options](const auto& option, const auto& text) { options.resolution = parseResolution(option, text); });
+  addResolution(app, options);
 }
 
-void addPictureOptions(CLI::App& app, FabricOptions& options) {
-  addValue(app, "--size", "WxH", "pixels",
-           [&options](const auto& option, const auto& text) { options.size = parseSize(option, text); });
-  addValue(app, "--spp", "N", "samples per pixel", [&options](const auto& option, const auto& text) {
+/// How light is traced, for pictures and measurements alike.
+void addTraceOptions(CLI::App& app, FabricOptions& options, const std::string& samplesHelp) {
+  addValue(app, "--spp", "N", samplesHelp, [&options](const auto& option, const auto& text) {
     options.samplesPerPixel = parseWholeField(option, text, &RenderSettings::samplesPerPixel);
   });
   addValue(app, "--seed", "N", "another number gives another pattern of noise",
            [&options](const auto& option, const auto& text) { options.seed = parseSeed(option, text); });
-  addValue(app, "--view", "NAME|AZ,EL[,MM]", viewPresetNames() + ", or angles in degrees and a distance",
-           [&options](const auto& option, const auto& text) { options.view = parseView(option, text); });
   addValue(app, "--light", "LIGHT", "ibl[:FILE], sky[:AZ,EL], directional[:AZ,EL], dome, point, back or furnace",
            [&options](const auto& option, const auto& text) { options.light = parseLight(option, text); });
   addValue(app, "--method", "volume|fibres", "what light is traced through: the volume, or every fibre as it is",
@@ -64,6 +65,14 @@ void addPictureOptions(CLI::App& app, FabricOptions& options) {
            [&options](const auto& option, const auto& text) { options.eventLaw = parseEventLaw(option, text); });
 }
 
+void addPictureOptions(CLI::App& app, FabricOptions& options) {
+  addValue(app, "--size", "WxH", "pixels",
+           [&options](const auto& option, const auto& text) { options.size = parseSize(option, text); });
+  addTraceOptions(app, options, "samples per pixel");
+  addValue(app, "--view", "NAME|AZ,EL[,MM]", viewPresetNames() + ", or angles in degrees and a distance",
+           [&options](const auto& option, const auto& text) { options.view = parseView(option, text); });
+}
+
 void addThreads(CLI::App& app, int& threads) {
   addValue(app, "--threads", "N", "threads; all where not given", [&threads](const auto& option, const auto& text) {
     threads = static_cast<int>(parseWhole(option, text, 1, 1024));
@@ -74,6 +83,13 @@ void addMemoryLimit(CLI::App& app, double& limit_bytes) {
   addValue(app, "--memory-limit", "GB", "what fibres may take; three quarters of the memory where not given",
            [&limit_bytes](const auto& option, const auto& text) {
              limit_bytes = 1e9 * parseNumber(option, text, 1e-3, 1e6);
+           });
+}
+
+void addExposure(CLI::App& app, Tone& tone) {
+  addValue(app, "--exposure", "STOPS", "brighter or darker; only a .png has it",
+           [&tone](const auto& option, const auto& text) {
+             tone.exposure_stops = static_cast<float>(parseNumber(option, text, -20, 20));
            });
 }
 
@@ -100,10 +116,7 @@ void addRender(CLI::App& app, RenderCommand& command) {
   addFabricOptions(app, command.options);
   addThreads(app, command.threads);
   addMemoryLimit(app, command.memoryLimit_bytes);
-  addValue(app, "--exposure", "STOPS", "brighter or darker; only a .png has it",
-           [&command](const auto& option, const auto& text) {
-             command.tone.exposure_stops = static_cast<float>(parseNumber(option, text, -20, 20));
-           });
+  addExposure(app, command.tone);
   app.add_option("--stats", command.stats, "write counts and times of every stage, as JSON")->type_name("FILE.json");
   app.add_flag("--keep-sums", command.keepSums, "keep in the .exr what --resume needs");
   app.add_option("--resume", command.resume, "go on with this picture until it has --spp samples")
@@ -137,6 +150,39 @@ void addBench(CLI::App& app, BenchCommand& command, std::string& suite) {
     command.rounds = static_cast<int>(parseWhole(option, text, 1, 99));
   });
   app.add_flag("--json", command.json, "JSON instead of a table");
+}
+
+void addBrdf(CLI::App& app, BrdfCommand& command) {
+  app.add_option("FABRIC", command.input, "a fabric (.json), weave bitmap (.png) or picture (.exr)")
+      ->type_name("")
+      ->required();
+  app.add_option("-o,--output", command.output, "writes OUT.exr, OUT.png and OUT.csv")->type_name("OUT")->required();
+  addValue(
+      app, "--light-angle", "DEG", "of parallel light, from the normal; beyond 90 from behind; 0 where not given",
+      [&command](const auto& option, const auto& text) { command.lightAngle_deg = parseNumber(option, text, 0, 180); });
+  addValue(app, "--cameras", "AxI", "how many azimuths and inclinations; 64x16 where not given",
+           [&command](const auto& option, const auto& text) { command.grid = parseHalfDome(option, text); });
+  addTraceOptions(app, command.options, "paths for each camera; 4096 where not given");
+  addResolution(app, command.options);
+  addThreads(app, command.threads);
+  addMemoryLimit(app, command.memoryLimit_bytes);
+  addExposure(app, command.tone);
+}
+
+void addBvdf(CLI::App& app, BvdfCommand& command) {
+  app.add_option("FABRIC", command.input, "a fabric (.json), weave bitmap (.png) or picture (.exr)")
+      ->type_name("")
+      ->required();
+  app.add_option("-o,--output", command.output, "tables (.exr) with a picture (.png) beside them, or the picture alone")
+      ->type_name("OUT")
+      ->required();
+  addResolution(app, command.options);
+  addValue(app, "--rays", "N", "shadow rays for each kind of yarn; 2 million where not given, 100 million with --full",
+           [&command](const auto& option, const auto& text) {
+             command.rays = static_cast<uint64_t>(parseWhole(option, text, 1, 100'000'000'000));
+           });
+  app.add_flag("--full", command.full, "32 x 64 x 64 x 64 bins, as in the report, in place of 8 x 8 x 16 x 32");
+  addThreads(app, command.threads);
 }
 
 /// Two files: a picture and its reference.
@@ -187,6 +233,8 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   ConvertCommand convert;
   BenchCommand bench;
   CompareCommand compare;
+  BvdfCommand bvdf;
+  BrdfCommand brdf;
   std::string suite;
 
   CLI::App app("Woven fabric, path-traced from the optics of its fibres.", "loomlight");
@@ -201,10 +249,14 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   addInfo(*informs, info);
   CLI::App* const converts = app.add_subcommand("convert", "between fabrics and weave bitmaps");
   addConvert(*converts, convert);
+  CLI::App* const brdfs = app.add_subcommand("brdf", "how a flat patch reflects, seen from a half-dome of cameras");
+  addBrdf(*brdfs, brdf);
   CLI::App* const benches = app.add_subcommand("bench", "measure what the volume of a fabric costs");
   addBench(*benches, bench, suite);
   CLI::App* const compares = app.add_subcommand("compare", "how far a picture is from its reference");
   addCompare(*compares, compare);
+  CLI::App* const visibilities = app.add_subcommand("bvdf", "bake the local visibility of a fabric's yarns (Fig. 8)");
+  addBvdf(*visibilities, bvdf);
 
   try {
     app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // CLI11 takes them last to first
@@ -221,11 +273,17 @@ Command parseCommandLine(const std::vector<std::string>& words) {
     return render;
   }
   if (*informs) return info;
+  if (*brdfs) {
+    if (brdf.options.light && brdf.lightAngle_deg)
+      throw UsageError("--light-angle: expected it alone or --light alone, got both");
+    return brdf;
+  }
   if (*converts) return convert;
   if (*benches) {
     if (suite != "volume") throw UsageError("bench: expected the suite volume, got '" + suite + "'");
     return bench;
   }
+  if (*visibilities) return bvdf;
   if (*compares) {
     if (compare.yardstickAgain && !compare.yardstick)
       throw UsageError("--yardstick-again: expected --yardstick as well");

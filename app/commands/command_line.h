@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "app/commands/bench_command.h"
+#include "app/commands/brdf_command.h"
+#include "app/commands/bvdf_command.h"
 #include "app/commands/compare_command.h"
 #include "app/commands/convert_command.h"
 #include "app/commands/info_command.h"
@@ -23,8 +25,8 @@ struct TextCommand {
   std::string text;
 };
 
-using Command =
-    std::variant<EditCommand, RenderCommand, InfoCommand, ConvertCommand, BenchCommand, CompareCommand, TextCommand>;
+using Command = std::variant<EditCommand, RenderCommand, InfoCommand, ConvertCommand, BenchCommand, BrdfCommand,
+                             CompareCommand, BvdfCommand, TextCommand>;
 
 /// What the words behind the program's name ask for. Throws UsageError.
 Command parseCommandLine(const std::vector<std::string>& words);
