@@ -34,8 +34,11 @@ class ClothVolume::Probe {
     const glm::ivec3 voxel = glm::clamp(glm::ivec3(inVoxels), glm::ivec3(0), volume_.grid_.cell - 1);
     const uint64_t occupied = openBlock(reaches_, voxel >> 2);
     if (occupied == 0) {
-      const glm::vec3 lower = inVoxels - glm::vec3((voxel >> 2) * 4);
-      const glm::vec3 nearest = glm::min(lower, 4.0f - lower) * volume_.grid_.size_mm;
+      // The last block of a cell may be cut by the cell's edge.
+      const glm::ivec3 first = (voxel >> 2) * 4;
+      const glm::vec3 lower = inVoxels - glm::vec3(first);
+      const glm::vec3 upper = glm::vec3(glm::min(first + 4, volume_.grid_.cell)) - inVoxels;
+      const glm::vec3 nearest = glm::min(lower, upper) * volume_.grid_.size_mm;
       return std::max(0.0f, std::min({nearest.x, nearest.y, nearest.z}));
     }
     const int number = numberInBlock(voxel);

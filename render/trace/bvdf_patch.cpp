@@ -9,6 +9,7 @@ namespace {
 constexpr int kCrossings = 12;     // a side, at least: some of every phase of the twist
 constexpr int kMaxCrossings = 48;  // a side; a larger repeat is cut off
 constexpr int kMinCrossings = 3;   // one that has neighbours all around it
+constexpr int kMaxWeave = 256;     // a side; of larger ones the corner is the weave
 constexpr double kMaxSegments = 6e5;
 constexpr double kMaxBytes = 2.0 * (1 << 30);
 
@@ -22,6 +23,17 @@ double segmentsPerCrossing(const Fabric& fabric) {
   const ClothGeometry few(fabric, kMinCrossings, kMinCrossings);
   const int ends = std::min(few.repeatEnds(), kMinCrossings), picks = std::min(few.repeatPicks(), kMinCrossings);
   return few.measure().segmentsPerRepeat / (ends * picks);
+}
+
+/// Keeps the work on a large figure, and the text of the recipe, in proportion to the patch.
+Weave cornerOf(const Weave& weave) {
+  if (weave.ends() <= kMaxWeave && weave.picks() <= kMaxWeave) return weave;
+  std::vector<Weave::Row> rows;
+  for (int pick = 0; pick < std::min(weave.picks(), kMaxWeave); ++pick) {
+    const auto row = weave.row(pick);
+    rows.emplace_back(row.begin(), row.begin() + std::min(weave.ends(), kMaxWeave));
+  }
+  return Weave(rows);
 }
 
 /// Yarns of one geometry class are one yarn.
@@ -52,7 +64,7 @@ void mergeYarns(const Fabric& fabric, Fabric& merged) {
 Fabric BvdfPatch::reduced(const Fabric& fabric) {
   Fabric patch;
   patch.name.clear();
-  patch.weave = fabric.weave;
+  patch.weave = cornerOf(fabric.weave);
   patch.warpSequence = fabric.warpSequence;
   patch.weftSequence = fabric.weftSequence;
   patch.ends_per_cm = fabric.ends_per_cm;

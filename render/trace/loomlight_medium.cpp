@@ -11,6 +11,31 @@
 namespace loomlight {
 namespace {
 
+/// Where a ray crosses the faces of the leaf voxels, which stand in one regular lattice over the whole cloth.
+class VoxelFaces {
+ public:
+  VoxelFaces(glm::vec3 origin, glm::vec3 direction, const VoxelGrid& grid, float t) {
+    const glm::vec3 o(origin.x, origin.y, origin.z - grid.zLower_mm);
+    for (int axis = 0; axis < 3; ++axis) {
+      const float d = direction[axis];
+      if (std::abs(d) < 1e-6f) continue;
+      between_[axis] = grid.size_mm[axis] / std::abs(d);
+      const float voxel = std::floor((o[axis] + t * d) / grid.size_mm[axis]) + (d > 0 ? 1.0f : 0.0f);
+      next_[axis] = (voxel * grid.size_mm[axis] - o[axis]) / d;
+    }
+  }
+  /// The first face beyond t; t must not fall.
+  float next(float t) {
+    for (int axis = 0; axis < 3; ++axis)
+      if (next_[axis] <= t) next_[axis] += between_[axis] * (1 + std::floor((t - next_[axis]) / between_[axis]));
+    const float nearest = std::min({next_.x, next_.y, next_.z});
+    return nearest > t ? nearest : std::nextafter(t, std::numeric_limits<float>::infinity());
+  }
+
+ private:
+  glm::vec3 next_{std::numeric_limits<float>::infinity()}, between_{std::numeric_limits<float>::infinity()};
+};
+
 /// Two directions across a ray.
 struct RayFrame {
   glm::vec3 along, x, y;
@@ -105,9 +130,10 @@ bool LoomlightMedium::advance(const Departure& from, glm::vec3 direction, float 
   const float margin = 2 * kHalfPi * r;  // two displacements apart
   return walkShell(scene_, from.place, direction, tMax, [&](const ShellSegment& s) {
     const glm::mat3 toCloth = s.drape.isometric ? glm::mat3(1.0f) : scene_.shell->tets()[s.tet].toCloth;
+    VoxelFaces faces(s.clothOrigin, s.clothDirection, scene_.volume->grid(), s.tEnter);
     for (float t = s.tEnter; t < s.tLeave;) {
-      const float length = std::min(step_mm_, s.tLeave - t);
-      const float at = t + random.uniform() * length;
+      const float length = std::min(faces.next(t), s.tLeave) - t;
+      const float at = t + 0.5f * length;
       const glm::vec3 w = sampleHemisphere(random);
       const glm::vec3 shift = r * (w.x * frame.x + w.y * frame.y + kHalfPi * w.z * direction);
       const float empty = probe.look(s.clothOrigin + at * s.clothDirection + toCloth * shift, content);

@@ -1,5 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "render/film/image.h"
 #include "render/trace/path_tracer.h"
 #include "render/trace/volume_medium.h"
 #include "tests/support/test_cloth.h"
@@ -68,6 +73,40 @@ TEST(WhiteFurnace, EveryResolutionIsInvisible) {
 // Light sampling and BCSDF sampling together (MIS) estimate what BCSDF sampling alone does: a lat-long sky seen with
 // and without next-event estimation is covered by the light's own tests; here a dyed cloth under a dome must be darker
 // than the furnace and brighter than its surface reflection alone.
+// Looking for lamps and letting paths escape, weighted against each other, must estimate what escaping alone does. A
+// white environment is known to both ways: as a picture it is sampled, as the furnace it is not, and clear fibres under
+// it are white whatever the share of either.
+TEST(WhiteFurnace, SampledAsAPictureIsWhiteToo) {
+  const std::string file = testing::TempDir() + "loomlight-white.exr";
+  Image white;
+  white.width = 16;
+  white.height = 8;
+  for (const char* name : {"R", "G", "B"}) std::fill_n(white.add(name).begin(), 16 * 8, 1.0f);
+  writeExr(file, white);
+  Fabric fabric = test::whiteCotton();
+  fabric.light.kind = LightKind::environment;
+  fabric.light.file = file;
+  const auto scene = test::sceneOf(fabric);
+  ASSERT_TRUE(scene->lighting->wantsSampling());
+  const VolumeMedium medium(*scene);
+  const CameraRays camera(fabric.camera, 48, 48);
+  TraceCounts counts;
+  double sum = 0, squares = 0, hits = 0;
+  for (int y = 0; y < 48; ++y)
+    for (int x = 0; x < 48; ++x)
+      for (uint32_t i = 0; i < 16; ++i) {
+        const PathSample sample = tracePath(*scene, medium, camera, x, y, i, counts);
+        if (sample.alpha == 0) continue;
+        const double value = sample.direct.g + sample.indirect.g;
+        sum += value;
+        squares += value * value;
+        ++hits;
+      }
+  const double mean = sum / hits, error = std::sqrt((squares / hits - mean * mean) / hits);
+  EXPECT_LT(error, 0.01);
+  EXPECT_NEAR(mean, 1.0, 3.3 * error);
+}
+
 TEST(Dome, DyedClothKeepsBetweenReflectionAndWhite) {
   Fabric fabric = test::whiteCotton();
   fabric.fibres[0].absorption_per_mm = Rgb(5.0f, 20.0f, 200.0f);
