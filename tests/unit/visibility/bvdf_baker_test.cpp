@@ -139,6 +139,7 @@ TEST(BvdfPatch, IsBounded) {
   fabric.ends_per_cm = fabric.picks_per_cm = 8;
   const auto patch = BvdfPatch::build(fabric, Task{});
   EXPECT_LT(patch->fibres().segments(), 2'000'000u);
+  EXPECT_LT(bvdfRecipe(fabric, {}).size(), 200'000u);
   EXPECT_TRUE(patch->isInside(1, 1));
   EXPECT_FALSE(patch->isInside(0, 1));
 }

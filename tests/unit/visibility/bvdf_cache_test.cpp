@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cstdlib>
-#include <thread>
+#include <optional>
+#include <string>
 
 #include "tests/unit/film/scratch_folder.h"
 
@@ -113,19 +115,34 @@ TEST(BvdfCache, LivesWithoutADisk) {
   }
 }
 
-TEST(BvdfCache, IsInTheUsersCacheFolder) {
-  const char* before = std::getenv("XDG_CACHE_HOME");
-  const std::string kept = before ? before : "";
-  ::setenv("XDG_CACHE_HOME", "/somewhere/cache", 1);
-  EXPECT_EQ(BvdfCache::userFolder(), "/somewhere/cache/loomlight/bvdf");
-  ::setenv("XDG_CACHE_HOME", "relative/is/ignored", 1);
-  ::setenv("HOME", "/home/weaver", 1);
-  EXPECT_EQ(BvdfCache::userFolder(), "/home/weaver/.cache/loomlight/bvdf");
-  if (before) {
-    ::setenv("XDG_CACHE_HOME", kept.c_str(), 1);
-  } else {
-    ::unsetenv("XDG_CACHE_HOME");
+/// Sets a variable of the environment, and sets it back.
+class Variable {
+ public:
+  Variable(const char* name, const char* value) : name_(name) {
+    if (const char* before = std::getenv(name)) before_ = before;
+    ::setenv(name, value, 1);
   }
+  ~Variable() {
+    if (before_) {
+      ::setenv(name_, before_->c_str(), 1);
+    } else {
+      ::unsetenv(name_);
+    }
+  }
+
+ private:
+  const char* name_;
+  std::optional<std::string> before_;
+};
+
+TEST(BvdfCache, IsInTheUsersCacheFolder) {
+  const Variable home("HOME", "/home/weaver");
+  {
+    const Variable cache("XDG_CACHE_HOME", "/somewhere/cache");
+    EXPECT_EQ(BvdfCache::userFolder(), "/somewhere/cache/loomlight/bvdf");
+  }
+  const Variable cache("XDG_CACHE_HOME", "relative/is/ignored");
+  EXPECT_EQ(BvdfCache::userFolder(), "/home/weaver/.cache/loomlight/bvdf");
 }
 
 }  // namespace
