@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "app/commands/bench_figures.h"
 #include "app/commands/inputs.h"
 #include "app/commands/interrupt.h"
 #include "app/commands/stopwatch.h"
+#include "core/base/parallel.h"
 #include "core/fabric/validate.h"
 #include "render/trace/make_medium.h"
 #include "render/trace/path_tracer.h"
@@ -124,6 +126,16 @@ int run(const BenchCommand& command) {
   else
     printTable(rows);
   return 0;
+}
+
+int run(const ReportBenchCommand& command) {
+  const Interrupt interrupt;
+  Task task;
+  task.stop = interrupt.token();
+  task.threads = command.threads > 0 ? command.threads : hardwareThreads();
+  const bool table = command.suite == ReportBenchCommand::Suite::table1;
+  const bool complete = table ? benchTable1(command.bench, task) : benchFigures(command.bench, task);
+  return complete ? 0 : Interrupt::kExitStatus;
 }
 
 }  // namespace loomlight

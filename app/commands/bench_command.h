@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "app/commands/bench_table1.h"
 #include "app/commands/fabric_options.h"
 
 namespace loomlight {
@@ -17,6 +18,18 @@ struct BenchCommand {
   int threads = 1;  ///< figures per core are cleanest on one
   bool json = false;
 };
+
+/// loomlight bench table1 and loomlight bench figures: the report's comparisons, ours beside theirs, as a folder with a
+/// page, pictures and tables.
+struct ReportBenchCommand {
+  enum class Suite { table1, figures };
+  Suite suite = Suite::table1;
+  ReportBench bench;
+  int threads = 0;  ///< 0: all
+};
+
+/// Exit status 0, or 130 when stopped, without a page then. Throws InputError.
+int run(const ReportBenchCommand& command);
 
 /// A Markdown table, or JSON, on stdout. Exit status 0, or 130 when stopped. Throws InputError.
 int run(const BenchCommand& command);

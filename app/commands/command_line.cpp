@@ -139,8 +139,7 @@ void addConvert(CLI::App& app, ConvertCommand& command) {
   app.add_option("--like", command.like, "a fabric that gives yarns and all else but the weave")->type_name("FABRIC");
 }
 
-void addBench(CLI::App& app, BenchCommand& command, std::string& suite) {
-  app.add_option("SUITE", suite, "volume: voxels, memory and speed at several resolutions")->type_name("")->required();
+void addVolumeBench(CLI::App& app, BenchCommand& command) {
   app.add_option("FABRIC", command.input, "the fabric to measure")->type_name("")->required();
   addPictureOptions(app, command.options);
   addThreads(app, command.threads);
@@ -150,6 +149,14 @@ void addBench(CLI::App& app, BenchCommand& command, std::string& suite) {
     command.rounds = static_cast<int>(parseWhole(option, text, 1, 99));
   });
   app.add_flag("--json", command.json, "JSON instead of a table");
+}
+
+void addReportBench(CLI::App& app, ReportBenchCommand& command) {
+  app.add_option("-o,--output", command.bench.folder, "the folder for page, pictures and tables; made where needed")
+      ->type_name("DIR");
+  app.add_flag("--quick", command.bench.quick, "small pieces, few paths: seconds instead of an hour");
+  addThreads(app, command.threads);
+  addMemoryLimit(app, command.bench.memoryLimit_bytes);
 }
 
 void addBrdf(CLI::App& app, BrdfCommand& command) {
@@ -235,7 +242,8 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   CompareCommand compare;
   BvdfCommand bvdf;
   BrdfCommand brdf;
-  std::string suite;
+  ReportBenchCommand table1{ReportBenchCommand::Suite::table1, {"bench-table1", false, defaultMemoryLimit_bytes()}};
+  ReportBenchCommand figures{ReportBenchCommand::Suite::figures, {"bench-figures", false, defaultMemoryLimit_bytes()}};
 
   CLI::App app("Woven fabric, path-traced from the optics of its fibres.", "loomlight");
   app.set_version_flag("--version", "loomlight " LOOMLIGHT_VERSION);
@@ -251,8 +259,14 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   addConvert(*converts, convert);
   CLI::App* const brdfs = app.add_subcommand("brdf", "how a flat patch reflects, seen from a half-dome of cameras");
   addBrdf(*brdfs, brdf);
-  CLI::App* const benches = app.add_subcommand("bench", "measure what the volume of a fabric costs");
-  addBench(*benches, bench, suite);
+  CLI::App* const benches =
+      app.add_subcommand("bench", "measure: what a volume costs, or the report's table and figures");
+  benches->require_subcommand(1);
+  addVolumeBench(*benches->add_subcommand("volume", "voxels, memory and speed at several resolutions"), bench);
+  CLI::App* const tables = benches->add_subcommand("table1", "Table 1 of the report: explicit fibres and the volume");
+  addReportBench(*tables, table1);
+  CLI::App* const figuresOf = benches->add_subcommand("figures", "the report's figures, ours beside explicit fibres");
+  addReportBench(*figuresOf, figures);
   CLI::App* const compares = app.add_subcommand("compare", "how far a picture is from its reference");
   addCompare(*compares, compare);
   CLI::App* const visibilities = app.add_subcommand("bvdf", "bake the local visibility of a fabric's yarns (Fig. 8)");
@@ -279,10 +293,9 @@ Command parseCommandLine(const std::vector<std::string>& words) {
     return brdf;
   }
   if (*converts) return convert;
-  if (*benches) {
-    if (suite != "volume") throw UsageError("bench: expected the suite volume, got '" + suite + "'");
-    return bench;
-  }
+  if (*tables) return table1;
+  if (*figuresOf) return figures;
+  if (*benches) return bench;
   if (*visibilities) return bvdf;
   if (*compares) {
     if (compare.yardstickAgain && !compare.yardstick)

@@ -25,8 +25,8 @@ struct TextCommand {
   std::string text;
 };
 
-using Command = std::variant<EditCommand, RenderCommand, InfoCommand, ConvertCommand, BenchCommand, BrdfCommand,
-                             CompareCommand, BvdfCommand, TextCommand>;
+using Command = std::variant<EditCommand, RenderCommand, InfoCommand, ConvertCommand, BenchCommand, ReportBenchCommand,
+                             BrdfCommand, CompareCommand, BvdfCommand, TextCommand>;
 
 /// What the words behind the program's name ask for. Throws UsageError.
 Command parseCommandLine(const std::vector<std::string>& words);

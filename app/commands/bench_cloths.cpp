@@ -1,0 +1,46 @@
+#include "app/commands/bench_cloths.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bench_cloth_text.h"
+#include "core/fabric/fabric_json.h"
+#include "core/geometry/cloth_geometry.h"
+
+namespace loomlight {
+namespace {
+
+std::vector<BenchCloth> read(std::initializer_list<std::pair<const char*, std::string_view>> files) {
+  std::vector<BenchCloth> cloths;
+  for (const auto& [name, json] : files) cloths.push_back({name, fabricFromJson(json, name)});
+  return cloths;
+}
+
+}  // namespace
+
+std::vector<BenchCloth> cylinderCloths() {
+  return read({{"blue", kBenchBlueCloth},
+               {"colourful", kBenchColourfulCloth},
+               {"black_and_white", kBenchBlackAndWhiteCloth},
+               {"green", kBenchGreenCloth}});
+}
+
+std::vector<BenchCloth> largeCloths() {
+  return read({{"carpet", kBenchCarpet}, {"blanket", kBenchBlanket}, {"curtain", kBenchCurtain}});
+}
+
+double segmentsOf(const Fabric& fabric) {
+  const int ends = std::max(1, static_cast<int>(std::ceil(fabric.drape.width_mm / fabric.warpPitch_mm() - 1e-4)));
+  const int picks = std::max(1, static_cast<int>(std::ceil(fabric.drape.height_mm / fabric.weftPitch_mm() - 1e-4)));
+  const ClothGeometry geometry(fabric, ends, picks);
+  return geometry.measure().segmentsPerRepeat * ends / geometry.repeatEnds() * picks / geometry.repeatPicks();
+}
+
+Fabric withSegments(Fabric fabric, double segments) {
+  const double scale = std::sqrt(segments / segmentsOf(fabric));
+  fabric.drape.width_mm = std::clamp(fabric.drape.width_mm * scale, 1.0, 1e4);
+  fabric.drape.height_mm = std::clamp(fabric.drape.height_mm * scale, 1.0, 1e4);
+  return fabric;
+}
+
+}  // namespace loomlight

@@ -1,0 +1,192 @@
+#include "app/commands/bench_table1.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/commands/bench_cloths.h"
+#include "app/commands/cloth_study.h"
+#include "app/commands/report_page.h"
+#include "app/commands/view.h"
+#include "render/film/tone.h"
+
+namespace loomlight {
+namespace {
+
+struct NamedLight {
+  const char* name;
+  LightKind kind;
+};
+constexpr std::array kLights{NamedLight{"sky", LightKind::sky}, NamedLight{"dome", LightKind::dome},
+                             NamedLight{"headlight", LightKind::headlight}};
+constexpr size_t kFibres = 0, kFinest = 1;  // among the variants
+
+std::vector<Variant> variants() {
+  return {{"fibres", Method::fibres, Estimator::loomlight, 8},
+          {"resolution 8", Method::volume, Estimator::loomlight, 8},
+          {"resolution 4", Method::volume, Estimator::loomlight, 4},
+          {"resolution 2", Method::volume, Estimator::loomlight, 2},
+          {"resolution 1", Method::volume, Estimator::loomlight, 1},
+          {"resolution 8, report's estimator", Method::volume, Estimator::report, 8},
+          {"resolution 8, no estimator", Method::volume, Estimator::none, 8}};
+}
+
+/// Table 1 of the report: level 9, 8, 7, 6 are resolutions 8, 4, 2, 1. Minutes on a Core i7 of 3.07 GHz.
+struct ReportRow {
+  const char* variant;
+  double elements, megabytes;
+  double sky_s, dome_s, headlight_s, construction_s;
+};
+constexpr ReportRow kReport[] = {{"fibres", 18'518'400, 10'000, 452, 523, 196, 440},
+                                 {"resolution 8 (level 9)", 2'475'871, 177, 147, 401, 79, 88},
+                                 {"resolution 4 (level 8)", 408'642, 30, 138, 362, 75, 54},
+                                 {"resolution 2 (level 7)", 74'225, 5.6, 132, 352, 72, 45},
+                                 {"resolution 1 (level 6)", 13'185, 1.1, 129, 311, 70, 36}};
+
+/// One cloth, traced in every way in every light.
+struct ClothResults {
+  std::string name;
+  std::vector<PreparedCloth> cloths;
+  std::array<std::vector<TwoPictures>, kLights.size()> pictures;  ///< [light][variant]
+};
+
+Fabric posed(Fabric fabric, bool quick) {
+  // The report's pieces have 18.5 million segments, and 3 million of the black and white cloth with its fewer fibres.
+  constexpr double kReportSegments = 18'518'400, kQuickSegments = 60'000;
+  const double segments = quick ? kQuickSegments : std::max(segmentsOf(fabric), kReportSegments);
+  fabric = withSegments(std::move(fabric), segments);
+  fabric.render.width = quick ? 48 : 320;
+  fabric.render.height = quick ? 36 : 240;
+  fabric.render.samplesPerPixel = quick ? 16 : 32;
+  fabric.camera = cameraOf(ViewChoice{-90, 50, {}, {}}, fabric, makeDrape(fabric.drape));
+  return fabric;
+}
+
+std::optional<ClothResults> study(const BenchCloth& cloth, const ReportBench& bench, const Task& task) {
+  ClothResults results{cloth.name, {}, {}};
+  const Fabric fabric = posed(cloth.fabric, bench.quick);
+  for (const Variant& variant : variants()) {
+    fmt::print(stderr, "loomlight: {}: making {}\n", cloth.name, variant.name);
+    auto prepared = prepare(fabric, variant, bench.memoryLimit_bytes, task);
+    if (!prepared) return std::nullopt;
+    results.cloths.push_back(std::move(*prepared));
+  }
+  for (size_t i = 0; i < kLights.size(); ++i) {
+    fmt::print(stderr, "loomlight: {}: tracing under {} light\n", cloth.name, kLights[i].name);
+    Light light = fabric.light;
+    light.kind = kLights[i].kind;
+    auto pictures = renderInTurns(results.cloths, light, task);
+    if (!pictures) return std::nullopt;
+    results.pictures[i] = std::move(*pictures);
+  }
+  return results;
+}
+
+std::string ratio(double of, double to) {
+  return to > 0 ? fmt::format("{:.3g} : 1", of / to) : "-";
+}
+
+void addCosts(ReportPage& page, const ClothResults& results) {
+  std::vector<std::vector<std::string>> rows;
+  for (size_t v = 0; v < results.cloths.size(); ++v) {
+    const PreparedCloth& cloth = results.cloths[v];
+    std::vector<std::string> row{cloth.variant.name, fmt::format("{:.0f}", cloth.elements),
+                                 fmt::format("{:.3f}", cloth.bytes / 1e6), fmt::format("{:.3f}", cloth.construction_s)};
+    for (const auto& pictures : results.pictures) row.push_back(fmt::format("{:.2f}", pictures[v].render_s));
+    rows.push_back(std::move(row));
+  }
+  page.table(
+      results.name + "_costs",
+      {"method", "segments or voxels", "MB", "construction, CPU s", "sky, CPU s", "dome, CPU s", "headlight, CPU s"},
+      rows);
+}
+
+void addErrors(ReportPage& page, const ClothResults& results, int threads) {
+  std::vector<std::vector<std::string>> rows;
+  for (size_t v = kFinest; v < results.cloths.size(); ++v)
+    for (size_t i = 0; i < kLights.size(); ++i) {
+      const StudyErrors e = errorsOf(results.pictures[i][v], results.pictures[i][kFibres], threads);
+      rows.push_back({results.cloths[v].variant.name, kLights[i].name, fmt::format("{:+.2f}", e.mean_percent.r),
+                      fmt::format("{:+.2f}", e.mean_percent.g), fmt::format("{:+.2f}", e.mean_percent.b),
+                      fmt::format("{:.2f}", e.rms_percent), fmt::format("{:.4f}", e.flip)});
+    }
+  page.table(results.name + "_errors",
+             {"method", "light", "red, %", "green, %", "blue, %", "RMS without noise, %", "mean FLIP"}, rows);
+}
+
+void addStrips(ReportPage& page, const ClothResults& results) {
+  std::vector<Pixels8> rows;
+  for (const auto& pictures : results.pictures) {
+    std::vector<Pixels8> row;
+    for (size_t v = kFibres; v < kFinest + 4; ++v) {
+      row.push_back(toPixels(pictures[v].films[0], Tone{}));
+    }
+    rows.push_back(sideBySide(row));
+  }
+  page.picture(results.name, stacked(rows),
+               fmt::format("{}: fibres, then the volume at resolution 8, 4, 2 and 1; under sky, dome and headlight",
+                           results.name));
+}
+
+/// Explicit over resolution 8, ours beside the report's.
+void addRatios(ReportPage& page, const std::vector<ClothResults>& all) {
+  const ReportRow &fibres = kReport[0], &finest = kReport[1];
+  std::vector<std::vector<std::string>> rows{{"the report's blue cloth", ratio(fibres.megabytes, finest.megabytes),
+                                              ratio(fibres.construction_s, finest.construction_s),
+                                              ratio(fibres.sky_s, finest.sky_s), ratio(fibres.dome_s, finest.dome_s),
+                                              ratio(fibres.headlight_s, finest.headlight_s), "210000"}};
+  for (const ClothResults& results : all) {
+    const PreparedCloth &a = results.cloths[kFibres], &b = results.cloths[kFinest];
+    std::vector<std::string> row{"our " + results.name + " cloth", ratio(a.bytes, b.bytes),
+                                 ratio(a.construction_s, b.construction_s)};
+    for (const auto& pictures : results.pictures)
+      row.push_back(ratio(pictures[kFibres].render_s, pictures[kFinest].render_s));
+    row.push_back(b.construction_s > 0 ? fmt::format("{:.0f}", b.segmentsMade / b.construction_s) : "-");
+    rows.push_back(std::move(row));
+  }
+  page.heading("Explicit fibres over resolution 8");
+  page.table("table1_ratios",
+             {"cloth", "memory", "construction", "sky", "dome", "headlight", "segments voxelised per s and core"},
+             rows);
+}
+
+void addReport(ReportPage& page) {
+  std::vector<std::vector<std::string>> rows;
+  for (const ReportRow& r : kReport)
+    rows.push_back({r.variant, fmt::format("{:.0f}", r.elements), fmt::format("{:g}", r.megabytes),
+                    fmt::format("{:g}", r.construction_s), fmt::format("{:g}", r.sky_s), fmt::format("{:g}", r.dome_s),
+                    fmt::format("{:g}", r.headlight_s)});
+  page.heading("The report's Table 1, blue cloth, for comparison");
+  page.table("table1_report", {"method", "lines or voxels", "MB", "construction, s", "sky, s", "dome, s", "point, s"},
+             rows);
+}
+
+}  // namespace
+
+bool benchTable1(const ReportBench& bench, const Task& task) {
+  ReportPage page(bench.folder, "table1", "Table 1: explicit fibres and the volume");
+  page.paragraph(
+      "Four cloths round a cylinder, at equal samples per pixel. Seconds are processor time of all threads, of two "
+      "pictures with different seeds; the ways to trace took turns, a few samples each. Errors are against the fibres "
+      "that the volume was made of: difference of the mean colour, the relative RMS of pixels free of noise "
+      "(<(A - R1)(B - R2)> / <R1 R2>; below zero where noise has the last word), and FLIP, which keeps its noise.");
+  std::vector<ClothResults> all;
+  for (const BenchCloth& cloth : cylinderCloths()) {
+    auto results = study(cloth, bench, task);
+    if (!results) return false;
+    page.heading("The " + results->name + " cloth");
+    addCosts(page, *results);
+    addErrors(page, *results, task.threads);
+    addStrips(page, *results);
+    // The fibres of one cloth must not stay in memory while the next are laid.
+    for (PreparedCloth& prepared : results->cloths) prepared.medium.reset();
+    all.push_back(std::move(*results));
+  }
+  addRatios(page, all);
+  addReport(page);
+  fmt::print("{}\n", page.finish());
+  return true;
+}
+
+}  // namespace loomlight

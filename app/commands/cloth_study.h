@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/task.h"
+#include "core/fabric/fabric.h"
+#include "render/film/film.h"
+#include "render/trace/make_medium.h"
+
+namespace loomlight {
+
+/// One way to trace a cloth, as the comparisons set it beside others.
+struct Variant {
+  std::string name;
+  Method method = Method::volume;
+  Estimator estimator = Estimator::loomlight;
+  int resolution = 8;
+};
+
+/// A cloth made ready to be traced in one way, and what that took.
+struct PreparedCloth {
+  Variant variant;
+  std::shared_ptr<const Scene> scene;
+  std::unique_ptr<const Medium> medium;
+  double elements = 0;        ///< fibre segments, or voxels stored
+  double bytes = 0;           ///< of geometry and accelerator, or of the volume and its BVDFs
+  double construction_s = 0;  ///< processor time of all threads: strands, and accelerator or voxels
+  double segmentsMade = 0;    ///< fibre segments that went into it
+};
+
+/// nullopt when stopped; throws InputError as makeScene and makeMedium do.
+std::optional<PreparedCloth> prepare(Fabric fabric, const Variant& variant, double memoryLimit_bytes, const Task& task);
+
+/// The same picture with two patterns of noise, so that what is bias can be told from what is noise.
+struct TwoPictures {
+  std::array<Film, 2> films;
+  double render_s = 0;  ///< processor time of both
+  TraceCounts counts;
+};
+
+/// Pictures of every cloth in this light, as its RenderSettings say. The cloths take turns, a few samples each, so that
+/// whatever else the machine does, it does to all of them alike. nullopt when stopped.
+std::optional<std::vector<TwoPictures>> renderInTurns(const std::vector<PreparedCloth>& cloths, const Light& light,
+                                                      const Task& task);
+
+/// How far one is from another that shows what is to be seen.
+struct StudyErrors {
+  glm::dvec3 mean_percent{0};  ///< difference of the mean colour
+  double rms_percent = 0;      ///< of pixels, free of noise; below zero where noise has the last word
+  double flip = 0;             ///< mean, with what noise there is
+};
+StudyErrors errorsOf(const TwoPictures& pictures, const TwoPictures& reference, int threads);
+
+}  // namespace loomlight

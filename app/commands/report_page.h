@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "render/film/image.h"
+
+namespace loomlight {
+
+/// A folder with a Markdown page, its pictures and its tables as CSV. Every file is whole or not there; the page is
+/// written last, by finish().
+class ReportPage {
+ public:
+  /// Makes the folder where there is none. Throws InputError where it cannot be made.
+  ReportPage(std::string folder, std::string name, const std::string& title);
+
+  void heading(const std::string& text);
+  void paragraph(const std::string& text);
+  /// The table on the page, and as NAME.csv. Every row has as many cells as the header.
+  void table(const std::string& name, const std::vector<std::string>& header,
+             const std::vector<std::vector<std::string>>& rows);
+  /// A picture, NAME.png, with a caption.
+  void picture(const std::string& name, const Pixels8& pixels, const std::string& caption);
+  /// Writes NAME.md; returns its file name.
+  std::string finish();
+
+  const std::string& folder() const { return folder_; }
+
+ private:
+  std::string folder_, name_, text_;
+};
+
+/// Pictures of equal height from left to right, with a small gap; 3 channels, over white.
+Pixels8 sideBySide(const std::vector<Pixels8>& pictures);
+/// Pictures of equal width one below the other, with a small gap.
+Pixels8 stacked(const std::vector<Pixels8>& pictures);
+
+}  // namespace loomlight
