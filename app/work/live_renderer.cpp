@@ -9,6 +9,7 @@
 #include <stop_token>
 #include <thread>
 
+#include "app/work/despeckle.h"
 #include "app/work/mailbox.h"
 #include "app/work/pass_scheduler.h"
 #include "core/base/parallel.h"
@@ -49,6 +50,9 @@ Traceable makeTraceable(const std::shared_ptr<const Fabric>& fabric, const Task&
   return made.medium ? made : Traceable{};
 }
 
+/// From here on pictures are shown as they are.
+constexpr uint32_t kClearSamples = 16;
+
 struct TraceRequest {
   Traceable cloth;
   ViewRequest view;
@@ -60,6 +64,9 @@ std::shared_ptr<const Frame> makeFrame(const Film& film, const TraceRequest& req
   frame->width = film.width();
   frame->height = film.height();
   film.toDisplayBuffer(frame->rgba);
+  // One lucky path to the sun must not stand as a block in a coarse picture; it fades as samples come.
+  if (plan.samples < kClearSamples)
+    despeckle(frame->rgba, frame->width, frame->height, 1.5f + static_cast<float>(plan.samples));
   frame->hits.reserve(frame->rgba.size());
   for (int y = 0; y < film.height(); ++y)
     for (int x = 0; x < film.width(); ++x) frame->hits.push_back(film.hit(x, y));

@@ -5,7 +5,7 @@
 namespace loomlight {
 namespace {
 
-constexpr double kFirstPictureSeconds = 1.0 / 30;
+constexpr double kFirstPictureSeconds = 0.05;
 constexpr double kShortestPassSeconds = 0.1;
 constexpr double kLongestPassSeconds = 1.0;
 constexpr int kCoarsest = 16;

@@ -1,0 +1,28 @@
+#include "app/work/despeckle.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace loomlight {
+
+void despeckle(std::span<glm::vec4> rgba, int width, int height, float limit) {
+  const auto brightness = [](const glm::vec4& c) { return std::max({c.r, c.g, c.b}); };
+  std::vector<float> before(rgba.size());
+  std::transform(rgba.begin(), rgba.end(), before.begin(), brightness);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      std::array<float, 9> around{};
+      int count = 0;
+      for (int v = std::max(0, y - 1); v <= std::min(height - 1, y + 1); ++v)
+        for (int u = std::max(0, x - 1); u <= std::min(width - 1, x + 1); ++u)
+          around[count++] = before[static_cast<size_t>(v) * width + u];
+      std::nth_element(around.begin(), around.begin() + count / 2, around.begin() + count);
+      const float most = limit * around[count / 2];
+      glm::vec4& pixel = rgba[static_cast<size_t>(y) * width + x];
+      const float own = before[static_cast<size_t>(y) * width + x];
+      if (own > most) pixel = glm::vec4(glm::vec3(pixel) * (most / own), pixel.a);
+    }
+}
+
+}  // namespace loomlight
