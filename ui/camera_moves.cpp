@@ -35,7 +35,7 @@ double pixelSize_mm(const Camera& camera, int height) {
 }
 
 /// Half extents of the drape, for a sphere around it.
-double radiusOf(const Drape& drape, double meshRadius_mm) {
+double radiusOf(const Drape& drape, const MeshExtent& mesh) {
   switch (drape.kind) {
     case DrapeKind::flat:
       return 0.5 * std::hypot(drape.width_mm, drape.height_mm);
@@ -46,9 +46,9 @@ double radiusOf(const Drape& drape, double meshRadius_mm) {
     case DrapeKind::sphere:
       return std::min(drape.radius_mm, 0.5 * std::hypot(drape.width_mm, drape.height_mm));
     case DrapeKind::mesh:
-      return meshRadius_mm;
+      return mesh.radius_mm;
   }
-  return meshRadius_mm;
+  return mesh.radius_mm;
 }
 
 }  // namespace
@@ -77,12 +77,12 @@ Camera zoomed(const Camera& camera, double clicks, double x, double y, int heigh
   return moved;
 }
 
-Camera fitted(const Camera& camera, const Drape& drape, double aspect, double meshRadius_mm) {
+Camera fitted(const Camera& camera, const Drape& drape, double aspect, const MeshExtent& mesh) {
   constexpr double kMargin = 1.02;
   Camera moved = camera;
-  moved.target_mm = glm::dvec3(0.0);
+  moved.target_mm = drape.kind == DrapeKind::mesh ? mesh.centre_mm : glm::dvec3(0.0);
   const double half = std::atan(std::tan(halfFov(camera)) * std::min(1.0, aspect));
-  moved.distance_mm = std::clamp(kMargin * radiusOf(drape, meshRadius_mm) / std::sin(half), 0.1, 100000.0);
+  moved.distance_mm = std::clamp(kMargin * radiusOf(drape, mesh) / std::sin(half), 0.1, 100000.0);
   return moved;
 }
 

@@ -9,7 +9,12 @@ Camera orbited(const Camera& camera, double dx, double dy);
 Camera panned(const Camera& camera, double dx, double dy, int height);
 /// Wheel clicks towards the cloth; what lies under the pointer, (x, y) pixels from the centre, stays there.
 Camera zoomed(const Camera& camera, double clicks, double x, double y, int height);
-/// Keeps the direction and shows the whole drape. A mesh's size is not known here: `meshRadius_mm` is.
-Camera fitted(const Camera& camera, const Drape& drape, double aspect, double meshRadius_mm);
+/// A ball around a mesh.
+struct MeshExtent {
+  glm::dvec3 centre_mm{0.0};
+  double radius_mm = 50;
+};
+/// Keeps the direction and shows the whole drape. `mesh`: of a mesh drape.
+Camera fitted(const Camera& camera, const Drape& drape, double aspect, const MeshExtent& mesh);
 
 }  // namespace loomlight

@@ -2,10 +2,17 @@
 
 namespace loomlight {
 
-std::span<const char* const> lightNames() {
+std::span<const char* const> lightNames(const Light& light) {
   static constexpr const char* kNames[] = {"Sunny sky",     "White dome",    "All around", "From behind",
                                            "At the camera", "One direction", "Picture"};
-  return kNames;
+  return std::span(kNames).first(light.file.empty() ? 6 : 7);
+}
+
+Light withKind(Light light, LightKind kind) {
+  constexpr double kUsualElevation_deg = 45;
+  light.kind = kind;
+  if (kind == LightKind::sky && light.elevation_deg <= 0) light.elevation_deg = kUsualElevation_deg;
+  return light;
 }
 
 std::span<const char* const> drapeNames(const Drape& drape) {

@@ -7,7 +7,10 @@
 namespace loomlight {
 
 /// Names of enumerations as a designer reads them, in the order of the enumerators.
-std::span<const char* const> lightNames();
+/// A picture can be chosen once there is a file.
+std::span<const char* const> lightNames(const Light& light);
+/// The light turned into another kind, and into what that kind can be: no sun shines from below the horizon.
+Light withKind(Light light, LightKind kind);
 /// A mesh can be chosen once there is a file.
 std::span<const char* const> drapeNames(const Drape& drape);
 std::span<const char* const> fibreSectionNames();

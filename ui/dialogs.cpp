@@ -36,8 +36,10 @@ std::optional<int> MessageDialog::draw(Ui& ui) {
     if (button(ui, fmt::format("message.answer_{}", i).c_str(), answers_[static_cast<size_t>(i)].c_str(), width))
       answer = i;
   }
-  if (modalCancelled()) answer = 0;
-  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false)) answer = static_cast<int>(answers_.size()) - 1;
+  // The key that brought the dialog up must not answer it.
+  if (!begin && modalCancelled()) answer = 0;
+  if (!begin && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false))
+    answer = static_cast<int>(answers_.size()) - 1;
   if (answer) {
     open_ = false;
     ImGui::CloseCurrentPopup();

@@ -18,17 +18,18 @@ bool resolutionRow(Ui& ui, RenderSettings& render) {
 }
 
 bool lightRows(Ui& ui, Light& light, InspectorResult& result) {
-  bool changed = memberChoice(ui, "light", light, &Light::kind, lightNames());
+  const LightKind before = light.kind;
+  bool changed = memberChoice(ui, "light", light, &Light::kind, lightNames(light));
+  if (light.kind != before) light = withKind(light, light.kind);
   changed |= memberField(ui, "light", light, &Light::intensity, 2);
   const bool aimed = light.kind == LightKind::sky || light.kind == LightKind::directional;
   if (aimed || light.kind == LightKind::environment)
     changed |= memberField(ui, "light", light, &Light::azimuth_deg, 0, 1);
   if (aimed) changed |= memberField(ui, "light", light, &Light::elevation_deg, 0, 0.5);
   if (light.kind == LightKind::sky) changed |= memberField(ui, "light", light, &Light::turbidity, 1);
-  if (light.kind == LightKind::environment) {
-    changed |= textField(ui, rowText("light", &Light::file), light.file);
-    if (button(ui, "light.browse", "Choose a picture\xE2\x80\xA6")) result.command = Command::chooseEnvironment;
-  }
+  if (button(ui, "light.browse", "Choose a surrounding\xE2\x80\xA6", 0, true,
+             "A latitude-longitude picture (EXR) that lights the cloth from all around"))
+    result.command = Command::chooseEnvironment;
   return changed;
 }
 

@@ -79,9 +79,9 @@ std::optional<Fabric> quickChoices(Ui& ui, const Fabric& fabric, ViewportView& v
   };
   column("light", 0, [&] {
     int kind = static_cast<int>(fabric.light.kind);
-    if (choiceField(ui, {"view.light", "Light", "What shines on the cloth"}, lightNames(), kind)) {
+    if (choiceField(ui, {"view.light", "Light", "What shines on the cloth"}, lightNames(fabric.light), kind)) {
       edited = fabric;
-      edited->light.kind = static_cast<LightKind>(kind);
+      edited->light = withKind(fabric.light, static_cast<LightKind>(kind));
     }
   });
   column("drape", 1, [&] {
@@ -140,9 +140,10 @@ ViewportEdit viewportPanel(Ui& ui, const Fabric& fabric, const ViewportModel& mo
 
   ImGui::SetCursorScreenPos(ImVec2(min.x + ImGui::GetStyle().WindowPadding.x, max.y + ui.px(8)));
   edit.fabric = quickChoices(ui, fabric, view);
-  if (view.fitWanted) {
+  const bool sizeIsKnown = fabric.drape.kind != DrapeKind::mesh || model.mesh;
+  if (view.fitWanted && sizeIsKnown) {
     const Fabric& shown = edit.fabric ? *edit.fabric : fabric;
-    edit.camera = fitted(shown.camera, shown.drape, size.x / size.y, model.meshRadius_mm);
+    edit.camera = fitted(shown.camera, shown.drape, size.x / size.y, model.mesh.value_or(MeshExtent{}));
     view.fitWanted = false;
   }
   return edit;

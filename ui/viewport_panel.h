@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "ui/camera_moves.h"
 #include "ui/crossing_index.h"
 #include "ui/ui.h"
 
@@ -15,8 +16,8 @@ struct ViewportModel {
   std::string underYarn;               ///< name of the yarn seen there
   bool building = false;
   double buildProgress = 1;
-  std::string error;          ///< why the newest fabric cannot be shown; empty if it can
-  double meshRadius_mm = 50;  ///< for fitting a mesh drape into view
+  std::string error;               ///< why the newest fabric cannot be shown; empty if it can
+  std::optional<MeshExtent> mesh;  ///< of a mesh drape, once it is known
 };
 
 /// How the picture is looked at; kept between frames, no part of the fabric.

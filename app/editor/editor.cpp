@@ -52,13 +52,9 @@ void runLoop(Window& window, Session& session, const std::string& dumpFile) {
   int framesLeft = kFramesPerEvent;
   double wakeIn = 0;
   while (!session.isOver()) {
-    if (framesLeft > 0) {
-      window.waitForEvents(0);
-      --framesLeft;
-    } else {
-      window.waitForEvents(std::min(wakeIn, kLongestSleep_s));
-      framesLeft = kFramesPerEvent - 1;
-    }
+    const bool sleeps = framesLeft <= 0;
+    const bool input = window.waitForEvents(sleeps ? std::min(wakeIn, kLongestSleep_s) : 0);
+    framesLeft = input || sleeps ? kFramesPerEvent - 1 : framesLeft - 1;
     for (const std::string& file : window.takeDroppedFiles()) session.openFile(file);
     if (window.closeWanted()) {
       window.refuseClose();

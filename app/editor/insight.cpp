@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "core/base/error.h"
 #include "core/geometry/cloth_geometry.h"
+#include "core/shell/shell.h"
 
 namespace loomlight {
 namespace {
@@ -53,6 +55,26 @@ std::shared_ptr<const Insight> InsightWorker::newest() const {
   return newest_;
 }
 
+std::optional<MeshExtent> InsightWorker::extentOf(const Drape& drape) {
+  if (drape.kind != DrapeKind::mesh) return std::nullopt;
+  if (drape == measured_) return measuredExtent_;
+  measured_ = drape;
+  measuredExtent_.reset();
+  try {
+    const DrapeMesh mesh = makeDrape(drape);
+    if (mesh.positions.empty()) return std::nullopt;
+    glm::vec3 lower = mesh.positions.front(), upper = lower;
+    for (const glm::vec3& p : mesh.positions) {
+      lower = glm::min(lower, p);
+      upper = glm::max(upper, p);
+    }
+    measuredExtent_ = MeshExtent{0.5f * (lower + upper), 0.5 * glm::length(upper - lower)};
+  } catch (const InputError&) {
+    return std::nullopt;  // the builder reads it too, and tells the user
+  }
+  return measuredExtent_;
+}
+
 void InsightWorker::loop(std::stop_token stop) {
   while (auto request = requests_.wait(stop)) {
     auto insight = std::make_shared<Insight>();
@@ -62,6 +84,7 @@ void InsightWorker::loop(std::stop_token stop) {
     insight->floats = floats(request->fabric->weave);
     insight->cover = coverFactors(*request->fabric);
     insight->warnings = warnings(*request->fabric);
+    insight->mesh = extentOf(request->fabric->drape);
     {
       std::lock_guard lock(mutex_);
       newest_ = std::move(insight);

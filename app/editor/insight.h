@@ -3,12 +3,14 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "app/work/mailbox.h"
 #include "core/fabric/derived.h"
+#include "ui/camera_moves.h"
 #include "ui/yarn_section.h"
 
 namespace loomlight {
@@ -21,6 +23,7 @@ struct Insight {
   Floats floats;
   CoverFactors cover;
   std::vector<std::string> warnings;
+  std::optional<MeshExtent> mesh;  ///< of a mesh drape that could be read
 };
 
 /// The section of one yarn of the fabric, as it lies in plain cloth of this sett.
@@ -40,11 +43,14 @@ class InsightWorker {
     int yarn = 0;
   };
   void loop(std::stop_token stop);
+  std::optional<MeshExtent> extentOf(const Drape& drape);
 
   std::function<void()> wake_;
   Mailbox<Request> requests_;
   mutable std::mutex mutex_;
   std::shared_ptr<const Insight> newest_;
+  Drape measured_;  // the loop's alone: the mesh it has read last, and its extent
+  std::optional<MeshExtent> measuredExtent_;
   std::jthread thread_;  // last: it stops before what it uses is gone
 };
 

@@ -54,7 +54,7 @@ class Session {
   // session_panels.cpp: what is drawn
   void drawPanels(Ui& ui);
   void drawDraft(Ui& ui);
-  void drawViewport(Ui& ui, const LiveStatus& status);
+  void drawViewport(Ui& ui, const Insight* insight, const LiveStatus& status);
   void drawInspector(Ui& ui, const Insight* insight, const LiveStatus& status);
   StatusModel statusModel(const Insight* insight, const LiveStatus& status) const;
   void lookUnderPointer();
@@ -112,7 +112,7 @@ class Session {
   int insightYarn_ = -1;
   uint64_t keptRevision_ = 0;  ///< of the document, last handed to autosave
   uint64_t gesture_ = 1;
-  bool over_ = false, fullScreen_ = false;
+  bool quitOnceSaved_ = false, over_ = false, fullScreen_ = false;
 };
 
 }  // namespace loomlight

@@ -191,7 +191,9 @@ void Session::save(const std::string& file) {
     document_.save(file);
     settings_.folder = fs::absolute(file).parent_path().string();
     autosave_.forget();
+    over_ = quitOnceSaved_;
   } catch (const InputError& error) {
+    quitOnceSaved_ = false;
     say("The file could not be written", std::string(error.what()) + "\n\nNothing is lost: the cloth is still here.");
   }
 }
@@ -211,7 +213,7 @@ void Session::offerRecovery() {
   if (!left) return;
   pendingFile_ = left->string();
   ask(Question::recover, "Unsaved work was found", "The editor ended before this work was saved. Take it up again?",
-      {"Throw away", "Take up"});
+      {"Later", "Throw away", "Take up"});
 }
 
 void Session::ask(Question question, std::string title, std::string text, std::vector<std::string> answers) {
@@ -227,14 +229,17 @@ void Session::answered(int answer) {
   const Question question = std::exchange(question_, Question::none);
   if (question == Question::quit && answer == 1) over_ = true;
   if (question == Question::quit && answer == 2) {
+    quitOnceSaved_ = true;
     run(Command::save);
-    over_ = !document_.isDirty();
   }
   if (question == Question::discardForNew && answer == 1) startOver(Document(sampleFabric()));
   if (question == Question::discardForOpen && answer == 1) openFabric(pendingFile_);
-  if (question != Question::recover) return;
+  if (question != Question::recover || answer == 0) return;
   try {
-    if (answer == 1) edit(readFabric(pendingFile_));
+    if (answer == 2) {
+      startOver(Document(sampleFabric()));  // not into a file that was just opened
+      edit(readFabric(pendingFile_));
+    }
   } catch (const InputError& error) {
     say("The work could not be taken up", error.what());
     return;
@@ -295,6 +300,7 @@ void Session::drawDialogs(Ui& ui) {
   // The browser stands in for the snapshot dialog while it names its file.
   if (!browser_.isOpen() && snapshotDialog_.isOpen()) drawSnapshot(ui);
   if (const auto file = browser_.draw(ui)) fileChosen(*file);
+  if (!browser_.isOpen()) quitOnceSaved_ = false;  // no file was named
   if (const auto answer = message_.draw(ui)) answered(*answer);
   keys_.draw(ui);
 }

@@ -40,7 +40,7 @@ void Session::drawPanels(Ui& ui) {
   const DeskAreas areas = deskAreas(settings_.desk, ImGui::GetIO().DisplaySize, menuHeight, ui.scale);
   splitters(ui, settings_.desk, areas);
   beginPanel("viewport", areas.viewport, false);
-  drawViewport(ui, status);
+  drawViewport(ui, insight.get(), status);
   endPanel();
   if (settings_.desk.panelsShown) {
     beginPanel("draft", areas.draft, true);
@@ -65,7 +65,7 @@ void Session::drawDraft(Ui& ui) {
   if (const auto choice = presetList(ui, presets_.names(), sampleNames_)) applyPreset(*choice);
 }
 
-void Session::drawViewport(Ui& ui, const LiveStatus& status) {
+void Session::drawViewport(Ui& ui, const Insight* insight, const LiveStatus& status) {
   std::optional<ViewportPicture::Outline> outline;
   const Weave& weave = document_.fabric()->weave;
   // A coarse first pass has pixels larger than crossings; an outline of them would only be blocks.
@@ -80,6 +80,7 @@ void Session::drawViewport(Ui& ui, const LiveStatus& status) {
   model.building = status.phase == LiveStatus::Phase::voxelising && status.buildProgress < 1;
   model.buildProgress = status.buildProgress;
   model.error = status.error;
+  if (insight && insight->fabric->drape == document_.fabric()->drape) model.mesh = insight->mesh;
   ViewportEdit result = viewportPanel(ui, *document_.fabric(), model, viewport_);
   if (result.fabric) edit(std::move(*result.fabric));
   if (result.camera) document_.lookFrom(*result.camera);
@@ -162,6 +163,8 @@ StatusModel Session::statusModel(const Insight* insight, const LiveStatus& statu
 
 void Session::tellProbe(Ui& ui, const LiveStatus& status) const {
   if (!ui.probe.watching()) return;
+  ui.probe.fact("frame", std::to_string(ImGui::GetFrameCount()));
+  ui.probe.fact("text_input", ImGui::GetIO().WantTextInput ? "yes" : "no");
   ui.probe.fact("name", document_.fabric()->name);
   ui.probe.fact("file", document_.file());
   ui.probe.fact("dirty", document_.isDirty() ? "yes" : "no");

@@ -55,6 +55,8 @@ Window::Window(const std::string& title, int width, int height, float scale) {
     self->dropped_.insert(self->dropped_.end(), paths, paths + count);
   });
 
+  noticeInput();
+
   ImGui::CreateContext();
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
@@ -87,12 +89,28 @@ void Window::setTitle(const std::string& title) {
   glfwSetWindowTitle(window_, title.c_str());
 }
 
-void Window::waitForEvents(double seconds) {
+/// Dear ImGui calls these in turn from its own, so they must be there before it.
+void Window::noticeInput() {
+  static constexpr auto seen = [](GLFWwindow* window) {
+    static_cast<Window*>(glfwGetWindowUserPointer(window))->inputSeen_ = true;
+  };
+  glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int, int, int) { seen(window); });
+  glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double, double) { seen(window); });
+  glfwSetScrollCallback(window_, [](GLFWwindow* window, double, double) { seen(window); });
+  glfwSetKeyCallback(window_, [](GLFWwindow* window, int, int, int, int) { seen(window); });
+  glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned) { seen(window); });
+  glfwSetWindowSizeCallback(window_, [](GLFWwindow* window, int, int) { seen(window); });
+  glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) { seen(window); });
+}
+
+bool Window::waitForEvents(double seconds) {
+  inputSeen_ = false;
   if (seconds <= 0) {
     glfwPollEvents();
   } else {
     glfwWaitEventsTimeout(seconds);
   }
+  return inputSeen_;
 }
 
 void Window::wake() {

@@ -27,8 +27,8 @@ class Window {
   void setTheme(const Theme& theme);
   void setTitle(const std::string& title);
 
-  /// Sleeps until there is input, wake(), or the time is over.
-  void waitForEvents(double seconds);
+  /// Sleeps until there is input, wake(), or the time is over; 0 does not sleep. True when there was input.
+  bool waitForEvents(double seconds);
   static void wake();  ///< from any thread
 
   void beginFrame();
@@ -43,11 +43,13 @@ class Window {
 
  private:
   void followMonitorScale();
+  void noticeInput();
 
   GLFWwindow* window_ = nullptr;
   float scale_ = 1;
   bool scaleIsGiven_ = false;
   bool fullScreen_ = false;
+  bool inputSeen_ = false;
   int placeX_ = 0, placeY_ = 0, placeWidth_ = 0, placeHeight_ = 0;
   Theme theme_ = Theme::dark();
   Fonts fonts_;

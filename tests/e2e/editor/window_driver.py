@@ -49,7 +49,7 @@ class Display:
 class Editor:
     """The program in a home of its own, and what it says of its widgets."""
 
-    hold = 0.12  # seconds between the parts of a gesture; more than two frames even on a busy machine
+    frames_held = 2  # between the parts of a gesture
 
     def __init__(self, display, width, height):
         self.process = None
@@ -101,48 +101,48 @@ class Editor:
             time.sleep(0.03)
         raise Failure(f"waited {seconds:.0f} s in vain until {what}; facts: {self.dump()['facts']}\n{self.log()}")
 
-    def xdotool(self, *arguments):
+    def act(self, *arguments):
+        """One event; returns when the program has drawn what it brought. An event without effect brings no frame."""
+        first = self.number("frame")
         subprocess.run(["xdotool", *map(str, arguments)], env=self.environment, check=True, timeout=20)
-
-    def pause(self):
-        time.sleep(self.hold)
+        end = time.monotonic() + 0.6
+        while self.number("frame") < first + self.frames_held and time.monotonic() < end:
+            time.sleep(0.01)
 
     def centre(self, widget):
         """Where the widget is once it has come to rest: a list that opens is laid out over its first frames."""
-        seen = []
+        place, since, frame = None, 0.0, 0
 
         def rests():
-            seen.append(self.widgets().get(widget))
-            self.pause()
-            return seen[-1] is not None and seen[-1] == self.widgets().get(widget)
+            nonlocal place, since, frame
+            dump = self.dump()
+            now, now_frame = dump["widgets"].get(widget), int(dump["facts"].get("frame", 0))
+            if now != place:
+                place, since, frame = now, time.monotonic(), now_frame
+            return now is not None and (now_frame >= frame + 2 or time.monotonic() > since + 0.4)
 
         self.wait_until(f"{widget} is on the screen", rests)
-        x0, y0, x1, y1 = seen[-1]
+        x0, y0, x1, y1 = place
         return (x0 + x1) / 2, (y0 + y1) / 2
 
     def move(self, x, y):
-        self.xdotool("mousemove", int(x), int(y))
-        self.pause()
+        self.act("mousemove", int(x), int(y))
 
     def click(self, widget, button=1):
         self.click_at(*self.centre(widget), button)
 
     def click_at(self, x, y, button=1):
         self.move(x, y)
-        self.xdotool("mousedown", button)
-        self.pause()
-        self.xdotool("mouseup", button)
-        self.pause()
+        self.act("mousedown", button)
+        self.act("mouseup", button)
 
     def drag(self, start, end, button=1, steps=4):
         self.move(*start)
-        self.xdotool("mousedown", button)
-        self.pause()
+        self.act("mousedown", button)
         for i in range(1, steps + 1):
             t = i / steps
             self.move(start[0] + t * (end[0] - start[0]), start[1] + t * (end[1] - start[1]))
-        self.xdotool("mouseup", button)
-        self.pause()
+        self.act("mouseup", button)
 
     def drag_widget(self, widget, dx, dy=0, button=1):
         x, y = self.centre(widget)
@@ -151,16 +151,12 @@ class Editor:
     def key(self, *names):
         for name in names:
             parts = name.split("+")
-            for part in parts:
-                self.xdotool("keydown", part)
-            self.pause()
-            for part in reversed(parts):
-                self.xdotool("keyup", part)
-            self.pause()
+            self.act(*(word for part in parts for word in ("keydown", part)))
+            self.act(*(word for part in reversed(parts) for word in ("keyup", part)))
 
     def type(self, text):
-        self.xdotool("type", "--delay", "40", text)
-        self.pause()
+        self.wait_until("a text field listens", lambda: self.fact("text_input") == "yes")
+        self.act("type", "--delay", "15", text)
 
     def screenshot(self, name, widget=None):
         """Writes a PNG of the window, or of one widget, and returns its file."""

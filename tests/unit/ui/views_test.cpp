@@ -71,7 +71,7 @@ TEST(CameraMoves, FitShowsEveryCornerOfTheCloth) {
   drape.height_mm = 11;
   const int height = 500;
   for (double aspect : {0.5, 1.0, 2.0}) {
-    const Camera camera = fitted(someCamera(), drape, aspect, 1);
+    const Camera camera = fitted(someCamera(), drape, aspect, {});
     for (double x : {-18.5, 18.5})
       for (double y : {-5.5, 5.5}) {
         const glm::dvec2 p = project(camera, {x, y, 0}, height);
