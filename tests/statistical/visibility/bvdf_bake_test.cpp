@@ -3,6 +3,9 @@
 #include <cmath>
 
 #include "render/trace/bvdf_baker.h"
+#include "render/trace/fibre_medium.h"
+#include "render/trace/path_tracer.h"
+#include "render/trace/report_medium.h"
 #include "render/visibility/bvdf_picture.h"
 #include "tests/support/test_cloth.h"
 
@@ -105,6 +108,42 @@ TEST(BvdfBaker, IsAPropertyOfTheYarnMoreThanOfTheWeave) {
   for (size_t i = 0; i < plain.size(); ++i)
     error += std::pow(plain[i] - other[i], 2) / static_cast<double>(plain.size());
   EXPECT_LT(std::sqrt(error), 0.05);
+}
+
+/// Mean radiance, over the cloth, of light that comes straight from the lamp to the first fibre.
+double directLight(const Scene& scene, const Medium& medium) {
+  const CameraRays camera(scene.fabric->camera, 32, 32);
+  TraceCounts counts;
+  double light = 0, alpha = 0;
+  for (int y = 0; y < 32; ++y)
+    for (int x = 0; x < 32; ++x)
+      for (uint32_t i = 0; i < 8; ++i) {
+        const PathSample sample = tracePath(scene, medium, camera, x, y, i, counts);
+        light += sample.direct.g;
+        alpha += sample.alpha;
+      }
+  return light / alpha;
+}
+
+// What local visibility is for: with the lamp at the eye the plain volume is half in the dark, the fibres are not.
+TEST(ReportMedium, TakesMostOfTheShadowOffAHeadlight) {
+  for (const FibreLayout layout : {FibreLayout::random, FibreLayout::packed}) {
+    Fabric fabric = test::whiteCotton();
+    fabric.yarns[0].layout = layout;
+    fabric.yarns[0].count_tex = 10;
+    fabric.ends_per_cm = fabric.picks_per_cm = 30;
+    fabric.drape.width_mm = fabric.drape.height_mm = 5;
+    fabric.camera.distance_mm = 6;
+    fabric.light.kind = LightKind::headlight;
+    fabric.render.maxDepth = 1;
+    const auto scene = test::sceneOf(fabric);
+    const auto bvdf = bakeBvdf(fabric, {{}, 500'000}, BvdfCache(std::filesystem::path()), Task{});
+    const double truth = directLight(*scene, *FibreMedium::build(*scene, 2e9, Task{}));
+    const double plain = directLight(*scene, VolumeMedium(*scene));
+    const double report = directLight(*scene, ReportMedium(*scene, bvdf));
+    EXPECT_LT(plain, 0.75 * truth);
+    EXPECT_LT(std::abs(report - truth), 0.6 * std::abs(plain - truth));
+  }
 }
 
 }  // namespace
