@@ -52,7 +52,7 @@ struct ShellSegment {
 /// Follows the ray from + t direction (unit) through every fold of the shell that it meets, for t in (0, tMax), and
 /// calls visit(const ShellSegment&), in order, until it returns false. True if nothing stopped it.
 template <class Visit>
-bool walkShell(const Scene& scene, const Place& from, glm::vec3 direction, float tMax, Visit&& visit) {
+bool walkShell(const Scene& scene, const ScenePoint& from, glm::vec3 direction, float tMax, Visit&& visit) {
   const Shell& shell = *scene.shell;
   const bool flat = shell.isFlat();
   int tet = from.tet;
@@ -93,7 +93,7 @@ bool walkShell(const Scene& scene, const Place& from, glm::vec3 direction, float
 /// Shows each voxel with content on the way, in order, to visit(const VoxelContent&, float tEnter, float tLeave, const
 /// LocalDrape&, int tet), which returns false to stop. Parameters are world distances from `from`.
 template <class Visit>
-bool walkCloth(const Scene& scene, const Place& from, glm::vec3 direction, float tMax, Visit&& visit) {
+bool walkCloth(const Scene& scene, const ScenePoint& from, glm::vec3 direction, float tMax, Visit&& visit) {
   return walkShell(scene, from, direction, tMax, [&](const ShellSegment& s) {
     return scene.volume->march(s.clothOrigin, s.clothDirection, s.tEnter, s.tLeave,
                                [&](const VoxelContent& content, float tEnter, float tLeave) {

@@ -9,7 +9,7 @@
 namespace loomlight {
 
 /// A point of the scene, and the shell's tetrahedron it lies in; -1 outside of the shell.
-struct Place {
+struct ScenePoint {
   glm::vec3 world{0};
   int tet = -1;
 };
@@ -41,7 +41,7 @@ struct Trail {
 
 /// A scattering event: where a ray met a fibre, and which.
 struct Collision {
-  Place place;
+  ScenePoint place;
   float distance_mm = 0;         ///< along the ray, from the start of the flight
   glm::vec3 incoming{0, 0, -1};  ///< direction of the ray
   glm::vec3 tangent{1, 0, 0};
@@ -58,7 +58,7 @@ struct Collision {
 
 /// Where light sets out: from the eye, or from the fibre that it has just left.
 struct Departure {
-  Place place;
+  ScenePoint place;
   int events = 0;          ///< fibres met on the path so far
   uint64_t fibre = 0;      ///< the fibre it leaves; 0: none, or unknown
   float clearance_mm = 0;  ///< within this distance that fibre is not met again
@@ -79,6 +79,10 @@ class Medium {
   /// An unbiased estimate of the probability that a ray meets no fibre within `distance`.
   virtual float transmittance(const Departure& from, glm::vec3 direction, float distance, Random& random,
                               TraceCounts& counts) const = 0;
+
+  /// Whether light that comes straight from a lamp to the first fibre of a path is seen by transmittance() alone,
+  /// whatever the flight that goes on from there meets: the report's way. False where both are one law.
+  virtual bool seesDirectLightApart() const { return false; }
 
   /// Where light that takes mode `order` (p) out of the fibre into direction wi sets out again.
   virtual Departure leave(const Collision& collision, glm::vec3 wi, int order) const = 0;

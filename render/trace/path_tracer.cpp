@@ -4,6 +4,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <limits>
 
 #include "core/base/parallel.h"
 #include "render/optics/fibre_frame.h"
@@ -126,16 +127,17 @@ PathSample tracePath(const Scene& scene, const Medium& medium, const CameraRays&
   Departure from{{ray.origin, -1}};
   glm::vec3 direction = ray.direction;
   float scatterPdf = 0;
+  bool addedAlready = false;  // what this flight may bring straight from a lamp to the first fibre
+  const auto escaped = [&] {
+    const float weight =
+        lamps ? misWeight(scatterPdf, lampChance(sample.events) * scene.lighting->pdf(direction)) : 1.0f;
+    return state.throughput() * scene.lighting->escape(direction) * weight;
+  };
   ++counts.paths;
   for (;;) {
     const auto collision = medium.collide(from, direction, random, counts);
-    if (!collision) {
-      if (sample.events > 0) {  // what the camera sees past the cloth is the backdrop's affair: alpha
-        const float weight =
-            lamps ? misWeight(scatterPdf, lampChance(sample.events) * scene.lighting->pdf(direction)) : 1.0f;
-        const Rgb light = state.throughput() * scene.lighting->escape(direction) * weight;
-        (sample.events == 1 ? sample.direct : sample.indirect) += light;
-      }
+    if (!collision) {  // what the camera sees past the cloth is the backdrop's affair: alpha
+      if (sample.events > 0 && !addedAlready) (sample.events == 1 ? sample.direct : sample.indirect) += escaped();
       return sample;
     }
     if (sample.events == 0) recordFirstHit(*collision, sample);
@@ -158,6 +160,11 @@ PathSample tracePath(const Scene& scene, const Medium& medium, const CameraRays&
     scatterPdf = scattered.pdf;
     direction = frame.toWorld(scattered.wi);
     from = medium.leave(*collision, direction, scattered.order);
+    addedAlready = sample.events == 1 && medium.seesDirectLightApart();
+    if (addedAlready) {
+      constexpr float kFar = std::numeric_limits<float>::infinity();
+      sample.direct += escaped() * medium.transmittance(from, direction, kFar, random, counts);
+    }
   }
 }
 

@@ -17,7 +17,7 @@ Scene withReportLaw(Scene scene) {
   return scene;
 }
 
-glm::vec3 normalAt(const Shell& shell, const Place& place) {
+glm::vec3 normalAt(const Shell& shell, const ScenePoint& place) {
   if (shell.isFlat()) return {0, 0, 1};
   const glm::mat3 frame = shell.frame(place.tet, place.world);
   return glm::normalize(glm::cross(frame[0], frame[1]));
@@ -25,7 +25,7 @@ glm::vec3 normalAt(const Shell& shell, const Place& place) {
 
 /// Distance to the far side of the cell around a place. Within the cell the drape is taken as affine: cells are small
 /// against its triangles, or its triangles nearly in one plane.
-float distanceThroughCell(const Scene& scene, const Place& from, glm::vec3 direction) {
+float distanceThroughCell(const Scene& scene, const ScenePoint& from, glm::vec3 direction) {
   const Shell& shell = *scene.shell;
   const glm::vec3 cloth = shell.toCloth(from.tet, from.world);
   const glm::vec3 clothDirection = shell.isFlat() ? direction : shell.tets()[from.tet].toCloth * direction;

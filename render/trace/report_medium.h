@@ -23,6 +23,7 @@ class ReportMedium final : public Medium {
   /// From the first event: direct light. As exact as that of VolumeMedium.
   float transmittance(const Departure& from, glm::vec3 direction, float distance, Random& random,
                       TraceCounts& counts) const override;
+  bool seesDirectLightApart() const override { return true; }
   Departure leave(const Collision& collision, glm::vec3 wi, int order) const override;
 
  private:

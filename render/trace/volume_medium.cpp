@@ -51,7 +51,7 @@ std::optional<Collision> VolumeMedium::collide(const Departure& from, glm::vec3 
 }
 
 Departure VolumeMedium::leave(const Collision& collision, glm::vec3, int) const {
-  return {collision.place};
+  return {collision.place, collision.events};
 }
 
 float VolumeMedium::transmittance(const Departure& from, glm::vec3 direction, float distance, Random& random,
