@@ -36,6 +36,13 @@ double segmentsOf(const Fabric& fabric) {
   return geometry.measure().segmentsPerRepeat * ends / geometry.repeatEnds() * picks / geometry.repeatPicks();
 }
 
+Fabric rearranged(Fabric fabric) {
+  const ClothGeometry geometry(fabric, 1, 1);
+  fabric.drape.width_mm += 2 * geometry.repeatEnds() * fabric.warpPitch_mm();
+  fabric.drape.height_mm += 2 * geometry.repeatPicks() * fabric.weftPitch_mm();
+  return fabric;
+}
+
 Fabric withSegments(Fabric fabric, double segments) {
   const double scale = std::sqrt(segments / segmentsOf(fabric));
   fabric.drape.width_mm = std::clamp(fabric.drape.width_mm * scale, 1.0, 1e4);

@@ -21,6 +21,9 @@ std::vector<BenchCloth> largeCloths();
 /// The fabric on a smaller piece of the same drape, so that it has about that many fibre segments; larger where it has
 /// fewer.
 Fabric withSegments(Fabric fabric, double segments);
+/// The same yarns with another arrangement of their fibres in every crossing: the piece, a repeat longer on every side,
+/// so that what lay in the middle is a repeat further on along the cloth. A flat piece or a cylinder.
+Fabric rearranged(Fabric fabric);
 /// Fibre segments of the whole piece, from its geometry alone.
 double segmentsOf(const Fabric& fabric);
 

@@ -8,7 +8,7 @@
 #include "app/commands/interrupt.h"
 #include "app/commands/progress.h"
 #include "app/commands/stopwatch.h"
-#include "app/work/file_name.h"
+#include "app/workers/file_name.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/fabric/fabric_json.h"

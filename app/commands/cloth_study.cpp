@@ -18,9 +18,18 @@ std::shared_ptr<const Scene> relit(const Scene& scene, const Light& light, uint6
   return makeScene(std::make_shared<const Fabric>(std::move(fabric)), task, &scene);
 }
 
-PicturePair pairOf(const Film& picture, const Film& reference) {
-  return {linearPicture(picture.toImage(false), "picture"), linearPicture(reference.toImage(false), "reference"),
-          "picture", "reference"};
+LinearPicture middleOf(const Film& film, double part) {
+  LinearPicture middle;
+  middle.width = std::max(1, static_cast<int>(film.width() * part));
+  middle.height = std::max(1, static_cast<int>(film.height() * part));
+  const int x0 = (film.width() - middle.width) / 2, y0 = (film.height() - middle.height) / 2;
+  for (int y = 0; y < middle.height; ++y)
+    for (int x = 0; x < middle.width; ++x) middle.pixels.push_back(film.mean(x0 + x, y0 + y));
+  return middle;
+}
+
+PicturePair pairOf(const Film& picture, const Film& reference, double part) {
+  return {middleOf(picture, part), middleOf(reference, part), "picture", "reference"};
 }
 
 }  // namespace
@@ -82,9 +91,9 @@ std::optional<std::vector<TwoPictures>> renderInTurns(const std::vector<Prepared
   return pictures;
 }
 
-StudyErrors errorsOf(const TwoPictures& pictures, const TwoPictures& reference, int threads) {
-  const PicturePair first = pairOf(pictures.films[0], reference.films[0]);
-  const PicturePair second = pairOf(pictures.films[1], reference.films[1]);
+StudyErrors errorsOf(const TwoPictures& pictures, const TwoPictures& reference, int threads, double part) {
+  const PicturePair first = pairOf(pictures.films[0], reference.films[0], part);
+  const PicturePair second = pairOf(pictures.films[1], reference.films[1], part);
   StudyErrors errors;
   const double bias = noiseFreeBias(first, second);
   errors.rms_percent = 100 * std::copysign(std::sqrt(std::abs(bias)), bias);

@@ -53,6 +53,7 @@ struct StudyErrors {
   double rms_percent = 0;      ///< of pixels, free of noise; below zero where noise has the last word
   double flip = 0;             ///< mean, with what noise there is
 };
-StudyErrors errorsOf(const TwoPictures& pictures, const TwoPictures& reference, int threads);
+/// `part`: of width and height, around the middle, that is compared.
+StudyErrors errorsOf(const TwoPictures& pictures, const TwoPictures& reference, int threads, double part = 1);
 
 }  // namespace loomlight

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/work/file_name.h"
+#include "app/workers/file_name.h"
 #include "core/base/error.h"
 #include "render/metrics/comparison.h"
 #include "render/metrics/heat_map.h"

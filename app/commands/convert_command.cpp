@@ -4,7 +4,7 @@
 
 #include "app/commands/inputs.h"
 #include "app/commands/weave_bitmap.h"
-#include "app/work/file_name.h"
+#include "app/workers/file_name.h"
 #include "core/base/error.h"
 #include "core/fabric/fabric_json.h"
 

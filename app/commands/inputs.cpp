@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include "app/commands/weave_bitmap.h"
-#include "app/work/file_name.h"
-#include "app/work/picture.h"
+#include "app/workers/file_name.h"
+#include "app/workers/picture.h"
 #include "core/base/error.h"
 #include "core/fabric/fabric_json.h"
 

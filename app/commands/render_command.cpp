@@ -11,7 +11,7 @@
 #include "app/commands/render_stats.h"
 #include "app/commands/stopwatch.h"
 #include "app/commands/usage_error.h"
-#include "app/work/picture.h"
+#include "app/workers/picture.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/fabric/fabric_json.h"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <thread>
 
-#include "app/work/mailbox.h"
+#include "app/workers/mailbox.h"
 #include "core/fabric/fabric.h"
 
 namespace loomlight {

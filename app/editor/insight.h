@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "app/work/mailbox.h"
+#include "app/workers/mailbox.h"
 #include "core/fabric/derived.h"
 #include "ui/camera_moves.h"
 #include "ui/yarn_section.h"

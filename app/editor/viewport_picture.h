@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "app/work/live_renderer.h"
+#include "app/workers/live_renderer.h"
 #include "render/film/tone.h"
 #include "ui/crossing_index.h"
 

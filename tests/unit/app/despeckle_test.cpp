@@ -1,4 +1,4 @@
-#include "app/work/despeckle.h"
+#include "app/workers/despeckle.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/work/live_renderer.h"
+#include "app/workers/live_renderer.h"
 
 #include <gtest/gtest.h>
 

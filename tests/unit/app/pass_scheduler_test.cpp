@@ -1,4 +1,4 @@
-#include "app/work/pass_scheduler.h"
+#include "app/workers/pass_scheduler.h"
 
 #include <gtest/gtest.h>
 

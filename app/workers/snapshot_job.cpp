@@ -1,9 +1,9 @@
-#include "app/work/snapshot_job.h"
+#include "app/workers/snapshot_job.h"
 
 #include <algorithm>
 #include <exception>
 
-#include "app/work/picture.h"
+#include "app/workers/picture.h"
 #include "core/base/parallel.h"
 #include "render/trace/make_medium.h"
 #include "render/trace/path_tracer.h"

@@ -1,4 +1,4 @@
-#include "app/work/file_name.h"
+#include "app/workers/file_name.h"
 
 #include <algorithm>
 #include <cctype>

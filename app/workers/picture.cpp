@@ -1,11 +1,11 @@
-#include "app/work/picture.h"
+#include "app/workers/picture.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
 
-#include "app/work/file_name.h"
+#include "app/workers/file_name.h"
 #include "core/base/error.h"
 #include "core/fabric/fabric_json.h"
 #include "render/film/image.h"

@@ -1,4 +1,4 @@
-#include "app/work/live_renderer.h"
+#include "app/workers/live_renderer.h"
 
 #include <algorithm>
 #include <chrono>
@@ -9,9 +9,9 @@
 #include <stop_token>
 #include <thread>
 
-#include "app/work/despeckle.h"
-#include "app/work/mailbox.h"
-#include "app/work/pass_scheduler.h"
+#include "app/workers/despeckle.h"
+#include "app/workers/mailbox.h"
+#include "app/workers/pass_scheduler.h"
 #include "core/base/parallel.h"
 #include "render/trace/make_medium.h"
 #include "render/trace/path_tracer.h"
