@@ -71,7 +71,7 @@ bool addLocalVisibility(ReportPage& page, const ReportBench& bench, const Task& 
   Fabric fabric = withSegments(cloth.fabric, bench.quick ? 30'000 : 20e6);
   fabric.render.width = bench.quick ? 48 : 320;
   fabric.render.height = bench.quick ? 36 : 240;
-  fabric.render.samplesPerPixel = 64;
+  fabric.render.samplesPerPixel = bench.quick ? 128 : 64;
   fabric.camera = cameraOf(ViewChoice{-90, 50, {}, {}}, fabric, makeDrape(fabric.drape));
   std::vector<PreparedCloth> cloths;
   for (const Variant& variant : {Variant{"fibres", Method::fibres, Estimator::loomlight, 4},

@@ -43,6 +43,11 @@ std::optional<PreparedCloth> prepare(Fabric fabric, const Variant& variant, doub
   CpuStopwatch watch;
   cloth.scene = makeScene(std::make_shared<const Fabric>(std::move(fabric)), task);
   if (!cloth.scene) return std::nullopt;
+  // Once more, alone: a scene has lights and lobes to make as well.
+  const ClothGeometry& geometry = cloth.scene->volume->geometry();
+  watch.lap();
+  const auto copy = std::make_shared<const ClothGeometry>(*cloth.scene->fabric, geometry.ends(), geometry.picks());
+  if (!ClothVolume::build(copy, variant.resolution, task)) return std::nullopt;
   const double volume_s = watch.lap();
   MediumCost cost;
   cloth.medium = makeMedium(*cloth.scene, memoryLimit_bytes, task, &cost);

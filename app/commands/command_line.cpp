@@ -1,5 +1,7 @@
 #include "app/commands/command_line.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <functional>
@@ -261,8 +263,10 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   addBrdf(*brdfs, brdf);
   CLI::App* const benches =
       app.add_subcommand("bench", "measure: what a volume costs, or the report's table and figures");
-  benches->require_subcommand(1);
-  addVolumeBench(*benches->add_subcommand("volume", "voxels, memory and speed at several resolutions"), bench);
+  std::vector<std::string> noSuite;  // what stands where a suite should
+  benches->add_option("SUITE", noSuite)->group("");
+  CLI::App* const volumes = benches->add_subcommand("volume", "voxels, memory and speed at several resolutions");
+  addVolumeBench(*volumes, bench);
   CLI::App* const tables = benches->add_subcommand("table1", "Table 1 of the report: explicit fibres and the volume");
   addReportBench(*tables, table1);
   CLI::App* const figuresOf = benches->add_subcommand("figures", "the report's figures, ours beside explicit fibres");
@@ -295,7 +299,10 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   if (*converts) return convert;
   if (*tables) return table1;
   if (*figuresOf) return figures;
-  if (*benches) return bench;
+  if (*volumes) return bench;
+  if (*benches)
+    throw UsageError(
+        fmt::format("bench: expected volume, table1 or figures, got '{}'", noSuite.empty() ? "" : noSuite.front()));
   if (*visibilities) return bvdf;
   if (*compares) {
     if (compare.yardstickAgain && !compare.yardstick)

@@ -126,6 +126,32 @@ TEST(CommandLine, InfoConvertAndBench) {
   EXPECT_EQ(bench.rounds, 1);
 }
 
+TEST(CommandLine, BrdfTakesCamerasAndALight) {
+  const auto brdf = parsed<BrdfCommand>(
+      {"brdf", "a.json", "-o", "out", "--light-angle", "45", "--cameras", "32x8", "--spp", "99", "--method", "fibres"});
+  EXPECT_EQ(brdf.input, "a.json");
+  EXPECT_EQ(brdf.output, "out");
+  EXPECT_DOUBLE_EQ(brdf.lightAngle_deg.value(), 45);
+  EXPECT_EQ(brdf.grid.azimuths, 32);
+  EXPECT_EQ(brdf.grid.inclinations, 8);
+  EXPECT_EQ(brdf.options.samplesPerPixel, 99);
+  EXPECT_EQ(brdf.options.method, Method::fibres);
+  EXPECT_THAT(complaint({"brdf", "a.json", "-o", "out", "--cameras", "300x8"}), HasSubstr("--cameras: expected"));
+}
+
+TEST(CommandLine, BenchKnowsItsSuites) {
+  const auto table = parsed<ReportBenchCommand>({"bench", "table1", "--quick"});
+  EXPECT_EQ(table.suite, ReportBenchCommand::Suite::table1);
+  EXPECT_TRUE(table.bench.quick);
+  EXPECT_FALSE(table.bench.folder.empty());
+  const auto figures = parsed<ReportBenchCommand>({"bench", "figures", "-o", "out", "--threads", "2"});
+  EXPECT_EQ(figures.suite, ReportBenchCommand::Suite::figures);
+  EXPECT_EQ(figures.bench.folder, "out");
+  EXPECT_EQ(figures.threads, 2);
+  EXPECT_THAT(complaint({"bench", "races", "a.json"}), HasSubstr("races"));
+  EXPECT_THAT(complaint({"bench"}), HasSubstr("table1"));
+}
+
 TEST(CommandLine, CompareTakesPairsOfPictures) {
   const auto compare = parsed<CompareCommand>(
       {"compare",           "--again", "a2.exr", "r2.exr", "a.exr", "r.exr",   "--yardstick", "y.exr", "z.exr",
