@@ -72,6 +72,24 @@ TEST(LiveRenderer, ShowsTheFabric) {
   EXPECT_GT(renderer.status().measures.arealMass_g_m2, 0);
 }
 
+// The viewport may show the truth too; moving the camera then keeps the fibres, and leaving the method lets them go.
+TEST(LiveRenderer, ShowsExplicitFibres) {
+  Window window;
+  LiveRenderer renderer(window.waker(), 2);
+  Fabric fabric = smallCloth();
+  fabric.drape.width_mm = fabric.drape.height_mm = 3;
+  fabric.render.method = Method::fibres;
+  renderer.request(view(fabric, 1));
+  ASSERT_TRUE(window.waitFor([&] { return renderer.frame() && renderer.frame()->generation == 1; }));
+  fabric.camera.azimuth_deg += 20;
+  renderer.request(view(fabric, 2));
+  ASSERT_TRUE(window.waitFor([&] { return renderer.frame()->generation == 2; }));
+  fabric.render.method = Method::volume;
+  renderer.request(view(fabric, 3));
+  ASSERT_TRUE(window.waitFor([&] { return renderer.frame()->generation == 3; }));
+  EXPECT_EQ(renderer.status().error, "");
+}
+
 TEST(LiveRenderer, EndsOnTheNewestOfManyEdits) {
   Window window;
   LiveRenderer renderer(window.waker(), 2);
