@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "bench_cloth_text.h"
 #include "core/fabric/fabric_json.h"
 #include "core/geometry/cloth_geometry.h"
+#include "core/shell/drape_mesh.h"
 
 namespace loomlight {
 namespace {
@@ -37,9 +39,17 @@ double segmentsOf(const Fabric& fabric) {
 }
 
 Fabric rearranged(Fabric fabric) {
+  // A drape is centred about its bounds, which sink as a cylinder is wrapped further.
+  const auto top_mm = [&fabric] {
+    float top = -std::numeric_limits<float>::max();
+    for (const glm::vec3& position : makeDrape(fabric.drape).positions) top = std::max(top, position.z);
+    return top;
+  };
+  const float before_mm = top_mm();
   const ClothGeometry geometry(fabric, 1, 1);
   fabric.drape.width_mm += 2 * geometry.repeatEnds() * fabric.warpPitch_mm();
   fabric.drape.height_mm += 2 * geometry.repeatPicks() * fabric.weftPitch_mm();
+  fabric.camera.target_mm.z += top_mm() - before_mm;
   return fabric;
 }
 

@@ -22,7 +22,8 @@ std::vector<BenchCloth> largeCloths();
 /// fewer.
 Fabric withSegments(Fabric fabric, double segments);
 /// The same yarns with another arrangement of their fibres in every crossing: the piece, a repeat longer on every side,
-/// so that what lay in the middle is a repeat further on along the cloth. A flat piece or a cylinder.
+/// so that what lay in the middle is a repeat further on along the cloth; the camera looks at the same place of it. A
+/// flat piece or a cylinder.
 Fabric rearranged(Fabric fabric);
 /// Fibre segments of the whole piece, from its geometry alone.
 double segmentsOf(const Fabric& fabric);
