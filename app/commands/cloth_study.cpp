@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/commands/stopwatch.h"
+#include "core/base/stopwatch.h"
 #include "render/metrics/comparison.h"
 #include "render/trace/path_tracer.h"
 

@@ -1,9 +1,9 @@
 #include "render/trace/make_medium.h"
 
 #include <algorithm>
-#include <chrono>
 
 #include "core/base/memory.h"
+#include "core/base/stopwatch.h"
 #include "render/trace/bvdf_baker.h"
 #include "render/trace/fibre_medium.h"
 #include "render/trace/loomlight_medium.h"
@@ -45,18 +45,15 @@ double defaultMemoryLimit_bytes() {
 std::unique_ptr<const Medium> makeMedium(const Scene& scene, double memoryLimit_bytes, const Task& task,
                                          MediumCost* cost) {
   MediumCost own;
-  const auto start = std::chrono::steady_clock::now();
-  const auto seconds = [start] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  };
+  Stopwatch watch;
   const RenderSettings& settings = scene.fabric->render;
   std::unique_ptr<const Medium> medium;
   if (settings.method == Method::fibres) {
     medium = makeFibres(scene, memoryLimit_bytes, task, own);
-    own.fibreSeconds = seconds();
+    own.fibreSeconds = watch.lap();
   } else if (settings.estimator == Estimator::report) {
     medium = makeReport(scene, task, own);
-    own.bvdfSeconds = seconds();
+    own.bvdfSeconds = watch.lap();
   } else if (settings.estimator == Estimator::loomlight) {
     medium = std::make_unique<const LoomlightMedium>(scene);
   } else {

@@ -1,29 +1,17 @@
 #include "render/trace/scene.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
 
+#include "core/base/stopwatch.h"
 #include "core/fabric/impact.h"
 #include "render/trace/shell_entry.h"
 
 namespace loomlight {
 namespace {
-
-class Stopwatch {
- public:
-  double lap() {
-    const auto now = Clock::now();
-    return std::chrono::duration<double>(now - std::exchange(start_, now)).count();
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point start_ = Clock::now();
-};
 
 int crossings(double extent_mm, double pitch_mm) {
   // An extent that is a whole number of pitches up to rounding must not gain a crossing.
