@@ -8,12 +8,12 @@
 #include "app/commands/inputs.h"
 #include "app/commands/interrupt.h"
 #include "app/commands/progress.h"
-#include "app/commands/stopwatch.h"
 #include "app/commands/usage_error.h"
 #include "app/workers/file_name.h"
 #include "app/workers/picture.h"
 #include "core/base/file.h"
 #include "core/base/parallel.h"
+#include "core/base/stopwatch.h"
 #include "core/fabric/validate.h"
 #include "render/trace/fibre_medium.h"
 
@@ -50,7 +50,7 @@ Fabric patch(const BrdfCommand& command) {
 int run(const BrdfCommand& command) {
   Stopwatch whole;
   const std::string stem = stemOf(command.output);
-  checkPictureName(stem + ".exr");
+  for (const char* ending : {".exr", ".png", ".csv"}) expectWritable(stem + ending);
   const Interrupt interrupt;
   const auto fabric = std::make_shared<const Fabric>(patch(command));
   Progress progress("measuring");

@@ -7,10 +7,11 @@
 #include "app/commands/inputs.h"
 #include "app/commands/interrupt.h"
 #include "app/commands/progress.h"
-#include "app/commands/stopwatch.h"
 #include "app/workers/file_name.h"
 #include "core/base/error.h"
+#include "core/base/file.h"
 #include "core/base/parallel.h"
+#include "core/base/stopwatch.h"
 #include "core/fabric/fabric_json.h"
 #include "core/fabric/validate.h"
 #include "render/trace/bvdf_baker.h"
@@ -61,6 +62,7 @@ int run(const BvdfCommand& command) {
   const std::string extension = lowerExtension(command.output);
   if (extension != ".exr" && extension != ".png")
     throw InputError(fmt::format("{}: expected the name of tables (.exr) or of their picture (.png)", command.output));
+  expectWritable(command.output);
   const Interrupt interrupt;
   const Fabric fabric = withOptions(fabricFromFile(command.input), command.options);
   validate(fabric, command.input);

@@ -9,11 +9,12 @@
 #include "app/commands/interrupt.h"
 #include "app/commands/progress.h"
 #include "app/commands/render_stats.h"
-#include "app/commands/stopwatch.h"
 #include "app/commands/usage_error.h"
 #include "app/workers/picture.h"
 #include "core/base/error.h"
+#include "core/base/file.h"
 #include "core/base/parallel.h"
+#include "core/base/stopwatch.h"
 #include "core/fabric/fabric_json.h"
 #include "core/fabric/validate.h"
 #include "render/trace/fibre_medium.h"
@@ -112,6 +113,7 @@ std::unique_ptr<const Medium> buildMedium(const Scene& scene, double memoryLimit
 int run(const RenderCommand& command) {
   Stopwatch whole;
   checkPictureName(command.output);
+  if (!command.stats.empty()) expectWritable(command.stats);
   const Interrupt interrupt;
   Job job = prepare(command);
   const RenderSettings& settings = job.fabric->render;

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 
 #include "app/workers/file_name.h"
 #include "core/base/error.h"
+#include "core/base/file.h"
 #include "core/fabric/fabric_json.h"
 #include "render/film/image.h"
 
@@ -31,10 +31,7 @@ void checkPictureName(const std::string& file) {
   const std::string ending = lowerExtension(file);
   if (ending != ".exr" && ending != ".png")
     throw InputError(fmt::format("{}: expected the name of a picture that ends in .exr or .png", file));
-  const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
-  std::error_code ignored;
-  if (!std::filesystem::is_directory(folder, ignored))
-    throw InputError(fmt::format("{}: expected a folder that exists, '{}' is none", file, folder.string()));
+  expectWritable(file);
 }
 
 void writePicture(const std::string& file, const Film& film, const Fabric& fabric, const Tone& tone, bool keepSums) {

@@ -8,8 +8,8 @@
 
 namespace loomlight {
 
-/// Whether the name ends in an extension that writePicture() can write; throws InputError if not. Called before long
-/// work, so that a slip in the name costs nothing.
+/// Throws InputError unless the name ends in an extension that writePicture() can write, and the file can be written
+/// where it is to be. Called before long work, so that a slip in the name costs nothing.
 void checkPictureName(const std::string& file);
 
 /// Writes a film as a picture; the file is whole or the old one is still there. `.exr`: linear light, every AOV, and

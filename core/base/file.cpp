@@ -104,7 +104,20 @@ std::string readFile(const std::string& file, size_t maxBytes) {
   return content;
 }
 
+void expectWritable(const std::string& file) {
+  struct stat status {};
+  if (::stat(file.c_str(), &status) == 0 && !S_ISREG(status.st_mode))
+    throw InputError(file + ": cannot be written: expected a regular file, or none yet");
+  std::filesystem::path folder = std::filesystem::path(file).parent_path();
+  if (folder.empty()) folder = ".";
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(folder, ignored))
+    throw InputError(fmt::format("{}: expected a folder that exists, '{}' is none", file, folder.string()));
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) fail(file, "cannot be written");
+}
+
 void writeFileAtomically(const std::string& file, std::string_view content) {
+  expectWritable(file);
   // Through a symbolic link, the file it points to is the one to replace.
   std::error_code none;
   const std::filesystem::path real = std::filesystem::canonical(file, none);

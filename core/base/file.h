@@ -10,9 +10,13 @@ namespace loomlight {
 /// else (a folder, a pipe), or if it is larger than `maxBytes`.
 std::string readFile(const std::string& file, size_t maxBytes);
 
+/// Throws InputError where writeFileAtomically() could not write: no such folder, no right to write into it, or
+/// something that is no regular file in its place. Called before long work, so that a slip in a name costs nothing.
+void expectWritable(const std::string& file);
+
 /// Replaces a file's content, or makes the file: writes beside it, waits until the bytes are on the disk, then renames.
 /// Whenever it is interrupted, the file is whole or the old one is still there. Throws InputError, and leaves nothing
-/// behind, when it cannot be written.
+/// behind, when it cannot be written; what is no regular file (a folder, a pipe, a device) is never replaced.
 void writeFileAtomically(const std::string& file, std::string_view content);
 
 }  // namespace loomlight

@@ -112,6 +112,17 @@ class BadInput(CommandLineTest):
             with self.subTest(output=output):
                 self.assertIn(output, self.refused("render", fabric, "-o", output))
 
+    def test_what_cannot_be_written_is_known_before_the_long_work(self):
+        fabric = self.fabric()
+        (self.folder / "taken.png").mkdir()
+        (self.folder / "taken.json").mkdir()
+        for output, stats in (("taken.png", "a.json"), ("a.png", "taken.json"), ("a.png", "no/folder/a.json")):
+            with self.subTest(output=output, stats=stats):
+                long = ("--spp", 1048576, "--size", "1024x1024")
+                message = self.refused("render", fabric, "-o", output, "--stats", stats, *long)
+                self.assertIn(output if output.startswith("taken") else stats, message)
+                self.assertFalse((self.folder / "a.png").exists())
+
     def test_fabrics_that_ask_for_too_much(self):
         huge = {"width": 16384, "height": 16384, "samples_per_pixel": 1048576}
         self.fabric("huge.json", render=huge)

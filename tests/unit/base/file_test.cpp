@@ -81,6 +81,27 @@ TEST_F(File, ReaderSeesOldOrNewNeverPart) {
   }
 }
 
+TEST_F(File, WhatIsNoRegularFileIsNeverReplaced) {
+  ASSERT_EQ(::mkfifo(at("pipe").c_str(), 0600), 0);
+  fs::create_symlink(at("pipe"), at("link"));
+  for (const std::string& name : {at("pipe"), at("link")}) {
+    EXPECT_THROW(expectWritable(name), InputError);
+    EXPECT_THROW(writeFileAtomically(name, "x"), InputError);
+  }
+  EXPECT_TRUE(fs::is_fifo(at("pipe")));
+  EXPECT_TRUE(fs::is_symlink(at("link")));
+  EXPECT_EQ(filesInFolder(), 2u);
+}
+
+TEST_F(File, WhereNothingCanBeWrittenIsKnownBeforehand) {
+  EXPECT_NO_THROW(expectWritable(at("new")));
+  EXPECT_EQ(filesInFolder(), 0u);
+  EXPECT_NO_THROW(expectWritable("new, in the folder where we are"));
+  fs::create_directories(at("folder"));
+  EXPECT_THROW(expectWritable(at("folder")), InputError);
+  EXPECT_THROW(expectWritable(at("missing/new")), InputError);
+}
+
 TEST_F(File, WhatCannotBeReadIsNamed) {
   const auto complaint = [](const std::string& file, size_t most) {
     try {
