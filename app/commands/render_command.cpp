@@ -27,8 +27,10 @@ namespace {
 // Samples of two pictures may only be added where both ask for the same picture, but for the number of samples.
 void expectSamePicture(const Fabric& wanted, Fabric begun, const std::string& file) {
   begun.render.samplesPerPixel = wanted.render.samplesPerPixel;
-  const auto differences =
-      nlohmann::json::diff(nlohmann::json::parse(fabricToJson(begun)), nlohmann::json::parse(fabricToJson(wanted)));
+  const auto keptIn = [&](const Fabric& fabric) {
+    return nlohmann::json::parse(fabricToJson(localNames(fabric, file)));
+  };
+  const auto differences = nlohmann::json::diff(keptIn(begun), keptIn(wanted));
   if (differences.empty()) return;
   throw InputError(
       fmt::format("{}: expected a picture of the same fabric with the same settings, but they differ at {}", file,

@@ -22,7 +22,7 @@ Fabric fabricInMetadata(const Image& image, const std::string& file) {
   if (found == image.metadata.end())
     throw InputError(fmt::format("{}: expected the metadata '{}' that Loomlight writes into its pictures, found none",
                                  file, kFabricKey));
-  return fabricFromJson(found->second, file);
+  return workingNames(fabricFromJson(found->second, file), file);
 }
 
 }  // namespace
@@ -41,7 +41,7 @@ void writePicture(const std::string& file, const Film& film, const Fabric& fabri
     return;
   }
   Image image = film.toImage(keepSums);
-  image.metadata[kFabricKey] = fabricToJson(fabric);
+  image.metadata[kFabricKey] = fabricToJson(localNames(fabric, file));
   image.metadata[kSamplesKey] = std::to_string(fewestSamples(film));
   image.metadata[kVersionKey] = LOOMLIGHT_VERSION;
   writeExr(file, image);

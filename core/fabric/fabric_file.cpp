@@ -29,21 +29,27 @@ std::string relativeTo(const std::string& name, const fs::path& folder) {
 
 }  // namespace
 
-Fabric readFabric(const std::string& file) {
-  Fabric fabric = fabricFromJson(readFile(file, kMaxFabricBytes), file);
+Fabric workingNames(Fabric fabric, const std::string& file) {
   const fs::path folder = fs::path(file).parent_path();
   fabric.drape.file = resolved(fabric.drape.file, folder);
   fabric.light.file = resolved(fabric.light.file, folder);
   return fabric;
 }
 
+Fabric localNames(Fabric fabric, const std::string& file) {
+  const fs::path folder = fs::path(file).parent_path();
+  fabric.drape.file = relativeTo(fabric.drape.file, folder);
+  fabric.light.file = relativeTo(fabric.light.file, folder);
+  return fabric;
+}
+
+Fabric readFabric(const std::string& file) {
+  return workingNames(fabricFromJson(readFile(file, kMaxFabricBytes), file), file);
+}
+
 void writeFabric(const Fabric& fabric, const std::string& file) {
   validate(fabric, file);
-  const fs::path folder = fs::path(file).parent_path();
-  Fabric written = fabric;
-  written.drape.file = relativeTo(fabric.drape.file, folder);
-  written.light.file = relativeTo(fabric.light.file, folder);
-  writeFileAtomically(file, fabricToJson(written));
+  writeFileAtomically(file, fabricToJson(localNames(fabric, file)));
 }
 
 }  // namespace loomlight

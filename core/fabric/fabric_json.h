@@ -12,8 +12,7 @@
 ///   loomlight_version   1. Always there. Files of a newer version are refused.
 ///   name, description   texts
 ///   weave               one repeat as a list of texts, drawn as on point paper with pick 1 at the bottom: the first
-///   text
-///                       is the last pick; within it end 1 is on the left. "#" warp over weft, "." weft over warp.
+///                       text is the last pick, and in it end 1 is on the left. "#" warp over weft, "." weft over warp
 ///   draft               instead of weave, how a loom makes it: shafts, treadles, rising_shed, threading (per end),
 ///                       tie_up (per treadle), treadling (per pick), or liftplan (per pick), which has the last word.
 ///                       Entries are a number or a list of them, from 1; 0 or [] for none. If weave is there as well,
@@ -39,11 +38,16 @@ Fabric fabricFromJson(std::string_view text, const std::string& sourceName);
 /// The same bytes for equal fabrics; reading them gives an equal one.
 std::string fabricToJson(const Fabric& fabric);
 
-/// The fabric of a file. Names of meshes and environments in it are relative to the file's folder; in the Fabric they
-/// are made relative to the working directory. Throws InputError.
+/// The meshes and environments that a fabric names, as `file` holds their names: relative to its folder where they lie
+/// in it or below, else absolute. So the file can be read from another working directory, and moved with its folder.
+Fabric localNames(Fabric fabric, const std::string& file);
+/// The reverse: as seen from the working directory.
+Fabric workingNames(Fabric fabric, const std::string& file);
+
+/// The fabric of a file, with workingNames(). Throws InputError.
 Fabric readFabric(const std::string& file);
-/// Writes whole or not at all (writeFileAtomically), and names what lies in the file's folder relative to it. Throws
-/// InputError when the file cannot be written, or the fabric is not valid.
+/// Writes whole or not at all (writeFileAtomically), with localNames(). Throws InputError when the file cannot be
+/// written, or the fabric is not valid.
 void writeFabric(const Fabric& fabric, const std::string& file);
 
 }  // namespace loomlight

@@ -2,6 +2,12 @@
 
 from harness import CommandLineTest, main
 
+# 4 mm x 4 mm, with texture coordinates in mm.
+SQUARE = """v -2 -2 0\nv 2 -2 0\nv 2 2 0\nv -2 2 0
+vt 0 0\nvt 4 0\nvt 4 4\nvt 0 4
+f 1/1 2/2 3/3\nf 1/1 3/3 4/4
+"""
+
 
 class Reproduce(CommandLineTest):
     def setUp(self):
@@ -54,6 +60,21 @@ class Reproduce(CommandLineTest):
         self.cloth.unlink()
         self.run_program("render", "first.exr", "-o", "second.exr")
         self.assertEqual(first, self.bytes_of("second.exr"))
+
+    def test_a_picture_knows_its_mesh_from_anywhere(self):
+        (self.folder / "there").mkdir()
+        (self.folder / "there/mesh.obj").write_text(SQUARE)
+        there = ("--drape", "there/mesh.obj")
+        for picture in ("there/beside.exr", "apart.exr"):
+            with self.subTest(picture=picture):
+                self.run_program("render", self.cloth, "-o", picture, *there, "--keep-sums", "--spp", 2)
+                (self.folder / "elsewhere").mkdir(exist_ok=True)
+                again = self.folder / picture.replace(".exr", "-again.exr")
+                words = ("render", self.folder / picture, "-o", again)
+                self.run_program(*words, "--keep-sums", cwd=self.folder / "elsewhere")
+                self.assertEqual(self.bytes_of(picture), again.read_bytes())
+                # The same mesh by another name is still the same picture's.
+                self.run_program("render", self.cloth, *there, "--spp", 3, "--resume", picture, "-o", "more.exr")
 
 
 main()
