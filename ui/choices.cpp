@@ -35,6 +35,16 @@ std::span<const char* const> layoutNames() {
   return kNames;
 }
 
+std::span<const char* const> methodNames() {
+  static constexpr const char* kNames[] = {"Volume", "Fibres"};
+  return kNames;
+}
+
+std::span<const char* const> estimatorNames() {
+  static constexpr const char* kNames[] = {"None", "Report", "Loomlight"};
+  return kNames;
+}
+
 std::span<const char* const> eventLawNames() {
   static constexpr const char* kNames[] = {"Projected", "Report"};
   return kNames;

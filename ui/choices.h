@@ -16,6 +16,8 @@ std::span<const char* const> drapeNames(const Drape& drape);
 std::span<const char* const> fibreSectionNames();
 std::span<const char* const> twistNames();
 std::span<const char* const> layoutNames();
+std::span<const char* const> methodNames();
+std::span<const char* const> estimatorNames();
 std::span<const char* const> eventLawNames();
 
 }  // namespace loomlight

@@ -72,7 +72,12 @@ InspectorResult scenePage(Ui& ui, const Fabric& fabric) {
   if (cameraRows(ui, camera)) result.camera = camera;
   heading(ui, "Detail");
   changed |= resolutionRow(ui, render);
-  changed |= memberChoice(ui, "scene", render, &RenderSettings::eventLaw, eventLawNames());
+  changed |= memberChoice(ui, "scene", render, &RenderSettings::method, methodNames());
+  if (render.method == Method::volume) {
+    changed |= memberChoice(ui, "scene", render, &RenderSettings::estimator, estimatorNames());
+    if (render.estimator == Estimator::none)
+      changed |= memberChoice(ui, "scene", render, &RenderSettings::eventLaw, eventLawNames());
+  }
   if (!changed) return result;
   result.fabric = fabric;
   result.fabric->light = light;
