@@ -70,9 +70,6 @@ TEST(WhiteFurnace, EveryResolutionIsInvisible) {
   }
 }
 
-// Light sampling and BCSDF sampling together (MIS) estimate what BCSDF sampling alone does: a lat-long sky seen with
-// and without next-event estimation is covered by the light's own tests; here a dyed cloth under a dome must be darker
-// than the furnace and brighter than its surface reflection alone.
 // Looking for lamps and letting paths escape, weighted against each other, must estimate what escaping alone does. A
 // white environment is known to both ways: as a picture it is sampled, as the furnace it is not, and clear fibres under
 // it are white whatever the share of either.
@@ -107,7 +104,8 @@ TEST(WhiteFurnace, SampledAsAPictureIsWhiteToo) {
   EXPECT_NEAR(mean, 1.0, 3.3 * error);
 }
 
-TEST(Dome, DyedClothKeepsBetweenReflectionAndWhite) {
+// A dyed cloth in the furnace is darker than white, and brighter than its surface reflection alone.
+TEST(WhiteFurnace, DyedClothKeepsBetweenReflectionAndWhite) {
   Fabric fabric = test::whiteCotton();
   fabric.fibres[0].absorption_per_mm = Rgb(5.0f, 20.0f, 200.0f);
   fabric.light.kind = LightKind::furnace;
