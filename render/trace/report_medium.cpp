@@ -1,11 +1,6 @@
 #include "render/trace/report_medium.h"
 
-#include <algorithm>
-#include <cmath>
-
-#include "render/trace/cloth_walk.h"
 #include "render/trace/local_cell.h"
-#include "render/trace/voxel_extinction.h"
 
 namespace loomlight {
 namespace {
@@ -39,14 +34,11 @@ ReportMedium::ReportMedium(const Scene& scene, std::shared_ptr<const BvdfSet> bv
 
 std::optional<Collision> ReportMedium::collide(const Departure& from, glm::vec3 direction, Random& random,
                                                TraceCounts& counts) const {
-  auto collision = volume_.collide(from, direction, random, counts);
-  if (collision) collision->events = from.events + 1;
-  return collision;
+  return volume_.collide(from, direction, random, counts);
 }
 
 Departure ReportMedium::leave(const Collision& collision, glm::vec3 wi, int order) const {
   Departure departure = volume_.leave(collision, wi, order);
-  departure.events = collision.events;
   departure.leaving.tangent = collision.tangent;
   departure.leaving.yarn = collision.yarn;
   departure.trail.direction = collision.incoming;
@@ -60,26 +52,7 @@ float ReportMedium::transmittance(const Departure& from, glm::vec3 direction, fl
   const float visible = 1 - bvdf_->of(from.leaving.yarn).occlusion(direction * frame, -from.trail.direction * frame);
   if (visible <= 0) return 0;
   const float cell_mm = distanceThroughCell(scene_, from.place, direction);
-  return visible * transmittanceBeyond(cell_mm, from, direction, distance, random, counts);
-}
-
-float ReportMedium::transmittanceBeyond(float cell_mm, const Departure& from, glm::vec3 direction, float distance,
-                                        Random& random, TraceCounts& counts) const {
-  // As VolumeMedium: exact to e^-4, then 0 or e^-4, because what hardly gets through is not worth walking for.
-  constexpr float kExactDepth = 4.0f;
-  const float deepest = kExactDepth - std::log1p(-random.uniform());
-  float depth = 0;
-  ++counts.rays;
-  const bool through =
-      walkCloth(scene_, from.place, direction, distance,
-                [&](const VoxelContent& content, float tEnter, float tLeave, const LocalDrape& drape, int) {
-                  const float length = tLeave - std::max(tEnter, cell_mm);
-                  if (length <= 0) return true;
-                  ++counts.steps;
-                  depth += VoxelExtinction(scene_, content, drape, direction).total() * length;
-                  return depth < deepest;
-                });
-  return through ? std::exp(-std::min(depth, kExactDepth)) : 0.0f;
+  return visible * volume_.transmittanceBeyond(cell_mm, from, direction, distance, random, counts);
 }
 
 }  // namespace loomlight

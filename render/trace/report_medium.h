@@ -27,9 +27,6 @@ class ReportMedium final : public Medium {
   Departure leave(const Collision& collision, glm::vec3 wi, int order) const override;
 
  private:
-  float transmittanceBeyond(float cell_mm, const Departure& from, glm::vec3 direction, float distance, Random& random,
-                            TraceCounts& counts) const;
-
   Scene scene_;  ///< the caller's, with the report's event law
   VolumeMedium volume_;
   std::shared_ptr<const BvdfSet> bvdf_;

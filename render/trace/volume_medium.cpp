@@ -8,6 +8,7 @@
 #include "render/trace/voxel_extinction.h"
 
 namespace loomlight {
+
 std::optional<Collision> VolumeMedium::collide(const Departure& from, glm::vec3 direction, Random& random,
                                                TraceCounts& counts) const {
   const EventLaw law = scene_.fabric->render.eventLaw;
@@ -56,6 +57,11 @@ Departure VolumeMedium::leave(const Collision& collision, glm::vec3, int) const 
 
 float VolumeMedium::transmittance(const Departure& from, glm::vec3 direction, float distance, Random& random,
                                   TraceCounts& counts) const {
+  return transmittanceBeyond(0, from, direction, distance, random, counts);
+}
+
+float VolumeMedium::transmittanceBeyond(float clear_mm, const Departure& from, glm::vec3 direction, float distance,
+                                        Random& random, TraceCounts& counts) const {
   constexpr float kExactDepth = 4.0f;
   const float deepest = kExactDepth - std::log1p(-random.uniform());
   float depth = 0;
@@ -63,8 +69,10 @@ float VolumeMedium::transmittance(const Departure& from, glm::vec3 direction, fl
   const bool through =
       walkCloth(scene_, from.place, direction, distance,
                 [&](const VoxelContent& content, float tEnter, float tLeave, const LocalDrape& drape, int) {
+                  const float length = tLeave - std::max(tEnter, clear_mm);
+                  if (length <= 0) return true;
                   ++counts.steps;
-                  depth += VoxelExtinction(scene_, content, drape, direction).total() * (tLeave - tEnter);
+                  depth += VoxelExtinction(scene_, content, drape, direction).total() * length;
                   return depth < deepest;
                 });
   return through ? std::exp(-std::min(depth, kExactDepth)) : 0.0f;

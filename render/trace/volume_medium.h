@@ -19,6 +19,9 @@ class VolumeMedium final : public Medium {
   /// Exact down to e^-4; below that 0 or e^-4, because what hardly gets through is not worth walking for.
   float transmittance(const Departure& from, glm::vec3 direction, float distance, Random& random,
                       TraceCounts& counts) const override;
+  /// The same, were the first `clear_mm` of the way empty.
+  float transmittanceBeyond(float clear_mm, const Departure& from, glm::vec3 direction, float distance, Random& random,
+                            TraceCounts& counts) const;
   Departure leave(const Collision& collision, glm::vec3 wi, int order) const override;
 
  private:
