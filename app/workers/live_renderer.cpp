@@ -116,7 +116,6 @@ struct LiveRenderer::Workers {
   std::condition_variable_any resumed;
   bool buildMayBeCancelled = true;  // not twice in a row, or a steady drag would never show a new volume
   bool passMayBeCancelled = false;  // not before the scene's first pass has been shown
-  bool sceneWaiting = false;
   bool paused = false;
 
   Traceable cloth;  // the builder's: the newest that could be built
@@ -167,14 +166,15 @@ void LiveRenderer::Workers::build(const ViewRequest& request, std::stop_token st
         status.buildSeconds = secondsSince(start);
       }
       status.notices = built.scene->shell->repairs();
-      sceneWaiting = true;
-      if (passMayBeCancelled) passStop.request_stop();
-      resumed.notify_all();
     }
   }
   if (built.scene) {
     cloth = built;
     scenes.post({built, request});
+    // Only now: a pass stopped before the scene can be seen waiting would go on with the old one until it converges.
+    std::lock_guard lock(mutex);
+    if (passMayBeCancelled) passStop.request_stop();
+    resumed.notify_all();
   }
   wake();
 }
@@ -183,21 +183,20 @@ std::stop_token LiveRenderer::Workers::beginPass(bool mayBeCancelled, std::stop_
   std::lock_guard lock(mutex);
   passStop = std::stop_source();
   passMayBeCancelled = mayBeCancelled;
-  if (stop.stop_requested() || (mayBeCancelled && (sceneWaiting || paused))) passStop.request_stop();
+  if (stop.stop_requested() || (mayBeCancelled && (paused || scenes.waiting()))) passStop.request_stop();
   return passStop.get_token();
 }
 
 bool LiveRenderer::Workers::goesOn(std::stop_token stop) {
   std::unique_lock lock(mutex);
-  resumed.wait(lock, stop, [this] { return !paused || sceneWaiting; });
-  return !stop.stop_requested() && !sceneWaiting;
+  resumed.wait(lock, stop, [this] { return !paused || scenes.waiting(); });
+  return !stop.stop_requested() && !scenes.waiting();
 }
 
 void LiveRenderer::Workers::traceLoop(std::stop_token stop) {
   while (auto request = scenes.wait(stop)) {
     {
       std::lock_guard lock(mutex);
-      sceneWaiting = false;
       status.phase = LiveStatus::Phase::tracing;
     }
     refine(*request, stop);

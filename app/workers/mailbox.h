@@ -15,9 +15,10 @@ template <class T>
 class Mailbox {
  public:
   void post(T value) {
+    std::optional<T> other(std::move(value));  // then what nobody took: a whole scene may die of it, outside the lock
     {
       std::lock_guard lock(mutex_);
-      value_ = std::move(value);
+      value_.swap(other);
     }
     arrived_.notify_one();
   }
@@ -26,6 +27,12 @@ class Mailbox {
   std::optional<T> take() {
     std::lock_guard lock(mutex_);
     return std::exchange(value_, std::nullopt);
+  }
+
+  /// Whether something has arrived that nobody has taken yet.
+  bool waiting() const {
+    std::lock_guard lock(mutex_);
+    return value_.has_value();
   }
 
   /// Sleeps until something arrives; nullopt once stop is requested.
@@ -37,7 +44,7 @@ class Mailbox {
   }
 
  private:
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::condition_variable_any arrived_;
   std::optional<T> value_;
 };
