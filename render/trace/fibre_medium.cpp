@@ -35,6 +35,15 @@ uint64_t fibreId(unsigned geometry, uint32_t strand) {
   return (uint64_t{geometry} + 1) << 32 | strand;
 }
 
+/// Threads for Embree's builder; 0: all. They are oneTBB's, which ThreadSanitizer cannot follow (core/base/parallel.h).
+int builderThreads([[maybe_unused]] const Task& task) {
+#ifdef LOOMLIGHT_STD_THREADS
+  return 1;
+#else
+  return task.threads;
+#endif
+}
+
 /// Cloth coordinates of a point of CellStrands.
 glm::vec3 inCloth(glm::vec3 usz, System system, glm::vec2 centre) {
   return system == System::warp ? glm::vec3(centre.x + usz.x, centre.y + usz.y, usz.z)
@@ -176,7 +185,7 @@ std::unique_ptr<const FibreMedium> FibreMedium::build(const Scene& scene, double
   });
   if (task.stopped()) return nullptr;
 
-  parts->device = rtcNewDevice(task.threads > 0 ? fmt::format("threads={}", task.threads).c_str() : nullptr);
+  parts->device = rtcNewDevice(fmt::format("threads={}", builderThreads(task)).c_str());
   if (!parts->device) throw std::runtime_error("Embree could not start");
   rtcSetDeviceMemoryMonitorFunction(
       parts->device,
