@@ -17,7 +17,7 @@ struct PathSample {
   float alpha = 0;  ///< 1 where the camera ray met a fibre, else 0
   // Of the first event; only where alpha is 1:
   float depth_mm = 0;
-  glm::vec3 normal{0};   ///< of the cloth's face
+  glm::vec3 normal{0};   ///< of the cloth's face; of the fibre's surface where fibres are explicit
   glm::vec3 tangent{0};  ///< of the fibre
   int yarn = -1;         ///< index into Fabric::yarns
   int end = -1, pick = -1;

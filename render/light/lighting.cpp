@@ -13,7 +13,7 @@ namespace {
 
 using AnyLight = std::variant<UniformLight, SkyLight, EnvironmentLight, Headlight, DirectionalLight>;
 
-AnyLight makeLight(const Light& light, glm::vec3 eye_mm) {
+AnyLight makeLight(const Light& light, glm::vec3 eye_mm, float reach_mm) {
   const auto intensity = static_cast<float>(light.intensity);
   switch (light.kind) {
     case LightKind::sky:
@@ -25,7 +25,7 @@ AnyLight makeLight(const Light& light, glm::vec3 eye_mm) {
     case LightKind::back:
       return UniformLight(0, intensity);
     case LightKind::headlight:
-      return Headlight(intensity, eye_mm);
+      return Headlight(intensity, eye_mm, reach_mm);
     case LightKind::directional:
       return DirectionalLight(light);
     case LightKind::environment:
@@ -36,7 +36,9 @@ AnyLight makeLight(const Light& light, glm::vec3 eye_mm) {
 
 }  // namespace
 
-Lighting::Lighting(const Light& light, glm::vec3 eye_mm) : light_(makeLight(light, eye_mm)) {}
+Lighting::Lighting(const Light& light, glm::vec3 eye_mm, float reach_mm) : light_(makeLight(light, eye_mm, reach_mm)) {}
+
+Lighting::Lighting(const Light& light, glm::vec3 eye_mm) : Lighting(light, eye_mm, glm::length(eye_mm)) {}
 
 Rgb Lighting::escape(glm::vec3 d) const {
   return std::visit([&](const auto& light) { return light.escape(d); }, light_);

@@ -16,7 +16,10 @@ namespace loomlight {
 /// All the light of a scene, from far away or from the headlight. Immutable.
 class Lighting {
  public:
-  /// Loads or computes the environment. `eye_mm` is where the headlight shines from. Throws InputError for a bad file.
+  /// Loads or computes the environment. `eye_mm` is where the headlight shines from, `reach_mm` how far away intensity
+  /// 1 lights white paper to radiance 1: the camera's distance from what it looks at. Throws InputError for a bad file.
+  Lighting(const Light& light, glm::vec3 eye_mm, float reach_mm);
+  /// Looking at the origin.
   Lighting(const Light& light, glm::vec3 eye_mm);
 
   /// Radiance that a ray leaving the scene in direction `d` meets. Delta lights are not in it.

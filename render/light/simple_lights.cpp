@@ -25,8 +25,8 @@ float UniformLight::pdf(glm::vec3 d) const {
   return (d.z > 0 ? chanceAbove() : 1 - chanceAbove()) * static_cast<float>(0.5 / kPi);
 }
 
-Headlight::Headlight(float intensity, glm::vec3 eye_mm)
-    : position_(eye_mm), power_(static_cast<float>(kPi) * intensity * glm::dot(eye_mm, eye_mm)) {}
+Headlight::Headlight(float intensity, glm::vec3 eye_mm, float reach_mm)
+    : position_(eye_mm), power_(static_cast<float>(kPi) * intensity * reach_mm * reach_mm) {}
 
 std::optional<LightSample> Headlight::sample(glm::vec3 p, Random&) const {
   const glm::vec3 way = position_ - p;

@@ -24,11 +24,11 @@ class UniformLight {
   float above_, below_;
 };
 
-/// A point that shines from the eye. With intensity 1 it lights white paper that faces it, as far away as the origin
-/// (the fabric's usual place), to radiance 1: its irradiance there is pi, elsewhere it falls with distance squared.
+/// A point that shines from the eye. With intensity 1 it lights white paper that faces it, `reach_mm` away, to radiance
+/// 1: its irradiance there is pi, elsewhere it falls with distance squared.
 class Headlight {
  public:
-  Headlight(float intensity, glm::vec3 eye_mm);
+  Headlight(float intensity, glm::vec3 eye_mm, float reach_mm);
 
   Rgb escape(glm::vec3) const { return Rgb(0); }
   bool wantsSampling() const { return true; }

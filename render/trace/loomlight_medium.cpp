@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/optics/fibre_frame.h"
 #include "render/trace/cloth_walk.h"
 #include "render/trace/fibre_exit.h"
 #include "render/trace/fibre_tangent.h"
@@ -34,16 +35,6 @@ class VoxelFaces {
 
  private:
   glm::vec3 next_{std::numeric_limits<float>::infinity()}, between_{std::numeric_limits<float>::infinity()};
-};
-
-/// Two directions across a ray.
-struct RayFrame {
-  glm::vec3 along, x, y;
-  explicit RayFrame(glm::vec3 d) : along(d) {
-    const glm::vec3 helper = std::abs(d.z) < 0.9f ? glm::vec3(0, 0, 1) : glm::vec3(1, 0, 0);
-    x = glm::normalize(glm::cross(helper, d));
-    y = glm::cross(d, x);
-  }
 };
 
 /// Uniform on the unit hemisphere about z (Lambert's equal-area map of a disc).
@@ -122,7 +113,7 @@ LoomlightMedium::LoomlightMedium(const Scene& scene, Ingredients ingredients)
 template <class OnStep>
 bool LoomlightMedium::advance(const Departure& from, glm::vec3 direction, float tMax, Random& random,
                               TraceCounts& counts, OnStep&& onStep) const {
-  const RayFrame frame(direction);
+  const FibreFrame frame(direction);  // about the ray
   ClothVolume::Probe probe(*scene_.volume);
   VoxelContent content;
   const float r = shiftRadius_mm_;
@@ -135,7 +126,7 @@ bool LoomlightMedium::advance(const Departure& from, glm::vec3 direction, float 
       const float length = std::min(faces.next(t), s.tLeave) - t;
       const float at = t + 0.5f * length;
       const glm::vec3 w = sampleHemisphere(random);
-      const glm::vec3 shift = r * (w.x * frame.x + w.y * frame.y + kHalfPi * w.z * direction);
+      const glm::vec3 shift = r * (w.x * frame.y + w.y * frame.z + kHalfPi * w.z * direction);
       const float empty = probe.look(s.clothOrigin + at * s.clothDirection + toCloth * shift, content);
       if (content.count == 0) {
         t = std::max(t + length, at + empty - margin);
@@ -151,7 +142,7 @@ bool LoomlightMedium::advance(const Departure& from, glm::vec3 direction, float 
               factor *= 1 - knownAbsent(from.trail, point, fibres.direction, fibres.spread, optics.fibreRadius_mm);
             return factor;
           });
-      const glm::vec3 across = w.x * frame.x + w.y * frame.y;
+      const glm::vec3 across = w.x * frame.y + w.y * frame.z;
       if (!onStep(voxel, across, s.passed + t, length, s, content)) return false;
       t += length;
     }

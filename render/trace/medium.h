@@ -46,7 +46,7 @@ struct Collision {
   glm::vec3 incoming{0, 0, -1};  ///< direction of the ray
   glm::vec3 tangent{1, 0, 0};
   float offset = 0;           ///< h: where across the fibre, -1..1
-  glm::vec3 normal{0, 0, 1};  ///< of the cloth's face
+  glm::vec3 normal{0, 0, 1};  ///< of the cloth's face; of the fibre's surface where fibres are explicit
   YarnOptics optics;
   int yarn = 0;           ///< index into Fabric::yarns
   int end = 0, pick = 0;  ///< the crossing cell

@@ -115,11 +115,11 @@ std::shared_ptr<const Scene> makeScene(std::shared_ptr<const Fabric> fabric, con
   scene->materials = makeMaterials(*fabric, previous);
   scene->yarns = {makeYarnOptics(*fabric, scene->volume->geometry(), System::warp),
                   makeYarnOptics(*fabric, scene->volume->geometry(), System::weft)};
-  const glm::vec3 eye = CameraRays(fabric->camera, 1, 1).eye_mm();
-  const bool sameLight =
-      previous && !change.lighting && (fabric->light.kind != LightKind::headlight || eye == previous->eye_mm);
-  scene->lighting = sameLight ? previous->lighting : std::make_shared<const Lighting>(fabric->light, eye);
-  scene->eye_mm = eye;
+  // A headlight goes with the eye: that is in `lighting`.
+  scene->lighting = previous && !change.lighting
+                        ? previous->lighting
+                        : std::make_shared<const Lighting>(fabric->light, CameraRays(fabric->camera, 1, 1).eye_mm(),
+                                                           static_cast<float>(fabric->camera.distance_mm));
   return scene;
 }
 

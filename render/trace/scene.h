@@ -36,7 +36,6 @@ struct Scene {
   std::shared_ptr<const Shell> shell;
   std::shared_ptr<const ShellEntry> entry;
   std::shared_ptr<const Lighting> lighting;
-  glm::vec3 eye_mm{0};
   std::vector<Material> materials;
   std::array<std::vector<YarnOptics>, 2> yarns;  ///< [system][index into Fabric::yarns]
   struct Seconds {

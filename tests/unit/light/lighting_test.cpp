@@ -149,5 +149,17 @@ TEST(Lighting, EnvironmentImageOfADomeIsWhiteAbove) {
   EXPECT_EQ(image.find("G")->values[16], 0);
 }
 
+TEST(Headlight, IsAsBrightOnWhatTheCameraLooksAtWhereverThatIs) {
+  Light light;
+  light.kind = LightKind::headlight;
+  Random random(1);
+  for (const glm::vec3 target : {glm::vec3(0, 0, 0), glm::vec3(12, 0, 0), glm::vec3(-300, 40, 2)}) {
+    const glm::vec3 eye = target + glm::vec3(0, 0, 10);
+    const auto sample = Lighting(light, eye, 10).sample(target, random);
+    ASSERT_TRUE(sample);
+    EXPECT_NEAR(sample->radiance.g, kPi, 1e-4);  // of a delta light: its irradiance
+  }
+}
+
 }  // namespace
 }  // namespace loomlight
