@@ -130,8 +130,10 @@ void LiveRenderer::Workers::buildLoop(std::stop_token stop) {
 void LiveRenderer::Workers::build(const ViewRequest& request, std::stop_token stop) {
   Task task;
   task.threads = threads;
+  LiveStatus::Phase before;
   {
     std::lock_guard lock(mutex);
+    before = status.phase;
     buildStop = std::stop_source();
     if (stop.stop_requested()) buildStop.request_stop();
     task.stop = buildStop.get_token();
@@ -157,6 +159,7 @@ void LiveRenderer::Workers::build(const ViewRequest& request, std::stop_token st
     std::lock_guard lock(mutex);
     status.buildProgress = 1;
     status.error = error;
+    if (!built.scene && status.phase == LiveStatus::Phase::voxelising) status.phase = before;  // the old picture's
     buildMayBeCancelled = built.scene || !error.empty();
     if (built.scene) {
       status.builtGeneration = request.generation;
@@ -199,7 +202,13 @@ void LiveRenderer::Workers::traceLoop(std::stop_token stop) {
       std::lock_guard lock(mutex);
       status.phase = LiveStatus::Phase::tracing;
     }
-    refine(*request, stop);
+    try {
+      refine(*request, stop);
+    } catch (const std::exception& e) {  // a picture too large for the memory, say: the window goes on without
+      std::lock_guard lock(mutex);
+      status.phase = LiveStatus::Phase::idle;
+      status.error = e.what();
+    }
   }
 }
 
