@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -74,7 +75,7 @@ TEST(WhiteFurnace, EveryResolutionIsInvisible) {
 // white environment is known to both ways: as a picture it is sampled, as the furnace it is not, and clear fibres under
 // it are white whatever the share of either.
 TEST(WhiteFurnace, SampledAsAPictureIsWhiteToo) {
-  const std::string file = testing::TempDir() + "loomlight-white.exr";
+  const std::string file = testing::TempDir() + "loomlight-white-" + std::to_string(getpid()) + ".exr";
   Image white;
   white.width = 16;
   white.height = 8;

@@ -1,6 +1,7 @@
 #include "app/commands/weave_bitmap.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -14,7 +15,7 @@ namespace {
 class WeaveBitmap : public testing::Test {
  protected:
   void TearDown() override { std::filesystem::remove(file_); }
-  const std::string file_ = testing::TempDir() + "weave_bitmap_test.png";
+  const std::string file_ = testing::TempDir() + "weave-bitmap-" + std::to_string(getpid()) + ".png";
 };
 
 TEST_F(WeaveBitmap, ComesBackAsItWas) {

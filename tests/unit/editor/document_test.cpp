@@ -1,6 +1,7 @@
 #include "app/editor/document.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "core/base/error.h"
 
@@ -54,7 +55,7 @@ TEST(Document, LookingAroundIsNoWorkAndSurvivesUndo) {
 }
 
 TEST(Document, UndoToWhatWasSavedIsNotDirty) {
-  const std::string file = testing::TempDir() + "/document_test.json";
+  const std::string file = testing::TempDir() + "/document-test-" + std::to_string(getpid()) + ".json";
   Document document(named("first"));
   document.edit(named("a"), 1);
   EXPECT_TRUE(document.isDirty());

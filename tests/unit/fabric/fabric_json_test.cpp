@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -164,7 +165,7 @@ TEST(FabricJson, LayoutIsCompactWhereItIsLong) {
 }
 
 TEST(FabricFile, WritesAndReadsBack) {
-  const auto folder = std::filesystem::path(testing::TempDir()) / "fabric_file_test";
+  const auto folder = std::filesystem::path(testing::TempDir()) / ("fabric-file-test-" + std::to_string(getpid()));
   std::filesystem::create_directories(folder);
   const std::string file = (folder / "a.json").string();
   Fabric f;
@@ -180,7 +181,7 @@ TEST(FabricFile, WritesAndReadsBack) {
 }
 
 TEST(FabricFile, InvalidFabricLeavesTheOldFileThere) {
-  const std::string file = testing::TempDir() + "keep.json";
+  const std::string file = testing::TempDir() + "keep-" + std::to_string(getpid()) + ".json";
   writeFabric(Fabric{}, file);
   Fabric bad;
   bad.ends_per_cm = -1;
