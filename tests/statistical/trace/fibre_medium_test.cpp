@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "render/optics/fibre_frame.h"
 #include "render/trace/path_tracer.h"
 #include "render/trace/volume_medium.h"
+#include "tests/support/isotropic_light.h"
 #include "tests/support/test_cloth.h"
 
 namespace loomlight {
@@ -94,37 +94,15 @@ TEST(FibreMedium, CoversWhatTheVolumeCovers) {
   }
 }
 
-// As for the volume: lateral fibre area over boundary area, here with every fibre explicit. Packed fibres touch a little,
-// so their free surface is a little smaller.
+// As for the volume: lateral fibre area over boundary area, here with every fibre explicit. Packed fibres touch a
+// little, so their free surface is a little smaller.
 TEST(FibreMedium, EventCountIsLateralAreaOverBoundaryArea) {
   Fabric fabric = smallWhiteCloth(FibreLayout::packed);
   fabric.drape.width_mm = fabric.drape.height_mm = 10;
   const auto scene = test::sceneOf(fabric);
   const auto fibres = FibreMedium::build(*scene, kNoLimit, Task{});
-  const ClothMeasures measures = scene->volume->geometry().measure();
-  const double expected = measures.arealMass_g_m2 * 1e-6 /
-                          (fabric.fibres[0].density_g_cm3 * 1e-3 * scene->yarns[0][0].fibreRadius_mm);
-  Random random(11);
-  constexpr int kPaths = 4000;
-  double sum = 0, squares = 0;
-  for (int i = 0; i < kPaths; ++i) {
-    const float u = random.uniform(), v = random.uniform(), a = random.uniform(), b = random.uniform();
-    const float sine = std::sqrt(a), phi = static_cast<float>(2 * kPi) * b;
-    glm::vec3 direction(sine * std::cos(phi), sine * std::sin(phi), -std::sqrt(1 - a));
-    const auto z = static_cast<float>(scene->volume->geometry().halfThickness_mm());
-    Departure from{{{2 * u - 1, 2 * v - 1, z + 1e-3f}, -1}};
-    TraceCounts counts;
-    while (const auto collision = fibres->collide(from, direction, random, counts)) {
-      const FibreFrame frame(collision->tangent);
-      const FibreBcsdf& bcsdf = *scene->materials[0].bcsdf;
-      const auto scattered = bcsdf.sample(frame.toLocal(-direction), collision->offset, random);
-      direction = frame.toWorld(scattered.wi);
-      from = fibres->leave(*collision, direction, scattered.order);
-    }
-    sum += static_cast<double>(counts.events);
-    squares += static_cast<double>(counts.events) * static_cast<double>(counts.events);
-  }
-  const double mean = sum / kPaths, error = std::sqrt((squares / kPaths - mean * mean) / kPaths);
+  const double expected = test::lateralOverBoundaryArea(*scene);
+  const auto [mean, error] = test::eventsUnderIsotropicLight(*scene, *fibres, 1, 4000, 11);
   EXPECT_NEAR(mean, expected, 0.03 * expected + 3 * error);
   RecordProperty("mean", std::to_string(mean));
   RecordProperty("expected", std::to_string(expected));

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "render/optics/fibre_frame.h"
 #include "render/trace/fibre_medium.h"
 #include "render/trace/path_tracer.h"
 #include "render/trace/volume_medium.h"
+#include "tests/support/isotropic_light.h"
 #include "tests/support/test_cloth.h"
 
 namespace loomlight {
@@ -100,37 +100,14 @@ TEST(LoomlightMedium, SeesNoShadowWithTheLightBehindTheEye) {
   EXPECT_LT(visible[1] / hits[1], 0.7);  // one half in a half-space (Lommel-Seeliger)
 }
 
-double isotropicEvents(const Scene& scene, const Medium& medium, int paths) {
-  Random random(5);
-  double sum = 0;
-  for (int i = 0; i < paths; ++i) {
-    const float u = random.uniform(), v = random.uniform(), a = random.uniform(), b = random.uniform();
-    const float sine = std::sqrt(a), phi = static_cast<float>(2 * kPi) * b;
-    glm::vec3 direction(sine * std::cos(phi), sine * std::sin(phi), -std::sqrt(1 - a));
-    const auto z = static_cast<float>(scene.volume->geometry().halfThickness_mm());
-    Departure from{{{2 * u - 1, 2 * v - 1, z + 1e-3f}, -1}};
-    TraceCounts counts;
-    while (const auto collision = medium.collide(from, direction, random, counts)) {
-      const FibreFrame frame(collision->tangent);
-      const FibreBcsdf& bcsdf = *scene.materials[collision->optics.material].bcsdf;
-      const auto scattered = bcsdf.sample(frame.toLocal(-direction), collision->offset, random);
-      direction = frame.toWorld(scattered.wi);
-      from = medium.leave(*collision, direction, scattered.order);
-    }
-    sum += static_cast<double>(counts.events);
-  }
-  return sum / paths;
-}
-
 // Lateral fibre area over boundary area, however the fibres are told. Packing without its exits, or exits without
 // packing, would be off by tens of percent. The bound: 3 % for event correlations that statistics do not know, and the
 // noise of 8000 paths (1 %).
 TEST(LoomlightMedium, EventCountIsLateralAreaOverBoundaryArea) {
   const auto scene = test::sceneOf(openWeave());
-  const Fibre& fibre = scene->fabric->fibres[0];
-  const double expected = scene->volume->geometry().measure().arealMass_g_m2 * 1e-6 /
-                          (fibre.density_g_cm3 * 1e-3 * scene->yarns[0][0].fibreRadius_mm);
-  EXPECT_NEAR(isotropicEvents(*scene, LoomlightMedium(*scene), 8000), expected, 0.06 * expected);
+  const double expected = test::lateralOverBoundaryArea(*scene);
+  EXPECT_NEAR(test::eventsUnderIsotropicLight(*scene, LoomlightMedium(*scene), 1, 8000, 5).mean, expected,
+              0.06 * expected);
 }
 
 // The claim itself, in small: dyed cloth under a white dome, seen from above, against its own fibres. The plain volume

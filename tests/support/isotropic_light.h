@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cmath>
+
+#include "render/optics/fibre_frame.h"
+#include "render/trace/medium.h"
+#include "render/trace/scene.h"
+
+namespace loomlight::test {
+
+struct EventCount {
+  double mean = 0, standardError = 0;
+};
+
+/// Scattering events per path of isotropic light that enters a flat, clear cloth through the middle of its upper face:
+/// paths start within `reach_mm` of the centre and are followed until they leave.
+inline EventCount eventsUnderIsotropicLight(const Scene& scene, const Medium& medium, float reach_mm, int paths,
+                                            uint64_t seed) {
+  Random random(seed);
+  double sum = 0, squares = 0;
+  const auto top = static_cast<float>(scene.volume->geometry().halfThickness_mm()) + 1e-3f;
+  for (int i = 0; i < paths; ++i) {
+    const float u = random.uniform(), v = random.uniform(), a = random.uniform(), b = random.uniform();
+    const float sine = std::sqrt(a), phi = static_cast<float>(2 * kPi) * b;  // cosine-distributed: isotropic light
+    glm::vec3 direction(sine * std::cos(phi), sine * std::sin(phi), -std::sqrt(1 - a));
+    Departure from{{{reach_mm * (2 * u - 1), reach_mm * (2 * v - 1), top}, -1}};
+    TraceCounts counts;
+    while (const auto collision = medium.collide(from, direction, random, counts)) {
+      const FibreFrame frame(collision->tangent);
+      const FibreBcsdf& bcsdf = *scene.materials[collision->optics.material].bcsdf;
+      const auto scattered = bcsdf.sample(frame.toLocal(-direction), collision->offset, random);
+      direction = frame.toWorld(scattered.wi);
+      from = medium.leave(*collision, direction, scattered.order);
+    }
+    const auto events = static_cast<double>(counts.events);
+    sum += events;
+    squares += events * events;
+  }
+  const double mean = sum / paths;
+  return {mean, std::sqrt((squares / paths - mean * mean) / paths)};
+}
+
+/// What it must be, whatever the weave and however the fibres are told: their lateral area over the boundary's, which
+/// for a sheet of one fibre is areal mass / (density * radius).
+inline double lateralOverBoundaryArea(const Scene& scene) {
+  const double mass_g_mm2 = scene.volume->geometry().measure().arealMass_g_m2 * 1e-6;
+  return mass_g_mm2 / (scene.fabric->fibres[0].density_g_cm3 * 1e-3 * scene.yarns[0][0].fibreRadius_mm);
+}
+
+}  // namespace loomlight::test
