@@ -8,6 +8,7 @@
 #include "app/commands/bench_figures.h"
 #include "app/commands/inputs.h"
 #include "app/commands/interrupt.h"
+#include "app/commands/volume_json.h"
 #include "core/base/parallel.h"
 #include "core/base/stopwatch.h"
 #include "core/fabric/validate.h"
@@ -89,11 +90,7 @@ void printJson(const std::vector<Row>& rows) {
   for (const Row& row : rows) {
     nlohmann::ordered_json json;
     json["resolution"] = row.resolution;
-    json["bricks"] = row.volume.bricks;
-    json["voxels"] = row.volume.voxels;
-    json["components"] = row.volume.components;
-    json["volume_bytes"] = row.volume.bytes;
-    json["segments"] = row.volume.segments;
+    addVolume(json, row.volume);
     json["voxelise_cpu_seconds"] = row.voxelise_s;
     json["render_cpu_seconds"] = row.trace_s;
     json["paths"] = row.trace.paths;

@@ -8,6 +8,7 @@
 #include "app/commands/inputs.h"
 #include "app/commands/interrupt.h"
 #include "app/commands/progress.h"
+#include "app/commands/volume_json.h"
 #include "core/base/hash.h"
 #include "core/fabric/derived.h"
 #include "core/fabric/validate.h"
@@ -72,11 +73,7 @@ nlohmann::ordered_json toJson(const Fabric& fabric, const Information& of) {
   json["piece_ends"] = of.pieceEnds;
   json["piece_picks"] = of.piecePicks;
   json["resolution"] = fabric.render.resolution;
-  json["bricks"] = of.volume.bricks;
-  json["voxels"] = of.volume.voxels;
-  json["components"] = of.volume.components;
-  json["volume_bytes"] = of.volume.bytes;
-  json["segments"] = of.volume.segments;
+  addVolume(json, of.volume);
   json["segments_represented"] = of.volume.segmentsRepresented;
   return json;
 }
