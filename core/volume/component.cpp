@@ -1,61 +1,75 @@
 #include "core/volume/component.h"
 
-#include <algorithm>
-#include <cassert>
-
 namespace loomlight {
 namespace {
 
-/// Of the two unit vectors of a line, the one in the upper half-space; on its rim, the one towards +x, then +y.
-glm::vec3 canonical(glm::vec3 m) {
-  const bool lower = m.z != 0 ? m.z < 0 : m.x != 0 ? m.x < 0 : m.y < 0;
-  return lower ? -m : m;
-}
-
-uint64_t unitCode(float value, float steps) {
-  return static_cast<uint64_t>(std::lround(std::clamp(value, 0.0f, 1.0f) * steps));
+/// 0..steps for 0..1; what lies beyond is cut off.
+IntLanes unitCode(Lanes value, double steps) {
+  return truncated(least(most(value, Lanes{}), inAllLanes(1)) * steps + 0.5);
 }
 
 }  // namespace
 
-uint64_t Component::encodeDirection(glm::vec3 direction) {
-  const glm::vec3 m = canonical(direction);
-  const float norm = std::abs(m.x) + std::abs(m.y) + m.z;
-  assert(norm > 0);
-  const float u = (m.x + m.y) / norm * kAxisCentre, v = (m.x - m.y) / norm * kAxisCentre;
-  const int u0 = static_cast<int>(std::floor(u)), v0 = static_cast<int>(std::floor(v));
-  // The map is not conformal, so the nearest code is not always the rounded one: compare the four around it.
-  uint64_t best = 0;
-  double bestSine = 2;  // squared; of the cosine float could not tell apart what lies within 0.3 mrad
+IntLanes Component::encodeDirection(const DistributionLanes& d) {
+  // Of the two unit vectors of a line, the one in the upper half-space; on its rim, the one towards +x, then +y.
+  const LaneMask lower = (d.z < 0) | ((d.z == 0) & ((d.x < 0) | ((d.x == 0) & (d.y < 0))));
+  const Lanes x = lower ? -d.x : d.x, y = lower ? -d.y : d.y, z = lower ? -d.z : d.z;
+  const Lanes scale = kAxisCentre / (magnitude(x) + magnitude(y) + z);
+  const auto floorOf = [](Lanes a) { return toLanes(truncated(a + (kAxisCentre + 1)) - (kAxisCentre + 1)); };
+  const Lanes u = floorOf((x + y) * scale), v = floorOf((x - y) * scale);
+
+  // The map is not conformal, so the nearest code is not always the rounded one: compare the four around it, by the
+  // square of the sine of the angle between.
+  Lanes bestU{}, bestV{}, bestSine = inAllLanes(1), bestSquare{};
   for (int corner = 0; corner < 4; ++corner) {
-    const int i = std::clamp(u0 + (corner & 1), -kAxisCentre, kAxisCentre);
-    const int j = std::clamp(v0 + (corner >> 1), -kAxisCentre, kAxisCentre);
-    const auto code = static_cast<uint64_t>(i + kAxisCentre) | static_cast<uint64_t>(j + kAxisCentre) << 12;
-    const glm::dvec3 normal = glm::cross(glm::dvec3(decodeDirection(code)), glm::dvec3(m));
-    if (const double sine = glm::dot(normal, normal); sine < bestSine) {
-      bestSine = sine;
-      best = code;
-    }
+    const Lanes i = least(u + (corner & 1), inAllLanes(kAxisCentre)),
+                j = least(v + (corner >> 1), inAllLanes(kAxisCentre));
+    const Lanes cx = i + j, cy = i - j, cz = 2 * (kAxisCentre - most(magnitude(i), magnitude(j)));
+    const Lanes nx = cy * z - cz * y, ny = cz * x - cx * z, nz = cx * y - cy * x;
+    const Lanes sine = nx * nx + ny * ny + nz * nz, square = cx * cx + cy * cy + cz * cz;
+    const LaneMask better = sine * bestSquare < bestSine * square;
+    bestU = better ? i : bestU;
+    bestV = better ? j : bestV;
+    bestSine = better ? sine : bestSine;
+    bestSquare = better ? square : bestSquare;
   }
   // On the rim a line has two codes.
-  const int i = static_cast<int>(best & 0xFFF) - kAxisCentre, j = static_cast<int>(best >> 12) - kAxisCentre;
-  const bool rim = std::max(std::abs(i), std::abs(j)) == kAxisCentre;
-  if (!rim || i + j > 0 || (i + j == 0 && i > 0)) return best;
-  return static_cast<uint64_t>(kAxisCentre - i) | static_cast<uint64_t>(kAxisCentre - j) << 12;
+  const Lanes sum = bestU + bestV;
+  const LaneMask turned =
+      (most(magnitude(bestU), magnitude(bestV)) == kAxisCentre) & ((sum < 0) | ((sum == 0) & (bestU < 0)));
+  const IntLanes i = truncated(turned ? -bestU : bestU), j = truncated(turned ? -bestV : bestV);
+  return (i + kAxisCentre) | (j + kAxisCentre) << 12;
+}
+
+IntLanes Component::encodeDensity(Lanes lengthDensity) {
+  constexpr int kDroppedBits = 12;  // of the 23 of a float's mantissa
+  const FloatLanes density = __builtin_convertvector(most(lengthDensity, Lanes{}), FloatLanes);
+  const IntLanes excess = reinterpret_cast<IntLanes>(density) - static_cast<int>(kDensityBias);
+  const IntLanes rounded = (excess + (1 << (kDroppedBits - 1))) >> kDroppedBits;
+  // Code 0 is zero, so what would round to the value of code 0 goes to the nearer of zero and code 1.
+  const IntLanes least = density >= 0x1p-13f ? IntLanes{1, 1, 1, 1} : IntLanes{};
+  const IntLanes code = rounded > 0 ? rounded : least;
+  return code < 0xFFFF ? code : IntLanes{} + 0xFFFF;
+}
+
+void Component::encode(const DistributionLanes& d, Component* four) {
+  const IntLanes low = encodeDirection(d) | unitCode(squareRoot(most(d.spread, Lanes{})), 255) << 24;
+  const IntLanes high = unitCode(d.packing, 255) | (d.material & 0xFF) << 8 | encodeDensity(d.lengthDensity) << 16;
+  for (int i = 0; i < kLanes; ++i)
+    four[i].bits_ = static_cast<uint32_t>(low[i]) | static_cast<uint64_t>(static_cast<uint32_t>(high[i])) << 32;
 }
 
 Component Component::encode(const FibreDistribution& d) {
-  constexpr int kDroppedBits = 12;  // of the 23 of a float's mantissa
-  const float density = std::max(d.lengthDensity, 0.0f);
-  const int64_t excess = static_cast<int64_t>(std::bit_cast<uint32_t>(density)) - kDensityBias;
-  const int64_t rounded = (excess + (1 << (kDroppedBits - 1))) >> kDroppedBits;
-  // Code 0 is zero, so what would round to the value of code 0 goes to the nearer of zero and code 1.
-  const int64_t code = rounded > 0 ? rounded : density >= 0x1p-13f ? 1 : 0;
-  Component c;
-  c.bits_ = encodeDirection(d.direction) | unitCode(std::sqrt(std::max(d.spread, 0.0f)), 255) << 24 |
-            unitCode(d.packing, 255) << 32 | static_cast<uint64_t>(d.material & 0xFF) << 40 |
-            static_cast<uint64_t>(std::min<int64_t>(code, 0xFFFF)) << 48;
-  return c;
+  Component four[kLanes];
+  encode({.x = inAllLanes(d.direction.x),
+          .y = inAllLanes(d.direction.y),
+          .z = inAllLanes(d.direction.z),
+          .spread = inAllLanes(d.spread),
+          .lengthDensity = inAllLanes(d.lengthDensity),
+          .packing = inAllLanes(d.packing),
+          .material = IntLanes{} + d.material},
+         four);
+  return four[0];
 }
 
 }  // namespace loomlight

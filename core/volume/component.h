@@ -1,10 +1,13 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 
 #include "core/base/units.h"
+#include "core/volume/lanes.h"
 
 namespace loomlight {
 
@@ -15,6 +18,13 @@ struct FibreDistribution {
   float lengthDensity = 0;       ///< lambda = sum of clipped segment lengths / voxel volume, 1/mm^2
   float packing = 0;             ///< length-weighted fibre volume fraction around the fibres, 0..1
   int material = 0;              ///< which fibre of the yarn's blend, 0..255
+};
+
+/// Four of them side by side.
+struct DistributionLanes {
+  Lanes x, y, z;  ///< direction
+  Lanes spread, lengthDensity, packing;
+  IntLanes material;
 };
 
 /// A FibreDistribution in 8 bytes, from the low bits up: direction 2 x 12 bits, spread 8, packing 8, material 8, length
@@ -30,20 +40,26 @@ class Component {
  public:
   Component() = default;
   static Component encode(const FibreDistribution& distribution);
+  /// Four at once; their directions may be of any length.
+  static void encode(const DistributionLanes& distributions, Component* four);
   FibreDistribution decode() const;
   /// Of decode(), that number alone.
   float lengthDensity() const;
+  /// The same with a length density so many codes higher or lower, as far as there are any; a length density of 0
+  /// stays.
+  Component withDensitySteps(int steps) const;
 
   uint64_t bits() const { return bits_; }
   friend bool operator==(Component, Component) = default;
 
  private:
-  static constexpr int kAxisCentre =
-      2047;  ///< codes 0..4094 of an octahedral coordinate are -1..1, and 0 is one of them
+  /// Codes 0..4094 of an octahedral coordinate are -1..1, and 0 is one of them.
+  static constexpr int kAxisCentre = 2047;
   static constexpr uint32_t kDensityBias = (127u - 12u) << 23;
 
   static glm::vec3 decodeDirection(uint64_t bits);
-  static uint64_t encodeDirection(glm::vec3 direction);
+  static IntLanes encodeDirection(const DistributionLanes& d);
+  static IntLanes encodeDensity(Lanes lengthDensity);
 
   uint64_t bits_ = 0;
 };
@@ -62,6 +78,14 @@ inline glm::vec3 Component::decodeDirection(uint64_t bits) {
 inline float Component::lengthDensity() const {
   const auto code = static_cast<uint32_t>(bits_ >> 48);
   return code == 0 ? 0.0f : std::bit_cast<float>((code << 12) + kDensityBias);
+}
+
+inline Component Component::withDensitySteps(int steps) const {
+  const int code = static_cast<int>(bits_ >> 48);
+  const int moved = code == 0 ? 0 : std::clamp(code + steps, 1, 0xFFFF);
+  Component c;
+  c.bits_ = (bits_ & 0xFFFFFFFFFFFFu) | static_cast<uint64_t>(moved) << 48;
+  return c;
 }
 
 inline FibreDistribution Component::decode() const {

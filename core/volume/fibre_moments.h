@@ -1,38 +1,50 @@
 #pragma once
 
-#include <glm/glm.hpp>
+#include <array>
 
 #include "core/volume/component.h"
 
 namespace loomlight {
 
 /// What fibre segments add up to: their length, and the moments that a distribution is fitted to. Sums of moments are
-/// the moments of the union, so coarser levels and merged components lose nothing. One cache line.
+/// the moments of the union, so coarser levels and merged components lose nothing. One cache line. In double: thousands
+/// of segments meet in a coarse voxel, and lambda must integrate to the yarn's length.
 struct alignas(64) FibreMoments {
-  // sum of l t t^T: xx, yy, zz, xy, xz, yz; sum of l packing; sum of l. In double: thousands of segments meet in a
-  // coarse voxel, and lambda must integrate to the yarn's length.
-  double sums[8] = {};
+  Lanes squares{};  ///< sums of l times xx, yy, zz, xy of the tangent's components
+  Lanes others{};   ///< sums of l xz, l yz, l packing, l
 
-  double length_mm() const { return sums[7]; }
-  void add(const FibreMoments& other, double factor = 1) {
-    for (int i = 0; i < 8; ++i) sums[i] += factor * other.sums[i];
+  double length_mm() const { return others[3]; }
+  void add(const FibreMoments& more) {
+    squares += more.squares;
+    others += more.others;
   }
-  /// A straight segment; d is its length and direction, mm.
-  static FibreMoments ofSegment(glm::dvec3 d, double packing);
+  void add(const FibreMoments& more, double factor) {
+    squares += factor * more.squares;
+    others += factor * more.others;
+  }
+  /// A straight segment; d is its length and direction, mm (the last lane is not used).
+  static FibreMoments ofSegment(Lanes d, double packing);
 };
 
-/// The distribution of these fibres in a voxel: m is the principal axis of the tensor, s the spread that has the same
-/// mean-square sine about it. Its length is > 0.
-FibreDistribution fitDistribution(const FibreMoments& moments, double voxelVolume_mm3, int material);
+/// The fibres of many voxels, to be fitted together. All lengths are > 0.
+inline constexpr int kFitBatch = 64;
+using FitBatch = std::array<FibreMoments, kFitBatch>;
+
+/// The distributions of the first `count` of them: m is the principal axis of the tensor (here of any length), s the
+/// spread that has the same mean-square sine about it. Length densities are those of voxels of 1 mm^3. Rounds `count`
+/// up to whole lanes.
+using FittedBatch = std::array<DistributionLanes, kFitBatch / kLanes>;
+void fitDistributions(const FitBatch& batch, int count, FittedBatch& fitted);
 
 /// How much would be lost by describing both by one distribution: Ward's distance of the two normalised tensors.
 double mergeCost(const FibreMoments& a, const FibreMoments& b);
 
-inline FibreMoments FibreMoments::ofSegment(glm::dvec3 d, double packing) {
-  const double length = std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z);
+inline FibreMoments FibreMoments::ofSegment(Lanes d, double packing) {
+  const double length = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
   const double f = length > 0 ? 1 / length : 0;
-  return {{d.x * d.x * f, d.y * d.y * f, d.z * d.z * f, d.x * d.y * f, d.x * d.z * f, d.y * d.z * f, length * packing,
-           length}};
+  const Lanes unit = d * f;
+  return {Lanes{d[0], d[1], d[2], d[0]} * Lanes{unit[0], unit[1], unit[2], unit[1]},
+          Lanes{d[0], d[1], packing, 1} * Lanes{unit[2], unit[2], length, length}};
 }
 
 }  // namespace loomlight

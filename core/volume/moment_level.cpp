@@ -2,16 +2,49 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <tuple>
+
+#include "core/volume/component_encoder.h"
 
 namespace loomlight {
 namespace {
 
+int floorDivide(int a, int b) {
+  return a >= 0 ? a / b : -((-a + b - 1) / b);
+}
+
+/// The cell that a block (or voxel) lies in, -1, 0 or 1 across, and its place there.
+struct Place {
+  glm::ivec3 cell, inCell;
+};
+Place placeOf(glm::ivec3 block, glm::ivec3 perCell) {
+  const glm::ivec3 cell(floorDivide(block.x, perCell.x), floorDivide(block.y, perCell.y), 0);
+  return {cell, block - cell * perCell};
+}
+
+/// The block of a leaf voxel.
+glm::ivec3 blockOf(glm::ivec3 voxel, glm::ivec3 perCell) {
+  const Place place = placeOf(voxel, perCell);
+  return place.cell * ((perCell + 3) >> 2) + (place.inCell >> 2);
+}
+
+/// Blocks of the cells of a level.
+glm::ivec3 blocksPerCell(const VoxelGrid& grid, int level) {
+  return (grid.cellAt(level) + 3) >> 2;
+}
+
+/// Of a voxel's number in its block, that of the coarser voxel it lies in, from the first voxel of its block on.
+constexpr std::array<uint8_t, 64> makeHalved() {
+  std::array<uint8_t, 64> halved{};
+  for (int i = 0; i < 64; ++i) halved[i] = static_cast<uint8_t>((i & 3) >> 1 | (i >> 2 & 3) >> 1 << 2 | i >> 5 << 4);
+  return halved;
+}
+constexpr auto kHalved = makeHalved();
+
 /// The moments of one ply in a voxel, or of several that had to be merged.
 struct Part {
   FibreMoments moments;
-  uint8_t material;
+  uint8_t ply, material;
 };
 
 /// Merges the most alike until two are left; the longer names the material.
@@ -36,131 +69,112 @@ void mergeToTwo(std::vector<Part>& parts) {
   }
 }
 
-struct Fitted {
-  FibreDistribution distribution;
-  double volume_mm3;
-  int block, bit;  ///< where it goes
-};
-
-/// Rounds to components so that their lengths add up to that of the distributions. Longest first: each takes what the
-/// one before it lost, and what is lost in the end is the rounding of the shortest.
-std::vector<Component> encodeConserving(const std::vector<Fitted>& fitted) {
-  std::vector<uint32_t> order(fitted.size());
-  std::iota(order.begin(), order.end(), 0u);
-  const auto length = [&](uint32_t i) { return fitted[i].distribution.lengthDensity * fitted[i].volume_mm3; };
-  std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return length(a) > length(b); });
-  std::vector<Component> components(fitted.size());
-  double carry = 0;
-  for (const uint32_t i : order) {
-    const double own = length(i);
-    const double wanted = own + std::clamp(carry, -0.25 * own, 0.25 * own);  // never at the cost of a voxel's truth
-    FibreDistribution d = fitted[i].distribution;
-    d.lengthDensity = static_cast<float>(wanted / fitted[i].volume_mm3);
-    components[i] = Component::encode(d);
-    carry += own - components[i].lengthDensity() * fitted[i].volume_mm3;
-  }
-  return components;
-}
-
-int floorDivide(int a, int b) {
-  return a >= 0 ? a / b : -((-a + b - 1) / b);
-}
-
-/// The voxel of level + 1 that voxel i of a level lies in, along one axis; cells start their voxels anew.
-int coarserIndex(int i, int perCell) {
-  const int cell = floorDivide(i, perCell);
-  return cell * ((perCell + 1) >> 1) + ((i - cell * perCell) >> 1);
-}
-
-glm::ivec3 coarserVoxel(glm::ivec3 v, glm::ivec3 perCell) {
-  return {coarserIndex(v.x, perCell.x), coarserIndex(v.y, perCell.y), coarserIndex(v.z, perCell.z)};
-}
-
 }  // namespace
 
-MomentLevel::MomentLevel(int level, glm::ivec3 lower, glm::ivec3 extent)
-    : level_(level), lower_(lower), extent_(extent), heads_(static_cast<size_t>(extent.x) * extent.y * extent.z, -1) {}
+MomentLevel::MomentLevel(const VoxelGrid& grid, int level, glm::ivec3 lower, glm::ivec3 blocks)
+    : grid_(grid),
+      level_(level),
+      perCell_(blocksPerCell(grid, level)),
+      lower_(lower),
+      blocks_(blocks),
+      occupied_(static_cast<size_t>(blocks.x) * blocks.y * blocks.z, 0),
+      heads_(64 * occupied_.size(), -1) {
+  const size_t room = std::min<size_t>(heads_.size() / 4, 4096);  // about what is occupied
+  links_.reserve(room);
+  moments_.reserve(room);
+}
 
-FibreMoments& MomentLevel::append(int64_t index, uint8_t ply, uint8_t material) {
-  links_.push_back({heads_[index], ply, material});
-  heads_[index] = static_cast<int32_t>(moments_.size());
+MomentLevel::MomentLevel(const VoxelGrid& grid, glm::ivec3 first, glm::ivec3 last)
+    : MomentLevel(grid, 0, blockOf(first, grid.cell), blockOf(last, grid.cell) + 1 - blockOf(first, grid.cell)) {}
+
+int32_t MomentLevel::offset(int axis, int v) const {
+  const int cell = grid_.cellAt(level_)[axis], inCell = v - floorDivide(v, cell) * cell;
+  const int block = floorDivide(v, cell) * perCell_[axis] + (inCell >> 2) - lower_[axis];
+  const int stride[] = {1, blocks_.x, blocks_.x * blocks_.y};
+  return 64 * block * stride[axis] + ((inCell & 3) << (2 * axis));
+}
+
+glm::ivec3 MomentLevel::blockAt(size_t number) const {
+  const int n = static_cast<int>(number);
+  return lower_ + glm::ivec3(n % blocks_.x, n / blocks_.x % blocks_.y, n / (blocks_.x * blocks_.y));
+}
+
+FibreMoments& MomentLevel::append(int32_t voxel, uint8_t ply, uint8_t material) {
+  links_.push_back({heads_[voxel], ply, material});
+  heads_[voxel] = static_cast<int32_t>(moments_.size());
+  occupied_[voxel >> 6] |= uint64_t{1} << (voxel & 63);
   return moments_.emplace_back();
 }
 
-MomentLevel MomentLevel::coarser(const VoxelGrid& grid) const {
-  const glm::ivec3 perCell = grid.cellAt(level_);
-  const glm::ivec3 lower = coarserVoxel(lower_, perCell);
-  const glm::ivec3 upper = coarserVoxel(lower_ + extent_ - 1, perCell) + 1;
-  MomentLevel result(level_ + 1, lower, heads_.empty() ? glm::ivec3(0) : upper - lower);
-  int64_t index = 0;
-  for (int z = 0; z < extent_.z; ++z) {
-    for (int y = 0; y < extent_.y; ++y) {
-      for (int x = 0; x < extent_.x; ++x, ++index) {
-        if (heads_[index] < 0) continue;
-        const int64_t parent = result.indexOf(coarserVoxel(lower_ + glm::ivec3(x, y, z), perCell));
-        for (int32_t i = heads_[index]; i >= 0; i = links_[i].next)
-          result.at(parent, links_[i].ply, links_[i].material).add(moments_[i]);
-      }
+MomentLevel MomentLevel::coarser() const {
+  const glm::ivec3 parentsPerCell = blocksPerCell(grid_, level_ + 1);
+  const auto parentOf = [&](glm::ivec3 block) {
+    const Place place = placeOf(block, perCell_);
+    return place.cell * parentsPerCell + (place.inCell >> 1);
+  };
+  const glm::ivec3 lower = parentOf(lower_), last = parentOf(lower_ + blocks_ - 1);
+  MomentLevel result(grid_, level_ + 1, lower, occupied_.empty() ? glm::ivec3(0) : last + 1 - lower);
+  for (size_t number = 0; number < occupied_.size(); ++number) {
+    if (occupied_[number] == 0) continue;
+    // The block is an octant of its parent.
+    const glm::ivec3 block = blockAt(number), p = parentOf(block) - lower, octant = placeOf(block, perCell_).inCell & 1;
+    const int parent = (p.z * result.blocks_.y + p.y) * result.blocks_.x + p.x;
+    const int first = 64 * parent + 2 * (octant.x + 4 * octant.y + 16 * octant.z);
+    for (uint64_t rest = occupied_[number]; rest != 0; rest &= rest - 1) {
+      const int voxel = std::countr_zero(rest);
+      for (int32_t i = heads_[64 * number + voxel]; i >= 0; i = links_[i].next)
+        result.at(first + kHalved[voxel], links_[i].ply, links_[i].material).add(moments_[i]);
     }
   }
   return result;
 }
 
-Brick::Level MomentLevel::fit(const VoxelGrid& grid) const {
+Brick::Level MomentLevel::fit() const {
   Brick::Level result;
-  result.cell = grid.cellAt(level_);
-  const glm::ivec3 perCell = result.blocksPerCell();
-  const auto blockOf = [&](glm::ivec3 v) {
-    const glm::ivec3 cell(floorDivide(v.x, result.cell.x), floorDivide(v.y, result.cell.y), 0);
-    return cell * perCell + ((v - cell * result.cell) >> 2);
-  };
-  if (!heads_.empty()) {
-    result.lower = blockOf(lower_);
-    result.blocks = blockOf(lower_ + extent_ - 1) + 1 - result.lower;
-  }
-  result.grid.resize(static_cast<size_t>(result.blocks.x) * result.blocks.y * result.blocks.z);
+  result.cell = grid_.cellAt(level_);
+  result.lower = lower_;
+  result.blocks = blocks_;
+  result.grid.resize(occupied_.size());
+  std::array<std::vector<double>, 3> extents_mm;
+  for (int axis = 0; axis < 3; ++axis)
+    for (int i = 0; i < result.cell[axis]; ++i) extents_mm[axis].push_back(grid_.extent_mm(axis, i, level_));
 
-  std::vector<Fitted> fitted;
+  ComponentEncoder encoder;
+  std::vector<int32_t> voxels;  // of each component
   std::vector<Part> parts;
-  std::vector<int32_t> chain;
-  const auto byPly = [this](int32_t a, int32_t b) {
-    return std::tie(links_[a].ply, links_[a].material) < std::tie(links_[b].ply, links_[b].material);
-  };
-  for (int block = 0; block < static_cast<int>(result.grid.size()); ++block) {
-    const glm::ivec3 b = result.lower + glm::ivec3(block % result.blocks.x, block / result.blocks.x % result.blocks.y,
-                                                   block / (result.blocks.x * result.blocks.y));
-    const glm::ivec3 cell(floorDivide(b.x, perCell.x), floorDivide(b.y, perCell.y), 0);
-    const glm::ivec3 inCell = 4 * (b - cell * perCell), corner = cell * result.cell + inCell;
-    // What lies in the block, in its cell, and in the box of the moments.
-    const glm::ivec3 first = glm::max(lower_ - corner, 0);
-    const glm::ivec3 end = glm::min(glm::min(lower_ + extent_ - corner, result.cell - inCell), 4);
-    for (int bit = 0; bit < 64; ++bit) {
-      const glm::ivec3 offset(bit & 3, bit >> 2 & 3, bit >> 4), v = corner + offset;
-      if (glm::any(glm::lessThan(offset, first)) || glm::any(glm::greaterThanEqual(offset, end))) continue;
-      const int32_t head = heads_[indexOf(v)];
-      if (head < 0) continue;
-      chain.clear();
-      for (int32_t i = head; i >= 0; i = links_[i].next)
-        if (moments_[i].length_mm() > 0) chain.push_back(i);
-      std::sort(chain.begin(), chain.end(), byPly);
+  for (size_t number = 0; number < occupied_.size(); ++number) {
+    if (occupied_[number] == 0) continue;
+    const glm::ivec3 corner = 4 * placeOf(blockAt(number), perCell_).inCell;
+    for (uint64_t rest = occupied_[number]; rest != 0; rest &= rest - 1) {
+      const int bit = std::countr_zero(rest);
+      const auto voxel = static_cast<int32_t>(64 * number + bit);
+      const double volume = extents_mm[0][corner.x + (bit & 3)] * extents_mm[1][corner.y + (bit >> 2 & 3)] *
+                            extents_mm[2][corner.z + (bit >> 4)];
       parts.clear();
-      for (const int32_t i : chain) parts.push_back({moments_[i], links_[i].material});
-      if (parts.empty()) continue;
-      mergeToTwo(parts);
-      const double volume = grid.volume_mm3(v, level_);
-      for (const Part& part : parts)
-        fitted.push_back({fitDistribution(part.moments, volume, part.material), volume, block, bit});
+      for (int32_t i = heads_[voxel]; i >= 0; i = links_[i].next)
+        if (moments_[i].length_mm() > 0) parts.push_back({moments_[i], links_[i].ply, links_[i].material});
+      if (parts.size() > 1) {
+        std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
+          return std::tie(a.ply, a.material) < std::tie(b.ply, b.material);
+        });
+        mergeToTwo(parts);
+      }
+      for (const Part& part : parts) {
+        encoder.add(part.moments, volume, part.material);
+        voxels.push_back(voxel);
+      }
     }
   }
 
-  const std::vector<Component> components = encodeConserving(fitted);
+  const std::vector<Component> components = encoder.take();
+  result.components.reserve(components.size());
   int last = -1;
-  for (size_t i = 0; i < fitted.size(); ++i) {
+  for (size_t i = 0; i < components.size(); ++i) {
     if (components[i].lengthDensity() == 0) continue;
-    Brick::Block& block = result.grid[fitted[i].block];
-    const uint64_t bit = uint64_t{1} << fitted[i].bit;
-    if (fitted[i].block != last) block.first = static_cast<uint32_t>(result.components.size());
-    last = fitted[i].block;
+    Brick::Block& block = result.grid[voxels[i] >> 6];
+    const uint64_t bit = uint64_t{1} << (voxels[i] & 63);
+    if (voxels[i] >> 6 != last) block.first = static_cast<uint32_t>(result.components.size());
+    last = voxels[i] >> 6;
     (block.occupied & bit ? block.second : block.occupied) |= bit;
     result.components.push_back(components[i]);
   }

@@ -85,7 +85,7 @@ double TangentSpread::meanSquareSine(double spread) {
   return overAngle(spread, 400, [](double theta) { return std::sin(theta) * std::sin(theta); });
 }
 
-double TangentSpread::spreadFromMeanSquareSine(double meanSquare) {
+Lanes TangentSpread::spreadsFromMeanSquareSines(Lanes meanSquares) {
   // Spread over root-mean-square sine, which is nearly linear: s = rms / sqrt(2) for small s.
   static constexpr int kSamples = 256;
   struct Inverse {
@@ -103,10 +103,12 @@ double TangentSpread::spreadFromMeanSquareSine(double meanSquare) {
     }
   };
   static const Inverse inverse;
-  const double x = std::sqrt(std::max(0.0, meanSquare)) / inverse.rmsOfOne * kSamples;
-  if (!(x < kSamples)) return 1;
-  const int i = static_cast<int>(x);
-  return inverse.spread[i] + (x - i) * (inverse.spread[i + 1] - inverse.spread[i]);
+  const Lanes x = least(squareRoot(most(meanSquares, Lanes{})) * (kSamples / inverse.rmsOfOne), inAllLanes(kSamples));
+  const IntLanes i = truncated(least(x, inAllLanes(kSamples - 1)));
+  const double* at = inverse.spread.data();
+  const Lanes low{at[i[0]], at[i[1]], at[i[2]], at[i[3]]};
+  const Lanes high{at[i[0] + 1], at[i[1] + 1], at[i[2] + 1], at[i[3] + 1]};
+  return low + (x - toLanes(i)) * (high - low);
 }
 
 glm::vec3 sampleTangent(const FibreDistribution& distribution, float u1, float u2) {

@@ -33,7 +33,10 @@ class TangentSpread {
   /// E[sin^2 angle(m, t)] of a spread, by quadrature.
   static double meanSquareSine(double spread);
   /// The spread s whose Gaussian has this E[sin^2 angle(m, t)], 0..2/3 and clamped to s <= 1.
-  static double spreadFromMeanSquareSine(double meanSquareSine);
+  static double spreadFromMeanSquareSine(double meanSquareSine) {
+    return spreadsFromMeanSquareSines(inAllLanes(meanSquareSine))[0];
+  }
+  static Lanes spreadsFromMeanSquareSines(Lanes meanSquareSines);
 
  private:
   TangentSpread();

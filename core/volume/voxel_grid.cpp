@@ -3,22 +3,14 @@
 #include <cmath>
 
 namespace loomlight {
-namespace {
-
-/// Leaves that voxel i of a level spans in an axis of `cell` leaves.
-int leavesAcross(int i, int level, int cell) {
-  const int perCell = (cell + (1 << level) - 1) >> level;
-  const int inCell = ((i % perCell) + perCell) % perCell;
-  return std::min((inCell + 1) << level, cell) - (inCell << level);
-}
-
-}  // namespace
-
-double VoxelGrid::volume_mm3(glm::ivec3 v, int level) const {
-  double volume = static_cast<double>(size_mm.x) * size_mm.y * size_mm.z;
-  volume *= leavesAcross(v.x, level, cell.x);
-  volume *= leavesAcross(v.y, level, cell.y);
-  return volume * leavesAcross(v.z, level, cell.z);
+double VoxelGrid::volume_mm3(glm::ivec3 voxel, int level) const {
+  const glm::ivec3 perCell = cellAt(level);
+  double volume = 1;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int inCell = (voxel[axis] % perCell[axis] + perCell[axis]) % perCell[axis];
+    volume *= extent_mm(axis, inCell, level);
+  }
+  return volume;
 }
 
 VoxelGrid makeGrid(const ClothGeometry& geometry, int resolution) {

@@ -21,6 +21,10 @@ struct VoxelGrid {
     const int round = (1 << level) - 1;
     return {(cell.x + round) >> level, (cell.y + round) >> level, (cell.z + round) >> level};
   }
+  /// Extent in an axis of the voxels of a level with this coordinate, 0 <= i < cellAt(level)[axis].
+  double extent_mm(int axis, int i, int level) const {
+    return (std::min((i + 1) << level, cell[axis]) - (i << level)) * static_cast<double>(size_mm[axis]);
+  }
   /// Volume of a voxel of a level, as its brick counts it: below 0 and beyond the cell's size the next cells follow.
   double volume_mm3(glm::ivec3 voxel, int level) const;
 };
