@@ -4,12 +4,16 @@
 #include <memory>
 
 #include "core/base/task.h"
+#include "render/trace/fibre_extent.h"
 #include "render/trace/medium.h"
 
 namespace loomlight {
 
-/// The cloth fibre by fibre: every strand of the piece as Embree round curves, bent onto the drape. No statistics: it
-/// is the ground truth that the volume is measured against. The same strands, lobes, lights and bookkeeping.
+class FibreBvh;
+
+/// The cloth fibre by fibre: every strand of the piece as Embree round curves, bent onto the drape; or of a flat piece
+/// one repeat and copies of it. No statistics: it is the ground truth that the volume is measured against. The same
+/// strands, lobes, lights and bookkeeping.
 ///
 /// Where light sets out again is part of the claim. Of packed fibres (FibreLayout::packed), which do not overlap, it
 /// leaves from the point where its mode comes out of the fibre. Of fibres laid at random, which do overlap (the
@@ -17,18 +21,17 @@ namespace loomlight {
 /// fibre it leaves is not met again within three radii, and surfaces are met from outside only.
 class FibreMedium final : public Medium {
  public:
-  struct Size {
-    double segments = 0;
-    double bytes = 0;  ///< of geometry and accelerator together, as estimated before anything is made
-  };
-  static Size estimate(const Scene& scene);
+  using Size = FibreSize;
+  /// Throws InputError where one repeat is asked of cloth that is not flat.
+  static Size estimate(const Scene& scene, const FibreOptions& options = {});
 
-  /// Throws InputError, saying how much it would take, where the estimate is beyond `limit_bytes`. Null when stopped.
-  /// The scene must outlive the medium.
-  static std::unique_ptr<const FibreMedium> build(const Scene& scene, double limit_bytes, const Task& task);
+  /// Throws InputError, saying how much it would take, where the estimate is beyond the limit, and where estimate()
+  /// does. Null when stopped. The scene must outlive the medium.
+  static std::unique_ptr<const FibreMedium> build(const Scene& scene, const FibreOptions& options, const Task& task);
   ~FibreMedium() override;
 
-  size_t segments() const;
+  const Size& size() const { return size_; }  ///< as it was estimated
+  size_t segments() const;                    ///< that are laid
   size_t geometryBytes() const;
   size_t acceleratorBytes() const;  ///< as Embree reports its allocations
 
@@ -39,9 +42,11 @@ class FibreMedium final : public Medium {
   Departure leave(const Collision& collision, glm::vec3 wi, int order) const override;
 
  private:
-  struct Parts;
-  explicit FibreMedium(std::unique_ptr<Parts> parts);
-  std::unique_ptr<Parts> parts_;
+  FibreMedium(const Scene& scene, const FibreSize& size, std::unique_ptr<const FibreBvh> bvh);
+
+  const Scene& scene_;
+  FibreSize size_;
+  std::unique_ptr<const FibreBvh> bvh_;
 };
 
 }  // namespace loomlight

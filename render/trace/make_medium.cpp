@@ -13,9 +13,9 @@
 namespace loomlight {
 namespace {
 
-std::unique_ptr<const Medium> makeFibres(const Scene& scene, double memoryLimit_bytes, const Task& task,
+std::unique_ptr<const Medium> makeFibres(const Scene& scene, const FibreOptions& options, const Task& task,
                                          MediumCost& cost) {
-  auto fibres = FibreMedium::build(scene, memoryLimit_bytes, task);
+  auto fibres = FibreMedium::build(scene, options, task);
   if (!fibres) return nullptr;
   cost.segments = fibres->segments();
   cost.geometryBytes = fibres->geometryBytes();
@@ -42,14 +42,14 @@ double defaultMemoryLimit_bytes() {
   return 0.75 * static_cast<double>(physicalMemory_bytes());
 }
 
-std::unique_ptr<const Medium> makeMedium(const Scene& scene, double memoryLimit_bytes, const Task& task,
+std::unique_ptr<const Medium> makeMedium(const Scene& scene, const FibreOptions& options, const Task& task,
                                          MediumCost* cost) {
   MediumCost own;
   Stopwatch watch;
   const RenderSettings& settings = scene.fabric->render;
   std::unique_ptr<const Medium> medium;
   if (settings.method == Method::fibres) {
-    medium = makeFibres(scene, memoryLimit_bytes, task, own);
+    medium = makeFibres(scene, options, task, own);
     own.fibreSeconds = watch.lap();
   } else if (settings.estimator == Estimator::report) {
     medium = makeReport(scene, task, own);

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "core/base/task.h"
+#include "render/trace/fibre_extent.h"
 #include "render/trace/medium.h"
 
 namespace loomlight {
@@ -22,8 +23,8 @@ struct MediumCost {
 double defaultMemoryLimit_bytes();
 
 /// The medium that the scene's RenderSettings ask for (method, estimator). Fibres throw InputError where they would
-/// take more than `memoryLimit_bytes`. Null when stopped. The scene must outlive the medium.
-std::unique_ptr<const Medium> makeMedium(const Scene& scene, double memoryLimit_bytes, const Task& task,
+/// take more than their limit. Null when stopped. The scene must outlive the medium.
+std::unique_ptr<const Medium> makeMedium(const Scene& scene, const FibreOptions& options, const Task& task,
                                          MediumCost* cost = nullptr);
 
 /// Whether a medium made for one scene is right for the other too: all that differs is light, camera, colour, or
