@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "app/commands/bench_accuracy.h"
 #include "app/commands/bench_figures.h"
+#include "app/commands/bench_table1.h"
 #include "app/commands/inputs.h"
 #include "app/commands/interrupt.h"
 #include "app/commands/volume_json.h"
@@ -130,9 +132,18 @@ int run(const ReportBenchCommand& command) {
   Task task;
   task.stop = interrupt.token();
   task.threads = command.threads > 0 ? command.threads : hardwareThreads();
-  const bool table = command.suite == ReportBenchCommand::Suite::table1;
-  const bool complete = table ? benchTable1(command.bench, task) : benchFigures(command.bench, task);
-  return complete ? 0 : Interrupt::kExitStatus;
+  const auto measure = [&] {
+    switch (command.suite) {
+      case ReportBenchCommand::Suite::table1:
+        return benchTable1(command.bench, task);
+      case ReportBenchCommand::Suite::figures:
+        return benchFigures(command.bench, task);
+      case ReportBenchCommand::Suite::accuracy:
+        return benchAccuracy(command.bench, task);
+    }
+    return false;
+  };
+  return measure() ? 0 : Interrupt::kExitStatus;
 }
 
 }  // namespace loomlight

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "app/commands/bench_table1.h"
 #include "app/commands/fabric_options.h"
+#include "app/commands/report_bench.h"
 
 namespace loomlight {
 
@@ -19,10 +19,10 @@ struct BenchCommand {
   bool json = false;
 };
 
-/// loomlight bench table1 and loomlight bench figures: the report's comparisons, ours beside theirs, as a folder with a
-/// page, pictures and tables.
+/// loomlight bench table1, figures or accuracy: the report's comparisons, ours beside theirs, and how near ours comes
+/// to the fibres, as a folder with a page, pictures and tables.
 struct ReportBenchCommand {
-  enum class Suite { table1, figures };
+  enum class Suite { table1, figures, accuracy };
   Suite suite = Suite::table1;
   ReportBench bench;
   int threads = 0;  ///< 0: all

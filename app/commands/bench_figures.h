@@ -1,6 +1,7 @@
 #pragma once
 
-#include "app/commands/bench_table1.h"
+#include "app/commands/report_bench.h"
+#include "core/base/task.h"
 
 namespace loomlight {
 

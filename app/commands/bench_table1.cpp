@@ -6,10 +6,13 @@
 #include <cmath>
 
 #include "app/commands/bench_cloths.h"
+#include "app/commands/bench_targets.h"
 #include "app/commands/cloth_study.h"
+#include "app/commands/machine_facts.h"
+#include "app/commands/progress.h"
 #include "app/commands/report_page.h"
 #include "app/commands/view.h"
-#include "render/film/tone.h"
+#include "core/base/stopwatch.h"
 
 namespace loomlight {
 namespace {
@@ -53,14 +56,19 @@ struct ClothResults {
   StudyErrors yardstick;  ///< between two arrangements of the fibres, under the dome, in the middle of the picture
 };
 
+/// Of each of the two pictures, per pixel. What the quick form asserts, it asserts under the dome.
+int samplesOf(const NamedLight& light, bool quick) {
+  if (quick) return light.kind == LightKind::dome ? 12 : 4;
+  return 8;
+}
+
 Fabric posed(Fabric fabric, bool quick) {
   // The report's pieces have 18.5 million segments, and 3 million of the black and white cloth with its fewer fibres.
   constexpr double kReportSegments = 18'518'400, kQuickSegments = 60'000;
   const double segments = quick ? kQuickSegments : std::max(segmentsOf(fabric), kReportSegments);
   fabric = withSegments(std::move(fabric), segments);
-  fabric.render.width = quick ? 48 : 320;
-  fabric.render.height = quick ? 36 : 240;
-  fabric.render.samplesPerPixel = quick ? 12 : 32;
+  fabric.render.width = quick ? 40 : 320;
+  fabric.render.height = quick ? 30 : 240;
   fabric.camera = cameraOf(ViewChoice{-90, 50, {}, {}}, fabric, makeDrape(fabric.drape));
   return fabric;
 }
@@ -70,12 +78,12 @@ bool addYardstick(const Fabric& fabric, const ReportBench& bench, const Task& ta
   constexpr double kMiddle = 0.5;
   fmt::print(stderr, "loomlight: {}: another arrangement of the fibres\n", results.name);
   std::vector<PreparedCloth> other;
-  auto prepared = prepare(rearranged(fabric), variants()[kFibres], bench.memoryLimit_bytes, task);
+  auto prepared = prepare(rearranged(fabric), variants()[kFibres], bench, task);
   if (!prepared) return false;
   other.push_back(std::move(*prepared));
   Light dome = fabric.light;
   dome.kind = kLights[kDome].kind;
-  const auto pictures = renderInTurns(other, dome, task);
+  const auto pictures = renderInTurns(other, dome, samplesOf(kLights[kDome], bench.quick), task);
   if (!pictures) return false;
   results.yardstick = errorsOf(pictures->front(), results.pictures[kDome][kFibres], task.threads, kMiddle);
   return true;
@@ -86,7 +94,7 @@ std::optional<ClothResults> study(const BenchCloth& cloth, const ReportBench& be
   const Fabric fabric = posed(cloth.fabric, bench.quick);
   for (const Variant& variant : variants()) {
     fmt::print(stderr, "loomlight: {}: making {}\n", cloth.name, variant.name);
-    auto prepared = prepare(fabric, variant, bench.memoryLimit_bytes, task);
+    auto prepared = prepare(fabric, variant, bench, task);
     if (!prepared) return std::nullopt;
     results.cloths.push_back(std::move(*prepared));
   }
@@ -94,16 +102,12 @@ std::optional<ClothResults> study(const BenchCloth& cloth, const ReportBench& be
     fmt::print(stderr, "loomlight: {}: tracing under {} light\n", cloth.name, kLights[i].name);
     Light light = fabric.light;
     light.kind = kLights[i].kind;
-    auto pictures = renderInTurns(results.cloths, light, task);
+    auto pictures = renderInTurns(results.cloths, light, samplesOf(kLights[i], bench.quick), task);
     if (!pictures) return std::nullopt;
     results.pictures[i] = std::move(*pictures);
   }
   if (!addYardstick(fabric, bench, task, results)) return std::nullopt;
   return results;
-}
-
-std::string ratio(double of, double to) {
-  return to > 0 ? fmt::format("{:.3g} : 1", of / to) : "-";
 }
 
 void addCosts(ReportPage& page, const ClothResults& results) {
@@ -148,7 +152,7 @@ void addStrips(ReportPage& page, const ClothResults& results) {
   for (const auto& pictures : results.pictures) {
     std::vector<Pixels8> row;
     for (size_t v = kFibres; v < kFinest + 4; ++v) {
-      row.push_back(toPixels(pictures[v].films[0], Tone{}));
+      row.push_back(shown(pictures[v]));
     }
     rows.push_back(sideBySide(row));
   }
@@ -157,26 +161,63 @@ void addStrips(ReportPage& page, const ClothResults& results) {
                            results.name));
 }
 
-/// Explicit over resolution 8, ours beside the report's.
-void addRatios(ReportPage& page, const std::vector<ClothResults>& all) {
+/// Explicit fibres over resolution 8; 0 where nothing was measurable.
+struct Ratios {
+  std::string cloth;
+  double memory = 0, construction = 0;
+  std::array<double, kLights.size()> render{};
+  double segmentsPerSecond = 0;  ///< voxelised, per core
+};
+
+double quotient(double of, double to) {
+  return to > 0 ? of / to : 0;
+}
+
+Ratios ratiosOf(const ClothResults& results) {
+  const PreparedCloth &fibres = results.cloths[kFibres], &finest = results.cloths[kFinest];
+  Ratios ratios{"our " + results.name + " cloth",
+                quotient(fibres.bytes, finest.bytes),
+                quotient(fibres.construction_s, finest.construction_s),
+                {},
+                quotient(finest.segmentsMade, finest.construction_s)};
+  for (size_t i = 0; i < kLights.size(); ++i)
+    ratios.render[i] = quotient(results.pictures[i][kFibres].render_s, results.pictures[i][kFinest].render_s);
+  return ratios;
+}
+
+Ratios reportsRatios() {
   const ReportRow &fibres = kReport[0], &finest = kReport[1];
-  std::vector<std::vector<std::string>> rows{{"the report's blue cloth", ratio(fibres.megabytes, finest.megabytes),
-                                              ratio(fibres.construction_s, finest.construction_s),
-                                              ratio(fibres.sky_s, finest.sky_s), ratio(fibres.dome_s, finest.dome_s),
-                                              ratio(fibres.headlight_s, finest.headlight_s), "210000"}};
-  for (const ClothResults& results : all) {
-    const PreparedCloth &a = results.cloths[kFibres], &b = results.cloths[kFinest];
-    std::vector<std::string> row{"our " + results.name + " cloth", ratio(a.bytes, b.bytes),
-                                 ratio(a.construction_s, b.construction_s)};
-    for (const auto& pictures : results.pictures)
-      row.push_back(ratio(pictures[kFibres].render_s, pictures[kFinest].render_s));
-    row.push_back(b.construction_s > 0 ? fmt::format("{:.0f}", b.segmentsMade / b.construction_s) : "-");
-    rows.push_back(std::move(row));
+  return {"the report's blue cloth",
+          quotient(fibres.megabytes, finest.megabytes),
+          quotient(fibres.construction_s, finest.construction_s),
+          {quotient(fibres.sky_s, finest.sky_s), quotient(fibres.dome_s, finest.dome_s),
+           quotient(fibres.headlight_s, finest.headlight_s)},
+          quotient(fibres.elements, finest.construction_s)};
+}
+
+void addRatios(ReportPage& page, const std::vector<Ratios>& all) {
+  std::vector<std::vector<std::string>> rows;
+  for (const Ratios& ratios : all) {
+    std::vector<std::string>& row = rows.emplace_back();
+    row = {ratios.cloth, ratioText(ratios.memory), ratioText(ratios.construction)};
+    for (const double render : ratios.render) row.push_back(ratioText(render));
+    row.push_back(fmt::format("{:.3g} M", ratios.segmentsPerSecond / 1e6));
   }
   page.heading("Explicit fibres over resolution 8");
   page.table("table1_ratios",
              {"cloth", "memory", "construction", "sky", "dome", "headlight", "segments voxelised per s and core"},
              rows);
+}
+
+std::vector<Target> targetsOf(const Ratios& blue) {
+  using Kind = Target::Kind;
+  return {{"memory, explicit : resolution 8, the report's cloth", "57 : 1", "", Kind::ratio, 1000, 10000, blue.memory},
+          {"construction, explicit : resolution 8", "5 : 1", "", Kind::ratio, 50, 500, blue.construction},
+          {"render, explicit : resolution 8, equal samples, sky", "3.1 : 1", "", Kind::ratio, 4, 10, blue.render[0]},
+          {"the same, dome", "1.3 : 1", "4.1 : 1", Kind::ratio, 4, 10, blue.render[1]},
+          {"the same, headlight", "2.5 : 1", "", Kind::ratio, 4, 10, blue.render[2]},
+          {"voxelising, segments per second and core", "0.2 M", "6-21 M", Kind::perSecond, 10e6, 30e6,
+           blue.segmentsPerSecond}};
 }
 
 void addReport(ReportPage& page) {
@@ -193,6 +234,7 @@ void addReport(ReportPage& page) {
 }  // namespace
 
 bool benchTable1(const ReportBench& bench, const Task& task) {
+  Stopwatch watch;
   ReportPage page(bench.folder, "table1", "Table 1: explicit fibres and the volume");
   page.paragraph(
       "Four cloths round a cylinder, at equal samples per pixel. Seconds are processor time of all threads, of two "
@@ -202,20 +244,20 @@ bool benchTable1(const ReportBench& bench, const Task& task) {
       "yardstick is "
       "the last line: how far explicit fibres are from explicit fibres that lie otherwise in the same yarns, in the "
       "middle half of the picture.");
-  std::vector<ClothResults> all;
+  std::vector<Ratios> all{reportsRatios()};
   for (const BenchCloth& cloth : cylinderCloths()) {
-    auto results = study(cloth, bench, task);
+    const auto results = study(cloth, bench, task);
     if (!results) return false;
     page.heading("The " + results->name + " cloth");
     addCosts(page, *results);
     addErrors(page, *results, task.threads);
     addStrips(page, *results);
-    // The fibres of one cloth must not stay in memory while the next are laid.
-    for (PreparedCloth& prepared : results->cloths) prepared.medium.reset();
-    all.push_back(std::move(*results));
+    all.push_back(ratiosOf(*results));
   }
   addRatios(page, all);
   addReport(page);
+  page.paragraph(fmt::format("Measured in {} on {}", durationText(watch.lap()), machineFacts(task.threads)));
+  addTargets(page, "table1_targets", targetsOf(all[1]));
   fmt::print("{}\n", page.finish());
   return true;
 }

@@ -6,9 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "app/commands/report_bench.h"
 #include "core/base/task.h"
 #include "core/fabric/fabric.h"
 #include "render/film/film.h"
+#include "render/metrics/comparison.h"
+#include "render/trace/loomlight_medium.h"
 #include "render/trace/make_medium.h"
 
 namespace loomlight {
@@ -19,7 +22,16 @@ struct Variant {
   Method method = Method::volume;
   Estimator estimator = Estimator::loomlight;
   int resolution = 8;
+  LoomlightMedium::Ingredients ingredients{};  ///< of Estimator::loomlight
 };
+
+/// The fabric with the settings of a variant.
+Fabric variantOf(Fabric fabric, const Variant& variant);
+/// What light is traced through, for a scene of that variant. Null when stopped; throws InputError as makeMedium does.
+std::unique_ptr<const Medium> mediumOf(const Scene& scene, const Variant& variant, const ReportBench& bench,
+                                       const Task& task, MediumCost& cost);
+/// The same cloth in another light and with another pattern of noise. Null when stopped.
+std::shared_ptr<const Scene> relit(const Scene& scene, const Light& light, uint64_t seed, const Task& task);
 
 /// A cloth made ready to be traced in one way, and what that took.
 struct PreparedCloth {
@@ -33,7 +45,8 @@ struct PreparedCloth {
 };
 
 /// nullopt when stopped; throws InputError as makeScene and makeMedium do.
-std::optional<PreparedCloth> prepare(Fabric fabric, const Variant& variant, double memoryLimit_bytes, const Task& task);
+std::optional<PreparedCloth> prepare(const Fabric& fabric, const Variant& variant, const ReportBench& bench,
+                                     const Task& task);
 
 /// The same picture with two patterns of noise, so that what is bias can be told from what is noise.
 struct TwoPictures {
@@ -42,10 +55,17 @@ struct TwoPictures {
   TraceCounts counts;
 };
 
-/// Pictures of every cloth in this light, as its RenderSettings say. The cloths take turns, a few samples each, so that
-/// whatever else the machine does, it does to all of them alike. nullopt when stopped.
+/// Pictures of every cloth in this light, of `samples` per pixel each. The cloths take turns, a few samples each, so
+/// that whatever else the machine does, it does to all of them alike. nullopt when stopped.
 std::optional<std::vector<TwoPictures>> renderInTurns(const std::vector<PreparedCloth>& cloths, const Light& light,
-                                                      const Task& task);
+                                                      int samples, const Task& task);
+
+/// Both together, for the display.
+Pixels8 shown(const TwoPictures& pictures);
+
+/// Squared relative difference of pixels, free of noise (noiseFreeBiasEstimate). `part`: of width and height, around
+/// the middle, that is compared.
+Estimate squaredDifference(const TwoPictures& pictures, const TwoPictures& reference, double part = 1);
 
 /// How far one is from another that shows what is to be seen.
 struct StudyErrors {
@@ -53,7 +73,6 @@ struct StudyErrors {
   double rms_percent = 0;      ///< of pixels, free of noise; below zero where noise has the last word
   double flip = 0;             ///< mean, with what noise there is
 };
-/// `part`: of width and height, around the middle, that is compared.
 StudyErrors errorsOf(const TwoPictures& pictures, const TwoPictures& reference, int threads, double part = 1);
 
 }  // namespace loomlight

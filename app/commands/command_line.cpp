@@ -156,7 +156,7 @@ void addVolumeBench(CLI::App& app, BenchCommand& command) {
 void addReportBench(CLI::App& app, ReportBenchCommand& command) {
   app.add_option("-o,--output", command.bench.folder, "the folder for page, pictures and tables; made where needed")
       ->type_name("DIR");
-  app.add_flag("--quick", command.bench.quick, "small pieces, few paths: seconds instead of an hour");
+  app.add_flag("--quick", command.bench.quick, "small pieces, few paths: seconds instead of a quarter of an hour");
   addThreads(app, command.threads);
   addMemoryLimit(app, command.bench.memoryLimit_bytes);
 }
@@ -246,6 +246,8 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   BrdfCommand brdf;
   ReportBenchCommand table1{ReportBenchCommand::Suite::table1, {"bench-table1", false, defaultMemoryLimit_bytes()}};
   ReportBenchCommand figures{ReportBenchCommand::Suite::figures, {"bench-figures", false, defaultMemoryLimit_bytes()}};
+  ReportBenchCommand accuracy{ReportBenchCommand::Suite::accuracy,
+                              {"bench-accuracy", false, defaultMemoryLimit_bytes()}};
 
   CLI::App app("Woven fabric, path-traced from the optics of its fibres.", "loomlight");
   app.set_version_flag("--version", "loomlight " LOOMLIGHT_VERSION);
@@ -271,6 +273,9 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   addReportBench(*tables, table1);
   CLI::App* const figuresOf = benches->add_subcommand("figures", "the report's figures, ours beside explicit fibres");
   addReportBench(*figuresOf, figures);
+  CLI::App* const accuracies =
+      benches->add_subcommand("accuracy", "how near the volume comes to its own fibres, by every estimator");
+  addReportBench(*accuracies, accuracy);
   CLI::App* const compares = app.add_subcommand("compare", "how far a picture is from its reference");
   addCompare(*compares, compare);
   CLI::App* const visibilities = app.add_subcommand("bvdf", "bake the local visibility of a fabric's yarns (Fig. 8)");
@@ -299,10 +304,11 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   if (*converts) return convert;
   if (*tables) return table1;
   if (*figuresOf) return figures;
+  if (*accuracies) return accuracy;
   if (*volumes) return bench;
   if (*benches)
-    throw UsageError(
-        fmt::format("bench: expected volume, table1 or figures, got '{}'", noSuite.empty() ? "" : noSuite.front()));
+    throw UsageError(fmt::format("bench: expected volume, table1, figures or accuracy, got '{}'",
+                                 noSuite.empty() ? "" : noSuite.front()));
   if (*visibilities) return bvdf;
   if (*compares) {
     if (compare.yardstickAgain && !compare.yardstick)

@@ -1,14 +1,26 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/commands/bench_cloths.h"
-#include "app/commands/bench_table1.h"
+#include "app/commands/report_bench.h"
+#include "core/base/task.h"
 #include "render/film/image.h"
+#include "render/metrics/comparison.h"
+#include "render/trace/half_dome.h"
 
 namespace loomlight {
+
+/// The same measurement with two patterns of noise.
+using TwoMeasures = std::array<HalfDomeMeasure, 2>;
+/// nullopt when stopped.
+std::optional<TwoMeasures> measureTwice(const Scene& scene, const Medium& medium, const Light& light,
+                                        const HalfDomeGrid& grid, int samples, const Task& task);
+/// Squared relative difference of the cameras' colours, free of noise (noiseFreeBiasEstimate).
+Estimate squaredDifference(const TwoMeasures& measures, const TwoMeasures& reference);
 
 /// Half-dome BRDFs of one cloth, fibres beside the volume.
 struct HalfDomeStudy {

@@ -111,26 +111,33 @@ Comparison compare(PicturePair pair, const Viewing& viewing, int threads) {
   return result;
 }
 
-double noiseFreeBias(const PicturePair& first, const PicturePair& second) {
+Estimate noiseFreeBiasEstimate(const PicturePair& first, const PicturePair& second) {
   expectSameSize(first.reference, first.referenceName, first.picture, first.pictureName);
   expectSameSize(first.reference, first.referenceName, second.picture, second.pictureName);
   expectSameSize(first.reference, first.referenceName, second.reference, second.referenceName);
   expectOtherSeed(first.picture, first.pictureName, second.picture, second.pictureName);
   expectOtherSeed(first.reference, first.referenceName, second.reference, second.referenceName);
-  double differences = 0, references = 0;
+  double differences = 0, squares = 0, references = 0;
   size_t finite = 0;
   for (size_t i = 0; i < first.picture.pixels.size(); ++i) {
     const Rgb &a1 = first.picture.pixels[i], &r1 = first.reference.pixels[i];
     const Rgb &a2 = second.picture.pixels[i], &r2 = second.reference.pixels[i];
     if (!isFinite(a1) || !isFinite(r1) || !isFinite(a2) || !isFinite(r2)) continue;
     ++finite;
-    differences += glm::dot(glm::dvec3(a1) - glm::dvec3(r1), glm::dvec3(a2) - glm::dvec3(r2));
+    const double difference = glm::dot(glm::dvec3(a1) - glm::dvec3(r1), glm::dvec3(a2) - glm::dvec3(r2));
+    differences += difference;
+    squares += difference * difference;
     references += glm::dot(glm::dvec3(r1), glm::dvec3(r2));
   }
   if (finite == 0)
     throw InputError(fmt::format("{}, {}, {} and {}: expected a pixel that is finite in all", first.pictureName,
                                  first.referenceName, second.pictureName, second.referenceName));
-  return ratio(differences, references);
+  const double spread = std::max(0.0, squares - differences * differences / static_cast<double>(finite));
+  return {ratio(differences, references), ratio(std::sqrt(spread), references)};
+}
+
+double noiseFreeBias(const PicturePair& first, const PicturePair& second) {
+  return noiseFreeBiasEstimate(first, second).value;
 }
 
 }  // namespace loomlight

@@ -39,11 +39,17 @@ struct Comparison {
 /// sizes differ or no pixel is finite in both. `threads`: 0 for all.
 Comparison compare(PicturePair pair, const Viewing& viewing, int threads = 0);
 
+/// A measured number, and how far it may be off for noise: one standard deviation.
+struct Estimate {
+  double value = 0, standardError = 0;
+};
+
 /// <(A1 - R1)(A2 - R2)> / <R1 R2> over pixels and channels: the squared relative difference that is left when both are
 /// free of noise, from two renderings of each. The noise of the one pair is independent of that of the other, so that
 /// its products average to nothing, where squares would add up; the estimate may come out below zero. Pixels that are
-/// not finite in all four are left out. Throws InputError when sizes differ, when no pixel is left, or when two that
-/// should differ in their seed are the same.
+/// not finite in all four are left out. Its standard error is that of a mean over pixels, taken as independent. Throws
+/// InputError when sizes differ, when no pixel is left, or when two that should differ in their seed are the same.
+Estimate noiseFreeBiasEstimate(const PicturePair& first, const PicturePair& second);
 double noiseFreeBias(const PicturePair& first, const PicturePair& second);
 
 }  // namespace loomlight

@@ -1,4 +1,4 @@
-"""The quick forms of `bench table1` and `bench figures`: complete folders, and the orderings that must hold."""
+"""The quick forms of `bench table1`, `figures` and `accuracy`: whole folders, and the orderings that must hold."""
 
 import csv
 import re
@@ -12,12 +12,14 @@ class ReportBench(CommandLineTest):
             return list(csv.DictReader(file))
 
     def expect_whole(self, page):
-        """Every picture that the page shows is there."""
+        """Every picture that the page shows is there, and a small one of it."""
         text = (self.folder / page).read_text()
         shown = re.findall(r"!\[.*?\]\((.*?)\)", text)
-        self.assertGreater(len(shown), 2)
+        self.assertGreater(len(shown), 1)
         for name in shown:
             self.assertTrue((self.folder / page).with_name(name).exists(), name)
+            small = (self.folder / page).parent / "small" / name
+            self.assertLessEqual(small.stat().st_size, 100_000, name)
 
     def test_table_1(self):
         self.run_program("bench", "table1", "--quick", "-o", "out", timeout=280)
@@ -28,22 +30,31 @@ class ReportBench(CommandLineTest):
                 bytes_of = [float(costs[f"resolution {r}"]["MB"]) for r in (8, 4, 2, 1)]
                 self.assertEqual(bytes_of, sorted(bytes_of, reverse=True))
                 self.assertGreater(float(costs["fibres"]["MB"]), bytes_of[0])
-                rms = {
-                    row["method"]: float(row["RMS without noise, %"])
+                flip = {
+                    row["method"]: float(row["mean FLIP"])
                     for row in self.table(f"out/{cloth}_errors.csv")
                     if row["light"] == "dome"
                 }
                 # Nearer than 4 against 2 noise has a say.
-                self.assertLess(rms["resolution 8"], rms["resolution 2"])
-                self.assertLess(rms["resolution 4"], rms["resolution 1"])
+                self.assertLess(flip["resolution 8"], flip["resolution 2"])
+                self.assertLess(flip["resolution 4"], flip["resolution 2"])
+                self.assertLess(flip["resolution 2"], flip["resolution 1"])
         self.assertEqual(len(self.table("out/table1_ratios.csv")), 1 + 4)
-        # Ours beats the report's estimator, which beats none; over all cloths and lights, so that noise has little say.
-        flip = {}
+        # Over all cloths noise has little say: the error falls with resolution, and ours beats the report's estimator,
+        # which beats none.
+        rms, flip = {}, {}
         for cloth in ("blue", "colourful", "black_and_white", "green"):
             for row in self.table(f"out/{cloth}_errors.csv"):
-                flip[row["method"]] = flip.get(row["method"], 0) + float(row["mean FLIP"])
+                if row["light"] == "dome":
+                    flip[row["method"]] = flip.get(row["method"], 0) + float(row["mean FLIP"])
+                    rms[row["method"]] = rms.get(row["method"], 0) + float(row["RMS without noise, %"])
+        for finer, coarser in ((8, 4), (4, 2), (2, 1)):
+            self.assertLess(flip[f"resolution {finer}"], flip[f"resolution {coarser}"])
+        for finer, coarser in ((8, 2), (4, 2), (2, 1)):
+            self.assertLess(rms[f"resolution {finer}"], rms[f"resolution {coarser}"])
         self.assertLess(flip["resolution 8"], flip["resolution 8, report's estimator"])
         self.assertLess(flip["resolution 8, report's estimator"], flip["resolution 8, no estimator"])
+        self.assertEqual(len(self.table("out/table1_targets.csv")), 6)
 
     def test_figures(self):
         self.run_program("bench", "figures", "--quick", "-o", "out", timeout=280)
@@ -51,6 +62,12 @@ class ReportBench(CommandLineTest):
         for row in self.table("out/fig1.csv"):
             self.assertGreater(float(row["fibre segments it stands for"]), 1e10)
             self.assertLess(float(row["MB of volume"]), 4000)
+        ours, *counted = self.table("out/fig4.csv")
+        self.assertEqual(len(counted), 3)
+        for row in counted:
+            self.assertLess(100 * float(ours["RMS in voxels, %"]), float(row["RMS in voxels, %"]))
+            self.assertLess(float(ours["RMS at a quarter of a voxel, %"]), float(row["RMS at a quarter of a voxel, %"]))
+        self.assertGreater(len(self.table("out/fig4_line.csv")), 10)
         # How far the mean colour is off where all depends on local visibility.
         off = {
             row["estimator"]: sum(abs(float(row[c + ", %"])) for c in ("red", "green", "blue"))
@@ -63,6 +80,25 @@ class ReportBench(CommandLineTest):
             [row["light"] for row in self.table("out/fig11-14.csv")],
             ["above", "45 degrees", "behind, 45 degrees", "dome"],
         )
+
+    def test_accuracy(self):
+        self.run_program("bench", "accuracy", "--quick", "-o", "out", timeout=280)
+        self.expect_whole("out/accuracy.md")
+        rows = {row["method"]: row for row in self.table("out/accuracy.csv")}
+        errors = {row["method"]: row for row in self.table("out/accuracy_error.csv")}
+        off = {method: float(row["dome, %"]) for method, row in rows.items()}
+        names = [f"{name}, resolution 8" for name in ("loomlight", "report", "none")]
+        for better, worse in zip(names, names[1:]):
+            self.assertLess(off[better], off[worse])
+            self.assertLess(float(errors[better]["dome, %"]), 2)
+        # Without what they know of fibres all of ours would be a plain volume.
+        left_out = [method for method in rows if method.startswith("loomlight, resolution 8, no ")]
+        self.assertGreater(len(left_out), 2)
+        self.assertGreater(max(off[method] for method in left_out), off["loomlight, resolution 8"])
+        targets = self.table("out/accuracy_targets.csv")
+        self.assertEqual(len(targets), 9)
+        for row in targets:
+            self.assertIn(row["at least met"], ("yes", "no"))
 
 
 main()

@@ -93,10 +93,13 @@ TEST(NoiseFreeBias, IsTheSquaredDifferenceUnderTheNoise) {
     for (Rgb& c : p.pixels) c += Rgb(level - 0.35f);
     return p;
   };
-  const double bias = noiseFreeBias(pairOf(noisy(0.55f, 1), noisy(0.5f, 2)), pairOf(noisy(0.55f, 3), noisy(0.5f, 4)));
-  // Variance of a difference is 2 * 0.7^2 / 12 = 0.082; of the mean of 480000 products, (0.082 / 693)^2.
-  const double sigma = 0.082 / std::sqrt(480000.0) / 0.25;
-  EXPECT_NEAR(bias, 0.01, 5 * sigma);
+  const Estimate bias =
+      noiseFreeBiasEstimate(pairOf(noisy(0.55f, 1), noisy(0.5f, 2)), pairOf(noisy(0.55f, 3), noisy(0.5f, 4)));
+  // Variance of a difference is v = 2 * 0.7^2 / 12 = 0.082; of a product of two about m = 0.05, v^2 + 2 m^2 v; and of
+  // the mean of 480000 of these.
+  const double v = 2 * 0.49 / 12, sigma = std::sqrt((v * v + 2 * 0.0025 * v) / 480000) / 0.25;
+  EXPECT_NEAR(bias.value, 0.01, 5 * sigma);
+  EXPECT_NEAR(bias.standardError, sigma, 0.02 * sigma);  // of a spread over 160000 pixels, 2 permille
 }
 
 TEST(NoiseFreeBias, OfTheSameExpectationIsNothing) {

@@ -1,0 +1,76 @@
+#!/usr/bin/env python3
+"""Puts the pages of `loomlight bench table1`, `figures` and `accuracy` together as RESULTS.md, with a few small pictures.
+
+    tests/bench/results.py --run build/app/loomlight RUNS    measures first: three quarters of an hour on two idle cores
+    tests/bench/results.py RUNS                              only writes, from what is in RUNS
+
+RUNS is a folder that keeps the whole pages, tables and pictures, one folder a suite, and the commit they are of.
+"""
+
+import argparse
+import pathlib
+import re
+import shutil
+import subprocess
+
+HERE = pathlib.Path(__file__).resolve().parent
+SUITES = ("accuracy", "table1", "figures")
+PICTURES = ("accuracy_plain_filament", "blue", "black_and_white", "fig1", "fig4", "fig7", "fig8", "fig11-14_blue")
+LARGEST_BYTES = 100_000
+
+
+def commit():
+    words = ("git", "-C", str(HERE), "describe", "--always", "--dirty", "--exclude=*")
+    return subprocess.run(words, check=True, capture_output=True, text=True).stdout.strip()
+
+
+def measure(program, runs):
+    runs.mkdir(parents=True, exist_ok=True)
+    (runs / "commit").write_text(commit() + "\n")
+    for suite in SUITES:
+        subprocess.run((program, "bench", suite, "-o", runs / suite), check=True)
+
+
+def page_of(suite, runs, pictures):
+    """The page a level further down; copies the pictures that are wanted and leaves the others out."""
+    lines = (runs / suite / f"{suite}.md").read_text().splitlines()
+    kept, caption = [], None
+    for line in lines:
+        if line == caption:  # stands below its picture
+            caption = None
+            continue
+        shown = re.fullmatch(r"!\[(.*)\]\((.*)\.png\)", line)
+        if shown:
+            caption = shown.group(1)
+            if shown.group(2) not in PICTURES:
+                continue
+            small = runs / suite / "small" / f"{shown.group(2)}.png"
+            assert small.stat().st_size <= LARGEST_BYTES, small
+            shutil.copyfile(small, pictures / small.name)
+            kept += [f"![{caption}](results/{small.name})", "", f"*{caption}*"]
+        elif not (line == "" and kept and kept[-1] == ""):
+            kept.append("#" + line if line.startswith("#") else line)
+    return "\n".join(kept).strip()
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("runs", metavar="RUNS", type=pathlib.Path)
+    parser.add_argument("--run", metavar="LOOMLIGHT", help="the program to measure with")
+    arguments = parser.parse_args()
+    if arguments.run:
+        measure(arguments.run, arguments.runs)
+    pictures = HERE / "results"
+    shutil.rmtree(pictures, ignore_errors=True)
+    pictures.mkdir()
+    head = (
+        "# Results\n\n"
+        "Written by [results.py](results.py) from what `loomlight bench` measured at commit "
+        f"{(arguments.runs / 'commit').read_text().strip()}. \"The report\" is Schröder, Zinke and Klein 2011; "
+        "\"prototype\" a throw-away program of ours that came before this one."
+    )
+    pages = [page_of(suite, arguments.runs, pictures) for suite in SUITES]
+    (HERE / "RESULTS.md").write_text("\n\n".join([head, *pages]) + "\n")
+
+
+main()
