@@ -76,15 +76,19 @@ bool ClothVolume::makeBricks(const ClothVolume* previous, const Task& task) {
 
   std::vector<std::shared_ptr<const Brick>> made(missing.size());
   std::atomic<size_t> bytes{kept}, done{0};
-  parallelFor(missing.size(), task.threads, [&](size_t i) {
-    if (task.stopped()) return;
-    made[i] = std::make_shared<const Brick>(voxelise(geometry_->strands(missing[i]), missing[i].system, grid_));
-    if ((bytes += made[i]->bytes()) > kMaxBytes)
-      throw InputError(
-          fmt::format("the volume of this cloth takes more than {} GiB ({} different yarn cells): expected "
-                      "a lower resolution, fewer different yarns or a smaller repeat",
-                      kMaxBytes >> 30, needed.size()));
-    task.report(static_cast<double>(++done) / static_cast<double>(missing.size()));
+  std::atomic<size_t> next{0};
+  const size_t workers = std::min<size_t>(missing.size(), task.threads > 0 ? task.threads : hardwareThreads());
+  parallelFor(workers, task.threads, [&](size_t) {
+    Voxeliser voxelise(grid_);
+    for (size_t i = next++; i < missing.size() && !task.stopped(); i = next++) {
+      made[i] = std::make_shared<const Brick>(voxelise(geometry_->strands(missing[i]), missing[i].system));
+      if ((bytes += made[i]->bytes()) > kMaxBytes)
+        throw InputError(
+            fmt::format("the volume of this cloth takes more than {} GiB ({} different yarn cells): expected "
+                        "a lower resolution, fewer different yarns or a smaller repeat",
+                        kMaxBytes >> 30, needed.size()));
+      task.report(static_cast<double>(++done) / static_cast<double>(missing.size()));
+    }
   });
   if (task.stopped()) return false;
 

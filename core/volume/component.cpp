@@ -10,34 +10,48 @@ IntLanes unitCode(Lanes value, double steps) {
 
 }  // namespace
 
-IntLanes Component::encodeDirection(const DistributionLanes& d) {
-  // Of the two unit vectors of a line, the one in the upper half-space; on its rim, the one towards +x, then +y.
-  const LaneMask lower = (d.z < 0) | ((d.z == 0) & ((d.x < 0) | ((d.x == 0) & (d.y < 0))));
-  const Lanes x = lower ? -d.x : d.x, y = lower ? -d.y : d.y, z = lower ? -d.z : d.z;
-  const Lanes scale = kAxisCentre / (magnitude(x) + magnitude(y) + z);
-  const auto floorOf = [](Lanes a) { return toLanes(truncated(a + (kAxisCentre + 1)) - (kAxisCentre + 1)); };
-  const Lanes u = floorOf((x + y) * scale), v = floorOf((x - y) * scale);
+WideInts Component::encodeDirections(const std::array<DistributionLanes, 2>& d) {
+  constexpr float kCentre = kAxisCentre;
+  const auto scaleOf = [](const DistributionLanes& of) {
+    return kAxisCentre / (magnitude(of.x) + magnitude(of.y) + magnitude(of.z));
+  };
+  const Lanes scales[] = {scaleOf(d[0]), scaleOf(d[1])};
+  WideFloats x = joined(d[0].x * scales[0], d[1].x * scales[1]);
+  WideFloats y = joined(d[0].y * scales[0], d[1].y * scales[1]);
+  WideFloats z = joined(d[0].z * scales[0], d[1].z * scales[1]);
+  // Of the two directions of a line, the one in the upper half-space; on its rim, the one towards +x, then +y.
+  const WideInts lower = (z < 0) | ((z == 0) & ((x < 0) | ((x == 0) & (y < 0))));
+  x = lower ? -x : x;
+  y = lower ? -y : y;
+  z = lower ? -z : z;
+  const auto floorOf = [](WideFloats a) {  // a >= -kCentre
+    const WideInts whole = __builtin_convertvector(a + (kCentre + 1), WideInts);
+    return __builtin_convertvector(whole, WideFloats) - (kCentre + 1);
+  };
+  const WideFloats u = floorOf(x + y), v = floorOf(x - y);
 
   // The map is not conformal, so the nearest code is not always the rounded one: compare the four around it, by the
   // square of the sine of the angle between.
-  Lanes bestU{}, bestV{}, bestSine = inAllLanes(1), bestSquare{};
+  const WideFloats last = WideFloats{} + kCentre;
+  WideFloats bestU{}, bestV{}, bestSine = WideFloats{} + 1, bestSquare{};
   for (int corner = 0; corner < 4; ++corner) {
-    const Lanes i = least(u + (corner & 1), inAllLanes(kAxisCentre)),
-                j = least(v + (corner >> 1), inAllLanes(kAxisCentre));
-    const Lanes cx = i + j, cy = i - j, cz = 2 * (kAxisCentre - most(magnitude(i), magnitude(j)));
-    const Lanes nx = cy * z - cz * y, ny = cz * x - cx * z, nz = cx * y - cy * x;
-    const Lanes sine = nx * nx + ny * ny + nz * nz, square = cx * cx + cy * cy + cz * cz;
-    const LaneMask better = sine * bestSquare < bestSine * square;
+    const WideFloats i = least(u + static_cast<float>(corner & 1), last);
+    const WideFloats j = least(v + static_cast<float>(corner >> 1), last);
+    const WideFloats cx = i + j, cy = i - j, cz = 2 * (kCentre - most(magnitude(i), magnitude(j)));
+    const WideFloats nx = cy * z - cz * y, ny = cz * x - cx * z, nz = cx * y - cy * x;
+    const WideFloats sine = nx * nx + ny * ny + nz * nz, square = cx * cx + cy * cy + cz * cz;
+    const WideInts better = sine * bestSquare < bestSine * square;
     bestU = better ? i : bestU;
     bestV = better ? j : bestV;
     bestSine = better ? sine : bestSine;
     bestSquare = better ? square : bestSquare;
   }
   // On the rim a line has two codes.
-  const Lanes sum = bestU + bestV;
-  const LaneMask turned =
-      (most(magnitude(bestU), magnitude(bestV)) == kAxisCentre) & ((sum < 0) | ((sum == 0) & (bestU < 0)));
-  const IntLanes i = truncated(turned ? -bestU : bestU), j = truncated(turned ? -bestV : bestV);
+  const WideFloats sum = bestU + bestV;
+  const WideInts turned =
+      (most(magnitude(bestU), magnitude(bestV)) == kCentre) & ((sum < 0) | ((sum == 0) & (bestU < 0)));
+  const WideInts i = __builtin_convertvector(turned ? -bestU : bestU, WideInts);
+  const WideInts j = __builtin_convertvector(turned ? -bestV : bestV, WideInts);
   return (i + kAxisCentre) | (j + kAxisCentre) << 12;
 }
 
@@ -52,24 +66,30 @@ IntLanes Component::encodeDensity(Lanes lengthDensity) {
   return code < 0xFFFF ? code : IntLanes{} + 0xFFFF;
 }
 
-void Component::encode(const DistributionLanes& d, Component* four) {
-  const IntLanes low = encodeDirection(d) | unitCode(squareRoot(most(d.spread, Lanes{})), 255) << 24;
-  const IntLanes high = unitCode(d.packing, 255) | (d.material & 0xFF) << 8 | encodeDensity(d.lengthDensity) << 16;
-  for (int i = 0; i < kLanes; ++i)
-    four[i].bits_ = static_cast<uint32_t>(low[i]) | static_cast<uint64_t>(static_cast<uint32_t>(high[i])) << 32;
+void Component::encode(const std::array<DistributionLanes, 2>& distributions, Component* eight) {
+  const WideInts directions = encodeDirections(distributions);
+  for (int half = 0; half < 2; ++half) {
+    const DistributionLanes& d = distributions[half];
+    const IntLanes spreads = unitCode(squareRoot(most(d.spread, Lanes{})), 255);
+    const IntLanes high = unitCode(d.packing, 255) | (d.material & 0xFF) << 8 | encodeDensity(d.lengthDensity) << 16;
+    for (int i = 0; i < kLanes; ++i) {
+      const uint32_t low = static_cast<uint32_t>(directions[half * kLanes + i] | spreads[i] << 24);
+      eight[half * kLanes + i].bits_ = low | static_cast<uint64_t>(static_cast<uint32_t>(high[i])) << 32;
+    }
+  }
 }
 
 Component Component::encode(const FibreDistribution& d) {
-  Component four[kLanes];
-  encode({.x = inAllLanes(d.direction.x),
-          .y = inAllLanes(d.direction.y),
-          .z = inAllLanes(d.direction.z),
-          .spread = inAllLanes(d.spread),
-          .lengthDensity = inAllLanes(d.lengthDensity),
-          .packing = inAllLanes(d.packing),
-          .material = IntLanes{} + d.material},
-         four);
-  return four[0];
+  const DistributionLanes same{.x = inAllLanes(d.direction.x),
+                               .y = inAllLanes(d.direction.y),
+                               .z = inAllLanes(d.direction.z),
+                               .spread = inAllLanes(d.spread),
+                               .lengthDensity = inAllLanes(d.lengthDensity),
+                               .packing = inAllLanes(d.packing),
+                               .material = IntLanes{} + d.material};
+  Component eight[kWide];
+  encode({same, same}, eight);
+  return eight[0];
 }
 
 }  // namespace loomlight

@@ -40,8 +40,8 @@ class Component {
  public:
   Component() = default;
   static Component encode(const FibreDistribution& distribution);
-  /// Four at once; their directions may be of any length.
-  static void encode(const DistributionLanes& distributions, Component* four);
+  /// Eight at once; their directions may be of any length.
+  static void encode(const std::array<DistributionLanes, 2>& distributions, Component* eight);
   FibreDistribution decode() const;
   /// Of decode(), that number alone.
   float lengthDensity() const;
@@ -58,7 +58,7 @@ class Component {
   static constexpr uint32_t kDensityBias = (127u - 12u) << 23;
 
   static glm::vec3 decodeDirection(uint64_t bits);
-  static IntLanes encodeDirection(const DistributionLanes& d);
+  static WideInts encodeDirections(const std::array<DistributionLanes, 2>& distributions);
   static IntLanes encodeDensity(Lanes lengthDensity);
 
   uint64_t bits_ = 0;

@@ -113,10 +113,10 @@ DistributionLanes distributionOf(const Fit& fit, const FibreMoments* m) {
 
 void fitDistributions(const FitBatch& batch, int count, FittedBatch& fitted) {
   std::array<Fit, kFitBatch / kLanes> fits;
-  const int lanes = (count + kLanes - 1) / kLanes;
-  for (int i = 0; i < lanes; ++i) findAngles(fits[i], &batch[i * kLanes]);
-  for (int i = 0; i < lanes; ++i) findAxes(fits[i]);
-  for (int i = 0; i < lanes; ++i) fitted[i] = distributionOf(fits[i], &batch[i * kLanes]);
+  const int fours = (count + kWide - 1) / kWide * 2;
+  for (int i = 0; i < fours; ++i) findAngles(fits[i], &batch[i * kLanes]);
+  for (int i = 0; i < fours; ++i) findAxes(fits[i]);
+  for (int i = 0; i < fours; ++i) fitted[i / 2][i % 2] = distributionOf(fits[i], &batch[i * kLanes]);
 }
 
 double mergeCost(const FibreMoments& a, const FibreMoments& b) {

@@ -31,9 +31,9 @@ inline constexpr int kFitBatch = 64;
 using FitBatch = std::array<FibreMoments, kFitBatch>;
 
 /// The distributions of the first `count` of them: m is the principal axis of the tensor (here of any length), s the
-/// spread that has the same mean-square sine about it. Length densities are those of voxels of 1 mm^3. Rounds `count`
-/// up to whole lanes.
-using FittedBatch = std::array<DistributionLanes, kFitBatch / kLanes>;
+/// spread that has the same mean-square sine about it. Length densities are those of voxels of 1 mm^3. Eight are fitted
+/// together, so `count` is rounded up to eights.
+using FittedBatch = std::array<std::array<DistributionLanes, 2>, kFitBatch / kWide>;
 void fitDistributions(const FitBatch& batch, int count, FittedBatch& fitted);
 
 /// How much would be lost by describing both by one distribution: Ward's distance of the two normalised tensors.

@@ -12,17 +12,24 @@ using LaneMask = int64_t __attribute__((vector_size(32)));
 using IntLanes = int32_t __attribute__((vector_size(16)));
 using FloatLanes = float __attribute__((vector_size(16)));
 inline constexpr int kLanes = 4;
+/// Eight floats, where float is enough.
+using WideFloats = float __attribute__((vector_size(32)));
+using WideInts = int32_t __attribute__((vector_size(32)));
+inline constexpr int kWide = 8;
 
 inline Lanes inAllLanes(double x) {
   return Lanes{x, x, x, x};
 }
-inline Lanes least(Lanes a, Lanes b) {
+template <class Vector>
+Vector least(Vector a, Vector b) {
   return a < b ? a : b;
 }
-inline Lanes most(Lanes a, Lanes b) {
+template <class Vector>
+Vector most(Vector a, Vector b) {
   return a > b ? a : b;
 }
-inline Lanes magnitude(Lanes a) {
+template <class Vector>
+Vector magnitude(Vector a) {
   return most(a, -a);
 }
 inline Lanes squareRoot(Lanes a) {
@@ -37,6 +44,11 @@ inline IntLanes truncated(Lanes a) {
 }
 inline Lanes toLanes(IntLanes a) {
   return __builtin_convertvector(a, Lanes);
+}
+/// Rounded to floats, side by side.
+inline WideFloats joined(Lanes a, Lanes b) {
+  return __builtin_shufflevector(__builtin_convertvector(a, FloatLanes), __builtin_convertvector(b, FloatLanes), 0, 1,
+                                 2, 3, 4, 5, 6, 7);
 }
 
 }  // namespace loomlight

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <tuple>
-
-#include "core/volume/component_encoder.h"
+#include <utility>
 
 namespace loomlight {
 namespace {
@@ -69,23 +68,46 @@ void mergeToTwo(std::vector<Part>& parts) {
   }
 }
 
-}  // namespace
-
-MomentLevel::MomentLevel(const VoxelGrid& grid, int level, glm::ivec3 lower, glm::ivec3 blocks)
-    : grid_(grid),
-      level_(level),
-      perCell_(blocksPerCell(grid, level)),
-      lower_(lower),
-      blocks_(blocks),
-      occupied_(static_cast<size_t>(blocks.x) * blocks.y * blocks.z, 0),
-      heads_(64 * occupied_.size(), -1) {
-  const size_t room = std::min<size_t>(heads_.size() / 4, 4096);  // about what is occupied
-  links_.reserve(room);
-  moments_.reserve(room);
+/// Takes out the components without length density.
+void dropEmpty(Brick::Level& level) {
+  const auto empty = [](Component c) { return c.lengthDensity() == 0; };
+  if (std::none_of(level.components.begin(), level.components.end(), empty)) return;
+  std::vector<Component> kept;
+  for (Brick::Block& block : level.grid) {
+    const Brick::Block before = std::exchange(block, {});
+    block.first = static_cast<uint32_t>(kept.size());
+    for (uint64_t rest = before.occupied; rest != 0; rest &= rest - 1) {
+      const uint64_t bit = rest & -rest;
+      for (const Component c : level.at(before, std::countr_zero(rest))) {
+        if (empty(c)) continue;
+        (block.occupied & bit ? block.second : block.occupied) |= bit;
+        kept.push_back(c);
+      }
+    }
+    if (block.occupied == 0) block.first = 0;
+  }
+  kept.shrink_to_fit();
+  level.components = std::move(kept);
 }
 
-MomentLevel::MomentLevel(const VoxelGrid& grid, glm::ivec3 first, glm::ivec3 last)
-    : MomentLevel(grid, 0, blockOf(first, grid.cell), blockOf(last, grid.cell) + 1 - blockOf(first, grid.cell)) {}
+}  // namespace
+
+void MomentLevel::reset(const VoxelGrid& grid, int level, glm::ivec3 lower, glm::ivec3 blocks) {
+  grid_ = grid;
+  level_ = level;
+  perCell_ = blocksPerCell(grid, level);
+  lower_ = lower;
+  blocks_ = blocks;
+  occupied_.assign(static_cast<size_t>(blocks.x) * blocks.y * blocks.z, 0);
+  heads_.assign(64 * occupied_.size(), -1);
+  links_.clear();
+  moments_.clear();
+}
+
+void MomentLevel::reset(const VoxelGrid& grid, glm::ivec3 first, glm::ivec3 last) {
+  const glm::ivec3 lower = blockOf(first, grid.cell);
+  reset(grid, 0, lower, blockOf(last, grid.cell) + 1 - lower);
+}
 
 int32_t MomentLevel::offset(int axis, int v) const {
   const int cell = grid_.cellAt(level_)[axis], inCell = v - floorDivide(v, cell) * cell;
@@ -106,79 +128,72 @@ FibreMoments& MomentLevel::append(int32_t voxel, uint8_t ply, uint8_t material) 
   return moments_.emplace_back();
 }
 
-MomentLevel MomentLevel::coarser() const {
-  const glm::ivec3 parentsPerCell = blocksPerCell(grid_, level_ + 1);
+void MomentLevel::resetToCoarser(const MomentLevel& finer) {
+  const glm::ivec3 parentsPerCell = blocksPerCell(finer.grid_, finer.level_ + 1);
   const auto parentOf = [&](glm::ivec3 block) {
-    const Place place = placeOf(block, perCell_);
+    const Place place = placeOf(block, finer.perCell_);
     return place.cell * parentsPerCell + (place.inCell >> 1);
   };
-  const glm::ivec3 lower = parentOf(lower_), last = parentOf(lower_ + blocks_ - 1);
-  MomentLevel result(grid_, level_ + 1, lower, occupied_.empty() ? glm::ivec3(0) : last + 1 - lower);
-  for (size_t number = 0; number < occupied_.size(); ++number) {
-    if (occupied_[number] == 0) continue;
+  const glm::ivec3 lower = parentOf(finer.lower_), last = parentOf(finer.lower_ + finer.blocks_ - 1);
+  reset(finer.grid_, finer.level_ + 1, lower, finer.occupied_.empty() ? glm::ivec3(0) : last + 1 - lower);
+  for (size_t number = 0; number < finer.occupied_.size(); ++number) {
+    if (finer.occupied_[number] == 0) continue;
     // The block is an octant of its parent.
-    const glm::ivec3 block = blockAt(number), p = parentOf(block) - lower, octant = placeOf(block, perCell_).inCell & 1;
-    const int parent = (p.z * result.blocks_.y + p.y) * result.blocks_.x + p.x;
+    const glm::ivec3 block = finer.blockAt(number), p = parentOf(block) - lower;
+    const glm::ivec3 octant = placeOf(block, finer.perCell_).inCell & 1;
+    const int parent = (p.z * blocks_.y + p.y) * blocks_.x + p.x;
     const int first = 64 * parent + 2 * (octant.x + 4 * octant.y + 16 * octant.z);
-    for (uint64_t rest = occupied_[number]; rest != 0; rest &= rest - 1) {
+    for (uint64_t rest = finer.occupied_[number]; rest != 0; rest &= rest - 1) {
       const int voxel = std::countr_zero(rest);
-      for (int32_t i = heads_[64 * number + voxel]; i >= 0; i = links_[i].next)
-        result.at(first + kHalved[voxel], links_[i].ply, links_[i].material).add(moments_[i]);
+      for (int32_t i = finer.heads_[64 * number + voxel]; i >= 0; i = finer.links_[i].next)
+        at(first + kHalved[voxel], finer.links_[i].ply, finer.links_[i].material).add(finer.moments_[i]);
     }
   }
-  return result;
 }
 
-Brick::Level MomentLevel::fit() const {
+int MomentLevel::encodeMany(int32_t voxel, double volume_mm3, ComponentEncoder& encoder) const {
+  std::vector<Part> parts;
+  for (int32_t i = heads_[voxel]; i >= 0; i = links_[i].next)
+    if (moments_[i].length_mm() > 0) parts.push_back({moments_[i], links_[i].ply, links_[i].material});
+  std::sort(parts.begin(), parts.end(),
+            [](const Part& a, const Part& b) { return std::tie(a.ply, a.material) < std::tie(b.ply, b.material); });
+  mergeToTwo(parts);
+  for (const Part& part : parts) encoder.add(part.moments, volume_mm3, part.material);
+  return static_cast<int>(parts.size());
+}
+
+inline int MomentLevel::encode(int32_t voxel, double volume_mm3, ComponentEncoder& encoder) const {
+  const int32_t head = heads_[voxel];
+  if (links_[head].next >= 0) return encodeMany(voxel, volume_mm3, encoder);
+  if (!(moments_[head].length_mm() > 0)) return 0;
+  encoder.add(moments_[head], volume_mm3, links_[head].material);
+  return 1;
+}
+
+Brick::Level MomentLevel::fit(ComponentEncoder& encoder) const {
   Brick::Level result;
   result.cell = grid_.cellAt(level_);
   result.lower = lower_;
   result.blocks = blocks_;
   result.grid.resize(occupied_.size());
-  std::array<std::vector<double>, 3> extents_mm;
-  for (int axis = 0; axis < 3; ++axis)
-    for (int i = 0; i < result.cell[axis]; ++i) extents_mm[axis].push_back(grid_.extent_mm(axis, i, level_));
-
-  ComponentEncoder encoder;
-  std::vector<int32_t> voxels;  // of each component
-  std::vector<Part> parts;
   for (size_t number = 0; number < occupied_.size(); ++number) {
     if (occupied_[number] == 0) continue;
+    Brick::Block& block = result.grid[number];
+    block.first = static_cast<uint32_t>(encoder.count());
     const glm::ivec3 corner = 4 * placeOf(blockAt(number), perCell_).inCell;
+    std::array<std::array<double, 4>, 3> extents_mm;
+    for (int axis = 0; axis < 3; ++axis)
+      for (int i = 0; i < 4; ++i) extents_mm[axis][i] = grid_.extent_mm(axis, corner[axis] + i, level_);
     for (uint64_t rest = occupied_[number]; rest != 0; rest &= rest - 1) {
       const int bit = std::countr_zero(rest);
-      const auto voxel = static_cast<int32_t>(64 * number + bit);
-      const double volume = extents_mm[0][corner.x + (bit & 3)] * extents_mm[1][corner.y + (bit >> 2 & 3)] *
-                            extents_mm[2][corner.z + (bit >> 4)];
-      parts.clear();
-      for (int32_t i = heads_[voxel]; i >= 0; i = links_[i].next)
-        if (moments_[i].length_mm() > 0) parts.push_back({moments_[i], links_[i].ply, links_[i].material});
-      if (parts.size() > 1) {
-        std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
-          return std::tie(a.ply, a.material) < std::tie(b.ply, b.material);
-        });
-        mergeToTwo(parts);
-      }
-      for (const Part& part : parts) {
-        encoder.add(part.moments, volume, part.material);
-        voxels.push_back(voxel);
-      }
+      const double volume = extents_mm[0][bit & 3] * extents_mm[1][bit >> 2 & 3] * extents_mm[2][bit >> 4];
+      const int parts = encode(static_cast<int32_t>(64 * number) + bit, volume, encoder);
+      block.occupied |= static_cast<uint64_t>(parts > 0) << bit;
+      block.second |= static_cast<uint64_t>(parts > 1) << bit;
     }
   }
-
-  const std::vector<Component> components = encoder.take();
-  result.components.reserve(components.size());
-  int last = -1;
-  for (size_t i = 0; i < components.size(); ++i) {
-    if (components[i].lengthDensity() == 0) continue;
-    Brick::Block& block = result.grid[voxels[i] >> 6];
-    const uint64_t bit = uint64_t{1} << (voxels[i] & 63);
-    if (voxels[i] >> 6 != last) block.first = static_cast<uint32_t>(result.components.size());
-    last = voxels[i] >> 6;
-    (block.occupied & bit ? block.second : block.occupied) |= bit;
-    result.components.push_back(components[i]);
-  }
-  result.components.shrink_to_fit();
+  result.components = encoder.take();
+  dropEmpty(result);
   return result;
 }
 

@@ -67,10 +67,10 @@ void strands(benchmark::State& state, const Sample& sample) {
 }
 
 void bricks(benchmark::State& state, const Sample& sample, int resolution) {
-  const VoxelGrid grid = makeGrid(*sample.geometry, resolution);
+  Voxeliser voxelise(makeGrid(*sample.geometry, resolution));
   for (auto _ : state)
     for (const CellKey& key : sample.keys)
-      benchmark::DoNotOptimize(voxelise(sample.geometry->strands(key), key.system, grid));
+      benchmark::DoNotOptimize(voxelise(sample.geometry->strands(key), key.system));
   countSegments(state, sample);
 }
 
