@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "render/optics/fibre_frame.h"
@@ -13,17 +14,24 @@ struct EventCount {
 };
 
 /// Scattering events per path of isotropic light that enters a flat, clear cloth through the middle of its upper face:
-/// paths start within `reach_mm` of the centre and are followed until they leave.
+/// paths start evenly over the whole repeats of the weave within about `reach_mm` of the centre, at least one, and are
+/// followed until they leave.
 inline EventCount eventsUnderIsotropicLight(const Scene& scene, const Medium& medium, float reach_mm, int paths,
                                             uint64_t seed) {
   Random random(seed);
   double sum = 0, squares = 0;
-  const auto top = static_cast<float>(scene.volume->geometry().halfThickness_mm()) + 1e-3f;
+  const ClothGeometry& geometry = scene.volume->geometry();
+  const auto wholeRepeats = [reach_mm](double repeat_mm) {
+    return static_cast<float>(0.5 * repeat_mm * std::max(1.0, std::round(2 * reach_mm / repeat_mm)));
+  };
+  const glm::vec2 reach(wholeRepeats(geometry.repeatEnds() * geometry.warpPitch_mm()),
+                        wholeRepeats(geometry.repeatPicks() * geometry.weftPitch_mm()));
+  const auto top = static_cast<float>(geometry.halfThickness_mm()) + 1e-3f;
   for (int i = 0; i < paths; ++i) {
     const float u = random.uniform(), v = random.uniform(), a = random.uniform(), b = random.uniform();
     const float sine = std::sqrt(a), phi = static_cast<float>(2 * kPi) * b;  // cosine-distributed: isotropic light
     glm::vec3 direction(sine * std::cos(phi), sine * std::sin(phi), -std::sqrt(1 - a));
-    Departure from{{{reach_mm * (2 * u - 1), reach_mm * (2 * v - 1), top}, -1}};
+    Departure from{{{reach.x * (2 * u - 1), reach.y * (2 * v - 1), top}, -1}};
     TraceCounts counts;
     while (const auto collision = medium.collide(from, direction, random, counts)) {
       const FibreFrame frame(collision->tangent);

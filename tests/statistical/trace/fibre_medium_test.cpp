@@ -94,18 +94,62 @@ TEST(FibreMedium, CoversWhatTheVolumeCovers) {
   }
 }
 
-// As for the volume: lateral fibre area over boundary area, here with every fibre explicit. Packed fibres touch a
-// little, so their free surface is a little smaller.
+/// Events per path over lateral fibre area per boundary area, of round yarns of 50 fibres.
+test::EventCount eventsOverArea(FibreLayout layout, double packing, double plyTwist_per_m) {
+  Fabric fabric = smallWhiteCloth(layout);
+  Yarn& yarn = fabric.yarns[0];
+  yarn.fibresPerPly = 50;
+  yarn.packing = packing;
+  yarn.flattening = 1;
+  yarn.plyTwist_per_m = plyTwist_per_m;
+  fabric.ends_per_cm = fabric.picks_per_cm = 20;
+  fabric.drape.width_mm = fabric.drape.height_mm = 80;  // so that hardly any path finds the edge
+  const auto scene = test::sceneOf(fabric);
+  const auto fibres = FibreMedium::build(*scene, {kNoLimit, FibreExtent::oneRepeat}, Task{});
+  const auto [mean, error] = test::eventsUnderIsotropicLight(*scene, *fibres, 8, 120000, 11);
+  const double area = test::lateralOverBoundaryArea(*scene);
+  return {mean / area, error / area};
+}
+
+// As for the volume: lateral fibre area over boundary area, here with every fibre explicit. Straight packed fibres are
+// all surface: this is exact. Twisted ones are not quite round in the section that they were packed in, and their
+// chords lie a little inside: they overlap by a few thousandths of a radius, and what is hidden meets no light.
 TEST(FibreMedium, EventCountIsLateralAreaOverBoundaryArea) {
-  Fabric fabric = smallWhiteCloth(FibreLayout::packed);
-  fabric.drape.width_mm = fabric.drape.height_mm = 10;
+  const auto straight = eventsOverArea(FibreLayout::packed, 0.5, 0);
+  EXPECT_NEAR(straight.mean, 1, 3.3 * straight.standardError);
+  EXPECT_LT(straight.standardError, 0.005);
+  const auto twisted = eventsOverArea(FibreLayout::packed, 0.5, 300);
+  EXPECT_NEAR(twisted.mean, 1, 0.03);
+}
+
+// It holds for fibres laid at random though they overlap, since light sets out from where it came in, and meets its
+// neighbours' surfaces inside the fibre too. Not quite: it sets out nearer to the fibre's axis than it would come out,
+// which the neighbours feel the more the denser they are. From the far side it would skip what it was born in.
+TEST(FibreMedium, EventCountOfOverlappingFibresIsNearlyThat) {
+  EXPECT_NEAR(eventsOverArea(FibreLayout::random, 0.1, 0).mean, 1, 0.03);
+  EXPECT_NEAR(eventsOverArea(FibreLayout::random, 0.5, 0).mean, 1, 0.045);
+}
+
+// What the eye sees is not in the shadow of anything else, seen from the eye.
+TEST(FibreMedium, NothingShadowsLightFromTheEye) {
+  const Fabric fabric = smallWhiteCloth(FibreLayout::packed);
   const auto scene = test::sceneOf(fabric);
   const auto fibres = FibreMedium::build(*scene, kNoLimit, Task{});
-  const double expected = test::lateralOverBoundaryArea(*scene);
-  const auto [mean, error] = test::eventsUnderIsotropicLight(*scene, *fibres, 1, 4000, 11);
-  EXPECT_NEAR(mean, expected, 0.03 * expected + 3 * error);
-  RecordProperty("mean", std::to_string(mean));
-  RecordProperty("expected", std::to_string(expected));
+  const CameraRays camera(fabric.camera, 32, 32);
+  Random random(2);
+  TraceCounts counts;
+  int hits = 0, shadowed = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const float x = 32 * random.uniform(), y = 32 * random.uniform();
+    const Ray ray = camera.ray(x, y);
+    const auto hit = fibres->collide({{ray.origin, -1}}, ray.direction, random, counts);
+    if (!hit) continue;
+    ++hits;
+    const Departure from = fibres->leave(*hit, -ray.direction, 0);
+    shadowed += fibres->transmittance(from, -ray.direction, hit->distance_mm, random, counts) == 0;
+  }
+  EXPECT_GT(hits, 10000);
+  EXPECT_LT(shadowed, 1e-3 * hits);  // where rounding decides between two fibres that nearly touch on the way
 }
 
 }  // namespace
