@@ -35,9 +35,8 @@ void check(const FieldInfo& info, const glm::dvec3& value, const Place& place) {
 }
 
 void check(const FieldInfo&, const std::string& value, const Place& place) {
-  constexpr size_t kLongest = 65536;
-  if (value.size() > kLongest)
-    place.reject(fmt::format("a text of at most {} bytes", kLongest), fmt::format("{}", value.size()));
+  if (value.size() > kMaxText)
+    place.reject(fmt::format("a text of at most {} bytes", kMaxText), fmt::format("{}", value.size()));
 }
 
 }  // namespace loomlight

@@ -10,6 +10,9 @@
 
 namespace loomlight {
 
+/// Longest text of a fabric, bytes.
+inline constexpr size_t kMaxText = 65536;
+
 /// Each of these throws InputError, naming the place, unless the value is one that its field allows.
 void check(const FieldInfo& info, double value, const Place& place);
 void check(const FieldInfo& info, int value, const Place& place);

@@ -133,6 +133,10 @@ double meanCount_tex(const Fabric& fabric, System system) {
   return meanOverThreads(fabric, system, yarnCount_tex);
 }
 
+double meanDiameter_mm(const Fabric& fabric, System system) {
+  return meanOverThreads(fabric, system, yarnDiameter_mm);
+}
+
 double arealMass_g_m2(const Fabric& fabric, double crimpWarp, double crimpWeft) {
   return 0.1 * (fabric.ends_per_cm * meanCount_tex(fabric, System::warp) * (1.0 + crimpWarp) +
                 fabric.picks_per_cm * meanCount_tex(fabric, System::weft) * (1.0 + crimpWeft));
@@ -141,8 +145,8 @@ double arealMass_g_m2(const Fabric& fabric, double crimpWarp, double crimpWeft) 
 double jamming(const Fabric& fabric) {
   const Binding b = binding(fabric.weave);
   const double cells = static_cast<double>(fabric.weave.ends()) * fabric.weave.picks();
-  const double d1 = meanOverThreads(fabric, System::warp, yarnDiameter_mm);
-  const double d2 = meanOverThreads(fabric, System::weft, yarnDiameter_mm);
+  const double d1 = meanDiameter_mm(fabric, System::warp);
+  const double d2 = meanDiameter_mm(fabric, System::weft);
   // Peirce: a plain cloth of touching round yarns has sum of sqrt(1 - (p / (d1 + d2))^2) = 1 over both systems.
   const auto term = [&](double pitch, double diameter, int64_t interlacings) {
     if (interlacings == 0) return 0.0;

@@ -46,6 +46,9 @@ Binding binding(const Weave& weave);
 /// Mean linear density of a system's yarns over its sequence, tex.
 double meanCount_tex(const Fabric& fabric, System system);
 
+/// Mean diameter of a system's yarns over its sequence, as if they were round, mm.
+double meanDiameter_mm(const Fabric& fabric, System system);
+
 /// Mass of a square metre, g: 0.1 (n1 T1 (1 + c1) + n2 T2 (1 + c2)), threads per cm and tex. The crimps are what the
 /// geometry measures, or a guess.
 double arealMass_g_m2(const Fabric& fabric, double crimpWarp, double crimpWeft);

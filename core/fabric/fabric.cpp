@@ -3,6 +3,7 @@
 #include <cassert>
 
 #include "core/fabric/field_tables.h"
+#include "core/fabric/wif_origin.h"
 
 namespace loomlight {
 namespace {
@@ -48,10 +49,15 @@ bool operator==(const Draft& a, const Draft& b) {
          a.liftplan == b.liftplan;
 }
 
+bool operator==(const WifOrigin& a, const WifOrigin& b) {
+  return equalFields(a, b) && a.rest == b.rest;
+}
+
 bool operator==(const Fabric& a, const Fabric& b) {
   return equalFields(a, b) && a.weave == b.weave && a.draft == b.draft && a.warpSequence == b.warpSequence &&
          a.weftSequence == b.weftSequence && a.yarns == b.yarns && a.fibres == b.fibres && a.drape == b.drape &&
-         a.light == b.light && a.camera == b.camera && a.render == b.render;
+         a.light == b.light && a.camera == b.camera && a.render == b.render &&
+         (a.wif == b.wif || (a.wif && b.wif && *a.wif == *b.wif));
 }
 
 }  // namespace loomlight

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -120,6 +121,8 @@ struct RenderSettings {
   friend bool operator==(const RenderSettings&, const RenderSettings&);
 };
 
+struct WifOrigin;
+
 /// Everything a designer edits; a value. Edits make a new one; threads and undo share them as
 /// shared_ptr<const Fabric>.
 struct Fabric {
@@ -137,6 +140,7 @@ struct Fabric {
   Light light;
   Camera camera;
   RenderSettings render;
+  std::shared_ptr<const WifOrigin> wif;  ///< what a weaving file said beyond all this; null: it came from none
   UnknownKeys unknown;
 
   int warpYarn(int end) const;  ///< index of the yarn of that end; any integer

@@ -27,6 +27,9 @@
 ///   camera              object: target_mm [x, y, z], azimuth_deg, elevation_deg, distance_mm, fov_deg
 ///   render              object: width, height, samples_per_pixel, seed, resolution, max_depth, method, estimator,
 ///                       event_law
+///   wif                 of a fabric that came from a weaving file, what else that said: program, ends, picks,
+///                       ends_per_cm, picks_per_cm, warp_diameter_mm, weft_diameter_mm (what the fabric was given when
+///                       the file was read) and lines, the rest of the file as it would stand there
 namespace loomlight {
 
 inline constexpr int kFabricVersion = 1;

@@ -10,6 +10,8 @@
 #include "core/fabric/field_tables.h"
 #include "core/fabric/json_text.h"
 #include "core/fabric/validate.h"
+#include "core/fabric/wif_origin.h"
+#include "core/fabric/wif_reader.h"
 
 namespace loomlight {
 namespace {
@@ -208,6 +210,32 @@ Draft readDraft(json value, const Place& place) {
   return draft;
 }
 
+/// What a weaving file said, in its own syntax, line by line. Nobody but us writes it, so it has to be right.
+WifRest readWifLines(const json& value, const Place& place) {
+  std::string text;
+  for (const json& line : readList(value, "a list of texts, the lines of a weaving file", place)) {
+    if (!line.is_string()) place.reject("texts", shown(line));
+    text += line.get_ref<const std::string&>();
+    text += '\n';
+  }
+  if (text.size() > kMaxWifBytes)
+    place.reject(fmt::format("at most {} bytes", kMaxWifBytes), fmt::format("{}", text.size()));
+  WifWarnings warnings;
+  WifRest rest = readWifRest(parseWifSections(text, place.path(), warnings), warnings);
+  const std::vector<std::string> complaints = warnings.list();
+  if (!complaints.empty()) place.reject("lines as in a weaving file", complaints.front());
+  return rest;
+}
+
+std::shared_ptr<const WifOrigin> readOrigin(json value, const Place& place) {
+  ObjectReader reader(std::move(value), place);
+  auto origin = std::make_shared<WifOrigin>();
+  reader.takeFields(*origin);
+  if (const std::optional<json> lines = reader.take("lines")) origin->rest = readWifLines(*lines, place.at("lines"));
+  origin->unknown = reader.rest();
+  return origin;
+}
+
 void checkVersion(const std::optional<json>& version, const Place& place) {
   if (!version) place.reject(fmt::format("{}, as in every fabric file", kFabricVersion), "nothing");
   if (readWhole(*version, 1, 1e9, place) > kFabricVersion)
@@ -238,6 +266,7 @@ Fabric fabricFromJson(std::string_view text, const std::string& sourceName) {
   if (auto v = reader.take("light")) fabric.light = readObject<Light>(std::move(*v), place.at("light"));
   if (auto v = reader.take("camera")) fabric.camera = readObject<Camera>(std::move(*v), place.at("camera"));
   if (auto v = reader.take("render")) fabric.render = readObject<RenderSettings>(std::move(*v), place.at("render"));
+  if (auto v = reader.take("wif")) fabric.wif = readOrigin(std::move(*v), place.at("wif"));
   fabric.unknown = reader.rest();
   validate(fabric, sourceName);
   return fabric;

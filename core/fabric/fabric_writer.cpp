@@ -7,6 +7,8 @@
 #include "core/fabric/fabric_json.h"
 #include "core/fabric/field_tables.h"
 #include "core/fabric/json_text.h"
+#include "core/fabric/wif_origin.h"
+#include "core/fabric/wif_writer.h"
 
 namespace loomlight {
 namespace {
@@ -100,6 +102,14 @@ Json draftToJson(const Draft& draft) {
   return json;
 }
 
+Json originToJson(const WifOrigin& origin) {
+  Json json = Json::object();
+  addFields(json, origin);
+  json["lines"] = wifRestLines(origin.rest);
+  addUnknown(json, origin.unknown);
+  return json;
+}
+
 }  // namespace
 
 std::string fabricToJson(const Fabric& fabric) {
@@ -114,6 +124,7 @@ std::string fabricToJson(const Fabric& fabric) {
   json["light"] = objectToJson(fabric.light);
   json["camera"] = objectToJson(fabric.camera);
   json["render"] = objectToJson(fabric.render);
+  if (fabric.wif) json["wif"] = originToJson(*fabric.wif);
   // The draft alone says all; both could be edited apart by hand. Last, because a jacquard's is long.
   if (fabric.draft) {
     json["draft"] = draftToJson(*fabric.draft);

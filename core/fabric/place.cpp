@@ -19,14 +19,18 @@ void Place::reject(std::string_view expected, std::string_view got) const {
       fmt::format("{}: {}{}expected {}, got {}", source_, where, where.empty() ? "" : ": ", expected, got));
 }
 
-std::string quotedText(std::string_view text) {
+std::string plainText(std::string_view text) {
   constexpr size_t kLongest = 40;
-  std::string shown = "\"";
+  std::string shown;
   for (const char c : text.substr(0, kLongest)) {
     const auto byte = static_cast<unsigned char>(c);
     shown += byte >= 0x20 && byte < 0x7F ? c : '?';
   }
-  return shown + (text.size() > kLongest ? "...\"" : "\"");
+  return text.size() > kLongest ? shown + "..." : shown;
+}
+
+std::string quotedText(std::string_view text) {
+  return fmt::format("\"{}\"", plainText(text));
 }
 
 }  // namespace loomlight

@@ -28,7 +28,9 @@ class Place {
   long index_ = -1;
 };
 
-/// Text from outside, fit for a message: quoted, one line, no control characters, cut to a sensible length.
+/// Text from outside, fit for a message: one line, ASCII, no control characters, cut to a sensible length.
+std::string plainText(std::string_view text);
+/// The same in quotes.
 std::string quotedText(std::string_view text);
 
 }  // namespace loomlight

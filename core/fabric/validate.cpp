@@ -4,6 +4,7 @@
 
 #include "core/fabric/check.h"
 #include "core/fabric/field_tables.h"
+#include "core/fabric/wif_origin.h"
 #include "core/fabric/yarn_count.h"
 
 namespace loomlight {
@@ -120,6 +121,7 @@ void validate(const Fabric& fabric, const std::string& source) {
   checkLight(fabric.light, place.at("light"));
   checkFields(fabric.camera, place.at("camera"));
   checkRender(fabric.render, place.at("render"));
+  if (fabric.wif) checkFields(*fabric.wif, place.at("wif"));
 }
 
 }  // namespace loomlight

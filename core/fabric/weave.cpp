@@ -76,9 +76,6 @@ bool operator==(const Weave& a, const Weave& b) {
                                           [](const auto& x, const auto& y) { return x == y || *x == *y; });
 }
 
-namespace {
-
-/// The shafts that a pick pulls on, each once and in order; numbers of no shaft or treadle are passed over.
 std::vector<int> pulledShafts(const Draft& draft, size_t pick) {
   std::vector<uint8_t> pulled(static_cast<size_t>(draft.shafts) + 1, 0);
   const auto pull = [&pulled](const std::vector<int>& shafts) {
@@ -96,8 +93,6 @@ std::vector<int> pulledShafts(const Draft& draft, size_t pick) {
     if (pulled[shaft]) shafts.push_back(shaft);
   return shafts;
 }
-
-}  // namespace
 
 Weave drawdown(const Draft& draft) {
   const size_t picks = draft.liftplan.empty() ? draft.treadling.size() : draft.liftplan.size();

@@ -63,6 +63,10 @@ struct Draft {
   friend bool operator==(const Draft&, const Draft&);
 };
 
+/// The shafts that a pick pulls on, each once and in order; numbers of no shaft or treadle are passed over. Rising, or
+/// with a liftplan, they go up; in a sinking shed they go down.
+std::vector<int> pulledShafts(const Draft& draft, size_t pick);
+
 /// The weave that the draft makes: an end is up where one of its shafts is tied to one of the pick's treadles, or is in
 /// the pick's lift. A sinking shed complements that, a liftplan never does; an end on no shaft is never up. Shafts and
 /// treadles that the loom does not have are passed over. Needs 1..Weave::kMaxSide ends and picks (asserted).

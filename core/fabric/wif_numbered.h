@@ -1,0 +1,32 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "core/fabric/wif_sections.h"
+#include "core/fabric/wif_values.h"
+
+namespace loomlight {
+
+/// Calls visit(n, entry) for the lines "n=..." of a section, 1 <= n <= most, in file order; where a number comes twice,
+/// for both of them, and the last one is to count. `what` is what the lines are numbered by: "end", "pick", "treadle".
+template <class Visit>
+void forEachNumbered(const WifSection* section, int most, const char* what, WifWarnings& warnings, Visit&& visit) {
+  if (!section) return;
+  std::vector<bool> seen(static_cast<size_t>(most) + 1, false);
+  for (const WifEntry& entry : section->entries) {
+    const std::optional<int> number = wifWhole(entry.key);
+    if (!number || *number < 1 || *number > most) {
+      warnings.add(entry.line, section->name, entry.key, fmt::format("{} numbers from 1 to {}", what, most),
+                   "the line is passed over");
+      continue;
+    }
+    if (seen[*number])
+      warnings.add(entry.line, section->name, entry.key, fmt::format("each {} once", what), "the last one counts");
+    seen[*number] = true;
+    visit(*number, entry);
+  }
+}
+
+}  // namespace loomlight

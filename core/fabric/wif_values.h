@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace loomlight {
+
+/// How the values of a WIF file are written. All of these take them as programs and people have really written them:
+/// blanks around, quotes, a ";" comment behind a number. Nothing where there is no such value.
+
+/// 12, +12, "12", 12 ; twelve. Numbers beyond int are none.
+std::optional<int> wifWhole(std::string_view value);
+/// .212, 0.212, 0,212 (a decimal comma); finite.
+std::optional<double> wifDecimal(std::string_view value);
+/// true, on, yes, 1; false, off, no, 0.
+std::optional<bool> wifBoolean(std::string_view value);
+/// A text, without the quotes around it.
+std::string_view unquoted(std::string_view value);
+
+/// The parts of a list, between commas, or blanks where somebody forgot the commas; none of them empty.
+std::vector<std::string_view> wifList(std::string_view value);
+
+/// Without blanks on both sides.
+std::string_view trimmed(std::string_view text);
+/// Letters A to Z only.
+std::string lowerCase(std::string_view text);
+
+}  // namespace loomlight
