@@ -111,11 +111,19 @@ void addEdit(CLI::App& app, EditorOptions& options) {
       ->type_name("FILE");
 }
 
+/// Of a draft, which is mostly drawn with the default sizes of some program.
+void addWifSizes(CLI::App& app, WifSizeChoice& sizes) {
+  addValue(app, "--wif-sizes", "file|keep", "sett and yarn count of a draft: as its file says, or the default's",
+           [&sizes](const auto& option, const auto& text) { sizes = parseWifSizes(option, text); });
+}
+
 void addRender(CLI::App& app, RenderCommand& command) {
-  app.add_option("FABRIC", command.input, "a fabric (.json), or a picture (.exr) to render again")->type_name("");
+  app.add_option("FABRIC", command.input, "a fabric (.json) or draft (.wif), or a picture (.exr) to render again")
+      ->type_name("");
   app.add_option("-o,--output", command.output, "the picture: .exr or .png")->type_name("OUT")->required();
   addPictureOptions(app, command.options);
   addFabricOptions(app, command.options);
+  addWifSizes(app, command.wifSizes);
   addThreads(app, command.threads);
   addMemoryLimit(app, command.memoryLimit_bytes);
   addExposure(app, command.tone);
@@ -126,19 +134,23 @@ void addRender(CLI::App& app, RenderCommand& command) {
 }
 
 void addInfo(CLI::App& app, InfoCommand& command) {
-  app.add_option("FABRIC", command.input, "a fabric (.json), weave bitmap (.png) or picture (.exr)")
+  app.add_option("FABRIC", command.input, "a fabric (.json), draft (.wif), weave bitmap (.png) or picture (.exr)")
       ->type_name("")
       ->required();
   addFabricOptions(app, command.options);
+  addWifSizes(app, command.wifSizes);
   app.add_flag("--json", command.json, "JSON instead of a table");
 }
 
 void addConvert(CLI::App& app, ConvertCommand& command) {
-  app.add_option("IN", command.input, "a fabric (.json), weave bitmap (.png) or picture (.exr)")
+  app.add_option("IN", command.input, "a fabric (.json), draft (.wif), weave bitmap (.png) or picture (.exr)")
       ->type_name("")
       ->required();
-  app.add_option("OUT", command.output, "a fabric (.json) or weave bitmap (.png)")->type_name("")->required();
+  app.add_option("OUT", command.output, "a fabric (.json), draft (.wif) or weave bitmap (.png)")
+      ->type_name("")
+      ->required();
   app.add_option("--like", command.like, "a fabric that gives yarns and all else but the weave")->type_name("FABRIC");
+  addWifSizes(app, command.wifSizes);
 }
 
 void addVolumeBench(CLI::App& app, BenchCommand& command) {
@@ -162,7 +174,7 @@ void addReportBench(CLI::App& app, ReportBenchCommand& command) {
 }
 
 void addBrdf(CLI::App& app, BrdfCommand& command) {
-  app.add_option("FABRIC", command.input, "a fabric (.json), weave bitmap (.png) or picture (.exr)")
+  app.add_option("FABRIC", command.input, "a fabric (.json), draft (.wif), weave bitmap (.png) or picture (.exr)")
       ->type_name("")
       ->required();
   app.add_option("-o,--output", command.output, "writes OUT.exr, OUT.png and OUT.csv")->type_name("OUT")->required();
@@ -179,7 +191,7 @@ void addBrdf(CLI::App& app, BrdfCommand& command) {
 }
 
 void addBvdf(CLI::App& app, BvdfCommand& command) {
-  app.add_option("FABRIC", command.input, "a fabric (.json), weave bitmap (.png) or picture (.exr)")
+  app.add_option("FABRIC", command.input, "a fabric (.json), draft (.wif), weave bitmap (.png) or picture (.exr)")
       ->type_name("")
       ->required();
   app.add_option("-o,--output", command.output, "tables (.exr) with a picture (.png) beside them, or the picture alone")
@@ -259,7 +271,7 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   addRender(*renders, render);
   CLI::App* const informs = app.add_subcommand("info", "what follows from a fabric: mass, cover, floats, voxels");
   addInfo(*informs, info);
-  CLI::App* const converts = app.add_subcommand("convert", "between fabrics and weave bitmaps");
+  CLI::App* const converts = app.add_subcommand("convert", "between fabrics, drafts and weave bitmaps");
   addConvert(*converts, convert);
   CLI::App* const brdfs = app.add_subcommand("brdf", "how a flat patch reflects, seen from a half-dome of cameras");
   addBrdf(*brdfs, brdf);

@@ -7,26 +7,31 @@
 #include "app/workers/file_name.h"
 #include "core/base/error.h"
 #include "core/fabric/fabric_json.h"
+#include "core/fabric/wif_fabric.h"
 
 namespace loomlight {
 
 int run(const ConvertCommand& command) {
-  Fabric fabric = fabricFromFile(command.input);
+  Fabric fabric = fabricFromFile(command.input, command.wifSizes);
   if (!command.like.empty()) {
     Fabric like = fabricFromFile(command.like);
     like.name = fabric.name;
     like.weave = fabric.weave;
     like.draft = fabric.draft;
+    like.wif = fabric.wif;
     fabric = std::move(like);
   }
   const std::string extension = lowerExtension(command.output);
   if (extension == ".json") {
     writeFabric(fabric, command.output);
+  } else if (extension == ".wif") {
+    for (const std::string& remark : writeWifFabric(fabric, command.output))
+      fmt::print(stderr, "{}: {}\n", command.output, remark);
   } else if (extension == ".png") {
     writeWeaveBitmap(command.output, fabric.weave);
   } else {
-    throw InputError(
-        fmt::format("{}: expected the name of a fabric (.json) or of a weave bitmap (.png)", command.output));
+    throw InputError(fmt::format("{}: expected the name of a fabric (.json), a draft (.wif) or a weave bitmap (.png)",
+                                 command.output));
   }
   fmt::print("{}: {} ends, {} picks\n", command.output, fabric.weave.ends(), fabric.weave.picks());
   return 0;

@@ -2,16 +2,19 @@
 
 #include <string>
 
+#include "core/fabric/wif_fabric.h"
+
 namespace loomlight {
 
 /// loomlight convert IN OUT
 struct ConvertCommand {
-  std::string input;   ///< .json, .png (weave bitmap) or .exr (a picture of ours)
-  std::string output;  ///< .json or .png
+  std::string input;   ///< .json, .wif, .png (weave bitmap) or .exr (a picture of ours)
+  std::string output;  ///< .json, .wif or .png
   std::string like;    ///< a fabric that gives all but the weave; empty: none
+  WifSizeChoice wifSizes = WifSizeChoice::keep;
 };
 
-/// Exit status 0. Throws InputError.
+/// Says on stderr what is in the output otherwise than in the input. Exit status 0. Throws InputError.
 int run(const ConvertCommand& command);
 
 }  // namespace loomlight

@@ -3,46 +3,37 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
-#include <unordered_set>
 
 #include "app/commands/inputs.h"
 #include "app/commands/interrupt.h"
 #include "app/commands/progress.h"
 #include "app/commands/volume_json.h"
-#include "core/base/hash.h"
 #include "core/fabric/derived.h"
+#include "core/fabric/draft_derivation.h"
 #include "core/fabric/validate.h"
+#include "core/fabric/wif_origin.h"
 #include "render/trace/scene.h"
 
 namespace loomlight {
 namespace {
 
-/// The fewest shafts and treadles that can weave it: ends that always go together hang on one shaft, picks that are
-/// alike share a treadle.
-struct LoomNeeds {
-  size_t shafts = 0, treadles = 0;
+/// How a loom weaves it: the fabric's draft, or the smallest one of a weave that has none.
+struct Loom {
+  int shafts = 0, treadles = 0;
+  const char* means = "";  ///< what says which shafts a pick lifts
+  bool risingShed = true;
 };
 
-LoomNeeds loomNeeds(const Fabric& fabric) {
-  if (fabric.draft) return {static_cast<size_t>(fabric.draft->shafts), static_cast<size_t>(fabric.draft->treadles)};
-  const Weave& weave = fabric.weave;
-  std::vector<uint64_t> ends(weave.ends(), 0);
-  std::unordered_set<uint64_t> kindsOfPick;
-  for (int pick = 0; pick < weave.picks(); ++pick) {
-    uint64_t hash = 0;
-    for (int end = 0; end < weave.ends(); ++end) {
-      hash = hashCombine(hash, weave.at(pick, end));
-      ends[end] = hashCombine(ends[end], weave.at(pick, end));
-    }
-    kindsOfPick.insert(hash);
-  }
-  return {std::unordered_set<uint64_t>(ends.begin(), ends.end()).size(), kindsOfPick.size()};
+Loom loomOf(const Fabric& fabric) {
+  const Draft draft = fabric.draft ? *fabric.draft : smallestDraft(fabric.weave);
+  const char* const means = !fabric.draft ? "drawdown" : draft.liftplan.empty() ? "treadling" : "liftplan";
+  return {draft.shafts, draft.treadles, means, draft.risingShed};
 }
 
 struct Information {
   Floats floats;
   Binding binding;
-  LoomNeeds loom;
+  Loom loom;
   CoverFactors cover;
   ClothMeasures measures;
   std::vector<std::string> warnings;
@@ -57,9 +48,13 @@ nlohmann::ordered_json toJson(const Fabric& fabric, const Information& of) {
   json["picks"] = fabric.weave.picks();
   json["shafts"] = of.loom.shafts;
   json["treadles"] = of.loom.treadles;
+  json["draft"] = {{"by", of.loom.means}, {"rising_shed", of.loom.risingShed}};
+  if (fabric.wif) json["program"] = fabric.wif->program;
   json["warp_up_cells"] = of.binding.warpUpCells;
   json["max_warp_float"] = of.floats.warp();
   json["max_weft_float"] = of.floats.weft();
+  json["max_warp_float_face"] = of.floats.warpFace;
+  json["max_weft_float_face"] = of.floats.weftFace;
   json["ends_per_cm"] = fabric.ends_per_cm;
   json["picks_per_cm"] = fabric.picks_per_cm;
   json["cover_factor"] = of.cover.cloth;
@@ -85,8 +80,10 @@ void line(const char* label, const std::string& value, const std::string& remark
 void printTable(const Fabric& fabric, const Information& of) {
   fmt::print("{}\n\nWeave\n", fabric.name);
   line("repeat", fmt::format("{} x {}", fabric.weave.ends(), fabric.weave.picks()), "ends x picks");
-  line("shafts", fmt::format("{}", of.loom.shafts));
+  line("shafts", fmt::format("{}", of.loom.shafts), fabric.draft ? "" : "the fewest that weave it");
   line("treadles", fmt::format("{}", of.loom.treadles));
+  if (fabric.draft) line("draft", of.loom.means, of.loom.risingShed ? "rising shed" : "sinking shed");
+  if (fabric.wif) line("written by", fabric.wif->program);
   line("warp on the face", fmt::format("{:.0f} %", 100 * of.binding.warpOnFace),
        fmt::format("{} of {} crossings", of.binding.warpUpCells,
                    static_cast<int64_t>(fabric.weave.ends()) * fabric.weave.picks()));
@@ -118,7 +115,8 @@ void printTable(const Fabric& fabric, const Information& of) {
 
 int run(const InfoCommand& command) {
   const Interrupt interrupt;
-  Fabric fabric = withOptions(fabricFromFile(command.input), command.options);
+  FabricInput input = readInput(command.input, command.wifSizes);
+  Fabric fabric = withOptions(std::move(input.fabric), command.options);
   fabric.light = Light{};
   fabric.light.kind = LightKind::dome;  // nothing here depends on light, so no environment need be loaded
   validate(fabric, command.input);
@@ -136,10 +134,11 @@ int run(const InfoCommand& command) {
   Information information;
   information.floats = floats(fabric.weave);
   information.binding = binding(fabric.weave);
-  information.loom = loomNeeds(fabric);
+  information.loom = loomOf(fabric);
   information.cover = coverFactors(fabric);
   information.measures = geometry.measure();
-  information.warnings = warnings(fabric);
+  information.warnings = std::move(input.warnings);
+  for (std::string& warning : warnings(fabric)) information.warnings.push_back(std::move(warning));
   information.volume = scene->volume->counts();
   information.pieceEnds = geometry.ends();
   information.piecePicks = geometry.picks();

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "app/commands/fabric_options.h"
+#include "core/fabric/wif_fabric.h"
 
 namespace loomlight {
 
@@ -10,6 +11,7 @@ namespace loomlight {
 struct InfoCommand {
   std::string input;
   FabricOptions options;
+  WifSizeChoice wifSizes = WifSizeChoice::keep;
   bool json = false;
 };
 

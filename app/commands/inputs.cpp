@@ -12,18 +12,31 @@
 
 namespace loomlight {
 
-Fabric fabricFromFile(const std::string& file) {
+FabricInput readInput(const std::string& file, WifSizeChoice sizes) {
   const std::string extension = lowerExtension(file);
-  if (extension == ".json") return readFabric(file);
-  if (extension == ".exr") return fabricOfPicture(file);
+  if (extension == ".json") return {readFabric(file), {}};
+  if (extension == ".exr") return {fabricOfPicture(file), {}};
+  if (extension == ".wif") {
+    WifImport import = readWifFabric(file, Fabric{}, sizes);
+    for (std::string& warning : import.warnings) warning = fmt::format("{}: {}", file, warning);
+    return {std::move(import.fabric), std::move(import.warnings)};
+  }
   if (extension == ".png") {
     Fabric fabric;
     fabric.name = std::filesystem::path(file).stem().string();
     fabric.weave = readWeaveBitmap(file);
-    return fabric;
+    return {std::move(fabric), {}};
   }
-  throw InputError(fmt::format(
-      "{}: expected a fabric (.json), a weave bitmap (.png) or a picture rendered by Loomlight (.exr)", file));
+  throw InputError(
+      fmt::format("{}: expected a fabric (.json), a draft (.wif), a weave bitmap (.png) or a picture rendered by "
+                  "Loomlight (.exr)",
+                  file));
+}
+
+Fabric fabricFromFile(const std::string& file, WifSizeChoice sizes) {
+  FabricInput input = readInput(file, sizes);
+  for (const std::string& warning : input.warnings) fmt::print(stderr, "{}\n", warning);
+  return std::move(input.fabric);
 }
 
 }  // namespace loomlight

@@ -101,6 +101,10 @@ EventLaw parseEventLaw(const std::string& option, const std::string& text) {
   return parseChoice<EventLaw>(option, text);
 }
 
+WifSizeChoice parseWifSizes(const std::string& option, const std::string& text) {
+  return parseChoice<WifSizeChoice>(option, text);
+}
+
 HalfDomeGrid parseHalfDome(const std::string& option, const std::string& text) {
   constexpr int kMost = 256;
   const auto counts = split(text, 'x');

@@ -7,6 +7,7 @@
 
 #include "app/commands/view.h"
 #include "core/fabric/fabric.h"
+#include "core/fabric/wif_fabric.h"
 #include "render/trace/half_dome.h"
 
 namespace loomlight {
@@ -38,6 +39,7 @@ Estimator parseEstimator(const std::string& option, const std::string& text);
 HalfDomeGrid parseHalfDome(const std::string& option, const std::string& text);
 
 EventLaw parseEventLaw(const std::string& option, const std::string& text);
+WifSizeChoice parseWifSizes(const std::string& option, const std::string& text);
 
 /// front, top, close, macro, side, or AZ,EL[,DISTANCE] in degrees and mm.
 ViewChoice parseView(const std::string& option, const std::string& text);

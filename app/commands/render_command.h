@@ -3,6 +3,7 @@
 #include <string>
 
 #include "app/commands/fabric_options.h"
+#include "core/fabric/wif_fabric.h"
 #include "render/film/tone.h"
 #include "render/trace/make_medium.h"
 
@@ -13,6 +14,7 @@ struct RenderCommand {
   std::string input;   ///< a fabric, or a picture that carries one; may be empty where `resume` is not
   std::string output;  ///< .exr or .png
   FabricOptions options;
+  WifSizeChoice wifSizes = WifSizeChoice::keep;           ///< of a draft
   Tone tone;                                              ///< of a .png
   int threads = 0;                                        ///< 0: all
   double memoryLimit_bytes = defaultMemoryLimit_bytes();  ///< of explicit fibres

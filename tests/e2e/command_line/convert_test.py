@@ -1,4 +1,4 @@
-"""`convert` between fabrics and weave bitmaps."""
+"""`convert` between fabrics, drafts and weave bitmaps."""
 
 import json
 
@@ -37,9 +37,46 @@ class Convert(CommandLineTest):
         self.run_program("convert", "picture.exr", "again.json")
         self.assertEqual(json.loads(self.bytes_of("again.json"))["name"], "small twill")
 
+    def test_a_fabric_becomes_a_draft_and_comes_back(self):
+        fabric = self.fabric()
+        said = self.run_program("convert", fabric, "a.wif", messages=True)
+        self.assertIn("4 shafts and 4 treadles", said)
+        text = self.bytes_of("a.wif").decode("ascii")
+        self.assertTrue(text.startswith("[WIF]\r\nVersion=1.1\r\n"))
+        self.run_program("convert", "a.wif", "b.json")
+        draft = json.loads(self.bytes_of("b.json"))["draft"]
+        self.assertEqual(draft["treadling"], [1, 2, 3, 4])
+        self.run_program("convert", "a.wif", "weave.png")
+        self.run_program("convert", fabric, "expected.png")
+        self.assertEqual(read_png(self.folder / "weave.png"), read_png(self.folder / "expected.png"))
+
+    def test_private_sections_of_a_draft_survive_the_way_through_a_fabric(self):
+        self.run_program("convert", self.fabric(), "a.wif")
+        text = self.bytes_of("a.wif") + b"[PRIVATE OTHER PROGRAM]\r\n; kept\r\n x = y\r\n"
+        (self.folder / "b.wif").write_bytes(text)
+        self.run_program("convert", "b.wif", "c.json")
+        self.run_program("convert", "c.json", "d.wif")
+        self.assertIn(b"[PRIVATE OTHER PROGRAM]\r\n; kept\r\n x = y\r\n", self.bytes_of("d.wif"))
+
+    def test_sizes_of_a_draft_are_taken_only_where_wanted(self):
+        self.run_program("convert", self.fabric(), "a.wif")
+        for words, picks_per_cm in (((), 20), (("--wif-sizes", "keep"), 20), (("--wif-sizes", "file"), 18)):
+            self.run_program("convert", "a.wif", "b.json", *words)
+            self.assertEqual(json.loads(self.bytes_of("b.json"))["picks_per_cm"], picks_per_cm)
+
+    def test_what_was_wrong_in_a_draft_is_said(self):
+        self.run_program("convert", self.fabric(), "a.wif")
+        text = self.bytes_of("a.wif").replace(b"Shafts=4", b"Shafts=many")
+        (self.folder / "b.wif").write_bytes(text)
+        said = self.run_program("convert", "b.wif", "c.json", messages=True)
+        self.assertIn("b.wif: line ", said)
+        self.assertIn("[WEAVING] Shafts=many: expected a whole number", said)
+        (self.folder / "story.wif").write_text("You are in a maze of twisty little passages.\n")
+        self.assertIn("story.wif: expected a weaving file", self.run_program("convert", "story.wif", "c.json", status=1))
+
     def test_other_formats_are_refused_by_name(self):
         fabric = self.fabric()
-        for output in ("a.wif", "a", "a.jpg"):
+        for output in ("a.dtx", "a", "a.jpg"):
             message = self.run_program("convert", fabric, output, status=1)
             self.assertIn(output + ": expected", message)
             self.assertIn(".json", message)

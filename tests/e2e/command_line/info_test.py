@@ -38,6 +38,16 @@ class Info(CommandLineTest):
         for word in ("small twill", "g/m2", "mm", "per cm", "ends x picks", "MB"):
             self.assertIn(word, table)
 
+    def test_a_draft_says_how_it_is_woven_and_what_was_wrong_in_its_file(self):
+        self.run_program("convert", self.fabric(), "a.wif")
+        text = self.bytes_of("a.wif").replace(b"Rising Shed=true\r\n", b"")
+        (self.folder / "b.wif").write_bytes(text)
+        info = json.loads(self.run_program("info", "b.wif", "--json", "--resolution", 1))
+        self.assertEqual((info["ends"], info["shafts"], info["warp_up_cells"]), (4, 4, 8))
+        self.assertEqual(info["draft"], {"by": "treadling", "rising_shed": True})
+        self.assertIn("b.wif: [WEAVING]: does not say whether the shed rises; it is taken as rising", info["warnings"])
+        self.assertIn("rising shed", self.run_program("info", "b.wif", "--resolution", 1))
+
     def test_a_piece_a_hundred_times_as_large_needs_no_more_memory(self):
         sizes = []
         for side in (30, 300):

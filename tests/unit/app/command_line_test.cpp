@@ -121,6 +121,11 @@ TEST(CommandLine, InfoConvertAndBench) {
   EXPECT_EQ(convert.input, "a.png");
   EXPECT_EQ(convert.output, "b.json");
   EXPECT_EQ(convert.like, "c.json");
+  EXPECT_EQ(convert.wifSizes, WifSizeChoice::keep);
+  EXPECT_EQ(parsed<ConvertCommand>({"convert", "a.wif", "b.json", "--wif-sizes", "file"}).wifSizes,
+            WifSizeChoice::file);
+  EXPECT_EQ(parsed<InfoCommand>({"info", "a.wif", "--wif-sizes", "file"}).wifSizes, WifSizeChoice::file);
+  EXPECT_THAT(complaint({"convert", "a.wif", "b.json", "--wif-sizes", "mine"}), HasSubstr("--wif-sizes: expected"));
   const auto bench = parsed<BenchCommand>({"bench", "volume", "a.json", "--resolutions", "2,4", "--rounds", "1"});
   EXPECT_THAT(bench.resolutions, testing::ElementsAre(2, 4));
   EXPECT_EQ(bench.rounds, 1);
