@@ -42,7 +42,7 @@ struct AccuracyStudy {
   Pixels8 picture;      ///< under each light: fibres, other fibres, ours
 };
 
-/// Names of methods that every study has.
+/// Names of methods; the quick form does without the last.
 inline constexpr const char* kOtherFibres = "other fibres, same yarns";
 inline constexpr const char* kOurs8 = "loomlight, resolution 8";
 inline constexpr const char* kOurs16 = "loomlight, resolution 16";

@@ -17,8 +17,8 @@
 namespace loomlight {
 namespace {
 
-std::vector<std::string> header(const std::string& first) {
-  std::vector<std::string> names{first};
+std::vector<std::string> header() {
+  std::vector<std::string> names{"method"};
   for (const AccuracyLight& light : kAccuracyLights) names.push_back(fmt::format("{}, %", light.name));
   names.insert(names.end(), {"half-dome RMS, %", "pixel RMS, %"});
   return names;
@@ -49,7 +49,7 @@ void addCloth(ReportPage& page, const std::string& name, const AccuracyStudy& st
     row.push_back(estimateText(accuracy.pixels));
     rows.push_back(std::move(row));
   }
-  page.table("accuracy_" + file, header("method"), rows);
+  page.table("accuracy_" + file, header(), rows);
   page.picture("accuracy_" + file, study.picture,
                name +
                    ": fibres, other fibres in the same yarns, ours at resolution 8; under dome, headlight, back light "
@@ -133,11 +133,11 @@ void addSummaries(ReportPage& page, const std::vector<Summary>& summaries) {
   }
   page.heading("Over all cloths");
   page.paragraph("Root mean square over cloths and channels, less what noise adds to it:");
-  page.table("accuracy", header("method"), rms);
+  page.table("accuracy", header(), rms);
   page.paragraph("Its standard error:");
-  page.table("accuracy_error", header("method"), errors);
+  page.table("accuracy_error", header(), errors);
   page.paragraph("The worst cloth and channel, noise included:");
-  page.table("accuracy_worst", header("method"), worst);
+  page.table("accuracy_worst", header(), worst);
 }
 
 std::vector<Target> targetsOf(const std::vector<Summary>& summaries) {
@@ -170,9 +170,8 @@ bool benchAccuracy(const ReportBench& bench, const Task& task) {
   page.paragraph(
       "Each volume is measured against the very fibres that it was made of, in a piece so large that no edge is seen. "
       "Seen from straight above in pixels of d / 4.6 (d: the diameter of the finest yarn): difference of the mean "
-      "colour in red, green and blue, under a white dome, a light at the eye, white light from behind, and the sun "
-      "from "
-      "behind at 45 degrees. Then the RMS difference of a half-dome of 32 cameras, and of single pixels, under the "
+      "colour in red, green and blue, under a white dome, a light at the eye, white light from behind, and the sun at "
+      "45 degrees from behind. Then the RMS difference of a half-dome of 32 cameras, and of single pixels, under the "
       "dome, both free of noise (<(A1 - R1)(A2 - R2)> / <R1 R2>; below zero where noise has the last word). ± is one "
       "standard error of noise, of the volume and the fibres together. The yardstick is the first line: how far "
       "explicit fibres are from explicit fibres that lie otherwise in the same yarns.");

@@ -92,10 +92,10 @@ bool addDensity(ReportPage& page, const Task& task) {
       "counted in the sphere about the voxel");
   page.paragraph(
       "Length of fibre per volume in one crossing at resolution 8, against the fibres themselves, cut at every plane "
-      "of "
-      "the grid. Counting is that of Moon et al. (2008) as the report tells it: n fibres that cut a sphere of radius R "
+      "of the grid. Counting is that of Moon et al. (2008) as the report tells it: n fibres that cut a sphere of "
+      "radius R "
       "stand for n / (pi R^2), since the mean chord of a sphere is 4 R / 3 (Eq. 4). Errors are relative to the RMS "
-      "density; at a quarter of a voxel, that of the length is all due to the voxel's size, and no number a voxel "
+      "density; at a quarter of a voxel, that of the length is all due to the voxel's size, and no number that a voxel "
       "could hold has less. Astray is what lies in voxels without fibres. fig4_line.csv goes along a line through the "
       "yarn.");
   return true;
