@@ -58,7 +58,7 @@ int run(const BrdfCommand& command) {
   task.stop = interrupt.token();
   task.threads = command.threads > 0 ? command.threads : hardwareThreads();
   const auto scene = makeScene(fabric, task);
-  const auto medium = scene ? makeMedium(*scene, command.memoryLimit_bytes, task) : nullptr;
+  const auto medium = scene ? makeMedium(*scene, {command.memoryLimit_bytes, command.fibreExtent}, task) : nullptr;
   task.progress = [&progress](double fraction) { progress.update(fraction); };
   const int samples = command.options.samplesPerPixel.value_or(BrdfCommand::kSamples);
   const auto measure = medium ? measureHalfDome(*scene, *medium, command.grid, samples, task) : std::nullopt;

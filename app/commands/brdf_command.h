@@ -23,6 +23,7 @@ struct BrdfCommand {
   Tone tone;
   int threads = 0;  ///< 0: all
   double memoryLimit_bytes = defaultMemoryLimit_bytes();
+  FibreExtent fibreExtent = FibreExtent::automatic;
   static constexpr int kSamples = 4096;  ///< paths for each camera where `options` do not say
 };
 

@@ -88,6 +88,12 @@ void addMemoryLimit(CLI::App& app, double& limit_bytes) {
            });
 }
 
+void addFibreExtent(CLI::App& app, FibreExtent& extent) {
+  addValue(app, "--fibres-extent", "auto|piece|repeat",
+           "all fibres of the piece, or of a flat one a repeat, side by side; auto: as memory allows",
+           [&extent](const auto& option, const auto& text) { extent = parseFibreExtent(option, text); });
+}
+
 void addExposure(CLI::App& app, Tone& tone) {
   addValue(app, "--exposure", "STOPS", "brighter or darker; only a .png has it",
            [&tone](const auto& option, const auto& text) {
@@ -126,6 +132,7 @@ void addRender(CLI::App& app, RenderCommand& command) {
   addWifSizes(app, command.wifSizes);
   addThreads(app, command.threads);
   addMemoryLimit(app, command.memoryLimit_bytes);
+  addFibreExtent(app, command.fibreExtent);
   addExposure(app, command.tone);
   app.add_option("--stats", command.stats, "write counts and times of every stage, as JSON")->type_name("FILE.json");
   app.add_flag("--keep-sums", command.keepSums, "keep in the .exr what --resume needs");
@@ -187,6 +194,7 @@ void addBrdf(CLI::App& app, BrdfCommand& command) {
   addResolution(app, command.options);
   addThreads(app, command.threads);
   addMemoryLimit(app, command.memoryLimit_bytes);
+  addFibreExtent(app, command.fibreExtent);
   addExposure(app, command.tone);
 }
 

@@ -93,6 +93,10 @@ Method parseMethod(const std::string& option, const std::string& text) {
   return parseChoice<Method>(option, text);
 }
 
+FibreExtent parseFibreExtent(const std::string& option, const std::string& text) {
+  return parseChoice<FibreExtent>(option, text);
+}
+
 Estimator parseEstimator(const std::string& option, const std::string& text) {
   return parseChoice<Estimator>(option, text);
 }

@@ -8,6 +8,7 @@
 #include "app/commands/view.h"
 #include "core/fabric/fabric.h"
 #include "core/fabric/wif_fabric.h"
+#include "render/trace/fibre_extent.h"
 #include "render/trace/half_dome.h"
 
 namespace loomlight {
@@ -34,6 +35,7 @@ int parseResolution(const std::string& option, const std::string& text);
 std::vector<int> parseResolutions(const std::string& option, const std::string& text);
 
 Method parseMethod(const std::string& option, const std::string& text);
+FibreExtent parseFibreExtent(const std::string& option, const std::string& text);
 Estimator parseEstimator(const std::string& option, const std::string& text);
 /// 64x16: azimuths and inclinations, each from 1 to 256.
 HalfDomeGrid parseHalfDome(const std::string& option, const std::string& text);

@@ -96,19 +96,27 @@ std::shared_ptr<const Scene> buildScene(const std::shared_ptr<const Fabric>& fab
   return makeScene(fabric, task);
 }
 
+/// What a reader of the picture must know where not all of the piece is laid.
+std::string repeatText(const FibreMedium::Size& size) {
+  if (size.isWholePiece()) return "";
+  return fmt::format(": a repeat of {} x {} crossings, {} x {} times side by side", size.ends, size.picks,
+                     size.copies.x, size.copies.y);
+}
+
 /// Null when stopped. Says beforehand what fibres will take.
-std::unique_ptr<const Medium> buildMedium(const Scene& scene, double memoryLimit_bytes, Task task, MediumCost& cost) {
+std::unique_ptr<const Medium> buildMedium(const Scene& scene, const FibreOptions& options, Task task,
+                                          MediumCost& cost) {
   const RenderSettings& settings = scene.fabric->render;
   const bool fibres = settings.method == Method::fibres;
-  if (!fibres && settings.estimator != Estimator::report) return makeMedium(scene, memoryLimit_bytes, task, &cost);
+  if (!fibres && settings.estimator != Estimator::report) return makeMedium(scene, options, task, &cost);
   if (fibres) {
-    const FibreMedium::Size size = FibreMedium::estimate(scene);
-    fmt::print(stderr, "loomlight: {:.3g} fibre segments will take about {:.2f} GB of memory\n", size.segments,
-               size.bytes * 1e-9);
+    const FibreMedium::Size size = FibreMedium::estimate(scene, options);
+    fmt::print(stderr, "loomlight: {:.3g} fibre segments will take about {:.2f} GB of memory{}\n", size.segments,
+               size.bytes * 1e-9, repeatText(size));
   }
   Progress progress(fibres ? "laying fibres" : "baking visibility");
   task.progress = [&progress](double fraction) { progress.update(fraction); };
-  return makeMedium(scene, memoryLimit_bytes, task, &cost);
+  return makeMedium(scene, options, task, &cost);
 }
 
 }  // namespace
@@ -126,7 +134,8 @@ int run(const RenderCommand& command) {
 
   const auto scene = buildScene(job.fabric, task);
   MediumCost mediumCost;
-  const auto medium = scene ? buildMedium(*scene, command.memoryLimit_bytes, task, mediumCost) : nullptr;
+  const auto medium =
+      scene ? buildMedium(*scene, {command.memoryLimit_bytes, command.fibreExtent}, task, mediumCost) : nullptr;
   if (!medium) {
     fmt::print(stderr, "loomlight: stopped before the first sample; nothing was written\n");
     return Interrupt::kExitStatus;

@@ -18,8 +18,9 @@ struct RenderCommand {
   Tone tone;                                              ///< of a .png
   int threads = 0;                                        ///< 0: all
   double memoryLimit_bytes = defaultMemoryLimit_bytes();  ///< of explicit fibres
-  std::string stats;                                      ///< file for the figures; empty: none
-  std::string resume;                                     ///< an .exr with sums, to be continued; empty: none
+  FibreExtent fibreExtent = FibreExtent::automatic;
+  std::string stats;   ///< file for the figures; empty: none
+  std::string resume;  ///< an .exr with sums, to be continued; empty: none
   bool keepSums = false;
 };
 

@@ -27,6 +27,19 @@ class Fibres(CommandLineTest):
         self.assertRegex(message, "fibre segments.*GiB.*expected at most")
         self.assertFalse((self.folder / "a.png").exists())
 
+    def test_of_a_flat_piece_beyond_the_limit_one_repeat_is_laid_and_said(self):
+        words = ("render", self.fabric(drape={"kind": "flat", "width_mm": 24, "height_mm": 24}), "-o", "a.png")
+        words += ("--method", "fibres", "--spp", 1, "--size", "16x16", "--memory-limit", 0.08)
+        self.assertRegex(self.run_program(*words, messages=True), "a repeat of [0-9]+ x [0-9]+ crossings")
+        self.assertIn("this piece has", self.run_program(*words, "--fibres-extent", "piece", status=1))
+
+    def test_one_repeat_can_be_asked_of_flat_pieces_only(self):
+        words = ("render", self.fabric(drape={"kind": "flat", "width_mm": 24, "height_mm": 24}), "-o", "a.png")
+        words += ("--method", "fibres", "--spp", 1, "--size", "16x16", "--fibres-extent")
+        self.assertIn("side by side", self.run_program(*words, "repeat", messages=True))
+        self.assertIn("flat", self.run_program(*words, "repeat", "--drape", "cylinder", status=1))
+        self.assertIn("--fibres-extent", self.run_program(*words, "half", status=2))
+
     def test_the_picture_is_the_same_for_any_number_of_threads(self):
         for threads in (1, 3):
             self.run_program(

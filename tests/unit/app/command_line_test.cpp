@@ -57,7 +57,9 @@ TEST(CommandLine, RenderTakesAllItsOptions) {
                                              "c.exr",        "--uv-scale",
                                              "10",           "--estimator",
                                              "report",       "--memory-limit",
-                                             "2.5"});
+                                             "2.5",
+                                            "--fibres-extent",
+                                            "repeat"});
   EXPECT_EQ(render.input, "a.json");
   EXPECT_EQ(render.output, "b.exr");
   EXPECT_EQ(render.options.size->width, 64);
@@ -72,6 +74,7 @@ TEST(CommandLine, RenderTakesAllItsOptions) {
   EXPECT_EQ(render.options.method, Method::fibres);
   EXPECT_EQ(render.options.estimator, Estimator::report);
   EXPECT_DOUBLE_EQ(render.memoryLimit_bytes, 2.5e9);
+  EXPECT_EQ(render.fibreExtent, FibreExtent::oneRepeat);
   EXPECT_EQ(render.options.eventLaw, EventLaw::report);
   EXPECT_FLOAT_EQ(render.tone.exposure_stops, -1);
   EXPECT_EQ(render.stats, "s.json");
