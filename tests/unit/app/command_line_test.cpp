@@ -57,9 +57,8 @@ TEST(CommandLine, RenderTakesAllItsOptions) {
                                              "c.exr",        "--uv-scale",
                                              "10",           "--estimator",
                                              "report",       "--memory-limit",
-                                             "2.5",
-                                            "--fibres-extent",
-                                            "repeat"});
+                                             "2.5",          "--fibres-extent",
+                                             "repeat"});
   EXPECT_EQ(render.input, "a.json");
   EXPECT_EQ(render.output, "b.exr");
   EXPECT_EQ(render.options.size->width, 64);
