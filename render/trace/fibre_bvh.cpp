@@ -25,9 +25,9 @@ int builderThreads([[maybe_unused]] const Task& task) {
 
 /// What the filter needs to know of a ray, behind Embree's own context.
 struct RayContext {
-  explicit RayContext(const FibreRay& fibreRay) : ray(fibreRay) { rtcInitIntersectContext(&embree); }
-  RTCIntersectContext embree;
-  const FibreRay& ray;
+  explicit RayContext(const FibreRay& fibreRay) : ray(&fibreRay) { rtcInitIntersectContext(&embree); }
+  RTCIntersectContext embree;  ///< first, so that Embree's pointer to it is a pointer to the whole
+  const FibreRay* ray;
 };
 
 RTCRay embreeRay(const FibreRay& from) {
@@ -211,7 +211,7 @@ uint64_t FibreBvh::Parts::idOf(const PlacedFibre& fibre) const {
 void FibreBvh::Parts::filter(const RTCFilterFunctionNArguments* args) {
   const auto* ray = reinterpret_cast<const RTCRay*>(args->ray);
   const auto* hit = reinterpret_cast<const RTCHit*>(args->hit);
-  const FibreRay& from = reinterpret_cast<const RayContext*>(args->context)->ray;
+  const FibreRay& from = *reinterpret_cast<const RayContext*>(args->context)->ray;
   const auto& parts = *static_cast<const Parts*>(args->geometryUserPtr);
   const bool fromInside = ray->dir_x * hit->Ng_x + ray->dir_y * hit->Ng_y + ray->dir_z * hit->Ng_z > 0;
   const bool mayBeOwn = ray->tfar < from.clearance_mm;
