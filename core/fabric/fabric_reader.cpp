@@ -211,7 +211,7 @@ Draft readDraft(json value, const Place& place) {
 }
 
 /// What a weaving file said, in its own syntax, line by line. Nobody but us writes it, so it has to be right.
-WifRest readWifLines(const json& value, const Place& place) {
+WifRest readWifLines(const json& value, const std::string& source, const Place& place) {
   std::string text;
   for (const json& line : readList(value, "a list of texts, the lines of a weaving file", place)) {
     if (!line.is_string()) place.reject("texts", shown(line));
@@ -221,17 +221,18 @@ WifRest readWifLines(const json& value, const Place& place) {
   if (text.size() > kMaxWifBytes)
     place.reject(fmt::format("at most {} bytes", kMaxWifBytes), fmt::format("{}", text.size()));
   WifWarnings warnings;
-  WifRest rest = readWifRest(parseWifSections(text, place.path(), warnings), warnings);
+  WifRest rest = readWifRest(parseWifSections(text, fmt::format("{}: {}", source, place.path()), warnings), warnings);
   const std::vector<std::string> complaints = warnings.list();
   if (!complaints.empty()) place.reject("lines as in a weaving file", complaints.front());
   return rest;
 }
 
-std::shared_ptr<const WifOrigin> readOrigin(json value, const Place& place) {
+std::shared_ptr<const WifOrigin> readOrigin(json value, const std::string& source, const Place& place) {
   ObjectReader reader(std::move(value), place);
   auto origin = std::make_shared<WifOrigin>();
   reader.takeFields(*origin);
-  if (const std::optional<json> lines = reader.take("lines")) origin->rest = readWifLines(*lines, place.at("lines"));
+  if (const std::optional<json> lines = reader.take("lines"))
+    origin->rest = readWifLines(*lines, source, place.at("lines"));
   origin->unknown = reader.rest();
   return origin;
 }
@@ -266,7 +267,7 @@ Fabric fabricFromJson(std::string_view text, const std::string& sourceName) {
   if (auto v = reader.take("light")) fabric.light = readObject<Light>(std::move(*v), place.at("light"));
   if (auto v = reader.take("camera")) fabric.camera = readObject<Camera>(std::move(*v), place.at("camera"));
   if (auto v = reader.take("render")) fabric.render = readObject<RenderSettings>(std::move(*v), place.at("render"));
-  if (auto v = reader.take("wif")) fabric.wif = readOrigin(std::move(*v), place.at("wif"));
+  if (auto v = reader.take("wif")) fabric.wif = readOrigin(std::move(*v), sourceName, place.at("wif"));
   fabric.unknown = reader.rest();
   validate(fabric, sourceName);
   return fabric;

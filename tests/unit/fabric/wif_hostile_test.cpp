@@ -150,6 +150,9 @@ TEST(HostileWif, LinesOfAFabricFileHaveToBeRight) {
   EXPECT_THAT(complaint("{\"lines\": [7]}"), HasSubstr("x.json: wif.lines: expected texts, got 7"));
   EXPECT_THAT(complaint("{\"lines\": [\"[COLOR TABLE]\", \"oops\"]}"),
               HasSubstr("expected lines as in a weaving file"));
+  std::string sections;
+  for (int i = 0; i < 5000; ++i) sections += fmt::format("\"[P {}]\", ", i);
+  EXPECT_EQ(complaint("{\"lines\": [" + sections + "\"\"]}"), "x.json: wif.lines: expected at most 4096 sections");
   EXPECT_THAT(complaint("{\"ends\": -3}"), HasSubstr("x.json: wif.ends: expected a whole number"));
 }
 
