@@ -29,30 +29,49 @@ int smallestPeriod(int n, Same&& same) {
   return n;
 }
 
+bool sameRow(std::span<const uint8_t> a, std::span<const uint8_t> b) {
+  return a.data() == b.data() || std::equal(a.begin(), a.end(), b.begin());
+}
+
+/// Smallest p that divides the ends, with which every pick repeats.
+int smallestPeriodOfEnds(const Weave& weave) {
+  // The periods of a pick that divide n are the multiples of its smallest, so each pick goes on from the one before.
+  const int n = weave.ends();
+  int period = 1;
+  for (int pick = 0; pick < weave.picks() && period < n; ++pick) {
+    const auto row = weave.row(pick);
+    const int step = period;
+    while (n % period != 0 || !sameRow(row.subspan(static_cast<size_t>(period)), row.first(row.size() - period)))
+      period += step;
+  }
+  return period;
+}
+
 int leastCommonMultiple(int a, int b) {
   const int64_t multiple = std::lcm(static_cast<int64_t>(a), static_cast<int64_t>(b));
   return static_cast<int>(std::min<int64_t>(multiple, std::numeric_limits<int>::max()));
 }
 
-// A node's code: distance to the end of the float in 2 bits, the side in 1, the class crossed in the 6 that 64 yarns
-// need.
+// What one node of a path comes from: distance to the end of the float in 2 bits, the side in 1, the class crossed in
+// the 6 that 64 yarns need. A cell's shape code has its own class above those of its three nodes.
+using ShapeCode = ClothGeometry::ShapeCode;
 constexpr int kFloatBits = 3, kOverBit = 4, kNodeBits = kFloatBits + 6;
 static_assert(kMaxFloatDistance < kOverBit);
 
 // The sides at the crossings within a float's reach of the three nodes of a cell, one bit each, tell how the yarn
-// floats at each node: a table, because key() is called for every crossing of a jacquard.
-constexpr int kFloatReach = kMaxFloatDistance + 1, kSidesSeen = 2 * kFloatReach + 1;
+// floats at each node: a table, because there is one look-up for every crossing of a jacquard.
+constexpr int kReach = ClothGeometry::kCrossingReach, kSidesSeen = 2 * kReach + 1;
 
-constexpr std::array<std::array<uint8_t, 3>, 1 << kSidesSeen> makeFloatCodes() {
-  std::array<std::array<uint8_t, 3>, 1 << kSidesSeen> codes{};
+constexpr std::array<uint32_t, 1 << kSidesSeen> makeFloatCodes() {
+  std::array<uint32_t, 1 << kSidesSeen> codes{};
   for (unsigned sides = 0; sides < codes.size(); ++sides) {
     const auto over = [sides](int i) { return (sides >> i & 1u) != 0; };
     for (int node = 0; node < 3; ++node) {
-      const int i = kFloatReach - 1 + node;
+      const int i = kReach - 1 + node;
       int distance = 0;
       while (distance < kMaxFloatDistance && over(i - distance - 1) == over(i) && over(i + distance + 1) == over(i))
         ++distance;
-      codes[sides][node] = static_cast<uint8_t>((over(i) ? kOverBit : 0) | distance);
+      codes[sides] = codes[sides] << kNodeBits | static_cast<uint32_t>((over(i) ? kOverBit : 0) | distance);
     }
   }
   return codes;
@@ -73,19 +92,19 @@ uint64_t hash(const CellKey& key) {
   return h;
 }
 
-ClothGeometry::ClothGeometry(const Fabric& fabric, int ends, int picks)
+ClothGeometry::ClothGeometry(const Fabric& fabric, int ends, int picks, const ClothGeometry* previous)
     : weave_(fabric.weave),
       ends_(ends),
       picks_(picks),
       warpPitch_mm_(fabric.warpPitch_mm()),
       weftPitch_mm_(fabric.weftPitch_mm()) {
   assert(ends >= 1 && picks >= 1);
-  resolveYarns(fabric);
+  resolveYarns(fabric, previous);
   findRepeat();
   findThickness();
 }
 
-void ClothGeometry::resolveYarns(const Fabric& fabric) {
+void ClothGeometry::resolveYarns(const Fabric& fabric, const ClothGeometry* previous) {
   const std::vector<int> classOf = geometryClasses(fabric);
   classCount_ = *std::max_element(classOf.begin(), classOf.end()) + 1;
   std::vector<const Yarn*> yarnOf(classCount_);
@@ -110,10 +129,10 @@ void ClothGeometry::resolveYarns(const Fabric& fabric) {
     for (const YarnGeometry& weft : outlines[1]) crossings_.push_back(cross(warp, weft));
 
   for (const System system : {System::warp, System::weft}) {
-    SystemGeometry& of = systems_[static_cast<size_t>(system)];
+    SystemGeometry& mine = systems_[static_cast<size_t>(system)];
     const std::vector<int>& others = systems_[1 - static_cast<size_t>(system)].classes;
-    for (const int own : of.classes) {
-      if (of.yarns[own]) continue;
+    for (const int own : mine.classes) {
+      if (mine.yarns[own]) continue;
       YarnGeometry outline = outlines[static_cast<size_t>(system)][own];
       double interlaced = 0;
       for (const int other : others) {
@@ -122,7 +141,11 @@ void ClothGeometry::resolveYarns(const Fabric& fabric) {
       }
       const Yarn& yarn = *yarnOf[own];
       resolveTwist(outline, yarn, 0.5 * (outline.pitch_mm + interlaced));
-      of.yarns[own] = makeYarnModel(outline, yarn, fabric.fibres[yarn.fibre]);
+      const YarnSource source = sourceOf(outline, yarn, fabric.fibres[yarn.fibre]);
+      if (previous)
+        for (const auto& model : previous->of(system).yarns)
+          if (model && model->source == source) mine.yarns[own] = model;
+      if (!mine.yarns[own]) mine.yarns[own] = makeYarnModel(source);
     }
   }
 }
@@ -131,15 +154,9 @@ void ClothGeometry::findRepeat() {
   const auto periodOf = [](const std::vector<int>& classes) {
     return smallestPeriod(static_cast<int>(classes.size()), [&](int a, int b) { return classes[a] == classes[b]; });
   };
-  const int weavePicks = smallestPeriod(weave_.picks(), [&](int a, int b) {
-    const auto first = weave_.row(a), second = weave_.row(b);
-    return std::equal(first.begin(), first.end(), second.begin());
-  });
-  const int weaveEnds = smallestPeriod(weave_.ends(), [&](int a, int b) {
-    for (int pick = 0; pick < weavePicks; ++pick)
-      if (weave_.at(pick, a) != weave_.at(pick, b)) return false;
-    return true;
-  });
+  const int weavePicks =
+      smallestPeriod(weave_.picks(), [&](int a, int b) { return sameRow(weave_.row(a), weave_.row(b)); });
+  const int weaveEnds = smallestPeriodOfEnds(weave_);
   repeatEnds_ = leastCommonMultiple(weaveEnds, periodOf(of(System::warp).classes));
   repeatPicks_ = leastCommonMultiple(weavePicks, periodOf(of(System::weft).classes));
 }
@@ -173,7 +190,7 @@ int ClothGeometry::yarnIndex(System system, int index) const {
   return sequence[wrap(index, static_cast<int>(sequence.size()))];
 }
 
-int ClothGeometry::classAt(System system, int index) const {
+int ClothGeometry::geometryClass(System system, int index) const {
   const std::vector<int>& classes = of(system).classes;
   return classes[wrap(index, static_cast<int>(classes.size()))];
 }
@@ -187,26 +204,38 @@ PathNode ClothGeometry::node(System system, int own, int other, bool over, int f
           static_cast<float>(warp ? c.warpFlat_mm : c.weftFlat_mm)};
 }
 
-ClothGeometry::ShapeCode ClothGeometry::shapeCode(System system, int pick, int end) const {
+void ClothGeometry::shapeCodes(System system, int across, int along, std::span<ShapeCode> codes) const {
   const bool warp = system == System::warp;
-  const int along = warp ? pick : end, across = warp ? end : pick;
   const int alongCount = warp ? weave_.picks() : weave_.ends();
   const int acrossIndex = wrap(across, warp ? weave_.ends() : weave_.picks());
-  unsigned sides = 0;
-  int i = wrap(along + kFloatReach, alongCount);
-  for (int k = 0; k < kSidesSeen; ++k) {
-    sides = sides << 1 | static_cast<unsigned>(warp ? weave_.at(i, acrossIndex) : !weave_.at(acrossIndex, i));
-    if (--i < 0) i = alongCount - 1;
-  }
-
   const std::vector<int>& others = of(warp ? System::weft : System::warp).classes;
+  const ShapeCode own = static_cast<ShapeCode>(geometryClass(system, across)) << (3 * kNodeBits);
+
+  // Both slide along the yarn: the sides of the crossings in reach, and the classes of the three yarns that are
+  // crossed.
+  const uint8_t* const row = warp ? nullptr : weave_.row(acrossIndex).data();
+  int ahead = wrap(along - kReach, alongCount);
+  unsigned sides = 0;
+  const auto see = [&] {
+    const bool over = warp ? weave_.at(ahead, acrossIndex) : row[ahead] == 0;
+    sides = sides >> 1 | static_cast<unsigned>(over) << (kSidesSeen - 1);
+    if (++ahead == alongCount) ahead = 0;
+  };
+  for (int i = 0; i < kSidesSeen - 1; ++i) see();
   auto other = static_cast<size_t>(wrap(along - 1, static_cast<int>(others.size())));
-  auto code = static_cast<ShapeCode>(classAt(system, across));
-  for (const uint8_t floating : kFloatCodes[sides]) {
-    code = code << kNodeBits | static_cast<ShapeCode>(others[other]) << kFloatBits | floating;
+  ShapeCode crossed = 0;
+  const auto cross = [&] {
+    crossed = (crossed << kNodeBits | static_cast<ShapeCode>(others[other]) << kFloatBits) &
+              ((ShapeCode{1} << (3 * kNodeBits)) - 1);
     if (++other == others.size()) other = 0;
+  };
+  cross();
+  cross();
+  for (ShapeCode& code : codes) {
+    see();
+    cross();
+    code = own | crossed | kFloatCodes[sides];
   }
-  return code;
 }
 
 CellKey ClothGeometry::shapeKey(System system, ShapeCode code) const {
@@ -219,16 +248,31 @@ CellKey ClothGeometry::shapeKey(System system, ShapeCode code) const {
 }
 
 CellKey ClothGeometry::key(System system, int pick, int end) const {
-  CellKey key = shapeKey(system, shapeCode(system, pick, end));
+  ShapeCode code;
+  shapeCodes(system, system == System::warp ? end : pick, system == System::warp ? pick : end, {&code, 1});
+  CellKey key = shapeKey(system, code);
   key.phase = phase(system, pick, end);
   return key;
 }
 
 int ClothGeometry::phase(System system, int pick, int end) const {
   const int along = system == System::warp ? pick : end, across = system == System::warp ? end : pick;
-  const YarnGeometry& g = yarn(system, classAt(system, across));
+  const YarnGeometry& g = yarn(system, geometryClass(system, across));
   const int start = static_cast<int>(mixBits(g.seed ^ static_cast<uint32_t>(across)) % static_cast<uint64_t>(g.period));
   return (wrap(along, g.period) + start) % g.period;
+}
+
+bool ClothGeometry::differsInWeaveOnly(const ClothGeometry& other) const {
+  const auto sameModel = [](const std::shared_ptr<const YarnModel>& a, const std::shared_ptr<const YarnModel>& b) {
+    return a == b || (a && b && a->source == b->source);
+  };
+  const auto sameSystem = [&](const SystemGeometry& a, const SystemGeometry& b) {
+    return a.classes == b.classes &&
+           std::equal(a.yarns.begin(), a.yarns.end(), b.yarns.begin(), b.yarns.end(), sameModel);
+  };
+  return sameSystem(systems_[0], other.systems_[0]) && sameSystem(systems_[1], other.systems_[1]) &&
+         ends_ == other.ends_ && picks_ == other.picks_ && warpPitch_mm_ == other.warpPitch_mm_ &&
+         weftPitch_mm_ == other.weftPitch_mm_;
 }
 
 CellStrands ClothGeometry::strands(const CellKey& key) const {

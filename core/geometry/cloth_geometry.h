@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "core/fabric/fabric.h"
@@ -38,8 +39,9 @@ struct ClothMeasures {
 /// [pick, pick + 1) * weftPitch; the cloth's corner is the origin, z = 0 its mid-plane, +z its face.
 class ClothGeometry {
  public:
-  /// Throws nothing for a valid fabric (core/fabric/validate.h). `ends`, `picks`: size of the piece, >= 1.
-  ClothGeometry(const Fabric& fabric, int ends, int picks);
+  /// Throws nothing for a valid fabric (core/fabric/validate.h). `ends`, `picks`: size of the piece, >= 1. Shares the
+  /// models of the yarns that `previous` (may be null) has too.
+  ClothGeometry(const Fabric& fabric, int ends, int picks, const ClothGeometry* previous = nullptr);
 
   int ends() const { return ends_; }
   int picks() const { return picks_; }
@@ -64,6 +66,19 @@ class ClothGeometry {
   /// from a start that differs from yarn to yarn, so that neighbours are not in step.
   int phase(System system, int pick, int end) const;
 
+  /// The key up to the phase, as a number: equal codes have equal keys.
+  using ShapeCode = uint64_t;
+  /// Those of codes.size() cells in a row along a yarn, from cell `along` on; much cheaper than as many keys.
+  void shapeCodes(System system, int across, int along, std::span<ShapeCode> codes) const;
+  CellKey shapeKey(System system, ShapeCode code) const;
+  /// A changed crossing changes the codes of cells that are so far away along its two yarns, and no others.
+  static constexpr int kCrossingReach = kMaxFloatDistance + 1;
+
+  const Weave& weave() const { return weave_; }
+  int geometryClass(System system, int index) const;  ///< of the yarn of an end or a pick; any integer
+  /// Whether this is the same piece but for its weave: a cell whose shape code is the same has the same fibres.
+  bool differsInWeaveOnly(const ClothGeometry& other) const;
+
   /// The fibres of a cell. A pure function of the key (and of this geometry's yarns).
   CellStrands strands(const CellKey& key) const;
   /// Length of the yarn's axis in the cell, mm.
@@ -79,14 +94,8 @@ class ClothGeometry {
     std::vector<int> classes;                             ///< the same as geometry classes
   };
   const SystemGeometry& of(System system) const { return systems_[static_cast<size_t>(system)]; }
-  /// What one node of a path comes from: the class of the yarn that is crossed, the side, and how far the nearest end
-  /// of the float is. Of a cell: its own class, and its three nodes, packed so that equal numbers mean equal keys.
-  using ShapeCode = uint64_t;
-  int classAt(System system, int index) const;
   PathNode node(System system, int own, int other, bool over, int floatDistance) const;
-  ShapeCode shapeCode(System system, int pick, int end) const;
-  CellKey shapeKey(System system, ShapeCode code) const;
-  void resolveYarns(const Fabric& fabric);
+  void resolveYarns(const Fabric& fabric, const ClothGeometry* previous);
   void findRepeat();
   void findThickness();
 

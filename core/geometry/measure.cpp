@@ -30,8 +30,12 @@ ClothMeasures ClothGeometry::measure() const {
     // Sorted, so that the sums below do not depend on the library's hashing.
     std::map<ShapeCode, int64_t> cells;
     std::unordered_map<ShapeCode, int64_t> counts;
-    for (int pick = 0; pick < picks; ++pick)
-      for (int end = 0; end < ends; ++end) ++counts[shapeCode(system, pick, end)];
+    const bool warp = system == System::warp;
+    std::vector<ShapeCode> codes(static_cast<size_t>(warp ? picks : ends));
+    for (int across = 0; across < (warp ? ends : picks); ++across) {
+      shapeCodes(system, across, 0, codes);
+      for (const ShapeCode code : codes) ++counts[code];
+    }
     cells.insert(counts.begin(), counts.end());
 
     double axis = 0, mass_g = 0;

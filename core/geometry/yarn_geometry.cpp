@@ -8,7 +8,7 @@
 namespace loomlight {
 namespace {
 
-constexpr int kMinPeriod = 4, kMinVariedPeriod = 8, kMaxPeriod = 16;
+constexpr int kMinPeriod = 4, kMinVariedPeriod = 8;
 
 struct Twist {
   double ply = 0;  ///< signed turns per length; Z positive

@@ -54,9 +54,12 @@ std::vector<int> geometryClasses(const Fabric& fabric);
 ///   taller, to twice as tall as wide; beyond that (absurd setts) it overlaps them.
 YarnGeometry outlineYarn(const Yarn& yarn, const Fibre& fibre, double pitch_mm, double crossPitch_mm);
 
-/// Chooses the period, 4 to 16 cells (1 where nothing varies along the yarn), and whole turns over it. `turns per mm`
-/// is met to within kTwistTolerance in the tangent of the surface helix where any period does, else as nearly as one
-/// does: within 1/32 turn a cell. Twists beyond what a yarn can take (kMaxHelixTangent at its surface,
+/// Cells after which any yarn repeats, at most.
+inline constexpr int kMaxPeriod = 16;
+
+/// Chooses the period, 4 to kMaxPeriod cells (1 where nothing varies along the yarn), and whole turns over it. `turns
+/// per mm` is met to within kTwistTolerance in the tangent of the surface helix where any period does, else as nearly
+/// as one does: within 1/32 turn a cell. Twists beyond what a yarn can take (kMaxHelixTangent at its surface,
 /// kMaxTurnsPerCell) are reduced to that.
 void resolveTwist(YarnGeometry& geometry, const Yarn& yarn, double cellLength_mm);
 

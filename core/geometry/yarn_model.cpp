@@ -99,16 +99,21 @@ double YarnModel::reachUp_mm() const {
   return reach + 1.05 * geometry.fibreRadius_mm;
 }
 
-std::shared_ptr<const YarnModel> makeYarnModel(YarnGeometry geometry, const Yarn& yarn, const Fibre& fibre) {
+YarnSource sourceOf(const YarnGeometry& resolved, const Yarn& yarn, const Fibre& fibre) {
+  return {resolved, fibre.radius_um, fibre.density_g_cm3, yarn.count_tex, yarn.fibresPerPly};
+}
+
+std::shared_ptr<const YarnModel> makeYarnModel(const YarnSource& source) {
   auto model = std::make_shared<YarnModel>();
+  model->source = source;
   YarnGeometry& g = model->geometry;
-  g = geometry;
-  const double radius = fibre.radius_um * kMmPerUm;
+  g = source.resolved;
+  const double radius = source.fibreRadius_um * kMmPerUm;
   const double fibreArea = kPi * radius * radius;
   const double takeUp = estimateTakeUp(g, turnsPerMm(g, g.plyTurns), turnsPerMm(g, g.yarnTurns));
   // Section of all fibres cut square to each, mm^2: the linear density over the fibres' own.
-  const double area = yarn.fibresPerPly ? *yarn.fibresPerPly * g.plies * takeUp * fibreArea
-                                        : yarn.count_tex * 1e-3 / fibre.density_g_cm3;
+  const double area = source.fibresPerPly ? *source.fibresPerPly * g.plies * takeUp * fibreArea
+                                          : source.count_tex * 1e-3 / source.fibreDensity_g_cm3;
 
   g.fibreRadius_mm = radius;
   model->wanderTurns = wanderTurns(g);
@@ -116,19 +121,19 @@ std::shared_ptr<const YarnModel> makeYarnModel(YarnGeometry geometry, const Yarn
   placeLooseFibres(*model, kFlyawayShare * area / fibreArea * g.period * g.cellLength_mm);
   const double loose = looseLength_mm(*model) / (g.period * g.cellLength_mm);
   const int limit = fibreLimit(*model);
-  const double wanted = yarn.fibresPerPly ? *yarn.fibresPerPly : (area / fibreArea - loose) / (g.plies * takeUp);
+  const double wanted = source.fibresPerPly ? *source.fibresPerPly : (area / fibreArea - loose) / (g.plies * takeUp);
   g.fibresPerPly = std::clamp(static_cast<int>(std::lround(std::min(wanted, 1e6))), 1, limit);
 
   // The sections of packed yarns depend on the radius, the radius on the take-up of the sections: the second round
   // changes it by a few parts in ten thousand, far less than the clearance of the packing.
   for (int round = 0; round < 2; ++round) {
-    if (yarn.fibresPerPly)
-      g.fibreRadius_mm = radius * std::sqrt(static_cast<double>(*yarn.fibresPerPly) / g.fibresPerPly);
+    if (source.fibresPerPly)
+      g.fibreRadius_mm = radius * std::sqrt(static_cast<double>(*source.fibresPerPly) / g.fibresPerPly);
     else if (round == 0)
       g.fibreRadius_mm = std::sqrt(area / (kPi * (g.plies * g.fibresPerPly * takeUp + loose)));
     laySections(*model);
     measureStraight(*model);
-    if (!yarn.fibresPerPly) g.fibreRadius_mm = std::sqrt(area / (kPi * meanTakeUp(*model)));
+    if (!source.fibresPerPly) g.fibreRadius_mm = std::sqrt(area / (kPi * meanTakeUp(*model)));
   }
   g.count_tex = 1e6 * g.fibreMass_g_mm() * meanTakeUp(*model);
   return model;

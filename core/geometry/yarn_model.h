@@ -1,12 +1,22 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/geometry/flyaways.h"
 #include "core/geometry/yarn_geometry.h"
 
 namespace loomlight {
+
+/// All that a YarnModel depends on, and nothing more: equal sources have equal models.
+struct YarnSource {
+  YarnGeometry resolved;  ///< with its twist
+  double fibreRadius_um = 0, fibreDensity_g_cm3 = 0;
+  double count_tex = 0;
+  std::optional<int> fibresPerPly;
+  bool operator==(const YarnSource&) const = default;
+};
 
 /// All that laying the fibres of a cell needs of its yarn, computed once: the section of the plies, the loose fibres.
 /// Immutable, and a pure function of its YarnGeometry.
@@ -16,6 +26,7 @@ struct YarnModel {
     float wanderCos = 1, wanderSin = 0;  ///< where it is in its migration
   };
 
+  YarnSource source;  ///< what it was made of
   YarnGeometry geometry;
   std::vector<Fibre> fibres;  ///< of ply 0, then of ply 1...
   int wanderTurns = 0;        ///< migrations in a period; 0 for none
@@ -39,7 +50,8 @@ struct YarnModel {
 /// rounded; their radius then makes the yarn weigh its count exactly, take-up and loose fibres included. A yarn of more
 /// than kMaxFibresPerPly fibres a ply, or with more than kMaxPointsPerCell points in a straight cell, gets thicker
 /// fibres instead, each for a bundle: the mass stays. A given number of fibres keeps its radius, and the count follows.
-std::shared_ptr<const YarnModel> makeYarnModel(YarnGeometry geometry, const Yarn& yarn, const Fibre& fibre);
+std::shared_ptr<const YarnModel> makeYarnModel(const YarnSource& source);
+YarnSource sourceOf(const YarnGeometry& resolved, const Yarn& yarn, const Fibre& fibre);
 inline constexpr int kMaxFibresPerPly = 2000;
 inline constexpr int kMaxPointsPerCell = 400'000;
 

@@ -5,7 +5,8 @@
 #include <atomic>
 #include <map>
 #include <optional>
-#include <set>
+#include <unordered_map>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
@@ -24,96 +25,117 @@ ClothVolume::ClothVolume(std::shared_ptr<const ClothGeometry> geometry, int reso
 std::shared_ptr<const ClothVolume> ClothVolume::build(std::shared_ptr<const ClothGeometry> geometry, int resolution,
                                                       const Task& task, const ClothVolume* previous) {
   std::shared_ptr<ClothVolume> volume(new ClothVolume(std::move(geometry), resolution));
-  for (const System system : {System::warp, System::weft}) {
-    volume->tiles_[static_cast<int>(system)] = TileMap(*volume->geometry_, system, task);
-    if (task.stopped()) return nullptr;
+  if (previous && previous->grid_ != volume->grid_) previous = nullptr;
+  if (!previous || !volume->editTiles(*previous)) {
+    for (const System system : {System::warp, System::weft}) {
+      volume->tiles_[static_cast<int>(system)] = TileMap(*volume->geometry_, system, task);
+      if (task.stopped()) return nullptr;
+    }
+    if (previous) volume->reuseBricks(*previous);
   }
-  if (!volume->makeBricks(previous, task)) return nullptr;
+  if (!volume->makeBricks(task)) return nullptr;
   return volume;
 }
 
-ClothVolume::BrickMap ClothVolume::reusable(const ClothVolume& previous) const {
-  BrickMap result;
-  if (previous.grid_ != grid_) return result;
-  // The same yarn may have another class in another fabric.
-  using Yarn = std::pair<System, int>;
-  std::set<Yarn> yarns;
-  for (const TileMap& tiles : tiles_)
-    for (const TileMap::Need& need : tiles.needs()) yarns.emplace(need.key.system, need.key.yarn);
-  std::map<Yarn, std::optional<int>> renamed;
-  for (const auto& [oldKey, brick] : previous.bricks_) {
-    const auto [entry, isNew] = renamed.try_emplace({oldKey.system, oldKey.yarn});
-    if (isNew) {
-      const YarnGeometry& old = previous.geometry_->yarn(oldKey.system, oldKey.yarn);
-      for (const Yarn& yarn : yarns)
-        if (yarn.first == oldKey.system && geometry_->yarn(yarn.first, yarn.second) == old) entry->second = yarn.second;
-    }
-    if (!entry->second) continue;
-    CellKey key = oldKey;
-    key.yarn = *entry->second;
-    result.emplace(key, brick);
-  }
-  return result;
+bool ClothVolume::editTiles(const ClothVolume& previous) {
+  const ClothGeometry& before = *previous.geometry_;
+  if (!geometry_->differsInWeaveOnly(before) || geometry_->repeatEnds() != before.repeatEnds() ||
+      geometry_->repeatPicks() != before.repeatPicks())
+    return false;
+  const Weave& weave = geometry_->weave();
+  const size_t crossings = static_cast<size_t>(weave.ends()) * static_cast<size_t>(weave.picks());
+  // To read a crossing anew in an edit costs some fifty times what it costs in a whole repeat.
+  const auto changes = weaveChanges(before.weave(), weave, std::max<size_t>(64, crossings / 64));
+  if (!changes) return false;
+  tiles_ = previous.tiles_;
+  for (TileMap& tiles : tiles_) tiles.edit(*geometry_, *changes);
+  return true;
 }
 
-bool ClothVolume::makeBricks(const ClothVolume* previous, const Task& task) {
-  if (previous) bricks_ = reusable(*previous);
-  BrickMap needed;
-  std::vector<CellKey> missing;
-  size_t kept = 0;
-  for (const TileMap& tiles : tiles_) {
-    for (const TileMap::Need& need : tiles.needs()) {
-      const auto [entry, isNew] = needed.try_emplace(need.key);
-      const auto old = bricks_.find(need.key);
-      if (old != bricks_.end()) {
-        entry->second = old->second;
-        kept += old->second->bytes();
-      } else if (isNew) {
-        missing.push_back(need.key);
+void ClothVolume::reuseBricks(const ClothVolume& previous) {
+  struct Hash {
+    size_t operator()(const CellKey& key) const { return hash(key); }
+  };
+  for (size_t system = 0; system < tiles_.size(); ++system) {
+    TileMap& tiles = tiles_[system];
+    const TileMap& old = previous.tiles_[system];
+    std::unordered_map<CellKey, uint32_t, Hash> oldShapes;
+    for (uint32_t i = 0; i < old.shapes().size(); ++i) oldShapes.emplace(old.shapes()[i], i);
+    // The same yarn may have another class in another fabric.
+    std::map<int, std::optional<int>> oldYarns;
+    for (const TileMap::Kind kind : tiles.missing()) {
+      CellKey key = tiles.shapes()[kind.shape];
+      const auto [entry, isNew] = oldYarns.try_emplace(key.yarn);
+      if (isNew) {
+        const YarnGeometry& yarn = geometry_->yarn(key.system, key.yarn);
+        for (const CellKey& shape : old.shapes())
+          if (previous.geometry_->yarn(key.system, shape.yarn) == yarn) entry->second = shape.yarn;
       }
+      if (!entry->second) continue;
+      key.yarn = *entry->second;
+      const auto found = oldShapes.find(key);
+      if (found == oldShapes.end()) continue;
+      if (const auto& brick = old.brick({found->second, kind.phase})) tiles.place(kind, brick);
     }
   }
+}
 
-  std::vector<std::shared_ptr<const Brick>> made(missing.size());
-  std::atomic<size_t> bytes{kept}, done{0};
-  std::atomic<size_t> next{0};
-  const size_t workers = std::min<size_t>(missing.size(), task.threads > 0 ? task.threads : hardwareThreads());
+bool ClothVolume::makeBricks(const Task& task) {
+  struct Made {
+    TileMap* tiles;
+    TileMap::Kind kind;
+    std::shared_ptr<const Brick> brick;
+  };
+  std::vector<Made> all;
+  for (TileMap& tiles : tiles_)
+    for (const TileMap::Kind kind : tiles.missing()) all.push_back({&tiles, kind, nullptr});
+
+  // One voxeliser for each thread: they keep their memory from brick to brick.
+  std::atomic<size_t> bytes{brickBytes()}, next{0}, done{0};
+  const size_t workers = std::min<size_t>(all.size(), task.threads > 0 ? task.threads : hardwareThreads());
   parallelFor(workers, task.threads, [&](size_t) {
     Voxeliser voxelise(grid_);
-    for (size_t i = next++; i < missing.size() && !task.stopped(); i = next++) {
-      made[i] = std::make_shared<const Brick>(voxelise(geometry_->strands(missing[i]), missing[i].system));
-      if ((bytes += made[i]->bytes()) > kMaxBytes)
+    for (size_t i = next++; i < all.size() && !task.stopped(); i = next++) {
+      const CellKey key = all[i].tiles->key(all[i].kind);
+      all[i].brick = std::make_shared<const Brick>(voxelise(geometry_->strands(key), key.system));
+      if ((bytes += all[i].brick->bytes()) > kMaxBytes)
         throw InputError(
-            fmt::format("the volume of this cloth takes more than {} GiB ({} different yarn cells): expected "
-                        "a lower resolution, fewer different yarns or a smaller repeat",
-                        kMaxBytes >> 30, needed.size()));
-      task.report(static_cast<double>(++done) / static_cast<double>(missing.size()));
+            fmt::format("the volume of this cloth takes more than {} GiB ({} of its yarn cells are different): "
+                        "expected a lower resolution, fewer different yarns or a smaller repeat",
+                        kMaxBytes >> 30, all.size()));
+      task.report(static_cast<double>(++done) / static_cast<double>(all.size()));
     }
   });
   if (task.stopped()) return false;
-
-  for (size_t i = 0; i < missing.size(); ++i) needed[missing[i]] = std::move(made[i]);
-  bricks_ = std::move(needed);
-  for (TileMap& tiles : tiles_)
-    for (const TileMap::Need& need : tiles.needs()) tiles.place(need.slot, *bricks_[need.key]);
+  for (Made& made : all) made.tiles->place(made.kind, std::move(made.brick));
   return true;
+}
+
+template <class Visit>
+void ClothVolume::forEachBrick(const Visit& visit) const {
+  for (const TileMap& tiles : tiles_)
+    for (uint32_t shape = 0; shape < tiles.shapes().size(); ++shape)
+      for (int phase = 0; phase < kMaxPeriod; ++phase)
+        if (const auto& brick = tiles.brick({shape, phase})) visit(*brick, tiles.cells({shape, phase}));
+}
+
+size_t ClothVolume::brickBytes() const {
+  size_t bytes = 0;
+  forEachBrick([&](const Brick& brick, uint64_t) { bytes += brick.bytes(); });
+  return bytes;
 }
 
 VolumeCounts ClothVolume::counts() const {
   VolumeCounts counts;
-  counts.bricks = bricks_.size();
-  counts.bytes = sizeof(ClothVolume) + bricks_.bucket_count() * sizeof(void*);
-  for (const auto& [key, brick] : bricks_) {
-    counts.voxels += brick->voxels();
-    counts.components += brick->components();
-    counts.segments += brick->segments();
-    counts.bytes += brick->bytes() + sizeof(CellKey) + sizeof(brick) + 2 * sizeof(void*);
-  }
-  for (const TileMap& tiles : tiles_) {
-    counts.bytes += tiles.bytes();
-    for (const TileMap::Need& need : tiles.needs())
-      counts.segmentsRepresented += need.cells * static_cast<double>(bricks_.at(need.key)->segments());
-  }
+  forEachBrick([&](const Brick& brick, uint64_t cells) {
+    ++counts.bricks;
+    counts.voxels += brick.voxels();
+    counts.components += brick.components();
+    counts.segments += brick.segments();
+    counts.segmentsRepresented += static_cast<double>(cells) * static_cast<double>(brick.segments());
+  });
+  counts.bytes = sizeof(ClothVolume) + brickBytes();
+  for (const TileMap& tiles : tiles_) counts.bytes += tiles.bytes();
   return counts;
 }
 

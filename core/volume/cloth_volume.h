@@ -3,7 +3,6 @@
 #include <array>
 #include <memory>
 #include <span>
-#include <unordered_map>
 
 #include "core/base/task.h"
 #include "core/volume/tile_map.h"
@@ -18,7 +17,7 @@ struct VolumeCounts {
   size_t components = 0;           ///< in those
   size_t bytes = 0;                ///< bricks, tile map and tables: all that the volume keeps
   size_t segments = 0;             ///< fibre segments that were voxelised, once per distinct brick
-  double segmentsRepresented = 0;  ///< by the whole piece of cloth, phases of the twist taken as equally frequent
+  double segmentsRepresented = 0;  ///< by the whole piece of cloth
 };
 
 /// A voxel that a ray crosses, as the traversal shows it to its visitor: up to six spans, of different yarns.
@@ -40,8 +39,9 @@ struct VoxelContent {
 /// never by the size of the cloth.
 class ClothVolume {
  public:
-  /// Builds the volume, reusing the bricks of `previous` (may be null) where grid, yarns and keys agree. Returns null
-  /// when stopped. Throws InputError where the distinct bricks would take more than kMaxBytes.
+  /// Builds the volume, reusing the bricks of `previous` (may be null) where grid, yarns and keys agree, and its tile
+  /// maps too where the weave is all that has changed. The same, brick for brick, as without. Returns null when stopped.
+  /// Throws InputError where the distinct bricks would take more than kMaxBytes.
   static std::shared_ptr<const ClothVolume> build(std::shared_ptr<const ClothGeometry> geometry, int resolution,
                                                   const Task& task, const ClothVolume* previous = nullptr);
   static constexpr size_t kMaxBytes = size_t{4} << 30;
@@ -86,15 +86,16 @@ class ClothVolume {
     Reach entries[VoxelContent::kMaxParts];
   };
   class Walk;
-  struct KeyHash {
-    size_t operator()(const CellKey& key) const { return hash(key); }
-  };
-  using BrickMap = std::unordered_map<CellKey, std::shared_ptr<const Brick>, KeyHash>;
-
   ClothVolume(std::shared_ptr<const ClothGeometry> geometry, int resolution);
-  /// The bricks of `previous` that are those of this volume too, under this volume's keys.
-  BrickMap reusable(const ClothVolume& previous) const;
-  bool makeBricks(const ClothVolume* previous, const Task& task);
+  /// Makes the maps out of those of `previous`, where that costs less than to read them; false where it does not.
+  bool editTiles(const ClothVolume& previous);
+  /// Takes the bricks of `previous` that are those of this volume too.
+  void reuseBricks(const ClothVolume& previous);
+  bool makeBricks(const Task& task);
+  /// visit(brick, how many cells of the piece have it).
+  template <class Visit>
+  void forEachBrick(const Visit& visit) const;
+  size_t brickBytes() const;
 
   /// All bricks with voxels in a cell of the piece.
   void gather(int pick, int end, int level, Reaches& reaches) const;
@@ -112,7 +113,6 @@ class ClothVolume {
   glm::dvec3 voxel_mm_{1};  ///< grid().size_mm unrounded: cells of a wide cloth must not drift against the geometry's
   glm::ivec3 cells_{1};     ///< ends, picks, 1
   std::array<TileMap, 2> tiles_;
-  BrickMap bricks_;
 };
 
 }  // namespace loomlight

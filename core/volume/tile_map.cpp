@@ -4,40 +4,73 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cstdint>
-#include <unordered_map>
+#include <map>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/volume/shape_table.h"
 
 namespace loomlight {
 namespace {
-
-struct KeyHash {
-  size_t operator()(const CellKey& key) const { return hash(key); }
-};
-/// Classes in the order in which they were met.
-struct KeyTable {
-  std::vector<CellKey> keys;
-  std::unordered_map<CellKey, uint32_t, KeyHash> index;
-
-  uint32_t operator()(const CellKey& key) {
-    const auto [found, isNew] = index.try_emplace(key, static_cast<uint32_t>(keys.size()));
-    if (isNew) keys.push_back(key);
-    return found->second;
-  }
-};
-
-CellKey keyAt(const ClothGeometry& geometry, System system, int across, int along) {
-  return system == System::warp ? geometry.key(system, along, across) : geometry.key(system, across, along);
-}
 
 /// How many numbers in [0, total) leave the remainder r when divided by `period`.
 int64_t countOfRemainder(int64_t total, int64_t period, int64_t r) {
   return (total - r + period - 1) / period;
 }
 
+/// Calls f for each i in [0, count) with i = first mod period.
+template <class F>
+void forEachRemainder(int first, int period, int count, const F& f) {
+  const int r = first % period;
+  for (int i = r < 0 ? r + period : r; i < count; i += period) f(i);
+}
+
+/// The bricks of more would not fit into memory anyway.
+void checkShapes(const ShapeTable& table) {
+  constexpr size_t kMaxShapes = size_t{1} << 20;
+  if (table.shapes().size() > kMaxShapes)
+    throw InputError(
+        fmt::format("the cloth has more than {} shapes of yarn cells: expected fewer different yarns or a smaller "
+                    "repeat",
+                    kMaxShapes));
+}
+
 }  // namespace
+
+/// In which phases the cells of one yarn of the repeat occur in the piece, and how often.
+class TileMap::PhaseCounts {
+ public:
+  PhaseCounts(const TileMap& map, int row) : map_(map), period_(map.yarns_[row].period) {
+    std::array<uint64_t, kMaxPeriod> starts{};  // yarns of the piece by the phase of their first cell
+    for (int across = row; across < map.yarnCount_; across += map.repeatAcross_) ++starts[map.yarns_[across].phase];
+    // Cells near the start of the repeat may occur once more than those near its end.
+    for (const bool more : {false, true}) count(starts, map.cells_ / map.repeatAlong_ + more, turned_[more]);
+  }
+  /// Adds the cell at `along` to the counts of a shape by phase; or takes it away, `sign` being -1 (modulo 2^64).
+  void add(int along, uint64_t* cellsOf, uint64_t sign = 1) const {
+    const Turned& turned = turned_[along < map_.cells_ % map_.repeatAlong_];
+    const auto& counts = turned[along % period_];
+    for (int phase = 0; phase < kMaxPeriod; ++phase) cellsOf[phase] += sign * counts[phase];
+  }
+
+ private:
+  using Turned = std::array<std::array<uint64_t, kMaxPeriod>, kMaxPeriod>;  ///< [along % period][phase]
+
+  void count(const std::array<uint64_t, kMaxPeriod>& starts, int64_t repeats, Turned& turned) const {
+    std::array<uint64_t, kMaxPeriod> counts{};
+    for (int64_t i = 0; i < std::min<int64_t>(repeats, period_); ++i)
+      for (int start = 0; start < period_; ++start)
+        counts[(start + i * map_.repeatAlong_) % period_] += starts[start] * countOfRemainder(repeats, period_, i);
+    for (int turn = 0; turn < period_; ++turn) {
+      turned[turn].fill(0);
+      for (int phase = 0; phase < period_; ++phase) turned[turn][(phase + turn) % period_] = counts[phase];
+    }
+  }
+
+  const TileMap& map_;
+  int period_;
+  std::array<Turned, 2> turned_;
+};
 
 TileMap::TileMap(const ClothGeometry& geometry, System system, const Task& task) : system_(system) {
   const bool warp = system == System::warp;
@@ -50,120 +83,170 @@ TileMap::TileMap(const ClothGeometry& geometry, System system, const Task& task)
         fmt::format("the cloth repeats only after {} ends and {} picks: expected at most {:.0f} crossings; "
                     "yarn sequences whose lengths divide that of the weave make the repeat shorter",
                     geometry.repeatEnds(), geometry.repeatPicks(), kMaxCrossings));
-  const std::vector<CellKey> keys = readClasses(geometry, task);
-  if (task.stopped()) return;
-  placeYarns(geometry, keys);
-  findNeeds(geometry, keys);
+  placeYarns(geometry);
+  readRows(geometry, task);
 }
 
-std::vector<CellKey> TileMap::readClasses(const ClothGeometry& geometry, const Task& task) {
-  // Bands of yarns on many threads, each with its own numbering; joined in order, so that the result is the same for
-  // any number of threads.
-  constexpr int kBand = 64;
-  const int bands = (repeatAcross_ + kBand - 1) / kBand;
-  const auto along = static_cast<size_t>(repeatAlong_);
-  std::vector<KeyTable> tables(bands);
-  std::vector<std::vector<uint32_t>> numbers(bands);
-  parallelFor(bands, task.threads, [&](size_t band) {
-    const int first = static_cast<int>(band) * kBand, last = std::min(first + kBand, repeatAcross_);
-    numbers[band].reserve((last - first) * along);
-    for (int across = first; across < last && !task.stopped(); ++across)
-      for (int i = 0; i < repeatAlong_; ++i) {
-        CellKey key = keyAt(geometry, system_, across, i);
-        key.phase = 0;
-        numbers[band].push_back(tables[band](key));
-      }
-  });
-  if (task.stopped()) return {};
-
-  KeyTable all;
-  std::vector<std::vector<uint32_t>> global(bands);
-  for (int band = 0; band < bands; ++band)
-    for (const CellKey& key : tables[band].keys) global[band].push_back(all(key));
-  const size_t crossings = static_cast<size_t>(repeatAcross_) * along;
-  lowBits_.resize(crossings);
-  if (all.keys.size() > 0x10000) highBits_.resize(crossings);
-  parallelFor(bands, task.threads, [&](size_t band) {
-    size_t i = band * kBand * along;
-    for (const uint32_t number : numbers[band]) {
-      const uint32_t index = global[band][number];
-      lowBits_[i] = static_cast<uint16_t>(index);
-      if (!highBits_.empty()) highBits_[i] = static_cast<uint16_t>(index >> 16);
-      ++i;
-    }
-  });
-  return std::move(all.keys);
-}
-
-void TileMap::placeYarns(const ClothGeometry& geometry, const std::vector<CellKey>& keys) {
-  size_t slots = 0;
-  for (const CellKey& key : keys) {
-    firstSlots_.push_back(static_cast<uint32_t>(slots));
-    slots += static_cast<size_t>(geometry.yarn(system_, key.yarn).period);
-    if (slots > UINT32_MAX)
-      throw InputError(
-          fmt::format("the cloth has {} shapes of yarn cells, each in all phases of its twist: expected "
-                      "fewer than 2^32 together",
-                      keys.size()));
-  }
-  slots_.resize(slots);
-  yarns_.resize(yarnCount_);
+void TileMap::placeYarns(const ClothGeometry& geometry) {
+  const std::shared_ptr<PlacedYarn[]> yarns(new PlacedYarn[static_cast<size_t>(yarnCount_)]);
   for (int across = 0; across < yarnCount_; ++across) {
-    const auto row = static_cast<uint32_t>(across % repeatAcross_) * static_cast<uint32_t>(repeatAlong_);
-    const int period = geometry.yarn(system_, keys[classAt(row)].yarn).period;
+    const int period = geometry.yarn(system_, geometry.geometryClass(system_, across)).period;
     const int phase = system_ == System::warp ? geometry.phase(system_, 0, across) : geometry.phase(system_, across, 0);
-    assert(0 <= phase && phase < period && period <= UINT16_MAX);
-    yarns_[across] = {row, static_cast<uint16_t>(phase), static_cast<uint16_t>(period)};
+    assert(0 <= phase && phase < period && period <= kMaxPeriod);
+    yarns[across] = {static_cast<uint32_t>(across % repeatAcross_), static_cast<uint16_t>(phase),
+                     static_cast<uint16_t>(period)};
+  }
+  yarns_ = yarns;
+}
+
+/// Neighbouring yarns, read by one thread, with a numbering of its own.
+struct TileMap::Band {
+  int first, end;
+  std::vector<std::shared_ptr<Row>> rows;
+  std::vector<CellKey> shapes;
+  std::vector<uint64_t> cellsOf;
+};
+
+void TileMap::readRows(const ClothGeometry& geometry, const Task& task) {
+  constexpr int kBand = 32;         // yarns
+  constexpr size_t kTogether = 16;  // bands: their tables must not pile up
+  rows_.resize(static_cast<size_t>(repeatAcross_));
+  low_.resize(rows_.size());
+  ShapeTable all(geometry, system_);
+  for (int first = 0; first < repeatAcross_;) {
+    std::vector<Band> bands;
+    for (; first < repeatAcross_ && bands.size() < kTogether; first += kBand)
+      bands.push_back({first, std::min(first + kBand, repeatAcross_), {}, {}, {}});
+    parallelFor(bands.size(), task.threads, [&](size_t band) { readBand(geometry, task, bands[band]); });
+    if (task.stopped()) return;
+    // In order, so that the numbers are the same for any number of threads.
+    for (Band& band : bands) join(band, all);
   }
 }
 
-void TileMap::findNeeds(const ClothGeometry& geometry, const std::vector<CellKey>& keys) {
-  // Every phase that a class has in the piece. Once all phases of a class are found its crossings cost nothing more, so
-  // the whole is about one visit per crossing of the repeat.
-  std::vector<uint8_t> found(slots_.size(), 0);
-  std::vector<uint32_t> foundOf(keys.size(), 0);
-  std::vector<double> cellsOf(keys.size(), 0);
-  std::vector<uint32_t> starts;
-  for (int residue = 0; residue < repeatAcross_; ++residue) {
-    starts.clear();
-    for (int across = residue; across < yarnCount_; across += repeatAcross_) starts.push_back(yarns_[across].phase);
-    const auto yarns = static_cast<double>(starts.size());
-    const PlacedYarn& yarn = yarns_[residue];
-    std::sort(starts.begin(), starts.end());
-    starts.erase(std::unique(starts.begin(), starts.end()), starts.end());
+void TileMap::readBand(const ClothGeometry& geometry, const Task& task, Band& band) const {
+  ShapeTable table(geometry, system_);
+  std::vector<ClothGeometry::ShapeCode> codes(static_cast<size_t>(repeatAlong_));
+  for (int across = band.first; across < band.end && !task.stopped(); ++across) {
+    const PhaseCounts phases(*this, across);
+    geometry.shapeCodes(system_, across, 0, codes);
+    Row& row = *band.rows.emplace_back(std::make_shared<Row>());
+    row.low.resize(codes.size());
     for (int along = 0; along < repeatAlong_; ++along) {
-      const uint32_t c = classAt(yarn.row + static_cast<uint32_t>(along));
-      const int64_t repeats = countOfRemainder(cells_, repeatAlong_, along);
-      cellsOf[c] += yarns * static_cast<double>(repeats);
-      if (foundOf[c] == yarn.period) continue;
-      const int64_t distinct = std::min<int64_t>(repeats, yarn.period);  // then the phases begin anew
-      for (const uint32_t start : starts) {
-        for (int64_t i = 0; i < distinct; ++i) {
-          uint8_t& flag = found[firstSlots_[c] + (start + along + i * repeatAlong_) % yarn.period];
-          foundOf[c] += flag == 0;
-          flag = 1;
-        }
-      }
+      const uint32_t shape = table.number(codes[along]);
+      row.set(static_cast<size_t>(along), shape);
+      if (band.cellsOf.size() <= index({shape, 0})) band.cellsOf.resize(2 * index({shape + 1, 0}));
+      phases.add(along, &band.cellsOf[index({shape, 0})]);
     }
+    checkShapes(table);
   }
-  for (size_t c = 0; c < keys.size(); ++c) {
-    const int period = geometry.yarn(system_, keys[c].yarn).period;
-    for (int phase = 0; phase < period; ++phase) {
-      const uint32_t slot = firstSlots_[c] + static_cast<uint32_t>(phase);
-      if (!found[slot]) continue;
-      CellKey key = keys[c];
-      key.phase = phase;
-      needs_.push_back({key, slot, cellsOf[c] / foundOf[c]});
-    }
+  band.shapes = table.shapes();
+}
+
+void TileMap::join(Band& band, ShapeTable& all) {
+  std::vector<uint32_t> numbers;
+  for (const CellKey& shape : band.shapes) numbers.push_back(all.number(shape));
+  addShapes(all);
+  bool renumbered = false;
+  for (uint32_t shape = 0; shape < numbers.size(); ++shape) {
+    renumbered |= numbers[shape] != shape;
+    for (int phase = 0; phase < kMaxPeriod; ++phase)
+      cellsOf_[index({numbers[shape], phase})] += band.cellsOf[index({shape, phase})];
+  }
+  for (size_t i = 0; i < band.rows.size(); ++i) {
+    Row& row = *band.rows[i];
+    if (renumbered)
+      for (size_t along = 0; along < row.low.size(); ++along) row.set(along, numbers[row.at(along)]);
+    setRow(static_cast<size_t>(band.first) + i, band.rows[i]);
   }
 }
 
-void TileMap::place(uint32_t slot, const Brick& brick) {
-  Slot& s = slots_[slot];
-  s.brick = &brick;
+void TileMap::Row::set(size_t i, uint32_t shape) {
+  low[i] = static_cast<uint16_t>(shape);
+  if (shape >> 16 != 0) high.resize(low.size());
+  if (!high.empty()) high[i] = static_cast<uint16_t>(shape >> 16);
+}
+
+void TileMap::setRow(size_t number, std::shared_ptr<const Row> row) {
+  low_[number] = row->low.data();
+  if (!row->high.empty()) high_.resize(rows_.size());
+  if (!high_.empty()) high_[number] = row->high.empty() ? nullptr : row->high.data();
+  rows_[number] = std::move(row);
+}
+
+void TileMap::edit(const ClothGeometry& geometry, std::span<const WeavePlace> places) {
+  const bool warp = system_ == System::warp;
+  const int weaveAcross = warp ? geometry.weave().ends() : geometry.weave().picks();
+  ShapeTable table(geometry, system_);
+  for (const CellKey& shape : shapes_) table.number(shape);
+  std::map<int, std::vector<int>> changed;  // yarn of the weave: where along it
+  for (const WeavePlace& place : places)
+    changed[warp ? place.end : place.pick].push_back(warp ? place.pick : place.end);
+  for (const auto& yarn : changed)
+    forEachRemainder(yarn.first, weaveAcross, repeatAcross_,
+                     [&](int across) { editRow(geometry, across, yarn.second, table); });
+  dropUnused();
+}
+
+void TileMap::editRow(const ClothGeometry& geometry, int across, std::span<const int> places, ShapeTable& table) {
+  const int weaveAlong = system_ == System::warp ? geometry.weave().picks() : geometry.weave().ends();
+  const PhaseCounts phases(*this, across);
+  const auto row = std::make_shared<Row>(*rows_[across]);
+  const auto read = [&](int along) {
+    ClothGeometry::ShapeCode code;
+    geometry.shapeCodes(system_, across, along, {&code, 1});
+    const uint32_t before = row->at(static_cast<size_t>(along)), after = table.number(code);
+    if (before == after) return;
+    addShapes(table);
+    phases.add(along, &cellsOf_[index({before, 0})], ~uint64_t{0});
+    phases.add(along, &cellsOf_[index({after, 0})]);
+    row->set(static_cast<size_t>(along), after);
+  };
+  for (const int place : places)
+    for (int i = -ClothGeometry::kCrossingReach; i <= ClothGeometry::kCrossingReach; ++i)
+      forEachRemainder(place + i, weaveAlong, repeatAlong_, read);
+  setRow(static_cast<size_t>(across), row);
+}
+
+void TileMap::addShapes(const ShapeTable& table) {
+  checkShapes(table);
+  shapes_.insert(shapes_.end(), table.shapes().begin() + static_cast<std::ptrdiff_t>(shapes_.size()),
+                 table.shapes().end());
+  const size_t size = index({static_cast<uint32_t>(shapes_.size()), 0});
+  cellsOf_.resize(size);
+  bricks_.resize(size);
+  slots_.resize(size);
+}
+
+void TileMap::dropUnused() {
+  for (size_t i = 0; i < slots_.size(); ++i) {
+    if (cellsOf_[i] > 0) continue;
+    bricks_[i] = nullptr;
+    slots_[i] = {};
+  }
+  findReaches();
+}
+
+CellKey TileMap::key(Kind kind) const {
+  CellKey key = shapes_[kind.shape];
+  key.phase = kind.phase;
+  return key;
+}
+
+std::vector<TileMap::Kind> TileMap::missing() const {
+  std::vector<Kind> missing;
+  for (uint32_t shape = 0; shape < shapes_.size(); ++shape)
+    for (int phase = 0; phase < kMaxPeriod; ++phase)
+      if (const Kind kind{shape, phase}; cells(kind) > 0 && !brick(kind)) missing.push_back(kind);
+  return missing;
+}
+
+void TileMap::place(Kind kind, std::shared_ptr<const Brick> brick) {
+  Slot& s = slots_[index(kind)];
+  s = {brick.get(), false, false};
   const int axis = system_ == System::warp ? 0 : 1;
-  for (int l = 0; l < brick.levels(); ++l) {
-    const Brick::Level& level = brick.level(l);
+  for (int l = 0; l < brick->levels(); ++l) {
+    const Brick::Level& level = brick->level(l);
     const int first = level.lower[axis], perCell = level.blocksPerCell()[axis];
     for (size_t i = 0; i < level.grid.size(); ++i) {
       if (!level.grid[i].occupied) continue;
@@ -175,12 +258,27 @@ void TileMap::place(uint32_t slot, const Brick& brick) {
   }
   anyReachesBelow_ |= s.reachesBelow;
   anyReachesAbove_ |= s.reachesAbove;
+  bricks_[index(kind)] = std::move(brick);
+}
+
+void TileMap::findReaches() {
+  const auto any = [this](bool Slot::*reaches) {
+    return std::any_of(slots_.begin(), slots_.end(), [&](const Slot& slot) { return slot.*reaches; });
+  };
+  anyReachesBelow_ = any(&Slot::reachesBelow);
+  anyReachesAbove_ = any(&Slot::reachesAbove);
 }
 
 size_t TileMap::bytes() const {
-  return (lowBits_.capacity() + highBits_.capacity()) * sizeof(uint16_t) + yarns_.capacity() * sizeof(PlacedYarn) +
-         firstSlots_.capacity() * sizeof(uint32_t) + slots_.capacity() * sizeof(Slot) +
-         needs_.capacity() * sizeof(Need);
+  size_t used = 0;
+  for (uint32_t shape = 0; shape < shapes_.size(); ++shape) {
+    const auto first = cellsOf_.begin() + static_cast<std::ptrdiff_t>(index({shape, 0}));
+    used += std::any_of(first, first + kMaxPeriod, [](uint64_t cells) { return cells > 0; });
+  }
+  const size_t perShape = sizeof(CellKey) + kMaxPeriod * (sizeof(uint64_t) + sizeof(bricks_[0]) + sizeof(Slot));
+  const size_t perRow = sizeof(Row) + sizeof(rows_[0]) + sizeof(low_[0]) +
+                        static_cast<size_t>(repeatAlong_) * (used > 0x10000 ? 2 : 1) * sizeof(uint16_t);
+  return static_cast<size_t>(yarnCount_) * sizeof(PlacedYarn) + rows_.size() * perRow + used * perShape;
 }
 
 }  // namespace loomlight

@@ -1,18 +1,24 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "core/base/task.h"
 #include "core/geometry/cloth_geometry.h"
+#include "core/geometry/weave_changes.h"
 #include "core/volume/brick.h"
 
 namespace loomlight {
 
-/// Which brick each cell of one system's yarns has. Cells of equal key but for the phase form a shape class; a repeat
-/// is a map of classes, and the phase of a cell is that of its yarn's first cell, counted on along the yarn. So a piece
-/// of any size costs one repeat, two bytes a crossing as long as there are fewer than 65536 classes, and four bytes a
-/// yarn.
+class ShapeTable;
+
+/// Which brick each cell of one system's yarns has. Cells of equal key but for the phase are of one shape; a repeat is
+/// a map of shapes, and the phase of a cell is that of its yarn's first cell, counted on along the yarn. So a piece of
+/// any size costs one repeat, two bytes a crossing as long as there are fewer than 65536 shapes, and eight bytes a
+/// yarn. Copies share the map, yarn by yarn, until one of them is edited.
 class TileMap {
  public:
   /// A yarn's cells are addressed by its own index (end or pick), `across`, and where along it, `along` (pick or end).
@@ -21,57 +27,87 @@ class TileMap {
     bool reachesBelow = false;     ///< into the cell at across - 1
     bool reachesAbove = false;
   };
-  /// A brick that the piece needs.
-  struct Need {
-    CellKey key;
-    uint32_t slot = 0;
-    double cells = 0;  ///< of the piece that have it; of a shape class they are shared evenly among its phases
+  /// Of cells: a shape in one phase. All of a kind have one brick.
+  struct Kind {
+    uint32_t shape = 0;
+    int phase = 0;
   };
 
   TileMap() = default;
-  /// Reads the keys of one repeat of `geometry`, or of the whole piece where that is smaller. Throws InputError where
-  /// this is more than kMaxCrossings. Left empty when the task is stopped.
+  /// Reads the shapes of one repeat of `geometry`, or of the whole piece where that is smaller; all bricks are missing.
+  /// Throws InputError where this is more than kMaxCrossings, or of a million shapes. Left empty when the task is
+  /// stopped.
   TileMap(const ClothGeometry& geometry, System system, const Task& task);
   static constexpr double kMaxCrossings = 268435456;  ///< 2^28: the largest weave, 16384 x 16384
 
-  const std::vector<Need>& needs() const { return needs_; }
-  /// Gives a slot its brick, which the caller keeps alive.
-  void place(uint32_t slot, const Brick& brick);
+  /// Makes it the map of a geometry that differs from its own in these places of the weave alone, as a new map would
+  /// be. The repeat must have stayed. Costs a few copies of pointers for each yarn of the repeat, and a copy of the
+  /// shapes of each yarn that a place lies on.
+  void edit(const ClothGeometry& geometry, std::span<const WeavePlace> places);
+
+  /// All shapes there are, and some that there were before an edit; their keys have phase 0.
+  const std::vector<CellKey>& shapes() const { return shapes_; }
+  CellKey key(Kind kind) const;
+  /// Of the piece.
+  uint64_t cells(Kind kind) const { return cellsOf_[index(kind)]; }
+  /// Null where the piece has no such cell, and where it is missing.
+  const std::shared_ptr<const Brick>& brick(Kind kind) const { return bricks_[index(kind)]; }
+  std::vector<Kind> missing() const;
+  void place(Kind kind, std::shared_ptr<const Brick> brick);
 
   /// 0 <= across < yarns of the piece, 0 <= along < cells of a yarn; inRepeat = along % repeatAlong().
   const Slot& at(int across, int along, int inRepeat) const {
     const PlacedYarn& yarn = yarns_[across];
     const uint32_t phase = (yarn.phase + static_cast<uint32_t>(along)) % yarn.period;
-    return slots_[firstSlots_[classAt(yarn.row + static_cast<uint32_t>(inRepeat))] + phase];
+    return slots_[index({shapeAt(yarn.row, static_cast<uint32_t>(inRepeat)), static_cast<int>(phase)})];
   }
   int repeatAlong() const { return repeatAlong_; }
   bool anyReachesBelow() const { return anyReachesBelow_; }
   bool anyReachesAbove() const { return anyReachesAbove_; }
 
+  /// Without the bricks. What is shared with other maps counts.
   size_t bytes() const;
 
  private:
+  /// The shapes along a yarn of the repeat: the low bits of their numbers, and the high ones where there are any.
+  struct Row {
+    std::vector<uint16_t> low, high;
+    uint32_t at(size_t i) const { return low[i] | (high.empty() ? 0 : static_cast<uint32_t>(high[i]) << 16); }
+    void set(size_t i, uint32_t shape);
+  };
   struct PlacedYarn {
-    uint32_t row;            ///< where its crossings begin in the map of classes
+    uint32_t row;            ///< which yarn of the repeat it is
     uint16_t phase, period;  ///< of its first cell
   };
+  class PhaseCounts;
+  struct Band;
 
-  uint32_t classAt(uint32_t crossing) const {
-    return highBits_.empty() ? lowBits_[crossing]
-                             : lowBits_[crossing] | static_cast<uint32_t>(highBits_[crossing]) << 16;
+  static size_t index(Kind kind) { return static_cast<size_t>(kind.shape) * kMaxPeriod + kind.phase; }
+  uint32_t shapeAt(uint32_t row, uint32_t inRepeat) const {
+    const uint32_t low = low_[row][inRepeat];
+    return high_.empty() || !high_[row] ? low : low | static_cast<uint32_t>(high_[row][inRepeat]) << 16;
   }
-  std::vector<CellKey> readClasses(const ClothGeometry& geometry, const Task& task);
-  void placeYarns(const ClothGeometry& geometry, const std::vector<CellKey>& keys);
-  void findNeeds(const ClothGeometry& geometry, const std::vector<CellKey>& keys);
+  void setRow(size_t number, std::shared_ptr<const Row> row);
+  void placeYarns(const ClothGeometry& geometry);
+  void readRows(const ClothGeometry& geometry, const Task& task);
+  void readBand(const ClothGeometry& geometry, const Task& task, Band& band) const;
+  void join(Band& band, ShapeTable& all);
+  void editRow(const ClothGeometry& geometry, int across, std::span<const int> places, ShapeTable& table);
+  void addShapes(const ShapeTable& table);
+  void dropUnused();
+  void findReaches();
 
   System system_ = System::warp;
   int yarnCount_ = 0, cells_ = 0;  ///< of the piece: across, and along each yarn
   int repeatAcross_ = 1, repeatAlong_ = 1;
-  std::vector<uint16_t> lowBits_, highBits_;  ///< class per crossing of the repeat, yarn by yarn
-  std::vector<PlacedYarn> yarns_;             ///< of the piece
-  std::vector<uint32_t> firstSlots_;          ///< per class; its phases follow
+  std::shared_ptr<const PlacedYarn[]> yarns_;     ///< of the piece
+  std::vector<std::shared_ptr<const Row>> rows_;  ///< per yarn of the repeat
+  std::vector<const uint16_t*> low_, high_;       ///< of each row; `high_` is empty where no row has any
+  std::vector<CellKey> shapes_;
+  // By shape and phase, index():
+  std::vector<uint64_t> cellsOf_;
+  std::vector<std::shared_ptr<const Brick>> bricks_;
   std::vector<Slot> slots_;
-  std::vector<Need> needs_;
   bool anyReachesBelow_ = false, anyReachesAbove_ = false;
 };
 

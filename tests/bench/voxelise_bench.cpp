@@ -31,7 +31,7 @@ struct Sample {
     geometry = makeGeometry();
     for (const System system : {System::warp, System::weft}) {
       const TileMap tiles(*geometry, system, oneThread());
-      for (const TileMap::Need& need : tiles.needs()) keys.push_back(need.key);
+      for (const TileMap::Kind kind : tiles.missing()) keys.push_back(tiles.key(kind));
     }
     for (const CellKey& key : keys) segments += static_cast<double>(geometry->strands(key).segments());
   }

@@ -5,6 +5,7 @@
 
 #include "core/base/random.h"
 #include "core/geometry/cloth_geometry.h"
+#include "core/geometry/weave_changes.h"
 #include "tests/unit/geometry/cloths.h"
 
 namespace loomlight {
@@ -44,6 +45,56 @@ TEST(CellKeys, RepeatIsTheSmallest) {
   const ClothGeometry mixed(cloths::mixed(), 100, 100);
   EXPECT_EQ(mixed.repeatEnds(), 40);
   EXPECT_EQ(mixed.repeatPicks(), 24);
+}
+
+TEST(CellKeys, RepeatOfPicksOfDifferentPeriodsIsTheirMultiple) {
+  Fabric fabric = cloths::plain();
+  fabric.weave = Weave({{1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0}, {1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0}});
+  EXPECT_EQ(ClothGeometry(fabric, 10, 10).repeatEnds(), 6);
+  fabric.weave = Weave({{1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0}, {1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0}});
+  EXPECT_EQ(ClothGeometry(fabric, 10, 10).repeatEnds(), 12);
+}
+
+TEST(CellKeys, AreThoseOfTheShapeCodes) {
+  for (const Fabric& fabric : cloths::all()) {
+    SCOPED_TRACE(fabric.name);
+    const ClothGeometry cloth(fabric, 100, 100);
+    for (const System system : {System::warp, System::weft})
+      for (int across = -3; across < 12; ++across) {
+        std::vector<ClothGeometry::ShapeCode> codes(50);
+        cloth.shapeCodes(system, across, -7, codes);
+        for (int i = 0; i < 50; ++i) {
+          const bool warp = system == System::warp;
+          const CellKey key = warp ? cloth.key(system, i - 7, across) : cloth.key(system, across, i - 7);
+          EXPECT_EQ(cloth.shapeKey(system, codes[i]), withoutPhase(key)) << across << " " << i;
+        }
+      }
+  }
+}
+
+TEST(ClothGeometry, SharesTheYarnsThatAnEditLeavesAlone) {
+  Fabric fabric = cloths::mixed();
+  const ClothGeometry before(fabric, 10, 10);
+  fabric.weave = cloths::twill22();
+  const ClothGeometry woven(fabric, 10, 10, &before);
+  EXPECT_EQ(&woven.yarn(System::weft, 1), &before.yarn(System::weft, 1));
+  EXPECT_TRUE(woven.differsInWeaveOnly(before));
+  EXPECT_TRUE(woven.differsInWeaveOnly(ClothGeometry(fabric, 10, 10)));
+  fabric.yarns[1].plyTwist_per_m += 100;
+  const ClothGeometry twisted(fabric, 10, 10, &before);
+  EXPECT_EQ(&twisted.yarn(System::weft, 0), &before.yarn(System::weft, 0));
+  EXPECT_EQ(twisted.yarn(System::weft, 1), ClothGeometry(fabric, 10, 10).yarn(System::weft, 1));
+  EXPECT_FALSE(twisted.yarn(System::weft, 1) == before.yarn(System::weft, 1));
+  EXPECT_FALSE(twisted.differsInWeaveOnly(before));
+  EXPECT_FALSE(woven.differsInWeaveOnly(ClothGeometry(fabric, 10, 11)));
+}
+
+TEST(WeaveChanges, AreThePlacesThatDiffer) {
+  const Weave before = Weave().resized(30, 20);
+  const Weave after = before.with(3, 29, !before.at(3, 29)).with(17, 0, !before.at(17, 0)).with(5, 5, before.at(5, 5));
+  EXPECT_EQ(weaveChanges(before, after, 2), (std::vector<WeavePlace>{{3, 29}, {17, 0}}));
+  EXPECT_EQ(weaveChanges(before, after, 1), std::nullopt);
+  EXPECT_EQ(weaveChanges(before, before.resized(30, 21), 600), std::nullopt);
 }
 
 TEST(CellKeys, NeighbouringYarnsAreNotInStep) {

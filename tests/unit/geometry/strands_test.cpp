@@ -111,7 +111,7 @@ TEST(Strands, ChordsKeepToTheSagitta) {
         const CellKey key = cloth.key(system, i, i);
         const YarnGeometry& geometry = cloth.yarn(system, key.yarn);
         const Yarn& yarn = fabric.yarns[cloth.yarnIndex(system, i)];
-        const auto coarse = makeYarnModel(geometry, yarn, fabric.fibres[0]);
+        const auto coarse = makeYarnModel(sourceOf(geometry, yarn, fabric.fibres[0]));
         // The same fibres at stations for fibres a hundred times finer: as good as the curves themselves.
         YarnModel fine = *coarse;
         fine.geometry.fibreRadius_mm /= 100;

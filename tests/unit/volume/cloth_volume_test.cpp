@@ -33,15 +33,6 @@ double lengthOf(const Brick& brick, const VoxelGrid& grid, int level) {
   return length;
 }
 
-bool sameVolume(const ClothVolume& a, const ClothVolume& b) {
-  if (a.grid() != b.grid()) return false;
-  for (int pick = 0; pick < a.geometry().picks(); ++pick)
-    for (int end = 0; end < a.geometry().ends(); ++end)
-      for (const System system : {System::warp, System::weft})
-        if (!(a.brick(system, pick, end) == b.brick(system, pick, end))) return false;
-  return a.counts().bytes == b.counts().bytes && a.counts().bricks == b.counts().bricks;
-}
-
 TEST(VoxelGrid, LeafIsAFractionOfTheYarnAndTheSlabIsCovered) {
   for (const int resolution : {1, 2, 4, 8, 16}) {
     const auto geometry = geometryOf(plainFabric(), 4, 4);

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <memory>
+#include <set>
+#include <utility>
 
 #include "core/base/random.h"
 #include "core/volume/cloth_volume.h"
@@ -58,6 +60,22 @@ inline std::shared_ptr<const ClothGeometry> geometryOf(const Fabric& fabric, int
 inline std::shared_ptr<const ClothVolume> volumeOf(const Fabric& fabric, int ends, int picks, int resolution,
                                                    const ClothVolume* previous = nullptr) {
   return ClothVolume::build(geometryOf(fabric, ends, picks), resolution, Task{}, previous);
+}
+
+/// Whether both have the same bricks, byte for byte, in all cells, and count the same.
+inline bool sameVolume(const ClothVolume& a, const ClothVolume& b) {
+  if (a.grid() != b.grid()) return false;
+  std::set<std::pair<const Brick*, const Brick*>> same;
+  for (int pick = 0; pick < a.geometry().picks(); ++pick)
+    for (int end = 0; end < a.geometry().ends(); ++end)
+      for (const System system : {System::warp, System::weft}) {
+        const Brick &left = a.brick(system, pick, end), &right = b.brick(system, pick, end);
+        if (same.insert({&left, &right}).second && !(left == right)) return false;
+      }
+  const VolumeCounts left = a.counts(), right = b.counts();
+  return left.bricks == right.bricks && left.voxels == right.voxels && left.components == right.components &&
+         left.bytes == right.bytes && left.segments == right.segments &&
+         left.segmentsRepresented == right.segmentsRepresented;
 }
 
 }  // namespace loomlight::volume_test

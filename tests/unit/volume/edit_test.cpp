@@ -1,0 +1,135 @@
+#include <gtest/gtest.h>
+
+#include <deque>
+#include <set>
+
+#include "core/volume/cloth_volume.h"
+#include "tests/unit/volume/volume_fixture.h"
+
+namespace loomlight {
+namespace {
+
+using namespace volume_test;
+
+/// One step of a designer, at random.
+Fabric edited(const Fabric& before, Random& random) {
+  Fabric fabric = before;
+  const int ends = fabric.weave.ends(), picks = fabric.weave.picks();
+  const auto place = [&] { return std::pair(random.below(picks), random.below(ends)); };
+  const auto yarn = [&]() -> Yarn& { return fabric.yarns[random.below(static_cast<uint32_t>(fabric.yarns.size()))]; };
+  switch (random.below(16)) {
+    case 0: {  // paste an area, over the edge too
+      const auto [pick, end] = place();
+      const uint32_t height = 1 + random.below(6), width = 1 + random.below(6);
+      for (uint32_t p = 0; p < height; ++p)
+        for (uint32_t e = 0; e < width; ++e)
+          fabric.weave = fabric.weave.with((pick + p) % picks, (end + e) % ends, random.below(2) != 0);
+      break;
+    }
+    case 1:
+      fabric.weave = fabric.weave.resized(6 + random.below(14), 6 + random.below(14));
+      break;
+    case 2:
+      yarn().plyTwist_per_m = 300 + 100 * random.below(5);
+      break;
+    case 3:
+      yarn().plies = 1 + random.below(3);
+      break;
+    case 4:
+      yarn().count_tex = 25 + 5 * random.below(5);
+      break;
+    case 5:
+      fabric.ends_per_cm = 20 + random.below(3);
+      break;
+    case 6:
+      fabric.fibres[0].absorption_per_mm = Rgb(random.uniform());
+      break;
+    case 7:
+      fabric.warpSequence.assign(1 + random.below(3), 0);
+      for (int& index : fabric.warpSequence) index = static_cast<int>(random.below(2));
+      break;
+    case 8:
+      std::swap(fabric.yarns[0], fabric.yarns[1]);
+      break;
+    default: {
+      const auto [pick, end] = place();
+      fabric.weave = fabric.weave.with(pick, end, !fabric.weave.at(pick, end));
+    }
+  }
+  return fabric;
+}
+
+TEST(Edits, LeaveWhatAFreshBuildMakes) {
+  for (uint64_t seed = 1; seed <= 6; ++seed) {
+    Random random(seed);
+    // A piece of several repeats, of less than one, or of one and a bit.
+    const int ends = 8 + random.below(40), picks = 8 + random.below(40);
+    Fabric fabric = hairyTwill();
+    fabric.fibres[0].radius_um = 25;  // few
+    fabric.yarns[0].hairiness_per_mm = 0;
+    fabric.weave = fabric.weave.resized(16, 12);
+    std::deque<Fabric> history{fabric};
+    size_t now = 0;
+    auto geometry = geometryOf(fabric, ends, picks);
+    auto volume = ClothVolume::build(geometry, 1, Task{});
+    for (int step = 0; step < 100; ++step) {
+      const uint32_t action = random.below(8);
+      if (action == 0 && now > 0) {
+        --now;  // undo
+      } else if (action == 1 && now + 1 < history.size()) {
+        ++now;  // redo
+      } else {
+        history.resize(now + 1);
+        history.push_back(edited(history[now], random));
+        ++now;
+      }
+      geometry = std::make_shared<const ClothGeometry>(history[now], ends, picks, geometry.get());
+      volume = ClothVolume::build(geometry, 1, Task{}, volume.get());
+      const auto fresh = volumeOf(history[now], ends, picks, 1);
+      ASSERT_TRUE(sameVolume(*fresh, *volume)) << "seed " << seed << ", step " << step;
+    }
+  }
+}
+
+/// Bricks of a volume, by address.
+std::set<const Brick*> bricksOf(const ClothVolume& volume) {
+  std::set<const Brick*> bricks;
+  for (int pick = 0; pick < volume.geometry().picks(); ++pick)
+    for (int end = 0; end < volume.geometry().ends(); ++end)
+      for (const System system : {System::warp, System::weft}) bricks.insert(&volume.brick(system, pick, end));
+  return bricks;
+}
+
+TEST(Edits, OfACrossingVoxeliseOnlyShapesThatWereNotThere) {
+  Fabric fabric = plainFabric();
+  fabric.weave = fabric.weave.resized(120, 120).with(3, 5, true).with(4, 5, true);
+  auto volume = volumeOf(fabric, 120, 120, 2);
+  size_t most = 0, all = 0;
+  Random random(4);
+  for (int step = 0; step < 20; ++step) {
+    const int pick = random.below(120), end = random.below(120);
+    fabric.weave = fabric.weave.with(pick, end, !fabric.weave.at(pick, end));
+    const std::set<const Brick*> before = bricksOf(*volume);
+    volume = volumeOf(fabric, 120, 120, 2, volume.get());
+    size_t made = 0;
+    for (const Brick* brick : bricksOf(*volume)) made += before.count(brick) == 0;
+    most = std::max(most, made);
+    all += made;
+  }
+  // A crossing is within reach of nine cells of either yarn, each in one phase.
+  EXPECT_LE(most, 2u * (2 * ClothGeometry::kCrossingReach + 1));
+  EXPECT_GT(all, 0u);
+}
+
+TEST(Edits, LeaveTheVolumeBeforeAsItWas) {
+  const Fabric fabric = jacquard(60);
+  const auto before = volumeOf(fabric, 100, 100, 2), copy = volumeOf(fabric, 100, 100, 2);
+  Fabric painted = fabric;
+  for (int i = 0; i < 30; ++i) painted.weave = painted.weave.with(7, i, !painted.weave.at(7, i));
+  const auto after = volumeOf(painted, 100, 100, 2, before.get());
+  EXPECT_FALSE(sameVolume(*before, *after));
+  EXPECT_TRUE(sameVolume(*before, *copy));
+}
+
+}  // namespace
+}  // namespace loomlight
