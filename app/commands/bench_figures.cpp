@@ -35,7 +35,7 @@ bool addLargePieces(ReportPage& page, const ReportBench& bench, const Task& task
   for (BenchCloth& cloth : largeCloths()) {
     fmt::print(stderr, "loomlight: Fig. 1: {}\n", cloth.name);
     RenderSettings& settings = cloth.fabric.render;
-    settings.samplesPerPixel = 16;
+    settings.samplesPerPixel = 8;
     if (bench.quick) {
       settings.width = 64;
       settings.height = 32;
@@ -106,8 +106,8 @@ bool addLocalVisibility(ReportPage& page, const ReportBench& bench, const Task& 
   page.heading("Fig. 7: direct light in the volume");
   BenchCloth cloth = cylinderCloths().front();
   Fabric fabric = withSegments(cloth.fabric, bench.quick ? 30'000 : 20e6);
-  fabric.render.width = bench.quick ? 32 : 240;
-  fabric.render.height = bench.quick ? 24 : 180;
+  fabric.render.width = bench.quick ? 32 : 160;
+  fabric.render.height = bench.quick ? 24 : 120;
   fabric.camera = cameraOf(ViewChoice{-90, 50, {}, {}}, fabric, makeDrape(fabric.drape));
   std::vector<PreparedCloth> cloths;
   for (const Variant& variant : {Variant{"fibres", Method::fibres, Estimator::loomlight, 4},
@@ -125,7 +125,7 @@ bool addLocalVisibility(ReportPage& page, const ReportBench& bench, const Task& 
     Light light = fabric.light;
     light.kind = kind;
     const auto pictures =
-        renderInTurns(cloths, light, bench.quick ? (kind == LightKind::headlight ? 96 : 8) : 32, task);
+        renderInTurns(cloths, light, bench.quick ? (kind == LightKind::headlight ? 64 : 8) : 32, task);
     if (!pictures) return false;
     std::vector<Pixels8> strip{shown((*pictures)[0])};
     for (size_t i = 1; i < cloths.size(); ++i) {

@@ -58,7 +58,7 @@ struct ClothResults {
 
 /// Of each of the two pictures, per pixel. What the quick form asserts, it asserts under the dome.
 int samplesOf(const NamedLight& light, bool quick) {
-  if (quick) return light.kind == LightKind::dome ? 12 : 4;
+  if (quick) return light.kind == LightKind::dome ? 12 : 2;
   return 8;
 }
 
@@ -67,8 +67,8 @@ Fabric posed(Fabric fabric, bool quick) {
   constexpr double kReportSegments = 18'518'400, kQuickSegments = 60'000;
   const double segments = quick ? kQuickSegments : std::max(segmentsOf(fabric), kReportSegments);
   fabric = withSegments(std::move(fabric), segments);
-  fabric.render.width = quick ? 40 : 320;
-  fabric.render.height = quick ? 30 : 240;
+  fabric.render.width = quick ? 40 : 240;
+  fabric.render.height = quick ? 30 : 180;
   fabric.camera = cameraOf(ViewChoice{-90, 50, {}, {}}, fabric, makeDrape(fabric.drape));
   return fabric;
 }

@@ -65,7 +65,7 @@ Estimate squaredDifference(const TwoMeasures& measures, const TwoMeasures& refer
 
 std::optional<HalfDomeStudy> studyHalfDomes(const BenchCloth& cloth, const ReportBench& bench, const Task& task) {
   const HalfDomeGrid grid = bench.quick ? HalfDomeGrid{8, 3} : HalfDomeGrid{24, 8};
-  const int samples = bench.quick ? 256 : 3072;
+  const int samples = bench.quick ? 256 : 2048;
   const Fabric patch = halfDomePatch(cloth.fabric, grid);
   fmt::print(stderr, "loomlight: half-domes: {}\n", cloth.name);
   const auto fibres = prepare(patch, {"fibres", Method::fibres, Estimator::loomlight, 8}, bench, task);
