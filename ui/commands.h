@@ -16,11 +16,13 @@ enum class Command {
   undo,
   redo,
   fitView,
+  truthLens,
   fitDraft,
   togglePanels,
   fullScreen,
   darkTheme,
   lightTheme,
+  preferences,
   showKeys,
   showAbout,
 };

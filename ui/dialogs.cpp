@@ -103,6 +103,34 @@ SnapshotDialog::Result SnapshotDialog::draw(Ui& ui, const Progress& progress) {
   return result;
 }
 
+bool PreferencesDialog::draw(Ui& ui, double machine_GB, double& fibreMemory_GB) {
+  if (!open_) return false;
+  const bool begin = opening_;
+  opening_ = false;
+  if (!beginModal(ui, "Preferences", ImVec2(ui.px(480), 0), begin)) {
+    open_ = false;
+    return false;
+  }
+  NumberStyle style;
+  style.unit = "GB";
+  style.min = 0.1;
+  style.max = std::max(style.min, machine_GB);
+  style.decimals = 1;
+  const bool changed = numberField(ui,
+                                   {"preferences.fibre_memory", "Memory for the truth lens",
+                                    "The lens lays every single fibre of the piece. Where that would take more memory "
+                                    "than this, it says so and leaves it."},
+                                   style, fibreMemory_GB);
+  ImGui::Dummy(ImVec2(0, ui.px(4)));
+  ImGui::SetCursorPosX(ImGui::GetWindowWidth() - ui.px(136));
+  if (button(ui, "preferences.close", "Close", ui.px(120)) || modalCancelled()) {
+    open_ = false;
+    ImGui::CloseCurrentPopup();
+  }
+  endModal();
+  return changed;
+}
+
 void KeysDialog::draw(Ui& ui) {
   if (!open_) return;
   const bool begin = opening_;
@@ -115,7 +143,9 @@ void KeysDialog::draw(Ui& ui) {
       {"Left drag on the cloth", "Orbit"},
       {"Shift or Space + drag, middle drag", "Move the view"},
       {"Wheel", "Zoom at the pointer"},
+      {"Click on the cloth", "Choose the yarn that is seen there"},
       {"F,  Shift+F", "Show the whole cloth, the whole repeat"},
+      {"L", "Truth lens: every single fibre, in a rectangle that you drag; Esc closes it"},
       {"Click or drag in the draft", "Turn crossings over; a drag paints the first one's new value"},
       {"Right drag in the draft", "Weft over"},
       {"Shift while painting", "Keep to a line"},

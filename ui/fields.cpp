@@ -246,6 +246,24 @@ void heading(Ui& ui, const char* text) {
   ImGui::PopFont();
 }
 
+bool foldingHeading(Ui& ui, const char* id, const char* text, const char* tooltip, bool& open) {
+  const ImVec2 min = ImGui::GetCursorScreenPos();
+  const ImVec2 size(ImGui::GetContentRegionAvail().x, ImGui::GetFrameHeight()), max(min.x + size.x, min.y + size.y);
+  if (ImGui::InvisibleButton(id, size)) open = !open;
+  ui.probe.recordItem(id);
+  const ImU32 ink = packed(ImGui::IsItemHovered() ? ui.theme.text : ui.theme.textQuiet);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const float r = ui.px(3), x = min.x + ui.px(4), y = 0.5f * (min.y + max.y);
+  const ImVec2 shut[] = {{x - 0.5f * r, y - r}, {x + 0.5f * r, y}, {x - 0.5f * r, y + r}};
+  const ImVec2 unfolded[] = {{x - r, y - 0.5f * r}, {x, y + 0.5f * r}, {x + r, y - 0.5f * r}};
+  draw.AddPolyline(open ? unfolded : shut, 3, ink, 0, ui.px(1.5f));
+  ImGui::PushFont(ui.fonts.strong);
+  draw.AddText(ImVec2(min.x + ui.px(16), y - 0.5f * ImGui::GetFontSize()), packed(ui.theme.text), text);
+  ImGui::PopFont();
+  tooltipFor(ui, id, min, max, tooltip);
+  return open;
+}
+
 void hint(Ui& ui, const std::string& text) {
   ImGui::PushFont(ui.fonts.small);
   ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.textQuiet);

@@ -52,6 +52,8 @@ bool swatch(Ui& ui, const char* id, const ImVec4& colour, float size, bool selec
 
 /// Small, quiet heading that groups the rows below it.
 void heading(Ui& ui, const char* text);
+/// A heading that folds what follows it; a click turns `open`, which is returned.
+bool foldingHeading(Ui& ui, const char* id, const char* text, const char* tooltip, bool& open);
 /// Quiet explanation, wrapped to the panel.
 void hint(Ui& ui, const std::string& text);
 /// Shows `text` when the mouse has rested on the rectangle for a moment.

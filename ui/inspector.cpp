@@ -62,6 +62,7 @@ InspectorResult inspector(Ui& ui, const Fabric& fabric, const InspectorModel& mo
                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysVerticalScrollbar);
   ImGui::PopStyleColor();
   view.pageScrolls = ImGui::GetScrollMaxY() > 0;
+  view.visibilityShown = view.visibilityOpen && view.page == InspectorView::Page::yarn;
   InspectorResult result;
   switch (view.page) {
     case InspectorView::Page::yarn:

@@ -6,6 +6,7 @@
 #include "ui/commands.h"
 #include "ui/crossing_index.h"
 #include "ui/ui.h"
+#include "ui/visibility_section.h"
 #include "ui/yarn_section.h"
 
 namespace loomlight {
@@ -16,6 +17,8 @@ struct InspectorView {
   Page page = Page::yarn;
   int yarn = 0;
   bool pageScrolls = false;
+  bool visibilityOpen = false;   ///< the section of local visibility
+  bool visibilityShown = false;  ///< it is open, and on the page that is drawn
 };
 
 /// Computed beside the fabric, by workers.
@@ -24,6 +27,7 @@ struct InspectorModel {
   double crimpWarp = 0, crimpWeft = 0;
   bool measured = false;
   std::vector<ImVec4> yarnColours;  ///< for the display
+  VisibilityModel visibility;       ///< of the yarn looked at
 };
 
 struct InspectorResult {

@@ -51,11 +51,15 @@ std::optional<Command> menuBar(Ui& ui, const MenuModel& model) {
   if (menu.begin("menu.edit", "Edit")) {
     menu.item("menu.undo", "Undo", "Ctrl+Z", Command::undo, model.canUndo);
     menu.item("menu.redo", "Redo", "Ctrl+Shift+Z", Command::redo, model.canRedo);
+    ImGui::Separator();
+    menu.item("menu.preferences", "Preferences\xE2\x80\xA6", "", Command::preferences);
     ImGui::EndMenu();
   }
   if (menu.begin("menu.view", "View")) {
     menu.item("menu.fit", "Show the whole cloth", "F", Command::fitView);
     menu.item("menu.fit_draft", "Show the whole repeat", "Shift+F", Command::fitDraft);
+    ImGui::Separator();
+    menu.item("menu.lens", "Truth lens", "L", Command::truthLens, true, model.lensOn);
     ImGui::Separator();
     menu.item("menu.panels", "Panels", "Tab", Command::togglePanels, true, model.panelsShown);
     menu.item("menu.fullscreen", "Full screen", "F11", Command::fullScreen);

@@ -14,6 +14,7 @@ struct MenuModel {
   bool canUndo = false, canRedo = false;
   bool darkTheme = true;
   bool panelsShown = true;
+  bool lensOn = false;
 };
 
 /// The line at the top of the window.

@@ -39,7 +39,7 @@ void statusBar(Ui& ui, const StatusModel& model) {
   // The place is reserved, so a warning that appears moves nothing.
   std::string warning = model.warning;
   if (model.moreWarnings > 0) warning += fmt::format("  (+{})", model.moreWarnings);
-  const float right = width - ui.px(330), left = x + ui.px(520);
+  const float right = width - ui.px(model.background.empty() ? 330 : 450), left = x + ui.px(520);
   if (!warning.empty() && right > left) {
     const ImVec2 window = ImGui::GetWindowPos();
     ImGui::PushClipRect(ImVec2(window.x + left, window.y),
@@ -47,6 +47,10 @@ void statusBar(Ui& ui, const StatusModel& model) {
     figure(ui, "status.warning", left, warning, warning.c_str(), ui.theme.warning);
     ImGui::PopClipRect();
   }
+  if (!model.background.empty())
+    figure(ui, "status.background", width - ui.px(434), model.background,
+           "How often light is stopped within the yarns is measured in the background, to be used once it is known.",
+           quiet);
   figure(ui, "status.work", width - ui.px(314), model.work, "What the workers behind the picture are doing.", quiet);
   figure(ui, "status.samples", width - ui.px(150),
          model.samples > 0 ? fmt::format("{} spp", model.samples) : std::string("preview"),

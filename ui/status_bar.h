@@ -17,7 +17,8 @@ struct StatusModel {
   int moreWarnings = 0;
   int samples = 0;
   double seconds = 0;
-  std::string work;  ///< what the workers do: "tracing", "building 40 %", "converged"
+  std::string work;        ///< what the workers do: "tracing", "building 40 %", "converged"
+  std::string background;  ///< what is done beside that: "visibility 40 %"; empty: nothing
   bool figuresKnown = false;
 };
 

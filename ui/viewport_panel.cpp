@@ -44,7 +44,34 @@ std::optional<Camera> mouseMoves(const Camera& camera, ViewportView& view, ImVec
                                               : orbited(from, io.MouseDelta.x, io.MouseDelta.y);
 }
 
-void drawOverlays(Ui& ui, const ViewportModel& model, ImVec2 min, ImVec2 max) {
+/// True while the mouse holds the lens by an edge, or is giving it a place.
+bool lensHolds(Ui& ui, ViewportView& view, ImVec2 min) {
+  LensView& lens = view.lens;
+  const ImVec2 mouse = ImGui::GetIO().MousePos, at(mouse.x - min.x, mouse.y - min.y);
+  const bool active = ImGui::IsItemActive();
+  const bool taking = ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left);
+  if (taking || (ImGui::IsItemHovered() && !active)) {
+    const LensView::Grip under = lens.gripAt(at, ui.px(5));
+    if (under != LensView::Grip::none) ImGui::SetMouseCursor(cursorOf(under));
+    if (taking) lens.grab(under, at);
+  }
+  if (lens.grip == LensView::Grip::none || lens.grip == LensView::Grip::move) return false;
+  ImGui::SetMouseCursor(cursorOf(lens.grip));
+  lens.drag(at, view.width, view.height);
+  if (!active) lens.letGo(view.width, view.height);
+  return true;
+}
+
+/// Where the picture was clicked, as opposed to dragged.
+std::optional<ImVec2> clickedAt(const ViewportView& view, ImVec2 min, ImVec2 size) {
+  constexpr float kStill = 3;
+  const ImGuiIO& io = ImGui::GetIO();
+  if (!ImGui::IsItemDeactivated() || view.drag != ViewportView::Drag::orbit) return std::nullopt;
+  if (io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] > kStill * kStill) return std::nullopt;
+  return ImVec2((io.MousePos.x - min.x) / size.x, (io.MousePos.y - min.y) / size.y);
+}
+
+void drawOverlays(Ui& ui, const ViewportModel& model, const LensView& lens, ImVec2 min, ImVec2 max) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const float edge = ui.px(8);
   if (model.building) {
@@ -57,6 +84,11 @@ void drawOverlays(Ui& ui, const ViewportModel& model, ImVec2 min, ImVec2 max) {
     pill(ui, ImVec2(0.5f * (min.x + max.x - size.x), 0.5f * (min.y + max.y - size.y)), text, Theme::dark().text);
   }
   if (!model.error.empty()) pill(ui, ImVec2(min.x + edge, min.y + edge), model.error, Theme::dark().warning);
+  if (lens.on && !lens.placed) {
+    const char* text = "Drag a rectangle over the cloth";
+    pill(ui, ImVec2(0.5f * (min.x + max.x - ImGui::CalcTextSize(text).x) - edge, min.y + edge), text,
+         Theme::dark().text);
+  }
   if (model.under) {
     const float y = max.y - edge - ImGui::GetFontSize() - ui.px(8);
     pill(ui, ImVec2(min.x + edge, y),
@@ -69,7 +101,8 @@ void drawOverlays(Ui& ui, const ViewportModel& model, ImVec2 min, ImVec2 max) {
 std::optional<Fabric> quickChoices(Ui& ui, const Fabric& fabric, ViewportView& view) {
   std::optional<Fabric> edited;
   const float gap = ui.px(16), all = ImGui::GetContentRegionAvail().x;
-  const float width = std::min(ui.px(220), (all - ui.px(64) - 3 * gap) / 3);
+  const float fit = ui.px(56), lens = ui.px(40), between = ui.px(8);
+  const float width = std::min(ui.px(220), (all - fit - between - lens - 3 * gap) / 3);
   const float y = ImGui::GetCursorPosY();
   auto column = [&](const char* id, int index, auto&& content) {
     ImGui::SetCursorPos(ImVec2(ImGui::GetStyle().WindowPadding.x + static_cast<float>(index) * (width + gap), y));
@@ -106,8 +139,11 @@ std::optional<Fabric> quickChoices(Ui& ui, const Fabric& fabric, ViewportView& v
                  "changes neither the light nor the cloth."},
                 style, view.exposure_stops);
   });
-  ImGui::SetCursorPos(ImVec2(ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - ui.px(56), y));
-  if (button(ui, "view.fit", "Fit", ui.px(56), true, "Show the whole cloth (F)")) view.fitWanted = true;
+  const float right = ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x;
+  ImGui::SetCursorPos(ImVec2(right - fit - between - lens, y));
+  lensButton(ui, view.lens, lens);
+  ImGui::SetCursorPos(ImVec2(right - fit, y));
+  if (button(ui, "view.fit", "Fit", fit, true, "Show the whole cloth (F)")) view.fitWanted = true;
   return edited;
 }
 
@@ -125,9 +161,11 @@ ViewportEdit viewportPanel(Ui& ui, const Fabric& fabric, const ViewportModel& mo
   ImGui::SetCursorScreenPos(min);
   ImGui::InvisibleButton("cloth", size, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
   ui.probe.recordItem("viewport");
-  edit.camera = mouseMoves(fabric.camera, view, min, max);
+  const bool withLens = lensHolds(ui, view, min);
+  edit.picked = clickedAt(view, min, size);
+  if (!withLens) edit.camera = mouseMoves(fabric.camera, view, min, max);
   view.pointer.reset();
-  if (ImGui::IsItemHovered() && view.drag == ViewportView::Drag::none) {
+  if (ImGui::IsItemHovered() && !withLens && view.drag == ViewportView::Drag::none) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     view.pointer = ImVec2((mouse.x - min.x) / size.x, (mouse.y - min.y) / size.y);
   }
@@ -135,7 +173,8 @@ ViewportEdit viewportPanel(Ui& ui, const Fabric& fabric, const ViewportModel& mo
   draw.PushClipRect(min, max, false);
   draw.AddRectFilled(min, max, packed(ui.theme.surround));
   if (model.picture) draw.AddImage(model.picture, min, ImVec2(min.x + size.x, min.y + size.y));
-  drawOverlays(ui, model, min, max);
+  drawOverlays(ui, model, view.lens, min, max);
+  edit.lens = lensOverlay(ui, model.lens, view.lens, min, view.width, view.height);
   draw.PopClipRect();
 
   ImGui::SetCursorScreenPos(ImVec2(min.x + ImGui::GetStyle().WindowPadding.x, max.y + ui.px(8)));

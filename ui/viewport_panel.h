@@ -5,6 +5,7 @@
 
 #include "ui/camera_moves.h"
 #include "ui/crossing_index.h"
+#include "ui/lens_overlay.h"
 #include "ui/ui.h"
 
 namespace loomlight {
@@ -18,6 +19,7 @@ struct ViewportModel {
   double buildProgress = 1;
   std::string error;               ///< why the newest fabric cannot be shown; empty if it can
   std::optional<MeshExtent> mesh;  ///< of a mesh drape, once it is known
+  LensModel lens;
 };
 
 /// How the picture is looked at; kept between frames, no part of the fabric.
@@ -29,14 +31,17 @@ struct ViewportView {
   std::optional<ImVec2> pointer;  ///< mouse over the picture, 0..1 from the top left
   enum class Drag { none, orbit, pan };
   Drag drag = Drag::none;
+  LensView lens;
 };
 
 struct ViewportEdit {
   std::optional<Camera> camera;  ///< looking around is no edit of the cloth
   std::optional<Fabric> fabric;
+  std::optional<ImVec2> picked;  ///< a click on the picture, 0..1 from the top left
+  LensEdit lens;
 };
 
-/// The cloth: orbit, pan, zoom, exposure, and quick choices of light and drape.
+/// The cloth: orbit, pan, zoom, exposure, quick choices of light and drape, and the truth lens.
 ViewportEdit viewportPanel(Ui& ui, const Fabric& fabric, const ViewportModel& model, ViewportView& view);
 
 }  // namespace loomlight

@@ -136,6 +136,7 @@ std::optional<Fabric> yarnPage(Ui& ui, const Fabric& fabric, const InspectorMode
   changed |= memberField(ui, "yarn", yarn, &Yarn::migration, 2);
   changed |= memberField(ui, "yarn", yarn, &Yarn::hairiness_per_mm, 1, 0.05);
   if (yarn.hairiness_per_mm > 0) changed |= memberField(ui, "yarn", yarn, &Yarn::hairLength_mm, 2);
+  visibilitySection(ui, model.visibility, view.visibilityOpen);
   if (!changed) return std::nullopt;
   Fabric edited = fabric;
   edited.yarns[static_cast<size_t>(view.yarn)] = std::move(yarn);

@@ -13,6 +13,7 @@ Session::Session(Document document, Settings settings, std::function<void()> wak
       sampleNames_(sampleNames()),
       autosave_(stateFolder()),
       insightWorker_(wake_),
+      visibility_(wake_, BvdfOptions{}, BvdfCache(BvdfCache::userFolder())),
       renderer_(wake_, threads) {}
 
 std::string Session::title() const {
@@ -27,29 +28,7 @@ Tone Session::tone() const {
 }
 
 bool Session::dialogIsOpen() const {
-  return browser_.isOpen() || message_.isOpen() || snapshotDialog_.isOpen() || keys_.isOpen();
-}
-
-void Session::followDocument() {
-  const std::shared_ptr<const Fabric>& fabric = document_.fabric();
-  if (fabric != requested_ || viewport_.width != requestedWidth_ || viewport_.height != requestedHeight_) {
-    requested_ = fabric;
-    requestedWidth_ = viewport_.width;
-    requestedHeight_ = viewport_.height;
-    renderer_.request({fabric, requestedWidth_, requestedHeight_, ++generation_});
-  }
-  if (fabric != insightFabric_ || inspector_.yarn != insightYarn_) {
-    insightFabric_ = fabric;
-    insightYarn_ = inspector_.yarn;
-    insightWorker_.request(fabric, inspector_.yarn);
-  }
-  if (document_.revision() == keptRevision_) return;
-  keptRevision_ = document_.revision();
-  if (document_.isDirty()) {
-    autosave_.keep(fabric);
-  } else {
-    autosave_.forget();
-  }
+  return browser_.isOpen() || message_.isOpen() || snapshotDialog_.isOpen() || preferences_.isOpen() || keys_.isOpen();
 }
 
 }  // namespace loomlight

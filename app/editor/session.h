@@ -9,11 +9,13 @@
 #include "app/editor/autosave.h"
 #include "app/editor/document.h"
 #include "app/editor/insight.h"
+#include "app/editor/picture_texture.h"
 #include "app/editor/preset_store.h"
 #include "app/editor/settings.h"
 #include "app/editor/viewport_picture.h"
 #include "app/workers/live_renderer.h"
 #include "app/workers/snapshot_job.h"
+#include "app/workers/visibility_worker.h"
 #include "ui/commands.h"
 #include "ui/dialogs.h"
 #include "ui/draft_view.h"
@@ -57,6 +59,9 @@ class Session {
   void drawViewport(Ui& ui, const Insight* insight, const LiveStatus& status);
   void drawInspector(Ui& ui, const Insight* insight, const LiveStatus& status);
   StatusModel statusModel(const Insight* insight, const LiveStatus& status) const;
+  LensModel lensModelFor(const LensStatus& status);
+  VisibilityModel visibilityModel();
+  std::optional<Film::Hit> hitAt(ImVec2 place) const;  ///< 0..1 from the top left of the picture
   void lookUnderPointer();
   void tellProbe(Ui& ui, const LiveStatus& status) const;
 
@@ -75,8 +80,14 @@ class Session {
   void ask(Question question, std::string title, std::string text, std::vector<std::string> answers);
   void say(std::string title, std::string text);
   bool dialogIsOpen() const;
-  void followDocument();
   Tone tone() const;
+
+  // session_workers.cpp: what the workers are asked for, and what they have brought
+  void takePictures();
+  void follow();
+  void followDocument();
+  void followLens();
+  void followVisibility();
 
   Settings settings_;
   Document document_;
@@ -85,7 +96,9 @@ class Session {
   std::vector<std::string> sampleNames_;
   Autosave autosave_;
   InsightWorker insightWorker_;
-  ViewportPicture picture_;
+  ViewportPicture picture_, lensPicture_;
+  PictureTexture visibilityPicture_;
+  VisibilityWorker visibility_;
   LiveRenderer renderer_;
   std::unique_ptr<SnapshotJob> snapshot_;
 
@@ -96,6 +109,7 @@ class Session {
   MessageDialog message_;
   SnapshotDialog snapshotDialog_;
   SnapshotDialog::Progress snapshotProgress_;
+  PreferencesDialog preferences_;
   KeysDialog keys_;
 
   FileTask fileTask_ = FileTask::none;
@@ -103,11 +117,18 @@ class Session {
   std::string pendingFile_;  ///< to be opened once the user has agreed
   std::string refusal_;      ///< why the last edit was not taken
   std::shared_ptr<const Frame> shownFrame_;
-  std::optional<CrossingIndex> underPointer_;  ///< the crossing of the cloth under the mouse
+  std::shared_ptr<const LensFrame> lensFrame_;              ///< the newest
+  const void* lensUpload_ = nullptr;                        ///< what of it is on the graphics card
+  std::shared_ptr<const BakedVisibility> shownVisibility_;  ///< whose picture is on the graphics card
+  std::optional<CrossingIndex> underPointer_;               ///< the crossing of the cloth under the mouse
   std::string underPointerYarn_;
   std::shared_ptr<const Fabric> requested_;  ///< what the renderer was last asked for
   int requestedWidth_ = 0, requestedHeight_ = 0;
   uint64_t generation_ = 0;
+  std::optional<LensRequest> requestedLens_;
+  std::shared_ptr<const BakedVisibility> usedVisibility_;  ///< the tables that the renderer has
+  std::shared_ptr<const Fabric> visibilityFabric_;         ///< whose tables were last asked for; null: none
+  int visibilityYarn_ = -1;
   std::shared_ptr<const Fabric> insightFabric_;  ///< what the insight worker was last asked for
   int insightYarn_ = -1;
   uint64_t keptRevision_ = 0;  ///< of the document, last handed to autosave

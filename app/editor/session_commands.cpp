@@ -7,6 +7,7 @@
 #include "app/editor/session.h"
 #include "app/editor/user_folders.h"
 #include "core/base/error.h"
+#include "core/base/memory.h"
 #include "core/fabric/fabric_json.h"
 #include "core/fabric/validate.h"
 
@@ -102,6 +103,12 @@ void Session::run(Command command) {
     case Command::fitDraft:
       draft_.cell = 0;
       break;
+    case Command::truthLens:
+      viewport_.lens.toggle();
+      break;
+    case Command::preferences:
+      preferences_.show();
+      break;
     case Command::togglePanels:
       settings_.desk.panelsShown = !settings_.desk.panelsShown;
       break;
@@ -140,6 +147,10 @@ void Session::readKeys() {
     return;
   }
   if (pressed(kLetterF)) run(io.KeyShift ? Command::fitDraft : Command::fitView);
+  constexpr int kLetterL = 'L';
+  if (pressed(kLetterL)) run(Command::truthLens);
+  const bool listIsOpen = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+  if (pressed(ImGui::GetKeyIndex(ImGuiKey_Escape)) && !listIsOpen && viewport_.lens.on) viewport_.lens.close();
   if (pressed(ImGui::GetKeyIndex(ImGuiKey_Tab))) run(Command::togglePanels);
   constexpr int kF1 = 290, kF11 = 300;  // GLFW's numbers, which its backend hands on
   if (pressed(kF1)) run(Command::showKeys);
@@ -302,6 +313,7 @@ void Session::drawDialogs(Ui& ui) {
   if (const auto file = browser_.draw(ui)) fileChosen(*file);
   if (!browser_.isOpen()) quitOnceSaved_ = false;  // no file was named
   if (const auto answer = message_.draw(ui)) answered(*answer);
+  preferences_.draw(ui, 1e-9 * static_cast<double>(physicalMemory_bytes()), settings_.fibreMemory_GB);
   keys_.draw(ui);
 }
 

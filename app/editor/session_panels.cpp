@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "app/editor/lens_model.h"
 #include "app/editor/session.h"
 #include "ui/desk.h"
 #include "ui/draft_panel.h"
@@ -12,16 +13,13 @@
 namespace loomlight {
 
 void Session::frame(Ui& ui) {
-  if (std::shared_ptr<const Frame> newest = renderer_.frame(); newest && newest != shownFrame_) {
-    picture_.upload(*newest);
-    shownFrame_ = std::move(newest);
-  }
+  takePictures();
   // A gesture lasts while a button is down or a text is open; what it changes is one step of undo.
   if (!ImGui::IsAnyMouseDown() && !ImGui::IsAnyItemActive()) ++gesture_;
   if (!dialogIsOpen()) readKeys();
   drawPanels(ui);
   drawDialogs(ui);
-  followDocument();
+  follow();
 }
 
 void Session::drawPanels(Ui& ui) {
@@ -34,6 +32,7 @@ void Session::drawPanels(Ui& ui) {
   menu.canRedo = document_.canRedo();
   menu.darkTheme = settings_.darkTheme;
   menu.panelsShown = settings_.desk.panelsShown;
+  menu.lensOn = viewport_.lens.on;
   const float menuHeight = ImGui::GetFontSize() + ui.px(16);
   const std::optional<Command> command = menuBar(ui, menu);
 
@@ -81,27 +80,72 @@ void Session::drawViewport(Ui& ui, const Insight* insight, const LiveStatus& sta
   model.buildProgress = status.buildProgress;
   model.error = status.error;
   if (insight && insight->fabric->drape == document_.fabric()->drape) model.mesh = insight->mesh;
+  model.lens = lensModelFor(status.lens);
   ViewportEdit result = viewportPanel(ui, *document_.fabric(), model, viewport_);
   if (result.fabric) edit(std::move(*result.fabric));
   if (result.camera) document_.lookFrom(*result.camera);
+  if (const auto hit = result.picked ? hitAt(*result.picked) : std::nullopt)
+    inspector_.yarn = std::min(hit->yarn, static_cast<int>(document_.fabric()->yarns.size()) - 1);
+  if (result.lens.changeLimit) run(Command::preferences);
+  if (!result.lens.remedy) return;
+  Fabric smaller = *document_.fabric();
+  if (const auto drape = fittingPiece(smaller.drape, status.lens.bytes, 1e9 * settings_.fibreMemory_GB)) {
+    smaller.drape = *drape;
+    edit(std::move(smaller));
+    viewport_.fitWanted = true;
+  }
+}
+
+LensModel Session::lensModelFor(const LensStatus& status) {
+  const bool difference = viewport_.lens.showsDifference;
+  LensModel model =
+      lensModel(status, lensFrame_.get(), difference, 1e9 * settings_.fibreMemory_GB, document_.fabric()->drape);
+  if (!lensFrame_ || !viewport_.lens.on) return model;
+  // Colours of the difference go to the display as they are, whatever the exposure.
+  const bool plain = difference && lensFrame_->difference;
+  const PixelRect& window = lensFrame_->fibres->window;
+  model.window = {window.x, window.y, window.width, window.height};
+  Tone neutral;
+  neutral.filmic = false;
+  model.picture = lensPicture_.display(window.width, window.height, plain ? neutral : tone(), std::nullopt);
+  return model;
+}
+
+VisibilityModel Session::visibilityModel() {
+  VisibilityModel model;
+  const VisibilityWorker::Status status = visibility_.status();
+  model.baking = status.baking;
+  model.progress = status.progress;
+  model.error = status.error;
+  model.columns = VisibilityWorker::kPictureColumns;
+  model.rows = 8 / model.columns;
+  if (!shownVisibility_ || shownVisibility_->yarn != inspector_.yarn) return model;
+  model.picture = visibilityPicture_.id();
+  model.rays = static_cast<double>(shownVisibility_->tables->rays);
+  return model;
+}
+
+std::optional<Film::Hit> Session::hitAt(ImVec2 place) const {
+  if (!shownFrame_ || shownFrame_->hits.empty()) return std::nullopt;
+  const auto index = [](float along, int count) {
+    return std::clamp(static_cast<int>(along * static_cast<float>(count)), 0, count - 1);
+  };
+  const int x = index(place.x, shownFrame_->width), y = index(place.y, shownFrame_->height);
+  const Film::Hit& hit = shownFrame_->hits[static_cast<size_t>(y) * static_cast<size_t>(shownFrame_->width) + x];
+  if (hit.yarn < 0) return std::nullopt;
+  return hit;
 }
 
 void Session::lookUnderPointer() {
   underPointer_.reset();
-  if (!viewport_.pointer || !shownFrame_ || shownFrame_->hits.empty()) return;
-  const int x = std::clamp(static_cast<int>(viewport_.pointer->x * static_cast<float>(shownFrame_->width)), 0,
-                           shownFrame_->width - 1);
-  const int y = std::clamp(static_cast<int>(viewport_.pointer->y * static_cast<float>(shownFrame_->height)), 0,
-                           shownFrame_->height - 1);
-  const Film::Hit& hit =
-      shownFrame_->hits[static_cast<size_t>(y) * static_cast<size_t>(shownFrame_->width) + static_cast<size_t>(x)];
+  const auto hit = viewport_.pointer ? hitAt(*viewport_.pointer) : std::nullopt;
+  if (!hit) return;
   const Fabric& fabric = *document_.fabric();
-  if (hit.yarn < 0) return;
-  underPointer_ = CrossingIndex{hit.pick, hit.end};
+  underPointer_ = CrossingIndex{hit->pick, hit->end};
   underPointerYarn_.clear();
   // The picture may be of an older fabric that had more yarns.
-  if (hit.yarn < static_cast<int>(fabric.yarns.size()))
-    underPointerYarn_ = fabric.yarns[static_cast<size_t>(hit.yarn)].name;
+  if (hit->yarn < static_cast<int>(fabric.yarns.size()))
+    underPointerYarn_ = fabric.yarns[static_cast<size_t>(hit->yarn)].name;
 }
 
 void Session::drawInspector(Ui& ui, const Insight* insight, const LiveStatus& status) {
@@ -112,6 +156,7 @@ void Session::drawInspector(Ui& ui, const Insight* insight, const LiveStatus& st
   model.crimpWarp = status.measures.crimpWarp;
   model.crimpWeft = status.measures.crimpWeft;
   model.yarnColours = yarnColours(fabric);
+  model.visibility = visibilityModel();
   InspectorResult result = inspector(ui, fabric, model, inspector_);
   if (result.fabric) edit(std::move(*result.fabric));
   if (result.camera) document_.lookFrom(*result.camera);
@@ -144,6 +189,8 @@ StatusModel Session::statusModel(const Insight* insight, const LiveStatus& statu
     model.samples = shownFrame_->samples;
     model.seconds = shownFrame_->seconds;
   }
+  if (const VisibilityWorker::Status baking = visibility_.status(); baking.baking)
+    model.background = fmt::format("visibility {:3.0f} %", 100 * baking.progress);
   switch (status.phase) {
     case LiveStatus::Phase::idle:
       model.work = "waiting";
@@ -175,6 +222,15 @@ void Session::tellProbe(Ui& ui, const LiveStatus& status) const {
   ui.probe.fact("shown_samples", std::to_string(shownFrame_ ? shownFrame_->samples : 0));
   ui.probe.fact("error", status.error);
   ui.probe.fact("refusal", refusal_);
+  static constexpr const char* kLensPhases[] = {"closed",    "waiting", "needless", "laying",
+                                                "too_large", "failed",  "tracing",  "converged"};
+  ui.probe.fact("lens", kLensPhases[static_cast<int>(status.lens.phase)]);
+  ui.probe.fact("lens_samples", std::to_string(lensFrame_ ? lensFrame_->fibres->samples : 0));
+  ui.probe.fact("lens_generation", std::to_string(lensFrame_ ? lensFrame_->fibres->generation : 0));
+  ui.probe.fact("lens_difference", lensFrame_ && lensFrame_->difference ? "known" : "unknown");
+  const bool baked = shownVisibility_ && shownVisibility_->yarn == inspector_.yarn;
+  ui.probe.fact("visibility", !baked ? "none" : shownVisibility_->finished ? "finished" : "early");
+  ui.probe.fact("yarn", std::to_string(inspector_.yarn));
   ui.probe.fact("dialog", dialogIsOpen() ? "open" : "none");
 }
 

@@ -7,12 +7,16 @@
 
 namespace loomlight {
 
+/// Three eighths of the machine's memory: fibres of the viewport may take as much beside those of the lens.
+double defaultFibreMemory_GB();
+
 /// What the editor remembers from one session to the next; nothing of the fabric.
 struct Settings {
   int windowWidth = 1440, windowHeight = 900;
   bool darkTheme = true;
   DeskLayout desk;
-  std::string folder;  ///< where files were last opened or saved
+  double fibreMemory_GB = defaultFibreMemory_GB();  ///< that the truth lens may use
+  std::string folder;                               ///< where files were last opened or saved
 };
 
 /// A file that is missing or makes no sense gives the defaults: losing them costs a drag of a splitter.

@@ -77,18 +77,21 @@ ViewportPicture::~ViewportPicture() {
   glDeleteProgram(program_);
 }
 
-void ViewportPicture::upload(const Frame& frame) {
+void ViewportPicture::upload(int width, int height, std::span<const glm::vec4> rgba, std::span<const Film::Hit> hits) {
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
   glBindTexture(GL_TEXTURE_2D, picture_);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, frame.width, frame.height, 0, GL_RGBA, GL_FLOAT, frame.rgba.data());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, rgba.data());
   std::vector<GLint> crossings;
-  crossings.reserve(2 * frame.hits.size());
-  for (const Film::Hit& hit : frame.hits) {
+  crossings.reserve(2 * hits.size());
+  for (const Film::Hit& hit : hits) {
     crossings.push_back(hit.yarn < 0 ? kNoCloth : hit.end);
     crossings.push_back(hit.yarn < 0 ? kNoCloth : hit.pick);
   }
+  const bool known = !hits.empty();
+  constexpr GLint kNone[] = {kNoCloth, kNoCloth};
   glBindTexture(GL_TEXTURE_2D, crossings_);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RG32I, frame.width, frame.height, 0, GL_RG_INTEGER, GL_INT, crossings.data());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RG32I, known ? width : 1, known ? height : 1, 0, GL_RG_INTEGER, GL_INT,
+               known ? crossings.data() : kNone);
   filled_ = true;
 }
 

@@ -2,16 +2,16 @@
 
 #include <imgui.h>
 
-#include <memory>
 #include <optional>
+#include <span>
 
-#include "app/workers/live_renderer.h"
+#include "render/film/film.h"
 #include "render/film/tone.h"
 #include "ui/crossing_index.h"
 
 namespace loomlight {
 
-/// The newest frame on the graphics card, and its conversion to the display: light comes in linear, exposure and tone
+/// A picture of light on the graphics card, and its conversion to the display: light comes in linear, exposure and tone
 /// are a shader's uniforms. All of it in the thread of the window.
 class ViewportPicture {
  public:
@@ -20,14 +20,15 @@ class ViewportPicture {
   ViewportPicture(const ViewportPicture&) = delete;
   ViewportPicture& operator=(const ViewportPicture&) = delete;
 
-  void upload(const Frame& frame);
+  /// Linear, premultiplied by alpha; row by row from the top left. `hits`: the crossings to be outlined; may be empty.
+  void upload(int width, int height, std::span<const glm::vec4> rgba, std::span<const Film::Hit> hits);
 
   struct Outline {
     CrossingIndex crossing;  ///< of the repeat; every repetition is outlined
     int ends = 1, picks = 1;
     ImVec4 colour;
   };
-  /// Draws the frame into a texture of the display's pixels; null before the first upload.
+  /// Draws it into a texture of the display's pixels; null before the first upload.
   ImTextureID display(int width, int height, const Tone& tone, const std::optional<Outline>& outline);
 
  private:

@@ -1,80 +1,62 @@
 #include "app/workers/live_renderer.h"
 
 #include <algorithm>
-#include <chrono>
-#include <condition_variable>
 #include <exception>
 #include <mutex>
-#include <optional>
 #include <stop_token>
 #include <thread>
 
-#include "app/workers/despeckle.h"
+#include "app/workers/fibre_layer.h"
 #include "app/workers/mailbox.h"
-#include "app/workers/pass_scheduler.h"
 #include "core/base/parallel.h"
+#include "core/base/stopwatch.h"
+#include "render/trace/bvdf_baker.h"
 #include "render/trace/make_medium.h"
-#include "render/trace/path_tracer.h"
-#include "render/trace/scene.h"
+#include "render/trace/report_medium.h"
 
 namespace loomlight {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-double secondsSince(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
+/// The newest cloth that could be built, and the tables its medium was made with.
+struct BuiltCloth {
+  Traceable traceable;
+  std::shared_ptr<const BvdfSet> visibility;
+};
+
+bool isReport(const Fabric& fabric) {
+  return fabric.render.method == Method::volume && fabric.render.estimator == Estimator::report;
 }
 
-/// Samples at which the viewport goes to sleep.
-constexpr uint32_t kViewportSamples = 1024;
+/// Tables that a fabric of as many yarns can be shown with until its own are baked.
+bool serves(const std::shared_ptr<const BvdfSet>& set, const Fabric& fabric) {
+  return set && set->tableOfYarn.size() == fabric.yarns.size();
+}
 
-/// A scene and what its light is traced through, which may have been made for an earlier scene of the same cloth.
-struct Traceable {
-  std::shared_ptr<const Scene> scene, mediumScene;
-  std::shared_ptr<const Medium> medium;
-};
+std::shared_ptr<const Medium> makeLiveMedium(const Scene& scene, const std::shared_ptr<const BvdfSet>& visibility,
+                                             const Task& task) {
+  // The tracer may hold the previous fibres until these are done.
+  if (!isReport(*scene.fabric)) return makeMedium(scene, 0.5 * defaultMemoryLimit_bytes(), task);
+  return std::make_shared<const ReportMedium>(
+      scene, serves(visibility, *scene.fabric) ? visibility : expectedBvdf(scene, BvdfResolution{}));
+}
 
 /// Null pointers when stopped.
-Traceable makeTraceable(const std::shared_ptr<const Fabric>& fabric, const Task& task, const Traceable& previous) {
-  Traceable made;
-  made.scene = makeScene(fabric, task, previous.scene.get());
-  if (!made.scene) return {};
-  if (previous.medium && sameMedium(*previous.mediumScene, *made.scene)) {
-    made.mediumScene = previous.mediumScene;
-    made.medium = previous.medium;
+BuiltCloth makeCloth(const ViewRequest& request, const Task& task, const BuiltCloth& previous) {
+  const Traceable& old = previous.traceable;
+  BuiltCloth made;
+  made.visibility = request.visibility;
+  Traceable& cloth = made.traceable;
+  cloth.scene = makeScene(request.fabric, task, old.scene.get());
+  if (!cloth.scene) return {};
+  const bool sameTables = !isReport(*request.fabric) || made.visibility == previous.visibility;
+  if (old.medium && sameTables && sameMedium(*old.mediumScene, *cloth.scene)) {
+    cloth.mediumScene = old.mediumScene;
+    cloth.medium = old.medium;
     return made;
   }
-  // The tracer may hold the previous fibres until these are done.
-  made.mediumScene = made.scene;
-  made.medium = makeMedium(*made.scene, 0.5 * defaultMemoryLimit_bytes(), task);
-  return made.medium ? made : Traceable{};
-}
-
-/// From here on pictures are shown as they are.
-constexpr uint32_t kClearSamples = 16;
-
-struct TraceRequest {
-  Traceable cloth;
-  ViewRequest view;
-};
-
-std::shared_ptr<const Frame> makeFrame(const Film& film, const TraceRequest& request, const PassPlan& plan,
-                                       double seconds) {
-  auto frame = std::make_shared<Frame>();
-  frame->width = film.width();
-  frame->height = film.height();
-  film.toDisplayBuffer(frame->rgba);
-  // One lucky path to the sun must not stand as a block in a coarse picture; it fades as samples come.
-  if (plan.samples < kClearSamples)
-    despeckle(frame->rgba, frame->width, frame->height, 1.5f + static_cast<float>(plan.samples));
-  frame->hits.reserve(frame->rgba.size());
-  for (int y = 0; y < film.height(); ++y)
-    for (int x = 0; x < film.width(); ++x) frame->hits.push_back(film.hit(x, y));
-  frame->generation = request.view.generation;
-  frame->samples = plan.divider == 1 ? static_cast<int>(plan.samples) : 0;
-  frame->divider = plan.divider;
-  frame->seconds = seconds;
-  return frame;
+  cloth.mediumScene = cloth.scene;
+  cloth.medium = makeLiveMedium(*cloth.scene, made.visibility, task);
+  return cloth.medium ? made : BuiltCloth{};
 }
 
 }  // namespace
@@ -82,45 +64,42 @@ std::shared_ptr<const Frame> makeFrame(const Film& film, const TraceRequest& req
 /// The threads and all that they share. Every shared value is either behind `mutex` or in a mailbox.
 struct LiveRenderer::Workers {
   Workers(std::function<void()> wakeWindow, int threadCount)
-      : wake(std::move(wakeWindow)), threads(threadCount > 0 ? threadCount : std::max(1, hardwareThreads() - 1)) {
+      : wake(std::move(wakeWindow)),
+        threads(threadCount > 0 ? threadCount : std::max(1, hardwareThreads() - 1)),
+        tracer(wake, threads),
+        layer(
+            wake, [this](Traceable laid) { tracer.fibres(std::move(laid)); }, threads) {
     builder = std::jthread([this](std::stop_token stop) { buildLoop(stop); });
-    tracer = std::jthread([this](std::stop_token stop) { traceLoop(stop); });
   }
   ~Workers() {
     builder.request_stop();
-    tracer.request_stop();
     std::lock_guard lock(mutex);
     buildStop.request_stop();
-    passStop.request_stop();
   }
 
   void buildLoop(std::stop_token stop);
   void build(const ViewRequest& request, std::stop_token stop);
-  void traceLoop(std::stop_token stop);
-  /// Passes until converged, or until something newer has arrived and this scene has been seen at least once.
-  void refine(const TraceRequest& request, std::stop_token stop);
-  std::stop_token beginPass(bool mayBeCancelled, std::stop_token stop);
-  /// After a pass was cut short: whether to go on with the same scene, once a pause is over.
-  bool goesOn(std::stop_token stop);
+  void layFibres();
+  LensStatus lensStatus(const Tracer::State& traced) const;  ///< with the mutex held
 
   std::function<void()> wake;
   int threads;
 
   Mailbox<ViewRequest> requests;
-  Mailbox<TraceRequest> scenes;
 
   mutable std::mutex mutex;
-  LiveStatus status;
-  std::shared_ptr<const Frame> frame;
-  std::stop_source buildStop, passStop;
-  std::condition_variable_any resumed;
+  LiveStatus status;  ///< the builder's part of it
+  bool building = false;
+  std::stop_source buildStop;
   bool buildMayBeCancelled = true;  // not twice in a row, or a steady drag would never show a new volume
-  bool passMayBeCancelled = false;  // not before the scene's first pass has been shown
-  bool paused = false;
+  std::optional<LensRequest> lens;
+  std::shared_ptr<const Scene> scene;  // the newest that could be built
 
-  Traceable cloth;  // the builder's: the newest that could be built
+  BuiltCloth cloth;  // the builder's
 
-  std::jthread builder, tracer;  // last: they stop before what they use is gone
+  Tracer tracer;
+  FibreLayer layer;
+  std::jthread builder;  // last: it stops before what it uses is gone
 };
 
 void LiveRenderer::Workers::buildLoop(std::stop_token stop) {
@@ -130,10 +109,8 @@ void LiveRenderer::Workers::buildLoop(std::stop_token stop) {
 void LiveRenderer::Workers::build(const ViewRequest& request, std::stop_token stop) {
   Task task;
   task.threads = threads;
-  LiveStatus::Phase before;
   {
     std::lock_guard lock(mutex);
-    before = status.phase;
     buildStop = std::stop_source();
     if (stop.stop_requested()) buildStop.request_stop();
     task.stop = buildStop.get_token();
@@ -142,120 +119,95 @@ void LiveRenderer::Workers::build(const ViewRequest& request, std::stop_token st
   task.progress = [this](double fraction) {
     {
       std::lock_guard lock(mutex);
-      status.phase = LiveStatus::Phase::voxelising;
+      building = true;
       status.buildProgress = fraction;
     }
     wake();
   };
-  const auto start = Clock::now();
-  Traceable built;
+  Stopwatch watch;
+  BuiltCloth built;
   std::string error;
   try {
-    built = makeTraceable(request.fabric, task, cloth);
+    built = makeCloth(request, task, cloth);
   } catch (const std::exception& e) {
     error = e.what();
   }
+  const Traceable& made = built.traceable;
   {
     std::lock_guard lock(mutex);
+    building = false;
     status.buildProgress = 1;
     status.error = error;
-    if (!built.scene && status.phase == LiveStatus::Phase::voxelising) status.phase = before;  // the old picture's
-    buildMayBeCancelled = built.scene || !error.empty();
-    if (built.scene) {
+    buildMayBeCancelled = made.scene || !error.empty();
+    if (made.scene) {
       status.builtGeneration = request.generation;
-      if (!cloth.scene || built.scene->volume != cloth.scene->volume) {
-        status.counts = built.scene->volume->counts();
-        status.measures = built.scene->volume->geometry().measure();
-        status.buildSeconds = secondsSince(start);
+      if (!scene || made.scene->volume != scene->volume) {
+        status.counts = made.scene->volume->counts();
+        status.measures = made.scene->volume->geometry().measure();
+        status.buildSeconds = watch.lap();
       }
-      status.notices = built.scene->shell->repairs();
+      status.notices = made.scene->shell->repairs();
+      scene = made.scene;
     }
   }
-  if (built.scene) {
-    cloth = built;
-    scenes.post({built, request});
-    // Only now: a pass stopped before the scene can be seen waiting would go on with the old one until it converges.
-    std::lock_guard lock(mutex);
-    if (passMayBeCancelled) passStop.request_stop();
-    resumed.notify_all();
+  if (made.scene) {
+    tracer.show({made, request.width, request.height, request.generation});
+    cloth = std::move(built);
+    layFibres();
   }
   wake();
 }
 
-std::stop_token LiveRenderer::Workers::beginPass(bool mayBeCancelled, std::stop_token stop) {
-  std::lock_guard lock(mutex);
-  passStop = std::stop_source();
-  passMayBeCancelled = mayBeCancelled;
-  if (stop.stop_requested() || (mayBeCancelled && (paused || scenes.waiting()))) passStop.request_stop();
-  return passStop.get_token();
-}
-
-bool LiveRenderer::Workers::goesOn(std::stop_token stop) {
-  std::unique_lock lock(mutex);
-  resumed.wait(lock, stop, [this] { return !paused || scenes.waiting(); });
-  return !stop.stop_requested() && !scenes.waiting();
-}
-
-void LiveRenderer::Workers::traceLoop(std::stop_token stop) {
-  while (auto request = scenes.wait(stop)) {
-    {
-      std::lock_guard lock(mutex);
-      status.phase = LiveStatus::Phase::tracing;
-    }
-    try {
-      refine(*request, stop);
-    } catch (const std::exception& e) {  // a picture too large for the memory, say: the window goes on without
-      std::lock_guard lock(mutex);
-      status.phase = LiveStatus::Phase::idle;
-      status.error = e.what();
-    }
-  }
-}
-
-void LiveRenderer::Workers::refine(const TraceRequest& request, std::stop_token stop) {
-  const int width = request.view.width, height = request.view.height;
-  if (width <= 0 || height <= 0) return;
-  const auto start = Clock::now();
-  PassHistory history{width, height};
+/// Has fibres laid for the newest scene if the lens is open and has a use for them.
+void LiveRenderer::Workers::layFibres() {
+  std::shared_ptr<const Scene> newest;
+  double limit_bytes = 0;
   {
     std::lock_guard lock(mutex);
-    if (status.pathsPerSecond > 0) history.secondsPerPath = 1.0 / status.pathsPerSecond;
-  }
-  const Scene& scene = *request.cloth.scene;
-  std::optional<Film> film;
-  while (!stop.stop_requested()) {
-    history.seconds = secondsSince(start);
-    const PassPlan plan = nextPass(history, kViewportSamples);
-    if (plan.samples == 0) break;
-    if (!film || plan.divider != history.divider)
-      film.emplace((width + plan.divider - 1) / plan.divider, (height + plan.divider - 1) / plan.divider);
-    const CameraRays camera(scene.fabric->camera, film->width(), film->height());
-    Task task;
-    task.threads = threads;
-    task.stop = beginPass(history.divider != 0, stop);
-    const auto passStart = Clock::now();
-    const PassResult result = renderUpTo(plan.samples, scene, *request.cloth.medium, camera, *film, task);
-    if (!result.complete) {
-      if (!goesOn(stop)) return;
-      continue;  // the film knows which samples it has
+    if (lens && scene && scene->fabric->render.method == Method::volume) {
+      newest = scene;
+      limit_bytes = lens->memoryLimit_bytes;
     }
-    history.secondsPerPath = secondsSince(passStart) / static_cast<double>(std::max<uint64_t>(1, result.counts.paths));
-    history.divider = plan.divider;
-    if (plan.divider == 1) history.samples = plan.samples;
-    auto picture = makeFrame(*film, request, plan, secondsSince(start));
-    {
-      std::lock_guard lock(mutex);
-      frame = std::move(picture);
-      status.phase = LiveStatus::Phase::tracing;
-      status.pathsPerSecond = 1.0 / history.secondsPerPath;
-    }
-    wake();
   }
-  {
-    std::lock_guard lock(mutex);
-    status.phase = LiveStatus::Phase::converged;
+  if (newest) {
+    layer.lay(std::move(newest), limit_bytes);
+  } else {
+    layer.clear();
   }
-  wake();
+}
+
+LensStatus LiveRenderer::Workers::lensStatus(const Tracer::State& traced) const {
+  using Phase = LensStatus::Phase;
+  LensStatus result;
+  if (!lens) return result;
+  const FibreLayer::Status laid = layer.status();
+  result.progress = laid.progress;
+  result.segments = laid.size.segments;
+  result.bytes = laid.size.bytes;
+  result.isWholePiece = laid.size.isWholePiece();
+  result.error = laid.error;
+  if (scene && scene->fabric->render.method == Method::fibres) {
+    result.phase = Phase::needless;
+    return result;
+  }
+  switch (laid.phase) {
+    case FibreLayer::Status::Phase::none:
+      result.phase = Phase::waiting;
+      break;
+    case FibreLayer::Status::Phase::laying:
+      result.phase = Phase::laying;
+      break;
+    case FibreLayer::Status::Phase::laid:
+      result.phase = traced.lens == Tracer::State::Phase::converged ? Phase::converged : Phase::tracing;
+      break;
+    case FibreLayer::Status::Phase::tooLarge:
+      result.phase = Phase::tooLarge;
+      break;
+    case FibreLayer::Status::Phase::failed:
+      result.phase = Phase::failed;
+      break;
+  }
+  return result;
 }
 
 LiveRenderer::LiveRenderer(std::function<void()> wake, int threads)
@@ -273,21 +225,38 @@ void LiveRenderer::request(ViewRequest request) {
   workers_->requests.post(std::move(request));
 }
 
+void LiveRenderer::lens(std::optional<LensRequest> request) {
+  {
+    std::lock_guard lock(workers_->mutex);
+    workers_->lens = request;
+  }
+  workers_->tracer.lens(request ? std::optional(request->window) : std::nullopt);
+  workers_->layFibres();
+}
+
 std::shared_ptr<const Frame> LiveRenderer::frame() const {
-  std::lock_guard lock(workers_->mutex);
-  return workers_->frame;
+  return workers_->tracer.frame();
+}
+
+std::shared_ptr<const LensFrame> LiveRenderer::lensFrame() const {
+  return workers_->tracer.lensFrame();
 }
 
 LiveStatus LiveRenderer::status() const {
+  const Tracer::State traced = workers_->tracer.state();
   std::lock_guard lock(workers_->mutex);
-  return workers_->status;
+  LiveStatus status = workers_->status;
+  status.pathsPerSecond = traced.pathsPerSecond;
+  if (status.error.empty()) status.error = traced.error;
+  static constexpr LiveStatus::Phase kPhases[] = {LiveStatus::Phase::idle, LiveStatus::Phase::tracing,
+                                                  LiveStatus::Phase::converged};
+  status.phase = workers_->building ? LiveStatus::Phase::voxelising : kPhases[static_cast<int>(traced.picture)];
+  status.lens = workers_->lensStatus(traced);
+  return status;
 }
 
 void LiveRenderer::pause(bool paused) {
-  std::lock_guard lock(workers_->mutex);
-  workers_->paused = paused;
-  if (paused && workers_->passMayBeCancelled) workers_->passStop.request_stop();
-  workers_->resumed.notify_all();
+  workers_->tracer.pause(paused);
 }
 
 }  // namespace loomlight

@@ -3,33 +3,52 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "app/workers/tracer.h"
 #include "core/fabric/fabric.h"
 #include "core/geometry/cloth_geometry.h"
 #include "core/volume/cloth_volume.h"
-#include "render/film/film.h"
+#include "render/visibility/bvdf_set.h"
 
 namespace loomlight {
 
-/// What the viewport wants to see. `generation` counts up with every request and comes back in every frame.
+/// What the viewport wants to see. `generation` counts up with what is to be seen, and comes back in every frame; a
+/// request of the same generation may only bring better tables of visibility.
 struct ViewRequest {
   std::shared_ptr<const Fabric> fabric;
   int width = 0, height = 0;  ///< pixels of the viewport
   uint64_t generation = 0;
+  /// For Estimator::report: the best that is known. Null, or of other yarns: what is expected without any.
+  std::shared_ptr<const BvdfSet> visibility;
 };
 
-/// A picture of the viewport, immutable. Coarse first passes have fewer pixels than were asked for: show them
-/// stretched.
-struct Frame {
-  int width = 0, height = 0;
-  std::vector<glm::vec4> rgba;  ///< linear, premultiplied by alpha; row by row from the top left
-  std::vector<Film::Hit> hits;  ///< yarn and crossing per pixel; -1 where there is no cloth
-  uint64_t generation = 0;      ///< of the request it answers
-  int samples = 0;              ///< per pixel; 0 for a coarse pass
-  int divider = 1;              ///< of the resolution
-  double seconds = 0;           ///< since the tracing of this request began
+/// Where the truth lens is.
+struct LensRequest {
+  PixelRect window;
+  double memoryLimit_bytes = 0;  ///< that explicit fibres may take
+  bool operator==(const LensRequest&) const = default;
+};
+
+/// How far the truth lens is.
+struct LensStatus {
+  enum class Phase {
+    closed,
+    waiting,    ///< for the cloth to be built
+    needless,   ///< the viewport shows explicit fibres itself
+    laying,     ///< fibres
+    tooLarge,   ///< they would take more than the limit
+    failed,     ///< for another reason: `error`
+    tracing,    ///
+    converged,  ///
+  };
+  Phase phase = Phase::closed;
+  double progress = 0;             ///< 0..1, of laying
+  double segments = 0, bytes = 0;  ///< of the fibres, as estimated before they are laid
+  bool isWholePiece = true;        ///< false: of one repeat, which stands side by side
+  std::string error;
 };
 
 struct LiveStatus {
@@ -43,10 +62,12 @@ struct LiveStatus {
   double pathsPerSecond = 0;
   std::string error;                 ///< of the newest request, for the user; empty if it could be built
   std::vector<std::string> notices;  ///< repairs of a mesh and the like
+  LensStatus lens;
 };
 
-/// The two workers behind the viewport: the builder turns the newest fabric into a scene, the tracer refines pictures
-/// of the newest scene. No call here ever waits for either of them (destruction does: one brick, one path).
+/// The workers behind the viewport: the builder turns the newest fabric into a scene, the tracer refines pictures of
+/// the newest scene, and while the lens is open, explicit fibres are laid for it to look at. No call here ever waits
+/// for any of them (destruction does: one brick, one path).
 class LiveRenderer {
  public:
   /// `wake` is called from the workers when there is something new to show.
@@ -57,7 +78,9 @@ class LiveRenderer {
   LiveRenderer& operator=(const LiveRenderer&) = delete;
 
   void request(ViewRequest request);
-  std::shared_ptr<const Frame> frame() const;  ///< the newest; null before the first
+  void lens(std::optional<LensRequest> request);       ///< null: closed
+  std::shared_ptr<const Frame> frame() const;          ///< the newest; null before the first
+  std::shared_ptr<const LensFrame> lensFrame() const;  ///< null while there is nothing to show in the lens
   LiveStatus status() const;
   void pause(bool paused);  ///< stops tracing (a snapshot needs the cores); the picture stays
 

@@ -177,7 +177,7 @@ std::string bvdfRecipe(const Fabric& fabric, const BvdfOptions& options) {
 }
 
 std::shared_ptr<const BvdfSet> bakeBvdf(const Fabric& fabric, const BvdfOptions& options, const BvdfCache& cache,
-                                        const Task& task) {
+                                        const Task& task, const std::function<void(const BvdfBaker&)>& afterPass) {
   const std::string recipe = bvdfRecipe(fabric, options);
   const std::vector<int> classes = geometryClasses(fabric);
   if (auto found = cache.find(recipe)) {
@@ -188,9 +188,25 @@ std::shared_ptr<const BvdfSet> bakeBvdf(const Fabric& fabric, const BvdfOptions&
   const auto baker = BvdfBaker::begin(fabric, options.resolution, task);
   if (!baker) return nullptr;
   const size_t yarns = static_cast<size_t>(*std::max_element(classes.begin(), classes.end())) + 1;
-  if (!baker->advance(passesFor(options.rays, yarns), task)) return nullptr;
+  const int passes = passesFor(options.rays, yarns);
+  while (baker->passes() < passes) {
+    const int done = baker->passes();
+    const Task pass{task.stop, [&](double fraction) { task.report((done + fraction) / passes); }, task.threads};
+    if (!baker->advance(1, pass)) return nullptr;
+    if (afterPass && baker->passes() < passes) afterPass(*baker);
+  }
   auto set = baker->tables();
   cache.keep(recipe, *set);
+  return set;
+}
+
+std::shared_ptr<const BvdfSet> expectedBvdf(const Scene& scene, BvdfResolution resolution) {
+  auto set = std::make_shared<BvdfSet>();
+  for (size_t yarn = 0; yarn < scene.fabric->yarns.size(); ++yarn) {
+    set->tables.emplace_back(resolution, hotSpotOf(scene, static_cast<int>(yarn)),
+                             std::vector<float>(resolution.bins(), 1.0f));
+    set->tableOfYarn.push_back(static_cast<int>(yarn));
+  }
   return set;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "core/base/task.h"
@@ -11,6 +12,7 @@ namespace loomlight {
 
 class BvdfPatch;
 class BvdfCounts;
+struct Scene;
 
 struct BvdfOptions {
   BvdfResolution resolution;
@@ -55,8 +57,12 @@ class BvdfBaker {
 /// All that the tables depend on, as a text: the key of the cache.
 std::string bvdfRecipe(const Fabric& fabric, const BvdfOptions& options);
 
-/// The tables of a fabric: out of the cache, or baked and put there. Null when stopped.
+/// The tables of a fabric: out of the cache, or baked and put there. Null when stopped. `afterPass` is called by the
+/// caller's thread after each pass but the last, whose tables are returned, with tables that can be used already.
 std::shared_ptr<const BvdfSet> bakeBvdf(const Fabric& fabric, const BvdfOptions& options, const BvdfCache& cache,
-                                        const Task& task);
+                                        const Task& task, const std::function<void(const BvdfBaker&)>& afterPass = {});
+
+/// What is expected before any ray was traced, to begin with: the hot-spot law of each yarn of the scene.
+std::shared_ptr<const BvdfSet> expectedBvdf(const Scene& scene, BvdfResolution resolution);
 
 }  // namespace loomlight

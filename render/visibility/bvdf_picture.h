@@ -13,4 +13,7 @@ Image bvdfImage(const BvdfSet& set);
 /// (to the right), for phi_o = 0 and eight phi_i from 0 to 180 degrees. White: no shadow; black: all in shadow.
 Pixels8 bvdfPicture(const BvdfSet& set);
 
+/// The eight squares of one table, in rows of `columns` without gaps, to be laid out by who shows them.
+Pixels8 bvdfSquares(const Bvdf& table, int columns);
+
 }  // namespace loomlight

@@ -59,7 +59,8 @@ class Editor:
         self.width, self.height = width, height
         self.environment = {**os.environ, "DISPLAY": display.name, "HOME": self.home,
                             "XDG_DATA_HOME": self.home + "/data", "XDG_STATE_HOME": self.home + "/state",
-                            "XDG_CONFIG_HOME": self.home + "/config", "LIBGL_ALWAYS_SOFTWARE": "1"}
+                            "XDG_CONFIG_HOME": self.home + "/config", "XDG_CACHE_HOME": self.home + "/cache",
+                            "LIBGL_ALWAYS_SOFTWARE": "1"}
 
     def start(self, program, arguments=()):
         if os.path.exists(self.dump_file):

@@ -2,44 +2,15 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <condition_variable>
-#include <mutex>
-
+#include "render/trace/make_medium.h"
+#include "render/trace/path_tracer.h"
 #include "tests/support/test_cloth.h"
+#include "tests/unit/app/worker_window.h"
 
 namespace loomlight {
 namespace {
 
-/// Waits for what the workers do, as the window does: woken, then looking.
-class Window {
- public:
-  std::function<void()> waker() {
-    return [this] {
-      std::lock_guard lock(mutex_);
-      ++wakes_;
-      woken_.notify_all();
-    };
-  }
-  /// False if it has not come true within a generous minute.
-  template <class Condition>
-  bool waitFor(Condition&& condition) {
-    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-    std::unique_lock lock(mutex_);
-    for (;;) {
-      const int seen = wakes_;
-      lock.unlock();
-      if (condition()) return true;
-      lock.lock();
-      if (!woken_.wait_until(lock, deadline, [&] { return wakes_ != seen; })) return false;
-    }
-  }
-
- private:
-  std::mutex mutex_;
-  std::condition_variable woken_;
-  int wakes_ = 0;
-};
+using Window = test::WorkerWindow;
 
 Fabric smallCloth() {
   Fabric fabric = test::whiteCotton();
@@ -49,7 +20,7 @@ Fabric smallCloth() {
 }
 
 ViewRequest view(const Fabric& fabric, uint64_t generation) {
-  return {std::make_shared<const Fabric>(fabric), 64, 48, generation};
+  return {std::make_shared<const Fabric>(fabric), 64, 48, generation, nullptr};
 }
 
 TEST(LiveRenderer, ShowsTheFabric) {
@@ -150,6 +121,151 @@ TEST(LiveRenderer, EndsInTheMiddleOfWork) {
     renderer.request(view(smallCloth(), 1));
     if (i % 2) window.waitFor([&] { return renderer.frame() != nullptr; });
   }
+}
+
+// The report's estimator shows a picture before any table is baked; better tables take over once theirs is as good.
+TEST(LiveRenderer, BetterTablesReplaceAPictureWithoutGoingBack) {
+  Window window;
+  LiveRenderer renderer(window.waker(), 1);
+  Fabric fabric = smallCloth();
+  fabric.render.estimator = Estimator::report;
+  fabric.fibres[0].absorption_per_mm = Rgb(2000);  // dark: most of what is seen has been scattered once
+  ViewRequest request = view(fabric, 1);
+  renderer.request(request);
+  ASSERT_TRUE(window.waitFor([&] { return renderer.frame() && renderer.frame()->samples >= 16; }));
+  EXPECT_EQ(renderer.status().error, "");
+
+  // Tables of total shadow: no light that comes straight from the dome, so the picture is darker.
+  auto dark = std::make_shared<BvdfSet>();
+  const BvdfResolution resolution;
+  dark->tables.emplace_back(resolution, HotSpot{1e6f, 1e-6f}, std::vector<float>(resolution.bins(), 1.0f));
+  dark->tableOfYarn = {0};
+  const auto brightness = [](const Frame& frame) {
+    double sum = 0;
+    for (const glm::vec4& pixel : frame.rgba) sum += pixel.g;
+    return sum;
+  };
+  const double before = brightness(*renderer.frame());
+  int most = renderer.frame()->samples;
+  request.visibility = dark;
+  renderer.request(request);
+  bool wentBack = false;
+  EXPECT_TRUE(window.waitFor([&] {
+    const auto frame = renderer.frame();
+    wentBack |= frame->samples < most;
+    most = frame->samples;
+    return brightness(*frame) < 0.9 * before;
+  }));
+  EXPECT_FALSE(wentBack);
+}
+
+TEST(TruthLens, ShowsTheVeryPixelsThatTheFibresMethodShows) {
+  constexpr int kClear = 16;  // from here on pictures are shown as they are
+  Window window;
+  LiveRenderer renderer(window.waker(), 2);
+  Fabric fabric = smallCloth();
+  fabric.drape.width_mm = fabric.drape.height_mm = 3;
+  fabric.camera.distance_mm = 6;
+  renderer.request(view(fabric, 1));
+  const PixelRect place{20, 10, 24, 16};
+  renderer.lens(LensRequest{place, 4e9});
+  ASSERT_TRUE(window.waitFor([&] { return renderer.lensFrame() && renderer.lensFrame()->fibres->samples >= kClear; }));
+  const auto seen = renderer.lensFrame()->fibres;
+  EXPECT_EQ(seen->generation, 1u);
+  EXPECT_EQ(seen->window, place);
+  EXPECT_GT(renderer.status().lens.segments, 1000);
+  EXPECT_GT(renderer.status().lens.bytes, renderer.status().lens.segments);
+
+  fabric.render.method = Method::fibres;
+  renderer.lens(std::nullopt);
+  const auto scene = test::sceneOf(fabric);
+  const auto fibres = makeMedium(*scene, 4e9, Task{});
+  Film film(64, 48);
+  const CameraRays camera(fabric.camera, 64, 48);
+  ASSERT_TRUE(renderUpTo(static_cast<uint32_t>(seen->samples), *scene, *fibres, camera, film, Task{}).complete);
+  for (int y = 0; y < place.height; ++y)
+    for (int x = 0; x < place.width; ++x) {
+      const glm::vec4 pixel = seen->rgba[static_cast<size_t>(y) * place.width + x];
+      EXPECT_EQ(glm::vec3(pixel), film.mean(place.x + x, place.y + y));
+    }
+}
+
+TEST(TruthLens, ComparesBothPicturesAndTheVolumeGoesOn) {
+  Window window;
+  LiveRenderer renderer(window.waker(), 2);
+  Fabric fabric = smallCloth();
+  fabric.drape.width_mm = fabric.drape.height_mm = 3;
+  fabric.camera.distance_mm = 6;
+  fabric.light.kind = LightKind::dome;
+  renderer.request(view(fabric, 1));
+  renderer.lens(LensRequest{{20, 10, 24, 16}, 4e9});
+  ASSERT_TRUE(window.waitFor([&] {
+    return renderer.lensFrame() && renderer.lensFrame()->difference && renderer.lensFrame()->fibres->samples >= 16;
+  }));
+  const int before = renderer.frame()->samples;
+  EXPECT_TRUE(window.waitFor([&] { return renderer.frame()->samples > before; }));
+  const auto difference = renderer.lensFrame()->difference;
+  EXPECT_EQ(difference->map.size(), 24u * 16u);
+  EXPECT_LT(std::abs(difference->mean_percent), 15 + 4 * difference->error_percent);
+  EXPECT_GT(difference->error_percent, 0);
+}
+
+TEST(TruthLens, FollowsTheCameraKeepsTheFibresAndRelaysThemAfterAnEdit) {
+  Window window;
+  LiveRenderer renderer(window.waker(), 2);
+  Fabric fabric = smallCloth();
+  fabric.drape.width_mm = fabric.drape.height_mm = 3;
+  renderer.request(view(fabric, 1));
+  renderer.lens(LensRequest{{20, 10, 24, 16}, 4e9});
+  const auto shows = [&](uint64_t generation) {
+    return renderer.lensFrame() && renderer.lensFrame()->fibres->generation == generation;
+  };
+  ASSERT_TRUE(window.waitFor([&] { return shows(1); }));
+  bool laying = false;
+  fabric.camera.azimuth_deg += 20;
+  renderer.request(view(fabric, 2));
+  ASSERT_TRUE(window.waitFor([&] {
+    laying |= renderer.status().lens.phase == LensStatus::Phase::laying;
+    return shows(2);
+  }));
+  EXPECT_FALSE(laying);
+  const double segments = renderer.status().lens.segments;
+  fabric.yarns[0].count_tex *= 2;
+  renderer.request(view(fabric, 3));
+  ASSERT_TRUE(window.waitFor([&] { return shows(3); }));
+  EXPECT_GT(renderer.status().lens.segments, 1.2 * segments);
+}
+
+TEST(TruthLens, SaysWhatItWouldTakeAndRefusesBeyondTheLimit) {
+  Window window;
+  LiveRenderer renderer(window.waker(), 1);
+  renderer.request(view(smallCloth(), 1));
+  renderer.lens(LensRequest{{20, 10, 24, 16}, 1e5});
+  ASSERT_TRUE(window.waitFor([&] { return renderer.status().lens.phase == LensStatus::Phase::tooLarge; }));
+  EXPECT_GT(renderer.status().lens.bytes, 1e5);
+  EXPECT_EQ(renderer.lensFrame(), nullptr);
+  renderer.lens(LensRequest{{20, 10, 24, 16}, 4e9});  // the limit was raised
+  EXPECT_TRUE(window.waitFor([&] { return renderer.lensFrame() != nullptr; }));
+  renderer.lens(std::nullopt);
+  EXPECT_TRUE(window.waitFor([&] { return renderer.lensFrame() == nullptr; }));
+  EXPECT_EQ(renderer.status().lens.phase, LensStatus::Phase::closed);
+}
+
+TEST(TruthLens, IsNeedlessOverExplicitFibresAndEndsInTheMiddleOfWork) {
+  Window window;
+  LiveRenderer renderer(window.waker(), 1);
+  Fabric fabric = smallCloth();
+  renderer.lens(LensRequest{{0, 0, 24, 16}, 4e9});
+  EXPECT_EQ(renderer.status().lens.phase, LensStatus::Phase::waiting);
+  renderer.request(view(fabric, 1));
+  ASSERT_TRUE(window.waitFor([&] { return renderer.status().lens.phase == LensStatus::Phase::laying; }));
+  fabric.drape.width_mm = fabric.drape.height_mm = 2;
+  fabric.render.method = Method::fibres;
+  renderer.request(view(fabric, 2));
+  EXPECT_TRUE(window.waitFor([&] { return renderer.status().lens.phase == LensStatus::Phase::needless; }));
+  fabric.render.method = Method::volume;
+  renderer.request(view(fabric, 3));
+  window.waitFor([&] { return renderer.status().lens.phase == LensStatus::Phase::laying; });
 }
 
 }  // namespace

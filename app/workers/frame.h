@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "render/film/film.h"
+
+namespace loomlight {
+
+/// Pixels of the viewport; x to the right, y downwards, from its top left.
+struct PixelRect {
+  int x = 0, y = 0, width = 0, height = 0;
+  bool operator==(const PixelRect&) const = default;
+};
+
+/// A picture of the viewport, or of a window onto it; immutable once it is shown. Coarse first passes have fewer pixels
+/// than the window: show them stretched over it.
+struct Frame {
+  int width = 0, height = 0;
+  std::vector<glm::vec4> rgba;  ///< linear, premultiplied by alpha; row by row from the top left
+  std::vector<Film::Hit> hits;  ///< yarn and crossing per pixel; -1 where there is no cloth. Empty in the lens
+  PixelRect window;             ///< what it covers of the viewport
+  uint64_t generation = 0;      ///< of the request it answers
+  int samples = 0;              ///< that every pixel has at least; 0 for a coarse pass
+  int divider = 1;              ///< of the resolution
+  double seconds = 0;           ///< since this picture was begun
+};
+
+}  // namespace loomlight

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <optional>
+
+#include "app/workers/frame.h"
+#include "app/workers/pass_scheduler.h"
+#include "core/base/task.h"
+#include "render/trace/medium.h"
+
+namespace loomlight {
+
+/// A scene and what its light is traced through, which may have been made for an earlier scene of the same cloth.
+struct Traceable {
+  std::shared_ptr<const Scene> scene, mediumScene;
+  std::shared_ptr<const Medium> medium;
+};
+
+/// A picture that grows pass by pass, coarse first: of the whole viewport, or of a window onto it that may be moved.
+/// The window looks at a film of the viewport's size, so each pixel's samples are those that it has in the whole
+/// picture, and what a window has once shown is still there when it comes back. Pixels that were never looked at take
+/// no memory.
+class Refinement {
+ public:
+  /// The window is the whole. `secondsPerPath`: as measured before; 0: unknown. Throws InputError where memory does not
+  /// suffice.
+  Refinement(Traceable cloth, int width, int height, double secondsPerPath);
+
+  void look(const PixelRect& window);  ///< within the film
+  /// Begins at full resolution: for a picture that nobody sees before it has many samples.
+  void skipCoarse() { history_.divider = 1; }
+
+  bool begun() const { return history_.divider != 0; }  ///< the window has been filled, if coarsely
+  bool converged() const;
+  int divider() const { return history_.divider; }
+  uint32_t samples() const { return history_.samples; }
+  double spent_s() const { return spent_s_; }
+  double secondsPerPath() const { return history_.secondsPerPath; }
+  const Film& film() const { return fine_; }
+  const PixelRect& window() const { return window_; }
+  const Scene& scene() const { return *cloth_.scene; }
+
+  /// The next pass. False when stopped: then it goes on where it was.
+  bool advance(const Task& task);
+
+  Frame frame(bool withHits) const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  Film& filmFor(int divider);
+  Frame coarseFrame(bool withHits) const;
+  Frame fineFrame(bool withHits) const;
+
+  Traceable cloth_;
+  Film fine_;
+  bool fineBegun_ = false;
+  std::optional<Film> coarse_;  ///< of a 1/coarseDivider_ of the resolution
+  int coarseDivider_ = 0;
+  PixelRect window_;
+  PassHistory history_;
+  Clock::time_point start_;
+  double spent_s_ = 0;
+};
+
+}  // namespace loomlight

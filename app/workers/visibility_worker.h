@@ -1,0 +1,79 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "app/workers/mailbox.h"
+#include "core/base/stopwatch.h"
+#include "render/film/image.h"
+#include "render/trace/bvdf_baker.h"
+
+namespace loomlight {
+
+/// Tables of local visibility, ready or on their way.
+struct BakedVisibility {
+  std::shared_ptr<const BvdfSet> tables;
+  uint64_t bake = 0;      ///< counts up; equal ones are of the same yarns, later ones made of more rays
+  bool finished = false;  ///< nothing better will come of this bake
+  int yarn = 0;           ///< of the picture
+  Pixels8 picture;        ///< of that yarn's table, as bvdfSquares() lays it out in kPictureColumns
+};
+
+/// Bakes the tables of local visibility of the newest fabric on a thread of its own, at low priority, and shows them as
+/// they become better; what a fabric has been baked for once comes from the cache. No call here waits.
+class VisibilityWorker {
+ public:
+  static constexpr int kPictureColumns = 4;
+
+  struct Status {
+    bool baking = false;
+    double progress = 0;
+    std::string error;
+  };
+
+  VisibilityWorker(std::function<void()> wake, BvdfOptions options, BvdfCache cache);
+  ~VisibilityWorker();
+
+  /// Tables of this fabric, and the picture of one yarn's. A null fabric: none are wanted.
+  void request(std::shared_ptr<const Fabric> fabric, int yarn);
+  std::shared_ptr<const BakedVisibility> newest() const;  ///< null before the first; of whatever was asked for last
+  Status status() const;
+
+ private:
+  struct Wish {
+    std::shared_ptr<const Fabric> fabric;
+    int yarn = 0;
+    std::stop_token stop;
+  };
+  void loop(std::stop_token stop);
+  void fulfil(Wish wish);
+  void bake(std::shared_ptr<const Fabric> fabric, std::stop_token wanted, std::string recipe);
+  bool serves(Wish newer);
+  void publish(std::shared_ptr<const BvdfSet> tables, bool finished);
+  void setStatus(Status status);
+
+  std::function<void()> wake_;
+  BvdfOptions options_;
+  BvdfCache cache_;
+  Mailbox<Wish> wishes_;
+  mutable std::mutex mutex_;
+  std::stop_source stop_;  ///< of all wishes since the last for nothing
+  std::shared_ptr<const BakedVisibility> newest_;
+  Status status_;
+
+  // The thread's own:
+  std::stop_token ending_;
+  Wish wish_;                 ///< the newest that has been looked at
+  std::optional<Wish> next_;  ///< taken, but not looked at
+  std::string recipe_;        ///< of what is published, or being baked
+  uint64_t bake_ = 0;
+  bool interrupted_ = false;  ///< the bake of recipe_ was stopped
+
+  std::jthread thread_;  // last: it stops before what it uses is gone
+};
+
+}  // namespace loomlight
