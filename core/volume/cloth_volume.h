@@ -27,6 +27,7 @@ struct VoxelContent {
     std::span<const Component> components;
     System system;
     int index;  ///< which end (warp) or pick (weft), absolute
+    int yarn;   ///< index into Fabric::yarns
   };
   glm::ivec3 voxel;       ///< leaf (or level) coordinates in the whole cloth; x and y may not be negative
   int pick = 0, end = 0;  ///< the crossing cell
@@ -79,7 +80,7 @@ class ClothVolume {
     const Brick::Block* block;  ///< of the current 4 x 4 x 4 voxels; null where the brick has none
     glm::ivec3 shift;           ///< from blocks of the cell to those of the brick
     System system;
-    int index;
+    int index, yarn;
   };
   struct Reaches {
     int count = 0;

@@ -21,6 +21,7 @@ inline void ClothVolume::gather(System system, int across, int along, int level,
     reach.shift[axis] -= neighbour * reach.level->blocksPerCell()[axis];
     reach.system = system;
     reach.index = across + neighbour;
+    reach.yarn = geometry_->yarnIndex(system, reach.index);
   };
   add(tiles.at(across, along, inRepeat), 0);
   if (tiles.anyReachesAbove() && across > 0) {
@@ -55,7 +56,7 @@ inline void ClothVolume::look(const Reaches& reaches, int voxel, VoxelContent& c
     const Reach& reach = reaches.entries[i];
     if (!reach.block) continue;
     const std::span<const Component> components = reach.level->at(*reach.block, voxel);
-    if (!components.empty()) content.parts[count++] = {components, reach.system, reach.index};
+    if (!components.empty()) content.parts[count++] = {components, reach.system, reach.index, reach.yarn};
   }
   content.count = count;
 }

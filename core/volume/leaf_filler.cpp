@@ -2,12 +2,33 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <utility>
 
 namespace loomlight {
 namespace {
+
+/// Where the points of strands are set, about the axis: unit vectors, evenly spread, in an order that has any few in a
+/// row point all ways.
+class SectionOffsets {
+ public:
+  SectionOffsets() {
+    constexpr double kGolden = 2.399963229728653;  // radians
+    for (int i = 0; i < kCount; ++i) {
+      const int shuffled = i * kStride % kCount;
+      const double z = 1 - (2 * shuffled + 1.0) / kCount, radius = std::sqrt(1 - z * z), angle = kGolden * shuffled;
+      offsets_[i] = FloatLanes{static_cast<float>(radius * std::cos(angle)),
+                               static_cast<float>(radius * std::sin(angle)), static_cast<float>(z), 0};
+    }
+  }
+  FloatLanes operator[](size_t i) const { return offsets_[i % kCount]; }
+
+ private:
+  static constexpr int kCount = 64, kStride = 25;
+  std::array<FloatLanes, kCount> offsets_;
+};
 
 uint64_t when(size_t point, float share) {
   return static_cast<uint64_t>(point) << 32 | std::bit_cast<uint32_t>(share);
@@ -28,11 +49,12 @@ void LeafFiller::fill(const CellStrands& strands, System system, const VoxelGrid
 void LeafFiller::reset(const CellStrands& strands, System system, const VoxelFrame& frame, const VoxelGrid& grid,
                        MomentLevel& leaves) {
   if (strands.points.empty()) return leaves.reset(grid);
+  const FloatLanes reach = FloatLanes{} + 1.1f * strands.fibreRadius_mm;
   FloatLanes low = toCloth(strands.points[0], system), high = low;
   for (const glm::vec3& p : strands.points) {
     const FloatLanes point = toCloth(p, system);
-    low = least(low, point);
-    high = most(high, point);
+    low = least(low, point - reach);
+    high = most(high, point + reach);
   }
   const IntLanes a = VoxelFrame::voxelOf(frame(low)), b = VoxelFrame::voxelOf(frame(high));
   leaves.reset(grid, frame.first() + glm::ivec3(a[0], a[1], a[2]), frame.first() + glm::ivec3(b[0], b[1], b[2]));
@@ -51,13 +73,18 @@ void LeafFiller::measure(const CellStrands& strands, const CellStrands::Strand& 
   FibreMoments* const sums = sums_.data();
   const glm::vec3* const source = strands.points.data() + strand.first;
   const double packing = strand.packing;
-  FloatLanes end = toCloth(source[0], system), at = frame(end);
+  // A fibre has a section, and its length is spread over it: a polyline about the axis, with points on a sphere of this
+  // radius, has on the average along it the second moment of the section, r^2 / 4 across each way.
+  static const SectionOffsets offsets;
+  const FloatLanes radius = FloatLanes{} + std::sqrt(9.0f / 8.0f) * strands.fibreRadius_mm;
+  const auto about = [&](FloatLanes axis, size_t i) { return frame(axis + radius * offsets[strand.first + i]); };
+  FloatLanes end = toCloth(source[0], system), at = about(end, 0);
   IntLanes voxel = VoxelFrame::voxelOf(at), crossings{};
   FibreMoments sum;
   points[0] = {at, FloatLanes{}, voxel};
   sums[0] = sum;
   for (size_t i = 1; i < count; ++i) {
-    const FloatLanes start = std::exchange(end, toCloth(source[i], system)), from = std::exchange(at, frame(end));
+    const FloatLanes start = std::exchange(end, toCloth(source[i], system)), from = std::exchange(at, about(end, i));
     const Lanes along = __builtin_convertvector(end, Lanes) - __builtin_convertvector(start, Lanes);
     sum.add(FibreMoments::ofSegment(along, packing));
     const IntLanes left = std::exchange(voxel, VoxelFrame::voxelOf(at));

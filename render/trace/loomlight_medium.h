@@ -6,18 +6,22 @@ namespace loomlight {
 
 /// The cloth as a statistical volume that knows what fibres are: our default. On top of VolumeMedium it has
 ///
-/// finite radius: light meets the surface of a fibre, not its axis. At every step the volume is looked up at p + r w_t
-/// +
-///   (pi / 2) r (w.d) d, with w uniform on the unit hemisphere about d and w_t its part across d. The component of w_t
-///   across any fibre is uniform in [-1, 1], so it is the h of an event in that step, and the mean shift along d is
-///   that from the surface to the axis.
-/// packing: fibres that do not overlap leave gaps with a mean free path of (1 - phi) / sigma; in exchange light crosses
-///   the fibre it is in, from entry to exit. One without the other is far wrong. Only for FibreLayout::packed: fibres
-///   laid at random (the report's) overlap, so that gaps are Poisson and light sets out from where it came in.
-/// hot spot: the way light came is free of fibres, so a fibre that would block both that way and the new one is not
-///   there: extinction at distance s is reduced by max(0, 1 - delta / 2r), delta the distance between both ways seen
-///   along the fibre. With the light behind the eye nothing is in shadow. What ends the way, the fibre before, is there
-///   for certain, and is met as an explicit cylinder.
+/// finite radius: light meets the surface of a fibre, not its axis. Along a ray the one lies before the other by half
+///   the mean chord, c = phi / (2 sigma), phi being the share of space that is fibre; so the extinction at p is that of
+///   the axes at p + c d. Where light enters a yarn its fibres have more of their surface outwards: of a meeting at p,
+///   the offset h and the axis are drawn together, from two antithetic points w of the unit hemisphere about d, each as
+///   likely as there are axes at p + r w_t + 2 c (w.d) d, with w_t its part across d. The component of w_t across any
+///   fibre is uniform in [-1, 1], as h is, and 2 c (w.d) is c in the mean.
+/// packing: fibres that do not overlap leave gaps with a mean free path of (1 - phi) / sigma, phi at the place of the
+///   light itself; in exchange light crosses the fibre it is in, from entry to exit. One without the other is far
+///   wrong; together, with the shift above, they keep uniform light uniform (E - A = -d.grad phi: what leaves fibres
+///   less what meets them is how the room between them changes). Only for FibreLayout::packed: fibres laid at random
+///   (the report's) overlap, so that gaps are Poisson and light sets out from where it came in.
+/// hot spot: the ways light came are free of fibres, so a fibre that would block both one of them and the new one is
+///   not there: extinction at distance s is reduced by max(0, 1 - delta / 2r), delta the distance between both ways
+///   seen along the fibre. With the light behind the eye nothing is in shadow. Two flights are remembered: with one,
+///   light of two events is 10-20 % short, since where it turned back the eye's own ray is still near. What ends the
+///   last way, the fibre before, is there for certain, and is met as an explicit cylinder.
 ///
 /// All of it is one law of free flight, for paths and for shadow rays alike, so a white furnace stays exactly white.
 class LoomlightMedium final : public Medium {
@@ -40,15 +44,16 @@ class LoomlightMedium final : public Medium {
   Departure leave(const Collision& collision, glm::vec3 wi, int order) const override;
 
  private:
-  /// Steps along the ray; see the .cpp.
-  template <class OnStep>
-  bool advance(const Departure& from, glm::vec3 direction, float tMax, Random& random, TraceCounts& counts,
-               OnStep&& onStep) const;
+  struct Stretch;
+  template <class OnStretch>
+  bool advance(const Departure& from, glm::vec3 direction, float tMax, TraceCounts& counts,
+               OnStretch&& onStretch) const;
+  Collision meet(const Departure& from, glm::vec3 direction, const Stretch& stretch, float t, Random& random) const;
 
   const Scene& scene_;
   Ingredients ingredients_;
-  float shiftRadius_mm_ = 0;  ///< the mean over the cloth's yarns: look-ups are displaced before it is known whose
-  float step_mm_ = 0;
+  float radius_mm_ = 0;    ///< of fibres, the mean over the cloth's yarns: points are drawn before it is known whose
+  float farthest_mm_ = 0;  ///< no axis is looked for farther ahead
 };
 
 }  // namespace loomlight

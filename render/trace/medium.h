@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 
@@ -31,12 +32,11 @@ struct MetFibre {
   int yarn = 0, end = 0, pick = 0;
 };
 
-/// The flight before a collision: a way now known to be free of fibres, and where it began.
-struct Trail {
+/// A flight that ended at a collision: a way now known to be free of fibres.
+struct Flight {
   glm::vec3 end{0};
   glm::vec3 direction{0, 0, -1};
-  float length_mm = 0;
-  MetFibre from{};
+  float length_mm = 0;  ///< 0: none
 };
 
 /// A scattering event: where a ray met a fibre, and which.
@@ -53,6 +53,7 @@ struct Collision {
   int events = 1;         ///< fibres met on the path so far, this one included
   glm::vec3 axis{0};      ///< nearest point of the fibre's axis; media whose fibres have a radius
   MetFibre before;        ///< the fibre that the flight came from; media that remember it
+  Flight earlier;         ///< the flight to that fibre; media that remember it
   uint64_t fibre = 0;     ///< which; explicit fibres only
 };
 
@@ -62,8 +63,9 @@ struct Departure {
   int events = 0;          ///< fibres met on the path so far
   uint64_t fibre = 0;      ///< the fibre it leaves; 0: none, or unknown
   float clearance_mm = 0;  ///< within this distance that fibre is not met again
-  MetFibre leaving{};      ///< media that remember it
-  Trail trail{};
+  /// Media that remember them: the fibre it leaves, the one before, and the flights to both, the newest first.
+  MetFibre leaving{}, before{};
+  std::array<Flight, 2> flights{};
 };
 
 /// The cloth, as light meets it: everything a path asks of it, and nothing about how it is stored. Immutable, and safe

@@ -41,7 +41,7 @@ Departure ReportMedium::leave(const Collision& collision, glm::vec3 wi, int orde
   Departure departure = volume_.leave(collision, wi, order);
   departure.leaving.tangent = collision.tangent;
   departure.leaving.yarn = collision.yarn;
-  departure.trail.direction = collision.incoming;
+  departure.flights[0].direction = collision.incoming;
   return departure;
 }
 
@@ -49,7 +49,8 @@ float ReportMedium::transmittance(const Departure& from, glm::vec3 direction, fl
                                   TraceCounts& counts) const {
   if (from.events != 1) return volume_.transmittance(from, direction, distance, random, counts);
   const glm::mat3 frame = eventFrame(normalAt(*scene_.shell, from.place), from.leaving.tangent);
-  const float visible = 1 - bvdf_->of(from.leaving.yarn).occlusion(direction * frame, -from.trail.direction * frame);
+  const float visible =
+      1 - bvdf_->of(from.leaving.yarn).occlusion(direction * frame, -from.flights[0].direction * frame);
   if (visible <= 0) return 0;
   const float cell_mm = distanceThroughCell(scene_, from.place, direction);
   return visible * volume_.transmittanceBeyond(cell_mm, from, direction, distance, random, counts);

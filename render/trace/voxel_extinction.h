@@ -44,9 +44,8 @@ class VoxelExtinction {
       : VoxelExtinction(direction) {
     for (int p = 0; p < content.count; ++p) {
       const VoxelContent::Part& part = content.parts[p];
-      const int yarn = scene.volume->geometry().yarnIndex(part.system, part.index);
-      const YarnOptics& optics = scene.yarns[static_cast<int>(part.system)][yarn];
-      for (const Component& component : part.components) add(component, drape, optics, yarn, factor);
+      const YarnOptics& optics = scene.yarns[static_cast<int>(part.system)][part.yarn];
+      for (const Component& component : part.components) add(component, drape, optics, part.yarn, factor);
     }
   }
 
@@ -58,14 +57,22 @@ class VoxelExtinction {
     const FibreDistribution fibres = inWorld(component.decode(), drape);
     const float cosine = glm::dot(direction_, fibres.direction);
     const float sineSquared = std::max(0.0f, 1.0f - cosine * cosine);
-    const float sigma = 2.0f * optics.fibreRadius_mm * fibres.lengthDensity *
-                        TangentSpread::table().projectedLengthOfSquare(sineSquared, fibres.spread) *
-                        factor(fibres, optics);
+    const float whole = 2.0f * optics.fibreRadius_mm * fibres.lengthDensity *
+                        TangentSpread::table().projectedLengthOfSquare(sineSquared, fibres.spread);
+    const float sigma = whole * factor(fibres, optics);
     entries_[count_++] = {&component, &optics, yarn, fibres.lengthDensity, sigma};
     total_ += sigma;
+    whole_ += whole;
+    const float solid = kPiSingle * optics.fibreRadius_mm * optics.fibreRadius_mm * fibres.lengthDensity;
+    solid_ += solid;
+    if (optics.packed) packed_ += solid;
   }
 
   float total() const { return total_; }  ///< 1/mm
+  float whole() const { return whole_; }  ///< 1/mm, before the factors
+  /// How much of the voxel is fibre, 0.. (overlapping fibres count twice); and of packed yarns alone.
+  float solid() const { return solid_; }
+  float packed() const { return packed_; }
 
   /// The component that a collision is with; u in [0, 1). EventLaw::report chooses by density alone (Eq. 12), which is
   /// biased where components are seen at different angles.
@@ -82,10 +89,11 @@ class VoxelExtinction {
   }
 
  private:
+  static constexpr float kPiSingle = static_cast<float>(kPi);
   static constexpr int kMaxEntries = 12;  // up to six yarns of at most two components cross a voxel
   glm::vec3 direction_;
   int count_ = 0;
-  float total_ = 0;
+  float total_ = 0, whole_ = 0, solid_ = 0, packed_ = 0;
   Entry entries_[kMaxEntries];
 };
 
