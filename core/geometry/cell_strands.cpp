@@ -14,41 +14,46 @@ class StrandClipper {
  public:
   StrandClipper(CellStrands& out, float edge) : out_(out), edge_(edge) {}
 
-  /// Points [innerBegin, innerEnd) are known to be inside.
-  void add(std::span<const glm::vec3> line, size_t innerBegin, size_t innerEnd, uint8_t ply, float packing) {
+  void add(std::span<const glm::vec3> line, uint8_t ply, float packing) {
     attributes_ = {0, 0, ply, 0, packing};
-    size_t i = 0;
-    while (i + 1 < line.size()) {
-      if (i >= innerBegin && i + 1 < innerEnd) {
-        if (!open_) begin(line[i]);
-        out_.points.insert(out_.points.end(), line.begin() + static_cast<ptrdiff_t>(i + 1),
-                           line.begin() + static_cast<ptrdiff_t>(innerEnd));
-        i = innerEnd - 1;
-      } else {
-        segment(line[i], line[i + 1]);
-        ++i;
-      }
+    // Most often a fibre comes in once and leaves once.
+    size_t first = 0, end = line.size();
+    while (first < end && line[first].y < -edge_) ++first;
+    while (end > first && line[end - 1].y > edge_) --end;
+    if (end - first >= 2 && allInside(line.subspan(first, end - first))) {
+      if (first > 0) segment(line[first - 1], line[first]);
+      if (!open_) begin(line[first]);
+      out_.points.insert(out_.points.end(), line.begin() + static_cast<ptrdiff_t>(first + 1),
+                         line.begin() + static_cast<ptrdiff_t>(end));
+      if (end < line.size()) segment(line[end - 1], line[end]);
+    } else {
+      for (size_t i = 0; i + 1 < line.size(); ++i) segment(line[i], line[i + 1]);
     }
-    end();
+    finish();
   }
 
  private:
+  bool allInside(std::span<const glm::vec3> line) const {
+    bool inside = true;
+    for (const glm::vec3& p : line) inside &= std::abs(p.y) <= edge_;
+    return inside;
+  }
   void segment(glm::vec3 a, glm::vec3 b) {
     const float da = a.y, ds = b.y - a.y;
     float enter = 0, leave = 1;
     if (std::max(a.y, b.y) > edge_ || std::min(a.y, b.y) < -edge_) {
-      if (ds == 0) return end();
+      if (ds == 0) return finish();
       const float low = (-edge_ - da) / ds, high = (edge_ - da) / ds;
       enter = std::max(enter, std::min(low, high));
       leave = std::min(leave, std::max(low, high));
-      if (!(leave - enter > 1e-6f)) return end();
+      if (!(leave - enter > 1e-6f)) return finish();
     }
     if (enter > 0 || !open_) {
-      end();
+      finish();
       begin(enter > 0 ? onEdge(a, b, enter) : a);
     }
     out_.points.push_back(leave < 1 ? onEdge(a, b, leave) : b);
-    if (leave < 1) end();
+    if (leave < 1) finish();
   }
   /// The point at which a segment meets the nearer edge, exactly on it.
   glm::vec3 onEdge(glm::vec3 a, glm::vec3 b, float x) const {
@@ -61,7 +66,7 @@ class StrandClipper {
     out_.points.push_back(p);
     open_ = true;
   }
-  void end() {
+  void finish() {
     if (!open_) return;
     attributes_.count = static_cast<uint32_t>(out_.points.size()) - attributes_.first;
     out_.strands.push_back(attributes_);
@@ -74,46 +79,55 @@ class StrandClipper {
   bool open_ = false;
 };
 
-/// Range of the stations whose body fibres are all inside the cell.
-std::pair<size_t, size_t> innerStations(const std::vector<Station>& stations, float edge) {
-  size_t first = 0, end = stations.size();
-  while (first < end && stations[first].s_mm - stations[first].spill_mm < -edge) ++first;
-  while (end > first && stations[end - 1].s_mm + stations[end - 1].spill_mm > edge) --end;
-  return {first, end};
-}
+/// Numbers of the stations, list by list: what is computed for every fibre goes through them eight at a time.
+struct StationLists {
+  std::vector<float> s, z, normalS, normalZ, spinCos, spinSin, wanderCos, wanderSin;
+  explicit StationLists(const std::vector<Station>& stations) {
+    for (const Station& x : stations) {
+      s.push_back(x.s_mm);
+      z.push_back(x.z_mm);
+      normalS.push_back(x.normalS);
+      normalZ.push_back(x.normalZ);
+      spinCos.push_back(x.spinCos);
+      spinSin.push_back(x.spinSin);
+      wanderCos.push_back(x.wanderCos);
+      wanderSin.push_back(x.wanderSin);
+    }
+  }
+};
 
-void layBody(const YarnModel& yarn, const std::vector<Station>& stations, float edge, StrandClipper& clipper) {
+void layBody(const YarnModel& yarn, const std::vector<Station>& stations, StrandClipper& clipper) {
   const YarnGeometry& g = yarn.geometry;
   const size_t n = stations.size();
-  const auto [innerBegin, innerEnd] = innerStations(stations, edge);
+  const StationLists at(stations);
   const float acrossScale = static_cast<float>(yarn.acrossScale()), upScale = static_cast<float>(yarn.upScale());
   const float orbit = static_cast<float>(g.plyOrbit_mm), packing = static_cast<float>(g.packing);
   // Migration: the radius goes between 1 and 1 - migration times its own (Zhao's R_min = 1 - migration).
   const float wanderMean = static_cast<float>(1 - 0.5 * g.migration),
               wanderSwing = static_cast<float>(0.5 * g.migration);
 
-  std::vector<glm::vec2> plyCentre(n);  // (up, across)
+  std::vector<float> plyUp(n), plyAcross(n);
   std::vector<glm::vec3> line(n);
   for (int ply = 0; ply < g.plies; ++ply) {
     const float plyCos = std::cos(2 * static_cast<float>(kPi) * ply / g.plies);
     const float plySin = std::sin(2 * static_cast<float>(kPi) * ply / g.plies);
     for (size_t i = 0; i < n; ++i) {
       const Station& x = stations[i];
-      plyCentre[i] =
-          orbit * glm::vec2(x.orbitCos * plyCos - x.orbitSin * plySin, x.orbitSin * plyCos + x.orbitCos * plySin);
+      plyUp[i] = orbit * (x.orbitCos * plyCos - x.orbitSin * plySin);
+      plyAcross[i] = orbit * (x.orbitSin * plyCos + x.orbitCos * plySin);
     }
     for (int k = 0; k < g.fibresPerPly; ++k) {
       const YarnModel::Fibre fibre = yarn.fibres[static_cast<size_t>(ply) * g.fibresPerPly + k];
       for (size_t i = 0; i < n; ++i) {
-        const Station& x = stations[i];
-        const float wander = wanderMean + wanderSwing * (x.wanderCos * fibre.wanderCos - x.wanderSin * fibre.wanderSin);
+        const float wander =
+            wanderMean + wanderSwing * (at.wanderCos[i] * fibre.wanderCos - at.wanderSin[i] * fibre.wanderSin);
         // Positive turns go from up (z) towards u: right-handed about s, so Z twist.
-        const float up = upScale * (plyCentre[i].x + wander * (fibre.up * x.spinCos - fibre.across * x.spinSin));
+        const float up = upScale * (plyUp[i] + wander * (fibre.up * at.spinCos[i] - fibre.across * at.spinSin[i]));
         const float across =
-            acrossScale * (plyCentre[i].y + wander * (fibre.up * x.spinSin + fibre.across * x.spinCos));
-        line[i] = {across, x.s_mm + up * x.normalS, x.z_mm + up * x.normalZ};
+            acrossScale * (plyAcross[i] + wander * (fibre.up * at.spinSin[i] + fibre.across * at.spinCos[i]));
+        line[i] = {across, at.s[i] + up * at.normalS[i], at.z[i] + up * at.normalZ[i]};
       }
-      clipper.add(line, innerBegin, innerEnd, static_cast<uint8_t>(ply), packing);
+      clipper.add(line, static_cast<uint8_t>(ply), packing);
     }
   }
 }
@@ -139,18 +153,23 @@ void layFlyaway(const YarnModel& yarn, const Flyaway& flyaway, double shift, con
     if (line.empty()) place(a, b, std::max(start, a.t));
     place(a, b, std::min(end, b.t));
   }
-  clipper.add(line, line.size(), line.size(), 0, 0.0f);
+  clipper.add(line, 0, 0.0f);
 }
 
 }  // namespace
 
 double CellStrands::length_mm() const {
+  // In two steps, of which the first has nothing that one segment must wait for another.
+  std::vector<float> lengths;
   double total = 0;
   for (const Strand& strand : strands) {
-    float length = 0;
-    for (uint32_t i = strand.first; i + 1 < strand.first + strand.count; ++i)
-      length += glm::distance(points[i], points[i + 1]);
-    total += length;
+    lengths.resize(strand.count - 1);
+    const glm::vec3* const p = points.data() + strand.first;
+    for (size_t i = 0; i < lengths.size(); ++i) {
+      const glm::vec3 d = p[i + 1] - p[i];
+      lengths[i] = std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z);
+    }
+    for (const float length : lengths) total += length;
   }
   return total;
 }
@@ -164,7 +183,7 @@ CellStrands layStrands(const YarnModel& yarn, const PathNode& previous, const Pa
   out.points.reserve((yarn.fibres.size() + yarn.flyawaysAt[phase].size()) * (stations.size() + 1));
   out.strands.reserve(yarn.fibres.size() + yarn.flyawaysAt[phase].size());
   StrandClipper clipper(out, edge);
-  layBody(yarn, stations, edge, clipper);
+  layBody(yarn, stations, clipper);
   std::vector<glm::vec3> line;
   for (const YarnModel::FlyawayUse& use : yarn.flyawaysAt[phase])
     layFlyaway(yarn, yarn.flyaways[use.index], use.shift, stations, line, clipper);

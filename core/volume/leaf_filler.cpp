@@ -127,18 +127,18 @@ void LeafFiller::follow(const CellStrands::Strand& strand, MomentLevel& leaves) 
   const IntLanes first = points_[0].voxel;
   int32_t ox = offsets_[0][first[0]], oy = offsets_[1][first[1]], oz = offsets_[2][first[2]];
   const FibreMoments* const sums = sums_.data();
-  FibreMoments before;
-  const auto leave = [&](const FibreMoments& now) {
-    FibreMoments& here = leaves.at(ox + oy + oz, strand.ply, strand.material);
-    here.squares += now.squares - before.squares;
-    here.others += now.others - before.others;
-    before = now;
-  };
+  Lanes squares{}, others{};  // of the strand up to where it came into the voxel
   for (int left = crossingCounts_[0] + crossingCounts_[1] + crossingCounts_[2]; left > 0; --left) {
+    FibreMoments& here = leaves.at(ox + oy + oz, strand.ply, strand.material);
     const uint64_t next = std::min(x->when, std::min(y->when, z->when));
     const FibreMoments &to = sums[next >> 32], &from = *(&to - 1);
     const double share = std::bit_cast<float>(static_cast<uint32_t>(next));
-    leave({from.squares + share * (to.squares - from.squares), from.others + share * (to.others - from.others)});
+    const Lanes nowSquares = from.squares + share * (to.squares - from.squares);
+    const Lanes nowOthers = from.others + share * (to.others - from.others);
+    here.squares += nowSquares - squares;
+    here.others += nowOthers - others;
+    squares = nowSquares;
+    others = nowOthers;
     const bool isX = x->when == next, isY = !isX & (y->when == next), isZ = !isX & !isY;
     ox = isX ? x->offset : ox;
     oy = isY ? y->offset : oy;
@@ -147,7 +147,9 @@ void LeafFiller::follow(const CellStrands::Strand& strand, MomentLevel& leaves) 
     y += isY;
     z += isZ;
   }
-  leave(sums[strand.count - 1]);
+  FibreMoments& last = leaves.at(ox + oy + oz, strand.ply, strand.material);
+  last.squares += sums[strand.count - 1].squares - squares;
+  last.others += sums[strand.count - 1].others - others;
 }
 
 }  // namespace loomlight
