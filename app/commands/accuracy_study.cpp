@@ -65,7 +65,7 @@ struct Plan {
     return less;
   }
 };
-const Plan kFull{{{{0.0018, 2e6}, {0.009, 1e6}, {0.0018, 1e6}, {0.009, 1.2e6}}}, 48, {8, 4}, 8192};
+const Plan kFull{{{{0.003, 8e5}, {0.012, 5e5}, {0.003, 4e5}, {0.012, 6e5}}}, 48, {8, 4}, 4096};
 const Plan kQuick{{{{0.006, 3.5e4}, {0.03, 5e3}, {0.03, 5e3}, {0.03, 5e3}}}, 24, {8, 4}, 0};
 
 Light lightOf(const AccuracyLight& choice) {
