@@ -14,7 +14,10 @@ constexpr int kFine = 4;              // fine cubes along the side of a voxel
 constexpr int kPiece = 5, kCell = 2;  // crossings of the piece on a side, and the one in its middle
 constexpr int kRim = 1;               // voxels: the largest sphere reaches half of one beyond its voxel
 
-using Polyline = std::vector<glm::dvec3>;
+struct Polyline {
+  std::vector<glm::dvec3> points;
+  double radius_mm = 0;  ///< of the fibre
+};
 
 /// Values on a grid of boxes.
 struct Grid {
@@ -71,33 +74,55 @@ std::vector<Polyline> fibresAround(const ClothGeometry& geometry) {
       const CellStrands strands = geometry.strands(geometry.key(system, pick, end));
       for (const CellStrands::Strand& strand : strands.strands) {
         Polyline& fibre = fibres.emplace_back();
+        fibre.radius_mm = strands.fibreRadius_mm;
         for (uint32_t i = strand.first; i < strand.first + strand.count; ++i) {
           const glm::dvec3 p(strands.points[i]);  // (u, s, z)
-          fibre.push_back(middle + (warp ? p : glm::dvec3(p.y, -p.x, p.z)));
+          fibre.points.push_back(middle + (warp ? p : glm::dvec3(p.y, -p.x, p.z)));
         }
       }
     }
   return fibres;
 }
 
-/// Length in every fine cube, over its volume: each segment is cut at every plane of the grid that it crosses. Apart
-/// from the voxeliser on purpose, which is measured by it.
+/// Lines along a segment, evenly over the section of its fibre: offsets from its axis.
+std::vector<glm::dvec3> linesOver(glm::dvec3 along, double radius_mm) {
+  constexpr int kLines = 16;
+  constexpr double kGolden = 2.399963229728653;  // radians
+  const glm::dvec3 tangent = glm::normalize(along);
+  const glm::dvec3 u =
+      glm::normalize(glm::cross(tangent, std::abs(tangent.z) < 0.7 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0)));
+  const glm::dvec3 v = glm::cross(tangent, u);
+  std::vector<glm::dvec3> offsets;
+  for (int i = 0; i < kLines; ++i) {
+    const double r = radius_mm * std::sqrt((i + 0.5) / kLines), angle = kGolden * i;
+    offsets.push_back(r * (std::cos(angle) * u + std::sin(angle) * v));
+  }
+  return offsets;
+}
+
+/// Fibre in every fine cube: its volume over that of its section, per volume, so that it is a length. Each of the lines
+/// over a segment is cut at every plane of the grid that it crosses. Apart from the voxeliser on purpose, which is
+/// measured by it.
 Grid exactDensity(const std::vector<Polyline>& fibres, const Region& region) {
   Grid lengths(region.voxels * kFine);
   const glm::dvec3 cube_mm = region.voxel_mm / static_cast<double>(kFine);
   std::vector<double> cuts;
-  for (const Polyline& fibre : fibres)
-    for (size_t i = 1; i < fibre.size(); ++i) {
-      const glm::dvec3 a = (fibre[i - 1] - region.lower_mm) / cube_mm, b = (fibre[i] - region.lower_mm) / cube_mm;
-      cuts = {0, 1};
-      for (int axis = 0; axis < 3; ++axis)
-        for (double plane = std::ceil(std::min(a[axis], b[axis])); plane < std::max(a[axis], b[axis]); ++plane)
-          cuts.push_back((plane - a[axis]) / (b[axis] - a[axis]));
-      std::sort(cuts.begin(), cuts.end());
-      const double length_mm = glm::distance(fibre[i - 1], fibre[i]);
-      for (size_t k = 1; k < cuts.size(); ++k) {
-        const glm::ivec3 cube(glm::floor(glm::mix(a, b, 0.5 * (cuts[k - 1] + cuts[k]))));
-        if (lengths.holds(cube)) lengths.at(cube) += (cuts[k] - cuts[k - 1]) * length_mm;
+  for (const auto& [points, radius_mm] : fibres)
+    for (size_t i = 1; i < points.size(); ++i) {
+      const std::vector<glm::dvec3> lines = linesOver(points[i] - points[i - 1], radius_mm);
+      const double length_mm = glm::distance(points[i - 1], points[i]) / static_cast<double>(lines.size());
+      for (const glm::dvec3& line : lines) {
+        const glm::dvec3 a = (points[i - 1] + line - region.lower_mm) / cube_mm;
+        const glm::dvec3 b = (points[i] + line - region.lower_mm) / cube_mm;
+        cuts = {0, 1};
+        for (int axis = 0; axis < 3; ++axis)
+          for (double plane = std::ceil(std::min(a[axis], b[axis])); plane < std::max(a[axis], b[axis]); ++plane)
+            cuts.push_back((plane - a[axis]) / (b[axis] - a[axis]));
+        std::sort(cuts.begin(), cuts.end());
+        for (size_t k = 1; k < cuts.size(); ++k) {
+          const glm::ivec3 cube(glm::floor(glm::mix(a, b, 0.5 * (cuts[k - 1] + cuts[k]))));
+          if (lengths.holds(cube)) lengths.at(cube) += (cuts[k] - cuts[k - 1]) * length_mm;
+        }
       }
     }
   for (double& value : lengths.values) value /= cube_mm.x * cube_mm.y * cube_mm.z;
@@ -135,8 +160,8 @@ Grid countedDensity(const std::vector<Polyline>& fibres, const Region& region, d
   Grid counts(region.voxels);
   std::vector<size_t> lastFibre(counts.values.size(), 0);  // one that cuts a sphere twice is one fibre
   for (size_t f = 0; f < fibres.size(); ++f)
-    for (size_t i = 1; i < fibres[f].size(); ++i) {
-      const glm::dvec3 a = fibres[f][i - 1], b = fibres[f][i];
+    for (size_t i = 1; i < fibres[f].points.size(); ++i) {
+      const glm::dvec3 a = fibres[f].points[i - 1], b = fibres[f].points[i];
       const glm::ivec3 first(glm::floor((glm::min(a, b) - radius_mm - region.lower_mm) / region.voxel_mm));
       const glm::ivec3 last(glm::floor((glm::max(a, b) + radius_mm - region.lower_mm) / region.voxel_mm));
       const glm::ivec3 from = glm::max(first, glm::ivec3(0)), to = glm::min(last, region.voxels - 1);

@@ -10,7 +10,8 @@
 
 namespace loomlight {
 
-/// How well one way finds the length of fibre per volume in the voxels of a crossing.
+/// How well one way finds the length of fibre per volume in the voxels of a crossing. Fibres have a section: where a
+/// fibre lies half in a voxel, so does its length.
 struct DensityError {
   std::string method;
   double length_percent = 0;  ///< of the whole crossing: found too much, or too little

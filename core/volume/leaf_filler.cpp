@@ -40,9 +40,11 @@ void LeafFiller::fill(const CellStrands& strands, System system, const VoxelGrid
   const VoxelFrame frame(system, grid);
   reset(strands, system, frame, grid, leaves);
   for (const CellStrands::Strand& strand : strands.strands) {
-    measure(strands, strand, system, frame);
-    for (int axis = 0; axis < 3; ++axis) findCrossings(axis);
-    follow(strand, leaves);
+    for (const float side : {-1.0f, 1.0f}) {
+      measure(strands, strand, side, system, frame);
+      for (int axis = 0; axis < 3; ++axis) findCrossings(axis);
+      follow(strand, leaves);
+    }
   }
 }
 
@@ -64,7 +66,7 @@ void LeafFiller::reset(const CellStrands& strands, System system, const VoxelFra
   }
 }
 
-void LeafFiller::measure(const CellStrands& strands, const CellStrands::Strand& strand, System system,
+void LeafFiller::measure(const CellStrands& strands, const CellStrands::Strand& strand, float side, System system,
                          VoxelFrame frame) {
   const size_t count = strand.count;
   points_.resize(count);
@@ -73,10 +75,11 @@ void LeafFiller::measure(const CellStrands& strands, const CellStrands::Strand& 
   FibreMoments* const sums = sums_.data();
   const glm::vec3* const source = strands.points.data() + strand.first;
   const double packing = strand.packing;
-  // A fibre has a section, and its length is spread over it: a polyline about the axis, with points on a sphere of this
-  // radius, has on the average along it the second moment of the section, r^2 / 4 across each way.
+  // A fibre has a section, and its length is spread over it: by lines that waver across it, at a distance from the axis
+  // that gives them the second moment of the section, r^2 / 4 across each way. The points of a line lie on a sphere, so
+  // a third of that is along the fibre, and what lies between two points is nearer to the axis by another third.
   static const SectionOffsets offsets;
-  const FloatLanes radius = FloatLanes{} + std::sqrt(9.0f / 8.0f) * strands.fibreRadius_mm;
+  const FloatLanes radius = FloatLanes{} + std::sqrt(9.0f / 8.0f) * strands.fibreRadius_mm * side;
   const auto about = [&](FloatLanes axis, size_t i) { return frame(axis + radius * offsets[strand.first + i]); };
   FloatLanes end = toCloth(source[0], system), at = about(end, 0);
   IntLanes voxel = VoxelFrame::voxelOf(at), crossings{};
@@ -86,7 +89,7 @@ void LeafFiller::measure(const CellStrands& strands, const CellStrands::Strand& 
   for (size_t i = 1; i < count; ++i) {
     const FloatLanes start = std::exchange(end, toCloth(source[i], system)), from = std::exchange(at, about(end, i));
     const Lanes along = __builtin_convertvector(end, Lanes) - __builtin_convertvector(start, Lanes);
-    sum.add(FibreMoments::ofSegment(along, packing));
+    sum.add(FibreMoments::ofSegment(along, packing), 0.5);
     const IntLanes left = std::exchange(voxel, VoxelFrame::voxelOf(at));
     const IntLanes upwards = voxel > left;  // -1 where it is so
     const FloatLanes face = __builtin_convertvector(left - upwards, FloatLanes);

@@ -32,7 +32,9 @@ class LeafFiller {
 
   void reset(const CellStrands& strands, System system, const VoxelFrame& frame, const VoxelGrid& grid,
              MomentLevel& leaves);
-  void measure(const CellStrands& strands, const CellStrands::Strand& strand, System system, VoxelFrame frame);
+  /// One of two lines on opposite sides of a strand, with half its length each.
+  void measure(const CellStrands& strands, const CellStrands::Strand& strand, float side, System system,
+               VoxelFrame frame);
   void findCrossings(int axis);
   void follow(const CellStrands::Strand& strand, MomentLevel& leaves) const;
 

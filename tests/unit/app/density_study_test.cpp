@@ -22,32 +22,28 @@ class Density : public testing::TestWithParam<int> {
   DensityStudy study(const Fabric& fabric) { return *studyDensity(fabric, GetParam(), Task{}); }
 };
 
-TEST_P(Density, OfTheVolumeIsTheLengthInTheVoxel) {
+// All of it is found, but for what the section of a fibre shares with voxels beyond those that are looked at.
+TEST_P(Density, OfTheVolumeIsAllThereIs) {
   for (const Fabric& fabric : {test::whiteCotton(), twoPly()}) {
     const DensityError ours = study(fabric).errors.front();
-    // A component's density is rounded by 0.025 % at most, once for itself and once for what the voxel before lost.
-    EXPECT_LT(ours.voxel_percent, 0.05);
-    EXPECT_NEAR(ours.length_percent, 0, 0.05);
-    EXPECT_LT(ours.astray_percent, 0.01);
+    EXPECT_NEAR(ours.length_percent, 0, 0.5);
+    EXPECT_LT(ours.astray_percent, 0.5);
   }
 }
 
+// By whichever size of sphere: within the voxel it leaves corners out, beyond the voxel it finds fibres where there are
+// none. The volume spreads a fibre over its section by two lines that waver across it, and is off by that.
 TEST_P(Density, BeatsFibreCountingInSpheres) {
   for (const Fabric& fabric : {test::whiteCotton(), twoPly()}) {
     const DensityStudy density = study(fabric);
     ASSERT_EQ(density.errors.size(), 4u);
     const DensityError& ours = density.errors.front();
-    // The mean over the voxel is the best that a voxel can say of what is in it; any other number adds its own error:
-    // with squares relative to those of the fine density, 1 - ours^2 of which lie in the means.
     for (size_t i = 1; i < density.errors.size(); ++i) {
       const DensityError& counted = density.errors[i];
-      EXPECT_GT(counted.voxel_percent, 10) << counted.method;
-      EXPECT_GT(counted.fine_percent, ours.fine_percent) << counted.method;
-      const double o = ours.fine_percent / 100, c = counted.fine_percent / 100, v = counted.voxel_percent / 100;
-      EXPECT_NEAR(c * c, o * o + v * v * (1 - o * o), 1e-3 * v) << counted.method;
+      EXPECT_LT(ours.voxel_percent, counted.voxel_percent) << counted.method;
+      EXPECT_LT(ours.fine_percent, counted.fine_percent) << counted.method;
     }
-    // A sphere that reaches beyond its voxel finds fibres where there are none.
-    EXPECT_GT(density.errors.back().astray_percent, 1);
+    EXPECT_GT(density.errors.back().astray_percent, 0.5);
   }
 }
 
@@ -59,7 +55,7 @@ TEST_P(Density, LineCrossesTheYarn) {
     ours += place.ours;
   }
   EXPECT_GT(exact, 0);
-  EXPECT_NEAR(ours, exact, 1e-3 * exact);
+  EXPECT_NEAR(ours, exact, 0.03 * exact);  // a dozen voxels, each off by what two lines miss of a section
 }
 
 INSTANTIATE_TEST_SUITE_P(Resolutions, Density, testing::Values(4, 8));
