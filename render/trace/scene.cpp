@@ -91,7 +91,8 @@ bool makeCloth(Scene& scene, const Impact& change, const Scene* previous, const 
   }
   Stopwatch watch;
   const Piece piece = makePiece(fabric);
-  auto geometry = std::make_shared<const ClothGeometry>(fabric, piece.ends, piece.picks);
+  auto geometry = std::make_shared<const ClothGeometry>(fabric, piece.ends, piece.picks,
+                                                        previous ? &previous->volume->geometry() : nullptr);
   scene.seconds.geometry = watch.lap();
   scene.volume =
       ClothVolume::build(geometry, fabric.render.resolution, task, previous ? previous->volume.get() : nullptr);

@@ -65,7 +65,7 @@ class ReportBench(CommandLineTest):
         ours, *counted = self.table("out/fig4.csv")
         self.assertEqual(len(counted), 3)
         for row in counted:
-            self.assertLess(100 * float(ours["RMS in voxels, %"]), float(row["RMS in voxels, %"]))
+            self.assertLess(float(ours["RMS in voxels, %"]), float(row["RMS in voxels, %"]))
             self.assertLess(float(ours["RMS at a quarter of a voxel, %"]), float(row["RMS at a quarter of a voxel, %"]))
         self.assertGreater(len(self.table("out/fig4_line.csv")), 10)
         # How far the mean colour is off where all depends on local visibility.
