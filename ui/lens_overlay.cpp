@@ -9,7 +9,7 @@
 namespace loomlight {
 namespace {
 
-constexpr ImU32 kGround = IM_COL32(18, 18, 19, 225);
+constexpr ImU32 kGround = IM_COL32(18, 18, 19, 238);
 
 ImVec2 plus(ImVec2 a, ImVec2 b) {
   return {a.x + b.x, a.y + b.y};

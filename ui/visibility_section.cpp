@@ -41,6 +41,7 @@ void drawSquares(Ui& ui, const VisibilityModel& model) {
 }  // namespace
 
 void visibilitySection(Ui& ui, const VisibilityModel& model, bool& open) {
+  const bool wasOpen = open;
   if (!foldingHeading(ui, "visibility.fold", "Local visibility",
                       "How freely light reaches a fibre past its neighbours (the yarn's BVDF, which the estimator "
                       "\"Report\" uses)",
@@ -56,6 +57,7 @@ void visibilitySection(Ui& ui, const VisibilityModel& model, bool& open) {
   } else {
     hint(ui, fmt::format("White: free. Black: in shadow.  \xC2\xB7  {:.1f} million rays", model.rays * 1e-6));
   }
+  if (!wasOpen) ImGui::SetScrollHereY(1);
 }
 
 }  // namespace loomlight

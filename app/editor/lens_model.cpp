@@ -25,14 +25,20 @@ double roundedDown(double value) {
   return std::floor(value / unit) * unit;
 }
 
+/// With a minus of the width of a plus.
+std::string signedText(double value) {
+  const std::string digits = fmt::format("{:.1f}", std::abs(value));
+  return (value < 0 ? "\xE2\x88\x92" : "+") + digits;
+}
+
 void describeDifference(const Difference* found, LensModel& model) {
   constexpr int kSteps = 32;
   if (!found) {
     model.caption = "difference, waiting for samples";
     return;
   }
-  model.caption = fmt::format("difference \xC3\x97{:g}, mean {:+.1f} \xC2\xB1 {:.1f} %", Difference::kGain,
-                              found->mean_percent, found->error_percent);
+  model.caption = fmt::format("difference \xC3\x97{:g}, mean {} \xC2\xB1 {:.1f} %", Difference::kGain,
+                              signedText(found->mean_percent), found->error_percent);
   for (const Rgb& colour : differenceScale(kSteps)) model.scale.push_back(toDisplayColour(colour));
   model.scaleEnd = fmt::format("{:g} %", 100 / Difference::kGain);
 }

@@ -181,6 +181,8 @@ StatusModel Session::statusModel(const Insight* insight, const LiveStatus& statu
     }
   }
   if (!status.notices.empty() && model.warning.empty()) model.warning = status.notices.front();
+  const VisibilityWorker::Status baking = visibility_.status();
+  if (!baking.error.empty() && model.warning.empty()) model.warning = baking.error;
   if (!refusal_.empty()) {
     model.warning = refusal_;
     model.moreWarnings = 0;
@@ -189,8 +191,7 @@ StatusModel Session::statusModel(const Insight* insight, const LiveStatus& statu
     model.samples = shownFrame_->samples;
     model.seconds = shownFrame_->seconds;
   }
-  if (const VisibilityWorker::Status baking = visibility_.status(); baking.baking)
-    model.background = fmt::format("visibility {:3.0f} %", 100 * baking.progress);
+  if (baking.baking) model.background = fmt::format("visibility {:3.0f} %", 100 * baking.progress);
   switch (status.phase) {
     case LiveStatus::Phase::idle:
       model.work = "waiting";
@@ -225,6 +226,7 @@ void Session::tellProbe(Ui& ui, const LiveStatus& status) const {
   static constexpr const char* kLensPhases[] = {"closed",    "waiting", "needless", "laying",
                                                 "too_large", "failed",  "tracing",  "converged"};
   ui.probe.fact("lens", kLensPhases[static_cast<int>(status.lens.phase)]);
+  ui.probe.fact("lens_tool", viewport_.lens.placed ? "placed" : viewport_.lens.on ? "chosen" : "off");
   ui.probe.fact("lens_samples", std::to_string(lensFrame_ ? lensFrame_->fibres->samples : 0));
   ui.probe.fact("lens_generation", std::to_string(lensFrame_ ? lensFrame_->fibres->generation : 0));
   ui.probe.fact("lens_difference", lensFrame_ && lensFrame_->difference ? "known" : "unknown");

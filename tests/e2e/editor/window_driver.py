@@ -106,7 +106,7 @@ class Editor:
         """One event; returns when the program has drawn what it brought. An event without effect brings no frame."""
         first = self.number("frame")
         subprocess.run(["xdotool", *map(str, arguments)], env=self.environment, check=True, timeout=20)
-        end = time.monotonic() + 0.6
+        end = time.monotonic() + 2.0  # a machine with other work draws a frame or two a second
         while self.number("frame") < first + self.frames_held and time.monotonic() < end:
             time.sleep(0.01)
 

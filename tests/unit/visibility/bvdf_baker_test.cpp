@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/base/error.h"
 #include "render/trace/bvdf_patch.h"
 #include "tests/support/test_cloth.h"
@@ -95,6 +97,32 @@ TEST(BakeBvdf, TakesWhatTheCacheHasAndMendsWhatItHasLost) {
   EXPECT_FALSE(bakeBvdf(stripes(), options, cache, readOnly));
   EXPECT_TRUE(same(*baked, *bakeBvdf(stripes(), options, cache, Task{})));
   EXPECT_TRUE(bakeBvdf(stripes(), options, cache, readOnly));
+}
+
+TEST(BakeBvdf, HasTablesAfterEachPassAndEndsOnTheSame) {
+  const BvdfOptions options{kCoarse, 200'000};
+  std::vector<uint64_t> rays;
+  const auto watched = bakeBvdf(stripes(), options, kNoCache, Task{}, [&](const BvdfBaker& baker) {
+    rays.push_back(baker.tables()->rays);
+    EXPECT_EQ(baker.passes(), static_cast<int>(rays.size()));
+  });
+  ASSERT_FALSE(rays.empty());
+  EXPECT_TRUE(std::is_sorted(rays.begin(), rays.end()));
+  EXPECT_LT(rays.back(), watched->rays);
+  EXPECT_TRUE(same(*watched, *bakeBvdf(stripes(), options, kNoCache, Task{})));
+}
+
+TEST(ExpectedBvdf, IsTheHotSpotLawThatTheBakerMeasuresAgainst) {
+  const Fabric fabric = stripes();
+  const auto expected = expectedBvdf(*test::sceneOf(fabric), kCoarse);
+  ASSERT_EQ(expected->tableOfYarn.size(), fabric.yarns.size());
+  const auto baked = bakeBvdf(fabric, {kCoarse, 1000}, kNoCache, Task{});
+  const glm::vec3 wo = glm::normalize(glm::vec3(0.2, 0.1, 1)), wi = glm::normalize(glm::vec3(-0.5, 0.4, 0.6));
+  for (int yarn = 0; yarn < 3; ++yarn) {
+    EXPECT_EQ(expected->of(yarn).hotSpot().depth, baked->of(yarn).hotSpot().depth);
+    EXPECT_FLOAT_EQ(expected->of(yarn).occlusion(wi, wo), baked->of(yarn).hotSpot().occlusion(wi, wo));
+    EXPECT_EQ(expected->of(yarn).occlusion(wo, wo), 0);
+  }
 }
 
 TEST(BvdfRecipe, HasWhatFibresDependOnAndNothingElse) {
