@@ -162,22 +162,26 @@ Collision LoomlightMedium::meet(const Departure& from, glm::vec3 direction, cons
   const glm::mat3 toCloth = s.drape.isometric ? glm::mat3(1.0f) : scene_.shell->tets()[s.tet].toCloth;
   const glm::vec3 place = s.clothOrigin + (t - s.passed) * s.clothDirection;
   const auto across = [&](glm::vec3 w) { return w.x * frame.y + w.y * frame.z; };
+  // Most often the axis is looked for in the very voxel that the stretch is in.
+  const VoxelGrid& grid = scene_.volume->grid();
+  const glm::vec3 lower = glm::vec3(stretch.content.voxel) * grid.size_mm + glm::vec3(0, 0, grid.zLower_mm);
   ClothVolume::Probe probe(*scene_.volume);
-  const auto look = [&](glm::vec3 w, VoxelContent& content) {
+  VoxelContent contents[2];
+  std::optional<VoxelExtinction> elsewhere[2];
+  const auto look = [&](glm::vec3 w, int i) {
     const glm::vec3 shift = radius_mm_ * across(w) + 2 * stretch.ahead * w.z * direction;
-    probe.look(place + toCloth * shift, content);
+    const glm::vec3 axis = place + toCloth * shift, inVoxel = axis - lower;
+    if (glm::all(glm::greaterThanEqual(inVoxel, glm::vec3(0))) && glm::all(glm::lessThan(inVoxel, grid.size_mm)))
+      return stretch.voxel.whole();
+    probe.look(axis, contents[i]);
+    return elsewhere[i].emplace(scene_, contents[i], s.drape, direction).whole();
   };
   const AntitheticPoints w(random);
-  VoxelContent firstContent, secondContent;
-  look(w.first, firstContent);
-  look(w.second, secondContent);
-  const VoxelExtinction first(scene_, firstContent, s.drape, direction);
-  const VoxelExtinction second(scene_, secondContent, s.drape, direction);
-  const bool takesFirst = random.uniform() * (first.total() + second.total()) < first.total();
-  if (takesFirst)
-    take(first, firstContent);
-  else if (second.total() > 0)
-    take(second, secondContent);
+  const float first = look(w.first, 0), second = look(w.second, 1);
+  const bool takesFirst = random.uniform() * (first + second) < first;
+  const int taken = takesFirst ? 0 : 1;
+  if (elsewhere[taken] && elsewhere[taken]->whole() > 0)
+    take(*elsewhere[taken], contents[taken]);
   else
     take(stretch.voxel, stretch.content);
   // The shift leads from the surface to the axis, so the normal's component across is its negative.
@@ -191,7 +195,7 @@ std::optional<Collision> LoomlightMedium::collide(const Departure& from, glm::ve
   constexpr float kNever = std::numeric_limits<float>::infinity();
   ++counts.rays;
   const float toBefore = ingredients_.hotSpot ? distanceTo(from.before, from.place.world, direction) : kNever;
-  float opticalDepth = -std::log1p(-random.uniform());
+  float opticalDepth = -std::log(1 - random.uniform());
   std::optional<Collision> met;
   int tet = from.place.tet;
   advance(from, direction, toBefore, counts, [&](const Stretch& stretch) {
@@ -226,7 +230,7 @@ float LoomlightMedium::transmittance(const Departure& from, glm::vec3 direction,
   ++counts.rays;
   if (ingredients_.hotSpot && distanceTo(from.before, from.place.world, direction) < distance) return 0;
   constexpr float kExactDepth = 4.0f;
-  const float deepest = kExactDepth - std::log1p(-random.uniform());
+  const float deepest = kExactDepth - std::log(1 - random.uniform());
   float depth = 0;
   const bool through = advance(from, direction, distance, counts, [&](const Stretch& stretch) {
     depth += stretch.depth();

@@ -12,7 +12,7 @@ namespace loomlight {
 std::optional<Collision> VolumeMedium::collide(const Departure& from, glm::vec3 direction, Random& random,
                                                TraceCounts& counts) const {
   const EventLaw law = scene_.fabric->render.eventLaw;
-  float opticalDepth = -std::log1p(-random.uniform());
+  float opticalDepth = -std::log(1 - random.uniform());
   std::optional<Collision> collision;
   ++counts.rays;
   walkCloth(scene_, from.place, direction, std::numeric_limits<float>::infinity(),
@@ -63,7 +63,7 @@ float VolumeMedium::transmittance(const Departure& from, glm::vec3 direction, fl
 float VolumeMedium::transmittanceBeyond(float clear_mm, const Departure& from, glm::vec3 direction, float distance,
                                         Random& random, TraceCounts& counts) const {
   constexpr float kExactDepth = 4.0f;
-  const float deepest = kExactDepth - std::log1p(-random.uniform());
+  const float deepest = kExactDepth - std::log(1 - random.uniform());
   float depth = 0;
   ++counts.rays;
   const bool through =
