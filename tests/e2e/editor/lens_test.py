@@ -146,7 +146,7 @@ def look_at_visibility(editor):
     editor.click("visibility.fold")
     editor.wait_until("a picture of the table is shown", lambda: editor.fact("visibility") in ("early", "finished"), 120)
     editor.wait_until("the bake ends", lambda: editor.fact("visibility") == "finished", 200)
-    expect("status.background" not in editor.widgets(), "the status bar still speaks of it")
+    editor.wait_until("the status bar speaks of it no more", lambda: "status.background" not in editor.widgets(), 30)
     mean, deviation = picture_statistics(editor.screenshot("visibility", "visibility.picture"))
     expect(mean > 0.1 and deviation > 0.1, f"the picture is empty: mean {mean}, deviation {deviation}")
 
