@@ -94,10 +94,11 @@ void FibreLayer::fulfil(const Wish& wish) {
   Task task;
   task.stop = wish.stop;
   task.threads = threads_;
+  constexpr int kSteps = 25;
   std::atomic<int> told{0};
   task.progress = [this, &wish, &status, &told](double fraction) {
-    const int percent = static_cast<int>(100 * fraction);
-    if (told.exchange(percent) == percent) return;  // each would wake the window
+    const int step = static_cast<int>(kSteps * fraction);
+    if (told.exchange(step) == step) return;  // each wakes the window
     Status now = status;
     now.progress = fraction;
     tell(wish, now);
