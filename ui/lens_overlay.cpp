@@ -15,20 +15,21 @@ ImVec2 plus(ImVec2 a, ImVec2 b) {
   return {a.x + b.x, a.y + b.y};
 }
 
-/// Light between two dark lines: it reads on any cloth.
-void drawBorder(Ui& ui, ImVec2 min, ImVec2 max) {
+/// Light between two dark lines: it reads on any cloth. Drawn around the lens, but never outside of the viewport.
+void drawBorder(Ui& ui, ImVec2 min, ImVec2 max, ImVec2 viewportMin, ImVec2 viewportMax) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const float line = std::max(1.0f, std::floor(ui.px(1)));
   const auto ring = [&](float out, ImU32 colour) {
-    const ImVec2 a(min.x - out, min.y - out), b(max.x + out, max.y + out);
+    const ImVec2 a(std::max(min.x - out, viewportMin.x), std::max(min.y - out, viewportMin.y));
+    const ImVec2 b(std::min(max.x + out, viewportMax.x), std::min(max.y + out, viewportMax.y));
     draw.AddRectFilled(a, {b.x, a.y + line}, colour);
     draw.AddRectFilled({a.x, b.y - line}, b, colour);
     draw.AddRectFilled({a.x, a.y + line}, {a.x + line, b.y - line}, colour);
     draw.AddRectFilled({b.x - line, a.y + line}, {b.x, b.y - line}, colour);
   };
   ring(2 * line, IM_COL32(0, 0, 0, 150));
-  ring(line, IM_COL32(240, 240, 240, 255));
   ring(0, IM_COL32(0, 0, 0, 150));
+  ring(line, IM_COL32(240, 240, 240, 255));
 }
 
 /// The caption in the lower left corner of the lens, with the scale of the difference behind it.
@@ -195,7 +196,7 @@ LensEdit lensOverlay(Ui& ui, const LensModel& model, LensView& view, ImVec2 orig
     const float along = min.x + static_cast<float>(model.progress) * (max.x - min.x);
     draw.AddRectFilled(min, {along, min.y + ui.px(3)}, packed(ui.theme.accent));
   }
-  drawBorder(ui, min, max);
+  drawBorder(ui, min, max, origin, corner(viewportWidth, viewportHeight));
   drawCaption(ui, model, min, max);
   ui.probe.record("lens", min, max);
   LensEdit edit;
