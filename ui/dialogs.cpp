@@ -7,6 +7,18 @@
 #include "ui/modal.h"
 
 namespace loomlight {
+namespace {
+
+/// The last line of a dialog: its button, or Esc. True when it closes.
+bool closedBelow(Ui& ui, const char* id) {
+  ImGui::Dummy(ImVec2(0, ui.px(4)));
+  ImGui::SetCursorPosX(ImGui::GetWindowWidth() - ui.px(136));
+  const bool closed = button(ui, id, "Close", ui.px(120)) || modalCancelled();
+  if (closed) ImGui::CloseCurrentPopup();
+  return closed;
+}
+
+}  // namespace
 
 void MessageDialog::show(std::string title, std::string text, std::vector<std::string> answers) {
   title_ = std::move(title);
@@ -121,12 +133,7 @@ bool PreferencesDialog::draw(Ui& ui, double machine_GB, double& fibreMemory_GB) 
                                     "The lens lays every single fibre of the piece. Where that would take more memory "
                                     "than this, it says so and leaves it."},
                                    style, fibreMemory_GB);
-  ImGui::Dummy(ImVec2(0, ui.px(4)));
-  ImGui::SetCursorPosX(ImGui::GetWindowWidth() - ui.px(136));
-  if (button(ui, "preferences.close", "Close", ui.px(120)) || modalCancelled()) {
-    open_ = false;
-    ImGui::CloseCurrentPopup();
-  }
+  if (closedBelow(ui, "preferences.close")) open_ = false;
   endModal();
   return changed;
 }
@@ -170,12 +177,7 @@ void KeysDialog::draw(Ui& ui) {
     }
     ImGui::EndTable();
   }
-  ImGui::Dummy(ImVec2(0, ui.px(4)));
-  ImGui::SetCursorPosX(ImGui::GetWindowWidth() - ui.px(136));
-  if (button(ui, "keys.close", "Close", ui.px(120)) || modalCancelled()) {
-    open_ = false;
-    ImGui::CloseCurrentPopup();
-  }
+  if (closedBelow(ui, "keys.close")) open_ = false;
   endModal();
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/workers/window_pass.h"
 #include "render/light/lat_long.h"
 #include "render/metrics/heat_map.h"
 

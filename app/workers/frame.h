@@ -4,14 +4,9 @@
 #include <vector>
 
 #include "render/film/film.h"
+#include "render/trace/path_tracer.h"
 
 namespace loomlight {
-
-/// Pixels of the viewport; x to the right, y downwards, from its top left.
-struct PixelRect {
-  int x = 0, y = 0, width = 0, height = 0;
-  bool operator==(const PixelRect&) const = default;
-};
 
 /// A picture of the viewport, or of a window onto it; immutable once it is shown. Coarse first passes have fewer pixels
 /// than the window: show them stretched over it.

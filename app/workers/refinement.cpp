@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "app/workers/despeckle.h"
-#include "app/workers/window_pass.h"
 
 namespace loomlight {
 namespace {
@@ -75,7 +74,7 @@ bool Refinement::advance(const Task& task) {
   const CameraRays camera(scene().fabric->camera, film.width(), film.height());
   const auto start = Clock::now();
   const PassResult result =
-      traceWindow(plan.samples, scene(), *cloth_.medium, camera, film, covering(window_, plan.divider), task);
+      renderUpTo(plan.samples, scene(), *cloth_.medium, camera, film, covering(window_, plan.divider), task);
   const double seconds = secondsSince(start);
   spent_s_ += seconds;
   if (!result.complete) return false;

@@ -170,15 +170,22 @@ PathSample tracePath(const Scene& scene, const Medium& medium, const CameraRays&
 
 PassResult renderUpTo(uint32_t samples, const Scene& scene, const Medium& medium, const CameraRays& camera, Film& film,
                       const Task& task, uint32_t firstSample) {
+  return renderUpTo(samples, scene, medium, camera, film, {0, 0, film.width(), film.height()}, task, firstSample);
+}
+
+PassResult renderUpTo(uint32_t samples, const Scene& scene, const Medium& medium, const CameraRays& camera, Film& film,
+                      const PixelRect& window, const Task& task, uint32_t firstSample) {
   constexpr int kTile = 16;
-  const int columns = (film.width() + kTile - 1) / kTile;
-  const int rows = (film.height() + kTile - 1) / kTile;
+  const int columns = (window.width + kTile - 1) / kTile, rows = (window.height + kTile - 1) / kTile;
   std::vector<TraceCounts> tileCounts(static_cast<size_t>(columns) * rows);
   std::atomic<size_t> tilesDone{0};
   parallelFor(tileCounts.size(), task.threads, [&](size_t tile) {
-    const int x0 = static_cast<int>(tile % columns) * kTile, y0 = static_cast<int>(tile / columns) * kTile;
-    for (int y = y0; y < std::min(y0 + kTile, film.height()); ++y)
-      for (int x = x0; x < std::min(x0 + kTile, film.width()); ++x)
+    const int left = window.x + static_cast<int>(tile % columns) * kTile;
+    const int top = window.y + static_cast<int>(tile / columns) * kTile;
+    const int right = std::min(left + kTile, window.x + window.width);
+    const int bottom = std::min(top + kTile, window.y + window.height);
+    for (int y = top; y < bottom; ++y)
+      for (int x = left; x < right; ++x)
         for (uint32_t i = film.samples(x, y); i < samples; ++i) {
           if (task.stopped()) return;
           film.add(x, y, firstSample + i, tracePath(scene, medium, camera, x, y, firstSample + i, tileCounts[tile]));
@@ -189,6 +196,13 @@ PassResult renderUpTo(uint32_t samples, const Scene& scene, const Medium& medium
   for (const TraceCounts& c : tileCounts) result.counts += c;
   result.complete = !task.stopped();
   return result;
+}
+
+uint32_t fewestSamples(const Film& film, const PixelRect& window) {
+  uint32_t fewest = Film::maxSamples;
+  for (int y = window.y; y < window.y + window.height; ++y)
+    for (int x = window.x; x < window.x + window.width; ++x) fewest = std::min(fewest, film.samples(x, y));
+  return fewest;
 }
 
 }  // namespace loomlight

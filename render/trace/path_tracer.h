@@ -14,6 +14,12 @@ namespace loomlight {
 PathSample tracePath(const Scene& scene, const Medium& medium, const CameraRays& camera, int x, int y, uint32_t index,
                      TraceCounts& counts);
 
+/// Pixels of a film; x to the right, y downwards, from its top left.
+struct PixelRect {
+  int x = 0, y = 0, width = 0, height = 0;
+  bool operator==(const PixelRect&) const = default;
+};
+
 struct PassResult {
   bool complete = true;  ///< false when stopped: some pixels lack some samples
   TraceCounts counts;
@@ -23,5 +29,11 @@ struct PassResult {
 /// so that a stopped or resumed picture goes on where each of its pixels is. Checks stop per path.
 PassResult renderUpTo(uint32_t samples, const Scene& scene, const Medium& medium, const CameraRays& camera, Film& film,
                       const Task& task, uint32_t firstSample = 0);
+/// The same for a part of the film: its pixels get the samples that they would have in the whole picture.
+PassResult renderUpTo(uint32_t samples, const Scene& scene, const Medium& medium, const CameraRays& camera, Film& film,
+                      const PixelRect& window, const Task& task, uint32_t firstSample = 0);
+
+/// Samples that every pixel of the window has at least.
+uint32_t fewestSamples(const Film& film, const PixelRect& window);
 
 }  // namespace loomlight

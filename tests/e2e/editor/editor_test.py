@@ -5,16 +5,11 @@ import json
 import os
 import subprocess
 
-from window_driver import Display, Editor, Failure, difference, picture_statistics, run
+from window_driver import Display, Editor, difference, expect, picture_statistics, run
 
 PROGRAM = os.environ["LOOMLIGHT"]
 SAMPLES = os.path.join(os.environ["LOOMLIGHT_ROOT"], "samples")
 WIDTH, HEIGHT = 1280, 720
-
-
-def expect(condition, message):
-    if not condition:
-        raise Failure(message)
 
 
 def saved(file):

@@ -18,6 +18,11 @@ class Failure(Exception):
     pass
 
 
+def expect(condition, message):
+    if not condition:
+        raise Failure(message)
+
+
 def need(tool):
     if shutil.which(tool) is None:
         raise Failure(f"{tool} is not installed, and this test drives the window with it")
