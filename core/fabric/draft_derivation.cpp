@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <string_view>
 #include <unordered_map>
 
@@ -28,8 +29,8 @@ Sheds distinctPicks(const Weave& weave) {
 }
 
 /// Which ends go together over all of `picks`: a class for each end, numbered from 0 as they come first. Each pick
-/// splits the classes that it does not lift as one.
-std::vector<int> classesOfEnds(const Weave& weave, const std::vector<int>& picks, int& count) {
+/// splits the classes that it does not lift as one. Given up, with a count beyond it, when they are more than `most`.
+std::vector<int> classesOfEnds(const Weave& weave, const std::vector<int>& picks, int most, int& count) {
   std::vector<int> classOf(static_cast<size_t>(weave.ends()), 0);
   count = 1;
   for (const int pick : picks) {
@@ -41,6 +42,7 @@ std::vector<int> classesOfEnds(const Weave& weave, const std::vector<int>& picks
       classOf[end] = to;
     }
     count = next;
+    if (count > most) break;
   }
   return classOf;
 }
@@ -48,9 +50,21 @@ std::vector<int> classesOfEnds(const Weave& weave, const std::vector<int>& picks
 }  // namespace
 
 Draft smallestDraft(const Weave& weave) {
-  const Sheds sheds = distinctPicks(weave);
+  return *smallestDraft(weave, weave.ends());
+}
+
+std::optional<Draft> smallestDraft(const Weave& weave, int mostShafts) {
+  // The first picks tell a jacquard, before all of its picks are compared with each other.
+  constexpr int kTellingPicks = 64;
+  std::vector<int> firstPicks(static_cast<size_t>(std::min(weave.picks(), kTellingPicks)));
+  std::iota(firstPicks.begin(), firstPicks.end(), 0);
   Draft draft;
-  const std::vector<int> shaftOfEnd = classesOfEnds(weave, sheds.firstPicks, draft.shafts);
+  classesOfEnds(weave, firstPicks, mostShafts, draft.shafts);
+  if (draft.shafts > mostShafts) return std::nullopt;
+
+  const Sheds sheds = distinctPicks(weave);
+  const std::vector<int> shaftOfEnd = classesOfEnds(weave, sheds.firstPicks, mostShafts, draft.shafts);
+  if (draft.shafts > mostShafts) return std::nullopt;
   draft.treadles = static_cast<int>(sheds.firstPicks.size());
   std::vector<int> endOfShaft(static_cast<size_t>(draft.shafts), -1);
   for (size_t end = 0; end < shaftOfEnd.size(); ++end) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "core/fabric/weave.h"
 
 namespace loomlight {
@@ -9,6 +11,8 @@ namespace loomlight {
 /// draft needs fewer shafts. What a loom has, or a Draft may have (validateDraft), is for the caller to compare: a
 /// jacquard has thousands. Costs ends x distinct picks, and keeps the tie-up.
 Draft smallestDraft(const Weave& weave);
+/// The same, or nothing where that takes more than `mostShafts`: a jacquard is found out after a few picks.
+std::optional<Draft> smallestDraft(const Weave& weave, int mostShafts);
 
 // The same cloth by other means. Where ends hang on several shafts, and up and down have to be swapped, the draft is
 // made anew: such an end follows whichever of its shafts moves, which has no reverse.
