@@ -1,18 +1,19 @@
 #include "ui/draft_canvas.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
+#include "ui/draft_drawing.h"
+#include "ui/draft_parts.h"
 #include "ui/fields.h"
 
 namespace loomlight {
 namespace {
 
-constexpr float kBar = 14.0f;  ///< thickness of a colour bar
-constexpr float kBarGap = 4.0f;
-
-/// The crossings from a to b, both included, along the straighter axis first where Shift holds a line.
+/// The crossings from a to b, both included.
 std::vector<CrossingIndex> strokeBetween(CrossingIndex a, CrossingIndex b) {
   std::vector<CrossingIndex> cells;
   const int steps = std::max(std::abs(b.pick - a.pick), std::abs(b.end - a.end));
@@ -30,18 +31,14 @@ CrossingIndex constrained(CrossingIndex start, CrossingIndex now) {
   return {start.pick, now.end};
 }
 
-std::optional<Fabric> paintCells(const Fabric& fabric, const std::vector<CrossingIndex>& cells, bool warpOver) {
-  std::optional<Fabric> edited;
-  Weave weave = fabric.weave;
+/// The weave after the stroke; nothing where that changes nothing.
+std::optional<Weave> paintCells(const Weave& weave, const std::vector<CrossingIndex>& cells, bool warpOver) {
+  std::optional<Weave> edited;
   for (const CrossingIndex& cell : cells) {
     const CrossingIndex c = inRepeat(cell, weave);
-    if (weave.at(c.pick, c.end) == warpOver) continue;
-    weave = weave.with(c.pick, c.end, warpOver);
-    if (!edited) edited = fabric;
+    if ((edited ? *edited : weave).at(c.pick, c.end) == warpOver) continue;
+    edited = (edited ? *edited : weave).with(c.pick, c.end, warpOver);
   }
-  if (!edited) return std::nullopt;
-  edited->weave = weave;
-  edited->draft.reset();  // drawn by hand, it is no longer what the loom's draft makes
   return edited;
 }
 
@@ -58,63 +55,50 @@ std::optional<Fabric> paintBar(const Fabric& fabric, System system, int from, in
   return edited;
 }
 
-/// One thread's colour per end above the weave, per pick beside it.
-void drawBar(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& colours, const DraftFrame& frame, System system,
-             ImVec2 min, ImVec2 max) {
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  draw.PushClipRect(min, max, true);
-  const bool warp = system == System::warp;
-  const int step = std::max(1, static_cast<int>(std::ceil(1.0f / frame.cell)));
-  const int first = warp ? frame.firstEnd() : frame.firstPick(), last = warp ? frame.lastEnd() : frame.lastPick();
-  const float gap = frame.cell >= 6 * ui.scale ? 1.0f : 0.0f;
-  for (int i = first; i <= last; i += step) {
-    const int yarn = warp ? fabric.warpYarn(i) : fabric.weftYarn(i);
-    ImVec2 a(min.x, std::round(frame.y(i + step))), b(max.x, std::round(frame.y(i)) - gap);
-    if (warp) a = ImVec2(std::round(frame.x(i)), min.y), b = ImVec2(std::round(frame.x(i + step)) - gap, max.y);
-    const int period = static_cast<int>(warp ? fabric.warpSequence.size() : fabric.weftSequence.size());
-    const float opacity = i >= 0 && i < period ? 1.0f : 0.7f;
-    draw.AddRectFilled(a, b, packed(colours[static_cast<size_t>(yarn)], opacity));
-  }
-  draw.PopClipRect();
-}
-
 /// Pan with the middle button or with Space held, zoom with the wheel. True while it has the mouse.
-bool navigate(DraftView& view, ImVec2 min, ImVec2 max) {
+bool navigate(DraftView& view, const DraftFrame& frame) {
   const ImGuiIO& io = ImGui::GetIO();
-  if (ImGui::IsItemHovered() && io.MouseWheel != 0) zoomDraft(view, min, max, io.MousePos, io.MouseWheel);
+  if (ImGui::IsItemHovered() && io.MouseWheel != 0) zoomDraft(view, frame, io.MousePos, io.MouseWheel);
   const bool space = ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_Space));
   if (!ImGui::IsItemActive() || !(ImGui::IsMouseDown(ImGuiMouseButton_Middle) || space)) return false;
-  view.origin.x -= io.MouseDelta.x / view.cell;
-  view.origin.y += io.MouseDelta.y / view.cell;
+  view.origin.x += (frame.fromRight ? 1.0f : -1.0f) * io.MouseDelta.x / view.cell;
+  view.origin.y += (frame.fromTop ? -1.0f : 1.0f) * io.MouseDelta.y / view.cell;
   return true;
 }
 
-std::optional<Fabric> stroke(const Fabric& fabric, DraftView& view, const DraftFrame& frame) {
+/// A stroke of the brush, or the pull of a selection.
+std::optional<Weave> stroke(const Weave& weave, DraftView& view, const DraftFrame& frame) {
+  using Stroke = DraftView::Stroke;
   const bool left = ImGui::IsMouseDown(ImGuiMouseButton_Left), right = ImGui::IsMouseDown(ImGuiMouseButton_Right);
   if (!ImGui::IsItemActive() || (!left && !right)) {
-    view.stroke = DraftView::Stroke::none;
+    if (view.stroke == Stroke::cells || view.stroke == Stroke::selection) view.stroke = Stroke::none;
     return std::nullopt;
   }
   const CrossingIndex under = frame.at(ImGui::GetIO().MousePos);
-  if (view.stroke != DraftView::Stroke::cells) {
-    view.stroke = DraftView::Stroke::cells;
-    view.strokeValue = left && !fabric.weave.warpOver(under.pick, under.end);
+  if (view.stroke != Stroke::cells && view.stroke != Stroke::selection) {
+    const bool selects = left && (view.tool == DraftView::Tool::select || ImGui::GetIO().KeyCtrl);
+    view.stroke = selects ? Stroke::selection : Stroke::cells;
+    view.strokeValue = left ? !weave.warpOver(under.pick, under.end) : frame.back;
     view.strokeStart = view.strokeLast = under;
   }
+  if (view.stroke == Stroke::selection) {
+    view.selection = selectionBetween(view.strokeStart, under, weave);
+    return std::nullopt;
+  }
   const CrossingIndex now = constrained(view.strokeStart, under);
-  const auto edited = paintCells(fabric, strokeBetween(view.strokeLast, now), view.strokeValue);
+  auto edited = paintCells(weave, strokeBetween(view.strokeLast, now), view.strokeValue);
   view.strokeLast = now;
   return edited;
 }
 
 std::optional<Fabric> barStroke(Ui& ui, const Fabric& fabric, DraftView& view, const DraftFrame& frame, System system,
-                                ImVec2 min, ImVec2 max) {
+                                const Box& bar) {
   const bool warp = system == System::warp;
   const char* id = warp ? "draft.warp_bar" : "draft.weft_bar";
-  ImGui::SetCursorScreenPos(min);
-  ImGui::InvisibleButton(id, ImVec2(max.x - min.x, max.y - min.y));
+  ImGui::SetCursorScreenPos(bar.min);
+  ImGui::InvisibleButton(id, ImVec2(bar.width(), bar.height()));
   ui.probe.recordItem(id);
-  tooltipFor(ui, id, min, max,
+  tooltipFor(ui, id, bar.min, bar.max,
              warp ? "The yarn of each end (warp thread). Click or drag to give ends the selected yarn."
                   : "The yarn of each pick (weft thread). Click or drag to give picks the selected yarn.");
   const auto mine = warp ? DraftView::Stroke::warpBar : DraftView::Stroke::weftBar;
@@ -130,56 +114,106 @@ std::optional<Fabric> barStroke(Ui& ui, const Fabric& fabric, DraftView& view, c
   return paintBar(fabric, system, from, to, view.brushYarn);
 }
 
-void ringCrossing(Ui& ui, const DraftFrame& frame, const CrossingIndex& c) {
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const float grow = std::max(0.0f, 0.5f * (6.0f * ui.scale - frame.cell));
-  const ImVec2 a(frame.x(c.end) - grow, frame.y(c.pick + 1) - grow),
-      b(frame.x(c.end + 1) + grow, frame.y(c.pick) + grow);
-  draw.AddRect(a, b, packed(ui.theme.onAccent), 0, 0, ui.px(4));
-  draw.AddRect(a, b, packed(ui.theme.accent), 0, 0, ui.px(2));
+/// Room for the parts; it does not change under the brush.
+DraftLayout layOut(Ui& ui, const Draft* draft, const DraftPreferences& preferences, DraftView& view, ImVec2 size) {
+  if (view.stroke == DraftView::Stroke::none) {
+    view.laidShafts = draft ? draft->shafts : 0;
+    view.laidColumns = !draft ? 0 : draft->liftplan.empty() ? draft->treadles : draft->shafts;
+  }
+  return layOutDraft(ImGui::GetCursorScreenPos(), size, view.laidShafts, view.laidColumns, preferences.rulers,
+                     ui.scale);
+}
+
+/// What is under the mouse, or what became of the draft; the line is always there, so nothing moves.
+void sayLine(Ui& ui, DraftView& view, const std::string& place, const std::string& remark) {
+  ImGui::PushFont(ui.fonts.small);
+  const bool warns = place.empty() && !remark.empty();
+  const std::string& said = place.empty() ? remark : place;
+  ImGui::PushStyleColor(ImGuiCol_Text, warns ? ui.theme.warning : ui.theme.textQuiet);
+  ImGui::TextUnformatted(said.empty() ? " " : shortened(said, ImGui::GetContentRegionAvail().x).c_str());
+  ImGui::PopStyleColor();
+  ImGui::PopFont();
+  ui.probe.recordItem("draft.line");
+  if (!said.empty())
+    tooltipFor(ui, "draft.line", ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
+               warns ? (remark + " What the loom has is set under Loom, below.").c_str() : said.c_str());
+  if (warns && ImGui::IsItemClicked()) view.page = DraftView::Page::loom;
+  ui.probe.fact("draft.remark", remark);
+}
+
+void tellProbe(Ui& ui, const DraftView& view, const Draft* draft, const DraftFrame& frame) {
+  if (!ui.probe.watching()) return;
+  const Box first = frame.cells(0, 0);
+  ui.probe.record("draft.cell_0_0", first.min, first.max);
+  ui.probe.fact("draft.kind", !draft ? "jacquard" : draft->liftplan.empty() ? "treadles" : "liftplan");
+  ui.probe.fact("draft.shafts", std::to_string(draft ? draft->shafts : 0));
+  ui.probe.fact("draft.treadles", std::to_string(draft ? draft->treadles : 0));
+  const auto& s = view.selection;
+  ui.probe.fact("draft.selection", s ? fmt::format("{} {} {} {}", s->pick, s->end, s->picks, s->ends) : "none");
 }
 
 }  // namespace
 
-std::optional<Fabric> draftCanvas(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& yarnColours, DraftView& view,
+std::optional<Fabric> draftCanvas(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& yarnColours,
+                                  const DraftPreferences& preferences, DraftView& view,
                                   std::optional<CrossingIndex> lit, ImVec2 size) {
-  const float inset = ui.px(kBar + kBarGap);
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const ImVec2 min(corner.x + inset, corner.y + inset), max(corner.x + size.x, corner.y + size.y);
-  if (view.cell <= 0) fitDraft(view, fabric.weave, ImVec2(max.x - min.x, max.y - min.y), ui.scale);
+  std::string remark;
+  const Draft* draft = draftBeside(fabric, preferences, view, &remark);
+  const DraftLayout layout = layOut(ui, draft, preferences, view, size);
+  const Box& cloth = layout.cloth;
+  if (view.cell <= 0) fitDraft(view, fabric.weave, ImVec2(cloth.width(), cloth.height()), ui.scale);
 
-  ImGui::SetCursorScreenPos(min);
+  ImGui::SetCursorScreenPos(cloth.min);
   ImGui::InvisibleButton(
-      "draft.canvas", ImVec2(max.x - min.x, max.y - min.y),
+      "draft.canvas", ImVec2(cloth.width(), cloth.height()),
       ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
   ui.probe.recordItem("draft.canvas");
   const bool hovered = ImGui::IsItemHovered() || ImGui::IsItemActive();
-  const bool navigating = navigate(view, min, max);
-  DraftFrame frame = frameOf(view, min, max);
+  const bool navigating = navigate(view, frameOf(view, preferences, cloth));
+  const DraftFrame frame = frameOf(view, preferences, cloth);
   std::optional<Fabric> edited;
-  if (!navigating) edited = stroke(fabric, view, frame);
+  if (auto weave = navigating ? std::nullopt : stroke(fabric.weave, view, frame)) {
+    Rewoven result = rewoven(fabric, std::move(*weave), preferences.loom);
+    edited = std::move(result.fabric);
+    view.remark = std::move(result.remark);
+  }
   view.hovered.reset();
   if (hovered) view.hovered = frame.at(ImGui::GetIO().MousePos);
+  std::string place;
+  if (hovered) {
+    const CrossingIndex c = inRepeat(*view.hovered, fabric.weave);
+    place = fmt::format("end {}, pick {}", c.end + 1, c.pick + 1);
+  } else if (draft) {
+    place = partUnderMouse(*draft, frame, layout);
+  }
 
-  const ImVec2 warpMin(min.x, corner.y), warpMax(max.x, corner.y + ui.px(kBar));
-  const ImVec2 weftMin(corner.x, min.y), weftMax(corner.x + ui.px(kBar), max.y);
-  if (!edited) edited = barStroke(ui, fabric, view, frame, System::warp, warpMin, warpMax);
-  if (!edited) edited = barStroke(ui, fabric, view, frame, System::weft, weftMin, weftMax);
+  if (!edited) edited = barStroke(ui, fabric, view, frame, System::warp, layout.warpBar);
+  if (!edited) edited = barStroke(ui, fabric, view, frame, System::weft, layout.weftBar);
+  const Draft* shownDraft = !edited ? draft : draftBeside(*edited, preferences, view);
+  if (shownDraft && layout.lift > 0)
+    if (auto made = draftParts(ui, *shownDraft, view, frame, layout)) {
+      edited = withDraft(fabric, std::move(*made));
+      view.remark.clear();
+    }
 
   const Fabric& shown = edited ? *edited : fabric;
-  drawWeave(ui, shown, yarnColours, frame, view.inColour);
-  drawBar(ui, shown, yarnColours, frame, System::warp, warpMin, warpMax);
-  drawBar(ui, shown, yarnColours, frame, System::weft, weftMin, weftMax);
-  ImGui::GetWindowDrawList()->PushClipRect(min, max, true);
+  drawWeave(ui, shown, yarnColours, frame, view.inColour, view.marksFloats ? preferences.longFloat_mm : 0);
+  drawBar(ui, shown, yarnColours, frame, System::warp, layout.warpBar);
+  drawBar(ui, shown, yarnColours, frame, System::weft, layout.weftBar);
+  if (preferences.rulers) {
+    drawRuler(ui, shown, frame, System::weft, preferences.inches, layout.endRuler);
+    drawRuler(ui, shown, frame, System::warp, preferences.inches, layout.pickRuler);
+  }
+  ImGui::GetWindowDrawList()->PushClipRect(cloth.min, cloth.max, true);
+  if (view.selection) drawSelection(ui, frame, *view.selection);
   if (hovered && view.stroke == DraftView::Stroke::none) ringCrossing(ui, frame, *view.hovered);
   if (lit) ringCrossing(ui, frame, inRepeat(*lit, fabric.weave));
   ImGui::GetWindowDrawList()->PopClipRect();
-  if (ui.probe.watching()) {
-    const CrossingIndex first{0, 0};
-    ui.probe.record("draft.cell_0_0", ImVec2(frame.x(first.end), frame.y(1)), ImVec2(frame.x(1), frame.y(0)));
-  }
+  tellProbe(ui, view, draftBeside(shown, preferences, view), frame);
+
   ImGui::SetCursorScreenPos(ImVec2(corner.x, corner.y + size.y));
-  ImGui::Dummy(ImVec2(0, 0));
+  sayLine(ui, view, place, remark.empty() ? view.remark : remark);
   return edited;
 }
 

@@ -8,13 +8,11 @@
 
 namespace loomlight {
 
-/// Draws the weave and its colour bars into the rectangle and lets the mouse paint them. `yarnColours`: display colour
-/// of each yarn. `lit`: the crossing under the mouse in the viewport. Returns the fabric after a stroke's step.
-std::optional<Fabric> draftCanvas(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& yarnColours, DraftView& view,
+/// Draws the draft with its colour bars into the rectangle, and lets the mouse paint all of it. `yarnColours`: display
+/// colour of each yarn. `lit`: the crossing under the mouse in the viewport. Returns the fabric after a stroke's step;
+/// what that did to the draft is in `view.remark`.
+std::optional<Fabric> draftCanvas(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& yarnColours,
+                                  const DraftPreferences& preferences, DraftView& view,
                                   std::optional<CrossingIndex> lit, ImVec2 size);
-
-/// The drawing alone; clipped to what is visible, whatever the size of the weave.
-void drawWeave(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& yarnColours, const DraftFrame& frame,
-               bool inColour);
 
 }  // namespace loomlight

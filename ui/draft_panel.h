@@ -7,8 +7,13 @@
 
 namespace loomlight {
 
-/// Point paper with its colour bars, the size of the repeat, the order of colours, and structures to start from.
-std::optional<Fabric> draftPanel(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& yarnColours, DraftView& view,
-                                 std::optional<CrossingIndex> lit);
+/// The draft with its colour bars; below it structures to start from, the loom, and the order of colours.
+std::optional<Fabric> draftPanel(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& yarnColours,
+                                 DraftPreferences& preferences, DraftView& view, std::optional<CrossingIndex> lit);
+
+// The pages; each returns the fabric after an edit.
+std::optional<Fabric> structurePage(Ui& ui, const Fabric& fabric, const DraftPreferences& preferences, DraftView& view);
+std::optional<Fabric> loomPage(Ui& ui, const Fabric& fabric, DraftPreferences& preferences, DraftView& view);
+std::optional<Fabric> orderPage(Ui& ui, const Fabric& fabric, DraftView& view);
 
 }  // namespace loomlight

@@ -5,26 +5,58 @@
 
 namespace loomlight {
 
+const DerivedDraft& ShownDraft::of(const Weave& weave, const LoomLimits& limits, bool liftplan) {
+  if (weave_ && *weave_ == weave && limits_ == limits && liftplan_ == liftplan) return derived_;
+  weave_ = weave;
+  limits_ = limits;
+  liftplan_ = liftplan;
+  Draft like;
+  if (liftplan) like.liftplan.resize(1);
+  derived_ = deriveDraft(weave, limits, like);
+  return derived_;
+}
+
+float DraftFrame::x(double end) const {
+  const float along = static_cast<float>(end - origin.x) * cell;
+  return fromRight ? box.max.x - along : box.min.x + along;
+}
+
+float DraftFrame::y(double pick) const {
+  const float along = static_cast<float>(pick - origin.y) * cell;
+  return fromTop ? box.min.y + along : box.max.y - along;
+}
+
+Box DraftFrame::cells(int pick, int end, int picks, int ends) const {
+  const float x0 = std::round(x(end)), x1 = std::round(x(end + ends));
+  const float y0 = std::round(y(pick)), y1 = std::round(y(pick + picks));
+  return {ImVec2(std::min(x0, x1), std::min(y0, y1)), ImVec2(std::max(x0, x1), std::max(y0, y1))};
+}
+
 CrossingIndex DraftFrame::at(ImVec2 p) const {
-  return {static_cast<int>(std::floor((max.y - p.y) / cell + origin.y)),
-          static_cast<int>(std::floor((p.x - min.x) / cell + origin.x))};
+  const float alongEnds = fromRight ? box.max.x - p.x : p.x - box.min.x;
+  const float alongPicks = fromTop ? p.y - box.min.y : box.max.y - p.y;
+  return {static_cast<int>(std::floor(alongPicks / cell + origin.y)),
+          static_cast<int>(std::floor(alongEnds / cell + origin.x))};
 }
 
 int DraftFrame::firstEnd() const {
   return static_cast<int>(std::floor(origin.x));
 }
 int DraftFrame::lastEnd() const {
-  return static_cast<int>(std::ceil(origin.x + (max.x - min.x) / cell)) - 1;
+  return static_cast<int>(std::ceil(origin.x + box.width() / cell)) - 1;
 }
 int DraftFrame::firstPick() const {
   return static_cast<int>(std::floor(origin.y));
 }
 int DraftFrame::lastPick() const {
-  return static_cast<int>(std::ceil(origin.y + (max.y - min.y) / cell)) - 1;
+  return static_cast<int>(std::ceil(origin.y + box.height() / cell)) - 1;
 }
 
-DraftFrame frameOf(const DraftView& view, ImVec2 min, ImVec2 max) {
-  return {min, max, view.cell, view.origin};
+DraftFrame frameOf(const DraftView& view, const DraftPreferences& preferences, const Box& box) {
+  using Origin = DraftPreferences::Origin;
+  const bool right = preferences.origin == Origin::bottomRight || preferences.origin == Origin::topRight;
+  const bool top = preferences.origin == Origin::topLeft || preferences.origin == Origin::topRight;
+  return {box, view.cell, view.origin, right != view.back, top, view.back};
 }
 
 void fitDraft(DraftView& view, const Weave& weave, ImVec2 size, float scale) {
@@ -37,17 +69,34 @@ void fitDraft(DraftView& view, const Weave& weave, ImVec2 size, float scale) {
   view.origin = ImVec2(0, 0);
 }
 
-void zoomDraft(DraftView& view, ImVec2 min, ImVec2 max, ImVec2 pointer, float clicks) {
+void zoomDraft(DraftView& view, const DraftFrame& frame, ImVec2 pointer, float clicks) {
   const float smallest = 0.02f, largest = 96.0f;
   const float old = view.cell;
   view.cell = std::clamp(old * std::exp(0.16f * clicks), smallest, largest);
-  const float fromLeft = pointer.x - min.x, fromBottom = max.y - pointer.y;
-  view.origin.x += fromLeft / old - fromLeft / view.cell;
-  view.origin.y += fromBottom / old - fromBottom / view.cell;
+  const float alongEnds = frame.fromRight ? frame.box.max.x - pointer.x : pointer.x - frame.box.min.x;
+  const float alongPicks = frame.fromTop ? pointer.y - frame.box.min.y : frame.box.max.y - pointer.y;
+  view.origin.x += alongEnds / old - alongEnds / view.cell;
+  view.origin.y += alongPicks / old - alongPicks / view.cell;
   // Far from the origin a float no longer tells neighbouring cells apart; nobody weaves there.
   constexpr float kFar = 1e5f;
   view.origin.x = std::clamp(view.origin.x, -kFar, kFar);
   view.origin.y = std::clamp(view.origin.y, -kFar, kFar);
+}
+
+CellRect selectionBetween(const CrossingIndex& a, const CrossingIndex& b, const Weave& weave) {
+  const CrossingIndex corner = inRepeat({std::min(a.pick, b.pick), std::min(a.end, b.end)}, weave);
+  return {corner.pick, corner.end, std::min(std::abs(a.pick - b.pick) + 1, weave.picks()),
+          std::min(std::abs(a.end - b.end) + 1, weave.ends())};
+}
+
+const Draft* draftBeside(const Fabric& fabric, const DraftPreferences& preferences, DraftView& view,
+                         std::string* remark) {
+  if (fabric.draft) return &*fabric.draft;
+  if (view.loom == DraftView::Loom::jacquard) return nullptr;
+  const DerivedDraft& derived =
+      view.shownDraft.of(fabric.weave, preferences.loom, view.loom == DraftView::Loom::liftplan);
+  if (remark) *remark = derived.remark;
+  return derived.draft ? &*derived.draft : nullptr;
 }
 
 }  // namespace loomlight

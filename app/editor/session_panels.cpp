@@ -59,7 +59,7 @@ void Session::drawPanels(Ui& ui) {
 void Session::drawDraft(Ui& ui) {
   const Fabric& fabric = *document_.fabric();
   draft_.brushYarn = inspector_.yarn;
-  if (auto edited = draftPanel(ui, fabric, yarnColours(fabric), draft_, underPointer_)) edit(std::move(*edited));
+  if (auto edited = draftPanel(ui, fabric, yarnColours(fabric), settings_.draft, draft_, underPointer_)) edit(std::move(*edited));
   inspector_.yarn = draft_.brushYarn;
   if (const auto choice = presetList(ui, presets_.names(), sampleNames_)) applyPreset(*choice);
 }

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "ui/desk.h"
+#include "ui/draft_view.h"
 
 namespace loomlight {
 
@@ -15,6 +16,7 @@ struct Settings {
   int windowWidth = 1440, windowHeight = 900;
   bool darkTheme = true;
   DeskLayout desk;
+  DraftPreferences draft;
   double fibreMemory_GB = defaultFibreMemory_GB();  ///< that the truth lens may use
   std::string folder;                               ///< where files were last opened or saved
 };

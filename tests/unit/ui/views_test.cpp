@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "ui/camera_moves.h"
+#include "ui/crossing_index.h"
 #include "ui/desk.h"
-#include "ui/draft_view.h"
 
 namespace loomlight {
 namespace {
@@ -79,28 +79,6 @@ TEST(CameraMoves, FitShowsEveryCornerOfTheCloth) {
         EXPECT_LE(std::abs(p.y), 0.5 * height);
       }
   }
-}
-
-TEST(DraftView, TheCrossingUnderThePointerStaysThereWhileZooming) {
-  DraftView view;
-  const ImVec2 min(10, 20), max(310, 320);
-  fitDraft(view, Weave(), ImVec2(300, 300), 1);
-  const ImVec2 pointer(200, 110);
-  const CrossingIndex before = frameOf(view, min, max).at(pointer);
-  for (float clicks : {3.0f, 2.0f, -4.0f}) {
-    zoomDraft(view, min, max, pointer, clicks);
-    EXPECT_EQ(frameOf(view, min, max).at(pointer), before);
-  }
-}
-
-TEST(DraftView, FitShowsTheWholeRepeat) {
-  const Weave weave = Weave().resized(700, 300);
-  DraftView view;
-  fitDraft(view, weave, ImVec2(280, 240), 1);
-  const DraftFrame frame = frameOf(view, ImVec2(0, 0), ImVec2(280, 240));
-  EXPECT_EQ(frame.at(ImVec2(0.01f, 239.99f)), (CrossingIndex{0, 0}));
-  EXPECT_GE(frame.lastEnd(), 699);
-  EXPECT_GE(frame.lastPick(), 299);
 }
 
 TEST(CrossingIndex, WrapsIntoTheRepeatFromBothSides) {

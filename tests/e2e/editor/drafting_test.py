@@ -1,0 +1,180 @@
+"""A weaver at the draft: threading, tie-up, treadling and drawdown edited by mouse, each following the others."""
+
+import json
+import os
+
+from window_driver import Display, Editor, expect, run
+
+PROGRAM = os.environ["LOOMLIGHT"]
+SAMPLES = os.path.join(os.environ["LOOMLIGHT_ROOT"], "samples")
+WIDTH, HEIGHT = 1280, 720
+TWILL = ["..##", ".##.", "##..", "#..#"]  # 2/2, the first pick last
+
+
+def small_fabric(home):
+    with open(os.path.join(SAMPLES, "blue_cloth.json"), encoding="utf-8") as text:
+        fabric = json.load(text)
+    fabric["weave"] = TWILL
+    fabric["drape"] = {"kind": "flat", "width_mm": 4, "height_mm": 4}
+    fabric["light"] = {"kind": "dome"}
+    fabric["camera"] = {"distance_mm": 16}
+    fabric["render"] = {"resolution": 1}
+    file = os.path.join(home, "cloth.json")
+    with open(file, "w", encoding="utf-8") as text:
+        json.dump(fabric, text)
+    return file
+
+
+def numbers(entry):
+    """Of a line of a draft: one number, none as 0, or several."""
+    return [n for n in (entry if isinstance(entry, list) else [entry]) if n]
+
+
+def weave_of(fabric):
+    """As drawn, the first pick last; a fabric with a draft has no weave beside it."""
+    if "draft" not in fabric:
+        return fabric["weave"]
+    draft, rows = fabric["draft"], []
+    for pick in draft.get("liftplan") or draft["treadling"]:
+        lifted = set(numbers(pick))
+        if not draft.get("liftplan"):
+            lifted = {shaft for treadle in lifted for shaft in numbers(draft["tie_up"][treadle - 1])}
+        rows.append("".join("#" if lifted & set(numbers(end)) else "." for end in draft["threading"]))
+    return rows[::-1]
+
+
+class Weaver:
+    """Clicks cells of the draft by number, and reads what the editor saves."""
+
+    def __init__(self, editor, file):
+        self.editor, self.file = editor, file
+
+    def saved(self):
+        self.editor.key("ctrl+s")
+        self.editor.wait_until("the fabric is saved", lambda: self.editor.fact("dirty") == "no")
+        with open(self.file, encoding="utf-8") as text:
+            return json.load(text)
+
+    def revision(self):
+        return self.editor.number("revision")
+
+    def crossing(self, pick, end):
+        """Of the drawdown, from 0."""
+        x0, y0, x1, y1 = self.editor.widgets()["draft.cell_0_0"]
+        return (x0 + x1) / 2 + end * (x1 - x0), (y0 + y1) / 2 - pick * (y1 - y0)
+
+    def number(self, table, line, number):
+        """Of a line, from 0, in the threading, tie-up or treadling."""
+        x0, y0, x1, y1 = self.editor.widgets()[f"draft.{table}_0_1"]
+        x, y, w, h = (x0 + x1) / 2, (y0 + y1) / 2, x1 - x0, y1 - y0
+        return (x + (number - 1) * w, y - line * h) if table == "treadling" else (x + line * w, y - (number - 1) * h)
+
+    def edits(self, what, act):
+        """Does it and waits for the fabric to follow."""
+        revision = self.revision()
+        act()
+        self.editor.wait_until(what, lambda: self.revision() > revision)
+
+    def shows(self, kind, shafts=None):
+        self.editor.wait_until(f"the draft is shown as {kind} on {shafts or 'any'} shafts",
+                               lambda: self.editor.fact("draft.kind") == kind
+                               and shafts in (None, self.editor.fact("draft.shafts")))
+
+
+def edit_parts(weaver):
+    editor = weaver.editor
+    weaver.shows("treadles", "4")
+    weaver.edits("a click hangs an end on another shaft",
+                 lambda: editor.click_at(*weaver.number("threading", 0, 3)))
+    fabric = weaver.saved()
+    expect(fabric["draft"]["threading"] == [3, 2, 3, 4], f"threading is {fabric['draft']['threading']}")
+    expect([row[0] for row in weave_of(fabric)] == [row[2] for row in TWILL], "the first end does not weave as the third")
+    weaver.edits("undo", lambda: editor.key("ctrl+z"))
+
+    weaver.edits("a drag threads several ends",
+                 lambda: editor.drag(weaver.number("threading", 0, 4), weaver.number("threading", 3, 1), steps=6))
+    expect(weaver.saved()["draft"]["threading"] == [4, 3, 2, 1], "the drag did not thread the ends backwards")
+    weaver.edits("undo", lambda: editor.key("ctrl+z"))
+
+    weaver.edits("a click ties a shaft", lambda: editor.click_at(*weaver.number("tieup", 0, 3)))
+    expect(weaver.saved()["draft"]["tie_up"][0] == [1, 3, 4], "the tie-up did not get its third shaft")
+    weaver.edits("a right drag unties",
+                 lambda: editor.drag(weaver.number("tieup", 0, 1), weaver.number("tieup", 0, 4), button=3, steps=6))
+    fabric = weaver.saved()
+    expect(fabric["draft"]["tie_up"][0] in ([], 0), f"the tie-up has {fabric['draft']['tie_up'][0]}")
+    expect(weave_of(fabric)[3] == "....", "a treadle that is tied to nothing lifts something")
+    weaver.edits("undo", lambda: editor.key("ctrl+z"))
+    weaver.edits("undo", lambda: editor.key("ctrl+z"))
+
+    weaver.edits("a click presses another treadle", lambda: editor.click_at(*weaver.number("treadling", 1, 4)))
+    fabric = weaver.saved()
+    expect(fabric["draft"]["treadling"] == [1, 4, 3, 4], f"treadling is {fabric['draft']['treadling']}")
+    expect(weave_of(fabric)[2] == weave_of(fabric)[0], "the second pick does not weave as the fourth")
+
+
+def paint_drawdown(weaver):
+    editor = weaver.editor
+    weaver.edits("a click turns a crossing over", lambda: editor.click_at(*weaver.crossing(0, 1)))
+    fabric = weaver.saved()
+    expect("draft" in fabric, "painting lost the draft")
+    draft = fabric["draft"]
+    expect(draft["threading"][0] == 1 and draft["threading"][2:] == [3, 4], f"shafts were renumbered: {draft}")
+    weaver.shows("treadles")
+
+
+def lift(weaver):
+    editor = weaver.editor
+    before = weave_of(weaver.saved())
+    editor.click("draft.tab_loom")
+    editor.click("loom.kind")
+    weaver.edits("a liftplan replaces tie-up and treadling", lambda: editor.click("loom.kind/Liftplan"))
+    fabric = weaver.saved()
+    expect(weave_of(fabric) == before and len(fabric["draft"]["liftplan"]) == 4, f"no liftplan: {fabric.get('draft')}")
+    weaver.edits("a click lifts a shaft", lambda: editor.click_at(*weaver.number("treadling", 0, 4)))
+    expect(weave_of(weaver.saved()) != before, "the liftplan did not change the weave")
+    editor.click("loom.kind")
+    weaver.edits("treadles come back", lambda: editor.click("loom.kind/Treadles"))
+    weaver.shows("treadles")
+
+
+def outgrow_the_loom(weaver):
+    """A loom of three shafts cannot weave a twill, and that is said; four can."""
+    editor = weaver.editor
+    editor.click("draft.tab_structures")
+    weaver.edits("a structure replaces the weave", lambda: editor.click("structure/Plain"))
+    weaver.shows("treadles", "2")
+    editor.click("draft.tab_loom")
+    editor.move(*editor.centre("loom.shafts"))
+    for _ in range(5):
+        editor.act("click", 5)
+    editor.click("loom.most_shafts")
+    editor.key("ctrl+a")
+    editor.type("3")
+    editor.key("Return")
+    editor.click("draft.tab_structures")
+    weaver.edits("another structure", lambda: editor.click("structure/Twill 2/2"))
+    weaver.shows("jacquard")
+    expect("more than 3 shafts" in editor.fact("draft.remark"), f"it is not said why: {editor.fact('draft.remark')}")
+    weaver.edits("undo brings the draft back", lambda: editor.key("ctrl+z"))
+    weaver.shows("treadles", "2")
+
+
+def test():
+    display = Display(WIDTH, HEIGHT)
+    editor = None
+    try:
+        editor = Editor(display, WIDTH, HEIGHT)
+        file = small_fabric(editor.home)
+        editor.start(PROGRAM, [file])
+        weaver = Weaver(editor, file)
+        edit_parts(weaver)
+        paint_drawdown(weaver)
+        lift(weaver)
+        outgrow_the_loom(weaver)
+    finally:
+        if editor:
+            editor.close()
+        display.close()
+
+
+run(test)
