@@ -18,6 +18,10 @@ std::string text(double value, Target::Kind kind) {
       return fmt::format("{:.3g} M", value / 1e6);
     case Target::Kind::percent:
       return fmt::format("{:.2f} %", value);
+    case Target::Kind::count:
+      return fmt::format("{:.0f}", value);
+    case Target::Kind::milliseconds:
+      return fmt::format("{:.3g} ms", value);
   }
   return {};
 }

@@ -8,9 +8,9 @@ namespace loomlight {
 class ReportPage;
 
 /// A figure that the program must reach, beside what was reached before it. Ratios and rates are to be large,
-/// differences in percent small.
+/// differences in percent, counts and times small.
 struct Target {
-  enum class Kind { ratio, perSecond, percent };
+  enum class Kind { ratio, perSecond, percent, count, milliseconds };
   std::string what;
   std::string report, prototype;  ///< as they are written; empty where nothing is known
   Kind kind = Kind::percent;
@@ -19,7 +19,9 @@ struct Target {
   double standardError = 0;  ///< of ours; 0: not known, or of no account
 
   /// A NaN reaches nothing.
-  bool reaches(double goal) const { return kind == Kind::percent ? ours <= goal : ours >= goal; }
+  bool reaches(double goal) const {
+    return kind == Kind::ratio || kind == Kind::perSecond ? ours >= goal : ours <= goal;
+  }
 };
 
 /// "57.3 : 1"; "-" where there is none.

@@ -180,6 +180,16 @@ void addReportBench(CLI::App& app, ReportBenchCommand& command) {
   addMemoryLimit(app, command.bench.memoryLimit_bytes);
 }
 
+void addEditBench(CLI::App& app, EditBenchCommand& command) {
+  app.add_option("-o,--output", command.folder, "the folder for page and tables; made where needed")->type_name("DIR");
+  app.add_flag("--quick", command.quick, "small cloths and pictures: seconds instead of a quarter of an hour");
+  app.add_flag("--json", command.json, "the figures as JSON on stdout too");
+  addValue(app, "--threads", "N", "threads; as in the window, all but one, where not given",
+           [&command](const auto& option, const auto& text) {
+             command.threads = static_cast<int>(parseWhole(option, text, 1, 1024));
+           });
+}
+
 void addBrdf(CLI::App& app, BrdfCommand& command) {
   app.add_option("FABRIC", command.input, "a fabric (.json), draft (.wif), weave bitmap (.png) or picture (.exr)")
       ->type_name("")
@@ -268,6 +278,7 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   ReportBenchCommand figures{ReportBenchCommand::Suite::figures, {"bench-figures", false, defaultMemoryLimit_bytes()}};
   ReportBenchCommand accuracy{ReportBenchCommand::Suite::accuracy,
                               {"bench-accuracy", false, defaultMemoryLimit_bytes()}};
+  EditBenchCommand editBench{"bench-edit"};
 
   CLI::App app("Woven fabric, path-traced from the optics of its fibres.", "loomlight");
   app.set_version_flag("--version", "loomlight " LOOMLIGHT_VERSION);
@@ -296,6 +307,9 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   CLI::App* const accuracies =
       benches->add_subcommand("accuracy", "how near the volume comes to its own fibres, by every estimator");
   addReportBench(*accuracies, accuracy);
+  CLI::App* const editBenches =
+      benches->add_subcommand("edit", "how soon the editor shows an edit, of every kind and on cloths of every size");
+  addEditBench(*editBenches, editBench);
   CLI::App* const compares = app.add_subcommand("compare", "how far a picture is from its reference");
   addCompare(*compares, compare);
   CLI::App* const visibilities = app.add_subcommand("bvdf", "bake the local visibility of a fabric's yarns (Fig. 8)");
@@ -325,9 +339,10 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   if (*tables) return table1;
   if (*figuresOf) return figures;
   if (*accuracies) return accuracy;
+  if (*editBenches) return editBench;
   if (*volumes) return bench;
   if (*benches)
-    throw UsageError(fmt::format("bench: expected volume, table1, figures or accuracy, got '{}'",
+    throw UsageError(fmt::format("bench: expected volume, table1, figures, accuracy or edit, got '{}'",
                                  noSuite.empty() ? "" : noSuite.front()));
   if (*visibilities) return bvdf;
   if (*compares) {

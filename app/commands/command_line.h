@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/commands/bench_command.h"
+#include "app/commands/bench_edit.h"
 #include "app/commands/brdf_command.h"
 #include "app/commands/bvdf_command.h"
 #include "app/commands/compare_command.h"
@@ -26,7 +27,7 @@ struct TextCommand {
 };
 
 using Command = std::variant<EditCommand, RenderCommand, InfoCommand, ConvertCommand, BenchCommand, ReportBenchCommand,
-                             BrdfCommand, CompareCommand, BvdfCommand, TextCommand>;
+                             EditBenchCommand, BrdfCommand, CompareCommand, BvdfCommand, TextCommand>;
 
 /// What the words behind the program's name ask for. Throws UsageError.
 Command parseCommandLine(const std::vector<std::string>& words);

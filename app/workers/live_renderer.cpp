@@ -144,6 +144,7 @@ void LiveRenderer::Workers::build(const ViewRequest& request, std::stop_token st
       if (!scene || made.scene->volume != scene->volume) {
         status.counts = made.scene->volume->counts();
         status.measures = made.scene->volume->geometry().measure();
+        status.bricksVoxelised += made.scene->volume->bricksVoxelised();
         status.buildSeconds = watch.lap();
       }
       status.notices = made.scene->shell->repairs();

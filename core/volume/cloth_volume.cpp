@@ -108,6 +108,7 @@ bool ClothVolume::makeBricks(const Task& task) {
   });
   if (task.stopped()) return false;
   for (Made& made : all) made.tiles->place(made.kind, std::move(made.brick));
+  bricksVoxelised_ = all.size();
   return true;
 }
 

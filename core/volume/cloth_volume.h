@@ -53,6 +53,7 @@ class ClothVolume {
   const ClothGeometry& geometry() const { return *geometry_; }
   const VoxelGrid& grid() const { return grid_; }
   VolumeCounts counts() const;
+  size_t bricksVoxelised() const { return bricksVoxelised_; }  ///< to make it; the others were there before
   glm::vec3 lower_mm() const { return {0.0f, 0.0f, grid_.zLower_mm}; }  ///< bounds of the whole piece
   glm::vec3 upper_mm() const;
 
@@ -114,6 +115,7 @@ class ClothVolume {
   glm::dvec3 voxel_mm_{1};  ///< grid().size_mm unrounded: cells of a wide cloth must not drift against the geometry's
   glm::ivec3 cells_{1};     ///< ends, picks, 1
   std::array<TileMap, 2> tiles_;
+  size_t bricksVoxelised_ = 0;
 };
 
 }  // namespace loomlight

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Puts the pages of `loomlight bench table1`, `figures` and `accuracy` together as RESULTS.md, with a few small pictures.
+"""Puts the pages of `loomlight bench accuracy`, `table1`, `figures` and `edit` together as RESULTS.md, with a few small pictures.
 
-    tests/bench/results.py --run build/app/loomlight RUNS    measures first: three quarters of an hour on two idle cores
+    tests/bench/results.py --run build/app/loomlight RUNS    measures first: an hour on two idle cores
     tests/bench/results.py RUNS                              only writes, from what is in RUNS
 
 RUNS is a folder that keeps the whole pages, tables and pictures, one folder a suite, and the commit they are of.
@@ -14,7 +14,7 @@ import shutil
 import subprocess
 
 HERE = pathlib.Path(__file__).resolve().parent
-SUITES = ("accuracy", "table1", "figures")
+SUITES = ("accuracy", "table1", "figures", "edit")
 PICTURES = ("accuracy_plain_filament", "blue", "black_and_white", "fig1", "fig4", "fig7", "fig8", "fig11-14_blue")
 LARGEST_BYTES = 100_000
 

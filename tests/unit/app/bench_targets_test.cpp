@@ -7,13 +7,18 @@
 namespace loomlight {
 namespace {
 
-TEST(Target, RatiosAreToBeLargeAndDifferencesSmall) {
+TEST(Target, RatiosAreToBeLargeAndDifferencesCountsAndTimesSmall) {
   const Target ratio{"memory", "", "", Target::Kind::ratio, 1000, 10000, 3000};
   EXPECT_TRUE(ratio.reaches(ratio.atLeast));
   EXPECT_FALSE(ratio.reaches(ratio.aim));
   const Target difference{"colour", "", "", Target::Kind::percent, 3, 1, 2};
   EXPECT_TRUE(difference.reaches(difference.atLeast));
   EXPECT_FALSE(difference.reaches(difference.aim));
+  for (const auto kind : {Target::Kind::count, Target::Kind::milliseconds}) {
+    const Target target{"", "", "", kind, 100, 33, 50};
+    EXPECT_TRUE(target.reaches(target.atLeast));
+    EXPECT_FALSE(target.reaches(target.aim));
+  }
 }
 
 TEST(Target, WhatWasNotMeasuredReachesNothing) {

@@ -158,6 +158,10 @@ TEST(CommandLine, BenchKnowsItsSuites) {
   const auto accuracy = parsed<ReportBenchCommand>({"bench", "accuracy"});
   EXPECT_EQ(accuracy.suite, ReportBenchCommand::Suite::accuracy);
   EXPECT_NE(accuracy.bench.folder, table.bench.folder);
+  const auto edit = parsed<EditBenchCommand>({"bench", "edit", "--json"});
+  EXPECT_TRUE(edit.json);
+  EXPECT_FALSE(edit.quick);
+  EXPECT_FALSE(edit.folder.empty());
   EXPECT_THAT(complaint({"bench", "races", "a.json"}), HasSubstr("races"));
   EXPECT_THAT(complaint({"bench"}), HasSubstr("table1"));
 }

@@ -1,0 +1,35 @@
+"""The quick form of `bench edit`: every kind of edit voxelises what it must and no more. Times are not judged."""
+
+import csv
+import json
+
+from harness import CommandLineTest, main
+
+NOTHING = ("colour sequence", "absorption", "refractive index", "light", "camera", "drape")
+
+
+class EditBench(CommandLineTest):
+    def test_counts(self):
+        out = self.run_program("bench", "edit", "--quick", "--json", "-o", "out", timeout=280)
+        cloths = json.loads(out)
+        self.assertEqual([cloth["cloth"] for cloth in cloths], ["twill_8", "dobby_64", "jacquard_160"])
+        for cloth in cloths:
+            edits = {edit["edit"]: edit for edit in cloth["edits"]}
+            self.assertLessEqual(edits["paint one crossing"]["made"]["bricks"], 64)
+            for name in NOTHING:
+                self.assertEqual(edits[name]["made"]["bricks"], 0, name)
+            for name in ("ply", "tex", "sett"):
+                self.assertEqual(edits[name]["made"]["bricks"], edits[name]["full_build"]["bricks"], name)
+            for name, edit in edits.items():
+                with self.subTest(cloth=cloth["cloth"], edit=name):
+                    self.assertLessEqual(edit["made"]["bricks"], edit["full_build"]["bricks"])
+                    for way in ("made", "undone", "redone"):
+                        times = edit[way]
+                        self.assertLessEqual(times["volume_seconds"]["median"], times["first_picture_seconds"]["median"])
+            self.assertEqual(cloth["stroke"]["crossings"], 20)
+        self.assertTrue((self.folder / "out/edit.md").exists())
+        with open(self.folder / "out/edit_targets.csv", newline="") as file:
+            self.assertEqual(len(list(csv.DictReader(file))), 6)
+
+
+main()
