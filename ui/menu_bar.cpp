@@ -26,13 +26,14 @@ class Menu {
 
 }  // namespace
 
-std::optional<Command> menuBar(Ui& ui, const MenuModel& model) {
+MenuChoice menuBar(Ui& ui, const MenuModel& model) {
   Menu menu(ui);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ui.px(8), ui.px(8)));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(12), ui.px(8)));
   const bool shown = ImGui::BeginMainMenuBar();
   ImGui::PopStyleVar(2);
-  if (!shown) return std::nullopt;
+  if (!shown) return {};
+  std::optional<DraftCommand> draft;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(16), ui.px(10)));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(16), ui.px(12)));
   if (menu.begin("menu.file", "File")) {
@@ -42,6 +43,8 @@ std::optional<Command> menuBar(Ui& ui, const MenuModel& model) {
     menu.item("menu.save", "Save", "Ctrl+S", Command::save);
     menu.item("menu.save_as", "Save as\xE2\x80\xA6", "Ctrl+Shift+S", Command::saveAs);
     menu.item("menu.save_preset", "Keep as preset", "", Command::savePreset);
+    ImGui::Separator();
+    if (const auto chosen = exportMenu(ui)) draft = chosen;
     ImGui::Separator();
     menu.item("menu.snapshot", "Snapshot\xE2\x80\xA6", "Ctrl+P", Command::snapshot);
     ImGui::Separator();
@@ -55,6 +58,7 @@ std::optional<Command> menuBar(Ui& ui, const MenuModel& model) {
     menu.item("menu.preferences", "Preferences\xE2\x80\xA6", "", Command::preferences);
     ImGui::EndMenu();
   }
+  if (const auto chosen = weaveMenu(ui, model.weave)) draft = chosen;
   if (menu.begin("menu.view", "View")) {
     menu.item("menu.fit", "Show the whole cloth", "F", Command::fitView);
     menu.item("menu.fit_draft", "Show the whole repeat", "Shift+F", Command::fitDraft);
@@ -82,7 +86,7 @@ std::optional<Command> menuBar(Ui& ui, const MenuModel& model) {
   ImGui::GetWindowDrawList()->AddText(at, packed(ui.theme.text), right.c_str());
   ui.probe.record("title", at, ImVec2(at.x + size.x, at.y + size.y));
   ImGui::EndMainMenuBar();
-  return menu.chosen();
+  return {menu.chosen(), draft};
 }
 
 }  // namespace loomlight

@@ -5,6 +5,7 @@
 
 #include "ui/commands.h"
 #include "ui/ui.h"
+#include "ui/weave_menu.h"
 
 namespace loomlight {
 
@@ -15,9 +16,15 @@ struct MenuModel {
   bool darkTheme = true;
   bool panelsShown = true;
   bool lensOn = false;
+  WeaveMenuModel weave;
+};
+
+struct MenuChoice {
+  std::optional<Command> command;
+  std::optional<DraftCommand> draft;
 };
 
 /// The line at the top of the window.
-std::optional<Command> menuBar(Ui& ui, const MenuModel& model);
+MenuChoice menuBar(Ui& ui, const MenuModel& model);
 
 }  // namespace loomlight

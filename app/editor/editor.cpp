@@ -12,6 +12,7 @@
 #include "app/editor/user_folders.h"
 #include "app/editor/widget_dump.h"
 #include "app/editor/window.h"
+#include "app/workers/file_name.h"
 #include "core/fabric/fabric_json.h"
 
 namespace loomlight {
@@ -22,8 +23,13 @@ constexpr int kFramesPerEvent = 3;
 /// The longest sleep; what wakes the window otherwise is input or a worker.
 constexpr double kLongestSleep_s = 5.0;
 
+/// A weaving file or a picture is opened into the sample, by the session, which says what was wrong in it.
+bool isFabric(const std::string& file) {
+  return lowerExtension(file) == ".json";
+}
+
 Document firstDocument(const EditorOptions& options) {
-  if (options.fabricFile.empty()) return Document(sampleFabric());
+  if (!isFabric(options.fabricFile)) return Document(sampleFabric());
   return Document(readFabric(options.fabricFile), options.fabricFile);
 }
 
@@ -82,6 +88,7 @@ int runEditor(const EditorOptions& options) {
   Window window("Loomlight", settings.windowWidth, settings.windowHeight, options.scale);
   Session session(std::move(document), settings, Window::wake, options.threads);
   session.offerRecovery();
+  if (!options.fabricFile.empty() && !isFabric(options.fabricFile)) session.openFile(options.fabricFile);
   runLoop(window, session, options.widgetDump);
   Settings last = session.settings();
   last.windowWidth = static_cast<int>(window.sizeInWindow().x);

@@ -28,7 +28,8 @@ Tone Session::tone() const {
 }
 
 bool Session::dialogIsOpen() const {
-  return browser_.isOpen() || message_.isOpen() || snapshotDialog_.isOpen() || preferences_.isOpen() || keys_.isOpen();
+  return browser_.isOpen() || message_.isOpen() || snapshotDialog_.isOpen() || preferences_.isOpen() ||
+         keys_.isOpen() || wifDialog_.isOpen();
 }
 
 }  // namespace loomlight

@@ -18,12 +18,13 @@
 #include "app/workers/visibility_worker.h"
 #include "ui/commands.h"
 #include "ui/dialogs.h"
-#include "ui/draft_view.h"
+#include "ui/draft_commands.h"
 #include "ui/file_browser.h"
 #include "ui/inspector.h"
 #include "ui/preset_list.h"
 #include "ui/status_bar.h"
 #include "ui/viewport_panel.h"
+#include "ui/wif_dialog.h"
 
 namespace loomlight {
 
@@ -36,6 +37,7 @@ class Session {
 
   void frame(Ui& ui);
   void run(Command command);
+  void run(DraftCommand command);
   /// Opens a fabric, or uses a mesh or an environment, by what the file is.
   void openFile(const std::string& file);
   /// Asks about unsaved work first, once.
@@ -50,7 +52,7 @@ class Session {
   std::string title() const;
 
  private:
-  enum class FileTask { none, open, saveAs, mesh, environment, snapshot };
+  enum class FileTask { none, open, saveAs, mesh, environment, snapshot, exportWif, exportBitmap };
   enum class Question { none, said, quit, discardForNew, discardForOpen, recover };
 
   // session_panels.cpp: what is drawn
@@ -82,6 +84,12 @@ class Session {
   bool dialogIsOpen() const;
   Tone tone() const;
 
+  // draft_files.cpp: drafts and weaves from files and into them
+  void openWeaving(const std::string& file);
+  void openBitmap(const std::string& file);
+  void exportTo(FileTask task, const std::string& file);
+  void drawDraftDialogs(Ui& ui);
+
   // session_workers.cpp: what the workers are asked for, and what they have brought
   void takePictures();
   void follow();
@@ -111,6 +119,8 @@ class Session {
   SnapshotDialog::Progress snapshotProgress_;
   PreferencesDialog preferences_;
   KeysDialog keys_;
+  WifDialog wifDialog_;
+  std::shared_ptr<const Fabric> wifKept_;  ///< the weaving file's cloth with the designer's own sizes
 
   FileTask fileTask_ = FileTask::none;
   Question question_ = Question::none;

@@ -135,6 +135,7 @@ void Session::run(Command command) {
 void Session::readKeys() {
   const ImGuiIO& io = ImGui::GetIO();
   if (io.WantTextInput) return;
+  if (const auto command = draftKey(draft_)) return run(*command);
   constexpr int kLetterF = 'F';
   if (io.KeyCtrl) {
     if (pressed('N')) run(Command::newFabric);
@@ -163,10 +164,13 @@ void Session::startOver(Document document) {
   autosave_.forget();
   refusal_.clear();
   draft_.cell = 0;
+  draft_.selection.reset();
+  draft_.remark.clear();
   inspector_.yarn = 0;
 }
 
 void Session::openFabric(const std::string& file) {
+  if (extensionOf(file) == ".wif") return openWeaving(file);
   try {
     startOver(Document(readFabric(file), file));
     settings_.folder = fs::absolute(file).parent_path().string();
@@ -188,6 +192,8 @@ void Session::openFile(const std::string& file) {
     fabric.light.kind = LightKind::environment;
     fabric.light.file = file;
     edit(std::move(fabric));
+  } else if (extension == ".png") {
+    openBitmap(file);
   } else if (document_.isDirty()) {
     pendingFile_ = file;
     ask(Question::discardForOpen, "Unsaved work",
@@ -267,7 +273,7 @@ void Session::browse(FileTask task) {
   using Purpose = FileBrowser::Purpose;
   switch (task) {
     case FileTask::open:
-      browser_.show(Purpose::open, "Open a cloth", {".json"}, folder, places);
+      browser_.show(Purpose::open, "Open a cloth", {".json", ".wif", ".png"}, folder, places);
       break;
     case FileTask::saveAs: {
       const fs::path file =
@@ -284,13 +290,21 @@ void Session::browse(FileTask task) {
     case FileTask::snapshot:
       browser_.show(Purpose::save, "Where the snapshot goes", {".png", ".exr"}, snapshotDialog_.file(), places);
       break;
+    case FileTask::exportWif:
+      browser_.show(Purpose::save, "Export as weaving file", {".wif"}, folder / (document_.fabric()->name + ".wif"),
+                    places);
+      break;
+    case FileTask::exportBitmap:
+      browser_.show(Purpose::save, "Export the weave", {".png"}, folder / (document_.fabric()->name + ".png"), places);
+      break;
     case FileTask::none:
       break;
   }
 }
 
 void Session::fileChosen(const std::string& file) {
-  switch (std::exchange(fileTask_, FileTask::none)) {
+  const FileTask task = std::exchange(fileTask_, FileTask::none);
+  switch (task) {
     case FileTask::open:
     case FileTask::mesh:
     case FileTask::environment:
@@ -301,6 +315,10 @@ void Session::fileChosen(const std::string& file) {
       break;
     case FileTask::snapshot:
       snapshotDialog_.setFile(file);
+      break;
+    case FileTask::exportWif:
+    case FileTask::exportBitmap:
+      exportTo(task, file);
       break;
     case FileTask::none:
       break;
@@ -315,6 +333,7 @@ void Session::drawDialogs(Ui& ui) {
   if (const auto answer = message_.draw(ui)) answered(*answer);
   preferences_.draw(ui, 1e-9 * static_cast<double>(physicalMemory_bytes()), settings_.fibreMemory_GB);
   keys_.draw(ui);
+  drawDraftDialogs(ui);
 }
 
 void Session::drawSnapshot(Ui& ui) {

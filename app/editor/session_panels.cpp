@@ -33,8 +33,9 @@ void Session::drawPanels(Ui& ui) {
   menu.darkTheme = settings_.darkTheme;
   menu.panelsShown = settings_.desk.panelsShown;
   menu.lensOn = viewport_.lens.on;
+  menu.weave = {draft_.selection.has_value(), draft_.back, draft_.marksFloats};
   const float menuHeight = ImGui::GetFontSize() + ui.px(16);
-  const std::optional<Command> command = menuBar(ui, menu);
+  const MenuChoice choice = menuBar(ui, menu);
 
   const DeskAreas areas = deskAreas(settings_.desk, ImGui::GetIO().DisplaySize, menuHeight, ui.scale);
   splitters(ui, settings_.desk, areas);
@@ -53,13 +54,15 @@ void Session::drawPanels(Ui& ui) {
   statusBar(ui, statusModel(insight.get(), status));
   endPanel();
   tellProbe(ui, status);
-  if (command) run(*command);
+  if (choice.command) run(*choice.command);
+  if (choice.draft) run(*choice.draft);
 }
 
 void Session::drawDraft(Ui& ui) {
   const Fabric& fabric = *document_.fabric();
   draft_.brushYarn = inspector_.yarn;
-  if (auto edited = draftPanel(ui, fabric, yarnColours(fabric), settings_.draft, draft_, underPointer_)) edit(std::move(*edited));
+  if (auto edited = draftPanel(ui, fabric, yarnColours(fabric), settings_.draft, draft_, underPointer_))
+    edit(std::move(*edited));
   inspector_.yarn = draft_.brushYarn;
   if (const auto choice = presetList(ui, presets_.names(), sampleNames_)) applyPreset(*choice);
 }

@@ -148,7 +148,6 @@ def outgrow_the_loom(weaver):
     for _ in range(5):
         editor.act("click", 5)
     editor.click("loom.most_shafts")
-    editor.key("ctrl+a")
     editor.type("3")
     editor.key("Return")
     editor.click("draft.tab_structures")
@@ -157,6 +156,41 @@ def outgrow_the_loom(weaver):
     expect("more than 3 shafts" in editor.fact("draft.remark"), f"it is not said why: {editor.fact('draft.remark')}")
     weaver.edits("undo brings the draft back", lambda: editor.key("ctrl+z"))
     weaver.shows("treadles", "2")
+
+
+def select_and_edit(weaver):
+    editor = weaver.editor
+    editor.click("draft.tab_structures")
+    weaver.edits("a structure", lambda: editor.click("structure/Satin 8"))
+    editor.wait_until("the whole repeat is shown", lambda: "draft.cell_0_0" in editor.widgets())
+    before = weave_of(weaver.saved())
+    editor.click("draft.select")
+    editor.drag(weaver.crossing(1, 1), weaver.crossing(2, 3))
+    editor.wait_until("a drag selects", lambda: editor.fact("draft.selection") == "1 1 2 3")
+    expect(weave_of(weaver.saved()) == before, "selecting changed the weave")
+    editor.key("ctrl+c")
+    weaver.edits("Delete lays the weft on top", lambda: editor.key("Delete"))
+    after = weave_of(weaver.saved())
+    expect(after[6][1:4] == after[5][1:4] == "...", f"there is warp left: {after}")
+    weaver.edits("what was copied is pasted", lambda: editor.key("ctrl+v"))
+    expect(weave_of(weaver.saved()) == before, "the copy is another")
+    weaver.edits("Ctrl+I inverts", lambda: editor.key("ctrl+i"))
+    inverted = before[6][1:4].translate(str.maketrans("#.", ".#"))
+    expect(weave_of(weaver.saved())[6][1:4] == inverted, "the selection was not inverted")
+    weaver.edits("a structure fills the selection", lambda: editor.click("structure/Plain"))
+    rows = weave_of(weaver.saved())
+    expect(rows[6][1:4] == "#.#" and rows[5][1:4] == ".#.", f"no plain weave in the selection: {rows}")
+    editor.key("Escape")
+    editor.wait_until("Escape selects nothing", lambda: editor.fact("draft.selection") == "none")
+    editor.key("ctrl+a")
+    editor.wait_until("Ctrl+A selects all", lambda: editor.fact("draft.selection") == "0 0 8 8")
+    weaver.edits("an arrow shifts", lambda: editor.key("Right"))
+    expect(weave_of(weaver.saved()) == [row[-1] + row[:-1] for row in rows], "the weave did not go to the right")
+    editor.click("menu.weave")
+    weaver.edits("the menu mirrors", lambda: editor.click("menu.mirror_ends"))
+    expect(weave_of(weaver.saved()) == [(row[-1] + row[:-1])[::-1] for row in rows], "the weave is not mirrored")
+    editor.key("Escape")
+    editor.click("draft.select")
 
 
 def test():
@@ -170,6 +204,7 @@ def test():
         edit_parts(weaver)
         paint_drawdown(weaver)
         lift(weaver)
+        select_and_edit(weaver)
         outgrow_the_loom(weaver)
     finally:
         if editor:

@@ -1,0 +1,163 @@
+"""Weaving files and weave pictures: opened by dialog and by name, their sizes chosen, their warnings shown, exported."""
+
+import json
+import os
+import subprocess
+
+from window_driver import Display, Editor, expect, run
+
+PROGRAM = os.environ["LOOMLIGHT"]
+SAMPLES = os.path.join(os.environ["LOOMLIGHT_ROOT"], "samples")
+WIDTH, HEIGHT = 1280, 720
+
+WEAVING = """[WIF]
+Version=1.1
+Date=April 20, 1997
+Developers=wif@mhsoft.com
+Source Program=Handmade
+[CONTENTS]
+WEAVING=true
+WARP=true
+WEFT=true
+TEXT=true
+TIEUP=true
+THREADING=true
+TREADLING=true
+[TEXT]
+Title=Rosepath
+[WEAVING]
+Shafts=four
+Treadles=4
+Rising Shed=true
+[WARP]
+Threads=6
+Units=Centimeters
+Spacing=0.1
+Thickness=0.1
+[WEFT]
+Threads=4
+Units=Centimeters
+Spacing=0.125
+Thickness=0.1
+[TIEUP]
+1=1,2
+2=2,3
+3=3,4
+4=1,4
+[THREADING]
+1=1
+2=2
+3=3
+4=4
+5=3
+6=2
+[TREADLING]
+1=1
+2=2
+3=3
+4=4
+"""
+
+
+def write(folder, name, text):
+    file = os.path.join(folder, name)
+    with open(file, "w", encoding="ascii") as out:
+        out.write(text)
+    return file
+
+
+def plain_cloth(home):
+    with open(os.path.join(SAMPLES, "blue_cloth.json"), encoding="utf-8") as text:
+        fabric = json.load(text)
+    fabric["drape"] = {"kind": "flat", "width_mm": 4, "height_mm": 4}
+    fabric["render"] = {"resolution": 1}
+    return write(home, "cloth.json", json.dumps(fabric))
+
+
+def name_file(editor, file):
+    editor.wait_until("the file browser opens", lambda: "browser.name" in editor.widgets())
+    editor.click("browser.name")
+    editor.key("ctrl+a")
+    editor.type(file)
+    editor.key("Return")
+
+
+def saved_as(editor, file):
+    editor.key("ctrl+shift+s")
+    name_file(editor, file)
+    editor.wait_until("the cloth is saved", lambda: editor.fact("file") == file)
+    with open(file, encoding="utf-8") as text:
+        return json.load(text)
+
+
+def answer(editor):
+    editor.wait_until("a message is shown", lambda: "message.answer_0" in editor.widgets())
+    editor.click("message.answer_0")
+    editor.wait_until("the message closes", lambda: editor.fact("dialog") == "none")
+
+
+def open_weaving(editor, home):
+    editor.key("ctrl+o")
+    name_file(editor, write(home, "rosepath.wif", WEAVING))
+    editor.wait_until("the weaving file is opened", lambda: editor.fact("name") == "Rosepath")
+    expect(editor.number("wif.warnings") >= 1, "nothing is said of Shafts=four")
+    revision = editor.number("revision")
+    editor.click("wif.sizes/Use the file's")
+    editor.wait_until("the file's sizes are used", lambda: editor.number("revision") > revision)
+    editor.screenshot("dialog")
+    editor.click("wif.close")
+    fabric = saved_as(editor, os.path.join(home, "rosepath.json"))
+    expect((fabric["ends_per_cm"], fabric["picks_per_cm"]) == (10, 8), "the cloth has another sett than the file")
+    expect(fabric["draft"]["threading"] == [1, 2, 3, 4, 3, 2], f"threading is {fabric['draft']['threading']}")
+    expect(fabric["drape"]["width_mm"] == 4, "the drape is not the designer's own")
+
+
+def export_weaving(editor, home):
+    editor.click("menu.file")
+    editor.click("menu.export")
+    editor.click("menu.export_wif")
+    file = os.path.join(home, "out.wif")
+    name_file(editor, file)
+    answer(editor)
+    with open(file, encoding="ascii") as text:
+        lines = text.read().split("\n")
+    expect("Shafts=4" in lines and "5=3" in lines and "Title=Rosepath" in lines, "the export is no rosepath")
+
+
+def bitmaps(editor, home):
+    editor.click("menu.file")
+    editor.click("menu.export")
+    editor.click("menu.export_bitmap")
+    file = os.path.join(home, "weave.png")
+    name_file(editor, file)
+    answer(editor)
+    size = subprocess.run(["identify", "-format", "%w %h", file], check=True, capture_output=True, text=True).stdout
+    expect(size == "6 4", f"the weave is {size} pixels")
+
+
+def refuse(editor, home):
+    editor.key("ctrl+o")
+    name_file(editor, write(home, "story.wif", "You are in a maze of twisty little passages.\n"))
+    answer(editor)
+    expect(editor.fact("name") == "Rosepath", "a file that is no weaving file took the cloth away")
+
+
+def test():
+    display = Display(WIDTH, HEIGHT)
+    editor = None
+    try:
+        editor = Editor(display, WIDTH, HEIGHT)
+        editor.start(PROGRAM, [plain_cloth(editor.home)])
+        open_weaving(editor, editor.home)
+        export_weaving(editor, editor.home)
+        bitmaps(editor, editor.home)
+        refuse(editor, editor.home)
+        editor.key("ctrl+q")
+        expect(editor.wait_for_end() == 0, "the editor does not end")
+    finally:
+        if editor:
+            editor.close()
+        display.close()
+
+
+run(test)

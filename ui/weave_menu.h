@@ -1,0 +1,20 @@
+#pragma once
+
+#include <optional>
+
+#include "ui/draft_commands.h"
+#include "ui/ui.h"
+
+namespace loomlight {
+
+struct WeaveMenuModel {
+  bool selection = false;  ///< something is selected
+  bool back = false, marksFloats = false;
+};
+
+/// The menu of all that is done to a weave; within the menu bar.
+std::optional<DraftCommand> weaveMenu(Ui& ui, const WeaveMenuModel& model);
+/// What a cloth can be written as for others; within the file menu.
+std::optional<DraftCommand> exportMenu(Ui& ui);
+
+}  // namespace loomlight
