@@ -61,13 +61,19 @@ class StrandClipper {
     p.y = std::copysign(edge_, p.y);
     return p;
   }
+  /// A strand whose last piece was too short to keep ends on the edge all the same, so that it goes on beyond.
+  glm::vec3 snapped(glm::vec3 p) const {
+    if (std::abs(std::abs(p.y) - edge_) < 4e-6f * edge_) p.y = std::copysign(edge_, p.y);
+    return p;
+  }
   void begin(glm::vec3 p) {
     attributes_.first = static_cast<uint32_t>(out_.points.size());
-    out_.points.push_back(p);
+    out_.points.push_back(snapped(p));
     open_ = true;
   }
   void finish() {
     if (!open_) return;
+    out_.points.back() = snapped(out_.points.back());
     attributes_.count = static_cast<uint32_t>(out_.points.size()) - attributes_.first;
     out_.strands.push_back(attributes_);
     open_ = false;
@@ -81,7 +87,7 @@ class StrandClipper {
 
 /// Numbers of the stations, list by list: what is computed for every fibre goes through them eight at a time.
 struct StationLists {
-  std::vector<float> s, z, normalS, normalZ, spinCos, spinSin, wanderCos, wanderSin;
+  std::vector<float> s, z, normalS, normalZ, spinCos, spinSin;
   explicit StationLists(const std::vector<Station>& stations) {
     for (const Station& x : stations) {
       s.push_back(x.s_mm);
@@ -90,8 +96,6 @@ struct StationLists {
       normalZ.push_back(x.normalZ);
       spinCos.push_back(x.spinCos);
       spinSin.push_back(x.spinSin);
-      wanderCos.push_back(x.wanderCos);
-      wanderSin.push_back(x.wanderSin);
     }
   }
 };
@@ -102,11 +106,8 @@ void layBody(const YarnModel& yarn, const std::vector<Station>& stations, Strand
   const StationLists at(stations);
   const float acrossScale = static_cast<float>(yarn.acrossScale()), upScale = static_cast<float>(yarn.upScale());
   const float orbit = static_cast<float>(g.plyOrbit_mm), packing = static_cast<float>(g.packing);
-  // Migration: the radius goes between 1 and 1 - migration times its own (Zhao's R_min = 1 - migration).
-  const float wanderMean = static_cast<float>(1 - 0.5 * g.migration),
-              wanderSwing = static_cast<float>(0.5 * g.migration);
 
-  std::vector<float> plyUp(n), plyAcross(n);
+  std::vector<float> plyUp(n), plyAcross(n), fibreUp(n), fibreAcross(n);
   std::vector<glm::vec3> line(n);
   for (int ply = 0; ply < g.plies; ++ply) {
     const float plyCos = std::cos(2 * static_cast<float>(kPi) * ply / g.plies);
@@ -116,15 +117,17 @@ void layBody(const YarnModel& yarn, const std::vector<Station>& stations, Strand
       plyUp[i] = orbit * (x.orbitCos * plyCos - x.orbitSin * plySin);
       plyAcross[i] = orbit * (x.orbitSin * plyCos + x.orbitCos * plySin);
     }
-    for (int k = 0; k < g.fibresPerPly; ++k) {
-      const YarnModel::Fibre fibre = yarn.fibres[static_cast<size_t>(ply) * g.fibresPerPly + k];
+    const Migration& fibres = yarn.plies[static_cast<size_t>(ply)];
+    for (int fibre = 0; fibre < fibres.fibres(); ++fibre) {
       for (size_t i = 0; i < n; ++i) {
-        const float wander =
-            wanderMean + wanderSwing * (at.wanderCos[i] * fibre.wanderCos - at.wanderSin[i] * fibre.wanderSin);
+        const glm::vec2 place = fibres.moves() ? fibres.place(fibre, stations[i].migration) : fibres.place(fibre);
+        fibreUp[i] = place.x;
+        fibreAcross[i] = place.y;
+      }
+      for (size_t i = 0; i < n; ++i) {
         // Positive turns go from up (z) towards u: right-handed about s, so Z twist.
-        const float up = upScale * (plyUp[i] + wander * (fibre.up * at.spinCos[i] - fibre.across * at.spinSin[i]));
-        const float across =
-            acrossScale * (plyAcross[i] + wander * (fibre.up * at.spinSin[i] + fibre.across * at.spinCos[i]));
+        const float up = upScale * (plyUp[i] + fibreUp[i] * at.spinCos[i] - fibreAcross[i] * at.spinSin[i]);
+        const float across = acrossScale * (plyAcross[i] + fibreUp[i] * at.spinSin[i] + fibreAcross[i] * at.spinCos[i]);
         line[i] = {across, at.s[i] + up * at.normalS[i], at.z[i] + up * at.normalZ[i]};
       }
       clipper.add(line, static_cast<uint8_t>(ply), packing);
@@ -180,8 +183,8 @@ CellStrands layStrands(const YarnModel& yarn, const PathNode& previous, const Pa
   const float edge = static_cast<float>(0.5 * pitch_mm);
   CellStrands out;
   out.fibreRadius_mm = static_cast<float>(yarn.geometry.fibreRadius_mm);
-  out.points.reserve((yarn.fibres.size() + yarn.flyawaysAt[phase].size()) * (stations.size() + 1));
-  out.strands.reserve(yarn.fibres.size() + yarn.flyawaysAt[phase].size());
+  out.points.reserve((yarn.fibreCount() + yarn.flyawaysAt[phase].size()) * (stations.size() + 1));
+  out.strands.reserve(yarn.fibreCount() + yarn.flyawaysAt[phase].size());
   StrandClipper clipper(out, edge);
   layBody(yarn, stations, clipper);
   std::vector<glm::vec3> line;

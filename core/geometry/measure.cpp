@@ -17,7 +17,7 @@ double segmentsOf(const YarnModel& yarn, const CellKey& key) {
     if (stations[i + 1].s_mm > -0.5 * g.pitch_mm && stations[i].s_mm < 0.5 * g.pitch_mm) ++steps;
   double loose = 0;
   for (const Flyaway& f : yarn.flyaways) loose += (f.end - f.start) * steps + 1;
-  return static_cast<double>(yarn.fibres.size()) * steps + loose / g.period;
+  return static_cast<double>(yarn.fibreCount()) * steps + loose / g.period;
 }
 
 }  // namespace

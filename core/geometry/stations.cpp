@@ -28,8 +28,12 @@ class CellStations {
   CellStations(const YarnModel& yarn, double pitch_mm) : yarn_(yarn), pitch_(pitch_mm) {
     const double reach = yarn.bodyReach_mm * yarn.upScale();
     reach_ = reach;
-    const int fibres = std::max(1, static_cast<int>(yarn.fibres.size()));
+    const int fibres = std::max(1, static_cast<int>(yarn.fibreCount()));
     maxStations_ = std::clamp(kMaxPointsPerCell / fibres, kLeastMaxStations, kMaxStations);
+    for (const Migration& ply : yarn.plies) {
+      slope_ = std::max(slope_, ply.slope_mm());
+      bend_ = std::max(bend_, ply.bend_mm());
+    }
     maxTilt_ = std::min(1.0, 0.499 * pitch_mm / std::max(reach, 1e-9));
   }
 
@@ -70,14 +74,15 @@ class CellStations {
     const YarnGeometry& g = yarn_.geometry;
     const double turn = 2 * kPi * cellsPerMm / g.period;
     const double spin = turn * std::abs(g.plyTurns + g.yarnTurns), swing = turn * std::abs(g.yarnTurns);
-    const double wander = turn * yarn_.wanderTurns, amplitude = 0.5 * g.migration * g.plyRadius_mm;
+    const double migrations = cellsPerMm * yarn_.migrations / g.period;
+    const double wander = migrations * slope_, wanderBend = migrations * migrations * bend_;
     const double scale = std::max(yarn_.acrossScale(), yarn_.upScale());
     const double inPly = yarn_.bodyReach_mm - g.plyOrbit_mm;
-    const double slope = scale * (inPly * spin + g.plyOrbit_mm * swing + amplitude * wander);
+    const double slope = scale * (inPly * spin + g.plyOrbit_mm * swing + wander);
     const double bend = std::abs(piece.curvature_per_mm);
     const double second =
         bend * (1 + bend * reach_) + 2 * bend * slope +
-        scale * (inPly * spin * spin + g.plyOrbit_mm * swing * swing + amplitude * wander * (wander + 2 * spin));
+        scale * (inPly * spin * spin + g.plyOrbit_mm * swing * swing + wanderBend + 2 * wander * spin);
     double step = std::sqrt(8 * kSagitta * g.fibreRadius_mm / std::max(second, 1e-12));
     // Loops rise and fall within a yarn diameter.
     if (!yarn_.flyaways.empty()) step = std::min(step, 0.25 * g.diameter_mm());
@@ -101,12 +106,13 @@ class CellStations {
     };
     direction(turn * (g.plyTurns + g.yarnTurns), x.spinCos, x.spinSin);
     direction(turn * g.yarnTurns, x.orbitCos, x.orbitSin);
-    direction(turn * yarn_.wanderTurns, x.wanderCos, x.wanderSin);
+    x.migration = Migration::at(t * yarn_.migrations / g.period);
     stations_.push_back(x);
   }
 
   const YarnModel& yarn_;
   double pitch_, reach_ = 0, maxTilt_ = 1;
+  double slope_ = 0, bend_ = 0;  ///< of the fibres' migration, mm
   int maxStations_ = kMaxStations;
   std::vector<Station> stations_;
 };

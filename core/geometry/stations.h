@@ -14,7 +14,7 @@ struct Station {
   float spill_mm = 0;                ///< how far fibres of the body may lie from s along the yarn
   float spinCos = 1, spinSin = 0;    ///< angle of the plies' sections, both twists
   float orbitCos = 1, orbitSin = 0;  ///< angle of the plies about the yarn's axis
-  float wanderCos = 1, wanderSin = 0;
+  Migration::Moment migration;
   double t = 0;  ///< cells from the start of the period
 };
 

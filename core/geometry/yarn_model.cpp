@@ -15,7 +15,7 @@ constexpr double kFlyawayShare = 0.25;  // of the length of all fibres, at most
 constexpr double kMigrationsPerTurn =
     0.7;  // Zhao's fits lie between 0.1 and 1.9; not whole, or fibres only shift aside
 
-int wanderTurns(const YarnGeometry& g) {
+int migrations(const YarnGeometry& g) {
   if (g.migration <= 0) return 0;
   const int turns = std::max(std::abs(g.plyTurns), std::abs(g.plyTurns + g.yarnTurns));
   return std::max(1, static_cast<int>(std::lround(kMigrationsPerTurn * turns)));
@@ -25,19 +25,27 @@ double turnsPerMm(const YarnGeometry& g, int turns) {
   return turns / (g.period * g.cellLength_mm);
 }
 
+/// Half the distance that packed fibres keep in their section: flattened, it is lower by upScale(), and they turn in
+/// it, so all ways round they need the room that they have least of. A section nearly as full as it can be gives no
+/// more.
+double clearRadius_mm(const YarnModel& m) {
+  constexpr double kFullest = 0.86;
+  const YarnGeometry& g = m.geometry;
+  const double fullest = g.plyRadius_mm * std::sqrt(kFullest / g.fibresPerPly);
+  return std::max(g.fibreRadius_mm, std::min(g.fibreRadius_mm / std::min(m.upScale(), m.acrossScale()), fullest));
+}
+
 void laySections(YarnModel& m) {
   const YarnGeometry& g = m.geometry;
-  m.fibres.clear();
+  const double clear = clearRadius_mm(m);
+  m.plies.clear();
   m.bodyReach_mm = 0;
   for (int ply = 0; ply < g.plies; ++ply) {
     const uint64_t seed = hashCombine(g.seed, ply);
-    Random random(hashCombine(seed, 1));
-    for (const glm::dvec2& p : plySection(g.layout, g.fibresPerPly, g.plyRadius_mm, g.fibreRadius_mm, seed)) {
-      const double wander = 2 * kPi * random.uniformDouble();
-      m.fibres.push_back({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(std::cos(wander)),
-                          static_cast<float>(std::sin(wander))});
-      m.bodyReach_mm = std::max(m.bodyReach_mm, g.plyOrbit_mm + glm::length(p));
-    }
+    const DiscCentres section = plySection(g.layout, g.fibresPerPly, g.plyRadius_mm, clear, seed);
+    m.plies.push_back(m.migrations > 0 ? Migration(section, g.layout, g.migration, clear, hashCombine(seed, 1))
+                                       : Migration(section));
+    m.bodyReach_mm = std::max(m.bodyReach_mm, g.plyOrbit_mm + m.plies.back().reach_mm());
   }
 }
 
@@ -116,7 +124,7 @@ std::shared_ptr<const YarnModel> makeYarnModel(const YarnSource& source) {
                                           : source.count_tex * 1e-3 / source.fibreDensity_g_cm3;
 
   g.fibreRadius_mm = radius;
-  model->wanderTurns = wanderTurns(g);
+  model->migrations = migrations(g);
   model->bodyReach_mm = g.plyOrbit_mm + g.plyRadius_mm;
   placeLooseFibres(*model, kFlyawayShare * area / fibreArea * g.period * g.cellLength_mm);
   const double loose = looseLength_mm(*model) / (g.period * g.cellLength_mm);

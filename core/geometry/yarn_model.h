@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/geometry/flyaways.h"
+#include "core/geometry/migration.h"
 #include "core/geometry/yarn_geometry.h"
 
 namespace loomlight {
@@ -21,16 +22,11 @@ struct YarnSource {
 /// All that laying the fibres of a cell needs of its yarn, computed once: the section of the plies, the loose fibres.
 /// Immutable, and a pure function of its YarnGeometry.
 struct YarnModel {
-  struct Fibre {
-    float up = 0, across = 0;            ///< in the section of its ply, mm
-    float wanderCos = 1, wanderSin = 0;  ///< where it is in its migration
-  };
-
   YarnSource source;  ///< what it was made of
   YarnGeometry geometry;
-  std::vector<Fibre> fibres;  ///< of ply 0, then of ply 1...
-  int wanderTurns = 0;        ///< migrations in a period; 0 for none
-  double bodyReach_mm = 0;    ///< furthest of these fibres from the yarn's axis, before flattening
+  std::vector<Migration> plies;  ///< their fibres
+  int migrations = 0;            ///< in a period; 0 for none
+  double bodyReach_mm = 0;       ///< furthest of these fibres from the yarn's axis, before flattening
   std::vector<Flyaway> flyaways;
   /// Per phase: the loose fibres near that cell, and the shift in cells that brings them there.
   struct FlyawayUse {
@@ -40,6 +36,7 @@ struct YarnModel {
   std::vector<std::vector<FlyawayUse>> flyawaysAt;
   std::vector<double> straightLength_mm;  ///< per phase: of all fibres in a straight cell of length cellLength
 
+  size_t fibreCount() const { return plies.size() * static_cast<size_t>(geometry.fibresPerPly); }
   double acrossScale() const { return geometry.halfWidth_mm / (0.5 * geometry.diameter_mm()); }  ///< of flattening
   double upScale() const { return geometry.halfHeight_mm / (0.5 * geometry.diameter_mm()); }
   /// Furthest that a fibre's surface rises above the yarn's axis, hairs included.

@@ -1,0 +1,75 @@
+#include "core/geometry/discs.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loomlight {
+namespace {
+
+/// Buckets of points on a square grid, rebuilt each sweep by counting sort: discs of diameter `cell` or less that meet
+/// lie in neighbouring buckets.
+class Buckets {
+ public:
+  Buckets(const DiscCentres& points, double cell) : cell_(cell) {
+    for (const glm::dvec2& p : points) extent_ = std::max({extent_, std::abs(p.x), std::abs(p.y)});
+    side_ = static_cast<int>(std::min(2 * extent_ / cell_, 4000.0)) + 1;
+    start_.assign(static_cast<size_t>(side_) * side_ + 1, 0);
+    for (const glm::dvec2& p : points) ++start_[indexOf(p) + 1];
+    for (size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];
+    members_.resize(points.size());
+    std::vector<int> next(start_.begin(), start_.end() - 1);
+    for (size_t i = 0; i < points.size(); ++i) members_[next[indexOf(points[i])]++] = static_cast<int>(i);
+  }
+
+  /// Calls visit(j) for every point that may lie within a cell of p.
+  template <class Visit>
+  void near(glm::dvec2 p, Visit&& visit) const {
+    const int column = along(p.x), row = along(p.y);
+    for (int y = std::max(0, row - 1); y <= std::min(side_ - 1, row + 1); ++y)
+      for (int x = std::max(0, column - 1); x <= std::min(side_ - 1, column + 1); ++x)
+        for (int k = start_[y * side_ + x]; k < start_[y * side_ + x + 1]; ++k) visit(members_[k]);
+  }
+
+ private:
+  int along(double x) const { return std::clamp(static_cast<int>((x + extent_) / cell_), 0, side_ - 1); }
+  int indexOf(glm::dvec2 p) const { return along(p.y) * side_ + along(p.x); }
+
+  double cell_, extent_ = 0;
+  int side_ = 1;
+  std::vector<int> start_, members_;
+};
+
+}  // namespace
+
+double pushApart(DiscCentres& centres, double diameter) {
+  const Buckets buckets(centres, 1.1 * diameter);
+  double worst = 0;
+  for (size_t i = 0; i < centres.size(); ++i) {
+    buckets.near(centres[i], [&](int j) {
+      if (static_cast<size_t>(j) <= i) return;
+      const glm::dvec2 d = centres[j] - centres[i];
+      const double distance = glm::length(d);
+      if (distance >= diameter) return;
+      worst = std::max(worst, diameter - distance);
+      const glm::dvec2 push = distance > 1e-9 * diameter ? d / distance : glm::dvec2(1, 0);
+      // A little further than touching, so that chains of contacts come to rest.
+      const glm::dvec2 shift = 0.5 * (1.002 * diameter - distance) * push;
+      centres[i] -= shift;
+      centres[j] += shift;
+    });
+  }
+  return worst;
+}
+
+double worstOverlap(const DiscCentres& centres_mm, double radius_mm) {
+  const Buckets buckets(centres_mm, 2 * radius_mm);
+  double worst = 0;
+  for (size_t i = 0; i < centres_mm.size(); ++i)
+    buckets.near(centres_mm[i], [&](int j) {
+      if (static_cast<size_t>(j) > i)
+        worst = std::max(worst, 2 * radius_mm - glm::distance(centres_mm[i], centres_mm[j]));
+    });
+  return worst / radius_mm;
+}
+
+}  // namespace loomlight

@@ -1,0 +1,116 @@
+#include "core/geometry/migration.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/random.h"
+
+namespace loomlight {
+namespace {
+
+constexpr int kSweeps = 100;
+
+/// Every fibre a little towards the mean of where it was and where it will be.
+void straighten(std::vector<DiscCentres>& stages, double share) {
+  const std::vector<DiscCentres> old = stages;
+  const size_t count = stages.size();
+  for (size_t k = 0; k < count; ++k)
+    for (size_t i = 0; i < stages[k].size(); ++i) {
+      const glm::dvec2 middle = 0.5 * (old[(k + count - 1) % count][i] + old[(k + 1) % count][i]);
+      stages[k][i] += share * (middle - old[k][i]);
+    }
+}
+
+void keepWithin(DiscCentres& centres, double rim) {
+  for (glm::dvec2& p : centres)
+    if (const double reach = glm::length(p); reach > rim) p *= rim / reach;
+}
+
+/// As threads that push one another aside: discs apart at every stage, within the rim, and straight from stage to
+/// stage, the less so the nearer to the end. Where there is too little room for all, they overlap.
+void partThreads(std::vector<DiscCentres>& stages, double radius, double rim) {
+  constexpr double kTouching = 0.01;  // overlap, in radii, that counts as none
+  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    double worst = 0;
+    for (DiscCentres& stage : stages) {
+      worst = std::max(worst, pushApart(stage, 2 * radius));
+      keepWithin(stage, rim);
+    }
+    if (worst < kTouching * radius) return;
+    straighten(stages, 0.5 * (1 - (sweep + 1.0) / kSweeps));
+  }
+}
+
+/// Furthest of them from the ply's axis.
+double reachOf(const DiscCentres& centres) {
+  double square = 0;
+  for (const glm::dvec2& p : centres) square = std::max(square, glm::dot(p, p));
+  return std::sqrt(square);
+}
+
+}  // namespace
+
+Migration::Migration(const DiscCentres& section) {
+  keep({section});
+}
+
+Migration::Migration(const DiscCentres& section, FibreLayout layout, double amount, double radius_mm, uint64_t seed) {
+  Random random(seed);
+  std::vector<double> phases(section.size());
+  for (double& phase : phases) phase = random.uniformDouble();
+  std::vector<DiscCentres> stages(kStages, section);
+  for (int k = 0; k < kStages; ++k)
+    for (size_t i = 0; i < section.size(); ++i)
+      stages[k][i] *= 1 - 0.5 * amount * (1 - std::cos(2 * kPi * (static_cast<double>(k) / kStages + phases[i])));
+  if (layout == FibreLayout::packed) partThreads(stages, radius_mm, reachOf(section));
+  keep(stages);
+}
+
+void Migration::keep(const std::vector<DiscCentres>& stages) {
+  fibres_ = static_cast<int>(stages[0].size());
+  stages_ = static_cast<int>(stages.size());
+  for (int i = 0; i < fibres_; ++i)
+    for (size_t k = 0; k < stride(); ++k) places_.emplace_back(stages[k % stages.size()][static_cast<size_t>(i)]);
+}
+
+double Migration::reach_mm() const {
+  float square = 0;
+  for (const glm::vec2& p : places_) square = std::max(square, glm::dot(p, p));
+  // Between stages a cubic may swing a little beyond both.
+  return std::sqrt(square) + bend_mm() / (8 * kStages * kStages);
+}
+
+template <class Visit>
+double Migration::largest(const Visit& visit) const {
+  if (!moves()) return 0;
+  float most = 0;
+  for (size_t fibre = 0; fibre < places_.size(); fibre += stride())
+    for (int k = 0; k < kStages; ++k) most = std::max(most, visit(&places_[fibre + static_cast<size_t>(k)]));
+  return most;
+}
+
+double Migration::slope_mm() const {
+  return kStages * largest([](const glm::vec2* p) { return 0.5f * glm::distance(p[0], p[2]); });
+}
+
+double Migration::bend_mm() const {
+  return kStages * kStages * largest([](const glm::vec2* p) {
+           const glm::vec2 first = p[0] - 2.0f * p[1] + p[2], second = p[1] - 2.0f * p[2] + p[3];
+           return std::max(glm::length(2.0f * first - second), glm::length(2.0f * second - first));
+         });
+}
+
+Migration::Moment Migration::at(double migrations) {
+  const double stage = (migrations - std::floor(migrations)) * kStages;
+  Moment moment;
+  moment.first = std::min(static_cast<int>(stage), kStages - 1);
+  const auto x = static_cast<float>(stage - moment.first);
+  // Catmull and Rom 1974.
+  moment.weights[0] = 0.5f * x * (x * (2 - x) - 1);
+  moment.weights[1] = 0.5f * (x * x * (3 * x - 5) + 2);
+  moment.weights[2] = 0.5f * x * (x * (4 - 3 * x) + 1);
+  moment.weights[3] = 0.5f * x * x * (x - 1);
+  return moment;
+}
+
+}  // namespace loomlight

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/fabric/fabric.h"
+#include "core/geometry/discs.h"
+
+namespace loomlight {
+
+/// The fibres of a ply on their way between core and surface, as the section that turns with the ply shows them, at
+/// equal stages of one migration, over and over.
+class Migration {
+ public:
+  static constexpr int kStages = 24;
+
+  /// No migration: they stay in their places.
+  explicit Migration(const DiscCentres& section);
+  /// Each fibre goes from its place to 1 - `amount` of the way out to it and back, out of step with the others (Zhao et
+  /// al. 2016, Eq. 3). Packed ones, of that radius, go round one another.
+  Migration(const DiscCentres& section, FibreLayout layout, double amount, double radius_mm, uint64_t seed);
+
+  int fibres() const { return fibres_; }
+  bool moves() const { return stages_ > 1; }
+  double reach_mm() const;  ///< of the fibres, from the ply's axis
+  /// How fast they move, and how sharply they turn, at most: first and second derivative by the migrations made, mm.
+  double slope_mm() const;
+  double bend_mm() const;
+
+  /// Where between stages: weights of four of them, the first of which is `first`. A cubic through the stages, so
+  /// fibres have no kinks.
+  struct Moment {
+    int first = 0;
+    float weights[4] = {0, 1, 0, 0};
+  };
+  static Moment at(double migrations);
+  /// x up, y across, mm.
+  glm::vec2 place(int fibre) const { return places_[static_cast<size_t>(fibre) * stride()]; }
+  glm::vec2 place(int fibre, const Moment& moment) const {
+    const glm::vec2* const p = &places_[static_cast<size_t>(fibre) * stride() + moment.first];
+    return moment.weights[0] * p[0] + moment.weights[1] * p[1] + moment.weights[2] * p[2] + moment.weights[3] * p[3];
+  }
+
+ private:
+  /// The first three stages are there once more at the end, so that four in a row always are.
+  size_t stride() const { return moves() ? kStages + 3 : 1; }
+  void keep(const std::vector<DiscCentres>& stages);
+  /// The largest visit(four stages in a row).
+  template <class Visit>
+  double largest(const Visit& visit) const;
+
+  int fibres_ = 0, stages_ = 1;
+  std::vector<glm::vec2> places_;  ///< fibre by fibre
+};
+
+}  // namespace loomlight

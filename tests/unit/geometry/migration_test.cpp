@@ -1,0 +1,93 @@
+#include "core/geometry/migration.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/geometry/cross_section.h"
+#include "core/geometry/yarn_model.h"
+
+namespace loomlight {
+namespace {
+
+constexpr int kFibres = 45;
+constexpr double kAmount = 0.25;
+
+DiscCentres section(FibreLayout layout, double packing) {
+  return plySection(layout, kFibres, std::sqrt(kFibres / packing), 1, 7);
+}
+
+DiscCentres placesAt(const Migration& ply, double migrations) {
+  DiscCentres places;
+  for (int i = 0; i < ply.fibres(); ++i) places.emplace_back(ply.place(i, Migration::at(migrations)));
+  return places;
+}
+
+TEST(Migration, OfPackedFibresHasThemGoRoundOneAnother) {
+  const Migration ply(section(FibreLayout::packed, 0.5), FibreLayout::packed, kAmount, 1, 11);
+  const Migration alone(section(FibreLayout::packed, 0.5), FibreLayout::random, kAmount, 1, 11);
+  double worst = 0, worstAlone = 0;
+  for (int i = 0; i < 100; ++i) {  // at the stages and between them
+    worst = std::max(worst, worstOverlap(placesAt(ply, 0.01 * i), 1));
+    worstAlone = std::max(worstAlone, worstOverlap(placesAt(alone, 0.01 * i), 1));
+  }
+  EXPECT_LT(worst, 0.1);
+  EXPECT_GT(worstAlone, 1);
+}
+
+TEST(Migration, TakesFibresInAndOutAsFarAsItIsTold) {
+  const DiscCentres start = section(FibreLayout::random, 0.5);
+  const Migration ply(start, FibreLayout::random, kAmount, 1, 11);
+  for (int i = 0; i < kFibres; ++i) {
+    double nearest = 1e9, furthest = 0;
+    for (int k = 0; k < 240; ++k) {
+      const double reach = glm::length(ply.place(i, Migration::at(k / 240.0)));
+      nearest = std::min(nearest, reach);
+      furthest = std::max(furthest, reach);
+    }
+    // The cubic through 24 stages is off by a part in a thousand, and the extremes lie within half a stage of one.
+    EXPECT_NEAR(furthest / glm::length(start[i]), 1, 0.004);
+    EXPECT_NEAR(nearest / glm::length(start[i]), 1 - kAmount, 0.004);
+  }
+}
+
+TEST(Migration, RepeatsWithoutAStep) {
+  const Migration ply(section(FibreLayout::packed, 0.5), FibreLayout::packed, kAmount, 1, 11);
+  for (int i = 0; i < kFibres; ++i) {
+    EXPECT_LT(glm::distance(ply.place(i, Migration::at(0.9999999)), ply.place(i, Migration::at(1))), 1e-5);
+    EXPECT_LE(glm::length(ply.place(i, Migration::at(0.37))), ply.reach_mm());
+  }
+}
+
+TEST(Migration, OfNothingIsTheSection) {
+  const DiscCentres places = section(FibreLayout::packed, 0.5);
+  const Migration ply(places);
+  EXPECT_FALSE(ply.moves());
+  for (int i = 0; i < kFibres; ++i) EXPECT_LT(glm::distance(glm::dvec2(ply.place(i)), places[i]), 1e-6);
+}
+
+// A section is packed round, then flattened, and turns within its outline: no fibre may run into another in any of it.
+TEST(FlattenedSection, PackedFibresDoNotOverlapHoweverItTurns) {
+  YarnGeometry outline;
+  outline.fibreRadius_mm = 0.006;
+  outline.packing = 0.6;
+  outline.plyRadius_mm = 0.006 * std::sqrt(80 / outline.packing);
+  outline.halfWidth_mm = 1.15 * outline.plyRadius_mm;
+  outline.halfHeight_mm = outline.plyRadius_mm / 1.15;
+  outline.pitch_mm = outline.crossPitch_mm = outline.cellLength_mm = 0.4;
+  outline.fibreDensity_g_cm3 = 1.5;
+  const auto yarn = makeYarnModel({outline, 6, 1.5, 30, 80});
+  for (int degrees = 0; degrees < 180; degrees += 10) {
+    const double turn = degrees * kPi / 180;
+    DiscCentres places;
+    for (int i = 0; i < yarn->plies[0].fibres(); ++i) {
+      const glm::dvec2 p(yarn->plies[0].place(i));
+      places.emplace_back(yarn->upScale() * (std::cos(turn) * p.x - std::sin(turn) * p.y),
+                          yarn->acrossScale() * (std::sin(turn) * p.x + std::cos(turn) * p.y));
+    }
+    EXPECT_LT(worstOverlap(places, yarn->geometry.fibreRadius_mm), 0.02) << degrees;
+  }
+}
+
+}  // namespace
+}  // namespace loomlight
