@@ -6,61 +6,124 @@
 #include <cmath>
 #include <string>
 
-#include "core/fabric/yarn_count.h"
+#include "core/fabric/presets.h"
 
 namespace loomlight {
 namespace {
 
 std::optional<CountSystem> systemFromName(std::string_view name) {
-  std::string lower(name);
-  std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
-  if (lower == "tex") return CountSystem::tex;
-  if (lower == "dtex") return CountSystem::dtex;
-  if (lower == "den" || lower == "denier") return CountSystem::denier;
-  if (lower == "nm") return CountSystem::metric;
-  if (lower == "ne" || lower == "nec") return CountSystem::cotton;
-  if (lower == "nek" || lower == "new") return CountSystem::worsted;
-  if (lower == "nel") return CountSystem::linen;
+  if (name == "tex") return CountSystem::tex;
+  if (name == "dtex") return CountSystem::dtex;
+  if (name == "den" || name == "denier") return CountSystem::denier;
+  if (name == "nm") return CountSystem::metric;
+  if (name == "ne" || name == "nec") return CountSystem::cotton;
+  if (name == "nek" || name == "new") return CountSystem::worsted;
+  if (name == "nel") return CountSystem::linen;
   return std::nullopt;
 }
 
-bool isIndirect(CountSystem system) {
-  return system != CountSystem::tex && system != CountSystem::dtex && system != CountSystem::denier;
+/// Numbers, words and signs of a text, one after the other; blanks lie between them.
+class Tokens {
+ public:
+  explicit Tokens(std::string_view text) {
+    for (const char c : text) text_ += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    rest_ = text_;
+    skipBlanks();
+  }
+  bool end() const { return rest_.empty(); }
+  /// A positive number.
+  std::optional<double> number() {
+    double value = 0;
+    const auto [end, error] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), value);
+    if (error != std::errc() || !std::isfinite(value) || value <= 0) return std::nullopt;
+    advance(static_cast<size_t>(end - rest_.data()));
+    return value;
+  }
+  std::string_view word() {
+    size_t length = 0;
+    while (length < rest_.size() && std::isalpha(static_cast<unsigned char>(rest_[length]))) ++length;
+    const std::string_view found = rest_.substr(0, length);
+    advance(length);
+    return found;
+  }
+  bool take(std::string_view sign) {
+    if (rest_.substr(0, sign.size()) != sign) return false;
+    advance(sign.size());
+    return true;
+  }
+
+ private:
+  void advance(size_t length) {
+    rest_.remove_prefix(length);
+    skipBlanks();
+  }
+  void skipBlanks() {
+    while (!rest_.empty() && rest_.front() == ' ') rest_.remove_prefix(1);
+  }
+  std::string text_;
+  std::string_view rest_;
+};
+
+std::optional<int> asPlies(double number) {
+  constexpr int kMostPlies = 8;
+  if (number != std::floor(number) || number > kMostPlies) return std::nullopt;
+  return static_cast<int>(number);
 }
 
-void skipBlanks(std::string_view& text) {
-  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-}
-
-std::optional<double> takeNumber(std::string_view& text) {
-  skipBlanks(text);
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || !std::isfinite(value) || value <= 0) return std::nullopt;
-  text.remove_prefix(static_cast<size_t>(end - text.data()));
-  skipBlanks(text);
-  return value;
+/// The number of plies behind a count, where there is one: "x 2" or "/2". False when it is none, or a second one.
+bool readPlies(Tokens& tokens, const char* sign, std::optional<double>& plies) {
+  if (!tokens.take(sign)) return true;
+  if (plies) return false;
+  plies = tokens.number();
+  return plies.has_value();
 }
 
 }  // namespace
 
-std::optional<double> texFromText(std::string_view text) {
-  const std::optional<double> first = takeNumber(text);
-  if (!first) return std::nullopt;
-  std::optional<double> second;
-  if (!text.empty() && text.front() == '/') {
-    text.remove_prefix(1);
-    second = takeNumber(text);
-    if (!second) return std::nullopt;
+std::optional<CountEntry> countFromText(std::string_view text, CountSystem usual) {
+  Tokens tokens(text);
+  const bool resultant = tokens.take("r");
+  std::optional<CountSystem> system;
+  if (const std::string_view before = tokens.word(); !before.empty()) {
+    system = systemFromName(before);
+    if (!system) return std::nullopt;
   }
-  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
-  const std::optional<CountSystem> system = systemFromName(text);
-  if (!system) return std::nullopt;
-  if (!second) return texFromCount(*first, *system);
-  if (!isIndirect(*system)) return std::nullopt;
-  // "30/2 Ne" and "2/60 Nm": nobody plies more strands than the number of the count.
-  const double singles = std::max(*first, *second), plies = std::min(*first, *second);
-  return plies * texFromCount(singles, *system);
+  const std::optional<double> first = tokens.number();
+  if (!first) return std::nullopt;
+  std::optional<double> times, over;
+  if (!readPlies(tokens, "x", times) || !readPlies(tokens, "/", over)) return std::nullopt;
+  if (const std::string_view after = tokens.word(); !after.empty()) {
+    if (system) return std::nullopt;
+    system = systemFromName(after);
+    if (!system || !readPlies(tokens, "x", times) || !readPlies(tokens, "/", over)) return std::nullopt;
+  }
+  if (!tokens.end() || (times && over)) return std::nullopt;
+
+  const CountSystem in = system.value_or(usual);
+  if (over && !resultant) {
+    if (!isIndirect(in)) return std::nullopt;
+    // "30/2 Ne" and "2/60 Nm": nobody plies more strands than the number of the count.
+    const std::optional<int> plies = asPlies(std::min(*first, *over));
+    if (!plies) return std::nullopt;
+    return CountEntry{*plies * texFromCount(std::max(*first, *over), in), plies};
+  }
+  if (times || over) {
+    const std::optional<int> plies = asPlies(times ? *times : *over);
+    if (!plies) return std::nullopt;
+    return CountEntry{(times ? *plies : 1) * texFromCount(*first, in), plies};
+  }
+  return CountEntry{texFromCount(*first, in), std::nullopt};
+}
+
+std::optional<double> twistFromText(std::string_view text, double tex) {
+  constexpr double kInchesPerMetre = 1 / 0.0254;
+  Tokens tokens(text);
+  const std::optional<double> value = tokens.number();
+  if (!value) return std::nullopt;
+  if (tokens.take("t/m") || tokens.take("turns/m")) return tokens.end() ? value : std::nullopt;
+  if (tokens.take("tpi")) return tokens.end() ? std::optional(*value * kInchesPerMetre) : std::nullopt;
+  if (tokens.take("tm")) return tokens.end() ? std::optional(twist_per_m(*value, tex)) : std::nullopt;
+  return std::nullopt;
 }
 
 }  // namespace loomlight

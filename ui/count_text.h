@@ -3,11 +3,23 @@
 #include <optional>
 #include <string_view>
 
+#include "core/fabric/yarn_count.h"
+
 namespace loomlight {
 
-/// The count of a yarn as spinners write it, in tex: "19.7 tex", "30/2 Ne", "2/60 Nm", "150 den", "167 dtex". A plied
-/// indirect count is singles over plies ("30/2": two plies of 30), metric ones are often written plies first ("2/60").
-/// nullopt when it is none of these.
-std::optional<double> texFromText(std::string_view text);
+/// A yarn's count as it was written.
+struct CountEntry {
+  double tex = 0;            ///< of the whole yarn
+  std::optional<int> plies;  ///< where the text says how many
+};
+
+/// The count of a yarn as spinners write it: "19.7 tex", "150 den", "167 dtex", "30 Ne", "Nm 60", and of plied ones
+/// "30/2 Ne" and "2/60 Nm" (singles and plies, the larger number being the singles), "20 tex x 2" (as many of these)
+/// or "R 40 tex/2" (what they make together). Without a unit it is meant in `usual`. nullopt when it is none of these.
+std::optional<CountEntry> countFromText(std::string_view text, CountSystem usual);
+
+/// Turns of a yarn of `tex`, per metre: "780 t/m", "20 tpi", or a twist multiplier "4.2 TM". nullopt when it is none of
+/// these.
+std::optional<double> twistFromText(std::string_view text, double tex);
 
 }  // namespace loomlight

@@ -4,6 +4,7 @@
 
 #include "core/fabric/colour.h"
 #include "core/fabric/presets.h"
+#include "core/fabric/validate.h"
 #include "core/fabric/yarn_count.h"
 #include "ui/choices.h"
 #include "ui/inspector.h"
@@ -21,27 +22,36 @@ void dye(Fibre& fibre, const Rgb& colour) {
       glm::clamp(absorptionFromColour(colour, fibre.azimuthalRoughness, fibre.radius_um), Rgb(0.0f), Rgb(10000.0f));
 }
 
-/// The preset whose optics and fineness this fibre has; -1 for none. Colour and name are the designer's.
-int presetOf(const Fibre& fibre, const std::vector<FibrePreset>& presets) {
-  for (size_t i = 0; i < presets.size(); ++i) {
-    Fibre same = presets[i].fibre;
-    same.name = fibre.name;
-    same.absorption_per_mm = fibre.absorption_per_mm;
-    same.unknown = fibre.unknown;
-    if (same == fibre) return static_cast<int>(i);
-  }
-  return -1;
+/// A kind of fibre, and how many of its numbers this fibre has.
+int agreement(const Fibre& fibre, const Fibre& kind) {
+  return (fibre.radius_um == kind.radius_um) + (fibre.density_g_cm3 == kind.density_g_cm3) +
+         (fibre.refractiveIndex == kind.refractiveIndex) + (fibre.longitudinalRoughness == kind.longitudinalRoughness) +
+         (fibre.azimuthalRoughness == kind.azimuthalRoughness) + (fibre.scaleTilt_deg == kind.scaleTilt_deg) +
+         (fibre.section == kind.section);
 }
 
-bool presetRow(Ui& ui, Fibre& fibre) {
-  const std::vector<FibrePreset> presets = fibrePresets();
+/// The kind that it has most numbers of; null where it has hardly any. Colour and name are the designer's.
+const FibrePreset* kindOf(const Fibre& fibre, const std::vector<FibrePreset>& presets) {
+  constexpr int kFewest = 4;
+  const auto most = std::max_element(presets.begin(), presets.end(), [&](const FibrePreset& a, const FibrePreset& b) {
+    return agreement(fibre, a.fibre) < agreement(fibre, b.fibre);
+  });
+  return agreement(fibre, most->fibre) >= kFewest ? &*most : nullptr;
+}
+
+bool presetRow(Ui& ui, Fibre& fibre, const std::vector<FibrePreset>& presets, const FibrePreset* kind) {
   std::vector<const char*> names;
   for (const FibrePreset& preset : presets) names.push_back(preset.fibre.name.c_str());
-  int chosen = presetOf(fibre, presets);
-  const std::string provenance = chosen >= 0 ? presets[static_cast<size_t>(chosen)].provenance : std::string();
-  const std::string tooltip = "Fills in fineness, optics and section, and keeps the colour." +
-                              (provenance.empty() ? std::string() : "\n\n" + provenance);
-  if (!choiceField(ui, {"fibre.preset", "Kind", tooltip.c_str()}, names, chosen, "Own values")) return false;
+  constexpr int kAll = 7;
+  const bool whole = kind && agreement(fibre, kind->fibre) == kAll;
+  int chosen = whole ? static_cast<int>(kind - presets.data()) : -1;
+  const std::string otherwise = kind ? "Much like " + kind->fibre.name : "Own values";
+  if (!choiceField(ui,
+                   {"fibre.preset", "Kind",
+                    "Fills in fineness, optics and section, and keeps the colour. The numbers below say where they "
+                    "are from."},
+                   names, chosen, otherwise.c_str()))
+    return false;
   const Rgb colour = colourOf(fibre);
   Fibre filled = presets[static_cast<size_t>(chosen)].fibre;
   filled.name = fibre.name;
@@ -49,6 +59,25 @@ bool presetRow(Ui& ui, Fibre& fibre) {
   dye(filled, colour);
   fibre = filled;
   return true;
+}
+
+/// A number, and in its tooltip where it is from, or what its kind has.
+bool sourcedField(Ui& ui, Fibre& fibre, double Fibre::*member, int decimals, const FibrePreset* kind,
+                  const char* FibreSources::*source) {
+  const FieldInfo info = fieldInfo(member);
+  NumberStyle style;
+  style.unit = info.unit;
+  style.min = info.min;
+  style.max = info.max;
+  style.logarithmic = info.logarithmic;
+  style.decimals = decimals;
+  std::string help = info.help;
+  if (kind && kind->fibre.*member == fibre.*member)
+    help += fmt::format("\n\nOf {}: {}.", kind->fibre.name, kind->sources.*source);
+  else if (kind)
+    help += fmt::format("\n\nYour own; {} has {:.{}f} {} ({}).", kind->fibre.name, kind->fibre.*member, decimals,
+                        info.unit, kind->sources.*source);
+  return numberField(ui, {std::string("fibre.") + info.key, info.label, help.c_str()}, style, fibre.*member);
 }
 
 bool absorptionRows(Ui& ui, Fibre& fibre) {
@@ -71,14 +100,45 @@ bool absorptionRows(Ui& ui, Fibre& fibre) {
   return changed;
 }
 
+/// Yarns that are spun of a fibre, but for one.
 std::string usersOf(const Fabric& fabric, int fibre, int except) {
   std::string names;
   for (int i = 0; i < static_cast<int>(fabric.yarns.size()); ++i) {
-    if (i == except || fabric.yarns[static_cast<size_t>(i)].fibre != fibre) continue;
+    const Yarn& yarn = fabric.yarns[static_cast<size_t>(i)];
+    if (i == except || (yarn.fibre != fibre && yarn.blendFibre != fibre)) continue;
     if (!names.empty()) names += ", ";
-    names += fabric.yarns[static_cast<size_t>(i)].name;
+    names += yarn.name;
   }
   return names;
+}
+
+/// Which of a blend's fibres is looked at; the first of any other yarn.
+void blendRow(Ui& ui, const Yarn& yarn, InspectorView& view) {
+  if (!yarn.blendFibre) {
+    view.secondFibre = false;
+    return;
+  }
+  static constexpr const char* kNames[] = {"First", "Second"};
+  int chosen = view.secondFibre ? 1 : 0;
+  segmentField(ui, {"fibre.of_blend", "Of the blend", "This yarn is spun of two fibres."}, kNames, chosen);
+  view.secondFibre = chosen == 1;
+}
+
+void finenessRows(Ui& ui, Fibre& fibre, const FibrePreset* kind, bool& changed) {
+  heading(ui, "Fineness");
+  changed |= sourcedField(ui, fibre, &Fibre::radius_um, 1, kind, &FibreSources::fineness);
+  changed |= sourcedField(ui, fibre, &Fibre::density_g_cm3, 2, kind, &FibreSources::density);
+  readout(ui, {"fibre.fineness", "Fineness", "Mass of ten kilometres of one fibre, from its radius and density"},
+          fmt::format("{:.2f} dtex", fibreFineness_dtex(fibre)));
+}
+
+void opticsRows(Ui& ui, Fibre& fibre, const FibrePreset* kind, bool& changed) {
+  heading(ui, "Optics");
+  changed |= sourcedField(ui, fibre, &Fibre::refractiveIndex, 3, kind, &FibreSources::refractiveIndex);
+  changed |= sourcedField(ui, fibre, &Fibre::longitudinalRoughness, 2, kind, &FibreSources::roughness);
+  changed |= sourcedField(ui, fibre, &Fibre::azimuthalRoughness, 2, kind, &FibreSources::roughness);
+  changed |= sourcedField(ui, fibre, &Fibre::scaleTilt_deg, 1, kind, &FibreSources::scaleTilt);
+  changed |= memberChoice(ui, "fibre", fibre, &Fibre::section, fibreSectionNames());
 }
 
 }  // namespace
@@ -86,53 +146,43 @@ std::string usersOf(const Fabric& fabric, int fibre, int except) {
 std::optional<Fabric> fibrePage(Ui& ui, const Fabric& fabric, const InspectorModel& model, InspectorView& view) {
   yarnChooser(ui, fabric, model.yarnColours, view.yarn, "inspector");
   const Yarn& yarn = fabric.yarns[static_cast<size_t>(view.yarn)];
-  const int index = yarn.fibre;
-  Fibre fibre = fabric.fibres[static_cast<size_t>(index)];
   hint(ui, fmt::format("The fibre of {}.", yarn.name));
+  blendRow(ui, yarn, view);
+  const int index = shownFibre(fabric, view);
+  Fibre fibre = fabric.fibres[static_cast<size_t>(index)];
+  const std::vector<FibrePreset> presets = fibrePresets();
+  const FibrePreset* const kind = kindOf(fibre, presets);
 
   bool changed = textField(ui, rowText("fibre", &Fibre::name), fibre.name);
-  changed |= presetRow(ui, fibre);
-
+  changed |= presetRow(ui, fibre, presets, kind);
   heading(ui, "Colour");
   Rgb colour = colourOf(fibre);
   if (colourField(ui,
                   {"fibre.colour", "In a thick mass",
-                   "The colour that a bundle of this fibre shows, sRGB with the "
-                   "white of daylight (D65). Cloth that light comes through "
-                   "looks paler."},
+                   "The colour that a bundle of this fibre shows, sRGB with the white of daylight (D65). Cloth that "
+                   "light comes through looks paler."},
                   colour)) {
     dye(fibre, colour);
     changed = true;
   }
   changed |= absorptionRows(ui, fibre);
-
-  heading(ui, "Fineness");
-  changed |= memberField(ui, "fibre", fibre, &Fibre::radius_um, 1);
-  changed |= memberField(ui, "fibre", fibre, &Fibre::density_g_cm3, 2);
-  readout(ui, {"fibre.fineness", "Fineness", "Mass of ten kilometres of one fibre, from its radius and density"},
-          fmt::format("{:.2f} dtex", fibreFineness_dtex(fibre)));
-
-  heading(ui, "Optics");
-  changed |= memberField(ui, "fibre", fibre, &Fibre::refractiveIndex, 2);
-  changed |= memberField(ui, "fibre", fibre, &Fibre::longitudinalRoughness, 2);
-  changed |= memberField(ui, "fibre", fibre, &Fibre::azimuthalRoughness, 2);
-  changed |= memberField(ui, "fibre", fibre, &Fibre::scaleTilt_deg, 1);
-  changed |= memberChoice(ui, "fibre", fibre, &Fibre::section, fibreSectionNames());
+  finenessRows(ui, fibre, kind, changed);
+  opticsRows(ui, fibre, kind, changed);
 
   const std::string others = usersOf(fabric, index, view.yarn);
-  std::optional<Fabric> edited;
   if (!others.empty()) {
     hint(ui, "Also the fibre of " + others + ".");
-    if (button(ui, "fibre.own", "Give this yarn its own", 0, fabric.fibres.size() < 64)) {
-      edited = fabric;
-      edited->yarns[static_cast<size_t>(view.yarn)].fibre = static_cast<int>(fabric.fibres.size());
-      edited->fibres.push_back(fibre);
+    if (button(ui, "fibre.own", "Give this yarn its own", 0, static_cast<int>(fabric.fibres.size()) < kMaxKinds)) {
+      Fabric edited = fabric;
+      Yarn& own = edited.yarns[static_cast<size_t>(view.yarn)];
+      (view.secondFibre ? *own.blendFibre : own.fibre) = static_cast<int>(fabric.fibres.size());
+      edited.fibres.push_back(fibre);
       return edited;
     }
   }
   if (!changed) return std::nullopt;
-  edited = fabric;
-  edited->fibres[static_cast<size_t>(index)] = std::move(fibre);
+  Fabric edited = fabric;
+  edited.fibres[static_cast<size_t>(index)] = std::move(fibre);
   return edited;
 }
 

@@ -204,6 +204,7 @@ bool colourField(Ui& ui, const RowText& text, Rgb& linear) {
 
 void readout(Ui& ui, const RowText& text, const std::string& value) {
   const FieldRow row = beginRow(ui, text);
+  ui.probe.fact(text.id, value);
   const ImVec2 min = ImGui::GetCursorScreenPos();
   const ImVec2 max(min.x + row.width, min.y + row.height);
   const ImVec2 size = ImGui::CalcTextSize(value.c_str());

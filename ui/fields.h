@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -26,7 +27,7 @@ struct NumberStyle {
   bool logarithmic = false;  ///< scrubs by factors; needs min > 0
   double perPixel = 0;       ///< change per pixel of scrubbing; 0: the range over 300 pixels
   /// Understands further ways to write the value ("30/2 Ne"); nullopt: not one of them.
-  std::optional<double> (*parse)(std::string_view) = nullptr;
+  std::function<std::optional<double>(std::string_view)> parse;
 };
 
 /// True when the value changed. It stays within [min, max]; text that is no such number is refused beside the field.

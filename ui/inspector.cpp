@@ -51,6 +51,11 @@ void yarnChooser(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& colour
   ImGui::PopStyleVar();
 }
 
+int shownFibre(const Fabric& fabric, const InspectorView& view) {
+  const Yarn& yarn = fabric.yarns[static_cast<size_t>(view.yarn)];
+  return view.secondFibre && yarn.blendFibre ? *yarn.blendFibre : yarn.fibre;
+}
+
 InspectorResult inspector(Ui& ui, const Fabric& fabric, const InspectorModel& model, InspectorView& view) {
   view.yarn = std::clamp(view.yarn, 0, static_cast<int>(fabric.yarns.size()) - 1);
   pageTabs(ui, view);
@@ -58,7 +63,8 @@ InspectorResult inspector(Ui& ui, const Fabric& fabric, const InspectorModel& mo
   const float margin = ImGui::GetStyle().ScrollbarSize;
   const ImVec4 grab = view.pageScrolls ? ui.theme.fieldFill : ImVec4(0, 0, 0, 0);
   ImGui::PushStyleColor(ImGuiCol_ScrollbarGrab, grab);
-  ImGui::BeginChild("page", ImVec2(ImGui::GetContentRegionAvail().x + margin, 0), false,
+  static constexpr const char* kPages[] = {"yarn page", "fibre page", "cloth page", "scene page"};
+  ImGui::BeginChild(kPages[static_cast<int>(view.page)], ImVec2(ImGui::GetContentRegionAvail().x + margin, 0), false,
                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysVerticalScrollbar);
   ImGui::PopStyleColor();
   view.pageScrolls = ImGui::GetScrollMaxY() > 0;
@@ -72,7 +78,7 @@ InspectorResult inspector(Ui& ui, const Fabric& fabric, const InspectorModel& mo
       result.fabric = fibrePage(ui, fabric, model, view);
       break;
     case InspectorView::Page::cloth:
-      result.fabric = clothPage(ui, fabric, model);
+      result.fabric = clothPage(ui, fabric, model, view);
       break;
     case InspectorView::Page::scene:
       result = scenePage(ui, fabric);

@@ -3,6 +3,9 @@
 #include <optional>
 #include <vector>
 
+#include "core/fabric/derived.h"
+#include "core/fabric/yarn_count.h"
+#include "core/fabric/yarn_need.h"
 #include "ui/commands.h"
 #include "ui/crossing_index.h"
 #include "ui/ui.h"
@@ -16,6 +19,10 @@ struct InspectorView {
   enum class Page { yarn, fibre, cloth, scene };
   Page page = Page::yarn;
   int yarn = 0;
+  bool secondFibre = false;  ///< of a blend, on the page of fibres
+  CountSystem countSystem = CountSystem::tex;
+  bool twistAsMultiplier = false;
+  PieceSize piece;  ///< whose yarn is reckoned
   bool pageScrolls = false;
   bool visibilityOpen = false;   ///< the section of local visibility
   bool visibilityShown = false;  ///< it is open, and on the page that is drawn
@@ -25,9 +32,13 @@ struct InspectorView {
 struct InspectorModel {
   const YarnSection* section = nullptr;  ///< of the yarn looked at; null while unknown
   double crimpWarp = 0, crimpWeft = 0;
-  bool measured = false;
-  std::vector<ImVec4> yarnColours;  ///< for the display
-  VisibilityModel visibility;       ///< of the yarn looked at
+  double thickness_mm = 0, arealMass_g_m2 = 0;
+  bool measured = false;           ///< the four above are known
+  const Floats* floats = nullptr;  ///< null while unknown, like the two below
+  const Binding* binding = nullptr;
+  const std::vector<std::string>* warnings = nullptr;  ///< in plain words
+  std::vector<ImVec4> yarnColours;                     ///< for the display
+  VisibilityModel visibility;                          ///< of the yarn looked at
 };
 
 struct InspectorResult {
@@ -39,10 +50,13 @@ struct InspectorResult {
 /// Yarn, fibre, cloth and scene. Fields hold the ranges of the file format.
 InspectorResult inspector(Ui& ui, const Fabric& fabric, const InspectorModel& model, InspectorView& view);
 
+/// The fibre that the page of fibres shows: of the yarn looked at the only one, or one of its blend.
+int shownFibre(const Fabric& fabric, const InspectorView& view);
+
 // The pages; each returns the fabric after an edit.
 std::optional<Fabric> yarnPage(Ui& ui, const Fabric& fabric, const InspectorModel& model, InspectorView& view);
 std::optional<Fabric> fibrePage(Ui& ui, const Fabric& fabric, const InspectorModel& model, InspectorView& view);
-std::optional<Fabric> clothPage(Ui& ui, const Fabric& fabric, const InspectorModel& model);
+std::optional<Fabric> clothPage(Ui& ui, const Fabric& fabric, const InspectorModel& model, InspectorView& view);
 InspectorResult scenePage(Ui& ui, const Fabric& fabric);
 
 /// A swatch for each yarn; a click selects.

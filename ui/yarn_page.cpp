@@ -1,14 +1,16 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 
+#include "core/fabric/colour.h"
+#include "core/fabric/presets.h"
 #include "core/fabric/validate.h"
 #include "core/fabric/yarn_count.h"
 #include "ui/choices.h"
-#include "ui/count_text.h"
 #include "ui/inspector.h"
 #include "ui/member_fields.h"
+#include "ui/yarn_colours.h"
+#include "ui/yarn_fields.h"
 
 namespace loomlight {
 namespace {
@@ -61,54 +63,39 @@ std::optional<Fabric> yarnList(Ui& ui, const Fabric& fabric, const InspectorMode
   return edited;
 }
 
-/// Mass by the count, or by how many fibres there are.
-bool massRows(Ui& ui, Yarn& yarn, const Fibre& fibre) {
-  static constexpr const char* kNames[] = {"Count", "Fibres"};
-  int way = yarn.fibresPerPly ? 1 : 0;
-  bool changed = false;
-  if (segmentField(ui,
-                   {"yarn.mass_by", "Fineness by",
-                    "A spinner says how thick a yarn is by its count. For few, "
-                    "coarse fibres it is easier to say how many there are."},
-                   kNames, way)) {
-    changed = true;
-    if (way == 0) {
-      yarn.count_tex = std::clamp(yarnCount_tex(yarn, fibre), 0.5, 5000.0);
-      yarn.fibresPerPly.reset();
-    } else {
-      yarn.fibresPerPly = std::clamp(static_cast<int>(std::lround(fibresInYarn(yarn, fibre) / yarn.plies)), 1, 2000);
-    }
+/// Fills in a yarn of the trade. Its fibre comes along, dyed as this yarn is; name and blend are the designer's.
+std::optional<Fabric> presetRow(Ui& ui, const Fabric& fabric, int index) {
+  const std::vector<YarnPreset> presets = yarnPresets();
+  std::vector<const char*> names;
+  for (const YarnPreset& preset : presets) names.push_back(preset.yarn.name.c_str());
+  int chosen = -1;
+  if (!choiceField(ui,
+                   {"yarn.preset", "Fill in from",
+                    "A yarn of the trade to start from: count, twist, packing and hairs, and its fibre; the colour "
+                    "stays."},
+                   names, chosen, "Yarns of the trade"))
+    return std::nullopt;
+  const YarnPreset& preset = presets[static_cast<size_t>(chosen)];
+  Fabric edited = fabric;
+  Yarn& yarn = edited.yarns[static_cast<size_t>(index)];
+  const Fibre& old = fabric.fibres[static_cast<size_t>(yarn.fibre)];
+  Fibre fibre = dyed(preset.fibre, colourFromAbsorption(old.absorption_per_mm, old.azimuthalRoughness, old.radius_um));
+  const bool shared = std::any_of(fabric.yarns.begin(), fabric.yarns.end(), [&](const Yarn& other) {
+    return &other != &fabric.yarns[static_cast<size_t>(index)] &&
+           (other.fibre == yarn.fibre || other.blendFibre == yarn.fibre);
+  });
+  Yarn filled = preset.yarn;
+  filled.name = yarn.name;
+  filled.unknown = yarn.unknown;
+  filled.fibre = yarn.fibre;
+  if (shared && static_cast<int>(fabric.fibres.size()) < kMaxKinds) {
+    filled.fibre = static_cast<int>(fabric.fibres.size());
+    edited.fibres.push_back(std::move(fibre));
+  } else {
+    edited.fibres[static_cast<size_t>(yarn.fibre)] = std::move(fibre);
   }
-  if (yarn.fibresPerPly) {
-    const FieldInfo info = fieldInfo(&Yarn::fibresPerPly);
-    changed |= wholeNumberField(ui, rowText("yarn", &Yarn::fibresPerPly), "", static_cast<int>(info.min),
-                                static_cast<int>(info.max), *yarn.fibresPerPly);
-    return changed;
-  }
-  const FieldInfo info = fieldInfo(&Yarn::count_tex);
-  NumberStyle style;
-  style.unit = info.unit;
-  style.min = info.min;
-  style.max = info.max;
-  style.logarithmic = true;
-  style.decimals = 1;
-  style.parse = texFromText;
-  changed |= numberField(ui,
-                         {"yarn.count_tex", info.label,
-                          "How thick the yarn is: grams of one kilometre. Typed counts are understood too: "
-                          "30/2 Ne, 2/60 Nm, 150 den."},
-                         style, yarn.count_tex);
-  return changed;
-}
-
-bool twistRows(Ui& ui, Yarn& yarn) {
-  constexpr double kTurnsPerPixel = 4.0;
-  bool changed = memberField(ui, "yarn", yarn, &Yarn::plyTwist_per_m, 0, kTurnsPerPixel);
-  changed |= memberChoice(ui, "yarn", yarn, &Yarn::plyTwistDirection, twistNames());
-  if (yarn.plies < 2) return changed;
-  changed |= memberField(ui, "yarn", yarn, &Yarn::yarnTwist_per_m, 0, kTurnsPerPixel);
-  changed |= memberChoice(ui, "yarn", yarn, &Yarn::yarnTwistDirection, twistNames());
-  return changed;
+  yarn = std::move(filled);
+  return edited;
 }
 
 }  // namespace
@@ -116,29 +103,30 @@ bool twistRows(Ui& ui, Yarn& yarn) {
 std::optional<Fabric> yarnPage(Ui& ui, const Fabric& fabric, const InspectorModel& model, InspectorView& view) {
   if (auto edited = yarnList(ui, fabric, model, view)) return edited;
   Yarn yarn = fabric.yarns[static_cast<size_t>(view.yarn)];
-  const Fibre& fibre = fabric.fibres[static_cast<size_t>(yarn.fibre)];
+  std::vector<Fibre> fibres = fabric.fibres;
+  const Fibre fibre = meanFibre(yarn, fibres);
 
-  drawYarnSection(ui, model.section ? *model.section : YarnSection{}, model.yarnColours[static_cast<size_t>(view.yarn)],
-                  ui.px(128));
+  const YarnFibreColours colours{fibreColour(fibres[static_cast<size_t>(yarn.fibre)]),
+                                 fibreColour(fibres[static_cast<size_t>(yarn.blendFibre.value_or(yarn.fibre))])};
+  drawYarnSection(ui, model.section ? *model.section : YarnSection{}, colours, ui.px(128));
   hint(ui, fmt::format("{:.1f} tex  \xC2\xB7  {:.2f} mm across  \xC2\xB7  {:.0f} fibres", yarnCount_tex(yarn, fibre),
                        yarnDiameter_mm(yarn, fibre), fibresInYarn(yarn, fibre)));
 
   bool changed = textField(ui, rowText("yarn", &Yarn::name), yarn.name);
-  std::vector<const char*> fibreNames;
-  for (const Fibre& f : fabric.fibres) fibreNames.push_back(f.name.c_str());
-  changed |= choiceField(ui, rowText("yarn", &Yarn::fibre), fibreNames, yarn.fibre);
-  changed |= massRows(ui, yarn, fibre);
-  changed |= memberField(ui, "yarn", yarn, &Yarn::plies);
-  changed |= twistRows(ui, yarn);
-  changed |= memberField(ui, "yarn", yarn, &Yarn::packing, 2);
+  std::optional<Fabric> filled = presetRow(ui, fabric, view.yarn);
+  changed |= fibreRows(ui, fibres, yarn);
+  changed |= countRows(ui, fibre, view, yarn);
+  changed |= twistRows(ui, fibre, view, yarn);
+  changed |= bulkRows(ui, fibre, yarn);
   changed |= memberField(ui, "yarn", yarn, &Yarn::flattening, 2);
   changed |= memberChoice(ui, "yarn", yarn, &Yarn::layout, layoutNames());
   changed |= memberField(ui, "yarn", yarn, &Yarn::migration, 2);
   changed |= memberField(ui, "yarn", yarn, &Yarn::hairiness_per_mm, 1, 0.05);
   if (yarn.hairiness_per_mm > 0) changed |= memberField(ui, "yarn", yarn, &Yarn::hairLength_mm, 2);
   visibilitySection(ui, model.visibility, view.visibilityOpen);
-  if (!changed) return std::nullopt;
+  if (filled || !changed) return filled;
   Fabric edited = fabric;
+  edited.fibres = std::move(fibres);
   edited.yarns[static_cast<size_t>(view.yarn)] = std::move(yarn);
   return edited;
 }

@@ -29,9 +29,17 @@ void drawScaleBar(Ui& ui, ImVec2 max, double pixelsPerMm) {
   ImGui::PopFont();
 }
 
+/// Neighbouring fibres of one colour would run together: a darker rim keeps each one apart, or a lighter one where
+/// nothing darker would show.
+ImVec4 rimOf(const ImVec4& colour) {
+  const bool dark = std::max({colour.x, colour.y, colour.z}) < 0.35f;
+  auto shade = [&](float value) { return dark ? value + 0.3f : 0.55f * value; };
+  return ImVec4(shade(colour.x), shade(colour.y), shade(colour.z), 1.0f);
+}
+
 }  // namespace
 
-void drawYarnSection(Ui& ui, const YarnSection& section, const ImVec4& fibreColour, float height) {
+void drawYarnSection(Ui& ui, const YarnSection& section, const YarnFibreColours& colours, float height) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const ImVec2 min = ImGui::GetCursorScreenPos();
   const ImVec2 max(min.x + ImGui::GetContentRegionAvail().x, min.y + height);
@@ -46,16 +54,12 @@ void drawYarnSection(Ui& ui, const YarnSection& section, const ImVec4& fibreColo
   const ImVec2 centre(0.5f * (min.x + max.x), 0.5f * (min.y + max.y));
   const float radius = std::max(0.75f, static_cast<float>(section.fibreRadius_mm * pixelsPerMm));
   const int segments = radius < 3 ? 6 : radius < 8 ? 12 : 24;
-  // Neighbouring fibres of one colour would run together: a darker rim keeps each one apart, or a lighter one where
-  // nothing darker would show.
-  const bool dark = std::max({fibreColour.x, fibreColour.y, fibreColour.z}) < 0.35f;
-  auto shade = [&](float value) { return dark ? value + 0.3f : 0.55f * value; };
-  const ImVec4 rim(shade(fibreColour.x), shade(fibreColour.y), shade(fibreColour.z), 1.0f);
   draw.PushClipRect(min, max, true);
   for (const YarnSection::Point& point : section.points) {
     const ImVec2 at(centre.x + static_cast<float>(point.at_mm.x * pixelsPerMm),
                     centre.y - static_cast<float>(point.at_mm.y * pixelsPerMm));
-    draw.AddCircleFilled(at, radius, packed(rim, point.hair ? 0.5f : 1.0f), segments);
+    const ImVec4& fibreColour = point.second ? colours.second : colours.first;
+    draw.AddCircleFilled(at, radius, packed(rimOf(fibreColour), point.hair ? 0.5f : 1.0f), segments);
     if (radius > 1.5f)
       draw.AddCircleFilled(at, radius - std::max(0.75f, 0.12f * radius), packed(fibreColour, point.hair ? 0.5f : 1.0f),
                            segments);

@@ -14,13 +14,19 @@ struct YarnSection {
     glm::vec2 at_mm{0};  ///< across the yarn, and up
     uint8_t ply = 0;
     bool hair = false;
+    bool second = false;  ///< of the blend's second fibre
   };
   std::vector<Point> points;
   double fibreRadius_mm = 0;
   double halfWidth_mm = 0, halfHeight_mm = 0;
 };
 
+/// Display colours of a yarn's fibre, and of the second one of a blend.
+struct YarnFibreColours {
+  ImVec4 first, second;
+};
+
 /// Draws it to scale, `height` pixels high over the width of the panel, with a scale bar.
-void drawYarnSection(Ui& ui, const YarnSection& section, const ImVec4& fibreColour, float height);
+void drawYarnSection(Ui& ui, const YarnSection& section, const YarnFibreColours& colours, float height);
 
 }  // namespace loomlight

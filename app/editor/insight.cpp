@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/base/random.h"
+#include "core/fabric/yarn_count.h"
 #include "core/geometry/cloth_geometry.h"
 #include "core/shell/shell.h"
 
@@ -13,8 +15,9 @@ namespace {
 Fabric plainClothOf(const Fabric& fabric, int yarn) {
   Fabric plain;
   plain.yarns = {fabric.yarns[static_cast<size_t>(yarn)]};
-  plain.fibres = {fabric.fibres[static_cast<size_t>(plain.yarns[0].fibre)]};
+  plain.fibres = {meanFibre(plain.yarns[0], fabric.fibres)};
   plain.yarns[0].fibre = 0;
+  plain.yarns[0].blendFibre.reset();
   plain.ends_per_cm = fabric.ends_per_cm;
   plain.picks_per_cm = fabric.picks_per_cm;
   return plain;
@@ -23,6 +26,7 @@ Fabric plainClothOf(const Fabric& fabric, int yarn) {
 }  // namespace
 
 YarnSection yarnSection(const Fabric& fabric, int yarn) {
+  const double secondShare = blendNumberShare(fabric.yarns[static_cast<size_t>(yarn)], fabric.fibres);
   const ClothGeometry geometry(plainClothOf(fabric, yarn), 2, 2);
   const CellKey key = geometry.key(System::warp, 0, 0);
   const YarnGeometry& shape = geometry.yarn(System::warp, key.yarn);
@@ -31,12 +35,14 @@ YarnSection yarnSection(const Fabric& fabric, int yarn) {
   section.fibreRadius_mm = strands.fibreRadius_mm;
   section.halfWidth_mm = shape.halfWidth_mm;
   section.halfHeight_mm = shape.halfHeight_mm;
-  for (const CellStrands::Strand& strand : strands.strands) {
+  for (size_t k = 0; k < strands.strands.size(); ++k) {
+    const CellStrands::Strand& strand = strands.strands[k];
+    const bool second = Random(k).uniformDouble() < secondShare;  // which ones is chance, as in the yarn
     for (uint32_t i = strand.first; i + 1 < strand.first + strand.count; ++i) {
       const glm::vec3 a = strands.points[i], b = strands.points[i + 1];  // (u, s, z)
       if ((a.y < 0) == (b.y < 0)) continue;
       const glm::vec3 at = glm::mix(a, b, a.y / (a.y - b.y));
-      section.points.push_back({{at.x, at.z - key.here.height_mm}, strand.ply, strand.packing == 0});
+      section.points.push_back({{at.x, at.z - key.here.height_mm}, strand.ply, strand.packing == 0, second});
     }
   }
   return section;
@@ -82,6 +88,7 @@ void InsightWorker::loop(std::stop_token stop) {
     insight->yarn = std::min(request->yarn, static_cast<int>(request->fabric->yarns.size()) - 1);
     insight->section = yarnSection(*request->fabric, insight->yarn);
     insight->floats = floats(request->fabric->weave);
+    insight->binding = binding(request->fabric->weave);
     insight->cover = coverFactors(*request->fabric);
     insight->warnings = warnings(*request->fabric);
     insight->mesh = extentOf(request->fabric->drape);

@@ -22,6 +22,7 @@ struct Insight {
   YarnSection section;
   Floats floats;
   CoverFactors cover;
+  Binding binding;
   std::vector<std::string> warnings;
   std::optional<MeshExtent> mesh;  ///< of a mesh drape that could be read
 };

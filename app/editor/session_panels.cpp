@@ -158,6 +158,13 @@ void Session::drawInspector(Ui& ui, const Insight* insight, const LiveStatus& st
   model.measured = status.builtGeneration > 0;
   model.crimpWarp = status.measures.crimpWarp;
   model.crimpWeft = status.measures.crimpWeft;
+  model.thickness_mm = status.measures.thickness_mm;
+  model.arealMass_g_m2 = status.measures.arealMass_g_m2;
+  if (insight) {
+    model.floats = &insight->floats;
+    model.binding = &insight->binding;
+    model.warnings = &insight->warnings;
+  }
   model.yarnColours = yarnColours(fabric);
   model.visibility = visibilityModel();
   InspectorResult result = inspector(ui, fabric, model, inspector_);

@@ -26,6 +26,10 @@ void check(const FieldInfo& info, const std::optional<int>& value, const Place& 
   if (value) check(info, *value, place);
 }
 
+void check(const FieldInfo& info, const std::optional<double>& value, const Place& place) {
+  if (value) check(info, *value, place);
+}
+
 void check(const FieldInfo& info, const Rgb& value, const Place& place) {
   for (int i = 0; i < 3; ++i) check(info, static_cast<double>(value[i]), place.at(static_cast<size_t>(i)));
 }

@@ -17,6 +17,7 @@ inline constexpr size_t kMaxText = 65536;
 void check(const FieldInfo& info, double value, const Place& place);
 void check(const FieldInfo& info, int value, const Place& place);
 void check(const FieldInfo& info, const std::optional<int>& value, const Place& place);
+void check(const FieldInfo& info, const std::optional<double>& value, const Place& place);
 void check(const FieldInfo& info, const Rgb& value, const Place& place);
 void check(const FieldInfo& info, const glm::dvec3& value, const Place& place);
 void check(const FieldInfo& info, const std::string& value, const Place& place);

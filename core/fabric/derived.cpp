@@ -17,7 +17,7 @@ double meanOverThreads(const Fabric& fabric, System system, F&& f) {
   double sum = 0;
   for (const int index : sequence) {
     const Yarn& yarn = fabric.yarns[index];
-    sum += f(yarn, fabric.fibres[yarn.fibre]);
+    sum += f(yarn, meanFibre(yarn, fabric.fibres));
   }
   return sum / static_cast<double>(sequence.size());
 }

@@ -37,8 +37,10 @@ enum class FibreLayout { random, packed };
 /// One kind of yarn. Its mass is given either by the count, or by the number of fibres in a ply.
 struct Yarn {
   std::string name = "yarn";
-  int fibre = 0;                    ///< index into Fabric::fibres
-  double count_tex = 30.0;          ///< g per km of finished yarn, 0.5..5000; not used with fibresPerPly
+  int fibre = 0;                  ///< index into Fabric::fibres
+  std::optional<int> blendFibre;  ///< a second fibre, evenly mixed with the first (melange): index into Fabric::fibres
+  std::optional<double> blendShare;  ///< of the mass that is the second fibre, 0..1; half where it is not given
+  double count_tex = 30.0;        ///< g per km of finished yarn, 0.5..5000; not used with fibresPerPly
   std::optional<int> fibresPerPly;  ///< 1..2000; the count then follows
   int plies = 1;                    ///< 1..8
   double plyTwist_per_m = 700.0;    ///< turns of the fibres about the axis of their ply, 0..5000
@@ -121,6 +123,14 @@ struct RenderSettings {
   friend bool operator==(const RenderSettings&, const RenderSettings&);
 };
 
+/// Other colours for the same construction: how much each fibre absorbs, under a name.
+struct Colourway {
+  std::string name = "colourway";
+  std::vector<Rgb> absorption_per_mm;  ///< per Fabric::fibres; fibres beyond its end keep their own
+  UnknownKeys unknown;
+  friend bool operator==(const Colourway&, const Colourway&);
+};
+
 struct WifOrigin;
 
 /// Everything a designer edits; a value. Edits make a new one; threads and undo share them as
@@ -136,6 +146,7 @@ struct Fabric {
   double picks_per_cm = 20.0;
   std::vector<Yarn> yarns{Yarn{}};     ///< 1..64
   std::vector<Fibre> fibres{Fibre{}};  ///< 1..64
+  std::vector<Colourway> colourways;   ///< 0..64, to choose from: the cloth has its fibres' own colours
   Drape drape;
   Light light;
   Camera camera;

@@ -21,7 +21,9 @@
 ///   warp_sequence       which yarn each end uses, from the left, repeating: numbers in the list of yarns, from 0
 ///   weft_sequence       which yarn each pick uses, from the bottom
 ///   yarns               objects: name, fibre (number in the list of fibres, from 0), count_tex or fibres_per_ply, ...
+///                       and of a blend: blend_fibre, blend_share
 ///   fibres              objects: name, radius_um, refractive_index, absorption_per_mm [red, green, blue], ...
+///   colourways          objects: name, absorption_per_mm [[red, green, blue], ...] in the order of the fibres
 ///   drape               object: kind "flat" | "cylinder" | "sphere" | "mesh", width_mm, height_mm, ...
 ///   light               object: kind "sky" | "dome" | "furnace" | "back" | "headlight" | "directional" | "environment"
 ///   camera              object: target_mm [x, y, z], azimuth_deg, elevation_deg, distance_mm, fov_deg

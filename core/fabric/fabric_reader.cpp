@@ -52,6 +52,10 @@ void read(const json& value, const FieldInfo& info, const Place& place, std::opt
   out = readWhole(value, info.min, info.max, place);
 }
 
+void read(const json& value, const FieldInfo& info, const Place& place, std::optional<double>& out) {
+  read(value, info, place, out.emplace());
+}
+
 void read(const json& value, const FieldInfo&, const Place& place, uint64_t& out) {
   if (!value.is_number_unsigned()) place.reject("a whole number from 0 to 18446744073709551615", shown(value));
   out = value.get<uint64_t>();
@@ -141,6 +145,26 @@ std::vector<Object> readObjects(json value, const Place& place) {
   for (size_t i = 0; i < value.size() && i <= kMaxKinds; ++i)
     objects.push_back(readObject<Object>(std::move(value[i]), place.at(i)));
   return objects;
+}
+
+std::vector<Colourway> readColourways(json value, const Place& place) {
+  readList(value, "a list of objects", place);
+  std::vector<Colourway> colourways;
+  for (size_t i = 0; i < value.size() && i <= kMaxKinds; ++i) {
+    const Place here = place.at(i);
+    ObjectReader reader(std::move(value[i]), here);
+    Colourway& colourway = colourways.emplace_back();
+    reader.takeFields(colourway);
+    if (const std::optional<json> colours = reader.take("absorption_per_mm")) {
+      const Place there = here.at("absorption_per_mm");
+      readList(*colours, "a list of colours, one a fibre", there);
+      for (size_t k = 0; k < colours->size() && k <= kMaxKinds; ++k)
+        read((*colours)[k], fieldInfo(&Fibre::absorption_per_mm), there.at(k),
+             colourway.absorption_per_mm.emplace_back());
+    }
+    colourway.unknown = reader.rest();
+  }
+  return colourways;
 }
 
 std::vector<int> readSequence(const json& value, const Place& place) {
@@ -263,6 +287,7 @@ Fabric fabricFromJson(std::string_view text, const std::string& sourceName) {
   if (auto v = reader.take("weft_sequence")) fabric.weftSequence = readSequence(*v, place.at("weft_sequence"));
   if (auto v = reader.take("yarns")) fabric.yarns = readObjects<Yarn>(std::move(*v), place.at("yarns"));
   if (auto v = reader.take("fibres")) fabric.fibres = readObjects<Fibre>(std::move(*v), place.at("fibres"));
+  if (auto v = reader.take("colourways")) fabric.colourways = readColourways(std::move(*v), place.at("colourways"));
   if (auto v = reader.take("drape")) fabric.drape = readObject<Drape>(std::move(*v), place.at("drape"));
   if (auto v = reader.take("light")) fabric.light = readObject<Light>(std::move(*v), place.at("light"));
   if (auto v = reader.take("camera")) fabric.camera = readObject<Camera>(std::move(*v), place.at("camera"));

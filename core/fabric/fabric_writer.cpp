@@ -33,6 +33,9 @@ Json toJson(const std::string& value) {
 Json toJson(const std::optional<int>& value) {
   return value ? Json(*value) : Json();
 }
+Json toJson(const std::optional<double>& value) {
+  return value ? Json(*value) : Json();
+}
 Json toJson(const glm::dvec3& value) {
   return Json::array({value.x, value.y, value.z});
 }
@@ -71,6 +74,19 @@ template <class Object>
 Json listToJson(const std::vector<Object>& objects) {
   Json json = Json::array();
   for (const Object& object : objects) json.push_back(objectToJson(object));
+  return json;
+}
+
+Json colourwaysToJson(const std::vector<Colourway>& colourways) {
+  Json json = Json::array();
+  for (const Colourway& colourway : colourways) {
+    Json item = Json::object();
+    addFields(item, colourway);
+    item["absorption_per_mm"] = Json::array();
+    for (const Rgb& absorption : colourway.absorption_per_mm) item["absorption_per_mm"].push_back(toJson(absorption));
+    addUnknown(item, colourway.unknown);
+    json.push_back(std::move(item));
+  }
   return json;
 }
 
@@ -120,6 +136,7 @@ std::string fabricToJson(const Fabric& fabric) {
   json["weft_sequence"] = fabric.weftSequence;
   json["yarns"] = listToJson(fabric.yarns);
   json["fibres"] = listToJson(fabric.fibres);
+  if (!fabric.colourways.empty()) json["colourways"] = colourwaysToJson(fabric.colourways);
   json["drape"] = objectToJson(fabric.drape);
   json["light"] = objectToJson(fabric.light);
   json["camera"] = objectToJson(fabric.camera);

@@ -37,6 +37,10 @@ struct FieldTable<Yarn> {
   static constexpr auto fields = std::make_tuple(
       Field{&Yarn::name, {"name", "Yarn", "", 0, 0, "What this yarn is called."}},
       Field{&Yarn::fibre, {"fibre", "Fibre", "", 0, 63, "The fibre it is spun of: a number in the list, from 0."}},
+      Field{&Yarn::blendFibre,
+            {"blend_fibre", "Blended with", "", 0, 63,
+             "A second fibre that is spun together with the first: a number in the list, from 0."}},
+      Field{&Yarn::blendShare, {"blend_share", "Share", "", 0, 1, "How much of the yarn's mass is the second fibre."}},
       Field{&Yarn::count_tex,
             {"count_tex", "Count", "tex", 0.5, 5000, "How thick the yarn is: grams of one kilometre.", true}},
       Field{&Yarn::fibresPerPly,
@@ -150,6 +154,12 @@ struct FieldTable<Draft> {
       Field{
           &Draft::risingShed,
           {"rising_shed", "Rising shed", "", 0, 0, "Tied shafts are raised; in a sinking shed they are pulled down."}});
+};
+
+template <>
+struct FieldTable<Colourway> {
+  static constexpr auto fields =
+      std::make_tuple(Field{&Colourway::name, {"name", "Colourway", "", 0, 0, "What these colours are called."}});
 };
 
 template <>

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <functional>
 
+#include "core/fabric/yarn_count.h"
+
 namespace loomlight {
 namespace {
 
@@ -19,10 +21,12 @@ Shape shapeOf(const Fabric& fabric, int index) {
   const Yarn none;
   Shape shape{fabric.yarns[index], 0, 0};
   Yarn& yarn = shape.yarn;
-  const Fibre& fibre = fabric.fibres[yarn.fibre];
+  const Fibre fibre = meanFibre(yarn, fabric.fibres);
   shape.radius_um = fibre.radius_um;
   yarn.name.clear();
-  yarn.fibre = 0;
+  yarn.fibre = none.fibre;
+  yarn.blendFibre = none.blendFibre;
+  yarn.blendShare = none.blendShare;
   if (yarn.fibresPerPly) {
     yarn.count_tex = none.count_tex;
   } else {
@@ -59,7 +63,10 @@ bool sameOptics(const Fabric& before, const Fabric& after) {
   return std::equal(before.fibres.begin(), before.fibres.end(), after.fibres.begin(), after.fibres.end(),
                     [](const Fibre& a, const Fibre& b) { return opticsOf(a) == opticsOf(b); }) &&
          std::equal(before.yarns.begin(), before.yarns.end(), after.yarns.begin(), after.yarns.end(),
-                    [](const Yarn& a, const Yarn& b) { return a.fibre == b.fibre; });
+                    [](const Yarn& a, const Yarn& b) {
+                      return a.fibre == b.fibre && a.blendFibre == b.blendFibre &&
+                             (!a.blendFibre || a.blendShare.value_or(0.5) == b.blendShare.value_or(0.5));
+                    });
 }
 
 /// The headlight shines from where the camera stands, which its field of view does not move.

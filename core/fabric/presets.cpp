@@ -17,8 +17,13 @@ struct Stock {
   double longitudinalRoughness, azimuthalRoughness, scaleTilt_deg;
   FibreSection section;
   Rgb colour;
-  const char* provenance;
+  FibreSources sources;
 };
+
+constexpr const char* kGuess = "guess";
+constexpr const char* kNoScales = "handbook: the surface has no scales";
+constexpr const char* kScales = "handbook, recalled: cuticle scales of hair, 2 to 3 degrees";
+constexpr const char* kKeratin = "measured (von Bergen: 1.56 along, 1.55 across)";
 
 const Stock kStocks[] = {
     {"cotton",
@@ -30,8 +35,8 @@ const Stock kStocks[] = {
      0,
      FibreSection::kidney,
      {0.84f, 0.79f, 0.70f},
-     "density, fineness: handbook (Morton & Hearle: 1.52 at 65 % rh; 1.0-3.4 dtex); index from 1.578/1.532: handbook, "
-     "recalled; roughness, colour: guess"},
+     {"handbook (Morton & Hearle: 1.0-3.4 dtex)", "handbook (Morton & Hearle: 1.52 at 65 % rh)",
+      "handbook, recalled (1.578 along, 1.532 across)", kGuess, kNoScales, kGuess}},
     {"wool",
      3.7,
      1.31,
@@ -41,8 +46,8 @@ const Stock kStocks[] = {
      2.5,
      FibreSection::round,
      {0.78f, 0.71f, 0.58f},
-     "density, fineness: handbook (Morton & Hearle: 3.4-4.6 dtex for 18-21 um, fine merino); index from 1.56/1.55: "
-     "measured (von Bergen); scale tilt: handbook, recalled; roughness, colour: guess"},
+     {"handbook (Morton & Hearle: 3.4-4.6 dtex for 18-21 um, fine merino)", "handbook (Morton & Hearle: 1.31)",
+      kKeratin, kGuess, kScales, kGuess}},
     {"silk",
      1.3,
      1.34,
@@ -52,9 +57,9 @@ const Stock kStocks[] = {
      0,
      FibreSection::triangle,
      {0.86f, 0.82f, 0.75f},
-     "density, fineness: handbook (Morton & Hearle: 0.95-1.6 dtex); index from 1.591/1.538: handbook, recalled; "
-     "roughness: "
-     "guess; colour: guess, within the measured bound of 0.64/mm"},
+     {"handbook (Morton & Hearle: 0.95-1.6 dtex)", "handbook (Morton & Hearle: 1.34)",
+      "handbook, recalled (1.591 along, 1.538 across)", kGuess, kNoScales,
+      "guess, within the measured bound of 0.64/mm"}},
     {"linen",
      2.4,
      1.50,
@@ -64,9 +69,8 @@ const Stock kStocks[] = {
      0,
      FibreSection::polygon,
      {0.60f, 0.52f, 0.40f},
-     "density: handbook (Morton & Hearle: 1.50-1.53); fineness from 12-17 um: handbook; index from 1.59/1.525: "
-     "measured "
-     "(von Bergen); roughness, colour: guess"},
+     {"handbook (12-17 um)", "handbook (Morton & Hearle: 1.50-1.53)",
+      "measured (von Bergen: 1.58-1.60 along, 1.52-1.53 across)", kGuess, kNoScales, kGuess}},
     {"viscose",
      1.7,
      1.49,
@@ -76,8 +80,8 @@ const Stock kStocks[] = {
      0,
      FibreSection::serrated,
      {0.90f, 0.89f, 0.86f},
-     "density: handbook (Morton & Hearle: 1.49); fineness 1.2-3 dtex, index from 1.54/1.52: handbook, recalled; "
-     "roughness, colour: guess"},
+     {"handbook, recalled (1.2-3 dtex)", "handbook (Morton & Hearle: 1.49)",
+      "handbook, recalled (1.54 along, 1.52 across)", kGuess, kNoScales, kGuess}},
     {"polyester",
      1.7,
      1.39,
@@ -87,8 +91,8 @@ const Stock kStocks[] = {
      0,
      FibreSection::round,
      {0.92f, 0.92f, 0.91f},
-     "density: handbook (Morton & Hearle: 1.39); fineness 0.9-3.5 dtex: handbook; index from 1.72/1.535: measured "
-     "(DuPont X-156); roughness, colour: guess"},
+     {"handbook (0.9-3.5 dtex)", "handbook (Morton & Hearle: 1.39)",
+      "measured (DuPont X-156: 1.71-1.73 along, 1.53-1.54 across)", kGuess, kNoScales, kGuess}},
     {"nylon",
      1.7,
      1.14,
@@ -98,8 +102,52 @@ const Stock kStocks[] = {
      0,
      FibreSection::round,
      {0.92f, 0.92f, 0.90f},
-     "density: handbook (Morton & Hearle: 1.14); fineness: handbook, recalled; index from 1.58/1.52: measured "
-     "(DuPont X-156); roughness, colour: guess"},
+     {"handbook, recalled (1-20 dtex)", "handbook (Morton & Hearle: 1.14)",
+      "measured (DuPont X-156: 1.57-1.59 along, 1.51-1.53 across)", kGuess, kNoScales, kGuess}},
+    {"acrylic",
+     2.2,
+     1.19,
+     1.515,
+     0.20,
+     0.30,
+     0,
+     FibreSection::kidney,
+     {0.90f, 0.89f, 0.85f},
+     {"handbook, recalled (1-8 dtex)", "handbook (Morton & Hearle: 1.19)",
+      "measured (DuPont X-156: 1.50-1.53 both ways)", kGuess, kNoScales, kGuess}},
+    {"mohair",
+     12.6,
+     1.31,
+     1.553,
+     0.15,
+     0.25,
+     2.0,
+     FibreSection::round,
+     {0.82f, 0.77f, 0.66f},
+     {"measured (UAF: 25-45 um)", "handbook, recalled: as wool", kKeratin, "guess: mohair is lustrous",
+      "guess: faint scales", kGuess}},
+    {"alpaca",
+     6.4,
+     1.31,
+     1.553,
+     0.25,
+     0.30,
+     2.5,
+     FibreSection::round,
+     {0.74f, 0.67f, 0.55f},
+     {"measured (UAF: 17-35 um)", "handbook, recalled: as wool", "handbook, recalled: as wool", kGuess, kScales,
+      kGuess}},
+    {"cashmere",
+     2.6,
+     1.31,
+     1.553,
+     0.25,
+     0.30,
+     2.5,
+     FibreSection::round,
+     {0.80f, 0.74f, 0.64f},
+     {"measured (UAF: 14-18.5 um)", "handbook, recalled: as wool", "handbook, recalled: as wool", kGuess, kScales,
+      kGuess}},
 };
 
 FibrePreset preset(const Stock& stock) {
@@ -112,7 +160,7 @@ FibrePreset preset(const Stock& stock) {
   fibre.azimuthalRoughness = stock.azimuthalRoughness;
   fibre.scaleTilt_deg = stock.scaleTilt_deg;
   fibre.section = stock.section;
-  return {dyed(fibre, stock.colour), stock.fineness_dtex, stock.provenance};
+  return {dyed(fibre, stock.colour), stock.fineness_dtex, stock.sources};
 }
 
 Fibre fibreNamed(const std::string& name) {
@@ -169,6 +217,10 @@ Yarn filament(const char* name, double count_tex, double twist_per_m, double pac
 
 double twist_per_m(double twistMultiplier, double tex) {
   return 957.0 * twistMultiplier / std::sqrt(tex);
+}
+
+double twistMultiplier(double twist_per_m, double tex) {
+  return twist_per_m * std::sqrt(tex) / 957.0;
 }
 
 Fibre dyed(Fibre fibre, const Rgb& colour) {

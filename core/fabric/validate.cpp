@@ -32,10 +32,20 @@ void checkSequence(const std::vector<int>& sequence, size_t yarns, const Place& 
 void checkYarn(const Yarn& yarn, const std::vector<Fibre>& fibres, const Place& place) {
   checkFields(yarn, place);
   checkIndex(yarn.fibre, fibres.size(), "fibre", place.at("fibre"));
-  const double inYarn = fibresInYarn(yarn, fibres[yarn.fibre]);
+  if (yarn.blendFibre) checkIndex(*yarn.blendFibre, fibres.size(), "fibre", place.at("blend_fibre"));
+  const double inYarn = fibresInYarn(yarn, meanFibre(yarn, fibres));
   if (inYarn > kMaxFibresInYarn)
     place.at(yarn.fibresPerPly ? "fibres_per_ply" : "count_tex")
         .reject(fmt::format("a yarn of at most {} fibres", kMaxFibresInYarn), fmt::format("{:.0f}", inYarn));
+}
+
+void checkColourway(const Colourway& colourway, const Place& place) {
+  checkFields(colourway, place);
+  const Place colours = place.at("absorption_per_mm");
+  if (colourway.absorption_per_mm.size() > kMaxKinds)
+    colours.reject(fmt::format("at most {} colours", kMaxKinds), fmt::format("{}", colourway.absorption_per_mm.size()));
+  for (size_t i = 0; i < colourway.absorption_per_mm.size(); ++i)
+    check(fieldInfo(&Fibre::absorption_per_mm), colourway.absorption_per_mm[i], colours.at(i));
 }
 
 void checkDrape(const Drape& drape, const Place& place) {
@@ -117,6 +127,10 @@ void validate(const Fabric& fabric, const std::string& source) {
   }
   checkSequence(fabric.warpSequence, fabric.yarns.size(), place.at("warp_sequence"));
   checkSequence(fabric.weftSequence, fabric.yarns.size(), place.at("weft_sequence"));
+  const Place colourways = place.at("colourways");
+  if (fabric.colourways.size() > kMaxKinds)
+    colourways.reject(fmt::format("at most {} colourways", kMaxKinds), fmt::format("{}", fabric.colourways.size()));
+  for (size_t i = 0; i < fabric.colourways.size(); ++i) checkColourway(fabric.colourways[i], colourways.at(i));
   checkDrape(fabric.drape, place.at("drape"));
   checkLight(fabric.light, place.at("light"));
   checkFields(fabric.camera, place.at("camera"));

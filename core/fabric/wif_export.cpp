@@ -116,7 +116,7 @@ WifSizes ownSizes(const Fabric& fabric, System system, int threads) {
   bool same = true;
   for (int thread = 0; thread < threads; ++thread) {
     const Yarn& yarn = fabric.yarns[system == System::warp ? fabric.warpYarn(thread) : fabric.weftYarn(thread)];
-    const double thickness = tidyCentimetres(yarnDiameter_mm(yarn, fabric.fibres[yarn.fibre]));
+    const double thickness = tidyCentimetres(yarnDiameter_mm(yarn, meanFibre(yarn, fabric.fibres)));
     if (thread == 0) sizes.thickness = thickness;
     same = same && thickness == *sizes.thickness;
     sizes.thicknesses[thread + 1] = thickness;

@@ -225,12 +225,12 @@ void scaleYarns(Fabric& fabric, System system, std::optional<double> diameter_mm
   if (!diameter_mm) return;
   const std::vector<int>& sequence = system == System::warp ? fabric.warpSequence : fabric.weftSequence;
   const Yarn& usual = fabric.yarns[mostCommon(sequence)];
-  const double ratio = *diameter_mm / yarnDiameter_mm(usual, fabric.fibres[usual.fibre]);
+  const double ratio = *diameter_mm / yarnDiameter_mm(usual, meanFibre(usual, fabric.fibres));
   for (const int index : sequence) {
     if (done[index]) continue;
     done[index] = true;
     Yarn& yarn = fabric.yarns[index];
-    yarn = heavier(yarn, fabric.fibres[yarn.fibre], ratio * ratio, held);
+    yarn = heavier(yarn, meanFibre(yarn, fabric.fibres), ratio * ratio, held);
   }
 }
 

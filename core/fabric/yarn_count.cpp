@@ -51,6 +51,10 @@ double countFromTex(double tex, CountSystem system) {
   return s.indirect ? s.tex / tex : tex / s.tex;
 }
 
+bool isIndirect(CountSystem system) {
+  return describe(system).indirect;
+}
+
 const char* countUnit(CountSystem system) {
   return describe(system).unit;
 }
@@ -61,6 +65,26 @@ double fibreFineness_dtex(const Fibre& fibre) {
 
 double fibreRadius_um(double fineness_dtex, double density_g_cm3) {
   return std::sqrt(0.1 * fineness_dtex / cylinder_tex(1.0, density_g_cm3));
+}
+
+double blendNumberShare(const Yarn& yarn, const std::vector<Fibre>& fibres) {
+  if (!yarn.blendFibre) return 0;
+  const double share = yarn.blendShare.value_or(0.5);
+  const double first = (1 - share) / fibreFineness_dtex(fibres[yarn.fibre]);
+  const double second = share / fibreFineness_dtex(fibres[*yarn.blendFibre]);
+  return second / (first + second);
+}
+
+Fibre meanFibre(const Yarn& yarn, const std::vector<Fibre>& fibres) {
+  Fibre mean = fibres[yarn.fibre];
+  if (!yarn.blendFibre) return mean;
+  const Fibre& second = fibres[*yarn.blendFibre];
+  const double share = blendNumberShare(yarn, fibres);
+  const double section = (1 - share) * mean.radius_um * mean.radius_um + share * second.radius_um * second.radius_um;
+  const double fineness = (1 - share) * fibreFineness_dtex(mean) + share * fibreFineness_dtex(second);
+  mean.radius_um = std::sqrt(section);
+  mean.density_g_cm3 = 0.1 * fineness / cylinder_tex(mean.radius_um, 1.0);
+  return mean;
 }
 
 double yarnCount_tex(const Yarn& yarn, const Fibre& fibre) {

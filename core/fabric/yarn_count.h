@@ -12,6 +12,8 @@ enum class CountSystem { tex, dtex, denier, metric, cotton, worsted, linen };
 /// 590.5 tex = Ne 1, 885.8 = NeK 1 (worsted), 1653.5 = NeL 1 (linen), 1000 = Nm 1.
 double texFromCount(double value, CountSystem system);
 double countFromTex(double tex, CountSystem system);
+/// Whether it counts lengths to a weight, so that thicker yarns have smaller numbers.
+bool isIndirect(CountSystem system);
 /// "tex", "Nm", "Ne"...
 const char* countUnit(CountSystem system);
 
@@ -19,6 +21,12 @@ const char* countUnit(CountSystem system);
 double fibreFineness_dtex(const Fibre& fibre);
 /// Radius of a round fibre of that fineness, um.
 double fibreRadius_um(double fineness_dtex, double density_g_cm3);
+
+/// What the fibres of a yarn are like on average, for count, number and section: the fibre itself, or of a blend the
+/// radius and the density with which as many fibres have the same volume and mass. Optics and name are the first's.
+Fibre meanFibre(const Yarn& yarn, const std::vector<Fibre>& fibres);
+/// How many of a yarn's fibres are of the second kind, 0..1: by number, where blendShare is by mass.
+double blendNumberShare(const Yarn& yarn, const std::vector<Fibre>& fibres);
 
 /// Linear density of the finished yarn, tex: its count, or plies * fibresPerPly * fibre where that is given. Take-up by
 /// twist is not in it: the geometry finds that, and scales its fibres so that a given count is met exactly.

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "core/base/hash.h"
+#include "core/fabric/yarn_count.h"
 #include "core/geometry/yarn_model.h"
 
 namespace loomlight {
@@ -121,7 +122,7 @@ void ClothGeometry::resolveYarns(const Fabric& fabric, const ClothGeometry* prev
     const double crossPitch = system == System::warp ? warpPitch_mm_ : weftPitch_mm_;
     for (const Yarn* yarn : yarnOf) {
       YarnGeometry& outline = outlines[static_cast<size_t>(system)].emplace_back(
-          outlineYarn(*yarn, fabric.fibres[yarn->fibre], pitch, crossPitch));
+          outlineYarn(*yarn, meanFibre(*yarn, fabric.fibres), pitch, crossPitch));
       outline.seed = mixBits(static_cast<uint64_t>(system));
     }
   }
@@ -141,7 +142,7 @@ void ClothGeometry::resolveYarns(const Fabric& fabric, const ClothGeometry* prev
       }
       const Yarn& yarn = *yarnOf[own];
       resolveTwist(outline, yarn, 0.5 * (outline.pitch_mm + interlaced));
-      const YarnSource source = sourceOf(outline, yarn, fabric.fibres[yarn.fibre]);
+      const YarnSource source = sourceOf(outline, yarn, meanFibre(yarn, fabric.fibres));
       if (previous)
         for (const auto& model : previous->of(system).yarns)
           if (model && model->source == source) mine.yarns[own] = model;

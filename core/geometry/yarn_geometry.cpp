@@ -5,6 +5,8 @@
 #include <optional>
 #include <tuple>
 
+#include "core/fabric/yarn_count.h"
+
 namespace loomlight {
 namespace {
 
@@ -84,7 +86,7 @@ std::vector<int> geometryClasses(const Fabric& fabric) {
   std::vector<int> classes;
   std::vector<decltype(shapeOf(Yarn{}, Fibre{}))> shapes;
   for (const Yarn& yarn : fabric.yarns) {
-    const auto shape = shapeOf(yarn, fabric.fibres[yarn.fibre]);
+    const auto shape = shapeOf(yarn, meanFibre(yarn, fabric.fibres));
     const auto found = std::find(shapes.begin(), shapes.end(), shape);
     classes.push_back(static_cast<int>(found - shapes.begin()));
     if (found == shapes.end()) shapes.push_back(shape);

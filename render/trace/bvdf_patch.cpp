@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/fabric/yarn_count.h"
+
 namespace loomlight {
 namespace {
 
@@ -44,10 +46,11 @@ void mergeYarns(const Fabric& fabric, Fabric& merged) {
   for (size_t i = 0; i < classes.size(); ++i) {
     if (classes[i] < static_cast<int>(merged.yarns.size())) continue;
     Yarn yarn = fabric.yarns[i];
-    const Fibre& of = fabric.fibres[yarn.fibre];
+    const Fibre of = meanFibre(yarn, fabric.fibres);
     yarn.name.clear();
     yarn.unknown = {};
     yarn.fibre = classes[i];
+    yarn.blendFibre.reset();
     merged.yarns.push_back(yarn);
     Fibre fibre;
     fibre.name.clear();

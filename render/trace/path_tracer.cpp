@@ -8,6 +8,7 @@
 
 #include "core/base/parallel.h"
 #include "render/optics/fibre_frame.h"
+#include "render/trace/blend.h"
 
 namespace loomlight {
 namespace {
@@ -135,13 +136,14 @@ PathSample tracePath(const Scene& scene, const Medium& medium, const CameraRays&
   };
   ++counts.paths;
   for (;;) {
-    const auto collision = medium.collide(from, direction, random, counts);
+    auto collision = medium.collide(from, direction, random, counts);
     if (!collision) {  // what the camera sees past the cloth is the backdrop's affair: alpha
       if (sample.events > 0 && !addedAlready) (sample.events == 1 ? sample.direct : sample.indirect) += escaped();
       return sample;
     }
     if (sample.events == 0) recordFirstHit(*collision, sample);
     ++sample.events;
+    collision->optics.material = materialMet(scene, *collision, random);
 
     const FibreFrame frame(collision->tangent);
     const glm::vec3 wo = frame.toLocal(-direction);

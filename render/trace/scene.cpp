@@ -8,6 +8,7 @@
 
 #include "core/base/stopwatch.h"
 #include "core/fabric/impact.h"
+#include "core/fabric/yarn_count.h"
 #include "render/trace/shell_entry.h"
 
 namespace loomlight {
@@ -80,6 +81,13 @@ std::vector<YarnOptics> makeYarnOptics(const Fabric& fabric, const ClothGeometry
   return optics;
 }
 
+std::vector<YarnBlend> makeBlends(const Fabric& fabric) {
+  std::vector<YarnBlend> blends;
+  for (const Yarn& yarn : fabric.yarns)
+    blends.push_back({yarn.blendFibre.value_or(yarn.fibre), static_cast<float>(blendNumberShare(yarn, fabric.fibres))});
+  return blends;
+}
+
 /// Volume and shell: all of them, or what the edit leaves of the previous scene's. False when stopped.
 bool makeCloth(Scene& scene, const Impact& change, const Scene* previous, const Task& task) {
   const Fabric& fabric = *scene.fabric;
@@ -116,6 +124,7 @@ std::shared_ptr<const Scene> makeScene(std::shared_ptr<const Fabric> fabric, con
   scene->materials = makeMaterials(*fabric, previous);
   scene->yarns = {makeYarnOptics(*fabric, scene->volume->geometry(), System::warp),
                   makeYarnOptics(*fabric, scene->volume->geometry(), System::weft)};
+  scene->blends = makeBlends(*fabric);
   // A headlight goes with the eye: that is in `lighting`.
   scene->lighting = previous && !change.lighting
                         ? previous->lighting

@@ -28,6 +28,12 @@ struct YarnOptics {
   float fibreRadius_mm = 0;  ///< of the geometry; differs between warp and weft by less than a rounding of fibre counts
 };
 
+/// The second material of a blended yarn (Yarn::blendFibre), and how many of its fibres are of it.
+struct YarnBlend {
+  int material = 0;  ///< index into Scene::materials
+  float share = 0;   ///< by number, 0..1; 0: no blend
+};
+
 /// Everything a path needs, immutable and shared: an edit makes a new Scene from what did not change. `materials` has
 /// one entry per Fabric::fibres.
 struct Scene {
@@ -38,6 +44,7 @@ struct Scene {
   std::shared_ptr<const Lighting> lighting;
   std::vector<Material> materials;
   std::array<std::vector<YarnOptics>, 2> yarns;  ///< [system][index into Fabric::yarns]
+  std::vector<YarnBlend> blends;                 ///< [index into Fabric::yarns]
   struct Seconds {
     double geometry = 0, voxelise = 0, accelerate = 0;
   } seconds;  ///< what making it took; 0 for what was reused

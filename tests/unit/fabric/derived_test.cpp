@@ -56,6 +56,26 @@ TEST(YarnCount, FollowsFromTheFibresWhereTheyAreCounted) {
   EXPECT_NEAR(fibresInYarn(yarn, fibre), 200 / fibreFineness_dtex(fibre), 1e-9);
 }
 
+TEST(YarnCount, ABlendWeighsAndFillsWhatItsFibresDo) {
+  std::vector<Fibre> fibres(2);
+  fibres[0].radius_um = 6;
+  fibres[0].density_g_cm3 = 1.52;
+  fibres[1].radius_um = 10;
+  fibres[1].density_g_cm3 = 1.31;
+  Yarn yarn;
+  yarn.count_tex = 40;
+  yarn.blendFibre = 1;
+  yarn.blendShare = 0.3;
+  const double cotton = 0.7 * 400 / fibreFineness_dtex(fibres[0]), wool = 0.3 * 400 / fibreFineness_dtex(fibres[1]);
+  EXPECT_NEAR(blendNumberShare(yarn, fibres), wool / (cotton + wool), 1e-12);
+  const Fibre mean = meanFibre(yarn, fibres);
+  EXPECT_NEAR(fibresInYarn(yarn, mean), cotton + wool, 1e-9);
+  EXPECT_NEAR((cotton + wool) * mean.radius_um * mean.radius_um, cotton * 36 + wool * 100, 1e-6) << "section";
+  yarn.blendFibre.reset();
+  EXPECT_EQ(meanFibre(yarn, fibres), fibres[0]);
+  EXPECT_EQ(blendNumberShare(yarn, fibres), 0);
+}
+
 TEST(YarnCount, DiameterOfRingSpunCotton) {
   Fibre cotton;
   Yarn yarn;

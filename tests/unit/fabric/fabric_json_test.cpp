@@ -55,6 +55,11 @@ TEST(FabricJson, EveryValueComesBack) {
   f.yarns[1].plies = 3;
   f.yarns[1].plyTwistDirection = TwistDirection::s;
   f.yarns[1].layout = FibreLayout::random;
+  f.yarns[1].blendFibre = 0;
+  f.yarns[1].blendShare = 0.35;
+  f.colourways.resize(2);
+  f.colourways[0].name = "Rust";
+  f.colourways[0].absorption_per_mm = {{0.1f, 20, 30}, {1, 2, 3}};
   f.drape.kind = DrapeKind::mesh;
   f.drape.file = "folds.obj";
   f.light.kind = LightKind::environment;

@@ -119,6 +119,30 @@ TEST(Impact, YarnShapeRebuildsItsOwnBricks) {
   }
 }
 
+TEST(Impact, ABlendOfLikeFibresTouchesNoVoxel) {
+  for (const auto& edit : std::vector<std::function<void(Fabric&)>>{
+           [](Fabric& f) { f.yarns[0].blendFibre = 1; },
+           [](Fabric& f) {
+             f.yarns[0].blendFibre = 1;
+             f.yarns[0].blendShare = 0.9;
+           }}) {
+    const Impact impact = of(edit);
+    EXPECT_TRUE(impact.materials && impact.film);
+    EXPECT_FALSE(impact.volume() || impact.threads || impact.drape || impact.lighting);
+  }
+  Fabric blended = base();
+  blended.yarns[0].blendFibre = 1;
+  blended.fibres[1].radius_um = 9;
+  Fabric more = blended;
+  more.yarns[0].blendShare = 0.6;
+  EXPECT_THAT(impact(blended, more).reshapedYarns, ElementsAre(0)) << "fewer, thicker fibres make the same mass";
+}
+
+TEST(Impact, AnUnusedShareAndOtherColourwaysAreNothing) {
+  EXPECT_TRUE(of([](Fabric& f) { f.yarns[0].blendShare = 0.1; }).nothing());
+  EXPECT_TRUE(of([](Fabric& f) { f.colourways.resize(3); }).nothing());
+}
+
 TEST(Impact, FibreRadiusIsShapeAndOptics) {
   const Impact impact = of([](Fabric& f) { f.fibres[1].radius_um = 9; });
   EXPECT_THAT(impact.reshapedYarns, ElementsAre(1));

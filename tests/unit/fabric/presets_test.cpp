@@ -14,22 +14,24 @@ namespace {
 TEST(Presets, TheFibresOfTheTradeAreThere) {
   std::vector<std::string> names;
   for (const FibrePreset& preset : fibrePresets()) names.push_back(preset.fibre.name);
-  EXPECT_THAT(names, testing::ElementsAre("cotton", "wool", "silk", "linen", "viscose", "polyester", "nylon"));
+  EXPECT_THAT(names, testing::ElementsAre("cotton", "wool", "silk", "linen", "viscose", "polyester", "nylon", "acrylic",
+                                          "mohair", "alpaca", "cashmere"));
 }
 
 TEST(Presets, RadiusFollowsFromFinenessAndEveryNumberSaysWhereItIsFrom) {
   for (const FibrePreset& preset : fibrePresets()) {
     EXPECT_NEAR(fibreFineness_dtex(preset.fibre) / preset.fineness_dtex, 1.0, 0.005) << preset.fibre.name;
-    for (const char* subject : {"density", "fineness", "index", "roughness", "colour"})
-      EXPECT_THAT(preset.provenance, testing::HasSubstr(subject)) << preset.fibre.name;
-    EXPECT_THAT(preset.provenance, testing::ContainsRegex("handbook|measured")) << preset.fibre.name;
-    EXPECT_THAT(preset.provenance, testing::HasSubstr("guess")) << preset.fibre.name;
+    const FibreSources& of = preset.sources;
+    for (const char* source : {of.fineness, of.density, of.refractiveIndex, of.roughness, of.scaleTilt, of.colour})
+      EXPECT_THAT(source, testing::ContainsRegex("^(measured|handbook|guess)")) << preset.fibre.name;
   }
 }
 
-/// Diameters as microscopes see them, um: cotton 11-14, merino 17-20, silk 10-13, linen 12-17, others 9-18.
+/// Diameters as microscopes see them, um: cotton 11-14, merino 17-20, silk 10-13, linen 12-17, mohair 25-45, alpaca
+/// 17-35, cashmere 14-18.5, others 9-22.
 TEST(Presets, DiametersLieInTheRangesOfTheHandbooks) {
-  const std::pair<double, double> ranges[] = {{11, 14}, {17, 20}, {10, 13}, {12, 17}, {10, 16}, {9, 18}, {10, 20}};
+  const std::pair<double, double> ranges[] = {{11, 14}, {17, 20}, {10, 13}, {12, 17}, {10, 16},  {9, 18},
+                                              {10, 20}, {12, 22}, {25, 45}, {17, 35}, {14, 18.5}};
   const std::vector<FibrePreset> presets = fibrePresets();
   ASSERT_EQ(presets.size(), std::size(ranges));
   for (size_t i = 0; i < presets.size(); ++i) {
@@ -66,6 +68,7 @@ TEST(Presets, EveryFibreAndYarnIsValidInACloth) {
 TEST(Presets, TwistMultiplierOfTheTrade) {
   // TPI = TM sqrt(Ne): TM 4 at Ne 25 is 20 turns per inch.
   EXPECT_NEAR(twist_per_m(4.0, texFromCount(25, CountSystem::cotton)), 20 / 0.0254, 1.5);
+  EXPECT_NEAR(twistMultiplier(twist_per_m(3.7, 42), 42), 3.7, 1e-12);
 }
 
 TEST(Presets, DyedShowsItsColour) {

@@ -31,6 +31,17 @@ TEST(Validate, DefaultFabricIsValid) {
   EXPECT_EQ(complaint(Fabric{}), "");
 }
 
+TEST(Validate, BlendsAndColourwaysNameFibresAndColoursThatCanBe) {
+  EXPECT_EQ(complaintAfter([](Fabric& f) { f.yarns[0].blendFibre = 1; }),
+            "cloth.json: yarns[0].blend_fibre: expected the number of a fibre from 0 to 0, got 1");
+  EXPECT_EQ(complaintAfter([](Fabric& f) {
+              f.colourways.resize(1);
+              f.colourways[0].absorption_per_mm = {Rgb(1.0f), Rgb(-1.0f)};
+            }),
+            "cloth.json: colourways[0].absorption_per_mm[1][0]: expected a number from 0 to 10000, got -1");
+  EXPECT_NE(complaintAfter([](Fabric& f) { f.colourways.resize(65); }), "");
+}
+
 TEST(Validate, NamesSourcePlaceAndRange) {
   EXPECT_EQ(complaintAfter([](Fabric& f) {
               f.yarns.resize(2);

@@ -23,18 +23,46 @@ TEST(ThreadOrder, RefusesWhatIsNone) {
     EXPECT_THROW(threadOrderFromText(text, 2, 100), InputError) << text;
 }
 
+void expectCount(const char* text, double tex, std::optional<int> plies, CountSystem usual = CountSystem::tex) {
+  const auto entry = countFromText(text, usual);
+  ASSERT_TRUE(entry.has_value()) << text;
+  EXPECT_NEAR(entry->tex, tex, 1e-9) << text;
+  EXPECT_EQ(entry->plies, plies) << text;
+}
+
 TEST(CountText, KnowsTheSystemsOfSpinners) {
-  EXPECT_DOUBLE_EQ(texFromText("19.7 tex").value(), 19.7);
-  EXPECT_NEAR(texFromText("30 Ne").value(), 590.5 / 30, 1e-2);
-  EXPECT_NEAR(texFromText("30/2 Ne").value(), 2 * 590.5 / 30, 1e-2);
-  EXPECT_NEAR(texFromText("2/60 Nm").value(), 1000.0 / 30, 1e-6);
-  EXPECT_NEAR(texFromText("150den").value(), 150 / 9.0, 1e-6);
-  EXPECT_NEAR(texFromText("167 DTEX").value(), 16.7, 1e-6);
+  expectCount("19.7 tex", 19.7, {});
+  expectCount("19.7", 19.7, {});
+  expectCount("30 Ne", 590.5 / 30, {});
+  expectCount("Ne 30", 590.5 / 30, {});
+  expectCount("30", 590.5 / 30, {}, CountSystem::cotton);
+  expectCount("150den", 150 / 9.0, {});
+  expectCount("167 DTEX", 16.7, {});
+  expectCount("40 NeL", 1653.5 / 40, {});
+}
+
+TEST(CountText, KnowsPlies) {
+  expectCount("30/2 Ne", 2 * 590.5 / 30, 2);
+  expectCount("Ne 30/2", 2 * 590.5 / 30, 2);
+  expectCount("2/60 Nm", 1000.0 / 30, 2);
+  expectCount("30/1", 590.5 / 30, 1, CountSystem::cotton);
+  expectCount("20 tex x 2", 40, 2);
+  expectCount("20x3 tex", 60, 3);
+  expectCount("R 40 tex/2", 40, 2);
 }
 
 TEST(CountText, RefusesWhatIsNone) {
-  for (const char* text : {"", "30", "Ne", "30/2", "30/0 Ne", "-5 tex", "30/2 tex", "nan tex", "20 stone"})
-    EXPECT_FALSE(texFromText(text).has_value()) << text;
+  for (const char* text : {"", "Ne", "30/2", "30/0 Ne", "-5 tex", "30/2 tex", "nan tex", "20 stone", "30 Ne x",
+                           "30/2/2 Ne", "20 tex x 9", "2.5/60 Nm", "Ne 30 Nm", "x 2 tex", "20 tex x 2 /2"})
+    EXPECT_FALSE(countFromText(text, CountSystem::tex).has_value()) << text;
+}
+
+TEST(TwistText, KnowsTurnsPerMetrePerInchAndMultipliers) {
+  EXPECT_NEAR(twistFromText("780 t/m", 20).value(), 780, 1e-12);
+  EXPECT_NEAR(twistFromText("20tpi", 20).value(), 20 / 0.0254, 1e-9);
+  EXPECT_NEAR(twistFromText("4 TM", 590.5 / 25).value(), 20 / 0.0254, 1.5);
+  for (const char* text : {"", "20", "20 turns", "-3 tpi", "4 TM x"})
+    EXPECT_FALSE(twistFromText(text, 20).has_value()) << text;
 }
 
 }  // namespace

@@ -1,0 +1,140 @@
+"""Yarn and fibre as spinners and mills speak of them: counts typed in their systems, twist, diameter, a blend, and what
+follows for the cloth. In the real window."""
+
+import json
+import os
+
+from window_driver import Display, Editor, expect, run
+
+PROGRAM = os.environ["LOOMLIGHT"]
+WIDTH, HEIGHT = 1280, 900
+
+
+def print_cloth(home):
+    """The reference cloth of the trade: Ne 30/1, 76 x 68 to the inch."""
+    fabric = {
+        "loomlight_version": 1, "name": "Print cloth", "weave": ["#.", ".#"],
+        "ends_per_cm": 76 / 2.54, "picks_per_cm": 68 / 2.54,
+        "yarns": [{"name": "ring-spun", "count_tex": 590.5 / 30, "ply_twist_per_m": 860}],
+        "fibres": [{"name": "cotton"}],
+        "drape": {"kind": "flat", "width_mm": 5, "height_mm": 5},
+        "light": {"kind": "dome"}, "camera": {"distance_mm": 14, "elevation_deg": 75}, "render": {"resolution": 1},
+    }
+    file = os.path.join(home, "print_cloth.json")
+    with open(file, "w", encoding="utf-8") as text:
+        json.dump(fabric, text)
+    return file
+
+
+def saved(editor, file):
+    editor.key("ctrl+s")
+    editor.wait_until("the fabric is saved", lambda: editor.fact("dirty") == "no")
+    with open(file, encoding="utf-8") as text:
+        return json.load(text)
+
+
+def type_into(editor, field, text):
+    revision = editor.number("revision")
+    editor.click(field)
+    editor.type(text)
+    editor.key("Return")
+    editor.wait_until(f"{text} is taken by {field}", lambda: editor.number("revision") > revision)
+
+
+def choose(editor, field, name):
+    editor.click(field)
+    editor.click(f"{field}/{name}")
+
+
+def read_the_cloth(editor):
+    editor.click("tab.cloth")
+    editor.wait_until("cover is shown", lambda: editor.fact("cloth.cover") == "20.1")
+    expect(editor.fact("cloth.per_inch") == "76 \u00d7 68", f"to the inch: {editor.fact('cloth.per_inch')}")
+    editor.wait_until("mass is measured", lambda: editor.fact("cloth.mass").endswith("g/m\u00b2"))
+    mass = float(editor.fact("cloth.mass").split()[0])
+    crimp = [float(editor.fact(f"cloth.crimp_{s}").split()[0]) for s in ("warp", "weft")]
+    asked = 0.1 * 590.5 / 30 * (76 / 2.54 * (1 + crimp[0] / 100) + 68 / 2.54 * (1 + crimp[1] / 100))
+    expect(abs(mass - asked) < 1, f"{mass} g/m2 with crimps {crimp}, {asked:.1f} expected")
+    expect(editor.fact("cloth.balance") == "50 %", "plain weave shows as much warp as weft")
+    expect(editor.fact("cloth.warp_float").startswith("1 "), f"float: {editor.fact('cloth.warp_float')}")
+
+
+def reckon_a_piece(editor):
+    x, y = editor.centre("cloth.repeat")
+    for _ in range(12):
+        editor.click_at(x, y, 5)
+    before = editor.fact("cloth.need_warp")
+    editor.click("cloth.piece_length")
+    editor.type("100")
+    editor.key("Return")
+    editor.wait_until("a longer piece takes more yarn", lambda: editor.fact("cloth.need_warp") != before)
+    warp_km = float(editor.fact("cloth.need_warp").split()[0])
+    ends = 150 * 76 / 2.54
+    expect(0.99 < warp_km / (0.1 * ends) < 1.3, f"{ends:.0f} ends of 100 m are {warp_km} km")
+    expect(editor.fact("dirty") == "no", "reckoning edits nothing")
+
+
+def spin(editor, file):
+    editor.click("tab.yarn")
+    type_into(editor, "yarn.count_tex", "30/2 Ne")
+    yarn = saved(editor, file)["yarns"][0]
+    expect(yarn["plies"] == 2 and abs(yarn["count_tex"] - 2 * 590.5 / 30) < 1e-6, f"30/2 Ne became {yarn}")
+    choose(editor, "yarn.count_system", "Nm (km per kg)")
+    type_into(editor, "yarn.count_tex", "60")
+    yarn = saved(editor, file)["yarns"][0]
+    expect(abs(yarn["count_tex"] - 2 * 1000 / 60) < 1e-6, f"60 /2 Nm became {yarn['count_tex']} tex")
+    type_into(editor, "yarn.ply_twist_per_m", "4 TM")
+    twist = saved(editor, file)["yarns"][0]["ply_twist_per_m"]
+    expect(abs(twist - 957 * 4 / (1000 / 60) ** 0.5) < 1, f"4 TM became {twist} turns/m")
+    type_into(editor, "yarn.diameter_mm", "0.3")
+    yarn = saved(editor, file)["yarns"][0]
+    packing = yarn["count_tex"] / (1.52 * (0.3 / 0.03568) ** 2)
+    expect(abs(yarn["packing"] - packing) < 0.005, f"0.3 mm became packing {yarn['packing']}, not {packing:.3f}")
+
+
+def blend(editor, file):
+    choose(editor, "yarn.blend_fibre", "A new fibre")
+    type_into(editor, "yarn.blend_share", "30")
+    editor.click("tab.fibre")
+    editor.click("fibre.of_blend/Second")
+    choose(editor, "fibre.preset", "wool")
+    fabric = saved(editor, file)
+    yarn, fibres = fabric["yarns"][0], fabric["fibres"]
+    expect(yarn["blend_fibre"] == 1 and abs(yarn["blend_share"] - 0.3) < 1e-9, f"no blend: {yarn}")
+    expect(len(fibres) == 2 and fibres[1]["scale_tilt_deg"] == 2.5 and fibres[0]["scale_tilt_deg"] == 0,
+           f"the second fibre is no wool: {fibres}")
+    editor.wait_for_picture()
+    expect(editor.fact("error") == "", editor.fact("error"))
+
+
+def take_from_the_trade(editor, file):
+    editor.click("tab.yarn")
+    choose(editor, "yarn.preset", "Silk 20/22 den")
+    fabric = saved(editor, file)
+    yarn = fabric["yarns"][0]
+    expect(abs(yarn["count_tex"] - 21 / 9) < 0.01 and "blend_fibre" not in yarn, f"no silk: {yarn}")
+    expect(yarn["name"] == "ring-spun", "the yarn's name is the designer's")
+    editor.key("ctrl+z")
+    editor.wait_until("undo takes it back", lambda: editor.fact("dirty") == "yes")
+
+
+def test():
+    display = Display(WIDTH, HEIGHT)
+    editor = None
+    try:
+        editor = Editor(display, WIDTH, HEIGHT)
+        file = print_cloth(editor.home)
+        editor.start(PROGRAM, [file])
+        editor.wait_for_picture()
+        read_the_cloth(editor)
+        reckon_a_piece(editor)
+        spin(editor, file)
+        blend(editor, file)
+        take_from_the_trade(editor, file)
+    finally:
+        if editor:
+            editor.close()
+        display.close()
+
+
+run(test)

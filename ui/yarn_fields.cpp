@@ -1,0 +1,201 @@
+#include "ui/yarn_fields.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/fabric/presets.h"
+#include "core/fabric/validate.h"
+#include "ui/choices.h"
+#include "ui/count_text.h"
+#include "ui/member_fields.h"
+
+namespace loomlight {
+namespace {
+
+constexpr std::array kCountSystems = {CountSystem::tex,    CountSystem::dtex,   CountSystem::denier,
+                                      CountSystem::metric, CountSystem::cotton, CountSystem::worsted,
+                                      CountSystem::linen};
+
+void countSystemRow(Ui& ui, CountSystem& system) {
+  static constexpr const char* kNames[] = {"tex (g per km)", "dtex (g per 10 km)", "den (g per 9 km)",
+                                           "Nm (km per kg)", "Ne (cotton count)",  "NeK (worsted count)",
+                                           "NeL (linen lea)"};
+  int chosen = static_cast<int>(std::find(kCountSystems.begin(), kCountSystems.end(), system) - kCountSystems.begin());
+  if (choiceField(ui,
+                  {"yarn.count_system", "Counted in",
+                   "The system of the trade in which the count is shown. Typed counts may be in any of them."},
+                  kNames, chosen))
+    system = kCountSystems[static_cast<size_t>(chosen)];
+}
+
+/// The count as its system writes it: of a plied yarn in an indirect one the singles, "30 /2 Ne".
+bool countRow(Ui& ui, CountSystem system, Yarn& yarn) {
+  const FieldInfo info = fieldInfo(&Yarn::count_tex);
+  const bool singles = isIndirect(system) && yarn.plies > 1;
+  const std::string unit =
+      singles ? fmt::format("/{} {}", yarn.plies, countUnit(system)) : std::string(countUnit(system));
+  const int parts = singles ? yarn.plies : 1;
+  std::optional<int> plies;
+  bool typed = false;
+  NumberStyle style;
+  style.unit = unit.c_str();
+  style.min = countFromTex((isIndirect(system) ? info.max : info.min) / parts, system);
+  style.max = countFromTex((isIndirect(system) ? info.min : info.max) / parts, system);
+  style.logarithmic = true;
+  style.decimals = 1;
+  double typed_tex = 0;
+  style.parse = [&](std::string_view text) -> std::optional<double> {
+    const std::optional<CountEntry> entry = countFromText(text, system);
+    if (!entry) return std::nullopt;
+    plies = entry->plies;
+    typed = true;
+    typed_tex = entry->tex;
+    return countFromTex(entry->tex / parts, system);
+  };
+  double count = countFromTex(yarn.count_tex / parts, system);
+  const bool changed = numberField(ui,
+                                   {"yarn.count_tex", info.label,
+                                    "How thick the yarn is. Typed counts are understood in every system: 30/2 Ne, "
+                                    "2/60 Nm, 150 den, 20 tex x 2. With plies, they are set too."},
+                                   style, count);
+  if (!changed && !(typed && plies && *plies != yarn.plies)) return false;
+  yarn.count_tex = std::clamp(typed ? typed_tex : parts * texFromCount(count, system), info.min, info.max);
+  if (plies) yarn.plies = *plies;
+  return true;
+}
+
+/// Turns of a strand of `tex`: per metre, or as the multiplier that spinners know it by.
+bool twistRow(Ui& ui, bool asMultiplier, double tex, double Yarn::*member, Yarn& yarn) {
+  constexpr double kTurnsPerPixel = 4.0;
+  const FieldInfo info = fieldInfo(member);
+  const auto shown = [&](double turns) { return asMultiplier ? twistMultiplier(turns, tex) : turns; };
+  NumberStyle style;
+  style.unit = asMultiplier ? "TM" : info.unit;
+  style.min = shown(info.min);
+  style.max = shown(info.max);
+  style.decimals = asMultiplier ? 2 : 0;
+  style.perPixel = asMultiplier ? 0.02 : kTurnsPerPixel;
+  style.parse = [&](std::string_view text) -> std::optional<double> {
+    const std::optional<double> turns = twistFromText(text, tex);
+    return turns ? std::optional(shown(*turns)) : std::nullopt;
+  };
+  double value = shown(yarn.*member);
+  const std::string help = std::string(info.help) + " Typed twists may be in t/m, tpi or TM.";
+  if (!numberField(ui, {std::string("yarn.") + info.key, info.label, help.c_str()}, style, value)) return false;
+  yarn.*member = std::clamp(asMultiplier ? twist_per_m(value, tex) : value, info.min, info.max);
+  return true;
+}
+
+}  // namespace
+
+bool countRows(Ui& ui, const Fibre& fibre, InspectorView& view, Yarn& yarn) {
+  static constexpr const char* kNames[] = {"Count", "Fibres"};
+  int way = yarn.fibresPerPly ? 1 : 0;
+  bool changed = false;
+  if (segmentField(ui,
+                   {"yarn.mass_by", "Fineness by",
+                    "A spinner says how thick a yarn is by its count. For few, coarse fibres it is easier to say how "
+                    "many there are."},
+                   kNames, way)) {
+    changed = true;
+    if (way == 0) {
+      yarn.count_tex = std::clamp(yarnCount_tex(yarn, fibre), 0.5, 5000.0);
+      yarn.fibresPerPly.reset();
+    } else {
+      yarn.fibresPerPly = std::clamp(static_cast<int>(std::lround(fibresInYarn(yarn, fibre) / yarn.plies)), 1, 2000);
+    }
+  }
+  if (yarn.fibresPerPly) {
+    const FieldInfo info = fieldInfo(&Yarn::fibresPerPly);
+    changed |= wholeNumberField(ui, rowText("yarn", &Yarn::fibresPerPly), "", static_cast<int>(info.min),
+                                static_cast<int>(info.max), *yarn.fibresPerPly);
+    return changed;
+  }
+  changed |= countRow(ui, view.countSystem, yarn);
+  countSystemRow(ui, view.countSystem);
+  return changed;
+}
+
+bool twistRows(Ui& ui, const Fibre& fibre, InspectorView& view, Yarn& yarn) {
+  static constexpr const char* kUnits[] = {"turns/m", "TM"};
+  bool changed = memberField(ui, "yarn", yarn, &Yarn::plies);
+  int unit = view.twistAsMultiplier ? 1 : 0;
+  segmentField(ui,
+               {"yarn.twist_unit", "Twist in",
+                "Turns on a metre, or the twist multiplier TM: turns per inch over the square root of the cotton "
+                "count. Warp yarns have 3.8 to 4.5, soft knitting yarns 3.2 to 3.8."},
+               kUnits, unit);
+  view.twistAsMultiplier = unit == 1;
+  const double tex = yarnCount_tex(yarn, fibre);
+  changed |= twistRow(ui, view.twistAsMultiplier, tex / yarn.plies, &Yarn::plyTwist_per_m, yarn);
+  changed |= memberChoice(ui, "yarn", yarn, &Yarn::plyTwistDirection, twistNames());
+  if (yarn.plies < 2) return changed;
+  changed |= twistRow(ui, view.twistAsMultiplier, tex, &Yarn::yarnTwist_per_m, yarn);
+  changed |= memberChoice(ui, "yarn", yarn, &Yarn::yarnTwistDirection, twistNames());
+  return changed;
+}
+
+bool bulkRows(Ui& ui, const Fibre& fibre, Yarn& yarn) {
+  bool changed = memberField(ui, "yarn", yarn, &Yarn::packing, 2);
+  const FieldInfo packing = fieldInfo(&Yarn::packing);
+  const double diameter_mm = yarnDiameter_mm(yarn, fibre);
+  // d ~ 1 / sqrt(packing)
+  const auto at = [&](double share) { return diameter_mm * std::sqrt(yarn.packing / share); };
+  NumberStyle style;
+  style.unit = "mm";
+  style.min = at(packing.max);
+  style.max = at(packing.min);
+  style.decimals = 3;
+  style.logarithmic = true;
+  double wanted = diameter_mm;
+  if (numberField(ui,
+                  {"yarn.diameter_mm", "Diameter",
+                   "Of the yarn as if it were round and lay free. It follows from count and packing; set it where it "
+                   "was measured, and the packing follows."},
+                  style, wanted)) {
+    const double ratio = diameter_mm / wanted;
+    yarn.packing = std::clamp(yarn.packing * ratio * ratio, packing.min, packing.max);
+    changed = true;
+  }
+  return changed;
+}
+
+bool fibreRows(Ui& ui, std::vector<Fibre>& fibres, Yarn& yarn) {
+  std::vector<const char*> names;
+  for (const Fibre& fibre : fibres) names.push_back(fibre.name.c_str());
+  bool changed = choiceField(ui, rowText("yarn", &Yarn::fibre), names, yarn.fibre);
+  const int count = static_cast<int>(fibres.size());
+  std::vector<const char*> blends = {"Nothing"};
+  blends.insert(blends.end(), names.begin(), names.end());
+  if (count < kMaxKinds) blends.push_back("A new fibre");
+  int second = yarn.blendFibre.value_or(-1) + 1;
+  if (choiceField(ui,
+                  {"yarn.blend_fibre", "Blended with",
+                   "A second fibre spun together with the first, evenly mixed: two dyes make a melange. Both lie with "
+                   "their mean thickness. A new fibre begins as the first one, to be dyed on the fibre's page."},
+                  blends, second)) {
+    yarn.blendFibre = second > 0 ? std::optional(second - 1) : std::nullopt;
+    if (second == count + 1) {
+      fibres.push_back(fibres[static_cast<size_t>(yarn.fibre)]);
+      fibres.back().name += " 2";
+    }
+    changed = true;
+  }
+  if (!yarn.blendFibre) return changed;
+  NumberStyle style;
+  style.unit = "%";
+  style.max = 100;
+  style.decimals = 0;
+  style.perPixel = 0.5;
+  double percent = 100 * yarn.blendShare.value_or(0.5);
+  if (numberField(ui, rowText("yarn", &Yarn::blendShare), style, percent)) {
+    yarn.blendShare = 0.01 * percent;
+    changed = true;
+  }
+  return changed;
+}
+
+}  // namespace loomlight
