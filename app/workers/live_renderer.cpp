@@ -1,6 +1,7 @@
 #include "app/workers/live_renderer.h"
 
 #include <algorithm>
+#include <chrono>
 #include <exception>
 #include <mutex>
 #include <stop_token>
@@ -8,8 +9,9 @@
 
 #include "app/workers/fibre_layer.h"
 #include "app/workers/mailbox.h"
+#include "app/workers/recent_cloths.h"
+#include "core/base/memory.h"
 #include "core/base/parallel.h"
-#include "core/base/stopwatch.h"
 #include "render/trace/bvdf_baker.h"
 #include "render/trace/make_medium.h"
 #include "render/trace/report_medium.h"
@@ -17,11 +19,10 @@
 namespace loomlight {
 namespace {
 
-/// The newest cloth that could be built, and the tables its medium was made with.
-struct BuiltCloth {
-  Traceable traceable;
-  std::shared_ptr<const BvdfSet> visibility;
-};
+/// What volumes that are out of date may take: a sixteenth of the memory, a gigabyte at most.
+size_t recentBytes() {
+  return static_cast<size_t>(std::min<uint64_t>(uint64_t{1} << 30, physicalMemory_bytes() / 16));
+}
 
 bool isReport(const Fabric& fabric) {
   return fabric.render.method == Method::volume && fabric.render.estimator == Estimator::report;
@@ -79,6 +80,7 @@ struct LiveRenderer::Workers {
 
   void buildLoop(std::stop_token stop);
   void build(const ViewRequest& request, std::stop_token stop);
+  void count();
   void layFibres();
   LensStatus lensStatus(const Tracer::State& traced) const;  ///< with the mutex held
 
@@ -93,9 +95,11 @@ struct LiveRenderer::Workers {
   std::stop_source buildStop;
   bool buildMayBeCancelled = true;  // not twice in a row, or a steady drag would never show a new volume
   std::optional<LensRequest> lens;
-  std::shared_ptr<const Scene> scene;  // the newest that could be built
+  std::shared_ptr<const Scene> scene;  // the newest that could be built; only the builder changes it
 
-  BuiltCloth cloth;  // the builder's
+  // The builder's:
+  RecentCloths recent{recentBytes()};
+  std::shared_ptr<const ClothVolume> counted;  // what `status` has the counts of
 
   Tracer tracer;
   FibreLayer layer;
@@ -107,32 +111,40 @@ void LiveRenderer::Workers::buildLoop(std::stop_token stop) {
 }
 
 void LiveRenderer::Workers::build(const ViewRequest& request, std::stop_token stop) {
+  using Clock = std::chrono::steady_clock;
+  constexpr std::chrono::milliseconds kTelling{40};  // how far a build is; a quick one says nothing
+  const auto start = Clock::now();
+  auto told = start;
   Task task;
   task.threads = threads;
   {
     std::lock_guard lock(mutex);
+    if (requests.waiting()) return;  // it came before this one could be stopped
     buildStop = std::stop_source();
     if (stop.stop_requested()) buildStop.request_stop();
     task.stop = buildStop.get_token();
-    status.buildProgress = 0;
   }
-  task.progress = [this](double fraction) {
+  task.progress = [this, &told, kTelling](double fraction) {
     {
       std::lock_guard lock(mutex);
+      const auto now = Clock::now();
+      if (now - told < kTelling) return;
+      told = now;
       building = true;
       status.buildProgress = fraction;
     }
     wake();
   };
-  Stopwatch watch;
+  const BuiltCloth base = recent.baseFor(*request.fabric);
   BuiltCloth built;
   std::string error;
   try {
-    built = makeCloth(request, task, cloth);
+    built = makeCloth(request, task, base);
   } catch (const std::exception& e) {
     error = e.what();
   }
   const Traceable& made = built.traceable;
+  const std::chrono::duration<double> spent = Clock::now() - start;
   {
     std::lock_guard lock(mutex);
     building = false;
@@ -141,11 +153,9 @@ void LiveRenderer::Workers::build(const ViewRequest& request, std::stop_token st
     buildMayBeCancelled = made.scene || !error.empty();
     if (made.scene) {
       status.builtGeneration = request.generation;
-      if (!scene || made.scene->volume != scene->volume) {
-        status.counts = made.scene->volume->counts();
-        status.measures = made.scene->volume->geometry().measure();
+      if (!base.traceable.scene || made.scene->volume != base.traceable.scene->volume) {
         status.bricksVoxelised += made.scene->volume->bricksVoxelised();
-        status.buildSeconds = watch.lap();
+        status.buildSeconds = spent.count();
       }
       status.notices = made.scene->shell->repairs();
       scene = made.scene;
@@ -153,8 +163,23 @@ void LiveRenderer::Workers::build(const ViewRequest& request, std::stop_token st
   }
   if (made.scene) {
     tracer.show({made, request.width, request.height, request.generation});
-    cloth = std::move(built);
     layFibres();
+  }
+  wake();
+  if (made.scene) recent.keep(std::move(built));
+  count();
+}
+
+/// Counts and measures the newest volume, unless there is more urgent work.
+void LiveRenderer::Workers::count() {
+  if (requests.waiting() || !scene || scene->volume == counted) return;
+  counted = scene->volume;
+  const VolumeCounts counts = counted->counts();
+  const ClothMeasures measures = counted->measure();
+  {
+    std::lock_guard lock(mutex);
+    status.counts = counts;
+    status.measures = measures;
   }
   wake();
 }

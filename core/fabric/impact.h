@@ -22,6 +22,8 @@ struct Impact {
   bool nothing() const { return !film; }
   /// Voxels are out of date. The cloth's thickness may change with them, and a Shell hangs on that.
   bool volume() const { return allBricks || crossings || !reshapedYarns.empty(); }
+  /// Volume or shell are out of date.
+  bool cloth() const { return volume() || threads || drape; }
 };
 
 /// What the step from one fabric to another puts out of date. Pure, and the one place that decides it. Both valid.

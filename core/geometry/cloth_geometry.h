@@ -86,6 +86,13 @@ class ClothGeometry {
 
   /// Over one repeat, or the piece where that is smaller.
   ClothMeasures measure() const;
+  /// Cells of one shape: a key with phase 0, and how many there are.
+  struct CellCount {
+    CellKey shape;
+    double cells = 0;
+  };
+  /// The same of cells that have been counted already, those of warp and of weft: costs what there are shapes.
+  ClothMeasures measure(const std::array<std::vector<CellCount>, 2>& counts) const;
 
  private:
   struct SystemGeometry {

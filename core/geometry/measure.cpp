@@ -24,37 +24,45 @@ double segmentsOf(const YarnModel& yarn, const CellKey& key) {
 
 ClothMeasures ClothGeometry::measure() const {
   const int ends = std::min(repeatEnds_, ends_), picks = std::min(repeatPicks_, picks_);
-  ClothMeasures measures;
-  double highest = 0, lowest = 0;
+  std::array<std::vector<CellCount>, 2> counts;
   for (const System system : {System::warp, System::weft}) {
-    // Sorted, so that the sums below do not depend on the library's hashing.
-    std::map<ShapeCode, int64_t> cells;
-    std::unordered_map<ShapeCode, int64_t> counts;
+    std::unordered_map<ShapeCode, int64_t> cells;
     const bool warp = system == System::warp;
     std::vector<ShapeCode> codes(static_cast<size_t>(warp ? picks : ends));
     for (int across = 0; across < (warp ? ends : picks); ++across) {
       shapeCodes(system, across, 0, codes);
-      for (const ShapeCode code : codes) ++counts[code];
+      for (const ShapeCode code : codes) ++cells[code];
     }
-    cells.insert(counts.begin(), counts.end());
+    // Sorted, so that sums do not depend on the library's hashing.
+    for (const auto& [code, count] : std::map<ShapeCode, int64_t>(cells.begin(), cells.end()))
+      counts[static_cast<size_t>(system)].push_back({shapeKey(system, code), static_cast<double>(count)});
+  }
+  return measure(counts);
+}
 
-    double axis = 0, mass_g = 0;
-    for (const auto& [code, cellCount] : cells) {
-      const CellKey key = shapeKey(system, code);
-      const auto count = static_cast<double>(cellCount);
+ClothMeasures ClothGeometry::measure(const std::array<std::vector<CellCount>, 2>& counts) const {
+  const double cellsPerRepeat =
+      static_cast<double>(std::min(repeatEnds_, ends_)) * static_cast<double>(std::min(repeatPicks_, picks_));
+  ClothMeasures measures;
+  double highest = 0, lowest = 0;
+  for (const System system : {System::warp, System::weft}) {
+    double cells = 0, axis = 0, mass_g = 0, segments = 0;
+    for (const CellCount& count : counts[static_cast<size_t>(system)]) {
+      const CellKey& key = count.shape;
       const YarnModel& model = *of(system).yarns[key.yarn];
       const YarnGeometry& g = model.geometry;
-      const double length = count * axisLength_mm(key);
+      const double length = count.cells * axisLength_mm(key);
+      cells += count.cells;
       axis += length;
       mass_g += length * g.count_tex * 1e-6;
-      measures.segmentsPerRepeat += count * segmentsOf(model, key);
+      segments += count.cells * segmentsOf(model, key);
       highest = std::max(highest, key.here.height_mm + g.halfHeight_mm);
       lowest = std::min(lowest, key.here.height_mm - g.halfHeight_mm);
     }
     const double pitch = system == System::warp ? weftPitch_mm_ : warpPitch_mm_;
-    const double crimp = axis / (static_cast<double>(ends) * picks * pitch) - 1;
-    (system == System::warp ? measures.crimpWarp : measures.crimpWeft) = crimp;
-    measures.arealMass_g_m2 += mass_g / (static_cast<double>(ends) * picks * warpPitch_mm_ * weftPitch_mm_ * 1e-6);
+    (system == System::warp ? measures.crimpWarp : measures.crimpWeft) = axis / (cells * pitch) - 1;
+    measures.arealMass_g_m2 += mass_g / (cells * warpPitch_mm_ * weftPitch_mm_ * 1e-6);
+    measures.segmentsPerRepeat += segments * (cellsPerRepeat / cells);
   }
   measures.thickness_mm = highest - lowest;
   return measures;

@@ -43,7 +43,7 @@ class Brick {
     bool operator==(const Level&) const = default;
   };
 
-  Brick(std::vector<Level> levels, size_t segments) : levels_(std::move(levels)), segments_(segments) {}
+  Brick(std::vector<Level> levels, size_t segments);
 
   int levels() const { return static_cast<int>(levels_.size()); }
   const Level& level(int i) const { return levels_[i]; }
@@ -53,14 +53,14 @@ class Brick {
   std::span<const Component> at(glm::ivec3 v, int level = 0) const { return levels_[level].at(v); }
 
   size_t bytes() const;                          ///< all that it keeps, itself included
-  size_t voxels() const;                         ///< occupied leaves
+  size_t voxels() const { return voxels_; }      ///< occupied leaves
   size_t components() const;                     ///< in leaves
   size_t segments() const { return segments_; }  ///< fibre segments it was made of
   friend bool operator==(const Brick&, const Brick&) = default;
 
  private:
   std::vector<Level> levels_;
-  size_t segments_ = 0;
+  size_t segments_ = 0, voxels_ = 0;
 };
 
 inline const Brick::Block* Brick::Level::blockFromLower(glm::ivec3 b) const {

@@ -31,7 +31,7 @@ std::shared_ptr<const ClothVolume> ClothVolume::build(std::shared_ptr<const Clot
       volume->tiles_[static_cast<int>(system)] = TileMap(*volume->geometry_, system, task);
       if (task.stopped()) return nullptr;
     }
-    if (previous) volume->reuseBricks(*previous);
+    if (previous) volume->reuseTiles(*previous);
   }
   if (!volume->makeBricks(task)) return nullptr;
   return volume;
@@ -52,13 +52,14 @@ bool ClothVolume::editTiles(const ClothVolume& previous) {
   return true;
 }
 
-void ClothVolume::reuseBricks(const ClothVolume& previous) {
+void ClothVolume::reuseTiles(const ClothVolume& previous) {
   struct Hash {
     size_t operator()(const CellKey& key) const { return hash(key); }
   };
   for (size_t system = 0; system < tiles_.size(); ++system) {
     TileMap& tiles = tiles_[system];
     const TileMap& old = previous.tiles_[system];
+    tiles.shareRows(old);
     std::unordered_map<CellKey, uint32_t, Hash> oldShapes;
     for (uint32_t i = 0; i < old.shapes().size(); ++i) oldShapes.emplace(old.shapes()[i], i);
     // The same yarn may have another class in another fabric.
@@ -138,6 +139,12 @@ VolumeCounts ClothVolume::counts() const {
   counts.bytes = sizeof(ClothVolume) + brickBytes();
   for (const TileMap& tiles : tiles_) counts.bytes += tiles.bytes();
   return counts;
+}
+
+size_t ClothVolume::bytesBeside(const ClothVolume& other) const {
+  size_t bytes = sizeof(ClothVolume);
+  for (size_t i = 0; i < tiles_.size(); ++i) bytes += tiles_[i].bytesBeside(other.tiles_[i]);
+  return bytes;
 }
 
 glm::vec3 ClothVolume::upper_mm() const {

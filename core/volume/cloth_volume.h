@@ -41,8 +41,8 @@ struct VoxelContent {
 class ClothVolume {
  public:
   /// Builds the volume, reusing the bricks of `previous` (may be null) where grid, yarns and keys agree, and its tile
-  /// maps too where the weave is all that has changed. The same, brick for brick, as without. Returns null when stopped.
-  /// Throws InputError where the distinct bricks would take more than kMaxBytes.
+  /// maps too where the weave is all that has changed. The same, brick for brick, as without. Returns null when
+  /// stopped. Throws InputError where the distinct bricks would take more than kMaxBytes.
   static std::shared_ptr<const ClothVolume> build(std::shared_ptr<const ClothGeometry> geometry, int resolution,
                                                   const Task& task, const ClothVolume* previous = nullptr);
   static constexpr size_t kMaxBytes = size_t{4} << 30;
@@ -53,7 +53,12 @@ class ClothVolume {
   const ClothGeometry& geometry() const { return *geometry_; }
   const VoxelGrid& grid() const { return grid_; }
   VolumeCounts counts() const;
-  size_t bricksVoxelised() const { return bricksVoxelised_; }  ///< to make it; the others were there before
+  /// Bytes that this volume takes where `other` is there anyway: what they share is free. What lies elsewhere in the
+  /// other's tile map may count though it is shared.
+  size_t bytesBeside(const ClothVolume& other) const;
+  /// Of the whole piece. Costs what there are shapes of cells.
+  ClothMeasures measure() const { return geometry_->measure({tiles_[0].cellCounts(), tiles_[1].cellCounts()}); }
+  size_t bricksVoxelised() const { return bricksVoxelised_; }           ///< to make it; the others were there before
   glm::vec3 lower_mm() const { return {0.0f, 0.0f, grid_.zLower_mm}; }  ///< bounds of the whole piece
   glm::vec3 upper_mm() const;
 
@@ -91,8 +96,8 @@ class ClothVolume {
   ClothVolume(std::shared_ptr<const ClothGeometry> geometry, int resolution);
   /// Makes the maps out of those of `previous`, where that costs less than to read them; false where it does not.
   bool editTiles(const ClothVolume& previous);
-  /// Takes the bricks of `previous` that are those of this volume too.
-  void reuseBricks(const ClothVolume& previous);
+  /// Takes the bricks of `previous` that are those of this volume too, and what is the same in its maps.
+  void reuseTiles(const ClothVolume& previous);
   bool makeBricks(const Task& task);
   /// visit(brick, how many cells of the piece have it).
   template <class Visit>

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <map>
+#include <numeric>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
@@ -241,6 +242,16 @@ std::vector<TileMap::Kind> TileMap::missing() const {
   return missing;
 }
 
+std::vector<ClothGeometry::CellCount> TileMap::cellCounts() const {
+  std::vector<ClothGeometry::CellCount> counts;
+  for (uint32_t shape = 0; shape < shapes_.size(); ++shape) {
+    const uint64_t* const cells = &cellsOf_[index({shape, 0})];
+    if (const uint64_t sum = std::accumulate(cells, cells + kMaxPeriod, uint64_t{0}); sum > 0)
+      counts.push_back({shapes_[shape], static_cast<double>(sum)});
+  }
+  return counts;
+}
+
 void TileMap::place(Kind kind, std::shared_ptr<const Brick> brick) {
   Slot& s = slots_[index(kind)];
   s = {brick.get(), false, false};
@@ -267,6 +278,26 @@ void TileMap::findReaches() {
   };
   anyReachesBelow_ = any(&Slot::reachesBelow);
   anyReachesAbove_ = any(&Slot::reachesAbove);
+}
+
+void TileMap::shareRows(const TileMap& other) {
+  for (size_t i = 0; i < std::min(rows_.size(), other.rows_.size()); ++i)
+    if (*rows_[i] == *other.rows_[i]) setRow(i, other.rows_[i]);
+}
+
+size_t TileMap::bytesBeside(const TileMap& other) const {
+  const auto sharedAt = [](const auto& mine, const auto& others, size_t i) {
+    return i < others.size() && mine[i] == others[i];
+  };
+  size_t bytes = shapes_.capacity() * sizeof(shapes_[0]) + cellsOf_.capacity() * sizeof(cellsOf_[0]) +
+                 bricks_.capacity() * sizeof(bricks_[0]) + slots_.capacity() * sizeof(slots_[0]) +
+                 rows_.capacity() * sizeof(rows_[0]) + (low_.capacity() + high_.capacity()) * sizeof(low_[0]);
+  if (yarns_ != other.yarns_) bytes += static_cast<size_t>(yarnCount_) * sizeof(PlacedYarn);
+  for (size_t i = 0; i < rows_.size(); ++i)
+    if (!sharedAt(rows_, other.rows_, i)) bytes += rows_[i]->bytes();
+  for (size_t i = 0; i < bricks_.size(); ++i)
+    if (bricks_[i] && !sharedAt(bricks_, other.bricks_, i)) bytes += bricks_[i]->bytes();
+  return bytes;
 }
 
 size_t TileMap::bytes() const {

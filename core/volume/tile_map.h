@@ -53,6 +53,7 @@ class TileMap {
   /// Null where the piece has no such cell, and where it is missing.
   const std::shared_ptr<const Brick>& brick(Kind kind) const { return bricks_[index(kind)]; }
   std::vector<Kind> missing() const;
+  std::vector<ClothGeometry::CellCount> cellCounts() const;  ///< of the piece, by shape
   void place(Kind kind, std::shared_ptr<const Brick> brick);
 
   /// 0 <= across < yarns of the piece, 0 <= along < cells of a yarn; inRepeat = along % repeatAlong().
@@ -67,11 +68,17 @@ class TileMap {
 
   /// Without the bricks. What is shared with other maps counts.
   size_t bytes() const;
+  /// With the bricks, but without the rows and bricks that `other` has in the same places.
+  size_t bytesBeside(const TileMap& other) const;
+  /// Holds in common with `other` the rows that are the same.
+  void shareRows(const TileMap& other);
 
  private:
   /// The shapes along a yarn of the repeat: the low bits of their numbers, and the high ones where there are any.
   struct Row {
     std::vector<uint16_t> low, high;
+    size_t bytes() const { return sizeof(Row) + (low.capacity() + high.capacity()) * sizeof(uint16_t); }
+    bool operator==(const Row&) const = default;
     uint32_t at(size_t i) const { return low[i] | (high.empty() ? 0 : static_cast<uint32_t>(high[i]) << 16); }
     void set(size_t i, uint32_t shape);
   };

@@ -91,7 +91,7 @@ std::vector<YarnBlend> makeBlends(const Fabric& fabric) {
 /// Volume and shell: all of them, or what the edit leaves of the previous scene's. False when stopped.
 bool makeCloth(Scene& scene, const Impact& change, const Scene* previous, const Task& task) {
   const Fabric& fabric = *scene.fabric;
-  if (previous && !change.volume() && !change.threads && !change.drape) {
+  if (previous && !change.cloth()) {
     scene.volume = previous->volume;
     scene.shell = previous->shell;
     scene.entry = previous->entry;

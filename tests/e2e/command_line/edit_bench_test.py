@@ -23,6 +23,8 @@ class EditBench(CommandLineTest):
             for name, edit in edits.items():
                 with self.subTest(cloth=cloth["cloth"], edit=name):
                     self.assertLessEqual(edit["made"]["bricks"], edit["full_build"]["bricks"])
+                    self.assertEqual(edit["undone"]["bricks"], 0)
+                    self.assertEqual(edit["redone"]["bricks"], 0)
                     for way in ("made", "undone", "redone"):
                         times = edit[way]
                         self.assertLessEqual(times["volume_seconds"]["median"], times["first_picture_seconds"]["median"])

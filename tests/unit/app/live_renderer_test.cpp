@@ -39,7 +39,7 @@ TEST(LiveRenderer, ShowsTheFabric) {
   for (const Film::Hit& hit : frame->hits) hits += hit.yarn >= 0;
   EXPECT_GT(light, 0);
   EXPECT_GT(hits, 100);
-  EXPECT_GT(renderer.status().counts.bricks, 0u);
+  EXPECT_TRUE(window.waitFor([&] { return renderer.status().counts.bricks > 0; }));
   EXPECT_GT(renderer.status().measures.arealMass_g_m2, 0);
 }
 
@@ -87,6 +87,27 @@ TEST(LiveRenderer, AMaterialEditTouchesNoVoxel) {
   renderer.request(view(fabric, 2));
   ASSERT_TRUE(window.waitFor([&] { return renderer.frame()->generation == 2; }));
   EXPECT_EQ(renderer.status().buildSeconds, before);  // set anew by every voxelisation
+}
+
+TEST(LiveRenderer, UndoAndRedoVoxeliseNothing) {
+  Window window;
+  LiveRenderer renderer(window.waker(), 1);
+  Fabric fabric = smallCloth(), edited = fabric;
+  edited.yarns[0].plyTwist_per_m += 100;
+  edited.weave = edited.weave.with(0, 0, !edited.weave.at(0, 0));
+  uint64_t generation = 0;
+  const auto bricksFor = [&](const Fabric& shown) {
+    const uint64_t before = renderer.status().bricksVoxelised;
+    renderer.request(view(shown, ++generation));
+    EXPECT_TRUE(window.waitFor([&] { return renderer.status().builtGeneration == generation; }));
+    return renderer.status().bricksVoxelised - before;
+  };
+  EXPECT_GT(bricksFor(fabric), 0u);
+  EXPECT_GT(bricksFor(edited), 0u);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(bricksFor(fabric), 0u);
+    EXPECT_EQ(bricksFor(edited), 0u);
+  }
 }
 
 TEST(LiveRenderer, SaysWhatIsWrongAndGoesOn) {
