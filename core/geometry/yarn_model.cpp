@@ -26,10 +26,10 @@ double turnsPerMm(const YarnGeometry& g, int turns) {
 }
 
 /// Half the distance that packed fibres keep in their section: flattened, it is lower by upScale(), and they turn in
-/// it, so all ways round they need the room that they have least of. A section nearly as full as it can be gives no
-/// more.
+/// it, so all ways round they need the room that they have least of; but no more than leaves discs in disorder (random
+/// close packing).
 double clearRadius_mm(const YarnModel& m) {
-  constexpr double kFullest = 0.86;
+  constexpr double kFullest = 0.82;
   const YarnGeometry& g = m.geometry;
   const double fullest = g.plyRadius_mm * std::sqrt(kFullest / g.fibresPerPly);
   return std::max(g.fibreRadius_mm, std::min(g.fibreRadius_mm / std::min(m.upScale(), m.acrossScale()), fullest));
