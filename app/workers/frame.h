@@ -19,6 +19,7 @@ struct Frame {
   int samples = 0;              ///< that every pixel has at least; 0 for a coarse pass
   int divider = 1;              ///< of the resolution
   double seconds = 0;           ///< since this picture was begun
+  bool recoloured = false;      ///< made from paths that were traced in other colours; it is being traced anew
 };
 
 }  // namespace loomlight

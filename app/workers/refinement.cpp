@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/workers/despeckle.h"
+#include "app/workers/recolour.h"
 
 namespace loomlight {
 namespace {
@@ -50,6 +51,11 @@ void Refinement::look(const PixelRect& window) {
   start_ = Clock::now();
 }
 
+void Refinement::keepPaths(size_t bytes) {
+  records_ =
+      std::make_unique<PathRecords>(fine_.width(), fine_.height(), static_cast<int>(scene().materials.size()), bytes);
+}
+
 bool Refinement::converged() const {
   return nextPass(history_, kMostSamples).samples == 0;
 }
@@ -73,8 +79,9 @@ bool Refinement::advance(const Task& task) {
   Film& film = filmFor(plan.divider);
   const CameraRays camera(scene().fabric->camera, film.width(), film.height());
   const auto start = Clock::now();
-  const PassResult result =
-      renderUpTo(plan.samples, scene(), *cloth_.medium, camera, film, covering(window_, plan.divider), task);
+  PathRecords* records = plan.divider == 1 ? records_.get() : nullptr;
+  const PassResult result = renderUpTo(plan.samples, scene(), *cloth_.medium, camera, film,
+                                       covering(window_, plan.divider), task, 0, records);
   const double seconds = secondsSince(start);
   spent_s_ += seconds;
   if (!result.complete) return false;
@@ -84,14 +91,28 @@ bool Refinement::advance(const Task& task) {
   return true;
 }
 
-Frame Refinement::frame(bool withHits) const {
-  Frame frame = history_.divider == 1 || fineBegun_ ? fineFrame(withHits) : coarseFrame(withHits);
+void Refinement::finish(Frame& frame) const {
   frame.samples = history_.divider == 1 ? static_cast<int>(history_.samples) : 0;
   frame.divider = history_.divider;
   frame.seconds = secondsSince(start_);
   // One lucky path to the sun must not stand as a block in a coarse picture; it fades as samples come.
   const uint32_t samples = std::max(1u, history_.samples);
   if (samples < kClearSamples) despeckle(frame.rgba, frame.width, frame.height, 1.5f + static_cast<float>(samples));
+}
+
+Frame Refinement::frame(bool withHits) const {
+  Frame frame = history_.divider == 1 || fineBegun_ ? fineFrame(withHits) : coarseFrame(withHits);
+  finish(frame);
+  return frame;
+}
+
+Frame Refinement::recoloured(const Dye& dye, int threads, double& variance) const {
+  Recoloured picture = recolour(fine_, *records_, dye, threads);
+  variance = picture.variance;
+  Frame frame = fineFrame(true);
+  frame.rgba = std::move(picture.rgba);
+  frame.recoloured = true;
+  finish(frame);
   return frame;
 }
 

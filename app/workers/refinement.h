@@ -30,6 +30,8 @@ class Refinement {
   void look(const PixelRect& window);  ///< within the film
   /// Begins at full resolution: for a picture that nobody sees before it has many samples.
   void skipCoarse() { history_.divider = 1; }
+  /// From now on keeps what recolouring needs, within so many bytes. Before the first pass.
+  void keepPaths(size_t bytes);
 
   bool begun() const { return history_.divider != 0; }  ///< the window has been filled, if coarsely
   bool converged() const;
@@ -40,11 +42,15 @@ class Refinement {
   const Film& film() const { return fine_; }
   const PixelRect& window() const { return window_; }
   const Scene& scene() const { return *cloth_.scene; }
+  const Medium& medium() const { return *cloth_.medium; }
 
   /// The next pass. False when stopped: then it goes on where it was.
   bool advance(const Task& task);
 
   Frame frame(bool withHits) const;
+  /// The picture at full resolution in other colours, and its noise: the mean variance of its luminance. Of a picture
+  /// that keeps its paths and has samples.
+  Frame recoloured(const Dye& dye, int threads, double& variance) const;
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -52,11 +58,13 @@ class Refinement {
   Film& filmFor(int divider);
   Frame coarseFrame(bool withHits) const;
   Frame fineFrame(bool withHits) const;
+  void finish(Frame& frame) const;
 
   Traceable cloth_;
   Film fine_;
   bool fineBegun_ = false;
-  std::optional<Film> coarse_;  ///< of a 1/coarseDivider_ of the resolution
+  std::unique_ptr<PathRecords> records_;  ///< of fine_; null where none are kept
+  std::optional<Film> coarse_;            ///< of a 1/coarseDivider_ of the resolution
   int coarseDivider_ = 0;
   PixelRect window_;
   PassHistory history_;

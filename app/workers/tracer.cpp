@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <exception>
 
+#include "app/workers/recolour.h"
 #include "render/trace/make_medium.h"
 
 namespace loomlight {
 namespace {
+
+/// For the paths of one picture that recolouring needs: some 25 bytes a sample under a dome, 100 under a sky.
+constexpr size_t kPathBytes = size_t{256} << 20;
 
 PixelRect within(const PixelRect& rect, int width, int height) {
   const int left = std::clamp(rect.x, 0, width), top = std::clamp(rect.y, 0, height);
@@ -96,6 +100,7 @@ void Tracer::loop(std::stop_token stop) {
 
 void Tracer::giveUp(const std::string& reason) {
   picture_.reset();
+  dyed_.reset();
   lens_.reset();
   {
     std::lock_guard lock(mutex_);
@@ -133,19 +138,22 @@ void Tracer::take(News news) {
 }
 
 void Tracer::begin(Request request) {
-  const bool better = picture_ && request.generation == request_.generation && request.width == request_.width &&
-                      request.height == request_.height;
+  const bool sameSize = request.width == request_.width && request.height == request_.height;
+  const bool better = picture_ && sameSize && request.generation == request_.generation;
+  if (!better && sameSize && recolour(request)) return;
   // What the old picture has, shown or not: a better one may itself be replaced before it was seen.
   samplesToBeat_ = better ? std::max(samplesToBeat_, picture_->samples()) : 0;
   const bool seenFine = better && samplesToBeat_ > 0;
   const double secondsPerPath = picture_ ? picture_->secondsPerPath() : 0;
   request_ = std::move(request);
   picturePending_.reset();
+  dyed_.reset();
   if (request_.width <= 0 || request_.height <= 0) {
     picture_.reset();
     return;
   }
   picture_.emplace(request_.cloth, request_.width, request_.height, secondsPerPath);
+  picture_->keepPaths(kPathBytes);
   if (seenFine) picture_->skipCoarse();
   spentBeforeLens_s_ = 0;
   if (!better) {  // the lens is of another scene; openLens() makes a new one where the same fibres serve
@@ -155,6 +163,39 @@ void Tracer::begin(Request request) {
   std::lock_guard lock(mutex_);
   state_.picture = State::Phase::tracing;
   state_.error.clear();
+}
+
+/// Answers a change of colour from the paths that have been traced already, and begins to trace new ones behind. False
+/// where they cannot tell.
+bool Tracer::recolour(const Request& request) {
+  std::optional<Refinement>& known = dyed_ ? dyed_ : picture_;
+  if (!known || known->samples() == 0 || &known->medium() != request.cloth.medium.get()) return false;
+  const auto dye = dyeBetween(known->scene(), *request.cloth.scene);
+  if (!dye) return false;
+  request_ = request;
+  samplesToBeat_ = 0;
+  if (dye->light == 1 && dye->absorption_per_mm == known->scene().absorption_per_mm) {
+    if (dyed_) picture_ = std::exchange(dyed_, std::nullopt);  // back to the colours that it was traced in
+    picturePending_ = framed(picture_->frame(true));
+  } else {
+    const double secondsPerPath = known->secondsPerPath();
+    if (!dyed_) dyed_ = std::exchange(picture_, std::nullopt);
+    picturePending_ = framed(dyed_->recoloured(*dye, threads_, varianceToBeat_));
+    picture_.emplace(request_.cloth, request_.width, request_.height, secondsPerPath);
+    picture_->keepPaths(kPathBytes);
+    picture_->skipCoarse();
+  }
+  spentBeforeLens_s_ = 0;
+  lens_.reset();
+  difference_.reset();
+  publish();
+  return true;
+}
+
+std::shared_ptr<Frame> Tracer::framed(Frame frame) const {
+  auto shared = std::make_shared<Frame>(std::move(frame));
+  shared->generation = request_.generation;
+  return shared;
 }
 
 /// Brings the lens in line with what is wanted of it and what it can look at.
@@ -188,9 +229,7 @@ void Tracer::openLens() {
 
 void Tracer::showLens() {
   lookForDifference();
-  auto frame = std::make_shared<Frame>(lens_->frame(false));
-  frame->generation = request_.generation;
-  lensPending_ = std::move(frame);
+  lensPending_ = framed(lens_->frame(false));
   publish();
 }
 
@@ -206,15 +245,23 @@ std::optional<Task> Tracer::beginPass(const Refinement& refinement) {
 void Tracer::tracePicture() {
   const auto task = beginPass(*picture_);
   if (!task || !picture_->advance(*task)) return;
-  if (picture_->samples() >= samplesToBeat_) {
+  if (worthShowing()) {
     samplesToBeat_ = 0;
+    dyed_.reset();
     lookForDifference();
-    auto frame = std::make_shared<Frame>(picture_->frame(true));
-    frame->generation = request_.generation;
-    picturePending_ = std::move(frame);
+    picturePending_ = framed(picture_->frame(true));
   }
   // The lens follows a moving camera together with the picture around it.
   if (!lens_ || lens_->begun()) publish();
+}
+
+/// Whether the picture is no worse than the one that stands in for it.
+bool Tracer::worthShowing() const {
+  constexpr uint32_t kFewest = 4;  // to know a variance by
+  const uint32_t samples = picture_->samples();
+  if (samples < samplesToBeat_) return false;
+  if (!dyed_ || samples >= dyed_->samples()) return true;
+  return samples >= kFewest && meanVariance(picture_->film()) <= varianceToBeat_;
 }
 
 void Tracer::traceLens() {
@@ -225,7 +272,8 @@ void Tracer::traceLens() {
 }
 
 void Tracer::lookForDifference() {
-  if (samplesToBeat_ > 0) return;  // the picture that is shown has been measured; the next one is still too noisy
+  if (samplesToBeat_ > 0 || dyed_)
+    return;  // the picture that is shown has been measured; the next one is still too noisy
   difference_.reset();
   if (!lens_ || lens_->divider() != 1 || picture_->divider() != 1) return;
   if (auto found = differenceOf(picture_->film(), lens_->film(), lens_->window()))

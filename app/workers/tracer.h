@@ -42,7 +42,9 @@ class Tracer {
   ~Tracer();
 
   /// A scene to show. One of the same generation and size as the one before only shows the same better: the old picture
-  /// stays until the new one has as many samples.
+  /// stays until the new one has as many samples. One that differs in colour alone is shown at once, as converged as
+  /// the old picture, from the paths of that; it stays until a picture traced anew has as little noise. The paths kept
+  /// for it take at most 256 MB, and as much again while there are two pictures.
   void show(Request request);
   /// Where the lens is; null: it is closed.
   void lens(std::optional<PixelRect> window);
@@ -67,6 +69,9 @@ class Tracer {
   bool goOn(News news);  ///< one pass; false when there is nothing to do
   void take(News news);
   void begin(Request request);
+  bool recolour(const Request& request);
+  bool worthShowing() const;
+  std::shared_ptr<Frame> framed(Frame frame) const;
   void openLens();
   void tracePicture();
   void traceLens();
@@ -96,6 +101,8 @@ class Tracer {
   std::optional<Refinement> picture_, lens_;
   std::optional<PixelRect> lensWindow_;
   Traceable fibres_;
+  std::optional<Refinement> dyed_;               ///< the old picture, shown in other colours until picture_ is as good
+  double varianceToBeat_ = 0;                    ///< of it
   uint32_t samplesToBeat_ = 0;                   ///< of the old picture, which stays until then
   double spentBeforeLens_s_ = 0;                 ///< on the picture, before the lens was opened
   double lensSecondsPerPath_ = 0;                ///< of the last lens

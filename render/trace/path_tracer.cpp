@@ -3,36 +3,33 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cassert>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "core/base/parallel.h"
 #include "render/optics/fibre_frame.h"
 #include "render/trace/blend.h"
+#include "render/trace/path_light.h"
 
 namespace loomlight {
 namespace {
 
 /// What a path knows of itself. Colour is not in it: only how far it has travelled inside the fibres of each material.
-/// exp(-sum sigma_k L_k) is applied when the path meets light, exactly, for any number of channels.
 class PathState {
  public:
-  explicit PathState(const Scene& scene) : materials_(scene.materials) {}
+  explicit PathState(const Scene& scene) : scene_(scene) {}
 
   void travel(int material, float length_mm) { lengths_[material] += length_mm; }
-
-  /// Colour of the path so far, and of a further length inside one material.
-  Rgb throughput() const {
-    Rgb exponent(0.0f);
-    for (size_t k = 0; k < materials_.size(); ++k) exponent += materials_[k].absorption_per_mm * lengths_[k];
-    return weight_ * glm::exp(-exponent);
-  }
+  float weight() const { return weight_; }
+  std::span<const float> lengths_mm() const { return {lengths_.data(), scene_.materials.size()}; }
 
   /// Ends the path at random when little can come of it. The brightest channel decides: the mean would kill saturated
   /// hues.
   bool survives(Random& random) {
     constexpr float kWorthwhile = 0.2f;
-    const Rgb c = throughput();
+    const Rgb c = weight_ * attenuation(scene_.roulette_per_mm, lengths_mm());
     const float brightest = std::max({c.r, c.g, c.b});
     if (brightest >= kWorthwhile) return true;
     const float chance = brightest / kWorthwhile;
@@ -43,18 +40,10 @@ class PathState {
 
  private:
   static constexpr int kMaxMaterials = 64;  // of a valid fabric
-  const std::vector<Material>& materials_;
+  const Scene& scene_;
   std::array<float, kMaxMaterials> lengths_{};
   float weight_ = 1;
 };
-
-/// Light that arrives at a fibre straight from a lamp and goes on along the path: all modes of the fibre at once.
-Rgb scatteredColour(const FibreBcsdf::Value& value, Rgb absorption_per_mm, float fibreRadius_mm) {
-  // exp(-sigma L) of one traverse; mode p makes p of them, the residual 3, 4, ... in a geometric series.
-  const Rgb traverse = glm::exp(-absorption_per_mm * (value.chord * fibreRadius_mm));
-  const Rgb residual = traverse * traverse * traverse * (1.0f - value.inside) / (1.0f - value.inside * traverse);
-  return value.q[0] + traverse * (value.q[1] + traverse * value.q[2]) + residual * value.q[3];
-}
 
 /// A mode, in proportion to what each contributes: which way a connection to a lamp leaves the fibre.
 int likelyOrder(const FibreBcsdf::Value& value, Random& random) {
@@ -75,23 +64,24 @@ float lampChance(uint32_t events) {
   return events <= 2 ? 1.0f : events <= 6 ? 0.5f : 0.25f;
 }
 
-/// One lamp, seen from a collision; sampled with the given chance.
-Rgb sampleLamp(const Scene& scene, const Medium& medium, const Collision& at, const FibreFrame& frame, glm::vec3 wo,
-               float chance, Random& random, TraceCounts& counts) {
-  if (random.uniform() >= chance) return Rgb(0.0f);
+/// One lamp, seen from a collision; sampled with the given chance. Nothing when no light comes of it.
+std::optional<PathLight> sampleLamp(const Scene& scene, const Medium& medium, const Collision& at,
+                                    const FibreFrame& frame, glm::vec3 wo, float chance, Random& random,
+                                    TraceCounts& counts) {
+  if (random.uniform() >= chance) return std::nullopt;
   const auto light = scene.lighting->sample(at.place.world, random);
-  if (!light || light->pdf <= 0) return Rgb(0.0f);
-  const Material& material = scene.materials[at.optics.material];
-  const FibreBcsdf::Value value = material.bcsdf->evaluate(wo, frame.toLocal(light->wi), at.offset);
+  if (!light || light->pdf <= 0) return std::nullopt;
+  const FibreBcsdf& bcsdf = *scene.materials[at.optics.material].bcsdf;
+  const FibreBcsdf::Value value = bcsdf.evaluate(wo, frame.toLocal(light->wi), at.offset);
   const float pdf = value.sum();
-  if (pdf <= 0) return Rgb(0.0f);
+  if (pdf <= 0) return std::nullopt;
   const float density = chance * light->pdf;
   const float weight = light->delta ? 1.0f : misWeight(density, pdf);
   const Departure from = medium.leave(at, light->wi, likelyOrder(value, random));
   const float visible = medium.transmittance(from, light->wi, light->distance, random, counts);
-  if (visible == 0) return Rgb(0.0f);
-  return scatteredColour(value, material.absorption_per_mm, at.optics.fibreRadius_mm) * light->radiance *
-         (weight * visible / density);
+  if (visible == 0) return std::nullopt;
+  return PathLight{light->radiance * (weight * visible / density), value.q, at.optics.material,
+                   value.chord * at.optics.fibreRadius_mm, value.inside};
 }
 
 void recordFirstHit(const Collision& at, PathSample& sample) {
@@ -115,7 +105,7 @@ TraceCounts& TraceCounts::operator+=(const TraceCounts& other) {
 }
 
 PathSample tracePath(const Scene& scene, const Medium& medium, const CameraRays& camera, int x, int y, uint32_t index,
-                     TraceCounts& counts) {
+                     TraceCounts& counts, PathLog* log) {
   const RenderSettings& settings = scene.fabric->render;
   Random random(hashCombine(hashCombine(hashCombine(settings.seed, x), y), index));
   const float dx = random.uniform(), dy = random.uniform();
@@ -129,16 +119,24 @@ PathSample tracePath(const Scene& scene, const Medium& medium, const CameraRays&
   glm::vec3 direction = ray.direction;
   float scatterPdf = 0;
   bool addedAlready = false;  // what this flight may bring straight from a lamp to the first fibre
-  const auto escaped = [&] {
+  const auto gather = [&](PathLight light) {
+    light.radiance *= state.weight();
+    (sample.events == 1 ? sample.direct : sample.indirect) +=
+        colourOf(light, state.lengths_mm(), scene.absorption_per_mm);
+    if (log) log->add(light, state.lengths_mm());
+  };
+  const auto gatherEscaped = [&](float visible) {
+    const Rgb radiance = scene.lighting->escape(direction);
+    if (visible == 0 || radiance == Rgb(0)) return;
     const float weight =
         lamps ? misWeight(scatterPdf, lampChance(sample.events) * scene.lighting->pdf(direction)) : 1.0f;
-    return state.throughput() * scene.lighting->escape(direction) * weight;
+    gather({radiance * (weight * visible)});
   };
   ++counts.paths;
   for (;;) {
     auto collision = medium.collide(from, direction, random, counts);
     if (!collision) {  // what the camera sees past the cloth is the backdrop's affair: alpha
-      if (sample.events > 0 && !addedAlready) (sample.events == 1 ? sample.direct : sample.indirect) += escaped();
+      if (sample.events > 0 && !addedAlready) gatherEscaped(1);
       return sample;
     }
     if (sample.events == 0) recordFirstHit(*collision, sample);
@@ -148,9 +146,8 @@ PathSample tracePath(const Scene& scene, const Medium& medium, const CameraRays&
     const FibreFrame frame(collision->tangent);
     const glm::vec3 wo = frame.toLocal(-direction);
     if (lamps) {
-      const Rgb light = state.throughput() *
-                        sampleLamp(scene, medium, *collision, frame, wo, lampChance(sample.events), random, counts);
-      (sample.events == 1 ? sample.direct : sample.indirect) += light;
+      const auto light = sampleLamp(scene, medium, *collision, frame, wo, lampChance(sample.events), random, counts);
+      if (light) gather(*light);
     }
     if (sample.events >= static_cast<uint32_t>(settings.maxDepth)) return sample;
 
@@ -165,7 +162,7 @@ PathSample tracePath(const Scene& scene, const Medium& medium, const CameraRays&
     addedAlready = sample.events == 1 && medium.seesDirectLightApart();
     if (addedAlready) {
       constexpr float kFar = std::numeric_limits<float>::infinity();
-      sample.direct += escaped() * medium.transmittance(from, direction, kFar, random, counts);
+      gatherEscaped(medium.transmittance(from, direction, kFar, random, counts));
     }
   }
 }
@@ -176,8 +173,9 @@ PassResult renderUpTo(uint32_t samples, const Scene& scene, const Medium& medium
 }
 
 PassResult renderUpTo(uint32_t samples, const Scene& scene, const Medium& medium, const CameraRays& camera, Film& film,
-                      const PixelRect& window, const Task& task, uint32_t firstSample) {
-  constexpr int kTile = 16;
+                      const PixelRect& window, const Task& task, uint32_t firstSample, PathRecords* records) {
+  constexpr int kTile = PathRecords::kTile;
+  assert(!records || window == (PixelRect{0, 0, film.width(), film.height()}));
   const int columns = (window.width + kTile - 1) / kTile, rows = (window.height + kTile - 1) / kTile;
   std::vector<TraceCounts> tileCounts(static_cast<size_t>(columns) * rows);
   std::atomic<size_t> tilesDone{0};
@@ -186,14 +184,21 @@ PassResult renderUpTo(uint32_t samples, const Scene& scene, const Medium& medium
     const int top = window.y + static_cast<int>(tile / columns) * kTile;
     const int right = std::min(left + kTile, window.x + window.width);
     const int bottom = std::min(top + kTile, window.y + window.height);
+    PathLog log;
     for (int y = top; y < bottom; ++y)
       for (int x = left; x < right; ++x)
         for (uint32_t i = film.samples(x, y); i < samples; ++i) {
           if (task.stopped()) return;
-          film.add(x, y, firstSample + i, tracePath(scene, medium, camera, x, y, firstSample + i, tileCounts[tile]));
+          const bool recorded = records && records->takes(x, y, i);
+          log.clear();
+          const PathSample sample =
+              tracePath(scene, medium, camera, x, y, firstSample + i, tileCounts[tile], recorded ? &log : nullptr);
+          film.add(x, y, firstSample + i, sample);
+          if (recorded) records->add(x, y, sample.direct + sample.indirect, log);
         }
     task.report(static_cast<double>(++tilesDone) / static_cast<double>(tileCounts.size()));
   });
+  if (records) records->settle();
   PassResult result;
   for (const TraceCounts& c : tileCounts) result.counts += c;
   result.complete = !task.stopped();

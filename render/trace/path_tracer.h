@@ -4,15 +4,17 @@
 #include "render/film/film.h"
 #include "render/trace/camera_rays.h"
 #include "render/trace/medium.h"
+#include "render/trace/path_records.h"
 #include "render/trace/scene.h"
 
 namespace loomlight {
 
 /// Sample `index` of the pixel: a pure function of (scene, medium, camera, seed, x, y, index). Adds its cost to
 /// `counts`. Light is gathered by sampling lamps and fibres, weighted against each other (Veach 1997); colour is
-/// applied where the path meets light, from the lengths travelled inside the fibres of each material.
+/// applied where the path meets light, from the lengths travelled inside the fibres of each material. `log` receives
+/// all that light as it was before.
 PathSample tracePath(const Scene& scene, const Medium& medium, const CameraRays& camera, int x, int y, uint32_t index,
-                     TraceCounts& counts);
+                     TraceCounts& counts, PathLog* log = nullptr);
 
 /// Pixels of a film; x to the right, y downwards, from its top left.
 struct PixelRect {
@@ -29,9 +31,11 @@ struct PassResult {
 /// so that a stopped or resumed picture goes on where each of its pixels is. Checks stop per path.
 PassResult renderUpTo(uint32_t samples, const Scene& scene, const Medium& medium, const CameraRays& camera, Film& film,
                       const Task& task, uint32_t firstSample = 0);
-/// The same for a part of the film: its pixels get the samples that they would have in the whole picture.
+/// The same for a part of the film: its pixels get the samples that they would have in the whole picture. `records`, of
+/// the film's size and for all of it, keeps the paths it has room for.
 PassResult renderUpTo(uint32_t samples, const Scene& scene, const Medium& medium, const CameraRays& camera, Film& film,
-                      const PixelRect& window, const Task& task, uint32_t firstSample = 0);
+                      const PixelRect& window, const Task& task, uint32_t firstSample = 0,
+                      PathRecords* records = nullptr);
 
 /// Samples that every pixel of the window has at least.
 uint32_t fewestSamples(const Film& film, const PixelRect& window);

@@ -58,7 +58,6 @@ std::vector<Material> makeMaterials(const Fabric& fabric, const Scene* previous)
   std::vector<Material> materials;
   for (size_t i = 0; i < fabric.fibres.size(); ++i) {
     Material material;
-    material.absorption_per_mm = fabric.fibres[i].absorption_per_mm;
     const bool known =
         previous && i < previous->fabric->fibres.size() && sameOptics(previous->fabric->fibres[i], fabric.fibres[i]);
     material.bcsdf = known ? previous->materials[i].bcsdf : std::make_shared<const FibreBcsdf>(fabric.fibres[i]);
@@ -122,6 +121,8 @@ std::shared_ptr<const Scene> makeScene(std::shared_ptr<const Fabric> fabric, con
   scene->fabric = fabric;
   if (!makeCloth(*scene, change, previous, task)) return nullptr;
   scene->materials = makeMaterials(*fabric, previous);
+  for (const Fibre& fibre : fabric->fibres) scene->absorption_per_mm.push_back(fibre.absorption_per_mm);
+  scene->roulette_per_mm = scene->absorption_per_mm;
   scene->yarns = {makeYarnOptics(*fabric, scene->volume->geometry(), System::warp),
                   makeYarnOptics(*fabric, scene->volume->geometry(), System::weft)};
   scene->blends = makeBlends(*fabric);

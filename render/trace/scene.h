@@ -15,10 +15,9 @@ namespace loomlight {
 
 class ShellEntry;
 
-/// One fibre material, ready for light: the lobes, and what is needed to turn lengths into colour.
+/// What light does at the fibres of one material. Colour is apart: Scene::absorption_per_mm.
 struct Material {
   std::shared_ptr<const FibreBcsdf> bcsdf;
-  Rgb absorption_per_mm{0};
 };
 
 /// What a yarn's components need beside their statistics, per Fabric::yarns and system.
@@ -43,6 +42,10 @@ struct Scene {
   std::shared_ptr<const ShellEntry> entry;
   std::shared_ptr<const Lighting> lighting;
   std::vector<Material> materials;
+  std::vector<Rgb> absorption_per_mm;  ///< inside the fibres of each material
+  /// What roulette takes for it: the same, unless paths must end where those of another colouring do. Whatever it is,
+  /// the picture converges to the same.
+  std::vector<Rgb> roulette_per_mm;
   std::array<std::vector<YarnOptics>, 2> yarns;  ///< [system][index into Fabric::yarns]
   std::vector<YarnBlend> blends;                 ///< [index into Fabric::yarns]
   struct Seconds {

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "core/base/units.h"
+#include "render/optics/bcsdf.h"
+#include "render/optics/lanes.h"
+
+namespace loomlight {
+
+/// Light that a path has met, as it would be if nothing were absorbed, and what colour hangs on beside the lengths
+/// travelled: the fibre that sent a lamp's light onto the path, all modes at once. Light that the path has found by
+/// itself has one mode, R, of which nothing is absorbed.
+struct PathLight {
+  Rgb radiance{0};  ///< with all weights of the path
+  std::array<float, FibreBcsdf::kLobes> modes{1, 0, 0, 0};
+  int material = 0;       ///< of that fibre
+  float traverse_mm = 0;  ///< length of one traverse of it: mode p makes p of them
+  float inside = 0;       ///< FibreBcsdf::Value::inside: the residual makes 3, 4, ... in a geometric series
+};
+
+namespace path_light_detail {
+
+/// exp(-x), x >= 0. The one exponential by which paths get their colour: traced and recoloured pictures are equal
+/// because it is.
+inline Rgb attenuation(Rgb x) {
+  const optics::Lanes e = optics::exponential(optics::Lanes{-x.r, -x.g, -x.b, 0});
+  return {e[0], e[1], e[2]};
+}
+
+}  // namespace path_light_detail
+
+/// exp(-sum sigma_k L_k): what is left of light after these lengths inside the fibres of each material.
+inline Rgb attenuation(std::span<const Rgb> absorption_per_mm, std::span<const float> lengths_mm) {
+  Rgb exponent(0.0f);
+  for (size_t k = 0; k < lengths_mm.size(); ++k) exponent += absorption_per_mm[k] * lengths_mm[k];
+  return path_light_detail::attenuation(exponent);
+}
+
+/// The colour that light brings to the eye along a path that has travelled these lengths; one of each per material.
+inline Rgb colourOf(const PathLight& light, std::span<const float> lengths_mm, std::span<const Rgb> absorption_per_mm) {
+  const Rgb arriving = light.radiance * attenuation(absorption_per_mm, lengths_mm);
+  if (light.traverse_mm == 0) return arriving * light.modes[0];
+  const Rgb traverse = path_light_detail::attenuation(absorption_per_mm[light.material] * light.traverse_mm);
+  const Rgb residual = traverse * traverse * traverse * (1.0f - light.inside) / (1.0f - light.inside * traverse);
+  return arriving *
+         (light.modes[0] + traverse * (light.modes[1] + traverse * light.modes[2]) + residual * light.modes[3]);
+}
+
+}  // namespace loomlight
