@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <thread>
+
+#include "core/base/random.h"
 #include "render/trace/make_medium.h"
 #include "render/trace/path_tracer.h"
 #include "tests/support/test_cloth.h"
@@ -73,6 +77,79 @@ TEST(LiveRenderer, EndsOnTheNewestOfManyEdits) {
     renderer.request(view(fabric, i));
   }
   EXPECT_TRUE(window.waitFor([&] { return renderer.frame() && renderer.frame()->generation == kEdits; }));
+}
+
+/// One edit of a designer in a hurry, at random.
+void edit(Fabric& fabric, Random& random) {
+  Yarn& yarn = fabric.yarns[0];
+  switch (random.below(7)) {
+    case 0:
+      fabric.weave = fabric.weave.resized(2 + static_cast<int>(random.below(4)), 2 + static_cast<int>(random.below(4)));
+      break;
+    case 1:
+      yarn.plyTwist_per_m = 300 + 50 * random.below(8);
+      break;
+    case 2:
+      yarn.count_tex = 15 + random.below(8);
+      break;
+    case 3:
+      yarn.plies = 1 + static_cast<int>(random.below(3));
+      break;
+    case 4:
+      fabric.ends_per_cm = 20 + random.below(5);
+      break;
+    case 5:
+      fabric.fibres[0].absorption_per_mm = Rgb(10 * random.uniform());
+      break;
+    default: {
+      const int pick = static_cast<int>(random.below(static_cast<uint32_t>(fabric.weave.picks()))),
+                end = static_cast<int>(random.below(static_cast<uint32_t>(fabric.weave.ends())));
+      fabric.weave = fabric.weave.with(pick, end, !fabric.weave.at(pick, end));
+    }
+  }
+}
+
+// Edits, undo and redo arrive while volumes are built and pictures traced; what is shown in the end is, to the last
+// bit, the picture of a scene that was built of nothing.
+TEST(LiveRenderer, EditsDuringBuildsLeaveWhatAFreshBuildMakes) {
+  constexpr int kClear = 16;  // from here on pictures are shown as they are
+  for (uint64_t seed = 1; seed <= 3; ++seed) {
+    Random random(seed);
+    Window window;
+    LiveRenderer renderer(window.waker(), 2);
+    std::vector<Fabric> history{smallCloth()};
+    size_t now = 0;
+    uint64_t generation = 0;
+    for (int step = 0; step < 60; ++step) {
+      const uint32_t action = random.below(6);
+      if (action == 0 && now > 0) {
+        --now;  // undo
+      } else if (action == 1 && now + 1 < history.size()) {
+        ++now;  // redo
+      } else {
+        history.resize(++now);
+        history.push_back(history.back());
+        edit(history.back(), random);
+      }
+      renderer.request(view(history[now], ++generation));
+      // At once, or somewhere in the middle of what the edit sets going.
+      std::this_thread::sleep_for(std::chrono::microseconds(random.below(4) == 0 ? 0 : random.below(20'000)));
+    }
+    Fabric last = history[now];
+    last.yarns[0].plyTwist_per_m = 777;
+    renderer.request(view(last, ++generation));
+    ASSERT_TRUE(window.waitFor(
+        [&] { return renderer.frame()->generation == generation && renderer.frame()->samples >= kClear; }));
+    const auto seen = renderer.frame();
+    const auto scene = test::sceneOf(last);
+    const auto medium = makeMedium(*scene, 4e9, Task{});
+    Film film(seen->width, seen->height);
+    const CameraRays camera(last.camera, seen->width, seen->height);
+    ASSERT_TRUE(renderUpTo(static_cast<uint32_t>(seen->samples), *scene, *medium, camera, film, Task{}).complete);
+    for (int y = 0; y < seen->height; ++y)
+      for (int x = 0; x < seen->width; ++x)
+        ASSERT_EQ(glm::vec3(seen->rgba[static_cast<size_t>(y) * seen->width + x]), film.mean(x, y)) << "seed " << seed;
+  }
 }
 
 TEST(LiveRenderer, AMaterialEditTouchesNoVoxel) {

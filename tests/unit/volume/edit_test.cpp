@@ -59,35 +59,53 @@ Fabric edited(const Fabric& before, Random& random) {
   return fabric;
 }
 
+/// Edits, undoes and redoes at random; after every step the volume must be what a fresh build makes, byte for byte.
+void walk(Fabric fabric, int ends, int picks, int steps, Random& random) {
+  std::deque<Fabric> history{std::move(fabric)};
+  size_t now = 0;
+  auto geometry = geometryOf(history[0], ends, picks);
+  auto volume = ClothVolume::build(geometry, 1, Task{});
+  for (int step = 0; step < steps; ++step) {
+    const uint32_t action = random.below(8);
+    if (action == 0 && now > 0) {
+      --now;  // undo
+    } else if (action == 1 && now + 1 < history.size()) {
+      ++now;  // redo
+    } else {
+      history.resize(now + 1);
+      history.push_back(edited(history[now], random));
+      ++now;
+    }
+    geometry = std::make_shared<const ClothGeometry>(history[now], ends, picks, geometry.get());
+    volume = ClothVolume::build(geometry, 1, Task{}, volume.get());
+    const auto fresh = volumeOf(history[now], ends, picks, 1);
+    ASSERT_TRUE(sameVolume(*fresh, *volume)) << "step " << step;
+  }
+}
+
 TEST(Edits, LeaveWhatAFreshBuildMakes) {
   for (uint64_t seed = 1; seed <= 6; ++seed) {
+    SCOPED_TRACE(seed);
     Random random(seed);
-    // A piece of several repeats, of less than one, or of one and a bit.
-    const int ends = 8 + random.below(40), picks = 8 + random.below(40);
     Fabric fabric = hairyTwill();
     fabric.fibres[0].radius_um = 25;  // few
     fabric.yarns[0].hairiness_per_mm = 0;
     fabric.weave = fabric.weave.resized(16, 12);
-    std::deque<Fabric> history{fabric};
-    size_t now = 0;
-    auto geometry = geometryOf(fabric, ends, picks);
-    auto volume = ClothVolume::build(geometry, 1, Task{});
-    for (int step = 0; step < 100; ++step) {
-      const uint32_t action = random.below(8);
-      if (action == 0 && now > 0) {
-        --now;  // undo
-      } else if (action == 1 && now + 1 < history.size()) {
-        ++now;  // redo
-      } else {
-        history.resize(now + 1);
-        history.push_back(edited(history[now], random));
-        ++now;
-      }
-      geometry = std::make_shared<const ClothGeometry>(history[now], ends, picks, geometry.get());
-      volume = ClothVolume::build(geometry, 1, Task{}, volume.get());
-      const auto fresh = volumeOf(history[now], ends, picks, 1);
-      ASSERT_TRUE(sameVolume(*fresh, *volume)) << "seed " << seed << ", step " << step;
-    }
+    // A piece of several repeats, of less than one, or of one and a bit.
+    const int ends = 8 + random.below(40), picks = 8 + random.below(40);
+    ASSERT_NO_FATAL_FAILURE(walk(fabric, ends, picks, 100, random));
+  }
+}
+
+TEST(Edits, InThousandsOfSequencesLeaveWhatAFreshBuildMakes) {
+  Fabric fabric = hairyTwill();
+  fabric.fibres[0].radius_um = 80;  // a handful: it is the maps that this is about
+  fabric.yarns[0].hairiness_per_mm = 0;
+  for (uint64_t seed = 1; seed <= 2000; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const int ends = 1 + random.below(12), picks = 1 + random.below(12);
+    ASSERT_NO_FATAL_FAILURE(walk(fabric, ends, picks, 4, random));
   }
 }
 
