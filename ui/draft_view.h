@@ -65,6 +65,7 @@ struct DraftView {
   enum class Page { structures, loom, colours };
   Page page = Page::structures;
   bool pageScrolls = false;
+  bool libraryWanted = false;  ///< the library of structures was asked for in this frame
 
   struct OrderText {  ///< of a thread order, while it is being typed
     bool open = false;

@@ -17,7 +17,7 @@ std::optional<Fabric> structurePage(Ui& ui, const Fabric& fabric, const DraftPre
   for (int i = 0; i < static_cast<int>(view.palette.size()); ++i) {
     if (i % perLine != 0) ImGui::SameLine(0, gap);
     const Structure& structure = view.palette[static_cast<size_t>(i)];
-    if (structureThumbnail(ui, "structure/" + structure.name, structure, size, structure.weave == fabric.weave)) {
+    if (structureThumbnail(ui, "structure/" + structure.name, structure, size, 10, structure.weave == fabric.weave)) {
       Rewoven result = withStructure(fabric, view.selection, structure.weave, preferences.loom);
       edited = std::move(result.fabric);
       view.remark = std::move(result.remark);
@@ -26,6 +26,9 @@ std::optional<Fabric> structurePage(Ui& ui, const Fabric& fabric, const DraftPre
   }
   ImGui::EndGroup();
   ImGui::PopStyleVar();
+  ImGui::Dummy(ImVec2(0, ui.px(2)));
+  view.libraryWanted = button(ui, "structures.open", "All structures\xE2\x80\xA6", 0, true,
+                              "Every structure with its numbers, for the whole repeat or a selection.");
   return edited;
 }
 

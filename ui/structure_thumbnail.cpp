@@ -16,12 +16,11 @@ void drawThumbnail(Ui& ui, const Weave& weave, ImVec2 min, float size, int cells
     }
 }
 
-bool structureThumbnail(Ui& ui, const std::string& id, const Structure& structure, float size, bool chosen) {
-  constexpr int kCells = 10;
+bool structureThumbnail(Ui& ui, const std::string& id, const Structure& structure, float size, int cells, bool chosen) {
   const ImVec2 min = ImGui::GetCursorScreenPos(), max(min.x + size, min.y + size);
   const bool clicked = ImGui::InvisibleButton(id.c_str(), ImVec2(size, size));
   ui.probe.recordItem(id);
-  drawThumbnail(ui, structure.weave, min, size, kCells);
+  drawThumbnail(ui, structure.weave, min, size, cells);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.AddRect(min, max, packed(ui.theme.line), ui.px(2));
   if (chosen || ImGui::IsItemHovered())

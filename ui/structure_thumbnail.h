@@ -13,7 +13,7 @@ namespace loomlight {
 /// Point paper of a weave, `cells` crossings a side.
 void drawThumbnail(Ui& ui, const Weave& weave, ImVec2 min, float size, int cells);
 /// A square to click, that rings what is `chosen`; its tooltip is the structure's name.
-bool structureThumbnail(Ui& ui, const std::string& id, const Structure& structure, float size, bool chosen);
+bool structureThumbnail(Ui& ui, const std::string& id, const Structure& structure, float size, int cells, bool chosen);
 
 /// The fabric with the structure in the selection, or in place of its weave where nothing is selected.
 Rewoven withStructure(const Fabric& fabric, const std::optional<CellRect>& selection, const Weave& structure,

@@ -82,9 +82,11 @@ std::optional<WifSizeChoice> WifDialog::draw(Ui& ui) {
   if (!content_.warnings.empty()) {
     heading(ui, "Read otherwise than it is written");
     ImGui::BeginChild("wif.warnings", ImVec2(0, ui.px(150)));
-    ImGui::PushTextWrapPos(0);
-    for (const std::string& warning : content_.warnings) ImGui::BulletText("%s", warning.c_str());
-    ImGui::PopTextWrapPos();
+    for (const std::string& warning : content_.warnings) {
+      ImGui::Bullet();
+      ImGui::SameLine();
+      ImGui::TextWrapped("%s", warning.c_str());
+    }
     ImGui::EndChild();
   }
   ui.probe.fact("wif.warnings", std::to_string(content_.warnings.size()));

@@ -7,6 +7,8 @@
 #include "core/base/error.h"
 #include "core/fabric/derived.h"
 #include "core/fabric/wif_fabric.h"
+#include "render/film/image.h"
+#include "ui/yarn_colours.h"
 
 namespace loomlight {
 namespace {
@@ -14,6 +16,21 @@ namespace {
 WifSett settOf(const Fabric& fabric) {
   return {fabric.ends_per_cm, fabric.picks_per_cm, meanDiameter_mm(fabric, System::warp),
           meanDiameter_mm(fabric, System::weft)};
+}
+
+/// On white where it is transparent, as a picture is seen on paper.
+Raster rasterOf(const Pixels8& pixels) {
+  Raster raster{pixels.width, pixels.height, {}};
+  const auto channels = static_cast<size_t>(pixels.channels);
+  raster.pixels.reserve(pixels.bytes.size() / channels);
+  for (size_t i = 0; i + channels <= pixels.bytes.size(); i += channels) {
+    const int alpha = channels == 4 ? pixels.bytes[i + 3] : 255;
+    const auto over = [&](size_t c) {
+      return static_cast<uint8_t>((pixels.bytes[i + c] * alpha + 255 * (255 - alpha) + 127) / 255);
+    };
+    raster.pixels.push_back({over(0), over(1), over(2)});
+  }
+  return raster;
 }
 
 std::string summaryOf(const Fabric& fabric) {
@@ -32,6 +49,10 @@ std::string summaryOf(const Fabric& fabric) {
 
 void Session::run(DraftCommand command) {
   switch (command) {
+    case DraftCommand::structures:
+      return structures_.show();
+    case DraftCommand::fromPicture:
+      return browse(FileTask::picture);
     case DraftCommand::exportWif:
       return browse(FileTask::exportWif);
     case DraftCommand::exportBitmap:
@@ -54,16 +75,22 @@ void Session::openWeaving(const std::string& file) {
   }
 }
 
-void Session::openBitmap(const std::string& file) {
+void Session::openPicture(const std::string& file) {
   try {
-    Rewoven result = rewoven(*document_.fabric(), readWeaveBitmap(file), settings_.draft.loom);
-    edit(std::move(result.fabric));
-    draft_.remark = std::move(result.remark);
-    draft_.cell = 0;
-    draft_.selection.reset();
+    const Fabric& fabric = *document_.fabric();
+    pictureDialog_.show(rasterOf(readPng(file)), std::filesystem::path(file).filename().string(),
+                        fabric.ends_per_cm / fabric.picks_per_cm);
+    settings_.folder = std::filesystem::absolute(file).parent_path().string();
   } catch (const InputError& error) {
     say("This picture cannot be used", error.what());
   }
+}
+
+/// Another weave in place of the whole or of the selection.
+void Session::takeWeave(Rewoven result) {
+  edit(std::move(result.fabric));
+  draft_.remark = std::move(result.remark);
+  if (!draft_.selection) draft_.cell = 0;
 }
 
 void Session::exportTo(FileTask task, const std::string& file) {
@@ -81,7 +108,20 @@ void Session::exportTo(FileTask task, const std::string& file) {
   }
 }
 
+void Session::drawStructures(Ui& ui) {
+  const std::vector<ImVec4> colours = yarnColours(*document_.fabric());
+  const ImVec4 darkLight[2] = {colours.front(), colours.size() > 1 ? colours[1] : colours.front()};
+  const auto structure = structures_.draw(ui, draft_.selection, darkLight);
+  if (!structure) return;
+  takeWeave(withStructure(*document_.fabric(), draft_.selection, *structure, settings_.draft.loom));
+}
+
 void Session::drawDraftDialogs(Ui& ui) {
+  drawStructures(ui);
+  if (auto weave = pictureDialog_.draw(ui)) {
+    draft_.selection.reset();
+    takeWeave(rewoven(*document_.fabric(), std::move(*weave), settings_.draft.loom));
+  }
   const auto sizes = wifDialog_.draw(ui);
   if (!sizes) return;
   std::vector<std::string> beyond;

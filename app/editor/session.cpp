@@ -29,7 +29,7 @@ Tone Session::tone() const {
 
 bool Session::dialogIsOpen() const {
   return browser_.isOpen() || message_.isOpen() || snapshotDialog_.isOpen() || preferences_.isOpen() ||
-         keys_.isOpen() || wifDialog_.isOpen();
+         keys_.isOpen() || wifDialog_.isOpen() || structures_.isOpen() || pictureDialog_.isOpen();
 }
 
 }  // namespace loomlight

@@ -21,8 +21,10 @@
 #include "ui/draft_commands.h"
 #include "ui/file_browser.h"
 #include "ui/inspector.h"
+#include "ui/picture_dialog.h"
 #include "ui/preset_list.h"
 #include "ui/status_bar.h"
+#include "ui/structure_dialog.h"
 #include "ui/viewport_panel.h"
 #include "ui/wif_dialog.h"
 
@@ -52,7 +54,7 @@ class Session {
   std::string title() const;
 
  private:
-  enum class FileTask { none, open, saveAs, mesh, environment, snapshot, exportWif, exportBitmap };
+  enum class FileTask { none, open, saveAs, mesh, environment, snapshot, exportWif, exportBitmap, picture };
   enum class Question { none, said, quit, discardForNew, discardForOpen, recover };
 
   // session_panels.cpp: what is drawn
@@ -86,9 +88,11 @@ class Session {
 
   // draft_files.cpp: drafts and weaves from files and into them
   void openWeaving(const std::string& file);
-  void openBitmap(const std::string& file);
+  void openPicture(const std::string& file);
   void exportTo(FileTask task, const std::string& file);
   void drawDraftDialogs(Ui& ui);
+  void drawStructures(Ui& ui);
+  void takeWeave(Rewoven result);
 
   // session_workers.cpp: what the workers are asked for, and what they have brought
   void takePictures();
@@ -119,6 +123,8 @@ class Session {
   SnapshotDialog::Progress snapshotProgress_;
   PreferencesDialog preferences_;
   KeysDialog keys_;
+  StructureDialog structures_;
+  PictureDialog pictureDialog_;
   WifDialog wifDialog_;
   std::shared_ptr<const Fabric> wifKept_;  ///< the weaving file's cloth with the designer's own sizes
 

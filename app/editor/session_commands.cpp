@@ -193,7 +193,7 @@ void Session::openFile(const std::string& file) {
     fabric.light.file = file;
     edit(std::move(fabric));
   } else if (extension == ".png") {
-    openBitmap(file);
+    openPicture(file);
   } else if (document_.isDirty()) {
     pendingFile_ = file;
     ask(Question::discardForOpen, "Unsaved work",
@@ -290,6 +290,9 @@ void Session::browse(FileTask task) {
     case FileTask::snapshot:
       browser_.show(Purpose::save, "Where the snapshot goes", {".png", ".exr"}, snapshotDialog_.file(), places);
       break;
+    case FileTask::picture:
+      browser_.show(Purpose::open, "Choose a picture", {".png"}, folder, places);
+      break;
     case FileTask::exportWif:
       browser_.show(Purpose::save, "Export as weaving file", {".wif"}, folder / (document_.fabric()->name + ".wif"),
                     places);
@@ -308,6 +311,7 @@ void Session::fileChosen(const std::string& file) {
     case FileTask::open:
     case FileTask::mesh:
     case FileTask::environment:
+    case FileTask::picture:
       openFile(file);
       break;
     case FileTask::saveAs:

@@ -64,6 +64,7 @@ void Session::drawDraft(Ui& ui) {
   if (auto edited = draftPanel(ui, fabric, yarnColours(fabric), settings_.draft, draft_, underPointer_))
     edit(std::move(*edited));
   inspector_.yarn = draft_.brushYarn;
+  if (std::exchange(draft_.libraryWanted, false)) run(DraftCommand::structures);
   if (const auto choice = presetList(ui, presets_.names(), sampleNames_)) applyPreset(*choice);
 }
 

@@ -20,6 +20,12 @@ Weave fromRule(int ends, int picks, Rule&& warpOver) {
   return Weave(rows);
 }
 
+/// 0 1 .. n - 1 .. 1, of period 2 n - 2.
+int pointed(int i, int n) {
+  const int along = modulo(i, 2 * n - 2);
+  return along < n ? along : 2 * n - 2 - along;
+}
+
 }  // namespace
 
 Weave plainWeave() {
@@ -36,6 +42,30 @@ Weave twill(int over, int under, Slant slant) {
   const int n = over + under;
   const int shift = slant == Slant::z ? -1 : 1;
   return fromRule(n, n, [=](int p, int e) { return modulo(e + shift * p, n) < over; });
+}
+
+Weave twill(const std::vector<int>& runs, int step, Slant slant) {
+  assert(!runs.empty() && runs.size() % 2 == 0 && step >= 1);
+  std::vector<bool> line;
+  for (size_t i = 0; i < runs.size(); ++i) line.insert(line.end(), static_cast<size_t>(runs[i]), i % 2 == 0);
+  const int n = static_cast<int>(line.size());
+  // Ends that repeat their line sooner than n of them shorten the repeat.
+  const int ends = n / std::gcd(n, step);
+  const int direction = slant == Slant::z ? -1 : 1;
+  return fromRule(ends, n,
+                  [&](int p, int e) { return line[static_cast<size_t>(modulo(p + direction * step * e, n))]; });
+}
+
+Weave pointTwill(int over, int under) {
+  const int n = over + under;
+  assert(over >= 1 && under >= 1 && n >= 3);
+  return fromRule(2 * n - 2, n, [=](int p, int e) { return modulo(pointed(e, n) - p, n) < over; });
+}
+
+Weave diamondTwill(int over, int under) {
+  const int n = over + under;
+  assert(over >= 1 && under >= 1 && n >= 3);
+  return fromRule(2 * n - 2, 2 * n - 2, [=](int p, int e) { return modulo(pointed(e, n) - pointed(p, n), n) < over; });
 }
 
 Weave brokenTwill(int over) {
@@ -58,6 +88,55 @@ Weave satin(int ends, int step, Face face) {
   assert(step > 1 && step < ends - 1 && std::gcd(step, ends) == 1);
   const bool warp = face == Face::warp;
   return fromRule(ends, ends, [=](int p, int e) { return (e == (step * p) % ends) != warp; });
+}
+
+Weave shadedSatin(int ends, int step, int raised) {
+  assert(step > 1 && step < ends - 1 && std::gcd(step, ends) == 1 && raised >= 1 && raised < ends);
+  return fromRule(ends, ends, [=](int p, int e) { return modulo(e - step * p, ends) < raised; });
+}
+
+Weave waffle(int shafts) {
+  assert(shafts >= 3);
+  const int last = shafts - 1;
+  return fromRule(2 * last, 2 * last, [=](int p, int e) {
+    const int shaft = pointed(e, shafts), treadle = pointed(p, shafts);
+    // Without the last condition the first shaft would never rise.
+    return shaft > treadle || (shaft == 0 && treadle == last);
+  });
+}
+
+Weave crepe() {
+  return fromRule(8, 8, [](int p, int e) { return (p + e) % 2 == 0 || e == (3 * p + 1) % 8; });
+}
+
+Weave overshot(int blockEnds) {
+  assert(blockEnds >= 2 && blockEnds % 2 == 0);
+  constexpr int kBlocks[] = {0, 1, 2, 3, 2, 1};
+  Draft draft;
+  draft.shafts = 4;
+  draft.treadles = 6;
+  // Treadle b + 1 raises the two shafts of block b; 5 and 6 are the ground. Blocks share a shaft with the next one, and
+  // odd and even shafts go on in turn over their borders.
+  for (int block = 0; block < 4; ++block) draft.tieUp.push_back({block + 1, (block + 1) % 4 + 1});
+  draft.tieUp.push_back({1, 3});
+  draft.tieUp.push_back({2, 4});
+  for (const int block : kBlocks)
+    for (int i = 0; i < blockEnds; ++i) {
+      const int odd = block % 2 == 0 ? block : (block + 1) % 4, even = block % 2 == 0 ? (block + 1) % 4 : block;
+      draft.threading.push_back({(i % 2 == 0 ? odd : even) + 1});
+      draft.treadling.push_back({block + 1});
+      draft.treadling.push_back({i % 2 == 0 ? 5 : 6});
+    }
+  return drawdown(draft);
+}
+
+Weave doubleCloth(int over, int under) {
+  const Weave single = over == 1 && under == 1 ? plainWeave() : twill(over, under);
+  return fromRule(2 * single.ends(), 2 * single.picks(), [&](int p, int e) {
+    const bool backPick = p % 2 == 1, backEnd = e % 2 == 1;
+    if (backPick != backEnd) return backPick;  // the face lies above the back
+    return single.at(p / 2, e / 2);
+  });
 }
 
 std::vector<int> satinSteps(int ends) {

@@ -193,6 +193,31 @@ def select_and_edit(weaver):
     editor.click("draft.select")
 
 
+def choose_structure(weaver):
+    editor = weaver.editor
+    editor.click("menu.weave")
+    editor.click("menu.structures")
+    editor.click("library/Satin")
+    editor.wait_until("satin is chosen", lambda: editor.fact("structures.name") == "Satin 8, move 3")
+    editor.click("structures.Ends")
+    editor.type("6")
+    editor.key("Return")
+    editor.wait_until("it is said that there is no such satin", lambda: "no satin" in editor.fact("structures.problem"))
+    editor.click("library/Twill")
+    editor.click("structures.Over")
+    editor.type("3")
+    editor.key("Return")
+    weaver.edits("a twill is applied", lambda: editor.click("structures.apply"))
+    editor.click("library/Houndstooth")
+    weaver.edits("houndstooth is applied", lambda: editor.click("structures.apply"))
+    editor.click("structures.close")
+    fabric = weaver.saved()
+    expect(fabric["warp_sequence"] == fabric["weft_sequence"] == [0, 0, 0, 0, 1, 1, 1, 1], "no stripes of four and four")
+    expect(weave_of(fabric) == ["#..#", "..##", ".##.", "##.."], f"no 2/2 twill under them: {weave_of(fabric)}")
+    weaver.edits("undo", lambda: editor.key("ctrl+z"))
+    expect(weave_of(weaver.saved())[0].count("#") == 3, "the twill 3/2 is gone")
+
+
 def test():
     display = Display(WIDTH, HEIGHT)
     editor = None
@@ -205,6 +230,7 @@ def test():
         paint_drawdown(weaver)
         lift(weaver)
         select_and_edit(weaver)
+        choose_structure(weaver)
         outgrow_the_loom(weaver)
     finally:
         if editor:

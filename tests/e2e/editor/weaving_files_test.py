@@ -133,6 +133,47 @@ def bitmaps(editor, home):
     answer(editor)
     size = subprocess.run(["identify", "-format", "%w %h", file], check=True, capture_output=True, text=True).stdout
     expect(size == "6 4", f"the weave is {size} pixels")
+    # Back through the dialog: two colours are point paper, a crossing for each pixel.
+    editor.click("draft.tab_structures")
+    editor.click("structure/Plain")
+    editor.key("ctrl+o")
+    name_file(editor, file)
+    editor.wait_until("two colours are found", lambda: editor.fact("picture.colours") == "2")
+    editor.click("picture.weave")
+    editor.wait_until("the dialog closes", lambda: editor.fact("dialog") == "none")
+    fabric = saved_as(editor, os.path.join(home, "again.json"))
+    expect(fabric["draft"]["threading"] == [1, 2, 3, 4, 3, 2], f"another weave came back: {fabric['draft']}")
+
+
+def jacquard(editor, home):
+    """A picture of three colours: a structure for each."""
+    picture = os.path.join(home, "rings.png")
+    subprocess.run(["convert", "-size", "96x64", "xc:white", "-fill", "navy", "-draw", "circle 40,32 40,10", "-fill",
+                    "orange", "-draw", "circle 48,32 48,24", "+antialias", picture], check=True)
+    editor.click("menu.weave")
+    editor.click("menu.picture")
+    name_file(editor, picture)
+    editor.wait_until("the dialog shows four colours", lambda: editor.fact("picture.colours") == "4")
+    editor.screenshot("picture")
+    editor.click("picture.colours")
+    editor.type("3")
+    editor.key("Return")
+    editor.wait_until("the palette is reduced", lambda: editor.fact("picture.colours") == "3")
+    editor.click("picture.structure_2")
+    editor.click("picture.structure_2/Plain")
+    editor.click("picture.ends")
+    editor.type("192")
+    editor.key("Return")
+    editor.click("picture.proportions")
+    revision = editor.number("revision")
+    editor.click("picture.weave")
+    editor.wait_until("the picture is woven", lambda: editor.number("revision") > revision)
+    fabric = saved_as(editor, os.path.join(home, "rings.json"))
+    rows = fabric["weave"]
+    expect(len(rows[0]) == 192, f"the weave has {len(rows[0])} ends")
+    expect(len(rows) == round(192 * 64 / 96 * 8 / 10), f"the weave has {len(rows)} picks")
+    expect(rows[0][:6] in ("#.#.#.", ".#.#.#"), f"the ground is not plain: {rows[0][:6]}")
+    expect(editor.fact("draft.kind") == "jacquard", "a loom of 32 shafts weaves rings")
 
 
 def refuse(editor, home):
@@ -152,6 +193,7 @@ def test():
         export_weaving(editor, editor.home)
         bitmaps(editor, editor.home)
         refuse(editor, editor.home)
+        jacquard(editor, editor.home)
         editor.key("ctrl+q")
         expect(editor.wait_for_end() == 0, "the editor does not end")
     finally:

@@ -1,0 +1,145 @@
+#include "ui/structure_dialog.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "core/fabric/derived.h"
+#include "core/fabric/draft_derivation.h"
+#include "ui/fields.h"
+#include "ui/modal.h"
+#include "ui/structure_thumbnail.h"
+
+namespace loomlight {
+namespace {
+
+/// In colour where the structure is one of colours.
+void drawMade(Ui& ui, const MadeStructure& made, const ImVec4 (&darkLight)[2], ImVec2 min, float size, int cells) {
+  if (made.warpColours.empty()) return drawThumbnail(ui, made.weave, min, size, cells);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const float cell = size / static_cast<float>(cells);
+  const auto colourAt = [](const std::vector<int>& colours, int i) {
+    return colours[static_cast<size_t>(i) % colours.size()];
+  };
+  for (int pick = 0; pick < cells; ++pick)
+    for (int end = 0; end < cells; ++end) {
+      const int yarn =
+          made.weave.warpOver(pick, end) ? colourAt(made.warpColours, end) : colourAt(made.weftColours, pick);
+      const float x = min.x + cell * static_cast<float>(end), y = min.y + size - cell * static_cast<float>(pick + 1);
+      draw.AddRectFilled(ImVec2(x, y), ImVec2(x + cell, y + cell), packed(darkLight[yarn]));
+    }
+}
+
+bool parameterRow(Ui& ui, const StructureParameter& parameter, int& value) {
+  const RowText text{std::string("structures.") + parameter.name, parameter.name, parameter.meaning};
+  if (!parameter.choices.empty()) return segmentField(ui, text, parameter.choices, value);
+  return wholeNumberField(ui, text, "", parameter.min, parameter.max, value);
+}
+
+}  // namespace
+
+void StructureDialog::choose(size_t kind) {
+  kind_ = kind;
+  values_ = structureLibrary()[kind].startValues();
+  made_ = structureLibrary()[kind].make(values_);
+}
+
+void StructureDialog::drawKinds(Ui& ui, const ImVec4 (&darkLight)[2], float width, float height, bool& apply) {
+  const std::vector<StructureKind>& library = structureLibrary();
+  if (thumbnails_.empty())
+    for (const StructureKind& kind : library) thumbnails_.push_back(kind.make(kind.startValues()));
+  ImGui::BeginChild("structures.kinds", ImVec2(width, height));
+  const float size = ui.px(64), gap = ui.px(20), line = ui.px(94);
+  const int perLine = std::max(1, static_cast<int>((width - ui.px(16) + gap) / (size + gap)));
+  const ImVec2 corner = ImGui::GetCursorPos();
+  for (size_t i = 0; i < library.size(); ++i) {
+    const int column = static_cast<int>(i) % perLine, row = static_cast<int>(i) / perLine;
+    const ImVec2 at(corner.x + ui.px(6) + static_cast<float>(column) * (size + gap),
+                    corner.y + ui.px(4) + static_cast<float>(row) * line);
+    ImGui::SetCursorPos(at);
+    const ImVec2 min = ImGui::GetCursorScreenPos();
+    constexpr int kCells = 16;
+    if (structureThumbnail(ui, std::string("library/") + library[i].name, {library[i].about, thumbnails_[i].weave},
+                           size, kCells, i == kind_))
+      choose(i);
+    const bool coloured = !thumbnails_[i].warpColours.empty();
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) apply = true;
+    if (coloured) drawMade(ui, thumbnails_[i], darkLight, min, size, 2 * kCells);
+    ImGui::PushFont(ui.fonts.small);
+    const float text = ImGui::CalcTextSize(library[i].name).x;
+    ImGui::SetCursorPos(ImVec2(at.x + 0.5f * (size - text), at.y + size + ui.px(5)));
+    ImGui::TextUnformatted(library[i].name);
+    ImGui::PopFont();
+  }
+  ImGui::Dummy(ImVec2(0, ui.px(4)));
+  hint(ui, unwovenStructures());
+  ImGui::EndChild();
+}
+
+void StructureDialog::drawChosen(Ui& ui, const std::optional<CellRect>& selection, const ImVec4 (&darkLight)[2]) {
+  const StructureKind& kind = structureLibrary()[kind_];
+  const float side = ui.px(224);
+  drawMade(ui, made_, darkLight, ImGui::GetCursorScreenPos(), side, 32);
+  ImGui::Dummy(ImVec2(side, side));
+  heading(ui, made_.name.c_str());
+  const Floats f = floats(made_.weave);
+  const auto draft = smallestDraft(made_.weave, 256);
+  std::string facts = fmt::format("{} ends, {} picks; floats of {} and {}", made_.weave.ends(), made_.weave.picks(),
+                                  f.warp(), f.weft());
+  if (draft) facts += fmt::format("; {} shafts", draft->shafts);
+  ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.warning);
+  if (!made_.problem.empty()) ImGui::TextWrapped("%s", made_.problem.c_str());
+  ImGui::PopStyleColor();
+  if (made_.problem.empty()) hint(ui, facts);
+  ui.probe.fact("structures.name", made_.name);
+  ui.probe.fact("structures.problem", made_.problem);
+  for (size_t i = 0; i < kind.parameters.size(); ++i)
+    if (parameterRow(ui, kind.parameters[i], values_[i])) made_ = kind.make(values_);
+  hint(ui, kind.about);
+  hint(ui, selection
+               ? fmt::format("It will fill the selection of {} ends and {} picks.", selection->ends, selection->picks)
+               : std::string("It will be the whole repeat; select a part of the draft to fill only that."));
+}
+
+std::optional<MadeStructure> StructureDialog::draw(Ui& ui, const std::optional<CellRect>& selection,
+                                                   const ImVec4 (&darkLight)[2]) {
+  if (!open_) return std::nullopt;
+  const bool begin = opening_;
+  opening_ = false;
+  if (!beginModal(ui, "Structures", ImVec2(ui.px(760), 0), begin)) {
+    open_ = false;
+    return std::nullopt;
+  }
+  bool apply = false;
+  const float height = ui.px(480);
+  drawKinds(ui, darkLight, ui.px(440), height, apply);
+  ImGui::SameLine(0, ui.px(16));
+  ImGui::BeginChild("structures.chosen", ImVec2(0, height));
+  drawChosen(ui, selection, darkLight);
+  ImGui::EndChild();
+  const float width = ui.px(120);
+  ImGui::SetCursorPosX(ImGui::GetWindowWidth() - 2 * width - ui.px(24));
+  if (button(ui, "structures.close", "Close", width) || modalCancelled()) {
+    open_ = false;
+    ImGui::CloseCurrentPopup();
+  }
+  ImGui::SameLine();
+  apply |= button(ui, "structures.apply", "Apply", width, made_.problem.empty());
+  endModal();
+  if (!apply || !made_.problem.empty()) return std::nullopt;
+  return made_;
+}
+
+Rewoven withStructure(const Fabric& fabric, const std::optional<CellRect>& selection, const MadeStructure& structure,
+                      const LoomLimits& limits) {
+  Rewoven result = withStructure(fabric, selection, structure.weave, limits);
+  if (structure.warpColours.empty()) return result;
+  Fabric& woven = result.fabric;
+  // An effect of two colours takes two yarns; a second one can be dyed afterwards.
+  if (woven.yarns.size() == 1) woven.yarns.push_back(woven.yarns.front());
+  woven.warpSequence = structure.warpColours;
+  woven.weftSequence = structure.weftColours;
+  return result;
+}
+
+}  // namespace loomlight
