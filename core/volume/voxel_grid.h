@@ -21,6 +21,8 @@ struct VoxelGrid {
     const int round = (1 << level) - 1;
     return {(cell.x + round) >> level, (cell.y + round) >> level, (cell.z + round) >> level};
   }
+  /// Corner of a leaf voxel of the whole cloth.
+  glm::vec3 lower_mm(glm::ivec3 voxel) const { return glm::vec3(voxel) * size_mm + glm::vec3(0, 0, zLower_mm); }
   /// Extent in an axis of the voxels of a level with this coordinate, 0 <= i < cellAt(level)[axis].
   double extent_mm(int axis, int i, int level) const {
     return (std::min((i + 1) << level, cell[axis]) - (i << level)) * static_cast<double>(size_mm[axis]);

@@ -34,23 +34,32 @@ struct AntitheticPoints {
   }
 };
 
-/// The share of extinction that is left near earlier flights, as VoxelExtinction takes it.
-class Unblocked {
+/// The share of extinction that is left of fibres near earlier flights, and beside the fibre that the last flight came
+/// from: that one is met for itself, so a voxel must not count it again.
+class Unknown {
  public:
-  Unblocked(const Departure& from, glm::vec3 point, bool hotSpot) : from_(from), point_(point), hotSpot_(hotSpot) {}
-  float operator()(const FibreDistribution& fibres, const YarnOptics& optics) const {
-    if (!hotSpot_) return 1;
+  Unknown(const Departure& from, const ShellSegment& s, const Scene& scene, glm::mat3 toCloth)
+      : from_(from),
+        grid_(scene.volume->grid()),
+        before_(s.clothOrigin + toCloth * (from.before.axis - s.origin), glm::normalize(toCloth * from.before.tangent),
+                from.before.radius_mm, grid_) {}
+
+  float share(const FibreDistribution& fibres, float radius_mm, Thread thread, glm::vec3 point,
+              glm::ivec3 voxel) const {
     float absent = 0;
     for (const Flight& flight : from_.flights)
       if (flight.length_mm > 0)
-        absent = std::max(absent, knownAbsent(flight, point_, fibres.direction, fibres.spread, optics.fibreRadius_mm));
-    return 1 - absent;
+        absent = std::max(absent, knownAbsent(flight, point, fibres.direction, fibres.spread, radius_mm));
+    float before = 0;
+    if (from_.before.radius_mm > 0 && thread == from_.before.thread)
+      before = std::min(1.0f, before_.lengthDensity(grid_.lower_mm(voxel)) / fibres.lengthDensity);
+    return (1 - absent) * (1 - before);
   }
 
  private:
   const Departure& from_;
-  glm::vec3 point_;
-  bool hotSpot_;
+  const VoxelGrid& grid_;
+  FibreInVoxels before_;
 };
 
 /// Where axis and surface are, of a fibre met at a point, from its tangent and h.
@@ -70,6 +79,7 @@ Collision collisionWith(const MetFibre& fibre, const ScenePoint& place, glm::vec
   c.normal = glm::normalize(place.world - c.axis);
   const glm::vec3 b = glm::cross(c.tangent, direction);
   c.offset = std::clamp(glm::dot(c.normal, b) / glm::length(b), -1.0f, 1.0f);
+  c.thread = fibre.thread;
   c.yarn = fibre.yarn;
   c.end = fibre.end;
   c.pick = fibre.pick;
@@ -109,21 +119,30 @@ LoomlightMedium::LoomlightMedium(const Scene& scene, Ingredients ingredients)
   farthest_mm_ = static_cast<float>(kPi) * radius_mm_;  // four times that of a fibre across the ray
 }
 
+glm::mat3 LoomlightMedium::toClothOf(const ShellSegment& s) const {
+  return s.drape.isometric ? glm::mat3(1.0f) : scene_.shell->tets()[s.tet].toCloth;
+}
+
 /// Calls onStretch(const Stretch&) along the ray, in order, until it returns false; true if it never did.
 template <class OnStretch>
 bool LoomlightMedium::advance(const Departure& from, glm::vec3 direction, float tMax, TraceCounts& counts,
                               OnStretch&& onStretch) const {
   constexpr float kFullest = 0.9f;  // of space; no gap is so narrow that light could not be in it
   return walkShell(scene_, from.place, direction, tMax, [&](const ShellSegment& s) {
+    const Unknown unknown(from, s, scene_, toClothOf(s));
     float last = -1, filled = 0;  // where the voxel before ended, and how much of it is fibre
     // The axes lie ahead of the light: u is where they are, t where the light is.
     return scene_.volume->march(
         s.clothOrigin, s.clothDirection, s.tEnter, s.tLeave + farthest_mm_,
         [&](const VoxelContent& content, float uEnter, float uLeave) {
-          const float before = uEnter - last < 1e-5f ? filled : 0.0f;
+          const float filledBefore = uEnter - last < 1e-5f ? filled : 0.0f;
           const glm::vec3 middle = s.origin + 0.5f * (uEnter + uLeave) * direction;
           const VoxelExtinction voxel(scene_, content, s.drape, direction,
-                                      Unblocked(from, middle, ingredients_.hotSpot));
+                                      [&](const FibreDistribution& fibres, const YarnOptics& optics, Thread thread) {
+                                        if (!ingredients_.hotSpot) return 1.0f;
+                                        return unknown.share(fibres, optics.fibreRadius_mm, thread, middle,
+                                                             content.voxel);
+                                      });
           last = uLeave;
           filled = ingredients_.packing ? std::min(voxel.packed(), kFullest) : 0.0f;
           const float ahead = std::min(0.5f * voxel.solid() / voxel.whole(), farthest_mm_);
@@ -131,8 +150,8 @@ bool LoomlightMedium::advance(const Departure& from, glm::vec3 direction, float 
           if (!(start < stop)) return true;
           ++counts.steps;
           return onStretch(Stretch{voxel, content, s, ahead, s.passed + start - ahead, stop - start,
-                                   std::clamp(uEnter + ahead - start, 0.0f, stop - start), voxel.total() / (1 - before),
-                                   voxel.total() / (1 - filled)});
+                                   std::clamp(uEnter + ahead - start, 0.0f, stop - start),
+                                   voxel.total() / (1 - filledBefore), voxel.total() / (1 - filled)});
         });
   });
 }
@@ -149,6 +168,7 @@ Collision LoomlightMedium::meet(const Departure& from, glm::vec3 direction, cons
     const VoxelExtinction::Entry& entry = voxel.choose(random.uniform(), EventLaw::projected);
     c.tangent = projectedTangent(inWorld(entry.component->decode(), s.drape), direction, random);
     c.optics = *entry.optics;
+    c.thread = entry.thread;
     c.yarn = entry.yarn;
     c.end = content.end;
     c.pick = content.pick;
@@ -159,12 +179,12 @@ Collision LoomlightMedium::meet(const Departure& from, glm::vec3 direction, cons
     return c;
   }
   const FibreFrame frame(direction);  // about the ray
-  const glm::mat3 toCloth = s.drape.isometric ? glm::mat3(1.0f) : scene_.shell->tets()[s.tet].toCloth;
+  const glm::mat3 toCloth = toClothOf(s);
   const glm::vec3 place = s.clothOrigin + (t - s.passed) * s.clothDirection;
   const auto across = [&](glm::vec3 w) { return w.x * frame.y + w.y * frame.z; };
   // Most often the axis is looked for in the very voxel that the stretch is in.
   const VoxelGrid& grid = scene_.volume->grid();
-  const glm::vec3 lower = glm::vec3(stretch.content.voxel) * grid.size_mm + glm::vec3(0, 0, grid.zLower_mm);
+  const glm::vec3 lower = grid.lower_mm(stretch.content.voxel);
   ClothVolume::Probe probe(*scene_.volume);
   VoxelContent contents[2];
   std::optional<VoxelExtinction> elsewhere[2];
@@ -245,7 +265,7 @@ Departure LoomlightMedium::leave(const Collision& c, glm::vec3 wi, int order) co
   departure.events = c.events;
   if (ingredients_.packing && c.optics.packed) departure.place.world = fibreExit(scene_, c, wi, order);
   if (ingredients_.hotSpot) {
-    departure.leaving = {c.axis, c.tangent, c.optics.fibreRadius_mm, c.yarn, c.end, c.pick};
+    departure.leaving = {c.axis, c.tangent, c.optics.fibreRadius_mm, c.thread, c.yarn, c.end, c.pick};
     departure.before = c.before;
     departure.flights = {Flight{c.place.world, c.incoming, c.distance_mm}, c.earlier};
   }

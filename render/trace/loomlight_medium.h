@@ -4,6 +4,8 @@
 
 namespace loomlight {
 
+struct ShellSegment;
+
 /// The cloth as a statistical volume that knows what fibres are: our default. On top of VolumeMedium it has
 ///
 /// finite radius: light meets the surface of a fibre, not its axis. Along a ray the one lies before the other by half
@@ -21,7 +23,8 @@ namespace loomlight {
 ///   not there: extinction at distance s is reduced by max(0, 1 - delta / 2r), delta the distance between both ways
 ///   seen along the fibre. With the light behind the eye nothing is in shadow. Two flights are remembered: with one,
 ///   light of two events is 10-20 % short, since where it turned back the eye's own ray is still near. What ends the
-///   last way, the fibre before, is there for certain, and is met as an explicit cylinder.
+///   last way, the fibre before, is there for certain, and is met as an explicit cylinder, which voxels then do not
+///   count again.
 ///
 /// All of it is one law of free flight, for paths and for shadow rays alike, so a white furnace stays exactly white.
 class LoomlightMedium final : public Medium {
@@ -45,6 +48,7 @@ class LoomlightMedium final : public Medium {
 
  private:
   struct Stretch;
+  glm::mat3 toClothOf(const ShellSegment& segment) const;  ///< d cloth / d world
   template <class OnStretch>
   bool advance(const Departure& from, glm::vec3 direction, float tMax, TraceCounts& counts,
                OnStretch&& onStretch) const;

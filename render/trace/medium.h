@@ -24,11 +24,19 @@ struct TraceCounts {
   TraceCounts& operator+=(const TraceCounts& other);
 };
 
+/// The yarn that a fibre is of: an end of the warp, or a pick of the weft.
+struct Thread {
+  System system = System::warp;
+  int index = 0;  ///< absolute
+  bool operator==(const Thread&) const = default;
+};
+
 /// A fibre that light has met: nearby, a straight cylinder.
 struct MetFibre {
   glm::vec3 axis{0};
   glm::vec3 tangent{1, 0, 0};
   float radius_mm = 0;  ///< 0: none
+  Thread thread;
   int yarn = 0, end = 0, pick = 0;
 };
 
@@ -48,6 +56,7 @@ struct Collision {
   float offset = 0;           ///< h: where across the fibre, -1..1
   glm::vec3 normal{0, 0, 1};  ///< of the cloth's face; of the fibre's surface where fibres are explicit
   YarnOptics optics;
+  Thread thread;          ///< whose fibre it is; media that remember it
   int yarn = 0;           ///< index into Fabric::yarns
   int end = 0, pick = 0;  ///< the crossing cell
   int events = 1;         ///< fibres met on the path so far, this one included

@@ -39,4 +39,34 @@ inline float distanceTo(const MetFibre& fibre, glm::vec3 origin, glm::vec3 direc
   return (-b - std::sqrt(discriminant)) / a;
 }
 
+/// A met fibre as the voxels of the volume hold it: its length, spread over its section.
+class FibreInVoxels {
+ public:
+  /// All in cloth space; the tangent of unit length.
+  FibreInVoxels(glm::vec3 axis, glm::vec3 tangent, float radius_mm, const VoxelGrid& grid)
+      : axis_(axis), tangent_(tangent), inverse_(1.0f / tangent), voxel_mm_(grid.size_mm), radius_mm_(radius_mm) {}
+
+  /// Length per volume in the voxel with that lower corner, 1/mm^2.
+  float lengthDensity(glm::vec3 lower) const {
+    const glm::vec3 to = lower + 0.5f * voxel_mm_ - axis_;
+    const float along = glm::dot(to, tangent_), reach = 0.5f * glm::length(voxel_mm_) + radius_mm_;
+    if (glm::dot(to, to) - along * along > reach * reach) return 0;
+    // Lines through the corners of a tetrahedron, which has the second moment of the section, r^2 / 4, any way it lies.
+    const float r = 0.5f * radius_mm_;
+    float length = 0;
+    for (const glm::vec3 corner :
+         {glm::vec3(r, r, r), glm::vec3(r, -r, -r), glm::vec3(-r, r, -r), glm::vec3(-r, -r, r)}) {
+      // As Kay and Kajiya 1986; a NaN (in the plane of a face) loses every comparison.
+      const glm::vec3 a = (lower - axis_ - corner) * inverse_, b = a + voxel_mm_ * inverse_;
+      const glm::vec3 enter = glm::min(a, b), leave = glm::max(a, b);
+      length += std::max(0.0f, std::min({leave.x, leave.y, leave.z}) - std::max({enter.x, enter.y, enter.z}));
+    }
+    return 0.25f * length / (voxel_mm_.x * voxel_mm_.y * voxel_mm_.z);
+  }
+
+ private:
+  glm::vec3 axis_, tangent_, inverse_, voxel_mm_;
+  float radius_mm_;
+};
+
 }  // namespace loomlight

@@ -27,6 +27,7 @@ class VoxelExtinction {
   struct Entry {  // no initialisers: a voxel has room for twelve, and hardly ever more than one
     const Component* component;
     const YarnOptics* optics;
+    Thread thread;
     int yarn;       ///< index into Fabric::yarns
     float density;  ///< lambda in the world, 1/mm^2
     float sigma;    ///< 1/mm
@@ -35,9 +36,9 @@ class VoxelExtinction {
   explicit VoxelExtinction(glm::vec3 direction) : direction_(direction) {}
   VoxelExtinction(const Scene& scene, const VoxelContent& content, const LocalDrape& drape, glm::vec3 direction)
       : VoxelExtinction(scene, content, drape, direction,
-                        [](const FibreDistribution&, const YarnOptics&) { return 1.0f; }) {}
+                        [](const FibreDistribution&, const YarnOptics&, Thread) { return 1.0f; }) {}
 
-  /// With a factor on each component's extinction: factor(fibres in the world, optics).
+  /// With a factor on each component's extinction: factor(fibres in the world, optics, whose they are).
   template <class Factor>
   VoxelExtinction(const Scene& scene, const VoxelContent& content, const LocalDrape& drape, glm::vec3 direction,
                   Factor&& factor)
@@ -45,22 +46,25 @@ class VoxelExtinction {
     for (int p = 0; p < content.count; ++p) {
       const VoxelContent::Part& part = content.parts[p];
       const YarnOptics& optics = scene.yarns[static_cast<int>(part.system)][part.yarn];
-      for (const Component& component : part.components) add(component, drape, optics, part.yarn, factor);
+      const Thread thread{part.system, part.index};
+      for (const Component& component : part.components) add(component, drape, optics, thread, part.yarn, factor);
     }
   }
 
-  void add(const Component& component, const LocalDrape& drape, const YarnOptics& optics, int yarn) {
-    add(component, drape, optics, yarn, [](const FibreDistribution&, const YarnOptics&) { return 1.0f; });
+  void add(const Component& component, const LocalDrape& drape, const YarnOptics& optics, Thread thread, int yarn) {
+    add(component, drape, optics, thread, yarn,
+        [](const FibreDistribution&, const YarnOptics&, Thread) { return 1.0f; });
   }
   template <class Factor>
-  void add(const Component& component, const LocalDrape& drape, const YarnOptics& optics, int yarn, Factor&& factor) {
+  void add(const Component& component, const LocalDrape& drape, const YarnOptics& optics, Thread thread, int yarn,
+           Factor&& factor) {
     const FibreDistribution fibres = inWorld(component.decode(), drape);
     const float cosine = glm::dot(direction_, fibres.direction);
     const float sineSquared = std::max(0.0f, 1.0f - cosine * cosine);
     const float whole = 2.0f * optics.fibreRadius_mm * fibres.lengthDensity *
                         TangentSpread::table().projectedLengthOfSquare(sineSquared, fibres.spread);
-    const float sigma = whole * factor(fibres, optics);
-    entries_[count_++] = {&component, &optics, yarn, fibres.lengthDensity, sigma};
+    const float sigma = whole * factor(fibres, optics, thread);
+    entries_[count_++] = {&component, &optics, thread, yarn, fibres.lengthDensity, sigma};
     total_ += sigma;
     whole_ += whole;
     const float solid = kPiSingle * optics.fibreRadius_mm * optics.fibreRadius_mm * fibres.lengthDensity;

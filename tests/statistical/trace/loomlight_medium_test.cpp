@@ -101,13 +101,13 @@ TEST(LoomlightMedium, SeesNoShadowWithTheLightBehindTheEye) {
 }
 
 // Lateral fibre area over boundary area, however the fibres are told. Packing without its exits, or exits without
-// packing, would be off by tens of percent. The bound: 3 % for event correlations that statistics do not know, and the
-// noise of 8000 paths (1 %).
+// packing, would be off by tens of percent.
 TEST(LoomlightMedium, EventCountIsLateralAreaOverBoundaryArea) {
   const auto scene = test::sceneOf(openWeave());
   const double expected = test::lateralOverBoundaryArea(*scene);
-  EXPECT_NEAR(test::eventsUnderIsotropicLight(*scene, LoomlightMedium(*scene), 1, 8000, 5).mean, expected,
-              0.06 * expected);
+  const auto [mean, error] = test::eventsUnderIsotropicLight(*scene, LoomlightMedium(*scene), 1, 60000, 5);
+  EXPECT_LT(error, 0.005 * expected);
+  EXPECT_NEAR(mean, expected, 0.03 * expected + 2 * error);
 }
 
 // The claim itself, in small: dyed cloth under a white dome, seen from above, against its own fibres. The plain volume

@@ -18,8 +18,8 @@ struct CrossedVoxel {
     // The ray runs over the warp: along y, at an elevation.
     const glm::vec3 d(0, std::cos(elevation_rad), -std::sin(elevation_rad));
     VoxelExtinction voxel(d);
-    voxel.add(warp, LocalDrape{}, optics, 0);
-    voxel.add(weft, LocalDrape{}, optics, 1);
+    voxel.add(warp, LocalDrape{}, optics, {}, 0);
+    voxel.add(weft, LocalDrape{}, optics, {}, 1);
     constexpr int kDraws = 20000;
     int hits = 0;
     for (int i = 0; i < kDraws; ++i) hits += voxel.choose((i + 0.5f) / kDraws, law).yarn == 0;
@@ -47,7 +47,7 @@ TEST(VoxelExtinction, IsProjectedFibreArea) {
   const CrossedVoxel voxel;
   const glm::vec3 d = glm::normalize(glm::vec3(0.3f, 0.5f, -0.8f));
   VoxelExtinction extinction(d);
-  extinction.add(voxel.warp, LocalDrape{}, voxel.optics, 0);
+  extinction.add(voxel.warp, LocalDrape{}, voxel.optics, {}, 0);
   const double expected = 2 * 0.006 * 1000 * std::sqrt(1 - d.y * d.y);
   EXPECT_NEAR(extinction.total(), expected, 0.01 * expected);
 }
@@ -61,13 +61,13 @@ TEST(VoxelExtinction, StretchedClothKeepsItsFibres) {
   stretched.densityScale = 0.5f;
   stretched.isometric = false;
   VoxelExtinction before({0, 0, -1}), after({0, 0, -1});
-  before.add(voxel.warp, LocalDrape{}, voxel.optics, 0);
-  after.add(voxel.warp, stretched, voxel.optics, 0);
+  before.add(voxel.warp, LocalDrape{}, voxel.optics, {}, 0);
+  after.add(voxel.warp, stretched, voxel.optics, {}, 0);
   EXPECT_NEAR(after.total() / before.total(), 1.0, 1e-4);
   // The weft keeps its length and is spread over twice the room.
   VoxelExtinction weftBefore({0, 0, -1}), weftAfter({0, 0, -1});
-  weftBefore.add(voxel.weft, LocalDrape{}, voxel.optics, 1);
-  weftAfter.add(voxel.weft, stretched, voxel.optics, 1);
+  weftBefore.add(voxel.weft, LocalDrape{}, voxel.optics, {}, 1);
+  weftAfter.add(voxel.weft, stretched, voxel.optics, {}, 1);
   EXPECT_NEAR(weftAfter.total() / weftBefore.total(), 0.5, 1e-4);
 }
 
