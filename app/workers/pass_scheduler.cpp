@@ -5,10 +5,10 @@
 namespace loomlight {
 namespace {
 
-constexpr double kFirstPictureSeconds = 0.05;
+constexpr double kFirstPictureSeconds = 0.025;  // with all else, a frame or two of a film
 constexpr double kShortestPassSeconds = 0.1;
 constexpr double kLongestPassSeconds = 1.0;
-constexpr int kCoarsest = 16;
+constexpr int kCoarsest = 32;
 
 double pathsAt(const PassHistory& h, int divider) {
   return static_cast<double>((h.width + divider - 1) / divider) * ((h.height + divider - 1) / divider);
@@ -17,7 +17,7 @@ double pathsAt(const PassHistory& h, int divider) {
 int firstDivider(const PassHistory& h) {
   if (h.secondsPerPath <= 0) return 8;
   int divider = 1;
-  while (divider < kCoarsest && pathsAt(h, divider) * h.secondsPerPath > kFirstPictureSeconds) divider *= 2;
+  while (divider < kCoarsest && pathsAt(h, divider) * h.secondsPerPath > kFirstPictureSeconds) ++divider;
   return divider;
 }
 

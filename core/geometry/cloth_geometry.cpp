@@ -30,6 +30,10 @@ int smallestPeriod(int n, Same&& same) {
   return n;
 }
 
+int periodOf(const std::vector<int>& classes) {
+  return smallestPeriod(static_cast<int>(classes.size()), [&](int a, int b) { return classes[a] == classes[b]; });
+}
+
 bool sameRow(std::span<const uint8_t> a, std::span<const uint8_t> b) {
   return a.data() == b.data() || std::equal(a.begin(), a.end(), b.begin());
 }
@@ -117,6 +121,7 @@ void ClothGeometry::resolveYarns(const Fabric& fabric, const ClothGeometry* prev
     SystemGeometry& of = systems_[static_cast<size_t>(system)];
     of.sequence = system == System::warp ? fabric.warpSequence : fabric.weftSequence;
     for (const int index : of.sequence) of.classes.push_back(classOf[index]);
+    of.classes.resize(static_cast<size_t>(periodOf(of.classes)));  // colours alone repeat more slowly
     of.yarns.resize(classCount_);
     const double pitch = system == System::warp ? weftPitch_mm_ : warpPitch_mm_;
     const double crossPitch = system == System::warp ? warpPitch_mm_ : weftPitch_mm_;
@@ -152,14 +157,11 @@ void ClothGeometry::resolveYarns(const Fabric& fabric, const ClothGeometry* prev
 }
 
 void ClothGeometry::findRepeat() {
-  const auto periodOf = [](const std::vector<int>& classes) {
-    return smallestPeriod(static_cast<int>(classes.size()), [&](int a, int b) { return classes[a] == classes[b]; });
-  };
   const int weavePicks =
       smallestPeriod(weave_.picks(), [&](int a, int b) { return sameRow(weave_.row(a), weave_.row(b)); });
   const int weaveEnds = smallestPeriodOfEnds(weave_);
-  repeatEnds_ = leastCommonMultiple(weaveEnds, periodOf(of(System::warp).classes));
-  repeatPicks_ = leastCommonMultiple(weavePicks, periodOf(of(System::weft).classes));
+  repeatEnds_ = leastCommonMultiple(weaveEnds, static_cast<int>(of(System::warp).classes.size()));
+  repeatPicks_ = leastCommonMultiple(weavePicks, static_cast<int>(of(System::weft).classes.size()));
 }
 
 void ClothGeometry::findThickness() {

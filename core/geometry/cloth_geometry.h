@@ -98,7 +98,7 @@ class ClothGeometry {
   struct SystemGeometry {
     std::vector<std::shared_ptr<const YarnModel>> yarns;  ///< per geometry class; null where the system has none
     std::vector<int> sequence;                            ///< Fabric::yarns index per end or pick
-    std::vector<int> classes;                             ///< the same as geometry classes
+    std::vector<int> classes;                             ///< the same as geometry classes, in their shortest repeat
   };
   const SystemGeometry& of(System system) const { return systems_[static_cast<size_t>(system)]; }
   PathNode node(System system, int own, int other, bool over, int floatDistance) const;

@@ -41,7 +41,12 @@ void checkShapes(const ShapeTable& table) {
 /// In which phases the cells of one yarn of the repeat occur in the piece, and how often.
 class TileMap::PhaseCounts {
  public:
-  PhaseCounts(const TileMap& map, int row) : map_(map), period_(map.yarns_[row].period) {
+  PhaseCounts(const TileMap& map, int row)
+      : map_(map),
+        period_(map.yarns_[row].period),
+        start_(map.yarns_[row].phase),
+        once_(map.yarnCount_ == map.repeatAcross_ && map.cells_ == map.repeatAlong_) {
+    if (once_) return;
     std::array<uint64_t, kMaxPeriod> starts{};  // yarns of the piece by the phase of their first cell
     for (int across = row; across < map.yarnCount_; across += map.repeatAcross_) ++starts[map.yarns_[across].phase];
     // Cells near the start of the repeat may occur once more than those near its end.
@@ -49,6 +54,10 @@ class TileMap::PhaseCounts {
   }
   /// Adds the cell at `along` to the counts of a shape by phase; or takes it away, `sign` being -1 (modulo 2^64).
   void add(int along, uint64_t* cellsOf, uint64_t sign = 1) const {
+    if (once_) {
+      cellsOf[(start_ + along) % period_] += sign;
+      return;
+    }
     const Turned& turned = turned_[along < map_.cells_ % map_.repeatAlong_];
     const auto& counts = turned[along % period_];
     for (int phase = 0; phase < kMaxPeriod; ++phase) cellsOf[phase] += sign * counts[phase];
@@ -69,7 +78,8 @@ class TileMap::PhaseCounts {
   }
 
   const TileMap& map_;
-  int period_;
+  int period_, start_;
+  bool once_;  ///< the piece is one repeat: each of its cells is there once
   std::array<Turned, 2> turned_;
 };
 
@@ -128,17 +138,16 @@ void TileMap::readRows(const ClothGeometry& geometry, const Task& task) {
 void TileMap::readBand(const ClothGeometry& geometry, const Task& task, Band& band) const {
   ShapeTable table(geometry, system_);
   std::vector<ClothGeometry::ShapeCode> codes(static_cast<size_t>(repeatAlong_));
+  std::vector<uint32_t> shapes(codes.size());
   for (int across = band.first; across < band.end && !task.stopped(); ++across) {
     const PhaseCounts phases(*this, across);
     geometry.shapeCodes(system_, across, 0, codes);
-    Row& row = *band.rows.emplace_back(std::make_shared<Row>());
-    row.low.resize(codes.size());
     for (int along = 0; along < repeatAlong_; ++along) {
-      const uint32_t shape = table.number(codes[along]);
-      row.set(static_cast<size_t>(along), shape);
+      const uint32_t shape = shapes[along] = table.number(codes[along]);
       if (band.cellsOf.size() <= index({shape, 0})) band.cellsOf.resize(2 * index({shape + 1, 0}));
       phases.add(along, &band.cellsOf[index({shape, 0})]);
     }
+    band.rows.push_back(std::make_shared<Row>(shapes));
     checkShapes(table);
   }
   band.shapes = table.shapes();
@@ -160,6 +169,12 @@ void TileMap::join(Band& band, ShapeTable& all) {
       for (size_t along = 0; along < row.low.size(); ++along) row.set(along, numbers[row.at(along)]);
     setRow(static_cast<size_t>(band.first) + i, band.rows[i]);
   }
+}
+
+TileMap::Row::Row(std::span<const uint32_t> shapes) : low(shapes.begin(), shapes.end()) {
+  if (std::all_of(shapes.begin(), shapes.end(), [](uint32_t shape) { return shape >> 16 == 0; })) return;
+  high.reserve(shapes.size());
+  for (const uint32_t shape : shapes) high.push_back(static_cast<uint16_t>(shape >> 16));
 }
 
 void TileMap::Row::set(size_t i, uint32_t shape) {

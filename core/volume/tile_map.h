@@ -76,6 +76,7 @@ class TileMap {
  private:
   /// The shapes along a yarn of the repeat: the low bits of their numbers, and the high ones where there are any.
   struct Row {
+    explicit Row(std::span<const uint32_t> shapes);
     std::vector<uint16_t> low, high;
     size_t bytes() const { return sizeof(Row) + (low.capacity() + high.capacity()) * sizeof(uint16_t); }
     bool operator==(const Row&) const = default;

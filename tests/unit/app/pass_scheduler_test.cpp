@@ -30,7 +30,10 @@ TEST(PassScheduler, FirstPictureIsQuick) {
   for (const double secondsPerPath : {1e-6, 5e-6, 2e-5}) {
     const PassPlan first = nextPass({800, 600, secondsPerPath}, 64);
     const double seconds = 800.0 * 600 / (first.divider * first.divider) * secondsPerPath;
-    EXPECT_LE(seconds, 0.05) << secondsPerPath;
+    EXPECT_LE(seconds, 0.025) << secondsPerPath;
+    if (first.divider > 1) {
+      EXPECT_GT(seconds, 0.015) << "coarser than need be: " << secondsPerPath;
+    }
   }
 }
 

@@ -139,6 +139,22 @@ TEST(Edits, OfACrossingVoxeliseOnlyShapesThatWereNotThere) {
   EXPECT_GT(all, 0u);
 }
 
+TEST(Edits, OfTheOrderOfColoursVoxeliseNothing) {
+  Fabric fabric = hairyTwill();
+  const auto before = volumeOf(fabric, 30, 30, 1);
+  EXPECT_GT(before->bricksVoxelised(), 0u);
+  for (const int colours : {2, 3, 5, 7}) {
+    Fabric striped = fabric;
+    for (int i = 1; i < colours; ++i) striped.yarns.push_back(fabric.yarns[0]);
+    striped.warpSequence.clear();
+    for (int i = 0; i < colours; ++i) striped.warpSequence.push_back(i == 0 ? 0 : i + 1);
+    const auto after = volumeOf(striped, 30, 30, 1, before.get());
+    EXPECT_EQ(after->bricksVoxelised(), 0u) << colours;
+    EXPECT_TRUE(after->geometry().differsInWeaveOnly(before->geometry())) << colours;
+    EXPECT_TRUE(sameVolume(*volumeOf(striped, 30, 30, 1), *after)) << colours;
+  }
+}
+
 TEST(Edits, LeaveTheVolumeBeforeAsItWas) {
   const Fabric fabric = jacquard(60);
   const auto before = volumeOf(fabric, 100, 100, 2), copy = volumeOf(fabric, 100, 100, 2);
