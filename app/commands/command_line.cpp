@@ -180,6 +180,12 @@ void addReportBench(CLI::App& app, ReportBenchCommand& command) {
   addMemoryLimit(app, command.bench.memoryLimit_bytes);
 }
 
+void addUiBench(CLI::App& app, UiBenchOptions& options) {
+  app.add_flag("--quick", options.quick, "a small jacquard and few frames: a second instead of half a minute");
+  app.add_flag("--json", options.json, "JSON instead of a table");
+  addThreads(app, options.threads);
+}
+
 void addEditBench(CLI::App& app, EditBenchCommand& command) {
   app.add_option("-o,--output", command.folder, "the folder for page and tables; made where needed")->type_name("DIR");
   app.add_flag("--quick", command.quick, "small cloths and pictures: seconds instead of a quarter of an hour");
@@ -188,6 +194,12 @@ void addEditBench(CLI::App& app, EditBenchCommand& command) {
            [&command](const auto& option, const auto& text) {
              command.threads = static_cast<int>(parseWhole(option, text, 1, 1024));
            });
+}
+
+void addConvergeBench(CLI::App& app, ConvergeBenchCommand& command) {
+  app.add_option("-o,--output", command.folder, "the folder for page and tables; made where needed")->type_name("DIR");
+  app.add_flag("--quick", command.quick, "one cloth, a small picture: a second instead of a quarter of an hour");
+  addThreads(app, command.threads);
 }
 
 void addBrdf(CLI::App& app, BrdfCommand& command) {
@@ -279,6 +291,8 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   ReportBenchCommand accuracy{ReportBenchCommand::Suite::accuracy,
                               {"bench-accuracy", false, defaultMemoryLimit_bytes()}};
   EditBenchCommand editBench{"bench-edit"};
+  UiBenchCommand uiBench;
+  ConvergeBenchCommand convergeBench{"bench-converge"};
 
   CLI::App app("Woven fabric, path-traced from the optics of its fibres.", "loomlight");
   app.set_version_flag("--version", "loomlight " LOOMLIGHT_VERSION);
@@ -310,6 +324,12 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   CLI::App* const editBenches =
       benches->add_subcommand("edit", "how soon the editor shows an edit, of every kind and on cloths of every size");
   addEditBench(*editBenches, editBench);
+  CLI::App* const uiBenches =
+      benches->add_subcommand("ui", "how long the window's thread does anything but draw while all is rebuilt");
+  addUiBench(*uiBenches, uiBench.options);
+  CLI::App* const convergeBenches =
+      benches->add_subcommand("converge", "how fast pictures converge, with each way of sampling paths on and off");
+  addConvergeBench(*convergeBenches, convergeBench);
   CLI::App* const compares = app.add_subcommand("compare", "how far a picture is from its reference");
   addCompare(*compares, compare);
   CLI::App* const visibilities = app.add_subcommand("bvdf", "bake the local visibility of a fabric's yarns (Fig. 8)");
@@ -340,9 +360,11 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   if (*figuresOf) return figures;
   if (*accuracies) return accuracy;
   if (*editBenches) return editBench;
+  if (*uiBenches) return uiBench;
+  if (*convergeBenches) return convergeBench;
   if (*volumes) return bench;
   if (*benches)
-    throw UsageError(fmt::format("bench: expected volume, table1, figures, accuracy or edit, got '{}'",
+    throw UsageError(fmt::format("bench: expected volume, table1, figures, accuracy, edit, ui or converge, got '{}'",
                                  noSuite.empty() ? "" : noSuite.front()));
   if (*visibilities) return bvdf;
   if (*compares) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/commands/bench_command.h"
+#include "app/commands/bench_converge.h"
 #include "app/commands/bench_edit.h"
 #include "app/commands/brdf_command.h"
 #include "app/commands/bvdf_command.h"
@@ -12,6 +13,7 @@
 #include "app/commands/convert_command.h"
 #include "app/commands/info_command.h"
 #include "app/commands/render_command.h"
+#include "app/editor/bench_ui.h"
 #include "app/editor/editor.h"
 
 namespace loomlight {
@@ -21,13 +23,19 @@ struct EditCommand {
   EditorOptions options;
 };
 
+/// loomlight bench ui
+struct UiBenchCommand {
+  UiBenchOptions options;
+};
+
 /// --help and --version: text for stdout.
 struct TextCommand {
   std::string text;
 };
 
 using Command = std::variant<EditCommand, RenderCommand, InfoCommand, ConvertCommand, BenchCommand, ReportBenchCommand,
-                             EditBenchCommand, BrdfCommand, CompareCommand, BvdfCommand, TextCommand>;
+                             EditBenchCommand, UiBenchCommand, ConvergeBenchCommand, BrdfCommand, CompareCommand,
+                             BvdfCommand, TextCommand>;
 
 /// What the words behind the program's name ask for. Throws UsageError.
 Command parseCommandLine(const std::vector<std::string>& words);

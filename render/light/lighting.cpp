@@ -48,6 +48,10 @@ bool Lighting::wantsSampling() const {
   return std::visit([](const auto& light) { return light.wantsSampling(); }, light_);
 }
 
+bool Lighting::isDelta() const {
+  return std::holds_alternative<Headlight>(light_) || std::holds_alternative<DirectionalLight>(light_);
+}
+
 std::optional<LightSample> Lighting::sample(glm::vec3 p, Random& random) const {
   return std::visit([&](const auto& light) { return light.sample(p, random); }, light_);
 }

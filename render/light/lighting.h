@@ -26,6 +26,8 @@ class Lighting {
   Rgb escape(glm::vec3 d) const;
   /// Whether sampling lights is worth its shadow rays; false for the white dome, which BCSDF sampling finds as well.
   bool wantsSampling() const;
+  /// Whether its light can only be found by sampling it.
+  bool isDelta() const;
   /// One light, one direction; nullopt when nothing can arrive at p.
   std::optional<LightSample> sample(glm::vec3 p, Random& random) const;
   /// The pdf with which sample() chooses the non-delta direction d.

@@ -25,7 +25,7 @@ uint32_t share(const uint32_t* cumulative, int i) {
 }
 
 int draw(const uint32_t* cumulative, int count, Random& random) {
-  const auto u = static_cast<uint32_t>(random.next() >> 33);
+  const uint32_t u = random.bits() >> 1;
   return static_cast<int>(std::upper_bound(cumulative, cumulative + count, u) - cumulative);
 }
 

@@ -60,8 +60,8 @@ float misWeight(float own, float other) {
 
 /// How likely a collision looks for a lamp. Deep in the cloth hardly any look is answered, and each costs a walk out of
 /// it; what the rare ones find counts for all, so nothing is lost but noise that nobody sees.
-float lampChance(uint32_t events) {
-  return events <= 2 ? 1.0f : events <= 6 ? 0.5f : 0.25f;
+float lampChance(const PathSampling& sampling, uint32_t events) {
+  return !sampling.lampsByChance || events <= 2 ? 1.0f : events <= 6 ? 0.5f : 0.25f;
 }
 
 /// One lamp, seen from a collision; sampled with the given chance. Nothing when no light comes of it.
@@ -83,6 +83,10 @@ std::optional<PathLight> sampleLamp(const Scene& scene, const Medium& medium, co
   return PathLight{light->radiance * (weight * visible / density), value.q, at.optics.material,
                    value.chord * at.optics.fibreRadius_mm, value.inside};
 }
+
+/// Numbers of a path's first events that are stratified: so many each for the flight, the lamp and the fibre. Later
+/// events differ too much from path to path to gain.
+constexpr uint32_t kStratifiedEvents = 3, kDimensionsPerUse = 8, kDimensionsPerEvent = 3 * kDimensionsPerUse;
 
 void recordFirstHit(const Collision& at, PathSample& sample) {
   sample.alpha = 1;
@@ -107,10 +111,14 @@ TraceCounts& TraceCounts::operator+=(const TraceCounts& other) {
 PathSample tracePath(const Scene& scene, const Medium& medium, const CameraRays& camera, int x, int y, uint32_t index,
                      TraceCounts& counts, PathLog* log) {
   const RenderSettings& settings = scene.fabric->render;
-  Random random(hashCombine(hashCombine(hashCombine(settings.seed, x), y), index));
+  Random random(hashCombine(hashCombine(hashCombine(settings.seed, x), y), 0), index);
+  const auto stratify = [&](uint32_t dimension, uint32_t count) {
+    if (scene.sampling.stratified) random.stratify(dimension, count);
+  };
+  stratify(0, 2);
   const float dx = random.uniform(), dy = random.uniform();
   const Ray ray = camera.ray(static_cast<float>(x) + dx, static_cast<float>(y) + dy);
-  const bool lamps = scene.lighting->wantsSampling();
+  const bool lamps = scene.lighting->wantsSampling() && (scene.sampling.lamps || scene.lighting->isDelta());
   constexpr uint32_t kRouletteAfter = 4;
 
   PathSample sample;
@@ -129,11 +137,14 @@ PathSample tracePath(const Scene& scene, const Medium& medium, const CameraRays&
     const Rgb radiance = scene.lighting->escape(direction);
     if (visible == 0 || radiance == Rgb(0)) return;
     const float weight =
-        lamps ? misWeight(scatterPdf, lampChance(sample.events) * scene.lighting->pdf(direction)) : 1.0f;
+        lamps ? misWeight(scatterPdf, lampChance(scene.sampling, sample.events) * scene.lighting->pdf(direction))
+              : 1.0f;
     gather({radiance * (weight * visible)});
   };
   ++counts.paths;
-  for (;;) {
+  for (uint32_t dimension = 2;; dimension += kDimensionsPerEvent) {
+    const uint32_t stratified = sample.events < kStratifiedEvents ? kDimensionsPerUse : 0;
+    stratify(dimension, stratified);
     auto collision = medium.collide(from, direction, random, counts);
     if (!collision) {  // what the camera sees past the cloth is the backdrop's affair: alpha
       if (sample.events > 0 && !addedAlready) gatherEscaped(1);
@@ -146,16 +157,19 @@ PathSample tracePath(const Scene& scene, const Medium& medium, const CameraRays&
     const FibreFrame frame(collision->tangent);
     const glm::vec3 wo = frame.toLocal(-direction);
     if (lamps) {
-      const auto light = sampleLamp(scene, medium, *collision, frame, wo, lampChance(sample.events), random, counts);
+      stratify(dimension + kDimensionsPerUse, stratified);
+      const auto light =
+          sampleLamp(scene, medium, *collision, frame, wo, lampChance(scene.sampling, sample.events), random, counts);
       if (light) gather(*light);
     }
     if (sample.events >= static_cast<uint32_t>(settings.maxDepth)) return sample;
 
     const Material& material = scene.materials[collision->optics.material];
+    stratify(dimension + 2 * kDimensionsPerUse, stratified);
     const FibreBcsdf::Sample scattered = lamps ? material.bcsdf->sample(wo, collision->offset, random)
                                                : material.bcsdf->sampleWithoutPdf(wo, collision->offset, random);
     state.travel(collision->optics.material, scattered.length * collision->optics.fibreRadius_mm);
-    if (sample.events > kRouletteAfter && !state.survives(random)) return sample;
+    if (scene.sampling.roulette && sample.events > kRouletteAfter && !state.survives(random)) return sample;
     scatterPdf = scattered.pdf;
     direction = frame.toWorld(scattered.wi);
     from = medium.leave(*collision, direction, scattered.order);

@@ -33,6 +33,15 @@ struct YarnBlend {
   float share = 0;   ///< by number, 0..1; 0: no blend
 };
 
+/// How paths are sampled: the noise and the cost of a picture, never what it converges to. All that is on has earned
+/// its place in `bench converge`.
+struct PathSampling {
+  bool stratified = true;     ///< camera, first events and first lamps are spread evenly over a pixel's samples
+  bool roulette = true;       ///< paths of little worth end by chance
+  bool lampsByChance = true;  ///< deep in the cloth few events look for a lamp
+  bool lamps = true;          ///< lamps of some size are looked for, by importance; else paths find them by chance
+};
+
 /// Everything a path needs, immutable and shared: an edit makes a new Scene from what did not change. `materials` has
 /// one entry per Fabric::fibres.
 struct Scene {
@@ -46,6 +55,7 @@ struct Scene {
   /// What roulette takes for it: the same, unless paths must end where those of another colouring do. Whatever it is,
   /// the picture converges to the same.
   std::vector<Rgb> roulette_per_mm;
+  PathSampling sampling;
   std::array<std::vector<YarnOptics>, 2> yarns;  ///< [system][index into Fabric::yarns]
   std::vector<YarnBlend> blends;                 ///< [index into Fabric::yarns]
   struct Seconds {
