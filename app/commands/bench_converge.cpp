@@ -19,11 +19,22 @@ namespace {
 struct Extent {
   int width, height, rounds;
   uint32_t samples, referenceSamples;
-  double segments;  ///< of fibre, in the piece
 };
 
-constexpr Extent kFull{80, 60, 4, 64, 512, 3e6};
-constexpr Extent kQuick{32, 24, 1, 4, 16, 1e5};
+constexpr Extent kFull{48, 36, 3, 16, 192};
+constexpr Extent kQuick{24, 16, 1, 4, 16};
+
+/// A flat piece of forty threads, which fills most of the picture.
+Fabric swatchOf(Fabric fabric, const Extent& extent) {
+  fabric.drape = Drape{};
+  fabric.drape.width_mm = 40 * fabric.warpPitch_mm();
+  fabric.drape.height_mm = fabric.drape.width_mm;
+  fabric.camera = Camera{};
+  fabric.camera.distance_mm = 2 * fabric.drape.width_mm;
+  fabric.render.width = extent.width;
+  fabric.render.height = extent.height;
+  return fabric;
+}
 
 struct LightCase {
   const char* name;
@@ -49,9 +60,7 @@ class ConvergeBench {
   /// False when stopped.
   bool run(std::vector<BenchCloth> cloths) {
     for (BenchCloth& cloth : cloths) {
-      cloth.fabric = withSegments(std::move(cloth.fabric), extent_.segments);
-      cloth.fabric.render.width = extent_.width;
-      cloth.fabric.render.height = extent_.height;
+      cloth.fabric = swatchOf(std::move(cloth.fabric), extent_);
       std::shared_ptr<const Scene> scene;
       for (const LightCase& light : kLights) {
         cloth.fabric.light = Light{};

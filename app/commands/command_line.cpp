@@ -198,7 +198,7 @@ void addEditBench(CLI::App& app, EditBenchCommand& command) {
 
 void addConvergeBench(CLI::App& app, ConvergeBenchCommand& command) {
   app.add_option("-o,--output", command.folder, "the folder for page and tables; made where needed")->type_name("DIR");
-  app.add_flag("--quick", command.quick, "one cloth, a small picture: a second instead of a quarter of an hour");
+  app.add_flag("--quick", command.quick, "one cloth, a small picture: a second instead of minutes");
   addThreads(app, command.threads);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/workers/despeckle.h"
 #include "core/base/stopwatch.h"
 #include "render/trace/path_tracer.h"
 
@@ -10,6 +11,7 @@ namespace loomlight {
 namespace {
 
 constexpr uint64_t kReferenceSeed = 0x5EED;
+constexpr float kCoarseSpeckLimit = 2.5f;  ///< the window's, of one sample
 
 Scene withSeed(const Scene& scene, uint64_t seed) {
   Scene seeded = scene;
@@ -26,9 +28,12 @@ std::vector<Rgb> pixelsOf(const Film& film) {
   return pixels;
 }
 
-/// Bilinear between the centres of the pixels, as a graphics card stretches a texture.
+/// As the window shows a coarse picture: without specks, softened, and bilinear between the centres of the pixels.
 std::vector<Rgb> stretched(const Film& film, int divider, int width, int height) {
-  std::vector<Rgb> pixels;
+  std::vector<glm::vec4> coarse;
+  film.toDisplayBuffer(coarse);
+  despeckle(coarse, film.width(), film.height(), kCoarseSpeckLimit);
+  soften(coarse, film.width(), film.height());
   const auto split = [&](int fine, int count, int& first, int& second) {
     const float place = (static_cast<float>(fine) + 0.5f) / static_cast<float>(divider) - 0.5f;
     const float whole = std::floor(place);
@@ -36,12 +41,14 @@ std::vector<Rgb> stretched(const Film& film, int divider, int width, int height)
     second = std::clamp(static_cast<int>(whole) + 1, 0, count - 1);
     return place - whole;
   };
+  const auto at = [&](int x, int y) { return Rgb(coarse[static_cast<size_t>(y) * film.width() + x]); };
+  std::vector<Rgb> pixels;
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       int left = 0, right = 0, top = 0, bottom = 0;
       const float u = split(x, film.width(), left, right), v = split(y, film.height(), top, bottom);
-      pixels.push_back(glm::mix(glm::mix(film.mean(left, top), film.mean(right, top), u),
-                                glm::mix(film.mean(left, bottom), film.mean(right, bottom), u), v));
+      pixels.push_back(
+          glm::mix(glm::mix(at(left, top), at(right, top), u), glm::mix(at(left, bottom), at(right, bottom), u), v));
     }
   return pixels;
 }

@@ -211,7 +211,7 @@ StatusModel Session::statusModel(const Insight* insight, const LiveStatus& statu
       model.work = fmt::format("building {:3.0f} %", 100 * status.buildProgress);
       break;
     case LiveStatus::Phase::tracing:
-      model.work = "refining";
+      model.work = shownFrame_ && shownFrame_->recoloured ? "recoloured, refining" : "refining";
       break;
     case LiveStatus::Phase::converged:
       model.work = "converged";

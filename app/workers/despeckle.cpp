@@ -25,4 +25,18 @@ void despeckle(std::span<glm::vec4> rgba, int width, int height, float limit) {
     }
 }
 
+void soften(std::span<glm::vec4> rgba, int width, int height) {
+  const auto mix = [](const glm::vec4& before, const glm::vec4& own, const glm::vec4& after) {
+    return 0.25f * (before + 2.0f * own + after);
+  };
+  std::vector<glm::vec4> rows(rgba.size());
+  const auto at = [width](int x, int y) { return static_cast<size_t>(y) * static_cast<size_t>(width) + x; };
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      rows[at(x, y)] = mix(rgba[at(std::max(0, x - 1), y)], rgba[at(x, y)], rgba[at(std::min(width - 1, x + 1), y)]);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      rgba[at(x, y)] = mix(rows[at(x, std::max(0, y - 1))], rows[at(x, y)], rows[at(x, std::min(height - 1, y + 1))]);
+}
+
 }  // namespace loomlight

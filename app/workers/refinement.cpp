@@ -98,6 +98,7 @@ void Refinement::finish(Frame& frame) const {
   // One lucky path to the sun must not stand as a block in a coarse picture; it fades as samples come.
   const uint32_t samples = std::max(1u, history_.samples);
   if (samples < kClearSamples) despeckle(frame.rgba, frame.width, frame.height, 1.5f + static_cast<float>(samples));
+  if (frame.divider > 1 && !fineBegun_) soften(frame.rgba, frame.width, frame.height);
 }
 
 Frame Refinement::frame(bool withHits) const {

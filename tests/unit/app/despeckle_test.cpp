@@ -40,5 +40,23 @@ TEST(Despeckle, TakesPicturesOfAnySize) {
   }
 }
 
+TEST(Soften, KeepsTheLightAndHidesTheTiles) {
+  std::vector<glm::vec4> picture(25, glm::vec4(0));
+  picture[12] = glm::vec4(16, 8, 4, 1);
+  soften(picture, 5, 5);
+  glm::vec4 sum(0);
+  for (const glm::vec4& pixel : picture) sum += pixel;
+  EXPECT_EQ(sum, glm::vec4(16, 8, 4, 1));
+  EXPECT_EQ(picture[12], glm::vec4(4, 2, 1, 0.25f));
+  EXPECT_EQ(picture[11], glm::vec4(2, 1, 0.5f, 0.125f));
+  EXPECT_EQ(picture[6], glm::vec4(1, 0.5f, 0.25f, 0.0625f));
+}
+
+TEST(Soften, LeavesAnEvenPictureAlone) {
+  std::vector<glm::vec4> picture(12, glm::vec4(0.5f, 0.25f, 1, 1));
+  soften(picture, 4, 3);
+  for (const glm::vec4& pixel : picture) EXPECT_EQ(pixel, glm::vec4(0.5f, 0.25f, 1, 1));
+}
+
 }  // namespace
 }  // namespace loomlight
