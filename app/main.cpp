@@ -27,6 +27,14 @@ int run([[maybe_unused]] const EditCommand& command) {
 #endif
 }
 
+int run([[maybe_unused]] const UiBenchCommand& command) {
+#ifdef LOOMLIGHT_EDITOR
+  return runUiBench(command.options);
+#else
+  throw InputError("bench ui: this program was built without the editor (LOOMLIGHT_EDITOR=OFF)");
+#endif
+}
+
 }  // namespace
 }  // namespace loomlight
 

@@ -38,6 +38,8 @@ class Session {
   Session(Document document, Settings settings, std::function<void()> wake, int threads);
 
   void frame(Ui& ui);
+  /// Of the last frame, spent on all but drawing: taking what workers have brought, and telling them what to do next.
+  double workSeconds() const { return work_s_; }
   void run(Command command);
   void run(DraftCommand command);
   /// Opens a fabric, or uses a mesh or an environment, by what the file is.
@@ -149,6 +151,7 @@ class Session {
   int insightYarn_ = -1;
   uint64_t keptRevision_ = 0;  ///< of the document, last handed to autosave
   uint64_t gesture_ = 1;
+  double work_s_ = 0;
   bool quitOnceSaved_ = false, over_ = false, fullScreen_ = false;
 };
 

@@ -4,6 +4,7 @@
 
 #include "app/editor/lens_model.h"
 #include "app/editor/session.h"
+#include "core/base/stopwatch.h"
 #include "ui/desk.h"
 #include "ui/draft_panel.h"
 #include "ui/menu_bar.h"
@@ -13,13 +14,17 @@
 namespace loomlight {
 
 void Session::frame(Ui& ui) {
+  Stopwatch watch;
   takePictures();
+  work_s_ = watch.lap();
   // A gesture lasts while a button is down or a text is open; what it changes is one step of undo.
   if (!ImGui::IsAnyMouseDown() && !ImGui::IsAnyItemActive()) ++gesture_;
   if (!dialogIsOpen()) readKeys();
   drawPanels(ui);
   drawDialogs(ui);
+  watch.lap();
   follow();
+  work_s_ += watch.lap();
 }
 
 void Session::drawPanels(Ui& ui) {

@@ -162,6 +162,7 @@ TEST(CommandLine, BenchKnowsItsSuites) {
   EXPECT_TRUE(edit.json);
   EXPECT_FALSE(edit.quick);
   EXPECT_FALSE(edit.folder.empty());
+  EXPECT_TRUE(parsed<UiBenchCommand>({"bench", "ui", "--quick"}).options.quick);
   EXPECT_THAT(complaint({"bench", "races", "a.json"}), HasSubstr("races"));
   EXPECT_THAT(complaint({"bench"}), HasSubstr("table1"));
 }

@@ -1,0 +1,32 @@
+"""The quick form of `bench ui`: it draws frames while all is rebuilt, and says what they took. Times are not judged."""
+
+import json
+import os
+import subprocess
+import tempfile
+
+from window_driver import Display, expect
+
+PROGRAM = os.environ["LOOMLIGHT"]
+
+
+def main():
+    display = Display(1600, 1000)
+    try:
+        with tempfile.TemporaryDirectory(prefix="loomlight-ui-") as home:
+            environment = {**os.environ, "DISPLAY": display.name, "HOME": home, "LIBGL_ALWAYS_SOFTWARE": "1"}
+            for kind in ("DATA", "STATE", "CONFIG", "CACHE"):
+                environment[f"XDG_{kind}_HOME"] = os.path.join(home, kind.lower())
+            done = subprocess.run([PROGRAM, "bench", "ui", "--quick", "--json"], env=environment, timeout=200,
+                                  stdout=subprocess.PIPE, text=True, check=True)
+        told = json.loads(done.stdout)
+        expect(told["frames"] > 3, "several frames are drawn")
+        for what in ("besides_drawing_ms", "panels_ms", "pixels_ms"):
+            times = told[what]
+            expect(0 < times["median"] <= times["p99"] <= times["longest"], f"{what} is in order: {times}")
+    finally:
+        display.close()
+    print("ok")
+
+
+main()
