@@ -36,7 +36,7 @@ void splitter(Ui& ui, const char* name, ImVec2 min, ImVec2 size, float direction
 
 }  // namespace
 
-DeskAreas deskAreas(const DeskLayout& layout, ImVec2 screen, float menuHeight, float scale) {
+DeskAreas deskAreas(const DeskLayout& layout, ImVec2 screen, float menuHeight, float scale, float stripHeight) {
   const float gap = std::floor(kGap * scale), status = std::round(kStatusHeight * scale);
   const float top = menuHeight + gap, height = std::max(1.0f, screen.y - top - gap - status);
   const float width1 = screen.x / scale;
@@ -45,7 +45,10 @@ DeskAreas deskAreas(const DeskLayout& layout, ImVec2 screen, float menuHeight, f
   const float leftGap = left > 0 ? gap : 0, rightGap = right > 0 ? gap : 0;
   DeskAreas areas;
   areas.draft = {ImVec2(0, top), ImVec2(left, height)};
-  areas.viewport = {ImVec2(left + leftGap, top), ImVec2(screen.x - left - right - leftGap - rightGap, height)};
+  const float strip = stripHeight > 0 ? std::round(stripHeight * scale) : 0, stripGap = strip > 0 ? gap : 0;
+  const float middle = screen.x - left - right - leftGap - rightGap;
+  areas.viewport = {ImVec2(left + leftGap, top), ImVec2(middle, std::max(1.0f, height - strip - stripGap))};
+  areas.strip = {ImVec2(left + leftGap, top + height - strip), ImVec2(middle, strip)};
   areas.inspector = {ImVec2(screen.x - right, top), ImVec2(right, height)};
   areas.status = {ImVec2(0, screen.y - status), ImVec2(screen.x, status)};
   return areas;
@@ -57,7 +60,7 @@ void splitters(Ui& ui, DeskLayout& layout, const DeskAreas& areas) {
   layout.draftWidth = fittedWidth(layout.draftWidth, width1);
   layout.inspectorWidth = fittedWidth(layout.inspectorWidth, width1);
   const float gap = areas.viewport.min.x - areas.draft.size.x;
-  const float height = areas.viewport.size.y;
+  const float height = areas.draft.size.y;
   splitter(ui, "splitter.left", ImVec2(areas.draft.size.x, areas.draft.min.y), ImVec2(gap, height), 1,
            layout.draftWidth);
   splitter(ui, "splitter.right", ImVec2(areas.inspector.min.x - gap, areas.draft.min.y), ImVec2(gap, height), -1,

@@ -16,10 +16,11 @@ struct DeskAreas {
     ImVec2 min, size;
   };
   Area draft, viewport, inspector, status;
+  Area strip;  ///< of snapshots, below the viewport; of no height where none is wanted
 };
 
-/// Divides the screen below the menu bar; the cloth never gets less than half of the width.
-DeskAreas deskAreas(const DeskLayout& layout, ImVec2 screen, float menuHeight, float scale);
+/// Divides the screen below the menu bar; the cloth never gets less than half of the width. `stripHeight` at scale 1.
+DeskAreas deskAreas(const DeskLayout& layout, ImVec2 screen, float menuHeight, float scale, float stripHeight = 0);
 
 /// The gaps between the panels, to be dragged.
 void splitters(Ui& ui, DeskLayout& layout, const DeskAreas& areas);

@@ -77,8 +77,7 @@ SnapshotDialog::Result SnapshotDialog::draw(Ui& ui, const Progress& progress) {
     return result;
   }
   ImGui::BeginDisabled(progress.running);
-  bool changed = memberField(ui, "snapshot", settings_, &RenderSettings::width);
-  changed |= memberField(ui, "snapshot", settings_, &RenderSettings::height);
+  bool changed = snapshotOptionRows(ui, options_, settings_);
   changed |= memberField(ui, "snapshot", settings_, &RenderSettings::samplesPerPixel);
   textField(ui,
             {"snapshot.file", "File",
@@ -152,6 +151,7 @@ void KeysDialog::draw(Ui& ui) {
       {"Wheel", "Zoom at the pointer"},
       {"Click on the cloth", "Choose the yarn that is seen there"},
       {"F,  Shift+F", "Show the whole cloth, the whole repeat"},
+      {"K", "Keep this view in a strip below, to be compared or brought back"},
       {"L", "Truth lens: every single fibre, in a rectangle that you drag; Esc closes it"},
       {"Click or drag in the draft", "Turn crossings over; a drag paints the first one's new value"},
       {"Right drag in the draft", "Weft over"},
@@ -162,6 +162,7 @@ void KeysDialog::draw(Ui& ui) {
       {"Ctrl+S,  Ctrl+Shift+S", "Save, save as"},
       {"Ctrl+Z,  Ctrl+Shift+Z", "Undo, redo"},
       {"Ctrl+P", "Snapshot"},
+      {"Ctrl+B", "Presets, by pictures"},
       {"Tab,  F11", "Hide panels, full screen"},
       {"Ctrl+Q", "Quit"},
   };

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/fabric/fabric.h"
+#include "ui/snapshot_options.h"
 #include "ui/ui.h"
 
 namespace loomlight {
@@ -43,12 +44,14 @@ class SnapshotDialog {
   void setFile(std::string file) { file_ = std::move(file); }
   const std::string& file() const { return file_; }
   const RenderSettings& settings() const { return settings_; }
+  const SnapshotOptions& options() const { return options_; }
   bool isOpen() const { return open_; }
   Result draw(Ui& ui, const Progress& progress);
 
  private:
   bool open_ = false, opening_ = false;
   RenderSettings settings_;
+  SnapshotOptions options_;
   std::string file_;
 };
 

@@ -37,17 +37,20 @@ std::optional<std::vector<int>> orderRow(Ui& ui, const RowText& text, const Fabr
 std::optional<Fabric> orderPage(Ui& ui, const Fabric& fabric, DraftView& view) {
   std::optional<Fabric> edited;
   const RowText warp{"draft.warp_order", "Warp order",
-                     "Which yarns the ends use, repeating: 4A 2B is four of the first yarn, then two of the second."};
+                     "Which yarns the ends use, repeating: 4A 2B is four of the first yarn, then two of the second; "
+                     "3(4A 2B) is that three times."};
   if (auto sequence = orderRow(ui, warp, fabric, fabric.warpSequence, view.warpOrder)) {
     edited = fabric;
     edited->warpSequence = std::move(*sequence);
   }
   const RowText weft{"draft.weft_order", "Weft order",
-                     "Which yarns the picks use, repeating: 4A 2B is four of the first yarn, then two of the second."};
+                     "Which yarns the picks use, repeating: 4A 2B is four of the first yarn, then two of the second; "
+                     "3(4A 2B) is that three times."};
   if (auto sequence = orderRow(ui, weft, fabric, fabric.weftSequence, view.weftOrder)) {
     edited = fabric;
     edited->weftSequence = std::move(*sequence);
   }
+  if (auto ordered = colourOrderTools(ui, fabric, view.colourOrder)) edited = std::move(ordered);
   return edited;
 }
 

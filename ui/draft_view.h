@@ -9,6 +9,7 @@
 #include "core/fabric/draft_edit.h"
 #include "core/fabric/structures.h"
 #include "core/fabric/weave_edit.h"
+#include "ui/colour_order_tools.h"
 #include "ui/crossing_index.h"
 
 namespace loomlight {
@@ -72,6 +73,7 @@ struct DraftView {
     std::string text, problem;
   };
   OrderText warpOrder, weftOrder;
+  ColourOrderView colourOrder;
   std::vector<Structure> palette = structurePalette();
 
   std::optional<CrossingIndex> hovered;  ///< under the mouse, not wrapped

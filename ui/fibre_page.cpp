@@ -156,11 +156,12 @@ std::optional<Fabric> fibrePage(Ui& ui, const Fabric& fabric, const InspectorMod
   bool changed = textField(ui, rowText("fibre", &Fibre::name), fibre.name);
   changed |= presetRow(ui, fibre, presets, kind);
   heading(ui, "Colour");
+  clothColourRows(ui, index, model.clothColour, view.clothColour);
   Rgb colour = colourOf(fibre);
   if (colourField(ui,
                   {"fibre.colour", "In a thick mass",
                    "The colour that a bundle of this fibre shows, sRGB with the white of daylight (D65). Cloth that "
-                   "light comes through looks paler."},
+                   "light goes through is darker over black."},
                   colour)) {
     dye(fibre, colour);
     changed = true;

@@ -52,7 +52,7 @@ void yarnChooser(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& colour
 }
 
 int shownFibre(const Fabric& fabric, const InspectorView& view) {
-  const Yarn& yarn = fabric.yarns[static_cast<size_t>(view.yarn)];
+  const Yarn& yarn = fabric.yarns[std::min(static_cast<size_t>(view.yarn), fabric.yarns.size() - 1)];
   return view.secondFibre && yarn.blendFibre ? *yarn.blendFibre : yarn.fibre;
 }
 

@@ -6,6 +6,7 @@
 #include "core/fabric/derived.h"
 #include "core/fabric/yarn_count.h"
 #include "core/fabric/yarn_need.h"
+#include "ui/cloth_colour.h"
 #include "ui/commands.h"
 #include "ui/crossing_index.h"
 #include "ui/ui.h"
@@ -20,6 +21,7 @@ struct InspectorView {
   Page page = Page::yarn;
   int yarn = 0;
   bool secondFibre = false;  ///< of a blend, on the page of fibres
+  ClothColourView clothColour;
   CountSystem countSystem = CountSystem::tex;
   bool twistAsMultiplier = false;
   PieceSize piece;  ///< whose yarn is reckoned
@@ -38,6 +40,8 @@ struct InspectorModel {
   const Binding* binding = nullptr;
   const std::vector<std::string>* warnings = nullptr;  ///< in plain words
   std::vector<ImVec4> yarnColours;                     ///< for the display
+  ImTextureID closeUp = nullptr;                       ///< of the yarn looked at
+  ClothColourModel clothColour;                        ///< of the fibre looked at
   VisibilityModel visibility;                          ///< of the yarn looked at
 };
 

@@ -43,6 +43,7 @@ MenuChoice menuBar(Ui& ui, const MenuModel& model) {
     menu.item("menu.save", "Save", "Ctrl+S", Command::save);
     menu.item("menu.save_as", "Save as\xE2\x80\xA6", "Ctrl+Shift+S", Command::saveAs);
     menu.item("menu.save_preset", "Keep as preset", "", Command::savePreset);
+    menu.item("menu.presets", "Presets\xE2\x80\xA6", "Ctrl+B", Command::presets);
     ImGui::Separator();
     if (const auto chosen = exportMenu(ui)) draft = chosen;
     ImGui::Separator();
@@ -55,6 +56,8 @@ MenuChoice menuBar(Ui& ui, const MenuModel& model) {
     menu.item("menu.undo", "Undo", "Ctrl+Z", Command::undo, model.canUndo);
     menu.item("menu.redo", "Redo", "Ctrl+Shift+Z", Command::redo, model.canRedo);
     ImGui::Separator();
+    menu.item("menu.colourways", "Colourways\xE2\x80\xA6", "", Command::colourways);
+    ImGui::Separator();
     menu.item("menu.preferences", "Preferences\xE2\x80\xA6", "", Command::preferences);
     ImGui::EndMenu();
   }
@@ -63,6 +66,7 @@ MenuChoice menuBar(Ui& ui, const MenuModel& model) {
     menu.item("menu.fit", "Show the whole cloth", "F", Command::fitView);
     menu.item("menu.fit_draft", "Show the whole repeat", "Shift+F", Command::fitDraft);
     ImGui::Separator();
+    menu.item("menu.keep_view", "Keep this view", "K", Command::keepView);
     menu.item("menu.lens", "Truth lens", "L", Command::truthLens, true, model.lensOn);
     ImGui::Separator();
     menu.item("menu.panels", "Panels", "Tab", Command::togglePanels, true, model.panelsShown);

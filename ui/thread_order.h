@@ -10,8 +10,8 @@ namespace loomlight {
 /// the second, repeating.
 std::string threadOrderText(const std::vector<int>& sequence);
 
-/// Reads it back. Throws InputError with what was expected when the text is no such order, names a yarn beyond
-/// `yarnCount`, or asks for more than `maxThreads`.
+/// Reads it back; groups may repeat: "3(4A 2B) 10C". Throws InputError with what was expected when the text is no such
+/// order, names a yarn beyond `yarnCount`, or asks for more than `maxThreads`.
 std::vector<int> threadOrderFromText(std::string_view text, int yarnCount, int maxThreads);
 
 /// "A" for yarn 0, "Z" for 25, "AA" for 26.

@@ -76,26 +76,9 @@ std::optional<Fabric> presetRow(Ui& ui, const Fabric& fabric, int index) {
                    names, chosen, "Yarns of the trade"))
     return std::nullopt;
   const YarnPreset& preset = presets[static_cast<size_t>(chosen)];
-  Fabric edited = fabric;
-  Yarn& yarn = edited.yarns[static_cast<size_t>(index)];
-  const Fibre& old = fabric.fibres[static_cast<size_t>(yarn.fibre)];
-  Fibre fibre = dyed(preset.fibre, colourFromAbsorption(old.absorption_per_mm, old.azimuthalRoughness, old.radius_um));
-  const bool shared = std::any_of(fabric.yarns.begin(), fabric.yarns.end(), [&](const Yarn& other) {
-    return &other != &fabric.yarns[static_cast<size_t>(index)] &&
-           (other.fibre == yarn.fibre || other.blendFibre == yarn.fibre);
-  });
-  Yarn filled = preset.yarn;
-  filled.name = yarn.name;
-  filled.unknown = yarn.unknown;
-  filled.fibre = yarn.fibre;
-  if (shared && static_cast<int>(fabric.fibres.size()) < kMaxKinds) {
-    filled.fibre = static_cast<int>(fabric.fibres.size());
-    edited.fibres.push_back(std::move(fibre));
-  } else {
-    edited.fibres[static_cast<size_t>(yarn.fibre)] = std::move(fibre);
-  }
-  yarn = std::move(filled);
-  return edited;
+  const Fibre& old = fabric.fibres[static_cast<size_t>(fabric.yarns[static_cast<size_t>(index)].fibre)];
+  const Rgb colour = colourFromAbsorption(old.absorption_per_mm, old.azimuthalRoughness, old.radius_um);
+  return withYarn(fabric, index, preset.yarn, dyed(preset.fibre, colour));
 }
 
 }  // namespace
@@ -108,7 +91,10 @@ std::optional<Fabric> yarnPage(Ui& ui, const Fabric& fabric, const InspectorMode
 
   const YarnFibreColours colours{fibreColour(fibres[static_cast<size_t>(yarn.fibre)]),
                                  fibreColour(fibres[static_cast<size_t>(yarn.blendFibre.value_or(yarn.fibre))])};
-  drawYarnSection(ui, model.section ? *model.section : YarnSection{}, colours, ui.px(128));
+  const ImVec2 half(0.5f * (ImGui::GetContentRegionAvail().x - ui.px(8)), ui.px(kCloseUpHeight));
+  drawYarnSection(ui, model.section ? *model.section : YarnSection{}, colours, half);
+  ImGui::SameLine(0, ui.px(8));
+  drawYarnCloseUp(ui, model.closeUp, half);
   hint(ui, fmt::format("{:.1f} tex  \xC2\xB7  {:.2f} mm across  \xC2\xB7  {:.0f} fibres", yarnCount_tex(yarn, fibre),
                        yarnDiameter_mm(yarn, fibre), fibresInYarn(yarn, fibre)));
 

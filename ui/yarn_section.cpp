@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/fields.h"
+
 namespace loomlight {
 namespace {
 
@@ -39,11 +41,11 @@ ImVec4 rimOf(const ImVec4& colour) {
 
 }  // namespace
 
-void drawYarnSection(Ui& ui, const YarnSection& section, const YarnFibreColours& colours, float height) {
+void drawYarnSection(Ui& ui, const YarnSection& section, const YarnFibreColours& colours, ImVec2 size) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const ImVec2 min = ImGui::GetCursorScreenPos();
-  const ImVec2 max(min.x + ImGui::GetContentRegionAvail().x, min.y + height);
-  ImGui::Dummy(ImVec2(max.x - min.x, height));
+  const ImVec2 max(min.x + size.x, min.y + size.y);
+  ImGui::Dummy(size);
   ui.probe.recordItem("yarn.section");
   draw.AddRectFilled(min, max, packed(ui.theme.field), ui.px(4));
   if (section.points.empty() || section.halfWidth_mm <= 0) return;
@@ -66,6 +68,22 @@ void drawYarnSection(Ui& ui, const YarnSection& section, const YarnFibreColours&
   }
   draw.PopClipRect();
   drawScaleBar(ui, max, pixelsPerMm);
+}
+
+void drawYarnCloseUp(Ui& ui, ImTextureID picture, ImVec2 size) {
+  const ImVec2 min = ImGui::GetCursorScreenPos(), max(min.x + size.x, min.y + size.y);
+  ImGui::Dummy(size);
+  ui.probe.recordItem("yarn.close_up");
+  ui.probe.fact("yarn.close_up", picture ? "there" : "none");
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddRectFilled(min, max, packed(ui.theme.field), ui.px(4));
+  // The picture keeps its proportions, and loses what does not fit.
+  const float scale = std::max(size.x / kCloseUpWidth, size.y / kCloseUpHeight);
+  const float u = 0.5f * size.x / (kCloseUpWidth * scale), v = 0.5f * size.y / (kCloseUpHeight * scale);
+  if (picture)
+    draw.AddImageRounded(picture, min, max, ImVec2(0.5f - u, 0.5f - v), ImVec2(0.5f + u, 0.5f + v), IM_COL32_WHITE,
+                         ui.px(4));
+  tooltipFor(ui, "yarn.close_up", min, max, "This yarn under a sky, every fibre traced as it is.");
 }
 
 }  // namespace loomlight

@@ -26,7 +26,12 @@ struct YarnFibreColours {
   ImVec4 first, second;
 };
 
-/// Draws it to scale, `height` pixels high over the width of the panel, with a scale bar.
-void drawYarnSection(Ui& ui, const YarnSection& section, const YarnFibreColours& colours, float height);
+/// Proportions of the picture that drawYarnCloseUp shows, at scale 1.
+inline constexpr float kCloseUpWidth = 144, kCloseUpHeight = 128;
+
+/// Draws it to scale, with a scale bar.
+void drawYarnSection(Ui& ui, const YarnSection& section, const YarnFibreColours& colours, ImVec2 size);
+/// The yarn as a magnifying glass shows it, beside its section; null: no picture yet.
+void drawYarnCloseUp(Ui& ui, ImTextureID picture, ImVec2 size);
 
 }  // namespace loomlight

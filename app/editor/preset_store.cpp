@@ -32,18 +32,56 @@ void PresetStore::refresh() {
   std::sort(names_.begin(), names_.end());
 }
 
+void PresetStore::makeFolder(const fs::path& folder) const {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw InputError(folder.string() + ": the folder for presets could not be made: " + error.message());
+}
+
 Fabric PresetStore::load(const std::string& name) const {
-  return readFabric((folder_ / (name + ".json")).string());
+  return readFabric(fileOf(name).string());
 }
 
 std::string PresetStore::keep(const Fabric& fabric) {
-  std::error_code error;
-  fs::create_directories(folder_, error);
-  if (error) throw InputError(folder_.string() + ": the folder for presets could not be made: " + error.message());
+  makeFolder(folder_);
   const std::string name = fileNameOf(fabric.name);
-  writeFabric(fabric, (folder_ / (name + ".json")).string());
+  writeFabric(fabric, fileOf(name).string());
   refresh();
   return name;
+}
+
+std::string PresetStore::keepBeside(Fabric fabric) {
+  const std::string wish = fabric.name;
+  for (int i = 2; fs::exists(fileOf(fileNameOf(fabric.name))); ++i) fabric.name = wish + " " + std::to_string(i);
+  return keep(fabric);
+}
+
+std::string PresetStore::rename(const std::string& name, const std::string& to) {
+  Fabric fabric = load(name);
+  if (fileNameOf(to) == name) return name;
+  fabric.name = to;
+  std::string renamed = keepBeside(std::move(fabric));
+  std::error_code error;
+  fs::remove(fileOf(name), error);
+  if (error) throw InputError(fileOf(name).string() + ": could not be removed: " + error.message());
+  refresh();
+  return renamed;
+}
+
+void PresetStore::remove(const std::string& name) {
+  makeFolder(binOf(name).parent_path());
+  std::error_code error;
+  fs::rename(fileOf(name), binOf(name), error);
+  if (error) throw InputError(fileOf(name).string() + ": could not be removed: " + error.message());
+  refresh();
+}
+
+void PresetStore::putBack(const std::string& name) {
+  if (fs::exists(fileOf(name))) throw InputError("another preset has that name now: " + name);
+  std::error_code error;
+  fs::rename(binOf(name), fileOf(name), error);
+  if (error) throw InputError(binOf(name).string() + ": could not be put back: " + error.message());
+  refresh();
 }
 
 Fabric dressed(const Fabric& scene, const Fabric& cloth) {

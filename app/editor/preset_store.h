@@ -18,9 +18,20 @@ class PresetStore {
   Fabric load(const std::string& name) const;
   /// Keeps it under its own name; one of the same name is replaced. Returns the name. Throws InputError.
   std::string keep(const Fabric& fabric);
+  /// Likewise, but beside one of the same name, with a number behind its own.
+  std::string keepBeside(Fabric fabric);
+  /// Gives it another name, or that name with a number where it is taken. Returns the name. Throws InputError.
+  std::string rename(const std::string& name, const std::string& to);
+  /// Takes it out of the list, and puts it back in. Throw InputError.
+  void remove(const std::string& name);
+  void putBack(const std::string& name);
+  /// Looks at the folder again.
+  void refresh();
 
  private:
-  void refresh();
+  std::filesystem::path fileOf(const std::string& name) const { return folder_ / (name + ".json"); }
+  std::filesystem::path binOf(const std::string& name) const { return folder_ / "removed" / (name + ".json"); }
+  void makeFolder(const std::filesystem::path& folder) const;
 
   std::filesystem::path folder_;
   std::vector<std::string> names_;

@@ -14,6 +14,9 @@ Session::Session(Document document, Settings settings, std::function<void()> wak
       autosave_(stateFolder()),
       insightWorker_(wake_),
       visibility_(wake_, BvdfOptions{}, BvdfCache(BvdfCache::userFolder())),
+      colours_(wake_),
+      sidePictures_(wake_),
+      presetDesk_(presetFolder(), wake_),
       renderer_(wake_, threads) {}
 
 std::string Session::title() const {
@@ -29,7 +32,8 @@ Tone Session::tone() const {
 
 bool Session::dialogIsOpen() const {
   return browser_.isOpen() || message_.isOpen() || snapshotDialog_.isOpen() || preferences_.isOpen() ||
-         keys_.isOpen() || wifDialog_.isOpen() || structures_.isOpen() || pictureDialog_.isOpen();
+         keys_.isOpen() || wifDialog_.isOpen() || structures_.isOpen() || pictureDialog_.isOpen() ||
+         colourways_.isOpen() || compare_.isOpen() || presetBrowser_.isOpen();
 }
 
 }  // namespace loomlight

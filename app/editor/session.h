@@ -7,21 +7,27 @@
 #include <string>
 
 #include "app/editor/autosave.h"
+#include "app/editor/colour_desk.h"
 #include "app/editor/document.h"
 #include "app/editor/insight.h"
 #include "app/editor/picture_texture.h"
+#include "app/editor/preset_desk.h"
 #include "app/editor/preset_store.h"
 #include "app/editor/settings.h"
+#include "app/editor/side_pictures.h"
+#include "app/editor/snapshot_shelf.h"
 #include "app/editor/viewport_picture.h"
 #include "app/workers/live_renderer.h"
 #include "app/workers/snapshot_job.h"
 #include "app/workers/visibility_worker.h"
+#include "ui/colourways_dialog.h"
 #include "ui/commands.h"
 #include "ui/dialogs.h"
 #include "ui/draft_commands.h"
 #include "ui/file_browser.h"
 #include "ui/inspector.h"
 #include "ui/picture_dialog.h"
+#include "ui/preset_browser.h"
 #include "ui/preset_list.h"
 #include "ui/status_bar.h"
 #include "ui/structure_dialog.h"
@@ -96,12 +102,23 @@ class Session {
   void drawStructures(Ui& ui);
   void takeWeave(Rewoven result);
 
+  // session_presets.cpp: what is kept at hand
+  void drawPresets(Ui& ui);
+  void changePresets(const PresetBrowserEdit& change);
+
+  // session_snapshots.cpp: views that are kept
+  void keepView();
+  SnapshotJob::Finish finishOfSnapshot() const;
+  void drawStrip(Ui& ui);
+  void restoreView(size_t index);
+
   // session_workers.cpp: what the workers are asked for, and what they have brought
   void takePictures();
   void follow();
   void followDocument();
   void followLens();
   void followVisibility();
+  void followColour();
 
   Settings settings_;
   Document document_;
@@ -113,6 +130,10 @@ class Session {
   ViewportPicture picture_, lensPicture_;
   PictureTexture visibilityPicture_;
   VisibilityWorker visibility_;
+  ColourDesk colours_;
+  SidePictures sidePictures_;
+  SnapshotShelf shelf_;
+  PresetDesk presetDesk_;
   LiveRenderer renderer_;
   std::unique_ptr<SnapshotJob> snapshot_;
 
@@ -125,6 +146,11 @@ class Session {
   SnapshotDialog::Progress snapshotProgress_;
   PreferencesDialog preferences_;
   KeysDialog keys_;
+  ColourwaysDialog colourways_;
+  CompareDialog compare_;
+  PresetBrowser presetBrowser_;
+  std::string presetProblem_;  ///< why the last change of presets was not made
+  SnapshotStripView strip_;
   StructureDialog structures_;
   PictureDialog pictureDialog_;
   WifDialog wifDialog_;
@@ -152,6 +178,7 @@ class Session {
   uint64_t keptRevision_ = 0;  ///< of the document, last handed to autosave
   uint64_t gesture_ = 1;
   double work_s_ = 0;
+  uint64_t colourWish_ = 0, colourGesture_ = 0;  ///< the newest wish for a colour, and the gesture that made it
   bool quitOnceSaved_ = false, over_ = false, fullScreen_ = false;
 };
 

@@ -82,6 +82,18 @@ void Session::run(Command command) {
       snapshotDialog_.show(document_.fabric()->render, (folder / (document_.fabric()->name + ".png")).string());
       break;
     }
+    case Command::presets:
+      renderer_.pause(true);  // its pictures are looked at now
+      presetProblem_.clear();
+      presetBrowser_.show();
+      break;
+    case Command::colourways:
+      renderer_.pause(true);  // its pictures are looked at now
+      colourways_.show();
+      break;
+    case Command::keepView:
+      keepView();
+      break;
     case Command::chooseMesh:
       browse(FileTask::mesh);
       break;
@@ -144,11 +156,13 @@ void Session::readKeys() {
     if (pressed('Z')) run(io.KeyShift ? Command::redo : Command::undo);
     if (pressed('Y')) run(Command::redo);
     if (pressed('P')) run(Command::snapshot);
+    if (pressed('B')) run(Command::presets);
     if (pressed('Q')) run(Command::quit);
     return;
   }
   if (pressed(kLetterF)) run(io.KeyShift ? Command::fitDraft : Command::fitView);
-  constexpr int kLetterL = 'L';
+  constexpr int kLetterK = 'K', kLetterL = 'L';
+  if (pressed(kLetterK)) run(Command::keepView);
   if (pressed(kLetterL)) run(Command::truthLens);
   const bool listIsOpen = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
   if (pressed(ImGui::GetKeyIndex(ImGuiKey_Escape)) && !listIsOpen && viewport_.lens.on) viewport_.lens.close();
@@ -167,6 +181,7 @@ void Session::startOver(Document document) {
   draft_.selection.reset();
   draft_.remark.clear();
   inspector_.yarn = 0;
+  inspector_.clothColour.wanted.clear();
 }
 
 void Session::openFabric(const std::string& file) {
@@ -337,6 +352,13 @@ void Session::drawDialogs(Ui& ui) {
   if (const auto answer = message_.draw(ui)) answered(*answer);
   preferences_.draw(ui, 1e-9 * static_cast<double>(physicalMemory_bytes()), settings_.fibreMemory_GB);
   keys_.draw(ui);
+  if (presetBrowser_.isOpen()) drawPresets(ui);
+  compare_.draw(ui, shelf_.comparison());
+  if (colourways_.isOpen()) {
+    auto edited = colourways_.draw(ui, *document_.fabric(), sidePictures_.colourways(document_.fabric(), ui.scale));
+    if (edited) edit(std::move(*edited));
+    if (!colourways_.isOpen()) renderer_.pause(false);
+  }
   drawDraftDialogs(ui);
 }
 
@@ -353,6 +375,7 @@ void Session::drawSnapshot(Ui& ui) {
                                                         : state.error;
       snapshot_.reset();
       renderer_.pause(false);
+      if (!state.cancelled && !snapshotProgress_.failed) keepView();
     }
   }
   const SnapshotDialog::Result result = snapshotDialog_.draw(ui, snapshotProgress_);
@@ -365,7 +388,7 @@ void Session::drawSnapshot(Ui& ui) {
   if (result.cancel && snapshot_) snapshot_->cancel();
   if (result.start && !snapshot_) {
     renderer_.pause(true);
-    snapshot_ = std::make_unique<SnapshotJob>(document_.fabric(), snapshotDialog_.file(), tone());
+    snapshot_ = std::make_unique<SnapshotJob>(document_.fabric(), snapshotDialog_.file(), tone(), finishOfSnapshot());
     snapshotProgress_.running = true;
   }
 }

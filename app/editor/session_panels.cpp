@@ -42,11 +42,17 @@ void Session::drawPanels(Ui& ui) {
   const float menuHeight = ImGui::GetFontSize() + ui.px(16);
   const MenuChoice choice = menuBar(ui, menu);
 
-  const DeskAreas areas = deskAreas(settings_.desk, ImGui::GetIO().DisplaySize, menuHeight, ui.scale);
+  const DeskAreas areas = deskAreas(settings_.desk, ImGui::GetIO().DisplaySize, menuHeight, ui.scale,
+                                    shelf_.empty() ? 0 : kSnapshotStripHeight);
   splitters(ui, settings_.desk, areas);
   beginPanel("viewport", areas.viewport, false);
   drawViewport(ui, insight.get(), status);
   endPanel();
+  if (!shelf_.empty()) {
+    beginPanel("strip", areas.strip, false);
+    drawStrip(ui);
+    endPanel();
+  }
   if (settings_.desk.panelsShown) {
     beginPanel("draft", areas.draft, true);
     drawDraft(ui);
@@ -172,6 +178,10 @@ void Session::drawInspector(Ui& ui, const Insight* insight, const LiveStatus& st
     model.warnings = &insight->warnings;
   }
   model.yarnColours = yarnColours(fabric);
+  if (inspector_.page == InspectorView::Page::yarn && inspector_.yarn < static_cast<int>(fabric.yarns.size()))
+    model.closeUp = sidePictures_.closeUp(document_.fabric(), inspector_.yarn, ui.scale);
+  if (inspector_.page == InspectorView::Page::fibre)
+    model.clothColour = colours_.model(fabric, shownFibre(fabric, inspector_), inspector_.clothColour);
   model.visibility = visibilityModel();
   InspectorResult result = inspector(ui, fabric, model, inspector_);
   if (result.fabric) edit(std::move(*result.fabric));

@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "app/editor/session.h"
 
 namespace loomlight {
@@ -24,6 +26,9 @@ void Session::takePictures() {
 }
 
 void Session::follow() {
+  sidePictures_.follow();
+  presetDesk_.follow();
+  followColour();
   followVisibility();
   followDocument();
   followLens();
@@ -84,6 +89,19 @@ void Session::followVisibility() {
   visibilityFabric_ = wanted;
   visibilityYarn_ = inspector_.yarn;
   visibility_.request(wanted, inspector_.yarn);
+}
+
+/// A colour that was asked for arrives later than the gesture that asked for it, and is still one step of undo with it.
+void Session::followColour() {
+  if (inspector_.page != InspectorView::Page::fibre || !settings_.desk.panelsShown) return;
+  const std::shared_ptr<const Fabric>& fabric = document_.fabric();
+  if (colourWish_ != inspector_.clothColour.wish) colourGesture_ = gesture_;
+  colourWish_ = inspector_.clothColour.wish;
+  auto dyed = colours_.follow(fabric, shownFibre(*fabric, inspector_), inspector_.clothColour);
+  if (!dyed) return;
+  const uint64_t now = std::exchange(gesture_, colourGesture_);
+  edit(std::move(*dyed));
+  gesture_ = now;
 }
 
 }  // namespace loomlight

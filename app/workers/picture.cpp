@@ -34,10 +34,14 @@ void checkPictureName(const std::string& file) {
   expectWritable(file);
 }
 
+std::map<std::string, std::string> pngTexts(const Fabric& fabric) {
+  return {{"Software", "Loomlight " LOOMLIGHT_VERSION}, {"Title", fabric.name}};
+}
+
 void writePicture(const std::string& file, const Film& film, const Fabric& fabric, const Tone& tone, bool keepSums) {
   checkPictureName(file);
   if (lowerExtension(file) == ".png") {
-    writePng(file, toPixels(film, tone), {{"Software", "Loomlight " LOOMLIGHT_VERSION}, {"Title", fabric.name}});
+    writePng(file, toPixels(film, tone), pngTexts(fabric));
     return;
   }
   Image image = film.toImage(keepSums);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 
 #include "core/fabric/fabric.h"
@@ -18,6 +19,9 @@ void checkPictureName(const std::string& file);
 /// `keepSums` adds to an .exr the film's exact sums, from which it can be continued. Throws InputError when the file
 /// cannot be written.
 void writePicture(const std::string& file, const Film& film, const Fabric& fabric, const Tone& tone, bool keepSums);
+
+/// The texts that our .png files of a fabric carry.
+std::map<std::string, std::string> pngTexts(const Fabric& fabric);
 
 /// The fabric and settings in the metadata of an .exr of ours. Throws InputError when there are none.
 Fabric fabricOfPicture(const std::string& file);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <exception>
 
+#include "app/workers/file_name.h"
 #include "app/workers/picture.h"
 #include "core/base/parallel.h"
 #include "render/trace/make_medium.h"
@@ -15,6 +16,7 @@ struct SnapshotJob::Shared {
   std::shared_ptr<const Fabric> fabric;
   std::string file;
   Tone tone;
+  Finish finish;
   mutable std::mutex mutex;
   State state;
 
@@ -44,7 +46,10 @@ struct SnapshotJob::Shared {
       if (!renderUpTo(done, *scene, *medium, camera, film, task).complete) return false;
       report(kBuildShare + (1 - kBuildShare) * done / samples);
     }
-    writePicture(file, film, *fabric, tone, false);
+    if (finish && lowerExtension(file) == ".png")
+      writePng(file, finish(toPixels(film, tone)), pngTexts(*fabric));
+    else
+      writePicture(file, film, *fabric, tone, false);
     return true;
   }
 
@@ -63,11 +68,12 @@ struct SnapshotJob::Shared {
   }
 };
 
-SnapshotJob::SnapshotJob(std::shared_ptr<const Fabric> fabric, std::string file, Tone tone)
+SnapshotJob::SnapshotJob(std::shared_ptr<const Fabric> fabric, std::string file, Tone tone, Finish finish)
     : shared_(std::make_shared<Shared>()) {
   shared_->fabric = std::move(fabric);
   shared_->file = std::move(file);
   shared_->tone = tone;
+  shared_->finish = std::move(finish);
   thread_ = std::jthread([shared = shared_](std::stop_token stop) { shared->run(stop); });
 }
 

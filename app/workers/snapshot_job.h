@@ -1,21 +1,25 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
 #include <thread>
 
 #include "core/fabric/fabric.h"
+#include "render/film/image.h"
 #include "render/film/tone.h"
 
 namespace loomlight {
 
-/// Renders a fabric's own RenderSettings to a file (.exr with AOVs and metadata, or .png) on a thread of its own.
-/// Cancelling keeps nothing; the destructor cancels and waits for one path.
+/// Renders a fabric's own RenderSettings to a file (.exr with AOVs and metadata, or .png) on a thread of its own. What
+/// goes into a .png is what `finish` makes of the display's pixels; empty: these themselves. Cancelling keeps nothing;
+/// the destructor cancels and waits for one path.
 class SnapshotJob {
  public:
-  SnapshotJob(std::shared_ptr<const Fabric> fabric, std::string file, Tone tone);
+  using Finish = std::function<Pixels8(Pixels8)>;
+  SnapshotJob(std::shared_ptr<const Fabric> fabric, std::string file, Tone tone, Finish finish = {});
   ~SnapshotJob();
   void cancel();
   struct State {

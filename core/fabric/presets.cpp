@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/fabric/colour.h"
+#include "core/fabric/validate.h"
 #include "core/fabric/yarn_count.h"
 
 namespace loomlight {
@@ -221,6 +222,27 @@ double twist_per_m(double twistMultiplier, double tex) {
 
 double twistMultiplier(double twist_per_m, double tex) {
   return twist_per_m * std::sqrt(tex) / 957.0;
+}
+
+Fabric withYarn(Fabric fabric, int index, Yarn yarn, Fibre fibre) {
+  const auto own = static_cast<size_t>(index);
+  const Yarn& old = fabric.yarns[own];
+  bool shared = false;
+  for (size_t i = 0; i < fabric.yarns.size(); ++i)
+    shared |= i != own && (fabric.yarns[i].fibre == old.fibre || fabric.yarns[i].blendFibre == old.fibre);
+  yarn.name = old.name;
+  yarn.unknown = old.unknown;
+  yarn.blendFibre.reset();
+  yarn.blendShare.reset();
+  yarn.fibre = old.fibre;
+  if (shared && fabric.fibres.size() < kMaxKinds) {
+    yarn.fibre = static_cast<int>(fabric.fibres.size());
+    fabric.fibres.push_back(std::move(fibre));
+  } else {
+    fabric.fibres[static_cast<size_t>(old.fibre)] = std::move(fibre);
+  }
+  fabric.yarns[own] = std::move(yarn);
+  return fabric;
 }
 
 Fibre dyed(Fibre fibre, const Rgb& colour) {

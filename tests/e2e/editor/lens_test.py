@@ -136,7 +136,7 @@ def look_at_visibility(editor):
             break
     expect(editor.fact("yarn") == "0", "clicks on the cloth do not choose the yarn that is seen there")
     x, y = editor.centre("yarn.ply_twist_per_m")
-    for _ in range(6):  # clicks of the wheel, to the end of the page
+    for _ in range(12):  # clicks of the wheel, to the end of the page
         editor.click_at(x, y, 5)
     editor.click("visibility.fold")
     editor.wait_until("a picture of the table is shown", lambda: editor.fact("visibility") in ("early", "finished"), 120)

@@ -18,6 +18,13 @@ TEST(ThreadOrder, ReadsWhatWeaversWrite) {
   EXPECT_EQ(threadOrderFromText("4A2B", 2, 100), (std::vector<int>{0, 0, 0, 0, 1, 1}));
 }
 
+TEST(ThreadOrder, GroupsRepeat) {
+  EXPECT_EQ(threadOrderFromText("2(A 2B) C", 3, 100), (std::vector<int>{0, 1, 1, 0, 1, 1, 2}));
+  EXPECT_EQ(threadOrderFromText("2 ( 2(A B)C )", 3, 100), (std::vector<int>{0, 1, 0, 1, 2, 0, 1, 0, 1, 2}));
+  for (const char* text : {"2(A", "A)", "()", "3()", "99(2A)", "9999999(9999999(9999999A))", "((((((((((A))))))))))"})
+    EXPECT_THROW(threadOrderFromText(text, 2, 100), InputError) << text;
+}
+
 TEST(ThreadOrder, RefusesWhatIsNone) {
   for (const char* text : {"", "   ", "4", "0A", "4C", "4A ?", "99999999999A", "AAAAAAAAAAAAAAAAAAAAAAAA", "101A"})
     EXPECT_THROW(threadOrderFromText(text, 2, 100), InputError) << text;

@@ -1,0 +1,42 @@
+#include "app/editor/picture_label.h"
+#include "app/editor/session.h"
+#include "app/workers/display_picture.h"
+#include "render/trace/camera_rays.h"
+
+namespace loomlight {
+
+void Session::keepView() {
+  if (shownFrame_ && shownFrame_->width > 0) shelf_.keep(document_.fabric(), displayPicture(*shownFrame_, tone()));
+}
+
+/// Scale bar and caption, where they are wanted.
+SnapshotJob::Finish Session::finishOfSnapshot() const {
+  const PictureLabel label{snapshotDialog_.options().scaleBar, snapshotDialog_.options().caption};
+  if (label.isEmpty()) return {};
+  const Fabric& fabric = *document_.fabric();
+  const CameraRays camera(fabric.camera, fabric.render.width, fabric.render.height);
+  const double mm_per_pixel = camera.pixelSize_mm(static_cast<float>(fabric.camera.distance_mm));
+  return [label, mm_per_pixel](const Pixels8& picture) { return labelled(picture, label, mm_per_pixel); };
+}
+
+void Session::restoreView(size_t index) {
+  Fabric fabric = shelf_.fabric(index);
+  fabric.render = document_.fabric()->render;
+  edit(std::move(fabric));
+  draft_.cell = 0;
+}
+
+void Session::drawStrip(Ui& ui) {
+  const SnapshotStripEdit result = snapshotStrip(ui, shelf_.items(), strip_);
+  if (result.keep) keepView();
+  if (result.restore) restoreView(static_cast<size_t>(*result.restore));
+  if (result.compare) {
+    shelf_.compare(static_cast<size_t>(result.compare->first), static_cast<size_t>(result.compare->second));
+    compare_.show();
+  }
+  if (!result.remove) return;
+  shelf_.remove(static_cast<size_t>(*result.remove));
+  strip_.chosen.clear();
+}
+
+}  // namespace loomlight

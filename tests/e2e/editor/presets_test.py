@@ -1,0 +1,104 @@
+"""The browser of presets: kept, found, renamed, duplicated, removed and brought back; cloths, yarns, fibres and colours
+apart. In the real window."""
+
+import json
+import os
+
+from window_driver import Display, Editor, expect, picture_statistics, run
+
+PROGRAM = os.environ["LOOMLIGHT"]
+WIDTH, HEIGHT = 1280, 720
+
+
+def small_fabric(home):
+    fabric = {
+        "loomlight_version": 1, "name": "Rust check", "weave": ["#.", ".#"], "ends_per_cm": 14, "picks_per_cm": 14,
+        "fibres": [{"name": "coarse", "radius_um": 20, "absorption_per_mm": [4, 14, 30]}],
+        "drape": {"kind": "flat", "width_mm": 6, "height_mm": 6},
+        "light": {"kind": "dome"}, "camera": {"distance_mm": 16, "elevation_deg": 75}, "render": {"resolution": 1},
+    }
+    file = os.path.join(home, "rust.json")
+    with open(file, "w", encoding="utf-8") as text:
+        json.dump(fabric, text)
+    return file
+
+
+def card(editor, name):
+    return f"presets.card/{name}" in editor.widgets()
+
+
+def search(editor, text):
+    editor.click("presets.search")
+    editor.key("ctrl+a")
+    editor.type(text)
+
+
+def keep_and_change(editor):
+    editor.key("ctrl+b")
+    editor.wait_until("the browser shows cloths", lambda: card(editor, "Denim"))
+    editor.click("presets.keep")
+    editor.wait_until("the cloth is kept", lambda: card(editor, "Rust check"))
+    editor.wait_until("it is pictured",
+                      lambda: picture_statistics(editor.screenshot("card", "presets.card/Rust check"))[1] > 0.1, 120)
+    search(editor, "rus")
+    editor.wait_until("others are hidden", lambda: not card(editor, "Denim") and card(editor, "Rust check"))
+    editor.click("presets.card/Rust check")
+    editor.click("presets.duplicate")
+    editor.wait_until("there is a duplicate", lambda: card(editor, "Rust check 2"))
+    editor.click("presets.card/Rust check 2")
+    editor.click("presets.name")
+    editor.key("ctrl+a")
+    editor.type("Rusty")
+    editor.click("presets.rename")
+    editor.wait_until("it has another name", lambda: card(editor, "Rusty") and not card(editor, "Rust check 2"))
+    editor.click("presets.card/Rusty")
+    editor.click("presets.remove")
+    editor.wait_until("it is removed", lambda: not card(editor, "Rusty"))
+    editor.click("presets.undo")
+    editor.wait_until("undo brings it back", lambda: card(editor, "Rusty"))
+    editor.click("presets.undo")
+    editor.wait_until("undo takes the name back", lambda: card(editor, "Rust check 2") and not card(editor, "Rusty"))
+    expect(editor.fact("dirty") == "no", "what is kept is no edit of the cloth")
+
+
+def use_a_yarn(editor):
+    search(editor, "silk 20")
+    editor.click("presets.kind/Yarns")
+    editor.wait_until("yarns are found", lambda: card(editor, "Silk 20/22 den"))
+    editor.click("presets.card/Silk 20/22 den")
+    editor.click("presets.use")
+    editor.wait_until("the browser closes", lambda: editor.fact("dialog") == "none")
+    editor.wait_until("the cloth has another yarn", lambda: editor.fact("dirty") == "yes")
+    editor.click("tab.cloth")
+    editor.wait_until("it is of silk", lambda: editor.fact("cloth.warp_count") == "2.3 tex")
+    editor.key("ctrl+z")
+    editor.wait_until("undo takes it out", lambda: editor.fact("dirty") == "no")
+
+
+def use_a_cloth(editor):
+    editor.key("ctrl+b")
+    editor.wait_until("the browser opens", lambda: "presets.kind/Fabrics" in editor.widgets())
+    editor.click("presets.kind/Fabrics")
+    search(editor, "denim")
+    editor.click("presets.card/Denim")
+    editor.click("presets.use")
+    editor.wait_until("the cloth is denim", lambda: editor.fact("name") == "Denim")
+
+
+def test():
+    display = Display(WIDTH, HEIGHT)
+    editor = None
+    try:
+        editor = Editor(display, WIDTH, HEIGHT)
+        editor.start(PROGRAM, [small_fabric(editor.home)])
+        editor.wait_for_picture()
+        keep_and_change(editor)
+        use_a_yarn(editor)
+        use_a_cloth(editor)
+    finally:
+        if editor:
+            editor.close()
+        display.close()
+
+
+run(test)

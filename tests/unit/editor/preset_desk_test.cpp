@@ -1,0 +1,70 @@
+#include "app/editor/preset_desk.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "core/base/error.h"
+
+namespace loomlight {
+namespace {
+namespace fs = std::filesystem;
+
+class PresetDeskTest : public testing::Test {
+ protected:
+  PresetDeskTest() { fs::remove_all(folder_); }
+  ~PresetDeskTest() override { fs::remove_all(folder_); }
+
+  static Fabric cloth(const std::string& name) {
+    Fabric fabric;
+    fabric.name = name;
+    return fabric;
+  }
+  static std::vector<std::string> own(const PresetStore& store) { return store.names(); }
+
+  fs::path folder_ = fs::path(testing::TempDir()) / ("loomlight-presets-" + std::to_string(getpid()));
+};
+
+TEST_F(PresetDeskTest, StoresKeepNamesApart) {
+  PresetStore store(folder_);
+  EXPECT_EQ(store.keepBeside(cloth("Tweed")), "Tweed");
+  EXPECT_EQ(store.keepBeside(cloth("Tweed")), "Tweed 2");
+  EXPECT_EQ(store.keepBeside(cloth("Tweed")), "Tweed 3");
+  EXPECT_EQ(store.load("Tweed 2").name, "Tweed 2");
+}
+
+TEST_F(PresetDeskTest, RenamingNeverWritesOverAnother) {
+  PresetStore store(folder_);
+  store.keepBeside(cloth("A"));
+  store.keepBeside(cloth("B"));
+  EXPECT_EQ(store.rename("A", "B"), "B 2");
+  EXPECT_EQ(own(store), (std::vector<std::string>{"B", "B 2"}));
+  EXPECT_EQ(store.rename("B 2", "A"), "A");
+  EXPECT_EQ(own(store), (std::vector<std::string>{"A", "B"}));
+  EXPECT_THROW(store.rename("C", "D"), InputError);
+}
+
+TEST_F(PresetDeskTest, WhatIsRemovedCanBePutBack) {
+  PresetStore store(folder_);
+  store.keepBeside(cloth("A"));
+  store.remove("A");
+  EXPECT_TRUE(own(store).empty());
+  store.putBack("A");
+  EXPECT_EQ(own(store), std::vector<std::string>{"A"});
+  store.remove("A");
+  store.keepBeside(cloth("A"));
+  EXPECT_THROW(store.putBack("A"), InputError) << "a new one has taken the name";
+}
+
+TEST(PresetSearch, FindsBeginningsOfWordsInAnyOrder) {
+  EXPECT_TRUE(matchesSearch("Blue twill cotton", "cot tw"));
+  EXPECT_TRUE(matchesSearch("Blue twill", ""));
+  EXPECT_TRUE(matchesSearch("Blue twill", "  BLUE "));
+  EXPECT_FALSE(matchesSearch("Blue twill", "ill"));
+  EXPECT_FALSE(matchesSearch("Blue twill", "blue wool"));
+}
+
+}  // namespace
+}  // namespace loomlight

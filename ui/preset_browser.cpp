@@ -1,0 +1,142 @@
+#include "ui/preset_browser.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cctype>
+#include <sstream>
+
+#include "ui/fields.h"
+#include "ui/modal.h"
+
+namespace loomlight {
+namespace {
+
+constexpr float kCardWidth = 168, kPictureHeight = 120;
+
+std::string lowerCase(const std::string& text) {
+  std::string lower = text;
+  std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
+  return lower;
+}
+
+}  // namespace
+
+bool matchesSearch(const std::string& text, const std::string& search) {
+  std::istringstream wanted(lowerCase(search));
+  for (std::string beginning; wanted >> beginning;) {
+    std::istringstream words(lowerCase(text));
+    bool found = false;
+    for (std::string word; words >> word;) found |= word.compare(0, beginning.size(), beginning) == 0;
+    if (!found) return false;
+  }
+  return true;
+}
+
+void PresetBrowser::head(Ui& ui) {
+  static constexpr const char* kKinds[] = {"Fabrics", "Yarns", "Fibres", "Colours"};
+  int kind = static_cast<int>(kind_);
+  if (segmentField(ui, {"presets.kind", "Show", "Yarns bring their fibre along; colours are those of all fibres."},
+                   kKinds, kind))
+    chosen_.clear();
+  kind_ = static_cast<PresetKind>(kind);
+  textField(ui, {"presets.search", "Search", "Beginnings of words in names and descriptions, such as: cotton twi"},
+            search_);
+}
+
+void PresetBrowser::card(Ui& ui, size_t index, const PresetCard& card) {
+  const ImVec2 min = ImGui::GetCursorScreenPos();
+  const float width = ui.px(kCardWidth), height = ui.px(kPictureHeight), line = ImGui::GetFrameHeight();
+  const ImVec2 max(min.x + width, min.y + height + line), corner(max.x, min.y + height);
+  const std::string id = "presets.card/" + card.name;
+  ImGui::PushID(static_cast<int>(index));
+  if (ImGui::InvisibleButton("card", ImVec2(width, height + line)) && chosen_ != card.name) {
+    chosen_ = card.name;
+    newName_ = card.name;
+  }
+  ImGui::PopID();
+  ui.probe.recordItem(id);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddRectFilled(min, max, packed(ui.theme.field), ui.px(4));
+  if (card.picture)
+    draw.AddImageRounded(card.picture, min, corner, ImVec2(0, 0), ImVec2(1, 1), IM_COL32_WHITE, ui.px(4),
+                         ImDrawFlags_RoundCornersTop);
+  else
+    draw.AddRectFilled(min, corner, packed(ui.theme.surround), ui.px(4), ImDrawFlags_RoundCornersTop);
+  const std::string text = shortened(card.name, width - ui.px(16));
+  draw.AddText(ImVec2(min.x + ui.px(8), corner.y + 0.5f * (line - ImGui::GetFontSize())),
+               packed(card.own ? ui.theme.text : ui.theme.textQuiet), text.c_str());
+  const bool chosen = chosen_ == card.name;
+  if (chosen || ImGui::IsItemHovered())
+    draw.AddRect(min, max, packed(chosen ? ui.theme.accent : ui.theme.textQuiet), ui.px(4), 0, ui.px(2));
+  tooltipFor(ui, id.c_str(), min, max, card.about.c_str());
+}
+
+void PresetBrowser::grid(Ui& ui, const std::vector<PresetCard>& cards, PresetBrowserEdit& edit) {
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(12), ui.px(12)));
+  const int perLine = std::max(1, static_cast<int>(ImGui::GetContentRegionAvail().x / ui.px(kCardWidth + 12)));
+  int shown = 0;
+  for (size_t i = 0; i < cards.size(); ++i) {
+    if (!matchesSearch(cards[i].name + " " + cards[i].about, search_)) continue;
+    if (shown++ % perLine != 0) ImGui::SameLine();
+    card(ui, i, cards[i]);
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) edit.use = i;
+  }
+  ImGui::PopStyleVar();
+  if (shown == 0) hint(ui, search_.empty() ? "Nothing is kept here yet." : "Nothing is called that.");
+}
+
+void PresetBrowser::actions(Ui& ui, const std::vector<PresetCard>& cards, const std::string& lastChange,
+                            PresetBrowserEdit& edit) {
+  const auto found =
+      std::find_if(cards.begin(), cards.end(), [&](const PresetCard& card) { return card.name == chosen_; });
+  const bool any = found != cards.end(), own = any && found->own;
+  const auto index = static_cast<size_t>(found - cards.begin());
+  ImGui::BeginChild("name", ImVec2(ui.px(420), ImGui::GetFrameHeight()));
+  textField(ui, {"presets.name", "Name", "Of the chosen one; Rename gives it this name."}, newName_);
+  ImGui::EndChild();
+  ImGui::SameLine();
+  const float width = ui.px(96);
+  if (button(ui, "presets.rename", "Rename", width, own && !newName_.empty() && newName_ != chosen_)) {
+    edit.rename = {index, newName_};
+    chosen_ = newName_;
+  }
+  ImGui::SameLine();
+  if (button(ui, "presets.undo", "Undo", width, !lastChange.empty(), lastChange.c_str())) edit.undo = true;
+  if (button(ui, "presets.use", "Use", width, any, "Double click does it too")) edit.use = index;
+  ImGui::SameLine();
+  if (button(ui, "presets.keep", "Keep this", width, true, "Keep what the cloth has now")) edit.keep = true;
+  ImGui::SameLine();
+  if (button(ui, "presets.duplicate", "Duplicate", width, any)) edit.duplicate = index;
+  ImGui::SameLine();
+  if (button(ui, "presets.remove", "Remove", width, own)) edit.remove = index;
+  ImGui::SameLine(ImGui::GetWindowWidth() - ui.px(16) - width);
+  if (button(ui, "presets.close", "Close", width) || modalCancelled() || edit.use) {
+    open_ = false;
+    ImGui::CloseCurrentPopup();
+  }
+}
+
+PresetBrowserEdit PresetBrowser::draw(Ui& ui, const std::vector<PresetCard>& cards, const std::string& lastChange,
+                                      const std::string& problem) {
+  PresetBrowserEdit edit;
+  if (!open_) return edit;
+  const bool begin = opening_;
+  opening_ = false;
+  if (!beginModal(ui, "Presets", ImVec2(ui.px(768), ui.px(600)), begin)) {
+    open_ = false;
+    return edit;
+  }
+  head(ui);
+  const float below = 2 * ImGui::GetFrameHeightWithSpacing() + ui.px(36);
+  ImGui::BeginChild("grid", ImVec2(0, ImGui::GetContentRegionAvail().y - below));
+  grid(ui, cards, edit);
+  ImGui::EndChild();
+  hint(ui, problem.empty() ? lastChange.empty() ? " " : lastChange : problem);
+  ui.probe.fact("presets.problem", problem);
+  actions(ui, cards, lastChange, edit);
+  endModal();
+  return edit;
+}
+
+}  // namespace loomlight
