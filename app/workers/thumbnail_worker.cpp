@@ -62,7 +62,7 @@ bool ThumbnailWorker::fulfil(const ThumbnailOrder& order, uint32_t samples, cons
 }
 
 void ThumbnailWorker::loop(std::stop_token stop) {
-  constexpr uint32_t kFewSamples = 4;
+  constexpr uint32_t kFewSamples = 1;
   std::optional<std::vector<ThumbnailOrder>> next;
   while (auto orders = next ? std::exchange(next, std::nullopt) : orders_.wait(stop)) {
     std::stop_source newer;
