@@ -24,10 +24,11 @@ namespace {
 
 /// What one way to make a kind of edit took, over all rounds.
 struct Transitions {
-  std::vector<double> volume_s, coarse_s, sample_s;
+  std::vector<double> build_s, volume_s, coarse_s, sample_s;
   uint64_t mostBricks = 0;
 
   void add(const LiveTimes& times) {
+    if (times.build_s > 0) build_s.push_back(times.build_s);
     volume_s.push_back(times.volume_s);
     coarse_s.push_back(times.coarse_s);
     if (times.sample_s > 0) sample_s.push_back(times.sample_s);
@@ -148,8 +149,9 @@ std::string milliseconds(double seconds) {
 std::string spread(const std::vector<double>& seconds) {
   return fmt::format("{} ({})", milliseconds(median(seconds)), milliseconds(slowest(seconds)));
 }
+/// Of what the builder took; 0 where it took nothing.
 double fullOverEdit(const EditResult& edit) {
-  return edit.full_s / median(edit.made.volume_s);
+  return edit.made.build_s.empty() ? 0 : edit.full_s / median(edit.made.build_s);
 }
 
 void addCloth(ReportPage& page, const ClothResult& result) {
@@ -258,7 +260,7 @@ int run(const EditBenchCommand& command) {
       "Every edit as the window makes it, through the builder and the tracer of the editor at work on a picture of "
       "{} x {}, {} times each, then undone and redone; milliseconds from the edit on, median and in brackets 95th "
       "percentile; one sample of every pixel the first time only. Beside it the same edit as a full build of volume, "
-      "shell and light tables, in the same run.",
+      "shell and light tables, in the same run, and how many times what the builder itself took for the edit.",
       bench.width(), bench.height(), bench.rounds()));
   std::vector<ClothResult> results;
   for (const EditedCloth& cloth : editedCloths(bench.quick)) {

@@ -51,7 +51,7 @@ bool LiveClock::lookUntil(const Done& done, double seconds, std::stop_token stop
 
 std::optional<LiveTimes> LiveClock::show(const Fabric& fabric, bool wholeSample, std::stop_token stop) {
   LiveTimes times;
-  const uint64_t bricksBefore = renderer_.status().bricksVoxelised;
+  const LiveStatus before = renderer_.status();
   const auto start = Clock::now();
   send(fabric);
   const auto done = [&] {
@@ -65,7 +65,9 @@ std::optional<LiveTimes> LiveClock::show(const Fabric& fabric, bool wholeSample,
     return true;
   };
   if (!lookUntil(done, kForEver_s, stop)) return std::nullopt;
-  times.bricks = renderer_.status().bricksVoxelised - bricksBefore;
+  const LiveStatus after = renderer_.status();
+  if (after.buildSeconds != before.buildSeconds) times.build_s = after.buildSeconds;
+  times.bricks = after.bricksVoxelised - before.bricksVoxelised;
   return times;
 }
 

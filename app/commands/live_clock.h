@@ -18,6 +18,7 @@ struct LiveTimes {
   double volume_s = 0;  ///< to the scene with its volume
   double coarse_s = 0;  ///< to the first picture of it, however coarse
   double sample_s = 0;  ///< to one sample of every pixel; 0 where nobody waited for it
+  double build_s = 0;   ///< what the builder itself took for the volume; 0 where it is the one before
   uint64_t bricks = 0;  ///< voxelised for it
 };
 

@@ -267,7 +267,7 @@ int ClothGeometry::phase(System system, int pick, int end) const {
 
 bool ClothGeometry::differsInWeaveOnly(const ClothGeometry& other) const {
   const auto sameModel = [](const std::shared_ptr<const YarnModel>& a, const std::shared_ptr<const YarnModel>& b) {
-    return a == b || (a && b && a->source == b->source);
+    return a == b || (a && b && a->geometry == b->geometry);
   };
   const auto sameSystem = [&](const SystemGeometry& a, const SystemGeometry& b) {
     return a.classes == b.classes &&
@@ -275,7 +275,23 @@ bool ClothGeometry::differsInWeaveOnly(const ClothGeometry& other) const {
   };
   return sameSystem(systems_[0], other.systems_[0]) && sameSystem(systems_[1], other.systems_[1]) &&
          ends_ == other.ends_ && picks_ == other.picks_ && warpPitch_mm_ == other.warpPitch_mm_ &&
-         weftPitch_mm_ == other.weftPitch_mm_;
+         weftPitch_mm_ == other.weftPitch_mm_ && sameNodes(other);
+}
+
+/// Whether all paths have the same nodes: crossings differ by more digits than nodes keep. The yarns must be the same.
+bool ClothGeometry::sameNodes(const ClothGeometry& other) const {
+  if (crossings_ == other.crossings_) return true;
+  for (const System system : {System::warp, System::weft}) {
+    const auto& crossedYarns = of(system == System::warp ? System::weft : System::warp).yarns;
+    for (int own = 0; own < classCount_; ++own)
+      for (int crossed = 0; crossed < classCount_; ++crossed) {
+        if (!of(system).yarns[own] || !crossedYarns[crossed]) continue;
+        for (int distance = 0; distance <= kMaxFloatDistance; ++distance)
+          if (!(node(system, own, crossed, true, distance) == other.node(system, own, crossed, true, distance)))
+            return false;
+      }
+  }
+  return true;
 }
 
 CellStrands ClothGeometry::strands(const CellKey& key) const {

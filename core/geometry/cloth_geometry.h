@@ -102,6 +102,7 @@ class ClothGeometry {
   };
   const SystemGeometry& of(System system) const { return systems_[static_cast<size_t>(system)]; }
   PathNode node(System system, int own, int other, bool over, int floatDistance) const;
+  bool sameNodes(const ClothGeometry& other) const;
   void resolveYarns(const Fabric& fabric, const ClothGeometry* previous);
   void findRepeat();
   void findThickness();

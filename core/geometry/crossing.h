@@ -11,6 +11,7 @@ struct Crossing {
   double warpHeight_mm = 0, weftHeight_mm = 0;
   double warpRadius_mm = 0, weftRadius_mm = 0;  ///< of the arc: own half-height and half the other's thinner side
   double warpFlat_mm = 0, weftFlat_mm = 0;      ///< half-length of the flat over the other's flattened section
+  bool operator==(const Crossing&) const = default;
 };
 
 /// The yarns touch, and their crowns are level: warp height + weft height = both half-heights, and the cloth is as thin

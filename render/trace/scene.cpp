@@ -15,8 +15,9 @@ namespace loomlight {
 namespace {
 
 int crossings(double extent_mm, double pitch_mm) {
-  // An extent that is a whole number of pitches up to rounding must not gain a crossing.
-  return std::max(1, static_cast<int>(std::ceil(extent_mm / pitch_mm - 1e-4)));
+  // An extent that is a whole number of pitches up to rounding, of a mesh in floats, must not gain a crossing.
+  const double count = extent_mm / pitch_mm;
+  return std::max(1, static_cast<int>(std::ceil(count - 1e-4 - 1e-6 * count)));
 }
 
 /// The cloth that a fabric's drape asks for.
