@@ -45,13 +45,16 @@ double radiusOf(const Drape& drape, const MeshExtent& mesh) {
     }
     case DrapeKind::sphere:
       return std::min(drape.radius_mm, 0.5 * std::hypot(drape.width_mm, drape.height_mm));
-    case DrapeKind::mesh:
+    default:
       return mesh.radius_mm;
   }
-  return mesh.radius_mm;
 }
 
 }  // namespace
+
+bool hasOwnExtent(const Drape& drape) {
+  return drape.kind != DrapeKind::flat && drape.kind != DrapeKind::cylinder && drape.kind != DrapeKind::sphere;
+}
 
 Camera orbited(const Camera& camera, double dx, double dy) {
   Camera moved = camera;
@@ -80,7 +83,7 @@ Camera zoomed(const Camera& camera, double clicks, double x, double y, int heigh
 Camera fitted(const Camera& camera, const Drape& drape, double aspect, const MeshExtent& mesh) {
   constexpr double kMargin = 1.02;
   Camera moved = camera;
-  moved.target_mm = drape.kind == DrapeKind::mesh ? mesh.centre_mm : glm::dvec3(0.0);
+  moved.target_mm = hasOwnExtent(drape) ? mesh.centre_mm : glm::dvec3(0.0);
   const double half = std::atan(std::tan(halfFov(camera)) * std::min(1.0, aspect));
   moved.distance_mm = std::clamp(kMargin * radiusOf(drape, mesh) / std::sin(half), 0.1, 100000.0);
   return moved;

@@ -14,7 +14,9 @@ struct MeshExtent {
   glm::dvec3 centre_mm{0.0};
   double radius_mm = 50;
 };
-/// Keeps the direction and shows the whole drape. `mesh`: of a mesh drape.
+/// Whether it takes the drape's mesh to say how large it is.
+bool hasOwnExtent(const Drape& drape);
+/// Keeps the direction and shows the whole drape. `mesh`: of a drape that has its own extent.
 Camera fitted(const Camera& camera, const Drape& drape, double aspect, const MeshExtent& mesh);
 
 }  // namespace loomlight

@@ -3,9 +3,9 @@
 namespace loomlight {
 
 std::span<const char* const> lightNames(const Light& light) {
-  static constexpr const char* kNames[] = {"Sunny sky",     "White dome",    "All around", "From behind",
-                                           "At the camera", "One direction", "Picture"};
-  return std::span(kNames).first(light.file.empty() ? 6 : 7);
+  static constexpr const char* kNames[] = {"Sunny sky",  "Overcast",    "Window",        "Light booth",   "White dome",
+                                           "All around", "From behind", "At the camera", "One direction", "Picture"};
+  return std::span(kNames).first(std::size(kNames) - (light.file.empty() ? 1 : 0));
 }
 
 Light withKind(Light light, LightKind kind) {
@@ -16,8 +16,8 @@ Light withKind(Light light, LightKind kind) {
 }
 
 std::span<const char* const> drapeNames(const Drape& drape) {
-  static constexpr const char* kNames[] = {"Flat", "Cylinder", "Sphere", "Mesh"};
-  return std::span(kNames).first(drape.file.empty() ? 3 : 4);
+  static constexpr const char* kNames[] = {"Flat", "Cylinder", "Sphere", "Folds", "Cushion", "Skirt", "Mesh"};
+  return std::span(kNames).first(std::size(kNames) - (drape.file.empty() ? 1 : 0));
 }
 
 std::span<const char* const> fibreSectionNames() {

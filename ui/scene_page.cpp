@@ -23,8 +23,9 @@ bool lightRows(Ui& ui, Light& light, InspectorResult& result) {
   if (light.kind != before) light = withKind(light, light.kind);
   changed |= memberField(ui, "light", light, &Light::intensity, 2);
   const bool aimed = light.kind == LightKind::sky || light.kind == LightKind::directional;
-  if (aimed || light.kind == LightKind::environment)
-    changed |= memberField(ui, "light", light, &Light::azimuth_deg, 0, 1);
+  const bool turns = aimed || light.kind == LightKind::environment || light.kind == LightKind::window ||
+                     light.kind == LightKind::booth;
+  if (turns) changed |= memberField(ui, "light", light, &Light::azimuth_deg, 0, 1);
   if (aimed) changed |= memberField(ui, "light", light, &Light::elevation_deg, 0, 0.5);
   if (light.kind == LightKind::sky) changed |= memberField(ui, "light", light, &Light::turbidity, 1);
   if (button(ui, "light.browse", "Choose a surrounding\xE2\x80\xA6", 0, true,
@@ -38,7 +39,7 @@ bool drapeRows(Ui& ui, Drape& drape, InspectorResult& result) {
   if (drape.kind == DrapeKind::mesh) {
     changed |= memberField(ui, "drape", drape, &Drape::uvScale_mm, 2);
   } else {
-    changed |= memberField(ui, "drape", drape, &Drape::width_mm, 1);
+    if (drape.kind != DrapeKind::skirt) changed |= memberField(ui, "drape", drape, &Drape::width_mm, 1);
     changed |= memberField(ui, "drape", drape, &Drape::height_mm, 1);
     if (drape.kind != DrapeKind::flat) changed |= memberField(ui, "drape", drape, &Drape::radius_mm, 1);
   }

@@ -179,7 +179,7 @@ ViewportEdit viewportPanel(Ui& ui, const Fabric& fabric, const ViewportModel& mo
 
   ImGui::SetCursorScreenPos(ImVec2(min.x + ImGui::GetStyle().WindowPadding.x, max.y + ui.px(8)));
   edit.fabric = quickChoices(ui, fabric, view);
-  const bool sizeIsKnown = fabric.drape.kind != DrapeKind::mesh || model.mesh;
+  const bool sizeIsKnown = !hasOwnExtent(fabric.drape) || model.mesh;
   if (view.fitWanted && sizeIsKnown) {
     const Fabric& shown = edit.fabric ? *edit.fabric : fabric;
     edit.camera = fitted(shown.camera, shown.drape, size.x / size.y, model.mesh.value_or(MeshExtent{}));

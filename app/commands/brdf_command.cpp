@@ -37,7 +37,8 @@ Fabric patch(const BrdfCommand& command) {
     fabric.light.elevation_deg = 90 - command.lightAngle_deg.value_or(0);
   }
   const LightKind kind = fabric.light.kind;
-  if (kind == LightKind::sky || kind == LightKind::environment || kind == LightKind::headlight)
+  if (kind != LightKind::directional && kind != LightKind::dome && kind != LightKind::back &&
+      kind != LightKind::furnace)
     throw UsageError("--light: expected directional, dome, back or furnace, whose irradiance is known");
   if (paperRadiance(fabric.light) < 1e-3)
     throw UsageError("--light-angle: expected light that does not graze the cloth, got almost 90 degrees or darkness");

@@ -132,12 +132,11 @@ ViewChoice parseView(const std::string& option, const std::string& text) {
 }
 
 DrapeChoice parseDrape(const std::string& option, const std::string& text) {
-  if (text == "flat") return {DrapeKind::flat, ""};
-  if (text == "cylinder") return {DrapeKind::cylinder, ""};
-  if (text == "sphere") return {DrapeKind::sphere, ""};
+  const auto kind = choiceFromName<DrapeKind>(text);
+  if (kind && *kind != DrapeKind::mesh) return {*kind, ""};
   // A slip such as 'cilinder' must not turn into a complaint about a missing file.
   if (text.find('.') == std::string::npos)
-    refuse(option, "flat, cylinder, sphere, or a mesh that ends in .obj, .ply or .off", text);
+    refuse(option, "flat, cylinder, sphere, folds, cushion, skirt, or a mesh that ends in .obj, .ply or .off", text);
   return {DrapeKind::mesh, text};
 }
 
@@ -156,6 +155,12 @@ LightChoice parseLight(const std::string& option, const std::string& text) {
     light.kind = LightKind::sky;
   } else if (name == "directional") {
     light.kind = LightKind::directional;
+  } else if (name == "overcast") {
+    light.kind = LightKind::overcast;
+  } else if (name == "window") {
+    light.kind = LightKind::window;
+  } else if (name == "booth") {
+    light.kind = LightKind::booth;
   } else if (name == "dome") {
     light.kind = LightKind::dome;
   } else if (name == "furnace") {
@@ -165,7 +170,9 @@ LightChoice parseLight(const std::string& option, const std::string& text) {
   } else if (name == "point") {
     light.kind = LightKind::headlight;
   } else {
-    refuse(option, "ibl, ibl:FILE, sky[:AZ,EL], directional[:AZ,EL], dome, point, back or furnace", text);
+    refuse(option,
+           "ibl, ibl:FILE, sky[:AZ,EL], directional[:AZ,EL], overcast, window, booth, dome, point, back or furnace",
+           text);
   }
   if (detail.empty()) return light;
   const auto angles = split(detail, ',');

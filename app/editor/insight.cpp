@@ -62,7 +62,7 @@ std::shared_ptr<const Insight> InsightWorker::newest() const {
 }
 
 std::optional<MeshExtent> InsightWorker::extentOf(const Drape& drape) {
-  if (drape.kind != DrapeKind::mesh) return std::nullopt;
+  if (!hasOwnExtent(drape)) return std::nullopt;
   if (drape == measured_) return measuredExtent_;
   measured_ = drape;
   measuredExtent_.reset();

@@ -27,11 +27,12 @@ struct ChoiceNames<FibreLayout> {
 };
 template <>
 struct ChoiceNames<DrapeKind> {
-  static constexpr std::array names{"flat", "cylinder", "sphere", "mesh"};
+  static constexpr std::array names{"flat", "cylinder", "sphere", "folds", "cushion", "skirt", "mesh"};
 };
 template <>
 struct ChoiceNames<LightKind> {
-  static constexpr std::array names{"sky", "dome", "furnace", "back", "headlight", "directional", "environment"};
+  static constexpr std::array names{"sky",     "overcast", "window",    "booth",       "dome",
+                                    "furnace", "back",     "headlight", "directional", "environment"};
 };
 template <>
 struct ChoiceNames<Method> {

@@ -40,10 +40,10 @@ struct Yarn {
   int fibre = 0;                  ///< index into Fabric::fibres
   std::optional<int> blendFibre;  ///< a second fibre, evenly mixed with the first (melange): index into Fabric::fibres
   std::optional<double> blendShare;  ///< of the mass that is the second fibre, 0..1; half where it is not given
-  double count_tex = 30.0;        ///< g per km of finished yarn, 0.5..5000; not used with fibresPerPly
-  std::optional<int> fibresPerPly;  ///< 1..2000; the count then follows
-  int plies = 1;                    ///< 1..8
-  double plyTwist_per_m = 700.0;    ///< turns of the fibres about the axis of their ply, 0..5000
+  double count_tex = 30.0;           ///< g per km of finished yarn, 0.5..5000; not used with fibresPerPly
+  std::optional<int> fibresPerPly;   ///< 1..2000; the count then follows
+  int plies = 1;                     ///< 1..8
+  double plyTwist_per_m = 700.0;     ///< turns of the fibres about the axis of their ply, 0..5000
   TwistDirection plyTwistDirection = TwistDirection::z;
   double yarnTwist_per_m = 0.0;  ///< turns of the plies about the axis of the yarn, 0..5000; plies > 1 only
   TwistDirection yarnTwistDirection = TwistDirection::s;
@@ -57,23 +57,26 @@ struct Yarn {
   friend bool operator==(const Yarn&, const Yarn&);
 };
 
-enum class DrapeKind { flat, cylinder, sphere, mesh };
+/// folds: hanging in folds along the warp; cushion: its upper face; skirt: a full circle on a waist.
+enum class DrapeKind { flat, cylinder, sphere, folds, cushion, skirt, mesh };
 
 /// The surface the cloth lies on.
 struct Drape {
   DrapeKind kind = DrapeKind::flat;
   double width_mm = 20.0;   ///< along the weft, 1..10000; a mesh has its own size
-  double height_mm = 20.0;  ///< along the warp
-  double radius_mm = 6.0;   ///< cylinder, sphere: 0.5..10000
+  double height_mm = 20.0;  ///< along the warp; skirt: from waist to hem
+  double radius_mm = 6.0;   ///< cylinder, sphere, tightest bend of folds, height of a cushion, waist: 0.5..10000
   std::string file;         ///< mesh: OBJ, PLY or OFF with texture coordinates
   double uvScale_mm = 1.0;  ///< mesh: millimetres per unit of texture coordinate, 1e-3..1e6
   UnknownKeys unknown;
   friend bool operator==(const Drape&, const Drape&);
 };
 
-enum class LightKind { sky, dome, furnace, back, headlight, directional, environment };
+enum class LightKind { sky, overcast, window, booth, dome, furnace, back, headlight, directional, environment };
 
-/// What shines on the cloth. z is up. dome: white from above; furnace: white from everywhere; back: white from below.
+/// What shines on the cloth. z is up. overcast: a grey sky over grass; window: a room with one window, in the direction
+/// of the azimuth; booth: a light booth as dyers judge colours in, open towards the azimuth; these three light white
+/// paper on a table to radiance 1. dome: white from above; furnace: white from everywhere; back: white from below.
 struct Light {
   LightKind kind = LightKind::sky;
   double intensity = 1.0;       ///< factor on radiance, 0..1000

@@ -81,7 +81,11 @@ struct FieldTable<Drape> {
       Field{&Drape::kind, {"kind", "Drape", "", 0, 0, "The surface the cloth lies on."}},
       Field{&Drape::width_mm, {"width_mm", "Width", "mm", 1, 10000, "Size of the piece along the weft.", true}},
       Field{&Drape::height_mm, {"height_mm", "Height", "mm", 1, 10000, "Size of the piece along the warp.", true}},
-      Field{&Drape::radius_mm, {"radius_mm", "Radius", "mm", 0.5, 10000, "Of the cylinder or the sphere.", true}},
+      Field{&Drape::radius_mm,
+            {"radius_mm", "Radius", "mm", 0.5, 10000,
+             "Of the cylinder, the sphere or the waist of a skirt; of folds, the tightest bend; of a cushion, its "
+             "height.",
+             true}},
       Field{&Drape::file, {"file", "Mesh", "", 0, 0, "An OBJ, PLY or OFF file with texture coordinates."}},
       Field{
           &Drape::uvScale_mm,

@@ -4,52 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "core/base/error.h"
+#include "core/shell/drape_grid.h"
+#include "core/shell/drape_shapes.h"
 
 namespace loomlight {
 namespace {
 
-/// Facets this fine differ from the smooth surface by 1e-4 of the radius, and cost a ray few tetrahedra.
-constexpr double kFacetAngle = 1.5 * kPi / 180.0;
-constexpr int kMaxCells = 200000;
-/// Cells straight along an axis may be long, but beyond this ratio their planes lose precision.
-constexpr double kMaxAspect = 64.0;
 constexpr double kSphereReach = 0.8 * kPi;
-
-struct SurfacePoint {
-  glm::dvec3 position;
-  glm::dvec3 normal;
-};
-
-/// A grid of `columns` x `rows` cells over the swatch [0, width] x [0, height], mapped by `surface`.
-DrapeMesh gridMesh(double width, double height, int columns, int rows,
-                   const std::function<SurfacePoint(glm::dvec2 uv)>& surface) {
-  DrapeMesh mesh;
-  for (int row = 0; row <= rows; ++row) {
-    for (int column = 0; column <= columns; ++column) {
-      const glm::dvec2 uv(width * column / columns, height * row / rows);
-      const SurfacePoint point = surface(uv);
-      mesh.positions.emplace_back(point.position);
-      mesh.normals.emplace_back(point.normal);
-      mesh.uv_mm.emplace_back(uv);
-    }
-  }
-  for (int row = 0; row < rows; ++row) {
-    for (int column = 0; column < columns; ++column) {
-      const uint32_t corner = static_cast<uint32_t>(row * (columns + 1) + column);
-      const uint32_t above = corner + static_cast<uint32_t>(columns) + 1;
-      mesh.triangles.emplace_back(corner, corner + 1, above + 1);
-      mesh.triangles.emplace_back(corner, above + 1, above);
-    }
-  }
-  return mesh;
-}
-
-int cellsFor(double length, double cell, int limit) {
-  return std::clamp(static_cast<int>(std::min(std::ceil(length / cell), 1e6)), 1, limit);
-}
 
 DrapeMesh flatDrape(const Drape& drape) {
   const glm::dvec3 middle(drape.width_mm / 2, drape.height_mm / 2, 0);
@@ -65,7 +28,7 @@ DrapeMesh cylinderDrape(const Drape& drape) {
   const bool closed = drape.height_mm > turn * (1 - 1e-4);
   const double height = closed ? turn : drape.height_mm;
   const int rows = cellsFor(height, radius * kFacetAngle, 1000);
-  const int columns = cellsFor(drape.width_mm, kMaxAspect * height / rows, kMaxCells / rows);
+  const int columns = cellsFor(drape.width_mm, kMaxCellAspect * height / rows, kMaxDrapeCells / rows);
 
   // Centre of the bounding box: the arc's top is at +radius, its lowest point at the two ends.
   const double halfAngle = height / (2 * radius);
@@ -120,7 +83,18 @@ DrapeMesh makeDrape(const Drape& drape) {
   expectPositive(drape.height_mm, "height_mm");
   if (drape.kind == DrapeKind::flat) return flatDrape(drape);
   expectPositive(drape.radius_mm, "radius_mm");
-  return drape.kind == DrapeKind::cylinder ? cylinderDrape(drape) : sphereDrape(drape);
+  switch (drape.kind) {
+    case DrapeKind::cylinder:
+      return cylinderDrape(drape);
+    case DrapeKind::folds:
+      return foldedDrape(drape);
+    case DrapeKind::cushion:
+      return cushionDrape(drape);
+    case DrapeKind::skirt:
+      return skirtDrape(drape);
+    default:
+      return sphereDrape(drape);
+  }
 }
 
 }  // namespace loomlight

@@ -19,11 +19,15 @@ struct DrapeMesh {
   std::vector<std::string> repairs;  ///< what was mended or left out, in words for the user
 };
 
-/// The surface a fabric asks for: generated (flat, cylinder, sphere) or loaded. z is up; it is centred at the origin.
+/// The surface a fabric asks for: generated or loaded. z is up; it is centred at the origin.
 /// - flat: two triangles in the xy-plane, face up.
 /// - cylinder: the warp goes round an axis along x, the middle of the swatch on top; isometric; one turn at most.
 /// - sphere: the exponential map about the top, so the two lines through the middle keep their length and rings about
 ///   it are gathered by sin(a) / a; no farther than 0.8 of the way to the opposite pole.
+/// - folds: isometric; its section along the weft is a sine-generated curve (Langbein and Leopold 1966), the curve of
+///   the least change of bend; its tightest bend has the radius, or less, so that there are three folds at least.
+/// - cushion: the upper face; its lines through the middle keep their length.
+/// - skirt: a full circle of cloth with a hole for the waist; isometric: a cone over a fluted curve.
 /// Throws InputError for a mesh that cannot be used, naming file, place and what was expected.
 DrapeMesh makeDrape(const Drape& drape);
 

@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "render/light/lat_long.h"
+#include "render/light/surroundings.h"
 
 namespace loomlight {
 namespace {
@@ -18,6 +19,12 @@ AnyLight makeLight(const Light& light, glm::vec3 eye_mm, float reach_mm) {
   switch (light.kind) {
     case LightKind::sky:
       return SkyLight(light);
+    case LightKind::overcast:
+      return EnvironmentLight(overcastSky(), light, "overcast sky");
+    case LightKind::window:
+      return EnvironmentLight(windowedRoom(), light, "window");
+    case LightKind::booth:
+      return EnvironmentLight(lightBooth(), light, "light booth");
     case LightKind::dome:
       return UniformLight(intensity, 0);
     case LightKind::furnace:

@@ -91,6 +91,8 @@ TEST(OptionValues, LightsHaveTheirDetails) {
   EXPECT_EQ(parseLight("--light", "point").kind, LightKind::headlight);
   EXPECT_EQ(parseLight("--light", "dome").kind, LightKind::dome);
   EXPECT_EQ(parseLight("--light", "back").kind, LightKind::back);
+  EXPECT_EQ(parseLight("--light", "booth").kind, LightKind::booth);
+  EXPECT_EQ(parseDrape("--drape", "skirt").kind, DrapeKind::skirt);
   EXPECT_EQ(parseLight("--light", "furnace").kind, LightKind::furnace);
   const LightChoice lamp = parseLight("--light", "directional:30,-40");
   EXPECT_EQ(lamp.kind, LightKind::directional);

@@ -121,6 +121,57 @@ TEST(Drape, SphereIsCutToWhatFits) {
   EXPECT_NEAR(lowest, std::cos(0.8 * kPi), 1e-4);
 }
 
+/// Largest change of length of any side of any triangle, as a share.
+double worstStretch(const DrapeMesh& mesh) {
+  double worst = 0;
+  for (const glm::uvec3& t : mesh.triangles)
+    for (int k = 0; k < 3; ++k) {
+      const uint32_t a = t[k], b = t[(k + 1) % 3];
+      const double flat = glm::distance(mesh.uv_mm[a], mesh.uv_mm[b]);
+      worst = std::max(worst, std::abs(glm::distance(mesh.positions[a], mesh.positions[b]) / flat - 1));
+    }
+  return worst;
+}
+
+TEST(Drape, FoldsAndSkirtsAreIsometric) {
+  for (const Drape& drape : {drapeOf(DrapeKind::folds, 40, 30, 2), drapeOf(DrapeKind::skirt, 20, 40, 12)}) {
+    const DrapeMesh mesh = makeDrape(drape);
+    expectSound(mesh);
+    EXPECT_LT(worstStretch(mesh), 1e-3);  // chords of facets
+  }
+}
+
+TEST(Drape, SkirtClosesAndIsACircleOfCloth) {
+  const DrapeMesh mesh = makeDrape(drapeOf(DrapeKind::skirt, 20, 40, 12));
+  double least = 1e9, most = 0;
+  for (const glm::vec2& uv : mesh.uv_mm) {
+    const double radius = glm::distance(uv, glm::vec2(52));
+    least = std::min(least, radius);
+    most = std::max(most, radius);
+  }
+  EXPECT_NEAR(least, 12, 1e-3);
+  EXPECT_NEAR(most, 52, 1e-3);
+  const size_t perRow = 1 + static_cast<size_t>(std::count_if(
+                                mesh.uv_mm.begin() + 1, mesh.uv_mm.end(),
+                                [&](glm::vec2 uv) { return uv.y == mesh.uv_mm[0].y && uv.x > mesh.uv_mm[0].x; })) /
+                                2;
+  for (size_t i = 0; i < perRow; ++i) EXPECT_EQ(mesh.positions[i], mesh.positions[mesh.positions.size() - perRow + i]);
+}
+
+TEST(Drape, CushionKeepsLengthsThroughItsMiddleAndIsAsHighAsAsked) {
+  const DrapeMesh mesh = makeDrape(drapeOf(DrapeKind::cushion, 40, 30, 6));
+  expectSound(mesh);
+  EXPECT_NEAR(lengthAlong(mesh, 0, 15), 40, 0.02);
+  EXPECT_NEAR(lengthAlong(mesh, 1, 20), 30, 0.02);
+  float lowest = 0, highest = 0;
+  for (const glm::vec3& p : mesh.positions) {
+    lowest = std::min(lowest, p.z);
+    highest = std::max(highest, p.z);
+  }
+  EXPECT_NEAR(highest - lowest, 6, 0.25);  // the seam lies a little above where the halves would meet
+  EXPECT_THAT(makeDrape(drapeOf(DrapeKind::cushion, 40, 30, 60)).repairs, testing::Contains(HasSubstr("at most")));
+}
+
 TEST(Drape, StaysSmallWhateverIsAsked) {
   for (const DrapeKind kind : {DrapeKind::cylinder, DrapeKind::sphere})
     for (const double radius : {0.5, 10000.0})
