@@ -44,14 +44,14 @@ class Unknown {
         before_(s.clothOrigin + toCloth * (from.before.axis - s.origin), glm::normalize(toCloth * from.before.tangent),
                 from.before.radius_mm, grid_) {}
 
-  float share(const FibreDistribution& fibres, float radius_mm, Thread thread, glm::vec3 point,
+  float share(const FibreDistribution& fibres, float radius_mm, bool packed, Thread thread, glm::vec3 point,
               glm::ivec3 voxel) const {
     float absent = 0;
     for (const Flight& flight : from_.flights)
       if (flight.length_mm > 0)
         absent = std::max(absent, knownAbsent(flight, point, fibres.direction, fibres.spread, radius_mm));
     float before = 0;
-    if (from_.before.radius_mm > 0 && thread == from_.before.thread)
+    if (from_.before.radius_mm > 0 && thread == from_.before.thread && packed)
       before = std::min(1.0f, before_.lengthDensity(grid_.lower_mm(voxel)) / fibres.lengthDensity);
     return (1 - absent) * (1 - before);
   }
@@ -140,8 +140,8 @@ bool LoomlightMedium::advance(const Departure& from, glm::vec3 direction, float 
           const VoxelExtinction voxel(scene_, content, s.drape, direction,
                                       [&](const FibreDistribution& fibres, const YarnOptics& optics, Thread thread) {
                                         if (!ingredients_.hotSpot) return 1.0f;
-                                        return unknown.share(fibres, optics.fibreRadius_mm, thread, middle,
-                                                             content.voxel);
+                                        return unknown.share(fibres, optics.fibreRadius_mm, optics.packed, thread,
+                                                             middle, content.voxel);
                                       });
           last = uLeave;
           filled = ingredients_.packing ? std::min(voxel.packed(), kFullest) : 0.0f;

@@ -23,8 +23,8 @@ struct ShellSegment;
 ///   not there: extinction at distance s is reduced by max(0, 1 - delta / 2r), delta the distance between both ways
 ///   seen along the fibre. With the light behind the eye nothing is in shadow. Two flights are remembered: with one,
 ///   light of two events is 10-20 % short, since where it turned back the eye's own ray is still near. What ends the
-///   last way, the fibre before, is there for certain, and is met as an explicit cylinder, which voxels then do not
-///   count again.
+///   last way, the fibre before, is there for certain, and is met as an explicit cylinder, which voxels of packed
+///   yarns then do not count again; those of fibres laid at random do, which was measured to be nearer to them.
 ///
 /// All of it is one law of free flight, for paths and for shadow rays alike, so a white furnace stays exactly white.
 class LoomlightMedium final : public Medium {
