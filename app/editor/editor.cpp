@@ -18,8 +18,9 @@
 namespace loomlight {
 namespace {
 
-/// An event is drawn out over a few frames: ImGui answers a click a frame late, and layout settles after it.
-constexpr int kFramesPerEvent = 3;
+/// An event is drawn out over a few frames: ImGui answers a click a frame late, layout settles after it, and a dialog
+/// that a key opens takes four until its text field listens.
+constexpr int kFramesPerEvent = 6;
 /// The longest sleep; what wakes the window otherwise is input or a worker.
 constexpr double kLongestSleep_s = 5.0;
 

@@ -58,6 +58,7 @@ class Editor:
 
     def __init__(self, display, width, height):
         self.process = None
+        self.pointer = None
         self.home = tempfile.mkdtemp(prefix="loomlight-editor-")
         self.dump_file = os.path.join(self.home, "widgets.json")
         self.log_file = os.path.join(self.home, "log.txt")
@@ -68,6 +69,7 @@ class Editor:
                             "LIBGL_ALWAYS_SOFTWARE": "1"}
 
     def start(self, program, arguments=()):
+        self.pointer = None
         if os.path.exists(self.dump_file):
             os.remove(self.dump_file)
         with open(self.log_file, "a", encoding="utf-8") as log:
@@ -108,10 +110,10 @@ class Editor:
         raise Failure(f"waited {seconds:.0f} s in vain until {what}; facts: {self.dump()['facts']}\n{self.log()}")
 
     def act(self, *arguments):
-        """One event; returns when the program has drawn what it brought. An event without effect brings no frame."""
+        """One event; returns when the program has drawn what it brought."""
         first = self.number("frame")
         subprocess.run(["xdotool", *map(str, arguments)], env=self.environment, check=True, timeout=20)
-        end = time.monotonic() + 2.0  # a machine with other work draws a frame or two a second
+        end = time.monotonic() + 10.0  # a machine with other work may take a second for a frame
         while self.number("frame") < first + self.frames_held and time.monotonic() < end:
             time.sleep(0.01)
 
@@ -132,7 +134,11 @@ class Editor:
         return (x0 + x1) / 2, (y0 + y1) / 2
 
     def move(self, x, y):
-        self.act("mousemove", int(x), int(y))
+        place = int(x), int(y)
+        if place == self.pointer:
+            return  # it would bring no event, hence no frame
+        self.act("mousemove", *place)
+        self.pointer = place
 
     def click(self, widget, button=1):
         self.click_at(*self.centre(widget), button)
