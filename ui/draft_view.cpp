@@ -53,10 +53,7 @@ int DraftFrame::lastPick() const {
 }
 
 DraftFrame frameOf(const DraftView& view, const DraftPreferences& preferences, const Box& box) {
-  using Origin = DraftPreferences::Origin;
-  const bool right = preferences.origin == Origin::bottomRight || preferences.origin == Origin::topRight;
-  const bool top = preferences.origin == Origin::topLeft || preferences.origin == Origin::topRight;
-  return {box, view.cell, view.origin, right != view.back, top, view.back};
+  return {box, view.cell, view.origin, preferences.startsRight() != view.back, preferences.startsAtTop(), view.back};
 }
 
 void fitDraft(DraftView& view, const Weave& weave, ImVec2 size, float scale) {

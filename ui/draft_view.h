@@ -19,6 +19,8 @@ struct DraftPreferences {
   /// The corner of the drawdown in which end 1 and pick 1 are.
   enum class Origin { bottomLeft, bottomRight, topLeft, topRight };
   Origin origin = Origin::bottomLeft;
+  bool startsRight() const { return origin == Origin::bottomRight || origin == Origin::topRight; }
+  bool startsAtTop() const { return origin == Origin::topLeft || origin == Origin::topRight; }
   bool inches = false;  ///< lengths on rulers; else cm
   bool rulers = false;
   LoomLimits loom;

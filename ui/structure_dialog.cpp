@@ -130,16 +130,4 @@ std::optional<MadeStructure> StructureDialog::draw(Ui& ui, const std::optional<C
   return made_;
 }
 
-Rewoven withStructure(const Fabric& fabric, const std::optional<CellRect>& selection, const MadeStructure& structure,
-                      const LoomLimits& limits) {
-  Rewoven result = withStructure(fabric, selection, structure.weave, limits);
-  if (structure.warpColours.empty()) return result;
-  Fabric& woven = result.fabric;
-  // An effect of two colours takes two yarns; a second one can be dyed afterwards.
-  if (woven.yarns.size() == 1) woven.yarns.push_back(woven.yarns.front());
-  woven.warpSequence = structure.warpColours;
-  woven.weftSequence = structure.weftColours;
-  return result;
-}
-
 }  // namespace loomlight

@@ -29,9 +29,4 @@ class StructureDialog {
   std::vector<MadeStructure> thumbnails_;  ///< one a kind, with its first numbers
 };
 
-/// The fabric with the structure in the selection, or in place of its weave where nothing is selected; then yarns A and
-/// B follow each other as a colour effect asks.
-Rewoven withStructure(const Fabric& fabric, const std::optional<CellRect>& selection, const MadeStructure& structure,
-                      const LoomLimits& limits);
-
 }  // namespace loomlight

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/fabric/structure_edit.h"
 #include "ui/draft_panel.h"
 #include "ui/fields.h"
 #include "ui/structure_thumbnail.h"

@@ -30,9 +30,4 @@ bool structureThumbnail(Ui& ui, const std::string& id, const Structure& structur
   return clicked;
 }
 
-Rewoven withStructure(const Fabric& fabric, const std::optional<CellRect>& selection, const Weave& structure,
-                      const LoomLimits& limits) {
-  return rewoven(fabric, selection ? withPattern(fabric.weave, *selection, structure) : structure, limits);
-}
-
 }  // namespace loomlight

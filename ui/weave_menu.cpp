@@ -64,6 +64,8 @@ std::optional<DraftCommand> exportMenu(Ui& ui) {
   Items items(ui);
   items.add("menu.export_wif", "Weaving file\xE2\x80\xA6", ".wif", DraftCommand::exportWif);
   items.add("menu.export_bitmap", "Weave, a pixel a crossing\xE2\x80\xA6", ".png", DraftCommand::exportBitmap);
+  items.add("menu.export_draft", "Draft for print\xE2\x80\xA6", ".pdf .png", DraftCommand::exportDraft);
+  items.add("menu.export_tile", "Tile for other programs\xE2\x80\xA6", ".exr .png", DraftCommand::exportTile);
   ImGui::EndMenu();
   return items.chosen();
 }

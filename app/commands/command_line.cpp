@@ -153,11 +153,36 @@ void addConvert(CLI::App& app, ConvertCommand& command) {
   app.add_option("IN", command.input, "a fabric (.json), draft (.wif), weave bitmap (.png) or picture (.exr)")
       ->type_name("")
       ->required();
-  app.add_option("OUT", command.output, "a fabric (.json), draft (.wif) or weave bitmap (.png)")
+  app.add_option("OUT", command.output, "a fabric (.json), draft (.wif; for print .pdf) or weave bitmap (.png)")
       ->type_name("")
       ->required();
+  app.add_flag("--draft", command.drawsDraft, "a .png shows the draft as it is printed, not a pixel a crossing");
   app.add_option("--like", command.like, "a fabric that gives yarns and all else but the weave")->type_name("FABRIC");
   addWifSizes(app, command.wifSizes);
+}
+
+void addTile(CLI::App& app, TileCommand& command) {
+  app.add_option("FABRIC", command.input, "a fabric (.json), draft (.wif), weave bitmap (.png) or picture (.exr)")
+      ->type_name("")
+      ->required();
+  app.add_option("-o,--output", command.folder, "where the maps go; made where there is none")
+      ->type_name("FOLDER")
+      ->required();
+  addValue(app, "--size", "N", "pixels of the longer side; 1024 where not given",
+           [&command](const auto& option, const auto& text) {
+             command.longestSide = static_cast<int>(parseWhole(option, text, 16, 16384));
+           });
+  addValue(app, "--spp", "N", "samples per pixel; 128 where not given",
+           [&command](const auto& option, const auto& text) {
+             command.options.samplesPerPixel = parseWholeField(option, text, &RenderSettings::samplesPerPixel);
+           });
+  addValue(app, "--seed", "N", "another number gives another pattern of noise",
+           [&command](const auto& option, const auto& text) { command.options.seed = parseSeed(option, text); });
+  addValue(app, "--method", "volume|fibres", "what light is traced through: the volume, or every fibre as it is",
+           [&command](const auto& option, const auto& text) { command.options.method = parseMethod(option, text); });
+  addResolution(app, command.options);
+  addThreads(app, command.threads);
+  addMemoryLimit(app, command.memoryLimit_bytes);
 }
 
 void addVolumeBench(CLI::App& app, BenchCommand& command) {
@@ -282,6 +307,7 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   RenderCommand render;
   InfoCommand info;
   ConvertCommand convert;
+  TileCommand tile;
   BenchCommand bench;
   CompareCommand compare;
   BvdfCommand bvdf;
@@ -306,6 +332,9 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   addInfo(*informs, info);
   CLI::App* const converts = app.add_subcommand("convert", "between fabrics, drafts and weave bitmaps");
   addConvert(*converts, convert);
+  CLI::App* const tiles =
+      app.add_subcommand("tile", "a seamless tile for other programs: color, normal, height, opacity");
+  addTile(*tiles, tile);
   CLI::App* const brdfs = app.add_subcommand("brdf", "how a flat patch reflects, seen from a half-dome of cameras");
   addBrdf(*brdfs, brdf);
   CLI::App* const benches =
@@ -356,6 +385,7 @@ Command parseCommandLine(const std::vector<std::string>& words) {
     return brdf;
   }
   if (*converts) return convert;
+  if (*tiles) return tile;
   if (*tables) return table1;
   if (*figuresOf) return figures;
   if (*accuracies) return accuracy;

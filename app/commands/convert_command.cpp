@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "app/commands/draft_sheet.h"
 #include "app/commands/inputs.h"
 #include "app/commands/weave_bitmap.h"
 #include "app/workers/file_name.h"
@@ -27,11 +28,14 @@ int run(const ConvertCommand& command) {
   } else if (extension == ".wif") {
     for (const std::string& remark : writeWifFabric(fabric, command.output))
       fmt::print(stderr, "{}: {}\n", command.output, remark);
+  } else if (extension == ".pdf" || (extension == ".png" && command.drawsDraft)) {
+    writeDraftSheet(command.output, fabric, {});
   } else if (extension == ".png") {
     writeWeaveBitmap(command.output, fabric.weave);
   } else {
-    throw InputError(fmt::format("{}: expected the name of a fabric (.json), a draft (.wif) or a weave bitmap (.png)",
-                                 command.output));
+    throw InputError(fmt::format(
+        "{}: expected the name of a fabric (.json), a draft (.wif, for print .pdf) or a weave bitmap (.png)",
+        command.output));
   }
   fmt::print("{}: {} ends, {} picks\n", command.output, fabric.weave.ends(), fabric.weave.picks());
   return 0;

@@ -17,20 +17,20 @@ std::shared_ptr<const Fabric> seenFrom(const std::shared_ptr<const Fabric>& fabr
 }  // namespace
 
 Document::Document(Fabric fabric, std::string file) : file_(std::move(file)) {
-  steps_.push_back({std::make_shared<const Fabric>(std::move(fabric)), 0});
+  steps_.push_back({std::make_shared<const Fabric>(std::move(fabric)), 0, {}});
 }
 
-void Document::edit(Fabric fabric, uint64_t gesture) {
+void Document::edit(Fabric fabric, uint64_t gesture, const EditPlace& place) {
   ++revision_;
   auto value = std::make_shared<const Fabric>(std::move(fabric));
   const bool continues = gesture == gesture_ && now_ > 0 && !canRedo();
   gesture_ = gesture;
   if (continues) {
-    steps_[now_] = {std::move(value), nextId_++};
+    steps_[now_] = {std::move(value), nextId_++, steps_[now_].place};
     return;
   }
   steps_.resize(now_ + 1);
-  steps_.push_back({std::move(value), nextId_++});
+  steps_.push_back({std::move(value), nextId_++, place});
   if (steps_.size() > kMostSteps) steps_.erase(steps_.begin());
   now_ = steps_.size() - 1;
 }
@@ -39,12 +39,17 @@ void Document::lookFrom(const Camera& camera) {
   steps_[now_].fabric = seenFrom(fabric(), camera);
 }
 
-void Document::undo() {
-  if (canUndo()) go(now_ - 1);
+EditPlace Document::undo() {
+  const EditPlace place = steps_[now_].place;
+  if (!canUndo()) return {};
+  go(now_ - 1);
+  return place;
 }
 
-void Document::redo() {
-  if (canRedo()) go(now_ + 1);
+EditPlace Document::redo() {
+  if (!canRedo()) return {};
+  go(now_ + 1);
+  return steps_[now_].place;
 }
 
 void Document::go(size_t step) {

@@ -9,6 +9,15 @@
 
 namespace loomlight {
 
+/// Where on the desk an edit was made: undo goes back there.
+struct EditPlace {
+  enum class Panel { none, draft, inspector };
+  Panel panel = Panel::none;
+  float cell = 0, originX = 0, originY = 0;  ///< how the draft was looked at (DraftView)
+  int page = 0, yarn = 0;                    ///< of the inspector
+  friend bool operator==(const EditPlace&, const EditPlace&) = default;
+};
+
 /// The fabric that is edited, how it came to be, and the file it lives in. Undo keeps the old values; they share what
 /// did not change.
 class Document {
@@ -22,13 +31,14 @@ class Document {
   uint64_t revision() const { return revision_; }
 
   /// All edits of one gesture (a drag, a text being typed) are one step of undo.
-  void edit(Fabric fabric, uint64_t gesture);
+  void edit(Fabric fabric, uint64_t gesture, const EditPlace& place = {});
   /// Looking around: no step of undo, no reason to ask at the end.
   void lookFrom(const Camera& camera);
   bool canUndo() const { return now_ > 0; }
   bool canRedo() const { return now_ + 1 < steps_.size(); }
-  void undo();
-  void redo();
+  /// Return where the edit was made that is taken back, or made again.
+  EditPlace undo();
+  EditPlace redo();
 
   /// Writes the file and remembers it. Throws InputError, and is unchanged then.
   void save(const std::string& file);
@@ -37,6 +47,7 @@ class Document {
   struct Step {
     std::shared_ptr<const Fabric> fabric;
     uint64_t id = 0;
+    EditPlace place;  ///< of the edit that led to it
   };
   void go(size_t step);
 

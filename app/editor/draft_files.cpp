@@ -2,15 +2,19 @@
 
 #include <filesystem>
 
+#include "app/commands/draft_sheet.h"
 #include "app/commands/weave_bitmap.h"
 #include "app/editor/session.h"
+#include "app/editor/user_folders.h"
 #include "core/base/error.h"
 #include "core/fabric/derived.h"
+#include "core/fabric/structure_edit.h"
 #include "core/fabric/wif_fabric.h"
 #include "render/film/image.h"
 #include "ui/yarn_colours.h"
 
 namespace loomlight {
+namespace fs = std::filesystem;
 namespace {
 
 WifSett settOf(const Fabric& fabric) {
@@ -57,7 +61,15 @@ void Session::run(DraftCommand command) {
       return browse(FileTask::exportWif);
     case DraftCommand::exportBitmap:
       return browse(FileTask::exportBitmap);
+    case DraftCommand::exportDraft:
+      return browse(FileTask::exportDraft);
+    case DraftCommand::exportTile: {
+      const fs::path folder = settings_.folder.empty() ? homeFolder() : fs::path(settings_.folder);
+      tileProgress_ = {};
+      return tileDialog_.show((folder / (document_.fabric()->name + " tile.json")).string());
+    }
     default:
+      place_ = placeInDraft();
       if (auto edited = runDraftCommand(command, *document_.fabric(), settings_.draft, draft_))
         edit(std::move(*edited));
   }
@@ -68,7 +80,7 @@ void Session::openWeaving(const std::string& file) {
     WifImport import = readWifFabric(file, *document_.fabric(), WifSizeChoice::keep);
     startOver(Document(std::move(import.fabric)));
     wifKept_ = document_.fabric();
-    settings_.folder = std::filesystem::absolute(file).parent_path().string();
+    settings_.folder = fs::absolute(file).parent_path().string();
     wifDialog_.show({summaryOf(*wifKept_), wifSett(*wifKept_), settOf(*wifKept_), std::move(import.warnings)});
   } catch (const InputError& error) {
     say("This file cannot be opened", error.what());
@@ -78,9 +90,9 @@ void Session::openWeaving(const std::string& file) {
 void Session::openPicture(const std::string& file) {
   try {
     const Fabric& fabric = *document_.fabric();
-    pictureDialog_.show(rasterOf(readPng(file)), std::filesystem::path(file).filename().string(),
+    pictureDialog_.show(rasterOf(readPng(file)), fs::path(file).filename().string(),
                         fabric.ends_per_cm / fabric.picks_per_cm);
-    settings_.folder = std::filesystem::absolute(file).parent_path().string();
+    settings_.folder = fs::absolute(file).parent_path().string();
   } catch (const InputError& error) {
     say("This picture cannot be used", error.what());
   }
@@ -88,9 +100,30 @@ void Session::openPicture(const std::string& file) {
 
 /// Another weave in place of the whole or of the selection.
 void Session::takeWeave(Rewoven result) {
+  place_ = placeInDraft();
   edit(std::move(result.fabric));
   draft_.remark = std::move(result.remark);
   if (!draft_.selection) draft_.cell = 0;
+}
+
+EditPlace Session::placeInDraft() const {
+  return {EditPlace::Panel::draft, draft_.cell, draft_.origin.x, draft_.origin.y, 0, 0};
+}
+
+EditPlace Session::placeInInspector() const {
+  return {EditPlace::Panel::inspector, 0, 0, 0, static_cast<int>(inspector_.page), inspector_.yarn};
+}
+
+void Session::goTo(const EditPlace& place) {
+  if (place.panel == EditPlace::Panel::none) return;
+  settings_.desk.panelsShown = true;
+  if (place.panel == EditPlace::Panel::draft) {
+    draft_.cell = place.cell;
+    draft_.origin = ImVec2(place.originX, place.originY);
+  } else {
+    inspector_.page = static_cast<InspectorView::Page>(place.page);
+    inspector_.yarn = place.yarn;
+  }
 }
 
 void Session::exportTo(FileTask task, const std::string& file) {
@@ -98,10 +131,12 @@ void Session::exportTo(FileTask task, const std::string& file) {
     std::string text = "Written: " + file;
     if (task == FileTask::exportWif) {
       for (const std::string& remark : writeWifFabric(*document_.fabric(), file)) text += "\n\n" + remark;
+    } else if (task == FileTask::exportDraft) {
+      writeDraftSheet(file, *document_.fabric(), {settings_.draft.startsRight(), settings_.draft.startsAtTop()});
     } else {
       writeWeaveBitmap(file, document_.fabric()->weave);
     }
-    settings_.folder = std::filesystem::absolute(file).parent_path().string();
+    settings_.folder = fs::absolute(file).parent_path().string();
     say("Exported", text);
   } catch (const InputError& error) {
     say("The file could not be written", error.what());
@@ -116,8 +151,31 @@ void Session::drawStructures(Ui& ui) {
   takeWeave(withStructure(*document_.fabric(), draft_.selection, *structure, settings_.draft.loom));
 }
 
+void Session::drawTile(Ui& ui) {
+  if (tile_) {
+    const TileJob::State state = tile_->state();
+    tileProgress_ = {!state.finished, state.finished ? 0 : state.progress, state.outcome, state.failed};
+    ui.wakeWithin(0.1);
+    if (state.finished) {
+      tile_.reset();
+      renderer_.pause(false);
+    }
+  }
+  const TileDialog::Result result = tileDialog_.draw(ui, tileProgress_);
+  if (result.chooseFile) browse(FileTask::exportTile);
+  if (result.cancel && tile_) tile_->cancel();
+  if (!result.start || tile_) return;
+  const fs::path file(tileDialog_.file());
+  renderer_.pause(true);
+  tile_ = std::make_unique<TileJob>(document_.fabric(), (file.parent_path() / file.stem()).string(),
+                                    tileDialog_.longestSide(), tileDialog_.samplesPerPixel());
+  tileProgress_.running = true;
+}
+
 void Session::drawDraftDialogs(Ui& ui) {
   drawStructures(ui);
+  // The browser stands in for the dialog while it names the file.
+  if (!browser_.isOpen()) drawTile(ui);
   if (auto weave = pictureDialog_.draw(ui)) {
     draft_.selection.reset();
     takeWeave(rewoven(*document_.fabric(), std::move(*weave), settings_.draft.loom));

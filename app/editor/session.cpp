@@ -33,7 +33,7 @@ Tone Session::tone() const {
 bool Session::dialogIsOpen() const {
   return browser_.isOpen() || message_.isOpen() || snapshotDialog_.isOpen() || preferences_.isOpen() ||
          keys_.isOpen() || wifDialog_.isOpen() || structures_.isOpen() || pictureDialog_.isOpen() ||
-         colourways_.isOpen() || compare_.isOpen() || presetBrowser_.isOpen();
+         tileDialog_.isOpen() || colourways_.isOpen() || compare_.isOpen() || presetBrowser_.isOpen();
 }
 
 }  // namespace loomlight

@@ -19,6 +19,7 @@
 #include "app/editor/viewport_picture.h"
 #include "app/workers/live_renderer.h"
 #include "app/workers/snapshot_job.h"
+#include "app/workers/tile_job.h"
 #include "app/workers/visibility_worker.h"
 #include "ui/colourways_dialog.h"
 #include "ui/commands.h"
@@ -31,6 +32,7 @@
 #include "ui/preset_list.h"
 #include "ui/status_bar.h"
 #include "ui/structure_dialog.h"
+#include "ui/tile_dialog.h"
 #include "ui/viewport_panel.h"
 #include "ui/wif_dialog.h"
 
@@ -62,7 +64,19 @@ class Session {
   std::string title() const;
 
  private:
-  enum class FileTask { none, open, saveAs, mesh, environment, snapshot, exportWif, exportBitmap, picture };
+  enum class FileTask {
+    none,
+    open,
+    saveAs,
+    mesh,
+    environment,
+    snapshot,
+    exportWif,
+    exportBitmap,
+    exportDraft,
+    exportTile,
+    picture
+  };
   enum class Question { none, said, quit, discardForNew, discardForOpen, recover };
 
   // session_panels.cpp: what is drawn
@@ -100,7 +114,11 @@ class Session {
   void exportTo(FileTask task, const std::string& file);
   void drawDraftDialogs(Ui& ui);
   void drawStructures(Ui& ui);
+  void drawTile(Ui& ui);
   void takeWeave(Rewoven result);
+  EditPlace placeInDraft() const;
+  EditPlace placeInInspector() const;
+  void goTo(const EditPlace& place);
 
   // session_presets.cpp: what is kept at hand
   void drawPresets(Ui& ui);
@@ -153,12 +171,16 @@ class Session {
   SnapshotStripView strip_;
   StructureDialog structures_;
   PictureDialog pictureDialog_;
+  TileDialog tileDialog_;
+  TileDialog::Progress tileProgress_;
+  std::unique_ptr<TileJob> tile_;
   WifDialog wifDialog_;
   std::shared_ptr<const Fabric> wifKept_;  ///< the weaving file's cloth with the designer's own sizes
 
   FileTask fileTask_ = FileTask::none;
   Question question_ = Question::none;
   std::string pendingFile_;  ///< to be opened once the user has agreed
+  EditPlace place_;          ///< where edits are made now
   std::string refusal_;      ///< why the last edit was not taken
   std::shared_ptr<const Frame> shownFrame_;
   std::shared_ptr<const LensFrame> lensFrame_;              ///< the newest

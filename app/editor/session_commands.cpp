@@ -32,7 +32,7 @@ void Session::edit(Fabric fabric) {
   try {
     validate(fabric, "this edit");
     refusal_.clear();
-    document_.edit(std::move(fabric), gesture_);
+    document_.edit(std::move(fabric), gesture_, place_);
   } catch (const InputError& error) {
     refusal_ = error.what();
   }
@@ -104,10 +104,10 @@ void Session::run(Command command) {
       askToQuit();
       break;
     case Command::undo:
-      document_.undo();
+      goTo(document_.undo());
       break;
     case Command::redo:
-      document_.redo();
+      goTo(document_.redo());
       break;
     case Command::fitView:
       viewport_.fitWanted = true;
@@ -312,6 +312,13 @@ void Session::browse(FileTask task) {
       browser_.show(Purpose::save, "Export as weaving file", {".wif"}, folder / (document_.fabric()->name + ".wif"),
                     places);
       break;
+    case FileTask::exportDraft:
+      browser_.show(Purpose::save, "Export the draft for print", {".pdf", ".png"},
+                    folder / (document_.fabric()->name + ".pdf"), places);
+      break;
+    case FileTask::exportTile:
+      browser_.show(Purpose::save, "Where the tile goes", {".json"}, tileDialog_.file(), places);
+      break;
     case FileTask::exportBitmap:
       browser_.show(Purpose::save, "Export the weave", {".png"}, folder / (document_.fabric()->name + ".png"), places);
       break;
@@ -335,8 +342,12 @@ void Session::fileChosen(const std::string& file) {
     case FileTask::snapshot:
       snapshotDialog_.setFile(file);
       break;
+    case FileTask::exportTile:
+      tileDialog_.setFile(file);
+      break;
     case FileTask::exportWif:
     case FileTask::exportBitmap:
+    case FileTask::exportDraft:
       exportTo(task, file);
       break;
     case FileTask::none:

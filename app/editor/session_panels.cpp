@@ -71,6 +71,7 @@ void Session::drawPanels(Ui& ui) {
 
 void Session::drawDraft(Ui& ui) {
   const Fabric& fabric = *document_.fabric();
+  place_ = placeInDraft();
   draft_.brushYarn = inspector_.yarn;
   if (auto edited = draftPanel(ui, fabric, yarnColours(fabric), settings_.draft, draft_, underPointer_))
     edit(std::move(*edited));
@@ -80,6 +81,7 @@ void Session::drawDraft(Ui& ui) {
 }
 
 void Session::drawViewport(Ui& ui, const Insight* insight, const LiveStatus& status) {
+  place_ = {};
   std::optional<ViewportPicture::Outline> outline;
   const Weave& weave = document_.fabric()->weave;
   // A coarse first pass has pixels larger than crossings; an outline of them would only be blocks.
@@ -183,6 +185,7 @@ void Session::drawInspector(Ui& ui, const Insight* insight, const LiveStatus& st
   if (inspector_.page == InspectorView::Page::fibre)
     model.clothColour = colours_.model(fabric, shownFibre(fabric, inspector_), inspector_.clothColour);
   model.visibility = visibilityModel();
+  place_ = placeInInspector();
   InspectorResult result = inspector(ui, fabric, model, inspector_);
   if (result.fabric) edit(std::move(*result.fabric));
   if (result.camera) document_.lookFrom(*result.camera);

@@ -74,6 +74,20 @@ class Convert(CommandLineTest):
         (self.folder / "story.wif").write_text("You are in a maze of twisty little passages.\n")
         self.assertIn("story.wif: expected a weaving file", self.run_program("convert", "story.wif", "c.json", status=1))
 
+    def test_a_draft_is_drawn_for_print(self):
+        fabric = self.fabric()
+        self.run_program("convert", fabric, "a.pdf")
+        self.assertTrue(self.bytes_of("a.pdf").startswith(b"%PDF-"))
+        self.run_program("convert", fabric, "draft.png", "--draft")
+        width, height, rows = read_png(self.folder / "draft.png")
+        # 16 pixels a crossing, a margin of 16 and a title of 28; the drawdown is below bar, gap, threading and gap.
+        left, top = 16 + 2 * 16, 16 + 28 + (2 + 4 + 1) * 16
+        drawn = ["".join("#" if max(rows[top + 16 * y + 8][left + 16 * x + 8]) < 128 else "." for x in range(4))
+                 for y in range(4)]
+        self.assertEqual(drawn, SMALL["weave"])
+        self.assertGreaterEqual(width, left + (4 + 1 + 4) * 16)
+        self.assertIn("expected", self.run_program("convert", fabric, "no/such/folder/a.pdf", status=1))
+
     def test_other_formats_are_refused_by_name(self):
         fabric = self.fabric()
         for output in ("a.dtx", "a", "a.jpg"):

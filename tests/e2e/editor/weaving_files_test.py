@@ -176,6 +176,36 @@ def jacquard(editor, home):
     expect(editor.fact("draft.kind") == "jacquard", "a loom of 32 shafts weaves rings")
 
 
+def export_others(editor, home):
+    editor.click("menu.file")
+    editor.click("menu.export")
+    editor.click("menu.export_draft")
+    file = os.path.join(home, "draft.pdf")
+    name_file(editor, file)
+    answer(editor)
+    with open(file, "rb") as pdf:
+        expect(pdf.read(5) == b"%PDF-", "the draft is no PDF")
+    editor.click("menu.file")
+    editor.click("menu.export")
+    editor.click("menu.export_tile")
+    editor.move(*editor.centre("tile.size"))  # by then the dialog has its size
+    for field, value in (("tile.size", "32"), ("tile.samples", "1")):
+        editor.click(field)
+        editor.type(value)
+        editor.key("Return")
+    editor.click("tile.file")
+    editor.key("ctrl+a")
+    editor.type(os.path.join(home, "tile.json"))
+    editor.click("tile.start")
+    editor.wait_until("the tile is written", lambda: editor.fact("tile.outcome").startswith("Written"), 90)
+    editor.click("tile.close")
+    editor.wait_until("the dialog closes", lambda: editor.fact("dialog") == "none")
+    with open(os.path.join(home, "tile.json"), encoding="utf-8") as text:
+        tile = json.load(text)
+    expect(max(tile["width_px"], tile["height_px"]) == 32, f"the tile is {tile['width_px']} x {tile['height_px']}")
+    expect(os.path.exists(os.path.join(home, tile["maps"]["normal"]["file"])), "there is no map of normals")
+
+
 def refuse(editor, home):
     editor.key("ctrl+o")
     name_file(editor, write(home, "story.wif", "You are in a maze of twisty little passages.\n"))
@@ -192,6 +222,7 @@ def test():
         open_weaving(editor, editor.home)
         export_weaving(editor, editor.home)
         bitmaps(editor, editor.home)
+        export_others(editor, editor.home)
         refuse(editor, editor.home)
         jacquard(editor, editor.home)
         editor.key("ctrl+q")

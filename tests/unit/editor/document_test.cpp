@@ -76,5 +76,22 @@ TEST(Document, ASaveThatFailsChangesNothing) {
   EXPECT_EQ(document.file(), "old.json");
 }
 
+TEST(Document, UndoAndRedoSayWhereTheEditWasMade) {
+  Document document{Fabric{}};
+  const EditPlace draft{EditPlace::Panel::draft, 12, 3, 4, 0, 0}, page{EditPlace::Panel::inspector, 0, 0, 0, 2, 1};
+  Fabric fabric;
+  fabric.name = "one";
+  document.edit(fabric, 1, draft);
+  fabric.name = "two";
+  document.edit(fabric, 1, page);  // one gesture is where it began
+  fabric.name = "three";
+  document.edit(fabric, 2, page);
+  EXPECT_EQ(document.undo(), page);
+  EXPECT_EQ(document.undo(), draft);
+  EXPECT_EQ(document.undo(), EditPlace{});
+  EXPECT_EQ(document.redo(), draft);
+  EXPECT_EQ(document.redo(), page);
+}
+
 }  // namespace
 }  // namespace loomlight

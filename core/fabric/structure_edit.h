@@ -1,0 +1,19 @@
+#pragma once
+
+#include <optional>
+
+#include "core/fabric/draft_edit.h"
+#include "core/fabric/structure_library.h"
+#include "core/fabric/weave_edit.h"
+
+namespace loomlight {
+
+/// The fabric with the structure in the selection, or in place of its weave where nothing is selected.
+Rewoven withStructure(const Fabric& fabric, const std::optional<CellRect>& selection, const Weave& structure,
+                      const LoomLimits& limits);
+/// The same; then the first and the second yarn follow each other as a colour effect asks. A fabric of a single yarn
+/// gets another of its kind, to be dyed.
+Rewoven withStructure(const Fabric& fabric, const std::optional<CellRect>& selection, const MadeStructure& structure,
+                      const LoomLimits& limits);
+
+}  // namespace loomlight

@@ -1,0 +1,36 @@
+"""`tile`: maps for other programs."""
+
+import json
+
+from harness import CommandLineTest, main, read_png
+
+
+class Tile(CommandLineTest):
+    def test_all_maps_have_the_size_that_the_sidecar_says(self):
+        self.run_program("tile", self.fabric(), "-o", "maps", "--size", "48", "--spp", "2")
+        sidecar = json.loads((self.folder / "maps" / "small_twill.json").read_text())
+        self.assertEqual(max(sidecar["width_px"], sidecar["height_px"]), 48)
+        self.assertAlmostEqual(sidecar["width_mm"], sidecar["ends"] * 10 / 20)
+        self.assertAlmostEqual(sidecar["height_mm"], sidecar["picks"] * 10 / 18)
+        self.assertGreater(sidecar["areal_mass_g_m2"], 1)
+        self.assertGreater(sidecar["thickness_mm"], 0.05)
+        for name in ("base_color", "normal", "height", "opacity", "yarn"):
+            width, height, rows = read_png(self.folder / "maps" / sidecar["maps"][name]["file"])
+            self.assertEqual((width, height), (sidecar["width_px"], sidecar["height_px"]), name)
+            self.assertGreater(len({pixel for row in rows for pixel in row}), 1, name)
+        self.assertTrue((self.folder / "maps" / sidecar["maps"]["all"]["file"]).read_bytes().startswith(b"v/1\x01"))
+
+    def test_the_same_tile_has_the_same_bytes(self):
+        for folder in ("a", "b"):
+            self.run_program("tile", self.fabric(), "-o", folder, "--size", "24", "--spp", "1")
+        for file in (self.folder / "a").iterdir():
+            self.assertEqual(file.read_bytes(), (self.folder / "b" / file.name).read_bytes(), file.name)
+
+    def test_bad_words_and_places_are_refused(self):
+        fabric = self.fabric()
+        self.assertIn("--size", self.run_program("tile", fabric, "-o", "maps", "--size", "3", status=2))
+        (self.folder / "file").write_text("in the way")
+        self.assertIn("file", self.run_program("tile", fabric, "-o", "file/maps", status=1))
+
+
+main()
