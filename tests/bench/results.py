@@ -2,7 +2,7 @@
 """Puts the pages of `loomlight bench accuracy`, `table1`, `figures` and `edit` together as RESULTS.md, with a few small pictures.
 
     tests/bench/results.py --run build/app/loomlight RUNS    measures first: an hour on two idle cores
-    tests/bench/results.py RUNS                              only writes, from what is in RUNS
+    tests/bench/results.py RUNS                              only writes, from the suites that are in RUNS
 
 RUNS is a folder that keeps the whole pages, tables and pictures, one folder a suite, and the commit they are of.
 """
@@ -69,7 +69,7 @@ def main():
         f"{(arguments.runs / 'commit').read_text().strip()}. \"The report\" is Schröder, Zinke and Klein 2011; "
         "\"prototype\" a throw-away program of ours that came before this one."
     )
-    pages = [page_of(suite, arguments.runs, pictures) for suite in SUITES]
+    pages = [page_of(suite, arguments.runs, pictures) for suite in SUITES if (arguments.runs / suite).exists()]
     (HERE / "RESULTS.md").write_text("\n\n".join([head, *pages]) + "\n")
 
 
