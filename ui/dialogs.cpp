@@ -66,47 +66,31 @@ void SnapshotDialog::show(const RenderSettings& settings, std::string file) {
   open_ = opening_ = true;
 }
 
-SnapshotDialog::Result SnapshotDialog::draw(Ui& ui, const Progress& progress) {
+SnapshotDialog::Result SnapshotDialog::draw(Ui& ui, const RenderJob& job) {
   Result result;
   if (!open_) return result;
   const bool begin = opening_;
   opening_ = false;
   if (!beginModal(ui, "Snapshot", ImVec2(ui.px(480), 0), begin)) {
     open_ = false;
-    result.cancel = progress.running;
+    result.cancel = job.running;
     return result;
   }
-  ImGui::BeginDisabled(progress.running);
+  ImGui::BeginDisabled(job.running);
   bool changed = snapshotOptionRows(ui, options_, settings_);
   changed |= memberField(ui, "snapshot", settings_, &RenderSettings::samplesPerPixel);
   textField(ui,
             {"snapshot.file", "File",
              "Where the picture goes: .png as the display shows it, .exr with all its light and layers"},
             file_);
-  ImGui::Dummy(ImVec2(0, 0));
-  ImGui::SameLine(ImGui::GetContentRegionAvail().x * 0.44f + ui.px(16));
-  result.chooseFile = button(ui, "snapshot.browse", "Choose\xE2\x80\xA6");
+  result.chooseFile = chooseFileButton(ui, "snapshot");
   ImGui::EndDisabled();
   if (changed) result.settings = settings_;
 
-  ImGui::ProgressBar(static_cast<float>(progress.fraction), ImVec2(-1, ui.px(4)), "");
-  ImGui::PushStyleColor(ImGuiCol_Text, progress.failed ? ui.theme.error : ui.theme.textQuiet);
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(progress.running           ? fmt::format("{:.0f} %", 100 * progress.fraction).c_str()
-                         : progress.outcome.empty() ? " "
-                                                    : progress.outcome.c_str());
-  ImGui::PopTextWrapPos();
-  ImGui::PopStyleColor();
-  ui.probe.fact("snapshot.outcome", progress.running ? "running" : progress.outcome);
-
-  const float width = ui.px(120);
-  ImGui::SetCursorPosX(ImGui::GetWindowWidth() - 2 * width - ui.px(24));
-  const bool dismiss = button(ui, "snapshot.close", progress.running ? "Cancel" : "Close", width) || modalCancelled();
-  ImGui::SameLine();
-  result.start = button(ui, "snapshot.start", "Render", width, !progress.running && !file_.empty());
-  if (dismiss && progress.running) {
-    result.cancel = true;
-  } else if (dismiss) {
+  const RenderJobAnswer answer = renderJobRows(ui, "snapshot", job, !file_.empty());
+  result.start = answer.start;
+  result.cancel = answer.cancel;
+  if (answer.close) {
     open_ = false;
     ImGui::CloseCurrentPopup();
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/fabric/fabric.h"
+#include "ui/render_job.h"
 #include "ui/snapshot_options.h"
 #include "ui/ui.h"
 
@@ -28,12 +29,6 @@ class MessageDialog {
 /// Size, samples and format of a picture to be rendered to a file, then its progress.
 class SnapshotDialog {
  public:
-  struct Progress {
-    bool running = false;
-    double fraction = 0;
-    std::string outcome;  ///< after it: where the picture is, or what went wrong
-    bool failed = false;
-  };
   struct Result {
     std::optional<RenderSettings> settings;  ///< edited
     bool chooseFile = false;
@@ -46,7 +41,7 @@ class SnapshotDialog {
   const RenderSettings& settings() const { return settings_; }
   const SnapshotOptions& options() const { return options_; }
   bool isOpen() const { return open_; }
-  Result draw(Ui& ui, const Progress& progress);
+  Result draw(Ui& ui, const RenderJob& job);
 
  private:
   bool open_ = false, opening_ = false;

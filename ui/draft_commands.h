@@ -37,7 +37,7 @@ enum class DraftCommand {
   exportTile,
 };
 
-/// What the keyboard asks for now; keys are left alone while text is typed.
+/// What the keyboard asks for in this frame; keys are left alone while text is typed.
 std::optional<DraftCommand> draftKey(const DraftView& view);
 
 /// Edits the fabric or the view. Pictures of weaves go over the clipboard as text, so that they can come from another

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "ui/render_job.h"
 #include "ui/ui.h"
 
 namespace loomlight {
@@ -9,12 +10,6 @@ namespace loomlight {
 /// A seamless tile for other programs: its size, where it goes, then its progress.
 class TileDialog {
  public:
-  struct Progress {
-    bool running = false;
-    double fraction = 0;
-    std::string outcome;
-    bool failed = false;
-  };
   struct Result {
     bool chooseFile = false, start = false, cancel = false;
   };
@@ -25,7 +20,7 @@ class TileDialog {
   const std::string& file() const { return file_; }
   int longestSide() const { return longestSide_; }
   int samplesPerPixel() const { return samplesPerPixel_; }
-  Result draw(Ui& ui, const Progress& progress);
+  Result draw(Ui& ui, const RenderJob& job);
 
  private:
   bool open_ = false, opening_ = false;

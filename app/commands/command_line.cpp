@@ -29,6 +29,12 @@ int parseWholeField(const std::string& option, const std::string& text, Number O
   return static_cast<int>(parseWhole(option, text, static_cast<int64_t>(info.min), static_cast<int64_t>(info.max)));
 }
 
+void addInput(CLI::App& app, const std::string& name, std::string& input) {
+  app.add_option(name, input, "a fabric (.json), draft (.wif), weave bitmap (.png) or picture (.exr)")
+      ->type_name("")
+      ->required();
+}
+
 void addResolution(CLI::App& app, FabricOptions& options) {
   addValue(app, "--resolution", "R", "voxels per yarn diameter: 1, 2, 4, 8 or 16",
            [&options](const auto& option, const auto& text) { options.resolution = parseResolution(option, text); });
@@ -141,18 +147,14 @@ void addRender(CLI::App& app, RenderCommand& command) {
 }
 
 void addInfo(CLI::App& app, InfoCommand& command) {
-  app.add_option("FABRIC", command.input, "a fabric (.json), draft (.wif), weave bitmap (.png) or picture (.exr)")
-      ->type_name("")
-      ->required();
+  addInput(app, "FABRIC", command.input);
   addFabricOptions(app, command.options);
   addWifSizes(app, command.wifSizes);
   app.add_flag("--json", command.json, "JSON instead of a table");
 }
 
 void addConvert(CLI::App& app, ConvertCommand& command) {
-  app.add_option("IN", command.input, "a fabric (.json), draft (.wif), weave bitmap (.png) or picture (.exr)")
-      ->type_name("")
-      ->required();
+  addInput(app, "IN", command.input);
   app.add_option("OUT", command.output, "a fabric (.json), draft (.wif; for print .pdf) or weave bitmap (.png)")
       ->type_name("")
       ->required();
@@ -162,9 +164,7 @@ void addConvert(CLI::App& app, ConvertCommand& command) {
 }
 
 void addTile(CLI::App& app, TileCommand& command) {
-  app.add_option("FABRIC", command.input, "a fabric (.json), draft (.wif), weave bitmap (.png) or picture (.exr)")
-      ->type_name("")
-      ->required();
+  addInput(app, "FABRIC", command.input);
   app.add_option("-o,--output", command.folder, "where the maps go; made where there is none")
       ->type_name("FOLDER")
       ->required();
@@ -228,9 +228,7 @@ void addConvergeBench(CLI::App& app, ConvergeBenchCommand& command) {
 }
 
 void addBrdf(CLI::App& app, BrdfCommand& command) {
-  app.add_option("FABRIC", command.input, "a fabric (.json), draft (.wif), weave bitmap (.png) or picture (.exr)")
-      ->type_name("")
-      ->required();
+  addInput(app, "FABRIC", command.input);
   app.add_option("-o,--output", command.output, "writes OUT.exr, OUT.png and OUT.csv")->type_name("OUT")->required();
   addValue(
       app, "--light-angle", "DEG", "of parallel light, from the normal; beyond 90 from behind; 0 where not given",
@@ -246,9 +244,7 @@ void addBrdf(CLI::App& app, BrdfCommand& command) {
 }
 
 void addBvdf(CLI::App& app, BvdfCommand& command) {
-  app.add_option("FABRIC", command.input, "a fabric (.json), draft (.wif), weave bitmap (.png) or picture (.exr)")
-      ->type_name("")
-      ->required();
+  addInput(app, "FABRIC", command.input);
   app.add_option("-o,--output", command.output, "tables (.exr) with a picture (.png) beside them, or the picture alone")
       ->type_name("OUT")
       ->required();

@@ -161,7 +161,7 @@ class Session {
   FileBrowser browser_;
   MessageDialog message_;
   SnapshotDialog snapshotDialog_;
-  SnapshotDialog::Progress snapshotProgress_;
+  RenderJob snapshotProgress_;
   PreferencesDialog preferences_;
   KeysDialog keys_;
   ColourwaysDialog colourways_;
@@ -172,7 +172,7 @@ class Session {
   StructureDialog structures_;
   PictureDialog pictureDialog_;
   TileDialog tileDialog_;
-  TileDialog::Progress tileProgress_;
+  RenderJob tileProgress_;
   std::unique_ptr<TileJob> tile_;
   WifDialog wifDialog_;
   std::shared_ptr<const Fabric> wifKept_;  ///< the weaving file's cloth with the designer's own sizes

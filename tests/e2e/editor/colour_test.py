@@ -1,10 +1,9 @@
 """Colour as a designer works with it: the colour that the cloth should have, orders of yarns and stripes by chance, and
 several colourways of one construction side by side. In the real window."""
 
-import json
 import os
 
-from window_driver import Display, Editor, expect, picture_statistics, run
+from window_driver import expect, picture_statistics, run, window, write_json
 
 PROGRAM = os.environ["LOOMLIGHT"]
 WIDTH, HEIGHT = 1280, 900
@@ -20,17 +19,7 @@ def small_fabric(home):
         "drape": {"kind": "flat", "width_mm": 5, "height_mm": 5},
         "light": {"kind": "dome"}, "camera": {"distance_mm": 14, "elevation_deg": 75}, "render": {"resolution": 1},
     }
-    file = os.path.join(home, "trial.json")
-    with open(file, "w", encoding="utf-8") as text:
-        json.dump(fabric, text)
-    return file
-
-
-def saved(editor, file):
-    editor.key("ctrl+s")
-    editor.wait_until("the fabric is saved", lambda: editor.fact("dirty") == "no")
-    with open(file, encoding="utf-8") as text:
-        return json.load(text)
+    return write_json(home, "trial.json", fabric)
 
 
 def pick_the_cloths_colour(editor, file):
@@ -48,12 +37,12 @@ def pick_the_cloths_colour(editor, file):
     editor.key("Escape")
     editor.wait_until("the colour is reached",
                       lambda: editor.fact("fibre.cloth_colour_remark").startswith("Reached"), 60)
-    dyed = saved(editor, file)["fibres"]
+    dyed = editor.saved(file)["fibres"]
     expect(dyed[0]["absorption_per_mm"] != [2, 3, 5], "the fibre was not dyed")
     expect(dyed[1]["absorption_per_mm"] == [60, 40, 12], "the other fibre was dyed too")
     editor.key("ctrl+z")
     editor.wait_until("one step of undo takes the dye back", lambda: editor.fact("dirty") == "yes")
-    expect(saved(editor, file)["fibres"][0]["absorption_per_mm"] == [2, 3, 5], "undo left some of the dye")
+    expect(editor.saved(file)["fibres"][0]["absorption_per_mm"] == [2, 3, 5], "undo left some of the dye")
 
 
 def ask_for_too_much(editor):
@@ -73,12 +62,12 @@ def order_yarns(editor, file):
         revision = editor.number("revision")
         editor.click(tool)
         editor.wait_until(f"{tool} edits the fabric", lambda: editor.number("revision") > revision)
-        sequence = saved(editor, file)["warp_sequence"]
+        sequence = editor.saved(file)["warp_sequence"]
         expect(sequence == expected, f"{tool} made {sequence}")
     revision = editor.number("revision")
     editor.click("order.random")
     editor.wait_until("stripes are drawn", lambda: editor.number("revision") > revision)
-    sequence = saved(editor, file)["warp_sequence"]
+    sequence = editor.saved(file)["warp_sequence"]
     expect(len(sequence) == 96 and set(sequence) == {0, 1}, f"no stripes: {sequence}")
 
 
@@ -102,15 +91,12 @@ def compare_colourways(editor, file):
     editor.click("colourways.use")
     editor.click("colourways.close")
     editor.wait_until("the dialog closes", lambda: editor.fact("dialog") == "none")
-    colourways = saved(editor, file)["colourways"]
+    colourways = editor.saved(file)["colourways"]
     expect([c["name"] for c in colourways] == ["Night"], f"colourways: {colourways}")
 
 
 def test():
-    display = Display(WIDTH, HEIGHT)
-    editor = None
-    try:
-        editor = Editor(display, WIDTH, HEIGHT)
+    with window(WIDTH, HEIGHT) as editor:
         file = small_fabric(editor.home)
         editor.start(PROGRAM, [file])
         editor.wait_for_picture()
@@ -119,10 +105,6 @@ def test():
         ask_for_too_much(editor)
         order_yarns(editor, file)
         compare_colourways(editor, file)
-    finally:
-        if editor:
-            editor.close()
-        display.close()
 
 
 run(test)

@@ -1,9 +1,8 @@
 """A weaver at the draft: threading, tie-up, treadling and drawdown edited by mouse, each following the others."""
 
-import json
 import os
 
-from window_driver import Display, Editor, expect, run
+from window_driver import expect, read_json, run, window, write_json
 
 PROGRAM = os.environ["LOOMLIGHT"]
 SAMPLES = os.path.join(os.environ["LOOMLIGHT_ROOT"], "samples")
@@ -12,17 +11,13 @@ TWILL = ["..##", ".##.", "##..", "#..#"]  # 2/2, the first pick last
 
 
 def small_fabric(home):
-    with open(os.path.join(SAMPLES, "blue_cloth.json"), encoding="utf-8") as text:
-        fabric = json.load(text)
+    fabric = read_json(os.path.join(SAMPLES, "blue_cloth.json"))
     fabric["weave"] = TWILL
     fabric["drape"] = {"kind": "flat", "width_mm": 4, "height_mm": 4}
     fabric["light"] = {"kind": "dome"}
     fabric["camera"] = {"distance_mm": 16}
     fabric["render"] = {"resolution": 1}
-    file = os.path.join(home, "cloth.json")
-    with open(file, "w", encoding="utf-8") as text:
-        json.dump(fabric, text)
-    return file
+    return write_json(home, "cloth.json", fabric)
 
 
 def numbers(entry):
@@ -50,10 +45,7 @@ class Weaver:
         self.editor, self.file = editor, file
 
     def saved(self):
-        self.editor.key("ctrl+s")
-        self.editor.wait_until("the fabric is saved", lambda: self.editor.fact("dirty") == "no")
-        with open(self.file, encoding="utf-8") as text:
-            return json.load(text)
+        return self.editor.saved(self.file)
 
     def revision(self):
         return self.editor.number("revision")
@@ -219,10 +211,7 @@ def choose_structure(weaver):
 
 
 def test():
-    display = Display(WIDTH, HEIGHT)
-    editor = None
-    try:
-        editor = Editor(display, WIDTH, HEIGHT)
+    with window(WIDTH, HEIGHT) as editor:
         file = small_fabric(editor.home)
         editor.start(PROGRAM, [file])
         weaver = Weaver(editor, file)
@@ -232,10 +221,6 @@ def test():
         select_and_edit(weaver)
         choose_structure(weaver)
         outgrow_the_loom(weaver)
-    finally:
-        if editor:
-            editor.close()
-        display.close()
 
 
 run(test)

@@ -1,33 +1,24 @@
 """A designer's first minutes: change the weave, a yarn and a fibre, watch the cloth follow, save, take a snapshot, look
 around, undo, and leave. With the real program, its real window, and real mouse and key events."""
 
-import json
 import os
 import subprocess
 
-from window_driver import Display, Editor, difference, expect, picture_statistics, run
+from window_driver import difference, expect, picture_statistics, read_json, run, window, write_json
 
 PROGRAM = os.environ["LOOMLIGHT"]
 SAMPLES = os.path.join(os.environ["LOOMLIGHT_ROOT"], "samples")
 WIDTH, HEIGHT = 1280, 720
 
 
-def saved(file):
-    with open(file, encoding="utf-8") as text:
-        return json.load(text)
-
-
 def small_fabric(home):
     """A light copy of the sample: a small flat piece at low resolution, so that a slow machine keeps up."""
-    fabric = saved(os.path.join(SAMPLES, "blue_cloth.json"))
+    fabric = read_json(os.path.join(SAMPLES, "blue_cloth.json"))
     fabric["drape"] = {"kind": "flat", "width_mm": 6, "height_mm": 6}
     fabric["light"] = {"kind": "dome"}
     fabric["camera"] = {"distance_mm": 16, "elevation_deg": 70}
     fabric["render"] = {"width": 40, "height": 30, "samples_per_pixel": 2, "resolution": 2}
-    file = os.path.join(home, "cloth.json")
-    with open(file, "w", encoding="utf-8") as text:
-        json.dump(fabric, text)
-    return file
+    return write_json(home, "cloth.json", fabric)
 
 
 def change_weave(editor):
@@ -71,7 +62,7 @@ def change_fibre(editor):
 def save(editor, file, original):
     editor.key("ctrl+s")
     editor.wait_until("the fabric is saved", lambda: editor.fact("dirty") == "no")
-    now = saved(file)
+    now = read_json(file)
     rows, old_rows = now["weave"], original["weave"]
     changed = [(p, e) for p, row in enumerate(rows) for e, cell in enumerate(row) if cell != old_rows[p][e]]
     expect(changed == [(len(rows) - 1, 0)], f"expected the crossing of pick 1 and end 1 to change, got {changed}")
@@ -92,7 +83,7 @@ def save_elsewhere(editor):
     editor.type(file)
     editor.key("Return")
     editor.wait_until("the second file is written", lambda: editor.fact("file") == file)
-    expect(saved(file)["loomlight_version"] == 1, "the second file is no fabric")
+    expect(read_json(file)["loomlight_version"] == 1, "the second file is no fabric")
 
 
 def take_snapshot(editor):
@@ -142,12 +133,9 @@ def leave(editor):
 
 
 def test():
-    display = Display(WIDTH, HEIGHT)
-    editor = None
-    try:
-        editor = Editor(display, WIDTH, HEIGHT)
+    with window(WIDTH, HEIGHT) as editor:
         file = small_fabric(editor.home)
-        original = saved(file)
+        original = read_json(file)
         editor.start(PROGRAM, [file])
         editor.wait_for_picture()
         change_weave(editor)
@@ -159,10 +147,6 @@ def test():
         look_around(editor)
         undo(editor)
         leave(editor)
-    finally:
-        if editor:
-            editor.close()
-        display.close()
 
 
 run(test)

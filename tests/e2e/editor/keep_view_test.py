@@ -1,10 +1,9 @@
 """Views that are kept: a strip of them, two compared, one brought back. In the real window."""
 
-import json
 import os
 import subprocess
 
-from window_driver import Display, Editor, difference, expect, picture_statistics, run
+from window_driver import difference, expect, picture_statistics, run, window, write_json
 
 PROGRAM = os.environ["LOOMLIGHT"]
 WIDTH, HEIGHT = 1280, 720
@@ -17,10 +16,7 @@ def small_fabric(home):
         "drape": {"kind": "flat", "width_mm": 6, "height_mm": 6},
         "light": {"kind": "dome"}, "camera": {"distance_mm": 16, "elevation_deg": 75}, "render": {"resolution": 1},
     }
-    file = os.path.join(home, "first.json")
-    with open(file, "w", encoding="utf-8") as text:
-        json.dump(fabric, text)
-    return file
+    return write_json(home, "first.json", fabric)
 
 
 def keep_two(editor):
@@ -100,20 +96,13 @@ def restore(editor):
 
 
 def test():
-    display = Display(WIDTH, HEIGHT)
-    editor = None
-    try:
-        editor = Editor(display, WIDTH, HEIGHT)
+    with window(WIDTH, HEIGHT) as editor:
         editor.start(PROGRAM, [small_fabric(editor.home)])
         editor.wait_for_picture()
         keep_two(editor)
         compare(editor)
         restore(editor)
         print_with_a_scale(editor)
-    finally:
-        if editor:
-            editor.close()
-        display.close()
 
 
 run(test)

@@ -1,9 +1,8 @@
 """The truth lens and the picture of local visibility: opened, dragged, switched and closed in the real window."""
 
-import json
 import os
 
-from window_driver import Display, Editor, difference, expect, picture_statistics, run
+from window_driver import difference, expect, picture_statistics, read_json, run, window, write_json
 
 PROGRAM = os.environ["LOOMLIGHT"]
 SAMPLES = os.path.join(os.environ["LOOMLIGHT_ROOT"], "samples")
@@ -12,18 +11,14 @@ WIDTH, HEIGHT = 1280, 720
 
 def small_fabric(home):
     """A few coarse fibres: laid in a moment, by a slow machine too."""
-    with open(os.path.join(SAMPLES, "black_and_white_cloth.json"), encoding="utf-8") as text:
-        fabric = json.load(text)
+    fabric = read_json(os.path.join(SAMPLES, "black_and_white_cloth.json"))
     for fibre in fabric["fibres"]:
         fibre["radius_um"] = 20
     fabric["drape"] = {"kind": "flat", "width_mm": 6, "height_mm": 6}
     fabric["light"] = {"kind": "dome"}
     fabric["camera"] = {"distance_mm": 14, "elevation_deg": 80}
     fabric["render"] = {"resolution": 2}
-    file = os.path.join(home, "cloth.json")
-    with open(file, "w", encoding="utf-8") as text:
-        json.dump(fabric, text)
-    return file
+    return write_json(home, "cloth.json", fabric)
 
 
 def place(editor):
@@ -147,10 +142,7 @@ def look_at_visibility(editor):
 
 
 def test():
-    display = Display(WIDTH, HEIGHT)
-    editor = None
-    try:
-        editor = Editor(display, WIDTH, HEIGHT)
+    with window(WIDTH, HEIGHT) as editor:
         editor.start(PROGRAM, [small_fabric(editor.home)])
         editor.wait_for_picture()
         open_lens(editor)
@@ -165,10 +157,6 @@ def test():
         editor.click_at(*editor.centre("message.answer_1"))
         status = editor.wait_for_end()
         expect(status == 0, f"the editor ended with status {status}\n{editor.log()}")
-    finally:
-        if editor:
-            editor.close()
-        display.close()
 
 
 run(test)

@@ -1,10 +1,9 @@
 """The browser of presets: kept, found, renamed, duplicated, removed and brought back; cloths, yarns, fibres and colours
 apart. In the real window."""
 
-import json
 import os
 
-from window_driver import Display, Editor, expect, picture_statistics, run
+from window_driver import expect, picture_statistics, run, window, write_json
 
 PROGRAM = os.environ["LOOMLIGHT"]
 WIDTH, HEIGHT = 1280, 720
@@ -17,10 +16,7 @@ def small_fabric(home):
         "drape": {"kind": "flat", "width_mm": 6, "height_mm": 6},
         "light": {"kind": "dome"}, "camera": {"distance_mm": 16, "elevation_deg": 75}, "render": {"resolution": 1},
     }
-    file = os.path.join(home, "rust.json")
-    with open(file, "w", encoding="utf-8") as text:
-        json.dump(fabric, text)
-    return file
+    return write_json(home, "rust.json", fabric)
 
 
 def card(editor, name):
@@ -86,19 +82,12 @@ def use_a_cloth(editor):
 
 
 def test():
-    display = Display(WIDTH, HEIGHT)
-    editor = None
-    try:
-        editor = Editor(display, WIDTH, HEIGHT)
+    with window(WIDTH, HEIGHT) as editor:
         editor.start(PROGRAM, [small_fabric(editor.home)])
         editor.wait_for_picture()
         keep_and_change(editor)
         use_a_yarn(editor)
         use_a_cloth(editor)
-    finally:
-        if editor:
-            editor.close()
-        display.close()
 
 
 run(test)

@@ -4,7 +4,7 @@ import json
 import os
 import subprocess
 
-from window_driver import Display, Editor, expect, run
+from window_driver import expect, read_json, run, window
 
 PROGRAM = os.environ["LOOMLIGHT"]
 SAMPLES = os.path.join(os.environ["LOOMLIGHT_ROOT"], "samples")
@@ -67,8 +67,7 @@ def write(folder, name, text):
 
 
 def plain_cloth(home):
-    with open(os.path.join(SAMPLES, "blue_cloth.json"), encoding="utf-8") as text:
-        fabric = json.load(text)
+    fabric = read_json(os.path.join(SAMPLES, "blue_cloth.json"))
     fabric["drape"] = {"kind": "flat", "width_mm": 4, "height_mm": 4}
     fabric["render"] = {"resolution": 1}
     return write(home, "cloth.json", json.dumps(fabric))
@@ -86,8 +85,7 @@ def saved_as(editor, file):
     editor.key("ctrl+shift+s")
     name_file(editor, file)
     editor.wait_until("the cloth is saved", lambda: editor.fact("file") == file)
-    with open(file, encoding="utf-8") as text:
-        return json.load(text)
+    return read_json(file)
 
 
 def answer(editor):
@@ -200,8 +198,7 @@ def export_others(editor, home):
     editor.wait_until("the tile is written", lambda: editor.fact("tile.outcome").startswith("Written"), 90)
     editor.click("tile.close")
     editor.wait_until("the dialog closes", lambda: editor.fact("dialog") == "none")
-    with open(os.path.join(home, "tile.json"), encoding="utf-8") as text:
-        tile = json.load(text)
+    tile = read_json(os.path.join(home, "tile.json"))
     expect(max(tile["width_px"], tile["height_px"]) == 32, f"the tile is {tile['width_px']} x {tile['height_px']}")
     expect(os.path.exists(os.path.join(home, tile["maps"]["normal"]["file"])), "there is no map of normals")
 
@@ -214,10 +211,7 @@ def refuse(editor, home):
 
 
 def test():
-    display = Display(WIDTH, HEIGHT)
-    editor = None
-    try:
-        editor = Editor(display, WIDTH, HEIGHT)
+    with window(WIDTH, HEIGHT) as editor:
         editor.start(PROGRAM, [plain_cloth(editor.home)])
         open_weaving(editor, editor.home)
         export_weaving(editor, editor.home)
@@ -227,10 +221,6 @@ def test():
         jacquard(editor, editor.home)
         editor.key("ctrl+q")
         expect(editor.wait_for_end() == 0, "the editor does not end")
-    finally:
-        if editor:
-            editor.close()
-        display.close()
 
 
 run(test)

@@ -5,6 +5,7 @@ what did not happen. Mouse buttons and keys are held until the program has drawn
 samples their state once a frame.
 """
 
+import contextlib
 import json
 import os
 import shutil
@@ -191,11 +192,44 @@ class Editor:
         except subprocess.TimeoutExpired as error:
             raise Failure("the editor does not end") from error
 
+    def saved(self, file):
+        """The fabric that it saves in that file, where it has it from."""
+        self.key("ctrl+s")
+        self.wait_until("the fabric is saved", lambda: self.fact("dirty") == "no")
+        return read_json(file)
+
     def close(self):
         if self.process and self.process.poll() is None:
             self.process.kill()
             self.process.wait()
         shutil.rmtree(self.home, ignore_errors=True)
+
+
+@contextlib.contextmanager
+def window(width, height):
+    """An editor to start, on a display of its own."""
+    display = Display(width, height)
+    editor = None
+    try:
+        editor = Editor(display, width, height)
+        yield editor
+    finally:
+        if editor:
+            editor.close()
+        display.close()
+
+
+def read_json(file):
+    with open(file, encoding="utf-8") as text:
+        return json.load(text)
+
+
+def write_json(home, name, content):
+    """Returns the file."""
+    file = os.path.join(home, name)
+    with open(file, "w", encoding="utf-8") as text:
+        json.dump(content, text)
+    return file
 
 
 def picture_statistics(file):

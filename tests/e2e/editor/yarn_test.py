@@ -1,10 +1,9 @@
 """Yarn and fibre as spinners and mills speak of them: counts typed in their systems, twist, diameter, a blend, and what
 follows for the cloth. In the real window."""
 
-import json
 import os
 
-from window_driver import Display, Editor, expect, run
+from window_driver import expect, run, window, write_json
 
 PROGRAM = os.environ["LOOMLIGHT"]
 WIDTH, HEIGHT = 1280, 900
@@ -20,17 +19,7 @@ def print_cloth(home):
         "drape": {"kind": "flat", "width_mm": 5, "height_mm": 5},
         "light": {"kind": "dome"}, "camera": {"distance_mm": 14, "elevation_deg": 75}, "render": {"resolution": 1},
     }
-    file = os.path.join(home, "print_cloth.json")
-    with open(file, "w", encoding="utf-8") as text:
-        json.dump(fabric, text)
-    return file
-
-
-def saved(editor, file):
-    editor.key("ctrl+s")
-    editor.wait_until("the fabric is saved", lambda: editor.fact("dirty") == "no")
-    with open(file, encoding="utf-8") as text:
-        return json.load(text)
+    return write_json(home, "print_cloth.json", fabric)
 
 
 def type_into(editor, field, text):
@@ -77,17 +66,17 @@ def reckon_a_piece(editor):
 def spin(editor, file):
     editor.click("tab.yarn")
     type_into(editor, "yarn.count_tex", "30/2 Ne")
-    yarn = saved(editor, file)["yarns"][0]
+    yarn = editor.saved(file)["yarns"][0]
     expect(yarn["plies"] == 2 and abs(yarn["count_tex"] - 2 * 590.5 / 30) < 1e-6, f"30/2 Ne became {yarn}")
     choose(editor, "yarn.count_system", "Nm (km per kg)")
     type_into(editor, "yarn.count_tex", "60")
-    yarn = saved(editor, file)["yarns"][0]
+    yarn = editor.saved(file)["yarns"][0]
     expect(abs(yarn["count_tex"] - 2 * 1000 / 60) < 1e-6, f"60 /2 Nm became {yarn['count_tex']} tex")
     type_into(editor, "yarn.ply_twist_per_m", "4 TM")
-    twist = saved(editor, file)["yarns"][0]["ply_twist_per_m"]
+    twist = editor.saved(file)["yarns"][0]["ply_twist_per_m"]
     expect(abs(twist - 957 * 4 / (1000 / 60) ** 0.5) < 1, f"4 TM became {twist} turns/m")
     type_into(editor, "yarn.diameter_mm", "0.3")
-    yarn = saved(editor, file)["yarns"][0]
+    yarn = editor.saved(file)["yarns"][0]
     packing = yarn["count_tex"] / (1.52 * (0.3 / 0.03568) ** 2)
     expect(abs(yarn["packing"] - packing) < 0.005, f"0.3 mm became packing {yarn['packing']}, not {packing:.3f}")
 
@@ -98,7 +87,7 @@ def blend(editor, file):
     editor.click("tab.fibre")
     editor.click("fibre.of_blend/Second")
     choose(editor, "fibre.preset", "wool")
-    fabric = saved(editor, file)
+    fabric = editor.saved(file)
     yarn, fibres = fabric["yarns"][0], fabric["fibres"]
     expect(yarn["blend_fibre"] == 1 and abs(yarn["blend_share"] - 0.3) < 1e-9, f"no blend: {yarn}")
     expect(len(fibres) == 2 and fibres[1]["scale_tilt_deg"] == 2.5 and fibres[0]["scale_tilt_deg"] == 0,
@@ -110,7 +99,7 @@ def blend(editor, file):
 def take_from_the_trade(editor, file):
     editor.click("tab.yarn")
     choose(editor, "yarn.preset", "Silk 20/22 den")
-    fabric = saved(editor, file)
+    fabric = editor.saved(file)
     yarn = fabric["yarns"][0]
     expect(abs(yarn["count_tex"] - 21 / 9) < 0.01 and "blend_fibre" not in yarn, f"no silk: {yarn}")
     expect(yarn["name"] == "ring-spun", "the yarn's name is the designer's")
@@ -119,10 +108,7 @@ def take_from_the_trade(editor, file):
 
 
 def test():
-    display = Display(WIDTH, HEIGHT)
-    editor = None
-    try:
-        editor = Editor(display, WIDTH, HEIGHT)
+    with window(WIDTH, HEIGHT) as editor:
         file = print_cloth(editor.home)
         editor.start(PROGRAM, [file])
         editor.wait_for_picture()
@@ -131,10 +117,6 @@ def test():
         spin(editor, file)
         blend(editor, file)
         take_from_the_trade(editor, file)
-    finally:
-        if editor:
-            editor.close()
-        display.close()
 
 
 run(test)

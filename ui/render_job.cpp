@@ -1,0 +1,35 @@
+#include "ui/render_job.h"
+
+#include <fmt/core.h>
+
+#include "ui/fields.h"
+#include "ui/modal.h"
+
+namespace loomlight {
+
+bool chooseFileButton(Ui& ui, const std::string& dialog) {
+  ImGui::Dummy(ImVec2(0, 0));
+  ImGui::SameLine(ImGui::GetContentRegionAvail().x * 0.44f + ui.px(16));
+  return button(ui, (dialog + ".browse").c_str(), "Choose\xE2\x80\xA6");
+}
+
+RenderJobAnswer renderJobRows(Ui& ui, const std::string& dialog, const RenderJob& job, bool hasFile) {
+  ImGui::ProgressBar(static_cast<float>(job.fraction), ImVec2(-1, ui.px(4)), "");
+  ImGui::PushStyleColor(ImGuiCol_Text, job.failed ? ui.theme.error : ui.theme.textQuiet);
+  const std::string said = job.running ? fmt::format("{:.0f} %", 100 * job.fraction) : job.outcome;
+  ImGui::TextWrapped("%s", said.empty() ? " " : said.c_str());
+  ImGui::PopStyleColor();
+  ui.probe.fact(dialog + ".outcome", job.running ? "running" : job.outcome);
+
+  RenderJobAnswer answer;
+  const float width = ui.px(120);
+  ImGui::SetCursorPosX(ImGui::GetWindowWidth() - 2 * width - ui.px(24));
+  const bool dismiss =
+      button(ui, (dialog + ".close").c_str(), job.running ? "Cancel" : "Close", width) || modalCancelled();
+  ImGui::SameLine();
+  answer.start = button(ui, (dialog + ".start").c_str(), "Render", width, !job.running && hasFile);
+  (job.running ? answer.cancel : answer.close) = dismiss;
+  return answer;
+}
+
+}  // namespace loomlight

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+
+#include "ui/ui.h"
+
+namespace loomlight {
+
+/// Something that is rendered to a file behind a dialog.
+struct RenderJob {
+  bool running = false;
+  double fraction = 0;
+  std::string outcome;  ///< after it: what was written, or what went wrong
+  bool failed = false;
+};
+
+struct RenderJobAnswer {
+  bool start = false, cancel = false, close = false;
+};
+
+// Widgets are named after their dialog.
+
+/// Below the row of the file's name.
+bool chooseFileButton(Ui& ui, const std::string& dialog);
+/// The last rows of the dialog: progress or outcome; Cancel or Close, and Render where it knows a file.
+RenderJobAnswer renderJobRows(Ui& ui, const std::string& dialog, const RenderJob& job, bool hasFile);
+
+}  // namespace loomlight
