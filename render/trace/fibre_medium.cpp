@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "render/trace/fibre_bvh.h"
 #include "render/trace/fibre_exit.h"
+#include "render/trace/fibre_tangent.h"
 
 namespace loomlight {
 namespace {
@@ -69,7 +70,8 @@ std::optional<Collision> FibreMedium::collide(const Departure& from, glm::vec3 d
   c.place = {from.place.world + hit->distance_mm * direction, -1};
   c.distance_mm = hit->distance_mm;
   c.incoming = direction;
-  c.tangent = hit->tangent;
+  Random root(~hit->fibre);  // apart from the number that decides its material
+  c.tangent = eitherWay(hit->tangent, root);
   const glm::vec3 across = glm::cross(c.tangent, direction);
   // h is the sine, about the axis, from the normal to the way back.
   const float width = glm::length(across);

@@ -22,4 +22,10 @@ inline glm::vec3 projectedTangent(const FibreDistribution& fibres, glm::vec3 dir
   return tangent;
 }
 
+/// Fibres lie with their roots at either end of their yarn, which scales that are tilted let light see: a tangent and
+/// its opposite are as likely.
+inline glm::vec3 eitherWay(glm::vec3 tangent, Random& random) {
+  return random.next() >> 63 ? -tangent : tangent;
+}
+
 }  // namespace loomlight

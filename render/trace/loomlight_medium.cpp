@@ -166,7 +166,7 @@ Collision LoomlightMedium::meet(const Departure& from, glm::vec3 direction, cons
   c.normal = s.drape.normal();
   const auto take = [&](const VoxelExtinction& voxel, const VoxelContent& content) {
     const VoxelExtinction::Entry& entry = voxel.choose(random.uniform(), EventLaw::projected);
-    c.tangent = projectedTangent(inWorld(entry.component->decode(), s.drape), direction, random);
+    c.tangent = eitherWay(projectedTangent(inWorld(entry.component->decode(), s.drape), direction, random), random);
     c.optics = *entry.optics;
     c.thread = entry.thread;
     c.yarn = entry.yarn;

@@ -33,9 +33,9 @@ std::optional<Collision> VolumeMedium::collide(const Departure& from, glm::vec3 
               c.incoming = direction;
               if (law == EventLaw::report) {
                 const float u1 = random.uniform(), u2 = random.uniform();
-                c.tangent = sampleTangent(fibres, u1, u2);
+                c.tangent = eitherWay(sampleTangent(fibres, u1, u2), random);
               } else {
-                c.tangent = projectedTangent(fibres, direction, random);
+                c.tangent = eitherWay(projectedTangent(fibres, direction, random), random);
               }
               c.offset = 2.0f * random.uniform() - 1.0f;
               c.normal = drape.normal();
