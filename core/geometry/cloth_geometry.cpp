@@ -183,6 +183,13 @@ double ClothGeometry::minYarnDiameter_mm() const {
   return least;
 }
 
+double ClothGeometry::minFibreRadius_mm() const {
+  double least = std::numeric_limits<double>::max();
+  for (const SystemGeometry& system : systems_)
+    for (const int own : system.classes) least = std::min(least, system.yarns[own]->geometry.fibreRadius_mm);
+  return least;
+}
+
 const YarnGeometry& ClothGeometry::yarn(System system, int geometryClass) const {
   assert(of(system).yarns[geometryClass]);
   return of(system).yarns[geometryClass]->geometry;

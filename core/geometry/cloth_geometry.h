@@ -50,6 +50,7 @@ class ClothGeometry {
   /// All fibres, hairs too, lie in |z| <= this. Like all of a yarn's shape it does not depend on the weave.
   double halfThickness_mm() const { return halfThickness_mm_; }
   double minYarnDiameter_mm() const;  ///< of the yarns that the cloth uses
+  double minFibreRadius_mm() const;   ///< likewise
 
   /// The yarn of `system` in cell (pick, end); any integers: the cloth goes on beyond its edges as its repeat does.
   /// Costs about a dozen look-ups.
