@@ -135,7 +135,7 @@ struct FieldTable<RenderSettings> {
             {"seed", "Seed", "", 0, 18446744073709551615.0, "Another number gives another pattern of noise."}},
       Field{&RenderSettings::resolution,
             {"resolution", "Resolution", "per yarn", 1, 16,
-             "Voxels across the thinnest yarn: 1, 2, 4, 8 or 16; beyond 8 as far as they stay wider than a fibre."}},
+             "Voxels across the thinnest yarn: 1, 2, 4, 8 or 16; beyond 8 no finer than a fibre."}},
       Field{&RenderSettings::maxDepth,
             {"max_depth", "Depth", "events", 1, 65536, "Where a light path ends at the latest, in fibres met.", true}},
       Field{

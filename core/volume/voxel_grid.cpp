@@ -17,11 +17,10 @@ VoxelGrid makeGrid(const ClothGeometry& geometry, int resolution) {
   const double x = geometry.warpPitch_mm(), y = geometry.weftPitch_mm(), z = 2 * geometry.halfThickness_mm();
   const auto across = [](double length, double leaf) { return std::max(1.0, std::round(length / leaf)); };
   const auto layers = [z](double leaf) { return std::max(1.0, std::ceil(z / leaf)); };
-  // Voxels much narrower than a fibre hold one each, and light would meet again the very fibre that it leaves.
+  // A voxel narrower than a fibre holds one alone, and light would meet again the very fibre that it leaves.
   constexpr int kFinestRegardless = 8;
-  constexpr double kFibreRadii = 1.5;
   const double diameter = geometry.minYarnDiameter_mm();
-  const double finest = std::min(kFibreRadii * geometry.minFibreRadius_mm(), diameter / kFinestRegardless);
+  const double finest = std::min(2 * geometry.minFibreRadius_mm(), diameter / kFinestRegardless);
   double leaf = std::max(diameter / std::max(1, resolution), finest);
   while (across(x, leaf) * across(y, leaf) * layers(leaf) > kMaxCellVoxels) leaf *= 1.125;
 

@@ -32,7 +32,7 @@ struct VoxelGrid {
 };
 
 /// `resolution` leaf voxels per (smallest) yarn diameter; the slab |z| <= halfThickness is covered. Beyond 8, the leaf
-/// is no narrower than 1.5 radii of the (thinnest) fibres. Of absurd cloths, fine yarns in wide gaps or beside ropes,
+/// is no narrower than the (thinnest) fibres. Of absurd cloths, fine yarns in wide gaps or beside ropes,
 /// it is coarser, so that no cell has more than kMaxCellVoxels.
 VoxelGrid makeGrid(const ClothGeometry& geometry, int resolution);
 inline constexpr double kMaxCellVoxels = 2e6;
