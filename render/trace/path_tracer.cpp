@@ -58,23 +58,25 @@ float misWeight(float own, float other) {
   return own / (own + other);
 }
 
-/// How likely a collision looks for a lamp. Deep in the cloth hardly any look is answered, and each costs a walk out of
-/// it; what the rare ones find counts for all, so nothing is lost but noise that nobody sees.
-float lampChance(const PathSampling& sampling, uint32_t events) {
-  return !sampling.lampsByChance || events <= 2 ? 1.0f : events <= 6 ? 0.5f : 0.25f;
+/// How likely a collision looks for a lamp: each look costs a walk out of the cloth. The more of the lamp's light the
+/// fibre would send on, the likelier, so that no look brings much more than another: narrow modes, met rarely, are what
+/// makes pictures noisy. `value` is the sum of Q, 1/sr; the least chance keeps all possible.
+float lampChance(const PathSampling& sampling, uint32_t events, float value) {
+  constexpr float kCertain = 0.5f, kLeast = 0.05f;  // of the first event always: it is what the eye sees
+  return !sampling.lampsByChance || events == 1 ? 1.0f : std::clamp(value / kCertain, kLeast, 1.0f);
 }
 
-/// One lamp, seen from a collision; sampled with the given chance. Nothing when no light comes of it.
+/// One lamp, seen from a collision. Nothing when no light comes of it.
 std::optional<PathLight> sampleLamp(const Scene& scene, const Medium& medium, const Collision& at,
-                                    const FibreFrame& frame, glm::vec3 wo, float chance, Random& random,
-                                    TraceCounts& counts) {
-  if (random.uniform() >= chance) return std::nullopt;
+                                    const FibreFrame& frame, glm::vec3 wo, Random& random, TraceCounts& counts) {
   const auto light = scene.lighting->sample(at.place.world, random);
   if (!light || light->pdf <= 0) return std::nullopt;
   const FibreBcsdf& bcsdf = *scene.materials[at.optics.material].bcsdf;
   const FibreBcsdf::Value value = bcsdf.evaluate(wo, frame.toLocal(light->wi), at.offset);
   const float pdf = value.sum();
   if (pdf <= 0) return std::nullopt;
+  const float chance = lampChance(scene.sampling, static_cast<uint32_t>(at.events), pdf);
+  if (random.uniform() >= chance) return std::nullopt;
   const float density = chance * light->pdf;
   const float weight = light->delta ? 1.0f : misWeight(density, pdf);
   const Departure from = medium.leave(at, light->wi, likelyOrder(value, random));
@@ -136,9 +138,8 @@ PathSample tracePath(const Scene& scene, const Medium& medium, const CameraRays&
   const auto gatherEscaped = [&](float visible) {
     const Rgb radiance = scene.lighting->escape(direction);
     if (visible == 0 || radiance == Rgb(0)) return;
-    const float weight =
-        lamps ? misWeight(scatterPdf, lampChance(scene.sampling, sample.events) * scene.lighting->pdf(direction))
-              : 1.0f;
+    const float looked = lamps ? lampChance(scene.sampling, sample.events, scatterPdf) : 0.0f;
+    const float weight = lamps ? misWeight(scatterPdf, looked * scene.lighting->pdf(direction)) : 1.0f;
     gather({radiance * (weight * visible)});
   };
   ++counts.paths;
@@ -158,8 +159,7 @@ PathSample tracePath(const Scene& scene, const Medium& medium, const CameraRays&
     const glm::vec3 wo = frame.toLocal(-direction);
     if (lamps) {
       stratify(dimension + kDimensionsPerUse, stratified);
-      const auto light =
-          sampleLamp(scene, medium, *collision, frame, wo, lampChance(scene.sampling, sample.events), random, counts);
+      const auto light = sampleLamp(scene, medium, *collision, frame, wo, random, counts);
       if (light) gather(*light);
     }
     if (sample.events >= static_cast<uint32_t>(settings.maxDepth)) return sample;

@@ -38,7 +38,7 @@ struct YarnBlend {
 struct PathSampling {
   bool stratified = true;     ///< camera, first events and first lamps are spread evenly over a pixel's samples
   bool roulette = true;       ///< paths of little worth end by chance
-  bool lampsByChance = true;  ///< deep in the cloth few events look for a lamp
+  bool lampsByChance = true;  ///< where a fibre would send on little of a lamp, it is seldom looked for
   bool lamps = true;          ///< lamps of some size are looked for, by importance; else paths find them by chance
 };
 
