@@ -1,6 +1,7 @@
 #include "core/fabric/weave.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <map>
 #include <utility>
@@ -44,6 +45,23 @@ bool Weave::warpOver(int pick, int end) const {
   return at(wrapped(pick, picks()), wrapped(end, ends_));
 }
 
+std::vector<uint8_t> Weave::columns(int first, int count) const {
+  constexpr size_t kPicks = 64;  // at a time: their cells stay in the cache from end to end
+  const size_t picks = rows_.size();
+  std::vector<uint8_t> cells(static_cast<size_t>(count) * picks);
+  std::array<const uint8_t*, kPicks> rows{};
+  for (size_t from = 0; from < picks; from += kPicks) {
+    const size_t n = std::min(kPicks, picks - from);
+    for (size_t p = 0; p < n; ++p) rows[p] = rows_[from + p]->data();
+    for (int i = 0; i < count; ++i) {
+      const int end = wrapped(first + i, ends_);
+      uint8_t* const column = &cells[static_cast<size_t>(i) * picks + from];
+      for (size_t p = 0; p < n; ++p) column[p] = rows[p][end];
+    }
+  }
+  return cells;
+}
+
 Weave Weave::with(int pick, int end, bool warpOver) const {
   assert(pick >= 0 && pick < picks() && end >= 0 && end < ends_);
   Weave changed = *this;
@@ -61,9 +79,11 @@ Weave Weave::resized(int ends, int picks) const {
   std::vector<SharedRow> made = rows_;
   if (ends != ends_) {
     for (SharedRow& row : made) {
-      Row wider(static_cast<size_t>(ends));
-      for (int e = 0; e < ends; ++e) wider[e] = (*row)[e % ends_];
-      row = std::make_shared<const Row>(std::move(wider));
+      Row continued;
+      continued.reserve(static_cast<size_t>(ends));
+      for (int e = 0; e < ends; e += ends_)
+        continued.insert(continued.end(), row->begin(), row->begin() + std::min(ends_, ends - e));
+      row = std::make_shared<const Row>(std::move(continued));
     }
   }
   std::vector<SharedRow> rows(static_cast<size_t>(picks));

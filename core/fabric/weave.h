@@ -39,6 +39,9 @@ class Weave {
   /// Another size of repeat: what fits is kept, the new cells continue the old repeat.
   Weave resized(int ends, int picks) const;
 
+  /// What `count` ends cross, one end after the other, picks() cells each; end `first` + i is counted modulo ends().
+  std::vector<uint8_t> columns(int first, int count) const;
+
   friend bool operator==(const Weave& a, const Weave& b);
 
  private:

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 
 #include "core/base/hash.h"
@@ -214,20 +215,21 @@ PathNode ClothGeometry::node(System system, int own, int other, bool over, int f
           static_cast<float>(warp ? c.warpFlat_mm : c.weftFlat_mm)};
 }
 
-void ClothGeometry::shapeCodes(System system, int across, int along, std::span<ShapeCode> codes) const {
+/// warpOver(i): of the crossing at i along the yarn, 0 <= i < as many as the weave has.
+template <class WarpOver>
+void ClothGeometry::shapeCodesOf(System system, int across, int along, const WarpOver& warpOver,
+                                 std::span<ShapeCode> codes) const {
   const bool warp = system == System::warp;
   const int alongCount = warp ? weave_.picks() : weave_.ends();
-  const int acrossIndex = wrap(across, warp ? weave_.ends() : weave_.picks());
   const std::vector<int>& others = of(warp ? System::weft : System::warp).classes;
   const ShapeCode own = static_cast<ShapeCode>(geometryClass(system, across)) << (3 * kNodeBits);
 
   // Both slide along the yarn: the sides of the crossings in reach, and the classes of the three yarns that are
   // crossed.
-  const uint8_t* const row = warp ? nullptr : weave_.row(acrossIndex).data();
   int ahead = wrap(along - kReach, alongCount);
   unsigned sides = 0;
   const auto see = [&] {
-    const bool over = warp ? weave_.at(ahead, acrossIndex) : row[ahead] == 0;
+    const bool over = warpOver(ahead) == warp;
     sides = sides >> 1 | static_cast<unsigned>(over) << (kSidesSeen - 1);
     if (++ahead == alongCount) ahead = 0;
   };
@@ -245,6 +247,23 @@ void ClothGeometry::shapeCodes(System system, int across, int along, std::span<S
     see();
     cross();
     code = own | crossed | kFloatCodes[sides];
+  }
+}
+
+void ClothGeometry::shapeCodes(System system, int across, int along, std::span<const uint8_t> crossings,
+                               std::span<ShapeCode> codes) const {
+  const uint8_t* const sides = crossings.data();
+  shapeCodesOf(
+      system, across, along, [sides](int i) { return sides[i] != 0; }, codes);
+}
+
+void ClothGeometry::shapeCodes(System system, int across, int along, std::span<ShapeCode> codes) const {
+  if (system == System::weft) {
+    shapeCodes(system, across, along, weave_.row(wrap(across, weave_.picks())), codes);
+  } else {
+    const int end = wrap(across, weave_.ends());
+    shapeCodesOf(
+        system, across, along, [this, end](int pick) { return weave_.at(pick, end); }, codes);
   }
 }
 
@@ -283,6 +302,60 @@ bool ClothGeometry::differsInWeaveOnly(const ClothGeometry& other) const {
   return sameSystem(systems_[0], other.systems_[0]) && sameSystem(systems_[1], other.systems_[1]) &&
          ends_ == other.ends_ && picks_ == other.picks_ && warpPitch_mm_ == other.warpPitch_mm_ &&
          weftPitch_mm_ == other.weftPitch_mm_ && sameNodes(other);
+}
+
+std::optional<ClothGeometry::ClassNames> ClothGeometry::namesOfClasses(const ClothGeometry& other) const {
+  ClassNames names;
+  std::array<std::vector<int>, 2> here, there;  // the classes in use, pair by pair
+  for (size_t system = 0; system < 2; ++system) {
+    const std::vector<int>&mine = systems_[system].classes, &others = other.systems_[system].classes;
+    if (mine.size() != others.size()) return std::nullopt;
+    names[system].assign(static_cast<size_t>(other.classCount_), -1);
+    std::vector<int> back(static_cast<size_t>(classCount_), -1);
+    for (size_t i = 0; i < mine.size(); ++i) {
+      int &name = names[system][others[i]], &former = back[mine[i]];
+      if (name < 0 && former < 0) {
+        here[system].push_back(name = mine[i]);
+        there[system].push_back(former = others[i]);
+      }
+      if (name != mine[i] || former != others[i]) return std::nullopt;
+    }
+  }
+  for (const System system : {System::warp, System::weft}) {
+    const auto own = static_cast<size_t>(system), crossed = 1 - own;
+    for (size_t i = 0; i < here[own].size(); ++i)
+      if (nodeGroups(system, here[own][i], here[crossed]) != other.nodeGroups(system, there[own][i], there[crossed]))
+        return std::nullopt;
+  }
+  return names;
+}
+
+ClothGeometry::ShapeCode ClothGeometry::renamed(System system, ShapeCode code, const ClassNames& names) {
+  const auto own = static_cast<size_t>(system), crossed = 1 - own;
+  const auto name = [](const std::vector<int>& of, ShapeCode number) {
+    return static_cast<ShapeCode>(of[static_cast<size_t>(number)]);
+  };
+  ShapeCode result = name(names[own], code >> (3 * kNodeBits)) << (3 * kNodeBits);
+  for (int place = 0; place < 3; ++place) {
+    const ShapeCode node = code >> (place * kNodeBits) & ((1 << kNodeBits) - 1);
+    const ShapeCode floating = node & ((1 << kFloatBits) - 1);
+    result |= (name(names[crossed], node >> kFloatBits) << kFloatBits | floating) << (place * kNodeBits);
+  }
+  return result;
+}
+
+/// Of all nodes that a yarn's path may have, crossing these classes on either side: the number of the first equal one.
+std::vector<int> ClothGeometry::nodeGroups(System system, int own, const std::vector<int>& crossed) const {
+  std::map<std::array<float, 3>, int> first;
+  std::vector<int> groups;
+  for (const int other : crossed)
+    for (const bool over : {true, false})
+      for (int distance = 0; distance <= kMaxFloatDistance; ++distance) {
+        const PathNode n = node(system, own, other, over, distance);
+        const auto number = static_cast<int>(groups.size());
+        groups.push_back(first.try_emplace({n.height_mm, n.radius_mm, n.flat_mm}, number).first->second);
+      }
+  return groups;
 }
 
 /// Whether all paths have the same nodes: crossings differ by more digits than nodes keep. The yarns must be the same.

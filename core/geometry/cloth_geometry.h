@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -71,6 +72,10 @@ class ClothGeometry {
   using ShapeCode = uint64_t;
   /// Those of codes.size() cells in a row along a yarn, from cell `along` on; much cheaper than as many keys.
   void shapeCodes(System system, int across, int along, std::span<ShapeCode> codes) const;
+  /// The same, cheaper still for many cells of an end, whose crossings lie apart in the weave: `crossings` are those
+  /// along the yarn over the weave's repeat, as in Weave::row() and Weave::columns().
+  void shapeCodes(System system, int across, int along, std::span<const uint8_t> crossings,
+                  std::span<ShapeCode> codes) const;
   CellKey shapeKey(System system, ShapeCode code) const;
   /// A changed crossing changes the codes of cells that are so far away along its two yarns, and no others.
   static constexpr int kCrossingReach = kMaxFloatDistance + 1;
@@ -79,6 +84,13 @@ class ClothGeometry {
   int geometryClass(System system, int index) const;  ///< of the yarn of an end or a pick; any integer
   /// Whether this is the same piece but for its weave: a cell whose shape code is the same has the same fibres.
   bool differsInWeaveOnly(const ClothGeometry& other) const;
+  /// Whose classes are whose: [system][class of `other`] is the class here, -1 of those that the cloth does not use.
+  using ClassNames = std::array<std::vector<int>, 2>;
+  /// Where threads are of one class here just where they are in `other`, and cells of one shape likewise: whatever the
+  /// yarns have become, a map of the other's shapes is one of these. Nothing where they are not.
+  std::optional<ClassNames> namesOfClasses(const ClothGeometry& other) const;
+  /// What a code of the other is here.
+  static ShapeCode renamed(System system, ShapeCode code, const ClassNames& names);
 
   /// The fibres of a cell. A pure function of the key (and of this geometry's yarns).
   CellStrands strands(const CellKey& key) const;
@@ -104,6 +116,9 @@ class ClothGeometry {
   const SystemGeometry& of(System system) const { return systems_[static_cast<size_t>(system)]; }
   PathNode node(System system, int own, int other, bool over, int floatDistance) const;
   bool sameNodes(const ClothGeometry& other) const;
+  std::vector<int> nodeGroups(System system, int own, const std::vector<int>& crossed) const;
+  template <class WarpOver>
+  void shapeCodesOf(System system, int across, int along, const WarpOver& warpOver, std::span<ShapeCode> codes) const;
   void resolveYarns(const Fabric& fabric, const ClothGeometry* previous);
   void findRepeat();
   void findThickness();

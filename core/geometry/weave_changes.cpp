@@ -1,14 +1,16 @@
 #include "core/geometry/weave_changes.h"
 
+#include <algorithm>
+
 namespace loomlight {
 
 std::optional<std::vector<WeavePlace>> weaveChanges(const Weave& before, const Weave& after, size_t limit) {
-  if (before.ends() != after.ends() || before.picks() != after.picks()) return std::nullopt;
+  const auto ends = static_cast<size_t>(std::min(before.ends(), after.ends()));
   std::vector<WeavePlace> changes;
-  for (int pick = 0; pick < after.picks(); ++pick) {
-    const auto a = before.row(pick), b = after.row(pick);
-    if (a.data() == b.data()) continue;
-    for (size_t end = 0; end < a.size(); ++end)
+  for (int pick = 0; pick < std::min(before.picks(), after.picks()); ++pick) {
+    const auto a = before.row(pick).first(ends), b = after.row(pick).first(ends);
+    if (a.data() == b.data() || std::equal(a.begin(), a.end(), b.begin())) continue;
+    for (size_t end = 0; end < ends; ++end)
       if ((a[end] != 0) != (b[end] != 0)) changes.push_back({pick, static_cast<int>(end)});
     if (changes.size() > limit) return std::nullopt;
   }

@@ -13,8 +13,8 @@ struct WeavePlace {
   bool operator==(const WeavePlace&) const = default;
 };
 
-/// Where two weaves of one size differ; nothing where their sizes differ, or where they do in more than `limit` places.
-/// Rows that they share cost one comparison of pointers.
+/// Where two weaves differ, in the ends and picks that both have; nothing where they do in more than `limit` places.
+/// In the order of picks, and of ends in each. Rows that they share cost one comparison of pointers.
 std::optional<std::vector<WeavePlace>> weaveChanges(const Weave& before, const Weave& after, size_t limit);
 
 }  // namespace loomlight

@@ -25,41 +25,47 @@ ClothVolume::ClothVolume(std::shared_ptr<const ClothGeometry> geometry, int reso
 std::shared_ptr<const ClothVolume> ClothVolume::build(std::shared_ptr<const ClothGeometry> geometry, int resolution,
                                                       const Task& task, const ClothVolume* previous) {
   std::shared_ptr<ClothVolume> volume(new ClothVolume(std::move(geometry), resolution));
-  if (previous && previous->grid_ != volume->grid_) previous = nullptr;
-  if (!previous || !volume->editTiles(*previous)) {
-    for (const System system : {System::warp, System::weft}) {
-      volume->tiles_[static_cast<int>(system)] = TileMap(*volume->geometry_, system, task);
-      if (task.stopped()) return nullptr;
-    }
-    if (previous) volume->reuseTiles(*previous);
-  }
-  if (!volume->makeBricks(task)) return nullptr;
+  if (!previous || !volume->editTiles(*previous, task)) volume->readTiles(previous, task);
+  if (task.stopped() || !volume->makeBricks(task)) return nullptr;
   return volume;
 }
 
-bool ClothVolume::editTiles(const ClothVolume& previous) {
+void ClothVolume::readTiles(const ClothVolume* previous, const Task& task) {
+  for (size_t system = 0; system < tiles_.size() && !task.stopped(); ++system) {
+    tiles_[system] = TileMap(*geometry_, static_cast<System>(system), task);
+    if (previous) tiles_[system].shareRows(previous->tiles_[system]);
+  }
+  if (previous && !task.stopped()) reuseBricks(*previous);
+}
+
+bool ClothVolume::editTiles(const ClothVolume& previous, const Task& task) {
   const ClothGeometry& before = *previous.geometry_;
-  if (!geometry_->differsInWeaveOnly(before) || geometry_->repeatEnds() != before.repeatEnds() ||
-      geometry_->repeatPicks() != before.repeatPicks())
-    return false;
+  auto names = geometry_->namesOfClasses(before);
+  if (!names || previous.tiles_[0].isWorn() || previous.tiles_[1].isWorn()) return false;
   const Weave& weave = geometry_->weave();
   const size_t crossings = static_cast<size_t>(weave.ends()) * static_cast<size_t>(weave.picks());
   // To read a crossing anew in an edit costs some fifty times what it costs in a whole repeat.
-  const auto changes = weaveChanges(before.weave(), weave, std::max<size_t>(64, crossings / 64));
-  if (!changes) return false;
+  auto places = weaveChanges(before.weave(), weave, std::max<size_t>(64, crossings / 64));
+  if (!places) return false;
+  const bool weaveOnly = grid_ == previous.grid_ && geometry_->differsInWeaveOnly(before);
+  const TileMap::Change change{before, std::move(*names), std::move(*places)};
   tiles_ = previous.tiles_;
-  for (TileMap& tiles : tiles_) tiles.edit(*geometry_, *changes);
+  for (TileMap& tiles : tiles_) {
+    if (!weaveOnly) tiles.dropBricks();
+    tiles.edit(*geometry_, change, task);
+  }
+  if (!weaveOnly && !task.stopped()) reuseBricks(previous);
   return true;
 }
 
-void ClothVolume::reuseTiles(const ClothVolume& previous) {
+void ClothVolume::reuseBricks(const ClothVolume& previous) {
+  if (previous.grid_ != grid_) return;
   struct Hash {
     size_t operator()(const CellKey& key) const { return hash(key); }
   };
   for (size_t system = 0; system < tiles_.size(); ++system) {
     TileMap& tiles = tiles_[system];
     const TileMap& old = previous.tiles_[system];
-    tiles.shareRows(old);
     std::unordered_map<CellKey, uint32_t, Hash> oldShapes;
     for (uint32_t i = 0; i < old.shapes().size(); ++i) oldShapes.emplace(old.shapes()[i], i);
     // The same yarn may have another class in another fabric.

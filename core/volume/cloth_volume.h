@@ -40,8 +40,8 @@ struct VoxelContent {
 /// never by the size of the cloth.
 class ClothVolume {
  public:
-  /// Builds the volume, reusing the bricks of `previous` (may be null) where grid, yarns and keys agree, and its tile
-  /// maps too where the weave is all that has changed. The same, brick for brick, as without. Returns null when
+  /// Builds the volume, reusing the bricks of `previous` (may be null) where grid, yarns and keys agree, and what its
+  /// tile maps have in common with the new ones. The same, brick for brick, as without. Returns null when
   /// stopped. Throws InputError where the distinct bricks would take more than kMaxBytes.
   static std::shared_ptr<const ClothVolume> build(std::shared_ptr<const ClothGeometry> geometry, int resolution,
                                                   const Task& task, const ClothVolume* previous = nullptr);
@@ -95,9 +95,11 @@ class ClothVolume {
   class Walk;
   ClothVolume(std::shared_ptr<const ClothGeometry> geometry, int resolution);
   /// Makes the maps out of those of `previous`, where that costs less than to read them; false where it does not.
-  bool editTiles(const ClothVolume& previous);
-  /// Takes the bricks of `previous` that are those of this volume too, and what is the same in its maps.
-  void reuseTiles(const ClothVolume& previous);
+  bool editTiles(const ClothVolume& previous, const Task& task);
+  /// Reads the maps; shares with those of `previous` (may be null) what is the same.
+  void readTiles(const ClothVolume* previous, const Task& task);
+  /// Takes the bricks of `previous` that are those of this volume too.
+  void reuseBricks(const ClothVolume& previous);
   bool makeBricks(const Task& task);
   /// visit(brick, how many cells of the piece have it).
   template <class Visit>

@@ -11,7 +11,9 @@ namespace loomlight {
 /// Numbers the shapes of cells, that is keys up to the phase, in the order in which they are met.
 class ShapeTable {
  public:
-  explicit ShapeTable(const ClothGeometry& geometry, System system) : geometry_(&geometry), system_(system) {}
+  /// `known` (may be null): shapes that have numbers already. It must stay, and may not be changed meanwhile.
+  ShapeTable(const ClothGeometry& geometry, System system, const ShapeTable* known = nullptr)
+      : geometry_(&geometry), system_(system), known_(known), first_(known ? known->end() : 0) {}
 
   /// Of the shape with this code; a handful of instructions for those met lately.
   uint32_t number(ClothGeometry::ShapeCode code) {
@@ -19,10 +21,13 @@ class ShapeTable {
     if (recent.code != code) recent = {code, numberOf(code)};
     return recent.number;
   }
-  /// Of the shape of a key, whose phase must be 0.
-  uint32_t number(const CellKey& shape);
 
-  const std::vector<CellKey>& shapes() const { return shapes_; }
+  /// The numbers from here to the end are those of the shapes that were not known.
+  uint32_t first() const { return first_; }
+  uint32_t end() const { return first_ + static_cast<uint32_t>(shapes_.size()); }
+  const CellKey& shape(uint32_t number) const { return shapes_[number - first_]; }  ///< first() <= number < end()
+  /// The first that was met of the codes of this shape.
+  ClothGeometry::ShapeCode code(uint32_t number) const { return codes_[number - first_]; }
 
  private:
   struct KeyHash {
@@ -38,7 +43,10 @@ class ShapeTable {
 
   const ClothGeometry* geometry_;
   System system_;
+  const ShapeTable* known_;
+  uint32_t first_;
   std::vector<CellKey> shapes_;
+  std::vector<ClothGeometry::ShapeCode> codes_;
   std::unordered_map<CellKey, uint32_t, KeyHash> numbers_;
   std::unordered_map<ClothGeometry::ShapeCode, uint32_t> numbersOfCodes_;
   std::vector<Recent> recent_ = std::vector<Recent>(size_t{1} << kRecentBits);

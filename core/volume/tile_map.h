@@ -40,10 +40,19 @@ class TileMap {
   TileMap(const ClothGeometry& geometry, System system, const Task& task);
   static constexpr double kMaxCrossings = 268435456;  ///< 2^28: the largest weave, 16384 x 16384
 
-  /// Makes it the map of a geometry that differs from its own in these places of the weave alone, as a new map would
-  /// be. The repeat must have stayed. Costs a few copies of pointers for each yarn of the repeat, and a copy of the
-  /// shapes of each yarn that a place lies on.
-  void edit(const ClothGeometry& geometry, std::span<const WeavePlace> places);
+  /// How a cloth came out of another.
+  struct Change {
+    const ClothGeometry& before;
+    ClothGeometry::ClassNames names;  ///< of the classes of `before`
+    std::vector<WeavePlace> places;   ///< changes of the weave, as of weaveChanges()
+  };
+  /// Makes it the map of another geometry, as a new map would be, but for the bricks: those of shapes that are still
+  /// there stay. Costs a copy of the shapes of each yarn that a place lies on. Where the repeat has another size, what
+  /// its parts have in common is copied and the rest is read; where a yarn has another period, or the piece or its
+  /// repeat another size, all cells are counted again. Half-done, and of no use, when the task is stopped.
+  void edit(const ClothGeometry& geometry, const Change& change, const Task& task);
+  /// Whether most of its shapes are of former edits: time to read it anew.
+  bool isWorn() const;
 
   /// All shapes there are, and some that there were before an edit; their keys have phase 0.
   const std::vector<CellKey>& shapes() const { return shapes_; }
@@ -55,6 +64,7 @@ class TileMap {
   std::vector<Kind> missing() const;
   std::vector<ClothGeometry::CellCount> cellCounts() const;  ///< of the piece, by shape
   void place(Kind kind, std::shared_ptr<const Brick> brick);
+  void dropBricks();  ///< all are missing then
 
   /// 0 <= across < yarns of the piece, 0 <= along < cells of a yarn; inRepeat = along % repeatAlong().
   const Slot& at(int across, int along, int inRepeat) const {
@@ -86,6 +96,13 @@ class TileMap {
   struct PlacedYarn {
     uint32_t row;            ///< which yarn of the repeat it is
     uint16_t phase, period;  ///< of its first cell
+    bool operator==(const PlacedYarn&) const = default;
+  };
+  /// What of a former map's rows stands as it is: the cells [from, to) of the first so many yarns; or all their cells,
+  /// and there are no others.
+  struct Kept {
+    int yarns = 0, from = 0, to = 0;
+    bool wholeRows = false;
   };
   class PhaseCounts;
   struct Band;
@@ -96,11 +113,16 @@ class TileMap {
     return high_.empty() || !high_[row] ? low : low | static_cast<uint32_t>(high_[row][inRepeat]) << 16;
   }
   void setRow(size_t number, std::shared_ptr<const Row> row);
+  void findExtent(const ClothGeometry& geometry);
   void placeYarns(const ClothGeometry& geometry);
-  void readRows(const ClothGeometry& geometry, const Task& task);
-  void readBand(const ClothGeometry& geometry, const Task& task, Band& band) const;
+  void readRows(const ClothGeometry& geometry, const Task& task, const Kept& kept, ShapeTable& table);
+  void readBand(const ClothGeometry& geometry, const Task& task, const Kept& kept, Band& band) const;
   void join(Band& band, ShapeTable& all);
-  void editRow(const ClothGeometry& geometry, int across, std::span<const int> places, ShapeTable& table);
+  void countCells(const Task& task);
+  Kept keptOf(const ClothGeometry& geometry, const ClothGeometry& before, int formerAcross, int formerAlong) const;
+  bool reshape(const ClothGeometry& geometry, const ClothGeometry& before, const Task& task, ShapeTable& table);
+  void editRow(const ClothGeometry& geometry, int across, std::span<const int> places, bool counting,
+               ShapeTable& table);
   void addShapes(const ShapeTable& table);
   void dropUnused();
   void findReaches();
@@ -112,6 +134,7 @@ class TileMap {
   std::vector<std::shared_ptr<const Row>> rows_;  ///< per yarn of the repeat
   std::vector<const uint16_t*> low_, high_;       ///< of each row; `high_` is empty where no row has any
   std::vector<CellKey> shapes_;
+  std::vector<ClothGeometry::ShapeCode> codes_;  ///< one of each shape
   // By shape and phase, index():
   std::vector<uint64_t> cellsOf_;
   std::vector<std::shared_ptr<const Brick>> bricks_;

@@ -42,6 +42,14 @@ TEST(Weave, ResizedContinuesTheRepeat) {
   EXPECT_EQ(weave.resized(3, 6).row(4).data(), weave.row(1).data()) << "rows are shared where their length stays";
 }
 
+TEST(Weave, ColumnsAreOfTheEnds) {
+  const Weave weave = Weave(std::vector<Weave::Row>{{1, 0, 0}, {0, 1, 0}, {1, 0, 1}, {1, 1, 1}}).resized(3, 150);
+  const std::vector<uint8_t> columns = weave.columns(2, 5);
+  ASSERT_EQ(columns.size(), 5u * 150);
+  for (int i = 0; i < 5; ++i)
+    for (int p = 0; p < 150; ++p) EXPECT_EQ(columns[i * 150 + p] != 0, weave.warpOver(p, 2 + i)) << p << " " << i;
+}
+
 TEST(Weave, EqualityIsOfContent) {
   EXPECT_EQ(Weave(), Weave(std::vector<Weave::Row>{{1, 0}, {0, 1}}));
   EXPECT_NE(Weave(), Weave(std::vector<Weave::Row>{{1, 0}}));

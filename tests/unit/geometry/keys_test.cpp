@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <array>
+#include <map>
 #include <set>
 #include <unordered_set>
 
@@ -63,6 +65,11 @@ TEST(CellKeys, AreThoseOfTheShapeCodes) {
       for (int across = -3; across < 12; ++across) {
         std::vector<ClothGeometry::ShapeCode> codes(50);
         cloth.shapeCodes(system, across, -7, codes);
+        if (system == System::warp) {
+          std::vector<ClothGeometry::ShapeCode> ofColumn(50);
+          cloth.shapeCodes(system, across, -7, fabric.weave.columns(across, 1), ofColumn);
+          EXPECT_EQ(ofColumn, codes);
+        }
         for (int i = 0; i < 50; ++i) {
           const bool warp = system == System::warp;
           const CellKey key = warp ? cloth.key(system, i - 7, across) : cloth.key(system, across, i - 7);
@@ -89,12 +96,67 @@ TEST(ClothGeometry, SharesTheYarnsThatAnEditLeavesAlone) {
   EXPECT_FALSE(woven.differsInWeaveOnly(ClothGeometry(fabric, 10, 11)));
 }
 
+/// Whether a map of the shapes of `before` is one of `after`, name by name; their weaves must be the same.
+void expectSameShapes(const ClothGeometry& before, const ClothGeometry& after) {
+  const auto names = after.namesOfClasses(before);
+  ASSERT_TRUE(names);
+  std::array<std::set<std::pair<size_t, size_t>>, 2> keys;  // numbers of the codes' shapes, before and after
+  for (const System system : {System::warp, System::weft}) {
+    std::map<uint64_t, size_t> numbersBefore, numbersAfter;
+    for (int across = 0; across < 40; ++across) {
+      std::vector<ClothGeometry::ShapeCode> codes(50), codesAfter(50);
+      before.shapeCodes(system, across, 0, codes);
+      after.shapeCodes(system, across, 0, codesAfter);
+      for (size_t i = 0; i < codes.size(); ++i) {
+        EXPECT_EQ(ClothGeometry::renamed(system, codes[i], *names), codesAfter[i]);
+        const uint64_t keyBefore = hash(before.shapeKey(system, codes[i]));
+        const uint64_t keyAfter = hash(after.shapeKey(system, codesAfter[i]));
+        keys[static_cast<size_t>(system)].emplace(
+            numbersBefore.try_emplace(keyBefore, numbersBefore.size()).first->second,
+            numbersAfter.try_emplace(keyAfter, numbersAfter.size()).first->second);
+      }
+    }
+    EXPECT_EQ(keys[static_cast<size_t>(system)].size(), numbersBefore.size());
+    EXPECT_EQ(keys[static_cast<size_t>(system)].size(), numbersAfter.size());
+  }
+}
+
+TEST(ClothGeometry, NamesTheClassesOfAnotherWhereShapesAreGroupedAlike) {
+  Fabric fabric = cloths::mixed();
+  const ClothGeometry before(fabric, 40, 40);
+  Fabric twisted = fabric;
+  twisted.yarns[1].plyTwist_per_m += 100;
+  twisted.yarns[1].count_tex *= 1.3;
+  expectSameShapes(before, ClothGeometry(twisted, 50, 30));
+  // Another yarn is the first of its class, so all have other numbers.
+  Fabric turned = twisted;
+  std::reverse(turned.yarns.begin(), turned.yarns.end());
+  const auto last = static_cast<int>(turned.yarns.size()) - 1;
+  for (int& yarn : turned.warpSequence) yarn = last - yarn;
+  for (int& yarn : turned.weftSequence) yarn = last - yarn;
+  expectSameShapes(before, ClothGeometry(turned, 40, 40));
+}
+
+TEST(ClothGeometry, NamesNoClassesWhereTheyArePartedOrBecomeOne) {
+  Fabric fabric = cloths::plain();
+  fabric.yarns.push_back(fabric.yarns[0]);
+  fabric.warpSequence = {0, 1};
+  const ClothGeometry same(fabric, 10, 10);
+  fabric.yarns[1].count_tex *= 1.5;
+  const ClothGeometry striped(fabric, 10, 10);
+  EXPECT_FALSE(striped.namesOfClasses(same));
+  EXPECT_FALSE(same.namesOfClasses(striped));
+  fabric.warpSequence = {0, 0, 1};
+  EXPECT_FALSE(ClothGeometry(fabric, 10, 10).namesOfClasses(striped));
+}
+
 TEST(WeaveChanges, AreThePlacesThatDiffer) {
   const Weave before = Weave().resized(30, 20);
   const Weave after = before.with(3, 29, !before.at(3, 29)).with(17, 0, !before.at(17, 0)).with(5, 5, before.at(5, 5));
   EXPECT_EQ(weaveChanges(before, after, 2), (std::vector<WeavePlace>{{3, 29}, {17, 0}}));
   EXPECT_EQ(weaveChanges(before, after, 1), std::nullopt);
-  EXPECT_EQ(weaveChanges(before, before.resized(30, 21), 600), std::nullopt);
+  EXPECT_EQ(weaveChanges(before.resized(29, 19), after, 2), (std::vector<WeavePlace>{{17, 0}}));
+  EXPECT_EQ(weaveChanges(before, after.resized(33, 10), 2), (std::vector<WeavePlace>{{3, 29}}));
 }
 
 TEST(CellKeys, NeighbouringYarnsAreNotInStep) {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <deque>
+#include <functional>
 #include <set>
 
 #include "core/volume/cloth_volume.h"
@@ -77,6 +78,10 @@ void walk(Fabric fabric, int ends, int picks, int steps, Random& random) {
       history.resize(now + 1);
       history.push_back(edited(history[now], random));
       ++now;
+    }
+    if (random.below(10) == 0) {  // a piece of another size
+      ends = 1 + random.below(2 * ends);
+      picks = 1 + random.below(2 * picks);
     }
     geometry = std::make_shared<const ClothGeometry>(history[now], ends, picks, geometry.get());
     volume = ClothVolume::build(geometry, 1, one, volume.get());
@@ -167,6 +172,51 @@ TEST(Edits, ThatNoFibreFollowsVoxeliseNothing) {
   const auto after = volumeOf(fabric, 40, 40, 2, before.get());
   EXPECT_EQ(after->bricksVoxelised(), 0u);
   EXPECT_TRUE(sameVolume(*volumeOf(fabric, 40, 40, 2), *after));
+}
+
+/// Of the rows that the maps of both would take if each had its own.
+double shareOfBytesBeside(const Fabric& fabric, const ClothVolume& after, const ClothVolume& before) {
+  const double crossings = 4.0 * fabric.weave.ends() * fabric.weave.picks();  // bytes, of both systems
+  size_t bricks = 0;
+  std::set<const Brick*> known = bricksOf(before);
+  for (const Brick* brick : bricksOf(after)) bricks += known.count(brick) ? 0 : brick->bytes();
+  return static_cast<double>(after.bytesBeside(before) - bricks) / crossings;
+}
+
+TEST(Edits, OfAYarnReadNoCrossingAnew) {
+  const Fabric fabric = jacquard(800);
+  const auto before = volumeOf(fabric, 800, 800, 1);
+  for (const auto& edit : std::vector<std::function<void(Fabric&)>>{
+           [](Fabric& f) { f.yarns[0].plyTwist_per_m = 900; }, [](Fabric& f) { f.yarns[0].plies = 3; },
+           [](Fabric& f) { f.yarns[0].count_tex = 35; }, [](Fabric& f) { f.ends_per_cm = 21; },
+           [](Fabric& f) { f.render.resolution = 2; }}) {
+    Fabric edited = fabric;
+    edit(edited);
+    const auto after = volumeOf(edited, 800, 800, edited.render.resolution, before.get());
+    EXPECT_LT(shareOfBytesBeside(edited, *after, *before), 0.3);
+    EXPECT_TRUE(sameVolume(*volumeOf(edited, 800, 800, edited.render.resolution), *after));
+  }
+}
+
+TEST(Edits, OfTheSizeOfTheRepeatReadOnlyWhatIsNew) {
+  const Fabric fabric = jacquard(800);
+  const auto before = volumeOf(fabric, 820, 820, 1);
+  Fabric longer = fabric;
+  longer.weave = fabric.weave.resized(800, 807);
+  // The warp is longer, but each pick is what it was.
+  const auto after = volumeOf(longer, 820, 820, 1, before.get());
+  EXPECT_LT(shareOfBytesBeside(longer, *after, *before), 0.8);
+  EXPECT_TRUE(sameVolume(*volumeOf(longer, 820, 820, 1), *after));
+}
+
+TEST(Edits, ThatAreStoppedMakeNothing) {
+  const Fabric fabric = jacquard(60);
+  const auto before = volumeOf(fabric, 70, 70, 1);
+  std::stop_source stop;
+  stop.request_stop();
+  Fabric longer = fabric;
+  longer.weave = fabric.weave.resized(64, 60);
+  EXPECT_EQ(ClothVolume::build(geometryOf(longer, 70, 70), 1, Task{stop.get_token(), {}, 1}, before.get()), nullptr);
 }
 
 TEST(Edits, LeaveTheVolumeBeforeAsItWas) {
