@@ -25,14 +25,12 @@ class PathState {
   float weight() const { return weight_; }
   std::span<const float> lengths_mm() const { return {lengths_.data(), scene_.materials.size()}; }
 
-  /// Ends the path at random when little can come of it. The brightest channel decides: the mean would kill saturated
-  /// hues.
+  /// Ends the path at random, the likelier the more of its light has been absorbed; if it goes on, it is as bright as
+  /// ever. The brightest channel decides: the mean would kill saturated hues.
   bool survives(Random& random) {
-    constexpr float kWorthwhile = 0.2f;
     const Rgb c = weight_ * attenuation(scene_.roulette_per_mm, lengths_mm());
-    const float brightest = std::max({c.r, c.g, c.b});
-    if (brightest >= kWorthwhile) return true;
-    const float chance = brightest / kWorthwhile;
+    const float chance = std::max({c.r, c.g, c.b});
+    if (chance >= 1) return true;
     if (random.uniform() >= chance) return false;
     weight_ /= chance;
     return true;
