@@ -9,7 +9,7 @@ namespace loomlight {
 
 BuiltCloth RecentCloths::baseFor(const Fabric& fabric) const {
   for (const Entry& entry : entries_)
-    if (!impact(*entry.cloth.traceable.scene->fabric, fabric).cloth()) return entry.cloth;
+    if (sameCloth(*entry.cloth.traceable.scene->fabric, fabric)) return entry.cloth;
   return entries_.empty() ? BuiltCloth{} : entries_.front().cloth;
 }
 

@@ -80,6 +80,11 @@ bool samePicture(RenderSettings a, const RenderSettings& b) {
   return a == b;
 }
 
+bool changesAllBricks(const Fabric& before, const Fabric& after) {
+  return before.ends_per_cm != after.ends_per_cm || before.picks_per_cm != after.picks_per_cm ||
+         before.render.resolution != after.render.resolution;
+}
+
 /// Threads and shapes: `crossings`, `threads` and `reshapedYarns`.
 void compareThreads(const Fabric& before, const Fabric& after, Impact& impact) {
   std::vector<Shape> shapesBefore, shapesAfter;
@@ -111,8 +116,7 @@ void compareThreads(const Fabric& before, const Fabric& after, Impact& impact) {
 
 Impact impact(const Fabric& before, const Fabric& after) {
   Impact impact;
-  impact.allBricks = before.ends_per_cm != after.ends_per_cm || before.picks_per_cm != after.picks_per_cm ||
-                     before.render.resolution != after.render.resolution;
+  impact.allBricks = changesAllBricks(before, after);
   impact.crossings = !(before.weave == after.weave);
   compareThreads(before, after, impact);
   impact.drape = !(before.drape == after.drape);
@@ -122,6 +126,13 @@ Impact impact(const Fabric& before, const Fabric& after) {
   impact.film = impact.volume() || impact.threads || impact.drape || impact.materials || impact.lighting ||
                 !(before.camera == after.camera) || !samePicture(before.render, after.render);
   return impact;
+}
+
+bool sameCloth(const Fabric& before, const Fabric& after) {
+  if (changesAllBricks(before, after) || !(before.drape == after.drape) || !(before.weave == after.weave)) return false;
+  Impact change;
+  compareThreads(before, after, change);
+  return !change.cloth();
 }
 
 }  // namespace loomlight

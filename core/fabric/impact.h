@@ -29,4 +29,7 @@ struct Impact {
 /// What the step from one fabric to another puts out of date. Pure, and the one place that decides it. Both valid.
 Impact impact(const Fabric& before, const Fabric& after);
 
+/// Whether volume and shell of the one serve the other: not impact(before, after).cloth(), and mostly for less.
+bool sameCloth(const Fabric& before, const Fabric& after);
+
 }  // namespace loomlight

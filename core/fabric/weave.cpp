@@ -19,26 +19,28 @@ int wrapped(int i, int n) {
   return n >= 1 && n <= static_cast<size_t>(Weave::kMaxSide);
 }
 
+std::vector<Weave::SharedRow> sharedCopies(const std::vector<Weave::Row>& rows) {
+  std::vector<Weave::SharedRow> copies;
+  copies.reserve(rows.size());
+  for (const Weave::Row& row : rows) copies.push_back(std::make_shared<const Weave::Row>(row));
+  return copies;
+}
+
 }  // namespace
 
 Weave::Weave() : Weave(std::vector<Row>{{1, 0}, {0, 1}}) {}
 
-Weave::Weave(const std::vector<Row>& rows) {
-  rows_.reserve(rows.size());
-  for (const Row& row : rows) rows_.push_back(std::make_shared<const Row>(row));
-  ends_ = rows.empty() ? 0 : static_cast<int>(rows.front().size());
-  assertShape();
-}
+Weave::Weave(const std::vector<Row>& rows) : Weave(sharedCopies(rows)) {}
 
-Weave::Weave(std::vector<SharedRow> rows) : rows_(std::move(rows)) {
-  ends_ = rows_.empty() ? 0 : static_cast<int>(rows_.front()->size());
-  assertShape();
-}
-
-void Weave::assertShape() const {
-  assert(isSide(rows_.size()) && isSide(static_cast<size_t>(ends_)));
-  assert(std::all_of(rows_.begin(), rows_.end(),
-                     [this](const SharedRow& row) { return row->size() == static_cast<size_t>(ends_); }));
+Weave::Weave(std::vector<SharedRow> rows) {
+  assert(isSide(rows.size()));
+  [[maybe_unused]] const auto isAsLong = [&](const SharedRow& row) { return row->size() == rows.front()->size(); };
+  assert(isSide(rows.front()->size()) && std::all_of(rows.begin(), rows.end(), isAsLong));
+  ends_ = static_cast<int>(rows.front()->size());
+  picks_ = static_cast<int>(rows.size());
+  const std::shared_ptr<SharedRow[]> kept(new SharedRow[rows.size()]);
+  std::move(rows.begin(), rows.end(), kept.get());
+  rows_ = kept;
 }
 
 bool Weave::warpOver(int pick, int end) const {
@@ -47,7 +49,7 @@ bool Weave::warpOver(int pick, int end) const {
 
 std::vector<uint8_t> Weave::columns(int first, int count) const {
   constexpr size_t kPicks = 64;  // at a time: their cells stay in the cache from end to end
-  const size_t picks = rows_.size();
+  const auto picks = static_cast<size_t>(picks_);
   std::vector<uint8_t> cells(static_cast<size_t>(count) * picks);
   std::array<const uint8_t*, kPicks> rows{};
   for (size_t from = 0; from < picks; from += kPicks) {
@@ -64,19 +66,18 @@ std::vector<uint8_t> Weave::columns(int first, int count) const {
 
 Weave Weave::with(int pick, int end, bool warpOver) const {
   assert(pick >= 0 && pick < picks() && end >= 0 && end < ends_);
-  Weave changed = *this;
-  if (at(pick, end) != warpOver) {
-    Row row = *rows_[pick];
-    row[end] = warpOver ? 1 : 0;
-    changed.rows_[pick] = std::make_shared<const Row>(std::move(row));
-  }
-  return changed;
+  if (at(pick, end) == warpOver) return *this;
+  Row row = *rows_[pick];
+  row[end] = warpOver ? 1 : 0;
+  std::vector<SharedRow> changed(rows().begin(), rows().end());
+  changed[pick] = std::make_shared<const Row>(std::move(row));
+  return Weave(std::move(changed));
 }
 
 Weave Weave::resized(int ends, int picks) const {
   assert(isSide(static_cast<size_t>(ends)) && isSide(static_cast<size_t>(picks)));
   // Rows are made once for each pick of the old repeat and shared by the picks that continue it.
-  std::vector<SharedRow> made = rows_;
+  std::vector<SharedRow> made(rows().begin(), rows().end());
   if (ends != ends_) {
     for (SharedRow& row : made) {
       Row continued;
@@ -92,8 +93,10 @@ Weave Weave::resized(int ends, int picks) const {
 }
 
 bool operator==(const Weave& a, const Weave& b) {
-  return a.ends_ == b.ends_ && std::equal(a.rows_.begin(), a.rows_.end(), b.rows_.begin(), b.rows_.end(),
-                                          [](const auto& x, const auto& y) { return x == y || *x == *y; });
+  const auto rowsOfA = a.rows(), rowsOfB = b.rows();
+  return a.rows_ == b.rows_ ||
+         (a.ends_ == b.ends_ && std::equal(rowsOfA.begin(), rowsOfA.end(), rowsOfB.begin(), rowsOfB.end(),
+                                           [](const auto& x, const auto& y) { return x == y || *x == *y; }));
 }
 
 std::vector<int> pulledShafts(const Draft& draft, size_t pick) {

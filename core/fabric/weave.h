@@ -10,8 +10,9 @@
 namespace loomlight {
 
 /// The weave matrix of one repeat: cell (pick, end) is 1 where the warp end lies over the weft pick. Picks count up
-/// along the warp (+y), ends along the weft (+x), both from 0. An immutable value: `with...` make a changed copy that
-/// shares every untouched pick, so an edit of a 4000 x 4000 jacquard costs one row and the list of rows.
+/// along the warp (+y), ends along the weft (+x), both from 0. An immutable value, a pointer to copy: `with...`
+/// make a changed one that shares every untouched pick, so an edit of a 4000 x 4000 jacquard costs one row and the list
+/// of rows.
 class Weave {
  public:
   static constexpr int kMaxSide = 16384;
@@ -27,7 +28,7 @@ class Weave {
   explicit Weave(std::vector<SharedRow> rows);
 
   int ends() const { return ends_; }
-  int picks() const { return static_cast<int>(rows_.size()); }
+  int picks() const { return picks_; }
 
   /// Any integers: the repeat goes on for ever in both directions.
   bool warpOver(int pick, int end) const;
@@ -45,10 +46,11 @@ class Weave {
   friend bool operator==(const Weave& a, const Weave& b);
 
  private:
-  void assertShape() const;
+  using Rows = std::shared_ptr<const SharedRow[]>;
+  std::span<const SharedRow> rows() const { return {rows_.get(), static_cast<size_t>(picks_)}; }
 
-  int ends_ = 0;
-  std::vector<SharedRow> rows_;
+  int ends_ = 0, picks_ = 0;
+  Rows rows_;
 };
 
 /// Threading, tie-up and treadling (or a liftplan): how a loom makes a weave. Shafts and treadles count from 1, as

@@ -103,8 +103,13 @@ void TileMap::findReaches() {
 }
 
 void TileMap::shareRows(const TileMap& other) {
-  for (size_t i = 0; i < std::min(rows_.size(), other.rows_.size()); ++i)
-    if (*rows_[i] == *other.rows_[i]) setRow(i, other.rows_[i]);
+  std::vector<SharedList<Row>::Pointer> rows = rows_.all();
+  for (size_t i = 0; i < std::min(rows.size(), other.rows_.size()); ++i) {
+    if (*rows[i] != *other.rows_[i]) continue;
+    rows[i] = other.rows_[i];
+    pointTo(i, *rows[i]);
+  }
+  rows_ = SharedList<Row>(rows);
 }
 
 size_t TileMap::bytesBeside(const TileMap& other) const {
@@ -113,11 +118,10 @@ size_t TileMap::bytesBeside(const TileMap& other) const {
   };
   size_t bytes = shapes_.capacity() * sizeof(shapes_[0]) + codes_.capacity() * sizeof(codes_[0]) +
                  cellsOf_.capacity() * sizeof(cellsOf_[0]) + bricks_.capacity() * sizeof(bricks_[0]) +
-                 slots_.capacity() * sizeof(slots_[0]) + rows_.capacity() * sizeof(rows_[0]) +
+                 slots_.capacity() * sizeof(slots_[0]) + rows_.bytes() +
                  (low_.capacity() + high_.capacity()) * sizeof(low_[0]);
   if (yarns_ != other.yarns_) bytes += static_cast<size_t>(yarnCount_) * sizeof(PlacedYarn);
-  for (size_t i = 0; i < rows_.size(); ++i)
-    if (!sharedAt(rows_, other.rows_, i)) bytes += rows_[i]->bytes();
+  rows_.forEachBeside(other.rows_, [&bytes](const auto& row) { bytes += row->bytes(); });
   for (size_t i = 0; i < bricks_.size(); ++i)
     if (bricks_[i] && !sharedAt(bricks_, other.bricks_, i)) bytes += bricks_[i]->bytes();
   return bytes;

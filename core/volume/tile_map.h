@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/shared_list.h"
 #include "core/base/task.h"
 #include "core/geometry/cloth_geometry.h"
 #include "core/geometry/weave_changes.h"
@@ -112,12 +113,12 @@ class TileMap {
     const uint32_t low = low_[row][inRepeat];
     return high_.empty() || !high_[row] ? low : low | static_cast<uint32_t>(high_[row][inRepeat]) << 16;
   }
-  void setRow(size_t number, std::shared_ptr<const Row> row);
+  void pointTo(size_t number, const Row& row);
   void findExtent(const ClothGeometry& geometry);
   void placeYarns(const ClothGeometry& geometry);
   void readRows(const ClothGeometry& geometry, const Task& task, const Kept& kept, ShapeTable& table);
   void readBand(const ClothGeometry& geometry, const Task& task, const Kept& kept, Band& band) const;
-  void join(Band& band, ShapeTable& all);
+  static void renumber(Band& band, ShapeTable& all);
   void countCells(const Task& task);
   Kept keptOf(const ClothGeometry& geometry, const ClothGeometry& before, int formerAcross, int formerAlong) const;
   bool reshape(const ClothGeometry& geometry, const ClothGeometry& before, const Task& task, ShapeTable& table);
@@ -130,9 +131,9 @@ class TileMap {
   System system_ = System::warp;
   int yarnCount_ = 0, cells_ = 0;  ///< of the piece: across, and along each yarn
   int repeatAcross_ = 1, repeatAlong_ = 1;
-  std::shared_ptr<const PlacedYarn[]> yarns_;     ///< of the piece
-  std::vector<std::shared_ptr<const Row>> rows_;  ///< per yarn of the repeat
-  std::vector<const uint16_t*> low_, high_;       ///< of each row; `high_` is empty where no row has any
+  std::shared_ptr<const PlacedYarn[]> yarns_;  ///< of the piece
+  SharedList<Row> rows_;                       ///< per yarn of the repeat
+  std::vector<const uint16_t*> low_, high_;    ///< of each row; `high_` is empty where no row has any
   std::vector<CellKey> shapes_;
   std::vector<ClothGeometry::ShapeCode> codes_;  ///< one of each shape
   // By shape and phase, index():

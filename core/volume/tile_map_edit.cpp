@@ -126,7 +126,8 @@ void TileMap::editRow(const ClothGeometry& geometry, int across, std::span<const
       if (repeat + stretch.from < repeatAlong_)
         read(repeat + stretch.from, std::min(repeat + stretch.to, repeatAlong_));
   addShapes(table);
-  setRow(static_cast<size_t>(across), row);
+  rows_.set(static_cast<size_t>(across), row);
+  pointTo(static_cast<size_t>(across), *row);
 }
 
 void TileMap::dropUnused() {

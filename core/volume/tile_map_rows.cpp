@@ -50,9 +50,11 @@ void TileMap::readRows(const ClothGeometry& geometry, const Task& task, const Ke
   constexpr int kBand = 32;         // yarns
   constexpr size_t kTogether = 16;  // bands: their tables must not pile up
   const int standing = kept.wholeRows ? kept.yarns : 0;
-  rows_.resize(static_cast<size_t>(repeatAcross_));
-  low_.resize(rows_.size());
-  if (!high_.empty()) high_.resize(rows_.size());
+  if (standing == repeatAcross_ && rows_.size() == static_cast<size_t>(standing)) return;
+  std::vector<SharedList<Row>::Pointer> rows = rows_.all();
+  rows.resize(static_cast<size_t>(repeatAcross_));
+  low_.resize(rows.size());
+  if (!high_.empty()) high_.resize(rows.size());
   for (int first = standing; first < repeatAcross_;) {
     std::vector<Band> bands;
     // The first alone: then the others know most of the shapes, and seldom have to be renumbered.
@@ -62,8 +64,16 @@ void TileMap::readRows(const ClothGeometry& geometry, const Task& task, const Ke
     parallelFor(bands.size(), task.threads, [&](size_t band) { readBand(geometry, task, kept, bands[band]); });
     if (task.stopped()) return;
     // In order, so that the numbers are the same for any number of threads.
-    for (Band& band : bands) join(band, table);
+    for (Band& band : bands) {
+      renumber(band, table);
+      for (size_t i = 0; i < band.rows.size(); ++i) {
+        const size_t number = static_cast<size_t>(band.first) + i;
+        pointTo(number, *band.rows[i]);
+        rows[number] = std::move(band.rows[i]);
+      }
+    }
   }
+  rows_ = SharedList<Row>(rows);
   addShapes(table);
 }
 
@@ -92,20 +102,19 @@ void TileMap::readBand(const ClothGeometry& geometry, const Task& task, const Ke
   }
 }
 
-void TileMap::join(Band& band, ShapeTable& all) {
+/// By the numbers of all shapes, which get those of the band that are new.
+void TileMap::renumber(Band& band, ShapeTable& all) {
   const uint32_t first = band.table.first();
   std::vector<uint32_t> numbers;
-  bool renumbered = false;
+  bool same = true;
   for (uint32_t shape = first; shape < band.table.end(); ++shape) {
     numbers.push_back(all.number(band.table.code(shape)));
-    renumbered |= numbers.back() != shape;
+    same &= numbers.back() == shape;
   }
-  for (size_t i = 0; i < band.rows.size(); ++i) {
-    Row& row = *band.rows[i];
-    for (size_t along = 0; renumbered && along < row.low.size(); ++along)
-      if (const uint32_t shape = row.at(along); shape >= first) row.set(along, numbers[shape - first]);
-    setRow(static_cast<size_t>(band.first) + i, band.rows[i]);
-  }
+  if (same) return;
+  for (const auto& row : band.rows)
+    for (size_t along = 0; along < row->low.size(); ++along)
+      if (const uint32_t shape = row->at(along); shape >= first) row->set(along, numbers[shape - first]);
 }
 
 TileMap::Row::Row(std::span<const uint32_t> shapes) : low(shapes.begin(), shapes.end()) {
@@ -120,11 +129,11 @@ void TileMap::Row::set(size_t i, uint32_t shape) {
   if (!high.empty()) high[i] = static_cast<uint16_t>(shape >> 16);
 }
 
-void TileMap::setRow(size_t number, std::shared_ptr<const Row> row) {
-  low_[number] = row->low.data();
-  if (!row->high.empty()) high_.resize(rows_.size());
-  if (!high_.empty()) high_[number] = row->high.empty() ? nullptr : row->high.data();
-  rows_[number] = std::move(row);
+/// The traversal goes straight to the numbers.
+void TileMap::pointTo(size_t number, const Row& row) {
+  low_[number] = row.low.data();
+  if (!row.high.empty()) high_.resize(low_.size());
+  if (!high_.empty()) high_[number] = row.high.empty() ? nullptr : row.high.data();
 }
 
 void TileMap::addShapes(const ShapeTable& table) {

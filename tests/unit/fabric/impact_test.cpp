@@ -32,7 +32,9 @@ Impact of(const std::function<void(Fabric&)>& edit) {
   const Fabric before = base();
   Fabric after = before;
   edit(after);
-  return impact(before, after);
+  const Impact found = impact(before, after);
+  EXPECT_EQ(sameCloth(before, after), !found.cloth());
+  return found;
 }
 
 TEST(Impact, NothingFromNothing) {
@@ -120,12 +122,11 @@ TEST(Impact, YarnShapeRebuildsItsOwnBricks) {
 }
 
 TEST(Impact, ABlendOfLikeFibresTouchesNoVoxel) {
-  for (const auto& edit : std::vector<std::function<void(Fabric&)>>{
-           [](Fabric& f) { f.yarns[0].blendFibre = 1; },
-           [](Fabric& f) {
-             f.yarns[0].blendFibre = 1;
-             f.yarns[0].blendShare = 0.9;
-           }}) {
+  for (const auto& edit : std::vector<std::function<void(Fabric&)>>{[](Fabric& f) { f.yarns[0].blendFibre = 1; },
+                                                                    [](Fabric& f) {
+                                                                      f.yarns[0].blendFibre = 1;
+                                                                      f.yarns[0].blendShare = 0.9;
+                                                                    }}) {
     const Impact impact = of(edit);
     EXPECT_TRUE(impact.materials && impact.film);
     EXPECT_FALSE(impact.volume() || impact.threads || impact.drape || impact.lighting);
