@@ -1,6 +1,9 @@
 #include <fmt/format.h>
+#include <signal.h>
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <new>
 
@@ -13,6 +16,12 @@ namespace loomlight {
 namespace {
 
 constexpr int kBadInput = 1, kBadUsage = 2;
+
+/// What was printed counts once it has arrived: that a disk is full shows when the last of it is flushed.
+void expectPrinted() {
+  if (std::fflush(stdout) != 0 || std::ferror(stdout))
+    throw InputError(fmt::format("the output cannot be written: {}", std::strerror(errno)));
+}
 
 int run(const TextCommand& command) {
   fmt::print("{}", command.text);
@@ -40,9 +49,14 @@ int run([[maybe_unused]] const UiBenchCommand& command) {
 
 int main(int argc, char** argv) {
   using namespace loomlight;
+  // A file beyond the size that is allowed fails to be written, which says so and leaves the old one, instead of ending
+  // the program.
+  signal(SIGXFSZ, SIG_IGN);
   try {
     const Command command = parseCommandLine({argv + (argc > 0), argv + argc});
-    return std::visit([](const auto& chosen) { return run(chosen); }, command);
+    const int status = std::visit([](const auto& chosen) { return run(chosen); }, command);
+    expectPrinted();
+    return status;
   } catch (const UsageError& error) {
     fmt::print(stderr, "loomlight: {}\nloomlight --help says more\n", error.what());
     return kBadUsage;

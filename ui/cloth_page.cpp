@@ -1,5 +1,7 @@
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "core/fabric/derived.h"
 #include "core/fabric/yarn_need.h"
 #include "ui/inspector.h"
@@ -9,36 +11,50 @@ namespace loomlight {
 namespace {
 
 constexpr const char* kUnknown = "\xE2\x80\x93";
+constexpr double kMmPerInch = 25.4;
 
-bool settRows(Ui& ui, double& ends, double& picks) {
-  auto settField = [&](double Fabric::*member, double& value) {
+bool settRows(Ui& ui, bool inches, double& ends, double& picks) {
+  const double cmPerUnit = inches ? kMmPerInch / 10 : 1;
+  auto settField = [&](double Fabric::*member, double& perCm) {
     const FieldInfo info = fieldInfo(member);
     NumberStyle style;
-    style.unit = info.unit;
-    style.min = info.min;
-    style.max = info.max;
+    style.unit = inches ? "/in" : info.unit;
+    style.min = info.min * cmPerUnit;
+    style.max = info.max * cmPerUnit;
     style.logarithmic = true;
     style.decimals = 1;
-    return numberField(ui, rowText("cloth", member), style, value);
+    double value = perCm * cmPerUnit;
+    if (!numberField(ui, rowText("cloth", member), style, value)) return false;
+    perCm = std::clamp(value / cmPerUnit, info.min, info.max);
+    return true;
   };
   heading(ui, "Sett");
   bool changed = settField(&Fabric::ends_per_cm, ends);
   changed |= settField(&Fabric::picks_per_cm, picks);
-  readout(ui, {"cloth.per_inch", "To the inch", "Ends and picks on one inch"},
-          fmt::format("{:.0f} \xC3\x97 {:.0f}", 2.54 * ends, 2.54 * picks));
+  if (inches)
+    readout(ui, {"cloth.per_cm", "To the cm", "Ends and picks on one centimetre"},
+            fmt::format("{:.1f} \xC3\x97 {:.1f}", ends, picks));
+  else
+    readout(ui, {"cloth.per_inch", "To the inch", "Ends and picks on one inch"},
+            fmt::format("{:.0f} \xC3\x97 {:.0f}", 0.1 * kMmPerInch * ends, 0.1 * kMmPerInch * picks));
   return changed;
 }
 
-void clothRows(Ui& ui, const Fabric& fabric, const InspectorModel& model) {
+std::string repeatText(const Fabric& fabric, bool inches) {
+  const double width_mm = fabric.weave.ends() * fabric.warpPitch_mm();
+  const double height_mm = fabric.weave.picks() * fabric.weftPitch_mm();
+  if (inches) return fmt::format("{:.2f} \xC3\x97 {:.2f} in", width_mm / kMmPerInch, height_mm / kMmPerInch);
+  return fmt::format("{:.1f} \xC3\x97 {:.1f} mm", width_mm, height_mm);
+}
+
+void clothRows(Ui& ui, const Fabric& fabric, const InspectorModel& model, CountSystem counts) {
   heading(ui, "This cloth");
   auto measured = [&](const std::string& text) { return model.measured ? text : std::string(kUnknown); };
   readout(ui, {"cloth.mass", "Mass", "What one square metre weighs, from counts, sett and crimp"},
           measured(fmt::format("{:.0f} g/m\xC2\xB2", model.arealMass_g_m2)));
   readout(ui, {"cloth.thickness", "Thickness", "From the lowest to the highest fibre, loose hairs left out"},
           measured(fmt::format("{:.2f} mm", model.thickness_mm)));
-  readout(ui, {"cloth.repeat", "Repeat", "Size of one repeat of the weave"},
-          fmt::format("{:.1f} \xC3\x97 {:.1f} mm", fabric.weave.ends() * fabric.warpPitch_mm(),
-                      fabric.weave.picks() * fabric.weftPitch_mm()));
+  readout(ui, {"cloth.repeat", "Repeat", "Size of one repeat of the weave"}, repeatText(fabric, model.inches));
   const CoverFactors cover = coverFactors(fabric);
   readout(ui,
           {"cloth.warp_cover", "Warp cover",
@@ -57,9 +73,9 @@ void clothRows(Ui& ui, const Fabric& fabric, const InspectorModel& model) {
   readout(ui, {"cloth.crimp_weft", "Weft crimp", "How much longer the weft yarn is than the cloth it lies in"},
           measured(fmt::format("{:.1f} %", 100 * model.crimpWeft)));
   readout(ui, {"cloth.warp_count", "Warp count", "Mean count of the warp yarns"},
-          fmt::format("{:.1f} tex", meanCount_tex(fabric, System::warp)));
+          countText(meanCount_tex(fabric, System::warp), counts));
   readout(ui, {"cloth.weft_count", "Weft count", "Mean count of the weft yarns"},
-          fmt::format("{:.1f} tex", meanCount_tex(fabric, System::weft)));
+          countText(meanCount_tex(fabric, System::weft), counts));
 }
 
 void bindingRows(Ui& ui, const Fabric& fabric, const InspectorModel& model) {
@@ -102,19 +118,7 @@ void needRow(Ui& ui, const std::string& id, const char* label, const YarnNeed& n
 
 void pieceRows(Ui& ui, const Fabric& fabric, const InspectorModel& model, PieceSize& piece) {
   heading(ui, "Yarn for a piece");
-  NumberStyle length;
-  length.unit = "m";
-  length.min = 0.01;
-  length.max = 100'000;
-  length.logarithmic = true;
-  numberField(ui, {"cloth.piece_length", "Length", "Of the piece, along the warp"}, length, piece.length_m);
-  NumberStyle width;
-  width.unit = "cm";
-  width.min = 0.1;
-  width.max = 10'000;
-  width.logarithmic = true;
-  width.decimals = 1;
-  numberField(ui, {"cloth.piece_width", "Width", "Of the piece, along the weft"}, width, piece.width_cm);
+  pieceSizeRows(ui, "cloth", piece);
   const double crimpWarp = model.measured ? model.crimpWarp : 0, crimpWeft = model.measured ? model.crimpWeft : 0;
   const std::vector<YarnNeed> needs = yarnNeed(fabric, piece, crimpWarp, crimpWeft);
   YarnNeed warp, weft;
@@ -157,10 +161,10 @@ std::optional<Fabric> clothPage(Ui& ui, const Fabric& fabric, const InspectorMod
   double ends = fabric.ends_per_cm, picks = fabric.picks_per_cm;
   bool changed = textField(ui, rowText("cloth", &Fabric::name), name);
   changed |= textField(ui, rowText("cloth", &Fabric::description), description);
-  changed |= settRows(ui, ends, picks);
-  clothRows(ui, fabric, model);
+  changed |= settRows(ui, model.inches, ends, picks);
+  clothRows(ui, fabric, model, view.units.count);
   bindingRows(ui, fabric, model);
-  pieceRows(ui, fabric, model, view.piece);
+  pieceRows(ui, fabric, model, view.units.piece);
   remarks(ui, model);
   if (!changed) return std::nullopt;
   Fabric edited = fabric;

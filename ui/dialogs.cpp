@@ -7,19 +7,6 @@
 #include "ui/modal.h"
 
 namespace loomlight {
-namespace {
-
-/// The last line of a dialog: its button, or Esc. True when it closes.
-bool closedBelow(Ui& ui, const char* id) {
-  ImGui::Dummy(ImVec2(0, ui.px(4)));
-  ImGui::SetCursorPosX(ImGui::GetWindowWidth() - ui.px(136));
-  const bool closed = button(ui, id, "Close", ui.px(120)) || modalCancelled();
-  if (closed) ImGui::CloseCurrentPopup();
-  return closed;
-}
-
-}  // namespace
-
 void MessageDialog::show(std::string title, std::string text, std::vector<std::string> answers) {
   title_ = std::move(title);
   text_ = std::move(text);
@@ -36,6 +23,7 @@ std::optional<int> MessageDialog::draw(Ui& ui) {
     open_ = false;
     return 0;
   }
+  ui.probe.fact("message", text_);
   ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(text_.c_str());
   ImGui::PopTextWrapPos();
@@ -96,29 +84,6 @@ SnapshotDialog::Result SnapshotDialog::draw(Ui& ui, const RenderJob& job) {
   }
   endModal();
   return result;
-}
-
-bool PreferencesDialog::draw(Ui& ui, double machine_GB, double& fibreMemory_GB) {
-  if (!open_) return false;
-  const bool begin = opening_;
-  opening_ = false;
-  if (!beginModal(ui, "Preferences", ImVec2(ui.px(480), 0), begin)) {
-    open_ = false;
-    return false;
-  }
-  NumberStyle style;
-  style.unit = "GB";
-  style.min = 0.1;
-  style.max = std::max(style.min, machine_GB);
-  style.decimals = 1;
-  const bool changed = numberField(ui,
-                                   {"preferences.fibre_memory", "Memory for the truth lens",
-                                    "The lens lays every single fibre of the piece. Where that would take more memory "
-                                    "than this, it says so and leaves it."},
-                                   style, fibreMemory_GB);
-  if (closedBelow(ui, "preferences.close")) open_ = false;
-  endModal();
-  return changed;
 }
 
 void KeysDialog::draw(Ui& ui) {

@@ -50,18 +50,6 @@ class SnapshotDialog {
   std::string file_;
 };
 
-/// What the editor is set to, beside how it looks.
-class PreferencesDialog {
- public:
-  void show() { open_ = opening_ = true; }
-  bool isOpen() const { return open_; }
-  /// `fibreMemory_GB`: what the fibres of the truth lens may take, up to `machine_GB`. True when it changed.
-  bool draw(Ui& ui, double machine_GB, double& fibreMemory_GB);
-
- private:
-  bool open_ = false, opening_ = false;
-};
-
 /// All keys and mouse gestures.
 class KeysDialog {
  public:

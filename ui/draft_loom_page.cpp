@@ -86,7 +86,8 @@ void preferenceRows(Ui& ui, DraftPreferences& preferences, DraftView& view) {
   switchField(ui, {"draft.rulers", "Rulers", "Lengths along the drawdown, at the fabric's sett."}, preferences.rulers);
   static constexpr const char* kUnits[] = {"cm", "inch"};
   int unit = preferences.inches ? 1 : 0;
-  if (segmentField(ui, {"draft.unit", "Unit", "Of the rulers."}, kUnits, unit)) preferences.inches = unit == 1;
+  if (segmentField(ui, {"draft.unit", "Lengths in", "Of rulers, setts and repeats."}, kUnits, unit))
+    preferences.inches = unit == 1;
   NumberStyle length;
   length.unit = "mm";
   length.min = 0.1;

@@ -21,7 +21,7 @@ struct DraftPreferences {
   Origin origin = Origin::bottomLeft;
   bool startsRight() const { return origin == Origin::bottomRight || origin == Origin::topRight; }
   bool startsAtTop() const { return origin == Origin::topLeft || origin == Origin::topRight; }
-  bool inches = false;  ///< lengths on rulers; else cm
+  bool inches = false;  ///< lengths and setts; else cm
   bool rulers = false;
   LoomLimits loom;
   double longFloat_mm = 4.0;  ///< floats beyond it are marked

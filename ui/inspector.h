@@ -4,11 +4,10 @@
 #include <vector>
 
 #include "core/fabric/derived.h"
-#include "core/fabric/yarn_count.h"
-#include "core/fabric/yarn_need.h"
 #include "ui/cloth_colour.h"
 #include "ui/commands.h"
 #include "ui/crossing_index.h"
+#include "ui/trade_units.h"
 #include "ui/ui.h"
 #include "ui/visibility_section.h"
 #include "ui/yarn_section.h"
@@ -22,9 +21,7 @@ struct InspectorView {
   int yarn = 0;
   bool secondFibre = false;  ///< of a blend, on the page of fibres
   ClothColourView clothColour;
-  CountSystem countSystem = CountSystem::tex;
-  bool twistAsMultiplier = false;
-  PieceSize piece;  ///< whose yarn is reckoned
+  TradeUnits units;
   bool pageScrolls = false;
   bool visibilityOpen = false;   ///< the section of local visibility
   bool visibilityShown = false;  ///< it is open, and on the page that is drawn
@@ -41,6 +38,7 @@ struct InspectorModel {
   const std::vector<std::string>* warnings = nullptr;  ///< in plain words
   std::vector<ImVec4> yarnColours;                     ///< for the display
   ImTextureID closeUp = nullptr;                       ///< of the yarn looked at
+  bool inches = false;                                 ///< setts and lengths to the inch; else to the centimetre
   ClothColourModel clothColour;                        ///< of the fibre looked at
   VisibilityModel visibility;                          ///< of the yarn looked at
 };

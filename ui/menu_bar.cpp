@@ -34,11 +34,13 @@ MenuChoice menuBar(Ui& ui, const MenuModel& model) {
   ImGui::PopStyleVar(2);
   if (!shown) return {};
   std::optional<DraftCommand> draft;
+  RecentMenuChoice recent;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(16), ui.px(10)));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(16), ui.px(12)));
   if (menu.begin("menu.file", "File")) {
     menu.item("menu.new", "New", "Ctrl+N", Command::newFabric);
     menu.item("menu.open", "Open\xE2\x80\xA6", "Ctrl+O", Command::open);
+    recent = recentMenu(ui, model.recent);
     ImGui::Separator();
     menu.item("menu.save", "Save", "Ctrl+S", Command::save);
     menu.item("menu.save_as", "Save as\xE2\x80\xA6", "Ctrl+Shift+S", Command::saveAs);
@@ -90,7 +92,7 @@ MenuChoice menuBar(Ui& ui, const MenuModel& model) {
   ImGui::GetWindowDrawList()->AddText(at, packed(ui.theme.text), right.c_str());
   ui.probe.record("title", at, ImVec2(at.x + size.x, at.y + size.y));
   ImGui::EndMainMenuBar();
-  return {menu.chosen(), draft};
+  return {menu.chosen(), draft, recent};
 }
 
 }  // namespace loomlight

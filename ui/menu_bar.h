@@ -1,9 +1,11 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 
 #include "ui/commands.h"
+#include "ui/recent_menu.h"
 #include "ui/ui.h"
 #include "ui/weave_menu.h"
 
@@ -17,11 +19,13 @@ struct MenuModel {
   bool panelsShown = true;
   bool lensOn = false;
   WeaveMenuModel weave;
+  std::span<const RecentFile> recent;
 };
 
 struct MenuChoice {
   std::optional<Command> command;
   std::optional<DraftCommand> draft;
+  RecentMenuChoice recent;
 };
 
 /// The line at the top of the window.

@@ -30,4 +30,12 @@ bool modalCancelled() {
   return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false) && !ImGui::GetIO().WantTextInput;
 }
 
+bool closedBelow(Ui& ui, const char* id) {
+  ImGui::Dummy(ImVec2(0, ui.px(4)));
+  ImGui::SetCursorPosX(ImGui::GetWindowWidth() - ui.px(136));
+  const bool closed = button(ui, id, "Close", ui.px(120)) || modalCancelled();
+  if (closed) ImGui::CloseCurrentPopup();
+  return closed;
+}
+
 }  // namespace loomlight

@@ -10,5 +10,7 @@ bool beginModal(Ui& ui, const char* title, ImVec2 size, bool open);
 void endModal();
 /// Escape, outside of a text field.
 bool modalCancelled();
+/// The last line of a dialog: its button, or Escape. True when it closes.
+bool closedBelow(Ui& ui, const char* id);
 
 }  // namespace loomlight

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/fabric/presets.h"
@@ -11,25 +10,10 @@
 #include "ui/choices.h"
 #include "ui/count_text.h"
 #include "ui/member_fields.h"
+#include "ui/trade_units.h"
 
 namespace loomlight {
 namespace {
-
-constexpr std::array kCountSystems = {CountSystem::tex,    CountSystem::dtex,   CountSystem::denier,
-                                      CountSystem::metric, CountSystem::cotton, CountSystem::worsted,
-                                      CountSystem::linen};
-
-void countSystemRow(Ui& ui, CountSystem& system) {
-  static constexpr const char* kNames[] = {"tex (g per km)", "dtex (g per 10 km)", "den (g per 9 km)",
-                                           "Nm (km per kg)", "Ne (cotton count)",  "NeK (worsted count)",
-                                           "NeL (linen lea)"};
-  int chosen = static_cast<int>(std::find(kCountSystems.begin(), kCountSystems.end(), system) - kCountSystems.begin());
-  if (choiceField(ui,
-                  {"yarn.count_system", "Counted in",
-                   "The system of the trade in which the count is shown. Typed counts may be in any of them."},
-                  kNames, chosen))
-    system = kCountSystems[static_cast<size_t>(chosen)];
-}
 
 /// The count as its system writes it: of a plied yarn in an indirect one the singles, "30 /2 Ne".
 bool countRow(Ui& ui, CountSystem system, Yarn& yarn) {
@@ -91,7 +75,7 @@ bool twistRow(Ui& ui, bool asMultiplier, double tex, double Yarn::*member, Yarn&
 
 }  // namespace
 
-bool countRows(Ui& ui, const Fibre& fibre, InspectorView& view, Yarn& yarn) {
+bool countRows(Ui& ui, const Fibre& fibre, TradeUnits& units, Yarn& yarn) {
   static constexpr const char* kNames[] = {"Count", "Fibres"};
   int way = yarn.fibresPerPly ? 1 : 0;
   bool changed = false;
@@ -114,26 +98,19 @@ bool countRows(Ui& ui, const Fibre& fibre, InspectorView& view, Yarn& yarn) {
                                 static_cast<int>(info.max), *yarn.fibresPerPly);
     return changed;
   }
-  changed |= countRow(ui, view.countSystem, yarn);
-  countSystemRow(ui, view.countSystem);
+  changed |= countRow(ui, units.count, yarn);
+  countSystemRow(ui, "yarn", units.count);
   return changed;
 }
 
-bool twistRows(Ui& ui, const Fibre& fibre, InspectorView& view, Yarn& yarn) {
-  static constexpr const char* kUnits[] = {"turns/m", "TM"};
+bool twistRows(Ui& ui, const Fibre& fibre, TradeUnits& units, Yarn& yarn) {
   bool changed = memberField(ui, "yarn", yarn, &Yarn::plies);
-  int unit = view.twistAsMultiplier ? 1 : 0;
-  segmentField(ui,
-               {"yarn.twist_unit", "Twist in",
-                "Turns on a metre, or the twist multiplier TM: turns per inch over the square root of the cotton "
-                "count. Warp yarns have 3.8 to 4.5, soft knitting yarns 3.2 to 3.8."},
-               kUnits, unit);
-  view.twistAsMultiplier = unit == 1;
+  twistUnitRow(ui, "yarn", units.twistAsMultiplier);
   const double tex = yarnCount_tex(yarn, fibre);
-  changed |= twistRow(ui, view.twistAsMultiplier, tex / yarn.plies, &Yarn::plyTwist_per_m, yarn);
+  changed |= twistRow(ui, units.twistAsMultiplier, tex / yarn.plies, &Yarn::plyTwist_per_m, yarn);
   changed |= memberChoice(ui, "yarn", yarn, &Yarn::plyTwistDirection, twistNames());
   if (yarn.plies < 2) return changed;
-  changed |= twistRow(ui, view.twistAsMultiplier, tex, &Yarn::yarnTwist_per_m, yarn);
+  changed |= twistRow(ui, units.twistAsMultiplier, tex, &Yarn::yarnTwist_per_m, yarn);
   changed |= memberChoice(ui, "yarn", yarn, &Yarn::yarnTwistDirection, twistNames());
   return changed;
 }

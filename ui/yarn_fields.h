@@ -7,9 +7,9 @@ namespace loomlight {
 // Rows of the yarn's page that speak the spinner's language. Each is true when the yarn changed.
 
 /// Count, in the system that is chosen, with plies where it is plied ("30/2"); or the number of fibres.
-bool countRows(Ui& ui, const Fibre& fibre, InspectorView& view, Yarn& yarn);
+bool countRows(Ui& ui, const Fibre& fibre, TradeUnits& units, Yarn& yarn);
 /// Plies, and the twist of each level in turns per metre or as a multiplier.
-bool twistRows(Ui& ui, const Fibre& fibre, InspectorView& view, Yarn& yarn);
+bool twistRows(Ui& ui, const Fibre& fibre, TradeUnits& units, Yarn& yarn);
 /// Packing, and the diameter that goes with it: either can be set, and the other follows.
 bool bulkRows(Ui& ui, const Fibre& fibre, Yarn& yarn);
 /// What it is spun of, one fibre or a blend of two; a new one can be added to the list for that.

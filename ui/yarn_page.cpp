@@ -95,14 +95,15 @@ std::optional<Fabric> yarnPage(Ui& ui, const Fabric& fabric, const InspectorMode
   drawYarnSection(ui, model.section ? *model.section : YarnSection{}, colours, half);
   ImGui::SameLine(0, ui.px(8));
   drawYarnCloseUp(ui, model.closeUp, half);
-  hint(ui, fmt::format("{:.1f} tex  \xC2\xB7  {:.2f} mm across  \xC2\xB7  {:.0f} fibres", yarnCount_tex(yarn, fibre),
-                       yarnDiameter_mm(yarn, fibre), fibresInYarn(yarn, fibre)));
+  hint(ui, fmt::format("{}  \xC2\xB7  {:.2f} mm across  \xC2\xB7  {:.0f} fibres",
+                       countText(yarnCount_tex(yarn, fibre), view.units.count), yarnDiameter_mm(yarn, fibre),
+                       fibresInYarn(yarn, fibre)));
 
   bool changed = textField(ui, rowText("yarn", &Yarn::name), yarn.name);
   std::optional<Fabric> filled = presetRow(ui, fabric, view.yarn);
   changed |= fibreRows(ui, fibres, yarn);
-  changed |= countRows(ui, fibre, view, yarn);
-  changed |= twistRows(ui, fibre, view, yarn);
+  changed |= countRows(ui, fibre, view.units, yarn);
+  changed |= twistRows(ui, fibre, view.units, yarn);
   changed |= bulkRows(ui, fibre, yarn);
   changed |= memberField(ui, "yarn", yarn, &Yarn::flattening, 2);
   changed |= memberChoice(ui, "yarn", yarn, &Yarn::layout, layoutNames());

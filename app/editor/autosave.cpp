@@ -35,18 +35,21 @@ bool isRunning(pid_t pid) {
 
 }  // namespace
 
-Autosave::Autosave(fs::path folder) {
-  std::error_code ignored;  // without the folder there is no autosave; the first write says so to nobody in particular
+Autosave::Autosave(fs::path folder, std::function<void()> wake) : wake_(std::move(wake)) {
+  std::error_code ignored;  // without the folder the first write fails, and says so
   fs::create_directories(folder, ignored);
   file_ = folder / fmt::format("{}{}{}", kPrefix, getpid(), kSuffix);
   thread_ = std::jthread([this](std::stop_token stop) { loop(stop); });
 }
 
-Autosave::~Autosave() {
+Autosave::~Autosave() = default;
+
+void Autosave::endWell() {
   thread_.request_stop();
   thread_.join();
   std::error_code ignored;
   fs::remove(file_, ignored);
+  removeTakenOver();
 }
 
 void Autosave::keep(std::shared_ptr<const Fabric> fabric) {
@@ -57,20 +60,57 @@ void Autosave::forget() {
   work_.post(nullptr);
 }
 
+void Autosave::takeOver(fs::path left) {
+  const std::lock_guard lock(mutex_);
+  takenOver_ = std::move(left);
+}
+
+std::string Autosave::problem() const {
+  const std::lock_guard lock(mutex_);
+  return problem_;
+}
+
+void Autosave::setProblem(std::string problem) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (problem == problem_) return;
+    problem_ = std::move(problem);
+  }
+  if (wake_) wake_();
+}
+
+void Autosave::removeTakenOver() {
+  fs::path old;
+  {
+    const std::lock_guard lock(mutex_);
+    old.swap(takenOver_);
+  }
+  std::error_code ignored;
+  if (!old.empty()) fs::remove(old, ignored);
+}
+
+void Autosave::write(const Fabric& fabric) {
+  try {
+    writeFabric(fabric, file_.string());
+    removeTakenOver();
+    setProblem({});
+  } catch (const std::exception& error) {
+    // A full disk must not stop the designer from working, who is told.
+    setProblem(error.what());
+  }
+}
+
 void Autosave::loop(std::stop_token stop) {
   std::mutex mutex;
   std::condition_variable_any pause;
   while (auto work = work_.wait(stop)) {
-    try {
-      if (*work) {
-        writeFabric(**work, file_.string());
-      } else {
-        fs::remove(file_);
-      }
-    } catch (const std::exception& error) {
-      // A full disk must not stop the designer from working; saving will say it where it is read.
-      fmt::print(stderr, "autosave: {}\n", error.what());
+    if (!*work) {
+      std::error_code ignored;
+      fs::remove(file_, ignored);
+      setProblem({});
+      continue;
     }
+    write(**work);
     std::unique_lock lock(mutex);
     pause.wait_for(lock, stop, kBetweenWrites, [] { return false; });
   }

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
+#include <string>
 #include <thread>
 
 #include "app/workers/mailbox.h"
@@ -14,20 +17,33 @@ namespace loomlight {
 /// when the editor ends well, so one that is there belongs to an editor that did not.
 class Autosave {
  public:
-  /// Every running editor has a file of its own in `folder`, named after its process.
-  explicit Autosave(std::filesystem::path folder);
-  ~Autosave();  ///< removes the copy
+  /// Every running editor has a file of its own in `folder`, named after its process. `wake` is called from the thread
+  /// when problem() changes.
+  explicit Autosave(std::filesystem::path folder, std::function<void()> wake = {});
+  ~Autosave();  ///< leaves the copy: whoever is torn down by an error still has it
 
   void keep(std::shared_ptr<const Fabric> fabric);
-  void forget();  ///< the work is saved: removes the copy
+  void forget();   ///< the work is saved: removes the copy
+  void endWell();  ///< the editor ends, and nothing is to be taken up again: removes the copy, for good
+  /// Removes what an earlier editor left once the work is written again, so that at no time there is no copy of it.
+  void takeOver(std::filesystem::path left);
+  /// Why the newest work could not be kept; empty while all is well.
+  std::string problem() const;
 
   /// The newest copy left in the folder by an editor that is no longer running.
   static std::optional<std::filesystem::path> leftBehind(const std::filesystem::path& folder);
 
  private:
   void loop(std::stop_token stop);
+  void write(const Fabric& fabric);
+  void removeTakenOver();
+  void setProblem(std::string problem);
 
   std::filesystem::path file_;
+  std::function<void()> wake_;
+  mutable std::mutex mutex_;  // of the next two
+  std::filesystem::path takenOver_;
+  std::string problem_;
   Mailbox<std::shared_ptr<const Fabric>> work_;
   std::jthread thread_;
 };

@@ -102,6 +102,7 @@ int runUiBench(const UiBenchOptions& options) {
   nlohmann::ordered_json json;
   json["crossings"] = fmt::format("{0} x {0}", side);
   json["frames"] = frames.size();
+  session.close();
   std::string table =
       fmt::format("| {0} x {0} crossings, {1} frames | median, ms | 99 %, ms | longest, ms |\n", side, frames.size()) +
       "|---|---:|---:|---:|\n";

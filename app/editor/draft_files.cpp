@@ -80,7 +80,7 @@ void Session::openWeaving(const std::string& file) {
     WifImport import = readWifFabric(file, *document_.fabric(), WifSizeChoice::keep);
     startOver(Document(std::move(import.fabric)));
     wifKept_ = document_.fabric();
-    settings_.folder = fs::absolute(file).parent_path().string();
+    remember(file);
     wifDialog_.show({summaryOf(*wifKept_), wifSett(*wifKept_), settOf(*wifKept_), std::move(import.warnings)});
   } catch (const InputError& error) {
     say("This file cannot be opened", error.what());
@@ -92,7 +92,7 @@ void Session::openPicture(const std::string& file) {
     const Fabric& fabric = *document_.fabric();
     pictureDialog_.show(rasterOf(readPng(file)), fs::path(file).filename().string(),
                         fabric.ends_per_cm / fabric.picks_per_cm);
-    settings_.folder = fs::absolute(file).parent_path().string();
+    lookNextIn(file);
   } catch (const InputError& error) {
     say("This picture cannot be used", error.what());
   }
@@ -136,7 +136,7 @@ void Session::exportTo(FileTask task, const std::string& file) {
     } else {
       writeWeaveBitmap(file, document_.fabric()->weave);
     }
-    settings_.folder = fs::absolute(file).parent_path().string();
+    lookNextIn(file);
     say("Exported", text);
   } catch (const InputError& error) {
     say("The file could not be written", error.what());

@@ -91,6 +91,7 @@ int runEditor(const EditorOptions& options) {
   session.offerRecovery();
   if (!options.fabricFile.empty() && !isFabric(options.fabricFile)) session.openFile(options.fabricFile);
   runLoop(window, session, options.widgetDump);
+  session.close();
   Settings last = session.settings();
   last.windowWidth = static_cast<int>(window.sizeInWindow().x);
   last.windowHeight = static_cast<int>(window.sizeInWindow().y);

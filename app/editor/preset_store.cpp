@@ -1,5 +1,7 @@
 #include "app/editor/preset_store.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 #include "core/base/error.h"
@@ -9,13 +11,22 @@ namespace loomlight {
 namespace fs = std::filesystem;
 namespace {
 
-/// A name for people as a name for a file.
+/// A name for people as a name for a file: short enough for any file system, with a number behind it too.
 std::string fileNameOf(const std::string& name) {
   constexpr size_t kLongest = 100;
+  const auto continuesCharacter = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; };
+  size_t length = std::min(kLongest, name.size());
+  while (length < name.size() && length > 0 && continuesCharacter(name[length])) --length;
   std::string file;
-  for (const char c : name.substr(0, kLongest)) file += c == '/' || static_cast<unsigned char>(c) < 32 ? '-' : c;
+  for (const char c : name.substr(0, length)) file += c == '/' || static_cast<unsigned char>(c) < 32 ? '-' : c;
   while (!file.empty() && (file.front() == '.' || file.front() == ' ')) file.erase(file.begin());
   return file.empty() ? "Untitled" : file;
+}
+
+/// Also by a link that leads nowhere.
+bool isTaken(const fs::path& file) {
+  std::error_code ignored;
+  return fs::exists(fs::symlink_status(file, ignored));
 }
 
 }  // namespace
@@ -43,17 +54,23 @@ Fabric PresetStore::load(const std::string& name) const {
 }
 
 std::string PresetStore::keep(const Fabric& fabric) {
-  makeFolder(folder_);
   const std::string name = fileNameOf(fabric.name);
-  writeFabric(fabric, fileOf(name).string());
-  refresh();
+  write(fabric, name);
   return name;
 }
 
+void PresetStore::write(const Fabric& fabric, const std::string& name) {
+  makeFolder(folder_);
+  writeFabric(fabric, fileOf(name).string());
+  refresh();
+}
+
 std::string PresetStore::keepBeside(Fabric fabric) {
-  const std::string wish = fabric.name;
-  for (int i = 2; fs::exists(fileOf(fileNameOf(fabric.name))); ++i) fabric.name = wish + " " + std::to_string(i);
-  return keep(fabric);
+  const std::string wish = fileNameOf(fabric.name);
+  std::string name = wish;
+  for (int i = 2; isTaken(fileOf(name)); ++i) fabric.name = name = fmt::format("{} {}", wish, i);
+  write(fabric, name);
+  return name;
 }
 
 std::string PresetStore::rename(const std::string& name, const std::string& to) {
@@ -77,7 +94,7 @@ void PresetStore::remove(const std::string& name) {
 }
 
 void PresetStore::putBack(const std::string& name) {
-  if (fs::exists(fileOf(name))) throw InputError("another preset has that name now: " + name);
+  if (isTaken(fileOf(name))) throw InputError("another preset has that name now: " + name);
   std::error_code error;
   fs::rename(binOf(name), fileOf(name), error);
   if (error) throw InputError(binOf(name).string() + ": could not be put back: " + error.message());

@@ -31,6 +31,7 @@ class PresetStore {
  private:
   std::filesystem::path fileOf(const std::string& name) const { return folder_ / (name + ".json"); }
   std::filesystem::path binOf(const std::string& name) const { return folder_ / "removed" / (name + ".json"); }
+  void write(const Fabric& fabric, const std::string& name);
   void makeFolder(const std::filesystem::path& folder) const;
 
   std::filesystem::path folder_;

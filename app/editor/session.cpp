@@ -11,13 +11,17 @@ Session::Session(Document document, Settings settings, std::function<void()> wak
       wake_(std::move(wake)),
       presets_(presetFolder()),
       sampleNames_(sampleNames()),
-      autosave_(stateFolder()),
+      autosave_(stateFolder(), wake_),
       insightWorker_(wake_),
       visibility_(wake_, BvdfOptions{}, BvdfCache(BvdfCache::userFolder())),
       colours_(wake_),
       sidePictures_(wake_),
+      shelf_(viewFolder(), wake_),
       presetDesk_(presetFolder(), wake_),
-      renderer_(wake_, threads) {}
+      renderer_(wake_, threads) {
+  hints_.wanted = !settings_.hintsSeen;
+  if (!document_.file().empty()) remember(document_.file());
+}
 
 std::string Session::title() const {
   return document_.fabric()->name + (document_.isDirty() ? " (edited)" : "") + " - Loomlight";

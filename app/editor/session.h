@@ -26,8 +26,10 @@
 #include "ui/dialogs.h"
 #include "ui/draft_commands.h"
 #include "ui/file_browser.h"
+#include "ui/first_hints.h"
 #include "ui/inspector.h"
 #include "ui/picture_dialog.h"
+#include "ui/preferences_dialog.h"
 #include "ui/preset_browser.h"
 #include "ui/preset_list.h"
 #include "ui/status_bar.h"
@@ -58,6 +60,8 @@ class Session {
   void offerRecovery();
 
   bool isOver() const { return over_; }
+  /// The end has come as it should: nothing is left to be taken up again.
+  void close() { autosave_.endWell(); }
   bool wantsFullScreen() const { return fullScreen_; }
   const Settings& settings() const { return settings_; }
   Settings& settings() { return settings_; }
@@ -77,7 +81,7 @@ class Session {
     exportTile,
     picture
   };
-  enum class Question { none, said, quit, discardForNew, discardForOpen, recover };
+  enum class Question { none, said, quit, discardForNew, discardForOpen, forgetRecent, recover };
 
   // session_panels.cpp: what is drawn
   void drawPanels(Ui& ui);
@@ -97,16 +101,22 @@ class Session {
   void applyPreset(const PresetChoice& choice);
   void drawDialogs(Ui& ui);
   void drawSnapshot(Ui& ui);
-  void fileChosen(const std::string& file);
   void answered(int answer);
-  void browse(FileTask task);
-  void save(const std::string& file);
-  void openFabric(const std::string& file);
   void startOver(Document document);
   void ask(Question question, std::string title, std::string text, std::vector<std::string> answers);
   void say(std::string title, std::string text);
   bool dialogIsOpen() const;
   Tone tone() const;
+
+  // session_files.cpp: cloths from files and into them
+  void lookNextIn(const std::string& fileThere);
+  void remember(const std::string& file);
+  void openRecent(const std::string& file);
+  void openFabric(const std::string& file);
+  void save(const std::string& file);
+  void takeUp(const std::string& left);
+  void browse(FileTask task);
+  void fileChosen(const std::string& file);
 
   // draft_files.cpp: drafts and weaves from files and into them
   void openWeaving(const std::string& file);
@@ -126,7 +136,7 @@ class Session {
 
   // session_snapshots.cpp: views that are kept
   void keepView();
-  SnapshotJob::Finish finishOfSnapshot() const;
+  SnapshotJob::Print printOfSnapshot() const;
   void drawStrip(Ui& ui);
   void restoreView(size_t index);
 
@@ -169,6 +179,7 @@ class Session {
   PresetBrowser presetBrowser_;
   std::string presetProblem_;  ///< why the last change of presets was not made
   SnapshotStripView strip_;
+  FirstHints hints_;
   StructureDialog structures_;
   PictureDialog pictureDialog_;
   TileDialog tileDialog_;

@@ -19,13 +19,6 @@ bool pressed(int key) {
   return ImGui::IsKeyPressed(key, false);
 }
 
-std::string extensionOf(const std::string& file) {
-  std::string extension = fs::path(file).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
-  return extension;
-}
-
 }  // namespace
 
 void Session::edit(Fabric fabric) {
@@ -184,52 +177,6 @@ void Session::startOver(Document document) {
   inspector_.clothColour.wanted.clear();
 }
 
-void Session::openFabric(const std::string& file) {
-  if (extensionOf(file) == ".wif") return openWeaving(file);
-  try {
-    startOver(Document(readFabric(file), file));
-    settings_.folder = fs::absolute(file).parent_path().string();
-  } catch (const InputError& error) {
-    say("This file cannot be opened", error.what());
-  }
-}
-
-void Session::openFile(const std::string& file) {
-  const std::string extension = extensionOf(file);
-  if (extension == ".obj" || extension == ".ply" || extension == ".off") {
-    Fabric fabric = *document_.fabric();
-    fabric.drape.kind = DrapeKind::mesh;
-    fabric.drape.file = file;
-    edit(std::move(fabric));
-    viewport_.fitWanted = true;
-  } else if (extension == ".exr") {
-    Fabric fabric = *document_.fabric();
-    fabric.light.kind = LightKind::environment;
-    fabric.light.file = file;
-    edit(std::move(fabric));
-  } else if (extension == ".png") {
-    openPicture(file);
-  } else if (document_.isDirty()) {
-    pendingFile_ = file;
-    ask(Question::discardForOpen, "Unsaved work",
-        "This cloth has changes that are not saved. Open another one without them?", {"Cancel", "Open"});
-  } else {
-    openFabric(file);
-  }
-}
-
-void Session::save(const std::string& file) {
-  try {
-    document_.save(file);
-    settings_.folder = fs::absolute(file).parent_path().string();
-    autosave_.forget();
-    over_ = quitOnceSaved_;
-  } catch (const InputError& error) {
-    quitOnceSaved_ = false;
-    say("The file could not be written", std::string(error.what()) + "\n\nNothing is lost: the cloth is still here.");
-  }
-}
-
 void Session::askToQuit() {
   if (question_ == Question::quit && message_.isOpen()) return;
   if (!document_.isDirty()) {
@@ -238,14 +185,6 @@ void Session::askToQuit() {
   }
   ask(Question::quit, "Unsaved work", fmt::format("\"{}\" has changes that are not saved.", document_.fabric()->name),
       {"Go on", "Discard", "Save"});
-}
-
-void Session::offerRecovery() {
-  const auto left = Autosave::leftBehind(stateFolder());
-  if (!left) return;
-  pendingFile_ = left->string();
-  ask(Question::recover, "Unsaved work was found", "The editor ended before this work was saved. Take it up again?",
-      {"Later", "Throw away", "Take up"});
 }
 
 void Session::ask(Question question, std::string title, std::string text, std::vector<std::string> answers) {
@@ -266,93 +205,11 @@ void Session::answered(int answer) {
   }
   if (question == Question::discardForNew && answer == 1) startOver(Document(sampleFabric()));
   if (question == Question::discardForOpen && answer == 1) openFabric(pendingFile_);
+  if (question == Question::forgetRecent && answer == 1) forget(settings_.recent, pendingFile_);
   if (question != Question::recover || answer == 0) return;
-  try {
-    if (answer == 2) {
-      startOver(Document(sampleFabric()));  // not into a file that was just opened
-      edit(readFabric(pendingFile_));
-    }
-  } catch (const InputError& error) {
-    say("The work could not be taken up", error.what());
-    return;
-  }
   std::error_code ignored;
-  fs::remove(pendingFile_, ignored);
-}
-
-void Session::browse(FileTask task) {
-  fileTask_ = task;
-  const fs::path folder = settings_.folder.empty() ? homeFolder() : fs::path(settings_.folder);
-  const std::vector<FileBrowser::Place> places = {
-      {"Home", homeFolder()}, {"Presets", presetFolder()}, {"Computer", "/"}};
-  using Purpose = FileBrowser::Purpose;
-  switch (task) {
-    case FileTask::open:
-      browser_.show(Purpose::open, "Open a cloth", {".json", ".wif", ".png"}, folder, places);
-      break;
-    case FileTask::saveAs: {
-      const fs::path file =
-          document_.file().empty() ? folder / (document_.fabric()->name + ".json") : fs::path(document_.file());
-      browser_.show(Purpose::save, "Save the cloth", {".json"}, file, places);
-      break;
-    }
-    case FileTask::mesh:
-      browser_.show(Purpose::open, "Choose a mesh", {".obj", ".ply", ".off"}, folder, places);
-      break;
-    case FileTask::environment:
-      browser_.show(Purpose::open, "Choose a surrounding", {".exr"}, folder, places);
-      break;
-    case FileTask::snapshot:
-      browser_.show(Purpose::save, "Where the snapshot goes", {".png", ".exr"}, snapshotDialog_.file(), places);
-      break;
-    case FileTask::picture:
-      browser_.show(Purpose::open, "Choose a picture", {".png"}, folder, places);
-      break;
-    case FileTask::exportWif:
-      browser_.show(Purpose::save, "Export as weaving file", {".wif"}, folder / (document_.fabric()->name + ".wif"),
-                    places);
-      break;
-    case FileTask::exportDraft:
-      browser_.show(Purpose::save, "Export the draft for print", {".pdf", ".png"},
-                    folder / (document_.fabric()->name + ".pdf"), places);
-      break;
-    case FileTask::exportTile:
-      browser_.show(Purpose::save, "Where the tile goes", {".json"}, tileDialog_.file(), places);
-      break;
-    case FileTask::exportBitmap:
-      browser_.show(Purpose::save, "Export the weave", {".png"}, folder / (document_.fabric()->name + ".png"), places);
-      break;
-    case FileTask::none:
-      break;
-  }
-}
-
-void Session::fileChosen(const std::string& file) {
-  const FileTask task = std::exchange(fileTask_, FileTask::none);
-  switch (task) {
-    case FileTask::open:
-    case FileTask::mesh:
-    case FileTask::environment:
-    case FileTask::picture:
-      openFile(file);
-      break;
-    case FileTask::saveAs:
-      save(file);
-      break;
-    case FileTask::snapshot:
-      snapshotDialog_.setFile(file);
-      break;
-    case FileTask::exportTile:
-      tileDialog_.setFile(file);
-      break;
-    case FileTask::exportWif:
-    case FileTask::exportBitmap:
-    case FileTask::exportDraft:
-      exportTo(task, file);
-      break;
-    case FileTask::none:
-      break;
-  }
+  if (answer == 1) fs::remove(pendingFile_, ignored);
+  if (answer == 2) takeUp(pendingFile_);
 }
 
 void Session::drawDialogs(Ui& ui) {
@@ -361,7 +218,8 @@ void Session::drawDialogs(Ui& ui) {
   if (const auto file = browser_.draw(ui)) fileChosen(*file);
   if (!browser_.isOpen()) quitOnceSaved_ = false;  // no file was named
   if (const auto answer = message_.draw(ui)) answered(*answer);
-  preferences_.draw(ui, 1e-9 * static_cast<double>(physicalMemory_bytes()), settings_.fibreMemory_GB);
+  preferences_.draw(ui, 1e-9 * static_cast<double>(physicalMemory_bytes()),
+                    {settings_.units, settings_.draft, settings_.fibreMemory_GB});
   keys_.draw(ui);
   if (presetBrowser_.isOpen()) drawPresets(ui);
   compare_.draw(ui, shelf_.comparison());
@@ -399,7 +257,7 @@ void Session::drawSnapshot(Ui& ui) {
   if (result.cancel && snapshot_) snapshot_->cancel();
   if (result.start && !snapshot_) {
     renderer_.pause(true);
-    snapshot_ = std::make_unique<SnapshotJob>(document_.fabric(), snapshotDialog_.file(), tone(), finishOfSnapshot());
+    snapshot_ = std::make_unique<SnapshotJob>(document_.fabric(), snapshotDialog_.file(), tone(), printOfSnapshot());
     snapshotProgress_.running = true;
   }
 }

@@ -40,6 +40,7 @@ void Session::drawPanels(Ui& ui) {
   menu.lensOn = viewport_.lens.on;
   menu.weave = {draft_.selection.has_value(), draft_.back, draft_.marksFloats};
   const float menuHeight = ImGui::GetFontSize() + ui.px(16);
+  menu.recent = settings_.recent;
   const MenuChoice choice = menuBar(ui, menu);
 
   const DeskAreas areas = deskAreas(settings_.desk, ImGui::GetIO().DisplaySize, menuHeight, ui.scale,
@@ -64,17 +65,24 @@ void Session::drawPanels(Ui& ui) {
   beginPanel("status", areas.status, false);
   statusBar(ui, statusModel(insight.get(), status));
   endPanel();
+  const ImVec2 picture(static_cast<float>(viewport_.width), static_cast<float>(viewport_.height));
+  firstHints(ui, areas.viewport.min, picture, hints_);
+  settings_.hintsSeen = !hints_.wanted;
   tellProbe(ui, status);
   if (choice.command) run(*choice.command);
   if (choice.draft) run(*choice.draft);
+  if (choice.recent.appeared) lookFor(settings_.recent);
+  if (choice.recent.file) openRecent(*choice.recent.file);
+  if (choice.recent.clear) settings_.recent.clear();
 }
 
 void Session::drawDraft(Ui& ui) {
   const Fabric& fabric = *document_.fabric();
   place_ = placeInDraft();
   draft_.brushYarn = inspector_.yarn;
-  if (auto edited = draftPanel(ui, fabric, yarnColours(fabric), settings_.draft, draft_, underPointer_))
-    edit(std::move(*edited));
+  auto edited = draftPanel(ui, fabric, yarnColours(fabric), settings_.draft, draft_, underPointer_);
+  hints_.drew |= edited.has_value();
+  if (edited) edit(std::move(*edited));
   inspector_.yarn = draft_.brushYarn;
   if (std::exchange(draft_.libraryWanted, false)) run(DraftCommand::structures);
   if (const auto choice = presetList(ui, presets_.names(), sampleNames_)) applyPreset(*choice);
@@ -101,6 +109,7 @@ void Session::drawViewport(Ui& ui, const Insight* insight, const LiveStatus& sta
   ViewportEdit result = viewportPanel(ui, *document_.fabric(), model, viewport_);
   if (result.fabric) edit(std::move(*result.fabric));
   if (result.camera) document_.lookFrom(*result.camera);
+  hints_.turned |= result.camera && viewport_.drag == ViewportView::Drag::orbit;
   if (const auto hit = result.picked ? hitAt(*result.picked) : std::nullopt)
     inspector_.yarn = std::min(hit->yarn, static_cast<int>(document_.fabric()->yarns.size()) - 1);
   if (result.lens.changeLimit) run(Command::preferences);
@@ -186,7 +195,11 @@ void Session::drawInspector(Ui& ui, const Insight* insight, const LiveStatus& st
     model.clothColour = colours_.model(fabric, shownFibre(fabric, inspector_), inspector_.clothColour);
   model.visibility = visibilityModel();
   place_ = placeInInspector();
+  model.inches = settings_.draft.inches;
+  inspector_.units = settings_.units;
   InspectorResult result = inspector(ui, fabric, model, inspector_);
+  settings_.units = inspector_.units;
+  hints_.set |= result.fabric.has_value();
   if (result.fabric) edit(std::move(*result.fabric));
   if (result.camera) document_.lookFrom(*result.camera);
   if (result.command) run(*result.command);
@@ -212,6 +225,14 @@ StatusModel Session::statusModel(const Insight* insight, const LiveStatus& statu
   if (!status.notices.empty() && model.warning.empty()) model.warning = status.notices.front();
   const VisibilityWorker::Status baking = visibility_.status();
   if (!baking.error.empty() && model.warning.empty()) model.warning = baking.error;
+  if (const std::string unsafe = shelf_.problem(); !unsafe.empty()) {
+    model.warning = "The view that was kept will not last: " + unsafe;
+    model.moreWarnings = 0;
+  }
+  if (const std::string unsafe = autosave_.problem(); !unsafe.empty()) {
+    model.warning = "Unsaved work is not kept safe: " + unsafe;
+    model.moreWarnings = 0;
+  }
   if (!refusal_.empty()) {
     model.warning = refusal_;
     model.moreWarnings = 0;
@@ -252,6 +273,7 @@ void Session::tellProbe(Ui& ui, const LiveStatus& status) const {
   ui.probe.fact("shown_samples", std::to_string(shownFrame_ ? shownFrame_->samples : 0));
   ui.probe.fact("error", status.error);
   ui.probe.fact("refusal", refusal_);
+  ui.probe.fact("autosave_problem", autosave_.problem());
   static constexpr const char* kLensPhases[] = {"closed",    "waiting", "needless", "laying",
                                                 "too_large", "failed",  "tracing",  "converged"};
   ui.probe.fact("lens", kLensPhases[static_cast<int>(status.lens.phase)]);

@@ -9,14 +9,18 @@ void Session::keepView() {
   if (shownFrame_ && shownFrame_->width > 0) shelf_.keep(document_.fabric(), displayPicture(*shownFrame_, tone()));
 }
 
-/// Scale bar and caption, where they are wanted.
-SnapshotJob::Finish Session::finishOfSnapshot() const {
-  const PictureLabel label{snapshotDialog_.options().scaleBar, snapshotDialog_.options().caption};
-  if (label.isEmpty()) return {};
+/// Scale bar, caption and the size on paper, where they are wanted.
+SnapshotJob::Print Session::printOfSnapshot() const {
+  const SnapshotOptions& options = snapshotDialog_.options();
+  SnapshotJob::Print print;
+  if (options.inMillimetres) print.dpi = options.dpi;
+  const PictureLabel label{options.scaleBar, options.caption};
+  if (label.isEmpty()) return print;
   const Fabric& fabric = *document_.fabric();
   const CameraRays camera(fabric.camera, fabric.render.width, fabric.render.height);
   const double mm_per_pixel = camera.pixelSize_mm(static_cast<float>(fabric.camera.distance_mm));
-  return [label, mm_per_pixel](const Pixels8& picture) { return labelled(picture, label, mm_per_pixel); };
+  print.finish = [label, mm_per_pixel](const Pixels8& picture) { return labelled(picture, label, mm_per_pixel); };
+  return print;
 }
 
 void Session::restoreView(size_t index) {

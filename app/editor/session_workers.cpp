@@ -26,6 +26,7 @@ void Session::takePictures() {
 }
 
 void Session::follow() {
+  shelf_.follow();
   sidePictures_.follow();
   presetDesk_.follow();
   followColour();

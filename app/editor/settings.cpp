@@ -31,22 +31,47 @@ DraftPreferences draftPreferences(const nlohmann::json& json, DraftPreferences d
   return draft;
 }
 
+constexpr CountSystem kCounts[] = {CountSystem::tex,    CountSystem::dtex,    CountSystem::denier, CountSystem::metric,
+                                   CountSystem::cotton, CountSystem::worsted, CountSystem::linen};
+
+TradeUnits tradeUnits(const nlohmann::json& json, TradeUnits units) {
+  const std::string count = json.value("count_unit", std::string());
+  for (const CountSystem system : kCounts)
+    if (count == countUnit(system)) units.count = system;
+  units.twistAsMultiplier = json.value("twist_multiplier", units.twistAsMultiplier);
+  units.piece.length_m =
+      std::clamp(json.value("piece_length_m", units.piece.length_m), kPieceLength_m[0], kPieceLength_m[1]);
+  units.piece.width_cm =
+      std::clamp(json.value("piece_width_cm", units.piece.width_cm), kPieceWidth_cm[0], kPieceWidth_cm[1]);
+  return units;
+}
+
+std::vector<RecentFile> recentFiles(const nlohmann::json& json) {
+  std::vector<RecentFile> files;
+  for (const nlohmann::json& file : json)
+    if (files.size() < kMostRecentFiles) files.push_back({file.get<std::string>(), false});
+  return files;
+}
+
 }  // namespace
 
 Settings readSettings(const std::filesystem::path& file) {
-  constexpr size_t kMostBytes = 65536;
+  constexpr size_t kMostBytes = 1'000'000;
   Settings settings;
   try {
     const nlohmann::json json = nlohmann::json::parse(readFile(file.string(), kMostBytes));
     settings.windowWidth = std::clamp(json.value("window_width", settings.windowWidth), 960, 16384);
     settings.windowHeight = std::clamp(json.value("window_height", settings.windowHeight), 600, 16384);
     settings.darkTheme = json.value("dark_theme", settings.darkTheme);
-    settings.desk.draftWidth = std::clamp(json.value("draft_width", settings.desk.draftWidth), 100.0f, 4000.0f);
+    settings.desk.draftWidth = std::clamp(json.value("draft_width", settings.desk.draftWidth), 0.0f, 4000.0f);
     settings.desk.inspectorWidth =
-        std::clamp(json.value("inspector_width", settings.desk.inspectorWidth), 100.0f, 4000.0f);
+        std::clamp(json.value("inspector_width", settings.desk.inspectorWidth), 0.0f, 4000.0f);
     settings.fibreMemory_GB = std::clamp(json.value("fibre_memory_gb", settings.fibreMemory_GB), 0.1, 65536.0);
     settings.folder = json.value("folder", settings.folder);
+    settings.recent = recentFiles(json.value("recent", nlohmann::json::array()));
+    settings.hintsSeen = json.value("hints_seen", true);
     settings.draft = draftPreferences(json, settings.draft);
+    settings.units = tradeUnits(json, settings.units);
   } catch (const InputError&) {
     return Settings();
   } catch (const nlohmann::json::exception&) {
@@ -56,6 +81,8 @@ Settings readSettings(const std::filesystem::path& file) {
 }
 
 void writeSettings(const std::filesystem::path& file, const Settings& settings) {
+  nlohmann::json recent = nlohmann::json::array();
+  for (const RecentFile& file : settings.recent) recent.push_back(file.file);
   const nlohmann::json json = {{"window_width", settings.windowWidth},
                                {"window_height", settings.windowHeight},
                                {"dark_theme", settings.darkTheme},
@@ -68,11 +95,19 @@ void writeSettings(const std::filesystem::path& file, const Settings& settings) 
                                {"loom_shafts", settings.draft.loom.shafts},
                                {"loom_treadles", settings.draft.loom.treadles},
                                {"long_float_mm", settings.draft.longFloat_mm},
-                               {"folder", settings.folder}};
+                               {"count_unit", countUnit(settings.units.count)},
+                               {"twist_multiplier", settings.units.twistAsMultiplier},
+                               {"piece_length_m", settings.units.piece.length_m},
+                               {"piece_width_cm", settings.units.piece.width_cm},
+                               {"folder", settings.folder},
+                               {"recent", recent},
+                               {"hints_seen", settings.hintsSeen}};
   try {
+    // The name of a folder may be no UTF-8, which is no reason to lose the rest.
+    const std::string text = json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
     std::error_code ignored;
     std::filesystem::create_directories(file.parent_path(), ignored);
-    writeFileAtomically(file.string(), json.dump(2) + "\n");
+    writeFileAtomically(file.string(), text + "\n");
   } catch (const InputError&) {
     return;
   }

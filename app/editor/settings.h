@@ -2,9 +2,12 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
+#include "app/editor/recent_files.h"
 #include "ui/desk.h"
 #include "ui/draft_view.h"
+#include "ui/trade_units.h"
 
 namespace loomlight {
 
@@ -17,8 +20,11 @@ struct Settings {
   bool darkTheme = true;
   DeskLayout desk;
   DraftPreferences draft;
+  TradeUnits units;
   double fibreMemory_GB = defaultFibreMemory_GB();  ///< that the truth lens may use
   std::string folder;                               ///< where files were last opened or saved
+  std::vector<RecentFile> recent;                   ///< the last one first
+  bool hintsSeen = false;  ///< what to try first is known; false where there are no settings yet
 };
 
 /// A file that is missing or makes no sense gives the defaults: losing them costs a drag of a splitter.

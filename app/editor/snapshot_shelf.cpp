@@ -2,36 +2,99 @@
 
 #include <fmt/core.h>
 
+#include <optional>
+#include <utility>
+
 #include "app/workers/display_picture.h"
 
 namespace loomlight {
 
-void SnapshotShelf::keep(std::shared_ptr<const Fabric> fabric, Pixels8 picture) {
+SnapshotShelf::SnapshotShelf(std::filesystem::path folder, std::function<void()> wake)
+    : folder_(std::move(folder), kBudget), wake_(std::move(wake)) {
+  for (const std::string& id : folder_.ids()) {
+    ++awaited_;
+    readLater(id);
+  }
+}
+
+void SnapshotShelf::readLater(const std::string& id) {
+  disk_.post([this, id] {
+    std::optional<KeptView> view;
+    try {
+      view = folder_.read(id);
+    } catch (const std::exception&) {
+      // A file that is none of ours, or was broken by hand: it is not offered.
+    }
+    {
+      const std::lock_guard lock(brought_.mutex);
+      if (view)
+        brought_.views.push_back(std::move(*view));
+      else
+        ++brought_.unreadable;
+    }
+    wake_();
+  });
+}
+
+void SnapshotShelf::follow() {
+  std::vector<KeptView> views;
+  {
+    const std::lock_guard lock(brought_.mutex);
+    awaited_ -= brought_.views.size() + std::exchange(brought_.unreadable, 0);
+    views.swap(brought_.views);
+  }
+  for (KeptView& view : views) add(std::move(view));
+}
+
+void SnapshotShelf::add(KeptView view) {
   Kept kept;
-  kept.name = fmt::format("{}. {}", ++count_, fabric->name);
-  kept.fabric = std::move(fabric);
-  kept.picture = std::move(picture);
+  kept.name = fmt::format("{}. {}", ++count_, view.fabric->name);
+  kept.view = std::move(view);
   kept.texture = std::make_shared<PictureTexture>();
-  kept.texture->upload(kept.picture);
+  kept.texture->upload(kept.view.picture);
   kept_.push_back(std::move(kept));
-  if (kept_.size() > kMost) kept_.erase(kept_.begin());
+}
+
+void SnapshotShelf::keep(std::shared_ptr<const Fabric> fabric, Pixels8 picture) {
+  add({ViewFolder::newId(), std::move(fabric), std::move(picture)});
+  disk_.post([this, view = kept_.back().view] {
+    std::string problem;
+    try {
+      folder_.keep(view);
+    } catch (const std::exception& error) {
+      problem = error.what();
+    }
+    {
+      const std::lock_guard lock(brought_.mutex);
+      brought_.problem = std::move(problem);
+    }
+    wake_();
+  });
+  if (kept_.size() > kBudget.views) remove(0);
 }
 
 void SnapshotShelf::remove(size_t index) {
+  disk_.post([this, id = kept_[index].view.id] { folder_.remove(id); });
   kept_.erase(kept_.begin() + static_cast<ptrdiff_t>(index));
+}
+
+std::string SnapshotShelf::problem() const {
+  const std::lock_guard lock(brought_.mutex);
+  return brought_.problem;
 }
 
 std::vector<SnapshotItem> SnapshotShelf::items() const {
   std::vector<SnapshotItem> items;
   for (const Kept& kept : kept_)
     items.push_back({kept.texture->id(),
-                     static_cast<float>(kept.picture.width) / static_cast<float>(kept.picture.height), kept.name});
+                     static_cast<float>(kept.view.picture.width) / static_cast<float>(kept.view.picture.height),
+                     kept.name});
   return items;
 }
 
 void SnapshotShelf::compare(size_t first, size_t second) {
   compared_ = {kept_[first], kept_[second]};
-  difference_.upload(differencePicture(compared_[0].picture, compared_[1].picture));
+  difference_.upload(differencePicture(compared_[0].view.picture, compared_[1].view.picture));
 }
 
 CompareDialog::Model SnapshotShelf::comparison() const {
@@ -40,7 +103,8 @@ CompareDialog::Model SnapshotShelf::comparison() const {
   model.first = compared_[0].texture->id();
   model.second = compared_[1].texture->id();
   model.difference = difference_.id();
-  model.aspect = static_cast<float>(compared_[0].picture.width) / static_cast<float>(compared_[0].picture.height);
+  model.aspect =
+      static_cast<float>(compared_[0].view.picture.width) / static_cast<float>(compared_[0].view.picture.height);
   model.firstName = compared_[0].name;
   model.secondName = compared_[1].name;
   return model;

@@ -22,6 +22,9 @@ std::filesystem::path homeFolder() {
 std::filesystem::path presetFolder() {
   return baseFolder("XDG_DATA_HOME", ".local/share") / "presets";
 }
+std::filesystem::path viewFolder() {
+  return baseFolder("XDG_DATA_HOME", ".local/share") / "views";
+}
 std::filesystem::path stateFolder() {
   return baseFolder("XDG_STATE_HOME", ".local/state");
 }

@@ -16,7 +16,7 @@ struct SnapshotJob::Shared {
   std::shared_ptr<const Fabric> fabric;
   std::string file;
   Tone tone;
-  Finish finish;
+  Print print;
   mutable std::mutex mutex;
   State state;
 
@@ -46,8 +46,9 @@ struct SnapshotJob::Shared {
       if (!renderUpTo(done, *scene, *medium, camera, film, task).complete) return false;
       report(kBuildShare + (1 - kBuildShare) * done / samples);
     }
-    if (finish && lowerExtension(file) == ".png")
-      writePng(file, finish(toPixels(film, tone)), pngTexts(*fabric));
+    if (lowerExtension(file) == ".png")
+      writePng(file, print.finish ? print.finish(toPixels(film, tone)) : toPixels(film, tone), pngTexts(*fabric),
+               print.dpi);
     else
       writePicture(file, film, *fabric, tone, false);
     return true;
@@ -68,12 +69,12 @@ struct SnapshotJob::Shared {
   }
 };
 
-SnapshotJob::SnapshotJob(std::shared_ptr<const Fabric> fabric, std::string file, Tone tone, Finish finish)
+SnapshotJob::SnapshotJob(std::shared_ptr<const Fabric> fabric, std::string file, Tone tone, Print print)
     : shared_(std::make_shared<Shared>()) {
   shared_->fabric = std::move(fabric);
   shared_->file = std::move(file);
   shared_->tone = tone;
-  shared_->finish = std::move(finish);
+  shared_->print = std::move(print);
   thread_ = std::jthread([shared = shared_](std::stop_token stop) { shared->run(stop); });
 }
 

@@ -13,13 +13,16 @@
 
 namespace loomlight {
 
-/// Renders a fabric's own RenderSettings to a file (.exr with AOVs and metadata, or .png) on a thread of its own. What
-/// goes into a .png is what `finish` makes of the display's pixels; empty: these themselves. Cancelling keeps nothing;
-/// the destructor cancels and waits for one path.
+/// Renders a fabric's own RenderSettings to a file (.exr with AOVs and metadata, or .png) on a thread of its own.
+/// Cancelling keeps nothing; the destructor cancels and waits for one path.
 class SnapshotJob {
  public:
-  using Finish = std::function<Pixels8(Pixels8)>;
-  SnapshotJob(std::shared_ptr<const Fabric> fabric, std::string file, Tone tone, Finish finish = {});
+  /// What is particular to a .png.
+  struct Print {
+    std::function<Pixels8(Pixels8)> finish;  ///< makes of the display's pixels what is written; empty: these themselves
+    double dpi = 0;                          ///< its size on paper; 0: none
+  };
+  SnapshotJob(std::shared_ptr<const Fabric> fabric, std::string file, Tone tone, Print print);
   ~SnapshotJob();
   void cancel();
   struct State {

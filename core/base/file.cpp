@@ -105,15 +105,19 @@ std::string readFile(const std::string& file, size_t maxBytes) {
 }
 
 void expectWritable(const std::string& file) {
-  struct stat status {};
-  if (::stat(file.c_str(), &status) == 0 && !S_ISREG(status.st_mode))
-    throw InputError(file + ": cannot be written: expected a regular file, or none yet");
   std::filesystem::path folder = std::filesystem::path(file).parent_path();
   if (folder.empty()) folder = ".";
   std::error_code ignored;
   if (!std::filesystem::is_directory(folder, ignored))
     throw InputError(fmt::format("{}: expected a folder that exists, '{}' is none", file, folder.string()));
-  if (::access(folder.c_str(), W_OK | X_OK) != 0) fail(file, "cannot be written");
+  struct stat status {};
+  const bool exists = ::stat(file.c_str(), &status) == 0;
+  if (!exists && errno != ENOENT) fail(file, "cannot be written");  // such as a symbolic link to itself
+  if (exists && !S_ISREG(status.st_mode))
+    throw InputError(file + ": cannot be written: expected a regular file, or none yet");
+  // A rename would replace a write-protected file without a word.
+  if (exists && ::access(file.c_str(), W_OK) != 0) fail(file, "cannot be written");
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) fail(file, "cannot be written into its folder");
 }
 
 void writeFileAtomically(const std::string& file, std::string_view content) {

@@ -33,7 +33,11 @@ struct Pixels8 {
   int width = 0, height = 0, channels = 4;
   std::vector<uint8_t> bytes;
 };
-void writePng(const std::string& file, const Pixels8& pixels, const std::map<std::string, std::string>& text = {});
+/// `dpi`: pixels per inch, which is how large it is on paper; 0 where it has no size of its own.
+void writePng(const std::string& file, const Pixels8& pixels, const std::map<std::string, std::string>& text = {},
+              double dpi = 0);
 Pixels8 readPng(const std::string& file);
+/// The texts in it that writePng() can write: UTF-8, not compressed.
+std::map<std::string, std::string> readPngTexts(const std::string& file);
 
 }  // namespace loomlight

@@ -1,4 +1,5 @@
-// PNG by stb, whose two implementations live here and nowhere else. Texts are chunks that we add ourselves: stb cannot.
+// PNG by stb, whose two implementations live here and nowhere else. Texts and the size on paper are chunks that we add
+// ourselves: stb cannot.
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
 #define STBI_ONLY_PNG
@@ -17,10 +18,13 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <climits>
+#include <cmath>
 #include <memory>
+#include <string_view>
 
 #include "core/base/error.h"
 #include "core/base/file.h"
@@ -52,6 +56,12 @@ std::string bigEndian(uint32_t n) {
   return {static_cast<char>(n >> 24), static_cast<char>(n >> 16), static_cast<char>(n >> 8), static_cast<char>(n)};
 }
 
+uint32_t number(const std::string& bytes, size_t at) {
+  uint32_t n = 0;
+  for (size_t i = 0; i < 4; ++i) n = n << 8 | static_cast<uint8_t>(bytes[at + i]);
+  return n;
+}
+
 std::string chunk(const std::string& type, const std::string& data) {
   return bigEndian(static_cast<uint32_t>(data.size())) + type + data + bigEndian(crc(type + data));
 }
@@ -63,9 +73,24 @@ std::string textChunk(const std::string& file, const std::string& key, const std
   return chunk("iTXt", key + std::string(5, '\0') + value);
 }
 
+/// A pHYs chunk: whole pixels per metre, the same both ways.
+std::string sizeChunk(double dpi) {
+  constexpr double kInchesPerMetre = 1 / 0.0254;
+  const auto perMetre = static_cast<uint32_t>(std::lround(std::clamp(dpi * kInchesPerMetre, 1.0, 1e9)));
+  return chunk("pHYs", bigEndian(perMetre) + bigEndian(perMetre) + '\1');
+}
+
+/// The text of an iTXt chunk as textChunk() makes them; other forms are left out.
+void addText(std::string_view data, std::map<std::string, std::string>& texts) {
+  const size_t end = data.find('\0');
+  if (end == std::string_view::npos || data.substr(end, 5) != std::string_view("\0\0\0\0\0", 5)) return;
+  texts[std::string(data.substr(0, end))] = std::string(data.substr(end + 5));
+}
+
 }  // namespace
 
-void writePng(const std::string& file, const Pixels8& pixels, const std::map<std::string, std::string>& text) {
+void writePng(const std::string& file, const Pixels8& pixels, const std::map<std::string, std::string>& text,
+              double dpi) {
   assert(pixels.channels == 3 || pixels.channels == 4);
   if (pixels.width < 1 || pixels.height < 1 || pixels.width > kMaxSide || pixels.height > kMaxSide)
     throw InputError(fmt::format("{}: cannot be written with {} x {} pixels, expected 1 to {} a side", file,
@@ -79,6 +104,7 @@ void writePng(const std::string& file, const Pixels8& pixels, const std::map<std
     throw InputError(fmt::format("{}: needs more memory than there is", file));
 
   std::string extra = chunk("sRGB", std::string(1, '\0'));  // perceptual intent
+  if (dpi > 0) extra += sizeChunk(dpi);
   for (const auto& [key, value] : text) extra += textChunk(file, key, value);
   png.insert(kHeaderBytes, extra);
   writeFileAtomically(file, png);
@@ -102,6 +128,21 @@ Pixels8 readPng(const std::string& file) {
       static_cast<size_t>(pixels.width) * static_cast<size_t>(pixels.height) * static_cast<size_t>(pixels.channels);
   pixels.bytes.assign(decoded.get(), decoded.get() + count);
   return pixels;
+}
+
+std::map<std::string, std::string> readPngTexts(const std::string& file) {
+  constexpr size_t kSignature = 8, kAround = 12;  // length and type before a chunk's data, checksum behind it
+  const std::string bytes = readFile(file, kMaxFileBytes);
+  if (bytes.compare(0, kSignature, "\x89PNG\r\n\x1a\n") != 0) throw InputError(fmt::format("{}: not a PNG file", file));
+  std::map<std::string, std::string> texts;
+  for (size_t at = kSignature; at < bytes.size();) {
+    const size_t left = bytes.size() - at;
+    const size_t length = left < kAround ? left : number(bytes, at);
+    if (left < kAround || length > left - kAround) throw InputError(fmt::format("{}: damaged PNG file", file));
+    if (bytes.compare(at + 4, 4, "iTXt") == 0) addText(std::string_view(bytes).substr(at + 8, length), texts);
+    at += kAround + length;
+  }
+  return texts;
 }
 
 }  // namespace loomlight

@@ -1,6 +1,7 @@
 """Views that are kept: a strip of them, two compared, one brought back. In the real window."""
 
 import os
+import struct
 import subprocess
 
 from window_driver import difference, expect, picture_statistics, run, window, write_json
@@ -76,6 +77,8 @@ def print_with_a_scale(editor):
     size = subprocess.run(["identify", "-format", "%w %h", file], check=True, capture_output=True, text=True).stdout
     width, height = (int(n) for n in size.split())
     expect(width == 60 and 45 < height < 80, f"the print is {size}")
+    with open(file, "rb") as png:
+        expect(b"pHYs" + struct.pack(">IIB", 5000, 5000, 1) in png.read(), "127 dpi, 5000 pixels a metre, are not in it")
     editor.click("snapshot.close")
     editor.wait_until("the dialog closes", lambda: editor.fact("dialog") == "none")
     expect(sum(name.startswith("snapshot.item_") for name in editor.widgets()) == kept + 1,

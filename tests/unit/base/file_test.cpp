@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -91,6 +93,28 @@ TEST_F(File, WhatIsNoRegularFileIsNeverReplaced) {
   EXPECT_TRUE(fs::is_fifo(at("pipe")));
   EXPECT_TRUE(fs::is_symlink(at("link")));
   EXPECT_EQ(filesInFolder(), 2u);
+}
+
+TEST_F(File, ALinkToItselfIsNoPlaceForAFile) {
+  fs::create_symlink(at("loop"), at("loop"));
+  EXPECT_THROW(readFile(at("loop"), 10), InputError);
+  EXPECT_THROW(writeFileAtomically(at("loop"), "x"), InputError);
+  EXPECT_TRUE(fs::is_symlink(at("loop")));
+  EXPECT_EQ(filesInFolder(), 1u);
+}
+
+TEST_F(File, AFailedWriteLeavesTheOldFile) {
+  writeFileAtomically(at("a"), "old");
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto handled = ::signal(SIGXFSZ, SIG_IGN);
+  const rlimit small{1000, before.rlim_max};
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);  // stands in for a full disk
+  EXPECT_THROW(writeFileAtomically(at("a"), std::string(2000, 'x')), InputError);
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
+  ::signal(SIGXFSZ, handled);
+  EXPECT_EQ(readFile(at("a"), 10), "old");
+  EXPECT_EQ(filesInFolder(), 1u);
 }
 
 TEST_F(File, WhereNothingCanBeWrittenIsKnownBeforehand) {

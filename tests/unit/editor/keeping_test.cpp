@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -35,7 +36,7 @@ bool comesTrue(const std::function<bool()>& condition) {
   return false;
 }
 
-TEST(Autosave, KeepsACopyAndRemovesItAtTheEnd) {
+TEST(Autosave, KeepsACopyAndRemovesItAtAGoodEnd) {
   const Folder folder;
   const fs::path file = folder.path / ("autosave-" + std::to_string(getpid()) + ".json");
   {
@@ -44,8 +45,49 @@ TEST(Autosave, KeepsACopyAndRemovesItAtTheEnd) {
     ASSERT_TRUE(comesTrue([&] { return fs::exists(file); }));
     EXPECT_EQ(readFabric(file.string()), sampleFabric());
     EXPECT_FALSE(Autosave::leftBehind(folder.path).has_value()) << "its editor is still running";
+    autosave.endWell();
   }
   EXPECT_FALSE(fs::exists(file));
+}
+
+TEST(Autosave, LeavesTheCopyWhenTheEditorIsTornDown) {
+  const Folder folder;
+  const fs::path file = folder.path / ("autosave-" + std::to_string(getpid()) + ".json");
+  {
+    Autosave autosave(folder.path);
+    autosave.keep(std::make_shared<const Fabric>(sampleFabric()));
+    ASSERT_TRUE(comesTrue([&] { return fs::exists(file); }));
+  }
+  EXPECT_EQ(readFabric(file.string()), sampleFabric());
+}
+
+TEST(Autosave, WhatIsTakenUpGoesOnceItIsKeptAgain) {
+  const Folder folder;
+  fs::create_directories(folder.path);
+  const fs::path file = folder.path / ("autosave-" + std::to_string(getpid()) + ".json");
+  const fs::path left = folder.path / "autosave-2000000000.json";
+  writeFabric(sampleFabric(), left.string());
+  Autosave autosave(folder.path);
+  autosave.takeOver(left);
+  EXPECT_TRUE(fs::exists(left));
+  autosave.keep(std::make_shared<const Fabric>(sampleFabric()));
+  EXPECT_TRUE(comesTrue([&] { return !fs::exists(left); }));
+  EXPECT_TRUE(fs::exists(file)) << "at no time there is no copy";
+}
+
+TEST(Autosave, SaysWhyWorkIsNotSafe) {
+  const Folder folder;
+  std::ofstream(folder.path) << "in the way of the folder";
+  std::atomic<int> woken = 0;
+  Autosave autosave(folder.path, [&] { ++woken; });
+  EXPECT_EQ(autosave.problem(), "");
+  autosave.keep(std::make_shared<const Fabric>(sampleFabric()));
+  ASSERT_TRUE(comesTrue([&] { return woken > 0; }));
+  EXPECT_NE(autosave.problem().find("expected a folder"), std::string::npos) << autosave.problem();
+  fs::remove(folder.path);
+  fs::create_directories(folder.path);
+  autosave.forget();
+  EXPECT_TRUE(comesTrue([&] { return autosave.problem().empty(); }));
 }
 
 TEST(Autosave, FindsWhatADeadEditorLeft) {
@@ -96,14 +138,33 @@ TEST(Settings, ComeBackAndSurviveNonsense) {
   settings.windowWidth = 1777;
   settings.darkTheme = false;
   settings.desk.draftWidth = 401;
+  settings.units.count = CountSystem::denier;
+  settings.units.piece.width_cm = 90;
+  settings.recent = {{"/a.json", false}, {"/b.json", false}};
+  settings.hintsSeen = true;
   writeSettings(file, settings);
   EXPECT_EQ(readSettings(file).windowWidth, 1777);
   EXPECT_FALSE(readSettings(file).darkTheme);
   EXPECT_EQ(readSettings(file).desk.draftWidth, 401);
+  EXPECT_EQ(readSettings(file).units.count, CountSystem::denier);
+  EXPECT_EQ(readSettings(file).units.piece.width_cm, 90);
+  ASSERT_EQ(readSettings(file).recent.size(), 2u);
+  EXPECT_EQ(readSettings(file).recent[1].file, "/b.json");
+  EXPECT_TRUE(readSettings(file).hintsSeen);
   for (const char* text : {"", "[]", "{\"window_width\": \"wide\"}", "{\"window_width\": -5}", "\xff\xfe"}) {
     std::ofstream(file) << text;
     EXPECT_GE(readSettings(file).windowWidth, 960) << text;
   }
+}
+
+TEST(Settings, AFolderWhoseNameIsNoTextCostsNoSetting) {
+  const Folder folder;
+  const fs::path file = folder.path / "editor.json";
+  Settings settings;
+  settings.windowWidth = 1777;
+  settings.folder = "/home/caf\xe9";
+  writeSettings(file, settings);
+  EXPECT_EQ(readSettings(file).windowWidth, 1777);
 }
 
 TEST(YarnSection, ShowsEveryFibreOnceInsideTheYarn) {

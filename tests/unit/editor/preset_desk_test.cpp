@@ -1,5 +1,6 @@
 #include "app/editor/preset_desk.h"
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -33,6 +34,17 @@ TEST_F(PresetDeskTest, StoresKeepNamesApart) {
   EXPECT_EQ(store.keepBeside(cloth("Tweed")), "Tweed 2");
   EXPECT_EQ(store.keepBeside(cloth("Tweed")), "Tweed 3");
   EXPECT_EQ(store.load("Tweed 2").name, "Tweed 2");
+}
+
+TEST_F(PresetDeskTest, LongNamesAreCutBetweenCharactersAndStillKeptApart) {
+  PresetStore store(folder_);
+  std::string name;
+  for (int i = 0; i < 70; ++i) name += "\u00E9";
+  const std::string first = store.keepBeside(cloth(name));
+  EXPECT_EQ(first, name.substr(0, 100));
+  EXPECT_EQ(store.keepBeside(cloth(name)), first + " 2");
+  name = fmt::format("x{}", name);
+  EXPECT_EQ(store.keepBeside(cloth(name)), name.substr(0, 99)) << "a character is not halved";
 }
 
 TEST_F(PresetDeskTest, RenamingNeverWritesOverAnother) {

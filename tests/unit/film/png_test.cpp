@@ -60,6 +60,36 @@ std::string complaint(const std::string& bytes) {
   return message;
 }
 
+TEST(Png, SaysHowLargeItIsOnPaper) {
+  const test::ScratchFolder folder;
+  writePng(folder.file("a.png"), noise(3, 2, 3), {}, 300);
+  writePng(folder.file("b.png"), noise(3, 2, 3));
+  const auto sizeOf = [&](const char* name) {
+    for (const Chunk& chunk : chunksOf(bytesOf(folder.file(name))))
+      if (chunk.type == "pHYs") return chunk.data;
+    return std::string();
+  };
+  const std::string size = sizeOf("a.png");
+  ASSERT_EQ(size.size(), 9u);
+  EXPECT_EQ(bigEndian(size, 0), 11811u) << "300 / 0.0254 pixels per metre";
+  EXPECT_EQ(bigEndian(size, 4), 11811u);
+  EXPECT_EQ(size[8], 1) << "the unit is the metre";
+  EXPECT_EQ(sizeOf("b.png"), "");
+}
+
+TEST(Png, TextsComeBack) {
+  const test::ScratchFolder folder;
+  const std::map<std::string, std::string> texts{{"Title", "Caf\u00E9"},
+                                                 {"loomlight.fabric", std::string(100000, 'x')}};
+  writePng(folder.file("a.png"), noise(3, 2, 4), texts, 72);
+  EXPECT_EQ(readPngTexts(folder.file("a.png")), texts);
+  const std::string whole = bytesOf(folder.file("a.png"));
+  for (const size_t length : {size_t{0}, size_t{7}, size_t{20}, size_t{60}, whole.size() - 1}) {
+    putBytes(folder.file("cut.png"), whole.substr(0, length));
+    EXPECT_THROW(readPngTexts(folder.file("cut.png")), InputError) << length;
+  }
+}
+
 TEST(Png, RoundTripKeepsEveryByte) {
   const test::ScratchFolder folder;
   for (const int channels : {3, 4}) {

@@ -1,0 +1,187 @@
+#include <algorithm>
+#include <filesystem>
+
+#include "app/editor/sample_fabric.h"
+#include "app/editor/session.h"
+#include "app/editor/user_folders.h"
+#include "core/base/error.h"
+#include "core/fabric/fabric_json.h"
+
+namespace loomlight {
+namespace fs = std::filesystem;
+namespace {
+
+std::string extensionOf(const std::string& file) {
+  std::string extension = fs::path(file).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  return extension;
+}
+
+fs::path absolute(const std::string& file) {
+  std::error_code error;
+  const fs::path whole = fs::absolute(file, error);  // fails where the working directory is gone
+  return error ? fs::path(file) : whole.lexically_normal();
+}
+
+}  // namespace
+
+void Session::lookNextIn(const std::string& fileThere) {
+  settings_.folder = absolute(fileThere).parent_path().string();
+}
+
+void Session::remember(const std::string& file) {
+  lookNextIn(file);
+  loomlight::remember(settings_.recent, absolute(file).string());
+}
+
+void Session::openRecent(const std::string& file) {
+  lookFor(settings_.recent);
+  std::error_code ignored;
+  if (fs::is_regular_file(file, ignored)) return openFile(file);
+  pendingFile_ = file;
+  ask(Question::forgetRecent, "This file is missing", file + " is not there any more.",
+      {"Keep in the list", "Forget it"});
+}
+
+void Session::openFabric(const std::string& file) {
+  if (extensionOf(file) == ".wif") return openWeaving(file);
+  try {
+    startOver(Document(readFabric(file), file));
+    remember(file);
+  } catch (const InputError& error) {
+    say("This file cannot be opened", error.what());
+  }
+}
+
+void Session::openFile(const std::string& file) {
+  const std::string extension = extensionOf(file);
+  if (extension == ".obj" || extension == ".ply" || extension == ".off") {
+    Fabric fabric = *document_.fabric();
+    fabric.drape.kind = DrapeKind::mesh;
+    fabric.drape.file = file;
+    edit(std::move(fabric));
+    viewport_.fitWanted = true;
+  } else if (extension == ".exr") {
+    Fabric fabric = *document_.fabric();
+    fabric.light.kind = LightKind::environment;
+    fabric.light.file = file;
+    edit(std::move(fabric));
+  } else if (extension == ".png") {
+    openPicture(file);
+  } else if (document_.isDirty()) {
+    pendingFile_ = file;
+    ask(Question::discardForOpen, "Unsaved work",
+        "This cloth has changes that are not saved. Open another one without them?", {"Cancel", "Open"});
+  } else {
+    openFabric(file);
+  }
+}
+
+void Session::save(const std::string& file) {
+  try {
+    document_.save(file);
+    remember(file);
+    autosave_.forget();
+    over_ = quitOnceSaved_;
+  } catch (const InputError& error) {
+    quitOnceSaved_ = false;
+    say("The file could not be written", std::string(error.what()) + "\n\nNothing is lost: the cloth is still here.");
+  }
+}
+
+void Session::offerRecovery() {
+  const auto left = Autosave::leftBehind(stateFolder());
+  if (!left) return;
+  pendingFile_ = left->string();
+  ask(Question::recover, "Unsaved work was found", "The editor ended before this work was saved. Take it up again?",
+      {"Later", "Throw away", "Take up"});
+}
+
+void Session::takeUp(const std::string& left) {
+  try {
+    Fabric fabric = readFabric(left);
+    startOver(Document(sampleFabric()));  // not into a file that was just opened
+    edit(std::move(fabric));
+    autosave_.takeOver(left);
+  } catch (const InputError& error) {
+    say("The work could not be taken up", error.what());
+  }
+}
+
+void Session::browse(FileTask task) {
+  fileTask_ = task;
+  const fs::path folder = settings_.folder.empty() ? homeFolder() : fs::path(settings_.folder);
+  const std::vector<FileBrowser::Place> places = {
+      {"Home", homeFolder()}, {"Presets", presetFolder()}, {"Computer", "/"}};
+  using Purpose = FileBrowser::Purpose;
+  switch (task) {
+    case FileTask::open:
+      browser_.show(Purpose::open, "Open a cloth", {".json", ".wif", ".png"}, folder, places);
+      break;
+    case FileTask::saveAs: {
+      const fs::path file =
+          document_.file().empty() ? folder / (document_.fabric()->name + ".json") : fs::path(document_.file());
+      browser_.show(Purpose::save, "Save the cloth", {".json"}, file, places);
+      break;
+    }
+    case FileTask::mesh:
+      browser_.show(Purpose::open, "Choose a mesh", {".obj", ".ply", ".off"}, folder, places);
+      break;
+    case FileTask::environment:
+      browser_.show(Purpose::open, "Choose a surrounding", {".exr"}, folder, places);
+      break;
+    case FileTask::snapshot:
+      browser_.show(Purpose::save, "Where the snapshot goes", {".png", ".exr"}, snapshotDialog_.file(), places);
+      break;
+    case FileTask::picture:
+      browser_.show(Purpose::open, "Choose a picture", {".png"}, folder, places);
+      break;
+    case FileTask::exportWif:
+      browser_.show(Purpose::save, "Export as weaving file", {".wif"}, folder / (document_.fabric()->name + ".wif"),
+                    places);
+      break;
+    case FileTask::exportDraft:
+      browser_.show(Purpose::save, "Export the draft for print", {".pdf", ".png"},
+                    folder / (document_.fabric()->name + ".pdf"), places);
+      break;
+    case FileTask::exportTile:
+      browser_.show(Purpose::save, "Where the tile goes", {".json"}, tileDialog_.file(), places);
+      break;
+    case FileTask::exportBitmap:
+      browser_.show(Purpose::save, "Export the weave", {".png"}, folder / (document_.fabric()->name + ".png"), places);
+      break;
+    case FileTask::none:
+      break;
+  }
+}
+
+void Session::fileChosen(const std::string& file) {
+  const FileTask task = std::exchange(fileTask_, FileTask::none);
+  switch (task) {
+    case FileTask::open:
+    case FileTask::mesh:
+    case FileTask::environment:
+    case FileTask::picture:
+      openFile(file);
+      break;
+    case FileTask::saveAs:
+      save(file);
+      break;
+    case FileTask::snapshot:
+      snapshotDialog_.setFile(file);
+      break;
+    case FileTask::exportTile:
+      tileDialog_.setFile(file);
+      break;
+    case FileTask::exportWif:
+    case FileTask::exportBitmap:
+    case FileTask::exportDraft:
+      exportTo(task, file);
+      break;
+    case FileTask::none:
+      break;
+  }
+}
+
+}  // namespace loomlight

@@ -1,0 +1,116 @@
+"""Disks that take nothing and files that are none: the editor says so, goes on, and the work is saved elsewhere. In the
+real window."""
+
+import os
+import resource
+
+from window_driver import expect, read_json, run, window, write_json
+
+PROGRAM = os.environ["LOOMLIGHT"]
+WIDTH, HEIGHT = 1280, 720
+FULL_AFTER = 50_000  # bytes that a file may have on the disk that stands in for a full one; the cloth needs more
+
+
+def long_fabric(home):
+    fabric = {
+        "loomlight_version": 1, "name": "Long", "description": "a long story " * 5_000, "weave": ["#.", ".#"],
+        "fibres": [{"name": "coarse", "radius_um": 20}],
+        "drape": {"kind": "flat", "width_mm": 4, "height_mm": 4},
+        "light": {"kind": "dome"}, "camera": {"distance_mm": 16, "elevation_deg": 75}, "render": {"resolution": 1},
+    }
+    return write_json(home, "long.json", fabric)
+
+
+def fill_disk(editor, full):
+    hard = resource.prlimit(editor.process.pid, resource.RLIMIT_FSIZE)[1]
+    resource.prlimit(editor.process.pid, resource.RLIMIT_FSIZE, (FULL_AFTER if full else hard, hard))
+
+
+def answer(editor, said, index=0):
+    """A message is up that says this; it is answered."""
+    editor.wait_until(f"the editor says: {said}", lambda: said in editor.fact("message"))
+    editor.click(f"message.answer_{index}")
+    editor.wait_until("the message is gone", lambda: editor.fact("dialog") == "none")
+
+
+def name_file(editor, file):
+    editor.click("browser.name")
+    editor.key("ctrl+a")
+    editor.type(file)
+    editor.key("Return")
+
+
+def full_disk(editor, file):
+    old = read_json(file)
+    editor.click("draft.cell_0_0")
+    editor.wait_until("the cloth is edited", lambda: editor.fact("dirty") == "yes")
+    fill_disk(editor, True)
+    editor.drag_widget("yarn.ply_twist_per_m", 40)
+    editor.wait_until("the editor says that no copy is kept", lambda: "File too large" in editor.fact("autosave_problem"))
+    editor.key("ctrl+s")
+    answer(editor, "File too large")
+    expect(editor.fact("dirty") == "yes", "work that is not on the disk counts as saved")
+    expect(read_json(file) == old, "the old file is gone")
+    expect(sorted(os.listdir(os.path.dirname(file))) == ["long.json"], "something was left beside the file")
+
+
+def quit_does_not_lose_it(editor):
+    editor.key("ctrl+q")
+    editor.click("message.answer_2")  # Save
+    answer(editor, "File too large")
+    expect(editor.process.poll() is None, "the editor ended with work that it could not save")
+
+
+def read_only_place(editor):
+    editor.key("ctrl+shift+s")
+    name_file(editor, "/sys/cloth.json")
+    answer(editor, "/sys/cloth.json")
+    expect(editor.fact("dirty") == "yes", "work that is not on the disk counts as saved")
+
+
+def elsewhere(editor, folder):
+    fill_disk(editor, False)
+    file = os.path.join(folder, "elsewhere.json")
+    editor.key("ctrl+shift+s")
+    name_file(editor, file)
+    editor.wait_until("the cloth is saved elsewhere", lambda: editor.fact("dirty") == "no")
+    editor.wait_until("all is safe", lambda: editor.fact("autosave_problem") == "")
+    expect(read_json(file)["weave"] != read_json(os.path.join(folder, "long.json"))["weave"], "the edit is not in it")
+
+
+def files_that_are_none(editor, folder):
+    os.mkfifo(os.path.join(folder, "pipe.json"))
+    os.symlink("/dev/zero", os.path.join(folder, "endless.wif"))
+    os.symlink("loop.json", os.path.join(folder, "loop.json"))
+    with open(os.path.join(folder, "binary.wif"), "wb") as file:
+        file.write(bytes(range(256)) * 100)
+    with open(os.path.join(folder, "cut.png"), "wb") as file:
+        file.write(b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0")
+    revision = editor.number("revision")
+    for name in ("pipe.json", "endless.wif", "binary.wif", "cut.png"):
+        editor.key("ctrl+o")
+        name_file(editor, os.path.join(folder, name))
+        answer(editor, name)
+    editor.key("ctrl+o")
+    name_file(editor, os.path.join(folder, "loop.json"))
+    editor.key("Escape")
+    editor.key("Escape")
+    editor.wait_until("the browser is closed", lambda: editor.fact("dialog") == "none")
+    expect(editor.number("revision") == revision, "a file that is none became the cloth")
+
+
+def test():
+    with window(WIDTH, HEIGHT) as editor:
+        folder = os.path.join(editor.home, "cloths")
+        os.mkdir(folder)
+        file = long_fabric(folder)
+        editor.start(PROGRAM, [file])
+        editor.wait_for_picture()
+        full_disk(editor, file)
+        quit_does_not_lose_it(editor)
+        read_only_place(editor)
+        elsewhere(editor, folder)
+        files_that_are_none(editor, folder)
+
+
+run(test)

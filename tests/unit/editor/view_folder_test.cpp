@@ -1,0 +1,66 @@
+#include "app/editor/view_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "app/editor/sample_fabric.h"
+#include "core/base/error.h"
+#include "tests/unit/film/scratch_folder.h"
+
+namespace loomlight {
+namespace {
+
+KeptView viewOf(const std::string& id, int side = 8) {
+  KeptView view{id, std::make_shared<const Fabric>(sampleFabric()), {side, side, 3, {}}};
+  uint32_t noise = 1;
+  for (int i = 0; i < 3 * side * side; ++i)
+    view.picture.bytes.push_back(static_cast<uint8_t>((noise = noise * 1664525u + 1013904223u) >> 24));
+  return view;
+}
+
+TEST(ViewFolder, ViewsComeBackInTheirOrder) {
+  const test::ScratchFolder scratch;
+  const ViewFolder folder(scratch.file("views"), {});
+  EXPECT_TRUE(folder.ids().empty());
+  const KeptView first = viewOf(ViewFolder::newId()), second = viewOf(ViewFolder::newId(), 9);
+  folder.keep(second);
+  folder.keep(first);
+  EXPECT_EQ(folder.ids(), (std::vector<std::string>{first.id, second.id}));
+  const KeptView back = folder.read(second.id);
+  EXPECT_EQ(*back.fabric, *second.fabric);
+  EXPECT_EQ(back.picture.width, 9);
+  EXPECT_EQ(back.picture.bytes, second.picture.bytes);
+  folder.remove(first.id);
+  EXPECT_EQ(folder.ids(), std::vector<std::string>{second.id});
+}
+
+TEST(ViewFolder, OldestGoBeyondTheNumber) {
+  const test::ScratchFolder scratch;
+  const ViewFolder folder(scratch.file("views"), {3, 1'000'000'000});
+  for (const char* id : {"a", "b", "c", "d", "e"}) folder.keep(viewOf(id));
+  EXPECT_EQ(folder.ids(), (std::vector<std::string>{"c", "d", "e"}));
+}
+
+TEST(ViewFolder, OldestGoBeyondTheBytes) {
+  const test::ScratchFolder scratch;
+  const ViewFolder folder(scratch.file("views"), {100, 100'000});  // noise does not compress: 30 kB each
+  for (const char* id : {"a", "b", "c", "d", "e"}) folder.keep(viewOf(id, 100));
+  EXPECT_EQ(folder.ids().back(), "e");
+  EXPECT_LE(folder.ids().size(), 3u);
+  EXPECT_GE(folder.ids().size(), 2u);
+}
+
+TEST(ViewFolder, WhatIsNoViewIsRefused) {
+  const test::ScratchFolder scratch;
+  const ViewFolder folder(scratch.file("."), {});
+  std::ofstream(scratch.file("broken.png")) << "\x89PNG";
+  Pixels8 plain{2, 2, 3, std::vector<uint8_t>(12)};
+  writePng(scratch.file("plain.png"), plain);
+  EXPECT_THROW(folder.read("broken"), InputError);
+  EXPECT_THROW(folder.read("plain"), InputError) << "it holds no fabric";
+  EXPECT_THROW(folder.read("missing"), InputError);
+}
+
+}  // namespace
+}  // namespace loomlight
