@@ -3,6 +3,7 @@
 #include <deque>
 #include <functional>
 #include <set>
+#include <thread>
 
 #include "core/volume/cloth_volume.h"
 #include "tests/unit/volume/volume_fixture.h"
@@ -217,6 +218,23 @@ TEST(Edits, ThatAreStoppedMakeNothing) {
   Fabric longer = fabric;
   longer.weave = fabric.weave.resized(64, 60);
   EXPECT_EQ(ClothVolume::build(geometryOf(longer, 70, 70), 1, Task{stop.get_token(), {}, 1}, before.get()), nullptr);
+}
+
+TEST(Edits, OfOneVolumeMayBeMadeAtTheSameTime) {
+  const Fabric fabric = jacquard(60);
+  const auto before = volumeOf(fabric, 70, 70, 1);
+  std::vector<std::shared_ptr<const ClothVolume>> made(4);
+  std::vector<Fabric> edited(made.size(), fabric);
+  edited[0].weave = fabric.weave.with(7, 5, !fabric.weave.at(7, 5));
+  edited[1].weave = fabric.weave.resized(64, 57);
+  edited[2].yarns[0].plyTwist_per_m = 900;
+  edited[3].ends_per_cm = 21;
+  {
+    std::vector<std::jthread> makers;
+    for (size_t i = 0; i < made.size(); ++i)
+      makers.emplace_back([&, i] { made[i] = volumeOf(edited[i], 70, 70, 1, before.get()); });
+  }
+  for (size_t i = 0; i < made.size(); ++i) EXPECT_TRUE(sameVolume(*volumeOf(edited[i], 70, 70, 1), *made[i])) << i;
 }
 
 TEST(Edits, LeaveTheVolumeBeforeAsItWas) {
