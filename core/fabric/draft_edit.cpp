@@ -104,10 +104,14 @@ Draft numberedAs(Draft draft, const Draft& like) {
 
 }  // namespace
 
-bool hasNumber(const Draft& draft, DraftPart part, int line, int number) {
+std::span<const int> numbersOf(const Draft& draft, DraftPart part, int line) {
   const Lines& lines = linesOf(draft, part);
-  if (static_cast<size_t>(line) >= lines.size()) return false;
-  const std::vector<int>& numbers = lines[line];
+  if (static_cast<size_t>(line) >= lines.size()) return {};
+  return lines[line];
+}
+
+bool hasNumber(const Draft& draft, DraftPart part, int line, int number) {
+  const std::span<const int> numbers = numbersOf(draft, part, line);
   return std::find(numbers.begin(), numbers.end(), number) != numbers.end();
 }
 
@@ -171,7 +175,10 @@ Rewoven rewoven(const Fabric& fabric, Weave weave, const LoomLimits& limits) {
   Rewoven result{fabric, {}};
   result.fabric.weave = std::move(weave);
   if (!fabric.draft) return result;
-  DerivedDraft derived = deriveDraft(result.fabric.weave, limits, *fabric.draft);
+  // A draft from elsewhere tells of a larger loom than the one that was set.
+  const LoomLimits loom{std::max(limits.shafts, fabric.draft->shafts),
+                        std::max(limits.treadles, fabric.draft->treadles)};
+  DerivedDraft derived = deriveDraft(result.fabric.weave, loom, *fabric.draft);
   result.fabric.draft = std::move(derived.draft);
   result.remark = std::move(derived.remark);
   return result;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "core/fabric/fabric.h"
@@ -19,6 +20,8 @@ Draft withNumber(Draft draft, DraftPart part, int line, int number, bool on);
 /// The number in place of all others of its line: an end that changes its shaft.
 Draft withOnlyNumber(Draft draft, DraftPart part, int line, int number);
 bool hasNumber(const Draft& draft, DraftPart part, int line, int number);
+/// All numbers of a line; none of a line that the draft does not have.
+std::span<const int> numbersOf(const Draft& draft, DraftPart part, int line);
 
 /// Another number of shafts (or treadles), 0..4096; what used those that are gone is left without.
 Draft withShaftCount(Draft draft, int shafts);
@@ -46,8 +49,8 @@ struct DerivedDraft {
 };
 DerivedDraft deriveDraft(const Weave& weave, const LoomLimits& limits, const Draft& like = {});
 
-/// The fabric with another weave. Where it has a draft, that follows, as deriveDraft() says; it is gone where there can
-/// be none.
+/// The fabric with another weave. Where it has a draft, that follows, as deriveDraft() says, on a loom that has at
+/// least the shafts and treadles of that draft; it is gone where there can be none.
 struct Rewoven {
   Fabric fabric;
   std::string remark;

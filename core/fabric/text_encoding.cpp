@@ -125,6 +125,10 @@ DecodedText decodeText(std::string_view bytes, const std::string& source) {
     decoded = isUtf8(bytes) ? DecodedText{std::string(bytes), TextEncoding::utf8}
                             : DecodedText{fromWindows1252(bytes), TextEncoding::windows1252};
   }
+  // Programs of DOS end a text with Ctrl+Z and fill its last block with zeros.
+  constexpr std::string_view kFilling("\x1A\0", 2);
+  if (const size_t last = decoded.text.find_last_not_of(kFilling); last != std::string::npos)
+    decoded.text.resize(last + 1);
   if (const size_t zero = decoded.text.find('\0'); zero != std::string::npos)
     throw InputError(fmt::format("{}: expected a text, got a zero at character {}: it is binary", source, zero + 1));
   return decoded;

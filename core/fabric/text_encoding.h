@@ -14,8 +14,8 @@ struct DecodedText {
 
 /// The text in bytes whose encoding nobody stated, as old files come: UTF-8 or UTF-16 by their marks, or by what they
 /// look like; what is neither is Windows-1252, the Latin-1 of Windows programs, in which every byte means something.
-/// A UTF-16 surrogate without its partner becomes U+FFFD. Throws InputError, naming `source`, for bytes that are no
-/// text: a zero among them.
+/// A UTF-16 surrogate without its partner becomes U+FFFD; the Ctrl+Z and zeros that end files of DOS are left out.
+/// Throws InputError, naming `source`, for bytes that are no text: a zero among them.
 DecodedText decodeText(std::string_view bytes, const std::string& source);
 
 }  // namespace loomlight

@@ -35,6 +35,8 @@ class Weave {
   /// Within the repeat only: 0 <= pick < picks(), 0 <= end < ends(). The hot path.
   bool at(int pick, int end) const { return (*rows_[pick])[end] != 0; }
   std::span<const uint8_t> row(int pick) const { return *rows_[pick]; }
+  /// The same, for another weave to share.
+  const SharedRow& sharedRow(int pick) const { return rows_[pick]; }
 
   Weave with(int pick, int end, bool warpOver) const;
   /// Another size of repeat: what fits is kept, the new cells continue the old repeat.

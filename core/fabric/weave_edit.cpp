@@ -1,6 +1,8 @@
 #include "core/fabric/weave_edit.h"
 
 #include <algorithm>
+#include <span>
+#include <unordered_map>
 
 namespace loomlight {
 namespace {
@@ -10,22 +12,39 @@ int wrapped(int i, int n) {
   return r < 0 ? r + n : r;
 }
 
-/// A weave from a rule: warpOver(pick, end).
-template <class Rule>
-Weave made(int ends, int picks, const Rule& warpOver) {
-  std::vector<Weave::SharedRow> rows;
-  for (int p = 0; p < picks; ++p) {
-    Weave::Row row(static_cast<size_t>(ends));
-    for (int e = 0; e < ends; ++e) row[e] = warpOver(p, e) ? 1 : 0;
-    rows.push_back(std::make_shared<const Weave::Row>(std::move(row)));
+using Row = Weave::Row;
+using SharedRow = Weave::SharedRow;
+
+/// The rows of a weave, each changed by rowFrom(old row), in the order of sourceOf(pick). Picks that shared a row share
+/// the new one.
+template <class SourceOf, class RowFrom>
+Weave rowByRow(const Weave& weave, const SourceOf& sourceOf, const RowFrom& rowFrom) {
+  std::unordered_map<const Row*, SharedRow> changed;
+  std::vector<SharedRow> rows(static_cast<size_t>(weave.picks()));
+  for (int p = 0; p < weave.picks(); ++p) {
+    const SharedRow& old = weave.sharedRow(sourceOf(p));
+    SharedRow& made = changed[old.get()];
+    if (!made) made = std::make_shared<const Row>(rowFrom(*old));
+    rows[p] = made;
   }
   return Weave(std::move(rows));
+}
+
+int samePick(int pick) {
+  return pick;
 }
 
 }  // namespace
 
 Weave partOf(const Weave& weave, const CellRect& rect) {
-  return made(rect.ends, rect.picks, [&](int p, int e) { return weave.warpOver(rect.pick + p, rect.end + e); });
+  std::vector<SharedRow> rows;
+  for (int p = 0; p < rect.picks; ++p) {
+    const std::span<const uint8_t> whole = weave.row(wrapped(rect.pick + p, weave.picks()));
+    Row row(static_cast<size_t>(rect.ends));
+    for (int e = 0; e < rect.ends; ++e) row[e] = whole[wrapped(rect.end + e, weave.ends())];
+    rows.push_back(std::make_shared<const Row>(std::move(row)));
+  }
+  return Weave(std::move(rows));
 }
 
 Weave withPart(const Weave& weave, int pick, int end, const Weave& part) {
@@ -33,31 +52,58 @@ Weave withPart(const Weave& weave, int pick, int end, const Weave& part) {
 }
 
 Weave withPattern(const Weave& weave, const CellRect& rect, const Weave& pattern) {
-  return made(weave.ends(), weave.picks(), [&](int p, int e) {
-    const int alongPicks = wrapped(p - rect.pick, weave.picks()), alongEnds = wrapped(e - rect.end, weave.ends());
-    if (alongPicks >= rect.picks || alongEnds >= rect.ends) return weave.at(p, e);
-    return pattern.warpOver(alongPicks, alongEnds);
-  });
+  std::vector<SharedRow> rows;
+  for (int p = 0; p < weave.picks(); ++p) {
+    const SharedRow& old = weave.sharedRow(p);
+    rows.push_back(old);
+    const int along = wrapped(p - rect.pick, weave.picks());
+    if (along >= rect.picks) continue;
+    const std::span<const uint8_t> from = pattern.row(wrapped(along, pattern.picks()));
+    Row row = *old;
+    for (int e = 0; e < std::min(rect.ends, weave.ends()); ++e)
+      row[wrapped(rect.end + e, weave.ends())] = from[e % pattern.ends()];
+    if (row != *old) rows.back() = std::make_shared<const Row>(std::move(row));
+  }
+  return Weave(std::move(rows));
 }
 
 Weave mirroredEnds(const Weave& weave) {
-  return made(weave.ends(), weave.picks(), [&](int p, int e) { return weave.at(p, weave.ends() - 1 - e); });
+  return rowByRow(weave, samePick, [](const Row& row) { return Row(row.rbegin(), row.rend()); });
 }
 
 Weave mirroredPicks(const Weave& weave) {
-  return made(weave.ends(), weave.picks(), [&](int p, int e) { return weave.at(weave.picks() - 1 - p, e); });
+  std::vector<SharedRow> rows;
+  for (int p = weave.picks() - 1; p >= 0; --p) rows.push_back(weave.sharedRow(p));
+  return Weave(std::move(rows));
 }
 
 Weave quarterTurned(const Weave& weave) {
-  return made(weave.picks(), weave.ends(), [&](int p, int e) { return weave.at(e, weave.ends() - 1 - p); });
+  constexpr int kBlock = 64;  // of rows that are written together while what they are read from is at hand
+  std::vector<Row> rows(static_cast<size_t>(weave.ends()), Row(static_cast<size_t>(weave.picks())));
+  for (int first = 0; first < weave.ends(); first += kBlock)
+    for (int p = 0; p < weave.picks(); ++p) {
+      const std::span<const uint8_t> row = weave.row(p);
+      for (int e = first; e < std::min(first + kBlock, weave.ends()); ++e) rows[weave.ends() - 1 - e][p] = row[e];
+    }
+  std::vector<SharedRow> shared;
+  for (Row& row : rows) shared.push_back(std::make_shared<const Row>(std::move(row)));
+  return Weave(std::move(shared));
 }
 
 Weave inverted(const Weave& weave) {
-  return made(weave.ends(), weave.picks(), [&](int p, int e) { return !weave.at(p, e); });
+  return rowByRow(weave, samePick, [](Row row) {
+    for (uint8_t& over : row) over = over ? 0 : 1;
+    return row;
+  });
 }
 
 Weave shifted(const Weave& weave, int ends, int picks) {
-  return made(weave.ends(), weave.picks(), [&](int p, int e) { return weave.warpOver(p - picks, e - ends); });
+  const int along = wrapped(ends, weave.ends());
+  const auto source = [&](int pick) { return wrapped(pick - picks, weave.picks()); };
+  return rowByRow(weave, source, [&](Row row) {
+    std::rotate(row.begin(), row.end() - along, row.end());
+    return row;
+  });
 }
 
 std::string weaveText(const Weave& weave) {

@@ -25,8 +25,9 @@ class DraftReader {
     const WifSection* threading = sections_.find("THREADING");
     const WifSection* treadling = sections_.find("TREADLING");
     const WifSection* liftplan = sections_.find("LIFTPLAN");
-    const bool lifted = liftplan && !liftplan->entries.empty();
     const bool trodden = treadling && !treadling->entries.empty();
+    // An empty liftplan lifts nothing; no treadles at all would raise everything in a sinking shed.
+    const bool lifted = liftplan && (!liftplan->entries.empty() || !trodden);
 
     Draft draft;
     const int ends = threads("WARP", threading, "WARP COLORS");

@@ -114,5 +114,16 @@ TEST(Rewoven, AFabricWithoutADraftGetsNone) {
   EXPECT_FALSE(jacquard.remark.empty());
 }
 
+TEST(Rewoven, ADraftThatNeedsALargerLoomKeepsIt) {
+  const Fabric fabric = drafted(smallestDraft(satin(16, 5)));
+  const Rewoven edited = rewoven(fabric, fabric.weave.with(3, 3, !fabric.weave.at(3, 3)), {8, 8});
+  ASSERT_TRUE(edited.fabric.draft);
+  EXPECT_EQ(drawdown(*edited.fabric.draft), edited.fabric.weave);
+  EXPECT_TRUE(edited.remark.empty()) << edited.remark;
+  const Rewoven larger = rewoven(fabric, satin(17, 5), {8, 8});
+  EXPECT_FALSE(larger.fabric.draft);
+  EXPECT_NE(larger.remark.find("more than 16 shafts"), std::string::npos) << larger.remark;
+}
+
 }  // namespace
 }  // namespace loomlight

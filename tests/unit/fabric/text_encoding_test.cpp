@@ -53,6 +53,11 @@ TEST(TextEncoding, WhatIsNoUtf8IsWindows1252) {
     EXPECT_EQ(decodeText(wrong, "x").encoding, TextEncoding::windows1252);
 }
 
+TEST(TextEncoding, TheFillingAfterATextIsLeftOut) {
+  EXPECT_EQ(decodeText(std::string("1=2\r\n\x1A\0\0\0", 9), "x").text, "1=2\r\n");
+  EXPECT_EQ(decodeText("1=2\x1A", "x").text, "1=2");
+}
+
 TEST(TextEncoding, BinaryIsRefusedByName) {
   try {
     decodeText(std::string("[WIF]\0\x01", 7), "x.wif");

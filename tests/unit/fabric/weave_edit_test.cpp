@@ -65,6 +65,25 @@ TEST(WeaveEdit, ShiftingByTheRepeatChangesNothing) {
   EXPECT_EQ(shifted(motif(), 1, 0).at(0, 1), motif().at(0, 0));
 }
 
+TEST(WeaveEdit, PicksThatStayAreShared) {
+  const Weave ground = twill(3, 1).resized(12, 12);
+  const auto made = [&](const Weave& edited) {
+    int rows = 0;
+    for (int p = 0; p < ground.picks(); ++p) {
+      bool isOld = false;
+      for (int q = 0; q < ground.picks(); ++q) isOld |= edited.sharedRow(p) == ground.sharedRow(q);
+      rows += isOld ? 0 : 1;
+    }
+    return rows;
+  };
+  EXPECT_EQ(made(withPart(ground, 10, 3, inverted(partOf(ground, {10, 3, 4, 2})))), 4);
+  EXPECT_EQ(made(withPart(ground, 2, 5, partOf(ground, {2, 5, 6, 6}))), 0);
+  EXPECT_EQ(made(mirroredPicks(ground)), 0);
+  // Twelve picks of four kinds stay four rows.
+  const Weave other = inverted(ground);
+  EXPECT_EQ(other.sharedRow(1), other.sharedRow(9));
+}
+
 TEST(WeaveText, ComesBack) {
   EXPECT_EQ(weaveText(motif()), ".#.\n..#\n##.\n#..\n");
   EXPECT_EQ(weaveFromText(weaveText(motif())), motif());

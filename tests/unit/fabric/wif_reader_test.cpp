@@ -99,6 +99,14 @@ TEST(WifReader, LiftplanCountsBeforeTreadling) {
   EXPECT_EQ(d.draft.treadling.size(), 6u) << "kept beside it";
 }
 
+TEST(WifReader, AnEmptyLiftplanLiftsNothing) {
+  const std::string text = replaced(replaced(without("TREADLING"), "Rising Shed=true", "Rising Shed=false"), "[NOTES]",
+                                    "[LIFTPLAN]\n[NOTES]");
+  const Weave weave = drawdown(document(text).draft);
+  for (int pick = 0; pick < weave.picks(); ++pick)
+    for (int end = 0; end < weave.ends(); ++end) EXPECT_FALSE(weave.at(pick, end));
+}
+
 TEST(WifReader, RisingShedIsMeantWhereNothingSaysSo) {
   EXPECT_FALSE(document(replaced(twillFile(), "Shed=true", "Shed=no")).draft.risingShed);
   const std::string silent = replaced(twillFile(), "Rising Shed=true\n", "");
@@ -204,7 +212,7 @@ TEST(WifReader, OtherFilesAreRefusedInPlainWords) {
   EXPECT_THAT(refusalOf("[WIF]\nVersion=1.1\n[COLOR TABLE]\n1=1,1,1\n"), HasSubstr("expected a draft"));
   EXPECT_THAT(refusalOf("[WIF]\n[WARP]\n[WEFT]\n"),
               HasSubstr("[WARP] Threads: expected from 1 to 16384 threads, got none"));
-  EXPECT_THAT(refusalOf(std::string("[WIF]\n\0\0\0", 9)), HasSubstr("it is binary"));
+  EXPECT_THAT(refusalOf(std::string("[WIF]\n\0\0x", 9)), HasSubstr("it is binary"));
 }
 
 }  // namespace
