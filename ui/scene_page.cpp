@@ -22,6 +22,7 @@ bool lightRows(Ui& ui, Light& light, InspectorResult& result) {
   bool changed = memberChoice(ui, "light", light, &Light::kind, lightNames(light));
   if (light.kind != before) light = withKind(light, light.kind);
   changed |= memberField(ui, "light", light, &Light::intensity, 2);
+  changed |= memberField(ui, "light", light, &Light::temperature_K, 0);
   const bool aimed = light.kind == LightKind::sky || light.kind == LightKind::directional;
   const bool turns = aimed || light.kind == LightKind::environment || light.kind == LightKind::window ||
                      light.kind == LightKind::booth;

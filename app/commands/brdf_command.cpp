@@ -36,6 +36,7 @@ Fabric patch(const BrdfCommand& command) {
     fabric.light.azimuth_deg = 0;
     fabric.light.elevation_deg = 90 - command.lightAngle_deg.value_or(0);
   }
+  fabric.light.temperature_K = Light{}.temperature_K;  // reflectance is not tinted
   const LightKind kind = fabric.light.kind;
   if (kind != LightKind::directional && kind != LightKind::dome && kind != LightKind::back &&
       kind != LightKind::furnace)

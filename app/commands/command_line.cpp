@@ -77,6 +77,11 @@ void addPictureOptions(CLI::App& app, FabricOptions& options) {
   addValue(app, "--size", "WxH", "pixels",
            [&options](const auto& option, const auto& text) { options.size = parseSize(option, text); });
   addTraceOptions(app, options, "samples per pixel");
+  addValue(app, "--temperature", "K", "colour of the light: 2700 a warm lamp, 6500 as it is, 9000 a blue sky",
+           [&options](const auto& option, const auto& text) {
+             const FieldInfo info = fieldInfo(&Light::temperature_K);
+             options.temperature_K = parseNumber(option, text, info.min, info.max);
+           });
   addValue(app, "--view", "NAME|AZ,EL[,MM]", viewPresetNames() + ", or angles in degrees and a distance",
            [&options](const auto& option, const auto& text) { options.view = parseView(option, text); });
 }

@@ -38,6 +38,7 @@ Fabric withOptions(Fabric fabric, const FabricOptions& options) {
   }
   fabric.drape.uvScale_mm = options.uvScale_mm.value_or(fabric.drape.uvScale_mm);
   if (options.light) applyLight(*options.light, fabric.light);
+  fabric.light.temperature_K = options.temperature_K.value_or(fabric.light.temperature_K);
 
   auto view = options.view;
   if (!view && options.drape) view = ViewChoice{fabric.camera.azimuth_deg, fabric.camera.elevation_deg, {}, {}};

@@ -22,6 +22,7 @@ struct FabricOptions {
   std::optional<double> uvScale_mm;
   std::optional<ViewChoice> view;
   std::optional<LightChoice> light;
+  std::optional<double> temperature_K;  ///< of the light
 };
 
 /// The fabric with these options. Another drape without a view keeps the camera's angle, and moves the camera to see

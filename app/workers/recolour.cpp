@@ -5,6 +5,7 @@
 
 #include "core/base/parallel.h"
 #include "core/fabric/impact.h"
+#include "render/light/spectrum.h"
 #include "render/trace/make_medium.h"
 
 namespace loomlight {
@@ -51,8 +52,10 @@ std::optional<Dye> dyeBetween(const Scene& traced, const Scene& wanted) {
   Fabric between = from;
   for (size_t k = 0; k < to.fibres.size(); ++k) between.fibres[k].absorption_per_mm = to.fibres[k].absorption_per_mm;
   between.light.intensity = to.light.intensity;
+  between.light.temperature_K = to.light.temperature_K;
   if (!impact(between, to).nothing()) return std::nullopt;
-  return Dye{wanted.absorption_per_mm, static_cast<float>(to.light.intensity / from.light.intensity)};
+  const Rgb tint = blackBodyTint(to.light.temperature_K) / blackBodyTint(from.light.temperature_K);
+  return Dye{wanted.absorption_per_mm, static_cast<float>(to.light.intensity / from.light.intensity) * tint};
 }
 
 Recoloured recolour(const Film& film, const PathRecords& records, const Dye& dye, int threads) {

@@ -174,7 +174,7 @@ bool Tracer::recolour(const Request& request) {
   if (!dye) return false;
   request_ = request;
   samplesToBeat_ = 0;
-  if (dye->light == 1 && dye->absorption_per_mm == known->scene().absorption_per_mm) {
+  if (dye->light == Rgb(1) && dye->absorption_per_mm == known->scene().absorption_per_mm) {
     if (dyed_) picture_ = std::exchange(dyed_, std::nullopt);  // back to the colours that it was traced in
     picturePending_ = framed(picture_->frame(true));
   } else {

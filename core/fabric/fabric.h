@@ -80,6 +80,7 @@ enum class LightKind { sky, overcast, window, booth, dome, furnace, back, headli
 struct Light {
   LightKind kind = LightKind::sky;
   double intensity = 1.0;       ///< factor on radiance, 0..1000
+  double temperature_K = 6500;  ///< of the black body that white light is tinted like, 2000..12000; 6500: as it is
   double azimuth_deg = 130.0;   ///< of the sun or the direction, from +x towards +y
   double elevation_deg = 45.0;  ///< -90..90, above the xy-plane; the sky needs > 0
   double turbidity = 3.0;       ///< sky: 2..10 (Preetham 1999)

@@ -98,6 +98,11 @@ struct FieldTable<Light> {
       Field{&Light::kind, {"kind", "Light", "", 0, 0, "What shines on the cloth."}},
       Field{&Light::intensity,
             {"intensity", "Intensity", "×", 0, 1000, "Factor on the brightness of the light.", true}},
+      Field{&Light::temperature_K,
+            {"temperature_k", "Temperature", "K", 2000, 12000,
+             "Colour of the light: 2700 is a warm lamp, 4000 a shop's, 6500 leaves it as it is, 9000 is a blue sky's. "
+             "It changes the colour alone, not the brightness.",
+             true}},
       Field{
           &Light::azimuth_deg,
           {"azimuth_deg", "Azimuth", "°", -360, 360, "Where the sun or the lamp stands, turning left from the right."}},

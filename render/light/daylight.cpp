@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "render/light/lat_long.h"
+#include "render/light/spectrum.h"
 
 namespace loomlight {
 namespace {
@@ -14,24 +15,6 @@ namespace {
 constexpr Rgb kRadiancePerKcd(1 / 29.617f, 1 / 27.586f, 1 / 29.085f);
 constexpr double kGroundAlbedo = 0.2;
 constexpr double kTwilight_deg = 6.0;
-
-/// CIE XYZ to linear Rec. 709 (IEC 61966-2-1). Colours outside of the gamut lose their negative part.
-Rgb toRgb(glm::vec3 xyz) {
-  return glm::max(Rgb(0), Rgb(3.2404542f * xyz.x - 1.5371385f * xyz.y - 0.4985314f * xyz.z,
-                              -0.9692660f * xyz.x + 1.8760108f * xyz.y + 0.0415560f * xyz.z,
-                              0.0556434f * xyz.x - 0.2040259f * xyz.y + 1.0572252f * xyz.z));
-}
-
-/// CIE 1931 colour matching functions as the Gaussians of Wyman, Sloan and Shirley (JCGT 2013).
-glm::dvec3 colourMatching(double nm) {
-  const auto lobe = [nm](double height, double centre, double below, double above) {
-    const double t = (nm - centre) / (nm < centre ? below : above);
-    return height * std::exp(-0.5 * t * t);
-  };
-  return {lobe(1.056, 599.8, 37.9, 31.0) + lobe(0.362, 442.0, 16.0, 26.7) + lobe(-0.065, 501.1, 20.4, 26.2),
-          lobe(0.821, 568.8, 46.9, 40.5) + lobe(0.286, 530.9, 16.3, 31.1),
-          lobe(1.217, 437.0, 11.8, 36.0) + lobe(0.681, 459.0, 26.0, 13.8)};
-}
 
 /// Ozone's absorption, 1/cm, every 20 nm from 380 nm (Preetham 1999, table 2, after Iqbal 1983).
 double ozoneAbsorption(double nm) {
@@ -52,10 +35,6 @@ double transmittance(double nm, double turbidity, double airMass) {
   return std::exp(-(rayleigh + aerosol + ozone) * airMass);
 }
 
-double planck(double nm, double kelvin) {
-  return std::pow(nm, -5) / std::expm1(1.438777e7 / (nm * kelvin));
-}
-
 /// Of the disc, linear Rec. 709, in kcd/m2. The sun outside of the air is a black body of 5778 K that gives 133.3 klx.
 Rgb sunInKcd(double turbidity, double zenithAngle) {
   const double airMass = 1 / (std::cos(zenithAngle) + 0.15 * std::pow(93.885 - zenithAngle * 180 / kPi, -1.253));
@@ -67,7 +46,7 @@ Rgb sunInKcd(double turbidity, double zenithAngle) {
   }
   const double halfAngle = Daylight::sunHalfAngle_deg * kPi / 180;
   const double solidAngle = 4 * kPi * std::pow(std::sin(halfAngle / 2), 2);
-  return toRgb(inside / outside.y * (133.3 / solidAngle));
+  return rgbFromXyz(inside / outside.y * (133.3 / solidAngle));
 }
 
 /// Y in kcd/m2, x, y (Preetham 1999, appendix 2).
@@ -126,7 +105,7 @@ Rgb Daylight::sky(glm::vec3 d) const {
   const float cosGamma = std::clamp(glm::dot(d, glowDirection_), -1.0f, 1.0f);
   const glm::vec3 yxy = scale_ * perez(std::max(d.z, 1e-3f), std::acos(cosGamma), cosGamma);
   const float y = std::max(0.0f, yxy.x) / std::max(yxy.z, 1e-3f);
-  return kRadiancePerKcd * toRgb({yxy.y * y, std::max(0.0f, yxy.x), std::max(0.0f, 1 - yxy.y - yxy.z) * y});
+  return kRadiancePerKcd * rgbFromXyz({yxy.y * y, std::max(0.0f, yxy.x), std::max(0.0f, 1 - yxy.y - yxy.z) * y});
 }
 
 Rgb Daylight::radiance(glm::vec3 d) const {

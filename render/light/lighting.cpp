@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "render/light/lat_long.h"
+#include "render/light/spectrum.h"
 #include "render/light/surroundings.h"
 
 namespace loomlight {
@@ -41,14 +42,24 @@ AnyLight makeLight(const Light& light, glm::vec3 eye_mm, float reach_mm) {
   return UniformLight(0, 0);
 }
 
+Image tinted(Image image, Rgb tint) {
+  constexpr const char* kNames[] = {"R", "G", "B"};
+  for (Image::Channel& channel : image.channels)
+    for (int c = 0; c < 3; ++c)
+      if (channel.name == kNames[c])
+        for (float& value : channel.values) value *= tint[c];
+  return image;
+}
+
 }  // namespace
 
-Lighting::Lighting(const Light& light, glm::vec3 eye_mm, float reach_mm) : light_(makeLight(light, eye_mm, reach_mm)) {}
+Lighting::Lighting(const Light& light, glm::vec3 eye_mm, float reach_mm)
+    : light_(makeLight(light, eye_mm, reach_mm)), tint_(blackBodyTint(light.temperature_K)) {}
 
 Lighting::Lighting(const Light& light, glm::vec3 eye_mm) : Lighting(light, eye_mm, glm::length(eye_mm)) {}
 
 Rgb Lighting::escape(glm::vec3 d) const {
-  return std::visit([&](const auto& light) { return light.escape(d); }, light_);
+  return tint_ * std::visit([&](const auto& light) { return light.escape(d); }, light_);
 }
 
 bool Lighting::wantsSampling() const {
@@ -60,7 +71,9 @@ bool Lighting::isDelta() const {
 }
 
 std::optional<LightSample> Lighting::sample(glm::vec3 p, Random& random) const {
-  return std::visit([&](const auto& light) { return light.sample(p, random); }, light_);
+  auto sample = std::visit([&](const auto& light) { return light.sample(p, random); }, light_);
+  if (sample) sample->radiance *= tint_;
+  return sample;
 }
 
 float Lighting::pdf(glm::vec3 d) const {
@@ -70,7 +83,7 @@ float Lighting::pdf(glm::vec3 d) const {
 Image environmentImage(const Light& light, int width) {
   if (width < 2 || width > 16384 || width % 2 != 0)
     throw InputError(fmt::format("an environment {} pixels wide: expected an even number from 2 to 16384", width));
-  if (light.kind == LightKind::sky) return SkyLight(light).image(width);
+  if (light.kind == LightKind::sky) return tinted(SkyLight(light).image(width), blackBodyTint(light.temperature_K));
 
   const Lighting lighting(light, glm::vec3(0));
   Image image;

@@ -35,6 +35,7 @@ class Lighting {
 
  private:
   std::variant<UniformLight, SkyLight, EnvironmentLight, Headlight, DirectionalLight> light_;
+  Rgb tint_;  ///< of its temperature; directions are chosen without it
 };
 
 /// What escape() sees, as a lat-long image (R, G, B; width x width / 2) that EnvironmentLight reads back with azimuth

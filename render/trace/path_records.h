@@ -22,10 +22,10 @@ class PathLog {
 };
 
 /// What the light of a picture is: the absorption of each material, and what its lamps shine with of what they shone
-/// with when the picture was traced.
+/// with when the picture was traced, channel by channel.
 struct Dye {
   std::vector<Rgb> absorption_per_mm;
-  float light = 1;
+  Rgb light{1};
 };
 
 /// The first samples of every pixel of a picture, uncoloured: how they look in any colours is a matter of exponentials,

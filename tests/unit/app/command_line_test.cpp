@@ -58,7 +58,8 @@ TEST(CommandLine, RenderTakesAllItsOptions) {
                                              "10",           "--estimator",
                                              "report",       "--memory-limit",
                                              "2.5",          "--fibres-extent",
-                                             "repeat"});
+                                             "repeat",       "--temperature",
+                                             "2700"});
   EXPECT_EQ(render.input, "a.json");
   EXPECT_EQ(render.output, "b.exr");
   EXPECT_EQ(render.options.size->width, 64);
@@ -80,6 +81,7 @@ TEST(CommandLine, RenderTakesAllItsOptions) {
   EXPECT_TRUE(render.keepSums);
   EXPECT_EQ(render.resume, "c.exr");
   EXPECT_DOUBLE_EQ(render.options.uvScale_mm.value(), 10);
+  EXPECT_DOUBLE_EQ(withOptions(Fabric{}, render.options).light.temperature_K, 2700);
 }
 
 // A law without the estimator that obeys it would change nothing.

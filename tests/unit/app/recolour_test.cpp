@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "render/light/spectrum.h"
 #include "render/trace/make_medium.h"
 #include "render/trace/path_tracer.h"
 #include "tests/support/test_cloth.h"
@@ -29,7 +30,7 @@ Fabric withColour(Fabric fabric, Rgb absorption_per_mm) {
 }
 
 Dye dyeOf(const Scene& scene) {
-  return {scene.absorption_per_mm, 1};
+  return {scene.absorption_per_mm, Rgb(1)};
 }
 
 /// A picture of a scene, with the paths of some of its samples.
@@ -79,14 +80,15 @@ TEST(DyeBetween, IsKnownForColourAndBrightnessAlone) {
   const auto dye = dyeBetween(*blue, *makeScene(red->fabric, Task{}, blue.get()));
   ASSERT_TRUE(dye);
   EXPECT_EQ(dye->absorption_per_mm[0], Rgb(1, 50, 60));
-  EXPECT_EQ(dye->light, 1);
+  EXPECT_EQ(dye->light, Rgb(1));
 
   const auto after = [&](auto&& edit) {
     Fabric fabric = blueCotton();
     edit(fabric);
     return dyeBetween(*blue, *makeScene(std::make_shared<const Fabric>(std::move(fabric)), Task{}, blue.get()));
   };
-  EXPECT_EQ(after([](Fabric& f) { f.light.intensity *= 3; })->light, 3);
+  EXPECT_EQ(after([](Fabric& f) { f.light.intensity *= 3; })->light, Rgb(3));
+  EXPECT_EQ(after([](Fabric& f) { f.light.temperature_K = 2700; })->light, blackBodyTint(2700));
   EXPECT_TRUE(after([](Fabric& f) { f.name = "other"; }));
   EXPECT_FALSE(after([](Fabric& f) { f.light.turbidity += 1; }));
   EXPECT_FALSE(after([](Fabric& f) { f.camera.distance_mm += 1; }));
@@ -111,16 +113,33 @@ TEST(Recolour, InTheSameColoursIsTheFilm) {
 TEST(Recolour, UnderBrighterLampsIsTheFilmBrighter) {
   const Picture blue(blueCotton(), 16, 800);
   Dye dye = dyeOf(*blue.scene);
-  dye.light = 4;
+  dye.light = Rgb(4);
   const Recoloured bright = recolour(blue.film, blue.records, dye, 1);
   for (int y = 0; y < kSide; ++y)
     for (int x = 0; x < kSide; ++x) EXPECT_LT(glm::length(at(bright, x, y) - 4.0f * blue.film.mean(x, y)), 4e-3f);
 }
 
+// A lamp of another colour: nothing is estimated, whatever the record holds, and the paths would be the same.
+TEST(Recolour, UnderAWarmLampIsThePictureTracedUnderIt) {
+  Fabric warm = blueCotton();
+  warm.light.temperature_K = 2700;
+  const Picture neutral(blueCotton(), 8, 800), traced(warm, 8, 800);
+  const auto dye =
+      dyeBetween(*neutral.scene, *makeScene(std::make_shared<const Fabric>(warm), Task{}, neutral.scene.get()));
+  ASSERT_TRUE(dye);
+  ASSERT_GT(dye->light.r, 2 * dye->light.b);
+  const Recoloured warmed = recolour(neutral.film, neutral.records, *dye, 1);
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x) {
+      const Rgb expected = traced.film.mean(x, y);
+      for (int c = 0; c < 3; ++c) EXPECT_NEAR(at(warmed, x, y)[c], expected[c], 1e-4f * (1 + expected[c]));
+    }
+}
+
 // With all samples on record nothing is estimated: the same paths in the other colours.
 TEST(Recolour, OfPathsAllOnRecordIsExact) {
   const Picture blue(blueCotton(), 4, 1 << 14);
-  const Dye dye{{Rgb(1, 50, 60)}, 1};
+  const Dye dye{{Rgb(1, 50, 60)}, Rgb(1)};
   const Recoloured red = recolour(blue.film, blue.records, dye, 1);
   const auto sums = blue.records.dyed(dye, 1);
   for (int y = 0; y < kSide; ++y)

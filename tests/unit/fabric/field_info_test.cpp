@@ -61,8 +61,8 @@ TEST(FieldTables, CoverEveryMember) {
   EXPECT_EQ(count(Yarn{}), 17);
   [[maybe_unused]] const auto& [d1, d2, d3, d4, d5, d6, du] = Drape{};
   EXPECT_EQ(count(Drape{}), 6);
-  [[maybe_unused]] const auto& [l1, l2, l3, l4, l5, l6, lu] = Light{};
-  EXPECT_EQ(count(Light{}), 6);
+  [[maybe_unused]] const auto& [l1, l2, l3, l4, l5, l6, l7, lu] = Light{};
+  EXPECT_EQ(count(Light{}), 7);
   [[maybe_unused]] const auto& [c1, c2, c3, c4, c5, cu] = Camera{};
   EXPECT_EQ(count(Camera{}), 5);
   [[maybe_unused]] const auto& [r1, r2, r3, r4, r5, r6, r7, r8, r9, ru] = RenderSettings{};

@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "render/light/daylight.h"
 #include "render/light/lat_long.h"
+#include "render/light/spectrum.h"
 
 namespace loomlight {
 namespace {
@@ -40,6 +41,38 @@ TEST(Lighting, IntensityScalesRadianceAndLeavesTheDensityAlone) {
   const Lighting one = make(LightKind::sky), three = make(LightKind::sky, 3);
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(three.escape(d)[c], 3 * one.escape(d)[c], 1e-5f);
   EXPECT_EQ(three.pdf(d), one.pdf(d));
+}
+
+TEST(Lighting, TemperatureTintsWhatArrivesAndLeavesTheDirectionsAlone) {
+  const Rgb warm = blackBodyTint(2700);
+  for (const LightKind kind : {LightKind::sky, LightKind::booth, LightKind::dome, LightKind::headlight}) {
+    Light light;
+    light.kind = kind;
+    const Lighting neutral(light, {0, 0, 60});
+    light.temperature_K = 2700;
+    const Lighting tinted(light, {0, 0, 60});
+    Random one(3), other(3);
+    for (int i = 0; i < 32; ++i) {
+      const auto a = neutral.sample({0, 0, 0}, one), b = tinted.sample({0, 0, 0}, other);
+      ASSERT_EQ(a.has_value(), b.has_value());
+      if (!a) continue;
+      EXPECT_EQ(a->wi, b->wi);
+      EXPECT_EQ(a->pdf, b->pdf);
+      EXPECT_EQ(warm * a->radiance, b->radiance);
+      EXPECT_EQ(warm * neutral.escape(a->wi), tinted.escape(a->wi));
+    }
+  }
+}
+
+TEST(Lighting, EnvironmentImagesAreTinted) {
+  Light light;
+  const Image neutral = environmentImage(light, 16);
+  light.temperature_K = 2700;
+  const Image warm = environmentImage(light, 16);
+  for (int c = 0; c < 3; ++c) {
+    const auto channel = static_cast<size_t>(c);
+    EXPECT_FLOAT_EQ(warm.channels[channel].values[20], blackBodyTint(2700)[c] * neutral.channels[channel].values[20]);
+  }
 }
 
 TEST(Lighting, NothingArrivesFromADarkLight) {

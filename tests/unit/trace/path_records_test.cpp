@@ -69,7 +69,7 @@ TEST(PathRecords, RecolouredIsWhatTheSamePathsTracedInTheNewColoursBring) {
       const Traced first(*scene, *medium, kPlenty);
       const Scene other = dyed(*scene);
       const Traced second(other, *medium, kPlenty);
-      const auto recoloured = first.records.dyed({other.absorption_per_mm, 1}, 2);
+      const auto recoloured = first.records.dyed({other.absorption_per_mm, Rgb(1)}, 2);
       double change = 0;
       for (int y = 0; y < kSide; ++y)
         for (int x = 0; x < kSide; ++x) {
@@ -87,7 +87,7 @@ TEST(PathRecords, InItsOwnColoursIsTheFilm) {
   const auto scene = test::sceneOf(twoDyes(LightKind::sky));
   const auto medium = makeMedium(*scene, 1e9, Task{});
   const Traced traced(*scene, *medium, kPlenty);
-  const auto same = traced.records.dyed({scene->absorption_per_mm, 1}, 1);
+  const auto same = traced.records.dyed({scene->absorption_per_mm, Rgb(1)}, 1);
   const auto half = traced.records.dyed({scene->absorption_per_mm, 0.5f}, 1);
   for (int y = 0; y < kSide; ++y)
     for (int x = 0; x < kSide; ++x) {
@@ -108,7 +108,7 @@ TEST(PathRecords, WithLittleRoomKeepTheFirstSamplesOfAllPixelsAlike) {
   const uint32_t kept = traced.records.samples(0, 0);
   ASSERT_GT(kept, 0u);
   ASSERT_LT(kept, kSamples);
-  const auto picture = traced.records.dyed({scene->absorption_per_mm, 1}, 1);
+  const auto picture = traced.records.dyed({scene->absorption_per_mm, Rgb(1)}, 1);
   const CameraRays camera(scene->fabric->camera, kSide, kSide);
   TraceCounts counts;
   for (int y = 0; y < kSide; ++y)
@@ -137,7 +137,7 @@ TEST(PathRecords, OfAPictureContinuedAreThoseOfOneRun) {
   const Traced whole(*scene, *medium, kPlenty);
   Traced parts(kPlenty);
   for (const uint32_t samples : {1u, 4u, kSamples}) parts.bringTo(samples, *scene, *medium);
-  const Dye dye{{Rgb(3), Rgb(70)}, 1};
+  const Dye dye{{Rgb(3), Rgb(70)}, Rgb(1)};
   const auto a = parts.records.dyed(dye, 1), b = whole.records.dyed(dye, 2);
   for (size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i].dyed, b[i].dyed);
 }
