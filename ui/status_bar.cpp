@@ -49,7 +49,8 @@ void statusBar(Ui& ui, const StatusModel& model) {
   }
   if (!model.background.empty())
     figure(ui, "status.background", width - ui.px(434), model.background,
-           "How often light is stopped within the yarns is measured in the background, to be used once it is known.",
+           "How often light is stopped within the yarns is measured in the background, to be used once it is known. "
+           "Until then it is lent by the most similar yarns that have been measured before.",
            quiet);
   figure(ui, "status.work", width - ui.px(314), model.work, "What the workers behind the picture are doing.", quiet);
   figure(ui, "status.samples", width - ui.px(150),

@@ -241,7 +241,8 @@ StatusModel Session::statusModel(const Insight* insight, const LiveStatus& statu
     model.samples = shownFrame_->samples;
     model.seconds = shownFrame_->seconds;
   }
-  if (baking.baking) model.background = fmt::format("visibility {:3.0f} %", 100 * baking.progress);
+  if (baking.baking)
+    model.background = fmt::format("{} {:3.0f} %", baking.borrowing ? "borrowed" : "visibility", 100 * baking.progress);
   switch (status.phase) {
     case LiveStatus::Phase::idle:
       model.work = "waiting";

@@ -21,7 +21,7 @@ std::shared_ptr<const BvdfSet> numberedFor(const Fabric& fabric, const std::shar
 }  // namespace
 
 VisibilityWorker::VisibilityWorker(std::function<void()> wake, BvdfOptions options, BvdfCache cache)
-    : wake_(std::move(wake)), options_(options), cache_(std::move(cache)) {
+    : wake_(std::move(wake)), options_(options), cache_(std::move(cache)), known_(cache_) {
   thread_ = std::jthread([this](std::stop_token stop) {
     lowerPriorityOfThisThread();
     loop(stop);
@@ -72,7 +72,7 @@ void VisibilityWorker::loop(std::stop_token stop) {
       fulfil(std::move(*wish));
     } catch (const std::exception& e) {
       recipe_.clear();
-      setStatus({false, 0, e.what()});
+      setStatus({false, false, 0, e.what()});
     }
   }
 }
@@ -106,7 +106,10 @@ void VisibilityWorker::bake(std::shared_ptr<const Fabric> fabric, std::stop_toke
   recipe_ = std::move(recipe);
   ++bake_;
   interrupted_ = true;
-  setStatus({true, 0, ""});
+  const std::shared_ptr<const BvdfSet> prior = cache_.has(recipe_) ? nullptr : known_.nearest(recipe_);
+  const bool borrowing = prior != nullptr;
+  setStatus({true, borrowing, 0, ""});
+  if (prior) publish(numberedFor(*fabric, prior), false);
 
   std::stop_source stop;
   const std::stop_callback withThread(ending_, [&stop] { stop.request_stop(); });
@@ -115,9 +118,11 @@ void VisibilityWorker::bake(std::shared_ptr<const Fabric> fabric, std::stop_toke
   task.stop = stop.get_token();
   task.threads = 1;
   int percent = 0;
+  double progress = 0;
   task.progress = [&](double fraction) {
+    progress = fraction;
     const int now = static_cast<int>(100 * fraction);
-    if (std::exchange(percent, now) != now) setStatus({true, fraction, ""});
+    if (std::exchange(percent, now) != now) setStatus({true, borrowing, fraction, ""});
   };
   Stopwatch sincePicture;
   double waited_s = kBetweenPictures_s;  // the first at once
@@ -132,10 +137,14 @@ void VisibilityWorker::bake(std::shared_ptr<const Fabric> fabric, std::stop_toke
     waited_s += sincePicture.lap();
     if (waited_s < kBetweenPictures_s) return;
     waited_s = 0;
-    publish(numberedFor(*wish_.fabric, baker.tables()), false);
+    const auto own = baker.tables();
+    publish(numberedFor(*wish_.fabric, prior ? drawnTowards(*own, *prior, progress) : own), false);
   });
   interrupted_ = !set;
-  if (set) publish(numberedFor(*wish_.fabric, set), true);
+  if (set) {
+    known_.keep(recipe_, set);
+    publish(numberedFor(*wish_.fabric, set), true);
+  }
   setStatus({});
 }
 

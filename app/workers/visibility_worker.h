@@ -11,6 +11,7 @@
 #include "core/base/stopwatch.h"
 #include "render/film/image.h"
 #include "render/trace/bvdf_baker.h"
+#include "render/trace/known_bvdfs.h"
 
 namespace loomlight {
 
@@ -24,13 +25,16 @@ struct BakedVisibility {
 };
 
 /// Bakes the tables of local visibility of the newest fabric on a thread of its own, at low priority, and shows them as
-/// they become better; what a fabric has been baked for once comes from the cache. No call here waits.
+/// they become better; what a fabric has been baked for once comes from the cache. Until its own are good, the tables
+/// of the yarns most like its own that have been baked before stand in; they leave no trace in the finished ones. No
+/// call here waits.
 class VisibilityWorker {
  public:
   static constexpr int kPictureColumns = 4;
 
   struct Status {
     bool baking = false;
+    bool borrowing = false;  ///< baking, and similar yarns stand in
     double progress = 0;
     std::string error;
   };
@@ -59,6 +63,7 @@ class VisibilityWorker {
   std::function<void()> wake_;
   BvdfOptions options_;
   BvdfCache cache_;
+  KnownBvdfs known_;  ///< the thread's own
   Mailbox<Wish> wishes_;
   mutable std::mutex mutex_;
   std::stop_source stop_;  ///< of all wishes since the last for nothing

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <string_view>
 
 #include "core/base/error.h"
@@ -134,11 +135,15 @@ fs::path BvdfCache::fileOf(const std::string& recipe) const {
   return folder_ / fmt::format("{:016x}{}", checksum(recipe), kExtension);
 }
 
+bool BvdfCache::has(const std::string& recipe) const {
+  std::error_code ignored;
+  return !folder_.empty() && fs::is_regular_file(fileOf(recipe), ignored);
+}
+
 std::optional<BvdfSet> BvdfCache::find(const std::string& recipe) const {
-  if (folder_.empty()) return std::nullopt;
+  if (!has(recipe)) return std::nullopt;
   const fs::path file = fileOf(recipe);
   std::error_code ignored;
-  if (!fs::is_regular_file(file, ignored)) return std::nullopt;
   try {
     auto set = decode(readFile(file.string(), kMaxFileBytes), recipe);
     if (set) fs::last_write_time(file, fs::file_time_type::clock::now(), ignored);  // used: not the next to go
@@ -162,28 +167,45 @@ void BvdfCache::keep(const std::string& recipe, const BvdfSet& set) const {
   prune(fileOf(recipe));
 }
 
-void BvdfCache::prune(const fs::path& justWritten) const {
-  struct Entry {
-    fs::file_time_type used;
-    fs::path file;
-    uintmax_t bytes;
-  };
+std::vector<BvdfCache::Entry> BvdfCache::entries() const {
   std::vector<Entry> entries;
-  uintmax_t total = 0;
   std::error_code error;
   for (fs::directory_iterator i(folder_, error), end; !error && i != end; i.increment(error)) {
     std::error_code gone;  // another program may prune as well
     if (i->path().extension() != kExtension) continue;
-    const Entry entry{i->last_write_time(gone), i->path(), i->file_size(gone)};
-    if (gone) continue;
-    total += entry.bytes;
-    if (entry.file != justWritten) entries.push_back(entry);
+    Entry entry{i->last_write_time(gone), i->path(), i->file_size(gone)};
+    if (!gone) entries.push_back(std::move(entry));
   }
-  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.used < b.used; });
-  for (const Entry& entry : entries) {
-    if (total <= maxBytes_) return;
-    if (fs::remove(entry.file, error)) total -= entry.bytes;
+  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.used > b.used; });
+  return entries;
+}
+
+void BvdfCache::prune(const fs::path& justWritten) const {
+  std::vector<Entry> all = entries();
+  uintmax_t total = 0;
+  for (const Entry& entry : all) total += entry.bytes;
+  for (; total > maxBytes_ && !all.empty(); all.pop_back()) {
+    std::error_code error;
+    if (all.back().file != justWritten && fs::remove(all.back().file, error)) total -= all.back().bytes;
   }
+}
+
+std::vector<std::string> BvdfCache::recipes(size_t most) const {
+  constexpr uint64_t kMaxRecipeBytes = uint64_t{1} << 22;
+  std::vector<std::string> recipes;
+  if (folder_.empty()) return recipes;
+  for (const Entry& entry : entries()) {
+    if (recipes.size() == most) break;
+    std::ifstream file(entry.file, std::ios::binary);
+    std::string magic(kMagic.size(), ' ');
+    uint64_t size = 0;
+    file.read(magic.data(), static_cast<std::streamsize>(magic.size()));
+    file.read(reinterpret_cast<char*>(&size), sizeof(size));
+    if (!file || magic != kMagic || size > std::min<uint64_t>(entry.bytes, kMaxRecipeBytes)) continue;
+    std::string recipe(size, ' ');
+    if (file.read(recipe.data(), static_cast<std::streamsize>(size))) recipes.push_back(std::move(recipe));
+  }
+  return recipes;
 }
 
 }  // namespace loomlight

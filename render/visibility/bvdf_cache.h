@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "render/visibility/bvdf_set.h"
 
@@ -27,10 +29,20 @@ class BvdfCache {
   /// Tables and rays; which yarn has which table is the caller's affair.
   std::optional<BvdfSet> find(const std::string& recipe) const;
   void keep(const std::string& recipe, const BvdfSet& set) const;
+  /// The recipes of the tables that were used last, newest first, `most` of them. A file that is damaged may be there.
+  std::vector<std::string> recipes(size_t most) const;
+  /// Whether there is a file for the recipe; what is in it, find() tells.
+  bool has(const std::string& recipe) const;
   /// Where the tables of a recipe are kept.
   std::filesystem::path fileOf(const std::string& recipe) const;
 
  private:
+  struct Entry {
+    std::filesystem::file_time_type used;
+    std::filesystem::path file;
+    uintmax_t bytes = 0;
+  };
+  std::vector<Entry> entries() const;  ///< those used last come first
   void prune(const std::filesystem::path& justWritten) const;
 
   std::filesystem::path folder_;

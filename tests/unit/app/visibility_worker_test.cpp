@@ -104,5 +104,34 @@ TEST(VisibilityWorker, StopsWhenNothingIsWantedAndKeepsWhatWasBaked) {
   EXPECT_TRUE(worker.newest()->finished) << "out of the cache";
 }
 
+TEST(VisibilityWorker, LendsTheTablesOfTheMostSimilarYarnsAndEndsOnItsOwn) {
+  const test::ScratchFolder folder;
+  for (const bool fromDisk : {false, true}) {
+    SCOPED_TRACE(fromDisk);
+    const BvdfCache cache(fromDisk ? std::filesystem::path(folder.file("")) : std::filesystem::path());
+    Window window;
+    uint64_t bakes = 0;
+    auto worker = std::make_unique<VisibilityWorker>(window.waker(), kFew, cache);
+    for (const double count_tex : {60.0, 20.0}) {
+      worker->request(twoYarns(count_tex), 0);
+      ++bakes;
+      ASSERT_TRUE(window.waitFor([&] { return finished(*worker) && worker->newest()->bake == bakes; }));
+    }
+    if (fromDisk) worker = std::make_unique<VisibilityWorker>(window.waker(), kFew, cache);
+    const uint64_t before = worker->newest() ? worker->newest()->bake : 0;
+    std::shared_ptr<const BakedVisibility> first;
+    worker->request(twoYarns(22), 0);
+    ASSERT_TRUE(window.waitFor([&] {
+      const auto newest = worker->newest();
+      if (!first && newest && newest->bake > before) first = newest;
+      return first && finished(*worker);
+    }));
+    EXPECT_FALSE(first->finished);
+    const auto straight = bakeBvdf(*twoYarns(22), kFew, kNoCache, Task{});
+    for (size_t i = 0; i < 2; ++i)
+      EXPECT_TRUE(sameRatios(straight->tables[i], worker->newest()->tables->tables[i])) << "no trace of what was lent";
+  }
+}
+
 }  // namespace
 }  // namespace loomlight
