@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "render/film/film.h"
@@ -12,14 +13,17 @@ namespace loomlight {
 /// than the window: show them stretched over it.
 struct Frame {
   int width = 0, height = 0;
-  std::vector<glm::vec4> rgba;  ///< linear, premultiplied by alpha; row by row from the top left
-  std::vector<Film::Hit> hits;  ///< yarn and crossing per pixel; -1 where there is no cloth. Empty in the lens
-  PixelRect window;             ///< what it covers of the viewport
-  uint64_t generation = 0;      ///< of the request it answers
-  int samples = 0;              ///< that every pixel has at least; 0 for a coarse pass
-  int divider = 1;              ///< of the resolution
-  double seconds = 0;           ///< since this picture was begun
-  bool recoloured = false;      ///< made from paths that were traced in other colours; it is being traced anew
+  std::vector<glm::vec4> rgba;      ///< linear, premultiplied by alpha; row by row from the top left
+  std::vector<glm::vec4> denoised;  ///< the same for the display alone, with less noise; empty where not asked for
+  std::vector<Film::Hit> hits;      ///< yarn and crossing per pixel; -1 where there is no cloth. Empty in the lens
+  PixelRect window;                 ///< what it covers of the viewport
+  uint64_t generation = 0;          ///< of the request it answers
+  int samples = 0;                  ///< that every pixel has at least; 0 for a coarse pass
+  int divider = 1;                  ///< of the resolution
+  double seconds = 0;               ///< since this picture was begun
+  bool recoloured = false;          ///< made from paths that were traced in other colours; it is being traced anew
+
+  std::span<const glm::vec4> shown() const { return denoised.empty() ? rgba : denoised; }
 };
 
 }  // namespace loomlight

@@ -281,6 +281,10 @@ LiveStatus LiveRenderer::status() const {
   return status;
 }
 
+void LiveRenderer::denoise(bool wanted) {
+  workers_->tracer.denoise(wanted);
+}
+
 void LiveRenderer::pause(bool paused) {
   workers_->tracer.pause(paused);
 }

@@ -8,16 +8,15 @@ namespace {
 constexpr double kFirstPictureSeconds = 0.025;  // with all else, a frame or two of a film
 constexpr double kShortestPassSeconds = 0.1;
 constexpr double kLongestPassSeconds = 1.0;
-constexpr int kCoarsest = 32;
 
 double pathsAt(const PassHistory& h, int divider) {
   return static_cast<double>((h.width + divider - 1) / divider) * ((h.height + divider - 1) / divider);
 }
 
 int firstDivider(const PassHistory& h) {
-  if (h.secondsPerPath <= 0) return 8;
+  if (h.secondsPerPath <= 0) return std::min(8, h.coarsest);
   int divider = 1;
-  while (divider < kCoarsest && pathsAt(h, divider) * h.secondsPerPath > kFirstPictureSeconds) ++divider;
+  while (divider < h.coarsest && pathsAt(h, divider) * h.secondsPerPath > kFirstPictureSeconds) ++divider;
   return divider;
 }
 

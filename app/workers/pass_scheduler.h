@@ -18,6 +18,7 @@ struct PassHistory {
   int divider = 0;            ///< of the last pass; 0: none yet
   uint32_t samples = 0;       ///< at full resolution
   double seconds = 0;         ///< since the restart
+  int coarsest = 32;          ///< divider that the first pass has at most
 };
 
 /// Coarse and quick first, then finer, then more samples in passes that grow longer as the picture grows older. Pure.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/workers/denoise.h"
 #include "app/workers/despeckle.h"
 #include "app/workers/recolour.h"
 
@@ -95,10 +96,30 @@ void Refinement::finish(Frame& frame) const {
   frame.samples = history_.divider == 1 ? static_cast<int>(history_.samples) : 0;
   frame.divider = history_.divider;
   frame.seconds = secondsSince(start_);
+  if (denoisingThreads_ > 0 && !frame.hits.empty()) takeNoise(frame);
   // One lucky path to the sun must not stand as a block in a coarse picture; it fades as samples come.
   const uint32_t samples = std::max(1u, history_.samples);
   if (samples < kClearSamples) despeckle(frame.rgba, frame.width, frame.height, 1.5f + static_cast<float>(samples));
   if (frame.divider > 1 && !fineBegun_) soften(frame.rgba, frame.width, frame.height);
+}
+
+/// Of all the light that was traced: what stands out is spread here, where despeckle() would take it away.
+void Refinement::takeNoise(Frame& frame) const {
+  const auto luminance = [](Rgb c) { return 0.2126f * c.r + 0.7152f * c.g + 0.0722f * c.b; };
+  std::vector<float> variances;
+  const bool fine = history_.divider == 1 || fineBegun_;
+  if (fine && history_.samples > 1) {
+    variances.reserve(frame.rgba.size());
+    for (int y = window_.y; y < window_.y + window_.height; ++y)
+      for (int x = window_.x; x < window_.x + window_.width; ++x) {
+        // In other colours noise is in proportion.
+        const float shown = luminance(Rgb(frame.rgba[variances.size()])), traced = luminance(fine_.mean(x, y));
+        const float scale = traced > 0 ? shown / traced : 1.0f;
+        variances.push_back(scale * scale * fine_.variance(x, y));
+      }
+  }
+  frame.denoised = frame.rgba;
+  loomlight::denoise(frame.denoised, {frame.hits, variances}, frame.width, frame.height, denoisingThreads_);
 }
 
 Frame Refinement::frame(bool withHits) const {

@@ -28,8 +28,12 @@ class Refinement {
   Refinement(Traceable cloth, int width, int height, double secondsPerPath);
 
   void look(const PixelRect& window);  ///< within the film
+  /// Begins no coarser than this: where the old picture says more than a coarser one, and can wait.
+  void beginAt(int divider) { history_.coarsest = divider; }
   /// Begins at full resolution: for a picture that nobody sees before it has many samples.
   void skipCoarse() { history_.divider = 1; }
+  /// Whether frames with hits have a copy with less noise for the display, made by so many threads; 0: they have not.
+  void denoise(int threads) { denoisingThreads_ = threads; }
   /// From now on keeps what recolouring needs, within so many bytes. Before the first pass.
   void keepPaths(size_t bytes);
 
@@ -59,6 +63,7 @@ class Refinement {
   Frame coarseFrame(bool withHits) const;
   Frame fineFrame(bool withHits) const;
   void finish(Frame& frame) const;
+  void takeNoise(Frame& frame) const;
 
   Traceable cloth_;
   Film fine_;
@@ -66,6 +71,7 @@ class Refinement {
   std::unique_ptr<PathRecords> records_;  ///< of fine_; null where none are kept
   std::optional<Film> coarse_;            ///< of a 1/coarseDivider_ of the resolution
   int coarseDivider_ = 0;
+  int denoisingThreads_ = 0;
   PixelRect window_;
   PassHistory history_;
   Clock::time_point start_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <exception>
 
+#include "app/workers/patch.h"
 #include "app/workers/recolour.h"
 #include "render/trace/make_medium.h"
 
@@ -62,6 +63,12 @@ void Tracer::pause(bool paused) {
   interrupt();
 }
 
+void Tracer::denoise(bool wanted) {
+  std::lock_guard lock(mutex_);
+  news_.denoise = wanted;
+  interrupt();
+}
+
 std::shared_ptr<const Frame> Tracer::frame() const {
   std::lock_guard lock(mutex_);
   return frame_;
@@ -101,6 +108,7 @@ void Tracer::loop(std::stop_token stop) {
 void Tracer::giveUp(const std::string& reason) {
   picture_.reset();
   dyed_.reset();
+  clear_.reset();
   lens_.reset();
   {
     std::lock_guard lock(mutex_);
@@ -133,6 +141,7 @@ Contender Tracer::contender(const std::optional<Refinement>& refinement, double 
 void Tracer::take(News news) {
   if (news.fibres) fibres_ = std::move(*news.fibres);
   if (news.lens) lensWindow_ = *news.lens;
+  if (news.denoise) changeDenoising(*news.denoise);
   if (news.request) begin(std::move(*news.request));
   if (news.request || news.fibres || news.lens) openLens();
 }
@@ -145,6 +154,7 @@ void Tracer::begin(Request request) {
   samplesToBeat_ = better ? std::max(samplesToBeat_, picture_->samples()) : 0;
   const bool seenFine = better && samplesToBeat_ > 0;
   const double secondsPerPath = picture_ ? picture_->secondsPerPath() : 0;
+  if (clear_ && !(sameSize && differInCrossings(*clearFabric_, *request.cloth.scene->fabric))) clear_.reset();
   request_ = std::move(request);
   picturePending_.reset();
   dyed_.reset();
@@ -152,8 +162,9 @@ void Tracer::begin(Request request) {
     picture_.reset();
     return;
   }
-  picture_.emplace(request_.cloth, request_.width, request_.height, secondsPerPath);
-  picture_->keepPaths(kPathBytes);
+  beginPicture(secondsPerPath);
+  constexpr int kLegible = 8;
+  if (sameSize && sameView(*request_.cloth.scene->fabric)) picture_->beginAt(kLegible);
   if (seenFine) picture_->skipCoarse();
   spentBeforeLens_s_ = 0;
   if (!better) {  // the lens is of another scene; openLens() makes a new one where the same fibres serve
@@ -174,6 +185,7 @@ bool Tracer::recolour(const Request& request) {
   if (!dye) return false;
   request_ = request;
   samplesToBeat_ = 0;
+  clear_.reset();
   if (dye->light == Rgb(1) && dye->absorption_per_mm == known->scene().absorption_per_mm) {
     if (dyed_) picture_ = std::exchange(dyed_, std::nullopt);  // back to the colours that it was traced in
     picturePending_ = framed(picture_->frame(true));
@@ -181,8 +193,7 @@ bool Tracer::recolour(const Request& request) {
     const double secondsPerPath = known->secondsPerPath();
     if (!dyed_) dyed_ = std::exchange(picture_, std::nullopt);
     picturePending_ = framed(dyed_->recoloured(*dye, threads_, varianceToBeat_));
-    picture_.emplace(request_.cloth, request_.width, request_.height, secondsPerPath);
-    picture_->keepPaths(kPathBytes);
+    beginPicture(secondsPerPath);
     picture_->skipCoarse();
   }
   spentBeforeLens_s_ = 0;
@@ -190,6 +201,32 @@ bool Tracer::recolour(const Request& request) {
   difference_.reset();
   publish();
   return true;
+}
+
+void Tracer::beginPicture(double secondsPerPath) {
+  picture_.emplace(request_.cloth, request_.width, request_.height, secondsPerPath);
+  picture_->keepPaths(kPathBytes);
+  picture_->denoise(denoised_ ? threads_ : 0);
+}
+
+/// Shows what there is otherwise, at once; a picture that stands in for a better one stays as it is until that comes.
+void Tracer::changeDenoising(bool wanted) {
+  denoised_ = wanted;
+  for (auto* picture : {&picture_, &dyed_})
+    if (*picture) (*picture)->denoise(wanted ? threads_ : 0);
+  if (!picture_) return;
+  if (dyed_) {
+    const auto dye = dyeBetween(dyed_->scene(), picture_->scene());
+    picturePending_ = framed(dyed_->recoloured(*dye, threads_, varianceToBeat_));
+  } else if (picture_->begun() && worthShowing()) {
+    showPicture();
+  }
+  publish();
+}
+
+/// Whether the clear picture was seen from the same place.
+bool Tracer::sameView(const Fabric& fabric) const {
+  return clearFabric_ && clearFabric_->camera == fabric.camera && clearFabric_->drape == fabric.drape;
 }
 
 std::shared_ptr<Frame> Tracer::framed(Frame frame) const {
@@ -249,10 +286,23 @@ void Tracer::tracePicture() {
     samplesToBeat_ = 0;
     dyed_.reset();
     lookForDifference();
-    picturePending_ = framed(picture_->frame(true));
+    showPicture();
   }
   // The lens follows a moving camera together with the picture around it.
   if (!lens_ || lens_->begun()) publish();
+}
+
+void Tracer::showPicture() {
+  constexpr int kClear = 16;  // samples from which on a picture needs no help
+  Frame frame = picture_->frame(true);
+  if (clear_ && frame.samples < std::min(clear_->samples, kClear)) {
+    picturePending_ = framed(patched(std::move(frame), *clear_));
+    return;
+  }
+  picturePending_ = framed(std::move(frame));
+  if (picturePending_->samples == 0) return;
+  clear_ = picturePending_;
+  clearFabric_ = request_.cloth.scene->fabric;
 }
 
 /// Whether the picture is no worse than the one that stands in for it.

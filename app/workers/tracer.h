@@ -51,6 +51,8 @@ class Tracer {
   /// What the lens looks at; null pointers: nothing yet. Used with every scene of the same cloth.
   void fibres(Traceable laid);
   void pause(bool paused);  ///< the picture stays
+  /// Whether frames have a copy with less noise for the display. The lens has none: it is there for the truth.
+  void denoise(bool wanted);
 
   std::shared_ptr<const Frame> frame() const;
   std::shared_ptr<const LensFrame> lensFrame() const;  ///< null while there is nothing to show in it
@@ -62,7 +64,8 @@ class Tracer {
     std::optional<Request> request;
     std::optional<std::optional<PixelRect>> lens;
     std::optional<Traceable> fibres;
-    bool empty() const { return !request && !lens && !fibres; }
+    std::optional<bool> denoise;
+    bool empty() const { return !request && !lens && !fibres && !denoise; }
   };
 
   void loop(std::stop_token stop);
@@ -70,8 +73,12 @@ class Tracer {
   void take(News news);
   void begin(Request request);
   bool recolour(const Request& request);
+  void beginPicture(double secondsPerPath);
+  bool sameView(const Fabric& fabric) const;
+  void changeDenoising(bool wanted);
   bool worthShowing() const;
   std::shared_ptr<Frame> framed(Frame frame) const;
+  void showPicture();
   void openLens();
   void tracePicture();
   void traceLens();
@@ -101,11 +108,15 @@ class Tracer {
   std::optional<Refinement> picture_, lens_;
   std::optional<PixelRect> lensWindow_;
   Traceable fibres_;
-  std::optional<Refinement> dyed_;               ///< the old picture, shown in other colours until picture_ is as good
-  double varianceToBeat_ = 0;                    ///< of it
-  uint32_t samplesToBeat_ = 0;                   ///< of the old picture, which stays until then
-  double spentBeforeLens_s_ = 0;                 ///< on the picture, before the lens was opened
-  double lensSecondsPerPath_ = 0;                ///< of the last lens
+  bool denoised_ = false;
+  std::optional<Refinement> dyed_;  ///< the old picture, shown in other colours until picture_ is as good
+  double varianceToBeat_ = 0;       ///< of it
+  uint32_t samplesToBeat_ = 0;      ///< of the old picture, which stays until then
+  double spentBeforeLens_s_ = 0;    ///< on the picture, before the lens was opened
+  double lensSecondsPerPath_ = 0;   ///< of the last lens
+  /// The last picture with samples at full resolution, and of what: while crossings alone change, its pixels stand in.
+  std::shared_ptr<const Frame> clear_;
+  std::shared_ptr<const Fabric> clearFabric_;
   std::shared_ptr<const Frame> picturePending_;  ///< traced, not shown yet
   std::shared_ptr<const Frame> lensPending_;
   std::shared_ptr<const Difference> difference_;

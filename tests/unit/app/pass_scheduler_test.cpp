@@ -37,6 +37,13 @@ TEST(PassScheduler, FirstPictureIsQuick) {
   }
 }
 
+TEST(PassScheduler, BeginsNoCoarserThanIsLegible) {
+  PassHistory slow{800, 600, 1e-3};
+  EXPECT_GT(nextPass(slow, 64).divider, 8);
+  slow.coarsest = 8;
+  EXPECT_EQ(nextPass(slow, 64), (PassPlan{8, 1}));
+}
+
 TEST(PassScheduler, RefinesStepByStepAndStops) {
   const auto plans = play(800, 600, 5e-6, 256, false);
   ASSERT_FALSE(plans.empty());

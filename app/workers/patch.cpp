@@ -1,0 +1,88 @@
+#include "app/workers/patch.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/fabric/impact.h"
+
+namespace loomlight {
+namespace {
+
+bool sameThread(const Film::Hit& a, const Film::Hit& b) {
+  return a.yarn == b.yarn && a.end == b.end && a.pick == b.pick;
+}
+
+/// For each pixel of the new picture, whether the old one shows nothing like it there: about the same pixels, as a
+/// sample may lie anywhere in a coarse one and the next thread may have moved a little.
+std::vector<bool> changes(const Frame& fresh, const Frame& old) {
+  const int size = fresh.divider, around = std::max(1, size / 4);
+  std::vector<bool> changed(fresh.hits.size(), true);
+  for (int y = 0; y < fresh.height; ++y)
+    for (int x = 0; x < fresh.width; ++x) {
+      const size_t i = static_cast<size_t>(y) * static_cast<size_t>(fresh.width) + static_cast<size_t>(x);
+      const int right = std::min(old.width, (x + 1) * size + around), left = std::max(0, x * size - around);
+      for (int v = std::max(0, y * size - around); v < std::min(old.height, (y + 1) * size + around); ++v) {
+        const Film::Hit* row = &old.hits[static_cast<size_t>(v) * static_cast<size_t>(old.width)];
+        if (std::none_of(row + left, row + right, [&](const Film::Hit& h) { return sameThread(h, fresh.hits[i]); }))
+          continue;
+        changed[i] = false;
+        break;
+      }
+    }
+  return changed;
+}
+
+/// The place between two pixels of a coarse picture, along one axis.
+struct Between {
+  int first, second;
+  float share;
+  Between(int fine, int divider, int count) {
+    const float place = (static_cast<float>(fine) + 0.5f) / static_cast<float>(divider) - 0.5f,
+                whole = std::floor(place);
+    first = std::clamp(static_cast<int>(whole), 0, count - 1);
+    second = std::clamp(static_cast<int>(whole) + 1, 0, count - 1);
+    share = place - whole;
+  }
+};
+
+/// As the display stretches it.
+glm::vec4 stretched(const std::vector<glm::vec4>& picture, int width, const Between& x, const Between& y) {
+  const auto at = [&](int u, int v) { return picture[static_cast<size_t>(v) * static_cast<size_t>(width) + u]; };
+  return glm::mix(glm::mix(at(x.first, y.first), at(x.second, y.first), x.share),
+                  glm::mix(at(x.first, y.second), at(x.second, y.second), x.share), y.share);
+}
+
+}  // namespace
+
+bool differInCrossings(const Fabric& before, const Fabric& after) {
+  if (before.weave.ends() != after.weave.ends() || before.weave.picks() != after.weave.picks()) return false;
+  Fabric between = before;
+  between.weave = after.weave;
+  between.draft = after.draft;
+  return impact(between, after).nothing();
+}
+
+Frame patched(Frame fresh, const Frame& old) {
+  const std::vector<bool> changed = changes(fresh, old);
+  Frame whole = old;
+  whole.generation = fresh.generation;
+  whole.samples = fresh.samples;
+  whole.seconds = fresh.seconds;
+  whole.recoloured = false;
+  const bool denoised = !fresh.denoised.empty() && !old.denoised.empty();
+  if (!denoised) whole.denoised.clear();
+  for (int y = 0; y < old.height; ++y)
+    for (int x = 0; x < old.width; ++x) {
+      const size_t coarse = static_cast<size_t>(y / fresh.divider) * static_cast<size_t>(fresh.width) +
+                            static_cast<size_t>(x / fresh.divider);
+      if (!changed[coarse]) continue;
+      const size_t i = static_cast<size_t>(y) * static_cast<size_t>(old.width) + static_cast<size_t>(x);
+      const Between u(x, fresh.divider, fresh.width), v(y, fresh.divider, fresh.height);
+      whole.rgba[i] = stretched(fresh.rgba, fresh.width, u, v);
+      if (denoised) whole.denoised[i] = stretched(fresh.denoised, fresh.width, u, v);
+      whole.hits[i] = fresh.hits[coarse];
+    }
+  return whole;
+}
+
+}  // namespace loomlight
