@@ -16,9 +16,9 @@ void line(Ui& ui, const char* id, bool done, const char* what, const char* bring
     draw.AddCircle(centre, radius, packed(ui.theme.textQuiet), 0, ui.px(1.5f));
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + size + ui.px(6));
   ImGui::TextUnformatted(what);
+  ImGui::SetCursorPosY(ImGui::GetCursorPosY() - ui.px(4));  // what belongs together stands together
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + size + ui.px(6));
   ImGui::TextDisabled("%s", brings);
-  ImGui::Dummy(ImVec2(0, ui.px(2)));
   ui.probe.fact(id, done ? "done" : "open");
 }
 
@@ -42,8 +42,7 @@ void firstHints(Ui& ui, ImVec2 min, ImVec2 size, FirstHints& hints) {
   ImGui::Dummy(ImVec2(0, ui.px(4)));
   line(ui, "hints.drew", hints.drew, "Click or drag in the draft", "The cloth is woven as you draw it.");
   line(ui, "hints.turned", hints.turned, "Drag the cloth to turn it", "The wheel comes nearer, down to the fibres.");
-  line(ui, "hints.set", hints.set, "Drag a number on the right",
-       "Twist, count, fibre: what you see is what it would be.");
+  line(ui, "hints.set", hints.set, "Drag a number on the right", "Twist, count, fibre: the yarn follows.");
   const float width = ui.px(88);
   ImGui::TextDisabled("F1 lists all keys");
   ImGui::SameLine(ImGui::GetWindowWidth() - edge - width);

@@ -40,7 +40,8 @@ void PresetBrowser::head(Ui& ui) {
                    kKinds, kind))
     chosen_.clear();
   kind_ = static_cast<PresetKind>(kind);
-  textField(ui, {"presets.search", "Search", "Beginnings of words in names and descriptions, such as: cotton twi"},
+  textField(ui,
+            {"presets.search", "Search", "Beginnings of words in names, descriptions and tags, such as: cotton twi"},
             search_);
 }
 
@@ -53,6 +54,7 @@ void PresetBrowser::card(Ui& ui, size_t index, const PresetCard& card) {
   if (ImGui::InvisibleButton("card", ImVec2(width, height + line)) && chosen_ != card.name) {
     chosen_ = card.name;
     newName_ = card.name;
+    newTags_ = card.tags;
   }
   ImGui::PopID();
   ui.probe.recordItem(id);
@@ -69,7 +71,8 @@ void PresetBrowser::card(Ui& ui, size_t index, const PresetCard& card) {
   const bool chosen = chosen_ == card.name;
   if (chosen || ImGui::IsItemHovered())
     draw.AddRect(min, max, packed(chosen ? ui.theme.accent : ui.theme.textQuiet), ui.px(4), 0, ui.px(2));
-  tooltipFor(ui, id.c_str(), min, max, card.about.c_str());
+  const std::string about = card.tags.empty() ? card.about : card.about + "\nTags: " + card.tags;
+  tooltipFor(ui, id.c_str(), min, max, about.c_str());
 }
 
 void PresetBrowser::grid(Ui& ui, const std::vector<PresetCard>& cards, PresetBrowserEdit& edit) {
@@ -77,7 +80,7 @@ void PresetBrowser::grid(Ui& ui, const std::vector<PresetCard>& cards, PresetBro
   const int perLine = std::max(1, static_cast<int>(ImGui::GetContentRegionAvail().x / ui.px(kCardWidth + 12)));
   int shown = 0;
   for (size_t i = 0; i < cards.size(); ++i) {
-    if (!matchesSearch(cards[i].name + " " + cards[i].about, search_)) continue;
+    if (!matchesSearch(cards[i].name + " " + cards[i].about + " " + cards[i].tags, search_)) continue;
     if (shown++ % perLine != 0) ImGui::SameLine();
     card(ui, i, cards[i]);
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) edit.use = i;
@@ -103,6 +106,12 @@ void PresetBrowser::actions(Ui& ui, const std::vector<PresetCard>& cards, const 
   }
   ImGui::SameLine();
   if (button(ui, "presets.undo", "Undo", width, !lastChange.empty(), lastChange.c_str())) edit.undo = true;
+  ImGui::BeginChild("tags", ImVec2(ui.px(420), ImGui::GetFrameHeight()));
+  textField(ui, {"presets.tags", "Tags", "Words to find the chosen one by; Tag keeps them. Any preset can have some."},
+            newTags_);
+  ImGui::EndChild();
+  ImGui::SameLine();
+  if (button(ui, "presets.tag", "Tag", width, any && newTags_ != found->tags)) edit.tag = {index, newTags_};
   if (button(ui, "presets.use", "Use", width, any, "Double click does it too")) edit.use = index;
   ImGui::SameLine();
   if (button(ui, "presets.keep", "Keep this", width, true, "Keep what the cloth has now")) edit.keep = true;
@@ -128,7 +137,7 @@ PresetBrowserEdit PresetBrowser::draw(Ui& ui, const std::vector<PresetCard>& car
     return edit;
   }
   head(ui);
-  const float below = 2 * ImGui::GetFrameHeightWithSpacing() + ui.px(36);
+  const float below = 3 * ImGui::GetFrameHeightWithSpacing() + ui.px(36);
   ImGui::BeginChild("grid", ImVec2(0, ImGui::GetContentRegionAvail().y - below));
   grid(ui, cards, edit);
   ImGui::EndChild();

@@ -15,6 +15,7 @@ enum class PresetKind { fabrics, yarns, fibres, colourways };
 struct PresetCard {
   std::string name;
   std::string about;              ///< what it is, in words that can be searched for
+  std::string tags;               ///< words of the designer's own, to search for
   bool own = false;               ///< the designer's; others came with the program
   ImTextureID picture = nullptr;  ///< null until there is one
 };
@@ -22,7 +23,7 @@ struct PresetCard {
 /// Indices are of the list of cards.
 struct PresetBrowserEdit {
   std::optional<size_t> use, duplicate, remove;
-  std::optional<std::pair<size_t, std::string>> rename;
+  std::optional<std::pair<size_t, std::string>> rename, tag;
   bool keep = false;  ///< what the cloth has now
   bool undo = false;
 };
@@ -47,7 +48,7 @@ class PresetBrowser {
   PresetKind kind_ = PresetKind::fabrics;
   std::string search_;
   std::string chosen_;  ///< by name: the list changes under it
-  std::string newName_;
+  std::string newName_, newTags_;
 };
 
 /// Whether every word that is searched for begins a word of the text; case does not count.

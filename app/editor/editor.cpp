@@ -29,8 +29,8 @@ bool isFabric(const std::string& file) {
   return lowerExtension(file) == ".json";
 }
 
-Document firstDocument(const EditorOptions& options) {
-  if (!isFabric(options.fabricFile)) return Document(sampleFabric());
+Document firstDocument(const EditorOptions& options, bool isFirstStart) {
+  if (!isFabric(options.fabricFile)) return Document(isFirstStart ? welcomeFabric() : sampleFabric());
   return Document(readFabric(options.fabricFile), options.fabricFile);
 }
 
@@ -82,8 +82,8 @@ bool hasDisplay() {
 }
 
 int runEditor(const EditorOptions& options) {
-  Document document = firstDocument(options);
   Settings settings = readSettings(settingsFile());
+  Document document = firstDocument(options, !settings.hintsSeen);
   if (options.width > 0) settings.windowWidth = options.width;
   if (options.height > 0) settings.windowHeight = options.height;
   Window window("Loomlight", settings.windowWidth, settings.windowHeight, options.scale);

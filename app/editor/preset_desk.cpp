@@ -100,11 +100,19 @@ std::vector<Fabric> given(PresetKind kind) {
   return fabrics;
 }
 
+/// A designer's own preset may have the name of one that came with the program; no name of a file has a slash.
+std::string tagKey(const std::string& name, bool own) {
+  return own ? name : "given/" + name;
+}
+
 }  // namespace
 
+PresetDesk::Shelf PresetDesk::shelfIn(const std::filesystem::path& folder) {
+  return {PresetStore(folder), PresetTags(folder / "tags"), {}, {}};
+}
+
 PresetDesk::PresetDesk(std::filesystem::path folder, std::function<void()> wake)
-    : shelves_{Shelf{PresetStore(folder), {}, {}}, Shelf{PresetStore(folder / "yarns"), {}, {}},
-               Shelf{PresetStore(folder / "fibres"), {}, {}}, Shelf{PresetStore(folder / "colours"), {}, {}}},
+    : shelves_{shelfIn(folder), shelfIn(folder / "yarns"), shelfIn(folder / "fibres"), shelfIn(folder / "colours")},
       thumbnails_(std::move(wake)) {}
 
 void PresetDesk::read(PresetKind kind, float scale) {
@@ -115,7 +123,8 @@ void PresetDesk::read(PresetKind kind, float scale) {
             height = static_cast<int>(std::lround(kHeight * scale));
   const auto add = [&](Fabric fabric, std::string name, bool own) {
     Entry entry;
-    entry.card = {std::move(name), aboutOf(kind, fabric), own, nullptr};
+    const std::string tags = shelf.tags.of(tagKey(name, own));
+    entry.card = {std::move(name), aboutOf(kind, fabric), tags, own, nullptr};
     const Fabric portrait =
         kind == PresetKind::yarns ? yarnCloseUp(fabric, 0, width, height) : portraitOf(fabric, width, height);
     entry.portrait = std::make_shared<const Fabric>(portrait);
@@ -198,12 +207,15 @@ void PresetDesk::duplicate(PresetKind kind, size_t card) {
   Fabric fabric = of(kind).entries[card].fabric;
   fabric.name = of(kind).entries[card].card.name;
   const std::string name = of(kind).store.keepBeside(std::move(fabric));
+  if (const std::string tags = of(kind).entries[card].card.tags; !tags.empty()) of(kind).tags.set(name, tags);
   changed(kind, fmt::format("Duplicated as \"{}\".", name), [this, kind, name] { of(kind).store.remove(name); });
 }
 
 void PresetDesk::rename(PresetKind kind, size_t card, const std::string& name) {
   const std::string before = of(kind).entries[card].card.name;
+  const std::string tags = of(kind).entries[card].card.tags;
   const std::string after = of(kind).store.rename(before, name);
+  if (!tags.empty()) of(kind).tags.set(after, tags);
   changed(kind, fmt::format("Renamed \"{}\" to \"{}\".", before, after),
           [this, kind, before, after] { of(kind).store.rename(after, before); });
 }
@@ -212,6 +224,14 @@ void PresetDesk::remove(PresetKind kind, size_t card) {
   const std::string name = of(kind).entries[card].card.name;
   of(kind).store.remove(name);
   changed(kind, fmt::format("Removed \"{}\".", name), [this, kind, name] { of(kind).store.putBack(name); });
+}
+
+void PresetDesk::tag(PresetKind kind, size_t card, const std::string& tags) {
+  const PresetCard& tagged = of(kind).entries[card].card;
+  const std::string key = tagKey(tagged.name, tagged.own), before = tagged.tags;
+  const std::string said = fmt::format("Tagged \"{}\".", tagged.name);
+  of(kind).tags.set(key, tags);
+  changed(kind, said, [this, kind, key, before] { of(kind).tags.set(key, before); });
 }
 
 void PresetDesk::undo() {

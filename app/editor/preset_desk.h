@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/editor/preset_store.h"
+#include "app/editor/preset_tags.h"
 #include "app/editor/thumbnails.h"
 #include "ui/preset_browser.h"
 
@@ -33,6 +34,7 @@ class PresetDesk {
   void duplicate(PresetKind kind, size_t card);
   void rename(PresetKind kind, size_t card, const std::string& name);
   void remove(PresetKind kind, size_t card);
+  void tag(PresetKind kind, size_t card, const std::string& tags);
   void undo();
   const std::string& lastChange() const;  ///< empty: there is none
 
@@ -44,6 +46,7 @@ class PresetDesk {
   };
   struct Shelf {
     PresetStore store;
+    PresetTags tags;
     std::vector<Entry> entries;
     std::vector<PresetCard> cards;
     bool read = false;
@@ -53,6 +56,7 @@ class PresetDesk {
     std::string said;
     std::function<void()> takeBack;
   };
+  static Shelf shelfIn(const std::filesystem::path& folder);
   Shelf& of(PresetKind kind) { return shelves_[static_cast<size_t>(kind)]; }
   const Shelf& of(PresetKind kind) const { return shelves_[static_cast<size_t>(kind)]; }
   void read(PresetKind kind, float scale);

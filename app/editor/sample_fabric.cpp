@@ -21,6 +21,8 @@ constexpr Sample kSamples[] = {
     {"Jacquard damask", kJacquard},
 };
 
+constexpr size_t kWelcome = 4;  // Denim
+
 }  // namespace
 
 std::vector<std::string> sampleNames() {
@@ -31,6 +33,20 @@ std::vector<std::string> sampleNames() {
 
 Fabric sampleFabric(size_t index) {
   return fabricFromJson(kSamples[index].json, kSamples[index].name);
+}
+
+Fabric welcomeFabric() {
+  Fabric fabric = sampleFabric(kWelcome);
+  fabric.drape.kind = DrapeKind::folds;
+  fabric.drape.width_mm = 84;
+  fabric.drape.height_mm = 66;
+  fabric.drape.radius_mm = 5;
+  fabric.light.azimuth_deg = 200;
+  fabric.light.elevation_deg = 55;
+  fabric.camera.azimuth_deg = -78;
+  fabric.camera.elevation_deg = 48;
+  fabric.camera.distance_mm = 110;
+  return fabric;
 }
 
 }  // namespace loomlight

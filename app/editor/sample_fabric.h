@@ -12,4 +12,7 @@ std::vector<std::string> sampleNames();
 /// index < sampleNames().size()
 Fabric sampleFabric(size_t index = 0);
 
+/// What somebody sees who starts the editor for the first time: denim in folds, under the sun.
+Fabric welcomeFabric();
+
 }  // namespace loomlight

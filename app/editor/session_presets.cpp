@@ -6,7 +6,7 @@ namespace loomlight {
 void Session::drawPresets(Ui& ui) {
   const std::vector<PresetCard>& cards = presetDesk_.cards(presetBrowser_.kind(), ui.scale);
   const PresetBrowserEdit change = presetBrowser_.draw(ui, cards, presetDesk_.lastChange(), presetProblem_);
-  const bool any = change.use || change.keep || change.duplicate || change.rename || change.remove || change.undo;
+  const bool any = change.use || change.keep || change.duplicate || change.rename || change.remove || change.tag || change.undo;
   if (any) changePresets(change);
   if (!presetBrowser_.isOpen()) renderer_.pause(false);
 }
@@ -22,6 +22,7 @@ void Session::changePresets(const PresetBrowserEdit& change) {
     if (change.duplicate) presetDesk_.duplicate(kind, *change.duplicate);
     if (change.rename) presetDesk_.rename(kind, change.rename->first, change.rename->second);
     if (change.remove) presetDesk_.remove(kind, *change.remove);
+    if (change.tag) presetDesk_.tag(kind, change.tag->first, change.tag->second);
     if (change.undo) presetDesk_.undo();
     presetProblem_.clear();
   } catch (const InputError& error) {

@@ -57,6 +57,28 @@ def keep_and_change(editor):
     expect(editor.fact("dirty") == "no", "what is kept is no edit of the cloth")
 
 
+def tag_and_find(editor):
+    """Also what came with the program, and the tags go with what they are of."""
+    editor.click("presets.search")
+    editor.key("ctrl+a", "Delete")
+    editor.wait_until("all are shown", lambda: card(editor, "Denim") and card(editor, "Rust check 2"))
+    for name in ("Denim", "Rust check 2"):
+        editor.click("presets.card/" + name)
+        editor.click("presets.tags")
+        editor.key("ctrl+a")
+        editor.type("winter, client A")
+        editor.click("presets.tag")
+    search(editor, "winter")
+    editor.wait_until("tags are searched", lambda: card(editor, "Denim") and card(editor, "Rust check 2")
+                      and not card(editor, "Rust check") and not card(editor, "Sheer silk"))
+    editor.click("presets.card/Rust check 2")
+    editor.click("presets.duplicate")
+    editor.wait_until("a duplicate has its tags", lambda: card(editor, "Rust check 2 2"))
+    editor.click("presets.undo")
+    editor.click("presets.undo")
+    editor.wait_until("undo takes the tags off", lambda: not card(editor, "Rust check 2") and card(editor, "Denim"))
+
+
 def use_a_yarn(editor):
     search(editor, "silk 20")
     editor.click("presets.kind/Yarns")
@@ -86,6 +108,7 @@ def test():
         editor.start(PROGRAM, [small_fabric(editor.home)])
         editor.wait_for_picture()
         keep_and_change(editor)
+        tag_and_find(editor)
         use_a_yarn(editor)
         use_a_cloth(editor)
 

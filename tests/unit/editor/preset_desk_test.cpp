@@ -47,6 +47,27 @@ TEST_F(PresetDeskTest, LongNamesAreCutBetweenCharactersAndStillKeptApart) {
   EXPECT_EQ(store.keepBeside(cloth(name)), name.substr(0, 99)) << "a character is not halved";
 }
 
+TEST_F(PresetDeskTest, TagsLast) {
+  PresetTags(folder_ / "tags").set("Tweed", "winter, client A");
+  PresetTags tags(folder_ / "tags");
+  EXPECT_EQ(tags.of("Tweed"), "winter, client A");
+  EXPECT_EQ(tags.of("Denim"), "");
+  tags.set("Tweed", "");
+  EXPECT_EQ(PresetTags(folder_ / "tags").of("Tweed"), "");
+  for (const char* text : {"", "[1]", "{\"Tweed\": 7}", "\xff"}) {
+    std::ofstream(folder_ / "tags") << text;
+    EXPECT_EQ(PresetTags(folder_ / "tags").of("Tweed"), "") << text;
+  }
+  EXPECT_EQ(PresetStore(folder_).names().size(), 0u) << "tags are no preset";
+}
+
+TEST_F(PresetDeskTest, TagsThatCannotBeWrittenAreRefused) {
+  fs::create_directories(folder_ / "tags");
+  PresetTags tags(folder_ / "tags");
+  EXPECT_THROW(tags.set("Tweed", "winter"), InputError);
+  EXPECT_EQ(tags.of("Tweed"), "");
+}
+
 TEST_F(PresetDeskTest, RenamingNeverWritesOverAnother) {
   PresetStore store(folder_);
   store.keepBeside(cloth("A"));

@@ -1,0 +1,47 @@
+"""Files dragged onto the window: a cloth, and something that is none. In the real window."""
+
+import os
+import subprocess
+
+from drag_and_drop import drop_file
+from window_driver import Failure, expect, run, window, write_json
+
+PROGRAM = os.environ["LOOMLIGHT"]
+WIDTH, HEIGHT = 1280, 720
+
+
+def small_fabric(home, name):
+    fabric = {
+        "loomlight_version": 1, "name": name, "weave": ["#.", ".#"], "fibres": [{"name": "coarse", "radius_um": 20}],
+        "drape": {"kind": "flat", "width_mm": 4, "height_mm": 4},
+        "light": {"kind": "dome"}, "camera": {"distance_mm": 16, "elevation_deg": 75}, "render": {"resolution": 1},
+    }
+    return write_json(home, name + ".json", fabric)
+
+
+def drop(editor, file):
+    found = subprocess.run(["xdotool", "search", "--name", "Loomlight"], env=editor.environment, check=True,
+                           capture_output=True, text=True, timeout=20).stdout.split()
+    if not found:
+        raise Failure("there is no window")
+    drop_file(editor.environment["DISPLAY"], int(found[-1]), file, WIDTH // 2, HEIGHT // 2)
+
+
+def test():
+    with window(WIDTH, HEIGHT) as editor:
+        editor.start(PROGRAM, [small_fabric(editor.home, "first")])
+        editor.wait_for_picture()
+        drop(editor, small_fabric(editor.home, "a cloth, dropped"))
+        editor.wait_until("the dropped cloth is open", lambda: editor.fact("name") == "a cloth, dropped")
+        expect(editor.fact("dirty") == "no", "what was dropped is a file")
+        notes = os.path.join(editor.home, "notes.txt")
+        with open(notes, "w", encoding="utf-8") as file:
+            file.write("no cloth")
+        drop(editor, notes)
+        editor.wait_until("the editor says what is wrong", lambda: "notes.txt" in editor.fact("message"))
+        editor.click("message.answer_0")
+        editor.wait_until("the message is gone", lambda: editor.fact("dialog") == "none")
+        expect(editor.fact("name") == "a cloth, dropped", "the cloth is another one")
+
+
+run(test)
