@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ui/fields.h"
 #include "ui/modal.h"
@@ -11,7 +12,7 @@
 namespace loomlight {
 namespace {
 
-constexpr int kPreviewSide = 200, kMostColours = 16, kMostFirstEnds = 1200;
+constexpr int kMostColours = 16, kMostFirstEnds = 1200;
 constexpr int kWarpOver = 0, kWeftOver = 1, kFirstShade = 2, kShades = 7;
 
 /// Uncut areas, the shades between weft and warp, and all that the palette of the draft offers.
@@ -30,27 +31,35 @@ ImU32 displayed(const Rgb8& c) {
 
 }  // namespace
 
-void PictureDialog::show(Raster raster, std::string name, double aspect) {
-  raster_ = std::move(raster);
+void PictureDialog::await(std::string name) {
   name_ = std::move(name);
-  aspect_ = aspect;
-  structures_ = assignable();
-  // A drawing in two colours is point paper: a crossing for each pixel.
-  const bool isPaper = paletteOf(raster_, kMostColours).size() <= 2;
-  colours_ = isPaper ? 2 : 4;
-  ends_ = isPaper ? raster_.width : std::min(raster_.width, kMostFirstEnds);
-  picks_ = isPaper ? raster_.height
-                   : std::clamp(static_cast<int>(std::lround(ends_ / aspect_ * raster_.height / raster_.width)), 1,
-                                Weave::kMaxSide);
-  reducePalette();
-  if (isPaper && preview_.palette.size() == 2) assigned_ = {kWarpOver, kWeftOver};
+  source_.reset();
+  weaving_ = closing_ = false;
   open_ = opening_ = true;
 }
 
+void PictureDialog::show(std::shared_ptr<const PictureSource> source, double aspect) {
+  source_ = std::move(source);
+  const Raster& raster = source_->raster;
+  aspect_ = aspect;
+  structures_ = assignable();
+  // A drawing in two colours is point paper: a crossing for each pixel.
+  const size_t few = source_->colours.few.size();
+  const bool isPaper = few == 1 || few == 2;
+  colours_ = isPaper ? 2 : 4;
+  ends_ = isPaper ? raster.width : std::min(raster.width, kMostFirstEnds);
+  picks_ = isPaper ? raster.height : proportionalPicks();
+  reducePalette();
+  if (isPaper && preview_.palette.size() == 2) assigned_ = {kWarpOver, kWeftOver};
+}
+
+int PictureDialog::proportionalPicks() const {
+  const double picks = ends_ / aspect_ * source_->raster.height / source_->raster.width;
+  return static_cast<int>(std::lround(std::clamp(picks, 1.0, static_cast<double>(Weave::kMaxSide))));
+}
+
 void PictureDialog::reducePalette() {
-  const int longest = std::max(raster_.width, raster_.height), side = std::min(longest, kPreviewSide);
-  const auto scaled = [&](int length) { return std::max(1, length * side / longest); };
-  preview_ = reduced(resampled(raster_, scaled(raster_.width), scaled(raster_.height)), paletteOf(raster_, colours_));
+  preview_ = reduced(source_->small, paletteOf(source_->colours, colours_));
   assigned_.clear();
   const int last = std::max(1, static_cast<int>(preview_.palette.size()) - 1);
   for (int i = 0; i < static_cast<int>(preview_.palette.size()); ++i)
@@ -75,14 +84,13 @@ void PictureDialog::drawPreview(float size) const {
 }
 
 void PictureDialog::drawFields(Ui& ui) {
-  hint(ui, fmt::format("{}: {} x {} pixels", name_, raster_.width, raster_.height));
+  hint(ui, fmt::format("{}: {} x {} pixels", name_, source_->raster.width, source_->raster.height));
   wholeNumberField(ui, {"picture.ends", "Ends", "How many ends the picture is wide: the repeat of the weave."}, "", 1,
                    Weave::kMaxSide, ends_);
   wholeNumberField(ui, {"picture.picks", "Picks", "How many picks it is high."}, "", 1, Weave::kMaxSide, picks_);
   if (button(ui, "picture.proportions", "Picks in proportion", 0, true,
              "As many picks as leave the picture its proportions, at the cloth's sett."))
-    picks_ =
-        std::clamp(static_cast<int>(std::lround(ends_ / aspect_ * raster_.height / raster_.width)), 1, Weave::kMaxSide);
+    picks_ = proportionalPicks();
   if (wholeNumberField(ui, {"picture.colours", "Colours", "That are told apart."}, "", 1, kMostColours, colours_))
     reducePalette();
   ImGui::Dummy(ImVec2(0, ui.px(4)));
@@ -101,7 +109,13 @@ void PictureDialog::drawFields(Ui& ui) {
   }
 }
 
-std::optional<Weave> PictureDialog::draw(Ui& ui) {
+PictureOrder PictureDialog::order() const {
+  PictureOrder order{source_, ends_, picks_, preview_.palette, {}};
+  for (const int structure : assigned_) order.structures.push_back(structures_[static_cast<size_t>(structure)].weave);
+  return order;
+}
+
+std::optional<PictureOrder> PictureDialog::draw(Ui& ui) {
   if (!open_) return std::nullopt;
   const bool begin = opening_;
   opening_ = false;
@@ -110,26 +124,35 @@ std::optional<Weave> PictureDialog::draw(Ui& ui) {
     return std::nullopt;
   }
   const float side = ui.px(340);
-  drawPreview(side);
-  ImGui::SameLine(0, ui.px(16));
-  ImGui::BeginChild("picture.fields", ImVec2(0, side));
-  drawFields(ui);
-  ImGui::EndChild();
-  ui.probe.fact("picture.colours", std::to_string(preview_.palette.size()));
+  if (source_) {
+    ImGui::BeginDisabled(weaving_);
+    drawPreview(side);
+    ImGui::SameLine(0, ui.px(16));
+    ImGui::BeginChild("picture.fields", ImVec2(0, side));
+    drawFields(ui);
+    ImGui::EndChild();
+    ImGui::EndDisabled();
+    ui.probe.fact("picture.colours", std::to_string(preview_.palette.size()));
+  } else {
+    ImGui::BeginChild("picture.reading", ImVec2(0, side));
+    hint(ui, fmt::format("{} is being read\xE2\x80\xA6", name_));
+    ImGui::EndChild();
+  }
+  ui.probe.fact("picture.state", !source_ ? "reading" : weaving_ ? "weaving" : "ready");
   const float width = ui.px(120);
   ImGui::SetCursorPosX(ImGui::GetWindowWidth() - 2 * width - ui.px(24));
   const bool cancelled = button(ui, "picture.close", "Cancel", width) || modalCancelled();
   ImGui::SameLine();
-  const bool weaves = button(ui, "picture.weave", "Weave", width);
-  if (cancelled || weaves) {
+  const bool weaves =
+      button(ui, "picture.weave", weaving_ ? "Weaving\xE2\x80\xA6" : "Weave", width, source_ && !weaving_);
+  if (cancelled || std::exchange(closing_, false)) {
     open_ = false;
     ImGui::CloseCurrentPopup();
   }
   endModal();
   if (!weaves) return std::nullopt;
-  std::vector<Weave> woven;
-  for (const int structure : assigned_) woven.push_back(structures_[static_cast<size_t>(structure)].weave);
-  return weaveOf(reduced(resampled(raster_, ends_, picks_), preview_.palette), woven);
+  weaving_ = true;
+  return order();
 }
 
 }  // namespace loomlight

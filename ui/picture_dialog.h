@@ -11,24 +11,48 @@
 
 namespace loomlight {
 
-/// Makes a jacquard of a picture: its size in threads, how many colours, and what is woven in the place of each.
+/// A picture, and what is known of it beforehand, because every pixel must be looked at for it.
+struct PictureSource {
+  static constexpr int kSmallSide = 200;
+  std::string name;
+  Raster raster;
+  ColourCounts colours;
+  Raster small;  ///< the same with at most kSmallSide pixels a side
+};
+
+/// What is to be woven of it.
+struct PictureOrder {
+  std::shared_ptr<const PictureSource> source;
+  int ends = 1, picks = 1;
+  std::vector<Rgb8> palette;
+  std::vector<Weave> structures;  ///< for each of its colours
+};
+
+/// Makes a jacquard of a picture: its size in threads, how many colours, and what is woven in the place of each. Stays
+/// open while others read the picture, and while they weave it.
 class PictureDialog {
  public:
+  /// Opens it for a picture that is being read.
+  void await(std::string name);
   /// `aspect`: ends per cm over picks per cm, for a picture that keeps its proportions in the cloth.
-  void show(Raster raster, std::string name, double aspect);
+  void show(std::shared_ptr<const PictureSource> source, double aspect);
+  void close() { closing_ = true; }
   bool isOpen() const { return open_; }
-  /// The weave, once.
-  std::optional<Weave> draw(Ui& ui);
+  /// The order, once.
+  std::optional<PictureOrder> draw(Ui& ui);
 
  private:
+  PictureOrder order() const;
+  int proportionalPicks() const;
   void reducePalette();
   void drawPreview(float size) const;
   void drawFields(Ui& ui);
 
-  bool open_ = false, opening_ = false;
+  bool open_ = false, opening_ = false, closing_ = false;
+  bool weaving_ = false;
   std::string name_;
   double aspect_ = 1;
-  Raster raster_;
+  std::shared_ptr<const PictureSource> source_;  ///< null while it is being read
   int ends_ = 1, picks_ = 1, colours_ = 4;
   ReducedPicture preview_;             ///< a small one, with the palette
   std::vector<Structure> structures_;  ///< that may be chosen

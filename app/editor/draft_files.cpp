@@ -10,7 +10,6 @@
 #include "core/fabric/derived.h"
 #include "core/fabric/structure_edit.h"
 #include "core/fabric/wif_fabric.h"
-#include "render/film/image.h"
 #include "ui/yarn_colours.h"
 
 namespace loomlight {
@@ -20,21 +19,6 @@ namespace {
 WifSett settOf(const Fabric& fabric) {
   return {fabric.ends_per_cm, fabric.picks_per_cm, meanDiameter_mm(fabric, System::warp),
           meanDiameter_mm(fabric, System::weft)};
-}
-
-/// On white where it is transparent, as a picture is seen on paper.
-Raster rasterOf(const Pixels8& pixels) {
-  Raster raster{pixels.width, pixels.height, {}};
-  const auto channels = static_cast<size_t>(pixels.channels);
-  raster.pixels.reserve(pixels.bytes.size() / channels);
-  for (size_t i = 0; i + channels <= pixels.bytes.size(); i += channels) {
-    const int alpha = channels == 4 ? pixels.bytes[i + 3] : 255;
-    const auto over = [&](size_t c) {
-      return static_cast<uint8_t>((pixels.bytes[i + c] * alpha + 255 * (255 - alpha) + 127) / 255);
-    };
-    raster.pixels.push_back({over(0), over(1), over(2)});
-  }
-  return raster;
 }
 
 std::string summaryOf(const Fabric& fabric) {
@@ -88,14 +72,30 @@ void Session::openWeaving(const std::string& file) {
 }
 
 void Session::openPicture(const std::string& file) {
-  try {
-    const Fabric& fabric = *document_.fabric();
-    pictureDialog_.show(rasterOf(readPng(file)), fs::path(file).filename().string(),
-                        fabric.ends_per_cm / fabric.picks_per_cm);
-    lookNextIn(file);
-  } catch (const InputError& error) {
-    say("This picture cannot be used", error.what());
+  pictureDialog_.await(fs::path(file).filename().string());
+  pictures_.read(file);
+  lookNextIn(file);
+}
+
+void Session::drawPicture(Ui& ui) {
+  if (auto come = pictures_.take()) {
+    if (come->source) {
+      const Fabric& fabric = *document_.fabric();
+      pictureDialog_.show(come->source, fabric.ends_per_cm / fabric.picks_per_cm);
+    } else {
+      pictureDialog_.close();
+      if (come->woven) {
+        draft_.selection.reset();
+        takeWeave(std::move(*come->woven));
+      } else {
+        say("This picture cannot be used", come->problem);
+      }
+    }
   }
+  const bool open = pictureDialog_.isOpen();
+  if (auto order = pictureDialog_.draw(ui))
+    pictures_.weave(std::move(*order), document_.fabric(), settings_.draft.loom);
+  if (open && !pictureDialog_.isOpen()) pictures_.forget();
 }
 
 /// Another weave in place of the whole or of the selection.
@@ -176,10 +176,7 @@ void Session::drawDraftDialogs(Ui& ui) {
   drawStructures(ui);
   // The browser stands in for the dialog while it names the file.
   if (!browser_.isOpen()) drawTile(ui);
-  if (auto weave = pictureDialog_.draw(ui)) {
-    draft_.selection.reset();
-    takeWeave(rewoven(*document_.fabric(), std::move(*weave), settings_.draft.loom));
-  }
+  drawPicture(ui);
   const auto sizes = wifDialog_.draw(ui);
   if (!sizes) return;
   std::vector<std::string> beyond;

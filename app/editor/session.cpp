@@ -18,7 +18,8 @@ Session::Session(Document document, Settings settings, std::function<void()> wak
       sidePictures_(wake_),
       shelf_(viewFolder(), wake_),
       presetDesk_(presetFolder(), wake_),
-      renderer_(wake_, threads) {
+      renderer_(wake_, threads),
+      pictures_(wake_) {
   hints_.wanted = !settings_.hintsSeen;
   if (!document_.file().empty()) remember(document_.file());
 }

@@ -10,6 +10,7 @@
 #include "app/editor/colour_desk.h"
 #include "app/editor/document.h"
 #include "app/editor/insight.h"
+#include "app/editor/picture_desk.h"
 #include "app/editor/picture_texture.h"
 #include "app/editor/preset_desk.h"
 #include "app/editor/preset_store.h"
@@ -121,6 +122,7 @@ class Session {
   // draft_files.cpp: drafts and weaves from files and into them
   void openWeaving(const std::string& file);
   void openPicture(const std::string& file);
+  void drawPicture(Ui& ui);
   void exportTo(FileTask task, const std::string& file);
   void drawDraftDialogs(Ui& ui);
   void drawStructures(Ui& ui);
@@ -182,6 +184,7 @@ class Session {
   FirstHints hints_;
   StructureDialog structures_;
   PictureDialog pictureDialog_;
+  PictureDesk pictures_;
   TileDialog tileDialog_;
   RenderJob tileProgress_;
   std::unique_ptr<TileJob> tile_;

@@ -10,6 +10,7 @@ namespace {
 // Colours are counted in bins of 5 bits a channel, so that the time of a reduction does not hang on the size of the
 // picture.
 constexpr int kBits = 5;
+constexpr size_t kMostColours = 32;
 constexpr size_t kBins = size_t{1} << (3 * kBits);
 
 size_t binOf(const Rgb8& c) {
@@ -17,9 +18,8 @@ size_t binOf(const Rgb8& c) {
          static_cast<size_t>(c[2] >> (8 - kBits));
 }
 
-struct Colour {
-  double r = 0, g = 0, b = 0;
-};
+using Bin = ColourCounts::Bin;
+using Colour = std::array<double, 3>;
 
 Colour exactly(const Rgb8& c) {
   return {static_cast<double>(c[0]), static_cast<double>(c[1]), static_cast<double>(c[2])};
@@ -27,19 +27,13 @@ Colour exactly(const Rgb8& c) {
 
 /// How far apart two colours look, roughly: displayed values, weighted as the eye weighs them.
 double distance2(const Colour& a, const Colour& b) {
-  const double r = a.r - b.r, g = a.g - b.g, blue = a.b - b.b;
+  const double r = a[0] - b[0], g = a[1] - b[1], blue = a[2] - b[2];
   return 2 * r * r + 4 * g * g + 3 * blue * blue;
 }
 
 double lightness(const Rgb8& c) {
   return 0.299 * c[0] + 0.587 * c[1] + 0.114 * c[2];
 }
-
-/// All pixels of one bin: their number and their mean colour.
-struct Bin {
-  double weight = 0;
-  Colour mean;
-};
 
 std::vector<Bin> binsOf(const Raster& raster) {
   struct Sum {
@@ -85,21 +79,21 @@ size_t nearest(const std::vector<Colour>& centres, const Colour& colour) {
 std::vector<Colour> settled(std::vector<Colour> centres, const std::vector<Bin>& bins) {
   constexpr int kRounds = 24;
   for (int round = 0; round < kRounds; ++round) {
-    std::vector<Colour> sums(centres.size());
+    std::vector<Colour> sums(centres.size(), Colour{});
     std::vector<double> weights(centres.size(), 0);
     for (const Bin& bin : bins) {
       const size_t c = nearest(centres, bin.mean);
       weights[c] += bin.weight;
-      sums[c].r += bin.weight * bin.mean.r, sums[c].g += bin.weight * bin.mean.g, sums[c].b += bin.weight * bin.mean.b;
+      for (size_t k = 0; k < 3; ++k) sums[c][k] += bin.weight * bin.mean[k];
     }
     for (size_t c = 0; c < centres.size(); ++c)
-      if (weights[c] > 0) centres[c] = {sums[c].r / weights[c], sums[c].g / weights[c], sums[c].b / weights[c]};
+      for (size_t k = 0; k < 3 && weights[c] > 0; ++k) centres[c][k] = sums[c][k] / weights[c];
   }
   return centres;
 }
 
 Rgb8 rounded(const Colour& c) {
-  return {static_cast<uint8_t>(c.r + 0.5), static_cast<uint8_t>(c.g + 0.5), static_cast<uint8_t>(c.b + 0.5)};
+  return {static_cast<uint8_t>(c[0] + 0.5), static_cast<uint8_t>(c[1] + 0.5), static_cast<uint8_t>(c[2] + 0.5)};
 }
 
 /// The distinct colours, where they are at most `most`; else empty.
@@ -146,13 +140,19 @@ Raster resampled(const Raster& raster, int width, int height) {
   return result;
 }
 
-std::vector<Rgb8> paletteOf(const Raster& raster, int colours) {
-  assert(colours >= 1 && colours <= 32 && !raster.pixels.empty());
-  std::vector<Rgb8> palette = fewColours(raster, static_cast<size_t>(colours));
+ColourCounts coloursOf(const Raster& raster) {
+  return {binsOf(raster), fewColours(raster, kMostColours)};
+}
+
+std::vector<Rgb8> paletteOf(const ColourCounts& counts, int colours) {
+  assert(colours >= 1 && colours <= static_cast<int>(kMostColours) && !counts.bins.empty());
+  const auto most = static_cast<size_t>(colours);
+  std::vector<Rgb8> palette;
+  if (counts.few.size() <= most) palette = counts.few;
   if (palette.empty()) {
-    const std::vector<Bin> bins = binsOf(raster);
-    const size_t count = std::min(bins.size(), static_cast<size_t>(colours));
-    for (const Colour& centre : settled(firstCentres(bins, count), bins)) palette.push_back(rounded(centre));
+    const std::vector<Bin>& bins = counts.bins;
+    for (const Colour& centre : settled(firstCentres(bins, std::min(bins.size(), most)), bins))
+      palette.push_back(rounded(centre));
   }
   std::sort(palette.begin(), palette.end(), darker);
   return palette;

@@ -29,9 +29,20 @@ struct ReducedPicture {
   std::vector<double> shares;  ///< of the area, 0..1
 };
 
+/// How often each colour occurs: what palettes are made of, so that the pixels are looked at once.
+struct ColourCounts {
+  struct Bin {
+    double weight = 0;                    ///< pixels of nearly one colour
+    std::array<double, 3> mean{0, 0, 0};  ///< of them
+  };
+  std::vector<Bin> bins;
+  std::vector<Rgb8> few;  ///< the colours themselves, where there are at most 32
+};
+ColourCounts coloursOf(const Raster& raster);
+
 /// At most `colours` colours, 1..32, from dark to light: those that leave little difference. A picture that has no more
 /// keeps them as they are. The same picture always gives the same palette.
-std::vector<Rgb8> paletteOf(const Raster& raster, int colours);
+std::vector<Rgb8> paletteOf(const ColourCounts& counts, int colours);
 /// Each pixel in the nearest of these colours, 1..32.
 ReducedPicture reduced(const Raster& raster, std::vector<Rgb8> palette);
 

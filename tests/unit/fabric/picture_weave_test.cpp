@@ -13,7 +13,7 @@ namespace {
 constexpr Rgb8 kBlack{0, 0, 0}, kRed{200, 10, 20}, kWhite{255, 255, 255};
 
 ReducedPicture reduced(const Raster& raster, int colours) {
-  return loomlight::reduced(raster, paletteOf(raster, colours));
+  return loomlight::reduced(raster, paletteOf(coloursOf(raster), colours));
 }
 
 /// Two rows: white red | black black.

@@ -1,0 +1,84 @@
+#include "app/editor/picture_desk.h"
+
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <new>
+#include <utility>
+
+#include "core/fabric/draft_edit.h"
+#include "render/film/image.h"
+
+namespace loomlight {
+namespace {
+
+/// On white where it is transparent, as a picture is seen on paper.
+Raster rasterOf(const Pixels8& pixels) {
+  Raster raster{pixels.width, pixels.height, {}};
+  const auto channels = static_cast<size_t>(pixels.channels);
+  raster.pixels.reserve(pixels.bytes.size() / channels);
+  for (size_t i = 0; i + channels <= pixels.bytes.size(); i += channels) {
+    const int alpha = channels == 4 ? pixels.bytes[i + 3] : 255;
+    const auto over = [&](size_t c) {
+      return static_cast<uint8_t>((pixels.bytes[i + c] * alpha + 255 * (255 - alpha) + 127) / 255);
+    };
+    raster.pixels.push_back({over(0), over(1), over(2)});
+  }
+  return raster;
+}
+
+std::shared_ptr<const PictureSource> sourceOf(const std::string& file) {
+  auto source = std::make_shared<PictureSource>();
+  source->name = std::filesystem::path(file).filename().string();
+  source->raster = rasterOf(readPng(file));
+  const Raster& raster = source->raster;
+  source->colours = coloursOf(raster);
+  const int longest = std::max(raster.width, raster.height), side = std::min(longest, PictureSource::kSmallSide);
+  const auto scaled = [&](int length) { return std::max(1, static_cast<int>(int64_t{length} * side / longest)); };
+  source->small = resampled(raster, scaled(raster.width), scaled(raster.height));
+  return source;
+}
+
+}  // namespace
+
+PictureDesk::PictureDesk(std::function<void()> wake) : wake_(std::move(wake)) {}
+
+void PictureDesk::post(std::function<Result()> work) {
+  tasks_.post([this, work = std::move(work), number = ++wanted_] {
+    Result result;
+    try {
+      result = work();
+    } catch (const std::bad_alloc&) {
+      result.problem = "It needs more memory than there is.";
+    } catch (const std::exception& error) {
+      result.problem = error.what();
+    }
+    results_.post({number, std::move(result)});
+    wake_();
+  });
+}
+
+void PictureDesk::read(const std::string& file) {
+  post([file] {
+    Result result;
+    result.source = sourceOf(file);
+    return result;
+  });
+}
+
+void PictureDesk::weave(PictureOrder order, std::shared_ptr<const Fabric> fabric, const LoomLimits& limits) {
+  post([order = std::move(order), fabric = std::move(fabric), limits] {
+    const Raster threads = resampled(order.source->raster, order.ends, order.picks);
+    Result result;
+    result.woven = rewoven(*fabric, weaveOf(reduced(threads, order.palette), order.structures), limits);
+    return result;
+  });
+}
+
+std::optional<PictureDesk::Result> PictureDesk::take() {
+  auto come = results_.take();
+  if (!come || come->first != wanted_) return std::nullopt;
+  return std::move(come->second);
+}
+
+}  // namespace loomlight

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "app/workers/mailbox.h"
+#include "app/workers/task_queue.h"
+#include "core/fabric/fabric.h"
+#include "core/fabric/structure_edit.h"
+#include "ui/picture_dialog.h"
+
+namespace loomlight {
+
+/// Reads pictures and weaves them on a thread of its own: a hundred million pixels take seconds. What was asked for
+/// last is what counts.
+class PictureDesk {
+ public:
+  explicit PictureDesk(std::function<void()> wake);
+
+  void read(const std::string& file);
+  /// In the place of the fabric's weave.
+  void weave(PictureOrder order, std::shared_ptr<const Fabric> fabric, const LoomLimits& limits);
+  /// Whatever comes of it is no longer wanted.
+  void forget() { ++wanted_; }
+
+  /// What has come, once: one of the three.
+  struct Result {
+    std::shared_ptr<const PictureSource> source;
+    std::optional<Rewoven> woven;
+    std::string problem;
+  };
+  std::optional<Result> take();
+
+ private:
+  void post(std::function<Result()> work);
+
+  std::function<void()> wake_;
+  uint64_t wanted_ = 0;
+  Mailbox<std::pair<uint64_t, Result>> results_;
+  TaskQueue tasks_;  // last: it ends before what its tasks use is gone
+};
+
+}  // namespace loomlight
