@@ -88,11 +88,13 @@ class TileMap {
   /// The shapes along a yarn of the repeat: the low bits of their numbers, and the high ones where there are any.
   struct Row {
     explicit Row(std::span<const uint32_t> shapes);
+    Row(const Row& other, size_t size);  ///< as much of the other as there is, then shape 0
     std::vector<uint16_t> low, high;
     size_t bytes() const { return sizeof(Row) + (low.capacity() + high.capacity()) * sizeof(uint16_t); }
     bool operator==(const Row&) const = default;
     uint32_t at(size_t i) const { return low[i] | (high.empty() ? 0 : static_cast<uint32_t>(high[i]) << 16); }
     void set(size_t i, uint32_t shape);
+    void set(size_t from, std::span<const uint32_t> shapes);
   };
   struct PlacedYarn {
     uint32_t row;            ///< which yarn of the repeat it is

@@ -88,16 +88,18 @@ void TileMap::readBand(const ClothGeometry& geometry, const Task& task, const Ke
                                      static_cast<size_t>(across - band.first) * weave.picks(), weave.picks())
                                : weave.row(across % weave.picks());
     const auto read = [&](int from, int to) {
-      readCells(geometry, system_, across, crossings, from, std::span(shapes).subspan(from, to - from), band.table);
+      const auto stretch = std::span(shapes).subspan(from, to - from);
+      readCells(geometry, system_, across, crossings, from, stretch, band.table);
+      return stretch;
     };
     if (across < kept.yarns) {
-      for (int along = kept.from; along < kept.to; ++along) shapes[along] = rows_[across]->at(along);
-      read(0, kept.from);
-      read(kept.to, repeatAlong_);
+      const auto row = std::make_shared<Row>(*rows_[across], shapes.size());
+      row->set(0, read(0, kept.from));
+      row->set(static_cast<size_t>(kept.to), read(kept.to, repeatAlong_));
+      band.rows.push_back(row);
     } else {
-      read(0, repeatAlong_);
+      band.rows.push_back(std::make_shared<Row>(read(0, repeatAlong_)));
     }
-    band.rows.push_back(std::make_shared<Row>(shapes));
     checkShapes(band.table);
   }
 }
@@ -121,6 +123,22 @@ TileMap::Row::Row(std::span<const uint32_t> shapes) : low(shapes.begin(), shapes
   if (std::all_of(shapes.begin(), shapes.end(), [](uint32_t shape) { return shape >> 16 == 0; })) return;
   high.reserve(shapes.size());
   for (const uint32_t shape : shapes) high.push_back(static_cast<uint16_t>(shape >> 16));
+}
+
+TileMap::Row::Row(const Row& other, size_t size) {
+  const auto copied = [size](const std::vector<uint16_t>& bits) {
+    std::vector<uint16_t> copy;
+    copy.reserve(size);
+    copy.assign(bits.begin(), bits.begin() + static_cast<std::ptrdiff_t>(std::min(size, bits.size())));
+    copy.resize(size);
+    return copy;
+  };
+  low = copied(other.low);
+  if (!other.high.empty()) high = copied(other.high);
+}
+
+void TileMap::Row::set(size_t from, std::span<const uint32_t> shapes) {
+  for (const uint32_t shape : shapes) set(from++, shape);
 }
 
 void TileMap::Row::set(size_t i, uint32_t shape) {
