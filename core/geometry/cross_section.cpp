@@ -47,31 +47,32 @@ Points hexagonal(int count, double spacing, Random& random) {
 
 /// Pushes overlapping discs apart, from within the rim, until none overlap. Where the rim leaves too little room, the
 /// rim gives way: the later sweeps leave it free.
-void relax(Points& points, double radius, double rim) {
+void relax(Points& points, const Threads& fibres, double rim) {
+  Parting parting(fibres);
   for (int sweep = 0; sweep < kRelaxations; ++sweep) {
     if (sweep < kRelaxations / 4) {
       for (glm::dvec2& p : points)
         if (const double reach = glm::length(p); reach > rim) p *= rim / reach;
     }
-    if (pushApart(points, 2 * radius) < kTouching * radius) return;
+    if (parting.sweep(points) < kTouching * fibres.radius_mm) return;
   }
 }
 
 }  // namespace
 
-Points plySection(FibreLayout layout, int count, double plyRadius_mm, double fibreRadius_mm, uint64_t seed) {
+Points plySection(FibreLayout layout, int count, double plyRadius_mm, const Threads& fibres, uint64_t seed) {
   if (count == 1) return {glm::dvec2(0)};
   Random random(seed);
-  const double rim = std::max(plyRadius_mm - fibreRadius_mm, 0.5 * plyRadius_mm);
+  const double radius = fibres.radius_mm, rim = std::max(plyRadius_mm - radius, 0.5 * plyRadius_mm);
   Points points;
   if (layout == FibreLayout::random) {
     for (int i = 0; i < count; ++i) points.push_back(rim * uniformInDisc(random));
   } else {
-    const double density = std::min(count * fibreRadius_mm * fibreRadius_mm / (plyRadius_mm * plyRadius_mm), 0.88);
-    const double spacing = 2 * fibreRadius_mm * std::sqrt(kHexagonalDensity / density);
+    const double density = std::min(count * radius * radius / (plyRadius_mm * plyRadius_mm), 0.88);
+    const double spacing = 2 * radius * std::sqrt(kHexagonalDensity / density);
     points = hexagonal(count, spacing, random);
-    for (glm::dvec2& p : points) p += 1.5 * (spacing - 2 * fibreRadius_mm) * uniformInDisc(random);
-    relax(points, fibreRadius_mm, rim);
+    for (glm::dvec2& p : points) p += 1.5 * (spacing - 2 * radius) * uniformInDisc(random);
+    relax(points, fibres, rim);
   }
   centre(points);
   return points;

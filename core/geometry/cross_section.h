@@ -9,11 +9,10 @@ namespace loomlight {
 
 /// Where the fibres of one ply lie in its section, mm from the ply's axis; their centroid is 0. A pure function of its
 /// arguments.
-/// - random: uniform in the disc of plyRadius - fibreRadius, overlaps allowed (the report);
-/// - packed: discs of fibreRadius (that of the fibres, or more where they need the room) that do not overlap,
-/// disordered as far as there is room: a hexagonal lattice of the
-///   density count * fibreRadius^2 / plyRadius^2, shaken, then relaxed. The rim may reach beyond plyRadius by about a
-///   fibre.
-DiscCentres plySection(FibreLayout layout, int count, double plyRadius_mm, double fibreRadius_mm, uint64_t seed);
+/// - random: uniform in the disc of plyRadius less the fibres' radius, overlaps allowed (the report);
+/// - packed: threads of the fibres' radius (or more where they need the room) that do not overlap, disordered as far as
+///   there is room: a hexagonal lattice of the density count * radius^2 / plyRadius^2, shaken, then relaxed. The rim
+///   may reach beyond plyRadius by about a fibre.
+DiscCentres plySection(FibreLayout layout, int count, double plyRadius_mm, const Threads& fibres, uint64_t seed);
 
 }  // namespace loomlight

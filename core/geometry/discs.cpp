@@ -39,37 +39,70 @@ class Buckets {
   std::vector<int> start_, members_;
 };
 
+/// How far from one another threads may lie and touch, at most.
+double farthestTouch(const DiscCentres& centres, const Threads& threads) {
+  double square = 0;
+  for (const glm::dvec2& p : centres) square = std::max(square, glm::dot(p, p));
+  return 2 * threads.radius_mm / threads.cosineAt(square);
+}
+
 }  // namespace
 
-double pushApart(DiscCentres& centres, double diameter) {
-  const Buckets buckets(centres, 1.1 * diameter);
-  double worst = 0;
+bool Parting::knowsNeighbours(const DiscCentres& centres) const {
+  if (looked_.size() != centres.size()) return false;
+  double moved = 0;
   for (size_t i = 0; i < centres.size(); ++i) {
+    const glm::dvec2 d = centres[i] - looked_[i];
+    moved = std::max(moved, glm::dot(d, d));
+  }
+  return 4 * moved < slack_mm_ * slack_mm_;
+}
+
+void Parting::findNeighbours(const DiscCentres& centres) {
+  constexpr double kSlack = 0.25;
+  const double touch = farthestTouch(centres, threads_);
+  slack_mm_ = kSlack * touch;
+  looked_ = centres;
+  neighbours_.clear();
+  const double reach = touch + slack_mm_;
+  const Buckets buckets(centres, reach);
+  for (int i = 0; i < static_cast<int>(centres.size()); ++i)
     buckets.near(centres[i], [&](int j) {
-      if (static_cast<size_t>(j) <= i) return;
       const glm::dvec2 d = centres[j] - centres[i];
-      const double distance = glm::length(d);
-      if (distance >= diameter) return;
-      worst = std::max(worst, diameter - distance);
-      const glm::dvec2 push = distance > 1e-9 * diameter ? d / distance : glm::dvec2(1, 0);
-      // A little further than touching, so that chains of contacts come to rest.
-      const glm::dvec2 shift = 0.5 * (1.002 * diameter - distance) * push;
-      centres[i] -= shift;
-      centres[j] += shift;
+      if (j > i && glm::dot(d, d) < reach * reach) neighbours_.emplace_back(i, j);
     });
+}
+
+double Parting::sweep(DiscCentres& centres) {
+  if (!knowsNeighbours(centres)) findNeighbours(centres);
+  const double diameter = 2 * threads_.radius_mm, touch = farthestTouch(centres, threads_);
+  double worst = 0;
+  for (const auto& [i, j] : neighbours_) {
+    const glm::dvec2 between = centres[j] - centres[i];
+    if (glm::dot(between, between) >= touch * touch) continue;
+    const glm::dvec2 apart = threads_.apart(centres[i], centres[j]);
+    const double square = glm::dot(apart, apart);
+    if (square >= diameter * diameter) continue;
+    const double distance = std::sqrt(square);
+    worst = std::max(worst, diameter - distance);
+    const glm::dvec2 way = distance > 1e-9 * diameter ? between / distance : glm::dvec2(1, 0);
+    // A little further than touching, so that chains of contacts come to rest.
+    const glm::dvec2 shift = 0.5 * (1.002 * diameter - distance) * way;
+    centres[i] -= shift;
+    centres[j] += shift;
   }
   return worst;
 }
 
-double worstOverlap(const DiscCentres& centres_mm, double radius_mm) {
-  const Buckets buckets(centres_mm, 2 * radius_mm);
+double worstOverlap(const DiscCentres& centres_mm, const Threads& threads) {
+  const Buckets buckets(centres_mm, farthestTouch(centres_mm, threads));
   double worst = 0;
   for (size_t i = 0; i < centres_mm.size(); ++i)
     buckets.near(centres_mm[i], [&](int j) {
       if (static_cast<size_t>(j) > i)
-        worst = std::max(worst, 2 * radius_mm - glm::distance(centres_mm[i], centres_mm[j]));
+        worst = std::max(worst, 2 * threads.radius_mm - glm::length(threads.apart(centres_mm[i], centres_mm[j])));
     });
-  return worst / radius_mm;
+  return worst / threads.radius_mm;
 }
 
 }  // namespace loomlight

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+#include <utility>
 #include <vector>
 
 #include "core/base/units.h"
@@ -9,11 +11,47 @@ namespace loomlight {
 /// Discs of equal size in a plane, by their centres.
 using DiscCentres = std::vector<glm::dvec2>;
 
-/// Moves apart, half each, every two discs of that diameter that overlap; the deepest overlap that was met. One sweep:
-/// chains of contacts need many.
-double pushApart(DiscCentres& centres, double diameter);
+/// Threads of that radius that all wind about the origin: a section cuts them not as discs but as ellipses, the longer
+/// the way they turn the further out they lie, by 1 / cos of their helix angle.
+struct Threads {
+  double radius_mm = 0;
+  double turns_per_mm = 0;  ///< of length along the axis; 0: they are straight
 
-/// Deepest overlap of any two discs, in radii; 0 where all are apart.
-double worstOverlap(const DiscCentres& centres_mm, double radius_mm);
+  /// From one to another, as seen along them. They touch where that is two radii long.
+  glm::dvec2 apart(glm::dvec2 from, glm::dvec2 to) const {
+    const glm::dvec2 middle = 0.5 * (from + to), between = to - from;
+    const double square = glm::dot(middle, middle);
+    if (turns_per_mm == 0 || square == 0) return between;
+    const glm::dvec2 around(-middle.y, middle.x);
+    return between - (1 - cosineAt(square)) / square * glm::dot(between, around) * around;
+  }
+  /// Of the helix angle, at the square of a distance from the axis.
+  double cosineAt(double square_mm2) const {
+    const double slope = 2 * kPi * turns_per_mm;
+    return 1 / std::sqrt(1 + slope * slope * square_mm2);
+  }
+};
+
+/// Moves the threads of a section apart. It remembers which are neighbours until they have moved too far: keep one for
+/// each section.
+class Parting {
+ public:
+  explicit Parting(const Threads& threads) : threads_(threads) {}
+  /// One sweep: moves apart, half each, every two that overlap; the deepest overlap that was met, mm. Chains of
+  /// contacts need many.
+  double sweep(DiscCentres& centres_mm);
+
+ private:
+  void findNeighbours(const DiscCentres& centres);
+  bool knowsNeighbours(const DiscCentres& centres) const;
+
+  Threads threads_;
+  double slack_mm_ = 0;  ///< that neighbours were looked for in, beyond where they touch
+  DiscCentres looked_;   ///< where they were then
+  std::vector<std::pair<int, int>> neighbours_;
+};
+
+/// Deepest overlap of any two threads, in radii; 0 where all are apart.
+double worstOverlap(const DiscCentres& centres_mm, const Threads& threads);
 
 }  // namespace loomlight

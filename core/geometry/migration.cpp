@@ -28,15 +28,16 @@ void keepWithin(DiscCentres& centres, double rim) {
 
 /// As threads that push one another aside: discs apart at every stage, within the rim, and straight from stage to
 /// stage, the less so the nearer to the end. Where there is too little room for all, they overlap.
-void partThreads(std::vector<DiscCentres>& stages, double radius, double rim) {
+void partThreads(std::vector<DiscCentres>& stages, const Threads& fibres, double rim) {
   constexpr double kTouching = 0.01;  // overlap, in radii, that counts as none
+  std::vector<Parting> partings(stages.size(), Parting(fibres));
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     double worst = 0;
-    for (DiscCentres& stage : stages) {
-      worst = std::max(worst, pushApart(stage, 2 * radius));
-      keepWithin(stage, rim);
+    for (size_t k = 0; k < stages.size(); ++k) {
+      worst = std::max(worst, partings[k].sweep(stages[k]));
+      keepWithin(stages[k], rim);
     }
-    if (worst < kTouching * radius) return;
+    if (worst < kTouching * fibres.radius_mm) return;
     straighten(stages, 0.5 * (1 - (sweep + 1.0) / kSweeps));
   }
 }
@@ -54,7 +55,8 @@ Migration::Migration(const DiscCentres& section) {
   keep({section});
 }
 
-Migration::Migration(const DiscCentres& section, FibreLayout layout, double amount, double radius_mm, uint64_t seed) {
+Migration::Migration(const DiscCentres& section, FibreLayout layout, double amount, const Threads& fibres,
+                     uint64_t seed) {
   Random random(seed);
   std::vector<double> phases(section.size());
   for (double& phase : phases) phase = random.uniformDouble();
@@ -62,7 +64,7 @@ Migration::Migration(const DiscCentres& section, FibreLayout layout, double amou
   for (int k = 0; k < kStages; ++k)
     for (size_t i = 0; i < section.size(); ++i)
       stages[k][i] *= 1 - 0.5 * amount * (1 - std::cos(2 * kPi * (static_cast<double>(k) / kStages + phases[i])));
-  if (layout == FibreLayout::packed) partThreads(stages, radius_mm, reachOf(section));
+  if (layout == FibreLayout::packed) partThreads(stages, fibres, reachOf(section));
   keep(stages);
 }
 

@@ -17,8 +17,8 @@ class Migration {
   /// No migration: they stay in their places.
   explicit Migration(const DiscCentres& section);
   /// Each fibre goes from its place to 1 - `amount` of the way out to it and back, out of step with the others (Zhao et
-  /// al. 2016, Eq. 3). Packed ones, of that radius, go round one another.
-  Migration(const DiscCentres& section, FibreLayout layout, double amount, double radius_mm, uint64_t seed);
+  /// al. 2016, Eq. 3). Packed ones go round one another.
+  Migration(const DiscCentres& section, FibreLayout layout, double amount, const Threads& fibres, uint64_t seed);
 
   int fibres() const { return fibres_; }
   bool moves() const { return stages_ > 1; }

@@ -25,25 +25,30 @@ double turnsPerMm(const YarnGeometry& g, int turns) {
   return turns / (g.period * g.cellLength_mm);
 }
 
-/// Half the distance that packed fibres keep in their section: flattened, it is lower by upScale(), and they turn in
-/// it, so all ways round they need the room that they have least of; but no more than leaves discs in disorder (random
-/// close packing).
-double clearRadius_mm(const YarnModel& m) {
+/// The room that packed fibres keep in their section. Flattened, it is lower by upScale(), and they turn in it, so all
+/// ways round they need the room that they have least of; and their chords lie inside the curve, so that halfway
+/// between stations the section is narrower. But no more than leaves discs in disorder (random close packing).
+Threads roomOfFibres(const YarnModel& m) {
   constexpr double kFullest = 0.82;
   const YarnGeometry& g = m.geometry;
-  const double fullest = g.plyRadius_mm * std::sqrt(kFullest / g.fibresPerPly);
-  return std::max(g.fibreRadius_mm, std::min(g.fibreRadius_mm / std::min(m.upScale(), m.acrossScale()), fullest));
+  Threads fibres{g.fibreRadius_mm, turnsPerMm(g, g.plyTurns + g.yarnTurns)};
+  fibres.radius_mm /= std::min(m.upScale(), m.acrossScale());
+  if (fibres.turns_per_mm != 0) fibres.radius_mm *= 1 + kSagitta * g.fibreRadius_mm / g.plyRadius_mm;
+  const double typicalCosine = fibres.cosineAt(0.5 * g.plyRadius_mm * g.plyRadius_mm);
+  const double fullest = g.plyRadius_mm * std::sqrt(kFullest * typicalCosine / g.fibresPerPly);
+  fibres.radius_mm = std::max(g.fibreRadius_mm, std::min(fibres.radius_mm, fullest));
+  return fibres;
 }
 
 void laySections(YarnModel& m) {
   const YarnGeometry& g = m.geometry;
-  const double clear = clearRadius_mm(m);
+  const Threads fibres = roomOfFibres(m);
   m.plies.clear();
   m.bodyReach_mm = 0;
   for (int ply = 0; ply < g.plies; ++ply) {
     const uint64_t seed = hashCombine(g.seed, ply);
-    const DiscCentres section = plySection(g.layout, g.fibresPerPly, g.plyRadius_mm, clear, seed);
-    m.plies.push_back(m.migrations > 0 ? Migration(section, g.layout, g.migration, clear, hashCombine(seed, 1))
+    const DiscCentres section = plySection(g.layout, g.fibresPerPly, g.plyRadius_mm, fibres, seed);
+    m.plies.push_back(m.migrations > 0 ? Migration(section, g.layout, g.migration, fibres, hashCombine(seed, 1))
                                        : Migration(section));
     m.bodyReach_mm = std::max(m.bodyReach_mm, g.plyOrbit_mm + m.plies.back().reach_mm());
   }

@@ -14,7 +14,7 @@ constexpr int kFibres = 45;
 constexpr double kAmount = 0.25;
 
 DiscCentres section(FibreLayout layout, double packing) {
-  return plySection(layout, kFibres, std::sqrt(kFibres / packing), 1, 7);
+  return plySection(layout, kFibres, std::sqrt(kFibres / packing), {1}, 7);
 }
 
 DiscCentres placesAt(const Migration& ply, double migrations) {
@@ -24,12 +24,12 @@ DiscCentres placesAt(const Migration& ply, double migrations) {
 }
 
 TEST(Migration, OfPackedFibresHasThemGoRoundOneAnother) {
-  const Migration ply(section(FibreLayout::packed, 0.5), FibreLayout::packed, kAmount, 1, 11);
-  const Migration alone(section(FibreLayout::packed, 0.5), FibreLayout::random, kAmount, 1, 11);
+  const Migration ply(section(FibreLayout::packed, 0.5), FibreLayout::packed, kAmount, {1}, 11);
+  const Migration alone(section(FibreLayout::packed, 0.5), FibreLayout::random, kAmount, {1}, 11);
   double worst = 0, worstAlone = 0;
   for (int i = 0; i < 100; ++i) {  // at the stages and between them
-    worst = std::max(worst, worstOverlap(placesAt(ply, 0.01 * i), 1));
-    worstAlone = std::max(worstAlone, worstOverlap(placesAt(alone, 0.01 * i), 1));
+    worst = std::max(worst, worstOverlap(placesAt(ply, 0.01 * i), {1}));
+    worstAlone = std::max(worstAlone, worstOverlap(placesAt(alone, 0.01 * i), {1}));
   }
   EXPECT_LT(worst, 0.1);
   EXPECT_GT(worstAlone, 1);
@@ -37,7 +37,7 @@ TEST(Migration, OfPackedFibresHasThemGoRoundOneAnother) {
 
 TEST(Migration, TakesFibresInAndOutAsFarAsItIsTold) {
   const DiscCentres start = section(FibreLayout::random, 0.5);
-  const Migration ply(start, FibreLayout::random, kAmount, 1, 11);
+  const Migration ply(start, FibreLayout::random, kAmount, {1}, 11);
   for (int i = 0; i < kFibres; ++i) {
     double nearest = 1e9, furthest = 0;
     for (int k = 0; k < 240; ++k) {
@@ -52,7 +52,7 @@ TEST(Migration, TakesFibresInAndOutAsFarAsItIsTold) {
 }
 
 TEST(Migration, RepeatsWithoutAStep) {
-  const Migration ply(section(FibreLayout::packed, 0.5), FibreLayout::packed, kAmount, 1, 11);
+  const Migration ply(section(FibreLayout::packed, 0.5), FibreLayout::packed, kAmount, {1}, 11);
   for (int i = 0; i < kFibres; ++i) {
     EXPECT_LT(glm::distance(ply.place(i, Migration::at(0.9999999)), ply.place(i, Migration::at(1))), 1e-5);
     EXPECT_LE(glm::length(ply.place(i, Migration::at(0.37))), ply.reach_mm());
@@ -85,7 +85,7 @@ TEST(FlattenedSection, PackedFibresDoNotOverlapHoweverItTurns) {
       places.emplace_back(yarn->upScale() * (std::cos(turn) * p.x - std::sin(turn) * p.y),
                           yarn->acrossScale() * (std::sin(turn) * p.x + std::cos(turn) * p.y));
     }
-    EXPECT_LT(worstOverlap(places, yarn->geometry.fibreRadius_mm), 0.02) << degrees;
+    EXPECT_LT(worstOverlap(places, {yarn->geometry.fibreRadius_mm}), 0.02) << degrees;
   }
 }
 
