@@ -80,6 +80,14 @@ Camera zoomed(const Camera& camera, double clicks, double x, double y, int heigh
   return moved;
 }
 
+Camera turnedTo(const Camera& camera, Viewpoint viewpoint) {
+  constexpr double kElevations_deg[] = {90, 35, 12};
+  Camera turned = camera;
+  turned.azimuth_deg = -90;
+  turned.elevation_deg = kElevations_deg[static_cast<size_t>(viewpoint)];
+  return turned;
+}
+
 Camera fitted(const Camera& camera, const Drape& drape, double aspect, const MeshExtent& mesh) {
   constexpr double kMargin = 1.02;
   Camera moved = camera;

@@ -9,6 +9,11 @@ Camera orbited(const Camera& camera, double dx, double dy);
 Camera panned(const Camera& camera, double dx, double dy, int height);
 /// Wheel clicks towards the cloth; what lies under the pointer, (x, y) pixels from the centre, stays there.
 Camera zoomed(const Camera& camera, double clicks, double x, double y, int height);
+/// Whence a cloth is looked at by one key: straight from above, aslant as on a table before one, and along it, where
+/// its relief and its sheen show.
+enum class Viewpoint { above, aslant, grazing };
+/// Turns about what the camera looks at; picks go up the screen.
+Camera turnedTo(const Camera& camera, Viewpoint viewpoint);
 /// A ball around a mesh.
 struct MeshExtent {
   glm::dvec3 centre_mm{0.0};

@@ -11,7 +11,7 @@ namespace {
 
 /// Wanted on the left, what is there on the right, edge to edge, as one compares swatches.
 void comparisonRow(Ui& ui, const std::optional<Rgb>& wanted, const ClothColourModel& model) {
-  const RowText text{"fibre.cloth_colour_reached", "Wanted, and as it is",
+  const RowText text{"fibre.cloth_colour_reached", "Wanted, reached",
                      "The colour asked for on the left, the cloth's on the right, seen from straight above in white "
                      "light from the sky over black."};
   const FieldRow row = beginRow(ui, text);
@@ -56,7 +56,8 @@ void clothColourRows(Ui& ui, int fibre, const ClothColourModel& model, ClothColo
   const auto found = view.wanted.find(fibre);
   const std::optional<Rgb> wanted = found == view.wanted.end() ? std::nullopt : std::optional(found->second);
   const bool known = model.state == ClothColourModel::State::known;
-  Rgb colour = wanted.value_or(model.colour);
+  // Until the cloth's colour is known the swatch is an empty field: black would be a colour.
+  Rgb colour = wanted.value_or(known ? model.colour : toLinearColour(ui.theme.field));
   if (colourField(ui,
                   {"fibre.cloth_colour", "In this cloth",
                    "The colour that the cloth should have where this fibre lies on top. The dye for it is found by "

@@ -6,13 +6,24 @@ namespace loomlight {
 namespace {
 
 constexpr float kGap = 4, kStatusHeight = 28, kNarrowest = 264;
+constexpr float kShare = 0.24f, kWidestDraft = 560, kWidestInspector = 400;  // of panels that nobody has dragged
 
 /// Panels take what they were given, unless the cloth would lose its half.
-float fittedWidth(float wanted, float screenWidth) {
+float fittedWidth(float wanted, float widestUndragged, float screenWidth) {
+  if (wanted <= 0) wanted = std::min(kShare * screenWidth, widestUndragged);
   return std::clamp(wanted, kNarrowest, std::max(kNarrowest, 0.5f * 0.5f * screenWidth - kGap));
 }
 
-void splitter(Ui& ui, const char* name, ImVec2 min, ImVec2 size, float direction, float& width) {
+float draftWidth(const DeskLayout& layout, float screenWidth) {
+  return fittedWidth(layout.draftWidth, kWidestDraft, screenWidth);
+}
+
+float inspectorWidth(const DeskLayout& layout, float screenWidth) {
+  return fittedWidth(layout.inspectorWidth, kWidestInspector, screenWidth);
+}
+
+/// `width` of the panel beside it now; `kept` takes what a drag makes of it.
+void splitter(Ui& ui, const char* name, ImVec2 min, ImVec2 size, float direction, float width, float& kept) {
   ImGui::SetNextWindowPos(min);
   ImGui::SetNextWindowSize(size);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
@@ -28,7 +39,8 @@ void splitter(Ui& ui, const char* name, ImVec2 min, ImVec2 size, float direction
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     ImGui::GetWindowDrawList()->AddRectFilled(min, ImVec2(min.x + size.x, min.y + size.y), packed(ui.theme.fieldFill));
   }
-  if (ImGui::IsItemActive()) width += direction * ImGui::GetIO().MouseDelta.x / ui.scale;
+  const float moved = ImGui::GetIO().MouseDelta.x;
+  if (ImGui::IsItemActive() && moved != 0) kept = width + direction * moved / ui.scale;
   ImGui::End();
   ImGui::PopStyleColor();
   ImGui::PopStyleVar(3);
@@ -40,8 +52,8 @@ DeskAreas deskAreas(const DeskLayout& layout, ImVec2 screen, float menuHeight, f
   const float gap = std::floor(kGap * scale), status = std::round(kStatusHeight * scale);
   const float top = menuHeight + gap, height = std::max(1.0f, screen.y - top - gap - status);
   const float width1 = screen.x / scale;
-  const float left = layout.panelsShown ? std::floor(fittedWidth(layout.draftWidth, width1) * scale) : 0;
-  const float right = layout.panelsShown ? std::floor(fittedWidth(layout.inspectorWidth, width1) * scale) : 0;
+  const float left = layout.panelsShown ? std::floor(draftWidth(layout, width1) * scale) : 0;
+  const float right = layout.panelsShown ? std::floor(inspectorWidth(layout, width1) * scale) : 0;
   const float leftGap = left > 0 ? gap : 0, rightGap = right > 0 ? gap : 0;
   DeskAreas areas;
   areas.draft = {ImVec2(0, top), ImVec2(left, height)};
@@ -57,14 +69,12 @@ DeskAreas deskAreas(const DeskLayout& layout, ImVec2 screen, float menuHeight, f
 void splitters(Ui& ui, DeskLayout& layout, const DeskAreas& areas) {
   if (!layout.panelsShown) return;
   const float width1 = ImGui::GetIO().DisplaySize.x / ui.scale;
-  layout.draftWidth = fittedWidth(layout.draftWidth, width1);
-  layout.inspectorWidth = fittedWidth(layout.inspectorWidth, width1);
   const float gap = areas.viewport.min.x - areas.draft.size.x;
   const float height = areas.draft.size.y;
   splitter(ui, "splitter.left", ImVec2(areas.draft.size.x, areas.draft.min.y), ImVec2(gap, height), 1,
-           layout.draftWidth);
+           draftWidth(layout, width1), layout.draftWidth);
   splitter(ui, "splitter.right", ImVec2(areas.inspector.min.x - gap, areas.draft.min.y), ImVec2(gap, height), -1,
-           layout.inspectorWidth);
+           inspectorWidth(layout, width1), layout.inspectorWidth);
 }
 
 void beginPanel(const char* name, const DeskAreas::Area& area, bool padded) {

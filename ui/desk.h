@@ -4,10 +4,11 @@
 
 namespace loomlight {
 
-/// Where the panels are. Widths in pixels at scale 1; kept between sessions.
+/// Where the panels are. Widths in pixels at scale 1, 0 until one is dragged: it is then a share of the screen, so that
+/// a larger screen has a larger draft. Kept between sessions.
 struct DeskLayout {
-  float draftWidth = 328;
-  float inspectorWidth = 336;
+  float draftWidth = 0;
+  float inspectorWidth = 0;
   bool panelsShown = true;
 };
 

@@ -213,7 +213,10 @@ std::optional<Fabric> draftCanvas(Ui& ui, const Fabric& fabric, const std::vecto
   tellProbe(ui, view, draftBeside(shown, preferences, view), frame);
 
   ImGui::SetCursorScreenPos(ImVec2(corner.x, corner.y + size.y));
-  sayLine(ui, view, place, remark.empty() ? view.remark : remark);
+  const std::string& became = remark.empty() ? view.remark : remark;
+  if (place.empty() && became.empty() && view.marksFloats)
+    place = fmt::format("marked: floats longer than {:.1f} mm", preferences.longFloat_mm);
+  sayLine(ui, view, place, became);
   return edited;
 }
 

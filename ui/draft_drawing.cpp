@@ -170,6 +170,7 @@ void drawBar(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& yarnColour
     const float opacity = i >= 0 && i < period ? 1.0f : 0.7f;
     draw.AddRectFilled(a, b, packed(yarnColours[static_cast<size_t>(yarn)], opacity));
   }
+  draw.AddRect(bar.min, bar.max, packed(ui.theme.text, 0.18f));  // ecru is seen on a light panel, black on a dark one
   draw.PopClipRect();
 }
 

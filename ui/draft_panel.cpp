@@ -31,10 +31,11 @@ std::optional<Fabric> draftPanel(Ui& ui, const Fabric& fabric, const std::vector
                                  DraftPreferences& preferences, DraftView& view, std::optional<CrossingIndex> lit) {
   panelHead(ui, view);
   const ImVec2 room = ImGui::GetContentRegionAvail();
-  // What stands below keeps its place: tabs, a page, and the presets.
-  const float page = ui.px(150), presets = ui.px(110);
+  // What stands below keeps its place: tabs, a page, and the presets. Of a tall window all three get more.
+  const float spare = std::max(0.0f, room.y - ui.px(620));
+  const float page = ui.px(150) + 0.25f * spare, presets = ui.px(110) + 0.25f * spare;
   const float below = 2 * ImGui::GetFrameHeightWithSpacing() + ui.px(24) + page + presets;
-  const float height = std::max(ui.px(180), std::min(room.x + ui.px(60), room.y - below));
+  const float height = std::max(ui.px(180), std::min(1.3f * room.x, room.y - below));
   std::optional<Fabric> edited = draftCanvas(ui, fabric, yarnColours, preferences, view, lit, ImVec2(room.x, height));
 
   static constexpr const char* kPages[] = {"Structures", "Loom", "Colours"};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 
 #include "ui/fields.h"
 
@@ -76,31 +77,43 @@ CrossingIndex cellAt(const Table& table, const DraftFrame& frame, float lift, Im
   return {number(p.x - table.box.min.x), crossing.pick};
 }
 
-void drawTable(Ui& ui, const Draft& draft, const Table& table, const DraftFrame& frame, float lift) {
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  draw.PushClipRect(table.box.min, table.box.max, true);
-  draw.AddRectFilled(table.box.min, table.box.max, packed(ui.theme.paper));
-  const bool repeats = table.part != DraftPart::tieUp;
-  int first = 0, last = table.lines - 1;
-  if (repeats) {
-    first = table.linesAcross ? frame.firstEnd() : frame.firstPick();
-    last = table.linesAcross ? frame.lastEnd() : frame.lastPick();
-  }
-  const int step = repeats ? std::max(1, static_cast<int>(std::ceil(1.0f / frame.cell))) : 1;
-  const ImU32 ink = packed(ui.theme.ink), faded = packed(ui.theme.ink, 0.4f);
-  const float along = repeats ? std::min(frame.cell, lift) : lift;
-  const float gap = along >= 5 * ui.scale ? ui.scale : 0.0f;
-  for (int line = first; line <= last; line += step) {
-    const int inRepeat = wrapped(line, table.lines);
-    for (int number = 1; number <= table.numbers; ++number) {
-      if (!hasNumber(draft, table.part, inRepeat, number)) continue;
-      const Box place = placeOf(table, frame, lift, line, number);
-      draw.AddRectFilled(ImVec2(place.min.x + gap, place.min.y + gap),
-                         ImVec2(std::max(place.min.x + 1, place.max.x - gap), place.max.y - gap),
-                         line == inRepeat ? ink : faded);
+/// One thread's numbers, or one treadle's. Where they lie too close for gaps, neighbours are drawn as one: there are
+/// never more rectangles than pixels.
+void drawLine(ImDrawList& draw, const Table& table, std::span<const int> numbers, float gap, ImU32 colour,
+              const std::function<Box(int)>& place) {
+  const auto drawn = [&](int number) {
+    Box box = place(number);
+    box.max.x = std::max(box.max.x, box.min.x + 1), box.max.y = std::max(box.max.y, box.min.y + 1);
+    return box;
+  };
+  const auto touch = [](const Box& a, const Box& b) {
+    return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
+  };
+  std::optional<Box> run;
+  const auto flush = [&] {
+    if (run)
+      draw.AddRectFilled(ImVec2(run->min.x + gap, run->min.y + gap), ImVec2(run->max.x - gap, run->max.y - gap),
+                         colour);
+  };
+  for (const int number : numbers) {
+    if (number < 1 || number > table.numbers) continue;
+    const Box box = drawn(number);
+    if (run && gap == 0 && touch(*run, box)) {
+      run->min = ImVec2(std::min(run->min.x, box.min.x), std::min(run->min.y, box.min.y));
+      run->max = ImVec2(std::max(run->max.x, box.max.x), std::max(run->max.y, box.max.y));
+      continue;
     }
+    flush();
+    run = box;
   }
+  flush();
+}
+
+/// Rules between numbers and between lines, as far as they stand apart.
+void drawRules(Ui& ui, const Table& table, const DraftFrame& frame, float lift, int first, int last) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
   const float fade = std::clamp((lift / ui.scale - 3.0f) / 5.0f, 0.0f, 1.0f);
+  if (fade <= 0) return;
   const auto rule = [&](Box box, bool strong) {
     draw.AddRectFilled(box.min, box.max, packed(ui.theme.ink, fade * (strong ? 0.32f : 0.14f)));
   };
@@ -112,8 +125,9 @@ void drawTable(Ui& ui, const Draft& draft, const Table& table, const DraftFrame&
     else
       rule({ImVec2(x, table.box.min.y), ImVec2(x + 1, table.box.max.y)}, number % 4 == 0);
   }
-  const bool linesSeen = !repeats || frame.cell >= 6 * ui.scale;
-  for (int line = first; linesSeen && line <= last + 1; ++line) {
+  const bool repeats = table.part != DraftPart::tieUp;
+  if (repeats && frame.cell < 6 * ui.scale) return;
+  for (int line = first; line <= last + 1; ++line) {
     const Box place = placeOf(table, frame, lift, line, 1);
     const float x = !repeats || !frame.fromRight ? place.min.x : place.max.x;
     const float y = frame.fromTop ? place.min.y : place.max.y;
@@ -122,6 +136,28 @@ void drawTable(Ui& ui, const Draft& draft, const Table& table, const DraftFrame&
     else
       rule({ImVec2(table.box.min.x, y), ImVec2(table.box.max.x, y + 1)}, wrapped(line, 4) == 0);
   }
+}
+
+void drawTable(Ui& ui, const Draft& draft, const Table& table, const DraftFrame& frame, float lift) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.PushClipRect(table.box.min, table.box.max, true);
+  draw.AddRectFilled(table.box.min, table.box.max, packed(ui.theme.paper));
+  const bool repeats = table.part != DraftPart::tieUp;
+  int first = 0, last = table.lines - 1;
+  if (repeats) {
+    first = table.linesAcross ? frame.firstEnd() : frame.firstPick();
+    last = table.linesAcross ? frame.lastEnd() : frame.lastPick();
+  }
+  const float along = repeats ? std::min(frame.cell, lift) : lift;
+  const int step = std::max(1, static_cast<int>(std::ceil(1.0f / (repeats ? frame.cell : lift))));
+  const ImU32 ink = packed(ui.theme.ink), faded = packed(ui.theme.ink, 0.4f);
+  const float gap = along >= 5 * ui.scale ? ui.scale : 0.0f;
+  for (int line = first; line <= last; line += step) {
+    const int inRepeat = wrapped(line, table.lines);
+    drawLine(draw, table, numbersOf(draft, table.part, inRepeat), gap, line == inRepeat ? ink : faded,
+             [&](int number) { return placeOf(table, frame, lift, line, number); });
+  }
+  drawRules(ui, table, frame, lift, first, last);
   draw.PopClipRect();
 }
 
@@ -137,10 +173,10 @@ std::optional<Draft> painted(const Draft& draft, const Table& table, CrossingInd
     if (number < 1 || number > table.numbers) continue;
     if (table.part == DraftPart::tieUp && (line < 0 || line >= table.lines)) continue;
     line = wrapped(line, table.lines);
-    const Draft& now = edited ? *edited : draft;
-    if (hasNumber(now, table.part, line, number) == value) continue;
-    edited = value && alone ? withOnlyNumber(now, table.part, line, number)
-                            : withNumber(now, table.part, line, number, value);
+    if (hasNumber(edited ? *edited : draft, table.part, line, number) == value) continue;
+    Draft now = edited ? std::move(*edited) : draft;
+    edited = value && alone ? withOnlyNumber(std::move(now), table.part, line, number)
+                            : withNumber(std::move(now), table.part, line, number, value);
   }
   return edited;
 }

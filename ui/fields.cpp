@@ -56,13 +56,19 @@ std::string shortened(const std::string& text, float width) {
   return part + kEllipsis;
 }
 
+void tellIfClipped(Ui& ui, const std::string& id, const char* text, float room) {
+  if (ui.probe.watching() && ImGui::CalcTextSize(text).x > room + 0.5f) ui.probe.fact("clipped." + id, text);
+}
+
 FieldRow beginRow(Ui& ui, const RowText& text) {
   const float all = ImGui::GetContentRegionAvail().x;
-  const float label = std::floor(kLabelShare * all);
+  const float own = *text.label ? ImGui::CalcTextSize(text.label).x + ui.px(12) : 0;
+  const float label = text.standsAlone ? own : std::floor(kLabelShare * all);
   const float height = ImGui::GetFrameHeight();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const ImVec4 clip(corner.x, corner.y, corner.x + label - ui.px(4), corner.y + height);
+  tellIfClipped(ui, text.id, text.label, std::max(0.0f, label - ui.px(4)));
   const float y = corner.y + 0.5f * (height - ImGui::GetFontSize());
   draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), ImVec2(corner.x, y), packed(ui.theme.textQuiet), text.label,
                nullptr, 0.0f, &clip);
@@ -109,7 +115,9 @@ bool choiceField(Ui& ui, const RowText& text, std::span<const char* const> names
   ImGui::SetNextItemWidth(row.width);
   bool changed = false;
   const char* shown = chosen >= 0 && chosen < static_cast<int>(names.size()) ? names[chosen] : otherwise;
-  const std::string preview = shortened(shown, row.width - ui.px(32));
+  const float room = row.width - ui.px(32);
+  const std::string preview = shortened(shown, room);
+  tellIfClipped(ui, text.id, shown, room);
   const bool open =
       ImGui::BeginCombo("##choice", preview.c_str(), ImGuiComboFlags_HeightLarge | ImGuiComboFlags_NoArrowButton);
   if (!open) drawChevron(ui, ImVec2(max.x - ui.px(14), 0.5f * (min.y + max.y)));
@@ -153,6 +161,7 @@ bool segmentField(Ui& ui, const RowText& text, std::span<const char* const> name
     const ImVec2 size = ImGui::CalcTextSize(names[i]);
     draw.AddText(ImVec2(0.5f * (a.x + b.x - size.x), 0.5f * (a.y + b.y - size.y)),
                  packed(on ? ui.theme.text : ui.theme.textQuiet), names[i]);
+    tellIfClipped(ui, text.id, names[i], width);
   }
   ImGui::PopID();
   endRow(ui, text, min, max);
@@ -173,6 +182,14 @@ bool textField(Ui& ui, const RowText& text, std::string& value) {
   ImGui::PushID(text.id.c_str());
   ImGui::SetNextItemWidth(row.width);
   const bool changed = ImGui::InputText("##text", &value);
+  const bool goesOn = ImGui::CalcTextSize(value.c_str()).x > row.width - ui.px(16);
+  if (goesOn && !ImGui::IsItemActive()) {  // a text that goes on fades out
+    const ImVec2 max(min.x + row.width, min.y + row.height);
+    const ImVec4& field = ImGui::IsItemHovered() ? ui.theme.fieldHover : ui.theme.field;
+    const ImU32 clear = packed(field, 0), full = packed(field);
+    ImGui::GetWindowDrawList()->AddRectFilledMultiColor(ImVec2(max.x - ui.px(36), min.y),
+                                                        ImVec2(max.x - ui.px(4), max.y), clear, full, full, clear);
+  }
   ImGui::PopID();
   endRow(ui, text, min, ImVec2(min.x + row.width, min.y + row.height));
   return changed;
@@ -209,6 +226,7 @@ void readout(Ui& ui, const RowText& text, const std::string& value) {
   const ImVec2 max(min.x + row.width, min.y + row.height);
   const ImVec2 size = ImGui::CalcTextSize(value.c_str());
   const float y = min.y + 0.5f * (row.height - size.y);
+  tellIfClipped(ui, text.id, value.c_str(), row.width - ui.px(8));
   ImGui::GetWindowDrawList()->AddText(ImVec2(max.x - ui.px(8) - size.x, y), packed(ui.theme.text), value.c_str());
   ImGui::Dummy(ImVec2(row.width, row.height));
   endRow(ui, text, min, max);
@@ -221,7 +239,22 @@ bool button(Ui& ui, const char* id, const char* label, float width, bool enabled
   if (!enabled) ImGui::EndDisabled();
   ImGui::PopID();
   ui.probe.recordItem(id);
+  tellIfClipped(ui, id, label, ImGui::GetItemRectSize().x);
   tooltipFor(ui, id, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), tooltip);
+  return pressed;
+}
+
+bool mainButton(Ui& ui, const char* id, const char* label, float width, bool enabled, const char* tooltip) {
+  if (!enabled) return button(ui, id, label, width, false, tooltip);
+  ImVec4 ground = ui.theme.text;
+  ground.w = 0.88f;
+  ImGui::PushStyleColor(ImGuiCol_Button, ground);
+  ImGui::PushStyleColor(ImGuiCol_ButtonHovered, ui.theme.text);
+  ImGui::PushStyleColor(ImGuiCol_ButtonActive, ui.theme.text);
+  ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.panel);
+  const bool pressed = button(ui, id, label, width, true, "");
+  ImGui::PopStyleColor(4);
+  tooltipFor(ui, id, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), tooltip);  // in the colours of a tooltip
   return pressed;
 }
 
@@ -231,8 +264,9 @@ bool swatch(Ui& ui, const char* id, const ImVec4& colour, float size, bool selec
   const ImVec2 max(min.x + size, min.y + size);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const float inset = ui.px(3);
-  draw.AddRectFilled(ImVec2(min.x + inset, min.y + inset), ImVec2(max.x - inset, max.y - inset), packed(colour),
-                     ui.px(3));
+  const ImVec2 a(min.x + inset, min.y + inset), b(max.x - inset, max.y - inset);
+  draw.AddRectFilled(a, b, packed(colour), ui.px(3));
+  draw.AddRect(a, b, packed(ui.theme.text, 0.18f), ui.px(3));  // ecru is seen on a light panel, black on a dark one
   if (selected || ImGui::IsItemHovered())
     draw.AddRect(min, max, packed(selected ? ui.theme.accent : ui.theme.textQuiet), ui.px(5), 0, ui.px(1.5f));
   ui.probe.record(id, min, max);

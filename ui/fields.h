@@ -17,6 +17,7 @@ struct RowText {
   std::string id;
   const char* label;
   const char* tooltip = "";
+  bool standsAlone = false;  ///< its label takes what it needs, rather than a column that rows share
 };
 
 /// How a number is shown and edited. Dragging scrubs it (Shift fine, Ctrl coarse), a click types it.
@@ -48,6 +49,8 @@ void readout(Ui& ui, const RowText& text, const std::string& value);
 
 /// A button of the width of the panel's field column, or of `width`.
 bool button(Ui& ui, const char* id, const char* label, float width = 0, bool enabled = true, const char* tooltip = "");
+/// The button that a dialog is for: it stands out, though without a hue.
+bool mainButton(Ui& ui, const char* id, const char* label, float width, bool enabled = true, const char* tooltip = "");
 /// A square button with a drawn colour; `selected` rings it.
 bool swatch(Ui& ui, const char* id, const ImVec4& colour, float size, bool selected, const char* tooltip);
 

@@ -156,7 +156,7 @@ std::optional<std::string> FileBrowser::draw(Ui& ui) {
   ImGui::SetCursorPosX(ImGui::GetWindowWidth() - 2 * width - ui.px(24));
   bool close = button(ui, "browser.cancel", "Cancel", width) || modalCancelled();
   ImGui::SameLine();
-  decided |= button(ui, "browser.ok", purpose_ == Purpose::open ? "Open" : "Save", width);
+  decided |= mainButton(ui, "browser.ok", purpose_ == Purpose::open ? "Open" : "Save", width);
   std::optional<std::string> file;
   if (decided) file = decide();
   if (file || close) {

@@ -144,7 +144,7 @@ std::optional<PictureOrder> PictureDialog::draw(Ui& ui) {
   const bool cancelled = button(ui, "picture.close", "Cancel", width) || modalCancelled();
   ImGui::SameLine();
   const bool weaves =
-      button(ui, "picture.weave", weaving_ ? "Weaving\xE2\x80\xA6" : "Weave", width, source_ && !weaving_);
+      mainButton(ui, "picture.weave", weaving_ ? "Weaving\xE2\x80\xA6" : "Weave", width, source_ && !weaving_);
   if (cancelled || std::exchange(closing_, false)) {
     open_ = false;
     ImGui::CloseCurrentPopup();

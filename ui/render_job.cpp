@@ -27,7 +27,7 @@ RenderJobAnswer renderJobRows(Ui& ui, const std::string& dialog, const RenderJob
   const bool dismiss =
       button(ui, (dialog + ".close").c_str(), job.running ? "Cancel" : "Close", width) || modalCancelled();
   ImGui::SameLine();
-  answer.start = button(ui, (dialog + ".start").c_str(), "Render", width, !job.running && hasFile);
+  answer.start = mainButton(ui, (dialog + ".start").c_str(), "Render", width, !job.running && hasFile);
   (job.running ? answer.cancel : answer.close) = dismiss;
   return answer;
 }

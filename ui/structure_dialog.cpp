@@ -124,7 +124,7 @@ std::optional<MadeStructure> StructureDialog::draw(Ui& ui, const std::optional<C
     ImGui::CloseCurrentPopup();
   }
   ImGui::SameLine();
-  apply |= button(ui, "structures.apply", "Apply", width, made_.problem.empty());
+  apply |= mainButton(ui, "structures.apply", "Apply", width, made_.problem.empty());
   endModal();
   if (!apply || !made_.problem.empty()) return std::nullopt;
   return made_;

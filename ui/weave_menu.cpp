@@ -18,13 +18,14 @@ class Items {
   std::optional<DraftCommand> chosen_;
 };
 
+}  // namespace
+
 bool beginMenu(Ui& ui, const char* id, const char* label) {
   const bool open = ImGui::BeginMenu(label);
   if (!open) ui.probe.recordItem(id);
+  if (open && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) ImGui::CloseCurrentPopup();
   return open;
 }
-
-}  // namespace
 
 std::optional<DraftCommand> weaveMenu(Ui& ui, const WeaveMenuModel& model) {
   if (!beginMenu(ui, "menu.weave", "Weave")) return std::nullopt;

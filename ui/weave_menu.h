@@ -12,6 +12,8 @@ struct WeaveMenuModel {
   bool back = false, marksFloats = false;
 };
 
+/// As ImGui's, with a name for tests; Esc shuts it.
+bool beginMenu(Ui& ui, const char* id, const char* label);
 /// The menu of all that is done to a weave; within the menu bar.
 std::optional<DraftCommand> weaveMenu(Ui& ui, const WeaveMenuModel& model);
 /// What a cloth can be written as for others; within the file menu.

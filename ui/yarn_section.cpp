@@ -50,10 +50,11 @@ void drawYarnSection(Ui& ui, const YarnSection& section, const YarnFibreColours&
   draw.AddRectFilled(min, max, packed(ui.theme.field), ui.px(4));
   if (section.points.empty() || section.halfWidth_mm <= 0) return;
 
-  const double room = 0.86;
+  const double room = 0.9;
+  const float bottom = max.y - ui.px(26);  // the scale bar stands below it
   const double pixelsPerMm =
-      room * 0.5 * std::min((max.x - min.x) / section.halfWidth_mm, (max.y - min.y) / section.halfHeight_mm);
-  const ImVec2 centre(0.5f * (min.x + max.x), 0.5f * (min.y + max.y));
+      room * 0.5 * std::min((max.x - min.x) / section.halfWidth_mm, (bottom - min.y) / section.halfHeight_mm);
+  const ImVec2 centre(0.5f * (min.x + max.x), 0.5f * (min.y + bottom));
   const float radius = std::max(0.75f, static_cast<float>(section.fibreRadius_mm * pixelsPerMm));
   const int segments = radius < 3 ? 6 : radius < 8 ? 12 : 24;
   draw.PushClipRect(min, max, true);

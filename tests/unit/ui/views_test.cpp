@@ -81,6 +81,20 @@ TEST(CameraMoves, FitShowsEveryCornerOfTheCloth) {
   }
 }
 
+TEST(CameraMoves, AViewpointTurnsAboutWhatIsLookedAt) {
+  const glm::dvec3 target = someCamera().target_mm;
+  for (const Viewpoint viewpoint : {Viewpoint::above, Viewpoint::aslant, Viewpoint::grazing}) {
+    const Camera camera = turnedTo(someCamera(), viewpoint);
+    EXPECT_NEAR(glm::length(project(camera, target, 600)), 0, 1e-9);
+    const glm::dvec2 nextEnd = project(camera, target + glm::dvec3(0.1, 0, 0), 600);
+    const glm::dvec2 nextPick = project(camera, target + glm::dvec3(0, 0.1, 0), 600);
+    EXPECT_GT(nextEnd.x, 0);
+    EXPECT_NEAR(nextEnd.y, 0, 1e-9);
+    EXPECT_NEAR(nextPick.x, 0, 1e-9);
+    EXPECT_LT(nextPick.y, 0) << "the next pick is further up";
+  }
+}
+
 TEST(CrossingIndex, WrapsIntoTheRepeatFromBothSides) {
   const Weave weave = Weave().resized(5, 3);
   EXPECT_EQ(inRepeat({-1, -1}, weave), (CrossingIndex{2, 4}));
@@ -97,6 +111,18 @@ TEST(Desk, TheClothKeepsHalfOfTheWindow) {
       EXPECT_NEAR(areas.inspector.min.x + areas.inspector.size.x, screen.x, 1);
       EXPECT_NEAR(areas.status.min.y + areas.status.size.y, screen.y, 1);
     }
+}
+
+TEST(Desk, PanelsThatNobodyDraggedGrowWithTheScreen) {
+  float last = 0;
+  for (const float width : {1280.0f, 1600.0f, 1920.0f}) {
+    const DeskAreas areas = deskAreas(DeskLayout{}, ImVec2(width, 900), 31, 1);
+    EXPECT_GT(areas.draft.size.x, last);
+    last = areas.draft.size.x;
+  }
+  DeskLayout dragged;
+  dragged.draftWidth = 300;
+  EXPECT_EQ(deskAreas(dragged, ImVec2(1920, 1080), 31, 1).draft.size.x, 300);
 }
 
 }  // namespace

@@ -1,0 +1,129 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+#include "core/fabric/jacquard.h"
+#include "ui/draft_panel.h"
+
+namespace loomlight {
+namespace {
+
+/// Dear ImGui without a window: what a panel would have drawn is counted.
+class HeadlessDesk {
+ public:
+  HeadlessDesk() : context_(ImGui::CreateContext()) {
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = ImVec2(1920, 1080);
+    io.IniFilename = nullptr;
+    io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
+    fonts_ = loadFonts(*io.Fonts, 1);
+    unsigned char* pixels = nullptr;
+    int width = 0, height = 0;
+    io.Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
+  }
+  ~HeadlessDesk() { ImGui::DestroyContext(context_); }
+
+  /// A frame of the draft's panel alone, which may edit the fabric; returns how many corners it drew.
+  int draw(Fabric& fabric, DraftView& view, ImVec2 mouse = ImVec2(-1, -1), bool pressed = false) {
+    ImGuiIO& io = ImGui::GetIO();
+    io.DeltaTime = 1.0f / 60;
+    io.MousePos = mouse;
+    io.MouseDown[ImGuiMouseButton_Left] = pressed;
+    ImGui::NewFrame();
+    probe_.beginFrame();
+    Ui ui{theme_, fonts_, probe_, memory_, 1, 0};
+    ImGui::SetNextWindowPos(ImVec2(0, 0));
+    ImGui::SetNextWindowSize(ImVec2(kWidth, kHeight));
+    ImGui::Begin("draft", nullptr, ImGuiWindowFlags_NoDecoration);
+    const std::vector<ImVec4> colours(fabric.yarns.size(), ImVec4(0.2f, 0.3f, 0.5f, 1));
+    if (auto edited = draftPanel(ui, fabric, colours, preferences_, view, std::nullopt)) fabric = std::move(*edited);
+    ImGui::End();
+    ImGui::Render();
+    return ImGui::GetDrawData()->TotalVtxCount;
+  }
+
+  ImVec2 centreOfCloth() const {
+    const WidgetProbe::Rect& cloth = probe_.snapshot().widgets.at("draft.canvas");
+    return ImVec2(0.5f * (cloth.x0 + cloth.x1), 0.5f * (cloth.y0 + cloth.y1));
+  }
+  static constexpr int panelPixels() { return kWidth * kHeight; }
+
+ private:
+  static constexpr int kWidth = 600, kHeight = 1000;
+
+  ImGuiContext* context_;
+  Theme theme_ = Theme::dark();
+  Fonts fonts_;
+  WidgetProbe probe_{true};
+  FieldMemory memory_;
+  DraftPreferences preferences_;
+};
+
+Fabric large() {
+  Fabric fabric;
+  fabric.weave = damaskJacquard(400, 400).resized(4000, 4000);
+  return fabric;
+}
+
+/// A dobby draft: every pick lifts half of the shafts, in many small groups.
+Fabric manyShafts(int shafts, int picks) {
+  Draft draft;
+  draft.shafts = shafts;
+  for (int end = 0; end < shafts; ++end) draft.threading.push_back({end + 1});
+  for (int pick = 0; pick < picks; ++pick) {
+    std::vector<int> up;
+    for (int shaft = 1; shaft <= shafts; ++shaft)
+      if ((shaft + pick) % 4 < 2) up.push_back(shaft);
+    draft.liftplan.push_back(up);
+  }
+  return withDraft(Fabric(), std::move(draft));
+}
+
+constexpr float kCellSizes_px[] = {0.05f, 0.3f, 0.9f, 2, 5, 12};
+
+/// A rectangle has four corners and covers four pixels at least; were threads or shafts drawn that nobody can tell
+/// apart, there would be hundreds of times as many.
+void expectBoundedByThePanel(Fabric fabric) {
+  HeadlessDesk desk;
+  DraftView view;
+  for (const bool inColour : {false, true})
+    for (const bool marksFloats : {false, true})
+      for (const float cell : kCellSizes_px) {
+        view.inColour = inColour;
+        view.marksFloats = marksFloats;
+        view.cell = cell;
+        view.origin = ImVec2(300, 300);
+        EXPECT_LT(desk.draw(fabric, view), HeadlessDesk::panelPixels()) << cell << " px a crossing";
+      }
+}
+
+TEST(DraftAtSize, AJacquardIsDrawnAsFarAsItIsSeen) {
+  expectBoundedByThePanel(large());
+}
+
+TEST(DraftAtSize, AThousandShaftsAreDrawnAsFarAsTheyAreSeen) {
+  expectBoundedByThePanel(manyShafts(1000, 2000));
+}
+
+TEST(DraftAtSize, AClickInAJacquardMakesOneRowAnew) {
+  HeadlessDesk desk;
+  const Fabric before = large();
+  Fabric fabric = before;
+  DraftView view;
+  view.cell = 8;
+  desk.draw(fabric, view);
+  const ImVec2 mouse = desk.centreOfCloth();
+  desk.draw(fabric, view, mouse);
+  const CrossingIndex under = view.hovered.value();
+  desk.draw(fabric, view, mouse, true);
+  desk.draw(fabric, view, mouse);
+  int rowsMade = 0;
+  for (int pick = 0; pick < fabric.weave.picks(); ++pick)
+    rowsMade += fabric.weave.sharedRow(pick) != before.weave.sharedRow(pick);
+  EXPECT_EQ(rowsMade, 1);
+  EXPECT_NE(fabric.weave.at(under.pick, under.end), before.weave.at(under.pick, under.end));
+}
+
+}  // namespace
+}  // namespace loomlight
