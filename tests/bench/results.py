@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Puts the pages of `loomlight bench accuracy`, `table1`, `figures` and `edit` together as RESULTS.md, with a few small pictures.
+"""Puts the pages of `loomlight bench accuracy`, `table1`, `figures`, `edit` and `converge` together as RESULTS.md, with a
+few small pictures.
 
-    tests/bench/results.py --run build/app/loomlight RUNS    measures first: an hour on two idle cores
+    tests/bench/results.py --run build/app/loomlight RUNS    measures first: over an hour on two idle cores
     tests/bench/results.py RUNS                              only writes, from the suites that are in RUNS
 
 RUNS is a folder that keeps the whole pages, tables and pictures, one folder a suite, and the commit they are of.
@@ -14,7 +15,7 @@ import shutil
 import subprocess
 
 HERE = pathlib.Path(__file__).resolve().parent
-SUITES = ("accuracy", "table1", "figures", "edit")
+SUITES = ("accuracy", "table1", "figures", "edit", "converge")
 PICTURES = ("accuracy_plain_filament", "blue", "black_and_white", "fig1", "fig4", "fig7", "fig8", "fig11-14_blue")
 LARGEST_BYTES = 100_000
 
