@@ -20,6 +20,7 @@ enum class Command {
   redo,
   fitView,
   truthLens,
+  denoise,
   fitDraft,
   togglePanels,
   fullScreen,

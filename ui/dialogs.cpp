@@ -102,6 +102,7 @@ void KeysDialog::draw(Ui& ui) {
       {"F,  Shift+F", "Show the whole cloth, the whole repeat"},
       {"K", "Keep this view in a strip below, to be compared or brought back"},
       {"L", "Truth lens: every single fibre, in a rectangle that you drag; Esc closes it"},
+      {"N", "Denoised preview: noise is taken from what is shown, never from what is kept"},
       {"Click or drag in the draft", "Turn crossings over; a drag paints the first one's new value"},
       {"Right drag in the draft", "Weft over"},
       {"Shift while painting", "Keep to a line"},

@@ -18,6 +18,7 @@ struct MenuModel {
   bool darkTheme = true;
   bool panelsShown = true;
   bool lensOn = false;
+  bool denoised = false;
   WeaveMenuModel weave;
   std::span<const RecentFile> recent;
 };

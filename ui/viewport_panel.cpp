@@ -6,6 +6,7 @@
 
 #include "ui/camera_moves.h"
 #include "ui/choices.h"
+#include "ui/denoise_button.h"
 #include "ui/fields.h"
 
 namespace loomlight {
@@ -83,6 +84,10 @@ void drawOverlays(Ui& ui, const ViewportModel& model, const LensView& lens, ImVe
     const ImVec2 size = ImGui::CalcTextSize(text);
     pill(ui, ImVec2(0.5f * (min.x + max.x - size.x), 0.5f * (min.y + max.y - size.y)), text, Theme::dark().text);
   }
+  if (model.denoised) {
+    const char* text = "Denoised";
+    pill(ui, ImVec2(max.x - edge - ImGui::CalcTextSize(text).x - ui.px(16), min.y + edge), text, Theme::dark().text);
+  }
   if (!model.error.empty()) pill(ui, ImVec2(min.x + edge, min.y + edge), model.error, Theme::dark().warning);
   if (lens.on && !lens.placed) {
     const char* text = "Drag a rectangle over the cloth";
@@ -102,7 +107,8 @@ std::optional<Fabric> quickChoices(Ui& ui, const Fabric& fabric, ViewportView& v
   std::optional<Fabric> edited;
   const float gap = ui.px(16), all = ImGui::GetContentRegionAvail().x;
   const float fit = ui.px(56), lens = ui.px(40), between = ui.px(8);
-  const float width = std::min(ui.px(220), (all - fit - between - lens - 3 * gap) / 3);
+  const float tools = all < ui.px(560) ? 1 : 2;  // the choices need the room more: a key and the menu denoise too
+  const float width = std::min(ui.px(220), (all - fit - tools * (between + lens) - 3 * gap) / 3);
   const float y = ImGui::GetCursorPosY();
   auto column = [&](const char* id, int index, auto&& content) {
     ImGui::SetCursorPos(ImVec2(ImGui::GetStyle().WindowPadding.x + static_cast<float>(index) * (width + gap), y));
@@ -140,6 +146,10 @@ std::optional<Fabric> quickChoices(Ui& ui, const Fabric& fabric, ViewportView& v
                 style, view.exposure_stops);
   });
   const float right = ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x;
+  if (tools > 1) {
+    ImGui::SetCursorPos(ImVec2(right - fit - tools * (between + lens), y));
+    denoiseButton(ui, view.denoised, lens);
+  }
   ImGui::SetCursorPos(ImVec2(right - fit - between - lens, y));
   lensButton(ui, view.lens, lens);
   ImGui::SetCursorPos(ImVec2(right - fit, y));

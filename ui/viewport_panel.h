@@ -15,6 +15,7 @@ struct ViewportModel {
   ImTextureID picture = nullptr;       ///< of the display, as many pixels as the panel asked for; null: none yet
   std::optional<CrossingIndex> under;  ///< crossing under the mouse
   std::string underYarn;               ///< name of the yarn seen there
+  bool denoised = false;  ///< the picture is; the panel says so
   bool building = false;
   double buildProgress = 1;
   std::string error;               ///< why the newest fabric cannot be shown; empty if it can
@@ -26,6 +27,7 @@ struct ViewportModel {
 struct ViewportView {
   double exposure_stops = 0;
   bool filmic = true;
+  bool denoised = false;          ///< the display takes noise from the picture
   bool fitWanted = false;         ///< frame the whole cloth at the next frame
   int width = 0, height = 0;      ///< pixels that the picture should have
   std::optional<ImVec2> pointer;  ///< mouse over the picture, 0..1 from the top left

@@ -111,6 +111,9 @@ void Session::run(Command command) {
     case Command::truthLens:
       viewport_.lens.toggle();
       break;
+    case Command::denoise:
+      viewport_.denoised = !viewport_.denoised;
+      break;
     case Command::preferences:
       preferences_.show();
       break;
@@ -154,9 +157,10 @@ void Session::readKeys() {
     return;
   }
   if (pressed(kLetterF)) run(io.KeyShift ? Command::fitDraft : Command::fitView);
-  constexpr int kLetterK = 'K', kLetterL = 'L';
+  constexpr int kLetterK = 'K', kLetterL = 'L', kLetterN = 'N';
   if (pressed(kLetterK)) run(Command::keepView);
   if (pressed(kLetterL)) run(Command::truthLens);
+  if (pressed(kLetterN)) run(Command::denoise);
   const bool listIsOpen = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
   if (pressed(ImGui::GetKeyIndex(ImGuiKey_Escape)) && !listIsOpen && viewport_.lens.on) viewport_.lens.close();
   if (pressed(ImGui::GetKeyIndex(ImGuiKey_Tab))) run(Command::togglePanels);

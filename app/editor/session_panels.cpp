@@ -38,6 +38,7 @@ void Session::drawPanels(Ui& ui) {
   menu.darkTheme = settings_.darkTheme;
   menu.panelsShown = settings_.desk.panelsShown;
   menu.lensOn = viewport_.lens.on;
+  menu.denoised = viewport_.denoised;
   menu.weave = {draft_.selection.has_value(), draft_.back, draft_.marksFloats};
   const float menuHeight = ImGui::GetFontSize() + ui.px(16);
   menu.recent = settings_.recent;
@@ -101,6 +102,7 @@ void Session::drawViewport(Ui& ui, const Insight* insight, const LiveStatus& sta
   lookUnderPointer();
   model.under = underPointer_;
   model.underYarn = underPointerYarn_;
+  model.denoised = shownFrame_ && !shownFrame_->denoised.empty();
   model.building = status.phase == LiveStatus::Phase::voxelising && status.buildProgress < 1;
   model.buildProgress = status.buildProgress;
   model.error = status.error;
@@ -257,6 +259,8 @@ StatusModel Session::statusModel(const Insight* insight, const LiveStatus& statu
       model.work = "converged";
       break;
   }
+  if (shownFrame_ && !shownFrame_->denoised.empty())
+    model.work = (shownFrame_->recoloured ? "recoloured" : model.work) + ", denoised";
   return model;
 }
 
@@ -272,6 +276,7 @@ void Session::tellProbe(Ui& ui, const LiveStatus& status) const {
   ui.probe.fact("built_generation", std::to_string(status.builtGeneration));
   ui.probe.fact("shown_generation", std::to_string(shownFrame_ ? shownFrame_->generation : 0));
   ui.probe.fact("shown_samples", std::to_string(shownFrame_ ? shownFrame_->samples : 0));
+  ui.probe.fact("denoised", shownFrame_ && !shownFrame_->denoised.empty() ? "yes" : "no");
   ui.probe.fact("error", status.error);
   ui.probe.fact("refusal", refusal_);
   ui.probe.fact("autosave_problem", autosave_.problem());

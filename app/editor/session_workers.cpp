@@ -6,7 +6,7 @@ namespace loomlight {
 
 void Session::takePictures() {
   if (std::shared_ptr<const Frame> newest = renderer_.frame(); newest && newest != shownFrame_) {
-    picture_.upload(newest->width, newest->height, newest->rgba, newest->hits);
+    picture_.upload(newest->width, newest->height, newest->shown(), newest->hits);
     shownFrame_ = std::move(newest);
   }
   lensFrame_ = renderer_.lensFrame();
@@ -54,6 +54,10 @@ void Session::followDocument() {
     if (another) ++generation_;
     renderer_.request(
         {fabric, requestedWidth_, requestedHeight_, generation_, usedVisibility_ ? usedVisibility_->tables : nullptr});
+  }
+  if (viewport_.denoised != denoisedWanted_) {
+    denoisedWanted_ = viewport_.denoised;
+    renderer_.denoise(denoisedWanted_);
   }
   if (fabric != insightFabric_ || inspector_.yarn != insightYarn_) {
     insightFabric_ = fabric;
