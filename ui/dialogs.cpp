@@ -33,7 +33,9 @@ std::optional<int> MessageDialog::draw(Ui& ui) {
   ImGui::SetCursorPosX(ImGui::GetWindowWidth() - ui.px(16) - count * width - (count - 1) * ui.px(8));
   for (int i = 0; i < static_cast<int>(answers_.size()); ++i) {
     if (i > 0) ImGui::SameLine();
-    if (button(ui, fmt::format("message.answer_{}", i).c_str(), answers_[static_cast<size_t>(i)].c_str(), width))
+    const auto& press = i + 1 == static_cast<int>(answers_.size()) ? mainButton : button;
+    if (press(ui, fmt::format("message.answer_{}", i).c_str(), answers_[static_cast<size_t>(i)].c_str(), width, true,
+              ""))
       answer = i;
   }
   // The key that brought the dialog up must not answer it.
@@ -100,8 +102,9 @@ void KeysDialog::draw(Ui& ui) {
       {"Wheel", "Zoom at the pointer"},
       {"Click on the cloth", "Choose the yarn that is seen there"},
       {"F,  Shift+F", "Show the whole cloth, the whole repeat"},
+      {"1,  2,  3", "Look from above, aslant, along the cloth"},
       {"K", "Keep this view in a strip below, to be compared or brought back"},
-      {"L", "Truth lens: every single fibre, in a rectangle that you drag; Esc closes it"},
+      {"L", "Truth lens: every fibre, in a rectangle that you drag; Esc closes"},
       {"N", "Denoised preview: noise is taken from what is shown, never from what is kept"},
       {"Click or drag in the draft", "Turn crossings over; a drag paints the first one's new value"},
       {"Right drag in the draft", "Weft over"},
@@ -117,6 +120,7 @@ void KeysDialog::draw(Ui& ui) {
       {"Ctrl+P", "Snapshot"},
       {"Ctrl+B", "Presets, by pictures"},
       {"Tab,  F11", "Hide panels, full screen"},
+      {"F1,  ?", "This list"},
       {"Ctrl+Q", "Quit"},
   };
   if (ImGui::BeginTable("keys", 2)) {

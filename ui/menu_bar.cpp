@@ -12,11 +12,7 @@ class Menu {
     if (ImGui::MenuItem(label, keys, ticked, enabled)) chosen_ = command;
     ui_.probe.recordItem(id);
   }
-  bool begin(const char* id, const char* label) {
-    const bool open = ImGui::BeginMenu(label);
-    if (!open) ui_.probe.recordItem(id);
-    return open;
-  }
+  bool begin(const char* id, const char* label) { return beginMenu(ui_, id, label); }
   std::optional<Command> chosen() const { return chosen_; }
 
  private:

@@ -45,6 +45,17 @@ std::optional<Camera> mouseMoves(const Camera& camera, ViewportView& view, ImVec
                                               : orbited(from, io.MouseDelta.x, io.MouseDelta.y);
 }
 
+/// 1, 2 and 3 look from above, aslant and along the cloth, unless a text or a list has the keys.
+std::optional<Camera> viewKeys(const Camera& camera) {
+  const ImGuiIO& io = ImGui::GetIO();
+  constexpr ImGuiPopupFlags kAny = ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel;
+  if (io.WantTextInput || io.KeyCtrl || ImGui::IsPopupOpen("", kAny)) return std::nullopt;
+  constexpr Viewpoint kViews[] = {Viewpoint::above, Viewpoint::aslant, Viewpoint::grazing};
+  for (int i = 0; i < static_cast<int>(std::size(kViews)); ++i)
+    if (ImGui::IsKeyPressed('1' + i, false)) return turnedTo(camera, kViews[i]);
+  return std::nullopt;
+}
+
 /// True while the mouse holds the lens by an edge, or is giving it a place.
 bool lensHolds(Ui& ui, ViewportView& view, ImVec2 min) {
   LensView& lens = view.lens;
@@ -102,37 +113,59 @@ void drawOverlays(Ui& ui, const ViewportModel& model, const LensView& lens, ImVe
   }
 }
 
+/// Where the choices below the picture are. They share what the buttons leave; exposure, a number that says its unit,
+/// goes without its label before a choice would lose its end.
+struct StripColumns {
+  float choice = 0, exposure = 0;
+  bool exposureLabelled = true;
+};
+
+StripColumns stripColumns(Ui& ui, float room) {
+  const auto labelled = [&](const char* label, float field) {
+    return ImGui::CalcTextSize(label).x + ui.px(12) + field;
+  };
+  const float number = ui.px(84), longest = labelled("Drape", ImGui::CalcTextSize("At the camera").x + ui.px(40));
+  StripColumns columns;
+  columns.exposure = labelled("Exposure", number);
+  columns.exposureLabelled = room - columns.exposure >= 2 * longest;
+  if (!columns.exposureLabelled) columns.exposure = number;
+  columns.choice = std::clamp(0.5f * (room - columns.exposure), 0.5f * longest, ui.px(220));
+  return columns;
+}
+
 /// The strip below the picture: what is changed most often while looking.
 std::optional<Fabric> quickChoices(Ui& ui, const Fabric& fabric, ViewportView& view) {
   std::optional<Fabric> edited;
   const float gap = ui.px(16), all = ImGui::GetContentRegionAvail().x;
   const float fit = ui.px(56), lens = ui.px(40), between = ui.px(8);
   const float tools = all < ui.px(560) ? 1 : 2;  // the choices need the room more: a key and the menu denoise too
-  const float width = std::min(ui.px(220), (all - fit - tools * (between + lens) - 3 * gap) / 3);
+  const StripColumns columns = stripColumns(ui, all - fit - tools * (between + lens) - 3 * gap);
+  float x = ImGui::GetStyle().WindowPadding.x;
   const float y = ImGui::GetCursorPosY();
-  auto column = [&](const char* id, int index, auto&& content) {
-    ImGui::SetCursorPos(ImVec2(ImGui::GetStyle().WindowPadding.x + static_cast<float>(index) * (width + gap), y));
+  auto column = [&](const char* id, float width, auto&& content) {
+    ImGui::SetCursorPos(ImVec2(x, y));
     ImGui::BeginChild(id, ImVec2(width, ImGui::GetFrameHeight()), false, ImGuiWindowFlags_NoScrollbar);
     content();
     ImGui::EndChild();
+    x += width + gap;
   };
-  column("light", 0, [&] {
+  column("light", columns.choice, [&] {
     int kind = static_cast<int>(fabric.light.kind);
-    if (choiceField(ui, {"view.light", "Light", "What shines on the cloth"}, lightNames(fabric.light), kind)) {
+    if (choiceField(ui, {"view.light", "Light", "What shines on the cloth", true}, lightNames(fabric.light), kind)) {
       edited = fabric;
       edited->light = withKind(fabric.light, static_cast<LightKind>(kind));
     }
   });
-  column("drape", 1, [&] {
+  column("drape", columns.choice, [&] {
     int kind = static_cast<int>(fabric.drape.kind);
     const auto names = drapeNames(fabric.drape);
-    if (choiceField(ui, {"view.drape", "Drape", "The surface the cloth lies on"}, names, kind)) {
+    if (choiceField(ui, {"view.drape", "Drape", "The surface the cloth lies on", true}, names, kind)) {
       edited = fabric;
       edited->drape.kind = static_cast<DrapeKind>(kind);
       view.fitWanted = true;
     }
   });
-  column("exposure", 2, [&] {
+  column("exposure", columns.exposure, [&] {
     NumberStyle style;
     style.unit = "EV";
     style.min = -8;
@@ -140,9 +173,10 @@ std::optional<Fabric> quickChoices(Ui& ui, const Fabric& fabric, ViewportView& v
     style.decimals = 1;
     style.perPixel = 0.02;
     numberField(ui,
-                {"view.exposure", "Exposure",
-                 "Brightness of the display, in stops: +1 is twice as bright. It "
-                 "changes neither the light nor the cloth."},
+                {"view.exposure", columns.exposureLabelled ? "Exposure" : "",
+                 "Exposure: brightness of the display, in stops: +1 is twice as bright. It "
+                 "changes neither the light nor the cloth.",
+                 true},
                 style, view.exposure_stops);
   });
   const float right = ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x;
@@ -174,6 +208,7 @@ ViewportEdit viewportPanel(Ui& ui, const Fabric& fabric, const ViewportModel& mo
   const bool withLens = lensHolds(ui, view, min);
   edit.picked = clickedAt(view, min, size);
   if (!withLens) edit.camera = mouseMoves(fabric.camera, view, min, max);
+  if (!edit.camera) edit.camera = viewKeys(fabric.camera);
   view.pointer.reset();
   if (ImGui::IsItemHovered() && !withLens && view.drag == ViewportView::Drag::none) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;

@@ -143,6 +143,9 @@ void Session::run(Command command) {
 void Session::readKeys() {
   const ImGuiIO& io = ImGui::GetIO();
   if (io.WantTextInput) return;
+  const bool listIsOpen = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+  const bool escape = pressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+  if (escape && listIsOpen) return;  // it shuts the list alone
   if (const auto command = draftKey(draft_)) return run(*command);
   constexpr int kLetterF = 'F';
   if (io.KeyCtrl) {
@@ -161,11 +164,10 @@ void Session::readKeys() {
   if (pressed(kLetterK)) run(Command::keepView);
   if (pressed(kLetterL)) run(Command::truthLens);
   if (pressed(kLetterN)) run(Command::denoise);
-  const bool listIsOpen = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
-  if (pressed(ImGui::GetKeyIndex(ImGuiKey_Escape)) && !listIsOpen && viewport_.lens.on) viewport_.lens.close();
+  if (escape && viewport_.lens.on) viewport_.lens.close();
   if (pressed(ImGui::GetKeyIndex(ImGuiKey_Tab))) run(Command::togglePanels);
   constexpr int kF1 = 290, kF11 = 300;  // GLFW's numbers, which its backend hands on
-  if (pressed(kF1)) run(Command::showKeys);
+  if (pressed(kF1) || io.InputQueueCharacters.contains('?')) run(Command::showKeys);
   if (pressed(kF11)) run(Command::fullScreen);
 }
 
