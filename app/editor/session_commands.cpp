@@ -1,6 +1,5 @@
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <filesystem>
 
 #include "app/editor/sample_fabric.h"
@@ -8,7 +7,6 @@
 #include "app/editor/user_folders.h"
 #include "core/base/error.h"
 #include "core/base/memory.h"
-#include "core/fabric/fabric_json.h"
 #include "core/fabric/validate.h"
 
 namespace loomlight {

@@ -1,22 +1,15 @@
-#include <algorithm>
 #include <filesystem>
 
 #include "app/editor/sample_fabric.h"
 #include "app/editor/session.h"
 #include "app/editor/user_folders.h"
+#include "app/workers/file_name.h"
 #include "core/base/error.h"
 #include "core/fabric/fabric_json.h"
 
 namespace loomlight {
 namespace fs = std::filesystem;
 namespace {
-
-std::string extensionOf(const std::string& file) {
-  std::string extension = fs::path(file).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
-  return extension;
-}
 
 fs::path absolute(const std::string& file) {
   std::error_code error;
@@ -45,7 +38,7 @@ void Session::openRecent(const std::string& file) {
 }
 
 void Session::openFabric(const std::string& file) {
-  if (extensionOf(file) == ".wif") return openWeaving(file);
+  if (lowerExtension(file) == ".wif") return openWeaving(file);
   try {
     startOver(Document(readFabric(file), file));
     remember(file);
@@ -55,7 +48,7 @@ void Session::openFabric(const std::string& file) {
 }
 
 void Session::openFile(const std::string& file) {
-  const std::string extension = extensionOf(file);
+  const std::string extension = lowerExtension(file);
   if (extension == ".obj" || extension == ".ply" || extension == ".off") {
     Fabric fabric = *document_.fabric();
     fabric.drape.kind = DrapeKind::mesh;

@@ -159,6 +159,14 @@ class HostileFiles(CommandLineTest):
                 self.assertEqual(self.bytes_of(name), b"what was there")
                 self.assertEqual([f.name for f in self.folder.glob(name + ".*")], [], "something was left beside it")
 
+    def test_a_full_disk_leaves_the_old_tile(self):
+        """It is of several files: none of them changes."""
+        tile = ("tile", self.fabric("ok.json"), "-o", "maps", "--size", "24", "--spp")
+        self.run_program(*tile, "1")
+        before = {file.name: file.read_bytes() for file in (self.folder / "maps").iterdir()}
+        self.assertIn("File too large", self.refused(*tile, "2", preexec_fn=fill_the_disk))
+        self.assertEqual({file.name: file.read_bytes() for file in (self.folder / "maps").iterdir()}, before)
+
     def test_places_that_take_no_files(self):
         for number, (ending, words) in enumerate(self.writers()):
             folder, pipe, loop = (f"{what}{number}{ending}" for what in ("folder", "pipe", "loop"))

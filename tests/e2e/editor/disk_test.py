@@ -40,6 +40,37 @@ def name_file(editor, file):
     editor.key("Return")
 
 
+def spoil_its_own_folders(editor):
+    """What the editor keeps for itself is as hostile as anything else on a disk."""
+    presets, views = (os.path.join(editor.home, "data", "loomlight", name) for name in ("presets", "views"))
+    state = os.path.join(editor.home, "state", "loomlight")
+    for folder in (presets, views, state):
+        os.makedirs(folder)
+    os.mkfifo(os.path.join(presets, "pipe.json"))
+    os.symlink("loop.json", os.path.join(presets, "loop.json"))
+    os.mkdir(os.path.join(presets, "tags"))
+    for file in (os.path.join(presets, "binary.json"), os.path.join(views, "broken.png")):
+        with open(file, "wb") as binary:
+            binary.write(bytes(range(256)) * 100)
+    os.mkfifo(os.path.join(views, "pipe.png"))
+    os.mkfifo(os.path.join(state, "autosave-2000000000.json"))  # of a process that cannot be
+
+
+def spoilt_folders(editor):
+    editor.wait_until("what was left is offered", lambda: "Take it up again?" in editor.fact("message"))
+    editor.click("message.answer_2")
+    answer(editor, "expected a regular file")
+    editor.key("ctrl+b")
+    editor.wait_until("the presets are shown", lambda: "presets.card/Denim" in editor.widgets())
+    kept = [name for name in editor.widgets() if name in ("presets.card/pipe", "presets.card/loop", "presets.card/binary")]
+    expect(not kept, f"files that are none are offered: {kept}")
+    editor.click("presets.keep")
+    editor.wait_until("a preset is kept all the same", lambda: "presets.card/Long" in editor.widgets())
+    editor.click("presets.close")
+    editor.wait_until("the browser closes", lambda: editor.fact("dialog") == "none")
+    expect("snapshot.item_0" not in editor.widgets(), "a picture that is none is a kept view")
+
+
 def full_disk(editor, file):
     old = read_json(file)
     editor.click("draft.cell_0_0")
@@ -104,8 +135,10 @@ def test():
         folder = os.path.join(editor.home, "cloths")
         os.mkdir(folder)
         file = long_fabric(folder)
+        spoil_its_own_folders(editor)
         editor.start(PROGRAM, [file])
-        editor.wait_for_picture()
+        editor.wait_until("the cloth is on the screen", lambda: editor.number("shown_generation") > 0)
+        spoilt_folders(editor)
         full_disk(editor, file)
         quit_does_not_lose_it(editor)
         read_only_place(editor)

@@ -143,7 +143,7 @@ class Editor:
             now, now_frame = dump["widgets"].get(widget), int(dump["facts"].get("frame", 0))
             if now != place:
                 place, since, frame = now, time.monotonic(), now_frame
-            return now is not None and (now_frame >= frame + 2 or time.monotonic() > since + 0.4)
+            return now is not None and (now_frame >= frame + 2 or time.monotonic() > since + 1.0)
 
         self.wait_until(f"{widget} is on the screen", rests)
         x0, y0, x1, y1 = place
