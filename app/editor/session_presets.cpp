@@ -6,7 +6,8 @@ namespace loomlight {
 void Session::drawPresets(Ui& ui) {
   const std::vector<PresetCard>& cards = presetDesk_.cards(presetBrowser_.kind(), ui.scale);
   const PresetBrowserEdit change = presetBrowser_.draw(ui, cards, presetDesk_.lastChange(), presetProblem_);
-  const bool any = change.use || change.keep || change.duplicate || change.rename || change.remove || change.tag || change.undo;
+  const bool any =
+      change.use || change.keep || change.duplicate || change.rename || change.remove || change.tag || change.undo;
   if (any) changePresets(change);
   if (!presetBrowser_.isOpen()) renderer_.pause(false);
 }
