@@ -206,7 +206,7 @@ class Session {
   int requestedWidth_ = 0, requestedHeight_ = 0;
   uint64_t generation_ = 0;
   std::optional<LensRequest> requestedLens_;
-  bool denoisedWanted_ = false;  ///< of the renderer
+  bool denoisedWanted_ = false;                            ///< of the renderer
   std::shared_ptr<const BakedVisibility> usedVisibility_;  ///< the tables that the renderer has
   std::shared_ptr<const Fabric> visibilityFabric_;         ///< whose tables were last asked for; null: none
   int visibilityYarn_ = -1;
