@@ -88,7 +88,7 @@ TEST(PathRecords, InItsOwnColoursIsTheFilm) {
   const auto medium = makeMedium(*scene, 1e9, Task{});
   const Traced traced(*scene, *medium, kPlenty);
   const auto same = traced.records.dyed({scene->absorption_per_mm, Rgb(1)}, 1);
-  const auto half = traced.records.dyed({scene->absorption_per_mm, 0.5f}, 1);
+  const auto half = traced.records.dyed({scene->absorption_per_mm, Rgb(0.5f)}, 1);
   for (int y = 0; y < kSide; ++y)
     for (int x = 0; x < kSide; ++x) {
       expectEqual(at(same, x, y).dyed, at(same, x, y).traced);
