@@ -19,8 +19,10 @@ constexpr int kBadInput = 1, kBadUsage = 2;
 
 /// What was printed counts once it has arrived: that a disk is full shows when the last of it is flushed.
 void expectPrinted() {
+  errno = 0;
   if (std::fflush(stdout) != 0 || std::ferror(stdout))
-    throw InputError(fmt::format("the output cannot be written: {}", std::strerror(errno)));
+    throw InputError(
+        fmt::format("the output cannot be written{}{}", errno ? ": " : "", errno ? std::strerror(errno) : ""));
 }
 
 int run(const TextCommand& command) {

@@ -85,8 +85,13 @@ void Session::drawPicture(Ui& ui) {
     } else {
       pictureDialog_.close();
       if (come->woven) {
+        // Only the weave: what else was edited meanwhile stays.
+        Rewoven& woven = *come->woven;
+        Fabric fabric = *document_.fabric();
+        fabric.weave = std::move(woven.fabric.weave);
+        fabric.draft = std::move(woven.fabric.draft);
         draft_.selection.reset();
-        takeWeave(std::move(*come->woven));
+        takeWeave({std::move(fabric), std::move(woven.remark)});
       } else {
         say("This picture cannot be used", come->problem);
       }

@@ -207,17 +207,18 @@ void PresetDesk::duplicate(PresetKind kind, size_t card) {
   Fabric fabric = of(kind).entries[card].fabric;
   fabric.name = of(kind).entries[card].card.name;
   const std::string name = of(kind).store.keepBeside(std::move(fabric));
-  if (const std::string tags = of(kind).entries[card].card.tags; !tags.empty()) of(kind).tags.set(name, tags);
+  const std::string tags = of(kind).entries[card].card.tags;
   changed(kind, fmt::format("Duplicated as \"{}\".", name), [this, kind, name] { of(kind).store.remove(name); });
+  if (!tags.empty()) of(kind).tags.set(name, tags);
 }
 
 void PresetDesk::rename(PresetKind kind, size_t card, const std::string& name) {
   const std::string before = of(kind).entries[card].card.name;
   const std::string tags = of(kind).entries[card].card.tags;
   const std::string after = of(kind).store.rename(before, name);
-  if (!tags.empty()) of(kind).tags.set(after, tags);
   changed(kind, fmt::format("Renamed \"{}\" to \"{}\".", before, after),
           [this, kind, before, after] { of(kind).store.rename(after, before); });
+  if (!tags.empty()) of(kind).tags.set(after, tags);
 }
 
 void PresetDesk::remove(PresetKind kind, size_t card) {

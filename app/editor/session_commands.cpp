@@ -171,6 +171,8 @@ void Session::readKeys() {
 
 void Session::startOver(Document document) {
   document_ = std::move(document);
+  pictures_.forget();
+  pictureDialog_.close();
   keptRevision_ = 0;
   autosave_.forget();
   refusal_.clear();

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -11,9 +12,10 @@ namespace loomlight {
 
 SnapshotShelf::SnapshotShelf(std::filesystem::path folder, std::function<void()> wake)
     : folder_(std::move(folder), kBudget), wake_(std::move(wake)) {
-  for (const std::string& id : folder_.ids()) {
+  const std::vector<std::string> ids = folder_.ids();
+  for (size_t i = ids.size() - std::min(ids.size(), kBudget.views); i < ids.size(); ++i) {
     ++awaited_;
-    readLater(id);
+    readLater(ids[i]);
   }
 }
 
@@ -52,12 +54,16 @@ void SnapshotShelf::add(KeptView view) {
   kept.view = std::move(view);
   kept.texture = std::make_shared<PictureTexture>();
   kept.texture->upload(kept.view.picture);
-  kept_.push_back(std::move(kept));
+  // Those of former sessions may come after one that was kept meanwhile.
+  const auto place = std::upper_bound(kept_.begin(), kept_.end(), kept.view.id,
+                                      [](const std::string& id, const Kept& k) { return id < k.view.id; });
+  kept_.insert(place, std::move(kept));
 }
 
 void SnapshotShelf::keep(std::shared_ptr<const Fabric> fabric, Pixels8 picture) {
-  add({ViewFolder::newId(), std::move(fabric), std::move(picture)});
-  disk_.post([this, view = kept_.back().view] {
+  KeptView kept{ViewFolder::newId(), std::move(fabric), std::move(picture)};
+  add(kept);
+  disk_.post([this, view = std::move(kept)] {
     std::string problem;
     try {
       folder_.keep(view);
@@ -70,7 +76,7 @@ void SnapshotShelf::keep(std::shared_ptr<const Fabric> fabric, Pixels8 picture) 
     }
     wake_();
   });
-  if (kept_.size() > kBudget.views) remove(0);
+  while (kept_.size() > kBudget.views) remove(0);
 }
 
 void SnapshotShelf::remove(size_t index) {

@@ -15,6 +15,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kFabricKey = "loomlight.fabric";
+constexpr const char* kPrefix = "view-";  // what else lies in the folder is none of ours
 constexpr const char* kExtension = ".png";
 
 }  // namespace
@@ -24,7 +25,7 @@ ViewFolder::ViewFolder(fs::path folder, Budget budget) : folder_(std::move(folde
 std::string ViewFolder::newId() {
   using namespace std::chrono;
   const auto now_ns = duration_cast<nanoseconds>(system_clock::now().time_since_epoch()).count();
-  return fmt::format("view-{:020}-{}", now_ns, getpid());
+  return fmt::format("{}{:020}-{}", kPrefix, now_ns, getpid());
 }
 
 fs::path ViewFolder::fileOf(const std::string& id) const {
@@ -34,8 +35,10 @@ fs::path ViewFolder::fileOf(const std::string& id) const {
 std::vector<std::string> ViewFolder::ids() const {
   std::vector<std::string> ids;
   std::error_code error;
-  for (fs::directory_iterator it(folder_, error), end; !error && it != end; it.increment(error))
-    if (it->path().extension() == kExtension) ids.push_back(it->path().stem().string());
+  for (fs::directory_iterator it(folder_, error), end; !error && it != end; it.increment(error)) {
+    const std::string id = it->path().stem().string();
+    if (it->path().extension() == kExtension && id.starts_with(kPrefix)) ids.push_back(id);
+  }
   std::sort(ids.begin(), ids.end());
   return ids;
 }

@@ -140,16 +140,16 @@ class Exchange {
     const size_t own = at(0, y);
     const auto other = static_cast<ptrdiff_t>(at(0, y + dy)) + dx;
     const float *l = &luminance_[own], *v = &variance_[own], *z = &depth_[own];
-    const float *ol = luminance_.data() + other, *ov = variance_.data() + other, *oz = depth_.data() + other;
-    const int *yarn = &yarn_[own], *otherYarn = yarn_.data() + other;
+    const float *ol = luminance_.data(), *ov = variance_.data(), *oz = depth_.data();
+    const int *yarn = &yarn_[own], *otherYarn = yarn_.data();
     constexpr float kTiny = 1e-30f;  // without noise nothing is alike, not even equal luminances of other hues
     const Columns range = columns(dx);
     for (int x = range.begin; x < range.end; ++x) {
-      const float apart = l[x] - ol[x];
-      const float most = kMostDeviations * kMostDeviations * (v[x] + ov[x]);
+      const float apart = l[x] - ol[other + x];
+      const float most = kMostDeviations * kMostDeviations * (v[x] + ov[other + x]);
       const float rest = std::max(0.0f, 1 - (apart * apart + kTiny) / (most + kTiny));
-      const bool near = std::abs(z[x] - oz[x]) <= 0.5f * kSameDepth * (z[x] + oz[x]);
-      weight[x] = near & alike(yarn[x], otherYarn[x]) ? kDirections[k].share * rest * rest : 0.0f;
+      const bool near = std::abs(z[x] - oz[other + x]) <= 0.5f * kSameDepth * (z[x] + oz[other + x]);
+      weight[x] = near & alike(yarn[x], otherYarn[other + x]) ? kDirections[k].share * rest * rest : 0.0f;
     }
   }
 
@@ -161,23 +161,23 @@ class Exchange {
     std::fill_n(&given_[own], width_, 0.0f);
     for (size_t k = 0; k < kDirections.size(); ++k) {
       const int dx = kDirections[k].dx * distance, dy = kDirections[k].dy * distance;
-      if (y + dy < height_) receive(y, dx, dy, &weights_[k][own], columns(dx));
-      if (y - dy >= 0)
-        receive(y, -dx, -dy, weights_[k].data() + static_cast<ptrdiff_t>(at(0, y - dy)) - dx, columns(-dx));
+      if (y + dy < height_) receive(y, dx, dy, weights_[k], static_cast<ptrdiff_t>(own), columns(dx));
+      if (y - dy >= 0) receive(y, -dx, -dy, weights_[k], static_cast<ptrdiff_t>(at(0, y - dy)) - dx, columns(-dx));
     }
     for (size_t i = own; i < own + static_cast<size_t>(width_); ++i)
       nextVariance_[i] += (1 - given_[i]) * (1 - given_[i]) * variance_[i];
   }
 
-  void receive(int y, int dx, int dy, const float* weight, Columns range) {
+  /// The weight of column x stands at `first` + x.
+  void receive(int y, int dx, int dy, const std::vector<float>& weights, ptrdiff_t first, Columns range) {
     const size_t own = at(0, y);
     const auto other = static_cast<ptrdiff_t>(at(0, y + dy)) + dx;
-    const glm::vec4 *from = rgba_.data() + other, *mine = &rgba_[own];
-    const float* variance = variance_.data() + other;
+    const glm::vec4 *from = rgba_.data(), *mine = &rgba_[own];
+    const float *variance = variance_.data(), *weight = weights.data();
     for (int x = range.begin; x < range.end; ++x) {
-      next_[own + static_cast<size_t>(x)] += weight[x] * (from[x] - mine[x]);
-      nextVariance_[own + static_cast<size_t>(x)] += weight[x] * weight[x] * variance[x];
-      given_[own + static_cast<size_t>(x)] += weight[x];
+      next_[own + static_cast<size_t>(x)] += weight[first + x] * (from[other + x] - mine[x]);
+      nextVariance_[own + static_cast<size_t>(x)] += weight[first + x] * weight[first + x] * variance[other + x];
+      given_[own + static_cast<size_t>(x)] += weight[first + x];
     }
   }
 

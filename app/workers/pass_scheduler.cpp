@@ -6,6 +6,7 @@ namespace loomlight {
 namespace {
 
 constexpr double kFirstPictureSeconds = 0.025;  // with all else, a frame or two of a film
+constexpr double kUsualSecondsPerPath = 1e-5;   // of cloth that fills the picture, on two cores
 constexpr double kShortestPassSeconds = 0.1;
 constexpr double kLongestPassSeconds = 1.0;
 
@@ -14,9 +15,9 @@ double pathsAt(const PassHistory& h, int divider) {
 }
 
 int firstDivider(const PassHistory& h) {
-  if (h.secondsPerPath <= 0) return std::min(8, h.coarsest);
+  const double secondsPerPath = h.secondsPerPath > 0 ? h.secondsPerPath : kUsualSecondsPerPath;
   int divider = 1;
-  while (divider < h.coarsest && pathsAt(h, divider) * h.secondsPerPath > kFirstPictureSeconds) ++divider;
+  while (divider < h.coarsest && pathsAt(h, divider) * secondsPerPath > kFirstPictureSeconds) ++divider;
   return divider;
 }
 

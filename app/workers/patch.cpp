@@ -1,6 +1,7 @@
 #include "app/workers/patch.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "core/fabric/impact.h"
@@ -15,6 +16,7 @@ bool sameThread(const Film::Hit& a, const Film::Hit& b) {
 /// For each pixel of the new picture, whether the old one shows nothing like it there: about the same pixels, as a
 /// sample may lie anywhere in a coarse one and the next thread may have moved a little.
 std::vector<bool> changes(const Frame& fresh, const Frame& old) {
+  assert(fresh.width >= (old.width + fresh.divider - 1) / fresh.divider);
   const int size = fresh.divider, around = std::max(1, size / 4);
   std::vector<bool> changed(fresh.hits.size(), true);
   for (int y = 0; y < fresh.height; ++y)

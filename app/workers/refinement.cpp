@@ -94,7 +94,7 @@ bool Refinement::advance(const Task& task) {
 
 void Refinement::finish(Frame& frame) const {
   frame.samples = history_.divider == 1 ? static_cast<int>(history_.samples) : 0;
-  frame.divider = history_.divider;
+  frame.divider = fineBegun_ ? 1 : history_.divider;
   frame.seconds = secondsSince(start_);
   if (denoisingThreads_ > 0 && !frame.hits.empty()) takeNoise(frame);
   // One lucky path to the sun must not stand as a block in a coarse picture; it fades as samples come.
@@ -164,7 +164,8 @@ Frame Refinement::fineFrame(bool withHits) const {
       // Where the window has just come to, coarse pixels stand in.
       const bool standIn = coarse_ && fine_.samples(x, y) == 0;
       frame.rgba.push_back(standIn ? light(*coarse_, x / coarseDivider_, y / coarseDivider_) : light(fine_, x, y));
-      if (withHits) frame.hits.push_back(fine_.hit(x, y));
+      if (withHits)
+        frame.hits.push_back(standIn ? coarse_->hit(x / coarseDivider_, y / coarseDivider_) : fine_.hit(x, y));
     }
   return frame;
 }

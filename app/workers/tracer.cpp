@@ -153,7 +153,9 @@ void Tracer::begin(Request request) {
   // What the old picture has, shown or not: a better one may itself be replaced before it was seen.
   samplesToBeat_ = better ? std::max(samplesToBeat_, picture_->samples()) : 0;
   const bool seenFine = better && samplesToBeat_ > 0;
-  const double secondsPerPath = picture_ ? picture_->secondsPerPath() : 0;
+  // On another drape the cloth may fill the picture as it did not before, or be slower to trace.
+  const bool costsAlike = picture_ && picture_->scene().fabric->drape == request.cloth.scene->fabric->drape;
+  const double secondsPerPath = costsAlike ? picture_->secondsPerPath() : 0;
   if (clear_ && !(sameSize && differInCrossings(*clearFabric_, *request.cloth.scene->fabric))) clear_.reset();
   request_ = std::move(request);
   picturePending_.reset();

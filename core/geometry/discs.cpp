@@ -6,7 +6,7 @@
 namespace loomlight {
 namespace {
 
-/// Buckets of points on a square grid, rebuilt each sweep by counting sort: discs of diameter `cell` or less that meet
+/// Buckets of points on a square grid, by counting sort: discs of diameter `cell` or less that meet
 /// lie in neighbouring buckets.
 class Buckets {
  public:
@@ -59,33 +59,31 @@ bool Parting::knowsNeighbours(const DiscCentres& centres) const {
 }
 
 void Parting::findNeighbours(const DiscCentres& centres) {
-  constexpr double kSlack = 0.25;
-  const double touch = farthestTouch(centres, threads_);
-  slack_mm_ = kSlack * touch;
+  constexpr double kSlack = 0.5;  // radii
+  slack_mm_ = kSlack * threads_.radius_mm;
   looked_ = centres;
   neighbours_.clear();
-  const double reach = touch + slack_mm_;
-  const Buckets buckets(centres, reach);
+  const double near = 2 * threads_.radius_mm + slack_mm_;
+  const Buckets buckets(centres, farthestTouch(centres, threads_) + slack_mm_);
   for (int i = 0; i < static_cast<int>(centres.size()); ++i)
     buckets.near(centres[i], [&](int j) {
-      const glm::dvec2 d = centres[j] - centres[i];
-      if (j > i && glm::dot(d, d) < reach * reach) neighbours_.emplace_back(i, j);
+      if (j <= i) return;
+      const glm::dvec2 apart = threads_.apart(centres[i], centres[j]);
+      if (glm::dot(apart, apart) < near * near) neighbours_.emplace_back(i, j);
     });
 }
 
 double Parting::sweep(DiscCentres& centres) {
   if (!knowsNeighbours(centres)) findNeighbours(centres);
-  const double diameter = 2 * threads_.radius_mm, touch = farthestTouch(centres, threads_);
+  const double diameter = 2 * threads_.radius_mm;
   double worst = 0;
   for (const auto& [i, j] : neighbours_) {
-    const glm::dvec2 between = centres[j] - centres[i];
-    if (glm::dot(between, between) >= touch * touch) continue;
     const glm::dvec2 apart = threads_.apart(centres[i], centres[j]);
     const double square = glm::dot(apart, apart);
     if (square >= diameter * diameter) continue;
     const double distance = std::sqrt(square);
     worst = std::max(worst, diameter - distance);
-    const glm::dvec2 way = distance > 1e-9 * diameter ? between / distance : glm::dvec2(1, 0);
+    const glm::dvec2 way = distance > 1e-9 * diameter ? (centres[j] - centres[i]) / distance : glm::dvec2(1, 0);
     // A little further than touching, so that chains of contacts come to rest.
     const glm::dvec2 shift = 0.5 * (1.002 * diameter - distance) * way;
     centres[i] -= shift;

@@ -168,7 +168,8 @@ void TileMap::addShapes(const ShapeTable& table) {
 
 void TileMap::countCells(const Task& task) {
   const int most = task.threads > 0 ? task.threads : hardwareThreads();
-  const int workers = std::min(most, repeatAcross_);
+  constexpr int kMostWorkers = 8;  // each counts in a table of its own
+  const int workers = std::min({most, repeatAcross_, kMostWorkers});
   std::vector<std::vector<uint64_t>> counts(static_cast<size_t>(workers));
   parallelFor(counts.size(), task.threads, [&](size_t worker) {
     counts[worker].resize(cellsOf_.size());

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <thread>
+
 #include "app/workers/live_renderer.h"
 #include "tests/support/test_cloth.h"
 #include "tests/unit/app/worker_window.h"
@@ -91,7 +94,14 @@ TEST(LivePatch, APaintedCrossingLeavesTheRestOfThePictureAsItWas) {
   show(1);
   ASSERT_TRUE(window.waitFor([&] { return renderer.frame() && renderer.frame()->samples >= 16; }));
   renderer.pause(true);
-  const auto before = renderer.frame();
+  auto before = renderer.frame();
+  for (int quiet = 0; quiet < 10; ++quiet) {  // a pass that was all but done when the pause began
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    if (const auto now = renderer.frame(); now != before) {
+      before = now;
+      quiet = 0;
+    }
+  }
   fabric.weave = fabric.weave.with(3, 3, !fabric.weave.at(3, 3));
   show(2);
   ASSERT_TRUE(window.waitFor([&] { return renderer.frame()->generation == 2; }));

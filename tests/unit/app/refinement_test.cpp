@@ -74,7 +74,7 @@ TEST_F(RefinementTest, AWindowTracesItsPixelsOnlyAndFindsThemAgain) {
 }
 
 TEST_F(RefinementTest, ACoarseWindowCoversAllThatWasAskedFor) {
-  Refinement refinement(cloth, kWidth, kHeight, 0);
+  Refinement refinement(cloth, kWidth, kHeight, 1e-3);  // so slow a cloth begins coarsely
   const PixelRect window{13, 7, 30, 22};
   refinement.look(window);
   ASSERT_TRUE(refinement.advance(Task{{}, {}, 1}));

@@ -10,7 +10,7 @@ namespace loomlight {
 namespace {
 
 using Window = test::WorkerWindow;
-constexpr BvdfOptions kFew{{4, 4, 8, 16}, 300'000};
+constexpr BvdfOptions kFew{{4, 4, 8, 16}, 100'000};  // its thread is a polite one: on a busy machine it gets little
 const BvdfCache kNoCache{std::filesystem::path()};
 
 std::shared_ptr<const Fabric> twoYarns(double count_tex = 20, float absorption = 0) {

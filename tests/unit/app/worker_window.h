@@ -17,10 +17,10 @@ class WorkerWindow {
       woken_.notify_all();
     };
   }
-  /// False if it has not come true within a generous minute.
+  /// False if it has not come true within three generous minutes.
   template <class Condition>
   bool waitFor(Condition&& condition) {
-    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(3);
     std::unique_lock lock(mutex_);
     for (;;) {
       const int seen = wakes_;
