@@ -36,7 +36,7 @@ void addInput(CLI::App& app, const std::string& name, std::string& input) {
 }
 
 void addResolution(CLI::App& app, FabricOptions& options) {
-  addValue(app, "--resolution", "R", "voxels per yarn diameter: 1, 2, 4, 8 or 16",
+  addValue(app, "--resolution", "R", "voxels per yarn diameter: 1, 2, 4, 8 or 16; beyond 8 no finer than a fibre",
            [&options](const auto& option, const auto& text) { options.resolution = parseResolution(option, text); });
 }
 
