@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/workers/denoise.h"
 #include "app/workers/despeckle.h"
 #include "core/base/stopwatch.h"
 #include "render/trace/path_tracer.h"
@@ -11,7 +12,6 @@ namespace loomlight {
 namespace {
 
 constexpr uint64_t kReferenceSeed = 0x5EED;
-constexpr float kCoarseSpeckLimit = 2.5f;  ///< the window's, of one sample
 
 Scene withSeed(const Scene& scene, uint64_t seed) {
   Scene seeded = scene;
@@ -28,11 +28,14 @@ std::vector<Rgb> pixelsOf(const Film& film) {
   return pixels;
 }
 
-/// As the window shows a coarse picture: without specks, softened, and bilinear between the centres of the pixels.
+/// As the window shows a coarse picture: denoised, softened, and bilinear between the centres of the pixels.
 std::vector<Rgb> stretched(const Film& film, int divider, int width, int height) {
   std::vector<glm::vec4> coarse;
   film.toDisplayBuffer(coarse);
-  despeckle(coarse, film.width(), film.height(), kCoarseSpeckLimit);
+  std::vector<Film::Hit> hits;
+  for (int y = 0; y < film.height(); ++y)
+    for (int x = 0; x < film.width(); ++x) hits.push_back(film.hit(x, y));
+  denoise(coarse, {hits, {}}, film.width(), film.height(), 1);
   soften(coarse, film.width(), film.height());
   const auto split = [&](int fine, int count, int& first, int& second) {
     const float place = (static_cast<float>(fine) + 0.5f) / static_cast<float>(divider) - 0.5f;

@@ -41,8 +41,7 @@ Fabric welcomeFabric() {
   fabric.drape.width_mm = 84;
   fabric.drape.height_mm = 66;
   fabric.drape.radius_mm = 5;
-  fabric.light.azimuth_deg = 200;
-  fabric.light.elevation_deg = 55;
+  fabric.light.kind = LightKind::window;  // clear after a few samples, as the sun is not
   fabric.camera.azimuth_deg = -78;
   fabric.camera.elevation_deg = 48;
   fabric.camera.distance_mm = 110;

@@ -97,10 +97,15 @@ void Refinement::finish(Frame& frame) const {
   frame.divider = fineBegun_ ? 1 : history_.divider;
   frame.seconds = secondsSince(start_);
   if (denoisingThreads_ > 0 && !frame.hits.empty()) takeNoise(frame);
-  // One lucky path to the sun must not stand as a block in a coarse picture; it fades as samples come.
+  // One lucky path to the sun must not stand as a block in a coarse picture: its light goes to its neighbours. In a
+  // fine one it is held back until samples come.
   const uint32_t samples = std::max(1u, history_.samples);
-  if (samples < kClearSamples) despeckle(frame.rgba, frame.width, frame.height, 1.5f + static_cast<float>(samples));
-  if (frame.divider > 1 && !fineBegun_) soften(frame.rgba, frame.width, frame.height);
+  if (frame.divider > 1) {
+    if (!frame.hits.empty()) loomlight::denoise(frame.rgba, {frame.hits, {}}, frame.width, frame.height, 1);
+    soften(frame.rgba, frame.width, frame.height);
+  } else if (samples < kClearSamples) {
+    despeckle(frame.rgba, frame.width, frame.height, 1.5f + static_cast<float>(samples));
+  }
 }
 
 /// Of all the light that was traced: what stands out is spread here, where despeckle() would take it away.
