@@ -116,13 +116,8 @@ std::optional<Fabric> ColourwaysDialog::actions(Ui& ui, const Fabric& fabric) {
 
 std::optional<Fabric> ColourwaysDialog::draw(Ui& ui, const Fabric& fabric, const std::vector<ImTextureID>& pictures) {
   if (!open_) return std::nullopt;
-  const bool begin = opening_;
-  opening_ = false;
   chosen_ = std::clamp(chosen_, 0, static_cast<int>(fabric.colourways.size()));
-  if (!beginModal(ui, "Colourways", ImVec2(ui.px(792), ui.px(576)), begin)) {
-    open_ = false;
-    return std::nullopt;
-  }
+  if (!beginModal(ui, "Colourways", ImVec2(ui.px(792), ui.px(576)), open_, opening_)) return std::nullopt;
   const ImVec2 room = ImGui::GetContentRegionAvail();
   cards(ui, fabric, pictures, ImVec2(room.x, room.y - 2 * ImGui::GetFrameHeightWithSpacing() - ui.px(16)));
   std::optional<Fabric> edited = actions(ui, fabric);

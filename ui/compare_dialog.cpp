@@ -38,13 +38,8 @@ void CompareDialog::drawSlider(Ui& ui, const Model& model, ImVec2 min, ImVec2 ma
 
 void CompareDialog::draw(Ui& ui, const Model& model) {
   if (!open_) return;
-  const bool begin = opening_;
-  opening_ = false;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  if (!beginModal(ui, "Compare", ImVec2(0.9f * screen.x, 0.9f * screen.y), begin)) {
-    open_ = false;
-    return;
-  }
+  if (!beginModal(ui, "Compare", ImVec2(0.9f * screen.x, 0.9f * screen.y), open_, opening_)) return;
   static constexpr const char* kWays[] = {"Slider", "Side by side", "Difference"};
   int way = static_cast<int>(way_);
   segmentField(ui,

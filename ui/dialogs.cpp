@@ -17,12 +17,8 @@ void MessageDialog::show(std::string title, std::string text, std::vector<std::s
 std::optional<int> MessageDialog::draw(Ui& ui) {
   if (!open_) return std::nullopt;
   const bool begin = opening_;
-  opening_ = false;
   std::optional<int> answer;
-  if (!beginModal(ui, (title_ + "##message").c_str(), ImVec2(ui.px(480), 0), begin)) {
-    open_ = false;
-    return 0;
-  }
+  if (!beginModal(ui, (title_ + "##message").c_str(), ImVec2(ui.px(480), 0), open_, opening_)) return 0;
   ui.probe.fact("message", text_);
   ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(text_.c_str());
@@ -59,10 +55,7 @@ void SnapshotDialog::show(const RenderSettings& settings, std::string file) {
 SnapshotDialog::Result SnapshotDialog::draw(Ui& ui, const RenderJob& job) {
   Result result;
   if (!open_) return result;
-  const bool begin = opening_;
-  opening_ = false;
-  if (!beginModal(ui, "Snapshot", ImVec2(ui.px(480), 0), begin)) {
-    open_ = false;
+  if (!beginModal(ui, "Snapshot", ImVec2(ui.px(480), 0), open_, opening_)) {
     result.cancel = job.running;
     return result;
   }
@@ -89,13 +82,7 @@ SnapshotDialog::Result SnapshotDialog::draw(Ui& ui, const RenderJob& job) {
 }
 
 void KeysDialog::draw(Ui& ui) {
-  if (!open_) return;
-  const bool begin = opening_;
-  opening_ = false;
-  if (!beginModal(ui, "Keys and mouse", ImVec2(ui.px(680), 0), begin)) {
-    open_ = false;
-    return;
-  }
+  if (!open_ || !beginModal(ui, "Keys and mouse", ImVec2(ui.px(680), 0), open_, opening_)) return;
   static constexpr const char* kKeys[][2] = {
       {"Left drag on the cloth", "Orbit"},
       {"Shift or Space + drag, middle drag", "Move the view"},

@@ -130,13 +130,8 @@ std::optional<std::string> FileBrowser::decide() {
 }
 
 std::optional<std::string> FileBrowser::draw(Ui& ui) {
-  if (!open_) return std::nullopt;
   const bool begin = opening_;
-  opening_ = false;
-  if (!beginModal(ui, title_.c_str(), ImVec2(ui.px(760), ui.px(520)), begin)) {
-    open_ = false;
-    return std::nullopt;
-  }
+  if (!open_ || !beginModal(ui, title_.c_str(), ImVec2(ui.px(760), ui.px(520)), open_, opening_)) return std::nullopt;
   const float row = ImGui::GetFrameHeightWithSpacing();
   ImGui::PushFont(ui.fonts.small);
   ImGui::TextDisabled("%s", folder_.c_str());

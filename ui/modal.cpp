@@ -1,21 +1,23 @@
 #include "ui/modal.h"
 
+#include <utility>
+
 #include "ui/fields.h"
 
 namespace loomlight {
 
-bool beginModal(Ui& ui, const char* title, ImVec2 size, bool open) {
-  if (open) ImGui::OpenPopup(title);
+bool beginModal(Ui& ui, const char* title, ImVec2 size, bool& open, bool& opening) {
+  if (std::exchange(opening, false)) ImGui::OpenPopup(title);
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const float edge = ui.px(24);
   size.x = std::min(size.x, screen.x - 2 * edge);
   if (size.y > 0) size.y = std::min(size.y, screen.y - 2 * edge);
   ImGui::SetNextWindowPos(ImVec2(0.5f * screen.x, 0.5f * screen.y), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
   ImGui::SetNextWindowSize(size, ImGuiCond_Always);
-  const bool shown = ImGui::BeginPopupModal(title, nullptr,
-                                            ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
-                                                ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
-  if (!shown) return false;
+  open = ImGui::BeginPopupModal(title, nullptr,
+                                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                                    ImGuiWindowFlags_NoSavedSettings);
+  if (!open) return false;
   const std::string text(title);
   heading(ui, text.substr(0, text.find("##")).c_str());
   ImGui::Dummy(ImVec2(0, ui.px(4)));

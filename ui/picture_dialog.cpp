@@ -116,13 +116,7 @@ PictureOrder PictureDialog::order() const {
 }
 
 std::optional<PictureOrder> PictureDialog::draw(Ui& ui) {
-  if (!open_) return std::nullopt;
-  const bool begin = opening_;
-  opening_ = false;
-  if (!beginModal(ui, "Weave from a picture", ImVec2(ui.px(720), 0), begin)) {
-    open_ = false;
-    return std::nullopt;
-  }
+  if (!open_ || !beginModal(ui, "Weave from a picture", ImVec2(ui.px(720), 0), open_, opening_)) return std::nullopt;
   const float side = ui.px(340);
   if (source_) {
     ImGui::BeginDisabled(weaving_);

@@ -8,13 +8,7 @@
 namespace loomlight {
 
 void PreferencesDialog::draw(Ui& ui, double machine_GB, PreferenceValues values) {
-  if (!open_) return;
-  const bool begin = opening_;
-  opening_ = false;
-  if (!beginModal(ui, "Preferences", ImVec2(ui.px(480), 0), begin)) {
-    open_ = false;
-    return;
-  }
+  if (!open_ || !beginModal(ui, "Preferences", ImVec2(ui.px(480), 0), open_, opening_)) return;
   heading(ui, "Units");
   countSystemRow(ui, "preferences", values.units.count);
   twistUnitRow(ui, "preferences", values.units.twistAsMultiplier);

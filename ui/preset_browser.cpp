@@ -129,13 +129,7 @@ void PresetBrowser::actions(Ui& ui, const std::vector<PresetCard>& cards, const 
 PresetBrowserEdit PresetBrowser::draw(Ui& ui, const std::vector<PresetCard>& cards, const std::string& lastChange,
                                       const std::string& problem) {
   PresetBrowserEdit edit;
-  if (!open_) return edit;
-  const bool begin = opening_;
-  opening_ = false;
-  if (!beginModal(ui, "Presets", ImVec2(ui.px(768), ui.px(600)), begin)) {
-    open_ = false;
-    return edit;
-  }
+  if (!open_ || !beginModal(ui, "Presets", ImVec2(ui.px(768), ui.px(600)), open_, opening_)) return edit;
   head(ui);
   const float below = 3 * ImGui::GetFrameHeightWithSpacing() + ui.px(36);
   ImGui::BeginChild("grid", ImVec2(0, ImGui::GetContentRegionAvail().y - below));

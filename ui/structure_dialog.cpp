@@ -103,13 +103,7 @@ void StructureDialog::drawChosen(Ui& ui, const std::optional<CellRect>& selectio
 
 std::optional<MadeStructure> StructureDialog::draw(Ui& ui, const std::optional<CellRect>& selection,
                                                    const ImVec4 (&darkLight)[2]) {
-  if (!open_) return std::nullopt;
-  const bool begin = opening_;
-  opening_ = false;
-  if (!beginModal(ui, "Structures", ImVec2(ui.px(760), 0), begin)) {
-    open_ = false;
-    return std::nullopt;
-  }
+  if (!open_ || !beginModal(ui, "Structures", ImVec2(ui.px(760), 0), open_, opening_)) return std::nullopt;
   bool apply = false;
   const float height = ui.px(480);
   drawKinds(ui, darkLight, ui.px(440), height, apply);

@@ -13,10 +13,7 @@ void TileDialog::show(std::string file) {
 TileDialog::Result TileDialog::draw(Ui& ui, const RenderJob& job) {
   Result result;
   if (!open_) return result;
-  const bool begin = opening_;
-  opening_ = false;
-  if (!beginModal(ui, "Tile for other programs", ImVec2(ui.px(480), 0), begin)) {
-    open_ = false;
+  if (!beginModal(ui, "Tile for other programs", ImVec2(ui.px(480), 0), open_, opening_)) {
     result.cancel = job.running;
     return result;
   }

@@ -53,13 +53,7 @@ void WifDialog::show(Content content) {
 }
 
 std::optional<WifSizeChoice> WifDialog::draw(Ui& ui) {
-  if (!open_) return std::nullopt;
-  const bool begin = opening_;
-  opening_ = false;
-  if (!beginModal(ui, "Weaving file", ImVec2(ui.px(600), 0), begin)) {
-    open_ = false;
-    return std::nullopt;
-  }
+  if (!open_ || !beginModal(ui, "Weaving file", ImVec2(ui.px(600), 0), open_, opening_)) return std::nullopt;
   std::optional<WifSizeChoice> changed;
   ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(content_.summary.c_str());

@@ -110,13 +110,18 @@ def open_weaving(editor, home):
     expect(fabric["drape"]["width_mm"] == 4, "the drape is not the designer's own")
 
 
-def export_weaving(editor, home):
+def export(editor, item, file):
+    """File > Export > item, to that file."""
     editor.click("menu.file")
     editor.click("menu.export")
-    editor.click("menu.export_wif")
-    file = os.path.join(home, "out.wif")
+    editor.click(item)
     name_file(editor, file)
     answer(editor)
+    return file
+
+
+def export_weaving(editor, home):
+    file = export(editor, "menu.export_wif", os.path.join(home, "out.wif"))
     with open(file, encoding="ascii") as text:
         lines = text.read().split("\n")
     expect("Shafts=4" in lines and "5=3" in lines and "Title=Rosepath" in lines, "the export is no rosepath")
@@ -175,12 +180,7 @@ def jacquard(editor, home):
 
 
 def export_others(editor, home):
-    editor.click("menu.file")
-    editor.click("menu.export")
-    editor.click("menu.export_draft")
-    file = os.path.join(home, "draft.pdf")
-    name_file(editor, file)
-    answer(editor)
+    file = export(editor, "menu.export_draft", os.path.join(home, "draft.pdf"))
     with open(file, "rb") as pdf:
         expect(pdf.read(5) == b"%PDF-", "the draft is no PDF")
     editor.click("menu.file")

@@ -28,6 +28,11 @@ class Folder {
   fs::path path;
 };
 
+/// The copy of this very process.
+fs::path ownCopy(const Folder& folder) {
+  return folder.path / ("autosave-" + std::to_string(getpid()) + ".json");
+}
+
 bool comesTrue(const std::function<bool()>& condition) {
   for (int i = 0; i < 1000; ++i) {
     if (condition()) return true;
@@ -36,13 +41,18 @@ bool comesTrue(const std::function<bool()>& condition) {
   return false;
 }
 
+/// Lets it keep the sample; false if no copy came.
+bool keepsSample(Autosave& autosave, const Folder& folder) {
+  autosave.keep(std::make_shared<const Fabric>(sampleFabric()));
+  return comesTrue([&] { return fs::exists(ownCopy(folder)); });
+}
+
 TEST(Autosave, KeepsACopyAndRemovesItAtAGoodEnd) {
   const Folder folder;
-  const fs::path file = folder.path / ("autosave-" + std::to_string(getpid()) + ".json");
+  const fs::path file = ownCopy(folder);
   {
     Autosave autosave(folder.path);
-    autosave.keep(std::make_shared<const Fabric>(sampleFabric()));
-    ASSERT_TRUE(comesTrue([&] { return fs::exists(file); }));
+    ASSERT_TRUE(keepsSample(autosave, folder));
     EXPECT_EQ(readFabric(file.string()), sampleFabric());
     EXPECT_FALSE(Autosave::leftBehind(folder.path).has_value()) << "its editor is still running";
     autosave.endWell();
@@ -52,11 +62,10 @@ TEST(Autosave, KeepsACopyAndRemovesItAtAGoodEnd) {
 
 TEST(Autosave, LeavesTheCopyWhenTheEditorIsTornDown) {
   const Folder folder;
-  const fs::path file = folder.path / ("autosave-" + std::to_string(getpid()) + ".json");
+  const fs::path file = ownCopy(folder);
   {
     Autosave autosave(folder.path);
-    autosave.keep(std::make_shared<const Fabric>(sampleFabric()));
-    ASSERT_TRUE(comesTrue([&] { return fs::exists(file); }));
+    ASSERT_TRUE(keepsSample(autosave, folder));
   }
   EXPECT_EQ(readFabric(file.string()), sampleFabric());
 }
@@ -64,7 +73,7 @@ TEST(Autosave, LeavesTheCopyWhenTheEditorIsTornDown) {
 TEST(Autosave, WhatIsTakenUpGoesOnceItIsKeptAgain) {
   const Folder folder;
   fs::create_directories(folder.path);
-  const fs::path file = folder.path / ("autosave-" + std::to_string(getpid()) + ".json");
+  const fs::path file = ownCopy(folder);
   const fs::path left = folder.path / "autosave-2000000000.json";
   writeFabric(sampleFabric(), left.string());
   Autosave autosave(folder.path);
