@@ -7,10 +7,11 @@
 #include "ui/modal.h"
 
 namespace loomlight {
-void MessageDialog::show(std::string title, std::string text, std::vector<std::string> answers) {
+void MessageDialog::show(std::string title, std::string text, std::vector<std::string> answers, int enter) {
   title_ = std::move(title);
   text_ = std::move(text);
   answers_ = std::move(answers);
+  enter_ = enter;
   open_ = opening_ = true;
 }
 
@@ -29,15 +30,14 @@ std::optional<int> MessageDialog::draw(Ui& ui) {
   ImGui::SetCursorPosX(ImGui::GetWindowWidth() - ui.px(16) - count * width - (count - 1) * ui.px(8));
   for (int i = 0; i < static_cast<int>(answers_.size()); ++i) {
     if (i > 0) ImGui::SameLine();
-    const auto& press = i + 1 == static_cast<int>(answers_.size()) ? mainButton : button;
+    const auto& press = i == enter_ ? mainButton : button;
     if (press(ui, fmt::format("message.answer_{}", i).c_str(), answers_[static_cast<size_t>(i)].c_str(), width, true,
               ""))
       answer = i;
   }
   // The key that brought the dialog up must not answer it.
   if (!begin && modalCancelled()) answer = 0;
-  if (!begin && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false))
-    answer = static_cast<int>(answers_.size()) - 1;
+  if (!begin && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false)) answer = enter_;
   if (answer) {
     open_ = false;
     ImGui::CloseCurrentPopup();
@@ -70,7 +70,7 @@ SnapshotDialog::Result SnapshotDialog::draw(Ui& ui, const RenderJob& job) {
   ImGui::EndDisabled();
   if (changed) result.settings = settings_;
 
-  const RenderJobAnswer answer = renderJobRows(ui, "snapshot", job, !file_.empty());
+  const RenderJobAnswer answer = renderJobRows(ui, "snapshot", job, file_);
   result.start = answer.start;
   result.cancel = answer.cancel;
   if (answer.close) {

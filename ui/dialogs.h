@@ -14,8 +14,9 @@ namespace loomlight {
 /// Says something that must be read, with an answer or two.
 class MessageDialog {
  public:
-  /// Answers from left to right; Escape is the first, Enter the last.
-  void show(std::string title, std::string text, std::vector<std::string> answers);
+  /// Answers from left to right; Escape is the first. Enter is number `enter`, which stands out: one that loses
+  /// nothing.
+  void show(std::string title, std::string text, std::vector<std::string> answers, int enter);
   bool isOpen() const { return open_; }
   /// Index of the answer, once.
   std::optional<int> draw(Ui& ui);
@@ -24,6 +25,7 @@ class MessageDialog {
   bool open_ = false, opening_ = false;
   std::string title_, text_;
   std::vector<std::string> answers_;
+  int enter_ = 0;
 };
 
 /// Size, samples and format of a picture to be rendered to a file, then its progress.
@@ -40,6 +42,7 @@ class SnapshotDialog {
   const std::string& file() const { return file_; }
   const RenderSettings& settings() const { return settings_; }
   const SnapshotOptions& options() const { return options_; }
+  void setOptions(SnapshotOptions options) { options_ = std::move(options); }
   bool isOpen() const { return open_; }
   Result draw(Ui& ui, const RenderJob& job);
 

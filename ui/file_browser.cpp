@@ -104,7 +104,7 @@ bool FileBrowser::drawEntries(Ui& ui, float height) {
   return decided;
 }
 
-std::optional<std::string> FileBrowser::decide() {
+std::optional<std::string> FileBrowser::decide(bool mayReplace) {
   if (typed_.empty()) {
     problem_ = "Type a name, or choose a file.";
     return std::nullopt;
@@ -121,9 +121,9 @@ std::optional<std::string> FileBrowser::decide() {
     problem_ = file.string() + " does not exist.";
     return std::nullopt;
   }
-  if (purpose_ == Purpose::save && fs::exists(file, error) && toReplace_ != file.string()) {
+  if (purpose_ == Purpose::save && fs::exists(file, error) && (toReplace_ != file.string() || !mayReplace)) {
     toReplace_ = file.string();
-    problem_ = file.filename().string() + " exists already. Press again to replace it.";
+    problem_ = file.filename().string() + " exists already.";
     return std::nullopt;
   }
   return file.string();
@@ -142,7 +142,9 @@ std::optional<std::string> FileBrowser::draw(Ui& ui) {
   bool decided = drawEntries(ui, height);
   ImGui::SetNextItemWidth(-1);
   if (begin) ImGui::SetKeyboardFocusHere();
+  const std::string before = typed_;
   decided |= ImGui::InputTextWithHint("##name", "File name or path", &typed_, ImGuiInputTextFlags_EnterReturnsTrue);
+  if (typed_ != before) toReplace_.clear();
   ui.probe.recordItem("browser.name");
   ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.warning);
   ImGui::TextUnformatted(problem_.empty() ? " " : problem_.c_str());
@@ -151,9 +153,10 @@ std::optional<std::string> FileBrowser::draw(Ui& ui) {
   ImGui::SetCursorPosX(ImGui::GetWindowWidth() - 2 * width - ui.px(24));
   bool close = button(ui, "browser.cancel", "Cancel", width) || modalCancelled();
   ImGui::SameLine();
-  decided |= mainButton(ui, "browser.ok", purpose_ == Purpose::open ? "Open" : "Save", width);
+  const char* does = purpose_ == Purpose::open ? "Open" : toReplace_.empty() ? "Save" : "Replace";
+  const bool pressed = mainButton(ui, "browser.ok", does, width);
   std::optional<std::string> file;
-  if (decided) file = decide();
+  if (decided || pressed) file = decide(pressed);
   if (file || close) {
     open_ = false;
     ImGui::CloseCurrentPopup();

@@ -36,7 +36,8 @@ class FileBrowser {
   void drawPlaces(Ui& ui, float width, float height);
   /// True when a file was double-clicked.
   bool drawEntries(Ui& ui, float height);
-  std::optional<std::string> decide();
+  /// `mayReplace`: by the button, which says so; a key that is pressed twice must not.
+  std::optional<std::string> decide(bool mayReplace);
 
   bool open_ = false;
   bool opening_ = false;
@@ -48,7 +49,7 @@ class FileBrowser {
   std::vector<Entry> entries_;
   std::string typed_;
   std::string problem_;
-  std::string toReplace_;  ///< a file that is there already, once the user was asked
+  std::string toReplace_;  ///< a file that is there already, once the user was asked; empty: none
 };
 
 }  // namespace loomlight

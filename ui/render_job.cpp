@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <filesystem>
+
 #include "ui/fields.h"
 #include "ui/modal.h"
 
@@ -13,10 +15,15 @@ bool chooseFileButton(Ui& ui, const std::string& dialog) {
   return button(ui, (dialog + ".browse").c_str(), "Choose\xE2\x80\xA6");
 }
 
-RenderJobAnswer renderJobRows(Ui& ui, const std::string& dialog, const RenderJob& job, bool hasFile) {
+RenderJobAnswer renderJobRows(Ui& ui, const std::string& dialog, const RenderJob& job, const std::string& file) {
   ImGui::ProgressBar(static_cast<float>(job.fraction), ImVec2(-1, ui.px(4)), "");
   ImGui::PushStyleColor(ImGuiCol_Text, job.failed ? ui.theme.error : ui.theme.textQuiet);
-  const std::string said = job.running ? fmt::format("{:.0f} %", 100 * job.fraction) : job.outcome;
+  std::error_code ignored;
+  const bool replaces = !job.running && std::filesystem::exists(file, ignored);
+  const std::string there = replaces ? std::filesystem::path(file).filename().string() + " exists already." : "";
+  const std::string said = job.running           ? fmt::format("{:.0f} %", 100 * job.fraction)
+                           : job.outcome.empty() ? there
+                                                 : job.outcome;
   ImGui::TextWrapped("%s", said.empty() ? " " : said.c_str());
   ImGui::PopStyleColor();
   ui.probe.fact(dialog + ".outcome", job.running ? "running" : job.outcome);
@@ -27,7 +34,8 @@ RenderJobAnswer renderJobRows(Ui& ui, const std::string& dialog, const RenderJob
   const bool dismiss =
       button(ui, (dialog + ".close").c_str(), job.running ? "Cancel" : "Close", width) || modalCancelled();
   ImGui::SameLine();
-  answer.start = mainButton(ui, (dialog + ".start").c_str(), "Render", width, !job.running && hasFile);
+  answer.start = mainButton(ui, (dialog + ".start").c_str(), replaces ? "Replace" : "Render", width,
+                            !job.running && !file.empty());
   (job.running ? answer.cancel : answer.close) = dismiss;
   return answer;
 }

@@ -22,7 +22,8 @@ struct RenderJobAnswer {
 
 /// Below the row of the file's name.
 bool chooseFileButton(Ui& ui, const std::string& dialog);
-/// The last rows of the dialog: progress or outcome; Cancel or Close, and Render where it knows a file.
-RenderJobAnswer renderJobRows(Ui& ui, const std::string& dialog, const RenderJob& job, bool hasFile);
+/// The last rows of the dialog: progress or outcome; Cancel or Close, and Render where a file is named, or
+/// Replace where there is one already.
+RenderJobAnswer renderJobRows(Ui& ui, const std::string& dialog, const RenderJob& job, const std::string& file);
 
 }  // namespace loomlight

@@ -15,8 +15,8 @@ constexpr double kMmPerInch = 25.4;
 bool lengthField(Ui& ui, const char* id, const char* label, double& length_mm) {
   NumberStyle style;
   style.unit = "mm";
-  style.min = 1;
-  style.max = 2000;
+  style.min = kPrintSide_mm[0];
+  style.max = kPrintSide_mm[1];
   style.decimals = 1;
   style.logarithmic = true;
   return numberField(ui, {id, label, "On paper"}, style, length_mm);
@@ -28,8 +28,8 @@ bool printRows(Ui& ui, SnapshotOptions& options, RenderSettings& settings) {
   lengthField(ui, "snapshot.height_mm", "Height", options.height_mm);
   NumberStyle style;
   style.unit = "dpi";
-  style.min = 30;
-  style.max = 2400;
+  style.min = kPrintResolution_dpi[0];
+  style.max = kPrintResolution_dpi[1];
   style.decimals = 0;
   style.logarithmic = true;
   numberField(ui, {"snapshot.dpi", "Resolution", "Pixels on an inch of paper: 300 for print, 150 for a large poster"},

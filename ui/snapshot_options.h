@@ -7,6 +7,8 @@
 
 namespace loomlight {
 
+inline constexpr double kPrintSide_mm[] = {1, 2000}, kPrintResolution_dpi[] = {30, 2400};
+
 /// How large a snapshot is to be, and what stands below it.
 struct SnapshotOptions {
   bool inMillimetres = false;  ///< for print; else in pixels

@@ -27,7 +27,7 @@ TileDialog::Result TileDialog::draw(Ui& ui, const RenderJob& job) {
   textField(ui, {"tile.file", "File", "The .json; the maps are named after it."}, file_);
   result.chooseFile = chooseFileButton(ui, "tile");
   ImGui::EndDisabled();
-  const RenderJobAnswer answer = renderJobRows(ui, "tile", job, !file_.empty());
+  const RenderJobAnswer answer = renderJobRows(ui, "tile", job, file_);
   result.start = answer.start;
   result.cancel = answer.cancel;
   if (answer.close) {

@@ -1,10 +1,9 @@
 #include "app/editor/autosave.h"
 
 #include <fmt/core.h>
-#include <signal.h>
 #include <unistd.h>
 
-#include <charconv>
+#include <chrono>
 #include <condition_variable>
 
 #include "core/base/error.h"
@@ -17,20 +16,14 @@ namespace {
 constexpr std::string_view kPrefix = "autosave-", kSuffix = ".json";
 constexpr std::chrono::seconds kBetweenWrites{2};
 
-/// The process that wrote a copy; nullopt when the file is none.
-std::optional<pid_t> writerOf(const fs::path& file) {
-  const std::string name = file.filename().string();
-  if (!name.starts_with(kPrefix) || !name.ends_with(kSuffix)) return std::nullopt;
-  pid_t pid = 0;
-  const char* begin = name.data() + kPrefix.size();
-  const char* end = name.data() + name.size() - kSuffix.size();
-  const auto [at, error] = std::from_chars(begin, end, pid);
-  if (error != std::errc() || at != end || pid <= 0) return std::nullopt;
-  return pid;
+/// What the editor that writes a copy keeps locked.
+fs::path lockOf(const fs::path& file) {
+  return fs::path(file).replace_extension(".lock");
 }
 
-bool isRunning(pid_t pid) {
-  return kill(pid, 0) == 0 || errno == EPERM;
+bool isCopy(const fs::path& file) {
+  const std::string name = file.filename().string();
+  return name.starts_with(kPrefix) && name.ends_with(kSuffix);
 }
 
 }  // namespace
@@ -38,7 +31,10 @@ bool isRunning(pid_t pid) {
 Autosave::Autosave(fs::path folder, std::function<void()> wake) : wake_(std::move(wake)) {
   std::error_code ignored;  // without the folder the first write fails, and says so
   fs::create_directories(folder, ignored);
-  file_ = folder / fmt::format("{}{}{}", kPrefix, getpid(), kSuffix);
+  const auto now_ns =
+      std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::system_clock::now().time_since_epoch());
+  file_ = folder / fmt::format("{}{}-{}{}", kPrefix, now_ns.count(), getpid(), kSuffix);
+  running_ = FileLock::make(lockOf(file_));
   thread_ = std::jthread([this](std::stop_token stop) { loop(stop); });
 }
 
@@ -47,8 +43,7 @@ Autosave::~Autosave() = default;
 void Autosave::endWell() {
   thread_.request_stop();
   thread_.join();
-  std::error_code ignored;
-  fs::remove(file_, ignored);
+  throwAway(file_);
   removeTakenOver();
 }
 
@@ -85,8 +80,7 @@ void Autosave::removeTakenOver() {
     const std::lock_guard lock(mutex_);
     old.swap(takenOver_);
   }
-  std::error_code ignored;
-  if (!old.empty()) fs::remove(old, ignored);
+  if (!old.empty()) throwAway(old);
 }
 
 void Autosave::write(const Fabric& fabric) {
@@ -121,8 +115,7 @@ std::optional<fs::path> Autosave::leftBehind(const fs::path& folder) {
   fs::file_time_type newestTime;
   std::error_code error;
   for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
-    const std::optional<pid_t> writer = writerOf(it->path());
-    if (!writer || isRunning(*writer)) continue;
+    if (!isCopy(it->path()) || FileLock::isHeld(lockOf(it->path()))) continue;
     std::error_code unreadable;
     const fs::file_time_type time = it->last_write_time(unreadable);
     if (unreadable || (newest && time <= newestTime)) continue;
@@ -130,6 +123,12 @@ std::optional<fs::path> Autosave::leftBehind(const fs::path& folder) {
     newestTime = time;
   }
   return newest;
+}
+
+void Autosave::throwAway(const fs::path& left) {
+  std::error_code ignored;
+  fs::remove(left, ignored);
+  fs::remove(lockOf(left), ignored);
 }
 
 }  // namespace loomlight

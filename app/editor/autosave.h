@@ -8,6 +8,7 @@
 #include <string>
 #include <thread>
 
+#include "app/editor/file_lock.h"
 #include "app/workers/mailbox.h"
 #include "core/fabric/fabric.h"
 
@@ -15,10 +16,12 @@ namespace loomlight {
 
 /// Keeps a copy of unsaved work on disk, written by a thread of its own a moment after each edit. The copy is removed
 /// when the editor ends well, so one that is there belongs to an editor that did not.
+///
+/// Every editor has a file in `folder` whose name nobody else will ever have, and beside it another that it keeps
+/// locked while it runs: a number of a process would come again, and after a restart of the machine stand for another.
 class Autosave {
  public:
-  /// Every running editor has a file of its own in `folder`, named after its process. `wake` is called from the thread
-  /// when problem() changes.
+  /// `wake` is called from the thread when problem() changes.
   explicit Autosave(std::filesystem::path folder, std::function<void()> wake = {});
   ~Autosave();  ///< leaves the copy: whoever is torn down by an error still has it
 
@@ -30,8 +33,12 @@ class Autosave {
   /// Why the newest work could not be kept; empty while all is well.
   std::string problem() const;
 
+  const std::filesystem::path& file() const { return file_; }
+
   /// The newest copy left in the folder by an editor that is no longer running.
   static std::optional<std::filesystem::path> leftBehind(const std::filesystem::path& folder);
+  /// Removes such a copy, and what was beside it.
+  static void throwAway(const std::filesystem::path& left);
 
  private:
   void loop(std::stop_token stop);
@@ -40,6 +47,7 @@ class Autosave {
   void setProblem(std::string problem);
 
   std::filesystem::path file_;
+  std::optional<FileLock> running_;  ///< none where the folder takes no files: then no copy can be kept either
   std::function<void()> wake_;
   mutable std::mutex mutex_;  // of the next two
   std::filesystem::path takenOver_;

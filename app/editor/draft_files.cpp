@@ -5,7 +5,7 @@
 #include "app/commands/draft_sheet.h"
 #include "app/commands/weave_bitmap.h"
 #include "app/editor/session.h"
-#include "app/editor/user_folders.h"
+#include "app/workers/file_name.h"
 #include "core/base/error.h"
 #include "core/fabric/derived.h"
 #include "core/fabric/structure_edit.h"
@@ -48,9 +48,8 @@ void Session::run(DraftCommand command) {
     case DraftCommand::exportDraft:
       return browse(FileTask::exportDraft);
     case DraftCommand::exportTile: {
-      const fs::path folder = settings_.folder.empty() ? homeFolder() : fs::path(settings_.folder);
       tileProgress_ = {};
-      return tileDialog_.show((folder / (document_.fabric()->name + " tile.json")).string());
+      return tileDialog_.show(freeFile(fileCalledAsCloth(" tile.json")).string());
     }
     default:
       place_ = placeInDraft();

@@ -192,6 +192,12 @@ void PresetDesk::changed(PresetKind kind, std::string said, std::function<void()
   changes_.push_back({std::move(said), std::move(takeBack)});
 }
 
+/// A new preset has these tags, whatever one had that had its name before. Goes with the change of that preset, which
+/// is made and can be taken back even where the tags cannot be written.
+void PresetDesk::tagAnew(PresetKind kind, const std::string& name, const std::string& tags) {
+  if (of(kind).tags.of(name) != tags) of(kind).tags.set(name, tags);
+}
+
 void PresetDesk::keep(PresetKind kind, const Fabric& now, int yarn, int fibre) {
   Fabric fabric = now;
   if (kind == PresetKind::yarns) fabric = aloneWith(now, yarn, now.yarns[static_cast<size_t>(yarn)].fibre);
@@ -199,32 +205,46 @@ void PresetDesk::keep(PresetKind kind, const Fabric& now, int yarn, int fibre) {
     fabric = aloneWith(now, yarn, fibre);
     fabric.name = fabric.fibres[0].name;
   }
-  const std::string name = of(kind).store.keepBeside(std::move(fabric));
+  const std::string name = of(kind).store.keep(std::move(fabric));
   changed(kind, fmt::format("Kept \"{}\".", name), [this, kind, name] { of(kind).store.remove(name); });
+  tagAnew(kind, name, "");
 }
 
 void PresetDesk::duplicate(PresetKind kind, size_t card) {
   Fabric fabric = of(kind).entries[card].fabric;
   fabric.name = of(kind).entries[card].card.name;
-  const std::string name = of(kind).store.keepBeside(std::move(fabric));
   const std::string tags = of(kind).entries[card].card.tags;
-  changed(kind, fmt::format("Duplicated as \"{}\".", name), [this, kind, name] { of(kind).store.remove(name); });
-  if (!tags.empty()) of(kind).tags.set(name, tags);
+  const std::string name = of(kind).store.keep(std::move(fabric));
+  changed(kind, fmt::format("Duplicated as \"{}\".", name), [this, kind, name] {
+    of(kind).store.remove(name);
+    tagAnew(kind, name, "");
+  });
+  tagAnew(kind, name, tags);
 }
 
 void PresetDesk::rename(PresetKind kind, size_t card, const std::string& name) {
   const std::string before = of(kind).entries[card].card.name;
   const std::string tags = of(kind).entries[card].card.tags;
   const std::string after = of(kind).store.rename(before, name);
+  if (after == before) return;
+  const auto moveTags = [this, kind, tags](const std::string& from, const std::string& to) {
+    tagAnew(kind, to, tags);
+    tagAnew(kind, from, "");
+  };
   changed(kind, fmt::format("Renamed \"{}\" to \"{}\".", before, after),
-          [this, kind, before, after] { of(kind).store.rename(after, before); });
-  if (!tags.empty()) of(kind).tags.set(after, tags);
+          [this, kind, before, after, moveTags] { moveTags(after, of(kind).store.rename(after, before)); });
+  moveTags(before, after);
 }
 
 void PresetDesk::remove(PresetKind kind, size_t card) {
   const std::string name = of(kind).entries[card].card.name;
-  of(kind).store.remove(name);
-  changed(kind, fmt::format("Removed \"{}\".", name), [this, kind, name] { of(kind).store.putBack(name); });
+  const std::string tags = of(kind).entries[card].card.tags;
+  const PresetStore::Removed removed = of(kind).store.remove(name);
+  changed(kind, fmt::format("Removed \"{}\".", name), [this, kind, removed, tags] {
+    of(kind).store.putBack(removed);
+    tagAnew(kind, removed.name, tags);
+  });
+  tagAnew(kind, name, "");
 }
 
 void PresetDesk::tag(PresetKind kind, size_t card, const std::string& tags) {
@@ -241,6 +261,12 @@ void PresetDesk::undo() {
   changes_.pop_back();
   for (Shelf& shelf : shelves_) shelf.read = false;
   change.takeBack();
+}
+
+std::string PresetDesk::problem() const {
+  for (const Shelf& shelf : shelves_)
+    if (!shelf.tags.problem().empty()) return shelf.tags.problem();
+  return {};
 }
 
 const std::string& PresetDesk::lastChange() const {

@@ -37,6 +37,7 @@ class PresetDesk {
   void tag(PresetKind kind, size_t card, const std::string& tags);
   void undo();
   const std::string& lastChange() const;  ///< empty: there is none
+  std::string problem() const;            ///< what was kept and cannot be read; empty while all is well
 
  private:
   struct Entry {
@@ -61,6 +62,7 @@ class PresetDesk {
   const Shelf& of(PresetKind kind) const { return shelves_[static_cast<size_t>(kind)]; }
   void read(PresetKind kind, float scale);
   void changed(PresetKind kind, std::string said, std::function<void()> takeBack);
+  void tagAnew(PresetKind kind, const std::string& name, const std::string& tags);
 
   std::array<Shelf, 4> shelves_;
   std::vector<Change> changes_;

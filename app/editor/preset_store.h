@@ -16,21 +16,22 @@ class PresetStore {
   const std::vector<std::string>& names() const { return names_; }
   /// Throws InputError.
   Fabric load(const std::string& name) const;
-  /// Keeps it under its own name; one of the same name is replaced. Returns the name. Throws InputError.
-  std::string keep(const Fabric& fabric);
-  /// Likewise, but beside one of the same name, with a number behind its own.
-  std::string keepBeside(Fabric fabric);
+  /// Keeps it under its own name, or that name with a number where it is taken. Returns the name. Throws InputError.
+  std::string keep(Fabric fabric);
   /// Gives it another name, or that name with a number where it is taken. Returns the name. Throws InputError.
   std::string rename(const std::string& name, const std::string& to);
+  struct Removed {
+    std::string name;
+    std::filesystem::path file;  ///< where it lies since
+  };
   /// Takes it out of the list, and puts it back in. Throw InputError.
-  void remove(const std::string& name);
-  void putBack(const std::string& name);
+  Removed remove(const std::string& name);
+  void putBack(const Removed& removed);
   /// Looks at the folder again.
   void refresh();
 
  private:
   std::filesystem::path fileOf(const std::string& name) const { return folder_ / (name + ".json"); }
-  std::filesystem::path binOf(const std::string& name) const { return folder_ / "removed" / (name + ".json"); }
   void write(const Fabric& fabric, const std::string& name);
   void makeFolder(const std::filesystem::path& folder) const;
 

@@ -21,7 +21,22 @@ Session::Session(Document document, Settings settings, std::function<void()> wak
       renderer_(wake_, threads),
       pictures_(wake_) {
   hints_.wanted = !settings_.hintsSeen;
+  const ViewSettings& view = settings_.view;
+  viewport_.denoised = view.denoised;
+  viewport_.filmic = view.filmic;
+  viewport_.exposure_stops = view.exposure_stops;
+  draft_.inColour = view.draftInColour;
+  draft_.back = view.draftBack;
+  draft_.marksFloats = view.marksFloats;
+  snapshotDialog_.setOptions(settings_.snapshot);
   if (!document_.file().empty()) remember(document_.file());
+}
+
+void Session::keepSettings() {
+  settings_.hintsSeen = !hints_.wanted;
+  settings_.view = {viewport_.denoised, viewport_.filmic, viewport_.exposure_stops,
+                    draft_.inColour,    draft_.back,      draft_.marksFloats};
+  settings_.snapshot = snapshotDialog_.options();
 }
 
 std::string Session::title() const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -82,10 +83,13 @@ class Session {
     exportTile,
     picture
   };
-  enum class Question { none, said, quit, discardForNew, discardForOpen, forgetRecent, recover };
+  enum class Question { none, said, unsaved, forgetRecent, recover };
+  /// What unsaved work stands in the way of.
+  enum class Afterwards { nothing, quit, beginAnew, open };
 
   // session_panels.cpp: what is drawn
   void drawPanels(Ui& ui);
+  void keepSettings();
   void drawDraft(Ui& ui);
   void drawViewport(Ui& ui, const Insight* insight, const LiveStatus& status);
   void drawInspector(Ui& ui, const Insight* insight, const LiveStatus& status);
@@ -104,7 +108,11 @@ class Session {
   void drawSnapshot(Ui& ui);
   void answered(int answer);
   void startOver(Document document);
-  void ask(Question question, std::string title, std::string text, std::vector<std::string> answers);
+  /// Goes on with it at once where nothing is unsaved; else asks first.
+  void leaveFor(Afterwards next);
+  void goOn();
+  /// `safe`: the answer that loses nothing, which Enter gives.
+  void ask(Question question, std::string title, std::string text, std::vector<std::string> answers, int safe);
   void say(std::string title, std::string text);
   bool dialogIsOpen() const;
   Tone tone() const;
@@ -116,6 +124,8 @@ class Session {
   void openFabric(const std::string& file);
   void save(const std::string& file);
   void takeUp(const std::string& left);
+  std::filesystem::path folderToLookIn() const;
+  std::filesystem::path fileCalledAsCloth(const std::string& ending) const;
   void browse(FileTask task);
   void fileChosen(const std::string& file);
 
@@ -216,7 +226,8 @@ class Session {
   uint64_t gesture_ = 1;
   double work_s_ = 0;
   uint64_t colourWish_ = 0, colourGesture_ = 0;  ///< the newest wish for a colour, and the gesture that made it
-  bool quitOnceSaved_ = false, over_ = false, fullScreen_ = false;
+  Afterwards afterwards_ = Afterwards::nothing;  ///< once the work is saved, or need not be
+  bool over_ = false, fullScreen_ = false;
 };
 
 }  // namespace loomlight

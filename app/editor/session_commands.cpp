@@ -4,7 +4,7 @@
 
 #include "app/editor/sample_fabric.h"
 #include "app/editor/session.h"
-#include "app/editor/user_folders.h"
+#include "app/workers/file_name.h"
 #include "core/base/error.h"
 #include "core/base/memory.h"
 #include "core/fabric/validate.h"
@@ -42,11 +42,7 @@ void Session::applyPreset(const PresetChoice& choice) {
 void Session::run(Command command) {
   switch (command) {
     case Command::newFabric:
-      if (document_.isDirty())
-        ask(Question::discardForNew, "Unsaved work",
-            "This cloth has changes that are not saved. Begin a new one without them?", {"Cancel", "Begin anew"});
-      else
-        startOver(Document(sampleFabric()));
+      leaveFor(Afterwards::beginAnew);
       break;
     case Command::open:
       browse(FileTask::open);
@@ -68,14 +64,13 @@ void Session::run(Command command) {
       }
       break;
     case Command::snapshot: {
-      const fs::path folder = settings_.folder.empty() ? homeFolder() : fs::path(settings_.folder);
       snapshotProgress_ = {};
-      snapshotDialog_.show(document_.fabric()->render, (folder / (document_.fabric()->name + ".png")).string());
+      snapshotDialog_.show(document_.fabric()->render, freeFile(fileCalledAsCloth(".png")).string());
       break;
     }
     case Command::presets:
       renderer_.pause(true);  // its pictures are looked at now
-      presetProblem_.clear();
+      presetProblem_ = presetDesk_.problem();
       presetBrowser_.show();
       break;
     case Command::colourways:
@@ -184,37 +179,53 @@ void Session::startOver(Document document) {
 }
 
 void Session::askToQuit() {
-  if (question_ == Question::quit && message_.isOpen()) return;
-  if (!document_.isDirty()) {
-    over_ = true;
-    return;
-  }
-  ask(Question::quit, "Unsaved work", fmt::format("\"{}\" has changes that are not saved.", document_.fabric()->name),
-      {"Go on", "Discard", "Save"});
+  leaveFor(Afterwards::quit);
 }
 
-void Session::ask(Question question, std::string title, std::string text, std::vector<std::string> answers) {
+void Session::leaveFor(Afterwards next) {
+  if (question_ == Question::unsaved && message_.isOpen() && afterwards_ == next) return;
+  afterwards_ = next;
+  if (!document_.isDirty()) return goOn();
+  const char* discard = next == Afterwards::quit   ? "Discard"
+                        : next == Afterwards::open ? "Open without"
+                                                   : "Begin without";
+  ask(Question::unsaved, "Unsaved work",
+      fmt::format("\"{}\" has changes that are not saved.", document_.fabric()->name), {"Go on", discard, "Save"}, 2);
+}
+
+void Session::goOn() {
+  switch (std::exchange(afterwards_, Afterwards::nothing)) {
+    case Afterwards::quit:
+      over_ = true;
+      break;
+    case Afterwards::beginAnew:
+      startOver(Document(sampleFabric()));
+      break;
+    case Afterwards::open:
+      openFabric(pendingFile_);
+      break;
+    case Afterwards::nothing:
+      break;
+  }
+}
+
+void Session::ask(Question question, std::string title, std::string text, std::vector<std::string> answers, int safe) {
   question_ = question;
-  message_.show(std::move(title), std::move(text), std::move(answers));
+  message_.show(std::move(title), std::move(text), std::move(answers), safe);
 }
 
 void Session::say(std::string title, std::string text) {
-  ask(Question::said, std::move(title), std::move(text), {"OK"});
+  ask(Question::said, std::move(title), std::move(text), {"OK"}, 0);
 }
 
 void Session::answered(int answer) {
   const Question question = std::exchange(question_, Question::none);
-  if (question == Question::quit && answer == 1) over_ = true;
-  if (question == Question::quit && answer == 2) {
-    quitOnceSaved_ = true;
-    run(Command::save);
-  }
-  if (question == Question::discardForNew && answer == 1) startOver(Document(sampleFabric()));
-  if (question == Question::discardForOpen && answer == 1) openFabric(pendingFile_);
+  if (question == Question::unsaved && answer == 0) afterwards_ = Afterwards::nothing;
+  if (question == Question::unsaved && answer == 1) goOn();
+  if (question == Question::unsaved && answer == 2) run(Command::save);
   if (question == Question::forgetRecent && answer == 1) forget(settings_.recent, pendingFile_);
   if (question != Question::recover || answer == 0) return;
-  std::error_code ignored;
-  if (answer == 1) fs::remove(pendingFile_, ignored);
+  if (answer == 1) Autosave::throwAway(pendingFile_);
   if (answer == 2) takeUp(pendingFile_);
 }
 
@@ -222,7 +233,7 @@ void Session::drawDialogs(Ui& ui) {
   // The browser stands in for the snapshot dialog while it names its file.
   if (!browser_.isOpen() && snapshotDialog_.isOpen()) drawSnapshot(ui);
   if (const auto file = browser_.draw(ui)) fileChosen(*file);
-  if (!browser_.isOpen()) quitOnceSaved_ = false;  // no file was named
+  if (!browser_.isOpen() && !message_.isOpen()) afterwards_ = Afterwards::nothing;  // no file was named
   if (const auto answer = message_.draw(ui)) answered(*answer);
   preferences_.draw(ui, 1e-9 * static_cast<double>(physicalMemory_bytes()),
                     {settings_.units, settings_.draft, settings_.fibreMemory_GB});

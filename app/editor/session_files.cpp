@@ -34,7 +34,7 @@ void Session::openRecent(const std::string& file) {
   if (fs::is_regular_file(file, ignored)) return openFile(file);
   pendingFile_ = file;
   ask(Question::forgetRecent, "This file is missing", file + " is not there any more.",
-      {"Keep in the list", "Forget it"});
+      {"Keep in the list", "Forget it"}, 0);
 }
 
 void Session::openFabric(const std::string& file) {
@@ -62,12 +62,9 @@ void Session::openFile(const std::string& file) {
     edit(std::move(fabric));
   } else if (extension == ".png") {
     openPicture(file);
-  } else if (document_.isDirty()) {
-    pendingFile_ = file;
-    ask(Question::discardForOpen, "Unsaved work",
-        "This cloth has changes that are not saved. Open another one without them?", {"Cancel", "Open"});
   } else {
-    openFabric(file);
+    pendingFile_ = file;
+    leaveFor(Afterwards::open);
   }
 }
 
@@ -76,9 +73,9 @@ void Session::save(const std::string& file) {
     document_.save(file);
     remember(file);
     autosave_.forget();
-    over_ = quitOnceSaved_;
+    goOn();
   } catch (const InputError& error) {
-    quitOnceSaved_ = false;
+    afterwards_ = Afterwards::nothing;
     say("The file could not be written", std::string(error.what()) + "\n\nNothing is lost: the cloth is still here.");
   }
 }
@@ -88,7 +85,7 @@ void Session::offerRecovery() {
   if (!left) return;
   pendingFile_ = left->string();
   ask(Question::recover, "Unsaved work was found", "The editor ended before this work was saved. Take it up again?",
-      {"Later", "Throw away", "Take up"});
+      {"Later", "Throw away", "Take up"}, 2);
 }
 
 void Session::takeUp(const std::string& left) {
@@ -102,9 +99,17 @@ void Session::takeUp(const std::string& left) {
   }
 }
 
+fs::path Session::folderToLookIn() const {
+  return settings_.folder.empty() ? homeFolder() : fs::path(settings_.folder);
+}
+
+fs::path Session::fileCalledAsCloth(const std::string& ending) const {
+  return folderToLookIn() / (fileNameOf(document_.fabric()->name) + ending);
+}
+
 void Session::browse(FileTask task) {
   fileTask_ = task;
-  const fs::path folder = settings_.folder.empty() ? homeFolder() : fs::path(settings_.folder);
+  const fs::path folder = folderToLookIn();
   const std::vector<FileBrowser::Place> places = {
       {"Home", homeFolder()}, {"Presets", presetFolder()}, {"Computer", "/"}};
   using Purpose = FileBrowser::Purpose;
@@ -113,8 +118,7 @@ void Session::browse(FileTask task) {
       browser_.show(Purpose::open, "Open a cloth", {".json", ".wif", ".png"}, folder, places);
       break;
     case FileTask::saveAs: {
-      const fs::path file =
-          document_.file().empty() ? folder / (document_.fabric()->name + ".json") : fs::path(document_.file());
+      const fs::path file = document_.file().empty() ? fileCalledAsCloth(".json") : fs::path(document_.file());
       browser_.show(Purpose::save, "Save the cloth", {".json"}, file, places);
       break;
     }
@@ -131,18 +135,16 @@ void Session::browse(FileTask task) {
       browser_.show(Purpose::open, "Choose a picture", {".png"}, folder, places);
       break;
     case FileTask::exportWif:
-      browser_.show(Purpose::save, "Export as weaving file", {".wif"}, folder / (document_.fabric()->name + ".wif"),
-                    places);
+      browser_.show(Purpose::save, "Export as weaving file", {".wif"}, fileCalledAsCloth(".wif"), places);
       break;
     case FileTask::exportDraft:
-      browser_.show(Purpose::save, "Export the draft for print", {".pdf", ".png"},
-                    folder / (document_.fabric()->name + ".pdf"), places);
+      browser_.show(Purpose::save, "Export the draft for print", {".pdf", ".png"}, fileCalledAsCloth(".pdf"), places);
       break;
     case FileTask::exportTile:
       browser_.show(Purpose::save, "Where the tile goes", {".json"}, tileDialog_.file(), places);
       break;
     case FileTask::exportBitmap:
-      browser_.show(Purpose::save, "Export the weave", {".png"}, folder / (document_.fabric()->name + ".png"), places);
+      browser_.show(Purpose::save, "Export the weave", {".png"}, fileCalledAsCloth(".png"), places);
       break;
     case FileTask::none:
       break;

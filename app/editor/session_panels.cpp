@@ -68,7 +68,7 @@ void Session::drawPanels(Ui& ui) {
   endPanel();
   const ImVec2 picture(static_cast<float>(viewport_.width), static_cast<float>(viewport_.height));
   firstHints(ui, areas.viewport.min, picture, hints_);
-  settings_.hintsSeen = !hints_.wanted;
+  keepSettings();
   tellProbe(ui, status);
   if (choice.command) run(*choice.command);
   if (choice.draft) run(*choice.draft);

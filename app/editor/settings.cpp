@@ -31,6 +31,30 @@ DraftPreferences draftPreferences(const nlohmann::json& json, DraftPreferences d
   return draft;
 }
 
+constexpr double kMostExposure_stops = 8;
+
+ViewSettings viewSettings(const nlohmann::json& json, ViewSettings view) {
+  view.denoised = json.value("denoised", view.denoised);
+  view.filmic = json.value("filmic", view.filmic);
+  view.exposure_stops =
+      std::clamp(json.value("exposure_stops", view.exposure_stops), -kMostExposure_stops, kMostExposure_stops);
+  view.draftInColour = json.value("draft_in_colour", view.draftInColour);
+  view.draftBack = json.value("draft_back", view.draftBack);
+  view.marksFloats = json.value("draft_marks_floats", view.marksFloats);
+  return view;
+}
+
+/// All but the caption, which is of one picture.
+SnapshotOptions snapshotOptions(const nlohmann::json& json, SnapshotOptions options) {
+  options.inMillimetres = json.value("snapshot_in_mm", options.inMillimetres);
+  options.width_mm = std::clamp(json.value("snapshot_width_mm", options.width_mm), kPrintSide_mm[0], kPrintSide_mm[1]);
+  options.height_mm =
+      std::clamp(json.value("snapshot_height_mm", options.height_mm), kPrintSide_mm[0], kPrintSide_mm[1]);
+  options.dpi = std::clamp(json.value("snapshot_dpi", options.dpi), kPrintResolution_dpi[0], kPrintResolution_dpi[1]);
+  options.scaleBar = json.value("snapshot_scale_bar", options.scaleBar);
+  return options;
+}
+
 constexpr CountSystem kCounts[] = {CountSystem::tex,    CountSystem::dtex,    CountSystem::denier, CountSystem::metric,
                                    CountSystem::cotton, CountSystem::worsted, CountSystem::linen};
 
@@ -72,6 +96,8 @@ Settings readSettings(const std::filesystem::path& file) {
     settings.hintsSeen = json.value("hints_seen", true);
     settings.draft = draftPreferences(json, settings.draft);
     settings.units = tradeUnits(json, settings.units);
+    settings.view = viewSettings(json, settings.view);
+    settings.snapshot = snapshotOptions(json, settings.snapshot);
   } catch (const InputError&) {
     return Settings();
   } catch (const nlohmann::json::exception&) {
@@ -95,6 +121,17 @@ void writeSettings(const std::filesystem::path& file, const Settings& settings) 
                                {"loom_shafts", settings.draft.loom.shafts},
                                {"loom_treadles", settings.draft.loom.treadles},
                                {"long_float_mm", settings.draft.longFloat_mm},
+                               {"denoised", settings.view.denoised},
+                               {"filmic", settings.view.filmic},
+                               {"exposure_stops", settings.view.exposure_stops},
+                               {"draft_in_colour", settings.view.draftInColour},
+                               {"draft_back", settings.view.draftBack},
+                               {"draft_marks_floats", settings.view.marksFloats},
+                               {"snapshot_in_mm", settings.snapshot.inMillimetres},
+                               {"snapshot_width_mm", settings.snapshot.width_mm},
+                               {"snapshot_height_mm", settings.snapshot.height_mm},
+                               {"snapshot_dpi", settings.snapshot.dpi},
+                               {"snapshot_scale_bar", settings.snapshot.scaleBar},
                                {"count_unit", countUnit(settings.units.count)},
                                {"twist_multiplier", settings.units.twistAsMultiplier},
                                {"piece_length_m", settings.units.piece.length_m},

@@ -7,6 +7,7 @@
 #include "app/editor/recent_files.h"
 #include "ui/desk.h"
 #include "ui/draft_view.h"
+#include "ui/snapshot_options.h"
 #include "ui/trade_units.h"
 
 namespace loomlight {
@@ -14,12 +15,21 @@ namespace loomlight {
 /// Three eighths of the machine's memory: fibres of the viewport may take as much beside those of the lens.
 double defaultFibreMemory_GB();
 
+/// How pictures and drafts are looked at.
+struct ViewSettings {
+  bool denoised = false, filmic = true;
+  double exposure_stops = 0;
+  bool draftInColour = false, draftBack = false, marksFloats = false;
+};
+
 /// What the editor remembers from one session to the next; nothing of the fabric.
 struct Settings {
   int windowWidth = 1440, windowHeight = 900;
   bool darkTheme = true;
   DeskLayout desk;
+  ViewSettings view;
   DraftPreferences draft;
+  SnapshotOptions snapshot;
   TradeUnits units;
   double fibreMemory_GB = defaultFibreMemory_GB();  ///< that the truth lens may use
   std::string folder;                               ///< where files were last opened or saved

@@ -1,16 +1,41 @@
 #include "app/workers/file_name.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cctype>
-#include <filesystem>
 
 namespace loomlight {
+namespace fs = std::filesystem;
 
 std::string lowerExtension(const std::string& file) {
-  std::string extension = std::filesystem::path(file).extension().string();
+  std::string extension = fs::path(file).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return extension;
+}
+
+std::string fileNameOf(const std::string& name) {
+  constexpr size_t kLongest = 100;
+  const auto continuesCharacter = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; };
+  size_t length = std::min(kLongest, name.size());
+  while (length < name.size() && length > 0 && continuesCharacter(name[length])) --length;
+  std::string file;
+  for (const char c : name.substr(0, length)) file += c == '/' || static_cast<unsigned char>(c) < 32 ? '-' : c;
+  while (!file.empty() && (file.front() == '.' || file.front() == ' ')) file.erase(file.begin());
+  return file.empty() ? "Untitled" : file;
+}
+
+bool isTaken(const fs::path& file) {
+  std::error_code ignored;
+  return fs::exists(fs::symlink_status(file, ignored));
+}
+
+fs::path freeFile(const fs::path& wanted) {
+  fs::path file = wanted;
+  for (int i = 2; isTaken(file); ++i)
+    file = wanted.parent_path() / fmt::format("{} {}{}", wanted.stem().string(), i, wanted.extension().string());
+  return file;
 }
 
 }  // namespace loomlight

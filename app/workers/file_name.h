@@ -1,10 +1,21 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 namespace loomlight {
 
 /// What kind of file a name stands for: ".json" of "a/b.JSON"; empty where there is no extension.
 std::string lowerExtension(const std::string& file);
+
+/// A name for people as a name for a file: without a folder in it, not hidden, and short enough for any file system,
+/// with a number behind it too.
+std::string fileNameOf(const std::string& name);
+
+/// Whether something is there, be it a link that leads nowhere.
+bool isTaken(const std::filesystem::path& file);
+
+/// That file, or where it is taken one beside it: "twill.png", "twill 2.png", "twill 3.png", ...
+std::filesystem::path freeFile(const std::filesystem::path& wanted);
 
 }  // namespace loomlight

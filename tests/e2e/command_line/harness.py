@@ -45,10 +45,11 @@ class CommandLineTest(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
 
-    def run_program(self, *words, status=0, timeout=120, messages=False, cwd=None, **options):
-        """Runs the program in the test's folder or another; returns stdout, or stderr where it is to fail or for messages."""
+    def run_program(self, *words, status=0, timeout=120, messages=False, cwd=None, before=(), **options):
+        """Runs the program in the test's folder or another, by the command `before` it; returns stdout, or stderr where it
+        is to fail or for messages."""
         done = subprocess.run(
-            [LOOMLIGHT, *map(str, words)],
+            [*before, LOOMLIGHT, *map(str, words)],
             cwd=cwd or self.folder,
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,

@@ -3,7 +3,7 @@ apart. In the real window."""
 
 import os
 
-from window_driver import expect, picture_statistics, run, window, write_json
+from window_driver import expect, picture_statistics, read_json, run, window, write_json
 
 PROGRAM = os.environ["LOOMLIGHT"]
 WIDTH, HEIGHT = 1280, 720
@@ -79,6 +79,24 @@ def tag_and_find(editor):
     editor.wait_until("undo takes the tags off", lambda: not card(editor, "Rust check 2") and card(editor, "Denim"))
 
 
+def tags_go_with_what_they_are_of(editor):
+    """Of what is removed no tag is left for another of that name, until it is brought back."""
+    tags = lambda: read_json(os.path.join(editor.home, "data", "loomlight", "presets", "tags"))
+    search(editor, "rust")
+    editor.wait_until("both are shown", lambda: card(editor, "Rust check") and card(editor, "Rust check 2"))
+    editor.click("presets.card/Rust check 2")
+    editor.click("presets.tags")
+    editor.key("ctrl+a")
+    editor.type("autumn")
+    editor.click("presets.tag")
+    editor.wait_until("it is tagged", lambda: tags().get("Rust check 2") == "autumn")
+    editor.click("presets.remove")
+    editor.wait_until("its tags go with it", lambda: "Rust check 2" not in tags())
+    editor.click("presets.undo")
+    editor.wait_until("they come back with it", lambda: tags().get("Rust check 2") == "autumn")
+    editor.wait_until("it comes back", lambda: card(editor, "Rust check 2"))
+
+
 def use_a_yarn(editor):
     search(editor, "silk 20")
     editor.click("presets.kind/Yarns")
@@ -109,6 +127,7 @@ def test():
         editor.wait_for_picture()
         keep_and_change(editor)
         tag_and_find(editor)
+        tags_go_with_what_they_are_of(editor)
         use_a_yarn(editor)
         use_a_cloth(editor)
 

@@ -28,11 +28,6 @@ class Folder {
   fs::path path;
 };
 
-/// The copy of this very process.
-fs::path ownCopy(const Folder& folder) {
-  return folder.path / ("autosave-" + std::to_string(getpid()) + ".json");
-}
-
 bool comesTrue(const std::function<bool()>& condition) {
   for (int i = 0; i < 1000; ++i) {
     if (condition()) return true;
@@ -42,38 +37,53 @@ bool comesTrue(const std::function<bool()>& condition) {
 }
 
 /// Lets it keep the sample; false if no copy came.
-bool keepsSample(Autosave& autosave, const Folder& folder) {
+bool keepsSample(Autosave& autosave) {
   autosave.keep(std::make_shared<const Fabric>(sampleFabric()));
-  return comesTrue([&] { return fs::exists(ownCopy(folder)); });
+  return comesTrue([&] { return fs::exists(autosave.file()); });
 }
 
 TEST(Autosave, KeepsACopyAndRemovesItAtAGoodEnd) {
   const Folder folder;
-  const fs::path file = ownCopy(folder);
-  {
-    Autosave autosave(folder.path);
-    ASSERT_TRUE(keepsSample(autosave, folder));
-    EXPECT_EQ(readFabric(file.string()), sampleFabric());
-    EXPECT_FALSE(Autosave::leftBehind(folder.path).has_value()) << "its editor is still running";
-    autosave.endWell();
-  }
-  EXPECT_FALSE(fs::exists(file));
+  Autosave autosave(folder.path);
+  ASSERT_TRUE(keepsSample(autosave));
+  EXPECT_EQ(readFabric(autosave.file().string()), sampleFabric());
+  EXPECT_FALSE(Autosave::leftBehind(folder.path).has_value()) << "its editor is still running";
+  autosave.endWell();
+  EXPECT_TRUE(fs::is_empty(folder.path));
 }
 
 TEST(Autosave, LeavesTheCopyWhenTheEditorIsTornDown) {
   const Folder folder;
-  const fs::path file = ownCopy(folder);
+  fs::path file;
   {
     Autosave autosave(folder.path);
-    ASSERT_TRUE(keepsSample(autosave, folder));
+    ASSERT_TRUE(keepsSample(autosave));
+    file = autosave.file();
   }
   EXPECT_EQ(readFabric(file.string()), sampleFabric());
+  EXPECT_EQ(Autosave::leftBehind(folder.path), file) << "though a process of its number is running: this one";
+  Autosave::throwAway(file);
+  EXPECT_TRUE(fs::is_empty(folder.path));
+}
+
+TEST(Autosave, EditorsNeverShareACopy) {
+  const Folder folder;
+  Autosave first(folder.path);
+  ASSERT_TRUE(keepsSample(first));
+  fs::path second;
+  {
+    Autosave other(folder.path);
+    ASSERT_TRUE(keepsSample(other));
+    second = other.file();
+    EXPECT_NE(second, first.file());
+    EXPECT_FALSE(Autosave::leftBehind(folder.path).has_value());
+  }
+  EXPECT_EQ(Autosave::leftBehind(folder.path), second);
 }
 
 TEST(Autosave, WhatIsTakenUpGoesOnceItIsKeptAgain) {
   const Folder folder;
   fs::create_directories(folder.path);
-  const fs::path file = ownCopy(folder);
   const fs::path left = folder.path / "autosave-2000000000.json";
   writeFabric(sampleFabric(), left.string());
   Autosave autosave(folder.path);
@@ -81,7 +91,7 @@ TEST(Autosave, WhatIsTakenUpGoesOnceItIsKeptAgain) {
   EXPECT_TRUE(fs::exists(left));
   autosave.keep(std::make_shared<const Fabric>(sampleFabric()));
   EXPECT_TRUE(comesTrue([&] { return !fs::exists(left); }));
-  EXPECT_TRUE(fs::exists(file)) << "at no time there is no copy";
+  EXPECT_TRUE(fs::exists(autosave.file())) << "at no time there is no copy";
 }
 
 TEST(Autosave, SaysWhyWorkIsNotSafe) {
@@ -102,11 +112,10 @@ TEST(Autosave, SaysWhyWorkIsNotSafe) {
 TEST(Autosave, FindsWhatADeadEditorLeft) {
   const Folder folder;
   fs::create_directories(folder.path);
-  // No process has a number this large (the kernel's limit is 2^22).
-  const fs::path left = folder.path / "autosave-2000000000.json";
+  const fs::path left = folder.path / "autosave-1-1.json";
   std::ofstream(left) << "{}";
-  std::ofstream(folder.path / "autosave-x.json") << "{}";
-  std::ofstream(folder.path / "notes.txt") << "";
+  std::ofstream(folder.path / "autosave-1-1.lock") << "";
+  std::ofstream(folder.path / "notes.json") << "{}";
   EXPECT_EQ(Autosave::leftBehind(folder.path), left);
 }
 
@@ -151,6 +160,10 @@ TEST(Settings, ComeBackAndSurviveNonsense) {
   settings.units.piece.width_cm = 90;
   settings.recent = {{"/a.json", false}, {"/b.json", false}};
   settings.hintsSeen = true;
+  settings.view.denoised = settings.view.draftBack = true;
+  settings.view.filmic = false;
+  settings.snapshot.dpi = 150;
+  settings.snapshot.caption = "for one client only";
   writeSettings(file, settings);
   EXPECT_EQ(readSettings(file).windowWidth, 1777);
   EXPECT_FALSE(readSettings(file).darkTheme);
@@ -160,9 +173,16 @@ TEST(Settings, ComeBackAndSurviveNonsense) {
   ASSERT_EQ(readSettings(file).recent.size(), 2u);
   EXPECT_EQ(readSettings(file).recent[1].file, "/b.json");
   EXPECT_TRUE(readSettings(file).hintsSeen);
-  for (const char* text : {"", "[]", "{\"window_width\": \"wide\"}", "{\"window_width\": -5}", "\xff\xfe"}) {
+  EXPECT_TRUE(readSettings(file).view.denoised);
+  EXPECT_TRUE(readSettings(file).view.draftBack);
+  EXPECT_FALSE(readSettings(file).view.filmic);
+  EXPECT_EQ(readSettings(file).snapshot.dpi, 150);
+  EXPECT_EQ(readSettings(file).snapshot.caption, "");
+  for (const char* text :
+       {"", "[]", "{\"window_width\": \"wide\"}", "{\"window_width\": -5}", "{\"snapshot_dpi\": 0}", "\xff\xfe"}) {
     std::ofstream(file) << text;
     EXPECT_GE(readSettings(file).windowWidth, 960) << text;
+    EXPECT_GE(readSettings(file).snapshot.dpi, kPrintResolution_dpi[0]) << text;
   }
 }
 

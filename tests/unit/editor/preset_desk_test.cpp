@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "core/base/error.h"
+#include "core/base/file.h"
 
 namespace loomlight {
 namespace {
@@ -30,9 +31,9 @@ class PresetDeskTest : public testing::Test {
 
 TEST_F(PresetDeskTest, StoresKeepNamesApart) {
   PresetStore store(folder_);
-  EXPECT_EQ(store.keepBeside(cloth("Tweed")), "Tweed");
-  EXPECT_EQ(store.keepBeside(cloth("Tweed")), "Tweed 2");
-  EXPECT_EQ(store.keepBeside(cloth("Tweed")), "Tweed 3");
+  EXPECT_EQ(store.keep(cloth("Tweed")), "Tweed");
+  EXPECT_EQ(store.keep(cloth("Tweed")), "Tweed 2");
+  EXPECT_EQ(store.keep(cloth("Tweed")), "Tweed 3");
   EXPECT_EQ(store.load("Tweed 2").name, "Tweed 2");
 }
 
@@ -40,11 +41,11 @@ TEST_F(PresetDeskTest, LongNamesAreCutBetweenCharactersAndStillKeptApart) {
   PresetStore store(folder_);
   std::string name;
   for (int i = 0; i < 70; ++i) name += "\u00E9";
-  const std::string first = store.keepBeside(cloth(name));
+  const std::string first = store.keep(cloth(name));
   EXPECT_EQ(first, name.substr(0, 100));
-  EXPECT_EQ(store.keepBeside(cloth(name)), first + " 2");
+  EXPECT_EQ(store.keep(cloth(name)), first + " 2");
   name = fmt::format("x{}", name);
-  EXPECT_EQ(store.keepBeside(cloth(name)), name.substr(0, 99)) << "a character is not halved";
+  EXPECT_EQ(store.keep(cloth(name)), name.substr(0, 99)) << "a character is not halved";
 }
 
 TEST_F(PresetDeskTest, TagsLast) {
@@ -54,11 +55,25 @@ TEST_F(PresetDeskTest, TagsLast) {
   EXPECT_EQ(tags.of("Denim"), "");
   tags.set("Tweed", "");
   EXPECT_EQ(PresetTags(folder_ / "tags").of("Tweed"), "");
+  EXPECT_EQ(PresetStore(folder_).names().size(), 0u) << "tags are no preset";
+}
+
+TEST_F(PresetDeskTest, TagsThatCannotBeReadAreSaidAndPutAside) {
+  fs::create_directories(folder_);
+  EXPECT_EQ(PresetTags(folder_ / "tags").problem(), "") << "a file that is not there is no problem";
+  int readings = 0;
   for (const char* text : {"", "[1]", "{\"Tweed\": 7}", "\xff"}) {
     std::ofstream(folder_ / "tags") << text;
-    EXPECT_EQ(PresetTags(folder_ / "tags").of("Tweed"), "") << text;
+    PresetTags tags(folder_ / "tags");
+    EXPECT_EQ(tags.of("Tweed"), "") << text;
+    EXPECT_NE(tags.problem(), "") << text;
+    tags.set("Tweed", "winter");
+    EXPECT_EQ(tags.problem(), "") << text;
+    EXPECT_EQ(PresetTags(folder_ / "tags").of("Tweed"), "winter");
+    const fs::path aside =
+        folder_ / (++readings == 1 ? "tags.unreadable" : fmt::format("tags {}.unreadable", readings));
+    EXPECT_EQ(readFile(aside.string(), 100), text);
   }
-  EXPECT_EQ(PresetStore(folder_).names().size(), 0u) << "tags are no preset";
 }
 
 TEST_F(PresetDeskTest, TagsThatCannotBeWrittenAreRefused) {
@@ -70,8 +85,8 @@ TEST_F(PresetDeskTest, TagsThatCannotBeWrittenAreRefused) {
 
 TEST_F(PresetDeskTest, RenamingNeverWritesOverAnother) {
   PresetStore store(folder_);
-  store.keepBeside(cloth("A"));
-  store.keepBeside(cloth("B"));
+  store.keep(cloth("A"));
+  store.keep(cloth("B"));
   EXPECT_EQ(store.rename("A", "B"), "B 2");
   EXPECT_EQ(own(store), (std::vector<std::string>{"B", "B 2"}));
   EXPECT_EQ(store.rename("B 2", "A"), "A");
@@ -81,14 +96,20 @@ TEST_F(PresetDeskTest, RenamingNeverWritesOverAnother) {
 
 TEST_F(PresetDeskTest, WhatIsRemovedCanBePutBack) {
   PresetStore store(folder_);
-  store.keepBeside(cloth("A"));
-  store.remove("A");
+  Fabric first = cloth("A"), second = cloth("A");
+  first.ends_per_cm = 11;
+  second.ends_per_cm = 12;
+  store.keep(first);
+  const PresetStore::Removed removedFirst = store.remove("A");
   EXPECT_TRUE(own(store).empty());
-  store.putBack("A");
-  EXPECT_EQ(own(store), std::vector<std::string>{"A"});
+  store.keep(second);
+  EXPECT_THROW(store.putBack(removedFirst), InputError) << "a new one has taken the name";
+  const PresetStore::Removed removedSecond = store.remove("A");
+  store.putBack(removedFirst);
+  EXPECT_EQ(store.load("A").ends_per_cm, 11) << "of two of one name, the one that was meant";
   store.remove("A");
-  store.keepBeside(cloth("A"));
-  EXPECT_THROW(store.putBack("A"), InputError) << "a new one has taken the name";
+  store.putBack(removedSecond);
+  EXPECT_EQ(store.load("A").ends_per_cm, 12);
 }
 
 TEST(PresetSearch, FindsBeginningsOfWordsInAnyOrder) {

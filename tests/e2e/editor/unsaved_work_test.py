@@ -1,0 +1,113 @@
+"""Nothing of the designer's is lost by a key too many: questions about unsaved work, files that would be replaced, and
+settings from one session to the next. In the real window."""
+
+import os
+
+from window_driver import expect, read_json, run, window, write_json
+
+PROGRAM = os.environ["LOOMLIGHT"]
+WIDTH, HEIGHT = 1280, 720
+
+
+def small_fabric(home, name):
+    fabric = {
+        "loomlight_version": 1, "name": name, "weave": ["#.", ".#"], "fibres": [{"name": "coarse", "radius_um": 20}],
+        "drape": {"kind": "flat", "width_mm": 4, "height_mm": 4},
+        "light": {"kind": "dome"}, "camera": {"distance_mm": 16, "elevation_deg": 75},
+        "render": {"width": 24, "height": 16, "samples_per_pixel": 1, "resolution": 1},
+    }
+    return write_json(home, name.lower() + ".json", fabric)
+
+
+def spoil(editor):
+    editor.click("draft.cell_0_0")
+    editor.wait_until("the cloth is edited", lambda: editor.fact("dirty") == "yes")
+
+
+def asked(editor):
+    editor.wait_until("the editor asks", lambda: "has changes that are not saved" in editor.fact("message"))
+
+
+def name_file(editor, file):
+    editor.click("browser.name")
+    editor.key("ctrl+a")
+    editor.type(file)
+    editor.key("Return")
+
+
+def enter_saves_before_anything_else(editor, file):
+    spoil(editor)
+    editor.key("ctrl+n")
+    asked(editor)
+    editor.key("Escape")
+    editor.wait_until("the question is gone", lambda: editor.fact("dialog") == "none")
+    expect((editor.fact("name"), editor.fact("dirty")) == ("One", "yes"), "escape did something")
+    before = read_json(file)["weave"]
+    editor.key("ctrl+n")
+    asked(editor)
+    editor.key("Return")
+    editor.wait_until("a new cloth is there", lambda: editor.fact("name") != "One")
+    expect(read_json(file)["weave"] != before, "work was thrown away by a key")
+
+
+def saving_first_may_take_a_name(editor, other):
+    """A new cloth has no file yet: it is asked for, and then the other one opens."""
+    spoil(editor)
+    editor.key("ctrl+o")
+    name_file(editor, other)
+    asked(editor)
+    editor.key("Return")
+    editor.wait_until("a file is asked for", lambda: "browser.name" in editor.widgets())
+    file = os.path.join(editor.home, "begun.json")
+    name_file(editor, file)
+    editor.wait_until("the other one is open", lambda: editor.fact("name") == "Two")
+    expect(os.path.exists(file), "what was there was not saved")
+
+
+def a_name_that_is_taken(editor, taken):
+    old = read_json(taken)
+    editor.key("ctrl+shift+s")
+    name_file(editor, taken)
+    editor.key("Return")
+    editor.key("Return")
+    expect(read_json(taken) == old, "a key that was pressed again replaced a file")
+    editor.click("browser.ok")
+    editor.wait_until("it is replaced by its button", lambda: editor.fact("file") == taken)
+    expect(read_json(taken)["name"] == "Two", "it was not replaced")
+
+
+def snapshots_beside_each_other(editor):
+    for name in ("Two.png", "Two 2.png"):
+        editor.key("ctrl+p")
+        editor.click("snapshot.start")
+        editor.wait_until("the snapshot is there", lambda: editor.fact("snapshot.outcome").startswith("Saved"))
+        expect(editor.fact("snapshot.outcome").endswith("/" + name), editor.fact("snapshot.outcome"))
+        editor.click("snapshot.close")
+        editor.wait_until("the dialog closes", lambda: editor.fact("dialog") == "none")
+
+
+def settings_last(editor, file):
+    editor.wait_until("the picture has samples", lambda: editor.number("shown_samples") > 0, 120)
+    editor.key("n")
+    editor.wait_until("the picture is denoised", lambda: editor.fact("denoised") == "yes")
+    editor.key("ctrl+q")
+    expect(editor.wait_for_end() == 0, editor.log())
+    expect(not os.listdir(os.path.join(editor.home, "state", "loomlight")), "a good end leaves nothing to be taken up")
+    editor.start(PROGRAM, [file])
+    editor.wait_until("it is denoised again", lambda: editor.fact("denoised") == "yes", 120)
+
+
+def test():
+    with window(WIDTH, HEIGHT) as editor:
+        one, two = small_fabric(editor.home, "One"), small_fabric(editor.home, "Two")
+        editor.start(PROGRAM, [one])
+        editor.wait_for_picture()
+        enter_saves_before_anything_else(editor, one)
+        saving_first_may_take_a_name(editor, two)
+        editor.wait_for_picture()
+        a_name_that_is_taken(editor, one)
+        snapshots_beside_each_other(editor)
+        settings_last(editor, one)
+
+
+run(test)
