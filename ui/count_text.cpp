@@ -5,7 +5,9 @@
 #include <charconv>
 #include <cmath>
 #include <string>
+#include <vector>
 
+#include "core/fabric/field_tables.h"
 #include "core/fabric/presets.h"
 
 namespace loomlight {
@@ -64,18 +66,24 @@ class Tokens {
   std::string_view rest_;
 };
 
-std::optional<int> asPlies(double number) {
-  constexpr int kMostPlies = 8;
-  if (number != std::floor(number) || number > kMostPlies) return std::nullopt;
-  return static_cast<int>(number);
-}
+/// How a yarn is folded, and cabled then.
+struct Folds {
+  std::vector<double> numbers;
+  std::optional<int> at(size_t i, const FieldInfo& info) const {
+    const double number = numbers[i];
+    if (number != std::floor(number) || number > info.max) return std::nullopt;
+    return static_cast<int>(number);
+  }
+};
 
-/// The number of plies behind a count, where there is one: "x 2" or "/2". False when it is none, or a second one.
-bool readPlies(Tokens& tokens, const char* sign, std::optional<double>& plies) {
-  if (!tokens.take(sign)) return true;
-  if (plies) return false;
-  plies = tokens.number();
-  return plies.has_value();
+/// The folds behind a count, where there are any: "x 2", "/2", "/2/3". False when they are none.
+bool readFolds(Tokens& tokens, const char* sign, Folds& folds) {
+  while (tokens.take(sign)) {
+    const std::optional<double> number = tokens.number();
+    if (!number || folds.numbers.size() == 2) return false;
+    folds.numbers.push_back(*number);
+  }
+  return true;
 }
 
 }  // namespace
@@ -88,31 +96,29 @@ std::optional<CountEntry> countFromText(std::string_view text, CountSystem usual
     system = systemFromName(before);
     if (!system) return std::nullopt;
   }
-  const std::optional<double> first = tokens.number();
-  if (!first) return std::nullopt;
-  std::optional<double> times, over;
-  if (!readPlies(tokens, "x", times) || !readPlies(tokens, "/", over)) return std::nullopt;
+  std::optional<double> count = tokens.number();
+  if (!count) return std::nullopt;
+  Folds times, over;
+  if (!readFolds(tokens, "x", times) || !readFolds(tokens, "/", over)) return std::nullopt;
   if (const std::string_view after = tokens.word(); !after.empty()) {
     if (system) return std::nullopt;
     system = systemFromName(after);
-    if (!system || !readPlies(tokens, "x", times) || !readPlies(tokens, "/", over)) return std::nullopt;
+    if (!system || !readFolds(tokens, "x", times) || !readFolds(tokens, "/", over)) return std::nullopt;
   }
-  if (!tokens.end() || (times && over)) return std::nullopt;
+  const bool isOver = !over.numbers.empty();
+  Folds& folds = isOver ? over : times;
+  if (!tokens.end() || (isOver && !times.numbers.empty())) return std::nullopt;
 
   const CountSystem in = system.value_or(usual);
-  if (over && !resultant) {
-    if (!isIndirect(in)) return std::nullopt;
-    // "30/2 Ne" and "2/60 Nm": nobody plies more strands than the number of the count.
-    const std::optional<int> plies = asPlies(std::min(*first, *over));
-    if (!plies) return std::nullopt;
-    return CountEntry{*plies * texFromCount(std::max(*first, *over), in), plies};
-  }
-  if (times || over) {
-    const std::optional<int> plies = asPlies(times ? *times : *over);
-    if (!plies) return std::nullopt;
-    return CountEntry{(times ? *plies : 1) * texFromCount(*first, in), plies};
-  }
-  return CountEntry{texFromCount(*first, in), std::nullopt};
+  if (folds.numbers.empty()) return CountEntry{texFromCount(*count, in), std::nullopt, std::nullopt};
+  const bool singles = !(isOver && resultant);  // the count is that of the singles
+  if (isOver && singles && !isIndirect(in)) return std::nullopt;
+  // "30/2 Ne" and "2/60 Nm": nobody plies more strands than the number of the count.
+  if (isOver && singles && folds.numbers.size() == 1 && folds.numbers[0] > *count) std::swap(*count, folds.numbers[0]);
+  const std::optional<int> plies = folds.at(0, fieldInfo(&Yarn::plies));
+  const std::optional<int> cords = folds.numbers.size() == 2 ? folds.at(1, fieldInfo(&Yarn::cords)) : 1;
+  if (!plies || !cords) return std::nullopt;
+  return CountEntry{(singles ? *plies * *cords : 1) * texFromCount(*count, in), plies, cords};
 }
 
 std::optional<double> twistFromText(std::string_view text, double tex) {

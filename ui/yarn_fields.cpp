@@ -15,39 +15,40 @@
 namespace loomlight {
 namespace {
 
-/// The count as its system writes it: of a plied yarn in an indirect one the singles, "30 /2 Ne".
+/// The count as its system writes it: of a plied yarn in an indirect one the singles, "30 /2 Ne"; "20 /2/3 Ne" of a
+/// cable.
 bool countRow(Ui& ui, CountSystem system, Yarn& yarn) {
   const FieldInfo info = fieldInfo(&Yarn::count_tex);
-  const bool singles = isIndirect(system) && yarn.plies > 1;
-  const std::string unit =
-      singles ? fmt::format("/{} {}", yarn.plies, countUnit(system)) : std::string(countUnit(system));
-  const int parts = singles ? yarn.plies : 1;
-  std::optional<int> plies;
-  bool typed = false;
+  const int parts = isIndirect(system) ? singlesIn(yarn) : 1;
+  std::string unit = countUnit(system);
+  if (parts > 1)
+    unit = yarn.cords > 1 ? fmt::format("/{}/{} {}", yarn.plies, yarn.cords, unit)
+                          : fmt::format("/{} {}", yarn.plies, unit);
+  std::optional<CountEntry> typed;
   NumberStyle style;
   style.unit = unit.c_str();
   style.min = countFromTex((isIndirect(system) ? info.max : info.min) / parts, system);
   style.max = countFromTex((isIndirect(system) ? info.min : info.max) / parts, system);
   style.logarithmic = true;
   style.decimals = 1;
-  double typed_tex = 0;
   style.parse = [&](std::string_view text) -> std::optional<double> {
-    const std::optional<CountEntry> entry = countFromText(text, system);
-    if (!entry) return std::nullopt;
-    plies = entry->plies;
-    typed = true;
-    typed_tex = entry->tex;
-    return countFromTex(entry->tex / parts, system);
+    typed = countFromText(text, system);
+    return typed ? std::optional(countFromTex(typed->tex / parts, system)) : std::nullopt;
   };
   double count = countFromTex(yarn.count_tex / parts, system);
   const bool changed = numberField(ui,
                                    {"yarn.count_tex", info.label,
                                     "How thick the yarn is. Typed counts are understood in every system: 30/2 Ne, "
-                                    "2/60 Nm, 150 den, 20 tex x 2. With plies, they are set too."},
+                                    "2/60 Nm, 150 den, 20 tex x 2, and of cables 20/2/3 Ne. Plies and cords are set "
+                                    "with it."},
                                    style, count);
-  if (!changed && !(typed && plies && *plies != yarn.plies)) return false;
-  yarn.count_tex = std::clamp(typed ? typed_tex : parts * texFromCount(count, system), info.min, info.max);
-  if (plies) yarn.plies = *plies;
+  const bool folded = typed && typed->plies;
+  if (!changed && !(folded && (*typed->plies != yarn.plies || *typed->cords != yarn.cords))) return false;
+  yarn.count_tex = std::clamp(typed ? typed->tex : parts * texFromCount(count, system), info.min, info.max);
+  if (folded) {
+    yarn.plies = *typed->plies;
+    yarn.cords = *typed->cords;
+  }
   return true;
 }
 
@@ -89,7 +90,8 @@ bool countRows(Ui& ui, const Fibre& fibre, TradeUnits& units, Yarn& yarn) {
       yarn.count_tex = std::clamp(yarnCount_tex(yarn, fibre), 0.5, 5000.0);
       yarn.fibresPerPly.reset();
     } else {
-      yarn.fibresPerPly = std::clamp(static_cast<int>(std::lround(fibresInYarn(yarn, fibre) / yarn.plies)), 1, 2000);
+      yarn.fibresPerPly =
+          std::clamp(static_cast<int>(std::lround(fibresInYarn(yarn, fibre) / singlesIn(yarn))), 1, 2000);
     }
   }
   if (yarn.fibresPerPly) {
@@ -107,11 +109,14 @@ bool twistRows(Ui& ui, const Fibre& fibre, TradeUnits& units, Yarn& yarn) {
   bool changed = memberField(ui, "yarn", yarn, &Yarn::plies);
   twistUnitRow(ui, "yarn", units.twistAsMultiplier);
   const double tex = yarnCount_tex(yarn, fibre);
-  changed |= twistRow(ui, units.twistAsMultiplier, tex / yarn.plies, &Yarn::plyTwist_per_m, yarn);
-  changed |= memberChoice(ui, "yarn", yarn, &Yarn::plyTwistDirection, twistNames());
-  if (yarn.plies < 2) return changed;
-  changed |= twistRow(ui, units.twistAsMultiplier, tex, &Yarn::yarnTwist_per_m, yarn);
-  changed |= memberChoice(ui, "yarn", yarn, &Yarn::yarnTwistDirection, twistNames());
+  const auto level = [&](double strand_tex, double Yarn::*twist, TwistDirection Yarn::*way) {
+    changed |= twistRow(ui, units.twistAsMultiplier, strand_tex, twist, yarn);
+    changed |= memberChoice(ui, "yarn", yarn, way, twistNames());
+  };
+  level(tex / singlesIn(yarn), &Yarn::plyTwist_per_m, &Yarn::plyTwistDirection);
+  if (yarn.plies > 1) level(tex / yarn.cords, &Yarn::yarnTwist_per_m, &Yarn::yarnTwistDirection);
+  if (yarn.plies > 1 || yarn.cords > 1) changed |= memberField(ui, "yarn", yarn, &Yarn::cords);
+  if (yarn.cords > 1) level(tex, &Yarn::cableTwist_per_m, &Yarn::cableTwistDirection);
   return changed;
 }
 

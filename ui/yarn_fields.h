@@ -6,9 +6,10 @@ namespace loomlight {
 
 // Rows of the yarn's page that speak the spinner's language. Each is true when the yarn changed.
 
-/// Count, in the system that is chosen, with plies where it is plied ("30/2"); or the number of fibres.
+/// Count, in the system that is chosen, with plies and cords where it has them ("30/2", "20/2/3"); or the number of
+/// fibres.
 bool countRows(Ui& ui, const Fibre& fibre, TradeUnits& units, Yarn& yarn);
-/// Plies, and the twist of each level in turns per metre or as a multiplier.
+/// Plies and cords, and the twist of each level in turns per metre or as a multiplier.
 bool twistRows(Ui& ui, const Fibre& fibre, TradeUnits& units, Yarn& yarn);
 /// Packing, and the diameter that goes with it: either can be set, and the other follows.
 bool bulkRows(Ui& ui, const Fibre& fibre, Yarn& yarn);

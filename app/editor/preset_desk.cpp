@@ -61,8 +61,9 @@ std::string aboutCloth(const Fabric& fabric) {
 }
 
 std::string aboutYarn(const Yarn& yarn, const Fibre& fibre) {
-  return fmt::format("{:.1f} tex, {} {}, {}", yarnCount_tex(yarn, fibre), yarn.plies, yarn.plies == 1 ? "ply" : "plies",
-                     fibre.name);
+  std::string folded = fmt::format("{} {}", yarn.plies, yarn.plies == 1 ? "ply" : "plies");
+  if (yarn.cords > 1) folded = fmt::format("{} cords of {}", yarn.cords, folded);
+  return fmt::format("{:.1f} tex, {}, {}", yarnCount_tex(yarn, fibre), folded, fibre.name);
 }
 
 std::string aboutFibre(const Fibre& fibre) {

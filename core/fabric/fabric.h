@@ -42,11 +42,14 @@ struct Yarn {
   std::optional<double> blendShare;  ///< of the mass that is the second fibre, 0..1; half where it is not given
   double count_tex = 30.0;           ///< g per km of finished yarn, 0.5..5000; not used with fibresPerPly
   std::optional<int> fibresPerPly;   ///< 1..2000; the count then follows
-  int plies = 1;                     ///< 1..8
+  int plies = 1;                     ///< singles in a cord, 1..8
   double plyTwist_per_m = 700.0;     ///< turns of the fibres about the axis of their ply, 0..5000
   TwistDirection plyTwistDirection = TwistDirection::z;
-  double yarnTwist_per_m = 0.0;  ///< turns of the plies about the axis of the yarn, 0..5000; plies > 1 only
+  double yarnTwist_per_m = 0.0;  ///< turns of the plies about the axis of their cord, 0..5000; plies > 1 only
   TwistDirection yarnTwistDirection = TwistDirection::s;
+  int cords = 1;                  ///< plied yarns that are cabled together, 1..6; 1: the yarn is no cable
+  double cableTwist_per_m = 0.0;  ///< turns of the cords about the axis of the yarn, 0..5000; cords > 1 only
+  TwistDirection cableTwistDirection = TwistDirection::z;
   double packing = 0.55;          ///< fibre volume over ply volume, 0.05..0.85
   double flattening = 1.2;        ///< width over height of the section in the cloth, 1..4
   double hairiness_per_mm = 0.0;  ///< loose fibre ends and loops per mm of yarn, 0..50

@@ -36,8 +36,13 @@ Shape shapeOf(const Fabric& fabric, int index) {
     yarn.yarnTwist_per_m = 0;
     yarn.yarnTwistDirection = none.yarnTwistDirection;
   }
+  if (yarn.cords == 1) {
+    yarn.cableTwist_per_m = 0;
+    yarn.cableTwistDirection = none.cableTwistDirection;
+  }
   if (yarn.plyTwist_per_m == 0) yarn.plyTwistDirection = none.plyTwistDirection;
   if (yarn.yarnTwist_per_m == 0) yarn.yarnTwistDirection = none.yarnTwistDirection;
+  if (yarn.cableTwist_per_m == 0) yarn.cableTwistDirection = none.cableTwistDirection;
   if (yarn.hairiness_per_mm == 0) yarn.hairLength_mm = none.hairLength_mm;
   return shape;
 }

@@ -203,6 +203,16 @@ Yarn twoPly(Yarn single, double plyingTwist_per_m) {
   return single;
 }
 
+/// Some plied yarns, twisted back once more: firm, round, closed.
+Yarn cable(const char* name, Yarn plied, int cords, double cabling_per_m) {
+  plied.name = name;
+  plied.count_tex *= cords;
+  plied.cords = cords;
+  plied.cableTwist_per_m = cabling_per_m;
+  plied.flattening = 1.05;
+  return plied;
+}
+
 /// Endless fibres, hardly twisted, no hairs.
 Yarn filament(const char* name, double count_tex, double twist_per_m, double packing, double flattening) {
   Yarn yarn;
@@ -271,6 +281,11 @@ std::vector<YarnPreset> yarnPresets() {
       {ringSpun("Cotton Ne 30", tex(30, CountSystem::cotton), 4.0), fibreNamed("cotton"), spun},
       {ringSpun("Cotton Ne 7, denim warp", tex(7, CountSystem::cotton), 4.4), fibreNamed("cotton"), spun},
       {twoPly(ringSpun("Cotton 8/2", tex(8, CountSystem::cotton), 3.6), 250), fibreNamed("cotton"), spun},
+      {cable("Cotton cable 30/2/3", twoPly(ringSpun("", tex(30, CountSystem::cotton), 4.0), 560), 3, 365),
+       fibreNamed("cotton"),
+       "count: handbook (cabled as sewing and crochet threads are); twist: guess (each level takes back 65 % of the "
+       "one "
+       "before); packing: handbook (0.5-0.6); hairs: measured on singles (Zhao 2016); flattening, migration: guess"},
       {worsted, fibreNamed("wool"),
        "count: handbook; twist: guess (plying at 65 % of the singles' twist); packing: handbook, recalled (0.45-0.55); "
        "hairs, flattening, migration: guess"},

@@ -89,11 +89,11 @@ Fibre meanFibre(const Yarn& yarn, const std::vector<Fibre>& fibres) {
 
 double yarnCount_tex(const Yarn& yarn, const Fibre& fibre) {
   if (!yarn.fibresPerPly) return yarn.count_tex;
-  return 0.1 * fibreFineness_dtex(fibre) * yarn.plies * *yarn.fibresPerPly;
+  return 0.1 * fibreFineness_dtex(fibre) * singlesIn(yarn) * *yarn.fibresPerPly;
 }
 
 double fibresInYarn(const Yarn& yarn, const Fibre& fibre) {
-  if (yarn.fibresPerPly) return static_cast<double>(yarn.plies) * *yarn.fibresPerPly;
+  if (yarn.fibresPerPly) return static_cast<double>(singlesIn(yarn)) * *yarn.fibresPerPly;
   return 10.0 * yarn.count_tex / fibreFineness_dtex(fibre);
 }
 

@@ -28,8 +28,13 @@ Fibre meanFibre(const Yarn& yarn, const std::vector<Fibre>& fibres);
 /// How many of a yarn's fibres are of the second kind, 0..1: by number, where blendShare is by mass.
 double blendNumberShare(const Yarn& yarn, const std::vector<Fibre>& fibres);
 
-/// Linear density of the finished yarn, tex: its count, or plies * fibresPerPly * fibre where that is given. Take-up by
-/// twist is not in it: the geometry finds that, and scales its fibres so that a given count is met exactly.
+/// Singles in the section of the whole yarn: the plies of all its cords.
+constexpr int singlesIn(const Yarn& yarn) {
+  return yarn.cords * yarn.plies;
+}
+
+/// Linear density of the finished yarn, tex: its count, or singles * fibresPerPly * fibre where that is given. Take-up
+/// by twist is not in it: the geometry finds that, and scales its fibres so that a given count is met exactly.
 double yarnCount_tex(const Yarn& yarn, const Fibre& fibre);
 /// Fibres in the section of the whole yarn, not rounded.
 double fibresInYarn(const Yarn& yarn, const Fibre& fibre);

@@ -87,50 +87,57 @@ class StrandClipper {
 
 /// Numbers of the stations, list by list: what is computed for every fibre goes through them eight at a time.
 struct StationLists {
-  std::vector<float> s, z, normalS, normalZ, spinCos, spinSin;
+  std::vector<float> s, z, normalS, normalZ;
   explicit StationLists(const std::vector<Station>& stations) {
     for (const Station& x : stations) {
       s.push_back(x.s_mm);
       z.push_back(x.z_mm);
       normalS.push_back(x.normalS);
       normalZ.push_back(x.normalZ);
-      spinCos.push_back(x.spinCos);
-      spinSin.push_back(x.spinSin);
     }
   }
 };
+
+/// Of the i-th of n that stand evenly around: (up, across).
+glm::vec2 direction(int i, int n) {
+  const float angle = 2 * static_cast<float>(kPi) * static_cast<float>(i) / static_cast<float>(n);
+  return {std::cos(angle), std::sin(angle)};
+}
+
+/// p = (up, across), turned by the angle of that direction. Positive turns go from up (z) towards u: right-handed about
+/// s, so Z twist.
+glm::vec2 turned(glm::vec2 direction, glm::vec2 p) {
+  return {direction.x * p.x - direction.y * p.y, direction.y * p.x + direction.x * p.y};
+}
 
 void layBody(const YarnModel& yarn, const std::vector<Station>& stations, StrandClipper& clipper) {
   const YarnGeometry& g = yarn.geometry;
   const size_t n = stations.size();
   const StationLists at(stations);
   const float acrossScale = static_cast<float>(yarn.acrossScale()), upScale = static_cast<float>(yarn.upScale());
-  const float orbit = static_cast<float>(g.plyOrbit_mm), packing = static_cast<float>(g.packing);
+  const float plyOrbit = static_cast<float>(g.plyOrbit_mm), cordOrbit = static_cast<float>(g.cordOrbit_mm);
+  const float packing = static_cast<float>(g.packing);
 
-  std::vector<float> plyUp(n), plyAcross(n), fibreUp(n), fibreAcross(n);
+  std::vector<glm::vec2> plyAt(n), spin(n), place(n);  // up, across
   std::vector<glm::vec3> line(n);
-  for (int ply = 0; ply < g.plies; ++ply) {
-    const float plyCos = std::cos(2 * static_cast<float>(kPi) * ply / g.plies);
-    const float plySin = std::sin(2 * static_cast<float>(kPi) * ply / g.plies);
+  for (int single = 0; single < g.singles(); ++single) {
+    const glm::vec2 cord = direction(single / g.plies, g.cords), ply = direction(single % g.plies, g.plies);
     for (size_t i = 0; i < n; ++i) {
       const Station& x = stations[i];
-      plyUp[i] = orbit * (x.orbitCos * plyCos - x.orbitSin * plySin);
-      plyAcross[i] = orbit * (x.orbitSin * plyCos + x.orbitCos * plySin);
+      plyAt[i] = turned(
+          cord, cordOrbit * glm::vec2(x.cableCos, x.cableSin) + plyOrbit * turned(ply, {x.orbitCos, x.orbitSin}));
+      spin[i] = turned(cord, {x.spinCos, x.spinSin});
     }
-    const Migration& fibres = yarn.plies[static_cast<size_t>(ply)];
+    const Migration& fibres = yarn.plies[static_cast<size_t>(single % g.plies)];
     for (int fibre = 0; fibre < fibres.fibres(); ++fibre) {
+      for (size_t i = 0; i < n; ++i)
+        place[i] = fibres.moves() ? fibres.place(fibre, stations[i].migration) : fibres.place(fibre);
       for (size_t i = 0; i < n; ++i) {
-        const glm::vec2 place = fibres.moves() ? fibres.place(fibre, stations[i].migration) : fibres.place(fibre);
-        fibreUp[i] = place.x;
-        fibreAcross[i] = place.y;
-      }
-      for (size_t i = 0; i < n; ++i) {
-        // Positive turns go from up (z) towards u: right-handed about s, so Z twist.
-        const float up = upScale * (plyUp[i] + fibreUp[i] * at.spinCos[i] - fibreAcross[i] * at.spinSin[i]);
-        const float across = acrossScale * (plyAcross[i] + fibreUp[i] * at.spinSin[i] + fibreAcross[i] * at.spinCos[i]);
+        const glm::vec2 fibreAt = plyAt[i] + turned(spin[i], place[i]);
+        const float up = upScale * fibreAt.x, across = acrossScale * fibreAt.y;
         line[i] = {across, at.s[i] + up * at.normalS[i], at.z[i] + up * at.normalZ[i]};
       }
-      clipper.add(line, static_cast<uint8_t>(ply), packing);
+      clipper.add(line, static_cast<uint8_t>(single), packing);
     }
   }
 }

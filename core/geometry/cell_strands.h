@@ -16,9 +16,9 @@ namespace loomlight {
 /// cell at s = pitch/2 goes on in the next cell of the yarn at s = -pitch/2.
 struct CellStrands {
   struct Strand {
-    uint32_t first = 0;  ///< into points
-    uint32_t count = 0;  ///< points, >= 2; segments = count - 1
-    uint8_t ply = 0;
+    uint32_t first = 0;    ///< into points
+    uint32_t count = 0;    ///< points, >= 2; segments = count - 1
+    uint8_t ply = 0;       ///< among the plies of all cords
     uint8_t material = 0;  ///< which fibre of the yarn's blend; 0 for all of ours so far
     float packing = 0;     ///< local fibre volume fraction around it: the yarn's, 0 for loose hairs
   };
@@ -32,9 +32,9 @@ struct CellStrands {
   double length_mm() const;  ///< of all fibres
 };
 
-/// The fibres of a yarn in a cell: fibres wound about the axes of their plies, plies about the yarn's axis, migrating
-/// between core and surface (Zhao et al. 2016, Eq. 3), then flattened, and cut off at the ends of the cell. Every
-/// fibre's points lie at the cell's stations (stations.h). With the yarn's own fibre radius.
+/// The fibres of a yarn in a cell: fibres wound about the axes of their plies, plies about their cord's, cords about
+/// the yarn's, migrating between core and surface (Zhao et al. 2016, Eq. 3), then flattened, and cut off at the ends of
+/// the cell. Every fibre's points lie at the cell's stations (stations.h). With the yarn's own fibre radius.
 CellStrands layStrands(const YarnModel& yarn, const PathNode& previous, const PathNode& here, const PathNode& next,
                        int phase, double pitch_mm);
 

@@ -73,16 +73,17 @@ class CellStations {
   double spacing(const Transition::Piece& piece, double cellsPerMm) const {
     const YarnGeometry& g = yarn_.geometry;
     const double turn = 2 * kPi * cellsPerMm / g.period;
-    const double spin = turn * std::abs(g.plyTurns + g.yarnTurns), swing = turn * std::abs(g.yarnTurns);
+    const double spin = turn * std::abs(g.fibreSpin()), swing = turn * std::abs(g.plySpin());
+    const double cable = turn * std::abs(g.cableTurns);
     const double migrations = cellsPerMm * yarn_.migrations / g.period;
     const double wander = migrations * slope_, wanderBend = migrations * migrations * bend_;
     const double scale = std::max(yarn_.acrossScale(), yarn_.upScale());
-    const double inPly = yarn_.bodyReach_mm - g.plyOrbit_mm;
-    const double slope = scale * (inPly * spin + g.plyOrbit_mm * swing + wander);
+    const double inPly = yarn_.bodyReach_mm - g.plyOrbit_mm - g.cordOrbit_mm;
+    const double slope = scale * (inPly * spin + g.plyOrbit_mm * swing + g.cordOrbit_mm * cable + wander);
     const double bend = std::abs(piece.curvature_per_mm);
-    const double second =
-        bend * (1 + bend * reach_) + 2 * bend * slope +
-        scale * (inPly * spin * spin + g.plyOrbit_mm * swing * swing + wanderBend + 2 * wander * spin);
+    const double second = bend * (1 + bend * reach_) + 2 * bend * slope +
+                          scale * (inPly * spin * spin + g.plyOrbit_mm * swing * swing +
+                                   g.cordOrbit_mm * cable * cable + wanderBend + 2 * wander * spin);
     double step = std::sqrt(8 * kSagitta * g.fibreRadius_mm / std::max(second, 1e-12));
     // Loops rise and fall within a yarn diameter.
     if (!yarn_.flyaways.empty()) step = std::min(step, 0.25 * g.diameter_mm());
@@ -104,8 +105,9 @@ class CellStations {
       cosine = static_cast<float>(std::cos(angle));
       sine = static_cast<float>(std::sin(angle));
     };
-    direction(turn * (g.plyTurns + g.yarnTurns), x.spinCos, x.spinSin);
-    direction(turn * g.yarnTurns, x.orbitCos, x.orbitSin);
+    direction(turn * g.fibreSpin(), x.spinCos, x.spinSin);
+    direction(turn * g.plySpin(), x.orbitCos, x.orbitSin);
+    direction(turn * g.cableTurns, x.cableCos, x.cableSin);
     x.migration = Migration::at(t * yarn_.migrations / g.period);
     stations_.push_back(x);
   }

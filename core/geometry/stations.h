@@ -12,8 +12,9 @@ struct Station {
   float s_mm = 0, z_mm = 0;          ///< of the axis, in the frame of the cell
   float normalS = 0, normalZ = 1;    ///< direction of "up" in the section
   float spill_mm = 0;                ///< how far fibres of the body may lie from s along the yarn
-  float spinCos = 1, spinSin = 0;    ///< angle of the plies' sections, both twists
-  float orbitCos = 1, orbitSin = 0;  ///< angle of the plies about the yarn's axis
+  float spinCos = 1, spinSin = 0;    ///< angle of the plies' sections, all twists
+  float orbitCos = 1, orbitSin = 0;  ///< angle of the plies about their cord's axis
+  float cableCos = 1, cableSin = 0;  ///< angle of the cords about the yarn's axis
   Migration::Moment migration;
   double t = 0;  ///< cells from the start of the period
 };

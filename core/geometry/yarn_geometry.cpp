@@ -12,47 +12,55 @@ namespace {
 
 constexpr int kMinPeriod = 4, kMinVariedPeriod = 8;
 
-struct Twist {
-  double ply = 0;  ///< signed turns per length; Z positive
-  double yarn = 0;
-};
-
-Twist nominalTwist_per_mm(const Yarn& yarn) {
+Twist nominalTwist(const Yarn& yarn) {
   const auto signedTurns = [](double turns_per_m, TwistDirection direction) {
     return (direction == TwistDirection::z ? 1e-3 : -1e-3) * turns_per_m;
   };
   return {signedTurns(yarn.plyTwist_per_m, yarn.plyTwistDirection),
-          yarn.plies > 1 ? signedTurns(yarn.yarnTwist_per_m, yarn.yarnTwistDirection) : 0.0};
+          yarn.plies > 1 ? signedTurns(yarn.yarnTwist_per_m, yarn.yarnTwistDirection) : 0.0,
+          yarn.cords > 1 ? signedTurns(yarn.cableTwist_per_m, yarn.cableTwistDirection) : 0.0};
 }
 
 /// The twist that a yarn can take: what is asked, within the physical bounds.
-Twist possibleTwist_per_mm(const YarnGeometry& g, const Yarn& yarn, double cellLength_mm) {
-  Twist twist = nominalTwist_per_mm(yarn);
-  const double tangent =
-      2 * kPi * (std::abs(twist.ply) * g.plyRadius_mm + std::abs(twist.yarn) * 0.5 * g.diameter_mm());
-  const double turns = (std::abs(twist.ply) + std::abs(twist.yarn)) * cellLength_mm;
+Twist possibleTwist(const YarnGeometry& g, const Yarn& yarn, double cellLength_mm) {
+  const Twist twist = nominalTwist(yarn);
+  const double ply = std::abs(twist.ply_per_mm), plies = std::abs(twist.yarn_per_mm),
+               cords = std::abs(twist.cable_per_mm);
+  const double tangent = 2 * kPi * (ply * g.plyRadius_mm + plies * g.cordRadius_mm() + cords * 0.5 * g.diameter_mm());
+  const double turns = (ply + plies + cords) * cellLength_mm;
   const double scale =
       std::min({1.0, kMaxHelixTangent / std::max(tangent, 1e-9), kMaxTurnsPerCell / std::max(turns, 1e-9)});
-  return {twist.ply * scale, twist.yarn * scale};
+  return {twist.ply_per_mm * scale, twist.yarn_per_mm * scale, twist.cable_per_mm * scale};
 }
 
-double orbit(int plies, double plyRadius_mm) {
-  return plies > 1 ? plyRadius_mm / std::sin(kPi / plies) : 0.0;
+/// Distance from their common axis of circles that touch.
+double orbit(int circles, double radius_mm) {
+  return circles > 1 ? radius_mm / std::sin(kPi / circles) : 0.0;
+}
+
+/// Mean height of the topmost of circles on that orbit as they turn, over the orbit.
+double meanTop(int circles) {
+  return circles / kPi * std::sin(kPi / circles);
+}
+
+/// Sets the ply's radius, and where it puts plies and cords.
+void setPlyRadius(YarnGeometry& g, double radius_mm) {
+  g.plyRadius_mm = radius_mm;
+  g.plyOrbit_mm = orbit(g.plies, radius_mm);
+  g.cordOrbit_mm = orbit(g.cords, g.cordRadius_mm());
 }
 
 /// Ply radius: from the count directly; from a number of fibres through their take-up, which depends on the radius.
 double plyRadius_mm(const YarnGeometry& g, const Yarn& yarn, const Fibre& fibre) {
   if (!yarn.fibresPerPly)
-    return std::sqrt(yarn.count_tex * 1e-3 / (yarn.plies * fibre.density_g_cm3 * yarn.packing * kPi));
+    return std::sqrt(yarn.count_tex * 1e-3 / (singlesIn(yarn) * fibre.density_g_cm3 * yarn.packing * kPi));
   const double r = fibre.radius_um * kMmPerUm;
   if (*yarn.fibresPerPly == 1) return r;
   YarnGeometry trial = g;
   double takeUp = 1;
   for (int i = 0; i < 20; ++i) {
-    trial.plyRadius_mm = r * std::sqrt(*yarn.fibresPerPly * takeUp / yarn.packing);
-    trial.plyOrbit_mm = orbit(yarn.plies, trial.plyRadius_mm);
-    const Twist twist = possibleTwist_per_mm(trial, yarn, 0);
-    takeUp = estimateTakeUp(trial, twist.ply, twist.yarn);
+    setPlyRadius(trial, r * std::sqrt(*yarn.fibresPerPly * takeUp / yarn.packing));
+    takeUp = estimateTakeUp(trial, possibleTwist(trial, yarn, 0));
   }
   return trial.plyRadius_mm;
 }
@@ -68,18 +76,16 @@ void flatten(YarnGeometry& g, double flattening) {
 
 /// What the fibres depend on, and nothing else.
 auto shapeOf(const Yarn& y, const Fibre& f) {
-  const Twist twist = nominalTwist_per_mm(y);
-  return std::tuple(f.radius_um, f.density_g_cm3, y.fibresPerPly, y.fibresPerPly ? 0.0 : y.count_tex, y.plies,
-                    twist.ply, twist.yarn, y.packing, y.flattening, y.hairiness_per_mm,
-                    y.hairiness_per_mm > 0 ? y.hairLength_mm : 0.0, y.migration, y.layout);
+  const Twist twist = nominalTwist(y);
+  return std::tuple(f.radius_um, f.density_g_cm3, y.fibresPerPly, y.fibresPerPly ? 0.0 : y.count_tex, y.plies, y.cords,
+                    twist.ply_per_mm, twist.yarn_per_mm, twist.cable_per_mm, y.packing, y.flattening,
+                    y.hairiness_per_mm, y.hairiness_per_mm > 0 ? y.hairLength_mm : 0.0, y.migration, y.layout);
 }
 
 }  // namespace
 
 double YarnGeometry::contactShare() const {
-  if (plies == 1) return 1;
-  const double mean = plies / kPi * std::sin(kPi / plies);
-  return (plyRadius_mm + mean * plyOrbit_mm) / (plyRadius_mm + plyOrbit_mm);
+  return 2 * (plyRadius_mm + meanTop(plies) * plyOrbit_mm + meanTop(cords) * cordOrbit_mm) / diameter_mm();
 }
 
 std::vector<int> geometryClasses(const Fabric& fabric) {
@@ -94,15 +100,24 @@ std::vector<int> geometryClasses(const Fabric& fabric) {
   return classes;
 }
 
-double estimateTakeUp(const YarnGeometry& g, double plyTurns_per_mm, double yarnTurns_per_mm) {
-  const double spin = 2 * kPi * (plyTurns_per_mm + yarnTurns_per_mm), swing = 2 * kPi * yarnTurns_per_mm;
-  const double meanSquareSlope =
-      0.5 * spin * spin * g.plyRadius_mm * g.plyRadius_mm + swing * swing * g.plyOrbit_mm * g.plyOrbit_mm;
-  return std::sqrt(1 + meanSquareSlope);
+Twist twistOf(const YarnGeometry& g) {
+  const double length_mm = g.period * g.cellLength_mm;
+  return {g.plyTurns / length_mm, g.yarnTurns / length_mm, g.cableTurns / length_mm};
+}
+
+double estimateTakeUp(const YarnGeometry& g, const Twist& twist) {
+  const auto square = [](double x) { return x * x; };
+  const double cords = 2 * kPi * twist.cable_per_mm;
+  const double plies = cords + 2 * kPi * twist.yarn_per_mm;
+  const double fibres = plies + 2 * kPi * twist.ply_per_mm;
+  // Over all fibres the three circular motions are independent.
+  return std::sqrt(1 + 0.5 * square(fibres * g.plyRadius_mm) + square(plies * g.plyOrbit_mm) +
+                   square(cords * g.cordOrbit_mm));
 }
 
 YarnGeometry outlineYarn(const Yarn& yarn, const Fibre& fibre, double pitch_mm, double crossPitch_mm) {
   YarnGeometry g;
+  g.cords = yarn.cords;
   g.plies = yarn.plies;
   g.fibreDensity_g_cm3 = fibre.density_g_cm3;
   g.packing = yarn.packing;
@@ -112,31 +127,35 @@ YarnGeometry outlineYarn(const Yarn& yarn, const Fibre& fibre, double pitch_mm, 
   g.hairiness_per_mm = yarn.hairiness_per_mm;
   g.hairLength_mm = yarn.hairiness_per_mm > 0 ? yarn.hairLength_mm : 0.0;
   g.layout = yarn.layout;
-  g.plyRadius_mm = plyRadius_mm(g, yarn, fibre);
-  g.plyOrbit_mm = orbit(g.plies, g.plyRadius_mm);
+  setPlyRadius(g, plyRadius_mm(g, yarn, fibre));
   flatten(g, yarn.flattening);
   return g;
 }
 
 void resolveTwist(YarnGeometry& g, const Yarn& yarn, double cellLength_mm) {
   g.cellLength_mm = cellLength_mm;
-  const Twist twist = possibleTwist_per_mm(g, yarn, cellLength_mm);
+  const Twist twist = possibleTwist(g, yarn, cellLength_mm);
   const bool varied = g.migration > 0 || g.hairiness_per_mm > 0;
   double best = -1;
   for (int period = varied ? kMinVariedPeriod : kMinPeriod; period <= kMaxPeriod; ++period) {
-    const double plyTurns = std::round(twist.ply * cellLength_mm * period);
-    const double yarnTurns = std::round(twist.yarn * cellLength_mm * period);
-    const double plyError = std::abs(plyTurns / (cellLength_mm * period) - twist.ply);
-    const double yarnError = std::abs(yarnTurns / (cellLength_mm * period) - twist.yarn);
-    const double error = 2 * kPi * std::max(plyError * g.plyRadius_mm, yarnError * 0.5 * g.diameter_mm());
+    const double length_mm = cellLength_mm * period;
+    const auto wholeTurns = [&](double turns_per_mm) { return std::round(turns_per_mm * length_mm); };
+    const auto error_mm = [&](double turns_per_mm, double radius_mm) {
+      return std::abs(wholeTurns(turns_per_mm) / length_mm - turns_per_mm) * radius_mm;
+    };
+    const double error =
+        2 * kPi *
+        std::max({error_mm(twist.ply_per_mm, g.plyRadius_mm), error_mm(twist.yarn_per_mm, g.cordRadius_mm()),
+                  error_mm(twist.cable_per_mm, 0.5 * g.diameter_mm())});
     if (best >= 0 && error >= best) continue;
     best = error;
     g.period = period;
-    g.plyTurns = static_cast<int>(plyTurns);
-    g.yarnTurns = static_cast<int>(yarnTurns);
+    g.plyTurns = static_cast<int>(wholeTurns(twist.ply_per_mm));
+    g.yarnTurns = static_cast<int>(wholeTurns(twist.yarn_per_mm));
+    g.cableTurns = static_cast<int>(wholeTurns(twist.cable_per_mm));
     if (error <= kTwistTolerance) break;
   }
-  if (!varied && g.plyTurns == 0 && g.yarnTurns == 0) g.period = 1;
+  if (!varied && g.plyTurns == 0 && g.yarnTurns == 0 && g.cableTurns == 0) g.period = 1;
 }
 
 }  // namespace loomlight

@@ -11,19 +11,22 @@ namespace loomlight {
 /// cells, over which all twists make whole turns: that is what lets cells share one brick and still join seamlessly.
 /// Equal values have equal fibres. Nothing here depends on the weave: an edit of a crossing changes no yarn.
 struct YarnGeometry {
-  int plies = 1;
+  int cords = 1;  ///< of which a cable is twisted; else 1
+  int plies = 1;  ///< of each cord
   int fibresPerPly = 1;
   double fibreRadius_mm = 0;  ///< chosen so that the whole number of fibres has exactly the yarn's count
   double fibreDensity_g_cm3 = 0;
   double count_tex = 0;     ///< of the yarn as it lies in the cloth, take-up of its twists and loose hairs included
   double plyRadius_mm = 0;  ///< holds the fibres' volume at the yarn's packing
-  double plyOrbit_mm = 0;   ///< distance of the ply axes from the yarn axis; 0 for a single ply
+  double plyOrbit_mm = 0;   ///< distance of the ply axes from their cord's; 0 for a single ply
+  double cordOrbit_mm = 0;  ///< distance of the cord axes from the yarn axis; 0 for one cord
   double halfWidth_mm = 0;  ///< of the flattened yarn section, hairs excluded
   double halfHeight_mm = 0;
   double packing = 0;
   int period = 1;            ///< cells
   int plyTurns = 0;          ///< signed turns over one period; positive is Z (right-handed)
-  int yarnTurns = 0;         ///< of the plies about the yarn's axis; the plies turn along rigidly, as they are plied
+  int yarnTurns = 0;         ///< of the plies about their cord's axis; they turn along rigidly, as they are plied
+  int cableTurns = 0;        ///< of the cords about the yarn's axis; they turn along rigidly too
   double pitch_mm = 0;       ///< length of a cell along the yarn
   double crossPitch_mm = 0;  ///< width of a cell across the yarn
   double cellLength_mm = 0;  ///< typical length of axis in a cell: between a float's and a full interlacing's
@@ -33,9 +36,14 @@ struct YarnGeometry {
   FibreLayout layout = FibreLayout::packed;
   uint64_t seed = 0;
 
-  double diameter_mm() const { return 2.0 * (plyOrbit_mm + plyRadius_mm); }  ///< round, before flattening
-  /// Half the section where another yarn rests on it, over half the circle around all plies: as the plies turn, the one
-  /// on top is at (n / pi) sin(pi / n) of its orbit on average. 1 for a single ply.
+  double cordRadius_mm() const { return plyOrbit_mm + plyRadius_mm; }
+  double diameter_mm() const { return 2.0 * (cordOrbit_mm + cordRadius_mm()); }  ///< round, before flattening
+  int singles() const { return cords * plies; }                                  ///< in the whole section
+  /// Signed turns over one period, as the axis of the yarn sees them: of the fibres, and of the plies.
+  int fibreSpin() const { return plyTurns + yarnTurns + cableTurns; }
+  int plySpin() const { return yarnTurns + cableTurns; }
+  /// Half the section where another yarn rests on it, over half the circle around all plies: as n plies turn, the one
+  /// on top is at (n / pi) sin(pi / n) of its orbit on average; so are cords. 1 for a single.
   double contactShare() const;
   /// Area of a fibre's section times its density, g per mm of fibre.
   double fibreMass_g_mm() const { return fibreDensity_g_cm3 * 1e-3 * kPi * fibreRadius_mm * fibreRadius_mm; }
@@ -49,7 +57,7 @@ std::vector<int> geometryClasses(const Fabric& fabric);
 /// Section and outline of a yarn; pitch and crossPitch are those of its system. Leaves twists, period, cell length,
 /// fibre count and fibre radius to resolveTwist() and calibration (yarn_model.h), which need the path.
 /// - ply radius: N fibres of volume fraction phi, N pi r^2 takeUp / phi = pi R^2;
-/// - plies touch: they orbit at R / sin(pi / plies);
+/// - plies touch: they orbit at R / sin(pi / plies); so do cords;
 /// - flattening keeps the area. A yarn too wide for its pitch is squeezed until it touches its neighbours and grows
 ///   taller, to twice as tall as wide; beyond that (absurd setts) it overlaps them.
 YarnGeometry outlineYarn(const Yarn& yarn, const Fibre& fibre, double pitch_mm, double crossPitch_mm);
@@ -67,7 +75,14 @@ inline constexpr double kTwistTolerance = 0.02;
 inline constexpr double kMaxHelixTangent = 2.5;
 inline constexpr double kMaxTurnsPerCell = 64;
 
-/// Length of fibre per length of yarn, estimated for fibres spread evenly over their plies; turns in turns per mm.
-double estimateTakeUp(const YarnGeometry& geometry, double plyTurns_per_mm, double yarnTurns_per_mm);
+/// Signed turns per length of yarn, Z positive: of fibres in their ply, plies in their cord, cords in the yarn.
+struct Twist {
+  double ply_per_mm = 0, yarn_per_mm = 0, cable_per_mm = 0;
+};
+/// The whole turns that were chosen.
+Twist twistOf(const YarnGeometry& geometry);
+
+/// Length of fibre per length of yarn, estimated for fibres spread evenly over their plies.
+double estimateTakeUp(const YarnGeometry& geometry, const Twist& twist);
 
 }  // namespace loomlight

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/random.h"
+#include "core/fabric/validate.h"
 #include "core/geometry/cell_strands.h"
 #include "core/geometry/cross_section.h"
 #include "core/geometry/stations.h"
@@ -17,12 +18,8 @@ constexpr double kMigrationsPerTurn =
 
 int migrations(const YarnGeometry& g) {
   if (g.migration <= 0) return 0;
-  const int turns = std::max(std::abs(g.plyTurns), std::abs(g.plyTurns + g.yarnTurns));
+  const int turns = std::max({std::abs(g.plyTurns), std::abs(g.plyTurns + g.yarnTurns), std::abs(g.fibreSpin())});
   return std::max(1, static_cast<int>(std::lround(kMigrationsPerTurn * turns)));
-}
-
-double turnsPerMm(const YarnGeometry& g, int turns) {
-  return turns / (g.period * g.cellLength_mm);
 }
 
 /// The room that packed fibres keep in their section. Flattened, it is lower by upScale(), and they turn in it, so all
@@ -31,7 +28,7 @@ double turnsPerMm(const YarnGeometry& g, int turns) {
 Threads roomOfFibres(const YarnModel& m) {
   constexpr double kFullest = 0.82;
   const YarnGeometry& g = m.geometry;
-  Threads fibres{g.fibreRadius_mm, turnsPerMm(g, g.plyTurns + g.yarnTurns)};
+  Threads fibres{g.fibreRadius_mm, g.fibreSpin() / (g.period * g.cellLength_mm)};
   fibres.radius_mm /= std::min(m.upScale(), m.acrossScale());
   if (fibres.turns_per_mm != 0) fibres.radius_mm *= 1 + kSagitta * g.fibreRadius_mm / g.plyRadius_mm;
   const double typicalCosine = fibres.cosineAt(0.5 * g.plyRadius_mm * g.plyRadius_mm);
@@ -50,7 +47,7 @@ void laySections(YarnModel& m) {
     const DiscCentres section = plySection(g.layout, g.fibresPerPly, g.plyRadius_mm, fibres, seed);
     m.plies.push_back(m.migrations > 0 ? Migration(section, g.layout, g.migration, fibres, hashCombine(seed, 1))
                                        : Migration(section));
-    m.bodyReach_mm = std::max(m.bodyReach_mm, g.plyOrbit_mm + m.plies.back().reach_mm());
+    m.bodyReach_mm = std::max(m.bodyReach_mm, g.cordOrbit_mm + g.plyOrbit_mm + m.plies.back().reach_mm());
   }
 }
 
@@ -84,8 +81,8 @@ double looseLength_mm(const YarnModel& m) {
 int fibreLimit(const YarnModel& m) {
   const PathNode straight;
   const size_t stations = layStations(m, straight, straight, straight, 0, m.geometry.cellLength_mm).size();
-  const int byPoints = kMaxPointsPerCell / (m.geometry.plies * static_cast<int>(stations));
-  return std::clamp(byPoints, 1, kMaxFibresPerPly);
+  const int byPoints = kMaxPointsPerCell / (m.geometry.singles() * static_cast<int>(stations));
+  return std::clamp(byPoints, 1, std::min(kMaxFibresPerPly, kMaxFibresInYarn / m.geometry.singles()));
 }
 
 void measureStraight(YarnModel& m) {
@@ -123,18 +120,19 @@ std::shared_ptr<const YarnModel> makeYarnModel(const YarnSource& source) {
   g = source.resolved;
   const double radius = source.fibreRadius_um * kMmPerUm;
   const double fibreArea = kPi * radius * radius;
-  const double takeUp = estimateTakeUp(g, turnsPerMm(g, g.plyTurns), turnsPerMm(g, g.yarnTurns));
+  const double takeUp = estimateTakeUp(g, twistOf(g));
   // Section of all fibres cut square to each, mm^2: the linear density over the fibres' own.
-  const double area = source.fibresPerPly ? *source.fibresPerPly * g.plies * takeUp * fibreArea
+  const double area = source.fibresPerPly ? *source.fibresPerPly * g.singles() * takeUp * fibreArea
                                           : source.count_tex * 1e-3 / source.fibreDensity_g_cm3;
 
   g.fibreRadius_mm = radius;
   model->migrations = migrations(g);
-  model->bodyReach_mm = g.plyOrbit_mm + g.plyRadius_mm;
+  model->bodyReach_mm = 0.5 * g.diameter_mm();
   placeLooseFibres(*model, kFlyawayShare * area / fibreArea * g.period * g.cellLength_mm);
   const double loose = looseLength_mm(*model) / (g.period * g.cellLength_mm);
   const int limit = fibreLimit(*model);
-  const double wanted = source.fibresPerPly ? *source.fibresPerPly : (area / fibreArea - loose) / (g.plies * takeUp);
+  const double wanted =
+      source.fibresPerPly ? *source.fibresPerPly : (area / fibreArea - loose) / (g.singles() * takeUp);
   g.fibresPerPly = std::clamp(static_cast<int>(std::lround(std::min(wanted, 1e6))), 1, limit);
 
   // The sections of packed yarns depend on the radius, the radius on the take-up of the sections: the second round
@@ -143,7 +141,7 @@ std::shared_ptr<const YarnModel> makeYarnModel(const YarnSource& source) {
     if (source.fibresPerPly)
       g.fibreRadius_mm = radius * std::sqrt(static_cast<double>(*source.fibresPerPly) / g.fibresPerPly);
     else if (round == 0)
-      g.fibreRadius_mm = std::sqrt(area / (kPi * (g.plies * g.fibresPerPly * takeUp + loose)));
+      g.fibreRadius_mm = std::sqrt(area / (kPi * (g.singles() * g.fibresPerPly * takeUp + loose)));
     laySections(*model);
     measureStraight(*model);
     if (!source.fibresPerPly) g.fibreRadius_mm = std::sqrt(area / (kPi * meanTakeUp(*model)));

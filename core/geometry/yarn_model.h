@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -24,7 +25,7 @@ struct YarnSource {
 struct YarnModel {
   YarnSource source;  ///< what it was made of
   YarnGeometry geometry;
-  std::vector<Migration> plies;  ///< their fibres
+  std::vector<Migration> plies;  ///< the fibres of the first cord's; other cords are that one, turned
   int migrations = 0;            ///< in a period; 0 for none
   double bodyReach_mm = 0;       ///< furthest of these fibres from the yarn's axis, before flattening
   std::vector<Flyaway> flyaways;
@@ -36,8 +37,14 @@ struct YarnModel {
   std::vector<std::vector<FlyawayUse>> flyawaysAt;
   std::vector<double> straightLength_mm;  ///< per phase: of all fibres in a straight cell of length cellLength
 
-  size_t fibreCount() const { return plies.size() * static_cast<size_t>(geometry.fibresPerPly); }
-  double acrossScale() const { return geometry.halfWidth_mm / (0.5 * geometry.diameter_mm()); }  ///< of flattening
+  size_t fibreCount() const {
+    return static_cast<size_t>(geometry.singles()) * static_cast<size_t>(geometry.fibresPerPly);
+  }
+  /// Of flattening. A few fat fibres may reach far beyond their ply: across, no further than the cells beside its own.
+  double acrossScale() const {
+    return std::min(geometry.halfWidth_mm / (0.5 * geometry.diameter_mm()),
+                    1.499 * geometry.crossPitch_mm / bodyReach_mm);
+  }
   double upScale() const { return geometry.halfHeight_mm / (0.5 * geometry.diameter_mm()); }
   /// Furthest that a fibre's surface rises above the yarn's axis, hairs included.
   double reachUp_mm() const;
@@ -45,8 +52,9 @@ struct YarnModel {
 
 /// Gives a yarn with resolved twist its fibres. Their number is that of the yarn, or count over fineness and take-up,
 /// rounded; their radius then makes the yarn weigh its count exactly, take-up and loose fibres included. A yarn of more
-/// than kMaxFibresPerPly fibres a ply, or with more than kMaxPointsPerCell points in a straight cell, gets thicker
-/// fibres instead, each for a bundle: the mass stays. A given number of fibres keeps its radius, and the count follows.
+/// than kMaxFibresPerPly fibres a ply, or kMaxFibresInYarn in all, or with more than kMaxPointsPerCell points in a
+/// straight cell, gets thicker fibres instead, each for a bundle: the mass stays. A given number of fibres keeps its
+/// radius, and the count follows.
 std::shared_ptr<const YarnModel> makeYarnModel(const YarnSource& source);
 YarnSource sourceOf(const YarnGeometry& resolved, const Yarn& yarn, const Fibre& fibre);
 inline constexpr int kMaxFibresPerPly = 2000;

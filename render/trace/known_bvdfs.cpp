@@ -44,7 +44,9 @@ double unlikeness(const Fabric& fabricA, size_t a, const Fabric& fabricB, size_t
                   signedTwist(y.plyTwist_per_m, y.plyTwistDirection)) +
          std::abs(signedTwist(x.yarnTwist_per_m, x.yarnTwistDirection) -
                   signedTwist(y.yarnTwist_per_m, y.yarnTwistDirection)) +
-         0.5 * ratio(x.plies, y.plies) + std::abs(x.migration - y.migration) +
+         std::abs(signedTwist(x.cableTwist_per_m, x.cableTwistDirection) -
+                  signedTwist(y.cableTwist_per_m, y.cableTwistDirection)) +
+         0.5 * ratio(singlesIn(x), singlesIn(y)) + std::abs(x.migration - y.migration) +
          0.2 * std::abs(x.hairiness_per_mm - y.hairiness_per_mm) + (x.layout == y.layout ? 0 : 1) +
          ratio(fabricA.render.resolution, fabricB.render.resolution) +
          0.5 * ratio(fabricA.ends_per_cm, fabricB.ends_per_cm) +

@@ -68,6 +68,14 @@ def spin(editor, file):
     type_into(editor, "yarn.count_tex", "30/2 Ne")
     yarn = editor.saved(file)["yarns"][0]
     expect(yarn["plies"] == 2 and abs(yarn["count_tex"] - 2 * 590.5 / 30) < 1e-6, f"30/2 Ne became {yarn}")
+    type_into(editor, "yarn.count_tex", "30/2/3 Ne")
+    type_into(editor, "yarn.cable_twist_per_m", "365 t/m")
+    yarn = editor.saved(file)["yarns"][0]
+    expect((yarn["plies"], yarn["cords"], yarn["cable_twist_per_m"]) == (2, 3, 365), f"no cable of 30/2/3: {yarn}")
+    expect(abs(yarn["count_tex"] - 6 * 590.5 / 30) < 1e-6, f"30/2/3 Ne became {yarn['count_tex']} tex")
+    editor.wait_for_picture()
+    type_into(editor, "yarn.count_tex", "30/2 Ne")
+    expect(editor.saved(file)["yarns"][0]["cords"] == 1, "30/2 Ne is no cable any more")
     choose(editor, "yarn.count_system", "Nm (km per kg)")
     type_into(editor, "yarn.count_tex", "60")
     yarn = editor.saved(file)["yarns"][0]

@@ -54,6 +54,9 @@ TEST(FabricJson, EveryValueComesBack) {
   f.yarns[1].fibresPerPly = 77;
   f.yarns[1].plies = 3;
   f.yarns[1].plyTwistDirection = TwistDirection::s;
+  f.yarns[1].cords = 2;
+  f.yarns[1].cableTwist_per_m = 210;
+  f.yarns[1].cableTwistDirection = TwistDirection::s;
   f.yarns[1].layout = FibreLayout::random;
   f.yarns[1].blendFibre = 0;
   f.yarns[1].blendShare = 0.35;

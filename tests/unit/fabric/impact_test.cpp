@@ -103,6 +103,7 @@ TEST(Impact, YarnShapeRebuildsItsOwnBricks) {
       [](Fabric& f) { f.yarns[1].plyTwist_per_m += 100; },
       [](Fabric& f) { f.yarns[1].plyTwistDirection = TwistDirection::s; },
       [](Fabric& f) { f.yarns[1].plies = 2; },
+      [](Fabric& f) { f.yarns[1].cords = 2; },
       [](Fabric& f) { f.yarns[1].count_tex = 40; },
       [](Fabric& f) { f.yarns[1].fibresPerPly = 90; },
       [](Fabric& f) { f.yarns[1].packing = 0.4; },
@@ -152,6 +153,7 @@ TEST(Impact, FibreRadiusIsShapeAndOptics) {
 
 TEST(Impact, WhatAYarnDoesNotUseIsNotItsShape) {
   EXPECT_TRUE(of([](Fabric& f) { f.yarns[0].yarnTwist_per_m = 300; }).nothing()) << "a single has no plies to twist";
+  EXPECT_TRUE(of([](Fabric& f) { f.yarns[0].cableTwist_per_m = 300; }).nothing()) << "it is no cable";
   EXPECT_TRUE(of([](Fabric& f) { f.yarns[0].hairLength_mm = 1; }).nothing()) << "it has no hairs";
   EXPECT_TRUE(of([](Fabric& f) { f.yarns[2].count_tex = 70; }).nothing()) << "no thread uses it";
   Fabric counted = base();

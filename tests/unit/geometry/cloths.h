@@ -48,6 +48,19 @@ inline Fabric pliedSatin() {
   return f;
 }
 
+/// A sewing thread: three cords of two plies each, twisted back each time.
+inline Fabric cabled() {
+  Fabric f = pliedSatin();
+  f.name = "cabled";
+  f.ends_per_cm = 14;
+  f.picks_per_cm = 12;
+  Yarn& yarn = f.yarns[0];
+  yarn.count_tex = 60;
+  yarn.cords = 3;
+  yarn.cableTwist_per_m = 280;
+  return f;
+}
+
 inline Fabric hairy() {
   Fabric f = twill();
   f.name = "hairy";
@@ -83,7 +96,7 @@ inline Fabric mixed() {
 }
 
 inline std::vector<Fabric> all() {
-  return {plain(), twill(), twill(FibreLayout::random), pliedSatin(), hairy(), mixed()};
+  return {plain(), twill(), twill(FibreLayout::random), pliedSatin(), cabled(), hairy(), mixed()};
 }
 
 }  // namespace loomlight::cloths

@@ -44,6 +44,9 @@ Fabric anyValidFabric(uint64_t seed) {
     y.count_tex = pick.number(0.5, 5000);
     if (pick.toss()) y.fibresPerPly = pick.whole(1, 2000);
     y.plies = pick.whole(1, 8);
+    if (pick.toss()) y.cords = pick.whole(1, 6);
+    y.cableTwist_per_m = pick.number(0, 5000);
+    if (pick.toss()) y.cableTwistDirection = TwistDirection::s;
     y.plyTwist_per_m = pick.number(0, 5000);
     y.yarnTwist_per_m = pick.number(0, 5000);
     if (pick.toss()) y.plyTwistDirection = TwistDirection::s;
@@ -80,7 +83,7 @@ void expectSound(const ClothGeometry& cloth, const CellKey& key) {
   // Every fibre of the body comes in at one end of the cell and leaves at the other.
   size_t fibres = 0;
   for (const CellStrands::Strand& strand : cell.strands) fibres += strand.packing > 0;
-  ASSERT_GE(fibres, static_cast<size_t>(yarn.plies * yarn.fibresPerPly));
+  ASSERT_GE(fibres, static_cast<size_t>(yarn.singles() * yarn.fibresPerPly));
 }
 
 TEST(AnyValidFabric, HasSoundGeometry) {

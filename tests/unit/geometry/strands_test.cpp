@@ -86,6 +86,68 @@ TEST(Twist, BalancedPliesLayTheOuterFibresAlongTheYarn) {
   EXPECT_LT(outerSlope(400), 0.35 * outerSlope(0));
 }
 
+/// The mean place of the points of some singles, by plane of the cell: the axis of what they make.
+glm::dvec2 axisAt(const CellStrands& cell, int firstPly, int endPly, bool atEnd) {
+  glm::dvec2 sum(0);
+  int fibres = 0;
+  for (const CellStrands::Strand& strand : cell.strands)
+    if (strand.ply >= firstPly && strand.ply < endPly) {
+      const glm::vec3 p = cell.points[strand.first + (atEnd ? strand.count - 1 : 0)];
+      sum += glm::dvec2(p.z, p.x);
+      ++fibres;
+    }
+  return sum / static_cast<double>(fibres);
+}
+
+double turnsBetween(glm::dvec2 from, glm::dvec2 to) {
+  return std::atan2(from.x * to.y - from.y * to.x, glm::dot(from, to)) / (2 * kPi);
+}
+
+TEST(Twist, CordsPliesAndFibresTurnEachTheirOwnWay) {
+  Fabric fabric = straightYarn(240, TwistDirection::z, 2, 150, TwistDirection::s);
+  fabric.yarns[0].count_tex = 60;
+  fabric.yarns[0].cords = 3;
+  fabric.yarns[0].cableTwist_per_m = 90;
+  fabric.yarns[0].cableTwistDirection = TwistDirection::z;
+  fabric.ends_per_cm = 8;  // room enough to stay round
+  const ClothGeometry cloth(fabric, 4, 4);
+  const YarnGeometry& yarn = cloth.yarn(System::warp, 0);
+  EXPECT_GT(yarn.plyTurns, 0);
+  EXPECT_LT(yarn.yarnTurns, 0);
+  EXPECT_GT(yarn.cableTurns, 0);
+  EXPECT_NEAR(yarn.cordOrbit_mm, yarn.cordRadius_mm() / std::sin(kPi / 3), 1e-12);
+
+  const CellKey key = cloth.key(System::warp, 0, 0);
+  const CellStrands cell = cloth.strands(key);
+  const glm::dvec2 middle(key.here.height_mm, 0);
+  const double perCell = 1.0 / yarn.period;
+  for (int cord = 0; cord < 3; ++cord) {
+    const auto cordAt = [&](bool atEnd) { return axisAt(cell, 2 * cord, 2 * cord + 2, atEnd); };
+    EXPECT_NEAR(glm::length(cordAt(false) - middle), yarn.cordOrbit_mm, 0.02 * yarn.cordOrbit_mm);
+    EXPECT_NEAR(turnsBetween(cordAt(false) - middle, cordAt(true) - middle), yarn.cableTurns * perCell, 0.01);
+    for (int ply = 2 * cord; ply < 2 * cord + 2; ++ply) {
+      const auto plyAt = [&](bool atEnd) { return axisAt(cell, ply, ply + 1, atEnd) - cordAt(atEnd); };
+      EXPECT_NEAR(glm::length(plyAt(false)), yarn.plyOrbit_mm, 0.02 * yarn.plyOrbit_mm);
+      EXPECT_NEAR(turnsBetween(plyAt(false), plyAt(true)), yarn.plySpin() * perCell, 0.01);
+    }
+  }
+}
+
+TEST(Twist, CordsOfSinglesAreAPliedYarn) {
+  const Fabric plied = straightYarn(800, TwistDirection::z, 3, 450, TwistDirection::s);
+  Fabric corded = straightYarn(800, TwistDirection::z, 1, 0, TwistDirection::s);
+  corded.yarns[0].cords = 3;
+  corded.yarns[0].cableTwist_per_m = 450;
+  corded.yarns[0].cableTwistDirection = TwistDirection::s;
+  const ClothGeometry a(plied, 4, 4), b(corded, 4, 4);
+  const YarnGeometry &x = a.yarn(System::warp, 0), &y = b.yarn(System::warp, 0);
+  EXPECT_EQ(x.fibresPerPly, y.fibresPerPly);
+  EXPECT_EQ(x.yarnTurns, y.cableTurns);
+  EXPECT_NEAR(x.diameter_mm(), y.diameter_mm(), 1e-12);
+  EXPECT_NEAR(x.halfWidth_mm, y.halfWidth_mm, 1e-12);
+  EXPECT_NEAR(x.fibreRadius_mm / y.fibreRadius_mm, 1, 1e-3) << "take-up by other sections";
+}
+
 double distanceToLine(glm::dvec3 p, glm::dvec3 a, glm::dvec3 b) {
   const double t = glm::clamp(glm::dot(p - a, b - a) / glm::dot(b - a, b - a), 0.0, 1.0);
   return glm::distance(p, a + t * (b - a));
@@ -169,11 +231,11 @@ TEST(Strands, StayInTheirCellsAndBetweenTheFaces) {
           const CellKey key = cloth.key(system, pick, end);
           const YarnGeometry& yarn = cloth.yarn(system, key.yarn);
           const CellStrands cell = cloth.strands(key);
-          ASSERT_GE(cell.strands.size(), static_cast<size_t>(yarn.plies * yarn.fibresPerPly));
+          ASSERT_GE(cell.strands.size(), static_cast<size_t>(yarn.singles() * yarn.fibresPerPly));
           size_t points = 0;
           for (const CellStrands::Strand& strand : cell.strands) {
             ASSERT_GE(strand.count, 2u);
-            ASSERT_LT(strand.ply, yarn.plies);
+            ASSERT_LT(strand.ply, yarn.singles());
             points += strand.count;
           }
           ASSERT_EQ(points, cell.points.size());

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include "core/base/error.h"
 #include "ui/count_text.h"
 #include "ui/thread_order.h"
@@ -58,9 +60,24 @@ TEST(CountText, KnowsPlies) {
   expectCount("R 40 tex/2", 40, 2);
 }
 
+TEST(CountText, KnowsCables) {
+  for (const char* text : {"20/2/3 Ne", "Ne 20/2/3", "20 Ne x 2 x 3"}) {
+    const auto entry = countFromText(text, CountSystem::tex);
+    ASSERT_TRUE(entry.has_value()) << text;
+    EXPECT_NEAR(entry->tex, 6 * 590.5 / 20, 1e-9) << text;
+    EXPECT_EQ(entry->plies, 2) << text;
+    EXPECT_EQ(entry->cords, 3) << text;
+  }
+  const auto entry = countFromText("R 180 tex/2/3", CountSystem::cotton);
+  ASSERT_TRUE(entry.has_value());
+  EXPECT_EQ(std::tuple(entry->tex, *entry->plies, *entry->cords), std::tuple(180.0, 2, 3));
+  EXPECT_EQ(countFromText("30/2 Ne", CountSystem::tex)->cords, 1);
+}
+
 TEST(CountText, RefusesWhatIsNone) {
-  for (const char* text : {"", "Ne", "30/2", "30/0 Ne", "-5 tex", "30/2 tex", "nan tex", "20 stone", "30 Ne x",
-                           "30/2/2 Ne", "20 tex x 9", "2.5/60 Nm", "Ne 30 Nm", "x 2 tex", "20 tex x 2 /2"})
+  for (const char* text :
+       {"", "Ne", "30/2", "30/0 Ne", "-5 tex", "30/2 tex", "nan tex", "20 stone", "30 Ne x", "30/2/7 Ne", "30/2/2/2 Ne",
+        "30/2/2 tex", "20 tex x 9", "2.5/60 Nm", "Ne 30 Nm", "x 2 tex", "20 tex x 2 /2"})
     EXPECT_FALSE(countFromText(text, CountSystem::tex).has_value()) << text;
 }
 
