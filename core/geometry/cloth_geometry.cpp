@@ -19,11 +19,22 @@ int wrap(int i, int n) {
   return r < 0 ? r + n : r;
 }
 
+/// In order.
+std::vector<int> divisorsOf(int n) {
+  std::vector<int> divisors;
+  for (int d = 1; d * d <= n; ++d) {
+    if (n % d != 0) continue;
+    divisors.push_back(d);
+    if (d * d < n) divisors.push_back(n / d);
+  }
+  std::sort(divisors.begin(), divisors.end());
+  return divisors;
+}
+
 /// Smallest p that divides n with same(i, i + p) for all i.
 template <class Same>
 int smallestPeriod(int n, Same&& same) {
-  for (int p = 1; p < n; ++p) {
-    if (n % p != 0) continue;
+  for (const int p : divisorsOf(n)) {
     int i = 0;
     while (i + p < n && same(i, i + p)) ++i;
     if (i + p >= n) return p;
@@ -42,15 +53,15 @@ bool sameRow(std::span<const uint8_t> a, std::span<const uint8_t> b) {
 /// Smallest p that divides the ends, with which every pick repeats.
 int smallestPeriodOfEnds(const Weave& weave) {
   // The periods of a pick that divide n are the multiples of its smallest, so each pick goes on from the one before.
-  const int n = weave.ends();
-  int period = 1;
-  for (int pick = 0; pick < weave.picks() && period < n; ++pick) {
+  const std::vector<int> divisors = divisorsOf(weave.ends());
+  auto period = divisors.begin();
+  for (int pick = 0; pick < weave.picks() && *period < weave.ends(); ++pick) {
     const auto row = weave.row(pick);
-    const int step = period;
-    while (n % period != 0 || !sameRow(row.subspan(static_cast<size_t>(period)), row.first(row.size() - period)))
-      period += step;
+    const int step = *period;
+    while (*period % step != 0 || !sameRow(row.subspan(static_cast<size_t>(*period)), row.first(row.size() - *period)))
+      ++period;
   }
-  return period;
+  return *period;
 }
 
 int leastCommonMultiple(int a, int b) {

@@ -96,6 +96,7 @@ bool ClothVolume::makeBricks(const Task& task) {
   std::vector<Made> all;
   for (TileMap& tiles : tiles_)
     for (const TileMap::Kind kind : tiles.missing()) all.push_back({&tiles, kind, nullptr});
+  if (all.empty()) return true;
 
   // One voxeliser for each thread: they keep their memory from brick to brick.
   std::atomic<size_t> bytes{brickBytes()}, next{0}, done{0};

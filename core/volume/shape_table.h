@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "core/geometry/cloth_geometry.h"
@@ -11,9 +12,14 @@ namespace loomlight {
 /// Numbers the shapes of cells, that is keys up to the phase, in the order in which they are met.
 class ShapeTable {
  public:
-  /// `known` (may be null): shapes that have numbers already. It must stay, and may not be changed meanwhile.
-  ShapeTable(const ClothGeometry& geometry, System system, const ShapeTable* known = nullptr)
-      : geometry_(&geometry), system_(system), known_(known), first_(known ? known->end() : 0) {}
+  ShapeTable(const ClothGeometry& geometry, System system) : geometry_(&geometry), system_(system) {}
+  /// `known`: shapes that have numbers already. It must be indexed, stay, and not be changed meanwhile.
+  ShapeTable(const ClothGeometry& geometry, System system, const ShapeTable& known)
+      : geometry_(&geometry), system_(system), known_(&known), first_(known.end()) {}
+  /// Of shapes that have numbers already, and one code of each: for looking up some few more. Not indexed.
+  ShapeTable(const ClothGeometry& geometry, System system, std::vector<CellKey> shapes,
+             std::vector<ClothGeometry::ShapeCode> codes)
+      : geometry_(&geometry), system_(system), shapes_(std::move(shapes)), codes_(std::move(codes)), indexed_(false) {}
 
   /// Of the shape with this code; a handful of instructions for those met lately.
   uint32_t number(ClothGeometry::ShapeCode code) {
@@ -21,6 +27,9 @@ class ShapeTable {
     if (recent.code != code) recent = {code, numberOf(code)};
     return recent.number;
   }
+
+  /// Makes number() quick for a whole cloth. A table that is asked about a few cells alone does without.
+  void index();
 
   /// The numbers from here to the end are those of the shapes that were not known.
   uint32_t first() const { return first_; }
@@ -38,15 +47,20 @@ class ShapeTable {
     uint32_t number = 0;
   };
   static constexpr int kRecentBits = 10;
+  static constexpr int kFewSearches = 64;  ///< so many searches one by one cost less than an index
 
   uint32_t numberOf(ClothGeometry::ShapeCode code);
+  uint32_t search(ClothGeometry::ShapeCode code);
+  uint32_t add(ClothGeometry::ShapeCode code, const CellKey& shape);
 
   const ClothGeometry* geometry_;
   System system_;
-  const ShapeTable* known_;
-  uint32_t first_;
+  const ShapeTable* known_ = nullptr;
+  uint32_t first_ = 0;
   std::vector<CellKey> shapes_;
   std::vector<ClothGeometry::ShapeCode> codes_;
+  bool indexed_ = true;
+  int searches_ = 0;
   std::unordered_map<CellKey, uint32_t, KeyHash> numbers_;
   std::unordered_map<ClothGeometry::ShapeCode, uint32_t> numbersOfCodes_;
   std::vector<Recent> recent_ = std::vector<Recent>(size_t{1} << kRecentBits);

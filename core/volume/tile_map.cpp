@@ -68,40 +68,6 @@ std::vector<ClothGeometry::CellCount> TileMap::cellCounts() const {
   return counts;
 }
 
-void TileMap::place(Kind kind, std::shared_ptr<const Brick> brick) {
-  Slot& s = slots_[index(kind)];
-  s = {brick.get(), false, false};
-  const int axis = system_ == System::warp ? 0 : 1;
-  for (int l = 0; l < brick->levels(); ++l) {
-    const Brick::Level& level = brick->level(l);
-    const int first = level.lower[axis], perCell = level.blocksPerCell()[axis];
-    for (size_t i = 0; i < level.grid.size(); ++i) {
-      if (!level.grid[i].occupied) continue;
-      const auto block = static_cast<int>(i);
-      const int b = first + (axis == 0 ? block % level.blocks.x : block / level.blocks.x % level.blocks.y);
-      s.reachesBelow |= b < 0;
-      s.reachesAbove |= b >= perCell;
-    }
-  }
-  anyReachesBelow_ |= s.reachesBelow;
-  anyReachesAbove_ |= s.reachesAbove;
-  bricks_[index(kind)] = std::move(brick);
-}
-
-void TileMap::dropBricks() {
-  std::fill(bricks_.begin(), bricks_.end(), nullptr);
-  std::fill(slots_.begin(), slots_.end(), Slot{});
-  anyReachesBelow_ = anyReachesAbove_ = false;
-}
-
-void TileMap::findReaches() {
-  const auto any = [this](bool Slot::*reaches) {
-    return std::any_of(slots_.begin(), slots_.end(), [&](const Slot& slot) { return slot.*reaches; });
-  };
-  anyReachesBelow_ = any(&Slot::reachesBelow);
-  anyReachesAbove_ = any(&Slot::reachesAbove);
-}
-
 void TileMap::shareRows(const TileMap& other) {
   std::vector<SharedList<Row>::Pointer> rows = rows_.all();
   for (size_t i = 0; i < std::min(rows.size(), other.rows_.size()); ++i) {
@@ -113,17 +79,11 @@ void TileMap::shareRows(const TileMap& other) {
 }
 
 size_t TileMap::bytesBeside(const TileMap& other) const {
-  const auto sharedAt = [](const auto& mine, const auto& others, size_t i) {
-    return i < others.size() && mine[i] == others[i];
-  };
   size_t bytes = shapes_.capacity() * sizeof(shapes_[0]) + codes_.capacity() * sizeof(codes_[0]) +
-                 cellsOf_.capacity() * sizeof(cellsOf_[0]) + bricks_.capacity() * sizeof(bricks_[0]) +
-                 slots_.capacity() * sizeof(slots_[0]) + rows_.bytes() +
+                 cellsOf_.capacity() * sizeof(cellsOf_[0]) + bricks_.bytesBeside(other.bricks_) + rows_.bytes() +
                  (low_.capacity() + high_.capacity()) * sizeof(low_[0]);
   if (yarns_ != other.yarns_) bytes += static_cast<size_t>(yarnCount_) * sizeof(PlacedYarn);
   rows_.forEachBeside(other.rows_, [&bytes](const auto& row) { bytes += row->bytes(); });
-  for (size_t i = 0; i < bricks_.size(); ++i)
-    if (bricks_[i] && !sharedAt(bricks_, other.bricks_, i)) bytes += bricks_[i]->bytes();
   return bytes;
 }
 

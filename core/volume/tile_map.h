@@ -4,13 +4,14 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/base/shared_list.h"
 #include "core/base/task.h"
 #include "core/geometry/cloth_geometry.h"
 #include "core/geometry/weave_changes.h"
-#include "core/volume/brick.h"
+#include "core/volume/brick_table.h"
 
 namespace loomlight {
 
@@ -23,11 +24,7 @@ class ShapeTable;
 class TileMap {
  public:
   /// A yarn's cells are addressed by its own index (end or pick), `across`, and where along it, `along` (pick or end).
-  struct Slot {
-    const Brick* brick = nullptr;  ///< null where the piece has no such cell
-    bool reachesBelow = false;     ///< into the cell at across - 1
-    bool reachesAbove = false;
-  };
+  using Slot = BrickTable::Slot;
   /// Of cells: a shape in one phase. All of a kind have one brick.
   struct Kind {
     uint32_t shape = 0;
@@ -64,18 +61,18 @@ class TileMap {
   const std::shared_ptr<const Brick>& brick(Kind kind) const { return bricks_[index(kind)]; }
   std::vector<Kind> missing() const;
   std::vector<ClothGeometry::CellCount> cellCounts() const;  ///< of the piece, by shape
-  void place(Kind kind, std::shared_ptr<const Brick> brick);
-  void dropBricks();  ///< all are missing then
+  void place(Kind kind, std::shared_ptr<const Brick> brick) { bricks_.place(index(kind), system_, std::move(brick)); }
+  void dropBricks() { bricks_.clear(); }  ///< all are missing then
 
   /// 0 <= across < yarns of the piece, 0 <= along < cells of a yarn; inRepeat = along % repeatAlong().
   const Slot& at(int across, int along, int inRepeat) const {
     const PlacedYarn& yarn = yarns_[across];
     const uint32_t phase = (yarn.phase + static_cast<uint32_t>(along)) % yarn.period;
-    return slots_[index({shapeAt(yarn.row, static_cast<uint32_t>(inRepeat)), static_cast<int>(phase)})];
+    return bricks_.slot(index({shapeAt(yarn.row, static_cast<uint32_t>(inRepeat)), static_cast<int>(phase)}));
   }
   int repeatAlong() const { return repeatAlong_; }
-  bool anyReachesBelow() const { return anyReachesBelow_; }
-  bool anyReachesAbove() const { return anyReachesAbove_; }
+  bool anyReachesBelow() const { return bricks_.anyReachesBelow(); }
+  bool anyReachesAbove() const { return bricks_.anyReachesAbove(); }
 
   /// Without the bricks. What is shared with other maps counts.
   size_t bytes() const;
@@ -127,8 +124,6 @@ class TileMap {
   void editRow(const ClothGeometry& geometry, int across, std::span<const int> places, bool counting,
                ShapeTable& table);
   void addShapes(const ShapeTable& table);
-  void dropUnused();
-  void findReaches();
 
   System system_ = System::warp;
   int yarnCount_ = 0, cells_ = 0;  ///< of the piece: across, and along each yarn
@@ -140,9 +135,7 @@ class TileMap {
   std::vector<ClothGeometry::ShapeCode> codes_;  ///< one of each shape
   // By shape and phase, index():
   std::vector<uint64_t> cellsOf_;
-  std::vector<std::shared_ptr<const Brick>> bricks_;
-  std::vector<Slot> slots_;
-  bool anyReachesBelow_ = false, anyReachesAbove_ = false;
+  BrickTable bricks_;
 };
 
 }  // namespace loomlight

@@ -45,11 +45,10 @@ std::vector<Stretch> reachedFrom(std::span<const int> places, int count) {
 }  // namespace
 
 void TileMap::edit(const ClothGeometry& geometry, const Change& change, const Task& task) {
-  ShapeTable table(geometry, system_);
-  for (ClothGeometry::ShapeCode& code : codes_) {
-    code = ClothGeometry::renamed(system_, code, change.names);
-    table.number(code);
-  }
+  for (ClothGeometry::ShapeCode& code : codes_) code = ClothGeometry::renamed(system_, code, change.names);
+  if (!geometry.differsInWeaveOnly(change.before))
+    for (size_t i = 0; i < shapes_.size(); ++i) shapes_[i] = geometry.shapeKey(system_, codes_[i]);
+  ShapeTable table(geometry, system_, shapes_, codes_);
   const bool sameCells = !reshape(geometry, change.before, task, table);
   if (task.stopped()) return;
 
@@ -61,7 +60,7 @@ void TileMap::edit(const ClothGeometry& geometry, const Change& change, const Ta
     for (int across = yarn.first; across < repeatAcross_; across += WeaveSides(geometry.weave(), system_).across)
       editRow(geometry, across, yarn.second, sameCells, table);
   if (!sameCells) countCells(task);
-  dropUnused();
+  bricks_.keepOnly(cellsOf_);
 }
 
 /// Makes it the map of the geometry but for the changes of the weave. False where all cells lie as they did, each in
@@ -72,7 +71,6 @@ bool TileMap::reshape(const ClothGeometry& geometry, const ClothGeometry& before
   const bool sameRepeat = across == repeatAcross_ && along == repeatAlong_ &&
                           WeaveSides(geometry.weave(), system_) == WeaveSides(before.weave(), system_);
   if (sameRepeat && geometry.differsInWeaveOnly(before)) return false;
-  for (size_t shape = 0; shape < shapes_.size(); ++shape) shapes_[shape] = geometry.shapeKey(system_, codes_[shape]);
   readRows(geometry, task, keptOf(geometry, before, across, along), table);
 
   const auto yarns = yarns_;
@@ -128,15 +126,6 @@ void TileMap::editRow(const ClothGeometry& geometry, int across, std::span<const
   addShapes(table);
   rows_.set(static_cast<size_t>(across), row);
   pointTo(static_cast<size_t>(across), *row);
-}
-
-void TileMap::dropUnused() {
-  for (size_t i = 0; i < slots_.size(); ++i) {
-    if (cellsOf_[i] > 0) continue;
-    bricks_[i] = nullptr;
-    slots_[i] = {};
-  }
-  findReaches();
 }
 
 bool TileMap::isWorn() const {

@@ -39,7 +39,7 @@ void readCells(const ClothGeometry& geometry, System system, int across, std::sp
 /// Neighbouring yarns, read by one thread, with numbers of its own for the shapes that are new.
 struct TileMap::Band {
   Band(const ClothGeometry& geometry, System system, int firstYarn, int endYarn, const ShapeTable& all)
-      : first(firstYarn), end(endYarn), table(geometry, system, &all) {}
+      : first(firstYarn), end(endYarn), table(geometry, system, all) {}
   int first, end;
   ShapeTable table;
   std::vector<std::shared_ptr<Row>> rows;
@@ -51,6 +51,7 @@ void TileMap::readRows(const ClothGeometry& geometry, const Task& task, const Ke
   constexpr size_t kTogether = 16;  // bands: their tables must not pile up
   const int standing = kept.wholeRows ? kept.yarns : 0;
   if (standing == repeatAcross_ && rows_.size() == static_cast<size_t>(standing)) return;
+  table.index();
   std::vector<SharedList<Row>::Pointer> rows = rows_.all();
   rows.resize(static_cast<size_t>(repeatAcross_));
   low_.resize(rows.size());
@@ -163,7 +164,6 @@ void TileMap::addShapes(const ShapeTable& table) {
   const size_t size = index({table.end(), 0});
   cellsOf_.resize(size);
   bricks_.resize(size);
-  slots_.resize(size);
 }
 
 void TileMap::countCells(const Task& task) {
