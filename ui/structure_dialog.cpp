@@ -6,6 +6,7 @@
 
 #include "core/fabric/derived.h"
 #include "core/fabric/draft_derivation.h"
+#include "core/fabric/weave_code.h"
 #include "ui/fields.h"
 #include "ui/modal.h"
 #include "ui/structure_thumbnail.h"
@@ -87,6 +88,7 @@ void StructureDialog::drawChosen(Ui& ui, const std::optional<CellRect>& selectio
   std::string facts = fmt::format("{} ends, {} picks; floats of {} and {}", made_.weave.ends(), made_.weave.picks(),
                                   f.warp(), f.weft());
   if (draft) facts += fmt::format("; {} shafts", draft->shafts);
+  if (const auto code = isoWeaveCode(made_.weave)) facts += "; ISO 9354 " + *code;
   ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.warning);
   if (!made_.problem.empty()) ImGui::TextWrapped("%s", made_.problem.c_str());
   ImGui::PopStyleColor();

@@ -11,6 +11,7 @@
 #include "core/fabric/derived.h"
 #include "core/fabric/draft_derivation.h"
 #include "core/fabric/validate.h"
+#include "core/fabric/weave_code.h"
 #include "core/fabric/wif_origin.h"
 #include "render/trace/scene.h"
 
@@ -46,6 +47,7 @@ nlohmann::ordered_json toJson(const Fabric& fabric, const Information& of) {
   json["name"] = fabric.name;
   json["ends"] = fabric.weave.ends();
   json["picks"] = fabric.weave.picks();
+  if (const auto code = isoWeaveCode(fabric.weave)) json["iso_9354"] = *code;
   json["shafts"] = of.loom.shafts;
   json["treadles"] = of.loom.treadles;
   json["draft"] = {{"by", of.loom.means}, {"rising_shed", of.loom.risingShed}};
@@ -80,6 +82,7 @@ void line(const char* label, const std::string& value, const std::string& remark
 void printTable(const Fabric& fabric, const Information& of) {
   fmt::print("{}\n\nWeave\n", fabric.name);
   line("repeat", fmt::format("{} x {}", fabric.weave.ends(), fabric.weave.picks()), "ends x picks");
+  if (const auto code = isoWeaveCode(fabric.weave)) line("ISO 9354", *code);
   line("shafts", fmt::format("{}", of.loom.shafts), fabric.draft ? "" : "the fewest that weave it");
   line("treadles", fmt::format("{}", of.loom.treadles));
   if (fabric.draft) line("draft", of.loom.means, of.loom.risingShed ? "rising shed" : "sinking shed");

@@ -1,0 +1,114 @@
+#include "core/fabric/weave_code.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace loomlight {
+namespace {
+
+using Column = std::vector<uint8_t>;  ///< of an end, pick by pick: whether it is up
+
+constexpr int kMostPicks = 99;
+
+Column columnOf(const Weave& weave, int end) {
+  Column column;
+  for (int pick = 0; pick < weave.picks(); ++pick) column.push_back(weave.at(pick, end));
+  return column;
+}
+
+/// Of the same thread, so many picks later.
+Column later(const Column& column, int picks) {
+  Column shifted = column;
+  std::rotate(shifted.rbegin(), shifted.rbegin() + picks, shifted.rend());
+  return shifted;
+}
+
+Column inverse(Column column) {
+  for (uint8_t& up : column) up = !up;
+  return column;
+}
+
+/// Ends that weave alike, side by side.
+struct Group {
+  Column column;
+  int ends = 0;
+};
+
+std::vector<Group> groupsOf(const Weave& weave) {
+  std::vector<Group> groups;
+  for (int end = 0; end < weave.ends(); ++end) {
+    Column column = columnOf(weave, end);
+    if (groups.empty() || groups.back().column != column) groups.push_back({std::move(column), 0});
+    ++groups.back().ends;
+  }
+  return groups;
+}
+
+/// The pick at which a float above begins; -1 where the thread never changes sides.
+int riseOf(const Column& column) {
+  const size_t n = column.size();
+  for (size_t pick = 0; pick < n; ++pick)
+    if (column[pick] && !column[(pick + n - 1) % n]) return static_cast<int>(pick);
+  return -1;
+}
+
+/// Lengths of its floats, above and below in turn, from the pick where it rises.
+std::vector<int> floatsOf(const Column& column) {
+  const Column fromRise = later(column, static_cast<int>(column.size()) - riseOf(column));
+  std::vector<int> floats;
+  for (size_t pick = 0; pick < fromRise.size(); ++pick) {
+    if (pick == 0 || fromRise[pick] != fromRise[pick - 1]) floats.push_back(0);
+    ++floats.back();
+  }
+  return floats;
+}
+
+bool alternate(const std::vector<Group>& groups) {
+  for (size_t i = 1; i < groups.size(); ++i)
+    if (groups[i].column != inverse(groups[i - 1].column)) return false;
+  return groups.size() % 2 == 0;
+}
+
+/// By how many picks each group is behind the one before, all round; 0 where they are not alike.
+int stepOf(const std::vector<Group>& groups) {
+  const int picks = static_cast<int>(groups[0].column.size());
+  for (int step = 1; step < picks; ++step) {
+    bool all = true;
+    for (size_t i = 0; i < groups.size() && all; ++i)
+      all = groups[(i + 1) % groups.size()].column == later(groups[i].column, step);
+    if (all) return step;
+  }
+  return 0;
+}
+
+bool bindsOnce(const std::vector<int>& floats) {
+  return floats.size() == 2 && (floats[0] == 1 || floats[1] == 1);
+}
+
+}  // namespace
+
+std::optional<std::string> isoWeaveCode(const Weave& weave) {
+  if (weave.picks() > kMostPicks || weave.ends() > kMostPicks * kMostPicks) return std::nullopt;
+  const std::vector<Group> groups = groupsOf(weave);
+  if (groups.size() < 2 || riseOf(groups[0].column) < 0) return std::nullopt;
+  std::vector<int> ends;
+  for (const Group& group : groups) ends.push_back(group.ends);
+  const bool even = std::equal(ends.begin() + 1, ends.end(), ends.begin());
+  if (*std::max_element(ends.begin(), ends.end()) > kMostPicks) return std::nullopt;
+
+  const std::vector<int> floats = floatsOf(groups[0].column);
+  const int picks = weave.picks();
+  int kind = 1, step = 0;
+  if (!alternate(groups)) {
+    step = even ? stepOf(groups) : 0;
+    if (step == 0) return std::nullopt;
+    const bool sateen = picks >= 5 && step != 1 && step != picks - 1 && bindsOnce(floats);
+    kind = sateen ? 3 : 2;
+  }
+  if (even) ends.resize(1);
+  return fmt::format("{}0-{:02}-{:02}-{:02}", kind, fmt::join(floats, " "), fmt::join(ends, " "), step);
+}
+
+}  // namespace loomlight
