@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "app/commands/structure_choice.h"
 #include "app/commands/usage_error.h"
 #include "core/fabric/field_tables.h"
 
@@ -82,6 +83,7 @@ void addPictureOptions(CLI::App& app, FabricOptions& options) {
              const FieldInfo info = fieldInfo(&Light::temperature_K);
              options.temperature_K = parseNumber(option, text, info.min, info.max);
            });
+  app.add_option("--colourway", options.colourway, "the colours of the fabric that have this name")->type_name("NAME");
   addValue(app, "--view", "NAME|AZ,EL[,MM]", viewPresetNames() + ", or angles in degrees and a distance",
            [&options](const auto& option, const auto& text) { options.view = parseView(option, text); });
 }
@@ -165,6 +167,8 @@ void addConvert(CLI::App& app, ConvertCommand& command) {
       ->required();
   app.add_flag("--draft", command.drawsDraft, "a .png shows the draft as it is printed, not a pixel a crossing");
   app.add_option("--like", command.like, "a fabric that gives yarns and all else but the weave")->type_name("FABRIC");
+  addValue(app, "--structure", "NAME[,N...]", "in place of the weave: satin,8,3; other names are said",
+           [&command](const auto& option, const auto& text) { command.structure = parseStructure(option, text); });
   addWifSizes(app, command.wifSizes);
 }
 

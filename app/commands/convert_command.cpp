@@ -8,6 +8,7 @@
 #include "app/workers/file_name.h"
 #include "core/base/error.h"
 #include "core/fabric/fabric_json.h"
+#include "core/fabric/structure_edit.h"
 #include "core/fabric/wif_fabric.h"
 
 namespace loomlight {
@@ -22,6 +23,7 @@ int run(const ConvertCommand& command) {
     like.wif = fabric.wif;
     fabric = std::move(like);
   }
+  if (command.structure) fabric = withStructure(fabric, {}, *command.structure, {}).fabric;
   const std::string extension = lowerExtension(command.output);
   if (extension == ".json") {
     writeFabric(fabric, command.output);

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
+#include "core/fabric/structure_library.h"
 #include "core/fabric/wif_fabric.h"
 
 namespace loomlight {
@@ -12,6 +14,7 @@ struct ConvertCommand {
   std::string output;       ///< .json, .wif, .pdf (the draft for print) or .png
   bool drawsDraft = false;  ///< a .png is the draft for print as well; else the weave, a pixel a crossing
   std::string like;         ///< a fabric that gives all but the weave; empty: none
+  std::optional<MadeStructure> structure;  ///< in place of the weave
   WifSizeChoice wifSizes = WifSizeChoice::keep;
 };
 

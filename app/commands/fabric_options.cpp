@@ -1,5 +1,9 @@
 #include "app/commands/fabric_options.h"
 
+#include <fmt/format.h>
+
+#include "core/base/error.h"
+#include "core/fabric/colourways.h"
 #include "core/shell/shell.h"
 
 namespace loomlight {
@@ -16,9 +20,20 @@ void applyLight(const LightChoice& choice, Light& light) {
   }
 }
 
+Fabric inColourwayNamed(const std::string& name, const Fabric& fabric) {
+  std::string names;
+  for (const Colourway& colourway : fabric.colourways) {
+    if (colourway.name == name) return inColourway(fabric, colourway);
+    names += (names.empty() ? "'" : ", '") + colourway.name + "'";
+  }
+  throw InputError(fmt::format("colourway '{}': expected {}", name,
+                               names.empty() ? "one of the fabric's, which has none" : "one of " + names));
+}
+
 }  // namespace
 
 Fabric withOptions(Fabric fabric, const FabricOptions& options) {
+  if (!options.colourway.empty()) fabric = inColourwayNamed(options.colourway, fabric);
   RenderSettings& render = fabric.render;
   if (options.size) {
     render.width = options.size->width;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "app/commands/option_values.h"
 #include "core/fabric/fabric.h"
@@ -23,10 +24,11 @@ struct FabricOptions {
   std::optional<ViewChoice> view;
   std::optional<LightChoice> light;
   std::optional<double> temperature_K;  ///< of the light
+  std::string colourway;                ///< its name; empty: the colours that the fabric has now
 };
 
 /// The fabric with these options. Another drape without a view keeps the camera's angle, and moves the camera to see
-/// all of the piece. Throws InputError where a mesh that is to be seen cannot be used.
+/// all of the piece. Throws InputError where a mesh that is to be seen cannot be used, or there is no such colourway.
 Fabric withOptions(Fabric fabric, const FabricOptions& options);
 
 }  // namespace loomlight

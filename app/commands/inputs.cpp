@@ -16,7 +16,7 @@ FabricInput readInput(const std::string& file, WifSizeChoice sizes) {
   const std::string extension = lowerExtension(file);
   if (extension == ".json") return {readFabric(file), {}};
   if (extension == ".exr") return {fabricOfPicture(file), {}};
-  if (extension == ".wif") {
+  if (isWeavingFile(file)) {
     WifImport import = readWifFabric(file, Fabric{}, sizes);
     for (std::string& warning : import.warnings) warning = fmt::format("{}: {}", file, warning);
     return {std::move(import.fabric), std::move(import.warnings)};

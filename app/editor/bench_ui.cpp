@@ -3,26 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ctime>
 #include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
 
 #include "app/editor/sample_fabric.h"
 #include "app/editor/session.h"
+#include "app/editor/thread_clock.h"
 #include "app/editor/window.h"
 #include "core/base/stopwatch.h"
 #include "core/fabric/jacquard.h"
 
 namespace loomlight {
 namespace {
-
-/// Processor time of the calling thread.
-double threadSeconds() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 /// What a frame took, ms.
 struct FrameTimes {

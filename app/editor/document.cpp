@@ -1,11 +1,25 @@
 #include "app/editor/document.h"
 
-#include "core/fabric/fabric_json.h"
+#include <algorithm>
+#include <vector>
 
 namespace loomlight {
 namespace {
 
-constexpr size_t kMostSteps = 1000;
+/// About what a fabric takes that shares nothing but rows of its weave with the one before. Null: there is none.
+size_t ownBytes(const Fabric& fabric, const Fabric* before) {
+  const Weave& weave = fabric.weave;
+  size_t bytes = sizeof(Fabric) + sizeof(Weave::SharedRow) * static_cast<size_t>(weave.picks()) +
+                 fabric.yarns.size() * sizeof(Yarn) + fabric.fibres.size() * sizeof(Fibre);
+  const int both = before ? std::min(weave.picks(), before->weave.picks()) : 0;
+  for (int pick = 0; pick < weave.picks(); ++pick)
+    if (pick >= both || weave.sharedRow(pick) != before->weave.sharedRow(pick)) bytes += weave.row(pick).size();
+  if (!fabric.draft) return bytes;
+  for (const auto* lists :
+       {&fabric.draft->threading, &fabric.draft->tieUp, &fabric.draft->treadling, &fabric.draft->liftplan})
+    for (const std::vector<int>& list : *lists) bytes += sizeof(list) + list.capacity() * sizeof(int);
+  return bytes;
+}
 
 std::shared_ptr<const Fabric> seenFrom(const std::shared_ptr<const Fabric>& fabric, const Camera& camera) {
   if (fabric->camera == camera) return fabric;
@@ -16,23 +30,29 @@ std::shared_ptr<const Fabric> seenFrom(const std::shared_ptr<const Fabric>& fabr
 
 }  // namespace
 
-Document::Document(Fabric fabric, std::string file) : file_(std::move(file)) {
-  steps_.push_back({std::make_shared<const Fabric>(std::move(fabric)), 0, {}});
+Document::Document(Fabric fabric, std::string file, size_t mostBytes) : mostBytes_(mostBytes), file_(std::move(file)) {
+  push({std::make_shared<const Fabric>(std::move(fabric)), 0, {}, 0});
+}
+
+void Document::push(Step step) {
+  step.bytes = ownBytes(*step.fabric, steps_.empty() ? nullptr : steps_.back().fabric.get());
+  bytes_ += step.bytes;
+  steps_.push_back(std::move(step));
+  while (steps_.size() > 1 && bytes_ > mostBytes_) {
+    bytes_ -= steps_.front().bytes;
+    steps_.pop_front();
+  }
+  now_ = steps_.size() - 1;
 }
 
 void Document::edit(Fabric fabric, uint64_t gesture, const EditPlace& place) {
   ++revision_;
-  auto value = std::make_shared<const Fabric>(std::move(fabric));
   const bool continues = gesture == gesture_ && now_ > 0 && !canRedo();
   gesture_ = gesture;
-  if (continues) {
-    steps_[now_] = {std::move(value), nextId_++, steps_[now_].place};
-    return;
-  }
-  steps_.resize(now_ + 1);
-  steps_.push_back({std::move(value), nextId_++, place});
-  if (steps_.size() > kMostSteps) steps_.erase(steps_.begin());
-  now_ = steps_.size() - 1;
+  const EditPlace first = continues ? steps_[now_].place : place;
+  for (const size_t kept = continues ? now_ : now_ + 1; steps_.size() > kept; steps_.pop_back())
+    bytes_ -= steps_.back().bytes;
+  push({std::make_shared<const Fabric>(std::move(fabric)), nextId_++, first, 0});
 }
 
 void Document::lookFrom(const Camera& camera) {
@@ -61,10 +81,9 @@ void Document::go(size_t step) {
   ++revision_;
 }
 
-void Document::save(const std::string& file) {
-  writeFabric(*fabric(), file);
+void Document::savedAs(const std::string& file, uint64_t state) {
   file_ = file;
-  savedId_ = steps_[now_].id;
+  savedState_ = state;
   gesture_ = 0;  // the next edit is a step of its own, so that undo returns to what was saved
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "core/fabric/fabric.h"
 
@@ -18,15 +18,17 @@ struct EditPlace {
   friend bool operator==(const EditPlace&, const EditPlace&) = default;
 };
 
-/// The fabric that is edited, how it came to be, and the file it lives in. Undo keeps the old values; they share what
-/// did not change.
+/// The fabric that is edited, how it came to be, and the file it lives in. Undo keeps the old values, which share what
+/// did not change: hundreds of thousands of small steps, or as many as memory is set aside for.
 class Document {
  public:
-  explicit Document(Fabric fabric, std::string file = {});
+  static constexpr size_t kMostBytes = size_t{1} << 30;  ///< of old values; beyond that the oldest go
+
+  explicit Document(Fabric fabric, std::string file = {}, size_t mostBytes = kMostBytes);
 
   const std::shared_ptr<const Fabric>& fabric() const { return steps_[now_].fabric; }
   const std::string& file() const { return file_; }  ///< empty while it has none
-  bool isDirty() const { return steps_[now_].id != savedId_; }
+  bool isDirty() const { return state() != savedState_; }
   /// Counts up with every edit and every undo; looking around is none.
   uint64_t revision() const { return revision_; }
 
@@ -40,21 +42,26 @@ class Document {
   EditPlace undo();
   EditPlace redo();
 
-  /// Writes the file and remembers it. Throws InputError, and is unchanged then.
-  void save(const std::string& file);
+  /// Which of its states this is; none has the number of another.
+  uint64_t state() const { return steps_[now_].id; }
+  /// That state of it is in the file now, and the file is its own.
+  void savedAs(const std::string& file, uint64_t state);
 
  private:
   struct Step {
     std::shared_ptr<const Fabric> fabric;
     uint64_t id = 0;
-    EditPlace place;  ///< of the edit that led to it
+    EditPlace place;   ///< of the edit that led to it
+    size_t bytes = 0;  ///< about, that it does not share with the one before
   };
+  void push(Step step);
   void go(size_t step);
 
-  std::vector<Step> steps_;
+  std::deque<Step> steps_;
   size_t now_ = 0;
+  size_t bytes_ = 0, mostBytes_;  ///< of all steps
   std::string file_;
-  uint64_t nextId_ = 1, savedId_ = 0, revision_ = 0, gesture_ = 0;
+  uint64_t nextId_ = 1, savedState_ = 0, revision_ = 0, gesture_ = 0;
 };
 
 }  // namespace loomlight

@@ -58,16 +58,11 @@ void Session::run(DraftCommand command) {
   }
 }
 
-void Session::openWeaving(const std::string& file) {
-  try {
-    WifImport import = readWifFabric(file, *document_.fabric(), WifSizeChoice::keep);
-    startOver(Document(std::move(import.fabric)));
-    wifKept_ = document_.fabric();
-    remember(file);
-    wifDialog_.show({summaryOf(*wifKept_), wifSett(*wifKept_), settOf(*wifKept_), std::move(import.warnings)});
-  } catch (const InputError& error) {
-    say("This file cannot be opened", error.what());
-  }
+void Session::weavingOpened(Fabric fabric, const std::string& file, std::vector<std::string> warnings) {
+  startOver(Document(std::move(fabric)));
+  wifKept_ = document_.fabric();
+  remember(file);
+  wifDialog_.show({summaryOf(*wifKept_), wifSett(*wifKept_), settOf(*wifKept_), std::move(warnings)});
 }
 
 void Session::openPicture(const std::string& file) {
@@ -131,20 +126,15 @@ void Session::goTo(const EditPlace& place) {
 }
 
 void Session::exportTo(FileTask task, const std::string& file) {
-  try {
-    std::string text = "Written: " + file;
-    if (task == FileTask::exportWif) {
-      for (const std::string& remark : writeWifFabric(*document_.fabric(), file)) text += "\n\n" + remark;
-    } else if (task == FileTask::exportDraft) {
-      writeDraftSheet(file, *document_.fabric(), {settings_.draft.startsRight(), settings_.draft.startsAtTop()});
-    } else {
-      writeWeaveBitmap(file, document_.fabric()->weave);
-    }
-    lookNextIn(file);
-    say("Exported", text);
-  } catch (const InputError& error) {
-    say("The file could not be written", error.what());
-  }
+  const DraftCorner corner{settings_.draft.startsRight(), settings_.draft.startsAtTop()};
+  files_.exportTo(file, [task, file, corner, fabric = document_.fabric()]() -> std::vector<std::string> {
+    if (task == FileTask::exportWif) return writeWifFabric(*fabric, file);
+    if (task == FileTask::exportDraft)
+      writeDraftSheet(file, *fabric, corner);
+    else
+      writeWeaveBitmap(file, fabric->weave);
+    return {};
+  });
 }
 
 void Session::drawStructures(Ui& ui) {

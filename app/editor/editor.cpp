@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <memory>
 
 #include "app/editor/sample_fabric.h"
 #include "app/editor/session.h"
+#include "app/editor/thread_clock.h"
 #include "app/editor/user_folders.h"
 #include "app/editor/widget_dump.h"
 #include "app/editor/window.h"
@@ -39,14 +41,33 @@ double seconds() {
   return duration<double>(steady_clock::now().time_since_epoch()).count();
 }
 
+/// What those who watch the window are told of its frames: those that a person would notice, by the processor time of
+/// the window's thread, and the longest.
+class FrameWatch {
+ public:
+  void count(double seconds, WidgetProbe& probe) {
+    constexpr double kNoticed_s = 0.033;
+    slow_ += seconds > kNoticed_s;
+    longest_s_ = std::max(longest_s_, seconds);
+    probe.fact("slow_frames", std::to_string(slow_));
+    probe.fact("longest_frame_ms", std::to_string(std::lround(1e3 * longest_s_)));
+  }
+
+ private:
+  int slow_ = 0;
+  double longest_s_ = 0;
+};
+
 /// Draws one frame; returns after how many seconds the next one is wanted without any event.
-double drawFrame(Window& window, Session& session, WidgetProbe& probe, FieldMemory& memory) {
+double drawFrame(Window& window, Session& session, WidgetProbe& probe, FieldMemory& memory, FrameWatch& watch) {
   const Theme theme = session.settings().darkTheme ? Theme::dark() : Theme::light();
   window.setTheme(theme);
   window.beginFrame();
   probe.beginFrame();
   Ui ui{theme, window.fonts(), probe, memory, window.scale(), seconds()};
+  const double before_s = threadSeconds();
   session.frame(ui);
+  watch.count(threadSeconds() - before_s, probe);
   window.endFrame(theme);
   window.setTitle(session.title());
   return ui.wakeIn;
@@ -56,6 +77,7 @@ void runLoop(Window& window, Session& session, const std::string& dumpFile) {
   WidgetProbe probe(!dumpFile.empty());
   WidgetDump dump(dumpFile);
   FieldMemory memory;
+  FrameWatch watch;
   int framesLeft = kFramesPerEvent;
   double wakeIn = 0;
   while (!session.isOver()) {
@@ -67,7 +89,7 @@ void runLoop(Window& window, Session& session, const std::string& dumpFile) {
       window.refuseClose();
       session.askToQuit();
     }
-    wakeIn = drawFrame(window, session, probe, memory);
+    wakeIn = drawFrame(window, session, probe, memory, watch);
     window.setFullScreen(session.wantsFullScreen());
     if (probe.watching()) dump.write(probe.snapshot());
   }

@@ -27,10 +27,13 @@ Raster rasterOf(const Pixels8& pixels) {
   return raster;
 }
 
-std::shared_ptr<const PictureSource> sourceOf(const std::string& file) {
+/// Null where it is no longer wanted.
+std::shared_ptr<const PictureSource> sourceOf(const std::string& file, const std::function<bool()>& stillWanted) {
   auto source = std::make_shared<PictureSource>();
   source->name = std::filesystem::path(file).filename().string();
-  source->raster = rasterOf(readPng(file));
+  const Pixels8 pixels = readPng(file);
+  if (!stillWanted()) return nullptr;
+  source->raster = rasterOf(pixels);
   const Raster& raster = source->raster;
   source->colours = coloursOf(raster);
   const int longest = std::max(raster.width, raster.height), side = std::min(longest, PictureSource::kSmallSide);
@@ -43,31 +46,34 @@ std::shared_ptr<const PictureSource> sourceOf(const std::string& file) {
 
 PictureDesk::PictureDesk(std::function<void()> wake) : wake_(std::move(wake)) {}
 
-void PictureDesk::post(std::function<Result()> work) {
+void PictureDesk::post(std::function<Result(const StillWanted&)> work) {
   tasks_.post([this, work = std::move(work), number = ++wanted_] {
+    const StillWanted stillWanted = [this, number] { return number == wanted_; };
+    if (!stillWanted()) return;
     Result result;
     try {
-      result = work();
+      result = work(stillWanted);
     } catch (const std::bad_alloc&) {
       result.problem = "It needs more memory than there is.";
     } catch (const std::exception& error) {
       result.problem = error.what();
     }
+    if (!stillWanted()) return;
     results_.post({number, std::move(result)});
     wake_();
   });
 }
 
 void PictureDesk::read(const std::string& file) {
-  post([file] {
+  post([file](const StillWanted& stillWanted) {
     Result result;
-    result.source = sourceOf(file);
+    result.source = sourceOf(file, stillWanted);
     return result;
   });
 }
 
 void PictureDesk::weave(PictureOrder order, std::shared_ptr<const Fabric> fabric, const LoomLimits& limits) {
-  post([order = std::move(order), fabric = std::move(fabric), limits] {
+  post([order = std::move(order), fabric = std::move(fabric), limits](const StillWanted&) {
     const Raster threads = resampled(order.source->raster, order.ends, order.picks);
     Result result;
     result.woven = rewoven(*fabric, weaveOf(reduced(threads, order.palette), order.structures), limits);

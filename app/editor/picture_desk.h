@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <string>
@@ -21,7 +22,8 @@ class PictureDesk {
   void read(const std::string& file);
   /// In the place of the fabric's weave.
   void weave(PictureOrder order, std::shared_ptr<const Fabric> fabric, const LoomLimits& limits);
-  /// Whatever comes of it is no longer wanted.
+  /// Whatever comes of it is no longer wanted. A picture that is being decoded is decoded to its end, which takes
+  /// seconds at most (readPng() has a limit); nothing else is done with it, and of those that wait none is read.
   void forget() { ++wanted_; }
 
   /// What has come, once: one of the three.
@@ -33,10 +35,11 @@ class PictureDesk {
   std::optional<Result> take();
 
  private:
-  void post(std::function<Result()> work);
+  using StillWanted = std::function<bool()>;
+  void post(std::function<Result(const StillWanted&)> work);
 
   std::function<void()> wake_;
-  uint64_t wanted_ = 0;
+  std::atomic<uint64_t> wanted_ = 0;
   Mailbox<std::pair<uint64_t, Result>> results_;
   TaskQueue tasks_;  // last: it ends before what its tasks use is gone
 };

@@ -19,6 +19,7 @@ Session::Session(Document document, Settings settings, std::function<void()> wak
       shelf_(viewFolder(), wake_),
       presetDesk_(presetFolder(), wake_),
       renderer_(wake_, threads),
+      files_(wake_),
       pictures_(wake_) {
   hints_.wanted = !settings_.hintsSeen;
   const ViewSettings& view = settings_.view;
@@ -51,7 +52,7 @@ Tone Session::tone() const {
 }
 
 bool Session::dialogIsOpen() const {
-  return browser_.isOpen() || message_.isOpen() || snapshotDialog_.isOpen() || preferences_.isOpen() ||
+  return files_.busy() || browser_.isOpen() || message_.isOpen() || snapshotDialog_.isOpen() || preferences_.isOpen() ||
          keys_.isOpen() || wifDialog_.isOpen() || structures_.isOpen() || pictureDialog_.isOpen() ||
          tileDialog_.isOpen() || colourways_.isOpen() || compare_.isOpen() || presetBrowser_.isOpen();
 }

@@ -10,6 +10,7 @@
 #include "app/editor/autosave.h"
 #include "app/editor/colour_desk.h"
 #include "app/editor/document.h"
+#include "app/editor/file_desk.h"
 #include "app/editor/insight.h"
 #include "app/editor/picture_desk.h"
 #include "app/editor/picture_texture.h"
@@ -23,6 +24,7 @@
 #include "app/workers/snapshot_job.h"
 #include "app/workers/tile_job.h"
 #include "app/workers/visibility_worker.h"
+#include "ui/busy_dialog.h"
 #include "ui/colourways_dialog.h"
 #include "ui/commands.h"
 #include "ui/dialogs.h"
@@ -123,14 +125,16 @@ class Session {
   void openRecent(const std::string& file);
   void openFabric(const std::string& file);
   void save(const std::string& file);
-  void takeUp(const std::string& left);
+  void takeUp(Fabric fabric, const std::string& left);
+  void drawBusy(Ui& ui);
+  void fileDone(FileDesk::Result result);
   std::filesystem::path folderToLookIn() const;
   std::filesystem::path fileCalledAsCloth(const std::string& ending) const;
   void browse(FileTask task);
   void fileChosen(const std::string& file);
 
   // draft_files.cpp: drafts and weaves from files and into them
-  void openWeaving(const std::string& file);
+  void weavingOpened(Fabric fabric, const std::string& file, std::vector<std::string> warnings);
   void openPicture(const std::string& file);
   void drawPicture(Ui& ui);
   void exportTo(FileTask task, const std::string& file);
@@ -176,11 +180,13 @@ class Session {
   PresetDesk presetDesk_;
   LiveRenderer renderer_;
   std::unique_ptr<SnapshotJob> snapshot_;
+  FileDesk files_;
 
   DraftView draft_;
   ViewportView viewport_;
   InspectorView inspector_;
   FileBrowser browser_;
+  BusyDialog busyDialog_;
   MessageDialog message_;
   SnapshotDialog snapshotDialog_;
   RenderJob snapshotProgress_;

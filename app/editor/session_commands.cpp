@@ -185,6 +185,8 @@ void Session::askToQuit() {
 void Session::leaveFor(Afterwards next) {
   if (question_ == Question::unsaved && message_.isOpen() && afterwards_ == next) return;
   afterwards_ = next;
+  if (files_.isBusyWith(FileDesk::Work::open)) files_.cancel();
+  if (files_.busy()) return;  // fileDone() comes back here
   if (!document_.isDirty()) return goOn();
   const char* discard = next == Afterwards::quit   ? "Discard"
                         : next == Afterwards::open ? "Open without"
@@ -226,14 +228,16 @@ void Session::answered(int answer) {
   if (question == Question::forgetRecent && answer == 1) forget(settings_.recent, pendingFile_);
   if (question != Question::recover || answer == 0) return;
   if (answer == 1) Autosave::throwAway(pendingFile_);
-  if (answer == 2) takeUp(pendingFile_);
+  if (answer == 2) files_.open(FileDesk::Work::takeUp, pendingFile_, document_.fabric());
 }
 
 void Session::drawDialogs(Ui& ui) {
   // The browser stands in for the snapshot dialog while it names its file.
   if (!browser_.isOpen() && snapshotDialog_.isOpen()) drawSnapshot(ui);
   if (const auto file = browser_.draw(ui)) fileChosen(*file);
-  if (!browser_.isOpen() && !message_.isOpen()) afterwards_ = Afterwards::nothing;  // no file was named
+  if (!browser_.isOpen() && !message_.isOpen() && !files_.busy())
+    afterwards_ = Afterwards::nothing;  // no file was named
+  drawBusy(ui);
   if (const auto answer = message_.draw(ui)) answered(*answer);
   preferences_.draw(ui, 1e-9 * static_cast<double>(physicalMemory_bytes()),
                     {settings_.units, settings_.draft, settings_.fibreMemory_GB});

@@ -1,11 +1,11 @@
+#include <fmt/core.h>
+
 #include <filesystem>
 
 #include "app/editor/sample_fabric.h"
 #include "app/editor/session.h"
 #include "app/editor/user_folders.h"
 #include "app/workers/file_name.h"
-#include "core/base/error.h"
-#include "core/fabric/fabric_json.h"
 
 namespace loomlight {
 namespace fs = std::filesystem;
@@ -38,13 +38,7 @@ void Session::openRecent(const std::string& file) {
 }
 
 void Session::openFabric(const std::string& file) {
-  if (lowerExtension(file) == ".wif") return openWeaving(file);
-  try {
-    startOver(Document(readFabric(file), file));
-    remember(file);
-  } catch (const InputError& error) {
-    say("This file cannot be opened", error.what());
-  }
+  files_.open(FileDesk::Work::open, file, document_.fabric());
 }
 
 void Session::openFile(const std::string& file) {
@@ -62,22 +56,58 @@ void Session::openFile(const std::string& file) {
     edit(std::move(fabric));
   } else if (extension == ".png") {
     openPicture(file);
-  } else {
+  } else if (extension == ".json" || isWeavingFile(file)) {
     pendingFile_ = file;
     leaveFor(Afterwards::open);
+  } else {
+    say("This file cannot be opened", file +
+                                          ": expected a cloth (.json), a weaving file (.wif), a picture (.png), a mesh "
+                                          "(.obj, .ply, .off) or an environment (.exr)");
   }
 }
 
 void Session::save(const std::string& file) {
-  try {
-    document_.save(file);
-    remember(file);
-    autosave_.forget();
-    goOn();
-  } catch (const InputError& error) {
-    afterwards_ = Afterwards::nothing;
-    say("The file could not be written", std::string(error.what()) + "\n\nNothing is lost: the cloth is still here.");
+  files_.save(file, document_.fabric(), document_.state());
+}
+
+void Session::drawBusy(Ui& ui) {
+  if (auto result = files_.take()) fileDone(std::move(*result));
+  std::optional<std::string> text;
+  if (const auto& busy = files_.busy()) {
+    const bool reads = busy->work == FileDesk::Work::open || busy->work == FileDesk::Work::takeUp;
+    text = fmt::format("{} {}\xE2\x80\xA6", reads ? "Opening" : "Writing", fs::path(busy->file).filename().string());
   }
+  if (busyDialog_.draw(ui, text)) files_.cancel();
+}
+
+void Session::fileDone(FileDesk::Result result) {
+  using Work = FileDesk::Work;
+  const bool written = result.work == Work::save || result.work == Work::exportTo;
+  if (!result.problem.empty() || result.cancelled) afterwards_ = Afterwards::nothing;
+  if (result.cancelled) return;
+  if (!result.problem.empty() && !written) return say("This file cannot be opened", result.problem);
+  if (!result.problem.empty())
+    return say("The file could not be written", result.problem + "\n\nNothing is lost: the cloth is still here.");
+  switch (result.work) {
+    case Work::open:
+      if (isWeavingFile(result.file))
+        return weavingOpened(std::move(*result.fabric), result.file, std::move(result.remarks));
+      startOver(Document(std::move(*result.fabric), result.file));
+      return remember(result.file);
+    case Work::takeUp:
+      return takeUp(std::move(*result.fabric), result.file);
+    case Work::save:
+      document_.savedAs(result.file, result.state);
+      remember(result.file);
+      if (!document_.isDirty()) autosave_.forget();
+      break;
+    case Work::exportTo:
+      lookNextIn(result.file);
+      std::string text = "Written: " + result.file;
+      for (const std::string& remark : result.remarks) text += "\n\n" + remark;
+      say("Exported", text);
+  }
+  if (afterwards_ != Afterwards::nothing) leaveFor(afterwards_);
 }
 
 void Session::offerRecovery() {
@@ -88,15 +118,10 @@ void Session::offerRecovery() {
       {"Later", "Throw away", "Take up"}, 2);
 }
 
-void Session::takeUp(const std::string& left) {
-  try {
-    Fabric fabric = readFabric(left);
-    startOver(Document(sampleFabric()));  // not into a file that was just opened
-    edit(std::move(fabric));
-    autosave_.takeOver(left);
-  } catch (const InputError& error) {
-    say("The work could not be taken up", error.what());
-  }
+void Session::takeUp(Fabric fabric, const std::string& left) {
+  startOver(Document(sampleFabric()));  // not into a file that was just opened
+  edit(std::move(fabric));
+  autosave_.takeOver(left);
 }
 
 fs::path Session::folderToLookIn() const {

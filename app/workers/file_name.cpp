@@ -15,6 +15,11 @@ std::string lowerExtension(const std::string& file) {
   return extension;
 }
 
+bool isWeavingFile(const std::string& file) {
+  const std::string extension = lowerExtension(file);
+  return extension == ".wif" || extension == ".txt";
+}
+
 std::string fileNameOf(const std::string& name) {
   constexpr size_t kLongest = 100;
   const auto continuesCharacter = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; };

@@ -8,6 +8,9 @@ namespace loomlight {
 /// What kind of file a name stands for: ".json" of "a/b.JSON"; empty where there is no extension.
 std::string lowerExtension(const std::string& file);
 
+/// Whether it is to be read as a weaving file: some come by mail as texts, "draft.wif.txt".
+bool isWeavingFile(const std::string& file);
+
 /// A name for people as a name for a file: without a folder in it, not hidden, and short enough for any file system,
 /// with a number behind it too.
 std::string fileNameOf(const std::string& name);

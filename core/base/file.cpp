@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstdint>
@@ -51,9 +52,11 @@ int openBeside(const std::string& target, std::string& name) {
   return fd;
 }
 
-bool writeAll(int fd, std::string_view content) {
-  while (!content.empty()) {
-    const ssize_t n = ::write(fd, content.data(), content.size());
+/// Returns early, and well, once it is to stop.
+bool writeAll(int fd, std::string_view content, const std::stop_token& stop) {
+  constexpr size_t kPiece = 1 << 20;
+  while (!content.empty() && !stop.stop_requested()) {
+    const ssize_t n = ::write(fd, content.data(), std::min(content.size(), kPiece));
     if (n < 0 && errno == EINTR) continue;
     if (n < 0) return false;
     content.remove_prefix(static_cast<size_t>(n));
@@ -120,7 +123,7 @@ void expectWritable(const std::string& file) {
   if (::access(folder.c_str(), W_OK | X_OK) != 0) fail(file, "cannot be written into its folder");
 }
 
-void writeFileAtomically(const std::string& file, std::string_view content) {
+bool writeFileAtomically(const std::string& file, std::string_view content, const std::stop_token& stop) {
   expectWritable(file);
   // Through a symbolic link, the file it points to is the one to replace.
   std::error_code none;
@@ -132,7 +135,11 @@ void writeFileAtomically(const std::string& file, std::string_view content) {
   {
     const Descriptor fd(openBeside(target, name));
     if (fd.get() < 0) fail(file, "cannot be written");
-    written = writeAll(fd.get(), content) && keepPermissions(fd.get(), target) && ::fsync(fd.get()) == 0;
+    written = writeAll(fd.get(), content, stop) && keepPermissions(fd.get(), target) && ::fsync(fd.get()) == 0;
+  }
+  if (written && stop.stop_requested()) {
+    ::unlink(name.c_str());
+    return false;
   }
   if (!written || ::rename(name.c_str(), target.c_str()) != 0) {
     const int reason = errno;
@@ -141,6 +148,7 @@ void writeFileAtomically(const std::string& file, std::string_view content) {
     fail(file, "cannot be written");
   }
   syncFolder(target);
+  return true;
 }
 
 }  // namespace loomlight

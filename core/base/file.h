@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <stop_token>
 #include <string>
 #include <string_view>
 
@@ -16,7 +17,8 @@ void expectWritable(const std::string& file);
 
 /// Replaces a file's content, or makes the file: writes beside it, waits until the bytes are on the disk, then renames.
 /// Whenever it is interrupted, the file is whole or the old one is still there. Throws InputError, and leaves nothing
-/// behind, when it cannot be written; what is no regular file (a folder, a pipe, a device) is never replaced.
-void writeFileAtomically(const std::string& file, std::string_view content);
+/// behind, when it cannot be written; what is no regular file (a folder, a pipe, a device) is never replaced. False
+/// where a stop was requested while the old one was still there, and is.
+bool writeFileAtomically(const std::string& file, std::string_view content, const std::stop_token& stop = {});
 
 }  // namespace loomlight

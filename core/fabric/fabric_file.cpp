@@ -47,9 +47,9 @@ Fabric readFabric(const std::string& file) {
   return workingNames(fabricFromJson(readFile(file, kMaxFabricBytes), file), file);
 }
 
-void writeFabric(const Fabric& fabric, const std::string& file) {
+bool writeFabric(const Fabric& fabric, const std::string& file, const std::stop_token& stop) {
   validate(fabric, file);
-  writeFileAtomically(file, fabricToJson(localNames(fabric, file)));
+  return writeFileAtomically(file, fabricToJson(localNames(fabric, file)), stop);
 }
 
 }  // namespace loomlight

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <stop_token>
 #include <string>
 #include <string_view>
 
@@ -52,7 +53,7 @@ Fabric workingNames(Fabric fabric, const std::string& file);
 /// The fabric of a file, with workingNames(). Throws InputError.
 Fabric readFabric(const std::string& file);
 /// Writes whole or not at all (writeFileAtomically), with localNames(). Throws InputError when the file cannot be
-/// written, or the fabric is not valid.
-void writeFabric(const Fabric& fabric, const std::string& file);
+/// written, or the fabric is not valid. False where it was stopped in time.
+bool writeFabric(const Fabric& fabric, const std::string& file, const std::stop_token& stop = {});
 
 }  // namespace loomlight

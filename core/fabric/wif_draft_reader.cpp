@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cctype>
 
 #include "core/base/error.h"
 #include "core/fabric/field_tables.h"
@@ -98,6 +99,11 @@ class DraftReader {
 
   std::vector<int> list(const WifSection& section, const WifEntry& entry, const char* kind) {
     std::vector<int> numbers;
+    // "2;3" may have been meant as a list.
+    const size_t comment = entry.value.find(';');
+    if (comment != std::string::npos && comment + 1 < entry.value.size() &&
+        std::isdigit(static_cast<unsigned char>(entry.value[comment + 1])))
+      warnings_.add(entry.line, section.name, said(entry), "commas in a list", "what is behind the ; is a comment");
     for (const std::string_view part : wifList(entry.value)) {
       const std::optional<int> number = wifWhole(part);
       if (!number || *number < 0 || *number > mostShafts()) {

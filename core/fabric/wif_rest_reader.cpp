@@ -87,6 +87,9 @@ WifPalette readPalette(const WifSections& sections, WifWarnings& warnings) {
     if (sections.find("COLOR PALETTE")) warnings.add("COLOR PALETTE", "belongs to a [COLOR TABLE]; there is none");
     return {};
   }
+  if (const WifEntry* const form = findEntry(sections, "COLOR PALETTE", "form");
+      form && lowerCase(unquoted(form->value)) != "rgb")
+    warnings.add(form->line, "COLOR PALETTE", said(*form), "RGB", "the colours are read as red,green,blue");
   const RealRange range = rangeOf(sections, colours, warnings);
   bool whole = isWhole(range.low) && isWhole(range.high);
   for (const auto& [number, colour] : colours)
@@ -140,7 +143,9 @@ WifUnit readUnit(const WifSections& sections, System system, WifWarnings& warnin
   const std::string unit = lowerCase(unquoted(entry->value.substr(0, entry->value.find(';'))));
   if (unit == "decipoints") return WifUnit::decipoints;
   if (unit == "inches" || unit == "inch" || unit == "in" || unit == "english") return WifUnit::inches;
-  if (unit != "centimeters" && unit != "centimetres" && unit != "centimeter" && unit != "cm" && unit != "metric")
+  const bool known = unit == "centimeters" || unit == "centimetres" || unit == "centimeter" || unit == "centimetre" ||
+                     unit == "cm" || unit == "metric";
+  if (!known)
     warnings.add(entry->line, name(system), said(*entry), "Decipoints, Inches or Centimeters",
                  "it is taken as centimeters");
   return WifUnit::centimeters;

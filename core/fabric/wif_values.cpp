@@ -37,7 +37,11 @@ std::string lowerCase(std::string_view text) {
 }
 
 std::optional<int> wifWhole(std::string_view value) {
-  return parsed<int>(bare(value));
+  std::string_view text = bare(value);
+  // 12.0, as a spreadsheet writes it. 1.000 may be a thousand, and is no number here.
+  if (const size_t point = text.find('.'); point != std::string_view::npos && text.substr(point) == ".0")
+    text = text.substr(0, point);
+  return parsed<int>(text);
 }
 
 std::optional<double> wifDecimal(std::string_view value) {
@@ -49,9 +53,9 @@ std::optional<double> wifDecimal(std::string_view value) {
 
 std::optional<bool> wifBoolean(std::string_view value) {
   const std::string text = lowerCase(bare(value).substr(0, 8));
-  for (const char* yes : {"true", "on", "yes", "1"})
+  for (const char* yes : {"true", "on", "yes", "1", "-1", "t", "y"})
     if (text == yes) return true;
-  for (const char* no : {"false", "off", "no", "0"})
+  for (const char* no : {"false", "off", "no", "0", "f", "n"})
     if (text == no) return false;
   return std::nullopt;
 }

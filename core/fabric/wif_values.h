@@ -10,11 +10,11 @@ namespace loomlight {
 /// How the values of a WIF file are written. All of these take them as programs and people have really written them:
 /// blanks around, quotes, a ";" comment behind a number. Nothing where there is no such value.
 
-/// 12, +12, "12", 12 ; twelve. Numbers beyond int are none.
+/// 12, +12, "12", 12.0, 12 ; twelve. Numbers beyond int are none.
 std::optional<int> wifWhole(std::string_view value);
 /// .212, 0.212, 0,212 (a decimal comma); finite.
 std::optional<double> wifDecimal(std::string_view value);
-/// true, on, yes, 1; false, off, no, 0.
+/// true, on, yes, t, y, 1, -1 (as Basic writes it); false, off, no, f, n, 0.
 std::optional<bool> wifBoolean(std::string_view value);
 /// A text, without the quotes around it.
 std::string_view unquoted(std::string_view value);

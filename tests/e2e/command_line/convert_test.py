@@ -50,6 +50,21 @@ class Convert(CommandLineTest):
         self.run_program("convert", fabric, "expected.png")
         self.assertEqual(read_png(self.folder / "weave.png"), read_png(self.folder / "expected.png"))
 
+    def test_a_structure_by_its_name_takes_the_place_of_the_weave(self):
+        self.run_program("convert", self.fabric(), "a.json", "--structure", "satin,5,2")
+        self.run_program("convert", "a.json", "satin.png")
+        self.assertEqual(read_png(self.folder / "satin.png")[:2], (5, 5))
+        made = json.loads(self.bytes_of("a.json"))
+        self.assertEqual([yarn["name"] for yarn in made["yarns"]], ["warp", "weft"])
+        self.run_program("convert", "a.json", "b.json", "--structure", "Houndstooth")
+        self.assertEqual(json.loads(self.bytes_of("b.json"))["warp_sequence"], [0] * 4 + [1] * 4)
+        for wrong, expected in (("velvet", "one of Plain, Warp rib"), ("satin,6,2", "satin,6,2"),
+                                ("satin,8,3,0,1", "at most 3 numbers"), ("plain,4", "at most 0 numbers"),
+                                ("satin,many", "Satin: Ends: expected")):
+            with self.subTest(wrong=wrong):
+                said = self.run_program("convert", "a.json", "c.json", "--structure", wrong, status=2)
+                self.assertIn(expected, said)
+
     def test_private_sections_of_a_draft_survive_the_way_through_a_fabric(self):
         self.run_program("convert", self.fabric(), "a.wif")
         text = self.bytes_of("a.wif") + b"[PRIVATE OTHER PROGRAM]\r\n; kept\r\n x = y\r\n"

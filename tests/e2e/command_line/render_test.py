@@ -37,6 +37,14 @@ class Render(CommandLineTest):
         views = ("front", "top", "side", "close", "macro", "20,35", "20,35,40")
         self.assertEqual(len({tuple(self.picture(fabric, "--view", view)) for view in views}), len(views))
 
+    def test_a_fabric_is_seen_in_another_of_its_colourways(self):
+        fabric = self.fabric(colourways=[{"name": "Rust", "absorption_per_mm": [[1, 8, 20], [2, 9, 30]]}])
+        self.assertNotEqual(self.picture(fabric, "--colourway", "Rust"), self.picture(fabric))
+        said = self.run_program("render", fabric, "-o", "a.png", "--colourway", "Moss", status=1)
+        self.assertIn("colourway 'Moss': expected one of 'Rust'", said)
+        said = self.run_program("render", self.fabric(), "-o", "a.png", "--colourway", "Moss", status=1)
+        self.assertIn("which has none", said)
+
     def test_exposure_brightens_a_png_and_leaves_an_exr(self):
         fabric = self.fabric()
         dark = self.picture(fabric, "--light", "dome", "--exposure", -2)

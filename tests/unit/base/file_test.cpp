@@ -117,6 +117,16 @@ TEST_F(File, AFailedWriteLeavesTheOldFile) {
   EXPECT_EQ(filesInFolder(), 1u);
 }
 
+TEST_F(File, AStoppedWriteLeavesTheOldFile) {
+  writeFileAtomically(at("a"), "old");
+  std::stop_source source;
+  EXPECT_TRUE(writeFileAtomically(at("a"), "new", source.get_token()));
+  source.request_stop();
+  EXPECT_FALSE(writeFileAtomically(at("a"), std::string(2000, 'x'), source.get_token()));
+  EXPECT_EQ(readFile(at("a"), 10), "new");
+  EXPECT_EQ(filesInFolder(), 1u);
+}
+
 TEST_F(File, WhereNothingCanBeWrittenIsKnownBeforehand) {
   EXPECT_NO_THROW(expectWritable(at("new")));
   EXPECT_EQ(filesInFolder(), 0u);

@@ -197,6 +197,29 @@ TEST(WifReader, NumbersAreTakenAsPeopleWriteThem) {
             WifUnit::decipoints);
 }
 
+TEST(WifReader, HabitsOfOtherProgramsAreUnderstoodOrSaid) {
+  const WifDocument expected = document(twillFile());
+  for (const char* yes : {"T", "Y", "-1", "\"TRUE\"", "Yes ; always"}) {
+    const std::string text = replaced(twillFile(), "Shed=true", std::string("Shed=") + yes);
+    EXPECT_EQ(document(text), expected) << yes;
+    EXPECT_EQ(warningsOf(text), warningsOf(twillFile())) << yes;
+  }
+  EXPECT_FALSE(document(replaced(twillFile(), "Shed=true", "Shed=F")).draft.risingShed);
+  EXPECT_EQ(document(replaced(twillFile(), "Threads=8", "Threads=8.0")), expected);
+  const std::string thousand = replaced(twillFile(), "Threads=8", "Threads=1.000");
+  EXPECT_EQ(document(thousand).ends(), 8);
+  EXPECT_THAT(warningsOf(thousand), Contains(HasSubstr("Threads=1.000: expected a whole number")));
+  EXPECT_EQ(document(replaced(twillFile(), "Units=Centimeters", "Units=Centimetre")), expected);
+  EXPECT_THAT(warningsOf(replaced(twillFile(), "Range=0,255", "Range=0,255\nForm=HSV")),
+              Contains(HasSubstr("Form=HSV: expected RGB")));
+  EXPECT_EQ(warningsOf(replaced(twillFile(), "Range=0,255", "Range=0,255\nForm=rgb")), warningsOf(twillFile()));
+  const std::string semicolons = replaced(twillFile(), "6=2,3\n", "6=2;3\n");
+  EXPECT_THAT(document(semicolons).draft.treadling.back(), ElementsAre(2));
+  EXPECT_THAT(warningsOf(semicolons), Contains(HasSubstr("6=2;3: expected commas in a list")));
+  EXPECT_EQ(document(twillFile() + std::string("\0\0\x1A", 3)), expected) << "what old systems end a text with";
+  EXPECT_EQ(document(replaced(twillFile(), "\n[WARP]\n", "\n\t[WARP]\t\n")), expected);
+}
+
 TEST(WifReader, LikeWarningsAreCounted) {
   std::string text = twillFile() + "[WEFT COLORS]\n";
   for (int n = 0; n < 1000; ++n) text += "0=1\n";

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "app/workers/mailbox.h"
+#include "app/workers/task_queue.h"
+#include "core/fabric/fabric.h"
+
+namespace loomlight {
+
+/// Reads and writes files on a thread of its own: a large jacquard takes a second, and a slow disk more. One at a time;
+/// what is asked for is said in busy() until its result is taken, or it is cancelled.
+class FileDesk {
+ public:
+  enum class Work { open, takeUp, save, exportTo };
+
+  /// `wake` is called from the thread when there is something to take().
+  explicit FileDesk(std::function<void()> wake);
+
+  /// A fabric, or by the name's ending a weaving file, which takes from `mine` what it does not say.
+  void open(Work work, std::string file, std::shared_ptr<const Fabric> mine);
+  /// `state` comes back with the result.
+  void save(std::string file, std::shared_ptr<const Fabric> fabric, uint64_t state);
+  /// `write` throws, or returns what there is to say of the file that it has written.
+  void exportTo(std::string file, std::function<std::vector<std::string>()> write);
+
+  struct Busy {
+    Work work;
+    std::string file;
+  };
+  const std::optional<Busy>& busy() const { return busy_; }
+  bool isBusyWith(Work work) const { return busy_ && busy_->work == work; }
+  /// Nothing will come of what was to be read. What was to be written will say how far it came.
+  void cancel();
+
+  struct Result {
+    Work work = Work::open;
+    std::string file;
+    std::optional<Fabric> fabric;      ///< that was read
+    std::vector<std::string> remarks;  ///< about what was read or written
+    std::string problem;               ///< why it was not; empty when all went well
+    bool cancelled = false;            ///< and the file is as it was
+    uint64_t state = 0;
+  };
+  /// Once.
+  std::optional<Result> take();
+
+ private:
+  using Task = std::function<void(const std::stop_token&, Result&)>;
+  void post(Work work, std::string file, Task task);
+
+  std::function<void()> wake_;
+  std::optional<Busy> busy_;
+  std::stop_source stop_;
+  uint64_t number_ = 0;  ///< of what is awaited
+  Mailbox<std::pair<uint64_t, Result>> results_;
+  TaskQueue tasks_;  // last: it ends before what its tasks use is gone
+};
+
+}  // namespace loomlight

@@ -1,0 +1,92 @@
+#include "app/editor/file_desk.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+#include <thread>
+
+#include "core/fabric/fabric_json.h"
+
+namespace loomlight {
+namespace {
+namespace fs = std::filesystem;
+
+class FileDeskTest : public testing::Test {
+ protected:
+  FileDeskTest() { fs::create_directories(folder_); }
+  ~FileDeskTest() override { fs::remove_all(folder_); }
+
+  std::string at(const std::string& name) const { return (folder_ / name).string(); }
+  static std::shared_ptr<const Fabric> named(const std::string& name) {
+    Fabric fabric;
+    fabric.name = name;
+    return std::make_shared<const Fabric>(std::move(fabric));
+  }
+  std::optional<FileDesk::Result> result() {
+    for (int i = 0; i < 2000; ++i) {
+      if (auto come = desk_.take()) return come;
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    return std::nullopt;
+  }
+
+  fs::path folder_ = fs::path(testing::TempDir()) / ("loomlight-file-desk-" + std::to_string(getpid()));
+  FileDesk desk_{[] {}};
+};
+
+TEST_F(FileDeskTest, SavesAndOpens) {
+  desk_.save(at("a.json"), named("Tweed"), 7);
+  EXPECT_TRUE(desk_.isBusyWith(FileDesk::Work::save));
+  const auto saved = result();
+  ASSERT_TRUE(saved);
+  EXPECT_EQ(saved->problem, "");
+  EXPECT_EQ(saved->state, 7u);
+  EXPECT_FALSE(desk_.busy());
+  desk_.open(FileDesk::Work::open, at("a.json"), named("mine"));
+  const auto opened = result();
+  ASSERT_TRUE(opened && opened->fabric);
+  EXPECT_EQ(opened->fabric->name, "Tweed");
+  EXPECT_EQ(opened->file, at("a.json"));
+}
+
+TEST_F(FileDeskTest, SaysWhatWentWrong) {
+  desk_.open(FileDesk::Work::open, at("none.json"), named("mine"));
+  const auto opened = result();
+  ASSERT_TRUE(opened);
+  EXPECT_FALSE(opened->fabric);
+  EXPECT_NE(opened->problem.find("none.json"), std::string::npos) << opened->problem;
+  desk_.save(at("no folder/a.json"), named("Tweed"), 1);
+  const auto saved = result();
+  ASSERT_TRUE(saved);
+  EXPECT_NE(saved->problem.find("no folder"), std::string::npos) << saved->problem;
+}
+
+TEST_F(FileDeskTest, WhatIsCancelledDoesNotCome) {
+  writeFabric(*named("Tweed"), at("a.json"));
+  writeFabric(*named("Twill"), at("b.json"));
+  desk_.open(FileDesk::Work::open, at("a.json"), named("mine"));
+  desk_.cancel();
+  EXPECT_FALSE(desk_.busy());
+  desk_.open(FileDesk::Work::open, at("b.json"), named("mine"));
+  const auto opened = result();
+  ASSERT_TRUE(opened && opened->fabric);
+  EXPECT_EQ(opened->fabric->name, "Twill");
+}
+
+TEST_F(FileDeskTest, ASaveThatIsCancelledSaysWhetherItCameTooLate) {
+  writeFabric(*named("old"), at("a.json"));
+  for (int i = 0; i < 20; ++i) {
+    desk_.save(at("a.json"), named("new"), 1);
+    desk_.cancel();
+    EXPECT_TRUE(desk_.busy()) << "until it is known what is in the file";
+    const auto saved = result();
+    ASSERT_TRUE(saved);
+    EXPECT_EQ(readFabric(at("a.json")).name, saved->cancelled ? "old" : "new");
+    writeFabric(*named("old"), at("a.json"));
+  }
+}
+
+}  // namespace
+}  // namespace loomlight
