@@ -104,25 +104,32 @@ Image read(const Light& light) {
 EnvironmentLight::EnvironmentLight(const Light& light) : EnvironmentLight(read(light), light, light.file) {}
 
 EnvironmentLight::EnvironmentLight(Image image, const Light& light, const std::string& file)
-    : intensity_(static_cast<float>(light.intensity)),
+    : EnvironmentLight(std::make_shared<const Map>(std::move(image), file), light) {}
+
+EnvironmentLight::EnvironmentLight(std::shared_ptr<const Map> map, const Light& light)
+    : map_(std::move(map)),
+      intensity_(static_cast<float>(light.intensity)),
       cos_(static_cast<float>(std::cos(light.azimuth_deg * kPi / 180))),
-      sin_(static_cast<float>(std::sin(light.azimuth_deg * kPi / 180))),
-      table_([&] {
+      sin_(static_cast<float>(std::sin(light.azimuth_deg * kPi / 180))) {}
+
+EnvironmentLight::Map::Map(Image image, const std::string& file)
+    : table([&] {
         const Image prepared = prepare(std::move(image), file);
-        width_ = prepared.width;
-        height_ = prepared.height;
-        texels_ = interleave(prepared);
-        return SphereTable(width_, height_, cellMeans(texels_, width_, height_));
+        width = prepared.width;
+        height = prepared.height;
+        texels = interleave(prepared);
+        return SphereTable(width, height, cellMeans(texels, width, height));
       }()) {}
 
 Rgb EnvironmentLight::lookUp(glm::vec3 d) const {
-  const float x = latLongU(d) * static_cast<float>(width_) - 0.5f, y = latLongV(d) * static_cast<float>(height_) - 0.5f;
+  const int width = map_->width, height = map_->height;
+  const float x = latLongU(d) * static_cast<float>(width) - 0.5f, y = latLongV(d) * static_cast<float>(height) - 0.5f;
   const float floorX = std::floor(x), floorY = std::floor(y);
-  const int left = (static_cast<int>(floorX) + width_) % width_, right = (left + 1) % width_;
-  const int top = std::clamp(static_cast<int>(floorY), 0, height_ - 1);
-  const int bottom = std::clamp(static_cast<int>(floorY) + 1, 0, height_ - 1);
+  const int left = (static_cast<int>(floorX) + width) % width, right = (left + 1) % width;
+  const int top = std::clamp(static_cast<int>(floorY), 0, height - 1);
+  const int bottom = std::clamp(static_cast<int>(floorY) + 1, 0, height - 1);
   const auto texel = [&](int column, int row) {
-    return texels_[static_cast<size_t>(row) * static_cast<size_t>(width_) + static_cast<size_t>(column)];
+    return map_->texels[static_cast<size_t>(row) * static_cast<size_t>(width) + static_cast<size_t>(column)];
   };
   const float fx = x - floorX, fy = y - floorY;
   return glm::mix(glm::mix(texel(left, top), texel(right, top), fx),
@@ -134,7 +141,7 @@ Rgb EnvironmentLight::escape(glm::vec3 d) const {
 }
 
 std::optional<LightSample> EnvironmentLight::sample(glm::vec3, Random& random) const {
-  const SphereTable::Sample chosen = table_.sample(random);
+  const SphereTable::Sample chosen = map_->table.sample(random);
   const Rgb radiance = intensity_ * lookUp(chosen.direction);
   if (radiance == Rgb(0)) return std::nullopt;
   return LightSample{toWorld(chosen.direction), std::numeric_limits<float>::infinity(), radiance, chosen.pdf, false};

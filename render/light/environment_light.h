@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -25,22 +26,29 @@ class EnvironmentLight {
   explicit EnvironmentLight(const Light& light);
   /// `file` only names the image in messages.
   EnvironmentLight(Image image, const Light& light, const std::string& file);
+  /// The image of another light, not read again, as this one shines.
+  EnvironmentLight(const EnvironmentLight& other, const Light& light) : EnvironmentLight(other.map_, light) {}
 
   Rgb escape(glm::vec3 d) const;
   bool wantsSampling() const { return true; }
   std::optional<LightSample> sample(glm::vec3 p, Random& random) const;
-  float pdf(glm::vec3 d) const { return table_.pdf(toImage(d)); }
+  float pdf(glm::vec3 d) const { return map_->table.pdf(toImage(d)); }
 
  private:
+  struct Map {
+    Map(Image image, const std::string& file);
+    int width = 0, height = 0;
+    std::vector<Rgb> texels;
+    SphereTable table;
+  };
+  EnvironmentLight(std::shared_ptr<const Map> map, const Light& light);
   glm::vec3 toImage(glm::vec3 d) const { return {cos_ * d.x + sin_ * d.y, cos_ * d.y - sin_ * d.x, d.z}; }
   glm::vec3 toWorld(glm::vec3 d) const { return {cos_ * d.x - sin_ * d.y, cos_ * d.y + sin_ * d.x, d.z}; }
   Rgb lookUp(glm::vec3 d) const;
 
-  int width_ = 0, height_ = 0;
-  std::vector<Rgb> texels_;
+  std::shared_ptr<const Map> map_;
   float intensity_;
   float cos_, sin_;  ///< of the azimuth
-  SphereTable table_;
 };
 
 }  // namespace loomlight

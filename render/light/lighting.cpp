@@ -15,7 +15,8 @@ namespace {
 
 using AnyLight = std::variant<UniformLight, SkyLight, EnvironmentLight, Headlight, DirectionalLight>;
 
-AnyLight makeLight(const Light& light, glm::vec3 eye_mm, float reach_mm) {
+AnyLight makeLight(const Light& light, glm::vec3 eye_mm, float reach_mm, const AnyLight* same) {
+  if (const auto* known = same ? std::get_if<EnvironmentLight>(same) : nullptr) return EnvironmentLight(*known, light);
   const auto intensity = static_cast<float>(light.intensity);
   switch (light.kind) {
     case LightKind::sky:
@@ -42,6 +43,12 @@ AnyLight makeLight(const Light& light, glm::vec3 eye_mm, float reach_mm) {
   return UniformLight(0, 0);
 }
 
+std::filesystem::file_time_type writtenAt(const Light& light) {
+  std::error_code missing;  // reading it will say so
+  return light.kind == LightKind::environment ? std::filesystem::last_write_time(light.file, missing)
+                                              : std::filesystem::file_time_type::min();
+}
+
 Image tinted(Image image, Rgb tint) {
   constexpr const char* kNames[] = {"R", "G", "B"};
   for (Image::Channel& channel : image.channels)
@@ -53,8 +60,17 @@ Image tinted(Image image, Rgb tint) {
 
 }  // namespace
 
-Lighting::Lighting(const Light& light, glm::vec3 eye_mm, float reach_mm)
-    : light_(makeLight(light, eye_mm, reach_mm)), tint_(blackBodyTint(light.temperature_K)) {}
+Lighting::Lighting(const Light& light, glm::vec3 eye_mm, float reach_mm, const Lighting* previous)
+    : kind_(light.kind),
+      file_(light.file),
+      written_(writtenAt(light)),
+      light_(makeLight(light, eye_mm, reach_mm, previous && previous->shows(*this) ? &previous->light_ : nullptr)),
+      tint_(blackBodyTint(light.temperature_K)) {}
+
+/// Whether another one has the same surroundings, brighter or turned perhaps.
+bool Lighting::shows(const Lighting& other) const {
+  return kind_ == other.kind_ && file_ == other.file_ && written_ == other.written_;
+}
 
 Lighting::Lighting(const Light& light, glm::vec3 eye_mm) : Lighting(light, eye_mm, glm::length(eye_mm)) {}
 

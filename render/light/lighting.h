@@ -1,6 +1,8 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
+#include <string>
 #include <variant>
 
 #include "core/base/random.h"
@@ -17,8 +19,10 @@ namespace loomlight {
 class Lighting {
  public:
   /// Loads or computes the environment. `eye_mm` is where the headlight shines from, `reach_mm` how far away intensity
-  /// 1 lights white paper to radiance 1: the camera's distance from what it looks at. Throws InputError for a bad file.
-  Lighting(const Light& light, glm::vec3 eye_mm, float reach_mm);
+  /// 1 lights white paper to radiance 1: the camera's distance from what it looks at. The image of `previous` serves
+  /// again where it is of the same surroundings, and its file has not been written since. Throws InputError for a bad
+  /// file.
+  Lighting(const Light& light, glm::vec3 eye_mm, float reach_mm, const Lighting* previous = nullptr);
   /// Looking at the origin.
   Lighting(const Light& light, glm::vec3 eye_mm);
 
@@ -34,6 +38,11 @@ class Lighting {
   float pdf(glm::vec3 d) const;
 
  private:
+  bool shows(const Lighting& other) const;
+
+  LightKind kind_;
+  std::string file_;                         ///< of the environment
+  std::filesystem::file_time_type written_;  ///< the file; the earliest of all where there is none
   std::variant<UniformLight, SkyLight, EnvironmentLight, Headlight, DirectionalLight> light_;
   Rgb tint_;  ///< of its temperature; directions are chosen without it
 };

@@ -131,7 +131,8 @@ std::shared_ptr<const Scene> makeScene(std::shared_ptr<const Fabric> fabric, con
   scene->lighting = previous && !change.lighting
                         ? previous->lighting
                         : std::make_shared<const Lighting>(fabric->light, CameraRays(fabric->camera, 1, 1).eye_mm(),
-                                                           static_cast<float>(fabric->camera.distance_mm));
+                                                           static_cast<float>(fabric->camera.distance_mm),
+                                                           previous ? previous->lighting.get() : nullptr);
   return scene;
 }
 

@@ -2,13 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 
 #include "core/base/error.h"
 #include "render/light/daylight.h"
 #include "render/light/lat_long.h"
 #include "render/light/spectrum.h"
+#include "tests/unit/film/scratch_folder.h"
 
 namespace loomlight {
 namespace {
@@ -192,6 +195,32 @@ TEST(Headlight, IsAsBrightOnWhatTheCameraLooksAtWhereverThatIs) {
     ASSERT_TRUE(sample);
     EXPECT_NEAR(sample->radiance.g, kPi, 1e-4);  // of a delta light: its irradiance
   }
+}
+
+// A drag of the temperature must not read the file at every step, and a file that was written anew must be seen.
+TEST(Lighting, ReadsAnEnvironmentOnce) {
+  const test::ScratchFolder folder;
+  Light light;
+  light.kind = LightKind::environment;
+  light.file = folder.file("room.exr");
+  Light source;
+  source.kind = LightKind::sky;
+  writeExr(light.file, environmentImage(source, 64));
+  const Lighting first(light, {0, 0, 60}, 60);
+  const auto written = std::filesystem::last_write_time(light.file);
+  std::filesystem::resize_file(light.file, 10);
+  std::filesystem::last_write_time(light.file, written);
+
+  light.temperature_K = 3000;
+  light.intensity = 2;
+  const Lighting warmer(light, {0, 0, 60}, 60, &first);
+  const glm::vec3 d = glm::normalize(glm::vec3(0.3f, -0.5f, 0.6f));
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(warmer.escape(d)[c], 2 * blackBodyTint(3000)[c] * first.escape(d)[c], 1e-4f);
+  EXPECT_EQ(warmer.pdf(d), first.pdf(d));
+
+  EXPECT_THROW(Lighting(light, {0, 0, 60}, 60), InputError) << "read";
+  std::filesystem::last_write_time(light.file, written + std::chrono::seconds(1));
+  EXPECT_THROW(Lighting(light, {0, 0, 60}, 60, &warmer), InputError) << "read again";
 }
 
 }  // namespace
