@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/parallel.h"
 #include "core/base/random.h"
 
 namespace loomlight {
@@ -29,15 +30,16 @@ void keepWithin(DiscCentres& centres, double rim) {
 /// As threads that push one another aside: discs apart at every stage, within the rim, and straight from stage to
 /// stage, the less so the nearer to the end. Where there is too little room for all, they overlap.
 void partThreads(std::vector<DiscCentres>& stages, const Threads& fibres, double rim) {
-  constexpr double kTouching = 0.01;  // overlap, in radii, that counts as none
+  constexpr double kTouching = 0.01;                       // overlap, in radii, that counts as none
+  const int threads = std::max(1, hardwareThreads() - 1);  // one is the window's
   std::vector<Parting> partings(stages.size(), Parting(fibres));
+  std::vector<double> overlaps(stages.size());
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
-    double worst = 0;
-    for (size_t k = 0; k < stages.size(); ++k) {
-      worst = std::max(worst, partings[k].sweep(stages[k]));
+    parallelFor(stages.size(), threads, [&](size_t k) {
+      overlaps[k] = partings[k].sweep(stages[k]);
       keepWithin(stages[k], rim);
-    }
-    if (worst < kTouching * fibres.radius_mm) return;
+    });
+    if (*std::max_element(overlaps.begin(), overlaps.end()) < kTouching * fibres.radius_mm) return;
     straighten(stages, 0.5 * (1 - (sweep + 1.0) / kSweeps));
   }
 }
