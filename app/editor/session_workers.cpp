@@ -37,13 +37,11 @@ void Session::follow() {
 
 void Session::followDocument() {
   const std::shared_ptr<const Fabric>& fabric = document_.fabric();
-  // Early tables are good enough to begin with; after that only the best are worth a new picture.
+  // Early tables are good enough to begin with; the picture goes over to better ones as they come.
   const RenderSettings& render = fabric->render;
   const std::shared_ptr<const BakedVisibility> baked = visibility_.newest();
   const bool reports = render.method == Method::volume && render.estimator == Estimator::report;
-  const bool better =
-      reports && baked && baked != usedVisibility_ &&
-      (!usedVisibility_ || baked->bake != usedVisibility_->bake || (baked->finished && !usedVisibility_->finished));
+  const bool better = reports && baked && (!usedVisibility_ || worthTaking(*baked, *usedVisibility_));
   const bool another =
       fabric != requested_ || viewport_.width != requestedWidth_ || viewport_.height != requestedHeight_;
   if (another || better) {

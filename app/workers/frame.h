@@ -10,12 +10,14 @@
 namespace loomlight {
 
 /// A picture of the viewport, or of a window onto it; immutable once it is shown. Coarse first passes have fewer pixels
-/// than the window: show them stretched over it.
+/// than the window: show them stretched over it. A picture under way may be fine where it has come to, and as before
+/// elsewhere.
 struct Frame {
   int width = 0, height = 0;
   std::vector<glm::vec4> rgba;      ///< linear, premultiplied by alpha; row by row from the top left
   std::vector<glm::vec4> denoised;  ///< the same for the display alone, with less noise; empty where not asked for
   std::vector<Film::Hit> hits;      ///< yarn and crossing per pixel; -1 where there is no cloth. Empty in the lens
+  std::vector<float> variances;     ///< of the luminance; empty where unknown, or not needed to make `denoised`
   PixelRect window;                 ///< what it covers of the viewport
   uint64_t generation = 0;          ///< of the request it answers
   int samples = 0;                  ///< that every pixel has at least; 0 for a coarse pass

@@ -21,6 +21,10 @@ struct PassHistory {
   int coarsest = 32;          ///< divider that the first pass has at most
 };
 
+/// What passes that take longer than one sample are to take: a quarter of the picture's age, as the eye sees progress
+/// in proportion. Seconds.
+double passBudget_s(const PassHistory& history);
+
 /// Coarse and quick first, then finer, then more samples in passes that grow longer as the picture grows older. Pure.
 /// samples == 0 in the plan: converged, nothing left to do.
 PassPlan nextPass(const PassHistory& history, uint32_t samplesWanted);

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 
+#include "app/workers/stretch.h"
 #include "core/fabric/impact.h"
 
 namespace loomlight {
@@ -34,26 +34,6 @@ std::vector<bool> changes(const Frame& fresh, const Frame& old) {
   return changed;
 }
 
-/// The place between two pixels of a coarse picture, along one axis.
-struct Between {
-  int first, second;
-  float share;
-  Between(int fine, int divider, int count) {
-    const float place = (static_cast<float>(fine) + 0.5f) / static_cast<float>(divider) - 0.5f,
-                whole = std::floor(place);
-    first = std::clamp(static_cast<int>(whole), 0, count - 1);
-    second = std::clamp(static_cast<int>(whole) + 1, 0, count - 1);
-    share = place - whole;
-  }
-};
-
-/// As the display stretches it.
-glm::vec4 stretched(const std::vector<glm::vec4>& picture, int width, const Between& x, const Between& y) {
-  const auto at = [&](int u, int v) { return picture[static_cast<size_t>(v) * static_cast<size_t>(width) + u]; };
-  return glm::mix(glm::mix(at(x.first, y.first), at(x.second, y.first), x.share),
-                  glm::mix(at(x.first, y.second), at(x.second, y.second), x.share), y.share);
-}
-
 }  // namespace
 
 bool differInCrossings(const Fabric& before, const Fabric& after) {
@@ -73,13 +53,14 @@ Frame patched(Frame fresh, const Frame& old) {
   whole.recoloured = false;
   const bool denoised = !fresh.denoised.empty() && !old.denoised.empty();
   if (!denoised) whole.denoised.clear();
+  const float ratio = 1.0f / static_cast<float>(fresh.divider);
   for (int y = 0; y < old.height; ++y)
     for (int x = 0; x < old.width; ++x) {
       const size_t coarse = static_cast<size_t>(y / fresh.divider) * static_cast<size_t>(fresh.width) +
                             static_cast<size_t>(x / fresh.divider);
       if (!changed[coarse]) continue;
       const size_t i = static_cast<size_t>(y) * static_cast<size_t>(old.width) + static_cast<size_t>(x);
-      const Between u(x, fresh.divider, fresh.width), v(y, fresh.divider, fresh.height);
+      const Between u(x, ratio, 0, fresh.width), v(y, ratio, 0, fresh.height);
       whole.rgba[i] = stretched(fresh.rgba, fresh.width, u, v);
       if (denoised) whole.denoised[i] = stretched(fresh.denoised, fresh.width, u, v);
       whole.hits[i] = fresh.hits[coarse];

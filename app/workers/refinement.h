@@ -3,9 +3,12 @@
 #include <chrono>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "app/workers/frame.h"
+#include "app/workers/parts.h"
 #include "app/workers/pass_scheduler.h"
+#include "app/workers/stand_in.h"
 #include "core/base/task.h"
 #include "render/trace/medium.h"
 
@@ -18,6 +21,7 @@ struct Traceable {
 };
 
 /// A picture that grows pass by pass, coarse first: of the whole viewport, or of a window onto it that may be moved.
+/// A pass that takes long is done part by part, from the middle outwards, and each part is shown as it is done.
 /// The window looks at a film of the viewport's size, so each pixel's samples are those that it has in the whole
 /// picture, and what a window has once shown is still there when it comes back. Pixels that were never looked at take
 /// no memory.
@@ -32,8 +36,14 @@ class Refinement {
   void beginAt(int divider) { history_.coarsest = divider; }
   /// Begins at full resolution: for a picture that nobody sees before it has many samples.
   void skipCoarse() { history_.divider = 1; }
-  /// Whether frames with hits have a copy with less noise for the display, made by so many threads; 0: they have not.
-  void denoise(int threads) { denoisingThreads_ = threads; }
+  /// Frames have no hits, and are as they were traced: for the lens.
+  void asTraced() { asTraced_ = true; }
+  /// Another picture of the same view, of the window or more, shown where this one is not as good yet.
+  void standIn(std::shared_ptr<const Frame> earlier) { standIn_.emplace(std::move(earlier)); }
+  /// Whether something of that is still to be seen.
+  bool fading() const { return standIn_ && history_.samples < standIn_->samples(); }
+  /// Whether frames with hits have a copy with less noise for the display.
+  void denoise(bool wanted) { denoised_ = wanted; }
   /// From now on keeps what recolouring needs, within so many bytes. Before the first pass.
   void keepPaths(size_t bytes);
 
@@ -48,10 +58,10 @@ class Refinement {
   const Scene& scene() const { return *cloth_.scene; }
   const Medium& medium() const { return *cloth_.medium; }
 
-  /// The next pass. False when stopped: then it goes on where it was.
+  /// The next pass, or part of one. False when stopped: then it goes on where it was.
   bool advance(const Task& task);
 
-  Frame frame(bool withHits) const;
+  Frame frame() const;
   /// The picture at full resolution in other colours, and its noise: the mean variance of its luminance. Of a picture
   /// that keeps its paths and has samples.
   Frame recoloured(const Dye& dye, int threads, double& variance) const;
@@ -59,11 +69,19 @@ class Refinement {
  private:
   using Clock = std::chrono::steady_clock;
 
+  /// A pass under way: what is to be done, and how far it is.
+  struct Pass {
+    PassPlan plan;
+    Parts parts;
+  };
+
   Film& filmFor(int divider);
-  Frame coarseFrame(bool withHits) const;
-  Frame fineFrame(bool withHits) const;
+  Pass beginPass() const;
+  void endPass();
+  Frame traced(const Film& film, int divider) const;
   void finish(Frame& frame) const;
   void takeNoise(Frame& frame) const;
+  std::vector<float> variances(const Frame& frame) const;
 
   Traceable cloth_;
   Film fine_;
@@ -71,7 +89,10 @@ class Refinement {
   std::unique_ptr<PathRecords> records_;  ///< of fine_; null where none are kept
   std::optional<Film> coarse_;            ///< of a 1/coarseDivider_ of the resolution
   int coarseDivider_ = 0;
-  int denoisingThreads_ = 0;
+  bool denoised_ = false, asTraced_ = false;
+  int threads_ = 1;  ///< of the last pass
+  std::optional<Pass> pass_;
+  std::optional<StandIn> standIn_;
   PixelRect window_;
   PassHistory history_;
   Clock::time_point start_;

@@ -147,12 +147,12 @@ void Tracer::take(News news) {
 }
 
 void Tracer::begin(Request request) {
+  constexpr int kLegible = 8;
   const bool sameSize = request.width == request_.width && request.height == request_.height;
   const bool better = picture_ && sameSize && request.generation == request_.generation;
   if (!better && sameSize && recolour(request)) return;
-  // What the old picture has, shown or not: a better one may itself be replaced before it was seen.
-  samplesToBeat_ = better ? std::max(samplesToBeat_, picture_->samples()) : 0;
-  const bool seenFine = better && samplesToBeat_ > 0;
+  const std::shared_ptr<const Frame> earlier = better ? fineFrameOf(request) : nullptr;
+  const int reached = better && picture_->begun() ? picture_->divider() : kLegible;
   // On another drape the cloth may fill the picture as it did not before, or be slower to trace.
   const bool costsAlike = picture_ && picture_->scene().fabric->drape == request.cloth.scene->fabric->drape;
   const double secondsPerPath = costsAlike ? picture_->secondsPerPath() : 0;
@@ -165,9 +165,11 @@ void Tracer::begin(Request request) {
     return;
   }
   beginPicture(secondsPerPath);
-  constexpr int kLegible = 8;
-  if (sameSize && sameView(*request_.cloth.scene->fabric)) picture_->beginAt(kLegible);
-  if (seenFine) picture_->skipCoarse();
+  if (better || (sameSize && sameView(*request_.cloth.scene->fabric))) picture_->beginAt(std::min(kLegible, reached));
+  if (earlier) {
+    picture_->standIn(earlier);
+    picture_->skipCoarse();
+  }
   spentBeforeLens_s_ = 0;
   if (!better) {  // the lens is of another scene; openLens() makes a new one where the same fibres serve
     lens_.reset();
@@ -178,6 +180,15 @@ void Tracer::begin(Request request) {
   state_.error.clear();
 }
 
+/// What is shown of the request, or about to be, if that is a picture at full resolution.
+std::shared_ptr<const Frame> Tracer::fineFrameOf(const Request& request) const {
+  std::shared_ptr<const Frame> newest = picturePending_;
+  if (!newest) newest = frame();
+  const bool fine = newest && newest->samples > 0 && newest->generation == request.generation &&
+                    newest->width == request.width && newest->height == request.height;
+  return fine ? newest : nullptr;
+}
+
 /// Answers a change of colour from the paths that have been traced already, and begins to trace new ones behind. False
 /// where they cannot tell.
 bool Tracer::recolour(const Request& request) {
@@ -186,11 +197,10 @@ bool Tracer::recolour(const Request& request) {
   const auto dye = dyeBetween(known->scene(), *request.cloth.scene);
   if (!dye) return false;
   request_ = request;
-  samplesToBeat_ = 0;
   clear_.reset();
   if (dye->light == Rgb(1) && dye->absorption_per_mm == known->scene().absorption_per_mm) {
     if (dyed_) picture_ = std::exchange(dyed_, std::nullopt);  // back to the colours that it was traced in
-    picturePending_ = framed(picture_->frame(true));
+    picturePending_ = framed(picture_->frame());
   } else {
     const double secondsPerPath = known->secondsPerPath();
     if (!dyed_) dyed_ = std::exchange(picture_, std::nullopt);
@@ -208,14 +218,14 @@ bool Tracer::recolour(const Request& request) {
 void Tracer::beginPicture(double secondsPerPath) {
   picture_.emplace(request_.cloth, request_.width, request_.height, secondsPerPath);
   picture_->keepPaths(kPathBytes);
-  picture_->denoise(denoised_ ? threads_ : 0);
+  picture_->denoise(denoised_);
 }
 
 /// Shows what there is otherwise, at once; a picture that stands in for a better one stays as it is until that comes.
 void Tracer::changeDenoising(bool wanted) {
   denoised_ = wanted;
   for (auto* picture : {&picture_, &dyed_})
-    if (*picture) (*picture)->denoise(wanted ? threads_ : 0);
+    if (*picture) (*picture)->denoise(wanted);
   if (!picture_) return;
   if (dyed_) {
     const auto dye = dyeBetween(dyed_->scene(), picture_->scene());
@@ -258,6 +268,7 @@ void Tracer::openLens() {
   if (!lens_) {
     lens_.emplace(Traceable{request_.cloth.scene, fibres_.scene, fibres_.medium}, request_.width, request_.height,
                   lensSecondsPerPath_);
+    lens_->asTraced();
     spentBeforeLens_s_ = picture_->spent_s();
   }
   if (window == lens_->window()) return;
@@ -268,7 +279,7 @@ void Tracer::openLens() {
 
 void Tracer::showLens() {
   lookForDifference();
-  lensPending_ = framed(lens_->frame(false));
+  lensPending_ = framed(lens_->frame());
   publish();
 }
 
@@ -285,7 +296,6 @@ void Tracer::tracePicture() {
   const auto task = beginPass(*picture_);
   if (!task || !picture_->advance(*task)) return;
   if (worthShowing()) {
-    samplesToBeat_ = 0;
     dyed_.reset();
     lookForDifference();
     showPicture();
@@ -296,9 +306,10 @@ void Tracer::tracePicture() {
 
 void Tracer::showPicture() {
   constexpr int kClear = 16;  // samples from which on a picture needs no help
-  Frame frame = picture_->frame(true);
+  Frame frame = picture_->frame();
   if (clear_ && frame.samples < std::min(clear_->samples, kClear)) {
     picturePending_ = framed(patched(std::move(frame), *clear_));
+    if (picturePending_->samples == 0) picture_->standIn(picturePending_);
     return;
   }
   picturePending_ = framed(std::move(frame));
@@ -311,7 +322,6 @@ void Tracer::showPicture() {
 bool Tracer::worthShowing() const {
   constexpr uint32_t kFewest = 4;  // to know a variance by
   const uint32_t samples = picture_->samples();
-  if (samples < samplesToBeat_) return false;
   if (!dyed_ || samples >= dyed_->samples()) return true;
   return samples >= kFewest && meanVariance(picture_->film()) <= varianceToBeat_;
 }
@@ -324,7 +334,7 @@ void Tracer::traceLens() {
 }
 
 void Tracer::lookForDifference() {
-  if (samplesToBeat_ > 0 || dyed_)
+  if (picture_->fading() || dyed_)
     return;  // the picture that is shown has been measured; the next one is still too noisy
   difference_.reset();
   if (!lens_ || lens_->divider() != 1 || picture_->divider() != 1) return;

@@ -42,7 +42,7 @@ class Tracer {
   ~Tracer();
 
   /// A scene to show. One of the same generation and size as the one before only shows the same better: the old picture
-  /// stays until the new one has as many samples. One that differs in colour alone is shown at once, as converged as
+  /// gives way sample by sample. One that differs in colour alone is shown at once, as converged as
   /// the old picture, from the paths of that; it stays until a picture traced anew has as little noise. The paths kept
   /// for it take at most 256 MB, and as much again while there are two pictures.
   void show(Request request);
@@ -73,6 +73,7 @@ class Tracer {
   void take(News news);
   void begin(Request request);
   bool recolour(const Request& request);
+  std::shared_ptr<const Frame> fineFrameOf(const Request& request) const;
   void beginPicture(double secondsPerPath);
   bool sameView(const Fabric& fabric) const;
   void changeDenoising(bool wanted);
@@ -111,7 +112,6 @@ class Tracer {
   bool denoised_ = false;
   std::optional<Refinement> dyed_;  ///< the old picture, shown in other colours until picture_ is as good
   double varianceToBeat_ = 0;       ///< of it
-  uint32_t samplesToBeat_ = 0;      ///< of the old picture, which stays until then
   double spentBeforeLens_s_ = 0;    ///< on the picture, before the lens was opened
   double lensSecondsPerPath_ = 0;   ///< of the last lens
   /// The last picture with samples at full resolution, and of what: while crossings alone change, its pixels stand in.

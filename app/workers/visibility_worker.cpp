@@ -18,7 +18,18 @@ std::shared_ptr<const BvdfSet> numberedFor(const Fabric& fabric, const std::shar
   return numbered;
 }
 
+bool alike(const BvdfSet& a, const BvdfSet& b) {
+  return a.tableOfYarn == b.tableOfYarn && a.tables == b.tables;
+}
+
 }  // namespace
+
+bool worthTaking(const BakedVisibility& newer, const BakedVisibility& older) {
+  if (newer.tables == older.tables) return false;
+  if (newer.bake != older.bake) return true;
+  if (newer.finished || older.finished) return newer.finished && !older.finished;
+  return newer.rays > 0 && newer.rays >= 4 * older.rays;
+}
 
 VisibilityWorker::VisibilityWorker(std::function<void()> wake, BvdfOptions options, BvdfCache cache)
     : wake_(std::move(wake)), options_(options), cache_(std::move(cache)), known_(cache_) {
@@ -151,10 +162,12 @@ void VisibilityWorker::bake(std::shared_ptr<const Fabric> fabric, std::stop_toke
 void VisibilityWorker::publish(std::shared_ptr<const BvdfSet> tables, bool finished) {
   auto baked = std::make_shared<BakedVisibility>();
   baked->bake = bake_;
+  baked->rays = tables->rays;
   baked->finished = finished;
   baked->yarn = std::clamp(wish_.yarn, 0, static_cast<int>(wish_.fabric->yarns.size()) - 1);
   baked->picture = bvdfSquares(tables->of(baked->yarn), kPictureColumns);
-  baked->tables = std::move(tables);
+  // Of edits in quick succession each borrows what the one before did: the picture need not begin anew.
+  baked->tables = newest_ && alike(*newest_->tables, *tables) ? newest_->tables : std::move(tables);
   {
     std::lock_guard lock(mutex_);
     newest_ = std::move(baked);

@@ -19,10 +19,15 @@ namespace loomlight {
 struct BakedVisibility {
   std::shared_ptr<const BvdfSet> tables;
   uint64_t bake = 0;      ///< counts up; equal ones are of the same yarns, later ones made of more rays
+  uint64_t rays = 0;      ///< of the bake itself; 0 while all is borrowed
   bool finished = false;  ///< nothing better will come of this bake
   int yarn = 0;           ///< of the picture
   Pixels8 picture;        ///< of that yarn's table, as bvdfSquares() lays it out in kPictureColumns
 };
+
+/// Whether a picture that is traced with older tables is to take newer ones: those of other yarns, those that are
+/// finished, and on the way there those made of four times the rays, which have half the noise.
+bool worthTaking(const BakedVisibility& newer, const BakedVisibility& older);
 
 /// Bakes the tables of local visibility of the newest fabric on a thread of its own, at low priority, and shows them as
 /// they become better; what a fabric has been baked for once comes from the cache. Until its own are good, the tables

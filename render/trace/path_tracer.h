@@ -32,7 +32,7 @@ struct PassResult {
 PassResult renderUpTo(uint32_t samples, const Scene& scene, const Medium& medium, const CameraRays& camera, Film& film,
                       const Task& task, uint32_t firstSample = 0);
 /// The same for a part of the film: its pixels get the samples that they would have in the whole picture. `records`, of
-/// the film's size and for all of it, keeps the paths it has room for.
+/// the film's size, keeps the paths it has room for; the window then begins where one of its tiles does.
 PassResult renderUpTo(uint32_t samples, const Scene& scene, const Medium& medium, const CameraRays& camera, Film& film,
                       const PixelRect& window, const Task& task, uint32_t firstSample = 0,
                       PathRecords* records = nullptr);

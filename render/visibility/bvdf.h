@@ -24,6 +24,7 @@ class Bvdf {
   const BvdfResolution& resolution() const { return resolution_; }
   const HotSpot& hotSpot() const { return hotSpot_; }
   std::span<const float> ratios() const { return ratios_; }
+  bool operator==(const Bvdf&) const = default;
 
  private:
   BvdfResolution resolution_;

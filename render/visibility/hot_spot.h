@@ -16,6 +16,7 @@ namespace loomlight {
 struct HotSpot {
   float depth = 1;  ///< sigma D: of an unrelated ray through half the cell
   float reach = 1;  ///< 2 r / D
+  bool operator==(const HotSpot&) const = default;
 
   /// Of fibres of radius r that fill a share `packing` of the room, seen along a distance D.
   static HotSpot of(float radius_mm, float packing, float distance_mm) {

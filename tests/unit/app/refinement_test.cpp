@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "render/trace/make_medium.h"
 #include "render/trace/path_tracer.h"
@@ -40,13 +41,14 @@ TEST_F(RefinementTest, TheWholeHasTheSamplesOfTheRenderer) {
              CameraRays(cloth.scene->fabric->camera, kWidth, kHeight), film, Task{});
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; ++x) EXPECT_EQ(refinement.film().mean(x, y), film.mean(x, y));
-  const Frame frame = refinement.frame(true);
+  const Frame frame = refinement.frame();
   EXPECT_EQ(frame.hits.size(), static_cast<size_t>(kWidth) * kHeight);
   EXPECT_EQ(frame.samples, static_cast<int>(refinement.samples()));
 }
 
 TEST_F(RefinementTest, AWindowTracesItsPixelsOnlyAndFindsThemAgain) {
   Refinement refinement(cloth, kWidth, kHeight, 0);
+  refinement.asTraced();
   const PixelRect first{4, 6, 20, 16}, second{30, 20, 20, 16};
   refinement.look(first);
   refine(refinement, 2);
@@ -62,7 +64,7 @@ TEST_F(RefinementTest, AWindowTracesItsPixelsOnlyAndFindsThemAgain) {
   refinement.look(between);
   EXPECT_FALSE(refinement.begun());
   ASSERT_TRUE(refinement.advance(Task{{}, {}, 1}));
-  const Frame frame = refinement.frame(false);
+  const Frame frame = refinement.frame();
   EXPECT_EQ(frame.rgba.size(), 30u * 14u);
   EXPECT_TRUE(frame.hits.empty());
   const auto seen = std::count_if(frame.rgba.begin(), frame.rgba.end(), [](const glm::vec4& p) { return p.a > 0; });
@@ -78,7 +80,7 @@ TEST_F(RefinementTest, ACoarseWindowCoversAllThatWasAskedFor) {
   const PixelRect window{13, 7, 30, 22};
   refinement.look(window);
   ASSERT_TRUE(refinement.advance(Task{{}, {}, 1}));
-  const Frame frame = refinement.frame(false);
+  const Frame frame = refinement.frame();
   ASSERT_GT(frame.divider, 1);
   EXPECT_LE(frame.window.x, window.x);
   EXPECT_LE(frame.window.y, window.y);
@@ -98,6 +100,74 @@ TEST_F(RefinementTest, AStoppedPassLosesNothing) {
   EXPECT_EQ(refinement.samples(), had);
   refine(refinement, had + 1);
   EXPECT_GT(refinement.spent_s(), 0);
+}
+
+// A pass that takes long is shown part by part, around them what there was before; in the end it is as any other.
+TEST_F(RefinementTest, ALongPassComesInParts) {
+  constexpr int kWide = 300, kHigh = 200;
+  constexpr double kSlow_s = 1e-3;  // a path, or so it was
+  Refinement inParts(cloth, kWide, kHigh, kSlow_s);
+  inParts.beginAt(2);
+  const Task task{{}, {}, 1};
+  ASSERT_TRUE(inParts.advance(task));
+  ASSERT_EQ(inParts.divider(), 2);
+  const Frame coarse = inParts.frame();
+
+  ASSERT_TRUE(inParts.advance(task));
+  EXPECT_EQ(inParts.film().samples(kWide / 2, kHigh / 2), 1u) << "the middle first";
+  const Frame frame = inParts.frame();
+  ASSERT_EQ(frame.divider, 1);
+  EXPECT_EQ(frame.samples, static_cast<int>(inParts.samples()));
+  if (inParts.film().samples(0, 0) == 0) {
+    EXPECT_EQ(frame.hits[0].yarn, coarse.hits[0].yarn) << "as before";
+  }
+
+  refine(inParts, 2);
+  Film straight(kWide, kHigh);
+  renderUpTo(inParts.samples(), *cloth.scene, *cloth.medium, CameraRays(cloth.scene->fabric->camera, kWide, kHigh),
+             straight, task);
+  for (int y = 0; y < kHigh; ++y)
+    for (int x = 0; x < kWide; ++x) ASSERT_EQ(inParts.film().mean(x, y), straight.mean(x, y));
+}
+
+TEST_F(RefinementTest, TakesOverFromAnotherPictureWithoutALeapAndForgetsIt) {
+  constexpr uint32_t kClear = 16;  // from there on pictures are shown as they are
+  Refinement refinement(cloth, kWidth, kHeight, 0);
+  Frame earlier;
+  earlier.width = kWidth;
+  earlier.height = kHeight;
+  earlier.window = {0, 0, kWidth, kHeight};
+  earlier.samples = 8;
+  earlier.rgba.assign(size_t{kWidth} * kHeight, glm::vec4(0.5f, 0.5f, 0.5f, 1));
+  earlier.hits.resize(earlier.rgba.size());
+  refinement.standIn(std::make_shared<const Frame>(earlier));
+  refinement.skipCoarse();
+  EXPECT_TRUE(refinement.fading());
+  EXPECT_EQ(refinement.frame().rgba, earlier.rgba) << "nothing is seen of a picture without samples";
+  EXPECT_EQ(refinement.frame().samples, earlier.samples);
+
+  // Every step is a small one, whatever the machine's speed.
+  const auto brightness = [](const Frame& frame) {
+    double sum = 0;
+    for (const glm::vec4& pixel : frame.rgba) sum += pixel.g;
+    return sum / static_cast<double>(frame.rgba.size());
+  };
+  std::vector<double> seen{brightness(refinement.frame())};
+  while (refinement.fading()) {
+    ASSERT_TRUE(refinement.advance(Task{{}, {}, 1}));
+    seen.push_back(brightness(refinement.frame()));
+  }
+  const double leap = std::abs(seen.back() - seen.front());
+  ASSERT_GT(leap, 0.05);
+  for (size_t i = 1; i < seen.size(); ++i) EXPECT_LT(std::abs(seen[i] - seen[i - 1]), 0.3 * leap) << i;
+
+  refine(refinement, kClear);
+  EXPECT_FALSE(refinement.fading());
+  const Frame last = refinement.frame();
+  EXPECT_EQ(last.samples, static_cast<int>(refinement.samples()));
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x)
+      ASSERT_EQ(Rgb(last.rgba[static_cast<size_t>(y) * kWidth + x]), refinement.film().mean(x, y));
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/support/test_cloth.h"
 #include "tests/unit/app/worker_window.h"
 #include "tests/unit/film/scratch_folder.h"
@@ -114,20 +116,102 @@ TEST(VisibilityWorker, LendsTheTablesOfTheMostSimilarYarnsAndEndsOnItsOwn) {
     auto worker = std::make_unique<VisibilityWorker>(window.waker(), kFewer, cache);
     worker->request(twoYarns(20), 0);
     ASSERT_TRUE(window.waitFor([&] { return finished(*worker); }));
-    const auto similar = worker->newest()->tables;
     if (fromDisk) worker = std::make_unique<VisibilityWorker>(window.waker(), kFewer, cache);
     std::shared_ptr<const BakedVisibility> first;
+    const uint64_t before = worker->newest() ? worker->newest()->bake : 0;
     worker->request(twoYarns(22), 0);
     ASSERT_TRUE(window.waitFor([&] {
       const auto newest = worker->newest();
-      if (!first && newest && newest->tables != similar) first = newest;
-      return first && finished(*worker) && worker->newest()->tables != similar;
+      if (!first && newest && newest->bake > before) first = newest;
+      return first && finished(*worker);
     }));
     EXPECT_FALSE(first->finished);
+    EXPECT_LT(first->rays, worker->newest()->rays);
     const auto straight = bakeBvdf(*twoYarns(22), kFewer, kNoCache, Task{});
     for (size_t i = 0; i < 2; ++i)
       EXPECT_TRUE(sameRatios(straight->tables[i], worker->newest()->tables->tables[i])) << "no trace of what was lent";
   }
+}
+
+/// What a picture takes of a bake, from the tables that a similar yarn has had on.
+std::vector<std::shared_ptr<const BakedVisibility>> taken(VisibilityWorker& worker, Window& window,
+                                                          std::shared_ptr<const Fabric> fabric) {
+  std::vector<std::shared_ptr<const BakedVisibility>> stages;
+  const uint64_t before = worker.newest()->bake;
+  worker.request(std::move(fabric), 0);
+  EXPECT_TRUE(window.waitFor([&] {
+    const auto newest = worker.newest();
+    if (newest->bake > before && (stages.empty() || worthTaking(*newest, *stages.back()))) stages.push_back(newest);
+    return !stages.empty() && stages.back()->finished;
+  }));
+  return stages;
+}
+
+double distance(const BvdfSet& a, const BvdfSet& b) {
+  double squares = 0;
+  size_t count = 0;
+  for (size_t table = 0; table < a.tables.size(); ++table)
+    for (size_t bin = 0; bin < a.tables[table].ratios().size(); ++bin, ++count)
+      squares += std::pow(a.tables[table].ratios()[bin] - b.tables[table].ratios()[bin], 2);
+  return std::sqrt(squares / static_cast<double>(count));
+}
+
+// No stage is a leap: each is nearer to the next than what was borrowed is to the end, and what is borrowed fades.
+TEST(VisibilityWorker, APictureGoesFromBorrowedTablesToItsOwnInSmallSteps) {
+  constexpr BvdfOptions kLong{{4, 4, 8, 16}, 300'000};
+  Window window;
+  VisibilityWorker worker(window.waker(), kLong, kNoCache);
+  worker.request(twoYarns(20), 0);
+  ASSERT_TRUE(window.waitFor([&] { return finished(worker); }));
+  const auto stages = taken(worker, window, twoYarns(60));
+  ASSERT_GE(stages.size(), 3u);
+  const BvdfSet& end = *stages.back()->tables;
+  const double leap = distance(*stages.front()->tables, end);
+  for (size_t i = 1; i < stages.size(); ++i) {
+    SCOPED_TRACE(i);
+    EXPECT_GT(stages[i]->rays, stages[i - 1]->rays);
+    EXPECT_LT(distance(*stages[i]->tables, *stages[i - 1]->tables), leap);
+    EXPECT_LE(distance(*stages[i]->tables, end), distance(*stages[i - 1]->tables, end));
+  }
+}
+
+TEST(VisibilityWorker, EndsOnTheSameTablesByWhateverWay) {
+  Window window;
+  std::vector<std::shared_ptr<const BvdfSet>> ends;
+  for (const std::vector<double>& way : {std::vector<double>{30}, {20, 30}, {45, 30}}) {
+    VisibilityWorker worker(window.waker(), kFew, kNoCache);
+    for (const double count_tex : way) {
+      const uint64_t before = worker.newest() ? worker.newest()->bake : 0;
+      worker.request(twoYarns(count_tex), 0);
+      // One bake is broken off.
+      ASSERT_TRUE(window.waitFor([&] {
+        const auto newest = worker.newest();
+        return newest && newest->bake > before && (newest->finished || count_tex == 45);
+      }));
+    }
+    ASSERT_TRUE(window.waitFor([&] { return finished(worker); }));
+    ends.push_back(worker.newest()->tables);
+  }
+  for (const auto& end : ends) EXPECT_TRUE(end->tables == ends[0]->tables);
+}
+
+TEST(WorthTaking, IsWhatIsOfOtherYarnsOrClearlyBetter) {
+  const auto set = std::make_shared<const BvdfSet>();
+  const auto baked = [](uint64_t bake, uint64_t rays, bool finished, std::shared_ptr<const BvdfSet> tables = nullptr) {
+    BakedVisibility made;
+    made.tables = tables ? tables : std::make_shared<const BvdfSet>();
+    made.bake = bake;
+    made.rays = rays;
+    made.finished = finished;
+    return made;
+  };
+  EXPECT_TRUE(worthTaking(baked(2, 0, false), baked(1, 1000, true)));
+  EXPECT_FALSE(worthTaking(baked(2, 0, false, set), baked(1, 1000, true, set))) << "the very tables";
+  EXPECT_TRUE(worthTaking(baked(2, 100, false), baked(2, 0, false)));
+  EXPECT_FALSE(worthTaking(baked(2, 399, false), baked(2, 100, false)));
+  EXPECT_TRUE(worthTaking(baked(2, 400, false), baked(2, 100, false)));
+  EXPECT_TRUE(worthTaking(baked(2, 401, true), baked(2, 400, false)));
+  EXPECT_FALSE(worthTaking(baked(2, 401, true), baked(2, 401, true)));
 }
 
 }  // namespace
