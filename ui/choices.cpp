@@ -3,8 +3,8 @@
 namespace loomlight {
 
 std::span<const char* const> lightNames(const Light& light) {
-  static constexpr const char* kNames[] = {"Sunny sky",  "Overcast",    "Window",        "Light booth",   "White dome",
-                                           "All around", "From behind", "At the camera", "One direction", "Picture"};
+  static constexpr const char* kNames[] = {"Sunny sky",  "Overcast",    "Window",    "Light booth",   "White dome",
+                                           "All around", "From behind", "Headlight", "One direction", "Picture"};
   return std::span(kNames).first(std::size(kNames) - (light.file.empty() ? 1 : 0));
 }
 

@@ -32,10 +32,10 @@ bool settRows(Ui& ui, bool inches, double& ends, double& picks) {
   bool changed = settField(&Fabric::ends_per_cm, ends);
   changed |= settField(&Fabric::picks_per_cm, picks);
   if (inches)
-    readout(ui, {"cloth.per_cm", "To the cm", "Ends and picks on one centimetre"},
+    readout(ui, {"cloth.per_cm", "Per cm", "Ends and picks on one centimetre"},
             fmt::format("{:.1f} \xC3\x97 {:.1f}", ends, picks));
   else
-    readout(ui, {"cloth.per_inch", "To the inch", "Ends and picks on one inch"},
+    readout(ui, {"cloth.per_inch", "Per inch", "Ends and picks on one inch"},
             fmt::format("{:.0f} \xC3\x97 {:.0f}", 0.1 * kMmPerInch * ends, 0.1 * kMmPerInch * picks));
   return changed;
 }

@@ -6,7 +6,7 @@ namespace loomlight {
 namespace {
 
 constexpr float kGap = 4, kStatusHeight = 28, kNarrowest = 264;
-constexpr float kShare = 0.24f, kWidestDraft = 560, kWidestInspector = 400;  // of panels that nobody has dragged
+constexpr float kShare = 0.246f, kWidestDraft = 560, kWidestInspector = 400;  // of panels that nobody has dragged
 
 /// Panels take what they were given, unless the cloth would lose its half.
 float fittedWidth(float wanted, float widestUndragged, float screenWidth) {

@@ -81,49 +81,4 @@ SnapshotDialog::Result SnapshotDialog::draw(Ui& ui, const RenderJob& job) {
   return result;
 }
 
-void KeysDialog::draw(Ui& ui) {
-  if (!open_ || !beginModal(ui, "Keys and mouse", ImVec2(ui.px(680), 0), open_, opening_)) return;
-  static constexpr const char* kKeys[][2] = {
-      {"Left drag on the cloth", "Orbit"},
-      {"Shift or Space + drag, middle drag", "Move the view"},
-      {"Wheel", "Zoom at the pointer"},
-      {"Click on the cloth", "Choose the yarn that is seen there"},
-      {"F,  Shift+F", "Show the whole cloth, the whole repeat"},
-      {"1,  2,  3", "Look from above, aslant, along the cloth"},
-      {"K", "Keep this view in a strip below, to be compared or brought back"},
-      {"L", "Truth lens: every fibre, in a rectangle that you drag; Esc closes"},
-      {"N", "Denoised preview: noise is taken from what is shown, never from what is kept"},
-      {"Click or drag in the draft", "Turn crossings over; a drag paints the first one's new value"},
-      {"Right drag in the draft", "Weft over"},
-      {"Shift while painting", "Keep to a line"},
-      {"Ctrl+drag in the draft", "Select crossings; Esc selects nothing"},
-      {"Ctrl+A,  Ctrl+C,  Ctrl+X,  Ctrl+V", "Select the repeat; copy, cut, paste crossings"},
-      {"Delete, arrows,  Ctrl+I", "Weft over, shift, invert what is selected"},
-      {"Drag a value", "Scrub it; Shift fine, Ctrl coarse"},
-      {"Click a value", "Type it; Esc keeps the old one"},
-      {"Ctrl+N,  Ctrl+O", "New, open"},
-      {"Ctrl+S,  Ctrl+Shift+S", "Save, save as"},
-      {"Ctrl+Z,  Ctrl+Shift+Z", "Undo, redo"},
-      {"Ctrl+P", "Snapshot"},
-      {"Ctrl+B", "Presets, by pictures"},
-      {"Tab,  F11", "Hide panels, full screen"},
-      {"F1,  ?", "This list"},
-      {"Ctrl+Q", "Quit"},
-  };
-  if (ImGui::BeginTable("keys", 2)) {
-    ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthFixed, ui.px(232));
-    ImGui::TableSetupColumn("what");
-    for (const auto& key : kKeys) {
-      ImGui::TableNextRow();
-      ImGui::TableNextColumn();
-      ImGui::TextDisabled("%s", key[0]);
-      ImGui::TableNextColumn();
-      ImGui::TextUnformatted(key[1]);
-    }
-    ImGui::EndTable();
-  }
-  if (closedBelow(ui, "keys.close")) open_ = false;
-  endModal();
-}
-
 }  // namespace loomlight

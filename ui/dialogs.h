@@ -53,15 +53,4 @@ class SnapshotDialog {
   std::string file_;
 };
 
-/// All keys and mouse gestures.
-class KeysDialog {
- public:
-  void show() { open_ = opening_ = true; }
-  bool isOpen() const { return open_; }
-  void draw(Ui& ui);
-
- private:
-  bool open_ = false, opening_ = false;
-};
-
 }  // namespace loomlight

@@ -6,9 +6,11 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "ui/draft_commands.h"
 #include "ui/draft_drawing.h"
 #include "ui/draft_parts.h"
 #include "ui/fields.h"
+#include "ui/weave_menu.h"
 
 namespace loomlight {
 namespace {
@@ -69,7 +71,8 @@ bool navigate(DraftView& view, const DraftFrame& frame) {
 /// A stroke of the brush, or the pull of a selection.
 std::optional<Weave> stroke(const Weave& weave, DraftView& view, const DraftFrame& frame) {
   using Stroke = DraftView::Stroke;
-  const bool left = ImGui::IsMouseDown(ImGuiMouseButton_Left), right = ImGui::IsMouseDown(ImGuiMouseButton_Right);
+  const bool left = ImGui::IsMouseDown(ImGuiMouseButton_Left);
+  const bool right = view.tool == DraftView::Tool::draw && ImGui::IsMouseDown(ImGuiMouseButton_Right);
   if (!ImGui::IsItemActive() || (!left && !right)) {
     if (view.stroke == Stroke::cells || view.stroke == Stroke::selection) view.stroke = Stroke::none;
     return std::nullopt;
@@ -89,6 +92,19 @@ std::optional<Weave> stroke(const Weave& weave, DraftView& view, const DraftFram
   auto edited = paintCells(weave, strokeBetween(view.strokeLast, now), view.strokeValue);
   view.strokeLast = now;
   return edited;
+}
+
+/// While selecting, the right button asks what to do: with the selection it is in, or else with the crossing there.
+std::optional<Fabric> askWhatToDo(Ui& ui, const Fabric& fabric, const DraftPreferences& preferences, DraftView& view,
+                                  const DraftFrame& frame) {
+  if (view.tool == DraftView::Tool::select && ImGui::IsItemClicked(ImGuiMouseButton_Right)) {
+    const CrossingIndex here = frame.at(ImGui::GetIO().MousePos);
+    if (!view.selection || !isSelected(*view.selection, here, fabric.weave))
+      view.selection = selectionBetween(here, here, fabric.weave);
+    openSelectionMenu();
+  }
+  const auto command = selectionMenu(ui, view.selection.has_value());
+  return command ? runDraftCommand(*command, fabric, preferences, view) : std::nullopt;
 }
 
 std::optional<Fabric> barStroke(Ui& ui, const Fabric& fabric, DraftView& view, const DraftFrame& frame, System system,
@@ -172,8 +188,8 @@ std::optional<Fabric> draftCanvas(Ui& ui, const Fabric& fabric, const std::vecto
   const bool hovered = ImGui::IsItemHovered() || ImGui::IsItemActive();
   const bool navigating = navigate(view, frameOf(view, preferences, cloth));
   const DraftFrame frame = frameOf(view, preferences, cloth);
-  std::optional<Fabric> edited;
-  if (auto weave = navigating ? std::nullopt : stroke(fabric.weave, view, frame)) {
+  std::optional<Fabric> edited = askWhatToDo(ui, fabric, preferences, view, frame);
+  if (auto weave = navigating || edited ? std::nullopt : stroke(fabric.weave, view, frame)) {
     Rewoven result = rewoven(fabric, std::move(*weave), preferences.loom);
     edited = std::move(result.fabric);
     view.remark = std::move(result.remark);

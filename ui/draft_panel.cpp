@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ui/panel_controls.h"
+#include "ui/preset_list.h"
 
 namespace loomlight {
 namespace {
@@ -11,9 +12,11 @@ namespace {
 void panelHead(Ui& ui, DraftView& view) {
   const float gap = ui.px(4);
   bool selects = view.tool == DraftView::Tool::select;
-  toggleButton(ui, "draft.select", "Select",
-               "Drag pulls a rectangle, to be copied, mirrored or given a structure; Ctrl+drag does so at any time.",
-               selects);
+  toggleButton(
+      ui, "draft.select", "Select",
+      "Drag pulls a rectangle, to be copied, mirrored or given a structure; the right button lists what can be "
+      "done. Ctrl+drag selects at any time.",
+      selects);
   view.tool = selects ? DraftView::Tool::select : DraftView::Tool::draw;
   ImGui::SameLine(0, gap);
   toggleButton(ui, "draft.colour", "Colour", "The yarn that lies on top; else point paper: dark is warp over.",
@@ -31,9 +34,11 @@ std::optional<Fabric> draftPanel(Ui& ui, const Fabric& fabric, const std::vector
                                  DraftPreferences& preferences, DraftView& view, std::optional<CrossingIndex> lit) {
   panelHead(ui, view);
   const ImVec2 room = ImGui::GetContentRegionAvail();
-  // What stands below keeps its place: tabs, a page, and the presets. Of a tall window all three get more.
-  const float spare = std::max(0.0f, room.y - ui.px(620));
-  const float page = ui.px(150) + 0.25f * spare, presets = ui.px(110) + 0.25f * spare;
+  // What stands below keeps its place: tabs, a page, and the presets. Of a tall window all three get more; in a low one
+  // the draft comes before presets, which have their dialog too.
+  const float spare = room.y - ui.px(720);
+  const float page = ui.px(190) + 0.25f * std::max(0.0f, spare);
+  const float presets = spare > 0 ? ui.px(kLowestPresetList) + 0.25f * spare : 0;
   const float below = 2 * ImGui::GetFrameHeightWithSpacing() + ui.px(24) + page + presets;
   const float height = std::max(ui.px(180), std::min(1.3f * room.x, room.y - below));
   std::optional<Fabric> edited = draftCanvas(ui, fabric, yarnColours, preferences, view, lit, ImVec2(room.x, height));
@@ -47,7 +52,7 @@ std::optional<Fabric> draftPanel(Ui& ui, const Fabric& fabric, const std::vector
   // The scroll bar lives in the panel's margin, always, so that rows are as wide on a page that needs none.
   const float margin = ImGui::GetStyle().ScrollbarSize;
   ImGui::PushStyleColor(ImGuiCol_ScrollbarGrab, view.pageScrolls ? ui.theme.fieldFill : ImVec4(0, 0, 0, 0));
-  ImGui::BeginChild("draft.page", ImVec2(room.x + margin, left), false,
+  ImGui::BeginChild(kPages[open], ImVec2(room.x + margin, left), false,
                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysVerticalScrollbar);
   ImGui::PopStyleColor();
   view.pageScrolls = ImGui::GetScrollMaxY() > 0;

@@ -46,6 +46,7 @@ void drawRuler(Ui& ui, const Fabric& fabric, const DraftFrame& frame, System alo
     if (!labelled) continue;
     const std::string label = fmt::format("{:.4g}", mm / (inches ? 25.4 : 10.0));
     const ImVec2 size = ImGui::CalcTextSize(label.c_str());
+    if (picks && at - size.y - 1 < ruler.min.y) continue;  // half a number says another one
     if (picks)
       draw.AddText(ImVec2(ruler.min.x, at - size.y - 1), ink, label.c_str());
     else

@@ -86,6 +86,11 @@ CellRect selectionBetween(const CrossingIndex& a, const CrossingIndex& b, const 
           std::min(std::abs(a.end - b.end) + 1, weave.ends())};
 }
 
+bool isSelected(const CellRect& selection, const CrossingIndex& crossing, const Weave& weave) {
+  return wrapped(crossing.end - selection.end, weave.ends()) < selection.ends &&
+         wrapped(crossing.pick - selection.pick, weave.picks()) < selection.picks;
+}
+
 const Draft* draftBeside(const Fabric& fabric, const DraftPreferences& preferences, DraftView& view,
                          std::string* remark) {
   if (fabric.draft) return &*fabric.draft;

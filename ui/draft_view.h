@@ -112,6 +112,9 @@ void zoomDraft(DraftView& view, const DraftFrame& frame, ImVec2 pointer, float c
 /// The selection between two crossings, both included, as DraftView holds it.
 CellRect selectionBetween(const CrossingIndex& a, const CrossingIndex& b, const Weave& weave);
 
+/// Of a selection, whether the crossing is in it; both may go over the edge of the repeat.
+bool isSelected(const CellRect& selection, const CrossingIndex& crossing, const Weave& weave);
+
 /// The draft shown beside the weave; null for a jacquard, and `remark` says why where there is a reason.
 const Draft* draftBeside(const Fabric& fabric, const DraftPreferences& preferences, DraftView& view,
                          std::string* remark = nullptr);

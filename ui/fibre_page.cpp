@@ -82,7 +82,7 @@ bool sourcedField(Ui& ui, Fibre& fibre, double Fibre::*member, int decimals, con
 
 bool absorptionRows(Ui& ui, Fibre& fibre) {
   static constexpr const char* kIds[] = {"fibre.absorption_r", "fibre.absorption_g", "fibre.absorption_b"};
-  static constexpr const char* kLabels[] = {"Absorption red", "Absorption green", "Absorption blue"};
+  static constexpr const char* kLabels[] = {"Absorbs red", "Absorbs green", "Absorbs blue"};
   const FieldInfo info = fieldInfo(&Fibre::absorption_per_mm);
   NumberStyle style;
   style.unit = info.unit;

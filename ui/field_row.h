@@ -4,7 +4,9 @@
 
 namespace loomlight {
 
-/// The grid that all rows share: one height, labels in the left two fifths.
+/// The grid that all rows share: one height, labels in the left part.
+inline constexpr float kLabelShare = 0.475f;
+
 struct FieldRow {
   float width = 0;  ///< of the field
   float height = 0;

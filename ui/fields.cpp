@@ -12,7 +12,6 @@ namespace loomlight {
 namespace {
 
 constexpr double kRestSeconds = 0.5;
-constexpr float kLabelShare = 0.44f;
 
 /// Says that a list opens here.
 void drawChevron(Ui& ui, ImVec2 centre) {
@@ -115,7 +114,7 @@ bool choiceField(Ui& ui, const RowText& text, std::span<const char* const> names
   ImGui::SetNextItemWidth(row.width);
   bool changed = false;
   const char* shown = chosen >= 0 && chosen < static_cast<int>(names.size()) ? names[chosen] : otherwise;
-  const float room = row.width - ui.px(32);
+  const float room = row.width - ui.px(28);
   const std::string preview = shortened(shown, room);
   tellIfClipped(ui, text.id, shown, room);
   const bool open =
@@ -187,8 +186,10 @@ bool textField(Ui& ui, const RowText& text, std::string& value) {
     const ImVec2 max(min.x + row.width, min.y + row.height);
     const ImVec4& field = ImGui::IsItemHovered() ? ui.theme.fieldHover : ui.theme.field;
     const ImU32 clear = packed(field, 0), full = packed(field);
-    ImGui::GetWindowDrawList()->AddRectFilledMultiColor(ImVec2(max.x - ui.px(36), min.y),
-                                                        ImVec2(max.x - ui.px(4), max.y), clear, full, full, clear);
+    const float rounding = ImGui::GetStyle().FrameRounding, end = max.x - 2 * rounding;
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    draw.AddRectFilledMultiColor(ImVec2(end - ui.px(32), min.y), ImVec2(end, max.y), clear, full, full, clear);
+    draw.AddRectFilled(ImVec2(end, min.y), max, full, rounding, ImDrawFlags_RoundCornersRight);
   }
   ImGui::PopID();
   endRow(ui, text, min, ImVec2(min.x + row.width, min.y + row.height));
@@ -300,8 +301,12 @@ bool foldingHeading(Ui& ui, const char* id, const char* text, const char* toolti
 }
 
 void hint(Ui& ui, const std::string& text) {
+  hint(ui, text, ui.theme.textQuiet);
+}
+
+void hint(Ui& ui, const std::string& text, const ImVec4& colour) {
   ImGui::PushFont(ui.fonts.small);
-  ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.textQuiet);
+  ImGui::PushStyleColor(ImGuiCol_Text, colour);
   ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(text.c_str());
   ImGui::PopTextWrapPos();

@@ -58,8 +58,9 @@ bool swatch(Ui& ui, const char* id, const ImVec4& colour, float size, bool selec
 void heading(Ui& ui, const char* text);
 /// A heading that folds what follows it; a click turns `open`, which is returned.
 bool foldingHeading(Ui& ui, const char* id, const char* text, const char* tooltip, bool& open);
-/// Quiet explanation, wrapped to the panel.
+/// Quiet explanation, wrapped to the panel; a warning in the colour of one.
 void hint(Ui& ui, const std::string& text);
+void hint(Ui& ui, const std::string& text, const ImVec4& colour);
 /// Shows `text` when the mouse has rested on the rectangle for a moment.
 void tooltipFor(Ui& ui, const char* id, ImVec2 min, ImVec2 max, const char* text);
 

@@ -44,6 +44,7 @@ void firstHints(Ui& ui, ImVec2 min, ImVec2 size, FirstHints& hints) {
   line(ui, "hints.turned", hints.turned, "Drag the cloth to turn it", "The wheel comes nearer, down to the fibres.");
   line(ui, "hints.set", hints.set, "Drag a number on the right", "Twist, count, fibre: the yarn follows.");
   const float width = ui.px(88);
+  ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("F1 lists all keys");
   ImGui::SameLine(ImGui::GetWindowWidth() - edge - width);
   if (button(ui, "hints.close", "Got it", width)) hints.wanted = false;

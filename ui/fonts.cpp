@@ -45,9 +45,9 @@ void makeDigitsTabular(ImFont& font) {
 Fonts loadFonts(ImFontAtlas& atlas, float scale) {
   atlas.Clear();
   Fonts fonts;
-  fonts.regular = add(atlas, kFontRegular, 15.0f * scale);
-  fonts.strong = add(atlas, kFontStrong, 15.0f * scale);
-  fonts.small = add(atlas, kFontRegular, 13.0f * scale);
+  fonts.regular = add(atlas, kFontRegular, 17.0f * scale);
+  fonts.strong = add(atlas, kFontStrong, 17.0f * scale);
+  fonts.small = add(atlas, kFontRegular, 15.0f * scale);
   atlas.Build();
   for (ImFont* font : atlas.Fonts) makeDigitsTabular(*font);
   return fonts;

@@ -5,38 +5,9 @@
 #include <algorithm>
 
 #include "ui/fields.h"
+#include "ui/panel_controls.h"
 
 namespace loomlight {
-namespace {
-
-void pageTabs(Ui& ui, InspectorView& view) {
-  static constexpr const char* kNames[] = {"Yarn", "Fibre", "Cloth", "Scene"};
-  static constexpr const char* kIds[] = {"tab.yarn", "tab.fibre", "tab.cloth", "tab.scene"};
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const float all = ImGui::GetContentRegionAvail().x, width = all / 4, height = ImGui::GetFrameHeight() + ui.px(4);
-  for (int i = 0; i < 4; ++i) {
-    const ImVec2 a(corner.x + width * static_cast<float>(i), corner.y);
-    ImGui::SetCursorScreenPos(a);
-    if (ImGui::InvisibleButton(kIds[i], ImVec2(width, height))) view.page = static_cast<InspectorView::Page>(i);
-    ui.probe.recordItem(kIds[i]);
-    const bool open = static_cast<int>(view.page) == i;
-    const bool lit = open || ImGui::IsItemHovered();
-    ImGui::PushFont(open ? ui.fonts.strong : ui.fonts.regular);
-    const ImVec2 size = ImGui::CalcTextSize(kNames[i]);
-    draw.AddText(ImVec2(a.x + 0.5f * (width - size.x), a.y + 0.5f * (height - size.y)),
-                 packed(lit ? ui.theme.text : ui.theme.textQuiet), kNames[i]);
-    ImGui::PopFont();
-    if (open)
-      draw.AddRectFilled(ImVec2(a.x + ui.px(8), a.y + height - ui.px(2)), ImVec2(a.x + width - ui.px(8), a.y + height),
-                         packed(ui.theme.text), ui.px(1));
-  }
-  draw.AddLine(ImVec2(corner.x, corner.y + height), ImVec2(corner.x + all, corner.y + height), packed(ui.theme.line));
-  ImGui::SetCursorScreenPos(ImVec2(corner.x, corner.y + height + ui.px(8)));
-}
-
-}  // namespace
-
 void yarnChooser(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& colours, int& yarn, const char* prefix) {
   const float size = ui.px(28), all = ImGui::GetContentRegionAvail().x;
   const int perLine = std::max(1, static_cast<int>((all + ui.px(4)) / (size + ui.px(4))));
@@ -58,7 +29,11 @@ int shownFibre(const Fabric& fabric, const InspectorView& view) {
 
 InspectorResult inspector(Ui& ui, const Fabric& fabric, const InspectorModel& model, InspectorView& view) {
   view.yarn = std::clamp(view.yarn, 0, static_cast<int>(fabric.yarns.size()) - 1);
-  pageTabs(ui, view);
+  static constexpr const char* kTabs[] = {"Yarn", "Fibre", "Cloth", "Scene"};
+  static constexpr const char* kIds[] = {"tab.yarn", "tab.fibre", "tab.cloth", "tab.scene"};
+  int open = static_cast<int>(view.page);
+  pageTabs(ui, kTabs, kIds, open);
+  view.page = static_cast<InspectorView::Page>(open);
   // The scroll bar lives in the panel's margin, always, so that rows are as wide on a page that needs none.
   const float margin = ImGui::GetStyle().ScrollbarSize;
   const ImVec4 grab = view.pageScrolls ? ui.theme.fieldFill : ImVec4(0, 0, 0, 0);

@@ -1,6 +1,6 @@
 #include "ui/panel_controls.h"
 
-#include "ui/fields.h"
+#include "ui/field_row.h"
 
 namespace loomlight {
 
@@ -25,30 +25,32 @@ bool pageTabs(Ui& ui, std::span<const char* const> names, std::span<const char* 
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float all = ImGui::GetContentRegionAvail().x, width = all / static_cast<float>(names.size());
   const float height = ImGui::GetFrameHeight() + ui.px(4);
-  bool changed = false;
-  for (int i = 0; i < static_cast<int>(names.size()); ++i) {
-    const char* const name = names[static_cast<size_t>(i)];
-    const char* const id = ids[static_cast<size_t>(i)];
-    const ImVec2 a(corner.x + width * static_cast<float>(i), corner.y);
-    ImGui::SetCursorScreenPos(a);
-    if (ImGui::InvisibleButton(id, ImVec2(width, height)) && open != i) {
-      open = i;
-      changed = true;
-    }
-    ui.probe.recordItem(id);
-    const bool lit = open == i || ImGui::IsItemHovered();
-    ImGui::PushFont(open == i ? ui.fonts.strong : ui.fonts.regular);
-    const ImVec2 size = ImGui::CalcTextSize(name);
+  const auto leftOf = [&](size_t i) { return corner.x + width * static_cast<float>(i); };
+  const int before = open;
+  size_t hovered = names.size();
+  for (size_t i = 0; i < ids.size(); ++i) {
+    ImGui::SetCursorScreenPos(ImVec2(leftOf(i), corner.y));
+    if (ImGui::InvisibleButton(ids[i], ImVec2(width, height))) open = static_cast<int>(i);
+    if (ImGui::IsItemHovered()) hovered = i;
+    ui.probe.recordItem(ids[i]);
+  }
+  // Drawn once all are asked, lest two look open for a frame.
+  for (size_t i = 0; i < names.size(); ++i) {
+    const bool isOpen = static_cast<int>(i) == open;
+    const ImVec2 a(leftOf(i), corner.y);
+    ImGui::PushFont(isOpen ? ui.fonts.strong : ui.fonts.regular);
+    const ImVec2 size = ImGui::CalcTextSize(names[i]);
     draw.AddText(ImVec2(a.x + 0.5f * (width - size.x), a.y + 0.5f * (height - size.y)),
-                 packed(lit ? ui.theme.text : ui.theme.textQuiet), name);
+                 packed(isOpen || i == hovered ? ui.theme.text : ui.theme.textQuiet), names[i]);
     ImGui::PopFont();
-    if (open == i)
+    tellIfClipped(ui, ids[i], names[i], width);
+    if (isOpen)
       draw.AddRectFilled(ImVec2(a.x + ui.px(8), a.y + height - ui.px(2)), ImVec2(a.x + width - ui.px(8), a.y + height),
                          packed(ui.theme.text), ui.px(1));
   }
   draw.AddLine(ImVec2(corner.x, corner.y + height), ImVec2(corner.x + all, corner.y + height), packed(ui.theme.line));
   ImGui::SetCursorScreenPos(ImVec2(corner.x, corner.y + height + ui.px(8)));
-  return changed;
+  return open != before;
 }
 
 }  // namespace loomlight

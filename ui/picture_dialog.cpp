@@ -84,7 +84,7 @@ void PictureDialog::drawPreview(float size) const {
 }
 
 void PictureDialog::drawFields(Ui& ui) {
-  hint(ui, fmt::format("{}: {} x {} pixels", name_, source_->raster.width, source_->raster.height));
+  hint(ui, fmt::format("{}: {} \xC3\x97 {} pixels", name_, source_->raster.width, source_->raster.height));
   wholeNumberField(ui, {"picture.ends", "Ends", "How many ends the picture is wide: the repeat of the weave."}, "", 1,
                    Weave::kMaxSide, ends_);
   wholeNumberField(ui, {"picture.picks", "Picks", "How many picks it is high."}, "", 1, Weave::kMaxSide, picks_);

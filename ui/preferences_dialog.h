@@ -6,8 +6,13 @@
 
 namespace loomlight {
 
-/// What the editor is set to, beside how it looks. Kept from one session to the next.
+/// What the interface can be scaled by, beside what the monitor asks for.
+inline constexpr float kInterfaceSizes[] = {0.75f, 1.0f, 1.25f, 1.5f, 2.0f};
+
+/// What the editor is set to. Kept from one session to the next.
 struct PreferenceValues {
+  bool& darkTheme;
+  float& interfaceSize;  ///< of kInterfaceSizes
   TradeUnits& units;
   DraftPreferences& draft;
   double& fibreMemory_GB;  ///< what the fibres of the truth lens may take

@@ -6,6 +6,7 @@ namespace loomlight {
 
 std::optional<PresetChoice> presetList(Ui& ui, const std::vector<std::string>& own,
                                        const std::vector<std::string>& samples) {
+  if (ImGui::GetContentRegionAvail().y < ui.px(kLowestPresetList) - 1) return std::nullopt;
   heading(ui, "Presets");
   std::optional<PresetChoice> chosen;
   ImGui::BeginChild("presets", ImVec2(0, 0));

@@ -13,8 +13,11 @@ struct PresetChoice {
   size_t index = 0;  ///< in the list it is from
 };
 
+/// At scale 1; less has no use.
+inline constexpr float kLowestPresetList = 110;
+
 /// The cloths kept at hand: the designer's own, then those that came with the program. Returns the one that was
-/// clicked.
+/// clicked. Where less than kLowestPresetList is left it is not there, and the browser of presets stands in for it.
 std::optional<PresetChoice> presetList(Ui& ui, const std::vector<std::string>& own,
                                        const std::vector<std::string>& samples);
 

@@ -4,14 +4,14 @@
 
 #include <filesystem>
 
-#include "ui/fields.h"
+#include "ui/field_row.h"
 #include "ui/modal.h"
 
 namespace loomlight {
 
 bool chooseFileButton(Ui& ui, const std::string& dialog) {
   ImGui::Dummy(ImVec2(0, 0));
-  ImGui::SameLine(ImGui::GetContentRegionAvail().x * 0.44f + ui.px(16));
+  ImGui::SameLine(ImGui::GetContentRegionAvail().x * kLabelShare + ui.px(16));
   return button(ui, (dialog + ".browse").c_str(), "Choose\xE2\x80\xA6");
 }
 

@@ -29,7 +29,7 @@ bool lightRows(Ui& ui, Light& light, InspectorResult& result) {
   if (turns) changed |= memberField(ui, "light", light, &Light::azimuth_deg, 0, 1);
   if (aimed) changed |= memberField(ui, "light", light, &Light::elevation_deg, 0, 0.5);
   if (light.kind == LightKind::sky) changed |= memberField(ui, "light", light, &Light::turbidity, 1);
-  if (button(ui, "light.browse", "Choose a surrounding\xE2\x80\xA6", 0, true,
+  if (button(ui, "light.browse", "Choose an environment\xE2\x80\xA6", 0, true,
              "A latitude-longitude picture (EXR) that lights the cloth from all around"))
     result.command = Command::chooseEnvironment;
   return changed;

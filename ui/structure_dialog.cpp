@@ -31,6 +31,20 @@ void drawMade(Ui& ui, const MadeStructure& made, const ImVec4 (&darkLight)[2], I
     }
 }
 
+/// What the structure is in numbers, or why there is none: three lines always, so that the rows below stay where they
+/// are.
+void sayFacts(Ui& ui, const MadeStructure& made) {
+  const Floats f = floats(made.weave);
+  std::string facts =
+      fmt::format("{} ends, {} picks; floats of {} and {}", made.weave.ends(), made.weave.picks(), f.warp(), f.weft());
+  if (const auto draft = smallestDraft(made.weave, 256)) facts += fmt::format("; {} shafts", draft->shafts);
+  if (const auto code = isoWeaveCode(made.weave)) facts += "; ISO 9354 " + *code;
+  const bool fails = !made.problem.empty();
+  ImGui::BeginChild("structures.facts", ImVec2(0, 3 * ui.fonts.small->FontSize));
+  hint(ui, fails ? made.problem : facts, fails ? ui.theme.warning : ui.theme.textQuiet);
+  ImGui::EndChild();
+}
+
 bool parameterRow(Ui& ui, const StructureParameter& parameter, int& value) {
   const RowText text{std::string("structures.") + parameter.name, parameter.name, parameter.meaning};
   if (!parameter.choices.empty()) return segmentField(ui, text, parameter.choices, value);
@@ -82,17 +96,8 @@ void StructureDialog::drawChosen(Ui& ui, const std::optional<CellRect>& selectio
   const float side = ui.px(224);
   drawMade(ui, made_, darkLight, ImGui::GetCursorScreenPos(), side, 32);
   ImGui::Dummy(ImVec2(side, side));
-  heading(ui, made_.name.c_str());
-  const Floats f = floats(made_.weave);
-  const auto draft = smallestDraft(made_.weave, 256);
-  std::string facts = fmt::format("{} ends, {} picks; floats of {} and {}", made_.weave.ends(), made_.weave.picks(),
-                                  f.warp(), f.weft());
-  if (draft) facts += fmt::format("; {} shafts", draft->shafts);
-  if (const auto code = isoWeaveCode(made_.weave)) facts += "; ISO 9354 " + *code;
-  ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.warning);
-  if (!made_.problem.empty()) ImGui::TextWrapped("%s", made_.problem.c_str());
-  ImGui::PopStyleColor();
-  if (made_.problem.empty()) hint(ui, facts);
+  heading(ui, shortened(made_.name, ImGui::GetContentRegionAvail().x).c_str());
+  sayFacts(ui, made_);
   ui.probe.fact("structures.name", made_.name);
   ui.probe.fact("structures.problem", made_.problem);
   for (size_t i = 0; i < kind.parameters.size(); ++i)

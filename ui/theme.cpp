@@ -24,10 +24,10 @@ Theme Theme::dark() {
   t.panel = hex(0x212122);
   t.field = hex(0x2e2e30);
   t.fieldHover = hex(0x38383b);
-  t.fieldFill = hex(0x46464a);
+  t.fieldFill = hex(0x434347);
   t.line = hex(0x363638);
   t.text = hex(0xe4e4e5);
-  t.textQuiet = hex(0x9b9b9f);
+  t.textQuiet = hex(0xb0b0b4);
   t.accent = hex(0x8fb4d6);
   t.onAccent = hex(0x10161b);
   t.warning = hex(0xe0ac4c);
@@ -48,7 +48,7 @@ Theme Theme::light() {
   t.fieldFill = hex(0xd8d9db);
   t.line = hex(0xcfcfd1);
   t.text = hex(0x1d1d1f);
-  t.textQuiet = hex(0x636367);
+  t.textQuiet = hex(0x5d5d61);
   t.accent = hex(0x2c6391);
   t.onAccent = hex(0xffffff);
   t.warning = hex(0x8f5d00);
@@ -63,7 +63,7 @@ Theme Theme::light() {
 void Theme::apply(ImGuiStyle& style, float scale) const {
   style = ImGuiStyle();
   style.WindowPadding = ImVec2(16, 16);
-  style.FramePadding = ImVec2(8, 5);
+  style.FramePadding = ImVec2(8, 4);
   style.ItemSpacing = ImVec2(8, 8);
   style.ItemInnerSpacing = ImVec2(8, 4);
   style.CellPadding = ImVec2(4, 4);

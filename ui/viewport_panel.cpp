@@ -114,22 +114,24 @@ void drawOverlays(Ui& ui, const ViewportModel& model, const LensView& lens, ImVe
 }
 
 /// Where the choices below the picture are. They share what the buttons leave; exposure, a number that says its unit,
-/// goes without its label before a choice would lose its end.
+/// and then the choices go without their labels before a choice would lose its end.
 struct StripColumns {
   float choice = 0, exposure = 0;
-  bool exposureLabelled = true;
+  bool exposureLabelled = true, choicesLabelled = true;
 };
 
 StripColumns stripColumns(Ui& ui, float room) {
   const auto labelled = [&](const char* label, float field) {
     return ImGui::CalcTextSize(label).x + ui.px(12) + field;
   };
-  const float number = ui.px(84), longest = labelled("Drape", ImGui::CalcTextSize("At the camera").x + ui.px(40));
+  const float number = ui.px(84), list = ImGui::CalcTextSize("One direction").x + ui.px(40);
+  const float longest = labelled("Drape", list);
   StripColumns columns;
   columns.exposure = labelled("Exposure", number);
   columns.exposureLabelled = room - columns.exposure >= 2 * longest;
   if (!columns.exposureLabelled) columns.exposure = number;
-  columns.choice = std::clamp(0.5f * (room - columns.exposure), 0.5f * longest, ui.px(220));
+  columns.choicesLabelled = room - columns.exposure >= 2 * longest;
+  columns.choice = std::clamp(0.5f * (room - columns.exposure), 0.5f * list, ui.px(220));
   return columns;
 }
 
@@ -151,7 +153,8 @@ std::optional<Fabric> quickChoices(Ui& ui, const Fabric& fabric, ViewportView& v
   };
   column("light", columns.choice, [&] {
     int kind = static_cast<int>(fabric.light.kind);
-    if (choiceField(ui, {"view.light", "Light", "What shines on the cloth", true}, lightNames(fabric.light), kind)) {
+    if (choiceField(ui, {"view.light", columns.choicesLabelled ? "Light" : "", "Light: what shines on the cloth", true},
+                    lightNames(fabric.light), kind)) {
       edited = fabric;
       edited->light = withKind(fabric.light, static_cast<LightKind>(kind));
     }
@@ -159,7 +162,9 @@ std::optional<Fabric> quickChoices(Ui& ui, const Fabric& fabric, ViewportView& v
   column("drape", columns.choice, [&] {
     int kind = static_cast<int>(fabric.drape.kind);
     const auto names = drapeNames(fabric.drape);
-    if (choiceField(ui, {"view.drape", "Drape", "The surface the cloth lies on", true}, names, kind)) {
+    if (choiceField(
+            ui, {"view.drape", columns.choicesLabelled ? "Drape" : "", "Drape: the surface the cloth lies on", true},
+            names, kind)) {
       edited = fabric;
       edited->drape.kind = static_cast<DrapeKind>(kind);
       view.fitWanted = true;
@@ -172,12 +177,13 @@ std::optional<Fabric> quickChoices(Ui& ui, const Fabric& fabric, ViewportView& v
     style.max = 8;
     style.decimals = 1;
     style.perPixel = 0.02;
-    numberField(ui,
-                {"view.exposure", columns.exposureLabelled ? "Exposure" : "",
-                 "Exposure: brightness of the display, in stops: +1 is twice as bright. It "
-                 "changes neither the light nor the cloth.",
-                 true},
-                style, view.exposure_stops);
+    numberField(
+        ui,
+        {"view.exposure", columns.exposureLabelled ? "Exposure" : "",
+         "Exposure: brightness of the display, in stops: +1 is twice as bright. It "
+         "changes neither the light nor the cloth. Colours are shown in sRGB, with the white of daylight (D65).",
+         true},
+        style, view.exposure_stops);
   });
   const float right = ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x;
   if (tools > 1) {

@@ -3,6 +3,8 @@
 namespace loomlight {
 namespace {
 
+constexpr const char* kSelectionMenu = "selection menu";
+
 class Items {
  public:
   explicit Items(Ui& ui) : ui_(ui) {}
@@ -17,6 +19,30 @@ class Items {
   Ui& ui_;
   std::optional<DraftCommand> chosen_;
 };
+
+/// What is done to the selection, or to the whole repeat.
+void editItems(Ui& ui, Items& items, bool selection) {
+  items.add("menu.select_all", "Select all", "Ctrl+A", DraftCommand::selectAll);
+  items.add("menu.select_nothing", "Select nothing", "Esc", DraftCommand::selectNothing, selection);
+  items.add("menu.cut", "Cut", "Ctrl+X", DraftCommand::cut);
+  items.add("menu.copy", "Copy", "Ctrl+C", DraftCommand::copy);
+  items.add("menu.paste", "Paste", "Ctrl+V", DraftCommand::paste);
+  items.add("menu.fill", "Fill with what was copied", "Ctrl+Shift+V", DraftCommand::fillWithCopy);
+  items.add("menu.clear", "Weft over", "Delete", DraftCommand::clear, selection);
+  ImGui::Separator();
+  items.add("menu.invert", "Invert", "Ctrl+I", DraftCommand::invert);
+  items.add("menu.mirror_ends", "Mirror left and right", "", DraftCommand::mirrorEnds);
+  items.add("menu.mirror_picks", "Mirror top and bottom", "", DraftCommand::mirrorPicks);
+  items.add("menu.turn", "Turn to the right", "", DraftCommand::quarterTurn);
+  if (beginMenu(ui, "menu.shift", "Shift")) {
+    items.add("menu.shift_left", "Left", "Left", DraftCommand::shiftLeft);
+    items.add("menu.shift_right", "Right", "Right", DraftCommand::shiftRight);
+    items.add("menu.shift_up", "Up", "Up", DraftCommand::shiftUp);
+    items.add("menu.shift_down", "Down", "Down", DraftCommand::shiftDown);
+    ImGui::EndMenu();
+  }
+  items.add("menu.crop", "Make the selection the repeat", "", DraftCommand::repeatSelection, selection);
+}
 
 }  // namespace
 
@@ -33,30 +59,27 @@ std::optional<DraftCommand> weaveMenu(Ui& ui, const WeaveMenuModel& model) {
   items.add("menu.structures", "Structures\xE2\x80\xA6", "", DraftCommand::structures);
   items.add("menu.picture", "From a picture\xE2\x80\xA6", "", DraftCommand::fromPicture);
   ImGui::Separator();
-  items.add("menu.select_all", "Select all", "Ctrl+A", DraftCommand::selectAll);
-  items.add("menu.select_nothing", "Select nothing", "Esc", DraftCommand::selectNothing, model.selection);
-  items.add("menu.cut", "Cut", "Ctrl+X", DraftCommand::cut);
-  items.add("menu.copy", "Copy", "Ctrl+C", DraftCommand::copy);
-  items.add("menu.paste", "Paste", "Ctrl+V", DraftCommand::paste);
-  items.add("menu.fill", "Fill with what was copied", "Ctrl+Shift+V", DraftCommand::fillWithCopy);
-  items.add("menu.clear", "Weft over", "Delete", DraftCommand::clear, model.selection);
-  ImGui::Separator();
-  items.add("menu.invert", "Invert", "Ctrl+I", DraftCommand::invert);
-  items.add("menu.mirror_ends", "Mirror left and right", "", DraftCommand::mirrorEnds);
-  items.add("menu.mirror_picks", "Mirror top and bottom", "", DraftCommand::mirrorPicks);
-  items.add("menu.turn", "Turn to the right", "", DraftCommand::quarterTurn);
-  if (beginMenu(ui, "menu.shift", "Shift")) {
-    items.add("menu.shift_left", "Left", "Left", DraftCommand::shiftLeft);
-    items.add("menu.shift_right", "Right", "Right", DraftCommand::shiftRight);
-    items.add("menu.shift_up", "Up", "Up", DraftCommand::shiftUp);
-    items.add("menu.shift_down", "Down", "Down", DraftCommand::shiftDown);
-    ImGui::EndMenu();
-  }
-  items.add("menu.crop", "Make the selection the repeat", "", DraftCommand::repeatSelection, model.selection);
+  editItems(ui, items, model.selection);
   ImGui::Separator();
   items.add("menu.back", "Seen from the back", "", DraftCommand::showBack, true, model.back);
   items.add("menu.floats", "Mark long floats", "", DraftCommand::markFloats, true, model.marksFloats);
   ImGui::EndMenu();
+  return items.chosen();
+}
+
+void openSelectionMenu() {
+  ImGui::OpenPopup(kSelectionMenu);
+}
+
+std::optional<DraftCommand> selectionMenu(Ui& ui, bool selection) {
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(16), ui.px(10)));
+  Items items(ui);
+  if (ImGui::BeginPopup(kSelectionMenu)) {
+    editItems(ui, items, selection);
+    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+  }
+  ImGui::PopStyleVar();
   return items.chosen();
 }
 

@@ -16,6 +16,9 @@ struct WeaveMenuModel {
 bool beginMenu(Ui& ui, const char* id, const char* label);
 /// The menu of all that is done to a weave; within the menu bar.
 std::optional<DraftCommand> weaveMenu(Ui& ui, const WeaveMenuModel& model);
+/// What is done to a selection, beside the mouse: opened once, drawn in the same window.
+void openSelectionMenu();
+std::optional<DraftCommand> selectionMenu(Ui& ui, bool selection);
 /// What a cloth can be written as for others; within the file menu.
 std::optional<DraftCommand> exportMenu(Ui& ui);
 

@@ -62,6 +62,7 @@ class FrameWatch {
 double drawFrame(Window& window, Session& session, WidgetProbe& probe, FieldMemory& memory, FrameWatch& watch) {
   const Theme theme = session.settings().darkTheme ? Theme::dark() : Theme::light();
   window.setTheme(theme);
+  window.setInterfaceSize(session.settings().interfaceSize);
   window.beginFrame();
   probe.beginFrame();
   Ui ui{theme, window.fonts(), probe, memory, window.scale(), seconds()};

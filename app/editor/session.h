@@ -32,6 +32,7 @@
 #include "ui/file_browser.h"
 #include "ui/first_hints.h"
 #include "ui/inspector.h"
+#include "ui/keys_dialog.h"
 #include "ui/picture_dialog.h"
 #include "ui/preferences_dialog.h"
 #include "ui/preset_browser.h"

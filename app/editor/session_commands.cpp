@@ -239,8 +239,9 @@ void Session::drawDialogs(Ui& ui) {
     afterwards_ = Afterwards::nothing;  // no file was named
   drawBusy(ui);
   if (const auto answer = message_.draw(ui)) answered(*answer);
-  preferences_.draw(ui, 1e-9 * static_cast<double>(physicalMemory_bytes()),
-                    {settings_.units, settings_.draft, settings_.fibreMemory_GB});
+  preferences_.draw(
+      ui, 1e-9 * static_cast<double>(physicalMemory_bytes()),
+      {settings_.darkTheme, settings_.interfaceSize, settings_.units, settings_.draft, settings_.fibreMemory_GB});
   keys_.draw(ui);
   if (presetBrowser_.isOpen()) drawPresets(ui);
   compare_.draw(ui, shelf_.comparison());

@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/memory.h"
+#include "ui/preferences_dialog.h"
 
 namespace loomlight {
 
@@ -87,6 +88,8 @@ Settings readSettings(const std::filesystem::path& file) {
     settings.windowWidth = std::clamp(json.value("window_width", settings.windowWidth), 960, 16384);
     settings.windowHeight = std::clamp(json.value("window_height", settings.windowHeight), 600, 16384);
     settings.darkTheme = json.value("dark_theme", settings.darkTheme);
+    settings.interfaceSize =
+        std::clamp(json.value("interface_size", settings.interfaceSize), kInterfaceSizes[0], kInterfaceSizes[4]);
     settings.desk.draftWidth = std::clamp(json.value("draft_width", settings.desk.draftWidth), 0.0f, 4000.0f);
     settings.desk.inspectorWidth =
         std::clamp(json.value("inspector_width", settings.desk.inspectorWidth), 0.0f, 4000.0f);
@@ -112,6 +115,7 @@ void writeSettings(const std::filesystem::path& file, const Settings& settings) 
   const nlohmann::json json = {{"window_width", settings.windowWidth},
                                {"window_height", settings.windowHeight},
                                {"dark_theme", settings.darkTheme},
+                               {"interface_size", settings.interfaceSize},
                                {"draft_width", settings.desk.draftWidth},
                                {"inspector_width", settings.desk.inspectorWidth},
                                {"fibre_memory_gb", settings.fibreMemory_GB},

@@ -26,6 +26,7 @@ struct ViewSettings {
 struct Settings {
   int windowWidth = 1440, windowHeight = 900;
   bool darkTheme = true;
+  float interfaceSize = 1;  ///< beside what the monitor asks for
   DeskLayout desk;
   ViewSettings view;
   DraftPreferences draft;

@@ -64,8 +64,8 @@ Window::Window(const std::string& title, int width, int height, float scale) {
   io.MouseDragThreshold = 3;
   ImGui_ImplGlfw_InitForOpenGL(window_, true);
   ImGui_ImplOpenGL3_Init("#version 330 core");
-  scaleIsGiven_ = scale > 0;
-  scale_ = scaleIsGiven_ ? scale : monitorScale(window_);
+  givenScale_ = scale;
+  scale_ = wantedScale();
   fonts_ = loadFonts(*io.Fonts, scale_);
   setTheme(theme_);
 }
@@ -117,9 +117,16 @@ void Window::wake() {
   glfwPostEmptyEvent();
 }
 
-void Window::followMonitorScale() {
-  if (scaleIsGiven_) return;
-  const float scale = monitorScale(window_);
+float Window::wantedScale() const {
+  return interfaceSize_ * (givenScale_ > 0 ? givenScale_ : monitorScale(window_));
+}
+
+void Window::setInterfaceSize(float factor) {
+  interfaceSize_ = factor;
+}
+
+void Window::followScale() {
+  const float scale = wantedScale();
   if (std::abs(scale - scale_) < 0.01f) return;
   scale_ = scale;
   fonts_ = loadFonts(*ImGui::GetIO().Fonts, scale_);
@@ -129,7 +136,7 @@ void Window::followMonitorScale() {
 }
 
 void Window::beginFrame() {
-  followMonitorScale();
+  followScale();
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
   ImGui::NewFrame();

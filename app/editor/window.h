@@ -23,6 +23,8 @@ class Window {
   Window& operator=(const Window&) = delete;
 
   float scale() const { return scale_; }
+  /// Makes the interface larger or smaller than the monitor asks for. Not within a frame.
+  void setInterfaceSize(float factor);
   const Fonts& fonts() const { return fonts_; }
   void setTheme(const Theme& theme);
   void setTitle(const std::string& title);
@@ -42,12 +44,12 @@ class Window {
   std::vector<std::string> takeDroppedFiles();
 
  private:
-  void followMonitorScale();
+  float wantedScale() const;
+  void followScale();
   void noticeInput();
 
   GLFWwindow* window_ = nullptr;
-  float scale_ = 1;
-  bool scaleIsGiven_ = false;
+  float scale_ = 1, givenScale_ = 0, interfaceSize_ = 1;
   bool fullScreen_ = false;
   bool inputSeen_ = false;
   int placeX_ = 0, placeY_ = 0, placeWidth_ = 0, placeHeight_ = 0;

@@ -181,8 +181,29 @@ def select_and_edit(weaver):
     editor.click("menu.weave")
     weaver.edits("the menu mirrors", lambda: editor.click("menu.mirror_ends"))
     expect(weave_of(weaver.saved()) == [(row[-1] + row[:-1])[::-1] for row in rows], "the weave is not mirrored")
+    the_right_button_asks(weaver)
     editor.key("Escape")
     editor.click("draft.select")
+
+
+def the_right_button_asks(weaver):
+    """While selecting: what to do with the selection, or with a crossing outside of it."""
+    editor = weaver.editor
+    before = weave_of(weaver.saved())
+    editor.click_at(*weaver.crossing(2, 2), button=3)
+    weaver.edits("the menu inverts the selection", lambda: editor.click("menu.invert"))
+    rows = weave_of(weaver.saved())
+    expect(rows == [row.translate(str.maketrans("#.", ".#")) for row in before], f"not all was inverted: {rows}")
+    weaver.edits("undo", lambda: editor.key("ctrl+z"))
+    editor.key("Escape")
+    editor.wait_until("nothing is selected", lambda: editor.fact("draft.selection") == "none")
+    editor.click_at(*weaver.crossing(3, 2), button=3)
+    editor.wait_until("the crossing there is selected", lambda: editor.fact("draft.selection") == "3 2 1 1")
+    weaver.edits("that one is inverted", lambda: editor.click("menu.invert"))
+    rows = weave_of(weaver.saved())
+    changed = [(p, e) for p in range(8) for e in range(8) if rows[7 - p][e] != before[7 - p][e]]
+    expect(changed == [(3, 2)], f"inverted: {changed}")
+    weaver.edits("undo", lambda: editor.key("ctrl+z"))
 
 
 def choose_structure(weaver):

@@ -1,5 +1,5 @@
 """The editor in three sizes: whatever is opened, no label, choice or button loses its end, and nothing leaves the
-window."""
+window. Its interface can be made larger or smaller."""
 
 import os
 
@@ -74,6 +74,7 @@ def look_at(width, height, scale):
             visit_menus(editor)
             visit_dialogs(editor)
             views(editor)
+            resize(editor)
 
 
 def views(editor):
@@ -87,6 +88,25 @@ def views(editor):
     editor.centre("keys.close")
     editor.key("Escape")
     editor.wait_until("Esc closes the list", lambda: "keys.close" not in editor.widgets())
+
+
+def resize(editor):
+    """Smaller than the monitor asks for, and back."""
+    def height():
+        x0, y0, x1, y1 = editor.widgets()["preferences.size"]
+        return y1 - y0
+
+    editor.click("menu.edit")
+    editor.click("menu.preferences")
+    editor.centre("preferences.size")
+    usual = height()
+    editor.click("preferences.size/75 %")
+    editor.wait_until("rows are three quarters as high", lambda: abs(height() - 0.75 * usual) <= 1)
+    looks_whole(editor, "a smaller interface")
+    editor.click("preferences.size/100 %")
+    editor.wait_until("rows are as high as before", lambda: height() == usual)
+    editor.key("Escape")
+    editor.wait_until("Esc closes the dialog", lambda: "preferences.size" not in editor.widgets())
 
 
 def test():

@@ -67,6 +67,17 @@ TEST(DraftView, ASelectionStartsInTheRepeatAndIsNoLarger) {
   EXPECT_EQ(selectionBetween({0, 0}, {50, 50}, weave), (CellRect{0, 0, 4, 6}));
 }
 
+TEST(DraftView, ASelectionOverTheEdgeOfTheRepeatGoesOnAtTheOtherSide) {
+  const Weave weave = satin(8, 3);
+  const CellRect selection = selectionBetween({6, 7}, {9, 8}, weave);
+  for (int pick = -8; pick < 16; ++pick)
+    for (int end = -8; end < 16; ++end) {
+      const int p = (pick + 8) % 8, e = (end + 8) % 8;
+      EXPECT_EQ(isSelected(selection, {pick, end}, weave), (p >= 6 || p <= 1) && (e == 7 || e == 0))
+          << pick << ' ' << end;
+    }
+}
+
 TEST(DraftView, AWeaveWithoutADraftIsShownWithItsSmallest) {
   Fabric fabric;
   fabric.weave = twill(2, 2);

@@ -1,0 +1,88 @@
+#include "ui/keys_dialog.h"
+
+#include <span>
+
+#include "ui/field_row.h"
+#include "ui/modal.h"
+
+namespace loomlight {
+namespace {
+
+struct KeyLine {
+  const char* keys;
+  const char* meaning;
+};
+
+constexpr KeyLine kCloth[] = {
+    {"Drag", "Turn"},
+    {"Shift or Space + drag, middle drag", "Move"},
+    {"Wheel", "Nearer and further, at the pointer"},
+    {"Click", "Choose the yarn that is seen there"},
+    {"F", "Show the whole cloth"},
+    {"1, 2, 3", "From above, aslant, along the cloth"},
+    {"K", "Keep this view, in a strip below"},
+    {"L", "Truth lens: every fibre; Esc closes"},
+    {"N", "Denoised preview"},
+};
+constexpr KeyLine kDraft[] = {
+    {"Click, drag", "Turn crossings over; the first decides"},
+    {"Right drag", "Weft over"},
+    {"Shift + drag", "Keep to a line"},
+    {"Space + drag, middle drag, wheel", "Move, zoom"},
+    {"Shift+F", "Show the whole repeat"},
+    {"Ctrl + drag", "Select; Esc selects nothing"},
+    {"Right click while selecting", "What can be done"},
+    {"Ctrl+A", "Select the repeat"},
+    {"Ctrl+C, Ctrl+X, Ctrl+V", "Copy, cut, paste crossings"},
+    {"Ctrl+Shift+V", "Fill with what was copied"},
+    {"Delete, arrows, Ctrl+I", "Weft over, shift, invert"},
+};
+constexpr KeyLine kNumbers[] = {
+    {"Drag", "Change; Shift fine, Ctrl coarse"},
+    {"Click", "Type; Esc keeps the old one"},
+};
+constexpr KeyLine kEverywhere[] = {
+    {"Ctrl+N, Ctrl+O", "New, open"},
+    {"Ctrl+S, Ctrl+Shift+S", "Save, save as"},
+    {"Ctrl+Z, Ctrl+Shift+Z", "Undo, redo"},
+    {"Ctrl+P", "Snapshot"},
+    {"Ctrl+B", "Presets, by pictures"},
+    {"Tab, F11", "Hide panels, full screen"},
+    {"F1, ?", "This list"},
+    {"Ctrl+Q", "Quit"},
+};
+
+void group(Ui& ui, const char* title, std::span<const KeyLine> lines) {
+  heading(ui, title);
+  if (!ImGui::BeginTable(title, 2)) return;
+  ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthStretch, 0.46f);
+  ImGui::TableSetupColumn("meaning", ImGuiTableColumnFlags_WidthStretch, 0.54f);
+  for (const KeyLine& line : lines) {
+    ImGui::TableNextColumn();
+    tellIfClipped(ui, "keys", line.keys, ImGui::GetContentRegionAvail().x);
+    ImGui::TextDisabled("%s", line.keys);
+    ImGui::TableNextColumn();
+    tellIfClipped(ui, "keys", line.meaning, ImGui::GetContentRegionAvail().x);
+    ImGui::TextUnformatted(line.meaning);
+  }
+  ImGui::EndTable();
+}
+
+}  // namespace
+
+void KeysDialog::draw(Ui& ui) {
+  if (!open_ || !beginModal(ui, "Keys and mouse", ImVec2(ui.px(1080), 0), open_, opening_)) return;
+  if (ImGui::BeginTable("keys", 2)) {
+    ImGui::TableNextColumn();
+    group(ui, "On the cloth", kCloth);
+    group(ui, "Everywhere", kEverywhere);
+    ImGui::TableNextColumn();
+    group(ui, "In the draft", kDraft);
+    group(ui, "On numbers", kNumbers);
+    ImGui::EndTable();
+  }
+  if (closedBelow(ui, "keys.close")) open_ = false;
+  endModal();
+}
+
+}  // namespace loomlight
