@@ -97,6 +97,49 @@ def settings_last(editor, file):
     editor.wait_until("it is denoised again", lambda: editor.fact("denoised") == "yes", 120)
 
 
+def a_killed_editor_leaves_its_work(editor, file):
+    """Also where a later process has its number, as after a restart of the machine."""
+    editor.wait_for_picture()
+    state = os.path.join(editor.home, "state", "loomlight")
+    spoil(editor)
+    editor.wait_until("a copy is kept", lambda: any(name.endswith(".json") for name in os.listdir(state)))
+    editor.process.kill()
+    editor.process.wait()
+    (copy,) = [name for name in os.listdir(state) if name.endswith(".json")]
+    weave = read_json(os.path.join(state, copy))["weave"]
+    os.rename(os.path.join(state, copy), os.path.join(state, f"autosave-{os.getpid()}.json"))
+    editor.start(PROGRAM, [file])
+    editor.wait_until("it is offered", lambda: "Take it up again?" in editor.fact("message"))
+    editor.key("Return")
+    editor.wait_until("it is taken up", lambda: editor.fact("dirty") == "yes" and editor.fact("name") == "Two")
+    expect(editor.fact("file") == "", "it would be saved into a file that was not its own")
+    again = os.path.join(editor.home, "again.json")
+    editor.key("ctrl+s")
+    name_file(editor, again)
+    editor.wait_until("it is saved", lambda: editor.fact("dirty") == "no")
+    expect(read_json(again)["weave"] == weave, "another cloth was taken up")
+
+
+def a_text_is_read_as_what_it_is(editor):
+    """Weaving files come by mail as texts; what is none of ours is named."""
+    draft = os.path.join(editor.home, "draft.wif.txt")
+    with open(draft, "w", encoding="ascii") as text:
+        text.write("[WIF]\nVersion=1.1\n[WEAVING]\nShafts=2\nTreadles=2\n[WARP]\nThreads=2\n[WEFT]\nThreads=2\n"
+                   "[THREADING]\n1=1\n2=2\n[TIEUP]\n1=1\n2=2\n[TREADLING]\n1=1\n2=2\n[TEXT]\nTitle=By mail\n")
+    editor.key("ctrl+o")
+    name_file(editor, draft)
+    editor.wait_until("the draft is open", lambda: editor.fact("name") == "By mail")
+    editor.click("wif.close")
+    editor.wait_until("the dialog closes", lambda: editor.fact("dialog") == "none")
+    other = os.path.join(editor.home, "draft.dtx")
+    os.rename(draft, other)
+    editor.key("ctrl+o")
+    name_file(editor, other)
+    editor.wait_until("the editor says what it reads", lambda: "a weaving file (.wif)" in editor.fact("message"))
+    editor.key("Return")
+    editor.wait_until("the message is gone", lambda: editor.fact("dialog") == "none")
+
+
 def test():
     with window(WIDTH, HEIGHT) as editor:
         one, two = small_fabric(editor.home, "One"), small_fabric(editor.home, "Two")
@@ -108,6 +151,8 @@ def test():
         a_name_that_is_taken(editor, one)
         snapshots_beside_each_other(editor)
         settings_last(editor, one)
+        a_killed_editor_leaves_its_work(editor, two)
+        a_text_is_read_as_what_it_is(editor)
 
 
 run(test)
