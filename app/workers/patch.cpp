@@ -34,6 +34,20 @@ std::vector<bool> changes(const Frame& fresh, const Frame& old) {
   return changed;
 }
 
+/// How much of the new picture is seen at each of its pixels: all of it where it changes, and between the centres of
+/// those and of the pixels beyond their neighbours ever less, so that no border is a line.
+std::vector<glm::vec4> sharesOf(const std::vector<bool>& changed, int width, int height) {
+  std::vector<glm::vec4> shares(changed.size(), glm::vec4(0));
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      if (!changed[static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)]) continue;
+      for (int v = std::max(0, y - 1); v <= std::min(height - 1, y + 1); ++v)
+        for (int u = std::max(0, x - 1); u <= std::min(width - 1, x + 1); ++u)
+          shares[static_cast<size_t>(v) * static_cast<size_t>(width) + static_cast<size_t>(u)] = glm::vec4(1);
+    }
+  return shares;
+}
+
 }  // namespace
 
 bool differInCrossings(const Fabric& before, const Fabric& after) {
@@ -46,6 +60,7 @@ bool differInCrossings(const Fabric& before, const Fabric& after) {
 
 Frame patched(Frame fresh, const Frame& old) {
   const std::vector<bool> changed = changes(fresh, old);
+  const std::vector<glm::vec4> shares = sharesOf(changed, fresh.width, fresh.height);
   Frame whole = old;
   whole.generation = fresh.generation;
   whole.samples = fresh.samples;
@@ -58,12 +73,13 @@ Frame patched(Frame fresh, const Frame& old) {
     for (int x = 0; x < old.width; ++x) {
       const size_t coarse = static_cast<size_t>(y / fresh.divider) * static_cast<size_t>(fresh.width) +
                             static_cast<size_t>(x / fresh.divider);
-      if (!changed[coarse]) continue;
-      const size_t i = static_cast<size_t>(y) * static_cast<size_t>(old.width) + static_cast<size_t>(x);
       const Between u(x, ratio, 0, fresh.width), v(y, ratio, 0, fresh.height);
-      whole.rgba[i] = stretched(fresh.rgba, fresh.width, u, v);
-      if (denoised) whole.denoised[i] = stretched(fresh.denoised, fresh.width, u, v);
-      whole.hits[i] = fresh.hits[coarse];
+      const float share = stretched(shares, fresh.width, u, v).x;
+      if (share == 0) continue;
+      const size_t i = static_cast<size_t>(y) * static_cast<size_t>(old.width) + static_cast<size_t>(x);
+      whole.rgba[i] = glm::mix(old.rgba[i], stretched(fresh.rgba, fresh.width, u, v), share);
+      if (denoised) whole.denoised[i] = glm::mix(old.denoised[i], stretched(fresh.denoised, fresh.width, u, v), share);
+      if (changed[coarse]) whole.hits[i] = fresh.hits[coarse];
     }
   return whole;
 }
