@@ -64,7 +64,7 @@ void StructureDialog::drawKinds(Ui& ui, const ImVec4 (&darkLight)[2], float widt
   if (thumbnails_.empty())
     for (const StructureKind& kind : library) thumbnails_.push_back(kind.make(kind.startValues()));
   ImGui::BeginChild("structures.kinds", ImVec2(width, height));
-  const float size = ui.px(64), gap = ui.px(20), line = ui.px(94);
+  const float size = ui.px(64), gap = ui.px(24), line = ui.px(94);
   const int perLine = std::max(1, static_cast<int>((width - ui.px(16) + gap) / (size + gap)));
   const ImVec2 corner = ImGui::GetCursorPos();
   for (size_t i = 0; i < library.size(); ++i) {
@@ -93,7 +93,7 @@ void StructureDialog::drawKinds(Ui& ui, const ImVec4 (&darkLight)[2], float widt
 
 void StructureDialog::drawChosen(Ui& ui, const std::optional<CellRect>& selection, const ImVec4 (&darkLight)[2]) {
   const StructureKind& kind = structureLibrary()[kind_];
-  const float side = ui.px(224);
+  const float side = ui.px(192);
   drawMade(ui, made_, darkLight, ImGui::GetCursorScreenPos(), side, 32);
   ImGui::Dummy(ImVec2(side, side));
   heading(ui, shortened(made_.name, ImGui::GetContentRegionAvail().x).c_str());
@@ -110,10 +110,10 @@ void StructureDialog::drawChosen(Ui& ui, const std::optional<CellRect>& selectio
 
 std::optional<MadeStructure> StructureDialog::draw(Ui& ui, const std::optional<CellRect>& selection,
                                                    const ImVec4 (&darkLight)[2]) {
-  if (!open_ || !beginModal(ui, "Structures", ImVec2(ui.px(760), 0), open_, opening_)) return std::nullopt;
+  if (!open_ || !beginModal(ui, "Structures", ImVec2(ui.px(800), 0), open_, opening_)) return std::nullopt;
   bool apply = false;
-  const float height = ui.px(480);
-  drawKinds(ui, darkLight, ui.px(440), height, apply);
+  const float height = ui.px(520);
+  drawKinds(ui, darkLight, ui.px(464), height, apply);
   ImGui::SameLine(0, ui.px(16));
   ImGui::BeginChild("structures.chosen", ImVec2(0, height));
   drawChosen(ui, selection, darkLight);
