@@ -81,13 +81,14 @@ std::string aboutOf(PresetKind kind, const Fabric& fabric) {
     case PresetKind::colourways:
       break;
   }
-  return fmt::format("colours of {} fibres", fabric.fibres.size());
+  const size_t fibres = fabric.fibres.size();
+  return fibres == 1 ? "colour of one fibre" : fmt::format("colours of {} fibres", fibres);
 }
 
 /// What came with the program.
 std::vector<Fabric> given(PresetKind kind) {
   std::vector<Fabric> fabrics;
-  if (kind == PresetKind::fabrics)
+  if (kind == PresetKind::fabrics || kind == PresetKind::colourways)
     for (size_t i = 0; i < sampleNames().size(); ++i) {
       fabrics.push_back(sampleFabric(i));
       fabrics.back().name = sampleNames()[i];

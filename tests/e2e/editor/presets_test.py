@@ -111,6 +111,27 @@ def use_a_yarn(editor):
     editor.wait_until("undo takes it out", lambda: editor.fact("dirty") == "no")
 
 
+def use_colours(editor):
+    """Those of a cloth that came with the program, and the designer's own, which bring them back."""
+    editor.key("ctrl+b")
+    editor.click("presets.kind/Colours")
+    editor.click("presets.search")
+    editor.key("ctrl+a", "Delete")
+    editor.click("presets.keep")
+    editor.wait_until("the cloth's colours are kept", lambda: card(editor, "Rust check"))
+    for colours in ("Denim", "Rust check"):
+        editor.click("presets.card/" + colours)
+        editor.click("presets.use")
+        editor.wait_until("the browser closes", lambda: editor.fact("dialog") == "none")
+        editor.wait_until("the cloth is dyed", lambda: editor.fact("dirty") == "yes")
+        editor.key("ctrl+b")
+        editor.wait_until("the browser opens", lambda: "presets.close" in editor.widgets())
+    editor.click("presets.close")
+    editor.wait_until("the browser closes", lambda: editor.fact("dialog") == "none")
+    dyed = editor.saved(os.path.join(editor.home, "rust.json"))["fibres"][0]["absorption_per_mm"]
+    expect(dyed == [4, 14, 30], f"the designer's own colours did not come back: {dyed}")
+
+
 def use_a_cloth(editor):
     editor.key("ctrl+b")
     editor.wait_until("the browser opens", lambda: "presets.kind/Fabrics" in editor.widgets())
@@ -129,6 +150,7 @@ def test():
         tag_and_find(editor)
         tags_go_with_what_they_are_of(editor)
         use_a_yarn(editor)
+        use_colours(editor)
         use_a_cloth(editor)
 
 
