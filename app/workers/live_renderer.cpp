@@ -42,12 +42,13 @@ std::shared_ptr<const Medium> makeLiveMedium(const Scene& scene, const std::shar
 }
 
 /// Null pointers when stopped.
-BuiltCloth makeCloth(const ViewRequest& request, const Task& task, const BuiltCloth& previous) {
+BuiltCloth makeCloth(const ViewRequest& request, const Task& task, const BuiltCloth& previous,
+                     const FirstScenes* first) {
   const Traceable& old = previous.traceable;
   BuiltCloth made;
   made.visibility = request.visibility;
   Traceable& cloth = made.traceable;
-  cloth.scene = makeScene(request.fabric, task, old.scene.get());
+  cloth.scene = makeScene(request.fabric, task, old.scene.get(), first);
   if (!cloth.scene) return {};
   const bool sameTables = !isReport(*request.fabric) || made.visibility == previous.visibility;
   if (old.medium && sameTables && sameMedium(*old.mediumScene, *cloth.scene)) {
@@ -80,6 +81,7 @@ struct LiveRenderer::Workers {
 
   void buildLoop(std::stop_token stop);
   void build(const ViewRequest& request, std::stop_token stop);
+  void showDraft(const ViewRequest& request, std::shared_ptr<const Scene> scene, const Task& task);
   void count();
   void layFibres();
   LensStatus lensStatus(const Tracer::State& traced) const;  ///< with the mutex held
@@ -135,11 +137,20 @@ void LiveRenderer::Workers::build(const ViewRequest& request, std::stop_token st
     }
     wake();
   };
+  // A draft is worth a picture of its own where the whole takes longer than a picture does.
+  constexpr double kWorthWaiting_s = 0.05;
+  const FirstScenes first{static_cast<double>(request.width) / std::max(1, request.height),
+                          [start](double fraction) {
+                            const std::chrono::duration<double> spent = Clock::now() - start;
+                            return spent.count() * (1 / fraction - 1) > kWorthWaiting_s;
+                          },
+                          [&](std::shared_ptr<const Scene> draft) { showDraft(request, std::move(draft), task); }};
+  const bool showsVolume = request.fabric->render.method == Method::volume;
   const BuiltCloth base = recent.baseFor(*request.fabric);
   BuiltCloth built;
   std::string error;
   try {
-    built = makeCloth(request, task, base);
+    built = makeCloth(request, task, base, showsVolume ? &first : nullptr);
   } catch (const std::exception& e) {
     error = e.what();
   }
@@ -168,6 +179,17 @@ void LiveRenderer::Workers::build(const ViewRequest& request, std::stop_token st
   wake();
   if (made.scene) recent.keep(std::move(built));
   count();
+}
+
+/// Has a picture traced of what is there of a cloth. From then on its builder may be stopped: a drag moves the picture.
+void LiveRenderer::Workers::showDraft(const ViewRequest& request, std::shared_ptr<const Scene> scene,
+                                      const Task& task) {
+  Traceable draft{scene, scene, makeLiveMedium(*scene, request.visibility, task)};
+  if (!draft.medium) return;
+  tracer.show({std::move(draft), request.width, request.height, request.generation});
+  std::lock_guard lock(mutex);
+  if (requests.waiting()) buildStop.request_stop();
+  buildMayBeCancelled = true;
 }
 
 /// Counts and measures the newest volume, unless there is more urgent work.

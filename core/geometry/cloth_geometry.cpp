@@ -109,19 +109,19 @@ uint64_t hash(const CellKey& key) {
   return h;
 }
 
-ClothGeometry::ClothGeometry(const Fabric& fabric, int ends, int picks, const ClothGeometry* previous)
+ClothGeometry::ClothGeometry(const Fabric& fabric, int ends, int picks, const ClothGeometry* previous, bool sketched)
     : weave_(fabric.weave),
       ends_(ends),
       picks_(picks),
       warpPitch_mm_(fabric.warpPitch_mm()),
       weftPitch_mm_(fabric.weftPitch_mm()) {
   assert(ends >= 1 && picks >= 1);
-  resolveYarns(fabric, previous);
+  resolveYarns(fabric, previous, sketched);
   findRepeat();
   findThickness();
 }
 
-void ClothGeometry::resolveYarns(const Fabric& fabric, const ClothGeometry* previous) {
+void ClothGeometry::resolveYarns(const Fabric& fabric, const ClothGeometry* previous, bool sketched) {
   const std::vector<int> classOf = geometryClasses(fabric);
   classCount_ = *std::max_element(classOf.begin(), classOf.end()) + 1;
   std::vector<const Yarn*> yarnOf(classCount_);
@@ -159,13 +159,22 @@ void ClothGeometry::resolveYarns(const Fabric& fabric, const ClothGeometry* prev
       }
       const Yarn& yarn = *yarnOf[own];
       resolveTwist(outline, yarn, 0.5 * (outline.pitch_mm + interlaced));
-      const YarnSource source = sourceOf(outline, yarn, meanFibre(yarn, fabric.fibres));
+      YarnSource source = sourceOf(outline, yarn, meanFibre(yarn, fabric.fibres));
       if (previous)
         for (const auto& model : previous->of(system).yarns)
           if (model && model->source == source) mine.yarns[own] = model;
-      if (!mine.yarns[own]) mine.yarns[own] = makeYarnModel(source);
+      if (mine.yarns[own]) continue;
+      source.sketched = sketched && isWorthSketching(source);
+      mine.yarns[own] = makeYarnModel(source);
     }
   }
+}
+
+bool ClothGeometry::isSketched() const {
+  for (const SystemGeometry& system : systems_)
+    for (const auto& yarn : system.yarns)
+      if (yarn && yarn->source.sketched) return true;
+  return false;
 }
 
 void ClothGeometry::findRepeat() {

@@ -41,8 +41,11 @@ struct ClothMeasures {
 class ClothGeometry {
  public:
   /// Throws nothing for a valid fabric (core/fabric/validate.h). `ends`, `picks`: size of the piece, >= 1. Shares the
-  /// models of the yarns that `previous` (may be null) has too.
-  ClothGeometry(const Fabric& fabric, int ends, int picks, const ClothGeometry* previous = nullptr);
+  /// models of the yarns that `previous` (may be null) has too. Sketched: the yarns that take long to make are there
+  /// for a first look, their fibres where they are but for overlaps; those that `previous` has are as they should be.
+  ClothGeometry(const Fabric& fabric, int ends, int picks, const ClothGeometry* previous = nullptr,
+                bool sketched = false);
+  bool isSketched() const;  ///< any of the yarns
 
   int ends() const { return ends_; }
   int picks() const { return picks_; }
@@ -119,7 +122,7 @@ class ClothGeometry {
   std::vector<int> nodeGroups(System system, int own, const std::vector<int>& crossed) const;
   template <class WarpOver>
   void shapeCodesOf(System system, int across, int along, const WarpOver& warpOver, std::span<ShapeCode> codes) const;
-  void resolveYarns(const Fabric& fabric, const ClothGeometry* previous);
+  void resolveYarns(const Fabric& fabric, const ClothGeometry* previous, bool sketched);
   void findRepeat();
   void findThickness();
 

@@ -39,13 +39,15 @@ Threads roomOfFibres(const YarnModel& m) {
 
 void laySections(YarnModel& m) {
   const YarnGeometry& g = m.geometry;
-  const Threads fibres = roomOfFibres(m);
+  Threads fibres = roomOfFibres(m);
+  if (m.source.sketched) fibres.radius_mm *= 0.1;  // thin threads hardly have to be parted
+  const FibreLayout onTheirWay = m.source.sketched ? FibreLayout::random : g.layout;
   m.plies.clear();
   m.bodyReach_mm = 0;
   for (int ply = 0; ply < g.plies; ++ply) {
     const uint64_t seed = hashCombine(g.seed, ply);
     const DiscCentres section = plySection(g.layout, g.fibresPerPly, g.plyRadius_mm, fibres, seed);
-    m.plies.push_back(m.migrations > 0 ? Migration(section, g.layout, g.migration, fibres, hashCombine(seed, 1))
+    m.plies.push_back(m.migrations > 0 ? Migration(section, onTheirWay, g.migration, fibres, hashCombine(seed, 1))
                                        : Migration(section));
     m.bodyReach_mm = std::max(m.bodyReach_mm, g.cordOrbit_mm + g.plyOrbit_mm + m.plies.back().reach_mm());
   }
@@ -113,6 +115,15 @@ YarnSource sourceOf(const YarnGeometry& resolved, const Yarn& yarn, const Fibre&
   return {resolved, fibre.radius_um, fibre.density_g_cm3, yarn.count_tex, yarn.fibresPerPly};
 }
 
+bool isWorthSketching(const YarnSource& source) {
+  constexpr double kMany = 4000;  // places of fibres, all stages of a migration counted: some 20 ms of parting
+  const YarnGeometry& g = source.resolved;
+  const double radius = source.fibreRadius_um * kMmPerUm;
+  const double inYarn = source.count_tex * 1e-3 / (source.fibreDensity_g_cm3 * kPi * radius * radius);
+  const double fibres = source.fibresPerPly ? static_cast<double>(*source.fibresPerPly) * g.plies : inYarn / g.cords;
+  return g.layout == FibreLayout::packed && fibres * (g.migration > 0 ? Migration::kStages : 1) > kMany;
+}
+
 std::shared_ptr<const YarnModel> makeYarnModel(const YarnSource& source) {
   auto model = std::make_shared<YarnModel>();
   model->source = source;
@@ -137,7 +148,7 @@ std::shared_ptr<const YarnModel> makeYarnModel(const YarnSource& source) {
 
   // The sections of packed yarns depend on the radius, the radius on the take-up of the sections: the second round
   // changes it by a few parts in ten thousand, far less than the clearance of the packing.
-  for (int round = 0; round < 2; ++round) {
+  for (int round = 0; round < (source.sketched ? 1 : 2); ++round) {
     if (source.fibresPerPly)
       g.fibreRadius_mm = radius * std::sqrt(static_cast<double>(*source.fibresPerPly) / g.fibresPerPly);
     else if (round == 0)

@@ -17,6 +17,7 @@ struct YarnSource {
   double fibreRadius_um = 0, fibreDensity_g_cm3 = 0;
   double count_tex = 0;
   std::optional<int> fibresPerPly;
+  bool sketched = false;  ///< for a first look: packed fibres may overlap, which saves most of the time
   bool operator==(const YarnSource&) const = default;
 };
 
@@ -56,6 +57,8 @@ struct YarnModel {
 /// straight cell, gets thicker fibres instead, each for a bundle: the mass stays. A given number of fibres keeps its
 /// radius, and the count follows.
 std::shared_ptr<const YarnModel> makeYarnModel(const YarnSource& source);
+/// Whether to sketch the yarn first saves time that is felt.
+bool isWorthSketching(const YarnSource& source);
 YarnSource sourceOf(const YarnGeometry& resolved, const Yarn& yarn, const Fibre& fibre);
 inline constexpr int kMaxFibresPerPly = 2000;
 inline constexpr int kMaxPointsPerCell = 400'000;

@@ -43,6 +43,12 @@ void BrickTable::place(size_t kind, System system, std::shared_ptr<const Brick> 
   data.bricks[kind] = std::move(brick);
 }
 
+void BrickTable::lend(size_t kind, size_t other) {
+  Data& data = own();
+  data.slots[other] = data.slots[kind];
+  data.bricks[other] = data.bricks[kind];
+}
+
 void BrickTable::resize(size_t kinds) {
   if (kinds == size()) return;
   Data& data = own();

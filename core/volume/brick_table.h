@@ -29,6 +29,7 @@ class BrickTable {
 
   /// `system`: of the yarns whose bricks these are.
   void place(size_t kind, System system, std::shared_ptr<const Brick> brick);
+  void lend(size_t kind, size_t other);  ///< another kind has the same brick
   void resize(size_t kinds);
   void clear();  ///< as many kinds, no bricks
   /// Leaves those bricks only whose kinds have cells.

@@ -13,8 +13,8 @@
 
 namespace loomlight {
 
-ClothVolume::ClothVolume(std::shared_ptr<const ClothGeometry> geometry, int resolution)
-    : geometry_(std::move(geometry)), grid_(makeGrid(*geometry_, resolution)) {
+ClothVolume::ClothVolume(std::shared_ptr<const ClothGeometry> geometry, VoxelGrid grid)
+    : geometry_(std::move(geometry)), grid_(grid) {
   cells_ = {geometry_->ends(), geometry_->picks(), 1};
   cell_mm_ = {geometry_->warpPitch_mm(), geometry_->weftPitch_mm(), -2.0 * grid_.zLower_mm};
   voxel_mm_ = cell_mm_ / glm::dvec3(grid_.cell);
@@ -22,12 +22,48 @@ ClothVolume::ClothVolume(std::shared_ptr<const ClothGeometry> geometry, int reso
   perVoxel_ = 1.0 / voxel_mm_;
 }
 
-std::shared_ptr<const ClothVolume> ClothVolume::build(std::shared_ptr<const ClothGeometry> geometry, int resolution,
-                                                      const Task& task, const ClothVolume* previous) {
-  std::shared_ptr<ClothVolume> volume(new ClothVolume(std::move(geometry), resolution));
+std::shared_ptr<ClothVolume> ClothVolume::begin(std::shared_ptr<const ClothGeometry> geometry, int resolution,
+                                                const Task& task, const ClothVolume* previous) {
+  const VoxelGrid grid = makeGrid(*geometry, resolution);
+  std::shared_ptr<ClothVolume> volume(new ClothVolume(std::move(geometry), grid));
   if (!previous || !volume->editTiles(*previous, task)) volume->readTiles(previous, task);
-  if (task.stopped() || !volume->makeBricks(task)) return nullptr;
+  return task.stopped() ? nullptr : volume;
+}
+
+std::shared_ptr<const ClothVolume> ClothVolume::build(std::shared_ptr<const ClothGeometry> geometry, int resolution,
+                                                      const Task& task, const ClothVolume* previous,
+                                                      const FirstLook* look) {
+  const auto volume = begin(std::move(geometry), resolution, task, previous);
+  if (!volume) return nullptr;
+  const Wanted wanted = volume->wanted(look ? look->inView : CellRect{});
+  const std::span<const Place> places = wanted.places;
+  size_t done = 0;
+  for (const size_t stage : {wanted.sketch, wanted.seen, places.size()}) {
+    if (stage == done || (!look && stage < places.size())) continue;
+    if (!volume->makeBricks(places.subspan(done, stage - done), done, places.size(), task)) return nullptr;
+    done = stage;
+    if (look && done < places.size() && look->wanted(static_cast<double>(done) / static_cast<double>(places.size())))
+      look->show(volume->completed());
+  }
+  volume->bricksVoxelised_ = done;
   return volume;
+}
+
+std::shared_ptr<const ClothVolume> ClothVolume::draft(std::shared_ptr<const ClothGeometry> geometry, int resolution,
+                                                      const CellRect& inView, const Task& task,
+                                                      const ClothVolume* previous) {
+  const auto volume = begin(std::move(geometry), resolution, task, previous);
+  if (!volume) return nullptr;
+  const Wanted wanted = volume->wanted(inView);
+  if (!volume->makeBricks(std::span(wanted.places).first(wanted.sketch), 0, wanted.places.size(), task)) return nullptr;
+  return volume->completed();
+}
+
+std::shared_ptr<const ClothVolume> ClothVolume::completed() const {
+  std::shared_ptr<ClothVolume> copy(new ClothVolume(geometry_, grid_));
+  copy->tiles_ = tiles_;
+  for (TileMap& tiles : copy->tiles_) tiles.standIn();
+  return copy;
 }
 
 void ClothVolume::readTiles(const ClothVolume* previous, const Task& task) {
@@ -87,36 +123,42 @@ void ClothVolume::reuseBricks(const ClothVolume& previous) {
   }
 }
 
-bool ClothVolume::makeBricks(const Task& task) {
-  struct Made {
-    TileMap* tiles;
-    TileMap::Kind kind;
-    std::shared_ptr<const Brick> brick;
+ClothVolume::Wanted ClothVolume::wanted(const CellRect& inView) {
+  std::array<TileMap::Wanted, 2> of{tiles_[0].missing(inView), tiles_[1].missing(inView)};
+  Wanted all;
+  const auto add = [&](size_t TileMap::Wanted::*from, size_t TileMap::Wanted::*to) {
+    for (size_t system = 0; system < of.size(); ++system) {
+      const size_t first = from ? of[system].*from : 0, end = to ? of[system].*to : of[system].kinds.size();
+      for (size_t i = first; i < end; ++i) all.places.push_back({&tiles_[system], of[system].kinds[i]});
+    }
+    return all.places.size();
   };
-  std::vector<Made> all;
-  for (TileMap& tiles : tiles_)
-    for (const TileMap::Kind kind : tiles.missing()) all.push_back({&tiles, kind, nullptr});
-  if (all.empty()) return true;
+  all.sketch = add(nullptr, &TileMap::Wanted::sketch);
+  all.seen = add(&TileMap::Wanted::sketch, &TileMap::Wanted::seen);
+  add(&TileMap::Wanted::seen, nullptr);
+  return all;
+}
 
+bool ClothVolume::makeBricks(std::span<const Place> places, size_t done, size_t all, const Task& task) {
+  std::vector<std::shared_ptr<const Brick>> made(places.size());
   // One voxeliser for each thread: they keep their memory from brick to brick.
-  std::atomic<size_t> bytes{brickBytes()}, next{0}, done{0};
-  const size_t workers = std::min<size_t>(all.size(), task.threads > 0 ? task.threads : hardwareThreads());
+  std::atomic<size_t> bytes{brickBytes()}, next{0}, finished{done};
+  const size_t workers = std::min<size_t>(places.size(), task.threads > 0 ? task.threads : hardwareThreads());
   parallelFor(workers, task.threads, [&](size_t) {
     Voxeliser voxelise(grid_);
-    for (size_t i = next++; i < all.size() && !task.stopped(); i = next++) {
-      const CellKey key = all[i].tiles->key(all[i].kind);
-      all[i].brick = std::make_shared<const Brick>(voxelise(geometry_->strands(key), key.system));
-      if ((bytes += all[i].brick->bytes()) > kMaxBytes)
+    for (size_t i = next++; i < places.size() && !task.stopped(); i = next++) {
+      const CellKey key = places[i].tiles->key(places[i].kind);
+      made[i] = std::make_shared<const Brick>(voxelise(geometry_->strands(key), key.system));
+      if ((bytes += made[i]->bytes()) > kMaxBytes)
         throw InputError(
             fmt::format("the volume of this cloth takes more than {} GiB ({} of its yarn cells are different): "
                         "expected a lower resolution, fewer different yarns or a smaller repeat",
-                        kMaxBytes >> 30, all.size()));
-      task.report(static_cast<double>(++done) / static_cast<double>(all.size()));
+                        kMaxBytes >> 30, all));
+      task.report(static_cast<double>(++finished) / static_cast<double>(all));
     }
   });
   if (task.stopped()) return false;
-  for (Made& made : all) made.tiles->place(made.kind, std::move(made.brick));
-  bricksVoxelised_ = all.size();
+  for (size_t i = 0; i < places.size(); ++i) places[i].tiles->place(places[i].kind, std::move(made[i]));
   return true;
 }
 

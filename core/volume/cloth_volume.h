@@ -3,8 +3,10 @@
 #include <array>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "core/base/task.h"
+#include "core/volume/first_look.h"
 #include "core/volume/tile_map.h"
 #include "core/volume/voxel_grid.h"
 #include "core/volume/voxelise.h"
@@ -42,9 +44,17 @@ class ClothVolume {
  public:
   /// Builds the volume, reusing the bricks of `previous` (may be null) where grid, yarns and keys agree, and what its
   /// tile maps have in common with the new ones. The same, brick for brick, as without. Returns null when
-  /// stopped. Throws InputError where the distinct bricks would take more than kMaxBytes.
+  /// stopped. Throws InputError where the distinct bricks would take more than kMaxBytes. `look` (may be null) is shown
+  /// a draft once all that is seen has a brick of its shape, and another when what is seen is as it will be, as far as
+  /// it wants them; the rest is made last. The volume is the same without.
   static std::shared_ptr<const ClothVolume> build(std::shared_ptr<const ClothGeometry> geometry, int resolution,
-                                                  const Task& task, const ClothVolume* previous = nullptr);
+                                                  const Task& task, const ClothVolume* previous = nullptr,
+                                                  const FirstLook* look = nullptr);
+  /// A volume for a first look at these crossings of the piece, of the fewest bricks: all cells have one, those that
+  /// are seen one of their shape, though it may be of another phase. It cannot be a `previous`. Null when stopped.
+  static std::shared_ptr<const ClothVolume> draft(std::shared_ptr<const ClothGeometry> geometry, int resolution,
+                                                  const CellRect& inView, const Task& task,
+                                                  const ClothVolume* previous = nullptr);
   static constexpr size_t kMaxBytes = size_t{4} << 30;
 
   ClothVolume(const ClothVolume&) = delete;
@@ -93,14 +103,31 @@ class ClothVolume {
     Reach entries[VoxelContent::kMaxParts];
   };
   class Walk;
-  ClothVolume(std::shared_ptr<const ClothGeometry> geometry, int resolution);
+  /// A brick that is missing.
+  struct Place {
+    TileMap* tiles;
+    TileMap::Kind kind;
+  };
+  /// All that are missing, in the order in which a first look wants them: as TileMap::Wanted.
+  struct Wanted {
+    std::vector<Place> places;
+    size_t sketch = 0, seen = 0;
+  };
+  ClothVolume(std::shared_ptr<const ClothGeometry> geometry, VoxelGrid grid);
+  /// Has its maps, and the bricks of `previous` (may be null) that serve; null when stopped.
+  static std::shared_ptr<ClothVolume> begin(std::shared_ptr<const ClothGeometry> geometry, int resolution,
+                                            const Task& task, const ClothVolume* previous);
+  /// A copy that is complete, with bricks that stand in for those that are missing.
+  std::shared_ptr<const ClothVolume> completed() const;
   /// Makes the maps out of those of `previous`, where that costs less than to read them; false where it does not.
   bool editTiles(const ClothVolume& previous, const Task& task);
   /// Reads the maps; shares with those of `previous` (may be null) what is the same.
   void readTiles(const ClothVolume* previous, const Task& task);
   /// Takes the bricks of `previous` that are those of this volume too.
   void reuseBricks(const ClothVolume& previous);
-  bool makeBricks(const Task& task);
+  Wanted wanted(const CellRect& inView);
+  /// False when stopped. `done` of `all` have been made before.
+  bool makeBricks(std::span<const Place> places, size_t done, size_t all, const Task& task);
   /// visit(brick, how many cells of the piece have it).
   template <class Visit>
   void forEachBrick(const Visit& visit) const;

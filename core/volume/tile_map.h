@@ -9,6 +9,7 @@
 
 #include "core/base/shared_list.h"
 #include "core/base/task.h"
+#include "core/fabric/weave_edit.h"
 #include "core/geometry/cloth_geometry.h"
 #include "core/geometry/weave_changes.h"
 #include "core/volume/brick_table.h"
@@ -60,6 +61,17 @@ class TileMap {
   /// Null where the piece has no such cell, and where it is missing.
   const std::shared_ptr<const Brick>& brick(Kind kind) const { return bricks_[index(kind)]; }
   std::vector<Kind> missing() const;
+  /// The same, in the order in which they are wanted by who looks at these crossings of the piece: `sketch` of them,
+  /// with which, and standIn(), every cell that is seen has a brick of its shape, if of another phase; then, up to
+  /// `seen`, the others that are seen; then the rest.
+  struct Wanted {
+    std::vector<Kind> kinds;
+    size_t sketch = 0, seen = 0;
+  };
+  Wanted missing(const CellRect& inView) const;
+  /// Gives kinds whose bricks are missing those of others: of the same shape, or else the most similar one. Afterwards
+  /// the map is for show: its bricks are not those of its keys.
+  void standIn();
   std::vector<ClothGeometry::CellCount> cellCounts() const;  ///< of the piece, by shape
   void place(Kind kind, std::shared_ptr<const Brick> brick) { bricks_.place(index(kind), system_, std::move(brick)); }
   void dropBricks() { bricks_.clear(); }  ///< all are missing then
@@ -107,6 +119,8 @@ class TileMap {
   class PhaseCounts;
   struct Band;
 
+  std::vector<bool> kindsIn(const CellRect& rect) const;
+  bool hasBrick(uint32_t shape) const;
   static size_t index(Kind kind) { return static_cast<size_t>(kind.shape) * kMaxPeriod + kind.phase; }
   uint32_t shapeAt(uint32_t row, uint32_t inRepeat) const {
     const uint32_t low = low_[row][inRepeat];

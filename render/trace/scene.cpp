@@ -9,6 +9,7 @@
 #include "core/base/stopwatch.h"
 #include "core/fabric/impact.h"
 #include "core/fabric/yarn_count.h"
+#include "render/trace/cells_in_view.h"
 #include "render/trace/shell_entry.h"
 
 namespace loomlight {
@@ -88,44 +89,80 @@ std::vector<YarnBlend> makeBlends(const Fabric& fabric) {
   return blends;
 }
 
-/// Volume and shell: all of them, or what the edit leaves of the previous scene's. False when stopped.
-bool makeCloth(Scene& scene, const Impact& change, const Scene* previous, const Task& task) {
+/// The cloth and what hangs on it; without its volume so far.
+void lay(Scene& scene, const Piece& piece, const ClothGeometry& geometry, const Impact& change, const Scene* previous) {
+  const bool sameShell = previous && !change.drape && !change.allBricks &&
+                         previous->volume->geometry().halfThickness_mm() == geometry.halfThickness_mm();
+  scene.shell = sameShell ? previous->shell : makeShell(piece, geometry);
+  scene.entry = sameShell ? previous->entry : std::make_shared<const ShellEntry>(scene.shell);
+  scene.yarns = {makeYarnOptics(*scene.fabric, geometry, System::warp),
+                 makeYarnOptics(*scene.fabric, geometry, System::weft)};
+}
+
+/// Shows the scene with yarns that are made in no time, if that saves any. False when stopped.
+bool showSketch(Scene scene, const Piece& piece, const Impact& change, const Scene* previous, const FirstScenes& first,
+                const Task& task) {
+  const Fabric& fabric = *scene.fabric;
+  const auto geometry = std::make_shared<const ClothGeometry>(fabric, piece.ends, piece.picks,
+                                                              previous ? &previous->volume->geometry() : nullptr, true);
+  if (!geometry->isSketched()) return true;
+  lay(scene, piece, *geometry, change, previous);
+  const CellRect inView = cellsInView(fabric.camera, first.aspect, *geometry, *scene.shell, *scene.entry);
+  scene.volume =
+      ClothVolume::draft(geometry, fabric.render.resolution, inView, task, previous ? previous->volume.get() : nullptr);
+  if (!scene.volume) return false;
+  first.show(std::make_shared<const Scene>(std::move(scene)));
+  return true;
+}
+
+/// Volume, shell and yarns: all of them, or what the edit leaves of the previous scene's. False when stopped.
+bool makeCloth(Scene& scene, const Impact& change, const Scene* previous, const FirstScenes* first, const Task& task) {
   const Fabric& fabric = *scene.fabric;
   if (previous && !change.cloth()) {
     scene.volume = previous->volume;
     scene.shell = previous->shell;
     scene.entry = previous->entry;
+    scene.yarns = {makeYarnOptics(fabric, scene.volume->geometry(), System::warp),
+                   makeYarnOptics(fabric, scene.volume->geometry(), System::weft)};
     return true;
   }
   Stopwatch watch;
   const Piece piece = makePiece(fabric);
+  if (first && !showSketch(scene, piece, change, previous, *first, task)) return false;
   auto geometry = std::make_shared<const ClothGeometry>(fabric, piece.ends, piece.picks,
                                                         previous ? &previous->volume->geometry() : nullptr);
   scene.seconds.geometry = watch.lap();
-  scene.volume =
-      ClothVolume::build(geometry, fabric.render.resolution, task, previous ? previous->volume.get() : nullptr);
-  if (!scene.volume) return false;
-  scene.seconds.voxelise = watch.lap();
-  const bool sameShell = previous && !change.drape && !change.allBricks &&
-                         previous->volume->geometry().halfThickness_mm() == geometry->halfThickness_mm();
-  scene.shell = sameShell ? previous->shell : makeShell(piece, *geometry);
-  scene.entry = sameShell ? previous->entry : std::make_shared<const ShellEntry>(scene.shell);
+  lay(scene, piece, *geometry, change, previous);
   scene.seconds.accelerate = watch.lap();
-  return !task.stopped();
+  const auto build = [&](const FirstLook* look) {
+    return ClothVolume::build(geometry, fabric.render.resolution, task, previous ? previous->volume.get() : nullptr,
+                              look);
+  };
+  if (first) {
+    const FirstLook look{cellsInView(fabric.camera, first->aspect, *geometry, *scene.shell, *scene.entry),
+                         first->wanted, [&](std::shared_ptr<const ClothVolume> draft) {
+                           auto shown = std::make_shared<Scene>(scene);
+                           shown->volume = std::move(draft);
+                           first->show(shown);
+                         }};
+    scene.volume = build(&look);
+  } else {
+    scene.volume = build(nullptr);
+  }
+  scene.seconds.voxelise = watch.lap();
+  return scene.volume != nullptr;
 }
 
 }  // namespace
 
-std::shared_ptr<const Scene> makeScene(std::shared_ptr<const Fabric> fabric, const Task& task, const Scene* previous) {
+std::shared_ptr<const Scene> makeScene(std::shared_ptr<const Fabric> fabric, const Task& task, const Scene* previous,
+                                       const FirstScenes* first) {
   const Impact change = previous ? impact(*previous->fabric, *fabric) : Impact{};
   auto scene = std::make_shared<Scene>();
   scene->fabric = fabric;
-  if (!makeCloth(*scene, change, previous, task)) return nullptr;
   scene->materials = makeMaterials(*fabric, previous);
   for (const Fibre& fibre : fabric->fibres) scene->absorption_per_mm.push_back(fibre.absorption_per_mm);
   scene->roulette_per_mm = scene->absorption_per_mm;
-  scene->yarns = {makeYarnOptics(*fabric, scene->volume->geometry(), System::warp),
-                  makeYarnOptics(*fabric, scene->volume->geometry(), System::weft)};
   scene->blends = makeBlends(*fabric);
   // A headlight goes with the eye: that is in `lighting`.
   scene->lighting = previous && !change.lighting
@@ -133,7 +170,7 @@ std::shared_ptr<const Scene> makeScene(std::shared_ptr<const Fabric> fabric, con
                         : std::make_shared<const Lighting>(fabric->light, CameraRays(fabric->camera, 1, 1).eye_mm(),
                                                            static_cast<float>(fabric->camera.distance_mm),
                                                            previous ? previous->lighting.get() : nullptr);
-  return scene;
+  return makeCloth(*scene, change, previous, first, task) ? scene : nullptr;
 }
 
 }  // namespace loomlight

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -63,9 +64,19 @@ struct Scene {
   } seconds;  ///< what making it took; 0 for what was reused
 };
 
+/// What somebody who waits for a scene wants to see of it before it is there.
+struct FirstScenes {
+  double aspect = 1;  ///< width over height of the picture
+  /// Asked where a draft could be shown, having so much of all bricks. Both are called from the thread that builds.
+  std::function<bool(double fraction)> wanted;
+  /// A scene as it will be, but for fibres that overlap, or bricks out of sight, or of sight in another phase.
+  std::function<void(std::shared_ptr<const Scene> draft)> show;
+};
+
 /// Builds the scene of a fabric, reusing from `previous` (may be null) every part that the edit did not touch. Returns
-/// null when stopped; throws InputError for files that cannot be used.
+/// null when stopped; throws InputError for files that cannot be used. What `first` (may be null) is shown in between
+/// changes nothing; none of it may be a `previous`.
 std::shared_ptr<const Scene> makeScene(std::shared_ptr<const Fabric> fabric, const Task& task,
-                                       const Scene* previous = nullptr);
+                                       const Scene* previous = nullptr, const FirstScenes* first = nullptr);
 
 }  // namespace loomlight

@@ -62,6 +62,15 @@ inline std::shared_ptr<const ClothVolume> volumeOf(const Fabric& fabric, int end
   return ClothVolume::build(geometryOf(fabric, ends, picks), resolution, Task{}, previous);
 }
 
+/// Whether all cells have bricks, of the volume's own grid.
+inline bool isWhole(const ClothVolume& volume) {
+  for (int pick = 0; pick < volume.geometry().picks(); ++pick)
+    for (int end = 0; end < volume.geometry().ends(); ++end)
+      for (const System system : {System::warp, System::weft})
+        if (volume.brick(system, pick, end).levels() != volume.grid().levels) return false;
+  return true;
+}
+
 /// Whether both have the same bricks, byte for byte, in all cells, and count the same.
 inline bool sameVolume(const ClothVolume& a, const ClothVolume& b) {
   if (a.grid() != b.grid()) return false;
