@@ -147,7 +147,7 @@ void Tracer::take(News news) {
 }
 
 void Tracer::begin(Request request) {
-  constexpr int kLegible = 8;
+  constexpr int kLegible = 8, kInMotion = 12;  // coarser ones say nothing of the weave
   const bool sameSize = request.width == request_.width && request.height == request_.height;
   const bool better = picture_ && sameSize && request.generation == request_.generation;
   if (!better && sameSize && recolour(request)) return;
@@ -165,7 +165,11 @@ void Tracer::begin(Request request) {
     return;
   }
   beginPicture(secondsPerPath);
-  if (better || (sameSize && sameView(*request_.cloth.scene->fabric))) picture_->beginAt(std::min(kLegible, reached));
+  if (better || (sameSize && sameView(*request_.cloth.scene->fabric))) {
+    picture_->beginAt(std::min(kLegible, reached));
+  } else if (costsAlike) {
+    picture_->beginAt(kInMotion);
+  }
   if (earlier) {
     picture_->standIn(earlier);
     picture_->skipCoarse();
