@@ -40,6 +40,7 @@ struct EditResult {
   EditKind kind;
   Transitions made, undone, redone;
   double full_s = 0;     ///< a scene of the edited fabric made of nothing
+  double alone_s = 0;    ///< the same made of the scene before, median; nobody traces beside either
   size_t allBricks = 0;  ///< of its volume
 };
 
@@ -78,17 +79,25 @@ double slowest(const std::vector<double>& values) {
   return quantile(values, 0.95);
 }
 
-/// The scene and its medium of nothing. False when stopped.
-bool buildInFull(const Fabric& fabric, const Bench& bench, EditResult& result) {
+/// The scene of the edited fabric and its medium of nothing; and of the scene before. False when stopped.
+bool buildAlone(const Scene& before, const Fabric& fabric, const Bench& bench, EditResult& result) {
   Task task;
   task.stop = bench.stop;
   task.threads = bench.threads;
-  Stopwatch watch;
-  const auto scene = makeScene(std::make_shared<const Fabric>(fabric), task);
-  if (!scene || !makeMedium(*scene, defaultMemoryLimit_bytes(), task)) return false;
-  result.full_s = watch.lap();
-  result.allBricks = scene->volume->counts().bricks;
-  return true;
+  const auto after = std::make_shared<const Fabric>(fabric);
+  const auto seconds = [&](const Scene* previous) {
+    Stopwatch watch;
+    const auto scene = makeScene(after, task, previous);
+    if (!scene || !makeMedium(*scene, defaultMemoryLimit_bytes(), task)) return 0.0;
+    const double spent = watch.lap();
+    if (!previous) result.allBricks = scene->volume->counts().bricks;
+    return spent;
+  };
+  result.full_s = seconds(nullptr);
+  std::vector<double> alone_s;
+  for (int round = 0; round < bench.rounds(); ++round) alone_s.push_back(seconds(&before));
+  result.alone_s = median(alone_s);
+  return !bench.stop.stop_requested();
 }
 
 bool measure(LiveClock& clock, const Fabric& fabric, bool wholeSample, const Bench& bench, Transitions& transitions) {
@@ -109,8 +118,13 @@ bool measure(LiveClock& clock, const Fabric& before, int round, const Bench& ben
 
 bool measureFullBuilds(LiveClock& clock, const Bench& bench, ClothResult& result) {
   clock.pause(true);
+  Task task;
+  task.stop = bench.stop;
+  task.threads = bench.threads;
+  const auto before = makeScene(std::make_shared<const Fabric>(result.fabric), task);
+  if (!before) return false;
   for (EditResult& edit : result.edits)
-    if (!buildInFull(edit.kind.apply(result.fabric, 0), bench, edit)) return false;
+    if (!buildAlone(*before, edit.kind.apply(result.fabric, 0), bench, edit)) return false;
   clock.pause(false);
   return true;
 }
@@ -149,9 +163,9 @@ std::string milliseconds(double seconds) {
 std::string spread(const std::vector<double>& seconds) {
   return fmt::format("{} ({})", milliseconds(median(seconds)), milliseconds(slowest(seconds)));
 }
-/// Of what the builder took; 0 where it took nothing.
+/// Both alone; 0 of edits that build nothing.
 double fullOverEdit(const EditResult& edit) {
-  return edit.made.build_s.empty() ? 0 : edit.full_s / median(edit.made.build_s);
+  return edit.made.build_s.empty() ? 0 : edit.full_s / edit.alone_s;
 }
 
 void addCloth(ReportPage& page, const ClothResult& result) {
@@ -161,15 +175,15 @@ void addCloth(ReportPage& page, const ClothResult& result) {
                              static_cast<double>(result.counts.bytes) / 1e6, milliseconds(result.opened_s)));
   std::vector<std::vector<std::string>> rows;
   for (const EditResult& edit : result.edits)
-    rows.push_back({edit.kind.name, std::to_string(edit.made.mostBricks), spread(edit.made.volume_s),
-                    spread(edit.made.coarse_s), milliseconds(median(edit.made.sample_s)),
-                    std::to_string(edit.undone.mostBricks), spread(edit.undone.coarse_s),
-                    std::to_string(edit.redone.mostBricks), spread(edit.redone.coarse_s),
-                    std::to_string(edit.allBricks), milliseconds(edit.full_s), ratioText(fullOverEdit(edit))});
+    rows.push_back(
+        {edit.kind.name, std::to_string(edit.made.mostBricks), spread(edit.made.volume_s), spread(edit.made.coarse_s),
+         milliseconds(median(edit.made.sample_s)), std::to_string(edit.undone.mostBricks), spread(edit.undone.coarse_s),
+         std::to_string(edit.redone.mostBricks), spread(edit.redone.coarse_s), std::to_string(edit.allBricks),
+         milliseconds(edit.full_s), fmt::format("{:.3f}", 1e3 * edit.alone_s), ratioText(fullOverEdit(edit))});
   page.table("edit_" + result.name,
              {"edit", "bricks voxelised", "volume, ms", "first picture, ms", "one sample, ms", "undo: bricks",
               "undo: first picture, ms", "redo: bricks", "redo: first picture, ms", "full build: bricks",
-              "full build, ms", "full : edit"},
+              "full build, ms", "the edit alone, ms", "full : edit"},
              rows);
   page.paragraph(fmt::format("A stroke of {} crossings, 60 a second: {} ms from crossing to picture, {} bricks.",
                              result.strokeWaits_s.size(), spread(result.strokeWaits_s), result.strokeBricks));
@@ -239,6 +253,7 @@ nlohmann::ordered_json jsonOf(const ClothResult& result) {
     one["undone"] = jsonOf(edit.undone);
     one["redone"] = jsonOf(edit.redone);
     one["full_build"] = {{"bricks", edit.allBricks}, {"seconds", edit.full_s}};
+    one["alone_seconds"] = edit.alone_s;
     json["edits"].push_back(std::move(one));
   }
   json["stroke"] = {{"crossings", result.strokeWaits_s.size()},
@@ -260,7 +275,8 @@ int run(const EditBenchCommand& command) {
       "Every edit as the window makes it, through the builder and the tracer of the editor at work on a picture of "
       "{} x {}, {} times each, then undone and redone; milliseconds from the edit on, median and in brackets 95th "
       "percentile; one sample of every pixel the first time only. Beside it the same edit as a full build of volume, "
-      "shell and light tables, in the same run, and how many times what the builder itself took for the edit.",
+      "shell and light tables, and as it is made of the cloth before; both in the same run while nothing is traced "
+      "(beside the tracer, whose caches it finds cold, an edit may take several times as long), and their ratio.",
       bench.width(), bench.height(), bench.rounds()));
   std::vector<ClothResult> results;
   for (const EditedCloth& cloth : editedCloths(bench.quick)) {
