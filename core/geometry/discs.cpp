@@ -68,8 +68,7 @@ void Parting::findNeighbours(const DiscCentres& centres) {
   for (int i = 0; i < static_cast<int>(centres.size()); ++i)
     buckets.near(centres[i], [&](int j) {
       if (j <= i) return;
-      const glm::dvec2 apart = threads_.apart(centres[i], centres[j]);
-      if (glm::dot(apart, apart) < near * near) neighbours_.emplace_back(i, j);
+      if (threads_.apartSquare(centres[i], centres[j]) < near * near) neighbours_.emplace_back(i, j);
     });
 }
 
@@ -78,8 +77,7 @@ double Parting::sweep(DiscCentres& centres) {
   const double diameter = 2 * threads_.radius_mm;
   double worst = 0;
   for (const auto& [i, j] : neighbours_) {
-    const glm::dvec2 apart = threads_.apart(centres[i], centres[j]);
-    const double square = glm::dot(apart, apart);
+    const double square = threads_.apartSquare(centres[i], centres[j]);
     if (square >= diameter * diameter) continue;
     const double distance = std::sqrt(square);
     worst = std::max(worst, diameter - distance);
@@ -98,7 +96,7 @@ double worstOverlap(const DiscCentres& centres_mm, const Threads& threads) {
   for (size_t i = 0; i < centres_mm.size(); ++i)
     buckets.near(centres_mm[i], [&](int j) {
       if (static_cast<size_t>(j) > i)
-        worst = std::max(worst, 2 * threads.radius_mm - glm::length(threads.apart(centres_mm[i], centres_mm[j])));
+        worst = std::max(worst, 2 * threads.radius_mm - std::sqrt(threads.apartSquare(centres_mm[i], centres_mm[j])));
     });
   return worst / threads.radius_mm;
 }

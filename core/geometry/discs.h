@@ -17,13 +17,13 @@ struct Threads {
   double radius_mm = 0;
   double turns_per_mm = 0;  ///< of length along the axis; 0: they are straight
 
-  /// From one to another, as seen along them. They touch where that is two radii long.
-  glm::dvec2 apart(glm::dvec2 from, glm::dvec2 to) const {
+  /// Square of the distance from one to another, as seen along them: the way around the origin is foreshortened by the
+  /// cosine of the helix angle halfway between. They touch where that is two radii.
+  double apartSquare(glm::dvec2 from, glm::dvec2 to) const {
     const glm::dvec2 middle = 0.5 * (from + to), between = to - from;
-    const double square = glm::dot(middle, middle);
-    if (turns_per_mm == 0 || square == 0) return between;
-    const glm::dvec2 around(-middle.y, middle.x);
-    return between - (1 - cosineAt(square)) / square * glm::dot(between, around) * around;
+    const double slope = 2 * kPi * turns_per_mm;
+    const double around = slope * (between.y * middle.x - between.x * middle.y);
+    return glm::dot(between, between) - around * around / (1 + slope * slope * glm::dot(middle, middle));
   }
   /// Of the helix angle, at the square of a distance from the axis.
   double cosineAt(double square_mm2) const {

@@ -9,7 +9,12 @@
 namespace loomlight {
 namespace {
 
-constexpr int kSweeps = 100;
+/// Sweeps that part the threads of a ply: fewer where there are many, so that no yarn keeps its designer waiting. Some
+/// overlaps are left then, among fibres that are a hundredth of the yarn.
+int sweepsFor(size_t threads) {
+  constexpr size_t kSweeps = 100, kLeastSweeps = 25, kMoves = 50'000;
+  return static_cast<int>(std::clamp(kMoves / threads, kLeastSweeps, kSweeps));
+}
 
 /// Every fibre a little towards the mean of where it was and where it will be.
 void straighten(std::vector<DiscCentres>& stages, double share) {
@@ -34,13 +39,14 @@ void partThreads(std::vector<DiscCentres>& stages, const Threads& fibres, double
   const int threads = std::max(1, hardwareThreads() - 1);  // one is the window's
   std::vector<Parting> partings(stages.size(), Parting(fibres));
   std::vector<double> overlaps(stages.size());
-  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+  const int sweeps = sweepsFor(stages[0].size());
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
     parallelFor(stages.size(), threads, [&](size_t k) {
       overlaps[k] = partings[k].sweep(stages[k]);
       keepWithin(stages[k], rim);
     });
     if (*std::max_element(overlaps.begin(), overlaps.end()) < kTouching * fibres.radius_mm) return;
-    straighten(stages, 0.5 * (1 - (sweep + 1.0) / kSweeps));
+    straighten(stages, 0.5 * (1 - (sweep + 1.0) / sweeps));
   }
 }
 
