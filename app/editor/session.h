@@ -61,8 +61,8 @@ class Session {
   void openFile(const std::string& file);
   /// Asks about unsaved work first, once.
   void askToQuit();
-  /// Offers what an editor that did not end well has left behind.
-  void offerRecovery();
+  /// Offers what an editor that did not end well has left behind, once no dialog is in the way.
+  void offerRecovery() { recoveryDue_ = true; }
 
   bool isOver() const { return over_; }
   /// The end has come as it should: nothing is left to be taken up again.
@@ -88,7 +88,7 @@ class Session {
   };
   enum class Question { none, said, unsaved, forgetRecent, recover };
   /// What unsaved work stands in the way of.
-  enum class Afterwards { nothing, quit, beginAnew, open };
+  enum class Afterwards { nothing, quit, beginAnew, open, takeUp };
 
   // session_panels.cpp: what is drawn
   void drawPanels(Ui& ui);
@@ -126,6 +126,7 @@ class Session {
   void openRecent(const std::string& file);
   void openFabric(const std::string& file);
   void save(const std::string& file);
+  void askForRecovery();
   void takeUp(Fabric fabric, const std::string& left);
   void drawBusy(Ui& ui);
   void fileDone(FileDesk::Result result);
@@ -234,6 +235,7 @@ class Session {
   double work_s_ = 0;
   uint64_t colourWish_ = 0, colourGesture_ = 0;  ///< the newest wish for a colour, and the gesture that made it
   Afterwards afterwards_ = Afterwards::nothing;  ///< once the work is saved, or need not be
+  bool recoveryDue_ = false;                     ///< an offer is to be made
   bool over_ = false, fullScreen_ = false;
 };
 

@@ -188,9 +188,9 @@ void Session::leaveFor(Afterwards next) {
   if (files_.isBusyWith(FileDesk::Work::open)) files_.cancel();
   if (files_.busy()) return;  // fileDone() comes back here
   if (!document_.isDirty()) return goOn();
-  const char* discard = next == Afterwards::quit   ? "Discard"
-                        : next == Afterwards::open ? "Open without"
-                                                   : "Begin without";
+  const char* discard = next == Afterwards::quit        ? "Discard"
+                        : next == Afterwards::beginAnew ? "Begin without"
+                                                        : "Open without";
   ask(Question::unsaved, "Unsaved work",
       fmt::format("\"{}\" has changes that are not saved.", document_.fabric()->name), {"Go on", discard, "Save"}, 2);
 }
@@ -205,6 +205,9 @@ void Session::goOn() {
       break;
     case Afterwards::open:
       openFabric(pendingFile_);
+      break;
+    case Afterwards::takeUp:
+      files_.open(FileDesk::Work::takeUp, pendingFile_, document_.fabric());
       break;
     case Afterwards::nothing:
       break;
@@ -228,10 +231,11 @@ void Session::answered(int answer) {
   if (question == Question::forgetRecent && answer == 1) forget(settings_.recent, pendingFile_);
   if (question != Question::recover || answer == 0) return;
   if (answer == 1) Autosave::throwAway(pendingFile_);
-  if (answer == 2) files_.open(FileDesk::Work::takeUp, pendingFile_, document_.fabric());
+  if (answer == 2) leaveFor(Afterwards::takeUp);
 }
 
 void Session::drawDialogs(Ui& ui) {
+  if (recoveryDue_ && !dialogIsOpen()) askForRecovery();
   // The browser stands in for the snapshot dialog while it names its file.
   if (!browser_.isOpen() && snapshotDialog_.isOpen()) drawSnapshot(ui);
   if (const auto file = browser_.draw(ui)) fileChosen(*file);

@@ -110,7 +110,8 @@ void Session::fileDone(FileDesk::Result result) {
   if (afterwards_ != Afterwards::nothing) leaveFor(afterwards_);
 }
 
-void Session::offerRecovery() {
+void Session::askForRecovery() {
+  recoveryDue_ = false;
   const auto left = Autosave::leftBehind(stateFolder());
   if (!left) return;
   pendingFile_ = left->string();

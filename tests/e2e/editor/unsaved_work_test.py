@@ -97,7 +97,15 @@ def settings_last(editor, file):
     editor.wait_until("it is denoised again", lambda: editor.fact("denoised") == "yes", 120)
 
 
-def a_killed_editor_leaves_its_work(editor, file):
+def mailed_draft(home):
+    file = os.path.join(home, "draft.wif.txt")
+    with open(file, "w", encoding="ascii") as text:
+        text.write("[WIF]\nVersion=1.1\n[WEAVING]\nShafts=2\nTreadles=2\n[WARP]\nThreads=2\n[WEFT]\nThreads=2\n"
+                   "[THREADING]\n1=1\n2=2\n[TIEUP]\n1=1\n2=2\n[TREADLING]\n1=1\n2=2\n[TEXT]\nTitle=By mail\n")
+    return file
+
+
+def a_killed_editor_leaves_its_work(editor):
     """Also where a later process has its number, as after a restart of the machine."""
     editor.wait_for_picture()
     state = os.path.join(editor.home, "state", "loomlight")
@@ -108,7 +116,8 @@ def a_killed_editor_leaves_its_work(editor, file):
     (copy,) = [name for name in os.listdir(state) if name.endswith(".json")]
     weave = read_json(os.path.join(state, copy))["weave"]
     os.rename(os.path.join(state, copy), os.path.join(state, f"autosave-{os.getpid()}.json"))
-    editor.start(PROGRAM, [file])
+    editor.start(PROGRAM, [mailed_draft(editor.home)])  # which has a dialog of its own
+    editor.click("wif.close")
     editor.wait_until("it is offered", lambda: "Take it up again?" in editor.fact("message"))
     editor.key("Return")
     editor.wait_until("it is taken up", lambda: editor.fact("dirty") == "yes" and editor.fact("name") == "Two")
@@ -122,10 +131,7 @@ def a_killed_editor_leaves_its_work(editor, file):
 
 def a_text_is_read_as_what_it_is(editor):
     """Weaving files come by mail as texts; what is none of ours is named."""
-    draft = os.path.join(editor.home, "draft.wif.txt")
-    with open(draft, "w", encoding="ascii") as text:
-        text.write("[WIF]\nVersion=1.1\n[WEAVING]\nShafts=2\nTreadles=2\n[WARP]\nThreads=2\n[WEFT]\nThreads=2\n"
-                   "[THREADING]\n1=1\n2=2\n[TIEUP]\n1=1\n2=2\n[TREADLING]\n1=1\n2=2\n[TEXT]\nTitle=By mail\n")
+    draft = mailed_draft(editor.home)
     editor.key("ctrl+o")
     name_file(editor, draft)
     editor.wait_until("the draft is open", lambda: editor.fact("name") == "By mail")
@@ -151,7 +157,7 @@ def test():
         a_name_that_is_taken(editor, one)
         snapshots_beside_each_other(editor)
         settings_last(editor, one)
-        a_killed_editor_leaves_its_work(editor, two)
+        a_killed_editor_leaves_its_work(editor)
         a_text_is_read_as_what_it_is(editor)
 
 
