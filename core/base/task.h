@@ -18,4 +18,11 @@ struct Task {
   }
 };
 
+/// Not to be stopped, and on the caller's thread alone.
+inline Task oneThread() {
+  Task task;
+  task.threads = 1;
+  return task;
+}
+
 }  // namespace loomlight

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <vector>
 
 namespace loomlight {
@@ -11,12 +12,7 @@ namespace {
 using Column = std::vector<uint8_t>;  ///< of an end, pick by pick: whether it is up
 
 constexpr int kMostPicks = 99;
-
-Column columnOf(const Weave& weave, int end) {
-  Column column;
-  for (int pick = 0; pick < weave.picks(); ++pick) column.push_back(weave.at(pick, end));
-  return column;
-}
+constexpr int64_t kMostCrossings = 1'000'000;  ///< of basic weaves; larger ones are not looked through for a repeat
 
 /// Of the same thread, so many picks later.
 Column later(const Column& column, int picks) {
@@ -30,17 +26,43 @@ Column inverse(Column column) {
   return column;
 }
 
+/// The shortest stretch that repeats, of a list that repeats as a whole.
+template <class T>
+void keepOneRepeat(std::vector<T>& list) {
+  for (size_t period = 1; period < list.size(); ++period) {
+    if (list.size() % period != 0 ||
+        !std::equal(list.begin() + static_cast<ptrdiff_t>(period), list.end(), list.begin()))
+      continue;
+    list.resize(period);
+    return;
+  }
+}
+
+/// The ends of the smallest repeat, from one that weaves otherwise than the end before it.
+std::vector<Column> endsOf(const Weave& weave) {
+  std::vector<std::vector<uint8_t>> picks;
+  for (int pick = 0; pick < weave.picks(); ++pick) picks.emplace_back(weave.row(pick).begin(), weave.row(pick).end());
+  keepOneRepeat(picks);
+  std::vector<Column> ends(static_cast<size_t>(weave.ends()));
+  for (const std::vector<uint8_t>& pick : picks)
+    for (size_t end = 0; end < ends.size(); ++end) ends[end].push_back(pick[end] != 0);
+  keepOneRepeat(ends);
+  size_t first = 0;
+  while (first + 1 < ends.size() && ends[first] == ends[(first + ends.size() - 1) % ends.size()]) ++first;
+  std::rotate(ends.begin(), ends.begin() + static_cast<ptrdiff_t>(first), ends.end());
+  return ends;
+}
+
 /// Ends that weave alike, side by side.
 struct Group {
   Column column;
   int ends = 0;
 };
 
-std::vector<Group> groupsOf(const Weave& weave) {
+std::vector<Group> groupsOf(const std::vector<Column>& ends) {
   std::vector<Group> groups;
-  for (int end = 0; end < weave.ends(); ++end) {
-    Column column = columnOf(weave, end);
-    if (groups.empty() || groups.back().column != column) groups.push_back({std::move(column), 0});
+  for (const Column& column : ends) {
+    if (groups.empty() || groups.back().column != column) groups.push_back({column, 0});
     ++groups.back().ends;
   }
   return groups;
@@ -90,16 +112,17 @@ bool bindsOnce(const std::vector<int>& floats) {
 }  // namespace
 
 std::optional<std::string> isoWeaveCode(const Weave& weave) {
-  if (weave.picks() > kMostPicks || weave.ends() > kMostPicks * kMostPicks) return std::nullopt;
-  const std::vector<Group> groups = groupsOf(weave);
-  if (groups.size() < 2 || riseOf(groups[0].column) < 0) return std::nullopt;
+  if (static_cast<int64_t>(weave.ends()) * weave.picks() > kMostCrossings) return std::nullopt;
+  const std::vector<Column> columns = endsOf(weave);
+  const int picks = static_cast<int>(columns[0].size());
+  const std::vector<Group> groups = groupsOf(columns);
+  if (picks > kMostPicks || groups.size() < 2 || riseOf(groups[0].column) < 0) return std::nullopt;
   std::vector<int> ends;
   for (const Group& group : groups) ends.push_back(group.ends);
   const bool even = std::equal(ends.begin() + 1, ends.end(), ends.begin());
   if (*std::max_element(ends.begin(), ends.end()) > kMostPicks) return std::nullopt;
 
   const std::vector<int> floats = floatsOf(groups[0].column);
-  const int picks = weave.picks();
   int kind = 1, step = 0;
   if (!alternate(groups)) {
     step = even ? stepOf(groups) : 0;

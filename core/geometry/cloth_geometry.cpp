@@ -109,19 +109,20 @@ uint64_t hash(const CellKey& key) {
   return h;
 }
 
-ClothGeometry::ClothGeometry(const Fabric& fabric, int ends, int picks, const ClothGeometry* previous, bool sketched)
+ClothGeometry::ClothGeometry(const Fabric& fabric, int ends, int picks, const ClothGeometry* previous, bool sketched,
+                             const Task& task)
     : weave_(fabric.weave),
       ends_(ends),
       picks_(picks),
       warpPitch_mm_(fabric.warpPitch_mm()),
       weftPitch_mm_(fabric.weftPitch_mm()) {
   assert(ends >= 1 && picks >= 1);
-  resolveYarns(fabric, previous, sketched);
+  resolveYarns(fabric, previous, sketched, task);
   findRepeat();
   findThickness();
 }
 
-void ClothGeometry::resolveYarns(const Fabric& fabric, const ClothGeometry* previous, bool sketched) {
+void ClothGeometry::resolveYarns(const Fabric& fabric, const ClothGeometry* previous, bool sketched, const Task& task) {
   const std::vector<int> classOf = geometryClasses(fabric);
   classCount_ = *std::max_element(classOf.begin(), classOf.end()) + 1;
   std::vector<const Yarn*> yarnOf(classCount_);
@@ -164,8 +165,8 @@ void ClothGeometry::resolveYarns(const Fabric& fabric, const ClothGeometry* prev
         for (const auto& model : previous->of(system).yarns)
           if (model && model->source == source) mine.yarns[own] = model;
       if (mine.yarns[own]) continue;
-      source.sketched = sketched && isWorthSketching(source);
-      mine.yarns[own] = makeYarnModel(source);
+      source.sketched = (sketched || task.stopped()) && isWorthSketching(source);
+      mine.yarns[own] = makeYarnModel(source, task);
     }
   }
 }

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/task.h"
 #include "core/fabric/fabric.h"
 #include "core/geometry/cell_strands.h"
 #include "core/geometry/crossing.h"
@@ -43,8 +44,9 @@ class ClothGeometry {
   /// Throws nothing for a valid fabric (core/fabric/validate.h). `ends`, `picks`: size of the piece, >= 1. Shares the
   /// models of the yarns that `previous` (may be null) has too. Sketched: the yarns that take long to make are there
   /// for a first look, their fibres where they are but for overlaps; those that `previous` has are as they should be.
+  /// Once `task` is stopped the rest is made in no time, to be thrown away.
   ClothGeometry(const Fabric& fabric, int ends, int picks, const ClothGeometry* previous = nullptr,
-                bool sketched = false);
+                bool sketched = false, const Task& task = oneThread());
   bool isSketched() const;  ///< any of the yarns
 
   int ends() const { return ends_; }
@@ -122,7 +124,7 @@ class ClothGeometry {
   std::vector<int> nodeGroups(System system, int own, const std::vector<int>& crossed) const;
   template <class WarpOver>
   void shapeCodesOf(System system, int across, int along, const WarpOver& warpOver, std::span<ShapeCode> codes) const;
-  void resolveYarns(const Fabric& fabric, const ClothGeometry* previous, bool sketched);
+  void resolveYarns(const Fabric& fabric, const ClothGeometry* previous, bool sketched, const Task& task);
   void findRepeat();
   void findThickness();
 

@@ -47,9 +47,9 @@ Points hexagonal(int count, double spacing, Random& random) {
 
 /// Pushes overlapping discs apart, from within the rim, until none overlap. Where the rim leaves too little room, the
 /// rim gives way: the later sweeps leave it free.
-void relax(Points& points, const Threads& fibres, double rim) {
+void relax(Points& points, const Threads& fibres, double rim, const Task& task) {
   Parting parting(fibres);
-  for (int sweep = 0; sweep < kRelaxations; ++sweep) {
+  for (int sweep = 0; sweep < kRelaxations && !task.stopped(); ++sweep) {
     if (sweep < kRelaxations / 4) {
       for (glm::dvec2& p : points)
         if (const double reach = glm::length(p); reach > rim) p *= rim / reach;
@@ -60,7 +60,8 @@ void relax(Points& points, const Threads& fibres, double rim) {
 
 }  // namespace
 
-Points plySection(FibreLayout layout, int count, double plyRadius_mm, const Threads& fibres, uint64_t seed) {
+Points plySection(FibreLayout layout, int count, double plyRadius_mm, const Threads& fibres, uint64_t seed,
+                  const Task& task) {
   if (count == 1) return {glm::dvec2(0)};
   Random random(seed);
   const double radius = fibres.radius_mm, rim = std::max(plyRadius_mm - radius, 0.5 * plyRadius_mm);
@@ -72,7 +73,7 @@ Points plySection(FibreLayout layout, int count, double plyRadius_mm, const Thre
     const double spacing = 2 * radius * std::sqrt(kHexagonalDensity / density);
     points = hexagonal(count, spacing, random);
     for (glm::dvec2& p : points) p += 1.5 * (spacing - 2 * radius) * uniformInDisc(random);
-    relax(points, fibres, rim);
+    relax(points, fibres, rim, task);
   }
   centre(points);
   return points;

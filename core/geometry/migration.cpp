@@ -9,12 +9,7 @@
 namespace loomlight {
 namespace {
 
-/// Sweeps that part the threads of a ply: fewer where there are many, so that no yarn keeps its designer waiting. Some
-/// overlaps are left then, among fibres that are a hundredth of the yarn.
-int sweepsFor(size_t threads) {
-  constexpr size_t kSweeps = 100, kLeastSweeps = 25, kMoves = 50'000;
-  return static_cast<int>(std::clamp(kMoves / threads, kLeastSweeps, kSweeps));
-}
+constexpr int kSweeps = 100;
 
 /// Every fibre a little towards the mean of where it was and where it will be.
 void straighten(std::vector<DiscCentres>& stages, double share) {
@@ -34,19 +29,17 @@ void keepWithin(DiscCentres& centres, double rim) {
 
 /// As threads that push one another aside: discs apart at every stage, within the rim, and straight from stage to
 /// stage, the less so the nearer to the end. Where there is too little room for all, they overlap.
-void partThreads(std::vector<DiscCentres>& stages, const Threads& fibres, double rim) {
-  constexpr double kTouching = 0.01;                       // overlap, in radii, that counts as none
-  const int threads = std::max(1, hardwareThreads() - 1);  // one is the window's
+void partThreads(std::vector<DiscCentres>& stages, const Threads& fibres, double rim, const Task& task) {
+  constexpr double kTouching = 0.01;  // overlap, in radii, that counts as none
   std::vector<Parting> partings(stages.size(), Parting(fibres));
   std::vector<double> overlaps(stages.size());
-  const int sweeps = sweepsFor(stages[0].size());
-  for (int sweep = 0; sweep < sweeps; ++sweep) {
-    parallelFor(stages.size(), threads, [&](size_t k) {
+  for (int sweep = 0; sweep < kSweeps && !task.stopped(); ++sweep) {
+    parallelFor(stages.size(), task.threads, [&](size_t k) {
       overlaps[k] = partings[k].sweep(stages[k]);
       keepWithin(stages[k], rim);
     });
     if (*std::max_element(overlaps.begin(), overlaps.end()) < kTouching * fibres.radius_mm) return;
-    straighten(stages, 0.5 * (1 - (sweep + 1.0) / sweeps));
+    straighten(stages, 0.5 * (1 - (sweep + 1.0) / kSweeps));
   }
 }
 
@@ -64,7 +57,7 @@ Migration::Migration(const DiscCentres& section) {
 }
 
 Migration::Migration(const DiscCentres& section, FibreLayout layout, double amount, const Threads& fibres,
-                     uint64_t seed) {
+                     uint64_t seed, const Task& task) {
   Random random(seed);
   std::vector<double> phases(section.size());
   for (double& phase : phases) phase = random.uniformDouble();
@@ -72,7 +65,7 @@ Migration::Migration(const DiscCentres& section, FibreLayout layout, double amou
   for (int k = 0; k < kStages; ++k)
     for (size_t i = 0; i < section.size(); ++i)
       stages[k][i] *= 1 - 0.5 * amount * (1 - std::cos(2 * kPi * (static_cast<double>(k) / kStages + phases[i])));
-  if (layout == FibreLayout::packed) partThreads(stages, fibres, reachOf(section));
+  if (layout == FibreLayout::packed) partThreads(stages, fibres, reachOf(section), task);
   keep(stages);
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/task.h"
 #include "core/fabric/fabric.h"
 #include "core/geometry/discs.h"
 
@@ -17,8 +18,9 @@ class Migration {
   /// No migration: they stay in their places.
   explicit Migration(const DiscCentres& section);
   /// Each fibre goes from its place to 1 - `amount` of the way out to it and back, out of step with the others (Zhao et
-  /// al. 2016, Eq. 3). Packed ones go round one another.
-  Migration(const DiscCentres& section, FibreLayout layout, double amount, const Threads& fibres, uint64_t seed);
+  /// al. 2016, Eq. 3). Packed ones go round one another; unfinished when the task is stopped.
+  Migration(const DiscCentres& section, FibreLayout layout, double amount, const Threads& fibres, uint64_t seed,
+            const Task& task = oneThread());
 
   int fibres() const { return fibres_; }
   bool moves() const { return stages_ > 1; }

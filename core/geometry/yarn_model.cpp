@@ -37,7 +37,7 @@ Threads roomOfFibres(const YarnModel& m) {
   return fibres;
 }
 
-void laySections(YarnModel& m) {
+void laySections(YarnModel& m, const Task& task) {
   const YarnGeometry& g = m.geometry;
   Threads fibres = roomOfFibres(m);
   if (m.source.sketched) fibres.radius_mm *= 0.1;  // thin threads hardly have to be parted
@@ -46,8 +46,8 @@ void laySections(YarnModel& m) {
   m.bodyReach_mm = 0;
   for (int ply = 0; ply < g.plies; ++ply) {
     const uint64_t seed = hashCombine(g.seed, ply);
-    const DiscCentres section = plySection(g.layout, g.fibresPerPly, g.plyRadius_mm, fibres, seed);
-    m.plies.push_back(m.migrations > 0 ? Migration(section, onTheirWay, g.migration, fibres, hashCombine(seed, 1))
+    const DiscCentres section = plySection(g.layout, g.fibresPerPly, g.plyRadius_mm, fibres, seed, task);
+    m.plies.push_back(m.migrations > 0 ? Migration(section, onTheirWay, g.migration, fibres, hashCombine(seed, 1), task)
                                        : Migration(section));
     m.bodyReach_mm = std::max(m.bodyReach_mm, g.cordOrbit_mm + g.plyOrbit_mm + m.plies.back().reach_mm());
   }
@@ -124,7 +124,7 @@ bool isWorthSketching(const YarnSource& source) {
   return g.layout == FibreLayout::packed && fibres * (g.migration > 0 ? Migration::kStages : 1) > kMany;
 }
 
-std::shared_ptr<const YarnModel> makeYarnModel(const YarnSource& source) {
+std::shared_ptr<const YarnModel> makeYarnModel(const YarnSource& source, const Task& task) {
   auto model = std::make_shared<YarnModel>();
   model->source = source;
   YarnGeometry& g = model->geometry;
@@ -153,7 +153,7 @@ std::shared_ptr<const YarnModel> makeYarnModel(const YarnSource& source) {
       g.fibreRadius_mm = radius * std::sqrt(static_cast<double>(*source.fibresPerPly) / g.fibresPerPly);
     else if (round == 0)
       g.fibreRadius_mm = std::sqrt(area / (kPi * (g.singles() * g.fibresPerPly * takeUp + loose)));
-    laySections(*model);
+    laySections(*model, task);
     measureStraight(*model);
     if (!source.fibresPerPly) g.fibreRadius_mm = std::sqrt(area / (kPi * meanTakeUp(*model)));
   }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/task.h"
 #include "core/geometry/flyaways.h"
 #include "core/geometry/migration.h"
 #include "core/geometry/yarn_geometry.h"
@@ -55,8 +56,8 @@ struct YarnModel {
 /// rounded; their radius then makes the yarn weigh its count exactly, take-up and loose fibres included. A yarn of more
 /// than kMaxFibresPerPly fibres a ply, or kMaxFibresInYarn in all, or with more than kMaxPointsPerCell points in a
 /// straight cell, gets thicker fibres instead, each for a bundle: the mass stays. A given number of fibres keeps its
-/// radius, and the count follows.
-std::shared_ptr<const YarnModel> makeYarnModel(const YarnSource& source);
+/// radius, and the count follows. Once the task is stopped the model is made in no time, to be thrown away.
+std::shared_ptr<const YarnModel> makeYarnModel(const YarnSource& source, const Task& task = oneThread());
 /// Whether to sketch the yarn first saves time that is felt.
 bool isWorthSketching(const YarnSource& source);
 YarnSource sourceOf(const YarnGeometry& resolved, const Yarn& yarn, const Fibre& fibre);

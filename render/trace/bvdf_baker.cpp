@@ -16,7 +16,7 @@ namespace loomlight {
 namespace {
 
 constexpr auto kPiF = static_cast<float>(kPi);
-constexpr int kBakerVersion = 2;  // of the fibres' geometry, the rays and the tables: raise it when any of them changes
+constexpr int kBakerVersion = 3;  // of the fibres' geometry, the rays and the tables: raise it when any of them changes
 constexpr int kBlocks = 32;       // a pass
 constexpr int kEyeThetas = 8, kEyePhis = 16;       // strata of a block
 constexpr int kLightThetas = 16, kLightPhis = 32;  // strata over the sphere; each eye ray takes a part of them

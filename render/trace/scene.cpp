@@ -99,20 +99,17 @@ void lay(Scene& scene, const Piece& piece, const ClothGeometry& geometry, const 
                  makeYarnOptics(*scene.fabric, geometry, System::weft)};
 }
 
-/// Shows the scene with yarns that are made in no time, if that saves any. False when stopped.
-bool showSketch(Scene scene, const Piece& piece, const Impact& change, const Scene* previous, const FirstScenes& first,
-                const Task& task) {
+/// Shows the scene with yarns that were made in no time. False when stopped.
+bool showSketch(Scene scene, const Piece& piece, std::shared_ptr<const ClothGeometry> sketch, const Impact& change,
+                const Scene* previous, const FirstScenes& first, const Task& task) {
   const Fabric& fabric = *scene.fabric;
-  const auto geometry = std::make_shared<const ClothGeometry>(fabric, piece.ends, piece.picks,
-                                                              previous ? &previous->volume->geometry() : nullptr, true);
-  if (!geometry->isSketched()) return true;
-  lay(scene, piece, *geometry, change, previous);
-  const CellRect inView = cellsInView(fabric.camera, first.aspect, *geometry, *scene.shell, *scene.entry);
-  scene.volume =
-      ClothVolume::draft(geometry, fabric.render.resolution, inView, task, previous ? previous->volume.get() : nullptr);
+  lay(scene, piece, *sketch, change, previous);
+  const CellRect inView = cellsInView(fabric.camera, first.aspect, *sketch, *scene.shell, *scene.entry);
+  scene.volume = ClothVolume::draft(std::move(sketch), fabric.render.resolution, inView, task,
+                                    previous ? previous->volume.get() : nullptr);
   if (!scene.volume) return false;
   first.show(std::make_shared<const Scene>(std::move(scene)));
-  return true;
+  return !task.stopped();
 }
 
 /// Volume, shell and yarns: all of them, or what the edit leaves of the previous scene's. False when stopped.
@@ -128,9 +125,16 @@ bool makeCloth(Scene& scene, const Impact& change, const Scene* previous, const 
   }
   Stopwatch watch;
   const Piece piece = makePiece(fabric);
-  if (first && !showSketch(scene, piece, change, previous, *first, task)) return false;
-  auto geometry = std::make_shared<const ClothGeometry>(fabric, piece.ends, piece.picks,
-                                                        previous ? &previous->volume->geometry() : nullptr);
+  const auto makeGeometry = [&](const ClothGeometry* known, bool sketched) {
+    return std::make_shared<const ClothGeometry>(fabric, piece.ends, piece.picks, known, sketched, task);
+  };
+  auto geometry = makeGeometry(previous ? &previous->volume->geometry() : nullptr, first != nullptr);
+  if (task.stopped()) return false;
+  if (geometry->isSketched()) {
+    if (!showSketch(scene, piece, geometry, change, previous, *first, task)) return false;
+    geometry = makeGeometry(geometry.get(), false);  // all but the sketched yarns are as they should be
+    if (task.stopped()) return false;
+  }
   scene.seconds.geometry = watch.lap();
   lay(scene, piece, *geometry, change, previous);
   scene.seconds.accelerate = watch.lap();

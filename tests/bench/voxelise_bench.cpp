@@ -14,12 +14,6 @@ namespace {
 
 constexpr int kResolutions[] = {4, 8, 16};
 
-Task oneThread() {
-  Task task;
-  task.threads = 1;
-  return task;
-}
-
 /// A sample fabric in a piece as large as its drape, and the keys of all its bricks.
 struct Sample {
   Fabric fabric;

@@ -78,6 +78,15 @@ TEST(WeaveCode, SaysTheCloth) {
   }
 }
 
+TEST(WeaveCode, IsOfTheSmallestRepeat) {
+  for (const Weave& weave : {plainWeave(), basket(2, 3), twill(2, 2), twill(3, 1, Slant::s), satin(5, 2)})
+    EXPECT_EQ(isoWeaveCode(weave.resized(3 * weave.ends(), 2 * weave.picks())), isoWeaveCode(weave));
+  EXPECT_EQ(
+      isoWeaveCode(Weave(std::vector<std::vector<uint8_t>>{{1, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 1, 0}, {0, 1, 1, 0}})),
+      "10-02 02-02-00")
+      << "begins within a group";
+}
+
 TEST(WeaveCode, KnowsSatinsFromTwills) {
   for (const int step : satinSteps(8)) EXPECT_EQ(isoWeaveCode(satin(8, step))->front(), '3');
   EXPECT_EQ(isoWeaveCode(twill(7, 1))->front(), '2');

@@ -35,6 +35,38 @@ TEST(Migration, OfPackedFibresHasThemGoRoundOneAnother) {
   EXPECT_GT(worstAlone, 1);
 }
 
+/// Of every fibre with the one that it is deepest in, on average; in radii.
+double meanOverlap(const DiscCentres& centres) {
+  double sum = 0;
+  for (size_t i = 0; i < centres.size(); ++i) {
+    double deepest = 0;
+    for (size_t j = 0; j < centres.size(); ++j)
+      if (j != i) deepest = std::max(deepest, 2 - glm::length(centres[i] - centres[j]));
+    sum += deepest;
+  }
+  return sum / static_cast<double>(centres.size());
+}
+
+TEST(Migration, OfManyFibresHasMostGoRoundOneAnother) {
+  constexpr int kMany = 1000;
+  const DiscCentres start = plySection(FibreLayout::packed, kMany, std::sqrt(kMany / 0.5), {1}, 7);
+  const Migration ply(start, FibreLayout::packed, kAmount, {1}, 11);
+  const Migration alone(start, FibreLayout::random, kAmount, {1}, 11);
+  for (const double migrations : {0.0, 0.33, 0.71})
+    EXPECT_LT(meanOverlap(placesAt(ply, migrations)), 0.125 * meanOverlap(placesAt(alone, migrations)));
+}
+
+TEST(Migration, StopsWhenItIsTold) {
+  std::stop_source stop;
+  stop.request_stop();
+  Task stopped = oneThread();
+  stopped.stop = stop.get_token();
+  const DiscCentres start = section(FibreLayout::packed, 0.5);
+  const Migration ply(start, FibreLayout::packed, kAmount, {1}, 11, stopped);
+  const Migration unparted(start, FibreLayout::random, kAmount, {1}, 11);
+  for (int i = 0; i < kFibres; ++i) EXPECT_EQ(ply.place(i, Migration::at(0.3)), unparted.place(i, Migration::at(0.3)));
+}
+
 TEST(Migration, TakesFibresInAndOutAsFarAsItIsTold) {
   const DiscCentres start = section(FibreLayout::random, 0.5);
   const Migration ply(start, FibreLayout::random, kAmount, {1}, 11);

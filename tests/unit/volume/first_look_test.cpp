@@ -30,12 +30,6 @@ struct Looker {
   std::vector<std::shared_ptr<const ClothVolume>> drafts;
 };
 
-Task oneThread() {
-  Task task;
-  task.threads = 1;
-  return task;
-}
-
 CellRect somewhere(const ClothGeometry& geometry, Random& random) {
   CellRect rect;
   rect.pick = random.below(geometry.picks());
