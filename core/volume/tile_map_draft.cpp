@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
+#include <unordered_map>
 #include <utility>
 
 #include "core/volume/tile_map.h"
@@ -77,22 +77,25 @@ TileMap::Wanted TileMap::missing(const CellRect& inView) const {
 }
 
 void TileMap::standIn() {
-  std::vector<uint32_t> known;
-  for (uint32_t shape = 0; shape < shapes_.size(); ++shape)
-    if (hasBrick(shape)) known.push_back(shape);
-  const auto likest = [&](uint32_t shape) {
-    const CellKey& key = shapes_[shape];
-    uint32_t best = known.front();
-    float least = std::numeric_limits<float>::max();
-    for (const uint32_t other : known) {
-      const float unlike = unlikeness(key, shapes_[other]);
-      if (shapes_[other].yarn != key.yarn || unlike >= least) continue;
-      least = unlike;
-      best = other;
-    }
-    return best;
-  };
+  constexpr size_t kMostCompared = 64;  // of a yarn: of thousands there is hardly one that is much more alike
+  std::unordered_map<int, std::vector<uint32_t>> known;  // shapes that have a brick, by their yarn
+  uint32_t any = 0;
+  for (uint32_t shape = 0; shape < shapes_.size(); ++shape) {
+    if (!hasBrick(shape)) continue;
+    any = shape;
+    std::vector<uint32_t>& ofYarn = known[shapes_[shape].yarn];
+    if (ofYarn.size() < kMostCompared) ofYarn.push_back(shape);
+  }
   if (known.empty()) return;
+  const auto likest = [&](uint32_t shape) {
+    if (hasBrick(shape)) return shape;
+    const CellKey& key = shapes_[shape];
+    const auto ofYarn = known.find(key.yarn);
+    if (ofYarn == known.end()) return any;
+    return *std::min_element(ofYarn->second.begin(), ofYarn->second.end(), [&](uint32_t x, uint32_t y) {
+      return unlikeness(key, shapes_[x]) < unlikeness(key, shapes_[y]);
+    });
+  };
   const std::vector<Kind> kinds = missing();
   uint32_t by = 0;  // the shape that stands in
   for (size_t i = 0; i < kinds.size(); ++i) {
