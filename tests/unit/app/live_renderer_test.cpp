@@ -186,7 +186,7 @@ TEST(LiveRenderer, AMaterialEditTouchesNoVoxel) {
   fabric.fibres[0].absorption_per_mm = Rgb(50, 5, 5);
   fabric.fibres[0].refractiveIndex = 1.6;
   renderer.request(view(fabric, 2));
-  ASSERT_TRUE(window.waitFor([&] { return renderer.frame()->generation == 2; }));
+  ASSERT_TRUE(window.waitFor([&] { return renderer.frame() && renderer.frame()->generation == 2; }));
   EXPECT_EQ(renderer.status().buildSeconds, before);  // set anew by every voxelisation
 }
 
