@@ -26,7 +26,8 @@ bool alike(const BvdfSet& a, const BvdfSet& b) {
 
 bool worthTaking(const BakedVisibility& newer, const BakedVisibility& older) {
   if (newer.tables == older.tables) return false;
-  if (newer.bake != older.bake) return true;
+  // The yarns of one bake may be numbered anew, where one was doubled to be dyed.
+  if (newer.bake != older.bake || newer.tables->tableOfYarn != older.tables->tableOfYarn) return true;
   if (newer.finished || older.finished) return newer.finished && !older.finished;
   return newer.rays > 0 && newer.rays >= 4 * older.rays;
 }

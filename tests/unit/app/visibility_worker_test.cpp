@@ -212,6 +212,9 @@ TEST(WorthTaking, IsWhatIsOfOtherYarnsOrClearlyBetter) {
   EXPECT_TRUE(worthTaking(baked(2, 400, false), baked(2, 100, false)));
   EXPECT_TRUE(worthTaking(baked(2, 401, true), baked(2, 400, false)));
   EXPECT_FALSE(worthTaking(baked(2, 401, true), baked(2, 401, true)));
+  const auto doubled = std::make_shared<BvdfSet>();
+  doubled->tableOfYarn = {0, 0};
+  EXPECT_TRUE(worthTaking(baked(2, 401, true, doubled), baked(2, 401, true))) << "numbered anew";
 }
 
 }  // namespace
