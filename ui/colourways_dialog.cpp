@@ -13,16 +13,19 @@
 namespace loomlight {
 namespace {
 
-constexpr float kCardWidth = 232, kPictureHeight = 168, kSwatch = 14;
+constexpr float kCardWidth = 232, kPictureHeight = 168, kSwatch = 14, kGap = 12;
 
-/// A name that no colourway has yet.
+/// A name that no colourway has yet: the wish, or that with another number.
 std::string freshName(const Fabric& fabric, const std::string& wish) {
   const auto taken = [&](const std::string& name) {
     return std::any_of(fabric.colourways.begin(), fabric.colourways.end(),
                        [&](const Colourway& colourway) { return colourway.name == name; });
   };
+  const size_t end = wish.find_last_not_of("0123456789");
+  const bool numbered = end != std::string::npos && end > 0 && end + 1 < wish.size() && wish[end] == ' ';
+  const std::string stem = numbered ? wish.substr(0, end) : wish;
   std::string name = wish;
-  for (int i = 2; taken(name); ++i) name = fmt::format("{} {}", wish, i);
+  for (int i = 2; taken(name); ++i) name = fmt::format("{} {}", stem, i);
   return name;
 }
 
@@ -58,8 +61,9 @@ void ColourwaysDialog::card(Ui& ui, int index, const char* name, ImTextureID pic
 
 void ColourwaysDialog::cards(Ui& ui, const Fabric& fabric, const std::vector<ImTextureID>& pictures, ImVec2 size) {
   ImGui::BeginChild("cards", size);
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(12), ui.px(12)));
-  const int perLine = std::max(1, static_cast<int>(ImGui::GetContentRegionAvail().x / ui.px(kCardWidth + 8)));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(kGap), ui.px(kGap)));
+  const float room = ImGui::GetContentRegionAvail().x + ui.px(kGap);
+  const int perLine = std::max(1, static_cast<int>(room / ui.px(kCardWidth + kGap)));
   const int count = static_cast<int>(fabric.colourways.size()) + 1;
   for (int i = 0; i < count; ++i) {
     if (i % perLine != 0) ImGui::SameLine();
@@ -81,7 +85,7 @@ std::optional<Fabric> ColourwaysDialog::actions(Ui& ui, const Fabric& fabric) {
   std::string name = kept ? fabric.colourways[index].name : "As it is now";
   ImGui::BeginChild("name", ImVec2(ui.px(412), ImGui::GetFrameHeight()));
   if (!kept) ImGui::BeginDisabled();
-  if (textField(ui, {"colourways.name", "Name", "What this colourway is called."}, name) && kept)
+  if (textField(ui, {"colourways.name", "Name", "What this colourway is called.", true}, name) && kept)
     edit().colourways[index].name = name;
   if (!kept) ImGui::EndDisabled();
   ImGui::EndChild();
@@ -117,7 +121,7 @@ std::optional<Fabric> ColourwaysDialog::actions(Ui& ui, const Fabric& fabric) {
 std::optional<Fabric> ColourwaysDialog::draw(Ui& ui, const Fabric& fabric, const std::vector<ImTextureID>& pictures) {
   if (!open_) return std::nullopt;
   chosen_ = std::clamp(chosen_, 0, static_cast<int>(fabric.colourways.size()));
-  if (!beginModal(ui, "Colourways", ImVec2(ui.px(792), ui.px(576)), open_, opening_)) return std::nullopt;
+  if (!beginModal(ui, "Colourways", ImVec2(ui.px(768), ui.px(576)), open_, opening_)) return std::nullopt;
   const ImVec2 room = ImGui::GetContentRegionAvail();
   cards(ui, fabric, pictures, ImVec2(room.x, room.y - 2 * ImGui::GetFrameHeightWithSpacing() - ui.px(16)));
   std::optional<Fabric> edited = actions(ui, fabric);

@@ -11,7 +11,7 @@ class CompareDialog {
  public:
   struct Model {
     ImTextureID first = nullptr, second = nullptr, difference = nullptr;
-    float aspect = 1;  ///< width over height, of the first
+    float firstAspect = 1, secondAspect = 1;  ///< width over height
     std::string firstName, secondName;
   };
   void show() { open_ = opening_ = true; }
@@ -20,6 +20,7 @@ class CompareDialog {
 
  private:
   enum class Way { slider, sideBySide, difference };
+  void drawNames(Ui& ui, const Model& model, float left, float middle, float right) const;
   void drawSlider(Ui& ui, const Model& model, ImVec2 min, ImVec2 max);
 
   bool open_ = false, opening_ = false;

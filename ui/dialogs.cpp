@@ -66,7 +66,7 @@ SnapshotDialog::Result SnapshotDialog::draw(Ui& ui, const RenderJob& job) {
             {"snapshot.file", "File",
              "Where the picture goes: .png as the display shows it, .exr with all its light and layers"},
             file_);
-  result.chooseFile = chooseFileButton(ui, "snapshot");
+  result.chooseFile = chooseFileButton(ui, "snapshot", file_);
   ImGui::EndDisabled();
   if (changed) result.settings = settings_;
 

@@ -146,6 +146,7 @@ bool segmentField(Ui& ui, const RowText& text, std::span<const char* const> name
   ImGui::PushID(text.id.c_str());
   bool changed = false;
   const float width = row.width / static_cast<float>(names.size());
+  const int shown = chosen;  // a click shows with the next frame, so that none has two of them lit
   for (int i = 0; i < static_cast<int>(names.size()); ++i) {
     const ImVec2 a(min.x + width * static_cast<float>(i), min.y), b(a.x + width, max.y);
     ImGui::SetCursorScreenPos(a);
@@ -154,7 +155,7 @@ bool segmentField(Ui& ui, const RowText& text, std::span<const char* const> name
       changed = true;
     }
     ui.probe.recordItem(text.id + "/" + names[i]);
-    const bool on = i == chosen;
+    const bool on = i == shown;
     if (on || ImGui::IsItemHovered())
       draw.AddRectFilled(a, b, packed(on ? ui.theme.fieldFill : ui.theme.fieldHover), rounding);
     const ImVec2 size = ImGui::CalcTextSize(names[i]);

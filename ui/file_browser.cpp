@@ -53,7 +53,7 @@ void FileBrowser::enter(const fs::path& folder) {
     const bool isFolder = it->is_directory(ignored);
     if (isFolder || accepts(it->path())) found.push_back({name, isFolder});
   }
-  problem_ = error ? absolute.string() + ": " + error.message() : std::string();
+  problem_ = error ? error.message() + ": " + absolute.string() : std::string();
   toReplace_.clear();
   if (error) return;
   std::sort(found.begin(), found.end(),
@@ -63,13 +63,14 @@ void FileBrowser::enter(const fs::path& folder) {
 }
 
 void FileBrowser::drawPlaces(Ui& ui, float width, float height) {
-  ImGui::BeginChild("places", ImVec2(width, height));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(8), ImGui::GetStyle().WindowPadding.y));
+  ImGui::BeginChild("places", ImVec2(width, height), false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+  ImGui::PopStyleVar();
   std::optional<fs::path> chosen;
   for (const Place& place : places_)
     if (ImGui::Selectable(place.name.c_str(), place.path == folder_)) chosen = place.path;
   ImGui::EndChild();
   if (chosen) enter(*chosen);
-  (void)ui;
 }
 
 bool FileBrowser::drawEntries(Ui& ui, float height) {
@@ -118,7 +119,7 @@ std::optional<std::string> FileBrowser::decide(bool mayReplace) {
   }
   if (purpose_ == Purpose::save && !accepts(file)) file += extensions_.front();
   if (purpose_ == Purpose::open && !fs::exists(file, error)) {
-    problem_ = file.string() + " does not exist.";
+    problem_ = "There is no " + file.string();
     return std::nullopt;
   }
   if (purpose_ == Purpose::save && fs::exists(file, error) && (toReplace_ != file.string() || !mayReplace)) {
@@ -134,7 +135,7 @@ std::optional<std::string> FileBrowser::draw(Ui& ui) {
   if (!open_ || !beginModal(ui, title_.c_str(), ImVec2(ui.px(760), ui.px(520)), open_, opening_)) return std::nullopt;
   const float row = ImGui::GetFrameHeightWithSpacing();
   ImGui::PushFont(ui.fonts.small);
-  ImGui::TextDisabled("%s", folder_.c_str());
+  ImGui::TextDisabled("%s", shortened(folder_.string(), ImGui::GetContentRegionAvail().x).c_str());
   ImGui::PopFont();
   const float height = ImGui::GetContentRegionAvail().y - 3 * row;
   drawPlaces(ui, ui.px(160), height);
@@ -147,7 +148,7 @@ std::optional<std::string> FileBrowser::draw(Ui& ui) {
   if (typed_ != before) toReplace_.clear();
   ui.probe.recordItem("browser.name");
   ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.warning);
-  ImGui::TextUnformatted(problem_.empty() ? " " : problem_.c_str());
+  ImGui::TextUnformatted(problem_.empty() ? " " : shortened(problem_, ImGui::GetContentRegionAvail().x).c_str());
   ImGui::PopStyleColor();
   const float width = ui.px(112);
   ImGui::SetCursorPosX(ImGui::GetWindowWidth() - 2 * width - ui.px(24));

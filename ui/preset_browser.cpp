@@ -12,7 +12,7 @@
 namespace loomlight {
 namespace {
 
-constexpr float kCardWidth = 168, kPictureHeight = 120;
+constexpr float kCardWidth = 168, kPictureHeight = 120, kGap = 12;
 
 std::string lowerCase(const std::string& text) {
   std::string lower = text;
@@ -36,13 +36,18 @@ bool matchesSearch(const std::string& text, const std::string& search) {
 void PresetBrowser::head(Ui& ui) {
   static constexpr const char* kKinds[] = {"Fabrics", "Yarns", "Fibres", "Colours"};
   int kind = static_cast<int>(kind_);
-  if (segmentField(ui, {"presets.kind", "Show", "Yarns bring their fibre along; colours are those of all fibres."},
+  ImGui::BeginChild("kind", ImVec2(ui.px(400), ImGui::GetFrameHeight()));
+  if (segmentField(ui,
+                   {"presets.kind", "Show", "Yarns bring their fibre along; colours are those of all fibres.", true},
                    kKinds, kind))
     chosen_.clear();
+  ImGui::EndChild();
   kind_ = static_cast<PresetKind>(kind);
-  textField(ui,
-            {"presets.search", "Search", "Beginnings of words in names, descriptions and tags, such as: cotton twi"},
-            search_);
+  ImGui::SameLine(0, ui.px(24));
+  textField(
+      ui,
+      {"presets.search", "Search", "Beginnings of words in names, descriptions and tags, such as: cotton twi", true},
+      search_);
 }
 
 void PresetBrowser::card(Ui& ui, size_t index, const PresetCard& card) {
@@ -76,8 +81,9 @@ void PresetBrowser::card(Ui& ui, size_t index, const PresetCard& card) {
 }
 
 void PresetBrowser::grid(Ui& ui, const std::vector<PresetCard>& cards, PresetBrowserEdit& edit) {
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(12), ui.px(12)));
-  const int perLine = std::max(1, static_cast<int>(ImGui::GetContentRegionAvail().x / ui.px(kCardWidth + 12)));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(kGap), ui.px(kGap)));
+  const float room = ImGui::GetContentRegionAvail().x + ui.px(kGap);
+  const int perLine = std::max(1, static_cast<int>(room / ui.px(kCardWidth + kGap)));
   int shown = 0;
   for (size_t i = 0; i < cards.size(); ++i) {
     if (!matchesSearch(cards[i].name + " " + cards[i].about + " " + cards[i].tags, search_)) continue;
@@ -95,20 +101,21 @@ void PresetBrowser::actions(Ui& ui, const std::vector<PresetCard>& cards, const 
       std::find_if(cards.begin(), cards.end(), [&](const PresetCard& card) { return card.name == chosen_; });
   const bool any = found != cards.end(), own = any && found->own;
   const auto index = static_cast<size_t>(found - cards.begin());
-  ImGui::BeginChild("name", ImVec2(ui.px(420), ImGui::GetFrameHeight()));
-  textField(ui, {"presets.name", "Name", "Of the chosen one; Rename gives it this name."}, newName_);
+  const float width = ui.px(96);
+  const ImVec2 field(0.5f * (ImGui::GetContentRegionAvail().x - ui.px(24)) - ui.px(8) - width, ImGui::GetFrameHeight());
+  ImGui::BeginChild("name", field);
+  textField(ui, {"presets.name", "Name", "Of the chosen one; Rename gives it this name.", true}, newName_);
   ImGui::EndChild();
   ImGui::SameLine();
-  const float width = ui.px(96);
   if (button(ui, "presets.rename", "Rename", width, own && !newName_.empty() && newName_ != chosen_)) {
     edit.rename = {index, newName_};
     chosen_ = newName_;
   }
-  ImGui::SameLine();
-  if (button(ui, "presets.undo", "Undo", width, !lastChange.empty(), lastChange.c_str())) edit.undo = true;
-  ImGui::BeginChild("tags", ImVec2(ui.px(420), ImGui::GetFrameHeight()));
-  textField(ui, {"presets.tags", "Tags", "Words to find the chosen one by; Tag keeps them. Any preset can have some."},
-            newTags_);
+  ImGui::SameLine(0, ui.px(24));
+  ImGui::BeginChild("tags", field);
+  textField(
+      ui, {"presets.tags", "Tags", "Words to find the chosen one by; Tag keeps them. Any preset can have some.", true},
+      newTags_);
   ImGui::EndChild();
   ImGui::SameLine();
   if (button(ui, "presets.tag", "Tag", width, any && newTags_ != found->tags)) edit.tag = {index, newTags_};
@@ -119,6 +126,8 @@ void PresetBrowser::actions(Ui& ui, const std::vector<PresetCard>& cards, const 
   if (button(ui, "presets.duplicate", "Duplicate", width, any)) edit.duplicate = index;
   ImGui::SameLine();
   if (button(ui, "presets.remove", "Remove", width, own)) edit.remove = index;
+  ImGui::SameLine();
+  if (button(ui, "presets.undo", "Undo", width, !lastChange.empty(), lastChange.c_str())) edit.undo = true;
   ImGui::SameLine(ImGui::GetWindowWidth() - ui.px(16) - width);
   if (button(ui, "presets.close", "Close", width) || modalCancelled() || edit.use) {
     open_ = false;
@@ -129,9 +138,9 @@ void PresetBrowser::actions(Ui& ui, const std::vector<PresetCard>& cards, const 
 PresetBrowserEdit PresetBrowser::draw(Ui& ui, const std::vector<PresetCard>& cards, const std::string& lastChange,
                                       const std::string& problem) {
   PresetBrowserEdit edit;
-  if (!open_ || !beginModal(ui, "Presets", ImVec2(ui.px(768), ui.px(600)), open_, opening_)) return edit;
+  if (!open_ || !beginModal(ui, "Presets", ImVec2(ui.px(756), ui.px(600)), open_, opening_)) return edit;
   head(ui);
-  const float below = 3 * ImGui::GetFrameHeightWithSpacing() + ui.px(36);
+  const float below = 2 * ImGui::GetFrameHeightWithSpacing() + ui.px(28);
   ImGui::BeginChild("grid", ImVec2(0, ImGui::GetContentRegionAvail().y - below));
   grid(ui, cards, edit);
   ImGui::EndChild();

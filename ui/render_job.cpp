@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "ui/field_row.h"
@@ -9,10 +10,15 @@
 
 namespace loomlight {
 
-bool chooseFileButton(Ui& ui, const std::string& dialog) {
+bool chooseFileButton(Ui& ui, const std::string& dialog, const std::string& file) {
   ImGui::Dummy(ImVec2(0, 0));
-  ImGui::SameLine(ImGui::GetContentRegionAvail().x * kLabelShare + ui.px(16));
-  return button(ui, (dialog + ".browse").c_str(), "Choose\xE2\x80\xA6");
+  ImGui::SameLine(std::floor(ImGui::GetContentRegionAvail().x * kLabelShare) + ui.px(16));
+  const bool pressed = button(ui, (dialog + ".browse").c_str(), "Choose\xE2\x80\xA6");
+  ImGui::SameLine();
+  ImGui::AlignTextToFramePadding();
+  const std::string name = std::filesystem::path(file).filename().string();
+  ImGui::TextDisabled("%s", shortened(name, ImGui::GetContentRegionAvail().x).c_str());
+  return pressed;
 }
 
 RenderJobAnswer renderJobRows(Ui& ui, const std::string& dialog, const RenderJob& job, const std::string& file) {

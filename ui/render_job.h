@@ -20,8 +20,8 @@ struct RenderJobAnswer {
 
 // Widgets are named after their dialog.
 
-/// Below the row of the file's name.
-bool chooseFileButton(Ui& ui, const std::string& dialog);
+/// Below the row of the file, with its name: the path may go on beyond its field.
+bool chooseFileButton(Ui& ui, const std::string& dialog, const std::string& file);
 /// The last rows of the dialog: progress or outcome; Cancel or Close, and Render where a file is named, or
 /// Replace where there is one already.
 RenderJobAnswer renderJobRows(Ui& ui, const std::string& dialog, const RenderJob& job, const std::string& file);

@@ -37,16 +37,11 @@ void statusBar(Ui& ui, const StatusModel& model) {
            "The most crossings that a thread passes over or under without interlacing: long ones snag.", quiet);
   }
   // The place is reserved, so a warning that appears moves nothing.
-  std::string warning = model.warning;
-  if (model.moreWarnings > 0) warning += fmt::format("  (+{})", model.moreWarnings);
+  const std::string more = model.moreWarnings > 0 ? fmt::format("  (+{})", model.moreWarnings) : std::string();
   const float right = width - ui.px(model.background.empty() ? 330 : 450), left = x + ui.px(520);
-  if (!warning.empty() && right > left) {
-    const ImVec2 window = ImGui::GetWindowPos();
-    ImGui::PushClipRect(ImVec2(window.x + left, window.y),
-                        ImVec2(window.x + right, window.y + ImGui::GetWindowHeight()), true);
-    figure(ui, "status.warning", left, warning, warning.c_str(), ui.theme.warning);
-    ImGui::PopClipRect();
-  }
+  const float room = right - left - ImGui::CalcTextSize(more.c_str()).x;
+  if (!model.warning.empty() && room > ui.px(40))
+    figure(ui, "status.warning", left, shortened(model.warning, room) + more, model.warning.c_str(), ui.theme.warning);
   if (!model.background.empty())
     figure(ui, "status.background", width - ui.px(434), model.background,
            "How often light is stopped within the yarns is measured in the background, to be used once it is known. "

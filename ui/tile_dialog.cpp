@@ -22,10 +22,10 @@ TileDialog::Result TileDialog::draw(Ui& ui, const RenderJob& job) {
        ".json beside them has its size in mm, mass and thickness.");
   ImGui::BeginDisabled(job.running);
   wholeNumberField(ui, {"tile.size", "Longer side", "Of the tile."}, "px", 16, 16384, longestSide_);
-  wholeNumberField(ui, {"tile.samples", "Samples", "Light paths through every pixel: more are smoother."}, "", 1, 65536,
-                   samplesPerPixel_);
+  wholeNumberField(ui, {"tile.samples", "Samples", "Light paths through every pixel: more are smoother."}, "per px", 1,
+                   65536, samplesPerPixel_);
   textField(ui, {"tile.file", "File", "The .json; the maps are named after it."}, file_);
-  result.chooseFile = chooseFileButton(ui, "tile");
+  result.chooseFile = chooseFileButton(ui, "tile", file_);
   ImGui::EndDisabled();
   const RenderJobAnswer answer = renderJobRows(ui, "tile", job, file_);
   result.start = answer.start;

@@ -2,7 +2,9 @@
 
 #include <fmt/core.h>
 
-#include "ui/fields.h"
+#include <cmath>
+
+#include "ui/field_row.h"
 #include "ui/modal.h"
 
 namespace loomlight {
@@ -12,32 +14,24 @@ std::string shown(const std::optional<double>& value, const char* unit, int deci
   return value ? fmt::format("{:.{}f} {}", *value, decimals, unit) : std::string("\xE2\x80\x93");
 }
 
-void cell(const std::string& text) {
-  ImGui::TableNextColumn();
-  ImGui::TextUnformatted(text.c_str());
-}
-
-void sizeTable(Ui& ui, const WifSett& file, const WifSett& mine) {
-  if (!ImGui::BeginTable("sizes", 3)) return;
-  ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed, ui.px(220));
-  const auto row = [&](const char* what, std::optional<double> WifSett::*member, const char* unit, int decimals) {
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
-    ImGui::TextDisabled("%s", what);
-    cell(shown(mine.*member, unit, decimals));
-    cell(shown(file.*member, unit, decimals));
+/// The sizes between which is chosen, each below its name in the row above.
+void sizeRows(Ui& ui, const WifDialog::Content& content, WifSizeChoice chosen) {
+  const float all = ImGui::GetContentRegionAvail().x, labels = std::floor(kLabelShare * all);
+  const float left = ImGui::GetCursorPosX() + labels, half = 0.5f * (all - labels);
+  const auto size = [&](int column, const std::string& text, bool counts) {
+    const float inset = 0.5f * (half - ImGui::CalcTextSize(text.c_str()).x);
+    ImGui::SameLine(left + static_cast<float>(column) * half + inset);
+    ImGui::TextColored(counts ? ui.theme.text : ui.theme.textQuiet, "%s", text.c_str());
   };
-  ImGui::TableNextRow();
-  ImGui::TableNextColumn();
-  for (const char* head : {"Mine", "The file's"}) {
-    ImGui::TableNextColumn();
-    ImGui::TextDisabled("%s", head);
-  }
+  const auto row = [&](const char* what, std::optional<double> WifSett::*member, const char* unit, int decimals) {
+    ImGui::TextDisabled("%s", what);
+    size(0, shown(content.mine.*member, unit, decimals), chosen == WifSizeChoice::keep);
+    size(1, shown(content.file.*member, unit, decimals), chosen == WifSizeChoice::file);
+  };
   row("Ends", &WifSett::ends_per_cm, "/cm", 1);
   row("Picks", &WifSett::picks_per_cm, "/cm", 1);
   row("Warp yarn", &WifSett::warpDiameter_mm, "mm", 2);
   row("Weft yarn", &WifSett::weftDiameter_mm, "mm", 2);
-  ImGui::EndTable();
 }
 
 bool says(const WifSett& sett) {
@@ -60,7 +54,6 @@ std::optional<WifSizeChoice> WifDialog::draw(Ui& ui) {
   ImGui::PopTextWrapPos();
   ImGui::Dummy(ImVec2(0, ui.px(4)));
   if (says(content_.file)) {
-    sizeTable(ui, content_.file, content_.mine);
     static constexpr const char* kNames[] = {"Keep mine", "Use the file's"};
     int chosen = static_cast<int>(sizes_);
     if (segmentField(
@@ -72,6 +65,7 @@ std::optional<WifSizeChoice> WifDialog::draw(Ui& ui) {
       sizes_ = static_cast<WifSizeChoice>(chosen);
       changed = sizes_;
     }
+    sizeRows(ui, content_, sizes_);
   }
   if (!content_.warnings.empty()) {
     heading(ui, "Read otherwise than it is written");

@@ -54,9 +54,9 @@ Fabric aloneWith(const Fabric& fabric, int yarn, int fibre) {
 }
 
 std::string aboutCloth(const Fabric& fabric) {
-  std::string about = fmt::format("{} ends, {} picks in the repeat; {:.0f} x {:.0f} per cm;", fabric.weave.ends(),
+  std::string about = fmt::format("{} ends, {} picks in the repeat; {:.0f} \xC3\x97 {:.0f} per cm", fabric.weave.ends(),
                                   fabric.weave.picks(), fabric.ends_per_cm, fabric.picks_per_cm);
-  for (const Fibre& fibre : fabric.fibres) about += " " + fibre.name;
+  for (const Fibre& fibre : fabric.fibres) about += "; " + fibre.name;
   return fabric.description.empty() ? about : fabric.description + "\n" + about;
 }
 

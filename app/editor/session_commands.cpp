@@ -188,11 +188,9 @@ void Session::leaveFor(Afterwards next) {
   if (files_.isBusyWith(FileDesk::Work::open)) files_.cancel();
   if (files_.busy()) return;  // fileDone() comes back here
   if (!document_.isDirty()) return goOn();
-  const char* discard = next == Afterwards::quit        ? "Discard"
-                        : next == Afterwards::beginAnew ? "Begin without"
-                                                        : "Open without";
   ask(Question::unsaved, "Unsaved work",
-      fmt::format("\"{}\" has changes that are not saved.", document_.fabric()->name), {"Go on", discard, "Save"}, 2);
+      fmt::format("\xE2\x80\x9C{}\xE2\x80\x9D has changes that are not saved.", document_.fabric()->name),
+      {"Cancel", "Don't save", "Save"}, 2);
 }
 
 void Session::goOn() {

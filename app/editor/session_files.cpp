@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "app/editor/left_work.h"
 #include "app/editor/sample_fabric.h"
 #include "app/editor/session.h"
 #include "app/editor/user_folders.h"
@@ -115,7 +116,7 @@ void Session::askForRecovery() {
   const auto left = Autosave::leftBehind(stateFolder());
   if (!left) return;
   pendingFile_ = left->string();
-  ask(Question::recover, "Unsaved work was found", "The editor ended before this work was saved. Take it up again?",
+  ask(Question::recover, "Unsaved work was found", aboutLeftWork(*left) + " Take it up again?",
       {"Later", "Throw away", "Take up"}, 2);
 }
 

@@ -9,6 +9,14 @@
 #include "app/workers/display_picture.h"
 
 namespace loomlight {
+namespace {
+
+/// Width over height.
+float aspectOf(const Pixels8& picture) {
+  return static_cast<float>(picture.width) / static_cast<float>(picture.height);
+}
+
+}  // namespace
 
 SnapshotShelf::SnapshotShelf(std::filesystem::path folder, std::function<void()> wake)
     : folder_(std::move(folder), kBudget), wake_(std::move(wake)) {
@@ -91,10 +99,7 @@ std::string SnapshotShelf::problem() const {
 
 std::vector<SnapshotItem> SnapshotShelf::items() const {
   std::vector<SnapshotItem> items;
-  for (const Kept& kept : kept_)
-    items.push_back({kept.texture->id(),
-                     static_cast<float>(kept.view.picture.width) / static_cast<float>(kept.view.picture.height),
-                     kept.name});
+  for (const Kept& kept : kept_) items.push_back({kept.texture->id(), aspectOf(kept.view.picture), kept.name});
   return items;
 }
 
@@ -109,8 +114,8 @@ CompareDialog::Model SnapshotShelf::comparison() const {
   model.first = compared_[0].texture->id();
   model.second = compared_[1].texture->id();
   model.difference = difference_.id();
-  model.aspect =
-      static_cast<float>(compared_[0].view.picture.width) / static_cast<float>(compared_[0].view.picture.height);
+  model.firstAspect = aspectOf(compared_[0].view.picture);
+  model.secondAspect = aspectOf(compared_[1].view.picture);
   model.firstName = compared_[0].name;
   model.secondName = compared_[1].name;
   return model;

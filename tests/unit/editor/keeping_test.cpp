@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -9,6 +10,7 @@
 
 #include "app/editor/autosave.h"
 #include "app/editor/insight.h"
+#include "app/editor/left_work.h"
 #include "app/editor/preset_store.h"
 #include "app/editor/sample_fabric.h"
 #include "app/editor/settings.h"
@@ -117,6 +119,22 @@ TEST(Autosave, FindsWhatADeadEditorLeft) {
   std::ofstream(folder.path / "autosave-1-1.lock") << "";
   std::ofstream(folder.path / "notes.json") << "{}";
   EXPECT_EQ(Autosave::leftBehind(folder.path), left);
+}
+
+TEST(LeftWork, IsNamedHoweverMuchOfItThereIs) {
+  const Folder folder;
+  fs::create_directories(folder.path);
+  const fs::path left = folder.path / "autosave-1-1.json";
+  Fabric fabric = sampleFabric();
+  fabric.name = "Half \"blue\"";
+  fabric.fibres.front().name = "another name";
+  writeFabric(fabric, left.string());
+  EXPECT_THAT(aboutLeftWork(left), testing::HasSubstr("Half \"blue\""));
+  EXPECT_THAT(aboutLeftWork(left), testing::HasSubstr(" at "));
+  fs::resize_file(left, 100);
+  EXPECT_THAT(aboutLeftWork(left), testing::HasSubstr("Half \"blue\"")) << "though it breaks off";
+  std::ofstream(left) << "{\"fibres\": [{\"name\": \"wool\"}], \"name\": 7}";
+  EXPECT_THAT(aboutLeftWork(left), testing::StartsWith("A cloth was last edited")) << "nothing in it is a cloth's name";
 }
 
 TEST(PresetStore, KeepsAndLoads) {
