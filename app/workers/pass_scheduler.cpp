@@ -6,7 +6,8 @@ namespace loomlight {
 namespace {
 
 constexpr double kFirstPictureSeconds = 0.025;  // with all else, a frame or two of a film
-constexpr double kUsualSecondsPerPath = 1e-5;   // of cloth that fills the picture, on two cores
+constexpr int kCoarsest = 32;
+constexpr double kUsualSecondsPerPath = 1e-5;  // of cloth that fills the picture, on two cores
 constexpr double kShortestPassSeconds = 0.1;
 constexpr double kLongestPassSeconds = 1.0;
 
@@ -17,7 +18,9 @@ double pathsAt(const PassHistory& h, int divider) {
 int firstDivider(const PassHistory& h) {
   const double secondsPerPath = h.secondsPerPath > 0 ? h.secondsPerPath : kUsualSecondsPerPath;
   int divider = 1;
-  while (divider < h.coarsest && pathsAt(h, divider) * secondsPerPath > kFirstPictureSeconds) ++divider;
+  const auto takesLongerThan = [&](double seconds) { return pathsAt(h, divider) * secondsPerPath > seconds; };
+  while (divider < h.coarsest && takesLongerThan(kFirstPictureSeconds)) ++divider;
+  while (divider < kCoarsest && takesLongerThan(h.patience_s)) ++divider;
   return divider;
 }
 

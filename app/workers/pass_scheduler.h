@@ -18,7 +18,8 @@ struct PassHistory {
   int divider = 0;            ///< of the last pass; 0: none yet
   uint32_t samples = 0;       ///< at full resolution
   double seconds = 0;         ///< since the restart
-  int coarsest = 32;          ///< divider that the first pass has at most
+  int coarsest = 32;          ///< divider that the first pass has at most, if it then takes no longer than...
+  double patience_s = 0.1;    ///< ...this; otherwise 32
 };
 
 /// What passes that take longer than one sample are to take: a quarter of the picture's age, as the eye sees progress

@@ -183,7 +183,7 @@ std::vector<float> Refinement::variances(const Frame& frame) const {
 }
 
 Frame Refinement::frame() const {
-  const int divider = fineBegun_ ? 1 : pass_ ? pass_->plan.divider : history_.divider;
+  const int divider = fineBegun_ || !coarse_ ? 1 : coarseDivider_;
   Frame frame = traced(divider == 1 ? fine_ : *coarse_, divider);
   finish(frame);
   return frame;

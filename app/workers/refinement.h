@@ -32,10 +32,15 @@ class Refinement {
   Refinement(Traceable cloth, int width, int height, double secondsPerPath);
 
   void look(const PixelRect& window);  ///< within the film
-  /// Begins no coarser than this: where the old picture says more than a coarser one, and can wait.
-  void beginAt(int divider) { history_.coarsest = divider; }
-  /// Begins at full resolution: for a picture that nobody sees before it has many samples.
-  void skipCoarse() { history_.divider = 1; }
+  /// Begins no coarser than this, where the old picture says more than a coarser one, unless it has to wait longer
+  /// than that.
+  void beginAt(int divider, double patience_s) {
+    history_.coarsest = divider;
+    history_.patience_s = patience_s;
+  }
+  /// Counts as begun, and goes on with passes that are finer than this: for a picture that another one stands in for,
+  /// or that nobody sees before it has many samples.
+  void skipCoarse(int divider = 1) { history_.divider = divider; }
   /// Frames have no hits, and are as they were traced: for the lens.
   void asTraced() { asTraced_ = true; }
   /// Another picture of the same view, of the window or more, shown where this one is not as good yet.

@@ -147,12 +147,14 @@ void Tracer::take(News news) {
 }
 
 void Tracer::begin(Request request) {
-  constexpr int kLegible = 8, kInMotion = 12;  // coarser ones say nothing of the weave
+  constexpr int kLegible = 8, kInMotion = 12;              // coarser ones say nothing of the weave
+  constexpr double kPatience_s = 0.3, kFollowing_s = 0.1;  // the first pass of a scene cannot be stopped
   const bool sameSize = request.width == request_.width && request.height == request_.height;
   const bool better = picture_ && sameSize && request.generation == request_.generation;
   if (!better && sameSize && recolour(request)) return;
-  const std::shared_ptr<const Frame> earlier = better ? fineFrameOf(request) : nullptr;
-  const int reached = better && picture_->begun() ? picture_->divider() : kLegible;
+  const bool seen = better && picture_->begun();
+  const std::shared_ptr<const Frame> earlier = seen ? newestFrame() : nullptr;
+  const int reached = seen ? picture_->divider() : 0;
   // On another drape the cloth may fill the picture as it did not before, or be slower to trace.
   const bool costsAlike = picture_ && picture_->scene().fabric->drape == request.cloth.scene->fabric->drape;
   const double secondsPerPath = costsAlike ? picture_->secondsPerPath() : 0;
@@ -165,14 +167,13 @@ void Tracer::begin(Request request) {
     return;
   }
   beginPicture(secondsPerPath);
-  if (better || (sameSize && sameView(*request_.cloth.scene->fabric))) {
-    picture_->beginAt(std::min(kLegible, reached));
-  } else if (costsAlike) {
-    picture_->beginAt(kInMotion);
-  }
-  if (earlier) {
+  if (seen) {
     picture_->standIn(earlier);
-    picture_->skipCoarse();
+    picture_->skipCoarse(reached);
+  } else if (better || (sameSize && sameView(*request_.cloth.scene->fabric))) {
+    picture_->beginAt(kLegible, kPatience_s);
+  } else if (costsAlike) {
+    picture_->beginAt(kInMotion, kFollowing_s);
   }
   spentBeforeLens_s_ = 0;
   if (!better) {  // the lens is of another scene; openLens() makes a new one where the same fibres serve
@@ -184,13 +185,9 @@ void Tracer::begin(Request request) {
   state_.error.clear();
 }
 
-/// What is shown of the request, or about to be, if that is a picture at full resolution.
-std::shared_ptr<const Frame> Tracer::fineFrameOf(const Request& request) const {
-  std::shared_ptr<const Frame> newest = picturePending_;
-  if (!newest) newest = frame();
-  const bool fine = newest && newest->samples > 0 && newest->generation == request.generation &&
-                    newest->width == request.width && newest->height == request.height;
-  return fine ? newest : nullptr;
+/// What is shown, or about to be.
+std::shared_ptr<const Frame> Tracer::newestFrame() const {
+  return picturePending_ ? picturePending_ : frame();
 }
 
 /// Answers a change of colour from the paths that have been traced already, and begins to trace new ones behind. False

@@ -73,7 +73,7 @@ class Tracer {
   void take(News news);
   void begin(Request request);
   bool recolour(const Request& request);
-  std::shared_ptr<const Frame> fineFrameOf(const Request& request) const;
+  std::shared_ptr<const Frame> newestFrame() const;
   void beginPicture(double secondsPerPath);
   bool sameView(const Fabric& fabric) const;
   void changeDenoising(bool wanted);

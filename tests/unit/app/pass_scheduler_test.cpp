@@ -41,7 +41,25 @@ TEST(PassScheduler, BeginsNoCoarserThanIsLegible) {
   PassHistory slow{800, 600, 1e-3};
   EXPECT_GT(nextPass(slow, 64).divider, 8);
   slow.coarsest = 8;
+  slow.patience_s = 10;
   EXPECT_EQ(nextPass(slow, 64), (PassPlan{8, 1}));
+}
+
+TEST(PassScheduler, IsCoarserThanIsLegibleRatherThanSlow) {
+  constexpr double kPerPath_s = 1e-5, kAtMost_s = 0.1;
+  for (const int height : {600, 1080, 2160}) {
+    const int width = 16 * height / 9;
+    PassHistory history{width, height, kPerPath_s};
+    history.coarsest = 12;
+    history.patience_s = kAtMost_s;
+    const auto seconds = [&](int divider) { return kPerPath_s * (width / divider) * (height / divider); };
+    const int divider = nextPass(history, 64).divider;
+    EXPECT_GE(divider, 12);
+    EXPECT_LE(seconds(divider), kAtMost_s) << width;
+    if (divider > 12) {
+      EXPECT_GT(seconds(divider - 1), 0.9 * kAtMost_s) << "coarser than need be: " << width;
+    }
+  }
 }
 
 TEST(PassScheduler, RefinesStepByStepAndStops) {
