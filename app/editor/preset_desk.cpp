@@ -189,7 +189,7 @@ Fabric PresetDesk::used(PresetKind kind, size_t card, const Fabric& now, int yar
   return inColourway(now, colourwayOf(preset, preset.name));
 }
 
-void PresetDesk::changed(PresetKind kind, std::string said, std::function<void()> takeBack) {
+void PresetDesk::changed(PresetKind kind, std::string said, std::function<TagAgain()> takeBack) {
   of(kind).read = false;
   changes_.push_back({std::move(said), std::move(takeBack)});
 }
@@ -208,7 +208,10 @@ void PresetDesk::keep(PresetKind kind, const Fabric& now, int yarn, int fibre) {
     fabric.name = fabric.fibres[0].name;
   }
   const std::string name = of(kind).store.keep(std::move(fabric));
-  changed(kind, fmt::format("Kept \"{}\".", name), [this, kind, name] { of(kind).store.remove(name); });
+  changed(kind, fmt::format("Kept \"{}\".", name), [this, kind, name]() -> TagAgain {
+    of(kind).store.remove(name);
+    return [] {};
+  });
   tagAnew(kind, name, "");
 }
 
@@ -217,9 +220,9 @@ void PresetDesk::duplicate(PresetKind kind, size_t card) {
   fabric.name = of(kind).entries[card].card.name;
   const std::string tags = of(kind).entries[card].card.tags;
   const std::string name = of(kind).store.keep(std::move(fabric));
-  changed(kind, fmt::format("Duplicated as \"{}\".", name), [this, kind, name] {
+  changed(kind, fmt::format("Duplicated as \"{}\".", name), [this, kind, name]() -> TagAgain {
     of(kind).store.remove(name);
-    tagAnew(kind, name, "");
+    return [this, kind, name] { tagAnew(kind, name, ""); };
   });
   tagAnew(kind, name, tags);
 }
@@ -234,7 +237,10 @@ void PresetDesk::rename(PresetKind kind, size_t card, const std::string& name) {
     tagAnew(kind, from, "");
   };
   changed(kind, fmt::format("Renamed \"{}\" to \"{}\".", before, after),
-          [this, kind, before, after, moveTags] { moveTags(after, of(kind).store.rename(after, before)); });
+          [this, kind, before, after, moveTags]() -> TagAgain {
+            const std::string again = of(kind).store.rename(after, before);
+            return [moveTags, after, again] { moveTags(after, again); };
+          });
   moveTags(before, after);
 }
 
@@ -242,9 +248,9 @@ void PresetDesk::remove(PresetKind kind, size_t card) {
   const std::string name = of(kind).entries[card].card.name;
   const std::string tags = of(kind).entries[card].card.tags;
   const PresetStore::Removed removed = of(kind).store.remove(name);
-  changed(kind, fmt::format("Removed \"{}\".", name), [this, kind, removed, tags] {
+  changed(kind, fmt::format("Removed \"{}\".", name), [this, kind, removed, tags]() -> TagAgain {
     of(kind).store.putBack(removed);
-    tagAnew(kind, removed.name, tags);
+    return [this, kind, removed, tags] { tagAnew(kind, removed.name, tags); };
   });
   tagAnew(kind, name, "");
 }
@@ -254,15 +260,18 @@ void PresetDesk::tag(PresetKind kind, size_t card, const std::string& tags) {
   const std::string key = tagKey(tagged.name, tagged.own), before = tagged.tags;
   const std::string said = fmt::format("Tagged \"{}\".", tagged.name);
   of(kind).tags.set(key, tags);
-  changed(kind, said, [this, kind, key, before] { of(kind).tags.set(key, before); });
+  changed(kind, said, [this, kind, key, before]() -> TagAgain {
+    of(kind).tags.set(key, before);
+    return [] {};
+  });
 }
 
 void PresetDesk::undo() {
   if (changes_.empty()) return;
-  const Change change = std::move(changes_.back());
-  changes_.pop_back();
   for (Shelf& shelf : shelves_) shelf.read = false;
-  change.takeBack();
+  const TagAgain tagAgain = changes_.back().takeBack();
+  changes_.pop_back();
+  tagAgain();
 }
 
 std::string PresetDesk::problem() const {

@@ -35,7 +35,7 @@ class PresetDesk {
   void rename(PresetKind kind, size_t card, const std::string& name);
   void remove(PresetKind kind, size_t card);
   void tag(PresetKind kind, size_t card, const std::string& tags);
-  void undo();
+  void undo();  ///< throws InputError where the newest change cannot be taken back; it can be tried again
   const std::string& lastChange() const;  ///< empty: there is none
   std::string problem() const;            ///< what was kept and cannot be read; empty while all is well
 
@@ -53,15 +53,17 @@ class PresetDesk {
     bool read = false;
     float scale = 0;
   };
+  /// What is left to be done with the tags once a change of presets is taken back: it may fail for itself.
+  using TagAgain = std::function<void()>;
   struct Change {
     std::string said;
-    std::function<void()> takeBack;
+    std::function<TagAgain()> takeBack;
   };
   static Shelf shelfIn(const std::filesystem::path& folder);
   Shelf& of(PresetKind kind) { return shelves_[static_cast<size_t>(kind)]; }
   const Shelf& of(PresetKind kind) const { return shelves_[static_cast<size_t>(kind)]; }
   void read(PresetKind kind, float scale);
-  void changed(PresetKind kind, std::string said, std::function<void()> takeBack);
+  void changed(PresetKind kind, std::string said, std::function<TagAgain()> takeBack);
   void tagAnew(PresetKind kind, const std::string& name, const std::string& tags);
 
   std::array<Shelf, 4> shelves_;

@@ -25,8 +25,10 @@ PresetTags::PresetTags(std::filesystem::path file) : file_(std::move(file)) {
 
 /// What cannot be read now may be read again by hand, or by a newer version.
 void PresetTags::putAside() {
-  if (problem_.empty() || !fs::is_regular_file(file_)) return;
+  if (problem_.empty()) return;
   std::error_code error;
+  // Whatever is there: writing could not replace a folder, and would end where a link leads.
+  if (!fs::exists(fs::symlink_status(file_, error))) return problem_.clear();
   fs::rename(file_, freeFile(file_.string() + ".unreadable"), error);
   if (error) throw InputError(file_.string() + ": could not be put aside: " + error.message());
   problem_.clear();

@@ -15,7 +15,8 @@ class PresetTags {
 
   /// As they were written: "summer, linen". Empty for none.
   std::string of(const std::string& preset) const;
-  /// Throws InputError, and has changed nothing then.
+  /// Puts aside first what could not be read, be it a file, a folder or a link. Throws InputError; the tags are as they
+  /// were then.
   void set(const std::string& preset, const std::string& tags);
   /// What is wrong with the file, and what becomes of it; empty while all is well.
   const std::string& problem() const { return problem_; }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <functional>
 
 #include "core/base/error.h"
 #include "core/base/file.h"
@@ -76,8 +77,27 @@ TEST_F(PresetDeskTest, TagsThatCannotBeReadAreSaidAndPutAside) {
   }
 }
 
+TEST_F(PresetDeskTest, WhateverIsInTheWayOfTagsIsPutAside) {
+  const fs::path file = folder_ / "tags", aside = folder_ / "tags.unreadable";
+  const std::function<void()> ways[] = {[&] { fs::create_directories(file); },
+                                        [&] { fs::create_symlink(file, file); },  // leads round in a circle
+                                        [&] { fs::create_symlink(folder_ / "none", file); }};
+  for (const auto& putInTheWay : ways) {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    putInTheWay();
+    PresetTags tags(file);
+    EXPECT_NE(tags.problem(), "");
+    tags.set("Tweed", "winter");
+    EXPECT_EQ(tags.problem(), "");
+    EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(file)));
+    EXPECT_TRUE(fs::exists(fs::symlink_status(aside))) << "it is kept";
+    EXPECT_EQ(PresetTags(file).of("Tweed"), "winter");
+  }
+}
+
 TEST_F(PresetDeskTest, TagsThatCannotBeWrittenAreRefused) {
-  fs::create_directories(folder_ / "tags");
+  std::ofstream(folder_) << "in the way of the folder";
   PresetTags tags(folder_ / "tags");
   EXPECT_THROW(tags.set("Tweed", "winter"), InputError);
   EXPECT_EQ(tags.of("Tweed"), "");
@@ -110,6 +130,23 @@ TEST_F(PresetDeskTest, WhatIsRemovedCanBePutBack) {
   store.remove("A");
   store.putBack(removedSecond);
   EXPECT_EQ(store.load("A").ends_per_cm, 12);
+}
+
+TEST_F(PresetDeskTest, WhatCouldNotBeTakenBackIsTriedAgain) {
+  PresetDesk desk(folder_, [] {});
+  const auto kind = PresetKind::fabrics;
+  desk.keep(kind, cloth("A"), 0, 0);
+  desk.keep(kind, cloth("B"), 0, 0);
+  ASSERT_EQ(desk.cards(kind, 1).at(0).name, "A");
+  desk.remove(kind, 0);
+  const std::string removed = desk.lastChange();
+  PresetStore(folder_).keep(cloth("A"));  // by another editor
+  EXPECT_THROW(desk.undo(), InputError);
+  EXPECT_EQ(desk.lastChange(), removed);
+  fs::remove(folder_ / "A.json");
+  desk.undo();
+  EXPECT_EQ(PresetStore(folder_).names(), (std::vector<std::string>{"A", "B"}));
+  EXPECT_NE(desk.lastChange(), removed);
 }
 
 TEST(PresetSearch, FindsBeginningsOfWordsInAnyOrder) {
