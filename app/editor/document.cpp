@@ -3,14 +3,28 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/base/memory.h"
+
 namespace loomlight {
 namespace {
+
+size_t textBytes(const Fabric& fabric) {
+  size_t bytes = fabric.name.capacity() + fabric.description.capacity() + fabric.drape.file.capacity() +
+                 fabric.light.file.capacity();
+  for (const Yarn& yarn : fabric.yarns) bytes += yarn.name.capacity();
+  for (const Fibre& fibre : fabric.fibres) bytes += fibre.name.capacity();
+  for (const Colourway& colourway : fabric.colourways) bytes += colourway.name.capacity();
+  return bytes;
+}
 
 /// About what a fabric takes that shares nothing but rows of its weave with the one before. Null: there is none.
 size_t ownBytes(const Fabric& fabric, const Fabric* before) {
   const Weave& weave = fabric.weave;
-  size_t bytes = sizeof(Fabric) + sizeof(Weave::SharedRow) * static_cast<size_t>(weave.picks()) +
-                 fabric.yarns.size() * sizeof(Yarn) + fabric.fibres.size() * sizeof(Fibre);
+  size_t bytes = sizeof(Fabric) + sizeof(Weave::SharedRow) * static_cast<size_t>(weave.picks()) + textBytes(fabric) +
+                 fabric.yarns.capacity() * sizeof(Yarn) + fabric.fibres.capacity() * sizeof(Fibre) +
+                 (fabric.warpSequence.capacity() + fabric.weftSequence.capacity()) * sizeof(int) +
+                 fabric.colourways.capacity() * sizeof(Colourway);
+  for (const Colourway& colourway : fabric.colourways) bytes += colourway.absorption_per_mm.capacity() * sizeof(Rgb);
   const int both = before ? std::min(weave.picks(), before->weave.picks()) : 0;
   for (int pick = 0; pick < weave.picks(); ++pick)
     if (pick >= both || weave.sharedRow(pick) != before->weave.sharedRow(pick)) bytes += weave.row(pick).size();
@@ -29,6 +43,11 @@ std::shared_ptr<const Fabric> seenFrom(const std::shared_ptr<const Fabric>& fabr
 }
 
 }  // namespace
+
+size_t Document::memoryForUndo_bytes() {
+  constexpr uint64_t kShare = 8, kMost = uint64_t{1} << 30;
+  return static_cast<size_t>(std::min(physicalMemory_bytes() / kShare, kMost));
+}
 
 Document::Document(Fabric fabric, std::string file, size_t mostBytes) : mostBytes_(mostBytes), file_(std::move(file)) {
   push({std::make_shared<const Fabric>(std::move(fabric)), 0, {}, 0});

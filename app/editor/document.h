@@ -22,9 +22,11 @@ struct EditPlace {
 /// did not change: hundreds of thousands of small steps, or as many as memory is set aside for.
 class Document {
  public:
-  static constexpr size_t kMostBytes = size_t{1} << 30;  ///< of old values; beyond that the oldest go
+  /// An eighth of the machine's memory, and a gigabyte at most.
+  static size_t memoryForUndo_bytes();
 
-  explicit Document(Fabric fabric, std::string file = {}, size_t mostBytes = kMostBytes);
+  /// `mostBytes`: of old values; beyond that the oldest go.
+  explicit Document(Fabric fabric, std::string file = {}, size_t mostBytes = memoryForUndo_bytes());
 
   const std::shared_ptr<const Fabric>& fabric() const { return steps_[now_].fabric; }
   const std::string& file() const { return file_; }  ///< empty while it has none

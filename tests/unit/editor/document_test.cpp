@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+
+#include "core/base/memory.h"
+
 namespace loomlight {
 namespace {
 
@@ -108,6 +112,34 @@ TEST(Document, LargeStepsAreForgottenBeforeMemoryIsFull) {
   }
   for (int i = 0; i < kEdits; ++i) cells.undo();
   EXPECT_FALSE(cells.isDirty()) << "single crossings share all other picks";
+}
+
+TEST(Document, EverythingLongThatAFabricHoldsTakesMemory) {
+  constexpr size_t kLong = 100'000, kRoomFor = 5;
+  constexpr int kEdits = 20;
+  const std::vector<std::function<void(Fabric&)>> lengthen = {
+      [](Fabric& fabric) { fabric.warpSequence.assign(kLong, 0); },
+      [](Fabric& fabric) { fabric.weftSequence.assign(kLong, 0); },
+      [](Fabric& fabric) { fabric.description.assign(4 * kLong, 'a'); },
+      [](Fabric& fabric) { fabric.drape.file.assign(4 * kLong, 'a'); },
+      [](Fabric& fabric) { fabric.yarns[0].name.assign(4 * kLong, 'a'); },
+      [](Fabric& fabric) { fabric.colourways.assign(4 * kLong / sizeof(Colourway), Colourway{}); }};
+  for (size_t kind = 0; kind < lengthen.size(); ++kind) {
+    Fabric fabric;
+    lengthen[kind](fabric);
+    Document document(fabric, {}, kRoomFor * 4 * kLong);
+    for (int i = 1; i <= kEdits; ++i) document.edit(fabric, static_cast<uint64_t>(i));
+    size_t steps = 0;
+    for (; document.canUndo(); document.undo()) ++steps;
+    EXPECT_GE(steps, kRoomFor - 3) << kind;
+    EXPECT_LT(steps, kRoomFor) << kind;
+  }
+}
+
+TEST(Document, UndoLeavesMostOfTheMachinesMemoryAlone) {
+  EXPECT_LE(Document::memoryForUndo_bytes(), physicalMemory_bytes() / 8);
+  EXPECT_LE(Document::memoryForUndo_bytes(), size_t{1} << 30);
+  EXPECT_GT(Document::memoryForUndo_bytes(), 0u);
 }
 
 TEST(Document, UndoAndRedoSayWhereTheEditWasMade) {
