@@ -173,8 +173,8 @@ std::optional<Fabric> quickChoices(Ui& ui, const Fabric& fabric, ViewportView& v
   column("exposure", columns.exposure, [&] {
     NumberStyle style;
     style.unit = "EV";
-    style.min = -8;
-    style.max = 8;
+    style.min = -kMostExposure_stops;
+    style.max = kMostExposure_stops;
     style.decimals = 1;
     style.perPixel = 0.02;
     numberField(

@@ -15,13 +15,15 @@ struct ViewportModel {
   ImTextureID picture = nullptr;       ///< of the display, as many pixels as the panel asked for; null: none yet
   std::optional<CrossingIndex> under;  ///< crossing under the mouse
   std::string underYarn;               ///< name of the yarn seen there
-  bool denoised = false;  ///< the picture is; the panel says so
+  bool denoised = false;               ///< the picture is; the panel says so
   bool building = false;
   double buildProgress = 1;
   std::string error;               ///< why the newest fabric cannot be shown; empty if it can
   std::optional<MeshExtent> mesh;  ///< of a mesh drape, once it is known
   LensModel lens;
 };
+
+constexpr double kMostExposure_stops = 8;  ///< up, and down
 
 /// How the picture is looked at; kept between frames, no part of the fabric.
 struct ViewportView {

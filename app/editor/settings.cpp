@@ -8,6 +8,7 @@
 #include "core/base/file.h"
 #include "core/base/memory.h"
 #include "ui/preferences_dialog.h"
+#include "ui/viewport_panel.h"
 
 namespace loomlight {
 
@@ -31,8 +32,6 @@ DraftPreferences draftPreferences(const nlohmann::json& json, DraftPreferences d
   draft.longFloat_mm = std::clamp(json.value("long_float_mm", draft.longFloat_mm), 0.1, 100.0);
   return draft;
 }
-
-constexpr double kMostExposure_stops = 8;
 
 ViewSettings viewSettings(const nlohmann::json& json, ViewSettings view) {
   view.denoised = json.value("denoised", view.denoised);
