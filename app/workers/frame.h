@@ -23,6 +23,7 @@ struct Frame {
   int samples = 0;                  ///< that every pixel has at least; 0 for a coarse pass
   int divider = 1;                  ///< of the resolution
   double seconds = 0;               ///< since this picture was begun
+  bool draft = false;               ///< some of it was traced in what there is of a cloth that is still being built
   bool recoloured = false;          ///< made from paths that were traced in other colours; it is being traced anew
 
   std::span<const glm::vec4> shown() const { return denoised.empty() ? rgba : denoised; }

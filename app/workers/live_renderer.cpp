@@ -186,7 +186,7 @@ void LiveRenderer::Workers::showDraft(const ViewRequest& request, std::shared_pt
                                       const Task& task) {
   Traceable draft{scene, scene, makeLiveMedium(*scene, request.visibility, task)};
   if (!draft.medium) return;
-  tracer.show({std::move(draft), request.width, request.height, request.generation});
+  tracer.show({std::move(draft), request.width, request.height, request.generation, true});
   std::lock_guard lock(mutex);
   if (requests.waiting()) buildStop.request_stop();
   buildMayBeCancelled = true;

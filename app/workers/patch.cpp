@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "app/workers/despeckle.h"
 #include "app/workers/stretch.h"
 #include "core/fabric/impact.h"
 
@@ -15,7 +16,7 @@ bool sameThread(const Film::Hit& a, const Film::Hit& b) {
 
 /// For each pixel of the new picture, whether the old one shows nothing like it there: about the same pixels, as a
 /// sample may lie anywhere in a coarse one and the next thread may have moved a little.
-std::vector<bool> changes(const Frame& fresh, const Frame& old) {
+std::vector<bool> newlySeen(const Frame& fresh, const Frame& old) {
   assert(fresh.width >= (old.width + fresh.divider - 1) / fresh.divider);
   const int size = fresh.divider, around = std::max(1, size / 4);
   std::vector<bool> changed(fresh.hits.size(), true);
@@ -34,17 +35,43 @@ std::vector<bool> changes(const Frame& fresh, const Frame& old) {
   return changed;
 }
 
-/// How much of the new picture is seen at each of its pixels: all of it where it changes, and between the centres of
-/// those and of the pixels beyond their neighbours ever less, so that no border is a line.
-std::vector<glm::vec4> sharesOf(const std::vector<bool>& changed, int width, int height) {
-  std::vector<glm::vec4> shares(changed.size(), glm::vec4(0));
+/// Marks the pixels of the new picture where the old one shows crossings that have been turned: a coarse picture's
+/// samples may all have missed them.
+void addTurned(std::vector<bool>& changed, const Frame& fresh, const Frame& old, const Weave& now, const Weave& then) {
+  for (int y = 0; y < old.height; ++y)
+    for (int x = 0; x < old.width; ++x) {
+      const Film::Hit& hit = old.hits[static_cast<size_t>(y) * static_cast<size_t>(old.width) + static_cast<size_t>(x)];
+      if (hit.end < 0 || hit.pick < 0) continue;
+      const int pick = hit.pick % now.picks(), end = hit.end % now.ends();
+      if (now.at(pick, end) == then.at(pick, end)) continue;
+      changed[static_cast<size_t>(y / fresh.divider) * static_cast<size_t>(fresh.width) +
+              static_cast<size_t>(x / fresh.divider)] = true;
+    }
+}
+
+/// The pixels that are at most so far from one of these, along both axes.
+std::vector<bool> around(const std::vector<bool>& pixels, int width, int height, int distance) {
+  std::vector<bool> wider(pixels.size(), false);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
-      if (!changed[static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)]) continue;
-      for (int v = std::max(0, y - 1); v <= std::min(height - 1, y + 1); ++v)
-        for (int u = std::max(0, x - 1); u <= std::min(width - 1, x + 1); ++u)
-          shares[static_cast<size_t>(v) * static_cast<size_t>(width) + static_cast<size_t>(u)] = glm::vec4(1);
+      if (!pixels[static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)]) continue;
+      for (int v = std::max(0, y - distance); v <= std::min(height - 1, y + distance); ++v)
+        for (int u = std::max(0, x - distance); u <= std::min(width - 1, x + distance); ++u)
+          wider[static_cast<size_t>(v) * static_cast<size_t>(width) + static_cast<size_t>(u)] = true;
     }
+  return wider;
+}
+
+/// How much of the new picture is seen at each of its pixels: all of it where it changes, and beyond their neighbours
+/// ever less, so that no border is a line. Stretching a coarse picture does that on its own.
+std::vector<glm::vec4> sharesOf(const std::vector<bool>& changed, const Frame& fresh) {
+  constexpr int kSoftPixels = 2;  // of the viewport, to each side
+  const int softened = kSoftPixels / fresh.divider;
+  const std::vector<bool> seen = around(changed, fresh.width, fresh.height, 1 + softened);
+  std::vector<glm::vec4> shares(changed.size(), glm::vec4(0));
+  for (size_t i = 0; i < seen.size(); ++i)
+    if (seen[i]) shares[i] = glm::vec4(1);
+  for (int i = 0; i < softened; ++i) soften(shares, fresh.width, fresh.height);
   return shares;
 }
 
@@ -58,13 +85,15 @@ bool differInCrossings(const Fabric& before, const Fabric& after) {
   return impact(between, after).nothing();
 }
 
-Frame patched(Frame fresh, const Frame& old) {
-  const std::vector<bool> changed = changes(fresh, old);
-  const std::vector<glm::vec4> shares = sharesOf(changed, fresh.width, fresh.height);
+Frame patched(Frame fresh, const Frame& old, const Weave& weaveNow, const Weave& weaveThen) {
+  std::vector<bool> changed = newlySeen(fresh, old);
+  addTurned(changed, fresh, old, weaveNow, weaveThen);
+  const std::vector<glm::vec4> shares = sharesOf(changed, fresh);
   Frame whole = old;
   whole.generation = fresh.generation;
   whole.samples = fresh.samples;
   whole.seconds = fresh.seconds;
+  whole.draft = fresh.draft || old.draft;
   whole.recoloured = false;
   const bool denoised = !fresh.denoised.empty() && !old.denoised.empty();
   if (!denoised) whole.denoised.clear();

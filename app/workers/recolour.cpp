@@ -30,9 +30,10 @@ struct Pool {
   }
 };
 
-Rgb ratio(Rgb a, Rgb b) {
-  const auto divide = [](float x, float y) { return y > 0 ? x / y : 0.0f; };
-  return {divide(a.r, b.r), divide(a.g, b.g), divide(a.b, b.b)};
+/// Where there is nothing to divide by, nothing is known but the light.
+Rgb ratio(Rgb a, Rgb b, Rgb light) {
+  const auto divide = [](float x, float y, float unknown) { return y > 0 ? x / y : unknown; };
+  return {divide(a.r, b.r, light.r), divide(a.g, b.g, light.g), divide(a.b, b.b, light.b)};
 }
 
 /// Of the luminance, from that of the channels, whose noise is that of the paths and hence nearly the same.
@@ -65,6 +66,7 @@ Recoloured recolour(const Film& film, const PathRecords& records, const Dye& dye
 
   Recoloured result;
   result.rgba.resize(sums.size());
+  result.change.resize(sums.size());
   std::vector<double> variances(static_cast<size_t>(height));
   parallelFor(variances.size(), threads, [&](size_t row) {
     const int y = static_cast<int>(row);
@@ -76,9 +78,11 @@ Recoloured recolour(const Film& film, const PathRecords& records, const Dye& dye
         for (int u = std::max(0, x - 1); u <= std::min(width - 1, x + 1); ++u)
           if (film.hit(u, v).yarn == yarn) around.add(at(u, v));
       const bool complete = own.samples > 0 && own.samples == film.samples(x, y);
-      const Rgb change = ratio(around.dyed, around.traced);
+      const Rgb change = ratio(around.dyed, around.traced, dye.light);
       const Rgb colour = complete ? own.dyed / static_cast<float>(own.samples) : film.mean(x, y) * change;
-      result.rgba[row * static_cast<size_t>(width) + static_cast<size_t>(x)] = glm::vec4(colour, film.alpha(x, y));
+      const size_t i = row * static_cast<size_t>(width) + static_cast<size_t>(x);
+      result.rgba[i] = glm::vec4(colour, film.alpha(x, y));
+      result.change[i] = change;
       if (around.freedom <= 0) continue;
       const Rgb ofFilm = change * change * around.tracedTraced / static_cast<float>(film.samples(x, y));
       const Rgb ofChange =

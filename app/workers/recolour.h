@@ -16,6 +16,7 @@ std::optional<Dye> dyeBetween(const Scene& traced, const Scene& wanted);
 /// A picture in other colours than it was traced in.
 struct Recoloured {
   std::vector<glm::vec4> rgba;  ///< linear, premultiplied; row by row from the top left
+  std::vector<Rgb> change;      ///< of the light around each pixel on the same yarn: its ratio to what was traced
   double variance = 0;          ///< of the luminance, mean over the pixels
 };
 

@@ -132,6 +132,7 @@ void Refinement::endPass() {
   } else {
     Frame coarse = traced(*coarse_, plan.divider);
     finish(coarse);
+    coarse.draft = false;  // each of its pixels has a sample of its own
     standIn_.emplace(std::make_shared<const Frame>(std::move(coarse)));
   }
 }
@@ -141,6 +142,7 @@ void Refinement::finish(Frame& frame) const {
   if (standIn_ && frame.divider == 1)
     frame.samples += static_cast<int>(
         std::lround(standIn_->share(history_.samples) * static_cast<float>(standIn_->frame().samples)));
+  frame.draft = standIn_ && standIn_->frame().draft;
   frame.seconds = secondsSince(start_);
   if (asTraced_) {
     // One lucky path to the sun is held back until samples come.
@@ -174,10 +176,11 @@ std::vector<float> Refinement::variances(const Frame& frame) const {
   for (int y = window_.y; y < window_.y + window_.height; ++y)
     for (int x = window_.x; x < window_.x + window_.width; ++x) {
       // In other colours noise is in proportion.
-      const float shown = luminance(Rgb(frame.rgba[variances.size()])), traced = luminance(fine_.mean(x, y));
+      const float shown = luminance(Rgb(frame.rgba[variances.size()]));
+      const float traced = luminance(Rgb(faded(light(fine_, x, y), x, y, Rgb(1))));
       const float scale = frame.recoloured && traced > 0 ? shown / traced : 1.0f;
-      const float own = scale * scale * fine_.variance(x, y);
-      variances.push_back(mixed ? standIn_->variance(x, y, fine_.samples(x, y), own) : own);
+      const float own = fine_.variance(x, y);
+      variances.push_back(scale * scale * (mixed ? standIn_->variance(x, y, fine_.samples(x, y), own) : own));
     }
   return variances;
 }
@@ -194,9 +197,20 @@ Frame Refinement::recoloured(const Dye& dye, int threads, double& variance) cons
   variance = picture.variance;
   Frame frame = traced(fine_, 1);
   frame.rgba = std::move(picture.rgba);
+  for (int y = 0; fading() && y < fine_.height(); ++y)
+    for (int x = 0; x < fine_.width(); ++x) {
+      const size_t i = static_cast<size_t>(y) * static_cast<size_t>(fine_.width()) + static_cast<size_t>(x);
+      frame.rgba[i] = faded(frame.rgba[i], x, y, picture.change[i]);
+    }
   frame.recoloured = true;
   finish(frame);
   return frame;
+}
+
+/// A pixel at full resolution with its share of what stands in for it, whose light changes so.
+glm::vec4 Refinement::faded(const glm::vec4& own, int x, int y, Rgb change) const {
+  const float share = standIn_ ? standIn_->share(fine_.samples(x, y)) : 0;
+  return share > 0 ? glm::mix(own, glm::vec4(change, 1) * standIn_->light(x, y, 1), share) : own;
 }
 
 /// The window as it has been traced so far, with what stands in for it.

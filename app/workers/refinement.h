@@ -47,6 +47,8 @@ class Refinement {
   void standIn(std::shared_ptr<const Frame> earlier) { standIn_.emplace(std::move(earlier)); }
   /// Whether something of that is still to be seen.
   bool fading() const { return standIn_ && history_.samples < standIn_->samples(); }
+  /// Samples with which another picture is as good as this one, with what stands in for it.
+  uint32_t worth_samples() const { return fading() ? standIn_->samples() : history_.samples; }
   /// Whether frames with hits have a copy with less noise for the display.
   void denoise(bool wanted) { denoised_ = wanted; }
   /// From now on keeps what recolouring needs, within so many bytes. Before the first pass.
@@ -67,8 +69,8 @@ class Refinement {
   bool advance(const Task& task);
 
   Frame frame() const;
-  /// The picture at full resolution in other colours, and its noise: the mean variance of its luminance. Of a picture
-  /// that keeps its paths and has samples.
+  /// The picture at full resolution in other colours, with what stands in for it in these colours too, and the noise of
+  /// its own samples: the mean variance of their luminance. Of a picture that keeps its paths and has samples.
   Frame recoloured(const Dye& dye, int threads, double& variance) const;
 
  private:
@@ -84,6 +86,7 @@ class Refinement {
   Pass beginPass() const;
   void endPass();
   Frame traced(const Film& film, int divider) const;
+  glm::vec4 faded(const glm::vec4& own, int x, int y, Rgb change) const;
   void finish(Frame& frame) const;
   void takeNoise(Frame& frame) const;
   std::vector<float> variances(const Frame& frame) const;

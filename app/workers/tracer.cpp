@@ -245,6 +245,7 @@ bool Tracer::sameView(const Fabric& fabric) const {
 std::shared_ptr<Frame> Tracer::framed(Frame frame) const {
   auto shared = std::make_shared<Frame>(std::move(frame));
   shared->generation = request_.generation;
+  shared->draft |= request_.draft;
   return shared;
 }
 
@@ -309,12 +310,13 @@ void Tracer::showPicture() {
   constexpr int kClear = 16;  // samples from which on a picture needs no help
   Frame frame = picture_->frame();
   if (clear_ && frame.samples < std::min(clear_->samples, kClear)) {
-    picturePending_ = framed(patched(std::move(frame), *clear_));
+    picturePending_ =
+        framed(patched(std::move(frame), *clear_, request_.cloth.scene->fabric->weave, clearFabric_->weave));
     if (picturePending_->samples == 0) picture_->standIn(picturePending_);
     return;
   }
   picturePending_ = framed(std::move(frame));
-  if (picturePending_->samples == 0) return;
+  if (picturePending_->samples == 0 || picturePending_->draft) return;
   clear_ = picturePending_;
   clearFabric_ = request_.cloth.scene->fabric;
 }
@@ -323,8 +325,8 @@ void Tracer::showPicture() {
 bool Tracer::worthShowing() const {
   constexpr uint32_t kFewest = 4;  // to know a variance by
   const uint32_t samples = picture_->samples();
-  if (!dyed_ || samples >= dyed_->samples()) return true;
-  return samples >= kFewest && meanVariance(picture_->film()) <= varianceToBeat_;
+  if (!dyed_ || samples >= dyed_->worth_samples()) return true;
+  return !dyed_->fading() && samples >= kFewest && meanVariance(picture_->film()) <= varianceToBeat_;
 }
 
 void Tracer::traceLens() {

@@ -29,6 +29,7 @@ class Tracer {
     Traceable cloth;
     int width = 0, height = 0;
     uint64_t generation = 0;
+    bool draft = false;  ///< of what there is of a cloth that is still being built
   };
   struct State {
     enum class Phase { idle, tracing, converged };

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-
 #include <chrono>
 #include <thread>
 
@@ -15,6 +14,8 @@ namespace loomlight {
 namespace {
 
 const glm::vec4 kOld(0.25f, 0.25f, 0.25f, 1), kFresh(0.75f, 0.5f, 0.25f, 1);
+
+const Weave kPlain(std::vector<Weave::Row>{{1, 0}, {0, 1}});
 
 /// Crossings of eight pixels a side, warp over where the sum of their numbers is even.
 Film::Hit hitAt(int x, int y) {
@@ -42,7 +43,7 @@ TEST(Patched, ChangesWhatTheNewPictureShowsOtherwise) {
     for (Film::Hit& hit : fresh.hits)
       if (hit.end == 2 && hit.pick == 3) hit.yarn = 1 - hit.yarn;
     fresh.generation = 7;
-    const Frame whole = patched(fresh, old);
+    const Frame whole = patched(fresh, old, kPlain, kPlain);
     EXPECT_EQ(whole.generation, 7u);
     ASSERT_EQ(whole.rgba.size(), old.rgba.size());
     for (int y = 0; y < 48; ++y)
@@ -53,7 +54,7 @@ TEST(Patched, ChangesWhatTheNewPictureShowsOtherwise) {
         SCOPED_TRACE(testing::Message() << x << ", " << y << " at 1/" << divider);
         if (turned) {
           EXPECT_EQ(whole.rgba[i], kFresh);
-        } else if (std::max(across, down) >= 2 * divider) {
+        } else if (std::max(across, down) >= (divider == 1 ? 6 : 2 * divider)) {  // at 1/1, five fade
           EXPECT_EQ(whole.rgba[i], kOld);
         } else {  // no border is a line
           EXPECT_GE(whole.rgba[i].x, std::min(kFresh.x, kOld.x));
@@ -64,11 +65,49 @@ TEST(Patched, ChangesWhatTheNewPictureShowsOtherwise) {
   }
 }
 
+TEST(Patched, AFinePictureComesInOverSomePixels) {
+  const Frame old = pictureOf(48, 1, kOld);
+  Frame fresh = pictureOf(48, 1, kFresh);
+  for (Film::Hit& hit : fresh.hits)
+    if (hit.end == 2 && hit.pick == 3) hit.yarn = 1 - hit.yarn;
+  const Frame whole = patched(fresh, old, kPlain, kPlain);
+  float steepest = 0;
+  for (int x = 1; x < 48; ++x)
+    steepest = std::max(steepest, std::abs(whole.rgba[28 * 48 + x].x - whole.rgba[28 * 48 + x - 1].x));
+  EXPECT_LE(steepest, 0.4f * (kFresh.x - kOld.x));
+}
+
+// A coarse picture may have no sample on a crossing that was turned.
+TEST(Patched, ATurnedCrossingIsSeenWhereNoSampleMetIt) {
+  const Weave then(std::vector<Weave::Row>(6, Weave::Row(6, 0)));
+  const Frame old = pictureOf(48, 1, kOld), fresh = pictureOf(48, 8, kFresh);
+  const Frame whole = patched(fresh, old, then.with(3, 2, true), then);
+  EXPECT_EQ(patched(fresh, old, then, then).rgba, old.rgba);
+  for (int y = 0; y < 48; ++y)
+    for (int x = 0; x < 48; ++x) {
+      const size_t i = static_cast<size_t>(y) * 48 + static_cast<size_t>(x);
+      if (x / 8 == 2 && y / 8 == 3) {
+        EXPECT_EQ(whole.rgba[i], kFresh);
+      } else if (x >= 40 || y < 8) {
+        EXPECT_EQ(whole.rgba[i], kOld);
+      }
+    }
+}
+
+TEST(Patched, IsADraftWhereEitherIs) {
+  Frame old = pictureOf(48, 1, kOld), fresh = pictureOf(48, 8, kFresh);
+  EXPECT_FALSE(patched(fresh, old, kPlain, kPlain).draft);
+  fresh.draft = true;
+  EXPECT_TRUE(patched(fresh, old, kPlain, kPlain).draft);
+  std::swap(fresh.draft, old.draft);
+  EXPECT_TRUE(patched(fresh, old, kPlain, kPlain).draft);
+}
+
 TEST(Patched, TakesCoarsePicturesThatReachBeyondTheEdge) {
   const Frame old = pictureOf(48, 1, kOld);
   Frame fresh = pictureOf(64, 32, kFresh);
   for (Film::Hit& hit : fresh.hits) hit = {5, 90, 90, 25};
-  for (const glm::vec4& pixel : patched(fresh, old).rgba) EXPECT_EQ(pixel, kFresh);
+  for (const glm::vec4& pixel : patched(fresh, old, kPlain, kPlain).rgba) EXPECT_EQ(pixel, kFresh);
 }
 
 TEST(DifferInCrossings, IsSoOfTheWeaveAlone) {
@@ -93,9 +132,9 @@ TEST(LivePatch, APaintedCrossingLeavesTheRestOfThePictureAsItWas) {
   fabric.camera.distance_mm = 12;
   fabric.yarns.push_back(fabric.yarns[0]);
   fabric.weftSequence = {1};
-  std::vector<Weave::Row> plain(8, Weave::Row(8));
-  for (size_t pick = 0; pick < 8; ++pick)
-    for (size_t end = 0; end < 8; ++end) plain[pick][end] = (pick + end) % 2 == 0;
+  std::vector<Weave::Row> plain(16, Weave::Row(16));  // wider than the piece: a single crossing is turned
+  for (size_t pick = 0; pick < 16; ++pick)
+    for (size_t end = 0; end < 16; ++end) plain[pick][end] = (pick + end) % 2 == 0;
   fabric.weave = Weave(plain);
   test::WorkerWindow window;
   LiveRenderer renderer(window.waker(), 1);
