@@ -154,6 +154,7 @@ class Session {
 
   // session_snapshots.cpp: views that are kept
   void keepView();
+  void followViewToKeep();
   SnapshotJob::Print printOfSnapshot() const;
   void drawStrip(Ui& ui);
   void restoreView(size_t index);
@@ -215,6 +216,7 @@ class Session {
   EditPlace place_;          ///< where edits are made now
   std::string refusal_;      ///< why the last edit was not taken
   std::shared_ptr<const Frame> shownFrame_;
+  std::shared_ptr<const Fabric> viewToKeep_;                ///< as soon as it has been traced; usually null
   std::shared_ptr<const LensFrame> lensFrame_;              ///< the newest
   const void* lensUpload_ = nullptr;                        ///< what of it is on the graphics card
   std::shared_ptr<const BakedVisibility> shownVisibility_;  ///< whose picture is on the graphics card

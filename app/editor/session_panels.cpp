@@ -259,6 +259,7 @@ StatusModel Session::statusModel(const Insight* insight, const LiveStatus& statu
       model.work = "converged";
       break;
   }
+  if (shownFrame_ && shownFrame_->draft) model.work = "first look";
   if (shownFrame_ && !shownFrame_->denoised.empty())
     model.work = (shownFrame_->recoloured ? "recoloured" : model.work) + ", denoised";
   return model;
@@ -276,6 +277,7 @@ void Session::tellProbe(Ui& ui, const LiveStatus& status) const {
   ui.probe.fact("built_generation", std::to_string(status.builtGeneration));
   ui.probe.fact("shown_generation", std::to_string(shownFrame_ ? shownFrame_->generation : 0));
   ui.probe.fact("shown_samples", std::to_string(shownFrame_ ? shownFrame_->samples : 0));
+  ui.probe.fact("shown_draft", shownFrame_ && shownFrame_->draft ? "yes" : "no");
   ui.probe.fact("denoised", shownFrame_ && !shownFrame_->denoised.empty() ? "yes" : "no");
   ui.probe.fact("error", status.error);
   ui.probe.fact("refusal", refusal_);

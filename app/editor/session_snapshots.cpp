@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "app/editor/picture_label.h"
 #include "app/editor/session.h"
 #include "app/workers/display_picture.h"
@@ -5,8 +7,19 @@
 
 namespace loomlight {
 
+/// Kept once there is a picture of the cloth itself.
 void Session::keepView() {
-  if (shownFrame_ && shownFrame_->width > 0) shelf_.keep(document_.fabric(), displayPicture(*shownFrame_, tone()));
+  viewToKeep_ = document_.fabric();
+  followViewToKeep();
+}
+
+/// An edit that comes before the picture has taken its place.
+void Session::followViewToKeep() {
+  if (viewToKeep_ != document_.fabric()) viewToKeep_.reset();
+  if (!viewToKeep_) return;
+  const bool isOfIt = shownFrame_ && shownFrame_->width > 0 && viewToKeep_ == requested_ &&
+                      shownFrame_->generation == generation_ && !shownFrame_->draft;
+  if (isOfIt) shelf_.keep(std::exchange(viewToKeep_, nullptr), displayPicture(*shownFrame_, tone()));
 }
 
 /// Scale bar, caption and the size on paper, where they are wanted.

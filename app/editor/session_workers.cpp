@@ -8,6 +8,7 @@ void Session::takePictures() {
   if (std::shared_ptr<const Frame> newest = renderer_.frame(); newest && newest != shownFrame_) {
     picture_.upload(newest->width, newest->height, newest->shown(), newest->hits);
     shownFrame_ = std::move(newest);
+    followViewToKeep();
   }
   lensFrame_ = renderer_.lensFrame();
   if (lensFrame_) {
