@@ -6,7 +6,7 @@
 
 namespace loomlight {
 
-/// A frame as the display shows it, three channels.
+/// A frame as it was traced, in the colours of the display; three channels.
 Pixels8 displayPicture(const Frame& frame, const Tone& tone);
 
 /// Where two pictures differ: each channel's distance, four times as bright. Of the size of the first; the second is

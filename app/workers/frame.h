@@ -14,10 +14,11 @@ namespace loomlight {
 /// elsewhere.
 struct Frame {
   int width = 0, height = 0;
-  std::vector<glm::vec4> rgba;      ///< linear, premultiplied by alpha; row by row from the top left
-  std::vector<glm::vec4> denoised;  ///< the same for the display alone, with less noise; empty where not asked for
+  std::vector<glm::vec4> rgba;      ///< as traced: linear, premultiplied by alpha; row by row from the top left
+  std::vector<glm::vec4> helped;    ///< for the display alone: with less noise as long as it is young; empty: as rgba
+  std::vector<glm::vec4> denoised;  ///< for the display alone: with less noise; empty where not asked for
   std::vector<Film::Hit> hits;      ///< yarn and crossing per pixel; -1 where there is no cloth. Empty in the lens
-  std::vector<float> variances;     ///< of the luminance; empty where unknown, or not needed to make `denoised`
+  std::vector<float> variances;     ///< of the luminance; empty where unknown, or where no noise was taken
   PixelRect window;                 ///< what it covers of the viewport
   uint64_t generation = 0;          ///< of the request it answers
   int samples = 0;                  ///< that every pixel has at least; 0 for a coarse pass
@@ -26,7 +27,9 @@ struct Frame {
   bool draft = false;               ///< some of it was traced in what there is of a cloth that is still being built
   bool recoloured = false;          ///< made from paths that were traced in other colours; it is being traced anew
 
-  std::span<const glm::vec4> shown() const { return denoised.empty() ? rgba : denoised; }
+  /// What the display shows where nothing is asked for.
+  std::span<const glm::vec4> plain() const { return helped.empty() ? rgba : helped; }
+  std::span<const glm::vec4> shown() const { return denoised.empty() ? plain() : denoised; }
 };
 
 }  // namespace loomlight

@@ -97,6 +97,8 @@ Frame patched(Frame fresh, const Frame& old, const Weave& weaveNow, const Weave&
   whole.recoloured = false;
   const bool denoised = !fresh.denoised.empty() && !old.denoised.empty();
   if (!denoised) whole.denoised.clear();
+  const bool helped = !fresh.helped.empty() || !old.helped.empty();
+  if (helped) whole.helped.assign(old.plain().begin(), old.plain().end());
   const float ratio = 1.0f / static_cast<float>(fresh.divider);
   for (int y = 0; y < old.height; ++y)
     for (int x = 0; x < old.width; ++x) {
@@ -107,6 +109,7 @@ Frame patched(Frame fresh, const Frame& old, const Weave& weaveNow, const Weave&
       if (share == 0) continue;
       const size_t i = static_cast<size_t>(y) * static_cast<size_t>(old.width) + static_cast<size_t>(x);
       whole.rgba[i] = glm::mix(old.rgba[i], stretched(fresh.rgba, fresh.width, u, v), share);
+      if (helped) whole.helped[i] = glm::mix(whole.helped[i], stretched(fresh.plain(), fresh.width, u, v), share);
       if (denoised) whole.denoised[i] = glm::mix(old.denoised[i], stretched(fresh.denoised, fresh.width, u, v), share);
       if (changed[coarse]) whole.hits[i] = fresh.hits[coarse];
     }

@@ -151,18 +151,19 @@ void Refinement::finish(Frame& frame) const {
   } else {
     takeNoise(frame);
   }
-  if (frame.divider > 1) soften(frame.rgba, frame.width, frame.height);
+  if (frame.divider > 1) soften(frame.helped.empty() ? frame.rgba : frame.helped, frame.width, frame.height);
 }
 
 /// Noise darkens a picture, as what is brighter than white is lost to the eye: a young one is shown denoised, which
-/// keeps all light, and less and less so until it is clear.
+/// keeps all light, and less and less so until it is clear. What was traced stays beside it.
 void Refinement::takeNoise(Frame& frame) const {
   const float youth = 1 - static_cast<float>(std::min(frame.samples, kClearSamples)) / kClearSamples;
   if (youth == 0 && !denoised_) return;
   frame.variances = variances(frame);
-  std::vector<glm::vec4> quiet = frame.rgba;
+  std::vector<glm::vec4> quiet(frame.plain().begin(), frame.plain().end());
   loomlight::denoise(quiet, {frame.hits, frame.variances}, frame.width, frame.height, threads_);
-  for (size_t i = 0; youth > 0 && i < quiet.size(); ++i) frame.rgba[i] = glm::mix(frame.rgba[i], quiet[i], youth);
+  if (youth > 0 && frame.helped.empty()) frame.helped = frame.rgba;
+  for (size_t i = 0; youth > 0 && i < quiet.size(); ++i) frame.helped[i] = glm::mix(frame.helped[i], quiet[i], youth);
   if (denoised_) frame.denoised = std::move(quiet);
 }
 
@@ -196,6 +197,7 @@ Frame Refinement::recoloured(const Dye& dye, int threads, double& variance) cons
   Recoloured picture = recolour(fine_, *records_, dye, threads);
   variance = picture.variance;
   Frame frame = traced(fine_, 1);
+  frame.helped.clear();
   frame.rgba = std::move(picture.rgba);
   for (int y = 0; fading() && y < fine_.height(); ++y)
     for (int x = 0; x < fine_.width(); ++x) {
@@ -225,6 +227,7 @@ Frame Refinement::traced(const Film& film, int divider) const {
   frame.window = {pixels.x * divider, pixels.y * divider, pixels.width * divider, pixels.height * divider};
   frame.rgba.resize(static_cast<size_t>(frame.width) * static_cast<size_t>(frame.height));
   if (!asTraced_) frame.hits.resize(frame.rgba.size());
+  if (standIn_ && !standIn_->frame().helped.empty()) frame.helped.resize(frame.rgba.size());
   parallelFor(static_cast<size_t>(frame.height), threads_, [&](size_t row) {
     const int y = pixels.y + static_cast<int>(row);
     size_t i = row * static_cast<size_t>(frame.width);
@@ -234,6 +237,8 @@ Frame Refinement::traced(const Film& film, int divider) const {
       if (first) share = std::max(share, 1 - pass_->parts.shown(x, y));
       const glm::vec4 own = light(film, x, y);
       frame.rgba[i] = share > 0 ? glm::mix(own, standIn_->light(x, y, divider), share) : own;
+      if (!frame.helped.empty())
+        frame.helped[i] = share > 0 ? glm::mix(own, standIn_->helped(x, y, divider), share) : own;
       if (!asTraced_) frame.hits[i] = samples == 0 && standIn_ ? standIn_->hit(x, y, divider) : film.hit(x, y);
     }
   });

@@ -14,12 +14,20 @@ float StandIn::share(uint32_t samples) const {
 }
 
 glm::vec4 StandIn::light(int x, int y, int divider) const {
+  return between(earlier_->rgba, x, y, divider);
+}
+
+glm::vec4 StandIn::helped(int x, int y, int divider) const {
+  return between(earlier_->plain(), x, y, divider);
+}
+
+glm::vec4 StandIn::between(std::span<const glm::vec4> pixels, int x, int y, int divider) const {
   const Frame& f = *earlier_;
   const auto own = static_cast<float>(f.divider);
   const float ratio = static_cast<float>(divider) / own;
   const Between u(x, ratio, -static_cast<float>(f.window.x) / own, f.width);
   const Between v(y, ratio, -static_cast<float>(f.window.y) / own, f.height);
-  return stretched(f.rgba, f.width, u, v);
+  return stretched(pixels, f.width, u, v);
 }
 
 Film::Hit StandIn::hit(int x, int y, int divider) const {

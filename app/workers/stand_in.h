@@ -22,12 +22,14 @@ class StandIn {
   bool knowsVariance() const { return !earlier_->variances.empty(); }
 
   // At a pixel of the viewport, whose resolution is divided by `divider`.
-  glm::vec4 light(int x, int y, int divider) const;
+  glm::vec4 light(int x, int y, int divider) const;   ///< as traced
+  glm::vec4 helped(int x, int y, int divider) const;  ///< as displayed; see Frame
   Film::Hit hit(int x, int y, int divider) const;
   /// Of the luminance at full resolution, mixed with a mean of so many samples; `own`: its variance, where it has two.
   float variance(int x, int y, uint32_t samples, float own) const;
 
  private:
+  glm::vec4 between(std::span<const glm::vec4> pixels, int x, int y, int divider) const;
   size_t nearest(int x, int y, int divider) const;
 
   std::shared_ptr<const Frame> earlier_;

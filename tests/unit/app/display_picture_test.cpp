@@ -23,6 +23,19 @@ TEST(DisplayPicture, IsWhatAPngOfTheSameLightIs) {
   for (size_t i = 0; i < png.bytes.size(); ++i) EXPECT_NEAR(shown.bytes[i], png.bytes[i], 1) << i;
 }
 
+TEST(DisplayPicture, IsOfWhatWasTracedWhateverTheDisplayShows) {
+  Frame frame;
+  frame.width = frame.height = 1;
+  frame.rgba = {glm::vec4(0.2f, 0.4f, 0.1f, 1)};
+  const Pixels8 traced = displayPicture(frame, Tone{});
+  frame.helped = {glm::vec4(0.5f, 0.1f, 0.3f, 1)};
+  EXPECT_EQ(frame.shown()[0], frame.helped[0]);
+  EXPECT_EQ(displayPicture(frame, Tone{}).bytes, traced.bytes);
+  frame.denoised = {glm::vec4(0.7f, 0.2f, 0.2f, 1)};
+  EXPECT_EQ(frame.shown()[0], frame.denoised[0]);
+  EXPECT_EQ(displayPicture(frame, Tone{}).bytes, traced.bytes);
+}
+
 TEST(DifferencePicture, IsBlackWhereTheyAreAlikeAndBrightensFourTimes) {
   const Pixels8 a{2, 1, 3, {10, 20, 30, 200, 100, 0}}, b{2, 1, 3, {10, 25, 30, 100, 100, 0}};
   EXPECT_EQ(differencePicture(a, a).bytes, std::vector<uint8_t>(6, 0));

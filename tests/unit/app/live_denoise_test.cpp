@@ -8,6 +8,7 @@ namespace loomlight {
 namespace {
 
 constexpr size_t kPixels = 64 * 48;
+constexpr int kClear = 16;  // samples from which on pictures are shown as they are
 
 class LiveDenoise : public testing::Test {
  protected:
@@ -35,7 +36,7 @@ class LiveDenoise : public testing::Test {
 
 TEST_F(LiveDenoise, IsACopyForTheDisplayWhereItIsWanted) {
   show(1);
-  ASSERT_TRUE(waitForFrame([](const Frame& f) { return f.samples >= 2; }));
+  ASSERT_TRUE(waitForFrame([](const Frame& f) { return f.samples >= kClear; }));
   EXPECT_TRUE(frame->denoised.empty());
   EXPECT_EQ(frame->shown().data(), frame->rgba.data());
   renderer.denoise(true);

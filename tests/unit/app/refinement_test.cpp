@@ -139,6 +139,40 @@ TEST_F(RefinementTest, ALongPassComesInParts) {
     for (int x = 0; x < kWide; ++x) ASSERT_EQ(inParts.film().mean(x, y), straight.mean(x, y));
 }
 
+TEST_F(RefinementTest, AYoungPictureIsHelpedForTheDisplayAlone) {
+  constexpr uint32_t kClear = 16;  // from there on pictures are shown as they are
+  Refinement refinement(cloth, kWidth, kHeight, 1e-3);
+  while (refinement.samples() < kClear) {
+    ASSERT_TRUE(refinement.advance(Task{{}, {}, 1}));
+    if (refinement.samples() == 0) continue;
+    const Frame frame = refinement.frame();
+    EXPECT_EQ(frame.helped.empty(), refinement.samples() >= kClear);
+    EXPECT_NE(frame.helped, frame.rgba);
+    for (int y = 0; y < kHeight; ++y)
+      for (int x = 0; x < kWidth; ++x)
+        ASSERT_EQ(Rgb(frame.rgba[static_cast<size_t>(y) * kWidth + x]), refinement.film().mean(x, y));
+  }
+}
+
+TEST_F(RefinementTest, WhatStandsInIsHelpedForTheDisplayAlone) {
+  const glm::vec4 traced(0.5f, 0.5f, 0.5f, 1), helped(0.25f, 0.75f, 0.5f, 1);
+  Frame earlier;
+  earlier.width = kWidth;
+  earlier.height = kHeight;
+  earlier.window = {0, 0, kWidth, kHeight};
+  earlier.samples = 8;
+  earlier.rgba.assign(size_t{kWidth} * kHeight, traced);
+  earlier.helped.assign(earlier.rgba.size(), helped);
+  earlier.hits.resize(earlier.rgba.size());
+  Refinement refinement(cloth, kWidth, kHeight, 0);
+  refinement.standIn(std::make_shared<const Frame>(earlier));
+  refinement.skipCoarse();
+  const Frame frame = refinement.frame();
+  EXPECT_EQ(frame.rgba, earlier.rgba);
+  ASSERT_EQ(frame.helped.size(), earlier.helped.size());
+  for (const glm::vec4& pixel : frame.helped) EXPECT_LT(glm::distance(pixel, helped), 1e-5f);
+}
+
 TEST_F(RefinementTest, TakesOverFromAnotherPictureWithoutALeapAndForgetsIt) {
   constexpr uint32_t kClear = 16;  // from there on pictures are shown as they are
   Refinement refinement(cloth, kWidth, kHeight, 0);
@@ -158,8 +192,8 @@ TEST_F(RefinementTest, TakesOverFromAnotherPictureWithoutALeapAndForgetsIt) {
   // Every step is a small one, whatever the machine's speed.
   const auto brightness = [](const Frame& frame) {
     double sum = 0;
-    for (const glm::vec4& pixel : frame.rgba) sum += pixel.g;
-    return sum / static_cast<double>(frame.rgba.size());
+    for (const glm::vec4& pixel : frame.shown()) sum += pixel.g;
+    return sum / static_cast<double>(frame.shown().size());
   };
   std::vector<double> seen{brightness(refinement.frame())};
   while (refinement.fading()) {
