@@ -24,7 +24,7 @@ void movingBar(Ui& ui, double seconds) {
 
 }  // namespace
 
-bool BusyDialog::draw(Ui& ui, const std::optional<std::string>& text) {
+bool BusyDialog::draw(Ui& ui, const std::optional<std::string>& text, bool canCancel) {
   if (text && !open_) {
     open_ = opening_ = true;
     since_ = ui.time;
@@ -43,7 +43,10 @@ bool BusyDialog::draw(Ui& ui, const std::optional<std::string>& text) {
     movingBar(ui, seconds);
     ImGui::Dummy(ImVec2(0, ui.px(8)));
     ImGui::SetCursorPosX(ImGui::GetWindowWidth() - ui.px(136));
-    cancelled = button(ui, "busy.cancel", "Cancel", ui.px(120)) || modalCancelled();
+    if (canCancel)
+      cancelled = button(ui, "busy.cancel", "Cancel", ui.px(120)) || modalCancelled();
+    else
+      ImGui::Dummy(ImVec2(ui.px(120), ImGui::GetFrameHeight()));  // the dialog keeps its size
     if (seen) ui.probe.fact("busy", text_);
     if (!text) {
       open_ = false;

@@ -11,8 +11,8 @@ namespace loomlight {
 /// seen of it before that takes a while.
 class BusyDialog {
  public:
-  /// `text`: what is done; nothing when it is over. True when it is to be cancelled.
-  bool draw(Ui& ui, const std::optional<std::string>& text);
+  /// `text`: what is done; nothing when it is over. True when it is to be cancelled, which is offered only if it can.
+  bool draw(Ui& ui, const std::optional<std::string>& text, bool canCancel);
 
  private:
   bool open_ = false, opening_ = false;

@@ -44,6 +44,7 @@ void WifDialog::show(Content content) {
   content_ = std::move(content);
   sizes_ = WifSizeChoice::keep;
   open_ = opening_ = true;
+  closing_ = false;
 }
 
 std::optional<WifSizeChoice> WifDialog::draw(Ui& ui) {
@@ -80,12 +81,12 @@ std::optional<WifSizeChoice> WifDialog::draw(Ui& ui) {
   ui.probe.fact("wif.warnings", std::to_string(content_.warnings.size()));
   ImGui::Dummy(ImVec2(0, ui.px(4)));
   ImGui::SetCursorPosX(ImGui::GetWindowWidth() - ui.px(136));
-  if (button(ui, "wif.close", "Close", ui.px(120)) || modalCancelled()) {
+  if (button(ui, "wif.close", "Close", ui.px(120)) || modalCancelled() || closing_) {
     open_ = false;
     ImGui::CloseCurrentPopup();
   }
   endModal();
-  return changed;
+  return closing_ ? std::nullopt : changed;
 }
 
 }  // namespace loomlight

@@ -19,11 +19,12 @@ class WifDialog {
   };
   void show(Content content);
   bool isOpen() const { return open_; }
+  void close() { closing_ = true; }
   /// The choice, each time that it changes. At first the cloth has the designer's own sizes.
   std::optional<WifSizeChoice> draw(Ui& ui);
 
  private:
-  bool open_ = false, opening_ = false;
+  bool open_ = false, opening_ = false, closing_ = false;
   Content content_;
   WifSizeChoice sizes_ = WifSizeChoice::keep;
 };

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/fabric/fabric_json.h"
@@ -13,17 +14,38 @@ namespace loomlight {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::string_view kPrefix = "autosave-", kSuffix = ".json";
+constexpr std::string_view kPrefix = "autosave-", kSuffix = ".json", kLockSuffix = ".lock";
 constexpr std::chrono::seconds kBetweenWrites{2};
 
 /// What the editor that writes a copy keeps locked.
 fs::path lockOf(const fs::path& file) {
-  return fs::path(file).replace_extension(".lock");
+  return fs::path(file).replace_extension(kLockSuffix);
+}
+
+bool isNamed(const fs::path& file, std::string_view suffix) {
+  const std::string name = file.filename().string();
+  return name.starts_with(kPrefix) && name.ends_with(suffix);
 }
 
 bool isCopy(const fs::path& file) {
-  const std::string name = file.filename().string();
-  return name.starts_with(kPrefix) && name.ends_with(kSuffix);
+  return isNamed(file, kSuffix);
+}
+
+/// Removes the locks of editors that ended without a copy. Young ones stay: an editor that starts now has made its own
+/// and is about to lock it.
+void sweepLocks(const fs::path& folder) {
+  constexpr std::chrono::minutes kYoung{1};
+  std::vector<fs::path> ended;
+  std::error_code error;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    std::error_code unknown;
+    if (!isNamed(it->path(), kLockSuffix) || fs::exists(fs::path(it->path()).replace_extension(kSuffix), unknown))
+      continue;
+    const fs::file_time_type made = it->last_write_time(unknown);
+    if (unknown || fs::file_time_type::clock::now() - made < kYoung || FileLock::isHeld(it->path())) continue;
+    ended.push_back(it->path());
+  }
+  for (const fs::path& lock : ended) fs::remove(lock, error);
 }
 
 }  // namespace
@@ -31,6 +53,7 @@ bool isCopy(const fs::path& file) {
 Autosave::Autosave(fs::path folder, std::function<void()> wake) : wake_(std::move(wake)) {
   std::error_code ignored;  // without the folder the first write fails, and says so
   fs::create_directories(folder, ignored);
+  sweepLocks(folder);
   const auto now_ns =
       std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::system_clock::now().time_since_epoch());
   file_ = folder / fmt::format("{}{}-{}{}", kPrefix, now_ns.count(), getpid(), kSuffix);
@@ -125,7 +148,8 @@ std::optional<fs::path> Autosave::leftBehind(const fs::path& folder) {
   return newest;
 }
 
-void Autosave::throwAway(const fs::path& left) {
+void Autosave::throwAway(const fs::path& left) const {
+  if (!isCopy(left) || left.parent_path() != file_.parent_path()) return;
   std::error_code ignored;
   fs::remove(left, ignored);
   fs::remove(lockOf(left), ignored);

@@ -28,7 +28,10 @@ class Autosave {
   void keep(std::shared_ptr<const Fabric> fabric);
   void forget();   ///< the work is saved: removes the copy
   void endWell();  ///< the editor ends, and nothing is to be taken up again: removes the copy, for good
-  /// Removes what an earlier editor left once the work is written again, so that at no time there is no copy of it.
+  /// Removes a copy that another editor left, and what was beside it. Whatever is no copy in the folder is let alone:
+  /// designers' files are never removed.
+  void throwAway(const std::filesystem::path& left) const;
+  /// The same, once the work is written again, so that at no time there is no copy of it.
   void takeOver(std::filesystem::path left);
   /// Why the newest work could not be kept; empty while all is well.
   std::string problem() const;
@@ -37,8 +40,6 @@ class Autosave {
 
   /// The newest copy left in the folder by an editor that is no longer running.
   static std::optional<std::filesystem::path> leftBehind(const std::filesystem::path& folder);
-  /// Removes such a copy, and what was beside it.
-  static void throwAway(const std::filesystem::path& left);
 
  private:
   void loop(std::stop_token stop);

@@ -85,7 +85,7 @@ void runLoop(Window& window, Session& session, const std::string& dumpFile) {
     const bool sleeps = framesLeft <= 0;
     const bool input = window.waitForEvents(sleeps ? std::min(wakeIn, kLongestSleep_s) : 0);
     framesLeft = input || sleeps ? kFramesPerEvent - 1 : framesLeft - 1;
-    for (const std::string& file : window.takeDroppedFiles()) session.openFile(file);
+    session.drop(window.takeDroppedFiles());
     if (window.closeWanted()) {
       window.refuseClose();
       session.askToQuit();

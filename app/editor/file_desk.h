@@ -17,6 +17,9 @@ namespace loomlight {
 
 /// Reads and writes files on a thread of its own: a large jacquard takes a second, and a slow disk more. One at a time;
 /// what is asked for is said in busy() until its result is taken, or it is cancelled.
+///
+/// What the thread has begun it ends, but for a save: a read that was cancelled goes on unseen and holds up the next
+/// until it is done, and the destructor waits for all that was asked for and not cancelled before it began.
 class FileDesk {
  public:
   enum class Work { open, takeUp, save, exportTo };
@@ -24,9 +27,9 @@ class FileDesk {
   /// `wake` is called from the thread when there is something to take().
   explicit FileDesk(std::function<void()> wake);
 
-  /// A fabric, or by the name's ending a weaving file, which takes from `mine` what it does not say.
-  void open(Work work, std::string file, std::shared_ptr<const Fabric> mine);
-  /// `state` comes back with the result.
+  /// A fabric, or by the name's ending a weaving file, which takes from `mine` what it does not say. `state` of the
+  /// document comes back with the result, here and in save().
+  void open(Work work, std::string file, std::shared_ptr<const Fabric> mine, uint64_t state);
   void save(std::string file, std::shared_ptr<const Fabric> fabric, uint64_t state);
   /// `write` throws, or returns what there is to say of the file that it has written.
   void exportTo(std::string file, std::function<std::vector<std::string>()> write);
@@ -37,7 +40,10 @@ class FileDesk {
   };
   const std::optional<Busy>& busy() const { return busy_; }
   bool isBusyWith(Work work) const { return busy_ && busy_->work == work; }
-  /// Nothing will come of what was to be read. What was to be written will say how far it came.
+  bool isReading() const { return isBusyWith(Work::open) || isBusyWith(Work::takeUp); }
+  /// An export is not, once it was asked for; a save only once.
+  bool canCancel() const { return busy_ && busy_->work != Work::exportTo && !stop_.stop_requested(); }
+  /// Nothing will come of what was to be read. What was to be saved will say how far it came.
   void cancel();
 
   struct Result {
@@ -54,7 +60,7 @@ class FileDesk {
 
  private:
   using Task = std::function<void(const std::stop_token&, Result&)>;
-  void post(Work work, std::string file, Task task);
+  void post(Work work, std::string file, uint64_t state, Task task);
 
   std::function<void()> wake_;
   std::optional<Busy> busy_;

@@ -4,6 +4,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <utility>
 
 namespace loomlight {
@@ -31,8 +32,9 @@ std::optional<FileLock> FileLock::make(const std::filesystem::path& file) {
 }
 
 bool FileLock::isHeld(const std::filesystem::path& file) {
-  const FileLock other(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  return other.descriptor_ != kNone && ::flock(other.descriptor_, LOCK_EX | LOCK_NB) != 0;
+  // Writing is asked for as file systems of a network lock nothing else.
+  const FileLock other(::open(file.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK));
+  return other.descriptor_ != kNone && ::flock(other.descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
 }
 
 }  // namespace loomlight

@@ -10,7 +10,7 @@ class FileLock {
  public:
   /// Makes the file and locks it; nothing where it cannot be made.
   static std::optional<FileLock> make(const std::filesystem::path& file);
-  /// Whether some program, be it this one, holds the file's lock.
+  /// Whether some program, be it this one, holds the file's lock. Nobody does where the file system knows no locks.
   static bool isHeld(const std::filesystem::path& file);
 
   FileLock(FileLock&& other) noexcept;

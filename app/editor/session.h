@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/editor/autosave.h"
 #include "app/editor/colour_desk.h"
@@ -59,6 +61,8 @@ class Session {
   void run(DraftCommand command);
   /// Opens a fabric, or uses a mesh or an environment, by what the file is.
   void openFile(const std::string& file);
+  /// The same for files dropped on the window, each once no dialog is open: an answer is for what it was asked about.
+  void drop(const std::vector<std::string>& files);
   /// Asks about unsaved work first, once.
   void askToQuit();
   /// Offers what an editor that did not end well has left behind, once no dialog is in the way.
@@ -126,6 +130,7 @@ class Session {
   void openRecent(const std::string& file);
   void openFabric(const std::string& file);
   void save(const std::string& file);
+  void openDropped();
   void askForRecovery();
   void takeUp(Fabric fabric, const std::string& left);
   void drawBusy(Ui& ui);
@@ -212,9 +217,11 @@ class Session {
 
   FileTask fileTask_ = FileTask::none;
   Question question_ = Question::none;
-  std::string pendingFile_;  ///< to be opened once the user has agreed
-  EditPlace place_;          ///< where edits are made now
-  std::string refusal_;      ///< why the last edit was not taken
+  std::string pendingFile_;          ///< to be opened once the user has agreed
+  std::string leftBehind_;           ///< the copy of unsaved work that was found, and is asked about or taken up
+  std::deque<std::string> dropped_;  ///< files that wait until no dialog is open
+  EditPlace place_;                  ///< where edits are made now
+  std::string refusal_;              ///< why the last edit was not taken
   std::shared_ptr<const Frame> shownFrame_;
   std::shared_ptr<const Fabric> viewToKeep_;                ///< as soon as it has been traced; usually null
   std::shared_ptr<const LensFrame> lensFrame_;              ///< the newest

@@ -168,6 +168,8 @@ void Session::startOver(Document document) {
   document_ = std::move(document);
   pictures_.forget();
   pictureDialog_.close();
+  wifDialog_.close();
+  wifKept_.reset();
   keptRevision_ = 0;
   autosave_.forget();
   refusal_.clear();
@@ -185,8 +187,8 @@ void Session::askToQuit() {
 void Session::leaveFor(Afterwards next) {
   if (question_ == Question::unsaved && message_.isOpen() && afterwards_ == next) return;
   afterwards_ = next;
-  if (files_.isBusyWith(FileDesk::Work::open)) files_.cancel();
-  if (files_.busy()) return;  // fileDone() comes back here
+  if (files_.isReading()) files_.cancel();  // a copy that was taken up stays where it is
+  if (files_.busy()) return;                // fileDone() comes back here
   if (!document_.isDirty()) return goOn();
   ask(Question::unsaved, "Unsaved work",
       fmt::format("\xE2\x80\x9C{}\xE2\x80\x9D has changes that are not saved.", document_.fabric()->name),
@@ -205,7 +207,7 @@ void Session::goOn() {
       openFabric(pendingFile_);
       break;
     case Afterwards::takeUp:
-      files_.open(FileDesk::Work::takeUp, pendingFile_, document_.fabric());
+      files_.open(FileDesk::Work::takeUp, leftBehind_, document_.fabric(), document_.state());
       break;
     case Afterwards::nothing:
       break;
@@ -228,12 +230,13 @@ void Session::answered(int answer) {
   if (question == Question::unsaved && answer == 2) run(Command::save);
   if (question == Question::forgetRecent && answer == 1) forget(settings_.recent, pendingFile_);
   if (question != Question::recover || answer == 0) return;
-  if (answer == 1) Autosave::throwAway(pendingFile_);
+  if (answer == 1) autosave_.throwAway(leftBehind_);
   if (answer == 2) leaveFor(Afterwards::takeUp);
 }
 
 void Session::drawDialogs(Ui& ui) {
   if (recoveryDue_ && !dialogIsOpen()) askForRecovery();
+  openDropped();
   // The browser stands in for the snapshot dialog while it names its file.
   if (!browser_.isOpen() && snapshotDialog_.isOpen()) drawSnapshot(ui);
   if (const auto file = browser_.draw(ui)) fileChosen(*file);

@@ -39,7 +39,19 @@ void Session::openRecent(const std::string& file) {
 }
 
 void Session::openFabric(const std::string& file) {
-  files_.open(FileDesk::Work::open, file, document_.fabric());
+  files_.open(FileDesk::Work::open, file, document_.fabric(), document_.state());
+}
+
+void Session::drop(const std::vector<std::string>& files) {
+  dropped_.insert(dropped_.end(), files.begin(), files.end());
+}
+
+void Session::openDropped() {
+  while (!dropped_.empty() && !dialogIsOpen()) {
+    const std::string file = std::move(dropped_.front());
+    dropped_.pop_front();
+    openFile(file);
+  }
 }
 
 void Session::openFile(const std::string& file) {
@@ -75,10 +87,10 @@ void Session::drawBusy(Ui& ui) {
   if (auto result = files_.take()) fileDone(std::move(*result));
   std::optional<std::string> text;
   if (const auto& busy = files_.busy()) {
-    const bool reads = busy->work == FileDesk::Work::open || busy->work == FileDesk::Work::takeUp;
-    text = fmt::format("{} {}\xE2\x80\xA6", reads ? "Opening" : "Writing", fs::path(busy->file).filename().string());
+    const char* does = files_.isReading() ? "Opening" : files_.canCancel() ? "Writing" : "Finishing";
+    text = fmt::format("{} {}\xE2\x80\xA6", does, fs::path(busy->file).filename().string());
   }
-  if (busyDialog_.draw(ui, text)) files_.cancel();
+  if (busyDialog_.draw(ui, text, files_.canCancel())) files_.cancel();
 }
 
 void Session::fileDone(FileDesk::Result result) {
@@ -89,13 +101,20 @@ void Session::fileDone(FileDesk::Result result) {
   if (!result.problem.empty() && !written) return say("This file cannot be opened", result.problem);
   if (!result.problem.empty())
     return say("The file could not be written", result.problem + "\n\nNothing is lost: the cloth is still here.");
+  // Workers go on while a file is read: what they have edited since is asked about too.
+  const bool editedSince = !written && result.state != document_.state() && document_.isDirty();
   switch (result.work) {
     case Work::open:
+      if (editedSince) {
+        pendingFile_ = result.file;
+        return leaveFor(Afterwards::open);
+      }
       if (isWeavingFile(result.file))
         return weavingOpened(std::move(*result.fabric), result.file, std::move(result.remarks));
       startOver(Document(std::move(*result.fabric), result.file));
       return remember(result.file);
     case Work::takeUp:
+      if (editedSince) return leaveFor(Afterwards::takeUp);
       return takeUp(std::move(*result.fabric), result.file);
     case Work::save:
       document_.savedAs(result.file, result.state);
@@ -115,7 +134,7 @@ void Session::askForRecovery() {
   recoveryDue_ = false;
   const auto left = Autosave::leftBehind(stateFolder());
   if (!left) return;
-  pendingFile_ = left->string();
+  leftBehind_ = left->string();
   ask(Question::recover, "Unsaved work was found", aboutLeftWork(*left) + " Take it up again?",
       {"Later", "Throw away", "Take up"}, 2);
 }

@@ -44,15 +44,16 @@ TEST_F(FileDeskTest, SavesAndOpens) {
   EXPECT_EQ(saved->problem, "");
   EXPECT_EQ(saved->state, 7u);
   EXPECT_FALSE(desk_.busy());
-  desk_.open(FileDesk::Work::open, at("a.json"), named("mine"));
+  desk_.open(FileDesk::Work::open, at("a.json"), named("mine"), 9);
   const auto opened = result();
   ASSERT_TRUE(opened && opened->fabric);
+  EXPECT_EQ(opened->state, 9u) << "what is edited meanwhile must be told from what was there";
   EXPECT_EQ(opened->fabric->name, "Tweed");
   EXPECT_EQ(opened->file, at("a.json"));
 }
 
 TEST_F(FileDeskTest, SaysWhatWentWrong) {
-  desk_.open(FileDesk::Work::open, at("none.json"), named("mine"));
+  desk_.open(FileDesk::Work::open, at("none.json"), named("mine"), 0);
   const auto opened = result();
   ASSERT_TRUE(opened);
   EXPECT_FALSE(opened->fabric);
@@ -66,13 +67,31 @@ TEST_F(FileDeskTest, SaysWhatWentWrong) {
 TEST_F(FileDeskTest, WhatIsCancelledDoesNotCome) {
   writeFabric(*named("Tweed"), at("a.json"));
   writeFabric(*named("Twill"), at("b.json"));
-  desk_.open(FileDesk::Work::open, at("a.json"), named("mine"));
-  desk_.cancel();
-  EXPECT_FALSE(desk_.busy());
-  desk_.open(FileDesk::Work::open, at("b.json"), named("mine"));
+  for (const auto work : {FileDesk::Work::open, FileDesk::Work::takeUp}) {
+    desk_.open(work, at("a.json"), named("mine"), 0);
+    EXPECT_TRUE(desk_.isReading() && desk_.canCancel());
+    desk_.cancel();
+    EXPECT_FALSE(desk_.busy() || desk_.isReading());
+  }
+  desk_.open(FileDesk::Work::open, at("b.json"), named("mine"), 0);
   const auto opened = result();
   ASSERT_TRUE(opened && opened->fabric);
   EXPECT_EQ(opened->fabric->name, "Twill");
+}
+
+TEST_F(FileDeskTest, OnlyWhatCanBeStoppedOffersIt) {
+  EXPECT_FALSE(desk_.canCancel()) << "nothing is done";
+  desk_.exportTo(at("a.png"), [] { return std::vector<std::string>{}; });
+  EXPECT_FALSE(desk_.canCancel());
+  desk_.cancel();
+  const auto exported = result();
+  ASSERT_TRUE(exported);
+  EXPECT_FALSE(desk_.canCancel());
+  desk_.save(at("a.json"), named("Tweed"), 1);
+  EXPECT_TRUE(desk_.canCancel() && !desk_.isReading());
+  desk_.cancel();
+  EXPECT_FALSE(desk_.canCancel()) << "once is enough";
+  EXPECT_TRUE(result());
 }
 
 TEST_F(FileDeskTest, ASaveThatIsCancelledSaysWhetherItCameTooLate) {

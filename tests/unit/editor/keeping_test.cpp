@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "app/editor/autosave.h"
+#include "app/editor/file_lock.h"
 #include "app/editor/insight.h"
 #include "app/editor/left_work.h"
 #include "app/editor/preset_store.h"
@@ -25,7 +26,10 @@ namespace fs = std::filesystem;
 /// An empty folder, removed at the end of the test.
 class Folder {
  public:
-  Folder() : path(fs::path(testing::TempDir()) / ("loomlight-" + std::to_string(getpid()))) { fs::remove_all(path); }
+  explicit Folder(const std::string& ending = "")
+      : path(fs::path(testing::TempDir()) / ("loomlight-" + std::to_string(getpid()) + ending)) {
+    fs::remove_all(path);
+  }
   ~Folder() { fs::remove_all(path); }
   fs::path path;
 };
@@ -64,8 +68,58 @@ TEST(Autosave, LeavesTheCopyWhenTheEditorIsTornDown) {
   }
   EXPECT_EQ(readFabric(file.string()), sampleFabric());
   EXPECT_EQ(Autosave::leftBehind(folder.path), file) << "though a process of its number is running: this one";
-  Autosave::throwAway(file);
+  Autosave next(folder.path);
+  next.throwAway(file);
+  next.endWell();
   EXPECT_TRUE(fs::is_empty(folder.path));
+}
+
+TEST(Autosave, NeverRemovesADesignersFile) {
+  const Folder folder, other("-other");
+  for (const Folder* in : {&folder, &other}) fs::create_directories(in->path);
+  const fs::path named = folder.path / "cloth.json", elsewhere = other.path / "autosave-1-1.json";
+  for (const fs::path& file : {named, elsewhere}) {
+    writeFabric(sampleFabric(), file.string());
+    Autosave autosave(folder.path);
+    autosave.throwAway(file);
+    EXPECT_TRUE(fs::exists(file)) << "thrown away: " << file;
+    autosave.takeOver(file);
+    ASSERT_TRUE(keepsSample(autosave));
+    autosave.endWell();
+    EXPECT_TRUE(fs::exists(file)) << "taken over: " << file;
+  }
+}
+
+TEST(Autosave, SweepsLocksOfEditorsThatLeftNoCopy) {
+  const Folder folder;
+  fs::create_directories(folder.path);
+  const fs::path old = folder.path / "autosave-1-1.lock", young = folder.path / "autosave-2-2.lock",
+                 withCopy = folder.path / "autosave-3-3.lock", held = folder.path / "autosave-4-4.lock";
+  std::ofstream(folder.path / "autosave-3-3.json") << "{}";
+  for (const fs::path& lock : {old, young, withCopy, held}) std::ofstream(lock) << "";
+  const auto running = FileLock::make(held);
+  ASSERT_TRUE(running);
+  for (const fs::path& lock : {old, withCopy, held})
+    fs::last_write_time(lock, fs::file_time_type::clock::now() - std::chrono::hours(1));
+  const Autosave autosave(folder.path);
+  EXPECT_FALSE(fs::exists(old));
+  EXPECT_TRUE(fs::exists(young)) << "its editor may be about to lock it";
+  EXPECT_TRUE(fs::exists(withCopy)) << "it goes with its copy";
+  EXPECT_TRUE(fs::exists(held)) << "its editor is running, with nothing unsaved";
+}
+
+TEST(FileLock, OnlyWhatIsLockedIsHeld) {
+  const Folder folder;
+  fs::create_directories(folder.path);
+  const fs::path file = folder.path / "a.lock";
+  EXPECT_FALSE(FileLock::isHeld(file)) << "there is none";
+  {
+    const auto lock = FileLock::make(file);
+    ASSERT_TRUE(lock);
+    EXPECT_TRUE(FileLock::isHeld(file));
+    EXPECT_FALSE(FileLock::make(file)) << "a second time";
+  }
+  EXPECT_FALSE(FileLock::isHeld(file)) << "the file is left, unlocked";
 }
 
 TEST(Autosave, EditorsNeverShareACopy) {
