@@ -42,6 +42,24 @@ def test():
         editor.click("message.answer_0")
         editor.wait_until("the message is gone", lambda: editor.fact("dialog") == "none")
         expect(editor.fact("name") == "a cloth, dropped", "the cloth is another one")
+        what_is_dropped_on_a_question_waits(editor)
+
+
+def what_is_dropped_on_a_question_waits(editor):
+    """An answer is for what it was asked about, never for the file that came meanwhile."""
+    editor.click("draft.cell_0_0")
+    state = os.path.join(editor.home, "state", "loomlight")
+    editor.wait_until("a copy is kept", lambda: any(name.endswith(".json") for name in os.listdir(state)))
+    editor.process.kill()
+    editor.process.wait()
+    editor.start(PROGRAM, [os.path.join(editor.home, "first.json")])
+    editor.wait_until("the work is offered", lambda: "Take it up again?" in editor.fact("message"))
+    late = small_fabric(editor.home, "late")
+    drop(editor, late)
+    editor.click("message.answer_1")  # throw away
+    editor.wait_until("the dropped cloth is open", lambda: editor.fact("name") == "late")
+    expect(os.path.exists(late), "the designer's own file was thrown away")
+    expect(not any(name.endswith(".json") for name in os.listdir(state)), "the copy is still there")
 
 
 run(test)
