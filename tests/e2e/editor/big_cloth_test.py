@@ -26,27 +26,54 @@ def big_fabric(home):
     return file
 
 
-def step(editor, what, act, done):
-    """Does it; says how many frames a person would have noticed."""
-    before = editor.number("slow_frames")
-    act()
-    editor.wait_until(what, done, BETWEEN_S)
-    return editor.number("slow_frames") - before
+class Designer:
+    """Does one step after the other, and counts them."""
+
+    def __init__(self, editor):
+        self.editor, self.steps = editor, 0
+
+    def step(self, what, act, done=lambda: True):
+        self.steps += 1
+        act()
+        self.editor.wait_until(what, done, BETWEEN_S)
+
+    def edit(self, what, act):
+        revision = self.editor.number("revision")
+        self.step(what, act, lambda: self.editor.number("revision") > revision)
 
 
-def edit(editor, what, *keys):
-    revision = editor.number("revision")
-    return step(editor, what, lambda: editor.key(*keys), lambda: editor.number("revision") > revision)
+def type_file(editor, file):
+    editor.key("ctrl+o")
+    editor.click("browser.name")
+    editor.key("ctrl+a")
+    editor.type(file)
+    editor.key("Return")
 
 
-def open_file(editor, file):
-    def act():
-        editor.key("ctrl+o")
-        editor.click("browser.name")
-        editor.key("ctrl+a")
-        editor.type(file)
-        editor.key("Return")
-    return step(editor, "open", act, lambda: editor.fact("name") == "Big" and editor.fact("dialog") == "none")
+def choose(editor, command):
+    editor.click("menu.weave")
+    editor.click("menu." + command)
+
+
+def work_through(designer, file):
+    editor = designer.editor
+    designer.step("open", lambda: type_file(editor, file),
+                  lambda: editor.fact("name") == "Big" and editor.fact("dialog") == "none")
+    x, y = editor.centre("draft.canvas")
+    designer.step("look", lambda: editor.move(x, y))
+    designer.step("zoom", lambda: [editor.click_at(x, y, 4) for _ in range(12)])
+    designer.step("pan", lambda: editor.drag((x, y), (x + 60, y + 40), 2))
+    designer.edit("paint", lambda: editor.drag((x, y), (x + 40, y + 20)))
+    designer.step("select", lambda: editor.key("ctrl+a"))
+    designer.step("copy", lambda: editor.key("ctrl+c"))
+    for what, key in (("invert", "ctrl+i"), ("paste", "ctrl+v"), ("shift", "Left")):
+        designer.edit(what, lambda key=key: editor.key(key))
+    for command in ("mirror_ends", "mirror_picks", "turn"):
+        designer.edit(command, lambda command=command: choose(editor, command))
+    for _ in range(3):
+        designer.edit("undo", lambda: editor.key("ctrl+z"))
+    designer.edit("redo", lambda: editor.key("ctrl+shift+z"))
+    designer.step("save", lambda: editor.key("ctrl+s"), lambda: editor.fact("dirty") == "no")
 
 
 def test():
@@ -54,31 +81,15 @@ def test():
         file = big_fabric(editor.home)
         editor.start(PROGRAM)
         editor.wait_until("a picture", lambda: editor.number("shown_samples") > 0, 120)
-        slow = open_file(editor, file)
-        slow += step(editor, "look", lambda: editor.move(200, 300), lambda: True)
-        x, y = editor.centre("draft.canvas") if "draft.canvas" in editor.widgets() else (200, 300)
-        slow += step(editor, "zoom", lambda: [editor.click_at(x, y, 4) for _ in range(12)], lambda: True)
-        slow += step(editor, "pan", lambda: editor.drag((x, y), (x + 60, y + 40), 2), lambda: True)
-        revision = editor.number("revision")
-        slow += step(editor, "paint", lambda: editor.drag((x, y), (x + 40, y + 20)),
-                     lambda: editor.number("revision") > revision)
-        slow += step(editor, "select", lambda: editor.key("ctrl+a"), lambda: True)
-        slow += step(editor, "copy", lambda: editor.key("ctrl+c"), lambda: True)
-        slow += edit(editor, "invert", "ctrl+i")
-        slow += edit(editor, "paste", "ctrl+v")
-        slow += edit(editor, "shift", "Left")
-        for command in ("mirror_ends", "mirror_picks", "turn"):
-            revision = editor.number("revision")
-            def act():
-                editor.click("menu.weave")
-                editor.click("menu." + command)
-            slow += step(editor, command, act, lambda: editor.number("revision") > revision)
-        for _ in range(3):
-            slow += edit(editor, "undo", "ctrl+z")
-        slow += edit(editor, "redo", "ctrl+shift+z")
-        slow += step(editor, "save", lambda: editor.key("ctrl+s"), lambda: editor.fact("dirty") == "no")
+        designer = Designer(editor)
+        # Over all of it: a frame may come late, when its step is long done.
+        before = editor.number("slow_frames")
+        work_through(designer, file)
+        slow = editor.number("slow_frames") - before
         expect(len(read_json(file)["weave"]) == SIDE, "it was not saved as a whole")
-        expect(slow <= 3, f"{slow} frames took more than 33 ms of the processor: the window stood still")
+        # What a busy machine adds is a frame here and there; work in the window's thread would be in nearly every step.
+        expect(slow <= designer.steps // 3,
+               f"{slow} frames in {designer.steps} steps took more than 33 ms of the processor: the window stood still")
 
 
 run(test)
