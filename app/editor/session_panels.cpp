@@ -262,6 +262,8 @@ StatusModel Session::statusModel(const Insight* insight, const LiveStatus& statu
   if (shownFrame_ && shownFrame_->draft) model.work = "first look";
   if (shownFrame_ && !shownFrame_->denoised.empty())
     model.work = (shownFrame_->recoloured ? "recoloured" : model.work) + ", denoised";
+  else if (shownFrame_ && !shownFrame_->helped.empty())
+    model.work += ", smoothed";
   return model;
 }
 
