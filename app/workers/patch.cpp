@@ -6,6 +6,7 @@
 #include "app/workers/despeckle.h"
 #include "app/workers/stretch.h"
 #include "core/fabric/impact.h"
+#include "core/geometry/cloth_geometry.h"
 
 namespace loomlight {
 namespace {
@@ -35,6 +36,33 @@ std::vector<bool> newlySeen(const Frame& fresh, const Frame& old) {
   return changed;
 }
 
+bool isTurned(const Weave& now, const Weave& then, int pick, int end) {
+  const auto wrap = [](int i, int n) { return (i % n + n) % n; };
+  const int p = wrap(pick, now.picks()), e = wrap(end, now.ends());
+  return now.at(p, e) != then.at(p, e);
+}
+
+/// Whether a crossing has been turned so near that what is seen here may have changed: along the yarns that cross
+/// there, and on the threads beside them.
+bool isNearTurned(const Weave& now, const Weave& then, const Film::Hit& hit) {
+  constexpr int kReach = ClothGeometry::kCrossingReach;
+  if (hit.end < 0 || hit.pick < 0) return false;  // a gap
+  for (int along = -kReach; along <= kReach; ++along)
+    for (int beside = -1; beside <= 1; ++beside)
+      if (isTurned(now, then, hit.pick + along, hit.end + beside) ||
+          isTurned(now, then, hit.pick + beside, hit.end + along))
+        return true;
+  return false;
+}
+
+/// The pixel of the old picture in the middle of one of the new.
+size_t middleOf(size_t pixel, const Frame& fresh, const Frame& old) {
+  const auto width = static_cast<size_t>(fresh.width), size = static_cast<size_t>(fresh.divider);
+  const size_t x = std::min(pixel % width * size + size / 2, static_cast<size_t>(old.width) - 1);
+  const size_t y = std::min(pixel / width * size + size / 2, static_cast<size_t>(old.height) - 1);
+  return y * static_cast<size_t>(old.width) + x;
+}
+
 /// Marks the pixels of the new picture where the old one shows crossings that have been turned: a coarse picture's
 /// samples may all have missed them.
 void addTurned(std::vector<bool>& changed, const Frame& fresh, const Frame& old, const Weave& now, const Weave& then) {
@@ -42,8 +70,7 @@ void addTurned(std::vector<bool>& changed, const Frame& fresh, const Frame& old,
     for (int x = 0; x < old.width; ++x) {
       const Film::Hit& hit = old.hits[static_cast<size_t>(y) * static_cast<size_t>(old.width) + static_cast<size_t>(x)];
       if (hit.end < 0 || hit.pick < 0) continue;
-      const int pick = hit.pick % now.picks(), end = hit.end % now.ends();
-      if (now.at(pick, end) == then.at(pick, end)) continue;
+      if (!isTurned(now, then, hit.pick, hit.end)) continue;
       changed[static_cast<size_t>(y / fresh.divider) * static_cast<size_t>(fresh.width) +
               static_cast<size_t>(x / fresh.divider)] = true;
     }
@@ -87,6 +114,12 @@ bool differInCrossings(const Fabric& before, const Fabric& after) {
 
 Frame patched(Frame fresh, const Frame& old, const Weave& weaveNow, const Weave& weaveThen) {
   std::vector<bool> changed = newlySeen(fresh, old);
+  for (size_t i = 0; i < changed.size(); ++i) {
+    if (!changed[i]) continue;
+    // A single sample falls through gaps where one of many has met a thread: that one says what is there.
+    const Film::Hit& hit = fresh.hits[i].end >= 0 ? fresh.hits[i] : old.hits[middleOf(i, fresh, old)];
+    changed[i] = isNearTurned(weaveNow, weaveThen, hit);
+  }
   addTurned(changed, fresh, old, weaveNow, weaveThen);
   const std::vector<glm::vec4> shares = sharesOf(changed, fresh);
   Frame whole = old;
