@@ -15,6 +15,8 @@ namespace {
 constexpr size_t kBeginning_bytes = 16384;  // a cloth's name comes first in its file
 
 std::string beginningOf(const fs::path& file) {
+  std::error_code error;
+  if (!fs::is_regular_file(file, error)) return {};  // to open a pipe would wait for somebody to write
   std::string text(kBeginning_bytes, '\0');
   std::ifstream in(file, std::ios::binary);
   in.read(text.data(), static_cast<std::streamsize>(text.size()));
