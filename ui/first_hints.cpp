@@ -41,7 +41,7 @@ void firstHints(Ui& ui, ImVec2 min, ImVec2 size, FirstHints& hints) {
   ImGui::PopFont();
   ImGui::Dummy(ImVec2(0, ui.px(4)));
   line(ui, "hints.drew", hints.drew, "Click or drag in the draft", "The cloth is woven as you draw it.");
-  line(ui, "hints.turned", hints.turned, "Drag the cloth to turn it", "The wheel comes nearer, down to the fibres.");
+  line(ui, "hints.turned", hints.turned, "Drag the cloth to turn it", "The wheel goes in, down to fibres.");
   line(ui, "hints.set", hints.set, "Drag a number on the right", "Twist, count, fibre: the yarn follows.");
   const float width = ui.px(88);
   ImGui::AlignTextToFramePadding();
