@@ -1,31 +1,11 @@
 #include <gtest/gtest.h>
 
-#include "app/workers/refinement.h"
-#include "render/trace/make_medium.h"
-#include "tests/support/test_cloth.h"
+#include "tests/support/refining_test.h"
 
 namespace loomlight {
 namespace {
 
-constexpr int kWidth = 60, kHeight = 44;
-
-class RecolourFade : public testing::Test {
- protected:
-  static Traceable makeCloth() {
-    Fabric fabric = test::whiteCotton();
-    fabric.render.resolution = 2;
-    fabric.drape.width_mm = fabric.drape.height_mm = 6;
-    fabric.camera.distance_mm = 8;
-    Traceable made;
-    made.scene = made.mediumScene = test::sceneOf(fabric);
-    made.medium = makeMedium(*made.scene, 1e9, Task{});
-    return made;
-  }
-  static void refine(Refinement& refinement, uint32_t samples) {
-    while (refinement.samples() < samples) ASSERT_TRUE(refinement.advance(Task{{}, {}, 1}));
-  }
-  const Traceable cloth = makeCloth();
-};
+class RecolourFade : public test::RefiningTest {};
 
 // While a picture still has a share of an earlier one, that share is recoloured with it: nothing leaps.
 TEST_F(RecolourFade, KeepsTheShareOfTheEarlierPicture) {
