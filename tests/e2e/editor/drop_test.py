@@ -4,19 +4,11 @@ import os
 import subprocess
 
 from drag_and_drop import drop_file
-from window_driver import Failure, expect, run, window, write_json
+from small_cloth import small_cloth
+from window_driver import Failure, expect, run, window
 
 PROGRAM = os.environ["LOOMLIGHT"]
 WIDTH, HEIGHT = 1280, 720
-
-
-def small_fabric(home, name):
-    fabric = {
-        "loomlight_version": 1, "name": name, "weave": ["#.", ".#"], "fibres": [{"name": "coarse", "radius_um": 20}],
-        "drape": {"kind": "flat", "width_mm": 4, "height_mm": 4},
-        "light": {"kind": "dome"}, "camera": {"distance_mm": 16, "elevation_deg": 75}, "render": {"resolution": 1},
-    }
-    return write_json(home, name + ".json", fabric)
 
 
 def drop(editor, file):
@@ -29,9 +21,9 @@ def drop(editor, file):
 
 def test():
     with window(WIDTH, HEIGHT) as editor:
-        editor.start(PROGRAM, [small_fabric(editor.home, "first")])
+        editor.start(PROGRAM, [small_cloth(editor.home, "first")])
         editor.wait_for_picture()
-        drop(editor, small_fabric(editor.home, "a cloth, dropped"))
+        drop(editor, small_cloth(editor.home, "a cloth, dropped"))
         editor.wait_until("the dropped cloth is open", lambda: editor.fact("name") == "a cloth, dropped")
         expect(editor.fact("dirty") == "no", "what was dropped is a file")
         notes = os.path.join(editor.home, "notes.txt")
@@ -54,7 +46,7 @@ def what_is_dropped_on_a_question_waits(editor):
     editor.process.wait()
     editor.start(PROGRAM, [os.path.join(editor.home, "first.json")])
     editor.wait_until("the work is offered", lambda: "Take it up again?" in editor.fact("message"))
-    late = small_fabric(editor.home, "late")
+    late = small_cloth(editor.home, "late")
     drop(editor, late)
     editor.click("message.answer_1")  # throw away
     editor.wait_until("the dropped cloth is open", lambda: editor.fact("name") == "late")

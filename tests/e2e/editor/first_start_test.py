@@ -3,20 +3,17 @@ kept. In the real window."""
 
 import os
 
-from window_driver import expect, picture_statistics, read_json, run, window, write_json
+from small_cloth import small_cloth
+from window_driver import expect, picture_statistics, read_json, run, window
 
 PROGRAM = os.environ["LOOMLIGHT"]
 WIDTH, HEIGHT = 1280, 720
 
 
 def small_fabric(home, name):
-    fabric = {
-        "loomlight_version": 1, "name": name, "weave": ["#.", ".#"], "ends_per_cm": 20, "picks_per_cm": 20,
-        "fibres": [{"name": "coarse", "radius_um": 20, "absorption_per_mm": [20, 6, 2]}],
-        "drape": {"kind": "flat", "width_mm": 6, "height_mm": 6},
-        "light": {"kind": "dome"}, "camera": {"distance_mm": 16, "elevation_deg": 75}, "render": {"resolution": 1},
-    }
-    return write_json(home, name.lower() + ".json", fabric)
+    return small_cloth(home, name, ends_per_cm=20, picks_per_cm=20,
+                       drape={"kind": "flat", "width_mm": 6, "height_mm": 6},
+                       fibres=[{"name": "coarse", "radius_um": 20, "absorption_per_mm": [20, 6, 2]}])
 
 
 def leave(editor):

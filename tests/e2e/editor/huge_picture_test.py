@@ -4,20 +4,12 @@ import os
 import struct
 import zlib
 
-from window_driver import expect, run, window, write_json
+from small_cloth import small_cloth
+from window_driver import expect, run, window
 
 PROGRAM = os.environ["LOOMLIGHT"]
 WIDTH, HEIGHT = 1280, 720
 SIDE = 10_000
-
-
-def small_fabric(home):
-    fabric = {
-        "loomlight_version": 1, "name": "Plain", "weave": ["#.", ".#"], "fibres": [{"name": "coarse", "radius_um": 20}],
-        "drape": {"kind": "flat", "width_mm": 4, "height_mm": 4},
-        "light": {"kind": "dome"}, "camera": {"distance_mm": 16, "elevation_deg": 75}, "render": {"resolution": 1},
-    }
-    return write_json(home, "plain.json", fabric)
 
 
 def huge_picture(home):
@@ -47,7 +39,7 @@ def frames_while(editor, state):
 def test():
     with window(WIDTH, HEIGHT) as editor:
         picture = huge_picture(editor.home)
-        editor.start(PROGRAM, [small_fabric(editor.home)])
+        editor.start(PROGRAM, [small_cloth(editor.home, "Plain")])
         editor.wait_for_picture()
         editor.key("ctrl+o")
         editor.click("browser.name")

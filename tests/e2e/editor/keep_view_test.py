@@ -4,20 +4,17 @@ import os
 import struct
 import subprocess
 
-from window_driver import difference, expect, picture_statistics, run, window, write_json
+from small_cloth import small_cloth
+from window_driver import difference, expect, picture_statistics, run, window
 
 PROGRAM = os.environ["LOOMLIGHT"]
 WIDTH, HEIGHT = 1280, 720
 
 
 def small_fabric(home):
-    fabric = {
-        "loomlight_version": 1, "name": "First", "weave": ["#.", ".#"], "ends_per_cm": 20, "picks_per_cm": 20,
-        "fibres": [{"name": "coarse", "radius_um": 20, "absorption_per_mm": [20, 6, 2]}],
-        "drape": {"kind": "flat", "width_mm": 6, "height_mm": 6},
-        "light": {"kind": "dome"}, "camera": {"distance_mm": 16, "elevation_deg": 75}, "render": {"resolution": 1},
-    }
-    return write_json(home, "first.json", fabric)
+    return small_cloth(home, "First", ends_per_cm=20, picks_per_cm=20,
+                       drape={"kind": "flat", "width_mm": 6, "height_mm": 6},
+                       fibres=[{"name": "coarse", "radius_um": 20, "absorption_per_mm": [20, 6, 2]}])
 
 
 def keep_two(editor):

@@ -3,20 +3,16 @@ window."""
 
 import os
 
-from window_driver import expect, read_json, run, window, write_json
+from small_cloth import small_cloth
+from window_driver import expect, read_json, run, window
 
 PROGRAM = os.environ["LOOMLIGHT"]
 WIDTH, HEIGHT = 1280, 720
 
 
 def small_fabric(home):
-    fabric = {
-        "loomlight_version": 1, "name": "Shirting", "weave": ["#.", ".#"], "ends_per_cm": 30, "picks_per_cm": 27,
-        "yarns": [{"name": "Ne 30", "count_tex": 19.683}], "fibres": [{"name": "cotton"}],
-        "drape": {"kind": "flat", "width_mm": 4, "height_mm": 4},
-        "light": {"kind": "dome"}, "camera": {"distance_mm": 16, "elevation_deg": 75}, "render": {"resolution": 1},
-    }
-    return write_json(home, "shirting.json", fabric)
+    return small_cloth(home, "Shirting", ends_per_cm=30, picks_per_cm=27, fibres=[{"name": "cotton"}],
+                       yarns=[{"name": "Ne 30", "count_tex": 19.683}])
 
 
 def set_units(editor):

@@ -3,20 +3,16 @@ settings from one session to the next. In the real window."""
 
 import os
 
-from window_driver import expect, read_json, run, window, write_json
+from small_cloth import small_cloth
+from window_driver import expect, read_json, run, window
 
 PROGRAM = os.environ["LOOMLIGHT"]
 WIDTH, HEIGHT = 1280, 720
 
 
 def small_fabric(home, name):
-    fabric = {
-        "loomlight_version": 1, "name": name, "weave": ["#.", ".#"], "fibres": [{"name": "coarse", "radius_um": 20}],
-        "drape": {"kind": "flat", "width_mm": 4, "height_mm": 4},
-        "light": {"kind": "dome"}, "camera": {"distance_mm": 16, "elevation_deg": 75},
-        "render": {"width": 24, "height": 16, "samples_per_pixel": 1, "resolution": 1},
-    }
-    return write_json(home, name.lower() + ".json", fabric)
+    render = {"width": 24, "height": 16, "samples_per_pixel": 1, "resolution": 1}
+    return small_cloth(home, name, render=render)
 
 
 def spoil(editor):
