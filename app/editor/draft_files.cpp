@@ -152,7 +152,7 @@ void Session::drawTile(Ui& ui) {
     ui.wakeWithin(0.1);
     if (state.finished) {
       tile_.reset();
-      renderer_.pause(false);
+      views_.pause(false);
     }
   }
   const TileDialog::Result result = tileDialog_.draw(ui, tileProgress_);
@@ -160,7 +160,7 @@ void Session::drawTile(Ui& ui) {
   if (result.cancel && tile_) tile_->cancel();
   if (!result.start || tile_) return;
   const fs::path file(tileDialog_.file());
-  renderer_.pause(true);
+  views_.pause(true);
   tile_ = std::make_unique<TileJob>(document_.fabric(), (file.parent_path() / file.stem()).string(),
                                     tileDialog_.longestSide(), tileDialog_.samplesPerPixel());
   tileProgress_.running = true;

@@ -12,13 +12,11 @@ Session::Session(Document document, Settings settings, std::function<void()> wak
       presets_(presetFolder()),
       sampleNames_(sampleNames()),
       autosave_(stateFolder(), wake_),
-      insightWorker_(wake_),
-      visibility_(wake_, BvdfOptions{}, BvdfCache(BvdfCache::userFolder())),
       colours_(wake_),
       sidePictures_(wake_),
       shelf_(viewFolder(), wake_),
       presetDesk_(presetFolder(), wake_),
-      renderer_(wake_, threads),
+      views_(wake_, threads),
       files_(wake_),
       pictures_(wake_) {
   hints_.wanted = !settings_.hintsSeen;

@@ -13,19 +13,15 @@
 #include "app/editor/colour_desk.h"
 #include "app/editor/document.h"
 #include "app/editor/file_desk.h"
-#include "app/editor/insight.h"
 #include "app/editor/picture_desk.h"
-#include "app/editor/picture_texture.h"
 #include "app/editor/preset_desk.h"
 #include "app/editor/preset_store.h"
 #include "app/editor/settings.h"
 #include "app/editor/side_pictures.h"
 #include "app/editor/snapshot_shelf.h"
-#include "app/editor/viewport_picture.h"
-#include "app/workers/live_renderer.h"
+#include "app/editor/view_desk.h"
 #include "app/workers/snapshot_job.h"
 #include "app/workers/tile_job.h"
-#include "app/workers/visibility_worker.h"
 #include "ui/busy_dialog.h"
 #include "ui/colourways_dialog.h"
 #include "ui/commands.h"
@@ -100,10 +96,8 @@ class Session {
   void drawDraft(Ui& ui);
   void drawViewport(Ui& ui, const Insight* insight, const LiveStatus& status);
   void drawInspector(Ui& ui, const Insight* insight, const LiveStatus& status);
-  StatusModel statusModel(const Insight* insight, const LiveStatus& status) const;
+  StatusModel statusToSay(const Insight* insight, const LiveStatus& status) const;
   LensModel lensModelFor(const LensStatus& status);
-  VisibilityModel visibilityModel();
-  std::optional<Film::Hit> hitAt(ImVec2 place) const;  ///< 0..1 from the top left of the picture
   void lookUnderPointer();
   void tellProbe(Ui& ui, const LiveStatus& status) const;
 
@@ -164,12 +158,10 @@ class Session {
   void drawStrip(Ui& ui);
   void restoreView(size_t index);
 
-  // session_workers.cpp: what the workers are asked for, and what they have brought
-  void takePictures();
+  // session_workers.cpp: what the workers are asked for
   void follow();
-  void followDocument();
-  void followLens();
-  void followVisibility();
+  Sight sight() const;
+  void keepCopy();
   void followColour();
 
   Settings settings_;
@@ -178,15 +170,11 @@ class Session {
   PresetStore presets_;
   std::vector<std::string> sampleNames_;
   Autosave autosave_;
-  InsightWorker insightWorker_;
-  ViewportPicture picture_, lensPicture_;
-  PictureTexture visibilityPicture_;
-  VisibilityWorker visibility_;
   ColourDesk colours_;
   SidePictures sidePictures_;
   SnapshotShelf shelf_;
   PresetDesk presetDesk_;
-  LiveRenderer renderer_;
+  ViewDesk views_;
   std::unique_ptr<SnapshotJob> snapshot_;
   FileDesk files_;
 
@@ -222,23 +210,9 @@ class Session {
   std::deque<std::string> dropped_;  ///< files that wait until no dialog is open
   EditPlace place_;                  ///< where edits are made now
   std::string refusal_;              ///< why the last edit was not taken
-  std::shared_ptr<const Frame> shownFrame_;
-  std::shared_ptr<const Fabric> viewToKeep_;                ///< as soon as it has been traced; usually null
-  std::shared_ptr<const LensFrame> lensFrame_;              ///< the newest
-  const void* lensUpload_ = nullptr;                        ///< what of it is on the graphics card
-  std::shared_ptr<const BakedVisibility> shownVisibility_;  ///< whose picture is on the graphics card
-  std::optional<CrossingIndex> underPointer_;               ///< the crossing of the cloth under the mouse
+  std::shared_ptr<const Fabric> viewToKeep_;   ///< as soon as it has been traced; usually null
+  std::optional<CrossingIndex> underPointer_;  ///< the crossing of the cloth under the mouse
   std::string underPointerYarn_;
-  std::shared_ptr<const Fabric> requested_;  ///< what the renderer was last asked for
-  int requestedWidth_ = 0, requestedHeight_ = 0;
-  uint64_t generation_ = 0;
-  std::optional<LensRequest> requestedLens_;
-  bool denoisedWanted_ = false;                            ///< of the renderer
-  std::shared_ptr<const BakedVisibility> usedVisibility_;  ///< the tables that the renderer has
-  std::shared_ptr<const Fabric> visibilityFabric_;         ///< whose tables were last asked for; null: none
-  int visibilityYarn_ = -1;
-  std::shared_ptr<const Fabric> insightFabric_;  ///< what the insight worker was last asked for
-  int insightYarn_ = -1;
   uint64_t keptRevision_ = 0;  ///< of the document, last handed to autosave
   uint64_t gesture_ = 1;
   double work_s_ = 0;

@@ -69,12 +69,12 @@ void Session::run(Command command) {
       break;
     }
     case Command::presets:
-      renderer_.pause(true);  // its pictures are looked at now
+      views_.pause(true);  // its pictures are looked at now
       presetProblem_ = presetDesk_.problem();
       presetBrowser_.show();
       break;
     case Command::colourways:
-      renderer_.pause(true);  // its pictures are looked at now
+      views_.pause(true);  // its pictures are looked at now
       colourways_.show();
       break;
     case Command::keepView:
@@ -253,7 +253,7 @@ void Session::drawDialogs(Ui& ui) {
   if (colourways_.isOpen()) {
     auto edited = colourways_.draw(ui, *document_.fabric(), sidePictures_.colourways(document_.fabric(), ui.scale));
     if (edited) edit(std::move(*edited));
-    if (!colourways_.isOpen()) renderer_.pause(false);
+    if (!colourways_.isOpen()) views_.pause(false);
   }
   drawDraftDialogs(ui);
 }
@@ -270,7 +270,7 @@ void Session::drawSnapshot(Ui& ui) {
                                   : state.error.empty() ? "Saved " + snapshotDialog_.file()
                                                         : state.error;
       snapshot_.reset();
-      renderer_.pause(false);
+      views_.pause(false);
       if (!state.cancelled && !snapshotProgress_.failed) keepView();
     }
   }
@@ -283,7 +283,7 @@ void Session::drawSnapshot(Ui& ui) {
   if (result.chooseFile) browse(FileTask::snapshot);
   if (result.cancel && snapshot_) snapshot_->cancel();
   if (result.start && !snapshot_) {
-    renderer_.pause(true);
+    views_.pause(true);
     snapshot_ = std::make_unique<SnapshotJob>(document_.fabric(), snapshotDialog_.file(), tone(), printOfSnapshot());
     snapshotProgress_.running = true;
   }

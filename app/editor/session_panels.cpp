@@ -4,6 +4,7 @@
 
 #include "app/editor/lens_model.h"
 #include "app/editor/session.h"
+#include "app/editor/status_model.h"
 #include "core/base/stopwatch.h"
 #include "ui/desk.h"
 #include "ui/draft_panel.h"
@@ -15,7 +16,7 @@ namespace loomlight {
 
 void Session::frame(Ui& ui) {
   Stopwatch watch;
-  takePictures();
+  if (views_.take(viewport_.lens.showsDifference)) followViewToKeep();
   work_s_ = watch.lap();
   // A gesture lasts while a button is down or a text is open; what it changes is one step of undo.
   if (!ImGui::IsAnyMouseDown() && !ImGui::IsAnyItemActive()) ++gesture_;
@@ -28,8 +29,8 @@ void Session::frame(Ui& ui) {
 }
 
 void Session::drawPanels(Ui& ui) {
-  const LiveStatus status = renderer_.status();
-  const std::shared_ptr<const Insight> insight = insightWorker_.newest();
+  const LiveStatus status = views_.status();
+  const std::shared_ptr<const Insight> insight = views_.insight();
   MenuModel menu;
   menu.title = document_.fabric()->name;
   menu.edited = document_.isDirty();
@@ -64,7 +65,7 @@ void Session::drawPanels(Ui& ui) {
     endPanel();
   }
   beginPanel("status", areas.status, false);
-  statusBar(ui, statusModel(insight.get(), status));
+  statusBar(ui, statusToSay(insight.get(), status));
   endPanel();
   const ImVec2 picture(static_cast<float>(viewport_.width), static_cast<float>(viewport_.height));
   firstHints(ui, areas.viewport.min, picture, hints_);
@@ -95,14 +96,15 @@ void Session::drawViewport(Ui& ui, const Insight* insight, const LiveStatus& sta
   const Weave& weave = document_.fabric()->weave;
   // A coarse first pass has pixels larger than crossings; an outline of them would only be blocks.
   constexpr int kCoarsest = 3;
-  if (draft_.hovered && shownFrame_ && shownFrame_->divider <= kCoarsest)
+  const Frame* shown = views_.frame();
+  if (draft_.hovered && shown && shown->divider <= kCoarsest)
     outline = {inRepeat(*draft_.hovered, weave), weave.ends(), weave.picks(), ui.theme.accent};
   ViewportModel model;
-  model.picture = picture_.display(viewport_.width, viewport_.height, tone(), outline);
+  model.picture = views_.picture(viewport_.width, viewport_.height, tone(), outline);
   lookUnderPointer();
   model.under = underPointer_;
   model.underYarn = underPointerYarn_;
-  model.denoised = shownFrame_ && !shownFrame_->denoised.empty();
+  model.denoised = shown && !shown->denoised.empty();
   model.building = status.phase == LiveStatus::Phase::voxelising && status.buildProgress < 1;
   model.buildProgress = status.buildProgress;
   model.error = status.error;
@@ -112,7 +114,7 @@ void Session::drawViewport(Ui& ui, const Insight* insight, const LiveStatus& sta
   if (result.fabric) edit(std::move(*result.fabric));
   if (result.camera) document_.lookFrom(*result.camera);
   hints_.turned |= result.camera && viewport_.drag == ViewportView::Drag::orbit;
-  if (const auto hit = result.picked ? hitAt(*result.picked) : std::nullopt)
+  if (const auto hit = result.picked ? views_.hitAt(*result.picked) : std::nullopt)
     inspector_.yarn = std::min(hit->yarn, static_cast<int>(document_.fabric()->yarns.size()) - 1);
   if (result.lens.changeLimit) run(Command::preferences);
   if (!result.lens.remedy) return;
@@ -125,48 +127,19 @@ void Session::drawViewport(Ui& ui, const Insight* insight, const LiveStatus& sta
 }
 
 LensModel Session::lensModelFor(const LensStatus& status) {
-  const bool difference = viewport_.lens.showsDifference;
-  LensModel model =
-      lensModel(status, lensFrame_.get(), difference, 1e9 * settings_.fibreMemory_GB, document_.fabric()->drape);
-  if (!lensFrame_ || !viewport_.lens.on) return model;
-  // Colours of the difference go to the display as they are, whatever the exposure.
-  const bool plain = difference && lensFrame_->difference;
-  const PixelRect& window = lensFrame_->fibres->window;
+  const LensFrame* frame = views_.lensFrame();
+  LensModel model = lensModel(status, frame, viewport_.lens.showsDifference, 1e9 * settings_.fibreMemory_GB,
+                              document_.fabric()->drape);
+  if (!frame || !viewport_.lens.on) return model;
+  const PixelRect& window = frame->fibres->window;
   model.window = {window.x, window.y, window.width, window.height};
-  Tone neutral;
-  neutral.filmic = false;
-  model.picture = lensPicture_.display(window.width, window.height, plain ? neutral : tone(), std::nullopt);
+  model.picture = views_.lensPicture(tone());
   return model;
-}
-
-VisibilityModel Session::visibilityModel() {
-  VisibilityModel model;
-  const VisibilityWorker::Status status = visibility_.status();
-  model.baking = status.baking;
-  model.progress = status.progress;
-  model.error = status.error;
-  model.columns = VisibilityWorker::kPictureColumns;
-  model.rows = 8 / model.columns;
-  if (!shownVisibility_ || shownVisibility_->yarn != inspector_.yarn) return model;
-  model.picture = visibilityPicture_.id();
-  model.rays = static_cast<double>(shownVisibility_->tables->rays);
-  return model;
-}
-
-std::optional<Film::Hit> Session::hitAt(ImVec2 place) const {
-  if (!shownFrame_ || shownFrame_->hits.empty()) return std::nullopt;
-  const auto index = [](float along, int count) {
-    return std::clamp(static_cast<int>(along * static_cast<float>(count)), 0, count - 1);
-  };
-  const int x = index(place.x, shownFrame_->width), y = index(place.y, shownFrame_->height);
-  const Film::Hit& hit = shownFrame_->hits[static_cast<size_t>(y) * static_cast<size_t>(shownFrame_->width) + x];
-  if (hit.yarn < 0) return std::nullopt;
-  return hit;
 }
 
 void Session::lookUnderPointer() {
   underPointer_.reset();
-  const auto hit = viewport_.pointer ? hitAt(*viewport_.pointer) : std::nullopt;
+  const auto hit = viewport_.pointer ? views_.hitAt(*viewport_.pointer) : std::nullopt;
   if (!hit) return;
   const Fabric& fabric = *document_.fabric();
   underPointer_ = CrossingIndex{hit->pick, hit->end};
@@ -195,7 +168,7 @@ void Session::drawInspector(Ui& ui, const Insight* insight, const LiveStatus& st
     model.closeUp = sidePictures_.closeUp(document_.fabric(), inspector_.yarn, ui.scale);
   if (inspector_.page == InspectorView::Page::fibre)
     model.clothColour = colours_.model(fabric, shownFibre(fabric, inspector_), inspector_.clothColour);
-  model.visibility = visibilityModel();
+  model.visibility = views_.visibilityModel(inspector_.yarn);
   place_ = placeInInspector();
   model.inches = settings_.draft.inches;
   inspector_.units = settings_.units;
@@ -207,80 +180,37 @@ void Session::drawInspector(Ui& ui, const Insight* insight, const LiveStatus& st
   if (result.command) run(*result.command);
 }
 
-StatusModel Session::statusModel(const Insight* insight, const LiveStatus& status) const {
-  StatusModel model;
-  model.figuresKnown = insight && status.builtGeneration > 0;
-  if (model.figuresKnown) {
-    const int warp = insight->floats.warp(), weft = insight->floats.weft();
-    const double warpLength = floatLength_mm(*insight->fabric, System::warp, warp);
-    const double weftLength = floatLength_mm(*insight->fabric, System::weft, weft);
-    model.longestFloat = warpLength >= weftLength ? warp : weft;
-    model.longestFloat_mm = std::max(warpLength, weftLength);
-    model.coverPercent = 100 * std::min(1.0, insight->cover.fraction);
-    model.arealMass_g_m2 = status.measures.arealMass_g_m2;
-    model.thickness_mm = status.measures.thickness_mm;
-    if (!insight->warnings.empty()) {
-      model.warning = insight->warnings.front();
-      model.moreWarnings = static_cast<int>(insight->warnings.size()) - 1;
-    }
-  }
-  if (!status.notices.empty() && model.warning.empty()) model.warning = status.notices.front();
-  const VisibilityWorker::Status baking = visibility_.status();
-  if (!baking.error.empty() && model.warning.empty()) model.warning = baking.error;
-  if (const std::string unsafe = shelf_.problem(); !unsafe.empty()) {
-    model.warning = "The view that was kept will not last: " + unsafe;
+/// What is unsafe comes before what is worth knowing of the cloth.
+StatusModel Session::statusToSay(const Insight* insight, const LiveStatus& status) const {
+  StatusModel model = statusModel(insight, status, views_.visibilityStatus(), views_.frame());
+  const auto insist = [&model](std::string warning) {
+    model.warning = std::move(warning);
     model.moreWarnings = 0;
-  }
-  if (const std::string unsafe = autosave_.problem(); !unsafe.empty()) {
-    model.warning = "Unsaved work is not kept safe: " + unsafe;
-    model.moreWarnings = 0;
-  }
-  if (!refusal_.empty()) {
-    model.warning = refusal_;
-    model.moreWarnings = 0;
-  }
-  if (shownFrame_) {
-    model.samples = shownFrame_->samples;
-    model.seconds = shownFrame_->seconds;
-  }
-  if (baking.baking)
-    model.background = fmt::format("{} {:3.0f} %", baking.borrowing ? "borrowed" : "visibility", 100 * baking.progress);
-  switch (status.phase) {
-    case LiveStatus::Phase::idle:
-      model.work = "waiting";
-      break;
-    case LiveStatus::Phase::voxelising:
-      model.work = fmt::format("building {:3.0f} %", 100 * status.buildProgress);
-      break;
-    case LiveStatus::Phase::tracing:
-      model.work = shownFrame_ && shownFrame_->recoloured ? "recoloured, refining" : "refining";
-      break;
-    case LiveStatus::Phase::converged:
-      model.work = "converged";
-      break;
-  }
-  if (shownFrame_ && shownFrame_->draft) model.work = "first look";
-  if (shownFrame_ && !shownFrame_->denoised.empty())
-    model.work = (shownFrame_->recoloured ? "recoloured" : model.work) + ", denoised";
-  else if (shownFrame_ && !shownFrame_->helped.empty())
-    model.work += ", smoothed";
+  };
+  if (const std::string unsafe = shelf_.problem(); !unsafe.empty())
+    insist("The view that was kept will not last: " + unsafe);
+  if (const std::string unsafe = autosave_.problem(); !unsafe.empty())
+    insist("Unsaved work is not kept safe: " + unsafe);
+  if (!refusal_.empty()) insist(refusal_);
   return model;
 }
 
 void Session::tellProbe(Ui& ui, const LiveStatus& status) const {
   if (!ui.probe.watching()) return;
+  const Frame* shown = views_.frame();
+  const LensFrame* lens = views_.lensFrame();
   ui.probe.fact("frame", std::to_string(ImGui::GetFrameCount()));
   ui.probe.fact("text_input", ImGui::GetIO().WantTextInput ? "yes" : "no");
   ui.probe.fact("name", document_.fabric()->name);
   ui.probe.fact("file", document_.file());
   ui.probe.fact("dirty", document_.isDirty() ? "yes" : "no");
   ui.probe.fact("revision", std::to_string(document_.revision()));
-  ui.probe.fact("generation", std::to_string(generation_));
+  ui.probe.fact("generation", std::to_string(views_.generation()));
   ui.probe.fact("built_generation", std::to_string(status.builtGeneration));
-  ui.probe.fact("shown_generation", std::to_string(shownFrame_ ? shownFrame_->generation : 0));
-  ui.probe.fact("shown_samples", std::to_string(shownFrame_ ? shownFrame_->samples : 0));
-  ui.probe.fact("shown_draft", shownFrame_ && shownFrame_->draft ? "yes" : "no");
-  ui.probe.fact("denoised", shownFrame_ && !shownFrame_->denoised.empty() ? "yes" : "no");
+  ui.probe.fact("shown_generation", std::to_string(shown ? shown->generation : 0));
+  ui.probe.fact("shown_samples", std::to_string(shown ? shown->samples : 0));
+  ui.probe.fact("shown_draft", shown && shown->draft ? "yes" : "no");
+  ui.probe.fact("denoised", shown && !shown->denoised.empty() ? "yes" : "no");
   ui.probe.fact("error", status.error);
   ui.probe.fact("refusal", refusal_);
   ui.probe.fact("autosave_problem", autosave_.problem());
@@ -288,11 +218,12 @@ void Session::tellProbe(Ui& ui, const LiveStatus& status) const {
                                                 "too_large", "failed",  "tracing",  "converged"};
   ui.probe.fact("lens", kLensPhases[static_cast<int>(status.lens.phase)]);
   ui.probe.fact("lens_tool", viewport_.lens.placed ? "placed" : viewport_.lens.on ? "chosen" : "off");
-  ui.probe.fact("lens_samples", std::to_string(lensFrame_ ? lensFrame_->fibres->samples : 0));
-  ui.probe.fact("lens_generation", std::to_string(lensFrame_ ? lensFrame_->fibres->generation : 0));
-  ui.probe.fact("lens_difference", lensFrame_ && lensFrame_->difference ? "known" : "unknown");
-  const bool baked = shownVisibility_ && shownVisibility_->yarn == inspector_.yarn;
-  ui.probe.fact("visibility", !baked ? "none" : shownVisibility_->finished ? "finished" : "early");
+  ui.probe.fact("lens_samples", std::to_string(lens ? lens->fibres->samples : 0));
+  ui.probe.fact("lens_generation", std::to_string(lens ? lens->fibres->generation : 0));
+  ui.probe.fact("lens_difference", lens && lens->difference ? "known" : "unknown");
+  const BakedVisibility* visibility = views_.visibility();
+  const bool baked = visibility && visibility->yarn == inspector_.yarn;
+  ui.probe.fact("visibility", !baked ? "none" : visibility->finished ? "finished" : "early");
   ui.probe.fact("yarn", std::to_string(inspector_.yarn));
   ui.probe.fact("dialog", dialogIsOpen() ? "open" : "none");
 }

@@ -9,7 +9,7 @@ void Session::drawPresets(Ui& ui) {
   const bool any =
       change.use || change.keep || change.duplicate || change.rename || change.remove || change.tag || change.undo;
   if (any) changePresets(change);
-  if (!presetBrowser_.isOpen()) renderer_.pause(false);
+  if (!presetBrowser_.isOpen()) views_.pause(false);
 }
 
 void Session::changePresets(const PresetBrowserEdit& change) {

@@ -17,9 +17,8 @@ void Session::keepView() {
 void Session::followViewToKeep() {
   if (viewToKeep_ != document_.fabric()) viewToKeep_.reset();
   if (!viewToKeep_) return;
-  const bool isOfIt = shownFrame_ && shownFrame_->width > 0 && viewToKeep_ == requested_ &&
-                      shownFrame_->generation == generation_ && !shownFrame_->draft;
-  if (isOfIt) shelf_.keep(std::exchange(viewToKeep_, nullptr), displayPicture(*shownFrame_, tone()));
+  if (views_.shows(viewToKeep_))
+    shelf_.keep(std::exchange(viewToKeep_, nullptr), displayPicture(*views_.frame(), tone()));
 }
 
 /// Scale bar, caption and the size on paper, where they are wanted.
