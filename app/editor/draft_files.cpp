@@ -6,10 +6,12 @@
 #include "app/commands/weave_bitmap.h"
 #include "app/editor/session.h"
 #include "app/workers/file_name.h"
+#include "app/workers/tile.h"
 #include "core/base/error.h"
 #include "core/fabric/derived.h"
 #include "core/fabric/structure_edit.h"
 #include "core/fabric/wif_fabric.h"
+#include "render/trace/make_medium.h"
 #include "ui/yarn_colours.h"
 
 namespace loomlight {
@@ -48,7 +50,7 @@ void Session::run(DraftCommand command) {
     case DraftCommand::exportDraft:
       return browse(FileTask::exportDraft);
     case DraftCommand::exportTile: {
-      tileProgress_ = {};
+      tile_.forget();
       return tileDialog_.show(freeFile(fileCalledAsCloth(" tile.json")).string());
     }
     default:
@@ -146,24 +148,22 @@ void Session::drawStructures(Ui& ui) {
 }
 
 void Session::drawTile(Ui& ui) {
-  if (tile_) {
-    const TileJob::State state = tile_->state();
-    tileProgress_ = {!state.finished, state.finished ? 0 : state.progress, state.outcome, state.failed};
-    ui.wakeWithin(0.1);
-    if (state.finished) {
-      tile_.reset();
-      views_.pause(false);
-    }
-  }
-  const TileDialog::Result result = tileDialog_.draw(ui, tileProgress_);
+  if (tile_.isRunning()) ui.wakeWithin(0.1);
+  if (tile_.follow()) views_.pause(false);
+  const TileDialog::Result result = tileDialog_.draw(ui, tile_.progress());
   if (result.chooseFile) browse(FileTask::exportTile);
-  if (result.cancel && tile_) tile_->cancel();
-  if (!result.start || tile_) return;
+  if (result.cancel) tile_.cancel();
+  if (!result.start || tile_.isRunning()) return;
   const fs::path file(tileDialog_.file());
+  Fabric fabric = *document_.fabric();
+  fabric.render.samplesPerPixel = tileDialog_.samplesPerPixel();
   views_.pause(true);
-  tile_ = std::make_unique<TileJob>(document_.fabric(), (file.parent_path() / file.stem()).string(),
-                                    tileDialog_.longestSide(), tileDialog_.samplesPerPixel());
-  tileProgress_.running = true;
+  tile_.start([fabric = std::move(fabric), stem = (file.parent_path() / file.stem()).string(),
+               side = tileDialog_.longestSide()](const Task& task) -> std::optional<std::string> {
+    const auto tile = makeTile(fabric, stem, side, defaultMemoryLimit_bytes(), task);
+    if (!tile) return std::nullopt;
+    return fmt::format("Written: {}.json and {} maps beside it", stem, tile->files.size() - 1);
+  });
 }
 
 void Session::drawDraftDialogs(Ui& ui) {

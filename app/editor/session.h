@@ -16,12 +16,12 @@
 #include "app/editor/picture_desk.h"
 #include "app/editor/preset_desk.h"
 #include "app/editor/preset_store.h"
+#include "app/editor/render_desk.h"
 #include "app/editor/settings.h"
 #include "app/editor/side_pictures.h"
 #include "app/editor/snapshot_shelf.h"
 #include "app/editor/view_desk.h"
-#include "app/workers/snapshot_job.h"
-#include "app/workers/tile_job.h"
+#include "app/workers/snapshot.h"
 #include "ui/busy_dialog.h"
 #include "ui/colourways_dialog.h"
 #include "ui/commands.h"
@@ -106,7 +106,6 @@ class Session {
   void edit(Fabric fabric);
   void applyPreset(const PresetChoice& choice);
   void drawDialogs(Ui& ui);
-  void drawSnapshot(Ui& ui);
   void answered(int answer);
   void startOver(Document document);
   /// Goes on with it at once where nothing is unsaved; else asks first.
@@ -154,7 +153,8 @@ class Session {
   // session_snapshots.cpp: views that are kept
   void keepView();
   void followViewToKeep();
-  SnapshotJob::Print printOfSnapshot() const;
+  SnapshotPrint printOfSnapshot() const;
+  void drawSnapshot(Ui& ui);
   void drawStrip(Ui& ui);
   void restoreView(size_t index);
 
@@ -175,7 +175,7 @@ class Session {
   SnapshotShelf shelf_;
   PresetDesk presetDesk_;
   ViewDesk views_;
-  std::unique_ptr<SnapshotJob> snapshot_;
+  RenderDesk snapshot_, tile_;
   FileDesk files_;
 
   DraftView draft_;
@@ -185,7 +185,6 @@ class Session {
   BusyDialog busyDialog_;
   MessageDialog message_;
   SnapshotDialog snapshotDialog_;
-  RenderJob snapshotProgress_;
   PreferencesDialog preferences_;
   KeysDialog keys_;
   ColourwaysDialog colourways_;
@@ -198,8 +197,6 @@ class Session {
   PictureDialog pictureDialog_;
   PictureDesk pictures_;
   TileDialog tileDialog_;
-  RenderJob tileProgress_;
-  std::unique_ptr<TileJob> tile_;
   WifDialog wifDialog_;
   std::shared_ptr<const Fabric> wifKept_;  ///< the weaving file's cloth with the designer's own sizes
 

@@ -64,7 +64,7 @@ void Session::run(Command command) {
       }
       break;
     case Command::snapshot: {
-      snapshotProgress_ = {};
+      snapshot_.forget();
       snapshotDialog_.show(document_.fabric()->render, freeFile(fileCalledAsCloth(".png")).string());
       break;
     }
@@ -256,37 +256,6 @@ void Session::drawDialogs(Ui& ui) {
     if (!colourways_.isOpen()) views_.pause(false);
   }
   drawDraftDialogs(ui);
-}
-
-void Session::drawSnapshot(Ui& ui) {
-  if (snapshot_) {
-    const SnapshotJob::State state = snapshot_->state();
-    snapshotProgress_.running = !state.finished;
-    snapshotProgress_.fraction = state.finished ? 0 : state.progress;
-    ui.wakeWithin(0.1);
-    if (state.finished) {
-      snapshotProgress_.failed = !state.error.empty();
-      snapshotProgress_.outcome = state.cancelled       ? "Cancelled; no file was written."
-                                  : state.error.empty() ? "Saved " + snapshotDialog_.file()
-                                                        : state.error;
-      snapshot_.reset();
-      views_.pause(false);
-      if (!state.cancelled && !snapshotProgress_.failed) keepView();
-    }
-  }
-  const SnapshotDialog::Result result = snapshotDialog_.draw(ui, snapshotProgress_);
-  if (result.settings) {
-    Fabric fabric = *document_.fabric();
-    fabric.render = *result.settings;
-    edit(std::move(fabric));
-  }
-  if (result.chooseFile) browse(FileTask::snapshot);
-  if (result.cancel && snapshot_) snapshot_->cancel();
-  if (result.start && !snapshot_) {
-    views_.pause(true);
-    snapshot_ = std::make_unique<SnapshotJob>(document_.fabric(), snapshotDialog_.file(), tone(), printOfSnapshot());
-    snapshotProgress_.running = true;
-  }
 }
 
 }  // namespace loomlight

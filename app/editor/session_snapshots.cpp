@@ -22,9 +22,9 @@ void Session::followViewToKeep() {
 }
 
 /// Scale bar, caption and the size on paper, where they are wanted.
-SnapshotJob::Print Session::printOfSnapshot() const {
+SnapshotPrint Session::printOfSnapshot() const {
   const SnapshotOptions& options = snapshotDialog_.options();
-  SnapshotJob::Print print;
+  SnapshotPrint print;
   if (options.inMillimetres) print.dpi = options.dpi;
   const PictureLabel label{options.scaleBar, options.caption};
   if (label.isEmpty()) return print;
@@ -33,6 +33,29 @@ SnapshotJob::Print Session::printOfSnapshot() const {
   const double mm_per_pixel = camera.pixelSize_mm(static_cast<float>(fabric.camera.distance_mm));
   print.finish = [label, mm_per_pixel](const Pixels8& picture) { return labelled(picture, label, mm_per_pixel); };
   return print;
+}
+
+void Session::drawSnapshot(Ui& ui) {
+  if (snapshot_.isRunning()) ui.wakeWithin(0.1);
+  if (const auto written = snapshot_.follow()) {
+    views_.pause(false);
+    if (*written) keepView();
+  }
+  const SnapshotDialog::Result result = snapshotDialog_.draw(ui, snapshot_.progress());
+  if (result.settings) {
+    Fabric fabric = *document_.fabric();
+    fabric.render = *result.settings;
+    edit(std::move(fabric));
+  }
+  if (result.chooseFile) browse(FileTask::snapshot);
+  if (result.cancel) snapshot_.cancel();
+  if (!result.start || snapshot_.isRunning()) return;
+  views_.pause(true);
+  snapshot_.start([fabric = document_.fabric(), file = snapshotDialog_.file(), tone = tone(),
+                   print = printOfSnapshot()](const Task& task) -> std::optional<std::string> {
+    if (!writeSnapshot(fabric, file, tone, print, task)) return std::nullopt;
+    return "Saved " + file;
+  });
 }
 
 void Session::restoreView(size_t index) {

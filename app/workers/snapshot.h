@@ -1,0 +1,25 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "core/base/task.h"
+#include "core/fabric/fabric.h"
+#include "render/film/image.h"
+#include "render/film/tone.h"
+
+namespace loomlight {
+
+/// What is particular to a snapshot that is a .png.
+struct SnapshotPrint {
+  std::function<Pixels8(Pixels8)> finish;  ///< makes of the display's pixels what is written; empty: these themselves
+  double dpi = 0;                          ///< its size on paper; 0: none
+};
+
+/// Renders a fabric's own RenderSettings to a file: .exr with AOVs and metadata, or .png. Returns false, and writes
+/// nothing, when stopped. Throws InputError.
+bool writeSnapshot(const std::shared_ptr<const Fabric>& fabric, const std::string& file, const Tone& tone,
+                   const SnapshotPrint& print, const Task& task);
+
+}  // namespace loomlight
