@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <string>
 #include <vector>
 
 #include "core/fabric/field_tables.h"
 #include "core/fabric/presets.h"
+#include "ui/number_text.h"
 
 namespace loomlight {
 namespace {
@@ -16,11 +16,11 @@ namespace {
 std::optional<CountSystem> systemFromName(std::string_view name) {
   if (name == "tex") return CountSystem::tex;
   if (name == "dtex") return CountSystem::dtex;
-  if (name == "den" || name == "denier") return CountSystem::denier;
+  if (name == "den" || name == "denier" || name == "d") return CountSystem::denier;
   if (name == "nm") return CountSystem::metric;
-  if (name == "ne" || name == "nec") return CountSystem::cotton;
+  if (name == "ne" || name == "nec" || name == "cc" || name == "s") return CountSystem::cotton;
   if (name == "nek" || name == "new") return CountSystem::worsted;
-  if (name == "nel") return CountSystem::linen;
+  if (name == "nel" || name == "lea") return CountSystem::linen;
   return std::nullopt;
 }
 
@@ -35,11 +35,10 @@ class Tokens {
   bool end() const { return rest_.empty(); }
   /// A positive number.
   std::optional<double> number() {
-    double value = 0;
-    const auto [end, error] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), value);
-    if (error != std::errc() || !std::isfinite(value) || value <= 0) return std::nullopt;
-    advance(static_cast<size_t>(end - rest_.data()));
-    return value;
+    const std::optional<LeadingNumber> leading = leadingNumber(rest_);
+    if (!leading || leading->value <= 0) return std::nullopt;
+    advance(leading->length);
+    return leading->value;
   }
   std::string_view word() {
     size_t length = 0;
@@ -66,59 +65,94 @@ class Tokens {
   std::string_view rest_;
 };
 
-/// How a yarn is folded, and cabled then.
-struct Folds {
-  std::vector<double> numbers;
-  std::optional<int> at(size_t i, const FieldInfo& info) const {
-    const double number = numbers[i];
-    if (number != std::floor(number) || number > info.max) return std::nullopt;
-    return static_cast<int>(number);
-  }
+/// The parts of a written count, before anybody knows what they mean together.
+struct CountWords {
+  bool resultant = false;  ///< "R": what all strands make together
+  std::optional<CountSystem> system;
+  double count = 0;
+  std::vector<double> times, over;  ///< behind "x" and behind "/"
+  std::optional<double> filaments;
 };
 
-/// The folds behind a count, where there are any: "x 2", "/2", "/2/3". False when they are none.
-bool readFolds(Tokens& tokens, const char* sign, Folds& folds) {
-  while (tokens.take(sign)) {
-    const std::optional<double> number = tokens.number();
-    if (!number || folds.numbers.size() == 2) return false;
-    folds.numbers.push_back(*number);
+/// One part behind the count: a fold, filaments or the unit. False when it is none of them.
+bool readPart(Tokens& tokens, CountWords& words) {
+  const bool times = tokens.take("x") || tokens.take("\xC3\x97"), over = !times && tokens.take("/");
+  const bool filaments = !times && !over && tokens.take("f");
+  if (!times && !over && !filaments) {
+    if (words.system) return false;
+    words.system = systemFromName(tokens.word());
+    return words.system.has_value();
+  }
+  const std::optional<double> number = tokens.number();
+  if (!number) return false;
+  if (filaments || (over && tokens.take("f"))) {
+    if (words.filaments) return false;
+    words.filaments = number;
+  } else {
+    (times ? words.times : words.over).push_back(*number);
   }
   return true;
+}
+
+std::optional<CountWords> readWords(std::string_view text) {
+  Tokens tokens(text);
+  CountWords words;
+  words.resultant = tokens.take("r");
+  if (const std::string_view before = tokens.word(); !before.empty()) {
+    words.system = systemFromName(before);
+    if (!words.system) return std::nullopt;
+  }
+  const std::optional<double> count = tokens.number();
+  if (!count) return std::nullopt;
+  words.count = *count;
+  while (!tokens.end())
+    if (!readPart(tokens, words)) return std::nullopt;
+  return words;
+}
+
+/// Raw silk is reeled to a range, "20/22 den": its middle is meant.
+bool isRange(const CountWords& words) {
+  constexpr double kWidest = 1.5;
+  return !words.resultant && words.over.size() == 1 && words.over[0] > words.count &&
+         words.over[0] < kWidest * words.count;
+}
+
+std::optional<int> wholeUpTo(double number, double most) {
+  if (number != std::floor(number) || number > most) return std::nullopt;
+  return static_cast<int>(number);
 }
 
 }  // namespace
 
 std::optional<CountEntry> countFromText(std::string_view text, CountSystem usual) {
-  Tokens tokens(text);
-  const bool resultant = tokens.take("r");
-  std::optional<CountSystem> system;
-  if (const std::string_view before = tokens.word(); !before.empty()) {
-    system = systemFromName(before);
-    if (!system) return std::nullopt;
+  std::optional<CountWords> words = readWords(text);
+  if (!words) return std::nullopt;
+  const CountSystem in = words->system.value_or(usual);
+  double count = words->count;
+  if (!isIndirect(in) && isRange(*words)) {
+    count = 0.5 * (count + words->over[0]);
+    words->over.clear();
   }
-  std::optional<double> count = tokens.number();
-  if (!count) return std::nullopt;
-  Folds times, over;
-  if (!readFolds(tokens, "x", times) || !readFolds(tokens, "/", over)) return std::nullopt;
-  if (const std::string_view after = tokens.word(); !after.empty()) {
-    if (system) return std::nullopt;
-    system = systemFromName(after);
-    if (!system || !readFolds(tokens, "x", times) || !readFolds(tokens, "/", over)) return std::nullopt;
-  }
-  const bool isOver = !over.numbers.empty();
-  Folds& folds = isOver ? over : times;
-  if (!tokens.end() || (isOver && !times.numbers.empty())) return std::nullopt;
+  if ((!words->over.empty() && !words->times.empty()) || (words->filaments && words->resultant)) return std::nullopt;
 
-  const CountSystem in = system.value_or(usual);
-  if (folds.numbers.empty()) return CountEntry{texFromCount(*count, in), std::nullopt, std::nullopt};
-  const bool singles = !(isOver && resultant);  // the count is that of the singles
-  if (isOver && singles && !isIndirect(in)) return std::nullopt;
+  CountEntry entry;
+  if (words->filaments) {
+    entry.filaments = wholeUpTo(*words->filaments, fieldInfo(&Yarn::fibresPerPly).max);
+    if (!entry.filaments) return std::nullopt;
+  }
+  const bool over = !words->over.empty();
+  std::vector<double>& folds = over ? words->over : words->times;
+  entry.ofSingles = !words->resultant && (isIndirect(in) || !folds.empty());
+  if (over && entry.ofSingles && !isIndirect(in)) return std::nullopt;
   // "30/2 Ne" and "2/60 Nm": nobody plies more strands than the number of the count.
-  if (isOver && singles && folds.numbers.size() == 1 && folds.numbers[0] > *count) std::swap(*count, folds.numbers[0]);
-  const std::optional<int> plies = folds.at(0, fieldInfo(&Yarn::plies));
-  const std::optional<int> cords = folds.numbers.size() == 2 ? folds.at(1, fieldInfo(&Yarn::cords)) : 1;
-  if (!plies || !cords) return std::nullopt;
-  return CountEntry{(singles ? *plies * *cords : 1) * texFromCount(*count, in), plies, cords};
+  if (over && entry.ofSingles && folds.size() == 1 && folds[0] > count) std::swap(count, folds[0]);
+  entry.tex = texFromCount(count, in);
+  if (folds.empty() && entry.filaments) folds = {1};
+  if (folds.empty()) return entry;
+  if (folds.size() > 2) return std::nullopt;
+  entry.plies = wholeUpTo(folds[0], fieldInfo(&Yarn::plies).max);
+  entry.cords = folds.size() == 2 ? wholeUpTo(folds[1], fieldInfo(&Yarn::cords).max) : 1;
+  return entry.plies && entry.cords ? std::optional(entry) : std::nullopt;
 }
 
 std::optional<double> twistFromText(std::string_view text, double tex) {

@@ -29,6 +29,7 @@ struct NumberStyle {
   double perPixel = 0;       ///< change per pixel of scrubbing; 0: the range over 300 pixels
   /// Understands further ways to write the value ("30/2 Ne"); nullopt: not one of them.
   std::function<std::optional<double>(std::string_view)> parse;
+  const char* otherwise = "";  ///< what these look like, for the message where a text is none of them
 };
 
 /// True when the value changed. It stays within [min, max]; text that is no such number is refused beside the field.

@@ -2,11 +2,11 @@
 #include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
-#include <charconv>
 #include <cmath>
 
 #include "ui/field_row.h"
 #include "ui/fields.h"
+#include "ui/number_text.h"
 
 namespace loomlight {
 namespace {
@@ -46,11 +46,10 @@ std::string_view trimmed(std::string_view text) {
 std::optional<double> parsePlain(std::string_view text, std::string_view unit) {
   text = trimmed(text);
   if (!text.empty() && text.front() == '+') text.remove_prefix(1);
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || !std::isfinite(value)) return std::nullopt;
-  const std::string_view rest = trimmed(text.substr(static_cast<size_t>(end - text.data())));
-  if (rest.empty() || rest == unit) return value;
+  const std::optional<LeadingNumber> leading = leadingNumber(text);
+  if (!leading) return std::nullopt;
+  const std::string_view rest = trimmed(text.substr(leading->length));
+  if (rest.empty() || rest == unit) return leading->value;
   return std::nullopt;
 }
 
@@ -129,8 +128,8 @@ bool typeValue(Ui& ui, const NumberStyle& style, double& value, ImGuiID id, floa
   }
   memory.failed = id;
   memory.failedAt = ui.time;
-  memory.failure =
-      fmt::format("Expected a number from {:g} to {:g}{}{}", style.min, style.max, *style.unit ? " " : "", style.unit);
+  memory.failure = fmt::format("Expected a number from {:g} to {:g}{}{}{}{}", style.min, style.max,
+                               *style.unit ? " " : "", style.unit, *style.otherwise ? ", or " : "", style.otherwise);
   return false;
 }
 

@@ -15,9 +15,31 @@
 namespace loomlight {
 namespace {
 
+/// Of the whole yarn, where one that is like `yarn` otherwise has the count that was typed.
+double typedTex(const CountEntry& typed, const Yarn& yarn) {
+  return typed.tex * (typed.ofSingles ? typed.plies.value_or(yarn.plies) * typed.cords.value_or(yarn.cords) : 1);
+}
+
+/// Of each filament. nullopt where the text says none.
+std::optional<double> typedFilament_dtex(const CountEntry& typed, const Yarn& yarn) {
+  if (!typed.filaments) return std::nullopt;
+  return 10 * typedTex(typed, yarn) / (*typed.plies * *typed.cords * *typed.filaments);
+}
+
+/// Whether a fabric can hold it. A blend has no filaments of one fineness.
+bool isPossible(const CountEntry& typed, const Yarn& yarn, const Fibre& fibre) {
+  const FieldInfo count = fieldInfo(&Yarn::count_tex), radius = fieldInfo(&Fibre::radius_um);
+  const double tex = typedTex(typed, yarn);
+  if (tex < count.min || tex > count.max) return false;
+  const std::optional<double> filament_dtex = typedFilament_dtex(typed, yarn);
+  if (!filament_dtex) return true;
+  const double radius_um = fibreRadius_um(*filament_dtex, fibre.density_g_cm3);
+  return !yarn.blendFibre && radius_um >= radius.min && radius_um <= radius.max;
+}
+
 /// The count as its system writes it: of a plied yarn in an indirect one the singles, "30 /2 Ne"; "20 /2/3 Ne" of a
 /// cable.
-bool countRow(Ui& ui, CountSystem system, Yarn& yarn) {
+bool countRow(Ui& ui, CountSystem system, const Fibre& fibre, Yarn& yarn, std::optional<double>& filament_dtex) {
   const FieldInfo info = fieldInfo(&Yarn::count_tex);
   const int parts = isIndirect(system) ? singlesIn(yarn) : 1;
   std::string unit = countUnit(system);
@@ -31,25 +53,30 @@ bool countRow(Ui& ui, CountSystem system, Yarn& yarn) {
   style.max = countFromTex((isIndirect(system) ? info.min : info.max) / parts, system);
   style.logarithmic = true;
   style.decimals = 1;
+  style.otherwise = "a count like 30/2 Ne or 167 dtex f48";
   style.parse = [&](std::string_view text) -> std::optional<double> {
     typed = countFromText(text, system);
-    return typed ? std::optional(countFromTex(typed->tex / parts, system)) : std::nullopt;
+    if (typed && !isPossible(*typed, yarn, fibre)) typed.reset();
+    return typed ? std::optional(countFromTex(typedTex(*typed, yarn) / parts, system)) : std::nullopt;
   };
   double count = countFromTex(yarn.count_tex / parts, system);
   const bool changed = numberField(ui,
                                    {"yarn.count_tex", info.label,
                                     "How thick the yarn is. Typed counts are understood in every system: 30/2 Ne, "
                                     "2/60 Nm, 150 den, 20 tex x 2, and of cables 20/2/3 Ne. Plies and cords are set "
-                                    "with it."},
+                                    "with it, and with filaments, 167 dtex f48, the fineness of the fibre."},
                                    style, count);
-  const bool folded = typed && typed->plies;
-  if (!changed && !(folded && (*typed->plies != yarn.plies || *typed->cords != yarn.cords))) return false;
-  yarn.count_tex = std::clamp(typed ? typed->tex : parts * texFromCount(count, system), info.min, info.max);
-  if (folded) {
-    yarn.plies = *typed->plies;
-    yarn.cords = *typed->cords;
+  if (!changed && !typed) return false;
+  Yarn edited = yarn;
+  edited.count_tex =
+      std::clamp(typed ? typedTex(*typed, yarn) : parts * texFromCount(count, system), info.min, info.max);
+  if (typed) {
+    edited.plies = typed->plies.value_or(yarn.plies);
+    edited.cords = typed->cords.value_or(yarn.cords);
+    filament_dtex = typedFilament_dtex(*typed, yarn);
   }
-  return true;
+  std::swap(yarn, edited);
+  return yarn != edited || filament_dtex;
 }
 
 /// Turns of a strand of `tex`: per metre, or as the multiplier that spinners know it by.
@@ -76,7 +103,7 @@ bool twistRow(Ui& ui, bool asMultiplier, double tex, double Yarn::*member, Yarn&
 
 }  // namespace
 
-bool countRows(Ui& ui, const Fibre& fibre, TradeUnits& units, Yarn& yarn) {
+bool countRows(Ui& ui, const Fibre& fibre, TradeUnits& units, Yarn& yarn, std::optional<double>& filament_dtex) {
   static constexpr const char* kNames[] = {"Count", "Fibres"};
   int way = yarn.fibresPerPly ? 1 : 0;
   bool changed = false;
@@ -100,7 +127,7 @@ bool countRows(Ui& ui, const Fibre& fibre, TradeUnits& units, Yarn& yarn) {
                                 static_cast<int>(info.max), *yarn.fibresPerPly);
     return changed;
   }
-  changed |= countRow(ui, units.count, yarn);
+  changed |= countRow(ui, units.count, fibre, yarn, filament_dtex);
   countSystemRow(ui, "yarn", units.count);
   return changed;
 }
@@ -118,6 +145,20 @@ bool twistRows(Ui& ui, const Fibre& fibre, TradeUnits& units, Yarn& yarn) {
   if (yarn.plies > 1 || yarn.cords > 1) changed |= memberField(ui, "yarn", yarn, &Yarn::cords);
   if (yarn.cords > 1) level(tex, &Yarn::cableTwist_per_m, &Yarn::cableTwistDirection);
   return changed;
+}
+
+void twistNewStrands(const Yarn& before, Yarn& yarn) {
+  constexpr double kTakenBack = 0.65;
+  const auto back = [](TwistDirection way) { return way == TwistDirection::z ? TwistDirection::s : TwistDirection::z; };
+  if (before.plies == 1 && yarn.plies > 1 && yarn.yarnTwist_per_m == 0) {
+    yarn.yarnTwist_per_m = std::round(kTakenBack * yarn.plyTwist_per_m);
+    yarn.yarnTwistDirection = back(yarn.plyTwistDirection);
+  }
+  if (before.cords == 1 && yarn.cords > 1 && yarn.cableTwist_per_m == 0) {
+    const bool plied = yarn.plies > 1;
+    yarn.cableTwist_per_m = std::round(kTakenBack * (plied ? yarn.yarnTwist_per_m : yarn.plyTwist_per_m));
+    yarn.cableTwistDirection = back(plied ? yarn.yarnTwistDirection : yarn.plyTwistDirection);
+  }
 }
 
 bool bulkRows(Ui& ui, const Fibre& fibre, Yarn& yarn) {

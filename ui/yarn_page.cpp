@@ -102,7 +102,8 @@ std::optional<Fabric> yarnPage(Ui& ui, const Fabric& fabric, const InspectorMode
   bool changed = textField(ui, rowText("yarn", &Yarn::name), yarn.name);
   std::optional<Fabric> filled = presetRow(ui, fabric, view.yarn);
   changed |= fibreRows(ui, fibres, yarn);
-  changed |= countRows(ui, fibre, view.units, yarn);
+  std::optional<double> filament_dtex;
+  changed |= countRows(ui, fibre, view.units, yarn, filament_dtex);
   changed |= twistRows(ui, fibre, view.units, yarn);
   changed |= bulkRows(ui, fibre, yarn);
   changed |= memberField(ui, "yarn", yarn, &Yarn::flattening, 2);
@@ -112,10 +113,14 @@ std::optional<Fabric> yarnPage(Ui& ui, const Fabric& fabric, const InspectorMode
   if (yarn.hairiness_per_mm > 0) changed |= memberField(ui, "yarn", yarn, &Yarn::hairLength_mm, 2);
   visibilitySection(ui, model.visibility, view.visibilityOpen);
   if (filled || !changed) return filled;
+  twistNewStrands(fabric.yarns[static_cast<size_t>(view.yarn)], yarn);
   Fabric edited = fabric;
   edited.fibres = std::move(fibres);
+  Fibre filament = edited.fibres[static_cast<size_t>(yarn.fibre)];
   edited.yarns[static_cast<size_t>(view.yarn)] = std::move(yarn);
-  return edited;
+  if (!filament_dtex) return edited;
+  filament.radius_um = fibreRadius_um(*filament_dtex, filament.density_g_cm3);
+  return withFibre(std::move(edited), view.yarn, std::move(filament));
 }
 
 }  // namespace loomlight

@@ -235,23 +235,28 @@ double twistMultiplier(double twist_per_m, double tex) {
 }
 
 Fabric withYarn(Fabric fabric, int index, Yarn yarn, Fibre fibre) {
-  const auto own = static_cast<size_t>(index);
-  const Yarn& old = fabric.yarns[own];
-  bool shared = false;
-  for (size_t i = 0; i < fabric.yarns.size(); ++i)
-    shared |= i != own && (fabric.yarns[i].fibre == old.fibre || fabric.yarns[i].blendFibre == old.fibre);
-  yarn.name = old.name;
-  yarn.unknown = old.unknown;
+  Yarn& own = fabric.yarns[static_cast<size_t>(index)];
+  yarn.name = own.name;
+  yarn.unknown = own.unknown;
   yarn.blendFibre.reset();
   yarn.blendShare.reset();
-  yarn.fibre = old.fibre;
+  yarn.fibre = own.fibre;
+  own = std::move(yarn);
+  return withFibre(std::move(fabric), index, std::move(fibre));
+}
+
+Fabric withFibre(Fabric fabric, int yarn, Fibre fibre) {
+  const auto own = static_cast<size_t>(yarn);
+  const int old = fabric.yarns[own].fibre;
+  bool shared = fabric.yarns[own].blendFibre == old;
+  for (size_t i = 0; i < fabric.yarns.size(); ++i)
+    shared |= i != own && (fabric.yarns[i].fibre == old || fabric.yarns[i].blendFibre == old);
   if (shared && fabric.fibres.size() < kMaxKinds) {
-    yarn.fibre = static_cast<int>(fabric.fibres.size());
+    fabric.yarns[own].fibre = static_cast<int>(fabric.fibres.size());
     fabric.fibres.push_back(std::move(fibre));
   } else {
-    fabric.fibres[static_cast<size_t>(old.fibre)] = std::move(fibre);
+    fabric.fibres[static_cast<size_t>(old)] = std::move(fibre);
   }
-  fabric.yarns[own] = std::move(yarn);
   return fabric;
 }
 

@@ -41,6 +41,9 @@ std::vector<YarnPreset> yarnPresets();
 /// is added where other yarns are spun of it too. A blend ends; the name stays.
 Fabric withYarn(Fabric fabric, int index, Yarn yarn, Fibre fibre);
 
+/// The fabric with another fibre in the place of that yarn's first, or added where other yarns are spun of it too.
+Fabric withFibre(Fabric fabric, int yarn, Fibre fibre);
+
 /// The same fibre with the absorption that shows this colour (linear reflectance of a thick mass of it, colour.h).
 Fibre dyed(Fibre fibre, const Rgb& colour);
 

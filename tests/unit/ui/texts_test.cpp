@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "ui/count_text.h"
+#include "ui/number_text.h"
 #include "ui/thread_order.h"
 
 namespace loomlight {
@@ -35,50 +36,105 @@ TEST(ThreadOrder, RefusesWhatIsNone) {
 void expectCount(const char* text, double tex, std::optional<int> plies, CountSystem usual = CountSystem::tex) {
   const auto entry = countFromText(text, usual);
   ASSERT_TRUE(entry.has_value()) << text;
-  EXPECT_NEAR(entry->tex, tex, 1e-9) << text;
+  const int singles = entry->ofSingles ? entry->plies.value_or(1) * entry->cords.value_or(1) : 1;
+  EXPECT_NEAR(entry->tex * singles, tex, 1e-9) << text;
   EXPECT_EQ(entry->plies, plies) << text;
 }
 
 TEST(CountText, KnowsTheSystemsOfSpinners) {
   expectCount("19.7 tex", 19.7, {});
+  expectCount("19,7 tex", 19.7, {});
   expectCount("19.7", 19.7, {});
-  expectCount("30 Ne", 590.5 / 30, {});
-  expectCount("Ne 30", 590.5 / 30, {});
   expectCount("30", 590.5 / 30, {}, CountSystem::cotton);
-  expectCount("150den", 150 / 9.0, {});
+  for (const char* text : {"30 Ne", "Ne 30", "30s", "30 cc"}) expectCount(text, 590.5 / 30, {});
+  for (const char* text : {"150den", "150D", "150 denier"}) expectCount(text, 150 / 9.0, {});
   expectCount("167 DTEX", 16.7, {});
-  expectCount("40 NeL", 1653.5 / 40, {});
+  for (const char* text : {"40 NeL", "40 lea"}) expectCount(text, 1653.5 / 40, {});
+  expectCount("20/22 den", 21 / 9.0, {});  // raw silk is reeled to a range
 }
 
 TEST(CountText, KnowsPlies) {
   expectCount("30/2 Ne", 2 * 590.5 / 30, 2);
   expectCount("Ne 30/2", 2 * 590.5 / 30, 2);
   expectCount("2/60 Nm", 1000.0 / 30, 2);
+  expectCount("2/30s", 2 * 590.5 / 30, 2);
   expectCount("30/1", 590.5 / 30, 1, CountSystem::cotton);
   expectCount("20 tex x 2", 40, 2);
   expectCount("20x3 tex", 60, 3);
+  expectCount("20/22 den x 2", 42 / 9.0, 2);
   expectCount("R 40 tex/2", 40, 2);
+}
+
+TEST(CountText, IndirectCountsAreOfSingles) {
+  EXPECT_TRUE(countFromText("30 Ne", CountSystem::tex)->ofSingles);
+  EXPECT_FALSE(countFromText("R 15 Ne", CountSystem::tex)->ofSingles);
+  EXPECT_FALSE(countFromText("40 tex", CountSystem::cotton)->ofSingles);
+}
+
+TEST(CountText, KnowsFilaments) {
+  for (const char* text : {"167 dtex f48", "167f48 dtex", "dtex 167 f 48"}) {
+    expectCount(text, 16.7, 1);
+    EXPECT_EQ(countFromText(text, CountSystem::tex)->filaments, 48) << text;
+  }
+  expectCount("150D/48F", 150 / 9.0, 1);
+  expectCount("78 dtex f34 x 2", 15.6, 2);
+  EXPECT_EQ(countFromText("78 dtex f34 x 2", CountSystem::tex)->filaments, 34);
+  EXPECT_EQ(countFromText("78 dtex", CountSystem::tex)->filaments, std::nullopt);
 }
 
 TEST(CountText, KnowsCables) {
   for (const char* text : {"20/2/3 Ne", "Ne 20/2/3", "20 Ne x 2 x 3"}) {
-    const auto entry = countFromText(text, CountSystem::tex);
-    ASSERT_TRUE(entry.has_value()) << text;
-    EXPECT_NEAR(entry->tex, 6 * 590.5 / 20, 1e-9) << text;
-    EXPECT_EQ(entry->plies, 2) << text;
-    EXPECT_EQ(entry->cords, 3) << text;
+    expectCount(text, 6 * 590.5 / 20, 2);
+    EXPECT_EQ(countFromText(text, CountSystem::tex)->cords, 3) << text;
   }
-  const auto entry = countFromText("R 180 tex/2/3", CountSystem::cotton);
-  ASSERT_TRUE(entry.has_value());
-  EXPECT_EQ(std::tuple(entry->tex, *entry->plies, *entry->cords), std::tuple(180.0, 2, 3));
+  expectCount("R 180 tex/2/3", 180, 2, CountSystem::cotton);
+  EXPECT_EQ(countFromText("R 180 tex/2/3", CountSystem::cotton)->cords, 3);
   EXPECT_EQ(countFromText("30/2 Ne", CountSystem::tex)->cords, 1);
 }
 
 TEST(CountText, RefusesWhatIsNone) {
-  for (const char* text :
-       {"", "Ne", "30/2", "30/0 Ne", "-5 tex", "30/2 tex", "nan tex", "20 stone", "30 Ne x", "30/2/7 Ne", "30/2/2/2 Ne",
-        "30/2/2 tex", "20 tex x 9", "2.5/60 Nm", "Ne 30 Nm", "x 2 tex", "20 tex x 2 /2"})
+  for (const char* text : {"",
+                           "Ne",
+                           "30/2",
+                           "30/0 Ne",
+                           "-5 tex",
+                           "30/2 tex",
+                           "nan tex",
+                           "20 stone",
+                           "30 Ne x",
+                           "30/2/7 Ne",
+                           "30/2/2/2 Ne",
+                           "30/2/2 tex",
+                           "20 tex x 9",
+                           "2.5/60 Nm",
+                           "Ne 30 Nm",
+                           "x 2 tex",
+                           "20 tex x 2 /2",
+                           "1,000 tex",
+                           "19,7,3 tex",
+                           "150/48 den",
+                           "167 dtex f",
+                           "167 dtex f4.5",
+                           "167 dtex f48 f48",
+                           "R 167 dtex f48/2",
+                           "167 dtex f9999"})
     EXPECT_FALSE(countFromText(text, CountSystem::tex).has_value()) << text;
+}
+
+TEST(NumberText, TakesPointsAndCommas) {
+  const auto expectNumber = [](const char* text, double value, size_t length) {
+    const auto leading = leadingNumber(text);
+    ASSERT_TRUE(leading.has_value()) << text;
+    EXPECT_DOUBLE_EQ(leading->value, value) << text;
+    EXPECT_EQ(leading->length, length) << text;
+  };
+  expectNumber("19.7 tex", 19.7, 4);
+  expectNumber("-19,75mm", -19.75, 6);
+  expectNumber("0,125", 0.125, 5);
+  expectNumber("1,5e3x", 1500, 5);
+  expectNumber("12.500", 12.5, 6);
+  for (const char* text : {"", "x", ",", "1,", "1,000", "1,2,3", "1.2,3", "1,000.5", "1e999"})
+    EXPECT_FALSE(leadingNumber(text).has_value()) << text;
 }
 
 TEST(TwistText, KnowsTurnsPerMetrePerInchAndMultipliers) {

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+namespace loomlight {
+
+/// The number that a text begins with.
+struct LeadingNumber {
+  double value = 0;
+  size_t length = 0;  ///< characters that it takes
+};
+
+/// A finite number, with a decimal point or a decimal comma: "19.7", "19,7", "-1e3". nullopt where there is none, and
+/// for "1,000", which is one to some people and a thousand to others.
+std::optional<LeadingNumber> leadingNumber(std::string_view text);
+
+}  // namespace loomlight
