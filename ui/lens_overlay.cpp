@@ -32,22 +32,25 @@ void drawBorder(Ui& ui, ImVec2 min, ImVec2 max, ImVec2 viewportMin, ImVec2 viewp
   ring(line, IM_COL32(240, 240, 240, 255));
 }
 
-/// The caption in the lower left corner of the lens, with the scale of the difference behind it.
-void drawCaption(Ui& ui, const LensModel& model, ImVec2 min, ImVec2 max) {
+/// The caption in the lower left corner of the lens, with the scale of the difference behind it; of a lens that is too
+/// narrow for it, below, or where the viewport ends there, across.
+void drawCaption(Ui& ui, const LensModel& model, ImVec2 min, ImVec2 max, ImVec2 viewportMin, ImVec2 viewportMax) {
   if (model.caption.empty()) return;
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   ImGui::PushFont(ui.fonts.small);
   const float pad = ui.px(6), height = ImGui::GetFontSize() + pad;
   const float swatch = model.scale.empty() ? 0 : ui.px(64);
-  const float room = max.x - min.x - 4 * pad;
   const ImVec2 endSize = swatch > 0 ? ImGui::CalcTextSize(model.scaleEnd.c_str()) : ImVec2(0, 0);
-  const float wide = ImGui::CalcTextSize(model.caption.c_str()).x;
   const float scaleWidth = swatch > 0 ? swatch + endSize.x + 3 * pad : 0;
-  const bool withScale = swatch > 0 && wide + scaleWidth <= room;
-  const std::string text = shortened(model.caption, room - (withScale ? scaleWidth : 0));
+  const float most = viewportMax.x - viewportMin.x - 4 * pad;
+  const bool withScale = swatch > 0 && ImGui::CalcTextSize(model.caption.c_str()).x + scaleWidth <= most;
+  const std::string text = shortened(model.caption, most - (withScale ? scaleWidth : 0));
   const float textWidth = ImGui::CalcTextSize(text.c_str()).x;
-  const ImVec2 corner(min.x + pad, max.y - pad - height);
-  const ImVec2 far(corner.x + textWidth + 2 * pad + (withScale ? scaleWidth : 0), corner.y + height);
+  const float width = textWidth + 2 * pad + (withScale ? scaleWidth : 0);
+  const bool inside = width + 2 * pad <= max.x - min.x;
+  const bool below = !inside && max.y + pad + height <= viewportMax.y;
+  const float x = inside ? min.x + pad : std::clamp(min.x, viewportMin.x, viewportMax.x - width);
+  const ImVec2 corner(x, below ? max.y + pad : max.y - pad - height), far(corner.x + width, corner.y + height);
   draw.AddRectFilled(corner, far, kGround, ui.px(3));
   draw.AddText({corner.x + pad, corner.y + 0.5f * pad}, packed(Theme::dark().text), text.c_str());
   ui.probe.record("lens.caption", corner, far);
@@ -102,8 +105,7 @@ void bar(Ui& ui, LensView& view, ImVec2 origin, int viewportWidth, int viewportH
   const float title = ImGui::CalcTextSize("Truth lens").x + ui.px(16);
   const float buttons = 2 * segment + cross + 3 * inset;
   const auto lensWidth = static_cast<float>(view.rect.width);
-  const bool named = lensWidth >= title + buttons;
-  const ImVec2 size(std::max(lensWidth, buttons + ui.px(20)), height);
+  const ImVec2 size(std::max(lensWidth, title + buttons), height);
   const ImVec2 min = plus(origin, besideLens(view.rect, size, ui.px(4), viewportWidth)), max = plus(min, size);
   beginBox("lens.bar_box", min, size);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -133,9 +135,8 @@ void bar(Ui& ui, LensView& view, ImVec2 origin, int viewportWidth, int viewportH
   if (held) view.drag(mouse, viewportWidth, viewportHeight);
   if (ImGui::IsItemDeactivated()) view.letGo(viewportWidth, viewportHeight);
   if (held || ImGui::IsItemHovered()) ImGui::SetMouseCursor(cursorOf(LensView::Grip::move));
-  if (named)
-    draw.AddText({min.x + ui.px(8), min.y + 0.5f * (height - ImGui::GetFontSize())}, packed(Theme::dark().text),
-                 "Truth lens");
+  draw.AddText({min.x + ui.px(8), min.y + 0.5f * (height - ImGui::GetFontSize())}, packed(Theme::dark().text),
+               "Truth lens");
   ImGui::EndChild();
   ImGui::PopFont();
   if (closed) view.close();
@@ -197,7 +198,7 @@ LensEdit lensOverlay(Ui& ui, const LensModel& model, LensView& view, ImVec2 orig
     draw.AddRectFilled(min, {along, min.y + ui.px(3)}, packed(ui.theme.accent));
   }
   drawBorder(ui, min, max, origin, corner(viewportWidth, viewportHeight));
-  drawCaption(ui, model, min, max);
+  drawCaption(ui, model, min, max, origin, corner(viewportWidth, viewportHeight));
   ui.probe.record("lens", min, max);
   LensEdit edit;
   if (!model.trouble.empty()) edit = troubleBox(ui, model, view, origin, viewportWidth, viewportHeight);

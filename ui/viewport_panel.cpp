@@ -223,7 +223,10 @@ ViewportEdit viewportPanel(Ui& ui, const Fabric& fabric, const ViewportModel& mo
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.PushClipRect(min, max, false);
   draw.AddRectFilled(min, max, packed(ui.theme.surround));
-  if (model.picture) draw.AddImage(model.picture, min, ImVec2(min.x + size.x, min.y + size.y));
+  if (model.picture) {
+    const float left = std::floor(0.5f * (min.x + max.x - model.pictureSize.x));
+    draw.AddImage(model.picture, ImVec2(left, min.y), ImVec2(left + model.pictureSize.x, min.y + model.pictureSize.y));
+  }
   drawOverlays(ui, model, view.lens, min, max);
   edit.lens = lensOverlay(ui, model.lens, view.lens, min, view.width, view.height);
   draw.PopClipRect();

@@ -12,7 +12,10 @@ namespace loomlight {
 
 /// What the panel shows; put together by the editor each frame.
 struct ViewportModel {
-  ImTextureID picture = nullptr;       ///< of the display, as many pixels as the panel asked for; null: none yet
+  ImTextureID picture = nullptr;  ///< of the display; null: none yet
+  /// Pixels that the picture takes, in the middle of the panel: as many as it asked for, unless it was of another size
+  /// when that was traced.
+  ImVec2 pictureSize;
   std::optional<CrossingIndex> under;  ///< crossing under the mouse
   std::string underYarn;               ///< name of the yarn seen there
   bool denoised = false;               ///< the picture is; the panel says so

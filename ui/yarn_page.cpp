@@ -81,6 +81,14 @@ std::optional<Fabric> presetRow(Ui& ui, const Fabric& fabric, int index) {
   return withYarn(fabric, index, preset.yarn, dyed(preset.fibre, colour));
 }
 
+/// Of the yarn as its section is drawn, with the air between plies and flattened as in the cloth; its diameter until
+/// that is known.
+std::string sizeText(const YarnSection* section, double diameter_mm) {
+  const std::string wide = fmt::format("{:.2f}", section ? 2 * section->halfWidth_mm : diameter_mm);
+  const std::string high = section ? fmt::format("{:.2f}", 2 * section->halfHeight_mm) : wide;
+  return wide == high ? wide + " mm across" : fmt::format("{} \xC3\x97 {} mm", wide, high);
+}
+
 }  // namespace
 
 std::optional<Fabric> yarnPage(Ui& ui, const Fabric& fabric, const InspectorModel& model, InspectorView& view) {
@@ -95,9 +103,9 @@ std::optional<Fabric> yarnPage(Ui& ui, const Fabric& fabric, const InspectorMode
   drawYarnSection(ui, model.section ? *model.section : YarnSection{}, colours, half);
   ImGui::SameLine(0, ui.px(8));
   drawYarnCloseUp(ui, model.closeUp, half);
-  hint(ui, fmt::format("{}  \xC2\xB7  {:.2f} mm across  \xC2\xB7  {:.0f} fibres",
-                       countText(yarnCount_tex(yarn, fibre), view.units.count), yarnDiameter_mm(yarn, fibre),
-                       fibresInYarn(yarn, fibre)));
+  hint(ui,
+       fmt::format("{}  \xC2\xB7  {}  \xC2\xB7  {:.0f} fibres", countText(yarnCount_tex(yarn, fibre), view.units.count),
+                   sizeText(model.section, yarnDiameter_mm(yarn, fibre)), fibresInYarn(yarn, fibre)));
 
   bool changed = textField(ui, rowText("yarn", &Yarn::name), yarn.name);
   std::optional<Fabric> filled = presetRow(ui, fabric, view.yarn);

@@ -90,6 +90,14 @@ class Session {
   /// What unsaved work stands in the way of.
   enum class Afterwards { nothing, quit, beginAnew, open, takeUp };
 
+  /// Of which a picture joins the strip as soon as there is one, and is renewed while it gets better.
+  struct ViewToKeep {
+    std::shared_ptr<const Fabric> fabric;  ///< usually null
+    Tone tone;                             ///< as it was seen
+    std::string id;                        ///< on the shelf; empty until it is there
+    int samples = 0;                       ///< of the picture there
+  };
+
   // session_panels.cpp: what is drawn
   void drawPanels(Ui& ui);
   void keepSettings();
@@ -207,7 +215,7 @@ class Session {
   std::deque<std::string> dropped_;  ///< files that wait until no dialog is open
   EditPlace place_;                  ///< where edits are made now
   std::string refusal_;              ///< why the last edit was not taken
-  std::shared_ptr<const Fabric> viewToKeep_;   ///< as soon as it has been traced; usually null
+  ViewToKeep viewToKeep_;
   std::optional<CrossingIndex> underPointer_;  ///< the crossing of the cloth under the mouse
   std::string underPointerYarn_;
   uint64_t keptRevision_ = 0;  ///< of the document, last handed to autosave

@@ -13,6 +13,18 @@
 #include "ui/yarn_colours.h"
 
 namespace loomlight {
+namespace {
+
+/// How wide a picture is in a viewport of this size: as high as that, and of its own proportions. A coarse one reaches
+/// beyond its viewport by a part of a pixel, which is nothing of its proportions.
+int shownWidth(const Frame& frame, int width, int height) {
+  const PixelRect& window = frame.window;
+  const auto covers = [&](int length, int room) { return length >= room && length < room + frame.divider; };
+  if (window.height <= 0 || (covers(window.width, width) && covers(window.height, height))) return width;
+  return std::max(1, static_cast<int>(int64_t{window.width} * height / window.height));
+}
+
+}  // namespace
 
 void Session::frame(Ui& ui) {
   Stopwatch watch;
@@ -100,7 +112,9 @@ void Session::drawViewport(Ui& ui, const Insight* insight, const LiveStatus& sta
   if (draft_.hovered && shown && shown->divider <= kCoarsest)
     outline = {inRepeat(*draft_.hovered, weave), weave.ends(), weave.picks(), ui.theme.accent};
   ViewportModel model;
-  model.picture = views_.picture(viewport_.width, viewport_.height, tone(), outline);
+  const int pictureWidth = shown ? shownWidth(*shown, viewport_.width, viewport_.height) : viewport_.width;
+  model.picture = views_.picture(pictureWidth, viewport_.height, tone(), outline);
+  model.pictureSize = ImVec2(static_cast<float>(pictureWidth), static_cast<float>(viewport_.height));
   lookUnderPointer();
   model.under = underPointer_;
   model.underYarn = underPointerYarn_;

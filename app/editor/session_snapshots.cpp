@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <utility>
 
 #include "app/editor/picture_label.h"
@@ -7,18 +8,26 @@
 
 namespace loomlight {
 
-/// Kept once there is a picture of the cloth itself.
+/// Kept once there is a picture of the cloth itself, and as long as it is seen, better and better.
 void Session::keepView() {
-  viewToKeep_ = document_.fabric();
+  viewToKeep_ = {document_.fabric(), tone(), {}, 0};
   followViewToKeep();
 }
 
 /// An edit that comes before the picture has taken its place.
 void Session::followViewToKeep() {
-  if (viewToKeep_ != document_.fabric()) viewToKeep_.reset();
-  if (!viewToKeep_) return;
-  if (views_.shows(viewToKeep_))
-    shelf_.keep(std::exchange(viewToKeep_, nullptr), displayPicture(*views_.frame(), tone()));
+  ViewToKeep& view = viewToKeep_;
+  if (view.fabric != document_.fabric()) view = {};
+  if (!view.fabric || !views_.shows(view.fabric)) return;
+  const Frame& frame = *views_.frame();
+  constexpr int kWorthIt = 2;  // times the samples, to be seen
+  if (view.id.empty())
+    view.id = shelf_.keep(view.fabric, displayPicture(frame, view.tone));
+  else if (frame.samples >= kWorthIt * std::max(1, view.samples))
+    shelf_.renew(view.id, displayPicture(frame, view.tone));
+  else
+    return;
+  view.samples = frame.samples;
 }
 
 /// Scale bar, caption and the size on paper, where they are wanted.

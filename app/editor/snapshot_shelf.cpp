@@ -68,9 +68,25 @@ void SnapshotShelf::add(KeptView view) {
   kept_.insert(place, std::move(kept));
 }
 
-void SnapshotShelf::keep(std::shared_ptr<const Fabric> fabric, Pixels8 picture) {
-  KeptView kept{ViewFolder::newId(), std::move(fabric), std::move(picture)};
+std::string SnapshotShelf::keep(std::shared_ptr<const Fabric> fabric, Pixels8 picture) {
+  const KeptView kept{ViewFolder::newId(), std::move(fabric), std::move(picture)};
   add(kept);
+  writeLater(kept);
+  while (kept_.size() > kBudget.views) remove(0);
+  return kept.id;
+}
+
+/// On a texture of its own: what is being compared stays as it is.
+void SnapshotShelf::renew(const std::string& id, Pixels8 picture) {
+  const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& k) { return k.view.id == id; });
+  if (found == kept_.end()) return;
+  found->view.picture = std::move(picture);
+  found->texture = std::make_shared<PictureTexture>();
+  found->texture->upload(found->view.picture);
+  writeLater(found->view);
+}
+
+void SnapshotShelf::writeLater(KeptView kept) {
   disk_.post([this, view = std::move(kept)] {
     std::string problem;
     try {
@@ -84,7 +100,6 @@ void SnapshotShelf::keep(std::shared_ptr<const Fabric> fabric, Pixels8 picture) 
     }
     wake_();
   });
-  while (kept_.size() > kBudget.views) remove(0);
 }
 
 void SnapshotShelf::remove(size_t index) {

@@ -25,7 +25,10 @@ class SnapshotShelf {
 
   /// Takes what has been read; once a frame.
   void follow();
-  void keep(std::shared_ptr<const Fabric> fabric, Pixels8 picture);
+  /// Returns what to renew() it by.
+  std::string keep(std::shared_ptr<const Fabric> fabric, Pixels8 picture);
+  /// With a better picture of the same, unless it has been removed meanwhile.
+  void renew(const std::string& id, Pixels8 picture);
   void remove(size_t index);
   /// Also while the first are still being read.
   bool empty() const { return kept_.empty() && awaited_ == 0; }
@@ -53,6 +56,7 @@ class SnapshotShelf {
   };
   void add(KeptView view);
   void readLater(const std::string& id);
+  void writeLater(KeptView view);
 
   static constexpr ViewFolder::Budget kBudget{};
   ViewFolder folder_;

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstdlib>
+
+#include "app/workers/area_sums.h"
 
 namespace loomlight {
 
@@ -22,17 +23,35 @@ Pixels8 displayPicture(const Frame& frame, const Tone& tone) {
 
 Pixels8 differencePicture(const Pixels8& first, const Pixels8& second) {
   assert(first.channels == 3 && second.channels == 3);
-  constexpr int kGain = 4;
-  Pixels8 difference{first.width, first.height, 3, std::vector<uint8_t>(first.bytes.size())};
-  for (int y = 0; y < first.height; ++y)
-    for (int x = 0; x < first.width; ++x) {
-      const int sx = x * second.width / first.width, sy = y * second.height / first.height;
-      const size_t at = 3 * (static_cast<size_t>(y) * static_cast<size_t>(first.width) + static_cast<size_t>(x));
-      const size_t there = 3 * (static_cast<size_t>(sy) * static_cast<size_t>(second.width) + static_cast<size_t>(sx));
-      for (size_t c = 0; c < 3; ++c)
-        difference.bytes[at + c] = static_cast<uint8_t>(
-            std::min(255, kGain * std::abs(int{first.bytes[at + c]} - int{second.bytes[there + c]})));
-    }
+  constexpr int kGain = 4, kReach = 2;  // of the average, pixels to each side
+  constexpr uint8_t kMiddleGrey = 118;
+  const int width = first.width, height = first.height;
+  const double ratio = static_cast<double>(second.height) / height;
+  std::vector<int> columns;  // of the second, for each of the first
+  for (int x = 0; x < width; ++x)
+    columns.push_back(static_cast<int>(std::floor((x + 0.5 - 0.5 * width) * ratio + 0.5 * second.width)));
+  const auto known = [&](int column) { return column >= 0 && column < second.width; };
+  const auto begin = static_cast<int>(std::find_if(columns.begin(), columns.end(), known) - columns.begin());
+  const auto end = static_cast<int>(columns.rend() - std::find_if(columns.rbegin(), columns.rend(), known));
+  Pixels8 difference{width, height, 3, std::vector<uint8_t>(first.bytes.size(), kMiddleGrey)};
+  for (size_t c = 0; c < 3; ++c) {
+    const auto channel = [c](const Pixels8& picture, int x, int y) {
+      const size_t pixel = static_cast<size_t>(y) * static_cast<size_t>(picture.width) + static_cast<size_t>(x);
+      return static_cast<double>(picture.bytes[3 * pixel + c]);
+    };
+    const AreaSums sums(width, height, [&](int x, int y) {
+      const int column = columns[static_cast<size_t>(x)], row = static_cast<int>((y + 0.5) * ratio);
+      return known(column) ? channel(first, x, y) - channel(second, column, row) : 0.0;
+    });
+    for (int y = 0; y < height; ++y)
+      for (int x = begin; x < end; ++x) {
+        const int left = std::max(begin, x - kReach), right = std::min(end, x + kReach + 1);
+        const int top = std::max(0, y - kReach), bottom = std::min(height, y + kReach + 1);
+        const double mean = sums.sum(left, top, right, bottom) / ((right - left) * (bottom - top));
+        const size_t pixel = static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x);
+        difference.bytes[3 * pixel + c] = static_cast<uint8_t>(std::min(255.0, std::round(kGain * std::abs(mean))));
+      }
+  }
   return difference;
 }
 

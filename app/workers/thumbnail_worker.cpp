@@ -5,11 +5,30 @@
 #include <optional>
 #include <utility>
 
-#include "render/film/tone.h"
+#include "app/workers/denoise.h"
+#include "app/workers/display_picture.h"
 #include "render/trace/make_medium.h"
 #include "render/trace/path_tracer.h"
 
 namespace loomlight {
+namespace {
+
+/// With less noise than its few samples leave.
+Pixels8 quietPicture(const Film& film, uint32_t samples) {
+  Frame frame;
+  frame.width = film.width();
+  frame.height = film.height();
+  film.toDisplayBuffer(frame.rgba);
+  for (int y = 0; y < frame.height; ++y)
+    for (int x = 0; x < frame.width; ++x) {
+      frame.hits.push_back(film.hit(x, y));
+      if (samples > 1) frame.variances.push_back(film.variance(x, y));
+    }
+  denoise(frame.rgba, {frame.hits, frame.variances}, frame.width, frame.height, 1);
+  return displayPicture(frame, Tone{});
+}
+
+}  // namespace
 
 ThumbnailWorker::ThumbnailWorker(std::function<void()> wake) : wake_(std::move(wake)) {
   thread_ = std::jthread([this](std::stop_token stop) { loop(stop); });
@@ -53,7 +72,7 @@ bool ThumbnailWorker::fulfil(const ThumbnailOrder& order, uint32_t samples, cons
     const CameraRays camera(order.fabric->camera, settings.width, settings.height);
     if (!renderUpTo(samples, *scene, *medium, camera, film, task).complete) return false;
     thumbnail->samples = samples;
-    thumbnail->picture = toPixels(film, Tone{});
+    thumbnail->picture = quietPicture(film, samples);
   } catch (const std::exception& e) {
     thumbnail->error = e.what();
   }

@@ -5,6 +5,7 @@
 
 #include "app/workers/patch.h"
 #include "app/workers/recolour.h"
+#include "app/workers/reframe.h"
 #include "render/trace/make_medium.h"
 
 namespace loomlight {
@@ -158,7 +159,7 @@ void Tracer::begin(Request request) {
   // On another drape the cloth may fill the picture as it did not before, or be slower to trace.
   const bool costsAlike = picture_ && picture_->scene().fabric->drape == request.cloth.scene->fabric->drape;
   const double secondsPerPath = costsAlike ? picture_->secondsPerPath() : 0;
-  if (clear_ && !(sameSize && differInCrossings(*clearFabric_, *request.cloth.scene->fabric))) clear_.reset();
+  if (clear_ && !clearServes(request)) clear_.reset();
   request_ = std::move(request);
   picturePending_.reset();
   dyed_.reset();
@@ -237,6 +238,21 @@ void Tracer::changeDenoising(bool wanted) {
   publish();
 }
 
+/// Whether the clear picture can stand where the new one is not as good yet.
+bool Tracer::clearServes(const Request& request) const {
+  const std::shared_ptr<const Fabric>& fabric = request.cloth.scene->fabric;
+  if (fabric == clearFabric_) return true;
+  const bool sameSize = request.width == clear_->width && request.height == clear_->height;
+  return sameSize && differInCrossings(*clearFabric_, *fabric);
+}
+
+/// The clear picture with what is new in this one.
+Frame Tracer::cleared(Frame fresh) const {
+  if (clear_->width != request_.width || clear_->height != request_.height)
+    return reframed(fresh, *clear_, request_.width, request_.height, threads_);
+  return patched(std::move(fresh), *clear_, request_.cloth.scene->fabric->weave, clearFabric_->weave);
+}
+
 /// Whether the clear picture was seen from the same place.
 bool Tracer::sameView(const Fabric& fabric) const {
   return clearFabric_ && clearFabric_->camera == fabric.camera && clearFabric_->drape == fabric.drape;
@@ -310,8 +326,7 @@ void Tracer::showPicture() {
   constexpr int kClear = 16;  // samples from which on a picture needs no help
   Frame frame = picture_->frame();
   if (clear_ && frame.samples < std::min(clear_->samples, kClear)) {
-    picturePending_ =
-        framed(patched(std::move(frame), *clear_, request_.cloth.scene->fabric->weave, clearFabric_->weave));
+    picturePending_ = framed(cleared(std::move(frame)));
     if (picturePending_->samples == 0) picture_->standIn(picturePending_);
     return;
   }

@@ -77,6 +77,8 @@ class Tracer {
   std::shared_ptr<const Frame> newestFrame() const;
   void beginPicture(double secondsPerPath);
   bool sameView(const Fabric& fabric) const;
+  bool clearServes(const Request& request) const;
+  Frame cleared(Frame fresh) const;
   void changeDenoising(bool wanted);
   bool worthShowing() const;
   std::shared_ptr<Frame> framed(Frame frame) const;
@@ -115,7 +117,8 @@ class Tracer {
   double varianceToBeat_ = 0;       ///< of it
   double spentBeforeLens_s_ = 0;    ///< on the picture, before the lens was opened
   double lensSecondsPerPath_ = 0;   ///< of the last lens
-  /// The last picture with samples at full resolution, and of what: while crossings alone change, its pixels stand in.
+  /// The last picture with samples at full resolution, and of what: while crossings alone change, or the viewport's
+  /// size, its pixels stand in.
   std::shared_ptr<const Frame> clear_;
   std::shared_ptr<const Fabric> clearFabric_;
   std::shared_ptr<const Frame> picturePending_;  ///< traced, not shown yet

@@ -23,6 +23,9 @@ def keep_two(editor):
     editor.wait_until("the view is kept", lambda: "snapshot.item_0" in editor.widgets())
     _, deviation = picture_statistics(editor.screenshot("kept", "snapshot.item_0"))
     expect(deviation > 0.03, f"the kept view is empty: {deviation}")
+    kept = editor.screenshot("kept", "snapshot.item_0")
+    editor.wait_until("it gets better with its picture",
+                      lambda: difference(kept, editor.screenshot("better", "snapshot.item_0")) > 0.002)
     editor.wait_for_picture()
     editor.click("tab.cloth")
     revision = editor.number("revision")

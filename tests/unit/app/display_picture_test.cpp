@@ -37,11 +37,26 @@ TEST(DisplayPicture, IsOfWhatWasTracedWhateverTheDisplayShows) {
 }
 
 TEST(DifferencePicture, IsBlackWhereTheyAreAlikeAndBrightensFourTimes) {
-  const Pixels8 a{2, 1, 3, {10, 20, 30, 200, 100, 0}}, b{2, 1, 3, {10, 25, 30, 100, 100, 0}};
-  EXPECT_EQ(differencePicture(a, a).bytes, std::vector<uint8_t>(6, 0));
-  EXPECT_EQ(differencePicture(a, b).bytes, (std::vector<uint8_t>{0, 20, 0, 255, 0, 0}));
-  const Pixels8 one{1, 1, 3, {10, 20, 30}};
-  EXPECT_EQ(differencePicture(a, one).bytes, (std::vector<uint8_t>{0, 0, 0, 255, 255, 120})) << "stretched over it";
+  const Pixels8 a{1, 1, 3, {10, 20, 200}}, b{1, 1, 3, {10, 25, 100}};
+  EXPECT_EQ(differencePicture(a, a).bytes, std::vector<uint8_t>(3, 0));
+  EXPECT_EQ(differencePicture(a, b).bytes, (std::vector<uint8_t>{0, 20, 255}));
+}
+
+TEST(DifferencePicture, IsOfMeansSoThatNoiseIsNoDifference) {
+  Pixels8 even{12, 12, 3, std::vector<uint8_t>(3 * 144, 100)}, noisy = even;
+  for (size_t i = 0; i < 144; ++i)
+    for (size_t c = 0; c < 3; ++c) noisy.bytes[3 * i + c] = static_cast<uint8_t>((i + i / 12) % 2 == 0 ? 120 : 80);
+  // Of 5 x 5 alternating pixels one is left over, at the edges none to two of fewer.
+  for (const uint8_t byte : differencePicture(even, noisy).bytes) EXPECT_LE(byte, 4 * 20 / 9 + 1);
+}
+
+TEST(DifferencePicture, LeavesGreyBesideANarrowerOneAndComparesHeights) {
+  const Pixels8 wide{6, 2, 3, std::vector<uint8_t>(36, 50)}, narrow{4, 4, 3, std::vector<uint8_t>(48, 60)};
+  const Pixels8 found = differencePicture(wide, narrow);
+  for (size_t y = 0; y < 2; ++y)
+    for (size_t x = 0; x < 6; ++x) EXPECT_EQ(found.bytes[3 * (6 * y + x)], x < 2 || x > 3 ? 118 : 40) << x << ", " << y;
+  const Pixels8 back = differencePicture(narrow, wide);
+  EXPECT_EQ(back.bytes, std::vector<uint8_t>(48, 40)) << "what the wider one shows beyond is not seen";
 }
 
 }  // namespace

@@ -88,5 +88,30 @@ TEST(Tracer, TheSamePictureBetterIsNeverCoarser) {
   EXPECT_TRUE(std::is_sorted(dividers.rbegin(), dividers.rend()));
 }
 
+TEST(Tracer, AnotherSizeOfTheViewportKeepsWhatWasSeen) {
+  Fabric fabric = test::whiteCotton();
+  fabric.render.resolution = 2;
+  const std::shared_ptr<const Scene> scene = test::sceneOf(fabric);
+  const std::shared_ptr<const Medium> medium = makeMedium(*scene, 1e9, Task{});
+  test::WorkerWindow window;
+  std::vector<int> dividers;  // the tracer's thread writes it until it is gone
+  {
+    std::function<std::shared_ptr<const Frame>()> newest;
+    Tracer tracer(
+        [&, wake = window.waker()] {
+          if (const auto frame = newest(); frame && frame->generation == 2) dividers.push_back(frame->divider);
+          wake();
+        },
+        1);
+    newest = [&] { return tracer.frame(); };
+    tracer.show({{scene, scene, medium}, kWidth, kHeight, 1});
+    ASSERT_TRUE(window.waitFor([&] { return tracer.frame() && tracer.frame()->samples > 1; }));
+    tracer.show({{scene, scene, medium}, 2 * kWidth, kHeight, 2});
+    ASSERT_TRUE(window.waitFor([&] { return tracer.frame()->generation == 2 && tracer.frame()->samples > 1; }));
+    EXPECT_EQ(tracer.frame()->width, 2 * kWidth);
+  }
+  EXPECT_EQ(std::count(dividers.begin(), dividers.end(), 1), std::ssize(dividers)) << "a coarse one is a step back";
+}
+
 }  // namespace
 }  // namespace loomlight
