@@ -44,7 +44,7 @@ bool BusyDialog::draw(Ui& ui, const std::optional<std::string>& text, bool canCa
     ImGui::Dummy(ImVec2(0, ui.px(8)));
     ImGui::SetCursorPosX(ImGui::GetWindowWidth() - ui.px(136));
     if (canCancel)
-      cancelled = button(ui, "busy.cancel", "Cancel", ui.px(120)) || modalCancelled();
+      cancelled = button(ui, "busy.cancel", "Cancel", ui.px(120)) || modalCancelled(ui);
     else
       ImGui::Dummy(ImVec2(ui.px(120), ImGui::GetFrameHeight()));  // the dialog keeps its size
     if (seen) ui.probe.fact("busy", text_);

@@ -111,7 +111,7 @@ std::optional<Fabric> ColourwaysDialog::actions(Ui& ui, const Fabric& fabric) {
     --chosen_;
   }
   ImGui::SameLine(ImGui::GetWindowWidth() - ui.px(16) - width);
-  if (button(ui, "colourways.close", "Close", width) || modalCancelled()) {
+  if (button(ui, "colourways.close", "Close", width) || modalCancelled(ui)) {
     open_ = false;
     ImGui::CloseCurrentPopup();
   }

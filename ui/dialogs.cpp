@@ -17,7 +17,6 @@ void MessageDialog::show(std::string title, std::string text, std::vector<std::s
 
 std::optional<int> MessageDialog::draw(Ui& ui) {
   if (!open_) return std::nullopt;
-  const bool begin = opening_;
   std::optional<int> answer;
   if (!beginModal(ui, (title_ + "##message").c_str(), ImVec2(ui.px(480), 0), open_, opening_)) return 0;
   ui.probe.fact("message", text_);
@@ -35,9 +34,8 @@ std::optional<int> MessageDialog::draw(Ui& ui) {
               ""))
       answer = i;
   }
-  // The key that brought the dialog up must not answer it.
-  if (!begin && modalCancelled()) answer = 0;
-  if (!begin && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false)) answer = enter_;
+  if (modalCancelled(ui)) answer = 0;
+  if (modalConfirmed(ui)) answer = enter_;
   if (answer) {
     open_ = false;
     ImGui::CloseCurrentPopup();

@@ -3,6 +3,8 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <cctype>
+#include <utility>
 
 #include "ui/fields.h"
 #include "ui/modal.h"
@@ -14,6 +16,7 @@ namespace {
 
 /// A folder with more than this is cut: the list must stay quick to make and to draw.
 constexpr size_t kMostEntries = 5000;
+constexpr float kPreviewWidth = 216;
 
 }  // namespace
 
@@ -24,6 +27,7 @@ void FileBrowser::show(Purpose purpose, std::string title, std::vector<std::stri
   extensions_ = std::move(extensions);
   places_ = std::move(places);
   open_ = opening_ = true;
+  filter_.clear();
   std::error_code ignored;
   if (fs::is_directory(start, ignored)) {
     enter(start);
@@ -62,6 +66,42 @@ void FileBrowser::enter(const fs::path& folder) {
   entries_ = std::move(found);
 }
 
+fs::path FileBrowser::named() const {
+  return folder_ / typed_;  // an absolute path stays what it is
+}
+
+bool FileBrowser::passes(const Entry& entry) const {
+  const auto same = [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); };
+  return std::search(entry.name.begin(), entry.name.end(), filter_.begin(), filter_.end(), same) != entry.name.end() ||
+         filter_.empty();
+}
+
+void FileBrowser::step(int direction) {
+  std::vector<const std::string*> files;
+  for (const Entry& entry : entries_)
+    if (!entry.folder && passes(entry)) files.push_back(&entry.name);
+  if (files.empty()) return;
+  const auto last = static_cast<int>(files.size()) - 1;
+  const auto now = std::find_if(files.begin(), files.end(), [&](const std::string* name) { return *name == typed_; });
+  const int next = now == files.end() ? (direction > 0 ? 0 : last) : static_cast<int>(now - files.begin()) + direction;
+  typed_ = *files[static_cast<size_t>(std::clamp(next, 0, last))];
+  toReplace_.clear();
+  reveals_ = true;
+}
+
+void FileBrowser::drawHead(Ui& ui) {
+  const float width = ui.px(kPreviewWidth), gap = ui.px(16), left = ImGui::GetCursorPosX();
+  const float path = ImGui::GetContentRegionAvail().x - width - gap;
+  ImGui::AlignTextToFramePadding();
+  ImGui::PushFont(ui.fonts.small);
+  ImGui::TextDisabled("%s", shortened(folder_.string(), path).c_str());
+  ImGui::PopFont();
+  ImGui::SameLine(left + path + gap);
+  ImGui::SetNextItemWidth(width);
+  ImGui::InputTextWithHint("##filter", "Show only names with\xE2\x80\xA6", &filter_);
+  ui.probe.recordItem("browser.filter");
+}
+
 void FileBrowser::drawPlaces(Ui& ui, float width, float height) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(8), ImGui::GetStyle().WindowPadding.y));
   ImGui::BeginChild("places", ImVec2(width, height), false, ImGuiWindowFlags_AlwaysUseWindowPadding);
@@ -73,18 +113,27 @@ void FileBrowser::drawPlaces(Ui& ui, float width, float height) {
   if (chosen) enter(*chosen);
 }
 
-bool FileBrowser::drawEntries(Ui& ui, float height) {
+bool FileBrowser::drawEntries(Ui& ui, float width, float height) {
   ImGui::PushStyleColor(ImGuiCol_ChildBg, ui.theme.field);
-  ImGui::BeginChild("entries", ImVec2(0, height), false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+  ImGui::BeginChild("entries", ImVec2(width, height), false, ImGuiWindowFlags_AlwaysUseWindowPadding);
   bool decided = false;
   std::optional<fs::path> into;
   if (folder_.has_parent_path() && folder_ != folder_.root_path() && ImGui::Selectable("\xE2\x86\x91  Up"))
     into = folder_.parent_path();
+  std::vector<const Entry*> shown;
+  for (const Entry& entry : entries_)
+    if (passes(entry)) shown.push_back(&entry);
+  if (std::exchange(reveals_, false)) {
+    const auto at = std::find_if(shown.begin(), shown.end(), [&](const Entry* entry) { return entry->name == typed_; });
+    const float row = ImGui::GetTextLineHeightWithSpacing();
+    ImGui::SetScrollFromPosY(ImGui::GetCursorStartPos().y + row * static_cast<float>(1 + at - shown.begin()) -
+                             ImGui::GetScrollY());
+  }
   ImGuiListClipper clipper;
-  clipper.Begin(static_cast<int>(entries_.size()));
+  clipper.Begin(static_cast<int>(shown.size()));
   while (clipper.Step()) {
     for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-      const Entry& entry = entries_[static_cast<size_t>(i)];
+      const Entry& entry = *shown[static_cast<size_t>(i)];
       const std::string label = entry.folder ? entry.name + "/" : entry.name;
       if (ImGui::Selectable(label.c_str(), !entry.folder && entry.name == typed_,
                             ImGuiSelectableFlags_AllowDoubleClick)) {
@@ -98,7 +147,7 @@ bool FileBrowser::drawEntries(Ui& ui, float height) {
       }
     }
   }
-  if (entries_.empty()) hint(ui, "Nothing here that this dialog can use.");
+  if (shown.empty()) hint(ui, entries_.empty() ? "Nothing here that this dialog can use." : "Nothing is called that.");
   ImGui::EndChild();
   ImGui::PopStyleColor();
   if (into) enter(*into);
@@ -110,7 +159,7 @@ std::optional<std::string> FileBrowser::decide(bool mayReplace) {
     problem_ = "Type a name, or choose a file.";
     return std::nullopt;
   }
-  fs::path file = fs::path(typed_).is_absolute() ? fs::path(typed_) : folder_ / typed_;
+  fs::path file = named();
   std::error_code error;
   if (fs::is_directory(file, error)) {
     enter(file);
@@ -130,34 +179,54 @@ std::optional<std::string> FileBrowser::decide(bool mayReplace) {
   return file.string();
 }
 
-std::optional<std::string> FileBrowser::draw(Ui& ui) {
-  const bool begin = opening_;
-  if (!open_ || !beginModal(ui, title_.c_str(), ImVec2(ui.px(760), ui.px(520)), open_, opening_)) return std::nullopt;
-  const float row = ImGui::GetFrameHeightWithSpacing();
-  ImGui::PushFont(ui.fonts.small);
-  ImGui::TextDisabled("%s", shortened(folder_.string(), ImGui::GetContentRegionAvail().x).c_str());
-  ImGui::PopFont();
-  const float height = ImGui::GetContentRegionAvail().y - 3 * row;
-  drawPlaces(ui, ui.px(160), height);
-  ImGui::SameLine();
-  bool decided = drawEntries(ui, height);
+void FileBrowser::drawName(Ui& ui, bool begin, bool& decided) {
   ImGui::SetNextItemWidth(-1);
   if (begin) ImGui::SetKeyboardFocusHere();
   const std::string before = typed_;
-  decided |= ImGui::InputTextWithHint("##name", "File name or path", &typed_, ImGuiInputTextFlags_EnterReturnsTrue);
+  // The arrows go through the list from where the name is typed.
+  const auto onArrow = [](ImGuiInputTextCallbackData* data) {
+    if (data->EventFlag != ImGuiInputTextFlags_CallbackHistory) return 0;
+    FileBrowser& browser = *static_cast<FileBrowser*>(data->UserData);
+    const std::string typed(data->Buf, static_cast<size_t>(data->BufTextLen));
+    browser.typed_ = typed;
+    browser.step(data->EventKey == ImGuiKey_UpArrow ? -1 : 1);
+    data->DeleteChars(0, data->BufTextLen);
+    data->InsertChars(0, browser.typed_.c_str());
+    return 0;
+  };
+  std::string text = typed_;
+  decided |= ImGui::InputTextWithHint("##name", "File name or path", &text,
+                                      ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackHistory,
+                                      onArrow, this);
+  typed_ = text;
   if (typed_ != before) toReplace_.clear();
   ui.probe.recordItem("browser.name");
+}
+
+std::optional<std::string> FileBrowser::draw(Ui& ui, const FilePreview& preview) {
+  const bool begin = opening_;
+  if (!open_ || !beginModal(ui, title_.c_str(), ImVec2(ui.px(960), ui.px(560)), open_, opening_)) return std::nullopt;
+  drawHead(ui);
+  const float row = ImGui::GetFrameHeightWithSpacing(), gap = ui.px(16);
+  const float height = ImGui::GetContentRegionAvail().y - 3 * row;
+  drawPlaces(ui, ui.px(160), height);
+  ImGui::SameLine();
+  bool decided = drawEntries(ui, ImGui::GetContentRegionAvail().x - ui.px(kPreviewWidth) - gap, height);
+  ImGui::SameLine(0, gap);
+  drawFilePreview(ui, preview, ui.px(kPreviewWidth), height);
+  drawName(ui, begin, decided);
   ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.warning);
   ImGui::TextUnformatted(problem_.empty() ? " " : shortened(problem_, ImGui::GetContentRegionAvail().x).c_str());
   ImGui::PopStyleColor();
   const float width = ui.px(112);
   ImGui::SetCursorPosX(ImGui::GetWindowWidth() - 2 * width - ui.px(24));
-  bool close = button(ui, "browser.cancel", "Cancel", width) || modalCancelled();
+  const bool close = button(ui, "browser.cancel", "Cancel", width) || modalCancelled(ui);
   ImGui::SameLine();
   const char* does = purpose_ == Purpose::open ? "Open" : toReplace_.empty() ? "Save" : "Replace";
   const bool pressed = mainButton(ui, "browser.ok", does, width);
+  decided |= modalConfirmed(ui);
   std::optional<std::string> file;
-  if (decided || pressed) file = decide(pressed);
+  if (!close && (decided || pressed)) file = decide(pressed);
   if (file || close) {
     open_ = false;
     ImGui::CloseCurrentPopup();

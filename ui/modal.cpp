@@ -7,7 +7,8 @@
 namespace loomlight {
 
 bool beginModal(Ui& ui, const char* title, ImVec2 size, bool& open, bool& opening) {
-  if (std::exchange(opening, false)) ImGui::OpenPopup(title);
+  const bool opensNow = std::exchange(opening, false);  // the key that brings a dialog up must not answer it
+  if (opensNow) ImGui::OpenPopup(title);
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const float edge = ui.px(24);
   size.x = std::min(size.x, screen.x - 2 * edge);
@@ -18,6 +19,8 @@ bool beginModal(Ui& ui, const char* title, ImVec2 size, bool& open, bool& openin
                                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                                     ImGuiWindowFlags_NoSavedSettings);
   if (!open) return false;
+  // As it is before the fields answer to the keys of this frame.
+  ui.memory.keysAreTaken = ui.memory.typing != 0 || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId) || opensNow;
   const std::string text(title);
   heading(ui, text.substr(0, text.find("##")).c_str());
   ImGui::Dummy(ImVec2(0, ui.px(4)));
@@ -28,14 +31,20 @@ void endModal() {
   ImGui::EndPopup();
 }
 
-bool modalCancelled() {
-  return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false) && !ImGui::GetIO().WantTextInput;
+bool modalCancelled(const Ui& ui) {
+  return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false) && !ui.memory.keysAreTaken;
+}
+
+bool modalConfirmed(const Ui& ui) {
+  const bool enter = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false) ||
+                     ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter), false);
+  return enter && !ui.memory.keysAreTaken && !ImGui::GetIO().WantTextInput;
 }
 
 bool closedBelow(Ui& ui, const char* id) {
   ImGui::Dummy(ImVec2(0, ui.px(4)));
   ImGui::SetCursorPosX(ImGui::GetWindowWidth() - ui.px(136));
-  const bool closed = button(ui, id, "Close", ui.px(120)) || modalCancelled();
+  const bool closed = button(ui, id, "Close", ui.px(120)) || modalCancelled(ui) || modalConfirmed(ui);
   if (closed) ImGui::CloseCurrentPopup();
   return closed;
 }

@@ -9,8 +9,11 @@ namespace loomlight {
 /// scope; when false it has been closed, and `open` says so.
 bool beginModal(Ui& ui, const char* title, ImVec2 size, bool& open, bool& opening);
 void endModal();
-/// Escape, outside of a text field.
-bool modalCancelled();
+/// Escape, unless a list that is open in the dialog or a number that is being typed takes it. In a line of text, which
+/// it leaves, it closes the dialog all the same.
+bool modalCancelled(const Ui& ui);
+/// Enter, outside of a text or a list: the button that stands out.
+bool modalConfirmed(const Ui& ui);
 /// The last line of a dialog: its button, or Escape. True when it closes.
 bool closedBelow(Ui& ui, const char* id);
 

@@ -135,10 +135,11 @@ std::optional<PictureOrder> PictureDialog::draw(Ui& ui) {
   ui.probe.fact("picture.state", !source_ ? "reading" : weaving_ ? "weaving" : "ready");
   const float width = ui.px(120);
   ImGui::SetCursorPosX(ImGui::GetWindowWidth() - 2 * width - ui.px(24));
-  const bool cancelled = button(ui, "picture.close", "Cancel", width) || modalCancelled();
+  const bool cancelled = button(ui, "picture.close", "Cancel", width) || modalCancelled(ui);
   ImGui::SameLine();
-  const bool weaves =
-      mainButton(ui, "picture.weave", weaving_ ? "Weaving\xE2\x80\xA6" : "Weave", width, source_ && !weaving_);
+  const bool canWeave = source_ && !weaving_;
+  const bool weaves = mainButton(ui, "picture.weave", weaving_ ? "Weaving\xE2\x80\xA6" : "Weave", width, canWeave) ||
+                      (canWeave && modalConfirmed(ui));
   if (cancelled || std::exchange(closing_, false)) {
     open_ = false;
     ImGui::CloseCurrentPopup();

@@ -129,7 +129,7 @@ void PresetBrowser::actions(Ui& ui, const std::vector<PresetCard>& cards, const 
   ImGui::SameLine();
   if (button(ui, "presets.undo", "Undo", width, !lastChange.empty(), lastChange.c_str())) edit.undo = true;
   ImGui::SameLine(ImGui::GetWindowWidth() - ui.px(16) - width);
-  if (button(ui, "presets.close", "Close", width) || modalCancelled() || edit.use) {
+  if (button(ui, "presets.close", "Close", width) || modalCancelled(ui) || edit.use) {
     open_ = false;
     ImGui::CloseCurrentPopup();
   }

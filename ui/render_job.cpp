@@ -38,10 +38,11 @@ RenderJobAnswer renderJobRows(Ui& ui, const std::string& dialog, const RenderJob
   const float width = ui.px(120);
   ImGui::SetCursorPosX(ImGui::GetWindowWidth() - 2 * width - ui.px(24));
   const bool dismiss =
-      button(ui, (dialog + ".close").c_str(), job.running ? "Cancel" : "Close", width) || modalCancelled();
+      button(ui, (dialog + ".close").c_str(), job.running ? "Cancel" : "Close", width) || modalCancelled(ui);
   ImGui::SameLine();
-  answer.start = mainButton(ui, (dialog + ".start").c_str(), replaces ? "Replace" : "Render", width,
-                            !job.running && !file.empty());
+  const bool canStart = !job.running && !file.empty();
+  answer.start = mainButton(ui, (dialog + ".start").c_str(), replaces ? "Replace" : "Render", width, canStart);
+  answer.start |= canStart && !replaces && modalConfirmed(ui);  // what is there goes by the button alone, which says so
   (job.running ? answer.cancel : answer.close) = dismiss;
   return answer;
 }

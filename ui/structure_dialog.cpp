@@ -120,12 +120,12 @@ std::optional<MadeStructure> StructureDialog::draw(Ui& ui, const std::optional<C
   ImGui::EndChild();
   const float width = ui.px(120);
   ImGui::SetCursorPosX(ImGui::GetWindowWidth() - 2 * width - ui.px(24));
-  if (button(ui, "structures.close", "Close", width) || modalCancelled()) {
+  if (button(ui, "structures.close", "Close", width) || modalCancelled(ui)) {
     open_ = false;
     ImGui::CloseCurrentPopup();
   }
   ImGui::SameLine();
-  apply |= mainButton(ui, "structures.apply", "Apply", width, made_.problem.empty());
+  apply |= mainButton(ui, "structures.apply", "Apply", width, made_.problem.empty()) || modalConfirmed(ui);
   endModal();
   if (!apply || !made_.problem.empty()) return std::nullopt;
   return made_;

@@ -22,6 +22,7 @@ struct FieldMemory {
   ImGuiID scrubbing = 0;
   double scrubValue = 0;  ///< unrounded
   bool scrubMoved = false;
+  bool keysAreTaken = false;  ///< Escape and Enter are not for the dialog in this frame
   ImGuiID restingOn = 0;
   double restingSince = 0;
 };

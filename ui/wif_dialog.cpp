@@ -34,6 +34,31 @@ void sizeRows(Ui& ui, const WifDialog::Content& content, WifSizeChoice chosen) {
   row("Weft yarn", &WifSett::weftDiameter_mm, "mm", 2);
 }
 
+/// Each with its place in the file below it.
+void warningRows(Ui& ui, const std::vector<WifWarning>& warnings) {
+  ImGui::Dummy(ImVec2(0, ui.px(4)));
+  heading(ui, warnings.size() == 1 ? "One thing in the file was read as it was probably meant"
+                                   : "Some things in the file were read as they were probably meant");
+  const ImVec2 spacing = ImGui::GetStyle().ItemSpacing;
+  const float inner = ImGui::GetContentRegionAvail().x - ui.px(24);
+  float height = ui.px(16);
+  for (const WifWarning& warning : warnings)
+    height += ImGui::CalcTextSize(warning.sentence.c_str(), nullptr, false, inner).y +
+              (warning.place.empty() ? 1.0f : 2.5f) * ImGui::GetTextLineHeightWithSpacing();
+  ImGui::PushStyleColor(ImGuiCol_ChildBg, ui.theme.field);
+  ImGui::BeginChild("wif.warnings", ImVec2(0, std::min(height, ui.px(200))), false,
+                    ImGuiWindowFlags_AlwaysUseWindowPadding);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(spacing.x, ui.px(2)));
+  for (const WifWarning& warning : warnings) {
+    ImGui::TextWrapped("%s", warning.sentence.c_str());
+    if (!warning.place.empty()) hint(ui, warning.place);
+    ImGui::Dummy(ImVec2(0, ui.px(6)));
+  }
+  ImGui::PopStyleVar();
+  ImGui::EndChild();
+  ImGui::PopStyleColor();
+}
+
 bool says(const WifSett& sett) {
   return sett.ends_per_cm || sett.picks_per_cm || sett.warpDiameter_mm || sett.weftDiameter_mm;
 }
@@ -67,21 +92,16 @@ std::optional<WifSizeChoice> WifDialog::draw(Ui& ui) {
       changed = sizes_;
     }
     sizeRows(ui, content_, sizes_);
+    // Laid out even when it does not count, so that the dialog keeps its size.
+    ImVec4 ink = ui.theme.warning;
+    if (sizes_ == WifSizeChoice::keep) ink.w = 0;
+    for (const WifWarning& warning : content_.beyond) hint(ui, warning.sentence, ink);
   }
-  if (!content_.warnings.empty()) {
-    heading(ui, "Read otherwise than it is written");
-    ImGui::BeginChild("wif.warnings", ImVec2(0, ui.px(150)));
-    for (const std::string& warning : content_.warnings) {
-      ImGui::Bullet();
-      ImGui::SameLine();
-      ImGui::TextWrapped("%s", warning.c_str());
-    }
-    ImGui::EndChild();
-  }
+  if (!content_.warnings.empty()) warningRows(ui, content_.warnings);
   ui.probe.fact("wif.warnings", std::to_string(content_.warnings.size()));
   ImGui::Dummy(ImVec2(0, ui.px(4)));
   ImGui::SetCursorPosX(ImGui::GetWindowWidth() - ui.px(136));
-  if (button(ui, "wif.close", "Close", ui.px(120)) || modalCancelled() || closing_) {
+  if (mainButton(ui, "wif.close", "Close", ui.px(120)) || modalCancelled(ui) || modalConfirmed(ui) || closing_) {
     open_ = false;
     ImGui::CloseCurrentPopup();
   }

@@ -15,7 +15,8 @@ class WifDialog {
   struct Content {
     std::string summary;  ///< what was opened, in a line or two
     WifSett file, mine;
-    std::vector<std::string> warnings;
+    std::vector<WifWarning> beyond;    ///< what the file's sizes ask for and the cloth cannot have
+    std::vector<WifWarning> warnings;  ///< what is wrong in the file
   };
   void show(Content content);
   bool isOpen() const { return open_; }

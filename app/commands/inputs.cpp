@@ -18,8 +18,13 @@ FabricInput readInput(const std::string& file, WifSizeChoice sizes) {
   if (extension == ".exr") return {fabricOfPicture(file), {}};
   if (isWeavingFile(file)) {
     WifImport import = readWifFabric(file, Fabric{}, sizes);
-    for (std::string& warning : import.warnings) warning = fmt::format("{}: {}", file, warning);
-    return {std::move(import.fabric), std::move(import.warnings)};
+    std::vector<std::string> warnings;
+    for (const WifWarning& warning : import.warnings)
+      warnings.push_back(fmt::format("{}: {}", file, inOneLine(warning)));
+    if (sizes == WifSizeChoice::keep)
+      for (const WifWarning& warning : otherWifSizes(import.fabric))
+        warnings.push_back(fmt::format("{}: {}", file, inOneLine(warning)));
+    return {std::move(import.fabric), std::move(warnings)};
   }
   if (extension == ".png") {
     Fabric fabric;

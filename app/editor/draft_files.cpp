@@ -60,11 +60,14 @@ void Session::run(DraftCommand command) {
   }
 }
 
-void Session::weavingOpened(Fabric fabric, const std::string& file, std::vector<std::string> warnings) {
+void Session::weavingOpened(Fabric fabric, const std::string& file, std::vector<WifWarning> warnings) {
   startOver(Document(std::move(fabric)));
   wifKept_ = document_.fabric();
   remember(file);
-  wifDialog_.show({summaryOf(*wifKept_), wifSett(*wifKept_), settOf(*wifKept_), std::move(warnings)});
+  std::vector<WifWarning> beyond;
+  withWifSizes(*wifKept_, beyond);
+  wifDialog_.show(
+      {summaryOf(*wifKept_), wifSett(*wifKept_), settOf(*wifKept_), std::move(beyond), std::move(warnings)});
 }
 
 void Session::openPicture(const std::string& file) {
@@ -140,8 +143,9 @@ void Session::exportTo(FileTask task, const std::string& file) {
 }
 
 void Session::drawStructures(Ui& ui) {
-  const std::vector<ImVec4> colours = yarnColours(*document_.fabric());
-  const ImVec4 darkLight[2] = {colours.front(), colours.size() > 1 ? colours[1] : colours.front()};
+  if (!structures_.isOpen()) return;
+  const std::vector<ImVec4> colours = yarnColours(withSecondYarn(*document_.fabric()));
+  const ImVec4 darkLight[2] = {colours[0], colours[1]};
   const auto structure = structures_.draw(ui, draft_.selection, darkLight);
   if (!structure) return;
   takeWeave(withStructure(*document_.fabric(), draft_.selection, *structure, settings_.draft.loom));
@@ -173,9 +177,8 @@ void Session::drawDraftDialogs(Ui& ui) {
   drawPicture(ui);
   const auto sizes = wifDialog_.draw(ui);
   if (!sizes) return;
-  std::vector<std::string> beyond;
-  edit(*sizes == WifSizeChoice::file ? withWifSizes(*wifKept_, beyond) : *wifKept_);
-  for (const std::string& warning : beyond) refusal_ = warning;
+  std::vector<WifWarning> said;  // the dialog has them already
+  edit(*sizes == WifSizeChoice::file ? withWifSizes(*wifKept_, said) : *wifKept_);
 }
 
 }  // namespace loomlight

@@ -41,7 +41,7 @@ void FileDesk::open(Work work, std::string file, std::shared_ptr<const Fabric> m
     if (isWeavingFile(file)) {
       WifImport import = readWifFabric(file, *mine, WifSizeChoice::keep);
       result.fabric = std::move(import.fabric);
-      result.remarks = std::move(import.warnings);
+      result.warnings = std::move(import.warnings);
     } else {
       result.fabric = readFabric(file);
     }

@@ -12,6 +12,7 @@
 #include "app/workers/mailbox.h"
 #include "app/workers/task_queue.h"
 #include "core/fabric/fabric.h"
+#include "core/fabric/wif_warnings.h"
 
 namespace loomlight {
 
@@ -50,7 +51,8 @@ class FileDesk {
     Work work = Work::open;
     std::string file;
     std::optional<Fabric> fabric;      ///< that was read
-    std::vector<std::string> remarks;  ///< about what was read or written
+    std::vector<WifWarning> warnings;  ///< about the weaving file that was read
+    std::vector<std::string> remarks;  ///< about what was written
     std::string problem;               ///< why it was not; empty when all went well
     bool cancelled = false;            ///< and the file is as it was
     uint64_t state = 0;

@@ -7,12 +7,9 @@
 #include <utility>
 
 #include "core/fabric/draft_edit.h"
-#include "render/film/image.h"
 
 namespace loomlight {
-namespace {
 
-/// On white where it is transparent, as a picture is seen on paper.
 Raster rasterOf(const Pixels8& pixels) {
   Raster raster{pixels.width, pixels.height, {}};
   const auto channels = static_cast<size_t>(pixels.channels);
@@ -26,6 +23,8 @@ Raster rasterOf(const Pixels8& pixels) {
   }
   return raster;
 }
+
+namespace {
 
 /// Null where it is no longer wanted.
 std::shared_ptr<const PictureSource> sourceOf(const std::string& file, const std::function<bool()>& stillWanted) {

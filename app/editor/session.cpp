@@ -17,6 +17,7 @@ Session::Session(Document document, Settings settings, std::function<void()> wak
       shelf_(viewFolder(), wake_),
       presetDesk_(presetFolder(), wake_),
       views_(wake_, threads),
+      previews_(wake_),
       files_(wake_),
       pictures_(wake_) {
   hints_.wanted = !settings_.hintsSeen;

@@ -13,6 +13,7 @@
 #include "app/editor/colour_desk.h"
 #include "app/editor/document.h"
 #include "app/editor/file_desk.h"
+#include "app/editor/file_preview_desk.h"
 #include "app/editor/picture_desk.h"
 #include "app/editor/preset_desk.h"
 #include "app/editor/preset_store.h"
@@ -142,7 +143,7 @@ class Session {
   void fileChosen(const std::string& file);
 
   // draft_files.cpp: drafts and weaves from files and into them
-  void weavingOpened(Fabric fabric, const std::string& file, std::vector<std::string> warnings);
+  void weavingOpened(Fabric fabric, const std::string& file, std::vector<WifWarning> warnings);
   void openPicture(const std::string& file);
   void drawPicture(Ui& ui);
   void exportTo(FileTask task, const std::string& file);
@@ -190,6 +191,7 @@ class Session {
   ViewportView viewport_;
   InspectorView inspector_;
   FileBrowser browser_;
+  FilePreviewDesk previews_;
   BusyDialog busyDialog_;
   MessageDialog message_;
   SnapshotDialog snapshotDialog_;

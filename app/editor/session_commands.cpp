@@ -239,7 +239,8 @@ void Session::drawDialogs(Ui& ui) {
   openDropped();
   // The browser stands in for the snapshot dialog while it names its file.
   if (!browser_.isOpen() && snapshotDialog_.isOpen()) drawSnapshot(ui);
-  if (const auto file = browser_.draw(ui)) fileChosen(*file);
+  if (browser_.isOpen())
+    if (const auto file = browser_.draw(ui, previews_.of(browser_.chosen()))) fileChosen(*file);
   if (!browser_.isOpen() && !message_.isOpen() && !files_.busy())
     afterwards_ = Afterwards::nothing;  // no file was named
   drawBusy(ui);

@@ -110,7 +110,7 @@ void Session::fileDone(FileDesk::Result result) {
         return leaveFor(Afterwards::open);
       }
       if (isWeavingFile(result.file))
-        return weavingOpened(std::move(*result.fabric), result.file, std::move(result.remarks));
+        return weavingOpened(std::move(*result.fabric), result.file, std::move(result.warnings));
       startOver(Document(std::move(*result.fabric), result.file));
       return remember(result.file);
     case Work::takeUp:
@@ -155,6 +155,7 @@ fs::path Session::fileCalledAsCloth(const std::string& ending) const {
 
 void Session::browse(FileTask task) {
   fileTask_ = task;
+  previews_.forget();  // files change between two looks at them
   const fs::path folder = folderToLookIn();
   const std::vector<FileBrowser::Place> places = {
       {"Home", homeFolder()}, {"Presets", presetFolder()}, {"Computer", "/"}};

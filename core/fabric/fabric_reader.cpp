@@ -246,8 +246,8 @@ WifRest readWifLines(const json& value, const std::string& source, const Place& 
     place.reject(fmt::format("at most {} bytes", kMaxWifBytes), fmt::format("{}", text.size()));
   WifWarnings warnings;
   WifRest rest = readWifRest(parseWifSections(text, fmt::format("{}: {}", source, place.path()), warnings), warnings);
-  const std::vector<std::string> complaints = warnings.list();
-  if (!complaints.empty()) place.reject("lines as in a weaving file", complaints.front());
+  const std::vector<WifWarning> complaints = warnings.list();
+  if (!complaints.empty()) place.reject("lines as in a weaving file", inOneLine(complaints.front()));
   return rest;
 }
 

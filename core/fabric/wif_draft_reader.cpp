@@ -40,7 +40,8 @@ class DraftReader {
     draft.shafts = kinds("Shafts", largest(draft.threading, draft.tieUp, draft.liftplan));
     draft.risingShed = risingShed();
 
-    if (!threading) warnings_.add("THREADING", "is missing; no end hangs on a shaft, nothing is lifted");
+    if (!threading)
+      warnings_.add(0, "THREADING", "", "There is no threading: no end hangs on a shaft, and nothing is lifted.");
     if (!lifted) noteMissing(draft, trodden);
     validateDraft(draft, Place(source_));
     if (lifted && trodden) noteDisagreement(draft);
@@ -48,31 +49,28 @@ class DraftReader {
   }
 
  private:
-  /// A whole number of a section's key, if there is one.
-  std::optional<int> stated(const char* section, const char* key) {
+  const WifEntry* find(const char* section, const char* key) {
     const WifSection* const found = sections_.find(section);
-    const WifEntry* const entry = found ? found->find(lowerCase(key)) : nullptr;
-    if (!entry) return std::nullopt;
-    const std::optional<int> number = wifWhole(entry->value);
-    if (!number) warnings_.add(entry->line, section, said(*entry), "a whole number", "it is passed over");
-    return number;
+    return found ? found->find(lowerCase(key)) : nullptr;
   }
 
   static std::string said(const WifEntry& entry) { return fmt::format("{}={}", entry.key, entry.value.substr(0, 40)); }
 
   /// How many threads a system has: what Threads= says, or else as many as the lines of the draft name.
   int threads(const char* system, const WifSection* draft, const char* colours) {
-    const std::optional<int> number = stated(system, "Threads");
-    if (number && *number >= 1 && *number <= Weave::kMaxSide) return *number;
+    const WifEntry* const entry = find(system, "Threads");
+    const int number = entry ? wifWhole(entry->value).value_or(0) : 0;
+    if (number >= 1 && number <= Weave::kMaxSide) return number;
     int listed = largestKey(draft);
     if (listed == 0) listed = largestKey(sections_.find(colours));
     const bool tooMany = draft && draft->entries.size() > static_cast<size_t>(Weave::kMaxSide);
     if (listed == 0 || tooMany)
       throw InputError(fmt::format("{}: [{}] Threads: expected from 1 to {} threads, got {}", source_, system,
-                                   Weave::kMaxSide, number ? fmt::format("{}", *number) : "none"));
-    warnings_.add(system, fmt::format("Threads={}: expected from 1 to {}; it is taken as {}, which is as far as the "
-                                      "lines of the draft go",
-                                      number ? fmt::format("{}", *number) : "", Weave::kMaxSide, listed));
+                                   Weave::kMaxSide, entry ? plainText(entry->value) : "none"));
+    warnings_.add(entry ? entry->line : 0, system, entry ? said(*entry) : "Threads",
+                  fmt::format("The number of threads should stand here, 1 to {}; there are {}, which is as far as the "
+                              "lines of the draft go.",
+                              Weave::kMaxSide, listed));
     return listed;
   }
 
@@ -93,7 +91,8 @@ class DraftReader {
       ++named;
     });
     if (section && named < count)
-      warnings_.add(section->name, fmt::format("names {} of {} {}s; the others are taken as 0", named, count, what));
+      warnings_.add(0, section->name, "",
+                    fmt::format("Only {} of {} {}s are named; the others are left empty.", named, count, what));
     return all;
   }
 
@@ -103,12 +102,14 @@ class DraftReader {
     const size_t comment = entry.value.find(';');
     if (comment != std::string::npos && comment + 1 < entry.value.size() &&
         std::isdigit(static_cast<unsigned char>(entry.value[comment + 1])))
-      warnings_.add(entry.line, section.name, said(entry), "commas in a list", "what is behind the ; is a comment");
+      warnings_.add(entry.line, section.name, said(entry),
+                    "What stands behind a semicolon is a comment; numbers of a list are parted by commas.");
     for (const std::string_view part : wifList(entry.value)) {
       const std::optional<int> number = wifWhole(part);
       if (!number || *number < 0 || *number > mostShafts()) {
-        warnings_.add(entry.line, section.name, said(entry), fmt::format("{}s from 0 to {}", kind, mostShafts()),
-                      "others are passed over");
+        warnings_.add(
+            entry.line, section.name, said(entry),
+            fmt::format("There can be {}s 1 to {}, or 0 for none; others are passed over.", kind, mostShafts()));
       } else if (*number > 0) {
         numbers.push_back(*number);
       }
@@ -131,8 +132,9 @@ class DraftReader {
       std::vector<int>& pressed = draft.treadling[pick];
       const auto first = std::upper_bound(pressed.begin(), pressed.end(), draft.treadles);
       if (first == pressed.end()) continue;
-      warnings_.add(0, "TREADLING", fmt::format("pick {}, treadle {}", pick + 1, *first),
-                    fmt::format("at most {}", draft.treadles), "that treadle is tied to nothing and passed over");
+      warnings_.add(
+          0, "TREADLING", fmt::format("pick {}, treadle {}", pick + 1, *first),
+          fmt::format("There are {} treadles; one beyond them is tied to nothing and passed over.", draft.treadles));
       pressed.erase(first, pressed.end());
     }
   }
@@ -147,10 +149,15 @@ class DraftReader {
 
   /// How many shafts or treadles: as stated in [WEAVING], but no fewer than `used`.
   int kinds(const char* key, int used) {
-    const std::optional<int> number = stated("WEAVING", key);
-    if (number && *number >= used && *number <= mostShafts()) return *number;
-    warnings_.add("WEAVING", fmt::format("{}={}: expected from {} to {}; it is taken as {}, which the draft uses", key,
-                                         number ? fmt::format("{}", *number) : "", used, mostShafts(), used));
+    const WifEntry* const entry = find("WEAVING", key);
+    constexpr int kNone = -1;
+    const int number = entry ? wifWhole(entry->value).value_or(kNone) : kNone;
+    if (number >= used && number <= mostShafts()) return number;
+    const std::string counted = lowerCase(key);
+    std::string sentence = fmt::format("It is not said how many {} there are; the draft uses {}.", counted, used);
+    if (entry) sentence = fmt::format("The number of {} should stand here; the draft uses {}.", counted, used);
+    if (number != kNone) sentence = fmt::format("As many {} do not fit this draft; it uses {}.", counted, used);
+    warnings_.add(entry ? entry->line : 0, "WEAVING", entry ? said(*entry) : key, sentence);
     return used;
   }
 
@@ -158,16 +165,19 @@ class DraftReader {
     const WifSection* const weaving = sections_.find("WEAVING");
     const WifEntry* const entry = weaving ? weaving->find("rising shed") : nullptr;
     const std::optional<bool> rising = entry ? wifBoolean(entry->value) : std::nullopt;
-    if (entry && !rising) warnings_.add(entry->line, "WEAVING", said(*entry), "true or false", "the shed rises");
-    if (!entry) warnings_.add("WEAVING", "does not say whether the shed rises; it is taken as rising");
+    if (entry && !rising)
+      warnings_.add(entry->line, "WEAVING", said(*entry),
+                    "True or false should stand here; the shed is taken as rising.");
+    if (!entry)
+      warnings_.add(0, "WEAVING", "Rising Shed", "It is not said whether the shed rises; it is taken as rising.");
     return rising.value_or(true);
   }
 
   void noteMissing(const Draft& draft, bool trodden) {
     if (!trodden) {
-      warnings_.add("", "neither TREADLING nor LIFTPLAN says what is lifted; no pick lifts anything");
+      warnings_.add(0, "", "", "Neither a treadling nor a liftplan says what is lifted; no pick lifts anything.");
     } else if (!draft.tieUp.empty() && draft.tieUp == Lists(draft.tieUp.size())) {
-      warnings_.add("TIEUP", "ties no shaft to any treadle; no pick lifts anything");
+      warnings_.add(0, "TIEUP", "", "No shaft is tied to any treadle; no pick lifts anything.");
     }
   }
 
@@ -175,7 +185,8 @@ class DraftReader {
     Draft treadled = draft;
     treadled.liftplan.clear();
     if (!(drawdown(treadled) == drawdown(draft)))
-      warnings_.add("LIFTPLAN", "weaves another cloth than TIEUP and TREADLING do; the liftplan counts");
+      warnings_.add(0, "LIFTPLAN", "",
+                    "The liftplan weaves another cloth than tie-up and treadling; the liftplan counts.");
   }
 
   const WifSections& sections_;

@@ -8,6 +8,7 @@
 #include "core/fabric/choice_names.h"
 #include "core/fabric/fabric.h"
 #include "core/fabric/wif_origin.h"
+#include "core/fabric/wif_warnings.h"
 
 /// Between weaving files and fabrics. A fabric takes over the draft as it is, a yarn for each colour and thickness in
 /// use, title and notes; what it does not hold it carries along as Fabric::wif.
@@ -30,7 +31,7 @@ WifSett wifSett(const Fabric& fabric);
 
 struct WifImport {
   Fabric fabric;
-  std::vector<std::string> warnings;  ///< what was wrong in the file, or differs from it, and what was done
+  std::vector<WifWarning> warnings;  ///< what was wrong in the file, and what was done
 };
 
 /// The fabric of a weaving file, valid. `mine` gives all that a weaving file does not: how the yarns are spun (the
@@ -41,7 +42,9 @@ WifImport fabricFromWif(std::string_view bytes, const std::string& source, const
 
 /// The fabric with sett and yarn diameters of the weaving file it came from: what WifSizeChoice::file does, at any time
 /// later. Says in `warnings` what the file asks for beyond the range of a fabric.
-Fabric withWifSizes(Fabric fabric, std::vector<std::string>& warnings);
+Fabric withWifSizes(Fabric fabric, std::vector<WifWarning>& warnings);
+/// What the file says of sett where the fabric has another: for those who are not asked which to use.
+std::vector<WifWarning> otherWifSizes(const Fabric& fabric);
 
 struct WifExport {
   std::string text;

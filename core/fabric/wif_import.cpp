@@ -22,7 +22,7 @@
 namespace loomlight {
 namespace {
 
-using Warnings = std::vector<std::string>;
+using Warnings = std::vector<WifWarning>;
 
 /// As many digits as files of such figures have.
 double tidy(double value) {
@@ -65,7 +65,8 @@ Yarn heavier(Yarn yarn, const Fibre& fibre, double factor, bool& held) {
 }
 
 void noteHeldYarns(Warnings& warnings) {
-  warnings.push_back("thickness: yarns of the thickness in the file would be out of range; they are held to it");
+  warnings.push_back(
+      {"The file has yarns thicker or thinner than a yarn can be here; they are held to what it can.", {}});
 }
 
 /// A yarn of the fabric to be: one of mine, dyed in a colour of the palette, and perhaps thicker.
@@ -102,9 +103,10 @@ void reduceKinds(std::vector<Kind>& warp, std::vector<Kind>& weft, const WifPale
   std::map<Kind, int> counts = counted();
   if (counts.size() <= static_cast<size_t>(kMaxKinds)) return;
   warnings.push_back(
-      fmt::format("yarns: the threads have {} combinations of colour and thickness, a fabric has at most "
-                  "{} yarns; all threads of a colour get the usual thickness, rare colours the nearest",
-                  counts.size(), kMaxKinds));
+      {fmt::format("The threads have {} combinations of colour and thickness, a fabric has at most {} yarns; all "
+                   "threads of a colour get the usual thickness, rare colours the nearest.",
+                   counts.size(), kMaxKinds),
+       {}});
   for (auto* kinds : {&warp, &weft})
     for (Kind& kind : *kinds) kind.permille = 1000;
   counts = counted();
@@ -187,8 +189,7 @@ std::string fitting(std::string text, const char* what, Warnings& warnings) {
   if (text.size() <= kMaxText) return text;
   size_t end = kMaxText;
   while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
-  warnings.push_back(
-      fmt::format("{}: expected at most {} bytes, got {}; the end is cut off", what, kMaxText, text.size()));
+  warnings.push_back({fmt::format("The {} of the file is too long; its end is cut off.", what), {}});
   text.resize(end);
   return text;
 }
@@ -200,18 +201,6 @@ std::shared_ptr<const WifOrigin> withSizesOf(WifOrigin origin, const Fabric& fab
   origin.warpDiameter_mm = meanDiameter_mm(fabric, System::warp);
   origin.weftDiameter_mm = meanDiameter_mm(fabric, System::weft);
   return std::make_shared<const WifOrigin>(std::move(origin));
-}
-
-/// What the file says of sett, beside what the fabric has.
-void noteOtherSizes(const Fabric& fabric, Warnings& warnings) {
-  const WifSett sett = wifSett(fabric);
-  const auto note = [&](const char* threads, std::optional<double> file, double mine) {
-    if (file && std::abs(*file - mine) > 1e-4 * mine)
-      warnings.push_back(
-          fmt::format("sizes: the file says {:.4g} {} per cm; the fabric keeps {:g}", *file, threads, mine));
-  };
-  note("ends", sett.ends_per_cm, fabric.ends_per_cm);
-  note("picks", sett.picks_per_cm, fabric.picks_per_cm);
 }
 
 bool varies(const std::map<int, double>& lengths) {
@@ -251,23 +240,37 @@ WifSett wifSett(const Fabric& fabric) {
   return sett;
 }
 
-Fabric withWifSizes(Fabric fabric, std::vector<std::string>& warnings) {
+std::vector<WifWarning> otherWifSizes(const Fabric& fabric) {
+  const WifSett sett = wifSett(fabric);
+  Warnings warnings;
+  const auto note = [&](const char* threads, std::optional<double> file, double mine) {
+    if (file && std::abs(*file - mine) > 1e-4 * mine)
+      warnings.push_back(
+          {fmt::format("The file has {:.4g} {} per cm; the cloth keeps {:g}.", *file, threads, mine), {}});
+  };
+  note("ends", sett.ends_per_cm, fabric.ends_per_cm);
+  note("picks", sett.picks_per_cm, fabric.picks_per_cm);
+  return warnings;
+}
+
+Fabric withWifSizes(Fabric fabric, std::vector<WifWarning>& warnings) {
   if (!fabric.wif) return fabric;
   const WifSett sett = wifSett(fabric);
   const FieldInfo range = fieldInfo(&Fabric::ends_per_cm);
   const auto set = [&](const char* threads, std::optional<double> file, double& mine) {
     if (!file) {
-      warnings.push_back(fmt::format("sizes: the file does not say how close its {} lie; {:g} per cm", threads, mine));
+      warnings.push_back(
+          {fmt::format("The file does not say how close its {} lie; it stays at {:g} per cm.", threads, mine), {}});
       return;
     }
     mine = std::clamp(*file, range.min, range.max);
     if (mine != *file)
-      warnings.push_back(fmt::format("sizes: {:g} {} per cm are out of range; it is {:g}", *file, threads, mine));
+      warnings.push_back({fmt::format("{:g} {} per cm are out of range; there are {:g}.", *file, threads, mine), {}});
   };
   set("ends", sett.ends_per_cm, fabric.ends_per_cm);
   set("picks", sett.picks_per_cm, fabric.picks_per_cm);
   if (varies(fabric.wif->rest.warp.spacings) || varies(fabric.wif->rest.weft.spacings))
-    warnings.push_back("sizes: the file spaces its threads unevenly; the fabric has them evenly, at the mean");
+    warnings.push_back({"The file spaces its threads unevenly; here they lie evenly, at the mean.", {}});
 
   std::vector<bool> done(fabric.yarns.size(), false);
   bool held = false;
@@ -285,7 +288,7 @@ WifImport fabricFromWif(std::string_view bytes, const std::string& source, const
   Fabric& fabric = import.fabric;
   fabric.name = document.title.empty() ? std::filesystem::path(source).stem().string()
                                        : fitting(document.title, "title", import.warnings);
-  fabric.description = fitting(fmt::format("{}", fmt::join(document.notes, "\n")), "notes", import.warnings);
+  fabric.description = fitting(fmt::format("{}", fmt::join(document.notes, "\n")), "text of notes", import.warnings);
   fabric.weave = drawdown(document.draft);
 
   const int warpBase = mine.warpYarn(0), weftBase = mine.weftYarn(0);
@@ -297,17 +300,13 @@ WifImport fabricFromWif(std::string_view bytes, const std::string& source, const
   dressThreads(fabric, warp, weft, document.rest.palette, import.warnings);
 
   WifOrigin origin;
-  origin.program = fitting(document.program, "source program", import.warnings);
+  origin.program = fitting(document.program, "name of the program", import.warnings);
   origin.ends = document.ends();
   origin.picks = document.picks();
   origin.rest = std::move(document.rest);
   fabric.draft = std::move(document.draft);
   fabric.wif = withSizesOf(std::move(origin), fabric);
-  if (sizes == WifSizeChoice::file) {
-    fabric = withWifSizes(std::move(fabric), import.warnings);
-  } else {
-    noteOtherSizes(fabric, import.warnings);
-  }
+  if (sizes == WifSizeChoice::file) fabric = withWifSizes(std::move(fabric), import.warnings);
   validate(fabric, source);
   return import;
 }

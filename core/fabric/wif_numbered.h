@@ -18,12 +18,13 @@ void forEachNumbered(const WifSection* section, int most, const char* what, WifW
   for (const WifEntry& entry : section->entries) {
     const std::optional<int> number = wifWhole(entry.key);
     if (!number || *number < 1 || *number > most) {
-      warnings.add(entry.line, section->name, entry.key, fmt::format("{} numbers from 1 to {}", what, most),
-                   "the line is passed over");
+      warnings.add(entry.line, section->name, entry.key,
+                   fmt::format("There are {}s 1 to {} only; what is said of others is passed over.", what, most));
       continue;
     }
     if (seen[*number])
-      warnings.add(entry.line, section->name, entry.key, fmt::format("each {} once", what), "the last one counts");
+      warnings.add(entry.line, section->name, entry.key,
+                   fmt::format("Each {} should be named once; the last line of it counts.", what));
     seen[*number] = true;
     visit(*number, entry);
   }

@@ -42,23 +42,24 @@ void expectDraft(const WifSections& sections, const std::string& source) {
 void checkHeader(const WifSections& sections, WifWarnings& warnings) {
   const WifSection* const wif = sections.find("WIF");
   if (!wif) {
-    warnings.add("WIF", "is missing; the file is read as WIF 1.1");
+    warnings.add(0, "WIF", "", "The part that names the format is missing; the file is read as WIF 1.1.");
     return;
   }
   struct Constant {
     const char* key;
     const char* value;
-    const char* done;
+    const char* otherwise;
   };
   constexpr std::array<Constant, 3> kConstants = {
-      Constant{"version", "1.1", "the file is read as that"},
-      Constant{"date", "April 20, 1997", "it is passed over: this is the date of the specification"},
-      Constant{"developers", "wif@mhsoft.com", "it is passed over"}};
+      Constant{"version", "1.1", "The file is of another version of the format than 1.1, and read as that."},
+      Constant{"date", "April 20, 1997", "The format asks for its own date here, April 20, 1997; nothing hangs on it."},
+      Constant{"developers", "wif@mhsoft.com",
+               "The format asks for its own address here, wif@mhsoft.com; nothing hangs on it."}};
   for (const Constant& constant : kConstants) {
     const WifEntry* const entry = wif->find(constant.key);
     if (entry && unquoted(entry->value) != constant.value)
-      warnings.add(entry->line, "WIF", fmt::format("{}={}", entry->key, entry->value.substr(0, 40)), constant.value,
-                   constant.done);
+      warnings.add(entry->line, "WIF", fmt::format("{}={}", entry->key, entry->value.substr(0, 40)),
+                   constant.otherwise);
   }
 }
 
@@ -66,7 +67,7 @@ void checkHeader(const WifSections& sections, WifWarnings& warnings) {
 void checkContents(const WifSections& sections, WifWarnings& warnings) {
   const WifSection* const contents = sections.find("CONTENTS");
   if (!contents) {
-    warnings.add("CONTENTS", "is missing; all sections are read");
+    warnings.add(0, "CONTENTS", "", "The table of contents is missing; all that is there is read.");
     return;
   }
   std::map<std::string, bool> there;
@@ -75,19 +76,22 @@ void checkContents(const WifSections& sections, WifWarnings& warnings) {
   std::map<std::string, bool> listed;
   for (const WifEntry& entry : contents->entries) {
     const std::optional<bool> yes = wifBoolean(entry.value);
-    if (!yes) warnings.add(entry.line, "CONTENTS", entry.key, "true or false", "the line is passed over");
+    if (!yes)
+      warnings.add(entry.line, "CONTENTS", entry.key,
+                   "In the table of contents, true or false should stand here; the line is passed over.");
     const std::string name = wifName(entry.key);
     if (yes.value_or(false) && there.count(name) == 0)
-      warnings.add(entry.line, "CONTENTS", entry.key, "a section of that name", "there is none");
+      warnings.add(entry.line, "CONTENTS", entry.key, "The table of contents names what is not there.");
     if (yes) listed[name] = *yes;
   }
   for (const auto& [name, filled] : there) {
     if (name == "WIF" || name == "CONTENTS") continue;
     const auto found = listed.find(name);
     if (found == listed.end())
-      warnings.add(0, "CONTENTS", name, "every section in the list", "the section is read all the same");
+      warnings.add(0, "CONTENTS", name, "This part is not in the table of contents; it is read all the same.");
     else if (!found->second && filled)
-      warnings.add(0, "CONTENTS", name, "true, for there is such a section", "the section is read all the same");
+      warnings.add(0, "CONTENTS", name,
+                   "The table of contents says that this part is not there; it is read all the same.");
   }
 }
 
@@ -104,8 +108,8 @@ std::vector<std::string> readNotes(const WifSections& sections, WifWarnings& war
 void cutSizes(std::map<int, double>& lengths, const char* section, int threads, WifWarnings& warnings) {
   const auto beyond = lengths.upper_bound(threads);
   if (beyond == lengths.end()) return;
-  warnings.add(0, section, fmt::format("{}", beyond->first), fmt::format("thread numbers from 1 to {}", threads),
-               "lines beyond that are passed over");
+  warnings.add(0, section, fmt::format("{}", beyond->first),
+               fmt::format("There are threads 1 to {} only; what is said of others is passed over.", threads));
   lengths.erase(beyond, lengths.end());
 }
 
@@ -114,7 +118,7 @@ void cutSizes(std::map<int, double>& lengths, const char* section, int threads, 
 WifDocument readWif(std::string_view bytes, const std::string& source, WifWarnings& warnings) {
   const DecodedText decoded = decodeText(bytes, source);
   if (decoded.encoding == TextEncoding::windows1252)
-    warnings.add("", "the text is not UTF-8; it is taken as Windows-1252");
+    warnings.add(0, "", "", "The text is not UTF-8; accents and the like are read as Windows-1252.");
   const WifSections sections = parseWifSections(decoded.text, source, warnings);
   expectWeavingFile(sections, source);
   checkHeader(sections, warnings);

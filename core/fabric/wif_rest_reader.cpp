@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <unordered_set>
 
 #include "core/fabric/wif_numbered.h"
@@ -39,7 +40,8 @@ std::optional<glm::dvec3> channels(const WifSection& table, const WifEntry& entr
     if (good) colour[i] = *channel;
   }
   if (good) return colour;
-  warnings.add(entry.line, table.name, said(entry), "red,green,blue", "the colour is passed over");
+  warnings.add(entry.line, table.name, said(entry),
+               "A colour should be three numbers, of red, green and blue; this one is passed over.");
   return std::nullopt;
 }
 
@@ -59,8 +61,10 @@ RealRange rangeOf(const WifSections& sections, const std::map<int, glm::dvec3>& 
     range.high = usual;
     if (largest <= usual) break;
   }
-  warnings.add(entry ? entry->line : 0, "COLOR PALETTE", entry ? said(*entry) : "Range", "lowest,highest",
-               fmt::format("it is taken as 0,{:.0f}", range.high));
+  warnings.add(entry ? entry->line : 0, "COLOR PALETTE", entry ? said(*entry) : "Range",
+               fmt::format("The lowest and highest of the colours' numbers should stand here; they are taken as 0 and "
+                           "{:.0f}.",
+                           range.high));
   return range;
 }
 
@@ -84,12 +88,14 @@ WifPalette readPalette(const WifSections& sections, WifWarnings& warnings) {
   }
 
   if (colours.empty()) {
-    if (sections.find("COLOR PALETTE")) warnings.add("COLOR PALETTE", "belongs to a [COLOR TABLE]; there is none");
+    if (sections.find("COLOR PALETTE"))
+      warnings.add(0, "COLOR PALETTE", "", "A palette is announced, but there are no colours.");
     return {};
   }
   if (const WifEntry* const form = findEntry(sections, "COLOR PALETTE", "form");
       form && lowerCase(unquoted(form->value)) != "rgb")
-    warnings.add(form->line, "COLOR PALETTE", said(*form), "RGB", "the colours are read as red,green,blue");
+    warnings.add(form->line, "COLOR PALETTE", said(*form),
+                 "Colours of another form than RGB are not known; they are read as red, green and blue.");
   const RealRange range = rangeOf(sections, colours, warnings);
   bool whole = isWhole(range.low) && isWhole(range.high);
   for (const auto& [number, colour] : colours)
@@ -97,12 +103,15 @@ WifPalette readPalette(const WifSections& sections, WifWarnings& warnings) {
   WifPalette palette;
   palette.low = whole ? static_cast<int>(range.low) : 0;
   palette.high = whole ? static_cast<int>(range.high) : 65535;
-  if (!whole) warnings.add("COLOR TABLE", "has numbers that are not whole; they are kept in steps of 1/65535");
+  if (!whole)
+    warnings.add(0, "COLOR TABLE", "",
+                 "Some colours have numbers that are not whole; they are kept in steps of 1/65535.");
   for (const auto& [number, colour] : colours) {
     const glm::dvec3 inside = glm::clamp(colour, range.low, range.high);
     if (inside != colour)
-      warnings.add(0, "COLOR TABLE", fmt::format("{}", number),
-                   fmt::format("channels from {:g} to {:g}", range.low, range.high), "they are held to that");
+      warnings.add(
+          0, "COLOR TABLE", fmt::format("{}", number),
+          fmt::format("The numbers of a colour go from {:g} to {:g}; others are held to that.", range.low, range.high));
     const double steps = static_cast<double>(palette.high) - palette.low;
     for (int i = 0; i < 3; ++i)
       palette.colours[number][i] =
@@ -114,57 +123,71 @@ WifPalette readPalette(const WifSections& sections, WifWarnings& warnings) {
   const int last = palette.colours.rbegin()->first;
   if (entries && stated != last && stated != static_cast<int>(palette.colours.size()))
     warnings.add(entries->line, "COLOR PALETTE", said(*entries),
-                 fmt::format("{}, the colours of [COLOR TABLE]", palette.colours.size()), "all of them are read");
+                 fmt::format("There are {} colours, and all of them are read.", palette.colours.size()));
   return palette;
 }
 
 // Sizes
 
-/// A length in the file's unit, held to a millionth of it, so that it is written as it was read.
-std::optional<double> length(const WifSection& section, const WifEntry& entry, WifWarnings& warnings) {
+/// How lengths are written, and what they are multiplied by for a unit that the format has.
+struct ReadUnit {
+  WifUnit unit = WifUnit::centimeters;
+  double factor = 1;
+};
+
+/// A length in a unit that the format has, held to a millionth of it, so that it is written as it was read.
+std::optional<double> length(const WifSection& section, const WifEntry& entry, double factor, WifWarnings& warnings) {
   if (entry.value.empty()) return std::nullopt;  // as if the line were not there
   constexpr double kSteps = 1e6, kMost = 1e5;
   const std::optional<double> value = wifDecimal(entry.value);
-  const double held = value && *value <= kMost ? std::round(*value * kSteps) / kSteps : 0;
+  const double held = value && *value <= kMost ? std::round(*value * factor * kSteps) / kSteps : 0;
   if (held > 0) return held;
-  warnings.add(entry.line, section.name, said(entry), fmt::format("a length above 0, at most {:g}", kMost),
-               "it is passed over");
+  warnings.add(entry.line, section.name, said(entry),
+               fmt::format("A length should be above 0 and at most {:g}; this one is passed over.", kMost));
   return std::nullopt;
 }
 
-WifUnit readUnit(const WifSections& sections, System system, WifWarnings& warnings) {
+ReadUnit readUnit(const WifSections& sections, System system, WifWarnings& warnings) {
   const WifEntry* const entry = findEntry(sections, name(system), "units");
   if (!entry) {
     const bool needed = findEntry(sections, name(system), "spacing") || findEntry(sections, name(system), "thickness");
     if (needed)
-      warnings.add(name(system), "does not say in which Units its lengths are; they are taken as centimeters");
-    return WifUnit::centimeters;
+      warnings.add(0, name(system), "Units",
+                   "It is not said in which unit lengths are; they are taken as centimetres.");
+    return {};
   }
   const std::string unit = lowerCase(unquoted(entry->value.substr(0, entry->value.find(';'))));
-  if (unit == "decipoints") return WifUnit::decipoints;
-  if (unit == "inches" || unit == "inch" || unit == "in" || unit == "english") return WifUnit::inches;
-  const bool known = unit == "centimeters" || unit == "centimetres" || unit == "centimeter" || unit == "centimetre" ||
-                     unit == "cm" || unit == "metric";
-  if (!known)
-    warnings.add(entry->line, name(system), said(*entry), "Decipoints, Inches or Centimeters",
-                 "it is taken as centimeters");
-  return WifUnit::centimeters;
+  const auto isOne = [&unit](std::initializer_list<const char*> names) {
+    return std::find(names.begin(), names.end(), unit) != names.end();
+  };
+  if (unit == "decipoints") return {WifUnit::decipoints};
+  if (isOne({"inches", "inch", "in", "english"})) return {WifUnit::inches};
+  if (isOne({"centimeters", "centimetres", "centimeter", "centimetre", "cm", "metric"})) return {};
+  if (isOne({"millimeters", "millimetres", "millimeter", "millimetre", "mm"})) {
+    warnings.add(entry->line, name(system), said(*entry),
+                 "The format knows no millimetres; they are understood, and exported as centimetres.");
+    return {WifUnit::centimeters, 0.1};
+  }
+  warnings.add(entry->line, name(system), said(*entry),
+               "Lengths should be in decipoints, inches or centimetres; they are taken as centimetres.");
+  return {};
 }
 
 WifSizes readSizes(const WifSections& sections, System system, WifWarnings& warnings) {
   WifSizes sizes;
-  sizes.unit = readUnit(sections, system, warnings);
+  const ReadUnit written = readUnit(sections, system, warnings);
+  sizes.unit = written.unit;
   const WifSection* const threads = sections.find(name(system));
   const auto common = [&](const char* key, std::optional<double>& value) {
     if (const WifEntry* const entry = findEntry(sections, name(system), key))
-      value = length(*threads, *entry, warnings);
+      value = length(*threads, *entry, written.factor, warnings);
   };
   common("spacing", sizes.spacing);
   common("thickness", sizes.thickness);
   const auto single = [&](const char* section, std::map<int, double>& values) {
     const WifSection* const found = sections.find(name(system, section));
     forEachNumbered(found, Weave::kMaxSide, "thread", warnings, [&](int number, const WifEntry& entry) {
-      if (const auto value = length(*found, entry, warnings)) values[number] = *value;
+      if (const auto value = length(*found, entry, written.factor, warnings)) values[number] = *value;
     });
   };
   single(" SPACING", sizes.spacings);
@@ -248,8 +271,7 @@ std::vector<int> readWifColours(const WifSections& sections, System system, int 
     if (parts.empty()) return 0;
     const std::optional<int> number = wifWhole(parts[0]);
     if (number && palette.colours.count(*number) > 0) return *number;
-    warnings.add(entry.line, section, said(entry),
-                 palette.colours.empty() ? "a [COLOR TABLE]" : "the number of a colour in [COLOR TABLE]", instead);
+    warnings.add(entry.line, section, said(entry), fmt::format("There is no colour of this number; {}.", instead));
     return 0;
   };
   const WifEntry* const common = findEntry(sections, name(system), "color");

@@ -68,7 +68,7 @@ class Parser {
       if (text.starts_with(';')) {
         sections_.comments.push_back(text);
       } else if (!text.empty()) {
-        warnings_.add(number_, "", text, "a [SECTION] first", "the line is passed over");
+        warnings_.add(number_, "", text, "This stands before the first heading, and is passed over.");
       }
     } else if (isPrivate_) {
       now().lines.push_back(raw);
@@ -91,14 +91,14 @@ class Parser {
   void openSection(std::string_view text) {
     const size_t end = text.find(']');
     if (end == std::string_view::npos)
-      warnings_.add(number_, "", text, "a heading that ends in ]", "it is taken as if it did");
+      warnings_.add(number_, "", text, "This heading does not end in ]; it is read as if it did.");
     const std::string_view heading = text.substr(1, end == std::string_view::npos ? end : end - 1);
     std::string name = wifName(heading);
     isPrivate_ = !isStandardWifSection(name);
     const auto [position, isNew] = index_.emplace(name, sections_.sections.size());
     current_ = static_cast<long>(position->second);
     if (!isNew) {
-      warnings_.add(number_, name, "", "each section once", "its lines are added to those above");
+      warnings_.add(number_, name, "", "This part comes twice; its lines are added to those above.");
       return;
     }
     if (index_.size() > kMaxWifSections)
@@ -127,9 +127,9 @@ class Parser {
       whole.resize(value.size());
       whole += text;
       value = whole;
-      warnings_.add(number_, now().name, text, "key=value", "it goes on with the line above");
+      warnings_.add(number_, now().name, text, "A line broke off above and goes on here; the two are joined.");
     } else {
-      warnings_.add(number_, now().name, text, "key=value", "the line is passed over");
+      warnings_.add(number_, now().name, text, "This line is not of the form key=value, and is passed over.");
     }
   }
 

@@ -7,26 +7,33 @@
 
 namespace loomlight {
 
-/// What a tolerant reader found wrong in a weaving file and put up with. Like warnings are counted rather than
-/// repeated, so a file of a million slips gives a list that a person reads.
+/// What a tolerant reader put up with in a weaving file.
+struct WifWarning {
+  std::string sentence;  ///< for a weaver, with its full stop: what was found, and what the cloth has instead
+  std::string place;     ///< where to look: "line 12: [WARP] Threads=many"; empty where it is the whole file
+  friend bool operator==(const WifWarning&, const WifWarning&) = default;
+};
+
+/// Both in one line: "line 12: [WARP] Threads=many: This is no number.".
+std::string inOneLine(const WifWarning& warning);
+
+/// What was found wrong in a weaving file. Like warnings are counted rather than repeated, so a file of a million slips
+/// gives a list that a person reads.
 class WifWarnings {
  public:
   /// `line` counts from 1, 0 for none; `section` without brackets, empty for none; `got` is the text in question, or
-  /// empty. Reads: "line 12: [WARP] Threads=many: expected <expected>; <done>".
-  void add(int line, std::string_view section, std::string_view got, std::string_view expected, std::string_view done);
-  /// A sentence of its own about a section, or about the whole file.
-  void add(std::string_view section, std::string_view sentence);
+  /// empty. Warnings of one section with the same sentence are of one kind.
+  void add(int line, std::string_view section, std::string_view got, std::string_view sentence);
 
-  /// In the order in which each kind was met first.
-  std::vector<std::string> list() const;
+  /// One for each kind, in the order in which each was met first; its place names the first lines, and counts the rest.
+  std::vector<WifWarning> list() const;
 
  private:
   struct Kind {
-    std::vector<std::string> shown;
-    size_t more = 0;
-    std::string summary;
+    WifWarning shown;
+    size_t more = 0;  ///< beyond the places that are named
+    size_t named = 0;
   };
-  Kind* kindOf(const std::string& key);
 
   std::map<std::string, size_t> index_;
   std::vector<Kind> kinds_;

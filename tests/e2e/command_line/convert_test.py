@@ -85,7 +85,7 @@ class Convert(CommandLineTest):
         (self.folder / "b.wif").write_bytes(text)
         said = self.run_program("convert", "b.wif", "c.json", messages=True)
         self.assertIn("b.wif: line ", said)
-        self.assertIn("[WEAVING] Shafts=many: expected a whole number", said)
+        self.assertIn("[WEAVING] Shafts=many: The number of shafts should stand here", said)
         (self.folder / "story.wif").write_text("You are in a maze of twisty little passages.\n")
         self.assertIn("story.wif: expected a weaving file", self.run_program("convert", "story.wif", "c.json", status=1))
 

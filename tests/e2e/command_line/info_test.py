@@ -45,7 +45,7 @@ class Info(CommandLineTest):
         info = json.loads(self.run_program("info", "b.wif", "--json", "--resolution", 1))
         self.assertEqual((info["ends"], info["shafts"], info["warp_up_cells"]), (4, 4, 8))
         self.assertEqual(info["draft"], {"by": "treadling", "rising_shed": True})
-        self.assertIn("b.wif: [WEAVING]: does not say whether the shed rises; it is taken as rising", info["warnings"])
+        self.assertIn("b.wif: [WEAVING] Rising Shed: It is not said whether the shed rises; it is taken as rising.", info["warnings"])
         self.assertIn("rising shed", self.run_program("info", "b.wif", "--resolution", 1))
 
     def test_a_piece_a_hundred_times_as_large_needs_no_more_memory(self):

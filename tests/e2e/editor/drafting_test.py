@@ -206,6 +206,118 @@ def the_right_button_asks(weaver):
     weaver.edits("undo", lambda: editor.key("ctrl+z"))
 
 
+def strokes(weaver):
+    """On a satin of 8: Shift keeps to a line, the right button lays the weft over."""
+    editor = weaver.editor
+    before = weave_of(weaver.saved())
+    editor.act("keydown", "shift")
+    weaver.edits("a stroke", lambda: editor.drag(weaver.crossing(0, 0), weaver.crossing(2, 6), steps=6))
+    editor.act("keyup", "shift")
+    rows = weave_of(weaver.saved())
+    expect(rows[7][:7] == ("." if before[7][0] == "#" else "#") * 7, f"the stroke painted {rows[7]}")
+    expect(rows[:7] == before[:7], "the stroke left its line")
+    weaver.edits("a right drag", lambda: editor.drag(weaver.crossing(3, 0), weaver.crossing(3, 7), button=3, steps=6))
+    expect(weave_of(weaver.saved())[4] == "." * 8, "there is still warp over")
+    weaver.edits("undo", lambda: editor.key("ctrl+z"))
+    weaver.edits("undo", lambda: editor.key("ctrl+z"))
+    expect(weave_of(weaver.saved()) == before, "undo does not bring the satin back")
+
+
+def arrange(weaver):
+    """By keys and menus: shift each way, cut, fill, turn, mirror, and make a part the repeat."""
+    editor = weaver.editor
+    rows = weave_of(weaver.saved())
+    editor.key("ctrl+a")
+    for key, after in (("Left", lambda r: [row[1:] + row[0] for row in r]), ("Up", lambda r: r[1:] + r[:1]),
+                       ("Down", lambda r: r[-1:] + r[:-1]), ("Right", lambda r: [row[-1] + row[:-1] for row in r])):
+        weaver.edits(key, lambda: editor.key(key))
+        rows = after(rows)
+        expect(weave_of(weaver.saved()) == rows, f"{key} does not shift that way")
+    weaver.edits("Ctrl+X cuts", lambda: editor.key("ctrl+x"))
+    expect(weave_of(weaver.saved()) == ["." * 8] * 8, "there is warp left")
+    weaver.edits("undo", lambda: editor.key("ctrl+z"))
+    for item, after in (("mirror_picks", lambda r: r[::-1]),
+                        ("turn", lambda r: ["".join(row[i] for row in r[::-1]) for i in range(8)])):
+        editor.click("menu.weave")
+        weaver.edits(item, lambda: editor.click("menu." + item))
+        rows = after(rows)
+        expect(weave_of(weaver.saved()) == rows, f"{item}: {weave_of(weaver.saved())}, not {rows}")
+    editor.key("Escape")
+    editor.act("keydown", "ctrl")
+    editor.drag(weaver.crossing(0, 0), weaver.crossing(1, 3))
+    editor.act("keyup", "ctrl")
+    editor.wait_until("Ctrl and drag select", lambda: editor.fact("draft.selection") == "0 0 2 4")
+    editor.key("ctrl+c")
+    editor.key("ctrl+a")
+    weaver.edits("the copy is laid side by side", lambda: editor.key("ctrl+shift+v"))
+    expect(weave_of(weaver.saved()) == [row[:4] * 2 for row in rows[6:]] * 4, "the copy does not fill the repeat")
+    editor.key("Escape")
+    editor.act("keydown", "ctrl")
+    editor.drag(weaver.crossing(0, 0), weaver.crossing(1, 3))
+    editor.act("keyup", "ctrl")
+    editor.click("menu.weave")
+    weaver.edits("the selection becomes the repeat", lambda: editor.click("menu.crop"))
+    expect(weave_of(weaver.saved()) == [row[:4] for row in rows[6:]], "the repeat is another part")
+    weaver.edits("undo", lambda: editor.key("ctrl+z"))
+    weaver.edits("undo", lambda: editor.key("ctrl+z"))
+    expect(weave_of(weaver.saved()) == rows, "undo does not bring the repeat back")
+
+
+def set_the_loom(weaver):
+    """Shed, repeat, corner, side and zoom: the cloth stays, but for the repeat."""
+    editor = weaver.editor
+    before = weave_of(weaver.saved())
+    editor.click("draft.tab_loom")
+    weaver.edits("the shed sinks", lambda: editor.click("loom.shed/Sinking"))
+    fabric = weaver.saved()
+    expect(fabric["draft"]["rising_shed"] is False and weave_of_sinking(fabric) == before, "the cloth became another")
+    weaver.edits("undo", lambda: editor.key("ctrl+z"))
+
+    scroll_to(editor, "loom.shafts", "draft.picks")
+    editor.click("draft.ends")
+    editor.type("12")
+    weaver.edits("a larger repeat", lambda: editor.key("Return"))
+    expect(weave_of(weaver.saved()) == [row + row[:4] for row in before], "it does not go on as the old one")
+    weaver.edits("undo", lambda: editor.key("ctrl+z"))
+
+    editor.key("shift+f")
+    at_left = editor.widgets()["draft.cell_0_0"]
+    editor.click("draft.back")
+    editor.wait_until("the back begins at the other side", lambda: editor.widgets()["draft.cell_0_0"][0] > at_left[2])
+    editor.click("draft.back")
+    editor.wait_until("the face is back", lambda: editor.widgets()["draft.cell_0_0"] == at_left)
+    scroll_to(editor, "draft.ends", "draft.corner")
+    editor.click("draft.corner")
+    editor.click("draft.corner/Top right")
+    editor.wait_until("the first thread is at the top right", lambda: editor.widgets()["draft.cell_0_0"][0] > at_left[2]
+                      and editor.widgets()["draft.cell_0_0"][3] < at_left[1])
+    expect(weave_of(weaver.saved()) == before, "the corner changed the cloth")
+    editor.click("draft.corner")
+    editor.click("draft.corner/Bottom left")
+    editor.wait_until("the first thread is back", lambda: editor.widgets()["draft.cell_0_0"] == at_left)
+
+    editor.move(*weaver.crossing(4, 4))
+    editor.act("click", 4)
+    editor.wait_until("the wheel zooms", lambda: editor.widgets()["draft.cell_0_0"] != at_left)
+    editor.key("shift+f")
+    editor.wait_until("Shift+F shows the whole repeat", lambda: editor.widgets()["draft.cell_0_0"] == at_left)
+
+
+def weave_of_sinking(fabric):
+    """What is tied goes down: a crossing is warp over unless a shaft of the end is pulled."""
+    return [row.translate(str.maketrans("#.", ".#")) for row in weave_of(fabric)]
+
+
+def scroll_to(editor, over, wanted):
+    """Turns the wheel over a row of a list until another row is there."""
+    editor.move(*editor.centre(over))
+    for _ in range(12):
+        widgets = editor.widgets()
+        if wanted in widgets and widgets[wanted][3] < HEIGHT - 60:
+            return
+        editor.act("click", 5)
+
+
 def choose_structure(weaver):
     editor = weaver.editor
     editor.click("menu.weave")
@@ -231,6 +343,24 @@ def choose_structure(weaver):
     expect(weave_of(weaver.saved())[0].count("#") == 3, "the twill 3/2 is gone")
 
 
+def press_the_keys_of_the_list(weaver):
+    """Those of the window that no other test presses."""
+    editor = weaver.editor
+    for opens, closes in (("F1", "Escape"), ("shift+slash", "Return")):
+        editor.key(opens)
+        editor.wait_until("the list of keys is shown", lambda: "keys.close" in editor.widgets())
+        editor.key(closes)
+        editor.wait_until("the list is gone", lambda: editor.fact("dialog") == "none")
+    editor.key("Tab")
+    editor.wait_until("Tab hides the panels", lambda: "draft.select" not in editor.widgets())
+    editor.key("Tab")
+    editor.wait_until("Tab brings them back", lambda: "draft.select" in editor.widgets())
+    for key, elevation in (("2", 35), ("3", 12), ("1", 90)):
+        editor.key(key)
+        camera = weaver.saved()["camera"]
+        expect(camera.get("elevation_deg", 90) == elevation, f"key {key} looks from {camera}")
+
+
 def test():
     with window(WIDTH, HEIGHT) as editor:
         file = small_fabric(editor.home)
@@ -240,8 +370,12 @@ def test():
         paint_drawdown(weaver)
         lift(weaver)
         select_and_edit(weaver)
+        strokes(weaver)
+        arrange(weaver)
+        set_the_loom(weaver)
         choose_structure(weaver)
         outgrow_the_loom(weaver)
+        press_the_keys_of_the_list(weaver)
 
 
 run(test)

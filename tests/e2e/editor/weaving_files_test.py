@@ -110,6 +110,20 @@ def open_weaving(editor, home):
     expect(fabric["drape"]["width_mm"] == 4, "the drape is not the designer's own")
 
 
+def look_before_opening(editor, home):
+    """The list is filtered and gone through by keys; a file is seen before it is opened; Esc leaves at once."""
+    editor.key("ctrl+o")
+    name_file(editor, home)
+    editor.click("browser.filter")
+    editor.type("PATH.WIF")
+    editor.click("browser.name")
+    editor.key("Down")
+    editor.wait_until("the draft is seen", lambda: editor.fact("browser.preview") == "picture")
+    expect("6 ends, 4 picks, 4 shafts" in editor.fact("browser.about"), f"it says: {editor.fact('browser.about')}")
+    editor.key("Escape")
+    editor.wait_until("the dialog closes", lambda: editor.fact("dialog") == "none")
+
+
 def export(editor, item, file):
     """File > Export > item, to that file."""
     editor.click("menu.file")
@@ -214,6 +228,7 @@ def test():
     with window(WIDTH, HEIGHT) as editor:
         editor.start(PROGRAM, [plain_cloth(editor.home)])
         open_weaving(editor, editor.home)
+        look_before_opening(editor, editor.home)
         export_weaving(editor, editor.home)
         bitmaps(editor, editor.home)
         export_others(editor, editor.home)

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/fabric/colour.h"
 #include "core/fabric/draft_derivation.h"
 
 namespace loomlight {
@@ -35,6 +36,12 @@ TEST(StructureEdit, AColourEffectTakesTwoYarns) {
   const Fabric edited = withStructure(Fabric{}, std::nullopt, houndstooth, {}).fabric;
   EXPECT_EQ(edited.yarns.size(), 2u);
   EXPECT_EQ(edited.warpSequence, houndstooth.warpColours);
+  const auto colourOf = [&edited](int yarn) {
+    const Fibre& fibre = edited.fibres[static_cast<size_t>(edited.yarns[static_cast<size_t>(yarn)].fibre)];
+    return colourFromAbsorption(fibre.absorption_per_mm, fibre.azimuthalRoughness, fibre.radius_um).y;
+  };
+  EXPECT_LT(colourOf(1), 0.2f * colourOf(0)) << "the effect would not be seen";
+  EXPECT_EQ(withSecondYarn(edited), edited);
 }
 
 }  // namespace

@@ -120,10 +120,16 @@ inline WifDocument document(std::string_view bytes) {
   return readWif(bytes, "x.wif", warnings);
 }
 
+inline std::vector<std::string> inLines(const std::vector<WifWarning>& warnings) {
+  std::vector<std::string> lines;
+  for (const WifWarning& warning : warnings) lines.push_back(inOneLine(warning));
+  return lines;
+}
+
 inline std::vector<std::string> warningsOf(std::string_view bytes) {
   WifWarnings warnings;
   readWif(bytes, "x.wif", warnings);
-  return warnings.list();
+  return inLines(warnings.list());
 }
 
 /// The message of a refusal; empty where the file is read.

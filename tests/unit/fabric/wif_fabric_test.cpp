@@ -80,7 +80,7 @@ TEST(WifFabric, MineGivesTheYarnsAndAllElse) {
 TEST(WifFabric, KeepsMySizesOrTakesTheFiles) {
   const WifImport kept = fabricFromWif(twillFile(), "x.wif", Fabric{}, WifSizeChoice::keep);
   EXPECT_EQ(kept.fabric.ends_per_cm, Fabric{}.ends_per_cm);
-  EXPECT_THAT(kept.warnings, Contains("sizes: the file says 16.87 picks per cm; the fabric keeps 20"));
+  EXPECT_THAT(inLines(otherWifSizes(kept.fabric)), Contains("The file has 16.87 picks per cm; the cloth keeps 20."));
   EXPECT_EQ(wifSett(kept.fabric).ends_per_cm, 20);
   EXPECT_NEAR(*wifSett(kept.fabric).warpDiameter_mm, 0.4, 1e-9);
 
@@ -92,7 +92,7 @@ TEST(WifFabric, KeepsMySizesOrTakesTheFiles) {
   };
   EXPECT_NEAR(diameter(taken, taken.warpYarn(0)), 0.4, 1e-4);
   EXPECT_NEAR(diameter(taken, taken.weftYarn(0)), diameter(Fabric{}, 0), 1e-9) << "the file does not say how thick";
-  std::vector<std::string> warnings;
+  std::vector<WifWarning> warnings;
   EXPECT_EQ(withWifSizes(kept.fabric, warnings), taken) << "it can be done later";
 }
 
@@ -109,7 +109,7 @@ TEST(WifFabric, HostileSizesAreHeldToTheRange) {
       replaced(replaced(twillFile(), "Spacing=0.05", "Spacing=90000"), "Thickness=0.04", "Thickness=90000");
   const WifImport import = fabricFromWif(text, "x.wif", Fabric{}, WifSizeChoice::file);
   EXPECT_EQ(import.fabric.ends_per_cm, 0.2);
-  EXPECT_THAT(import.warnings, Contains(HasSubstr("out of range")));
+  EXPECT_THAT(inLines(import.warnings), Contains(HasSubstr("out of range")));
 }
 
 TEST(WifFabric, MoreColoursThanYarnsBecomeTheNearest) {
@@ -122,7 +122,7 @@ TEST(WifFabric, MoreColoursThanYarnsBecomeTheNearest) {
       "[WIF]\n[WARP]\nThreads=200\n[WEFT]\nThreads=1\n[COLOR PALETTE]\nRange=0,255\n" + table + colours;
   const WifImport import = fabricFromWif(text, "x.wif", Fabric{}, WifSizeChoice::keep);
   EXPECT_EQ(import.fabric.yarns.size(), 64u);
-  EXPECT_THAT(import.warnings, Contains(HasSubstr("a fabric has at most 64 yarns")));
+  EXPECT_THAT(inLines(import.warnings), Contains(HasSubstr("a fabric has at most 64 yarns")));
   expectColour(colourOf(import.fabric, import.fabric.warpYarn(10)), Rgb(11));
   EXPECT_EQ(import.fabric.wif->rest.palette.colours.size(), 200u) << "none is lost";
 }

@@ -17,7 +17,7 @@ void expectSurvived(const std::string& bytes) {
   try {
     const WifImport import = fabricFromWif(bytes, "x.wif", Fabric{}, WifSizeChoice::file);
     EXPECT_LT(import.warnings.size(), 400u);
-    for (const std::string& warning : import.warnings) EXPECT_LT(warning.size(), 500u) << warning;
+    for (const std::string& warning : inLines(import.warnings)) EXPECT_LT(warning.size(), 500u) << warning;
     const std::string text = wifFromFabric(import.fabric, "y.wif").text;
     const Fabric again = fabricFromWif(text, "y.wif", Fabric{}, WifSizeChoice::file).fabric;
     EXPECT_EQ(again.weave, import.fabric.weave);

@@ -1,0 +1,61 @@
+#include "app/editor/draft_picture.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+#include "ui/yarn_colours.h"
+
+namespace loomlight {
+namespace {
+
+using Colour = std::array<float, 3>;  // as displayed, 0..1
+
+/// The colour of what lies on top.
+std::function<Colour(int pick, int end)> colouring(const Fabric& fabric) {
+  std::vector<Colour> yarns;
+  for (const ImVec4& c : yarnColours(fabric)) yarns.push_back({c.x, c.y, c.z});
+  const Colour first = yarns[static_cast<size_t>(fabric.warpYarn(0))];
+  const auto isFirst = [&](int yarn) {
+    const Colour& c = yarns[static_cast<size_t>(yarn)];
+    constexpr float kSeen = 0.02f;
+    return std::abs(c[0] - first[0]) + std::abs(c[1] - first[1]) + std::abs(c[2] - first[2]) < kSeen;
+  };
+  const bool plain = std::all_of(fabric.warpSequence.begin(), fabric.warpSequence.end(), isFirst) &&
+                     std::all_of(fabric.weftSequence.begin(), fabric.weftSequence.end(), isFirst);
+  return [&fabric, plain, yarns = std::move(yarns)](int pick, int end) {
+    const bool warp = fabric.weave.warpOver(pick, end);
+    constexpr Colour kInk{0.16f, 0.16f, 0.16f}, kPaper{0.9f, 0.9f, 0.9f};
+    if (plain) return warp ? kInk : kPaper;
+    return yarns[static_cast<size_t>(warp ? fabric.warpYarn(end) : fabric.weftYarn(pick))];
+  };
+}
+
+}  // namespace
+
+Pixels8 draftPicture(const Fabric& fabric, int side) {
+  constexpr int kFewest = 32;  // crossings a side
+  const int longest = std::max(fabric.weave.ends(), fabric.weave.picks());
+  const int cell = std::max(1, side / std::max(kFewest, longest));
+  const double pitch = std::max(1.0, static_cast<double>(longest) / side) / cell;  // crossings from pixel to pixel
+  const int samples = std::clamp(static_cast<int>(std::ceil(pitch)), 1, 4);
+  const auto colourAt = colouring(fabric);
+  Pixels8 picture{side, side, 3, {}};
+  picture.bytes.reserve(static_cast<size_t>(side) * side * 3);
+  for (int y = side - 1; y >= 0; --y)
+    for (int x = 0; x < side; ++x) {
+      Colour sum{};
+      for (int i = 0; i < samples * samples; ++i) {
+        const double dx = (i % samples + 0.5) / samples, dy = (i / samples + 0.5) / samples;
+        const Colour c = colourAt(static_cast<int>((y + dy) * pitch), static_cast<int>((x + dx) * pitch));
+        for (size_t k = 0; k < 3; ++k) sum[k] += c[k];
+      }
+      for (const float channel : sum)
+        picture.bytes.push_back(
+            static_cast<uint8_t>(std::lround(255 * channel / static_cast<float>(samples * samples))));
+    }
+  return picture;
+}
+
+}  // namespace loomlight
