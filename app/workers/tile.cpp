@@ -41,6 +41,27 @@ int tilesAcross(double tile_mm) {
   return 1 + 2 * static_cast<int>(std::ceil(kMargin_mm / tile_mm));
 }
 
+/// Holes take the colour of the yarn that is nearest, across the tile's edges too: programs that filter between pixels
+/// would draw dark seams along yarns else.
+void fillHoles(const std::vector<float>& opacity, int width, int height, std::vector<Rgb>& colour) {
+  std::vector<int> front;
+  std::vector<bool> known(opacity.size());
+  for (size_t i = 0; i < opacity.size(); ++i) {
+    known[i] = opacity[i] > 0;
+    if (known[i]) front.push_back(static_cast<int>(i));
+  }
+  for (size_t next = 0; next < front.size(); ++next) {
+    const int x = front[next] % width, y = front[next] / width;
+    for (const auto& [dx, dy] : {std::pair(1, 0), std::pair(-1, 0), std::pair(0, 1), std::pair(0, -1)}) {
+      const int neighbour = (y + dy + height) % height * width + (x + dx + width) % width;
+      if (known[static_cast<size_t>(neighbour)]) continue;
+      known[static_cast<size_t>(neighbour)] = true;
+      colour[static_cast<size_t>(neighbour)] = colour[static_cast<size_t>(front[next])];
+      front.push_back(neighbour);
+    }
+  }
+}
+
 }  // namespace
 
 TileExtent tileExtent(const Fabric& fabric) {
@@ -102,6 +123,7 @@ TileMaps tileMaps(const Film& film, const Fabric& scene) {
     }
   for (size_t i = 0; i < count; ++i)
     if (maps.opacity[i] <= 0) maps.height_mm[i] = lowest;
+  fillHoles(maps.opacity, maps.width, maps.height, maps.baseColour);
 
   const auto at = [&](int x, int y) {  // the tile goes on beyond its edges
     const int w = maps.width, h = maps.height;

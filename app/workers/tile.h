@@ -30,8 +30,8 @@ Fabric tileScene(const Fabric& fabric, const TileExtent& extent, int longestSide
 /// The maps, row by row from the top left, the first end at the left and the first pick at the bottom.
 struct TileMaps {
   int width = 0, height = 0;
-  std::vector<Rgb> baseColour;    ///< linear; the share of light from everywhere that comes back, where there is yarn;
-                                  ///< with the noise of its samples
+  std::vector<Rgb> baseColour;    ///< linear; the share of light from everywhere that yarn sends back, with the noise
+                                  ///< of its samples; in holes that of the nearest yarn
   std::vector<float> opacity;     ///< 0..1: the share of a pixel that yarn covers, seen from above
   std::vector<float> height_mm;   ///< above the cloth's mid-plane; in holes the lowest of the yarns
   std::vector<glm::vec3> normal;  ///< of the height, smoothed over a pixel; x along the ends' order, y along the picks'
@@ -44,8 +44,9 @@ struct TileReport {
   std::string json;                ///< the sidecar: sizes, mass, thickness, ranges of the maps
   std::vector<std::string> files;  ///< that were written
 };
-/// Writes STEM.exr (all maps, linear), STEM_basecolor.png, _normal.png (y up), _height.png, _opacity.png, _yarn.png and
-/// STEM.json, which says what they are. Each file is whole or not there. Throws InputError.
+/// Writes STEM.exr (all maps, linear; the opacity is a layer, as an alpha would mean colours that it has darkened),
+/// STEM_basecolor.png, _normal.png (y up), _height.png, _opacity.png, _yarn.png and STEM.json, which says what they
+/// are. Each file is whole or not there. Throws InputError.
 TileReport writeTile(const std::string& stem, const TileMaps& maps, const Fabric& fabric, const TileExtent& extent,
                      double thickness_mm, double arealMass_g_m2);
 

@@ -49,7 +49,7 @@ Image imageOf(const TileMaps& maps) {
   const char* const kColours[] = {"R", "G", "B"};
   const char* const kNormals[] = {"normal.X", "normal.Y", "normal.Z"};
   for (int c = 0; c < 3; ++c) channel(kColours[c], [&](size_t i) { return maps.baseColour[i][c]; });
-  channel("A", [&](size_t i) { return maps.opacity[i]; });
+  channel("opacity.Y", [&](size_t i) { return maps.opacity[i]; });
   for (int c = 0; c < 3; ++c) channel(kNormals[c], [&](size_t i) { return maps.normal[i][c]; });
   channel("height.Z", [&](size_t i) { return maps.height_mm[i]; });
   channel("yarn.id", [&](size_t i) { return static_cast<float>(maps.yarn[i]); });
@@ -95,8 +95,16 @@ TileReport writeTile(const std::string& stem, const TileMaps& maps, const Fabric
       {"areal_mass_g_m2", arealMass_g_m2},
       {"thickness_mm", thickness_mm},
       {"maps",
-       {{"all", {{"file", fileName(".exr")}, {"encoding", "linear; height.Z in mm"}}},
-        {"base_color", {{"file", fileName("_basecolor.png")}, {"encoding", "sRGB"}}},
+       {{"all",
+         {{"file", fileName(".exr")},
+          {"encoding", "linear"},
+          {"layers",
+           {{"RGB", "base color, not multiplied by opacity"},
+            {"normal.XYZ", "-1 to 1, y up (OpenGL)"},
+            {"height.Z", "mm above the mid-plane"},
+            {"opacity.Y", "0 to 1"},
+            {"yarn.id", "number of the yarn, -1 in holes"}}}}},
+        {"base_color", {{"file", fileName("_basecolor.png")}, {"encoding", "sRGB, not multiplied by opacity"}}},
         {"normal", {{"file", fileName("_normal.png")}, {"encoding", "linear, y up (OpenGL)"}}},
         {"height",
          {{"file", fileName("_height.png")},

@@ -1,13 +1,16 @@
 #include "render/trace/colour_solver.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
+
+#include "render/metrics/nearest_colour.h"
 
 namespace loomlight {
 namespace {
 
 constexpr double kMostAbsorption = 10000;  // of a valid fabric
-constexpr double kTolerance = 1e-3;        // of reflectance: less is not seen
+constexpr float kTolerance = 1e-3f;        // of reflectance: less is not seen
 
 /// One channel of the walks as a function of one absorption: mean of weight exp(-sigma length).
 class Channel {
@@ -65,15 +68,22 @@ SolvedColour solveColour(const ColourWalks& walks, std::vector<Rgb> absorption_p
   assert(walks.lit() > 0 && absorption_per_mm.size() == walks.materials);
   SolvedColour solved;
   const auto own = static_cast<size_t>(material);
+  std::vector<Channel> channels;
+  Rgb darkest, lightest;
   for (int c = 0; c < 3; ++c) {
-    const Channel channel(walks, absorption_per_mm, own, c);
-    const double lightest = channel.at(0).colour, darkest = channel.at(kMostAbsorption).colour;
-    solved.tooLight |= wanted[c] > lightest + kTolerance;
-    solved.tooDark |= wanted[c] < darkest - kTolerance;
+    channels.emplace_back(walks, absorption_per_mm, own, c);
+    lightest[c] = static_cast<float>(channels.back().at(0).colour);
+    darkest[c] = static_cast<float>(channels.back().at(kMostAbsorption).colour);
+    solved.tooLight |= wanted[c] > lightest[c] + kTolerance;
+    solved.tooDark |= wanted[c] < darkest[c] - kTolerance;
     // As dark as can be asks for no more dye than makes a difference.
-    const double target = std::max<double>(wanted[c], darkest + kTolerance);
-    if (target < lightest) solved.absorption_per_mm[c] = static_cast<float>(absorptionFor(channel, target));
+    darkest[c] = std::min(darkest[c] + kTolerance, lightest[c]);
   }
+  // Each channel has a dye of its own, so all between the two can be had.
+  const Rgb target = nearestColour(wanted, darkest, lightest);
+  for (int c = 0; c < 3; ++c)
+    if (target[c] < lightest[c])
+      solved.absorption_per_mm[c] = static_cast<float>(absorptionFor(channels[static_cast<size_t>(c)], target[c]));
   absorption_per_mm[own] = solved.absorption_per_mm;
   solved.reached = walks.colour(absorption_per_mm);
   return solved;

@@ -78,6 +78,7 @@ TEST(Tile, AWhiteClothHasAWhiteBaseColourAndItsHoles) {
       EXPECT_EQ(maps.yarn[i], 0);
     } else {
       EXPECT_EQ(maps.yarn[i], -1);
+      EXPECT_GT(maps.baseColour[i].x, 0.5) << "a dark hole beside white yarns";
     }
     EXPECT_NEAR(glm::length(maps.normal[i]), 1, 1e-5);
     EXPECT_GT(maps.normal[i].z, 0);

@@ -37,7 +37,13 @@ TEST(ColourSolver, SaysWhatIsTooLightAndTakesNoDye) {
   EXPECT_FALSE(solved.tooDark);
   EXPECT_EQ(solved.absorption_per_mm.r, 0);
   EXPECT_LT(solved.reached.r, 0.81f) << "of five walks four come back";
-  EXPECT_NEAR(solved.reached.g, 0.3f, 1e-4);
+}
+
+TEST(ColourSolver, APastelThatIsTooLightKeepsItsHue) {
+  const SolvedColour solved = solveColour(someWalks(), {Rgb(0.0f), Rgb(0.0f)}, 0, Rgb(1.0f, 0.85f, 0.88f));
+  EXPECT_TRUE(solved.tooLight);
+  EXPECT_GT(solved.reached.r, solved.reached.g + 0.05f);
+  EXPECT_GT(solved.reached.r, solved.reached.b + 0.03f);
 }
 
 TEST(ColourSolver, SaysWhatIsTooDarkAndTakesNoMoreDyeThanShows) {
