@@ -17,8 +17,8 @@ Session::Session(Document document, Settings settings, std::function<void()> wak
       shelf_(viewFolder(), wake_),
       presetDesk_(presetFolder(), wake_),
       views_(wake_, threads),
-      previews_(wake_),
       files_(wake_),
+      previews_(wake_),
       pictures_(wake_) {
   hints_.wanted = !settings_.hintsSeen;
   const ViewSettings& view = settings_.view;
