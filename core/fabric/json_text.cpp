@@ -88,10 +88,12 @@ class Guard {
   size_t values_ = 0;
 };
 
-/// The parser's complaint without its prefix, printable, and not as long as what it chokes on.
+/// The heart of the parser's complaint, printable, and not as long as what it chokes on.
 std::string complaint(const char* what) {
   std::string_view text(what);
-  if (const size_t at = text.find("syntax error"); at != std::string_view::npos) text.remove_prefix(at);
+  constexpr std::string_view kHead = "syntax error while parsing ";
+  if (const size_t at = text.find(kHead); at != std::string_view::npos) text.remove_prefix(at + kHead.size());
+  text = text.substr(0, text.find("; "));
   std::string shown;
   for (const char c : text.substr(0, 200)) shown += std::isprint(static_cast<unsigned char>(c)) ? c : '?';
   return text.size() > 200 ? shown + "..." : shown;
@@ -105,7 +107,9 @@ InputError syntaxError(std::string_view text, const std::string& source, const n
   const auto line = 1 + std::count(before.begin(), before.end(), '\n');
   const size_t lineStart = before.rfind('\n');
   const size_t column = lineStart == std::string_view::npos ? at + 1 : at - lineStart;
-  return InputError(fmt::format("{}: line {}, column {}: {}", source, line, column, complaint(error.what())));
+  const char* const what = at == text.size() ? "the text breaks off" : "this is no JSON";
+  return InputError(
+      fmt::format("{}: line {}, column {}: {} ({})", source, line, column, what, complaint(error.what())));
 }
 
 using Json = nlohmann::ordered_json;

@@ -68,6 +68,10 @@ RealRange rangeOf(const WifSections& sections, const std::map<int, glm::dvec3>& 
   return range;
 }
 
+bool isRgb(const WifEntry& form) {
+  return lowerCase(unquoted(form.value)) == "rgb";
+}
+
 bool isWhole(double value) {
   return value == std::floor(value);
 }
@@ -92,8 +96,7 @@ WifPalette readPalette(const WifSections& sections, WifWarnings& warnings) {
       warnings.add(0, "COLOR PALETTE", "", "A palette is announced, but there are no colours.");
     return {};
   }
-  if (const WifEntry* const form = findEntry(sections, "COLOR PALETTE", "form");
-      form && lowerCase(unquoted(form->value)) != "rgb")
+  if (const WifEntry* const form = findEntry(sections, "COLOR PALETTE", "form"); form && !isRgb(*form))
     warnings.add(form->line, "COLOR PALETTE", said(*form),
                  "Colours of another form than RGB are not known; they are read as red, green and blue.");
   const RealRange range = rangeOf(sections, colours, warnings);
@@ -238,8 +241,13 @@ std::vector<std::string> keptLines(const WifSection& section) {
   std::unordered_set<std::string> seen;
   if (known != knownKeys().end()) seen.insert(known->keys.begin(), known->keys.end());
   // From the end, because the last of equal keys counts.
-  for (auto entry = section.entries.rbegin(); entry != section.entries.rend(); ++entry)
-    if (seen.insert(lowerCase(entry->key)).second) lines.push_back(fmt::format("{}={}", entry->key, entry->value));
+  for (auto entry = section.entries.rbegin(); entry != section.entries.rend(); ++entry) {
+    const std::string key = lowerCase(entry->key);
+    if (!seen.insert(key).second) continue;
+    // Colours go out as red, green and blue, so that another form would be wrong from now on.
+    const bool isUntrue = section.name == "COLOR PALETTE" && key == "form" && !isRgb(*entry);
+    if (!isUntrue) lines.push_back(fmt::format("{}={}", entry->key, entry->value));
+  }
   std::reverse(lines.begin(), lines.end());
   return lines;
 }

@@ -61,6 +61,15 @@ TEST(WifFabric, TakesDraftColoursAndTexts) {
   EXPECT_EQ(imported(replaced(twillFile(), "Title=Two twills\n", "")).name, "x");
 }
 
+TEST(WifFabric, ColoursOfAnotherFormGoOutAsTheyWereRead) {
+  const std::string text = replaced(twillFile(), "Entries=4\n", "Entries=4\nForm=Decimal\n");
+  const Fabric fabric = imported(text);
+  EXPECT_EQ(fabricFromJson(fabricToJson(fabric), "x.json"), fabric) << "a fabric that was saved opens again";
+  EXPECT_THAT(wifFromFabric(fabric, "y.wif").text, testing::Not(testing::HasSubstr("Form=")));
+  const std::string rgb = replaced(twillFile(), "Entries=4\n", "Entries=4\nForm=RGB\n");
+  EXPECT_THAT(wifFromFabric(imported(rgb), "y.wif").text, testing::HasSubstr("\r\nForm=RGB\r\n"));
+}
+
 TEST(WifFabric, MineGivesTheYarnsAndAllElse) {
   Fabric mine;
   mine.yarns = {Yarn{}, Yarn{}, Yarn{}};
