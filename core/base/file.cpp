@@ -38,14 +38,17 @@ class Descriptor {
   int fd_;
 };
 
-/// Opens a new file beside the target; with a name of its own, so that two writers never share one.
-int openBeside(const std::string& target, std::string& name) {
+/// Opens a new file beside the target; with a name of its own, so that two writers never share one, and no longer than
+/// names may be, however long the target's is.
+int openBeside(const std::filesystem::path& target, std::string& name) {
   constexpr int kAttempts = 16;
+  constexpr size_t kLongest = 200;
+  const std::string beginning = (target.parent_path() / target.filename().string().substr(0, kLongest)).string();
   auto number = static_cast<uint64_t>(std::chrono::steady_clock::now().time_since_epoch().count());
   int fd = -1;
   for (int i = 0; i < kAttempts && fd < 0; ++i) {
     number = mixBits(number + static_cast<uint64_t>(::getpid()));
-    name = fmt::format("{}.{:016x}.tmp", target, number);
+    name = fmt::format("{}.{:016x}.tmp", beginning, number);
     fd = ::open(name.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
     if (fd < 0 && errno != EEXIST) break;
   }

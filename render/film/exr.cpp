@@ -5,6 +5,7 @@
 #include <ImfIO.h>
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
+#include <ImfStandardAttributes.h>
 #include <ImfStringAttribute.h>
 #include <fmt/core.h>
 
@@ -162,6 +163,15 @@ Image readImage(const std::string& file) {
   return image;
 }
 
+/// What OpenEXR says, in which it quotes the file's own bytes, as one line that can be shown.
+std::string plainLine(std::string text) {
+  for (char& c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte >= 0x7F) c = byte == '\n' ? ' ' : '?';
+  }
+  return text;
+}
+
 /// Runs read(file) on a file whose header makes no outrageous claims; what OpenEXR throws becomes an InputError.
 template <class Read>
 auto guarded(const std::string& file, Read&& read) {
@@ -173,7 +183,7 @@ auto guarded(const std::string& file, Read&& read) {
   } catch (const std::bad_alloc&) {
     throw InputError(fmt::format("{}: needs more memory than there is", file));
   } catch (const std::exception& e) {
-    throw InputError(fmt::format("{}: damaged or unsupported EXR file: {}", file, e.what()));
+    throw InputError(fmt::format("{}: damaged or unsupported EXR file: {}", file, plainLine(e.what())));
   }
 }
 
@@ -199,11 +209,12 @@ std::map<std::string, std::string> readExrMetadata(const std::string& file) {
   return guarded(file, [](const std::string& name) { return textsOf(Imf::InputFile(name.c_str()).header()); });
 }
 
-void writeExr(const std::string& file, const Image& image) {
+void writeExr(const std::string& file, const Image& image, double dpi) {
   if (image.width < 1 || image.height < 1 || image.width > kMaxSide || image.height > kMaxSide)
     throw InputError(fmt::format("{}: cannot be written with {} x {} pixels, expected 1 to {} a side", file,
                                  image.width, image.height, kMaxSide));
-  const Imf::Header header = headerOf(file, image);
+  Imf::Header header = headerOf(file, image);
+  if (dpi > 0) Imf::addXDensity(header, static_cast<float>(dpi));
   Imf::FrameBuffer buffer;
   for (const Image::Channel& channel : image.channels) {
     assert(channel.values.size() == static_cast<size_t>(image.width) * static_cast<size_t>(image.height));

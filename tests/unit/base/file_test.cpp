@@ -54,6 +54,14 @@ TEST_F(File, LeavesNothingBeside) {
   EXPECT_EQ(filesInFolder(), 2u);
 }
 
+TEST_F(File, NamesMayBeAsLongAsNamesCanBe) {
+  const std::string longest(255, 'n');
+  writeFileAtomically(at(longest), "x");
+  EXPECT_EQ(readFile(at(longest), 10), "x");
+  EXPECT_EQ(filesInFolder(), 1u);
+  EXPECT_THROW(writeFileAtomically(at(longest + "n"), "x"), InputError);
+}
+
 TEST_F(File, ReplacedFileKeepsItsPermissions) {
   writeFileAtomically(at("a"), "x");
   ASSERT_EQ(::chmod(at("a").c_str(), 0640), 0);

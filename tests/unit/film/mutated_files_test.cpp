@@ -22,7 +22,9 @@ int readable(const std::string& name, const std::string& bytes, uint64_t seed, c
       read(folder.file(name));
       ++good;
     } catch (const InputError& error) {
-      EXPECT_NE(std::string(error.what()).find(name), std::string::npos) << error.what();
+      const std::string said = error.what();
+      EXPECT_NE(said.find(name), std::string::npos) << said;
+      for (const char c : said) EXPECT_TRUE(c >= 0x20 && c < 0x7F) << said;
     }
   }
   return good;
