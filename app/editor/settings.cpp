@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <type_traits>
 
 #include "core/base/error.h"
 #include "core/base/file.h"
@@ -18,40 +19,56 @@ double defaultFibreMemory_GB() {
 
 namespace {
 
+/// What the file says, or the default where it says nothing of the kind: one value that makes no sense costs no other.
+template <class T>
+T valueOf(const nlohmann::json& json, const char* key, T otherwise) {
+  const auto found = json.find(key);
+  if (found == json.end()) return otherwise;
+  constexpr bool isCount = std::is_integral_v<T> && !std::is_same_v<T, bool>;
+  if (isCount && !found->is_number_integer()) return otherwise;  // 1e300 fits no int
+  try {
+    return found->template get<T>();
+  } catch (const nlohmann::json::exception&) {
+    return otherwise;
+  }
+}
+
 /// Origins by name, so that the file says what it means.
 constexpr const char* kOrigins[] = {"bottom_left", "bottom_right", "top_left", "top_right"};
 
 DraftPreferences draftPreferences(const nlohmann::json& json, DraftPreferences draft) {
-  const std::string origin = json.value("draft_origin", std::string());
+  const std::string origin = valueOf(json, "draft_origin", std::string());
   for (int i = 0; i < static_cast<int>(std::size(kOrigins)); ++i)
     if (origin == kOrigins[i]) draft.origin = static_cast<DraftPreferences::Origin>(i);
-  draft.inches = json.value("draft_inches", draft.inches);
-  draft.rulers = json.value("draft_rulers", draft.rulers);
-  draft.loom.shafts = std::clamp(json.value("loom_shafts", draft.loom.shafts), 1, 256);
-  draft.loom.treadles = std::clamp(json.value("loom_treadles", draft.loom.treadles), 1, 256);
-  draft.longFloat_mm = std::clamp(json.value("long_float_mm", draft.longFloat_mm), 0.1, 100.0);
+  draft.inches = valueOf(json, "draft_inches", draft.inches);
+  draft.rulers = valueOf(json, "draft_rulers", draft.rulers);
+  draft.loom.shafts = std::clamp(valueOf(json, "loom_shafts", draft.loom.shafts), 1, 256);
+  draft.loom.treadles = std::clamp(valueOf(json, "loom_treadles", draft.loom.treadles), 1, 256);
+  draft.longFloat_mm = std::clamp(valueOf(json, "long_float_mm", draft.longFloat_mm), 0.1, 100.0);
   return draft;
 }
 
 ViewSettings viewSettings(const nlohmann::json& json, ViewSettings view) {
-  view.denoised = json.value("denoised", view.denoised);
-  view.filmic = json.value("filmic", view.filmic);
+  view.denoised = valueOf(json, "denoised", view.denoised);
+  view.filmic = valueOf(json, "filmic", view.filmic);
   view.exposure_stops =
-      std::clamp(json.value("exposure_stops", view.exposure_stops), -kMostExposure_stops, kMostExposure_stops);
-  view.draftInColour = json.value("draft_in_colour", view.draftInColour);
-  view.draftBack = json.value("draft_back", view.draftBack);
-  view.marksFloats = json.value("draft_marks_floats", view.marksFloats);
+      std::clamp(valueOf(json, "exposure_stops", view.exposure_stops), -kMostExposure_stops, kMostExposure_stops);
+  view.draftInColour = valueOf(json, "draft_in_colour", view.draftInColour);
+  view.draftBack = valueOf(json, "draft_back", view.draftBack);
+  view.marksFloats = valueOf(json, "draft_marks_floats", view.marksFloats);
   return view;
 }
 
 /// All but the caption, which is of one picture.
 SnapshotOptions snapshotOptions(const nlohmann::json& json, SnapshotOptions options) {
-  options.inMillimetres = json.value("snapshot_in_mm", options.inMillimetres);
-  options.width_mm = std::clamp(json.value("snapshot_width_mm", options.width_mm), kPrintSide_mm[0], kPrintSide_mm[1]);
+  options.inMillimetres = valueOf(json, "snapshot_in_mm", options.inMillimetres);
+  options.width_mm =
+      std::clamp(valueOf(json, "snapshot_width_mm", options.width_mm), kPrintSide_mm[0], kPrintSide_mm[1]);
   options.height_mm =
-      std::clamp(json.value("snapshot_height_mm", options.height_mm), kPrintSide_mm[0], kPrintSide_mm[1]);
-  options.dpi = std::clamp(json.value("snapshot_dpi", options.dpi), kPrintResolution_dpi[0], kPrintResolution_dpi[1]);
-  options.scaleBar = json.value("snapshot_scale_bar", options.scaleBar);
+      std::clamp(valueOf(json, "snapshot_height_mm", options.height_mm), kPrintSide_mm[0], kPrintSide_mm[1]);
+  options.dpi =
+      std::clamp(valueOf(json, "snapshot_dpi", options.dpi), kPrintResolution_dpi[0], kPrintResolution_dpi[1]);
+  options.scaleBar = valueOf(json, "snapshot_scale_bar", options.scaleBar);
   return options;
 }
 
@@ -59,21 +76,21 @@ constexpr CountSystem kCounts[] = {CountSystem::tex,    CountSystem::dtex,    Co
                                    CountSystem::cotton, CountSystem::worsted, CountSystem::linen};
 
 TradeUnits tradeUnits(const nlohmann::json& json, TradeUnits units) {
-  const std::string count = json.value("count_unit", std::string());
+  const std::string count = valueOf(json, "count_unit", std::string());
   for (const CountSystem system : kCounts)
     if (count == countUnit(system)) units.count = system;
-  units.twistAsMultiplier = json.value("twist_multiplier", units.twistAsMultiplier);
+  units.twistAsMultiplier = valueOf(json, "twist_multiplier", units.twistAsMultiplier);
   units.piece.length_m =
-      std::clamp(json.value("piece_length_m", units.piece.length_m), kPieceLength_m[0], kPieceLength_m[1]);
+      std::clamp(valueOf(json, "piece_length_m", units.piece.length_m), kPieceLength_m[0], kPieceLength_m[1]);
   units.piece.width_cm =
-      std::clamp(json.value("piece_width_cm", units.piece.width_cm), kPieceWidth_cm[0], kPieceWidth_cm[1]);
+      std::clamp(valueOf(json, "piece_width_cm", units.piece.width_cm), kPieceWidth_cm[0], kPieceWidth_cm[1]);
   return units;
 }
 
 std::vector<RecentFile> recentFiles(const nlohmann::json& json) {
   std::vector<RecentFile> files;
   for (const nlohmann::json& file : json)
-    if (files.size() < kMostRecentFiles) files.push_back({file.get<std::string>(), false});
+    if (file.is_string() && files.size() < kMostRecentFiles) files.push_back({file.get<std::string>(), false});
   return files;
 }
 
@@ -84,18 +101,18 @@ Settings readSettings(const std::filesystem::path& file) {
   Settings settings;
   try {
     const nlohmann::json json = nlohmann::json::parse(readFile(file.string(), kMostBytes));
-    settings.windowWidth = std::clamp(json.value("window_width", settings.windowWidth), 960, 16384);
-    settings.windowHeight = std::clamp(json.value("window_height", settings.windowHeight), 600, 16384);
-    settings.darkTheme = json.value("dark_theme", settings.darkTheme);
+    settings.windowWidth = std::clamp(valueOf(json, "window_width", settings.windowWidth), 960, 16384);
+    settings.windowHeight = std::clamp(valueOf(json, "window_height", settings.windowHeight), 600, 16384);
+    settings.darkTheme = valueOf(json, "dark_theme", settings.darkTheme);
     settings.interfaceSize =
-        std::clamp(json.value("interface_size", settings.interfaceSize), kInterfaceSizes[0], kInterfaceSizes[4]);
-    settings.desk.draftWidth = std::clamp(json.value("draft_width", settings.desk.draftWidth), 0.0f, 4000.0f);
+        std::clamp(valueOf(json, "interface_size", settings.interfaceSize), kInterfaceSizes[0], kInterfaceSizes[4]);
+    settings.desk.draftWidth = std::clamp(valueOf(json, "draft_width", settings.desk.draftWidth), 0.0f, 4000.0f);
     settings.desk.inspectorWidth =
-        std::clamp(json.value("inspector_width", settings.desk.inspectorWidth), 0.0f, 4000.0f);
-    settings.fibreMemory_GB = std::clamp(json.value("fibre_memory_gb", settings.fibreMemory_GB), 0.1, 65536.0);
-    settings.folder = json.value("folder", settings.folder);
-    settings.recent = recentFiles(json.value("recent", nlohmann::json::array()));
-    settings.hintsSeen = json.value("hints_seen", true);
+        std::clamp(valueOf(json, "inspector_width", settings.desk.inspectorWidth), 0.0f, 4000.0f);
+    settings.fibreMemory_GB = std::clamp(valueOf(json, "fibre_memory_gb", settings.fibreMemory_GB), 0.1, 65536.0);
+    settings.folder = valueOf(json, "folder", settings.folder);
+    settings.recent = recentFiles(valueOf(json, "recent", nlohmann::json::array()));
+    settings.hintsSeen = valueOf(json, "hints_seen", true);
     settings.draft = draftPreferences(json, settings.draft);
     settings.units = tradeUnits(json, settings.units);
     settings.view = viewSettings(json, settings.view);

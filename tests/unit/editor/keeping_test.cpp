@@ -258,6 +258,22 @@ TEST(Settings, ComeBackAndSurviveNonsense) {
   }
 }
 
+TEST(Settings, OneThatMakesNoSenseCostsNoOther) {
+  const Folder folder;
+  const fs::path file = folder.path / "editor.json";
+  writeSettings(file, Settings());  // makes the folder
+  std::ofstream(file) << R"({"window_width": 1777, "window_height": 1e300, "dark_theme": "no", "count_unit": 7,
+                             "recent": ["/a.json", 5, "/b.json"], "exposure_stops": [], "loom_shafts": 12})";
+  const Settings read = readSettings(file);
+  EXPECT_EQ(read.windowWidth, 1777);
+  EXPECT_EQ(read.windowHeight, Settings().windowHeight);
+  EXPECT_EQ(read.darkTheme, Settings().darkTheme);
+  EXPECT_EQ(read.units.count, Settings().units.count);
+  ASSERT_EQ(read.recent.size(), 2u);
+  EXPECT_EQ(read.recent[1].file, "/b.json");
+  EXPECT_EQ(read.draft.loom.shafts, 12);
+}
+
 TEST(Settings, AFolderWhoseNameIsNoTextCostsNoSetting) {
   const Folder folder;
   const fs::path file = folder.path / "editor.json";
