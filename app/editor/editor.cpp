@@ -8,6 +8,7 @@
 #include <cmath>
 #include <memory>
 
+#include "app/editor/first_opening.h"
 #include "app/editor/sample_fabric.h"
 #include "app/editor/session.h"
 #include "app/editor/thread_clock.h"
@@ -15,7 +16,6 @@
 #include "app/editor/widget_dump.h"
 #include "app/editor/window.h"
 #include "app/workers/file_name.h"
-#include "core/fabric/fabric_json.h"
 
 namespace loomlight {
 namespace {
@@ -29,11 +29,6 @@ constexpr double kLongestSleep_s = 5.0;
 /// A weaving file or a picture is opened into the sample, by the session, which says what was wrong in it.
 bool isFabric(const std::string& file) {
   return lowerExtension(file) == ".json";
-}
-
-Document firstDocument(const EditorOptions& options, bool isFirstStart) {
-  if (!isFabric(options.fabricFile)) return Document(isFirstStart ? welcomeFabric() : sampleFabric());
-  return Document(readFabric(options.fabricFile), options.fabricFile);
 }
 
 double seconds() {
@@ -58,43 +53,55 @@ class FrameWatch {
   double longest_s_ = 0;
 };
 
-/// Draws one frame; returns after how many seconds the next one is wanted without any event.
-double drawFrame(Window& window, Session& session, WidgetProbe& probe, FieldMemory& memory, FrameWatch& watch) {
-  const Theme theme = session.settings().darkTheme ? Theme::dark() : Theme::light();
-  window.setTheme(theme);
-  window.setInterfaceSize(session.settings().interfaceSize);
-  window.beginFrame();
-  probe.beginFrame();
-  Ui ui{theme, window.fonts(), probe, memory, window.scale(), seconds()};
-  const double before_s = threadSeconds();
-  session.frame(ui);
-  watch.count(threadSeconds() - before_s, probe);
-  window.endFrame(theme);
-  window.setTitle(session.title());
-  return ui.wakeIn;
-}
+/// Draws frames one after the other while something happens, and none while nothing does. What is shown is the session,
+/// or what comes before it.
+class Frames {
+ public:
+  Frames(Window& window, const std::string& dumpFile) : window_(window), probe_(!dumpFile.empty()), dump_(dumpFile) {}
 
-void runLoop(Window& window, Session& session, const std::string& dumpFile) {
-  WidgetProbe probe(!dumpFile.empty());
-  WidgetDump dump(dumpFile);
-  FieldMemory memory;
-  FrameWatch watch;
-  int framesLeft = kFramesPerEvent;
-  double wakeIn = 0;
-  while (!session.isOver()) {
-    const bool sleeps = framesLeft <= 0;
-    const bool input = window.waitForEvents(sleeps ? std::min(wakeIn, kLongestSleep_s) : 0);
-    framesLeft = input || sleeps ? kFramesPerEvent - 1 : framesLeft - 1;
-    session.drop(window.takeDroppedFiles());
-    if (window.closeWanted()) {
-      window.refuseClose();
-      session.askToQuit();
+  template <class Shown>
+  void runUntilOver(Shown& shown) {
+    int framesLeft = kFramesPerEvent;
+    double wakeIn = 0;
+    while (!shown.isOver()) {
+      const bool sleeps = framesLeft <= 0;
+      const bool input = window_.waitForEvents(sleeps ? std::min(wakeIn, kLongestSleep_s) : 0);
+      framesLeft = input || sleeps ? kFramesPerEvent - 1 : framesLeft - 1;
+      shown.drop(window_.takeDroppedFiles());
+      if (window_.closeWanted()) {
+        window_.refuseClose();
+        shown.askToQuit();
+      }
+      wakeIn = draw(shown);
+      window_.setFullScreen(shown.wantsFullScreen());
+      if (probe_.watching()) dump_.write(probe_.snapshot());
     }
-    wakeIn = drawFrame(window, session, probe, memory, watch);
-    window.setFullScreen(session.wantsFullScreen());
-    if (probe.watching()) dump.write(probe.snapshot());
   }
-}
+
+ private:
+  /// Returns after how many seconds the next frame is wanted without any event.
+  template <class Shown>
+  double draw(Shown& shown) {
+    const Theme theme = shown.settings().darkTheme ? Theme::dark() : Theme::light();
+    window_.setTheme(theme);
+    window_.setInterfaceSize(shown.settings().interfaceSize);
+    window_.beginFrame();
+    probe_.beginFrame();
+    Ui ui{theme, window_.fonts(), probe_, memory_, window_.scale(), seconds()};
+    const double before_s = threadSeconds();
+    shown.frame(ui);
+    watch_.count(threadSeconds() - before_s, probe_);
+    window_.endFrame(theme);
+    window_.setTitle(shown.title());
+    return ui.wakeIn;
+  }
+
+  Window& window_;
+  WidgetProbe probe_;
+  WidgetDump dump_;
+  FieldMemory memory_;
+  FrameWatch watch_;
+};
 
 }  // namespace
 
@@ -106,14 +113,30 @@ bool hasDisplay() {
 
 int runEditor(const EditorOptions& options) {
   Settings settings = readSettings(settingsFile());
-  Document document = firstDocument(options, !settings.hintsSeen);
+  Document document(settings.hintsSeen ? sampleFabric() : welcomeFabric());
   if (options.width > 0) settings.windowWidth = options.width;
   if (options.height > 0) settings.windowHeight = options.height;
   Window window("Loomlight", settings.windowWidth, settings.windowHeight, options.scale);
+  Frames frames(window, options.widgetDump);
+
+  FileDesk firstFile(Window::wake);  // outlives the session, for a read that was given up goes on
+  std::string problem;
+  std::vector<std::string> dropped;
+  if (isFabric(options.fabricFile)) {
+    FirstOpening opening(firstFile, options.fabricFile, std::move(document), settings);
+    frames.runUntilOver(opening);
+    if (opening.quits()) return 0;
+    document = opening.document();
+    problem = opening.problem();
+    dropped = opening.dropped();
+  }
+
   Session session(std::move(document), settings, Window::wake, options.threads);
   session.offerRecovery();
+  if (!problem.empty()) session.sayUnopened(problem);
   if (!options.fabricFile.empty() && !isFabric(options.fabricFile)) session.openFile(options.fabricFile);
-  runLoop(window, session, options.widgetDump);
+  session.drop(dropped);
+  frames.runUntilOver(session);
   session.close();
   Settings last = session.settings();
   last.windowWidth = static_cast<int>(window.sizeInWindow().x);

@@ -12,8 +12,8 @@ struct EditorOptions {
   std::string widgetDump;     ///< debugging and tests: a JSON file that always says where the named widgets are
 };
 
-/// Opens the window and runs until it is closed. Returns the exit status. Throws InputError when there is no display,
-/// or the fabric cannot be read.
+/// Opens the window and runs until it is closed. Returns the exit status. Throws InputError when there is no display; a
+/// file that cannot be read is said in the window.
 int runEditor(const EditorOptions& options);
 
 /// Whether a window can be opened at all here; cheap.

@@ -60,6 +60,8 @@ class Session {
   void openFile(const std::string& file);
   /// The same for files dropped on the window, each once no dialog is open: an answer is for what it was asked about.
   void drop(const std::vector<std::string>& files);
+  /// Says why a file could not be opened.
+  void sayUnopened(const std::string& problem);
   /// Asks about unsaved work first, once.
   void askToQuit();
   /// Offers what an editor that did not end well has left behind, once no dialog is in the way.

@@ -79,6 +79,10 @@ void Session::openFile(const std::string& file) {
   }
 }
 
+void Session::sayUnopened(const std::string& problem) {
+  say("This file cannot be opened", problem);
+}
+
 void Session::save(const std::string& file) {
   files_.save(file, document_.fabric(), document_.state());
 }
@@ -98,7 +102,7 @@ void Session::fileDone(FileDesk::Result result) {
   const bool written = result.work == Work::save || result.work == Work::exportTo;
   if (!result.problem.empty() || result.cancelled) afterwards_ = Afterwards::nothing;
   if (result.cancelled) return;
-  if (!result.problem.empty() && !written) return say("This file cannot be opened", result.problem);
+  if (!result.problem.empty() && !written) return sayUnopened(result.problem);
   if (!result.problem.empty())
     return say("The file could not be written", result.problem + "\n\nNothing is lost: the cloth is still here.");
   // Workers go on while a file is read: what they have edited since is asked about too.

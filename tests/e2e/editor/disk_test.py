@@ -56,10 +56,13 @@ def spoil_its_own_folders(editor):
     os.mkfifo(os.path.join(state, "autosave-2000000000.json"))  # of a process that cannot be
 
 
-def spoilt_folders(editor):
+def left_work_that_is_none(editor):
     editor.wait_until("what was left is offered", lambda: "Take it up again?" in editor.fact("message"))
     editor.click("message.answer_2")
     answer(editor, "expected a regular file")
+
+
+def spoilt_folders(editor):
     editor.key("ctrl+b")
     editor.wait_until("the presets are shown", lambda: "presets.card/Denim" in editor.widgets())
     kept = [name for name in editor.widgets() if name in ("presets.card/pipe", "presets.card/loop", "presets.card/binary")]
@@ -109,6 +112,23 @@ def elsewhere(editor, folder):
     expect(read_json(file)["weave"] != read_json(os.path.join(folder, "long.json"))["weave"], "the edit is not in it")
 
 
+def first_file_that_is_none(editor, folder):
+    """The window is there all the same, and another file can be opened."""
+    broken = os.path.join(folder, "broken.json")
+    with open(broken, "w", encoding="utf-8") as file:
+        file.write('{"loomlight_version": 1, "weave": [')
+    editor.start(PROGRAM, [broken])
+    editor.wait_until("the editor says so", lambda: "broken.json: line 1" in editor.fact("message"))
+    editor.click("message.answer_0")
+    os.remove(broken)
+
+
+def open_cloth(editor, file):
+    editor.key("ctrl+o")
+    name_file(editor, file)
+    editor.wait_until("the cloth is open", lambda: editor.fact("name") == "Long")
+
+
 def files_that_are_none(editor, folder):
     os.mkfifo(os.path.join(folder, "pipe.json"))
     os.symlink("/dev/zero", os.path.join(folder, "endless.wif"))
@@ -136,8 +156,9 @@ def test():
         os.mkdir(folder)
         file = long_fabric(folder)
         spoil_its_own_folders(editor)
-        editor.start(PROGRAM, [file])
-        editor.wait_until("the cloth is on the screen", lambda: editor.number("shown_generation") > 0)
+        first_file_that_is_none(editor, folder)
+        left_work_that_is_none(editor)
+        open_cloth(editor, file)
         spoilt_folders(editor)
         full_disk(editor, file)
         quit_does_not_lose_it(editor)
