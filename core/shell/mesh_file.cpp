@@ -9,8 +9,8 @@
 #include <OpenMesh/Core/IO/reader/PLYReader.hh>
 #include <OpenMesh/Core/System/omstream.hh>
 #include <algorithm>
+#include <array>
 #include <cctype>
-#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <mutex>
@@ -165,6 +165,27 @@ std::string extensionOf(const std::string& file) {
   return extension;
 }
 
+/// OpenMesh says nothing to the terminal while this lives: what is wrong with a file is ours to say.
+class Silence {
+ public:
+  Silence() {
+    for (size_t i = 0; i < streams_.size(); ++i) {
+      enabled_[i] = streams_[i]->is_enabled();
+      streams_[i]->disable();
+    }
+  }
+  ~Silence() {
+    for (size_t i = 0; i < streams_.size(); ++i)
+      if (enabled_[i]) streams_[i]->enable();
+  }
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+
+ private:
+  std::array<OpenMesh::mostream*, 3> streams_{&omout(), &omlog(), &omerr()};
+  std::array<bool, 3> enabled_{};
+};
+
 }  // namespace
 
 MeshFile readMeshFile(const std::string& file) {
@@ -176,28 +197,19 @@ MeshFile readMeshFile(const std::string& file) {
   if (extension == ".ply") checkPly(file, content);
   if (extension == ".off") checkOff(file, content);
 
-  // OpenMesh's readers, and the stream they complain to, are one for the whole program.
+  // OpenMesh's readers, and the streams they complain to, are one for the whole program.
   static std::mutex readers;
   const std::lock_guard lock(readers);
-  const bool chatty = omerr().is_enabled();
-  omerr().disable();
+  const Silence silence;
   MeshFile mesh;
   SoupImporter importer(file, mesh);
   OpenMesh::IO::Options options = OpenMesh::IO::Options::VertexTexCoord;
   options += OpenMesh::IO::Options::FaceTexCoord;
   std::istringstream stream(std::move(content));
-  bool read = false;
-  std::exception_ptr failure;
-  try {
-    // This reader learns what the vertices carry only by being asked about a file, not by reading from a stream.
-    if (extension == ".off") OpenMesh::IO::OFFReader().can_u_read(file);
-    read = OpenMesh::IO::IOManager().read(stream, extension.substr(1), importer, options);
-  } catch (...) {
-    failure = std::current_exception();
-  }
-  if (chatty) omerr().enable();
-  if (failure) std::rethrow_exception(failure);
-  if (!read) throw InputError(fmt::format("{}: cannot be read as a mesh", file));
+  // This reader learns what the vertices carry only by being asked about a file, not by reading from a stream.
+  if (extension == ".off") OpenMesh::IO::OFFReader().can_u_read(file);
+  if (!OpenMesh::IO::IOManager().read(stream, extension.substr(1), importer, options))
+    throw InputError(fmt::format("{}: cannot be read as a mesh", file));
   return mesh;
 }
 

@@ -113,7 +113,7 @@ void checkElements(const MeshText& text, const PlyHeader& header) {
         text.fail(
             fmt::format("cannot read the list '{}' of {}; expected texture coordinates at vertices and "
                         "no lists but the faces' vertex_indices",
-                        property.name, element.name));
+                        property.name.substr(0, 40), element.name.substr(0, 40)));
     }
     if (&element == face) break;  // what follows is not read
   }

@@ -151,6 +151,8 @@ TEST(HostileWif, LinesOfAFabricFileHaveToBeRight) {
   EXPECT_THAT(complaint("{\"lines\": [7]}"), HasSubstr("x.json: wif.lines: expected texts, got 7"));
   EXPECT_THAT(complaint("{\"lines\": [\"[COLOR TABLE]\", \"oops\"]}"),
               HasSubstr("expected lines as in a weaving file"));
+  EXPECT_EQ(complaint("{\"lines\": [\"[PRIVATE A]\", \"b=\\u0000\"]}"),
+            "x.json: wif.lines: expected texts, got a zero in one");
   std::string sections;
   for (int i = 0; i < 5000; ++i) sections += fmt::format("\"[P {}]\", ", i);
   EXPECT_EQ(complaint("{\"lines\": [" + sections + "\"\"]}"), "x.json: wif.lines: expected at most 4096 sections");
