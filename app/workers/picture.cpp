@@ -38,17 +38,18 @@ std::map<std::string, std::string> pngTexts(const Fabric& fabric) {
   return {{"Software", "Loomlight " LOOMLIGHT_VERSION}, {"Title", fabric.name}};
 }
 
-void writePicture(const std::string& file, const Film& film, const Fabric& fabric, const Tone& tone, bool keepSums) {
+void writePicture(const std::string& file, const Film& film, const Fabric& fabric, const Tone& tone, bool keepSums,
+                  double dpi) {
   checkPictureName(file);
   if (lowerExtension(file) == ".png") {
-    writePng(file, toPixels(film, tone), pngTexts(fabric));
+    writePng(file, toPixels(film, tone), pngTexts(fabric), dpi);
     return;
   }
   Image image = film.toImage(keepSums);
   image.metadata[kFabricKey] = fabricToJson(localNames(fabric, file));
   image.metadata[kSamplesKey] = std::to_string(fewestSamples(film));
   image.metadata[kVersionKey] = LOOMLIGHT_VERSION;
-  writeExr(file, image);
+  writeExr(file, image, dpi);
 }
 
 Fabric fabricOfPicture(const std::string& file) {

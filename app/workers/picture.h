@@ -16,9 +16,10 @@ void checkPictureName(const std::string& file);
 /// Writes a film as a picture; the file is whole or the old one is still there. `.exr`: linear light, every AOV, and
 /// as metadata the fabric with all its settings, the samples per pixel and the program's version, so that the picture
 /// can be rendered again from itself; the bytes depend on the arguments alone. `.png`: as the display shows it.
-/// `keepSums` adds to an .exr the film's exact sums, from which it can be continued. Throws InputError when the file
-/// cannot be written.
-void writePicture(const std::string& file, const Film& film, const Fabric& fabric, const Tone& tone, bool keepSums);
+/// `keepSums` adds to an .exr the film's exact sums, from which it can be continued; `dpi` is its size on paper, 0 for
+/// none. Throws InputError when the file cannot be written.
+void writePicture(const std::string& file, const Film& film, const Fabric& fabric, const Tone& tone, bool keepSums,
+                  double dpi = 0);
 
 /// The texts that our .png files of a fabric carry.
 std::map<std::string, std::string> pngTexts(const Fabric& fabric);

@@ -36,7 +36,7 @@ bool writeSnapshot(const std::shared_ptr<const Fabric>& fabric, const std::strin
     writePng(file, print.finish ? print.finish(toPixels(film, tone)) : toPixels(film, tone), pngTexts(*fabric),
              print.dpi);
   else
-    writePicture(file, film, *fabric, tone, false);
+    writePicture(file, film, *fabric, tone, false, print.dpi);
   return true;
 }
 

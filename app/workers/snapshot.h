@@ -11,9 +11,9 @@
 
 namespace loomlight {
 
-/// What is particular to a snapshot that is a .png.
+/// How a snapshot is printed.
 struct SnapshotPrint {
-  std::function<Pixels8(Pixels8)> finish;  ///< makes of the display's pixels what is written; empty: these themselves
+  std::function<Pixels8(Pixels8)> finish;  ///< makes of a .png's pixels what is written; empty: these themselves
   double dpi = 0;                          ///< its size on paper; 0: none
 };
 

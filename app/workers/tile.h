@@ -46,7 +46,7 @@ struct TileReport {
 };
 /// Writes STEM.exr (all maps, linear; the opacity is a layer, as an alpha would mean colours that it has darkened),
 /// STEM_basecolor.png, _normal.png (y up), _height.png, _opacity.png, _yarn.png and STEM.json, which says what they
-/// are. Each file is whole or not there. Throws InputError.
+/// are. The pictures carry their size as dots per inch. Each file is whole or not there. Throws InputError.
 TileReport writeTile(const std::string& stem, const TileMaps& maps, const Fabric& fabric, const TileExtent& extent,
                      double thickness_mm, double arealMass_g_m2);
 

@@ -12,6 +12,8 @@
 namespace loomlight {
 namespace {
 
+constexpr double kMmPerInch = 25.4;
+
 uint8_t byte(float value) {
   return static_cast<uint8_t>(std::lround(255 * std::clamp(value, 0.0f, 1.0f)));
 }
@@ -72,12 +74,14 @@ TileReport writeTile(const std::string& stem, const TileMaps& maps, const Fabric
   const auto fileName = [&](const char* ending) { return std::filesystem::path(stem + ending).filename().string(); };
   const auto [low, high] = std::minmax_element(maps.height_mm.begin(), maps.height_mm.end());
   const float lowest = *low, range = std::max(1e-6f, *high - *low);
-  writeExr(named(".exr"), imageOf(maps));
-  writePng(named("_basecolor.png"), picture(maps, [&](size_t i) { return srgbFromLinear(maps.baseColour[i]); }));
-  writePng(named("_normal.png"), picture(maps, [&](size_t i) { return 0.5f * maps.normal[i] + 0.5f; }));
-  writePng(named("_height.png"), picture(maps, [&](size_t i) { return Rgb((maps.height_mm[i] - lowest) / range); }));
-  writePng(named("_opacity.png"), picture(maps, [&](size_t i) { return Rgb(maps.opacity[i]); }));
-  writePng(named("_yarn.png"), picture(maps, [&](size_t i) { return idColour(maps.yarn[i]); }));
+  const double dpi = kMmPerInch * maps.width / (extent.ends * fabric.warpPitch_mm());
+  const auto write = [&](const char* ending, const Pixels8& pixels) { writePng(named(ending), pixels, {}, dpi); };
+  writeExr(named(".exr"), imageOf(maps), dpi);
+  write("_basecolor.png", picture(maps, [&](size_t i) { return srgbFromLinear(maps.baseColour[i]); }));
+  write("_normal.png", picture(maps, [&](size_t i) { return 0.5f * maps.normal[i] + 0.5f; }));
+  write("_height.png", picture(maps, [&](size_t i) { return Rgb((maps.height_mm[i] - lowest) / range); }));
+  write("_opacity.png", picture(maps, [&](size_t i) { return Rgb(maps.opacity[i]); }));
+  write("_yarn.png", picture(maps, [&](size_t i) { return idColour(maps.yarn[i]); }));
 
   nlohmann::ordered_json yarns = nlohmann::ordered_json::array();
   for (size_t i = 0; i < fabric.yarns.size(); ++i)

@@ -22,18 +22,18 @@ struct Image {
 };
 
 /// Throw InputError, naming the file and what is wrong with it. Writers write a temporary file beside the target and
-/// rename it, so that a picture is whole or the old one is still there. Sizes beyond 16384 x 16384 are refused.
+/// rename it, so that a picture is whole or the old one is still there. Sizes beyond 16384 x 16384 are refused. `dpi`:
+/// pixels per inch, which is how large it is on paper; 0 where it has no size of its own.
 Image readExr(const std::string& file);
 /// Only its texts, without the pixels.
 std::map<std::string, std::string> readExrMetadata(const std::string& file);
-void writeExr(const std::string& file, const Image& image);
+void writeExr(const std::string& file, const Image& image, double dpi = 0);
 
 /// 8-bit RGB or RGBA, sRGB-encoded by the caller.
 struct Pixels8 {
   int width = 0, height = 0, channels = 4;
   std::vector<uint8_t> bytes;
 };
-/// `dpi`: pixels per inch, which is how large it is on paper; 0 where it has no size of its own.
 void writePng(const std::string& file, const Pixels8& pixels, const std::map<std::string, std::string>& text = {},
               double dpi = 0);
 Pixels8 readPng(const std::string& file);

@@ -1,6 +1,7 @@
 """`tile`: maps for other programs."""
 
 import json
+import struct
 
 from harness import CommandLineTest, main, read_png
 
@@ -18,6 +19,10 @@ class Tile(CommandLineTest):
             width, height, rows = read_png(self.folder / "maps" / sidecar["maps"][name]["file"])
             self.assertEqual((width, height), (sidecar["width_px"], sidecar["height_px"]), name)
             self.assertGreater(len({pixel for row in rows for pixel in row}), 1, name)
+            content = (self.folder / "maps" / sidecar["maps"][name]["file"]).read_bytes()
+            place = content.index(b"pHYs") + 4
+            pixels_per_m = struct.unpack(">I", content[place:place + 4])[0]
+            self.assertAlmostEqual(pixels_per_m * sidecar["width_mm"] / 1000, width, delta=0.5, msg=name)
         self.assertTrue((self.folder / "maps" / sidecar["maps"]["all"]["file"]).read_bytes().startswith(b"v/1\x01"))
 
     def test_the_same_tile_has_the_same_bytes(self):

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "core/base/file.h"
 #include "core/base/random.h"
 #include "render/film/image.h"
 #include "tests/unit/film/exr_bytes.h"
@@ -64,6 +65,17 @@ TEST(Exr, RoundTripKeepsEveryBit) {
                       -1};
   writeExr(folder.file("a.exr"), image);
   test::expectSameImage(image, readExr(folder.file("a.exr")));
+}
+
+TEST(Exr, SaysHowLargeItIsOnPaper) {
+  const test::ScratchFolder folder;
+  const std::string name("xDensity\0float\0", 15);
+  writeExr(folder.file("a.exr"), smallImage(), 300);
+  EXPECT_NE(
+      readFile(folder.file("a.exr"), 1 << 20).find(name + test::int32(4) + test::int32(std::bit_cast<int>(300.0f))),
+      std::string::npos);
+  writeExr(folder.file("b.exr"), smallImage());
+  EXPECT_EQ(readFile(folder.file("b.exr"), 1 << 20).find(name), std::string::npos);
 }
 
 TEST(Exr, RoundTripKeepsTexts) {
