@@ -169,7 +169,24 @@ void addConvert(CLI::App& app, ConvertCommand& command) {
   app.add_option("--like", command.like, "a fabric that gives yarns and all else but the weave")->type_name("FABRIC");
   addValue(app, "--structure", "NAME[,N...]", "in place of the weave: satin,8,3; other names are said",
            [&command](const auto& option, const auto& text) { command.structure = parseStructure(option, text); });
+  app.add_option_function<std::vector<std::string>>(
+         "--weave-colour",
+         [&command](const std::vector<std::string>& texts) {
+           for (const std::string& text : texts) command.colours.push_back(parseStructure("--weave-colour", text));
+         },
+         "IN is a picture, and its next colour, from dark to light, is woven as this: once for each of 1 to 32")
+      ->type_name("NAME[,N...]")
+      ->allow_extra_args(false);
+  addValue(app, "--repeat", "WxH", "ends and picks that the picture takes; its pixels where not given",
+           [&command](const auto& option, const auto& text) { command.repeat = parseSize(option, text); });
   addWifSizes(app, command.wifSizes);
+}
+
+void checkConvert(const ConvertCommand& command) {
+  if (command.colours.size() > 32) throw UsageError("--weave-colour: expected at most 32 colours");
+  if (command.structure && !command.colours.empty())
+    throw UsageError("--weave-colour: expected no --structure, which stands in place of the whole weave");
+  if (command.repeat && command.colours.empty()) throw UsageError("--repeat: expected --weave-colour as well");
 }
 
 void addTile(CLI::App& app, TileCommand& command) {
@@ -389,7 +406,10 @@ Command parseCommandLine(const std::vector<std::string>& words) {
       throw UsageError("--light-angle: expected it alone or --light alone, got both");
     return brdf;
   }
-  if (*converts) return convert;
+  if (*converts) {
+    checkConvert(convert);
+    return convert;
+  }
   if (*tiles) return tile;
   if (*tables) return table1;
   if (*figuresOf) return figures;

@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "app/commands/draft_sheet.h"
 #include "app/commands/inputs.h"
 #include "app/commands/weave_bitmap.h"
+#include "app/commands/woven_picture.h"
 #include "app/workers/file_name.h"
 #include "core/base/error.h"
 #include "core/fabric/fabric_json.h"
@@ -13,8 +16,28 @@
 
 namespace loomlight {
 
+namespace {
+
+/// Says which colour became what.
+Fabric fabricFromPicture(const ConvertCommand& command) {
+  std::vector<Weave> structures;
+  for (const MadeStructure& structure : command.colours) structures.push_back(structure.weave);
+  const WovenPicture woven = readWovenPicture(command.input, structures, command.repeat);
+  for (size_t i = 0; i < structures.size(); ++i) {
+    const Rgb8& colour = woven.picture.palette[i];
+    fmt::print("#{:02x}{:02x}{:02x}, {:.1f} %: {}\n", colour[0], colour[1], colour[2], 100 * woven.picture.shares[i],
+               command.colours[i].name);
+  }
+  Fabric fabric;
+  fabric.name = std::filesystem::path(command.input).stem().string();
+  return rewoven(fabric, woven.weave, {}).fabric;
+}
+
+}  // namespace
+
 int run(const ConvertCommand& command) {
-  Fabric fabric = fabricFromFile(command.input, command.wifSizes);
+  Fabric fabric =
+      command.colours.empty() ? fabricFromFile(command.input, command.wifSizes) : fabricFromPicture(command);
   if (!command.like.empty()) {
     Fabric like = fabricFromFile(command.like);
     like.name = fabric.name;

@@ -2,7 +2,9 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "app/commands/option_values.h"
 #include "core/fabric/structure_library.h"
 #include "core/fabric/wif_fabric.h"
 
@@ -15,6 +17,9 @@ struct ConvertCommand {
   bool drawsDraft = false;  ///< a .png is the draft for print as well; else the weave, a pixel a crossing
   std::string like;         ///< a fabric that gives all but the weave; empty: none
   std::optional<MadeStructure> structure;  ///< in place of the weave
+  /// Not empty: IN is a picture (.png), and these stand in the place of its colours, from dark to light.
+  std::vector<MadeStructure> colours;
+  std::optional<PictureSize> repeat;  ///< ends and picks of the picture; its pixels where not given
   WifSizeChoice wifSizes = WifSizeChoice::keep;
 };
 

@@ -73,7 +73,7 @@ PictureSize parseSize(const std::string& option, const std::string& text) {
   const auto width = wholeText<int>(sides[0]);
   const auto height = sides.size() == 2 ? wholeText<int>(sides[1]) : std::nullopt;
   if (!width || !height || *width < 1 || *height < 1 || *width > kLargestSide || *height > kLargestSide)
-    refuse(option, fmt::format("WIDTHxHEIGHT in pixels, each from 1 to {}, such as 640x480", kLargestSide), text);
+    refuse(option, fmt::format("WIDTHxHEIGHT, each from 1 to {}, such as 640x480", kLargestSide), text);
   return {*width, *height};
 }
 

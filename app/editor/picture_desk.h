@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/workers/mailbox.h"
+#include "app/workers/raster.h"
 #include "app/workers/task_queue.h"
 #include "core/fabric/fabric.h"
 #include "core/fabric/picture_weave.h"
@@ -14,9 +15,6 @@
 #include "ui/picture_dialog.h"
 
 namespace loomlight {
-
-/// On white where it is transparent, as a picture is seen on paper.
-Raster rasterOf(const Pixels8& pixels);
 
 /// Reads pictures and weaves them on a thread of its own: a hundred million pixels take seconds. What was asked for
 /// last is what counts.

@@ -2,7 +2,7 @@
 
 import json
 
-from harness import SMALL, CommandLineTest, main, read_png
+from harness import SMALL, CommandLineTest, main, read_png, write_png
 
 
 class Convert(CommandLineTest):
@@ -64,6 +64,30 @@ class Convert(CommandLineTest):
             with self.subTest(wrong=wrong):
                 said = self.run_program("convert", "a.json", "c.json", "--structure", wrong, status=2)
                 self.assertIn(expected, said)
+
+    def test_the_colours_of_a_picture_are_woven_as_structures(self):
+        dark, middle, light = (20, 10, 30), (200, 40, 40), (250, 250, 240)
+        # Light above, dark at the left below, the third colour at the right.
+        write_png(self.folder / "a.png", [[light] * 16] * 8 + [[dark] * 8 + [middle] * 8] * 8)
+        words = ("--weave-colour", "twill,3,1", "--weave-colour", "plain", "--weave-colour", "twill,1,3")
+        said = self.run_program("convert", "a.png", "b.json", *words)
+        self.assertIn("#140a1e, 25.0 %: Twill 3/1", said)
+        self.assertIn("#fafaf0, 50.0 %: Twill 1/3", said)
+        fabric = json.loads(self.bytes_of("b.json"))
+        self.assertEqual(fabric["name"], "a")
+        rows = fabric["weave"]  # the last pick first
+        self.assertEqual([len(rows), len(rows[0])], [16, 16])
+        self.assertEqual(["".join(rows[:8]).count("#"), "".join(r[:8] for r in rows[8:]).count("#"),
+                          "".join(r[8:] for r in rows[8:]).count("#")], [32, 48, 32])
+        self.run_program("convert", "a.png", "c.json", *words, "--repeat", "8x4", "--like", "b.json")
+        self.assertEqual([len(row) for row in json.loads(self.bytes_of("c.json"))["weave"]], [8] * 4)
+        for wrong, expected, status in ((words + ("--weave-colour", "plain"), "expected 4 colours", 1),
+                                        (words + ("--structure", "plain"), "expected no --structure", 2),
+                                        (("--repeat", "8x4"), "expected --weave-colour as well", 2),
+                                        (("--weave-colour", "velvet"), "--weave-colour: expected one of Plain", 2)):
+            with self.subTest(wrong=wrong):
+                self.assertIn(expected, self.run_program("convert", "a.png", "d.json", *wrong, status=status))
+        self.assertIn("expected a picture (.png)", self.run_program("convert", "b.json", "d.json", *words, status=1))
 
     def test_private_sections_of_a_draft_survive_the_way_through_a_fabric(self):
         self.run_program("convert", self.fabric(), "a.wif")

@@ -108,6 +108,17 @@ def _predicted(kind, left, above, corner):
     return (0, left, above, (left + above) // 2)[kind]
 
 
+def write_png(file, rows):
+    """Rows of pixels, red, green and blue, from the top."""
+    def piece(kind, body):
+        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+
+    head = struct.pack(">IIBBBBB", len(rows[0]), len(rows), 8, 2, 0, 0, 0)
+    lines = b"".join(b"\0" + bytes(channel for pixel in row for channel in pixel) for row in rows)
+    pathlib.Path(file).write_bytes(b"\x89PNG\r\n\x1a\n" + piece(b"IHDR", head) +
+                                   piece(b"IDAT", zlib.compress(lines)) + piece(b"IEND", b""))
+
+
 def samples_said(text):
     """The number of samples per pixel that `render` says it has reached."""
     return int(re.search(r"(\d+) samples per pixel", text).group(1))

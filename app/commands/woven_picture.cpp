@@ -1,0 +1,30 @@
+#include "app/commands/woven_picture.h"
+
+#include <fmt/format.h>
+
+#include "app/workers/file_name.h"
+#include "app/workers/raster.h"
+#include "core/base/error.h"
+
+namespace loomlight {
+
+WovenPicture readWovenPicture(const std::string& file, const std::vector<Weave>& structures,
+                              const std::optional<PictureSize>& repeat) {
+  if (lowerExtension(file) != ".png") throw InputError(file + ": expected a picture (.png), whose colours are woven");
+  const Raster raster = rasterOf(readPng(file));
+  const PictureSize size = repeat.value_or(PictureSize{raster.width, raster.height});
+  if (size.width > Weave::kMaxSide || size.height > Weave::kMaxSide)
+    throw InputError(fmt::format("{}: expected at most {} crossings each way, got {} x {}: --repeat says how many",
+                                 file, Weave::kMaxSide, size.width, size.height));
+  const Raster threads = resampled(raster, size.width, size.height);
+  std::vector<Rgb8> palette = paletteOf(coloursOf(threads), static_cast<int>(structures.size()));
+  if (palette.size() < structures.size())
+    throw InputError(fmt::format("{}: expected {} colours, one for each structure, got {}", file, structures.size(),
+                                 palette.size()));
+  WovenPicture woven;
+  woven.picture = reduced(threads, std::move(palette));
+  woven.weave = weaveOf(woven.picture, structures);
+  return woven;
+}
+
+}  // namespace loomlight
