@@ -155,6 +155,21 @@ std::optional<CountEntry> countFromText(std::string_view text, CountSystem usual
   return entry.plies && entry.cords ? std::optional(entry) : std::nullopt;
 }
 
+std::optional<double> finenessFromText(std::string_view text, double density_g_cm3) {
+  Tokens tokens(text);
+  const std::optional<double> value = tokens.number();
+  if (!value) return std::nullopt;
+  if (tokens.take("\xC2\xB5m") || tokens.take("mic") || tokens.take("um")) {
+    Fibre fibre;
+    fibre.radius_um = 0.5 * *value;
+    fibre.density_g_cm3 = density_g_cm3;
+    return tokens.end() ? std::optional(fibreFineness_dtex(fibre)) : std::nullopt;
+  }
+  const std::optional<CountSystem> system = systemFromName(tokens.word());
+  if (!system || isIndirect(*system) || !tokens.end()) return std::nullopt;
+  return countFromTex(texFromCount(*value, *system), CountSystem::dtex);
+}
+
 std::optional<double> twistFromText(std::string_view text, double tex) {
   constexpr double kInchesPerMetre = 1 / 0.0254;
   Tokens tokens(text);

@@ -24,6 +24,10 @@ struct CountEntry {
 /// yarn. Without a unit it is meant in `usual`. nullopt when it is none of these.
 std::optional<CountEntry> countFromText(std::string_view text, CountSystem usual);
 
+/// How fine a fibre of that density is, in dtex: "1.7 dtex", "1.5 den", or as wool is sold by its thickness, "18.5
+/// mic". nullopt when it is none of these.
+std::optional<double> finenessFromText(std::string_view text, double density_g_cm3);
+
 /// Turns of a yarn of `tex`, per metre: "780 t/m", "20 tpi", or a twist multiplier "4.2 TM". nullopt when it is none of
 /// these.
 std::optional<double> twistFromText(std::string_view text, double tex);

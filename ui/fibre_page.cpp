@@ -7,6 +7,7 @@
 #include "core/fabric/validate.h"
 #include "core/fabric/yarn_count.h"
 #include "ui/choices.h"
+#include "ui/count_text.h"
 #include "ui/inspector.h"
 #include "ui/member_fields.h"
 
@@ -48,13 +49,16 @@ bool presetRow(Ui& ui, Fibre& fibre, const std::vector<FibrePreset>& presets, co
   const std::string otherwise = kind ? "Much like " + kind->fibre.name : "Own values";
   if (!choiceField(ui,
                    {"fibre.preset", "Kind",
-                    "Fills in fineness, optics and section, and keeps the colour. The numbers below say where they "
+                    "Fills in fineness, optics and section, and keeps the colour, and a name of your own. The numbers "
+                    "below say where they "
                     "are from."},
                    names, chosen, otherwise.c_str()))
     return false;
   const Rgb colour = colourOf(fibre);
   Fibre filled = presets[static_cast<size_t>(chosen)].fibre;
-  filled.name = fibre.name;
+  const bool namedAsKind = std::any_of(presets.begin(), presets.end(),
+                                       [&](const FibrePreset& preset) { return preset.fibre.name == fibre.name; });
+  if (!namedAsKind) filled.name = fibre.name;
   filled.unknown = fibre.unknown;
   dye(filled, colour);
   fibre = filled;
@@ -124,12 +128,37 @@ void blendRow(Ui& ui, const Yarn& yarn, InspectorView& view) {
   view.secondFibre = chosen == 1;
 }
 
+/// The same as the radius, as fibres are traded.
+bool finenessField(Ui& ui, Fibre& fibre) {
+  const FieldInfo radius = fieldInfo(&Fibre::radius_um);
+  const auto at = [&](double radius_um) {
+    Fibre other = fibre;
+    other.radius_um = radius_um;
+    return fibreFineness_dtex(other);
+  };
+  NumberStyle style;
+  style.unit = "dtex";
+  style.min = at(radius.min);
+  style.max = at(radius.max);
+  style.logarithmic = true;
+  style.parse = [&](std::string_view text) { return finenessFromText(text, fibre.density_g_cm3); };
+  style.otherwise = "1.5 den or 18.5 mic";
+  double fineness_dtex = fibreFineness_dtex(fibre);
+  if (!numberField(ui,
+                   {"fibre.fineness", "Fineness",
+                    "Mass of ten kilometres of one fibre. May be typed as 1.5 den too, or by its thickness, as wool is "
+                    "sold: 18.5 mic."},
+                   style, fineness_dtex))
+    return false;
+  fibre.radius_um = std::clamp(fibreRadius_um(fineness_dtex, fibre.density_g_cm3), radius.min, radius.max);
+  return true;
+}
+
 void finenessRows(Ui& ui, Fibre& fibre, const FibrePreset* kind, bool& changed) {
   heading(ui, "Fineness");
   changed |= sourcedField(ui, fibre, &Fibre::radius_um, 1, kind, &FibreSources::fineness);
   changed |= sourcedField(ui, fibre, &Fibre::density_g_cm3, 2, kind, &FibreSources::density);
-  readout(ui, {"fibre.fineness", "Fineness", "Mass of ten kilometres of one fibre, from its radius and density"},
-          fmt::format("{:.2f} dtex", fibreFineness_dtex(fibre)));
+  changed |= finenessField(ui, fibre);
 }
 
 void opticsRows(Ui& ui, Fibre& fibre, const FibrePreset* kind, bool& changed) {

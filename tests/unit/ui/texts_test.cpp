@@ -121,6 +121,16 @@ TEST(CountText, RefusesWhatIsNone) {
     EXPECT_FALSE(countFromText(text, CountSystem::tex).has_value()) << text;
 }
 
+TEST(FinenessText, KnowsWhatFibresAreSoldBy) {
+  EXPECT_NEAR(finenessFromText("1,7 dtex", 1.52).value(), 1.7, 1e-12);
+  EXPECT_NEAR(finenessFromText("1.5 den", 1.39).value(), 15 / 9.0, 1e-12);
+  // A wool of 18.5 um has 1.31 g/cm3 * pi * (9.25 um)^2 = 3.52 g on ten kilometres.
+  for (const char* text : {"18.5 mic", "18.5um", "18.5 \xC2\xB5m"})
+    EXPECT_NEAR(finenessFromText(text, 1.31).value(), 3.52, 0.005) << text;
+  for (const char* text : {"", "18.5", "18.5 mic x", "40 Ne", "-1 den"})
+    EXPECT_FALSE(finenessFromText(text, 1.31).has_value()) << text;
+}
+
 TEST(NumberText, TakesPointsAndCommas) {
   const auto expectNumber = [](const char* text, double value, size_t length) {
     const auto leading = leadingNumber(text);
