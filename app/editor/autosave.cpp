@@ -51,7 +51,7 @@ void sweepLocks(const fs::path& folder) {
 }  // namespace
 
 Autosave::Autosave(fs::path folder, std::function<void()> wake) : wake_(std::move(wake)) {
-  std::error_code ignored;  // without the folder the first write fails, and says so
+  std::error_code ignored;  // without the folder a write fails, and says so
   fs::create_directories(folder, ignored);
   sweepLocks(folder);
   const auto now_ns =
@@ -106,8 +106,18 @@ void Autosave::removeTakenOver() {
   if (!old.empty()) throwAway(old);
 }
 
+/// The folder may have been removed since, with the lock in it.
+void Autosave::makeFolder() {
+  const fs::path folder = file_.parent_path();
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw InputError(fmt::format("{}: the folder could not be made: {}", folder.string(), error.message()));
+  if (!fs::exists(lockOf(file_), error)) running_ = FileLock::make(lockOf(file_));
+}
+
 void Autosave::write(const Fabric& fabric) {
   try {
+    makeFolder();
     writeFabric(fabric, file_.string());
     removeTakenOver();
     setProblem({});

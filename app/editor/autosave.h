@@ -43,6 +43,7 @@ class Autosave {
 
  private:
   void loop(std::stop_token stop);
+  void makeFolder();
   void write(const Fabric& fabric);
   void removeTakenOver();
   void setProblem(std::string problem);

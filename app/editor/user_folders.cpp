@@ -1,5 +1,8 @@
 #include "app/editor/user_folders.h"
 
+#include <pwd.h>
+#include <unistd.h>
+
 #include <cstdlib>
 
 namespace loomlight {
@@ -16,7 +19,9 @@ std::filesystem::path baseFolder(const char* variable, const char* below) {
 
 std::filesystem::path homeFolder() {
   const char* home = std::getenv("HOME");
-  return home && *home ? std::filesystem::path(home) : std::filesystem::current_path();
+  if (home && *home) return home;
+  const passwd* const user = getpwuid(getuid());
+  return user && user->pw_dir && *user->pw_dir ? user->pw_dir : "/";
 }
 
 std::filesystem::path presetFolder() {

@@ -150,6 +150,16 @@ TEST(Autosave, WhatIsTakenUpGoesOnceItIsKeptAgain) {
   EXPECT_TRUE(fs::exists(autosave.file())) << "at no time there is no copy";
 }
 
+TEST(Autosave, MakesItsFolderAgainThatWasRemoved) {
+  const Folder folder;
+  Autosave autosave(folder.path);
+  ASSERT_TRUE(keepsSample(autosave));
+  fs::remove_all(folder.path);
+  ASSERT_TRUE(keepsSample(autosave));
+  EXPECT_EQ(autosave.problem(), "");
+  EXPECT_FALSE(Autosave::leftBehind(folder.path).has_value()) << "its editor is still running";
+}
+
 TEST(Autosave, SaysWhyWorkIsNotSafe) {
   const Folder folder;
   std::ofstream(folder.path) << "in the way of the folder";
@@ -158,7 +168,7 @@ TEST(Autosave, SaysWhyWorkIsNotSafe) {
   EXPECT_EQ(autosave.problem(), "");
   autosave.keep(std::make_shared<const Fabric>(sampleFabric()));
   ASSERT_TRUE(comesTrue([&] { return woken > 0; }));
-  EXPECT_NE(autosave.problem().find("expected a folder"), std::string::npos) << autosave.problem();
+  EXPECT_NE(autosave.problem().find("the folder could not be made"), std::string::npos) << autosave.problem();
   fs::remove(folder.path);
   fs::create_directories(folder.path);
   autosave.forget();
