@@ -64,7 +64,7 @@ void CompareDialog::draw(Ui& ui, const Model& model) {
   segmentField(ui,
                {"compare.way", "See them by",
                 "Slider: drag the line. Difference: black where they are alike, four times as bright as they are "
-                "apart.",
+                "apart; noise is evened out over a few pixels.",
                 true},
                kWays, way);
   ImGui::EndChild();

@@ -19,7 +19,7 @@ int thumbnailsPerLine(float size, float gap, float room) {
 float thumbnailSize(Ui& ui, int count, float gap, ImVec2 room) {
   const float step = kCells, smallest = step * std::round(ui.px(30) / step);
   float size = smallest;
-  for (float larger = smallest + step; larger <= ui.px(60); larger += step) {
+  for (float larger = smallest + step; larger <= ui.px(80); larger += step) {
     const int perLine = thumbnailsPerLine(larger, gap, room.x), lines = (count + perLine - 1) / perLine;
     if (static_cast<float>(lines) * (larger + gap) <= room.y) size = larger;
   }

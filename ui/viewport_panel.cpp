@@ -135,12 +135,15 @@ StripColumns stripColumns(Ui& ui, float room) {
   return columns;
 }
 
-/// The strip below the picture: what is changed most often while looking.
+/// The strip below the picture: what is changed most often while looking. In a narrow window the choices need the room
+/// more than what keys and menus do too.
 std::optional<Fabric> quickChoices(Ui& ui, const Fabric& fabric, ViewportView& view) {
   std::optional<Fabric> edited;
-  const float gap = ui.px(16), all = ImGui::GetContentRegionAvail().x;
-  const float fit = ui.px(56), lens = ui.px(40), between = ui.px(8);
-  const float tools = all < ui.px(560) ? 1 : 2;  // the choices need the room more: a key and the menu denoise too
+  const float all = ImGui::GetContentRegionAvail().x;
+  const bool narrow = all < ui.px(400);
+  const float gap = ui.px(narrow ? 8 : 16);
+  const float fit = all < ui.px(300) ? 0 : ui.px(56), lens = ui.px(40), between = ui.px(8);
+  const float tools = narrow ? 0 : all < ui.px(560) ? 1 : 2;
   const StripColumns columns = stripColumns(ui, all - fit - tools * (between + lens) - 3 * gap);
   float x = ImGui::GetStyle().WindowPadding.x;
   const float y = ImGui::GetCursorPosY();
@@ -190,8 +193,11 @@ std::optional<Fabric> quickChoices(Ui& ui, const Fabric& fabric, ViewportView& v
     ImGui::SetCursorPos(ImVec2(right - fit - tools * (between + lens), y));
     denoiseButton(ui, view.denoised, lens);
   }
-  ImGui::SetCursorPos(ImVec2(right - fit - between - lens, y));
-  lensButton(ui, view.lens, lens);
+  if (tools > 0) {
+    ImGui::SetCursorPos(ImVec2(right - fit - between - lens, y));
+    lensButton(ui, view.lens, lens);
+  }
+  if (fit == 0) return edited;
   ImGui::SetCursorPos(ImVec2(right - fit, y));
   if (button(ui, "view.fit", "Fit", fit, true, "Show the whole cloth (F)")) view.fitWanted = true;
   return edited;

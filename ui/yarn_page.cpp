@@ -89,6 +89,13 @@ std::string sizeText(const YarnSection* section, double diameter_mm) {
   return wide == high ? wide + " mm across" : fmt::format("{} \xC3\x97 {} mm", wide, high);
 }
 
+/// One line however long its numbers are, so that what stands below keeps its place.
+void quietLine(Ui& ui, const std::string& text) {
+  ImGui::PushFont(ui.fonts.small);
+  ImGui::TextColored(ui.theme.textQuiet, "%s", shortened(text, ImGui::GetContentRegionAvail().x).c_str());
+  ImGui::PopFont();
+}
+
 }  // namespace
 
 std::optional<Fabric> yarnPage(Ui& ui, const Fabric& fabric, const InspectorModel& model, InspectorView& view) {
@@ -103,9 +110,9 @@ std::optional<Fabric> yarnPage(Ui& ui, const Fabric& fabric, const InspectorMode
   drawYarnSection(ui, model.section ? *model.section : YarnSection{}, colours, half);
   ImGui::SameLine(0, ui.px(8));
   drawYarnCloseUp(ui, model.closeUp, half);
-  hint(ui,
-       fmt::format("{}  \xC2\xB7  {}  \xC2\xB7  {:.0f} fibres", countText(yarnCount_tex(yarn, fibre), view.units.count),
-                   sizeText(model.section, yarnDiameter_mm(yarn, fibre)), fibresInYarn(yarn, fibre)));
+  quietLine(
+      ui, fmt::format("{} \xC2\xB7 {} \xC2\xB7 {:.0f} fibres", countText(yarnCount_tex(yarn, fibre), view.units.count),
+                      sizeText(model.section, yarnDiameter_mm(yarn, fibre)), fibresInYarn(yarn, fibre)));
 
   bool changed = textField(ui, rowText("yarn", &Yarn::name), yarn.name);
   std::optional<Fabric> filled = presetRow(ui, fabric, view.yarn);
