@@ -168,7 +168,7 @@ std::optional<std::string> FileBrowser::decide(bool mayReplace) {
   }
   if (purpose_ == Purpose::save && !accepts(file)) file += extensions_.front();
   if (purpose_ == Purpose::open && !fs::exists(file, error)) {
-    problem_ = "There is no " + file.string();
+    problem_ = error ? error.message() + ": " + file.string() : "There is no " + file.string();
     return std::nullopt;
   }
   if (purpose_ == Purpose::save && fs::exists(file, error) && (toReplace_ != file.string() || !mayReplace)) {

@@ -1,5 +1,7 @@
 #include "ui/file_preview.h"
 
+#include <algorithm>
+
 #include "ui/fields.h"
 
 namespace loomlight {
@@ -8,14 +10,16 @@ void drawFilePreview(Ui& ui, const FilePreview& preview, float width, float heig
   ImGui::BeginChild("preview", ImVec2(width, height));
   const ImVec2 min = ImGui::GetCursorScreenPos();
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  draw.AddRectFilled(min, ImVec2(min.x + width, min.y + width), packed(ui.theme.field), ui.px(4));
+  constexpr float kLines = 5;
+  const float high = std::min(width, height - kLines * (ui.fonts.small->FontSize + ImGui::GetStyle().ItemSpacing.y));
+  draw.AddRectFilled(min, ImVec2(min.x + width, min.y + high), packed(ui.theme.field), ui.px(4));
   if (preview.picture) {
-    const float scale = width / std::max(preview.size.x, preview.size.y);
+    const float scale = std::min(width / preview.size.x, high / preview.size.y);
     const ImVec2 size(scale * preview.size.x, scale * preview.size.y);
-    const ImVec2 corner(min.x + 0.5f * (width - size.x), min.y + 0.5f * (width - size.y));
+    const ImVec2 corner(min.x + 0.5f * (width - size.x), min.y + 0.5f * (high - size.y));
     draw.AddImage(preview.picture, corner, ImVec2(corner.x + size.x, corner.y + size.y));
   }
-  ImGui::Dummy(ImVec2(width, width + ui.px(4)));
+  ImGui::Dummy(ImVec2(width, high + ui.px(4)));
   for (const std::string& line : preview.lines) hint(ui, line);
   if (preview.isComing) hint(ui, "Looking into it\xE2\x80\xA6");
   ImGui::EndChild();

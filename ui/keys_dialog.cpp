@@ -1,5 +1,7 @@
 #include "ui/keys_dialog.h"
 
+#include <algorithm>
+#include <iterator>
 #include <span>
 
 #include "ui/field_row.h"
@@ -15,20 +17,21 @@ struct KeyLine {
 
 constexpr KeyLine kCloth[] = {
     {"Drag", "Turn"},
-    {"Shift or Space + drag, middle drag", "Move"},
-    {"Wheel", "Nearer and further, at the pointer"},
-    {"Click", "Choose the yarn that is seen there"},
+    {"Shift or Space + drag", "Move, as the middle button does"},
+    {"Wheel", "Nearer and further"},
+    {"Click", "Choose the yarn that is there"},
     {"F", "Show the whole cloth"},
-    {"1, 2, 3", "From above, aslant, along the cloth"},
-    {"K", "Keep this view, in a strip below"},
-    {"L", "Truth lens: every fibre; Esc closes"},
+    {"1, 2, 3", "From above, aslant, low"},
+    {"K", "Keep this view below"},
+    {"L", "Truth lens; Esc closes"},
     {"N", "Denoised preview"},
 };
 constexpr KeyLine kDraft[] = {
-    {"Click, drag", "Turn crossings over; the first decides"},
+    {"Click, drag", "Turn crossings over"},
     {"Right drag", "Weft over"},
     {"Shift + drag", "Keep to a line"},
-    {"Space + drag, middle drag, wheel", "Move, zoom"},
+    {"Space + drag", "Move, as the middle button does"},
+    {"Wheel", "Nearer and further"},
     {"Shift+F", "Show the whole repeat"},
     {"Ctrl + drag", "Select; Esc selects nothing"},
     {"Right click while selecting", "What can be done"},
@@ -72,6 +75,9 @@ void group(Ui& ui, const char* title, std::span<const KeyLine> lines) {
 
 void KeysDialog::draw(Ui& ui) {
   if (!open_ || !beginModal(ui, "Keys and mouse", ImVec2(ui.px(1080), 0), open_, opening_)) return;
+  const float row = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
+  const float height = row * static_cast<float>(std::size(kCloth) + std::size(kEverywhere)) + ui.px(88);
+  ImGui::BeginChild("keys.list", ImVec2(0, std::min(height, roomAboveButtons(ui))));
   if (ImGui::BeginTable("keys", 2)) {
     ImGui::TableNextColumn();
     group(ui, "On the cloth", kCloth);
@@ -81,6 +87,7 @@ void KeysDialog::draw(Ui& ui) {
     group(ui, "On numbers", kNumbers);
     ImGui::EndTable();
   }
+  ImGui::EndChild();
   if (closedBelow(ui, "keys.close")) open_ = false;
   endModal();
 }

@@ -5,12 +5,17 @@
 #include "ui/fields.h"
 
 namespace loomlight {
+namespace {
+
+constexpr float kEdge = 24;  // from the window's
+
+}  // namespace
 
 bool beginModal(Ui& ui, const char* title, ImVec2 size, bool& open, bool& opening) {
   const bool opensNow = std::exchange(opening, false);  // the key that brings a dialog up must not answer it
   if (opensNow) ImGui::OpenPopup(title);
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const float edge = ui.px(24);
+  const float edge = ui.px(kEdge);
   size.x = std::min(size.x, screen.x - 2 * edge);
   if (size.y > 0) size.y = std::min(size.y, screen.y - 2 * edge);
   ImGui::SetNextWindowPos(ImVec2(0.5f * screen.x, 0.5f * screen.y), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
@@ -29,6 +34,11 @@ bool beginModal(Ui& ui, const char* title, ImVec2 size, bool& open, bool& openin
 
 void endModal() {
   ImGui::EndPopup();
+}
+
+float roomAboveButtons(const Ui& ui) {
+  const float below = ui.px(16) + ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().WindowPadding.y;
+  return std::max(ui.px(96), ImGui::GetIO().DisplaySize.y - 2 * ui.px(kEdge) - ImGui::GetCursorPosY() - below);
 }
 
 bool modalCancelled(const Ui& ui) {

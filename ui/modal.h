@@ -9,6 +9,9 @@ namespace loomlight {
 /// scope; when false it has been closed, and `open` says so.
 bool beginModal(Ui& ui, const char* title, ImVec2 size, bool& open, bool& opening);
 void endModal();
+/// The height that is left for what stands between here and a last line of buttons, in a dialog that fits its content:
+/// in a low window that part scrolls, and the buttons stay in sight.
+float roomAboveButtons(const Ui& ui);
 /// Escape, unless a list that is open in the dialog or a number that is being typed takes it. In a line of text, which
 /// it leaves, it closes the dialog all the same.
 bool modalCancelled(const Ui& ui);

@@ -119,7 +119,8 @@ void PresetBrowser::actions(Ui& ui, const std::vector<PresetCard>& cards, const 
   ImGui::EndChild();
   ImGui::SameLine();
   if (button(ui, "presets.tag", "Tag", width, any && newTags_ != found->tags)) edit.tag = {index, newTags_};
-  if (button(ui, "presets.use", "Use", width, any, "Double click does it too")) edit.use = index;
+  const bool enter = any && modalConfirmed(ui);
+  if (mainButton(ui, "presets.use", "Use", width, any, "Double click and Enter do it too") || enter) edit.use = index;
   ImGui::SameLine();
   if (button(ui, "presets.keep", "Keep this", width, true, "Keep what the cloth has now")) edit.keep = true;
   ImGui::SameLine();

@@ -37,12 +37,16 @@ RenderJobAnswer renderJobRows(Ui& ui, const std::string& dialog, const RenderJob
   RenderJobAnswer answer;
   const float width = ui.px(120);
   ImGui::SetCursorPosX(ImGui::GetWindowWidth() - 2 * width - ui.px(24));
-  const bool dismiss =
-      button(ui, (dialog + ".close").c_str(), job.running ? "Cancel" : "Close", width) || modalCancelled(ui);
+  const bool done = !job.running && !job.outcome.empty() && !job.failed;
+  const auto& leave = done ? mainButton : button;
+  const bool left = leave(ui, (dialog + ".close").c_str(), job.running ? "Cancel" : "Close", width, true, "");
+  const bool dismiss = left || modalCancelled(ui) || (done && modalConfirmed(ui));
   ImGui::SameLine();
   const bool canStart = !job.running && !file.empty();
-  answer.start = mainButton(ui, (dialog + ".start").c_str(), replaces ? "Replace" : "Render", width, canStart);
-  answer.start |= canStart && !replaces && modalConfirmed(ui);  // what is there goes by the button alone, which says so
+  const auto& begin = done ? button : mainButton;
+  answer.start = begin(ui, (dialog + ".start").c_str(), replaces ? "Replace" : "Render", width, canStart, "");
+  // What is there goes by the button alone, which says so.
+  answer.start |= canStart && !done && !replaces && modalConfirmed(ui);
   (job.running ? answer.cancel : answer.close) = dismiss;
   return answer;
 }

@@ -112,7 +112,7 @@ std::optional<MadeStructure> StructureDialog::draw(Ui& ui, const std::optional<C
                                                    const ImVec4 (&darkLight)[2]) {
   if (!open_ || !beginModal(ui, "Structures", ImVec2(ui.px(800), 0), open_, opening_)) return std::nullopt;
   bool apply = false;
-  const float height = ui.px(520);
+  const float height = std::min(ui.px(520), roomAboveButtons(ui));
   drawKinds(ui, darkLight, ui.px(464), height, apply);
   ImGui::SameLine(0, ui.px(16));
   ImGui::BeginChild("structures.chosen", ImVec2(0, height));

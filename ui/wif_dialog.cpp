@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "ui/field_row.h"
@@ -46,7 +47,7 @@ void warningRows(Ui& ui, const std::vector<WifWarning>& warnings) {
     height += ImGui::CalcTextSize(warning.sentence.c_str(), nullptr, false, inner).y +
               (warning.place.empty() ? 1.0f : 2.5f) * ImGui::GetTextLineHeightWithSpacing();
   ImGui::PushStyleColor(ImGuiCol_ChildBg, ui.theme.field);
-  ImGui::BeginChild("wif.warnings", ImVec2(0, std::min(height, ui.px(200))), false,
+  ImGui::BeginChild("wif.warnings", ImVec2(0, std::min({height, ui.px(200), roomAboveButtons(ui)})), false,
                     ImGuiWindowFlags_AlwaysUseWindowPadding);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(spacing.x, ui.px(2)));
   for (const WifWarning& warning : warnings) {
@@ -96,6 +97,8 @@ std::optional<WifSizeChoice> WifDialog::draw(Ui& ui) {
     ImVec4 ink = ui.theme.warning;
     if (sizes_ == WifSizeChoice::keep) ink.w = 0;
     for (const WifWarning& warning : content_.beyond) hint(ui, warning.sentence, ink);
+  } else {
+    hint(ui, "It says nothing of sett and thickness; those of your cloth are kept.");
   }
   if (!content_.warnings.empty()) warningRows(ui, content_.warnings);
   ui.probe.fact("wif.warnings", std::to_string(content_.warnings.size()));

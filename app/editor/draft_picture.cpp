@@ -19,16 +19,18 @@ std::function<Colour(int pick, int end)> colouring(const Fabric& fabric) {
   const Colour first = yarns[static_cast<size_t>(fabric.warpYarn(0))];
   const auto isFirst = [&](int yarn) {
     const Colour& c = yarns[static_cast<size_t>(yarn)];
-    constexpr float kSeen = 0.02f;
+    constexpr float kSeen = 0.1f;
     return std::abs(c[0] - first[0]) + std::abs(c[1] - first[1]) + std::abs(c[2] - first[2]) < kSeen;
   };
   const bool plain = std::all_of(fabric.warpSequence.begin(), fabric.warpSequence.end(), isFirst) &&
                      std::all_of(fabric.weftSequence.begin(), fabric.weftSequence.end(), isFirst);
   return [&fabric, plain, yarns = std::move(yarns)](int pick, int end) {
     const bool warp = fabric.weave.warpOver(pick, end);
-    constexpr Colour kInk{0.16f, 0.16f, 0.16f}, kPaper{0.9f, 0.9f, 0.9f};
-    if (plain) return warp ? kInk : kPaper;
-    return yarns[static_cast<size_t>(warp ? fabric.warpYarn(end) : fabric.weftYarn(pick))];
+    const Colour yarn = yarns[static_cast<size_t>(warp ? fabric.warpYarn(end) : fabric.weftYarn(pick))];
+    if (!plain) return yarn;
+    constexpr float kApart = 0.45f;
+    const auto shaded = [warp](float c) { return (1 - kApart) * c + (warp ? 0 : kApart); };
+    return Colour{shaded(yarn[0]), shaded(yarn[1]), shaded(yarn[2])};
   };
 }
 

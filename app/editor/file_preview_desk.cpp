@@ -27,7 +27,7 @@ constexpr int kSide = 448;  // pixels: sharp at twice the scale
 constexpr uintmax_t kMostBytes = 64'000'000;
 
 std::string sizeText(uintmax_t bytes) {
-  if (bytes < 1000) return fmt::format("{} bytes", bytes);
+  if (bytes < 1000) return "under 1 kB";
   const double kB = 1e-3 * static_cast<double>(bytes);
   return kB < 1000 ? fmt::format("{:.0f} kB", kB) : fmt::format("{:.1f} MB", 1e-3 * kB);
 }

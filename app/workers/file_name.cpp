@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <string_view>
 
 namespace loomlight {
 namespace fs = std::filesystem;
@@ -26,7 +27,9 @@ std::string fileNameOf(const std::string& name) {
   size_t length = std::min(kLongest, name.size());
   while (length < name.size() && length > 0 && continuesCharacter(name[length])) --length;
   std::string file;
-  for (const char c : name.substr(0, length)) file += c == '/' || static_cast<unsigned char>(c) < 32 ? '-' : c;
+  constexpr std::string_view kRefused = "/\\:*?\"<>|";  // here or by the systems of those that a file is handed to
+  for (const char c : name.substr(0, length))
+    file += kRefused.find(c) != std::string_view::npos || static_cast<unsigned char>(c) < 32 ? '-' : c;
   while (!file.empty() && (file.front() == '.' || file.front() == ' ')) file.erase(file.begin());
   return file.empty() ? "Untitled" : file;
 }

@@ -27,8 +27,8 @@ int commonRepeat(int weave, size_t sequence, const char* threads, std::vector<st
   const int64_t both = std::lcm(static_cast<int64_t>(weave), static_cast<int64_t>(sequence));
   if (both <= Weave::kMaxSide) return static_cast<int>(both);
   const int fitting = Weave::kMaxSide / weave * weave;
-  remarks.push_back(
-      fmt::format("weave and colours repeat together only after {} {}; the file holds {}", both, threads, fitting));
+  remarks.push_back(fmt::format("Weave and colours repeat together only after {} {}; the file holds {} of them.", both,
+                                threads, fitting));
   return fitting;
 }
 
@@ -54,8 +54,9 @@ Draft draftFor(const Fabric& fabric, int ends, int picks, const std::string& fil
     draft = *fabric.draft;
   } else {
     draft = smallestDraft(fabric.weave);
-    remarks.push_back(fmt::format("the fabric has no draft; the smallest one has {} shafts and {} treadles",
-                                  draft.shafts, draft.treadles));
+    remarks.push_back(
+        fmt::format("The cloth has no threading of its own; the smallest one has {} shafts and {} treadles.",
+                    draft.shafts, draft.treadles));
   }
   for (Lists* lists : {&draft.threading, &draft.tieUp, &draft.treadling, &draft.liftplan}) normalise(*lists);
   Draft treadled = draft;
@@ -63,7 +64,7 @@ Draft draftFor(const Fabric& fabric, int ends, int picks, const std::string& fil
   if (!draft.liftplan.empty() && !draft.treadling.empty() &&
       (draft.treadling.size() != draft.liftplan.size() || !(drawdown(treadled) == fabric.weave))) {
     draft.treadling.clear();
-    remarks.push_back("the treadling weaves another cloth than the liftplan, and is not in the file");
+    remarks.push_back("The treadling weaves another cloth than the liftplan, and is not in the file.");
   }
   if (!draft.treadling.empty()) draft.tieUp.resize(static_cast<size_t>(draft.treadles));
   repeatTo(draft.threading, ends);
@@ -139,8 +140,8 @@ void setSizes(const Fabric& fabric, WifDocument& document, std::vector<std::stri
       sizes.spacings.clear();
       sizes.thicknesses.clear();
       remarks.push_back(
-          fmt::format("spacing and thickness of single {} are those of another number of threads, and are "
-                      "not in the file",
+          fmt::format("Spacing and thickness of single {} are those of another number of threads, and are "
+                      "not in the file.",
                       system == System::warp ? "ends" : "picks"));
     }
   };
