@@ -72,6 +72,7 @@ class RunCounter {
 }  // namespace
 
 CoverFactors coverFactors(const Fabric& fabric) {
+  constexpr double kClosed = 28;
   // K = threads per inch / sqrt(Ne) with Ne = 590.5 / T.
   const auto factor = [&](System system, double threads_per_cm) {
     return 2.54 * threads_per_cm * meanOverThreads(fabric, system, [](const Yarn& yarn, const Fibre& fibre) {
@@ -81,8 +82,10 @@ CoverFactors coverFactors(const Fabric& fabric) {
   CoverFactors k;
   k.warp = factor(System::warp, fabric.ends_per_cm);
   k.weft = factor(System::weft, fabric.picks_per_cm);
-  k.cloth = k.warp + k.weft - k.warp * k.weft / 28.0;
-  k.fraction = k.cloth / 28.0;
+  // Threads that touch cover all there is: those that are closer lie over each other.
+  const double warp = std::min(k.warp, kClosed), weft = std::min(k.weft, kClosed);
+  k.cloth = warp + weft - warp * weft / kClosed;
+  k.fraction = k.cloth / kClosed;
   return k;
 }
 

@@ -12,8 +12,8 @@ namespace loomlight {
 struct CoverFactors {
   double warp = 0;
   double weft = 0;
-  double cloth = 0;     ///< warp + weft - warp * weft / 28
-  double fraction = 0;  ///< cloth / 28: about the share of the plane that yarn covers
+  double cloth = 0;     ///< warp + weft - warp * weft / 28 with at most 28 of each
+  double fraction = 0;  ///< cloth / 28: about the share of the plane that yarn covers, at most 1
 };
 CoverFactors coverFactors(const Fabric& fabric);
 

@@ -106,6 +106,16 @@ TEST(Derived, ReferenceClothMassAndCover) {
   EXPECT_NEAR(k.fraction, 20.1 / 28, 0.002);
 }
 
+TEST(Derived, ClothThatIsClosedGetsNoOpenerWithMoreThreads) {
+  Fabric fabric = printCloth();
+  fabric.ends_per_cm = 75;  // K1 is 34.8: yarns that lie over each other
+  EXPECT_GT(coverFactors(fabric).warp, 28);
+  EXPECT_NEAR(coverFactors(fabric).cloth, 28, 1e-9);
+  fabric.picks_per_cm = 80;
+  EXPECT_NEAR(coverFactors(fabric).cloth, 28, 1e-9);
+  EXPECT_NEAR(coverFactors(fabric).fraction, 1, 1e-9);
+}
+
 TEST(Derived, SequencesAverageTheirYarns) {
   Fabric fabric = printCloth();
   fabric.yarns.push_back(fabric.yarns[0]);
