@@ -26,7 +26,21 @@ def set_units(editor):
         editor.click("preferences." + field)
         editor.type(number)
         editor.key("Return")
-    editor.click("preferences.close")
+    escape_leaves_one_thing(editor)
+
+
+def escape_leaves_one_thing(editor):
+    """An open list, then a number that is being typed, then the dialog."""
+    editor.click("preferences.count_system")
+    editor.wait_until("the list is open", lambda: "preferences.count_system/Ne (cotton count)" in editor.widgets())
+    editor.key("Escape")
+    editor.wait_until("the list closes", lambda: "preferences.count_system/Ne (cotton count)" not in editor.widgets())
+    editor.click("preferences.piece_length")
+    editor.type("70")
+    editor.key("Escape")
+    editor.wait_until("the number is left", lambda: editor.fact("text_input") == "no")
+    expect(editor.fact("dialog") == "open", "Escape was meant for the list and for the number")
+    editor.key("Escape")
     editor.wait_until("the dialog closes", lambda: editor.fact("dialog") == "none")
 
 
