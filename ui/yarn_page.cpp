@@ -36,15 +36,6 @@ Fabric withYarnCopied(const Fabric& fabric, int yarn) {
   return edited;
 }
 
-Fabric withoutYarn(const Fabric& fabric, int yarn) {
-  Fabric edited = fabric;
-  edited.yarns.erase(edited.yarns.begin() + yarn);
-  for (std::vector<int>* sequence : {&edited.warpSequence, &edited.weftSequence})
-    for (int& index : *sequence)
-      if (index > yarn) --index;
-  return edited;
-}
-
 std::optional<Fabric> yarnList(Ui& ui, const Fabric& fabric, const InspectorModel& model, InspectorView& view) {
   yarnChooser(ui, fabric, model.yarnColours, view.yarn, "inspector");
   std::optional<Fabric> edited;
@@ -58,6 +49,7 @@ std::optional<Fabric> yarnList(Ui& ui, const Fabric& fabric, const InspectorMode
   const bool removable = fabric.yarns.size() > 1 && !isUsed(fabric, view.yarn);
   if (button(ui, "yarn.remove", "Remove", half, removable, "A yarn can be removed when no end and no pick uses it")) {
     edited = withoutYarn(fabric, view.yarn);
+    view.clothColour.wanted.clear();  // fibres have other numbers now
     view.yarn = std::max(0, view.yarn - 1);
   }
   return edited;

@@ -41,6 +41,10 @@ std::vector<YarnPreset> yarnPresets();
 /// is added where other yarns are spun of it too. A blend ends; the name stays.
 Fabric withYarn(Fabric fabric, int index, Yarn yarn, Fibre fibre);
 
+/// The fabric without a yarn that no thread uses, and without the fibres that were spun for it alone, in no colourway
+/// either.
+Fabric withoutYarn(Fabric fabric, int index);
+
 /// The fabric with another fibre in the place of that yarn's first, or added where other yarns are spun of it too.
 Fabric withFibre(Fabric fabric, int yarn, Fibre fibre);
 
