@@ -91,6 +91,7 @@ class Guard {
 /// The heart of the parser's complaint, printable, and not as long as what it chokes on.
 std::string complaint(const char* what) {
   std::string_view text(what);
+  if (const size_t id = text.find("] "); id != std::string_view::npos) text.remove_prefix(id + 2);
   constexpr std::string_view kHead = "syntax error while parsing ";
   if (const size_t at = text.find(kHead); at != std::string_view::npos) text.remove_prefix(at + kHead.size());
   text = text.substr(0, text.find("; "));

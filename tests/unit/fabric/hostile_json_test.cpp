@@ -29,6 +29,7 @@ void expectRefused(const std::string& text, const std::string& what) {
     const std::string said = error.what();
     EXPECT_EQ(said.rfind("x.json: ", 0), 0u) << what << ": " << said;
     EXPECT_LT(said.size(), 600u) << what;
+    EXPECT_EQ(said.find("exception"), std::string::npos) << what << ": " << said;
     for (const char c : said) EXPECT_TRUE(c >= 0x20 && c < 0x7F) << what << ": " << said;
   }
 }
