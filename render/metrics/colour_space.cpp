@@ -66,7 +66,7 @@ glm::dvec3 whiteXyzFromLab(const Lab& lab) {
 }
 
 // Numbers in the comments are equations of Sharma et al. 2005.
-double ciede2000(const Lab& one, const Lab& other) {
+double ciede2000(const Lab& one, const Lab& other, double kL) {
   const auto saturating = [](double c) {
     const double c7 = std::pow(c, 7);
     return std::sqrt(c7 / (c7 + std::pow(25.0, 7)));
@@ -98,7 +98,7 @@ double ciede2000(const Lab& one, const Lab& other) {
   const double sL = 1 + 0.015 * fromMiddle / std::sqrt(20 + fromMiddle);        // 18
   const double sC = 1 + 0.045 * meanCp, sH = 1 + 0.015 * meanCp * t;            // 19, 20
   const double rT = -std::sin(radians(2 * rotation)) * 2 * saturating(meanCp);  // 17, 21
-  const double l = dL / sL, c = dC / sC, h = dH / sH;
+  const double l = dL / (kL * sL), c = dC / sC, h = dH / sH;
   return std::sqrt(l * l + c * c + h * h + rT * c * h);  // 22
 }
 

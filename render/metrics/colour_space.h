@@ -25,8 +25,9 @@ inline glm::dvec3 linearFromLab(const Lab& lab) {
   return linearFromWhiteXyz(whiteXyzFromLab(lab));
 }
 
-/// CIEDE2000 with kL = kC = kH = 1, as Sharma, Wu and Dalal 2005 make its hues unambiguous. 1 is about the smallest
-/// difference an eye sees between two patches side by side.
-double ciede2000(const Lab& one, const Lab& other);
+/// CIEDE2000 with kC = kH = 1, as Sharma, Wu and Dalal 2005 make its hues unambiguous. 1 is about the smallest
+/// difference an eye sees between two patches side by side. `kL`: how much more of lightness is let pass; the textile
+/// trade takes 2.
+double ciede2000(const Lab& one, const Lab& other, double kL = 1);
 
 }  // namespace loomlight

@@ -8,6 +8,7 @@ namespace loomlight {
 namespace {
 
 constexpr float kFirstStep = 0.5f, kLastStep = 1e-3f;  // factors less one
+constexpr double kLightnessTolerance = 2;
 
 /// Downhill by factors on one, two or all channels, which get finer where none leads further.
 class Descent {
@@ -27,7 +28,9 @@ class Descent {
   const Rgb& nearest() const { return nearest_; }
 
  private:
-  double distanceTo(const Rgb& colour) const { return ciede2000(wanted_, labFromLinear(glm::dvec3(colour))); }
+  double distanceTo(const Rgb& colour) const {
+    return ciede2000(wanted_, labFromLinear(glm::dvec3(colour)), kLightnessTolerance);
+  }
   bool improve(float factor, Rgb& here, double& distance) const {
     for (unsigned channels = 1; channels < 8; ++channels) {
       Rgb next = here;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/base/random.h"
 #include "render/metrics/colour_space.h"
 
@@ -11,7 +13,7 @@ namespace {
 const Rgb kDarkest(0.015f), kLightest(0.65f, 0.64f, 0.6f);
 
 double distance(const Rgb& one, const Rgb& other) {
-  return ciede2000(labFromLinear(glm::dvec3(one)), labFromLinear(glm::dvec3(other)));
+  return ciede2000(labFromLinear(glm::dvec3(one)), labFromLinear(glm::dvec3(other)), 2);
 }
 
 TEST(NearestColour, WhatCanBeHadIsItself) {
@@ -33,6 +35,18 @@ TEST(NearestColour, NoneOfManyOthersIsNearer) {
       const Rgb at(random.uniform(), random.uniform(), random.uniform());
       EXPECT_GE(distance(glm::mix(kDarkest, kLightest, at * at), wanted), off - 0.02);
     }
+  }
+}
+
+TEST(NearestColour, APastelKeepsItsHue) {
+  const Rgb lightest(0.25f);
+  for (const Rgb& wanted : {Rgb(1.0f, 0.58f, 0.58f), Rgb(0.63f, 1.0f, 0.75f), Rgb(0.24f, 0.62f, 0.83f)}) {
+    const Lab asked = labFromLinear(glm::dvec3(wanted));
+    const Lab had = labFromLinear(glm::dvec3(nearestColour(wanted, kDarkest, lightest)));
+    const double cosine =
+        (asked.a * had.a + asked.b * had.b) / (std::hypot(asked.a, asked.b) * std::hypot(had.a, had.b));
+    EXPECT_GT(cosine, std::cos(15 * 3.14159 / 180)) << "within 15 degrees of hue";
+    EXPECT_GT(std::hypot(had.a, had.b), 0.4 * std::hypot(asked.a, asked.b)) << "not grey";
   }
 }
 
