@@ -13,18 +13,21 @@
 namespace loomlight {
 namespace {
 
-/// With less noise than its few samples leave.
-Pixels8 quietPicture(const Film& film, uint32_t samples) {
+/// With less noise than few samples leave. Single fibres are shown as they are once they are clear.
+Pixels8 quietPicture(const Film& film, uint32_t samples, Method method) {
+  constexpr uint32_t kClearSamples = 16;
   Frame frame;
   frame.width = film.width();
   frame.height = film.height();
   film.toDisplayBuffer(frame.rgba);
-  for (int y = 0; y < frame.height; ++y)
-    for (int x = 0; x < frame.width; ++x) {
-      frame.hits.push_back(film.hit(x, y));
-      if (samples > 1) frame.variances.push_back(film.variance(x, y));
-    }
-  denoise(frame.rgba, {frame.hits, frame.variances}, frame.width, frame.height, 1);
+  if (method == Method::volume || samples < kClearSamples) {
+    for (int y = 0; y < frame.height; ++y)
+      for (int x = 0; x < frame.width; ++x) {
+        frame.hits.push_back(film.hit(x, y));
+        if (samples > 1) frame.variances.push_back(film.variance(x, y));
+      }
+    denoise(frame.rgba, {frame.hits, frame.variances}, frame.width, frame.height, 1);
+  }
   return displayPicture(frame, Tone{});
 }
 
@@ -72,7 +75,7 @@ bool ThumbnailWorker::fulfil(const ThumbnailOrder& order, uint32_t samples, cons
     const CameraRays camera(order.fabric->camera, settings.width, settings.height);
     if (!renderUpTo(samples, *scene, *medium, camera, film, task).complete) return false;
     thumbnail->samples = samples;
-    thumbnail->picture = quietPicture(film, samples);
+    thumbnail->picture = quietPicture(film, samples, settings.method);
   } catch (const std::exception& e) {
     thumbnail->error = e.what();
   }
