@@ -72,8 +72,7 @@ fs::path FileBrowser::named() const {
 
 bool FileBrowser::passes(const Entry& entry) const {
   const auto same = [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); };
-  return std::search(entry.name.begin(), entry.name.end(), filter_.begin(), filter_.end(), same) != entry.name.end() ||
-         filter_.empty();
+  return std::search(entry.name.begin(), entry.name.end(), filter_.begin(), filter_.end(), same) != entry.name.end();
 }
 
 void FileBrowser::step(int direction) {
@@ -115,6 +114,7 @@ void FileBrowser::drawPlaces(Ui& ui, float width, float height) {
 
 bool FileBrowser::drawEntries(Ui& ui, float width, float height) {
   ImGui::PushStyleColor(ImGuiCol_ChildBg, ui.theme.field);
+  ImGui::PushStyleColor(ImGuiCol_Header, ui.theme.fieldFill);
   ImGui::BeginChild("entries", ImVec2(width, height), false, ImGuiWindowFlags_AlwaysUseWindowPadding);
   bool decided = false;
   std::optional<fs::path> into;
@@ -126,8 +126,8 @@ bool FileBrowser::drawEntries(Ui& ui, float width, float height) {
   if (std::exchange(reveals_, false)) {
     const auto at = std::find_if(shown.begin(), shown.end(), [&](const Entry* entry) { return entry->name == typed_; });
     const float row = ImGui::GetTextLineHeightWithSpacing();
-    ImGui::SetScrollFromPosY(ImGui::GetCursorStartPos().y + row * static_cast<float>(1 + at - shown.begin()) -
-                             ImGui::GetScrollY());
+    const float y = ImGui::GetCursorPosY() + row * static_cast<float>(at - shown.begin()) - ImGui::GetScrollY();
+    if (y < 0 || y + row > height) ImGui::SetScrollFromPosY(y);
   }
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(shown.size()));
@@ -149,7 +149,7 @@ bool FileBrowser::drawEntries(Ui& ui, float width, float height) {
   }
   if (shown.empty()) hint(ui, entries_.empty() ? "Nothing here that this dialog can use." : "Nothing is called that.");
   ImGui::EndChild();
-  ImGui::PopStyleColor();
+  ImGui::PopStyleColor(2);
   if (into) enter(*into);
   return decided;
 }
@@ -187,8 +187,7 @@ void FileBrowser::drawName(Ui& ui, bool begin, bool& decided) {
   const auto onArrow = [](ImGuiInputTextCallbackData* data) {
     if (data->EventFlag != ImGuiInputTextFlags_CallbackHistory) return 0;
     FileBrowser& browser = *static_cast<FileBrowser*>(data->UserData);
-    const std::string typed(data->Buf, static_cast<size_t>(data->BufTextLen));
-    browser.typed_ = typed;
+    browser.typed_.assign(data->Buf, static_cast<size_t>(data->BufTextLen));
     browser.step(data->EventKey == ImGuiKey_UpArrow ? -1 : 1);
     data->DeleteChars(0, data->BufTextLen);
     data->InsertChars(0, browser.typed_.c_str());

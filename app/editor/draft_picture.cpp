@@ -41,21 +41,21 @@ Pixels8 draftPicture(const Fabric& fabric, int side) {
   const int longest = std::max(fabric.weave.ends(), fabric.weave.picks());
   const int cell = std::max(1, side / std::max(kFewest, longest));
   const double pitch = std::max(1.0, static_cast<double>(longest) / side) / cell;  // crossings from pixel to pixel
-  const int samples = std::clamp(static_cast<int>(std::ceil(pitch)), 1, 4);
+  const int samples = pitch > 1 ? 16 : 1;
   const auto colourAt = colouring(fabric);
   Pixels8 picture{side, side, 3, {}};
   picture.bytes.reserve(static_cast<size_t>(side) * side * 3);
   for (int y = side - 1; y >= 0; --y)
     for (int x = 0; x < side; ++x) {
       Colour sum{};
-      for (int i = 0; i < samples * samples; ++i) {
-        const double dx = (i % samples + 0.5) / samples, dy = (i / samples + 0.5) / samples;
+      for (int i = 0; i < samples; ++i) {
+        // Spread evenly, and in step with no weave (Roberts's sequence).
+        const double dx = std::fmod(0.5 + 0.7548776662466927 * i, 1), dy = std::fmod(0.5 + 0.5698402909980532 * i, 1);
         const Colour c = colourAt(static_cast<int>((y + dy) * pitch), static_cast<int>((x + dx) * pitch));
         for (size_t k = 0; k < 3; ++k) sum[k] += c[k];
       }
       for (const float channel : sum)
-        picture.bytes.push_back(
-            static_cast<uint8_t>(std::lround(255 * channel / static_cast<float>(samples * samples))));
+        picture.bytes.push_back(static_cast<uint8_t>(std::lround(255 * channel / static_cast<float>(samples))));
     }
   return picture;
 }

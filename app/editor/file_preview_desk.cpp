@@ -104,7 +104,8 @@ FilePreviewDesk::Look FilePreviewDesk::lookInto(const std::string& file) {
     if (bytes > kMostBytes) return look;
     const std::string extension = lowerExtension(file);
     if (extension == ".png") showPicture(rasterOf(readPng(file)));
-    if (extension == ".exr") showPicture(rasterOf(readExr(file)));
+    if (extension == ".exr")
+      if (const Image image = readExr(file); !image.channels.empty()) showPicture(rasterOf(image));
     if (extension == ".json") showCloth(readFabric(file));
     if (isWeavingFile(file)) showCloth(readWifFabric(file, Fabric{}, WifSizeChoice::keep).fabric);
   } catch (const std::bad_alloc&) {
