@@ -299,8 +299,13 @@ def set_the_loom(weaver):
     editor.move(*weaver.crossing(4, 4))
     editor.act("click", 4)
     editor.wait_until("the wheel zooms", lambda: editor.widgets()["draft.cell_0_0"] != at_left)
+    zoomed = editor.widgets()["draft.cell_0_0"]
+    weaver.edits("a crossing is turned over", lambda: editor.click_at(*weaver.crossing(4, 4)))
     editor.key("shift+f")
     editor.wait_until("Shift+F shows the whole repeat", lambda: editor.widgets()["draft.cell_0_0"] == at_left)
+    weaver.edits("undo", lambda: editor.key("ctrl+z"))
+    editor.wait_until("undo shows where it happened", lambda: editor.widgets()["draft.cell_0_0"] == zoomed)
+    editor.key("shift+f")
 
 
 def weave_of_sinking(fabric):
