@@ -87,6 +87,12 @@ def spin(editor, file):
     yarn = editor.saved(file)["yarns"][0]
     packing = yarn["count_tex"] / (1.52 * (0.3 / 0.03568) ** 2)
     expect(abs(yarn["packing"] - packing) < 0.005, f"0.3 mm became packing {yarn['packing']}, not {packing:.3f}")
+    type_into(editor, "yarn.count_tex", "167 dtex f48")
+    fabric = editor.saved(file)
+    radius_um = (1e3 * 16.7 / 48 / (3.14159265 * 1.52)) ** 0.5
+    expect((fabric["yarns"][0]["count_tex"], fabric["yarns"][0]["plies"]) == (16.7, 1), f"f48 is {fabric['yarns'][0]}")
+    expect(abs(fabric["fibres"][0]["radius_um"] - radius_um) < 0.01, f"48 filaments are {fabric['fibres'][0]}")
+    editor.key("ctrl+z")
 
 
 def blend(editor, file):
