@@ -8,26 +8,23 @@ namespace loomlight {
 namespace {
 
 std::string workOf(const LiveStatus& status, const Frame* shown) {
-  const bool recoloured = shown && shown->recoloured;
-  std::string work;
+  const std::string help = !shown                     ? ""
+                           : !shown->denoised.empty() ? ", denoised"
+                           : !shown->helped.empty()   ? ", smoothed"
+                                                      : "";
+  if (shown && shown->draft) return "first look" + help;
   switch (status.phase) {
     case LiveStatus::Phase::idle:
-      work = "waiting";
-      break;
+      return "waiting" + help;
     case LiveStatus::Phase::voxelising:
-      work = fmt::format("building {:3.0f} %", 100 * status.buildProgress);
-      break;
+      return fmt::format("building {:3.0f} %{}", 100 * status.buildProgress, help);
     case LiveStatus::Phase::tracing:
-      work = recoloured ? "recoloured, refining" : "refining";
-      break;
+      if (!shown || !shown->recoloured) return "refining" + help;
+      return help.empty() ? "recoloured, refining" : "recoloured" + help;  // all three would need more room
     case LiveStatus::Phase::converged:
-      work = "converged";
       break;
   }
-  if (shown && shown->draft) work = "first look";
-  if (shown && !shown->denoised.empty()) return (recoloured ? "recoloured" : work) + ", denoised";
-  if (shown && !shown->helped.empty()) return work + ", smoothed";
-  return work;
+  return "converged" + help;
 }
 
 void tellFigures(const Insight& insight, const ClothMeasures& measures, StatusModel& model) {
