@@ -6,10 +6,12 @@
 
 #include "app/commands/draft_sheet.h"
 #include "app/commands/inputs.h"
+#include "app/commands/interrupt.h"
 #include "app/commands/weave_bitmap.h"
 #include "app/commands/woven_picture.h"
 #include "app/workers/file_name.h"
 #include "core/base/error.h"
+#include "core/base/file.h"
 #include "core/fabric/fabric_json.h"
 #include "core/fabric/structure_edit.h"
 #include "core/fabric/wif_fabric.h"
@@ -47,6 +49,12 @@ int run(const ConvertCommand& command) {
     fabric = std::move(like);
   }
   if (command.structure) fabric = withStructure(fabric, {}, *command.structure, {}).fabric;
+  if (!command.clothColours.empty()) {
+    expectWritable(command.output);
+    auto inColour = dyed(std::move(fabric), command.clothColours, command.input);
+    if (!inColour) return Interrupt::kExitStatus;
+    fabric = std::move(*inColour);
+  }
   const std::string extension = lowerExtension(command.output);
   if (extension == ".json") {
     writeFabric(fabric, command.output);

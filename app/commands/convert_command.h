@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/commands/cloth_dye.h"
 #include "app/commands/option_values.h"
 #include "core/fabric/structure_library.h"
 #include "core/fabric/wif_fabric.h"
@@ -19,11 +20,13 @@ struct ConvertCommand {
   std::optional<MadeStructure> structure;  ///< in place of the weave
   /// Not empty: IN is a picture (.png), and these stand in the place of its colours, from dark to light.
   std::vector<MadeStructure> colours;
-  std::optional<PictureSize> repeat;  ///< ends and picks of the picture; its pixels where not given
+  std::optional<PictureSize> repeat;      ///< ends and picks of the picture; its pixels where not given
+  std::vector<ClothColour> clothColours;  ///< what the cloth is to look like, of some of its fibres
   WifSizeChoice wifSizes = WifSizeChoice::keep;
 };
 
-/// Says on stderr what is in the output otherwise than in the input. Exit status 0. Throws InputError.
+/// Says on stderr what is in the output otherwise than in the input. Exit status 0, or that of an
+/// interrupt while colours are found. Throws InputError.
 int run(const ConvertCommand& command);
 
 }  // namespace loomlight

@@ -3,35 +3,11 @@
 #include <exception>
 
 #include "app/workers/background_thread.h"
+#include "app/workers/dye_walks.h"
 #include "render/trace/make_medium.h"
 
 namespace loomlight {
 namespace {
-
-constexpr size_t kWalks = 8192;  // a standard error of half a percent of the colour
-
-/// All that walks depend on: the patch without its dyes and its names.
-Fabric undyed(const Fabric& fabric) {
-  Fabric patch = colourPatch(fabric);
-  patch.name.clear();
-  patch.description.clear();
-  patch.camera = Camera{};
-  patch.draft.reset();
-  patch.wif.reset();
-  patch.colourways.clear();
-  for (Fibre& fibre : patch.fibres) {
-    fibre.name.clear();
-    fibre.absorption_per_mm = Rgb(0.0f);
-  }
-  for (Yarn& yarn : patch.yarns) yarn.name.clear();
-  return patch;
-}
-
-std::vector<Rgb> absorptionsOf(const Fabric& fabric) {
-  std::vector<Rgb> absorptions;
-  for (const Fibre& fibre : fabric.fibres) absorptions.push_back(fibre.absorption_per_mm);
-  return absorptions;
-}
 
 std::shared_ptr<const ColourAnswer> answerTo(const ColourWish& wish, const ColourWalks& walks) {
   auto answer = std::make_shared<ColourAnswer>();
@@ -80,7 +56,7 @@ void ColourWorker::publish(std::shared_ptr<const ColourAnswer> answer, std::stri
 /// Walks for the newest wish, which may change under way. False when the thread is to end.
 bool ColourWorker::makeWalks(std::stop_token ending) {
   while (!ending.stop_requested()) {
-    auto patch = std::make_shared<const Fabric>(undyed(*wish_.fabric));
+    auto patch = std::make_shared<const Fabric>(undyedPatch(*wish_.fabric));
     if (construction_ && *construction_ == *patch && walkedFibre_ == wish_.fibre) return true;
     std::stop_source stop;
     const std::stop_callback withThread(ending, [&stop] { stop.request_stop(); });
@@ -90,14 +66,14 @@ bool ColourWorker::makeWalks(std::stop_token ending) {
     task.progress = [&](double) {
       auto newer = wishes_.take();
       if (!newer) return;
-      const bool same = newer->fibre == wish_.fibre && undyed(*newer->fabric) == *patch;
+      const bool same = newer->fibre == wish_.fibre && undyedPatch(*newer->fabric) == *patch;
       wish_ = std::move(*newer);
       if (!same) stop.request_stop();
     };
     const int fibre = wish_.fibre;
     const auto scene = makeScene(patch, task);
     const auto medium = scene ? makeMedium(*scene, defaultMemoryLimit_bytes(), task) : nullptr;
-    auto walks = medium ? walkColours(*scene, *medium, fibre, kWalks, task) : std::nullopt;
+    auto walks = medium ? walkColours(*scene, *medium, fibre, kDyeWalks, task) : std::nullopt;
     if (!walks) continue;
     construction_ = std::move(patch);
     walkedFibre_ = fibre;

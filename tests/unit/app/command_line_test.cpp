@@ -135,6 +135,19 @@ TEST(CommandLine, InfoConvertAndBench) {
   EXPECT_EQ(bench.rounds, 1);
 }
 
+TEST(CommandLine, ConvertTakesSeveralColoursOfTheCloth) {
+  const auto convert = parsed<ConvertCommand>(
+      {"convert", "a.json", "--cloth-colour", "warp=2=#102aFF", "b.json", "--cloth-colour", "3=#000000"});
+  EXPECT_EQ(convert.output, "b.json");
+  ASSERT_EQ(convert.clothColours.size(), 2u);
+  EXPECT_EQ(convert.clothColours[0].fibre, "warp=2");
+  EXPECT_THAT(convert.clothColours[0].colour, testing::ElementsAre(0x10, 0x2a, 0xff));
+  EXPECT_EQ(convert.clothColours[1].fibre, "3");
+  for (const char* wrong : {"#102030", "=#102030", "1=102030", "1=#10203", "1=#1020300", "1=#-10203", "1=#10203g"})
+    EXPECT_THAT(complaint({"convert", "a.json", "b.json", "--cloth-colour", wrong}),
+                HasSubstr("--cloth-colour: expected FIBRE=#RRGGBB"));
+}
+
 TEST(CommandLine, BrdfTakesCamerasAndALight) {
   const auto brdf = parsed<BrdfCommand>(
       {"brdf", "a.json", "-o", "out", "--light-angle", "45", "--cameras", "32x8", "--spp", "99", "--method", "fibres"});

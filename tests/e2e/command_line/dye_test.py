@@ -1,0 +1,102 @@
+"""`convert --cloth-colour` dyes fibres for the colour that the cloth is to have."""
+
+import json
+import math
+
+from harness import CommandLineTest, main, read_png
+
+# Closed cloth of one yarn: whatever is seen from above is its fibre.
+YARN = {"name": "yarn", "fibre": 0, "fibres_per_ply": 120}
+CLOSED = {
+    "weave": ["#.", ".#"],
+    "ends_per_cm": 60,
+    "picks_per_cm": 60,
+    "weft_sequence": [0],
+    "yarns": [YARN],
+    "fibres": [{"name": "a=b", "radius_um": 9}],
+    "drape": {"kind": "flat", "width_mm": 12, "height_mm": 12},
+    "camera": {"elevation_deg": 90, "fov_deg": 0, "distance_mm": 6},
+}
+WALKS = 8192
+
+
+def linear(channel):
+    """Of light, for a channel of sRGB in 0..255."""
+    value = channel / 255
+    return value / 12.92 if value <= 0.04045 else ((value + 0.055) / 1.055) ** 2.4
+
+
+def channels(text):
+    return [int(text[i : i + 2], 16) for i in (1, 3, 5)]
+
+
+class Dye(CommandLineTest):
+    def seen_from_above(self, fabric):
+        """What the cloth sends back of a white sky: the mean of a picture, linear."""
+        self.run_program("render", fabric, "-o", "a.png", "--light", "dome", "--spp", 64, "--exposure", -1)
+        width, height, rows = read_png(self.folder / "a.png")
+        return [2 * sum(linear(pixel[c]) for row in rows for pixel in row) / (width * height) for c in range(3)]
+
+    def dyes(self, name):
+        return [fibre["absorption_per_mm"] for fibre in json.loads(self.bytes_of(name))["fibres"]]
+
+    def test_the_cloth_has_the_colour_that_was_wanted(self):
+        wanted = "#b4643c"
+        said = self.run_program("convert", self.fabric(**CLOSED), "dyed.json", "--cloth-colour", "a=b=" + wanted)
+        self.assertIn(f"a=b: {wanted} is wanted, the cloth shows {wanted}, off by 0.0 (CIEDE2000)", said)
+        for channel, seen in zip(channels(wanted), self.seen_from_above("dyed.json")):
+            expected = linear(channel)
+            deviation = math.sqrt(expected * (1 - expected) / WALKS)  # at most: a walk's light is from 0 to 1
+            self.assertLess(abs(seen - expected), 4 * deviation)
+
+    def test_fibres_are_dyed_together(self):
+        wishes = ("--cloth-colour", "blue=#406080", "--cloth-colour", "2=#807050")
+        self.assertEqual(self.run_program("convert", self.fabric(), "dyed.json", *wishes).count("off by 0.0"), 2)
+        dyes = self.dyes("dyed.json")
+        self.assertNotEqual(dyes[1], [0, 0, 0])
+        # Either is right beside the other: dyed again alone, it stays.
+        for i in (0, 1):
+            said = self.run_program("convert", "dyed.json", "again.json", *wishes[2 * i : 2 * i + 2])
+            self.assertIn("off by 0.0", said)
+            again = self.dyes("again.json")
+            self.assertEqual(again[1 - i], dyes[1 - i])
+            for one, other in zip(again[i], dyes[i]):
+                self.assertAlmostEqual(one, other, delta=2e-3 * other)
+
+    def test_what_cannot_be_had_is_said_and_the_nearest_is_taken(self):
+        for wanted, why in (("#ffffff", "lighter than this cloth"), ("#000000", "darker than fibres"),
+                            ("#ff0000", "lighter and darker than this fibre")):
+            with self.subTest(wanted=wanted):
+                said = self.run_program("convert", self.fabric(), "dyed.json", "--cloth-colour", "2=" + wanted)
+                self.assertRegex(said, f"white: {wanted} cannot be had, it is {why}.*: the nearest is #[0-9a-f]{{6}}, "
+                                       r"off by [1-9][0-9]*\.[0-9] \(CIEDE2000\)")
+                dye = self.dyes("dyed.json")[1]
+                if wanted == "#ffffff":
+                    self.assertEqual(min(dye), 0)
+                if wanted == "#000000":
+                    self.assertGreater(min(dye), 10)
+
+    def test_slips_are_named_and_nothing_is_written(self):
+        fibres = [{"name": name, "radius_um": 9} for name in ("face", "back", "same", "same")]
+        fabric = self.fabric(fibres=fibres)
+        for wishes, expected, status in (
+            (["red=#102030"], "one of the fabric's fibres, 1 'face', 2 'back', 3 'same', 4 'same'; got 'red'", 1),
+            (["5=#102030"], "got '5'", 1),
+            (["0=#102030"], "got '0'", 1),
+            (["same=#102030"], "several are named 'same'", 1),
+            (["1=#102030", "face=#203040"], "one colour for each fibre, got two for 1 'face'", 1),
+            (["3=#102030"], "a fibre that lies on the face, where it shows its colour, got 3 'same'", 1),
+            (["1=red"], "expected FIBRE=#RRGGBB", 2),
+            (["#102030"], "expected FIBRE=#RRGGBB", 2),
+            (["1=#10203"], "expected FIBRE=#RRGGBB", 2),
+            (["=#102030"], "expected FIBRE=#RRGGBB", 2),
+        ):
+            with self.subTest(wishes=wishes):
+                words = [word for wish in wishes for word in ("--cloth-colour", wish)]
+                said = self.run_program("convert", fabric, "dyed.json", *words, status=status)
+                self.assertIn("--cloth-colour: expected", said)
+                self.assertIn(expected, said)
+                self.assertFalse((self.folder / "dyed.json").exists())
+
+
+main()
