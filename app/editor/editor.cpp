@@ -119,7 +119,7 @@ int runEditor(const EditorOptions& options) {
   Window window("Loomlight", settings.windowWidth, settings.windowHeight, options.scale);
   Frames frames(window, options.widgetDump);
 
-  FileDesk firstFile(Window::wake);  // outlives the session, for a read that was given up goes on
+  FileDesk firstFile(Window::wake);  // outlives the session: for a read that was given up nobody waits but at the end
   std::string problem;
   std::vector<std::string> dropped;
   if (isFabric(options.fabricFile)) {

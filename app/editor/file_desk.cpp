@@ -9,68 +9,87 @@
 #include "core/fabric/wif_fabric.h"
 
 namespace loomlight {
+namespace {
 
-FileDesk::FileDesk(std::function<void()> wake) : wake_(std::move(wake)) {}
+/// What is told of all that goes wrong in it.
+template <class Task>
+void attempt(const Task& task, FileDesk::Result& result) {
+  try {
+    task(result);
+  } catch (const std::bad_alloc&) {
+    result.problem = result.file + ": needs more memory than there is";
+  } catch (const std::exception& error) {
+    result.problem = error.what();
+  }
+}
 
-void FileDesk::post(Work work, std::string file, uint64_t state, Task task) {
+FileDesk::Result about(FileDesk::Work work, std::string file, uint64_t state) {
+  FileDesk::Result result;
+  result.work = work;
+  result.file = std::move(file);
+  result.state = state;
+  return result;
+}
+
+}  // namespace
+
+FileDesk::FileDesk(std::function<void()> wake, Read read)
+    : wake_(std::move(wake)), read_(std::move(read)), reads_(wake_) {}
+
+WifImport FileDesk::readCloth(const std::string& file, const Fabric& mine) {
+  return isWeavingFile(file) ? readWifFabric(file, mine, WifSizeChoice::keep) : WifImport{readFabric(file), {}};
+}
+
+void FileDesk::open(Work work, std::string file, std::shared_ptr<const Fabric> mine, uint64_t state) {
   stop_ = std::stop_source();
   busy_ = Busy{work, file};
-  tasks_.post([this, work, state, file = std::move(file), task = std::move(task), stop = stop_.get_token(),
-               number = ++number_] {
-    Result result;
-    result.work = work;
-    result.file = file;
-    result.state = state;
-    try {
-      if (stop.stop_requested())
-        result.cancelled = true;
-      else
-        task(stop, result);
-    } catch (const std::bad_alloc&) {
-      result.problem = file + ": needs more memory than there is";
-    } catch (const std::exception& error) {
-      result.problem = error.what();
-    }
-    results_.post({number, std::move(result)});
+  reads_.ask([result = about(work, std::move(file), state), mine = std::move(mine), read = read_](const auto&) mutable {
+    attempt(
+        [&](Result& to) {
+          WifImport cloth = read(to.file, *mine);
+          to.fabric = std::move(cloth.fabric);
+          to.warnings = std::move(cloth.warnings);
+        },
+        result);
+    return std::move(result);
+  });
+}
+
+void FileDesk::write(Result about, Task task) {
+  stop_ = std::stop_source();
+  busy_ = Busy{about.work, about.file};
+  writes_.post([this, result = std::move(about), task = std::move(task), stop = stop_.get_token()]() mutable {
+    result.cancelled = stop.stop_requested();
+    if (!result.cancelled) attempt([&](Result& to) { task(stop, to); }, result);
+    written_.post(std::move(result));
     wake_();
   });
 }
 
-void FileDesk::open(Work work, std::string file, std::shared_ptr<const Fabric> mine, uint64_t state) {
-  post(work, file, state, [file, mine = std::move(mine)](const std::stop_token&, Result& result) {
-    if (isWeavingFile(file)) {
-      WifImport import = readWifFabric(file, *mine, WifSizeChoice::keep);
-      result.fabric = std::move(import.fabric);
-      result.warnings = std::move(import.warnings);
-    } else {
-      result.fabric = readFabric(file);
-    }
-  });
-}
-
 void FileDesk::save(std::string file, std::shared_ptr<const Fabric> fabric, uint64_t state) {
-  post(Work::save, file, state, [file, fabric = std::move(fabric)](const std::stop_token& stop, Result& result) {
-    result.cancelled = !writeFabric(*fabric, file, stop);
-  });
+  write(about(Work::save, std::move(file), state),
+        [fabric = std::move(fabric)](const std::stop_token& stop, Result& result) {
+          result.cancelled = !writeFabric(*fabric, result.file, stop);
+        });
 }
 
 void FileDesk::exportTo(std::string file, std::function<std::vector<std::string>()> write) {
-  post(Work::exportTo, std::move(file), 0,
-       [write = std::move(write)](const std::stop_token&, Result& result) { result.remarks = write(); });
+  this->write(about(Work::exportTo, std::move(file), 0),
+              [write = std::move(write)](const std::stop_token&, Result& result) { result.remarks = write(); });
 }
 
 void FileDesk::cancel() {
   stop_.request_stop();
   if (!isReading()) return;
-  ++number_;
+  reads_.forget();
   busy_.reset();
 }
 
 std::optional<FileDesk::Result> FileDesk::take() {
-  auto come = results_.take();
-  if (!come || come->first != number_) return std::nullopt;
-  busy_.reset();
-  return std::move(come->second);
+  auto come = reads_.take();
+  if (!come) come = written_.take();
+  if (come) busy_.reset();
+  return come;
 }
 
 }  // namespace loomlight

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -9,24 +8,27 @@
 #include <string>
 #include <vector>
 
+#include "app/workers/fetcher.h"
 #include "app/workers/mailbox.h"
 #include "app/workers/task_queue.h"
 #include "core/fabric/fabric.h"
-#include "core/fabric/wif_warnings.h"
+#include "core/fabric/wif_fabric.h"
 
 namespace loomlight {
 
-/// Reads and writes files on a thread of its own: a large jacquard takes a second, and a slow disk more. One at a time;
-/// what is asked for is said in busy() until its result is taken, or it is cancelled.
+/// Reads and writes files, but not in the thread of the window: a large jacquard takes a second, and a slow disk more.
+/// One at a time; what is asked for is said in busy() until its result is taken, or it is cancelled.
 ///
-/// What the thread has begun it ends, but for a save: a read that was cancelled goes on unseen and holds up the next
-/// until it is done, and the destructor waits for all that was asked for and not cancelled before it began.
+/// The destructor waits for what was to be written. A read that was cancelled goes on unseen, and holds up nothing.
 class FileDesk {
  public:
   enum class Work { open, takeUp, save, exportTo };
 
-  /// `wake` is called from the thread when there is something to take().
-  explicit FileDesk(std::function<void()> wake);
+  /// Reads a cloth, a weaving file with `mine`, and throws InputError.
+  using Read = std::function<WifImport(const std::string& file, const Fabric& mine)>;
+
+  /// `wake` is called from other threads when there is something to take().
+  explicit FileDesk(std::function<void()> wake, Read read = readCloth);
 
   /// A fabric, or by the name's ending a weaving file, which takes from `mine` what it does not say. `state` of the
   /// document comes back with the result, here and in save().
@@ -62,14 +64,16 @@ class FileDesk {
 
  private:
   using Task = std::function<void(const std::stop_token&, Result&)>;
-  void post(Work work, std::string file, uint64_t state, Task task);
+  static WifImport readCloth(const std::string& file, const Fabric& mine);
+  void write(Result about, Task task);
 
   std::function<void()> wake_;
+  Read read_;
   std::optional<Busy> busy_;
   std::stop_source stop_;
-  uint64_t number_ = 0;  ///< of what is awaited
-  Mailbox<std::pair<uint64_t, Result>> results_;
-  TaskQueue tasks_;  // last: it ends before what its tasks use is gone
+  Fetcher<Result> reads_;
+  Mailbox<Result> written_;
+  TaskQueue writes_;  // last: it ends before what its tasks use is gone
 };
 
 }  // namespace loomlight

@@ -83,7 +83,7 @@ std::string clothText(const Fabric& fabric) {
 
 }  // namespace
 
-FilePreviewDesk::FilePreviewDesk(std::function<void()> wake) : wake_(std::move(wake)) {}
+FilePreviewDesk::FilePreviewDesk(std::function<void()> wake) : looks_(std::move(wake)) {}
 
 FilePreviewDesk::Look FilePreviewDesk::lookInto(const std::string& file) {
   Look look;
@@ -137,11 +137,7 @@ FilePreview FilePreviewDesk::of(const std::string& file) {
   if (const auto found = known_.find(file); found != known_.end()) return found->second.preview;
   if (file != asked_) {
     asked_ = file;
-    tasks_.post([this, file, number = ++wanted_] {
-      if (number != wanted_) return;
-      looks_.post({file, lookInto(file)});
-      wake_();
-    });
+    looks_.ask([file](const auto&) { return std::pair(file, lookInto(file)); });
   }
   FilePreview coming;
   coming.isComing = !file.empty();
@@ -149,7 +145,7 @@ FilePreview FilePreviewDesk::of(const std::string& file) {
 }
 
 void FilePreviewDesk::forget() {
-  ++wanted_;
+  looks_.forget();
   asked_.clear();
   known_.clear();
 }

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <atomic>
-#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -9,19 +7,17 @@
 #include <vector>
 
 #include "app/editor/picture_texture.h"
-#include "app/workers/mailbox.h"
-#include "app/workers/task_queue.h"
+#include "app/workers/fetcher.h"
 #include "ui/file_preview.h"
 
 namespace loomlight {
 
-/// Looks into files before they are opened, on a thread of its own. What was asked for last is what counts: a file that
-/// is being read is read to its end, and of those that wait none but the last.
+/// Looks into files before they are opened, but not in the thread of the window. What was asked for last is what
+/// counts.
 class FilePreviewDesk {
  public:
   /// `wake` is called from the thread when there is something to see.
   explicit FilePreviewDesk(std::function<void()> wake);
-  ~FilePreviewDesk() { forget(); }
 
   /// What is known of the file by now; nothing of an empty name. The last files that were looked into are
   /// remembered until forget(), as they were then. In the thread of the window.
@@ -40,12 +36,9 @@ class FilePreviewDesk {
   static Look lookInto(const std::string& file);
   void take();
 
-  std::function<void()> wake_;
   std::map<std::string, Known> known_;
   std::string asked_;
-  std::atomic<uint64_t> wanted_ = 0;
-  Mailbox<std::pair<std::string, Look>> looks_;
-  TaskQueue tasks_;  // last: it ends before what its tasks use is gone
+  Fetcher<std::pair<std::string, Look>> looks_;
 };
 
 }  // namespace loomlight

@@ -19,6 +19,7 @@ void FirstOpening::frame(Ui& ui) {
     if (read->fabric) document_ = Document(std::move(*read->fabric), file_);
     return;
   }
+  if (ImGui::GetIO().KeyCtrl && ImGui::IsKeyPressed('Q', false)) askToQuit();
   const std::string text = fmt::format("Opening {}\xE2\x80\xA6", std::filesystem::path(file_).filename().string());
   if (!busyDialog_.draw(ui, text, files_.canCancel())) return;
   files_.cancel();

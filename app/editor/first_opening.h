@@ -16,7 +16,7 @@ namespace loomlight {
 /// seen of it where that is soon done; a large file or a slow disk does not keep the window away, and can be given up.
 class FirstOpening {
  public:
-  /// `files` reads it, and goes on with it unseen where it is given up. `otherwise`: the cloth to begin with then.
+  /// `files` reads it, and is left with it where it is given up. `otherwise`: the cloth to begin with then.
   FirstOpening(FileDesk& files, const std::string& file, Document otherwise, Settings settings);
 
   void frame(Ui& ui);
@@ -28,7 +28,7 @@ class FirstOpening {
   std::string title() const { return "Loomlight"; }
 
   // Once it is over.
-  bool quits() const { return quits_; }  ///< the window was closed instead
+  bool quits() const { return quits_; }  ///< the program is to end instead
   Document document() { return std::move(document_); }
   const std::string& problem() const { return problem_; }  ///< why the file was not read; empty when all went well
   const std::vector<std::string>& dropped() const { return dropped_; }

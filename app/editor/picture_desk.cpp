@@ -29,12 +29,10 @@ std::shared_ptr<const PictureSource> sourceOf(const std::string& file, const std
 
 }  // namespace
 
-PictureDesk::PictureDesk(std::function<void()> wake) : wake_(std::move(wake)) {}
+PictureDesk::PictureDesk(std::function<void()> wake) : fetcher_(std::move(wake)) {}
 
-void PictureDesk::post(std::function<Result(const StillWanted&)> work) {
-  tasks_.post([this, work = std::move(work), number = ++wanted_] {
-    const StillWanted stillWanted = [this, number] { return number == wanted_; };
-    if (!stillWanted()) return;
+void PictureDesk::ask(std::function<Result(const StillWanted&)> work) {
+  fetcher_.ask([work = std::move(work)](const StillWanted& stillWanted) {
     Result result;
     try {
       result = work(stillWanted);
@@ -43,14 +41,12 @@ void PictureDesk::post(std::function<Result(const StillWanted&)> work) {
     } catch (const std::exception& error) {
       result.problem = error.what();
     }
-    if (!stillWanted()) return;
-    results_.post({number, std::move(result)});
-    wake_();
+    return result;
   });
 }
 
 void PictureDesk::read(const std::string& file) {
-  post([file](const StillWanted& stillWanted) {
+  ask([file](const StillWanted& stillWanted) {
     Result result;
     result.source = sourceOf(file, stillWanted);
     return result;
@@ -58,18 +54,12 @@ void PictureDesk::read(const std::string& file) {
 }
 
 void PictureDesk::weave(PictureOrder order, std::shared_ptr<const Fabric> fabric, const LoomLimits& limits) {
-  post([order = std::move(order), fabric = std::move(fabric), limits](const StillWanted&) {
+  ask([order = std::move(order), fabric = std::move(fabric), limits](const StillWanted&) {
     const Raster threads = resampled(order.source->raster, order.ends, order.picks);
     Result result;
     result.woven = rewoven(*fabric, weaveOf(reduced(threads, order.palette), order.structures), limits);
     return result;
   });
-}
-
-std::optional<PictureDesk::Result> PictureDesk::take() {
-  auto come = results_.take();
-  if (!come || come->first != wanted_) return std::nullopt;
-  return std::move(come->second);
 }
 
 }  // namespace loomlight

@@ -1,13 +1,12 @@
 #pragma once
 
-#include <atomic>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
-#include "app/workers/mailbox.h"
+#include "app/workers/fetcher.h"
 #include "app/workers/raster.h"
-#include "app/workers/task_queue.h"
 #include "core/fabric/fabric.h"
 #include "core/fabric/picture_weave.h"
 #include "core/fabric/structure_edit.h"
@@ -16,8 +15,8 @@
 
 namespace loomlight {
 
-/// Reads pictures and weaves them on a thread of its own: a hundred million pixels take seconds. What was asked for
-/// last is what counts.
+/// Reads pictures and weaves them, but not in the thread of the window: a hundred million pixels take seconds. What was
+/// asked for last is what counts.
 class PictureDesk {
  public:
   explicit PictureDesk(std::function<void()> wake);
@@ -25,9 +24,9 @@ class PictureDesk {
   void read(const std::string& file);
   /// In the place of the fabric's weave.
   void weave(PictureOrder order, std::shared_ptr<const Fabric> fabric, const LoomLimits& limits);
-  /// Whatever comes of it is no longer wanted. A picture that is being decoded is decoded to its end, which takes
-  /// seconds at most (readPng() has a limit); nothing else is done with it, and of those that wait none is read.
-  void forget() { ++wanted_; }
+  /// Whatever comes of it is no longer wanted. A picture that is being decoded is decoded to its end, and nothing else
+  /// is done with it.
+  void forget() { fetcher_.forget(); }
 
   /// What has come, once: one of the three.
   struct Result {
@@ -35,16 +34,13 @@ class PictureDesk {
     std::optional<Rewoven> woven;
     std::string problem;
   };
-  std::optional<Result> take();
+  std::optional<Result> take() { return fetcher_.take(); }
 
  private:
-  using StillWanted = std::function<bool()>;
-  void post(std::function<Result(const StillWanted&)> work);
+  using StillWanted = Fetcher<Result>::StillWanted;
+  void ask(std::function<Result(const StillWanted&)> work);
 
-  std::function<void()> wake_;
-  std::atomic<uint64_t> wanted_ = 0;
-  Mailbox<std::pair<uint64_t, Result>> results_;
-  TaskQueue tasks_;  // last: it ends before what its tasks use is gone
+  Fetcher<Result> fetcher_;
 };
 
 }  // namespace loomlight

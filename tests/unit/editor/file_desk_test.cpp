@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <future>
 #include <thread>
 
 #include "core/fabric/fabric_json.h"
@@ -105,6 +106,24 @@ TEST_F(FileDeskTest, ASaveThatIsCancelledSaysWhetherItCameTooLate) {
     EXPECT_EQ(readFabric(at("a.json")).name, saved->cancelled ? "old" : "new");
     writeFabric(*named("old"), at("a.json"));
   }
+}
+
+TEST_F(FileDeskTest, AReadThatHangsHoldsUpNeitherASaveNorTheEnd) {
+  std::promise<void> letGo, begun;
+  {
+    FileDesk desk([] {},
+                  [gone = letGo.get_future().share(), &begun](const std::string&, const Fabric&) {
+                    begun.set_value();
+                    gone.wait();
+                    return WifImport{};
+                  });
+    desk.open(FileDesk::Work::open, at("a.json"), named("mine"), 0);
+    begun.get_future().wait();
+    desk.cancel();
+    desk.save(at("b.json"), named("Tweed"), 1);
+  }
+  EXPECT_EQ(readFabric(at("b.json")).name, "Tweed");
+  letGo.set_value();  // only now: the end has not waited for it
 }
 
 }  // namespace
