@@ -16,7 +16,6 @@ struct TradeUnits {
 };
 
 /// What a piece may measure: from, to.
-inline constexpr double kPieceLength_m[] = {0.01, 100'000}, kPieceWidth_cm[] = {0.1, 10'000};
 
 /// As it is shown: "19.7 tex", "30.0 Ne".
 std::string countText(double tex, CountSystem system);

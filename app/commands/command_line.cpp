@@ -49,6 +49,8 @@ void addInfo(CLI::App& app, InfoCommand& command) {
   addInput(app, "FABRIC", command.input);
   addFabricOptions(app, command.options);
   addWifSizes(app, command.wifSizes);
+  addValue(app, "--piece", "MxCM", "length in metres and width in cm that yarn is needed for; 10x150 where not given",
+           [&command](const auto& option, const auto& text) { command.piece = parsePieceSize(option, text); });
   app.add_flag("--json", command.json, "JSON instead of a table");
 }
 

@@ -4,6 +4,7 @@
 
 #include "app/commands/fabric_options.h"
 #include "core/fabric/wif_fabric.h"
+#include "core/fabric/yarn_need.h"
 
 namespace loomlight {
 
@@ -12,6 +13,7 @@ struct InfoCommand {
   std::string input;
   FabricOptions options;
   WifSizeChoice wifSizes = WifSizeChoice::keep;
+  PieceSize piece;  ///< that yarn is needed for
   bool json = false;
 };
 

@@ -119,6 +119,13 @@ HalfDomeGrid parseHalfDome(const std::string& option, const std::string& text) {
   return {*azimuths, *inclinations};
 }
 
+PieceSize parsePieceSize(const std::string& option, const std::string& text) {
+  const auto sides = split(text, 'x');
+  if (sides.size() != 2) refuse(option, "METRESxCM, such as 10x150: the length and the width of the piece", text);
+  return {parseNumber(option + " (length in m)", sides[0], kPieceLength_m[0], kPieceLength_m[1]),
+          parseNumber(option + " (width in cm)", sides[1], kPieceWidth_cm[0], kPieceWidth_cm[1])};
+}
+
 ViewChoice parseView(const std::string& option, const std::string& text) {
   if (const auto preset = viewPreset(text)) return *preset;
   const auto parts = split(text, ',');

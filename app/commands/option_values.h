@@ -8,6 +8,7 @@
 #include "app/commands/view.h"
 #include "core/fabric/fabric.h"
 #include "core/fabric/wif_fabric.h"
+#include "core/fabric/yarn_need.h"
 #include "render/trace/fibre_extent.h"
 #include "render/trace/half_dome.h"
 
@@ -39,6 +40,9 @@ FibreExtent parseFibreExtent(const std::string& option, const std::string& text)
 Estimator parseEstimator(const std::string& option, const std::string& text);
 /// 64x16: azimuths and inclinations, each from 1 to 256.
 HalfDomeGrid parseHalfDome(const std::string& option, const std::string& text);
+
+/// 10x150: length in metres and width in cm, in the ranges of core/fabric/yarn_need.h.
+PieceSize parsePieceSize(const std::string& option, const std::string& text);
 
 EventLaw parseEventLaw(const std::string& option, const std::string& text);
 WifSizeChoice parseWifSizes(const std::string& option, const std::string& text);

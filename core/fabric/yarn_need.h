@@ -11,6 +11,7 @@ struct PieceSize {
   double length_m = 10;   ///< along the warp
   double width_cm = 150;  ///< along the weft
 };
+inline constexpr double kPieceLength_m[] = {0.01, 100'000}, kPieceWidth_cm[] = {0.1, 10'000};  ///< from, to
 
 /// How much of one yarn goes into a piece, loom waste not counted.
 struct YarnNeed {

@@ -33,9 +33,30 @@ class Info(CommandLineTest):
                 self.assertTrue(0 < info["warp_up_cells"] < info["ends"] * info["picks"])
                 self.assertGreater(info["segments_represented"], 1000)
 
+    def test_the_figures_of_the_desk_are_there(self):
+        yarns = [{"name": name, "fibre": 0, "count_tex": tex} for name, tex in (("warp", 16), ("weft", 20))]
+        fabric = self.fabric(yarns=yarns)
+        info = json.loads(self.run_program("info", fabric, "--json", "--resolution", 1, "--piece", "2x50"))
+        self.assertEqual((info["warp_count_tex"], info["weft_count_tex"]), (16, 20))
+        self.assertEqual((info["repeat_width_mm"], info["warp_on_face"]), (2, 0.5))
+        self.assertAlmostEqual(info["repeat_height_mm"], 40 / 18)
+        self.assertEqual(info["interlacings"], 16)  # each of 4 ends and 4 picks changes sides twice
+        self.assertAlmostEqual(info["cover_fraction"], info["cover_factor"] / 28)
+        need = info["yarn_need"]
+        self.assertEqual((need["length_m"], need["width_cm"]), (2, 50))
+        warp, weft = need["yarns"]
+        self.assertEqual((warp["name"], warp["weft_m"], weft["warp_m"]), ("warp", 0, 0))
+        self.assertAlmostEqual(warp["warp_m"], 2 * 50 * 20 * (1 + info["crimp_warp"]))
+        self.assertAlmostEqual(weft["weft_m"], 0.5 * 200 * 18 * (1 + info["crimp_weft"]))
+        # Of a square metre.
+        mass_g = 1000 * (warp["mass_kg"] + weft["mass_kg"])
+        self.assertAlmostEqual(mass_g, info["areal_mass_g_m2"], delta=1e-3 * mass_g)
+        for wrong in ("10", "0x150", "10x150x2", "10xwide"):
+            self.assertIn("--piece", self.run_program("info", fabric, "--piece", wrong, status=2))
+
     def test_the_table_has_units(self):
         table = self.run_program("info", self.fabric())
-        for word in ("small twill", "g/m2", "mm", "per cm", "ends x picks", "MB"):
+        for word in ("small twill", "g/m2", "mm", "per cm", "ends x picks", "MB", "Yarn for a piece of 10 m x 150 cm"):
             self.assertIn(word, table)
 
     def test_a_draft_says_how_it_is_woven_and_what_was_wrong_in_its_file(self):

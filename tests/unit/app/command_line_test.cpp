@@ -129,6 +129,10 @@ TEST(CommandLine, InfoConvertAndBench) {
   EXPECT_EQ(parsed<ConvertCommand>({"convert", "a.wif", "b.json", "--wif-sizes", "file"}).wifSizes,
             WifSizeChoice::file);
   EXPECT_EQ(parsed<InfoCommand>({"info", "a.wif", "--wif-sizes", "file"}).wifSizes, WifSizeChoice::file);
+  const PieceSize piece = parsed<InfoCommand>({"info", "a.json", "--piece", "2.5x90"}).piece;
+  EXPECT_DOUBLE_EQ(piece.length_m, 2.5);
+  EXPECT_DOUBLE_EQ(piece.width_cm, 90);
+  EXPECT_DOUBLE_EQ(info.piece.length_m, PieceSize{}.length_m);
   EXPECT_THAT(complaint({"convert", "a.wif", "b.json", "--wif-sizes", "mine"}), HasSubstr("--wif-sizes: expected"));
   const auto bench = parsed<BenchCommand>({"bench", "volume", "a.json", "--resolutions", "2,4", "--rounds", "1"});
   EXPECT_THAT(bench.resolutions, testing::ElementsAre(2, 4));
