@@ -64,7 +64,7 @@ void CompareDialog::draw(Ui& ui, const Model& model) {
   segmentField(ui,
                {"compare.way", "See them by",
                 "Slider: drag the line. Difference: black where they are alike, four times as bright as they are "
-                "apart; noise is evened out over a few pixels.",
+                "apart, on the mean of 3 by 3 pixels, which evens out noise.",
                 true},
                kWays, way);
   ImGui::EndChild();

@@ -6,6 +6,7 @@
 #include "core/fabric/presets.h"
 #include "core/fabric/validate.h"
 #include "core/fabric/yarn_count.h"
+#include "core/fabric/yarn_edit.h"
 #include "ui/choices.h"
 #include "ui/inspector.h"
 #include "ui/member_fields.h"

@@ -16,13 +16,13 @@ WovenPicture readWovenPicture(const std::string& file, const std::vector<Weave>&
   if (size.width > Weave::kMaxSide || size.height > Weave::kMaxSide)
     throw InputError(fmt::format("{}: expected at most {} crossings each way, got {} x {}: --repeat says how many",
                                  file, Weave::kMaxSide, size.width, size.height));
-  const Raster threads = resampled(raster, size.width, size.height);
-  std::vector<Rgb8> palette = paletteOf(coloursOf(threads), static_cast<int>(structures.size()));
+  // Of the picture as it was drawn: scaled, it has colours between its own.
+  std::vector<Rgb8> palette = paletteOf(coloursOf(raster), static_cast<int>(structures.size()));
   if (palette.size() < structures.size())
     throw InputError(fmt::format("{}: expected {} colours, one for each structure, got {}", file, structures.size(),
                                  palette.size()));
   WovenPicture woven;
-  woven.picture = reduced(threads, std::move(palette));
+  woven.picture = reduced(resampled(raster, size.width, size.height), std::move(palette));
   woven.weave = weaveOf(woven.picture, structures);
   return woven;
 }

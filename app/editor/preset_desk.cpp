@@ -11,6 +11,7 @@
 #include "core/fabric/colourways.h"
 #include "core/fabric/presets.h"
 #include "core/fabric/yarn_count.h"
+#include "core/fabric/yarn_edit.h"
 
 namespace loomlight {
 namespace {

@@ -48,7 +48,7 @@ std::string PresetStore::keep(Fabric fabric) {
 
 std::string PresetStore::rename(const std::string& name, const std::string& to) {
   Fabric fabric = load(name);
-  if (fileNameOf(to) == name) return name;
+  if (to == name || fileNameOf(to) == name) return name;
   fabric.name = to;
   std::string renamed = keep(std::move(fabric));
   std::error_code error;

@@ -34,7 +34,7 @@ void tellFigures(const Insight& insight, const ClothMeasures& measures, StatusMo
   model.figuresKnown = true;
   model.longestFloat = warp_mm >= weft_mm ? warp : weft;
   model.longestFloat_mm = std::max(warp_mm, weft_mm);
-  model.coverPercent = 100 * std::min(1.0, insight.cover.fraction);
+  model.coverPercent = 100 * insight.cover.fraction;
   model.arealMass_g_m2 = measures.arealMass_g_m2;
   model.thickness_mm = measures.thickness_mm;
   if (insight.warnings.empty()) return;

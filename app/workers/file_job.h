@@ -14,7 +14,7 @@ namespace loomlight {
 /// for as long as the work takes to notice.
 class FileJob {
  public:
-  /// Returns what was written, in words; nothing where it was stopped, and then nothing is written. May throw.
+  /// Returns what was written, in words; nothing where it was stopped before it wrote any. May throw.
   using Work = std::function<std::optional<std::string>(const Task&)>;
   explicit FileJob(Work work);
   void cancel() { thread_.request_stop(); }
@@ -23,7 +23,7 @@ class FileJob {
     enum class Phase { running, written, cancelled, failed };
     Phase phase = Phase::running;
     double progress = 0;  ///< 0..1
-    std::string outcome;  ///< once it is over: what was written, or why nothing was
+    std::string outcome;  ///< once it is over: what was written, or why not all was
   };
   State state() const;
 

@@ -6,6 +6,8 @@
 #include <cctype>
 #include <string_view>
 
+#include "core/base/utf8.h"
+
 namespace loomlight {
 namespace fs = std::filesystem;
 
@@ -23,12 +25,9 @@ bool isWeavingFile(const std::string& file) {
 
 std::string fileNameOf(const std::string& name) {
   constexpr size_t kLongest = 100;
-  const auto continuesCharacter = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; };
-  size_t length = std::min(kLongest, name.size());
-  while (length < name.size() && length > 0 && continuesCharacter(name[length])) --length;
   std::string file;
   constexpr std::string_view kRefused = "/\\:*?\"<>|";  // here or by the systems of those that a file is handed to
-  for (const char c : name.substr(0, length))
+  for (const char c : wholeCharacters(name, kLongest))
     file += kRefused.find(c) != std::string_view::npos || static_cast<unsigned char>(c) < 32 ? '-' : c;
   while (!file.empty() && (file.front() == '.' || file.front() == ' ')) file.erase(file.begin());
   return file.empty() ? "Untitled" : file;

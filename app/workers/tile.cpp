@@ -6,12 +6,11 @@
 #include <cmath>
 #include <numeric>
 
+#include "app/workers/whole_picture.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/fabric/validate.h"
 #include "core/geometry/cloth_geometry.h"
-#include "render/trace/make_medium.h"
-#include "render/trace/path_tracer.h"
 
 namespace loomlight {
 namespace {
@@ -147,25 +146,11 @@ std::optional<TileReport> makeTile(const Fabric& fabric, const std::string& stem
   const TileExtent extent = tileExtent(fabric);
   const auto tile = std::make_shared<const Fabric>(tileScene(fabric, extent, longestSide));
   validate(*tile, "the tile");
-  constexpr double kBuildShare = 0.1;  // of the progress
-  Task building = task;
-  building.progress = [&task](double fraction) { task.report(kBuildShare * fraction); };
-  const auto scene = makeScene(tile, building);
-  const auto medium = scene ? makeMedium(*scene, {limit_bytes, FibreExtent::oneRepeat}, building) : nullptr;
-  if (!medium) return std::nullopt;
-  Film film(tile->render.width, tile->render.height);
-  const CameraRays camera(tile->camera, film.width(), film.height());
-  const auto samples = static_cast<uint32_t>(tile->render.samplesPerPixel);
-  constexpr uint32_t kBatches = 32;
-  Task quiet = task;
-  quiet.progress = nullptr;
-  for (uint32_t done = 0; done < samples;) {
-    done = std::min(samples, done + std::max(1u, samples / kBatches));
-    if (!renderUpTo(done, *scene, *medium, camera, film, quiet).complete) return std::nullopt;
-    task.report(kBuildShare + (1 - kBuildShare) * done / samples);
-  }
-  const ClothMeasures measures = scene->volume->geometry().measure();
-  return writeTile(stem, tileMaps(film, *tile), fabric, extent, measures.thickness_mm, measures.arealMass_g_m2);
+  const auto picture = renderWhole(tile, {limit_bytes, FibreExtent::oneRepeat}, task);
+  if (!picture) return std::nullopt;
+  const ClothMeasures measures = picture->scene->volume->geometry().measure();
+  return writeTile(stem, tileMaps(picture->film, *tile), fabric, extent, measures.thickness_mm,
+                   measures.arealMass_g_m2);
 }
 
 }  // namespace loomlight

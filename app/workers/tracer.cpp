@@ -241,7 +241,7 @@ void Tracer::changeDenoising(bool wanted) {
 /// Whether the clear picture can stand where the new one is not as good yet.
 bool Tracer::clearServes(const Request& request) const {
   const std::shared_ptr<const Fabric>& fabric = request.cloth.scene->fabric;
-  if (fabric == clearFabric_) return true;
+  if (fabric == clearFabric_) return 4 * request.height <= 5 * clear_->height;  // stretched further it would be a blur
   const bool sameSize = request.width == clear_->width && request.height == clear_->height;
   return sameSize && differInCrossings(*clearFabric_, *fabric);
 }

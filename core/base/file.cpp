@@ -15,6 +15,7 @@
 
 #include "core/base/error.h"
 #include "core/base/hash.h"
+#include "core/base/utf8.h"
 
 namespace loomlight {
 namespace {
@@ -42,8 +43,9 @@ class Descriptor {
 /// names may be, however long the target's is.
 int openBeside(const std::filesystem::path& target, std::string& name) {
   constexpr int kAttempts = 16;
-  constexpr size_t kLongest = 200;
-  const std::string beginning = (target.parent_path() / target.filename().string().substr(0, kLongest)).string();
+  constexpr size_t kLongest = 60;
+  const std::string whole = target.filename().string();
+  const std::string beginning = (target.parent_path() / wholeCharacters(whole, kLongest)).string();
   auto number = static_cast<uint64_t>(std::chrono::steady_clock::now().time_since_epoch().count());
   int fd = -1;
   for (int i = 0; i < kAttempts && fd < 0; ++i) {

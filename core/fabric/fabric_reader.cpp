@@ -244,7 +244,7 @@ WifRest readWifLines(const json& value, const std::string& source, const Place& 
   }
   if (text.size() > kMaxWifBytes)
     place.reject(fmt::format("at most {} bytes", kMaxWifBytes), fmt::format("{}", text.size()));
-  if (text.find('\0') != std::string::npos) place.reject("texts", "a zero in one");
+  if (text.find('\0') != std::string::npos) place.reject("texts", "one with a NUL character");
   WifWarnings warnings;
   WifRest rest = readWifRest(parseWifSections(text, fmt::format("{}: {}", source, place.path()), warnings), warnings);
   const std::vector<WifWarning> complaints = warnings.list();

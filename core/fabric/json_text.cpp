@@ -45,6 +45,12 @@ class Guard {
     return true;
   }
 
+  /// The value that comes now, which the parser has not taken: the only one that is written well and still is none.
+  [[noreturn]] void refuseNumber() {
+    countValue();
+    refuse("a number within the range of floating point", "one beyond it");
+  }
+
  private:
   struct Level {
     std::set<std::string, std::less<>> keys;
@@ -171,8 +177,8 @@ nlohmann::json parseJson(std::string_view text, const std::string& source) {
                                  });
   } catch (const nlohmann::json::parse_error& error) {
     throw syntaxError(text, source, error);
-  } catch (const nlohmann::json::exception& error) {  // a number beyond all floating point
-    throw InputError(fmt::format("{}: {}", source, complaint(error.what())));
+  } catch (const nlohmann::json::out_of_range&) {
+    guard.refuseNumber();
   }
 }
 

@@ -37,17 +37,6 @@ struct YarnPreset {
 std::vector<FibrePreset> fibrePresets();
 std::vector<YarnPreset> yarnPresets();
 
-/// The fabric with its yarn of that index like `yarn`, spun of `fibre`: that takes the place of the old one's fibre, or
-/// is added where other yarns are spun of it too. A blend ends; the name stays.
-Fabric withYarn(Fabric fabric, int index, Yarn yarn, Fibre fibre);
-
-/// The fabric without a yarn that no thread uses, and without the fibres that were spun for it alone, in no colourway
-/// either.
-Fabric withoutYarn(Fabric fabric, int index);
-
-/// The fabric with another fibre in the place of that yarn's first, or added where other yarns are spun of it too.
-Fabric withFibre(Fabric fabric, int yarn, Fibre fibre);
-
 /// The same fibre with the absorption that shows this colour (linear reflectance of a thick mass of it, colour.h).
 Fibre dyed(Fibre fibre, const Rgb& colour);
 

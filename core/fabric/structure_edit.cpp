@@ -25,6 +25,8 @@ Fabric withSecondYarn(Fabric fabric) {
     fibre = dyed(std::move(fibre), Rgb(isLight ? kDark : kLight));
     fibre.name += shade;
     yarn.name += shade;
+    yarn.blendFibre.reset();
+    yarn.blendShare.reset();
     yarn.fibre = static_cast<int>(fabric.fibres.size());
     fabric.fibres.push_back(std::move(fibre));
   }

@@ -156,7 +156,7 @@ class DraftReader {
     const std::string counted = lowerCase(key);
     std::string sentence = fmt::format("It is not said how many {} there are; the draft uses {}.", counted, used);
     if (entry) sentence = fmt::format("The number of {} should stand here; the draft uses {}.", counted, used);
-    if (number != kNone) sentence = fmt::format("As many {} do not fit this draft; it uses {}.", counted, used);
+    if (number != kNone) sentence = fmt::format("The draft uses another number of {}: {}.", counted, used);
     warnings_.add(entry ? entry->line : 0, "WEAVING", entry ? said(*entry) : key, sentence);
     return used;
   }

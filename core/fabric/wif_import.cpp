@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "core/base/file.h"
+#include "core/base/utf8.h"
 #include "core/fabric/check.h"
 #include "core/fabric/colour.h"
 #include "core/fabric/derived.h"
@@ -187,10 +188,8 @@ void dressThreads(Fabric& fabric, const std::vector<Kind>& warp, const std::vect
 /// As much of a text as a fabric takes, in whole characters.
 std::string fitting(std::string text, const char* what, Warnings& warnings) {
   if (text.size() <= kMaxText) return text;
-  size_t end = kMaxText;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
   warnings.push_back({fmt::format("The {} of the file is too long; its end is cut off.", what), {}});
-  text.resize(end);
+  text.resize(wholeCharacters(text, kMaxText).size());
   return text;
 }
 

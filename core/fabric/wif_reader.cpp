@@ -51,7 +51,7 @@ void checkHeader(const WifSections& sections, WifWarnings& warnings) {
     const char* otherwise;
   };
   constexpr std::array<Constant, 3> kConstants = {
-      Constant{"version", "1.1", "The file is of another version of the format than 1.1, and read as that."},
+      Constant{"version", "1.1", "The file names another version of the format; it is read as 1.1."},
       Constant{"date", "April 20, 1997", "The format asks for its own date here, April 20, 1997; nothing hangs on it."},
       Constant{"developers", "wif@mhsoft.com",
                "The format asks for its own address here, wif@mhsoft.com; nothing hangs on it."}};

@@ -126,7 +126,7 @@ WifPalette readPalette(const WifSections& sections, WifWarnings& warnings) {
   const int last = palette.colours.rbegin()->first;
   if (entries && stated != last && stated != static_cast<int>(palette.colours.size()))
     warnings.add(entries->line, "COLOR PALETTE", said(*entries),
-                 fmt::format("There are {} colours, and all of them are read.", palette.colours.size()));
+                 fmt::format("The number of colours is another, {}; all of them are read.", palette.colours.size()));
   return palette;
 }
 
@@ -146,7 +146,7 @@ std::optional<double> length(const WifSection& section, const WifEntry& entry, d
   const double held = value && *value <= kMost ? std::round(*value * factor * kSteps) / kSteps : 0;
   if (held > 0) return held;
   warnings.add(entry.line, section.name, said(entry),
-               fmt::format("A length should be above 0 and at most {:g}; this one is passed over.", kMost));
+               fmt::format("A length should be from {:g} to {:g}; this one is passed over.", 1 / kSteps, kMost));
   return std::nullopt;
 }
 

@@ -163,8 +163,10 @@ Image readImage(const std::string& file) {
   return image;
 }
 
-/// What OpenEXR says, in which it quotes the file's own bytes, as one line that can be shown.
-std::string plainLine(std::string text) {
+/// What OpenEXR says, in which it quotes the file's own bytes, as one line that can be shown. It names the file, as we
+/// do before it.
+std::string plainLine(std::string text, const std::string& file) {
+  if (const size_t at = text.find(" \"" + file + "\""); at != std::string::npos) text.erase(at, file.size() + 3);
   for (char& c : text) {
     const auto byte = static_cast<unsigned char>(c);
     if (byte < 0x20 || byte >= 0x7F) c = byte == '\n' ? ' ' : '?';
@@ -183,7 +185,7 @@ auto guarded(const std::string& file, Read&& read) {
   } catch (const std::bad_alloc&) {
     throw InputError(fmt::format("{}: needs more memory than there is", file));
   } catch (const std::exception& e) {
-    throw InputError(fmt::format("{}: damaged or unsupported EXR file: {}", file, plainLine(e.what())));
+    throw InputError(fmt::format("{}: damaged or unsupported EXR file: {}", file, plainLine(e.what(), file)));
   }
 }
 

@@ -46,8 +46,20 @@ TEST(DifferencePicture, IsOfMeansSoThatNoiseIsNoDifference) {
   Pixels8 even{12, 12, 3, std::vector<uint8_t>(3 * 144, 100)}, noisy = even;
   for (size_t i = 0; i < 144; ++i)
     for (size_t c = 0; c < 3; ++c) noisy.bytes[3 * i + c] = static_cast<uint8_t>((i + i / 12) % 2 == 0 ? 120 : 80);
-  // Of 5 x 5 alternating pixels one is left over, at the edges none to two of fewer.
+  // Of 3 x 3 alternating pixels one is left over, at the edges none of fewer.
   for (const uint8_t byte : differencePicture(even, noisy).bytes) EXPECT_LE(byte, 4 * 20 / 9 + 1);
+}
+
+TEST(DifferencePicture, ShowsThreadsOfTwoPixelsThatAreTurnedOver) {
+  Pixels8 weave{16, 16, 3, {}}, turned{16, 16, 3, {}};
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 16; ++x) {
+      const bool up = (x / 2 + y / 2) % 2 == 0;
+      weave.bytes.insert(weave.bytes.end(), 3, up ? 60 : 180);
+      turned.bytes.insert(turned.bytes.end(), 3, up ? 180 : 60);
+    }
+  // Of 3 x 3 pixels over checks of 2 x 2, nine, three or one are of one side more than of the other.
+  for (const uint8_t byte : differencePicture(weave, turned).bytes) EXPECT_GE(byte, 4 * 120 / 9);
 }
 
 TEST(DifferencePicture, LeavesGreyBesideANarrowerOneAndComparesHeights) {

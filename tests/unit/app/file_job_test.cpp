@@ -12,13 +12,18 @@ namespace {
 
 using Phase = FileJob::State::Phase;
 
-FileJob::State waitForEnd(const FileJob& job) {
-  FileJob::State state = job.state();
-  while (state.phase == Phase::running) {
+/// Whether it comes true within a generous minute.
+template <class Condition>
+bool comes(Condition&& condition) {
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  while (!condition() && std::chrono::steady_clock::now() < deadline)
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    state = job.state();
-  }
-  return state;
+  return condition();
+}
+
+FileJob::State waitForEnd(const FileJob& job) {
+  EXPECT_TRUE(comes([&job] { return job.state().phase != Phase::running; }));
+  return job.state();
 }
 
 TEST(FileJob, SaysWhatWasWritten) {
@@ -41,7 +46,7 @@ TEST(FileJob, TellsHowFarItIsAndCanBeCancelled) {
     while (!task.stopped()) std::this_thread::yield();
     return std::nullopt;
   });
-  while (job.state().progress != 0.5) std::this_thread::yield();
+  ASSERT_TRUE(comes([&job] { return job.state().progress == 0.5; }));
   EXPECT_EQ(job.state().phase, Phase::running);
   job.cancel();
   EXPECT_EQ(waitForEnd(job).phase, Phase::cancelled);

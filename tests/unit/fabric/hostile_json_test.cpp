@@ -140,6 +140,16 @@ TEST(HostileJson, KeysGivenTwice) {
   }
 }
 
+TEST(HostileJson, NumbersBeyondAllAreSaidWithTheirPlace) {
+  try {
+    fabricFromJson(with("\"yarns\": [{}, {\"count_tex\": 1e99999}]"), "x.json");
+    ADD_FAILURE() << "expected to be refused";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(),
+                 "x.json: yarns[1].count_tex: expected a number within the range of floating point, got one beyond it");
+  }
+}
+
 TEST(HostileJson, MillionsOfValues) {
   expectRefused(with("\"x\": [" + repeated("0,", 6'000'000) + "0]"), "six million numbers");
   expectRefused(with("\"yarns\": [" + repeated("{},", 100'000) + "{}]"), "too many yarns");

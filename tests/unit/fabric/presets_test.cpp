@@ -78,28 +78,5 @@ TEST(Presets, DyedShowsItsColour) {
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(shown[i], wanted[i], 1e-4);
 }
 
-TEST(Presets, AYarnThatGoesTakesItsOwnFibresAlong) {
-  Fabric fabric;
-  fabric.fibres = {Fibre{}, Fibre{}, Fibre{}, Fibre{}};
-  for (int i = 0; i < 4; ++i) fabric.fibres[static_cast<size_t>(i)].name = std::string(1, static_cast<char>('a' + i));
-  fabric.yarns = {Yarn{}, Yarn{}, Yarn{}};
-  fabric.yarns[1].fibre = 1;
-  fabric.yarns[1].blendFibre = 2;
-  fabric.yarns[2].fibre = 3;
-  fabric.yarns[2].blendFibre = 0;
-  fabric.warpSequence = {0, 2};
-  fabric.colourways = {Colourway{"way", {Rgb(1), Rgb(2), Rgb(3), Rgb(4)}, {}}};
-  const Fabric without = withoutYarn(fabric, 1);
-  ASSERT_EQ(without.fibres.size(), 2u);
-  EXPECT_EQ(without.fibres[1].name, "d");
-  ASSERT_EQ(without.yarns.size(), 2u);
-  EXPECT_EQ(without.yarns[1].fibre, 1);
-  EXPECT_EQ(without.yarns[1].blendFibre, 0);
-  EXPECT_EQ(without.warpSequence, (std::vector<int>{0, 1}));
-  EXPECT_EQ(without.colourways[0].absorption_per_mm, (std::vector<Rgb>{Rgb(1), Rgb(4)}));
-  // What others are spun of stays.
-  EXPECT_EQ(withoutYarn(fabric, 0).fibres.size(), 4u);
-}
-
 }  // namespace
 }  // namespace loomlight

@@ -152,7 +152,7 @@ TEST(HostileWif, LinesOfAFabricFileHaveToBeRight) {
   EXPECT_THAT(complaint("{\"lines\": [\"[COLOR TABLE]\", \"oops\"]}"),
               HasSubstr("expected lines as in a weaving file"));
   EXPECT_EQ(complaint("{\"lines\": [\"[PRIVATE A]\", \"b=\\u0000\"]}"),
-            "x.json: wif.lines: expected texts, got a zero in one");
+            "x.json: wif.lines: expected texts, got one with a NUL character");
   std::string sections;
   for (int i = 0; i < 5000; ++i) sections += fmt::format("\"[P {}]\", ", i);
   EXPECT_EQ(complaint("{\"lines\": [" + sections + "\"\"]}"), "x.json: wif.lines: expected at most 4096 sections");

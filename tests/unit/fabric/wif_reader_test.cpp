@@ -134,7 +134,7 @@ TEST(WifReader, ShaftsThatAreUsedAreThere) {
   const std::string text = replaced(twillFile(), "8=4\n", "8=18\n");
   EXPECT_EQ(document(text).draft.shafts, 18);
   EXPECT_THAT(warningsOf(text),
-              ElementsAre(HasSubstr("[WEAVING] Shafts=4: As many shafts do not fit this draft; it uses 18.")));
+              ElementsAre(HasSubstr("[WEAVING] Shafts=4: The draft uses another number of shafts: 18.")));
   EXPECT_EQ(document(replaced(twillFile(), "Shafts=4", "Shafts=2000000000")).draft.shafts, 4);
   EXPECT_EQ(document(replaced(twillFile(), "Treadles=4", "Treadles=0")).draft.treadles, 4);
 }
@@ -178,7 +178,8 @@ TEST(WifReader, ColoursComeInAnyRange) {
 TEST(WifReader, ColoursThatAreNotInTheTableFallBack) {
   const std::string text = replaced(twillFile(), "[WARP COLORS]\n1=1\n2=1\n3=2\n", "[WARP COLORS]\n1=9\n2=0\n3=\n");
   EXPECT_THAT(document(text).warpColours, ElementsAre(1, 1, 1, 2, 1, 1, 2, 2));
-  EXPECT_THAT(warningsOf(text), Contains(HasSubstr("[WARP COLORS] 1=9; line 78: [WARP COLORS] 2=0: There is no colour")));
+  EXPECT_THAT(warningsOf(text),
+              Contains(HasSubstr("[WARP COLORS] 1=9; line 78: [WARP COLORS] 2=0: There is no colour")));
   EXPECT_THAT(document(replaced(twillFile(), "Color=3", "Color=5")).weftColours, testing::Each(0));
   const WifDocument given = document(replaced(twillFile(), "Color=3", "Color=5,1,2,3"));
   EXPECT_THAT(given.weftColours, testing::Each(5));

@@ -258,7 +258,7 @@ TEST_F(MeshFiles, SurvivesDamagedFiles) {
       try {
         const Shell shell(load(name, content), 0.1);
         ++accepted;
-        for (const Shell::Tet& tet : shell.tets()) ASSERT_GT(glm::determinant(tet.toCloth), 0);
+        for (const Shell::Tet& tet : shell.tets()) EXPECT_GT(glm::determinant(tet.toCloth), 0);
       } catch (const InputError& error) {
         const std::string said = error.what();
         EXPECT_LT(said.size(), 600u);
