@@ -102,6 +102,7 @@ void addTile(CLI::App& app, TileCommand& command) {
            [&command](const auto& option, const auto& text) { command.options.seed = parseSeed(option, text); });
   addValue(app, "--method", "volume|fibres", "what light is traced through: the volume, or every fibre as it is",
            [&command](const auto& option, const auto& text) { command.options.method = parseMethod(option, text); });
+  addColourway(app, command.options);
   addResolution(app, command.options);
   addThreads(app, command.threads);
   addMemoryLimit(app, command.memoryLimit_bytes);

@@ -36,7 +36,8 @@ void addResolution(CLI::App& app, FabricOptions& options) {
 }
 
 void addFabricOptions(CLI::App& app, FabricOptions& options) {
-  addValue(app, "--drape", "flat|cylinder|sphere|FILE", "the surface the cloth lies on",
+  addValue(app, "--drape", "KIND|FILE",
+           "what the cloth lies on: flat, cylinder, sphere, folds, cushion, skirt, or a mesh",
            [&options](const auto& option, const auto& text) { options.drape = parseDrape(option, text); });
   addValue(app, "--uv-scale", "MM", "millimetres of cloth per unit of a mesh's texture coordinates",
            [&options](const auto& option, const auto& text) {
@@ -52,7 +53,8 @@ void addTraceOptions(CLI::App& app, FabricOptions& options, const std::string& s
   });
   addValue(app, "--seed", "N", "another number gives another pattern of noise",
            [&options](const auto& option, const auto& text) { options.seed = parseSeed(option, text); });
-  addValue(app, "--light", "LIGHT", "ibl[:FILE], sky[:AZ,EL], directional[:AZ,EL], dome, point, back or furnace",
+  addValue(app, "--light", "LIGHT",
+           "ibl[:FILE], sky[:AZ,EL], directional[:AZ,EL], overcast, window, booth, dome, point, back or furnace",
            [&options](const auto& option, const auto& text) { options.light = parseLight(option, text); });
   addValue(app, "--method", "volume|fibres", "what light is traced through: the volume, or every fibre as it is",
            [&options](const auto& option, const auto& text) { options.method = parseMethod(option, text); });
@@ -67,6 +69,10 @@ void addTraceOptions(CLI::App& app, FabricOptions& options, const std::string& s
            [&options](const auto& option, const auto& text) { options.eventLaw = parseEventLaw(option, text); });
 }
 
+void addColourway(CLI::App& app, FabricOptions& options) {
+  app.add_option("--colourway", options.colourway, "the colours of the fabric that have this name")->type_name("NAME");
+}
+
 void addPictureOptions(CLI::App& app, FabricOptions& options) {
   addValue(app, "--size", "WxH", "pixels",
            [&options](const auto& option, const auto& text) { options.size = parseSize(option, text); });
@@ -76,7 +82,7 @@ void addPictureOptions(CLI::App& app, FabricOptions& options) {
              const FieldInfo info = fieldInfo(&Light::temperature_K);
              options.temperature_K = parseNumber(option, text, info.min, info.max);
            });
-  app.add_option("--colourway", options.colourway, "the colours of the fabric that have this name")->type_name("NAME");
+  addColourway(app, options);
   addValue(app, "--view", "NAME|AZ,EL[,MM]", viewPresetNames() + ", or angles in degrees and a distance",
            [&options](const auto& option, const auto& text) { options.view = parseView(option, text); });
 }

@@ -39,6 +39,7 @@ void addResolution(CLI::App& app, FabricOptions& options);
 void addFabricOptions(CLI::App& app, FabricOptions& options);
 /// How light is traced, for pictures and measurements alike.
 void addTraceOptions(CLI::App& app, FabricOptions& options, const std::string& samplesHelp);
+void addColourway(CLI::App& app, FabricOptions& options);
 void addPictureOptions(CLI::App& app, FabricOptions& options);
 void addThreads(CLI::App& app, int& threads);
 void addMemoryLimit(CLI::App& app, double& limit_bytes);

@@ -14,7 +14,7 @@ struct TileCommand {
   std::string input;
   std::string folder;  ///< made where there is none; the files are named after the fabric
   int longestSide = kLongestSide;
-  FabricOptions options;  ///< samples, seed, method, resolution
+  FabricOptions options;  ///< samples, seed, method, colourway, resolution
   int threads = 0;        ///< 0: all
   double memoryLimit_bytes = defaultMemoryLimit_bytes();
 };

@@ -31,6 +31,16 @@ class Tile(CommandLineTest):
         for file in (self.folder / "a").iterdir():
             self.assertEqual(file.read_bytes(), (self.folder / "b" / file.name).read_bytes(), file.name)
 
+    def test_a_colourway_changes_the_colours_alone(self):
+        fabric = self.fabric(colourways=[{"name": "Rust", "absorption_per_mm": [[1, 8, 20], [2, 9, 30]]}])
+        for folder, words in (("a", ()), ("b", ("--colourway", "Rust"))):
+            self.run_program("tile", fabric, "-o", folder, "--size", "24", "--spp", "1", *words)
+        for map_name, same in (("basecolor", False), ("opacity", True), ("height", True)):
+            file = f"small_twill_{map_name}.png"
+            self.assertEqual(self.bytes_of("a/" + file) == self.bytes_of("b/" + file), same, map_name)
+        said = self.run_program("tile", fabric, "-o", "c", "--colourway", "Moss", status=1)
+        self.assertIn("colourway 'Moss': expected one of 'Rust'", said)
+
     def test_bad_words_and_places_are_refused(self):
         fabric = self.fabric()
         self.assertIn("--size", self.run_program("tile", fabric, "-o", "maps", "--size", "3", status=2))
