@@ -8,6 +8,7 @@
 #include "app/commands/measuring_options.h"
 #include "app/commands/structure_choice.h"
 #include "app/commands/usage_error.h"
+#include "app/workers/file_name.h"
 
 namespace loomlight {
 namespace {
@@ -83,6 +84,8 @@ void checkConvert(const ConvertCommand& command) {
   if (command.structure && !command.colours.empty())
     throw UsageError("--weave-colour: expected no --structure, which stands in place of the whole weave");
   if (command.repeat && command.colours.empty()) throw UsageError("--repeat: expected --weave-colour as well");
+  if (!command.clothColours.empty() && !command.drawsDraft && lowerExtension(command.output) == ".png")
+    throw UsageError("--cloth-colour: expected an OUT with colours, got a weave bitmap, which has none");
 }
 
 void addTile(CLI::App& app, TileCommand& command) {

@@ -150,6 +150,8 @@ TEST(CommandLine, ConvertTakesSeveralColoursOfTheCloth) {
   for (const char* wrong : {"#102030", "=#102030", "1=102030", "1=#10203", "1=#1020300", "1=#-10203", "1=#10203g"})
     EXPECT_THAT(complaint({"convert", "a.json", "b.json", "--cloth-colour", wrong}),
                 HasSubstr("--cloth-colour: expected FIBRE=#RRGGBB"));
+  EXPECT_THAT(complaint({"convert", "a.json", "b.png", "--cloth-colour", "1=#102030"}),
+              HasSubstr("--cloth-colour: expected an OUT with colours"));
 }
 
 TEST(CommandLine, BrdfTakesCamerasAndALight) {
