@@ -92,7 +92,7 @@ void PresetBrowser::grid(Ui& ui, const std::vector<PresetCard>& cards, PresetBro
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) edit.use = i;
   }
   ImGui::PopStyleVar();
-  if (shown == 0) hint(ui, search_.empty() ? "Nothing is kept here yet." : "Nothing is called that.");
+  if (shown == 0) hint(ui, cards.empty() ? "One moment\xE2\x80\xA6" : "Nothing is called that.");
 }
 
 void PresetBrowser::actions(Ui& ui, const std::vector<PresetCard>& cards, const std::string& lastChange,

@@ -34,7 +34,8 @@ class PresetBrowser {
   void show() { open_ = opening_ = true; }
   bool isOpen() const { return open_; }
   PresetKind kind() const { return kind_; }
-  /// `lastChange`: what undo would take back, empty for nothing; `problem`: why the last change was not made.
+  /// `cards`: none while they are still looked for. `lastChange`: what undo would take back, empty for nothing;
+  /// `problem`: why the last change was not made.
   PresetBrowserEdit draw(Ui& ui, const std::vector<PresetCard>& cards, const std::string& lastChange,
                          const std::string& problem);
 

@@ -22,7 +22,7 @@ namespace loomlight {
 /// The destructor waits for what was to be written. A read that was cancelled goes on unseen, and holds up nothing.
 class FileDesk {
  public:
-  enum class Work { open, takeUp, save, exportTo };
+  enum class Work { open, takeUp, usePreset, save, exportTo };  ///< what reads, then what writes
 
   /// Reads a cloth, a weaving file with `mine`, and throws InputError.
   using Read = std::function<WifImport(const std::string& file, const Fabric& mine)>;
@@ -43,7 +43,7 @@ class FileDesk {
   };
   const std::optional<Busy>& busy() const { return busy_; }
   bool isBusyWith(Work work) const { return busy_ && busy_->work == work; }
-  bool isReading() const { return isBusyWith(Work::open) || isBusyWith(Work::takeUp); }
+  bool isReading() const { return busy_ && busy_->work < Work::save; }
   /// An export is not, once it was asked for; a save only once.
   bool canCancel() const { return busy_ && busy_->work != Work::exportTo && !stop_.stop_requested(); }
   /// Nothing will come of what was to be read. What was to be saved will say how far it came.

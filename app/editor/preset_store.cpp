@@ -22,6 +22,16 @@ void PresetStore::refresh() {
   std::sort(names_.begin(), names_.end());
 }
 
+PresetStore::Stamp PresetStore::stampOf(const std::string& name) const {
+  std::error_code error;
+  Stamp stamp;
+  const auto time = fs::last_write_time(fileOf(name), error);
+  if (!error) stamp.time = time;
+  const uintmax_t bytes = fs::file_size(fileOf(name), error);
+  if (!error) stamp.bytes = bytes;
+  return stamp;
+}
+
 void PresetStore::makeFolder(const fs::path& folder) const {
   std::error_code error;
   fs::create_directories(folder, error);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -27,6 +28,14 @@ class PresetStore {
   /// Takes it out of the list, and puts it back in. Throw InputError.
   Removed remove(const std::string& name);
   void putBack(const Removed& removed);
+  /// Tells whether a preset has changed since.
+  struct Stamp {
+    std::filesystem::file_time_type time{};
+    uintmax_t bytes = 0;
+    bool operator==(const Stamp&) const = default;
+  };
+  /// Nothing special where there is no such file.
+  Stamp stampOf(const std::string& name) const;
   /// Looks at the folder again.
   void refresh();
 

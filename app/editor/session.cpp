@@ -9,7 +9,6 @@ Session::Session(Document document, Settings settings, std::function<void()> wak
     : settings_(std::move(settings)),
       document_(std::move(document)),
       wake_(std::move(wake)),
-      presets_(presetFolder()),
       sampleNames_(sampleNames()),
       autosave_(stateFolder(), wake_),
       colours_(wake_),

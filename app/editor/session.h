@@ -16,7 +16,6 @@
 #include "app/editor/file_preview_desk.h"
 #include "app/editor/picture_desk.h"
 #include "app/editor/preset_desk.h"
-#include "app/editor/preset_store.h"
 #include "app/editor/render_desk.h"
 #include "app/editor/settings.h"
 #include "app/editor/side_pictures.h"
@@ -115,7 +114,6 @@ class Session {
   // session_commands.cpp: what is done
   void readKeys();
   void edit(Fabric fabric);
-  void applyPreset(const PresetChoice& choice);
   void drawDialogs(Ui& ui);
   void answered(int answer);
   void startOver(Document document);
@@ -160,6 +158,9 @@ class Session {
   // session_presets.cpp: what is kept at hand
   void drawPresets(Ui& ui);
   void changePresets(const PresetBrowserEdit& change);
+  void applyPreset(const PresetChoice& choice);
+  void dress(const Fabric& cloth);
+  void hearOfPresets();
 
   // session_snapshots.cpp: views that are kept
   void keepView();
@@ -178,7 +179,6 @@ class Session {
   Settings settings_;
   Document document_;
   std::function<void()> wake_;
-  PresetStore presets_;
   std::vector<std::string> sampleNames_;
   Autosave autosave_;
   ColourDesk colours_;

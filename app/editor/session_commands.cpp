@@ -29,16 +29,6 @@ void Session::edit(Fabric fabric) {
   }
 }
 
-void Session::applyPreset(const PresetChoice& choice) {
-  try {
-    const Fabric cloth = choice.isSample ? sampleFabric(choice.index) : presets_.load(presets_.names()[choice.index]);
-    edit(dressed(*document_.fabric(), cloth));
-    draft_.cell = 0;
-  } catch (const InputError& error) {
-    say("This preset cannot be used", error.what());
-  }
-}
-
 void Session::run(Command command) {
   switch (command) {
     case Command::newFabric:
@@ -57,11 +47,7 @@ void Session::run(Command command) {
       browse(FileTask::saveAs);
       break;
     case Command::savePreset:
-      try {
-        say("Kept as preset", fmt::format("\"{}\" is among the presets now.", presets_.keep(*document_.fabric())));
-      } catch (const InputError& error) {
-        say("The preset could not be kept", error.what());
-      }
+      presetDesk_.keep(PresetKind::fabrics, *document_.fabric(), 0, 0);
       break;
     case Command::snapshot: {
       snapshot_.forget();
@@ -70,7 +56,7 @@ void Session::run(Command command) {
     }
     case Command::presets:
       views_.pause(true);  // its pictures are looked at now
-      presetProblem_ = presetDesk_.problem();
+      presetProblem_.clear();
       presetBrowser_.show();
       break;
     case Command::colourways:

@@ -102,6 +102,8 @@ void Session::fileDone(FileDesk::Result result) {
   const bool written = result.work == Work::save || result.work == Work::exportTo;
   if (!result.problem.empty() || result.cancelled) afterwards_ = Afterwards::nothing;
   if (result.cancelled) return;
+  if (!result.problem.empty() && result.work == Work::usePreset)
+    return say("This preset cannot be used", result.problem);
   if (!result.problem.empty() && !written) return sayUnopened(result.problem);
   if (!result.problem.empty())
     return say("The file could not be written", result.problem + "\n\nNothing is lost: the cloth is still here.");
@@ -120,6 +122,8 @@ void Session::fileDone(FileDesk::Result result) {
     case Work::takeUp:
       if (editedSince) return leaveFor(Afterwards::takeUp);
       return takeUp(std::move(*result.fabric), result.file);
+    case Work::usePreset:
+      return dress(*result.fabric);
     case Work::save:
       document_.savedAs(result.file, result.state);
       remember(result.file);

@@ -99,7 +99,7 @@ void Session::drawDraft(Ui& ui) {
   if (edited) edit(std::move(*edited));
   inspector_.yarn = draft_.brushYarn;
   if (std::exchange(draft_.libraryWanted, false)) run(DraftCommand::structures);
-  if (const auto choice = presetList(ui, presets_.names(), sampleNames_)) applyPreset(*choice);
+  if (const auto choice = presetList(ui, presetDesk_.names(), sampleNames_)) applyPreset(*choice);
 }
 
 void Session::drawViewport(Ui& ui, const Insight* insight, const LiveStatus& status) {

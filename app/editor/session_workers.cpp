@@ -8,6 +8,8 @@ void Session::follow() {
   shelf_.follow();
   sidePictures_.follow();
   presetDesk_.follow();
+  presetDesk_.take();
+  hearOfPresets();
   followColour();
   views_.follow(sight());
   keepCopy();

@@ -5,8 +5,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <fstream>
 #include <functional>
+#include <thread>
 
 #include "core/base/error.h"
 #include "core/base/file.h"
@@ -133,20 +135,97 @@ TEST_F(PresetDeskTest, WhatIsRemovedCanBePutBack) {
 }
 
 TEST_F(PresetDeskTest, WhatCouldNotBeTakenBackIsTriedAgain) {
+  PresetCabinet cabinet(folder_);
+  const auto kind = PresetKind::fabrics;
+  cabinet.keep(kind, cloth("A"));
+  cabinet.keep(kind, cloth("B"));
+  cabinet.remove(kind, "A");
+  const std::string removed = cabinet.lastChange();
+  PresetStore(folder_).keep(cloth("A"));  // by another editor
+  EXPECT_THROW(cabinet.undo(), InputError);
+  EXPECT_EQ(cabinet.lastChange(), removed);
+  fs::remove(folder_ / "A.json");
+  cabinet.undo();
+  EXPECT_EQ(PresetStore(folder_).names(), (std::vector<std::string>{"A", "B"}));
+  EXPECT_NE(cabinet.lastChange(), removed);
+}
+
+TEST_F(PresetDeskTest, OnlyWhatHasChangedIsReadAgain) {
+  PresetCabinet cabinet(folder_);
+  const auto kind = PresetKind::fabrics;
+  const auto readAll = [&] {
+    int count = 0;
+    cabinet.look(kind, 1);
+    while (cabinet.readNext(kind)) ++count;
+    return count;
+  };
+  cabinet.keep(kind, cloth("A"));
+  cabinet.keep(kind, cloth("B"));
+  std::ofstream(folder_ / "C.json") << "no cloth";
+  EXPECT_EQ(readAll(), 3);
+  EXPECT_EQ(readAll(), 0);
+  std::ofstream(folder_ / "B.json") << "no longer one";
+  EXPECT_EQ(readAll(), 1);
+  std::vector<std::string> own;
+  for (const Preset& preset : cabinet.presets(kind))
+    if (preset.own) own.push_back(preset.name);
+  EXPECT_EQ(own, std::vector<std::string>{"A"});
+  EXPECT_EQ(cabinet.presets(kind).front().fabric->name, "A");
+}
+
+/// Takes what comes until it is so.
+template <class Condition>
+bool comes(PresetDesk& desk, const Condition& condition) {
+  for (int i = 0; i < 2000; ++i) {
+    desk.take();
+    if (condition()) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return false;
+}
+
+TEST_F(PresetDeskTest, CardsComeAndFollowWhatIsChanged) {
+  PresetStore(folder_).keep(cloth("A"));
   PresetDesk desk(folder_, [] {});
   const auto kind = PresetKind::fabrics;
-  desk.keep(kind, cloth("A"), 0, 0);
-  desk.keep(kind, cloth("B"), 0, 0);
-  ASSERT_EQ(desk.cards(kind, 1).at(0).name, "A");
-  desk.remove(kind, 0);
-  const std::string removed = desk.lastChange();
-  PresetStore(folder_).keep(cloth("A"));  // by another editor
-  EXPECT_THROW(desk.undo(), InputError);
-  EXPECT_EQ(desk.lastChange(), removed);
-  fs::remove(folder_ / "A.json");
+  const auto isFirst = [&](const std::string& name) {
+    const auto cards = desk.cards(kind, 1);
+    return !cards.empty() && cards[0].name == name;
+  };
+  ASSERT_TRUE(comes(desk, [&] { return isFirst("A"); }));
+  Fabric now;
+  now.light.kind = LightKind::dome;
+  EXPECT_EQ(desk.used(0, now, 0, 0).name, "A");
+  EXPECT_EQ(desk.used(0, now, 0, 0).light, now.light);
+  desk.rename(0, "Z");
+  ASSERT_TRUE(comes(desk, [&] { return isFirst("Z"); }));
+  desk.remove(0);
+  EXPECT_FALSE(isFirst("Z")) << "it is not there to be removed again";
   desk.undo();
-  EXPECT_EQ(PresetStore(folder_).names(), (std::vector<std::string>{"A", "B"}));
-  EXPECT_NE(desk.lastChange(), removed);
+  EXPECT_TRUE(comes(desk, [&] { return isFirst("Z"); }));
+  for (int change = 0; change < 3; ++change) EXPECT_EQ(desk.takeOutcome().value().problem, "");
+  EXPECT_FALSE(desk.takeOutcome());
+}
+
+TEST_F(PresetDeskTest, WhatCannotBeKeptIsSaid) {
+  std::ofstream(folder_) << "in the way of the folder";
+  PresetDesk desk(folder_, [] {});
+  desk.keep(PresetKind::fabrics, cloth("A"), 0, 0);
+  std::optional<PresetDesk::Outcome> outcome;
+  ASSERT_TRUE(comes(desk, [&] { return (outcome = desk.takeOutcome()).has_value(); }));
+  EXPECT_NE(outcome->problem.find("could not be made"), std::string::npos) << outcome->problem;
+  EXPECT_EQ(outcome->kept, "");
+  EXPECT_EQ(desk.lastChange(), "");
+}
+
+TEST_F(PresetDeskTest, WhatWasToBeKeptIsKeptBeforeTheEnd) {
+  for (const char* name : {"A", "B", "C"}) PresetStore(folder_).keep(cloth(name));
+  {
+    PresetDesk desk(folder_, [] {});
+    desk.cards(PresetKind::fabrics, 1);
+    for (int i = 0; i < 3; ++i) desk.keep(PresetKind::yarns, cloth("mine"), 0, 0);
+  }
+  EXPECT_EQ(PresetStore(folder_ / "yarns").names().size(), 3u);
 }
 
 TEST(PresetSearch, FindsBeginningsOfWordsInAnyOrder) {
