@@ -112,7 +112,7 @@ std::optional<CountWords> readWords(std::string_view text) {
 
 /// Raw silk is reeled to a range, "20/22 den": its middle is meant.
 bool isRange(const CountWords& words) {
-  constexpr double kWidest = 1.5;
+  constexpr double kWidest = 1.25;  // beyond, the second number is one of filaments
   return !words.resultant && words.over.size() == 1 && words.over[0] > words.count &&
          words.over[0] < kWidest * words.count;
 }

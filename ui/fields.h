@@ -30,6 +30,8 @@ struct NumberStyle {
   /// Understands further ways to write the value ("30/2 Ne"); nullopt: not one of them.
   std::function<std::optional<double>(std::string_view)> parse;
   const char* otherwise = "";  ///< what these look like, for the message where a text is none of them
+  /// Why a text is refused that is one of them; empty: for no reason but the range.
+  std::function<std::string(std::string_view)> objection;
 };
 
 /// True when the value changed. It stays within [min, max]; text that is no such number is refused beside the field.

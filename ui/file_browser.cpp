@@ -62,6 +62,7 @@ void FileBrowser::enter(const fs::path& folder) {
   if (error) return;
   std::sort(found.begin(), found.end(),
             [](const Entry& a, const Entry& b) { return a.folder != b.folder ? a.folder : a.name < b.name; });
+  if (folder_ != absolute) filter_.clear();
   folder_ = absolute;
   entries_ = std::move(found);
 }
@@ -89,8 +90,8 @@ void FileBrowser::step(int direction) {
 }
 
 void FileBrowser::drawHead(Ui& ui) {
-  const float width = ui.px(kPreviewWidth), gap = ui.px(16), left = ImGui::GetCursorPosX();
-  const float path = ImGui::GetContentRegionAvail().x - width - gap;
+  const float gap = ui.px(16), left = ImGui::GetCursorPosX(), room = ImGui::GetContentRegionAvail().x;
+  const float width = std::min(ui.px(kPreviewWidth), 0.5f * room), path = room - width - gap;
   ImGui::AlignTextToFramePadding();
   ImGui::PushFont(ui.fonts.small);
   ImGui::TextDisabled("%s", shortened(folder_.string(), path).c_str());
@@ -210,9 +211,14 @@ std::optional<std::string> FileBrowser::draw(Ui& ui, const FilePreview& preview)
   const float height = ImGui::GetContentRegionAvail().y - 3 * row;
   drawPlaces(ui, ui.px(160), height);
   ImGui::SameLine();
-  bool decided = drawEntries(ui, ImGui::GetContentRegionAvail().x - ui.px(kPreviewWidth) - gap, height);
-  ImGui::SameLine(0, gap);
-  drawFilePreview(ui, preview, ui.px(kPreviewWidth), height);
+  constexpr float kLeastList = 320;  // names come first where there is little room
+  const float room = ImGui::GetContentRegionAvail().x, list = room - ui.px(kPreviewWidth) - gap;
+  const bool previews = list >= ui.px(kLeastList);
+  bool decided = drawEntries(ui, previews ? list : room, height);
+  if (previews) {
+    ImGui::SameLine(0, gap);
+    drawFilePreview(ui, preview, ui.px(kPreviewWidth), height);
+  }
   drawName(ui, begin, decided);
   ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.warning);
   ImGui::TextUnformatted(problem_.empty() ? " " : shortened(problem_, ImGui::GetContentRegionAvail().x).c_str());

@@ -11,9 +11,10 @@ void drawFilePreview(Ui& ui, const FilePreview& preview, float width, float heig
   const ImVec2 min = ImGui::GetCursorScreenPos();
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   constexpr float kLines = 5;
-  const float high = std::min(width, height - kLines * (ui.fonts.small->FontSize + ImGui::GetStyle().ItemSpacing.y));
+  const float left = height - kLines * (ui.fonts.small->FontSize + ImGui::GetStyle().ItemSpacing.y);
+  const float high = left < ui.px(64) ? 0 : std::min(width, left);
   draw.AddRectFilled(min, ImVec2(min.x + width, min.y + high), packed(ui.theme.field), ui.px(4));
-  if (preview.picture) {
+  if (preview.picture && high > 0) {
     const float scale = std::min(width / preview.size.x, high / preview.size.y);
     const ImVec2 size(scale * preview.size.x, scale * preview.size.y);
     const ImVec2 corner(min.x + 0.5f * (width - size.x), min.y + 0.5f * (high - size.y));

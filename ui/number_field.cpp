@@ -103,6 +103,13 @@ void drawValue(Ui& ui, const NumberStyle& style, double value, const ImRect& box
   draw.AddText(ImVec2(x - numberSize.x, y), packed(ui.theme.text), number.c_str());
 }
 
+std::string objectionTo(std::string_view text, const NumberStyle& style) {
+  if (hasDoubtfulComma(text)) return "A comma before three digits may mean either: write a point, or no comma";
+  if (std::string own = style.objection ? style.objection(text) : ""; !own.empty()) return own;
+  return fmt::format("Expected a number from {:g} to {:g}{}{}{}{}", style.min, style.max, *style.unit ? " " : "",
+                     style.unit, *style.otherwise ? ", or " : "", style.otherwise);
+}
+
 /// The open text of a field. True when it was accepted.
 bool typeValue(Ui& ui, const NumberStyle& style, double& value, ImGuiID id, float width) {
   FieldMemory& memory = ui.memory;
@@ -128,8 +135,7 @@ bool typeValue(Ui& ui, const NumberStyle& style, double& value, ImGuiID id, floa
   }
   memory.failed = id;
   memory.failedAt = ui.time;
-  memory.failure = fmt::format("Expected a number from {:g} to {:g}{}{}{}{}", style.min, style.max,
-                               *style.unit ? " " : "", style.unit, *style.otherwise ? ", or " : "", style.otherwise);
+  memory.failure = objectionTo(memory.text, style);
   return false;
 }
 

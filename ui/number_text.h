@@ -15,5 +15,7 @@ struct LeadingNumber {
 /// A finite number, with a decimal point or a decimal comma: "19.7", "19,7", "-1e3". nullopt where there is none, and
 /// for "1,000", which is one to some people and a thousand to others.
 std::optional<LeadingNumber> leadingNumber(std::string_view text);
+/// Whether the text begins with such a number.
+bool hasDoubtfulComma(std::string_view text);
 
 }  // namespace loomlight

@@ -24,21 +24,25 @@ void statusBar(Ui& ui, const StatusModel& model) {
   ImGui::PushFont(ui.fonts.small);
   const ImVec4& quiet = ui.theme.textQuiet;
   const float width = ImGui::GetWindowWidth();
-  float x = ui.px(16);
-  if (model.figuresKnown) {
-    figure(ui, "status.mass", x, fmt::format("{:.0f} g/m\xC2\xB2", model.arealMass_g_m2),
-           "Areal mass: what one square metre of this cloth weighs.", quiet);
-    figure(ui, "status.cover", x + ui.px(88), fmt::format("cover {:.0f} %", model.coverPercent),
-           "How much of the area yarns hide when the cloth is seen flat, from straight above.", quiet);
-    figure(ui, "status.thickness", x + ui.px(184), fmt::format("{:.2f} mm thick", model.thickness_mm),
-           "From the lowest to the highest fibre, loose hairs left out.", quiet);
-    figure(ui, "status.float", x + ui.px(304),
-           fmt::format("longest float {} ({:.1f} mm)", model.longestFloat, model.longestFloat_mm),
-           "The most crossings that a thread passes over or under without interlacing: long ones snag.", quiet);
-  }
-  // The place is reserved, so a warning that appears moves nothing.
+  const float x = ui.px(16);
+  // The places are reserved, so that nothing moves. In a narrow window figures end before what the workers say begins.
+  const float right = width - ui.px(model.background.empty() ? 330 : 450);
+  const auto clothFigure = [&](const char* id, float place, const std::string& text, const char* tooltip) {
+    const float from = x + ui.px(place);
+    if (model.figuresKnown && from + ImGui::CalcTextSize(text.c_str()).x < right)
+      figure(ui, id, from, text, tooltip, quiet);
+  };
+  clothFigure("status.mass", 0, fmt::format("{:.0f} g/m\xC2\xB2", model.arealMass_g_m2),
+              "Areal mass: what one square metre of this cloth weighs.");
+  clothFigure("status.cover", 88, fmt::format("cover {:.0f} %", model.coverPercent),
+              "How much of the area yarns hide when the cloth is seen flat, from straight above.");
+  clothFigure("status.thickness", 184, fmt::format("{:.2f} mm thick", model.thickness_mm),
+              "From the lowest to the highest fibre, loose hairs left out.");
+  clothFigure("status.float", 304,
+              fmt::format("longest float {} ({:.1f} mm)", model.longestFloat, model.longestFloat_mm),
+              "The most crossings that a thread passes over or under without interlacing: long ones snag.");
   const std::string more = model.moreWarnings > 0 ? fmt::format("  (+{})", model.moreWarnings) : std::string();
-  const float right = width - ui.px(model.background.empty() ? 330 : 450), left = x + ui.px(520);
+  const float left = x + ui.px(520);
   const float room = right - left - ImGui::CalcTextSize(more.c_str()).x;
   if (!model.warning.empty() && room > ui.px(40))
     figure(ui, "status.warning", left, shortened(model.warning, room) + more, model.warning.c_str(), ui.theme.warning);

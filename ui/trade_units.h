@@ -15,8 +15,6 @@ struct TradeUnits {
   PieceSize piece;                 ///< whose yarn is reckoned
 };
 
-/// What a piece may measure: from, to.
-
 /// As it is shown: "19.7 tex", "30.0 Ne".
 std::string countText(double tex, CountSystem system);
 

@@ -74,13 +74,20 @@ bool lensHolds(Ui& ui, ViewportView& view, ImVec2 min) {
   return true;
 }
 
+/// 0..1 of the picture; nothing beside it.
+std::optional<ImVec2> placeIn(ImVec2 corner, ImVec2 size, ImVec2 point) {
+  const ImVec2 place((point.x - corner.x) / size.x, (point.y - corner.y) / size.y);
+  const bool inside = place.x >= 0 && place.x <= 1 && place.y >= 0 && place.y <= 1;
+  return inside ? std::optional(place) : std::nullopt;
+}
+
 /// Where the picture was clicked, as opposed to dragged.
 std::optional<ImVec2> clickedAt(const ViewportView& view, ImVec2 min, ImVec2 size) {
   constexpr float kStill = 3;
   const ImGuiIO& io = ImGui::GetIO();
   if (!ImGui::IsItemDeactivated() || view.drag != ViewportView::Drag::orbit) return std::nullopt;
   if (io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] > kStill * kStill) return std::nullopt;
-  return ImVec2((io.MousePos.x - min.x) / size.x, (io.MousePos.y - min.y) / size.y);
+  return placeIn(min, size, io.MousePos);
 }
 
 void drawOverlays(Ui& ui, const ViewportModel& model, const LensView& lens, ImVec2 min, ImVec2 max) {
@@ -218,21 +225,21 @@ ViewportEdit viewportPanel(Ui& ui, const Fabric& fabric, const ViewportModel& mo
   ImGui::InvisibleButton("cloth", size, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
   ui.probe.recordItem("viewport");
   const bool withLens = lensHolds(ui, view, min);
-  edit.picked = clickedAt(view, min, size);
+  // A picture of other proportions than the panel's stands in its middle until the next one comes.
+  const ImVec2 corner(std::floor(0.5f * (min.x + max.x - model.pictureSize.x)), min.y);
+  edit.picked = clickedAt(view, corner, model.pictureSize);
   if (!withLens) edit.camera = mouseMoves(fabric.camera, view, min, max);
   if (!edit.camera) edit.camera = viewKeys(fabric.camera);
   view.pointer.reset();
   if (ImGui::IsItemHovered() && !withLens && view.drag == ViewportView::Drag::none) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
-    view.pointer = ImVec2((mouse.x - min.x) / size.x, (mouse.y - min.y) / size.y);
+    view.pointer = placeIn(corner, model.pictureSize, mouse);
   }
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.PushClipRect(min, max, false);
   draw.AddRectFilled(min, max, packed(ui.theme.surround));
-  if (model.picture) {
-    const float left = std::floor(0.5f * (min.x + max.x - model.pictureSize.x));
-    draw.AddImage(model.picture, ImVec2(left, min.y), ImVec2(left + model.pictureSize.x, min.y + model.pictureSize.y));
-  }
+  if (model.picture)
+    draw.AddImage(model.picture, corner, ImVec2(corner.x + model.pictureSize.x, corner.y + model.pictureSize.y));
   drawOverlays(ui, model, view.lens, min, max);
   edit.lens = lensOverlay(ui, model.lens, view.lens, min, view.width, view.height);
   draw.PopClipRect();

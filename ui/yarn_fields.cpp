@@ -59,6 +59,13 @@ bool countRow(Ui& ui, CountSystem system, const Fibre& fibre, Yarn& yarn, std::o
     if (typed && !isPossible(*typed, yarn, fibre)) typed.reset();
     return typed ? std::optional(countFromTex(typedTex(*typed, yarn) / parts, system)) : std::nullopt;
   };
+  style.objection = [&](std::string_view text) -> std::string {
+    const std::optional<CountEntry> meant = countFromText(text, system);
+    const std::optional<double> dtex = meant ? typedFilament_dtex(*meant, yarn) : std::nullopt;
+    if (!dtex) return {};
+    if (yarn.blendFibre) return "A blend has no filaments of one fineness: give its count alone";
+    return fmt::format("Filaments of {:.3g} dtex are beyond what a fibre can be", *dtex);
+  };
   double count = countFromTex(yarn.count_tex / parts, system);
   const bool changed = numberField(ui,
                                    {"yarn.count_tex", info.label,

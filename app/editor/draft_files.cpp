@@ -153,8 +153,10 @@ void Session::drawStructures(Ui& ui) {
 
 void Session::drawTile(Ui& ui) {
   if (tile_.isRunning()) ui.wakeWithin(0.1);
-  if (tile_.follow()) views_.pause(false);
+  if (tile_.follow().has_value()) views_.pause(false);
+  const std::string before = tileDialog_.file();
   const TileDialog::Result result = tileDialog_.draw(ui, tile_.progress());
+  if (tileDialog_.file() != before) tile_.forget();
   if (result.chooseFile) browse(FileTask::exportTile);
   if (result.cancel) tile_.cancel();
   if (!result.start || tile_.isRunning()) return;

@@ -1,24 +1,22 @@
 #include "app/editor/draft_picture.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 
+#include "core/fabric/colour.h"
 #include "ui/yarn_colours.h"
 
 namespace loomlight {
 namespace {
 
-using Colour = std::array<float, 3>;  // as displayed, 0..1
-
-/// The colour of what lies on top.
-std::function<Colour(int pick, int end)> colouring(const Fabric& fabric) {
-  std::vector<Colour> yarns;
-  for (const ImVec4& c : yarnColours(fabric)) yarns.push_back({c.x, c.y, c.z});
-  const Colour first = yarns[static_cast<size_t>(fabric.warpYarn(0))];
+/// The colour of what lies on top, linear.
+std::function<Rgb(int pick, int end)> colouring(const Fabric& fabric) {
+  std::vector<Rgb> yarns;  // as displayed
+  for (const ImVec4& c : yarnColours(fabric)) yarns.emplace_back(c.x, c.y, c.z);
+  const Rgb first = yarns[static_cast<size_t>(fabric.warpYarn(0))];
   const auto isFirst = [&](int yarn) {
-    const Colour& c = yarns[static_cast<size_t>(yarn)];
+    const Rgb& c = yarns[static_cast<size_t>(yarn)];
     constexpr float kSeen = 0.1f;
     return std::abs(c[0] - first[0]) + std::abs(c[1] - first[1]) + std::abs(c[2] - first[2]) < kSeen;
   };
@@ -26,11 +24,10 @@ std::function<Colour(int pick, int end)> colouring(const Fabric& fabric) {
                      std::all_of(fabric.weftSequence.begin(), fabric.weftSequence.end(), isFirst);
   return [&fabric, plain, yarns = std::move(yarns)](int pick, int end) {
     const bool warp = fabric.weave.warpOver(pick, end);
-    const Colour yarn = yarns[static_cast<size_t>(warp ? fabric.warpYarn(end) : fabric.weftYarn(pick))];
-    if (!plain) return yarn;
+    const Rgb yarn = yarns[static_cast<size_t>(warp ? fabric.warpYarn(end) : fabric.weftYarn(pick))];
+    if (!plain) return linearFromSrgb(yarn);
     constexpr float kApart = 0.45f;
-    const auto shaded = [warp](float c) { return (1 - kApart) * c + (warp ? 0 : kApart); };
-    return Colour{shaded(yarn[0]), shaded(yarn[1]), shaded(yarn[2])};
+    return linearFromSrgb((1 - kApart) * yarn + (warp ? 0 : kApart));
   };
 }
 
@@ -47,15 +44,14 @@ Pixels8 draftPicture(const Fabric& fabric, int side) {
   picture.bytes.reserve(static_cast<size_t>(side) * side * 3);
   for (int y = side - 1; y >= 0; --y)
     for (int x = 0; x < side; ++x) {
-      Colour sum{};
+      Rgb sum(0.0f);
       for (int i = 0; i < samples; ++i) {
         // Spread evenly, and in step with no weave (Roberts's sequence).
         const double dx = std::fmod(0.5 + 0.7548776662466927 * i, 1), dy = std::fmod(0.5 + 0.5698402909980532 * i, 1);
-        const Colour c = colourAt(static_cast<int>((y + dy) * pitch), static_cast<int>((x + dx) * pitch));
-        for (size_t k = 0; k < 3; ++k) sum[k] += c[k];
+        sum += colourAt(static_cast<int>((y + dy) * pitch), static_cast<int>((x + dx) * pitch));
       }
-      for (const float channel : sum)
-        picture.bytes.push_back(static_cast<uint8_t>(std::lround(255 * channel / static_cast<float>(samples))));
+      const Rgb shown = srgbFromLinear(sum / static_cast<float>(samples));
+      for (int c = 0; c < 3; ++c) picture.bytes.push_back(static_cast<uint8_t>(std::lround(255 * shown[c])));
     }
   return picture;
 }

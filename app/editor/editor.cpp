@@ -126,7 +126,7 @@ int runEditor(const EditorOptions& options) {
     FirstOpening opening(firstFile, options.fabricFile, std::move(document), settings);
     frames.runUntilOver(opening);
     if (opening.quits()) return 0;
-    document = opening.document();
+    document = opening.takeDocument();
     problem = opening.problem();
     dropped = opening.dropped();
   }

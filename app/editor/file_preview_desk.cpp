@@ -23,8 +23,14 @@ namespace loomlight {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr int kSide = 448;  // pixels: sharp at twice the scale
-constexpr uintmax_t kMostBytes = 64'000'000;
+constexpr int kSide = 448;                         // pixels: sharp at twice the scale
+constexpr uintmax_t kMostBytes = 64'000'000;       // of the file
+constexpr double kMostDecodedBytes = 250'000'000;  // a small file may hold a large picture
+
+/// Whether a picture takes little enough memory to be looked at; what it takes at most while it is decoded.
+bool isLight(const PictureExtent& extent, double bytesPerPixel) {
+  return extent.width * static_cast<double>(extent.height) * bytesPerPixel <= kMostDecodedBytes;
+}
 
 std::string sizeText(uintmax_t bytes) {
   if (bytes < 1000) return "under 1 kB";
@@ -71,8 +77,8 @@ Raster rasterOf(const Image& image) {
   return raster;
 }
 
-std::string pixelsText(const Raster& raster) {
-  return fmt::format("{} \xC3\x97 {} pixels", raster.width, raster.height);
+std::string pixelsText(const PictureExtent& extent) {
+  return fmt::format("{} \xC3\x97 {} pixels", extent.width, extent.height);
 }
 
 std::string clothText(const Fabric& fabric) {
@@ -87,9 +93,16 @@ FilePreviewDesk::FilePreviewDesk(std::function<void()> wake) : looks_(std::move(
 
 FilePreviewDesk::Look FilePreviewDesk::lookInto(const std::string& file) {
   Look look;
-  const auto showPicture = [&look](const Raster& raster) {
-    look.picture = small(raster);
-    look.lines.push_back(pixelsText(raster));
+  const auto showPng = [&look](const std::string& png) {
+    const PictureExtent extent = readPngExtent(png);
+    look.lines.push_back(pixelsText(extent));
+    constexpr double kBytes = 12;  // of 16 bits a channel, then of 8
+    if (isLight(extent, kBytes)) look.picture = small(rasterOf(readPng(png)));
+  };
+  const auto showExr = [&look](const std::string& exr) {
+    const PictureExtent extent = readExrExtent(exr);
+    look.lines.push_back(pixelsText(extent));
+    if (extent.channels > 0 && isLight(extent, 4.0 * extent.channels + 3)) look.picture = small(rasterOf(readExr(exr)));
   };
   const auto showCloth = [&look](const Fabric& fabric) {
     look.picture = draftPicture(fabric, kSide);
@@ -101,17 +114,19 @@ FilePreviewDesk::Look FilePreviewDesk::lookInto(const std::string& file) {
     if (!fs::is_regular_file(file, error)) return look;
     const uintmax_t bytes = fs::file_size(file);
     look.lines.push_back(sizeText(bytes) + dateText(file));
-    if (bytes > kMostBytes) return look;
+    if (bytes > kMostBytes) {
+      look.lines.push_back("Too large to be looked into.");
+      return look;
+    }
     const std::string extension = lowerExtension(file);
-    if (extension == ".png") showPicture(rasterOf(readPng(file)));
-    if (extension == ".exr")
-      if (const Image image = readExr(file); !image.channels.empty()) showPicture(rasterOf(image));
+    if (extension == ".png") showPng(file);
+    if (extension == ".exr") showExr(file);
     if (extension == ".json") showCloth(readFabric(file));
     if (isWeavingFile(file)) showCloth(readWifFabric(file, Fabric{}, WifSizeChoice::keep).fabric);
   } catch (const std::bad_alloc&) {
     look.lines.push_back("It needs more memory than there is.");
   } catch (const std::exception&) {
-    look.lines.push_back("It cannot be read as what its name says.");
+    look.lines.push_back(lowerExtension(file) == ".json" ? "It holds no cloth." : "It cannot be read.");
   }
   return look;
 }

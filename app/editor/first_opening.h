@@ -29,7 +29,7 @@ class FirstOpening {
 
   // Once it is over.
   bool quits() const { return quits_; }  ///< the program is to end instead
-  Document document() { return std::move(document_); }
+  Document takeDocument() { return std::move(document_); }
   const std::string& problem() const { return problem_; }  ///< why the file was not read; empty when all went well
   const std::vector<std::string>& dropped() const { return dropped_; }
 

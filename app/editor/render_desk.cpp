@@ -10,6 +10,10 @@ void RenderDesk::start(FileJob::Work work) {
   progress_.running = true;
 }
 
+void RenderDesk::forget() {
+  if (!job_) progress_ = {};
+}
+
 void RenderDesk::cancel() {
   if (job_) job_->cancel();
 }

@@ -18,8 +18,8 @@ class RenderDesk {
   /// Looks how far it is. Once it is over, whether it was written.
   std::optional<bool> follow();
   const RenderJob& progress() const { return progress_; }
-  /// Of the last one, when the dialog opens anew.
-  void forget() { progress_ = {}; }
+  /// What is said of the last one, when its dialog opens anew, or asks for another.
+  void forget();
 
  private:
   std::unique_ptr<FileJob> job_;

@@ -220,9 +220,11 @@ void Session::fileChosen(const std::string& file) {
       break;
     case FileTask::snapshot:
       snapshotDialog_.setFile(file);
+      snapshot_.forget();
       break;
     case FileTask::exportTile:
       tileDialog_.setFile(file);
+      tile_.forget();
       break;
     case FileTask::exportWif:
     case FileTask::exportBitmap:

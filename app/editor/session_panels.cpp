@@ -21,7 +21,7 @@ int shownWidth(const Frame& frame, int width, int height) {
   const PixelRect& window = frame.window;
   const auto covers = [&](int length, int room) { return length >= room && length < room + frame.divider; };
   if (window.height <= 0 || (covers(window.width, width) && covers(window.height, height))) return width;
-  return std::max(1, static_cast<int>(int64_t{window.width} * height / window.height));
+  return static_cast<int>(std::clamp<int64_t>(int64_t{window.width} * height / window.height, 1, 4 * int64_t{width}));
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ void Session::followViewToKeep() {
   constexpr int kWorthIt = 2;  // times the samples, to be seen
   if (view.id.empty())
     view.id = shelf_.keep(view.fabric, displayPicture(frame, view.tone));
-  else if (frame.samples >= kWorthIt * std::max(1, view.samples))
+  else if (frame.samples > 0 && frame.samples >= kWorthIt * view.samples)
     shelf_.renew(view.id, displayPicture(frame, view.tone));
   else
     return;
@@ -50,7 +50,9 @@ void Session::drawSnapshot(Ui& ui) {
     views_.pause(false);
     if (*written) keepView();
   }
+  const std::string before = snapshotDialog_.file();
   const SnapshotDialog::Result result = snapshotDialog_.draw(ui, snapshot_.progress());
+  if (result.settings || snapshotDialog_.file() != before) snapshot_.forget();
   if (result.settings) {
     Fabric fabric = *document_.fabric();
     fabric.render = *result.settings;

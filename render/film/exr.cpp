@@ -211,6 +211,16 @@ std::map<std::string, std::string> readExrMetadata(const std::string& file) {
   return guarded(file, [](const std::string& name) { return textsOf(Imf::InputFile(name.c_str()).header()); });
 }
 
+PictureExtent readExrExtent(const std::string& file) {
+  return guarded(file, [](const std::string& name) {
+    const Imf::InputFile input(name.c_str());
+    const Imath::Box2i& window = input.header().dataWindow();
+    PictureExtent extent{window.max.x - window.min.x + 1, window.max.y - window.min.y + 1, 0};
+    for (auto c = input.header().channels().begin(); c != input.header().channels().end(); ++c) ++extent.channels;
+    return extent;
+  });
+}
+
 void writeExr(const std::string& file, const Image& image, double dpi) {
   if (image.width < 1 || image.height < 1 || image.width > kMaxSide || image.height > kMaxSide)
     throw InputError(fmt::format("{}: cannot be written with {} x {} pixels, expected 1 to {} a side", file,

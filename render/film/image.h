@@ -21,12 +21,19 @@ struct Image {
   std::vector<float>& add(std::string name);  ///< zero-filled; the reference is good until the next add
 };
 
+struct PictureExtent {
+  int width = 0, height = 0, channels = 0;
+};
+
 /// Throw InputError, naming the file and what is wrong with it. Writers write a temporary file beside the target and
 /// rename it, so that a picture is whole or the old one is still there. Sizes beyond 16384 x 16384 are refused. `dpi`:
 /// pixels per inch, which is how large it is on paper; 0 where it has no size of its own.
 Image readExr(const std::string& file);
 /// Only its texts, without the pixels.
 std::map<std::string, std::string> readExrMetadata(const std::string& file);
+/// Only how large it says it is.
+PictureExtent readExrExtent(const std::string& file);
+PictureExtent readPngExtent(const std::string& file);
 void writeExr(const std::string& file, const Image& image, double dpi = 0);
 
 /// 8-bit RGB or RGBA, sRGB-encoded by the caller.

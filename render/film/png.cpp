@@ -23,6 +23,7 @@
 #include <cassert>
 #include <climits>
 #include <cmath>
+#include <fstream>
 #include <memory>
 #include <string_view>
 
@@ -128,6 +129,17 @@ Pixels8 readPng(const std::string& file) {
       static_cast<size_t>(pixels.width) * static_cast<size_t>(pixels.height) * static_cast<size_t>(pixels.channels);
   pixels.bytes.assign(decoded.get(), decoded.get() + count);
   return pixels;
+}
+
+PictureExtent readPngExtent(const std::string& file) {
+  std::string bytes(kHeaderBytes, '\0');
+  std::ifstream stream(file, std::ios::binary);
+  PictureExtent extent;
+  if (!stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size())) ||
+      !stbi_info_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()), static_cast<int>(bytes.size()),
+                             &extent.width, &extent.height, &extent.channels))
+    throw InputError(fmt::format("{}: not a PNG file, or one of more than {} x {} pixels", file, kMaxSide, kMaxSide));
+  return extent;
 }
 
 std::map<std::string, std::string> readPngTexts(const std::string& file) {

@@ -2,7 +2,7 @@
 
 import os
 
-from window_driver import expect, read_json, run, window, write_json
+from window_driver import Failure, expect, read_json, run, window, write_json
 
 PROGRAM = os.environ["LOOMLIGHT"]
 SAMPLES = os.path.join(os.environ["LOOMLIGHT_ROOT"], "samples")
@@ -321,6 +321,7 @@ def scroll_to(editor, over, wanted):
         if wanted in widgets and widgets[wanted][3] < HEIGHT - 60:
             return
         editor.act("click", 5)
+    raise Failure(f"{wanted} does not come into sight over {over}")
 
 
 def choose_structure(weaver):

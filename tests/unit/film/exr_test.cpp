@@ -78,6 +78,24 @@ TEST(Exr, SaysHowLargeItIsOnPaper) {
   EXPECT_EQ(readFile(folder.file("b.exr"), 1 << 20).find(name), std::string::npos);
 }
 
+TEST(Exr, ItsExtentIsKnownWithoutItsPixels) {
+  const test::ScratchFolder folder;
+  Image image;
+  image.width = 7;
+  image.height = 5;
+  for (const char* name : {"R", "G", "B", "A"}) image.add(name);
+  writeExr(folder.file("a.exr"), image);
+  std::string bytes = readFile(folder.file("a.exr"), 1 << 20);
+  std::fill(bytes.end() - 40, bytes.end(), 'x');  // pixels that cannot be decoded
+  writeFileAtomically(folder.file("a.exr"), bytes);
+  const PictureExtent extent = readExrExtent(folder.file("a.exr"));
+  EXPECT_EQ(extent.width, 7);
+  EXPECT_EQ(extent.height, 5);
+  EXPECT_EQ(extent.channels, 4);
+  writeFileAtomically(folder.file("a.exr"), "no picture");
+  EXPECT_THROW(readExrExtent(folder.file("a.exr")), InputError);
+}
+
 TEST(Exr, RoundTripKeepsTexts) {
   const test::ScratchFolder folder;
   Image image = smallImage();

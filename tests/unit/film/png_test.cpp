@@ -103,6 +103,21 @@ TEST(Png, RoundTripKeepsEveryByte) {
   }
 }
 
+TEST(Png, ItsExtentIsKnownWithoutItsPixels) {
+  const test::ScratchFolder folder;
+  writePng(folder.file("a.png"), noise(37, 11, 4));
+  putBytes(folder.file("cut.png"), bytesOf(folder.file("a.png")).substr(0, 40));
+  for (const char* name : {"a.png", "cut.png"}) {
+    const PictureExtent extent = readPngExtent(folder.file(name));
+    EXPECT_EQ(extent.width, 37);
+    EXPECT_EQ(extent.height, 11);
+    EXPECT_EQ(extent.channels, 4);
+  }
+  putBytes(folder.file("cut.png"), "no picture");
+  EXPECT_THROW(readPngExtent(folder.file("cut.png")), InputError);
+  EXPECT_THROW(readPngExtent(folder.file("none.png")), InputError);
+}
+
 TEST(Png, TextsAndColourSpaceStandBeforeThePixels) {
   const test::ScratchFolder folder;
   const std::string json(400000, '{');

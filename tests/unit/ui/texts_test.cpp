@@ -96,6 +96,8 @@ TEST(CountText, RefusesWhatIsNone) {
   for (const char* text : {"",
                            "Ne",
                            "30/2",
+                           "50/72 den",  // and so many filaments: no range of raw silk is as wide
+                           "100/144 den",
                            "30/0 Ne",
                            "-5 tex",
                            "30/2 tex",
@@ -145,6 +147,9 @@ TEST(NumberText, TakesPointsAndCommas) {
   expectNumber("12.500", 12.5, 6);
   for (const char* text : {"", "x", ",", "1,", "1,000", "1,2,3", "1.2,3", "1,000.5", "1e999"})
     EXPECT_FALSE(leadingNumber(text).has_value()) << text;
+  EXPECT_TRUE(hasDoubtfulComma(" 1,125 mm"));
+  for (const char* text : {"0,125", "1,12", "1,1250", "1.125", "mm 1,125", ""})
+    EXPECT_FALSE(hasDoubtfulComma(text)) << text;
 }
 
 TEST(TwistText, KnowsTurnsPerMetrePerInchAndMultipliers) {
