@@ -23,8 +23,10 @@ void lookRows(Ui& ui, bool& darkTheme, float& interfaceSize) {
     return std::abs(a - interfaceSize) < std::abs(b - interfaceSize);
   });
   int size = static_cast<int>(nearest - std::begin(kInterfaceSizes));
-  if (segmentField(ui, {"preferences.size", "Size of the interface", "100 % is what the monitor asks for."}, kNames,
-                   size))
+  if (segmentField(ui,
+                   {"preferences.size", "Size of the interface",
+                    "100 % is what the monitor asks for. A small window holds it to what leaves room for the cloth."},
+                   kNames, size))
     interfaceSize = kInterfaceSizes[size];
 }
 

@@ -66,7 +66,7 @@ std::optional<Fabric> presetRow(Ui& ui, const Fabric& fabric, int index) {
                    {"yarn.preset", "Fill in from",
                     "A yarn of the trade to start from: count, twist, packing and hairs, and its fibre; the colour "
                     "stays."},
-                   names, chosen, "Yarns of the trade"))
+                   names, chosen, "Trade yarns"))
     return std::nullopt;
   const YarnPreset& preset = presets[static_cast<size_t>(chosen)];
   const Fibre& old = fabric.fibres[static_cast<size_t>(fabric.yarns[static_cast<size_t>(index)].fibre)];

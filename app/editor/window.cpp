@@ -117,8 +117,15 @@ void Window::wake() {
   glfwPostEmptyEvent();
 }
 
+/// Letters larger than the window has room for would leave none for the cloth. Room counts in steps, since fonts are
+/// made anew with each.
 float Window::wantedScale() const {
-  return interfaceSize_ * (givenScale_ > 0 ? givenScale_ : monitorScale(window_));
+  constexpr float kLeastWidth = 900, kLeastHeight = 540, kStep = 0.125f;  // of a desk that can be worked at
+  const float wanted = interfaceSize_ * (givenScale_ > 0 ? givenScale_ : monitorScale(window_));
+  int width = 0, height = 0;
+  glfwGetWindowSize(window_, &width, &height);
+  const float room = std::min(static_cast<float>(width) / kLeastWidth, static_cast<float>(height) / kLeastHeight);
+  return std::min(wanted, std::max(1.0f, kStep * std::floor(room / kStep)));
 }
 
 void Window::setInterfaceSize(float factor) {

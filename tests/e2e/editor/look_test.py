@@ -91,7 +91,7 @@ def views(editor):
 
 
 def resize(editor):
-    """Smaller than the monitor asks for, and back."""
+    """Smaller and larger than the monitor asks for, and back; larger as far as leaves room for the cloth."""
     def height():
         x0, y0, x1, y1 = editor.widgets()["preferences.size"]
         return y1 - y0
@@ -103,6 +103,11 @@ def resize(editor):
     editor.click("preferences.size/75 %")
     editor.wait_until("rows are three quarters as high", lambda: abs(height() - 0.75 * usual) <= 1)
     looks_whole(editor, "a smaller interface")
+    editor.click("preferences.size/200 %")
+    editor.wait_until("rows are higher", lambda: height() > usual)
+    x0, _, x1, _ = editor.widgets()["viewport"]
+    expect(x1 - x0 > 0.4 * editor.width, "a large interface leaves no room for the cloth")
+    looks_whole(editor, "a larger interface")
     editor.click("preferences.size/100 %")
     editor.wait_until("rows are as high as before", lambda: height() == usual)
     editor.key("Escape")
