@@ -11,7 +11,7 @@
 namespace loomlight {
 namespace {
 
-/// What is told of all that goes wrong in it.
+/// Nothing leaves the thread but in the result.
 template <class Task>
 void attempt(const Task& task, FileDesk::Result& result) {
   try {

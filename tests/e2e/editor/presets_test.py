@@ -142,6 +142,14 @@ def use_a_cloth(editor):
     editor.wait_until("the cloth is denim", lambda: editor.fact("name") == "Denim")
 
 
+def keep_from_the_menu(editor):
+    editor.click("menu.file")
+    editor.click("menu.save_preset")
+    editor.wait_until("the editor says so", lambda: '"Denim" is among the presets now.' in editor.fact("message"))
+    editor.click("message.answer_0")
+    editor.wait_until("the message is gone", lambda: editor.fact("dialog") == "none")
+
+
 def test():
     with window(WIDTH, HEIGHT) as editor:
         editor.start(PROGRAM, [small_fabric(editor.home)])
@@ -152,6 +160,7 @@ def test():
         use_a_yarn(editor)
         use_colours(editor)
         use_a_cloth(editor)
+        keep_from_the_menu(editor)
 
 
 run(test)

@@ -68,7 +68,7 @@ TEST_F(FileDeskTest, SaysWhatWentWrong) {
 TEST_F(FileDeskTest, WhatIsCancelledDoesNotCome) {
   writeFabric(*named("Tweed"), at("a.json"));
   writeFabric(*named("Twill"), at("b.json"));
-  for (const auto work : {FileDesk::Work::open, FileDesk::Work::takeUp}) {
+  for (const auto work : {FileDesk::Work::open, FileDesk::Work::takeUp, FileDesk::Work::usePreset}) {
     desk_.open(work, at("a.json"), named("mine"), 0);
     EXPECT_TRUE(desk_.isReading() && desk_.canCancel());
     desk_.cancel();
