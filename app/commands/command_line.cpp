@@ -97,14 +97,7 @@ void addTile(CLI::App& app, TileCommand& command) {
            [&command](const auto& option, const auto& text) {
              command.longestSide = static_cast<int>(parseWhole(option, text, 16, 16384));
            });
-  addValue(app, "--spp", "N", "samples per pixel; 128 where not given",
-           [&command](const auto& option, const auto& text) {
-             command.options.samplesPerPixel = parseWholeField(option, text, &RenderSettings::samplesPerPixel);
-           });
-  addValue(app, "--seed", "N", "another number gives another pattern of noise",
-           [&command](const auto& option, const auto& text) { command.options.seed = parseSeed(option, text); });
-  addValue(app, "--method", "volume|fibres", "what light is traced through: the volume, or every fibre as it is",
-           [&command](const auto& option, const auto& text) { command.options.method = parseMethod(option, text); });
+  addSampling(app, command.options, "samples per pixel; 128 where not given");
   addColourway(app, command.options);
   addResolution(app, command.options);
   addThreads(app, command.threads);

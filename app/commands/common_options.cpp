@@ -47,17 +47,21 @@ void addFabricOptions(CLI::App& app, FabricOptions& options) {
   addResolution(app, options);
 }
 
-void addTraceOptions(CLI::App& app, FabricOptions& options, const std::string& samplesHelp) {
+void addSampling(CLI::App& app, FabricOptions& options, const std::string& samplesHelp) {
   addValue(app, "--spp", "N", samplesHelp, [&options](const auto& option, const auto& text) {
     options.samplesPerPixel = parseWholeField(option, text, &RenderSettings::samplesPerPixel);
   });
   addValue(app, "--seed", "N", "another number gives another pattern of noise",
            [&options](const auto& option, const auto& text) { options.seed = parseSeed(option, text); });
+  addValue(app, "--method", "volume|fibres", "what light is traced through: the volume, or every fibre as it is",
+           [&options](const auto& option, const auto& text) { options.method = parseMethod(option, text); });
+}
+
+void addTraceOptions(CLI::App& app, FabricOptions& options, const std::string& samplesHelp) {
+  addSampling(app, options, samplesHelp);
   addValue(app, "--light", "LIGHT",
            "ibl[:FILE], sky[:AZ,EL], directional[:AZ,EL], overcast, window, booth, dome, point, back or furnace",
            [&options](const auto& option, const auto& text) { options.light = parseLight(option, text); });
-  addValue(app, "--method", "volume|fibres", "what light is traced through: the volume, or every fibre as it is",
-           [&options](const auto& option, const auto& text) { options.method = parseMethod(option, text); });
   addValue(app, "--estimator", "none|report|loomlight", "how the volume sees what is smaller than a voxel",
            [&options](const auto& option, const auto& text) { options.estimator = parseEstimator(option, text); });
   addValue(app, "--max-depth", "N", "scattering events of a path, at most",

@@ -37,7 +37,9 @@ void addInput(CLI::App& app, const std::string& name, std::string& input);
 void addWifSizes(CLI::App& app, WifSizeChoice& sizes);
 void addResolution(CLI::App& app, FabricOptions& options);
 void addFabricOptions(CLI::App& app, FabricOptions& options);
-/// How light is traced, for pictures and measurements alike.
+/// Samples, seed and method: of whatever is rendered.
+void addSampling(CLI::App& app, FabricOptions& options, const std::string& samplesHelp);
+/// These, and all else of how light is traced, for pictures and measurements alike.
 void addTraceOptions(CLI::App& app, FabricOptions& options, const std::string& samplesHelp);
 void addColourway(CLI::App& app, FabricOptions& options);
 void addPictureOptions(CLI::App& app, FabricOptions& options);

@@ -12,8 +12,9 @@
 #include <utility>
 
 #include "app/editor/draft_picture.h"
-#include "app/editor/picture_desk.h"
+#include "app/workers/display_picture.h"
 #include "app/workers/file_name.h"
+#include "app/workers/raster.h"
 #include "core/fabric/fabric_json.h"
 #include "core/fabric/picture_weave.h"
 #include "core/fabric/wif_fabric.h"
@@ -46,10 +47,8 @@ std::string dateText(const std::string& file) {
                      local.tm_hour, local.tm_min);
 }
 
-Pixels8 small(const Raster& raster) {
-  const int longest = std::max(raster.width, raster.height), side = std::min(longest, kSide);
-  const auto scaled = [&](int length) { return std::max(1, static_cast<int>(int64_t{length} * side / longest)); };
-  const Raster reduced = resampled(raster, scaled(raster.width), scaled(raster.height));
+Pixels8 small(const Pixels8& picture) {
+  const Raster reduced = reducedTo(rasterOf(picture), kSide);
   Pixels8 pixels{reduced.width, reduced.height, 3, {}};
   pixels.bytes.reserve(3 * reduced.pixels.size());
   for (const Rgb8& c : reduced.pixels) pixels.bytes.insert(pixels.bytes.end(), c.begin(), c.end());
@@ -57,24 +56,20 @@ Pixels8 small(const Raster& raster) {
 }
 
 /// Light as the display shows it, on the grey of the surround where the picture is transparent.
-Raster rasterOf(const Image& image) {
+Pixels8 displayed(const Image& image) {
   const Image::Channel *const red = image.find("R"), *const green = image.find("G"), *const blue = image.find("B");
   const Image::Channel* const alpha = image.find("A");
   const Image::Channel* const first = red ? red : image.find("Y") ? image.find("Y") : &image.channels.front();
-  Raster raster{image.width, image.height, {}};
-  raster.pixels.reserve(first->values.size());
-  const Tone tone;
-  for (size_t i = 0; i < first->values.size(); ++i) {
-    Rgb light(first->values[i], (green ? green : first)->values[i], (blue ? blue : first)->values[i]);
-    if (alpha) light += (1.0f - std::clamp(alpha->values[i], 0.0f, 1.0f)) * tone.background;
-    const Rgb shown = toDisplay(light, tone);
-    Rgb8 pixel{};
-    for (int c = 0; c < 3; ++c)
-      pixel[static_cast<size_t>(c)] =
-          static_cast<uint8_t>(std::lround(255 * (std::isfinite(shown[c]) ? std::clamp(shown[c], 0.0f, 1.0f) : 0.0f)));
-    raster.pixels.push_back(pixel);
-  }
-  return raster;
+  const auto finite = [](float value) { return std::isfinite(value) ? value : 0.0f; };
+  Frame frame;
+  frame.width = image.width;
+  frame.height = image.height;
+  frame.rgba.reserve(first->values.size());
+  for (size_t i = 0; i < first->values.size(); ++i)
+    frame.rgba.emplace_back(finite(first->values[i]), finite((green ? green : first)->values[i]),
+                            finite((blue ? blue : first)->values[i]),
+                            alpha ? std::clamp(finite(alpha->values[i]), 0.0f, 1.0f) : 1.0f);
+  return displayPicture(frame, Tone{});
 }
 
 std::string pixelsText(const PictureExtent& extent) {
@@ -97,12 +92,13 @@ FilePreviewDesk::Look FilePreviewDesk::lookInto(const std::string& file) {
     const PictureExtent extent = readPngExtent(png);
     look.lines.push_back(pixelsText(extent));
     constexpr double kBytes = 12;  // of 16 bits a channel, then of 8
-    if (isLight(extent, kBytes)) look.picture = small(rasterOf(readPng(png)));
+    if (isLight(extent, kBytes)) look.picture = small(readPng(png));
   };
   const auto showExr = [&look](const std::string& exr) {
     const PictureExtent extent = readExrExtent(exr);
     look.lines.push_back(pixelsText(extent));
-    if (extent.channels > 0 && isLight(extent, 4.0 * extent.channels + 3)) look.picture = small(rasterOf(readExr(exr)));
+    if (extent.channels > 0 && isLight(extent, 4.0 * extent.channels + 16 + 6))
+      look.picture = small(displayed(readExr(exr)));
   };
   const auto showCloth = [&look](const Fabric& fabric) {
     look.picture = draftPicture(fabric, kSide);

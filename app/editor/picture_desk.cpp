@@ -19,11 +19,8 @@ std::shared_ptr<const PictureSource> sourceOf(const std::string& file, const std
   const Pixels8 pixels = readPng(file);
   if (!stillWanted()) return nullptr;
   source->raster = rasterOf(pixels);
-  const Raster& raster = source->raster;
-  source->colours = coloursOf(raster);
-  const int longest = std::max(raster.width, raster.height), side = std::min(longest, PictureSource::kSmallSide);
-  const auto scaled = [&](int length) { return std::max(1, static_cast<int>(int64_t{length} * side / longest)); };
-  source->small = resampled(raster, scaled(raster.width), scaled(raster.height));
+  source->colours = coloursOf(source->raster);
+  source->small = reducedTo(source->raster, PictureSource::kSmallSide);
   return source;
 }
 

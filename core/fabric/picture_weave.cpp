@@ -140,6 +140,12 @@ Raster resampled(const Raster& raster, int width, int height) {
   return result;
 }
 
+Raster reducedTo(const Raster& raster, int longestSide) {
+  const int longest = std::max(raster.width, raster.height), side = std::min(longest, longestSide);
+  const auto scaled = [&](int length) { return std::max(1, static_cast<int>(int64_t{length} * side / longest)); };
+  return resampled(raster, scaled(raster.width), scaled(raster.height));
+}
+
 ColourCounts coloursOf(const Raster& raster) {
   return {binsOf(raster), fewColours(raster, kMostColours)};
 }

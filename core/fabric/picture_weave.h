@@ -21,6 +21,8 @@ struct Raster {
 /// Another size, 1..Weave::kMaxSide both: the mean of what a pixel covers where it gets smaller, the nearest pixel
 /// where it gets larger, so that no colour is added.
 Raster resampled(const Raster& raster, int width, int height);
+/// Of the same proportions, and at most so many pixels long.
+Raster reducedTo(const Raster& raster, int longestSide);
 
 struct ReducedPicture {
   int width = 0, height = 0;

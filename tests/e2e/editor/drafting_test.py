@@ -55,6 +55,12 @@ class Weaver:
         x0, y0, x1, y1 = self.editor.widgets()["draft.cell_0_0"]
         return (x0 + x1) / 2 + end * (x1 - x0), (y0 + y1) / 2 - pick * (y1 - y0)
 
+    def select(self, first, last):
+        """From crossing to crossing, pick and end each, with Ctrl held."""
+        self.editor.act("keydown", "ctrl")
+        self.editor.drag(self.crossing(*first), self.crossing(*last))
+        self.editor.act("keyup", "ctrl")
+
     def number(self, table, line, number):
         """Of a line, from 0, in the threading, tie-up or treadling."""
         x0, y0, x1, y1 = self.editor.widgets()[f"draft.{table}_0_1"]
@@ -243,18 +249,14 @@ def arrange(weaver):
         rows = after(rows)
         expect(weave_of(weaver.saved()) == rows, f"{item}: {weave_of(weaver.saved())}, not {rows}")
     editor.key("Escape")
-    editor.act("keydown", "ctrl")
-    editor.drag(weaver.crossing(0, 0), weaver.crossing(1, 3))
-    editor.act("keyup", "ctrl")
+    weaver.select((0, 0), (1, 3))
     editor.wait_until("Ctrl and drag select", lambda: editor.fact("draft.selection") == "0 0 2 4")
     editor.key("ctrl+c")
     editor.key("ctrl+a")
     weaver.edits("the copy is laid side by side", lambda: editor.key("ctrl+shift+v"))
     expect(weave_of(weaver.saved()) == [row[:4] * 2 for row in rows[6:]] * 4, "the copy does not fill the repeat")
     editor.key("Escape")
-    editor.act("keydown", "ctrl")
-    editor.drag(weaver.crossing(0, 0), weaver.crossing(1, 3))
-    editor.act("keyup", "ctrl")
+    weaver.select((0, 0), (1, 3))
     editor.click("menu.weave")
     weaver.edits("the selection becomes the repeat", lambda: editor.click("menu.crop"))
     expect(weave_of(weaver.saved()) == [row[:4] for row in rows[6:]], "the repeat is another part")
