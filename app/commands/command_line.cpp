@@ -83,6 +83,9 @@ void checkConvert(const ConvertCommand& command) {
   if (command.colours.size() > 32) throw UsageError("--weave-colour: expected at most 32 colours");
   if (command.structure && !command.colours.empty())
     throw UsageError("--weave-colour: expected no --structure, which stands in place of the whole weave");
+  for (const MadeStructure& structure : command.colours)
+    if (!structure.warpColours.empty())
+      throw UsageError(fmt::format("--weave-colour: expected a structure of one colour, got {}", structure.name));
   if (command.repeat && command.colours.empty()) throw UsageError("--repeat: expected --weave-colour as well");
   if (!command.clothColours.empty() && !command.drawsDraft && lowerExtension(command.output) == ".png")
     throw UsageError("--cloth-colour: expected an OUT with colours, got a weave bitmap, which has none");

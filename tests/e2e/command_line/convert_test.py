@@ -84,6 +84,7 @@ class Convert(CommandLineTest):
         for wrong, expected, status in ((words + ("--weave-colour", "plain"), "expected 4 colours", 1),
                                         (words + ("--structure", "plain"), "expected no --structure", 2),
                                         (("--repeat", "8x4"), "expected --weave-colour as well", 2),
+                                        (("--weave-colour", "houndstooth"), "expected a structure of one colour", 2),
                                         (("--weave-colour", "velvet"), "--weave-colour: expected one of Plain", 2)):
             with self.subTest(wrong=wrong):
                 self.assertIn(expected, self.run_program("convert", "a.png", "d.json", *wrong, status=status))
