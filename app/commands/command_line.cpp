@@ -30,7 +30,8 @@ void addEdit(CLI::App& app, EditorOptions& options) {
 }
 
 void addRender(CLI::App& app, RenderCommand& command) {
-  app.add_option("FABRIC", command.input, "a fabric (.json) or draft (.wif), or a picture (.exr) to render again")
+  app.add_option("FABRIC", command.input,
+                 "a fabric (.json, .loomlight) or draft (.wif), or a picture (.exr) to render again")
       ->type_name("");
   app.add_option("-o,--output", command.output, "the picture: .exr or .png")->type_name("OUT")->required();
   addPictureOptions(app, command.options);
@@ -57,7 +58,8 @@ void addInfo(CLI::App& app, InfoCommand& command) {
 
 void addConvert(CLI::App& app, ConvertCommand& command) {
   addInput(app, "IN", command.input);
-  app.add_option("OUT", command.output, "a fabric (.json), draft (.wif; for print .pdf) or weave bitmap (.png)")
+  app.add_option("OUT", command.output,
+                 "a fabric (.json, .loomlight), draft (.wif; for print .pdf) or weave bitmap (.png)")
       ->type_name("")
       ->required();
   app.add_flag("--draft", command.drawsDraft, "a .png shows the draft as it is printed, not a pixel a crossing");
@@ -107,6 +109,14 @@ void addTile(CLI::App& app, TileCommand& command) {
   addMemoryLimit(app, command.memoryLimit_bytes);
 }
 
+void addThumbnail(CLI::App& app, ThumbnailCommand& command) {
+  addInput(app, "FABRIC", command.input);
+  app.add_option("-o,--output", command.output, "the picture, a PNG whatever its name")->type_name("OUT")->required();
+  addValue(app, "--size", "N", "pixels a side; 256 where not given", [&command](const auto& option, const auto& text) {
+    command.side = static_cast<int>(parseWhole(option, text, 16, 2048));
+  });
+}
+
 }  // namespace
 
 Command parseCommandLine(const std::vector<std::string>& words) {
@@ -115,6 +125,7 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   InfoCommand info;
   ConvertCommand convert;
   TileCommand tile;
+  ThumbnailCommand thumbnail;
   BenchCommand bench;
   CompareCommand compare;
   BvdfCommand bvdf;
@@ -142,6 +153,8 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   CLI::App* const tiles =
       app.add_subcommand("tile", "a seamless tile for other programs: color, normal, height, opacity");
   addTile(*tiles, tile);
+  CLI::App* const thumbnails = app.add_subcommand("thumbnail", "a small picture of the weave, for file managers");
+  addThumbnail(*thumbnails, thumbnail);
   CLI::App* const brdfs = app.add_subcommand("brdf", "how a flat patch reflects, seen from a half-dome of cameras");
   addBrdf(*brdfs, brdf);
   CLI::App* const benches =
@@ -196,6 +209,7 @@ Command parseCommandLine(const std::vector<std::string>& words) {
     return convert;
   }
   if (*tiles) return tile;
+  if (*thumbnails) return thumbnail;
   if (*tables) return table1;
   if (*figuresOf) return figures;
   if (*accuracies) return accuracy;

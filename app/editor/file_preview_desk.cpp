@@ -11,8 +11,8 @@
 #include <new>
 #include <utility>
 
-#include "app/editor/draft_picture.h"
 #include "app/workers/display_picture.h"
+#include "app/workers/draft_picture.h"
 #include "app/workers/file_name.h"
 #include "app/workers/raster.h"
 #include "core/fabric/fabric_json.h"
@@ -117,12 +117,12 @@ FilePreviewDesk::Look FilePreviewDesk::lookInto(const std::string& file) {
     const std::string extension = lowerExtension(file);
     if (extension == ".png") showPng(file);
     if (extension == ".exr") showExr(file);
-    if (extension == ".json") showCloth(readFabric(file));
+    if (isFabricFile(file)) showCloth(readFabric(file));
     if (isWeavingFile(file)) showCloth(readWifFabric(file, Fabric{}, WifSizeChoice::keep).fabric);
   } catch (const std::bad_alloc&) {
     look.lines.push_back("It needs more memory than there is.");
   } catch (const std::exception&) {
-    look.lines.push_back(lowerExtension(file) == ".json" ? "It holds no cloth." : "It cannot be read.");
+    look.lines.push_back(isFabricFile(file) ? "It holds no cloth." : "It cannot be read.");
   }
   return look;
 }

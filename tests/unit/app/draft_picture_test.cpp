@@ -1,4 +1,4 @@
-#include "app/editor/draft_picture.h"
+#include "app/workers/draft_picture.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,10 @@
+# How the packages differ. CPack reads this once for each.
+if(CPACK_GENERATOR STREQUAL "DEB")
+  set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+  set(CPACK_SET_DESTDIR OFF)
+else()
+  # All that is not on every desktop travels in the archive.
+  set(CPACK_PACKAGING_INSTALL_PREFIX /)
+  list(GET CPACK_INSTALL_CMAKE_PROJECTS 0 build)
+  list(APPEND CPACK_INSTALL_CMAKE_PROJECTS "${build};Loomlight;libraries;/")
+endif()
