@@ -33,12 +33,12 @@ open_room() {
   trap 'exit 130' INT
   trap 'exit 143' TERM HUP
   log="$room.log"
-  local settings
-  settings=$(apt-config dump --format '%f "%v";%n' Acquire::http Acquire::https Acquire::Retries | grep -v ' ""' || true)
-  if ! mmdebstrap --quiet --variant=apt --include=git,ca-certificates --aptopt="$settings" \
+  local setting settings=()
+  while read -r setting; do settings+=("--aptopt=$setting"); done < <(
+    apt-config dump --format '%f "%v";%n' Acquire::http Acquire::https Acquire::Retries | grep -v ' "";')
+  if ! mmdebstrap --quiet --variant=apt --include=git,ca-certificates "${settings[@]}" \
     --customize-hook="cp /etc/resolv.conf \"\$1/etc/resolv.conf\"" "$release" "$room" >"$log" 2>&1; then
-    sed -n 's/^E: //p' "$log" | tail -n 3 >&2
-    say "a room of $release could not be made ($(reason_of_apt "$log"))"
+    say "a room of $release could not be made: $(reason_of_apt "$log")"
     rm -f "$log"
     exit 1
   fi
@@ -67,11 +67,14 @@ close_room() {
 # in_room USER SCRIPT: a shell script run there by root or newcomer, from the user's home. Its processes end with it.
 in_room() { enter_room "" "$@"; }
 # in_room_offline USER SCRIPT: likewise, but no network is there.
-in_room_offline() { enter_room --net "$@"; }
+in_room_offline() { enter_room offline "$@"; }
+# in_room_full USER SCRIPT: likewise, with little space left where the newcomer builds.
+in_room_full() { enter_room full "$@"; }
 
-enter_room() { # NAMESPACES USER SCRIPT
-  local user=$2 home=/root spec=0:0 more=()
-  [[ -z $1 ]] || more=("$1")
+enter_room() { # offline|full|"" USER SCRIPT
+  local user=$2 home=/root spec=0:0 more=() full=""
+  [[ $1 != offline ]] || more=(--net)
+  [[ $1 != full ]] || full=$newcomer/loomlight/.build
   [[ $user == root ]] || home=$newcomer spec=1000:1000
   local variable environment=("HOME=$home" "USER=$user" LANG=C.UTF-8 TERM=dumb PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin)
   for variable in http_proxy https_proxy no_proxy; do
@@ -81,8 +84,8 @@ enter_room() { # NAMESPACES USER SCRIPT
   unshare --mount --pid --ipc --fork --kill-child --mount-proc="$room/proc" "${more[@]}" \
     bash -c '
       set -e
-      room=$1 spec=$2 home=$3 script=$4
-      shift 4
+      room=$1 spec=$2 home=$3 script=$4 full=$5
+      shift 5
       for device in null zero full random urandom tty; do
         touch "$room/dev/$device"
         mount --bind "/dev/$device" "$room/dev/$device"
@@ -90,14 +93,18 @@ enter_room() { # NAMESPACES USER SCRIPT
       mount --rbind /sys "$room/sys"
       mkdir -p "$room/dev/shm"
       mount -t tmpfs -o mode=1777 shm "$room/dev/shm"
+      if [[ -n $full ]]; then
+        mkdir -p "$room$full"
+        mount -t tmpfs -o size=8m,mode=1777 full "$room$full"
+      fi
       exec chroot --userspec="$spec" "$room" env -i "$@" bash -euo pipefail -c "cd $home; $script"
-    ' bash "$room" "$spec" "$home" "$3" "${environment[@]}" </dev/null
+    ' bash "$room" "$spec" "$home" "$3" "$full" "${environment[@]}" </dev/null
 }
 
 # clone_into_room: this tree's commit as the newcomer gets it, with its history and nothing that is not committed.
 clone_into_room() {
   git -C "$root" bundle create --quiet "$room$newcomer/loomlight.bundle" HEAD
-  in_room newcomer 'git clone --quiet loomlight.bundle loomlight 2>&1 && rm -f loomlight.bundle'
+  in_room newcomer 'git clone --quiet --config advice.detachedHead=false loomlight.bundle loomlight && rm -f loomlight.bundle'
 }
 
 # expect STATUS TEXT WHAT COMMAND...: runs the command; where it ends with another status, or says nothing that matches
