@@ -1,4 +1,7 @@
 # How the packages differ. CPack reads this once for each.
+if(CPACK_LOOMLIGHT_EPOCH)
+  set(ENV{SOURCE_DATE_EPOCH} ${CPACK_LOOMLIGHT_EPOCH})
+endif()
 if(CPACK_GENERATOR STREQUAL "DEB")
   set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
   set(CPACK_SET_DESTDIR OFF)
