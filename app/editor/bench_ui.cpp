@@ -7,12 +7,12 @@
 #include <utility>
 #include <vector>
 
-#include "app/editor/sample_fabric.h"
+#include "app/editor/gl/window.h"
+#include "app/editor/model/sample_fabric.h"
+#include "app/editor/model/thread_clock.h"
 #include "app/editor/session.h"
-#include "app/editor/thread_clock.h"
-#include "app/editor/window.h"
 #include "core/base/stopwatch.h"
-#include "core/fabric/jacquard.h"
+#include "core/fabric/weave/jacquard.h"
 
 namespace loomlight {
 namespace {

@@ -2,12 +2,12 @@
 
 #include <filesystem>
 
-#include "app/editor/sample_fabric.h"
+#include "app/editor/model/sample_fabric.h"
 #include "app/editor/session.h"
-#include "app/workers/file_name.h"
+#include "app/export/file_name.h"
 #include "core/base/error.h"
 #include "core/base/memory.h"
-#include "core/fabric/validate.h"
+#include "core/fabric/model/validate.h"
 
 namespace loomlight {
 namespace fs = std::filesystem;

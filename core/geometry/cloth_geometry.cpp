@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "core/base/hash.h"
-#include "core/fabric/yarn_count.h"
+#include "core/fabric/model/yarn_count.h"
 #include "core/geometry/yarn_model.h"
 
 namespace loomlight {

@@ -1,13 +1,13 @@
-#include "app/editor/draft_picture.h"
+#include "app/editor/model/draft_picture.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <map>
 
-#include "core/fabric/presets.h"
-#include "core/fabric/structure_edit.h"
-#include "core/fabric/structures.h"
+#include "core/fabric/weave/structure_edit.h"
+#include "core/fabric/weave/structures.h"
+#include "core/fabric/yarn/presets.h"
 
 namespace loomlight {
 namespace {

@@ -1,4 +1,4 @@
-#include "app/editor/first_opening.h"
+#include "app/editor/controllers/first_opening.h"
 
 #include <gtest/gtest.h>
 
