@@ -37,8 +37,7 @@ std::string estimateText(const Estimate& e) {
 
 void addCloth(ReportPage& page, const std::string& name, const AccuracyStudy& study) {
   std::string file = name;
-  std::replace_if(
-      file.begin(), file.end(), [](char c) { return c == ' ' || c == ','; }, '_');
+  std::replace_if(file.begin(), file.end(), [](char c) { return c == ' ' || c == ','; }, '_');
   page.heading(fmt::format("{}{}", static_cast<char>(std::toupper(name.front())), name.substr(1)));
   page.paragraph(fmt::format("A piece of {:.2g} million segments.", study.segments / 1e6));
   std::vector<std::vector<std::string>> rows;

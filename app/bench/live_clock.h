@@ -28,8 +28,8 @@ class LiveClock {
   /// Pixels of the picture; threads as LiveRenderer has them.
   LiveClock(int width, int height, int threads);
 
-  /// Waits for the first picture of the fabric and for its volume, or for one sample of every pixel. nullopt when stopped. Throws
-  /// InputError where the fabric cannot be shown.
+  /// Waits for the first picture of the fabric and for its volume, or for one sample of every pixel. nullopt when
+  /// stopped. Throws InputError where the fabric cannot be shown.
   std::optional<LiveTimes> show(const Fabric& fabric, bool wholeSample, std::stop_token stop);
   /// Sends one fabric after another at this interval, however long they take; how long each waited for a picture of it
   /// or of a later one. Empty when stopped.

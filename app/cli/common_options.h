@@ -27,7 +27,7 @@ void addValues(CLI::App& app, const std::string& name, const std::string& value,
                const Setter& set);
 
 template <class Object, class Number>
-int parseWholeField(const std::string& option, const std::string& text, Number Object::*member) {
+int parseWholeField(const std::string& option, const std::string& text, Number Object::* member) {
   const FieldInfo info = fieldInfo(member);
   return static_cast<int>(parseWhole(option, text, static_cast<int64_t>(info.min), static_cast<int64_t>(info.max)));
 }

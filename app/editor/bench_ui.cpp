@@ -59,7 +59,7 @@ FrameTimes drawFrame(Window& window, Session& session, WidgetProbe& probe, Field
 
 struct Part {
   const char *key, *name;
-  double FrameTimes::*time;
+  double FrameTimes::* time;
 };
 constexpr Part kParts[] = {{"besides_drawing_ms", "all but drawing", &FrameTimes::besides},
                            {"panels_ms", "drawing: panels", &FrameTimes::panels},

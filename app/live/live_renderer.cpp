@@ -69,8 +69,7 @@ struct LiveRenderer::Workers {
       : wake(std::move(wakeWindow)),
         threads(threadCount > 0 ? threadCount : std::max(1, hardwareThreads() - 1)),
         tracer(wake, threads),
-        layer(
-            wake, [this](Traceable laid) { tracer.fibres(std::move(laid)); }, threads) {
+        layer(wake, [this](Traceable laid) { tracer.fibres(std::move(laid)); }, threads) {
     builder = std::jthread([this](std::stop_token stop) { buildLoop(stop); });
   }
   ~Workers() {

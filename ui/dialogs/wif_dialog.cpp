@@ -24,7 +24,7 @@ void sizeRows(Ui& ui, const WifDialog::Content& content, WifSizeChoice chosen) {
     ImGui::SameLine(left + static_cast<float>(column) * half + inset);
     ImGui::TextColored(counts ? ui.theme.text : ui.theme.textQuiet, "%s", text.c_str());
   };
-  const auto row = [&](const char* what, std::optional<double> WifSett::*member, const char* unit, int decimals) {
+  const auto row = [&](const char* what, std::optional<double> WifSett::* member, const char* unit, int decimals) {
     ImGui::TextDisabled("%s", what);
     size(0, shown(content.mine.*member, unit, decimals), chosen == WifSizeChoice::keep);
     size(1, shown(content.file.*member, unit, decimals), chosen == WifSizeChoice::file);

@@ -15,7 +15,7 @@ constexpr double kMmPerInch = 25.4;
 
 bool settRows(Ui& ui, bool inches, double& ends, double& picks) {
   const double cmPerUnit = inches ? kMmPerInch / 10 : 1;
-  auto settField = [&](double Fabric::*member, double& perCm) {
+  auto settField = [&](double Fabric::* member, double& perCm) {
     const FieldInfo info = fieldInfo(member);
     NumberStyle style;
     style.unit = inches ? "/in" : info.unit;

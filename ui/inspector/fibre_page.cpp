@@ -66,8 +66,8 @@ bool presetRow(Ui& ui, Fibre& fibre, const std::vector<FibrePreset>& presets, co
 }
 
 /// A number, and in its tooltip where it is from, or what its kind has.
-bool sourcedField(Ui& ui, Fibre& fibre, double Fibre::*member, int decimals, const FibrePreset* kind,
-                  const char* FibreSources::*source) {
+bool sourcedField(Ui& ui, Fibre& fibre, double Fibre::* member, int decimals, const FibrePreset* kind,
+                  const char* FibreSources::* source) {
   const FieldInfo info = fieldInfo(member);
   NumberStyle style;
   style.unit = info.unit;

@@ -87,7 +87,7 @@ bool countRow(Ui& ui, CountSystem system, const Fibre& fibre, Yarn& yarn, std::o
 }
 
 /// Turns of a strand of `tex`: per metre, or as the multiplier that spinners know it by.
-bool twistRow(Ui& ui, bool asMultiplier, double tex, double Yarn::*member, Yarn& yarn) {
+bool twistRow(Ui& ui, bool asMultiplier, double tex, double Yarn::* member, Yarn& yarn) {
   constexpr double kTurnsPerPixel = 4.0;
   const FieldInfo info = fieldInfo(member);
   const auto shown = [&](double turns) { return asMultiplier ? twistMultiplier(turns, tex) : turns; };
@@ -143,7 +143,7 @@ bool twistRows(Ui& ui, const Fibre& fibre, TradeUnits& units, Yarn& yarn) {
   bool changed = memberField(ui, "yarn", yarn, &Yarn::plies);
   twistUnitRow(ui, "yarn", units.twistAsMultiplier);
   const double tex = yarnCount_tex(yarn, fibre);
-  const auto level = [&](double strand_tex, double Yarn::*twist, TwistDirection Yarn::*way) {
+  const auto level = [&](double strand_tex, double Yarn::* twist, TwistDirection Yarn::* way) {
     changed |= twistRow(ui, units.twistAsMultiplier, strand_tex, twist, yarn);
     changed |= memberChoice(ui, "yarn", yarn, way, twistNames());
   };

@@ -10,13 +10,13 @@ namespace loomlight {
 /// Rows for the members of a fabric's values: label, unit, range and help come from the table that files and validation
 /// use too, so the inspector cannot disagree with them. Tests know a row as prefix.key.
 template <class Object, class Value>
-RowText rowText(const char* prefix, Value Object::*member) {
+RowText rowText(const char* prefix, Value Object::* member) {
   const FieldInfo info = fieldInfo(member);
   return {std::string(prefix) + "." + info.key, info.label, info.help};
 }
 
 template <class Object>
-bool memberField(Ui& ui, const char* prefix, Object& object, double Object::*member, int decimals,
+bool memberField(Ui& ui, const char* prefix, Object& object, double Object::* member, int decimals,
                  double perPixel = 0) {
   const FieldInfo info = fieldInfo(member);
   NumberStyle style;
@@ -30,14 +30,14 @@ bool memberField(Ui& ui, const char* prefix, Object& object, double Object::*mem
 }
 
 template <class Object>
-bool memberField(Ui& ui, const char* prefix, Object& object, int Object::*member) {
+bool memberField(Ui& ui, const char* prefix, Object& object, int Object::* member) {
   const FieldInfo info = fieldInfo(member);
   return wholeNumberField(ui, rowText(prefix, member), info.unit, static_cast<int>(info.min),
                           static_cast<int>(info.max), object.*member);
 }
 
 template <class Object, class Enum>
-bool memberChoice(Ui& ui, const char* prefix, Object& object, Enum Object::*member,
+bool memberChoice(Ui& ui, const char* prefix, Object& object, Enum Object::* member,
                   std::span<const char* const> names) {
   int chosen = static_cast<int>(object.*member);
   const bool few = names.size() <= 2;

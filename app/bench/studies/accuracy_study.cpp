@@ -18,7 +18,7 @@ using Ingredients = LoomlightMedium::Ingredients;
 /// Every ingredient of ours that can be left out: a line each.
 struct Ablation {
   const char* name;
-  bool Ingredients::*ingredient;
+  bool Ingredients::* ingredient;
 };
 constexpr Ablation kAblations[] = {{"finite radius", &Ingredients::finiteRadius},
                                    {"packing", &Ingredients::packing},

@@ -10,11 +10,7 @@ namespace {
 /// Two files: a picture and its reference.
 void addPair(CLI::App& app, const std::string& name, const std::string& help, std::optional<PictureNames>& pair) {
   app.add_option_function<std::vector<std::string>>(
-         name,
-         [&pair](const std::vector<std::string>& files) {
-           pair = PictureNames{files.at(0), files.at(1)};
-         },
-         help)
+         name, [&pair](const std::vector<std::string>& files) { pair = PictureNames{files.at(0), files.at(1)}; }, help)
       ->type_name("FILE FILE")
       ->type_size(2)
       ->expected(1)

@@ -40,7 +40,7 @@ std::string sizeText(uintmax_t bytes) {
 }
 
 std::string dateText(const std::string& file) {
-  struct stat status {};
+  struct stat status{};
   std::tm local{};
   if (stat(file.c_str(), &status) != 0 || !localtime_r(&status.st_mtime, &local)) return {};
   return fmt::format(", {:04}-{:02}-{:02} {:02}:{:02}", local.tm_year + 1900, local.tm_mon + 1, local.tm_mday,

@@ -92,7 +92,9 @@ void read(const json& value, const FieldInfo& info, const Place& place, glm::dve
 }
 
 template <class Enum>
-void read(const json& value, const FieldInfo&, const Place& place, Enum& out) requires std::is_enum_v<Enum> {
+void read(const json& value, const FieldInfo&, const Place& place, Enum& out)
+  requires std::is_enum_v<Enum>
+{
   const std::optional<Enum> choice =
       value.is_string() ? choiceFromName<Enum>(value.get_ref<const std::string&>()) : std::nullopt;
   if (!choice) place.reject(choiceList<Enum>(), shown(value));

@@ -45,7 +45,9 @@ Json toJson(const Rgb& value) {
   return Json::array({decimal(value.x), decimal(value.y), decimal(value.z)});
 }
 template <class Enum>
-Json toJson(Enum value) requires std::is_enum_v<Enum> {
+Json toJson(Enum value)
+  requires std::is_enum_v<Enum>
+{
   return choiceName(value);
 }
 

@@ -24,7 +24,9 @@ void check(const FieldInfo& info, const std::string& value, const Place& place);
 inline void check(const FieldInfo&, uint64_t, const Place&) {}
 inline void check(const FieldInfo&, bool, const Place&) {}
 template <class Enum>
-void check(const FieldInfo&, Enum value, const Place& place) requires std::is_enum_v<Enum> {
+void check(const FieldInfo&, Enum value, const Place& place)
+  requires std::is_enum_v<Enum>
+{
   if (static_cast<size_t>(value) >= ChoiceNames<Enum>::names.size())
     place.reject(choiceList<Enum>(), std::to_string(static_cast<int>(value)));
 }

@@ -20,7 +20,7 @@ struct FieldInfo {
 /// A data member and what is known of it.
 template <class Object, class Value>
 struct Field {
-  Value Object::*member;
+  Value Object::* member;
   FieldInfo info;
 };
 template <class Object, class Value>
@@ -39,7 +39,7 @@ constexpr void forEachField(Visit&& visit) {
 
 /// The entry of one member: fieldInfo(&Yarn::plies).max is 8. A key of "" says that the table has none.
 template <class Object, class Value>
-constexpr FieldInfo fieldInfo(Value Object::*member) {
+constexpr FieldInfo fieldInfo(Value Object::* member) {
   FieldInfo found;
   forEachField<Object>([&](const auto& field) {
     if constexpr (std::is_same_v<decltype(field.member), Value Object::*>) {

@@ -73,7 +73,7 @@ void BrickTable::keepOnly(const std::vector<uint64_t>& cellsOf) {
     dropped = true;
   }
   if (!dropped) return;
-  const auto any = [this](bool Slot::*reaches) {
+  const auto any = [this](bool Slot::* reaches) {
     return std::any_of(data_->slots.begin(), data_->slots.end(), [&](const Slot& slot) { return slot.*reaches; });
   };
   data_->anyReachesBelow = any(&Slot::reachesBelow);

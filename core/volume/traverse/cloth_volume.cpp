@@ -126,7 +126,7 @@ void ClothVolume::reuseBricks(const ClothVolume& previous) {
 ClothVolume::Wanted ClothVolume::wanted(const CellRect& inView) {
   std::array<TileMap::Wanted, 2> of{tiles_[0].missing(inView), tiles_[1].missing(inView)};
   Wanted all;
-  const auto add = [&](size_t TileMap::Wanted::*from, size_t TileMap::Wanted::*to) {
+  const auto add = [&](size_t TileMap::Wanted::* from, size_t TileMap::Wanted::* to) {
     for (size_t system = 0; system < of.size(); ++system) {
       const size_t first = from ? of[system].*from : 0, end = to ? of[system].*to : of[system].kinds.size();
       for (size_t i = first; i < end; ++i) all.places.push_back({&tiles_[system], of[system].kinds[i]});

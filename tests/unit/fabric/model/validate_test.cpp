@@ -94,9 +94,7 @@ TEST(Validate, HoldsEveryNumberToItsRange) {
 }
 
 TEST(Validate, IndicesNameSomething) {
-  EXPECT_EQ(complaintAfter([](Fabric& f) {
-              f.warpSequence = {0, 1};
-            }),
+  EXPECT_EQ(complaintAfter([](Fabric& f) { f.warpSequence = {0, 1}; }),
             "cloth.json: warp_sequence[1]: expected the number of a yarn from 0 to 0, got 1");
   EXPECT_NE(complaintAfter([](Fabric& f) { f.weftSequence = {-1}; }), "");
   EXPECT_EQ(complaintAfter([](Fabric& f) { f.yarns[0].fibre = 1; }),
