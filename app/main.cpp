@@ -7,8 +7,8 @@
 #include <exception>
 #include <new>
 
-#include "app/commands/command_line.h"
-#include "app/commands/usage_error.h"
+#include "app/cli/commands/command_line.h"
+#include "app/cli/usage_error.h"
 #include "app/editor/editor.h"
 #include "core/base/error.h"
 

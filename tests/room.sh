@@ -4,6 +4,7 @@
 # room ends or is killed, so do all that it has started. Of the host nothing gets in but what is put there on purpose, its
 # resolver and apt's own settings (proxies, certificates). To be sourced after app/setup.sh.
 
+: "${root:?app/setup.sh is sourced first}"
 room=""                  # the folder of the room that is open
 rooms_kept=no            # whether rooms stay when they are closed
 newcomer=/home/newcomer  # the home of a user without rights, in the room
@@ -114,7 +115,7 @@ expect() {
   shift 3
   log=$(mktemp)
   "$@" >"$log" 2>&1 || ended=$?
-  if [[ $ended != "$status" ]] || ! grep -qE "$text" "$log"; then
+  if [[ $ended != "$status" ]] || { [[ -n $text ]] && ! grep -qE "$text" "$log"; }; then
     tail -n 40 "$log" >&2
     say "${room##*room.}: $what: ended with $ended (expected $status) or did not say /$text/"
     rm -f "$log"

@@ -8,14 +8,14 @@
 #include <cmath>
 #include <memory>
 
-#include "app/editor/first_opening.h"
-#include "app/editor/sample_fabric.h"
+#include "app/editor/controllers/first_opening.h"
+#include "app/editor/gl/window.h"
+#include "app/editor/model/sample_fabric.h"
+#include "app/editor/model/thread_clock.h"
+#include "app/editor/model/user_folders.h"
 #include "app/editor/session.h"
-#include "app/editor/thread_clock.h"
-#include "app/editor/user_folders.h"
 #include "app/editor/widget_dump.h"
-#include "app/editor/window.h"
-#include "app/workers/file_name.h"
+#include "app/export/file_name.h"
 
 namespace loomlight {
 namespace {

@@ -2,12 +2,12 @@
 
 #include <filesystem>
 
-#include "app/editor/left_work.h"
-#include "app/editor/program_folders.h"
-#include "app/editor/sample_fabric.h"
+#include "app/editor/model/left_work.h"
+#include "app/editor/model/sample_fabric.h"
+#include "app/editor/model/user_folders.h"
 #include "app/editor/session.h"
-#include "app/editor/user_folders.h"
-#include "app/workers/file_name.h"
+#include "app/export/file_name.h"
+#include "app/export/program_folders.h"
 
 namespace loomlight {
 namespace fs = std::filesystem;
