@@ -9,6 +9,7 @@
 #include "app/cli/structure_choice.h"
 #include "app/cli/usage_error.h"
 #include "app/export/file_name.h"
+#include "app/export/program_folders.h"
 
 namespace loomlight {
 namespace {
@@ -139,6 +140,7 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   ConvergeBenchCommand convergeBench{"bench-converge"};
 
   CLI::App app("Woven fabric, path-traced from the optics of its fibres.", "loomlight");
+  if (const auto samples = sampleFolder()) app.footer("Fabrics to begin with: " + samples->string());
   app.set_version_flag("--version", "loomlight " LOOMLIGHT_VERSION);
   app.require_subcommand(0, 1);
   addEdit(app, edit.options);
