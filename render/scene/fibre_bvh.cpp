@@ -1,6 +1,5 @@
 #include "render/scene/fibre_bvh.h"
 
-#include <embree3/rtcore.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +8,7 @@
 #include <stdexcept>
 
 #include "core/base/parallel.h"
+#include "render/scene/embree.h"
 #include "render/scene/yarn_curves.h"
 
 namespace loomlight {
@@ -25,8 +25,8 @@ int builderThreads([[maybe_unused]] const Task& task) {
 
 /// What the filter needs to know of a ray, behind Embree's own context.
 struct RayContext {
-  explicit RayContext(const FibreRay& fibreRay) : ray(&fibreRay) { rtcInitIntersectContext(&embree); }
-  RTCIntersectContext embree;  ///< first, so that Embree's pointer to it is a pointer to the whole
+  explicit RayContext(const FibreRay& fibreRay) : ray(&fibreRay) { embree::initialise(embree); }
+  embree::QueryContext embree;  ///< first, so that Embree's pointer to it is a pointer to the whole
   const FibreRay* ray;
 };
 
@@ -255,7 +255,7 @@ std::optional<FibreHit> FibreBvh::meet(const FibreRay& ray) const {
   query.ray = embreeRay(ray);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(parts_->piece, &context.embree, &query);
+  embree::intersect(parts_->piece, context.embree, query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
   const PlacedFibre fibre = parts_->placed(query.hit);
   const YarnCurves& curves = fibre.curves;
@@ -274,7 +274,7 @@ std::optional<FibreHit> FibreBvh::meet(const FibreRay& ray) const {
 bool FibreBvh::isFree(const FibreRay& ray) const {
   RayContext context(ray);
   RTCRay query = embreeRay(ray);
-  rtcOccluded1(parts_->piece, &context.embree, &query);
+  embree::occluded(parts_->piece, context.embree, query);
   return query.tfar >= 0;
 }
 

@@ -6,6 +6,8 @@
 #include <new>
 #include <utility>
 
+#include "render/scene/embree.h"
+
 namespace loomlight {
 namespace {
 
@@ -33,7 +35,7 @@ int tetAfter(const Shell& shell, int tet, glm::vec3 origin, glm::vec3 direction,
 }
 
 struct EntryContext {
-  RTCIntersectContext embree;  ///< first, so that Embree's pointer to it is a pointer to the whole
+  embree::QueryContext embree;  ///< first, so that Embree's pointer to it is a pointer to the whole
   const Shell* shell;
   glm::vec3 origin, direction;
   float tMin;
@@ -72,6 +74,14 @@ glm::vec3 aside(glm::vec3 direction, int attempt) {
 
 }  // namespace
 
+void ShellEntry::ReleaseDevice::operator()(RTCDeviceTy* device) const {
+  rtcReleaseDevice(device);
+}
+
+void ShellEntry::ReleaseScene::operator()(RTCSceneTy* scene) const {
+  rtcReleaseScene(scene);
+}
+
 ShellEntry::ShellEntry(std::shared_ptr<const Shell> shell) : shell_(std::move(shell)) {
   const glm::vec3 extent = glm::max(glm::abs(shell_->lower_mm()), glm::abs(shell_->upper_mm()));
   reach_ = std::max({extent.x, extent.y, extent.z});
@@ -108,7 +118,7 @@ std::optional<ShellEntry::Hit> ShellEntry::enter(glm::vec3 origin, glm::vec3 dir
   const float shift = kSlack * far;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     EntryContext context{{}, shell_.get(), origin, direction, tMin, shift, kProgress * far};
-    rtcInitIntersectContext(&context.embree);
+    embree::initialise(context.embree);
     const glm::vec3 start = origin - shift * direction + context.progress * aside(direction, attempt);
     RTCRayHit query{};
     query.ray.org_x = start.x;
@@ -121,7 +131,7 @@ std::optional<ShellEntry::Hit> ShellEntry::enter(glm::vec3 origin, glm::vec3 dir
     query.ray.tfar = tMax + shift;
     query.ray.mask = ~0u;
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(scene_.get(), &context.embree, &query);
+    embree::intersect(scene_.get(), context.embree, query);
     const bool entered = query.hit.geomID != RTC_INVALID_GEOMETRY_ID;
     const bool slipped = context.leaves < (entered ? query.ray.tfar : std::numeric_limits<float>::infinity());
     if (entered && (!slipped || attempt + 1 == kAttempts)) return behind(context, query.hit.primID, query.ray.tfar);

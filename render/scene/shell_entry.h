@@ -1,11 +1,12 @@
 #pragma once
 
-#include <embree3/rtcore.h>
-
 #include <memory>
 #include <optional>
 
 #include "core/shell/shell.h"
+
+struct RTCDeviceTy;  // Embree's, which only the source file needs
+struct RTCSceneTy;
 
 namespace loomlight {
 
@@ -28,10 +29,10 @@ class ShellEntry {
 
  private:
   struct ReleaseDevice {
-    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+    void operator()(RTCDeviceTy* device) const;
   };
   struct ReleaseScene {
-    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+    void operator()(RTCSceneTy* scene) const;
   };
 
   std::optional<Hit> enterBox(glm::vec3 origin, glm::vec3 direction, float tMin, float tMax) const;

@@ -11,6 +11,7 @@
 #include "ui/draft/draft_parts.h"
 #include "ui/draft/weave_menu.h"
 #include "ui/widgets/fields.h"
+#include "ui/widgets/keys.h"
 
 namespace loomlight {
 namespace {
@@ -61,7 +62,7 @@ std::optional<Fabric> paintBar(const Fabric& fabric, System system, int from, in
 bool navigate(DraftView& view, const DraftFrame& frame) {
   const ImGuiIO& io = ImGui::GetIO();
   if (ImGui::IsItemHovered() && io.MouseWheel != 0) zoomDraft(view, frame, io.MousePos, io.MouseWheel);
-  const bool space = ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_Space));
+  const bool space = keyHeld(ImGuiKey_Space);
   if (!ImGui::IsItemActive() || !(ImGui::IsMouseDown(ImGuiMouseButton_Middle) || space)) return false;
   view.origin.x += (frame.fromRight ? 1.0f : -1.0f) * io.MouseDelta.x / view.cell;
   view.origin.y += (frame.fromTop ? -1.0f : 1.0f) * io.MouseDelta.y / view.cell;

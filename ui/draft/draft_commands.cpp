@@ -1,4 +1,5 @@
 #include "ui/draft/draft_commands.h"
+#include "ui/widgets/keys.h"
 
 #include <algorithm>
 
@@ -115,14 +116,13 @@ std::optional<Weave> weaveAfter(DraftCommand command, const Weave& weave, const 
 std::optional<DraftCommand> draftKey(const DraftView& view) {
   const ImGuiIO& io = ImGui::GetIO();
   if (io.WantTextInput) return std::nullopt;
-  const auto pressed = [](int key) { return ImGui::IsKeyPressed(key, false); };
-  const auto named = [&](ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), true); };
+  const auto named = [](ImGuiKey key) { return keyPressed(key, true); };
   if (io.KeyCtrl) {
-    if (pressed('A')) return DraftCommand::selectAll;
-    if (pressed('C')) return DraftCommand::copy;
-    if (pressed('X')) return DraftCommand::cut;
-    if (pressed('V')) return io.KeyShift ? DraftCommand::fillWithCopy : DraftCommand::paste;
-    if (pressed('I')) return DraftCommand::invert;
+    if (letterPressed('A')) return DraftCommand::selectAll;
+    if (letterPressed('C')) return DraftCommand::copy;
+    if (letterPressed('X')) return DraftCommand::cut;
+    if (letterPressed('V')) return io.KeyShift ? DraftCommand::fillWithCopy : DraftCommand::paste;
+    if (letterPressed('I')) return DraftCommand::invert;
     return std::nullopt;
   }
   if (!view.selection) return std::nullopt;

@@ -1,4 +1,5 @@
 #include "ui/draft/weave_menu.h"
+#include "ui/widgets/keys.h"
 
 namespace loomlight {
 namespace {
@@ -49,7 +50,7 @@ void editItems(Ui& ui, Items& items, bool selection) {
 bool beginMenu(Ui& ui, const char* id, const char* label) {
   const bool open = ImGui::BeginMenu(label);
   if (!open) ui.probe.recordItem(id);
-  if (open && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) ImGui::CloseCurrentPopup();
+  if (open && keyPressed(ImGuiKey_Escape)) ImGui::CloseCurrentPopup();
   return open;
 }
 
@@ -76,7 +77,7 @@ std::optional<DraftCommand> selectionMenu(Ui& ui, bool selection) {
   Items items(ui);
   if (ImGui::BeginPopup(kSelectionMenu)) {
     editItems(ui, items, selection);
-    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) ImGui::CloseCurrentPopup();
+    if (keyPressed(ImGuiKey_Escape)) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
   }
   ImGui::PopStyleVar();

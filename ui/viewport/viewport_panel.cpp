@@ -8,6 +8,7 @@
 #include "ui/viewport/denoise_button.h"
 #include "ui/widgets/choices.h"
 #include "ui/widgets/fields.h"
+#include "ui/widgets/keys.h"
 
 namespace loomlight {
 namespace {
@@ -33,7 +34,7 @@ std::optional<Camera> mouseMoves(const Camera& camera, ViewportView& view, ImVec
     view.drag = ViewportView::Drag::none;
     return moved;
   }
-  const bool space = ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_Space));
+  const bool space = keyHeld(ImGuiKey_Space);
   if (view.drag == ViewportView::Drag::none) {
     const bool pan = io.MouseDown[ImGuiMouseButton_Middle] || io.KeyShift || space;
     view.drag = pan ? ViewportView::Drag::pan : ViewportView::Drag::orbit;
@@ -52,7 +53,7 @@ std::optional<Camera> viewKeys(const Camera& camera) {
   if (io.WantTextInput || io.KeyCtrl || ImGui::IsPopupOpen("", kAny)) return std::nullopt;
   constexpr Viewpoint kViews[] = {Viewpoint::above, Viewpoint::aslant, Viewpoint::grazing};
   for (int i = 0; i < static_cast<int>(std::size(kViews)); ++i)
-    if (ImGui::IsKeyPressed('1' + i, false)) return turnedTo(camera, kViews[i]);
+    if (letterPressed(static_cast<char>('1' + i))) return turnedTo(camera, kViews[i]);
   return std::nullopt;
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/fabric/yarn/colour.h"
 #include "ui/widgets/field_row.h"
+#include "ui/widgets/keys.h"
 
 namespace loomlight {
 namespace {
@@ -128,7 +129,7 @@ bool choiceField(Ui& ui, const RowText& text, std::span<const char* const> names
       }
       ui.probe.recordItem(text.id + "/" + names[i]);
     }
-    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) ImGui::CloseCurrentPopup();
+    if (keyPressed(ImGuiKey_Escape)) ImGui::CloseCurrentPopup();
     ImGui::EndCombo();
   }
   ImGui::PopID();
@@ -212,7 +213,7 @@ bool colourField(Ui& ui, const RowText& text, Rgb& linear) {
                                   ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_DisplayRGB |
                                       ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_PickerHueBar);
     ui.probe.recordItem(text.id + "/picker");
-    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) ImGui::CloseCurrentPopup();
+    if (keyPressed(ImGuiKey_Escape)) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
   }
   ImGui::PopID();

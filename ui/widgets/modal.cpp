@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "ui/widgets/fields.h"
+#include "ui/widgets/keys.h"
 
 namespace loomlight {
 namespace {
@@ -42,12 +43,11 @@ float roomAboveButtons(const Ui& ui) {
 }
 
 bool modalCancelled(const Ui& ui) {
-  return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false) && !ui.memory.keysAreTaken;
+  return keyPressed(ImGuiKey_Escape) && !ui.memory.keysAreTaken;
 }
 
 bool modalConfirmed(const Ui& ui) {
-  const bool enter = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false) ||
-                     ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter), false);
+  const bool enter = keyPressed(ImGuiKey_Enter) || keyPressed(kKeypadEnter);
   return enter && !ui.memory.keysAreTaken && !ImGui::GetIO().WantTextInput;
 }
 

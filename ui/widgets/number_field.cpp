@@ -6,6 +6,7 @@
 
 #include "ui/widgets/field_row.h"
 #include "ui/widgets/fields.h"
+#include "ui/widgets/keys.h"
 #include "ui/widgets/number_text.h"
 
 namespace loomlight {
@@ -117,7 +118,7 @@ bool typeValue(Ui& ui, const NumberStyle& style, double& value, ImGuiID id, floa
   if (memory.justOpened) ImGui::SetKeyboardFocusHere();
   const bool entered = ImGui::InputText("##text", &memory.text,
                                         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
-  const bool cancelled = ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+  const bool cancelled = ImGui::IsItemDeactivated() && keyPressed(ImGuiKey_Escape);
   const bool left = ImGui::IsItemDeactivated() && !memory.justOpened;
   memory.justOpened = false;
   if (cancelled) {

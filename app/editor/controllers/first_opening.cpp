@@ -1,4 +1,5 @@
 #include "app/editor/controllers/first_opening.h"
+#include "ui/widgets/keys.h"
 
 #include <fmt/core.h>
 
@@ -19,7 +20,7 @@ void FirstOpening::frame(Ui& ui) {
     if (read->fabric) document_ = Document(std::move(*read->fabric), file_);
     return;
   }
-  if (ImGui::GetIO().KeyCtrl && ImGui::IsKeyPressed('Q', false)) askToQuit();
+  if (ImGui::GetIO().KeyCtrl && letterPressed('Q')) askToQuit();
   const std::string text = fmt::format("Opening {}\xE2\x80\xA6", std::filesystem::path(file_).filename().string());
   if (!busyDialog_.draw(ui, text, files_.canCancel())) return;
   files_.cancel();
