@@ -8,6 +8,7 @@
 #include "app/cli/common_options.h"
 #include "app/cli/structure_choice.h"
 #include "app/cli/usage_error.h"
+#include "app/cli/version_text.h"
 #include "app/export/file_name.h"
 
 namespace loomlight {
@@ -128,7 +129,7 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   ConvergeBenchCommand convergeBench{"bench-converge"};
 
   CLI::App app("Woven fabric, path-traced from the optics of its fibres.", "loomlight");
-  app.set_version_flag("--version", "loomlight " LOOMLIGHT_VERSION);
+  app.set_version_flag("--version", [] { return versionText(); });
   app.require_subcommand(0, 1);
   addEdit(app, edit.options);
   CLI::App* const edits = app.add_subcommand("edit", "open the editor (also without this word)");
@@ -176,7 +177,7 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   } catch (const CLI::CallForHelp&) {
     return TextCommand{app.help()};  // of the command whose word was given, if one was
   } catch (const CLI::CallForVersion& version) {
-    return TextCommand{std::string(version.what()) + "\n"};
+    return TextCommand{version.what()};
   } catch (const CLI::ParseError& error) {
     throw UsageError(error.what());
   }
