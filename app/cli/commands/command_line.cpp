@@ -8,6 +8,7 @@
 #include "app/cli/common_options.h"
 #include "app/cli/structure_choice.h"
 #include "app/cli/usage_error.h"
+#include "app/cli/version_text.h"
 #include "app/export/file_name.h"
 #include "app/export/program_folders.h"
 
@@ -141,7 +142,7 @@ Command parseCommandLine(const std::vector<std::string>& words) {
 
   CLI::App app("Woven fabric, path-traced from the optics of its fibres.", "loomlight");
   if (const auto samples = sampleFolder()) app.footer("Fabrics to begin with: " + samples->string());
-  app.set_version_flag("--version", "loomlight " LOOMLIGHT_VERSION);
+  app.set_version_flag("--version", [] { return versionText(); });
   app.require_subcommand(0, 1);
   addEdit(app, edit.options);
   CLI::App* const edits = app.add_subcommand("edit", "open the editor (also without this word)");
@@ -191,7 +192,7 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   } catch (const CLI::CallForHelp&) {
     return TextCommand{app.help()};  // of the command whose word was given, if one was
   } catch (const CLI::CallForVersion& version) {
-    return TextCommand{std::string(version.what()) + "\n"};
+    return TextCommand{version.what()};
   } catch (const CLI::ParseError& error) {
     throw UsageError(error.what());
   }
