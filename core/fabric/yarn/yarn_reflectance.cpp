@@ -1,7 +1,7 @@
 #include "core/fabric/yarn/yarn_reflectance.h"
 
-#include "core/fabric/yarn/colour.h"
 #include "core/fabric/model/yarn_count.h"
+#include "core/fabric/yarn/colour.h"
 
 namespace loomlight {
 
