@@ -14,7 +14,7 @@ namespace loomlight {
 
 FabricInput readInput(const std::string& file, WifSizeChoice sizes) {
   const std::string extension = lowerExtension(file);
-  if (extension == ".json") return {readFabric(file), {}};
+  if (isFabricFile(file)) return {readFabric(file), {}};
   if (extension == ".exr") return {fabricOfPicture(file), {}};
   if (isWeavingFile(file)) {
     WifImport import = readWifFabric(file, Fabric{}, sizes);
@@ -32,10 +32,10 @@ FabricInput readInput(const std::string& file, WifSizeChoice sizes) {
     fabric.weave = readWeaveBitmap(file);
     return {std::move(fabric), {}};
   }
-  throw InputError(
-      fmt::format("{}: expected a fabric (.json), a draft (.wif), a weave bitmap (.png) or a picture rendered by "
-                  "Loomlight (.exr)",
-                  file));
+  throw InputError(fmt::format(
+      "{}: expected a fabric (.json, .loomlight), a draft (.wif), a weave bitmap (.png) or a picture rendered by "
+      "Loomlight (.exr)",
+      file));
 }
 
 Fabric fabricFromFile(const std::string& file, WifSizeChoice sizes) {

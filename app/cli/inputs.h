@@ -13,8 +13,8 @@ struct FabricInput {
   std::vector<std::string> warnings;  ///< of a weaving file: "FILE: line 12: ..."
 };
 
-/// The fabric in a file of any kind that has one: a fabric (.json), a draft (.wif), a weave as a black-and-white
-/// picture
+/// The fabric in a file of any kind that has one: a fabric (.json, .loomlight), a draft (.wif), a weave as a
+/// black-and-white picture
 /// (.png), or a picture that we rendered (.exr). Drafts and weaves have the default yarns; `sizes` says whose sett and
 /// yarn counts a draft gets. Throws InputError.
 FabricInput readInput(const std::string& file, WifSizeChoice sizes = WifSizeChoice::keep);

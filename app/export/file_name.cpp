@@ -18,6 +18,11 @@ std::string lowerExtension(const std::string& file) {
   return extension;
 }
 
+bool isFabricFile(const std::string& file) {
+  const std::string extension = lowerExtension(file);
+  return extension == ".json" || extension == ".loomlight";
+}
+
 bool isWeavingFile(const std::string& file) {
   const std::string extension = lowerExtension(file);
   return extension == ".wif" || extension == ".txt";

@@ -10,6 +10,7 @@
 #include "app/cli/usage_error.h"
 #include "app/cli/version_text.h"
 #include "app/export/file_name.h"
+#include "app/export/program_folders.h"
 
 namespace loomlight {
 namespace {
@@ -31,7 +32,8 @@ void addEdit(CLI::App& app, EditorOptions& options) {
 }
 
 void addRender(CLI::App& app, RenderCommand& command) {
-  app.add_option("FABRIC", command.input, "a fabric (.json) or draft (.wif), or a picture (.exr) to render again")
+  app.add_option("FABRIC", command.input,
+                 "a fabric (.json, .loomlight) or draft (.wif), or a picture (.exr) to render again")
       ->type_name("");
   app.add_option("-o,--output", command.output, "the picture: .exr or .png")->type_name("OUT")->required();
   addPictureOptions(app, command.options);
@@ -58,7 +60,8 @@ void addInfo(CLI::App& app, InfoCommand& command) {
 
 void addConvert(CLI::App& app, ConvertCommand& command) {
   addInput(app, "IN", command.input);
-  app.add_option("OUT", command.output, "a fabric (.json), draft (.wif; for print .pdf) or weave bitmap (.png)")
+  app.add_option("OUT", command.output,
+                 "a fabric (.json, .loomlight), draft (.wif; for print .pdf) or weave bitmap (.png)")
       ->type_name("")
       ->required();
   app.add_flag("--draft", command.drawsDraft, "a .png shows the draft as it is printed, not a pixel a crossing");
@@ -108,6 +111,14 @@ void addTile(CLI::App& app, TileCommand& command) {
   addMemoryLimit(app, command.memoryLimit_bytes);
 }
 
+void addThumbnail(CLI::App& app, ThumbnailCommand& command) {
+  addInput(app, "FABRIC", command.input);
+  app.add_option("-o,--output", command.output, "the picture, a PNG whatever its name")->type_name("OUT")->required();
+  addValue(app, "--size", "N", "pixels a side; 256 where not given", [&command](const auto& option, const auto& text) {
+    command.side = static_cast<int>(parseWhole(option, text, 16, 2048));
+  });
+}
+
 }  // namespace
 
 Command parseCommandLine(const std::vector<std::string>& words) {
@@ -116,6 +127,7 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   InfoCommand info;
   ConvertCommand convert;
   TileCommand tile;
+  ThumbnailCommand thumbnail;
   BenchCommand bench;
   CompareCommand compare;
   BvdfCommand bvdf;
@@ -129,6 +141,7 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   ConvergeBenchCommand convergeBench{"bench-converge"};
 
   CLI::App app("Woven fabric, path-traced from the optics of its fibres.", "loomlight");
+  if (const auto samples = sampleFolder()) app.footer("Fabrics to begin with: " + samples->string());
   app.set_version_flag("--version", [] { return versionText(); });
   app.require_subcommand(0, 1);
   addEdit(app, edit.options);
@@ -143,6 +156,8 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   CLI::App* const tiles =
       app.add_subcommand("tile", "a seamless tile for other programs: color, normal, height, opacity");
   addTile(*tiles, tile);
+  CLI::App* const thumbnails = app.add_subcommand("thumbnail", "a small picture of the weave, for file managers");
+  addThumbnail(*thumbnails, thumbnail);
   CLI::App* const brdfs = app.add_subcommand("brdf", "how a flat patch reflects, seen from a half-dome of cameras");
   addBrdf(*brdfs, brdf);
   CLI::App* const benches =
@@ -197,6 +212,7 @@ Command parseCommandLine(const std::vector<std::string>& words) {
     return convert;
   }
   if (*tiles) return tile;
+  if (*thumbnails) return thumbnail;
   if (*tables) return table1;
   if (*figuresOf) return figures;
   if (*accuracies) return accuracy;

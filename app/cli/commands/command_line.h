@@ -13,6 +13,7 @@
 #include "app/cli/commands/convert_command.h"
 #include "app/cli/commands/info_command.h"
 #include "app/cli/commands/render_command.h"
+#include "app/cli/commands/thumbnail_command.h"
 #include "app/cli/commands/tile_command.h"
 #include "app/editor/bench_ui.h"
 #include "app/editor/editor.h"
@@ -36,7 +37,7 @@ struct TextCommand {
 
 using Command = std::variant<EditCommand, RenderCommand, InfoCommand, ConvertCommand, BenchCommand, ReportBenchCommand,
                              EditBenchCommand, UiBenchCommand, ConvergeBenchCommand, BrdfCommand, CompareCommand,
-                             BvdfCommand, TileCommand, TextCommand>;
+                             BvdfCommand, TileCommand, ThumbnailCommand, TextCommand>;
 
 /// What the words behind the program's name ask for. Throws UsageError.
 Command parseCommandLine(const std::vector<std::string>& words);

@@ -56,7 +56,7 @@ int run(const ConvertCommand& command) {
     fabric = std::move(*inColour);
   }
   const std::string extension = lowerExtension(command.output);
-  if (extension == ".json") {
+  if (isFabricFile(command.output)) {
     writeFabric(fabric, command.output);
   } else if (extension == ".wif") {
     for (const std::string& remark : writeWifFabric(fabric, command.output))
@@ -66,9 +66,10 @@ int run(const ConvertCommand& command) {
   } else if (extension == ".png") {
     writeWeaveBitmap(command.output, fabric.weave);
   } else {
-    throw InputError(fmt::format(
-        "{}: expected the name of a fabric (.json), a draft (.wif, for print .pdf) or a weave bitmap (.png)",
-        command.output));
+    throw InputError(
+        fmt::format("{}: expected the name of a fabric (.json, .loomlight), a draft (.wif, for print .pdf) or a weave "
+                    "bitmap (.png)",
+                    command.output));
   }
   fmt::print("{}: {} ends, {} picks\n", command.output, fabric.weave.ends(), fabric.weave.picks());
   return 0;

@@ -11,7 +11,7 @@
 #include <new>
 #include <utility>
 
-#include "app/editor/model/draft_picture.h"
+#include "app/export/draft_picture.h"
 #include "app/export/file_name.h"
 #include "core/fabric/json/fabric_json.h"
 #include "core/fabric/weave/picture_weave.h"
@@ -117,12 +117,12 @@ FilePreviewDesk::Look FilePreviewDesk::lookInto(const std::string& file) {
     const std::string extension = lowerExtension(file);
     if (extension == ".png") showPng(file);
     if (extension == ".exr") showExr(file);
-    if (extension == ".json") showCloth(readFabric(file));
+    if (isFabricFile(file)) showCloth(readFabric(file));
     if (isWeavingFile(file)) showCloth(readWifFabric(file, Fabric{}, WifSizeChoice::keep).fabric);
   } catch (const std::bad_alloc&) {
     look.lines.push_back("It needs more memory than there is.");
   } catch (const std::exception&) {
-    look.lines.push_back(lowerExtension(file) == ".json" ? "It holds no cloth." : "It cannot be read.");
+    look.lines.push_back(isFabricFile(file) ? "It holds no cloth." : "It cannot be read.");
   }
   return look;
 }

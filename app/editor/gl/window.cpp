@@ -40,6 +40,12 @@ Window::Window(const std::string& title, int width, int height, float scale) {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+  // By this name desktops know which entry of their menu a window belongs to (StartupWMClass; the entry's own name).
+  glfwWindowHintString(GLFW_X11_CLASS_NAME, "loomlight");
+  glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "loomlight");
+#ifdef GLFW_WAYLAND_APP_ID  // since GLFW 3.4
+  glfwWindowHintString(GLFW_WAYLAND_APP_ID, "loomlight");
+#endif
   window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
   if (!window_) {
     const std::string reason = lastError();

@@ -15,5 +15,12 @@ TEST(FileName, IsOneThatAnySystemTakes) {
   EXPECT_EQ(umlauts, std::string(99, 'a')) << "a letter is whole or not there";
 }
 
+TEST(FileName, BothEndingsAreFabrics) {
+  for (const char* file : {"denim.json", "denim.loomlight", "a.b/DENIM.Loomlight"})
+    EXPECT_TRUE(isFabricFile(file)) << file;
+  for (const char* file : {"denim.wif", "denim", "loomlight", "denim.loomlight.png", ".loomlight"})
+    EXPECT_FALSE(isFabricFile(file)) << file;
+}
+
 }  // namespace
 }  // namespace loomlight

@@ -1,4 +1,4 @@
-#include "app/editor/model/draft_picture.h"
+#include "app/export/draft_picture.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "app/editor/model/draft_picture.h"
+#include "app/export/draft_picture.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 
 #include "core/fabric/yarn/colour.h"
-#include "ui/widgets/yarn_colours.h"
+#include "core/fabric/yarn/yarn_reflectance.h"
 
 namespace loomlight {
 namespace {
@@ -13,7 +13,8 @@ namespace {
 /// The colour of what lies on top, linear.
 std::function<Rgb(int pick, int end)> colouring(const Fabric& fabric) {
   std::vector<Rgb> yarns;  // as displayed
-  for (const ImVec4& c : yarnColours(fabric)) yarns.emplace_back(c.x, c.y, c.z);
+  for (const Rgb& reflectance : yarnReflectances(fabric))
+    yarns.push_back(srgbFromLinear(glm::clamp(reflectance, Rgb(0.0f), Rgb(1.0f))));
   const Rgb first = yarns[static_cast<size_t>(fabric.warpYarn(0))];
   const auto isFirst = [&](int yarn) {
     const Rgb& c = yarns[static_cast<size_t>(yarn)];
