@@ -8,7 +8,7 @@
 #include "app/program.h"
 
 #if defined(__x86_64__) && defined(__GLIBC__)
-#define _Bool bool  // glibc's header is written in C
+#define _Bool bool  // glibc's header is written in C; NOLINT(bugprone-reserved-identifier)
 #include <sys/platform/x86.h>
 #undef _Bool
 #include <unistd.h>

@@ -61,6 +61,10 @@ class Processor(CommandLineTest):
                 self.run_program("render", cloth, "-o", "v3.exr", "--drape", drape)
                 self.run_program("render", cloth, "-o", "baseline.exr", "--drape", drape, env=WITHOUT_AVX2)
                 self.assertEqual(self.bytes_of("v3.exr"), self.bytes_of("baseline.exr"))
+                if EMULATOR:
+                    emulated = (EMULATOR, "-cpu", "Nehalem")
+                    self.run_program("render", cloth, "-o", "2008.exr", "--drape", drape, before=emulated, timeout=280)
+                    self.assertEqual(self.bytes_of("v3.exr"), self.bytes_of("2008.exr"))
 
 
 main()
