@@ -2,15 +2,15 @@
 
 #include <cmath>
 
-#include "app/editor/lens_model.h"
+#include "app/editor/controllers/lens_model.h"
+#include "app/editor/controllers/status_model.h"
 #include "app/editor/session.h"
-#include "app/editor/status_model.h"
 #include "core/base/stopwatch.h"
 #include "ui/desk.h"
-#include "ui/draft_panel.h"
+#include "ui/draft/draft_panel.h"
 #include "ui/menu_bar.h"
-#include "ui/preset_list.h"
-#include "ui/yarn_colours.h"
+#include "ui/widgets/preset_list.h"
+#include "ui/widgets/yarn_colours.h"
 
 namespace loomlight {
 namespace {

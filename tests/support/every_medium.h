@@ -4,9 +4,9 @@
 #include <ostream>
 #include <vector>
 
-#include "render/trace/bvdf_baker.h"
-#include "render/trace/make_medium.h"
-#include "render/trace/report_medium.h"
+#include "render/bvdf/bake/bvdf_baker.h"
+#include "render/media/report_medium.h"
+#include "render/transport/make_medium.h"
 #include "tests/support/test_cloth.h"
 
 namespace loomlight::test {

@@ -9,7 +9,7 @@
 
 #include "core/base/random.h"
 #include "core/shell/shell.h"
-#include "core/volume/cloth_volume.h"
+#include "core/volume/traverse/cloth_volume.h"
 
 namespace loomlight::test {
 

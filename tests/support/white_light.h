@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-#include "core/fabric/fabric.h"
+#include "core/fabric/model/fabric.h"
 #include "render/film/image.h"
 
 namespace loomlight::test {

@@ -1,0 +1,65 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "render/media/report_medium.h"
+#include "render/optics/fibre_frame.h"
+#include "render/transport/path_tracer.h"
+#include "tests/support/sampled_mean.h"
+#include "tests/support/test_cloth.h"
+#include "tests/support/white_light.h"
+
+namespace loomlight {
+namespace {
+
+// The report's mode does not keep the furnace, and says so: light that comes straight is seen through the BVDF, light
+// that goes on through the volume. That is all it gains or loses: radiance 1 and E[V_bvdf - V_volume] at the first
+// fibre, here with a BVDF that sees no shadow within the cell. The white light is looked for at every event.
+class ReportFurnace : public testing::TestWithParam<DrapeKind> {};
+
+TEST_P(ReportFurnace, IsOffByWhatDirectLightGainsAndNoMore) {
+  const test::WhiteLight white;
+  Fabric fabric = test::whiteCotton();
+  fabric.drape.kind = GetParam();
+  fabric.drape.radius_mm = 5;
+  white.shineOn(fabric);
+  const auto scene = test::sceneOf(fabric);
+  const BvdfResolution resolution{2, 2, 4, 4};
+  auto open = std::make_shared<BvdfSet>();
+  open->tables.emplace_back(resolution, HotSpot{5, 0.1f}, std::vector<float>(resolution.bins(), 0.0f));
+  open->tableOfYarn = {0};
+  const ReportMedium report(*scene, open);
+  const VolumeMedium plain(*scene);
+  const CameraRays camera(fabric.camera, 48, 48);
+  constexpr auto kFar = std::numeric_limits<float>::infinity();
+  TraceCounts counts;
+  Random random(8);
+  test::SampledMean radiance, gain;
+  for (int y = 0; y < 48; ++y)
+    for (int x = 0; x < 48; ++x)
+      for (uint32_t i = 0; i < 8; ++i) {
+        const PathSample sample = tracePath(*scene, report, camera, x, y, i, counts);
+        if (sample.alpha > 0) radiance.add(sample.direct.g + sample.indirect.g);
+
+        const float dx = random.uniform(), dy = random.uniform();
+        const Ray ray = camera.ray(static_cast<float>(x) + dx, static_cast<float>(y) + dy);
+        const auto hit = report.collide({{ray.origin, -1}}, ray.direction, random, counts);
+        if (!hit) continue;
+        const FibreFrame frame(hit->tangent);
+        const auto scattered = scene->materials[0].bcsdf->sample(frame.toLocal(-ray.direction), hit->offset, random);
+        const glm::vec3 on = frame.toWorld(scattered.wi);
+        const Departure from = report.leave(*hit, on, scattered.order);
+        gain.add(report.transmittance(from, on, kFar, random, counts) -
+                 plain.transmittance(from, on, kFar, random, counts));
+      }
+  EXPECT_GT(gain.mean(), 0.03);
+  const double error = std::hypot(radiance.standardError(), gain.standardError());
+  EXPECT_LT(error, 0.006);
+  EXPECT_TRUE(test::isWithinNoise(radiance.mean(), 1 + gain.mean(), error, 2));
+}
+
+INSTANTIATE_TEST_SUITE_P(OnADrape, ReportFurnace, testing::Values(DrapeKind::flat, DrapeKind::cylinder));
+
+}  // namespace
+}  // namespace loomlight

@@ -1,0 +1,129 @@
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "core/fabric/model/choice_names.h"
+#include "render/media/loomlight_medium.h"
+#include "render/transport/path_tracer.h"
+#include "tests/support/every_medium.h"
+#include "tests/support/sampled_mean.h"
+#include "tests/support/white_light.h"
+
+namespace loomlight {
+namespace {
+
+using test::MediumKind;
+
+/// Radiance of the paths that meet a fibre.
+test::SampledMean radianceOf(const Scene& scene, const Medium& medium, int side, uint32_t samples) {
+  const CameraRays camera(scene.fabric->camera, side, side);
+  TraceCounts counts;
+  test::SampledMean radiance;
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x)
+      for (uint32_t i = 0; i < samples; ++i) {
+        const PathSample sample = tracePath(scene, medium, camera, x, y, i, counts);
+        if (sample.alpha > 0) radiance.add(sample.direct.g + sample.indirect.g);
+      }
+  return radiance;
+}
+
+struct Case {
+  const MediumKind& medium;
+  DrapeKind drape = DrapeKind::flat;
+  int resolution = 4;
+  std::optional<LoomlightMedium::Ingredients> ingredients = std::nullopt;  ///< of kLoomlight
+};
+
+std::string nameOf(const testing::TestParamInfo<Case>& info) {
+  const Case& c = info.param;
+  std::string name = std::string(c.medium.name) + "_" + ChoiceNames<DrapeKind>::names[static_cast<size_t>(c.drape)] +
+                     "_" + std::to_string(c.resolution);
+  if (c.ingredients) {
+    name += "_with";
+    if (c.ingredients->finiteRadius) name += "_radius";
+    if (c.ingredients->packing) name += "_packing";
+    if (c.ingredients->hotSpot) name += "_hotSpot";
+  }
+  return name;
+}
+
+std::vector<Case> cases() {
+  constexpr DrapeKind kDrapes[] = {DrapeKind::flat,  DrapeKind::cylinder, DrapeKind::sphere,
+                                   DrapeKind::folds, DrapeKind::cushion,  DrapeKind::skirt};
+  std::vector<Case> all;
+  for (const MediumKind* medium : {&test::kPlain, &test::kLoomlight, &test::kFibres})
+    for (const DrapeKind drape : kDrapes) all.push_back({*medium, drape});
+  for (const MediumKind* medium : {&test::kReportsLaw, &test::kLoomlightAtRandom, &test::kFibresAtRandom})
+    for (const DrapeKind drape : {DrapeKind::flat, DrapeKind::cylinder}) all.push_back({*medium, drape});
+  all.push_back({test::kFibresOfOneRepeat});
+  for (const MediumKind* medium : {&test::kPlain, &test::kLoomlight})
+    for (const int resolution : {1, 2, 8, 16}) all.push_back({*medium, DrapeKind::flat, resolution});
+  for (const DrapeKind drape : {DrapeKind::flat, DrapeKind::cylinder})
+    for (int parts = 0; parts < 7; ++parts)  // 7: all of them, as above
+      all.push_back({test::kLoomlight, drape, 4,
+                     LoomlightMedium::Ingredients{(parts & 1) != 0, (parts & 2) != 0, (parts & 4) != 0}});
+  return all;
+}
+
+class WhiteFurnace : public testing::TestWithParam<Case> {};
+
+// A white fabric under light of radiance 1 from everywhere has radiance 1 wherever there is a fibre: invariant 7. Light
+// is looked for at every event, so this holds only if what stops a look is what stops a flight, at the same places and
+// as often; and if paths and looks, weighted against each other by the densities that fibres and lamps tell, share all
+// light out between them.
+TEST_P(WhiteFurnace, ClothIsInvisible) {
+  const Case& c = GetParam();
+  const test::WhiteLight white;
+  Fabric fabric = test::whiteCotton();
+  fabric.yarns[0].count_tex = 10;
+  fabric.drape.kind = c.drape;
+  fabric.drape.width_mm = fabric.drape.height_mm = 3;
+  fabric.drape.radius_mm = 1;
+  fabric.camera.distance_mm = 5;
+  fabric.render.resolution = c.resolution;
+  c.medium.askFor(fabric);
+  white.shineOn(fabric);
+  const auto scene = test::sceneOf(fabric);
+  ASSERT_TRUE(scene->lighting->wantsSampling());
+  std::unique_ptr<const Medium> medium = c.medium.make(*scene);
+  if (c.ingredients) medium = std::make_unique<const LoomlightMedium>(*scene, *c.ingredients);
+  // What all media share, weights and densities, is looked at closely where that costs least.
+  const bool isFirst = &c.medium == &test::kPlain && c.drape == DrapeKind::flat && c.resolution == 4;
+  const test::SampledMean radiance = radianceOf(*scene, *medium, 32,
+                                                isFirst                      ? 160
+                                                : c.drape == DrapeKind::flat ? 8
+                                                                             : 12);
+  EXPECT_LT(radiance.standardError(), isFirst ? 0.001 : 0.005);
+  EXPECT_TRUE(test::isWithinNoise(radiance.mean(), 1, radiance.standardError(), static_cast<int>(cases().size())));
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, WhiteFurnace, testing::ValuesIn(cases()), nameOf);
+
+// A dyed cloth in the furnace is darker than white, and brighter than its surface reflection alone.
+TEST(WhiteFurnaceOfDyedCloth, KeepsBetweenReflectionAndWhite) {
+  Fabric fabric = test::whiteCotton();
+  fabric.fibres[0].absorption_per_mm = Rgb(5.0f, 20.0f, 200.0f);
+  fabric.light.kind = LightKind::furnace;
+  const auto scene = test::sceneOf(fabric);
+  const CameraRays camera(fabric.camera, 16, 16);
+  const auto medium = test::kPlain.make(*scene);
+  TraceCounts counts;
+  Rgb sum(0.0f);
+  float alpha = 0;
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 16; ++x)
+      for (uint32_t i = 0; i < 16; ++i) {
+        const PathSample sample = tracePath(*scene, *medium, camera, x, y, i, counts);
+        sum += sample.direct + sample.indirect;
+        alpha += sample.alpha;
+      }
+  const Rgb mean = sum / alpha;
+  EXPECT_LT(mean.r, 1.0f);
+  EXPECT_LT(mean.g, mean.r);
+  EXPECT_LT(mean.b, mean.g);
+  EXPECT_GT(mean.b, 0.005f);  // what the surfaces mirror, however dark the inside
+}
+
+}  // namespace
+}  // namespace loomlight
