@@ -22,7 +22,7 @@ namespace loomlight {
 class PresetDesk {
  public:
   /// `wake` is called from that thread when there is something to take().
-  PresetDesk(std::filesystem::path folder, std::function<void()> wake);
+  PresetDesk(std::filesystem::path folder, DisplayDriver& driver, std::function<void()> wake);
   ~PresetDesk() { lookAway(); }
 
   /// What has been read by now, with pictures, which are rendered for as long as they are asked for. Reads on until

@@ -109,8 +109,9 @@ void Session::drawViewport(Ui& ui, const Insight* insight, const LiveStatus& sta
   // A coarse first pass has pixels larger than crossings; an outline of them would only be blocks.
   constexpr int kCoarsest = 3;
   const Frame* shown = views_.frame();
+  const ImVec4& accent = ui.theme.accent;
   if (draft_.hovered && shown && shown->divider <= kCoarsest)
-    outline = {inRepeat(*draft_.hovered, weave), weave.ends(), weave.picks(), ui.theme.accent};
+    outline = {inRepeat(*draft_.hovered, weave), weave.ends(), weave.picks(), Rgb(accent.x, accent.y, accent.z)};
   ViewportModel model;
   const int pictureWidth = shown ? shownWidth(*shown, viewport_.width, viewport_.height) : viewport_.width;
   model.picture = views_.picture(pictureWidth, viewport_.height, tone(), outline);

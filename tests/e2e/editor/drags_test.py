@@ -29,10 +29,10 @@ def striped_fabric(home):
 def pictures_of_drag(editor, name, start, step):
     """One of the viewport after each step, all with the button down and each other than the one before."""
     editor.wait_for_picture()
-    editor.wait_until("the picture has samples", lambda: editor.number("shown_samples") > 0, 120)
+    editor.wait_until("the picture has samples", lambda: editor.number("shown_samples") > 0)
     pictures = [editor.screenshot(f"{name}_0", "viewport")]
     editor.move(*start)
-    editor.act("mousedown", 1)
+    editor.press()
     for i in range(1, STEPS + 1):
         shown = editor.number("shown_generation")
         editor.move(start[0] + i * step[0], start[1] + i * step[1])
@@ -43,7 +43,7 @@ def pictures_of_drag(editor, name, start, step):
             return difference(pictures[-1], picture) > LEAST_CHANGE
         editor.wait_until(f"step {i} of the {name} is seen", moved)
         pictures.append(os.path.join(editor.home, f"{name}_{i}.png"))
-    editor.act("mouseup", 1)
+    editor.release()
     return pictures
 
 
