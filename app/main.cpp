@@ -1,73 +1,51 @@
-#include <fmt/format.h>
-#include <signal.h>
-
-#include <cerrno>
+// The door of the program, and the only part of it that every processor runs. All else is in libloomlight, which may be
+// compiled for processors with AVX2. A package holds that library with AVX2 and without, and the dynamic loader picks;
+// where only the one with AVX2 is there, the door says so before the processor meets an instruction that it does not
+// know.
 #include <cstdio>
-#include <cstring>
-#include <exception>
-#include <new>
+#include <string_view>
 
-#include "app/commands/command_line.h"
-#include "app/commands/usage_error.h"
-#include "app/editor/editor.h"
-#include "core/base/error.h"
+#include "app/program.h"
 
-namespace loomlight {
+#if defined(__x86_64__) && defined(__GLIBC__)
+#define _Bool bool  // glibc's header is written in C; NOLINT(bugprone-reserved-identifier)
+#include <sys/platform/x86.h>
+#undef _Bool
+#include <unistd.h>
+
 namespace {
 
-constexpr int kBadInput = 1, kBadUsage = 2;
-
-/// What was printed counts once it has arrived: that a disk is full shows when the last of it is flushed.
-void expectPrinted() {
-  errno = 0;
-  if (std::fflush(stdout) != 0 || std::ferror(stdout))
-    throw InputError(
-        fmt::format("the output cannot be written{}{}", errno ? ": " : "", errno ? std::strerror(errno) : ""));
+/// Whether processor and system have all of x86-64-v3: the question by which the loader picks.
+bool processorIsV3() {
+  return x86_cpu_active(x86_cpu_AVX2) && x86_cpu_active(x86_cpu_BMI1) && x86_cpu_active(x86_cpu_BMI2) &&
+         x86_cpu_active(x86_cpu_F16C) && x86_cpu_active(x86_cpu_FMA) && x86_cpu_active(x86_cpu_LZCNT) &&
+         x86_cpu_active(x86_cpu_MOVBE);
 }
 
-int run(const TextCommand& command) {
-  fmt::print("{}", command.text);
-  return 0;
+/// Ends the program where its library needs what the processor lacks.
+void expectProcessor() {
+  constexpr std::string_view kMessage =
+      "loomlight: this processor lacks AVX2, and this build needs it; one for every processor is made by cmake with "
+      "-DLOOMLIGHT_LEVEL=x86-64\n";
+  if (!loomlight_needs_v3 || processorIsV3()) return;
+  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, kMessage.data(), kMessage.size());
+  _exit(1);
 }
 
-int run([[maybe_unused]] const EditCommand& command) {
-#ifdef LOOMLIGHT_EDITOR
-  return runEditor(command.options);
-#else
-  throw InputError("edit: this program was built without the editor (LOOMLIGHT_EDITOR=OFF)");
-#endif
-}
-
-int run([[maybe_unused]] const UiBenchCommand& command) {
-#ifdef LOOMLIGHT_EDITOR
-  return runUiBench(command.options);
-#else
-  throw InputError("bench ui: this program was built without the editor (LOOMLIGHT_EDITOR=OFF)");
-#endif
-}
+/// Before main is too late: the library's own initialisers, which run earlier, are compiled like the rest of it.
+[[gnu::section(".preinit_array"), gnu::used]] void (*const kBeforeAll)() = expectProcessor;
 
 }  // namespace
-}  // namespace loomlight
+#else
+namespace {
+bool processorIsV3() {
+  return true;
+}
+}  // namespace
+#endif
 
 int main(int argc, char** argv) {
-  using namespace loomlight;
-  // A file beyond the size that is allowed fails to be written, which says so and leaves the old one, instead of ending
-  // the program.
-  signal(SIGXFSZ, SIG_IGN);
-  try {
-    const Command command = parseCommandLine({argv + (argc > 0), argv + argc});
-    const int status = std::visit([](const auto& chosen) { return run(chosen); }, command);
-    expectPrinted();
-    return status;
-  } catch (const UsageError& error) {
-    fmt::print(stderr, "loomlight: {}\nloomlight --help says more\n", error.what());
-    return kBadUsage;
-  } catch (const InputError& error) {
-    fmt::print(stderr, "loomlight: {}\n", error.what());
-  } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "loomlight: there is not enough memory for this\n");
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "loomlight: {}\n", error.what());
-  }
-  return kBadInput;
+  if (!processorIsV3())
+    std::fputs("loomlight: this processor lacks AVX2: pictures take about half as long again\n", stderr);
+  return loomlight_main(argc, argv);
 }

@@ -1,42 +1,88 @@
 # shellcheck shell=bash
-# What app/run and tests/run share: installing the packages that are missing, configuring, building. To be sourced.
-# Everything is said on stderr: stdout belongs to the program.
+# What app/run, tests/run and the gates share: installing the packages that are missing, configuring, building. To be
+# sourced. Everything is said on stderr: stdout belongs to the program.
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-build="$root/.build/release"
+use_preset() { # NAME: the configure preset of CMakePresets.json that the functions below build
+  preset=$1
+  build="$root/.build/$preset"
+}
+use_preset release
 
 say() { printf 'loomlight: %s\n' "$*" >&2; }
 
-# install_packages LIST...: the packages named in these files, where they are not installed yet.
+# missing_packages LIST...: those named in these files that are not installed, one a line.
+missing_packages() {
+  local package
+  while read -r package; do
+    [[ $(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null) == installed ]] || printf '%s\n' "$package"
+  done < <(sed 's/#.*//; s/[[:space:]]*$//; /^$/d' "$@")
+}
+
+# install_packages LIST...: the packages named in these files, where they are not installed yet. Where that cannot be
+# done, one line says why and which command does it.
 install_packages() {
-  local package missing=()
   if ! command -v dpkg-query >/dev/null; then
     say "no dpkg here; going on, and expecting what these files list: $*"
     return
   fi
-  while read -r package; do
-    [[ $(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null) == installed ]] || missing+=("$package")
-  done < <(sed 's/#.*//; /^[[:space:]]*$/d' "$@")
+  local missing=()
+  mapfile -t missing < <(missing_packages "$@")
   ((${#missing[@]})) || return 0
 
+  local by_hand="please run, as root: apt-get install --no-install-recommends ${missing[*]}"
   local as_root=()
-  local by_hand="missing packages; please run: apt-get install --no-install-recommends ${missing[*]}"
   if ((EUID != 0)); then
     if ! command -v sudo >/dev/null; then
-      say "$by_hand"
+      say "packages are missing, and installing them takes root or sudo; $by_hand"
       return 1
     fi
     as_root=(sudo)
     [[ -t 0 ]] || as_root+=(-n) # nobody is there to type a password
     if ! "${as_root[@]}" true 2>/dev/null; then
-      say "$by_hand"
+      say "packages are missing, and sudo does not let this user install them; $by_hand"
       return 1
     fi
   fi
   say "installing ${missing[*]}"
-  local apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq -o Dpkg::Use-Pty=0)
-  if ! { "${apt[@]}" update && "${apt[@]}" install -y --no-install-recommends "${missing[@]}"; } </dev/null >&2; then
-    say "$by_hand"
+  local log apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive LC_ALL=C apt-get -qq -o Dpkg::Use-Pty=0)
+  log=$(mktemp)
+  # A list that cannot be brought up to date may still do; whether it does is for the installation to say.
+  "${apt[@]}" update </dev/null >"$log" 2>&1 || true
+  if ! "${apt[@]}" install -y --no-install-recommends "${missing[@]}" </dev/null >>"$log" 2>&1; then
+    say "the packages could not be installed ($(reason_of_apt "$log")); $by_hand"
+    rm -f "$log"
+    return 1
+  fi
+  rm -f "$log"
+}
+
+# reason_of_apt LOG: why it failed, in a few words.
+reason_of_apt() {
+  if grep -qE 'Temporary failure resolving|Could not resolve|Could not connect|Network is unreachable' "$1"; then
+    echo "no network, or none that reaches the packages"
+  elif grep -qE 'No space left|enough free space' "$1"; then
+    echo "the disk is full"
+  elif grep -q 'Unable to locate package' "$1"; then
+    echo "not known here: $(sed -n 's/.*Unable to locate package //p' "$1" | paste -sd ' '); Debian 12 and 13 have them"
+  else
+    sed -n 's/^E: //p' "$1" | head -n 1 | grep . || echo "apt-get failed"
+  fi
+}
+
+# free_megabytes FOLDER: what its disk has left; of the nearest folder above that exists.
+free_megabytes() {
+  local folder=$1
+  while [[ ! -d $folder ]]; do folder=$(dirname "$folder"); done
+  df -Pm "$folder" | awk 'NR == 2 { print $4 }'
+}
+
+# need_megabytes N FOLDER WHAT: says it in a line where the disk of the folder has less left.
+need_megabytes() {
+  local free
+  free=$(free_megabytes "$2")
+  if ((free < $1)); then
+    say "not enough space on the disk of $2: $3 takes about $1 MB, $free MB are free"
     return 1
   fi
 }
@@ -55,9 +101,12 @@ build_jobs() {
 # configure TESTS: ON also builds the tests; OFF leaves a tree that is already configured as it is.
 configure() {
   if [[ $1 == OFF && -f $build/build.ninja ]]; then return; fi
+  if [[ ! -f $build/build.ninja ]]; then
+    need_megabytes "$([[ $1 == ON ]] && echo 1500 || echo 500)" "$build" "building" || return 1
+  fi
   local log="$build/configure.log"
   mkdir -p "$build"
-  if ! cmake -S "$root" --preset release -DLOOMLIGHT_TESTS="$1" >"$log" 2>&1 </dev/null; then
+  if ! cmake -S "$root" --preset "$preset" -DLOOMLIGHT_TESTS="$1" >"$log" 2>&1 </dev/null; then
     cat "$log" >&2
     say "configuring failed"
     return 1
@@ -71,7 +120,11 @@ build_targets() {
   [[ -x $build/app/loomlight ]] || say "building with $jobs jobs, this takes a few minutes the first time"
   if ! NINJA_STATUS='[%f/%t] ' ninja -C "$build" -j "$jobs" "$@" </dev/null 2>&1 |
     sed -u '/no work to do/d; /Re-checking globbed/d; /Entering directory/d' >&2; then
-    say "building failed"
+    if (($(free_megabytes "$build") < 50)); then
+      say "building failed: the disk of $build is full"
+    else
+      say "building failed"
+    fi
     return 1
   fi
 }

@@ -1,6 +1,6 @@
 #include "ui/first_hints.h"
 
-#include "ui/fields.h"
+#include "ui/widgets/fields.h"
 
 namespace loomlight {
 namespace {

@@ -4,10 +4,10 @@
 #include <span>
 #include <string>
 
-#include "ui/commands.h"
+#include "ui/draft/weave_menu.h"
 #include "ui/recent_menu.h"
-#include "ui/ui.h"
-#include "ui/weave_menu.h"
+#include "ui/widgets/commands.h"
+#include "ui/widgets/ui.h"
 
 namespace loomlight {
 

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "ui/fields.h"
+#include "ui/widgets/fields.h"
 
 namespace loomlight {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "ui/ui.h"
+#include "ui/widgets/ui.h"
 
 namespace loomlight {
 

@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "ui/fields.h"
+#include "ui/widgets/fields.h"
 
 namespace loomlight {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "ui/ui.h"
+#include "ui/widgets/ui.h"
 
 namespace loomlight {
 

@@ -7,13 +7,13 @@
 #include <utility>
 #include <vector>
 
-#include "app/editor/opengl_driver.h"
-#include "app/editor/sample_fabric.h"
+#include "app/editor/gl/opengl_driver.h"
+#include "app/editor/gl/window.h"
+#include "app/editor/model/sample_fabric.h"
+#include "app/editor/model/thread_clock.h"
 #include "app/editor/session.h"
-#include "app/editor/thread_clock.h"
-#include "app/editor/window.h"
 #include "core/base/stopwatch.h"
-#include "core/fabric/jacquard.h"
+#include "core/fabric/weave/jacquard.h"
 
 namespace loomlight {
 namespace {
@@ -60,7 +60,7 @@ FrameTimes drawFrame(Window& window, Session& session, WidgetProbe& probe, Field
 
 struct Part {
   const char *key, *name;
-  double FrameTimes::*time;
+  double FrameTimes::* time;
 };
 constexpr Part kParts[] = {{"besides_drawing_ms", "all but drawing", &FrameTimes::besides},
                            {"panels_ms", "drawing: panels", &FrameTimes::panels},

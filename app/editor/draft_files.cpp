@@ -2,17 +2,17 @@
 
 #include <filesystem>
 
-#include "app/commands/draft_sheet.h"
-#include "app/commands/weave_bitmap.h"
 #include "app/editor/session.h"
-#include "app/workers/file_name.h"
-#include "app/workers/tile.h"
+#include "app/export/draft_sheet.h"
+#include "app/export/file_name.h"
+#include "app/export/tile.h"
+#include "app/export/weave_bitmap.h"
 #include "core/base/error.h"
-#include "core/fabric/derived.h"
-#include "core/fabric/structure_edit.h"
-#include "core/fabric/wif_fabric.h"
-#include "render/trace/make_medium.h"
-#include "ui/yarn_colours.h"
+#include "core/fabric/weave/structure_edit.h"
+#include "core/fabric/wif/wif_fabric.h"
+#include "core/fabric/yarn/derived.h"
+#include "render/transport/make_medium.h"
+#include "ui/widgets/yarn_colours.h"
 
 namespace loomlight {
 namespace fs = std::filesystem;

@@ -8,15 +8,15 @@
 #include <cmath>
 #include <memory>
 
-#include "app/editor/first_opening.h"
-#include "app/editor/opengl_driver.h"
-#include "app/editor/sample_fabric.h"
+#include "app/editor/controllers/first_opening.h"
+#include "app/editor/gl/opengl_driver.h"
+#include "app/editor/gl/window.h"
+#include "app/editor/model/sample_fabric.h"
+#include "app/editor/model/thread_clock.h"
+#include "app/editor/model/user_folders.h"
 #include "app/editor/session.h"
-#include "app/editor/thread_clock.h"
-#include "app/editor/user_folders.h"
 #include "app/editor/widget_dump.h"
-#include "app/editor/window.h"
-#include "app/workers/file_name.h"
+#include "app/export/file_name.h"
 
 namespace loomlight {
 namespace {
@@ -26,11 +26,6 @@ namespace {
 constexpr int kFramesPerEvent = 6;
 /// The longest sleep; what wakes the window otherwise is input or a worker.
 constexpr double kLongestSleep_s = 5.0;
-
-/// A weaving file or a picture is opened into the sample, by the session, which says what was wrong in it.
-bool isFabric(const std::string& file) {
-  return lowerExtension(file) == ".json";
-}
 
 double seconds() {
   using namespace std::chrono;
@@ -127,7 +122,8 @@ int runEditor(const EditorOptions& options) {
   FileDesk firstFile(Window::wake);  // outlives the session: for a read that was given up nobody waits but at the end
   std::string problem;
   std::vector<std::string> dropped;
-  if (isFabric(options.fabricFile)) {
+  // A weaving file or a picture is opened into the sample, by the session, which says what was wrong in it.
+  if (isFabricFile(options.fabricFile)) {
     FirstOpening opening(firstFile, options.fabricFile, std::move(document), settings);
     frames.runUntilOver(opening);
     if (opening.quits()) return 0;
@@ -139,7 +135,7 @@ int runEditor(const EditorOptions& options) {
   Session session(std::move(document), settings, driver, Window::wake, options.threads);
   session.offerRecovery();
   if (!problem.empty()) session.sayUnopened(problem);
-  if (!options.fabricFile.empty() && !isFabric(options.fabricFile)) session.openFile(options.fabricFile);
+  if (!options.fabricFile.empty() && !isFabricFile(options.fabricFile)) session.openFile(options.fabricFile);
   session.drop(dropped);
   frames.runUntilOver(session);
   session.close();

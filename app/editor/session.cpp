@@ -1,7 +1,7 @@
 #include "app/editor/session.h"
 
-#include "app/editor/sample_fabric.h"
-#include "app/editor/user_folders.h"
+#include "app/editor/model/sample_fabric.h"
+#include "app/editor/model/user_folders.h"
 
 namespace loomlight {
 

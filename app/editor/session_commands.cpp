@@ -2,22 +2,16 @@
 
 #include <filesystem>
 
-#include "app/editor/sample_fabric.h"
+#include "app/editor/model/sample_fabric.h"
 #include "app/editor/session.h"
-#include "app/workers/file_name.h"
+#include "app/export/file_name.h"
 #include "core/base/error.h"
 #include "core/base/memory.h"
-#include "core/fabric/validate.h"
+#include "core/fabric/model/validate.h"
+#include "ui/widgets/keys.h"
 
 namespace loomlight {
 namespace fs = std::filesystem;
-namespace {
-
-bool pressed(int key) {
-  return ImGui::IsKeyPressed(key, false);
-}
-
-}  // namespace
 
 void Session::edit(Fabric fabric) {
   try {
@@ -123,31 +117,28 @@ void Session::readKeys() {
   const ImGuiIO& io = ImGui::GetIO();
   if (io.WantTextInput) return;
   const bool listIsOpen = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
-  const bool escape = pressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+  const bool escape = keyPressed(ImGuiKey_Escape);
   if (escape && listIsOpen) return;  // it shuts the list alone
   if (const auto command = draftKey(draft_)) return run(*command);
-  constexpr int kLetterF = 'F';
   if (io.KeyCtrl) {
-    if (pressed('N')) run(Command::newFabric);
-    if (pressed('O')) run(Command::open);
-    if (pressed('S')) run(io.KeyShift ? Command::saveAs : Command::save);
-    if (pressed('Z')) run(io.KeyShift ? Command::redo : Command::undo);
-    if (pressed('Y')) run(Command::redo);
-    if (pressed('P')) run(Command::snapshot);
-    if (pressed('B')) run(Command::presets);
-    if (pressed('Q')) run(Command::quit);
+    if (letterPressed('N')) run(Command::newFabric);
+    if (letterPressed('O')) run(Command::open);
+    if (letterPressed('S')) run(io.KeyShift ? Command::saveAs : Command::save);
+    if (letterPressed('Z')) run(io.KeyShift ? Command::redo : Command::undo);
+    if (letterPressed('Y')) run(Command::redo);
+    if (letterPressed('P')) run(Command::snapshot);
+    if (letterPressed('B')) run(Command::presets);
+    if (letterPressed('Q')) run(Command::quit);
     return;
   }
-  if (pressed(kLetterF)) run(io.KeyShift ? Command::fitDraft : Command::fitView);
-  constexpr int kLetterK = 'K', kLetterL = 'L', kLetterN = 'N';
-  if (pressed(kLetterK)) run(Command::keepView);
-  if (pressed(kLetterL)) run(Command::truthLens);
-  if (pressed(kLetterN)) run(Command::denoise);
+  if (letterPressed('F')) run(io.KeyShift ? Command::fitDraft : Command::fitView);
+  if (letterPressed('K')) run(Command::keepView);
+  if (letterPressed('L')) run(Command::truthLens);
+  if (letterPressed('N')) run(Command::denoise);
   if (escape && viewport_.lens.on) viewport_.lens.close();
-  if (pressed(ImGui::GetKeyIndex(ImGuiKey_Tab))) run(Command::togglePanels);
-  constexpr int kF1 = 290, kF11 = 300;  // GLFW's numbers, which its backend hands on
-  if (pressed(kF1) || io.InputQueueCharacters.contains('?')) run(Command::showKeys);
-  if (pressed(kF11)) run(Command::fullScreen);
+  if (keyPressed(ImGuiKey_Tab)) run(Command::togglePanels);
+  if (functionKeyPressed(1) || io.InputQueueCharacters.contains('?')) run(Command::showKeys);
+  if (functionKeyPressed(11)) run(Command::fullScreen);
 }
 
 void Session::startOver(Document document) {

@@ -2,11 +2,12 @@
 
 #include <filesystem>
 
-#include "app/editor/left_work.h"
-#include "app/editor/sample_fabric.h"
+#include "app/editor/model/left_work.h"
+#include "app/editor/model/sample_fabric.h"
+#include "app/editor/model/user_folders.h"
 #include "app/editor/session.h"
-#include "app/editor/user_folders.h"
-#include "app/workers/file_name.h"
+#include "app/export/file_name.h"
+#include "app/export/program_folders.h"
 
 namespace loomlight {
 namespace fs = std::filesystem;
@@ -69,13 +70,14 @@ void Session::openFile(const std::string& file) {
     edit(std::move(fabric));
   } else if (extension == ".png") {
     openPicture(file);
-  } else if (extension == ".json" || isWeavingFile(file)) {
+  } else if (isFabricFile(file) || isWeavingFile(file)) {
     pendingFile_ = file;
     leaveFor(Afterwards::open);
   } else {
-    say("This file cannot be opened", file +
-                                          ": expected a cloth (.json), a weaving file (.wif), a picture (.png), a mesh "
-                                          "(.obj, .ply, .off) or an environment (.exr)");
+    say("This file cannot be opened",
+        file +
+            ": expected a cloth (.loomlight, .json), a weaving file (.wif), a picture (.png), a mesh "
+            "(.obj, .ply, .off) or an environment (.exr)");
   }
 }
 
@@ -165,16 +167,16 @@ void Session::browse(FileTask task) {
   fileTask_ = task;
   previews_.forget();  // files change between two looks at them
   const fs::path folder = folderToLookIn();
-  const std::vector<FileBrowser::Place> places = {
-      {"Home", homeFolder()}, {"Presets", presetFolder()}, {"Computer", "/"}};
+  std::vector<FileBrowser::Place> places = {{"Home", homeFolder()}, {"Presets", presetFolder()}, {"Computer", "/"}};
+  if (const auto samples = sampleFolder()) places.push_back({"Samples", *samples});
   using Purpose = FileBrowser::Purpose;
   switch (task) {
     case FileTask::open:
-      browser_.show(Purpose::open, "Open a cloth", {".json", ".wif", ".png"}, folder, places);
+      browser_.show(Purpose::open, "Open a cloth", {".loomlight", ".json", ".wif", ".png"}, folder, places);
       break;
     case FileTask::saveAs: {
-      const fs::path file = document_.file().empty() ? fileCalledAsCloth(".json") : fs::path(document_.file());
-      browser_.show(Purpose::save, "Save the cloth", {".json"}, file, places);
+      const fs::path file = document_.file().empty() ? fileCalledAsCloth(".loomlight") : fs::path(document_.file());
+      browser_.show(Purpose::save, "Save the cloth", {".loomlight", ".json"}, file, places);
       break;
     }
     case FileTask::mesh:

@@ -2,15 +2,15 @@
 
 #include <cmath>
 
-#include "app/editor/lens_model.h"
+#include "app/editor/controllers/lens_model.h"
+#include "app/editor/controllers/status_model.h"
 #include "app/editor/session.h"
-#include "app/editor/status_model.h"
 #include "core/base/stopwatch.h"
 #include "ui/desk.h"
-#include "ui/draft_panel.h"
+#include "ui/draft/draft_panel.h"
 #include "ui/menu_bar.h"
-#include "ui/preset_list.h"
-#include "ui/yarn_colours.h"
+#include "ui/widgets/preset_list.h"
+#include "ui/widgets/yarn_colours.h"
 
 namespace loomlight {
 namespace {
@@ -22,6 +22,15 @@ int shownWidth(const Frame& frame, int width, int height) {
   const auto covers = [&](int length, int room) { return length >= room && length < room + frame.divider; };
   if (window.height <= 0 || (covers(window.width, width) && covers(window.height, height))) return width;
   return static_cast<int>(std::clamp<int64_t>(int64_t{window.width} * height / window.height, 1, 4 * int64_t{width}));
+}
+
+/// Linear, red, green and blue: the mean of all pixels, which noise leaves where it is.
+std::string lightOf(const Frame& frame) {
+  const auto& pixels = frame.shown();
+  glm::dvec3 sum(0.0);
+  for (const glm::vec4& pixel : pixels) sum += glm::dvec3(pixel);
+  if (!pixels.empty()) sum /= static_cast<double>(pixels.size());
+  return fmt::format("{:.6f} {:.6f} {:.6f}", sum.r, sum.g, sum.b);
 }
 
 }  // namespace
@@ -224,6 +233,9 @@ void Session::tellProbe(Ui& ui, const LiveStatus& status) const {
   ui.probe.fact("built_generation", std::to_string(status.builtGeneration));
   ui.probe.fact("shown_generation", std::to_string(shown ? shown->generation : 0));
   ui.probe.fact("shown_samples", std::to_string(shown ? shown->samples : 0));
+  ui.probe.fact("shown_light", shown ? lightOf(*shown) : "");
+  static constexpr const char* kPhases[] = {"idle", "voxelising", "tracing", "converged"};
+  ui.probe.fact("phase", kPhases[static_cast<int>(status.phase)]);
   ui.probe.fact("shown_draft", shown && shown->draft ? "yes" : "no");
   ui.probe.fact("denoised", shown && !shown->denoised.empty() ? "yes" : "no");
   ui.probe.fact("error", status.error);

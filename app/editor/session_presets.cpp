@@ -1,7 +1,7 @@
 #include <fmt/core.h>
 
-#include "app/editor/preset_store.h"
-#include "app/editor/sample_fabric.h"
+#include "app/editor/model/sample_fabric.h"
+#include "app/editor/presets/preset_store.h"
 #include "app/editor/session.h"
 
 namespace loomlight {

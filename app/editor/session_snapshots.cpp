@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/editor/picture_label.h"
+#include "app/editor/model/picture_label.h"
 #include "app/editor/session.h"
-#include "app/workers/display_picture.h"
-#include "render/trace/camera_rays.h"
+#include "render/display/display_picture.h"
+#include "render/scene/camera_rays.h"
 
 namespace loomlight {
 

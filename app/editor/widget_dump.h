@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "ui/widget_probe.h"
+#include "ui/widgets/widget_probe.h"
 
 namespace loomlight {
 

@@ -71,7 +71,7 @@ bool writeAll(int fd, std::string_view content, const std::stop_token& stop) {
 
 /// The file that is replaced hands on its permissions.
 bool keepPermissions(int fd, const std::string& target) {
-  struct stat old {};
+  struct stat old{};
   return ::stat(target.c_str(), &old) != 0 || ::fchmod(fd, old.st_mode & 07777) == 0;
 }
 
@@ -89,7 +89,7 @@ std::string readFile(const std::string& file, size_t maxBytes) {
   // Without O_NONBLOCK, opening a pipe that nobody writes to would hang.
   const Descriptor fd(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
   if (fd.get() < 0) fail(file, "cannot be opened");
-  struct stat status {};
+  struct stat status{};
   if (::fstat(fd.get(), &status) != 0) fail(file, "cannot be read");
   if (!S_ISREG(status.st_mode)) throw InputError(file + ": expected a regular file");
   std::string content;
@@ -118,7 +118,7 @@ void expectWritable(const std::string& file) {
   std::error_code ignored;
   if (!std::filesystem::is_directory(folder, ignored))
     throw InputError(fmt::format("{}: expected a folder that exists, '{}' is none", file, folder.string()));
-  struct stat status {};
+  struct stat status{};
   const bool exists = ::stat(file.c_str(), &status) == 0;
   if (!exists && errno != ENOENT) fail(file, "cannot be written");  // such as a symbolic link to itself
   if (exists && !S_ISREG(status.st_mode))

@@ -16,7 +16,9 @@
 
 namespace loomlight {
 
-int hardwareThreads() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+int hardwareThreads() {
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
 
 void parallelFor(size_t count, int threads, const std::function<void(size_t)>& body) {
   if (threads <= 0) threads = hardwareThreads();

@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "core/base/hash.h"
-#include "core/fabric/yarn_count.h"
+#include "core/fabric/model/yarn_count.h"
 #include "core/geometry/yarn_model.h"
 
 namespace loomlight {
@@ -274,8 +274,7 @@ void ClothGeometry::shapeCodesOf(System system, int across, int along, const War
 void ClothGeometry::shapeCodes(System system, int across, int along, std::span<const uint8_t> crossings,
                                std::span<ShapeCode> codes) const {
   const uint8_t* const sides = crossings.data();
-  shapeCodesOf(
-      system, across, along, [sides](int i) { return sides[i] != 0; }, codes);
+  shapeCodesOf(system, across, along, [sides](int i) { return sides[i] != 0; }, codes);
 }
 
 void ClothGeometry::shapeCodes(System system, int across, int along, std::span<ShapeCode> codes) const {
@@ -283,8 +282,7 @@ void ClothGeometry::shapeCodes(System system, int across, int along, std::span<S
     shapeCodes(system, across, along, weave_.row(wrap(across, weave_.picks())), codes);
   } else {
     const int end = wrap(across, weave_.ends());
-    shapeCodesOf(
-        system, across, along, [this, end](int pick) { return weave_.at(pick, end); }, codes);
+    shapeCodesOf(system, across, along, [this, end](int pick) { return weave_.at(pick, end); }, codes);
   }
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/task.h"
-#include "core/fabric/fabric.h"
+#include "core/fabric/model/fabric.h"
 #include "core/geometry/cell_strands.h"
 #include "core/geometry/crossing.h"
 #include "core/geometry/yarn_geometry.h"
@@ -41,10 +41,10 @@ struct ClothMeasures {
 /// [pick, pick + 1) * weftPitch; the cloth's corner is the origin, z = 0 its mid-plane, +z its face.
 class ClothGeometry {
  public:
-  /// Throws nothing for a valid fabric (core/fabric/validate.h). `ends`, `picks`: size of the piece, >= 1. Shares the
-  /// models of the yarns that `previous` (may be null) has too. Sketched: the yarns that take long to make are there
-  /// for a first look, their fibres where they are but for overlaps; those that `previous` has are as they should be.
-  /// Once `task` is stopped the rest is made in no time, to be thrown away.
+  /// Throws nothing for a valid fabric (core/fabric/model/validate.h). `ends`, `picks`: size of the piece, >= 1. Shares
+  /// the models of the yarns that `previous` (may be null) has too. Sketched: the yarns that take long to make are
+  /// there for a first look, their fibres where they are but for overlaps; those that `previous` has are as they should
+  /// be. Once `task` is stopped the rest is made in no time, to be thrown away.
   ClothGeometry(const Fabric& fabric, int ends, int picks, const ClothGeometry* previous = nullptr,
                 bool sketched = false, const Task& task = oneThread());
   bool isSketched() const;  ///< any of the yarns

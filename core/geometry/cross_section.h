@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "core/base/task.h"
-#include "core/fabric/fabric.h"
+#include "core/fabric/model/fabric.h"
 #include "core/geometry/discs.h"
 
 namespace loomlight {

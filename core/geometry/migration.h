@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/base/task.h"
-#include "core/fabric/fabric.h"
+#include "core/fabric/model/fabric.h"
 #include "core/geometry/discs.h"
 
 namespace loomlight {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/fabric/weave.h"
+#include "core/fabric/model/weave.h"
 
 namespace loomlight {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <tuple>
 
-#include "core/fabric/yarn_count.h"
+#include "core/fabric/model/yarn_count.h"
 
 namespace loomlight {
 namespace {

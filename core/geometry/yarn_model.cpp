@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/base/random.h"
-#include "core/fabric/validate.h"
+#include "core/fabric/model/validate.h"
 #include "core/geometry/cell_strands.h"
 #include "core/geometry/cross_section.h"
 #include "core/geometry/stations.h"

@@ -16,9 +16,8 @@ constexpr double kSphereReach = 0.8 * kPi;
 
 DrapeMesh flatDrape(const Drape& drape) {
   const glm::dvec3 middle(drape.width_mm / 2, drape.height_mm / 2, 0);
-  return gridMesh(drape.width_mm, drape.height_mm, 1, 1, [&](glm::dvec2 uv) {
-    return SurfacePoint{glm::dvec3(uv, 0) - middle, {0, 0, 1}};
-  });
+  return gridMesh(drape.width_mm, drape.height_mm, 1, 1,
+                  [&](glm::dvec2 uv) { return SurfacePoint{glm::dvec3(uv, 0) - middle, {0, 0, 1}}; });
 }
 
 DrapeMesh cylinderDrape(const Drape& drape) {

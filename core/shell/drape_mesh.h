@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/fabric/fabric.h"
+#include "core/fabric/model/fabric.h"
 
 namespace loomlight {
 

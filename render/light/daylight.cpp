@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "render/colour/spectrum.h"
 #include "render/light/lat_long.h"
-#include "render/light/spectrum.h"
 
 namespace loomlight {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/random.h"
-#include "core/fabric/fabric.h"
+#include "core/fabric/model/fabric.h"
 #include "render/light/light_sample.h"
 #include "render/light/sphere_table.h"
 

@@ -6,8 +6,8 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "render/colour/spectrum.h"
 #include "render/light/lat_long.h"
-#include "render/light/spectrum.h"
 #include "render/light/surroundings.h"
 
 namespace loomlight {

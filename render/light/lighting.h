@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "core/base/random.h"
-#include "core/fabric/fabric.h"
+#include "core/fabric/model/fabric.h"
 #include "render/film/image.h"
 #include "render/light/environment_light.h"
 #include "render/light/light_sample.h"

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "core/base/random.h"
-#include "core/fabric/fabric.h"
+#include "core/fabric/model/fabric.h"
 #include "render/light/daylight.h"
 #include "render/light/light_sample.h"
 #include "render/light/sphere_table.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/fabric/fabric.h"
+#include "core/fabric/model/fabric.h"
 #include "render/film/image.h"
 
 namespace loomlight {

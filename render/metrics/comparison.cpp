@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "core/base/error.h"
-#include "render/metrics/colour_space.h"
+#include "render/colour/colour_space.h"
 
 namespace loomlight {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/base/parallel.h"
-#include "render/metrics/colour_space.h"
+#include "render/colour/colour_space.h"
 #include "render/metrics/flip_kernels.h"
 
 namespace loomlight {

@@ -4,8 +4,8 @@
 #include <cassert>
 #include <cmath>
 
-#include "render/film/tone.h"
-#include "render/metrics/colour_space.h"
+#include "render/colour/colour_space.h"
+#include "render/colour/tone.h"
 
 namespace loomlight {
 

@@ -6,7 +6,7 @@
 
 #include "core/base/random.h"
 #include "core/base/units.h"
-#include "core/fabric/fabric.h"
+#include "core/fabric/model/fabric.h"
 #include "render/optics/dielectric_cylinder.h"
 #include "render/optics/lanes.h"
 

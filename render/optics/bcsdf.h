@@ -3,7 +3,7 @@
 #include <array>
 
 #include "core/base/random.h"
-#include "core/fabric/fabric.h"
+#include "core/fabric/model/fabric.h"
 #include "render/optics/azimuthal_lobes.h"
 #include "render/optics/longitudinal_lobes.h"
 

@@ -1,7 +1,7 @@
 #include <benchmark/benchmark.h>
 
 #include "core/base/random.h"
-#include "core/volume/cloth_volume.h"
+#include "core/volume/traverse/cloth_volume.h"
 
 // What an edit of the weave costs, against a build of all of it, on one core: a jacquard of random crossings, its whole
 // repeat one piece. Geometry counts too.

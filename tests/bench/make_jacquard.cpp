@@ -2,8 +2,8 @@
 #include <iostream>
 
 #include "core/base/error.h"
-#include "core/fabric/fabric_json.h"
-#include "core/fabric/jacquard.h"
+#include "core/fabric/json/fabric_json.h"
+#include "core/fabric/weave/jacquard.h"
 
 int main(int argc, char** argv) try {
   const char* file = argc > 1 ? argv[1] : LOOMLIGHT_SAMPLES "/jacquard.json";

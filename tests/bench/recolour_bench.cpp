@@ -1,10 +1,10 @@
 // What recolouring costs: bytes that a sample's path takes on record, and milliseconds to dye a picture anew.
 #include <benchmark/benchmark.h>
 
-#include "app/workers/recolour.h"
-#include "core/fabric/fabric_json.h"
-#include "render/trace/make_medium.h"
-#include "render/trace/path_tracer.h"
+#include "core/fabric/json/fabric_json.h"
+#include "render/display/recolour.h"
+#include "render/transport/make_medium.h"
+#include "render/transport/path_tracer.h"
 
 namespace loomlight {
 namespace {

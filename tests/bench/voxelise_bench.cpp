@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "core/fabric/fabric_json.h"
-#include "core/volume/cloth_volume.h"
+#include "core/fabric/json/fabric_json.h"
+#include "core/volume/traverse/cloth_volume.h"
 
 // Where the time of a volume's construction goes, on one core; segments/s counts the fibre segments of its bricks.
 namespace loomlight {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "render/trace/scene.h"
+#include "render/scene/scene.h"
 
 namespace loomlight::test {
 

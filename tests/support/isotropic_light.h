@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/media/medium.h"
 #include "render/optics/fibre_frame.h"
-#include "render/trace/medium.h"
-#include "render/trace/scene.h"
+#include "render/scene/scene.h"
 
 namespace loomlight::test {
 

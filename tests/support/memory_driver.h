@@ -3,7 +3,7 @@
 #include <map>
 #include <memory>
 
-#include "app/editor/display_driver.h"
+#include "app/editor/display/display_driver.h"
 
 namespace loomlight {
 

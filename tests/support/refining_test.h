@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "app/workers/refinement.h"
-#include "render/trace/make_medium.h"
+#include "app/live/refinement.h"
+#include "render/transport/make_medium.h"
 #include "tests/support/test_cloth.h"
 
 namespace loomlight::test {

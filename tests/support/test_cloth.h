@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "render/trace/scene.h"
+#include "render/scene/scene.h"
 
 namespace loomlight::test {
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <memory>
 
-#include "render/trace/medium.h"
+#include "render/media/medium.h"
 
 namespace loomlight::test {
 

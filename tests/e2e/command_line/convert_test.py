@@ -32,6 +32,13 @@ class Convert(CommandLineTest):
         self.run_program("convert", "a.json", "b.json")
         self.assertEqual(self.bytes_of("a.json"), self.bytes_of("b.json"))
 
+    def test_a_fabric_is_the_same_by_either_ending(self):
+        self.run_program("convert", self.fabric(), "a.json")
+        self.run_program("convert", "a.json", "b.Loomlight")
+        self.assertEqual(self.bytes_of("a.json"), self.bytes_of("b.Loomlight"))
+        self.run_program("convert", "b.Loomlight", "c.json", "--like", "b.Loomlight")
+        self.assertEqual(self.bytes_of("a.json"), self.bytes_of("c.json"))
+
     def test_a_picture_gives_its_fabric_back(self):
         self.run_program("render", self.fabric(), "-o", "picture.exr")
         self.run_program("convert", "picture.exr", "again.json")

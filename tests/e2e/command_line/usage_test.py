@@ -44,7 +44,20 @@ class Usage(CommandLineTest):
     def test_help_and_version(self):
         self.assertIn("render", self.run_program("--help"))
         self.assertIn("--resolution", self.run_program("render", "--help"))
-        self.assertRegex(self.run_program("--version"), r"^loomlight \d+\.\d+\.\d+\n$")
+
+    def test_version_says_what_was_built_of_what(self):
+        lines = self.run_program("--version").splitlines()
+        self.assertRegex(lines[0], r"^loomlight \d+\.\d+\.\d+$")
+        facts = dict(line.split(": ", 1) for line in lines[1:])
+        self.assertEqual(list(facts), ["commit", "compiler", "instruction set", "libraries"])
+        self.assertRegex(facts["commit"], r"^([0-9a-f]{7,40}(-dirty)?|unknown)$")
+        self.assertRegex(facts["compiler"], r"^(GCC|Clang) \d+\.\d+")
+        self.assertRegex(facts["instruction set"], r"^(x86-64|AArch64)")
+        libraries = facts["libraries"].split(", ")
+        for library in libraries:
+            self.assertRegex(library, r"^\S.* \d+\.\d+[.\d]*$")
+        names = {library.rsplit(" ", 1)[0] for library in libraries}
+        self.assertLessEqual({"Embree", "oneTBB", "OpenEXR", "OpenMesh", "GLM", "fmt", "CLI11"}, names)
 
 
 main()

@@ -9,9 +9,9 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "app/editor/interface_scale.h"
-#include "app/editor/user_folders.h"
-#include "core/fabric/fabric_json.h"
+#include "app/editor/display/interface_scale.h"
+#include "app/editor/model/user_folders.h"
+#include "core/fabric/json/fabric_json.h"
 
 namespace loomlight {
 namespace fs = std::filesystem;

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "core/fabric/fabric_json.h"
+#include "core/fabric/json/fabric_json.h"
 #include "tests/headless/editor/headless_editor.h"
 
 namespace loomlight {

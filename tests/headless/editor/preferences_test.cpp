@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/editor/user_folders.h"
+#include "app/editor/model/user_folders.h"
 #include "tests/headless/editor/headless_editor.h"
 #include "tests/headless/editor/small_cloth.h"
 

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/editor/user_folders.h"
+#include "app/editor/model/user_folders.h"
 #include "core/base/file.h"
 #include "tests/headless/editor/headless_editor.h"
 #include "tests/headless/editor/small_cloth.h"

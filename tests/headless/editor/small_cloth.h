@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/fabric/fabric.h"
+#include "core/fabric/model/fabric.h"
 
 namespace loomlight {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/fabric/fabric_json.h"
+#include "core/fabric/json/fabric_json.h"
 #include "tests/headless/editor/headless_editor.h"
 
 namespace loomlight {

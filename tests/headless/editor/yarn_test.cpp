@@ -7,7 +7,7 @@
 #include <numbers>
 #include <string>
 
-#include "core/fabric/fabric_json.h"
+#include "core/fabric/json/fabric_json.h"
 #include "tests/headless/editor/headless_editor.h"
 
 namespace loomlight {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/random.h"
-#include "core/volume/tangent_spread.h"
+#include "core/volume/pool/tangent_spread.h"
 
 namespace loomlight {
 namespace {

@@ -66,7 +66,7 @@ TEST_F(File, ReplacedFileKeepsItsPermissions) {
   writeFileAtomically(at("a"), "x");
   ASSERT_EQ(::chmod(at("a").c_str(), 0640), 0);
   writeFileAtomically(at("a"), "y");
-  struct stat status {};
+  struct stat status{};
   ASSERT_EQ(::stat(at("a").c_str(), &status), 0);
   EXPECT_EQ(status.st_mode & 0777, 0640u);
 }

@@ -1,4 +1,4 @@
-#include "app/editor/document.h"
+#include "app/editor/model/document.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/editor/file_desk.h"
+#include "app/editor/controllers/file_desk.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -8,7 +8,7 @@
 #include <future>
 #include <thread>
 
-#include "core/fabric/fabric_json.h"
+#include "core/fabric/json/fabric_json.h"
 
 namespace loomlight {
 namespace {

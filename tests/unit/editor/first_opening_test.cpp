@@ -1,4 +1,5 @@
-#include "app/editor/first_opening.h"
+#include "app/editor/controllers/first_opening.h"
+#include "ui/widgets/keys.h"
 
 #include <gtest/gtest.h>
 
@@ -47,12 +48,13 @@ TEST_F(FirstOpeningTest, CtrlQEndsTheProgramWhileTheFileIsRead) {
   const Settings settings;
   FirstOpening opening(files_, "slow.json", Document(Fabric{}), settings);
   frame(opening);
-  ImGui::GetIO().KeysDown['Q'] = true;
+  holdLetter(ImGui::GetIO(), 'Q', true);
   frame(opening);
   EXPECT_FALSE(opening.isOver()) << "a Q alone ends nothing";
-  ImGui::GetIO().KeysDown['Q'] = false;
+  holdLetter(ImGui::GetIO(), 'Q', false);
   frame(opening);
-  ImGui::GetIO().KeysDown['Q'] = ImGui::GetIO().KeyCtrl = true;
+  holdControl(ImGui::GetIO(), true);
+  holdLetter(ImGui::GetIO(), 'Q', true);
   frame(opening);
   EXPECT_TRUE(opening.isOver() && opening.quits());
   letGo_.set_value();

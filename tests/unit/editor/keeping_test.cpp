@@ -8,16 +8,16 @@
 #include <fstream>
 #include <thread>
 
-#include "app/editor/autosave.h"
-#include "app/editor/file_lock.h"
-#include "app/editor/insight.h"
-#include "app/editor/left_work.h"
-#include "app/editor/preset_store.h"
-#include "app/editor/sample_fabric.h"
-#include "app/editor/settings.h"
+#include "app/editor/controllers/insight.h"
+#include "app/editor/model/autosave.h"
+#include "app/editor/model/file_lock.h"
+#include "app/editor/model/left_work.h"
+#include "app/editor/model/sample_fabric.h"
+#include "app/editor/model/settings.h"
+#include "app/editor/presets/preset_store.h"
 #include "core/base/error.h"
-#include "core/fabric/fabric_json.h"
-#include "core/fabric/yarn_count.h"
+#include "core/fabric/json/fabric_json.h"
+#include "core/fabric/model/yarn_count.h"
 
 namespace loomlight {
 namespace {

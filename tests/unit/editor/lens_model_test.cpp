@@ -1,4 +1,4 @@
-#include "app/editor/lens_model.h"
+#include "app/editor/controllers/lens_model.h"
 
 #include <gmock/gmock.h>
 

@@ -6,9 +6,9 @@
 #include <functional>
 #include <iterator>
 
-#include "app/editor/left_work.h"
-#include "app/editor/preset_tags.h"
-#include "app/editor/settings.h"
+#include "app/editor/model/left_work.h"
+#include "app/editor/model/settings.h"
+#include "app/editor/presets/preset_tags.h"
 #include "tests/support/mutated.h"
 
 namespace loomlight {

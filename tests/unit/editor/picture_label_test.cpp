@@ -1,4 +1,4 @@
-#include "app/editor/picture_label.h"
+#include "app/editor/model/picture_label.h"
 
 #include <gtest/gtest.h>
 

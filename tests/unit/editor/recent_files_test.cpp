@@ -1,4 +1,4 @@
-#include "app/editor/recent_files.h"
+#include "app/editor/model/recent_files.h"
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
-#include "app/editor/view_folder.h"
+#include "app/editor/model/view_folder.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 
-#include "app/editor/sample_fabric.h"
+#include "app/editor/model/sample_fabric.h"
 #include "core/base/error.h"
 #include "tests/unit/film/scratch_folder.h"
 

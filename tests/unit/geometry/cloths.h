@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/fabric/fabric.h"
+#include "core/fabric/model/fabric.h"
 
 namespace loomlight::cloths {
 

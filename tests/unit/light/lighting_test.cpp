@@ -8,9 +8,9 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "render/colour/spectrum.h"
 #include "render/light/daylight.h"
 #include "render/light/lat_long.h"
-#include "render/light/spectrum.h"
 #include "tests/unit/film/scratch_folder.h"
 
 namespace loomlight {

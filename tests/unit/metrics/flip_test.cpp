@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "render/metrics/colour_space.h"
+#include "render/colour/colour_space.h"
 #include "tests/unit/metrics/pictures.h"
 
 namespace loomlight {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "render/metrics/colour_space.h"
+#include "render/colour/colour_space.h"
 
 namespace loomlight {
 namespace {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <memory>
 
-#include "core/fabric/jacquard.h"
-#include "ui/draft_panel.h"
+#include "core/fabric/weave/jacquard.h"
+#include "ui/draft/draft_panel.h"
 
 namespace loomlight {
 namespace {

@@ -1,8 +1,8 @@
-#include "ui/draft_commands.h"
+#include "ui/draft/draft_commands.h"
 
 #include <gtest/gtest.h>
 
-#include "core/fabric/draft_derivation.h"
+#include "core/fabric/weave/draft_derivation.h"
 
 namespace loomlight {
 namespace {

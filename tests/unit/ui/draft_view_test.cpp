@@ -1,10 +1,10 @@
-#include "ui/draft_view.h"
+#include "ui/draft/draft_view.h"
 
 #include <gtest/gtest.h>
 
-#include "core/fabric/draft_derivation.h"
-#include "core/fabric/jacquard.h"
-#include "ui/draft_layout.h"
+#include "core/fabric/weave/draft_derivation.h"
+#include "core/fabric/weave/jacquard.h"
+#include "ui/draft/draft_layout.h"
 
 namespace loomlight {
 namespace {

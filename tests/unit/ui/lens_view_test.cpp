@@ -1,4 +1,4 @@
-#include "ui/lens_view.h"
+#include "ui/viewport/lens_view.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ui/snapshot_options.h"
+#include "ui/viewport/snapshot_options.h"
 
 #include <gtest/gtest.h>
 

@@ -3,9 +3,9 @@
 #include <tuple>
 
 #include "core/base/error.h"
-#include "ui/count_text.h"
-#include "ui/number_text.h"
-#include "ui/thread_order.h"
+#include "ui/draft/thread_order.h"
+#include "ui/inspector/count_text.h"
+#include "ui/widgets/number_text.h"
 
 namespace loomlight {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "ui/camera_moves.h"
-#include "ui/crossing_index.h"
 #include "ui/desk.h"
+#include "ui/viewport/camera_moves.h"
+#include "ui/widgets/crossing_index.h"
 
 namespace loomlight {
 namespace {

@@ -1,4 +1,4 @@
-#include "ui/yarn_fields.h"
+#include "ui/inspector/yarn_fields.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "core/volume/cloth_volume.h"
+#include "core/volume/traverse/cloth_volume.h"
 
 #include <gtest/gtest.h>
 
 #include <atomic>
 
 #include "core/base/error.h"
-#include "core/volume/tangent_spread.h"
+#include "core/volume/pool/tangent_spread.h"
 #include "tests/unit/volume/volume_fixture.h"
 
 namespace loomlight {

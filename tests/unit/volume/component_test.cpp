@@ -1,4 +1,4 @@
-#include "core/volume/component.h"
+#include "core/volume/pool/component.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "core/volume/cloth_volume.h"
+#include "core/volume/traverse/cloth_volume.h"
 #include "tests/unit/volume/volume_fixture.h"
 
 namespace loomlight {

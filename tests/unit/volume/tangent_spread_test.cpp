@@ -1,4 +1,4 @@
-#include "core/volume/tangent_spread.h"
+#include "core/volume/pool/tangent_spread.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/base/random.h"
-#include "core/volume/cloth_volume.h"
+#include "core/volume/traverse/cloth_volume.h"
 
 namespace loomlight::volume_test {
 

@@ -1,9 +1,9 @@
-#include "core/volume/voxelise.h"
+#include "core/volume/build/voxelise.h"
 
 #include <gtest/gtest.h>
 
 #include "core/base/random.h"
-#include "core/volume/tangent_spread.h"
+#include "core/volume/pool/tangent_spread.h"
 
 namespace loomlight {
 namespace {

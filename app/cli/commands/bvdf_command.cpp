@@ -1,0 +1,83 @@
+#include "app/cli/commands/bvdf_command.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "app/cli/inputs.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/progress.h"
+#include "app/export/file_name.h"
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/base/parallel.h"
+#include "core/base/stopwatch.h"
+#include "core/fabric/json/fabric_json.h"
+#include "core/fabric/model/validate.h"
+#include "render/bvdf/bake/bvdf_baker.h"
+#include "render/bvdf/bvdf_picture.h"
+
+namespace loomlight {
+namespace {
+
+constexpr uint64_t kFullRays = 100'000'000;  // the report's table has 256 times the bins of ours
+
+BvdfOptions bakeOptions(const BvdfCommand& command) {
+  BvdfOptions options;
+  if (command.full) {
+    options.resolution = BvdfResolution::report();
+    options.rays = kFullRays;
+  }
+  if (command.rays) options.rays = *command.rays;
+  return options;
+}
+
+/// The tables' names, and what else is needed to make them again.
+std::map<std::string, std::string> metadata(const Fabric& fabric, const BvdfSet& set) {
+  const BvdfResolution& r = set.tables.front().resolution();
+  std::string yarns;
+  for (size_t i = 0; i < fabric.yarns.size(); ++i)
+    yarns += fmt::format("{}{}: {}.p", i ? ", " : "", fabric.yarns[i].name, set.tableOfYarn[i]);
+  return {{"bvdf.bins", fmt::format("theta_o {}, phi_o {}, theta_i {}, phi_i {}", r.thetaO, r.phiO, r.thetaI, r.phiI)},
+          {"bvdf.rays", std::to_string(set.rays)},
+          {"bvdf.yarns", yarns},
+          {"bvdf.fabric", fabricToJson(fabric)}};
+}
+
+void write(const std::string& output, const Fabric& fabric, const BvdfSet& set) {
+  std::filesystem::path picture = output;
+  if (lowerExtension(output) == ".exr") {
+    Image table = bvdfImage(set);
+    table.metadata = metadata(fabric, set);
+    writeExr(output, table);
+    picture.replace_extension(".png");
+  }
+  writePng(picture.string(), bvdfPicture(set));
+}
+
+}  // namespace
+
+int run(const BvdfCommand& command) {
+  Stopwatch whole;
+  const std::string extension = lowerExtension(command.output);
+  if (extension != ".exr" && extension != ".png")
+    throw InputError(fmt::format("{}: expected the name of tables (.exr) or of their picture (.png)", command.output));
+  expectWritable(command.output);
+  const Interrupt interrupt;
+  const Fabric fabric = withOptions(fabricFromFile(command.input), command.options);
+  validate(fabric, command.input);
+  std::shared_ptr<const BvdfSet> set;
+  {
+    Progress progress("baking local visibility");
+    const Task task{interrupt.token(), [&progress](double fraction) { progress.update(fraction); },
+                    command.threads > 0 ? command.threads : hardwareThreads()};
+    set = bakeBvdf(fabric, bakeOptions(command), BvdfCache(BvdfCache::userFolder()), task);
+  }
+  if (!set) return Interrupt::kExitStatus;
+  write(command.output, fabric, *set);
+  fmt::print("{}: {} table{} of {} rays, {}\n", command.output, set->tables.size(), set->tables.size() == 1 ? "" : "s",
+             set->rays, durationText(whole.lap()));
+  return 0;
+}
+
+}  // namespace loomlight

@@ -1,0 +1,168 @@
+#include "app/cli/commands/cloth_dye.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "app/cli/interrupt.h"
+#include "app/cli/progress.h"
+#include "app/cli/usage_error.h"
+#include "core/base/error.h"
+#include "core/fabric/model/validate.h"
+#include "core/fabric/yarn/colour.h"
+#include "render/colour/colour_space.h"
+#include "render/transport/colour_solver.h"
+#include "render/transport/dye_walks.h"
+#include "render/transport/make_medium.h"
+
+namespace loomlight {
+namespace {
+
+/// A wanted colour on its way.
+struct Dyeing {
+  size_t fibre = 0;  ///< in the fabric's list
+  Rgb wanted{0};     ///< linear
+  ColourWalks walks;
+  SolvedColour solved;
+};
+
+std::optional<Rgb8> colourFromText(const std::string& text) {
+  uint32_t value = 0;
+  const char* const end = text.data() + text.size();
+  if (text.size() != 7 || text[0] != '#') return std::nullopt;
+  const auto [stopped, error] = std::from_chars(text.data() + 1, end, value, 16);
+  if (error != std::errc{} || stopped != end) return std::nullopt;
+  return Rgb8{static_cast<uint8_t>(value >> 16), static_cast<uint8_t>(value >> 8), static_cast<uint8_t>(value)};
+}
+
+Rgb linearColour(const Rgb8& colour) {
+  return linearFromSrgb(Rgb(colour[0], colour[1], colour[2]) / 255.0f);
+}
+
+std::string textOf(const Rgb& linear) {
+  const Rgb shown = 255.0f * srgbFromLinear(glm::clamp(linear, 0.0f, 1.0f));
+  return fmt::format("#{:02x}{:02x}{:02x}", std::lround(shown.r), std::lround(shown.g), std::lround(shown.b));
+}
+
+/// Names come first: a fibre may be called "2".
+size_t fibreNamed(const std::string& name, const std::vector<Fibre>& fibres, const std::string& source) {
+  const auto isNamed = [&name](const Fibre& fibre) { return fibre.name == name; };
+  const auto found = std::find_if(fibres.begin(), fibres.end(), isNamed);
+  if (found != fibres.end()) {
+    if (std::count_if(found, fibres.end(), isNamed) == 1) return static_cast<size_t>(found - fibres.begin());
+    throw InputError(
+        fmt::format("{}: --cloth-colour: expected the number of the fibre, as several are named '{}'", source, name));
+  }
+  size_t number = 0;
+  const char* const end = name.data() + name.size();
+  const auto [stopped, error] = std::from_chars(name.data(), end, number);
+  if (error == std::errc{} && stopped == end && number >= 1 && number <= fibres.size()) return number - 1;
+  std::string names;
+  for (size_t i = 0; i < fibres.size(); ++i) names += fmt::format("{}{} '{}'", i ? ", " : "", i + 1, fibres[i].name);
+  throw InputError(
+      fmt::format("{}: --cloth-colour: expected one of the fabric's fibres, {}; got '{}'", source, names, name));
+}
+
+std::vector<Dyeing> dyeingsOf(const Fabric& fabric, const std::vector<ClothColour>& wanted, const std::string& source) {
+  std::vector<Dyeing> dyeings;
+  for (const ClothColour& wish : wanted) {
+    const size_t fibre = fibreNamed(wish.fibre, fabric.fibres, source);
+    for (const Dyeing& other : dyeings)
+      if (other.fibre == fibre)
+        throw InputError(fmt::format("{}: --cloth-colour: expected one colour for each fibre, got two for {} '{}'",
+                                     source, fibre + 1, fabric.fibres[fibre].name));
+    dyeings.push_back({fibre, linearColour(wish.colour), {}, {}});
+  }
+  return dyeings;
+}
+
+/// Walks light through the cloth for each. False when stopped.
+bool walk(const Fabric& fabric, std::vector<Dyeing>& dyeings) {
+  const Interrupt interrupt;
+  Progress progress("walking light through the cloth");
+  // Of the progress, the construction and each fibre have equal parts.
+  const double parts = 1.0 + static_cast<double>(dyeings.size());
+  size_t done = 0;
+  Task task;
+  task.stop = interrupt.token();
+  task.progress = [&](double fraction) { progress.update((static_cast<double>(done) + fraction) / parts); };
+  const auto scene = makeScene(std::make_shared<const Fabric>(undyedPatch(fabric)), task);
+  const auto medium = scene ? makeMedium(*scene, defaultMemoryLimit_bytes(), task) : nullptr;
+  if (!medium) return false;
+  for (Dyeing& dyeing : dyeings) {
+    ++done;
+    auto walks = walkColours(*scene, *medium, static_cast<int>(dyeing.fibre), kDyeWalks, task);
+    if (!walks) return false;
+    dyeing.walks = std::move(*walks);
+  }
+  return true;
+}
+
+/// Light that met one fibre goes through others too: each is dyed anew until no dye changes what is seen. Gives the
+/// dyes of all fibres.
+std::vector<Rgb> solve(std::vector<Rgb> absorption_per_mm, std::vector<Dyeing>& dyeings) {
+  constexpr int kMostRounds = 50;
+  constexpr float kSettled = 1e-3f;  // of a dye
+  for (int round = 0; round < kMostRounds; ++round) {
+    bool settled = true;
+    for (Dyeing& dyeing : dyeings) {
+      Rgb& dye = absorption_per_mm[dyeing.fibre];
+      dyeing.solved = solveColour(dyeing.walks, absorption_per_mm, static_cast<int>(dyeing.fibre), dyeing.wanted);
+      const Rgb now = dyeing.solved.absorption_per_mm;
+      settled &= glm::all(glm::lessThanEqual(glm::abs(now - dye), kSettled * now));
+      dye = now;
+    }
+    if (settled) break;
+  }
+  return absorption_per_mm;
+}
+
+std::string whyNot(const SolvedColour& solved) {
+  if (solved.tooLight && solved.tooDark) return "lighter and darker than this fibre can be in this cloth";
+  return solved.tooLight ? "lighter than this cloth can be" : "darker than fibres can be, as they mirror";
+}
+
+void tell(const Fibre& fibre, const Dyeing& dyeing, const Rgb& shown) {
+  const double difference = ciede2000(labFromLinear(glm::dvec3(dyeing.wanted)), labFromLinear(glm::dvec3(shown)));
+  const std::string reached = fmt::format("{}, off by {:.1f} (CIEDE2000)", textOf(shown), difference);
+  const std::string wanted = textOf(dyeing.wanted);
+  if (dyeing.solved.tooLight || dyeing.solved.tooDark)
+    fmt::print("{}: {} cannot be had, it is {}: the nearest is {}\n", fibre.name, wanted, whyNot(dyeing.solved),
+               reached);
+  else
+    fmt::print("{}: {} is wanted, the cloth shows {}\n", fibre.name, wanted, reached);
+}
+
+}  // namespace
+
+ClothColour parseClothColour(const std::string& option, const std::string& text) {
+  const size_t sign = text.rfind('=');
+  const auto colour = sign == std::string::npos ? std::nullopt : colourFromText(text.substr(sign + 1));
+  if (!colour || sign == 0)
+    throw UsageError(
+        fmt::format("{}: expected FIBRE=#RRGGBB, such as cotton=#b04020 or 1=#b04020, got '{}'", option, text));
+  return {text.substr(0, sign), *colour};
+}
+
+std::optional<Fabric> dyed(Fabric fabric, const std::vector<ClothColour>& wanted, const std::string& source) {
+  validate(fabric, source);
+  std::vector<Dyeing> dyeings = dyeingsOf(fabric, wanted, source);
+  if (!walk(fabric, dyeings)) return std::nullopt;
+  for (const Dyeing& dyeing : dyeings)
+    if (dyeing.walks.lit() == 0)
+      throw InputError(
+          fmt::format("{}: --cloth-colour: expected a fibre that lies on the face, where it shows its colour, got {} "
+                      "'{}'",
+                      source, dyeing.fibre + 1, fabric.fibres[dyeing.fibre].name));
+  const std::vector<Rgb> absorption_per_mm = solve(absorptionsOf(fabric), dyeings);
+  for (const Dyeing& dyeing : dyeings) {
+    Fibre& fibre = fabric.fibres[dyeing.fibre];
+    fibre.absorption_per_mm = absorption_per_mm[dyeing.fibre];
+    tell(fibre, dyeing, dyeing.walks.colour(absorption_per_mm));
+  }
+  return fabric;
+}
+
+}  // namespace loomlight

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "app/bench/bench_command.h"
+#include "app/bench/bench_converge.h"
+#include "app/bench/bench_edit.h"
+#include "app/cli/commands/brdf_command.h"
+#include "app/cli/commands/bvdf_command.h"
+#include "app/cli/commands/compare_command.h"
+#include "app/cli/commands/convert_command.h"
+#include "app/cli/commands/info_command.h"
+#include "app/cli/commands/render_command.h"
+#include "app/cli/commands/thumbnail_command.h"
+#include "app/cli/commands/tile_command.h"
+#include "app/editor/bench_ui.h"
+#include "app/editor/editor.h"
+
+namespace loomlight {
+
+/// loomlight [edit] [FABRIC]
+struct EditCommand {
+  EditorOptions options;
+};
+
+/// loomlight bench ui
+struct UiBenchCommand {
+  UiBenchOptions options;
+};
+
+/// --help and --version: text for stdout.
+struct TextCommand {
+  std::string text;
+};
+
+using Command = std::variant<EditCommand, RenderCommand, InfoCommand, ConvertCommand, BenchCommand, ReportBenchCommand,
+                             EditBenchCommand, UiBenchCommand, ConvergeBenchCommand, BrdfCommand, CompareCommand,
+                             BvdfCommand, TileCommand, ThumbnailCommand, TextCommand>;
+
+/// What the words behind the program's name ask for. Throws UsageError.
+Command parseCommandLine(const std::vector<std::string>& words);
+
+}  // namespace loomlight

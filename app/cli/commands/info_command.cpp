@@ -1,0 +1,205 @@
+#include "app/cli/commands/info_command.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/cli/inputs.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/progress.h"
+#include "app/cli/volume_json.h"
+#include "core/fabric/model/validate.h"
+#include "core/fabric/model/wif_origin.h"
+#include "core/fabric/weave/draft_derivation.h"
+#include "core/fabric/weave/weave_code.h"
+#include "core/fabric/yarn/derived.h"
+#include "render/scene/scene.h"
+
+namespace loomlight {
+namespace {
+
+/// How a loom weaves it: the fabric's draft, or the smallest one of a weave that has none.
+struct Loom {
+  int shafts = 0, treadles = 0;
+  const char* means = "";  ///< what says which shafts a pick lifts
+  bool risingShed = true;
+};
+
+Loom loomOf(const Fabric& fabric) {
+  const Draft draft = fabric.draft ? *fabric.draft : smallestDraft(fabric.weave);
+  const char* const means = !fabric.draft ? "drawdown" : draft.liftplan.empty() ? "treadling" : "liftplan";
+  return {draft.shafts, draft.treadles, means, draft.risingShed};
+}
+
+struct Information {
+  Floats floats;
+  Binding binding;
+  Loom loom;
+  CoverFactors cover;
+  ClothMeasures measures;
+  PieceSize orderedPiece;
+  std::vector<YarnNeed> needs;  ///< of the yarns, for that piece
+  std::vector<std::string> warnings;
+  VolumeCounts volume;
+  int pieceEnds = 0, piecePicks = 0;
+};
+
+/// Of those yarns that are woven.
+nlohmann::ordered_json needsJson(const Fabric& fabric, const Information& of) {
+  nlohmann::ordered_json json;
+  json["length_m"] = of.orderedPiece.length_m;
+  json["width_cm"] = of.orderedPiece.width_cm;
+  json["yarns"] = nlohmann::ordered_json::array();
+  for (size_t i = 0; i < of.needs.size(); ++i) {
+    const YarnNeed& need = of.needs[i];
+    if (need.warp_m + need.weft_m > 0)
+      json["yarns"].push_back({{"name", fabric.yarns[i].name},
+                               {"warp_m", need.warp_m},
+                               {"weft_m", need.weft_m},
+                               {"mass_kg", need.mass_kg}});
+  }
+  return json;
+}
+
+nlohmann::ordered_json toJson(const Fabric& fabric, const Information& of) {
+  nlohmann::ordered_json json;
+  json["name"] = fabric.name;
+  json["ends"] = fabric.weave.ends();
+  json["picks"] = fabric.weave.picks();
+  if (const auto code = isoWeaveCode(fabric.weave)) json["iso_9354"] = *code;
+  json["shafts"] = of.loom.shafts;
+  json["treadles"] = of.loom.treadles;
+  json["draft"] = {{"by", of.loom.means}, {"rising_shed", of.loom.risingShed}};
+  if (fabric.wif) json["program"] = fabric.wif->program;
+  json["warp_up_cells"] = of.binding.warpUpCells;
+  json["warp_on_face"] = of.binding.warpOnFace;
+  json["interlacings"] = of.binding.warpInterlacings + of.binding.weftInterlacings;
+  json["max_warp_float"] = of.floats.warp();
+  json["max_weft_float"] = of.floats.weft();
+  json["max_warp_float_mm"] = floatLength_mm(fabric, System::warp, of.floats.warp());
+  json["max_weft_float_mm"] = floatLength_mm(fabric, System::weft, of.floats.weft());
+  json["max_warp_float_face"] = of.floats.warpFace;
+  json["max_weft_float_face"] = of.floats.weftFace;
+  json["ends_per_cm"] = fabric.ends_per_cm;
+  json["picks_per_cm"] = fabric.picks_per_cm;
+  json["repeat_width_mm"] = fabric.weave.ends() * fabric.warpPitch_mm();
+  json["repeat_height_mm"] = fabric.weave.picks() * fabric.weftPitch_mm();
+  json["warp_count_tex"] = meanCount_tex(fabric, System::warp);
+  json["weft_count_tex"] = meanCount_tex(fabric, System::weft);
+  json["cover_factor"] = of.cover.cloth;
+  json["cover_factor_warp"] = of.cover.warp;
+  json["cover_factor_weft"] = of.cover.weft;
+  json["cover_fraction"] = of.cover.fraction;
+  json["areal_mass_g_m2"] = of.measures.arealMass_g_m2;
+  json["thickness_mm"] = of.measures.thickness_mm;
+  json["crimp_warp"] = of.measures.crimpWarp;
+  json["crimp_weft"] = of.measures.crimpWeft;
+  json["yarn_need"] = needsJson(fabric, of);
+  json["warnings"] = of.warnings;
+  json["piece_ends"] = of.pieceEnds;
+  json["piece_picks"] = of.piecePicks;
+  json["resolution"] = fabric.render.resolution;
+  addVolume(json, of.volume);
+  json["segments_represented"] = of.volume.segmentsRepresented;
+  return json;
+}
+
+void line(const std::string& label, const std::string& value, const std::string& remark = "") {
+  fmt::print("  {:<22}{:>14}{}{}\n", label, value, remark.empty() ? "" : "  ", remark);
+}
+
+void printNeeds(const Fabric& fabric, const Information& of) {
+  fmt::print("\nYarn for a piece of {:g} m x {:g} cm\n", of.orderedPiece.length_m, of.orderedPiece.width_cm);
+  for (size_t i = 0; i < of.needs.size(); ++i) {
+    const YarnNeed& need = of.needs[i];
+    if (need.warp_m + need.weft_m > 0)
+      line(fabric.yarns[i].name, fmt::format("{:.0f} m", need.warp_m + need.weft_m),
+           fmt::format("{:.3f} kg; warp {:.0f} m, weft {:.0f} m", need.mass_kg, need.warp_m, need.weft_m));
+  }
+}
+
+void printTable(const Fabric& fabric, const Information& of) {
+  fmt::print("{}\n\nWeave\n", fabric.name);
+  line("repeat", fmt::format("{} x {}", fabric.weave.ends(), fabric.weave.picks()), "ends x picks");
+  if (const auto code = isoWeaveCode(fabric.weave)) line("ISO 9354", *code);
+  line("shafts", fmt::format("{}", of.loom.shafts), fabric.draft ? "" : "the fewest that weave it");
+  line("treadles", fmt::format("{}", of.loom.treadles));
+  if (fabric.draft) line("draft", of.loom.means, of.loom.risingShed ? "rising shed" : "sinking shed");
+  if (fabric.wif) line("written by", fabric.wif->program);
+  line("warp on the face", fmt::format("{:.0f} %", 100 * of.binding.warpOnFace),
+       fmt::format("{} of {} crossings", of.binding.warpUpCells,
+                   static_cast<int64_t>(fabric.weave.ends()) * fabric.weave.picks()));
+  line("longest warp float", fmt::format("{}", of.floats.warp()),
+       fmt::format("picks, {:.2f} mm", floatLength_mm(fabric, System::warp, of.floats.warp())));
+  line("longest weft float", fmt::format("{}", of.floats.weft()),
+       fmt::format("ends, {:.2f} mm", floatLength_mm(fabric, System::weft, of.floats.weft())));
+  line("interlacings", fmt::format("{}", of.binding.warpInterlacings + of.binding.weftInterlacings), "a repeat");
+  fmt::print("\nCloth\n");
+  line("sett", fmt::format("{:g} x {:g}", fabric.ends_per_cm, fabric.picks_per_cm), "per cm");
+  line("repeat",
+       fmt::format("{:.2f} x {:.2f}", fabric.weave.ends() * fabric.warpPitch_mm(),
+                   fabric.weave.picks() * fabric.weftPitch_mm()),
+       "mm");
+  line("yarn count",
+       fmt::format("{:.1f} x {:.1f}", meanCount_tex(fabric, System::warp), meanCount_tex(fabric, System::weft)),
+       "tex, warp x weft");
+  line("cover factor", fmt::format("{:.1f}", of.cover.cloth),
+       fmt::format("Peirce; warp {:.1f}, weft {:.1f}, 28 is closed", of.cover.warp, of.cover.weft));
+  line("mass", fmt::format("{:.1f}", of.measures.arealMass_g_m2), "g/m2");
+  line("thickness", fmt::format("{:.3f}", of.measures.thickness_mm), "mm");
+  line("crimp of the warp", fmt::format("{:.1f} %", 100 * of.measures.crimpWarp));
+  line("crimp of the weft", fmt::format("{:.1f} %", 100 * of.measures.crimpWeft));
+  printNeeds(fabric, of);
+  fmt::print("\nVolume\n");
+  line("piece", fmt::format("{} x {}", of.pieceEnds, of.piecePicks), "ends x picks");
+  line("resolution", fmt::format("{}", fabric.render.resolution), "voxels per yarn diameter");
+  line("distinct bricks", fmt::format("{}", of.volume.bricks));
+  line("voxels", fmt::format("{}", of.volume.voxels));
+  line("components", fmt::format("{}", of.volume.components));
+  line("memory", fmt::format("{:.2f}", static_cast<double>(of.volume.bytes) / 1e6), "MB");
+  line("fibre segments", fmt::format("{:.3g}", of.volume.segmentsRepresented), "represented");
+  if (!of.warnings.empty()) fmt::print("\nWarnings\n");
+  for (const std::string& warning : of.warnings) fmt::print("  {}\n", warning);
+}
+
+}  // namespace
+
+int run(const InfoCommand& command) {
+  const Interrupt interrupt;
+  FabricInput input = readInput(command.input, command.wifSizes);
+  Fabric fabric = withOptions(std::move(input.fabric), command.options);
+  fabric.light = Light{};
+  fabric.light.kind = LightKind::dome;  // nothing here depends on light, so no environment need be loaded
+  validate(fabric, command.input);
+
+  std::shared_ptr<const Scene> scene;
+  {
+    Progress progress("voxelising");
+    Task task;
+    task.stop = interrupt.token();
+    task.progress = [&progress](double fraction) { progress.update(fraction); };
+    scene = makeScene(std::make_shared<const Fabric>(fabric), task);
+  }
+  if (!scene) return Interrupt::kExitStatus;
+  const ClothGeometry& geometry = scene->volume->geometry();
+  Information information;
+  information.floats = floats(fabric.weave);
+  information.binding = binding(fabric.weave);
+  information.loom = loomOf(fabric);
+  information.cover = coverFactors(fabric);
+  information.measures = geometry.measure();
+  information.orderedPiece = command.piece;
+  information.needs = yarnNeed(fabric, command.piece, information.measures.crimpWarp, information.measures.crimpWeft);
+  information.warnings = std::move(input.warnings);
+  for (std::string& warning : warnings(fabric)) information.warnings.push_back(std::move(warning));
+  information.volume = scene->volume->counts();
+  information.pieceEnds = geometry.ends();
+  information.piecePicks = geometry.picks();
+  if (command.json)
+    fmt::print("{}\n", toJson(fabric, information).dump(2));
+  else
+    printTable(fabric, information);
+  return 0;
+}
+
+}  // namespace loomlight

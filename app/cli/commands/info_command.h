@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include "app/cli/fabric_options.h"
+#include "core/fabric/wif/wif_fabric.h"
+#include "core/fabric/yarn/yarn_need.h"
+
+namespace loomlight {
+
+/// loomlight info FABRIC: what follows from a fabric, without a picture.
+struct InfoCommand {
+  std::string input;
+  FabricOptions options;
+  WifSizeChoice wifSizes = WifSizeChoice::keep;
+  PieceSize piece;  ///< that yarn is needed for
+  bool json = false;
+};
+
+/// A table with units, or JSON, on stdout. Exit status 0, or 130 when stopped. Throws InputError.
+int run(const InfoCommand& command);
+
+}  // namespace loomlight

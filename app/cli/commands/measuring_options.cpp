@@ -1,0 +1,119 @@
+#include "app/cli/commands/measuring_options.h"
+
+#include <CLI/CLI.hpp>
+
+#include "app/cli/common_options.h"
+
+namespace loomlight {
+namespace {
+
+/// Two files: a picture and its reference.
+void addPair(CLI::App& app, const std::string& name, const std::string& help, std::optional<PictureNames>& pair) {
+  app.add_option_function<std::vector<std::string>>(
+         name, [&pair](const std::vector<std::string>& files) { pair = PictureNames{files.at(0), files.at(1)}; }, help)
+      ->type_name("FILE FILE")
+      ->type_size(2)
+      ->expected(1)
+      ->allow_extra_args(false);
+}
+
+}  // namespace
+
+void addVolumeBench(CLI::App& app, BenchCommand& command) {
+  app.add_option("FABRIC", command.input, "the fabric to measure")->type_name("")->required();
+  addPictureOptions(app, command.options);
+  addThreads(app, command.threads);
+  addValue(app, "--resolutions", "R,R,...", "1,2,4,8 where not given",
+           [&command](const auto& option, const auto& text) { command.resolutions = parseResolutions(option, text); });
+  addValue(app, "--rounds", "N", "medians are of this many", [&command](const auto& option, const auto& text) {
+    command.rounds = static_cast<int>(parseWhole(option, text, 1, 99));
+  });
+  app.add_flag("--json", command.json, "JSON instead of a table");
+}
+
+void addReportBench(CLI::App& app, ReportBenchCommand& command) {
+  app.add_option("-o,--output", command.bench.folder, "the folder for page, pictures and tables; made where needed")
+      ->type_name("DIR");
+  app.add_flag("--quick", command.bench.quick, "small pieces, few paths: seconds instead of a quarter of an hour");
+  addThreads(app, command.threads);
+  addMemoryLimit(app, command.bench.memoryLimit_bytes);
+}
+
+void addUiBench(CLI::App& app, UiBenchOptions& options) {
+  app.add_flag("--quick", options.quick, "a small jacquard and few frames: a second instead of half a minute");
+  app.add_flag("--json", options.json, "JSON instead of a table");
+  addThreads(app, options.threads);
+}
+
+void addEditBench(CLI::App& app, EditBenchCommand& command) {
+  app.add_option("-o,--output", command.folder, "the folder for page and tables; made where needed")->type_name("DIR");
+  app.add_flag("--quick", command.quick, "small cloths and pictures: seconds instead of a quarter of an hour");
+  app.add_flag("--json", command.json, "the figures as JSON on stdout too");
+  addValue(app, "--threads", "N", "threads; as in the window, all but one, where not given",
+           [&command](const auto& option, const auto& text) {
+             command.threads = static_cast<int>(parseWhole(option, text, 1, 1024));
+           });
+}
+
+void addConvergeBench(CLI::App& app, ConvergeBenchCommand& command) {
+  app.add_option("-o,--output", command.folder, "the folder for page and tables; made where needed")->type_name("DIR");
+  app.add_flag("--quick", command.quick, "one cloth, a small picture: a second instead of minutes");
+  addThreads(app, command.threads);
+}
+
+void addBrdf(CLI::App& app, BrdfCommand& command) {
+  addInput(app, "FABRIC", command.input);
+  app.add_option("-o,--output", command.output, "writes OUT.exr, OUT.png and OUT.csv")->type_name("OUT")->required();
+  addValue(
+      app, "--light-angle", "DEG", "of parallel light, from the normal; beyond 90 from behind; 0 where not given",
+      [&command](const auto& option, const auto& text) { command.lightAngle_deg = parseNumber(option, text, 0, 180); });
+  addValue(app, "--cameras", "AxI", "how many azimuths and inclinations; 64x16 where not given",
+           [&command](const auto& option, const auto& text) { command.grid = parseHalfDome(option, text); });
+  addTraceOptions(app, command.options, "paths for each camera; 4096 where not given");
+  addResolution(app, command.options);
+  addThreads(app, command.threads);
+  addMemoryLimit(app, command.memoryLimit_bytes);
+  addFibreExtent(app, command.fibreExtent);
+  addExposure(app, command.tone);
+}
+
+void addBvdf(CLI::App& app, BvdfCommand& command) {
+  addInput(app, "FABRIC", command.input);
+  app.add_option("-o,--output", command.output, "tables (.exr) with a picture (.png) beside them, or the picture alone")
+      ->type_name("OUT")
+      ->required();
+  addResolution(app, command.options);
+  addValue(app, "--rays", "N", "shadow rays for each kind of yarn; 2 million where not given, 100 million with --full",
+           [&command](const auto& option, const auto& text) {
+             command.rays = static_cast<uint64_t>(parseWhole(option, text, 1, 100'000'000'000));
+           });
+  app.add_flag("--full", command.full, "32 x 64 x 64 x 64 bins, as in the report, in place of 8 x 8 x 16 x 32");
+  addThreads(app, command.threads);
+}
+
+void addCompare(CLI::App& app, CompareCommand& command) {
+  app.add_option("PICTURE", command.pictures.picture, "an .exr")->type_name("")->required();
+  app.add_option("REFERENCE", command.pictures.reference, "an .exr of the same size: what it ought to look like")
+      ->type_name("")
+      ->required();
+  addPair(app, "--again", "picture and reference with other seeds, for a bias without noise", command.again);
+  addPair(app, "--yardstick", "two fibre arrangements of the same yarns, compared likewise", command.yardstick);
+  addPair(app, "--yardstick-again", "the same two with other seeds", command.yardstickAgain);
+  addValue(app, "--exposure", "STOPS", "of the display, for FLIP and CIEDE2000",
+           [&command](const auto& option, const auto& text) {
+             command.viewing.exposure_stops = parseNumber(option, text, -20, 20);
+           });
+  addValue(app, "--ppd", "N", "pixels per degree of visual angle, for FLIP; 67 where not given",
+           [&command](const auto& option, const auto& text) {
+             command.viewing.pixelsPerDegree =
+                 parseNumber(option, text, Viewing::kMinPixelsPerDegree, Viewing::kMaxPixelsPerDegree);
+           });
+  app.add_option("-o,--output", command.heatMap, "a heat map of FLIP")->type_name("OUT.png");
+  addValue(
+      app, "--range", "MAX", "FLIP at the white end of the heat map; 1 where not given",
+      [&command](const auto& option, const auto& text) { command.heatRange = parseNumber(option, text, 1e-6, 1); });
+  addThreads(app, command.threads);
+  app.add_flag("--json", command.json, "JSON instead of a table");
+}
+
+}  // namespace loomlight

@@ -1,0 +1,52 @@
+#include "app/cli/commands/tile_command.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "app/cli/inputs.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/progress.h"
+#include "app/export/tile.h"
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/base/stopwatch.h"
+
+namespace loomlight {
+namespace {
+
+/// A name that every file system takes.
+std::string fileName(const std::string& name) {
+  std::string plain;
+  for (const char c : name) {
+    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-';
+    plain += letter || (static_cast<unsigned char>(c) & 0x80) != 0 ? c : '_';
+  }
+  return plain.empty() ? "cloth" : plain;
+}
+
+}  // namespace
+
+int run(const TileCommand& command) {
+  Stopwatch whole;
+  Fabric fabric = fabricFromFile(command.input);
+  fabric.render.samplesPerPixel = TileCommand::kSamples;
+  fabric = withOptions(std::move(fabric), command.options);
+  std::error_code failed;
+  std::filesystem::create_directories(command.folder, failed);
+  if (failed)
+    throw InputError(fmt::format("{}: expected a folder that can be made, got: {}", command.folder, failed.message()));
+  const std::string stem = (std::filesystem::path(command.folder) / fileName(fabric.name)).string();
+  const Interrupt interrupt;
+  Progress progress("rendering the tile");
+  Task task;
+  task.stop = interrupt.token();
+  task.threads = command.threads > 0 ? command.threads : hardwareThreads();
+  task.progress = [&progress](double fraction) { progress.update(fraction); };
+  const auto tile = makeTile(fabric, stem, command.longestSide, command.memoryLimit_bytes, task);
+  if (!tile) return Interrupt::kExitStatus;
+  fmt::print("{}.json and {} maps, {}\n", stem, tile->files.size() - 1, durationText(whole.lap()));
+  return 0;
+}
+
+}  // namespace loomlight

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "app/cli/fabric_options.h"
+#include "render/transport/make_medium.h"
+
+namespace loomlight {
+
+/// loomlight tile FABRIC -o FOLDER
+struct TileCommand {
+  static constexpr int kLongestSide = 1024, kSamples = 128;
+
+  std::string input;
+  std::string folder;  ///< made where there is none; the files are named after the fabric
+  int longestSide = kLongestSide;
+  FabricOptions options;  ///< samples, seed, method, colourway, resolution
+  int threads = 0;        ///< 0: all
+  double memoryLimit_bytes = defaultMemoryLimit_bytes();
+};
+
+/// Writes the maps of a seamless tile (app/export/tile.h). Exit status 0, or that of an interrupt. Throws InputError.
+int run(const TileCommand& command);
+
+}  // namespace loomlight

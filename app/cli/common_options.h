@@ -1,0 +1,51 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "app/cli/fabric_options.h"
+#include "app/cli/option_values.h"
+#include "core/fabric/model/field_tables.h"
+#include "render/colour/tone.h"
+#include "render/scene/fibre_extent.h"
+
+namespace CLI {
+class App;
+}
+
+namespace loomlight {
+
+// Options that several commands take, described to the library that reads the command line. Values are parsed by our
+// own functions, so that every message names the option and says what was expected.
+
+using Setter = std::function<void(const std::string& option, const std::string& text)>;
+
+void addValue(CLI::App& app, const std::string& name, const std::string& value, const std::string& help,
+              const Setter& set);
+/// The same for an option that may be given several times, in the order of the command line.
+void addValues(CLI::App& app, const std::string& name, const std::string& value, const std::string& help,
+               const Setter& set);
+
+template <class Object, class Number>
+int parseWholeField(const std::string& option, const std::string& text, Number Object::* member) {
+  const FieldInfo info = fieldInfo(member);
+  return static_cast<int>(parseWhole(option, text, static_cast<int64_t>(info.min), static_cast<int64_t>(info.max)));
+}
+
+void addInput(CLI::App& app, const std::string& name, std::string& input);
+/// Of a draft, which is mostly drawn with the default sizes of some program.
+void addWifSizes(CLI::App& app, WifSizeChoice& sizes);
+void addResolution(CLI::App& app, FabricOptions& options);
+void addFabricOptions(CLI::App& app, FabricOptions& options);
+/// Samples, seed and method: of whatever is rendered.
+void addSampling(CLI::App& app, FabricOptions& options, const std::string& samplesHelp);
+/// These, and all else of how light is traced, for pictures and measurements alike.
+void addTraceOptions(CLI::App& app, FabricOptions& options, const std::string& samplesHelp);
+void addColourway(CLI::App& app, FabricOptions& options);
+void addPictureOptions(CLI::App& app, FabricOptions& options);
+void addThreads(CLI::App& app, int& threads);
+void addMemoryLimit(CLI::App& app, double& limit_bytes);
+void addFibreExtent(CLI::App& app, FibreExtent& extent);
+void addExposure(CLI::App& app, Tone& tone);
+
+}  // namespace loomlight

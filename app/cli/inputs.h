@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/fabric/model/fabric.h"
+#include "core/fabric/wif/wif_fabric.h"
+
+namespace loomlight {
+
+struct FabricInput {
+  Fabric fabric;
+  std::vector<std::string> warnings;  ///< of a weaving file: "FILE: line 12: ..."
+};
+
+/// The fabric in a file of any kind that has one: a fabric (.json, .loomlight), a draft (.wif), a weave as a
+/// black-and-white picture
+/// (.png), or a picture that we rendered (.exr). Drafts and weaves have the default yarns; `sizes` says whose sett and
+/// yarn counts a draft gets. Throws InputError.
+FabricInput readInput(const std::string& file, WifSizeChoice sizes = WifSizeChoice::keep);
+/// The same, with the warnings on stderr.
+Fabric fabricFromFile(const std::string& file, WifSizeChoice sizes = WifSizeChoice::keep);
+
+}  // namespace loomlight

@@ -1,0 +1,63 @@
+#include "app/editor/controllers/status_model.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace loomlight {
+namespace {
+
+std::string workOf(const LiveStatus& status, const Frame* shown) {
+  const std::string help = !shown                     ? ""
+                           : !shown->denoised.empty() ? ", denoised"
+                           : !shown->helped.empty()   ? ", smoothed"
+                                                      : "";
+  if (shown && shown->draft) return "first look" + help;
+  switch (status.phase) {
+    case LiveStatus::Phase::idle:
+      return "waiting" + help;
+    case LiveStatus::Phase::voxelising:
+      return fmt::format("building {:3.0f} %{}", 100 * status.buildProgress, help);
+    case LiveStatus::Phase::tracing:
+      if (!shown || !shown->recoloured) return "refining" + help;
+      return help.empty() ? "recoloured, refining" : "recoloured" + help;  // all three would need more room
+    case LiveStatus::Phase::converged:
+      break;
+  }
+  return "converged" + help;
+}
+
+void tellFigures(const Insight& insight, const ClothMeasures& measures, StatusModel& model) {
+  const int warp = insight.floats.warp(), weft = insight.floats.weft();
+  const double warp_mm = floatLength_mm(*insight.fabric, System::warp, warp);
+  const double weft_mm = floatLength_mm(*insight.fabric, System::weft, weft);
+  model.figuresKnown = true;
+  model.longestFloat = warp_mm >= weft_mm ? warp : weft;
+  model.longestFloat_mm = std::max(warp_mm, weft_mm);
+  model.coverPercent = 100 * insight.cover.fraction;
+  model.arealMass_g_m2 = measures.arealMass_g_m2;
+  model.thickness_mm = measures.thickness_mm;
+  if (insight.warnings.empty()) return;
+  model.warning = insight.warnings.front();
+  model.moreWarnings = static_cast<int>(insight.warnings.size()) - 1;
+}
+
+}  // namespace
+
+StatusModel statusModel(const Insight* insight, const LiveStatus& status, const VisibilityWorker::Status& baking,
+                        const Frame* shown) {
+  StatusModel model;
+  if (insight && status.builtGeneration > 0) tellFigures(*insight, status.measures, model);
+  if (!status.notices.empty() && model.warning.empty()) model.warning = status.notices.front();
+  if (!baking.error.empty() && model.warning.empty()) model.warning = baking.error;
+  if (shown) {
+    model.samples = shown->samples;
+    model.seconds = shown->seconds;
+  }
+  if (baking.baking)
+    model.background = fmt::format("{} {:3.0f} %", baking.borrowing ? "borrowed" : "visibility", 100 * baking.progress);
+  model.work = workOf(status, shown);
+  return model;
+}
+
+}  // namespace loomlight

@@ -1,0 +1,119 @@
+#include "app/editor/controllers/view_desk.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace loomlight {
+namespace {
+
+bool showsReport(const Fabric& fabric) {
+  return fabric.render.method == Method::volume && fabric.render.estimator == Estimator::report;
+}
+
+/// Whose visibility is to be baked: somebody looks at it, or the picture needs it. Null: nobody's.
+std::shared_ptr<const Fabric> bakedFor(const Sight& sight) {
+  return sight.fabric && (sight.visibilityShown || showsReport(*sight.fabric)) ? sight.fabric : nullptr;
+}
+
+}  // namespace
+
+ViewDesk::ViewDesk(DisplayDriver& driver, const std::function<void()>& wake, int threads)
+    : insight_(wake),
+      visibility_(wake, BvdfOptions{}, BvdfCache(BvdfCache::userFolder())),
+      renderer_(wake, threads),
+      picture_(driver.makeViewport()),
+      lensPicture_(driver.makeViewport()),
+      visibilityPicture_(driver.makeTexture()) {}
+
+bool ViewDesk::take(bool showsDifference) {
+  takeLens(showsDifference);
+  if (auto newest = visibility_.newest(); newest && newest != shownVisibility_) {
+    visibilityPicture_->upload(newest->picture);
+    shownVisibility_ = std::move(newest);
+  }
+  std::shared_ptr<const Frame> newest = renderer_.frame();
+  if (!newest || newest == frame_) return false;
+  picture_->upload(newest->width, newest->height, newest->shown(), newest->hits);
+  frame_ = std::move(newest);
+  return true;
+}
+
+void ViewDesk::takeLens(bool showsDifference) {
+  lensFrame_ = renderer_.lensFrame();
+  if (!lensFrame_) {
+    lensUpload_ = nullptr;
+    return;
+  }
+  const Difference* difference = showsDifference ? lensFrame_->difference.get() : nullptr;
+  const Frame& fibres = *lensFrame_->fibres;
+  const void* wanted = difference ? static_cast<const void*>(difference) : &fibres;
+  if (wanted == std::exchange(lensUpload_, wanted)) return;
+  lensIsDifference_ = difference != nullptr;
+  if (difference)
+    lensPicture_->upload(difference->width, difference->height, difference->map, {});
+  else
+    lensPicture_->upload(fibres.width, fibres.height, fibres.rgba, {});
+}
+
+void ViewDesk::follow(const Sight& sight) {
+  const std::shared_ptr<const Fabric> baked = bakedFor(sight);
+  if (baked != bakedFor(sight_) || (baked && sight.yarn != sight_.yarn)) visibility_.request(baked, sight.yarn);
+  followPicture(sight);
+  if (sight.denoised != sight_.denoised) renderer_.denoise(sight.denoised);
+  if (sight.fabric != sight_.fabric || sight.yarn != sight_.yarn) insight_.request(sight.fabric, sight.yarn);
+  if (sight.lens != sight_.lens) renderer_.lens(sight.lens);
+  sight_ = sight;
+}
+
+void ViewDesk::followPicture(const Sight& sight) {
+  // Early tables are good enough to begin with; the picture goes over to better ones as they come.
+  const std::shared_ptr<const BakedVisibility> baked = visibility_.newest();
+  const bool better =
+      showsReport(*sight.fabric) && baked && (!usedVisibility_ || worthTaking(*baked, *usedVisibility_));
+  const bool another = sight.fabric != sight_.fabric || sight.width != sight_.width || sight.height != sight_.height;
+  if (!another && !better) return;
+  if (better) usedVisibility_ = baked;
+  if (another) ++generation_;
+  renderer_.request(
+      {sight.fabric, sight.width, sight.height, generation_, usedVisibility_ ? usedVisibility_->tables : nullptr});
+}
+
+bool ViewDesk::shows(const std::shared_ptr<const Fabric>& fabric) const {
+  return frame_ && frame_->width > 0 && fabric == sight_.fabric && frame_->generation == generation_ && !frame_->draft;
+}
+
+std::optional<Film::Hit> ViewDesk::hitAt(ImVec2 place) const {
+  if (!frame_ || frame_->hits.empty()) return std::nullopt;
+  const auto index = [](float along, int count) {
+    return std::clamp(static_cast<int>(along * static_cast<float>(count)), 0, count - 1);
+  };
+  const int x = index(place.x, frame_->width), y = index(place.y, frame_->height);
+  const Film::Hit& hit = frame_->hits[static_cast<size_t>(y) * static_cast<size_t>(frame_->width) + x];
+  if (hit.yarn < 0) return std::nullopt;
+  return hit;
+}
+
+ImTextureID ViewDesk::lensPicture(const Tone& tone) {
+  if (!lensFrame_) return nullptr;
+  // Colours of the difference go to the display as they are, whatever the exposure.
+  Tone neutral;
+  neutral.filmic = false;
+  const PixelRect& window = lensFrame_->fibres->window;
+  return lensPicture_->display(window.width, window.height, lensIsDifference_ ? neutral : tone, std::nullopt);
+}
+
+VisibilityModel ViewDesk::visibilityModel(int yarn) const {
+  VisibilityModel model;
+  const VisibilityWorker::Status status = visibility_.status();
+  model.baking = status.baking;
+  model.progress = status.progress;
+  model.error = status.error;
+  model.columns = VisibilityWorker::kPictureColumns;
+  model.rows = 8 / model.columns;
+  if (!shownVisibility_ || shownVisibility_->yarn != yarn) return model;
+  model.picture = visibilityPicture_->id();
+  model.rays = static_cast<double>(shownVisibility_->tables->rays);
+  return model;
+}
+
+}  // namespace loomlight

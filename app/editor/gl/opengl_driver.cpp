@@ -1,0 +1,209 @@
+#include "app/editor/gl/opengl_driver.h"
+
+#define GL_GLEXT_PROTOTYPES
+#include <GL/gl.h>
+#include <GL/glext.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "shader_text.h"
+
+namespace loomlight {
+namespace {
+
+constexpr GLint kNoCloth = -2147483647;  // as in shaders/display.frag
+
+GLuint compile(GLenum kind, std::string_view text) {
+  const GLuint shader = glCreateShader(kind);
+  const char* source = text.data();
+  const auto length = static_cast<GLint>(text.size());
+  glShaderSource(shader, 1, &source, &length);
+  glCompileShader(shader);
+  GLint ok = 0;
+  glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
+  if (ok) return shader;
+  char log[1024] = "";
+  glGetShaderInfoLog(shader, sizeof log, nullptr, log);
+  throw std::runtime_error(std::string("display shader: ") + log);
+}
+
+GLuint link() {
+  const GLuint vertex = compile(GL_VERTEX_SHADER, kDisplayVertexShader);
+  const GLuint fragment = compile(GL_FRAGMENT_SHADER, kDisplayFragmentShader);
+  const GLuint program = glCreateProgram();
+  glAttachShader(program, vertex);
+  glAttachShader(program, fragment);
+  glLinkProgram(program);
+  glDeleteShader(vertex);
+  glDeleteShader(fragment);
+  GLint ok = 0;
+  glGetProgramiv(program, GL_LINK_STATUS, &ok);
+  if (ok) return program;
+  char log[1024] = "";
+  glGetProgramInfoLog(program, sizeof log, nullptr, log);
+  throw std::runtime_error(std::string("display shader: ") + log);
+}
+
+GLuint makeTexture(GLint filter) {
+  GLuint texture = 0;
+  glGenTextures(1, &texture);
+  glBindTexture(GL_TEXTURE_2D, texture);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  return texture;
+}
+
+class OpenGlTexture final : public PictureTexture {
+ public:
+  OpenGlTexture() = default;
+  ~OpenGlTexture() override;
+  OpenGlTexture(const OpenGlTexture&) = delete;
+  OpenGlTexture& operator=(const OpenGlTexture&) = delete;
+
+  void upload(const Pixels8& pixels) override;
+  ImTextureID id() const override { return reinterpret_cast<ImTextureID>(static_cast<intptr_t>(texture_)); }
+
+ private:
+  GLuint texture_ = 0;
+};
+
+OpenGlTexture::~OpenGlTexture() {
+  if (texture_) glDeleteTextures(1, &texture_);
+}
+
+void OpenGlTexture::upload(const Pixels8& pixels) {
+  if (!texture_) glGenTextures(1, &texture_);
+  glBindTexture(GL_TEXTURE_2D, texture_);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, pixels.width, pixels.height, 0, GL_RGB, GL_UNSIGNED_BYTE,
+               pixels.bytes.data());
+  glGenerateMipmap(GL_TEXTURE_2D);
+}
+
+/// Exposure and tone are uniforms of a shader, so that they never cost a new picture.
+class OpenGlViewport final : public ViewportPicture {
+ public:
+  OpenGlViewport();
+  ~OpenGlViewport() override;
+  OpenGlViewport(const OpenGlViewport&) = delete;
+  OpenGlViewport& operator=(const OpenGlViewport&) = delete;
+
+  void upload(int width, int height, std::span<const glm::vec4> rgba, std::span<const Film::Hit> hits) override;
+  ImTextureID display(int width, int height, const Tone& tone, const std::optional<Outline>& outline) override;
+
+ private:
+  void resizeTarget(int width, int height);
+
+  GLuint program_ = 0, vertexArray_ = 0, picture_ = 0, crossings_ = 0, target_ = 0, framebuffer_ = 0;
+  int targetWidth_ = 0, targetHeight_ = 0;
+  bool filled_ = false;
+  /// What the target shows; null where the picture is another by now.
+  struct Shown {
+    int width = 0, height = 0;
+    Tone tone;
+    std::optional<Outline> outline;
+    friend bool operator==(const Shown&, const Shown&) = default;
+  };
+  std::optional<Shown> shown_;
+};
+
+OpenGlViewport::OpenGlViewport() {
+  program_ = link();
+  glGenVertexArrays(1, &vertexArray_);
+  picture_ = makeTexture(GL_LINEAR);
+  crossings_ = makeTexture(GL_NEAREST);
+  target_ = makeTexture(GL_NEAREST);
+  glGenFramebuffers(1, &framebuffer_);
+}
+
+OpenGlViewport::~OpenGlViewport() {
+  glDeleteFramebuffers(1, &framebuffer_);
+  const GLuint textures[] = {picture_, crossings_, target_};
+  glDeleteTextures(3, textures);
+  glDeleteVertexArrays(1, &vertexArray_);
+  glDeleteProgram(program_);
+}
+
+void OpenGlViewport::upload(int width, int height, std::span<const glm::vec4> rgba, std::span<const Film::Hit> hits) {
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  glBindTexture(GL_TEXTURE_2D, picture_);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, rgba.data());
+  std::vector<GLint> crossings;
+  crossings.reserve(2 * hits.size());
+  for (const Film::Hit& hit : hits) {
+    crossings.push_back(hit.yarn < 0 ? kNoCloth : hit.end);
+    crossings.push_back(hit.yarn < 0 ? kNoCloth : hit.pick);
+  }
+  const bool known = !hits.empty();
+  constexpr GLint kNone[] = {kNoCloth, kNoCloth};
+  glBindTexture(GL_TEXTURE_2D, crossings_);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RG32I, known ? width : 1, known ? height : 1, 0, GL_RG_INTEGER, GL_INT,
+               known ? crossings.data() : kNone);
+  filled_ = true;
+  shown_.reset();
+}
+
+void OpenGlViewport::resizeTarget(int width, int height) {
+  if (width == targetWidth_ && height == targetHeight_) return;
+  glBindTexture(GL_TEXTURE_2D, target_);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target_, 0);
+  targetWidth_ = width;
+  targetHeight_ = height;
+}
+
+ImTextureID OpenGlViewport::display(int width, int height, const Tone& tone, const std::optional<Outline>& outline) {
+  if (!filled_ || width <= 0 || height <= 0) return nullptr;
+  const auto target = reinterpret_cast<ImTextureID>(static_cast<intptr_t>(target_));
+  const Shown wanted{width, height, tone, outline};
+  if (shown_ == wanted) return target;  // most frames change something else
+  shown_ = wanted;
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+  resizeTarget(width, height);
+  glViewport(0, 0, width, height);
+  glDisable(GL_BLEND);
+  glDisable(GL_SCISSOR_TEST);
+  glUseProgram(program_);
+  glBindVertexArray(vertexArray_);
+  glActiveTexture(GL_TEXTURE1);
+  glBindTexture(GL_TEXTURE_2D, crossings_);
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, picture_);
+  auto at = [&](const char* name) { return glGetUniformLocation(program_, name); };
+  glUniform1i(at("picture"), 0);
+  glUniform1i(at("crossings"), 1);
+  glUniform1f(at("exposure"), std::exp2(tone.exposure_stops));
+  glUniform1i(at("filmic"), tone.filmic);
+  glUniform3f(at("background"), tone.background.x, tone.background.y, tone.background.z);
+  glUniform4i(at("lit"), 0, 0, 0, 0);
+  if (outline) {
+    glUniform4i(at("lit"), outline->crossing.end, outline->crossing.pick, outline->ends, outline->picks);
+    glUniform3f(at("accent"), outline->colour.r, outline->colour.g, outline->colour.b);
+  }
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glBindVertexArray(0);
+  glUseProgram(0);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  return target;
+}
+
+}  // namespace
+
+std::unique_ptr<PictureTexture> OpenGlDriver::makeTexture() {
+  return std::make_unique<OpenGlTexture>();
+}
+
+std::unique_ptr<ViewportPicture> OpenGlDriver::makeViewport() {
+  return std::make_unique<OpenGlViewport>();
+}
+
+}  // namespace loomlight

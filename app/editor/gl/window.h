@@ -1,0 +1,66 @@
+#pragma once
+
+#include <imgui.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "ui/widgets/fonts.h"
+#include "ui/widgets/theme.h"
+
+struct GLFWwindow;
+
+namespace loomlight {
+
+/// The window, its OpenGL 3.3 context and Dear ImGui, from construction to destruction. One at a time; used by the
+/// thread that made it, but for wake().
+class Window {
+ public:
+  /// `scale` 0: from the monitor. Throws InputError when there is no display or no OpenGL 3.3.
+  Window(const std::string& title, int width, int height, float scale);
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  float scale() const { return scale_; }
+  /// Makes the interface larger or smaller than the monitor asks for. Not within a frame.
+  void setInterfaceSize(float factor);
+  const Fonts& fonts() const { return fonts_; }
+  void setTheme(const Theme& theme);
+  void setTitle(const std::string& title);
+
+  /// Sleeps until there is input, wake(), or the time is over; 0 does not sleep. True when there was input.
+  bool waitForEvents(double seconds);
+  /// How many events of mouse and keyboard have come.
+  uint64_t inputCount() const { return inputCount_; }
+  static void wake();  ///< from any thread
+
+  void beginFrame();
+  void endFrame(const Theme& theme);
+
+  bool closeWanted() const;
+  void refuseClose();
+  bool isFullScreen() const { return fullScreen_; }
+  void setFullScreen(bool on);
+  ImVec2 sizeInWindow() const;  ///< as it is to be opened again: not that of full screen
+  std::vector<std::string> takeDroppedFiles();
+
+ private:
+  float wantedScale() const;
+  void followScale();
+  void noticeInput();
+
+  GLFWwindow* window_ = nullptr;
+  float scale_ = 1, givenScale_ = 0, interfaceSize_ = 1;
+  bool fullScreen_ = false;
+  bool inputSeen_ = false;
+  uint64_t inputCount_ = 0;
+  int placeX_ = 0, placeY_ = 0, placeWidth_ = 0, placeHeight_ = 0;
+  Theme theme_ = Theme::dark();
+  Fonts fonts_;
+  std::vector<std::string> dropped_;
+  std::string shownTitle_;
+};
+
+}  // namespace loomlight

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "app/editor/model/file_lock.h"
+#include "app/live/mailbox.h"
+#include "core/fabric/model/fabric.h"
+
+namespace loomlight {
+
+/// Keeps a copy of unsaved work on disk, written by a thread of its own a moment after each edit. The copy is removed
+/// when the editor ends well, so one that is there belongs to an editor that did not.
+///
+/// Every editor has a file in `folder` whose name nobody else will ever have, and beside it another that it keeps
+/// locked while it runs: a number of a process would come again, and after a restart of the machine stand for another.
+class Autosave {
+ public:
+  /// `wake` is called from the thread when problem() changes.
+  explicit Autosave(std::filesystem::path folder, std::function<void()> wake = {});
+  ~Autosave();  ///< leaves the copy: whoever is torn down by an error still has it
+
+  void keep(std::shared_ptr<const Fabric> fabric);
+  void forget();   ///< the work is saved: removes the copy
+  void endWell();  ///< the editor ends, and nothing is to be taken up again: removes the copy, for good
+  /// Removes a copy that another editor left, and what was beside it. Whatever is no copy in the folder is let alone:
+  /// designers' files are never removed.
+  void throwAway(const std::filesystem::path& left) const;
+  /// The same, once the work is written again, so that at no time there is no copy of it.
+  void takeOver(std::filesystem::path left);
+  /// Why the newest work could not be kept; empty while all is well.
+  std::string problem() const;
+
+  const std::filesystem::path& file() const { return file_; }
+
+  /// The newest copy left in the folder by an editor that is no longer running.
+  static std::optional<std::filesystem::path> leftBehind(const std::filesystem::path& folder);
+
+ private:
+  void loop(std::stop_token stop);
+  void makeFolder();
+  void write(const Fabric& fabric);
+  void removeTakenOver();
+  void setProblem(std::string problem);
+
+  std::filesystem::path file_;
+  std::optional<FileLock> running_;  ///< none where the folder takes no files: then no copy can be kept either
+  std::function<void()> wake_;
+  mutable std::mutex mutex_;  // of the next two
+  std::filesystem::path takenOver_;
+  std::string problem_;
+  Mailbox<std::shared_ptr<const Fabric>> work_;
+  std::jthread thread_;
+};
+
+}  // namespace loomlight

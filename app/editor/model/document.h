@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <string>
+
+#include "core/fabric/model/fabric.h"
+
+namespace loomlight {
+
+/// Where on the desk an edit was made: undo goes back there.
+struct EditPlace {
+  enum class Panel { none, draft, inspector };
+  Panel panel = Panel::none;
+  float cell = 0, originX = 0, originY = 0;  ///< how the draft was looked at (DraftView)
+  int page = 0, yarn = 0;                    ///< of the inspector
+  friend bool operator==(const EditPlace&, const EditPlace&) = default;
+};
+
+/// The fabric that is edited, how it came to be, and the file it lives in. Undo keeps the old values, which share what
+/// did not change: hundreds of thousands of small steps, or as many as memory is set aside for.
+class Document {
+ public:
+  /// An eighth of the machine's memory, and a gigabyte at most.
+  static size_t memoryForUndo_bytes();
+
+  /// `mostBytes`: of old values; beyond that the oldest go.
+  explicit Document(Fabric fabric, std::string file = {}, size_t mostBytes = memoryForUndo_bytes());
+
+  const std::shared_ptr<const Fabric>& fabric() const { return steps_[now_].fabric; }
+  const std::string& file() const { return file_; }  ///< empty while it has none
+  bool isDirty() const { return state() != savedState_; }
+  /// Counts up with every edit and every undo; looking around is none.
+  uint64_t revision() const { return revision_; }
+
+  /// All edits of one gesture (a drag, a text being typed) are one step of undo.
+  void edit(Fabric fabric, uint64_t gesture, const EditPlace& place = {});
+  /// Looking around: no step of undo, no reason to ask at the end.
+  void lookFrom(const Camera& camera);
+  bool canUndo() const { return now_ > 0; }
+  bool canRedo() const { return now_ + 1 < steps_.size(); }
+  /// Return where the edit was made that is taken back, or made again.
+  EditPlace undo();
+  EditPlace redo();
+
+  /// Which of its states this is; none has the number of another.
+  uint64_t state() const { return steps_[now_].id; }
+  /// That state of it is in the file now, and the file is its own.
+  void savedAs(const std::string& file, uint64_t state);
+
+ private:
+  struct Step {
+    std::shared_ptr<const Fabric> fabric;
+    uint64_t id = 0;
+    EditPlace place;   ///< of the edit that led to it
+    size_t bytes = 0;  ///< about, that it does not share with the one before
+  };
+  void push(Step step);
+  void go(size_t step);
+
+  std::deque<Step> steps_;
+  size_t now_ = 0;
+  size_t bytes_ = 0, mostBytes_;  ///< of all steps
+  std::string file_;
+  uint64_t nextId_ = 1, savedState_ = 0, revision_ = 0, gesture_ = 0;
+};
+
+}  // namespace loomlight

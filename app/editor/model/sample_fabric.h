@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/fabric/model/fabric.h"
+
+namespace loomlight {
+
+/// The sample cloths that travel inside the program, by name. The first is what a new editor opens on.
+std::vector<std::string> sampleNames();
+/// index < sampleNames().size()
+Fabric sampleFabric(size_t index = 0);
+
+/// What somebody sees who starts the editor for the first time: denim in folds, under the sun.
+Fabric welcomeFabric();
+
+}  // namespace loomlight

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/editor/model/recent_files.h"
+#include "ui/desk.h"
+#include "ui/draft/draft_view.h"
+#include "ui/inspector/trade_units.h"
+#include "ui/viewport/snapshot_options.h"
+
+namespace loomlight {
+
+/// Three eighths of the machine's memory: fibres of the viewport may take as much beside those of the lens.
+double defaultFibreMemory_GB();
+
+/// How pictures and drafts are looked at.
+struct ViewSettings {
+  bool denoised = false, filmic = true;
+  double exposure_stops = 0;
+  bool draftInColour = false, draftBack = false, marksFloats = false;
+};
+
+/// What the editor remembers from one session to the next; nothing of the fabric.
+struct Settings {
+  int windowWidth = 1440, windowHeight = 900;
+  bool darkTheme = true;
+  float interfaceSize = 1;  ///< beside what the monitor asks for
+  DeskLayout desk;
+  ViewSettings view;
+  DraftPreferences draft;
+  SnapshotOptions snapshot;
+  TradeUnits units;
+  double fibreMemory_GB = defaultFibreMemory_GB();  ///< that the truth lens may use
+  std::string folder;                               ///< where files were last opened or saved
+  std::vector<RecentFile> recent;                   ///< the last one first
+  bool hintsSeen = false;  ///< what to try first is known; false where there are no settings yet
+};
+
+/// A file that is missing or makes no sense gives the defaults: losing them costs a drag of a splitter.
+Settings readSettings(const std::filesystem::path& file);
+/// Tries to; a failure is no reason to hold up the end of a session.
+void writeSettings(const std::filesystem::path& file, const Settings& settings);
+
+}  // namespace loomlight

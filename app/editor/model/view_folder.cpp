@@ -1,0 +1,78 @@
+#include "app/editor/model/view_folder.h"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/fabric/json/fabric_json.h"
+
+namespace loomlight {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* kFabricKey = "loomlight.fabric";
+constexpr const char* kPrefix = "view-";  // what else lies in the folder is none of ours
+constexpr const char* kExtension = ".png";
+
+}  // namespace
+
+ViewFolder::ViewFolder(fs::path folder, Budget budget) : folder_(std::move(folder)), budget_(budget) {}
+
+std::string ViewFolder::newId() {
+  using namespace std::chrono;
+  const auto now_ns = duration_cast<nanoseconds>(system_clock::now().time_since_epoch()).count();
+  return fmt::format("{}{:020}-{}", kPrefix, now_ns, getpid());
+}
+
+fs::path ViewFolder::fileOf(const std::string& id) const {
+  return folder_ / (id + kExtension);
+}
+
+std::vector<std::string> ViewFolder::ids() const {
+  std::vector<std::string> ids;
+  std::error_code error;
+  for (fs::directory_iterator it(folder_, error), end; !error && it != end; it.increment(error)) {
+    const std::string id = it->path().stem().string();
+    if (it->path().extension() == kExtension && id.starts_with(kPrefix)) ids.push_back(id);
+  }
+  std::sort(ids.begin(), ids.end());
+  return ids;
+}
+
+KeptView ViewFolder::read(const std::string& id) const {
+  const std::string file = fileOf(id).string();
+  const auto texts = readPngTexts(file);
+  const auto found = texts.find(kFabricKey);
+  if (found == texts.end()) throw InputError(fmt::format("{}: expected a kept view, found no fabric in it", file));
+  Fabric fabric = workingNames(fabricFromJson(found->second, file), file);
+  KeptView view{id, std::make_shared<const Fabric>(std::move(fabric)), readPng(file)};
+  if (view.picture.channels != 3) throw InputError(fmt::format("{}: expected a picture without alpha", file));
+  return view;
+}
+
+void ViewFolder::keep(const KeptView& view) const {
+  const std::string file = fileOf(view.id).string();
+  std::error_code error;
+  fs::create_directories(folder_, error);  // where it cannot be made, writing says so
+  writePng(file, view.picture, {{kFabricKey, fabricToJson(localNames(*view.fabric, file))}});
+
+  std::vector<std::string> kept = ids();
+  std::reverse(kept.begin(), kept.end());
+  uintmax_t bytes = 0;
+  for (size_t i = 0; i < kept.size(); ++i) {
+    const uintmax_t size = fs::file_size(fileOf(kept[i]), error);
+    if (!error) bytes += size;
+    if (kept[i] != view.id && (i >= budget_.views || bytes > budget_.bytes)) remove(kept[i]);
+  }
+}
+
+void ViewFolder::remove(const std::string& id) const {
+  std::error_code ignored;
+  fs::remove(fileOf(id), ignored);
+}
+
+}  // namespace loomlight

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/fabric/model/fabric.h"
+#include "render/film/image.h"
+
+namespace loomlight {
+
+/// A view of a cloth that was kept: what it looked like, and the fabric with the camera that it shows.
+struct KeptView {
+  std::string id;  ///< names its file; later ones sort behind
+  std::shared_ptr<const Fabric> fabric;
+  Pixels8 picture;
+};
+
+/// Kept views on disk, from one session to the next: a PNG each, with the fabric in it as a text.
+class ViewFolder {
+ public:
+  /// At most so many, and so many bytes of them; then the oldest go.
+  struct Budget {
+    size_t views = 32;
+    uintmax_t bytes = 256'000'000;
+  };
+  explicit ViewFolder(std::filesystem::path folder, Budget budget);
+
+  static std::string newId();
+  /// Oldest first. A folder that is not there has none.
+  std::vector<std::string> ids() const;
+  /// Throws InputError.
+  KeptView read(const std::string& id) const;
+  void keep(const KeptView& view) const;
+  void remove(const std::string& id) const;
+
+ private:
+  std::filesystem::path fileOf(const std::string& id) const;
+
+  std::filesystem::path folder_;
+  Budget budget_;
+};
+
+}  // namespace loomlight

@@ -1,0 +1,60 @@
+#include "app/export/draft_picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "core/fabric/yarn/colour.h"
+#include "core/fabric/yarn/yarn_reflectance.h"
+
+namespace loomlight {
+namespace {
+
+/// The colour of what lies on top, linear.
+std::function<Rgb(int pick, int end)> colouring(const Fabric& fabric) {
+  std::vector<Rgb> yarns;  // as displayed
+  for (const Rgb& reflectance : yarnReflectances(fabric))
+    yarns.push_back(srgbFromLinear(glm::clamp(reflectance, Rgb(0.0f), Rgb(1.0f))));
+  const Rgb first = yarns[static_cast<size_t>(fabric.warpYarn(0))];
+  const auto isFirst = [&](int yarn) {
+    const Rgb& c = yarns[static_cast<size_t>(yarn)];
+    constexpr float kSeen = 0.1f;
+    return std::abs(c[0] - first[0]) + std::abs(c[1] - first[1]) + std::abs(c[2] - first[2]) < kSeen;
+  };
+  const bool plain = std::all_of(fabric.warpSequence.begin(), fabric.warpSequence.end(), isFirst) &&
+                     std::all_of(fabric.weftSequence.begin(), fabric.weftSequence.end(), isFirst);
+  return [&fabric, plain, yarns = std::move(yarns)](int pick, int end) {
+    const bool warp = fabric.weave.warpOver(pick, end);
+    const Rgb yarn = yarns[static_cast<size_t>(warp ? fabric.warpYarn(end) : fabric.weftYarn(pick))];
+    if (!plain) return linearFromSrgb(yarn);
+    constexpr float kApart = 0.45f;
+    return linearFromSrgb((1 - kApart) * yarn + (warp ? 0 : kApart));
+  };
+}
+
+}  // namespace
+
+Pixels8 draftPicture(const Fabric& fabric, int side) {
+  constexpr int kFewest = 32;  // crossings a side
+  const int longest = std::max(fabric.weave.ends(), fabric.weave.picks());
+  const int cell = std::max(1, side / std::max(kFewest, longest));
+  const double pitch = std::max(1.0, static_cast<double>(longest) / side) / cell;  // crossings from pixel to pixel
+  const int samples = pitch > 1 ? 16 : 1;
+  const auto colourAt = colouring(fabric);
+  Pixels8 picture{side, side, 3, {}};
+  picture.bytes.reserve(static_cast<size_t>(side) * side * 3);
+  for (int y = side - 1; y >= 0; --y)
+    for (int x = 0; x < side; ++x) {
+      Rgb sum(0.0f);
+      for (int i = 0; i < samples; ++i) {
+        // Spread evenly, and in step with no weave (Roberts's sequence).
+        const double dx = std::fmod(0.5 + 0.7548776662466927 * i, 1), dy = std::fmod(0.5 + 0.5698402909980532 * i, 1);
+        sum += colourAt(static_cast<int>((y + dy) * pitch), static_cast<int>((x + dx) * pitch));
+      }
+      const Rgb shown = srgbFromLinear(sum / static_cast<float>(samples));
+      for (int c = 0; c < 3; ++c) picture.bytes.push_back(static_cast<uint8_t>(std::lround(255 * shown[c])));
+    }
+  return picture;
+}
+
+}  // namespace loomlight

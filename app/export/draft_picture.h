@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/fabric/model/fabric.h"
+#include "render/film/image.h"
+
+namespace loomlight {
+
+/// The drawdown in the colours of its yarns, `side` pixels a side and three channels: some repeats of a small one, the
+/// whole of a large one, of which each pixel shows the mean of a few crossings. In a cloth of one colour
+/// the warp is darker and the weft lighter, as on point paper.
+Pixels8 draftPicture(const Fabric& fabric, int side);
+
+}  // namespace loomlight

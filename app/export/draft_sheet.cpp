@@ -1,0 +1,289 @@
+#include "app/export/draft_sheet.h"
+
+#include <cairo-pdf.h>
+#include <cairo.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <new>
+
+#include "app/export/file_name.h"
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/fabric/weave/draft_edit.h"
+#include "core/fabric/yarn/colour.h"
+
+namespace loomlight {
+namespace {
+
+using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
+using Canvas = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
+
+/// Lengths in the unit of the surface: points of a page, or pixels.
+struct SheetSize {
+  double width = 0, height = 0, margin = 0;
+  double cell = 0;   ///< of a crossing
+  double title = 0;  ///< height of the line above, font included
+  double hairline = 0;
+};
+
+/// A part of the repeat: what one page shows.
+struct Window {
+  int firstEnd = 0, ends = 0, firstPick = 0, picks = 0;
+};
+
+/// The draft and how it is laid out on any page: bars of colour, threading and treadling beside the drawdown.
+class Sheet {
+ public:
+  Sheet(const Fabric& fabric, const DraftCorner& corner) : fabric_(fabric), corner_(corner) {
+    // What nobody could thread is drawn without a threading.
+    constexpr LoomLimits kLoom{64, 64};
+    draft_ = fabric.draft ? fabric.draft : deriveDraft(fabric.weave, kLoom).draft;
+    if (draft_ && draft_->shafts > kMostShafts) draft_.reset();
+  }
+
+  /// Cells above and beside the drawdown: threading and treadling with a gap, and a bar of colours.
+  int above() const { return 2 + (draft_ ? draft_->shafts + 1 : 0); }
+  int beside() const { return 2 + columns() + (columns() > 0 ? 1 : 0); }
+
+  std::string title(const Window& window) const {
+    const Weave& weave = fabric_.weave;
+    std::string text = fmt::format("{}   {} ends x {} picks", fabric_.name, weave.ends(), weave.picks());
+    if (draft_)
+      text += draft_->liftplan.empty() ? fmt::format(", {} shafts, {} treadles", draft_->shafts, draft_->treadles)
+                                       : fmt::format(", {} shafts, liftplan", draft_->shafts);
+    text += fmt::format(", {:.4g} x {:.4g} per cm", fabric_.ends_per_cm, fabric_.picks_per_cm);
+    if (window.ends < weave.ends() || window.picks < weave.picks())
+      text += fmt::format("   ends {} to {}, picks {} to {}", window.firstEnd + 1, window.firstEnd + window.ends,
+                          window.firstPick + 1, window.firstPick + window.picks);
+    return text;
+  }
+
+  void draw(cairo_t* canvas, const SheetSize& size, const Window& window) const {
+    cairo_set_source_rgb(canvas, 1, 1, 1);
+    cairo_paint(canvas);
+    cairo_set_source_rgb(canvas, 0, 0, 0);
+    cairo_select_font_face(canvas, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+    cairo_set_font_size(canvas, 0.5 * size.title);
+    cairo_move_to(canvas, size.margin, size.margin + 0.5 * size.title);
+    cairo_show_text(canvas, title(window).c_str());
+    cairo_translate(canvas, size.margin, size.margin + size.title);
+    cairo_scale(canvas, size.cell, size.cell);  // from here on a crossing is 1 x 1
+    drawParts(canvas, size, window);
+  }
+
+ private:
+  static constexpr int kMostShafts = 128;
+  static constexpr double kInk = 0.1;
+
+  int columns() const { return !draft_ ? 0 : draft_->liftplan.empty() ? draft_->treadles : draft_->shafts; }
+
+  double xOf(const Window& w, int end) const {
+    const int i = end - w.firstEnd;
+    return 2 + (corner_.right ? w.ends - 1 - i : i);
+  }
+  double yOf(const Window& w, int pick) const {
+    const int i = pick - w.firstPick;
+    return above() + (corner_.top ? i : w.picks - 1 - i);
+  }
+
+  void setYarn(cairo_t* canvas, int yarn) const {
+    const Fibre& fibre = fabric_.fibres[static_cast<size_t>(fabric_.yarns[static_cast<size_t>(yarn)].fibre)];
+    const Rgb linear = colourFromAbsorption(fibre.absorption_per_mm, fibre.azimuthalRoughness, fibre.radius_um);
+    const Rgb display = srgbFromLinear(glm::clamp(linear, Rgb(0.0f), Rgb(1.0f)));
+    cairo_set_source_rgb(canvas, display.x, display.y, display.z);
+  }
+
+  /// All cells of one colour in one path: pages of thousands of crossings stay small.
+  void fillCells(cairo_t* canvas, const std::function<void()>& addCells) const {
+    addCells();
+    cairo_fill(canvas);
+  }
+
+  void drawGrid(cairo_t* canvas, const SheetSize& size, double x, double y, int across, int down) const {
+    const auto lineWidth = [&](int i) { return std::max(i % 4 == 0 ? 0.08 : 0.03, size.hairline / size.cell); };
+    const auto setGrey = [canvas](int i) {
+      const double grey = i % 4 == 0 ? 0.45 : 0.75;
+      cairo_set_source_rgb(canvas, grey, grey, grey);
+    };
+    for (int i = 0; i <= across; ++i) {
+      setGrey(i);
+      cairo_set_line_width(canvas, lineWidth(i));
+      cairo_move_to(canvas, x + i, y);
+      cairo_line_to(canvas, x + i, y + down);
+      cairo_stroke(canvas);
+    }
+    for (int i = 0; i <= down; ++i) {
+      setGrey(i);
+      cairo_set_line_width(canvas, lineWidth(i));
+      cairo_move_to(canvas, x, y + i);
+      cairo_line_to(canvas, x + across, y + i);
+      cairo_stroke(canvas);
+    }
+  }
+
+  /// Squares that print sharply; of a large jacquard a picture, which takes a thousandth of their room.
+  void drawCrossings(cairo_t* canvas, const Window& w) const {
+    constexpr int64_t kMostSquares = 200'000;
+    if (int64_t{w.ends} * w.picks > kMostSquares) return drawCrossingsAsPicture(canvas, w);
+    cairo_set_source_rgb(canvas, kInk, kInk, kInk);
+    fillCells(canvas, [&] {
+      for (int pick = w.firstPick; pick < w.firstPick + w.picks; ++pick)
+        for (int end = w.firstEnd; end < w.firstEnd + w.ends; ++end)
+          if (fabric_.weave.at(pick, end)) cairo_rectangle(canvas, xOf(w, end), yOf(w, pick), 1, 1);
+    });
+  }
+
+  void drawCrossingsAsPicture(cairo_t* canvas, const Window& w) const {
+    const Surface picture(cairo_image_surface_create(CAIRO_FORMAT_A8, w.ends, w.picks), cairo_surface_destroy);
+    if (cairo_surface_status(picture.get()) != CAIRO_STATUS_SUCCESS) throw std::bad_alloc();
+    unsigned char* const pixels = cairo_image_surface_get_data(picture.get());
+    const int stride = cairo_image_surface_get_stride(picture.get());
+    for (int pick = w.firstPick; pick < w.firstPick + w.picks; ++pick)
+      for (int end = w.firstEnd; end < w.firstEnd + w.ends; ++end) {
+        const auto x = static_cast<int>(xOf(w, end)) - 2, y = static_cast<int>(yOf(w, pick)) - above();
+        pixels[static_cast<ptrdiff_t>(y) * stride + x] = fabric_.weave.at(pick, end) ? 255 : 0;
+      }
+    cairo_surface_mark_dirty(picture.get());
+    cairo_set_source_rgb(canvas, kInk, kInk, kInk);
+    cairo_mask_surface(canvas, picture.get(), 2, above());
+  }
+
+  void drawParts(cairo_t* canvas, const SheetSize& size, const Window& w) const {
+    for (int end = w.firstEnd; end < w.firstEnd + w.ends; ++end) {
+      setYarn(canvas, fabric_.warpYarn(end));
+      fillCells(canvas, [&] { cairo_rectangle(canvas, xOf(w, end), 0, 1, 1); });
+    }
+    for (int pick = w.firstPick; pick < w.firstPick + w.picks; ++pick) {
+      setYarn(canvas, fabric_.weftYarn(pick));
+      fillCells(canvas, [&] { cairo_rectangle(canvas, 0, yOf(w, pick), 1, 1); });
+    }
+    drawCrossings(canvas, w);
+    constexpr int kMostLines = 2000;  // beyond, they would be all that is seen
+    const bool ruled = w.ends + w.picks <= kMostLines;
+    if (ruled) drawGrid(canvas, size, 2, above(), w.ends, w.picks);
+    if (draft_) drawDraft(canvas, size, w, *draft_);
+  }
+
+  void drawDraft(cairo_t* canvas, const SheetSize& size, const Window& w, const Draft& draft) const {
+    const double top = 2, right = 2 + w.ends + 1;
+    const double shafts = draft.shafts;
+    cairo_set_source_rgb(canvas, kInk, kInk, kInk);
+    fillCells(canvas, [&] {
+      for (int end = w.firstEnd; end < w.firstEnd + w.ends; ++end)
+        for (const int shaft : draft.threading[static_cast<size_t>(end)])
+          if (shaft >= 1) cairo_rectangle(canvas, xOf(w, end), top + shafts - shaft, 1, 1);
+    });
+    const auto& across = draft.liftplan.empty() ? draft.treadling : draft.liftplan;
+    fillCells(canvas, [&] {
+      for (int pick = w.firstPick; pick < w.firstPick + w.picks; ++pick)
+        for (const int number : across[static_cast<size_t>(pick)])
+          if (number >= 1) cairo_rectangle(canvas, right + number - 1, yOf(w, pick), 1, 1);
+    });
+    drawGrid(canvas, size, 2, top, w.ends, draft.shafts);
+    drawGrid(canvas, size, right, above(), columns(), w.picks);
+    if (!draft.liftplan.empty()) return;
+    cairo_set_source_rgb(canvas, kInk, kInk, kInk);
+    fillCells(canvas, [&] {
+      for (size_t treadle = 0; treadle < draft.tieUp.size(); ++treadle)
+        for (const int shaft : draft.tieUp[treadle])
+          if (shaft >= 1) cairo_rectangle(canvas, right + static_cast<double>(treadle), top + shafts - shaft, 1, 1);
+    });
+    drawGrid(canvas, size, right, top, draft.treadles, draft.shafts);
+  }
+
+  const Fabric& fabric_;
+  DraftCorner corner_;
+  std::optional<Draft> draft_;
+};
+
+cairo_status_t append(void* closure, const unsigned char* data, unsigned int length) {
+  static_cast<std::string*>(closure)->append(reinterpret_cast<const char*>(data), length);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+void check(cairo_status_t status, const std::string& file) {
+  if (status != CAIRO_STATUS_SUCCESS)
+    throw InputError(fmt::format("{}: expected to draw the draft, got: {}", file, cairo_status_to_string(status)));
+}
+
+/// The windows of a repeat of which each is at most so large.
+std::vector<Window> windowsOf(const Weave& weave, int mostEnds, int mostPicks) {
+  std::vector<Window> windows;
+  for (int pick = 0; pick < weave.picks(); pick += mostPicks)
+    for (int end = 0; end < weave.ends(); end += mostEnds)
+      windows.push_back({end, std::min(mostEnds, weave.ends() - end), pick, std::min(mostPicks, weave.picks() - pick)});
+  return windows;
+}
+
+std::string pdfOf(const Sheet& sheet, const Weave& weave, const std::string& file) {
+  constexpr double kMillimetre = 72 / 25.4, kLargestCell = 5 * kMillimetre, kLegibleCell = 1.6 * kMillimetre;
+  constexpr size_t kMostPages = 40;
+  SheetSize size{210 * kMillimetre, 297 * kMillimetre, 12 * kMillimetre, 0, 10 * kMillimetre, 0.15};
+  if (weave.ends() + sheet.beside() > weave.picks() + sheet.above()) std::swap(size.width, size.height);
+  const double roomX = size.width - 2 * size.margin, roomY = size.height - 2 * size.margin - size.title;
+  const double whole = std::min(roomX / (weave.ends() + sheet.beside()), roomY / (weave.picks() + sheet.above()));
+  size.cell = std::min(whole, kLargestCell);
+  std::vector<Window> windows{{0, weave.ends(), 0, weave.picks()}};
+  const int ends = static_cast<int>(roomX / kLegibleCell) - sheet.beside();
+  const int picks = static_cast<int>(roomY / kLegibleCell) - sheet.above();
+  if (whole < kLegibleCell && ends >= 8 && picks >= 8) {
+    const std::vector<Window> pages = windowsOf(weave, ends, picks);
+    if (pages.size() <= kMostPages) {
+      windows = pages;
+      size.cell = kLegibleCell;
+    }
+  }
+  std::string bytes;
+  const Surface surface(cairo_pdf_surface_create_for_stream(append, &bytes, size.width, size.height),
+                        cairo_surface_destroy);
+  for (const Window& window : windows) {
+    const Canvas canvas(cairo_create(surface.get()), cairo_destroy);
+    sheet.draw(canvas.get(), size, window);
+    check(cairo_status(canvas.get()), file);
+    cairo_surface_show_page(surface.get());
+  }
+  cairo_surface_finish(surface.get());
+  check(cairo_surface_status(surface.get()), file);
+  return bytes;
+}
+
+std::string pngOf(const Sheet& sheet, const Weave& weave, const std::string& file) {
+  constexpr double kLargestSide = 8192, kLargestCell = 16;
+  const int across = weave.ends() + sheet.beside(), down = weave.picks() + sheet.above();
+  SheetSize size;
+  size.margin = 16;
+  size.title = 28;
+  size.hairline = 1;
+  const double cell = (kLargestSide - size.title - 2 * size.margin) / std::max(across, down);
+  size.cell = cell >= 1 ? std::min(std::floor(cell), kLargestCell) : cell;
+  constexpr double kTitleWidth = 720;
+  size.width = std::ceil(std::max(across * size.cell, kTitleWidth) + 2 * size.margin);
+  size.height = std::ceil(down * size.cell + 2 * size.margin + size.title);
+  const Surface surface(
+      cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(size.width), static_cast<int>(size.height)),
+      cairo_surface_destroy);
+  const Canvas canvas(cairo_create(surface.get()), cairo_destroy);
+  cairo_set_antialias(canvas.get(), size.cell >= 1 ? CAIRO_ANTIALIAS_NONE : CAIRO_ANTIALIAS_DEFAULT);
+  sheet.draw(canvas.get(), size, {0, weave.ends(), 0, weave.picks()});
+  check(cairo_status(canvas.get()), file);
+  std::string bytes;
+  check(cairo_surface_write_to_png_stream(surface.get(), append, &bytes), file);
+  return bytes;
+}
+
+}  // namespace
+
+void writeDraftSheet(const std::string& file, const Fabric& fabric, const DraftCorner& corner) {
+  const std::string extension = lowerExtension(file);
+  if (extension != ".pdf" && extension != ".png")
+    throw InputError(fmt::format("{}: expected the name of a draft that ends in .pdf or .png", file));
+  expectWritable(file);
+  const Sheet sheet(fabric, corner);
+  writeFileAtomically(file, extension == ".pdf" ? pdfOf(sheet, fabric.weave, file) : pngOf(sheet, fabric.weave, file));
+}
+
+}  // namespace loomlight

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace loomlight {
+
+/// What kind of file a name stands for: ".json" of "a/b.JSON"; empty where there is no extension.
+std::string lowerExtension(const std::string& file);
+
+/// Whether it is the name of a fabric: both endings stand for the same JSON. ".json" is what other programs open as
+/// well;
+/// ".loomlight" is ours alone, so that a desktop opens it with this program.
+bool isFabricFile(const std::string& file);
+
+/// Whether it is to be read as a weaving file: some come by mail as texts, "draft.wif.txt".
+bool isWeavingFile(const std::string& file);
+
+/// A name for people as a name for a file: without a folder in it, not hidden, of characters that other systems take
+/// too, and short enough for any of them, with a number behind it too.
+std::string fileNameOf(const std::string& name);
+
+/// Whether something is there, be it a link that leads nowhere.
+bool isTaken(const std::filesystem::path& file);
+
+/// That file, or where it is taken one beside it: "twill.png", "twill 2.png", "twill 3.png", ...
+std::filesystem::path freeFile(const std::filesystem::path& wanted);
+
+}  // namespace loomlight

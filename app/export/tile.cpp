@@ -1,0 +1,156 @@
+#include "app/export/tile.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "app/export/whole_picture.h"
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/fabric/model/validate.h"
+#include "core/geometry/cloth_geometry.h"
+
+namespace loomlight {
+namespace {
+
+constexpr int kMostThreads = 2000;
+constexpr double kMargin_mm = 3;  ///< of cloth around a tile: light goes no further within it
+
+/// The least common multiple of the periods of the yarns that run along `along` in a piece of the repeat.
+int64_t twistPeriod(const ClothGeometry& geometry, System system) {
+  const bool warp = system == System::warp;
+  int64_t period = 1;
+  const int yarns = warp ? geometry.repeatEnds() : geometry.repeatPicks();
+  for (int i = 0; i < yarns && period <= kMostThreads; ++i) {
+    const CellKey key = warp ? geometry.key(system, 0, i) : geometry.key(system, i, 0);
+    period = std::lcm(period, static_cast<int64_t>(geometry.yarn(system, key.yarn).period));
+  }
+  return period;
+}
+
+/// The camera of a picture without perspective sees, at a distance of one, twice the tangent of ten degrees.
+double heightSeenAtOne() {
+  return 2 * std::tan(10 * kPi / 180);
+}
+
+/// An odd number of tiles side by side, so that one is in the middle with a margin around it.
+int tilesAcross(double tile_mm) {
+  return 1 + 2 * static_cast<int>(std::ceil(kMargin_mm / tile_mm));
+}
+
+/// Holes take the colour of the yarn that is nearest, across the tile's edges too: programs that filter between pixels
+/// would draw dark seams along yarns else.
+void fillHoles(const std::vector<float>& opacity, int width, int height, std::vector<Rgb>& colour) {
+  std::vector<int> front;
+  std::vector<bool> known(opacity.size());
+  for (size_t i = 0; i < opacity.size(); ++i) {
+    known[i] = opacity[i] > 0;
+    if (known[i]) front.push_back(static_cast<int>(i));
+  }
+  for (size_t next = 0; next < front.size(); ++next) {
+    const int x = front[next] % width, y = front[next] / width;
+    for (const auto& [dx, dy] : {std::pair(1, 0), std::pair(-1, 0), std::pair(0, 1), std::pair(0, -1)}) {
+      const int neighbour = (y + dy + height) % height * width + (x + dx + width) % width;
+      if (known[static_cast<size_t>(neighbour)]) continue;
+      known[static_cast<size_t>(neighbour)] = true;
+      colour[static_cast<size_t>(neighbour)] = colour[static_cast<size_t>(front[next])];
+      front.push_back(neighbour);
+    }
+  }
+}
+
+}  // namespace
+
+TileExtent tileExtent(const Fabric& fabric) {
+  const ClothGeometry geometry(fabric, fabric.weave.ends(), fabric.weave.picks());
+  const auto lcm = [](int64_t a, int64_t b) { return std::lcm(a, b); };
+  const int64_t ends =
+      lcm(lcm(fabric.weave.ends(), static_cast<int64_t>(fabric.warpSequence.size())), geometry.repeatEnds());
+  const int64_t picks =
+      lcm(lcm(fabric.weave.picks(), static_cast<int64_t>(fabric.weftSequence.size())), geometry.repeatPicks());
+  if (ends > Weave::kMaxSide || picks > Weave::kMaxSide)
+    throw InputError(fmt::format("{}: expected weave and colours to repeat within {} threads, got {} ends and {} picks",
+                                 fabric.name, Weave::kMaxSide, ends, picks));
+  const int64_t twistEnds = lcm(ends, twistPeriod(geometry, System::weft));
+  const int64_t twistPicks = lcm(picks, twistPeriod(geometry, System::warp));
+  const bool joins =
+      twistEnds <= std::max<int64_t>(ends, kMostThreads) && twistPicks <= std::max<int64_t>(picks, kMostThreads);
+  return {static_cast<int>(joins ? twistEnds : ends), static_cast<int>(joins ? twistPicks : picks), joins};
+}
+
+Fabric tileScene(const Fabric& fabric, const TileExtent& extent, int longestSide) {
+  Fabric scene = fabric;
+  const double width_mm = extent.ends * fabric.warpPitch_mm(), height_mm = extent.picks * fabric.weftPitch_mm();
+  const double pixels_per_mm = longestSide / std::max(width_mm, height_mm);
+  scene.render.width = std::max(1, static_cast<int>(std::lround(width_mm * pixels_per_mm)));
+  scene.render.height = std::max(1, static_cast<int>(std::lround(height_mm * pixels_per_mm)));
+  // Pixels are square, so the tile is stretched by a fraction of one to be a whole number of them.
+  const double stretched_mm = height_mm * scene.render.width / scene.render.height;
+  scene.ends_per_cm = 10 * extent.ends / stretched_mm;
+  scene.drape = Drape{};
+  scene.drape.width_mm = stretched_mm * tilesAcross(stretched_mm);
+  scene.drape.height_mm = height_mm * tilesAcross(height_mm);
+  scene.light = Light{};
+  scene.light.kind = LightKind::furnace;
+  scene.camera = Camera{};
+  scene.camera.elevation_deg = 90;
+  scene.camera.fov_deg = 0;
+  scene.camera.distance_mm = height_mm / heightSeenAtOne();
+  return scene;
+}
+
+TileMaps tileMaps(const Film& film, const Fabric& scene) {
+  const Image image = film.toImage(false);
+  const std::vector<float>& depth = image.find("depth.Z")->values;
+  TileMaps maps;
+  maps.width = film.width();
+  maps.height = film.height();
+  const size_t count = depth.size();
+  const auto distance = static_cast<float>(scene.camera.distance_mm);
+  float lowest = 0;
+  for (int y = 0; y < maps.height; ++y)
+    for (int x = 0; x < maps.width; ++x) {
+      const float alpha = film.alpha(x, y);
+      // Pictures have no background: the mean is what the yarns send back, over the whole pixel.
+      maps.baseColour.push_back(alpha > 0 ? film.mean(x, y) / alpha : Rgb(0));
+      maps.opacity.push_back(alpha);
+      maps.height_mm.push_back(alpha > 0 ? distance - depth[maps.height_mm.size()] : 0.0f);
+      maps.yarn.push_back(alpha > 0 ? film.hit(x, y).yarn : -1);
+      if (alpha > 0) lowest = std::min(lowest, maps.height_mm.back());
+    }
+  for (size_t i = 0; i < count; ++i)
+    if (maps.opacity[i] <= 0) maps.height_mm[i] = lowest;
+  fillHoles(maps.opacity, maps.width, maps.height, maps.baseColour);
+
+  const auto at = [&](int x, int y) {  // the tile goes on beyond its edges
+    const int w = maps.width, h = maps.height;
+    return maps.height_mm[static_cast<size_t>((y + h) % h) * static_cast<size_t>(w) + static_cast<size_t>((x + w) % w)];
+  };
+  const auto pixel_mm = static_cast<float>(scene.camera.distance_mm * heightSeenAtOne() / maps.height);
+  for (int y = 0; y < maps.height; ++y)
+    for (int x = 0; x < maps.width; ++x) {
+      // Sobel's differences: along one axis, smoothed across it.
+      const auto across = [&](int dx) { return at(x + dx, y - 1) + 2 * at(x + dx, y) + at(x + dx, y + 1); };
+      const auto down = [&](int dy) { return at(x - 1, y + dy) + 2 * at(x, y + dy) + at(x + 1, y + dy); };
+      const float slopeX = (across(1) - across(-1)) / (8 * pixel_mm), slopeY = (down(-1) - down(1)) / (8 * pixel_mm);
+      maps.normal.push_back(glm::normalize(glm::vec3(-slopeX, -slopeY, 1)));
+    }
+  return maps;
+}
+
+std::optional<TileReport> makeTile(const Fabric& fabric, const std::string& stem, int longestSide, double limit_bytes,
+                                   const Task& task) {
+  expectWritable(stem + ".json");
+  const TileExtent extent = tileExtent(fabric);
+  const auto tile = std::make_shared<const Fabric>(tileScene(fabric, extent, longestSide));
+  validate(*tile, "the tile");
+  const auto picture = renderWhole(tile, {limit_bytes, FibreExtent::oneRepeat}, task);
+  if (!picture) return std::nullopt;
+  const ClothMeasures measures = picture->scene->volume->geometry().measure();
+  return writeTile(stem, tileMaps(picture->film, *tile), fabric, extent, measures.thickness_mm,
+                   measures.arealMass_g_m2);
+}
+
+}  // namespace loomlight

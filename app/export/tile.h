@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/task.h"
+#include "core/fabric/model/fabric.h"
+#include "render/film/film.h"
+#include "render/film/image.h"
+
+namespace loomlight {
+
+/// A seamless tile of a cloth for other programs: what their textures hold, rendered by our own tracer.
+
+struct TileExtent {
+  int ends = 1, picks = 1;
+  /// The twist of every yarn comes round as well, so that each fibre goes on in the next tile. Where that would take
+  /// too large a tile, only weave and colours do.
+  bool twistJoins = true;
+};
+/// The smallest rectangle of crossings that repeats: weave, order of colours, and, up to 2000 threads a side, twist.
+/// Throws InputError where colours alone take more than Weave::kMaxSide.
+TileExtent tileExtent(const Fabric& fabric);
+
+/// The fabric as it is rendered for a tile: flat, several tiles wide, in white light from everywhere, seen straight
+/// from above without perspective; the picture is the tile in the middle. `longestSide`: pixels, 16..16384.
+Fabric tileScene(const Fabric& fabric, const TileExtent& extent, int longestSide);
+
+/// The maps, row by row from the top left, the first end at the left and the first pick at the bottom.
+struct TileMaps {
+  int width = 0, height = 0;
+  std::vector<Rgb> baseColour;    ///< linear; the share of light from everywhere that yarn sends back, with the noise
+                                  ///< of its samples; in holes that of the nearest yarn
+  std::vector<float> opacity;     ///< 0..1: the share of a pixel that yarn covers, seen from above
+  std::vector<float> height_mm;   ///< above the cloth's mid-plane; in holes the lowest of the yarns
+  std::vector<glm::vec3> normal;  ///< of the height, smoothed over a pixel; x along the ends' order, y along the picks'
+  std::vector<int> yarn;          ///< index into Fabric::yarns; -1 in holes
+};
+/// Of a film of tileScene().
+TileMaps tileMaps(const Film& film, const Fabric& scene);
+
+struct TileReport {
+  std::string json;                ///< the sidecar: sizes, mass, thickness, ranges of the maps
+  std::vector<std::string> files;  ///< that were written
+};
+/// Writes STEM.exr (all maps, linear; the opacity is a layer, as an alpha would mean colours that it has darkened),
+/// STEM_basecolor.png, _normal.png (y up), _height.png, _opacity.png, _yarn.png and STEM.json, which says what they
+/// are. The pictures carry their size as dots per inch. Each file is whole or not there. Throws InputError.
+TileReport writeTile(const std::string& stem, const TileMaps& maps, const Fabric& fabric, const TileExtent& extent,
+                     double thickness_mm, double arealMass_g_m2);
+
+/// All of it. Nothing when stopped. `limit_bytes`: of explicit fibres. Throws InputError.
+std::optional<TileReport> makeTile(const Fabric& fabric, const std::string& stem, int longestSide, double limit_bytes,
+                                   const Task& task);
+
+}  // namespace loomlight

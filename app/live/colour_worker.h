@@ -1,0 +1,61 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "app/live/mailbox.h"
+#include "render/transport/colour_solver.h"
+
+namespace loomlight {
+
+/// Which colour the cloth shows where a fibre lies on top; and, where one is wanted, how to dye it for that.
+struct ColourWish {
+  std::shared_ptr<const Fabric> fabric;
+  int fibre = 0;
+  std::optional<Rgb> wanted;  ///< linear, 1 is white paper
+  uint64_t number = 0;        ///< the asker's, to know the answer by
+};
+
+struct ColourAnswer {
+  ColourWish wish;
+  bool seen = false;  ///< the fibre lies on top somewhere
+  Rgb colour{0};      ///< that the cloth shows now
+  std::optional<SolvedColour> solved;
+};
+
+/// Answers the newest wish on a thread of its own, at low priority: light is walked through the cloth once for each
+/// construction; every further colour takes a moment. No call here waits.
+class ColourWorker {
+ public:
+  explicit ColourWorker(std::function<void()> wake);
+  ~ColourWorker();
+
+  void request(ColourWish wish);
+  std::shared_ptr<const ColourAnswer> newest() const;  ///< null before the first
+  std::string error() const;                           ///< why the newest wish has no answer
+
+ private:
+  void loop(std::stop_token stop);
+  bool makeWalks(std::stop_token ending);
+  void publish(std::shared_ptr<const ColourAnswer> answer, std::string error);
+
+  std::function<void()> wake_;
+  Mailbox<ColourWish> wishes_;
+  mutable std::mutex mutex_;
+  std::shared_ptr<const ColourAnswer> newest_;
+  std::string error_;
+
+  // The thread's own:
+  ColourWish wish_;                             ///< the newest
+  std::shared_ptr<const Fabric> construction_;  ///< that was walked through, undyed
+  int walkedFibre_ = -1;
+  ColourWalks walks_;
+
+  std::jthread thread_;  // last: it stops before what it uses is gone
+};
+
+}  // namespace loomlight

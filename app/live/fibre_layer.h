@@ -1,0 +1,63 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "app/live/mailbox.h"
+#include "app/live/refinement.h"
+#include "render/scene/fibre_extent.h"
+
+namespace loomlight {
+
+/// Lays the explicit fibres of the newest cloth on a thread of its own, for the truth lens. Says beforehand what they
+/// will take, falls back on copies of one repeat, and refuses where that too is more than it may be. No call here waits
+/// (destruction does, for what it stops).
+class FibreLayer {
+ public:
+  struct Status {
+    enum class Phase { none, laying, laid, tooLarge, failed };
+    Phase phase = Phase::none;
+    double progress = 0;
+    FibreSize size;     ///< as estimated, before anything is laid
+    std::string error;  ///< what else went wrong
+  };
+
+  /// Called from the thread: `wake` when status() has changed, `deliver` with what is laid, and with null pointers as
+  /// soon as that is no longer wanted. Nothing of it is kept here.
+  FibreLayer(std::function<void()> wake, std::function<void(Traceable)> deliver, int threads);
+  ~FibreLayer();
+
+  /// Fibres of the scene's cloth, from now on. What is there or under way stays if it is right for this scene too.
+  void lay(std::shared_ptr<const Scene> scene, double limit_bytes);
+  /// None are wanted.
+  void clear();
+
+  Status status() const;
+
+ private:
+  struct Wish {
+    std::shared_ptr<const Scene> scene;  ///< null: none
+    double limit_bytes = 0;
+    std::stop_token stop;
+  };
+  void post(std::shared_ptr<const Scene> scene, double limit_bytes);
+  void loop(std::stop_token stop);
+  void fulfil(const Wish& wish);
+  void tell(const Wish& wish, const Status& status);
+
+  std::function<void()> wake_;
+  std::function<void(Traceable)> deliver_;
+  int threads_;
+  Mailbox<Wish> wishes_;
+  mutable std::mutex mutex_;
+  std::shared_ptr<const Scene> wanted_;
+  double limit_bytes_ = 0;
+  std::stop_source stop_;  ///< of the newest wish
+  Status status_;
+  std::jthread thread_;  // last: it stops before what it uses is gone
+};
+
+}  // namespace loomlight

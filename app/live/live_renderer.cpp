@@ -1,0 +1,313 @@
+#include "app/live/live_renderer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <mutex>
+#include <stop_token>
+#include <thread>
+
+#include "app/live/fibre_layer.h"
+#include "app/live/mailbox.h"
+#include "app/live/recent_cloths.h"
+#include "core/base/memory.h"
+#include "core/base/parallel.h"
+#include "render/bvdf/bake/bvdf_baker.h"
+#include "render/media/report_medium.h"
+#include "render/transport/make_medium.h"
+
+namespace loomlight {
+namespace {
+
+/// What volumes that are out of date may take: a sixteenth of the memory, a gigabyte at most.
+size_t recentBytes() {
+  return static_cast<size_t>(std::min<uint64_t>(uint64_t{1} << 30, physicalMemory_bytes() / 16));
+}
+
+bool isReport(const Fabric& fabric) {
+  return fabric.render.method == Method::volume && fabric.render.estimator == Estimator::report;
+}
+
+/// Tables that a fabric of as many yarns can be shown with until its own are baked.
+bool serves(const std::shared_ptr<const BvdfSet>& set, const Fabric& fabric) {
+  return set && set->tableOfYarn.size() == fabric.yarns.size();
+}
+
+std::shared_ptr<const Medium> makeLiveMedium(const Scene& scene, const std::shared_ptr<const BvdfSet>& visibility,
+                                             const Task& task) {
+  // The tracer may hold the previous fibres until these are done.
+  if (!isReport(*scene.fabric)) return makeMedium(scene, 0.5 * defaultMemoryLimit_bytes(), task);
+  return std::make_shared<const ReportMedium>(
+      scene, serves(visibility, *scene.fabric) ? visibility : expectedBvdf(scene, BvdfResolution{}));
+}
+
+/// Null pointers when stopped.
+BuiltCloth makeCloth(const ViewRequest& request, const Task& task, const BuiltCloth& previous,
+                     const FirstScenes* first) {
+  const Traceable& old = previous.traceable;
+  BuiltCloth made;
+  made.visibility = request.visibility;
+  Traceable& cloth = made.traceable;
+  cloth.scene = makeScene(request.fabric, task, old.scene.get(), first);
+  if (!cloth.scene) return {};
+  const bool sameTables = !isReport(*request.fabric) || made.visibility == previous.visibility;
+  if (old.medium && sameTables && sameMedium(*old.mediumScene, *cloth.scene)) {
+    cloth.mediumScene = old.mediumScene;
+    cloth.medium = old.medium;
+    return made;
+  }
+  cloth.mediumScene = cloth.scene;
+  cloth.medium = makeLiveMedium(*cloth.scene, made.visibility, task);
+  return cloth.medium ? made : BuiltCloth{};
+}
+
+}  // namespace
+
+/// The threads and all that they share. Every shared value is either behind `mutex` or in a mailbox.
+struct LiveRenderer::Workers {
+  Workers(std::function<void()> wakeWindow, int threadCount)
+      : wake(std::move(wakeWindow)),
+        threads(threadCount > 0 ? threadCount : std::max(1, hardwareThreads() - 1)),
+        tracer(wake, threads),
+        layer(wake, [this](Traceable laid) { tracer.fibres(std::move(laid)); }, threads) {
+    builder = std::jthread([this](std::stop_token stop) { buildLoop(stop); });
+  }
+  ~Workers() {
+    builder.request_stop();
+    std::lock_guard lock(mutex);
+    buildStop.request_stop();
+  }
+
+  void buildLoop(std::stop_token stop);
+  void build(const ViewRequest& request, std::stop_token stop);
+  void showDraft(const ViewRequest& request, std::shared_ptr<const Scene> scene, const Task& task);
+  void count();
+  void layFibres();
+  LensStatus lensStatus(const Tracer::State& traced) const;  ///< with the mutex held
+
+  std::function<void()> wake;
+  int threads;
+
+  Mailbox<ViewRequest> requests;
+
+  mutable std::mutex mutex;
+  LiveStatus status;  ///< the builder's part of it
+  bool building = false;
+  std::stop_source buildStop;
+  bool buildMayBeCancelled = true;  // not twice in a row, or a steady drag would never show a new volume
+  std::optional<LensRequest> lens;
+  std::shared_ptr<const Scene> scene;  // the newest that could be built; only the builder changes it
+
+  // The builder's:
+  RecentCloths recent{recentBytes()};
+  std::shared_ptr<const ClothVolume> counted;  // what `status` has the counts of
+
+  Tracer tracer;
+  FibreLayer layer;
+  std::jthread builder;  // last: it stops before what it uses is gone
+};
+
+void LiveRenderer::Workers::buildLoop(std::stop_token stop) {
+  while (auto request = requests.wait(stop)) build(*request, stop);
+}
+
+void LiveRenderer::Workers::build(const ViewRequest& request, std::stop_token stop) {
+  using Clock = std::chrono::steady_clock;
+  constexpr std::chrono::milliseconds kTelling{40};  // how far a build is; a quick one says nothing
+  const auto start = Clock::now();
+  auto told = start;
+  Task task;
+  task.threads = threads;
+  {
+    std::lock_guard lock(mutex);
+    if (requests.waiting()) return;  // it came before this one could be stopped
+    buildStop = std::stop_source();
+    if (stop.stop_requested()) buildStop.request_stop();
+    task.stop = buildStop.get_token();
+  }
+  task.progress = [this, &told, kTelling](double fraction) {
+    {
+      std::lock_guard lock(mutex);
+      const auto now = Clock::now();
+      if (now - told < kTelling) return;
+      told = now;
+      building = true;
+      status.buildProgress = fraction;
+    }
+    wake();
+  };
+  // A draft is worth a picture of its own where the whole takes longer than a picture does.
+  constexpr double kWorthWaiting_s = 0.05;
+  const FirstScenes first{static_cast<double>(request.width) / std::max(1, request.height),
+                          [start](double fraction) {
+                            const std::chrono::duration<double> spent = Clock::now() - start;
+                            return spent.count() * (1 / fraction - 1) > kWorthWaiting_s;
+                          },
+                          [&](std::shared_ptr<const Scene> draft) { showDraft(request, std::move(draft), task); }};
+  const bool showsVolume = request.fabric->render.method == Method::volume;
+  const BuiltCloth base = recent.baseFor(*request.fabric);
+  BuiltCloth built;
+  std::string error;
+  try {
+    built = makeCloth(request, task, base, showsVolume ? &first : nullptr);
+  } catch (const std::exception& e) {
+    error = e.what();
+  }
+  const Traceable& made = built.traceable;
+  const std::chrono::duration<double> spent = Clock::now() - start;
+  {
+    std::lock_guard lock(mutex);
+    building = false;
+    status.buildProgress = 1;
+    status.error = error;
+    buildMayBeCancelled = made.scene || !error.empty();
+    if (made.scene) {
+      status.builtGeneration = request.generation;
+      if (!base.traceable.scene || made.scene->volume != base.traceable.scene->volume) {
+        status.bricksVoxelised += made.scene->volume->bricksVoxelised();
+        status.buildSeconds = spent.count();
+      }
+      status.notices = made.scene->shell->repairs();
+      scene = made.scene;
+    }
+  }
+  if (made.scene) {
+    tracer.show({made, request.width, request.height, request.generation});
+    layFibres();
+  }
+  wake();
+  if (made.scene) recent.keep(std::move(built));
+  count();
+}
+
+/// Has a picture traced of what is there of a cloth. From then on its builder may be stopped: a drag moves the picture.
+void LiveRenderer::Workers::showDraft(const ViewRequest& request, std::shared_ptr<const Scene> scene,
+                                      const Task& task) {
+  Traceable draft{scene, scene, makeLiveMedium(*scene, request.visibility, task)};
+  if (!draft.medium) return;
+  tracer.show({std::move(draft), request.width, request.height, request.generation, true});
+  std::lock_guard lock(mutex);
+  if (requests.waiting()) buildStop.request_stop();
+  buildMayBeCancelled = true;
+}
+
+/// Counts and measures the newest volume, unless there is more urgent work.
+void LiveRenderer::Workers::count() {
+  if (requests.waiting() || !scene || scene->volume == counted) return;
+  counted = scene->volume;
+  const VolumeCounts counts = counted->counts();
+  const ClothMeasures measures = counted->measure();
+  {
+    std::lock_guard lock(mutex);
+    status.counts = counts;
+    status.measures = measures;
+  }
+  wake();
+}
+
+/// Has fibres laid for the newest scene if the lens is open and has a use for them.
+void LiveRenderer::Workers::layFibres() {
+  std::shared_ptr<const Scene> newest;
+  double limit_bytes = 0;
+  {
+    std::lock_guard lock(mutex);
+    if (lens && scene && scene->fabric->render.method == Method::volume) {
+      newest = scene;
+      limit_bytes = lens->memoryLimit_bytes;
+    }
+  }
+  if (newest) {
+    layer.lay(std::move(newest), limit_bytes);
+  } else {
+    layer.clear();
+  }
+}
+
+LensStatus LiveRenderer::Workers::lensStatus(const Tracer::State& traced) const {
+  using Phase = LensStatus::Phase;
+  LensStatus result;
+  if (!lens) return result;
+  const FibreLayer::Status laid = layer.status();
+  result.progress = laid.progress;
+  result.segments = laid.size.segments;
+  result.bytes = laid.size.bytes;
+  result.isWholePiece = laid.size.isWholePiece();
+  result.error = laid.error;
+  if (scene && scene->fabric->render.method == Method::fibres) {
+    result.phase = Phase::needless;
+    return result;
+  }
+  switch (laid.phase) {
+    case FibreLayer::Status::Phase::none:
+      result.phase = Phase::waiting;
+      break;
+    case FibreLayer::Status::Phase::laying:
+      result.phase = Phase::laying;
+      break;
+    case FibreLayer::Status::Phase::laid:
+      result.phase = traced.lens == Tracer::State::Phase::converged ? Phase::converged : Phase::tracing;
+      break;
+    case FibreLayer::Status::Phase::tooLarge:
+      result.phase = Phase::tooLarge;
+      break;
+    case FibreLayer::Status::Phase::failed:
+      result.phase = Phase::failed;
+      break;
+  }
+  return result;
+}
+
+LiveRenderer::LiveRenderer(std::function<void()> wake, int threads)
+    : workers_(std::make_unique<Workers>(std::move(wake), threads)) {}
+LiveRenderer::~LiveRenderer() = default;
+
+void LiveRenderer::request(ViewRequest request) {
+  {
+    std::lock_guard lock(workers_->mutex);
+    if (workers_->buildMayBeCancelled) {
+      workers_->buildMayBeCancelled = false;
+      workers_->buildStop.request_stop();
+    }
+  }
+  workers_->requests.post(std::move(request));
+}
+
+void LiveRenderer::lens(std::optional<LensRequest> request) {
+  {
+    std::lock_guard lock(workers_->mutex);
+    workers_->lens = request;
+  }
+  workers_->tracer.lens(request ? std::optional(request->window) : std::nullopt);
+  workers_->layFibres();
+}
+
+std::shared_ptr<const Frame> LiveRenderer::frame() const {
+  return workers_->tracer.frame();
+}
+
+std::shared_ptr<const LensFrame> LiveRenderer::lensFrame() const {
+  return workers_->tracer.lensFrame();
+}
+
+LiveStatus LiveRenderer::status() const {
+  const Tracer::State traced = workers_->tracer.state();
+  std::lock_guard lock(workers_->mutex);
+  LiveStatus status = workers_->status;
+  status.pathsPerSecond = traced.pathsPerSecond;
+  if (status.error.empty()) status.error = traced.error;
+  static constexpr LiveStatus::Phase kPhases[] = {LiveStatus::Phase::idle, LiveStatus::Phase::tracing,
+                                                  LiveStatus::Phase::converged};
+  status.phase = workers_->building ? LiveStatus::Phase::voxelising : kPhases[static_cast<int>(traced.picture)];
+  status.lens = workers_->lensStatus(traced);
+  return status;
+}
+
+void LiveRenderer::denoise(bool wanted) {
+  workers_->tracer.denoise(wanted);
+}
+
+void LiveRenderer::pause(bool paused) {
+  workers_->tracer.pause(paused);
+}
+
+}  // namespace loomlight

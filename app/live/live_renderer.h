@@ -1,0 +1,94 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/live/tracer.h"
+#include "core/fabric/model/fabric.h"
+#include "core/geometry/cloth_geometry.h"
+#include "core/volume/traverse/cloth_volume.h"
+#include "render/bvdf/bvdf_set.h"
+
+namespace loomlight {
+
+/// What the viewport wants to see. `generation` counts up with what is to be seen, and comes back in every frame; a
+/// request of the same generation may only bring better tables of visibility.
+struct ViewRequest {
+  std::shared_ptr<const Fabric> fabric;
+  int width = 0, height = 0;  ///< pixels of the viewport
+  uint64_t generation = 0;
+  /// For Estimator::report: the best that is known. Null, or of other yarns: what is expected without any.
+  std::shared_ptr<const BvdfSet> visibility;
+};
+
+/// Where the truth lens is.
+struct LensRequest {
+  PixelRect window;
+  double memoryLimit_bytes = 0;  ///< that explicit fibres may take
+  bool operator==(const LensRequest&) const = default;
+};
+
+/// How far the truth lens is.
+struct LensStatus {
+  enum class Phase {
+    closed,
+    waiting,    ///< for the cloth to be built
+    needless,   ///< the viewport shows explicit fibres itself
+    laying,     ///< fibres
+    tooLarge,   ///< they would take more than the limit
+    failed,     ///< for another reason: `error`
+    tracing,    ///
+    converged,  ///
+  };
+  Phase phase = Phase::closed;
+  double progress = 0;             ///< 0..1, of laying
+  double segments = 0, bytes = 0;  ///< of the fibres, as estimated before they are laid
+  bool isWholePiece = true;        ///< false: of one repeat, which stands side by side
+  std::string error;
+};
+
+struct LiveStatus {
+  enum class Phase { idle, voxelising, tracing, converged };
+  Phase phase = Phase::idle;
+  double buildProgress = 1;      ///< 0..1, of the voxelisation under way
+  uint64_t builtGeneration = 0;  ///< newest request whose volume is ready
+  VolumeCounts counts;
+  ClothMeasures measures;
+  double buildSeconds = 0;       ///< of the last voxelisation
+  uint64_t bricksVoxelised = 0;  ///< by all of them
+  double pathsPerSecond = 0;
+  std::string error;                 ///< of the newest request, for the user; empty if it could be built
+  std::vector<std::string> notices;  ///< repairs of a mesh and the like
+  LensStatus lens;
+};
+
+/// The workers behind the viewport: the builder turns the newest fabric into a scene, the tracer refines pictures of
+/// the newest scene, and while the lens is open, explicit fibres are laid for it to look at. No call here ever waits
+/// for any of them (destruction does: one brick, one path).
+class LiveRenderer {
+ public:
+  /// `wake` is called from the workers when there is something new to show.
+  /// `threads`: for tracing; 0 leaves one hardware thread to the window.
+  explicit LiveRenderer(std::function<void()> wake, int threads = 0);
+  ~LiveRenderer();
+  LiveRenderer(const LiveRenderer&) = delete;
+  LiveRenderer& operator=(const LiveRenderer&) = delete;
+
+  void request(ViewRequest request);
+  void lens(std::optional<LensRequest> request);       ///< null: closed
+  std::shared_ptr<const Frame> frame() const;          ///< the newest; null before the first
+  std::shared_ptr<const LensFrame> lensFrame() const;  ///< null while there is nothing to show in the lens
+  LiveStatus status() const;
+  void denoise(bool wanted);  ///< whether frames have a copy with less noise for the display
+  void pause(bool paused);    ///< stops tracing (a snapshot needs the cores); the picture stays
+
+ private:
+  struct Workers;
+  std::unique_ptr<Workers> workers_;
+};
+
+}  // namespace loomlight

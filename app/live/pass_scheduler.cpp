@@ -1,0 +1,46 @@
+#include "app/live/pass_scheduler.h"
+
+#include <algorithm>
+
+namespace loomlight {
+namespace {
+
+constexpr double kFirstPictureSeconds = 0.025;  // with all else, a frame or two of a film
+constexpr int kCoarsest = 32;
+constexpr double kUsualSecondsPerPath = 1e-5;  // of cloth that fills the picture, on two cores
+constexpr double kShortestPassSeconds = 0.1;
+constexpr double kLongestPassSeconds = 1.0;
+
+double pathsAt(const PassHistory& h, int divider) {
+  return static_cast<double>((h.width + divider - 1) / divider) * ((h.height + divider - 1) / divider);
+}
+
+int firstDivider(const PassHistory& h) {
+  const double secondsPerPath = h.secondsPerPath > 0 ? h.secondsPerPath : kUsualSecondsPerPath;
+  int divider = 1;
+  const auto takesLongerThan = [&](double seconds) { return pathsAt(h, divider) * secondsPerPath > seconds; };
+  while (divider < h.coarsest && takesLongerThan(kFirstPictureSeconds)) ++divider;
+  while (divider < kCoarsest && takesLongerThan(h.patience_s)) ++divider;
+  return divider;
+}
+
+}  // namespace
+
+double passBudget_s(const PassHistory& h) {
+  return std::clamp(h.seconds / 4, kShortestPassSeconds, kLongestPassSeconds);
+}
+
+PassPlan nextPass(const PassHistory& h, uint32_t samplesWanted) {
+  if (h.divider == 0) {
+    const int divider = firstDivider(h);
+    return {divider, 1};
+  }
+  // Half the divider at a time, so that no step leaps to the eye: together they cost a third of the first fine one.
+  if (h.divider > 1) return {h.divider / 2, 1};
+  if (h.samples >= samplesWanted) return {1, 0};
+  const double perSample = std::max(1e-9, pathsAt(h, 1) * h.secondsPerPath);
+  const auto more = static_cast<uint32_t>(std::clamp(passBudget_s(h) / perSample, 1.0, 64.0));
+  return {1, std::min(samplesWanted, h.samples + more)};
+}
+
+}  // namespace loomlight

@@ -1,0 +1,46 @@
+#include "app/live/recent_cloths.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/fabric/model/impact.h"
+
+namespace loomlight {
+
+BuiltCloth RecentCloths::baseFor(const Fabric& fabric) const {
+  for (const Entry& entry : entries_)
+    if (sameCloth(*entry.cloth.traceable.scene->fabric, fabric)) return entry.cloth;
+  return entries_.empty() ? BuiltCloth{} : entries_.front().cloth;
+}
+
+void RecentCloths::keep(BuiltCloth cloth) {
+  const auto& volume = cloth.traceable.scene->volume;
+  const auto known = std::find_if(entries_.begin(), entries_.end(),
+                                  [&](const Entry& entry) { return entry.cloth.traceable.scene->volume == volume; });
+  if (known != entries_.end()) {
+    const auto place = static_cast<size_t>(known - entries_.begin());
+    bytes_ -= known->bytes;
+    entries_.erase(known);
+    if (place > 0) count(place);
+  }
+  if (!entries_.empty()) {
+    Traceable& before = entries_.front().cloth.traceable;
+    if (before.scene->fabric->render.method == Method::fibres) before.medium.reset();
+  }
+  entries_.push_front({std::move(cloth), 0});
+  count(1);
+  while (bytes_ > budget_bytes_ || entries_.size() > kMost) {
+    bytes_ -= entries_.back().bytes;
+    entries_.pop_back();
+  }
+}
+
+/// Counts the bytes of an entry, if there is one of this number, beside the one before it.
+void RecentCloths::count(size_t i) {
+  if (i >= entries_.size()) return;
+  bytes_ -= entries_[i].bytes;
+  entries_[i].bytes = entries_[i].volume().bytesBeside(entries_[i - 1].volume());
+  bytes_ += entries_[i].bytes;
+}
+
+}  // namespace loomlight

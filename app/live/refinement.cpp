@@ -1,0 +1,248 @@
+#include "app/live/refinement.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/parallel.h"
+#include "render/display/denoise.h"
+#include "render/display/despeckle.h"
+#include "render/display/recolour.h"
+
+namespace loomlight {
+namespace {
+
+/// Samples at which the viewport goes to sleep.
+constexpr uint32_t kMostSamples = 1024;
+/// From here on pictures are shown as they are.
+constexpr int kClearSamples = 16;
+
+double secondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+int coarser(int pixels, int divider) {
+  return (pixels + divider - 1) / divider;
+}
+
+/// The pixels of a coarse film that cover the window.
+PixelRect covering(const PixelRect& window, int divider) {
+  const int left = window.x / divider, top = window.y / divider;
+  return {left, top, coarser(window.x + window.width, divider) - left,
+          coarser(window.y + window.height, divider) - top};
+}
+
+constexpr int kPart = 8 * PathRecords::kTile;  // pixels a side: some tenths of a second on two cores
+constexpr int kSmallestPart = 2 * PathRecords::kTile;
+
+glm::vec4 light(const Film& film, int x, int y) {
+  return glm::vec4(film.mean(x, y), film.alpha(x, y));
+}
+
+}  // namespace
+
+Refinement::Refinement(Traceable cloth, int width, int height, double secondsPerPath)
+    : cloth_(std::move(cloth)), fine_(width, height), window_{0, 0, width, height}, start_(Clock::now()) {
+  history_.width = width;
+  history_.height = height;
+  history_.secondsPerPath = secondsPerPath;
+}
+
+void Refinement::look(const PixelRect& window) {
+  if (window == window_) return;
+  window_ = window;
+  history_.width = window.width;
+  history_.height = window.height;
+  pass_.reset();
+  standIn_.reset();
+  history_.samples = fineBegun_ ? fewestSamples(fine_, window) : 0;
+  history_.divider = history_.samples > 0 ? 1 : 0;
+  start_ = Clock::now();
+}
+
+void Refinement::keepPaths(size_t bytes) {
+  records_ =
+      std::make_unique<PathRecords>(fine_.width(), fine_.height(), static_cast<int>(scene().materials.size()), bytes);
+}
+
+bool Refinement::converged() const {
+  return !pass_ && nextPass(history_, kMostSamples).samples == 0;
+}
+
+Film& Refinement::filmFor(int divider) {
+  if (divider == 1) {
+    fineBegun_ = true;
+    return fine_;
+  }
+  if (divider != coarseDivider_) {
+    coarse_.emplace(coarser(fine_.width(), divider), coarser(fine_.height(), divider));
+    coarseDivider_ = divider;
+  }
+  return *coarse_;
+}
+
+/// The first pass of all is not split: there is nothing that could be seen around its parts.
+Refinement::Pass Refinement::beginPass() const {
+  constexpr uint32_t kFadeSteps = 8;  // at least, however quick the machine
+  PassPlan plan = nextPass(history_, kMostSamples);
+  if (fading())
+    plan.samples = std::min(plan.samples, history_.samples + std::max(1u, standIn_->samples() / kFadeSteps));
+  const PixelRect all = covering(window_, plan.divider);
+  const uint32_t more = plan.divider == 1 ? plan.samples - history_.samples : 1;
+  const double seconds = static_cast<double>(all.width) * all.height * more * history_.secondsPerPath;
+  const bool split = begun() && seconds > 2 * passBudget_s(history_);
+  return {plan, Parts(all, split ? std::max(kSmallestPart, kPart / plan.divider) : 0)};
+}
+
+bool Refinement::advance(const Task& task) {
+  threads_ = task.threads;
+  if (converged()) return true;
+  history_.seconds = secondsSince(start_);
+  if (!pass_) pass_ = beginPass();
+  const PassPlan& plan = pass_->plan;
+  Film& film = filmFor(plan.divider);
+  const CameraRays camera(scene().fabric->camera, film.width(), film.height());
+  PathRecords* records = plan.divider == 1 ? records_.get() : nullptr;
+  const auto start = Clock::now();
+  const double budget = passBudget_s(history_);
+  uint64_t paths = 0;
+  double seconds = 0;
+  bool complete = true;
+  while (complete && !pass_->parts.finished() && seconds < budget) {
+    const PassResult result =
+        renderUpTo(plan.samples, scene(), *cloth_.medium, camera, film, pass_->parts.next(), task, 0, records);
+    seconds = secondsSince(start);
+    paths += result.counts.paths;
+    complete = result.complete;
+    if (complete) pass_->parts.finishNext();
+  }
+  spent_s_ += seconds;
+  if (!complete) return false;
+  if (paths > 0) history_.secondsPerPath = seconds / static_cast<double>(paths);
+  if (pass_->parts.finished()) endPass();
+  return true;
+}
+
+void Refinement::endPass() {
+  const PassPlan plan = pass_->plan;
+  pass_.reset();
+  history_.divider = plan.divider;
+  if (plan.divider == 1) {
+    history_.samples = plan.samples;
+    if (!fading()) standIn_.reset();
+  } else {
+    Frame coarse = traced(*coarse_, plan.divider);
+    finish(coarse);
+    coarse.draft = false;  // each of its pixels has a sample of its own
+    standIn_.emplace(std::make_shared<const Frame>(std::move(coarse)));
+  }
+}
+
+void Refinement::finish(Frame& frame) const {
+  frame.samples = history_.divider == 1 ? static_cast<int>(history_.samples) : 0;
+  if (standIn_ && frame.divider == 1)
+    frame.samples += static_cast<int>(
+        std::lround(standIn_->share(history_.samples) * static_cast<float>(standIn_->frame().samples)));
+  frame.draft = standIn_ && standIn_->frame().draft;
+  frame.seconds = secondsSince(start_);
+  if (asTraced_) {
+    // One lucky path to the sun is held back until samples come.
+    if (frame.divider == 1 && frame.samples < kClearSamples)
+      despeckle(frame.rgba, frame.width, frame.height, 1.5f + static_cast<float>(std::max(1, frame.samples)));
+  } else {
+    takeNoise(frame);
+  }
+  if (frame.divider > 1) soften(frame.helped.empty() ? frame.rgba : frame.helped, frame.width, frame.height);
+}
+
+/// Noise darkens a picture, as what is brighter than white is lost to the eye: a young one is shown denoised, which
+/// keeps all light, and less and less so until it is clear. What was traced stays beside it.
+void Refinement::takeNoise(Frame& frame) const {
+  const float youth = 1 - static_cast<float>(std::min(frame.samples, kClearSamples)) / kClearSamples;
+  if (youth == 0 && !denoised_) return;
+  frame.variances = variances(frame);
+  std::vector<glm::vec4> quiet(frame.plain().begin(), frame.plain().end());
+  loomlight::denoise(quiet, {frame.hits, frame.variances}, frame.width, frame.height, threads_);
+  if (youth > 0 && frame.helped.empty()) frame.helped = frame.rgba;
+  for (size_t i = 0; youth > 0 && i < quiet.size(); ++i) frame.helped[i] = glm::mix(frame.helped[i], quiet[i], youth);
+  if (denoised_) frame.denoised = std::move(quiet);
+}
+
+/// Of the luminance of a fine picture; empty where nothing is known of it.
+std::vector<float> Refinement::variances(const Frame& frame) const {
+  const auto luminance = [](Rgb c) { return 0.2126f * c.r + 0.7152f * c.g + 0.0722f * c.b; };
+  const bool mixed = standIn_ && standIn_->knowsVariance();
+  std::vector<float> variances;
+  if (frame.divider > 1 || (!mixed && history_.samples < 2)) return variances;
+  variances.reserve(frame.rgba.size());
+  for (int y = window_.y; y < window_.y + window_.height; ++y)
+    for (int x = window_.x; x < window_.x + window_.width; ++x) {
+      // In other colours noise is in proportion.
+      const float shown = luminance(Rgb(frame.rgba[variances.size()]));
+      const float traced = luminance(Rgb(faded(light(fine_, x, y), x, y, Rgb(1))));
+      const float scale = frame.recoloured && traced > 0 ? shown / traced : 1.0f;
+      const float own = fine_.variance(x, y);
+      variances.push_back(scale * scale * (mixed ? standIn_->variance(x, y, fine_.samples(x, y), own) : own));
+    }
+  return variances;
+}
+
+Frame Refinement::frame() const {
+  const int divider = fineBegun_ || !coarse_ ? 1 : coarseDivider_;
+  Frame frame = traced(divider == 1 ? fine_ : *coarse_, divider);
+  finish(frame);
+  return frame;
+}
+
+Frame Refinement::recoloured(const Dye& dye, int threads, double& variance) const {
+  Recoloured picture = recolour(fine_, *records_, dye, threads);
+  variance = picture.variance;
+  Frame frame = traced(fine_, 1);
+  frame.helped.clear();
+  frame.rgba = std::move(picture.rgba);
+  for (int y = 0; fading() && y < fine_.height(); ++y)
+    for (int x = 0; x < fine_.width(); ++x) {
+      const size_t i = static_cast<size_t>(y) * static_cast<size_t>(fine_.width()) + static_cast<size_t>(x);
+      frame.rgba[i] = faded(frame.rgba[i], x, y, picture.change[i]);
+    }
+  frame.recoloured = true;
+  finish(frame);
+  return frame;
+}
+
+/// A pixel at full resolution with its share of what stands in for it, whose light changes so.
+glm::vec4 Refinement::faded(const glm::vec4& own, int x, int y, Rgb change) const {
+  const float share = standIn_ ? standIn_->share(fine_.samples(x, y)) : 0;
+  return share > 0 ? glm::mix(own, glm::vec4(change, 1) * standIn_->light(x, y, 1), share) : own;
+}
+
+/// The window as it has been traced so far, with what stands in for it.
+Frame Refinement::traced(const Film& film, int divider) const {
+  const PixelRect pixels = covering(window_, divider);
+  // Later passes and those that fade in change too little for borders to be seen.
+  const bool first = pass_ && pass_->plan.divider == divider && standIn_ && standIn_->samples() == 1;
+  Frame frame;
+  frame.divider = divider;
+  frame.width = pixels.width;
+  frame.height = pixels.height;
+  frame.window = {pixels.x * divider, pixels.y * divider, pixels.width * divider, pixels.height * divider};
+  frame.rgba.resize(static_cast<size_t>(frame.width) * static_cast<size_t>(frame.height));
+  if (!asTraced_) frame.hits.resize(frame.rgba.size());
+  if (standIn_ && !standIn_->frame().helped.empty()) frame.helped.resize(frame.rgba.size());
+  parallelFor(static_cast<size_t>(frame.height), threads_, [&](size_t row) {
+    const int y = pixels.y + static_cast<int>(row);
+    size_t i = row * static_cast<size_t>(frame.width);
+    for (int x = pixels.x; x < pixels.x + pixels.width; ++x, ++i) {
+      const uint32_t samples = film.samples(x, y);
+      float share = standIn_ ? standIn_->share(samples) : 0;
+      if (first) share = std::max(share, 1 - pass_->parts.shown(x, y));
+      const glm::vec4 own = light(film, x, y);
+      frame.rgba[i] = share > 0 ? glm::mix(own, standIn_->light(x, y, divider), share) : own;
+      if (!frame.helped.empty())
+        frame.helped[i] = share > 0 ? glm::mix(own, standIn_->helped(x, y, divider), share) : own;
+      if (!asTraced_) frame.hits[i] = samples == 0 && standIn_ ? standIn_->hit(x, y, divider) : film.hit(x, y);
+    }
+  });
+  return frame;
+}
+
+}  // namespace loomlight

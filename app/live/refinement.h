@@ -1,0 +1,110 @@
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/live/pass_scheduler.h"
+#include "core/base/task.h"
+#include "render/display/frame.h"
+#include "render/display/parts.h"
+#include "render/display/stand_in.h"
+#include "render/media/medium.h"
+
+namespace loomlight {
+
+/// A scene and what its light is traced through, which may have been made for an earlier scene of the same cloth.
+struct Traceable {
+  std::shared_ptr<const Scene> scene, mediumScene;
+  std::shared_ptr<const Medium> medium;
+};
+
+/// A picture that grows pass by pass, coarse first: of the whole viewport, or of a window onto it that may be moved.
+/// A pass that takes long is done part by part, from the middle outwards, and each part is shown as it is done.
+/// The window looks at a film of the viewport's size, so each pixel's samples are those that it has in the whole
+/// picture, and what a window has once shown is still there when it comes back. Pixels that were never looked at take
+/// no memory.
+class Refinement {
+ public:
+  /// The window is the whole. `secondsPerPath`: as measured before; 0: unknown. Throws InputError where memory does not
+  /// suffice.
+  Refinement(Traceable cloth, int width, int height, double secondsPerPath);
+
+  void look(const PixelRect& window);  ///< within the film
+  /// Begins no coarser than this, where the old picture says more than a coarser one, unless it has to wait longer
+  /// than that.
+  void beginAt(int divider, double patience_s) {
+    history_.coarsest = divider;
+    history_.patience_s = patience_s;
+  }
+  /// Counts as begun, and goes on with passes that are finer than this: for a picture that another one stands in for,
+  /// or that nobody sees before it has many samples.
+  void skipCoarse(int divider = 1) { history_.divider = divider; }
+  /// Frames have no hits, and are as they were traced: for the lens.
+  void asTraced() { asTraced_ = true; }
+  /// Another picture of the same view, of the window or more, shown where this one is not as good yet.
+  void standIn(std::shared_ptr<const Frame> earlier) { standIn_.emplace(std::move(earlier)); }
+  /// Whether something of that is still to be seen.
+  bool fading() const { return standIn_ && history_.samples < standIn_->samples(); }
+  /// Samples with which another picture is as good as this one, with what stands in for it.
+  uint32_t worth_samples() const { return fading() ? standIn_->samples() : history_.samples; }
+  /// Whether frames with hits have a copy with less noise for the display.
+  void denoise(bool wanted) { denoised_ = wanted; }
+  /// From now on keeps what recolouring needs, within so many bytes. Before the first pass.
+  void keepPaths(size_t bytes);
+
+  bool begun() const { return history_.divider != 0; }  ///< the window has been filled, if coarsely
+  bool converged() const;
+  int divider() const { return history_.divider; }
+  uint32_t samples() const { return history_.samples; }
+  double spent_s() const { return spent_s_; }
+  double secondsPerPath() const { return history_.secondsPerPath; }
+  const Film& film() const { return fine_; }
+  const PixelRect& window() const { return window_; }
+  const Scene& scene() const { return *cloth_.scene; }
+  const Medium& medium() const { return *cloth_.medium; }
+
+  /// The next pass, or part of one. False when stopped: then it goes on where it was.
+  bool advance(const Task& task);
+
+  Frame frame() const;
+  /// The picture at full resolution in other colours, with what stands in for it in these colours too, and the noise of
+  /// its own samples: the mean variance of their luminance. Of a picture that keeps its paths and has samples.
+  Frame recoloured(const Dye& dye, int threads, double& variance) const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  /// A pass under way: what is to be done, and how far it is.
+  struct Pass {
+    PassPlan plan;
+    Parts parts;
+  };
+
+  Film& filmFor(int divider);
+  Pass beginPass() const;
+  void endPass();
+  Frame traced(const Film& film, int divider) const;
+  glm::vec4 faded(const glm::vec4& own, int x, int y, Rgb change) const;
+  void finish(Frame& frame) const;
+  void takeNoise(Frame& frame) const;
+  std::vector<float> variances(const Frame& frame) const;
+
+  Traceable cloth_;
+  Film fine_;
+  bool fineBegun_ = false;
+  std::unique_ptr<PathRecords> records_;  ///< of fine_; null where none are kept
+  std::optional<Film> coarse_;            ///< of a 1/coarseDivider_ of the resolution
+  int coarseDivider_ = 0;
+  bool denoised_ = false, asTraced_ = false;
+  int threads_ = 1;  ///< of the last pass
+  std::optional<Pass> pass_;
+  std::optional<StandIn> standIn_;
+  PixelRect window_;
+  PassHistory history_;
+  Clock::time_point start_;
+  double spent_s_ = 0;
+};
+
+}  // namespace loomlight

@@ -1,0 +1,304 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/fabric/json/fabric_json.h"
+#include "core/fabric/json/json_text.h"
+#include "core/fabric/model/check.h"
+#include "core/fabric/model/field_tables.h"
+#include "core/fabric/model/validate.h"
+#include "core/fabric/model/wif_origin.h"
+#include "core/fabric/wif/wif_reader.h"
+
+namespace loomlight {
+namespace {
+
+using nlohmann::json;
+
+/// A value, for the "got" of a message.
+std::string shown(const json& value) {
+  if (value.is_array()) return "a list";
+  if (value.is_object()) return "an object";
+  if (value.is_string()) return quotedText(value.get_ref<const std::string&>());
+  return value.dump();
+}
+
+int readWhole(const json& value, double min, double max, const Place& place) {
+  const double number = value.is_number() ? value.get<double>() : std::nan("");
+  if (!(number >= min && number <= max) || number != std::floor(number))
+    place.reject(expectedWhole(min, max), shown(value));
+  return static_cast<int>(number);
+}
+
+const json::array_t& readList(const json& value, const char* expected, const Place& place) {
+  if (!value.is_array()) place.reject(expected, shown(value));
+  return value.get_ref<const json::array_t&>();
+}
+
+void read(const json& value, const FieldInfo& info, const Place& place, double& out) {
+  if (!value.is_number()) place.reject(expectedNumber(info.min, info.max), shown(value));
+  out = value.get<double>();
+  check(info, out, place);
+}
+
+void read(const json& value, const FieldInfo& info, const Place& place, int& out) {
+  out = readWhole(value, info.min, info.max, place);
+}
+
+void read(const json& value, const FieldInfo& info, const Place& place, std::optional<int>& out) {
+  out = readWhole(value, info.min, info.max, place);
+}
+
+void read(const json& value, const FieldInfo& info, const Place& place, std::optional<double>& out) {
+  read(value, info, place, out.emplace());
+}
+
+void read(const json& value, const FieldInfo&, const Place& place, uint64_t& out) {
+  if (!value.is_number_unsigned()) place.reject("a whole number from 0 to 18446744073709551615", shown(value));
+  out = value.get<uint64_t>();
+}
+
+void read(const json& value, const FieldInfo&, const Place& place, bool& out) {
+  if (!value.is_boolean()) place.reject("true or false", shown(value));
+  out = value.get<bool>();
+}
+
+void read(const json& value, const FieldInfo& info, const Place& place, std::string& out) {
+  if (!value.is_string()) place.reject("a text", shown(value));
+  out = value.get<std::string>();
+  check(info, out, place);
+}
+
+template <class Vector>
+void readTriple(const json& value, const FieldInfo& info, const Place& place, Vector& out) {
+  const json::array_t& list = readList(value, "a list of 3 numbers", place);
+  if (list.size() != 3) place.reject("a list of 3 numbers", fmt::format("{}", list.size()));
+  for (int i = 0; i < 3; ++i) {
+    double number = 0;
+    read(list[static_cast<size_t>(i)], info, place.at(static_cast<size_t>(i)), number);
+    out[i] = static_cast<typename Vector::value_type>(number);
+  }
+}
+
+void read(const json& value, const FieldInfo& info, const Place& place, Rgb& out) {
+  readTriple(value, info, place, out);
+}
+
+void read(const json& value, const FieldInfo& info, const Place& place, glm::dvec3& out) {
+  readTriple(value, info, place, out);
+}
+
+template <class Enum>
+void read(const json& value, const FieldInfo&, const Place& place, Enum& out)
+  requires std::is_enum_v<Enum>
+{
+  const std::optional<Enum> choice =
+      value.is_string() ? choiceFromName<Enum>(value.get_ref<const std::string&>()) : std::nullopt;
+  if (!choice) place.reject(choiceList<Enum>(), shown(value));
+  out = *choice;
+}
+
+/// An object whose known keys are taken out one by one; what remains is what this version does not know.
+class ObjectReader {
+ public:
+  ObjectReader(json value, const Place& place) : object_(std::move(value)), place_(place) {
+    if (!object_.is_object()) place_.reject("an object", shown(object_));
+  }
+
+  std::optional<json> take(const char* key) {
+    const auto found = object_.find(key);
+    if (found == object_.end()) return std::nullopt;
+    std::optional<json> value(std::move(*found));
+    object_.erase(found);
+    return value;
+  }
+
+  template <class Object>
+  void takeFields(Object& object) {
+    forEachField<Object>([&](const auto& field) {
+      if (const std::optional<json> value = take(field.info.key))
+        read(*value, field.info, place_.at(field.info.key), object.*field.member);
+    });
+  }
+
+  UnknownKeys rest() { return object_.empty() ? nullptr : std::make_shared<const json>(std::move(object_)); }
+
+ private:
+  json object_;
+  const Place& place_;
+};
+
+template <class Object>
+Object readObject(json value, const Place& place) {
+  ObjectReader reader(std::move(value), place);
+  Object object;
+  reader.takeFields(object);
+  object.unknown = reader.rest();
+  return object;
+}
+
+template <class Object>
+std::vector<Object> readObjects(json value, const Place& place) {
+  readList(value, "a list of objects", place);
+  std::vector<Object> objects;
+  for (size_t i = 0; i < value.size() && i <= kMaxKinds; ++i)
+    objects.push_back(readObject<Object>(std::move(value[i]), place.at(i)));
+  return objects;
+}
+
+std::vector<Colourway> readColourways(json value, const Place& place) {
+  readList(value, "a list of objects", place);
+  std::vector<Colourway> colourways;
+  for (size_t i = 0; i < value.size() && i <= kMaxKinds; ++i) {
+    const Place here = place.at(i);
+    ObjectReader reader(std::move(value[i]), here);
+    Colourway& colourway = colourways.emplace_back();
+    reader.takeFields(colourway);
+    if (const std::optional<json> colours = reader.take("absorption_per_mm")) {
+      const Place there = here.at("absorption_per_mm");
+      readList(*colours, "a list of colours, one a fibre", there);
+      for (size_t k = 0; k < colours->size() && k <= kMaxKinds; ++k)
+        read((*colours)[k], fieldInfo(&Fibre::absorption_per_mm), there.at(k),
+             colourway.absorption_per_mm.emplace_back());
+    }
+    colourway.unknown = reader.rest();
+  }
+  return colourways;
+}
+
+std::vector<int> readSequence(const json& value, const Place& place) {
+  const json::array_t& list = readList(value, "a list of yarn numbers", place);
+  std::vector<int> sequence;
+  sequence.reserve(list.size());
+  for (size_t i = 0; i < list.size(); ++i) sequence.push_back(readWhole(list[i], 0, kMaxKinds - 1, place.at(i)));
+  return sequence;
+}
+
+Weave readWeave(const json& value, const Place& place) {
+  const json::array_t& list = readList(value, "a list of texts, one a pick", place);
+  if (list.empty() || list.size() > static_cast<size_t>(Weave::kMaxSide))
+    place.reject(fmt::format("from 1 to {} picks", Weave::kMaxSide), fmt::format("{}", list.size()));
+  size_t ends = 0;
+  std::vector<Weave::SharedRow> rows(list.size());
+  for (size_t i = 0; i < list.size(); ++i) {
+    const Place here = place.at(i);
+    if (!list[i].is_string()) here.reject("a text of \"#\" and \".\"", shown(list[i]));
+    const std::string& text = list[i].get_ref<const std::string&>();
+    if (i == 0) {
+      ends = text.size();
+      if (ends < 1 || ends > static_cast<size_t>(Weave::kMaxSide))
+        here.reject(fmt::format("from 1 to {} ends", Weave::kMaxSide), fmt::format("{}", ends));
+    }
+    if (text.size() != ends)
+      here.reject(fmt::format("{} ends as in the first pick listed", ends), fmt::format("{}", text.size()));
+    if (const size_t wrong = text.find_first_not_of("#."); wrong != std::string::npos)
+      here.reject("only \"#\" (warp over) and \".\" (weft over)",
+                  fmt::format("{} at {}", quotedText(text.substr(wrong, 1)), wrong + 1));
+    Weave::Row row(ends);
+    for (size_t e = 0; e < ends; ++e) row[e] = text[e] == '#' ? 1 : 0;
+    rows[list.size() - 1 - i] = std::make_shared<const Weave::Row>(std::move(row));
+  }
+  return Weave(std::move(rows));
+}
+
+/// Entries of a draft: a number or a list of numbers each.
+std::vector<std::vector<int>> readDraftList(const json& value, const Place& place) {
+  const json::array_t& list = readList(value, "a list of numbers, or of lists of numbers", place);
+  std::vector<std::vector<int>> entries(list.size());
+  for (size_t i = 0; i < list.size(); ++i) {
+    const Place here = place.at(i);
+    const double most = fieldInfo(&Draft::shafts).max;
+    if (list[i].is_array()) {
+      for (size_t j = 0; j < list[i].size(); ++j) entries[i].push_back(readWhole(list[i][j], 0, most, here.at(j)));
+    } else {
+      entries[i].push_back(readWhole(list[i], 0, most, here));
+    }
+  }
+  return entries;
+}
+
+Draft readDraft(json value, const Place& place) {
+  ObjectReader reader(std::move(value), place);
+  Draft draft;
+  reader.takeFields(draft);
+  const auto list = [&](const char* key, std::vector<std::vector<int>>& entries) {
+    if (const std::optional<json> found = reader.take(key)) entries = readDraftList(*found, place.at(key));
+  };
+  list("threading", draft.threading);
+  list("tie_up", draft.tieUp);
+  list("treadling", draft.treadling);
+  list("liftplan", draft.liftplan);
+  draft.unknown = reader.rest();
+  validateDraft(draft, place);
+  return draft;
+}
+
+/// What a weaving file said, in its own syntax, line by line. Nobody but us writes it, so it has to be right.
+WifRest readWifLines(const json& value, const std::string& source, const Place& place) {
+  std::string text;
+  for (const json& line : readList(value, "a list of texts, the lines of a weaving file", place)) {
+    if (!line.is_string()) place.reject("texts", shown(line));
+    text += line.get_ref<const std::string&>();
+    text += '\n';
+  }
+  if (text.size() > kMaxWifBytes)
+    place.reject(fmt::format("at most {} bytes", kMaxWifBytes), fmt::format("{}", text.size()));
+  if (text.find('\0') != std::string::npos) place.reject("texts", "one with a NUL character");
+  WifWarnings warnings;
+  WifRest rest = readWifRest(parseWifSections(text, fmt::format("{}: {}", source, place.path()), warnings), warnings);
+  const std::vector<WifWarning> complaints = warnings.list();
+  if (!complaints.empty()) place.reject("lines as in a weaving file", inOneLine(complaints.front()));
+  return rest;
+}
+
+std::shared_ptr<const WifOrigin> readOrigin(json value, const std::string& source, const Place& place) {
+  ObjectReader reader(std::move(value), place);
+  auto origin = std::make_shared<WifOrigin>();
+  reader.takeFields(*origin);
+  if (const std::optional<json> lines = reader.take("lines"))
+    origin->rest = readWifLines(*lines, source, place.at("lines"));
+  origin->unknown = reader.rest();
+  return origin;
+}
+
+void checkVersion(const std::optional<json>& version, const Place& place) {
+  if (!version) place.reject(fmt::format("{}, as in every fabric file", kFabricVersion), "nothing");
+  if (readWhole(*version, 1, 1e9, place) > kFabricVersion)
+    place.reject(fmt::format("at most {}", kFabricVersion),
+                 version->dump() + ": a newer Loomlight wrote this file, and is needed to read it");
+}
+
+}  // namespace
+
+Fabric fabricFromJson(std::string_view text, const std::string& sourceName) {
+  const Place place(sourceName);
+  ObjectReader reader(parseJson(text, sourceName), place);
+  checkVersion(reader.take("loomlight_version"), place.at("loomlight_version"));
+
+  Fabric fabric;
+  reader.takeFields(fabric);
+  const std::optional<json> weave = reader.take("weave");
+  if (weave) fabric.weave = readWeave(*weave, place.at("weave"));
+  if (std::optional<json> draft = reader.take("draft")) {
+    fabric.draft = readDraft(std::move(*draft), place.at("draft"));
+    if (!weave) fabric.weave = drawdown(*fabric.draft);
+  }
+  if (auto v = reader.take("warp_sequence")) fabric.warpSequence = readSequence(*v, place.at("warp_sequence"));
+  if (auto v = reader.take("weft_sequence")) fabric.weftSequence = readSequence(*v, place.at("weft_sequence"));
+  if (auto v = reader.take("yarns")) fabric.yarns = readObjects<Yarn>(std::move(*v), place.at("yarns"));
+  if (auto v = reader.take("fibres")) fabric.fibres = readObjects<Fibre>(std::move(*v), place.at("fibres"));
+  if (auto v = reader.take("colourways")) fabric.colourways = readColourways(std::move(*v), place.at("colourways"));
+  if (auto v = reader.take("drape")) fabric.drape = readObject<Drape>(std::move(*v), place.at("drape"));
+  if (auto v = reader.take("light")) fabric.light = readObject<Light>(std::move(*v), place.at("light"));
+  if (auto v = reader.take("camera")) fabric.camera = readObject<Camera>(std::move(*v), place.at("camera"));
+  if (auto v = reader.take("render")) fabric.render = readObject<RenderSettings>(std::move(*v), place.at("render"));
+  if (auto v = reader.take("wif")) fabric.wif = readOrigin(std::move(*v), sourceName, place.at("wif"));
+  fabric.unknown = reader.rest();
+  validate(fabric, sourceName);
+  return fabric;
+}
+
+}  // namespace loomlight

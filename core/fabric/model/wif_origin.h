@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+
+#include "core/fabric/model/field_info.h"
+#include "core/fabric/model/unknown_keys.h"
+#include "core/fabric/model/wif_document.h"
+
+namespace loomlight {
+
+/// Where a fabric came from: a weaving file. It holds what the fabric does not, for the day when the fabric is written
+/// as a weaving file again. Edits leave it alone.
+struct WifOrigin {
+  std::string program;  ///< that wrote the file
+  int ends = 0;         ///< of its draft
+  int picks = 0;
+  /// What the fabric had when the file was read. As long as it has, the file's own sizes are handed back: a draft goes
+  /// out with the sizes it came with, unless the designer has set others.
+  double ends_per_cm = 0;
+  double picks_per_cm = 0;
+  double warpDiameter_mm = 0;  ///< mean over the threads
+  double weftDiameter_mm = 0;
+  WifRest rest;
+  UnknownKeys unknown;
+  friend bool operator==(const WifOrigin&, const WifOrigin&);
+};
+
+template <>
+struct FieldTable<WifOrigin> {
+  static constexpr auto fields = std::make_tuple(
+      Field{&WifOrigin::program, {"program", "Program", "", 0, 0, "What wrote the weaving file."}},
+      Field{&WifOrigin::ends, {"ends", "Ends", "", 0, Weave::kMaxSide, "Warp threads of the file's draft."}},
+      Field{&WifOrigin::picks, {"picks", "Picks", "", 0, Weave::kMaxSide, "Weft threads of the file's draft."}},
+      Field{&WifOrigin::ends_per_cm, {"ends_per_cm", "Ends", "/cm", 0, 500, "Sett of the fabric it became."}},
+      Field{&WifOrigin::picks_per_cm, {"picks_per_cm", "Picks", "/cm", 0, 500, "Sett of the fabric it became."}},
+      Field{&WifOrigin::warpDiameter_mm,
+            {"warp_diameter_mm", "Warp", "mm", 0, 1e4, "Mean diameter of the yarns it was given."}},
+      Field{&WifOrigin::weftDiameter_mm,
+            {"weft_diameter_mm", "Weft", "mm", 0, 1e4, "Mean diameter of the yarns it was given."}});
+};
+
+}  // namespace loomlight

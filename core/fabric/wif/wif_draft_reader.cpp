@@ -1,0 +1,203 @@
+#include <algorithm>
+#include <cctype>
+
+#include "core/base/error.h"
+#include "core/fabric/model/field_tables.h"
+#include "core/fabric/model/place.h"
+#include "core/fabric/model/validate.h"
+#include "core/fabric/wif/wif_numbered.h"
+#include "core/fabric/wif/wif_reader.h"
+
+namespace loomlight {
+namespace {
+
+using Lists = std::vector<std::vector<int>>;
+
+int mostShafts() {
+  return static_cast<int>(fieldInfo(&Draft::shafts).max);
+}
+
+class DraftReader {
+ public:
+  DraftReader(const WifSections& sections, const std::string& source, WifWarnings& warnings)
+      : sections_(sections), source_(source), warnings_(warnings) {}
+
+  Draft read() {
+    const WifSection* threading = sections_.find("THREADING");
+    const WifSection* treadling = sections_.find("TREADLING");
+    const WifSection* liftplan = sections_.find("LIFTPLAN");
+    const bool trodden = treadling && !treadling->entries.empty();
+    // An empty liftplan lifts nothing; no treadles at all would raise everything in a sinking shed.
+    const bool lifted = liftplan && (!liftplan->entries.empty() || !trodden);
+
+    Draft draft;
+    const int ends = threads("WARP", threading, "WARP COLORS");
+    const int picks = threads("WEFT", lifted ? liftplan : treadling, "WEFT COLORS");
+    draft.threading = lists(threading, ends, "end", "shaft");
+    if (lifted) draft.liftplan = lists(liftplan, picks, "pick", "shaft");
+    if (trodden || !lifted) draft.treadling = lists(treadling, picks, "pick", "treadle");
+    readTieUp(draft);
+    draft.shafts = kinds("Shafts", largest(draft.threading, draft.tieUp, draft.liftplan));
+    draft.risingShed = risingShed();
+
+    if (!threading)
+      warnings_.add(0, "THREADING", "", "There is no threading: no end hangs on a shaft, and nothing is lifted.");
+    if (!lifted) noteMissing(draft, trodden);
+    validateDraft(draft, Place(source_));
+    if (lifted && trodden) noteDisagreement(draft);
+    return draft;
+  }
+
+ private:
+  const WifEntry* find(const char* section, const char* key) {
+    const WifSection* const found = sections_.find(section);
+    return found ? found->find(lowerCase(key)) : nullptr;
+  }
+
+  static std::string said(const WifEntry& entry) { return fmt::format("{}={}", entry.key, entry.value.substr(0, 40)); }
+
+  /// How many threads a system has: what Threads= says, or else as many as the lines of the draft name.
+  int threads(const char* system, const WifSection* draft, const char* colours) {
+    const WifEntry* const entry = find(system, "Threads");
+    const int number = entry ? wifWhole(entry->value).value_or(0) : 0;
+    if (number >= 1 && number <= Weave::kMaxSide) return number;
+    int listed = largestKey(draft);
+    if (listed == 0) listed = largestKey(sections_.find(colours));
+    const bool tooMany = draft && draft->entries.size() > static_cast<size_t>(Weave::kMaxSide);
+    if (listed == 0 || tooMany)
+      throw InputError(fmt::format("{}: [{}] Threads: expected from 1 to {} threads, got {}", source_, system,
+                                   Weave::kMaxSide, entry ? plainText(entry->value) : "none"));
+    warnings_.add(entry ? entry->line : 0, system, entry ? said(*entry) : "Threads",
+                  fmt::format("The number of threads should stand here, 1 to {}; there are {}, which is as far as the "
+                              "lines of the draft go.",
+                              Weave::kMaxSide, listed));
+    return listed;
+  }
+
+  static int largestKey(const WifSection* section) {
+    int largest = 0;
+    if (!section) return largest;
+    for (const WifEntry& entry : section->entries)
+      if (const auto key = wifWhole(entry.key); key && *key <= Weave::kMaxSide) largest = std::max(largest, *key);
+    return largest;
+  }
+
+  /// The lines of a section as lists of shafts or treadles, one for each of `count` threads or treadles.
+  Lists lists(const WifSection* section, int count, const char* what, const char* kind) {
+    Lists all(static_cast<size_t>(count));
+    int named = 0;
+    forEachNumbered(section, count, what, warnings_, [&](int number, const WifEntry& entry) {
+      all[number - 1] = list(*section, entry, kind);
+      ++named;
+    });
+    if (section && named < count)
+      warnings_.add(0, section->name, "",
+                    fmt::format("Only {} of {} {}s are named; the others are left empty.", named, count, what));
+    return all;
+  }
+
+  std::vector<int> list(const WifSection& section, const WifEntry& entry, const char* kind) {
+    std::vector<int> numbers;
+    // "2;3" may have been meant as a list.
+    const size_t comment = entry.value.find(';');
+    if (comment != std::string::npos && comment + 1 < entry.value.size() &&
+        std::isdigit(static_cast<unsigned char>(entry.value[comment + 1])))
+      warnings_.add(entry.line, section.name, said(entry),
+                    "What stands behind a semicolon is a comment; numbers of a list are parted by commas.");
+    for (const std::string_view part : wifList(entry.value)) {
+      const std::optional<int> number = wifWhole(part);
+      if (!number || *number < 0 || *number > mostShafts()) {
+        warnings_.add(
+            entry.line, section.name, said(entry),
+            fmt::format("There can be {}s 1 to {}, or 0 for none; others are passed over.", kind, mostShafts()));
+      } else if (*number > 0) {
+        numbers.push_back(*number);
+      }
+    }
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    return numbers;
+  }
+
+  /// The tie-up, and how many treadles there are: those tied, and as many more as [WEAVING] says. A treadle that is
+  /// pressed but neither of the two moves nothing.
+  void readTieUp(Draft& draft) {
+    const WifSection* const tieUp = sections_.find("TIEUP");
+    draft.treadles = kinds("Treadles", std::min(largestKey(tieUp), mostShafts()));
+    if (tieUp || !draft.treadling.empty()) draft.tieUp.resize(static_cast<size_t>(draft.treadles));
+    forEachNumbered(tieUp, draft.treadles, "treadle", warnings_, [&](int treadle, const WifEntry& entry) {
+      draft.tieUp[treadle - 1] = list(*tieUp, entry, "shaft");
+    });
+    for (size_t pick = 0; pick < draft.treadling.size(); ++pick) {
+      std::vector<int>& pressed = draft.treadling[pick];
+      const auto first = std::upper_bound(pressed.begin(), pressed.end(), draft.treadles);
+      if (first == pressed.end()) continue;
+      warnings_.add(
+          0, "TREADLING", fmt::format("pick {}, treadle {}", pick + 1, *first),
+          fmt::format("There are {} treadles; one beyond them is tied to nothing and passed over.", draft.treadles));
+      pressed.erase(first, pressed.end());
+    }
+  }
+
+  static int largest(const Lists& a, const Lists& b, const Lists& c) {
+    int most = 0;
+    for (const Lists* lists : {&a, &b, &c})
+      for (const std::vector<int>& list : *lists)
+        if (!list.empty()) most = std::max(most, list.back());
+    return most;
+  }
+
+  /// How many shafts or treadles: as stated in [WEAVING], but no fewer than `used`.
+  int kinds(const char* key, int used) {
+    const WifEntry* const entry = find("WEAVING", key);
+    constexpr int kNone = -1;
+    const int number = entry ? wifWhole(entry->value).value_or(kNone) : kNone;
+    if (number >= used && number <= mostShafts()) return number;
+    const std::string counted = lowerCase(key);
+    std::string sentence = fmt::format("It is not said how many {} there are; the draft uses {}.", counted, used);
+    if (entry) sentence = fmt::format("The number of {} should stand here; the draft uses {}.", counted, used);
+    if (number != kNone) sentence = fmt::format("The draft uses another number of {}: {}.", counted, used);
+    warnings_.add(entry ? entry->line : 0, "WEAVING", entry ? said(*entry) : key, sentence);
+    return used;
+  }
+
+  bool risingShed() {
+    const WifSection* const weaving = sections_.find("WEAVING");
+    const WifEntry* const entry = weaving ? weaving->find("rising shed") : nullptr;
+    const std::optional<bool> rising = entry ? wifBoolean(entry->value) : std::nullopt;
+    if (entry && !rising)
+      warnings_.add(entry->line, "WEAVING", said(*entry),
+                    "True or false should stand here; the shed is taken as rising.");
+    if (!entry)
+      warnings_.add(0, "WEAVING", "Rising Shed", "It is not said whether the shed rises; it is taken as rising.");
+    return rising.value_or(true);
+  }
+
+  void noteMissing(const Draft& draft, bool trodden) {
+    if (!trodden) {
+      warnings_.add(0, "", "", "Neither a treadling nor a liftplan says what is lifted; no pick lifts anything.");
+    } else if (!draft.tieUp.empty() && draft.tieUp == Lists(draft.tieUp.size())) {
+      warnings_.add(0, "TIEUP", "", "No shaft is tied to any treadle; no pick lifts anything.");
+    }
+  }
+
+  void noteDisagreement(const Draft& draft) {
+    Draft treadled = draft;
+    treadled.liftplan.clear();
+    if (!(drawdown(treadled) == drawdown(draft)))
+      warnings_.add(0, "LIFTPLAN", "",
+                    "The liftplan weaves another cloth than tie-up and treadling; the liftplan counts.");
+  }
+
+  const WifSections& sections_;
+  const std::string& source_;
+  WifWarnings& warnings_;
+};
+
+}  // namespace
+
+Draft readWifDraft(const WifSections& sections, const std::string& source, WifWarnings& warnings) {
+  return DraftReader(sections, source, warnings).read();
+}
+
+}  // namespace loomlight

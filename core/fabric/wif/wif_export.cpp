@@ -1,0 +1,195 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/fabric/model/place.h"
+#include "core/fabric/model/validate.h"
+#include "core/fabric/model/yarn_count.h"
+#include "core/fabric/weave/draft_derivation.h"
+#include "core/fabric/wif/wif_fabric.h"
+#include "core/fabric/wif/wif_writer.h"
+#include "core/fabric/yarn/colour.h"
+#include "core/fabric/yarn/derived.h"
+#include "core/fabric/yarn/presets.h"
+
+namespace loomlight {
+namespace {
+
+using Lists = std::vector<std::vector<int>>;
+
+/// Threads after which weave and colours repeat together; the weave's own repeat where that is too many.
+int commonRepeat(int weave, size_t sequence, const char* threads, std::vector<std::string>& remarks) {
+  const int64_t both = std::lcm(static_cast<int64_t>(weave), static_cast<int64_t>(sequence));
+  if (both <= Weave::kMaxSide) return static_cast<int>(both);
+  const int fitting = Weave::kMaxSide / weave * weave;
+  remarks.push_back(fmt::format("Weave and colours repeat together only after {} {}; the file holds {} of them.", both,
+                                threads, fitting));
+  return fitting;
+}
+
+void repeatTo(Lists& lists, int count) {
+  const size_t period = lists.size();
+  if (period == 0) return;
+  lists.reserve(static_cast<size_t>(count));
+  for (size_t i = period; i < static_cast<size_t>(count); ++i) lists.push_back(std::vector<int>(lists[i - period]));
+}
+
+/// As a weaving file has its lists: sorted, each number once, none of them 0.
+void normalise(Lists& lists) {
+  for (std::vector<int>& list : lists) {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+    if (!list.empty() && list.front() == 0) list.erase(list.begin());
+  }
+}
+
+Draft draftFor(const Fabric& fabric, int ends, int picks, const std::string& file, std::vector<std::string>& remarks) {
+  Draft draft;
+  if (fabric.draft) {
+    draft = *fabric.draft;
+  } else {
+    draft = smallestDraft(fabric.weave);
+    remarks.push_back(
+        fmt::format("The cloth has no threading of its own; the smallest one has {} shafts and {} treadles.",
+                    draft.shafts, draft.treadles));
+  }
+  for (Lists* lists : {&draft.threading, &draft.tieUp, &draft.treadling, &draft.liftplan}) normalise(*lists);
+  Draft treadled = draft;
+  treadled.liftplan.clear();
+  if (!draft.liftplan.empty() && !draft.treadling.empty() &&
+      (draft.treadling.size() != draft.liftplan.size() || !(drawdown(treadled) == fabric.weave))) {
+    draft.treadling.clear();
+    remarks.push_back("The treadling weaves another cloth than the liftplan, and is not in the file.");
+  }
+  if (!draft.treadling.empty()) draft.tieUp.resize(static_cast<size_t>(draft.treadles));
+  repeatTo(draft.threading, ends);
+  repeatTo(draft.treadling, picks);
+  repeatTo(draft.liftplan, picks);
+  const Place place(file);
+  validateDraft(draft, place.at("draft"));
+  return draft;
+}
+
+/// Gives every yarn in use a number of the palette, and none to two of them. A colour that is there serves where it
+/// dyes the fibre just as it is; others are added behind.
+std::vector<int> numbersOfYarns(const Fabric& fabric, WifPalette& palette, const std::string& file) {
+  std::set<int> used(fabric.warpSequence.begin(), fabric.warpSequence.end());
+  used.insert(fabric.weftSequence.begin(), fabric.weftSequence.end());
+  std::set<int> taken;
+  std::vector<int> numbers(fabric.yarns.size(), 0);
+  for (const int yarn : used) {
+    const Fibre& fibre = fabric.fibres[fabric.yarns[yarn].fibre];
+    const auto dyes = [&](const glm::ivec3& colour) {
+      return dyed(fibre, linearFromSrgb(palette.srgb(colour))).absorption_per_mm == fibre.absorption_per_mm;
+    };
+    const auto there = std::find_if(palette.colours.begin(), palette.colours.end(), [&](const auto& entry) {
+      return taken.count(entry.first) == 0 && dyes(entry.second);
+    });
+    int& number = numbers[yarn];
+    if (there != palette.colours.end()) {
+      number = there->first;
+    } else {
+      number = palette.colours.empty() ? 1 : palette.colours.rbegin()->first + 1;
+      const Rgb shown = colourFromAbsorption(fibre.absorption_per_mm, fibre.azimuthalRoughness, fibre.radius_um);
+      palette.colours[number] = palette.nearest(srgbFromLinear(shown));
+    }
+    if (number > kMaxWifNumber)
+      throw InputError(fmt::format("{}: COLOR TABLE: expected a free number up to {} for another colour, got none",
+                                   file, kMaxWifNumber));
+    taken.insert(number);
+  }
+  return numbers;
+}
+
+double tidyCentimetres(double mm) {
+  return std::max(1e-6, std::round(mm * 1e5) / 1e6);
+}
+
+/// The sizes that the fabric has: one spacing, and the yarns' diameters.
+WifSizes ownSizes(const Fabric& fabric, System system, int threads) {
+  WifSizes sizes;
+  sizes.spacing = tidyCentimetres(system == System::warp ? fabric.warpPitch_mm() : fabric.weftPitch_mm());
+  bool same = true;
+  for (int thread = 0; thread < threads; ++thread) {
+    const Yarn& yarn = fabric.yarns[system == System::warp ? fabric.warpYarn(thread) : fabric.weftYarn(thread)];
+    const double thickness = tidyCentimetres(yarnDiameter_mm(yarn, meanFibre(yarn, fabric.fibres)));
+    if (thread == 0) sizes.thickness = thickness;
+    same = same && thickness == *sizes.thickness;
+    sizes.thicknesses[thread + 1] = thickness;
+  }
+  if (same) sizes.thicknesses.clear();
+  return sizes;
+}
+
+bool nearly(double a, double b) {
+  return std::abs(a - b) <= 1e-9 * std::abs(b);
+}
+
+/// What the file said of sizes where the fabric has not been given others since, its own sizes where it has.
+void setSizes(const Fabric& fabric, WifDocument& document, std::vector<std::string>& remarks) {
+  const WifOrigin origin = fabric.wif ? *fabric.wif : WifOrigin{};
+  const auto set = [&](System system, WifSizes& sizes, bool untouched, int threads, int were) {
+    if (!untouched || sizes == WifSizes{}) {
+      sizes = ownSizes(fabric, system, threads);
+    } else if (threads != were && !(sizes.spacings.empty() && sizes.thicknesses.empty())) {
+      sizes.spacings.clear();
+      sizes.thicknesses.clear();
+      remarks.push_back(
+          fmt::format("Spacing and thickness of single {} are those of another number of threads, and are "
+                      "not in the file.",
+                      system == System::warp ? "ends" : "picks"));
+    }
+  };
+  set(System::warp, document.rest.warp,
+      nearly(fabric.ends_per_cm, origin.ends_per_cm) &&
+          nearly(meanDiameter_mm(fabric, System::warp), origin.warpDiameter_mm),
+      document.ends(), origin.ends);
+  set(System::weft, document.rest.weft,
+      nearly(fabric.picks_per_cm, origin.picks_per_cm) &&
+          nearly(meanDiameter_mm(fabric, System::weft), origin.weftDiameter_mm),
+      document.picks(), origin.picks);
+}
+
+std::vector<std::string> linesOf(const std::string& text) {
+  std::vector<std::string> lines;
+  for (size_t start = 0; start < text.size();) {
+    const size_t end = std::min(text.find('\n', start), text.size());
+    lines.push_back(text.substr(start, end - start));
+    start = end + 1;
+    if (start == text.size()) lines.emplace_back();  // the text ends in a line end: one more line, with nothing on it
+  }
+  return lines;
+}
+
+}  // namespace
+
+WifExport wifFromFabric(const Fabric& fabric, const std::string& file) {
+  WifExport exported;
+  WifDocument document;
+  document.title = fabric.name;
+  document.notes = linesOf(fabric.description);
+  if (fabric.wif) document.rest = fabric.wif->rest;
+  const int ends = commonRepeat(fabric.weave.ends(), fabric.warpSequence.size(), "ends", exported.remarks);
+  const int picks = commonRepeat(fabric.weave.picks(), fabric.weftSequence.size(), "picks", exported.remarks);
+  document.draft = draftFor(fabric, ends, picks, file, exported.remarks);
+  const std::vector<int> numbers = numbersOfYarns(fabric, document.rest.palette, file);
+  for (int end = 0; end < ends; ++end) document.warpColours.push_back(numbers[fabric.warpYarn(end)]);
+  for (int pick = 0; pick < picks; ++pick) document.weftColours.push_back(numbers[fabric.weftYarn(pick)]);
+  setSizes(fabric, document, exported.remarks);
+  exported.text = wifFromDocument(document);
+  return exported;
+}
+
+std::vector<std::string> writeWifFabric(const Fabric& fabric, const std::string& file) {
+  validate(fabric, file);
+  WifExport exported = wifFromFabric(fabric, file);
+  writeFileAtomically(file, exported.text);
+  return std::move(exported.remarks);
+}
+
+}  // namespace loomlight

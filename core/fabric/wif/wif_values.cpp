@@ -1,0 +1,83 @@
+#include "core/fabric/wif/wif_values.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace loomlight {
+namespace {
+
+/// A number's or a switch's text: no comment, no quotes.
+std::string_view bare(std::string_view value) {
+  return unquoted(value.substr(0, value.find(';')));
+}
+
+template <class Number>
+std::optional<Number> parsed(std::string_view text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  Number number{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
+}  // namespace
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t\v\f\r\n";
+  const size_t first = text.find_first_not_of(kBlanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+}
+
+std::string lowerCase(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return lower;
+}
+
+std::optional<int> wifWhole(std::string_view value) {
+  std::string_view text = bare(value);
+  // 12.0, as a spreadsheet writes it. 1.000 may be a thousand, and is no number here.
+  if (const size_t point = text.find('.'); point != std::string_view::npos && text.substr(point) == ".0")
+    text = text.substr(0, point);
+  return parsed<int>(text);
+}
+
+std::optional<double> wifDecimal(std::string_view value) {
+  std::string text(bare(value).substr(0, 64));
+  if (const size_t comma = text.find(','); comma != std::string::npos) text[comma] = '.';
+  const std::optional<double> number = parsed<double>(text);
+  return number && std::isfinite(*number) ? number : std::nullopt;
+}
+
+std::optional<bool> wifBoolean(std::string_view value) {
+  const std::string text = lowerCase(bare(value).substr(0, 8));
+  for (const char* yes : {"true", "on", "yes", "1", "-1", "t", "y"})
+    if (text == yes) return true;
+  for (const char* no : {"false", "off", "no", "0", "f", "n"})
+    if (text == no) return false;
+  return std::nullopt;
+}
+
+std::string_view unquoted(std::string_view value) {
+  value = trimmed(value);
+  const bool quoted = value.size() >= 2 && value.front() == value.back() && (value[0] == '"' || value[0] == '\'');
+  return quoted ? value.substr(1, value.size() - 2) : value;
+}
+
+std::vector<std::string_view> wifList(std::string_view value) {
+  constexpr std::string_view kBetween = ", \t";
+  std::string_view rest = bare(value);
+  std::vector<std::string_view> parts;
+  for (;;) {
+    const size_t start = rest.find_first_not_of(kBetween);
+    if (start == std::string_view::npos) return parts;
+    rest.remove_prefix(start);
+    const std::string_view part = rest.substr(0, rest.find_first_of(kBetween));
+    parts.push_back(part);
+    rest.remove_prefix(part.size());
+  }
+}
+
+}  // namespace loomlight

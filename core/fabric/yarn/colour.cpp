@@ -1,0 +1,49 @@
+#include "core/fabric/yarn/colour.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loomlight {
+namespace {
+
+constexpr double kDarkest = 1e-4;
+
+/// Chiang et al. 2016, Eq. 9: ln(colour) = -sqrt(absorption * radius) * this.
+double depthFactor(double betaN) {
+  const double b = betaN;
+  return 5.969 + b * (-0.215 + b * (2.532 + b * (-10.73 + b * (5.574 + b * 0.245))));
+}
+
+template <class F>
+Rgb perChannel(const Rgb& value, F&& f) {
+  return {f(value.x), f(value.y), f(value.z)};
+}
+
+}  // namespace
+
+Rgb absorptionFromColour(const Rgb& colour, double azimuthalRoughness, double radius_um) {
+  const double factor = depthFactor(azimuthalRoughness);
+  return perChannel(colour, [&](float c) {
+    const double root = std::log(std::clamp(static_cast<double>(c), kDarkest, 1.0)) / factor;
+    return static_cast<float>(root * root / (radius_um * kMmPerUm));
+  });
+}
+
+Rgb colourFromAbsorption(const Rgb& absorption_per_mm, double azimuthalRoughness, double radius_um) {
+  const double factor = depthFactor(azimuthalRoughness);
+  return perChannel(absorption_per_mm, [&](float absorption) {
+    const double depth = std::sqrt(std::max(0.0, static_cast<double>(absorption)) * radius_um * kMmPerUm);
+    return static_cast<float>(std::max(kDarkest, std::exp(-depth * factor)));
+  });
+}
+
+Rgb linearFromSrgb(const Rgb& srgb) {
+  return perChannel(srgb, [](float c) { return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f); });
+}
+
+Rgb srgbFromLinear(const Rgb& linear) {
+  return perChannel(linear,
+                    [](float c) { return c <= 0.0031308f ? 12.92f * c : 1.055f * std::pow(c, 1.0f / 2.4f) - 0.055f; });
+}
+
+}  // namespace loomlight

@@ -1,0 +1,191 @@
+#include "core/fabric/yarn/derived.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/fabric/model/yarn_count.h"
+
+namespace loomlight {
+namespace {
+
+/// Mean of f(yarn, its fibre) over the threads of a system.
+template <class F>
+double meanOverThreads(const Fabric& fabric, System system, F&& f) {
+  const std::vector<int>& sequence = system == System::warp ? fabric.warpSequence : fabric.weftSequence;
+  double sum = 0;
+  for (const int index : sequence) {
+    const Yarn& yarn = fabric.yarns[index];
+    sum += f(yarn, meanFibre(yarn, fabric.fibres));
+  }
+  return sum / static_cast<double>(sequence.size());
+}
+
+/// The runs of one thread, met crossing by crossing; the run at the start joins the one at the end.
+class RunCounter {
+ public:
+  void meet(bool up) {
+    if (length_ > 0 && up == up_) {
+      ++length_;
+    } else {
+      close();
+      up_ = up;
+      length_ = 1;
+    }
+  }
+  /// Ends the thread. False if it never changed sides.
+  bool finish() {
+    if (!changed_) return false;
+    if (up_ == firstUp_) {
+      length_ += firstLength_;
+    } else {
+      note(firstUp_, firstLength_);
+    }
+    note(up_, length_);
+    return true;
+  }
+  int longestUp() const { return longest_[1]; }
+  int longestDown() const { return longest_[0]; }
+
+ private:
+  void note(bool up, int length) { longest_[up] = std::max(longest_[up], length); }
+  void close() {
+    if (length_ == 0) return;
+    if (changed_) {
+      note(up_, length_);
+    } else {
+      changed_ = true;
+      firstUp_ = up_;
+      firstLength_ = length_;
+    }
+  }
+
+  int longest_[2] = {0, 0};
+  int length_ = 0;
+  int firstLength_ = 0;
+  bool up_ = false;
+  bool firstUp_ = false;
+  bool changed_ = false;
+};
+
+}  // namespace
+
+CoverFactors coverFactors(const Fabric& fabric) {
+  constexpr double kClosed = 28;
+  // K = threads per inch / sqrt(Ne) with Ne = 590.5 / T.
+  const auto factor = [&](System system, double threads_per_cm) {
+    return 2.54 * threads_per_cm * meanOverThreads(fabric, system, [](const Yarn& yarn, const Fibre& fibre) {
+             return std::sqrt(1.0 / countFromTex(yarnCount_tex(yarn, fibre), CountSystem::cotton));
+           });
+  };
+  CoverFactors k;
+  k.warp = factor(System::warp, fabric.ends_per_cm);
+  k.weft = factor(System::weft, fabric.picks_per_cm);
+  // Threads that touch cover all there is: those that are closer lie over each other.
+  const double warp = std::min(k.warp, kClosed), weft = std::min(k.weft, kClosed);
+  k.cloth = warp + weft - warp * weft / kClosed;
+  k.fraction = k.cloth / kClosed;
+  return k;
+}
+
+Floats floats(const Weave& weave) {
+  Floats found;
+  // Row by row, all columns at once: the weave is stored by rows.
+  std::vector<RunCounter> ends(static_cast<size_t>(weave.ends()));
+  for (int p = 0; p < weave.picks(); ++p) {
+    RunCounter pick;
+    const std::span<const uint8_t> row = weave.row(p);
+    for (size_t e = 0; e < row.size(); ++e) {
+      pick.meet(row[e] != 0);
+      ends[e].meet(row[e] != 0);
+    }
+    if (!pick.finish()) ++found.idlePicks;
+    found.weftFace = std::max(found.weftFace, pick.longestDown());
+    found.weftBack = std::max(found.weftBack, pick.longestUp());
+  }
+  for (RunCounter& end : ends) {
+    if (!end.finish()) ++found.idleEnds;
+    found.warpFace = std::max(found.warpFace, end.longestUp());
+    found.warpBack = std::max(found.warpBack, end.longestDown());
+  }
+  return found;
+}
+
+double floatLength_mm(const Fabric& fabric, System system, int cells) {
+  return cells * (system == System::warp ? fabric.weftPitch_mm() : fabric.warpPitch_mm());
+}
+
+Binding binding(const Weave& weave) {
+  Binding b;
+  for (int p = 0; p < weave.picks(); ++p) {
+    const std::span<const uint8_t> row = weave.row(p);
+    const std::span<const uint8_t> next = weave.row((p + 1) % weave.picks());
+    for (size_t e = 0; e < row.size(); ++e) {
+      const bool up = row[e] != 0;
+      b.warpUpCells += up;
+      b.weftInterlacings += up != (row[e + 1 < row.size() ? e + 1 : 0] != 0);
+      b.warpInterlacings += up != (next[e] != 0);
+    }
+  }
+  b.warpOnFace = static_cast<double>(b.warpUpCells) / (static_cast<double>(weave.ends()) * weave.picks());
+  return b;
+}
+
+double meanCount_tex(const Fabric& fabric, System system) {
+  return meanOverThreads(fabric, system, yarnCount_tex);
+}
+
+double meanDiameter_mm(const Fabric& fabric, System system) {
+  return meanOverThreads(fabric, system, yarnDiameter_mm);
+}
+
+double arealMass_g_m2(const Fabric& fabric, double crimpWarp, double crimpWeft) {
+  return 0.1 * (fabric.ends_per_cm * meanCount_tex(fabric, System::warp) * (1.0 + crimpWarp) +
+                fabric.picks_per_cm * meanCount_tex(fabric, System::weft) * (1.0 + crimpWeft));
+}
+
+double jamming(const Fabric& fabric) {
+  const Binding b = binding(fabric.weave);
+  const double cells = static_cast<double>(fabric.weave.ends()) * fabric.weave.picks();
+  const double d1 = meanDiameter_mm(fabric, System::warp);
+  const double d2 = meanDiameter_mm(fabric, System::weft);
+  // Peirce: a plain cloth of touching round yarns has sum of sqrt(1 - (p / (d1 + d2))^2) = 1 over both systems.
+  const auto term = [&](double pitch, double diameter, int64_t interlacings) {
+    if (interlacings == 0) return 0.0;
+    const double perInterlacing = cells / static_cast<double>(interlacings);
+    const double room = perInterlacing * pitch - (perInterlacing - 1.0) * diameter;
+    const double ratio = std::max(room, 0.0) / (d1 + d2);
+    return ratio < 1.0 ? std::sqrt(1.0 - ratio * ratio) : 0.0;
+  };
+  return term(fabric.warpPitch_mm(), d1, b.weftInterlacings) + term(fabric.weftPitch_mm(), d2, b.warpInterlacings);
+}
+
+std::vector<std::string> warnings(const Fabric& fabric) {
+  constexpr double kLongFloat_mm = 12.0;
+  std::vector<std::string> said;
+  if (jamming(fabric) > 1.0)
+    said.push_back(
+        fmt::format("The sett is jammed: {:.3g} ends and {:.3g} picks per cm are closer than these yarns fit.",
+                    fabric.ends_per_cm, fabric.picks_per_cm));
+  const Floats f = floats(fabric.weave);
+  const auto longFloat = [&](System system, int cells, const char* yarn, const char* crossed) {
+    const double mm = floatLength_mm(fabric, system, cells);
+    if (mm > kLongFloat_mm)
+      said.push_back(fmt::format("The {} floats over {} {}: {:.1f} mm will catch; {:g} mm is the usual limit.", yarn,
+                                 cells, crossed, mm, kLongFloat_mm));
+  };
+  longFloat(System::warp, f.warp(), "warp", "picks");
+  longFloat(System::weft, f.weft(), "weft", "ends");
+  const auto idle = [&](int count, int all, const char* one, const char* many) {
+    if (count > 0)
+      said.push_back(fmt::format("{} of {} {} of the repeat never interlace{}: nothing holds {} in the cloth.", count,
+                                 all, count == 1 && all == 1 ? one : many, count == 1 ? "s" : "",
+                                 count == 1 ? "it" : "them"));
+  };
+  idle(f.idleEnds, fabric.weave.ends(), "end", "ends");
+  idle(f.idlePicks, fabric.weave.picks(), "pick", "picks");
+  return said;
+}
+
+}  // namespace loomlight

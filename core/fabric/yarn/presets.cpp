@@ -1,0 +1,280 @@
+#include "core/fabric/yarn/presets.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "core/fabric/model/validate.h"
+#include "core/fabric/model/yarn_count.h"
+#include "core/fabric/yarn/colour.h"
+
+namespace loomlight {
+namespace {
+
+/// An undyed fibre; `colour` is linear reflectance of the loose stock.
+struct Stock {
+  const char* name;
+  double fineness_dtex, density_g_cm3, refractiveIndex;
+  double longitudinalRoughness, azimuthalRoughness, scaleTilt_deg;
+  FibreSection section;
+  Rgb colour;
+  FibreSources sources;
+};
+
+constexpr const char* kGuess = "guess";
+constexpr const char* kNoScales = "handbook: the surface has no scales";
+constexpr const char* kScales = "handbook, recalled: cuticle scales of hair, 2 to 3 degrees";
+constexpr const char* kKeratin = "measured (von Bergen: 1.56 along, 1.55 across)";
+
+const Stock kStocks[] = {
+    {"cotton",
+     1.7,
+     1.52,
+     1.547,
+     0.30,
+     0.45,
+     0,
+     FibreSection::kidney,
+     {0.84f, 0.79f, 0.70f},
+     {"handbook (Morton & Hearle: 1.0-3.4 dtex)", "handbook (Morton & Hearle: 1.52 at 65 % rh)",
+      "handbook, recalled (1.578 along, 1.532 across)", kGuess, kNoScales, kGuess}},
+    {"wool",
+     3.7,
+     1.31,
+     1.553,
+     0.25,
+     0.30,
+     2.5,
+     FibreSection::round,
+     {0.78f, 0.71f, 0.58f},
+     {"handbook (Morton & Hearle: 3.4-4.6 dtex for 18-21 um, fine merino)", "handbook (Morton & Hearle: 1.31)",
+      kKeratin, kGuess, kScales, kGuess}},
+    {"silk",
+     1.3,
+     1.34,
+     1.556,
+     0.12,
+     0.25,
+     0,
+     FibreSection::triangle,
+     {0.86f, 0.82f, 0.75f},
+     {"handbook (Morton & Hearle: 0.95-1.6 dtex)", "handbook (Morton & Hearle: 1.34)",
+      "handbook, recalled (1.591 along, 1.538 across)", kGuess, kNoScales,
+      "guess, within the measured bound of 0.64/mm"}},
+    {"linen",
+     2.4,
+     1.50,
+     1.547,
+     0.25,
+     0.40,
+     0,
+     FibreSection::polygon,
+     {0.60f, 0.52f, 0.40f},
+     {"handbook (12-17 um)", "handbook (Morton & Hearle: 1.50-1.53)",
+      "measured (von Bergen: 1.58-1.60 along, 1.52-1.53 across)", kGuess, kNoScales, kGuess}},
+    {"viscose",
+     1.7,
+     1.49,
+     1.527,
+     0.18,
+     0.35,
+     0,
+     FibreSection::serrated,
+     {0.90f, 0.89f, 0.86f},
+     {"handbook, recalled (1.2-3 dtex)", "handbook (Morton & Hearle: 1.49)",
+      "handbook, recalled (1.54 along, 1.52 across)", kGuess, kNoScales, kGuess}},
+    {"polyester",
+     1.7,
+     1.39,
+     1.597,
+     0.15,
+     0.20,
+     0,
+     FibreSection::round,
+     {0.92f, 0.92f, 0.91f},
+     {"handbook (0.9-3.5 dtex)", "handbook (Morton & Hearle: 1.39)",
+      "measured (DuPont X-156: 1.71-1.73 along, 1.53-1.54 across)", kGuess, kNoScales, kGuess}},
+    {"nylon",
+     1.7,
+     1.14,
+     1.540,
+     0.15,
+     0.20,
+     0,
+     FibreSection::round,
+     {0.92f, 0.92f, 0.90f},
+     {"handbook, recalled (1-20 dtex)", "handbook (Morton & Hearle: 1.14)",
+      "measured (DuPont X-156: 1.57-1.59 along, 1.51-1.53 across)", kGuess, kNoScales, kGuess}},
+    {"acrylic",
+     2.2,
+     1.19,
+     1.515,
+     0.20,
+     0.30,
+     0,
+     FibreSection::kidney,
+     {0.90f, 0.89f, 0.85f},
+     {"handbook, recalled (1-8 dtex)", "handbook (Morton & Hearle: 1.19)",
+      "measured (DuPont X-156: 1.50-1.53 both ways)", kGuess, kNoScales, kGuess}},
+    {"mohair",
+     12.6,
+     1.31,
+     1.553,
+     0.15,
+     0.25,
+     2.0,
+     FibreSection::round,
+     {0.82f, 0.77f, 0.66f},
+     {"measured (UAF: 25-45 um)", "handbook, recalled: as wool", kKeratin, "guess: mohair is lustrous",
+      "guess: faint scales", kGuess}},
+    {"alpaca",
+     6.4,
+     1.31,
+     1.553,
+     0.25,
+     0.30,
+     2.5,
+     FibreSection::round,
+     {0.74f, 0.67f, 0.55f},
+     {"measured (UAF: 17-35 um)", "handbook, recalled: as wool", "handbook, recalled: as wool", kGuess, kScales,
+      kGuess}},
+    {"cashmere",
+     2.6,
+     1.31,
+     1.553,
+     0.25,
+     0.30,
+     2.5,
+     FibreSection::round,
+     {0.80f, 0.74f, 0.64f},
+     {"measured (UAF: 14-18.5 um)", "handbook, recalled: as wool", "handbook, recalled: as wool", kGuess, kScales,
+      kGuess}},
+};
+
+FibrePreset preset(const Stock& stock) {
+  Fibre fibre;
+  fibre.name = stock.name;
+  fibre.density_g_cm3 = stock.density_g_cm3;
+  fibre.radius_um = std::round(100.0 * fibreRadius_um(stock.fineness_dtex, stock.density_g_cm3)) / 100.0;
+  fibre.refractiveIndex = stock.refractiveIndex;
+  fibre.longitudinalRoughness = stock.longitudinalRoughness;
+  fibre.azimuthalRoughness = stock.azimuthalRoughness;
+  fibre.scaleTilt_deg = stock.scaleTilt_deg;
+  fibre.section = stock.section;
+  return {dyed(fibre, stock.colour), stock.fineness_dtex, stock.sources};
+}
+
+Fibre fibreNamed(const std::string& name) {
+  const auto* found =
+      std::find_if(std::begin(kStocks), std::end(kStocks), [&](const Stock& s) { return name == s.name; });
+  assert(found != std::end(kStocks));
+  return preset(*found).fibre;
+}
+
+/// A count in any system, rounded to what one would type.
+double tex(double value, CountSystem system) {
+  return std::round(100.0 * texFromCount(value, system)) / 100.0;
+}
+double turns(double twistMultiplier, double tex) {
+  return std::round(twist_per_m(twistMultiplier, tex));
+}
+
+/// Spun of staple fibres on a ring: one single, Z, a little hairy. Hairs and loops per mm: cotton of Zhao et al. 2016.
+Yarn ringSpun(const char* name, double count_tex, double twistMultiplier) {
+  Yarn yarn;
+  yarn.name = name;
+  yarn.count_tex = count_tex;
+  yarn.plyTwist_per_m = turns(twistMultiplier, count_tex);
+  yarn.packing = 0.55;
+  yarn.flattening = 1.25;
+  yarn.hairiness_per_mm = 4.5;
+  yarn.hairLength_mm = 0.5;
+  yarn.migration = 0.25;
+  return yarn;
+}
+
+/// Two singles, twisted the other way; 60 to 70 % of their twist makes a yarn that does not kink.
+Yarn twoPly(Yarn single, double plyingTwist_per_m) {
+  single.count_tex *= 2;
+  single.plies = 2;
+  single.yarnTwist_per_m = plyingTwist_per_m;
+  single.yarnTwistDirection = TwistDirection::s;
+  single.flattening = 1.15;
+  return single;
+}
+
+/// Some plied yarns, twisted back once more: firm, round, closed.
+Yarn cable(const char* name, Yarn plied, int cords, double cabling_per_m) {
+  plied.name = name;
+  plied.count_tex *= cords;
+  plied.cords = cords;
+  plied.cableTwist_per_m = cabling_per_m;
+  plied.flattening = 1.05;
+  return plied;
+}
+
+/// Endless fibres, hardly twisted, no hairs.
+Yarn filament(const char* name, double count_tex, double twist_per_m, double packing, double flattening) {
+  Yarn yarn;
+  yarn.name = name;
+  yarn.count_tex = count_tex;
+  yarn.plyTwist_per_m = twist_per_m;
+  yarn.packing = packing;
+  yarn.flattening = flattening;
+  return yarn;
+}
+
+}  // namespace
+
+double twist_per_m(double twistMultiplier, double tex) {
+  return 957.0 * twistMultiplier / std::sqrt(tex);
+}
+
+double twistMultiplier(double twist_per_m, double tex) {
+  return twist_per_m * std::sqrt(tex) / 957.0;
+}
+
+Fibre dyed(Fibre fibre, const Rgb& colour) {
+  fibre.absorption_per_mm = absorptionFromColour(colour, fibre.azimuthalRoughness, fibre.radius_um);
+  return fibre;
+}
+
+std::vector<FibrePreset> fibrePresets() {
+  std::vector<FibrePreset> presets;
+  for (const Stock& stock : kStocks) presets.push_back(preset(stock));
+  return presets;
+}
+
+std::vector<YarnPreset> yarnPresets() {
+  const char* const spun =
+      "count, twist: handbook (TM 3.8-4.5); packing: handbook (0.5-0.6); hairs: measured (Zhao 2016); "
+      "flattening, migration: guess";
+  const char* const flat = "count: handbook; packing: handbook, recalled (0.7-0.8); twist, flattening: guess";
+  Yarn worsted = twoPly(ringSpun("Worsted wool 2/60 Nm", tex(60, CountSystem::metric), 2.8), 430);
+  worsted.packing = 0.5;
+  worsted.hairiness_per_mm = 5;
+  Yarn linen = ringSpun("Linen NeL 40", tex(40, CountSystem::linen), 3.0);
+  linen.packing = 0.6;
+  linen.hairiness_per_mm = 2;
+  return {
+      {ringSpun("Cotton Ne 30", tex(30, CountSystem::cotton), 4.0), fibreNamed("cotton"), spun},
+      {ringSpun("Cotton Ne 7, denim warp", tex(7, CountSystem::cotton), 4.4), fibreNamed("cotton"), spun},
+      {twoPly(ringSpun("Cotton 8/2", tex(8, CountSystem::cotton), 3.6), 250), fibreNamed("cotton"), spun},
+      {cable("Cotton cable 30/2/3", twoPly(ringSpun("", tex(30, CountSystem::cotton), 4.0), 560), 3, 365),
+       fibreNamed("cotton"),
+       "count: handbook (cabled as sewing and crochet threads are); twist: guess (each level takes back 65 % of the "
+       "one "
+       "before); packing: handbook (0.5-0.6); hairs: measured on singles (Zhao 2016); flattening, migration: guess"},
+      {worsted, fibreNamed("wool"),
+       "count: handbook; twist: guess (plying at 65 % of the singles' twist); packing: handbook, recalled (0.45-0.55); "
+       "hairs, flattening, migration: guess"},
+      {linen, fibreNamed("linen"), "count: handbook; twist, packing, hairs, flattening, migration: guess"},
+      {filament("Silk 20/22 den", tex(21, CountSystem::denier), 150, 0.7, 1.3), fibreNamed("silk"), flat},
+      {filament("Silk crepe 20/22 den x 2", tex(42, CountSystem::denier), 2400, 0.75, 1.05), fibreNamed("silk"), flat},
+      {filament("Viscose 84 dtex", 8.4, 120, 0.7, 1.4), fibreNamed("viscose"), flat},
+      {filament("Polyester 167 dtex", 16.7, 100, 0.65, 1.5), fibreNamed("polyester"), flat},
+      {filament("Nylon 78 dtex", 7.8, 100, 0.7, 1.5), fibreNamed("nylon"), flat},
+  };
+}
+
+}  // namespace loomlight

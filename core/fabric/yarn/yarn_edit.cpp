@@ -1,0 +1,67 @@
+#include "core/fabric/yarn/yarn_edit.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "core/fabric/model/validate.h"
+
+namespace loomlight {
+namespace {
+
+void dropUnusedFibre(Fabric& fabric, int fibre) {
+  for (const Yarn& yarn : fabric.yarns)
+    if (yarn.fibre == fibre || yarn.blendFibre == fibre) return;
+  fabric.fibres.erase(fabric.fibres.begin() + fibre);
+  for (Yarn& yarn : fabric.yarns) {
+    if (yarn.fibre > fibre) --yarn.fibre;
+    if (yarn.blendFibre > fibre) --*yarn.blendFibre;
+  }
+  for (Colourway& colourway : fabric.colourways) {
+    std::vector<Rgb>& absorptions = colourway.absorption_per_mm;
+    if (fibre < static_cast<int>(absorptions.size())) absorptions.erase(absorptions.begin() + fibre);
+  }
+}
+
+}  // namespace
+
+Fabric withYarn(Fabric fabric, int index, Yarn yarn, Fibre fibre) {
+  Yarn& own = fabric.yarns[static_cast<size_t>(index)];
+  yarn.name = own.name;
+  yarn.unknown = own.unknown;
+  yarn.blendFibre.reset();
+  yarn.blendShare.reset();
+  yarn.fibre = own.fibre;
+  own = std::move(yarn);
+  return withFibre(std::move(fabric), index, std::move(fibre));
+}
+
+Fabric withoutYarn(Fabric fabric, int index) {
+  const Yarn gone = fabric.yarns[static_cast<size_t>(index)];
+  fabric.yarns.erase(fabric.yarns.begin() + index);
+  for (std::vector<int>* sequence : {&fabric.warpSequence, &fabric.weftSequence})
+    for (int& yarn : *sequence)
+      if (yarn > index) --yarn;
+  // The later one first, so that the other keeps its place until then.
+  const int first = gone.fibre, second = gone.blendFibre.value_or(first);
+  dropUnusedFibre(fabric, std::max(first, second));
+  if (first != second) dropUnusedFibre(fabric, std::min(first, second));
+  return fabric;
+}
+
+Fabric withFibre(Fabric fabric, int yarn, Fibre fibre) {
+  const auto own = static_cast<size_t>(yarn);
+  const int old = fabric.yarns[own].fibre;
+  bool shared = fabric.yarns[own].blendFibre == old;
+  for (size_t i = 0; i < fabric.yarns.size(); ++i)
+    shared |= i != own && (fabric.yarns[i].fibre == old || fabric.yarns[i].blendFibre == old);
+  if (shared && fabric.fibres.size() < kMaxKinds) {
+    fabric.yarns[own].fibre = static_cast<int>(fabric.fibres.size());
+    fabric.fibres.push_back(std::move(fibre));
+  } else {
+    fabric.fibres[static_cast<size_t>(old)] = std::move(fibre);
+  }
+  return fabric;
+}
+
+}  // namespace loomlight

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/fabric/model/fabric.h"
+
+namespace loomlight {
+
+/// The fabric with its yarn of that index like `yarn`, spun of `fibre`: that takes the place of the old one's fibre, or
+/// is added where other yarns are spun of it too. A blend ends; the name stays.
+Fabric withYarn(Fabric fabric, int index, Yarn yarn, Fibre fibre);
+
+/// The fabric without a yarn that no thread uses, and without the fibres that were spun for it alone, in no colourway
+/// either.
+Fabric withoutYarn(Fabric fabric, int index);
+
+/// The fabric with another fibre in the place of that yarn's first, or added where other yarns are spun of it too;
+/// where there is no room for one more, those change with it.
+Fabric withFibre(Fabric fabric, int yarn, Fibre fibre);
+
+}  // namespace loomlight

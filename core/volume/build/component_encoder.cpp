@@ -1,0 +1,88 @@
+#include "core/volume/build/component_encoder.h"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+namespace loomlight {
+
+ComponentEncoder::ComponentEncoder() {
+  first_.fill(-1);
+}
+
+void ComponentEncoder::encodeBatch() {
+  const int count = std::exchange(inBatch_, 0);
+  for (int i = count; i % kWide != 0; ++i) {  // places that are not used may hold anything that is harmless
+    batch_[i] = batch_[0];
+    volumes_mm3_[i] = volumes_mm3_[0];
+    materials_[i] = 0;
+  }
+  FittedBatch fitted;
+  fitDistributions(batch_, count, fitted);
+  std::array<Component, kFitBatch> components;
+  for (int i = 0; i < count; i += kWide) {
+    std::array<DistributionLanes, 2>& eight = fitted[i / kWide];
+    for (int half = 0; half < 2; ++half) {
+      const double* volumes = &volumes_mm3_[i + half * kLanes];
+      const int* materials = &materials_[i + half * kLanes];
+      eight[half].lengthDensity /= Lanes{volumes[0], volumes[1], volumes[2], volumes[3]};
+      eight[half].material = IntLanes{materials[0], materials[1], materials[2], materials[3]};
+    }
+    Component::encode(eight, &components[i]);
+  }
+
+  auto number = static_cast<int>(parts_.size());
+  parts_.resize(parts_.size() + static_cast<size_t>(count));
+  for (int i = 0; i < count; ++i, ++number) {
+    const double length = batch_[i].length_mm();
+    const double kept = components[i].lengthDensity() * volumes_mm3_[i];
+    Part& part = parts_[number];
+    part.component = components[i];
+    part.volume_mm3 = volumes_mm3_[i];
+    part.lost_mm = length - kept;
+    lost_mm_ += part.lost_mm;
+    if (kept == 0) continue;
+    constexpr int kShortest = 1023 - 40;  // the exponent of 2^-40 mm; what is below is of one class with it
+    const int exponent = static_cast<int>(std::bit_cast<uint64_t>(length) >> 52);
+    int& first = first_[std::clamp(exponent - kShortest, 0, kClasses - 1)];
+    part.next = std::exchange(first, number);
+  }
+}
+
+template <class MayTake>
+void ComponentEncoder::give(double maxSteps, const MayTake& mayTake) {
+  // Longest first, so that each class finds less lost than the one before.
+  for (int c = kClasses - 1; c >= 0; --c) {
+    for (int i = first_[c]; i >= 0; i = parts_[i].next) {
+      Part& part = parts_[i];
+      if (!mayTake(part)) continue;
+      const double density = part.component.lengthDensity();
+      const double step_mm = (part.component.withDensitySteps(1).lengthDensity() - density) * part.volume_mm3;
+      if (!(std::abs(lost_mm_) > 0.5 * step_mm)) break;  // the others of the class can do little better
+      const double steps = std::clamp(lost_mm_ / step_mm, -maxSteps, maxSteps);
+      part.component = part.component.withDensitySteps(static_cast<int>(std::lround(steps)));
+      lost_mm_ -= (part.component.lengthDensity() - density) * part.volume_mm3;
+    }
+  }
+}
+
+void ComponentEncoder::giveBack() {
+  // First to those that were rounded the wrong way: rounded the other way they are still within one step.
+  give(1, [this](const Part& part) { return part.lost_mm * lost_mm_ > 0; });
+  // Rarely is more than that left; steps are a thousandth and less, so some do no harm.
+  give(16, [](const Part&) { return true; });
+}
+
+std::vector<Component> ComponentEncoder::take() {
+  if (inBatch_ > 0) encodeBatch();
+  giveBack();
+  std::vector<Component> components;
+  components.reserve(parts_.size());
+  for (const Part& part : parts_) components.push_back(part.component);
+  parts_.clear();
+  first_.fill(-1);
+  lost_mm_ = 0;
+  return components;
+}
+
+}  // namespace loomlight

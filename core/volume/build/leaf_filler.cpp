@@ -1,0 +1,158 @@
+#include "core/volume/build/leaf_filler.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <utility>
+
+namespace loomlight {
+namespace {
+
+/// Where the points of strands are set, about the axis: unit vectors, evenly spread, in an order that has any few in a
+/// row point all ways.
+class SectionOffsets {
+ public:
+  SectionOffsets() {
+    constexpr double kGolden = 2.399963229728653;  // radians
+    for (int i = 0; i < kCount; ++i) {
+      const int shuffled = i * kStride % kCount;
+      const double z = 1 - (2 * shuffled + 1.0) / kCount, radius = std::sqrt(1 - z * z), angle = kGolden * shuffled;
+      offsets_[i] = FloatLanes{static_cast<float>(radius * std::cos(angle)),
+                               static_cast<float>(radius * std::sin(angle)), static_cast<float>(z), 0};
+    }
+  }
+  FloatLanes operator[](size_t i) const { return offsets_[i % kCount]; }
+
+ private:
+  static constexpr int kCount = 64, kStride = 25;
+  std::array<FloatLanes, kCount> offsets_;
+};
+
+uint64_t when(size_t point, float share) {
+  return static_cast<uint64_t>(point) << 32 | std::bit_cast<uint32_t>(share);
+}
+
+}  // namespace
+
+void LeafFiller::fill(const CellStrands& strands, System system, const VoxelGrid& grid, MomentLevel& leaves) {
+  const VoxelFrame frame(system, grid);
+  reset(strands, system, frame, grid, leaves);
+  for (const CellStrands::Strand& strand : strands.strands) {
+    for (const float side : {-1.0f, 1.0f}) {
+      measure(strands, strand, side, system, frame);
+      for (int axis = 0; axis < 3; ++axis) findCrossings(axis);
+      follow(strand, leaves);
+    }
+  }
+}
+
+void LeafFiller::reset(const CellStrands& strands, System system, const VoxelFrame& frame, const VoxelGrid& grid,
+                       MomentLevel& leaves) {
+  if (strands.points.empty()) return leaves.reset(grid);
+  const FloatLanes reach = FloatLanes{} + 1.1f * strands.fibreRadius_mm;
+  FloatLanes low = toCloth(strands.points[0], system), high = low;
+  for (const glm::vec3& p : strands.points) {
+    const FloatLanes point = toCloth(p, system);
+    low = least(low, point - reach);
+    high = most(high, point + reach);
+  }
+  const IntLanes a = VoxelFrame::voxelOf(frame(low)), b = VoxelFrame::voxelOf(frame(high));
+  leaves.reset(grid, frame.first() + glm::ivec3(a[0], a[1], a[2]), frame.first() + glm::ivec3(b[0], b[1], b[2]));
+  for (int axis = 0; axis < 3; ++axis) {
+    offsets_[axis].clear();
+    for (int v = 0; v <= b[axis]; ++v) offsets_[axis].push_back(leaves.offset(axis, frame.first()[axis] + v));
+  }
+}
+
+void LeafFiller::measure(const CellStrands& strands, const CellStrands::Strand& strand, float side, System system,
+                         VoxelFrame frame) {
+  const size_t count = strand.count;
+  points_.resize(count);
+  sums_.resize(count);
+  Point* const points = points_.data();
+  FibreMoments* const sums = sums_.data();
+  const glm::vec3* const source = strands.points.data() + strand.first;
+  const double packing = strand.packing;
+  // A fibre has a section, and its length is spread over it: by lines that waver across it, at a distance from the axis
+  // that gives them the second moment of the section, r^2 / 4 across each way. The points of a line lie on a sphere, so
+  // a third of that is along the fibre, and what lies between two points is nearer to the axis by another third.
+  static const SectionOffsets offsets;
+  const FloatLanes radius = FloatLanes{} + std::sqrt(9.0f / 8.0f) * strands.fibreRadius_mm * side;
+  const auto about = [&](FloatLanes axis, size_t i) { return frame(axis + radius * offsets[strand.first + i]); };
+  FloatLanes end = toCloth(source[0], system), at = about(end, 0);
+  IntLanes voxel = VoxelFrame::voxelOf(at), crossings{};
+  FibreMoments sum;
+  points[0] = {at, FloatLanes{}, voxel};
+  sums[0] = sum;
+  for (size_t i = 1; i < count; ++i) {
+    const FloatLanes start = std::exchange(end, toCloth(source[i], system)), from = std::exchange(at, about(end, i));
+    const Lanes along = __builtin_convertvector(end, Lanes) - __builtin_convertvector(start, Lanes);
+    sum.add(FibreMoments::ofSegment(along, packing), 0.5);
+    const IntLanes left = std::exchange(voxel, VoxelFrame::voxelOf(at));
+    const IntLanes upwards = voxel > left;  // -1 where it is so
+    const FloatLanes face = __builtin_convertvector(left - upwards, FloatLanes);
+    points[i] = {at, least(most((face - from) / (at - from), FloatLanes{}), FloatLanes{} + 1), voxel};
+    sums[i] = sum;
+    crossings += magnitude(voxel - left);
+  }
+  crossingCounts_ = crossings;
+}
+
+/// One more at the end is never reached.
+void LeafFiller::findCrossings(int axis) {
+  const auto total = static_cast<size_t>(crossingCounts_[axis]);
+  if (crossings_[axis].size() <= total) crossings_[axis].resize(2 * total + 1);
+  Crossing* next = crossings_[axis].data();
+  const int32_t* const offsets = offsets_[axis].data();
+  const Point* const points = points_.data();
+  for (size_t i = 1; i < points_.size(); ++i) {
+    const int from = points[i - 1].voxel[axis], to = points[i].voxel[axis], count = std::abs(to - from);
+    // Most often there is none or one, so one is written in any case.
+    *next = {when(i, points[i].firstFace[axis]), offsets[to]};
+    if (count > 1) {
+      const float perStep = 1 / std::abs(points[i].at[axis] - points[i - 1].at[axis]);
+      const int step = to > from ? 1 : -1;
+      float share = points[i].firstFace[axis];
+      for (int k = 0; k < count; ++k) {
+        next[k] = {when(i, std::min(share, 1.0f)), offsets[from + (k + 1) * step]};
+        share += perStep;
+      }
+    }
+    next += count;
+  }
+  *next = {std::numeric_limits<uint64_t>::max(), 0};
+}
+
+void LeafFiller::follow(const CellStrands::Strand& strand, MomentLevel& leaves) const {
+  const Crossing *x = crossings_[0].data(), *y = crossings_[1].data(), *z = crossings_[2].data();
+  const IntLanes first = points_[0].voxel;
+  int32_t ox = offsets_[0][first[0]], oy = offsets_[1][first[1]], oz = offsets_[2][first[2]];
+  const FibreMoments* const sums = sums_.data();
+  Lanes squares{}, others{};  // of the strand up to where it came into the voxel
+  for (int left = crossingCounts_[0] + crossingCounts_[1] + crossingCounts_[2]; left > 0; --left) {
+    FibreMoments& here = leaves.at(ox + oy + oz, strand.ply, strand.material);
+    const uint64_t next = std::min(x->when, std::min(y->when, z->when));
+    const FibreMoments &to = sums[next >> 32], &from = *(&to - 1);
+    const double share = std::bit_cast<float>(static_cast<uint32_t>(next));
+    const Lanes nowSquares = from.squares + share * (to.squares - from.squares);
+    const Lanes nowOthers = from.others + share * (to.others - from.others);
+    here.squares += nowSquares - squares;
+    here.others += nowOthers - others;
+    squares = nowSquares;
+    others = nowOthers;
+    const bool isX = x->when == next, isY = !isX & (y->when == next), isZ = !isX & !isY;
+    ox = isX ? x->offset : ox;
+    oy = isY ? y->offset : oy;
+    oz = isZ ? z->offset : oz;
+    x += isX;
+    y += isY;
+    z += isZ;
+  }
+  FibreMoments& last = leaves.at(ox + oy + oz, strand.ply, strand.material);
+  last.squares += sums[strand.count - 1].squares - squares;
+  last.others += sums[strand.count - 1].others - others;
+}
+
+}  // namespace loomlight

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/volume/build/moment_level.h"
+#include "core/volume/build/voxel_frame.h"
+
+namespace loomlight {
+
+/// Follows the fibres of a yarn through the voxels of its brick, and leaves in each the moments of what lies there.
+///
+/// Where a strand crosses faces is found axis by axis, then the three lists are merged, and what lies between two
+/// crossings is the difference of two sums along the strand. So there are hardly any branches but those of long loops:
+/// how many voxels a segment crosses is what a processor cannot predict. Keeps its memory from brick to brick.
+class LeafFiller {
+ public:
+  void fill(const CellStrands& strands, System system, const VoxelGrid& grid, MomentLevel& leaves);
+
+ private:
+  /// What is found at a point of a strand.
+  struct Point {
+    FloatLanes at;         ///< in the frame of voxels
+    FloatLanes firstFace;  ///< where the segment to it first meets a face across an axis, 0..1
+    IntLanes voxel;
+  };
+  /// A strand comes to another voxel.
+  struct Crossing {
+    uint64_t when;   ///< number of the next point, and bits of how far to it, 0..1: in order along the strand
+    int32_t offset;  ///< in this axis, of the voxel it comes to: MomentLevel::offset
+  };
+
+  void reset(const CellStrands& strands, System system, const VoxelFrame& frame, const VoxelGrid& grid,
+             MomentLevel& leaves);
+  /// One of two lines on opposite sides of a strand, with half its length each.
+  void measure(const CellStrands& strands, const CellStrands::Strand& strand, float side, System system,
+               VoxelFrame frame);
+  void findCrossings(int axis);
+  void follow(const CellStrands::Strand& strand, MomentLevel& leaves) const;
+
+  std::array<std::vector<int32_t>, 3> offsets_;  ///< MomentLevel::offset by coordinate in the frame
+  // Of one strand:
+  std::vector<Point> points_;
+  std::vector<FibreMoments> sums_;  ///< up to each point
+  IntLanes crossingCounts_{};       ///< by axis
+  std::array<std::vector<Crossing>, 3> crossings_;
+};
+
+}  // namespace loomlight

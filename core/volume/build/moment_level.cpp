@@ -1,0 +1,200 @@
+#include "core/volume/build/moment_level.h"
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+namespace loomlight {
+namespace {
+
+int floorDivide(int a, int b) {
+  return a >= 0 ? a / b : -((-a + b - 1) / b);
+}
+
+/// The cell that a block (or voxel) lies in, -1, 0 or 1 across, and its place there.
+struct Place {
+  glm::ivec3 cell, inCell;
+};
+Place placeOf(glm::ivec3 block, glm::ivec3 perCell) {
+  const glm::ivec3 cell(floorDivide(block.x, perCell.x), floorDivide(block.y, perCell.y), 0);
+  return {cell, block - cell * perCell};
+}
+
+/// The block of a leaf voxel.
+glm::ivec3 blockOf(glm::ivec3 voxel, glm::ivec3 perCell) {
+  const Place place = placeOf(voxel, perCell);
+  return place.cell * ((perCell + 3) >> 2) + (place.inCell >> 2);
+}
+
+/// Blocks of the cells of a level.
+glm::ivec3 blocksPerCell(const VoxelGrid& grid, int level) {
+  return (grid.cellAt(level) + 3) >> 2;
+}
+
+/// Of a voxel's number in its block, that of the coarser voxel it lies in, from the first voxel of its block on.
+constexpr std::array<uint8_t, 64> makeHalved() {
+  std::array<uint8_t, 64> halved{};
+  for (int i = 0; i < 64; ++i) halved[i] = static_cast<uint8_t>((i & 3) >> 1 | (i >> 2 & 3) >> 1 << 2 | i >> 5 << 4);
+  return halved;
+}
+constexpr auto kHalved = makeHalved();
+
+/// The moments of one ply in a voxel, or of several that had to be merged.
+struct Part {
+  FibreMoments moments;
+  uint8_t ply, material;
+};
+
+/// Merges the most alike until two are left; the longer names the material.
+void mergeToTwo(std::vector<Part>& parts) {
+  while (parts.size() > 2) {
+    size_t first = 0, second = 1;
+    double least = std::numeric_limits<double>::infinity();
+    for (size_t i = 0; i < parts.size(); ++i) {
+      for (size_t j = i + 1; j < parts.size(); ++j) {
+        const double cost = mergeCost(parts[i].moments, parts[j].moments);
+        if (cost < least) {
+          least = cost;
+          first = i;
+          second = j;
+        }
+      }
+    }
+    if (parts[second].moments.length_mm() > parts[first].moments.length_mm())
+      parts[first].material = parts[second].material;
+    parts[first].moments.add(parts[second].moments);
+    parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(second));
+  }
+}
+
+/// Takes out the components without length density.
+void dropEmpty(Brick::Level& level) {
+  const auto empty = [](Component c) { return c.lengthDensity() == 0; };
+  if (std::none_of(level.components.begin(), level.components.end(), empty)) return;
+  std::vector<Component> kept;
+  for (Brick::Block& block : level.grid) {
+    const Brick::Block before = std::exchange(block, {});
+    block.first = static_cast<uint32_t>(kept.size());
+    for (uint64_t rest = before.occupied; rest != 0; rest &= rest - 1) {
+      const uint64_t bit = rest & -rest;
+      for (const Component c : level.at(before, std::countr_zero(rest))) {
+        if (empty(c)) continue;
+        (block.occupied & bit ? block.second : block.occupied) |= bit;
+        kept.push_back(c);
+      }
+    }
+    if (block.occupied == 0) block.first = 0;
+  }
+  kept.shrink_to_fit();
+  level.components = std::move(kept);
+}
+
+}  // namespace
+
+void MomentLevel::reset(const VoxelGrid& grid, int level, glm::ivec3 lower, glm::ivec3 blocks) {
+  grid_ = grid;
+  level_ = level;
+  perCell_ = blocksPerCell(grid, level);
+  lower_ = lower;
+  blocks_ = blocks;
+  occupied_.assign(static_cast<size_t>(blocks.x) * blocks.y * blocks.z, 0);
+  heads_.assign(64 * occupied_.size(), -1);
+  links_.clear();
+  moments_.clear();
+}
+
+void MomentLevel::reset(const VoxelGrid& grid, glm::ivec3 first, glm::ivec3 last) {
+  const glm::ivec3 lower = blockOf(first, grid.cell);
+  reset(grid, 0, lower, blockOf(last, grid.cell) + 1 - lower);
+}
+
+int32_t MomentLevel::offset(int axis, int v) const {
+  const int cell = grid_.cellAt(level_)[axis], inCell = v - floorDivide(v, cell) * cell;
+  const int block = floorDivide(v, cell) * perCell_[axis] + (inCell >> 2) - lower_[axis];
+  const int stride[] = {1, blocks_.x, blocks_.x * blocks_.y};
+  return 64 * block * stride[axis] + ((inCell & 3) << (2 * axis));
+}
+
+glm::ivec3 MomentLevel::blockAt(size_t number) const {
+  const int n = static_cast<int>(number);
+  return lower_ + glm::ivec3(n % blocks_.x, n / blocks_.x % blocks_.y, n / (blocks_.x * blocks_.y));
+}
+
+FibreMoments& MomentLevel::append(int32_t voxel, uint8_t ply, uint8_t material) {
+  links_.push_back({heads_[voxel], ply, material});
+  heads_[voxel] = static_cast<int32_t>(moments_.size());
+  occupied_[voxel >> 6] |= uint64_t{1} << (voxel & 63);
+  return moments_.emplace_back();
+}
+
+void MomentLevel::resetToCoarser(const MomentLevel& finer) {
+  const glm::ivec3 parentsPerCell = blocksPerCell(finer.grid_, finer.level_ + 1);
+  const auto parentOf = [&](glm::ivec3 block) {
+    const Place place = placeOf(block, finer.perCell_);
+    return place.cell * parentsPerCell + (place.inCell >> 1);
+  };
+  const glm::ivec3 lower = parentOf(finer.lower_), last = parentOf(finer.lower_ + finer.blocks_ - 1);
+  reset(finer.grid_, finer.level_ + 1, lower, finer.occupied_.empty() ? glm::ivec3(0) : last + 1 - lower);
+  for (size_t number = 0; number < finer.occupied_.size(); ++number) {
+    if (finer.occupied_[number] == 0) continue;
+    // The block is an octant of its parent.
+    const glm::ivec3 block = finer.blockAt(number), p = parentOf(block) - lower;
+    const glm::ivec3 octant = placeOf(block, finer.perCell_).inCell & 1;
+    const int parent = (p.z * blocks_.y + p.y) * blocks_.x + p.x;
+    const int first = 64 * parent + 2 * (octant.x + 4 * octant.y + 16 * octant.z);
+    for (uint64_t rest = finer.occupied_[number]; rest != 0; rest &= rest - 1) {
+      const int voxel = std::countr_zero(rest);
+      for (int32_t i = finer.heads_[64 * number + voxel]; i >= 0; i = finer.links_[i].next)
+        at(first + kHalved[voxel], finer.links_[i].ply, finer.links_[i].material).add(finer.moments_[i]);
+    }
+  }
+}
+
+int MomentLevel::encodeMany(int32_t voxel, double volume_mm3, ComponentEncoder& encoder) const {
+  std::vector<Part> parts;
+  for (int32_t i = heads_[voxel]; i >= 0; i = links_[i].next)
+    if (moments_[i].length_mm() > 0) parts.push_back({moments_[i], links_[i].ply, links_[i].material});
+  std::sort(parts.begin(), parts.end(),
+            [](const Part& a, const Part& b) { return std::tie(a.ply, a.material) < std::tie(b.ply, b.material); });
+  mergeToTwo(parts);
+  for (const Part& part : parts) encoder.add(part.moments, volume_mm3, part.material);
+  return static_cast<int>(parts.size());
+}
+
+inline int MomentLevel::encode(int32_t voxel, double volume_mm3, ComponentEncoder& encoder) const {
+  const int32_t head = heads_[voxel];
+  if (links_[head].next >= 0) return encodeMany(voxel, volume_mm3, encoder);
+  if (!(moments_[head].length_mm() > 0)) return 0;
+  encoder.add(moments_[head], volume_mm3, links_[head].material);
+  return 1;
+}
+
+Brick::Level MomentLevel::fit(ComponentEncoder& encoder) const {
+  Brick::Level result;
+  result.cell = grid_.cellAt(level_);
+  result.lower = lower_;
+  result.blocks = blocks_;
+  result.grid.resize(occupied_.size());
+  for (size_t number = 0; number < occupied_.size(); ++number) {
+    if (occupied_[number] == 0) continue;
+    Brick::Block& block = result.grid[number];
+    block.first = static_cast<uint32_t>(encoder.count());
+    const glm::ivec3 corner = 4 * placeOf(blockAt(number), perCell_).inCell;
+    std::array<std::array<double, 4>, 3> extents_mm;
+    for (int axis = 0; axis < 3; ++axis)
+      for (int i = 0; i < 4; ++i) extents_mm[axis][i] = grid_.extent_mm(axis, corner[axis] + i, level_);
+    for (uint64_t rest = occupied_[number]; rest != 0; rest &= rest - 1) {
+      const int bit = std::countr_zero(rest);
+      const double volume = extents_mm[0][bit & 3] * extents_mm[1][bit >> 2 & 3] * extents_mm[2][bit >> 4];
+      const int parts = encode(static_cast<int32_t>(64 * number) + bit, volume, encoder);
+      block.occupied |= static_cast<uint64_t>(parts > 0) << bit;
+      block.second |= static_cast<uint64_t>(parts > 1) << bit;
+    }
+  }
+  result.components = encoder.take();
+  dropEmpty(result);
+  return result;
+}
+
+}  // namespace loomlight

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/volume/build/component_encoder.h"
+#include "core/volume/build/voxel_grid.h"
+#include "core/volume/pool/brick.h"
+
+namespace loomlight {
+
+/// One level of a brick while it is made: the moments of every ply in every voxel, before anything is rounded. A dense
+/// index over the blocks of the brick leads to chains of moments, one per ply, so that memory follows what is occupied.
+/// Voxels are numbered block by block: 64 * (number of the block in Brick::Level::grid) + number in the block.
+class MomentLevel {
+ public:
+  /// Nothing yet: reset() comes first. What is reset keeps its memory, so that bricks can be made one after another
+  /// without asking for any.
+  MomentLevel() = default;
+
+  /// Leaves of nothing, in the blocks of a box of voxels of which `last` is the last one.
+  void reset(const VoxelGrid& grid, glm::ivec3 first, glm::ivec3 last);
+  /// No leaves: a brick of nothing.
+  void reset(const VoxelGrid& grid) { reset(grid, 0, glm::ivec3(0), glm::ivec3(0)); }
+  /// The moments of the level below, each summed into the voxel that it lies in.
+  void resetToCoarser(const MomentLevel& finer);
+
+  /// What voxels of coordinate v in an axis add to their numbers: a voxel's is the sum over the axes.
+  int32_t offset(int axis, int v) const;
+
+  /// The moments of a ply (0..255) with fibres of a material in a voxel; made where there are none.
+  FibreMoments& at(int32_t voxel, uint8_t ply, uint8_t material);
+
+  /// Fitted, rounded and packed. The encoder is one that has nothing in it.
+  Brick::Level fit(ComponentEncoder& encoder) const;
+
+ private:
+  /// The blocks [lower, lower + blocks), counted as Brick::Level does.
+  void reset(const VoxelGrid& grid, int level, glm::ivec3 lower, glm::ivec3 blocks);
+  struct Link {
+    int32_t next;
+    uint8_t ply, material;
+  };
+  FibreMoments& append(int32_t voxel, uint8_t ply, uint8_t material);
+  glm::ivec3 blockAt(size_t number) const;
+  /// Give the moments of a voxel to the encoder; return of how many components: none, one or two.
+  int encode(int32_t voxel, double volume_mm3, ComponentEncoder& encoder) const;
+  int encodeMany(int32_t voxel, double volume_mm3, ComponentEncoder& encoder) const;
+
+  VoxelGrid grid_;
+  int level_ = 0;
+  glm::ivec3 perCell_{1};  ///< blocks of a cell
+  glm::ivec3 lower_{0}, blocks_{0};
+  std::vector<uint64_t> occupied_;  ///< per block
+  std::vector<int32_t> heads_;      ///< per voxel, into links_ and moments_; -1 is none
+  std::vector<Link> links_;
+  std::vector<FibreMoments> moments_;
+};
+
+inline FibreMoments& MomentLevel::at(int32_t voxel, uint8_t ply, uint8_t material) {
+  for (int32_t i = heads_[voxel]; i >= 0; i = links_[i].next)
+    if (links_[i].ply == ply && links_[i].material == material) return moments_[i];
+  return append(voxel, ply, material);
+}
+
+}  // namespace loomlight

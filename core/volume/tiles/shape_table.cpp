@@ -1,0 +1,50 @@
+#include "core/volume/tiles/shape_table.h"
+
+#include <algorithm>
+
+namespace loomlight {
+
+void ShapeTable::index() {
+  if (indexed_) return;
+  indexed_ = true;
+  for (uint32_t number = first_; number < end(); ++number) {
+    numbers_.emplace(shape(number), number);
+    numbersOfCodes_.emplace(code(number), number);
+  }
+}
+
+uint32_t ShapeTable::add(ClothGeometry::ShapeCode code, const CellKey& shape) {
+  shapes_.push_back(shape);
+  codes_.push_back(code);
+  return end() - 1;
+}
+
+uint32_t ShapeTable::search(ClothGeometry::ShapeCode code) {
+  if (const auto found = std::find(codes_.begin(), codes_.end(), code); found != codes_.end())
+    return static_cast<uint32_t>(found - codes_.begin());
+  // Another code may have the same shape.
+  const CellKey shape = geometry_->shapeKey(system_, code);
+  const auto found = std::find(shapes_.begin(), shapes_.end(), shape);
+  return found != shapes_.end() ? static_cast<uint32_t>(found - shapes_.begin()) : add(code, shape);
+}
+
+uint32_t ShapeTable::numberOf(ClothGeometry::ShapeCode code) {
+  if (!indexed_) {
+    if (++searches_ <= kFewSearches) return search(code);
+    index();
+  }
+  if (known_)
+    if (const auto found = known_->numbersOfCodes_.find(code); found != known_->numbersOfCodes_.end())
+      return found->second;
+  if (const auto found = numbersOfCodes_.find(code); found != numbersOfCodes_.end()) return found->second;
+  const CellKey shape = geometry_->shapeKey(system_, code);
+  if (known_)
+    if (const auto found = known_->numbers_.find(shape); found != known_->numbers_.end())
+      return numbersOfCodes_.emplace(code, found->second).first->second;
+  const auto [entry, isNew] = numbers_.try_emplace(shape, end());
+  if (isNew) add(code, shape);
+  numbersOfCodes_.emplace(code, entry->second);
+  return entry->second;
+}
+
+}  // namespace loomlight

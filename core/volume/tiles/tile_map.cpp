@@ -1,0 +1,103 @@
+#include "core/volume/tiles/tile_map.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <numeric>
+
+#include "core/base/error.h"
+#include "core/volume/tiles/shape_table.h"
+
+namespace loomlight {
+
+TileMap::TileMap(const ClothGeometry& geometry, System system, const Task& task) : system_(system) {
+  findExtent(geometry);
+  placeYarns(geometry);
+  ShapeTable table(geometry, system);
+  readRows(geometry, task, {}, table);
+  countCells(task);
+}
+
+void TileMap::findExtent(const ClothGeometry& geometry) {
+  const bool warp = system_ == System::warp;
+  yarnCount_ = warp ? geometry.ends() : geometry.picks();
+  cells_ = warp ? geometry.picks() : geometry.ends();
+  repeatAcross_ = std::min(yarnCount_, warp ? geometry.repeatEnds() : geometry.repeatPicks());
+  repeatAlong_ = std::min(cells_, warp ? geometry.repeatPicks() : geometry.repeatEnds());
+  if (static_cast<double>(repeatAcross_) * repeatAlong_ > kMaxCrossings)
+    throw InputError(
+        fmt::format("the cloth repeats only after {} ends and {} picks: expected at most {:.0f} crossings; "
+                    "yarn sequences whose lengths divide that of the weave make the repeat shorter",
+                    geometry.repeatEnds(), geometry.repeatPicks(), kMaxCrossings));
+}
+
+void TileMap::placeYarns(const ClothGeometry& geometry) {
+  const std::shared_ptr<PlacedYarn[]> yarns(new PlacedYarn[static_cast<size_t>(yarnCount_)]);
+  for (int across = 0; across < yarnCount_; ++across) {
+    const int period = geometry.yarn(system_, geometry.geometryClass(system_, across)).period;
+    const int phase = system_ == System::warp ? geometry.phase(system_, 0, across) : geometry.phase(system_, across, 0);
+    assert(0 <= phase && phase < period && period <= kMaxPeriod);
+    yarns[across] = {static_cast<uint32_t>(across % repeatAcross_), static_cast<uint16_t>(phase),
+                     static_cast<uint16_t>(period)};
+  }
+  yarns_ = yarns;
+}
+
+CellKey TileMap::key(Kind kind) const {
+  CellKey key = shapes_[kind.shape];
+  key.phase = kind.phase;
+  return key;
+}
+
+std::vector<TileMap::Kind> TileMap::missing() const {
+  std::vector<Kind> missing;
+  for (uint32_t shape = 0; shape < shapes_.size(); ++shape)
+    for (int phase = 0; phase < kMaxPeriod; ++phase)
+      if (const Kind kind{shape, phase}; cells(kind) > 0 && !brick(kind)) missing.push_back(kind);
+  return missing;
+}
+
+std::vector<ClothGeometry::CellCount> TileMap::cellCounts() const {
+  std::vector<ClothGeometry::CellCount> counts;
+  for (uint32_t shape = 0; shape < shapes_.size(); ++shape) {
+    const uint64_t* const cells = &cellsOf_[index({shape, 0})];
+    if (const uint64_t sum = std::accumulate(cells, cells + kMaxPeriod, uint64_t{0}); sum > 0)
+      counts.push_back({shapes_[shape], static_cast<double>(sum)});
+  }
+  return counts;
+}
+
+void TileMap::shareRows(const TileMap& other) {
+  std::vector<SharedList<Row>::Pointer> rows = rows_.all();
+  for (size_t i = 0; i < std::min(rows.size(), other.rows_.size()); ++i) {
+    if (*rows[i] != *other.rows_[i]) continue;
+    rows[i] = other.rows_[i];
+    pointTo(i, *rows[i]);
+  }
+  rows_ = SharedList<Row>(rows);
+}
+
+size_t TileMap::bytesBeside(const TileMap& other) const {
+  size_t bytes = shapes_.capacity() * sizeof(shapes_[0]) + codes_.capacity() * sizeof(codes_[0]) +
+                 cellsOf_.capacity() * sizeof(cellsOf_[0]) + bricks_.bytesBeside(other.bricks_) + rows_.bytes() +
+                 (low_.capacity() + high_.capacity()) * sizeof(low_[0]);
+  if (yarns_ != other.yarns_) bytes += static_cast<size_t>(yarnCount_) * sizeof(PlacedYarn);
+  rows_.forEachBeside(other.rows_, [&bytes](const auto& row) { bytes += row->bytes(); });
+  return bytes;
+}
+
+size_t TileMap::bytes() const {
+  size_t used = 0;
+  for (uint32_t shape = 0; shape < shapes_.size(); ++shape) {
+    const auto first = cellsOf_.begin() + static_cast<std::ptrdiff_t>(index({shape, 0}));
+    used += std::any_of(first, first + kMaxPeriod, [](uint64_t cells) { return cells > 0; });
+  }
+  const size_t perShape =
+      sizeof(CellKey) + sizeof(codes_[0]) + kMaxPeriod * (sizeof(uint64_t) + sizeof(bricks_[0]) + sizeof(Slot));
+  const size_t perRow = sizeof(Row) + sizeof(rows_[0]) + sizeof(low_[0]) +
+                        static_cast<size_t>(repeatAlong_) * (used > 0x10000 ? 2 : 1) * sizeof(uint16_t);
+  return static_cast<size_t>(yarnCount_) * sizeof(PlacedYarn) + rows_.size() * perRow + used * perShape;
+}
+
+}  // namespace loomlight

@@ -1,0 +1,155 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/base/shared_list.h"
+#include "core/base/task.h"
+#include "core/fabric/weave/weave_edit.h"
+#include "core/geometry/cloth_geometry.h"
+#include "core/geometry/weave_changes.h"
+#include "core/volume/pool/brick_table.h"
+
+namespace loomlight {
+
+class ShapeTable;
+
+/// Which brick each cell of one system's yarns has. Cells of equal key but for the phase are of one shape; a repeat is
+/// a map of shapes, and the phase of a cell is that of its yarn's first cell, counted on along the yarn. So a piece of
+/// any size costs one repeat, two bytes a crossing as long as there are fewer than 65536 shapes, and eight bytes a
+/// yarn. Copies share the map, yarn by yarn, until one of them is edited.
+class TileMap {
+ public:
+  /// A yarn's cells are addressed by its own index (end or pick), `across`, and where along it, `along` (pick or end).
+  using Slot = BrickTable::Slot;
+  /// Of cells: a shape in one phase. All of a kind have one brick.
+  struct Kind {
+    uint32_t shape = 0;
+    int phase = 0;
+  };
+
+  TileMap() = default;
+  /// Reads the shapes of one repeat of `geometry`, or of the whole piece where that is smaller; all bricks are missing.
+  /// Throws InputError where this is more than kMaxCrossings, or of a million shapes. Left empty when the task is
+  /// stopped.
+  TileMap(const ClothGeometry& geometry, System system, const Task& task);
+  static constexpr double kMaxCrossings = 268435456;  ///< 2^28: the largest weave, 16384 x 16384
+
+  /// How a cloth came out of another.
+  struct Change {
+    const ClothGeometry& before;
+    ClothGeometry::ClassNames names;  ///< of the classes of `before`
+    std::vector<WeavePlace> places;   ///< changes of the weave, as of weaveChanges()
+  };
+  /// Makes it the map of another geometry, as a new map would be, but for the bricks: those of shapes that are still
+  /// there stay. Costs a copy of the shapes of each yarn that a place lies on. Where the repeat has another size, what
+  /// its parts have in common is copied and the rest is read; where a yarn has another period, or the piece or its
+  /// repeat another size, all cells are counted again. Half-done, and of no use, when the task is stopped.
+  void edit(const ClothGeometry& geometry, const Change& change, const Task& task);
+  /// Whether most of its shapes are of former edits: time to read it anew.
+  bool isWorn() const;
+
+  /// All shapes there are, and some that there were before an edit; their keys have phase 0.
+  const std::vector<CellKey>& shapes() const { return shapes_; }
+  CellKey key(Kind kind) const;
+  /// Of the piece.
+  uint64_t cells(Kind kind) const { return cellsOf_[index(kind)]; }
+  /// Null where the piece has no such cell, and where it is missing.
+  const std::shared_ptr<const Brick>& brick(Kind kind) const { return bricks_[index(kind)]; }
+  std::vector<Kind> missing() const;
+  /// The same, in the order in which they are wanted by who looks at these crossings of the piece: `sketch` of them,
+  /// with which, and standIn(), every cell that is seen has a brick of its shape, if of another phase; then, up to
+  /// `seen`, the others that are seen; then the rest.
+  struct Wanted {
+    std::vector<Kind> kinds;
+    size_t sketch = 0, seen = 0;
+  };
+  Wanted missing(const CellRect& inView) const;
+  /// Gives kinds whose bricks are missing those of others: of the same shape, or else the most similar one. Afterwards
+  /// the map is for show: its bricks are not those of its keys.
+  void standIn();
+  std::vector<ClothGeometry::CellCount> cellCounts() const;  ///< of the piece, by shape
+  void place(Kind kind, std::shared_ptr<const Brick> brick) { bricks_.place(index(kind), system_, std::move(brick)); }
+  void dropBricks() { bricks_.clear(); }  ///< all are missing then
+
+  /// 0 <= across < yarns of the piece, 0 <= along < cells of a yarn; inRepeat = along % repeatAlong().
+  const Slot& at(int across, int along, int inRepeat) const {
+    const PlacedYarn& yarn = yarns_[across];
+    const uint32_t phase = (yarn.phase + static_cast<uint32_t>(along)) % yarn.period;
+    return bricks_.slot(index({shapeAt(yarn.row, static_cast<uint32_t>(inRepeat)), static_cast<int>(phase)}));
+  }
+  int repeatAlong() const { return repeatAlong_; }
+  bool anyReachesBelow() const { return bricks_.anyReachesBelow(); }
+  bool anyReachesAbove() const { return bricks_.anyReachesAbove(); }
+
+  /// Without the bricks. What is shared with other maps counts.
+  size_t bytes() const;
+  /// With the bricks, but without the rows and bricks that `other` has in the same places.
+  size_t bytesBeside(const TileMap& other) const;
+  /// Holds in common with `other` the rows that are the same.
+  void shareRows(const TileMap& other);
+
+ private:
+  /// The shapes along a yarn of the repeat: the low bits of their numbers, and the high ones where there are any.
+  struct Row {
+    explicit Row(std::span<const uint32_t> shapes);
+    Row(const Row& other, size_t size);  ///< as much of the other as there is, then shape 0
+    std::vector<uint16_t> low, high;
+    size_t bytes() const { return sizeof(Row) + (low.capacity() + high.capacity()) * sizeof(uint16_t); }
+    bool operator==(const Row&) const = default;
+    uint32_t at(size_t i) const { return low[i] | (high.empty() ? 0 : static_cast<uint32_t>(high[i]) << 16); }
+    void set(size_t i, uint32_t shape);
+    void set(size_t from, std::span<const uint32_t> shapes);
+  };
+  struct PlacedYarn {
+    uint32_t row;            ///< which yarn of the repeat it is
+    uint16_t phase, period;  ///< of its first cell
+    bool operator==(const PlacedYarn&) const = default;
+  };
+  /// What of a former map's rows stands as it is: the cells [from, to) of the first so many yarns; or all their cells,
+  /// and there are no others.
+  struct Kept {
+    int yarns = 0, from = 0, to = 0;
+    bool wholeRows = false;
+  };
+  class PhaseCounts;
+  struct Band;
+
+  std::vector<bool> kindsIn(const CellRect& rect) const;
+  bool hasBrick(uint32_t shape) const;
+  static size_t index(Kind kind) { return static_cast<size_t>(kind.shape) * kMaxPeriod + kind.phase; }
+  uint32_t shapeAt(uint32_t row, uint32_t inRepeat) const {
+    const uint32_t low = low_[row][inRepeat];
+    return high_.empty() || !high_[row] ? low : low | static_cast<uint32_t>(high_[row][inRepeat]) << 16;
+  }
+  void pointTo(size_t number, const Row& row);
+  void findExtent(const ClothGeometry& geometry);
+  void placeYarns(const ClothGeometry& geometry);
+  void readRows(const ClothGeometry& geometry, const Task& task, const Kept& kept, ShapeTable& table);
+  void readBand(const ClothGeometry& geometry, const Task& task, const Kept& kept, Band& band) const;
+  static void renumber(Band& band, ShapeTable& all);
+  void countCells(const Task& task);
+  Kept keptOf(const ClothGeometry& geometry, const ClothGeometry& before, int formerAcross, int formerAlong) const;
+  bool reshape(const ClothGeometry& geometry, const ClothGeometry& before, const Task& task, ShapeTable& table);
+  void editRow(const ClothGeometry& geometry, int across, std::span<const int> places, bool counting,
+               ShapeTable& table);
+  void addShapes(const ShapeTable& table);
+
+  System system_ = System::warp;
+  int yarnCount_ = 0, cells_ = 0;  ///< of the piece: across, and along each yarn
+  int repeatAcross_ = 1, repeatAlong_ = 1;
+  std::shared_ptr<const PlacedYarn[]> yarns_;  ///< of the piece
+  SharedList<Row> rows_;                       ///< per yarn of the repeat
+  std::vector<const uint16_t*> low_, high_;    ///< of each row; `high_` is empty where no row has any
+  std::vector<CellKey> shapes_;
+  std::vector<ClothGeometry::ShapeCode> codes_;  ///< one of each shape
+  // By shape and phase, index():
+  std::vector<uint64_t> cellsOf_;
+  BrickTable bricks_;
+};
+
+}  // namespace loomlight

@@ -1,0 +1,110 @@
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <unordered_map>
+#include <utility>
+
+#include "core/volume/tiles/tile_map.h"
+
+// What a TileMap is shown with before all its bricks are there.
+namespace loomlight {
+namespace {
+
+/// How unlike two paths through a cell are, mm.
+float unlikeness(const CellKey& a, const CellKey& b) {
+  return std::abs(a.previous.height_mm - b.previous.height_mm) + 2 * std::abs(a.here.height_mm - b.here.height_mm) +
+         std::abs(a.next.height_mm - b.next.height_mm);
+}
+
+}  // namespace
+
+/// By index(). Too many crossings to go through are all there are.
+std::vector<bool> TileMap::kindsIn(const CellRect& rect) const {
+  constexpr double kMost = 1 << 20;
+  std::vector<bool> kinds(cellsOf_.size(), static_cast<double>(rect.ends) * rect.picks > kMost);
+  if (kinds.empty() || kinds.front()) return kinds;
+  const bool warp = system_ == System::warp;
+  const int across = warp ? rect.end : rect.pick, along = warp ? rect.pick : rect.end;
+  const int acrossEnd = std::min(yarnCount_, across + (warp ? rect.ends : rect.picks));
+  const int alongEnd = std::min(cells_, along + (warp ? rect.picks : rect.ends));
+  for (int i = std::max(0, across); i < acrossEnd; ++i) {
+    const PlacedYarn& yarn = yarns_[i];
+    for (int j = std::max(0, along); j < alongEnd; ++j) {
+      const uint32_t phase = (yarn.phase + static_cast<uint32_t>(j)) % yarn.period;
+      kinds[index({shapeAt(yarn.row, static_cast<uint32_t>(j % repeatAlong_)), static_cast<int>(phase)})] = true;
+    }
+  }
+  return kinds;
+}
+
+bool TileMap::hasBrick(uint32_t shape) const {
+  for (int phase = 0; phase < kMaxPeriod; ++phase)
+    if (brick({shape, phase})) return true;
+  return false;
+}
+
+TileMap::Wanted TileMap::missing(const CellRect& inView) const {
+  const std::vector<Kind> kinds = missing();
+  if (kinds.empty()) return {};
+  const std::vector<bool> seen = kindsIn(inView);
+  std::vector<Kind> first, others, rest;
+  std::set<int> yarns;  // that have bricks already, or will
+  for (uint32_t shape = 0; shape < shapes_.size(); ++shape)
+    if (hasBrick(shape)) yarns.insert(shapes_[shape].yarn);
+  std::vector<bool> begun(shapes_.size());
+  for (const Kind kind : kinds) {
+    if (!seen[index(kind)]) {
+      rest.push_back(kind);
+    } else if (begun[kind.shape] || hasBrick(kind.shape)) {
+      others.push_back(kind);
+    } else {
+      begun[kind.shape] = true;
+      yarns.insert(shapes_[kind.shape].yarn);
+      first.push_back(kind);
+    }
+  }
+  // A yarn that is not seen has one brick too.
+  const auto kept = std::stable_partition(rest.begin(), rest.end(),
+                                          [&](Kind kind) { return yarns.insert(shapes_[kind.shape].yarn).second; });
+  Wanted wanted;
+  wanted.kinds = std::move(first);
+  wanted.kinds.insert(wanted.kinds.end(), rest.begin(), kept);
+  wanted.sketch = wanted.kinds.size();
+  wanted.kinds.insert(wanted.kinds.end(), others.begin(), others.end());
+  wanted.seen = wanted.kinds.size();
+  wanted.kinds.insert(wanted.kinds.end(), kept, rest.end());
+  return wanted;
+}
+
+void TileMap::standIn() {
+  constexpr size_t kMostCompared = 64;  // of a yarn: of thousands there is hardly one that is much more alike
+  std::unordered_map<int, std::vector<uint32_t>> known;  // shapes that have a brick, by their yarn
+  uint32_t any = 0;
+  for (uint32_t shape = 0; shape < shapes_.size(); ++shape) {
+    if (!hasBrick(shape)) continue;
+    any = shape;
+    std::vector<uint32_t>& ofYarn = known[shapes_[shape].yarn];
+    if (ofYarn.size() < kMostCompared) ofYarn.push_back(shape);
+  }
+  if (known.empty()) return;
+  const auto likest = [&](uint32_t shape) {
+    if (hasBrick(shape)) return shape;
+    const CellKey& key = shapes_[shape];
+    const auto ofYarn = known.find(key.yarn);
+    if (ofYarn == known.end()) return any;
+    return *std::min_element(ofYarn->second.begin(), ofYarn->second.end(), [&](uint32_t x, uint32_t y) {
+      return unlikeness(key, shapes_[x]) < unlikeness(key, shapes_[y]);
+    });
+  };
+  const std::vector<Kind> kinds = missing();
+  uint32_t by = 0;  // the shape that stands in
+  for (size_t i = 0; i < kinds.size(); ++i) {
+    const Kind kind = kinds[i];
+    if (i == 0 || kind.shape != kinds[i - 1].shape) by = likest(kind.shape);
+    int phase = kind.phase;
+    while (!brick({by, phase})) phase = (phase + 1) % kMaxPeriod;
+    bricks_.lend(index({by, phase}), index(kind));
+  }
+}
+
+}  // namespace loomlight

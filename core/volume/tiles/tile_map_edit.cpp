@@ -1,0 +1,136 @@
+#include <algorithm>
+#include <map>
+
+#include "core/volume/tiles/phase_counts.h"
+#include "core/volume/tiles/shape_table.h"
+#include "core/volume/tiles/tile_map.h"
+
+// How the TileMap of an edited cloth is made from the one before.
+namespace loomlight {
+namespace {
+
+constexpr int kReach = ClothGeometry::kCrossingReach;
+
+/// Of a weave, as one system sees it: how many yarns, and how many crossings along each.
+struct WeaveSides {
+  int across, along;
+  bool operator==(const WeaveSides&) const = default;
+  WeaveSides(const Weave& weave, System system)
+      : across(system == System::warp ? weave.ends() : weave.picks()),
+        along(system == System::warp ? weave.picks() : weave.ends()) {}
+};
+
+struct Stretch {
+  int from, to;  ///< [from, to)
+};
+
+/// Which crossings along a yarn are within reach of changed ones, of which the yarn has `count`; `places` in order.
+std::vector<Stretch> reachedFrom(std::span<const int> places, int count) {
+  std::vector<Stretch> stretches;
+  const auto add = [&](int from, int to) {
+    if (from >= to) return;
+    if (!stretches.empty() && from <= stretches.back().to) {
+      stretches.back().to = std::max(stretches.back().to, to);
+    } else {
+      stretches.push_back({from, to});
+    }
+  };
+  // Round the ends of the repeat.
+  add(0, std::min(count, places.back() + kReach + 1 - count));
+  for (const int place : places) add(std::max(0, place - kReach), std::min(count, place + kReach + 1));
+  add(std::max(0, count + places.front() - kReach), count);
+  return stretches;
+}
+
+}  // namespace
+
+void TileMap::edit(const ClothGeometry& geometry, const Change& change, const Task& task) {
+  for (ClothGeometry::ShapeCode& code : codes_) code = ClothGeometry::renamed(system_, code, change.names);
+  if (!geometry.differsInWeaveOnly(change.before))
+    for (size_t i = 0; i < shapes_.size(); ++i) shapes_[i] = geometry.shapeKey(system_, codes_[i]);
+  ShapeTable table(geometry, system_, shapes_, codes_);
+  const bool sameCells = !reshape(geometry, change.before, task, table);
+  if (task.stopped()) return;
+
+  const bool warp = system_ == System::warp;
+  std::map<int, std::vector<int>> changed;  // yarn of the weave: where along it, in order
+  for (const WeavePlace& place : change.places)
+    changed[warp ? place.end : place.pick].push_back(warp ? place.pick : place.end);
+  for (const auto& yarn : changed)
+    for (int across = yarn.first; across < repeatAcross_; across += WeaveSides(geometry.weave(), system_).across)
+      editRow(geometry, across, yarn.second, sameCells, table);
+  if (!sameCells) countCells(task);
+  bricks_.keepOnly(cellsOf_);
+}
+
+/// Makes it the map of the geometry but for the changes of the weave. False where all cells lie as they did, each in
+/// its phase: then their counts hold.
+bool TileMap::reshape(const ClothGeometry& geometry, const ClothGeometry& before, const Task& task, ShapeTable& table) {
+  const int yarnCount = yarnCount_, cells = cells_, across = repeatAcross_, along = repeatAlong_;
+  findExtent(geometry);
+  const bool sameRepeat = across == repeatAcross_ && along == repeatAlong_ &&
+                          WeaveSides(geometry.weave(), system_) == WeaveSides(before.weave(), system_);
+  if (sameRepeat && geometry.differsInWeaveOnly(before)) return false;
+  readRows(geometry, task, keptOf(geometry, before, across, along), table);
+
+  const auto yarns = yarns_;
+  placeYarns(geometry);
+  if (!sameRepeat || yarnCount != yarnCount_ || cells != cells_ ||
+      !std::equal(yarns.get(), yarns.get() + yarnCount, yarns_.get()))
+    return true;
+  yarns_ = yarns;
+  return false;
+}
+
+TileMap::Kept TileMap::keptOf(const ClothGeometry& geometry, const ClothGeometry& before, int formerAcross,
+                              int formerAlong) const {
+  const WeaveSides now(geometry.weave(), system_), then(before.weave(), system_);
+  Kept kept;
+  kept.yarns = std::min(repeatAcross_, formerAcross);
+  if (now.across != then.across) kept.yarns = std::min({kept.yarns, now.across, then.across});
+  kept.to = std::min(repeatAlong_, formerAlong);
+  if (now.along != then.along) {
+    kept.from = kReach;
+    kept.to = std::min({kept.to, now.along, then.along}) - kReach;
+    if (kept.from >= kept.to) return {};
+  } else {
+    kept.wholeRows = repeatAlong_ == formerAlong;
+  }
+  return kept;
+}
+
+void TileMap::editRow(const ClothGeometry& geometry, int across, std::span<const int> places, bool counting,
+                      ShapeTable& table) {
+  const int weaveAlong = WeaveSides(geometry.weave(), system_).along;
+  const PhaseCounts phases(*this, across);
+  const auto row = std::make_shared<Row>(*rows_[across]);
+  std::vector<ClothGeometry::ShapeCode> codes;
+  const auto read = [&](int from, int to) {
+    codes.resize(static_cast<size_t>(to - from));
+    geometry.shapeCodes(system_, across, from, codes);
+    for (int along = from; along < to; ++along) {
+      const uint32_t before = row->at(static_cast<size_t>(along)), after = table.number(codes[along - from]);
+      if (before == after) continue;
+      row->set(static_cast<size_t>(along), after);
+      if (!counting) continue;
+      addShapes(table);
+      phases.add(along, &cellsOf_[index({before, 0})], ~uint64_t{0});
+      phases.add(along, &cellsOf_[index({after, 0})]);
+    }
+  };
+  const std::vector<Stretch> stretches = reachedFrom(places, weaveAlong);
+  for (int repeat = 0; repeat < repeatAlong_; repeat += weaveAlong)
+    for (const Stretch& stretch : stretches)
+      if (repeat + stretch.from < repeatAlong_)
+        read(repeat + stretch.from, std::min(repeat + stretch.to, repeatAlong_));
+  addShapes(table);
+  rows_.set(static_cast<size_t>(across), row);
+  pointTo(static_cast<size_t>(across), *row);
+}
+
+bool TileMap::isWorn() const {
+  constexpr size_t kFew = 1024;
+  return shapes_.size() > kFew && shapes_.size() > 2 * cellCounts().size();
+}
+
+}  // namespace loomlight

@@ -1,0 +1,229 @@
+#include "core/volume/traverse/cloth_volume.h"
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <map>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+
+namespace loomlight {
+
+ClothVolume::ClothVolume(std::shared_ptr<const ClothGeometry> geometry, VoxelGrid grid)
+    : geometry_(std::move(geometry)), grid_(grid) {
+  cells_ = {geometry_->ends(), geometry_->picks(), 1};
+  cell_mm_ = {geometry_->warpPitch_mm(), geometry_->weftPitch_mm(), -2.0 * grid_.zLower_mm};
+  voxel_mm_ = cell_mm_ / glm::dvec3(grid_.cell);
+  perCell_ = 1.0 / cell_mm_;
+  perVoxel_ = 1.0 / voxel_mm_;
+}
+
+std::shared_ptr<ClothVolume> ClothVolume::begin(std::shared_ptr<const ClothGeometry> geometry, int resolution,
+                                                const Task& task, const ClothVolume* previous) {
+  const VoxelGrid grid = makeGrid(*geometry, resolution);
+  std::shared_ptr<ClothVolume> volume(new ClothVolume(std::move(geometry), grid));
+  if (!previous || !volume->editTiles(*previous, task)) volume->readTiles(previous, task);
+  return task.stopped() ? nullptr : volume;
+}
+
+std::shared_ptr<const ClothVolume> ClothVolume::build(std::shared_ptr<const ClothGeometry> geometry, int resolution,
+                                                      const Task& task, const ClothVolume* previous,
+                                                      const FirstLook* look) {
+  const auto volume = begin(std::move(geometry), resolution, task, previous);
+  if (!volume) return nullptr;
+  const Wanted wanted = volume->wanted(look ? look->inView : CellRect{});
+  const std::span<const Place> places = wanted.places;
+  size_t done = 0;
+  for (const size_t stage : {wanted.sketch, wanted.seen, places.size()}) {
+    if (stage == done || (!look && stage < places.size())) continue;
+    if (!volume->makeBricks(places.subspan(done, stage - done), done, places.size(), task)) return nullptr;
+    done = stage;
+    if (look && done < places.size() && look->wanted(static_cast<double>(done) / static_cast<double>(places.size())))
+      look->show(volume->completed());
+  }
+  volume->bricksVoxelised_ = done;
+  return volume;
+}
+
+std::shared_ptr<const ClothVolume> ClothVolume::draft(std::shared_ptr<const ClothGeometry> geometry, int resolution,
+                                                      const CellRect& inView, const Task& task,
+                                                      const ClothVolume* previous) {
+  const auto volume = begin(std::move(geometry), resolution, task, previous);
+  if (!volume) return nullptr;
+  const Wanted wanted = volume->wanted(inView);
+  if (!volume->makeBricks(std::span(wanted.places).first(wanted.sketch), 0, wanted.places.size(), task)) return nullptr;
+  return volume->completed();
+}
+
+std::shared_ptr<const ClothVolume> ClothVolume::completed() const {
+  std::shared_ptr<ClothVolume> copy(new ClothVolume(geometry_, grid_));
+  copy->tiles_ = tiles_;
+  for (TileMap& tiles : copy->tiles_) tiles.standIn();
+  return copy;
+}
+
+void ClothVolume::readTiles(const ClothVolume* previous, const Task& task) {
+  for (size_t system = 0; system < tiles_.size() && !task.stopped(); ++system) {
+    tiles_[system] = TileMap(*geometry_, static_cast<System>(system), task);
+    if (previous) tiles_[system].shareRows(previous->tiles_[system]);
+  }
+  if (previous && !task.stopped()) reuseBricks(*previous);
+}
+
+bool ClothVolume::editTiles(const ClothVolume& previous, const Task& task) {
+  const ClothGeometry& before = *previous.geometry_;
+  auto names = geometry_->namesOfClasses(before);
+  if (!names || previous.tiles_[0].isWorn() || previous.tiles_[1].isWorn()) return false;
+  const Weave& weave = geometry_->weave();
+  const size_t crossings = static_cast<size_t>(weave.ends()) * static_cast<size_t>(weave.picks());
+  // To read a crossing anew in an edit costs some fifty times what it costs in a whole repeat.
+  auto places = weaveChanges(before.weave(), weave, std::max<size_t>(64, crossings / 64));
+  if (!places) return false;
+  const bool weaveOnly = grid_ == previous.grid_ && geometry_->differsInWeaveOnly(before);
+  const TileMap::Change change{before, std::move(*names), std::move(*places)};
+  tiles_ = previous.tiles_;
+  for (TileMap& tiles : tiles_) {
+    if (!weaveOnly) tiles.dropBricks();
+    tiles.edit(*geometry_, change, task);
+  }
+  if (!weaveOnly && !task.stopped()) reuseBricks(previous);
+  return true;
+}
+
+void ClothVolume::reuseBricks(const ClothVolume& previous) {
+  if (previous.grid_ != grid_) return;
+  struct Hash {
+    size_t operator()(const CellKey& key) const { return hash(key); }
+  };
+  for (size_t system = 0; system < tiles_.size(); ++system) {
+    TileMap& tiles = tiles_[system];
+    const TileMap& old = previous.tiles_[system];
+    std::unordered_map<CellKey, uint32_t, Hash> oldShapes;
+    for (uint32_t i = 0; i < old.shapes().size(); ++i) oldShapes.emplace(old.shapes()[i], i);
+    // The same yarn may have another class in another fabric.
+    std::map<int, std::optional<int>> oldYarns;
+    for (const TileMap::Kind kind : tiles.missing()) {
+      CellKey key = tiles.shapes()[kind.shape];
+      const auto [entry, isNew] = oldYarns.try_emplace(key.yarn);
+      if (isNew) {
+        const YarnGeometry& yarn = geometry_->yarn(key.system, key.yarn);
+        for (const CellKey& shape : old.shapes())
+          if (previous.geometry_->yarn(key.system, shape.yarn) == yarn) entry->second = shape.yarn;
+      }
+      if (!entry->second) continue;
+      key.yarn = *entry->second;
+      const auto found = oldShapes.find(key);
+      if (found == oldShapes.end()) continue;
+      if (const auto& brick = old.brick({found->second, kind.phase})) tiles.place(kind, brick);
+    }
+  }
+}
+
+ClothVolume::Wanted ClothVolume::wanted(const CellRect& inView) {
+  std::array<TileMap::Wanted, 2> of{tiles_[0].missing(inView), tiles_[1].missing(inView)};
+  Wanted all;
+  const auto add = [&](size_t TileMap::Wanted::* from, size_t TileMap::Wanted::* to) {
+    for (size_t system = 0; system < of.size(); ++system) {
+      const size_t first = from ? of[system].*from : 0, end = to ? of[system].*to : of[system].kinds.size();
+      for (size_t i = first; i < end; ++i) all.places.push_back({&tiles_[system], of[system].kinds[i]});
+    }
+    return all.places.size();
+  };
+  all.sketch = add(nullptr, &TileMap::Wanted::sketch);
+  all.seen = add(&TileMap::Wanted::sketch, &TileMap::Wanted::seen);
+  add(&TileMap::Wanted::seen, nullptr);
+  return all;
+}
+
+bool ClothVolume::makeBricks(std::span<const Place> places, size_t done, size_t all, const Task& task) {
+  std::vector<std::shared_ptr<const Brick>> made(places.size());
+  // One voxeliser for each thread: they keep their memory from brick to brick.
+  std::atomic<size_t> bytes{brickBytes()}, next{0}, finished{done};
+  const size_t workers = std::min<size_t>(places.size(), task.threads > 0 ? task.threads : hardwareThreads());
+  parallelFor(workers, task.threads, [&](size_t) {
+    Voxeliser voxelise(grid_);
+    for (size_t i = next++; i < places.size() && !task.stopped(); i = next++) {
+      const CellKey key = places[i].tiles->key(places[i].kind);
+      made[i] = std::make_shared<const Brick>(voxelise(geometry_->strands(key), key.system));
+      if ((bytes += made[i]->bytes()) > kMaxBytes)
+        throw InputError(
+            fmt::format("the volume of this cloth takes more than {} GiB ({} of its yarn cells are different): "
+                        "expected a lower resolution, fewer different yarns or a smaller repeat",
+                        kMaxBytes >> 30, all));
+      task.report(static_cast<double>(++finished) / static_cast<double>(all));
+    }
+  });
+  if (task.stopped()) return false;
+  for (size_t i = 0; i < places.size(); ++i) places[i].tiles->place(places[i].kind, std::move(made[i]));
+  return true;
+}
+
+template <class Visit>
+void ClothVolume::forEachBrick(const Visit& visit) const {
+  for (const TileMap& tiles : tiles_)
+    for (uint32_t shape = 0; shape < tiles.shapes().size(); ++shape)
+      for (int phase = 0; phase < kMaxPeriod; ++phase)
+        if (const auto& brick = tiles.brick({shape, phase})) visit(*brick, tiles.cells({shape, phase}));
+}
+
+size_t ClothVolume::brickBytes() const {
+  size_t bytes = 0;
+  forEachBrick([&](const Brick& brick, uint64_t) { bytes += brick.bytes(); });
+  return bytes;
+}
+
+VolumeCounts ClothVolume::counts() const {
+  VolumeCounts counts;
+  forEachBrick([&](const Brick& brick, uint64_t cells) {
+    ++counts.bricks;
+    counts.voxels += brick.voxels();
+    counts.components += brick.components();
+    counts.segments += brick.segments();
+    counts.segmentsRepresented += static_cast<double>(cells) * static_cast<double>(brick.segments());
+  });
+  counts.bytes = sizeof(ClothVolume) + brickBytes();
+  for (const TileMap& tiles : tiles_) counts.bytes += tiles.bytes();
+  return counts;
+}
+
+size_t ClothVolume::bytesBeside(const ClothVolume& other) const {
+  size_t bytes = sizeof(ClothVolume);
+  for (size_t i = 0; i < tiles_.size(); ++i) bytes += tiles_[i].bytesBeside(other.tiles_[i]);
+  return bytes;
+}
+
+glm::vec3 ClothVolume::upper_mm() const {
+  const glm::dvec3 upper = cell_mm_ * glm::dvec3(cells_);
+  return {upper.x, upper.y, -grid_.zLower_mm};
+}
+
+const Brick& ClothVolume::brick(System system, int pick, int end) const {
+  const bool warp = system == System::warp;
+  const TileMap& tiles = tiles_[static_cast<int>(system)];
+  const int along = warp ? pick : end;
+  return *tiles.at(warp ? end : pick, along, along % tiles.repeatAlong()).brick;
+}
+
+void ClothVolume::contentAt(glm::vec3 point, VoxelContent& content, int level) const {
+  content.count = 0;
+  const glm::dvec3 p(point.x, point.y, static_cast<double>(point.z) - grid_.zLower_mm);
+  glm::ivec3 cell, voxel;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!(p[axis] >= 0 && p[axis] < cell_mm_[axis] * cells_[axis])) return;
+    cell[axis] = std::min(static_cast<int>(p[axis] / cell_mm_[axis]), cells_[axis] - 1);
+    const double leaf = (p[axis] - cell[axis] * cell_mm_[axis]) / voxel_mm_[axis];
+    voxel[axis] = std::clamp(static_cast<int>(leaf), 0, grid_.cell[axis] - 1) >> level;
+  }
+  content.end = cell.x;
+  content.pick = cell.y;
+  content.voxel = cell * grid_.cellAt(level) + voxel;
+  Reaches reaches;
+  gather(cell.y, cell.x, level, reaches);
+  if (openBlock(reaches, voxel >> 2) != 0) look(reaches, numberInBlock(voxel), content);
+}
+
+}  // namespace loomlight

@@ -1,0 +1,158 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/base/task.h"
+#include "core/volume/build/voxel_grid.h"
+#include "core/volume/build/voxelise.h"
+#include "core/volume/tiles/tile_map.h"
+#include "core/volume/traverse/first_look.h"
+
+namespace loomlight {
+
+struct VolumeCounts {
+  size_t bricks = 0;               ///< distinct ones stored
+  size_t voxels = 0;               ///< occupied leaves in distinct bricks
+  size_t components = 0;           ///< in those
+  size_t bytes = 0;                ///< bricks, tile map and tables: all that the volume keeps
+  size_t segments = 0;             ///< fibre segments that were voxelised, once per distinct brick
+  double segmentsRepresented = 0;  ///< by the whole piece of cloth
+};
+
+/// A voxel that a ray crosses, as the traversal shows it to its visitor: up to six spans, of different yarns.
+struct VoxelContent {
+  static constexpr int kMaxParts = 6;  ///< warp and weft of the cell itself, and their neighbours on either side
+  struct Part {
+    std::span<const Component> components;
+    System system;
+    int index;  ///< which end (warp) or pick (weft), absolute
+    int yarn;   ///< index into Fabric::yarns
+  };
+  glm::ivec3 voxel;       ///< leaf (or level) coordinates in the whole cloth; x and y may not be negative
+  int pick = 0, end = 0;  ///< the crossing cell
+  int count = 0;
+  Part parts[kMaxParts];
+};
+
+/// A flat piece of cloth as a volume: a map from cells to shared, immutable bricks, one of the warp and one of the weft
+/// in each cell. Cloth coordinates in mm as in ClothGeometry. Memory is bounded by one repeat and its distinct bricks,
+/// never by the size of the cloth.
+class ClothVolume {
+ public:
+  /// Builds the volume, reusing the bricks of `previous` (may be null) where grid, yarns and keys agree, and what its
+  /// tile maps have in common with the new ones. The same, brick for brick, as without. Returns null when
+  /// stopped. Throws InputError where the distinct bricks would take more than kMaxBytes. `look` (may be null) is shown
+  /// a draft once all that is seen has a brick of its shape, and another when what is seen is as it will be, as far as
+  /// it wants them; the rest is made last. The volume is the same without.
+  static std::shared_ptr<const ClothVolume> build(std::shared_ptr<const ClothGeometry> geometry, int resolution,
+                                                  const Task& task, const ClothVolume* previous = nullptr,
+                                                  const FirstLook* look = nullptr);
+  /// A volume for a first look at these crossings of the piece, of the fewest bricks: all cells have one, those that
+  /// are seen one of their shape, though it may be of another phase. It cannot be a `previous`. Null when stopped.
+  static std::shared_ptr<const ClothVolume> draft(std::shared_ptr<const ClothGeometry> geometry, int resolution,
+                                                  const CellRect& inView, const Task& task,
+                                                  const ClothVolume* previous = nullptr);
+  static constexpr size_t kMaxBytes = size_t{4} << 30;
+
+  ClothVolume(const ClothVolume&) = delete;
+  ClothVolume& operator=(const ClothVolume&) = delete;
+
+  const ClothGeometry& geometry() const { return *geometry_; }
+  const VoxelGrid& grid() const { return grid_; }
+  VolumeCounts counts() const;
+  /// Bytes that this volume takes where `other` is there anyway: what they share is free. What lies elsewhere in the
+  /// other's tile map may count though it is shared.
+  size_t bytesBeside(const ClothVolume& other) const;
+  /// Of the whole piece. Costs what there are shapes of cells.
+  ClothMeasures measure() const { return geometry_->measure({tiles_[0].cellCounts(), tiles_[1].cellCounts()}); }
+  size_t bricksVoxelised() const { return bricksVoxelised_; }           ///< to make it; the others were there before
+  glm::vec3 lower_mm() const { return {0.0f, 0.0f, grid_.zLower_mm}; }  ///< bounds of the whole piece
+  glm::vec3 upper_mm() const;
+
+  /// The brick of a yarn in a cell of the piece: 0 <= pick < picks, 0 <= end < ends.
+  const Brick& brick(System system, int pick, int end) const;
+
+  /// Walks the voxels that the ray origin + t direction (cloth space, direction of any length) crosses for t in
+  /// [t0, t1], in order. visit(const VoxelContent&, float tEnter, float tLeave) is called for voxels with content only,
+  /// with tEnter < tLeave, and returns false to stop. True if the walk reached t1 or left the piece. Voxels are
+  /// half-open: a ray within a face sees those on its upper side. Rays that are not finite meet nothing. `level` > 0
+  /// walks a coarser level of the octree. Cost per step: one block read per yarn in reach of the cell; these are looked
+  /// up on entering a cell.
+  template <class Visit>
+  bool march(glm::vec3 origin, glm::vec3 direction, float t0, float t1, Visit&& visit, int level = 0) const;
+
+  /// What the voxel around a point holds; nothing (count 0) outside the piece.
+  void contentAt(glm::vec3 cloth_mm, VoxelContent& content, int level = 0) const;
+
+  class Probe;
+
+ private:
+  /// A brick that reaches into the current cell.
+  struct Reach {
+    const Brick::Level* level;
+    const Brick::Block* block;  ///< of the current 4 x 4 x 4 voxels; null where the brick has none
+    glm::ivec3 shift;           ///< from blocks of the cell to those of the brick
+    System system;
+    int index, yarn;
+  };
+  struct Reaches {
+    int count = 0;
+    Reach entries[VoxelContent::kMaxParts];
+  };
+  class Walk;
+  /// A brick that is missing.
+  struct Place {
+    TileMap* tiles;
+    TileMap::Kind kind;
+  };
+  /// All that are missing, in the order in which a first look wants them: as TileMap::Wanted.
+  struct Wanted {
+    std::vector<Place> places;
+    size_t sketch = 0, seen = 0;
+  };
+  ClothVolume(std::shared_ptr<const ClothGeometry> geometry, VoxelGrid grid);
+  /// Has its maps, and the bricks of `previous` (may be null) that serve; null when stopped.
+  static std::shared_ptr<ClothVolume> begin(std::shared_ptr<const ClothGeometry> geometry, int resolution,
+                                            const Task& task, const ClothVolume* previous);
+  /// A copy that is complete, with bricks that stand in for those that are missing.
+  std::shared_ptr<const ClothVolume> completed() const;
+  /// Makes the maps out of those of `previous`, where that costs less than to read them; false where it does not.
+  bool editTiles(const ClothVolume& previous, const Task& task);
+  /// Reads the maps; shares with those of `previous` (may be null) what is the same.
+  void readTiles(const ClothVolume* previous, const Task& task);
+  /// Takes the bricks of `previous` that are those of this volume too.
+  void reuseBricks(const ClothVolume& previous);
+  Wanted wanted(const CellRect& inView);
+  /// False when stopped. `done` of `all` have been made before.
+  bool makeBricks(std::span<const Place> places, size_t done, size_t all, const Task& task);
+  /// visit(brick, how many cells of the piece have it).
+  template <class Visit>
+  void forEachBrick(const Visit& visit) const;
+  size_t brickBytes() const;
+
+  /// All bricks with voxels in a cell of the piece.
+  void gather(int pick, int end, int level, Reaches& reaches) const;
+  void gather(System system, int across, int along, int level, Reaches& reaches) const;
+  /// Goes to a block of the cell; which of its voxels hold anything.
+  static uint64_t openBlock(Reaches& reaches, glm::ivec3 block);
+  /// Fills in count and parts: a voxel of the open block.
+  static void look(const Reaches& reaches, int voxel, VoxelContent& content);
+  static int numberInBlock(glm::ivec3 v) { return (v.x & 3) | (v.y & 3) << 2 | (v.z & 3) << 4; }
+
+  std::shared_ptr<const ClothGeometry> geometry_;
+  VoxelGrid grid_;
+  glm::dvec3 cell_mm_{1};                ///< pitches, and the thickness of all layers
+  glm::dvec3 perCell_{1}, perVoxel_{1};  ///< 1 / cell_mm_, 1 / voxel_mm_
+  glm::dvec3 voxel_mm_{1};  ///< grid().size_mm unrounded: cells of a wide cloth must not drift against the geometry's
+  glm::ivec3 cells_{1};     ///< ends, picks, 1
+  std::array<TileMap, 2> tiles_;
+  size_t bricksVoxelised_ = 0;
+};
+
+}  // namespace loomlight
+
+#include "core/volume/traverse/cloth_volume_march.h"
+#include "core/volume/traverse/cloth_volume_probe.h"

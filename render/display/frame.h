@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "render/film/film.h"
+#include "render/transport/path_tracer.h"
+
+namespace loomlight {
+
+/// A picture of the viewport, or of a window onto it; immutable once it is shown. Coarse first passes have fewer pixels
+/// than the window: show them stretched over it. A picture under way may be fine where it has come to, and as before
+/// elsewhere.
+struct Frame {
+  int width = 0, height = 0;
+  std::vector<glm::vec4> rgba;      ///< as traced: linear, premultiplied by alpha; row by row from the top left
+  std::vector<glm::vec4> helped;    ///< for the display alone: with less noise as long as it is young; empty: as rgba
+  std::vector<glm::vec4> denoised;  ///< for the display alone: with less noise; empty where not asked for
+  std::vector<Film::Hit> hits;      ///< yarn and crossing per pixel; -1 where there is no cloth. Empty in the lens
+  std::vector<float> variances;     ///< of the luminance; empty where unknown, or where no noise was taken
+  PixelRect window;                 ///< what it covers of the viewport
+  uint64_t generation = 0;          ///< of the request it answers
+  int samples = 0;                  ///< that every pixel has at least; 0 for a coarse pass
+  int divider = 1;                  ///< of the resolution
+  double seconds = 0;               ///< since this picture was begun
+  bool draft = false;               ///< some of it was traced in what there is of a cloth that is still being built
+  bool recoloured = false;          ///< made from paths that were traced in other colours; it is being traced anew
+
+  /// What the display shows where nothing is asked for.
+  std::span<const glm::vec4> plain() const { return helped.empty() ? rgba : helped; }
+  std::span<const glm::vec4> shown() const { return denoised.empty() ? plain() : denoised; }
+};
+
+}  // namespace loomlight

@@ -1,0 +1,106 @@
+#include "render/display/recolour.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/parallel.h"
+#include "core/fabric/model/impact.h"
+#include "render/colour/spectrum.h"
+#include "render/transport/make_medium.h"
+
+namespace loomlight {
+namespace {
+
+/// Samples on record of some pixels, per channel.
+struct Pool {
+  Rgb traced{0}, dyed{0};                           ///< sums
+  Rgb tracedTraced{0}, tracedDyed{0}, dyedDyed{0};  ///< sums about the means of each pixel
+  float samples = 0, freedom = 0;
+
+  void add(const PathRecords::Sums& s) {
+    traced += s.traced;
+    dyed += s.dyed;
+    const auto n = static_cast<float>(s.samples);
+    samples += n;
+    if (n < 2) return;
+    tracedTraced += s.tracedTraced - s.traced * s.traced / n;
+    tracedDyed += s.tracedDyed - s.traced * s.dyed / n;
+    dyedDyed += s.dyedDyed - s.dyed * s.dyed / n;
+    freedom += n - 1;
+  }
+};
+
+/// Where there is nothing to divide by, nothing is known but the light.
+Rgb ratio(Rgb a, Rgb b, Rgb light) {
+  const auto divide = [](float x, float y, float unknown) { return y > 0 ? x / y : unknown; };
+  return {divide(a.r, b.r, light.r), divide(a.g, b.g, light.g), divide(a.b, b.b, light.b)};
+}
+
+/// Of the luminance, from that of the channels, whose noise is that of the paths and hence nearly the same.
+double luminanceVariance(Rgb variance) {
+  const Rgb deviation = glm::sqrt(glm::max(variance, Rgb(0.0f)));
+  const double luminance = 0.2126 * deviation.r + 0.7152 * deviation.g + 0.0722 * deviation.b;
+  return luminance * luminance;
+}
+
+}  // namespace
+
+std::optional<Dye> dyeBetween(const Scene& traced, const Scene& wanted) {
+  const Fabric& from = *traced.fabric;
+  const Fabric& to = *wanted.fabric;
+  if (!sameMedium(traced, wanted) || from.fibres.size() != to.fibres.size()) return std::nullopt;
+  if (!(from.light.intensity > 0)) return std::nullopt;
+  Fabric between = from;
+  for (size_t k = 0; k < to.fibres.size(); ++k) between.fibres[k].absorption_per_mm = to.fibres[k].absorption_per_mm;
+  between.light.intensity = to.light.intensity;
+  between.light.temperature_K = to.light.temperature_K;
+  if (!impact(between, to).nothing()) return std::nullopt;
+  const Rgb tint = blackBodyTint(to.light.temperature_K) / blackBodyTint(from.light.temperature_K);
+  return Dye{wanted.absorption_per_mm, static_cast<float>(to.light.intensity / from.light.intensity) * tint};
+}
+
+Recoloured recolour(const Film& film, const PathRecords& records, const Dye& dye, int threads) {
+  const int width = film.width(), height = film.height();
+  const std::vector<PathRecords::Sums> sums = records.dyed(dye, threads);
+  const auto at = [&](int x, int y) -> const PathRecords::Sums& { return sums[static_cast<size_t>(y) * width + x]; };
+
+  Recoloured result;
+  result.rgba.resize(sums.size());
+  result.change.resize(sums.size());
+  std::vector<double> variances(static_cast<size_t>(height));
+  parallelFor(variances.size(), threads, [&](size_t row) {
+    const int y = static_cast<int>(row);
+    for (int x = 0; x < width; ++x) {
+      const int yarn = film.hit(x, y).yarn;
+      const PathRecords::Sums& own = at(x, y);
+      Pool around;
+      for (int v = std::max(0, y - 1); v <= std::min(height - 1, y + 1); ++v)
+        for (int u = std::max(0, x - 1); u <= std::min(width - 1, x + 1); ++u)
+          if (film.hit(u, v).yarn == yarn) around.add(at(u, v));
+      const bool complete = own.samples > 0 && own.samples == film.samples(x, y);
+      const Rgb change = ratio(around.dyed, around.traced, dye.light);
+      const Rgb colour = complete ? own.dyed / static_cast<float>(own.samples) : film.mean(x, y) * change;
+      const size_t i = row * static_cast<size_t>(width) + static_cast<size_t>(x);
+      result.rgba[i] = glm::vec4(colour, film.alpha(x, y));
+      result.change[i] = change;
+      if (around.freedom <= 0) continue;
+      const Rgb ofFilm = change * change * around.tracedTraced / static_cast<float>(film.samples(x, y));
+      const Rgb ofChange =
+          (around.dyedDyed - 2.0f * change * around.tracedDyed + change * change * around.tracedTraced) /
+          around.samples;
+      const Rgb all = around.dyedDyed / static_cast<float>(std::max(1u, own.samples));
+      variances[row] += luminanceVariance((complete ? all : ofFilm + ofChange) / around.freedom);
+    }
+  });
+  for (const double variance : variances) result.variance += variance / static_cast<double>(sums.size());
+  return result;
+}
+
+double meanVariance(const Film& film) {
+  double sum = 0;
+  for (int y = 0; y < film.height(); ++y)
+    for (int x = 0; x < film.width(); ++x) sum += film.variance(x, y);
+  return sum / (static_cast<double>(film.width()) * film.height());
+}
+
+}  // namespace loomlight

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "render/film/film.h"
+#include "render/scene/scene.h"
+#include "render/transport/path_records.h"
+
+namespace loomlight {
+
+/// What makes the picture of one scene that of the other: nullopt where they differ in more than how much fibres absorb
+/// and how brightly and of which colour the lamps shine.
+std::optional<Dye> dyeBetween(const Scene& traced, const Scene& wanted);
+
+/// A picture in other colours than it was traced in.
+struct Recoloured {
+  std::vector<glm::vec4> rgba;  ///< linear, premultiplied; row by row from the top left
+  std::vector<Rgb> change;      ///< of the light around each pixel on the same yarn: its ratio to what was traced
+  double variance = 0;          ///< of the luminance, mean over the pixels
+};
+
+/// Answers from the records of a film what it would look like had it been traced with this dye. Pixels whose samples
+/// are all on record are exactly that. Where the film has more, it is multiplied by the ratio of the two colours among
+/// the samples on record, those of pixels around on the same yarn too: a ratio estimator (Cochran 1977, chapter 6),
+/// nearly as free of noise as the film, and exactly the film in that light when only the lamps change.
+Recoloured recolour(const Film& film, const PathRecords& records, const Dye& dye, int threads);
+
+/// Variance of the luminance, mean over the pixels: what Recoloured::variance is to be compared with. 0 with fewer than
+/// two samples.
+double meanVariance(const Film& film);
+
+}  // namespace loomlight

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <memory>
+
+#include "render/display/frame.h"
+
+namespace loomlight {
+
+/// An earlier picture of what a new one shows: seen where that has no samples yet. A coarse one is gone from a pixel
+/// with its first sample. Of a fine one, each new sample takes the place of one of its own, so that the new picture
+/// comes as fast as it gets good: with x of n samples replaced, the variance is (1 - x)^2 / n + x / n, never more than
+/// the old picture's, and after n samples nothing of that is left.
+class StandIn {
+ public:
+  explicit StandIn(std::shared_ptr<const Frame> earlier);
+
+  /// Its share of a pixel that has so many samples of its own: falls from 1 to exactly 0 at samples().
+  float share(uint32_t samples) const;
+  /// How many take its place; at most as many as are clear to the eye, so that it does not linger.
+  uint32_t samples() const { return samples_; }
+  const Frame& frame() const { return *earlier_; }
+  bool knowsVariance() const { return !earlier_->variances.empty(); }
+
+  // At a pixel of the viewport, whose resolution is divided by `divider`.
+  glm::vec4 light(int x, int y, int divider) const;   ///< as traced
+  glm::vec4 helped(int x, int y, int divider) const;  ///< as displayed; see Frame
+  Film::Hit hit(int x, int y, int divider) const;
+  /// Of the luminance at full resolution, mixed with a mean of so many samples; `own`: its variance, where it has two.
+  float variance(int x, int y, uint32_t samples, float own) const;
+
+ private:
+  glm::vec4 between(std::span<const glm::vec4> pixels, int x, int y, int divider) const;
+  size_t nearest(int x, int y, int divider) const;
+
+  std::shared_ptr<const Frame> earlier_;
+  uint32_t samples_;
+};
+
+}  // namespace loomlight

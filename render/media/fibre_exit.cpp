@@ -1,0 +1,27 @@
+#include "render/media/fibre_exit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/optics/fibre_frame.h"
+
+namespace loomlight {
+
+glm::vec3 fibreExit(const Scene& scene, const Collision& collision, glm::vec3 wi, int order) {
+  if (order == 0) return collision.place.world;
+  const FibreFrame frame(collision.tangent);
+  const glm::vec3 out = frame.toLocal(wi), back = frame.toLocal(-collision.incoming);
+  const float across = std::hypot(out.y, out.z);
+  if (across == 0) return collision.place.world;
+  const float sine = collision.offset, cosine = std::sqrt(std::max(0.0f, 1 - sine * sine));
+  const glm::vec3 normal(0, (out.y * cosine - out.z * sine) / across, (out.z * cosine + out.y * sine) / across);
+  // sin(theta_t) = sin(theta_o) / eta: of every traverse, 2 r cos(gamma_t) tan(theta_t) = chord r sin(theta_t).
+  const int material = collision.optics.material;
+  const float radius = collision.optics.fibreRadius_mm;
+  const float chord = scene.materials[material].bcsdf->modes(back, sine).chord;
+  const auto index = static_cast<float>(scene.fabric->fibres[material].refractiveIndex);
+  const float along = -static_cast<float>(order) * chord * radius * back.x / index;
+  return collision.axis + along * collision.tangent + radius * frame.toWorld(normal);
+}
+
+}  // namespace loomlight

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "render/media/medium.h"
+
+namespace loomlight {
+
+/// Where light that takes mode `order` out of the fibre of a collision into direction wi comes out of its surface, for
+/// a collision that knows its axis. About the axis every mode leaves as far beyond its exit normal as it came in before
+/// the normal it came in by (the angular momentum is kept); along the fibre it has gone on as it came, refracted, on
+/// each of its `order` traverses.
+glm::vec3 fibreExit(const Scene& scene, const Collision& collision, glm::vec3 wi, int order);
+
+}  // namespace loomlight

@@ -1,0 +1,104 @@
+#include "render/media/fibre_medium.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "render/media/fibre_exit.h"
+#include "render/media/fibre_tangent.h"
+#include "render/scene/fibre_bvh.h"
+
+namespace loomlight {
+namespace {
+
+constexpr float kOwnFibreRadii = 3;  // how far, in radii, a ray does not see the fibre that it has left
+
+void expectWithin(const FibreSize& size, double limit_bytes) {
+  constexpr double kGiB = 1024.0 * 1024 * 1024;
+  if (size.bytes <= limit_bytes) return;
+  throw InputError(
+      fmt::format("{} has {:.3g} fibre segments, which would take {:.2f} GiB; expected at most {:.2f} GiB: make the "
+                  "piece smaller, or raise the limit",
+                  size.isWholePiece() ? "this piece" : "one repeat of this piece", size.segments, size.bytes / kGiB,
+                  limit_bytes / kGiB));
+}
+
+FibreRay rayFrom(const Departure& from, glm::vec3 direction, float length_mm) {
+  return {from.place.world, direction, length_mm, from.fibre, from.clearance_mm};
+}
+
+}  // namespace
+
+FibreMedium::FibreMedium(const Scene& scene, const FibreSize& size, std::unique_ptr<const FibreBvh> bvh)
+    : scene_(scene), size_(size), bvh_(std::move(bvh)) {}
+FibreMedium::~FibreMedium() = default;
+
+FibreMedium::Size FibreMedium::estimate(const Scene& scene, const FibreOptions& options) {
+  return planFibres(scene, options);
+}
+
+std::unique_ptr<const FibreMedium> FibreMedium::build(const Scene& scene, const FibreOptions& options,
+                                                      const Task& task) {
+  const FibreSize size = planFibres(scene, options);
+  expectWithin(size, options.limit_bytes);
+  auto bvh = FibreBvh::build(scene, size, task);
+  if (!bvh) return nullptr;
+  return std::unique_ptr<const FibreMedium>(new FibreMedium(scene, size, std::move(bvh)));
+}
+
+size_t FibreMedium::segments() const {
+  return bvh_->segments();
+}
+
+size_t FibreMedium::geometryBytes() const {
+  return bvh_->geometryBytes();
+}
+
+size_t FibreMedium::acceleratorBytes() const {
+  return bvh_->acceleratorBytes();
+}
+
+std::optional<Collision> FibreMedium::collide(const Departure& from, glm::vec3 direction, Random&,
+                                              TraceCounts& counts) const {
+  ++counts.rays;
+  const auto hit = bvh_->meet(rayFrom(from, direction, std::numeric_limits<float>::infinity()));
+  if (!hit) return std::nullopt;
+  ++counts.events;
+  Collision c;
+  c.place = {from.place.world + hit->distance_mm * direction, -1};
+  c.distance_mm = hit->distance_mm;
+  c.incoming = direction;
+  Random root(~hit->fibre);  // apart from the number that decides its material
+  c.tangent = eitherWay(hit->tangent, root);
+  const glm::vec3 across = glm::cross(c.tangent, direction);
+  // h is the sine, about the axis, from the normal to the way back.
+  const float width = glm::length(across);
+  c.offset = width > 0 ? std::clamp(glm::dot(across, hit->normal) / width, -1.0f, 1.0f) : 0.0f;
+  c.normal = hit->normal;
+  c.fibre = hit->fibre;
+  c.events = from.events + 1;
+  c.end = hit->end;
+  c.pick = hit->pick;
+  c.yarn = scene_.volume->geometry().yarnIndex(hit->system, hit->system == System::warp ? hit->end : hit->pick);
+  c.optics = scene_.yarns[static_cast<int>(hit->system)][c.yarn];
+  c.axis = c.place.world - c.optics.fibreRadius_mm * hit->normal;
+  return c;
+}
+
+float FibreMedium::transmittance(const Departure& from, glm::vec3 direction, float distance, Random&,
+                                 TraceCounts& counts) const {
+  ++counts.rays;
+  return bvh_->isFree(rayFrom(from, direction, distance)) ? 1.0f : 0.0f;
+}
+
+Departure FibreMedium::leave(const Collision& collision, glm::vec3 wi, int order) const {
+  const float radius = collision.optics.fibreRadius_mm;
+  Departure departure{collision.place, collision.events, collision.fibre, kOwnFibreRadii * radius};
+  const Yarn& yarn = scene_.fabric->yarns[collision.yarn];
+  if (yarn.layout == FibreLayout::packed) departure.place.world = fibreExit(scene_, collision, wi, order);
+  return departure;
+}
+
+}  // namespace loomlight

@@ -1,0 +1,275 @@
+#include "render/media/loomlight_medium.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "render/media/cloth_walk.h"
+#include "render/media/fibre_exit.h"
+#include "render/media/fibre_tangent.h"
+#include "render/media/met_fibre.h"
+#include "render/media/voxel_extinction.h"
+#include "render/optics/fibre_frame.h"
+
+namespace loomlight {
+namespace {
+
+/// Two points of the unit hemisphere about z, each uniform, on opposite sides of it, and one as high as the other is
+/// low.
+struct AntitheticPoints {
+  glm::vec3 first, second;
+  explicit AntitheticPoints(Random& random) {
+    glm::vec2 side(0);
+    float square = 0;
+    do {
+      const float u = random.uniform(), v = random.uniform();
+      side = {2 * u - 1, 2 * v - 1};
+      square = glm::dot(side, side);
+    } while (square > 1 || square < 1e-12f);
+    // Uniform heights are those of Lambert's equal-area map of the disc.
+    const float height = square;
+    side /= std::sqrt(square);
+    first = {std::sqrt(1 - height * height) * side, height};
+    second = {-std::sqrt(height * (2 - height)) * side, 1 - height};
+  }
+};
+
+/// The share of extinction that is left of fibres near earlier flights, and beside the fibre that the last flight came
+/// from: that one is met for itself, so a voxel must not count it again.
+class Unknown {
+ public:
+  Unknown(const Departure& from, const ShellSegment& s, const Scene& scene, glm::mat3 toCloth)
+      : from_(from),
+        grid_(scene.volume->grid()),
+        before_(s.clothOrigin + toCloth * (from.before.axis - s.origin), glm::normalize(toCloth * from.before.tangent),
+                from.before.radius_mm, grid_) {}
+
+  float share(const FibreDistribution& fibres, float radius_mm, bool packed, Thread thread, glm::vec3 point,
+              glm::ivec3 voxel) const {
+    float absent = 0;
+    for (const Flight& flight : from_.flights)
+      if (flight.length_mm > 0)
+        absent = std::max(absent, knownAbsent(flight, point, fibres.direction, fibres.spread, radius_mm));
+    float before = 0;
+    if (from_.before.radius_mm > 0 && thread == from_.before.thread && packed)
+      before = std::min(1.0f, before_.lengthDensity(grid_.lower_mm(voxel)) / fibres.lengthDensity);
+    return (1 - absent) * (1 - before);
+  }
+
+ private:
+  const Departure& from_;
+  const VoxelGrid& grid_;
+  FibreInVoxels before_;
+};
+
+/// Where axis and surface are, of a fibre met at a point, from its tangent and h.
+glm::vec3 axisOf(const Collision& c, glm::vec3 direction) {
+  const glm::vec3 forward = direction - glm::dot(direction, c.tangent) * c.tangent;
+  const glm::vec3 b = glm::cross(c.tangent, direction);
+  const glm::vec3 normal = (c.offset * b - std::sqrt(1 - c.offset * c.offset) * forward) / glm::length(b);
+  return c.place.world - c.optics.fibreRadius_mm * normal;
+}
+
+/// A collision with the cylinder that a path came from.
+Collision collisionWith(const MetFibre& fibre, const ScenePoint& place, glm::vec3 direction, const Scene& scene) {
+  Collision c;
+  c.place = place;
+  c.tangent = fibre.tangent;
+  c.axis = fibre.axis + glm::dot(place.world - fibre.axis, fibre.tangent) * fibre.tangent;
+  c.normal = glm::normalize(place.world - c.axis);
+  const glm::vec3 b = glm::cross(c.tangent, direction);
+  c.offset = std::clamp(glm::dot(c.normal, b) / glm::length(b), -1.0f, 1.0f);
+  c.thread = fibre.thread;
+  c.yarn = fibre.yarn;
+  c.end = fibre.end;
+  c.pick = fibre.pick;
+  const Yarn& yarn = scene.fabric->yarns[fibre.yarn];
+  c.optics = {yarn.fibre, yarn.layout == FibreLayout::packed, fibre.radius_mm};
+  return c;
+}
+
+}  // namespace
+
+/// Part of a ray along which light can meet fibres whose axes lie in one voxel: [t, t + length] from the start of the
+/// flight. Up to t + near the light is still in the voxel before, or in none, and the gaps are as wide as there.
+struct LoomlightMedium::Stretch {
+  const VoxelExtinction& voxel;
+  const VoxelContent& content;
+  const ShellSegment& segment;
+  float ahead;  ///< of the light, the axes: c
+  float t, length, near;
+  float sigmaNear, sigma;  ///< 1/mm
+
+  float depthNear() const { return sigmaNear * near; }
+  float depth() const { return depthNear() + sigma * (length - near); }
+};
+
+LoomlightMedium::LoomlightMedium(const Scene& scene, Ingredients ingredients)
+    : scene_(scene), ingredients_(ingredients) {
+  float sum = 0;
+  int count = 0;
+  for (const auto& system : scene.yarns)
+    for (const YarnOptics& optics : system)
+      if (optics.fibreRadius_mm > 0) {
+        sum += optics.fibreRadius_mm;
+        ++count;
+      }
+  if (!ingredients.finiteRadius || count == 0) return;
+  radius_mm_ = sum / static_cast<float>(count);
+  farthest_mm_ = static_cast<float>(kPi) * radius_mm_;  // four times that of a fibre across the ray
+}
+
+glm::mat3 LoomlightMedium::toClothOf(const ShellSegment& s) const {
+  return s.drape.isometric ? glm::mat3(1.0f) : scene_.shell->tets()[s.tet].toCloth;
+}
+
+/// Calls onStretch(const Stretch&) along the ray, in order, until it returns false; true if it never did.
+template <class OnStretch>
+bool LoomlightMedium::advance(const Departure& from, glm::vec3 direction, float tMax, TraceCounts& counts,
+                              OnStretch&& onStretch) const {
+  constexpr float kFullest = 0.9f;  // of space; no gap is so narrow that light could not be in it
+  return walkShell(scene_, from.place, direction, tMax, [&](const ShellSegment& s) {
+    const Unknown unknown(from, s, scene_, toClothOf(s));
+    float last = -1, filled = 0;  // where the voxel before ended, and how much of it is fibre
+    // The axes lie ahead of the light: u is where they are, t where the light is.
+    return scene_.volume->march(
+        s.clothOrigin, s.clothDirection, s.tEnter, s.tLeave + farthest_mm_,
+        [&](const VoxelContent& content, float uEnter, float uLeave) {
+          const float filledBefore = uEnter - last < 1e-5f ? filled : 0.0f;
+          const glm::vec3 middle = s.origin + 0.5f * (uEnter + uLeave) * direction;
+          const VoxelExtinction voxel(scene_, content, s.drape, direction,
+                                      [&](const FibreDistribution& fibres, const YarnOptics& optics, Thread thread) {
+                                        if (!ingredients_.hotSpot) return 1.0f;
+                                        return unknown.share(fibres, optics.fibreRadius_mm, optics.packed, thread,
+                                                             middle, content.voxel);
+                                      });
+          last = uLeave;
+          filled = ingredients_.packing ? std::min(voxel.packed(), kFullest) : 0.0f;
+          const float ahead = std::min(0.5f * voxel.solid() / voxel.whole(), farthest_mm_);
+          const float start = std::max(uEnter, s.tEnter + ahead), stop = std::min(uLeave, s.tLeave + ahead);
+          if (!(start < stop)) return true;
+          ++counts.steps;
+          return onStretch(Stretch{voxel, content, s, ahead, s.passed + start - ahead, stop - start,
+                                   std::clamp(uEnter + ahead - start, 0.0f, stop - start),
+                                   voxel.total() / (1 - filledBefore), voxel.total() / (1 - filled)});
+        });
+  });
+}
+
+/// Which fibre is met at t.
+Collision LoomlightMedium::meet(const Departure& from, glm::vec3 direction, const Stretch& stretch, float t,
+                                Random& random) const {
+  const ShellSegment& s = stretch.segment;
+  Collision c;
+  c.distance_mm = t;
+  c.place = {from.place.world + t * direction, s.tet};
+  c.normal = s.drape.normal();
+  const auto take = [&](const VoxelExtinction& voxel, const VoxelContent& content) {
+    const VoxelExtinction::Entry& entry = voxel.choose(random.uniform(), EventLaw::projected);
+    c.tangent = eitherWay(projectedTangent(inWorld(entry.component->decode(), s.drape), direction, random), random);
+    c.optics = *entry.optics;
+    c.thread = entry.thread;
+    c.yarn = entry.yarn;
+    c.end = content.end;
+    c.pick = content.pick;
+  };
+  if (!ingredients_.finiteRadius) {
+    take(stretch.voxel, stretch.content);
+    c.offset = 2 * random.uniform() - 1;
+    return c;
+  }
+  const FibreFrame frame(direction);  // about the ray
+  const glm::mat3 toCloth = toClothOf(s);
+  const glm::vec3 place = s.clothOrigin + (t - s.passed) * s.clothDirection;
+  const auto across = [&](glm::vec3 w) { return w.x * frame.y + w.y * frame.z; };
+  // Most often the axis is looked for in the very voxel that the stretch is in.
+  const VoxelGrid& grid = scene_.volume->grid();
+  const glm::vec3 lower = grid.lower_mm(stretch.content.voxel);
+  ClothVolume::Probe probe(*scene_.volume);
+  VoxelContent contents[2];
+  std::optional<VoxelExtinction> elsewhere[2];
+  const auto look = [&](glm::vec3 w, int i) {
+    const glm::vec3 shift = radius_mm_ * across(w) + 2 * stretch.ahead * w.z * direction;
+    const glm::vec3 axis = place + toCloth * shift, inVoxel = axis - lower;
+    if (glm::all(glm::greaterThanEqual(inVoxel, glm::vec3(0))) && glm::all(glm::lessThan(inVoxel, grid.size_mm)))
+      return stretch.voxel.whole();
+    probe.look(axis, contents[i]);
+    return elsewhere[i].emplace(scene_, contents[i], s.drape, direction).whole();
+  };
+  const AntitheticPoints w(random);
+  const float first = look(w.first, 0), second = look(w.second, 1);
+  const bool takesFirst = random.uniform() * (first + second) < first;
+  const int taken = takesFirst ? 0 : 1;
+  if (elsewhere[taken] && elsewhere[taken]->whole() > 0)
+    take(*elsewhere[taken], contents[taken]);
+  else
+    take(stretch.voxel, stretch.content);
+  // The shift leads from the surface to the axis, so the normal's component across is its negative.
+  const glm::vec3 b = glm::cross(c.tangent, direction);
+  c.offset = std::clamp(-glm::dot(across(takesFirst ? w.first : w.second), b) / glm::length(b), -1.0f, 1.0f);
+  return c;
+}
+
+std::optional<Collision> LoomlightMedium::collide(const Departure& from, glm::vec3 direction, Random& random,
+                                                  TraceCounts& counts) const {
+  constexpr float kNever = std::numeric_limits<float>::infinity();
+  ++counts.rays;
+  const float toBefore = ingredients_.hotSpot ? distanceTo(from.before, from.place.world, direction) : kNever;
+  float opticalDepth = -std::log(1 - random.uniform());
+  std::optional<Collision> met;
+  int tet = from.place.tet;
+  advance(from, direction, toBefore, counts, [&](const Stretch& stretch) {
+    tet = stretch.segment.tet;
+    const float depth = stretch.depth();
+    if (opticalDepth >= depth) {
+      opticalDepth -= depth;
+      return true;
+    }
+    const float beyondNear = opticalDepth - stretch.depthNear();
+    const float t =
+        stretch.t + (beyondNear < 0 ? opticalDepth / stretch.sigmaNear : stretch.near + beyondNear / stretch.sigma);
+    met = meet(from, direction, stretch, t, random);
+    met->axis = axisOf(*met, direction);
+    return false;
+  });
+  if (!met) {
+    if (toBefore == kNever) return std::nullopt;
+    met = collisionWith(from.before, {from.place.world + toBefore * direction, tet}, direction, scene_);
+    met->distance_mm = toBefore;
+  }
+  met->incoming = direction;
+  met->events = from.events + 1;
+  met->before = from.leaving;
+  met->earlier = from.flights[0];
+  ++counts.events;
+  return met;
+}
+
+float LoomlightMedium::transmittance(const Departure& from, glm::vec3 direction, float distance, Random& random,
+                                     TraceCounts& counts) const {
+  ++counts.rays;
+  if (ingredients_.hotSpot && distanceTo(from.before, from.place.world, direction) < distance) return 0;
+  constexpr float kExactDepth = 4.0f;
+  const float deepest = kExactDepth - std::log(1 - random.uniform());
+  float depth = 0;
+  const bool through = advance(from, direction, distance, counts, [&](const Stretch& stretch) {
+    depth += stretch.depth();
+    return depth < deepest;
+  });
+  return through ? std::exp(-std::min(depth, kExactDepth)) : 0.0f;
+}
+
+Departure LoomlightMedium::leave(const Collision& c, glm::vec3 wi, int order) const {
+  Departure departure;
+  departure.place = c.place;
+  departure.events = c.events;
+  if (ingredients_.packing && c.optics.packed) departure.place.world = fibreExit(scene_, c, wi, order);
+  if (ingredients_.hotSpot) {
+    departure.leaving = {c.axis, c.tangent, c.optics.fibreRadius_mm, c.thread, c.yarn, c.end, c.pick};
+    departure.before = c.before;
+    departure.flights = {Flight{c.place.world, c.incoming, c.distance_mm}, c.earlier};
+  }
+  return departure;
+}
+
+}  // namespace loomlight

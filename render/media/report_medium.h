@@ -1,0 +1,35 @@
+#pragma once
+
+#include <memory>
+
+#include "render/bvdf/bvdf_set.h"
+#include "render/media/volume_medium.h"
+
+namespace loomlight {
+
+/// The volume as the report has it, to the letter, for comparison: components are chosen by density alone (Eq. 12),
+/// their tangents are not weighted, and direct light at the first fibre of a path is seen with the probability
+/// (1 - p(wi, wo)) of the BVDF within the cell around it, times the volume's transmittance from the cell's far side on
+/// (section 8.2). All else is the plain volume. It does not keep the furnace: light that comes straight is counted by
+/// one law, light that goes on by another.
+class ReportMedium final : public Medium {
+ public:
+  ReportMedium(const Scene& scene, std::shared_ptr<const BvdfSet> bvdf);
+  ReportMedium(const ReportMedium&) = delete;
+  ReportMedium& operator=(const ReportMedium&) = delete;
+
+  std::optional<Collision> collide(const Departure& from, glm::vec3 direction, Random& random,
+                                   TraceCounts& counts) const override;
+  /// From the first event: direct light. As exact as that of VolumeMedium.
+  float transmittance(const Departure& from, glm::vec3 direction, float distance, Random& random,
+                      TraceCounts& counts) const override;
+  bool seesDirectLightApart() const override { return true; }
+  Departure leave(const Collision& collision, glm::vec3 wi, int order) const override;
+
+ private:
+  Scene scene_;  ///< the caller's, with the report's event law
+  VolumeMedium volume_;
+  std::shared_ptr<const BvdfSet> bvdf_;
+};
+
+}  // namespace loomlight

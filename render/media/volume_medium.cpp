@@ -1,0 +1,81 @@
+#include "render/media/volume_medium.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/media/cloth_walk.h"
+#include "render/media/fibre_tangent.h"
+#include "render/media/voxel_extinction.h"
+
+namespace loomlight {
+
+std::optional<Collision> VolumeMedium::collide(const Departure& from, glm::vec3 direction, Random& random,
+                                               TraceCounts& counts) const {
+  const EventLaw law = scene_.fabric->render.eventLaw;
+  float opticalDepth = -std::log(1 - random.uniform());
+  std::optional<Collision> collision;
+  ++counts.rays;
+  walkCloth(scene_, from.place, direction, std::numeric_limits<float>::infinity(),
+            [&](const VoxelContent& content, float tEnter, float tLeave, const LocalDrape& drape, int tet) {
+              ++counts.steps;
+              const VoxelExtinction voxel(scene_, content, drape, direction);
+              const float depth = voxel.total() * (tLeave - tEnter);
+              if (opticalDepth >= depth) {
+                opticalDepth -= depth;
+                return true;
+              }
+              const float t = std::min(tLeave, tEnter + opticalDepth / voxel.total());
+              const VoxelExtinction::Entry& entry = voxel.choose(random.uniform(), law);
+              const FibreDistribution fibres = inWorld(entry.component->decode(), drape);
+              Collision c;
+              c.place = {from.place.world + t * direction, tet};
+              c.distance_mm = t;
+              c.incoming = direction;
+              if (law == EventLaw::report) {
+                const float u1 = random.uniform(), u2 = random.uniform();
+                c.tangent = eitherWay(sampleTangent(fibres, u1, u2), random);
+              } else {
+                c.tangent = eitherWay(projectedTangent(fibres, direction, random), random);
+              }
+              c.offset = 2.0f * random.uniform() - 1.0f;
+              c.normal = drape.normal();
+              c.optics = *entry.optics;
+              c.yarn = entry.yarn;
+              c.end = content.end;
+              c.pick = content.pick;
+              c.events = from.events + 1;
+              collision = c;
+              return false;
+            });
+  if (collision) ++counts.events;
+  return collision;
+}
+
+Departure VolumeMedium::leave(const Collision& collision, glm::vec3, int) const {
+  return {collision.place, collision.events};
+}
+
+float VolumeMedium::transmittance(const Departure& from, glm::vec3 direction, float distance, Random& random,
+                                  TraceCounts& counts) const {
+  return transmittanceBeyond(0, from, direction, distance, random, counts);
+}
+
+float VolumeMedium::transmittanceBeyond(float clear_mm, const Departure& from, glm::vec3 direction, float distance,
+                                        Random& random, TraceCounts& counts) const {
+  constexpr float kExactDepth = 4.0f;
+  const float deepest = kExactDepth - std::log(1 - random.uniform());
+  float depth = 0;
+  ++counts.rays;
+  const bool through =
+      walkCloth(scene_, from.place, direction, distance,
+                [&](const VoxelContent& content, float tEnter, float tLeave, const LocalDrape& drape, int) {
+                  const float length = tLeave - std::max(tEnter, clear_mm);
+                  if (length <= 0) return true;
+                  ++counts.steps;
+                  depth += VoxelExtinction(scene_, content, drape, direction).total() * length;
+                  return depth < deepest;
+                });
+  return through ? std::exp(-std::min(depth, kExactDepth)) : 0.0f;
+}
+
+}  // namespace loomlight

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "render/media/medium.h"
+
+namespace loomlight {
+
+/// The cloth as a statistical volume: virtual scattering events (section 8.1 of the report). Free flights are exact
+/// exponentials through the summed extinction of every voxel; the component is chosen in proportion to its own
+/// extinction, the tangent weighted by the sine, which is the law of the fibre that a random ray hits
+/// (EventLaw::projected), or by density alone (EventLaw::report). h is uniform. Light leaves where it came in: a fibre
+/// is a point here.
+class VolumeMedium final : public Medium {
+ public:
+  /// The scene must outlive the medium.
+  explicit VolumeMedium(const Scene& scene) : scene_(scene) {}
+
+  std::optional<Collision> collide(const Departure& from, glm::vec3 direction, Random& random,
+                                   TraceCounts& counts) const override;
+  /// Exact down to e^-4; below that 0 or e^-4, because what hardly gets through is not worth walking for.
+  float transmittance(const Departure& from, glm::vec3 direction, float distance, Random& random,
+                      TraceCounts& counts) const override;
+  /// The same, were the first `clear_mm` of the way empty.
+  float transmittanceBeyond(float clear_mm, const Departure& from, glm::vec3 direction, float distance, Random& random,
+                            TraceCounts& counts) const;
+  Departure leave(const Collision& collision, glm::vec3 wi, int order) const override;
+
+ private:
+  const Scene& scene_;
+};
+
+}  // namespace loomlight

@@ -1,0 +1,47 @@
+#include "render/scene/camera_rays.h"
+
+#include <cassert>
+#include <cmath>
+
+namespace loomlight {
+namespace {
+
+/// What an orthographic camera sees is as high as what a perspective one with this field of view sees at the target.
+constexpr double kOrthographicFov_deg = 20.0;
+
+constexpr double radians(double degrees) {
+  return degrees * kPi / 180.0;
+}
+
+}  // namespace
+
+CameraRays::CameraRays(const Camera& camera, int width, int height)
+    : width_(width), height_(height), orthographic_(camera.fov_deg <= 0.0) {
+  assert(width > 0 && height > 0);
+  const double azimuth = radians(camera.azimuth_deg), elevation = radians(camera.elevation_deg);
+  const glm::dvec3 outward(std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
+                           std::sin(elevation));
+  // From the azimuth rather than from forward x z, so that orbiting over the pole neither jumps nor divides by zero.
+  const glm::dvec3 right(-std::sin(azimuth), std::cos(azimuth), 0.0);
+  eye_ = camera.target_mm + camera.distance_mm * outward;
+  forward_ = -outward;
+  right_ = right;
+  up_ = glm::cross(outward, right);
+  const double slope = std::tan(radians(0.5 * (orthographic_ ? kOrthographicFov_deg : camera.fov_deg)));
+  halfHeight_ = static_cast<float>(orthographic_ ? camera.distance_mm * slope : slope);
+}
+
+Ray CameraRays::ray(float x, float y) const {
+  const float pixel = 2.0f * halfHeight_ / static_cast<float>(height_);
+  const glm::vec3 offset =
+      pixel * ((x - 0.5f * static_cast<float>(width_)) * right_ + (0.5f * static_cast<float>(height_) - y) * up_);
+  if (orthographic_) return {eye_ + offset, forward_};
+  return {eye_, glm::normalize(forward_ + offset)};
+}
+
+float CameraRays::pixelSize_mm(float distance) const {
+  const float pixel = 2.0f * halfHeight_ / static_cast<float>(height_);
+  return orthographic_ ? pixel : pixel * distance;
+}
+
+}  // namespace loomlight

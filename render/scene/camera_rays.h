@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/fabric/model/fabric.h"
+
+namespace loomlight {
+
+struct Ray {
+  glm::vec3 origin{0};
+  glm::vec3 direction{0, 0, 1};  ///< unit
+};
+
+/// Makes the rays of a Camera for pictures of any size. z is up in the picture; looking straight down, it is what lies
+/// beyond the target as one came over the azimuth: +y for an azimuth of -90 degrees.
+class CameraRays {
+ public:
+  CameraRays(const Camera& camera, int width, int height);
+  /// x in [0, width), y in [0, height), from the top left; pixel centres at .5.
+  Ray ray(float x, float y) const;
+  glm::vec3 eye_mm() const { return eye_; }
+  /// Size of a pixel, mm, at this distance from the eye.
+  float pixelSize_mm(float distance) const;
+
+ private:
+  glm::vec3 eye_, forward_, right_, up_;
+  float halfHeight_ = 0;
+  int width_, height_;
+  bool orthographic_ = false;
+};
+
+}  // namespace loomlight

@@ -1,0 +1,297 @@
+#include "render/scene/fibre_bvh.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <new>
+#include <stdexcept>
+
+#include "core/base/parallel.h"
+#include "render/scene/embree.h"
+#include "render/scene/yarn_curves.h"
+
+namespace loomlight {
+namespace {
+
+/// Threads for Embree's builder; 0: all. They are oneTBB's, which ThreadSanitizer cannot follow (core/base/parallel.h).
+int builderThreads([[maybe_unused]] const Task& task) {
+#ifdef LOOMLIGHT_STD_THREADS
+  return 1;
+#else
+  return task.threads;
+#endif
+}
+
+/// What the filter needs to know of a ray, behind Embree's own context.
+struct RayContext {
+  explicit RayContext(const FibreRay& fibreRay) : ray(&fibreRay) { embree::initialise(embree); }
+  embree::QueryContext embree;  ///< first, so that Embree's pointer to it is a pointer to the whole
+  const FibreRay* ray;
+};
+
+RTCRay embreeRay(const FibreRay& from) {
+  RTCRay ray{};
+  ray.org_x = from.origin.x;
+  ray.org_y = from.origin.y;
+  ray.org_z = from.origin.z;
+  ray.dir_x = from.direction.x;
+  ray.dir_y = from.direction.y;
+  ray.dir_z = from.direction.z;
+  ray.tfar = from.length_mm;
+  ray.mask = ~0u;
+  return ray;
+}
+
+/// A fibre as copies know it: where its yarn is in the whole piece.
+struct PlacedFibre {
+  const YarnCurves& curves;
+  uint32_t segment;
+  int across;     ///< which end (warp) or pick (weft) it belongs to
+  int firstCell;  ///< crossing of the piece at which the curves begin
+};
+
+}  // namespace
+
+struct FibreBvh::Parts {
+  Parts(const Scene& s, const FibreSize& z) : scene(s), size(z) {}
+  ~Parts() {
+    if (piece) rtcReleaseScene(piece);
+    if (laid) rtcReleaseScene(laid);
+    if (device) rtcReleaseDevice(device);
+  }
+  Parts(const Parts&) = delete;
+  Parts& operator=(const Parts&) = delete;
+
+  bool lay(const Task& task);
+  void startDevice(const Task& task);
+  void attach(unsigned id);
+  bool attachCopies(const Task& task);
+  bool commit(RTCScene of, const Task& task, double from, double to) const;
+
+  PlacedFibre placed(const RTCHit& hit) const;
+  bool isInPiece(const PlacedFibre& fibre) const;
+  uint64_t idOf(const PlacedFibre& fibre) const;
+  static void filter(const RTCFilterFunctionNArguments* args);
+
+  const Scene& scene;
+  const FibreSize size;
+  std::vector<YarnCurves> yarns;  ///< ends, then picks; each one Embree geometry
+  RTCDevice device = nullptr;
+  RTCScene laid = nullptr;   ///< the crossings that are laid
+  RTCScene piece = nullptr;  ///< what rays are asked of: `laid` itself, or its copies
+  std::atomic<int64_t> acceleratorBytes{0};
+};
+
+bool FibreBvh::Parts::lay(const Task& task) {
+  for (int end = 0; end < size.ends; ++end) yarns.emplace_back(System::warp, end);
+  for (int pick = 0; pick < size.picks; ++pick) yarns.emplace_back(System::weft, pick);
+  const ClothToWorld toWorld(*scene.shell);
+  std::atomic<size_t> done{0};
+  parallelFor(yarns.size(), task.threads, [&](size_t i) {
+    const int cells = yarns[i].system() == System::warp ? size.picks : size.ends;
+    if (!yarns[i].lay(scene.volume->geometry(), cells, toWorld, task)) return;
+    task.report(0.5 * static_cast<double>(++done) / static_cast<double>(yarns.size()));
+  });
+  return !task.stopped();
+}
+
+void FibreBvh::Parts::startDevice(const Task& task) {
+  device = rtcNewDevice(fmt::format("threads={}", builderThreads(task)).c_str());
+  if (!device) throw std::runtime_error("Embree could not start");
+  rtcSetDeviceMemoryMonitorFunction(
+      device,
+      [](void* user, ssize_t bytes, bool) {
+        static_cast<Parts*>(user)->acceleratorBytes += bytes;
+        return true;
+      },
+      this);
+}
+
+void FibreBvh::Parts::attach(unsigned id) {
+  const YarnCurves& yarn = yarns[id];
+  if (yarn.segments().empty()) return;
+  RTCGeometry curves = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_ROUND_LINEAR_CURVE);
+  rtcSetSharedGeometryBuffer(curves, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, yarn.vertices().data(), 0,
+                             sizeof(glm::vec4), yarn.vertices().size());
+  rtcSetSharedGeometryBuffer(curves, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT, yarn.segments().data(), 0,
+                             sizeof(uint32_t), yarn.segments().size());
+  rtcSetGeometryUserData(curves, this);
+  rtcSetGeometryIntersectFilterFunction(curves, filter);
+  rtcSetGeometryOccludedFilterFunction(curves, filter);
+  rtcCommitGeometry(curves);
+  rtcAttachGeometryByID(laid, curves, id);
+  rtcReleaseGeometry(curves);
+}
+
+/// False when stopped.
+bool FibreBvh::Parts::attachCopies(const Task& task) {
+  const ClothGeometry& geometry = scene.volume->geometry();
+  for (int y = 0; y < size.copies.y; ++y) {
+    if (task.stopped()) return false;
+    for (int x = 0; x < size.copies.x; ++x) {
+      RTCGeometry copy = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
+      rtcSetGeometryInstancedScene(copy, laid);
+      const float placed[12] = {1,
+                                0,
+                                0,
+                                0,
+                                1,
+                                0,
+                                0,
+                                0,
+                                1,  // columns; the last one is where it stands
+                                static_cast<float>(x * size.ends * geometry.warpPitch_mm()),
+                                static_cast<float>(y * size.picks * geometry.weftPitch_mm()),
+                                0};
+      rtcSetGeometryTransform(copy, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, placed);
+      rtcCommitGeometry(copy);
+      rtcAttachGeometryByID(piece, copy, static_cast<unsigned>(y * size.copies.x + x));
+      rtcReleaseGeometry(copy);
+    }
+  }
+  return true;
+}
+
+/// False when stopped. Progress goes on from one fraction to the other.
+bool FibreBvh::Parts::commit(RTCScene of, const Task& task, double from, double to) const {
+  struct Monitor {
+    const Task& task;
+    double from, to;
+  } monitor{task, from, to};
+  rtcSetSceneFlags(of, RTC_SCENE_FLAG_ROBUST);
+  rtcSetSceneProgressMonitorFunction(
+      of,
+      [](void* user, double fraction) {
+        const auto& m = *static_cast<const Monitor*>(user);
+        if (m.task.stopped()) return false;
+        m.task.report(m.from + (m.to - m.from) * std::clamp(fraction, 0.0, 1.0));
+        return !m.task.stopped();
+      },
+      &monitor);
+  rtcCommitScene(of);
+  rtcSetSceneProgressMonitorFunction(of, nullptr, nullptr);
+  switch (rtcGetDeviceError(device)) {
+    case RTC_ERROR_NONE:
+      return !task.stopped();
+    case RTC_ERROR_CANCELLED:
+      return false;
+    case RTC_ERROR_OUT_OF_MEMORY:
+      throw std::bad_alloc();
+    default:
+      throw std::runtime_error("Embree could not build the fibres");
+  }
+}
+
+PlacedFibre FibreBvh::Parts::placed(const RTCHit& hit) const {
+  const YarnCurves& curves = yarns[hit.geomID];
+  glm::ivec2 copy(0);
+  if (const unsigned instance = hit.instID[0]; instance != RTC_INVALID_GEOMETRY_ID)
+    copy = {static_cast<int>(instance) % size.copies.x, static_cast<int>(instance) / size.copies.x};
+  const int end = copy.x * size.ends, pick = copy.y * size.picks;
+  const bool warp = curves.system() == System::warp;
+  return {curves, hit.primID, curves.index() + (warp ? end : pick), warp ? pick : end};
+}
+
+/// The last copies may reach beyond the piece.
+bool FibreBvh::Parts::isInPiece(const PlacedFibre& fibre) const {
+  const ClothGeometry& geometry = scene.volume->geometry();
+  const bool warp = fibre.curves.system() == System::warp;
+  const int yarnCount = warp ? geometry.ends() : geometry.picks(), cells = warp ? geometry.picks() : geometry.ends();
+  return fibre.across < yarnCount && fibre.segment < fibre.curves.segmentsBefore(cells - fibre.firstCell);
+}
+
+uint64_t FibreBvh::Parts::idOf(const PlacedFibre& fibre) const {
+  const bool warp = fibre.curves.system() == System::warp;
+  const uint64_t yarn = uint64_t{2} * static_cast<uint32_t>(fibre.across) + (warp ? 0 : 1);
+  return (yarn + 1) << 32 | fibre.curves.strandOf(fibre.segment);
+}
+
+/// Surfaces count from outside only, and not the fibre's own where the ray has just left it.
+void FibreBvh::Parts::filter(const RTCFilterFunctionNArguments* args) {
+  const auto* ray = reinterpret_cast<const RTCRay*>(args->ray);
+  const auto* hit = reinterpret_cast<const RTCHit*>(args->hit);
+  const FibreRay& from = *reinterpret_cast<const RayContext*>(args->context)->ray;
+  const auto& parts = *static_cast<const Parts*>(args->geometryUserPtr);
+  const bool fromInside = ray->dir_x * hit->Ng_x + ray->dir_y * hit->Ng_y + ray->dir_z * hit->Ng_z > 0;
+  const bool mayBeOwn = ray->tfar < from.clearance_mm;
+  if (fromInside) {
+    args->valid[0] = 0;
+  } else if (mayBeOwn || !parts.size.isWholePiece()) {
+    const PlacedFibre fibre = parts.placed(*hit);
+    if ((mayBeOwn && parts.idOf(fibre) == from.ownFibre) || !parts.isInPiece(fibre)) args->valid[0] = 0;
+  }
+}
+
+FibreBvh::FibreBvh(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+FibreBvh::~FibreBvh() = default;
+
+std::unique_ptr<const FibreBvh> FibreBvh::build(const Scene& scene, const FibreSize& size, const Task& task) {
+  auto parts = std::make_unique<Parts>(scene, size);
+  if (!parts->lay(task)) return nullptr;
+  parts->startDevice(task);
+  parts->laid = rtcNewScene(parts->device);
+  for (unsigned id = 0; id < parts->yarns.size(); ++id) {
+    if (task.stopped()) return nullptr;
+    parts->attach(id);
+  }
+  constexpr double kLaid = 0.5;
+  const double built = size.isWholePiece() ? 1 : 0.95;
+  if (!parts->commit(parts->laid, task, kLaid, built)) return nullptr;
+  if (size.isWholePiece()) {
+    rtcRetainScene(parts->laid);
+    parts->piece = parts->laid;
+  } else {
+    parts->piece = rtcNewScene(parts->device);
+    if (!parts->attachCopies(task) || !parts->commit(parts->piece, task, built, 1)) return nullptr;
+  }
+  task.report(1);
+  return std::unique_ptr<const FibreBvh>(new FibreBvh(std::move(parts)));
+}
+
+std::optional<FibreHit> FibreBvh::meet(const FibreRay& ray) const {
+  RayContext context(ray);
+  RTCRayHit query{};
+  query.ray = embreeRay(ray);
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  embree::intersect(parts_->piece, context.embree, query);
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+  const PlacedFibre fibre = parts_->placed(query.hit);
+  const YarnCurves& curves = fibre.curves;
+  FibreHit hit;
+  hit.distance_mm = query.ray.tfar;
+  hit.normal = glm::normalize(glm::vec3(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z));
+  hit.tangent = curves.tangent(fibre.segment);
+  hit.system = curves.system();
+  const int cell = fibre.firstCell + curves.cellOf(fibre.segment);
+  hit.end = curves.system() == System::warp ? fibre.across : cell;
+  hit.pick = curves.system() == System::warp ? cell : fibre.across;
+  hit.fibre = parts_->idOf(fibre);
+  return hit;
+}
+
+bool FibreBvh::isFree(const FibreRay& ray) const {
+  RayContext context(ray);
+  RTCRay query = embreeRay(ray);
+  embree::occluded(parts_->piece, context.embree, query);
+  return query.tfar >= 0;
+}
+
+size_t FibreBvh::segments() const {
+  size_t sum = 0;
+  for (const YarnCurves& yarn : parts_->yarns) sum += yarn.segments().size();
+  return sum;
+}
+
+size_t FibreBvh::geometryBytes() const {
+  size_t sum = 0;
+  for (const YarnCurves& yarn : parts_->yarns) sum += yarn.bytes();
+  return sum;
+}
+
+size_t FibreBvh::acceleratorBytes() const {
+  return static_cast<size_t>(parts_->acceleratorBytes.load());
+}
+
+}  // namespace loomlight

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+
+#include "core/base/task.h"
+#include "render/scene/fibre_extent.h"
+
+namespace loomlight {
+
+/// Where a ray meets a fibre.
+struct FibreHit {
+  float distance_mm = 0;
+  glm::vec3 normal{0, 0, 1};   ///< of the fibre's surface, unit
+  glm::vec3 tangent{1, 0, 0};  ///< unit
+  System system = System::warp;
+  int end = 0, pick = 0;
+  uint64_t fibre = 0;  ///< which of the whole cloth; never 0
+};
+
+/// A ray into the fibres, which does not see the fibre that it leaves within a distance from its origin.
+struct FibreRay {
+  glm::vec3 origin, direction;  ///< direction: unit
+  float length_mm = std::numeric_limits<float>::infinity();
+  uint64_t ownFibre = 0;
+  float clearance_mm = 0;
+};
+
+/// The strands of a cloth as Embree round curves, bent onto the drape, in world space. Where only one repeat is laid
+/// its copies are instances, so that rays go on from one into the next, and fibres that reach into neighbours are met
+/// there. Surfaces are met from outside only. Immutable, and safe to ask from many threads.
+class FibreBvh {
+ public:
+  /// Null when stopped: cell by cell, and Embree asks between small parts of its tree. The scene must outlive it.
+  static std::unique_ptr<const FibreBvh> build(const Scene& scene, const FibreSize& size, const Task& task);
+  ~FibreBvh();
+
+  std::optional<FibreHit> meet(const FibreRay& ray) const;
+  bool isFree(const FibreRay& ray) const;
+
+  size_t segments() const;
+  size_t geometryBytes() const;
+  size_t acceleratorBytes() const;  ///< as Embree reports its allocations
+
+ private:
+  struct Parts;
+  explicit FibreBvh(std::unique_ptr<Parts> parts);
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace loomlight

@@ -1,0 +1,78 @@
+#include "render/scene/fibre_extent.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+
+#include "core/base/error.h"
+
+namespace loomlight {
+namespace {
+
+// Measured resident, at their largest: our arrays 25-26 bytes a segment, Embree's 36-42; the estimate of segments is
+// a few percent low.
+constexpr double kBytesPerSegment = 26 + 46;
+constexpr double kBytesPerCopy = 400;
+
+/// So that the arrangement of a few fibres does not decide how a wide cloth looks.
+constexpr int64_t kMinCrossings = 16;
+
+double segmentsPerCrossing(const ClothGeometry& geometry) {
+  const double measured = static_cast<double>(std::min(geometry.repeatEnds(), geometry.ends())) *
+                          std::min(geometry.repeatPicks(), geometry.picks());
+  return geometry.measure().segmentsPerRepeat / measured;
+}
+
+FibreSize sizeOf(const ClothGeometry& geometry, double segmentsPerCrossing, int64_t ends, int64_t picks) {
+  FibreSize size;
+  size.ends = static_cast<int>(std::min<int64_t>(ends, geometry.ends()));
+  size.picks = static_cast<int>(std::min<int64_t>(picks, geometry.picks()));
+  size.copies = {(geometry.ends() + size.ends - 1) / size.ends, (geometry.picks() + size.picks - 1) / size.picks};
+  size.segments = segmentsPerCrossing * size.ends * size.picks;
+  const double copies = size.isWholePiece() ? 0.0 : static_cast<double>(size.copies.x) * size.copies.y;
+  size.bytes = size.segments * kBytesPerSegment + copies * kBytesPerCopy;
+  return size;
+}
+
+/// Crossings along the yarns of a system after which all that they are made of repeats: at least kMinCrossings, at most
+/// `piece`, which needs no repeat.
+int repeatAlong(const ClothGeometry& geometry, System system, int piece) {
+  const bool warp = system == System::warp;
+  int64_t repeat = warp ? geometry.repeatPicks() : geometry.repeatEnds();
+  const int yarns =
+      warp ? std::min(geometry.repeatEnds(), geometry.ends()) : std::min(geometry.repeatPicks(), geometry.picks());
+  for (int i = 0; i < yarns && repeat < piece; ++i) {
+    const CellKey key = warp ? geometry.key(system, 0, i) : geometry.key(system, i, 0);
+    repeat = std::lcm(repeat, static_cast<int64_t>(geometry.yarn(system, key.yarn).period));
+  }
+  const int64_t crossings = (kMinCrossings + repeat - 1) / repeat * repeat;
+  return static_cast<int>(std::min<int64_t>(crossings, piece));
+}
+
+FibreSize sizeOfRepeat(const ClothGeometry& geometry, double segmentsPerCrossing) {
+  const int64_t ends = repeatAlong(geometry, System::weft, geometry.ends());
+  const int64_t picks = repeatAlong(geometry, System::warp, geometry.picks());
+  FibreSize size = sizeOf(geometry, segmentsPerCrossing, ends, picks);
+  // Of a wide cloth several repeats are laid, where fewer copies save more than these cost.
+  for (int64_t several = 2;; several *= 2) {
+    const FibreSize larger = sizeOf(geometry, segmentsPerCrossing, several * ends, several * picks);
+    if (larger.bytes >= size.bytes) return size;
+    size = larger;
+  }
+}
+
+}  // namespace
+
+FibreSize planFibres(const Scene& scene, const FibreOptions& options) {
+  const ClothGeometry& geometry = scene.volume->geometry();
+  const bool flat = scene.shell->isFlat();
+  if (options.extent == FibreExtent::oneRepeat && !flat)
+    throw InputError("fibres: expected a flat drape for one repeat to stand for the piece; got one that is bent");
+  const double each = segmentsPerCrossing(geometry);
+  const FibreSize whole = sizeOf(geometry, each, geometry.ends(), geometry.picks());
+  const bool repeat = options.extent == FibreExtent::oneRepeat ||
+                      (options.extent == FibreExtent::automatic && flat && whole.bytes > options.limit_bytes);
+  return repeat ? sizeOfRepeat(geometry, each) : whole;
+}
+
+}  // namespace loomlight

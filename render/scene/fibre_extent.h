@@ -1,0 +1,47 @@
+#pragma once
+
+#include <limits>
+
+#include "core/fabric/model/choice_names.h"
+#include "render/scene/scene.h"
+
+namespace loomlight {
+
+/// How much of a cloth is laid fibre by fibre. wholePiece: all of it. oneRepeat: of a flat piece the crossings of one
+/// repeat, which stand side by side over it. automatic: the whole piece where memory is enough for it, else one repeat
+/// of what is flat.
+enum class FibreExtent { automatic, wholePiece, oneRepeat };
+template <>
+struct ChoiceNames<FibreExtent> {
+  static constexpr std::array names{"auto", "piece", "repeat"};
+};
+
+struct FibreOptions {
+  double limit_bytes = std::numeric_limits<double>::infinity();
+  FibreExtent extent = FibreExtent::automatic;
+  FibreOptions() = default;
+  FibreOptions(double limit, FibreExtent which = FibreExtent::automatic) : limit_bytes(limit), extent(which) {}
+};
+
+/// What explicit fibres take: the crossings laid, from the piece's corner on, how often these stand side by side, and
+/// what that needs, estimated before anything is made. Copies that reach beyond the piece end with it.
+///
+/// A repeat is one of the weave, of the yarns' shapes, and of the twist: a whole number of the periods of every yarn
+/// that runs along it (YarnGeometry::period), so that each fibre goes on seamlessly in the next copy. In the piece
+/// itself every yarn begins its twist where it likes and none repeats its neighbour; in copies the first ones' do. That
+/// is another arrangement of the same yarns, and where nothing varies along yarns the very same cloth. Colours follow
+/// their sequences over the whole piece.
+struct FibreSize {
+  int ends = 1, picks = 1;
+  glm::ivec2 copies{1};
+  double segments = 0;  ///< that are laid
+  double bytes = 0;     ///< at most, while it is built
+
+  bool isWholePiece() const { return copies == glm::ivec2(1); }
+};
+
+/// Of the extent that the options lead to. May be beyond their limit: then there is nothing smaller to lay. Throws
+/// InputError where one repeat is asked of cloth that is not flat.
+FibreSize planFibres(const Scene& scene, const FibreOptions& options);
+
+}  // namespace loomlight

@@ -1,0 +1,161 @@
+#include "render/scene/shell_entry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <new>
+#include <utility>
+
+#include "render/scene/embree.h"
+
+namespace loomlight {
+namespace {
+
+/// How far the parameters of Embree, of a shell's planes, and of rays moved along their direction may disagree,
+/// relative to the coordinates involved: faces this far behind are looked at again.
+constexpr float kSlack = 1e-5f;
+/// What the ray must have before it, relative likewise, to have entered at all: more than rounding, so that walking
+/// makes progress, and far less than a voxel.
+constexpr float kProgress = 1e-6f;
+/// Rays through a vertex to the last bit slip between its triangles: Embree's edge tests agree pairwise, but not around
+/// a fan; likewise a walk may leave at a vertex where the ray just stays inside. Such rays show by leaving what they
+/// never entered, and are tried again, moved aside by the progress to the four sides.
+constexpr int kAttempts = 5;
+/// A corner of the cloth within the slack has only few tetrahedra; no shell makes a search longer than this.
+constexpr int kMaxSteps = 256;
+
+/// The tetrahedron that holds the ray just after t, walking on from `tet`; -1 if the ray leaves the cloth before.
+int tetAfter(const Shell& shell, int tet, glm::vec3 origin, glm::vec3 direction, float t) {
+  for (int step = 0; step < kMaxSteps && tet >= 0; ++step) {
+    int face = 0;
+    if (shell.exit(tet, origin, direction, face) > t) return tet;
+    tet = shell.tets()[static_cast<size_t>(tet)].neighbour[face];
+  }
+  return -1;
+}
+
+struct EntryContext {
+  embree::QueryContext embree;  ///< first, so that Embree's pointer to it is a pointer to the whole
+  const Shell* shell;
+  glm::vec3 origin, direction;
+  float tMin;
+  float shift;  ///< Embree's ray starts this far behind the origin
+  float progress;
+  float leaves = std::numeric_limits<float>::infinity();  ///< least parameter of Embree at which the ray goes out
+};
+
+/// Where the ray enters through a boundary face that Embree met at its parameter `tEmbree`.
+ShellEntry::Hit behind(const EntryContext& context, unsigned int primitive, float tEmbree) {
+  const float t = std::max(tEmbree - context.shift, context.tMin);
+  const int tet = static_cast<int>(context.shell->boundary()[primitive].tet);
+  return {t, tetAfter(*context.shell, tet, context.origin, context.direction, t + context.progress)};
+}
+
+/// Refuses faces that are left, not entered, and those behind which the ray has no cloth left at its parameter.
+void filter(const RTCFilterFunctionNArguments* arguments) {
+  const auto* ray = reinterpret_cast<const RTCRay*>(arguments->ray);
+  const auto* hit = reinterpret_cast<const RTCHit*>(arguments->hit);
+  auto& context = *reinterpret_cast<EntryContext*>(arguments->context);
+  const bool entering = ray->dir_x * hit->Ng_x + ray->dir_y * hit->Ng_y + ray->dir_z * hit->Ng_z < 0;
+  if (entering && behind(context, hit->primID, ray->tfar).tet >= 0) return;
+  arguments->valid[0] = 0;
+  const bool within = ray->tfar > context.tMin + 2 * context.shift;  // not merely what it has just left
+  if (!entering && within) context.leaves = std::min(context.leaves, ray->tfar);
+}
+
+/// Unit vectors to the four sides of a direction, by attempt 1..4; attempt 0 stays.
+glm::vec3 aside(glm::vec3 direction, int attempt) {
+  if (attempt == 0) return glm::vec3(0);
+  const glm::vec3 axis = std::abs(direction.x) < 0.6f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
+  const glm::vec3 right = glm::normalize(glm::cross(direction, axis));
+  const glm::vec3 side = attempt <= 2 ? right : glm::cross(direction, right);
+  return attempt % 2 == 1 ? side : -side;
+}
+
+}  // namespace
+
+void ShellEntry::ReleaseDevice::operator()(RTCDeviceTy* device) const {
+  rtcReleaseDevice(device);
+}
+
+void ShellEntry::ReleaseScene::operator()(RTCSceneTy* scene) const {
+  rtcReleaseScene(scene);
+}
+
+ShellEntry::ShellEntry(std::shared_ptr<const Shell> shell) : shell_(std::move(shell)) {
+  const glm::vec3 extent = glm::max(glm::abs(shell_->lower_mm()), glm::abs(shell_->upper_mm()));
+  reach_ = std::max({extent.x, extent.y, extent.z});
+  if (shell_->isFlat()) return;
+
+  // One thread: the callers bring their own, and a shell is built in milliseconds.
+  device_.reset(rtcNewDevice("threads=1"));
+  if (!device_) throw std::bad_alloc();
+  scene_.reset(rtcNewScene(device_.get()));
+  rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
+  RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
+  auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                                               sizeof(glm::vec3), shell_->vertices().size()));
+  auto* indices = static_cast<uint32_t*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                                                 3 * sizeof(uint32_t), shell_->boundary().size()));
+  if (!vertices || !indices) {
+    rtcReleaseGeometry(geometry);
+    throw std::bad_alloc();
+  }
+  for (const glm::vec3& vertex : shell_->vertices())
+    for (int axis = 0; axis < 3; ++axis) *vertices++ = vertex[axis];
+  for (const Shell::BoundaryFace& face : shell_->boundary()) indices = std::copy_n(face.vertex, 3, indices);
+  rtcSetGeometryIntersectFilterFunction(geometry, filter);
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometry(scene_.get(), geometry);
+  rtcReleaseGeometry(geometry);
+  rtcCommitScene(scene_.get());
+  if (rtcGetDeviceError(device_.get()) != RTC_ERROR_NONE) throw std::bad_alloc();
+}
+
+std::optional<ShellEntry::Hit> ShellEntry::enter(glm::vec3 origin, glm::vec3 direction, float tMin, float tMax) const {
+  if (shell_->isFlat()) return enterBox(origin, direction, tMin, tMax);
+  const float far = std::max({reach_, std::abs(origin.x), std::abs(origin.y), std::abs(origin.z), tMin});
+  const float shift = kSlack * far;
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    EntryContext context{{}, shell_.get(), origin, direction, tMin, shift, kProgress * far};
+    embree::initialise(context.embree);
+    const glm::vec3 start = origin - shift * direction + context.progress * aside(direction, attempt);
+    RTCRayHit query{};
+    query.ray.org_x = start.x;
+    query.ray.org_y = start.y;
+    query.ray.org_z = start.z;
+    query.ray.dir_x = direction.x;
+    query.ray.dir_y = direction.y;
+    query.ray.dir_z = direction.z;
+    query.ray.tnear = tMin;  // as far behind the true tMin as the origin was moved
+    query.ray.tfar = tMax + shift;
+    query.ray.mask = ~0u;
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    embree::intersect(scene_.get(), context.embree, query);
+    const bool entered = query.hit.geomID != RTC_INVALID_GEOMETRY_ID;
+    const bool slipped = context.leaves < (entered ? query.ray.tfar : std::numeric_limits<float>::infinity());
+    if (entered && (!slipped || attempt + 1 == kAttempts)) return behind(context, query.hit.primID, query.ray.tfar);
+    if (!slipped) break;
+  }
+  return std::nullopt;
+}
+
+std::optional<ShellEntry::Hit> ShellEntry::enterBox(glm::vec3 origin, glm::vec3 direction, float tMin,
+                                                    float tMax) const {
+  float enter = -std::numeric_limits<float>::infinity();
+  for (int axis = 0; axis < 3; ++axis) {
+    const float lower = shell_->lower_mm()[axis], upper = shell_->upper_mm()[axis];
+    if (direction[axis] == 0) {
+      if (origin[axis] < lower || origin[axis] > upper) return std::nullopt;
+      continue;
+    }
+    const float wall = direction[axis] > 0 ? lower : upper;
+    enter = std::max(enter, (wall - origin[axis]) / direction[axis]);
+  }
+  int face = 0;
+  const float leave = shell_->exit(0, origin, direction, face);
+  if (enter < tMin || enter > tMax || enter >= leave) return std::nullopt;
+  return Hit{enter, 0};
+}
+
+}  // namespace loomlight

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/base/task.h"
+#include "render/media/medium.h"
+
+namespace loomlight {
+
+/// Light on its way from an eye straight above the cloth back to a white sky, black below: how a spectrophotometer
+/// looks at cloth. Absorption enters a path only as exp(-sum sigma_k L_k), so the lengths L_k that it has gone inside
+/// each fibre material are all that its colour depends on: one set of walks answers for every dye.
+struct ColourWalks {
+  size_t materials = 0;           ///< of the scene
+  size_t count = 0;               ///< walks that met the fibre in question first
+  std::vector<float> lengths_mm;  ///< of those that came out to the sky: walk by walk, one length for each material
+
+  size_t lit() const { return materials > 0 ? lengths_mm.size() / materials : 0; }
+  /// What shows, where that fibre lies on top, with these absorptions (1/mm, per material). 1 is white paper.
+  Rgb colour(const std::vector<Rgb>& absorption_per_mm) const;
+};
+
+/// The fabric on a flat patch for walkColours: its repeat, as far as that is not too large, and what light travels
+/// sideways around it.
+Fabric colourPatch(Fabric fabric);
+
+/// `count` walks that first meet `material`, over the middle of the scene's patch; fewer where hardly any does, none
+/// where it never lies on top. A function of the scene's seed. nullopt when stopped.
+std::optional<ColourWalks> walkColours(const Scene& scene, const Medium& medium, int material, size_t count,
+                                       const Task& task);
+
+}  // namespace loomlight

@@ -1,0 +1,117 @@
+#include "render/transport/half_dome.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "core/base/parallel.h"
+#include "core/geometry/cloth_geometry.h"
+#include "render/transport/path_tracer.h"
+
+namespace loomlight {
+namespace {
+
+constexpr double kRadians = kPi / 180;
+constexpr int kPixels = 64;  // across a window seen from straight above
+constexpr int kFewestCrossings = 8, kMostCrossings = 48;
+
+/// Side of the square of cloth that the cameras see: enough crossings for a mean, and whole repeats where they are few.
+double window_mm(const Fabric& fabric) {
+  const auto side = [](int repeat, double pitch_mm) {
+    return pitch_mm * std::clamp((kFewestCrossings + repeat - 1) / repeat * repeat, kFewestCrossings, kMostCrossings);
+  };
+  const ClothGeometry geometry(fabric, 1, 1);
+  return std::max(side(geometry.repeatEnds(), geometry.warpPitch_mm()),
+                  side(geometry.repeatPicks(), geometry.weftPitch_mm()));
+}
+
+/// A camera's picture: the middle `columns` x `rows` pixels of what CameraRays would show.
+struct View {
+  Camera camera;
+  int width = 1, height = 1;
+  int columns = 1, rows = 1;
+
+  CameraRays rays() const { return CameraRays(camera, width, height); }
+};
+
+View viewFrom(double azimuth_deg, double inclination_deg, double window, double halfThickness_mm) {
+  const double cosine = std::cos(inclination_deg * kRadians), sine = std::sin(inclination_deg * kRadians);
+  const double pixel = window / kPixels;
+  View view;
+  view.columns = kPixels;
+  view.rows = std::max(1, static_cast<int>(std::lround(kPixels * cosine)));
+  // So far off that all of the picture's plane lies above the cloth. What an orthographic camera shows grows with its
+  // distance, so the picture grows too, and only its middle is looked at.
+  const double clear = (1.01 * halfThickness_mm + 0.5 * view.rows * pixel * sine) / cosine + pixel;
+  const double seenPerDistance = 2 * std::tan(10 * kRadians);
+  view.height = std::max(view.rows, static_cast<int>(std::ceil(clear * seenPerDistance / pixel)));
+  view.height += (view.height - view.rows) & 1;
+  view.width = view.columns;
+  view.camera.fov_deg = 0;
+  view.camera.azimuth_deg = azimuth_deg;
+  view.camera.elevation_deg = 90 - inclination_deg;
+  view.camera.distance_mm = view.height * pixel / seenPerDistance;
+  return view;
+}
+
+/// Mean of at least `samples` paths. Samples are spread evenly over the pixels; no two cameras share a number of the
+/// same pixel.
+Rgb look(const Scene& scene, const Medium& medium, const View& view, size_t camera, int samples, const Task& task,
+         TraceCounts& counts) {
+  const CameraRays rays = view.rays();
+  const int pixels = view.columns * view.rows;
+  const int rounds = (samples + pixels - 1) / pixels;
+  // Fewer samples than pixels go to every nth pixel.
+  const int stride = std::max(1, pixels / samples);
+  const int x0 = (view.width - view.columns) / 2, y0 = (view.height - view.rows) / 2;
+  glm::dvec3 sum(0.0);
+  int count = 0;
+  for (int round = 0; round < rounds; ++round)
+    for (int i = 0; i < pixels; i += stride) {
+      if (task.stopped()) return Rgb(0.0f);
+      const auto index = static_cast<uint32_t>(camera * static_cast<size_t>(rounds) + static_cast<size_t>(round));
+      const PathSample sample =
+          tracePath(scene, medium, rays, x0 + i % view.columns, y0 + i / view.columns, index, counts);
+      sum += glm::dvec3(sample.direct + sample.indirect);
+      ++count;
+    }
+  return Rgb(sum / static_cast<double>(count));
+}
+
+}  // namespace
+
+Fabric halfDomePatch(Fabric fabric, const HalfDomeGrid& grid) {
+  const double half = ClothGeometry(fabric, 1, 1).halfThickness_mm();
+  const double steepest = std::tan(grid.inclination_deg(grid.inclinations - 1) * kRadians);
+  // Half the diagonal of the window, whose rows are rounded; the way of a ray down to the mid-plane; and what light
+  // travels sideways inside of the cloth.
+  const double window = window_mm(fabric);
+  const double reach = 0.75 * window * 1.5 + half * steepest + 8 * half;
+  fabric.drape = Drape{};
+  fabric.drape.width_mm = fabric.drape.height_mm = std::clamp(2 * reach, 1.0, 1e4);
+  return fabric;
+}
+
+std::optional<HalfDomeMeasure> measureHalfDome(const Scene& scene, const Medium& medium, const HalfDomeGrid& grid,
+                                               int samples, const Task& task) {
+  const double window = window_mm(*scene.fabric), half = scene.volume->geometry().halfThickness_mm();
+  HalfDomeMeasure measure{grid, std::vector<Rgb>(grid.size()), {}};
+  std::vector<TraceCounts> counts(grid.size());
+  std::atomic<size_t> done{0};
+  parallelFor(grid.size(), task.threads, [&](size_t i) {
+    const int azimuth = static_cast<int>(i) % grid.azimuths, inclination = static_cast<int>(i) / grid.azimuths;
+    const View view = viewFrom(grid.azimuth_deg(azimuth), grid.inclination_deg(inclination), window, half);
+    measure.radiance[i] = look(scene, medium, view, i, samples, task, counts[i]);
+    task.report(static_cast<double>(++done) / static_cast<double>(grid.size()));
+  });
+  if (task.stopped()) return std::nullopt;
+  for (const TraceCounts& c : counts) measure.counts += c;
+  return measure;
+}
+
+double paperRadiance(const Light& light) {
+  const bool directional = light.kind == LightKind::directional;
+  return light.intensity * (directional ? std::abs(std::sin(light.elevation_deg * kRadians)) : 1.0);
+}
+
+}  // namespace loomlight

@@ -1,0 +1,138 @@
+#include "render/transport/path_records.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/base/parallel.h"
+
+namespace loomlight {
+namespace {
+
+// A sample: which pixel of the tile, how many words its light takes, its colour when it was traced, its light. Light:
+// which fibre sent it (0: none, k + 1: one of material k), radiance, the lengths, and if there is such a fibre, what it
+// did.
+constexpr size_t kSampleHead = 5, kLightHead = 4, kFibreWords = FibreBcsdf::kLobes + 2;
+
+}  // namespace
+
+void PathLog::add(const PathLight& light, std::span<const float> lengths_mm) {
+  const bool fromFibre = light.traverse_mm > 0;
+  words_.push_back(fromFibre ? static_cast<float>(light.material + 1) : 0.0f);
+  for (int c = 0; c < 3; ++c) words_.push_back(light.radiance[c]);
+  words_.insert(words_.end(), lengths_mm.begin(), lengths_mm.end());
+  if (!fromFibre) return;
+  words_.insert(words_.end(), light.modes.begin(), light.modes.end());
+  words_.push_back(light.traverse_mm);
+  words_.push_back(light.inside);
+}
+
+PathRecords::PathRecords(int width, int height, int materials, size_t bytes)
+    : width_(width),
+      height_(height),
+      materials_(static_cast<size_t>(materials)),
+      columns_(static_cast<size_t>((width + kTile - 1) / kTile)),
+      budget_(bytes),
+      tiles_(columns_ * static_cast<size_t>((height + kTile - 1) / kTile)) {}
+
+bool PathRecords::takes(int x, int y, uint32_t index) const {
+  return !full_.load(std::memory_order_relaxed) && samples(x, y) == index;
+}
+
+/// Grows by a quarter, so that little memory is held in reserve. False when there is none left.
+bool PathRecords::makeRoom(std::vector<float>& words, size_t more) {
+  const size_t now = words.capacity(), needed = words.size() + more;
+  if (needed <= now) return true;
+  const size_t then = std::max(needed, now + now / 4);
+  const size_t grown = (then - now) * sizeof(float);
+  if (bytes_.fetch_add(grown) + grown > budget_) {
+    bytes_ -= grown;
+    full_ = true;
+    return false;
+  }
+  words.reserve(then);
+  return true;
+}
+
+void PathRecords::add(int x, int y, Rgb colour, const PathLog& log) {
+  Tile& tile = tileOf(x, y);
+  const std::span<const float> light = log.words();
+  if (!makeRoom(tile.words, kSampleHead + light.size())) return;
+  tile.words.insert(tile.words.end(), {static_cast<float>(inTile(x, y)), static_cast<float>(light.size()), colour.r,
+                                       colour.g, colour.b});  // sizes stay below 2^24: exact
+  tile.words.insert(tile.words.end(), light.begin(), light.end());
+  ++tile.samples[inTile(x, y)];
+}
+
+void PathRecords::settle() {
+  if (!full_ || settled_) return;
+  settled_ = true;
+  uint32_t fewest = std::numeric_limits<uint32_t>::max();
+  for (int y = 0; y < height_; ++y)
+    for (int x = 0; x < width_; ++x) fewest = std::min(fewest, samples(x, y));
+  for (Tile& tile : tiles_) cut(tile, fewest);
+}
+
+void PathRecords::cut(Tile& tile, uint32_t samples) {
+  std::array<uint32_t, kTile * kTile> kept{};
+  std::vector<float> words;
+  for (auto sample = tile.words.begin(); sample != tile.words.end();) {
+    const auto next = sample + static_cast<ptrdiff_t>(kSampleHead + static_cast<size_t>(sample[1]));
+    uint32_t& count = kept[static_cast<size_t>(sample[0])];
+    if (count < samples) {
+      words.insert(words.end(), sample, next);
+      ++count;
+    }
+    sample = next;
+  }
+  words.shrink_to_fit();
+  bytes_ -= (tile.words.capacity() - words.capacity()) * sizeof(float);
+  tile.words = std::move(words);
+  tile.samples = kept;
+}
+
+void PathRecords::sum(const Tile& tile, const Dye& dye, std::span<Sums> sums) const {
+  const float* const end = tile.words.data() + tile.words.size();
+  for (const float* word = tile.words.data(); word < end;) {
+    Sums& pixel = sums[static_cast<size_t>(word[0])];
+    const Rgb traced(word[2], word[3], word[4]);
+    const float* const next = word + kSampleHead + static_cast<size_t>(word[1]);
+    Rgb dyed(0.0f);
+    for (word += kSampleHead; word < next;) {
+      PathLight light;
+      const auto fibre = static_cast<int>(word[0]);
+      light.radiance = Rgb(word[1], word[2], word[3]);
+      const std::span<const float> lengths_mm(word + kLightHead, materials_);
+      word += kLightHead + materials_;
+      if (fibre > 0) {
+        light.material = fibre - 1;
+        std::copy_n(word, FibreBcsdf::kLobes, light.modes.begin());
+        light.traverse_mm = word[FibreBcsdf::kLobes];
+        light.inside = word[FibreBcsdf::kLobes + 1];
+        word += kFibreWords;
+      }
+      dyed += colourOf(light, lengths_mm, dye.absorption_per_mm);
+    }
+    dyed *= dye.light;
+    pixel.traced += traced;
+    pixel.dyed += dyed;
+    pixel.tracedTraced += traced * traced;
+    pixel.tracedDyed += traced * dyed;
+    pixel.dyedDyed += dyed * dyed;
+    ++pixel.samples;
+  }
+}
+
+std::vector<PathRecords::Sums> PathRecords::dyed(const Dye& dye, int threads) const {
+  std::vector<Sums> picture(static_cast<size_t>(width_) * static_cast<size_t>(height_));
+  parallelFor(tiles_.size(), threads, [&](size_t i) {
+    std::array<Sums, kTile * kTile> sums{};
+    sum(tiles_[i], dye, sums);
+    const int left = static_cast<int>(i % columns_) * kTile, top = static_cast<int>(i / columns_) * kTile;
+    for (int y = top; y < std::min(top + kTile, height_); ++y)
+      for (int x = left; x < std::min(left + kTile, width_); ++x)
+        picture[static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x)] = sums[inTile(x, y)];
+  });
+  return picture;
+}
+
+}  // namespace loomlight

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "render/transport/path_light.h"
+
+namespace loomlight {
+
+/// All light that one path has met, uncoloured, in the form in which PathRecords keeps it.
+class PathLog {
+ public:
+  void clear() { words_.clear(); }
+  void add(const PathLight& light, std::span<const float> lengths_mm);
+  std::span<const float> words() const { return words_; }
+
+ private:
+  std::vector<float> words_;
+};
+
+/// What the light of a picture is: the absorption of each material, and what its lamps shine with of what they shone
+/// with when the picture was traced, channel by channel.
+struct Dye {
+  std::vector<Rgb> absorption_per_mm;
+  Rgb light{1};
+};
+
+/// The first samples of every pixel of a picture, uncoloured: how they look in any colours is a matter of exponentials,
+/// not of tracing. Memory is bounded: what is more than that is not kept, of all pixels alike, so that which samples
+/// are kept says nothing of what they are. Kept tile by tile; one thread may add to a tile at a time.
+class PathRecords {
+ public:
+  static constexpr int kTile = 16;  ///< pixels a side
+
+  /// For a picture of this size, whose scene has so many materials.
+  PathRecords(int width, int height, int materials, size_t bytes);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  uint32_t samples(int x, int y) const { return tileOf(x, y).samples[inTile(x, y)]; }
+  size_t bytes() const { return bytes_; }
+
+  /// Whether sample `index` of the pixel is the next to be kept.
+  bool takes(int x, int y, uint32_t index) const;
+  /// The next sample: its colour when it was traced, and its light.
+  void add(int x, int y, Rgb colour, const PathLog& log);
+  /// Call it between passes: once there is no room for more, every pixel keeps as many samples as that with the fewest.
+  void settle();
+
+  /// Over the kept samples of a pixel, per channel.
+  struct Sums {
+    Rgb traced{0}, dyed{0};  ///< as they were traced, and in other colours
+    Rgb tracedTraced{0}, tracedDyed{0}, dyedDyed{0};
+    uint32_t samples = 0;
+  };
+  /// Of all pixels, row by row from the top left.
+  std::vector<Sums> dyed(const Dye& dye, int threads) const;
+
+ private:
+  struct Tile {
+    std::vector<float> words;  ///< sample after sample
+    std::array<uint32_t, kTile * kTile> samples{};
+  };
+  Tile& tileOf(int x, int y) { return tiles_[static_cast<size_t>(y / kTile) * columns_ + x / kTile]; }
+  const Tile& tileOf(int x, int y) const { return const_cast<PathRecords*>(this)->tileOf(x, y); }
+  static size_t inTile(int x, int y) { return static_cast<size_t>(y % kTile) * kTile + x % kTile; }
+  bool makeRoom(std::vector<float>& words, size_t more);
+  void cut(Tile& tile, uint32_t samples);
+  void sum(const Tile& tile, const Dye& dye, std::span<Sums> sums) const;
+
+  int width_, height_;
+  size_t materials_, columns_, budget_;
+  std::vector<Tile> tiles_;
+  std::atomic<size_t> bytes_{0};
+  std::atomic<bool> full_{false};
+  bool settled_ = false;
+};
+
+}  // namespace loomlight

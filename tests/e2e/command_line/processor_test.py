@@ -1,0 +1,70 @@
+"""Which processor the program needs: it starts on every one, and where AVX2 is missing says so in a line.
+
+The dynamic loader and the program ask glibc what the processor has, and glibc can be told to deny a part of it
+(GLIBC_TUNABLES), so that this shows on every machine. What only looks the same, an illegal instruction on the way to that
+line, shows on an emulated processor, where there is one (package qemu-user-static)."""
+
+import os
+import platform
+import re
+import shutil
+import unittest
+
+from harness import CommandLineTest, main
+
+WITHOUT_AVX2 = {**os.environ, "GLIBC_TUNABLES": "glibc.cpu.hwcaps=-AVX2"}
+EMULATOR = shutil.which("qemu-x86_64-static") or shutil.which("qemu-x86_64")
+SANITIZED = "LOOMLIGHT_SANITIZED" in os.environ
+
+
+@unittest.skipUnless(platform.machine() == "x86_64", "about x86-64")
+class Processor(CommandLineTest):
+    def level(self, **options):
+        """The instruction set of the library that the loader takes."""
+        return re.search(r"^instruction set: (\S+)", self.run_program("--version", **options), re.MULTILINE)[1]
+
+    def libraries(self):
+        """For which levels there is a library: a build has one, a package both."""
+        program = os.path.dirname(os.path.realpath(os.environ["LOOMLIGHT"]))
+        with_avx2 = os.path.join(program, "../lib/loomlight/glibc-hwcaps/x86-64-v3/libloomlight.so")
+        return {"x86-64", "x86-64-v3"} if os.path.exists(with_avx2) else {self.level()}
+
+    def expect_line(self, **options):
+        """What is said without AVX2: that pictures take longer, or, by a library that cannot do without, that it ends."""
+        if "x86-64" in self.libraries():
+            line = self.run_program("--version", messages=True, **options)
+            self.assertIn("take", line)
+            self.assertEqual(self.level(**options), "x86-64")
+        else:
+            line = self.run_program("--version", status=1, **options)
+            self.assertIn("LOOMLIGHT_LEVEL", line)
+        self.assertRegex(line, r"^loomlight: this processor lacks AVX2[^\n]*\n$")
+
+    def test_without_avx2(self):
+        self.expect_line(env=WITHOUT_AVX2)
+
+    @unittest.skipUnless(EMULATOR, "no emulator of processors is installed (package qemu-user-static)")
+    @unittest.skipIf(SANITIZED, "sanitizers ask for more memory than the emulator gives")
+    def test_on_a_processor_of_2008(self):
+        self.expect_line(before=(EMULATOR, "-cpu", "Nehalem"))
+
+    def test_with_avx2_nothing_is_said(self):
+        if self.level() == "x86-64-v3":
+            self.assertEqual(self.run_program("--version", messages=True), "")
+
+    def test_both_levels_render_the_same_bytes(self):
+        if self.libraries() != {"x86-64", "x86-64-v3"} or self.level() != "x86-64-v3":
+            self.skipTest("only one of the levels is here")
+        cloth = self.fabric(light={"kind": "sky"})
+        for drape in "flat", "cylinder":
+            with self.subTest(drape=drape):
+                self.run_program("render", cloth, "-o", "v3.exr", "--drape", drape)
+                self.run_program("render", cloth, "-o", "baseline.exr", "--drape", drape, env=WITHOUT_AVX2)
+                self.assertEqual(self.bytes_of("v3.exr"), self.bytes_of("baseline.exr"))
+                if EMULATOR:
+                    emulated = (EMULATOR, "-cpu", "Nehalem")
+                    self.run_program("render", cloth, "-o", "2008.exr", "--drape", drape, before=emulated, timeout=280)
+                    self.assertEqual(self.bytes_of("v3.exr"), self.bytes_of("2008.exr"))
+
+
+main()

@@ -1,0 +1,123 @@
+#include "render/transport/colour_solver.h"
+
+#include <gtest/gtest.h>
+
+#include "core/fabric/weave/structures.h"
+#include "render/colour/colour_space.h"
+#include "render/transport/make_medium.h"
+#include "render/transport/path_tracer.h"
+#include "tests/support/test_cloth.h"
+
+namespace loomlight {
+namespace {
+
+constexpr size_t kWalks = 16384;
+constexpr double kDeltaE = 1.0;  // of CIEDE2000: about the smallest that an eye sees
+
+/// A twill of two yarns, of one fibre each; the weft is dyed.
+Fabric twoYarns() {
+  Fabric fabric = test::whiteCotton();
+  fabric.weave = twill(2, 2);
+  fabric.yarns.push_back(fabric.yarns[0]);
+  fabric.yarns[1].fibre = 1;
+  fabric.yarns[0].hairiness_per_mm = 2;
+  fabric.fibres.push_back(fabric.fibres[0]);
+  fabric.fibres[1].absorption_per_mm = Rgb(30.0f, 12.0f, 4.0f);
+  fabric.weftSequence = {1};
+  fabric.ends_per_cm = 34;
+  fabric.picks_per_cm = 30;
+  fabric.render.resolution = 4;
+  return fabric;
+}
+
+struct Patch {
+  explicit Patch(const Fabric& fabric)
+      : scene(test::sceneOf(colourPatch(fabric))), medium(makeMedium(*scene, defaultMemoryLimit_bytes(), Task{})) {}
+  std::shared_ptr<const Scene> scene;
+  std::unique_ptr<const Medium> medium;
+};
+
+/// What the path tracer shows of the yarns of a fibre, seen from straight above in a white dome.
+Rgb renderedColour(Fabric fabric, int fibre) {
+  fabric.render.seed += 1;
+  fabric.camera.elevation_deg = 90;
+  fabric.camera.fov_deg = 0;
+  fabric.camera.distance_mm = 20;
+  const Patch patch(fabric);
+  constexpr int kSide = 64;
+  constexpr uint32_t kSamples = 12;
+  // The middle of a picture that shows most of the patch: about three repeats each way, so that it hardly matters where
+  // they are cut.
+  const CameraRays camera(fabric.camera, 2 * kSide, 2 * kSide);
+  glm::dvec3 sum(0.0);
+  int count = 0;
+  TraceCounts counts;
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x)
+      for (uint32_t i = 0; i < kSamples; ++i) {
+        const PathSample sample =
+            tracePath(*patch.scene, *patch.medium, camera, x + kSide / 2, y + kSide / 2, i, counts);
+        if (sample.yarn < 0 || fabric.yarns[static_cast<size_t>(sample.yarn)].fibre != fibre) continue;
+        sum += glm::dvec3(sample.direct + sample.indirect);
+        ++count;
+      }
+  return Rgb(sum / static_cast<double>(count));
+}
+
+double difference(const Rgb& a, const Rgb& b) {
+  return ciede2000(labFromLinear(glm::dvec3(a)), labFromLinear(glm::dvec3(b)));
+}
+
+TEST(ColourSolver, SolvedClothRendersInTheWantedColour) {
+  Fabric fabric = twoYarns();
+  const Patch patch(fabric);
+  const auto walks = walkColours(*patch.scene, *patch.medium, 0, kWalks, Task{});
+  ASSERT_TRUE(walks.has_value());
+  ASSERT_EQ(walks->count, kWalks);
+  for (const Rgb& wanted : {Rgb(0.25f, 0.10f, 0.04f), Rgb(0.06f, 0.12f, 0.20f)}) {
+    const SolvedColour solved =
+        solveColour(*walks, {fabric.fibres[0].absorption_per_mm, fabric.fibres[1].absorption_per_mm}, 0, wanted);
+    EXPECT_FALSE(solved.tooLight || solved.tooDark);
+    fabric.fibres[0].absorption_per_mm = solved.absorption_per_mm;
+    const Rgb rendered = renderedColour(fabric, 0);
+    EXPECT_LT(difference(rendered, wanted), kDeltaE)
+        << rendered.r << " " << rendered.g << " " << rendered.b << " for " << wanted.r;
+  }
+}
+
+TEST(ColourSolver, SheerClothCannotBeWhite) {
+  Fabric fabric = twoYarns();
+  fabric.ends_per_cm = fabric.picks_per_cm = 12;
+  for (Yarn& yarn : fabric.yarns) yarn.count_tex = 5;
+  const Patch patch(fabric);
+  const auto walks = walkColours(*patch.scene, *patch.medium, 0, 4096, Task{});
+  ASSERT_TRUE(walks.has_value());
+  const std::vector<Rgb> undyed = {Rgb(0.0f), fabric.fibres[1].absorption_per_mm};
+  const Rgb white(0.95f);
+  const SolvedColour solved = solveColour(*walks, undyed, 0, white);
+  EXPECT_TRUE(solved.tooLight);
+  EXPECT_LT(solved.reached.g, 0.9f);
+  // The weft shines through in its blue. What looks nearest to white is no bluer than that, and hardly darker.
+  const Rgb clear = walks->colour(undyed);
+  EXPECT_EQ(Rgb(solved.absorption_per_mm.r, solved.absorption_per_mm.g, 0), Rgb(0.0f));
+  const auto difference = [&white](const Rgb& colour) {
+    return ciede2000(labFromLinear(glm::dvec3(white)), labFromLinear(glm::dvec3(colour)), 2);
+  };
+  EXPECT_LE(difference(solved.reached), difference(clear));
+  EXPECT_LE(solved.reached.b, clear.b);
+  EXPECT_GE(solved.reached.b, solved.reached.g);
+}
+
+TEST(ColourSolver, AFibreBelowTheFaceIsNotSeen) {
+  Fabric fabric = twoYarns();
+  fabric.yarns.push_back(fabric.yarns[0]);
+  fabric.yarns[2].fibre = 2;
+  fabric.fibres.push_back(fabric.fibres[0]);
+  const Patch patch(fabric);  // no thread uses it
+  const auto walks = walkColours(*patch.scene, *patch.medium, 2, 256, Task{});
+  ASSERT_TRUE(walks.has_value());
+  EXPECT_EQ(walks->count, 0u);
+}
+
+}  // namespace
+}  // namespace loomlight

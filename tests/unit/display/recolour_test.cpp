@@ -1,0 +1,181 @@
+#include "render/display/recolour.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "render/colour/spectrum.h"
+#include "render/transport/make_medium.h"
+#include "render/transport/path_tracer.h"
+#include "tests/support/test_cloth.h"
+
+namespace loomlight {
+namespace {
+
+constexpr int kSide = 32;
+constexpr size_t kPixels = size_t{kSide} * kSide;
+
+Fabric blueCotton() {
+  Fabric fabric = test::whiteCotton();
+  fabric.render.resolution = 4;
+  fabric.drape.width_mm = fabric.drape.height_mm = 6;
+  fabric.camera.distance_mm = 8;
+  fabric.fibres[0].absorption_per_mm = Rgb(60, 20, 4);
+  return fabric;
+}
+
+Fabric withColour(Fabric fabric, Rgb absorption_per_mm) {
+  fabric.fibres[0].absorption_per_mm = absorption_per_mm;
+  return fabric;
+}
+
+Dye dyeOf(const Scene& scene) {
+  return {scene.absorption_per_mm, Rgb(1)};
+}
+
+/// A picture of a scene, with the paths of some of its samples.
+class Picture {
+ public:
+  Picture(const Fabric& fabric, uint32_t samples, size_t bytesPerPixel)
+      : scene(test::sceneOf(fabric)), records(kSide, kSide, 1, kPixels * bytesPerPixel) {
+    const auto medium = makeMedium(*scene, 1e9, Task{});
+    const CameraRays camera(fabric.camera, kSide, kSide);
+    for (uint32_t upTo = 1; upTo <= samples; upTo *= 2)
+      renderUpTo(upTo, *scene, *medium, camera, film, {0, 0, kSide, kSide}, Task{}, 0, &records);
+  }
+  Rgb mean() const {
+    Rgb sum(0);
+    for (int y = 0; y < kSide; ++y)
+      for (int x = 0; x < kSide; ++x) sum += film.mean(x, y);
+    return sum / float{kPixels};
+  }
+  std::shared_ptr<const Scene> scene;
+  Film film{kSide, kSide};
+  PathRecords records;
+};
+
+Rgb at(const Recoloured& picture, int x, int y) {
+  return Rgb(picture.rgba[static_cast<size_t>(y) * kSide + x]);
+}
+
+Rgb meanOf(const Recoloured& picture) {
+  Rgb sum(0);
+  for (const glm::vec4& pixel : picture.rgba) sum += Rgb(pixel);
+  return sum / float{kPixels};
+}
+
+double squaredError(const Recoloured& picture, const Film& truth) {
+  double sum = 0;
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x) {
+      const Rgb error = at(picture, x, y) - truth.mean(x, y);
+      sum += glm::dot(error, error);
+    }
+  return sum;
+}
+
+TEST(DyeBetween, IsKnownForColourAndBrightnessAlone) {
+  const auto blue = test::sceneOf(blueCotton());
+  const auto red = test::sceneOf(withColour(blueCotton(), Rgb(1, 50, 60)));
+  const auto dye = dyeBetween(*blue, *makeScene(red->fabric, Task{}, blue.get()));
+  ASSERT_TRUE(dye);
+  EXPECT_EQ(dye->absorption_per_mm[0], Rgb(1, 50, 60));
+  EXPECT_EQ(dye->light, Rgb(1));
+
+  const auto after = [&](auto&& edit) {
+    Fabric fabric = blueCotton();
+    edit(fabric);
+    return dyeBetween(*blue, *makeScene(std::make_shared<const Fabric>(std::move(fabric)), Task{}, blue.get()));
+  };
+  EXPECT_EQ(after([](Fabric& f) { f.light.intensity *= 3; })->light, Rgb(3));
+  EXPECT_EQ(after([](Fabric& f) { f.light.temperature_K = 2700; })->light, blackBodyTint(2700));
+  EXPECT_TRUE(after([](Fabric& f) { f.name = "other"; }));
+  EXPECT_FALSE(after([](Fabric& f) { f.light.turbidity += 1; }));
+  EXPECT_FALSE(after([](Fabric& f) { f.camera.distance_mm += 1; }));
+  EXPECT_FALSE(after([](Fabric& f) { f.fibres[0].refractiveIndex += 0.05; }));
+  EXPECT_FALSE(after([](Fabric& f) { f.yarns[0].plyTwist_per_m += 50; }));
+  EXPECT_FALSE(after([](Fabric& f) { f.weave = f.weave.with(0, 0, !f.weave.at(0, 0)); }));
+  EXPECT_FALSE(after([](Fabric& f) { f.render.seed += 1; }));
+}
+
+TEST(Recolour, InTheSameColoursIsTheFilm) {
+  const Picture blue(blueCotton(), 16, 800);
+  const Recoloured same = recolour(blue.film, blue.records, dyeOf(*blue.scene), 2);
+  ASSERT_LT(blue.records.samples(16, 16), 16u);
+  double change = 0;
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x)
+      change = std::max(change, double{glm::length(at(same, x, y) - blue.film.mean(x, y))});
+  EXPECT_LT(change, 1e-3);  // the coefficient is one but for the rounding of sums of squares
+  EXPECT_NEAR(same.variance, meanVariance(blue.film), 0.5 * meanVariance(blue.film));
+}
+
+TEST(Recolour, UnderBrighterLampsIsTheFilmBrighter) {
+  const Picture blue(blueCotton(), 16, 800);
+  Dye dye = dyeOf(*blue.scene);
+  dye.light = Rgb(4);
+  const Recoloured bright = recolour(blue.film, blue.records, dye, 1);
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x) EXPECT_LT(glm::length(at(bright, x, y) - 4.0f * blue.film.mean(x, y)), 4e-3f);
+}
+
+// A lamp of another colour: nothing is estimated, whatever the record holds, and the paths would be the same.
+TEST(Recolour, UnderAWarmLampIsThePictureTracedUnderIt) {
+  Fabric warm = blueCotton();
+  warm.light.temperature_K = 2700;
+  const Picture neutral(blueCotton(), 8, 800), traced(warm, 8, 800);
+  const auto dye =
+      dyeBetween(*neutral.scene, *makeScene(std::make_shared<const Fabric>(warm), Task{}, neutral.scene.get()));
+  ASSERT_TRUE(dye);
+  ASSERT_GT(dye->light.r, 2 * dye->light.b);
+  const Recoloured warmed = recolour(neutral.film, neutral.records, *dye, 1);
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x) {
+      const Rgb expected = traced.film.mean(x, y);
+      for (int c = 0; c < 3; ++c) EXPECT_NEAR(at(warmed, x, y)[c], expected[c], 1e-4f * (1 + expected[c]));
+    }
+}
+
+// With all samples on record nothing is estimated: the same paths in the other colours.
+TEST(Recolour, OfPathsAllOnRecordIsExact) {
+  const Picture blue(blueCotton(), 4, 1 << 14);
+  const Dye dye{{Rgb(1, 50, 60)}, Rgb(1)};
+  const Recoloured red = recolour(blue.film, blue.records, dye, 1);
+  const auto sums = blue.records.dyed(dye, 1);
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x) {
+      const PathRecords::Sums& kept = sums[static_cast<size_t>(y) * kSide + x];
+      ASSERT_EQ(kept.samples, 4u);
+      EXPECT_EQ(at(red, x, y), kept.dyed / 4.0f);
+    }
+}
+
+// Few paths on record, many in the film: what is not on record counts too, and the picture knows how good it is.
+TEST(Recolour, UsesTheSamplesThatAreNotOnRecord) {
+  const Fabric redder = withColour(blueCotton(), Rgb(25, 24, 6));
+  Fabric other = redder;
+  other.render.seed = 77;
+  const Picture truth(other, 128, 0);
+  const Picture many(blueCotton(), 64, 800), few(blueCotton(), 4, 800);
+  ASSERT_LT(many.records.samples(0, 0), 16u);
+  const Dye dye = dyeOf(*truth.scene);
+  const Recoloured fromMany = recolour(many.film, many.records, dye, 2);
+  const Recoloured fromFew = recolour(few.film, few.records, dye, 2);
+  EXPECT_LT(squaredError(fromMany, truth.film), 0.5 * squaredError(fromFew, truth.film));
+  EXPECT_LT(fromMany.variance, 0.25 * fromFew.variance);
+}
+
+// Lighter than what was traced, whose paths ended earlier: those that went on speak for those that did not.
+TEST(Recolour, OfADarkClothInLighterColoursIsUnbiased) {
+  const Fabric dark = withColour(blueCotton(), Rgb(30, 20, 15)), pale = withColour(blueCotton(), Rgb(15, 10, 8));
+  Fabric dome = dark;
+  dome.light.kind = LightKind::dome;
+  Fabric paleDome = pale;
+  paleDome.light.kind = LightKind::dome;
+  const Picture traced(dome, 32, 1 << 14), truth(paleDome, 64, 0);
+  const Rgb recoloured = meanOf(recolour(traced.film, traced.records, dyeOf(*truth.scene), 2));
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(recoloured[c] / truth.mean()[c], 1, 0.03);
+}
+
+}  // namespace
+}  // namespace loomlight

@@ -1,0 +1,65 @@
+#include "app/export/draft_picture.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <map>
+
+#include "core/fabric/weave/structure_edit.h"
+#include "core/fabric/weave/structures.h"
+#include "core/fabric/yarn/presets.h"
+
+namespace loomlight {
+namespace {
+
+using Pixel = std::array<uint8_t, 3>;
+
+Pixel pixelAt(const Pixels8& picture, int x, int y) {
+  const size_t at = 3 * (static_cast<size_t>(y) * static_cast<size_t>(picture.width) + static_cast<size_t>(x));
+  return {picture.bytes[at], picture.bytes[at + 1], picture.bytes[at + 2]};
+}
+
+std::map<Pixel, int> coloursIn(const Pixels8& picture) {
+  std::map<Pixel, int> counts;
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x) ++counts[pixelAt(picture, x, y)];
+  return counts;
+}
+
+Fabric twoColours(Weave weave) {
+  Fabric fabric = withSecondYarn(Fabric{});
+  fabric.weave = std::move(weave);
+  fabric.weftSequence = {1};
+  return fabric;
+}
+
+TEST(DraftPicture, ShowsTheYarnThatLiesOnTop) {
+  const Fabric fabric = twoColours(twill(3, 1));
+  const Pixels8 picture = draftPicture(fabric, 128);
+  const std::map<Pixel, int> colours = coloursIn(picture);
+  ASSERT_EQ(colours.size(), 2u);
+  const Pixel warp =
+      colours.begin()->second > colours.rbegin()->second ? colours.begin()->first : colours.rbegin()->first;
+  EXPECT_EQ(colours.at(warp), 128 * 128 * 3 / 4) << "three in four crossings have the warp on top";
+  for (int pick = 0; pick < 8; ++pick)
+    for (int end = 0; end < 8; ++end)
+      EXPECT_EQ(pixelAt(picture, 4 * end + 2, 127 - 4 * pick - 2) == warp, fabric.weave.warpOver(pick, end))
+          << "the first pick is at the bottom";
+}
+
+TEST(DraftPicture, TellsWarpFromWeftInOneColour) {
+  Fabric fabric;
+  fabric.weave = twill(2, 2);
+  EXPECT_EQ(coloursIn(draftPicture(fabric, 64)).size(), 2u);
+}
+
+TEST(DraftPicture, MixesWhatIsSmallerThanAPixel) {
+  const std::map<Pixel, int> yarns = coloursIn(draftPicture(twoColours(twill(1, 1)), 64));
+  ASSERT_EQ(yarns.size(), 2u);
+  const int mean = (yarns.begin()->first[1] + yarns.rbegin()->first[1]) / 2;
+  for (const auto& [colour, count] : coloursIn(draftPicture(twoColours(twill(1, 1).resized(512, 512)), 64)))
+    EXPECT_NEAR(colour[1], mean, 40) << count << " pixels are of one yarn more than of the other";
+}
+
+}  // namespace
+}  // namespace loomlight

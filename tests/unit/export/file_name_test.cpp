@@ -1,0 +1,26 @@
+#include "app/export/file_name.h"
+
+#include <gtest/gtest.h>
+
+namespace loomlight {
+namespace {
+
+TEST(FileName, IsOneThatAnySystemTakes) {
+  EXPECT_EQ(fileNameOf("Blue twill, 2/2"), "Blue twill, 2-2");
+  EXPECT_EQ(fileNameOf("C:\\weven\\\"a\" <b>|*?.dbw"), "C--weven--a- -b----.dbw");
+  EXPECT_EQ(fileNameOf(" ..hidden"), "hidden");
+  EXPECT_EQ(fileNameOf("two\nlines"), "two-lines");
+  EXPECT_EQ(fileNameOf("..."), "Untitled");
+  const std::string umlauts = fileNameOf(std::string(99, 'a') + "\xC3\xBC and more");
+  EXPECT_EQ(umlauts, std::string(99, 'a')) << "a letter is whole or not there";
+}
+
+TEST(FileName, BothEndingsAreFabrics) {
+  for (const char* file : {"denim.json", "denim.loomlight", "a.b/DENIM.Loomlight"})
+    EXPECT_TRUE(isFabricFile(file)) << file;
+  for (const char* file : {"denim.wif", "denim", "loomlight", "denim.loomlight.png", ".loomlight"})
+    EXPECT_FALSE(isFabricFile(file)) << file;
+}
+
+}  // namespace
+}  // namespace loomlight

@@ -1,0 +1,117 @@
+#include "app/export/tile.h"
+
+#include <gtest/gtest.h>
+
+#include "core/fabric/model/validate.h"
+#include "core/fabric/weave/structures.h"
+#include "core/geometry/cloth_geometry.h"
+#include "render/transport/make_medium.h"
+#include "render/transport/path_tracer.h"
+
+namespace loomlight {
+namespace {
+
+/// A few coarse white fibres in an open twill.
+Fabric openCloth() {
+  Fabric fabric;
+  fabric.weave = twill(2, 1);
+  fabric.ends_per_cm = 10;
+  fabric.picks_per_cm = 12;
+  fabric.yarns[0].fibresPerPly = 40;
+  fabric.yarns[0].layout = FibreLayout::random;
+  fabric.fibres[0].radius_um = 15;
+  fabric.render.resolution = 2;
+  fabric.render.samplesPerPixel = 16;
+  return fabric;
+}
+
+Film rendered(const Fabric& scene) {
+  const auto shared = std::make_shared<const Fabric>(scene);
+  const auto built = makeScene(shared, {});
+  const auto medium = makeMedium(*built, 1e9, {});
+  Film film(scene.render.width, scene.render.height);
+  renderUpTo(static_cast<uint32_t>(scene.render.samplesPerPixel), *built, *medium,
+             CameraRays(scene.camera, film.width(), film.height()), film, {});
+  return film;
+}
+
+TEST(Tile, HoldsWholeRepeatsOfWeaveColoursAndTwist) {
+  Fabric fabric = openCloth();
+  fabric.warpSequence = {0, 0, 0, 0, 0};
+  const TileExtent extent = tileExtent(fabric);
+  EXPECT_EQ(extent.ends % 15, 0);  // 3 of the weave, 5 of the colours
+  EXPECT_EQ(extent.picks % 3, 0);
+  const ClothGeometry geometry(fabric, 8, 8);
+  EXPECT_TRUE(extent.twistJoins);
+  EXPECT_EQ(extent.ends % geometry.yarn(System::weft, 0).period, 0);
+  EXPECT_EQ(extent.picks % geometry.yarn(System::warp, 0).period, 0);
+}
+
+TEST(Tile, ThePictureIsExactlyTheTileInTheMiddle) {
+  const Fabric fabric = openCloth();
+  const TileExtent extent = tileExtent(fabric);
+  const Fabric scene = tileScene(fabric, extent, 100);
+  validate(scene, "tile");
+  EXPECT_EQ(std::max(scene.render.width, scene.render.height), 100);
+  // What the camera sees, by the rays of its corners.
+  const CameraRays camera(scene.camera, scene.render.width, scene.render.height);
+  const auto width = static_cast<float>(scene.render.width), height = static_cast<float>(scene.render.height);
+  const glm::vec3 corner = camera.ray(0, height).origin, far = camera.ray(width, 0).origin;
+  EXPECT_NEAR(far.x - corner.x, extent.ends * scene.warpPitch_mm(), 1e-4);
+  EXPECT_NEAR(far.y - corner.y, extent.picks * scene.weftPitch_mm(), 1e-4);
+  // Its corner is that of a tile, an odd number of which lies across the piece, and there is cloth around it.
+  EXPECT_NEAR(std::remainder(0.5 * scene.drape.width_mm + corner.x, extent.ends * scene.warpPitch_mm()), 0, 1e-3);
+  EXPECT_NEAR(std::remainder(0.5 * scene.drape.height_mm + corner.y, extent.picks * scene.weftPitch_mm()), 0, 1e-3);
+  EXPECT_GE(0.5 * scene.drape.width_mm + corner.x, 3 - 1e-3);
+  EXPECT_NEAR(scene.ends_per_cm, fabric.ends_per_cm, 0.01 * fabric.ends_per_cm);
+}
+
+TEST(Tile, AWhiteClothHasAWhiteBaseColourAndItsHoles) {
+  const Fabric fabric = openCloth();
+  const Fabric scene = tileScene(fabric, tileExtent(fabric), 96);
+  const TileMaps maps = tileMaps(rendered(scene), scene);
+  double opacity = 0, reflected = 0;
+  for (size_t i = 0; i < maps.opacity.size(); ++i) {
+    opacity += maps.opacity[i];
+    if (maps.opacity[i] > 0) {
+      reflected += maps.opacity[i] * maps.baseColour[i].x;
+      EXPECT_EQ(maps.yarn[i], 0);
+    } else {
+      EXPECT_EQ(maps.yarn[i], -1);
+      EXPECT_GT(maps.baseColour[i].x, 0.5) << "a dark hole beside white yarns";
+    }
+    EXPECT_NEAR(glm::length(maps.normal[i]), 1, 1e-5);
+    EXPECT_GT(maps.normal[i].z, 0);
+  }
+  EXPECT_NEAR(reflected / opacity, 1, 0.01);
+  opacity /= static_cast<double>(maps.opacity.size());
+  EXPECT_GT(opacity, 0.2);
+  EXPECT_LT(opacity, 0.95);
+  // Heights are those of yarns about the mid-plane.
+  const auto [low, high] = std::minmax_element(maps.height_mm.begin(), maps.height_mm.end());
+  EXPECT_LT(*low, 0);
+  EXPECT_GT(*high, 0);
+  EXPECT_LT(*high - *low, 2);
+}
+
+/// Mean difference of neighbouring columns of the opacity: within the tile, and from its last to its first.
+TEST(Tile, OppositeEdgesMeet) {
+  const Fabric fabric = openCloth();
+  const Fabric scene = tileScene(fabric, tileExtent(fabric), 192);
+  const TileMaps maps = tileMaps(rendered(scene), scene);
+  const auto step = [&](int x) {
+    double sum = 0;
+    for (int y = 0; y < maps.height; ++y) {
+      const auto row = static_cast<size_t>(y) * static_cast<size_t>(maps.width);
+      sum += std::abs(maps.opacity[row + static_cast<size_t>((x + 1) % maps.width)] -
+                      maps.opacity[row + static_cast<size_t>(x)]);
+    }
+    return sum / maps.height;
+  };
+  double largest = 0;
+  for (int x = 0; x + 1 < maps.width; ++x) largest = std::max(largest, step(x));
+  EXPECT_LE(step(maps.width - 1), largest);
+}
+
+}  // namespace
+}  // namespace loomlight

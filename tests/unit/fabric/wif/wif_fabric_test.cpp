@@ -1,0 +1,250 @@
+#include "core/fabric/wif/wif_fabric.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "core/fabric/json/fabric_json.h"
+#include "core/fabric/model/yarn_count.h"
+#include "core/fabric/weave/jacquard.h"
+#include "core/fabric/weave/structures.h"
+#include "core/fabric/wif/wif_writer.h"
+#include "core/fabric/yarn/colour.h"
+#include "core/fabric/yarn/derived.h"
+#include "tests/unit/fabric/wif/wif_drafts.h"
+
+namespace loomlight {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+Fabric imported(std::string_view bytes, WifSizeChoice sizes = WifSizeChoice::keep) {
+  return fabricFromWif(bytes, "x.wif", Fabric{}, sizes).fabric;
+}
+
+Rgb colourOf(const Fabric& fabric, int yarn) {
+  const Fibre& fibre = fabric.fibres[fabric.yarns[yarn].fibre];
+  return srgbFromLinear(colourFromAbsorption(fibre.absorption_per_mm, fibre.azimuthalRoughness, fibre.radius_um));
+}
+
+void expectColour(const Rgb& colour, const Rgb& bytes) {
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(255 * colour[i], bytes[i], 0.5);
+}
+
+/// The same cloth, for ever: crossings, and colours of threads.
+void expectSameCloth(const Fabric& a, const Fabric& b) {
+  const int ends = std::max(a.weave.ends(), b.weave.ends()) * 3, picks = std::max(a.weave.picks(), b.weave.picks()) * 3;
+  for (int p = -2; p < picks; ++p)
+    for (int e = -2; e < ends; ++e) ASSERT_EQ(a.weave.warpOver(p, e), b.weave.warpOver(p, e)) << p << " " << e;
+  for (int e = -2; e < ends; ++e) expectColour(colourOf(a, a.warpYarn(e)), 255.0f * colourOf(b, b.warpYarn(e)));
+  for (int p = -2; p < picks; ++p) expectColour(colourOf(a, a.weftYarn(p)), 255.0f * colourOf(b, b.weftYarn(p)));
+}
+
+TEST(WifFabric, TakesDraftColoursAndTexts) {
+  const Fabric f = imported(twillFile());
+  EXPECT_EQ(f.name, "Two twills");
+  EXPECT_EQ(f.description, "first line\n\nthird line");
+  ASSERT_TRUE(f.draft);
+  EXPECT_EQ(f.draft->treadling.back(), (std::vector<int>{2, 3}));
+  EXPECT_EQ(f.weave, drawdown(*f.draft));
+  EXPECT_EQ(f.warpSequence.size(), 4u) << "the shortest that goes on so";
+  EXPECT_EQ(f.weftSequence.size(), 1u);
+  expectColour(colourOf(f, f.warpYarn(0)), {255, 255, 255});
+  expectColour(colourOf(f, f.warpYarn(7)), {17, 34, 200});
+  expectColour(colourOf(f, f.weftYarn(3)), {0, 0, 0});
+  EXPECT_EQ(imported(replaced(twillFile(), "Title=Two twills\n", "")).name, "x");
+}
+
+TEST(WifFabric, ColoursOfAnotherFormGoOutAsTheyWereRead) {
+  const std::string text = replaced(twillFile(), "Entries=4\n", "Entries=4\nForm=Decimal\n");
+  const Fabric fabric = imported(text);
+  EXPECT_EQ(fabricFromJson(fabricToJson(fabric), "x.json"), fabric) << "a fabric that was saved opens again";
+  EXPECT_THAT(wifFromFabric(fabric, "y.wif").text, testing::Not(testing::HasSubstr("Form=")));
+  const std::string rgb = replaced(twillFile(), "Entries=4\n", "Entries=4\nForm=RGB\n");
+  EXPECT_THAT(wifFromFabric(imported(rgb), "y.wif").text, testing::HasSubstr("\r\nForm=RGB\r\n"));
+}
+
+TEST(WifFabric, MineGivesTheYarnsAndAllElse) {
+  Fabric mine;
+  mine.yarns = {Yarn{}, Yarn{}, Yarn{}};
+  mine.yarns[1].name = "silk";
+  mine.yarns[2].name = "linen";
+  mine.warpSequence = {2};
+  mine.weftSequence = {1};
+  mine.ends_per_cm = 33;
+  mine.camera.distance_mm = 7;
+  const Fabric f = fabricFromWif(twillFile(), "x.wif", mine, WifSizeChoice::keep).fabric;
+  EXPECT_EQ(f.yarns[f.warpYarn(0)].name, "linen, colour 1");
+  EXPECT_EQ(f.yarns[f.weftYarn(0)].name, "silk, colour 3");
+  EXPECT_EQ(f.ends_per_cm, 33);
+  EXPECT_EQ(f.camera, mine.camera);
+}
+
+TEST(WifFabric, KeepsMySizesOrTakesTheFiles) {
+  const WifImport kept = fabricFromWif(twillFile(), "x.wif", Fabric{}, WifSizeChoice::keep);
+  EXPECT_EQ(kept.fabric.ends_per_cm, Fabric{}.ends_per_cm);
+  EXPECT_THAT(inLines(otherWifSizes(kept.fabric)), Contains("The file has 16.87 picks per cm; the cloth keeps 20."));
+  EXPECT_EQ(wifSett(kept.fabric).ends_per_cm, 20);
+  EXPECT_NEAR(*wifSett(kept.fabric).warpDiameter_mm, 0.4, 1e-9);
+
+  const Fabric taken = imported(twillFile(), WifSizeChoice::file);
+  EXPECT_EQ(taken.ends_per_cm, 20);
+  EXPECT_NEAR(taken.picks_per_cm, 10 * 6 / (25.4 * (5 * 0.02 + 0.04)), 1e-3);
+  const auto diameter = [](const Fabric& f, int yarn) {
+    return yarnDiameter_mm(f.yarns[yarn], f.fibres[f.yarns[yarn].fibre]);
+  };
+  EXPECT_NEAR(diameter(taken, taken.warpYarn(0)), 0.4, 1e-4);
+  EXPECT_NEAR(diameter(taken, taken.weftYarn(0)), diameter(Fabric{}, 0), 1e-9) << "the file does not say how thick";
+  std::vector<WifWarning> warnings;
+  EXPECT_EQ(withWifSizes(kept.fabric, warnings), taken) << "it can be done later";
+}
+
+TEST(WifFabric, ThickThreadsAreThickerByTheirRatio) {
+  const std::string text = twillFile() + "[WARP THICKNESS]\n3=0.08\n";
+  const Fabric f = imported(text);
+  EXPECT_NE(f.warpYarn(2), f.warpYarn(6)) << "of one colour";
+  EXPECT_EQ(f.yarns[f.warpYarn(6)].count_tex, Yarn{}.count_tex);
+  EXPECT_NEAR(f.yarns[f.warpYarn(2)].count_tex, 4 * Yarn{}.count_tex, 1e-9) << "twice the diameter";
+}
+
+TEST(WifFabric, HostileSizesAreHeldToTheRange) {
+  std::string text =
+      replaced(replaced(twillFile(), "Spacing=0.05", "Spacing=90000"), "Thickness=0.04", "Thickness=90000");
+  const WifImport import = fabricFromWif(text, "x.wif", Fabric{}, WifSizeChoice::file);
+  EXPECT_EQ(import.fabric.ends_per_cm, 0.2);
+  EXPECT_THAT(inLines(import.warnings), Contains(HasSubstr("out of range")));
+}
+
+TEST(WifFabric, MoreColoursThanYarnsBecomeTheNearest) {
+  std::string table = "[COLOR TABLE]\n", colours = "[WARP COLORS]\n";
+  for (int c = 1; c <= 200; ++c) {
+    table += fmt::format("{0}={0},{0},{0}\n", c);
+    colours += fmt::format("{0}={0}\n", c);
+  }
+  const std::string text =
+      "[WIF]\n[WARP]\nThreads=200\n[WEFT]\nThreads=1\n[COLOR PALETTE]\nRange=0,255\n" + table + colours;
+  const WifImport import = fabricFromWif(text, "x.wif", Fabric{}, WifSizeChoice::keep);
+  EXPECT_EQ(import.fabric.yarns.size(), 64u);
+  EXPECT_THAT(inLines(import.warnings), Contains(HasSubstr("a fabric has at most 64 yarns")));
+  expectColour(colourOf(import.fabric, import.fabric.warpYarn(10)), Rgb(11));
+  EXPECT_EQ(import.fabric.wif->rest.palette.colours.size(), 200u) << "none is lost";
+}
+
+TEST(WifFabric, EveryByteOfAColourComesBack) {
+  for (const char* range : {"0,255", "0,999", "0,65535"}) {
+    for (int c = 0; c < 256; c += 5) {
+      const std::string text = replaced(replaced(twillFile(), "0,255", range), "17,34,200", fmt::format("{},0,255", c));
+      const WifExport exported = wifFromFabric(imported(text), "y.wif");
+      EXPECT_EQ(document(exported.text).rest.palette, document(text).rest.palette);
+    }
+  }
+}
+
+TEST(WifFabric, GoesThroughJsonAndBackToTheSameFile) {
+  Random random(6);
+  for (int i = 0; i < 200; ++i) {
+    const std::string first = wifFromDocument(randomDocument(random));
+    const Fabric fabric = imported(first, i % 2 ? WifSizeChoice::file : WifSizeChoice::keep);
+    const Fabric read = fabricFromJson(fabricToJson(fabric), "x.json");
+    ASSERT_EQ(read, fabric);
+    const std::string second = wifFromFabric(read, "y.wif").text;
+    const Fabric again = imported(second, i % 2 ? WifSizeChoice::file : WifSizeChoice::keep);
+    expectSameCloth(again, fabric);
+    ASSERT_EQ(again.draft->threading, fabric.draft->threading);
+    ASSERT_EQ(again.draft->liftplan, fabric.draft->liftplan);
+    ASSERT_EQ(wifFromFabric(again, "z.wif").text, second) << "stable from then on";
+  }
+}
+
+TEST(WifFabric, HandsBackWhatItDoesNotHold) {
+  Fabric fabric = imported(twillFile());
+  fabric.name = "Renamed";
+  const WifDocument before = document(twillFile());
+  WifDocument after = document(wifFromFabric(fabric, "y.wif").text);
+  EXPECT_EQ(after.title, "Renamed");
+  EXPECT_EQ(after.rest, before.rest) << "palette, sizes, authors, private sections";
+  EXPECT_EQ(after.draft, before.draft);
+  EXPECT_EQ(after.warpColours, before.warpColours);
+}
+
+TEST(WifFabric, SizesOfTheDesignerReplaceThoseOfTheFile) {
+  Fabric fabric = imported(twillFile());
+  fabric.ends_per_cm = 25;
+  const WifRest rest = document(wifFromFabric(fabric, "y.wif").text).rest;
+  EXPECT_EQ(rest.warp.spacing, 0.04);
+  EXPECT_EQ(rest.weft, document(twillFile()).rest.weft) << "untouched";
+  for (Yarn& yarn : fabric.yarns) yarn.count_tex *= 4;
+  EXPECT_NEAR(*document(wifFromFabric(fabric, "y.wif").text).rest.weft.thickness,
+              0.1 * meanDiameter_mm(fabric, System::weft), 1e-6);
+}
+
+TEST(WifFabric, SizesOfSingleThreadsGoWhereThreadsHaveChanged) {
+  Fabric fabric = imported(twillFile());
+  fabric.draft.reset();
+  fabric.weave = fabric.weave.resized(8, 7);
+  const WifExport exported = wifFromFabric(fabric, "y.wif");
+  EXPECT_THAT(exported.remarks, Contains(HasSubstr("of single picks")));
+  EXPECT_TRUE(document(exported.text).rest.weft.spacings.empty());
+}
+
+TEST(WifFabric, AFabricOfOurOwnBecomesADraft) {
+  Fabric fabric;
+  fabric.weave = twill(2, 2);
+  fabric.yarns.resize(2);
+  fabric.fibres.resize(2);
+  fabric.yarns[1].fibre = 1;
+  fabric.fibres[1].absorption_per_mm = {3, 20, 90};
+  fabric.warpSequence = {0, 0, 0, 0, 1, 1, 1, 1};
+  fabric.weftSequence = {0, 1, 1};
+  const WifExport exported = wifFromFabric(fabric, "y.wif");
+  EXPECT_THAT(exported.remarks, Contains(HasSubstr("the smallest one has 4 shafts and 4 treadles")));
+  EXPECT_THAT(warningsOf(exported.text), testing::IsEmpty());
+  const Fabric again = imported(exported.text, WifSizeChoice::file);
+  EXPECT_EQ(again.weave.ends(), 8);
+  EXPECT_EQ(again.weave.picks(), 12);
+  expectSameCloth(fabric, again);
+  EXPECT_EQ(again.ends_per_cm, fabric.ends_per_cm);
+  EXPECT_NEAR(meanDiameter_mm(again, System::warp), meanDiameter_mm(fabric, System::warp), 1e-3);
+}
+
+TEST(WifFabric, AJacquardIsWrittenAndReadAgain) {
+  Fabric fabric;
+  fabric.weave = damaskJacquard(200, 240);
+  EXPECT_EQ(imported(wifFromFabric(fabric, "y.wif").text).weave, fabric.weave);
+}
+
+TEST(WifFabric, TooManyShaftsAreRefusedByNumber) {
+  std::vector<Weave::Row> rows(13, Weave::Row(5000, 0));
+  for (int e = 0; e < 5000; ++e)
+    for (int bit = 0; bit < 13; ++bit) rows[bit][e] = (e >> bit) & 1;
+  Fabric fabric;
+  fabric.weave = Weave(rows);
+  try {
+    wifFromFabric(fabric, "y.wif");
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "y.wif: draft.shafts: expected a whole number from 0 to 4096, got 5000");
+  }
+}
+
+TEST(WifFabric, FilesAreReadAndWritten) {
+  const std::string file = testing::TempDir() + "wif-" + std::to_string(getpid()) + ".wif";
+  const Fabric fabric = imported(twillFile());
+  writeWifFabric(fabric, file);
+  EXPECT_EQ(readWifFabric(file, Fabric{}, WifSizeChoice::keep).fabric.draft, fabric.draft);
+  Fabric bad = fabric;
+  bad.ends_per_cm = -1;
+  EXPECT_THROW(writeWifFabric(bad, file), InputError);
+  EXPECT_EQ(readWifFabric(file, Fabric{}, WifSizeChoice::keep).fabric.draft, fabric.draft) << "the old one is there";
+  std::filesystem::remove(file);
+  EXPECT_THROW(readWifFabric(file, Fabric{}, WifSizeChoice::keep), InputError);
+}
+
+}  // namespace
+}  // namespace loomlight

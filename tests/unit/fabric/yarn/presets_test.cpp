@@ -1,0 +1,82 @@
+#include "core/fabric/yarn/presets.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/fabric/model/validate.h"
+#include "core/fabric/model/yarn_count.h"
+#include "core/fabric/yarn/colour.h"
+#include "core/fabric/yarn/derived.h"
+
+namespace loomlight {
+namespace {
+
+TEST(Presets, TheFibresOfTheTradeAreThere) {
+  std::vector<std::string> names;
+  for (const FibrePreset& preset : fibrePresets()) names.push_back(preset.fibre.name);
+  EXPECT_THAT(names, testing::ElementsAre("cotton", "wool", "silk", "linen", "viscose", "polyester", "nylon", "acrylic",
+                                          "mohair", "alpaca", "cashmere"));
+}
+
+TEST(Presets, RadiusFollowsFromFinenessAndEveryNumberSaysWhereItIsFrom) {
+  for (const FibrePreset& preset : fibrePresets()) {
+    EXPECT_NEAR(fibreFineness_dtex(preset.fibre) / preset.fineness_dtex, 1.0, 0.005) << preset.fibre.name;
+    const FibreSources& of = preset.sources;
+    for (const char* source : {of.fineness, of.density, of.refractiveIndex, of.roughness, of.scaleTilt, of.colour})
+      EXPECT_THAT(source, testing::ContainsRegex("^(measured|handbook|guess)")) << preset.fibre.name;
+  }
+}
+
+/// Diameters as microscopes see them, um: cotton 11-14, merino 17-20, silk 10-13, linen 12-17, mohair 25-45, alpaca
+/// 17-35, cashmere 14-18.5, others 9-22.
+TEST(Presets, DiametersLieInTheRangesOfTheHandbooks) {
+  const std::pair<double, double> ranges[] = {{11, 14}, {17, 20}, {10, 13}, {12, 17}, {10, 16},  {9, 18},
+                                              {10, 20}, {12, 22}, {25, 45}, {17, 35}, {14, 18.5}};
+  const std::vector<FibrePreset> presets = fibrePresets();
+  ASSERT_EQ(presets.size(), std::size(ranges));
+  for (size_t i = 0; i < presets.size(); ++i) {
+    EXPECT_GE(2 * presets[i].fibre.radius_um, ranges[i].first) << presets[i].fibre.name;
+    EXPECT_LE(2 * presets[i].fibre.radius_um, ranges[i].second) << presets[i].fibre.name;
+  }
+}
+
+TEST(Presets, SilkIsAsClearAsMeasured) {
+  // Guided light in bombyx silk loses at most 0.64 per mm.
+  const FibrePreset silk = fibrePresets()[2];
+  ASSERT_EQ(silk.fibre.name, "silk");
+  EXPECT_LE(silk.fibre.absorption_per_mm.r, 0.64f);
+}
+
+TEST(Presets, EveryFibreAndYarnIsValidInACloth) {
+  for (const FibrePreset& preset : fibrePresets()) {
+    Fabric fabric;
+    fabric.fibres = {preset.fibre};
+    EXPECT_NO_THROW(validate(fabric, preset.fibre.name));
+  }
+  for (const YarnPreset& preset : yarnPresets()) {
+    Fabric fabric;
+    fabric.fibres = {preset.fibre};
+    fabric.yarns = {preset.yarn};
+    EXPECT_NO_THROW(validate(fabric, preset.yarn.name));
+    EXPECT_NE(preset.provenance, "");
+    const double fibres = fibresInYarn(preset.yarn, preset.fibre);
+    EXPECT_GE(fibres, 12) << preset.yarn.name;
+    EXPECT_LE(fibres, 1000) << preset.yarn.name;
+  }
+}
+
+TEST(Presets, TwistMultiplierOfTheTrade) {
+  // TPI = TM sqrt(Ne): TM 4 at Ne 25 is 20 turns per inch.
+  EXPECT_NEAR(twist_per_m(4.0, texFromCount(25, CountSystem::cotton)), 20 / 0.0254, 1.5);
+  EXPECT_NEAR(twistMultiplier(twist_per_m(3.7, 42), 42), 3.7, 1e-12);
+}
+
+TEST(Presets, DyedShowsItsColour) {
+  const Rgb wanted(0.5f, 0.1f, 0.02f);
+  const Fibre fibre = dyed(fibrePresets()[0].fibre, wanted);
+  const Rgb shown = colourFromAbsorption(fibre.absorption_per_mm, fibre.azimuthalRoughness, fibre.radius_um);
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(shown[i], wanted[i], 1e-4);
+}
+
+}  // namespace
+}  // namespace loomlight

@@ -1,0 +1,46 @@
+#include "core/fabric/yarn/yarn_edit.h"
+
+#include <gtest/gtest.h>
+
+namespace loomlight {
+namespace {
+
+TEST(YarnEdit, AYarnThatGoesTakesItsOwnFibresAlong) {
+  Fabric fabric;
+  fabric.fibres = {Fibre{}, Fibre{}, Fibre{}, Fibre{}};
+  for (int i = 0; i < 4; ++i) fabric.fibres[static_cast<size_t>(i)].name = std::string(1, static_cast<char>('a' + i));
+  fabric.yarns = {Yarn{}, Yarn{}, Yarn{}};
+  fabric.yarns[1].fibre = 1;
+  fabric.yarns[1].blendFibre = 2;
+  fabric.yarns[2].fibre = 3;
+  fabric.yarns[2].blendFibre = 0;
+  fabric.warpSequence = {0, 2};
+  fabric.colourways = {Colourway{"way", {Rgb(1), Rgb(2), Rgb(3), Rgb(4)}, {}}};
+  const Fabric without = withoutYarn(fabric, 1);
+  ASSERT_EQ(without.fibres.size(), 2u);
+  EXPECT_EQ(without.fibres[1].name, "d");
+  ASSERT_EQ(without.yarns.size(), 2u);
+  EXPECT_EQ(without.yarns[1].fibre, 1);
+  EXPECT_EQ(without.yarns[1].blendFibre, 0);
+  EXPECT_EQ(without.warpSequence, (std::vector<int>{0, 1}));
+  EXPECT_EQ(without.colourways[0].absorption_per_mm, (std::vector<Rgb>{Rgb(1), Rgb(4)}));
+  // What others are spun of stays.
+  EXPECT_EQ(withoutYarn(fabric, 0).fibres.size(), 4u);
+}
+
+TEST(YarnEdit, AFibreThatOthersAreSpunOfStaysTheirs) {
+  Fabric fabric;
+  fabric.fibres = {Fibre{}};
+  fabric.yarns = {Yarn{}, Yarn{}};
+  Fibre coarse;
+  coarse.radius_um = 20;
+  const Fabric edited = withFibre(fabric, 1, coarse);
+  ASSERT_EQ(edited.fibres.size(), 2u);
+  EXPECT_EQ(edited.fibres[static_cast<size_t>(edited.yarns[0].fibre)].radius_um, Fibre{}.radius_um);
+  EXPECT_EQ(edited.fibres[static_cast<size_t>(edited.yarns[1].fibre)].radius_um, 20);
+  fabric.yarns.pop_back();
+  EXPECT_EQ(withFibre(fabric, 0, coarse).fibres.size(), 1u);
+}
+
+}  // namespace
+}  // namespace loomlight

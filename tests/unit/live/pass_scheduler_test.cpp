@@ -1,0 +1,106 @@
+#include "app/live/pass_scheduler.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace loomlight {
+namespace {
+
+/// Plays the scheduler against a machine that traces a path in `secondsPerPath`.
+std::vector<PassPlan> play(int width, int height, double secondsPerPath, uint32_t wanted, bool known) {
+  PassHistory history{width, height};
+  if (known) history.secondsPerPath = secondsPerPath;
+  std::vector<PassPlan> plans;
+  while (plans.size() < 10000) {
+    const PassPlan plan = nextPass(history, wanted);
+    if (plan.samples == 0) break;
+    plans.push_back(plan);
+    const double paths = static_cast<double>(width / plan.divider) * (height / plan.divider) *
+                         (plan.divider == 1 ? plan.samples - history.samples : 1);
+    history.seconds += paths * secondsPerPath;
+    history.secondsPerPath = secondsPerPath;
+    history.divider = plan.divider;
+    if (plan.divider == 1) history.samples = plan.samples;
+  }
+  return plans;
+}
+
+TEST(PassScheduler, FirstPictureIsQuick) {
+  for (const double secondsPerPath : {1e-6, 5e-6, 2e-5}) {
+    const PassPlan first = nextPass({800, 600, secondsPerPath}, 64);
+    const double seconds = 800.0 * 600 / (first.divider * first.divider) * secondsPerPath;
+    EXPECT_LE(seconds, 0.025) << secondsPerPath;
+    if (first.divider > 1) {
+      EXPECT_GT(seconds, 0.015) << "coarser than need be: " << secondsPerPath;
+    }
+  }
+}
+
+TEST(PassScheduler, BeginsNoCoarserThanIsLegible) {
+  PassHistory slow{800, 600, 1e-3};
+  EXPECT_GT(nextPass(slow, 64).divider, 8);
+  slow.coarsest = 8;
+  slow.patience_s = 10;
+  EXPECT_EQ(nextPass(slow, 64), (PassPlan{8, 1}));
+}
+
+TEST(PassScheduler, IsCoarserThanIsLegibleRatherThanSlow) {
+  constexpr double kPerPath_s = 1e-5, kAtMost_s = 0.1;
+  for (const int height : {600, 1080, 2160}) {
+    const int width = 16 * height / 9;
+    PassHistory history{width, height, kPerPath_s};
+    history.coarsest = 12;
+    history.patience_s = kAtMost_s;
+    const auto seconds = [&](int divider) { return kPerPath_s * (width / divider) * (height / divider); };
+    const int divider = nextPass(history, 64).divider;
+    EXPECT_GE(divider, 12);
+    EXPECT_LE(seconds(divider), kAtMost_s) << width;
+    if (divider > 12) {
+      EXPECT_GT(seconds(divider - 1), 0.9 * kAtMost_s) << "coarser than need be: " << width;
+    }
+  }
+}
+
+TEST(PassScheduler, RefinesStepByStepAndStops) {
+  const auto plans = play(800, 600, 5e-6, 256, false);
+  ASSERT_FALSE(plans.empty());
+  for (size_t i = 1; i < plans.size(); ++i) {
+    EXPECT_LE(plans[i].divider, plans[i - 1].divider);
+    if (plans[i].divider == plans[i - 1].divider) {
+      EXPECT_GT(plans[i].samples, plans[i - 1].samples);
+    }
+  }
+  EXPECT_EQ(plans.back(), (PassPlan{1, 256}));
+}
+
+TEST(PassScheduler, CoarsePassesCostLittle) {
+  for (const double secondsPerPath : {1e-7, 1e-6, 3e-6, 1e-5}) {
+    double coarse = 0;  // in units of a full pass of one sample
+    for (const PassPlan& plan : play(1600, 900, secondsPerPath, 8, true))
+      if (plan.divider > 1) coarse += 1.0 / (plan.divider * plan.divider);
+    EXPECT_LT(coarse, 1.0 / 3) << secondsPerPath;
+  }
+}
+
+TEST(PassScheduler, PassesStayShortEnoughToBeInterrupted) {
+  const double secondsPerPath = 2e-6;
+  uint32_t before = 0;
+  for (const PassPlan& plan : play(640, 480, secondsPerPath, 1024, true)) {
+    if (plan.divider > 1) continue;
+    EXPECT_LE((plan.samples - before) * 640.0 * 480 * secondsPerPath, 1.1);
+    before = plan.samples;
+  }
+}
+
+TEST(PassScheduler, SurvivesOddSizes) {
+  for (const int side : {1, 2, 3, 17, 16384})
+    for (const double seconds : {0.0, 1e-9, 1.0}) {
+      const PassPlan plan = nextPass({side, 1, seconds}, 1);
+      EXPECT_GE(plan.divider, 1);
+      EXPECT_EQ(plan.samples, 1u);
+    }
+}
+
+}  // namespace
+}  // namespace loomlight

@@ -1,0 +1,169 @@
+#include "render/display/patch.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+#include "app/live/live_renderer.h"
+#include "tests/support/test_cloth.h"
+#include "tests/unit/live/worker_window.h"
+
+namespace loomlight {
+namespace {
+
+const glm::vec4 kOld(0.25f, 0.25f, 0.25f, 1), kFresh(0.75f, 0.5f, 0.25f, 1);
+
+const Weave kThen(std::vector<Weave::Row>(6, Weave::Row(6, 0)));
+const Weave kNow = kThen.with(3, 2, true);
+
+/// Crossings of eight pixels a side, warp over where the sum of their numbers is even.
+Film::Hit hitAt(int x, int y) {
+  const int end = x / 8, pick = y / 8;
+  return {(end + pick) % 2, end, pick, 25};
+}
+
+Frame pictureOf(int size, int divider, const glm::vec4& colour) {
+  Frame frame;
+  frame.width = frame.height = size / divider;
+  frame.divider = divider;
+  frame.window = {0, 0, size, size};
+  for (int y = 0; y < frame.height; ++y)
+    for (int x = 0; x < frame.width; ++x) {
+      frame.rgba.push_back(colour);
+      frame.hits.push_back(hitAt(x * divider + divider / 2, y * divider + divider / 2));
+    }
+  return frame;
+}
+
+TEST(Patched, ChangesWhatTheNewPictureShowsOtherwise) {
+  for (const int divider : {1, 4}) {
+    const Frame old = pictureOf(48, 1, kOld);
+    Frame fresh = pictureOf(48, divider, kFresh);
+    for (Film::Hit& hit : fresh.hits)
+      if (hit.end == 2 && hit.pick == 3) hit.yarn = 1 - hit.yarn;
+    fresh.generation = 7;
+    const Frame whole = patched(fresh, old, kNow, kThen);
+    EXPECT_EQ(whole.generation, 7u);
+    ASSERT_EQ(whole.rgba.size(), old.rgba.size());
+    for (int y = 0; y < 48; ++y)
+      for (int x = 0; x < 48; ++x) {
+        const bool turned = x / 8 == 2 && y / 8 == 3;
+        const size_t i = static_cast<size_t>(y) * 48 + static_cast<size_t>(x);
+        const int across = std::max({16 - x, x - 23, 0}), down = std::max({24 - y, y - 31, 0});
+        SCOPED_TRACE(testing::Message() << x << ", " << y << " at 1/" << divider);
+        if (turned) {
+          EXPECT_EQ(whole.rgba[i], kFresh);
+        } else if (std::max(across, down) >= (divider == 1 ? 6 : 2 * divider)) {  // at 1/1, five fade
+          EXPECT_EQ(whole.rgba[i], kOld);
+        } else {  // no border is a line
+          EXPECT_GE(whole.rgba[i].x, std::min(kFresh.x, kOld.x));
+          EXPECT_LE(whole.rgba[i].x, std::max(kFresh.x, kOld.x));
+        }
+        EXPECT_EQ(whole.hits[i].yarn == hitAt(x, y).yarn, !turned);
+      }
+  }
+}
+
+TEST(Patched, AFinePictureComesInOverSomePixels) {
+  const Frame old = pictureOf(48, 1, kOld);
+  Frame fresh = pictureOf(48, 1, kFresh);
+  for (Film::Hit& hit : fresh.hits)
+    if (hit.end == 2 && hit.pick == 3) hit.yarn = 1 - hit.yarn;
+  const Frame whole = patched(fresh, old, kNow, kThen);
+  float steepest = 0;
+  for (int x = 1; x < 48; ++x)
+    steepest = std::max(steepest, std::abs(whole.rgba[28 * 48 + x].x - whole.rgba[28 * 48 + x - 1].x));
+  EXPECT_LE(steepest, 0.4f * (kFresh.x - kOld.x));
+}
+
+// A coarse picture may have no sample on a crossing that was turned.
+TEST(Patched, ATurnedCrossingIsSeenWhereNoSampleMetIt) {
+  const Frame old = pictureOf(48, 1, kOld), fresh = pictureOf(48, 8, kFresh);
+  const Frame whole = patched(fresh, old, kNow, kThen);
+  EXPECT_EQ(patched(fresh, old, kThen, kThen).rgba, old.rgba);
+  for (int y = 0; y < 48; ++y)
+    for (int x = 0; x < 48; ++x) {
+      const size_t i = static_cast<size_t>(y) * 48 + static_cast<size_t>(x);
+      if (x / 8 == 2 && y / 8 == 3) {
+        EXPECT_EQ(whole.rgba[i], kFresh);
+      } else if (x >= 40 || y < 8) {
+        EXPECT_EQ(whole.rgba[i], kOld);
+      }
+    }
+}
+
+TEST(Patched, IsADraftWhereEitherIs) {
+  Frame old = pictureOf(48, 1, kOld), fresh = pictureOf(48, 8, kFresh);
+  EXPECT_FALSE(patched(fresh, old, kNow, kThen).draft);
+  fresh.draft = true;
+  EXPECT_TRUE(patched(fresh, old, kNow, kThen).draft);
+  std::swap(fresh.draft, old.draft);
+  EXPECT_TRUE(patched(fresh, old, kNow, kThen).draft);
+}
+
+TEST(Patched, TakesCoarsePicturesThatReachBeyondTheEdge) {
+  const Frame old = pictureOf(48, 1, kOld);
+  Frame fresh = pictureOf(64, 32, kFresh);
+  for (Film::Hit& hit : fresh.hits) hit = {5, 92, 93, 25};
+  for (const glm::vec4& pixel : patched(fresh, old, kNow, kThen).rgba) EXPECT_EQ(pixel, kFresh);
+}
+
+TEST(DifferInCrossings, IsSoOfTheWeaveAlone) {
+  const Fabric before = test::whiteCotton();
+  const auto after = [&](auto&& edit) {
+    Fabric fabric = before;
+    edit(fabric);
+    return differInCrossings(before, fabric);
+  };
+  EXPECT_TRUE(after([](Fabric& f) { f.weave = f.weave.with(0, 0, !f.weave.at(0, 0)); }));
+  EXPECT_FALSE(after([](Fabric& f) { f.fibres[0].absorption_per_mm = Rgb(3); }));
+  EXPECT_FALSE(after([](Fabric& f) { f.camera.distance_mm += 1; }));
+  EXPECT_FALSE(after([](Fabric& f) { f.yarns[0].plyTwist_per_m += 50; }));
+  EXPECT_FALSE(after([](Fabric& f) { f.light.intensity = 2; }));
+}
+
+// What a stroke of the brush does not touch stays as clear as it was, from the first picture on.
+TEST(LivePatch, APaintedCrossingLeavesTheRestOfThePictureAsItWas) {
+  Fabric fabric = test::whiteCotton();
+  fabric.render.resolution = 4;
+  // The soft border of a coarse picture reaches some crossings far: the piece has many.
+  fabric.drape.width_mm = fabric.drape.height_mm = 12;
+  fabric.camera.distance_mm = 24;
+  fabric.yarns.push_back(fabric.yarns[0]);
+  fabric.weftSequence = {1};
+  std::vector<Weave::Row> plain(32, Weave::Row(32));  // wider than the piece: a single crossing is turned
+  for (size_t pick = 0; pick < 32; ++pick)
+    for (size_t end = 0; end < 32; ++end) plain[pick][end] = (pick + end) % 2 == 0;
+  fabric.weave = Weave(plain);
+  test::WorkerWindow window;
+  LiveRenderer renderer(window.waker(), 1);
+  const auto show = [&](uint64_t generation) {
+    renderer.request({std::make_shared<const Fabric>(fabric), 96, 96, generation, nullptr});
+  };
+  show(1);
+  ASSERT_TRUE(window.waitFor([&] { return renderer.frame() && renderer.frame()->samples >= 16; }));
+  renderer.pause(true);
+  auto before = renderer.frame();
+  for (int quiet = 0; quiet < 10; ++quiet) {  // a pass that was all but done when the pause began
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    if (const auto now = renderer.frame(); now != before) {
+      before = now;
+      quiet = 0;
+    }
+  }
+  fabric.weave = fabric.weave.with(14, 14, !fabric.weave.at(14, 14));
+  show(2);
+  ASSERT_TRUE(window.waitFor([&] { return renderer.frame()->generation == 2; }));
+  const auto after = renderer.frame();
+  ASSERT_EQ(after->rgba.size(), before->rgba.size());
+  EXPECT_EQ(after->divider, 1);
+  size_t same = 0;
+  for (size_t i = 0; i < after->rgba.size(); ++i) same += after->rgba[i] == before->rgba[i];
+  EXPECT_GT(same, after->rgba.size() / 2);
+  EXPECT_LT(same, after->rgba.size());
+}
+
+}  // namespace
+}  // namespace loomlight

@@ -1,0 +1,117 @@
+#include "app/live/tracer.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <latch>
+
+#include "render/transport/make_medium.h"
+#include "tests/support/test_cloth.h"
+#include "tests/support/watched_medium.h"
+#include "tests/unit/live/worker_window.h"
+
+namespace loomlight {
+namespace {
+
+using test::WatchedMedium;
+
+constexpr int kWidth = 96, kHeight = 72;  // a cloth of unknown speed begins at half of this resolution
+
+// What is shown while a cloth is built has been answered already: the cloth itself goes on from there, and may be
+// stopped like any later pass.
+TEST(Tracer, TheSamePictureBetterGoesOnFromACoarseOneAndCanBeStopped) {
+  Fabric fabric = test::whiteCotton();
+  fabric.render.resolution = 2;
+  fabric.drape.width_mm = fabric.drape.height_mm = 6;
+  fabric.camera.distance_mm = 8;
+  const std::shared_ptr<const Scene> scene = test::sceneOf(fabric);
+  const std::shared_ptr<const Medium> medium = makeMedium(*scene, 1e9, Task{});
+
+  std::atomic<bool> coarseShown = false;
+  std::latch builtSent(1), builtBegun(1), editSent(1);
+  const auto draft = std::make_shared<const WatchedMedium>(medium, [&](uint64_t) {
+    if (coarseShown) builtSent.wait();
+  });
+  const auto built = std::make_shared<const WatchedMedium>(medium, [&](uint64_t path) {
+    if (path > 1) return;
+    builtBegun.count_down();
+    editSent.wait();
+  });
+  test::WorkerWindow window;
+  Tracer tracer(
+      [&, wake = window.waker()] {
+        coarseShown = true;
+        wake();
+      },
+      1);
+  tracer.show({{scene, scene, draft}, kWidth, kHeight, 1});
+  ASSERT_TRUE(window.waitFor([&] { return tracer.frame() != nullptr; }));
+  ASSERT_EQ(tracer.frame()->divider, 2);
+  tracer.show({{scene, scene, built}, kWidth, kHeight, 1});
+  builtSent.count_down();
+  builtBegun.wait();
+  tracer.show({{scene, scene, medium}, kWidth, kHeight, 2});
+  editSent.count_down();
+  ASSERT_TRUE(window.waitFor([&] { return tracer.frame()->generation == 2; }));
+  EXPECT_EQ(built->paths(), 1u);
+}
+
+TEST(Tracer, TheSamePictureBetterIsNeverCoarser) {
+  Fabric fabric = test::whiteCotton();
+  fabric.render.resolution = 2;
+  const std::shared_ptr<const Scene> scene = test::sceneOf(fabric);
+  const std::shared_ptr<const Medium> medium = makeMedium(*scene, 1e9, Task{});
+  std::atomic<bool> coarseShown = false;
+  std::latch builtSent(1);
+  const auto draft = std::make_shared<const WatchedMedium>(medium, [&](uint64_t) {
+    if (coarseShown) builtSent.wait();
+  });
+  test::WorkerWindow window;
+  std::vector<int> dividers;  // the tracer's thread writes it until it is gone
+  {
+    std::function<std::shared_ptr<const Frame>()> newest;
+    Tracer tracer(
+        [&, wake = window.waker()] {
+          dividers.push_back(newest()->divider);
+          coarseShown = true;
+          wake();
+        },
+        1);
+    newest = [&] { return tracer.frame(); };
+    tracer.show({{scene, scene, draft}, kWidth, kHeight, 1});
+    ASSERT_TRUE(window.waitFor([&] { return tracer.frame() != nullptr; }));
+    tracer.show({{scene, scene, medium}, kWidth, kHeight, 1});
+    builtSent.count_down();
+    ASSERT_TRUE(window.waitFor([&] { return tracer.frame()->samples > 0; }));
+  }
+  EXPECT_EQ(dividers.front(), 2);
+  EXPECT_TRUE(std::is_sorted(dividers.rbegin(), dividers.rend()));
+}
+
+TEST(Tracer, AnotherSizeOfTheViewportKeepsWhatWasSeen) {
+  Fabric fabric = test::whiteCotton();
+  fabric.render.resolution = 2;
+  const std::shared_ptr<const Scene> scene = test::sceneOf(fabric);
+  const std::shared_ptr<const Medium> medium = makeMedium(*scene, 1e9, Task{});
+  test::WorkerWindow window;
+  std::vector<int> dividers;  // the tracer's thread writes it until it is gone
+  {
+    std::function<std::shared_ptr<const Frame>()> newest;
+    Tracer tracer(
+        [&, wake = window.waker()] {
+          if (const auto frame = newest(); frame && frame->generation == 2) dividers.push_back(frame->divider);
+          wake();
+        },
+        1);
+    newest = [&] { return tracer.frame(); };
+    tracer.show({{scene, scene, medium}, kWidth, kHeight, 1});
+    ASSERT_TRUE(window.waitFor([&] { return tracer.frame() && tracer.frame()->samples > 1; }));
+    tracer.show({{scene, scene, medium}, 2 * kWidth, kHeight, 2});
+    ASSERT_TRUE(window.waitFor([&] { return tracer.frame()->generation == 2 && tracer.frame()->samples > 1; }));
+    EXPECT_EQ(tracer.frame()->width, 2 * kWidth);
+  }
+  EXPECT_EQ(std::count(dividers.begin(), dividers.end(), 1), std::ssize(dividers)) << "a coarse one is a step back";
+}
+
+}  // namespace
+}  // namespace loomlight

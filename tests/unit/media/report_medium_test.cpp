@@ -1,0 +1,144 @@
+#include "render/media/report_medium.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "render/bvdf/local_cell.h"
+#include "render/media/volume_medium.h"
+#include "tests/support/test_cloth.h"
+
+namespace loomlight {
+namespace {
+
+/// A BVDF of one value: ratio 0 gives p = 0 everywhere; a large one p = 1 but at wi == wo.
+std::shared_ptr<const BvdfSet> uniformBvdf(float ratio) {
+  const BvdfResolution resolution{2, 2, 4, 4};
+  auto set = std::make_shared<BvdfSet>();
+  set->tables.emplace_back(resolution, HotSpot{5, 0.1f}, std::vector<float>(resolution.bins(), ratio));
+  set->tableOfYarn = {0};
+  return set;
+}
+
+Departure departureFromEye(const Scene& scene) {
+  return {{{0.03f, 0.01f, scene.shell->upper_mm().z + 1}, -1}};
+}
+
+TEST(LocalCell, IsTwoLeavesWideHalfOpenAndCutByTheCrossing) {
+  const auto scene = test::sceneOf(test::whiteCotton());
+  const ClothVolume& volume = *scene->volume;
+  const VoxelGrid& grid = volume.grid();
+  for (int leaf = 0; leaf < 3 * grid.cell.x; ++leaf) {
+    const glm::vec3 corner((static_cast<float>(leaf) + 0.5f) * grid.size_mm.x, 0.01f, 0);
+    const LocalCell cell = LocalCell::around(corner, volume);
+    const int inCrossing = leaf % grid.cell.x;
+    EXPECT_NEAR(cell.lower.x, (leaf - inCrossing % 2) * grid.size_mm.x, 1e-5);
+    const int width = inCrossing - inCrossing % 2 + 1 < grid.cell.x ? 2 : 1;
+    EXPECT_NEAR(cell.upper.x - cell.lower.x, width * grid.size_mm.x, 1e-5);
+  }
+  // The same cells as the octree's: voxels of its first level.
+  Random random(1);
+  for (int i = 0; i < 1000; ++i) {
+    const glm::vec3 size = volume.upper_mm() - volume.lower_mm();
+    const float u = random.uniform(), v = random.uniform(), w = random.uniform();
+    const glm::vec3 point = volume.lower_mm() + glm::vec3(u, v, w) * size;
+    const LocalCell cell = LocalCell::around(point, volume);
+    VoxelContent here, there;
+    volume.contentAt(point, here, 1);
+    volume.contentAt(glm::vec3(cell.lower * 0.999 + cell.upper * 0.001), there, 1);
+    EXPECT_EQ(here.voxel, there.voxel);
+    volume.contentAt(glm::vec3(cell.lower * 0.001 + cell.upper * 0.999), there, 1);
+    EXPECT_EQ(here.voxel, there.voxel);
+  }
+}
+
+TEST(LocalCell, RaysLeaveItByTheFaceAhead) {
+  const LocalCell cell{{0, 0, 0}, {1, 2, 3}};
+  EXPECT_FLOAT_EQ(cell.exit({0.25f, 1, 1}, {1, 0, 0}), 0.75f);
+  EXPECT_FLOAT_EQ(cell.exit({0.25f, 1, 1}, {-1, 0, 0}), 0.25f);
+  EXPECT_FLOAT_EQ(cell.exit({0.25f, 1, 1}, {0.6f, 0, 0.8f}), 1.25f);
+  EXPECT_FLOAT_EQ(cell.exit({1.5f, 1, 1}, {1, 0, 0}), 0.0f);
+}
+
+TEST(ReportMedium, CountsEventsAndKnowsTheFirst) {
+  const auto scene = test::sceneOf(test::whiteCotton());
+  const ReportMedium medium(*scene, uniformBvdf(1));
+  Random random(2);
+  TraceCounts counts;
+  Departure from = departureFromEye(*scene);
+  glm::vec3 direction(0, 0, -1);
+  for (int events = 1; events < 4; ++events) {
+    const auto hit = medium.collide(from, direction, random, counts);
+    ASSERT_TRUE(hit);
+    EXPECT_EQ(hit->events, events);
+    direction = -direction;
+    from = medium.leave(*hit, direction, 0);
+    EXPECT_EQ(from.events, events);
+    from.place.world.z = 0;  // deep inside, where the next one is sure to come
+    from.place.tet = 0;
+    direction = {1, 0, 0};
+  }
+}
+
+// p = 1 stops all direct light of the first event, but none that comes from the eye; later events do not feel it.
+TEST(ReportMedium, ShadowsDirectLightOfTheFirstEventAlone) {
+  const auto scene = test::sceneOf(test::whiteCotton());
+  const ReportMedium dark(*scene, uniformBvdf(1e6f)), open(*scene, uniformBvdf(0));
+  const VolumeMedium plain(*scene);
+  constexpr auto kFar = std::numeric_limits<float>::infinity();
+  TraceCounts counts;
+  Random random(3);
+  const glm::vec3 wi = glm::normalize(glm::vec3(0.5f, 0.2f, 1));
+  double beyond = 0, whole = 0, fromEye = 0;
+  for (int i = 0; i < 2000; ++i) {
+    auto hit = dark.collide(departureFromEye(*scene), {0, 0, -1}, random, counts);
+    ASSERT_TRUE(hit);
+    EXPECT_EQ(dark.transmittance(dark.leave(*hit, wi, 0), wi, kFar, random, counts), 0.0f);
+    fromEye += dark.transmittance(dark.leave(*hit, {0, 0, 1}, 0), {0, 0, 1}, kFar, random, counts) / 2000;
+    const float through = open.transmittance(open.leave(*hit, wi, 0), wi, kFar, random, counts);
+    beyond += through / 2000;
+    const float volume = plain.transmittance(plain.leave(*hit, wi, 0), wi, kFar, random, counts);
+    whole += volume / 2000;
+
+    hit->events = 2;
+    const float later = dark.transmittance(dark.leave(*hit, wi, 0), wi, kFar, random, counts);
+    if (volume <= 0.02f) continue;        // transmittance is exact above that
+    EXPECT_GE(through, volume * 0.999f);  // without the way through the cell
+    EXPECT_NEAR(later, volume, 1e-5);
+  }
+  EXPECT_GT(beyond, whole + 0.05);
+  EXPECT_GT(fromEye, 0.8);  // what is left is shadow from beyond the cell
+}
+
+// On a drape the same cloth has the same cells and the same frames.
+TEST(ReportMedium, WorksOnDrapes) {
+  Fabric fabric = test::whiteCotton();
+  fabric.drape.kind = DrapeKind::cylinder;
+  const auto scene = test::sceneOf(fabric);
+  const ReportMedium open(*scene, uniformBvdf(0)), dark(*scene, uniformBvdf(1e6f));
+  const VolumeMedium plain(*scene);
+  const CameraRays camera(fabric.camera, 32, 32);
+  constexpr auto kFar = std::numeric_limits<float>::infinity();
+  TraceCounts counts;
+  Random random(4);
+  double beyond = 0, whole = 0;
+  int hits = 0;
+  for (int y = 0; y < 32; ++y)
+    for (int x = 0; x < 32; ++x) {
+      const Ray ray = camera.ray(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
+      const auto hit = open.collide({{ray.origin, -1}}, ray.direction, random, counts);
+      if (!hit) continue;
+      ++hits;
+      const glm::vec3 wi = glm::normalize(hit->normal - 0.3f * ray.direction);
+      beyond += open.transmittance(open.leave(*hit, wi, 0), wi, kFar, random, counts);
+      whole += plain.transmittance(plain.leave(*hit, wi, 0), wi, kFar, random, counts);
+      const glm::vec3 side =
+          glm::normalize(hit->normal + 0.7f * glm::normalize(glm::cross(hit->normal, ray.direction)));
+      EXPECT_EQ(dark.transmittance(dark.leave(*hit, side, 0), side, kFar, random, counts), 0.0f);
+    }
+  EXPECT_GT(hits, 100);
+  EXPECT_GT(beyond, 1.1 * whole);
+}
+
+}  // namespace
+}  // namespace loomlight

@@ -1,0 +1,93 @@
+#include "render/transport/half_dome.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+
+#include "render/media/volume_medium.h"
+#include "tests/support/test_cloth.h"
+
+namespace loomlight {
+namespace {
+
+/// No cloth at all: it only looks at where the rays of cameras go, and counts those that it does not like.
+class Onlooker final : public Medium {
+ public:
+  explicit Onlooker(const Scene& scene) : scene_(scene) {}
+
+  std::optional<Collision> collide(const Departure& from, glm::vec3 d, Random&, TraceCounts&) const override {
+    const float half = scene_.shell->upper_mm().z;
+    const glm::vec3 o = from.place.world;
+    const glm::vec2 in = glm::vec2(o) + (half - o.z) / d.z * glm::vec2(d);
+    const glm::vec2 out = glm::vec2(o) + (-half - o.z) / d.z * glm::vec2(d);
+    const glm::vec2 room = glm::vec2(scene_.shell->upper_mm()) - 4 * half;
+    const bool inside =
+        std::abs(in.x) < room.x && std::abs(in.y) < room.y && std::abs(out.x) < room.x && std::abs(out.y) < room.y;
+    wrong += !(o.z > half && d.z < 0 && inside);
+    return std::nullopt;
+  }
+  float transmittance(const Departure&, glm::vec3, float, Random&, TraceCounts&) const override { return 1; }
+  Departure leave(const Collision& c, glm::vec3, int) const override {
+    Departure from;
+    from.place = c.place;
+    return from;
+  }
+
+  mutable std::atomic<int> wrong{0};
+
+ private:
+  const Scene& scene_;
+};
+
+TEST(HalfDome, CamerasStandOverThePatchAndSeeNoEdge) {
+  for (const HalfDomeGrid grid : {HalfDomeGrid{8, 3}, HalfDomeGrid{6, 24}}) {
+    const auto scene = test::sceneOf(halfDomePatch(test::whiteCotton(), grid));
+    const Onlooker onlooker(*scene);
+    const auto measure = measureHalfDome(*scene, onlooker, grid, 200, Task{});
+    ASSERT_TRUE(measure);
+    EXPECT_EQ(onlooker.wrong, 0);
+    EXPECT_GE(measure->counts.paths, 200 * grid.size());
+  }
+}
+
+TEST(HalfDome, WhiteClothInAFurnaceReflectsAsPaperDoes) {
+  const HalfDomeGrid grid{4, 3};
+  Fabric closed = test::whiteCotton();
+  closed.yarns[0].count_tex = 40;
+  closed.ends_per_cm = closed.picks_per_cm = 40;  // through holes one would see the darkness behind
+  Fabric fabric = halfDomePatch(closed, grid);
+  fabric.light.kind = LightKind::furnace;
+  const auto scene = test::sceneOf(fabric);
+  const auto measure = measureHalfDome(*scene, VolumeMedium(*scene), grid, 100, Task{});
+  ASSERT_TRUE(measure);
+  for (const Rgb& c : measure->radiance)
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(c[i] / paperRadiance(fabric.light), 1, 0.003);
+}
+
+TEST(HalfDome, IsTheSameForAnyNumberOfThreads) {
+  const HalfDomeGrid grid{4, 2};
+  const auto scene = test::sceneOf(halfDomePatch(test::whiteCotton(), grid));
+  const VolumeMedium medium(*scene);
+  Task one, three;
+  one.threads = 1;
+  three.threads = 3;
+  const auto a = measureHalfDome(*scene, medium, grid, 50, one), b = measureHalfDome(*scene, medium, grid, 50, three);
+  ASSERT_TRUE(a && b);
+  EXPECT_EQ(a->radiance, b->radiance);
+}
+
+TEST(HalfDome, PaperUnderParallelLightGoesWithTheCosine) {
+  Light light;
+  light.kind = LightKind::directional;
+  light.elevation_deg = 30;
+  EXPECT_NEAR(paperRadiance(light), 0.5, 1e-12);
+  light.elevation_deg = -30;
+  EXPECT_NEAR(paperRadiance(light), 0.5, 1e-12);
+  light.kind = LightKind::dome;
+  light.intensity = 3;
+  EXPECT_DOUBLE_EQ(paperRadiance(light), 3);
+}
+
+}  // namespace
+}  // namespace loomlight

@@ -1,0 +1,66 @@
+#include "render/transport/make_medium.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "render/media/fibre_medium.h"
+#include "render/media/loomlight_medium.h"
+#include "render/media/volume_medium.h"
+#include "tests/support/test_cloth.h"
+
+namespace loomlight {
+namespace {
+
+Fabric smallCotton() {
+  Fabric fabric = test::whiteCotton();
+  fabric.drape.width_mm = fabric.drape.height_mm = 2;
+  fabric.render.resolution = 2;
+  return fabric;
+}
+
+std::unique_ptr<const Medium> made(const Scene& scene, MediumCost* cost = nullptr) {
+  return makeMedium(scene, defaultMemoryLimit_bytes(), Task{}, cost);
+}
+
+TEST(MakeMedium, FollowsTheSettings) {
+  Fabric fabric = smallCotton();
+  MediumCost cost;
+  const auto ours = test::sceneOf(fabric);
+  EXPECT_NE(dynamic_cast<const LoomlightMedium*>(made(*ours).get()), nullptr);
+  fabric.render.estimator = Estimator::none;
+  const auto plain = test::sceneOf(fabric);
+  EXPECT_NE(dynamic_cast<const VolumeMedium*>(made(*plain, &cost).get()), nullptr);
+  EXPECT_EQ(cost.geometryBytes + cost.acceleratorBytes + cost.bvdfBytes, 0u);
+  fabric.render.method = Method::fibres;
+  const auto truth = test::sceneOf(fabric);
+  EXPECT_NE(dynamic_cast<const FibreMedium*>(made(*truth, &cost).get()), nullptr);
+  EXPECT_GT(cost.segments, 0u);
+  EXPECT_GT(cost.geometryBytes, cost.segments * sizeof(glm::vec4));
+  EXPECT_GT(cost.acceleratorBytes, 0u);
+  EXPECT_THROW(makeMedium(*truth, 1e3, Task{}), InputError);
+}
+
+// Making fibres takes seconds, so looking from elsewhere or recolouring must not; but no medium may serve a cloth that
+// it was not made of.
+TEST(SameMedium, SurvivesLightCameraAndColourOnly) {
+  Fabric fabric = smallCotton();
+  fabric.render.method = Method::fibres;
+  const auto before = test::sceneOf(fabric);
+  const auto after = [&](auto&& edit) {
+    Fabric edited = fabric;
+    edit(edited);
+    return makeScene(std::make_shared<const Fabric>(edited), Task{}, before.get());
+  };
+  EXPECT_TRUE(sameMedium(*before, *after([](Fabric& f) { f.camera.azimuth_deg += 10; })));
+  EXPECT_TRUE(sameMedium(*before, *after([](Fabric& f) { f.light.kind = LightKind::dome; })));
+  EXPECT_TRUE(sameMedium(*before, *after([](Fabric& f) { f.fibres[0].absorption_per_mm = Rgb(3.0f); })));
+  EXPECT_FALSE(sameMedium(*before, *after([](Fabric& f) { f.fibres[0].refractiveIndex = 1.4; })));
+  EXPECT_FALSE(sameMedium(*before, *after([](Fabric& f) { f.yarns[0].packing = 0.4; })));
+  EXPECT_FALSE(sameMedium(*before, *after([](Fabric& f) { f.drape.width_mm = 3; })));
+  EXPECT_FALSE(sameMedium(*before, *after([](Fabric& f) { f.drape.kind = DrapeKind::sphere; })));
+  EXPECT_FALSE(sameMedium(*before, *after([](Fabric& f) { f.render.method = Method::volume; })));
+  EXPECT_FALSE(sameMedium(*before, *after([](Fabric& f) { f.render.estimator = Estimator::none; })));
+}
+
+}  // namespace
+}  // namespace loomlight

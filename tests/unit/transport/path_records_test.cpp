@@ -1,0 +1,146 @@
+#include "render/transport/path_records.h"
+
+#include <gtest/gtest.h>
+
+#include "render/transport/make_medium.h"
+#include "render/transport/path_tracer.h"
+#include "tests/support/test_cloth.h"
+
+namespace loomlight {
+namespace {
+
+constexpr int kSide = 24;
+constexpr uint32_t kSamples = 6;
+constexpr size_t kPlenty = size_t{64} << 20;
+
+/// Cotton crossed with silk, each with a dye of its own.
+Fabric twoDyes(LightKind light) {
+  Fabric fabric = test::whiteCotton();
+  fabric.render.resolution = 4;
+  fabric.drape.width_mm = fabric.drape.height_mm = 6;
+  fabric.camera.distance_mm = 9;
+  fabric.light.kind = light;
+  fabric.fibres.push_back(fabric.fibres[0]);
+  fabric.fibres[1].radius_um = 5;
+  fabric.yarns.push_back(fabric.yarns[0]);
+  fabric.yarns[1].fibre = 1;
+  fabric.weftSequence = {1};
+  fabric.fibres[0].absorption_per_mm = Rgb(40, 8, 2);
+  fabric.fibres[1].absorption_per_mm = Rgb(1, 30, 90);
+  return fabric;
+}
+
+/// The same scene in other colours, its paths ending where those of the first do.
+Scene dyed(Scene scene) {
+  scene.absorption_per_mm = {Rgb(0.5f, 3, 25), Rgb(300, 0, 12)};
+  return scene;
+}
+
+class Traced {
+ public:
+  explicit Traced(size_t bytes) : records(kSide, kSide, 2, bytes) {}
+  Traced(const Scene& scene, const Medium& medium, size_t bytes) : Traced(bytes) { bringTo(kSamples, scene, medium); }
+  void bringTo(uint32_t samples, const Scene& scene, const Medium& medium) {
+    const CameraRays camera(scene.fabric->camera, kSide, kSide);
+    renderUpTo(samples, scene, medium, camera, film, {0, 0, kSide, kSide}, Task{}, 0, &records);
+  }
+  Film film{kSide, kSide};
+  PathRecords records;
+};
+
+PathRecords::Sums at(const std::vector<PathRecords::Sums>& picture, int x, int y) {
+  return picture[static_cast<size_t>(y) * kSide + x];
+}
+
+void expectEqual(Rgb a, Rgb b) {
+  for (int c = 0; c < 3; ++c)
+    EXPECT_NEAR(a[c], b[c], 1e-6f * b[c] + 2 * 0x1p-24f);  // the film's quantum, rounded twice
+}
+
+// Invariant: colour is nothing but exponentials of lengths. A picture made from records and one traced in the new
+// colours are of the same paths, so they differ by rounding alone.
+TEST(PathRecords, RecolouredIsWhatTheSamePathsTracedInTheNewColoursBring) {
+  for (const LightKind light : {LightKind::dome, LightKind::sky, LightKind::headlight})
+    for (const Estimator estimator : {Estimator::none, Estimator::loomlight}) {
+      Fabric fabric = twoDyes(light);
+      fabric.render.estimator = estimator;
+      const auto scene = test::sceneOf(fabric);
+      const auto medium = makeMedium(*scene, 1e9, Task{});
+      const Traced first(*scene, *medium, kPlenty);
+      const Scene other = dyed(*scene);
+      const Traced second(other, *medium, kPlenty);
+      const auto recoloured = first.records.dyed({other.absorption_per_mm, Rgb(1)}, 2);
+      double change = 0;
+      for (int y = 0; y < kSide; ++y)
+        for (int x = 0; x < kSide; ++x) {
+          const PathRecords::Sums sums = at(recoloured, x, y);
+          ASSERT_EQ(sums.samples, kSamples);
+          expectEqual(sums.traced / float{kSamples}, first.film.mean(x, y));
+          expectEqual(sums.dyed / float{kSamples}, second.film.mean(x, y));
+          change += glm::length(sums.dyed - sums.traced);
+        }
+      EXPECT_GT(change, 10) << "the colours are others";
+    }
+}
+
+TEST(PathRecords, InItsOwnColoursIsTheFilm) {
+  const auto scene = test::sceneOf(twoDyes(LightKind::sky));
+  const auto medium = makeMedium(*scene, 1e9, Task{});
+  const Traced traced(*scene, *medium, kPlenty);
+  const auto same = traced.records.dyed({scene->absorption_per_mm, Rgb(1)}, 1);
+  const auto half = traced.records.dyed({scene->absorption_per_mm, Rgb(0.5f)}, 1);
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x) {
+      expectEqual(at(same, x, y).dyed, at(same, x, y).traced);
+      expectEqual(at(half, x, y).dyed, 0.5f * at(same, x, y).dyed);
+    }
+}
+
+TEST(PathRecords, WithLittleRoomKeepTheFirstSamplesOfAllPixelsAlike) {
+  const auto scene = test::sceneOf(twoDyes(LightKind::sky));
+  const auto medium = makeMedium(*scene, 1e9, Task{});
+  constexpr size_t kLittle = size_t{300} * kSide * kSide;
+  Traced traced(kLittle);
+  for (uint32_t samples = 1; samples <= kSamples; ++samples) {
+    traced.bringTo(samples, *scene, *medium);
+    EXPECT_LE(traced.records.bytes(), kLittle);
+  }
+  const uint32_t kept = traced.records.samples(0, 0);
+  ASSERT_GT(kept, 0u);
+  ASSERT_LT(kept, kSamples);
+  const auto picture = traced.records.dyed({scene->absorption_per_mm, Rgb(1)}, 1);
+  const CameraRays camera(scene->fabric->camera, kSide, kSide);
+  TraceCounts counts;
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x) {
+      EXPECT_EQ(at(picture, x, y).samples, kept);
+      Rgb first(0);
+      for (uint32_t i = 0; i < kept; ++i) {
+        const PathSample sample = tracePath(*scene, *medium, camera, x, y, i, counts);
+        first += sample.direct + sample.indirect;
+      }
+      expectEqual(at(picture, x, y).dyed, first);
+    }
+}
+
+TEST(PathRecords, WithoutRoomForOneSampleKeepNone) {
+  const auto scene = test::sceneOf(twoDyes(LightKind::sky));
+  const auto medium = makeMedium(*scene, 1e9, Task{});
+  const Traced traced(*scene, *medium, size_t{16} * kSide * kSide);
+  EXPECT_EQ(traced.records.samples(kSide / 2, kSide / 2), 0u);
+  EXPECT_EQ(traced.records.bytes(), 0u);
+}
+
+TEST(PathRecords, OfAPictureContinuedAreThoseOfOneRun) {
+  const auto scene = test::sceneOf(twoDyes(LightKind::dome));
+  const auto medium = makeMedium(*scene, 1e9, Task{});
+  const Traced whole(*scene, *medium, kPlenty);
+  Traced parts(kPlenty);
+  for (const uint32_t samples : {1u, 4u, kSamples}) parts.bringTo(samples, *scene, *medium);
+  const Dye dye{{Rgb(3), Rgb(70)}, Rgb(1)};
+  const auto a = parts.records.dyed(dye, 1), b = whole.records.dyed(dye, 2);
+  for (size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i].dyed, b[i].dyed);
+}
+
+}  // namespace
+}  // namespace loomlight

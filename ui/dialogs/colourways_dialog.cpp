@@ -1,0 +1,132 @@
+#include "ui/dialogs/colourways_dialog.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "core/fabric/model/colourways.h"
+#include "core/fabric/model/validate.h"
+#include "ui/widgets/fields.h"
+#include "ui/widgets/modal.h"
+#include "ui/widgets/yarn_colours.h"
+
+namespace loomlight {
+namespace {
+
+constexpr float kCardWidth = 232, kPictureHeight = 168, kSwatch = 14, kGap = 12;
+
+/// A name that no colourway has yet: the wish, or that with another number.
+std::string freshName(const Fabric& fabric, const std::string& wish) {
+  const auto taken = [&](const std::string& name) {
+    return std::any_of(fabric.colourways.begin(), fabric.colourways.end(),
+                       [&](const Colourway& colourway) { return colourway.name == name; });
+  };
+  const size_t end = wish.find_last_not_of("0123456789");
+  const bool numbered = end != std::string::npos && end > 0 && end + 1 < wish.size() && wish[end] == ' ';
+  const std::string stem = numbered ? wish.substr(0, end) : wish;
+  std::string name = wish;
+  for (int i = 2; taken(name); ++i) name = fmt::format("{} {}", stem, i);
+  return name;
+}
+
+}  // namespace
+
+void ColourwaysDialog::card(Ui& ui, int index, const char* name, ImTextureID picture,
+                            const std::vector<ImVec4>& colours) {
+  const ImVec2 min = ImGui::GetCursorScreenPos();
+  const float width = ui.px(kCardWidth), height = ui.px(kPictureHeight), line = ImGui::GetFrameHeight();
+  const std::string id = fmt::format("colourways.card_{}", index);
+  const ImVec2 max(min.x + width, min.y + height + line);
+  if (ImGui::InvisibleButton(id.c_str(), ImVec2(width, height + line))) chosen_ = index;
+  ui.probe.recordItem(id);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddRectFilled(min, max, packed(ui.theme.field), ui.px(4));
+  const ImVec2 corner(max.x, min.y + height);
+  if (picture)
+    draw.AddImageRounded(picture, min, corner, ImVec2(0, 0), ImVec2(1, 1), IM_COL32_WHITE, ui.px(4),
+                         ImDrawFlags_RoundCornersTop);
+  else
+    draw.AddRectFilled(min, corner, packed(ui.theme.surround), ui.px(4), ImDrawFlags_RoundCornersTop);
+  const float pad = ui.px(8), swatch = ui.px(kSwatch);
+  float x = max.x - pad - swatch * static_cast<float>(std::min<size_t>(colours.size(), 6));
+  const float y = corner.y + 0.5f * (line - swatch);
+  const std::string text = shortened(name, x - min.x - 2 * pad);
+  draw.AddText(ImVec2(min.x + pad, corner.y + 0.5f * (line - ImGui::GetFontSize())), packed(ui.theme.text),
+               text.c_str());
+  for (size_t i = 0; i < std::min<size_t>(colours.size(), 6); ++i, x += swatch)
+    draw.AddRectFilled(ImVec2(x, y), ImVec2(x + swatch, y + swatch), packed(colours[i]));
+  if (index == chosen_ || ImGui::IsItemHovered())
+    draw.AddRect(min, max, packed(index == chosen_ ? ui.theme.accent : ui.theme.textQuiet), ui.px(4), 0, ui.px(2));
+}
+
+void ColourwaysDialog::cards(Ui& ui, const Fabric& fabric, const std::vector<ImTextureID>& pictures, ImVec2 size) {
+  ImGui::BeginChild("cards", size);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(kGap), ui.px(kGap)));
+  const float room = ImGui::GetContentRegionAvail().x + ui.px(kGap);
+  const int perLine = std::max(1, static_cast<int>(room / ui.px(kCardWidth + kGap)));
+  const int count = static_cast<int>(fabric.colourways.size()) + 1;
+  for (int i = 0; i < count; ++i) {
+    if (i % perLine != 0) ImGui::SameLine();
+    const Colourway* const colourway = i > 0 ? &fabric.colourways[static_cast<size_t>(i - 1)] : nullptr;
+    const std::vector<ImVec4> colours = yarnColours(colourway ? inColourway(fabric, *colourway) : fabric);
+    card(ui, i, colourway ? colourway->name.c_str() : "As it is now", pictures[static_cast<size_t>(i)], colours);
+  }
+  ImGui::PopStyleVar();
+  ImGui::EndChild();
+}
+
+std::optional<Fabric> ColourwaysDialog::actions(Ui& ui, const Fabric& fabric) {
+  const bool kept = chosen_ > 0;
+  const bool room = static_cast<int>(fabric.colourways.size()) < kMaxKinds;
+  const auto index = static_cast<size_t>(std::max(0, chosen_ - 1));
+  std::optional<Fabric> edited;
+  const auto edit = [&]() -> Fabric& { return edited ? *edited : edited.emplace(fabric); };
+  // The row is there for the cloth as it is too, so that a choice moves nothing.
+  std::string name = kept ? fabric.colourways[index].name : "As it is now";
+  ImGui::BeginChild("name", ImVec2(ui.px(412), ImGui::GetFrameHeight()));
+  if (!kept) ImGui::BeginDisabled();
+  if (textField(ui, {"colourways.name", "Name", "What this colourway is called.", true}, name) && kept)
+    edit().colourways[index].name = name;
+  if (!kept) ImGui::EndDisabled();
+  ImGui::EndChild();
+  ImGui::Dummy(ImVec2(0, ui.px(4)));
+  const float width = ui.px(132);
+  if (button(ui, "colourways.keep", "Keep as it is", width, room, "Add the colours that the cloth has now")) {
+    edit().colourways.push_back(colourwayOf(fabric, freshName(fabric, "Colourway")));
+    chosen_ = static_cast<int>(edit().colourways.size());
+  }
+  ImGui::SameLine();
+  if (button(ui, "colourways.use", "Use", width, kept, "Dye the cloth in these colours"))
+    edited = inColourway(fabric, fabric.colourways[index]);
+  ImGui::SameLine();
+  if (button(ui, "colourways.copy", "Duplicate", width, kept && room, "Add another one that begins as this one")) {
+    Colourway copy = fabric.colourways[index];
+    copy.name = freshName(fabric, copy.name);
+    edit().colourways.insert(edit().colourways.begin() + static_cast<ptrdiff_t>(index) + 1, std::move(copy));
+    ++chosen_;
+  }
+  ImGui::SameLine();
+  if (button(ui, "colourways.remove", "Remove", width, kept)) {
+    edit().colourways.erase(edit().colourways.begin() + static_cast<ptrdiff_t>(index));
+    --chosen_;
+  }
+  ImGui::SameLine(ImGui::GetWindowWidth() - ui.px(16) - width);
+  if (button(ui, "colourways.close", "Close", width) || modalCancelled(ui)) {
+    open_ = false;
+    ImGui::CloseCurrentPopup();
+  }
+  return edited;
+}
+
+std::optional<Fabric> ColourwaysDialog::draw(Ui& ui, const Fabric& fabric, const std::vector<ImTextureID>& pictures) {
+  if (!open_) return std::nullopt;
+  chosen_ = std::clamp(chosen_, 0, static_cast<int>(fabric.colourways.size()));
+  if (!beginModal(ui, "Colourways", ImVec2(ui.px(768), ui.px(576)), open_, opening_)) return std::nullopt;
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  cards(ui, fabric, pictures, ImVec2(room.x, room.y - 2 * ImGui::GetFrameHeightWithSpacing() - ui.px(16)));
+  std::optional<Fabric> edited = actions(ui, fabric);
+  endModal();
+  return edited;
+}
+
+}  // namespace loomlight

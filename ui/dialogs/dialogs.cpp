@@ -1,0 +1,82 @@
+#include "ui/dialogs/dialogs.h"
+
+#include <fmt/core.h>
+#include <imgui_stdlib.h>
+
+#include "ui/widgets/member_fields.h"
+#include "ui/widgets/modal.h"
+
+namespace loomlight {
+void MessageDialog::show(std::string title, std::string text, std::vector<std::string> answers, int enter) {
+  title_ = std::move(title);
+  text_ = std::move(text);
+  answers_ = std::move(answers);
+  enter_ = enter;
+  open_ = opening_ = true;
+}
+
+std::optional<int> MessageDialog::draw(Ui& ui) {
+  if (!open_) return std::nullopt;
+  std::optional<int> answer;
+  if (!beginModal(ui, (title_ + "##message").c_str(), ImVec2(ui.px(480), 0), open_, opening_)) return 0;
+  ui.probe.fact("message", text_);
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(text_.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::Dummy(ImVec2(0, ui.px(8)));
+  const float width = ui.px(120);
+  const float count = static_cast<float>(answers_.size());
+  ImGui::SetCursorPosX(ImGui::GetWindowWidth() - ui.px(16) - count * width - (count - 1) * ui.px(8));
+  for (int i = 0; i < static_cast<int>(answers_.size()); ++i) {
+    if (i > 0) ImGui::SameLine();
+    const auto& press = i == enter_ ? mainButton : button;
+    if (press(ui, fmt::format("message.answer_{}", i).c_str(), answers_[static_cast<size_t>(i)].c_str(), width, true,
+              ""))
+      answer = i;
+  }
+  if (modalCancelled(ui)) answer = 0;
+  if (modalConfirmed(ui)) answer = enter_;
+  if (answer) {
+    open_ = false;
+    ImGui::CloseCurrentPopup();
+  }
+  endModal();
+  return answer;
+}
+
+void SnapshotDialog::show(const RenderSettings& settings, std::string file) {
+  settings_ = settings;
+  file_ = std::move(file);
+  open_ = opening_ = true;
+}
+
+SnapshotDialog::Result SnapshotDialog::draw(Ui& ui, const RenderJob& job) {
+  Result result;
+  if (!open_) return result;
+  if (!beginModal(ui, "Snapshot", ImVec2(ui.px(480), 0), open_, opening_)) {
+    result.cancel = job.running;
+    return result;
+  }
+  ImGui::BeginDisabled(job.running);
+  bool changed = snapshotOptionRows(ui, options_, settings_);
+  changed |= memberField(ui, "snapshot", settings_, &RenderSettings::samplesPerPixel);
+  textField(ui,
+            {"snapshot.file", "File",
+             "Where the picture goes: .png as the display shows it, .exr with all its light and layers"},
+            file_);
+  result.chooseFile = chooseFileButton(ui, "snapshot", file_);
+  ImGui::EndDisabled();
+  if (changed) result.settings = settings_;
+
+  const RenderJobAnswer answer = renderJobRows(ui, "snapshot", job, file_);
+  result.start = answer.start;
+  result.cancel = answer.cancel;
+  if (answer.close) {
+    open_ = false;
+    ImGui::CloseCurrentPopup();
+  }
+  endModal();
+  return result;
+}
+
+}  // namespace loomlight

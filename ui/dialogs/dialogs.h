@@ -1,0 +1,56 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/fabric/model/fabric.h"
+#include "ui/dialogs/render_job.h"
+#include "ui/viewport/snapshot_options.h"
+#include "ui/widgets/ui.h"
+
+namespace loomlight {
+
+/// Says something that must be read, with an answer or two.
+class MessageDialog {
+ public:
+  /// Answers from left to right; Escape is the first. Enter is number `enter`, which stands out: one that loses
+  /// nothing.
+  void show(std::string title, std::string text, std::vector<std::string> answers, int enter);
+  bool isOpen() const { return open_; }
+  /// Index of the answer, once.
+  std::optional<int> draw(Ui& ui);
+
+ private:
+  bool open_ = false, opening_ = false;
+  std::string title_, text_;
+  std::vector<std::string> answers_;
+  int enter_ = 0;
+};
+
+/// Size, samples and format of a picture to be rendered to a file, then its progress.
+class SnapshotDialog {
+ public:
+  struct Result {
+    std::optional<RenderSettings> settings;  ///< edited
+    bool chooseFile = false;
+    bool start = false;
+    bool cancel = false;
+  };
+  void show(const RenderSettings& settings, std::string file);
+  void setFile(std::string file) { file_ = std::move(file); }
+  const std::string& file() const { return file_; }
+  const RenderSettings& settings() const { return settings_; }
+  const SnapshotOptions& options() const { return options_; }
+  void setOptions(SnapshotOptions options) { options_ = std::move(options); }
+  bool isOpen() const { return open_; }
+  Result draw(Ui& ui, const RenderJob& job);
+
+ private:
+  bool open_ = false, opening_ = false;
+  RenderSettings settings_;
+  SnapshotOptions options_;
+  std::string file_;
+};
+
+}  // namespace loomlight

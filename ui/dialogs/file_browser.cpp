@@ -1,0 +1,243 @@
+#include "ui/dialogs/file_browser.h"
+
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+#include "ui/widgets/fields.h"
+#include "ui/widgets/modal.h"
+
+namespace loomlight {
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A folder with more than this is cut: the list must stay quick to make and to draw.
+constexpr size_t kMostEntries = 5000;
+constexpr float kPreviewWidth = 216;
+
+}  // namespace
+
+void FileBrowser::show(Purpose purpose, std::string title, std::vector<std::string> extensions, fs::path start,
+                       std::vector<Place> places) {
+  purpose_ = purpose;
+  title_ = std::move(title);
+  extensions_ = std::move(extensions);
+  places_ = std::move(places);
+  open_ = opening_ = true;
+  filter_.clear();
+  std::error_code ignored;
+  if (fs::is_directory(start, ignored)) {
+    enter(start);
+    typed_.clear();
+  } else {
+    enter(start.parent_path());
+    typed_ = start.filename().string();
+  }
+}
+
+bool FileBrowser::accepts(const fs::path& file) const {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  return std::find(extensions_.begin(), extensions_.end(), extension) != extensions_.end();
+}
+
+void FileBrowser::enter(const fs::path& folder) {
+  std::error_code error;
+  const fs::path absolute = fs::absolute(folder.empty() ? fs::path(".") : folder, error).lexically_normal();
+  std::vector<Entry> found;
+  for (fs::directory_iterator it(absolute, fs::directory_options::skip_permission_denied, error), end;
+       !error && it != end && found.size() < kMostEntries; it.increment(error)) {
+    const std::string name = it->path().filename().string();
+    if (name.empty() || name.front() == '.') continue;
+    std::error_code ignored;
+    const bool isFolder = it->is_directory(ignored);
+    if (isFolder || accepts(it->path())) found.push_back({name, isFolder});
+  }
+  problem_ = error ? error.message() + ": " + absolute.string() : std::string();
+  toReplace_.clear();
+  if (error) return;
+  std::sort(found.begin(), found.end(),
+            [](const Entry& a, const Entry& b) { return a.folder != b.folder ? a.folder : a.name < b.name; });
+  if (folder_ != absolute) filter_.clear();
+  folder_ = absolute;
+  entries_ = std::move(found);
+}
+
+fs::path FileBrowser::named() const {
+  return folder_ / typed_;  // an absolute path stays what it is
+}
+
+bool FileBrowser::passes(const Entry& entry) const {
+  const auto same = [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); };
+  return std::search(entry.name.begin(), entry.name.end(), filter_.begin(), filter_.end(), same) != entry.name.end();
+}
+
+void FileBrowser::step(int direction) {
+  std::vector<const std::string*> files;
+  for (const Entry& entry : entries_)
+    if (!entry.folder && passes(entry)) files.push_back(&entry.name);
+  if (files.empty()) return;
+  const auto last = static_cast<int>(files.size()) - 1;
+  const auto now = std::find_if(files.begin(), files.end(), [&](const std::string* name) { return *name == typed_; });
+  const int next = now == files.end() ? (direction > 0 ? 0 : last) : static_cast<int>(now - files.begin()) + direction;
+  typed_ = *files[static_cast<size_t>(std::clamp(next, 0, last))];
+  toReplace_.clear();
+  reveals_ = true;
+}
+
+void FileBrowser::drawHead(Ui& ui) {
+  const float gap = ui.px(16), left = ImGui::GetCursorPosX(), room = ImGui::GetContentRegionAvail().x;
+  const float width = std::min(ui.px(kPreviewWidth), 0.5f * room), path = room - width - gap;
+  ImGui::AlignTextToFramePadding();
+  ImGui::PushFont(ui.fonts.small);
+  ImGui::TextDisabled("%s", shortened(folder_.string(), path).c_str());
+  ImGui::PopFont();
+  ImGui::SameLine(left + path + gap);
+  ImGui::SetNextItemWidth(width);
+  ImGui::InputTextWithHint("##filter", "Show only names with\xE2\x80\xA6", &filter_);
+  ui.probe.recordItem("browser.filter");
+}
+
+void FileBrowser::drawPlaces(Ui& ui, float width, float height) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(8), ImGui::GetStyle().WindowPadding.y));
+  ImGui::BeginChild("places", ImVec2(width, height), false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+  ImGui::PopStyleVar();
+  std::optional<fs::path> chosen;
+  for (const Place& place : places_)
+    if (ImGui::Selectable(place.name.c_str(), place.path == folder_)) chosen = place.path;
+  ImGui::EndChild();
+  if (chosen) enter(*chosen);
+}
+
+bool FileBrowser::drawEntries(Ui& ui, float width, float height) {
+  ImGui::PushStyleColor(ImGuiCol_ChildBg, ui.theme.field);
+  ImGui::PushStyleColor(ImGuiCol_Header, ui.theme.fieldFill);
+  ImGui::BeginChild("entries", ImVec2(width, height), false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+  bool decided = false;
+  std::optional<fs::path> into;
+  if (folder_.has_parent_path() && folder_ != folder_.root_path() && ImGui::Selectable("\xE2\x86\x91  Up"))
+    into = folder_.parent_path();
+  std::vector<const Entry*> shown;
+  for (const Entry& entry : entries_)
+    if (passes(entry)) shown.push_back(&entry);
+  if (std::exchange(reveals_, false)) {
+    const auto at = std::find_if(shown.begin(), shown.end(), [&](const Entry* entry) { return entry->name == typed_; });
+    const float row = ImGui::GetTextLineHeightWithSpacing();
+    const float y = ImGui::GetCursorPosY() + row * static_cast<float>(at - shown.begin()) - ImGui::GetScrollY();
+    if (y < 0 || y + row > height) ImGui::SetScrollFromPosY(y);
+  }
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(shown.size()));
+  while (clipper.Step()) {
+    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+      const Entry& entry = *shown[static_cast<size_t>(i)];
+      const std::string label = entry.folder ? entry.name + "/" : entry.name;
+      if (ImGui::Selectable(label.c_str(), !entry.folder && entry.name == typed_,
+                            ImGuiSelectableFlags_AllowDoubleClick)) {
+        if (entry.folder) {
+          into = folder_ / entry.name;
+        } else {
+          typed_ = entry.name;
+          toReplace_.clear();
+          decided = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+        }
+      }
+    }
+  }
+  if (shown.empty()) hint(ui, entries_.empty() ? "Nothing here that this dialog can use." : "Nothing is called that.");
+  ImGui::EndChild();
+  ImGui::PopStyleColor(2);
+  if (into) enter(*into);
+  return decided;
+}
+
+std::optional<std::string> FileBrowser::decide(bool mayReplace) {
+  if (typed_.empty()) {
+    problem_ = "Type a name, or choose a file.";
+    return std::nullopt;
+  }
+  fs::path file = named();
+  std::error_code error;
+  if (fs::is_directory(file, error)) {
+    enter(file);
+    typed_.clear();
+    return std::nullopt;
+  }
+  if (purpose_ == Purpose::save && !accepts(file)) file += extensions_.front();
+  if (purpose_ == Purpose::open && !fs::exists(file, error)) {
+    problem_ = error ? error.message() + ": " + file.string() : "There is no " + file.string();
+    return std::nullopt;
+  }
+  if (purpose_ == Purpose::save && fs::exists(file, error) && (toReplace_ != file.string() || !mayReplace)) {
+    toReplace_ = file.string();
+    problem_ = file.filename().string() + " exists already.";
+    return std::nullopt;
+  }
+  return file.string();
+}
+
+void FileBrowser::drawName(Ui& ui, bool begin, bool& decided) {
+  ImGui::SetNextItemWidth(-1);
+  if (begin) ImGui::SetKeyboardFocusHere();
+  const std::string before = typed_;
+  // The arrows go through the list from where the name is typed.
+  const auto onArrow = [](ImGuiInputTextCallbackData* data) {
+    if (data->EventFlag != ImGuiInputTextFlags_CallbackHistory) return 0;
+    FileBrowser& browser = *static_cast<FileBrowser*>(data->UserData);
+    browser.typed_.assign(data->Buf, static_cast<size_t>(data->BufTextLen));
+    browser.step(data->EventKey == ImGuiKey_UpArrow ? -1 : 1);
+    data->DeleteChars(0, data->BufTextLen);
+    data->InsertChars(0, browser.typed_.c_str());
+    return 0;
+  };
+  std::string text = typed_;
+  decided |= ImGui::InputTextWithHint("##name", "File name or path", &text,
+                                      ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackHistory,
+                                      onArrow, this);
+  typed_ = text;
+  if (typed_ != before) toReplace_.clear();
+  ui.probe.recordItem("browser.name");
+}
+
+std::optional<std::string> FileBrowser::draw(Ui& ui, const FilePreview& preview) {
+  const bool begin = opening_;
+  if (!open_ || !beginModal(ui, title_.c_str(), ImVec2(ui.px(960), ui.px(560)), open_, opening_)) return std::nullopt;
+  drawHead(ui);
+  const float row = ImGui::GetFrameHeightWithSpacing(), gap = ui.px(16);
+  const float height = ImGui::GetContentRegionAvail().y - 3 * row;
+  drawPlaces(ui, ui.px(160), height);
+  ImGui::SameLine();
+  constexpr float kLeastList = 320;  // names come first where there is little room
+  const float room = ImGui::GetContentRegionAvail().x, list = room - ui.px(kPreviewWidth) - gap;
+  const bool previews = list >= ui.px(kLeastList);
+  bool decided = drawEntries(ui, previews ? list : room, height);
+  if (previews) {
+    ImGui::SameLine(0, gap);
+    drawFilePreview(ui, preview, ui.px(kPreviewWidth), height);
+  }
+  drawName(ui, begin, decided);
+  ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.warning);
+  ImGui::TextUnformatted(problem_.empty() ? " " : shortened(problem_, ImGui::GetContentRegionAvail().x).c_str());
+  ImGui::PopStyleColor();
+  const float width = ui.px(112);
+  ImGui::SetCursorPosX(ImGui::GetWindowWidth() - 2 * width - ui.px(24));
+  const bool close = button(ui, "browser.cancel", "Cancel", width) || modalCancelled(ui);
+  ImGui::SameLine();
+  const char* does = purpose_ == Purpose::open ? "Open" : toReplace_.empty() ? "Save" : "Replace";
+  const bool pressed = mainButton(ui, "browser.ok", does, width);
+  decided |= modalConfirmed(ui);
+  std::optional<std::string> file;
+  if (!close && (decided || pressed)) file = decide(pressed);
+  if (file || close) {
+    open_ = false;
+    ImGui::CloseCurrentPopup();
+  }
+  endModal();
+  return file;
+}
+
+}  // namespace loomlight

@@ -1,0 +1,95 @@
+#include "ui/dialogs/keys_dialog.h"
+
+#include <algorithm>
+#include <iterator>
+#include <span>
+
+#include "ui/widgets/field_row.h"
+#include "ui/widgets/modal.h"
+
+namespace loomlight {
+namespace {
+
+struct KeyLine {
+  const char* keys;
+  const char* meaning;
+};
+
+constexpr KeyLine kCloth[] = {
+    {"Drag", "Turn"},
+    {"Shift or Space + drag", "Move, as the middle button does"},
+    {"Wheel", "Nearer and further"},
+    {"Click", "Choose the yarn that is there"},
+    {"F", "Show the whole cloth"},
+    {"1, 2, 3", "From above, aslant, low"},
+    {"K", "Keep this view below"},
+    {"L", "Truth lens; Esc closes"},
+    {"N", "Denoised preview"},
+};
+constexpr KeyLine kDraft[] = {
+    {"Click, drag", "Turn crossings over"},
+    {"Right drag", "Weft over"},
+    {"Shift + drag", "Keep to a line"},
+    {"Space + drag", "Move, as the middle button does"},
+    {"Wheel", "Nearer and further"},
+    {"Shift+F", "Show the whole repeat"},
+    {"Ctrl + drag", "Select; Esc selects nothing"},
+    {"Right click while selecting", "What can be done"},
+    {"Ctrl+A", "Select the repeat"},
+    {"Ctrl+C, Ctrl+X, Ctrl+V", "Copy, cut, paste crossings"},
+    {"Ctrl+Shift+V", "Fill with what was copied"},
+    {"Delete, arrows, Ctrl+I", "Weft over, shift, invert"},
+};
+constexpr KeyLine kNumbers[] = {
+    {"Drag", "Change; Shift fine, Ctrl coarse"},
+    {"Click", "Type; Esc keeps the old one"},
+};
+constexpr KeyLine kEverywhere[] = {
+    {"Ctrl+N, Ctrl+O", "New, open"},
+    {"Ctrl+S, Ctrl+Shift+S", "Save, save as"},
+    {"Ctrl+Z, Ctrl+Shift+Z", "Undo, redo"},
+    {"Ctrl+P", "Snapshot"},
+    {"Ctrl+B", "Presets, by pictures"},
+    {"Tab, F11", "Hide panels, full screen"},
+    {"F1, ?", "This list"},
+    {"Ctrl+Q", "Quit"},
+};
+
+void group(Ui& ui, const char* title, std::span<const KeyLine> lines) {
+  heading(ui, title);
+  if (!ImGui::BeginTable(title, 2)) return;
+  ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthStretch, 0.46f);
+  ImGui::TableSetupColumn("meaning", ImGuiTableColumnFlags_WidthStretch, 0.54f);
+  for (const KeyLine& line : lines) {
+    ImGui::TableNextColumn();
+    tellIfClipped(ui, "keys", line.keys, ImGui::GetContentRegionAvail().x);
+    ImGui::TextDisabled("%s", line.keys);
+    ImGui::TableNextColumn();
+    tellIfClipped(ui, "keys", line.meaning, ImGui::GetContentRegionAvail().x);
+    ImGui::TextUnformatted(line.meaning);
+  }
+  ImGui::EndTable();
+}
+
+}  // namespace
+
+void KeysDialog::draw(Ui& ui) {
+  if (!open_ || !beginModal(ui, "Keys and mouse", ImVec2(ui.px(1080), 0), open_, opening_)) return;
+  const float row = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
+  const float height = row * static_cast<float>(std::size(kCloth) + std::size(kEverywhere)) + ui.px(88);
+  ImGui::BeginChild("keys.list", ImVec2(0, std::min(height, roomAboveButtons(ui))));
+  if (ImGui::BeginTable("keys", 2)) {
+    ImGui::TableNextColumn();
+    group(ui, "On the cloth", kCloth);
+    group(ui, "Everywhere", kEverywhere);
+    ImGui::TableNextColumn();
+    group(ui, "In the draft", kDraft);
+    group(ui, "On numbers", kNumbers);
+    ImGui::EndTable();
+  }
+  ImGui::EndChild();
+  if (closedBelow(ui, "keys.close")) open_ = false;
+  endModal();
+}
+
+}  // namespace loomlight

@@ -1,0 +1,153 @@
+#include "ui/dialogs/picture_dialog.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "ui/widgets/fields.h"
+#include "ui/widgets/modal.h"
+
+namespace loomlight {
+namespace {
+
+constexpr int kMostColours = 16, kMostFirstEnds = 1200;
+constexpr int kWarpOver = 0, kWeftOver = 1, kFirstShade = 2, kShades = 7;
+
+/// Uncut areas, the shades between weft and warp, and all that the palette of the draft offers.
+std::vector<Structure> assignable() {
+  std::vector<Structure> structures{{"Warp over", Weave(std::vector<Weave::Row>{{1}})},
+                                    {"Weft over", Weave(std::vector<Weave::Row>{{0}})}};
+  for (int raised = 1; raised <= kShades; ++raised)
+    structures.push_back({fmt::format("Shaded satin {}/8", raised), shadedSatin(8, 3, raised)});
+  for (Structure& structure : structurePalette()) structures.push_back(std::move(structure));
+  return structures;
+}
+
+ImU32 displayed(const Rgb8& c) {
+  return IM_COL32(c[0], c[1], c[2], 255);
+}
+
+}  // namespace
+
+void PictureDialog::await(std::string name) {
+  name_ = std::move(name);
+  source_.reset();
+  weaving_ = closing_ = false;
+  open_ = opening_ = true;
+}
+
+void PictureDialog::show(std::shared_ptr<const PictureSource> source, double aspect) {
+  source_ = std::move(source);
+  const Raster& raster = source_->raster;
+  aspect_ = aspect;
+  structures_ = assignable();
+  // A drawing in two colours is point paper: a crossing for each pixel.
+  const size_t few = source_->colours.few.size();
+  const bool isPaper = few == 1 || few == 2;
+  colours_ = isPaper ? 2 : 4;
+  ends_ = isPaper ? raster.width : std::min(raster.width, kMostFirstEnds);
+  picks_ = isPaper ? raster.height : proportionalPicks();
+  reducePalette();
+  if (isPaper && preview_.palette.size() == 2) assigned_ = {kWarpOver, kWeftOver};
+}
+
+int PictureDialog::proportionalPicks() const {
+  const double picks = ends_ / aspect_ * source_->raster.height / source_->raster.width;
+  return static_cast<int>(std::lround(std::clamp(picks, 1.0, static_cast<double>(Weave::kMaxSide))));
+}
+
+void PictureDialog::reducePalette() {
+  preview_ = reduced(source_->small, paletteOf(source_->colours, colours_));
+  assigned_.clear();
+  const int last = std::max(1, static_cast<int>(preview_.palette.size()) - 1);
+  for (int i = 0; i < static_cast<int>(preview_.palette.size()); ++i)
+    assigned_.push_back(kFirstShade + (kShades - 1) * (last - i) / last);
+}
+
+void PictureDialog::drawPreview(float size) const {
+  const ImVec2 min = ImGui::GetCursorScreenPos();
+  ImGui::Dummy(ImVec2(size, size));
+  const float pixel = size / static_cast<float>(std::max(preview_.width, preview_.height));
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  for (int y = 0; y < preview_.height; ++y)
+    for (int x = 0; x < preview_.width;) {
+      const uint8_t* row = &preview_.colourOf[static_cast<size_t>(y) * static_cast<size_t>(preview_.width)];
+      int end = x + 1;
+      while (end < preview_.width && row[end] == row[x]) ++end;
+      draw.AddRectFilled(ImVec2(min.x + pixel * static_cast<float>(x), min.y + pixel * static_cast<float>(y)),
+                         ImVec2(min.x + pixel * static_cast<float>(end), min.y + pixel * static_cast<float>(y + 1)),
+                         displayed(preview_.palette[row[x]]));
+      x = end;
+    }
+}
+
+void PictureDialog::drawFields(Ui& ui) {
+  hint(ui, fmt::format("{}: {} \xC3\x97 {} pixels", name_, source_->raster.width, source_->raster.height));
+  wholeNumberField(ui, {"picture.ends", "Ends", "How many ends the picture is wide: the repeat of the weave."}, "", 1,
+                   Weave::kMaxSide, ends_);
+  wholeNumberField(ui, {"picture.picks", "Picks", "How many picks it is high."}, "", 1, Weave::kMaxSide, picks_);
+  if (button(ui, "picture.proportions", "Picks in proportion", 0, true,
+             "As many picks as leave the picture its proportions, at the cloth's sett."))
+    picks_ = proportionalPicks();
+  if (wholeNumberField(ui, {"picture.colours", "Colours", "That are told apart."}, "", 1, kMostColours, colours_))
+    reducePalette();
+  ImGui::Dummy(ImVec2(0, ui.px(4)));
+  std::vector<const char*> names;
+  for (const Structure& structure : structures_) names.push_back(structure.name.c_str());
+  for (size_t i = 0; i < preview_.palette.size(); ++i) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float height = ImGui::GetFrameHeight();
+    const std::string share = fmt::format("         {:.0f} %", 100 * preview_.shares[i]);
+    choiceField(ui,
+                {fmt::format("picture.structure_{}", i), share.c_str(), "What is woven in the place of this colour."},
+                names, assigned_[i]);
+    ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(at.x, at.y + ui.px(2)),
+                                              ImVec2(at.x + ui.px(24), at.y + height - ui.px(2)),
+                                              displayed(preview_.palette[i]), ui.px(3));
+  }
+}
+
+PictureOrder PictureDialog::order() const {
+  PictureOrder order{source_, ends_, picks_, preview_.palette, {}};
+  for (const int structure : assigned_) order.structures.push_back(structures_[static_cast<size_t>(structure)].weave);
+  return order;
+}
+
+std::optional<PictureOrder> PictureDialog::draw(Ui& ui) {
+  if (!open_ || !beginModal(ui, "Weave from a picture", ImVec2(ui.px(720), 0), open_, opening_)) return std::nullopt;
+  const float side = ui.px(340);
+  if (source_) {
+    ImGui::BeginDisabled(weaving_);
+    drawPreview(side);
+    ImGui::SameLine(0, ui.px(16));
+    ImGui::BeginChild("picture.fields", ImVec2(0, side));
+    drawFields(ui);
+    ImGui::EndChild();
+    ImGui::EndDisabled();
+    ui.probe.fact("picture.colours", std::to_string(preview_.palette.size()));
+  } else {
+    ImGui::BeginChild("picture.reading", ImVec2(0, side));
+    hint(ui, fmt::format("{} is being read\xE2\x80\xA6", name_));
+    ImGui::EndChild();
+  }
+  ui.probe.fact("picture.state", !source_ ? "reading" : weaving_ ? "weaving" : "ready");
+  const float width = ui.px(120);
+  ImGui::SetCursorPosX(ImGui::GetWindowWidth() - 2 * width - ui.px(24));
+  const bool cancelled = button(ui, "picture.close", "Cancel", width) || modalCancelled(ui);
+  ImGui::SameLine();
+  const bool canWeave = source_ && !weaving_;
+  const bool weaves = mainButton(ui, "picture.weave", weaving_ ? "Weaving\xE2\x80\xA6" : "Weave", width, canWeave) ||
+                      (canWeave && modalConfirmed(ui));
+  if (cancelled || std::exchange(closing_, false)) {
+    open_ = false;
+    ImGui::CloseCurrentPopup();
+  }
+  endModal();
+  if (!weaves) return std::nullopt;
+  weaving_ = true;
+  return order();
+}
+
+}  // namespace loomlight

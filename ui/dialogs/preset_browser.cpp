@@ -1,0 +1,155 @@
+#include "ui/dialogs/preset_browser.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cctype>
+#include <sstream>
+
+#include "ui/widgets/fields.h"
+#include "ui/widgets/modal.h"
+
+namespace loomlight {
+namespace {
+
+constexpr float kCardWidth = 168, kPictureHeight = 120, kGap = 12;
+
+std::string lowerCase(const std::string& text) {
+  std::string lower = text;
+  std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
+  return lower;
+}
+
+}  // namespace
+
+bool matchesSearch(const std::string& text, const std::string& search) {
+  std::istringstream wanted(lowerCase(search));
+  for (std::string beginning; wanted >> beginning;) {
+    std::istringstream words(lowerCase(text));
+    bool found = false;
+    for (std::string word; words >> word;) found |= word.compare(0, beginning.size(), beginning) == 0;
+    if (!found) return false;
+  }
+  return true;
+}
+
+void PresetBrowser::head(Ui& ui) {
+  static constexpr const char* kKinds[] = {"Fabrics", "Yarns", "Fibres", "Colours"};
+  int kind = static_cast<int>(kind_);
+  ImGui::BeginChild("kind", ImVec2(ui.px(400), ImGui::GetFrameHeight()));
+  if (segmentField(ui,
+                   {"presets.kind", "Show", "Yarns bring their fibre along; colours are those of all fibres.", true},
+                   kKinds, kind))
+    chosen_.clear();
+  ImGui::EndChild();
+  kind_ = static_cast<PresetKind>(kind);
+  ImGui::SameLine(0, ui.px(24));
+  textField(
+      ui,
+      {"presets.search", "Search", "Beginnings of words in names, descriptions and tags, such as: cotton twi", true},
+      search_);
+}
+
+void PresetBrowser::card(Ui& ui, size_t index, const PresetCard& card) {
+  const ImVec2 min = ImGui::GetCursorScreenPos();
+  const float width = ui.px(kCardWidth), height = ui.px(kPictureHeight), line = ImGui::GetFrameHeight();
+  const ImVec2 max(min.x + width, min.y + height + line), corner(max.x, min.y + height);
+  const std::string id = "presets.card/" + card.name;
+  ImGui::PushID(static_cast<int>(index));
+  if (ImGui::InvisibleButton("card", ImVec2(width, height + line)) && chosen_ != card.name) {
+    chosen_ = card.name;
+    newName_ = card.name;
+    newTags_ = card.tags;
+  }
+  ImGui::PopID();
+  ui.probe.recordItem(id);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddRectFilled(min, max, packed(ui.theme.field), ui.px(4));
+  if (card.picture)
+    draw.AddImageRounded(card.picture, min, corner, ImVec2(0, 0), ImVec2(1, 1), IM_COL32_WHITE, ui.px(4),
+                         ImDrawFlags_RoundCornersTop);
+  else
+    draw.AddRectFilled(min, corner, packed(ui.theme.surround), ui.px(4), ImDrawFlags_RoundCornersTop);
+  const std::string text = shortened(card.name, width - ui.px(16));
+  draw.AddText(ImVec2(min.x + ui.px(8), corner.y + 0.5f * (line - ImGui::GetFontSize())),
+               packed(card.own ? ui.theme.text : ui.theme.textQuiet), text.c_str());
+  const bool chosen = chosen_ == card.name;
+  if (chosen || ImGui::IsItemHovered())
+    draw.AddRect(min, max, packed(chosen ? ui.theme.accent : ui.theme.textQuiet), ui.px(4), 0, ui.px(2));
+  const std::string about = card.tags.empty() ? card.about : card.about + "\nTags: " + card.tags;
+  tooltipFor(ui, id.c_str(), min, max, about.c_str());
+}
+
+void PresetBrowser::grid(Ui& ui, const std::vector<PresetCard>& cards, PresetBrowserEdit& edit) {
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(kGap), ui.px(kGap)));
+  const float room = ImGui::GetContentRegionAvail().x + ui.px(kGap);
+  const int perLine = std::max(1, static_cast<int>(room / ui.px(kCardWidth + kGap)));
+  int shown = 0;
+  for (size_t i = 0; i < cards.size(); ++i) {
+    if (!matchesSearch(cards[i].name + " " + cards[i].about + " " + cards[i].tags, search_)) continue;
+    if (shown++ % perLine != 0) ImGui::SameLine();
+    card(ui, i, cards[i]);
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) edit.use = i;
+  }
+  ImGui::PopStyleVar();
+  if (shown == 0) hint(ui, cards.empty() ? "One moment\xE2\x80\xA6" : "Nothing is called that.");
+}
+
+void PresetBrowser::actions(Ui& ui, const std::vector<PresetCard>& cards, const std::string& lastChange,
+                            PresetBrowserEdit& edit) {
+  const auto found =
+      std::find_if(cards.begin(), cards.end(), [&](const PresetCard& card) { return card.name == chosen_; });
+  const bool any = found != cards.end(), own = any && found->own;
+  const auto index = static_cast<size_t>(found - cards.begin());
+  const float width = ui.px(96);
+  const ImVec2 field(0.5f * (ImGui::GetContentRegionAvail().x - ui.px(24)) - ui.px(8) - width, ImGui::GetFrameHeight());
+  ImGui::BeginChild("name", field);
+  textField(ui, {"presets.name", "Name", "Of the chosen one; Rename gives it this name.", true}, newName_);
+  ImGui::EndChild();
+  ImGui::SameLine();
+  if (button(ui, "presets.rename", "Rename", width, own && !newName_.empty() && newName_ != chosen_)) {
+    edit.rename = {index, newName_};
+    chosen_ = newName_;
+  }
+  ImGui::SameLine(0, ui.px(24));
+  ImGui::BeginChild("tags", field);
+  textField(
+      ui, {"presets.tags", "Tags", "Words to find the chosen one by; Tag keeps them. Any preset can have some.", true},
+      newTags_);
+  ImGui::EndChild();
+  ImGui::SameLine();
+  if (button(ui, "presets.tag", "Tag", width, any && newTags_ != found->tags)) edit.tag = {index, newTags_};
+  const bool enter = any && modalConfirmed(ui);
+  if (mainButton(ui, "presets.use", "Use", width, any, "Double click and Enter do it too") || enter) edit.use = index;
+  ImGui::SameLine();
+  if (button(ui, "presets.keep", "Keep this", width, true, "Keep what the cloth has now")) edit.keep = true;
+  ImGui::SameLine();
+  if (button(ui, "presets.duplicate", "Duplicate", width, any)) edit.duplicate = index;
+  ImGui::SameLine();
+  if (button(ui, "presets.remove", "Remove", width, own)) edit.remove = index;
+  ImGui::SameLine();
+  if (button(ui, "presets.undo", "Undo", width, !lastChange.empty(), lastChange.c_str())) edit.undo = true;
+  ImGui::SameLine(ImGui::GetWindowWidth() - ui.px(16) - width);
+  if (button(ui, "presets.close", "Close", width) || modalCancelled(ui) || edit.use) {
+    open_ = false;
+    ImGui::CloseCurrentPopup();
+  }
+}
+
+PresetBrowserEdit PresetBrowser::draw(Ui& ui, const std::vector<PresetCard>& cards, const std::string& lastChange,
+                                      const std::string& problem) {
+  PresetBrowserEdit edit;
+  if (!open_ || !beginModal(ui, "Presets", ImVec2(ui.px(756), ui.px(600)), open_, opening_)) return edit;
+  head(ui);
+  const float below = 2 * ImGui::GetFrameHeightWithSpacing() + ui.px(28);
+  ImGui::BeginChild("grid", ImVec2(0, ImGui::GetContentRegionAvail().y - below));
+  grid(ui, cards, edit);
+  ImGui::EndChild();
+  hint(ui, problem.empty() ? lastChange.empty() ? " " : lastChange : problem);
+  ui.probe.fact("presets.problem", problem);
+  actions(ui, cards, lastChange, edit);
+  endModal();
+  return edit;
+}
+
+}  // namespace loomlight

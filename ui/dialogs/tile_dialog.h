@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+
+#include "ui/dialogs/render_job.h"
+#include "ui/widgets/ui.h"
+
+namespace loomlight {
+
+/// A seamless tile for other programs: its size, where it goes, then its progress.
+class TileDialog {
+ public:
+  struct Result {
+    bool chooseFile = false, start = false, cancel = false;
+  };
+  void show(std::string file);
+  bool isOpen() const { return open_; }
+  void setFile(std::string file) { file_ = std::move(file); }
+  /// The sidecar's name, which the maps are named after.
+  const std::string& file() const { return file_; }
+  int longestSide() const { return longestSide_; }
+  int samplesPerPixel() const { return samplesPerPixel_; }
+  Result draw(Ui& ui, const RenderJob& job);
+
+ private:
+  bool open_ = false, opening_ = false;
+  std::string file_;
+  int longestSide_ = 1024, samplesPerPixel_ = 128;
+};
+
+}  // namespace loomlight

@@ -1,0 +1,115 @@
+#include "ui/dialogs/wif_dialog.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/widgets/field_row.h"
+#include "ui/widgets/modal.h"
+
+namespace loomlight {
+namespace {
+
+std::string shown(const std::optional<double>& value, const char* unit, int decimals) {
+  return value ? fmt::format("{:.{}f} {}", *value, decimals, unit) : std::string("\xE2\x80\x93");
+}
+
+/// The sizes between which is chosen, each below its name in the row above.
+void sizeRows(Ui& ui, const WifDialog::Content& content, WifSizeChoice chosen) {
+  const float all = ImGui::GetContentRegionAvail().x, labels = std::floor(kLabelShare * all);
+  const float left = ImGui::GetCursorPosX() + labels, half = 0.5f * (all - labels);
+  const auto size = [&](int column, const std::string& text, bool counts) {
+    const float inset = 0.5f * (half - ImGui::CalcTextSize(text.c_str()).x);
+    ImGui::SameLine(left + static_cast<float>(column) * half + inset);
+    ImGui::TextColored(counts ? ui.theme.text : ui.theme.textQuiet, "%s", text.c_str());
+  };
+  const auto row = [&](const char* what, std::optional<double> WifSett::* member, const char* unit, int decimals) {
+    ImGui::TextDisabled("%s", what);
+    size(0, shown(content.mine.*member, unit, decimals), chosen == WifSizeChoice::keep);
+    size(1, shown(content.file.*member, unit, decimals), chosen == WifSizeChoice::file);
+  };
+  row("Ends", &WifSett::ends_per_cm, "/cm", 1);
+  row("Picks", &WifSett::picks_per_cm, "/cm", 1);
+  row("Warp yarn", &WifSett::warpDiameter_mm, "mm", 2);
+  row("Weft yarn", &WifSett::weftDiameter_mm, "mm", 2);
+}
+
+/// Each with its place in the file below it.
+void warningRows(Ui& ui, const std::vector<WifWarning>& warnings) {
+  ImGui::Dummy(ImVec2(0, ui.px(4)));
+  heading(ui, warnings.size() == 1 ? "One thing in the file was read as it was probably meant"
+                                   : "Some things in the file were read as they were probably meant");
+  const ImVec2 spacing = ImGui::GetStyle().ItemSpacing;
+  const float inner = ImGui::GetContentRegionAvail().x - ui.px(24);
+  float height = ui.px(16);
+  for (const WifWarning& warning : warnings)
+    height += ImGui::CalcTextSize(warning.sentence.c_str(), nullptr, false, inner).y +
+              (warning.place.empty() ? 1.0f : 2.5f) * ImGui::GetTextLineHeightWithSpacing();
+  ImGui::PushStyleColor(ImGuiCol_ChildBg, ui.theme.field);
+  ImGui::BeginChild("wif.warnings", ImVec2(0, std::min({height, ui.px(200), roomAboveButtons(ui)})), false,
+                    ImGuiWindowFlags_AlwaysUseWindowPadding);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(spacing.x, ui.px(2)));
+  for (const WifWarning& warning : warnings) {
+    ImGui::TextWrapped("%s", warning.sentence.c_str());
+    if (!warning.place.empty()) hint(ui, warning.place);
+    ImGui::Dummy(ImVec2(0, ui.px(6)));
+  }
+  ImGui::PopStyleVar();
+  ImGui::EndChild();
+  ImGui::PopStyleColor();
+}
+
+bool says(const WifSett& sett) {
+  return sett.ends_per_cm || sett.picks_per_cm || sett.warpDiameter_mm || sett.weftDiameter_mm;
+}
+
+}  // namespace
+
+void WifDialog::show(Content content) {
+  content_ = std::move(content);
+  sizes_ = WifSizeChoice::keep;
+  open_ = opening_ = true;
+  closing_ = false;
+}
+
+std::optional<WifSizeChoice> WifDialog::draw(Ui& ui) {
+  if (!open_ || !beginModal(ui, "Weaving file", ImVec2(ui.px(600), 0), open_, opening_)) return std::nullopt;
+  std::optional<WifSizeChoice> changed;
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(content_.summary.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::Dummy(ImVec2(0, ui.px(4)));
+  if (says(content_.file)) {
+    static constexpr const char* kNames[] = {"Keep mine", "Use the file's"};
+    int chosen = static_cast<int>(sizes_);
+    if (segmentField(
+            ui,
+            {"wif.sizes", "Sett and thickness",
+             "Most programs write a default of their own here, whatever the cloth. Thick and thin threads keep "
+             "their proportions either way."},
+            kNames, chosen)) {
+      sizes_ = static_cast<WifSizeChoice>(chosen);
+      changed = sizes_;
+    }
+    sizeRows(ui, content_, sizes_);
+    // Laid out even when it does not count, so that the dialog keeps its size.
+    ImVec4 ink = ui.theme.warning;
+    if (sizes_ == WifSizeChoice::keep) ink.w = 0;
+    for (const WifWarning& warning : content_.beyond) hint(ui, warning.sentence, ink);
+  } else {
+    hint(ui, "It says nothing of sett and thickness; those of your cloth are kept.");
+  }
+  if (!content_.warnings.empty()) warningRows(ui, content_.warnings);
+  ui.probe.fact("wif.warnings", std::to_string(content_.warnings.size()));
+  ImGui::Dummy(ImVec2(0, ui.px(4)));
+  ImGui::SetCursorPosX(ImGui::GetWindowWidth() - ui.px(136));
+  if (mainButton(ui, "wif.close", "Close", ui.px(120)) || modalCancelled(ui) || modalConfirmed(ui) || closing_) {
+    open_ = false;
+    ImGui::CloseCurrentPopup();
+  }
+  endModal();
+  return closing_ ? std::nullopt : changed;
+}
+
+}  // namespace loomlight

@@ -1,0 +1,68 @@
+#include "ui/draft/colour_order_tools.h"
+
+#include <algorithm>
+
+#include "core/fabric/model/validate.h"
+#include "ui/widgets/fields.h"
+
+namespace loomlight {
+namespace {
+
+/// How many threads of each yarn there are: stripes by chance keep these proportions.
+std::vector<double> weightsOf(const std::vector<int>& sequence, size_t yarns) {
+  std::vector<double> weights(yarns, 0);
+  for (const int yarn : sequence) weights[static_cast<size_t>(yarn)] += 1;
+  // One yarn alone makes no stripes: all take part then.
+  if (std::count_if(weights.begin(), weights.end(), [](double w) { return w > 0; }) < 2)
+    std::fill(weights.begin(), weights.end(), 1);
+  return weights;
+}
+
+void stripeFields(Ui& ui, StripeChance& stripes) {
+  wholeNumberField(ui, {"order.threads", "Threads", "How many threads the order has until it repeats"}, "", 2, 4096,
+                   stripes.threads);
+  if (wholeNumberField(ui, {"order.narrowest", "Narrowest stripe", "Threads that a stripe has at least"}, "", 1, 512,
+                       stripes.narrowest))
+    stripes.widest = std::max(stripes.widest, stripes.narrowest);
+  if (wholeNumberField(ui, {"order.widest", "Widest stripe", "Threads that a stripe has at most"}, "", 1, 512,
+                       stripes.widest))
+    stripes.narrowest = std::min(stripes.narrowest, stripes.widest);
+}
+
+}  // namespace
+
+std::optional<Fabric> colourOrderTools(Ui& ui, const Fabric& fabric, ColourOrderView& view) {
+  static constexpr const char* kSystems[] = {"Warp", "Weft"};
+  int system = view.weft ? 1 : 0;
+  segmentField(ui, {"order.system", "Change the", "Whose colour order the tools below work on."}, kSystems, system);
+  view.weft = system == 1;
+  const std::vector<int>& own = view.weft ? fabric.weftSequence : fabric.warpSequence;
+  const std::vector<int>& other = view.weft ? fabric.warpSequence : fabric.weftSequence;
+  std::optional<std::vector<int>> made;
+  const float half = 0.5f * (ImGui::GetContentRegionAvail().x - ui.px(8));
+  if (button(ui, "order.mirror", "Mirror", half, own.size() > 2 && 2 * own.size() - 2 <= kMaxSequence,
+             "There and back again, turning on the outermost threads"))
+    made = mirrored(own);
+  ImGui::SameLine();
+  if (button(ui, "order.reverse", "Reverse", half, own.size() > 1, "From the other side")) made = reversed(own);
+  if (button(ui, "order.widen", "Twice as wide", half, 2 * own.size() <= kMaxSequence, "Every thread twice"))
+    made = widened(own, 2);
+  ImGui::SameLine();
+  if (button(ui, "order.copy", view.weft ? "As the warp" : "As the weft", half, own != other,
+             "The same order both ways, as in a tartan"))
+    made = other;
+
+  heading(ui, "Stripes by chance");
+  if (button(ui, "order.random", "Draw stripes", -1, fabric.yarns.size() > 1,
+             "Another order each time, with as much of each yarn as the present one; undo brings back the last")) {
+    made = randomStripes(weightsOf(own, fabric.yarns.size()), view.stripes);
+    ++view.stripes.seed;
+  }
+  stripeFields(ui, view.stripes);
+  if (!made) return std::nullopt;
+  Fabric edited = fabric;
+  (view.weft ? edited.weftSequence : edited.warpSequence) = std::move(*made);
+  return edited;
+}
+
+}  // namespace loomlight

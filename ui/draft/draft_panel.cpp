@@ -1,0 +1,75 @@
+#include "ui/draft/draft_panel.h"
+
+#include <algorithm>
+
+#include "ui/widgets/panel_controls.h"
+#include "ui/widgets/preset_list.h"
+
+namespace loomlight {
+namespace {
+
+/// How the draft is used and seen.
+void panelHead(Ui& ui, DraftView& view) {
+  const float gap = ui.px(4);
+  bool selects = view.tool == DraftView::Tool::select;
+  toggleButton(
+      ui, "draft.select", "Select",
+      "Drag pulls a rectangle, to be copied, mirrored or given a structure; the right button lists what can be "
+      "done. Ctrl+drag selects at any time.",
+      selects);
+  view.tool = selects ? DraftView::Tool::select : DraftView::Tool::draw;
+  ImGui::SameLine(0, gap);
+  toggleButton(ui, "draft.colour", "Colour", "The yarn that lies on top; else point paper: dark is warp over.",
+               view.inColour);
+  ImGui::SameLine(0, gap);
+  toggleButton(ui, "draft.back", "Back", "The cloth from behind, turned over like a page.", view.back);
+  ImGui::SameLine(0, gap);
+  toggleButton(ui, "draft.floats", "Floats", "Marks threads that float further than the length set under Loom.",
+               view.marksFloats);
+}
+
+}  // namespace
+
+std::optional<Fabric> draftPanel(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& yarnColours,
+                                 DraftPreferences& preferences, DraftView& view, std::optional<CrossingIndex> lit) {
+  panelHead(ui, view);
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  // What stands below keeps its place: tabs, a page, and the presets. Of a tall window all three get more; in a low one
+  // the draft comes before presets, which have their dialog too.
+  const float spare = room.y - ui.px(720);
+  const float page = ui.px(190) + 0.25f * std::max(0.0f, spare);
+  const float presets = spare > 0 ? ui.px(kLowestPresetList) + 0.25f * spare : 0;
+  const float below = 2 * ImGui::GetFrameHeightWithSpacing() + ui.px(24) + page + presets;
+  const float height = std::max(ui.px(180), std::min(1.3f * room.x, room.y - below));
+  std::optional<Fabric> edited = draftCanvas(ui, fabric, yarnColours, preferences, view, lit, ImVec2(room.x, height));
+
+  static constexpr const char* kPages[] = {"Structures", "Loom", "Colours"};
+  static constexpr const char* kIds[] = {"draft.tab_structures", "draft.tab_loom", "draft.tab_colours"};
+  int open = static_cast<int>(view.page);
+  pageTabs(ui, kPages, kIds, open);
+  view.page = static_cast<DraftView::Page>(open);
+  const float left = std::max(page, ImGui::GetContentRegionAvail().y - presets);
+  // The scroll bar lives in the panel's margin, always, so that rows are as wide on a page that needs none.
+  const float margin = ImGui::GetStyle().ScrollbarSize;
+  ImGui::PushStyleColor(ImGuiCol_ScrollbarGrab, view.pageScrolls ? ui.theme.fieldFill : ImVec4(0, 0, 0, 0));
+  ImGui::BeginChild(kPages[open], ImVec2(room.x + margin, left), false,
+                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysVerticalScrollbar);
+  ImGui::PopStyleColor();
+  view.pageScrolls = ImGui::GetScrollMaxY() > 0;
+  std::optional<Fabric> paged;
+  switch (view.page) {
+    case DraftView::Page::structures:
+      paged = structurePage(ui, fabric, preferences, view);
+      break;
+    case DraftView::Page::loom:
+      paged = loomPage(ui, fabric, preferences, view);
+      break;
+    case DraftView::Page::colours:
+      paged = orderPage(ui, fabric, view);
+      break;
+  }
+  ImGui::EndChild();
+  return paged ? std::move(paged) : std::move(edited);
+}
+
+}  // namespace loomlight

@@ -1,0 +1,82 @@
+#include "ui/inspector/cloth_colour.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "ui/widgets/field_row.h"
+
+namespace loomlight {
+namespace {
+
+/// Wanted on the left, what is there on the right, edge to edge, as one compares swatches.
+void comparisonRow(Ui& ui, const std::optional<Rgb>& wanted, const ClothColourModel& model) {
+  const RowText text{"fibre.cloth_colour_reached", "Wanted, reached",
+                     "The colour asked for on the left, the cloth's on the right, seen from straight above in white "
+                     "light from the sky over black."};
+  const FieldRow row = beginRow(ui, text);
+  const ImVec2 min = ImGui::GetCursorScreenPos(), max(min.x + row.width, min.y + row.height);
+  const float middle = std::floor(0.5f * (min.x + max.x));
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const float rounding = ImGui::GetStyle().FrameRounding;
+  draw.AddRectFilled(min, max, packed(ui.theme.field), rounding);
+  const bool known = model.state == ClothColourModel::State::known;
+  if (wanted)
+    draw.AddRectFilled(min, ImVec2(middle, max.y), packed(toDisplayColour(*wanted)), rounding,
+                       ImDrawFlags_RoundCornersLeft);
+  if (known)
+    draw.AddRectFilled(ImVec2(middle, min.y), max, packed(toDisplayColour(model.colour)), rounding,
+                       ImDrawFlags_RoundCornersRight);
+  ImGui::Dummy(ImVec2(row.width, row.height));
+  endRow(ui, text, min, max);
+}
+
+std::string remark(const ClothColourModel& model, bool wanted) {
+  switch (model.state) {
+    case ClothColourModel::State::measuring:
+      return "Measuring what light does in this cloth.";
+    case ClothColourModel::State::hidden:
+      return "This fibre never lies on the face, so it shows no colour.";
+    case ClothColourModel::State::failed:
+      return "The colour of this cloth cannot be measured.";
+    case ClothColourModel::State::known:
+      break;
+  }
+  if (!wanted) return "Pick the colour that the cloth should have.";
+  const std::string off = fmt::format("off by {:.1f} (CIEDE2000)", model.difference);
+  if (model.tooLight && model.tooDark) return "Not to be had of this fibre; the nearest is " + off + ".";
+  if (model.tooLight) return "Lighter than this cloth can be, light comes through: the nearest is " + off + ".";
+  if (model.tooDark) return "Darker than fibres can be, they mirror: the nearest is " + off + ".";
+  return model.difference < 1 ? "Reached: " + off + "." : "The cloth has changed since, and is " + off + ".";
+}
+
+}  // namespace
+
+void clothColourRows(Ui& ui, int fibre, const ClothColourModel& model, ClothColourView& view) {
+  const auto found = view.wanted.find(fibre);
+  const std::optional<Rgb> wanted = found == view.wanted.end() ? std::nullopt : std::optional(found->second);
+  const bool known = model.state == ClothColourModel::State::known;
+  // Until the cloth's colour is known the swatch is an empty field: black would be a colour.
+  Rgb colour = wanted.value_or(known ? model.colour : toLinearColour(ui.theme.field));
+  if (colourField(ui,
+                  {"fibre.cloth_colour", "In this cloth",
+                   "The colour that the cloth should have where this fibre lies on top. The dye for it is found by "
+                   "walking light through this very construction."},
+                  colour) &&
+      known) {
+    view.wanted[fibre] = colour;
+    ++view.wish;
+  }
+  comparisonRow(ui, wanted, model);
+  // Two lines are kept free, so that what is said moves nothing.
+  const float top = ImGui::GetCursorPosY();
+  ImGui::PushFont(ui.fonts.small);
+  const float room = 2 * ImGui::GetTextLineHeightWithSpacing();
+  ImGui::PopFont();
+  const std::string said = remark(model, wanted.has_value());
+  hint(ui, said);
+  ui.probe.fact("fibre.cloth_colour_remark", said);
+  ImGui::SetCursorPosY(top + room);
+}
+
+}  // namespace loomlight

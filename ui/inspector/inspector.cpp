@@ -1,0 +1,66 @@
+#include "ui/inspector/inspector.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "ui/widgets/fields.h"
+#include "ui/widgets/panel_controls.h"
+
+namespace loomlight {
+void yarnChooser(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& colours, int& yarn, const char* prefix) {
+  const float size = ui.px(28), all = ImGui::GetContentRegionAvail().x;
+  const int perLine = std::max(1, static_cast<int>((all + ui.px(4)) / (size + ui.px(4))));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(4), ui.px(4)));
+  for (int i = 0; i < static_cast<int>(fabric.yarns.size()); ++i) {
+    if (i % perLine != 0) ImGui::SameLine();
+    const std::string id = fmt::format("{}.yarn_{}", prefix, i);
+    if (swatch(ui, id.c_str(), colours[static_cast<size_t>(i)], size, i == yarn,
+               fabric.yarns[static_cast<size_t>(i)].name.c_str()))
+      yarn = i;
+  }
+  ImGui::PopStyleVar();
+}
+
+int shownFibre(const Fabric& fabric, const InspectorView& view) {
+  const Yarn& yarn = fabric.yarns[std::min(static_cast<size_t>(view.yarn), fabric.yarns.size() - 1)];
+  return view.secondFibre && yarn.blendFibre ? *yarn.blendFibre : yarn.fibre;
+}
+
+InspectorResult inspector(Ui& ui, const Fabric& fabric, const InspectorModel& model, InspectorView& view) {
+  view.yarn = std::clamp(view.yarn, 0, static_cast<int>(fabric.yarns.size()) - 1);
+  static constexpr const char* kTabs[] = {"Yarn", "Fibre", "Cloth", "Scene"};
+  static constexpr const char* kIds[] = {"tab.yarn", "tab.fibre", "tab.cloth", "tab.scene"};
+  int open = static_cast<int>(view.page);
+  pageTabs(ui, kTabs, kIds, open);
+  view.page = static_cast<InspectorView::Page>(open);
+  // The scroll bar lives in the panel's margin, always, so that rows are as wide on a page that needs none.
+  const float margin = ImGui::GetStyle().ScrollbarSize;
+  const ImVec4 grab = view.pageScrolls ? ui.theme.fieldFill : ImVec4(0, 0, 0, 0);
+  ImGui::PushStyleColor(ImGuiCol_ScrollbarGrab, grab);
+  static constexpr const char* kPages[] = {"yarn page", "fibre page", "cloth page", "scene page"};
+  ImGui::BeginChild(kPages[static_cast<int>(view.page)], ImVec2(ImGui::GetContentRegionAvail().x + margin, 0), false,
+                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysVerticalScrollbar);
+  ImGui::PopStyleColor();
+  view.pageScrolls = ImGui::GetScrollMaxY() > 0;
+  view.visibilityShown = view.visibilityOpen && view.page == InspectorView::Page::yarn;
+  InspectorResult result;
+  switch (view.page) {
+    case InspectorView::Page::yarn:
+      result.fabric = yarnPage(ui, fabric, model, view);
+      break;
+    case InspectorView::Page::fibre:
+      result.fabric = fibrePage(ui, fabric, model, view);
+      break;
+    case InspectorView::Page::cloth:
+      result.fabric = clothPage(ui, fabric, model, view);
+      break;
+    case InspectorView::Page::scene:
+      result = scenePage(ui, fabric);
+      break;
+  }
+  ImGui::EndChild();
+  return result;
+}
+
+}  // namespace loomlight

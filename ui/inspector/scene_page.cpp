@@ -1,0 +1,91 @@
+#include "ui/inspector/inspector.h"
+#include "ui/widgets/choices.h"
+#include "ui/widgets/member_fields.h"
+
+namespace loomlight {
+namespace {
+
+/// The resolutions that a volume can have, and where they are in the list.
+constexpr const char* kResolutionNames[] = {"1", "2", "4", "8", "16"};
+
+bool resolutionRow(Ui& ui, RenderSettings& render) {
+  int chosen = -1;
+  for (int i = 0; i < 5; ++i)
+    if (render.resolution == 1 << i) chosen = i;
+  if (!segmentField(ui, rowText("scene", &RenderSettings::resolution), kResolutionNames, chosen)) return false;
+  render.resolution = 1 << chosen;
+  return true;
+}
+
+bool lightRows(Ui& ui, Light& light, InspectorResult& result) {
+  const LightKind before = light.kind;
+  bool changed = memberChoice(ui, "light", light, &Light::kind, lightNames(light));
+  if (light.kind != before) light = withKind(light, light.kind);
+  changed |= memberField(ui, "light", light, &Light::intensity, 2);
+  changed |= memberField(ui, "light", light, &Light::temperature_K, 0);
+  const bool aimed = light.kind == LightKind::sky || light.kind == LightKind::directional;
+  const bool turns = aimed || light.kind == LightKind::environment || light.kind == LightKind::window ||
+                     light.kind == LightKind::booth;
+  if (turns) changed |= memberField(ui, "light", light, &Light::azimuth_deg, 0, 1);
+  if (aimed) changed |= memberField(ui, "light", light, &Light::elevation_deg, 0, 0.5);
+  if (light.kind == LightKind::sky) changed |= memberField(ui, "light", light, &Light::turbidity, 1);
+  if (button(ui, "light.browse", "Choose an environment\xE2\x80\xA6", 0, true,
+             "A latitude-longitude picture (EXR) that lights the cloth from all around"))
+    result.command = Command::chooseEnvironment;
+  return changed;
+}
+
+bool drapeRows(Ui& ui, Drape& drape, InspectorResult& result) {
+  bool changed = memberChoice(ui, "drape", drape, &Drape::kind, drapeNames(drape));
+  if (drape.kind == DrapeKind::mesh) {
+    changed |= memberField(ui, "drape", drape, &Drape::uvScale_mm, 2);
+  } else {
+    if (drape.kind != DrapeKind::skirt) changed |= memberField(ui, "drape", drape, &Drape::width_mm, 1);
+    changed |= memberField(ui, "drape", drape, &Drape::height_mm, 1);
+    if (drape.kind != DrapeKind::flat) changed |= memberField(ui, "drape", drape, &Drape::radius_mm, 1);
+  }
+  if (button(ui, "drape.browse", "Choose a mesh\xE2\x80\xA6", 0, true,
+             "OBJ, PLY or OFF with texture coordinates: the cloth lies on it as the coordinates say"))
+    result.command = Command::chooseMesh;
+  return changed;
+}
+
+bool cameraRows(Ui& ui, Camera& camera) {
+  bool changed = memberField(ui, "camera", camera, &Camera::azimuth_deg, 0, 1);
+  changed |= memberField(ui, "camera", camera, &Camera::elevation_deg, 0, 0.5);
+  changed |= memberField(ui, "camera", camera, &Camera::distance_mm, 1);
+  changed |= memberField(ui, "camera", camera, &Camera::fov_deg, 0, 0.2);
+  return changed;
+}
+
+}  // namespace
+
+InspectorResult scenePage(Ui& ui, const Fabric& fabric) {
+  InspectorResult result;
+  Light light = fabric.light;
+  Drape drape = fabric.drape;
+  Camera camera = fabric.camera;
+  RenderSettings render = fabric.render;
+  heading(ui, "Light");
+  bool changed = lightRows(ui, light, result);
+  heading(ui, "Drape");
+  changed |= drapeRows(ui, drape, result);
+  heading(ui, "Camera");
+  if (cameraRows(ui, camera)) result.camera = camera;
+  heading(ui, "Detail");
+  changed |= resolutionRow(ui, render);
+  changed |= memberChoice(ui, "scene", render, &RenderSettings::method, methodNames());
+  if (render.method == Method::volume) {
+    changed |= memberChoice(ui, "scene", render, &RenderSettings::estimator, estimatorNames());
+    if (render.estimator == Estimator::none)
+      changed |= memberChoice(ui, "scene", render, &RenderSettings::eventLaw, eventLawNames());
+  }
+  if (!changed) return result;
+  result.fabric = fabric;
+  result.fabric->light = light;
+  result.fabric->drape = drape;
+  result.fabric->render = render;
+  return result;
+}
+
+}  // namespace loomlight

@@ -1,0 +1,63 @@
+#include "ui/inspector/visibility_section.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "ui/widgets/fields.h"
+
+namespace loomlight {
+namespace {
+
+/// The squares, with the angle that each is of.
+void drawSquares(Ui& ui, const VisibilityModel& model) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const int count = model.columns * model.rows;
+  const auto columns = static_cast<float>(model.columns), rows = static_cast<float>(model.rows);
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float all = ImGui::GetContentRegionAvail().x, gap = ui.px(6);
+  const float side = std::floor((all - (columns - 1) * gap) / columns);
+  ImGui::PushFont(ui.fonts.small);
+  const float label = ImGui::GetFontSize() + ui.px(2), row = side + label + ui.px(4);
+  for (int i = 0; i < count; ++i) {
+    const auto x = static_cast<float>(i % model.columns), y = static_cast<float>(i / model.columns);
+    const ImVec2 min(corner.x + x * (side + gap), corner.y + y * row), max(min.x + side, min.y + side);
+    draw.AddRectFilled(min, max, packed(ui.theme.field));
+    if (model.picture)
+      draw.AddImage(model.picture, min, max, ImVec2(x / columns, y / rows), ImVec2((x + 1) / columns, (y + 1) / rows));
+    const std::string angle = fmt::format("{:.0f}\xC2\xB0", 180.0 * i / (count - 1));
+    const float width = ImGui::CalcTextSize(angle.c_str()).x;
+    draw.AddText(ImVec2(min.x + 0.5f * (side - width), max.y + ui.px(2)), packed(ui.theme.textQuiet), angle.c_str());
+  }
+  ImGui::PopFont();
+  ImGui::Dummy(ImVec2(all, rows * row));
+  ui.probe.recordItem("visibility.picture");
+  tooltipFor(ui, "visibility.picture", ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
+             "Down a square, the eye goes from straight above the cloth to grazing; to the right, the light goes from "
+             "straight above to straight below. From square to square the light turns about the cloth's normal, away "
+             "from the eye, which looks across the yarn.");
+}
+
+}  // namespace
+
+void visibilitySection(Ui& ui, const VisibilityModel& model, bool& open) {
+  const bool wasOpen = open;
+  if (!foldingHeading(ui, "visibility.fold", "Local visibility",
+                      "How freely light reaches a fibre past its neighbours (the yarn's BVDF, which the estimator "
+                      "\"Report\" uses)",
+                      open))
+    return;
+  drawSquares(ui, model);
+  if (!model.error.empty()) {
+    hint(ui, model.error);
+  } else if (!model.picture && !model.baking) {
+    hint(ui, "Measuring begins\xE2\x80\xA6");
+  } else if (model.baking) {
+    hint(ui, fmt::format("White: free. Black: in shadow.  \xC2\xB7  measuring, {:.0f} %", 100 * model.progress));
+  } else {
+    hint(ui, fmt::format("White: free. Black: in shadow.  \xC2\xB7  {:.1f} million rays", model.rays * 1e-6));
+  }
+  if (!wasOpen) ImGui::SetScrollHereY(1);
+}
+
+}  // namespace loomlight

@@ -1,0 +1,231 @@
+#include "ui/inspector/yarn_fields.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/fabric/model/validate.h"
+#include "core/fabric/yarn/presets.h"
+#include "ui/inspector/count_text.h"
+#include "ui/inspector/trade_units.h"
+#include "ui/widgets/choices.h"
+#include "ui/widgets/member_fields.h"
+
+namespace loomlight {
+namespace {
+
+/// Of the whole yarn, where one that is like `yarn` otherwise has the count that was typed.
+double typedTex(const CountEntry& typed, const Yarn& yarn) {
+  return typed.tex * (typed.ofSingles ? typed.plies.value_or(yarn.plies) * typed.cords.value_or(yarn.cords) : 1);
+}
+
+/// Of each filament. nullopt where the text says none.
+std::optional<double> typedFilament_dtex(const CountEntry& typed, const Yarn& yarn) {
+  if (!typed.filaments) return std::nullopt;
+  return 10 * typedTex(typed, yarn) / (*typed.plies * *typed.cords * *typed.filaments);
+}
+
+/// Whether a fabric can hold it. A blend has no filaments of one fineness.
+bool isPossible(const CountEntry& typed, const Yarn& yarn, const Fibre& fibre) {
+  const FieldInfo count = fieldInfo(&Yarn::count_tex), radius = fieldInfo(&Fibre::radius_um);
+  const double tex = typedTex(typed, yarn);
+  if (tex < count.min || tex > count.max) return false;
+  const std::optional<double> filament_dtex = typedFilament_dtex(typed, yarn);
+  if (!filament_dtex) return true;
+  const double radius_um = fibreRadius_um(*filament_dtex, fibre.density_g_cm3);
+  return !yarn.blendFibre && radius_um >= radius.min && radius_um <= radius.max;
+}
+
+/// The count as its system writes it: of a plied yarn in an indirect one the singles, "30 /2 Ne"; "20 /2/3 Ne" of a
+/// cable.
+bool countRow(Ui& ui, CountSystem system, const Fibre& fibre, Yarn& yarn, std::optional<double>& filament_dtex) {
+  const FieldInfo info = fieldInfo(&Yarn::count_tex);
+  const int parts = isIndirect(system) ? singlesIn(yarn) : 1;
+  std::string unit = countUnit(system);
+  if (parts > 1)
+    unit = yarn.cords > 1 ? fmt::format("/{}/{} {}", yarn.plies, yarn.cords, unit)
+                          : fmt::format("/{} {}", yarn.plies, unit);
+  std::optional<CountEntry> typed;
+  NumberStyle style;
+  style.unit = unit.c_str();
+  style.min = countFromTex((isIndirect(system) ? info.max : info.min) / parts, system);
+  style.max = countFromTex((isIndirect(system) ? info.min : info.max) / parts, system);
+  style.logarithmic = true;
+  style.decimals = 1;
+  style.otherwise = "a count like 30/2 Ne or 167 dtex f48";
+  style.parse = [&](std::string_view text) -> std::optional<double> {
+    typed = countFromText(text, system);
+    if (typed && !isPossible(*typed, yarn, fibre)) typed.reset();
+    return typed ? std::optional(countFromTex(typedTex(*typed, yarn) / parts, system)) : std::nullopt;
+  };
+  style.objection = [&](std::string_view text) -> std::string {
+    const std::optional<CountEntry> meant = countFromText(text, system);
+    const std::optional<double> dtex = meant ? typedFilament_dtex(*meant, yarn) : std::nullopt;
+    if (!dtex) return {};
+    if (yarn.blendFibre) return "A blend has no filaments of one fineness: give its count alone";
+    return fmt::format("Filaments of {:.3g} dtex are beyond what a fibre can be", *dtex);
+  };
+  double count = countFromTex(yarn.count_tex / parts, system);
+  const bool changed = numberField(ui,
+                                   {"yarn.count_tex", info.label,
+                                    "How thick the yarn is. Typed counts are understood in every system: 30/2 Ne, "
+                                    "2/60 Nm, 150 den, 20 tex x 2, and of cables 20/2/3 Ne. Plies and cords are set "
+                                    "with it, and with filaments, 167 dtex f48, the fineness of the fibre."},
+                                   style, count);
+  if (!changed && !typed) return false;
+  Yarn edited = yarn;
+  edited.count_tex =
+      std::clamp(typed ? typedTex(*typed, yarn) : parts * texFromCount(count, system), info.min, info.max);
+  if (typed) {
+    edited.plies = typed->plies.value_or(yarn.plies);
+    edited.cords = typed->cords.value_or(yarn.cords);
+    filament_dtex = typedFilament_dtex(*typed, yarn);
+  }
+  std::swap(yarn, edited);
+  return yarn != edited || filament_dtex;
+}
+
+/// Turns of a strand of `tex`: per metre, or as the multiplier that spinners know it by.
+bool twistRow(Ui& ui, bool asMultiplier, double tex, double Yarn::* member, Yarn& yarn) {
+  constexpr double kTurnsPerPixel = 4.0;
+  const FieldInfo info = fieldInfo(member);
+  const auto shown = [&](double turns) { return asMultiplier ? twistMultiplier(turns, tex) : turns; };
+  NumberStyle style;
+  style.unit = asMultiplier ? "TM" : info.unit;
+  style.min = shown(info.min);
+  style.max = shown(info.max);
+  style.decimals = asMultiplier ? 2 : 0;
+  style.perPixel = asMultiplier ? 0.02 : kTurnsPerPixel;
+  style.parse = [&](std::string_view text) -> std::optional<double> {
+    const std::optional<double> turns = twistFromText(text, tex);
+    return turns ? std::optional(shown(*turns)) : std::nullopt;
+  };
+  double value = shown(yarn.*member);
+  const std::string help = std::string(info.help) + " Typed twists may be in t/m, tpi or TM.";
+  if (!numberField(ui, {std::string("yarn.") + info.key, info.label, help.c_str()}, style, value)) return false;
+  yarn.*member = std::clamp(asMultiplier ? twist_per_m(value, tex) : value, info.min, info.max);
+  return true;
+}
+
+}  // namespace
+
+bool countRows(Ui& ui, const Fibre& fibre, TradeUnits& units, Yarn& yarn, std::optional<double>& filament_dtex) {
+  static constexpr const char* kNames[] = {"Count", "Fibres"};
+  int way = yarn.fibresPerPly ? 1 : 0;
+  bool changed = false;
+  if (segmentField(ui,
+                   {"yarn.mass_by", "Fineness by",
+                    "A spinner says how thick a yarn is by its count. For few, coarse fibres it is easier to say how "
+                    "many there are."},
+                   kNames, way)) {
+    changed = true;
+    if (way == 0) {
+      yarn.count_tex = std::clamp(yarnCount_tex(yarn, fibre), 0.5, 5000.0);
+      yarn.fibresPerPly.reset();
+    } else {
+      yarn.fibresPerPly =
+          std::clamp(static_cast<int>(std::lround(fibresInYarn(yarn, fibre) / singlesIn(yarn))), 1, 2000);
+    }
+  }
+  if (yarn.fibresPerPly) {
+    const FieldInfo info = fieldInfo(&Yarn::fibresPerPly);
+    changed |= wholeNumberField(ui, rowText("yarn", &Yarn::fibresPerPly), "", static_cast<int>(info.min),
+                                static_cast<int>(info.max), *yarn.fibresPerPly);
+    return changed;
+  }
+  changed |= countRow(ui, units.count, fibre, yarn, filament_dtex);
+  countSystemRow(ui, "yarn", units.count);
+  return changed;
+}
+
+bool twistRows(Ui& ui, const Fibre& fibre, TradeUnits& units, Yarn& yarn) {
+  bool changed = memberField(ui, "yarn", yarn, &Yarn::plies);
+  twistUnitRow(ui, "yarn", units.twistAsMultiplier);
+  const double tex = yarnCount_tex(yarn, fibre);
+  const auto level = [&](double strand_tex, double Yarn::* twist, TwistDirection Yarn::* way) {
+    changed |= twistRow(ui, units.twistAsMultiplier, strand_tex, twist, yarn);
+    changed |= memberChoice(ui, "yarn", yarn, way, twistNames());
+  };
+  level(tex / singlesIn(yarn), &Yarn::plyTwist_per_m, &Yarn::plyTwistDirection);
+  if (yarn.plies > 1) level(tex / yarn.cords, &Yarn::yarnTwist_per_m, &Yarn::yarnTwistDirection);
+  if (yarn.plies > 1 || yarn.cords > 1) changed |= memberField(ui, "yarn", yarn, &Yarn::cords);
+  if (yarn.cords > 1) level(tex, &Yarn::cableTwist_per_m, &Yarn::cableTwistDirection);
+  return changed;
+}
+
+void twistNewStrands(const Yarn& before, Yarn& yarn) {
+  constexpr double kTakenBack = 0.65;
+  const auto back = [](TwistDirection way) { return way == TwistDirection::z ? TwistDirection::s : TwistDirection::z; };
+  if (before.plies == 1 && yarn.plies > 1 && yarn.yarnTwist_per_m == 0) {
+    yarn.yarnTwist_per_m = std::round(kTakenBack * yarn.plyTwist_per_m);
+    yarn.yarnTwistDirection = back(yarn.plyTwistDirection);
+  }
+  if (before.cords == 1 && yarn.cords > 1 && yarn.cableTwist_per_m == 0) {
+    const bool plied = yarn.plies > 1;
+    yarn.cableTwist_per_m = std::round(kTakenBack * (plied ? yarn.yarnTwist_per_m : yarn.plyTwist_per_m));
+    yarn.cableTwistDirection = back(plied ? yarn.yarnTwistDirection : yarn.plyTwistDirection);
+  }
+}
+
+bool bulkRows(Ui& ui, const Fibre& fibre, Yarn& yarn) {
+  bool changed = memberField(ui, "yarn", yarn, &Yarn::packing, 2);
+  const FieldInfo packing = fieldInfo(&Yarn::packing);
+  const double diameter_mm = yarnDiameter_mm(yarn, fibre);
+  // d ~ 1 / sqrt(packing)
+  const auto at = [&](double share) { return diameter_mm * std::sqrt(yarn.packing / share); };
+  NumberStyle style;
+  style.unit = "mm";
+  style.min = at(packing.max);
+  style.max = at(packing.min);
+  style.decimals = 3;
+  style.logarithmic = true;
+  double wanted = diameter_mm;
+  if (numberField(ui,
+                  {"yarn.diameter_mm", "Diameter",
+                   "Of the yarn as if it were round and lay free. It follows from count and packing; set it where it "
+                   "was measured, and the packing follows."},
+                  style, wanted)) {
+    const double ratio = diameter_mm / wanted;
+    yarn.packing = std::clamp(yarn.packing * ratio * ratio, packing.min, packing.max);
+    changed = true;
+  }
+  return changed;
+}
+
+bool fibreRows(Ui& ui, std::vector<Fibre>& fibres, Yarn& yarn) {
+  std::vector<const char*> names;
+  for (const Fibre& fibre : fibres) names.push_back(fibre.name.c_str());
+  bool changed = choiceField(ui, rowText("yarn", &Yarn::fibre), names, yarn.fibre);
+  const int count = static_cast<int>(fibres.size());
+  std::vector<const char*> blends = {"Nothing"};
+  blends.insert(blends.end(), names.begin(), names.end());
+  if (count < kMaxKinds) blends.push_back("A new fibre");
+  int second = yarn.blendFibre.value_or(-1) + 1;
+  if (choiceField(ui,
+                  {"yarn.blend_fibre", "Blended with",
+                   "A second fibre spun together with the first, evenly mixed: two dyes make a melange. Both lie with "
+                   "their mean thickness. A new fibre begins as the first one, to be dyed on the fibre's page."},
+                  blends, second)) {
+    yarn.blendFibre = second > 0 ? std::optional(second - 1) : std::nullopt;
+    if (second == count + 1) {
+      fibres.push_back(fibres[static_cast<size_t>(yarn.fibre)]);
+      fibres.back().name += " 2";
+    }
+    changed = true;
+  }
+  if (!yarn.blendFibre) return changed;
+  NumberStyle style;
+  style.unit = "%";
+  style.max = 100;
+  style.decimals = 0;
+  style.perPixel = 0.5;
+  double percent = 100 * yarn.blendShare.value_or(0.5);
+  if (numberField(ui, rowText("yarn", &Yarn::blendShare), style, percent)) {
+    yarn.blendShare = 0.01 * percent;
+    changed = true;
+  }
+  return changed;
+}
+
+}  // namespace loomlight

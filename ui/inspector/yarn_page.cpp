@@ -1,0 +1,134 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "core/fabric/model/validate.h"
+#include "core/fabric/model/yarn_count.h"
+#include "core/fabric/yarn/colour.h"
+#include "core/fabric/yarn/presets.h"
+#include "core/fabric/yarn/yarn_edit.h"
+#include "ui/inspector/inspector.h"
+#include "ui/inspector/yarn_fields.h"
+#include "ui/widgets/choices.h"
+#include "ui/widgets/member_fields.h"
+#include "ui/widgets/yarn_colours.h"
+
+namespace loomlight {
+namespace {
+
+bool isUsed(const Fabric& fabric, int yarn) {
+  auto has = [&](const std::vector<int>& sequence) {
+    return std::find(sequence.begin(), sequence.end(), yarn) != sequence.end();
+  };
+  return has(fabric.warpSequence) || has(fabric.weftSequence);
+}
+
+Fabric withYarnCopied(const Fabric& fabric, int yarn) {
+  Fabric edited = fabric;
+  Yarn copy = fabric.yarns[static_cast<size_t>(yarn)];
+  Fibre fibre = fabric.fibres[static_cast<size_t>(copy.fibre)];
+  copy.name += " copy";
+  if (static_cast<int>(fabric.fibres.size()) < kMaxKinds) {
+    // A new yarn is wanted for a new colour more often than not, so it gets a fibre of its own.
+    copy.fibre = static_cast<int>(fabric.fibres.size());
+    edited.fibres.push_back(std::move(fibre));
+  }
+  edited.yarns.push_back(std::move(copy));
+  return edited;
+}
+
+std::optional<Fabric> yarnList(Ui& ui, const Fabric& fabric, const InspectorModel& model, InspectorView& view) {
+  yarnChooser(ui, fabric, model.yarnColours, view.yarn, "inspector");
+  std::optional<Fabric> edited;
+  const float half = 0.5f * (ImGui::GetContentRegionAvail().x - ui.px(8));
+  if (button(ui, "yarn.copy", "New from this", half, static_cast<int>(fabric.yarns.size()) < kMaxKinds,
+             "Add a yarn that begins as a copy of this one")) {
+    edited = withYarnCopied(fabric, view.yarn);
+    view.yarn = static_cast<int>(fabric.yarns.size());
+  }
+  ImGui::SameLine();
+  const bool removable = fabric.yarns.size() > 1 && !isUsed(fabric, view.yarn);
+  if (button(ui, "yarn.remove", "Remove", half, removable, "A yarn can be removed when no end and no pick uses it")) {
+    edited = withoutYarn(fabric, view.yarn);
+    view.clothColour.wanted.clear();  // fibres have other numbers now
+    view.yarn = std::max(0, view.yarn - 1);
+  }
+  return edited;
+}
+
+/// Fills in a yarn of the trade. Its fibre comes along, dyed as this yarn is; name and blend are the designer's.
+std::optional<Fabric> presetRow(Ui& ui, const Fabric& fabric, int index) {
+  const std::vector<YarnPreset> presets = yarnPresets();
+  std::vector<const char*> names;
+  for (const YarnPreset& preset : presets) names.push_back(preset.yarn.name.c_str());
+  int chosen = -1;
+  if (!choiceField(ui,
+                   {"yarn.preset", "Fill in from",
+                    "A yarn of the trade to start from: count, twist, packing and hairs, and its fibre; the colour "
+                    "stays."},
+                   names, chosen, "Trade yarns"))
+    return std::nullopt;
+  const YarnPreset& preset = presets[static_cast<size_t>(chosen)];
+  const Fibre& old = fabric.fibres[static_cast<size_t>(fabric.yarns[static_cast<size_t>(index)].fibre)];
+  const Rgb colour = colourFromAbsorption(old.absorption_per_mm, old.azimuthalRoughness, old.radius_um);
+  return withYarn(fabric, index, preset.yarn, dyed(preset.fibre, colour));
+}
+
+/// Of the yarn as its section is drawn, with the air between plies and flattened as in the cloth; its diameter until
+/// that is known.
+std::string sizeText(const YarnSection* section, double diameter_mm) {
+  const std::string wide = fmt::format("{:.2f}", section ? 2 * section->halfWidth_mm : diameter_mm);
+  const std::string high = section ? fmt::format("{:.2f}", 2 * section->halfHeight_mm) : wide;
+  return wide == high ? wide + " mm across" : fmt::format("{} \xC3\x97 {} mm", wide, high);
+}
+
+/// One line however long its numbers are, so that what stands below keeps its place.
+void quietLine(Ui& ui, const std::string& text) {
+  ImGui::PushFont(ui.fonts.small);
+  ImGui::TextColored(ui.theme.textQuiet, "%s", shortened(text, ImGui::GetContentRegionAvail().x).c_str());
+  ImGui::PopFont();
+}
+
+}  // namespace
+
+std::optional<Fabric> yarnPage(Ui& ui, const Fabric& fabric, const InspectorModel& model, InspectorView& view) {
+  if (auto edited = yarnList(ui, fabric, model, view)) return edited;
+  Yarn yarn = fabric.yarns[static_cast<size_t>(view.yarn)];
+  std::vector<Fibre> fibres = fabric.fibres;
+  const Fibre fibre = meanFibre(yarn, fibres);
+
+  const YarnFibreColours colours{fibreColour(fibres[static_cast<size_t>(yarn.fibre)]),
+                                 fibreColour(fibres[static_cast<size_t>(yarn.blendFibre.value_or(yarn.fibre))])};
+  const ImVec2 half(0.5f * (ImGui::GetContentRegionAvail().x - ui.px(8)), ui.px(kCloseUpHeight));
+  drawYarnSection(ui, model.section ? *model.section : YarnSection{}, colours, half);
+  ImGui::SameLine(0, ui.px(8));
+  drawYarnCloseUp(ui, model.closeUp, half);
+  quietLine(
+      ui, fmt::format("{} \xC2\xB7 {} \xC2\xB7 {:.0f} fibres", countText(yarnCount_tex(yarn, fibre), view.units.count),
+                      sizeText(model.section, yarnDiameter_mm(yarn, fibre)), fibresInYarn(yarn, fibre)));
+
+  bool changed = textField(ui, rowText("yarn", &Yarn::name), yarn.name);
+  std::optional<Fabric> filled = presetRow(ui, fabric, view.yarn);
+  changed |= fibreRows(ui, fibres, yarn);
+  std::optional<double> filament_dtex;
+  changed |= countRows(ui, fibre, view.units, yarn, filament_dtex);
+  changed |= twistRows(ui, fibre, view.units, yarn);
+  changed |= bulkRows(ui, fibre, yarn);
+  changed |= memberField(ui, "yarn", yarn, &Yarn::flattening, 2);
+  changed |= memberChoice(ui, "yarn", yarn, &Yarn::layout, layoutNames());
+  changed |= memberField(ui, "yarn", yarn, &Yarn::migration, 2);
+  changed |= memberField(ui, "yarn", yarn, &Yarn::hairiness_per_mm, 1, 0.05);
+  if (yarn.hairiness_per_mm > 0) changed |= memberField(ui, "yarn", yarn, &Yarn::hairLength_mm, 2);
+  visibilitySection(ui, model.visibility, view.visibilityOpen);
+  if (filled || !changed) return filled;
+  twistNewStrands(fabric.yarns[static_cast<size_t>(view.yarn)], yarn);
+  Fabric edited = fabric;
+  edited.fibres = std::move(fibres);
+  Fibre filament = edited.fibres[static_cast<size_t>(yarn.fibre)];
+  edited.yarns[static_cast<size_t>(view.yarn)] = std::move(yarn);
+  if (!filament_dtex) return edited;
+  filament.radius_um = fibreRadius_um(*filament_dtex, filament.density_g_cm3);
+  return withFibre(std::move(edited), view.yarn, std::move(filament));
+}
+
+}  // namespace loomlight

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ui/viewport/lens_view.h"
+#include "ui/widgets/ui.h"
+
+namespace loomlight {
+
+/// What the lens shows; put together by the editor each frame.
+struct LensModel {
+  ImTextureID picture = nullptr;  ///< of `window`; null: the cloth below is seen through it
+  LensRect window;                ///< may reach a little beyond the lens
+  std::string caption;            ///< what is seen: "fibres, 12 spp"
+  bool laying = false;
+  double progress = 0;        ///< of laying, 0..1
+  std::string trouble;        ///< why there is nothing to be seen; empty if there is or soon will be
+  std::string remedy;         ///< what can be done to the cloth about it, as a button says it; empty: nothing
+  bool limitMatters = false;  ///< more would fit under another limit
+  std::vector<ImVec4> scale;  ///< colours of the difference, from none
+  std::string scaleEnd;       ///< what the last one stands for
+};
+
+struct LensEdit {
+  bool remedy = false;
+  bool changeLimit = false;
+};
+
+/// The frame, the bar that moves it, and what is seen in it, over a viewport whose top left corner is `origin`.
+LensEdit lensOverlay(Ui& ui, const LensModel& model, LensView& view, ImVec2 origin, int viewportWidth,
+                     int viewportHeight);
+
+/// The button of the strip that opens and closes the lens.
+void lensButton(Ui& ui, LensView& view, float size);
+
+}  // namespace loomlight

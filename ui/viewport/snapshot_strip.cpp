@@ -1,0 +1,75 @@
+#include "ui/viewport/snapshot_strip.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "ui/widgets/fields.h"
+
+namespace loomlight {
+namespace {
+
+constexpr float kPictureHeight = 72, kButtonsWidth = 196;
+
+void choose(std::vector<int>& chosen, int index) {
+  const auto found = std::find(chosen.begin(), chosen.end(), index);
+  if (found != chosen.end()) {
+    chosen.erase(found);
+    return;
+  }
+  chosen.push_back(index);
+  if (chosen.size() > 2) chosen.erase(chosen.begin());
+}
+
+void drawItems(Ui& ui, const std::vector<SnapshotItem>& items, SnapshotStripView& view, SnapshotStripEdit& edit) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const float height = ui.px(kPictureHeight);
+  for (int i = 0; i < static_cast<int>(items.size()); ++i) {
+    if (i > 0) ImGui::SameLine(0, ui.px(8));
+    const SnapshotItem& item = items[static_cast<size_t>(i)];
+    const float width = std::clamp(item.aspect, 0.5f, 3.0f) * height;
+    const std::string id = fmt::format("snapshot.item_{}", i);
+    const ImVec2 min = ImGui::GetCursorScreenPos(), max(min.x + width, min.y + height);
+    if (ImGui::InvisibleButton(id.c_str(), ImVec2(width, height))) choose(view.chosen, i);
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) edit.restore = i;
+    ui.probe.recordItem(id);
+    draw.AddRectFilled(min, max, packed(ui.theme.field), ui.px(4));
+    if (item.picture)
+      draw.AddImageRounded(item.picture, min, max, ImVec2(0, 0), ImVec2(1, 1), IM_COL32_WHITE, ui.px(4));
+    const bool chosen = std::find(view.chosen.begin(), view.chosen.end(), i) != view.chosen.end();
+    if (chosen || ImGui::IsItemHovered())
+      draw.AddRect(min, max, packed(chosen ? ui.theme.accent : ui.theme.textQuiet), ui.px(4), 0, ui.px(2));
+    const std::string tooltip = item.name + "\nA click chooses it; a double click brings its cloth and view back.";
+    tooltipFor(ui, id.c_str(), min, max, tooltip.c_str());
+  }
+}
+
+}  // namespace
+
+SnapshotStripEdit snapshotStrip(Ui& ui, const std::vector<SnapshotItem>& items, SnapshotStripView& view) {
+  SnapshotStripEdit edit;
+  const int count = static_cast<int>(items.size());
+  view.chosen.erase(std::remove_if(view.chosen.begin(), view.chosen.end(), [&](int i) { return i >= count; }),
+                    view.chosen.end());
+  ImGui::SetCursorPosY(ui.px(8));
+  ImGui::BeginChild("items", ImVec2(ImGui::GetContentRegionAvail().x - ui.px(kButtonsWidth), ui.px(84)), false,
+                    ImGuiWindowFlags_HorizontalScrollbar);
+  drawItems(ui, items, view, edit);
+  ImGui::EndChild();
+  ImGui::SameLine(0, ui.px(8));
+  ImGui::BeginGroup();
+  const float width = 0.5f * ui.px(kButtonsWidth - 16);
+  if (button(ui, "snapshot.keep", "Keep view", width, true, "Add the view as it is now (K)")) edit.keep = true;
+  ImGui::SameLine(0, ui.px(8));
+  const bool one = view.chosen.size() == 1, two = view.chosen.size() == 2;
+  if (button(ui, "snapshot.compare", "Compare", width, two, "Choose two views to compare them"))
+    edit.compare = {view.chosen[0], view.chosen[1]};
+  if (button(ui, "snapshot.restore", "Restore", width, one, "Bring back the cloth and the view of the one chosen"))
+    edit.restore = view.chosen[0];
+  ImGui::SameLine(0, ui.px(8));
+  if (button(ui, "snapshot.remove", "Remove", width, one)) edit.remove = view.chosen[0];
+  ImGui::EndGroup();
+  return edit;
+}
+
+}  // namespace loomlight

@@ -1,0 +1,259 @@
+#include "ui/viewport/viewport_panel.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "ui/viewport/camera_moves.h"
+#include "ui/viewport/denoise_button.h"
+#include "ui/widgets/choices.h"
+#include "ui/widgets/fields.h"
+#include "ui/widgets/keys.h"
+
+namespace loomlight {
+namespace {
+
+/// A label on the picture that reads on any cloth.
+void pill(Ui& ui, ImVec2 corner, const std::string& text, const ImVec4& colour) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  const float pad = ui.px(8);
+  draw.AddRectFilled(corner, ImVec2(corner.x + size.x + 2 * pad, corner.y + size.y + pad), IM_COL32(18, 18, 19, 205),
+                     ui.px(4));
+  draw.AddText(ImVec2(corner.x + pad, corner.y + 0.5f * pad), packed(colour), text.c_str());
+}
+
+std::optional<Camera> mouseMoves(const Camera& camera, ViewportView& view, ImVec2 min, ImVec2 max) {
+  const ImGuiIO& io = ImGui::GetIO();
+  std::optional<Camera> moved;
+  if (ImGui::IsItemHovered() && io.MouseWheel != 0) {
+    const double x = io.MousePos.x - 0.5 * (min.x + max.x), y = io.MousePos.y - 0.5 * (min.y + max.y);
+    moved = zoomed(camera, io.MouseWheel, x, y, view.height);
+  }
+  if (!ImGui::IsItemActive()) {
+    view.drag = ViewportView::Drag::none;
+    return moved;
+  }
+  const bool space = keyHeld(ImGuiKey_Space);
+  if (view.drag == ViewportView::Drag::none) {
+    const bool pan = io.MouseDown[ImGuiMouseButton_Middle] || io.KeyShift || space;
+    view.drag = pan ? ViewportView::Drag::pan : ViewportView::Drag::orbit;
+    return moved;
+  }
+  if (io.MouseDelta.x == 0 && io.MouseDelta.y == 0) return moved;
+  const Camera from = moved ? *moved : camera;
+  return view.drag == ViewportView::Drag::pan ? panned(from, io.MouseDelta.x, io.MouseDelta.y, view.height)
+                                              : orbited(from, io.MouseDelta.x, io.MouseDelta.y);
+}
+
+/// 1, 2 and 3 look from above, aslant and along the cloth, unless a text or a list has the keys.
+std::optional<Camera> viewKeys(const Camera& camera) {
+  const ImGuiIO& io = ImGui::GetIO();
+  constexpr ImGuiPopupFlags kAny = ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel;
+  if (io.WantTextInput || io.KeyCtrl || ImGui::IsPopupOpen("", kAny)) return std::nullopt;
+  constexpr Viewpoint kViews[] = {Viewpoint::above, Viewpoint::aslant, Viewpoint::grazing};
+  for (int i = 0; i < static_cast<int>(std::size(kViews)); ++i)
+    if (letterPressed(static_cast<char>('1' + i))) return turnedTo(camera, kViews[i]);
+  return std::nullopt;
+}
+
+/// True while the mouse holds the lens by an edge, or is giving it a place.
+bool lensHolds(Ui& ui, ViewportView& view, ImVec2 min) {
+  LensView& lens = view.lens;
+  const ImVec2 mouse = ImGui::GetIO().MousePos, at(mouse.x - min.x, mouse.y - min.y);
+  const bool active = ImGui::IsItemActive();
+  const bool taking = ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left);
+  if (taking || (ImGui::IsItemHovered() && !active)) {
+    const LensView::Grip under = lens.gripAt(at, ui.px(5));
+    if (under != LensView::Grip::none) ImGui::SetMouseCursor(cursorOf(under));
+    if (taking) lens.grab(under, at);
+  }
+  if (lens.grip == LensView::Grip::none || lens.grip == LensView::Grip::move) return false;
+  ImGui::SetMouseCursor(cursorOf(lens.grip));
+  lens.drag(at, view.width, view.height);
+  if (!active) lens.letGo(view.width, view.height);
+  return true;
+}
+
+/// 0..1 of the picture; nothing beside it.
+std::optional<ImVec2> placeIn(ImVec2 corner, ImVec2 size, ImVec2 point) {
+  const ImVec2 place((point.x - corner.x) / size.x, (point.y - corner.y) / size.y);
+  const bool inside = place.x >= 0 && place.x <= 1 && place.y >= 0 && place.y <= 1;
+  return inside ? std::optional(place) : std::nullopt;
+}
+
+/// Where the picture was clicked, as opposed to dragged.
+std::optional<ImVec2> clickedAt(const ViewportView& view, ImVec2 min, ImVec2 size) {
+  constexpr float kStill = 3;
+  const ImGuiIO& io = ImGui::GetIO();
+  if (!ImGui::IsItemDeactivated() || view.drag != ViewportView::Drag::orbit) return std::nullopt;
+  if (io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] > kStill * kStill) return std::nullopt;
+  return placeIn(min, size, io.MousePos);
+}
+
+void drawOverlays(Ui& ui, const ViewportModel& model, const LensView& lens, ImVec2 min, ImVec2 max) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const float edge = ui.px(8);
+  if (model.building) {
+    const float along = min.x + static_cast<float>(model.buildProgress) * (max.x - min.x);
+    draw.AddRectFilled(min, ImVec2(along, min.y + ui.px(3)), packed(ui.theme.accent));
+  }
+  if (!model.picture) {
+    const char* text = "Building the cloth\xE2\x80\xA6";
+    const ImVec2 size = ImGui::CalcTextSize(text);
+    pill(ui, ImVec2(0.5f * (min.x + max.x - size.x), 0.5f * (min.y + max.y - size.y)), text, Theme::dark().text);
+  }
+  if (model.denoised) {
+    const char* text = "Denoised";
+    pill(ui, ImVec2(max.x - edge - ImGui::CalcTextSize(text).x - ui.px(16), min.y + edge), text, Theme::dark().text);
+  }
+  if (!model.error.empty()) pill(ui, ImVec2(min.x + edge, min.y + edge), model.error, Theme::dark().warning);
+  if (lens.on && !lens.placed) {
+    const char* text = "Drag a rectangle over the cloth";
+    pill(ui, ImVec2(0.5f * (min.x + max.x - ImGui::CalcTextSize(text).x) - edge, min.y + edge), text,
+         Theme::dark().text);
+  }
+  if (model.under) {
+    const float y = max.y - edge - ImGui::GetFontSize() - ui.px(8);
+    pill(ui, ImVec2(min.x + edge, y),
+         fmt::format("End {}, pick {}  \xC2\xB7  {}", model.under->end + 1, model.under->pick + 1, model.underYarn),
+         Theme::dark().text);
+  }
+}
+
+/// Where the choices below the picture are. They share what the buttons leave; exposure, a number that says its unit,
+/// and then the choices go without their labels before a choice would lose its end.
+struct StripColumns {
+  float choice = 0, exposure = 0;
+  bool exposureLabelled = true, choicesLabelled = true;
+};
+
+StripColumns stripColumns(Ui& ui, float room) {
+  const auto labelled = [&](const char* label, float field) {
+    return ImGui::CalcTextSize(label).x + ui.px(12) + field;
+  };
+  const float number = ui.px(84), list = ImGui::CalcTextSize("One direction").x + ui.px(40);
+  const float longest = labelled("Drape", list);
+  StripColumns columns;
+  columns.exposure = labelled("Exposure", number);
+  columns.exposureLabelled = room - columns.exposure >= 2 * longest;
+  if (!columns.exposureLabelled) columns.exposure = number;
+  columns.choicesLabelled = room - columns.exposure >= 2 * longest;
+  columns.choice = std::clamp(0.5f * (room - columns.exposure), 0.5f * list, ui.px(220));
+  return columns;
+}
+
+/// The strip below the picture: what is changed most often while looking. In a narrow window the choices need the room
+/// more than what keys and menus do too.
+std::optional<Fabric> quickChoices(Ui& ui, const Fabric& fabric, ViewportView& view) {
+  std::optional<Fabric> edited;
+  const float all = ImGui::GetContentRegionAvail().x;
+  const bool narrow = all < ui.px(400);
+  const float gap = ui.px(narrow ? 8 : 16);
+  const float fit = all < ui.px(300) ? 0 : ui.px(56), lens = ui.px(40), between = ui.px(8);
+  const float tools = narrow ? 0 : all < ui.px(560) ? 1 : 2;
+  const StripColumns columns = stripColumns(ui, all - fit - tools * (between + lens) - 3 * gap);
+  float x = ImGui::GetStyle().WindowPadding.x;
+  const float y = ImGui::GetCursorPosY();
+  auto column = [&](const char* id, float width, auto&& content) {
+    ImGui::SetCursorPos(ImVec2(x, y));
+    ImGui::BeginChild(id, ImVec2(width, ImGui::GetFrameHeight()), false, ImGuiWindowFlags_NoScrollbar);
+    content();
+    ImGui::EndChild();
+    x += width + gap;
+  };
+  column("light", columns.choice, [&] {
+    int kind = static_cast<int>(fabric.light.kind);
+    if (choiceField(ui, {"view.light", columns.choicesLabelled ? "Light" : "", "Light: what shines on the cloth", true},
+                    lightNames(fabric.light), kind)) {
+      edited = fabric;
+      edited->light = withKind(fabric.light, static_cast<LightKind>(kind));
+    }
+  });
+  column("drape", columns.choice, [&] {
+    int kind = static_cast<int>(fabric.drape.kind);
+    const auto names = drapeNames(fabric.drape);
+    if (choiceField(
+            ui, {"view.drape", columns.choicesLabelled ? "Drape" : "", "Drape: the surface the cloth lies on", true},
+            names, kind)) {
+      edited = fabric;
+      edited->drape.kind = static_cast<DrapeKind>(kind);
+      view.fitWanted = true;
+    }
+  });
+  column("exposure", columns.exposure, [&] {
+    NumberStyle style;
+    style.unit = "EV";
+    style.min = -kMostExposure_stops;
+    style.max = kMostExposure_stops;
+    style.decimals = 1;
+    style.perPixel = 0.02;
+    numberField(
+        ui,
+        {"view.exposure", columns.exposureLabelled ? "Exposure" : "",
+         "Exposure: brightness of the display, in stops: +1 is twice as bright. It "
+         "changes neither the light nor the cloth. Colours are shown in sRGB, with the white of daylight (D65).",
+         true},
+        style, view.exposure_stops);
+  });
+  const float right = ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x;
+  if (tools > 1) {
+    ImGui::SetCursorPos(ImVec2(right - fit - tools * (between + lens), y));
+    denoiseButton(ui, view.denoised, lens);
+  }
+  if (tools > 0) {
+    ImGui::SetCursorPos(ImVec2(right - fit - between - lens, y));
+    lensButton(ui, view.lens, lens);
+  }
+  if (fit == 0) return edited;
+  ImGui::SetCursorPos(ImVec2(right - fit, y));
+  if (button(ui, "view.fit", "Fit", fit, true, "Show the whole cloth (F)")) view.fitWanted = true;
+  return edited;
+}
+
+}  // namespace
+
+ViewportEdit viewportPanel(Ui& ui, const Fabric& fabric, const ViewportModel& model, ViewportView& view) {
+  ViewportEdit edit;
+  const ImVec2 min = ImGui::GetWindowPos();
+  const float strip = ImGui::GetFrameHeight() + ui.px(16);
+  const ImVec2 max(min.x + ImGui::GetWindowWidth(), min.y + ImGui::GetWindowHeight() - strip);
+  const ImVec2 size(std::max(max.x - min.x, 1.0f), std::max(max.y - min.y, 1.0f));
+  view.width = static_cast<int>(size.x);
+  view.height = static_cast<int>(size.y);
+
+  ImGui::SetCursorScreenPos(min);
+  ImGui::InvisibleButton("cloth", size, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
+  ui.probe.recordItem("viewport");
+  const bool withLens = lensHolds(ui, view, min);
+  // A picture of other proportions than the panel's stands in its middle until the next one comes.
+  const ImVec2 corner(std::floor(0.5f * (min.x + max.x - model.pictureSize.x)), min.y);
+  edit.picked = clickedAt(view, corner, model.pictureSize);
+  if (!withLens) edit.camera = mouseMoves(fabric.camera, view, min, max);
+  if (!edit.camera) edit.camera = viewKeys(fabric.camera);
+  view.pointer.reset();
+  if (ImGui::IsItemHovered() && !withLens && view.drag == ViewportView::Drag::none) {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    view.pointer = placeIn(corner, model.pictureSize, mouse);
+  }
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.PushClipRect(min, max, false);
+  draw.AddRectFilled(min, max, packed(ui.theme.surround));
+  if (model.picture)
+    draw.AddImage(model.picture, corner, ImVec2(corner.x + model.pictureSize.x, corner.y + model.pictureSize.y));
+  drawOverlays(ui, model, view.lens, min, max);
+  edit.lens = lensOverlay(ui, model.lens, view.lens, min, view.width, view.height);
+  draw.PopClipRect();
+
+  ImGui::SetCursorScreenPos(ImVec2(min.x + ImGui::GetStyle().WindowPadding.x, max.y + ui.px(8)));
+  edit.fabric = quickChoices(ui, fabric, view);
+  const bool sizeIsKnown = !hasOwnExtent(fabric.drape) || model.mesh;
+  if (view.fitWanted && sizeIsKnown) {
+    const Fabric& shown = edit.fabric ? *edit.fabric : fabric;
+    edit.camera = fitted(shown.camera, shown.drape, size.x / size.y, model.mesh.value_or(MeshExtent{}));
+    view.fitWanted = false;
+  }
+  return edit;
+}
+
+}  // namespace loomlight

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "ui/viewport/camera_moves.h"
+#include "ui/viewport/lens_overlay.h"
+#include "ui/widgets/crossing_index.h"
+#include "ui/widgets/ui.h"
+
+namespace loomlight {
+
+/// What the panel shows; put together by the editor each frame.
+struct ViewportModel {
+  ImTextureID picture = nullptr;  ///< of the display; null: none yet
+  /// Pixels that the picture takes, in the middle of the panel: as many as it asked for, unless it was of another size
+  /// when that was traced.
+  ImVec2 pictureSize;
+  std::optional<CrossingIndex> under;  ///< crossing under the mouse
+  std::string underYarn;               ///< name of the yarn seen there
+  bool denoised = false;               ///< the picture is; the panel says so
+  bool building = false;
+  double buildProgress = 1;
+  std::string error;               ///< why the newest fabric cannot be shown; empty if it can
+  std::optional<MeshExtent> mesh;  ///< of a mesh drape, once it is known
+  LensModel lens;
+};
+
+constexpr double kMostExposure_stops = 8;  ///< up, and down
+
+/// How the picture is looked at; kept between frames, no part of the fabric.
+struct ViewportView {
+  double exposure_stops = 0;
+  bool filmic = true;
+  bool denoised = false;          ///< the display takes noise from the picture
+  bool fitWanted = false;         ///< frame the whole cloth at the next frame
+  int width = 0, height = 0;      ///< pixels that the picture should have
+  std::optional<ImVec2> pointer;  ///< mouse over the picture, 0..1 from the top left
+  enum class Drag { none, orbit, pan };
+  Drag drag = Drag::none;
+  LensView lens;
+};
+
+struct ViewportEdit {
+  std::optional<Camera> camera;  ///< looking around is no edit of the cloth
+  std::optional<Fabric> fabric;
+  std::optional<ImVec2> picked;  ///< a click on the picture, 0..1 from the top left
+  LensEdit lens;
+};
+
+/// The cloth: orbit, pan, zoom, exposure, quick choices of light and drape, and the truth lens.
+ViewportEdit viewportPanel(Ui& ui, const Fabric& fabric, const ViewportModel& model, ViewportView& view);
+
+}  // namespace loomlight

@@ -1,0 +1,319 @@
+#include "ui/widgets/fields.h"
+
+#include <imgui_internal.h>
+#include <imgui_stdlib.h>
+
+#include <cmath>
+
+#include "core/fabric/yarn/colour.h"
+#include "ui/widgets/field_row.h"
+#include "ui/widgets/keys.h"
+
+namespace loomlight {
+namespace {
+
+constexpr double kRestSeconds = 0.5;
+
+/// Says that a list opens here.
+void drawChevron(Ui& ui, ImVec2 centre) {
+  const float w = ui.px(4), h = ui.px(2);
+  const ImVec2 points[] = {{centre.x - w, centre.y - h}, {centre.x, centre.y + h}, {centre.x + w, centre.y - h}};
+  ImGui::GetWindowDrawList()->AddPolyline(points, 3, packed(ui.theme.textQuiet), 0, ui.px(1.5f));
+}
+
+}  // namespace
+
+ImVec4 toDisplayColour(const Rgb& linear) {
+  const Rgb display = srgbFromLinear(glm::clamp(linear, Rgb(0.0f), Rgb(1.0f)));
+  return ImVec4(display.x, display.y, display.z, 1.0f);
+}
+
+Rgb toLinearColour(const ImVec4& display) {
+  return linearFromSrgb(Rgb(display.x, display.y, display.z));
+}
+
+void problemBelow(Ui& ui, ImVec2 min, ImVec2 max, const std::string& problem) {
+  ImGui::GetWindowDrawList()->AddRect(min, max, packed(ui.theme.error), ImGui::GetStyle().FrameRounding);
+  ImDrawList& over = *ImGui::GetForegroundDrawList();
+  const ImVec2 size = ImGui::CalcTextSize(problem.c_str());
+  const float pad = ui.px(8);
+  const float left = std::max(ui.px(4), max.x - size.x - 2 * pad);
+  const ImVec2 corner(left, max.y + ui.px(4)), far(left + size.x + 2 * pad, corner.y + size.y + pad);
+  over.AddRectFilled(corner, far, packed(ui.theme.popup), ui.px(4));
+  over.AddRect(corner, far, packed(ui.theme.error), ui.px(4));
+  over.AddText(ImVec2(corner.x + pad, corner.y + pad / 2), packed(ui.theme.text), problem.c_str());
+}
+
+std::string shortened(const std::string& text, float width) {
+  if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+  constexpr const char* kEllipsis = "\xE2\x80\xA6";
+  std::string part = text;
+  while (!part.empty() && ImGui::CalcTextSize((part + kEllipsis).c_str()).x > width) {
+    // A character of UTF-8 goes as a whole: its continuation bytes first, then what they continue.
+    while (!part.empty() && (static_cast<unsigned char>(part.back()) & 0xC0) == 0x80) part.pop_back();
+    if (!part.empty()) part.pop_back();
+  }
+  return part + kEllipsis;
+}
+
+void tellIfClipped(Ui& ui, const std::string& id, const char* text, float room) {
+  if (ui.probe.watching() && ImGui::CalcTextSize(text).x > room + 0.5f) ui.probe.fact("clipped." + id, text);
+}
+
+FieldRow beginRow(Ui& ui, const RowText& text) {
+  const float all = ImGui::GetContentRegionAvail().x;
+  const float own = *text.label ? ImGui::CalcTextSize(text.label).x + ui.px(12) : 0;
+  const float label = text.standsAlone ? own : std::floor(kLabelShare * all);
+  const float height = ImGui::GetFrameHeight();
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const ImVec4 clip(corner.x, corner.y, corner.x + label - ui.px(4), corner.y + height);
+  tellIfClipped(ui, text.id, text.label, std::max(0.0f, label - ui.px(4)));
+  const float y = corner.y + 0.5f * (height - ImGui::GetFontSize());
+  draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), ImVec2(corner.x, y), packed(ui.theme.textQuiet), text.label,
+               nullptr, 0.0f, &clip);
+  ImGui::SetCursorScreenPos(ImVec2(corner.x + label, corner.y));
+  return {all - label, height};
+}
+
+void endRow(Ui& ui, const RowText& text, ImVec2 min, ImVec2 max) {
+  ui.probe.record(text.id, min, max);
+  const float left = ImGui::GetWindowPos().x + ImGui::GetStyle().WindowPadding.x;
+  if (!ImGui::IsAnyItemActive() && ui.memory.failed == 0)
+    tooltipFor(ui, text.id.c_str(), ImVec2(left, min.y), max, text.tooltip);
+}
+
+void tooltipFor(Ui& ui, const char* id, ImVec2 min, ImVec2 max, const char* text) {
+  if (!*text) return;
+  const ImGuiID key = ImGui::GetID(id);
+  FieldMemory& memory = ui.memory;
+  if (!ImGui::IsWindowHovered() || !ImGui::IsMouseHoveringRect(min, max)) {
+    if (memory.restingOn == key) memory.restingOn = 0;
+    return;
+  }
+  if (memory.restingOn != key) {
+    memory.restingOn = key;
+    memory.restingSince = ui.time;
+  }
+  const double rested = ui.time - memory.restingSince;
+  if (rested < kRestSeconds) {
+    ui.wakeWithin(kRestSeconds - rested + 0.01);
+    return;
+  }
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(ui.px(320));
+  ImGui::TextUnformatted(text);
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+bool choiceField(Ui& ui, const RowText& text, std::span<const char* const> names, int& chosen, const char* otherwise) {
+  const FieldRow row = beginRow(ui, text);
+  const ImVec2 min = ImGui::GetCursorScreenPos();
+  const ImVec2 max(min.x + row.width, min.y + row.height);
+  ImGui::PushID(text.id.c_str());
+  ImGui::SetNextItemWidth(row.width);
+  bool changed = false;
+  const char* shown = chosen >= 0 && chosen < static_cast<int>(names.size()) ? names[chosen] : otherwise;
+  const float room = row.width - ui.px(28);
+  const std::string preview = shortened(shown, room);
+  tellIfClipped(ui, text.id, shown, room);
+  const bool open =
+      ImGui::BeginCombo("##choice", preview.c_str(), ImGuiComboFlags_HeightLarge | ImGuiComboFlags_NoArrowButton);
+  if (!open) drawChevron(ui, ImVec2(max.x - ui.px(14), 0.5f * (min.y + max.y)));
+  if (open) {
+    for (int i = 0; i < static_cast<int>(names.size()); ++i) {
+      if (ImGui::Selectable(names[i], i == chosen)) {
+        changed = i != chosen;
+        chosen = i;
+      }
+      ui.probe.recordItem(text.id + "/" + names[i]);
+    }
+    if (keyPressed(ImGuiKey_Escape)) ImGui::CloseCurrentPopup();
+    ImGui::EndCombo();
+  }
+  ImGui::PopID();
+  endRow(ui, text, min, max);
+  return changed;
+}
+
+bool segmentField(Ui& ui, const RowText& text, std::span<const char* const> names, int& chosen) {
+  const FieldRow row = beginRow(ui, text);
+  const ImVec2 min = ImGui::GetCursorScreenPos();
+  const ImVec2 max(min.x + row.width, min.y + row.height);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const float rounding = ImGui::GetStyle().FrameRounding;
+  draw.AddRectFilled(min, max, packed(ui.theme.field), rounding);
+  ImGui::PushID(text.id.c_str());
+  bool changed = false;
+  const float width = row.width / static_cast<float>(names.size());
+  const int shown = chosen;  // a click shows with the next frame, so that none has two of them lit
+  for (int i = 0; i < static_cast<int>(names.size()); ++i) {
+    const ImVec2 a(min.x + width * static_cast<float>(i), min.y), b(a.x + width, max.y);
+    ImGui::SetCursorScreenPos(a);
+    if (ImGui::InvisibleButton(names[i], ImVec2(width, row.height)) && i != chosen) {
+      chosen = i;
+      changed = true;
+    }
+    ui.probe.recordItem(text.id + "/" + names[i]);
+    const bool on = i == shown;
+    if (on || ImGui::IsItemHovered())
+      draw.AddRectFilled(a, b, packed(on ? ui.theme.fieldFill : ui.theme.fieldHover), rounding);
+    const ImVec2 size = ImGui::CalcTextSize(names[i]);
+    draw.AddText(ImVec2(0.5f * (a.x + b.x - size.x), 0.5f * (a.y + b.y - size.y)),
+                 packed(on ? ui.theme.text : ui.theme.textQuiet), names[i]);
+    tellIfClipped(ui, text.id, names[i], width);
+  }
+  ImGui::PopID();
+  endRow(ui, text, min, max);
+  return changed;
+}
+
+bool switchField(Ui& ui, const RowText& text, bool& value) {
+  static constexpr const char* kNames[] = {"Off", "On"};
+  int chosen = value ? 1 : 0;
+  if (!segmentField(ui, text, kNames, chosen)) return false;
+  value = chosen == 1;
+  return true;
+}
+
+bool textField(Ui& ui, const RowText& text, std::string& value) {
+  const FieldRow row = beginRow(ui, text);
+  const ImVec2 min = ImGui::GetCursorScreenPos();
+  ImGui::PushID(text.id.c_str());
+  ImGui::SetNextItemWidth(row.width);
+  const bool changed = ImGui::InputText("##text", &value);
+  const bool goesOn = ImGui::CalcTextSize(value.c_str()).x > row.width - ui.px(16);
+  if (goesOn && !ImGui::IsItemActive()) {  // a text that goes on fades out
+    const ImVec2 max(min.x + row.width, min.y + row.height);
+    const ImVec4& field = ImGui::IsItemHovered() ? ui.theme.fieldHover : ui.theme.field;
+    const ImU32 clear = packed(field, 0), full = packed(field);
+    const float rounding = ImGui::GetStyle().FrameRounding, end = max.x - 2 * rounding;
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    draw.AddRectFilledMultiColor(ImVec2(end - ui.px(32), min.y), ImVec2(end, max.y), clear, full, full, clear);
+    draw.AddRectFilled(ImVec2(end, min.y), max, full, rounding, ImDrawFlags_RoundCornersRight);
+  }
+  ImGui::PopID();
+  endRow(ui, text, min, ImVec2(min.x + row.width, min.y + row.height));
+  return changed;
+}
+
+bool colourField(Ui& ui, const RowText& text, Rgb& linear) {
+  const FieldRow row = beginRow(ui, text);
+  const ImVec2 min = ImGui::GetCursorScreenPos();
+  ImGui::PushID(text.id.c_str());
+  const ImVec4 display = toDisplayColour(linear);
+  float edited[3] = {display.x, display.y, display.z};
+  bool changed = false;
+  constexpr ImGuiColorEditFlags kFlat = ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoDragDrop;
+  if (ImGui::ColorButton("##swatch", display, kFlat, ImVec2(row.width, row.height))) ImGui::OpenPopup("picker");
+  if (ImGui::BeginPopup("picker")) {
+    ImGui::SetNextItemWidth(ui.px(240));
+    changed = ImGui::ColorPicker3("##picker", edited,
+                                  ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_DisplayRGB |
+                                      ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_PickerHueBar);
+    ui.probe.recordItem(text.id + "/picker");
+    if (keyPressed(ImGuiKey_Escape)) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+  }
+  ImGui::PopID();
+  endRow(ui, text, min, ImVec2(min.x + row.width, min.y + row.height));
+  if (changed) linear = toLinearColour(ImVec4(edited[0], edited[1], edited[2], 1.0f));
+  return changed;
+}
+
+void readout(Ui& ui, const RowText& text, const std::string& value) {
+  const FieldRow row = beginRow(ui, text);
+  ui.probe.fact(text.id, value);
+  const ImVec2 min = ImGui::GetCursorScreenPos();
+  const ImVec2 max(min.x + row.width, min.y + row.height);
+  const ImVec2 size = ImGui::CalcTextSize(value.c_str());
+  const float y = min.y + 0.5f * (row.height - size.y);
+  tellIfClipped(ui, text.id, value.c_str(), row.width - ui.px(8));
+  ImGui::GetWindowDrawList()->AddText(ImVec2(max.x - ui.px(8) - size.x, y), packed(ui.theme.text), value.c_str());
+  ImGui::Dummy(ImVec2(row.width, row.height));
+  endRow(ui, text, min, max);
+}
+
+bool button(Ui& ui, const char* id, const char* label, float width, bool enabled, const char* tooltip) {
+  ImGui::PushID(id);
+  if (!enabled) ImGui::BeginDisabled();
+  const bool pressed = ImGui::Button(label, ImVec2(width, 0));
+  if (!enabled) ImGui::EndDisabled();
+  ImGui::PopID();
+  ui.probe.recordItem(id);
+  tellIfClipped(ui, id, label, ImGui::GetItemRectSize().x);
+  tooltipFor(ui, id, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), tooltip);
+  return pressed;
+}
+
+bool mainButton(Ui& ui, const char* id, const char* label, float width, bool enabled, const char* tooltip) {
+  if (!enabled) return button(ui, id, label, width, false, tooltip);
+  ImVec4 ground = ui.theme.text;
+  ground.w = 0.88f;
+  ImGui::PushStyleColor(ImGuiCol_Button, ground);
+  ImGui::PushStyleColor(ImGuiCol_ButtonHovered, ui.theme.text);
+  ImGui::PushStyleColor(ImGuiCol_ButtonActive, ui.theme.text);
+  ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.panel);
+  const bool pressed = button(ui, id, label, width, true, "");
+  ImGui::PopStyleColor(4);
+  tooltipFor(ui, id, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), tooltip);  // in the colours of a tooltip
+  return pressed;
+}
+
+bool swatch(Ui& ui, const char* id, const ImVec4& colour, float size, bool selected, const char* tooltip) {
+  const ImVec2 min = ImGui::GetCursorScreenPos();
+  const bool pressed = ImGui::InvisibleButton(id, ImVec2(size, size));
+  const ImVec2 max(min.x + size, min.y + size);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const float inset = ui.px(3);
+  const ImVec2 a(min.x + inset, min.y + inset), b(max.x - inset, max.y - inset);
+  draw.AddRectFilled(a, b, packed(colour), ui.px(3));
+  draw.AddRect(a, b, packed(ui.theme.text, 0.18f), ui.px(3));  // ecru is seen on a light panel, black on a dark one
+  if (selected || ImGui::IsItemHovered())
+    draw.AddRect(min, max, packed(selected ? ui.theme.accent : ui.theme.textQuiet), ui.px(5), 0, ui.px(1.5f));
+  ui.probe.record(id, min, max);
+  tooltipFor(ui, id, min, max, tooltip);
+  return pressed;
+}
+
+void heading(Ui& ui, const char* text) {
+  ImGui::Dummy(ImVec2(0, ui.px(2)));
+  ImGui::PushFont(ui.fonts.strong);
+  ImGui::TextUnformatted(text);
+  ImGui::PopFont();
+}
+
+bool foldingHeading(Ui& ui, const char* id, const char* text, const char* tooltip, bool& open) {
+  const ImVec2 min = ImGui::GetCursorScreenPos();
+  const ImVec2 size(ImGui::GetContentRegionAvail().x, ImGui::GetFrameHeight()), max(min.x + size.x, min.y + size.y);
+  if (ImGui::InvisibleButton(id, size)) open = !open;
+  ui.probe.recordItem(id);
+  const ImU32 ink = packed(ImGui::IsItemHovered() ? ui.theme.text : ui.theme.textQuiet);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const float r = ui.px(3), x = min.x + ui.px(4), y = 0.5f * (min.y + max.y);
+  const ImVec2 shut[] = {{x - 0.5f * r, y - r}, {x + 0.5f * r, y}, {x - 0.5f * r, y + r}};
+  const ImVec2 unfolded[] = {{x - r, y - 0.5f * r}, {x, y + 0.5f * r}, {x + r, y - 0.5f * r}};
+  draw.AddPolyline(open ? unfolded : shut, 3, ink, 0, ui.px(1.5f));
+  ImGui::PushFont(ui.fonts.strong);
+  draw.AddText(ImVec2(min.x + ui.px(16), y - 0.5f * ImGui::GetFontSize()), packed(ui.theme.text), text);
+  ImGui::PopFont();
+  tooltipFor(ui, id, min, max, tooltip);
+  return open;
+}
+
+void hint(Ui& ui, const std::string& text) {
+  hint(ui, text, ui.theme.textQuiet);
+}
+
+void hint(Ui& ui, const std::string& text, const ImVec4& colour) {
+  ImGui::PushFont(ui.fonts.small);
+  ImGui::PushStyleColor(ImGuiCol_Text, colour);
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+  ImGui::PopFont();
+}
+
+}  // namespace loomlight

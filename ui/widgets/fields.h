@@ -1,0 +1,79 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/base/units.h"
+#include "ui/widgets/ui.h"
+
+namespace loomlight {
+
+/// A labelled row: label on the left, field on the right. Ids are unique within the panel and name the widget for
+/// tests.
+struct RowText {
+  std::string id;
+  const char* label;
+  const char* tooltip = "";
+  bool standsAlone = false;  ///< its label takes what it needs, rather than a column that rows share
+};
+
+/// How a number is shown and edited. Dragging scrubs it (Shift fine, Ctrl coarse), a click types it.
+struct NumberStyle {
+  const char* unit = "";
+  double min = 0, max = 1;
+  int decimals = 2;
+  bool logarithmic = false;  ///< scrubs by factors; needs min > 0
+  double perPixel = 0;       ///< change per pixel of scrubbing; 0: the range over 300 pixels
+  /// Understands further ways to write the value ("30/2 Ne"); nullopt: not one of them.
+  std::function<std::optional<double>(std::string_view)> parse;
+  const char* otherwise = "";  ///< what these look like, for the message where a text is none of them
+  /// Why a text is refused that is one of them; empty: for no reason but the range.
+  std::function<std::string(std::string_view)> objection;
+};
+
+/// True when the value changed. It stays within [min, max]; text that is no such number is refused beside the field.
+bool numberField(Ui& ui, const RowText& text, const NumberStyle& style, double& value);
+bool wholeNumberField(Ui& ui, const RowText& text, const char* unit, int min, int max, int& value);
+
+/// One of a few names, in a list that opens; `chosen` may be -1 for none of them, shown as `otherwise`.
+bool choiceField(Ui& ui, const RowText& text, std::span<const char* const> names, int& chosen,
+                 const char* otherwise = "");
+/// One of two to five short names, side by side.
+bool segmentField(Ui& ui, const RowText& text, std::span<const char* const> names, int& chosen);
+bool switchField(Ui& ui, const RowText& text, bool& value);
+bool textField(Ui& ui, const RowText& text, std::string& value);
+/// A display colour in linear light, edited in a picker that opens.
+bool colourField(Ui& ui, const RowText& text, Rgb& linear);
+/// A value that is computed, not edited.
+void readout(Ui& ui, const RowText& text, const std::string& value);
+
+/// A button of the width of the panel's field column, or of `width`.
+bool button(Ui& ui, const char* id, const char* label, float width = 0, bool enabled = true, const char* tooltip = "");
+/// The button that a dialog is for: it stands out, though without a hue.
+bool mainButton(Ui& ui, const char* id, const char* label, float width, bool enabled = true, const char* tooltip = "");
+/// A square button with a drawn colour; `selected` rings it.
+bool swatch(Ui& ui, const char* id, const ImVec4& colour, float size, bool selected, const char* tooltip);
+
+/// Small, quiet heading that groups the rows below it.
+void heading(Ui& ui, const char* text);
+/// A heading that folds what follows it; a click turns `open`, which is returned.
+bool foldingHeading(Ui& ui, const char* id, const char* text, const char* tooltip, bool& open);
+/// Quiet explanation, wrapped to the panel; a warning in the colour of one.
+void hint(Ui& ui, const std::string& text);
+void hint(Ui& ui, const std::string& text, const ImVec4& colour);
+/// Shows `text` when the mouse has rested on the rectangle for a moment.
+void tooltipFor(Ui& ui, const char* id, ImVec2 min, ImVec2 max, const char* text);
+
+/// Says below a field what is wrong with its text, over whatever is there.
+void problemBelow(Ui& ui, ImVec2 min, ImVec2 max, const std::string& problem);
+
+/// `text`, or as much of it as fits into the width and an ellipsis.
+std::string shortened(const std::string& text, float width);
+
+ImVec4 toDisplayColour(const Rgb& linear);
+Rgb toLinearColour(const ImVec4& display);
+
+}  // namespace loomlight

@@ -1,0 +1,62 @@
+#include "ui/widgets/modal.h"
+
+#include <utility>
+
+#include "ui/widgets/fields.h"
+#include "ui/widgets/keys.h"
+
+namespace loomlight {
+namespace {
+
+constexpr float kEdge = 24;  // from the window's
+
+}  // namespace
+
+bool beginModal(Ui& ui, const char* title, ImVec2 size, bool& open, bool& opening) {
+  const bool opensNow = std::exchange(opening, false);  // the key that brings a dialog up must not answer it
+  if (opensNow) ImGui::OpenPopup(title);
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const float edge = ui.px(kEdge);
+  size.x = std::min(size.x, screen.x - 2 * edge);
+  if (size.y > 0) size.y = std::min(size.y, screen.y - 2 * edge);
+  ImGui::SetNextWindowPos(ImVec2(0.5f * screen.x, 0.5f * screen.y), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
+  ImGui::SetNextWindowSize(size, ImGuiCond_Always);
+  open = ImGui::BeginPopupModal(title, nullptr,
+                                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                                    ImGuiWindowFlags_NoSavedSettings);
+  if (!open) return false;
+  // As it is before the fields answer to the keys of this frame.
+  ui.memory.keysAreTaken = ui.memory.typing != 0 || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId) || opensNow;
+  const std::string text(title);
+  heading(ui, text.substr(0, text.find("##")).c_str());
+  ImGui::Dummy(ImVec2(0, ui.px(4)));
+  return true;
+}
+
+void endModal() {
+  ImGui::EndPopup();
+}
+
+float roomAboveButtons(const Ui& ui) {
+  const float below = ui.px(16) + ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().WindowPadding.y;
+  return std::max(ui.px(96), ImGui::GetIO().DisplaySize.y - 2 * ui.px(kEdge) - ImGui::GetCursorPosY() - below);
+}
+
+bool modalCancelled(const Ui& ui) {
+  return keyPressed(ImGuiKey_Escape) && !ui.memory.keysAreTaken;
+}
+
+bool modalConfirmed(const Ui& ui) {
+  const bool enter = keyPressed(ImGuiKey_Enter) || keyPressed(kKeypadEnter);
+  return enter && !ui.memory.keysAreTaken && !ImGui::GetIO().WantTextInput;
+}
+
+bool closedBelow(Ui& ui, const char* id) {
+  ImGui::Dummy(ImVec2(0, ui.px(4)));
+  ImGui::SetCursorPosX(ImGui::GetWindowWidth() - ui.px(136));
+  const bool closed = button(ui, id, "Close", ui.px(120)) || modalCancelled(ui) || modalConfirmed(ui);
+  if (closed) ImGui::CloseCurrentPopup();
+  return closed;
+}
+
+}  // namespace loomlight

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "ui/widgets/ui.h"
+
+namespace loomlight {
+
+/// A dialog, which is open, in the middle of the window, where it keeps the rest waiting. `opening`: it appears in this
+/// frame; false from then on. A height of 0 fits the content. When true, content follows and endModal() closes the
+/// scope; when false it has been closed, and `open` says so.
+bool beginModal(Ui& ui, const char* title, ImVec2 size, bool& open, bool& opening);
+void endModal();
+/// The height that is left for what stands between here and a last line of buttons, in a dialog that fits its content:
+/// in a low window that part scrolls, and the buttons stay in sight.
+float roomAboveButtons(const Ui& ui);
+/// Escape, unless a list that is open in the dialog or a number that is being typed takes it. In a line of text, which
+/// it leaves, it closes the dialog all the same.
+bool modalCancelled(const Ui& ui);
+/// Enter, outside of a text or a list: the button that stands out.
+bool modalConfirmed(const Ui& ui);
+/// The last line of a dialog: its button, or Escape. True when it closes.
+bool closedBelow(Ui& ui, const char* id);
+
+}  // namespace loomlight

@@ -1,0 +1,222 @@
+#include <fmt/core.h>
+#include <imgui_internal.h>
+#include <imgui_stdlib.h>
+
+#include <cmath>
+
+#include "ui/widgets/field_row.h"
+#include "ui/widgets/fields.h"
+#include "ui/widgets/keys.h"
+#include "ui/widgets/number_text.h"
+
+namespace loomlight {
+namespace {
+
+constexpr float kDragThreshold = 3.0f;
+constexpr double kFailureSeconds = 6.0;
+
+double roundTo(double value, int decimals) {
+  const double unit = std::pow(10.0, decimals);
+  return std::round(value * unit) / unit;
+}
+
+/// As many as the style says; small values on a logarithmic scale keep three significant digits.
+int decimalsOf(const NumberStyle& style, double value) {
+  if (!style.logarithmic || value <= 0) return style.decimals;
+  return std::clamp(static_cast<int>(2 - std::floor(std::log10(value))), style.decimals, 6);
+}
+
+/// Enough digits to say the value, and no more than the style wants.
+std::string written(const NumberStyle& style, double value) {
+  const int decimals = decimalsOf(style, value);
+  std::string text = fmt::format("{:.{}f}", value, decimals);
+  if (decimals > style.decimals && text.find('.') != std::string::npos) {
+    const size_t keep = text.size() - static_cast<size_t>(decimals - style.decimals);
+    while (text.size() > keep && text.back() == '0') text.pop_back();
+    if (text.back() == '.') text.pop_back();
+  }
+  return text;
+}
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+  return text;
+}
+
+std::optional<double> parsePlain(std::string_view text, std::string_view unit) {
+  text = trimmed(text);
+  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+  const std::optional<LeadingNumber> leading = leadingNumber(text);
+  if (!leading) return std::nullopt;
+  const std::string_view rest = trimmed(text.substr(leading->length));
+  if (rest.empty() || rest == unit) return leading->value;
+  return std::nullopt;
+}
+
+/// Where a logarithmic scale begins, for ranges that begin at 0 too.
+double lowest(const NumberStyle& style) {
+  return style.min > 0 ? style.min : style.max * 1e-5;
+}
+
+double scrubbed(const NumberStyle& style, double value, double pixels) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const double speed = io.KeyShift ? 0.1 : io.KeyCtrl ? 10.0 : 1.0;
+  if (style.logarithmic) {
+    const double moved = std::max(value, lowest(style)) * std::exp(0.008 * pixels * speed);
+    return moved <= lowest(style) ? style.min : moved;
+  }
+  const double perPixel = style.perPixel > 0 ? style.perPixel : (style.max - style.min) / 300.0;
+  return value + perPixel * pixels * speed;
+}
+
+double fraction(const NumberStyle& style, double value) {
+  if (!style.logarithmic) return std::clamp((value - style.min) / (style.max - style.min), 0.0, 1.0);
+  if (value <= lowest(style)) return 0.0;
+  return std::clamp(std::log(value / lowest(style)) / std::log(style.max / lowest(style)), 0.0, 1.0);
+}
+
+void drawValue(Ui& ui, const NumberStyle& style, double value, const ImRect& box, bool lit) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const float rounding = ImGui::GetStyle().FrameRounding;
+  draw.AddRectFilled(box.Min, box.Max, packed(lit ? ui.theme.fieldHover : ui.theme.field), rounding);
+  // How far along its range; a range on both sides of zero fills from zero.
+  const double zero = style.min < 0 && style.max > 0 ? fraction(style, 0.0) : 0.0;
+  const double here = fraction(style, value);
+  const float from = static_cast<float>(std::min(zero, here)) * box.GetWidth();
+  const float to = static_cast<float>(std::max(zero, here)) * box.GetWidth();
+  if (to - from > 1) {
+    draw.PushClipRect(ImVec2(box.Min.x + from, box.Min.y), ImVec2(box.Min.x + to, box.Max.y), true);
+    draw.AddRectFilled(box.Min, box.Max, packed(ui.theme.fieldFill, 0.75f), rounding);
+    draw.PopClipRect();
+  }
+  const std::string number = written(style, value);
+  const ImVec2 unitSize = ImGui::CalcTextSize(style.unit);
+  const ImVec2 numberSize = ImGui::CalcTextSize(number.c_str());
+  const float pad = ui.px(8);
+  const float y = box.Min.y + 0.5f * (box.GetHeight() - numberSize.y);
+  float x = box.Max.x - pad;
+  if (*style.unit) {
+    x -= unitSize.x;
+    draw.AddText(ImVec2(x, y), packed(ui.theme.textQuiet), style.unit);
+    x -= ui.px(4);
+  }
+  draw.AddText(ImVec2(x - numberSize.x, y), packed(ui.theme.text), number.c_str());
+}
+
+std::string objectionTo(std::string_view text, const NumberStyle& style) {
+  if (hasDoubtfulComma(text)) return "A comma before three digits may mean either: write a point, or no comma";
+  if (std::string own = style.objection ? style.objection(text) : ""; !own.empty()) return own;
+  return fmt::format("Expected a number from {:g} to {:g}{}{}{}{}", style.min, style.max, *style.unit ? " " : "",
+                     style.unit, *style.otherwise ? ", or " : "", style.otherwise);
+}
+
+/// The open text of a field. True when it was accepted.
+bool typeValue(Ui& ui, const NumberStyle& style, double& value, ImGuiID id, float width) {
+  FieldMemory& memory = ui.memory;
+  ImGui::SetNextItemWidth(width);
+  if (memory.justOpened) ImGui::SetKeyboardFocusHere();
+  const bool entered = ImGui::InputText("##text", &memory.text,
+                                        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  const bool cancelled = ImGui::IsItemDeactivated() && keyPressed(ImGuiKey_Escape);
+  const bool left = ImGui::IsItemDeactivated() && !memory.justOpened;
+  memory.justOpened = false;
+  if (cancelled) {
+    memory.typing = 0;
+    return false;
+  }
+  if (!entered && !left) return false;
+  memory.typing = 0;
+  std::optional<double> typed = parsePlain(memory.text, style.unit);
+  if (!typed && style.parse) typed = style.parse(memory.text);
+  if (typed && *typed >= style.min && *typed <= style.max) {
+    const bool changed = *typed != value;
+    value = *typed;
+    return changed;
+  }
+  memory.failed = id;
+  memory.failedAt = ui.time;
+  memory.failure = objectionTo(memory.text, style);
+  return false;
+}
+
+void showFailure(Ui& ui, ImGuiID id, const ImRect& box) {
+  if (ui.memory.failed != id) return;
+  if (ui.time - ui.memory.failedAt > kFailureSeconds || ui.memory.typing == id || ui.memory.scrubbing == id) {
+    ui.memory.failed = 0;
+    return;
+  }
+  ui.wakeWithin(0.5);
+  problemBelow(ui, box.Min, box.Max, ui.memory.failure);
+}
+
+bool scrubValue(Ui& ui, const NumberStyle& style, double& value, ImGuiID id) {
+  FieldMemory& memory = ui.memory;
+  if (ImGui::IsItemActivated()) {
+    memory.scrubbing = id;
+    memory.scrubValue = value;
+    memory.scrubMoved = false;
+  }
+  if (memory.scrubbing != id) return false;
+  if (!ImGui::IsItemActive()) {
+    memory.scrubbing = 0;
+    if (!memory.scrubMoved) {
+      memory.typing = id;
+      memory.text = written(style, value);
+      memory.justOpened = true;
+      ui.wakeWithin(0);
+    }
+    return false;
+  }
+  const ImGuiIO& io = ImGui::GetIO();
+  if (!memory.scrubMoved && !ImGui::IsMouseDragging(ImGuiMouseButton_Left, kDragThreshold * ui.scale)) return false;
+  memory.scrubMoved = true;
+  if (io.MouseDelta.x == 0) return false;
+  memory.scrubValue = std::clamp(scrubbed(style, memory.scrubValue, io.MouseDelta.x / ui.scale), style.min, style.max);
+  const double rounded =
+      std::clamp(roundTo(memory.scrubValue, decimalsOf(style, memory.scrubValue)), style.min, style.max);
+  const bool changed = rounded != value;
+  value = rounded;
+  return changed;
+}
+
+}  // namespace
+
+bool numberField(Ui& ui, const RowText& text, const NumberStyle& style, double& value) {
+  const FieldRow row = beginRow(ui, text);
+  ImGui::PushID(text.id.c_str());
+  const ImGuiID id = ImGui::GetID("field");
+  bool changed = false;
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const ImRect box(corner, ImVec2(corner.x + row.width, corner.y + row.height));
+  if (ui.memory.typing == id) {
+    changed = typeValue(ui, style, value, id, row.width);
+  } else {
+    ImGui::InvisibleButton("scrub", ImVec2(row.width, row.height));
+    const bool lit = ImGui::IsItemHovered() || ImGui::IsItemActive();
+    if (lit) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    changed = scrubValue(ui, style, value, id);
+    drawValue(ui, style, value, box, lit);
+  }
+  showFailure(ui, id, box);
+  ImGui::PopID();
+  endRow(ui, text, box.Min, box.Max);
+  return changed;
+}
+
+bool wholeNumberField(Ui& ui, const RowText& text, const char* unit, int min, int max, int& value) {
+  NumberStyle style;
+  style.unit = unit;
+  style.min = min;
+  style.max = max;
+  style.decimals = 0;
+  style.perPixel = std::clamp((max - min) / 300.0, 0.04, 1.0);
+  double number = value;
+  if (!numberField(ui, text, style, number)) return false;
+  const int rounded = static_cast<int>(std::lround(number));
+  const bool changed = rounded != value;
+  value = rounded;
+  return changed;
+}
+
+}  // namespace loomlight

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <string>
+
+#include "ui/widgets/fonts.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widget_probe.h"
+
+namespace loomlight {
+
+/// What fields remember between frames: the text being typed, the fraction being scrubbed, what the mouse rests on.
+struct FieldMemory {
+  ImGuiID typing = 0;  ///< the field whose text is open; 0: none
+  std::string text;
+  bool justOpened = false;
+  ImGuiID failed = 0;  ///< the field whose text was refused, and why
+  std::string failure;
+  double failedAt = 0;
+  ImGuiID scrubbing = 0;
+  double scrubValue = 0;  ///< unrounded
+  bool scrubMoved = false;
+  bool keysAreTaken = false;  ///< Escape and Enter are not for the dialog in this frame
+  ImGuiID restingOn = 0;
+  double restingSince = 0;
+};
+
+/// What every panel is handed to draw with. Lives for a frame; what it points to lives as long as the window.
+struct Ui {
+  const Theme& theme;
+  const Fonts& fonts;
+  WidgetProbe& probe;
+  FieldMemory& memory;
+  float scale = 1;
+  double time = 0;      ///< seconds
+  double wakeIn = 1e9;  ///< the window draws again after so long even when nothing happens
+
+  float px(float atScale1) const { return atScale1 * scale; }
+  void wakeWithin(double seconds) { wakeIn = std::min(wakeIn, seconds); }
+};
+
+}  // namespace loomlight
