@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "app/editor/controllers/first_opening.h"
+#include "app/editor/gl/opengl_driver.h"
 #include "app/editor/gl/window.h"
 #include "app/editor/model/sample_fabric.h"
 #include "app/editor/model/thread_clock.h"
@@ -67,21 +68,24 @@ class Frames {
         window_.refuseClose();
         shown.askToQuit();
       }
-      wakeIn = draw(shown);
+      wakeIn = draw(shown, framesLeft <= 0);
       window_.setFullScreen(shown.wantsFullScreen());
       if (probe_.watching()) dump_.write(probe_.snapshot());
     }
   }
 
  private:
-  /// Returns after how many seconds the next frame is wanted without any event.
+  /// `sleepsThen`: it is the last frame before the window sleeps. Returns after how many seconds the next frame is
+  /// wanted without any event.
   template <class Shown>
-  double draw(Shown& shown) {
+  double draw(Shown& shown, bool sleepsThen) {
     const Theme theme = shown.settings().darkTheme ? Theme::dark() : Theme::light();
     window_.setTheme(theme);
     window_.setInterfaceSize(shown.settings().interfaceSize);
     window_.beginFrame();
     probe_.beginFrame();
+    probe_.fact("inputs", std::to_string(window_.inputCount()));
+    probe_.fact("sleeps_then", sleepsThen ? "yes" : "no");
     Ui ui{theme, window_.fonts(), probe_, memory_, window_.scale(), seconds()};
     const double before_s = threadSeconds();
     shown.frame(ui);
@@ -112,6 +116,7 @@ int runEditor(const EditorOptions& options) {
   if (options.width > 0) settings.windowWidth = options.width;
   if (options.height > 0) settings.windowHeight = options.height;
   Window window("Loomlight", settings.windowWidth, settings.windowHeight, options.scale);
+  OpenGlDriver driver;
   Frames frames(window, options.widgetDump);
 
   FileDesk firstFile(Window::wake);  // outlives the session: for a read that was given up nobody waits but at the end
@@ -127,7 +132,7 @@ int runEditor(const EditorOptions& options) {
     dropped = opening.dropped();
   }
 
-  Session session(std::move(document), settings, Window::wake, options.threads);
+  Session session(std::move(document), settings, driver, Window::wake, options.threads);
   session.offerRecovery();
   if (!problem.empty()) session.sayUnopened(problem);
   if (!options.fabricFile.empty() && !isFabricFile(options.fabricFile)) session.openFile(options.fabricFile);

@@ -5,19 +5,19 @@
 
 namespace loomlight {
 
-Session::Session(Document document, Settings settings, std::function<void()> wake, int threads)
+Session::Session(Document document, Settings settings, DisplayDriver& driver, std::function<void()> wake, int threads)
     : settings_(std::move(settings)),
       document_(std::move(document)),
       wake_(std::move(wake)),
       sampleNames_(sampleNames()),
       autosave_(stateFolder(), wake_),
       colours_(wake_),
-      sidePictures_(wake_),
-      shelf_(viewFolder(), wake_),
-      presetDesk_(presetFolder(), wake_),
-      views_(wake_, threads),
+      sidePictures_(driver, wake_),
+      shelf_(viewFolder(), driver, wake_),
+      presetDesk_(presetFolder(), driver, wake_),
+      views_(driver, wake_, threads),
       files_(wake_),
-      previews_(wake_),
+      previews_(driver, wake_),
       pictures_(wake_) {
   hints_.wanted = !settings_.hintsSeen;
   const ViewSettings& view = settings_.view;

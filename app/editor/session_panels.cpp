@@ -24,6 +24,15 @@ int shownWidth(const Frame& frame, int width, int height) {
   return static_cast<int>(std::clamp<int64_t>(int64_t{window.width} * height / window.height, 1, 4 * int64_t{width}));
 }
 
+/// Linear, red, green and blue: the mean of all pixels, which noise leaves where it is.
+std::string lightOf(const Frame& frame) {
+  const auto& pixels = frame.shown();
+  glm::dvec3 sum(0.0);
+  for (const glm::vec4& pixel : pixels) sum += glm::dvec3(pixel);
+  if (!pixels.empty()) sum /= static_cast<double>(pixels.size());
+  return fmt::format("{:.6f} {:.6f} {:.6f}", sum.r, sum.g, sum.b);
+}
+
 }  // namespace
 
 void Session::frame(Ui& ui) {
@@ -109,8 +118,9 @@ void Session::drawViewport(Ui& ui, const Insight* insight, const LiveStatus& sta
   // A coarse first pass has pixels larger than crossings; an outline of them would only be blocks.
   constexpr int kCoarsest = 3;
   const Frame* shown = views_.frame();
+  const ImVec4& accent = ui.theme.accent;
   if (draft_.hovered && shown && shown->divider <= kCoarsest)
-    outline = {inRepeat(*draft_.hovered, weave), weave.ends(), weave.picks(), ui.theme.accent};
+    outline = {inRepeat(*draft_.hovered, weave), weave.ends(), weave.picks(), Rgb(accent.x, accent.y, accent.z)};
   ViewportModel model;
   const int pictureWidth = shown ? shownWidth(*shown, viewport_.width, viewport_.height) : viewport_.width;
   model.picture = views_.picture(pictureWidth, viewport_.height, tone(), outline);
@@ -223,6 +233,9 @@ void Session::tellProbe(Ui& ui, const LiveStatus& status) const {
   ui.probe.fact("built_generation", std::to_string(status.builtGeneration));
   ui.probe.fact("shown_generation", std::to_string(shown ? shown->generation : 0));
   ui.probe.fact("shown_samples", std::to_string(shown ? shown->samples : 0));
+  ui.probe.fact("shown_light", shown ? lightOf(*shown) : "");
+  static constexpr const char* kPhases[] = {"idle", "voxelising", "tracing", "converged"};
+  ui.probe.fact("phase", kPhases[static_cast<int>(status.phase)]);
   ui.probe.fact("shown_draft", shown && shown->draft ? "yes" : "no");
   ui.probe.fact("denoised", shown && !shown->denoised.empty() ? "yes" : "no");
   ui.probe.fact("error", status.error);

@@ -19,6 +19,7 @@ struct Tone {
   float exposure_stops = 0;
   bool filmic = true;     ///< false: plain sRGB, clipped
   Rgb background{0.18f};  ///< linear; behind the cloth, where alpha < 1
+  friend bool operator==(const Tone&, const Tone&) = default;
 };
 /// Of an opaque pixel: in [0, 1], sRGB-encoded.
 Rgb toDisplay(Rgb linear, const Tone& tone);

@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include <utility>
+
 namespace loomlight {
 
 // Which keys are pressed in this frame. Dear ImGui 1.87 (Debian 13) gave every key a name and took away the numbers by
@@ -46,19 +48,44 @@ inline bool functionKeyPressed(int n) {
   return ImGui::IsKeyPressed(numberOfFunctionKey(n), false);
 }
 
-/// What a window's backend says of the keyboard; for those that have no window.
-inline void holdLetter(ImGuiIO& io, char letter, bool held) {
-#if IMGUI_VERSION_NUM >= 18700
-  io.AddKeyEvent(numberOfLetter(letter), held);
-#else
-  io.KeysDown[numberOfLetter(letter)] = held;
+// What a window's backend says of the keyboard; for those that have no window.
+
+/// Before the first frame. Letters that Dear ImGui has names for too have one number by both.
+inline void nameKeys([[maybe_unused]] ImGuiIO& io) {
+#if IMGUI_VERSION_NUM < 18700
+  constexpr int kFree = 400;
+  for (int key = 0; key < ImGuiKey_COUNT; ++key) io.KeyMap[key] = kFree + key;
+  for (const auto& [key, letter] : {std::pair(ImGuiKey_A, 'A'), std::pair(ImGuiKey_C, 'C'), std::pair(ImGuiKey_V, 'V'),
+                                    std::pair(ImGuiKey_X, 'X'), std::pair(ImGuiKey_Y, 'Y'), std::pair(ImGuiKey_Z, 'Z')})
+    io.KeyMap[key] = letter;
 #endif
+}
+/// By its number.
+inline void holdNumbered(ImGuiIO& io, decltype(numberOfLetter('A')) key, bool held) {
+#if IMGUI_VERSION_NUM >= 18700
+  io.AddKeyEvent(key, held);
+#else
+  io.KeysDown[key] = held;
+#endif
+}
+inline void holdKey(ImGuiIO& io, ImGuiKey key, bool held) {
+  holdNumbered(io, numberOfKey(key), held);
+}
+inline void holdLetter(ImGuiIO& io, char letter, bool held) {
+  holdNumbered(io, numberOfLetter(letter), held);
 }
 inline void holdControl(ImGuiIO& io, bool held) {
 #if IMGUI_VERSION_NUM >= 18900
   io.AddKeyEvent(ImGuiMod_Ctrl, held);
 #else
   io.KeyCtrl = held;
+#endif
+}
+inline void holdShift(ImGuiIO& io, bool held) {
+#if IMGUI_VERSION_NUM >= 18900
+  io.AddKeyEvent(ImGuiMod_Shift, held);
+#else
+  io.KeyShift = held;
 #endif
 }
 

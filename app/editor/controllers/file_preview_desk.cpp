@@ -84,7 +84,8 @@ std::string clothText(const Fabric& fabric) {
 
 }  // namespace
 
-FilePreviewDesk::FilePreviewDesk(std::function<void()> wake) : looks_(std::move(wake)) {}
+FilePreviewDesk::FilePreviewDesk(DisplayDriver& driver, std::function<void()> wake)
+    : driver_(driver), looks_(std::move(wake)) {}
 
 FilePreviewDesk::Look FilePreviewDesk::lookInto(const std::string& file) {
   Look look;
@@ -135,7 +136,7 @@ void FilePreviewDesk::take() {
   Known& known = known_[come->first];
   const Pixels8& picture = come->second.picture;
   if (!picture.bytes.empty()) {
-    known.texture = std::make_unique<PictureTexture>();
+    known.texture = driver_.makeTexture();
     known.texture->upload(picture);
     known.preview.picture = known.texture->id();
     known.preview.size = ImVec2(static_cast<float>(picture.width), static_cast<float>(picture.height));

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/gl/picture_texture.h"
+#include "app/editor/display/display_driver.h"
 #include "app/live/fetcher.h"
 #include "ui/dialogs/file_preview.h"
 
@@ -17,7 +17,7 @@ namespace loomlight {
 class FilePreviewDesk {
  public:
   /// `wake` is called from the thread when there is something to see.
-  explicit FilePreviewDesk(std::function<void()> wake);
+  FilePreviewDesk(DisplayDriver& driver, std::function<void()> wake);
 
   /// What is known of the file by now; nothing of an empty name. The last files that were looked into are
   /// remembered until forget(), as they were then. In the thread of the window.
@@ -36,6 +36,7 @@ class FilePreviewDesk {
   static Look lookInto(const std::string& file);
   void take();
 
+  DisplayDriver& driver_;
   std::map<std::string, Known> known_;
   std::string asked_;
   Fetcher<std::pair<std::string, Look>> looks_;

@@ -8,8 +8,8 @@
 
 namespace loomlight {
 
-PresetDesk::PresetDesk(std::filesystem::path folder, std::function<void()> wake)
-    : folder_(std::move(folder)), wake_(std::move(wake)), thumbnails_(wake_) {
+PresetDesk::PresetDesk(std::filesystem::path folder, DisplayDriver& driver, std::function<void()> wake)
+    : folder_(std::move(folder)), wake_(std::move(wake)), thumbnails_(driver, wake_) {
   disk_.post([this] {
     cabinet_ = std::make_unique<PresetCabinet>(folder_);
     const std::lock_guard lock(brought_.mutex);

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/gl/thumbnails.h"
+#include "app/editor/display/thumbnails.h"
 #include "app/editor/presets/preset.h"
 #include "app/editor/presets/preset_cabinet.h"
 #include "app/live/task_queue.h"
@@ -22,7 +22,7 @@ namespace loomlight {
 class PresetDesk {
  public:
   /// `wake` is called from that thread when there is something to take().
-  PresetDesk(std::filesystem::path folder, std::function<void()> wake);
+  PresetDesk(std::filesystem::path folder, DisplayDriver& driver, std::function<void()> wake);
   ~PresetDesk() { lookAway(); }
 
   /// What has been read by now, with pictures, which are rendered for as long as they are asked for. Reads on until

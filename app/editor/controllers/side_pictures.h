@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "app/editor/gl/thumbnails.h"
+#include "app/editor/display/thumbnails.h"
 
 namespace loomlight {
 
@@ -11,7 +11,7 @@ namespace loomlight {
 /// fabric for as long as they are asked for, frame by frame.
 class SidePictures {
  public:
-  explicit SidePictures(std::function<void()> wake) : thumbnails_(std::move(wake)) {}
+  SidePictures(DisplayDriver& driver, std::function<void()> wake) : thumbnails_(driver, std::move(wake)) {}
 
   /// Of a size for `scale` of the screen. Null until there is one.
   ImTextureID closeUp(const std::shared_ptr<const Fabric>& fabric, int yarn, float scale);

@@ -18,8 +18,8 @@ float aspectOf(const Pixels8& picture) {
 
 }  // namespace
 
-SnapshotShelf::SnapshotShelf(std::filesystem::path folder, std::function<void()> wake)
-    : folder_(std::move(folder), kBudget), wake_(std::move(wake)) {
+SnapshotShelf::SnapshotShelf(std::filesystem::path folder, DisplayDriver& driver, std::function<void()> wake)
+    : folder_(std::move(folder), kBudget), driver_(driver), wake_(std::move(wake)), difference_(driver.makeTexture()) {
   const std::vector<std::string> ids = folder_.ids();
   for (size_t i = ids.size() - std::min(ids.size(), kBudget.views); i < ids.size(); ++i) {
     ++awaited_;
@@ -60,7 +60,7 @@ void SnapshotShelf::add(KeptView view) {
   Kept kept;
   kept.name = fmt::format("{}. {}", ++count_, view.fabric->name);
   kept.view = std::move(view);
-  kept.texture = std::make_shared<PictureTexture>();
+  kept.texture = driver_.makeTexture();
   kept.texture->upload(kept.view.picture);
   // Those of former sessions may come after one that was kept meanwhile.
   const auto place = std::upper_bound(kept_.begin(), kept_.end(), kept.view.id,
@@ -81,7 +81,7 @@ void SnapshotShelf::renew(const std::string& id, Pixels8 picture) {
   const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& k) { return k.view.id == id; });
   if (found == kept_.end()) return;
   found->view.picture = std::move(picture);
-  found->texture = std::make_shared<PictureTexture>();
+  found->texture = driver_.makeTexture();
   found->texture->upload(found->view.picture);
   writeLater(found->view);
 }
@@ -120,7 +120,7 @@ std::vector<SnapshotItem> SnapshotShelf::items() const {
 
 void SnapshotShelf::compare(size_t first, size_t second) {
   compared_ = {kept_[first], kept_[second]};
-  difference_.upload(differencePicture(compared_[0].view.picture, compared_[1].view.picture));
+  difference_->upload(differencePicture(compared_[0].view.picture, compared_[1].view.picture));
 }
 
 CompareDialog::Model SnapshotShelf::comparison() const {
@@ -128,7 +128,7 @@ CompareDialog::Model SnapshotShelf::comparison() const {
   if (compared_.size() < 2) return model;
   model.first = compared_[0].texture->id();
   model.second = compared_[1].texture->id();
-  model.difference = difference_.id();
+  model.difference = difference_->id();
   model.firstAspect = aspectOf(compared_[0].view.picture);
   model.secondAspect = aspectOf(compared_[1].view.picture);
   model.firstName = compared_[0].name;

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/editor/gl/picture_texture.h"
+#include "app/editor/display/display_driver.h"
 #include "app/editor/model/view_folder.h"
 #include "app/live/task_queue.h"
 #include "core/fabric/model/fabric.h"
@@ -21,7 +21,7 @@ namespace loomlight {
 class SnapshotShelf {
  public:
   /// `wake` is called from that thread when there is something to follow().
-  SnapshotShelf(std::filesystem::path folder, std::function<void()> wake);
+  SnapshotShelf(std::filesystem::path folder, DisplayDriver& driver, std::function<void()> wake);
 
   /// Takes what has been read; once a frame.
   void follow();
@@ -60,10 +60,11 @@ class SnapshotShelf {
 
   static constexpr ViewFolder::Budget kBudget{};
   ViewFolder folder_;
+  DisplayDriver& driver_;
   std::function<void()> wake_;
   std::vector<Kept> kept_;
   std::vector<Kept> compared_;
-  PictureTexture difference_;
+  std::unique_ptr<PictureTexture> difference_;
   int count_ = 0;
   size_t awaited_ = 0;  ///< views that are still being read
   mutable Brought brought_;

@@ -17,18 +17,23 @@ std::shared_ptr<const Fabric> bakedFor(const Sight& sight) {
 
 }  // namespace
 
-ViewDesk::ViewDesk(const std::function<void()>& wake, int threads)
-    : insight_(wake), visibility_(wake, BvdfOptions{}, BvdfCache(BvdfCache::userFolder())), renderer_(wake, threads) {}
+ViewDesk::ViewDesk(DisplayDriver& driver, const std::function<void()>& wake, int threads)
+    : insight_(wake),
+      visibility_(wake, BvdfOptions{}, BvdfCache(BvdfCache::userFolder())),
+      renderer_(wake, threads),
+      picture_(driver.makeViewport()),
+      lensPicture_(driver.makeViewport()),
+      visibilityPicture_(driver.makeTexture()) {}
 
 bool ViewDesk::take(bool showsDifference) {
   takeLens(showsDifference);
   if (auto newest = visibility_.newest(); newest && newest != shownVisibility_) {
-    visibilityPicture_.upload(newest->picture);
+    visibilityPicture_->upload(newest->picture);
     shownVisibility_ = std::move(newest);
   }
   std::shared_ptr<const Frame> newest = renderer_.frame();
   if (!newest || newest == frame_) return false;
-  picture_.upload(newest->width, newest->height, newest->shown(), newest->hits);
+  picture_->upload(newest->width, newest->height, newest->shown(), newest->hits);
   frame_ = std::move(newest);
   return true;
 }
@@ -45,9 +50,9 @@ void ViewDesk::takeLens(bool showsDifference) {
   if (wanted == std::exchange(lensUpload_, wanted)) return;
   lensIsDifference_ = difference != nullptr;
   if (difference)
-    lensPicture_.upload(difference->width, difference->height, difference->map, {});
+    lensPicture_->upload(difference->width, difference->height, difference->map, {});
   else
-    lensPicture_.upload(fibres.width, fibres.height, fibres.rgba, {});
+    lensPicture_->upload(fibres.width, fibres.height, fibres.rgba, {});
 }
 
 void ViewDesk::follow(const Sight& sight) {
@@ -94,7 +99,7 @@ ImTextureID ViewDesk::lensPicture(const Tone& tone) {
   Tone neutral;
   neutral.filmic = false;
   const PixelRect& window = lensFrame_->fibres->window;
-  return lensPicture_.display(window.width, window.height, lensIsDifference_ ? neutral : tone, std::nullopt);
+  return lensPicture_->display(window.width, window.height, lensIsDifference_ ? neutral : tone, std::nullopt);
 }
 
 VisibilityModel ViewDesk::visibilityModel(int yarn) const {
@@ -106,7 +111,7 @@ VisibilityModel ViewDesk::visibilityModel(int yarn) const {
   model.columns = VisibilityWorker::kPictureColumns;
   model.rows = 8 / model.columns;
   if (!shownVisibility_ || shownVisibility_->yarn != yarn) return model;
-  model.picture = visibilityPicture_.id();
+  model.picture = visibilityPicture_->id();
   model.rays = static_cast<double>(shownVisibility_->tables->rays);
   return model;
 }

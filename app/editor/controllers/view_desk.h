@@ -8,8 +8,7 @@
 #include <optional>
 
 #include "app/editor/controllers/insight.h"
-#include "app/editor/gl/picture_texture.h"
-#include "app/editor/gl/viewport_picture.h"
+#include "app/editor/display/display_driver.h"
 #include "app/live/live_renderer.h"
 #include "app/live/visibility_worker.h"
 #include "ui/inspector/visibility_section.h"
@@ -28,11 +27,11 @@ struct Sight {
 
 /// The workers that make what is seen of the fabric: its picture, its fibres under the lens, what is worth knowing of
 /// it, a yarn's visibility. They are asked when the sight changes; the newest that they have brought is at hand here,
-/// on the graphics card where it is a picture. All of it in the thread of the window; no call waits.
+/// in the driver's textures where it is a picture. All of it in the thread of the window; no call waits.
 class ViewDesk {
  public:
   /// `wake` is called from the workers. `threads`: for tracing; 0 leaves one hardware thread to the window.
-  ViewDesk(const std::function<void()>& wake, int threads);
+  ViewDesk(DisplayDriver& driver, const std::function<void()>& wake, int threads);
 
   /// Takes what has come. Returns whether the picture is another one.
   bool take(bool showsDifference);
@@ -53,7 +52,7 @@ class ViewDesk {
   /// Of the picture, at a place of 0..1 from the top left.
   std::optional<Film::Hit> hitAt(ImVec2 place) const;
   ImTextureID picture(int width, int height, const Tone& tone, const std::optional<ViewportPicture::Outline>& outline) {
-    return picture_.display(width, height, tone, outline);
+    return picture_->display(width, height, tone, outline);
   }
   /// Under the lens, in pixels of its own; null while there is nothing to show.
   ImTextureID lensPicture(const Tone& tone);
@@ -73,9 +72,9 @@ class ViewDesk {
   std::shared_ptr<const Frame> frame_;
   std::shared_ptr<const LensFrame> lensFrame_;
   std::shared_ptr<const BakedVisibility> shownVisibility_;
-  ViewportPicture picture_, lensPicture_;
-  PictureTexture visibilityPicture_;
-  const void* lensUpload_ = nullptr;  ///< what of the lens frame is on the graphics card
+  std::unique_ptr<ViewportPicture> picture_, lensPicture_;
+  std::unique_ptr<PictureTexture> visibilityPicture_;
+  const void* lensUpload_ = nullptr;  ///< what of the lens frame is in its picture
   bool lensIsDifference_ = false;
 };
 

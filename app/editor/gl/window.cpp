@@ -10,6 +10,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/editor/display/interface_scale.h"
 #include "core/base/error.h"
 
 namespace loomlight {
@@ -100,10 +101,14 @@ void Window::noticeInput() {
   static constexpr auto seen = [](GLFWwindow* window) {
     static_cast<Window*>(glfwGetWindowUserPointer(window))->inputSeen_ = true;
   };
-  glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int, int, int) { seen(window); });
-  glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double, double) { seen(window); });
-  glfwSetScrollCallback(window_, [](GLFWwindow* window, double, double) { seen(window); });
-  glfwSetKeyCallback(window_, [](GLFWwindow* window, int, int, int, int) { seen(window); });
+  static constexpr auto counted = [](GLFWwindow* window) {
+    seen(window);
+    ++static_cast<Window*>(glfwGetWindowUserPointer(window))->inputCount_;
+  };
+  glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int, int, int) { counted(window); });
+  glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double, double) { counted(window); });
+  glfwSetScrollCallback(window_, [](GLFWwindow* window, double, double) { counted(window); });
+  glfwSetKeyCallback(window_, [](GLFWwindow* window, int, int, int, int) { counted(window); });
   glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned) { seen(window); });
   glfwSetWindowSizeCallback(window_, [](GLFWwindow* window, int, int) { seen(window); });
   glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) { seen(window); });
@@ -123,15 +128,10 @@ void Window::wake() {
   glfwPostEmptyEvent();
 }
 
-/// Letters larger than the window has room for would leave none for the cloth. Room counts in steps, since fonts are
-/// made anew with each.
 float Window::wantedScale() const {
-  constexpr float kLeastWidth = 900, kLeastHeight = 540, kStep = 0.125f;  // of a desk that can be worked at
-  const float wanted = interfaceSize_ * (givenScale_ > 0 ? givenScale_ : monitorScale(window_));
   int width = 0, height = 0;
   glfwGetWindowSize(window_, &width, &height);
-  const float room = std::min(static_cast<float>(width) / kLeastWidth, static_cast<float>(height) / kLeastHeight);
-  return std::min(wanted, std::max(1.0f, kStep * std::floor(room / kStep)));
+  return interfaceScale(interfaceSize_ * (givenScale_ > 0 ? givenScale_ : monitorScale(window_)), width, height);
 }
 
 void Window::setInterfaceSize(float factor) {

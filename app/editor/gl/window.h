@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,8 @@ class Window {
 
   /// Sleeps until there is input, wake(), or the time is over; 0 does not sleep. True when there was input.
   bool waitForEvents(double seconds);
+  /// How many events of mouse and keyboard have come.
+  uint64_t inputCount() const { return inputCount_; }
   static void wake();  ///< from any thread
 
   void beginFrame();
@@ -52,6 +55,7 @@ class Window {
   float scale_ = 1, givenScale_ = 0, interfaceSize_ = 1;
   bool fullScreen_ = false;
   bool inputSeen_ = false;
+  uint64_t inputCount_ = 0;
   int placeX_ = 0, placeY_ = 0, placeWidth_ = 0, placeHeight_ = 0;
   Theme theme_ = Theme::dark();
   Fonts fonts_;

@@ -25,7 +25,7 @@ def small_fabric(home):
 def pick_the_cloths_colour(editor, file):
     editor.click("tab.fibre")
     editor.wait_until("the cloth's colour is measured",
-                      lambda: editor.fact("fibre.cloth_colour_remark").startswith("Pick"), 120)
+                      lambda: editor.fact("fibre.cloth_colour_remark").startswith("Pick"))
     revision = editor.number("revision")
     editor.click("fibre.cloth_colour")
     editor.centre("fibre.cloth_colour/picker")
@@ -33,10 +33,10 @@ def pick_the_cloths_colour(editor, file):
     # In the field of saturation and value, which fills the picker's upper left.
     side = min(x1 - x0, y1 - y0)
     editor.drag((x0 + 0.3 * side, y0 + 0.35 * side), (x0 + 0.5 * side, y0 + 0.4 * side))
-    editor.wait_until("the fibre is dyed for it", lambda: editor.number("revision") > revision, 60)
+    editor.wait_until("the fibre is dyed for it", lambda: editor.number("revision") > revision)
     editor.key("Escape")
     editor.wait_until("the colour is reached",
-                      lambda: editor.fact("fibre.cloth_colour_remark").startswith("Reached"), 60)
+                      lambda: editor.fact("fibre.cloth_colour_remark").startswith("Reached"))
     dyed = editor.saved(file)["fibres"]
     expect(dyed[0]["absorption_per_mm"] != [2, 3, 5], "the fibre was not dyed")
     expect(dyed[1]["absorption_per_mm"] == [60, 40, 12], "the other fibre was dyed too")
@@ -51,7 +51,7 @@ def ask_for_too_much(editor):
     x0, y0, x1, y1 = editor.widgets()["fibre.cloth_colour/picker"]
     editor.drag((x0 + 30, y0 + 30), (x0 - 5, y0 - 5))  # the corner of white
     editor.wait_until("the editor says what cannot be",
-                      lambda: "nearest" in editor.fact("fibre.cloth_colour_remark"), 60)
+                      lambda: "nearest" in editor.fact("fibre.cloth_colour_remark"))
     editor.key("Escape")
 
 
@@ -84,7 +84,7 @@ def compare_colourways(editor, file):
 
     def rendered():
         return picture_statistics(editor.screenshot("card", "colourways.card_1"))[1] > 0.05
-    editor.wait_until("its picture is rendered", rendered, 120)
+    editor.wait_until("its picture is rendered", rendered)
     editor.click("colourways.card_2")
     editor.click("colourways.remove")
     editor.wait_until("it is removed", lambda: "colourways.card_2" not in editor.widgets())
@@ -100,7 +100,7 @@ def test():
         file = small_fabric(editor.home)
         editor.start(PROGRAM, [file])
         editor.wait_for_picture()
-        editor.wait_until("the yarn is seen close up", lambda: editor.fact("yarn.close_up") == "there", 120)
+        editor.wait_until("the yarn is seen close up", lambda: editor.fact("yarn.close_up") == "there")
         pick_the_cloths_colour(editor, file)
         ask_for_too_much(editor)
         order_yarns(editor, file)

@@ -1,11 +1,11 @@
-"""Drops a file onto a window as a file manager does: the protocol XDND (freedesktop.org), version 5, spoken with Xlib.
-xdotool knows no drag between programs."""
+"""Drops a file onto a window as a file manager does: the protocol XDND (freedesktop.org), version 5, spoken with Xlib."""
 
 import ctypes
 import pathlib
+import select
 import time
 
-from window_driver import Failure
+from window_driver import HANGS_S, Failure
 
 CLIENT_MESSAGE, SELECTION_REQUEST, SELECTION_NOTIFY = 33, 30, 31
 XDND_VERSION, COPY_NOW = 5, 0
@@ -52,7 +52,7 @@ class _Source:
         x.XSendEvent.argtypes = [_pointer, _ulong, _int, _long, ctypes.POINTER(_Event)]
         x.XChangeProperty.argtypes = [_pointer, _ulong, _ulong, _ulong, _int, _int, ctypes.c_char_p, _int]
         x.XNextEvent.argtypes = [_pointer, ctypes.POINTER(_Event)]
-        for name in ("XPending", "XFlush", "XCloseDisplay"):
+        for name in ("XPending", "XFlush", "XCloseDisplay", "XConnectionNumber"):
             getattr(x, name).argtypes = [_pointer]
         self.display = x.XOpenDisplay(display_name.encode())
         if not self.display:
@@ -81,10 +81,10 @@ class _Source:
 
     def wait_for(self, name, content=b""):
         """The target's message of that name; what it asks for meanwhile is answered."""
-        end = time.monotonic() + 20
+        end = time.monotonic() + HANGS_S
         while time.monotonic() < end:
             if not self.x.XPending(self.display):
-                time.sleep(0.01)
+                select.select([self.x.XConnectionNumber(self.display)], [], [], 1)
                 continue
             event = _Event()
             self.x.XNextEvent(self.display, ctypes.byref(event))

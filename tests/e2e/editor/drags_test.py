@@ -1,60 +1,79 @@
 """While the mouse is down the picture moves: a stroke across the weave, the twist slider, a colour wheel. Each step of a
-drag is another picture of the cloth, before the button comes up."""
+drag is another picture of the cloth, before the button comes up.
+
+That it is of another cloth, and not only of more samples, is told by the light in it: noise leaves the mean of all pixels
+where it is, while each of these steps changes it by several times what noise could.
+"""
 
 import os
 
-from window_driver import difference, run, window, write_json
+from window_driver import difference, expect, run, window, write_json
 
 PROGRAM = os.environ["LOOMLIGHT"]
-WIDTH, HEIGHT = 1000, 900
-STEPS = 6
-LEAST_CHANGE = 1e-4  # of the whole picture: a stroke turns a few crossings of it
+WIDTH, HEIGHT = 1000, 700
+STEPS = 4
+SAMPLES = 8  # for each pixel: then the light of two pictures of one cloth is apart by .2 % (a standard deviation of .1)
+LEAST_CHANGE = 0.007  # of the light, by a step: a crossing of 64, 400 turns a metre, or another colour
 
 
-def striped_fabric(home):
-    rows = [["#" if (pick + end) % 4 < 2 else "." for end in range(16)] for pick in range(16)]
+def square_fabric(home):
+    """Sixty-four crossings of dark and light, none of which the diagonal has dark."""
+    rows = [["#" if pick == (3 * end + 1) % 8 else "." for end in range(8)] for pick in range(8)]
     fabric = {
-        "loomlight_version": 1, "name": "Drags", "weave": ["".join(row) for row in rows],
-        "ends_per_cm": 24, "picks_per_cm": 22, "warp_sequence": [0], "weft_sequence": [1],
-        "yarns": [{"name": "blue", "count_tex": 30, "plies": 2, "fibre": 0},
-                  {"name": "ecru", "count_tex": 30, "plies": 2, "fibre": 1}],
-        "fibres": [{"name": "blue", "radius_um": 9, "absorption_per_mm": [50, 20, 4]},
-                   {"name": "ecru", "radius_um": 9, "absorption_per_mm": [1, 2, 4]}],
+        "loomlight_version": 1, "name": "Drags", "weave": ["".join(row) for row in reversed(rows)],
+        "ends_per_cm": 10, "picks_per_cm": 10, "warp_sequence": [0], "weft_sequence": [1],
+        "yarns": [{"name": "blue", "count_tex": 150, "ply_twist_per_m": 100, "fibre": 0},
+                  {"name": "ecru", "count_tex": 150, "fibre": 1}],
+        "fibres": [{"name": "blue", "radius_um": 20, "absorption_per_mm": [50, 20, 4]},
+                   {"name": "ecru", "radius_um": 20, "absorption_per_mm": [1, 2, 4]}],
         "drape": {"kind": "flat", "width_mm": 8, "height_mm": 8}, "light": {"kind": "dome"},
-        "camera": {"distance_mm": 20, "elevation_deg": 70}, "render": {"resolution": 2},
+        "camera": {"distance_mm": 48, "elevation_deg": 60}, "render": {"resolution": 1},
     }
     return write_json(home, "drags.json", fabric)
 
 
-def pictures_of_drag(editor, name, start, step):
-    """One of the viewport after each step, all with the button down and each other than the one before."""
+def light(editor, samples=SAMPLES):
+    """Of the newest picture, once it has so many samples: red, green and blue, the mean of all pixels."""
     editor.wait_for_picture()
-    editor.wait_until("the picture has samples", lambda: editor.number("shown_samples") > 0, 120)
-    pictures = [editor.screenshot(f"{name}_0", "viewport")]
-    editor.move(*start)
-    editor.act("mousedown", 1)
-    for i in range(1, STEPS + 1):
-        shown = editor.number("shown_generation")
-        editor.move(start[0] + i * step[0], start[1] + i * step[1])
-        editor.wait_until(f"step {i} of the {name} is traced", lambda: editor.number("shown_generation") > shown)
+    editor.wait_until("the picture has samples", lambda: editor.number("shown_samples") >= samples
+                      and editor.fact("shown_generation") == editor.fact("generation"))
+    return [float(channel) for channel in editor.fact("shown_light").split()]
 
-        def moved():
-            picture = editor.screenshot(f"{name}_{i}", "viewport")
-            return difference(pictures[-1], picture) > LEAST_CHANGE
-        editor.wait_until(f"step {i} of the {name} is seen", moved)
-        pictures.append(os.path.join(editor.home, f"{name}_{i}.png"))
-    editor.act("mouseup", 1)
-    return pictures
+
+def change(before, after):
+    """The largest of the three, in parts of what there was."""
+    return max(abs(b - a) / a for a, b in zip(before, after))
+
+
+def drag(editor, name, start, step):
+    """Each step is another cloth to see, with the button down."""
+    lights = [light(editor)]
+    noise = change(lights[0], light(editor, 2 * SAMPLES))
+    expect(noise < 0.5 * LEAST_CHANGE, f"more samples of one cloth change its light by {100 * noise:.2f} %")
+    picture = editor.screenshot(f"{name}_0", "viewport")
+    editor.move(*start)
+    editor.press()
+    for i in range(1, STEPS + 1):
+        generation = editor.number("generation")
+        editor.move(start[0] + i * step[0], start[1] + i * step[1])
+        editor.wait_until(f"step {i} of the {name} edits the cloth", lambda: editor.number("generation") > generation)
+        lights.append(light(editor))
+        changed = change(*lights[-2:])
+        expect(changed > LEAST_CHANGE, f"step {i} of the {name} is not seen: the light changes by {100 * changed:.2f} %")
+        before, picture = picture, editor.screenshot(f"{name}_{i}", "viewport")
+        expect(difference(before, picture) > 0, f"step {i} of the {name} is not on the screen")
+    editor.release()
 
 
 def stroke(editor):
     x0, y0, x1, y1 = editor.widgets()["draft.cell_0_0"]
     size = x1 - x0
-    return pictures_of_drag(editor, "stroke", ((x0 + x1) / 2, (y0 + y1) / 2), (2 * size, -2 * size))
+    # The button goes down beside the weave's own place, and each step turns over a crossing of the diagonal.
+    drag(editor, "stroke", ((x0 + x1) / 2, (y0 + y1) / 2), (size, -size))
 
 
 def twist(editor):
-    return pictures_of_drag(editor, "twist", editor.centre("yarn.ply_twist_per_m"), (12, 0))
+    drag(editor, "twist", editor.centre("yarn.ply_twist_per_m"), (100, 0))
 
 
 def colour(editor):
@@ -63,15 +82,14 @@ def colour(editor):
     editor.centre("fibre.colour/picker")
     x0, y0, x1, y1 = editor.widgets()["fibre.colour/picker"]
     side = min(x1 - x0, y1 - y0)
-    return pictures_of_drag(editor, "colour", (x0 + 0.6 * side, y0 + 0.6 * side), (-0.06 * side, -0.06 * side))
+    drag(editor, "colour", (x0 + 0.6 * side, y0 + 0.6 * side), (-0.06 * side, -0.06 * side))
 
 
 def test():
     with window(WIDTH, HEIGHT) as editor:
-        editor.start(PROGRAM, [striped_fabric(editor.home)])
-        for drag in (stroke, twist, colour):
-            drag(editor)
+        editor.start(PROGRAM, [square_fabric(editor.home)])
+        for moves in (stroke, twist, colour):
+            moves(editor)
 
 
-if __name__ == "__main__":
-    run(test)
+run(test)

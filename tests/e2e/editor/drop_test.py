@@ -1,22 +1,20 @@
 """Files dragged onto the window: a cloth, and something that is none. In the real window."""
 
 import os
-import subprocess
 
 from drag_and_drop import drop_file
 from small_cloth import small_cloth
 from window_driver import Failure, expect, run, window
 
 PROGRAM = os.environ["LOOMLIGHT"]
-WIDTH, HEIGHT = 1280, 720
+WIDTH, HEIGHT = 960, 600
 
 
 def drop(editor, file):
-    found = subprocess.run(["xdotool", "search", "--name", "Loomlight"], env=editor.environment, check=True,
-                           capture_output=True, text=True, timeout=20).stdout.split()
-    if not found:
+    target = editor.input.window_called("Loomlight")
+    if target is None:
         raise Failure("there is no window")
-    drop_file(editor.environment["DISPLAY"], int(found[-1]), file, WIDTH // 2, HEIGHT // 2)
+    drop_file(editor.environment["DISPLAY"], target, file, WIDTH // 2, HEIGHT // 2)
 
 
 def test():

@@ -35,8 +35,7 @@ def change_yarn(editor):
     editor.drag_widget("yarn.ply_twist_per_m", 40)
     editor.wait_until("dragging the twist edits the fabric", lambda: editor.number("revision") > revision)
     x, y = editor.centre("yarn.plies")
-    for _ in range(12):  # clicks of the wheel, to the end of the page
-        editor.click_at(x, y, 5)
+    editor.wheel(x, y, clicks=12)  # to the end of the page
     revision = editor.number("revision")
     editor.click("yarn.packing")
     editor.type("0.61")

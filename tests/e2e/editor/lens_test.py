@@ -41,9 +41,9 @@ def open_lens(editor):
     x, y = editor.centre("viewport")
     revision = editor.number("generation")
     editor.drag((x - 90, y - 50), (x + 70, y + 70))
-    editor.wait_until("a drag places a lens of 160 by 120 pixels", lambda: size(editor) == (160, 120))
+    editor.wait_until("a drag places a lens of 160 by 120 pixels", lambda: size(editor) == (160))
     expect(editor.number("generation") == revision, "placing the lens moved the camera")
-    editor.wait_until("the lens shows fibres", lambda: editor.number("lens_samples") >= 1, 120)
+    editor.wait_until("the lens shows fibres", lambda: editor.number("lens_samples") >= 1)
     expect("lens.caption" in editor.widgets(), "the lens says nothing of what it shows")
     _, deviation = picture_statistics(cropped(editor, "fibres"))
     expect(deviation > 0.05, f"the lens shows no cloth: deviation {deviation}")
@@ -52,7 +52,7 @@ def open_lens(editor):
 def compare(editor):
     before = cropped(editor, "before")
     editor.click("lens.difference")
-    editor.wait_until("both pictures can be compared", lambda: editor.fact("lens_difference") == "known", 120)
+    editor.wait_until("both pictures can be compared", lambda: editor.fact("lens_difference") == "known")
     editor.wait_until("the difference is drawn",
                       lambda: difference(before, cropped(editor, "difference")) > 0.05)
     editor.click("lens.fibres")
@@ -60,12 +60,12 @@ def compare(editor):
 
 def move_and_resize(editor):
     x0, y0, x1, y1 = place(editor)
-    editor.drag_widget("lens.bar", 40, 30)
+    editor.drag_widget("lens.bar", 40)
     editor.wait_until("the bar moves the lens", lambda: place(editor) == [x0 + 40, y0 + 30, x1 + 40, y1 + 30])
     x0, y0, x1, y1 = place(editor)
     editor.drag((x1, y1), (x1 + 20, y1 - 30))
     editor.wait_until("pulling a corner moves two edges", lambda: place(editor) == [x0, y0, x1 + 20, y1 - 30])
-    editor.wait_until("the lens shows fibres there", lambda: editor.number("lens_samples") >= 1, 120)
+    editor.wait_until("the lens shows fibres there", lambda: editor.number("lens_samples") >= 1)
 
 
 def edit_under_it(editor):
@@ -73,13 +73,13 @@ def edit_under_it(editor):
     editor.click("draft.cell_0_0")
     editor.wait_until("an edit changes the cloth", lambda: editor.number("generation") > generation)
     editor.wait_until("the lens follows the edit",
-                      lambda: editor.number("lens_generation") == editor.number("generation"), 120)
+                      lambda: editor.number("lens_generation") == editor.number("generation"))
     x0, y0, x1, y1 = place(editor)
     generation = editor.number("generation")
     editor.drag(((x0 + x1) / 2, (y0 + y1) / 2), ((x0 + x1) / 2 + 30, (y0 + y1) / 2 + 20))
     editor.wait_until("the camera moves through the lens", lambda: editor.number("generation") > generation)
     editor.wait_until("the lens follows the camera",
-                      lambda: editor.number("lens_generation") == editor.number("generation"), 120)
+                      lambda: editor.number("lens_generation") == editor.number("generation"))
 
 
 def close_lens(editor):
@@ -112,10 +112,10 @@ def refuse(editor):
     editor.key("l")
     editor.wait_until("the tool is chosen", lambda: editor.fact("lens_tool") == "chosen")
     editor.click("viewport")
-    editor.wait_until("the lens refuses", lambda: editor.fact("lens") == "too_large", 120)
+    editor.wait_until("the lens refuses", lambda: editor.fact("lens") == "too_large")
     expect("lens.trouble" in editor.widgets(), "the lens does not say why it is empty")
     editor.click("lens.remedy")
-    editor.wait_until("a smaller piece is shown", lambda: editor.number("lens_samples") >= 1, 120)
+    editor.wait_until("a smaller piece is shown", lambda: editor.number("lens_samples") >= 1)
     editor.key("Escape")
 
 
@@ -131,12 +131,11 @@ def look_at_visibility(editor):
             break
     expect(editor.fact("yarn") == "0", "clicks on the cloth do not choose the yarn that is seen there")
     x, y = editor.centre("yarn.ply_twist_per_m")
-    for _ in range(12):  # clicks of the wheel, to the end of the page
-        editor.click_at(x, y, 5)
+    editor.wheel(x, y, clicks=12)  # to the end of the page
     editor.click("visibility.fold")
-    editor.wait_until("a picture of the table is shown", lambda: editor.fact("visibility") in ("early", "finished"), 120)
-    editor.wait_until("the bake ends", lambda: editor.fact("visibility") == "finished", 200)
-    editor.wait_until("the status bar speaks of it no more", lambda: "status.background" not in editor.widgets(), 30)
+    editor.wait_until("a picture of the table is shown", lambda: editor.fact("visibility") in ("early", "finished"))
+    editor.wait_until("the bake ends", lambda: editor.fact("visibility") == "finished")
+    editor.wait_until("the status bar speaks of it no more", lambda: "status.background" not in editor.widgets())
     mean, deviation = picture_statistics(editor.screenshot("visibility", "visibility.picture"))
     expect(mean > 0.1 and deviation > 0.1, f"the picture is empty: mean {mean}, deviation {deviation}")
 

@@ -7,7 +7,7 @@ from small_cloth import small_cloth
 from window_driver import expect, read_json, run, window
 
 PROGRAM = os.environ["LOOMLIGHT"]
-WIDTH, HEIGHT = 1280, 720
+WIDTH, HEIGHT = 960, 600
 
 
 def small_fabric(home, name):
@@ -83,14 +83,14 @@ def snapshots_beside_each_other(editor):
 
 
 def settings_last(editor, file):
-    editor.wait_until("the picture has samples", lambda: editor.number("shown_samples") > 0, 120)
+    editor.wait_until("the picture has samples", lambda: editor.number("shown_samples") > 0)
     editor.key("n")
     editor.wait_until("the picture is denoised", lambda: editor.fact("denoised") == "yes")
     editor.key("ctrl+q")
     expect(editor.wait_for_end() == 0, editor.log())
     expect(not os.listdir(os.path.join(editor.home, "state", "loomlight")), "a good end leaves nothing to be taken up")
     editor.start(PROGRAM, [file])
-    editor.wait_until("it is denoised again", lambda: editor.fact("denoised") == "yes", 120)
+    editor.wait_until("it is denoised again", lambda: editor.fact("denoised") == "yes")
 
 
 def mailed_draft(home):

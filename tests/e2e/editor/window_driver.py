@@ -1,8 +1,9 @@
-"""Drives the editor's real window: a virtual X server, mouse and keys by xdotool, screenshots by ImageMagick.
+"""Drives the editor's real window: a virtual X server of its own, mouse and keys by XTEST, screenshots by ImageMagick.
 
-Nothing here sleeps and hopes: every step waits for what it should bring about, and gives up with a message that says
-what did not happen. Mouse buttons and keys are held until the program has drawn a few frames, because Dear ImGui
-samples their state once a frame.
+Nothing here sleeps and hopes, and nothing leans on the machine's speed: every step waits for what it should bring about,
+woken by the program's own account of its widgets, and gives up with a message that says what did not happen only when
+the program must hang. Each event is drawn before the next is sent, because Dear ImGui samples mouse and keys once a
+frame.
 """
 
 import contextlib
@@ -13,6 +14,11 @@ import subprocess
 import sys
 import tempfile
 import time
+
+from folder_watch import FolderWatch
+from x_input import MissingLibrary, XInput
+
+HANGS_S = 240  # nothing takes so long, however busy the machine
 
 
 class Failure(Exception):
@@ -33,7 +39,7 @@ class Display:
     """An X server of our own; it chooses a free display itself."""
 
     def __init__(self, width, height):
-        for tool in ("Xvfb", "xdotool", "import", "convert"):
+        for tool in ("Xvfb", "import", "convert"):
             need(tool)
         read, write = os.pipe()
         self.server = subprocess.Popen(
@@ -46,22 +52,28 @@ class Display:
         if not number:
             raise Failure("Xvfb did not start")
         self.name = ":" + number
+        try:
+            self.input = XInput(self.name)
+        except MissingLibrary as error:
+            self.server.kill()
+            raise Failure(str(error)) from error
 
     def close(self):
+        self.input.close()
         self.server.terminate()
-        self.server.wait(10)
+        self.server.wait()
 
 
 class Editor:
     """The program in a home of its own, and what it says of its widgets."""
 
-    frames_held = 2  # between the parts of a gesture
     scale = 1
 
     def __init__(self, display, width, height):
         self.process = None
-        self.pointer = None
+        self.input = display.input
         self.home = tempfile.mkdtemp(prefix="loomlight-editor-")
+        self.watch = FolderWatch(self.home)
         self.dump_file = os.path.join(self.home, "widgets.json")
         self.log_file = os.path.join(self.home, "log.txt")
         self.width, self.height = width, height
@@ -73,7 +85,6 @@ class Editor:
                             "LIBGL_ALWAYS_SOFTWARE": "1"}
 
     def start(self, program, arguments=()):
-        self.pointer = None
         if os.path.exists(self.dump_file):
             os.remove(self.dump_file)
         with open(self.log_file, "a", encoding="utf-8") as log:
@@ -108,69 +119,88 @@ class Editor:
     def number(self, name):
         return int(self.fact(name) or 0)
 
-    def wait_until(self, what, condition, seconds=40.0):
-        end = time.monotonic() + seconds
+    def has_ended(self):
+        return self.process.poll() is not None
+
+    def wait_until(self, what, condition):
+        """Looks again whenever the program tells of another frame. What it does elsewhere, as in its own folders, is
+        looked at every now and then."""
+        end = time.monotonic() + HANGS_S
         while time.monotonic() < end:
-            if self.process.poll() is not None:
+            if self.has_ended():
                 raise Failure(f"the editor ended ({self.process.returncode}) while waiting until {what}\n{self.log()}")
             if condition():
                 return
-            time.sleep(0.03)
-        raise Failure(f"waited {seconds:.0f} s in vain until {what}; facts: {self.dump()['facts']}\n{self.log()}")
+            self.watch.wait(0.2)
+        raise Failure(f"waited {HANGS_S} s in vain until {what}; facts: {self.dump()['facts']}\n{self.log()}")
 
-    def act(self, *arguments):
-        """One event; returns when the program has drawn what it brought."""
-        before = self.number("frame")
-        subprocess.run(["xdotool", *map(str, arguments)], env=self.environment, check=True, timeout=20)
-        sent, after = time.monotonic(), self.number("frame")
+    def act(self, send, *arguments, answered=False):
+        """Sends events; returns when the program has drawn a frame with them, or another one too where they are to be
+        answered: ImGui does so a frame late. An editor that has ended draws none."""
+        before = self.number("inputs")
+        events = send(*arguments)
+        if not events:
+            return  # the pointer is there already
+        taken = None
 
         def drawn():
-            """Frames that were drawn while the event was under way may be older than it; a sleeping editor draws no
-            more than those that it brings."""
-            enough = after if time.monotonic() < sent + 0.3 else before
-            return self.number("frame") >= enough + self.frames_held
+            nonlocal taken
+            dump = self.dump()["facts"]
+            if taken is None and int(dump.get("inputs", 0)) >= before + events:
+                taken = int(dump["frame"])
+            return self.has_ended() or (taken is not None and int(dump["frame"]) >= taken + answered)
 
-        while not drawn() and time.monotonic() < sent + 10.0:  # a machine with other work may take a second a frame
-            time.sleep(0.01)
+        end = time.monotonic() + HANGS_S
+        while not drawn():
+            if time.monotonic() > end:
+                raise Failure(f"no frame is drawn after an event; facts: {self.dump()['facts']}\n{self.log()}")
+            self.watch.wait(0.2)
 
     def centre(self, widget):
         """Where the widget is once it has come to rest: a list that opens is laid out over its first frames."""
-        place, since, frame = None, 0.0, 0
+        place, frame = None, 0
 
         def rests():
-            nonlocal place, since, frame
+            nonlocal place, frame
             dump = self.dump()
             now, now_frame = dump["widgets"].get(widget), int(dump["facts"].get("frame", 0))
             if now != place:
-                place, since, frame = now, time.monotonic(), now_frame
-            return now is not None and (now_frame >= frame + 2 or time.monotonic() > since + 1.0)
+                place, frame = now, now_frame
+            return now is not None and (now_frame >= frame + 2 or dump["facts"].get("sleeps_then") == "yes")
 
         self.wait_until(f"{widget} is on the screen", rests)
         x0, y0, x1, y1 = place
         return (x0 + x1) / 2, (y0 + y1) / 2
 
     def move(self, x, y):
-        place = int(x), int(y)
-        if place == self.pointer:
-            return  # it would bring no event, hence no frame
-        self.act("mousemove", *place)
-        self.pointer = place
+        self.act(self.input.move, int(x), int(y))
+
+    def press(self, button=1):
+        self.act(self.input.button, button, 1)
+
+    def release(self, button=1):
+        self.act(self.input.button, button, 0, answered=True)
+
+    def wheel(self, x, y, away=False, clicks=1):
+        self.move(x, y)
+        for _ in range(clicks):
+            self.act(self.input.wheel, away, answered=True)
 
     def click(self, widget, button=1):
         self.click_at(*self.centre(widget), button)
 
     def click_at(self, x, y, button=1):
         self.move(x, y)
-        self.act("mousedown", button)
-        self.act("mouseup", button)
+        self.press(button)
+        self.release(button)
 
     def drag(self, start, end, button=1, steps=4):
         self.move(*start)
-        self.act("mousedown", button)
+        self.press(button)
         for i in range(1, steps + 1):
             t = i / steps
             self.move(start[0] + t * (end[0] - start[0]), start[1] + t * (end[1] - start[1]))
-        self.act("mouseup", button)
+        self.release(button)
 
     def drag_widget(self, widget, dx, dy=0, button=1):
         x, y = self.centre(widget)
@@ -179,12 +209,14 @@ class Editor:
     def key(self, *names):
         for name in names:
             parts = name.split("+")
-            self.act(*(word for part in parts for word in ("keydown", part)))
-            self.act(*(word for part in reversed(parts) for word in ("keyup", part)))
+            for part in parts:
+                self.act(self.input.key, part, 1)
+            for part in reversed(parts):
+                self.act(self.input.key, part, 0, answered=True)
 
     def type(self, text):
         self.wait_until("a text field listens", lambda: self.fact("text_input") == "yes")
-        self.act("type", "--delay", "15", text)
+        self.act(self.input.type, text, answered=True)
 
     def screenshot(self, name, widget=None):
         """Writes a PNG of the window, or of one widget, and returns its file."""
@@ -193,7 +225,7 @@ class Editor:
         if widget:
             x0, y0, x1, y1 = (int(v) for v in self.widgets()[widget])
             command += ["-crop", f"{x1 - x0}x{y1 - y0}+{x0}+{y0}", "+repage"]
-        subprocess.run([*command, file], env=self.environment, check=True, timeout=30)
+        subprocess.run([*command, file], env=self.environment, check=True)
         return file
 
     def wait_for_picture(self):
@@ -201,22 +233,23 @@ class Editor:
         self.wait_until("the picture follows the fabric",
                         lambda: self.number("shown_generation") == self.number("generation"))
 
-    def wait_for_end(self, seconds=20):
+    def wait_for_end(self):
         try:
-            return self.process.wait(seconds)
+            return self.process.wait(HANGS_S)
         except subprocess.TimeoutExpired as error:
             raise Failure("the editor does not end") from error
 
     def saved(self, file):
         """The fabric that it saves in that file, where it has it from."""
         self.key("ctrl+s")
-        self.wait_until("the fabric is saved", lambda: self.fact("dirty") == "no")
+        self.wait_until("the fabric is saved", lambda: self.fact("dirty") == "no" and self.fact("dialog") == "none")
         return read_json(file)
 
     def close(self):
         if self.process and self.process.poll() is None:
             self.process.kill()
             self.process.wait()
+        self.watch.close()
         shutil.rmtree(self.home, ignore_errors=True)
 
 
@@ -250,7 +283,7 @@ def write_json(home, name, content):
 def picture_statistics(file):
     """Mean and standard deviation of all samples of a picture, 0..1."""
     out = subprocess.run(["convert", file, "-format", "%[fx:mean] %[fx:standard_deviation]", "info:"],
-                         check=True, capture_output=True, text=True, timeout=30).stdout
+                         check=True, capture_output=True, text=True).stdout
     mean, deviation = out.split()
     return float(mean), float(deviation)
 
@@ -258,7 +291,7 @@ def picture_statistics(file):
 def difference(a, b):
     """Root mean square difference of two pictures of one size, 0..1."""
     out = subprocess.run(["convert", a, b, "-metric", "RMSE", "-compare", "-format", "%[distortion]", "info:"],
-                         check=True, capture_output=True, text=True, timeout=30).stdout
+                         check=True, capture_output=True, text=True).stdout
     return float(out)
 
 

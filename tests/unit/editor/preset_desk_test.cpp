@@ -5,13 +5,13 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <fstream>
 #include <functional>
-#include <thread>
 
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "tests/support/memory_driver.h"
+#include "tests/support/wakes.h"
 
 namespace loomlight {
 namespace {
@@ -29,6 +29,8 @@ class PresetDeskTest : public testing::Test {
   }
   static std::vector<std::string> own(const PresetStore& store) { return store.names(); }
 
+  MemoryDriver driver_;
+  Wakes wakes_;
   fs::path folder_ = fs::path(testing::TempDir()) / ("loomlight-presets-" + std::to_string(getpid()));
 };
 
@@ -175,44 +177,42 @@ TEST_F(PresetDeskTest, OnlyWhatHasChangedIsReadAgain) {
 
 /// Takes what comes until it is so.
 template <class Condition>
-bool comes(PresetDesk& desk, const Condition& condition) {
-  for (int i = 0; i < 2000; ++i) {
+bool comes(Wakes& wakes, PresetDesk& desk, const Condition& condition) {
+  return wakes.until([&] {
     desk.take();
-    if (condition()) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-  return false;
+    return condition();
+  });
 }
 
 TEST_F(PresetDeskTest, CardsComeAndFollowWhatIsChanged) {
   PresetStore(folder_).keep(cloth("A"));
-  PresetDesk desk(folder_, [] {});
+  PresetDesk desk(folder_, driver_, wakes_.callback());
   const auto kind = PresetKind::fabrics;
   const auto isFirst = [&](const std::string& name) {
     const auto cards = desk.cards(kind, 1);
     return !cards.empty() && cards[0].name == name;
   };
-  ASSERT_TRUE(comes(desk, [&] { return isFirst("A"); }));
+  ASSERT_TRUE(comes(wakes_, desk, [&] { return isFirst("A"); }));
   Fabric now;
   now.light.kind = LightKind::dome;
   EXPECT_EQ(desk.used(0, now, 0, 0).name, "A");
   EXPECT_EQ(desk.used(0, now, 0, 0).light, now.light);
   desk.rename(0, "Z");
-  ASSERT_TRUE(comes(desk, [&] { return isFirst("Z"); }));
+  ASSERT_TRUE(comes(wakes_, desk, [&] { return isFirst("Z"); }));
   desk.remove(0);
   EXPECT_FALSE(isFirst("Z")) << "it is not there to be removed again";
   desk.undo();
-  EXPECT_TRUE(comes(desk, [&] { return isFirst("Z"); }));
+  EXPECT_TRUE(comes(wakes_, desk, [&] { return isFirst("Z"); }));
   for (int change = 0; change < 3; ++change) EXPECT_EQ(desk.takeOutcome().value().problem, "");
   EXPECT_FALSE(desk.takeOutcome());
 }
 
 TEST_F(PresetDeskTest, WhatCannotBeKeptIsSaid) {
   std::ofstream(folder_) << "in the way of the folder";
-  PresetDesk desk(folder_, [] {});
+  PresetDesk desk(folder_, driver_, wakes_.callback());
   desk.keep(PresetKind::fabrics, cloth("A"), 0, 0);
   std::optional<PresetDesk::Outcome> outcome;
-  ASSERT_TRUE(comes(desk, [&] { return (outcome = desk.takeOutcome()).has_value(); }));
+  ASSERT_TRUE(comes(wakes_, desk, [&] { return (outcome = desk.takeOutcome()).has_value(); }));
   EXPECT_NE(outcome->problem.find("could not be made"), std::string::npos) << outcome->problem;
   EXPECT_EQ(outcome->kept, "");
   EXPECT_EQ(desk.lastChange(), "");
@@ -221,7 +221,7 @@ TEST_F(PresetDeskTest, WhatCannotBeKeptIsSaid) {
 TEST_F(PresetDeskTest, WhatWasToBeKeptIsKeptBeforeTheEnd) {
   for (const char* name : {"A", "B", "C"}) PresetStore(folder_).keep(cloth(name));
   {
-    PresetDesk desk(folder_, [] {});
+    PresetDesk desk(folder_, driver_, wakes_.callback());
     desk.cards(PresetKind::fabrics, 1);
     for (int i = 0; i < 3; ++i) desk.keep(PresetKind::yarns, cloth("mine"), 0, 0);
   }

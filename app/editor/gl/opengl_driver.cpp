@@ -1,4 +1,4 @@
-#include "app/editor/gl/viewport_picture.h"
+#include "app/editor/gl/opengl_driver.h"
 
 #define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
@@ -58,9 +58,65 @@ GLuint makeTexture(GLint filter) {
   return texture;
 }
 
-}  // namespace
+class OpenGlTexture final : public PictureTexture {
+ public:
+  OpenGlTexture() = default;
+  ~OpenGlTexture() override;
+  OpenGlTexture(const OpenGlTexture&) = delete;
+  OpenGlTexture& operator=(const OpenGlTexture&) = delete;
 
-ViewportPicture::ViewportPicture() {
+  void upload(const Pixels8& pixels) override;
+  ImTextureID id() const override { return reinterpret_cast<ImTextureID>(static_cast<intptr_t>(texture_)); }
+
+ private:
+  GLuint texture_ = 0;
+};
+
+OpenGlTexture::~OpenGlTexture() {
+  if (texture_) glDeleteTextures(1, &texture_);
+}
+
+void OpenGlTexture::upload(const Pixels8& pixels) {
+  if (!texture_) glGenTextures(1, &texture_);
+  glBindTexture(GL_TEXTURE_2D, texture_);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, pixels.width, pixels.height, 0, GL_RGB, GL_UNSIGNED_BYTE,
+               pixels.bytes.data());
+  glGenerateMipmap(GL_TEXTURE_2D);
+}
+
+/// Exposure and tone are uniforms of a shader, so that they never cost a new picture.
+class OpenGlViewport final : public ViewportPicture {
+ public:
+  OpenGlViewport();
+  ~OpenGlViewport() override;
+  OpenGlViewport(const OpenGlViewport&) = delete;
+  OpenGlViewport& operator=(const OpenGlViewport&) = delete;
+
+  void upload(int width, int height, std::span<const glm::vec4> rgba, std::span<const Film::Hit> hits) override;
+  ImTextureID display(int width, int height, const Tone& tone, const std::optional<Outline>& outline) override;
+
+ private:
+  void resizeTarget(int width, int height);
+
+  GLuint program_ = 0, vertexArray_ = 0, picture_ = 0, crossings_ = 0, target_ = 0, framebuffer_ = 0;
+  int targetWidth_ = 0, targetHeight_ = 0;
+  bool filled_ = false;
+  /// What the target shows; null where the picture is another by now.
+  struct Shown {
+    int width = 0, height = 0;
+    Tone tone;
+    std::optional<Outline> outline;
+    friend bool operator==(const Shown&, const Shown&) = default;
+  };
+  std::optional<Shown> shown_;
+};
+
+OpenGlViewport::OpenGlViewport() {
   program_ = link();
   glGenVertexArrays(1, &vertexArray_);
   picture_ = makeTexture(GL_LINEAR);
@@ -69,7 +125,7 @@ ViewportPicture::ViewportPicture() {
   glGenFramebuffers(1, &framebuffer_);
 }
 
-ViewportPicture::~ViewportPicture() {
+OpenGlViewport::~OpenGlViewport() {
   glDeleteFramebuffers(1, &framebuffer_);
   const GLuint textures[] = {picture_, crossings_, target_};
   glDeleteTextures(3, textures);
@@ -77,7 +133,7 @@ ViewportPicture::~ViewportPicture() {
   glDeleteProgram(program_);
 }
 
-void ViewportPicture::upload(int width, int height, std::span<const glm::vec4> rgba, std::span<const Film::Hit> hits) {
+void OpenGlViewport::upload(int width, int height, std::span<const glm::vec4> rgba, std::span<const Film::Hit> hits) {
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
   glBindTexture(GL_TEXTURE_2D, picture_);
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, rgba.data());
@@ -93,9 +149,10 @@ void ViewportPicture::upload(int width, int height, std::span<const glm::vec4> r
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RG32I, known ? width : 1, known ? height : 1, 0, GL_RG_INTEGER, GL_INT,
                known ? crossings.data() : kNone);
   filled_ = true;
+  shown_.reset();
 }
 
-void ViewportPicture::resizeTarget(int width, int height) {
+void OpenGlViewport::resizeTarget(int width, int height) {
   if (width == targetWidth_ && height == targetHeight_) return;
   glBindTexture(GL_TEXTURE_2D, target_);
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
@@ -104,8 +161,12 @@ void ViewportPicture::resizeTarget(int width, int height) {
   targetHeight_ = height;
 }
 
-ImTextureID ViewportPicture::display(int width, int height, const Tone& tone, const std::optional<Outline>& outline) {
+ImTextureID OpenGlViewport::display(int width, int height, const Tone& tone, const std::optional<Outline>& outline) {
   if (!filled_ || width <= 0 || height <= 0) return nullptr;
+  const auto target = reinterpret_cast<ImTextureID>(static_cast<intptr_t>(target_));
+  const Shown wanted{width, height, tone, outline};
+  if (shown_ == wanted) return target;  // most frames change something else
+  shown_ = wanted;
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
   resizeTarget(width, height);
   glViewport(0, 0, width, height);
@@ -126,13 +187,23 @@ ImTextureID ViewportPicture::display(int width, int height, const Tone& tone, co
   glUniform4i(at("lit"), 0, 0, 0, 0);
   if (outline) {
     glUniform4i(at("lit"), outline->crossing.end, outline->crossing.pick, outline->ends, outline->picks);
-    glUniform3f(at("accent"), outline->colour.x, outline->colour.y, outline->colour.z);
+    glUniform3f(at("accent"), outline->colour.r, outline->colour.g, outline->colour.b);
   }
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glBindVertexArray(0);
   glUseProgram(0);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  return reinterpret_cast<ImTextureID>(static_cast<intptr_t>(target_));
+  return target;
+}
+
+}  // namespace
+
+std::unique_ptr<PictureTexture> OpenGlDriver::makeTexture() {
+  return std::make_unique<OpenGlTexture>();
+}
+
+std::unique_ptr<ViewportPicture> OpenGlDriver::makeViewport() {
+  return std::make_unique<OpenGlViewport>();
 }
 
 }  // namespace loomlight

@@ -6,16 +6,16 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/gl/picture_texture.h"
+#include "app/editor/display/display_driver.h"
 #include "app/live/thumbnail_worker.h"
 
 namespace loomlight {
 
-/// Small pictures of fabrics for panels and dialogs, on the graphics card. What is asked for in a frame is rendered
+/// Small pictures of fabrics for panels and dialogs, in a driver's textures. What is asked for in a frame is rendered
 /// until another frame asks for something else. All of it in the thread of the window.
 class Thumbnails {
  public:
-  explicit Thumbnails(std::function<void()> wake) : worker_(std::move(wake)) {}
+  Thumbnails(DisplayDriver& driver, std::function<void()> wake) : driver_(driver), worker_(std::move(wake)) {}
 
   /// The newest picture of that name, null until there is one; it may be of the fabric before an edit for a moment.
   ImTextureID of(const std::string& name, const std::shared_ptr<const Fabric>& fabric);
@@ -27,6 +27,7 @@ class Thumbnails {
     std::shared_ptr<const Thumbnail> thumbnail;
     std::unique_ptr<PictureTexture> texture;
   };
+  DisplayDriver& driver_;
   ThumbnailWorker worker_;
   std::map<std::string, Shown> shown_;
   std::vector<ThumbnailOrder> wanted_, requested_;

@@ -1,4 +1,4 @@
-#include "app/editor/gl/thumbnails.h"
+#include "app/editor/display/thumbnails.h"
 
 #include <algorithm>
 
@@ -10,7 +10,7 @@ ImTextureID Thumbnails::of(const std::string& name, const std::shared_ptr<const 
   if (!newest || newest->picture.bytes.empty()) return nullptr;
   Shown& shown = shown_[name];
   if (shown.thumbnail != newest) {
-    if (!shown.texture) shown.texture = std::make_unique<PictureTexture>();
+    if (!shown.texture) shown.texture = driver_.makeTexture();
     shown.texture->upload(newest->picture);
     shown.thumbnail = std::move(newest);
   }

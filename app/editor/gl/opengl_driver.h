@@ -1,0 +1,15 @@
+#pragma once
+
+#include "app/editor/display/display_driver.h"
+
+namespace loomlight {
+
+/// Pictures on the graphics card, in the OpenGL 3.3 context that is current. Throws std::runtime_error where the shader
+/// of the display does not compile.
+class OpenGlDriver final : public DisplayDriver {
+ public:
+  std::unique_ptr<PictureTexture> makeTexture() override;
+  std::unique_ptr<ViewportPicture> makeViewport() override;
+};
+
+}  // namespace loomlight

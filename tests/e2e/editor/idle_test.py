@@ -1,0 +1,72 @@
+"""An editor whose picture is finished and that nobody touches sleeps: it wakes every few seconds for a few frames, and
+between them none of its threads does anything."""
+
+import os
+import time
+
+from small_cloth import small_cloth
+from window_driver import expect, run, window
+
+PROGRAM = os.environ["LOOMLIGHT"]
+WIDTH, HEIGHT = 960, 600
+FRAMES_A_WAKE, LONGEST_SLEEP_S = 6, 5  # as in app/editor/editor.cpp
+WAKES = 4
+LEAST_SPAN_S = 1  # of a sleep that is measured
+BUSY_SHARE = 0.01  # of a processor, that threads asleep may take: they take none
+
+
+def processor_s(process):
+    """What all threads of it have had of the processor by now."""
+    total = 0
+    for thread in os.listdir(f"/proc/{process.pid}/task"):
+        try:
+            with open(f"/proc/{process.pid}/task/{thread}/schedstat", encoding="ascii") as times:
+                total += int(times.read().split()[0])
+        except FileNotFoundError:
+            pass  # it has just ended
+    return 1e-9 * total
+
+
+def a_few_frames_a_wake(editor):
+    """Frames are counted over the time that they take: a busy machine takes longer for them, never less."""
+    first, began = editor.number("frame"), time.monotonic()
+    drawn = lambda: editor.number("frame") - first
+    editor.wait_until("some frames are drawn", lambda: drawn() >= WAKES * FRAMES_A_WAKE)
+    took = time.monotonic() - began
+    most = FRAMES_A_WAKE * (took / LONGEST_SLEEP_S + 2)
+    expect(drawn() <= most, f"{drawn()} frames in {took:.1f} s: an editor at rest draws {most:.0f} at most")
+
+
+def nothing_between_them(editor):
+    """Of a sleep, as long as no frame is drawn: what was measured before another one, and what long after."""
+    frame, since, before, share = None, 0, 0, None
+
+    def slept():
+        nonlocal frame, since, before, share
+        dump = editor.dump()["facts"]
+        now, spent = time.monotonic(), processor_s(editor.process)
+        if dump["sleeps_then"] != "yes" or dump["frame"] != frame or editor.fact("frame") != frame:
+            frame, since, before = dump["frame"], now, spent
+        elif now - since > LEAST_SPAN_S:
+            share = (spent - before) / (now - since)
+        return share is not None
+
+    editor.wait_until("it sleeps", slept)
+    expect(share < BUSY_SHARE, f"while it sleeps, the editor takes {100 * share:.1f} % of a processor")
+
+
+def test():
+    with window(WIDTH, HEIGHT) as editor:
+        # So far away that a thousand samples are soon there.
+        camera = {"distance_mm": 5000, "elevation_deg": 75}
+        editor.start(PROGRAM, [small_cloth(editor.home, "At rest", camera=camera)])
+        editor.wait_until("the picture is finished", lambda: editor.fact("phase") == "converged")
+        editor.wait_until("the yarn is seen close up", lambda: editor.fact("yarn.close_up") == "there")
+        editor.click_at(WIDTH - 3, HEIGHT - 3)  # the last that somebody does
+        samples = editor.fact("shown_samples")
+        a_few_frames_a_wake(editor)
+        nothing_between_them(editor)
+        expect(editor.fact("shown_samples") == samples, "a finished picture gets more samples")
+
+
+run(test)

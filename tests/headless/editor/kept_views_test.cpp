@@ -1,0 +1,135 @@
+/// Views that are kept: a strip of them, two compared, one brought back, one printed; and the denoised look at one.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/base/file.h"
+#include "render/film/image.h"
+#include "tests/headless/editor/headless_editor.h"
+#include "tests/headless/editor/small_cloth.h"
+
+namespace loomlight {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class KeptViews : public testing::Test {
+ protected:
+  KeptViews() {
+    Fabric cloth = smallCloth("First");
+    cloth.drape.width_mm = cloth.drape.height_mm = 6;
+    cloth.fibres[0].absorption_per_mm = Rgb(20, 6, 2);
+    editor.start(cloth);
+    editor.untilPictured();
+  }
+  void keepOne() {
+    editor.key("k");
+    editor.until("the view is kept", [&] { return editor.shows("snapshot.item_0"); });
+  }
+  /// The cloth as it was, and one of fewer ends.
+  void keepTwo() {
+    keepOne();
+    editor.click("tab.cloth");
+    editor.edits("the cloth is another one", [&] { editor.enter("cloth.ends_per_cm", "9"); });
+    editor.untilPictured();
+    editor.click("snapshot.keep");
+    editor.until("the other one is kept too", [&] { return editor.shows("snapshot.item_1"); });
+  }
+  Pixels8 pictureIn(const std::string& widget) {
+    const Pixels8* picture = nullptr;
+    editor.until("a picture is in " + widget, [&] { return (picture = editor.pictureIn(widget)) != nullptr; });
+    return *picture;
+  }
+
+  HeadlessEditor editor{{960, 600, 1}};  // of few pixels, so that samples come soon
+};
+
+TEST_F(KeptViews, ThePictureGetsBetterWithItsView) {
+  EXPECT_FALSE(editor.shows("snapshot.item_0")) << "an empty strip takes room from the cloth";
+  keepOne();
+  const Pixels8 first = pictureIn("snapshot.item_0");
+  EXPECT_GT(spreadOf(first).deviation, 0.03) << "the kept view is empty";
+  editor.until("it is another picture", [&] { return pictureIn("snapshot.item_0").bytes != first.bytes; });
+}
+
+TEST_F(KeptViews, TwoAreCompared) {
+  keepTwo();
+  const std::vector<uint8_t> first = pictureIn("snapshot.item_0").bytes, second = pictureIn("snapshot.item_1").bytes;
+  editor.click("snapshot.item_0");
+  editor.click("snapshot.item_1");
+  editor.click("snapshot.compare");
+  editor.centre("compare.slider");
+  // The first up to the line, the second beyond it.
+  const auto expectLineAt = [&](float x) {
+    const std::vector<HeadlessEditor::Drawn> drawn = editor.drawnIn("compare.picture");
+    ASSERT_GE(drawn.size(), 2u);
+    const HeadlessEditor::Drawn &left = drawn[drawn.size() - 2], &right = drawn.back();
+    EXPECT_EQ(left.picture->bytes, first);
+    EXPECT_EQ(right.picture->bytes, second);
+    EXPECT_NEAR(left.place.x1, x, 1);
+    EXPECT_NEAR(right.place.x0, x, 1);
+  };
+  const float middle = 0.5f * editor.screen().x;
+  expectLineAt(middle);
+  editor.dragWidget("compare.slider", 150);
+  expectLineAt(middle + 150);
+  editor.click("compare.way/Difference");
+  const std::vector<uint8_t> difference = pictureIn("compare.picture").bytes;
+  EXPECT_NE(difference, first);
+  EXPECT_NE(difference, second);
+  editor.click("compare.way/Side by side");
+  editor.click("compare.close");
+  editor.until("the dialog closes", [&] { return editor.fact("dialog") == "none"; });
+}
+
+TEST_F(KeptViews, OneIsBroughtBack) {
+  keepTwo();
+  editor.click("snapshot.item_0");
+  editor.edits("the first cloth is back", [&] { editor.click("snapshot.restore"); });
+  EXPECT_THAT(editor.fact("cloth.per_inch"), StartsWith("51 "));
+  editor.click("snapshot.remove");
+  editor.until("a view is removed", [&] { return !editor.shows("snapshot.item_1"); });
+  editor.key("ctrl+z");
+  editor.until("undo takes it back", [&] { return editor.fact("cloth.per_inch").starts_with("23 "); });
+}
+
+/// A print of 12 x 9 mm at 127 dpi is 60 x 45 pixels, and has a band below for bar and caption.
+TEST_F(KeptViews, APrintHasItsSizeAndJoinsTheStrip) {
+  editor.key("ctrl+p");
+  editor.click("snapshot.size_in/Print, mm");
+  for (const auto& [field, number] : {std::pair("width_mm", "12"), std::pair("height_mm", "9"), std::pair("dpi", "127"),
+                                      std::pair("samples_per_pixel", "2")})
+    editor.enter(fmt::format("snapshot.{}", field), number);
+  editor.until("the pixels follow", [&] { return editor.fact("snapshot.pixels") == "60 \u00d7 45"; });
+  editor.click("snapshot.scale_bar/On");
+  editor.enter("snapshot.caption", "No. 7");
+  const std::string file = editor.homeFile("print.png");
+  editor.enter("snapshot.file", file);
+  editor.click("snapshot.start");
+  editor.until("the print is there", [&] { return editor.fact("snapshot.outcome").starts_with("Saved"); });
+  const PictureExtent extent = readPngExtent(file);
+  EXPECT_EQ(extent.width, 60);
+  EXPECT_GT(extent.height, 45);
+  EXPECT_LT(extent.height, 80);
+  const std::string metres = {0, 0, 0x13, static_cast<char>(0x88)};  // 127 dpi are 5000 pixels a metre
+  EXPECT_THAT(readFile(file, 1'000'000), HasSubstr("pHYs" + metres + metres + '\1'));
+  editor.click("snapshot.close");
+  editor.until("what is rendered to a file joins the strip", [&] { return editor.shows("snapshot.item_0"); });
+}
+
+TEST(Denoised, AKeyDenoisesAndAButtonShowsWhatWasTraced) {
+  HeadlessEditor editor;
+  editor.start(smallCloth("Noisy"));
+  editor.until("the picture has samples", [&] { return editor.number("shown_samples") > 0; });
+  EXPECT_EQ(editor.fact("denoised"), "no") << "noise is taken before anybody asked for it";
+  editor.key("n");
+  editor.until("the picture is denoised", [&] { return editor.fact("denoised") == "yes"; });
+  editor.click("view.denoise");
+  editor.until("the picture is as it was traced", [&] { return editor.fact("denoised") == "no"; });
+}
+
+}  // namespace
+}  // namespace loomlight

@@ -1,0 +1,213 @@
+/// Weaving files and weave pictures: opened by dialog and by name, their sizes chosen, their warnings shown, exported.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "core/base/file.h"
+#include "render/film/image.h"
+#include "tests/headless/editor/weaver.h"
+
+namespace loomlight {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+constexpr const char* kRosepath = R"([WIF]
+Version=1.1
+Date=April 20, 1997
+Developers=wif@mhsoft.com
+Source Program=Handmade
+[CONTENTS]
+WEAVING=true
+WARP=true
+WEFT=true
+TEXT=true
+TIEUP=true
+THREADING=true
+TREADLING=true
+[TEXT]
+Title=Rosepath
+[WEAVING]
+Shafts=four
+Treadles=4
+Rising Shed=true
+[WARP]
+Threads=6
+Units=Centimeters
+Spacing=0.1
+Thickness=0.1
+[WEFT]
+Threads=4
+Units=Centimeters
+Spacing=0.125
+Thickness=0.1
+[TIEUP]
+1=1,2
+2=2,3
+3=3,4
+4=1,4
+[THREADING]
+1=1
+2=2
+3=3
+4=4
+5=3
+6=2
+[TREADLING]
+1=1
+2=2
+3=3
+4=4
+)";
+
+const std::vector<std::vector<int>> kThreading = {{1}, {2}, {3}, {4}, {3}, {2}};
+
+constexpr size_t kMost_bytes = 10'000'000;
+
+class WeavingFiles : public testing::Test {
+ protected:
+  WeavingFiles() { editor.start(smallTwill()); }
+
+  std::string write(const std::string& name, const std::string& text) {
+    const std::string file = editor.homeFile(name);
+    std::ofstream(file) << text;
+    return file;
+  }
+  void open(const std::string& file) {
+    editor.key("ctrl+o");
+    editor.nameFile(file);
+  }
+  /// Rosepath, with the sizes that its file gives.
+  void openRosepath() {
+    open(write("rosepath.wif", kRosepath));
+    editor.until("the weaving file is opened", [&] { return editor.fact("name") == "Rosepath"; });
+    EXPECT_GE(editor.number("wif.warnings"), 1u) << "nothing is said of Shafts=four";
+    editor.edits("the file's sizes are used", [&] { editor.click("wif.sizes/Use the file's"); });
+    editor.click("wif.close");
+    editor.until("the dialog closes", [&] { return editor.fact("dialog") == "none"; });
+  }
+  /// File > Export > item, to that file.
+  std::string exportTo(const std::string& item, const std::string& name) {
+    editor.click("menu.file");
+    editor.click("menu.export");
+    editor.click(item);
+    editor.nameFile(editor.homeFile(name));
+    editor.answer();
+    return editor.homeFile(name);
+  }
+
+  HeadlessEditor editor;
+};
+
+TEST_F(WeavingFiles, ADraftIsOpenedWithItsSizes) {
+  openRosepath();
+  const Fabric fabric = editor.savedAs(editor.homeFile("rosepath.json"));
+  EXPECT_EQ(fabric.ends_per_cm, 10);
+  EXPECT_EQ(fabric.picks_per_cm, 8);
+  EXPECT_EQ(fabric.draft.value().threading, kThreading);
+  EXPECT_EQ(fabric.drape.width_mm, 4) << "the drape is the designer's own";
+}
+
+/// The list is filtered and gone through by keys; a file is seen before it is opened; Esc leaves at once.
+TEST_F(WeavingFiles, ADraftIsSeenBeforeItIsOpened) {
+  write("rosepath.wif", kRosepath);
+  open(editor.home().string());
+  editor.click("browser.filter");
+  editor.type("PATH.WIF");
+  editor.click("browser.name");
+  editor.key("Down");
+  editor.until("the draft is seen", [&] { return editor.fact("browser.preview") == "picture"; });
+  EXPECT_THAT(editor.fact("browser.about"), HasSubstr("6 ends, 4 picks, 4 shafts"));
+  editor.key("Escape");
+  editor.until("the dialog closes", [&] { return editor.fact("dialog") == "none"; });
+}
+
+TEST_F(WeavingFiles, ADraftIsExported) {
+  openRosepath();
+  const std::string text = readFile(exportTo("menu.export_wif", "out.wif"), kMost_bytes);
+  for (const char* line : {"\nShafts=4\r\n", "\n5=3\r\n", "\nTitle=Rosepath\r\n"}) EXPECT_THAT(text, HasSubstr(line));
+  EXPECT_THAT(readFile(exportTo("menu.export_draft", "draft.pdf"), kMost_bytes), StartsWith("%PDF-"));
+}
+
+/// Two colours are point paper, a crossing for each pixel.
+TEST_F(WeavingFiles, ABitmapGoesOutAndComesBack) {
+  openRosepath();
+  const std::string file = exportTo("menu.export_bitmap", "weave.png");
+  const PictureExtent extent = readPngExtent(file);
+  EXPECT_EQ(extent.width, 6);
+  EXPECT_EQ(extent.height, 4);
+  editor.click("draft.tab_structures");
+  editor.edits("another weave", [&] { editor.click("structure/Plain"); });
+  open(file);
+  editor.until("two colours are found", [&] { return editor.fact("picture.colours") == "2"; });
+  editor.edits("it is woven", [&] { editor.click("picture.weave"); });
+  editor.until("the dialog closes", [&] { return editor.fact("dialog") == "none"; });
+  EXPECT_EQ(editor.savedAs(editor.homeFile("again.json")).draft.value().threading, kThreading);
+}
+
+TEST_F(WeavingFiles, ATileIsExported) {
+  editor.click("menu.file");
+  editor.click("menu.export");
+  editor.click("menu.export_tile");
+  editor.enter("tile.size", "32");
+  editor.enter("tile.samples", "1");
+  const std::string file = editor.homeFile("tile.json");
+  editor.enter("tile.file", file);
+  editor.click("tile.start");
+  editor.until("the tile is written", [&] { return editor.fact("tile.outcome").starts_with("Written"); });
+  editor.click("tile.close");
+  editor.until("the dialog closes", [&] { return editor.fact("dialog") == "none"; });
+  const auto tile = nlohmann::json::parse(readFile(file, kMost_bytes));
+  EXPECT_EQ(std::max(tile["width_px"].get<int>(), tile["height_px"].get<int>()), 32);
+  EXPECT_TRUE(std::filesystem::exists(editor.home() / tile["maps"]["normal"]["file"].get<std::string>()));
+}
+
+TEST_F(WeavingFiles, AFileThatIsNoneLeavesTheCloth) {
+  const Rows before = rowsOf(smallTwill().weave);
+  open(write("story.wif", "You are in a maze of twisty little passages.\n"));
+  editor.answer();
+  EXPECT_EQ(editor.fact("name"), "Blue cloth");
+  EXPECT_EQ(rowsOf(editor.saved().weave), before);
+}
+
+/// An orange disc within a navy one on white, with a speck of grey.
+std::string ringsIn(const std::string& file) {
+  Pixels8 picture{96, 64, 3, {}};
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x) {
+      std::array<uint8_t, 3> colour{255, 255, 255};
+      if (std::hypot(x - 40, y - 32) < 22) colour = {0, 0, 128};
+      if (std::hypot(x - 48, y - 32) < 8) colour = {255, 165, 0};
+      if (std::hypot(x - 90, y - 32) < 2) colour = {128, 128, 128};
+      picture.bytes.insert(picture.bytes.end(), colour.begin(), colour.end());
+    }
+  writePng(file, picture);
+  return file;
+}
+
+TEST_F(WeavingFiles, APictureBecomesAJacquard) {
+  editor.click("menu.weave");
+  editor.click("menu.picture");
+  editor.nameFile(ringsIn(editor.homeFile("rings.png")));
+  editor.until("the dialog shows four colours", [&] { return editor.fact("picture.colours") == "4"; });
+  editor.enter("picture.colours", "3");
+  editor.until("the palette is reduced", [&] { return editor.fact("picture.colours") == "3"; });
+  editor.choose("picture.structure_2", "Plain");
+  editor.enter("picture.ends", "192");
+  editor.click("picture.proportions");
+  editor.edits("the picture is woven", [&] { editor.click("picture.weave"); });
+  const Fabric fabric = editor.savedAs(editor.homeFile("rings.json"));
+  EXPECT_EQ(fabric.weave.ends(), 192);
+  EXPECT_EQ(fabric.weave.picks(), 192 * 64 / 96) << "as square a cloth as the picture: ends and picks are as dense";
+  const std::string ground = rowsOf(fabric.weave)[0].substr(0, 6);
+  EXPECT_TRUE(ground == "#.#.#." || ground == ".#.#.#") << ground;
+  EXPECT_EQ(editor.fact("draft.kind"), "jacquard");
+}
+
+}  // namespace
+}  // namespace loomlight

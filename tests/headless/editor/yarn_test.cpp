@@ -1,0 +1,143 @@
+/// Yarn and fibre as spinners and mills speak of them: counts typed in their systems, twist, diameter, a blend, and what
+/// follows for the cloth.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "core/fabric/json/fabric_json.h"
+#include "tests/headless/editor/headless_editor.h"
+
+namespace loomlight {
+namespace {
+
+using testing::EndsWith;
+using testing::StartsWith;
+
+constexpr double kNe_tex = 590.5;    ///< tex times Ne
+constexpr double kPerInch = 1 / 2.54;  ///< per cm, of one to the inch
+
+/// The reference cloth of the trade: Ne 30/1, 76 x 68 to the inch.
+Fabric printCloth() {
+  Fabric fabric;
+  fabric.name = "Print cloth";
+  fabric.ends_per_cm = 76 * kPerInch;
+  fabric.picks_per_cm = 68 * kPerInch;
+  fabric.yarns[0].name = "ring-spun";
+  fabric.yarns[0].count_tex = kNe_tex / 30;
+  fabric.yarns[0].plyTwist_per_m = 860;
+  fabric.drape.width_mm = fabric.drape.height_mm = 5;
+  fabric.light.kind = LightKind::dome;
+  fabric.camera.distance_mm = 14;
+  fabric.camera.elevation_deg = 75;
+  fabric.render.resolution = 1;
+  return fabric;
+}
+
+class YarnPages : public testing::Test {
+ protected:
+  YarnPages() { editor.start(printCloth()); }
+
+  void types(const std::string& field, const std::string& text) {
+    editor.edits(text + " is taken by " + field, [&] { editor.enter(field, text); });
+  }
+  Yarn yarn() { return editor.saved().yarns[0]; }
+  /// The number that a fact begins with.
+  double measured(const std::string& name) { return std::stod(editor.fact(name)); }
+
+  HeadlessEditor editor{{1280, 900, 1}};
+};
+
+TEST_F(YarnPages, WhatFollowsForTheCloth) {
+  editor.click("tab.cloth");
+  editor.until("cover is shown", [&] { return editor.fact("cloth.cover") == "20.1"; });
+  EXPECT_EQ(editor.fact("cloth.per_inch"), "76 \u00d7 68");
+  editor.until("mass is measured", [&] { return editor.fact("cloth.mass").ends_with("g/m\u00b2"); });
+  const double warp = 76 * kPerInch * (1 + measured("cloth.crimp_warp") / 100);
+  const double weft = 68 * kPerInch * (1 + measured("cloth.crimp_weft") / 100);
+  EXPECT_NEAR(measured("cloth.mass"), 0.1 * kNe_tex / 30 * (warp + weft), 1);  // what is shown is rounded to grams
+  EXPECT_EQ(editor.fact("cloth.balance"), "50 %") << "plain weave shows as much warp as weft";
+  EXPECT_THAT(editor.fact("cloth.warp_float"), StartsWith("1 "));
+}
+
+TEST_F(YarnPages, APieceIsReckoned) {
+  editor.click("tab.cloth");
+  const ImVec2 page = editor.centre("cloth.repeat");
+  for (int turns = 0; turns < 12; ++turns) editor.wheelAt(page, -1);
+  editor.until("yarn is reckoned", [&] { return !editor.fact("cloth.need_warp").empty(); });
+  const std::string before = editor.fact("cloth.need_warp");
+  editor.enter("cloth.piece_length", "100");
+  editor.until("a longer piece takes more yarn", [&] { return editor.fact("cloth.need_warp") != before; });
+  const double straight_km = 0.1 * 150 * 76 * kPerInch;
+  EXPECT_GT(measured("cloth.need_warp"), 0.99 * straight_km);
+  EXPECT_LT(measured("cloth.need_warp"), 1.3 * straight_km);
+  EXPECT_EQ(editor.fact("dirty"), "no") << "reckoning edits nothing";
+}
+
+TEST_F(YarnPages, FoldedAndCabledCounts) {
+  types("yarn.count_tex", "30/2 Ne");
+  EXPECT_EQ(yarn().plies, 2);
+  EXPECT_NEAR(yarn().count_tex, 2 * kNe_tex / 30, 1e-6);
+  types("yarn.count_tex", "30/2/3 Ne");
+  types("yarn.cable_twist_per_m", "365 t/m");
+  const Yarn cable = yarn();
+  EXPECT_EQ(cable.plies, 2);
+  EXPECT_EQ(cable.cords, 3);
+  EXPECT_EQ(cable.cableTwist_per_m, 365);
+  EXPECT_NEAR(cable.count_tex, 6 * kNe_tex / 30, 1e-6);
+  editor.untilPictured();
+  types("yarn.count_tex", "30/2 Ne");
+  EXPECT_EQ(yarn().cords, 1);
+}
+
+TEST_F(YarnPages, MetricCountTwistMultiplierAndDiameter) {
+  types("yarn.count_tex", "30/2 Ne");
+  editor.choose("yarn.count_system", "Nm (km per kg)");
+  types("yarn.count_tex", "60");
+  EXPECT_NEAR(yarn().count_tex, 2 * 1000.0 / 60, 1e-6) << "60 is 60/2 Nm";
+  types("yarn.ply_twist_per_m", "4 TM");
+  EXPECT_NEAR(yarn().plyTwist_per_m, 957 * 4 / std::sqrt(1000.0 / 60), 1);  // 957: turns/m and tex of TM 1, rounded
+  types("yarn.diameter_mm", "0.3");
+  EXPECT_NEAR(yarn().packing, yarn().count_tex / (1.52 * std::pow(0.3 / 0.03568, 2)), 0.005);
+}
+
+TEST_F(YarnPages, FilamentsGiveTheFibreItsFineness) {
+  types("yarn.count_tex", "167 dtex f48");
+  const Fabric fabric = editor.saved();
+  EXPECT_EQ(fabric.yarns[0].count_tex, 16.7);
+  EXPECT_EQ(fabric.yarns[0].plies, 1);
+  EXPECT_NEAR(fabric.fibres[0].radius_um, std::sqrt(1e3 * 16.7 / 48 / (std::numbers::pi * 1.52)), 0.01);
+}
+
+TEST_F(YarnPages, ABlend) {
+  editor.edits("a second fibre", [&] { editor.choose("yarn.blend_fibre", "A new fibre"); });
+  types("yarn.blend_share", "30");
+  editor.click("tab.fibre");
+  editor.click("fibre.of_blend/Second");
+  editor.edits("wool", [&] { editor.choose("fibre.preset", "wool"); });
+  const Fabric fabric = editor.saved();
+  EXPECT_EQ(fabric.yarns[0].blendFibre, 1);
+  EXPECT_NEAR(fabric.yarns[0].blendShare.value(), 0.3, 1e-9);
+  ASSERT_EQ(fabric.fibres.size(), 2u);
+  EXPECT_EQ(fabric.fibres[0].scaleTilt_deg, 0);
+  EXPECT_EQ(fabric.fibres[1].scaleTilt_deg, 2.5);
+  editor.untilPictured();
+  EXPECT_EQ(editor.fact("error"), "");
+}
+
+TEST_F(YarnPages, AYarnOfTheTrade) {
+  editor.edits("a second fibre", [&] { editor.choose("yarn.blend_fibre", "A new fibre"); });
+  editor.saved();
+  editor.edits("silk", [&] { editor.choose("yarn.preset", "Silk 20/22 den"); });
+  const Yarn silk = yarn();
+  EXPECT_NEAR(silk.count_tex, 21.0 / 9, 0.01);
+  EXPECT_FALSE(silk.blendFibre);
+  EXPECT_EQ(silk.name, "ring-spun") << "the yarn's name is the designer's";
+  editor.edits("undo takes it back", [&] { editor.key("ctrl+z"); });
+  EXPECT_EQ(editor.fact("dirty"), "yes");
+}
+
+}  // namespace
+}  // namespace loomlight

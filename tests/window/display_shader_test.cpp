@@ -1,0 +1,114 @@
+/// The shader of the display beside the C++ that pictures are written with: the same colours, so that a PNG looks like
+/// the viewport. Needs a display; run by tests/e2e/editor/display_shader_test.py.
+#define GL_GLEXT_PROTOTYPES
+#include <GL/gl.h>
+#include <GL/glext.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <vector>
+
+#include "app/editor/gl/opengl_driver.h"
+#include "app/editor/gl/window.h"
+#include "render/display/display_picture.h"
+
+namespace loomlight {
+namespace {
+
+/// A block of equal pixels for each light, and what lies between pixels is no matter: the middle is looked at.
+constexpr int kBlock = 5;
+
+std::vector<glm::vec4> lights() {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity(), kNone = std::numeric_limits<float>::quiet_NaN();
+  std::vector<float> values = {0,    1e-40f, 1e-6f, 0.0031307f, 0.0031308f, 0.0031309f, 0.6999f, 0.7f,
+                               1e4f, 1e10f,  1e30f, 3e38f,      -1e-3f,     -1,         -1e30f,  kInfinity,
+                               -kInfinity,   kNone};
+  for (int i = 0; i < 60; ++i) values.push_back(std::exp2(-10 + 0.25f * static_cast<float>(i)));  // 0.001 to 27
+  std::vector<glm::vec4> lights;
+  for (const float v : values)
+    for (const float alpha : {1.0f, 0.4f, 0.0f}) {
+      lights.emplace_back(v, v, v, alpha);
+      lights.emplace_back(v, 0.2f, 0.05f, alpha);
+      lights.emplace_back(0.9f, v, 1e-3f, alpha);
+      lights.emplace_back(0.0f, 3.0f, v, alpha);
+    }
+  return lights;
+}
+
+Frame blocksOf(const std::vector<glm::vec4>& lights) {
+  const int side = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(lights.size()))));
+  Frame frame;
+  frame.width = frame.height = side * kBlock;
+  for (int y = 0; y < frame.height; ++y)
+    for (int x = 0; x < frame.width; ++x) {
+      const size_t block = static_cast<size_t>(y / kBlock) * static_cast<size_t>(side) + static_cast<size_t>(x / kBlock);
+      frame.rgba.push_back(lights[std::min(block, lights.size() - 1)]);
+    }
+  return frame;
+}
+
+/// As the viewport shows it, in four channels.
+std::vector<uint8_t> shownByShader(const Frame& frame, const Tone& tone) {
+  OpenGlDriver driver;
+  const auto viewport = driver.makeViewport();
+  viewport->upload(frame.width, frame.height, frame.rgba, {});
+  const ImTextureID shown = viewport->display(frame.width, frame.height, tone, std::nullopt);
+  std::vector<uint8_t> pixels(4 * frame.rgba.size());
+  glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>((intptr_t)shown));
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+  return pixels;
+}
+
+/// Both round to one of 256 steps; a value between two of them may go either way.
+void expectSame(const Frame& frame, const Tone& tone) {
+  const std::vector<uint8_t> shader = shownByShader(frame, tone);
+  const Pixels8 written = displayPicture(frame, tone);
+  for (int y = kBlock / 2; y < frame.height; y += kBlock)
+    for (int x = kBlock / 2; x < frame.width; x += kBlock) {
+      const size_t i = static_cast<size_t>(y) * static_cast<size_t>(frame.width) + static_cast<size_t>(x);
+      const glm::vec4& light = frame.rgba[i];
+      for (size_t c = 0; c < 3; ++c)
+        ASSERT_NEAR(shader[4 * i + c], written.bytes[3 * i + c], 1)
+            << "channel " << c << " of " << light.r << " " << light.g << " " << light.b << " alpha " << light.a
+            << " at " << tone.exposure_stops << " stops, " << (tone.filmic ? "filmic" : "plain");
+    }
+}
+
+TEST(DisplayShader, EqualsWhatPicturesAreWrittenWith) {
+  Window window("Shader", 960, 600, 1);
+  const Frame frame = blocksOf(lights());
+  for (const bool filmic : {true, false})
+    for (const float stops : {-3.0f, 0.0f, 2.5f})
+      for (const Rgb background : {Rgb(0.18f), Rgb(0.02f, 0.3f, 0.9f)}) expectSame(frame, {stops, filmic, background});
+}
+
+/// A frame that changes nothing is not computed again; one that does, is.
+TEST(DisplayShader, FollowsTonePictureAndSize) {
+  Window window("Shader", 960, 600, 1);
+  OpenGlDriver driver;
+  const auto viewport = driver.makeViewport();
+  const auto shown = [&](float light, const Tone& tone, int side) {
+    const std::vector<glm::vec4> pixels(16, glm::vec4(light, light, light, 1));
+    if (light >= 0) viewport->upload(4, 4, pixels, {});
+    const ImTextureID texture = viewport->display(side, side, tone, std::nullopt);
+    std::vector<uint8_t> bytes(static_cast<size_t>(4 * side * side));
+    glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>((intptr_t)texture));
+    glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+    return bytes[bytes.size() / 2];
+  };
+  constexpr float kSame = -1;  // the picture of before
+  Tone tone;
+  const uint8_t first = shown(0.2f, tone, 8);
+  EXPECT_EQ(shown(kSame, tone, 8), first);
+  tone.exposure_stops = 1;
+  EXPECT_GT(shown(kSame, tone, 8), first) << "exposure";
+  tone.exposure_stops = 0;
+  EXPECT_EQ(shown(kSame, tone, 16), first) << "another size";
+  EXPECT_LT(shown(0.1f, tone, 16), first) << "another picture";
+}
+
+}  // namespace
+}  // namespace loomlight
