@@ -22,9 +22,8 @@ constexpr int kBlock = 5;
 
 std::vector<glm::vec4> lights() {
   constexpr float kInfinity = std::numeric_limits<float>::infinity(), kNone = std::numeric_limits<float>::quiet_NaN();
-  std::vector<float> values = {0,    1e-40f, 1e-6f, 0.0031307f, 0.0031308f, 0.0031309f, 0.6999f, 0.7f,
-                               1e4f, 1e10f,  1e30f, 3e38f,      -1e-3f,     -1,         -1e30f,  kInfinity,
-                               -kInfinity,   kNone};
+  std::vector<float> values = {0,     1e-40f, 1e-6f, 0.0031307f, 0.0031308f, 0.0031309f, 0.6999f,   0.7f,       1e4f,
+                               1e10f, 1e30f,  3e38f, -1e-3f,     -1,         -1e30f,     kInfinity, -kInfinity, kNone};
   for (int i = 0; i < 60; ++i) values.push_back(std::exp2(-10 + 0.25f * static_cast<float>(i)));  // 0.001 to 27
   std::vector<glm::vec4> lights;
   for (const float v : values)
@@ -43,7 +42,8 @@ Frame blocksOf(const std::vector<glm::vec4>& lights) {
   frame.width = frame.height = side * kBlock;
   for (int y = 0; y < frame.height; ++y)
     for (int x = 0; x < frame.width; ++x) {
-      const size_t block = static_cast<size_t>(y / kBlock) * static_cast<size_t>(side) + static_cast<size_t>(x / kBlock);
+      const size_t block =
+          static_cast<size_t>(y / kBlock) * static_cast<size_t>(side) + static_cast<size_t>(x / kBlock);
       frame.rgba.push_back(lights[std::min(block, lights.size() - 1)]);
     }
   return frame;
