@@ -30,6 +30,8 @@ class ReportBench(CommandLineTest):
                     met = False
                     if row["ours"] != "-":
                         ours, wanted = (float(row[name].split()[0]) for name in ("ours", goal))
+                        if ours == wanted:
+                            continue  # as far as they are written
                         large = " : 1" in row[goal] or row[goal].endswith("M")
                         met = ours >= wanted if large else ours <= wanted
                     self.assertEqual(row[verdict], "yes" if met else "no")

@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "core/fabric/model/choice_names.h"
 #include "render/media/loomlight_medium.h"
@@ -90,10 +93,7 @@ TEST_P(WhiteFurnace, ClothIsInvisible) {
   if (c.ingredients) medium = std::make_unique<const LoomlightMedium>(*scene, *c.ingredients);
   // What all media share, weights and densities, is looked at closely where that costs least.
   const bool isFirst = &c.medium == &test::kPlain && c.drape == DrapeKind::flat && c.resolution == 4;
-  const test::SampledMean radiance = radianceOf(*scene, *medium, 32,
-                                                isFirst                      ? 160
-                                                : c.drape == DrapeKind::flat ? 8
-                                                                             : 12);
+  const test::SampledMean radiance = radianceOf(*scene, *medium, 32, isFirst ? 160 : 12);
   EXPECT_LT(radiance.standardError(), isFirst ? 0.001 : 0.005);
   EXPECT_TRUE(test::isWithinNoise(radiance.mean(), 1, radiance.standardError(), static_cast<int>(cases().size())));
 }
