@@ -10,7 +10,7 @@ import os
 from window_driver import difference, expect, run, window, write_json
 
 PROGRAM = os.environ["LOOMLIGHT"]
-WIDTH, HEIGHT = 960, 600
+WIDTH, HEIGHT = 960, 760
 STEPS = 3
 SAMPLES = 16  # for each pixel: fewer are shown with speckles taken out, which darkens them
 LEAST_CHANGE = 0.007  # of the light, by a step: a crossing of 64, 400 turns a metre, or another colour
