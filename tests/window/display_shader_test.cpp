@@ -43,7 +43,8 @@ Frame blocksOf(const std::vector<glm::vec4>& lights) {
   frame.width = frame.height = side * kBlock;
   for (int y = 0; y < frame.height; ++y)
     for (int x = 0; x < frame.width; ++x) {
-      const size_t block = static_cast<size_t>(y / kBlock) * static_cast<size_t>(side) + static_cast<size_t>(x / kBlock);
+      const size_t block =
+          static_cast<size_t>(y / kBlock) * static_cast<size_t>(side) + static_cast<size_t>(x / kBlock);
       frame.rgba.push_back(lights[std::min(block, lights.size() - 1)]);
     }
   return frame;

@@ -30,23 +30,46 @@ int picksOf(const Draft& draft) {
 }
 
 std::vector<Table> tablesOf(const Draft& draft, const DraftLayout& layout) {
-  std::vector<Table> tables;
-  tables.push_back({DraftPart::threading, DraftView::Stroke::threading, "draft.threading",
-                    "Threading: the shaft that each end hangs on. Click or drag; Ctrl hangs an end on several.",
-                    layout.threading, static_cast<int>(draft.threading.size()), draft.shafts, true, true});
-  if (draft.liftplan.empty()) {
-    tables.push_back({DraftPart::tieUp, DraftView::Stroke::tieUp, "draft.tieup",
-                      "Tie-up: the shafts that each treadle moves. Click or drag.", layout.tieUp, draft.treadles,
-                      draft.shafts, true, false});
-    tables.push_back({DraftPart::treadling, DraftView::Stroke::treadling, "draft.treadling",
-                      "Treadling: the treadle pressed for each pick. Click or drag; Ctrl presses several at once.",
-                      layout.treadling, picksOf(draft), draft.treadles, false, true});
-  } else {
-    tables.push_back({DraftPart::liftplan, DraftView::Stroke::treadling, "draft.treadling",
-                      "Liftplan: the shafts that go up for each pick. Click or drag.", layout.treadling, picksOf(draft),
-                      draft.shafts, false, false});
+  const Table threading{DraftPart::threading,
+                        DraftView::Stroke::threading,
+                        "draft.threading",
+                        "Threading: the shaft that each end hangs on. Click or drag; Ctrl hangs an end on several.",
+                        layout.threading,
+                        static_cast<int>(draft.threading.size()),
+                        draft.shafts,
+                        true,
+                        true};
+  if (!draft.liftplan.empty()) {
+    const Table liftplan{DraftPart::liftplan,
+                         DraftView::Stroke::treadling,
+                         "draft.treadling",
+                         "Liftplan: the shafts that go up for each pick. Click or drag.",
+                         layout.treadling,
+                         picksOf(draft),
+                         draft.shafts,
+                         false,
+                         false};
+    return {threading, liftplan};
   }
-  return tables;
+  const Table tieUp{DraftPart::tieUp,
+                    DraftView::Stroke::tieUp,
+                    "draft.tieup",
+                    "Tie-up: the shafts that each treadle moves. Click or drag.",
+                    layout.tieUp,
+                    draft.treadles,
+                    draft.shafts,
+                    true,
+                    false};
+  const Table treadling{DraftPart::treadling,
+                        DraftView::Stroke::treadling,
+                        "draft.treadling",
+                        "Treadling: the treadle pressed for each pick. Click or drag; Ctrl presses several at once.",
+                        layout.treadling,
+                        picksOf(draft),
+                        draft.treadles,
+                        false,
+                        true};
+  return {threading, tieUp, treadling};
 }
 
 /// Rectangle of a number of a line; lines of threading and treadling run along the cloth.

@@ -6,9 +6,9 @@
 #include <optional>
 #include <span>
 
+#include "render/colour/tone.h"
 #include "render/film/film.h"
 #include "render/film/image.h"
-#include "render/colour/tone.h"
 #include "ui/widgets/crossing_index.h"
 
 namespace loomlight {
@@ -40,8 +40,8 @@ class ViewportPicture {
   virtual ImTextureID display(int width, int height, const Tone& tone, const std::optional<Outline>& outline) = 0;
 };
 
-/// Keeps the pictures that the editor shows, so that the editor itself knows no graphics library: OpenGL's memory in the
-/// window, plain memory where tests run the editor without one. All of it in the thread that draws. Outlives its
+/// Keeps the pictures that the editor shows, so that the editor itself knows no graphics library: OpenGL's memory in
+/// the window, plain memory where tests run the editor without one. All of it in the thread that draws. Outlives its
 /// pictures.
 class DisplayDriver {
  public:

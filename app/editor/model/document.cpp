@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "core/base/memory.h"
-
 namespace loomlight {
 namespace {
 
@@ -44,9 +42,9 @@ std::shared_ptr<const Fabric> seenFrom(const std::shared_ptr<const Fabric>& fabr
 
 }  // namespace
 
-size_t Document::memoryForUndo_bytes() {
+size_t Document::memoryForUndo_bytes(uint64_t physical_bytes) {
   constexpr uint64_t kShare = 8, kMost = uint64_t{1} << 30;
-  return static_cast<size_t>(std::min(physicalMemory_bytes() / kShare, kMost));
+  return static_cast<size_t>(std::min(physical_bytes / kShare, kMost));
 }
 
 Document::Document(Fabric fabric, std::string file, size_t mostBytes) : mostBytes_(mostBytes), file_(std::move(file)) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "core/base/memory.h"
 #include "core/fabric/model/fabric.h"
 
 namespace loomlight {
@@ -22,11 +23,12 @@ struct EditPlace {
 /// did not change: hundreds of thousands of small steps, or as many as memory is set aside for.
 class Document {
  public:
-  /// An eighth of the machine's memory, and a gigabyte at most.
-  static size_t memoryForUndo_bytes();
+  /// Of a machine with so much memory: an eighth, and a gigabyte at most.
+  static size_t memoryForUndo_bytes(uint64_t physical_bytes);
 
   /// `mostBytes`: of old values; beyond that the oldest go.
-  explicit Document(Fabric fabric, std::string file = {}, size_t mostBytes = memoryForUndo_bytes());
+  explicit Document(Fabric fabric, std::string file = {},
+                    size_t mostBytes = memoryForUndo_bytes(physicalMemory_bytes()));
 
   const std::shared_ptr<const Fabric>& fabric() const { return steps_[now_].fabric; }
   const std::string& file() const { return file_; }  ///< empty while it has none

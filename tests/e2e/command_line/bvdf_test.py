@@ -2,10 +2,8 @@
 
 import os
 import signal
-import subprocess
-import time
 
-from harness import LOOMLIGHT, CommandLineTest, main, read_png
+from harness import CommandLineTest, main, read_png
 
 
 class Bvdf(CommandLineTest):
@@ -48,14 +46,11 @@ class Bvdf(CommandLineTest):
         self.assertIn("missing.json", self.bvdf("missing.json", "-o", "t.exr", status=1))
 
     def test_an_interrupt_ends_it_and_leaves_nothing(self):
-        program = subprocess.Popen(
-            [LOOMLIGHT, "bvdf", self.fabric(), "-o", "t.exr", "--rays", "100000000000"],
-            cwd=self.folder,
+        program = self.start_at_work(
+            "baking local visibility",
+            *("bvdf", self.fabric(), "-o", "t.exr", "--rays", "100000000000"),
             env=self.environment,
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL,
         )
-        time.sleep(1)
         program.send_signal(signal.SIGINT)
         self.assertEqual(program.wait(timeout=60), 130)
         self.assertFalse((self.folder / "t.exr").exists())

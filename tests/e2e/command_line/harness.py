@@ -1,12 +1,15 @@
 """What the tests of the command line share: running the program, small fabrics, reading its pictures."""
 
+import contextlib
 import json
 import os
 import pathlib
+import pty
 import re
 import struct
 import subprocess
 import tempfile
+import threading
 import unittest
 import zlib
 
@@ -61,6 +64,37 @@ class CommandLineTest(unittest.TestCase):
         )
         self.assertEqual(done.returncode, status, f"{words}\n{done.stdout}{done.stderr}")
         return done.stdout if status == 0 and not messages else done.stderr
+
+    def start_at_work(self, label, *words, **options):
+        """Starts the program on a terminal, and returns it when its bar `label` shows that some of the work is done."""
+        terminal, end = pty.openpty()
+        program = subprocess.Popen(
+            [LOOMLIGHT, *map(str, words)],
+            cwd=self.folder,
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=end,
+            text=True,
+            **options,
+        )
+        self.addCleanup(program.stdout.close)
+        self.addCleanup(program.wait)
+        self.addCleanup(program.kill)
+        os.close(end)
+        screen = os.fdopen(terminal, "rb", buffering=0)
+        said = b""
+        while f"{label} [".encode() not in said:
+            said += screen.read(4096)  # fails when the program ends before that
+
+        def read_on():  # a full terminal would hold the program up
+            with screen, contextlib.suppress(OSError):
+                while screen.read(4096):
+                    pass
+
+        reader = threading.Thread(target=read_on)
+        reader.start()
+        self.addCleanup(reader.join)
+        return program
 
     def fabric(self, file_name="fabric.json", **changes):
         """Writes the small fabric, with some of its top-level keys changed, and returns the file."""

@@ -177,8 +177,8 @@ TEST_F(DraftParts, StructuresAreTakenFromTheLibrary) {
 }
 
 TEST_F(DraftParts, KeysOfTheWindow) {
-  const std::pair<std::function<void()>, std::string> ways[] = {
-      {[&] { editor.key("F1"); }, "Escape"}, {[&] { editor.character("?"); }, "Return"}};
+  const std::pair<std::function<void()>, std::string> ways[] = {{[&] { editor.key("F1"); }, "Escape"},
+                                                                {[&] { editor.character("?"); }, "Return"}};
   for (const auto& [opens, closes] : ways) {
     opens();
     editor.until("the list of keys is shown", [&] { return editor.shows("keys.close"); });

@@ -38,8 +38,7 @@ bool operator==(const HeadlessEditor::Rect& a, const ImVec4& b) {
 
 }  // namespace
 
-HeadlessEditor::HeadlessEditor(Screen screen)
-    : home_(freshHome()), screen_(screen), context_(ImGui::CreateContext()) {
+HeadlessEditor::HeadlessEditor(Screen screen) : home_(freshHome()), screen_(screen), context_(ImGui::CreateContext()) {
   ImGuiIO& io = ImGui::GetIO();
   input_ = HeadlessInput();
   io.IniFilename = nullptr;

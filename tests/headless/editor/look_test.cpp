@@ -89,9 +89,10 @@ TEST_F(LookAtTightest, EveryMenuIsWhole) {
 TEST_F(LookAtTightest, EveryDialogIsWhole) {
   const struct {
     const char *menu, *item, *close;
-  } dialogs[] = {{"menu.file", "menu.snapshot", "snapshot.close"},   {"menu.edit", "menu.preferences", "preferences.close"},
-                 {"menu.weave", "menu.structures", "structures.close"}, {"menu.help", "menu.keys", "keys.close"},
-                 {"menu.file", "menu.presets", "presets.close"},     {"menu.edit", "menu.colourways", "colourways.close"}};
+  } dialogs[] = {
+      {"menu.file", "menu.snapshot", "snapshot.close"},      {"menu.edit", "menu.preferences", "preferences.close"},
+      {"menu.weave", "menu.structures", "structures.close"}, {"menu.help", "menu.keys", "keys.close"},
+      {"menu.file", "menu.presets", "presets.close"},        {"menu.edit", "menu.colourways", "colourways.close"}};
   for (const auto& dialog : dialogs) {
     editor.click(dialog.menu);
     editor.click(dialog.item);

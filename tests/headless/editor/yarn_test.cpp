@@ -1,5 +1,5 @@
-/// Yarn and fibre as spinners and mills speak of them: counts typed in their systems, twist, diameter, a blend, and what
-/// follows for the cloth.
+/// Yarn and fibre as spinners and mills speak of them: counts typed in their systems, twist, diameter, a blend, and
+/// what follows for the cloth.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ namespace {
 using testing::EndsWith;
 using testing::StartsWith;
 
-constexpr double kNe_tex = 590.5;    ///< tex times Ne
+constexpr double kNe_tex = 590.5;      ///< tex times Ne
 constexpr double kPerInch = 1 / 2.54;  ///< per cm, of one to the inch
 
 /// The reference cloth of the trade: Ne 30/1, 76 x 68 to the inch.

@@ -6,7 +6,6 @@
 
 #include "core/base/error.h"
 #include "render/media/volume_medium.h"
-#include "render/transport/path_tracer.h"
 #include "tests/support/isotropic_light.h"
 #include "tests/support/test_cloth.h"
 
@@ -22,28 +21,6 @@ Fabric smallWhiteCloth(FibreLayout layout) {
   fabric.drape.width_mm = fabric.drape.height_mm = 5;
   fabric.camera.distance_mm = 8;
   return fabric;
-}
-
-// Every path through clear fibres in a white furnace returns exactly 1 (the depth limit aside).
-TEST(FibreMedium, WhiteClothIsInvisibleInAWhiteFurnace) {
-  for (const FibreLayout layout : {FibreLayout::packed, FibreLayout::random}) {
-    Fabric fabric = smallWhiteCloth(layout);
-    fabric.light.kind = LightKind::furnace;
-    const auto scene = test::sceneOf(fabric);
-    const auto fibres = FibreMedium::build(*scene, kNoLimit, Task{});
-    const CameraRays camera(fabric.camera, 16, 16);
-    TraceCounts counts;
-    double radiance = 0, alpha = 0;
-    for (int y = 0; y < 16; ++y)
-      for (int x = 0; x < 16; ++x)
-        for (uint32_t i = 0; i < 4; ++i) {
-          const PathSample sample = tracePath(*scene, *fibres, camera, x, y, i, counts);
-          radiance += sample.direct.g + sample.indirect.g;
-          alpha += sample.alpha;
-        }
-    EXPECT_GT(alpha, 16 * 16 * 4 * 0.5);
-    EXPECT_NEAR(radiance / alpha, 1.0, 0.001);
-  }
 }
 
 TEST(FibreMedium, HasTheFibresTheVolumeWasMadeOf) {

@@ -13,12 +13,6 @@
 namespace loomlight {
 namespace {
 
-using Ingredients = LoomlightMedium::Ingredients;
-
-constexpr Ingredients kEveryCombination[] = {{true, true, true},   {true, true, false},  {true, false, true},
-                                             {true, false, false}, {false, true, true},  {false, true, false},
-                                             {false, false, true}, {false, false, false}};
-
 /// Round yarns of 100 packed fibres in an open plain weave: fibres can be told from voxels here.
 Fabric openWeave() {
   Fabric fabric = test::whiteCotton();
@@ -54,20 +48,6 @@ Mean render(const Scene& scene, const Medium& medium, int side, uint32_t samples
       }
   const double mean = sum / paths;
   return {mean, alpha / paths, std::sqrt((squares / paths - mean * mean) / paths)};
-}
-
-TEST(LoomlightMedium, WhiteClothIsInvisibleInAWhiteFurnace) {
-  Fabric fabric = openWeave();
-  fabric.light.kind = LightKind::furnace;
-  for (const DrapeKind drape : {DrapeKind::flat, DrapeKind::cylinder}) {
-    fabric.drape.kind = drape;
-    const auto scene = test::sceneOf(fabric);
-    for (const Ingredients& ingredients : kEveryCombination) {
-      const Mean mean = render(*scene, LoomlightMedium(*scene, ingredients), 12, 4);
-      EXPECT_GT(mean.alpha, 0.2);
-      EXPECT_NEAR(mean.radiance / mean.alpha, 1.0, 0.001);
-    }
-  }
 }
 
 TEST(LoomlightMedium, SeesNoShadowWithTheLightBehindTheEye) {

@@ -7,6 +7,7 @@
 #include "render/colour/spectrum.h"
 #include "render/transport/make_medium.h"
 #include "render/transport/path_tracer.h"
+#include "tests/support/sampled_mean.h"
 #include "tests/support/test_cloth.h"
 
 namespace loomlight {
@@ -37,9 +38,11 @@ Dye dyeOf(const Scene& scene) {
 class Picture {
  public:
   Picture(const Fabric& fabric, uint32_t samples, size_t bytesPerPixel)
-      : scene(test::sceneOf(fabric)), records(kSide, kSide, 1, kPixels * bytesPerPixel) {
+      : Picture(test::sceneOf(fabric), samples, bytesPerPixel) {}
+  Picture(std::shared_ptr<const Scene> of, uint32_t samples, size_t bytesPerPixel)
+      : scene(std::move(of)), records(kSide, kSide, 1, kPixels * bytesPerPixel) {
     const auto medium = makeMedium(*scene, 1e9, Task{});
-    const CameraRays camera(fabric.camera, kSide, kSide);
+    const CameraRays camera(scene->fabric->camera, kSide, kSide);
     for (uint32_t upTo = 1; upTo <= samples; upTo *= 2)
       renderUpTo(upTo, *scene, *medium, camera, film, {0, 0, kSide, kSide}, Task{}, 0, &records);
   }
@@ -107,7 +110,38 @@ TEST(Recolour, InTheSameColoursIsTheFilm) {
     for (int x = 0; x < kSide; ++x)
       change = std::max(change, double{glm::length(at(same, x, y) - blue.film.mean(x, y))});
   EXPECT_LT(change, 1e-3);  // the coefficient is one but for the rounding of sums of squares
-  EXPECT_NEAR(same.variance, meanVariance(blue.film), 0.5 * meanVariance(blue.film));
+}
+
+// Half of the samples on record say how noisy all of them are: no less than the luminance of the pixels' own samples
+// scatters, and no more than it would were the channels' noise one and the same. Both means are known to the scatter of
+// their pixels, and from half of the samples to as much again in square.
+TEST(Recolour, KnowsItsNoise) {
+  Fabric underDome = blueCotton();
+  underDome.light.kind = LightKind::dome;
+  constexpr uint32_t kSamples = 16;
+  const Picture blue(underDome, kSamples, 400);
+  ASSERT_EQ(blue.records.samples(16, 16), kSamples / 2);
+  const auto medium = makeMedium(*blue.scene, 1e9, Task{});
+  const CameraRays camera(underDome.camera, kSide, kSide);
+  constexpr double kLuminance[] = {0.2126, 0.7152, 0.0722};
+  TraceCounts counts;
+  test::SampledMean least, most;
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x) {
+      test::SampledMean channels[3];
+      for (uint32_t i = 0; i < kSamples; ++i) {
+        const PathSample sample = tracePath(*blue.scene, *medium, camera, x, y, i, counts);
+        for (int c = 0; c < 3; ++c) channels[c].add((sample.direct + sample.indirect)[c]);
+      }
+      double upper = 0;  // (sum w s)^2 <= sum w s^2, of weights that add up to one
+      for (int c = 0; c < 3; ++c) upper += kLuminance[c] * channels[c].variance() / kSamples;
+      least.add(blue.film.variance(x, y));
+      most.add(upper);
+    }
+  const Recoloured same = recolour(blue.film, blue.records, dyeOf(*blue.scene), 2);
+  const double noise = 3.3 * std::sqrt(2);
+  EXPECT_GT(same.variance, least.mean() - noise * least.standardError());
+  EXPECT_LT(same.variance, most.mean() + noise * most.standardError());
 }
 
 TEST(Recolour, UnderBrighterLampsIsTheFilmBrighter) {
@@ -136,18 +170,24 @@ TEST(Recolour, UnderAWarmLampIsThePictureTracedUnderIt) {
     }
 }
 
-// With all samples on record nothing is estimated: the same paths in the other colours.
+// With all samples on record nothing is estimated: it is the picture that the same paths bring in the other colours.
 TEST(Recolour, OfPathsAllOnRecordIsExact) {
   const Picture blue(blueCotton(), 4, 1 << 14);
   const Dye dye{{Rgb(1, 50, 60)}, Rgb(1)};
-  const Recoloured red = recolour(blue.film, blue.records, dye, 1);
-  const auto sums = blue.records.dyed(dye, 1);
+  Scene inRed = *blue.scene;
+  inRed.absorption_per_mm = dye.absorption_per_mm;  // its paths end where those of the blue one do
+  const Picture red(std::make_shared<const Scene>(inRed), 4, 0);
+  const Recoloured recoloured = recolour(blue.film, blue.records, dye, 1);
+  constexpr float kQuantum = 0x1p-24f;  // of the film, whose sums are rounded
+  double change = 0;
   for (int y = 0; y < kSide; ++y)
     for (int x = 0; x < kSide; ++x) {
-      const PathRecords::Sums& kept = sums[static_cast<size_t>(y) * kSide + x];
-      ASSERT_EQ(kept.samples, 4u);
-      EXPECT_EQ(at(red, x, y), kept.dyed / 4.0f);
+      ASSERT_EQ(blue.records.samples(x, y), 4u);
+      const Rgb expected = red.film.mean(x, y);
+      for (int c = 0; c < 3; ++c) EXPECT_NEAR(at(recoloured, x, y)[c], expected[c], 1e-6f * expected[c] + 2 * kQuantum);
+      change += glm::length(expected - blue.film.mean(x, y));
     }
+  EXPECT_GT(change, 1) << "the colours are others";
 }
 
 // Few paths on record, many in the film: what is not on record counts too, and the picture knows how good it is.

@@ -4,8 +4,6 @@
 
 #include <functional>
 
-#include "core/base/memory.h"
-
 namespace loomlight {
 namespace {
 
@@ -137,9 +135,11 @@ TEST(Document, EverythingLongThatAFabricHoldsTakesMemory) {
 }
 
 TEST(Document, UndoLeavesMostOfTheMachinesMemoryAlone) {
-  EXPECT_LE(Document::memoryForUndo_bytes(), physicalMemory_bytes() / 8);
-  EXPECT_LE(Document::memoryForUndo_bytes(), size_t{1} << 30);
-  EXPECT_GT(Document::memoryForUndo_bytes(), 0u);
+  constexpr uint64_t kMiB = uint64_t{1} << 20;
+  EXPECT_EQ(Document::memoryForUndo_bytes(512 * kMiB), 64 * kMiB);
+  EXPECT_EQ(Document::memoryForUndo_bytes(4096 * kMiB), 512 * kMiB);
+  EXPECT_EQ(Document::memoryForUndo_bytes(8192 * kMiB), 1024 * kMiB);
+  EXPECT_EQ(Document::memoryForUndo_bytes(65536 * kMiB), 1024 * kMiB);
 }
 
 TEST(Document, UndoAndRedoSayWhereTheEditWasMade) {

@@ -3,8 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
-#include <thread>
+#include <mutex>
 
 #include "app/live/live_renderer.h"
 #include "tests/support/test_cloth.h"
@@ -138,25 +137,34 @@ TEST(LivePatch, APaintedCrossingLeavesTheRestOfThePictureAsItWas) {
     for (size_t end = 0; end < 32; ++end) plain[pick][end] = (pick + end) % 2 == 0;
   fabric.weave = Weave(plain);
   test::WorkerWindow window;
-  LiveRenderer renderer(window.waker(), 1);
+  // The last picture before the stroke, and the first one after it: the thread that traces shows none unseen.
+  const LiveRenderer* shown = nullptr;
+  std::mutex mutex;
+  std::shared_ptr<const Frame> before, after;
+  LiveRenderer renderer(
+      [&, wake = window.waker()] {
+        {
+          std::lock_guard lock(mutex);
+          const auto frame = shown->frame();
+          if (frame && frame->generation == 1) before = frame;
+          if (frame && frame->generation == 2 && !after) after = frame;
+        }
+        wake();
+      },
+      1);
+  shown = &renderer;
   const auto show = [&](uint64_t generation) {
     renderer.request({std::make_shared<const Fabric>(fabric), 96, 96, generation, nullptr});
   };
   show(1);
   ASSERT_TRUE(window.waitFor([&] { return renderer.frame() && renderer.frame()->samples >= 16; }));
-  renderer.pause(true);
-  auto before = renderer.frame();
-  for (int quiet = 0; quiet < 10; ++quiet) {  // a pass that was all but done when the pause began
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    if (const auto now = renderer.frame(); now != before) {
-      before = now;
-      quiet = 0;
-    }
-  }
   fabric.weave = fabric.weave.with(14, 14, !fabric.weave.at(14, 14));
   show(2);
-  ASSERT_TRUE(window.waitFor([&] { return renderer.frame()->generation == 2; }));
-  const auto after = renderer.frame();
+  ASSERT_TRUE(window.waitFor([&] {
+    std::lock_guard lock(mutex);
+    return after != nullptr;
+  }));
+  std::lock_guard lock(mutex);
   ASSERT_EQ(after->rgba.size(), before->rgba.size());
   EXPECT_EQ(after->divider, 1);
   size_t same = 0;

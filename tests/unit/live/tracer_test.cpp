@@ -113,5 +113,28 @@ TEST(Tracer, AnotherSizeOfTheViewportKeepsWhatWasSeen) {
   EXPECT_EQ(std::count(dividers.begin(), dividers.end(), 1), std::ssize(dividers)) << "a coarse one is a step back";
 }
 
+// A scene that comes during a pause is shown by its first pass, and no other path is traced, however often its worker
+// is woken to show it otherwise.
+TEST(Tracer, PausesAndGoesOn) {
+  Fabric fabric = test::whiteCotton();
+  fabric.render.resolution = 2;
+  const std::shared_ptr<const Scene> scene = test::sceneOf(fabric);
+  const auto watched = std::make_shared<const WatchedMedium>(makeMedium(*scene, 1e9, Task{}), [](uint64_t) {});
+  test::WorkerWindow window;
+  Tracer tracer(window.waker(), 1);
+  tracer.pause(true);
+  tracer.show({{scene, scene, watched}, 16, 12, 1});  // too small for a pass in parts
+  ASSERT_TRUE(window.waitFor([&] { return tracer.frame() != nullptr; }));
+  const uint64_t paths = watched->paths();
+  for (int i = 0; i < 20; ++i) {
+    const auto before = tracer.frame();
+    tracer.denoise(i % 2 == 0);
+    ASSERT_TRUE(window.waitFor([&] { return tracer.frame() != before; }));
+    ASSERT_EQ(watched->paths(), paths);
+  }
+  tracer.pause(false);
+  EXPECT_TRUE(window.waitFor([&] { return watched->paths() > paths && tracer.frame()->samples > 1; }));
+}
+
 }  // namespace
 }  // namespace loomlight

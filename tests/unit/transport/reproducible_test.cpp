@@ -1,22 +1,32 @@
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <string>
+
 #include "render/media/volume_medium.h"
 #include "render/transport/path_tracer.h"
-#include "tests/support/test_cloth.h"
+#include "tests/support/every_medium.h"
 
 namespace loomlight {
 namespace {
 
 constexpr int kWidth = 37, kHeight = 23;  // no multiple of a tile
 
+Fabric dyedCotton() {
+  Fabric fabric = test::whiteCotton();
+  fabric.fibres[0].absorption_per_mm = Rgb(30.0f, 10.0f, 3.0f);
+  fabric.light.kind = LightKind::sky;
+  return fabric;
+}
+
+void expectSame(const Film& a, const Film& b) {
+  const Image x = a.toImage(true), y = b.toImage(true);
+  ASSERT_EQ(x.channels.size(), y.channels.size());
+  for (size_t c = 0; c < x.channels.size(); ++c) EXPECT_EQ(x.channels[c].values, y.channels[c].values);
+}
+
 class ReproducibleFilm : public testing::Test {
  protected:
-  static Fabric fabric() {
-    Fabric f = test::whiteCotton();
-    f.fibres[0].absorption_per_mm = Rgb(30.0f, 10.0f, 3.0f);
-    f.light.kind = LightKind::sky;
-    return f;
-  }
   Film render(uint32_t samples, int threads, uint32_t first = 0) const {
     Film film(kWidth, kHeight);
     Task task;
@@ -24,20 +34,51 @@ class ReproducibleFilm : public testing::Test {
     renderUpTo(samples, *scene_, VolumeMedium(*scene_), camera_, film, task, first);
     return film;
   }
-  static void expectSame(const Film& a, const Film& b) {
-    const Image x = a.toImage(true), y = b.toImage(true);
-    ASSERT_EQ(x.channels.size(), y.channels.size());
-    for (size_t c = 0; c < x.channels.size(); ++c) EXPECT_EQ(x.channels[c].values, y.channels[c].values);
-  }
-  std::shared_ptr<const Scene> scene_ = test::sceneOf(fabric());
-  CameraRays camera_{fabric().camera, kWidth, kHeight};
+  std::shared_ptr<const Scene> scene_ = test::sceneOf(dyedCotton());
+  CameraRays camera_{dyedCotton().camera, kWidth, kHeight};
 };
 
-TEST_F(ReproducibleFilm, ForAnyNumberOfThreads) {
-  const Film one = render(6, 1);
-  expectSame(one, render(6, 2));
-  expectSame(one, render(6, 3));
+class ReproducibleMedium : public testing::TestWithParam<test::MediumKind> {};
+
+/// The report's estimator with tables of its own, baked by so many threads; any other medium as it is made.
+std::unique_ptr<const Medium> made(const test::MediumKind& kind, const Scene& scene, int threads) {
+  if (kind.estimator != Estimator::report) return kind.make(scene, threads);
+  const BvdfOptions few{{4, 4, 8, 16}, 100'000};
+  const BvdfCache none{std::filesystem::path()};
+  return std::make_unique<const ReportMedium>(scene, bakeBvdf(*scene.fabric, few, none, Task{{}, {}, threads}));
 }
+
+// From the fabric on: scene, fibres, tables of visibility and samples are all made by so many threads.
+TEST_P(ReproducibleMedium, ForAnyNumberOfThreads) {
+  Fabric fabric = dyedCotton();
+  fabric.drape.width_mm = fabric.drape.height_mm = 5;
+  fabric.drape.radius_mm = 2;
+  fabric.camera.distance_mm = 9;
+  fabric.yarns[0].count_tex = 10;
+  fabric.render.resolution = 4;
+  GetParam().askFor(fabric);
+  for (const DrapeKind drape : {DrapeKind::flat, DrapeKind::cylinder}) {
+    fabric.drape.kind = drape;
+    if (drape != DrapeKind::flat && GetParam().extent == FibreExtent::oneRepeat) continue;
+    const auto rendered = [&](int threads) {
+      const Task task{{}, {}, threads};
+      const auto scene = makeScene(std::make_shared<const Fabric>(fabric), task);
+      const auto medium = made(GetParam(), *scene, threads);
+      Film film(kWidth, kHeight);
+      renderUpTo(6, *scene, *medium, CameraRays(fabric.camera, kWidth, kHeight), film, task);
+      return film;
+    };
+    const Film one = rendered(1);
+    expectSame(one, rendered(2));
+    expectSame(one, rendered(3));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, ReproducibleMedium,
+                         testing::Values(test::kPlain, test::kReportsLaw, test::kReport, test::kLoomlight,
+                                         test::kLoomlightAtRandom, test::kFibres, test::kFibresAtRandom,
+                                         test::kFibresOfOneRepeat),
+                         [](const auto& info) { return std::string(info.param.name); });
 
 TEST_F(ReproducibleFilm, ForAnySplitOfTheSamples) {
   const Film whole = render(6, 2);
@@ -55,24 +96,11 @@ TEST_F(ReproducibleFilm, WhenContinued) {
 }
 
 TEST_F(ReproducibleFilm, WithAnotherSeedIsAnother) {
-  Fabric other = fabric();
+  Fabric other = dyedCotton();
   other.render.seed = 2;
   const Film a = render(2, 1);
   scene_ = test::sceneOf(other);
   EXPECT_NE(a.toImage(false).find("G")->values, render(2, 1).toImage(false).find("G")->values);
-}
-
-TEST_F(ReproducibleFilm, StopsWithinAPath) {
-  // The stop comes from the sampled work itself: after it, each thread may finish the path that it is on, no more.
-  std::stop_source stop;
-  stop.request_stop();
-  Film film(kWidth, kHeight);
-  Task task;
-  task.threads = 2;
-  task.stop = stop.get_token();
-  const PassResult result = renderUpTo(4, *scene_, VolumeMedium(*scene_), camera_, film, task);
-  EXPECT_FALSE(result.complete);
-  EXPECT_LE(result.counts.paths, 2u);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -12,6 +13,8 @@ namespace {
 /// Dear ImGui without a window: what a panel would have drawn is counted.
 class HeadlessDesk {
  public:
+  static constexpr int kWidth = 600, kHeight = 1000;  ///< pixels of the panel
+
   HeadlessDesk() : context_(ImGui::CreateContext()) {
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = ImVec2(1920, 1080);
@@ -47,11 +50,8 @@ class HeadlessDesk {
     const WidgetProbe::Rect& cloth = probe_.snapshot().widgets.at("draft.canvas");
     return ImVec2(0.5f * (cloth.x0 + cloth.x1), 0.5f * (cloth.y0 + cloth.y1));
   }
-  static constexpr int panelPixels() { return kWidth * kHeight; }
 
  private:
-  static constexpr int kWidth = 600, kHeight = 1000;
-
   ImGuiContext* context_;
   Theme theme_ = Theme::dark();
   Fonts fonts_;
@@ -60,9 +60,9 @@ class HeadlessDesk {
   DraftPreferences preferences_;
 };
 
-Fabric large() {
+Fabric large(int side = 4000) {
   Fabric fabric;
-  fabric.weave = damaskJacquard(400, 400).resized(4000, 4000);
+  fabric.weave = damaskJacquard(400, 400).resized(side, side);
   return fabric;
 }
 
@@ -82,8 +82,16 @@ Fabric manyShafts(int shafts, int picks) {
 
 constexpr float kCellSizes_px[] = {0.05f, 0.3f, 0.9f, 2, 5, 12};
 
-/// A rectangle has four corners and covers four pixels at least; were threads or shafts drawn that nobody can tell
-/// apart, there would be hundreds of times as many.
+/// As many corners as rectangles have that lie side by side over all of the panel: each of one crossing, and two pixels
+/// wide and high at least.
+int cornersInSight(float cell_px) {
+  const float side = std::max(2.0f, cell_px);
+  return 4 * static_cast<int>(std::ceil(HeadlessDesk::kWidth / side) + 1) *
+         static_cast<int>(std::ceil(HeadlessDesk::kHeight / side) + 1);
+}
+
+/// Were threads or shafts drawn that nobody sees, or that nobody can tell apart, there would be hundreds of times as
+/// many.
 void expectBoundedByThePanel(Fabric fabric) {
   HeadlessDesk desk;
   DraftView view;
@@ -94,12 +102,24 @@ void expectBoundedByThePanel(Fabric fabric) {
         view.marksFloats = marksFloats;
         view.cell = cell;
         view.origin = ImVec2(300, 300);
-        EXPECT_LT(desk.draw(fabric, view), HeadlessDesk::panelPixels()) << cell << " px a crossing";
+        EXPECT_LT(desk.draw(fabric, view), cornersInSight(cell)) << cell << " px a crossing";
       }
 }
 
 TEST(DraftAtSize, AJacquardIsDrawnAsFarAsItIsSeen) {
   expectBoundedByThePanel(large());
+}
+
+// Beyond the panel there may be as much again: it costs nothing.
+TEST(DraftAtSize, WhatIsOutOfSightIsNotDrawn) {
+  HeadlessDesk desk;
+  DraftView view;
+  Fabric fabric = large(4000), twice = large(8000);
+  for (const float cell : {2, 5, 12}) {
+    view.cell = cell;
+    view.origin = ImVec2(300, 300);
+    EXPECT_EQ(desk.draw(twice, view), desk.draw(fabric, view)) << cell << " px a crossing";
+  }
 }
 
 TEST(DraftAtSize, AThousandShaftsAreDrawnAsFarAsTheyAreSeen) {

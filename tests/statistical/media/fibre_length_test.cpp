@@ -1,0 +1,88 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "render/media/loomlight_medium.h"
+#include "tests/support/every_medium.h"
+#include "tests/support/sampled_mean.h"
+
+namespace loomlight {
+namespace {
+
+/// Highly twisted ends with hardly a pick between them, in voxels as large as a yarn: fibres at angles of all kinds in
+/// each.
+Fabric twistedWarp(const test::MediumKind& kind) {
+  Fabric fabric = test::whiteCotton();
+  Yarn& yarn = fabric.yarns[0];
+  yarn.fibresPerPly = 60;
+  yarn.packing = 0.5;
+  yarn.flattening = 1;
+  yarn.plyTwist_per_m = 1500;
+  fabric.weave = Weave(std::vector<Weave::Row>{Weave::Row{1}});
+  fabric.ends_per_cm = 40;
+  fabric.picks_per_cm = 2;
+  fabric.drape.width_mm = fabric.drape.height_mm = 4;
+  fabric.render.resolution = 1;
+  kind.askFor(fabric);
+  return fabric;
+}
+
+/// Length of fibre per volume, as rays of one direction find it, but for a factor that is the same for all: each fibre
+/// that is met within a short way from anywhere in the cloth stands for the more of its length, the less of it the ray
+/// sees.
+test::SampledMean lengthSeen(const Scene& scene, const Medium& medium, glm::vec3 direction) {
+  constexpr float kShort_mm = 0.005f;  // one ray in thirty meets a fibre
+  Random random(3);
+  TraceCounts counts;
+  test::SampledMean length;
+  for (int i = 0; i < 300'000; ++i) {
+    const float x = random.uniform(), y = random.uniform(), z = random.uniform();
+    const glm::vec3 place = glm::mix(scene.shell->lower_mm(), scene.shell->upper_mm(), glm::vec3(x, y, z));
+    const auto met = medium.collide({{place, 0}}, direction, random, counts);
+    const bool near = met && met->distance_mm < kShort_mm;
+    length.add(near ? 1 / glm::length(glm::cross(met->tangent, direction)) : 0);
+  }
+  return length;
+}
+
+const glm::vec3 kAcross = glm::normalize(glm::vec3(1, 0, 0.2f));
+const glm::vec3 kDirections[] = {{0, 1, 0},
+                                 {0, 0, -1},
+                                 glm::normalize(glm::vec3(0.1f, 1, 0.2f)),
+                                 glm::normalize(glm::vec3(0.6f, 0.5f, -1)),
+                                 glm::normalize(glm::vec3(-1, 1, 0))};
+
+/// In how many of these directions there is another length of fibre than across the warp.
+int directionsThatDiffer(const Scene& scene, const Medium& medium) {
+  const test::SampledMean across = lengthSeen(scene, medium, kAcross);
+  int differ = 0;
+  for (const glm::vec3 direction : kDirections) {
+    const test::SampledMean length = lengthSeen(scene, medium, direction);
+    const double error = std::hypot(length.standardError(), across.standardError());
+    EXPECT_LT(error, 0.03 * across.mean());
+    const int runs = 2 * static_cast<int>(std::size(kDirections));  // of this kind of test, in all of what follows
+    differ += !test::isWithinNoise(length.mean(), across.mean(), error, runs);
+  }
+  return differ;
+}
+
+// The cloth has the same fibres whatever direction it is looked at from: where few of them are met, each must be one of
+// which little is seen. So it is only where extinction, the choice of components and that of tangents belong together.
+TEST(FibreLength, IsTheSameFromAnyDirection) {
+  const auto scene = test::sceneOf(twistedWarp(test::kPlain));
+  EXPECT_EQ(directionsThatDiffer(*scene, *test::kPlain.make(*scene)), 0);
+  // With a radius, surfaces lie before their axes, and a place has others from each side.
+  const LoomlightMedium thin(*scene, {.finiteRadius = false, .packing = true, .hotSpot = true});
+  EXPECT_EQ(directionsThatDiffer(*scene, thin), 0);
+}
+
+// Fibres chosen by density alone, as the report has it, are met too often by rays that hardly see them.
+TEST(FibreLength, IsNotByTheReportsLaw) {
+  const auto scene = test::sceneOf(twistedWarp(test::kReportsLaw));
+  EXPECT_GT(directionsThatDiffer(*scene, *test::kReportsLaw.make(*scene)), 0);
+}
+
+}  // namespace
+}  // namespace loomlight

@@ -1,0 +1,145 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "core/fabric/model/choice_names.h"
+#include "render/optics/fibre_frame.h"
+#include "tests/support/every_medium.h"
+#include "tests/support/sampled_mean.h"
+
+namespace loomlight {
+namespace {
+
+using test::MediumKind;
+
+struct Case {
+  const MediumKind& medium;
+  DrapeKind drape;
+};
+
+std::vector<Case> cases() {
+  std::vector<Case> all;
+  for (const MediumKind* medium : {&test::kPlain, &test::kLoomlight, &test::kFibres})
+    for (const DrapeKind drape : {DrapeKind::flat, DrapeKind::cylinder, DrapeKind::sphere, DrapeKind::folds})
+      all.push_back({*medium, drape});
+  for (const MediumKind* medium : {&test::kReport, &test::kLoomlightAtRandom, &test::kFibresAtRandom})
+    for (const DrapeKind drape : {DrapeKind::flat, DrapeKind::cylinder}) all.push_back({*medium, drape});
+  all.push_back({test::kReportsLaw, DrapeKind::flat});
+  all.push_back({test::kFibresOfOneRepeat, DrapeKind::flat});
+  return all;
+}
+
+std::string nameOf(const testing::TestParamInfo<Case>& info) {
+  return std::string(info.param.medium.name) + "_" +
+         ChoiceNames<DrapeKind>::names[static_cast<size_t>(info.param.drape)];
+}
+
+/// Dense packed yarns, close together.
+Fabric packedCloth(DrapeKind drape) {
+  Fabric fabric = test::whiteCotton();
+  Yarn& yarn = fabric.yarns[0];
+  yarn.fibresPerPly = 40;
+  yarn.packing = 0.7;
+  yarn.flattening = 1.5;
+  fabric.ends_per_cm = fabric.picks_per_cm = 40;
+  fabric.drape.kind = drape;
+  fabric.drape.width_mm = fabric.drape.height_mm = 3;
+  fabric.drape.radius_mm = 1;
+  fabric.camera.distance_mm = 8;
+  fabric.render.resolution = 4;
+  return fabric;
+}
+
+glm::vec3 onSphere(Random& random) {
+  const float z = 2 * random.uniform() - 1, phi = static_cast<float>(2 * kPi) * random.uniform();
+  const float sine = std::sqrt(1 - z * z);
+  return {sine * std::cos(phi), sine * std::sin(phi), z};
+}
+
+/// The transmittance that shadow rays give at the end of flights, which by one law is uniform: any flight is as likely
+/// to end in the first half of the light's loss as in the second. So its mean is a half, and half of what is left when
+/// nothing was met stands for flights that leave. Kept of all departures, and apart for those that know so many fibres
+/// (none, one, two, more) and for ways back along the last flight, which the memory of it clears.
+class Comparison {
+ public:
+  static constexpr int kEvents = 4, kStrata = 2 * kEvents;
+
+  Comparison(const Medium& medium, uint64_t seed) : medium_(medium), random_(seed) {}
+
+  void add(const Departure& from, glm::vec3 direction, bool back) {
+    if (medium_.seesDirectLightApart() && from.events == 1) return;  // two laws, as the report has it
+    const auto seen = [&](float distance) {
+      return 0.5f * medium_.transmittance(from, direction, distance, random_, counts_);
+    };
+    const auto flight = medium_.collide(from, direction, random_, counts_);
+    // Just before and just behind the end: explicit fibres block all at once.
+    const float value = flight ? seen(flight->distance_mm * (1 - kAside)) + seen(flight->distance_mm * (1 + kAside))
+                               : seen(std::numeric_limits<float>::infinity());
+    strata_[static_cast<size_t>(2 * std::min(from.events, kEvents - 1) + back)].add(value);
+    all_.add(value);
+  }
+  const test::SampledMean& all() const { return all_; }
+  const std::array<test::SampledMean, kStrata>& strata() const { return strata_; }
+
+ private:
+  static constexpr float kAside = 1e-5f;  // more than rounding, and far less than a fibre
+  const Medium& medium_;
+  Random random_;
+  TraceCounts counts_;
+  std::array<test::SampledMean, kStrata> strata_;
+  test::SampledMean all_;
+};
+
+class OneLaw : public testing::TestWithParam<Case> {};
+
+// A shadow ray says with which chance a flight gets as far, whatever is remembered of the way before: only then does a
+// path that looks for light find as much as one that flies to it.
+TEST_P(OneLaw, FlightsGetAsFarAsShadowRaysSee) {
+  Fabric fabric = packedCloth(GetParam().drape);
+  GetParam().medium.askFor(fabric);
+  const auto scene = test::sceneOf(fabric);
+  const auto medium = GetParam().medium.make(*scene);
+  const FibreBcsdf& bcsdf = *scene->materials[0].bcsdf;
+  const CameraRays camera(fabric.camera, 1, 1);
+  Comparison comparison(*medium, 5);
+  Random random(6);
+  TraceCounts counts;
+  const int paths = GetParam().drape == DrapeKind::flat ? 40000 : 8000;  // a drape takes longer
+  for (int path = 0; path < paths; ++path) {
+    const float x = random.uniform(), y = random.uniform();
+    const Ray ray = camera.ray(x, y);
+    Departure from{{ray.origin, -1}};
+    glm::vec3 direction = ray.direction;
+    comparison.add(from, direction, false);
+    for (int event = 1; event <= Comparison::kEvents; ++event) {
+      const auto met = medium->collide(from, direction, random, counts);
+      if (!met) break;
+      const glm::vec3 anywhere = onSphere(random);
+      const int order = static_cast<int>(random.below(3));
+      comparison.add(medium->leave(*met, anywhere, order), anywhere, false);
+      const glm::vec3 back = glm::normalize(0.3f * onSphere(random) - direction);
+      comparison.add(medium->leave(*met, back, order), back, true);
+      const FibreFrame frame(met->tangent);
+      const auto scattered = bcsdf.sample(frame.toLocal(-direction), met->offset, random);
+      direction = frame.toWorld(scattered.wi);
+      from = medium->leave(*met, direction, scattered.order);
+    }
+  }
+  const int runs = (Comparison::kStrata + 1) * static_cast<int>(cases().size());
+  const auto expectOneHalf = [runs](const test::SampledMean& seen) {
+    EXPECT_TRUE(test::isWithinNoise(seen.mean(), 0.5, seen.standardError(), runs));
+  };
+  expectOneHalf(comparison.all());
+  for (size_t i = 0; i < comparison.strata().size(); ++i) {
+    SCOPED_TRACE(testing::Message() << i / 2 << " fibres known" << (i % 2 ? ", on the way back" : ""));
+    if (comparison.strata()[i].count() > 0) expectOneHalf(comparison.strata()[i]);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, OneLaw, testing::ValuesIn(cases()), nameOf);
+
+}  // namespace
+}  // namespace loomlight
