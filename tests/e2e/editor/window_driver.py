@@ -173,6 +173,7 @@ class Editor:
         return (x0 + x1) / 2, (y0 + y1) / 2
 
     def move(self, x, y):
+        expect(0 <= x < self.width and 0 <= y < self.height, f"{x:.0f}, {y:.0f} is outside of the window")
         self.act(self.input.move, int(x), int(y))
 
     def press(self, button=1):
