@@ -105,7 +105,7 @@ enter_room() { # offline|full|"" USER SCRIPT
 # clone_into_room: this tree's commit as the newcomer gets it, with its history and nothing that is not committed.
 clone_into_room() {
   git -C "$root" bundle create --quiet "$room$newcomer/loomlight.bundle" HEAD
-  in_room newcomer 'git clone --quiet --config advice.detachedHead=false loomlight.bundle loomlight && rm -f loomlight.bundle'
+  in_room newcomer 'git -c init.defaultBranch=main clone --quiet --config advice.detachedHead=false loomlight.bundle loomlight && rm -f loomlight.bundle'
 }
 
 # expect STATUS TEXT WHAT COMMAND...: runs the command; where it ends with another status, or says nothing that matches
