@@ -41,7 +41,7 @@ def open_lens(editor):
     x, y = editor.centre("viewport")
     revision = editor.number("generation")
     editor.drag((x - 90, y - 50), (x + 70, y + 70))
-    editor.wait_until("a drag places a lens of 160 by 120 pixels", lambda: size(editor) == (160))
+    editor.wait_until("a drag places a lens of 160 by 120 pixels", lambda: size(editor) == (160, 120))
     expect(editor.number("generation") == revision, "placing the lens moved the camera")
     editor.wait_until("the lens shows fibres", lambda: editor.number("lens_samples") >= 1)
     expect("lens.caption" in editor.widgets(), "the lens says nothing of what it shows")
@@ -60,7 +60,7 @@ def compare(editor):
 
 def move_and_resize(editor):
     x0, y0, x1, y1 = place(editor)
-    editor.drag_widget("lens.bar", 40)
+    editor.drag_widget("lens.bar", 40, 30)
     editor.wait_until("the bar moves the lens", lambda: place(editor) == [x0 + 40, y0 + 30, x1 + 40, y1 + 30])
     x0, y0, x1, y1 = place(editor)
     editor.drag((x1, y1), (x1 + 20, y1 - 30))
