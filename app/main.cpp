@@ -45,7 +45,6 @@ bool processorIsV3() {
 #endif
 
 int main(int argc, char** argv) {
-  if (!processorIsV3())
-    std::fputs("loomlight: this processor lacks AVX2: pictures take about half as long again\n", stderr);
+  if (!processorIsV3()) std::fputs("loomlight: this processor lacks AVX2: pictures take longer\n", stderr);
   return loomlight_main(argc, argv);
 }
