@@ -132,13 +132,24 @@ Pixels8 readPng(const std::string& file) {
 }
 
 PictureExtent readPngExtent(const std::string& file) {
-  std::string bytes(kHeaderBytes, '\0');
+  // Read here, not by the decoder: some versions of it ask for more of the file than its header.
+  std::string header(kHeaderBytes, '\0');
   std::ifstream stream(file, std::ios::binary);
-  PictureExtent extent;
-  if (!stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size())) ||
-      !stbi_info_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()), static_cast<int>(bytes.size()),
-                             &extent.width, &extent.height, &extent.channels))
+  const bool isPng = stream.read(header.data(), static_cast<std::streamsize>(header.size())) &&
+                     header.compare(0, 8, "\x89PNG\r\n\x1a\n") == 0 && header.compare(12, 4, "IHDR") == 0;
+  const auto bigEndian = [&](size_t at) {
+    uint32_t value = 0;
+    for (size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<uint8_t>(header[at + i]);
+    return value;
+  };
+  const uint32_t width = bigEndian(16), height = bigEndian(20);
+  if (!isPng || width < 1 || width > kMaxSide || height < 1 || height > kMaxSide)
     throw InputError(fmt::format("{}: not a PNG file, or one of more than {} x {} pixels", file, kMaxSide, kMaxSide));
+  PictureExtent extent;
+  extent.width = static_cast<int>(width);
+  extent.height = static_cast<int>(height);
+  const int colourType = header[25];  // PNG 1.2, section 4.1.1: grey, RGB, palette, grey and alpha, RGB and alpha
+  extent.channels = colourType == 0 ? 1 : colourType == 4 ? 2 : colourType == 6 ? 4 : 3;
   return extent;
 }
 
