@@ -212,6 +212,12 @@ bool colourField(Ui& ui, const RowText& text, Rgb& linear) {
     changed = ImGui::ColorPicker3("##picker", edited,
                                   ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_DisplayRGB |
                                       ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_PickerHueBar);
+    // The picker goes by way of hue and saturation, and the fabric keeps absorptions: a colour that is held still comes
+    // back with other last digits in each frame. Only what a display can show is an edit.
+    constexpr float kQuarterStep = 0.25f / 255.0f;
+    changed =
+        changed && (std::abs(edited[0] - display.x) > kQuarterStep || std::abs(edited[1] - display.y) > kQuarterStep ||
+                    std::abs(edited[2] - display.z) > kQuarterStep);
     ui.probe.recordItem(text.id + "/picker");
     if (keyPressed(ImGuiKey_Escape)) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
