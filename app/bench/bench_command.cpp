@@ -42,8 +42,8 @@ bool measure(const Fabric& fabric, int rounds, const Task& task, Row& row) {
   if (!scene) return false;
   const auto medium = makeMedium(*scene, defaultMemoryLimit_bytes(), task);
   if (!medium) return false;
-  const ClothGeometry& geometry = scene->volume->geometry();
-  row.volume = scene->volume->counts();
+  const ClothGeometry& geometry = scene->cloth->volume->geometry();
+  row.volume = scene->cloth->volume->counts();
   const CameraRays camera(fabric.camera, fabric.render.width, fabric.render.height);
   std::vector<double> voxelise, trace;
   for (int round = 0; round < rounds; ++round) {

@@ -90,7 +90,7 @@ bool buildAlone(const Scene& before, const Fabric& fabric, const Bench& bench, E
     const auto scene = makeScene(after, task, previous);
     if (!scene || !makeMedium(*scene, defaultMemoryLimit_bytes(), task)) return 0.0;
     const double spent = watch.lap();
-    if (!previous) result.allBricks = scene->volume->counts().bricks;
+    if (!previous) result.allBricks = scene->cloth->volume->counts().bricks;
     return spent;
   };
   result.full_s = seconds(nullptr);

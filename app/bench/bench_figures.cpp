@@ -53,7 +53,7 @@ bool addLargePieces(ReportPage& page, const ReportBench& bench, const Task& task
     const auto samples = static_cast<uint32_t>(settings.samplesPerPixel);
     const CameraRays camera(cloth.fabric.camera, settings.width, settings.height);
     if (!renderUpTo(samples, scene, *prepared->medium, camera, film, task).complete) return false;
-    rows.push_back({cloth.name, fmt::format("{:.3g}", scene.volume->counts().segmentsRepresented),
+    rows.push_back({cloth.name, fmt::format("{:.3g}", scene.cloth->volume->counts().segmentsRepresented),
                     fmt::format("{:.3f}", prepared->bytes / 1e6), fmt::format("{:.3f}", prepared->construction_s),
                     fmt::format("{} x {} x {}", settings.width, settings.height, samples),
                     fmt::format("{:.1f}", watch.lap())});

@@ -148,7 +148,7 @@ std::optional<TileReport> makeTile(const Fabric& fabric, const std::string& stem
   validate(*tile, "the tile");
   const auto picture = renderWhole(tile, {limit_bytes, FibreExtent::oneRepeat}, task);
   if (!picture) return std::nullopt;
-  const ClothMeasures measures = picture->scene->volume->geometry().measure();
+  const ClothMeasures measures = picture->scene->cloth->volume->geometry().measure();
   return writeTile(stem, tileMaps(picture->film, *tile), fabric, extent, measures.thickness_mm,
                    measures.arealMass_g_m2);
 }

@@ -3,6 +3,7 @@
 #include <exception>
 
 #include "app/live/background_thread.h"
+#include "render/scene/scene.h"
 #include "render/transport/dye_walks.h"
 #include "render/transport/make_medium.h"
 

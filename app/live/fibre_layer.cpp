@@ -4,7 +4,6 @@
 #include <exception>
 
 #include "render/media/fibre_medium.h"
-#include "render/transport/make_medium.h"
 
 namespace loomlight {
 
@@ -22,7 +21,7 @@ FibreLayer::~FibreLayer() {
 void FibreLayer::lay(std::shared_ptr<const Scene> scene, double limit_bytes) {
   {
     std::lock_guard lock(mutex_);
-    if (wanted_ && limit_bytes == limit_bytes_ && sameMedium(*wanted_, *scene)) return;
+    if (wanted_ && limit_bytes == limit_bytes_ && wanted_->cloth == scene->cloth) return;
   }
   post(std::move(scene), limit_bytes);
 }
@@ -81,9 +80,9 @@ void FibreLayer::fulfil(const Wish& wish) {
   tell(wish, status);
   if (!wish.scene) return;
   const FibreOptions options(wish.limit_bytes);
-  status.size = FibreMedium::estimate(*wish.scene, options);
+  status.size = planFibres(*wish.scene->cloth, options);
   if (status.size.bytes > wish.limit_bytes) {
-    status.size = FibreMedium::estimate(*wish.scene, {wish.limit_bytes, FibreExtent::wholePiece});
+    status.size = planFibres(*wish.scene->cloth, {wish.limit_bytes, FibreExtent::wholePiece});
     status.phase = Status::Phase::tooLarge;
     tell(wish, status);
     return;
@@ -103,10 +102,10 @@ void FibreLayer::fulfil(const Wish& wish) {
     now.progress = fraction;
     tell(wish, now);
   };
-  std::shared_ptr<const Medium> fibres = FibreMedium::build(*wish.scene, options, task);
+  std::shared_ptr<const Medium> fibres = FibreMedium::build(wish.scene->cloth, options, task);
   if (!fibres) return;
   status.phase = Status::Phase::laid;
-  deliver_({wish.scene, wish.scene, std::move(fibres)});
+  deliver_({wish.scene, std::move(fibres)});
   tell(wish, status);
 }
 

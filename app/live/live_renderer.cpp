@@ -38,7 +38,7 @@ std::shared_ptr<const Medium> makeLiveMedium(const Scene& scene, const std::shar
   // The tracer may hold the previous fibres until these are done.
   if (!isReport(*scene.fabric)) return makeMedium(scene, 0.5 * defaultMemoryLimit_bytes(), task);
   return std::make_shared<const ReportMedium>(
-      scene, serves(visibility, *scene.fabric) ? visibility : expectedBvdf(scene, BvdfResolution{}));
+      scene.cloth, serves(visibility, *scene.fabric) ? visibility : expectedBvdf(scene, BvdfResolution{}));
 }
 
 /// Null pointers when stopped.
@@ -51,13 +51,8 @@ BuiltCloth makeCloth(const ViewRequest& request, const Task& task, const BuiltCl
   cloth.scene = makeScene(request.fabric, task, old.scene.get(), first);
   if (!cloth.scene) return {};
   const bool sameTables = !isReport(*request.fabric) || made.visibility == previous.visibility;
-  if (old.medium && sameTables && sameMedium(*old.mediumScene, *cloth.scene)) {
-    cloth.mediumScene = old.mediumScene;
-    cloth.medium = old.medium;
-    return made;
-  }
-  cloth.mediumScene = cloth.scene;
-  cloth.medium = makeLiveMedium(*cloth.scene, made.visibility, task);
+  const bool serves = old.medium && sameTables && old.scene->cloth == cloth.scene->cloth;
+  cloth.medium = serves ? old.medium : makeLiveMedium(*cloth.scene, made.visibility, task);
   return cloth.medium ? made : BuiltCloth{};
 }
 
@@ -163,11 +158,11 @@ void LiveRenderer::Workers::build(const ViewRequest& request, std::stop_token st
     buildMayBeCancelled = made.scene || !error.empty();
     if (made.scene) {
       status.builtGeneration = request.generation;
-      if (!base.traceable.scene || made.scene->volume != base.traceable.scene->volume) {
-        status.bricksVoxelised += made.scene->volume->bricksVoxelised();
+      if (!base.traceable.scene || made.scene->cloth->volume != base.traceable.scene->cloth->volume) {
+        status.bricksVoxelised += made.scene->cloth->volume->bricksVoxelised();
         status.buildSeconds = spent.count();
       }
-      status.notices = made.scene->shell->repairs();
+      status.notices = made.scene->cloth->shell->repairs();
       scene = made.scene;
     }
   }
@@ -183,7 +178,7 @@ void LiveRenderer::Workers::build(const ViewRequest& request, std::stop_token st
 /// Has a picture traced of what is there of a cloth. From then on its builder may be stopped: a drag moves the picture.
 void LiveRenderer::Workers::showDraft(const ViewRequest& request, std::shared_ptr<const Scene> scene,
                                       const Task& task) {
-  Traceable draft{scene, scene, makeLiveMedium(*scene, request.visibility, task)};
+  Traceable draft{scene, makeLiveMedium(*scene, request.visibility, task)};
   if (!draft.medium) return;
   tracer.show({std::move(draft), request.width, request.height, request.generation, true});
   std::lock_guard lock(mutex);
@@ -193,8 +188,8 @@ void LiveRenderer::Workers::showDraft(const ViewRequest& request, std::shared_pt
 
 /// Counts and measures the newest volume, unless there is more urgent work.
 void LiveRenderer::Workers::count() {
-  if (requests.waiting() || !scene || scene->volume == counted) return;
-  counted = scene->volume;
+  if (requests.waiting() || !scene || scene->cloth->volume == counted) return;
+  counted = scene->cloth->volume;
   const VolumeCounts counts = counted->counts();
   const ClothMeasures measures = counted->measure();
   {

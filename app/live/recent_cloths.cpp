@@ -14,9 +14,10 @@ BuiltCloth RecentCloths::baseFor(const Fabric& fabric) const {
 }
 
 void RecentCloths::keep(BuiltCloth cloth) {
-  const auto& volume = cloth.traceable.scene->volume;
-  const auto known = std::find_if(entries_.begin(), entries_.end(),
-                                  [&](const Entry& entry) { return entry.cloth.traceable.scene->volume == volume; });
+  const auto& volume = cloth.traceable.scene->cloth->volume;
+  const auto known = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) {
+    return entry.cloth.traceable.scene->cloth->volume == volume;
+  });
   if (known != entries_.end()) {
     const auto place = static_cast<size_t>(known - entries_.begin());
     bytes_ -= known->bytes;

@@ -35,7 +35,7 @@ class RecentCloths {
   struct Entry {
     BuiltCloth cloth;
     size_t bytes = 0;  ///< of its volume that the next newer one does not share
-    const ClothVolume& volume() const { return *cloth.traceable.scene->volume; }
+    const ClothVolume& volume() const { return *cloth.traceable.scene->cloth->volume; }
   };
   void count(size_t i);
 

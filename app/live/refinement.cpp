@@ -60,8 +60,8 @@ void Refinement::look(const PixelRect& window) {
 }
 
 void Refinement::keepPaths(size_t bytes) {
-  records_ =
-      std::make_unique<PathRecords>(fine_.width(), fine_.height(), static_cast<int>(scene().materials.size()), bytes);
+  records_ = std::make_unique<PathRecords>(fine_.width(), fine_.height(),
+                                           static_cast<int>(scene().cloth->materials.size()), bytes);
 }
 
 bool Refinement::converged() const {

@@ -11,12 +11,13 @@
 #include "render/display/parts.h"
 #include "render/display/stand_in.h"
 #include "render/media/medium.h"
+#include "render/scene/scene.h"
 
 namespace loomlight {
 
-/// A scene and what its light is traced through, which may have been made for an earlier scene of the same cloth.
+/// A scene and what its light is traced through, made of the scene's TraceData.
 struct Traceable {
-  std::shared_ptr<const Scene> scene, mediumScene;
+  std::shared_ptr<const Scene> scene;
   std::shared_ptr<const Medium> medium;
 };
 

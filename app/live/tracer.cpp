@@ -267,7 +267,7 @@ std::shared_ptr<Frame> Tracer::framed(Frame frame) const {
 
 /// Brings the lens in line with what is wanted of it and what it can look at.
 void Tracer::openLens() {
-  const bool possible = lensWindow_ && picture_ && fibres_.medium && sameMedium(*fibres_.scene, picture_->scene());
+  const bool possible = lensWindow_ && picture_ && fibres_.medium && fibres_.scene->cloth == picture_->scene().cloth;
   const PixelRect window = possible ? within(*lensWindow_, request_.width, request_.height) : PixelRect{};
   if (window.width <= 0 || window.height <= 0) {
     lens_.reset();
@@ -284,7 +284,7 @@ void Tracer::openLens() {
     return;
   }
   if (!lens_) {
-    lens_.emplace(Traceable{request_.cloth.scene, fibres_.scene, fibres_.medium}, request_.width, request_.height,
+    lens_.emplace(Traceable{request_.cloth.scene, fibres_.medium}, request_.width, request_.height,
                   lensSecondsPerPath_);
     lens_->asTraced();
     spentBeforeLens_s_ = picture_->spent_s();

@@ -48,7 +48,7 @@ double luminanceVariance(Rgb variance) {
 std::optional<Dye> dyeBetween(const Scene& traced, const Scene& wanted) {
   const Fabric& from = *traced.fabric;
   const Fabric& to = *wanted.fabric;
-  if (!sameMedium(traced, wanted) || from.fibres.size() != to.fibres.size()) return std::nullopt;
+  if (traced.cloth != wanted.cloth || from.fibres.size() != to.fibres.size()) return std::nullopt;
   if (!(from.light.intensity > 0)) return std::nullopt;
   Fabric between = from;
   for (size_t k = 0; k < to.fibres.size(); ++k) between.fibres[k].absorption_per_mm = to.fibres[k].absorption_per_mm;

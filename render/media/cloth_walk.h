@@ -52,8 +52,8 @@ struct ShellSegment {
 /// Follows the ray from + t direction (unit) through every fold of the shell that it meets, for t in (0, tMax), and
 /// calls visit(const ShellSegment&), in order, until it returns false. True if nothing stopped it.
 template <class Visit>
-bool walkShell(const Scene& scene, const ScenePoint& from, glm::vec3 direction, float tMax, Visit&& visit) {
-  const Shell& shell = *scene.shell;
+bool walkShell(const TraceData& cloth, const ScenePoint& from, glm::vec3 direction, float tMax, Visit&& visit) {
+  const Shell& shell = *cloth.shell;
   const bool flat = shell.isFlat();
   int tet = from.tet;
   glm::vec3 origin = from.world;
@@ -67,7 +67,7 @@ bool walkShell(const Scene& scene, const ScenePoint& from, glm::vec3 direction, 
   }
   for (float t = 0;;) {
     if (tet < 0) {
-      const auto hit = scene.entry->enter(origin, direction, t, tMax);
+      const auto hit = cloth.entry->enter(origin, direction, t, tMax);
       if (!hit) return true;
       tet = hit->tet;
       t = hit->t;
@@ -93,9 +93,9 @@ bool walkShell(const Scene& scene, const ScenePoint& from, glm::vec3 direction, 
 /// Shows each voxel with content on the way, in order, to visit(const VoxelContent&, float tEnter, float tLeave, const
 /// LocalDrape&, int tet), which returns false to stop. Parameters are world distances from `from`.
 template <class Visit>
-bool walkCloth(const Scene& scene, const ScenePoint& from, glm::vec3 direction, float tMax, Visit&& visit) {
-  return walkShell(scene, from, direction, tMax, [&](const ShellSegment& s) {
-    return scene.volume->march(s.clothOrigin, s.clothDirection, s.tEnter, s.tLeave,
+bool walkCloth(const TraceData& cloth, const ScenePoint& from, glm::vec3 direction, float tMax, Visit&& visit) {
+  return walkShell(cloth, from, direction, tMax, [&](const ShellSegment& s) {
+    return cloth.volume->march(s.clothOrigin, s.clothDirection, s.tEnter, s.tLeave,
                                [&](const VoxelContent& content, float tEnter, float tLeave) {
                                  return visit(content, s.passed + tEnter, s.passed + tLeave, s.drape, s.tet);
                                });

@@ -7,7 +7,7 @@
 
 namespace loomlight {
 
-glm::vec3 fibreExit(const Scene& scene, const Collision& collision, glm::vec3 wi, int order) {
+glm::vec3 fibreExit(const TraceData& cloth, const Collision& collision, glm::vec3 wi, int order) {
   if (order == 0) return collision.place.world;
   const FibreFrame frame(collision.tangent);
   const glm::vec3 out = frame.toLocal(wi), back = frame.toLocal(-collision.incoming);
@@ -16,11 +16,10 @@ glm::vec3 fibreExit(const Scene& scene, const Collision& collision, glm::vec3 wi
   const float sine = collision.offset, cosine = std::sqrt(std::max(0.0f, 1 - sine * sine));
   const glm::vec3 normal(0, (out.y * cosine - out.z * sine) / across, (out.z * cosine + out.y * sine) / across);
   // sin(theta_t) = sin(theta_o) / eta: of every traverse, 2 r cos(gamma_t) tan(theta_t) = chord r sin(theta_t).
-  const int material = collision.optics.material;
+  const Material& material = cloth.materials[collision.optics.material];
   const float radius = collision.optics.fibreRadius_mm;
-  const float chord = scene.materials[material].bcsdf->modes(back, sine).chord;
-  const auto index = static_cast<float>(scene.fabric->fibres[material].refractiveIndex);
-  const float along = -static_cast<float>(order) * chord * radius * back.x / index;
+  const float chord = material.bcsdf->modes(back, sine).chord;
+  const float along = -static_cast<float>(order) * chord * radius * back.x / material.refractiveIndex;
   return collision.axis + along * collision.tangent + radius * frame.toWorld(normal);
 }
 

@@ -8,6 +8,6 @@ namespace loomlight {
 /// a collision that knows its axis. About the axis every mode leaves as far beyond its exit normal as it came in before
 /// the normal it came in by (the angular momentum is kept); along the fibre it has gone on as it came, refracted, on
 /// each of its `order` traverses.
-glm::vec3 fibreExit(const Scene& scene, const Collision& collision, glm::vec3 wi, int order);
+glm::vec3 fibreExit(const TraceData& cloth, const Collision& collision, glm::vec3 wi, int order);
 
 }  // namespace loomlight

@@ -31,21 +31,18 @@ FibreRay rayFrom(const Departure& from, glm::vec3 direction, float length_mm) {
 
 }  // namespace
 
-FibreMedium::FibreMedium(const Scene& scene, const FibreSize& size, std::unique_ptr<const FibreBvh> bvh)
-    : scene_(scene), size_(size), bvh_(std::move(bvh)) {}
+FibreMedium::FibreMedium(std::shared_ptr<const TraceData> cloth, const FibreSize& size,
+                         std::unique_ptr<const FibreBvh> bvh)
+    : cloth_(std::move(cloth)), size_(size), bvh_(std::move(bvh)) {}
 FibreMedium::~FibreMedium() = default;
 
-FibreMedium::Size FibreMedium::estimate(const Scene& scene, const FibreOptions& options) {
-  return planFibres(scene, options);
-}
-
-std::unique_ptr<const FibreMedium> FibreMedium::build(const Scene& scene, const FibreOptions& options,
-                                                      const Task& task) {
-  const FibreSize size = planFibres(scene, options);
+std::unique_ptr<const FibreMedium> FibreMedium::build(std::shared_ptr<const TraceData> cloth,
+                                                      const FibreOptions& options, const Task& task) {
+  const FibreSize size = planFibres(*cloth, options);
   expectWithin(size, options.limit_bytes);
-  auto bvh = FibreBvh::build(scene, size, task);
+  auto bvh = FibreBvh::build(cloth, size, task);
   if (!bvh) return nullptr;
-  return std::unique_ptr<const FibreMedium>(new FibreMedium(scene, size, std::move(bvh)));
+  return std::unique_ptr<const FibreMedium>(new FibreMedium(std::move(cloth), size, std::move(bvh)));
 }
 
 size_t FibreMedium::segments() const {
@@ -81,8 +78,8 @@ std::optional<Collision> FibreMedium::collide(const Departure& from, glm::vec3 d
   c.events = from.events + 1;
   c.end = hit->end;
   c.pick = hit->pick;
-  c.yarn = scene_.volume->geometry().yarnIndex(hit->system, hit->system == System::warp ? hit->end : hit->pick);
-  c.optics = scene_.yarns[static_cast<int>(hit->system)][c.yarn];
+  c.yarn = cloth_->volume->geometry().yarnIndex(hit->system, hit->system == System::warp ? hit->end : hit->pick);
+  c.optics = cloth_->yarns[static_cast<int>(hit->system)][c.yarn];
   c.axis = c.place.world - c.optics.fibreRadius_mm * hit->normal;
   return c;
 }
@@ -96,8 +93,7 @@ float FibreMedium::transmittance(const Departure& from, glm::vec3 direction, flo
 Departure FibreMedium::leave(const Collision& collision, glm::vec3 wi, int order) const {
   const float radius = collision.optics.fibreRadius_mm;
   Departure departure{collision.place, collision.events, collision.fibre, kOwnFibreRadii * radius};
-  const Yarn& yarn = scene_.fabric->yarns[collision.yarn];
-  if (yarn.layout == FibreLayout::packed) departure.place.world = fibreExit(scene_, collision, wi, order);
+  if (collision.optics.packed) departure.place.world = fibreExit(*cloth_, collision, wi, order);
   return departure;
 }
 

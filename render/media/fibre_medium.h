@@ -22,17 +22,14 @@ class FibreBvh;
 /// surfaces are met from outside only.
 class FibreMedium final : public Medium {
  public:
-  using Size = FibreSize;
-  /// Throws InputError where one repeat is asked of cloth that is not flat.
-  static Size estimate(const Scene& scene, const FibreOptions& options = {});
-
-  /// Throws InputError, saying how much it would take, where the estimate is beyond the limit, and where estimate()
-  /// does. Null when stopped. The scene must outlive the medium.
-  static std::unique_ptr<const FibreMedium> build(const Scene& scene, const FibreOptions& options, const Task& task);
+  /// Throws InputError, saying how much it would take, where what planFibres() estimates is beyond the limit, and where
+  /// that does. Null when stopped.
+  static std::unique_ptr<const FibreMedium> build(std::shared_ptr<const TraceData> cloth, const FibreOptions& options,
+                                                  const Task& task);
   ~FibreMedium() override;
 
-  const Size& size() const { return size_; }  ///< as it was estimated
-  size_t segments() const;                    ///< that are laid
+  const FibreSize& size() const { return size_; }  ///< as it was estimated
+  size_t segments() const;                         ///< that are laid
   size_t geometryBytes() const;
   size_t acceleratorBytes() const;  ///< as Embree reports its allocations
 
@@ -43,9 +40,9 @@ class FibreMedium final : public Medium {
   Departure leave(const Collision& collision, glm::vec3 wi, int order) const override;
 
  private:
-  FibreMedium(const Scene& scene, const FibreSize& size, std::unique_ptr<const FibreBvh> bvh);
+  FibreMedium(std::shared_ptr<const TraceData> cloth, const FibreSize& size, std::unique_ptr<const FibreBvh> bvh);
 
-  const Scene& scene_;
+  std::shared_ptr<const TraceData> cloth_;
   FibreSize size_;
   std::unique_ptr<const FibreBvh> bvh_;
 };

@@ -38,9 +38,9 @@ struct AntitheticPoints {
 /// from: that one is met for itself, so a voxel must not count it again.
 class Unknown {
  public:
-  Unknown(const Departure& from, const ShellSegment& s, const Scene& scene, glm::mat3 toCloth)
+  Unknown(const Departure& from, const ShellSegment& s, const VoxelGrid& grid, glm::mat3 toCloth)
       : from_(from),
-        grid_(scene.volume->grid()),
+        grid_(grid),
         before_(s.clothOrigin + toCloth * (from.before.axis - s.origin), glm::normalize(toCloth * from.before.tangent),
                 from.before.radius_mm, grid_) {}
 
@@ -71,7 +71,7 @@ glm::vec3 axisOf(const Collision& c, glm::vec3 direction) {
 }
 
 /// A collision with the cylinder that a path came from.
-Collision collisionWith(const MetFibre& fibre, const ScenePoint& place, glm::vec3 direction, const Scene& scene) {
+Collision collisionWith(const MetFibre& fibre, const ScenePoint& place, glm::vec3 direction, const TraceData& cloth) {
   Collision c;
   c.place = place;
   c.tangent = fibre.tangent;
@@ -83,8 +83,7 @@ Collision collisionWith(const MetFibre& fibre, const ScenePoint& place, glm::vec
   c.yarn = fibre.yarn;
   c.end = fibre.end;
   c.pick = fibre.pick;
-  const Yarn& yarn = scene.fabric->yarns[fibre.yarn];
-  c.optics = {yarn.fibre, yarn.layout == FibreLayout::packed, fibre.radius_mm};
+  c.optics = cloth.yarns[static_cast<int>(fibre.thread.system)][fibre.yarn];
   return c;
 }
 
@@ -104,11 +103,11 @@ struct LoomlightMedium::Stretch {
   float depth() const { return depthNear() + sigma * (length - near); }
 };
 
-LoomlightMedium::LoomlightMedium(const Scene& scene, Ingredients ingredients)
-    : scene_(scene), ingredients_(ingredients) {
+LoomlightMedium::LoomlightMedium(std::shared_ptr<const TraceData> cloth, Ingredients ingredients)
+    : cloth_(std::move(cloth)), ingredients_(ingredients) {
   float sum = 0;
   int count = 0;
-  for (const auto& system : scene.yarns)
+  for (const auto& system : cloth_->yarns)
     for (const YarnOptics& optics : system)
       if (optics.fibreRadius_mm > 0) {
         sum += optics.fibreRadius_mm;
@@ -120,7 +119,7 @@ LoomlightMedium::LoomlightMedium(const Scene& scene, Ingredients ingredients)
 }
 
 glm::mat3 LoomlightMedium::toClothOf(const ShellSegment& s) const {
-  return s.drape.isometric ? glm::mat3(1.0f) : scene_.shell->tets()[s.tet].toCloth;
+  return s.drape.isometric ? glm::mat3(1.0f) : cloth_->shell->tets()[s.tet].toCloth;
 }
 
 /// Calls onStretch(const Stretch&) along the ray, in order, until it returns false; true if it never did.
@@ -128,16 +127,16 @@ template <class OnStretch>
 bool LoomlightMedium::advance(const Departure& from, glm::vec3 direction, float tMax, TraceCounts& counts,
                               OnStretch&& onStretch) const {
   constexpr float kFullest = 0.9f;  // of space; no gap is so narrow that light could not be in it
-  return walkShell(scene_, from.place, direction, tMax, [&](const ShellSegment& s) {
-    const Unknown unknown(from, s, scene_, toClothOf(s));
+  return walkShell(*cloth_, from.place, direction, tMax, [&](const ShellSegment& s) {
+    const Unknown unknown(from, s, cloth_->volume->grid(), toClothOf(s));
     float last = -1, filled = 0;  // where the voxel before ended, and how much of it is fibre
     // The axes lie ahead of the light: u is where they are, t where the light is.
-    return scene_.volume->march(
+    return cloth_->volume->march(
         s.clothOrigin, s.clothDirection, s.tEnter, s.tLeave + farthest_mm_,
         [&](const VoxelContent& content, float uEnter, float uLeave) {
           const float filledBefore = uEnter - last < 1e-5f ? filled : 0.0f;
           const glm::vec3 middle = s.origin + 0.5f * (uEnter + uLeave) * direction;
-          const VoxelExtinction voxel(scene_, content, s.drape, direction,
+          const VoxelExtinction voxel(*cloth_, content, s.drape, direction,
                                       [&](const FibreDistribution& fibres, const YarnOptics& optics, Thread thread) {
                                         if (!ingredients_.hotSpot) return 1.0f;
                                         return unknown.share(fibres, optics.fibreRadius_mm, optics.packed, thread,
@@ -183,9 +182,9 @@ Collision LoomlightMedium::meet(const Departure& from, glm::vec3 direction, cons
   const glm::vec3 place = s.clothOrigin + (t - s.passed) * s.clothDirection;
   const auto across = [&](glm::vec3 w) { return w.x * frame.y + w.y * frame.z; };
   // Most often the axis is looked for in the very voxel that the stretch is in.
-  const VoxelGrid& grid = scene_.volume->grid();
+  const VoxelGrid& grid = cloth_->volume->grid();
   const glm::vec3 lower = grid.lower_mm(stretch.content.voxel);
-  ClothVolume::Probe probe(*scene_.volume);
+  ClothVolume::Probe probe(*cloth_->volume);
   VoxelContent contents[2];
   std::optional<VoxelExtinction> elsewhere[2];
   const auto look = [&](glm::vec3 w, int i) {
@@ -194,7 +193,7 @@ Collision LoomlightMedium::meet(const Departure& from, glm::vec3 direction, cons
     if (glm::all(glm::greaterThanEqual(inVoxel, glm::vec3(0))) && glm::all(glm::lessThan(inVoxel, grid.size_mm)))
       return stretch.voxel.whole();
     probe.look(axis, contents[i]);
-    return elsewhere[i].emplace(scene_, contents[i], s.drape, direction).whole();
+    return elsewhere[i].emplace(*cloth_, contents[i], s.drape, direction).whole();
   };
   const AntitheticPoints w(random);
   const float first = look(w.first, 0), second = look(w.second, 1);
@@ -234,7 +233,7 @@ std::optional<Collision> LoomlightMedium::collide(const Departure& from, glm::ve
   });
   if (!met) {
     if (toBefore == kNever) return std::nullopt;
-    met = collisionWith(from.before, {from.place.world + toBefore * direction, tet}, direction, scene_);
+    met = collisionWith(from.before, {from.place.world + toBefore * direction, tet}, direction, *cloth_);
     met->distance_mm = toBefore;
   }
   met->incoming = direction;
@@ -263,7 +262,7 @@ Departure LoomlightMedium::leave(const Collision& c, glm::vec3 wi, int order) co
   Departure departure;
   departure.place = c.place;
   departure.events = c.events;
-  if (ingredients_.packing && c.optics.packed) departure.place.world = fibreExit(scene_, c, wi, order);
+  if (ingredients_.packing && c.optics.packed) departure.place.world = fibreExit(*cloth_, c, wi, order);
   if (ingredients_.hotSpot) {
     departure.leaving = {c.axis, c.tangent, c.optics.fibreRadius_mm, c.thread, c.yarn, c.end, c.pick};
     departure.before = c.before;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+
 #include "render/media/medium.h"
 
 namespace loomlight {
@@ -36,9 +38,8 @@ class LoomlightMedium final : public Medium {
     bool hotSpot = true;
   };
 
-  /// The scene must outlive the medium.
-  explicit LoomlightMedium(const Scene& scene, Ingredients ingredients);
-  explicit LoomlightMedium(const Scene& scene) : LoomlightMedium(scene, Ingredients{}) {}
+  LoomlightMedium(std::shared_ptr<const TraceData> cloth, Ingredients ingredients);
+  explicit LoomlightMedium(std::shared_ptr<const TraceData> cloth) : LoomlightMedium(std::move(cloth), Ingredients{}) {}
 
   std::optional<Collision> collide(const Departure& from, glm::vec3 direction, Random& random,
                                    TraceCounts& counts) const override;
@@ -54,7 +55,7 @@ class LoomlightMedium final : public Medium {
                OnStretch&& onStretch) const;
   Collision meet(const Departure& from, glm::vec3 direction, const Stretch& stretch, float t, Random& random) const;
 
-  const Scene& scene_;
+  std::shared_ptr<const TraceData> cloth_;
   Ingredients ingredients_;
   float radius_mm_ = 0;    ///< of fibres, the mean over the cloth's yarns: points are drawn before it is known whose
   float farthest_mm_ = 0;  ///< no axis is looked for farther ahead

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/base/random.h"
-#include "render/scene/scene.h"
+#include "render/scene/trace_data.h"
 
 namespace loomlight {
 

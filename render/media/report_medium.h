@@ -14,9 +14,7 @@ namespace loomlight {
 /// one law, light that goes on by another.
 class ReportMedium final : public Medium {
  public:
-  ReportMedium(const Scene& scene, std::shared_ptr<const BvdfSet> bvdf);
-  ReportMedium(const ReportMedium&) = delete;
-  ReportMedium& operator=(const ReportMedium&) = delete;
+  ReportMedium(std::shared_ptr<const TraceData> cloth, std::shared_ptr<const BvdfSet> bvdf);
 
   std::optional<Collision> collide(const Departure& from, glm::vec3 direction, Random& random,
                                    TraceCounts& counts) const override;
@@ -27,7 +25,7 @@ class ReportMedium final : public Medium {
   Departure leave(const Collision& collision, glm::vec3 wi, int order) const override;
 
  private:
-  Scene scene_;  ///< the caller's, with the report's event law
+  std::shared_ptr<const TraceData> cloth_;
   VolumeMedium volume_;
   std::shared_ptr<const BvdfSet> bvdf_;
 };

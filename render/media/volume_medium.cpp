@@ -11,27 +11,26 @@ namespace loomlight {
 
 std::optional<Collision> VolumeMedium::collide(const Departure& from, glm::vec3 direction, Random& random,
                                                TraceCounts& counts) const {
-  const EventLaw law = scene_.fabric->render.eventLaw;
   float opticalDepth = -std::log(1 - random.uniform());
   std::optional<Collision> collision;
   ++counts.rays;
-  walkCloth(scene_, from.place, direction, std::numeric_limits<float>::infinity(),
+  walkCloth(*cloth_, from.place, direction, std::numeric_limits<float>::infinity(),
             [&](const VoxelContent& content, float tEnter, float tLeave, const LocalDrape& drape, int tet) {
               ++counts.steps;
-              const VoxelExtinction voxel(scene_, content, drape, direction);
+              const VoxelExtinction voxel(*cloth_, content, drape, direction);
               const float depth = voxel.total() * (tLeave - tEnter);
               if (opticalDepth >= depth) {
                 opticalDepth -= depth;
                 return true;
               }
               const float t = std::min(tLeave, tEnter + opticalDepth / voxel.total());
-              const VoxelExtinction::Entry& entry = voxel.choose(random.uniform(), law);
+              const VoxelExtinction::Entry& entry = voxel.choose(random.uniform(), law_);
               const FibreDistribution fibres = inWorld(entry.component->decode(), drape);
               Collision c;
               c.place = {from.place.world + t * direction, tet};
               c.distance_mm = t;
               c.incoming = direction;
-              if (law == EventLaw::report) {
+              if (law_ == EventLaw::report) {
                 const float u1 = random.uniform(), u2 = random.uniform();
                 c.tangent = eitherWay(sampleTangent(fibres, u1, u2), random);
               } else {
@@ -67,12 +66,12 @@ float VolumeMedium::transmittanceBeyond(float clear_mm, const Departure& from, g
   float depth = 0;
   ++counts.rays;
   const bool through =
-      walkCloth(scene_, from.place, direction, distance,
+      walkCloth(*cloth_, from.place, direction, distance,
                 [&](const VoxelContent& content, float tEnter, float tLeave, const LocalDrape& drape, int) {
                   const float length = tLeave - std::max(tEnter, clear_mm);
                   if (length <= 0) return true;
                   ++counts.steps;
-                  depth += VoxelExtinction(scene_, content, drape, direction).total() * length;
+                  depth += VoxelExtinction(*cloth_, content, drape, direction).total() * length;
                   return depth < deepest;
                 });
   return through ? std::exp(-std::min(depth, kExactDepth)) : 0.0f;

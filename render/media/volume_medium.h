@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+
 #include "render/media/medium.h"
 
 namespace loomlight {
@@ -11,8 +13,9 @@ namespace loomlight {
 /// is a point here.
 class VolumeMedium final : public Medium {
  public:
-  /// The scene must outlive the medium.
-  explicit VolumeMedium(const Scene& scene) : scene_(scene) {}
+  VolumeMedium(std::shared_ptr<const TraceData> cloth, EventLaw law) : cloth_(std::move(cloth)), law_(law) {}
+  /// With the event law that the scene asks for.
+  explicit VolumeMedium(const std::shared_ptr<const TraceData>& cloth) : VolumeMedium(cloth, cloth->eventLaw) {}
 
   std::optional<Collision> collide(const Departure& from, glm::vec3 direction, Random& random,
                                    TraceCounts& counts) const override;
@@ -25,7 +28,8 @@ class VolumeMedium final : public Medium {
   Departure leave(const Collision& collision, glm::vec3 wi, int order) const override;
 
  private:
-  const Scene& scene_;
+  std::shared_ptr<const TraceData> cloth_;
+  EventLaw law_;
 };
 
 }  // namespace loomlight

@@ -5,7 +5,7 @@
 #include "core/volume/pool/tangent_spread.h"
 #include "core/volume/traverse/cloth_volume.h"
 #include "render/media/cloth_walk.h"
-#include "render/scene/scene.h"
+#include "render/scene/trace_data.h"
 
 namespace loomlight {
 
@@ -34,18 +34,18 @@ class VoxelExtinction {
   };
 
   explicit VoxelExtinction(glm::vec3 direction) : direction_(direction) {}
-  VoxelExtinction(const Scene& scene, const VoxelContent& content, const LocalDrape& drape, glm::vec3 direction)
-      : VoxelExtinction(scene, content, drape, direction,
+  VoxelExtinction(const TraceData& cloth, const VoxelContent& content, const LocalDrape& drape, glm::vec3 direction)
+      : VoxelExtinction(cloth, content, drape, direction,
                         [](const FibreDistribution&, const YarnOptics&, Thread) { return 1.0f; }) {}
 
   /// With a factor on each component's extinction: factor(fibres in the world, optics, whose they are).
   template <class Factor>
-  VoxelExtinction(const Scene& scene, const VoxelContent& content, const LocalDrape& drape, glm::vec3 direction,
+  VoxelExtinction(const TraceData& cloth, const VoxelContent& content, const LocalDrape& drape, glm::vec3 direction,
                   Factor&& factor)
       : VoxelExtinction(direction) {
     for (int p = 0; p < content.count; ++p) {
       const VoxelContent::Part& part = content.parts[p];
-      const YarnOptics& optics = scene.yarns[static_cast<int>(part.system)][part.yarn];
+      const YarnOptics& optics = cloth.yarns[static_cast<int>(part.system)][part.yarn];
       const Thread thread{part.system, part.index};
       for (const Component& component : part.components) add(component, drape, optics, thread, part.yarn, factor);
     }

@@ -54,7 +54,7 @@ struct PlacedFibre {
 }  // namespace
 
 struct FibreBvh::Parts {
-  Parts(const Scene& s, const FibreSize& z) : scene(s), size(z) {}
+  Parts(std::shared_ptr<const TraceData> c, const FibreSize& z) : cloth(std::move(c)), size(z) {}
   ~Parts() {
     if (piece) rtcReleaseScene(piece);
     if (laid) rtcReleaseScene(laid);
@@ -74,7 +74,7 @@ struct FibreBvh::Parts {
   uint64_t idOf(const PlacedFibre& fibre) const;
   static void filter(const RTCFilterFunctionNArguments* args);
 
-  const Scene& scene;
+  const std::shared_ptr<const TraceData> cloth;
   const FibreSize size;
   std::vector<YarnCurves> yarns;  ///< ends, then picks; each one Embree geometry
   RTCDevice device = nullptr;
@@ -86,11 +86,11 @@ struct FibreBvh::Parts {
 bool FibreBvh::Parts::lay(const Task& task) {
   for (int end = 0; end < size.ends; ++end) yarns.emplace_back(System::warp, end);
   for (int pick = 0; pick < size.picks; ++pick) yarns.emplace_back(System::weft, pick);
-  const ClothToWorld toWorld(*scene.shell);
+  const ClothToWorld toWorld(*cloth->shell);
   std::atomic<size_t> done{0};
   parallelFor(yarns.size(), task.threads, [&](size_t i) {
     const int cells = yarns[i].system() == System::warp ? size.picks : size.ends;
-    if (!yarns[i].lay(scene.volume->geometry(), cells, toWorld, task)) return;
+    if (!yarns[i].lay(cloth->volume->geometry(), cells, toWorld, task)) return;
     task.report(0.5 * static_cast<double>(++done) / static_cast<double>(yarns.size()));
   });
   return !task.stopped();
@@ -126,7 +126,7 @@ void FibreBvh::Parts::attach(unsigned id) {
 
 /// False when stopped.
 bool FibreBvh::Parts::attachCopies(const Task& task) {
-  const ClothGeometry& geometry = scene.volume->geometry();
+  const ClothGeometry& geometry = cloth->volume->geometry();
   for (int y = 0; y < size.copies.y; ++y) {
     if (task.stopped()) return false;
     for (int x = 0; x < size.copies.x; ++x) {
@@ -195,7 +195,7 @@ PlacedFibre FibreBvh::Parts::placed(const RTCHit& hit) const {
 
 /// The last copies may reach beyond the piece.
 bool FibreBvh::Parts::isInPiece(const PlacedFibre& fibre) const {
-  const ClothGeometry& geometry = scene.volume->geometry();
+  const ClothGeometry& geometry = cloth->volume->geometry();
   const bool warp = fibre.curves.system() == System::warp;
   const int yarnCount = warp ? geometry.ends() : geometry.picks(), cells = warp ? geometry.picks() : geometry.ends();
   return fibre.across < yarnCount && fibre.segment < fibre.curves.segmentsBefore(cells - fibre.firstCell);
@@ -226,8 +226,9 @@ void FibreBvh::Parts::filter(const RTCFilterFunctionNArguments* args) {
 FibreBvh::FibreBvh(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 FibreBvh::~FibreBvh() = default;
 
-std::unique_ptr<const FibreBvh> FibreBvh::build(const Scene& scene, const FibreSize& size, const Task& task) {
-  auto parts = std::make_unique<Parts>(scene, size);
+std::unique_ptr<const FibreBvh> FibreBvh::build(std::shared_ptr<const TraceData> cloth, const FibreSize& size,
+                                                const Task& task) {
+  auto parts = std::make_unique<Parts>(std::move(cloth), size);
   if (!parts->lay(task)) return nullptr;
   parts->startDevice(task);
   parts->laid = rtcNewScene(parts->device);

@@ -32,8 +32,9 @@ struct FibreRay {
 /// there. Surfaces are met from outside only. Immutable, and safe to ask from many threads.
 class FibreBvh {
  public:
-  /// Null when stopped: cell by cell, and Embree asks between small parts of its tree. The scene must outlive it.
-  static std::unique_ptr<const FibreBvh> build(const Scene& scene, const FibreSize& size, const Task& task);
+  /// Null when stopped: cell by cell, and Embree asks between small parts of its tree.
+  static std::unique_ptr<const FibreBvh> build(std::shared_ptr<const TraceData> cloth, const FibreSize& size,
+                                               const Task& task);
   ~FibreBvh();
 
   std::optional<FibreHit> meet(const FibreRay& ray) const;

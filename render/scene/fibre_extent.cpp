@@ -63,9 +63,9 @@ FibreSize sizeOfRepeat(const ClothGeometry& geometry, double segmentsPerCrossing
 
 }  // namespace
 
-FibreSize planFibres(const Scene& scene, const FibreOptions& options) {
-  const ClothGeometry& geometry = scene.volume->geometry();
-  const bool flat = scene.shell->isFlat();
+FibreSize planFibres(const TraceData& cloth, const FibreOptions& options) {
+  const ClothGeometry& geometry = cloth.volume->geometry();
+  const bool flat = cloth.shell->isFlat();
   if (options.extent == FibreExtent::oneRepeat && !flat)
     throw InputError("fibres: expected a flat drape for one repeat to stand for the piece; got one that is bent");
   const double each = segmentsPerCrossing(geometry);

@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "core/fabric/model/choice_names.h"
-#include "render/scene/scene.h"
+#include "render/scene/trace_data.h"
 
 namespace loomlight {
 
@@ -42,6 +42,6 @@ struct FibreSize {
 
 /// Of the extent that the options lead to. May be beyond their limit: then there is nothing smaller to lay. Throws
 /// InputError where one repeat is asked of cloth that is not flat.
-FibreSize planFibres(const Scene& scene, const FibreOptions& options);
+FibreSize planFibres(const TraceData& cloth, const FibreOptions& options);
 
 }  // namespace loomlight

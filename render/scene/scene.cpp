@@ -59,11 +59,11 @@ bool sameOptics(const Fibre& a, const Fibre& b) {
 std::vector<Material> makeMaterials(const Fabric& fabric, const Scene* previous) {
   std::vector<Material> materials;
   for (size_t i = 0; i < fabric.fibres.size(); ++i) {
-    Material material;
+    const Fibre& fibre = fabric.fibres[i];
     const bool known =
-        previous && i < previous->fabric->fibres.size() && sameOptics(previous->fabric->fibres[i], fabric.fibres[i]);
-    material.bcsdf = known ? previous->materials[i].bcsdf : std::make_shared<const FibreBcsdf>(fabric.fibres[i]);
-    materials.push_back(std::move(material));
+        previous && i < previous->fabric->fibres.size() && sameOptics(previous->fabric->fibres[i], fibre);
+    materials.push_back({known ? previous->cloth->materials[i].bcsdf : std::make_shared<const FibreBcsdf>(fibre),
+                         static_cast<float>(fibre.refractiveIndex)});
   }
   return materials;
 }
@@ -77,50 +77,67 @@ std::vector<YarnOptics> makeYarnOptics(const Fabric& fabric, const ClothGeometry
     const CellKey key = system == System::warp ? geometry.key(system, 0, index) : geometry.key(system, index, 0);
     const Yarn& yarn = fabric.yarns[sequence[i]];
     optics[sequence[i]] = {yarn.fibre, yarn.layout == FibreLayout::packed,
-                           static_cast<float>(geometry.yarn(system, key.yarn).fibreRadius_mm)};
+                           static_cast<float>(geometry.yarn(system, key.yarn).fibreRadius_mm),
+                           yarn.blendFibre.value_or(yarn.fibre),
+                           static_cast<float>(blendNumberShare(yarn, fabric.fibres))};
   }
   return optics;
 }
 
-std::vector<YarnBlend> makeBlends(const Fabric& fabric) {
-  std::vector<YarnBlend> blends;
-  for (const Yarn& yarn : fabric.yarns)
-    blends.push_back({yarn.blendFibre.value_or(yarn.fibre), static_cast<float>(blendNumberShare(yarn, fabric.fibres))});
-  return blends;
-}
+/// A scene in the making: its cloth has no volume so far.
+struct Unfinished {
+  Scene scene;
+  TraceData cloth;
 
-/// The cloth and what hangs on it; without its volume so far.
-void lay(Scene& scene, const Piece& piece, const ClothGeometry& geometry, const Impact& change, const Scene* previous) {
+  std::shared_ptr<const Scene> with(std::shared_ptr<const ClothVolume> volume) const {
+    auto finished = std::make_shared<Scene>(scene);
+    TraceData traced = cloth;
+    traced.volume = std::move(volume);
+    finished->cloth = std::make_shared<const TraceData>(std::move(traced));
+    return finished;
+  }
+  void lookUpYarns(const ClothGeometry& geometry) {
+    cloth.yarns = {makeYarnOptics(*scene.fabric, geometry, System::warp),
+                   makeYarnOptics(*scene.fabric, geometry, System::weft)};
+  }
+};
+
+/// The shell and what hangs on it.
+void lay(Unfinished& made, const Piece& piece, const ClothGeometry& geometry, const Impact& change,
+         const Scene* previous) {
+  TraceData& cloth = made.cloth;
   const bool sameShell = previous && !change.drape && !change.allBricks &&
-                         previous->volume->geometry().halfThickness_mm() == geometry.halfThickness_mm();
-  scene.shell = sameShell ? previous->shell : makeShell(piece, geometry);
-  scene.entry = sameShell ? previous->entry : std::make_shared<const ShellEntry>(scene.shell);
-  scene.yarns = {makeYarnOptics(*scene.fabric, geometry, System::warp),
-                 makeYarnOptics(*scene.fabric, geometry, System::weft)};
+                         previous->cloth->volume->geometry().halfThickness_mm() == geometry.halfThickness_mm();
+  cloth.shell = sameShell ? previous->cloth->shell : makeShell(piece, geometry);
+  cloth.entry = sameShell ? previous->cloth->entry : std::make_shared<const ShellEntry>(cloth.shell);
+  made.lookUpYarns(geometry);
 }
 
 /// Shows the scene with yarns that were made in no time. False when stopped.
-bool showSketch(Scene scene, const Piece& piece, std::shared_ptr<const ClothGeometry> sketch, const Impact& change,
-                const Scene* previous, const FirstScenes& first, const Task& task) {
-  const Fabric& fabric = *scene.fabric;
-  lay(scene, piece, *sketch, change, previous);
-  const CellRect inView = cellsInView(fabric.camera, first.aspect, *sketch, *scene.shell, *scene.entry);
-  scene.volume = ClothVolume::draft(std::move(sketch), fabric.render.resolution, inView, task,
-                                    previous ? previous->volume.get() : nullptr);
-  if (!scene.volume) return false;
-  first.show(std::make_shared<const Scene>(std::move(scene)));
+bool showSketch(Unfinished sketched, const Piece& piece, std::shared_ptr<const ClothGeometry> sketch,
+                const Impact& change, const Scene* previous, const FirstScenes& first, const Task& task) {
+  const Fabric& fabric = *sketched.scene.fabric;
+  lay(sketched, piece, *sketch, change, previous);
+  const CellRect inView =
+      cellsInView(fabric.camera, first.aspect, *sketch, *sketched.cloth.shell, *sketched.cloth.entry);
+  auto volume = ClothVolume::draft(std::move(sketch), fabric.render.resolution, inView, task,
+                                   previous ? previous->cloth->volume.get() : nullptr);
+  if (!volume) return false;
+  first.show(sketched.with(std::move(volume)));
   return !task.stopped();
 }
 
 /// Volume, shell and yarns: all of them, or what the edit leaves of the previous scene's. False when stopped.
-bool makeCloth(Scene& scene, const Impact& change, const Scene* previous, const FirstScenes* first, const Task& task) {
-  const Fabric& fabric = *scene.fabric;
+bool makeCloth(Unfinished& made, const Impact& change, const Scene* previous, const FirstScenes* first,
+               const Task& task) {
+  const Fabric& fabric = *made.scene.fabric;
+  TraceData& cloth = made.cloth;
+  const ClothVolume* volumeBefore = previous ? previous->cloth->volume.get() : nullptr;
   if (previous && !change.cloth()) {
-    scene.volume = previous->volume;
-    scene.shell = previous->shell;
-    scene.entry = previous->entry;
-    scene.yarns = {makeYarnOptics(fabric, scene.volume->geometry(), System::warp),
-                   makeYarnOptics(fabric, scene.volume->geometry(), System::weft)};
+    cloth.volume = previous->cloth->volume;
+    cloth.shell = previous->cloth->shell;
+    cloth.entry = previous->cloth->entry;
+    made.lookUpYarns(cloth.volume->geometry());
     return true;
   }
   Stopwatch watch;
@@ -128,33 +145,29 @@ bool makeCloth(Scene& scene, const Impact& change, const Scene* previous, const 
   const auto makeGeometry = [&](const ClothGeometry* known, bool sketched) {
     return std::make_shared<const ClothGeometry>(fabric, piece.ends, piece.picks, known, sketched, task);
   };
-  auto geometry = makeGeometry(previous ? &previous->volume->geometry() : nullptr, first != nullptr);
+  auto geometry = makeGeometry(volumeBefore ? &volumeBefore->geometry() : nullptr, first != nullptr);
   if (task.stopped()) return false;
   if (geometry->isSketched()) {
-    if (!showSketch(scene, piece, geometry, change, previous, *first, task)) return false;
+    if (!showSketch(made, piece, geometry, change, previous, *first, task)) return false;
     geometry = makeGeometry(geometry.get(), false);  // all but the sketched yarns are as they should be
     if (task.stopped()) return false;
   }
-  scene.seconds.geometry = watch.lap();
-  lay(scene, piece, *geometry, change, previous);
-  scene.seconds.accelerate = watch.lap();
+  made.scene.seconds.geometry = watch.lap();
+  lay(made, piece, *geometry, change, previous);
+  made.scene.seconds.accelerate = watch.lap();
   const auto build = [&](const FirstLook* look) {
-    return ClothVolume::build(geometry, fabric.render.resolution, task, previous ? previous->volume.get() : nullptr,
-                              look);
+    return ClothVolume::build(geometry, fabric.render.resolution, task, volumeBefore, look);
   };
   if (first) {
-    const FirstLook look{cellsInView(fabric.camera, first->aspect, *geometry, *scene.shell, *scene.entry),
-                         first->wanted, [&](std::shared_ptr<const ClothVolume> draft) {
-                           auto shown = std::make_shared<Scene>(scene);
-                           shown->volume = std::move(draft);
-                           first->show(shown);
-                         }};
-    scene.volume = build(&look);
+    const FirstLook look{cellsInView(fabric.camera, first->aspect, *geometry, *cloth.shell, *cloth.entry),
+                         first->wanted,
+                         [&](std::shared_ptr<const ClothVolume> draft) { first->show(made.with(std::move(draft))); }};
+    cloth.volume = build(&look);
   } else {
-    scene.volume = build(nullptr);
+    cloth.volume = build(nullptr);
   }
-  scene.seconds.voxelise = watch.lap();
-  return scene.volume != nullptr;
+  made.scene.seconds.voxelise = watch.lap();
+  return cloth.volume != nullptr;
 }
 
 }  // namespace
@@ -162,19 +175,25 @@ bool makeCloth(Scene& scene, const Impact& change, const Scene* previous, const 
 std::shared_ptr<const Scene> makeScene(std::shared_ptr<const Fabric> fabric, const Task& task, const Scene* previous,
                                        const FirstScenes* first) {
   const Impact change = previous ? impact(*previous->fabric, *fabric) : Impact{};
-  auto scene = std::make_shared<Scene>();
-  scene->fabric = fabric;
-  scene->materials = makeMaterials(*fabric, previous);
-  for (const Fibre& fibre : fabric->fibres) scene->absorption_per_mm.push_back(fibre.absorption_per_mm);
-  scene->roulette_per_mm = scene->absorption_per_mm;
-  scene->blends = makeBlends(*fabric);
+  Unfinished made;
+  Scene& scene = made.scene;
+  scene.fabric = fabric;
+  for (const Fibre& fibre : fabric->fibres) scene.absorption_per_mm.push_back(fibre.absorption_per_mm);
+  scene.roulette_per_mm = scene.absorption_per_mm;
   // A headlight goes with the eye: that is in `lighting`.
-  scene->lighting = previous && !change.lighting
-                        ? previous->lighting
-                        : std::make_shared<const Lighting>(fabric->light, CameraRays(fabric->camera, 1, 1).eye_mm(),
-                                                           static_cast<float>(fabric->camera.distance_mm),
-                                                           previous ? previous->lighting.get() : nullptr);
-  return makeCloth(*scene, change, previous, first, task) ? scene : nullptr;
+  scene.lighting = previous && !change.lighting
+                       ? previous->lighting
+                       : std::make_shared<const Lighting>(fabric->light, CameraRays(fabric->camera, 1, 1).eye_mm(),
+                                                          static_cast<float>(fabric->camera.distance_mm),
+                                                          previous ? previous->lighting.get() : nullptr);
+  made.cloth.materials = makeMaterials(*fabric, previous);
+  made.cloth.method = fabric->render.method;
+  made.cloth.estimator = fabric->render.estimator;
+  made.cloth.eventLaw = fabric->render.eventLaw;
+  if (!makeCloth(made, change, previous, first, task)) return nullptr;
+  scene.cloth = previous && *previous->cloth == made.cloth ? previous->cloth
+                                                           : std::make_shared<const TraceData>(std::move(made.cloth));
+  return std::make_shared<const Scene>(std::move(scene));
 }
 
 }  // namespace loomlight

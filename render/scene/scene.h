@@ -1,38 +1,15 @@
 #pragma once
 
-#include <array>
 #include <functional>
 #include <memory>
 #include <vector>
 
 #include "core/fabric/model/fabric.h"
-#include "core/shell/shell.h"
-#include "core/volume/traverse/cloth_volume.h"
 #include "render/light/lighting.h"
-#include "render/optics/bcsdf.h"
 #include "render/scene/camera_rays.h"
+#include "render/scene/trace_data.h"
 
 namespace loomlight {
-
-class ShellEntry;
-
-/// What light does at the fibres of one material. Colour is apart: Scene::absorption_per_mm.
-struct Material {
-  std::shared_ptr<const FibreBcsdf> bcsdf;
-};
-
-/// What a yarn's components need beside their statistics, per Fabric::yarns and system.
-struct YarnOptics {
-  int material = 0;          ///< index into Scene::materials
-  bool packed = false;       ///< FibreLayout::packed: its fibres do not overlap
-  float fibreRadius_mm = 0;  ///< of the geometry; differs between warp and weft by less than a rounding of fibre counts
-};
-
-/// The second material of a blended yarn (Yarn::blendFibre), and how many of its fibres are of it.
-struct YarnBlend {
-  int material = 0;  ///< index into Scene::materials
-  float share = 0;   ///< by number, 0..1; 0: no blend
-};
 
 /// How paths are sampled: the noise and the cost of a picture, never what it converges to. All that is on has earned
 /// its place in `bench converge`.
@@ -43,22 +20,16 @@ struct PathSampling {
   bool lamps = true;          ///< lamps of some size are looked for, by importance; else paths find them by chance
 };
 
-/// Everything a path needs, immutable and shared: an edit makes a new Scene from what did not change. `materials` has
-/// one entry per Fabric::fibres.
+/// Everything a path needs, immutable and shared: an edit makes a new Scene from what did not change.
 struct Scene {
   std::shared_ptr<const Fabric> fabric;
-  std::shared_ptr<const ClothVolume> volume;
-  std::shared_ptr<const Shell> shell;
-  std::shared_ptr<const ShellEntry> entry;
+  std::shared_ptr<const TraceData> cloth;
   std::shared_ptr<const Lighting> lighting;
-  std::vector<Material> materials;
   std::vector<Rgb> absorption_per_mm;  ///< inside the fibres of each material
   /// What roulette takes for it: the same, unless paths must end where those of another colouring do. Whatever it is,
   /// the picture converges to the same.
   std::vector<Rgb> roulette_per_mm;
   PathSampling sampling;
-  std::array<std::vector<YarnOptics>, 2> yarns;  ///< [system][index into Fabric::yarns]
-  std::vector<YarnBlend> blends;                 ///< [index into Fabric::yarns]
   struct Seconds {
     double geometry = 0, voxelise = 0, accelerate = 0;
   } seconds;  ///< what making it took; 0 for what was reused

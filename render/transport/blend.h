@@ -7,11 +7,10 @@ namespace loomlight {
 /// Which material light has met: that of the yarn, or of a blend (melange) one of its two. The fibres of a blend are
 /// mixed evenly, so a volume needs no voxels of its own for it: every fibre that is met is of the second kind with the
 /// share that its kind has. Explicit fibres keep what they are: their number decides.
-inline int materialMet(const Scene& scene, const Collision& at, Random& random) {
-  const YarnBlend& blend = scene.blends[at.yarn];
-  if (blend.share <= 0) return at.optics.material;
+inline int materialMet(const Collision& at, Random& random) {
+  if (at.optics.blendShare <= 0) return at.optics.material;
   const float chosen = at.fibre != 0 ? Random(mixBits(at.fibre)).uniform() : random.uniform();
-  return chosen < blend.share ? blend.material : at.optics.material;
+  return chosen < at.optics.blendShare ? at.optics.blendMaterial : at.optics.material;
 }
 
 }  // namespace loomlight

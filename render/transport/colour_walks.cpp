@@ -39,7 +39,7 @@ bool walk(const Scene& scene, const Medium& medium, const glm::vec3& origin, int
       if (direction.z <= 0) lengths.clear();
       return true;
     }
-    const int met = materialMet(scene, *collision, random);
+    const int met = materialMet(*collision, random);
     if (events == 0 && met != material) return false;
     if (events == scene.fabric->render.maxDepth) {
       lengths.clear();
@@ -47,7 +47,7 @@ bool walk(const Scene& scene, const Medium& medium, const glm::vec3& origin, int
     }
     collision->optics.material = met;
     const FibreFrame frame(collision->tangent);
-    const FibreBcsdf::Sample scattered = scene.materials[static_cast<size_t>(met)].bcsdf->sampleWithoutPdf(
+    const FibreBcsdf::Sample scattered = scene.cloth->materials[static_cast<size_t>(met)].bcsdf->sampleWithoutPdf(
         frame.toLocal(-direction), collision->offset, random);
     lengths[static_cast<size_t>(met)] += scattered.length * collision->optics.fibreRadius_mm;
     direction = frame.toWorld(scattered.wi);
@@ -85,7 +85,7 @@ std::optional<ColourWalks> walkColours(const Scene& scene, const Medium& medium,
   constexpr size_t kBlock = 256;
   constexpr size_t kTriesPerWalk = 64;  // a fibre that so few eyes see is not on the face
   const glm::dvec2 window = window_mm(*scene.fabric);
-  const double above = 2 * scene.volume->geometry().halfThickness_mm();
+  const double above = 2 * scene.cloth->volume->geometry().halfThickness_mm();
   std::vector<ColourWalks> blocks((count + kBlock - 1) / kBlock);
   std::atomic<size_t> done{0};
   parallelFor(blocks.size(), task.threads, [&](size_t b) {
@@ -96,7 +96,7 @@ std::optional<ColourWalks> walkColours(const Scene& scene, const Medium& medium,
       if (task.stopped()) return;
       const glm::dvec3 place((random.uniformDouble() - 0.5) * window.x, (random.uniformDouble() - 0.5) * window.y,
                              above);
-      lengths.resize(scene.materials.size());
+      lengths.resize(scene.cloth->materials.size());
       if (!walk(scene, medium, glm::vec3(place), material, random, lengths)) continue;
       ++block.count;
       block.lengths_mm.insert(block.lengths_mm.end(), lengths.begin(), lengths.end());
@@ -105,7 +105,7 @@ std::optional<ColourWalks> walkColours(const Scene& scene, const Medium& medium,
   });
   if (task.stopped()) return std::nullopt;
   ColourWalks walks;
-  walks.materials = scene.materials.size();
+  walks.materials = scene.cloth->materials.size();
   for (const ColourWalks& block : blocks) {
     walks.count += block.count;
     walks.lengths_mm.insert(walks.lengths_mm.end(), block.lengths_mm.begin(), block.lengths_mm.end());

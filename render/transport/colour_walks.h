@@ -5,6 +5,7 @@
 
 #include "core/base/task.h"
 #include "render/media/medium.h"
+#include "render/scene/scene.h"
 
 namespace loomlight {
 

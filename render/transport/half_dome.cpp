@@ -94,7 +94,7 @@ Fabric halfDomePatch(Fabric fabric, const HalfDomeGrid& grid) {
 
 std::optional<HalfDomeMeasure> measureHalfDome(const Scene& scene, const Medium& medium, const HalfDomeGrid& grid,
                                                int samples, const Task& task) {
-  const double window = window_mm(*scene.fabric), half = scene.volume->geometry().halfThickness_mm();
+  const double window = window_mm(*scene.fabric), half = scene.cloth->volume->geometry().halfThickness_mm();
   HalfDomeMeasure measure{grid, std::vector<Rgb>(grid.size()), {}};
   std::vector<TraceCounts> counts(grid.size());
   std::atomic<size_t> done{0};

@@ -6,6 +6,7 @@
 #include "core/base/task.h"
 #include "core/fabric/model/fabric.h"
 #include "render/media/medium.h"
+#include "render/scene/scene.h"
 
 namespace loomlight {
 

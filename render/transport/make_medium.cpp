@@ -1,7 +1,5 @@
 #include "render/transport/make_medium.h"
 
-#include <algorithm>
-
 #include "core/base/memory.h"
 #include "core/base/stopwatch.h"
 #include "render/bvdf/bake/bvdf_baker.h"
@@ -15,7 +13,7 @@ namespace {
 
 std::unique_ptr<const Medium> makeFibres(const Scene& scene, const FibreOptions& options, const Task& task,
                                          MediumCost& cost) {
-  auto fibres = FibreMedium::build(scene, options, task);
+  auto fibres = FibreMedium::build(scene.cloth, options, task);
   if (!fibres) return nullptr;
   cost.segments = fibres->segments();
   cost.geometryBytes = fibres->geometryBytes();
@@ -27,13 +25,7 @@ std::unique_ptr<const Medium> makeReport(const Scene& scene, const Task& task, M
   auto bvdf = bakeBvdf(*scene.fabric, BvdfOptions{}, BvdfCache(BvdfCache::userFolder()), task);
   if (!bvdf) return nullptr;
   cost.bvdfBytes = bvdf->bytes();
-  return std::make_unique<const ReportMedium>(scene, std::move(bvdf));
-}
-
-bool sameYarns(const std::vector<YarnOptics>& a, const std::vector<YarnOptics>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const YarnOptics& x, const YarnOptics& y) {
-    return x.material == y.material && x.packed == y.packed && x.fibreRadius_mm == y.fibreRadius_mm;
-  });
+  return std::make_unique<const ReportMedium>(scene.cloth, std::move(bvdf));
 }
 
 }  // namespace
@@ -46,29 +38,20 @@ std::unique_ptr<const Medium> makeMedium(const Scene& scene, const FibreOptions&
                                          MediumCost* cost) {
   MediumCost own;
   Stopwatch watch;
-  const RenderSettings& settings = scene.fabric->render;
   std::unique_ptr<const Medium> medium;
-  if (settings.method == Method::fibres) {
+  if (scene.cloth->method == Method::fibres) {
     medium = makeFibres(scene, options, task, own);
     own.fibreSeconds = watch.lap();
-  } else if (settings.estimator == Estimator::report) {
+  } else if (scene.cloth->estimator == Estimator::report) {
     medium = makeReport(scene, task, own);
     own.bvdfSeconds = watch.lap();
-  } else if (settings.estimator == Estimator::loomlight) {
-    medium = std::make_unique<const LoomlightMedium>(scene);
+  } else if (scene.cloth->estimator == Estimator::loomlight) {
+    medium = std::make_unique<const LoomlightMedium>(scene.cloth);
   } else {
-    medium = std::make_unique<const VolumeMedium>(scene);
+    medium = std::make_unique<const VolumeMedium>(scene.cloth);
   }
   if (cost) *cost = own;
   return medium;
-}
-
-bool sameMedium(const Scene& a, const Scene& b) {
-  const RenderSettings &x = a.fabric->render, &y = b.fabric->render;
-  return a.volume == b.volume && a.shell == b.shell && x.method == y.method && x.estimator == y.estimator &&
-         x.eventLaw == y.eventLaw && sameYarns(a.yarns[0], b.yarns[0]) && sameYarns(a.yarns[1], b.yarns[1]) &&
-         std::equal(a.materials.begin(), a.materials.end(), b.materials.begin(), b.materials.end(),
-                    [](const Material& m, const Material& n) { return m.bcsdf == n.bcsdf; });
 }
 
 }  // namespace loomlight

@@ -6,6 +6,7 @@
 #include "core/base/task.h"
 #include "render/media/medium.h"
 #include "render/scene/fibre_extent.h"
+#include "render/scene/scene.h"
 
 namespace loomlight {
 
@@ -23,12 +24,8 @@ struct MediumCost {
 double defaultMemoryLimit_bytes();
 
 /// The medium that the scene's RenderSettings ask for (method, estimator). Fibres throw InputError where they would
-/// take more than their limit. Null when stopped. The scene must outlive the medium.
+/// take more than their limit. Null when stopped. It serves every scene that shares this one's TraceData: making fibres
+/// takes seconds, so moving the camera must not.
 std::unique_ptr<const Medium> makeMedium(const Scene& scene, const FibreOptions& options, const Task& task,
                                          MediumCost* cost = nullptr);
-
-/// Whether a medium made for one scene is right for the other too: all that differs is light, camera, colour, or
-/// settings that no medium reads. Making fibres takes seconds, so moving the camera must not.
-bool sameMedium(const Scene& a, const Scene& b);
-
 }  // namespace loomlight

@@ -23,7 +23,7 @@ class PathState {
 
   void travel(int material, float length_mm) { lengths_[material] += length_mm; }
   float weight() const { return weight_; }
-  std::span<const float> lengths_mm() const { return {lengths_.data(), scene_.materials.size()}; }
+  std::span<const float> lengths_mm() const { return {lengths_.data(), scene_.cloth->materials.size()}; }
 
   /// Ends the path at random, the likelier the more of its light has been absorbed; if it goes on, it is as bright as
   /// ever. The brightest channel decides: the mean would kill saturated hues.
@@ -69,7 +69,7 @@ std::optional<PathLight> sampleLamp(const Scene& scene, const Medium& medium, co
                                     const FibreFrame& frame, glm::vec3 wo, Random& random, TraceCounts& counts) {
   const auto light = scene.lighting->sample(at.place.world, random);
   if (!light || light->pdf <= 0) return std::nullopt;
-  const FibreBcsdf& bcsdf = *scene.materials[at.optics.material].bcsdf;
+  const FibreBcsdf& bcsdf = *scene.cloth->materials[at.optics.material].bcsdf;
   const FibreBcsdf::Value value = bcsdf.evaluate(wo, frame.toLocal(light->wi), at.offset);
   const float pdf = value.sum();
   if (pdf <= 0) return std::nullopt;
@@ -151,7 +151,7 @@ PathSample tracePath(const Scene& scene, const Medium& medium, const CameraRays&
     }
     if (sample.events == 0) recordFirstHit(*collision, sample);
     ++sample.events;
-    collision->optics.material = materialMet(scene, *collision, random);
+    collision->optics.material = materialMet(*collision, random);
 
     const FibreFrame frame(collision->tangent);
     const glm::vec3 wo = frame.toLocal(-direction);
@@ -162,7 +162,7 @@ PathSample tracePath(const Scene& scene, const Medium& medium, const CameraRays&
     }
     if (sample.events >= static_cast<uint32_t>(settings.maxDepth)) return sample;
 
-    const Material& material = scene.materials[collision->optics.material];
+    const Material& material = scene.cloth->materials[collision->optics.material];
     stratify(dimension + 2 * kDimensionsPerUse, stratified);
     const FibreBcsdf::Sample scattered = lamps ? material.bcsdf->sample(wo, collision->offset, random)
                                                : material.bcsdf->sampleWithoutPdf(wo, collision->offset, random);

@@ -25,7 +25,7 @@ void recolourPicture(benchmark::State& state, const char* file, LightKind light)
   const CameraRays camera(scene->fabric->camera, kWidth, kHeight);
   Film film(kWidth, kHeight);
   // The window's share of a viewport of 640 x 480.
-  PathRecords records(kWidth, kHeight, static_cast<int>(scene->materials.size()), size_t{64} << 20);
+  PathRecords records(kWidth, kHeight, static_cast<int>(scene->cloth->materials.size()), size_t{64} << 20);
   for (uint32_t samples = 1; samples <= 16; ++samples)
     renderUpTo(samples, *scene, *medium, camera, film, {0, 0, kWidth, kHeight}, Task{}, 0, &records);
   Dye dye{scene->absorption_per_mm, Rgb(1)};

@@ -32,7 +32,7 @@ struct MediumKind {
   std::unique_ptr<const Medium> make(const Scene& scene, int threads = 0) const {
     constexpr double kLimit_bytes = 4e9;
     if (method == Method::volume && estimator == Estimator::report)
-      return std::make_unique<const ReportMedium>(scene, expectedBvdf(scene, BvdfResolution{}));
+      return std::make_unique<const ReportMedium>(scene.cloth, expectedBvdf(scene, BvdfResolution{}));
     return makeMedium(scene, {kLimit_bytes, extent}, Task{{}, {}, threads});
   }
 

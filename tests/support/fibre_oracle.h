@@ -30,8 +30,8 @@ class FibreOracle {
   };
 
   explicit FibreOracle(const Scene& scene) {
-    const ClothGeometry& geometry = scene.volume->geometry();
-    const glm::dvec3 origin(scene.shell->toCloth(0, glm::vec3(0)));
+    const ClothGeometry& geometry = scene.cloth->volume->geometry();
+    const glm::dvec3 origin(scene.cloth->shell->toCloth(0, glm::vec3(0)));
     for (int pick = 0; pick < geometry.picks(); ++pick)
       for (int end = 0; end < geometry.ends(); ++end)
         for (const System system : {System::warp, System::weft}) {

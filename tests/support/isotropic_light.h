@@ -20,7 +20,7 @@ inline EventCount eventsUnderIsotropicLight(const Scene& scene, const Medium& me
                                             uint64_t seed) {
   Random random(seed);
   double sum = 0, squares = 0;
-  const ClothGeometry& geometry = scene.volume->geometry();
+  const ClothGeometry& geometry = scene.cloth->volume->geometry();
   const auto wholeRepeats = [reach_mm](double repeat_mm) {
     return static_cast<float>(0.5 * repeat_mm * std::max(1.0, std::round(2 * reach_mm / repeat_mm)));
   };
@@ -35,7 +35,7 @@ inline EventCount eventsUnderIsotropicLight(const Scene& scene, const Medium& me
     TraceCounts counts;
     while (const auto collision = medium.collide(from, direction, random, counts)) {
       const FibreFrame frame(collision->tangent);
-      const FibreBcsdf& bcsdf = *scene.materials[collision->optics.material].bcsdf;
+      const FibreBcsdf& bcsdf = *scene.cloth->materials[collision->optics.material].bcsdf;
       const auto scattered = bcsdf.sample(frame.toLocal(-direction), collision->offset, random);
       direction = frame.toWorld(scattered.wi);
       from = medium.leave(*collision, direction, scattered.order);
@@ -51,8 +51,8 @@ inline EventCount eventsUnderIsotropicLight(const Scene& scene, const Medium& me
 /// What it must be, whatever the weave and however the fibres are told: their lateral area over the boundary's, which
 /// for a sheet of one fibre is areal mass / (density * radius).
 inline double lateralOverBoundaryArea(const Scene& scene) {
-  const double mass_g_mm2 = scene.volume->geometry().measure().arealMass_g_m2 * 1e-6;
-  return mass_g_mm2 / (scene.fabric->fibres[0].density_g_cm3 * 1e-3 * scene.yarns[0][0].fibreRadius_mm);
+  const double mass_g_mm2 = scene.cloth->volume->geometry().measure().arealMass_g_m2 * 1e-6;
+  return mass_g_mm2 / (scene.fabric->fibres[0].density_g_cm3 * 1e-3 * scene.cloth->yarns[0][0].fibreRadius_mm);
 }
 
 }  // namespace loomlight::test

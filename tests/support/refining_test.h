@@ -19,7 +19,7 @@ class RefiningTest : public testing::Test {
     fabric.drape.width_mm = fabric.drape.height_mm = 6;
     fabric.camera.distance_mm = 8;
     Traceable made;
-    made.scene = made.mediumScene = sceneOf(fabric);
+    made.scene = sceneOf(fabric);
     made.medium = makeMedium(*made.scene, 1e9, Task{});
     return made;
   }

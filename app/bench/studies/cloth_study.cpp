@@ -44,14 +44,14 @@ Fabric variantOf(Fabric fabric, const Variant& variant) {
 std::unique_ptr<const Medium> mediumOf(const Scene& scene, const Variant& variant, const ReportBench& bench,
                                        const Task& task, MediumCost& cost) {
   if (variant.method == Method::volume && variant.estimator == Estimator::loomlight)
-    return std::make_unique<const LoomlightMedium>(scene, variant.ingredients);
+    return std::make_unique<const LoomlightMedium>(scene.cloth, variant.ingredients);
   if (variant.method == Method::volume && variant.estimator == Estimator::report) {
     BvdfOptions options;
     if (bench.quick) options.rays = 200'000;
     auto bvdf = bakeBvdf(*scene.fabric, options, BvdfCache(BvdfCache::userFolder()), task);
     if (!bvdf) return nullptr;
     cost.bvdfBytes = bvdf->bytes();
-    return std::make_unique<const ReportMedium>(scene, std::move(bvdf));
+    return std::make_unique<const ReportMedium>(scene.cloth, std::move(bvdf));
   }
   // Never a repeat of it: the very fibres that the volume was made of.
   return makeMedium(scene, {bench.memoryLimit_bytes, FibreExtent::wholePiece}, task, &cost);
@@ -72,7 +72,7 @@ std::optional<PreparedCloth> prepare(const Fabric& fabric, const Variant& varian
   if (!cloth.scene) return std::nullopt;
   // Again, alone: a scene has lights and lobes to make as well. Often enough to be measured: it is over in no time.
   const double leastTime_s = bench.quick ? 0 : 0.5;
-  const ClothGeometry& geometry = cloth.scene->volume->geometry();
+  const ClothGeometry& geometry = cloth.scene->cloth->volume->geometry();
   double volume_s = 0;
   int volumes = 0;
   for (watch.lap(); volumes == 0 || volume_s < leastTime_s; ++volumes) {
@@ -86,7 +86,7 @@ std::optional<PreparedCloth> prepare(const Fabric& fabric, const Variant& varian
   if (!cloth.medium) return std::nullopt;
   const double medium_s = watch.lap();
 
-  const VolumeCounts volume = cloth.scene->volume->counts();
+  const VolumeCounts volume = cloth.scene->cloth->volume->counts();
   if (variant.method == Method::fibres) {
     cloth.elements = cloth.segmentsMade = static_cast<double>(cost.segments);
     cloth.bytes = static_cast<double>(cost.geometryBytes + cost.acceleratorBytes);

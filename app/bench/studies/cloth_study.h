@@ -12,6 +12,7 @@
 #include "render/film/film.h"
 #include "render/media/loomlight_medium.h"
 #include "render/metrics/comparison.h"
+#include "render/scene/scene.h"
 #include "render/transport/make_medium.h"
 
 namespace loomlight {

@@ -181,7 +181,7 @@ int run(const InfoCommand& command) {
     scene = makeScene(std::make_shared<const Fabric>(fabric), task);
   }
   if (!scene) return Interrupt::kExitStatus;
-  const ClothGeometry& geometry = scene->volume->geometry();
+  const ClothGeometry& geometry = scene->cloth->volume->geometry();
   Information information;
   information.floats = floats(fabric.weave);
   information.binding = binding(fabric.weave);
@@ -192,7 +192,7 @@ int run(const InfoCommand& command) {
   information.needs = yarnNeed(fabric, command.piece, information.measures.crimpWarp, information.measures.crimpWeft);
   information.warnings = std::move(input.warnings);
   for (std::string& warning : warnings(fabric)) information.warnings.push_back(std::move(warning));
-  information.volume = scene->volume->counts();
+  information.volume = scene->cloth->volume->counts();
   information.pieceEnds = geometry.ends();
   information.piecePicks = geometry.picks();
   if (command.json)

@@ -17,7 +17,7 @@
 #include "core/base/stopwatch.h"
 #include "core/fabric/json/fabric_json.h"
 #include "core/fabric/model/validate.h"
-#include "render/media/fibre_medium.h"
+#include "render/scene/fibre_extent.h"
 #include "render/scene/scene.h"
 #include "render/transport/path_tracer.h"
 
@@ -97,7 +97,7 @@ std::shared_ptr<const Scene> buildScene(const std::shared_ptr<const Fabric>& fab
 }
 
 /// What a reader of the picture must know where not all of the piece is laid.
-std::string repeatText(const FibreMedium::Size& size) {
+std::string repeatText(const FibreSize& size) {
   if (size.isWholePiece()) return "";
   return fmt::format(": a repeat of {} x {} crossings, {} x {} times side by side", size.ends, size.picks,
                      size.copies.x, size.copies.y);
@@ -110,7 +110,7 @@ std::unique_ptr<const Medium> buildMedium(const Scene& scene, const FibreOptions
   const bool fibres = settings.method == Method::fibres;
   if (!fibres && settings.estimator != Estimator::report) return makeMedium(scene, options, task, &cost);
   if (fibres) {
-    const FibreMedium::Size size = FibreMedium::estimate(scene, options);
+    const FibreSize size = planFibres(*scene.cloth, options);
     fmt::print(stderr, "loomlight: {:.3g} fibre segments will take about {:.2f} GB of memory{}\n", size.segments,
                size.bytes * 1e-9, repeatText(size));
   }
@@ -140,7 +140,7 @@ int run(const RenderCommand& command) {
     fmt::print(stderr, "loomlight: stopped before the first sample; nothing was written\n");
     return Interrupt::kExitStatus;
   }
-  for (const std::string& repair : scene->shell->repairs()) fmt::print(stderr, "loomlight: {}\n", repair);
+  for (const std::string& repair : scene->cloth->shell->repairs()) fmt::print(stderr, "loomlight: {}\n", repair);
   fmt::print(stderr, "loomlight: rendering {} x {}, {} samples per pixel, threads: {}\n", settings.width,
              settings.height, settings.samplesPerPixel, task.threads);
   TraceCounts counts;
@@ -154,7 +154,7 @@ int run(const RenderCommand& command) {
   const auto samples = static_cast<int>(fewestSamples(job.film));
   if (!command.stats.empty()) {
     writeStats(command.stats, {settings.method, settings.width, settings.height, samples, task.threads, scene->seconds,
-                               render_s, total_s, scene->volume->counts(), mediumCost, counts});
+                               render_s, total_s, scene->cloth->volume->counts(), mediumCost, counts});
   }
   fmt::print("{}: {} x {}, {} samples per pixel{}, {}\n", command.output, settings.width, settings.height, samples,
              complete ? "" : fmt::format(" of {}, stopped", settings.samplesPerPixel), durationText(total_s));

@@ -30,7 +30,7 @@ glm::vec3 direction(float theta, float phi) {
 std::optional<Collision> firstHit(const BvdfPatch& patch, glm::vec3 wo, Random& random) {
   constexpr int kTries = 16;  // sheer cloth is mostly holes
   const Scene& scene = patch.scene();
-  const glm::vec3 lower = scene.shell->lower_mm(), size = scene.shell->upper_mm() - lower;
+  const glm::vec3 lower = scene.cloth->shell->lower_mm(), size = scene.cloth->shell->upper_mm() - lower;
   TraceCounts counts;
   for (int i = 0; i < kTries; ++i) {
     const float u = random.uniform(), v = random.uniform();
@@ -43,10 +43,10 @@ std::optional<Collision> firstHit(const BvdfPatch& patch, glm::vec3 wo, Random& 
 }
 
 HotSpot hotSpotOf(const Scene& scene, int yarn) {
-  const glm::vec3 leaf = scene.volume->grid().size_mm;
+  const glm::vec3 leaf = scene.cloth->volume->grid().size_mm;
   const float halfCell = std::cbrt(leaf.x * leaf.y * leaf.z);
   // A system that does not use the yarn has no radius for it.
-  const float radius = std::max(scene.yarns[0][yarn].fibreRadius_mm, scene.yarns[1][yarn].fibreRadius_mm);
+  const float radius = std::max(scene.cloth->yarns[0][yarn].fibreRadius_mm, scene.cloth->yarns[1][yarn].fibreRadius_mm);
   return HotSpot::of(radius > 0 ? radius : halfCell, static_cast<float>(scene.fabric->yarns[yarn].packing), halfCell);
 }
 
@@ -102,8 +102,8 @@ std::vector<BvdfBaker::Shadow> BvdfBaker::traceBlock(uint64_t block) const {
     const glm::mat3 frame = eventFrame({0, 0, 1}, hit->tangent);
     const glm::vec3 woLocal = wo * frame;
     const glm::vec3 surface = hit->place.world - hit->axis;
-    const LocalCell cell = LocalCell::around(scene.shell->toCloth(0, hit->place.world), *scene.volume);
-    const glm::vec3 toCloth = scene.shell->toCloth(0, glm::vec3(0));
+    const LocalCell cell = LocalCell::around(scene.cloth->shell->toCloth(0, hit->place.world), *scene.cloth->volume);
+    const glm::vec3 toCloth = scene.cloth->shell->toCloth(0, glm::vec3(0));
     const auto turn = random.below(kLightPhis);
     for (int i = 0; i < kShadowRays; ++i) {
       // Every stratum of theta as often as any other, and every one of phi: 7 is prime to their number.

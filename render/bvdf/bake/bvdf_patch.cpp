@@ -93,13 +93,13 @@ std::unique_ptr<const BvdfPatch> BvdfPatch::build(const Fabric& fabric, const Ta
   const Task quiet{task.stop, {}, task.threads};
   patch->scene_ = makeScene(std::make_shared<const Fabric>(reduced(fabric)), quiet);
   if (!patch->scene_) return nullptr;
-  patch->fibres_ = FibreMedium::build(*patch->scene_, kMaxBytes, quiet);
+  patch->fibres_ = FibreMedium::build(patch->scene_->cloth, kMaxBytes, quiet);
   if (!patch->fibres_) return nullptr;
   return patch;
 }
 
 bool BvdfPatch::isInside(int end, int pick) const {
-  const ClothGeometry& geometry = scene_->volume->geometry();
+  const ClothGeometry& geometry = scene_->cloth->volume->geometry();
   return end > 0 && pick > 0 && end + 1 < geometry.ends() && pick + 1 < geometry.picks();
 }
 

@@ -154,9 +154,9 @@ TEST(ReportMedium, TakesMostOfTheShadowOffAHeadlight) {
     fabric.render.maxDepth = 1;
     const auto scene = test::sceneOf(fabric);
     const auto bvdf = bakeBvdf(fabric, {{}, 500'000}, BvdfCache(std::filesystem::path()), Task{});
-    const double truth = directLight(*scene, *FibreMedium::build(*scene, 2e9, Task{}));
-    const double plain = directLight(*scene, VolumeMedium(*scene));
-    const double report = directLight(*scene, ReportMedium(*scene, bvdf));
+    const double truth = directLight(*scene, *FibreMedium::build(scene->cloth, 2e9, Task{}));
+    const double plain = directLight(*scene, VolumeMedium(scene->cloth));
+    const double report = directLight(*scene, ReportMedium(scene->cloth, bvdf));
     EXPECT_LT(plain, 0.75 * truth);
     EXPECT_LT(std::abs(report - truth), 0.6 * std::abs(plain - truth));
   }

@@ -29,8 +29,8 @@ TEST_P(ReportFurnace, IsOffByWhatDirectLightGainsAndNoMore) {
   auto open = std::make_shared<BvdfSet>();
   open->tables.emplace_back(resolution, HotSpot{5, 0.1f}, std::vector<float>(resolution.bins(), 0.0f));
   open->tableOfYarn = {0};
-  const ReportMedium report(*scene, open);
-  const VolumeMedium plain(*scene);
+  const ReportMedium report(scene->cloth, open);
+  const VolumeMedium plain(scene->cloth);
   const CameraRays camera(fabric.camera, 48, 48);
   constexpr auto kFar = std::numeric_limits<float>::infinity();
   TraceCounts counts;
@@ -47,7 +47,8 @@ TEST_P(ReportFurnace, IsOffByWhatDirectLightGainsAndNoMore) {
         const auto hit = report.collide({{ray.origin, -1}}, ray.direction, random, counts);
         if (!hit) continue;
         const FibreFrame frame(hit->tangent);
-        const auto scattered = scene->materials[0].bcsdf->sample(frame.toLocal(-ray.direction), hit->offset, random);
+        const auto scattered =
+            scene->cloth->materials[0].bcsdf->sample(frame.toLocal(-ray.direction), hit->offset, random);
         const glm::vec3 on = frame.toWorld(scattered.wi);
         const Departure from = report.leave(*hit, on, scattered.order);
         gain.add(report.transmittance(from, on, kFar, random, counts) -

@@ -57,7 +57,7 @@ class FewFibres : public testing::Test {
 
   std::shared_ptr<const Scene> scene;
   test::FibreOracle oracle{*scene};
-  std::unique_ptr<const FibreBvh> bvh = FibreBvh::build(*scene, planFibres(*scene, {}), Task{});
+  std::unique_ptr<const FibreBvh> bvh = FibreBvh::build(scene->cloth, planFibres(*scene->cloth, {}), Task{});
 };
 
 // Parallel rays, evenly spaced across a fibre: the share 2 r / width of them meets it, and the one that passes at h r
@@ -100,7 +100,7 @@ TEST_F(FewFibres, OneShowsTheIntegralOfItsBcsdfInParallelLight) {
     fabric.camera.distance_mm = 1;
     fabric.camera.target_mm = {0, 1.5, 0};
     const auto lit = test::sceneOf(fabric);
-    const auto fibres = FibreMedium::build(*lit, {}, Task{});
+    const auto fibres = FibreMedium::build(lit->cloth, {}, Task{});
     constexpr int kSide = 48;
     constexpr uint32_t kSamples = 24;
     const CameraRays camera(fabric.camera, kSide, kSide);
@@ -121,7 +121,7 @@ TEST_F(FewFibres, OneShowsTheIntegralOfItsBcsdfInParallelLight) {
     Random random(1);
     const auto light = lit->lighting->sample(glm::vec3(fibre.a), random);
     ASSERT_TRUE(light && light->delta);
-    const Material& material = lit->materials[0];
+    const Material& material = lit->cloth->materials[0];
     glm::dvec3 scattered(0);
     constexpr int kOffsets = 2000;
     for (int i = 0; i < kOffsets; ++i) {

@@ -39,7 +39,8 @@ test::SampledMean lengthSeen(const Scene& scene, const Medium& medium, glm::vec3
   test::SampledMean length;
   for (int i = 0; i < 300'000; ++i) {
     const float x = random.uniform(), y = random.uniform(), z = random.uniform();
-    const glm::vec3 place = glm::mix(scene.shell->lower_mm(), scene.shell->upper_mm(), glm::vec3(x, y, z));
+    const glm::vec3 place =
+        glm::mix(scene.cloth->shell->lower_mm(), scene.cloth->shell->upper_mm(), glm::vec3(x, y, z));
     const auto met = medium.collide({{place, 0}}, direction, random, counts);
     const bool near = met && met->distance_mm < kShort_mm;
     length.add(near ? 1 / glm::length(glm::cross(met->tangent, direction)) : 0);
@@ -74,7 +75,7 @@ TEST(FibreLength, IsTheSameFromAnyDirection) {
   const auto scene = test::sceneOf(twistedWarp(test::kPlain));
   EXPECT_EQ(directionsThatDiffer(*scene, *test::kPlain.make(*scene)), 0);
   // With a radius, surfaces lie before their axes, and a place has others from each side.
-  const LoomlightMedium thin(*scene, {.finiteRadius = false, .packing = true, .hotSpot = true});
+  const LoomlightMedium thin(scene->cloth, {.finiteRadius = false, .packing = true, .hotSpot = true});
   EXPECT_EQ(directionsThatDiffer(*scene, thin), 0);
 }
 

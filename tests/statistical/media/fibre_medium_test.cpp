@@ -26,8 +26,8 @@ Fabric smallWhiteCloth(FibreLayout layout) {
 TEST(FibreMedium, HasTheFibresTheVolumeWasMadeOf) {
   const Fabric fabric = smallWhiteCloth(FibreLayout::packed);
   const auto scene = test::sceneOf(fabric);
-  const auto fibres = FibreMedium::build(*scene, kNoLimit, Task{});
-  const double estimated = FibreMedium::estimate(*scene).segments;
+  const auto fibres = FibreMedium::build(scene->cloth, kNoLimit, Task{});
+  const double estimated = planFibres(*scene->cloth, {}).segments;
   EXPECT_NEAR(static_cast<double>(fibres->segments()), estimated, 0.05 * estimated);  // the piece cuts the repeat
   EXPECT_GT(fibres->geometryBytes(), 0u);
   EXPECT_GT(fibres->acceleratorBytes(), 0u);
@@ -36,7 +36,7 @@ TEST(FibreMedium, HasTheFibresTheVolumeWasMadeOf) {
 TEST(FibreMedium, RefusesWhatDoesNotFit) {
   const auto scene = test::sceneOf(smallWhiteCloth(FibreLayout::packed));
   try {
-    FibreMedium::build(*scene, 1e6, Task{});
+    FibreMedium::build(scene->cloth, 1e6, Task{});
     FAIL() << "expected an InputError";
   } catch (const InputError& e) {
     EXPECT_NE(std::string(e.what()).find("GiB"), std::string::npos);
@@ -50,8 +50,8 @@ TEST(FibreMedium, CoversWhatTheVolumeCovers) {
     fabric.drape.kind = drape;
     fabric.drape.radius_mm = 3;
     const auto scene = test::sceneOf(fabric);
-    const auto fibres = FibreMedium::build(*scene, kNoLimit, Task{});
-    const VolumeMedium volume(*scene);
+    const auto fibres = FibreMedium::build(scene->cloth, kNoLimit, Task{});
+    const VolumeMedium volume(scene->cloth);
     const CameraRays camera(fabric.camera, 64, 64);
     Random random(3);
     TraceCounts counts;
@@ -84,7 +84,7 @@ test::EventCount eventsOverArea(FibreLayout layout, double packing, double plyTw
   fabric.ends_per_cm = fabric.picks_per_cm = 20;
   fabric.drape.width_mm = fabric.drape.height_mm = 80;  // so that hardly any path finds the edge
   const auto scene = test::sceneOf(fabric);
-  const auto fibres = FibreMedium::build(*scene, {kNoLimit, FibreExtent::oneRepeat}, Task{});
+  const auto fibres = FibreMedium::build(scene->cloth, {kNoLimit, FibreExtent::oneRepeat}, Task{});
   const auto [mean, error] = test::eventsUnderIsotropicLight(*scene, *fibres, 8, 120000, 11);
   const double area = test::lateralOverBoundaryArea(*scene);
   return {mean / area, error / area};
@@ -118,7 +118,7 @@ TEST(FibreMedium, EventCountOfOverlappingFibresIsNearlyThat) {
 TEST(FibreMedium, NothingShadowsLightFromTheEye) {
   const Fabric fabric = smallWhiteCloth(FibreLayout::packed);
   const auto scene = test::sceneOf(fabric);
-  const auto fibres = FibreMedium::build(*scene, kNoLimit, Task{});
+  const auto fibres = FibreMedium::build(scene->cloth, kNoLimit, Task{});
   const CameraRays camera(fabric.camera, 32, 32);
   Random random(2);
   TraceCounts counts;

@@ -30,12 +30,12 @@ TEST(FibreRepeat, OfUntwistedYarnsIsTheWholePieceRayByRay) {
   fabric.yarns[0].hairiness_per_mm = 0;
   fabric.yarns[0].plyTwist_per_m = 0;
   const auto scene = test::sceneOf(fabric);
-  const FibreSize repeat = planFibres(*scene, {1e9, FibreExtent::oneRepeat});
+  const FibreSize repeat = planFibres(*scene->cloth, {1e9, FibreExtent::oneRepeat});
   ASSERT_GT(repeat.copies.x, 1);
   ASSERT_GT(repeat.copies.y, 1);
-  ASSERT_NE(scene->volume->geometry().ends() % repeat.ends, 0);
-  const auto whole = FibreBvh::build(*scene, planFibres(*scene, {}), Task{});
-  const auto copies = FibreBvh::build(*scene, repeat, Task{});
+  ASSERT_NE(scene->cloth->volume->geometry().ends() % repeat.ends, 0);
+  const auto whole = FibreBvh::build(scene->cloth, planFibres(*scene->cloth, {}), Task{});
+  const auto copies = FibreBvh::build(scene->cloth, repeat, Task{});
   Random random(3);
   int met = 0, otherwise = 0;
   for (int i = 0; i < 40000; ++i) {
@@ -99,8 +99,8 @@ TEST(FibreRepeat, GivesTheSameMeanPictureAsTheWholePiece) {
   fabric.camera.fov_deg = 0;
   fabric.camera.distance_mm = 15 / (2 * std::tan(10 * kPi / 180));
   const auto scene = test::sceneOf(fabric);
-  const auto whole = FibreMedium::build(*scene, {}, Task{});
-  const auto copies = FibreMedium::build(*scene, {1e9, FibreExtent::oneRepeat}, Task{});
+  const auto whole = FibreMedium::build(scene->cloth, {}, Task{});
+  const auto copies = FibreMedium::build(scene->cloth, {1e9, FibreExtent::oneRepeat}, Task{});
   ASSERT_TRUE(whole->size().isWholePiece());
   ASSERT_FALSE(copies->size().isWholePiece());
   EXPECT_LT(copies->segments(), 0.6 * static_cast<double>(whole->segments()));
@@ -114,7 +114,7 @@ TEST(FibreRepeat, KeepsTheCountOfEvents) {
   Fabric fabric = cotton(20);
   fabric.yarns[0].hairiness_per_mm = 0;
   const auto scene = test::sceneOf(fabric);
-  const auto copies = FibreMedium::build(*scene, {1e9, FibreExtent::oneRepeat}, Task{});
+  const auto copies = FibreMedium::build(scene->cloth, {1e9, FibreExtent::oneRepeat}, Task{});
   ASSERT_FALSE(copies->size().isWholePiece());
   const double expected = test::lateralOverBoundaryArea(*scene);
   const auto [mean, error] = test::eventsUnderIsotropicLight(*scene, *copies, 4, 6000, 13);

@@ -65,7 +65,7 @@ Colour rendered(const Scene& scene, uint32_t samples) {
 
 Colour rayTraced(const Scene& scene, uint32_t samples) {
   const Fibre& fibre = scene.fabric->fibres[0];
-  const test::GlassFibres glass(scene.volume->geometry(), *scene.shell, fibre.refractiveIndex);
+  const test::GlassFibres glass(scene.cloth->volume->geometry(), *scene.cloth->shell, fibre.refractiveIndex);
   const CameraRays camera(scene.fabric->camera, kSide, kSide);
   return meanColour(samples, [&](int x, int y, uint32_t i) {
     Random random(hashCombine(hashCombine(7, x), y), i);

@@ -18,7 +18,7 @@ TEST(EventCount, IsLateralFibreAreaOverBoundaryArea) {
     fabric.yarns[0].count_tex = count_tex;
     const auto scene = test::sceneOf(fabric);
     const double expected = test::lateralOverBoundaryArea(*scene);
-    const auto events = test::eventsUnderIsotropicLight(*scene, VolumeMedium(*scene), 4, 4000, 7);
+    const auto events = test::eventsUnderIsotropicLight(*scene, VolumeMedium(scene->cloth), 4, 4000, 7);
     EXPECT_NEAR(events.mean, expected, 3.3 * events.standardError + 0.01 * expected) << count_tex << " tex";
     EXPECT_LT(events.standardError, 0.05 * expected);
   }

@@ -55,8 +55,8 @@ TEST(LoomlightMedium, SeesNoShadowWithTheLightBehindTheEye) {
   // way in, so it meets nothing on the way out. The plain volume has forgotten.
   Fabric fabric = openWeave();
   const auto scene = test::sceneOf(fabric);
-  const LoomlightMedium loomlight(*scene);
-  const VolumeMedium plain(*scene);
+  const LoomlightMedium loomlight(scene->cloth);
+  const VolumeMedium plain(scene->cloth);
   const CameraRays camera(fabric.camera, 32, 32);
   Random random(2);
   TraceCounts counts;
@@ -85,7 +85,7 @@ TEST(LoomlightMedium, SeesNoShadowWithTheLightBehindTheEye) {
 TEST(LoomlightMedium, EventCountIsLateralAreaOverBoundaryArea) {
   const auto scene = test::sceneOf(openWeave());
   const double expected = test::lateralOverBoundaryArea(*scene);
-  const auto [mean, error] = test::eventsUnderIsotropicLight(*scene, LoomlightMedium(*scene), 1, 60000, 5);
+  const auto [mean, error] = test::eventsUnderIsotropicLight(*scene, LoomlightMedium(scene->cloth), 1, 60000, 5);
   EXPECT_LT(error, 0.005 * expected);
   EXPECT_NEAR(mean, expected, 0.03 * expected + 2 * error);
 }
@@ -99,10 +99,10 @@ TEST(LoomlightMedium, IsNearerToTheFibresThanThePlainVolume) {
   fabric.camera.elevation_deg = 90;
   fabric.camera.distance_mm = 8;
   const auto scene = test::sceneOf(fabric);
-  const auto fibres = FibreMedium::build(*scene, 4e9, Task{});
+  const auto fibres = FibreMedium::build(scene->cloth, 4e9, Task{});
   const Mean truth = render(*scene, *fibres, 48, 24);
-  const Mean ours = render(*scene, LoomlightMedium(*scene), 48, 24);
-  const Mean plain = render(*scene, VolumeMedium(*scene), 48, 24);
+  const Mean ours = render(*scene, LoomlightMedium(scene->cloth), 48, 24);
+  const Mean plain = render(*scene, VolumeMedium(scene->cloth), 48, 24);
   const double noise = 3 * truth.standardError / truth.radiance;
   EXPECT_LT(std::abs(ours.radiance / truth.radiance - 1), 0.05 + noise);
   EXPECT_LT(std::abs(ours.radiance / truth.radiance - 1), std::abs(plain.radiance / truth.radiance - 1));

@@ -102,7 +102,7 @@ TEST_P(OneLaw, FlightsGetAsFarAsShadowRaysSee) {
   GetParam().medium.askFor(fabric);
   const auto scene = test::sceneOf(fabric);
   const auto medium = GetParam().medium.make(*scene);
-  const FibreBcsdf& bcsdf = *scene->materials[0].bcsdf;
+  const FibreBcsdf& bcsdf = *scene->cloth->materials[0].bcsdf;
   const CameraRays camera(fabric.camera, 1, 1);
   Comparison comparison(*medium, 5);
   Random random(6);

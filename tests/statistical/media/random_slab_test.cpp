@@ -81,9 +81,9 @@ class RandomSlab : public testing::Test {
   glm::dvec3 centre{0};
   double radius = 0, reach = 0, inner = 0, sigma = 0;
   int inside = 0;
-  std::unique_ptr<const Medium> fibres = FibreMedium::build(*scene, {}, Task{});
-  VolumeMedium plain{*scene};
-  LoomlightMedium ours{*scene};
+  std::unique_ptr<const Medium> fibres = FibreMedium::build(scene->cloth, {}, Task{});
+  VolumeMedium plain{scene->cloth};
+  LoomlightMedium ours{scene->cloth};
   const std::pair<const char*, const Medium*> media[3] = {
       {"fibres", fibres.get()}, {"plain volume", &plain}, {"loomlight", &ours}};
 };
@@ -107,7 +107,7 @@ TEST_F(RandomSlab, LetsTheExponentialOfItsDepthThrough) {
 
 TEST_F(RandomSlab, ScattersOnceToFirstOrderInItsDepth) {
   const FibreFrame frame(glm::vec3(0, 1, 0));
-  const FibreBcsdf& bcsdf = *scene->materials[0].bcsdf;
+  const FibreBcsdf& bcsdf = *scene->cloth->materials[0].bcsdf;
   const glm::vec3 wi = frame.toLocal({0, 0, -1}), wo = frame.toLocal({0, 0, 1});  // straight on, across the fibre
   double forward = 0;
   constexpr int kOffsets = 2000;

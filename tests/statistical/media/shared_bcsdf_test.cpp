@@ -61,9 +61,9 @@ std::vector<Collision> collisions(const Scene& scene, const Medium& medium, int 
 // last bit, straight from the lamps and on along the path.
 TEST(SharedBcsdf, IsTheIdenticalForEveryMedium) {
   const auto scene = test::sceneOf(dyedCloth());
-  const auto fibres = FibreMedium::build(*scene, {}, Task{});
-  const VolumeMedium plain(*scene);
-  const LoomlightMedium ours(*scene);
+  const auto fibres = FibreMedium::build(scene->cloth, {}, Task{});
+  const VolumeMedium plain(scene->cloth);
+  const LoomlightMedium ours(scene->cloth);
   const CameraRays camera(scene->fabric->camera, 4, 4);
   const auto rendered = [&](const Medium& medium, const Collision& collision, uint32_t index) {
     TraceCounts counts;
@@ -91,8 +91,8 @@ TEST(SharedBcsdf, IsTheIdenticalForEveryMedium) {
 // x direction, in radii.
 TEST(SharedBcsdf, OffsetsAreThoseOfTheRayFromTheAxis) {
   const auto scene = test::sceneOf(dyedCloth());
-  const auto fibres = FibreMedium::build(*scene, {}, Task{});
-  const LoomlightMedium ours(*scene);
+  const auto fibres = FibreMedium::build(scene->cloth, {}, Task{});
+  const LoomlightMedium ours(scene->cloth);
   const Medium* media[] = {fibres.get(), &ours};
   for (const Medium* medium : media)
     for (const Collision& c : collisions(*scene, *medium, 500)) {

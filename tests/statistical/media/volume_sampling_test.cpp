@@ -70,18 +70,18 @@ TEST(FreeFlights, FitTheExtinctionOfTheirWay) {
     Fabric fabric = test::whiteCotton();
     fabric.drape.kind = drape;
     const auto scene = test::sceneOf(fabric);
-    const VolumeMedium medium(*scene);
+    const VolumeMedium medium(scene->cloth);
     const glm::vec3 direction = glm::normalize(glm::vec3(0.6f, 0.5f, -1));
     const Departure from{{glm::vec3(0.03f, 0.02f, 0) - 20.0f * direction, -1}};
 
     // Optical depth at the end of every voxel on the way.
     std::vector<double> ends, depths;
     walkCloth(
-        *scene, from.place, direction, 1000,
+        *scene->cloth, from.place, direction, 1000,
         [&](const VoxelContent& content, float tEnter, float tLeave, const LocalDrape& local, int) {
           const double before = depths.empty() ? 0 : depths.back();
           ends.push_back(tLeave);
-          depths.push_back(before + VoxelExtinction(*scene, content, local, direction).total() * (tLeave - tEnter));
+          depths.push_back(before + VoxelExtinction(*scene->cloth, content, local, direction).total() * (tLeave - tEnter));
           return true;
         });
     ASSERT_GT(depths.size(), 10u);

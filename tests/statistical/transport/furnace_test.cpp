@@ -90,7 +90,7 @@ TEST_P(WhiteFurnace, ClothIsInvisible) {
   const auto scene = test::sceneOf(fabric);
   ASSERT_TRUE(scene->lighting->wantsSampling());
   std::unique_ptr<const Medium> medium = c.medium.make(*scene);
-  if (c.ingredients) medium = std::make_unique<const LoomlightMedium>(*scene, *c.ingredients);
+  if (c.ingredients) medium = std::make_unique<const LoomlightMedium>(scene->cloth, *c.ingredients);
   // What all media share, weights and densities, is looked at closely where that costs least.
   const bool isFirst = &c.medium == &test::kPlain && c.drape == DrapeKind::flat && c.resolution == 4;
   const test::SampledMean radiance = radianceOf(*scene, *medium, 32, isFirst ? 160 : 12);

@@ -34,7 +34,7 @@ class FirstLook : public testing::Test {
   }
   static Traceable traceable(const Fabric& fabric) {
     const std::shared_ptr<const Scene> scene = test::sceneOf(fabric);
-    return {scene, scene, makeMedium(*scene, 1e9, Task{})};
+    return {scene, makeMedium(*scene, 1e9, Task{})};
   }
   void show(const Fabric& fabric, uint64_t generation, bool draft) {
     tracer.show({traceable(fabric), kWidth, kHeight, generation, draft});

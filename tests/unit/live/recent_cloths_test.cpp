@@ -30,13 +30,12 @@ BuiltCloth built(const Fabric& fabric, const RecentCloths& recent) {
   BuiltCloth cloth;
   Traceable& made = cloth.traceable;
   made.scene = makeScene(std::make_shared<const Fabric>(fabric), Task{}, recent.baseFor(fabric).traceable.scene.get());
-  made.mediumScene = made.scene;
   return cloth;
 }
 
 const ClothVolume* show(const Fabric& fabric, RecentCloths& recent) {
   BuiltCloth cloth = built(fabric, recent);
-  const ClothVolume* volume = cloth.traceable.scene->volume.get();
+  const ClothVolume* volume = cloth.traceable.scene->cloth->volume.get();
   recent.keep(std::move(cloth));
   return volume;
 }
@@ -88,10 +87,12 @@ TEST(RecentCloths, KeepWithinTheirBudget) {
   EXPECT_GT(recent.count(), 2u);
   EXPECT_LT(recent.count(), 8u);
   // What was used last is there still, what was used first is not.
-  const ClothVolume* volume = recent.baseFor(twisted(6)).traceable.scene->volume.get();
+  const ClothVolume* volume = recent.baseFor(twisted(6)).traceable.scene->cloth->volume.get();
   EXPECT_EQ(show(twisted(6), recent), volume);
-  EXPECT_EQ(built(twisted(7), recent).traceable.scene->volume, recent.baseFor(twisted(7)).traceable.scene->volume);
-  EXPECT_NE(built(twisted(0), recent).traceable.scene->volume, recent.baseFor(twisted(0)).traceable.scene->volume);
+  EXPECT_EQ(built(twisted(7), recent).traceable.scene->cloth->volume,
+            recent.baseFor(twisted(7)).traceable.scene->cloth->volume);
+  EXPECT_NE(built(twisted(0), recent).traceable.scene->cloth->volume,
+            recent.baseFor(twisted(0)).traceable.scene->cloth->volume);
 
   RecentCloths none(0);
   show(twisted(0), none);
@@ -119,7 +120,7 @@ TEST(RecentCloths, CountAtLeastWhatTheyTake) {
     fabric.yarns[0].count_tex = 20 + step / 2;
     fabric.weave = twill().weave.with(step % 2, step % 4, step % 3 == 0);
     show(fabric, recent);
-    const auto newest = recent.baseFor(fabric).traceable.scene->volume;
+    const auto newest = recent.baseFor(fabric).traceable.scene->cloth->volume;
     volumes.insert(newest);
     EXPECT_GE(recent.bytes() + brickBytes({newest}), brickBytes(volumes));
   }

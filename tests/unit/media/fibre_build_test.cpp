@@ -34,7 +34,7 @@ TEST(FibreBuild, StopsWithinAStepAlsoInsideEmbree) {
         if (stop.stop_requested()) ++after;
         if (fraction >= at) stop.request_stop();
       };
-      EXPECT_EQ(FibreMedium::build(*scene, {}, task), nullptr) << "stopped at " << at;
+      EXPECT_EQ(FibreMedium::build(scene->cloth, {}, task), nullptr) << "stopped at " << at;
       EXPECT_TRUE(stop.stop_requested());
       EXPECT_LE(after, hardwareThreads());
     }
@@ -49,7 +49,7 @@ TEST(FibreBuild, ComesByInSmallSteps) {
     const std::lock_guard lock(mutex);
     fractions.push_back(fraction);
   };
-  ASSERT_TRUE(FibreMedium::build(*scene, {}, task));
+  ASSERT_TRUE(FibreMedium::build(scene->cloth, {}, task));
   std::sort(fractions.begin(), fractions.end());
   double largest = 0;
   for (size_t i = 1; i < fractions.size(); ++i) largest = std::max(largest, fractions[i] - fractions[i - 1]);
@@ -79,7 +79,7 @@ TEST(FibreBuild, TakesTheMemoryThatWasEstimated) {
       const std::lock_guard lock(mutex);
       most = std::max(most, residentMemory());
     };
-    const auto fibres = FibreMedium::build(*scene, options, task);
+    const auto fibres = FibreMedium::build(scene->cloth, options, task);
     const FibreSize& size = fibres->size();
     EXPECT_NEAR(static_cast<double>(fibres->segments()), size.segments, 0.05 * size.segments);
     const double taken = std::max(most, residentMemory()) - before;

@@ -42,8 +42,8 @@ double fairly(int n) {
 
 TEST(FibreDirection, IsEitherWhereverAVolumeIsMet) {
   const auto scene = test::sceneOf(test::whiteCotton());
-  const VolumeMedium volume(*scene);
-  const LoomlightMedium ours(*scene);
+  const VolumeMedium volume(scene->cloth);
+  const LoomlightMedium ours(scene->cloth);
   for (const Medium* medium : {static_cast<const Medium*>(&volume), static_cast<const Medium*>(&ours)}) {
     // Whichever yarn it is, along x + y it lies one way or the other; and so it does along z, which a yarn climbs.
     int along = 0, upwards = 0;
@@ -58,7 +58,7 @@ TEST(FibreDirection, IsEitherWhereverAVolumeIsMet) {
 
 TEST(FibreDirection, OfAnExplicitFibreIsOneAllAlongIt) {
   const auto scene = test::sceneOf(test::whiteCotton());
-  const auto fibres = FibreMedium::build(*scene, {}, Task{});
+  const auto fibres = FibreMedium::build(scene->cloth, {}, Task{});
   std::map<uint64_t, bool> follows;
   meet(*scene, *fibres, [&](const Collision& c) {
     const System system = std::abs(c.tangent.y) > std::abs(c.tangent.x) ? System::warp : System::weft;

@@ -21,12 +21,12 @@ std::shared_ptr<const BvdfSet> uniformBvdf(float ratio) {
 }
 
 Departure departureFromEye(const Scene& scene) {
-  return {{{0.03f, 0.01f, scene.shell->upper_mm().z + 1}, -1}};
+  return {{{0.03f, 0.01f, scene.cloth->shell->upper_mm().z + 1}, -1}};
 }
 
 TEST(LocalCell, IsTwoLeavesWideHalfOpenAndCutByTheCrossing) {
   const auto scene = test::sceneOf(test::whiteCotton());
-  const ClothVolume& volume = *scene->volume;
+  const ClothVolume& volume = *scene->cloth->volume;
   const VoxelGrid& grid = volume.grid();
   for (int leaf = 0; leaf < 3 * grid.cell.x; ++leaf) {
     const glm::vec3 corner((static_cast<float>(leaf) + 0.5f) * grid.size_mm.x, 0.01f, 0);
@@ -62,7 +62,7 @@ TEST(LocalCell, RaysLeaveItByTheFaceAhead) {
 
 TEST(ReportMedium, CountsEventsAndKnowsTheFirst) {
   const auto scene = test::sceneOf(test::whiteCotton());
-  const ReportMedium medium(*scene, uniformBvdf(1));
+  const ReportMedium medium(scene->cloth, uniformBvdf(1));
   Random random(2);
   TraceCounts counts;
   Departure from = departureFromEye(*scene);
@@ -83,8 +83,8 @@ TEST(ReportMedium, CountsEventsAndKnowsTheFirst) {
 // p = 1 stops all direct light of the first event, but none that comes from the eye; later events do not feel it.
 TEST(ReportMedium, ShadowsDirectLightOfTheFirstEventAlone) {
   const auto scene = test::sceneOf(test::whiteCotton());
-  const ReportMedium dark(*scene, uniformBvdf(1e6f)), open(*scene, uniformBvdf(0));
-  const VolumeMedium plain(*scene);
+  const ReportMedium dark(scene->cloth, uniformBvdf(1e6f)), open(scene->cloth, uniformBvdf(0));
+  const VolumeMedium plain(scene->cloth);
   constexpr auto kFar = std::numeric_limits<float>::infinity();
   TraceCounts counts;
   Random random(3);
@@ -115,8 +115,8 @@ TEST(ReportMedium, WorksOnDrapes) {
   Fabric fabric = test::whiteCotton();
   fabric.drape.kind = DrapeKind::cylinder;
   const auto scene = test::sceneOf(fabric);
-  const ReportMedium open(*scene, uniformBvdf(0)), dark(*scene, uniformBvdf(1e6f));
-  const VolumeMedium plain(*scene);
+  const ReportMedium open(scene->cloth, uniformBvdf(0)), dark(scene->cloth, uniformBvdf(1e6f));
+  const VolumeMedium plain(scene->cloth);
   const CameraRays camera(fabric.camera, 32, 32);
   constexpr auto kFar = std::numeric_limits<float>::infinity();
   TraceCounts counts;

@@ -24,8 +24,8 @@ Fabric wideTwill() {
 // All that fibres depend on repeats after the crossings of one repeat: shapes across and along, phases along.
 TEST(FibreExtent, ARepeatIsOneOfWeaveYarnsAndTwist) {
   const auto scene = test::sceneOf(wideTwill());
-  const ClothGeometry& geometry = scene->volume->geometry();
-  const FibreSize size = planFibres(*scene, {1e9, FibreExtent::oneRepeat});
+  const ClothGeometry& geometry = scene->cloth->volume->geometry();
+  const FibreSize size = planFibres(*scene->cloth, {1e9, FibreExtent::oneRepeat});
   EXPECT_FALSE(size.isWholePiece());
   EXPECT_GE(size.ends, 16);
   EXPECT_GE(size.picks, 16);
@@ -43,32 +43,32 @@ TEST(FibreExtent, ARepeatIsOneOfWeaveYarnsAndTwist) {
 
 TEST(FibreExtent, GoesByTheMemoryWhereNobodySays) {
   const auto scene = test::sceneOf(wideTwill());
-  const FibreSize whole = planFibres(*scene, {});
+  const FibreSize whole = planFibres(*scene->cloth, {});
   EXPECT_TRUE(whole.isWholePiece());
-  EXPECT_EQ(whole.ends, scene->volume->geometry().ends());
-  EXPECT_TRUE(planFibres(*scene, {whole.bytes}).isWholePiece());
-  const FibreSize repeat = planFibres(*scene, {0.999 * whole.bytes});
+  EXPECT_EQ(whole.ends, scene->cloth->volume->geometry().ends());
+  EXPECT_TRUE(planFibres(*scene->cloth, {whole.bytes}).isWholePiece());
+  const FibreSize repeat = planFibres(*scene->cloth, {0.999 * whole.bytes});
   EXPECT_FALSE(repeat.isWholePiece());
   EXPECT_LT(repeat.bytes, 0.1 * whole.bytes);
-  EXPECT_TRUE(planFibres(*scene, {1, FibreExtent::wholePiece}).isWholePiece());
+  EXPECT_TRUE(planFibres(*scene->cloth, {1, FibreExtent::wholePiece}).isWholePiece());
 }
 
 // A piece no larger than its repeat is laid whole, and what is bent has no repeat.
 TEST(FibreExtent, SmallPiecesAndBentOnesAreWhole) {
   Fabric fabric = wideTwill();
   fabric.drape.width_mm = fabric.drape.height_mm = 5;
-  EXPECT_TRUE(planFibres(*test::sceneOf(fabric), {1, FibreExtent::oneRepeat}).isWholePiece());
+  EXPECT_TRUE(planFibres(*test::sceneOf(fabric)->cloth, {1, FibreExtent::oneRepeat}).isWholePiece());
   fabric.drape.kind = DrapeKind::cylinder;
   const auto bent = test::sceneOf(fabric);
-  EXPECT_TRUE(planFibres(*bent, {1}).isWholePiece());
-  EXPECT_THROW(planFibres(*bent, {1, FibreExtent::oneRepeat}), InputError);
+  EXPECT_TRUE(planFibres(*bent->cloth, {1}).isWholePiece());
+  EXPECT_THROW(planFibres(*bent->cloth, {1, FibreExtent::oneRepeat}), InputError);
 }
 
 // However wide the cloth, copies and what is laid grow together, and slowly.
 TEST(FibreExtent, OfWideClothSeveralRepeatsAreLaid) {
   Fabric fabric = wideTwill();
   fabric.drape.width_mm = fabric.drape.height_mm = 10000;
-  const FibreSize size = planFibres(*test::sceneOf(fabric), {1e9});
+  const FibreSize size = planFibres(*test::sceneOf(fabric)->cloth, {1e9});
   EXPECT_LT(size.bytes, 1e9);
   EXPECT_LT(static_cast<double>(size.copies.x) * size.copies.y, 1e6);
 }

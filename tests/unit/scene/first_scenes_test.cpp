@@ -36,15 +36,15 @@ TEST(FirstScenes, AreCompleteAndLeaveTheSceneAsItIs) {
   Shown shown;
   const auto scene = makeScene(fabric, Task{}, nullptr, &shown.first), fresh = makeScene(fabric, Task{});
   ASSERT_FALSE(shown.drafts.empty());
-  EXPECT_TRUE(shown.drafts.front()->volume->geometry().isSketched());
-  EXPECT_FALSE(scene->volume->geometry().isSketched());
-  EXPECT_TRUE(sameBricks(*scene->volume, *fresh->volume));
+  EXPECT_TRUE(shown.drafts.front()->cloth->volume->geometry().isSketched());
+  EXPECT_FALSE(scene->cloth->volume->geometry().isSketched());
+  EXPECT_TRUE(sameBricks(*scene->cloth->volume, *fresh->cloth->volume));
   for (const auto& draft : shown.drafts) {
     EXPECT_EQ(draft->fabric, fabric);
-    EXPECT_TRUE(draft->shell && draft->entry && draft->lighting);
-    EXPECT_EQ(draft->materials.size(), scene->materials.size());
-    EXPECT_EQ(draft->yarns[0].size(), scene->yarns[0].size());
-    EXPECT_EQ(draft->volume->geometry().ends(), scene->volume->geometry().ends());
+    EXPECT_TRUE(draft->cloth->shell && draft->cloth->entry && draft->lighting);
+    EXPECT_EQ(draft->cloth->materials.size(), scene->cloth->materials.size());
+    EXPECT_EQ(draft->cloth->yarns[0].size(), scene->cloth->yarns[0].size());
+    EXPECT_EQ(draft->cloth->volume->geometry().ends(), scene->cloth->volume->geometry().ends());
   }
 }
 
@@ -55,7 +55,7 @@ TEST(FirstScenes, AreNotShownOfWhatIsThere) {
   Shown shown;
   const auto after = makeScene(std::make_shared<const Fabric>(fabric), Task{}, before.get(), &shown.first);
   EXPECT_TRUE(shown.drafts.empty());
-  EXPECT_EQ(after->volume, before->volume);
+  EXPECT_EQ(after->cloth->volume, before->cloth->volume);
 }
 
 TEST(CellsInView, HoldAllThatThePictureShows) {
@@ -66,17 +66,17 @@ TEST(CellsInView, HoldAllThatThePictureShows) {
     fabric.drape.width_mm = fabric.drape.height_mm = 60;
     fabric.drape.radius_mm = 30;
     const auto scene = test::sceneOf(fabric);
-    const ClothGeometry& geometry = scene->volume->geometry();
-    const CellRect rect = cellsInView(fabric.camera, 1.5, geometry, *scene->shell, *scene->entry);
+    const ClothGeometry& geometry = scene->cloth->volume->geometry();
+    const CellRect rect = cellsInView(fabric.camera, 1.5, geometry, *scene->cloth->shell, *scene->cloth->entry);
     EXPECT_LT(rect.picks * rect.ends, geometry.picks() * geometry.ends() / 2);
     const CameraRays camera(fabric.camera, 90, 60);
     int seen = 0;
     for (int y = 0; y < 60; ++y)
       for (int x = 0; x < 90; ++x) {
         const Ray ray = camera.ray(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
-        const auto hit = scene->entry->enter(ray.origin, ray.direction, 0, 1e6f);
+        const auto hit = scene->cloth->entry->enter(ray.origin, ray.direction, 0, 1e6f);
         if (!hit) continue;
-        const glm::vec3 place = scene->shell->toCloth(hit->tet, ray.origin + hit->t * ray.direction);
+        const glm::vec3 place = scene->cloth->shell->toCloth(hit->tet, ray.origin + hit->t * ray.direction);
         ++seen;
         EXPECT_TRUE(rect.contains(static_cast<int>(place.y / geometry.weftPitch_mm()),
                                   static_cast<int>(place.x / geometry.warpPitch_mm())));
@@ -90,10 +90,11 @@ TEST(CellsInView, AreOneWhereNothingIsSeen) {
   fabric.render.resolution = 1;
   const auto scene = test::sceneOf(fabric);
   fabric.camera.target_mm = {500, 0, 0};
-  const CellRect rect = cellsInView(fabric.camera, 1, scene->volume->geometry(), *scene->shell, *scene->entry);
+  const CellRect rect =
+      cellsInView(fabric.camera, 1, scene->cloth->volume->geometry(), *scene->cloth->shell, *scene->cloth->entry);
   EXPECT_LE(rect.picks * rect.ends, 9);
   EXPECT_GE(rect.pick, 0);
-  EXPECT_LT(rect.pick + rect.picks, scene->volume->geometry().picks());
+  EXPECT_LT(rect.pick + rect.picks, scene->cloth->volume->geometry().picks());
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ Image pictureOf(const Fabric& fabric) {
   Film film(kWidth, kHeight);
   Task task;
   task.threads = 1;
-  renderUpTo(2, *scene, VolumeMedium(*scene), CameraRays(fabric.camera, kWidth, kHeight), film, task);
+  renderUpTo(2, *scene, VolumeMedium(scene->cloth), CameraRays(fabric.camera, kWidth, kHeight), film, task);
   return film.toImage(false);
 }
 
@@ -42,10 +42,17 @@ TEST(Blend, OfNothingIsTheYarnsOwnFibre) {
   expectSame(pictureOf(plain), pictureOf(blended(0)));
 }
 
+/// With a fibre of the blended yarn.
+Collision collisionIn(const Scene& scene) {
+  Collision at;
+  at.optics = scene.cloth->yarns[0][0];
+  return at;
+}
+
 TEST(Blend, OfAllIsTheOtherFibre) {
   const auto scene = test::sceneOf(blended(1));
   Random random(7);
-  for (int i = 0; i < 100; ++i) EXPECT_EQ(materialMet(*scene, Collision{}, random), 1);
+  for (int i = 0; i < 100; ++i) EXPECT_EQ(materialMet(collisionIn(*scene), random), 1);
 }
 
 TEST(Blend, LightMeetsEachKindAsOftenAsThereIs) {
@@ -54,10 +61,10 @@ TEST(Blend, LightMeetsEachKindAsOftenAsThereIs) {
   Random random(1);
   int drawn = 0, numbered = 0;
   for (int i = 1; i <= kDraws; ++i) {
-    Collision at;
-    drawn += materialMet(*scene, at, random) == 1;
+    Collision at = collisionIn(*scene);
+    drawn += materialMet(at, random) == 1;
     at.fibre = (uint64_t{1} << 32) + static_cast<uint64_t>(i);
-    numbered += materialMet(*scene, at, random) == 1;
+    numbered += materialMet(at, random) == 1;
   }
   const double sigma = std::sqrt(0.3 * 0.7 / kDraws);
   EXPECT_NEAR(drawn / static_cast<double>(kDraws), 0.3, 4 * sigma);
@@ -68,10 +75,10 @@ TEST(Blend, AnExplicitFibreIsAlwaysOfOneKind) {
   const auto scene = test::sceneOf(blended(0.5));
   Random random(1);
   for (uint64_t fibre = 1; fibre < 50; ++fibre) {
-    Collision at;
+    Collision at = collisionIn(*scene);
     at.fibre = fibre;
-    const int material = materialMet(*scene, at, random);
-    for (int i = 0; i < 5; ++i) EXPECT_EQ(materialMet(*scene, at, random), material);
+    const int material = materialMet(at, random);
+    for (int i = 0; i < 5; ++i) EXPECT_EQ(materialMet(at, random), material);
   }
 }
 

@@ -12,7 +12,7 @@ namespace {
 /// A medium that asks for a stop in the middle of a path, and counts the paths that set out after it.
 class StoppingMedium : public Medium {
  public:
-  StoppingMedium(const Scene& scene, int stopAtPath) : medium_(scene), stopAtPath_(stopAtPath) {}
+  StoppingMedium(const Scene& scene, int stopAtPath) : medium_(scene.cloth), stopAtPath_(stopAtPath) {}
 
   std::optional<Collision> collide(const Departure& from, glm::vec3 direction, Random& random,
                                    TraceCounts& counts) const override {

@@ -75,7 +75,7 @@ constexpr bool kIsLabel = std::is_same_v<Value, std::string>;
 using Picture = std::vector<glm::vec4>;
 
 struct Cloth {
-  std::shared_ptr<const Scene> scene, mediumScene;
+  std::shared_ptr<const Scene> scene;
   std::shared_ptr<const Medium> medium;
 
   Picture picture() const {
@@ -94,13 +94,13 @@ class EveryField : public testing::TestWithParam<test::MediumKind> {
     fabric.render.method = GetParam().method;
     fabric.render.estimator = GetParam().estimator;
     const auto scene = test::sceneOf(fabric);
-    return {scene, scene, GetParam().make(*scene)};
+    return {scene, GetParam().make(*scene)};
   }
   /// As the editor makes it: with all of the cloth before that serves again.
   Cloth edited(const Cloth& before, const Fabric& fabric) const {
     const auto scene = makeScene(std::make_shared<const Fabric>(fabric), Task{}, before.scene.get());
-    if (sameMedium(*before.mediumScene, *scene)) return {scene, before.mediumScene, before.medium};
-    return {scene, scene, GetParam().make(*scene)};
+    if (before.scene->cloth == scene->cloth) return {scene, before.medium};
+    return {scene, GetParam().make(*scene)};
   }
 
   /// Of the object that `select` finds in a fabric.

@@ -17,11 +17,11 @@ class Onlooker final : public Medium {
   explicit Onlooker(const Scene& scene) : scene_(scene) {}
 
   std::optional<Collision> collide(const Departure& from, glm::vec3 d, Random&, TraceCounts&) const override {
-    const float half = scene_.shell->upper_mm().z;
+    const float half = scene_.cloth->shell->upper_mm().z;
     const glm::vec3 o = from.place.world;
     const glm::vec2 in = glm::vec2(o) + (half - o.z) / d.z * glm::vec2(d);
     const glm::vec2 out = glm::vec2(o) + (-half - o.z) / d.z * glm::vec2(d);
-    const glm::vec2 room = glm::vec2(scene_.shell->upper_mm()) - 4 * half;
+    const glm::vec2 room = glm::vec2(scene_.cloth->shell->upper_mm()) - 4 * half;
     const bool inside =
         std::abs(in.x) < room.x && std::abs(in.y) < room.y && std::abs(out.x) < room.x && std::abs(out.y) < room.y;
     wrong += !(o.z > half && d.z < 0 && inside);
@@ -59,7 +59,7 @@ TEST(HalfDome, WhiteClothInAFurnaceReflectsAsPaperDoes) {
   Fabric fabric = halfDomePatch(closed, grid);
   fabric.light.kind = LightKind::furnace;
   const auto scene = test::sceneOf(fabric);
-  const auto measure = measureHalfDome(*scene, VolumeMedium(*scene), grid, 100, Task{});
+  const auto measure = measureHalfDome(*scene, VolumeMedium(scene->cloth), grid, 100, Task{});
   ASSERT_TRUE(measure);
   for (const Rgb& c : measure->radiance)
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(c[i] / paperRadiance(fabric.light), 1, 0.003);
@@ -68,7 +68,7 @@ TEST(HalfDome, WhiteClothInAFurnaceReflectsAsPaperDoes) {
 TEST(HalfDome, IsTheSameForAnyNumberOfThreads) {
   const HalfDomeGrid grid{4, 2};
   const auto scene = test::sceneOf(halfDomePatch(test::whiteCotton(), grid));
-  const VolumeMedium medium(*scene);
+  const VolumeMedium medium(scene->cloth);
   Task one, three;
   one.threads = 1;
   three.threads = 3;

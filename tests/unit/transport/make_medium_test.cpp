@@ -6,7 +6,7 @@
 #include "render/media/fibre_medium.h"
 #include "render/media/loomlight_medium.h"
 #include "render/media/volume_medium.h"
-#include "tests/support/test_cloth.h"
+#include "tests/support/every_medium.h"
 
 namespace loomlight {
 namespace {
@@ -42,24 +42,42 @@ TEST(MakeMedium, FollowsTheSettings) {
 
 // Making fibres takes seconds, so looking from elsewhere or recolouring must not; but no medium may serve a cloth that
 // it was not made of.
-TEST(SameMedium, SurvivesLightCameraAndColourOnly) {
+TEST(TraceData, IsSharedWhereLightCameraOrColourChangeOnly) {
   Fabric fabric = smallCotton();
   fabric.render.method = Method::fibres;
   const auto before = test::sceneOf(fabric);
-  const auto after = [&](auto&& edit) {
+  const auto keeps = [&](auto&& edit) {
     Fabric edited = fabric;
     edit(edited);
-    return makeScene(std::make_shared<const Fabric>(edited), Task{}, before.get());
+    return makeScene(std::make_shared<const Fabric>(edited), Task{}, before.get())->cloth == before->cloth;
   };
-  EXPECT_TRUE(sameMedium(*before, *after([](Fabric& f) { f.camera.azimuth_deg += 10; })));
-  EXPECT_TRUE(sameMedium(*before, *after([](Fabric& f) { f.light.kind = LightKind::dome; })));
-  EXPECT_TRUE(sameMedium(*before, *after([](Fabric& f) { f.fibres[0].absorption_per_mm = Rgb(3.0f); })));
-  EXPECT_FALSE(sameMedium(*before, *after([](Fabric& f) { f.fibres[0].refractiveIndex = 1.4; })));
-  EXPECT_FALSE(sameMedium(*before, *after([](Fabric& f) { f.yarns[0].packing = 0.4; })));
-  EXPECT_FALSE(sameMedium(*before, *after([](Fabric& f) { f.drape.width_mm = 3; })));
-  EXPECT_FALSE(sameMedium(*before, *after([](Fabric& f) { f.drape.kind = DrapeKind::sphere; })));
-  EXPECT_FALSE(sameMedium(*before, *after([](Fabric& f) { f.render.method = Method::volume; })));
-  EXPECT_FALSE(sameMedium(*before, *after([](Fabric& f) { f.render.estimator = Estimator::none; })));
+  EXPECT_TRUE(keeps([](Fabric& f) { f.camera.azimuth_deg += 10; }));
+  EXPECT_TRUE(keeps([](Fabric& f) { f.light.kind = LightKind::dome; }));
+  EXPECT_TRUE(keeps([](Fabric& f) { f.fibres[0].absorption_per_mm = Rgb(3.0f); }));
+  EXPECT_FALSE(keeps([](Fabric& f) { f.fibres[0].refractiveIndex = 1.4; }));
+  EXPECT_FALSE(keeps([](Fabric& f) { f.yarns[0].packing = 0.4; }));
+  EXPECT_FALSE(keeps([](Fabric& f) { f.drape.width_mm = 3; }));
+  EXPECT_FALSE(keeps([](Fabric& f) { f.drape.kind = DrapeKind::sphere; }));
+  EXPECT_FALSE(keeps([](Fabric& f) { f.render.method = Method::volume; }));
+  EXPECT_FALSE(keeps([](Fabric& f) { f.render.estimator = Estimator::none; }));
+}
+
+// A medium holds what it traces light through, so it may outlive the scene that it was made for.
+TEST(TraceData, OutlivesItsSceneInTheMedium) {
+  for (const test::MediumKind& kind : {test::kPlain, test::kReport, test::kLoomlight, test::kFibres}) {
+    Fabric fabric = smallCotton();
+    kind.askFor(fabric);
+    auto scene = test::sceneOf(fabric);
+    const std::weak_ptr<const Scene> watched = scene;
+    const auto medium = kind.make(*scene);
+    scene.reset();
+    EXPECT_TRUE(watched.expired()) << kind;
+    Random random(1);
+    TraceCounts counts;
+    const glm::vec3 down(0, 0, -1);
+    for (int i = 0; i < 100; ++i) (void)medium->collide({{-5.0f * down, -1}}, down, random, counts);
+    EXPECT_GT(counts.events, 0u) << kind;
+  }
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ class ReproducibleFilm : public testing::Test {
     Film film(kWidth, kHeight);
     Task task;
     task.threads = threads;
-    renderUpTo(samples, *scene_, VolumeMedium(*scene_), camera_, film, task, first);
+    renderUpTo(samples, *scene_, VolumeMedium(scene_->cloth), camera_, film, task, first);
     return film;
   }
   std::shared_ptr<const Scene> scene_ = test::sceneOf(dyedCotton());
@@ -45,7 +45,7 @@ std::unique_ptr<const Medium> made(const test::MediumKind& kind, const Scene& sc
   if (kind.estimator != Estimator::report) return kind.make(scene, threads);
   const BvdfOptions few{{4, 4, 8, 16}, 100'000};
   const BvdfCache none{std::filesystem::path()};
-  return std::make_unique<const ReportMedium>(scene, bakeBvdf(*scene.fabric, few, none, Task{{}, {}, threads}));
+  return std::make_unique<const ReportMedium>(scene.cloth, bakeBvdf(*scene.fabric, few, none, Task{{}, {}, threads}));
 }
 
 // From the fabric on: scene, fibres, tables of visibility and samples are all made by so many threads.
@@ -91,7 +91,7 @@ TEST_F(ReproducibleFilm, WhenContinued) {
   Film film = render(2, 2);
   Task task;
   task.threads = 2;
-  renderUpTo(6, *scene_, VolumeMedium(*scene_), camera_, film, task);
+  renderUpTo(6, *scene_, VolumeMedium(scene_->cloth), camera_, film, task);
   expectSame(film, render(6, 1));
 }
 

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "core/fabric/model/fabric.h"
+#include "core/shell/shell.h"
+#include "core/volume/traverse/cloth_volume.h"
+#include "render/optics/bcsdf.h"
+
+namespace loomlight {
+
+class ShellEntry;
+
+/// What light does at the fibres of one material. Colour is apart: Scene::absorption_per_mm.
+struct Material {
+  std::shared_ptr<const FibreBcsdf> bcsdf;
+  float refractiveIndex = 1;
+
+  bool operator==(const Material&) const = default;
+};
+
+/// What light meets in a yarn beside the statistics of its components, per Fabric::yarns and system.
+struct YarnOptics {
+  int material = 0;          ///< index into TraceData::materials
+  bool packed = false;       ///< FibreLayout::packed: its fibres do not overlap
+  float fibreRadius_mm = 0;  ///< of the geometry; differs between warp and weft by less than a rounding of fibre counts
+  int blendMaterial = 0;     ///< the second material of a blended yarn (Yarn::blendFibre)
+  float blendShare = 0;      ///< how many of its fibres are of that one, by number, 0..1; 0: no blend
+
+  bool operator==(const YarnOptics&) const = default;
+};
+
+/// All of a scene that decides where light goes inside of the cloth, and nothing of what colour it has or where it
+/// comes from. Flat and immutable; media share it, so that they outlive the scene that they were made for. Scenes that
+/// differ in light, camera or colour alone share one, so a medium serves every scene that has the very TraceData it was
+/// made of.
+struct TraceData {
+  std::shared_ptr<const ClothVolume> volume;
+  std::shared_ptr<const Shell> shell;
+  std::shared_ptr<const ShellEntry> entry;
+  std::vector<Material> materials;               ///< [index into Fabric::fibres]
+  std::array<std::vector<YarnOptics>, 2> yarns;  ///< [system][index into Fabric::yarns]
+  /// Which medium RenderSettings ask for, and how it chooses the fibre of an event.
+  Method method = Method::volume;
+  Estimator estimator = Estimator::loomlight;
+  EventLaw eventLaw = EventLaw::projected;
+
+  bool operator==(const TraceData&) const = default;
+};
+
+}  // namespace loomlight
