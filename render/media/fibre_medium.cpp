@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "render/media/fibre_exit.h"
 #include "render/media/fibre_tangent.h"
+#include "render/media/path_through.h"
 #include "render/scene/fibre_bvh.h"
 
 namespace loomlight {
@@ -25,8 +26,8 @@ void expectWithin(const FibreSize& size, double limit_bytes) {
                   limit_bytes / kGiB));
 }
 
-FibreRay rayFrom(const Departure& from, glm::vec3 direction, float length_mm) {
-  return {from.place.world, direction, length_mm, from.fibre, from.clearance_mm};
+FibreRay rayFrom(const ScenePoint& from, const FibreMedium::Memory& leaving, glm::vec3 direction, float length_mm) {
+  return {from.world, direction, length_mm, leaving.fibre, leaving.clearance_mm};
 }
 
 }  // namespace
@@ -57,14 +58,17 @@ size_t FibreMedium::acceleratorBytes() const {
   return bvh_->acceleratorBytes();
 }
 
-std::optional<Collision> FibreMedium::collide(const Departure& from, glm::vec3 direction, Random&,
+std::unique_ptr<MediumPath> FibreMedium::path() const {
+  return std::make_unique<PathThrough<FibreMedium>>(*this);
+}
+
+std::optional<Collision> FibreMedium::collide(const ScenePoint& from, Memory& memory, glm::vec3 direction, Random&,
                                               TraceCounts& counts) const {
   ++counts.rays;
-  const auto hit = bvh_->meet(rayFrom(from, direction, std::numeric_limits<float>::infinity()));
+  const auto hit = bvh_->meet(rayFrom(from, memory, direction, std::numeric_limits<float>::infinity()));
   if (!hit) return std::nullopt;
-  ++counts.events;
   Collision c;
-  c.place = {from.place.world + hit->distance_mm * direction, -1};
+  c.place = {from.world + hit->distance_mm * direction, -1};
   c.distance_mm = hit->distance_mm;
   c.incoming = direction;
   Random root(~hit->fibre);  // apart from the number that decides its material
@@ -75,26 +79,26 @@ std::optional<Collision> FibreMedium::collide(const Departure& from, glm::vec3 d
   c.offset = width > 0 ? std::clamp(glm::dot(across, hit->normal) / width, -1.0f, 1.0f) : 0.0f;
   c.normal = hit->normal;
   c.fibre = hit->fibre;
-  c.events = from.events + 1;
   c.end = hit->end;
   c.pick = hit->pick;
-  c.yarn = cloth_->volume->geometry().yarnIndex(hit->system, hit->system == System::warp ? hit->end : hit->pick);
+  c.thread = {hit->system, hit->system == System::warp ? hit->end : hit->pick};
+  c.yarn = cloth_->volume->geometry().yarnIndex(c.thread.system, c.thread.index);
   c.optics = cloth_->yarns[static_cast<int>(hit->system)][c.yarn];
   c.axis = c.place.world - c.optics.fibreRadius_mm * hit->normal;
+  Random kind(mixBits(hit->fibre));  // a fibre is what it is, whoever meets it
+  c.material = drawMaterial(c.optics, kind);
+  memory = {hit->fibre, kOwnFibreRadii * c.optics.fibreRadius_mm};
   return c;
 }
 
-float FibreMedium::transmittance(const Departure& from, glm::vec3 direction, float distance, Random&,
-                                 TraceCounts& counts) const {
-  ++counts.rays;
-  return bvh_->isFree(rayFrom(from, direction, distance)) ? 1.0f : 0.0f;
+glm::vec3 FibreMedium::exit(const Collision& met, glm::vec3 wi, int order) const {
+  return met.optics.packed ? fibreExit(*cloth_, met, wi, order) : met.place.world;
 }
 
-Departure FibreMedium::leave(const Collision& collision, glm::vec3 wi, int order) const {
-  const float radius = collision.optics.fibreRadius_mm;
-  Departure departure{collision.place, collision.events, collision.fibre, kOwnFibreRadii * radius};
-  if (collision.optics.packed) departure.place.world = fibreExit(*cloth_, collision, wi, order);
-  return departure;
+float FibreMedium::transmittance(const ScenePoint& from, const Memory& memory, glm::vec3 direction, float distance,
+                                 Random&, TraceCounts& counts) const {
+  ++counts.rays;
+  return bvh_->isFree(rayFrom(from, memory, direction, distance)) ? 1.0f : 0.0f;
 }
 
 }  // namespace loomlight

@@ -33,11 +33,18 @@ class FibreMedium final : public Medium {
   size_t geometryBytes() const;
   size_t acceleratorBytes() const;  ///< as Embree reports its allocations
 
-  std::optional<Collision> collide(const Departure& from, glm::vec3 direction, Random& random,
-                                   TraceCounts& counts) const override;
-  float transmittance(const Departure& from, glm::vec3 direction, float distance, Random& random,
-                      TraceCounts& counts) const override;
-  Departure leave(const Collision& collision, glm::vec3 wi, int order) const override;
+  /// The fibre that a path leaves.
+  struct Memory {
+    uint64_t fibre = 0;      ///< 0: none
+    float clearance_mm = 0;  ///< within this distance it is not met again
+  };
+
+  std::unique_ptr<MediumPath> path() const override;
+  std::optional<Collision> collide(const ScenePoint& from, Memory& memory, glm::vec3 direction, Random&,
+                                   TraceCounts& counts) const;
+  glm::vec3 exit(const Collision& met, glm::vec3 wi, int order) const;
+  float transmittance(const ScenePoint& from, const Memory& memory, glm::vec3 direction, float distance, Random&,
+                      TraceCounts& counts) const;
 
  private:
   FibreMedium(std::shared_ptr<const TraceData> cloth, const FibreSize& size, std::unique_ptr<const FibreBvh> bvh);

@@ -7,7 +7,7 @@
 #include "render/media/cloth_walk.h"
 #include "render/media/fibre_exit.h"
 #include "render/media/fibre_tangent.h"
-#include "render/media/met_fibre.h"
+#include "render/media/path_through.h"
 #include "render/media/voxel_extinction.h"
 #include "render/optics/fibre_frame.h"
 
@@ -38,26 +38,26 @@ struct AntitheticPoints {
 /// from: that one is met for itself, so a voxel must not count it again.
 class Unknown {
  public:
-  Unknown(const Departure& from, const ShellSegment& s, const VoxelGrid& grid, glm::mat3 toCloth)
-      : from_(from),
+  Unknown(const LoomlightMedium::Memory& memory, const ShellSegment& s, const VoxelGrid& grid, glm::mat3 toCloth)
+      : memory_(memory),
         grid_(grid),
-        before_(s.clothOrigin + toCloth * (from.before.axis - s.origin), glm::normalize(toCloth * from.before.tangent),
-                from.before.radius_mm, grid_) {}
+        before_(s.clothOrigin + toCloth * (memory.before.axis - s.origin),
+                glm::normalize(toCloth * memory.before.tangent), memory.before.radius_mm, grid_) {}
 
   float share(const FibreDistribution& fibres, float radius_mm, bool packed, Thread thread, glm::vec3 point,
               glm::ivec3 voxel) const {
     float absent = 0;
-    for (const Flight& flight : from_.flights)
+    for (const Flight& flight : memory_.flights)
       if (flight.length_mm > 0)
         absent = std::max(absent, knownAbsent(flight, point, fibres.direction, fibres.spread, radius_mm));
     float before = 0;
-    if (from_.before.radius_mm > 0 && thread == from_.before.thread && packed)
+    if (memory_.before.radius_mm > 0 && thread == memory_.before.thread && packed)
       before = std::min(1.0f, before_.lengthDensity(grid_.lower_mm(voxel)) / fibres.lengthDensity);
     return (1 - absent) * (1 - before);
   }
 
  private:
-  const Departure& from_;
+  const LoomlightMedium::Memory& memory_;
   const VoxelGrid& grid_;
   FibreInVoxels before_;
 };
@@ -124,11 +124,11 @@ glm::mat3 LoomlightMedium::toClothOf(const ShellSegment& s) const {
 
 /// Calls onStretch(const Stretch&) along the ray, in order, until it returns false; true if it never did.
 template <class OnStretch>
-bool LoomlightMedium::advance(const Departure& from, glm::vec3 direction, float tMax, TraceCounts& counts,
-                              OnStretch&& onStretch) const {
+bool LoomlightMedium::advance(const ScenePoint& from, const Memory& memory, glm::vec3 direction, float tMax,
+                              TraceCounts& counts, OnStretch&& onStretch) const {
   constexpr float kFullest = 0.9f;  // of space; no gap is so narrow that light could not be in it
-  return walkShell(*cloth_, from.place, direction, tMax, [&](const ShellSegment& s) {
-    const Unknown unknown(from, s, cloth_->volume->grid(), toClothOf(s));
+  return walkShell(*cloth_, from, direction, tMax, [&](const ShellSegment& s) {
+    const Unknown unknown(memory, s, cloth_->volume->grid(), toClothOf(s));
     float last = -1, filled = 0;  // where the voxel before ended, and how much of it is fibre
     // The axes lie ahead of the light: u is where they are, t where the light is.
     return cloth_->volume->march(
@@ -156,12 +156,12 @@ bool LoomlightMedium::advance(const Departure& from, glm::vec3 direction, float 
 }
 
 /// Which fibre is met at t.
-Collision LoomlightMedium::meet(const Departure& from, glm::vec3 direction, const Stretch& stretch, float t,
+Collision LoomlightMedium::meet(const ScenePoint& from, glm::vec3 direction, const Stretch& stretch, float t,
                                 Random& random) const {
   const ShellSegment& s = stretch.segment;
   Collision c;
   c.distance_mm = t;
-  c.place = {from.place.world + t * direction, s.tet};
+  c.place = {from.world + t * direction, s.tet};
   c.normal = s.drape.normal();
   const auto take = [&](const VoxelExtinction& voxel, const VoxelContent& content) {
     const VoxelExtinction::Entry& entry = voxel.choose(random.uniform(), EventLaw::projected);
@@ -209,15 +209,19 @@ Collision LoomlightMedium::meet(const Departure& from, glm::vec3 direction, cons
   return c;
 }
 
-std::optional<Collision> LoomlightMedium::collide(const Departure& from, glm::vec3 direction, Random& random,
-                                                  TraceCounts& counts) const {
+std::unique_ptr<MediumPath> LoomlightMedium::path() const {
+  return std::make_unique<PathThrough<LoomlightMedium>>(*this);
+}
+
+std::optional<Collision> LoomlightMedium::collide(const ScenePoint& from, Memory& memory, glm::vec3 direction,
+                                                  Random& random, TraceCounts& counts) const {
   constexpr float kNever = std::numeric_limits<float>::infinity();
   ++counts.rays;
-  const float toBefore = ingredients_.hotSpot ? distanceTo(from.before, from.place.world, direction) : kNever;
+  const float toBefore = ingredients_.hotSpot ? distanceTo(memory.before, from.world, direction) : kNever;
   float opticalDepth = -std::log(1 - random.uniform());
   std::optional<Collision> met;
-  int tet = from.place.tet;
-  advance(from, direction, toBefore, counts, [&](const Stretch& stretch) {
+  int tet = from.tet;
+  advance(from, memory, direction, toBefore, counts, [&](const Stretch& stretch) {
     tet = stretch.segment.tet;
     const float depth = stretch.depth();
     if (opticalDepth >= depth) {
@@ -233,42 +237,35 @@ std::optional<Collision> LoomlightMedium::collide(const Departure& from, glm::ve
   });
   if (!met) {
     if (toBefore == kNever) return std::nullopt;
-    met = collisionWith(from.before, {from.place.world + toBefore * direction, tet}, direction, *cloth_);
+    met = collisionWith(memory.before, {from.world + toBefore * direction, tet}, direction, *cloth_);
     met->distance_mm = toBefore;
   }
   met->incoming = direction;
-  met->events = from.events + 1;
-  met->before = from.leaving;
-  met->earlier = from.flights[0];
-  ++counts.events;
+  met->material = drawMaterial(met->optics, random);
+  if (ingredients_.hotSpot) {
+    memory.before = memory.leaving;
+    memory.leaving = {met->axis, met->tangent, met->optics.fibreRadius_mm, met->thread, met->yarn, met->end, met->pick};
+    memory.flights = {Flight{met->place.world, direction, met->distance_mm}, memory.flights[0]};
+  }
   return met;
 }
 
-float LoomlightMedium::transmittance(const Departure& from, glm::vec3 direction, float distance, Random& random,
-                                     TraceCounts& counts) const {
+float LoomlightMedium::transmittance(const ScenePoint& from, const Memory& memory, glm::vec3 direction, float distance,
+                                     Random& random, TraceCounts& counts) const {
   ++counts.rays;
-  if (ingredients_.hotSpot && distanceTo(from.before, from.place.world, direction) < distance) return 0;
+  if (ingredients_.hotSpot && distanceTo(memory.before, from.world, direction) < distance) return 0;
   constexpr float kExactDepth = 4.0f;
   const float deepest = kExactDepth - std::log(1 - random.uniform());
   float depth = 0;
-  const bool through = advance(from, direction, distance, counts, [&](const Stretch& stretch) {
+  const bool through = advance(from, memory, direction, distance, counts, [&](const Stretch& stretch) {
     depth += stretch.depth();
     return depth < deepest;
   });
   return through ? std::exp(-std::min(depth, kExactDepth)) : 0.0f;
 }
 
-Departure LoomlightMedium::leave(const Collision& c, glm::vec3 wi, int order) const {
-  Departure departure;
-  departure.place = c.place;
-  departure.events = c.events;
-  if (ingredients_.packing && c.optics.packed) departure.place.world = fibreExit(*cloth_, c, wi, order);
-  if (ingredients_.hotSpot) {
-    departure.leaving = {c.axis, c.tangent, c.optics.fibreRadius_mm, c.thread, c.yarn, c.end, c.pick};
-    departure.before = c.before;
-    departure.flights = {Flight{c.place.world, c.incoming, c.distance_mm}, c.earlier};
-  }
-  return departure;
+glm::vec3 LoomlightMedium::exit(const Collision& met, glm::vec3 wi, int order) const {
+  return ingredients_.packing && met.optics.packed ? fibreExit(*cloth_, met, wi, order) : met.place.world;
 }
 
 }  // namespace loomlight

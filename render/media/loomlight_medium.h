@@ -1,8 +1,9 @@
 #pragma once
 
+#include <array>
 #include <memory>
 
-#include "render/media/medium.h"
+#include "render/media/met_fibre.h"
 
 namespace loomlight {
 
@@ -41,19 +42,26 @@ class LoomlightMedium final : public Medium {
   LoomlightMedium(std::shared_ptr<const TraceData> cloth, Ingredients ingredients);
   explicit LoomlightMedium(std::shared_ptr<const TraceData> cloth) : LoomlightMedium(std::move(cloth), Ingredients{}) {}
 
-  std::optional<Collision> collide(const Departure& from, glm::vec3 direction, Random& random,
-                                   TraceCounts& counts) const override;
-  float transmittance(const Departure& from, glm::vec3 direction, float distance, Random& random,
-                      TraceCounts& counts) const override;
-  Departure leave(const Collision& collision, glm::vec3 wi, int order) const override;
+  /// What is known of the fibres around a path; nothing without the hot spot.
+  struct Memory {
+    MetFibre leaving, before;         ///< the last fibre that it met, and the one before
+    std::array<Flight, 2> flights{};  ///< to both, the newest first
+  };
+
+  std::unique_ptr<MediumPath> path() const override;
+  std::optional<Collision> collide(const ScenePoint& from, Memory& memory, glm::vec3 direction, Random& random,
+                                   TraceCounts& counts) const;
+  glm::vec3 exit(const Collision& met, glm::vec3 wi, int order) const;
+  float transmittance(const ScenePoint& from, const Memory& memory, glm::vec3 direction, float distance, Random& random,
+                      TraceCounts& counts) const;
 
  private:
   struct Stretch;
   glm::mat3 toClothOf(const ShellSegment& segment) const;  ///< d cloth / d world
   template <class OnStretch>
-  bool advance(const Departure& from, glm::vec3 direction, float tMax, TraceCounts& counts,
+  bool advance(const ScenePoint& from, const Memory& memory, glm::vec3 direction, float tMax, TraceCounts& counts,
                OnStretch&& onStretch) const;
-  Collision meet(const Departure& from, glm::vec3 direction, const Stretch& stretch, float t, Random& random) const;
+  Collision meet(const ScenePoint& from, glm::vec3 direction, const Stretch& stretch, float t, Random& random) const;
 
   std::shared_ptr<const TraceData> cloth_;
   Ingredients ingredients_;

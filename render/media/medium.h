@@ -1,7 +1,7 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 
 #include "core/base/random.h"
@@ -31,22 +31,6 @@ struct Thread {
   bool operator==(const Thread&) const = default;
 };
 
-/// A fibre that light has met: nearby, a straight cylinder.
-struct MetFibre {
-  glm::vec3 axis{0};
-  glm::vec3 tangent{1, 0, 0};
-  float radius_mm = 0;  ///< 0: none
-  Thread thread;
-  int yarn = 0, end = 0, pick = 0;
-};
-
-/// A flight that ended at a collision: a way now known to be free of fibres.
-struct Flight {
-  glm::vec3 end{0};
-  glm::vec3 direction{0, 0, -1};
-  float length_mm = 0;  ///< 0: none
-};
-
 /// A scattering event: where a ray met a fibre, and which.
 struct Collision {
   ScenePoint place;
@@ -55,48 +39,53 @@ struct Collision {
   glm::vec3 tangent{1, 0, 0};
   float offset = 0;           ///< h: where across the fibre, -1..1
   glm::vec3 normal{0, 0, 1};  ///< of the cloth's face; of the fibre's surface where fibres are explicit
-  YarnOptics optics;
-  Thread thread;          ///< whose fibre it is; media that remember it
-  int yarn = 0;           ///< index into Fabric::yarns
-  int end = 0, pick = 0;  ///< the crossing cell
-  int events = 1;         ///< fibres met on the path so far, this one included
-  glm::vec3 axis{0};      ///< nearest point of the fibre's axis; media whose fibres have a radius
-  MetFibre before;        ///< the fibre that the flight came from; media that remember it
-  Flight earlier;         ///< the flight to that fibre; media that remember it
-  uint64_t fibre = 0;     ///< which; explicit fibres only
+  glm::vec3 axis{0};          ///< nearest point of the fibre's axis; media whose fibres have a radius
+  YarnOptics optics;          ///< of its yarn
+  int material = 0;           ///< of this fibre: that of the yarn, or in a blend one of its two
+  Thread thread;              ///< whose fibre it is
+  int yarn = 0;               ///< index into Fabric::yarns
+  int end = 0, pick = 0;      ///< the crossing cell
+  uint64_t fibre = 0;         ///< which; explicit fibres only
 };
 
-/// Where light sets out: from the eye, or from the fibre that it has just left.
-struct Departure {
-  ScenePoint place;
-  int events = 0;          ///< fibres met on the path so far
-  uint64_t fibre = 0;      ///< the fibre it leaves; 0: none, or unknown
-  float clearance_mm = 0;  ///< within this distance that fibre is not met again
-  /// Media that remember them: the fibre it leaves, the one before, and the flights to both, the newest first.
-  MetFibre leaving{}, before{};
-  std::array<Flight, 2> flights{};
+/// Which material a fibre of the yarn is of. The fibres of a blend (melange) are mixed evenly, so a volume needs no
+/// voxels of its own for it: every fibre that is met is of the second kind with the share that its kind has.
+inline int drawMaterial(const YarnOptics& yarn, Random& random) {
+  return yarn.blendShare > 0 && random.uniform() < yarn.blendShare ? yarn.blendMaterial : yarn.material;
+}
+
+/// One path on its way through a medium, with all that this medium remembers of it. Its flights follow each other:
+/// begin(), then collide() and leave() in turn until nothing is met any more. Between leave() and the next collide()
+/// any number of shadow rays may be cast from where it stands, and it may leave the same collision again, another way.
+class MediumPath {
+ public:
+  virtual ~MediumPath() = default;
+
+  /// A new path, which sets out from there and knows nothing yet.
+  virtual void begin(const ScenePoint& from) = 0;
+  /// The first fibre along a ray; nullopt when the ray leaves the scene. `direction` is unit.
+  virtual std::optional<Collision> collide(glm::vec3 direction, Random& random, TraceCounts& counts) = 0;
+  /// Goes to where light that takes mode `order` (p) out of the fibre just met into direction wi sets out again.
+  virtual void leave(const Collision& met, glm::vec3 wi, int order) = 0;
+  /// An unbiased estimate of the probability that a ray from here meets no fibre within `distance`.
+  virtual float transmittance(glm::vec3 direction, float distance, Random& random, TraceCounts& counts) const = 0;
+
+  virtual const ScenePoint& place() const = 0;            ///< where it stands
+  virtual std::unique_ptr<MediumPath> clone() const = 0;  ///< to go on two ways from here
 };
 
-/// The cloth, as light meets it: everything a path asks of it, and nothing about how it is stored. Immutable, and safe
-/// to ask from many threads.
+/// The cloth, as light meets it: everything that paths ask of it, and nothing about how it is stored. Immutable, and
+/// safe to ask from many threads.
 class Medium {
  public:
   virtual ~Medium() = default;
 
-  /// The first fibre along a ray; nullopt when the ray leaves the scene. `direction` is unit.
-  virtual std::optional<Collision> collide(const Departure& from, glm::vec3 direction, Random& random,
-                                           TraceCounts& counts) const = 0;
-
-  /// An unbiased estimate of the probability that a ray meets no fibre within `distance`.
-  virtual float transmittance(const Departure& from, glm::vec3 direction, float distance, Random& random,
-                              TraceCounts& counts) const = 0;
+  /// A path through it, for one thread and as many paths after each other as it likes. The medium must outlive it.
+  virtual std::unique_ptr<MediumPath> path() const = 0;
 
   /// Whether light that comes straight from a lamp to the first fibre of a path is seen by transmittance() alone,
   /// whatever the flight that goes on from there meets: the report's way. False where both are one law.
   virtual bool seesDirectLightApart() const { return false; }
-
-  /// Where light that takes mode `order` (p) out of the fibre into direction wi sets out again.
-  virtual Departure leave(const Collision& collision, glm::vec3 wi, int order) const = 0;
 };
 
 }  // namespace loomlight

@@ -1,6 +1,7 @@
 #include "render/media/report_medium.h"
 
 #include "render/bvdf/local_cell.h"
+#include "render/media/path_through.h"
 
 namespace loomlight {
 namespace {
@@ -25,27 +26,25 @@ float distanceThroughCell(const TraceData& data, const ScenePoint& from, glm::ve
 ReportMedium::ReportMedium(std::shared_ptr<const TraceData> cloth, std::shared_ptr<const BvdfSet> bvdf)
     : cloth_(std::move(cloth)), volume_(cloth_, EventLaw::report), bvdf_(std::move(bvdf)) {}
 
-std::optional<Collision> ReportMedium::collide(const Departure& from, glm::vec3 direction, Random& random,
-                                               TraceCounts& counts) const {
-  return volume_.collide(from, direction, random, counts);
+std::unique_ptr<MediumPath> ReportMedium::path() const {
+  return std::make_unique<PathThrough<ReportMedium>>(*this);
 }
 
-Departure ReportMedium::leave(const Collision& collision, glm::vec3 wi, int order) const {
-  Departure departure = volume_.leave(collision, wi, order);
-  departure.leaving.tangent = collision.tangent;
-  departure.leaving.yarn = collision.yarn;
-  departure.flights[0].direction = collision.incoming;
-  return departure;
+std::optional<Collision> ReportMedium::collide(const ScenePoint& from, Memory& memory, glm::vec3 direction,
+                                               Random& random, TraceCounts& counts) const {
+  VolumeMedium::Memory none;
+  const auto met = volume_.collide(from, none, direction, random, counts);
+  if (met) memory = {memory.events + 1, met->yarn, met->tangent, direction};
+  return met;
 }
 
-float ReportMedium::transmittance(const Departure& from, glm::vec3 direction, float distance, Random& random,
-                                  TraceCounts& counts) const {
-  if (from.events != 1) return volume_.transmittance(from, direction, distance, random, counts);
-  const glm::mat3 frame = eventFrame(normalAt(*cloth_->shell, from.place), from.leaving.tangent);
-  const float visible =
-      1 - bvdf_->of(from.leaving.yarn).occlusion(direction * frame, -from.flights[0].direction * frame);
+float ReportMedium::transmittance(const ScenePoint& from, const Memory& memory, glm::vec3 direction, float distance,
+                                  Random& random, TraceCounts& counts) const {
+  if (memory.events != 1) return volume_.transmittance(from, {}, direction, distance, random, counts);
+  const glm::mat3 frame = eventFrame(normalAt(*cloth_->shell, from), memory.tangent);
+  const float visible = 1 - bvdf_->of(memory.yarn).occlusion(direction * frame, -memory.incoming * frame);
   if (visible <= 0) return 0;
-  const float cell_mm = distanceThroughCell(*cloth_, from.place, direction);
+  const float cell_mm = distanceThroughCell(*cloth_, from, direction);
   return visible * volume_.transmittanceBeyond(cell_mm, from, direction, distance, random, counts);
 }
 

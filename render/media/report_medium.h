@@ -16,13 +16,21 @@ class ReportMedium final : public Medium {
  public:
   ReportMedium(std::shared_ptr<const TraceData> cloth, std::shared_ptr<const BvdfSet> bvdf);
 
-  std::optional<Collision> collide(const Departure& from, glm::vec3 direction, Random& random,
-                                   TraceCounts& counts) const override;
-  /// From the first event: direct light. As exact as that of VolumeMedium.
-  float transmittance(const Departure& from, glm::vec3 direction, float distance, Random& random,
-                      TraceCounts& counts) const override;
+  /// The last fibre of a path, and how the path came to it.
+  struct Memory {
+    int events = 0;  ///< fibres met so far
+    int yarn = 0;    ///< index into Fabric::yarns
+    glm::vec3 tangent{1, 0, 0}, incoming{0, 0, -1};
+  };
+
+  std::unique_ptr<MediumPath> path() const override;
   bool seesDirectLightApart() const override { return true; }
-  Departure leave(const Collision& collision, glm::vec3 wi, int order) const override;
+  std::optional<Collision> collide(const ScenePoint& from, Memory& memory, glm::vec3 direction, Random& random,
+                                   TraceCounts& counts) const;
+  glm::vec3 exit(const Collision& met, glm::vec3, int) const { return met.place.world; }
+  /// From the first event: direct light. As exact as that of VolumeMedium.
+  float transmittance(const ScenePoint& from, const Memory& memory, glm::vec3 direction, float distance, Random& random,
+                      TraceCounts& counts) const;
 
  private:
   std::shared_ptr<const TraceData> cloth_;

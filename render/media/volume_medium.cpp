@@ -5,16 +5,21 @@
 
 #include "render/media/cloth_walk.h"
 #include "render/media/fibre_tangent.h"
+#include "render/media/path_through.h"
 #include "render/media/voxel_extinction.h"
 
 namespace loomlight {
 
-std::optional<Collision> VolumeMedium::collide(const Departure& from, glm::vec3 direction, Random& random,
+std::unique_ptr<MediumPath> VolumeMedium::path() const {
+  return std::make_unique<PathThrough<VolumeMedium>>(*this);
+}
+
+std::optional<Collision> VolumeMedium::collide(const ScenePoint& from, Memory&, glm::vec3 direction, Random& random,
                                                TraceCounts& counts) const {
   float opticalDepth = -std::log(1 - random.uniform());
   std::optional<Collision> collision;
   ++counts.rays;
-  walkCloth(*cloth_, from.place, direction, std::numeric_limits<float>::infinity(),
+  walkCloth(*cloth_, from, direction, std::numeric_limits<float>::infinity(),
             [&](const VoxelContent& content, float tEnter, float tLeave, const LocalDrape& drape, int tet) {
               ++counts.steps;
               const VoxelExtinction voxel(*cloth_, content, drape, direction);
@@ -27,7 +32,7 @@ std::optional<Collision> VolumeMedium::collide(const Departure& from, glm::vec3 
               const VoxelExtinction::Entry& entry = voxel.choose(random.uniform(), law_);
               const FibreDistribution fibres = inWorld(entry.component->decode(), drape);
               Collision c;
-              c.place = {from.place.world + t * direction, tet};
+              c.place = {from.world + t * direction, tet};
               c.distance_mm = t;
               c.incoming = direction;
               if (law_ == EventLaw::report) {
@@ -39,34 +44,25 @@ std::optional<Collision> VolumeMedium::collide(const Departure& from, glm::vec3 
               c.offset = 2.0f * random.uniform() - 1.0f;
               c.normal = drape.normal();
               c.optics = *entry.optics;
+              c.thread = entry.thread;
               c.yarn = entry.yarn;
               c.end = content.end;
               c.pick = content.pick;
-              c.events = from.events + 1;
               collision = c;
               return false;
             });
-  if (collision) ++counts.events;
+  if (collision) collision->material = drawMaterial(collision->optics, random);
   return collision;
 }
 
-Departure VolumeMedium::leave(const Collision& collision, glm::vec3, int) const {
-  return {collision.place, collision.events};
-}
-
-float VolumeMedium::transmittance(const Departure& from, glm::vec3 direction, float distance, Random& random,
-                                  TraceCounts& counts) const {
-  return transmittanceBeyond(0, from, direction, distance, random, counts);
-}
-
-float VolumeMedium::transmittanceBeyond(float clear_mm, const Departure& from, glm::vec3 direction, float distance,
+float VolumeMedium::transmittanceBeyond(float clear_mm, const ScenePoint& from, glm::vec3 direction, float distance,
                                         Random& random, TraceCounts& counts) const {
   constexpr float kExactDepth = 4.0f;
   const float deepest = kExactDepth - std::log(1 - random.uniform());
   float depth = 0;
   ++counts.rays;
   const bool through =
-      walkCloth(*cloth_, from.place, direction, distance,
+      walkCloth(*cloth_, from, direction, distance,
                 [&](const VoxelContent& content, float tEnter, float tLeave, const LocalDrape& drape, int) {
                   const float length = tLeave - std::max(tEnter, clear_mm);
                   if (length <= 0) return true;

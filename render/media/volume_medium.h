@@ -17,15 +17,20 @@ class VolumeMedium final : public Medium {
   /// With the event law that the scene asks for.
   explicit VolumeMedium(const std::shared_ptr<const TraceData>& cloth) : VolumeMedium(cloth, cloth->eventLaw) {}
 
-  std::optional<Collision> collide(const Departure& from, glm::vec3 direction, Random& random,
-                                   TraceCounts& counts) const override;
+  struct Memory {};  ///< of a path: none
+
+  std::unique_ptr<MediumPath> path() const override;
+  std::optional<Collision> collide(const ScenePoint& from, Memory&, glm::vec3 direction, Random& random,
+                                   TraceCounts& counts) const;
+  glm::vec3 exit(const Collision& met, glm::vec3, int) const { return met.place.world; }
   /// Exact down to e^-4; below that 0 or e^-4, because what hardly gets through is not worth walking for.
-  float transmittance(const Departure& from, glm::vec3 direction, float distance, Random& random,
-                      TraceCounts& counts) const override;
+  float transmittance(const ScenePoint& from, const Memory&, glm::vec3 direction, float distance, Random& random,
+                      TraceCounts& counts) const {
+    return transmittanceBeyond(0, from, direction, distance, random, counts);
+  }
   /// The same, were the first `clear_mm` of the way empty.
-  float transmittanceBeyond(float clear_mm, const Departure& from, glm::vec3 direction, float distance, Random& random,
+  float transmittanceBeyond(float clear_mm, const ScenePoint& from, glm::vec3 direction, float distance, Random& random,
                             TraceCounts& counts) const;
-  Departure leave(const Collision& collision, glm::vec3 wi, int order) const override;
 
  private:
   std::shared_ptr<const TraceData> cloth_;

@@ -6,7 +6,6 @@
 #include "core/base/parallel.h"
 #include "core/geometry/cloth_geometry.h"
 #include "render/optics/fibre_frame.h"
-#include "render/transport/blend.h"
 
 namespace loomlight {
 namespace {
@@ -26,32 +25,31 @@ glm::dvec2 window_mm(const Fabric& fabric) {
 
 /// One walk from above. True when it met the material first; `lengths` then has what it went through, or nothing when
 /// it did not come back to the sky.
-bool walk(const Scene& scene, const Medium& medium, const glm::vec3& origin, int material, Random& random,
+bool walk(const Scene& scene, MediumPath& path, const glm::vec3& origin, int material, Random& random,
           std::vector<float>& lengths) {
   TraceCounts counts;
-  Departure from{{origin, -1}};
+  path.begin({origin, -1});
   glm::vec3 direction(0, 0, -1);
   std::fill(lengths.begin(), lengths.end(), 0.0f);
   for (int events = 0;; ++events) {
-    auto collision = medium.collide(from, direction, random, counts);
+    const auto collision = path.collide(direction, random, counts);
     if (!collision) {
       if (events == 0) return false;
       if (direction.z <= 0) lengths.clear();
       return true;
     }
-    const int met = materialMet(*collision, random);
+    const int met = collision->material;
     if (events == 0 && met != material) return false;
     if (events == scene.fabric->render.maxDepth) {
       lengths.clear();
       return true;
     }
-    collision->optics.material = met;
     const FibreFrame frame(collision->tangent);
     const FibreBcsdf::Sample scattered = scene.cloth->materials[static_cast<size_t>(met)].bcsdf->sampleWithoutPdf(
         frame.toLocal(-direction), collision->offset, random);
     lengths[static_cast<size_t>(met)] += scattered.length * collision->optics.fibreRadius_mm;
     direction = frame.toWorld(scattered.wi);
-    from = medium.leave(*collision, direction, scattered.order);
+    path.leave(*collision, direction, scattered.order);
   }
 }
 
@@ -92,12 +90,13 @@ std::optional<ColourWalks> walkColours(const Scene& scene, const Medium& medium,
     ColourWalks& block = blocks[b];
     Random random(hashCombine(scene.fabric->render.seed, b));
     std::vector<float> lengths;
+    const auto path = medium.path();
     for (size_t tries = 0; tries < kBlock * kTriesPerWalk && block.count < kBlock; ++tries) {
       if (task.stopped()) return;
       const glm::dvec3 place((random.uniformDouble() - 0.5) * window.x, (random.uniformDouble() - 0.5) * window.y,
                              above);
       lengths.resize(scene.cloth->materials.size());
-      if (!walk(scene, medium, glm::vec3(place), material, random, lengths)) continue;
+      if (!walk(scene, *path, glm::vec3(place), material, random, lengths)) continue;
       ++block.count;
       block.lengths_mm.insert(block.lengths_mm.end(), lengths.begin(), lengths.end());
     }

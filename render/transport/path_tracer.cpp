@@ -10,7 +10,6 @@
 
 #include "core/base/parallel.h"
 #include "render/optics/fibre_frame.h"
-#include "render/transport/blend.h"
 #include "render/transport/path_light.h"
 
 namespace loomlight {
@@ -65,22 +64,22 @@ float lampChance(const PathSampling& sampling, uint32_t events, float value) {
 }
 
 /// One lamp, seen from a collision. Nothing when no light comes of it.
-std::optional<PathLight> sampleLamp(const Scene& scene, const Medium& medium, const Collision& at,
+std::optional<PathLight> sampleLamp(const Scene& scene, MediumPath& path, const Collision& at, uint32_t events,
                                     const FibreFrame& frame, glm::vec3 wo, Random& random, TraceCounts& counts) {
   const auto light = scene.lighting->sample(at.place.world, random);
   if (!light || light->pdf <= 0) return std::nullopt;
-  const FibreBcsdf& bcsdf = *scene.cloth->materials[at.optics.material].bcsdf;
+  const FibreBcsdf& bcsdf = *scene.cloth->materials[at.material].bcsdf;
   const FibreBcsdf::Value value = bcsdf.evaluate(wo, frame.toLocal(light->wi), at.offset);
   const float pdf = value.sum();
   if (pdf <= 0) return std::nullopt;
-  const float chance = lampChance(scene.sampling, static_cast<uint32_t>(at.events), pdf);
+  const float chance = lampChance(scene.sampling, events, pdf);
   if (random.uniform() >= chance) return std::nullopt;
   const float density = chance * light->pdf;
   const float weight = light->delta ? 1.0f : misWeight(density, pdf);
-  const Departure from = medium.leave(at, light->wi, likelyOrder(value, random));
-  const float visible = medium.transmittance(from, light->wi, light->distance, random, counts);
+  path.leave(at, light->wi, likelyOrder(value, random));
+  const float visible = path.transmittance(light->wi, light->distance, random, counts);
   if (visible == 0) return std::nullopt;
-  return PathLight{light->radiance * (weight * visible / density), value.q, at.optics.material,
+  return PathLight{light->radiance * (weight * visible / density), value.q, at.material,
                    value.chord * at.optics.fibreRadius_mm, value.inside};
 }
 
@@ -123,7 +122,8 @@ PathSample tracePath(const Scene& scene, const Medium& medium, const CameraRays&
 
   PathSample sample;
   PathState state(scene);
-  Departure from{{ray.origin, -1}};
+  const auto path = medium.path();
+  path->begin({ray.origin, -1});
   glm::vec3 direction = ray.direction;
   float scatterPdf = 0;
   bool addedAlready = false;  // what this flight may bring straight from a lamp to the first fibre
@@ -144,37 +144,36 @@ PathSample tracePath(const Scene& scene, const Medium& medium, const CameraRays&
   for (uint32_t dimension = 2;; dimension += kDimensionsPerEvent) {
     const uint32_t stratified = sample.events < kStratifiedEvents ? kDimensionsPerUse : 0;
     stratify(dimension, stratified);
-    auto collision = medium.collide(from, direction, random, counts);
+    const auto collision = path->collide(direction, random, counts);
     if (!collision) {  // what the camera sees past the cloth is the backdrop's affair: alpha
       if (sample.events > 0 && !addedAlready) gatherEscaped(1);
       return sample;
     }
     if (sample.events == 0) recordFirstHit(*collision, sample);
     ++sample.events;
-    collision->optics.material = materialMet(*collision, random);
 
     const FibreFrame frame(collision->tangent);
     const glm::vec3 wo = frame.toLocal(-direction);
     if (lamps) {
       stratify(dimension + kDimensionsPerUse, stratified);
-      const auto light = sampleLamp(scene, medium, *collision, frame, wo, random, counts);
+      const auto light = sampleLamp(scene, *path, *collision, sample.events, frame, wo, random, counts);
       if (light) gather(*light);
     }
     if (sample.events >= static_cast<uint32_t>(settings.maxDepth)) return sample;
 
-    const Material& material = scene.cloth->materials[collision->optics.material];
+    const Material& material = scene.cloth->materials[collision->material];
     stratify(dimension + 2 * kDimensionsPerUse, stratified);
     const FibreBcsdf::Sample scattered = lamps ? material.bcsdf->sample(wo, collision->offset, random)
                                                : material.bcsdf->sampleWithoutPdf(wo, collision->offset, random);
-    state.travel(collision->optics.material, scattered.length * collision->optics.fibreRadius_mm);
+    state.travel(collision->material, scattered.length * collision->optics.fibreRadius_mm);
     if (scene.sampling.roulette && sample.events > kRouletteAfter && !state.survives(random)) return sample;
     scatterPdf = scattered.pdf;
     direction = frame.toWorld(scattered.wi);
-    from = medium.leave(*collision, direction, scattered.order);
+    path->leave(*collision, direction, scattered.order);
     addedAlready = sample.events == 1 && medium.seesDirectLightApart();
     if (addedAlready) {
       constexpr float kFar = std::numeric_limits<float>::infinity();
-      gatherEscaped(medium.transmittance(from, direction, kFar, random, counts));
+      gatherEscaped(path->transmittance(direction, kFar, random, counts));
     }
   }
 }

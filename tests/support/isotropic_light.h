@@ -27,18 +27,19 @@ inline EventCount eventsUnderIsotropicLight(const Scene& scene, const Medium& me
   const glm::vec2 reach(wholeRepeats(geometry.repeatEnds() * geometry.warpPitch_mm()),
                         wholeRepeats(geometry.repeatPicks() * geometry.weftPitch_mm()));
   const auto top = static_cast<float>(geometry.halfThickness_mm()) + 1e-3f;
+  const auto path = medium.path();
   for (int i = 0; i < paths; ++i) {
     const float u = random.uniform(), v = random.uniform(), a = random.uniform(), b = random.uniform();
     const float sine = std::sqrt(a), phi = static_cast<float>(2 * kPi) * b;  // cosine-distributed: isotropic light
     glm::vec3 direction(sine * std::cos(phi), sine * std::sin(phi), -std::sqrt(1 - a));
-    Departure from{{{reach.x * (2 * u - 1), reach.y * (2 * v - 1), top}, -1}};
+    path->begin({{reach.x * (2 * u - 1), reach.y * (2 * v - 1), top}, -1});
     TraceCounts counts;
-    while (const auto collision = medium.collide(from, direction, random, counts)) {
+    while (const auto collision = path->collide(direction, random, counts)) {
       const FibreFrame frame(collision->tangent);
-      const FibreBcsdf& bcsdf = *scene.cloth->materials[collision->optics.material].bcsdf;
+      const FibreBcsdf& bcsdf = *scene.cloth->materials[collision->material].bcsdf;
       const auto scattered = bcsdf.sample(frame.toLocal(-direction), collision->offset, random);
       direction = frame.toWorld(scattered.wi);
-      from = medium.leave(*collision, direction, scattered.order);
+      path->leave(*collision, direction, scattered.order);
     }
     const auto events = static_cast<double>(counts.events);
     sum += events;

@@ -27,7 +27,7 @@ glm::vec3 direction(float theta, float phi) {
 }
 
 /// The first fibre that an eye ray meets from a random place before (or behind) the patch, where it has neighbours.
-std::optional<Collision> firstHit(const BvdfPatch& patch, glm::vec3 wo, Random& random) {
+std::optional<Collision> firstHit(const BvdfPatch& patch, MediumPath& path, glm::vec3 wo, Random& random) {
   constexpr int kTries = 16;  // sheer cloth is mostly holes
   const Scene& scene = patch.scene();
   const glm::vec3 lower = scene.cloth->shell->lower_mm(), size = scene.cloth->shell->upper_mm() - lower;
@@ -36,7 +36,8 @@ std::optional<Collision> firstHit(const BvdfPatch& patch, glm::vec3 wo, Random& 
     const float u = random.uniform(), v = random.uniform();
     const glm::vec3 start = lower + size * glm::vec3(u, v, wo.z > 0 ? 1.0f : 0.0f);
     // A little outside of the slab, so that no ray starts on a fibre.
-    auto hit = patch.fibres().collide({{start + 0.01f * size.z * wo, -1}}, -wo, random, counts);
+    path.begin({start + 0.01f * size.z * wo, -1});
+    const auto hit = path.collide(-wo, random, counts);
     if (hit && patch.isInside(hit->end, hit->pick)) return hit;
   }
   return std::nullopt;
@@ -82,7 +83,7 @@ std::unique_ptr<BvdfBaker> BvdfBaker::begin(const Fabric& fabric, BvdfResolution
 
 std::vector<BvdfBaker::Shadow> BvdfBaker::traceBlock(uint64_t block) const {
   const Scene& scene = patch_->scene();
-  const FibreMedium& fibres = patch_->fibres();
+  const auto path = patch_->fibres().path();
   const float side = block % 2 == 0 ? 1.0f : -1.0f;  // face and back in turn
   Random random(hashCombine(hashCombine(0, block), kBakerVersion));
   TraceCounts counts;
@@ -95,7 +96,7 @@ std::vector<BvdfBaker::Shadow> BvdfBaker::traceBlock(uint64_t block) const {
     glm::vec3 wo = direction(theta, phi);
     wo.z = side * std::max(wo.z, 1e-3f);
     wo = glm::normalize(wo);
-    const auto hit = firstHit(*patch_, wo, random);
+    const auto hit = firstHit(*patch_, *path, wo, random);
     if (!hit) continue;
 
     const int table = tableOfClass_[hit->yarn];
@@ -114,9 +115,9 @@ std::vector<BvdfBaker::Shadow> BvdfBaker::traceBlock(uint64_t block) const {
                                           (static_cast<float>(column) + b) / kLightPhis * (2 * kPiF));
       const glm::vec3 wi = frame * wiLocal;
       // Reflected light leaves where it came in, light through the fibre beyond it.
-      const Departure from = fibres.leave(*hit, wi, glm::dot(wi, surface) > 0 ? 0 : 1);
-      const float exit = cell.exit(toCloth + from.place.world, wi);
-      const bool met = exit > 0 && fibres.transmittance(from, wi, exit, random, counts) == 0;
+      path->leave(*hit, wi, glm::dot(wi, surface) > 0 ? 0 : 1);
+      const float exit = cell.exit(toCloth + path->place().world, wi);
+      const bool met = exit > 0 && path->transmittance(wi, exit, random, counts) == 0;
       const BvdfBin bin = BvdfBin::at(bvdfAngles(wiLocal, woLocal), resolution_);
       shadows.push_back({static_cast<uint32_t>(bin.index(resolution_)), hotSpots_[table].occlusion(wiLocal, woLocal),
                          static_cast<uint8_t>(table), met});

@@ -56,15 +56,17 @@ TEST(FibreMedium, CoversWhatTheVolumeCovers) {
     Random random(3);
     TraceCounts counts;
     double both[2] = {0, 0}, depth[2] = {0, 0};
+    const std::unique_ptr<MediumPath> paths[2] = {volume.path(), fibres->path()};
     for (int y = 0; y < 64; ++y)
       for (int x = 0; x < 64; ++x) {
         const Ray ray = camera.ray(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
-        const Medium* media[2] = {&volume, fibres.get()};
-        for (int m = 0; m < 2; ++m)
-          if (const auto hit = media[m]->collide({{ray.origin, -1}}, ray.direction, random, counts)) {
+        for (int m = 0; m < 2; ++m) {
+          paths[m]->begin({ray.origin, -1});
+          if (const auto hit = paths[m]->collide(ray.direction, random, counts)) {
             both[m] += 1;
             depth[m] += hit->distance_mm;
           }
+        }
       }
     EXPECT_NEAR(both[0] / both[1], 1.0, 0.1);
     EXPECT_NEAR(depth[0] / both[0], depth[1] / both[1], 0.05);  // mm
@@ -123,14 +125,16 @@ TEST(FibreMedium, NothingShadowsLightFromTheEye) {
   Random random(2);
   TraceCounts counts;
   int hits = 0, shadowed = 0;
+  const auto path = fibres->path();
   for (int i = 0; i < 20000; ++i) {
     const float x = 32 * random.uniform(), y = 32 * random.uniform();
     const Ray ray = camera.ray(x, y);
-    const auto hit = fibres->collide({{ray.origin, -1}}, ray.direction, random, counts);
+    path->begin({ray.origin, -1});
+    const auto hit = path->collide(ray.direction, random, counts);
     if (!hit) continue;
     ++hits;
-    const Departure from = fibres->leave(*hit, -ray.direction, 0);
-    shadowed += fibres->transmittance(from, -ray.direction, hit->distance_mm, random, counts) == 0;
+    path->leave(*hit, -ray.direction, 0);
+    shadowed += path->transmittance(-ray.direction, hit->distance_mm, random, counts) == 0;
   }
   EXPECT_GT(hits, 10000);
   EXPECT_LT(shadowed, 1e-3 * hits);  // where rounding decides between two fibres that nearly touch on the way

@@ -69,16 +69,15 @@ class Comparison {
 
   Comparison(const Medium& medium, uint64_t seed) : medium_(medium), random_(seed) {}
 
-  void add(const Departure& from, glm::vec3 direction, bool back) {
-    if (medium_.seesDirectLightApart() && from.events == 1) return;  // two laws, as the report has it
-    const auto seen = [&](float distance) {
-      return 0.5f * medium_.transmittance(from, direction, distance, random_, counts_);
-    };
-    const auto flight = medium_.collide(from, direction, random_, counts_);
+  /// `from` has met so many fibres.
+  void add(const MediumPath& from, int events, glm::vec3 direction, bool back) {
+    if (medium_.seesDirectLightApart() && events == 1) return;  // two laws, as the report has it
+    const auto seen = [&](float distance) { return 0.5f * from.transmittance(direction, distance, random_, counts_); };
+    const auto flight = from.clone()->collide(direction, random_, counts_);
     // Just before and just behind the end: explicit fibres block all at once.
     const float value = flight ? seen(flight->distance_mm * (1 - kAside)) + seen(flight->distance_mm * (1 + kAside))
                                : seen(std::numeric_limits<float>::infinity());
-    strata_[static_cast<size_t>(2 * std::min(from.events, kEvents - 1) + back)].add(value);
+    strata_[static_cast<size_t>(2 * std::min(events, kEvents - 1) + back)].add(value);
     all_.add(value);
   }
   const test::SampledMean& all() const { return all_; }
@@ -107,25 +106,28 @@ TEST_P(OneLaw, FlightsGetAsFarAsShadowRaysSee) {
   Comparison comparison(*medium, 5);
   Random random(6);
   TraceCounts counts;
+  const auto way = medium->path();
   const int paths = GetParam().drape == DrapeKind::flat ? 40000 : 8000;  // a drape takes longer
   for (int path = 0; path < paths; ++path) {
     const float x = random.uniform(), y = random.uniform();
     const Ray ray = camera.ray(x, y);
-    Departure from{{ray.origin, -1}};
+    way->begin({ray.origin, -1});
     glm::vec3 direction = ray.direction;
-    comparison.add(from, direction, false);
+    comparison.add(*way, 0, direction, false);
     for (int event = 1; event <= Comparison::kEvents; ++event) {
-      const auto met = medium->collide(from, direction, random, counts);
+      const auto met = way->collide(direction, random, counts);
       if (!met) break;
       const glm::vec3 anywhere = onSphere(random);
       const int order = static_cast<int>(random.below(3));
-      comparison.add(medium->leave(*met, anywhere, order), anywhere, false);
+      way->leave(*met, anywhere, order);
+      comparison.add(*way, event, anywhere, false);
       const glm::vec3 back = glm::normalize(0.3f * onSphere(random) - direction);
-      comparison.add(medium->leave(*met, back, order), back, true);
+      way->leave(*met, back, order);
+      comparison.add(*way, event, back, true);
       const FibreFrame frame(met->tangent);
       const auto scattered = bcsdf.sample(frame.toLocal(-direction), met->offset, random);
       direction = frame.toWorld(scattered.wi);
-      from = medium->leave(*met, direction, scattered.order);
+      way->leave(*met, direction, scattered.order);
     }
   }
   const int runs = (Comparison::kStrata + 1) * static_cast<int>(cases().size());

@@ -54,7 +54,7 @@ class RandomSlab : public testing::Test {
 
   /// A way across the fibres that lies inside.
   struct Way {
-    Departure from;
+    ScenePoint from{};
     glm::vec3 direction;
   };
   Way anyWay(double length, Random& random) const {
@@ -64,7 +64,7 @@ class RandomSlab : public testing::Test {
       const glm::dvec3 start = inner * glm::dvec3(u, 0, v), direction(std::cos(angle), 0, std::sin(angle));
       if (glm::length(start) > inner || glm::length(start + length * direction) > inner) continue;
       Way way{{}, glm::vec3(direction)};
-      way.from.place = {glm::vec3(centre + start + glm::dvec3(0, along, 0)), 0};
+      way.from = {glm::vec3(centre + start + glm::dvec3(0, along, 0)), 0};
       return way;
     }
   }
@@ -97,9 +97,11 @@ TEST_F(RandomSlab, LetsTheExponentialOfItsDepthThrough) {
       Random random(17);
       TraceCounts counts;
       double through = 0;
+      const auto path = medium->path();
       for (int i = 0; i < kWays; ++i) {
         const Way way = anyWay(length, random);
-        through += medium->transmittance(way.from, way.direction, static_cast<float>(length), random, counts);
+        path->begin(way.from);
+        through += path->transmittance(way.direction, static_cast<float>(length), random, counts);
       }
       EXPECT_NEAR(through / kWays, expected, 3 * standardError(expected, length, kWays)) << name << ", " << radii;
     }
@@ -120,15 +122,17 @@ TEST_F(RandomSlab, ScattersOnceToFirstOrderInItsDepth) {
       Random random(19);
       TraceCounts counts;
       double once = 0, light = 0, squares = 0;
+      const auto path = medium->path();
       for (int i = 0; i < kWays; ++i) {
         const Way way = anyWay(length, random);
-        const auto hit = medium->collide(way.from, way.direction, random, counts);
+        path->begin(way.from);
+        const auto hit = path->collide(way.direction, random, counts);
         if (!hit || hit->distance_mm >= length) continue;
         const FibreFrame own(hit->tangent);
         const float value = bcsdf.evaluate(own.toLocal(-way.direction), own.toLocal(way.direction), hit->offset).sum();
-        const Departure on = medium->leave(*hit, way.direction, 1);
+        path->leave(*hit, way.direction, 1);
         const float rest = static_cast<float>(length) - hit->distance_mm;
-        const float free = medium->transmittance(on, way.direction, rest, random, counts);
+        const float free = path->transmittance(way.direction, rest, random, counts);
         once += free;
         light += free * value;
         squares += free * value * free * value;

@@ -8,6 +8,7 @@
 #include "render/media/loomlight_medium.h"
 #include "render/media/volume_medium.h"
 #include "render/transport/path_tracer.h"
+#include "tests/support/path_around.h"
 #include "tests/support/test_cloth.h"
 
 namespace loomlight {
@@ -29,16 +30,21 @@ Fabric dyedCloth() {
 class OneCollision final : public Medium {
  public:
   OneCollision(const Medium& of, const Collision& collision) : of_(of), collision_(collision) {}
-  std::optional<Collision> collide(const Departure& from, glm::vec3, Random&, TraceCounts&) const override {
-    if (from.events > 0) return std::nullopt;
-    return collision_;
-  }
-  float transmittance(const Departure&, glm::vec3, float, Random&, TraceCounts&) const override { return 1; }
-  Departure leave(const Collision& collision, glm::vec3 wi, int order) const override {
-    return of_.leave(collision, wi, order);
-  }
+  std::unique_ptr<MediumPath> path() const override { return std::make_unique<Path>(*this); }
 
  private:
+  class Path final : public test::PathAround {
+   public:
+    explicit Path(const OneCollision& medium) : PathAround(medium.of_.path()), next_(medium.collision_) {}
+    std::optional<Collision> collide(glm::vec3, Random&, TraceCounts&) override {
+      return std::exchange(next_, std::nullopt);
+    }
+    float transmittance(glm::vec3, float, Random&, TraceCounts&) const override { return 1; }
+
+   private:
+    std::optional<Collision> next_;
+  };
+
   const Medium& of_;
   Collision collision_;
 };
@@ -49,10 +55,12 @@ std::vector<Collision> collisions(const Scene& scene, const Medium& medium, int 
   Random random(4);
   TraceCounts counts;
   std::vector<Collision> met;
+  const auto path = medium.path();
   while (static_cast<int>(met.size()) < count) {
     const float x = 64 * random.uniform(), y = 64 * random.uniform();
     const Ray ray = camera.ray(x, y);
-    if (const auto hit = medium.collide({{ray.origin, -1}}, ray.direction, random, counts)) met.push_back(*hit);
+    path->begin({ray.origin, -1});
+    if (const auto hit = path->collide(ray.direction, random, counts)) met.push_back(*hit);
   }
   return met;
 }

@@ -72,18 +72,18 @@ TEST(FreeFlights, FitTheExtinctionOfTheirWay) {
     const auto scene = test::sceneOf(fabric);
     const VolumeMedium medium(scene->cloth);
     const glm::vec3 direction = glm::normalize(glm::vec3(0.6f, 0.5f, -1));
-    const Departure from{{glm::vec3(0.03f, 0.02f, 0) - 20.0f * direction, -1}};
+    const ScenePoint from{glm::vec3(0.03f, 0.02f, 0) - 20.0f * direction, -1};
 
     // Optical depth at the end of every voxel on the way.
     std::vector<double> ends, depths;
-    walkCloth(
-        *scene->cloth, from.place, direction, 1000,
-        [&](const VoxelContent& content, float tEnter, float tLeave, const LocalDrape& local, int) {
-          const double before = depths.empty() ? 0 : depths.back();
-          ends.push_back(tLeave);
-          depths.push_back(before + VoxelExtinction(*scene->cloth, content, local, direction).total() * (tLeave - tEnter));
-          return true;
-        });
+    walkCloth(*scene->cloth, from, direction, 1000,
+              [&](const VoxelContent& content, float tEnter, float tLeave, const LocalDrape& local, int) {
+                const double before = depths.empty() ? 0 : depths.back();
+                ends.push_back(tLeave);
+                depths.push_back(before +
+                                 VoxelExtinction(*scene->cloth, content, local, direction).total() * (tLeave - tEnter));
+                return true;
+              });
     ASSERT_GT(depths.size(), 10u);
 
     constexpr int kFlights = 100000;
@@ -97,7 +97,8 @@ TEST(FreeFlights, FitTheExtinctionOfTheirWay) {
     Random random(29);
     TraceCounts costs;
     for (int i = 0; i < kFlights; ++i) {
-      const auto collision = medium.collide(from, direction, random, costs);
+      VolumeMedium::Memory none;
+      const auto collision = medium.collide(from, none, direction, random, costs);
       const auto end = collision ? std::lower_bound(ends.begin(), ends.end(), collision->distance_mm) : ends.end();
       counts[static_cast<size_t>(end - ends.begin())] += 1;
     }

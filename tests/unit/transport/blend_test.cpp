@@ -1,9 +1,9 @@
-#include "render/transport/blend.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 
+#include "render/media/fibre_medium.h"
 #include "render/media/volume_medium.h"
 #include "render/transport/path_tracer.h"
 #include "tests/support/test_cloth.h"
@@ -42,44 +42,45 @@ TEST(Blend, OfNothingIsTheYarnsOwnFibre) {
   expectSame(pictureOf(plain), pictureOf(blended(0)));
 }
 
-/// With a fibre of the blended yarn.
-Collision collisionIn(const Scene& scene) {
-  Collision at;
-  at.optics = scene.cloth->yarns[0][0];
-  return at;
-}
-
 TEST(Blend, OfAllIsTheOtherFibre) {
   const auto scene = test::sceneOf(blended(1));
   Random random(7);
-  for (int i = 0; i < 100; ++i) EXPECT_EQ(materialMet(collisionIn(*scene), random), 1);
+  for (int i = 0; i < 100; ++i) EXPECT_EQ(drawMaterial(scene->cloth->yarns[0][0], random), 1);
 }
 
 TEST(Blend, LightMeetsEachKindAsOftenAsThereIs) {
   const auto scene = test::sceneOf(blended(0.3));
   constexpr int kDraws = 20000;
   Random random(1);
-  int drawn = 0, numbered = 0;
-  for (int i = 1; i <= kDraws; ++i) {
-    Collision at = collisionIn(*scene);
-    drawn += materialMet(at, random) == 1;
-    at.fibre = (uint64_t{1} << 32) + static_cast<uint64_t>(i);
-    numbered += materialMet(at, random) == 1;
-  }
-  const double sigma = std::sqrt(0.3 * 0.7 / kDraws);
-  EXPECT_NEAR(drawn / static_cast<double>(kDraws), 0.3, 4 * sigma);
-  EXPECT_NEAR(numbered / static_cast<double>(kDraws), 0.3, 4 * sigma);
+  int drawn = 0;
+  for (int i = 0; i < kDraws; ++i) drawn += drawMaterial(scene->cloth->yarns[0][0], random) == 1;
+  EXPECT_NEAR(drawn / static_cast<double>(kDraws), 0.3, 4 * std::sqrt(0.3 * 0.7 / kDraws));
 }
 
+// Whatever meets it, and as often: fibres that rays find keep what they are, and there are as many of each kind as the
+// blend says.
 TEST(Blend, AnExplicitFibreIsAlwaysOfOneKind) {
-  const auto scene = test::sceneOf(blended(0.5));
+  const auto scene = test::sceneOf(blended(0.3));
+  const auto fibres = FibreMedium::build(scene->cloth, {}, Task{});
+  const auto path = fibres->path();
   Random random(1);
-  for (uint64_t fibre = 1; fibre < 50; ++fibre) {
-    Collision at = collisionIn(*scene);
-    at.fibre = fibre;
-    const int material = materialMet(at, random);
-    for (int i = 0; i < 5; ++i) EXPECT_EQ(materialMet(at, random), material);
+  TraceCounts counts;
+  std::map<uint64_t, int> kinds;
+  int again = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const float x = random.uniform() - 0.5f, y = random.uniform() - 0.5f;
+    path->begin({{x, y, 1}, -1});
+    const auto met = path->collide({0, 0, -1}, random, counts);
+    if (!met) continue;
+    const auto [known, isNew] = kinds.emplace(met->fibre, met->material);
+    EXPECT_EQ(known->second, met->material);
+    again += !isNew;
   }
+  EXPECT_GT(again, 1000);
+  int other = 0;
+  for (const auto& [fibre, material] : kinds) other += material == 1;
+  const auto count = static_cast<double>(kinds.size());
+  EXPECT_NEAR(other / count, 0.3, 4 * std::sqrt(0.3 * 0.7 / count));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "render/media/volume_medium.h"
+#include "tests/support/path_around.h"
 #include "tests/support/test_cloth.h"
 
 namespace loomlight {
@@ -14,30 +15,34 @@ namespace {
 /// No cloth at all: it only looks at where the rays of cameras go, and counts those that it does not like.
 class Onlooker final : public Medium {
  public:
-  explicit Onlooker(const Scene& scene) : scene_(scene) {}
+  explicit Onlooker(const Scene& scene) : volume_(scene.cloth), upper_mm_(scene.cloth->shell->upper_mm()) {}
 
-  std::optional<Collision> collide(const Departure& from, glm::vec3 d, Random&, TraceCounts&) const override {
-    const float half = scene_.cloth->shell->upper_mm().z;
-    const glm::vec3 o = from.place.world;
-    const glm::vec2 in = glm::vec2(o) + (half - o.z) / d.z * glm::vec2(d);
-    const glm::vec2 out = glm::vec2(o) + (-half - o.z) / d.z * glm::vec2(d);
-    const glm::vec2 room = glm::vec2(scene_.cloth->shell->upper_mm()) - 4 * half;
-    const bool inside =
-        std::abs(in.x) < room.x && std::abs(in.y) < room.y && std::abs(out.x) < room.x && std::abs(out.y) < room.y;
-    wrong += !(o.z > half && d.z < 0 && inside);
-    return std::nullopt;
-  }
-  float transmittance(const Departure&, glm::vec3, float, Random&, TraceCounts&) const override { return 1; }
-  Departure leave(const Collision& c, glm::vec3, int) const override {
-    Departure from;
-    from.place = c.place;
-    return from;
-  }
+  std::unique_ptr<MediumPath> path() const override { return std::make_unique<Path>(*this); }
 
   mutable std::atomic<int> wrong{0};
 
  private:
-  const Scene& scene_;
+  class Path final : public test::PathAround {
+   public:
+    explicit Path(const Onlooker& medium) : PathAround(medium.volume_.path()), onlooker_(medium) {}
+    std::optional<Collision> collide(glm::vec3 d, Random&, TraceCounts&) override {
+      const float half = onlooker_.upper_mm_.z;
+      const glm::vec3 o = place().world;
+      const glm::vec2 in = glm::vec2(o) + (half - o.z) / d.z * glm::vec2(d);
+      const glm::vec2 out = glm::vec2(o) + (-half - o.z) / d.z * glm::vec2(d);
+      const glm::vec2 room = glm::vec2(onlooker_.upper_mm_) - 4 * half;
+      const bool inside =
+          std::abs(in.x) < room.x && std::abs(in.y) < room.y && std::abs(out.x) < room.x && std::abs(out.y) < room.y;
+      onlooker_.wrong += !(o.z > half && d.z < 0 && inside);
+      return std::nullopt;
+    }
+
+   private:
+    const Onlooker& onlooker_;
+  };
+
+  VolumeMedium volume_;
+  glm::vec3 upper_mm_;
 };
 
 TEST(HalfDome, CamerasStandOverThePatchAndSeeNoEdge) {

@@ -75,7 +75,11 @@ TEST(TraceData, OutlivesItsSceneInTheMedium) {
     Random random(1);
     TraceCounts counts;
     const glm::vec3 down(0, 0, -1);
-    for (int i = 0; i < 100; ++i) (void)medium->collide({{-5.0f * down, -1}}, down, random, counts);
+    const auto path = medium->path();
+    for (int i = 0; i < 100; ++i) {
+      path->begin({-5.0f * down, -1});
+      (void)path->collide(down, random, counts);
+    }
     EXPECT_GT(counts.events, 0u) << kind;
   }
 }
