@@ -5,7 +5,7 @@
 
 #include "core/base/parallel.h"
 #include "core/geometry/cloth_geometry.h"
-#include "render/optics/fibre_frame.h"
+#include "render/transport/path_integrator.h"
 
 namespace loomlight {
 namespace {
@@ -23,35 +23,31 @@ glm::dvec2 window_mm(const Fabric& fabric) {
           side(static_cast<size_t>(fabric.weave.picks()), fabric.weftSequence.size(), fabric.weftPitch_mm())};
 }
 
-/// One walk from above. True when it met the material first; `lengths` then has what it went through, or nothing when
-/// it did not come back to the sky.
-bool walk(const Scene& scene, MediumPath& path, const glm::vec3& origin, int material, Random& random,
-          std::vector<float>& lengths) {
-  TraceCounts counts;
-  path.begin({origin, -1});
-  glm::vec3 direction(0, 0, -1);
-  std::fill(lengths.begin(), lengths.end(), 0.0f);
-  for (int events = 0;; ++events) {
-    const auto collision = path.collide(direction, random, counts);
-    if (!collision) {
-      if (events == 0) return false;
-      if (direction.z <= 0) lengths.clear();
-      return true;
-    }
-    const int met = collision->material;
-    if (events == 0 && met != material) return false;
-    if (events == scene.fabric->render.maxDepth) {
-      lengths.clear();
-      return true;
-    }
-    const FibreFrame frame(collision->tangent);
-    const FibreBcsdf::Sample scattered = scene.cloth->materials[static_cast<size_t>(met)].bcsdf->sampleWithoutPdf(
-        frame.toLocal(-direction), collision->offset, random);
-    lengths[static_cast<size_t>(met)] += scattered.length * collision->optics.fibreRadius_mm;
-    direction = frame.toWorld(scattered.wi);
-    path.leave(*collision, direction, scattered.order);
+/// What one path has gone through, if it met the material first and came back to the sky.
+class LengthTally final : public PathSink {
+ public:
+  explicit LengthTally(int material) : material_(material) {}
+
+  void clear() {
+    met_ = false;
+    lengths_mm_.clear();
   }
-}
+  bool met() const { return met_; }  ///< the material, first
+  const std::vector<float>& lengths_mm() const { return lengths_mm_; }
+
+  bool meets(const Collision& at, uint32_t event) override {
+    if (event == 1) met_ = at.material == material_;
+    return met_;
+  }
+  void gathers(const PathLight&, std::span<const float> lengths_mm, uint32_t) override {
+    lengths_mm_.assign(lengths_mm.begin(), lengths_mm.end());
+  }
+
+ private:
+  int material_;
+  bool met_ = false;
+  std::vector<float> lengths_mm_;
+};
 
 }  // namespace
 
@@ -85,20 +81,23 @@ std::optional<ColourWalks> walkColours(const Scene& scene, const Medium& medium,
   const glm::dvec2 window = window_mm(*scene.fabric);
   const double above = 2 * scene.cloth->volume->geometry().halfThickness_mm();
   std::vector<ColourWalks> blocks((count + kBlock - 1) / kBlock);
+  const uint32_t deepest = PathRules::of(scene).maxEvents + 1;  // no lamp is looked for from the last one
   std::atomic<size_t> done{0};
   parallelFor(blocks.size(), task.threads, [&](size_t b) {
     ColourWalks& block = blocks[b];
     Random random(hashCombine(scene.fabric->render.seed, b));
-    std::vector<float> lengths;
-    const auto path = medium.path();
+    LengthTally tally(material);
+    PathIntegrator integrator(scene, medium, PathRules::plain(deepest));
+    TraceCounts counts;
     for (size_t tries = 0; tries < kBlock * kTriesPerWalk && block.count < kBlock; ++tries) {
       if (task.stopped()) return;
       const glm::dvec3 place((random.uniformDouble() - 0.5) * window.x, (random.uniformDouble() - 0.5) * window.y,
                              above);
-      lengths.resize(scene.cloth->materials.size());
-      if (!walk(scene, *path, glm::vec3(place), material, random, lengths)) continue;
+      tally.clear();
+      integrator.follow({glm::vec3(place), {0, 0, -1}}, random, tally, counts);
+      if (!tally.met()) continue;
       ++block.count;
-      block.lengths_mm.insert(block.lengths_mm.end(), lengths.begin(), lengths.end());
+      block.lengths_mm.insert(block.lengths_mm.end(), tally.lengths_mm().begin(), tally.lengths_mm().end());
     }
     task.report(static_cast<double>(++done) / static_cast<double>(blocks.size()));
   });

@@ -26,8 +26,8 @@ struct ColourWalks {
 /// sideways around it.
 Fabric colourPatch(Fabric fabric);
 
-/// `count` walks that first meet `material`, over the middle of the scene's patch; fewer where hardly any does, none
-/// where it never lies on top. A function of the scene's seed. nullopt when stopped.
+/// `count` walks that first meet `material`, over the middle of the scene, which is that of a colourPatch(); fewer
+/// where hardly any does, none where it never lies on top. A function of the scene's seed. nullopt when stopped.
 std::optional<ColourWalks> walkColours(const Scene& scene, const Medium& medium, int material, size_t count,
                                        const Task& task);
 

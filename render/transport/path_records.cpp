@@ -15,7 +15,7 @@ constexpr size_t kSampleHead = 5, kLightHead = 4, kFibreWords = FibreBcsdf::kLob
 
 }  // namespace
 
-void PathLog::add(const PathLight& light, std::span<const float> lengths_mm) {
+void PathLog::gathers(const PathLight& light, std::span<const float> lengths_mm, uint32_t) {
   const bool fromFibre = light.traverse_mm > 0;
   words_.push_back(fromFibre ? static_cast<float>(light.material + 1) : 0.0f);
   for (int c = 0; c < 3; ++c) words_.push_back(light.radiance[c]);

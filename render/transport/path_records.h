@@ -6,15 +6,15 @@
 #include <span>
 #include <vector>
 
-#include "render/transport/path_light.h"
+#include "render/transport/path_sink.h"
 
 namespace loomlight {
 
 /// All light that one path has met, uncoloured, in the form in which PathRecords keeps it.
-class PathLog {
+class PathLog final : public PathSink {
  public:
   void clear() { words_.clear(); }
-  void add(const PathLight& light, std::span<const float> lengths_mm);
+  void gathers(const PathLight& light, std::span<const float> lengths_mm, uint32_t events) override;
   std::span<const float> words() const { return words_; }
 
  private:

@@ -2,19 +2,29 @@
 
 #include "core/base/task.h"
 #include "render/film/film.h"
-#include "render/media/medium.h"
-#include "render/scene/camera_rays.h"
-#include "render/scene/scene.h"
+#include "render/transport/path_integrator.h"
 #include "render/transport/path_records.h"
 
 namespace loomlight {
 
-/// Sample `index` of the pixel: a pure function of (scene, medium, camera, seed, x, y, index). Adds its cost to
-/// `counts`. Light is gathered by sampling lamps and fibres, weighted against each other (Veach 1997); colour is
-/// applied where the path meets light, from the lengths travelled inside the fibres of each material. `log` receives
-/// all that light as it was before.
+/// Traces the samples of pixels, for one thread. Scene, medium and camera must outlive it.
+class PathTracer {
+ public:
+  PathTracer(const Scene& scene, const Medium& medium, const CameraRays& camera);
+
+  /// Sample `index` of the pixel: a pure function of (scene, medium, camera, seed, x, y, index). Adds its cost to
+  /// `counts`. `listener` (may be null) hears all that befalls its path, uncoloured.
+  PathSample trace(int x, int y, uint32_t index, TraceCounts& counts, PathSink* listener = nullptr);
+
+ private:
+  const Scene& scene_;
+  const CameraRays& camera_;
+  PathIntegrator integrator_;
+};
+
+/// One such sample.
 PathSample tracePath(const Scene& scene, const Medium& medium, const CameraRays& camera, int x, int y, uint32_t index,
-                     TraceCounts& counts, PathLog* log = nullptr);
+                     TraceCounts& counts, PathSink* listener = nullptr);
 
 /// Pixels of a film; x to the right, y downwards, from its top left.
 struct PixelRect {

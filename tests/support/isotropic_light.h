@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "render/media/medium.h"
-#include "render/optics/fibre_frame.h"
-#include "render/scene/scene.h"
+#include "render/transport/path_integrator.h"
 
 namespace loomlight::test {
 
@@ -27,20 +26,14 @@ inline EventCount eventsUnderIsotropicLight(const Scene& scene, const Medium& me
   const glm::vec2 reach(wholeRepeats(geometry.repeatEnds() * geometry.warpPitch_mm()),
                         wholeRepeats(geometry.repeatPicks() * geometry.weftPitch_mm()));
   const auto top = static_cast<float>(geometry.halfThickness_mm()) + 1e-3f;
-  const auto path = medium.path();
+  PathIntegrator integrator(scene, medium, PathRules::plain(std::numeric_limits<uint32_t>::max()));
+  PathSink nobody;
   for (int i = 0; i < paths; ++i) {
     const float u = random.uniform(), v = random.uniform(), a = random.uniform(), b = random.uniform();
     const float sine = std::sqrt(a), phi = static_cast<float>(2 * kPi) * b;  // cosine-distributed: isotropic light
-    glm::vec3 direction(sine * std::cos(phi), sine * std::sin(phi), -std::sqrt(1 - a));
-    path->begin({{reach.x * (2 * u - 1), reach.y * (2 * v - 1), top}, -1});
+    const glm::vec3 direction(sine * std::cos(phi), sine * std::sin(phi), -std::sqrt(1 - a));
     TraceCounts counts;
-    while (const auto collision = path->collide(direction, random, counts)) {
-      const FibreFrame frame(collision->tangent);
-      const FibreBcsdf& bcsdf = *scene.cloth->materials[collision->material].bcsdf;
-      const auto scattered = bcsdf.sample(frame.toLocal(-direction), collision->offset, random);
-      direction = frame.toWorld(scattered.wi);
-      path->leave(*collision, direction, scattered.order);
-    }
+    integrator.follow({{reach.x * (2 * u - 1), reach.y * (2 * v - 1), top}, direction}, random, nobody, counts);
     const auto events = static_cast<double>(counts.events);
     sum += events;
     squares += events * events;

@@ -121,7 +121,7 @@ TEST_F(FewFibres, OneShowsTheIntegralOfItsBcsdfInParallelLight) {
     Random random(1);
     const auto light = lit->lighting->sample(glm::vec3(fibre.a), random);
     ASSERT_TRUE(light && light->delta);
-    const Material& material = lit->materials[0];
+    const Material& material = lit->cloth->materials[0];
     glm::dvec3 scattered(0);
     constexpr int kOffsets = 2000;
     for (int i = 0; i < kOffsets; ++i) {

@@ -44,13 +44,13 @@ TEST(Tracer, TheSamePictureBetterGoesOnFromACoarseOneAndCanBeStopped) {
         wake();
       },
       1);
-  tracer.show({{scene, scene, draft}, kWidth, kHeight, 1});
+  tracer.show({{scene, draft}, kWidth, kHeight, 1});
   ASSERT_TRUE(window.waitFor([&] { return tracer.frame() != nullptr; }));
   ASSERT_EQ(tracer.frame()->divider, 2);
-  tracer.show({{scene, scene, built}, kWidth, kHeight, 1});
+  tracer.show({{scene, built}, kWidth, kHeight, 1});
   builtSent.count_down();
   builtBegun.wait();
-  tracer.show({{scene, scene, medium}, kWidth, kHeight, 2});
+  tracer.show({{scene, medium}, kWidth, kHeight, 2});
   editSent.count_down();
   ASSERT_TRUE(window.waitFor([&] { return tracer.frame()->generation == 2; }));
   EXPECT_EQ(built->paths(), 1u);
@@ -78,9 +78,9 @@ TEST(Tracer, TheSamePictureBetterIsNeverCoarser) {
         },
         1);
     newest = [&] { return tracer.frame(); };
-    tracer.show({{scene, scene, draft}, kWidth, kHeight, 1});
+    tracer.show({{scene, draft}, kWidth, kHeight, 1});
     ASSERT_TRUE(window.waitFor([&] { return tracer.frame() != nullptr; }));
-    tracer.show({{scene, scene, medium}, kWidth, kHeight, 1});
+    tracer.show({{scene, medium}, kWidth, kHeight, 1});
     builtSent.count_down();
     ASSERT_TRUE(window.waitFor([&] { return tracer.frame()->samples > 0; }));
   }
@@ -104,9 +104,9 @@ TEST(Tracer, AnotherSizeOfTheViewportKeepsWhatWasSeen) {
         },
         1);
     newest = [&] { return tracer.frame(); };
-    tracer.show({{scene, scene, medium}, kWidth, kHeight, 1});
+    tracer.show({{scene, medium}, kWidth, kHeight, 1});
     ASSERT_TRUE(window.waitFor([&] { return tracer.frame() && tracer.frame()->samples > 1; }));
-    tracer.show({{scene, scene, medium}, 2 * kWidth, kHeight, 2});
+    tracer.show({{scene, medium}, 2 * kWidth, kHeight, 2});
     ASSERT_TRUE(window.waitFor([&] { return tracer.frame()->generation == 2 && tracer.frame()->samples > 1; }));
     EXPECT_EQ(tracer.frame()->width, 2 * kWidth);
   }
@@ -123,7 +123,7 @@ TEST(Tracer, PausesAndGoesOn) {
   test::WorkerWindow window;
   Tracer tracer(window.waker(), 1);
   tracer.pause(true);
-  tracer.show({{scene, scene, watched}, 16, 12, 1});  // too small for a pass in parts
+  tracer.show({{scene, watched}, 16, 12, 1});  // too small for a pass in parts
   ASSERT_TRUE(window.waitFor([&] { return tracer.frame() != nullptr; }));
   const uint64_t paths = watched->paths();
   for (int i = 0; i < 20; ++i) {

@@ -55,7 +55,7 @@ TEST(FirstScenes, AreNotShownOfWhatIsThere) {
   Shown shown;
   const auto after = makeScene(std::make_shared<const Fabric>(fabric), Task{}, before.get(), &shown.first);
   EXPECT_TRUE(shown.drafts.empty());
-  EXPECT_EQ(after->volume, before->volume);
+  EXPECT_EQ(after->cloth->volume, before->cloth->volume);
 }
 
 TEST(CellsInView, HoldAllThatThePictureShows) {

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "render/media/medium.h"
+#include "render/transport/path_light.h"
+
+namespace loomlight {
+
+/// Why a path goes no farther.
+enum class PathEnd {
+  left,      ///< it met nothing more
+  deepest,   ///< it has as many events as it may
+  roulette,  ///< chance ended it, having little light left to bring
+  stopped,   ///< its sink has heard enough
+};
+
+/// Hears what befalls a path, in order: pictures, records, tallies of lengths and transcripts are made of it.
+class PathSink {
+ public:
+  virtual ~PathSink() = default;
+
+  /// It has met its `event`th fibre, from 1. False ends it there.
+  virtual bool meets(const Collision& /*at*/, uint32_t /*event*/) { return true; }
+  /// Light has come onto it, `events` fibres from the eye, after these lengths inside the fibres of each material.
+  virtual void gathers(const PathLight& /*light*/, std::span<const float> /*lengths_mm*/, uint32_t /*events*/) {}
+  /// It goes on from the fibre into a direction of the world; weight: 1, or what roulette has made of it.
+  virtual void scatters(const FibreBcsdf::Sample& /*by*/, glm::vec3 /*direction*/, float /*weight*/) {}
+  virtual void ends(PathEnd /*why*/) {}
+};
+
+}  // namespace loomlight
