@@ -77,6 +77,15 @@ PictureSize parseSize(const std::string& option, const std::string& text) {
   return {*width, *height};
 }
 
+PixelChoice parsePixel(const std::string& option, const std::string& text) {
+  const auto parts = split(text, ',');
+  const auto x = wholeText<int>(parts[0]);
+  const auto y = parts.size() == 2 ? wholeText<int>(parts[1]) : std::nullopt;
+  if (!x || !y || *x < 0 || *y < 0 || *x >= kLargestSide || *y >= kLargestSide)
+    refuse(option, fmt::format("X,Y, each from 0 to {}, such as 320,240", kLargestSide - 1), text);
+  return {*x, *y};
+}
+
 int parseResolution(const std::string& option, const std::string& text) {
   const auto value = wholeText<int>(text);
   if (!value || !knownResolution(*value)) refuse(option, "1, 2, 4, 8 or 16 voxels per yarn diameter", text);

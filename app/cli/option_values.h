@@ -30,6 +30,13 @@ struct PictureSize {
 /// 640x480
 PictureSize parseSize(const std::string& option, const std::string& text);
 
+/// A pixel of a picture, from its top left, counted from 0.
+struct PixelChoice {
+  int x = 0, y = 0;
+};
+/// 320,240
+PixelChoice parsePixel(const std::string& option, const std::string& text);
+
 /// One of 1, 2, 4, 8, 16.
 int parseResolution(const std::string& option, const std::string& text);
 /// The same, several with commas between them.

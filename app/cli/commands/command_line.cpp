@@ -11,6 +11,7 @@
 #include "app/cli/version_text.h"
 #include "app/export/file_name.h"
 #include "app/export/program_folders.h"
+#include "render/film/film.h"
 
 namespace loomlight {
 namespace {
@@ -119,6 +120,22 @@ void addThumbnail(CLI::App& app, ThumbnailCommand& command) {
   });
 }
 
+void addTrace(CLI::App& app, TraceCommand& command) {
+  addInput(app, "FABRIC", command.input);
+  addValue(app, "--pixel", "X,Y", "of the picture, from its top left, counted from 0",
+           [&command](const auto& option, const auto& text) { command.pixel = parsePixel(option, text); });
+  addValue(app, "--sample", "N", "of the pixel, counted from 0", [&command](const auto& option, const auto& text) {
+    command.sample = static_cast<uint32_t>(parseWhole(option, text, 0, Film::maxSamples - 1));
+  });
+  for (const char* needed : {"--pixel", "--sample"}) app.get_option(needed)->required();
+  addPictureOptions(app, command.options);
+  addFabricOptions(app, command.options);
+  addWifSizes(app, command.wifSizes);
+  addThreads(app, command.threads);
+  addMemoryLimit(app, command.memoryLimit_bytes);
+  addFibreExtent(app, command.fibreExtent);
+}
+
 }  // namespace
 
 Command parseCommandLine(const std::vector<std::string>& words) {
@@ -129,6 +146,7 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   TileCommand tile;
   ThumbnailCommand thumbnail;
   BenchCommand bench;
+  TraceCommand trace;
   CompareCommand compare;
   BvdfCommand bvdf;
   BrdfCommand brdf;
@@ -158,6 +176,8 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   addTile(*tiles, tile);
   CLI::App* const thumbnails = app.add_subcommand("thumbnail", "a small picture of the weave, for file managers");
   addThumbnail(*thumbnails, thumbnail);
+  CLI::App* const traces = app.add_subcommand("trace", "the path of one sample of one pixel, event by event");
+  addTrace(*traces, trace);
   CLI::App* const brdfs = app.add_subcommand("brdf", "how a flat patch reflects, seen from a half-dome of cameras");
   addBrdf(*brdfs, brdf);
   CLI::App* const benches =
@@ -213,6 +233,7 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   }
   if (*tiles) return tile;
   if (*thumbnails) return thumbnail;
+  if (*traces) return trace;
   if (*tables) return table1;
   if (*figuresOf) return figures;
   if (*accuracies) return accuracy;

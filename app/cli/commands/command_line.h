@@ -15,6 +15,7 @@
 #include "app/cli/commands/render_command.h"
 #include "app/cli/commands/thumbnail_command.h"
 #include "app/cli/commands/tile_command.h"
+#include "app/cli/commands/trace_command.h"
 #include "app/editor/bench_ui.h"
 #include "app/editor/editor.h"
 
@@ -37,7 +38,7 @@ struct TextCommand {
 
 using Command = std::variant<EditCommand, RenderCommand, InfoCommand, ConvertCommand, BenchCommand, ReportBenchCommand,
                              EditBenchCommand, UiBenchCommand, ConvergeBenchCommand, BrdfCommand, CompareCommand,
-                             BvdfCommand, TileCommand, ThumbnailCommand, TextCommand>;
+                             BvdfCommand, TileCommand, ThumbnailCommand, TraceCommand, TextCommand>;
 
 /// What the words behind the program's name ask for. Throws UsageError.
 Command parseCommandLine(const std::vector<std::string>& words);

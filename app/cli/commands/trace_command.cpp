@@ -1,0 +1,44 @@
+#include "app/cli/commands/trace_command.h"
+
+#include <fmt/format.h>
+
+#include "app/cli/inputs.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/path_transcript.h"
+#include "app/cli/usage_error.h"
+#include "core/base/parallel.h"
+#include "core/fabric/model/choice_names.h"
+#include "core/fabric/model/validate.h"
+#include "render/transport/path_tracer.h"
+
+namespace loomlight {
+
+int run(const TraceCommand& command) {
+  auto fabric =
+      std::make_shared<const Fabric>(withOptions(fabricFromFile(command.input, command.wifSizes), command.options));
+  validate(*fabric, command.input);
+  const RenderSettings& settings = fabric->render;
+  const PixelChoice pixel = command.pixel;
+  if (pixel.x >= settings.width || pixel.y >= settings.height)
+    throw UsageError(fmt::format("--pixel: expected X from 0 to {} and Y from 0 to {}, got {},{}", settings.width - 1,
+                                 settings.height - 1, pixel.x, pixel.y));
+  const Interrupt interrupt;
+  Task task;
+  task.stop = interrupt.token();
+  task.threads = command.threads > 0 ? command.threads : hardwareThreads();
+  const auto scene = makeScene(fabric, task);
+  const auto medium = scene ? makeMedium(*scene, {command.memoryLimit_bytes, command.fibreExtent}, task) : nullptr;
+  if (!medium) return Interrupt::kExitStatus;
+
+  PathTranscript transcript(*scene);
+  TraceCounts counts;
+  tracePath(*scene, *medium, CameraRays(fabric->camera, settings.width, settings.height), pixel.x, pixel.y,
+            command.sample, counts, &transcript);
+  fmt::print("pixel {},{} of {} x {}, sample {}, seed {}: {}\n{}cost: {} rays, {} voxels\n", pixel.x, pixel.y,
+             settings.width, settings.height, command.sample, settings.seed,
+             settings.method == Method::fibres ? choiceName(settings.method) : choiceName(settings.estimator),
+             transcript.text(), counts.rays, counts.steps);
+  return 0;
+}
+
+}  // namespace loomlight
