@@ -4,7 +4,7 @@
 #include <cmath>
 #include <functional>
 
-#include "core/fabric/yarn/colour.h"
+#include "core/base/rgb.h"
 #include "core/fabric/yarn/yarn_reflectance.h"
 
 namespace loomlight {

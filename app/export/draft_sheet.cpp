@@ -13,6 +13,7 @@
 #include "app/export/file_name.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/rgb.h"
 #include "core/fabric/weave/draft_edit.h"
 #include "core/fabric/yarn/colour.h"
 

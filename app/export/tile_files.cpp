@@ -7,7 +7,7 @@
 
 #include "app/export/tile.h"
 #include "core/base/file.h"
-#include "core/fabric/yarn/colour.h"
+#include "core/base/rgb.h"
 
 namespace loomlight {
 namespace {

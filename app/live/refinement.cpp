@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/parallel.h"
+#include "core/base/rgb.h"
 #include "render/display/denoise.h"
 #include "render/display/despeckle.h"
 #include "render/display/recolour.h"
@@ -169,7 +170,6 @@ void Refinement::takeNoise(Frame& frame) const {
 
 /// Of the luminance of a fine picture; empty where nothing is known of it.
 std::vector<float> Refinement::variances(const Frame& frame) const {
-  const auto luminance = [](Rgb c) { return 0.2126f * c.r + 0.7152f * c.g + 0.0722f * c.b; };
   const bool mixed = standIn_ && standIn_->knowsVariance();
   std::vector<float> variances;
   if (frame.divider > 1 || (!mixed && history_.samples < 2)) return variances;

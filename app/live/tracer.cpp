@@ -6,7 +6,6 @@
 #include "render/display/patch.h"
 #include "render/display/recolour.h"
 #include "render/display/reframe.h"
-#include "render/transport/make_medium.h"
 
 namespace loomlight {
 namespace {

@@ -1,4 +1,5 @@
 #include "render/colour/spectrum.h"
+#include "core/base/rgb.h"
 
 #include <cmath>
 
@@ -37,7 +38,7 @@ Rgb blackBodyTint(double kelvin) {
   constexpr double kNeutral = 6500;
   if (kelvin == kNeutral) return Rgb(1);
   const Rgb tint = blackBodyColour(kelvin) / blackBodyColour(kNeutral);
-  return tint / glm::dot(tint, Rgb(0.2126f, 0.7152f, 0.0722f));
+  return tint / luminance(tint);
 }
 
 }  // namespace loomlight

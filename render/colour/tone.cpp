@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/parallel.h"
+#include "core/base/rgb.h"
 
 namespace loomlight {
 namespace {
@@ -16,10 +17,6 @@ Rgb shoulder(Rgb c) {
   const float bent = 1 - (1 - kKnee) * (1 - kKnee) / (m + 1 - 2 * kKnee);
   // Division before the product: m may be as large as floats go.
   return (c / m) * bent;
-}
-
-float encodeSrgb(float v) {
-  return v <= 0.0031308f ? 12.92f * v : 1.055f * std::pow(v, 1 / 2.4f) - 0.055f;
 }
 
 /// Of exposed and composited light.

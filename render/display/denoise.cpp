@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/parallel.h"
+#include "core/base/rgb.h"
 
 namespace loomlight {
 namespace {
@@ -27,10 +28,6 @@ constexpr float kSameDepth = 0.05f;
 
 // What a pixel shows, where it is no yarn.
 constexpr int kNoCloth = -1, kAnyYarn = -2;
-
-float luminance(const glm::vec4& c) {
-  return 0.2126f * c.r + 0.7152f * c.g + 0.0722f * c.b;
-}
 
 class Exchange {
  public:
@@ -56,7 +53,7 @@ class Exchange {
 
   void over(int distance) {
     forRows([&](int y) {
-      for (int x = 0; x < width_; ++x) luminance_[at(x, y)] = luminance(rgba_[at(x, y)]);
+      for (int x = 0; x < width_; ++x) luminance_[at(x, y)] = luminance(Rgb(rgba_[at(x, y)]));
     });
     forRows([&](int y) {
       for (size_t k = 0; k < kDirections.size(); ++k) weigh(k, distance, y);
@@ -117,12 +114,12 @@ class Exchange {
     int count = 0;
     around(x, y, kReach, [&](size_t other) {
       if (!alike(yarn_[at(x, y)], yarn_[other])) return;
-      const float l = luminance(rgba_[other]);
+      const float l = luminance(Rgb(rgba_[other]));
       sum += l;
       squares += l * l;
       ++count;
     });
-    const float mean = sum / static_cast<float>(count), apart = luminance(rgba_[at(x, y)]) - mean;
+    const float mean = sum / static_cast<float>(count), apart = luminance(Rgb(rgba_[at(x, y)])) - mean;
     return std::max(squares / static_cast<float>(count) - mean * mean, apart * apart);
   }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/light/lat_long.h"
+#include "core/base/rgb.h"
 #include "render/metrics/heat_map.h"
 
 namespace loomlight {

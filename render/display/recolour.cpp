@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "core/base/parallel.h"
+#include "core/base/rgb.h"
 #include "core/fabric/model/impact.h"
 #include "render/colour/spectrum.h"
-#include "render/transport/make_medium.h"
 
 namespace loomlight {
 namespace {
@@ -39,8 +39,8 @@ Rgb ratio(Rgb a, Rgb b, Rgb light) {
 /// Of the luminance, from that of the channels, whose noise is that of the paths and hence nearly the same.
 double luminanceVariance(Rgb variance) {
   const Rgb deviation = glm::sqrt(glm::max(variance, Rgb(0.0f)));
-  const double luminance = 0.2126 * deviation.r + 0.7152 * deviation.g + 0.0722 * deviation.b;
-  return luminance * luminance;
+  const double ofAll = luminance(glm::dvec3(deviation));
+  return ofAll * ofAll;
 }
 
 }  // namespace

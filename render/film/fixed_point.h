@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "core/base/rgb.h"
+
 /// The film's fixed point: how a sample becomes the integers that are summed. See Film for quanta and ranges.
 namespace loomlight {
 
@@ -39,10 +41,9 @@ inline uint64_t saturatingAdd(uint64_t a, uint64_t b) {
   return a > std::numeric_limits<uint64_t>::max() - b ? std::numeric_limits<uint64_t>::max() : a + b;
 }
 
-/// Rec. 709 luminance of radiance in quanta.
+/// Of radiance in quanta.
 inline double luminance(const uint64_t (&rgb)[3]) {
-  return kRadianceQuantum * (0.2126 * static_cast<double>(rgb[0]) + 0.7152 * static_cast<double>(rgb[1]) +
-                             0.0722 * static_cast<double>(rgb[2]));
+  return kRadianceQuantum * luminance(glm::dvec3(rgb[0], rgb[1], rgb[2]));
 }
 
 }  // namespace loomlight

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/glm.hpp>
 
+#include "core/base/rgb.h"
 #include "core/base/units.h"
 
 /// The sphere of directions as a rectangle. (u, v) in [0, 1]: v runs from the zenith (+z) down, in proportion to the
@@ -33,10 +34,6 @@ inline int cellOf(float t, int n) {
 inline glm::dvec3 directionOf(double azimuth_deg, double elevation_deg) {
   const double a = azimuth_deg * (kPi / 180), e = elevation_deg * (kPi / 180);
   return {std::cos(e) * std::cos(a), std::cos(e) * std::sin(a), std::sin(e)};
-}
-
-inline float luminance(Rgb c) {
-  return 0.2126f * c.r + 0.7152f * c.g + 0.0722f * c.b;
 }
 
 }  // namespace loomlight

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "core/fabric/yarn/colour.h"
+#include "core/base/rgb.h"
 #include "ui/widgets/field_row.h"
 #include "ui/widgets/keys.h"
 

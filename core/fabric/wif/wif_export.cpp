@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/rgb.h"
 #include "core/fabric/model/place.h"
 #include "core/fabric/model/validate.h"
 #include "core/fabric/model/yarn_count.h"

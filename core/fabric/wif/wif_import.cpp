@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "core/base/file.h"
+#include "core/base/rgb.h"
 #include "core/base/utf8.h"
 #include "core/fabric/model/check.h"
 #include "core/fabric/model/field_tables.h"
@@ -16,7 +17,6 @@
 #include "core/fabric/model/yarn_count.h"
 #include "core/fabric/wif/wif_fabric.h"
 #include "core/fabric/wif/wif_reader.h"
-#include "core/fabric/yarn/colour.h"
 #include "core/fabric/yarn/derived.h"
 #include "core/fabric/yarn/presets.h"
 

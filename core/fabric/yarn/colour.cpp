@@ -37,13 +37,4 @@ Rgb colourFromAbsorption(const Rgb& absorption_per_mm, double azimuthalRoughness
   });
 }
 
-Rgb linearFromSrgb(const Rgb& srgb) {
-  return perChannel(srgb, [](float c) { return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f); });
-}
-
-Rgb srgbFromLinear(const Rgb& linear) {
-  return perChannel(linear,
-                    [](float c) { return c <= 0.0031308f ? 12.92f * c : 1.055f * std::pow(c, 1.0f / 2.4f) - 0.055f; });
-}
-
 }  // namespace loomlight

@@ -12,8 +12,4 @@ namespace loomlight {
 Rgb absorptionFromColour(const Rgb& colour, double azimuthalRoughness, double radius_um);
 Rgb colourFromAbsorption(const Rgb& absorption_per_mm, double azimuthalRoughness, double radius_um);
 
-/// sRGB (IEC 61966-2-1) from and to linear light, channels in [0, 1]: what colour pickers show.
-Rgb linearFromSrgb(const Rgb& srgb);
-Rgb srgbFromLinear(const Rgb& linear);
-
 }  // namespace loomlight

@@ -8,6 +8,7 @@
 
 #include <filesystem>
 
+#include "core/base/rgb.h"
 #include "core/fabric/json/fabric_json.h"
 #include "core/fabric/model/yarn_count.h"
 #include "core/fabric/weave/jacquard.h"

@@ -38,11 +38,5 @@ TEST(Colour, ThickerFibresNeedLessDye) {
   EXPECT_NEAR(thin.r, 2 * thick.r, 1e-4 * thin.r);
 }
 
-TEST(Colour, SrgbThereAndBack) {
-  EXPECT_NEAR(linearFromSrgb(Rgb(0.5f)).r, 0.21404f, 1e-5f);
-  for (const float c : {0.0f, 0.01f, 0.04f, 0.2f, 1.0f})
-    EXPECT_NEAR(srgbFromLinear(linearFromSrgb(Rgb(c))).r, c, 1e-6f);
-}
-
 }  // namespace
 }  // namespace loomlight
