@@ -177,7 +177,7 @@ void Session::drawInspector(Ui& ui, const Insight* insight, const LiveStatus& st
   const Fabric& fabric = *document_.fabric();
   InspectorModel model;
   if (insight && insight->yarn == inspector_.yarn) model.section = &insight->section;
-  model.measured = status.builtGeneration > 0;
+  model.measured = status.measures.thickness_mm > 0;  // a moment after it is built
   model.crimpWarp = status.measures.crimpWarp;
   model.crimpWeft = status.measures.crimpWeft;
   model.thickness_mm = status.measures.thickness_mm;
@@ -211,7 +211,9 @@ StatusModel Session::statusToSay(const Insight* insight, const LiveStatus& statu
     model.warning = std::move(warning);
     model.moreWarnings = 0;
   };
-  if (const std::string unsafe = shelf_.problem(); !unsafe.empty())
+  if (const std::string unknown = views_.insightProblem(); !unknown.empty())
+    insist("The cloth's figures are not known: " + unknown);
+  if (const std::string& unsafe = shelf_.problem(); !unsafe.empty())
     insist("The view that was kept will not last: " + unsafe);
   if (const std::string unsafe = autosave_.problem(); !unsafe.empty())
     insist("Unsaved work is not kept safe: " + unsafe);

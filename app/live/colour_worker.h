@@ -2,12 +2,10 @@
 
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 
-#include "app/live/mailbox.h"
+#include "app/live/worker.h"
 #include "render/transport/colour_solver.h"
 
 namespace loomlight {
@@ -32,30 +30,27 @@ struct ColourAnswer {
 class ColourWorker {
  public:
   explicit ColourWorker(std::function<void()> wake);
-  ~ColourWorker();
 
-  void request(ColourWish wish);
+  void request(ColourWish wish) { worker_.ask(std::move(wish)); }
   std::shared_ptr<const ColourAnswer> newest() const;  ///< null before the first
   std::string error() const;                           ///< why the newest wish has no answer
 
  private:
-  void loop(std::stop_token stop);
-  bool makeWalks(std::stop_token ending);
-  void publish(std::shared_ptr<const ColourAnswer> answer, std::string error);
-
-  std::function<void()> wake_;
-  Mailbox<ColourWish> wishes_;
-  mutable std::mutex mutex_;
-  std::shared_ptr<const ColourAnswer> newest_;
-  std::string error_;
+  struct Result {
+    std::shared_ptr<const ColourAnswer> answer;  ///< the last that was found
+    std::string error;
+  };
+  using Answering = Worker<ColourWish, Result>;
+  std::optional<Result> answer(ColourWish wish, Answering::Turn& turn);
+  bool makeWalks(ColourWish& wish, Answering::Turn& turn);
 
   // The thread's own:
-  ColourWish wish_;                             ///< the newest
+  std::shared_ptr<const ColourAnswer> last_;
   std::shared_ptr<const Fabric> construction_;  ///< that was walked through, undyed
   int walkedFibre_ = -1;
   ColourWalks walks_;
 
-  std::jthread thread_;  // last: it stops before what it uses is gone
+  Answering worker_;  // last: it ends before what it uses is gone
 };
 
 }  // namespace loomlight

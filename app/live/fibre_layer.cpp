@@ -1,22 +1,24 @@
 #include "app/live/fibre_layer.h"
 
 #include <atomic>
-#include <exception>
+#include <utility>
 
 #include "render/media/fibre_medium.h"
 
 namespace loomlight {
 
 FibreLayer::FibreLayer(std::function<void()> wake, std::function<void(Traceable)> deliver, int threads)
-    : wake_(std::move(wake)), deliver_(std::move(deliver)), threads_(threads) {
-  thread_ = std::jthread([this](std::stop_token stop) { loop(stop); });
-}
-
-FibreLayer::~FibreLayer() {
-  thread_.request_stop();
-  std::lock_guard lock(mutex_);
-  stop_.request_stop();
-}
+    : deliver_(std::move(deliver)),
+      threads_(threads),
+      worker_(
+          std::move(wake), [this](const Wish& wish, const auto& turn) { return fulfil(wish, turn); },
+          [](const Wish&, const std::string& problem) {
+            Status status;
+            status.phase = Status::Phase::failed;
+            status.error = problem;
+            return status;
+          },
+          Backlog::newest, Priority::picture) {}
 
 void FibreLayer::lay(std::shared_ptr<const Scene> scene, double limit_bytes) {
   {
@@ -35,78 +37,49 @@ void FibreLayer::clear() {
 }
 
 void FibreLayer::post(std::shared_ptr<const Scene> scene, double limit_bytes) {
-  Wish wish{std::move(scene), limit_bytes, {}};
-  {
-    std::lock_guard lock(mutex_);
-    wanted_ = wish.scene;
-    limit_bytes_ = limit_bytes;
-    stop_.request_stop();
-    stop_ = std::stop_source();
-    wish.stop = stop_.get_token();
-  }
-  wishes_.post(std::move(wish));
+  std::lock_guard lock(mutex_);
+  wanted_ = scene;
+  limit_bytes_ = limit_bytes;
+  worker_.forget();
+  worker_.ask({std::move(scene), limit_bytes});
 }
 
 FibreLayer::Status FibreLayer::status() const {
-  std::lock_guard lock(mutex_);
-  return status_;
+  return worker_.newest().value_or(Status{});
 }
 
-void FibreLayer::tell(const Wish& wish, const Status& status) {
-  {
-    std::lock_guard lock(mutex_);
-    if (wish.stop.stop_requested()) return;  // of a wish that is no more
-    status_ = status;
-  }
-  wake_();
-}
-
-void FibreLayer::loop(std::stop_token stop) {
-  while (const auto wish = wishes_.wait(stop)) {
-    try {
-      fulfil(*wish);
-    } catch (const std::exception& e) {
-      Status status;
-      status.phase = Status::Phase::failed;
-      status.error = e.what();
-      tell(*wish, status);
-    }
-  }
-}
-
-void FibreLayer::fulfil(const Wish& wish) {
+std::optional<FibreLayer::Status> FibreLayer::fulfil(const Wish& wish, const Laying::Turn& turn) {
   Status status;
   deliver_({});  // what was laid before may be gigabytes
-  tell(wish, status);
-  if (!wish.scene) return;
+  if (!wish.scene) return status;
+  turn.bring(status);
   const FibreOptions options(wish.limit_bytes);
   status.size = planFibres(*wish.scene->cloth, options);
   if (status.size.bytes > wish.limit_bytes) {
     status.size = planFibres(*wish.scene->cloth, {wish.limit_bytes, FibreExtent::wholePiece});
     status.phase = Status::Phase::tooLarge;
-    tell(wish, status);
-    return;
+    return status;
   }
   status.phase = Status::Phase::laying;
-  tell(wish, status);
+  turn.bring(status);
 
   Task task;
-  task.stop = wish.stop;
+  task.stop = turn.stop();
   task.threads = threads_;
   constexpr int kSteps = 25;
   std::atomic<int> told{0};
-  task.progress = [this, &wish, &status, &told](double fraction) {
+  task.progress = [&turn, &status, &told](double fraction) {
     const int step = static_cast<int>(kSteps * fraction);
     if (told.exchange(step) == step) return;  // each wakes the window
     Status now = status;
     now.progress = fraction;
-    tell(wish, now);
+    turn.bring(now);
   };
   std::shared_ptr<const Medium> fibres = FibreMedium::build(wish.scene->cloth, options, task);
-  if (!fibres) return;
+  if (!fibres) return std::nullopt;
   status.phase = Status::Phase::laid;
   deliver_({wish.scene, std::move(fibres)});
-  tell(wish, status);
+  return status;
 }
 
 }  // namespace loomlight

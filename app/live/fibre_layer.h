@@ -4,10 +4,9 @@
 #include <memory>
 #include <mutex>
 #include <string>
-#include <thread>
 
-#include "app/live/mailbox.h"
 #include "app/live/refinement.h"
+#include "app/live/worker.h"
 #include "render/scene/fibre_extent.h"
 
 namespace loomlight {
@@ -28,7 +27,6 @@ class FibreLayer {
   /// Called from the thread: `wake` when status() has changed, `deliver` with what is laid, and with null pointers as
   /// soon as that is no longer wanted. Nothing of it is kept here.
   FibreLayer(std::function<void()> wake, std::function<void(Traceable)> deliver, int threads);
-  ~FibreLayer();
 
   /// Fibres of the scene's cloth, from now on. What is there or under way stays if it is right for this scene too.
   void lay(std::shared_ptr<const Scene> scene, double limit_bytes);
@@ -41,23 +39,17 @@ class FibreLayer {
   struct Wish {
     std::shared_ptr<const Scene> scene;  ///< null: none
     double limit_bytes = 0;
-    std::stop_token stop;
   };
+  using Laying = Worker<Wish, Status>;
   void post(std::shared_ptr<const Scene> scene, double limit_bytes);
-  void loop(std::stop_token stop);
-  void fulfil(const Wish& wish);
-  void tell(const Wish& wish, const Status& status);
+  std::optional<Status> fulfil(const Wish& wish, const Laying::Turn& turn);
 
-  std::function<void()> wake_;
   std::function<void(Traceable)> deliver_;
   int threads_;
-  Mailbox<Wish> wishes_;
-  mutable std::mutex mutex_;
+  mutable std::mutex mutex_;  ///< of the newest wish
   std::shared_ptr<const Scene> wanted_;
   double limit_bytes_ = 0;
-  std::stop_source stop_;  ///< of the newest wish
-  Status status_;
-  std::jthread thread_;  // last: it stops before what it uses is gone
+  Laying worker_;  // last: it ends before what it uses is gone
 };
 
 }  // namespace loomlight

@@ -4,12 +4,11 @@
 #include <chrono>
 #include <exception>
 #include <mutex>
-#include <stop_token>
-#include <thread>
+#include <variant>
 
 #include "app/live/fibre_layer.h"
-#include "app/live/mailbox.h"
 #include "app/live/recent_cloths.h"
+#include "app/live/worker.h"
 #include "core/base/memory.h"
 #include "core/base/parallel.h"
 #include "render/bvdf/bake/bvdf_baker.h"
@@ -58,24 +57,30 @@ BuiltCloth makeCloth(const ViewRequest& request, const Task& task, const BuiltCl
 
 }  // namespace
 
-/// The threads and all that they share. Every shared value is either behind `mutex` or in a mailbox.
+/// The threads and all that they share. Every shared value is behind `mutex`.
 struct LiveRenderer::Workers {
   Workers(std::function<void()> wakeWindow, int threadCount)
       : wake(std::move(wakeWindow)),
         threads(threadCount > 0 ? threadCount : std::max(1, hardwareThreads() - 1)),
         tracer(wake, threads),
-        layer(wake, [this](Traceable laid) { tracer.fibres(std::move(laid)); }, threads) {
-    builder = std::jthread([this](std::stop_token stop) { buildLoop(stop); });
-  }
-  ~Workers() {
-    builder.request_stop();
-    std::lock_guard lock(mutex);
-    buildStop.request_stop();
-  }
+        layer(
+            wake, [this](Traceable laid) { tracer.fibres(std::move(laid)); }, threads),
+        builder(
+            {},
+            [this](const ViewRequest& request, auto& turn) {
+              build(request, turn);
+              return std::nullopt;
+            },
+            [this](const ViewRequest&, const std::string& problem) {
+              tell(problem);
+              return std::monostate{};
+            },
+            Backlog::newest, Priority::picture) {}
 
-  void buildLoop(std::stop_token stop);
-  void build(const ViewRequest& request, std::stop_token stop);
-  void showDraft(const ViewRequest& request, std::shared_ptr<const Scene> scene, const Task& task);
+  using Builder = Worker<ViewRequest, std::monostate>;  // what it makes goes to the tracer and into `status`
+  void build(const ViewRequest& request, Builder::Turn& turn);
+  void showDraft(const ViewRequest& request, std::shared_ptr<const Scene> scene, const Task& task, Builder::Turn& turn);
+  void tell(const std::string& problem);
   void count();
   void layFibres();
   LensStatus lensStatus(const Tracer::State& traced) const;  ///< with the mutex held
@@ -83,12 +88,9 @@ struct LiveRenderer::Workers {
   std::function<void()> wake;
   int threads;
 
-  Mailbox<ViewRequest> requests;
-
   mutable std::mutex mutex;
   LiveStatus status;  ///< the builder's part of it
   bool building = false;
-  std::stop_source buildStop;
   bool buildMayBeCancelled = true;  // not twice in a row, or a steady drag would never show a new volume
   std::optional<LensRequest> lens;
   std::shared_ptr<const Scene> scene;  // the newest that could be built; only the builder changes it
@@ -99,27 +101,28 @@ struct LiveRenderer::Workers {
 
   Tracer tracer;
   FibreLayer layer;
-  std::jthread builder;  // last: it stops before what it uses is gone
+  Builder builder;  // last: it ends before what it uses is gone
 };
 
-void LiveRenderer::Workers::buildLoop(std::stop_token stop) {
-  while (auto request = requests.wait(stop)) build(*request, stop);
+void LiveRenderer::Workers::tell(const std::string& problem) {
+  {
+    std::lock_guard lock(mutex);
+    building = false;
+    buildMayBeCancelled = true;
+    status.error = problem;
+  }
+  wake();
 }
 
-void LiveRenderer::Workers::build(const ViewRequest& request, std::stop_token stop) {
+void LiveRenderer::Workers::build(const ViewRequest& request, Builder::Turn& turn) {
   using Clock = std::chrono::steady_clock;
   constexpr std::chrono::milliseconds kTelling{40};  // how far a build is; a quick one says nothing
   const auto start = Clock::now();
   auto told = start;
+  if (builder.isWaiting()) return;  // it came before this one could be stopped
   Task task;
+  task.stop = turn.stop();
   task.threads = threads;
-  {
-    std::lock_guard lock(mutex);
-    if (requests.waiting()) return;  // it came before this one could be stopped
-    buildStop = std::stop_source();
-    if (stop.stop_requested()) buildStop.request_stop();
-    task.stop = buildStop.get_token();
-  }
   task.progress = [this, &told, kTelling](double fraction) {
     {
       std::lock_guard lock(mutex);
@@ -133,20 +136,21 @@ void LiveRenderer::Workers::build(const ViewRequest& request, std::stop_token st
   };
   // A draft is worth a picture of its own where the whole takes longer than a picture does.
   constexpr double kWorthWaiting_s = 0.05;
-  const FirstScenes first{static_cast<double>(request.width) / std::max(1, request.height),
-                          [start](double fraction) {
-                            const std::chrono::duration<double> spent = Clock::now() - start;
-                            return spent.count() * (1 / fraction - 1) > kWorthWaiting_s;
-                          },
-                          [&](std::shared_ptr<const Scene> draft) { showDraft(request, std::move(draft), task); }};
+  const FirstScenes first{
+      static_cast<double>(request.width) / std::max(1, request.height),
+      [start](double fraction) {
+        const std::chrono::duration<double> spent = Clock::now() - start;
+        return spent.count() * (1 / fraction - 1) > kWorthWaiting_s;
+      },
+      [&](std::shared_ptr<const Scene> draft) { showDraft(request, std::move(draft), task, turn); }};
   const bool showsVolume = request.fabric->render.method == Method::volume;
   const BuiltCloth base = recent.baseFor(*request.fabric);
   BuiltCloth built;
   std::string error;
   try {
     built = makeCloth(request, task, base, showsVolume ? &first : nullptr);
-  } catch (const std::exception& e) {
-    error = e.what();
+  } catch (const std::exception&) {
+    error = problemCaught();
   }
   const Traceable& made = built.traceable;
   const std::chrono::duration<double> spent = Clock::now() - start;
@@ -176,19 +180,19 @@ void LiveRenderer::Workers::build(const ViewRequest& request, std::stop_token st
 }
 
 /// Has a picture traced of what is there of a cloth. From then on its builder may be stopped: a drag moves the picture.
-void LiveRenderer::Workers::showDraft(const ViewRequest& request, std::shared_ptr<const Scene> scene,
-                                      const Task& task) {
+void LiveRenderer::Workers::showDraft(const ViewRequest& request, std::shared_ptr<const Scene> scene, const Task& task,
+                                      Builder::Turn& turn) {
   Traceable draft{scene, makeLiveMedium(*scene, request.visibility, task)};
   if (!draft.medium) return;
   tracer.show({std::move(draft), request.width, request.height, request.generation, true});
   std::lock_guard lock(mutex);
-  if (requests.waiting()) buildStop.request_stop();
+  if (builder.isWaiting()) turn.giveWay();
   buildMayBeCancelled = true;
 }
 
 /// Counts and measures the newest volume, unless there is more urgent work.
 void LiveRenderer::Workers::count() {
-  if (requests.waiting() || !scene || scene->cloth->volume == counted) return;
+  if (builder.isWaiting() || !scene || scene->cloth->volume == counted) return;
   counted = scene->cloth->volume;
   const VolumeCounts counts = counted->counts();
   const ClothMeasures measures = counted->measure();
@@ -261,10 +265,10 @@ void LiveRenderer::request(ViewRequest request) {
     std::lock_guard lock(workers_->mutex);
     if (workers_->buildMayBeCancelled) {
       workers_->buildMayBeCancelled = false;
-      workers_->buildStop.request_stop();
+      workers_->builder.cancel();
     }
   }
-  workers_->requests.post(std::move(request));
+  workers_->builder.ask(std::move(request));
 }
 
 void LiveRenderer::lens(std::optional<LensRequest> request) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <exception>
-#include <optional>
 #include <utility>
 
 #include "render/display/denoise.h"
@@ -33,78 +32,65 @@ Pixels8 quietPicture(const Film& film, uint32_t samples, Method method) {
 
 }  // namespace
 
-ThumbnailWorker::ThumbnailWorker(std::function<void()> wake) : wake_(std::move(wake)) {
-  thread_ = std::jthread([this](std::stop_token stop) { loop(stop); });
-}
-
-ThumbnailWorker::~ThumbnailWorker() = default;
-
-void ThumbnailWorker::request(std::vector<ThumbnailOrder> orders) {
-  orders_.post(std::move(orders));
-}
+ThumbnailWorker::ThumbnailWorker(std::function<void()> wake)
+    : worker_(
+          std::move(wake),
+          [this](const Orders& orders, auto& turn) {
+            fulfil(orders, turn);
+            return std::nullopt;
+          },
+          [this](const Orders&, const std::string&) { return std::make_shared<const Thumbnails>(done_); }) {}
 
 std::shared_ptr<const Thumbnail> ThumbnailWorker::of(const std::string& name) const {
-  std::lock_guard lock(mutex_);
-  const auto found = done_.find(name);
-  return found == done_.end() ? nullptr : found->second;
+  const auto done = worker_.newest();
+  if (!done) return nullptr;
+  const auto found = (*done)->find(name);
+  return found == (*done)->end() ? nullptr : found->second;
 }
 
-void ThumbnailWorker::publish(const std::string& name, std::shared_ptr<const Thumbnail> thumbnail) {
-  {
-    std::lock_guard lock(mutex_);
-    done_[name] = std::move(thumbnail);
-  }
-  wake_();
-}
-
-/// False when stopped.
-bool ThumbnailWorker::fulfil(const ThumbnailOrder& order, uint32_t samples, const Task& task) {
-  const auto before = of(order.name);
-  const bool same = before && *before->fabric == *order.fabric;
-  if (same && (before->samples >= samples || !before->error.empty())) return true;
+/// Null when stopped. What cannot be rendered has its reason in the place of a picture.
+std::shared_ptr<const Thumbnail> ThumbnailWorker::rendered(const ThumbnailOrder& order, uint32_t samples,
+                                                           const Task& task) {
   auto thumbnail = std::make_shared<Thumbnail>();
   thumbnail->fabric = order.fabric;
   try {
     const auto scene = makeScene(order.fabric, task, scene_.get());
-    if (!scene) return false;
+    if (!scene) return nullptr;
     scene_ = scene;
     const auto medium = makeMedium(*scene, 0.25 * defaultMemoryLimit_bytes(), task);
-    if (!medium) return false;
+    if (!medium) return nullptr;
     const RenderSettings& settings = order.fabric->render;
     Film film(settings.width, settings.height);
     const CameraRays camera(order.fabric->camera, settings.width, settings.height);
-    if (!renderUpTo(samples, *scene, *medium, camera, film, task).complete) return false;
+    if (!renderUpTo(samples, *scene, *medium, camera, film, task).complete) return nullptr;
     thumbnail->samples = samples;
     thumbnail->picture = quietPicture(film, samples, settings.method);
-  } catch (const std::exception& e) {
-    thumbnail->error = e.what();
+  } catch (const std::exception&) {
+    thumbnail->error = problemCaught();
   }
-  publish(order.name, std::move(thumbnail));
-  return true;
+  return thumbnail;
 }
 
-void ThumbnailWorker::loop(std::stop_token stop) {
+void ThumbnailWorker::fulfil(const Orders& orders, Rendering::Turn& turn) {
   constexpr uint32_t kFewSamples = 1;
-  std::optional<std::vector<ThumbnailOrder>> next;
-  while (auto orders = next ? std::exchange(next, std::nullopt) : orders_.wait(stop)) {
-    std::stop_source newer;
-    const std::stop_callback withThread(stop, [&newer] { newer.request_stop(); });
-    Task task;
-    task.stop = newer.get_token();
-    task.threads = 1;
-    task.progress = [&](double) {
-      if (!orders_.waiting()) return;
-      next = orders_.take();
-      newer.request_stop();
-    };
-    bool going = true;
-    for (const bool first : {true, false})
-      for (const ThumbnailOrder& order : *orders) {
-        const auto wanted = static_cast<uint32_t>(order.fabric->render.samplesPerPixel);
-        going = going && fulfil(order, first ? std::min(kFewSamples, wanted) : wanted, task);
-      }
-    if (stop.stop_requested()) return;
-  }
+  Task task;
+  task.stop = turn.stop();
+  task.threads = 1;
+  task.progress = [&](double) {
+    if (worker_.isWaiting()) turn.giveWay();
+  };
+  for (const bool first : {true, false})
+    for (const ThumbnailOrder& order : orders) {
+      const auto wanted = static_cast<uint32_t>(order.fabric->render.samplesPerPixel);
+      const uint32_t samples = first ? std::min(kFewSamples, wanted) : wanted;
+      const auto before = done_.find(order.name);
+      const Thumbnail* old = before == done_.end() ? nullptr : before->second.get();
+      if (old && *old->fabric == *order.fabric && (old->samples >= samples || !old->error.empty())) continue;
+      auto thumbnail = rendered(order, samples, task);
+      if (!thumbnail) return;
+      done_[order.name] = std::move(thumbnail);
+      turn.bring(std::make_shared<const Thumbnails>(done_));
+    }
 }
 
 }  // namespace loomlight

@@ -3,12 +3,11 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <mutex>
+#include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
-#include "app/live/mailbox.h"
+#include "app/live/worker.h"
 #include "core/base/task.h"
 #include "core/fabric/model/fabric.h"
 #include "render/film/film.h"
@@ -36,23 +35,23 @@ struct Thumbnail {
 class ThumbnailWorker {
  public:
   explicit ThumbnailWorker(std::function<void()> wake);
-  ~ThumbnailWorker();
 
-  void request(std::vector<ThumbnailOrder> orders);
+  void request(std::vector<ThumbnailOrder> orders) { worker_.ask(std::move(orders)); }
   /// The newest of that name; null before the first.
   std::shared_ptr<const Thumbnail> of(const std::string& name) const;
 
  private:
-  void loop(std::stop_token stop);
-  bool fulfil(const ThumbnailOrder& order, uint32_t samples, const Task& task);
-  void publish(const std::string& name, std::shared_ptr<const Thumbnail> thumbnail);
+  using Orders = std::vector<ThumbnailOrder>;
+  using Thumbnails = std::map<std::string, std::shared_ptr<const Thumbnail>>;
+  using Rendering = Worker<Orders, std::shared_ptr<const Thumbnails>>;
+  void fulfil(const Orders& orders, Rendering::Turn& turn);
+  std::shared_ptr<const Thumbnail> rendered(const ThumbnailOrder& order, uint32_t samples, const Task& task);
 
-  std::function<void()> wake_;
-  Mailbox<std::vector<ThumbnailOrder>> orders_;
-  mutable std::mutex mutex_;
-  std::map<std::string, std::shared_ptr<const Thumbnail>> done_;
-  std::shared_ptr<const Scene> scene_;  ///< the thread's own: the last, whose parts the next may share
-  std::jthread thread_;                 // last: it stops before what it uses is gone
+  // The thread's own:
+  Thumbnails done_;
+  std::shared_ptr<const Scene> scene_;  ///< the last, whose parts the next may share
+
+  Rendering worker_;  // last: it ends before what it uses is gone
 };
 
 }  // namespace loomlight

@@ -1,9 +1,8 @@
 #include "app/live/visibility_worker.h"
 
 #include <algorithm>
-#include <exception>
+#include <utility>
 
-#include "app/live/background_thread.h"
 #include "core/geometry/yarn_geometry.h"
 #include "render/bvdf/bvdf_picture.h"
 
@@ -33,134 +32,96 @@ bool worthTaking(const BakedVisibility& newer, const BakedVisibility& older) {
 }
 
 VisibilityWorker::VisibilityWorker(std::function<void()> wake, BvdfOptions options, BvdfCache cache)
-    : wake_(std::move(wake)), options_(options), cache_(std::move(cache)), known_(cache_) {
-  thread_ = std::jthread([this](std::stop_token stop) {
-    lowerPriorityOfThisThread();
-    loop(stop);
-  });
-}
-
-VisibilityWorker::~VisibilityWorker() {
-  thread_.request_stop();
-  std::lock_guard lock(mutex_);
-  stop_.request_stop();
-}
+    : options_(options),
+      cache_(std::move(cache)),
+      known_(cache_),
+      worker_(
+          std::move(wake), [this](const Wish& wish, auto& turn) { return fulfil(wish, turn); },
+          [this](const Wish&, const std::string& problem) {
+            recipe_.clear();
+            return Result{newest_, {false, false, 0, problem}};
+          }) {}
 
 void VisibilityWorker::request(std::shared_ptr<const Fabric> fabric, int yarn) {
-  Wish wish{std::move(fabric), yarn, {}};
-  {
-    std::lock_guard lock(mutex_);
-    if (!wish.fabric) {
-      stop_.request_stop();
-      stop_ = std::stop_source();
-    }
-    wish.stop = stop_.get_token();
-  }
-  wishes_.post(std::move(wish));
+  if (!fabric) worker_.cancel();
+  worker_.ask({std::move(fabric), yarn});
 }
 
 std::shared_ptr<const BakedVisibility> VisibilityWorker::newest() const {
-  std::lock_guard lock(mutex_);
-  return newest_;
+  const auto result = worker_.newest();
+  return result ? result->baked : nullptr;
 }
 
 VisibilityWorker::Status VisibilityWorker::status() const {
-  std::lock_guard lock(mutex_);
-  return status_;
+  const auto result = worker_.newest();
+  return result ? result->status : Status{};
 }
 
-void VisibilityWorker::setStatus(Status status) {
-  {
-    std::lock_guard lock(mutex_);
-    status_ = std::move(status);
-  }
-  wake_();
-}
-
-void VisibilityWorker::loop(std::stop_token stop) {
-  ending_ = stop;
-  while (auto wish = next_ ? std::exchange(next_, std::nullopt) : wishes_.wait(stop)) {
-    try {
-      fulfil(std::move(*wish));
-    } catch (const std::exception& e) {
-      recipe_.clear();
-      setStatus({false, false, 0, e.what()});
+VisibilityWorker::Result VisibilityWorker::fulfil(const Wish& wish, Baking::Turn& turn) {
+  wish_ = wish;
+  if (wish_.fabric) {
+    std::string recipe = bvdfRecipe(*wish_.fabric, options_);
+    if (recipe == recipe_ && !interrupted_) {
+      keep(numberedFor(*wish_.fabric, newest_->tables), true);
+    } else {
+      recipe_ = std::move(recipe);
+      bake(turn);
     }
   }
+  return {newest_, {}};
 }
 
-void VisibilityWorker::fulfil(Wish wish) {
-  wish_ = std::move(wish);
-  if (!wish_.fabric) {
-    setStatus({});
-    return;
-  }
-  std::string recipe = bvdfRecipe(*wish_.fabric, options_);
-  if (recipe == recipe_ && !interrupted_) {
-    publish(numberedFor(*wish_.fabric, newest_->tables), true);
-    return;
-  }
-  bake(wish_.fabric, wish_.stop, std::move(recipe));
+/// Whether the bake under way is right for what has been asked for since: another yarn or another colour is no reason
+/// to begin anew. Else it is stopped.
+bool VisibilityWorker::servesNewer(Baking::Turn& turn) {
+  auto newer = turn.takeNewer();
+  if (!newer) return false;
+  const bool serves = newer->fabric && bvdfRecipe(*newer->fabric, options_) == recipe_;
+  if (serves)
+    wish_ = std::move(*newer);
+  else
+    turn.giveWayTo(std::move(*newer));
+  return serves;
 }
 
-/// Whether the bake under way is right for a newer wish too: another yarn or another colour is no reason to begin anew.
-bool VisibilityWorker::serves(Wish newer) {
-  if (newer.fabric && bvdfRecipe(*newer.fabric, options_) == recipe_) {
-    wish_ = std::move(newer);
-    return true;
-  }
-  next_ = std::move(newer);
-  return false;
-}
-
-void VisibilityWorker::bake(std::shared_ptr<const Fabric> fabric, std::stop_token wanted, std::string recipe) {
+/// For recipe_ and wish_.
+void VisibilityWorker::bake(Baking::Turn& turn) {
   constexpr double kBetweenPictures_s = 0.25;
-  recipe_ = std::move(recipe);
   ++bake_;
   interrupted_ = true;
+  const std::shared_ptr<const Fabric> fabric = wish_.fabric;
   const std::shared_ptr<const BvdfSet> prior = cache_.has(recipe_) ? nullptr : known_.nearest(recipe_);
-  const bool borrowing = prior != nullptr;
-  setStatus({true, borrowing, 0, ""});
-  if (prior) publish(numberedFor(*fabric, prior), false);
+  Status status{true, prior != nullptr, 0, ""};
+  if (prior) keep(numberedFor(*fabric, prior), false);
+  turn.bring({newest_, status});
 
-  std::stop_source stop;
-  const std::stop_callback withThread(ending_, [&stop] { stop.request_stop(); });
-  const std::stop_callback withWish(std::move(wanted), [&stop] { stop.request_stop(); });
   Task task;
-  task.stop = stop.get_token();
+  task.stop = turn.stop();
   task.threads = 1;
-  int percent = 0;
-  double progress = 0;
   task.progress = [&](double fraction) {
-    progress = fraction;
-    const int now = static_cast<int>(100 * fraction);
-    if (std::exchange(percent, now) != now) setStatus({true, borrowing, fraction, ""});
+    const bool another = static_cast<int>(100 * fraction) != static_cast<int>(100 * status.progress);
+    status.progress = fraction;
+    if (another) turn.bring({newest_, status});
   };
   Stopwatch sincePicture;
   double waited_s = kBetweenPictures_s;  // the first at once
   auto set = bakeBvdf(*fabric, options_, cache_, task, [&](const BvdfBaker& baker) {
-    if (auto newer = wishes_.take()) {
-      if (!serves(std::move(*newer))) {
-        stop.request_stop();
-        return;
-      }
-      waited_s = kBetweenPictures_s;
-    }
+    if (servesNewer(turn)) waited_s = kBetweenPictures_s;
     waited_s += sincePicture.lap();
-    if (waited_s < kBetweenPictures_s) return;
+    if (turn.isStopped() || waited_s < kBetweenPictures_s) return;
     waited_s = 0;
     const auto own = baker.tables();
-    publish(numberedFor(*wish_.fabric, prior ? drawnTowards(*own, *prior, progress) : own), false);
+    keep(numberedFor(*wish_.fabric, prior ? drawnTowards(*own, *prior, status.progress) : own), false);
+    turn.bring({newest_, status});
   });
   interrupted_ = !set;
-  if (set) {
-    known_.keep(recipe_, set);
-    publish(numberedFor(*wish_.fabric, set), true);
-  }
-  setStatus({});
+  if (!set) return;
+  known_.keep(recipe_, set);
+  keep(numberedFor(*wish_.fabric, set), true);
 }
 
-void VisibilityWorker::publish(std::shared_ptr<const BvdfSet> tables, bool finished) {
+/// As the newest.
+void VisibilityWorker::keep(std::shared_ptr<const BvdfSet> tables, bool finished) {
   auto baked = std::make_shared<BakedVisibility>();
   baked->bake = bake_;
   baked->rays = tables->rays;
@@ -169,11 +130,7 @@ void VisibilityWorker::publish(std::shared_ptr<const BvdfSet> tables, bool finis
   baked->picture = bvdfSquares(tables->of(baked->yarn), kPictureColumns);
   // Of edits in quick succession each borrows what the one before did: the picture need not begin anew.
   baked->tables = newest_ && alike(*newest_->tables, *tables) ? newest_->tables : std::move(tables);
-  {
-    std::lock_guard lock(mutex_);
-    newest_ = std::move(baked);
-  }
-  wake_();
+  newest_ = std::move(baked);
 }
 
 }  // namespace loomlight

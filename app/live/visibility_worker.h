@@ -2,12 +2,10 @@
 
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 
-#include "app/live/mailbox.h"
+#include "app/live/worker.h"
 #include "core/base/stopwatch.h"
 #include "render/bvdf/bake/bvdf_baker.h"
 #include "render/bvdf/known_bvdfs.h"
@@ -45,7 +43,6 @@ class VisibilityWorker {
   };
 
   VisibilityWorker(std::function<void()> wake, BvdfOptions options, BvdfCache cache);
-  ~VisibilityWorker();
 
   /// Tables of this fabric, and the picture of one yarn's. A null fabric: none are wanted.
   void request(std::shared_ptr<const Fabric> fabric, int yarn);
@@ -56,34 +53,29 @@ class VisibilityWorker {
   struct Wish {
     std::shared_ptr<const Fabric> fabric;
     int yarn = 0;
-    std::stop_token stop;
   };
-  void loop(std::stop_token stop);
-  void fulfil(Wish wish);
-  void bake(std::shared_ptr<const Fabric> fabric, std::stop_token wanted, std::string recipe);
-  bool serves(Wish newer);
-  void publish(std::shared_ptr<const BvdfSet> tables, bool finished);
-  void setStatus(Status status);
+  struct Result {
+    std::shared_ptr<const BakedVisibility> baked;  ///< the newest
+    Status status;
+  };
+  using Baking = Worker<Wish, Result>;
+  Result fulfil(const Wish& wish, Baking::Turn& turn);
+  void bake(Baking::Turn& turn);
+  bool servesNewer(Baking::Turn& turn);
+  void keep(std::shared_ptr<const BvdfSet> tables, bool finished);
 
-  std::function<void()> wake_;
   BvdfOptions options_;
-  BvdfCache cache_;
-  KnownBvdfs known_;  ///< the thread's own
-  Mailbox<Wish> wishes_;
-  mutable std::mutex mutex_;
-  std::stop_source stop_;  ///< of all wishes since the last for nothing
-  std::shared_ptr<const BakedVisibility> newest_;
-  Status status_;
 
   // The thread's own:
-  std::stop_token ending_;
-  Wish wish_;                 ///< the newest that has been looked at
-  std::optional<Wish> next_;  ///< taken, but not looked at
-  std::string recipe_;        ///< of what is published, or being baked
+  BvdfCache cache_;
+  KnownBvdfs known_;
+  Wish wish_;           ///< the newest that has been looked at
+  std::string recipe_;  ///< of what is published, or being baked
   uint64_t bake_ = 0;
   bool interrupted_ = false;  ///< the bake of recipe_ was stopped
+  std::shared_ptr<const BakedVisibility> newest_;
 
-  std::jthread thread_;  // last: it stops before what it uses is gone
+  Baking worker_;  // last: it ends before what it uses is gone
 };
 
 }  // namespace loomlight

@@ -1,7 +1,5 @@
 #include "app/editor/controllers/file_desk.h"
 
-#include <exception>
-#include <new>
 #include <utility>
 
 #include "app/export/file_name.h"
@@ -11,18 +9,6 @@
 namespace loomlight {
 namespace {
 
-/// Nothing leaves the thread but in the result.
-template <class Task>
-void attempt(const Task& task, FileDesk::Result& result) {
-  try {
-    task(result);
-  } catch (const std::bad_alloc&) {
-    result.problem = result.file + ": needs more memory than there is";
-  } catch (const std::exception& error) {
-    result.problem = error.what();
-  }
-}
-
 FileDesk::Result about(FileDesk::Work work, std::string file, uint64_t state) {
   FileDesk::Result result;
   result.work = work;
@@ -31,63 +17,79 @@ FileDesk::Result about(FileDesk::Work work, std::string file, uint64_t state) {
   return result;
 }
 
+/// In the place of a result. Not every problem names its file.
+template <class Order>
+FileDesk::Result failed(const Order& order, const std::string& problem) {
+  FileDesk::Result result = order.about;
+  result.problem = problem.find(result.file) == std::string::npos ? result.file + ": " + problem : problem;
+  return result;
+}
+
 }  // namespace
 
 FileDesk::FileDesk(std::function<void()> wake, Read read)
-    : wake_(std::move(wake)), read_(std::move(read)), reads_(wake_) {}
+    : reads_(
+          wake,
+          [read = std::move(read)](const ReadOrder& order, const auto&) {
+            Result result = order.about;
+            WifImport cloth = read(result.file, *order.mine);
+            result.fabric = std::move(cloth.fabric);
+            result.warnings = std::move(cloth.warnings);
+            return result;
+          },
+          failed<ReadOrder>, Backlog::hanging),
+      writes_(
+          wake,
+          [](const WriteOrder& order, const auto& turn) {
+            Result result = order.about;
+            result.cancelled = turn.isStopped();
+            if (!result.cancelled) order.write(turn.stop(), result);
+            return result;
+          },
+          failed<WriteOrder>, Backlog::every) {}
 
 WifImport FileDesk::readCloth(const std::string& file, const Fabric& mine) {
   return isWeavingFile(file) ? readWifFabric(file, mine, WifSizeChoice::keep) : WifImport{readFabric(file), {}};
 }
 
-void FileDesk::open(Work work, std::string file, std::shared_ptr<const Fabric> mine, uint64_t state) {
-  stop_ = std::stop_source();
-  busy_ = Busy{work, file};
-  reads_.ask([result = about(work, std::move(file), state), mine = std::move(mine), read = read_](const auto&) mutable {
-    attempt(
-        [&](Result& to) {
-          WifImport cloth = read(to.file, *mine);
-          to.fabric = std::move(cloth.fabric);
-          to.warnings = std::move(cloth.warnings);
-        },
-        result);
-    return std::move(result);
-  });
+void FileDesk::begin(const Result& about) {
+  busy_ = Busy{about.work, about.file};
+  cancelled_ = false;
 }
 
-void FileDesk::write(Result about, Task task) {
-  stop_ = std::stop_source();
-  busy_ = Busy{about.work, about.file};
-  writes_.post([this, result = std::move(about), task = std::move(task), stop = stop_.get_token()]() mutable {
-    result.cancelled = stop.stop_requested();
-    if (!result.cancelled) attempt([&](Result& to) { task(stop, to); }, result);
-    written_.post(std::move(result));
-    wake_();
-  });
+void FileDesk::open(Work work, std::string file, std::shared_ptr<const Fabric> mine, uint64_t state) {
+  ReadOrder order{about(work, std::move(file), state), std::move(mine)};
+  begin(order.about);
+  reads_.ask(std::move(order));
 }
 
 void FileDesk::save(std::string file, std::shared_ptr<const Fabric> fabric, uint64_t state) {
-  write(about(Work::save, std::move(file), state),
-        [fabric = std::move(fabric)](const std::stop_token& stop, Result& result) {
-          result.cancelled = !writeFabric(*fabric, result.file, stop);
-        });
+  WriteOrder order{about(Work::save, std::move(file), state),
+                   [fabric = std::move(fabric)](const std::stop_token& stop, Result& result) {
+                     result.cancelled = !writeFabric(*fabric, result.file, stop);
+                   }};
+  begin(order.about);
+  writes_.ask(std::move(order));
 }
 
 void FileDesk::exportTo(std::string file, std::function<std::vector<std::string>()> write) {
-  this->write(about(Work::exportTo, std::move(file), 0),
-              [write = std::move(write)](const std::stop_token&, Result& result) { result.remarks = write(); });
+  WriteOrder order{about(Work::exportTo, std::move(file), 0),
+                   [write = std::move(write)](const std::stop_token&, Result& result) { result.remarks = write(); }};
+  begin(order.about);
+  writes_.ask(std::move(order));
 }
 
 void FileDesk::cancel() {
-  stop_.request_stop();
-  if (!isReading()) return;
+  if (!canCancel()) return;
+  cancelled_ = true;
+  if (!isReading()) return writes_.cancel();
   reads_.forget();
   busy_.reset();
 }
 
 std::optional<FileDesk::Result> FileDesk::take() {
   auto come = reads_.take();
-  if (!come) come = written_.take();
+  if (!come) come = writes_.take();
   if (come) busy_.reset();
   return come;
 }

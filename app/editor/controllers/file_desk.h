@@ -8,9 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/live/fetcher.h"
-#include "app/live/mailbox.h"
-#include "app/live/task_queue.h"
+#include "app/live/worker.h"
 #include "core/fabric/model/fabric.h"
 #include "core/fabric/wif/wif_fabric.h"
 
@@ -45,7 +43,7 @@ class FileDesk {
   bool isBusyWith(Work work) const { return busy_ && busy_->work == work; }
   bool isReading() const { return busy_ && busy_->work < Work::save; }
   /// An export is not, once it was asked for; a save only once.
-  bool canCancel() const { return busy_ && busy_->work != Work::exportTo && !stop_.stop_requested(); }
+  bool canCancel() const { return busy_ && busy_->work != Work::exportTo && !cancelled_; }
   /// Nothing will come of what was to be read. What was to be saved will say how far it came.
   void cancel();
 
@@ -63,17 +61,21 @@ class FileDesk {
   std::optional<Result> take();
 
  private:
-  using Task = std::function<void(const std::stop_token&, Result&)>;
+  struct ReadOrder {
+    Result about;
+    std::shared_ptr<const Fabric> mine;
+  };
+  struct WriteOrder {
+    Result about;
+    std::function<void(const std::stop_token&, Result&)> write;
+  };
   static WifImport readCloth(const std::string& file, const Fabric& mine);
-  void write(Result about, Task task);
+  void begin(const Result& about);
 
-  std::function<void()> wake_;
-  Read read_;
   std::optional<Busy> busy_;
-  std::stop_source stop_;
-  Fetcher<Result> reads_;
-  Mailbox<Result> written_;
-  TaskQueue writes_;  // last: it ends before what its tasks use is gone
+  bool cancelled_ = false;  ///< what is busy_
+  Worker<ReadOrder, Result> reads_;
+  Worker<WriteOrder, Result> writes_;
 };
 
 }  // namespace loomlight

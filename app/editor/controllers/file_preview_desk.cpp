@@ -85,7 +85,11 @@ std::string clothText(const Fabric& fabric) {
 }  // namespace
 
 FilePreviewDesk::FilePreviewDesk(DisplayDriver& driver, std::function<void()> wake)
-    : driver_(driver), looks_(std::move(wake)) {}
+    : driver_(driver),
+      looks_(
+          std::move(wake), [](const std::string& file, const auto&) { return std::pair(file, lookInto(file)); },
+          [](const std::string& file, const std::string& problem) { return std::pair(file, Look{{}, {problem}}); },
+          Backlog::hanging) {}
 
 FilePreviewDesk::Look FilePreviewDesk::lookInto(const std::string& file) {
   Look look;
@@ -121,7 +125,7 @@ FilePreviewDesk::Look FilePreviewDesk::lookInto(const std::string& file) {
     if (isFabricFile(file)) showCloth(readFabric(file));
     if (isWeavingFile(file)) showCloth(readWifFabric(file, Fabric{}, WifSizeChoice::keep).fabric);
   } catch (const std::bad_alloc&) {
-    look.lines.push_back("It needs more memory than there is.");
+    throw;
   } catch (const std::exception&) {
     look.lines.push_back(isFabricFile(file) ? "It holds no cloth." : "It cannot be read.");
   }
@@ -149,7 +153,7 @@ FilePreview FilePreviewDesk::of(const std::string& file) {
   if (const auto found = known_.find(file); found != known_.end()) return found->second.preview;
   if (file != asked_) {
     asked_ = file;
-    looks_.ask([file](const auto&) { return std::pair(file, lookInto(file)); });
+    looks_.ask(file);
   }
   FilePreview coming;
   coming.isComing = !file.empty();

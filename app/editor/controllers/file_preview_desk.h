@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/editor/display/display_driver.h"
-#include "app/live/fetcher.h"
+#include "app/live/worker.h"
 #include "ui/dialogs/file_preview.h"
 
 namespace loomlight {
@@ -39,7 +39,7 @@ class FilePreviewDesk {
   DisplayDriver& driver_;
   std::map<std::string, Known> known_;
   std::string asked_;
-  Fetcher<std::pair<std::string, Look>> looks_;
+  Worker<std::string, std::pair<std::string, Look>> looks_;
 };
 
 }  // namespace loomlight

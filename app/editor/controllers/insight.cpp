@@ -1,6 +1,7 @@
 #include "app/editor/controllers/insight.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/random.h"
@@ -48,17 +49,24 @@ YarnSection yarnSection(const Fabric& fabric, int yarn) {
   return section;
 }
 
-InsightWorker::InsightWorker(std::function<void()> wake) : wake_(std::move(wake)) {
-  thread_ = std::jthread([this](std::stop_token stop) { loop(stop); });
-}
+InsightWorker::InsightWorker(std::function<void()> wake, Compute compute)
+    : compute_(std::move(compute)),
+      worker_(
+          std::move(wake), [this](const Request& request, const auto&) { return tell(request); },
+          [this](const Request&, const std::string& problem) { return Result{last_, problem}; }) {}
 
 void InsightWorker::request(std::shared_ptr<const Fabric> fabric, int yarn) {
-  requests_.post({std::move(fabric), yarn});
+  worker_.ask({std::move(fabric), yarn});
 }
 
 std::shared_ptr<const Insight> InsightWorker::newest() const {
-  std::lock_guard lock(mutex_);
-  return newest_;
+  const auto told = worker_.newest();
+  return told ? told->insight : nullptr;
+}
+
+std::string InsightWorker::problem() const {
+  const auto told = worker_.newest();
+  return told ? told->problem : "";
 }
 
 std::optional<MeshExtent> InsightWorker::extentOf(const Drape& drape) {
@@ -81,23 +89,24 @@ std::optional<MeshExtent> InsightWorker::extentOf(const Drape& drape) {
   return measuredExtent_;
 }
 
-void InsightWorker::loop(std::stop_token stop) {
-  while (auto request = requests_.wait(stop)) {
-    auto insight = std::make_shared<Insight>();
-    insight->fabric = request->fabric;
-    insight->yarn = std::min(request->yarn, static_cast<int>(request->fabric->yarns.size()) - 1);
-    insight->section = yarnSection(*request->fabric, insight->yarn);
-    insight->floats = floats(request->fabric->weave);
-    insight->binding = binding(request->fabric->weave);
-    insight->cover = coverFactors(*request->fabric);
-    insight->warnings = warnings(*request->fabric);
-    insight->mesh = extentOf(request->fabric->drape);
-    {
-      std::lock_guard lock(mutex_);
-      newest_ = std::move(insight);
-    }
-    wake_();
-  }
+Insight InsightWorker::insightOf(const Fabric& fabric, int yarn) {
+  Insight insight;
+  insight.section = yarnSection(fabric, yarn);
+  insight.floats = floats(fabric.weave);
+  insight.binding = binding(fabric.weave);
+  insight.cover = coverFactors(fabric);
+  insight.warnings = warnings(fabric);
+  return insight;
+}
+
+InsightWorker::Result InsightWorker::tell(const Request& request) {
+  const int yarn = std::min(request.yarn, static_cast<int>(request.fabric->yarns.size()) - 1);
+  auto insight = std::make_shared<Insight>(compute_(*request.fabric, yarn));
+  insight->fabric = request.fabric;
+  insight->yarn = yarn;
+  insight->mesh = extentOf(request.fabric->drape);
+  last_ = std::move(insight);
+  return {last_, ""};
 }
 
 }  // namespace loomlight

@@ -2,13 +2,11 @@
 
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
-#include "app/live/mailbox.h"
+#include "app/live/worker.h"
 #include "core/fabric/yarn/derived.h"
 #include "ui/inspector/yarn_section.h"
 #include "ui/viewport/camera_moves.h"
@@ -30,29 +28,38 @@ struct Insight {
 /// The section of one yarn of the fabric, as it lies in plain cloth of this sett.
 YarnSection yarnSection(const Fabric& fabric, int yarn);
 
-/// Computes insights on a thread of its own, newest request first: a float search in a large jacquard, or the fibres of
-/// a coarse yarn, take longer than a frame.
+/// Computes insights on a thread of its own, of the newest request: a float search in a large jacquard, or the fibres
+/// of a coarse yarn, take longer than a frame.
 class InsightWorker {
  public:
-  explicit InsightWorker(std::function<void()> wake);
+  /// What is worth knowing of a fabric, but for its mesh. May throw.
+  using Compute = std::function<Insight(const Fabric&, int yarn)>;
+  explicit InsightWorker(std::function<void()> wake, Compute compute = insightOf);
+
   void request(std::shared_ptr<const Fabric> fabric, int yarn);
   std::shared_ptr<const Insight> newest() const;  ///< null before the first
+  std::string problem() const;                    ///< why there is none of the newest request; else empty
 
  private:
   struct Request {
     std::shared_ptr<const Fabric> fabric;
     int yarn = 0;
   };
-  void loop(std::stop_token stop);
+  struct Result {
+    std::shared_ptr<const Insight> insight;  ///< the last that could be computed
+    std::string problem;
+  };
+  static Insight insightOf(const Fabric& fabric, int yarn);
+  Result tell(const Request& request);
   std::optional<MeshExtent> extentOf(const Drape& drape);
 
-  std::function<void()> wake_;
-  Mailbox<Request> requests_;
-  mutable std::mutex mutex_;
-  std::shared_ptr<const Insight> newest_;
-  Drape measured_;  // the loop's alone: the mesh it has read last, and its extent
+  // The thread's own:
+  Compute compute_;
+  std::shared_ptr<const Insight> last_;
+  Drape measured_;  ///< the mesh that was read last, and its extent
   std::optional<MeshExtent> measuredExtent_;
-  std::jthread thread_;  // last: it stops before what it uses is gone
+
+  Worker<Request, Result> worker_;  // last: it ends before what it uses is gone
 };
 
 }  // namespace loomlight

@@ -3,9 +3,10 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 
-#include "app/live/fetcher.h"
+#include "app/live/worker.h"
 #include "core/fabric/model/fabric.h"
 #include "core/fabric/weave/picture_weave.h"
 #include "core/fabric/weave/structure_edit.h"
@@ -26,7 +27,7 @@ class PictureDesk {
   void weave(PictureOrder order, std::shared_ptr<const Fabric> fabric, const LoomLimits& limits);
   /// Whatever comes of it is no longer wanted. A picture that is being decoded is decoded to its end, and nothing else
   /// is done with it.
-  void forget() { fetcher_.forget(); }
+  void forget() { worker_.forget(); }
 
   /// What has come, once: one of the three.
   struct Result {
@@ -34,13 +35,10 @@ class PictureDesk {
     std::optional<Rewoven> woven;
     std::string problem;
   };
-  std::optional<Result> take() { return fetcher_.take(); }
+  std::optional<Result> take() { return worker_.take(); }
 
  private:
-  using StillWanted = Fetcher<Result>::StillWanted;
-  void ask(std::function<Result(const StillWanted&)> work);
-
-  Fetcher<Result> fetcher_;
+  Worker<std::function<Result(const std::stop_token&)>, Result> worker_;
 };
 
 }  // namespace loomlight

@@ -2,73 +2,54 @@
 
 #include <fmt/core.h>
 
-#include <exception>
-#include <new>
 #include <utility>
 
 namespace loomlight {
 
 PresetDesk::PresetDesk(std::filesystem::path folder, DisplayDriver& driver, std::function<void()> wake)
-    : folder_(std::move(folder)), wake_(std::move(wake)), thumbnails_(driver, wake_) {
-  disk_.post([this] {
-    cabinet_ = std::make_unique<PresetCabinet>(folder_);
-    const std::lock_guard lock(brought_.mutex);
-    brought_.state = stateNow();
-    wake_();
-  });
+    : folder_(std::move(folder)),
+      thumbnails_(driver, wake),
+      disk_(
+          wake, [this](const Job& job, const auto&) { return done(job); },
+          [this](const Job&, const std::string& problem) {
+            return Brought{cabinet_ ? stateOf(*cabinet_) : State{}, {}, 0, Outcome{"", problem}};
+          },
+          Backlog::every) {
+  disk_.ask([](PresetCabinet& cabinet) { return Brought{stateOf(cabinet), {}, 0, {}}; });
 }
 
-PresetDesk::State PresetDesk::stateNow() const {
-  return {cabinet_->names(), cabinet_->lastChange(), cabinet_->problem()};
+PresetDesk::State PresetDesk::stateOf(const PresetCabinet& cabinet) {
+  return {cabinet.names(), cabinet.lastChange(), cabinet.problem()};
 }
 
-bool PresetDesk::hasBroughtPresets() {
-  const std::lock_guard lock(brought_.mutex);
-  return brought_.presets.has_value();
+std::optional<PresetDesk::Brought> PresetDesk::done(const Job& job) {
+  if (!cabinet_) cabinet_ = std::make_unique<PresetCabinet>(folder_);
+  return job(*cabinet_);
 }
 
-void PresetDesk::bring(PresetKind kind, uint64_t number) {
-  Presets presets = cabinet_->presets(kind);
-  State state = stateNow();
-  const std::lock_guard lock(brought_.mutex);
-  brought_.presets = std::move(presets);
-  brought_.state = std::move(state);
-  brought_.number = number;
-  wake_();
-}
-
-/// One file a task: changes go between them.
-void PresetDesk::readOn(PresetKind kind, uint64_t number) {
-  if (number != wanted_) return;
-  if (!cabinet_->readNext(kind)) return bring(kind, number);
-  if (!hasBroughtPresets()) bring(kind, number);
-  disk_.post([this, kind, number] { readOn(kind, number); });
+/// One file a turn: changes go between them.
+std::optional<PresetDesk::Brought> PresetDesk::readOn(PresetCabinet& cabinet, PresetKind kind, uint64_t number) {
+  if (number != wanted_) return std::nullopt;
+  const bool more = cabinet.readNext(kind);
+  if (more) disk_.ask([this, kind, number](PresetCabinet& next) { return readOn(next, kind, number); });
+  if (more && !disk_.isTaken()) return std::nullopt;
+  return Brought{stateOf(cabinet), cabinet.presets(kind), number, {}};
 }
 
 void PresetDesk::look() {
   looked_ = ++wanted_;
-  disk_.post([this, kind = kind_, scale = scale_, number = looked_] {
-    if (number != wanted_) return;
-    cabinet_->look(kind, scale);
-    bring(kind, number);
-    readOn(kind, number);
+  disk_.ask([this, kind = kind_, scale = scale_, number = looked_](PresetCabinet& cabinet) -> std::optional<Brought> {
+    if (number != wanted_) return std::nullopt;
+    cabinet.look(kind, scale);
+    disk_.ask([this, kind, number](PresetCabinet& next) { return readOn(next, kind, number); });
+    return Brought{stateOf(cabinet), cabinet.presets(kind), number, {}};
   });
 }
 
 void PresetDesk::change(std::function<std::string(PresetCabinet&)> edit) {
-  disk_.post([this, edit = std::move(edit)] {
-    Outcome outcome;
-    try {
-      outcome.kept = edit(*cabinet_);
-    } catch (const std::bad_alloc&) {
-      outcome.problem = "It needs more memory than there is.";
-    } catch (const std::exception& error) {
-      outcome.problem = error.what();
-    }
-    const std::lock_guard lock(brought_.mutex);
-    brought_.state = stateNow();
-    brought_.outcomes.push_back(std::move(outcome));
-    wake_();
+  disk_.ask([edit = std::move(edit)](PresetCabinet& cabinet) {
+    Outcome outcome{edit(cabinet), ""};
+    return Brought{stateOf(cabinet), {}, 0, std::move(outcome)};
   });
   if (looked_ == wanted_) look();
 }
@@ -90,19 +71,17 @@ std::vector<PresetCard> PresetDesk::cards(PresetKind kind, float scale) {
 }
 
 void PresetDesk::take() {
-  Presets old;  // dies outside the lock
-  const std::lock_guard lock(brought_.mutex);
-  if (brought_.state) state_ = *std::exchange(brought_.state, std::nullopt);
-  if (!brought_.presets) return;
-  old = *std::exchange(brought_.presets, std::nullopt);
-  if (brought_.number == looked_) presets_.swap(old);
+  while (auto come = disk_.take()) {
+    state_ = std::move(come->state);
+    if (come->presets && come->number == looked_) presets_ = std::move(*come->presets);
+    if (come->outcome) outcomes_.push_back(std::move(*come->outcome));
+  }
 }
 
 std::optional<PresetDesk::Outcome> PresetDesk::takeOutcome() {
-  const std::lock_guard lock(brought_.mutex);
-  if (brought_.outcomes.empty()) return std::nullopt;
-  Outcome outcome = std::move(brought_.outcomes.front());
-  brought_.outcomes.pop_front();
+  if (outcomes_.empty()) return std::nullopt;
+  Outcome outcome = std::move(outcomes_.front());
+  outcomes_.pop_front();
   return outcome;
 }
 

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,7 +12,7 @@
 #include "app/editor/display/thumbnails.h"
 #include "app/editor/presets/preset.h"
 #include "app/editor/presets/preset_cabinet.h"
-#include "app/live/task_queue.h"
+#include "app/live/worker.h"
 
 namespace loomlight {
 
@@ -64,22 +63,20 @@ class PresetDesk {
   };
   /// What the thread has brought.
   struct Brought {
-    std::mutex mutex;
-    std::optional<State> state;
+    State state;
     std::optional<Presets> presets;
     uint64_t number = 0;  ///< of the look that they are from
-    std::deque<Outcome> outcomes;
+    std::optional<Outcome> outcome;
   };
+  using Job = std::function<std::optional<Brought>(PresetCabinet&)>;
   void look();
   void change(std::function<std::string(PresetCabinet&)> edit);
   // On the thread.
-  void readOn(PresetKind kind, uint64_t number);
-  void bring(PresetKind kind, uint64_t number);
-  State stateNow() const;
-  bool hasBroughtPresets();
+  static State stateOf(const PresetCabinet& cabinet);
+  std::optional<Brought> done(const Job& job);
+  std::optional<Brought> readOn(PresetCabinet& cabinet, PresetKind kind, uint64_t number);
 
   const std::filesystem::path folder_;
-  std::function<void()> wake_;
   PresetKind kind_ = PresetKind::fabrics;  ///< that is looked at
   float scale_ = 0;
   uint64_t looked_ = 0;  ///< the look that counts
@@ -87,9 +84,9 @@ class PresetDesk {
   State state_;
   Thumbnails thumbnails_;
   std::atomic<uint64_t> wanted_ = 0;
-  Brought brought_;
+  std::deque<Outcome> outcomes_;            ///< that nobody has been told
   std::unique_ptr<PresetCabinet> cabinet_;  ///< the thread's
-  TaskQueue disk_;                          // last: it ends before what its tasks use is gone
+  Worker<Job, Brought> disk_;               // last: it ends before what it uses is gone
 };
 
 }  // namespace loomlight

@@ -1,31 +1,43 @@
 #include "app/editor/controllers/render_desk.h"
 
+#include <algorithm>
 #include <utility>
+
+#include "core/base/parallel.h"
 
 namespace loomlight {
 
-void RenderDesk::start(FileJob::Work work) {
-  job_ = std::make_unique<FileJob>(std::move(work));
+RenderDesk::RenderDesk()
+    : worker_(
+          {},  // its dialog looks as often as it needs to
+
+          [](const Work& work, const auto& turn) {
+            Task task;
+            task.stop = turn.stop();
+            task.threads = std::max(1, hardwareThreads() - 1);  // the window keeps its core
+            task.progress = [&turn](double fraction) { turn.bring({{true, fraction, "", false}, false}); };
+            const std::optional<std::string> written = work(task);
+            return Told{{false, 1, written.value_or("Cancelled; nothing was written."), false}, written.has_value()};
+          },
+          [](const Work&, const std::string& problem) { return Told{{false, 1, problem, true}, false}; },
+          Backlog::newest, Priority::picture) {}
+
+void RenderDesk::start(Work work) {
   progress_ = {};
   progress_.running = true;
+  worker_.ask(std::move(work));
 }
 
 void RenderDesk::forget() {
-  if (!job_) progress_ = {};
-}
-
-void RenderDesk::cancel() {
-  if (job_) job_->cancel();
+  if (!isRunning()) progress_ = {};
 }
 
 std::optional<bool> RenderDesk::follow() {
-  if (!job_) return std::nullopt;
-  using Phase = FileJob::State::Phase;
-  const FileJob::State state = job_->state();
-  progress_ = {state.phase == Phase::running, state.progress, state.outcome, state.phase == Phase::failed};
+  const auto told = worker_.take();
+  if (!told) return std::nullopt;
+  progress_ = told->progress;
   if (progress_.running) return std::nullopt;
-  job_.reset();
-  return state.phase == Phase::written;
+  return told->written;
 }
 
 }  // namespace loomlight

@@ -1,20 +1,26 @@
 #pragma once
 
-#include <memory>
+#include <functional>
 #include <optional>
+#include <string>
 
-#include "app/export/file_job.h"
+#include "app/live/worker.h"
+#include "core/base/task.h"
 #include "ui/dialogs/render_job.h"
 
 namespace loomlight {
 
 /// A picture or a tile on its way to a file, and what its dialog says of it. In the thread of the window; no call
-/// waits.
+/// waits, but the destructor, which cancels, for as long as the work takes to notice.
 class RenderDesk {
  public:
-  void start(FileJob::Work work);
-  bool isRunning() const { return job_ != nullptr; }
-  void cancel();
+  /// Returns what was written, in words; nothing where it was stopped before it wrote any. May throw.
+  using Work = std::function<std::optional<std::string>(const Task&)>;
+  RenderDesk();
+
+  void start(Work work);
+  bool isRunning() const { return progress_.running; }
+  void cancel() { worker_.cancel(); }
   /// Looks how far it is. Once it is over, whether it was written.
   std::optional<bool> follow();
   const RenderJob& progress() const { return progress_; }
@@ -22,8 +28,12 @@ class RenderDesk {
   void forget();
 
  private:
-  std::unique_ptr<FileJob> job_;
+  struct Told {
+    RenderJob progress;
+    bool written = false;
+  };
   RenderJob progress_;
+  Worker<Work, Told> worker_;
 };
 
 }  // namespace loomlight

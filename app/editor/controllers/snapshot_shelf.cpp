@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 #include "render/display/display_picture.h"
@@ -19,41 +18,36 @@ float aspectOf(const Pixels8& picture) {
 }  // namespace
 
 SnapshotShelf::SnapshotShelf(std::filesystem::path folder, DisplayDriver& driver, std::function<void()> wake)
-    : folder_(std::move(folder), kBudget), driver_(driver), wake_(std::move(wake)), difference_(driver.makeTexture()) {
+    : folder_(std::move(folder), kBudget),
+      driver_(driver),
+      difference_(driver.makeTexture()),
+      disk_(
+          std::move(wake), [this](const Order& order, const auto&) { return done(folder_, order); },
+          [](const Order& order, const std::string& problem) { return Done{order.work, std::nullopt, problem}; },
+          Backlog::every) {
   const std::vector<std::string> ids = folder_.ids();
   for (size_t i = ids.size() - std::min(ids.size(), kBudget.views); i < ids.size(); ++i) {
     ++awaited_;
-    readLater(ids[i]);
+    disk_.ask({Order::Work::read, {ids[i], {}, {}}});
   }
 }
 
-void SnapshotShelf::readLater(const std::string& id) {
-  disk_.post([this, id] {
-    std::optional<KeptView> view;
-    try {
-      view = folder_.read(id);
-    } catch (const std::exception&) {
-      // A file that is none of ours, or was broken by hand: it is not offered.
-    }
-    {
-      const std::lock_guard lock(brought_.mutex);
-      if (view)
-        brought_.views.push_back(std::move(*view));
-      else
-        ++brought_.unreadable;
-    }
-    wake_();
-  });
+SnapshotShelf::Done SnapshotShelf::done(const ViewFolder& folder, const Order& order) {
+  Done done{order.work, {}, {}};
+  if (order.work == Order::Work::read) done.view = folder.read(order.view.id);
+  if (order.work == Order::Work::keep) folder.keep(order.view);
+  if (order.work == Order::Work::remove) folder.remove(order.view.id);
+  return done;
 }
 
+/// A view that cannot be read, none of ours or broken by hand, is not offered.
 void SnapshotShelf::follow() {
-  std::vector<KeptView> views;
-  {
-    const std::lock_guard lock(brought_.mutex);
-    awaited_ -= brought_.views.size() + std::exchange(brought_.unreadable, 0);
-    views.swap(brought_.views);
+  while (auto done = disk_.take()) {
+    if (done->work == Order::Work::keep) problem_ = std::move(done->problem);
+    if (done->work != Order::Work::read) continue;
+    --awaited_;
+    if (done->view) add(std::move(*done->view));
   }
-  for (KeptView& view : views) add(std::move(view));
 }
 
 void SnapshotShelf::add(KeptView view) {
@@ -71,7 +65,7 @@ void SnapshotShelf::add(KeptView view) {
 std::string SnapshotShelf::keep(std::shared_ptr<const Fabric> fabric, Pixels8 picture) {
   const KeptView kept{ViewFolder::newId(), std::move(fabric), std::move(picture)};
   add(kept);
-  writeLater(kept);
+  disk_.ask({Order::Work::keep, kept});
   while (kept_.size() > kBudget.views) remove(0);
   return kept.id;
 }
@@ -83,33 +77,12 @@ void SnapshotShelf::renew(const std::string& id, Pixels8 picture) {
   found->view.picture = std::move(picture);
   found->texture = driver_.makeTexture();
   found->texture->upload(found->view.picture);
-  writeLater(found->view);
-}
-
-void SnapshotShelf::writeLater(KeptView kept) {
-  disk_.post([this, view = std::move(kept)] {
-    std::string problem;
-    try {
-      folder_.keep(view);
-    } catch (const std::exception& error) {
-      problem = error.what();
-    }
-    {
-      const std::lock_guard lock(brought_.mutex);
-      brought_.problem = std::move(problem);
-    }
-    wake_();
-  });
+  disk_.ask({Order::Work::keep, found->view});
 }
 
 void SnapshotShelf::remove(size_t index) {
-  disk_.post([this, id = kept_[index].view.id] { folder_.remove(id); });
+  disk_.ask({Order::Work::remove, {kept_[index].view.id, {}, {}}});
   kept_.erase(kept_.begin() + static_cast<ptrdiff_t>(index));
-}
-
-std::string SnapshotShelf::problem() const {
-  const std::lock_guard lock(brought_.mutex);
-  return brought_.problem;
 }
 
 std::vector<SnapshotItem> SnapshotShelf::items() const {

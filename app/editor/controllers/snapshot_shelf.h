@@ -2,14 +2,14 @@
 
 #include <functional>
 #include <memory>
-#include <mutex>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "app/editor/display/display_driver.h"
 #include "app/editor/model/view_folder.h"
-#include "app/live/task_queue.h"
+#include "app/live/worker.h"
 #include "core/fabric/model/fabric.h"
 #include "ui/viewport/compare_dialog.h"
 #include "ui/viewport/snapshot_strip.h"
@@ -33,7 +33,7 @@ class SnapshotShelf {
   /// Also while the first are still being read.
   bool empty() const { return kept_.empty() && awaited_ == 0; }
   /// Why the newest view will not last; empty while all is well.
-  std::string problem() const;
+  const std::string& problem() const { return problem_; }
   const Fabric& fabric(size_t index) const { return *kept_[index].view.fabric; }
   std::vector<SnapshotItem> items() const;
 
@@ -47,28 +47,28 @@ class SnapshotShelf {
     KeptView view;
     std::shared_ptr<PictureTexture> texture;
   };
-  /// What the thread has brought.
-  struct Brought {
-    std::mutex mutex;
-    std::vector<KeptView> views;
-    size_t unreadable = 0;
+  struct Order {
+    enum class Work { read, keep, remove } work;
+    KeptView view;  ///< to read and to remove: its name alone
+  };
+  struct Done {
+    Order::Work work;
+    std::optional<KeptView> view;  ///< that was read
     std::string problem;
   };
+  static Done done(const ViewFolder& folder, const Order& order);
   void add(KeptView view);
-  void readLater(const std::string& id);
-  void writeLater(KeptView view);
 
   static constexpr ViewFolder::Budget kBudget{};
   ViewFolder folder_;
   DisplayDriver& driver_;
-  std::function<void()> wake_;
   std::vector<Kept> kept_;
   std::vector<Kept> compared_;
   std::unique_ptr<PictureTexture> difference_;
   int count_ = 0;
   size_t awaited_ = 0;  ///< views that are still being read
-  mutable Brought brought_;
-  TaskQueue disk_;  // last: it ends before what its tasks use is gone
+  std::string problem_;
+  Worker<Order, Done> disk_;  // last: it ends before what it uses is gone
 };
 
 }  // namespace loomlight

@@ -47,7 +47,7 @@ void tellFigures(const Insight& insight, const ClothMeasures& measures, StatusMo
 StatusModel statusModel(const Insight* insight, const LiveStatus& status, const VisibilityWorker::Status& baking,
                         const Frame* shown) {
   StatusModel model;
-  if (insight && status.builtGeneration > 0) tellFigures(*insight, status.measures, model);
+  if (insight && status.measures.thickness_mm > 0) tellFigures(*insight, status.measures, model);
   if (!status.notices.empty() && model.warning.empty()) model.warning = status.notices.front();
   if (!baking.error.empty() && model.warning.empty()) model.warning = baking.error;
   if (shown) {

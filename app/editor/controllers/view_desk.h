@@ -44,6 +44,7 @@ class ViewDesk {
   LiveStatus status() const { return renderer_.status(); }
   uint64_t generation() const { return generation_; }  ///< that was asked for last
   std::shared_ptr<const Insight> insight() const { return insight_.newest(); }
+  std::string insightProblem() const { return insight_.problem(); }
   VisibilityWorker::Status visibilityStatus() const { return visibility_.status(); }
   const BakedVisibility* visibility() const { return shownVisibility_.get(); }
 

@@ -4,7 +4,7 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <condition_variable>
+#include <utility>
 #include <vector>
 
 #include "core/base/error.h"
@@ -50,7 +50,7 @@ void sweepLocks(const fs::path& folder) {
 
 }  // namespace
 
-Autosave::Autosave(fs::path folder, std::function<void()> wake) : wake_(std::move(wake)) {
+Autosave::Autosave(fs::path folder, std::function<void()> wake) {
   std::error_code ignored;  // without the folder a write fails, and says so
   fs::create_directories(folder, ignored);
   sweepLocks(folder);
@@ -58,52 +58,31 @@ Autosave::Autosave(fs::path folder, std::function<void()> wake) : wake_(std::mov
       std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::system_clock::now().time_since_epoch());
   file_ = folder / fmt::format("{}{}-{}{}", kPrefix, now_ns.count(), getpid(), kSuffix);
   running_ = FileLock::make(lockOf(file_));
-  thread_ = std::jthread([this](std::stop_token stop) { loop(stop); });
+  // A full disk must not stop the designer from working, who is told.
+  writing_.emplace(
+      std::move(wake),
+      [this](const Work& work, const auto& turn) {
+        write(work);
+        if (std::exchange(failed_, false)) turn.bring("");
+        if (work.fabric) turn.rest(kBetweenWrites);
+        return std::nullopt;
+      },
+      [this](const Work&, const std::string& problem) {
+        failed_ = true;
+        return problem;
+      });
 }
 
 Autosave::~Autosave() = default;
 
 void Autosave::endWell() {
-  thread_.request_stop();
-  thread_.join();
+  writing_.reset();
   throwAway(file_);
-  removeTakenOver();
-}
-
-void Autosave::keep(std::shared_ptr<const Fabric> fabric) {
-  work_.post(std::move(fabric));
-}
-
-void Autosave::forget() {
-  work_.post(nullptr);
-}
-
-void Autosave::takeOver(fs::path left) {
-  const std::lock_guard lock(mutex_);
-  takenOver_ = std::move(left);
+  throwAway(takenOver_);
 }
 
 std::string Autosave::problem() const {
-  const std::lock_guard lock(mutex_);
-  return problem_;
-}
-
-void Autosave::setProblem(std::string problem) {
-  {
-    const std::lock_guard lock(mutex_);
-    if (problem == problem_) return;
-    problem_ = std::move(problem);
-  }
-  if (wake_) wake_();
-}
-
-void Autosave::removeTakenOver() {
-  fs::path old;
-  {
-    const std::lock_guard lock(mutex_);
-    old.swap(takenOver_);
-  }
-  if (!old.empty()) throwAway(old);
+  return writing_ ? writing_->newest().value_or("") : "";
 }
 
 /// The folder may have been removed since, with the lock in it.
@@ -115,32 +94,15 @@ void Autosave::makeFolder() {
   if (!fs::exists(lockOf(file_), error)) running_ = FileLock::make(lockOf(file_));
 }
 
-void Autosave::write(const Fabric& fabric) {
-  try {
-    makeFolder();
-    writeFabric(fabric, file_.string());
-    removeTakenOver();
-    setProblem({});
-  } catch (const std::exception& error) {
-    // A full disk must not stop the designer from working, who is told.
-    setProblem(error.what());
+void Autosave::write(const Work& work) {
+  if (!work.fabric) {
+    std::error_code ignored;
+    fs::remove(file_, ignored);
+    return;
   }
-}
-
-void Autosave::loop(std::stop_token stop) {
-  std::mutex mutex;
-  std::condition_variable_any pause;
-  while (auto work = work_.wait(stop)) {
-    if (!*work) {
-      std::error_code ignored;
-      fs::remove(file_, ignored);
-      setProblem({});
-      continue;
-    }
-    write(**work);
-    std::unique_lock lock(mutex);
-    pause.wait_for(lock, stop, kBetweenWrites, [] { return false; });
-  }
+  makeFolder();
+  writeFabric(*work.fabric, file_.string());
+  throwAway(work.takenOver);
 }
 
 std::optional<fs::path> Autosave::leftBehind(const fs::path& folder) {

@@ -3,13 +3,11 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 
 #include "app/editor/model/file_lock.h"
-#include "app/live/mailbox.h"
+#include "app/live/worker.h"
 #include "core/fabric/model/fabric.h"
 
 namespace loomlight {
@@ -25,14 +23,14 @@ class Autosave {
   explicit Autosave(std::filesystem::path folder, std::function<void()> wake = {});
   ~Autosave();  ///< leaves the copy: whoever is torn down by an error still has it
 
-  void keep(std::shared_ptr<const Fabric> fabric);
-  void forget();   ///< the work is saved: removes the copy
-  void endWell();  ///< the editor ends, and nothing is to be taken up again: removes the copy, for good
+  void keep(std::shared_ptr<const Fabric> fabric) { ask(std::move(fabric)); }
+  void forget() { ask(nullptr); }  ///< the work is saved: removes the copy
+  void endWell();                  ///< the editor ends, and nothing is to be taken up again: removes the copy, for good
   /// Removes a copy that another editor left, and what was beside it. Whatever is no copy in the folder is let alone:
   /// designers' files are never removed.
   void throwAway(const std::filesystem::path& left) const;
   /// The same, once the work is written again, so that at no time there is no copy of it.
-  void takeOver(std::filesystem::path left);
+  void takeOver(std::filesystem::path left) { takenOver_ = std::move(left); }
   /// Why the newest work could not be kept; empty while all is well.
   std::string problem() const;
 
@@ -42,20 +40,19 @@ class Autosave {
   static std::optional<std::filesystem::path> leftBehind(const std::filesystem::path& folder);
 
  private:
-  void loop(std::stop_token stop);
+  struct Work {
+    std::shared_ptr<const Fabric> fabric;  ///< null: it is saved
+    std::filesystem::path takenOver;       ///< goes once this is written; may be empty
+  };
+  using Writing = Worker<Work, std::string>;
+  void ask(std::shared_ptr<const Fabric> fabric) { writing_->ask({std::move(fabric), takenOver_}); }
   void makeFolder();
-  void write(const Fabric& fabric);
-  void removeTakenOver();
-  void setProblem(std::string problem);
+  void write(const Work& work);
 
-  std::filesystem::path file_;
+  std::filesystem::path file_, takenOver_;
   std::optional<FileLock> running_;  ///< none where the folder takes no files: then no copy can be kept either
-  std::function<void()> wake_;
-  mutable std::mutex mutex_;  // of the next two
-  std::filesystem::path takenOver_;
-  std::string problem_;
-  Mailbox<std::shared_ptr<const Fabric>> work_;
-  std::jthread thread_;
+  bool failed_ = false;              ///< the thread's own: the last was not written
+  std::optional<Writing> writing_;   ///< brings what problem() says; last: it ends before what it uses is gone
 };
 
 }  // namespace loomlight
