@@ -14,8 +14,8 @@ class StrandClipper {
  public:
   StrandClipper(CellStrands& out, float edge) : out_(out), edge_(edge) {}
 
-  void add(std::span<const glm::vec3> line, uint8_t ply, float packing) {
-    attributes_ = {0, 0, ply, 0, packing};
+  void add(std::span<const glm::vec3> line, uint8_t ply, bool loose) {
+    attributes_ = {0, 0, ply, loose};
     // Most often a fibre comes in once and leaves once.
     size_t first = 0, end = line.size();
     while (first < end && line[first].y < -edge_) ++first;
@@ -116,7 +116,6 @@ void layBody(const YarnModel& yarn, const std::vector<Station>& stations, Strand
   const StationLists at(stations);
   const float acrossScale = static_cast<float>(yarn.acrossScale()), upScale = static_cast<float>(yarn.upScale());
   const float plyOrbit = static_cast<float>(g.plyOrbit_mm), cordOrbit = static_cast<float>(g.cordOrbit_mm);
-  const float packing = static_cast<float>(g.packing);
 
   std::vector<glm::vec2> plyAt(n), spin(n), place(n);  // up, across
   std::vector<glm::vec3> line(n);
@@ -137,7 +136,7 @@ void layBody(const YarnModel& yarn, const std::vector<Station>& stations, Strand
         const float up = upScale * fibreAt.x, across = acrossScale * fibreAt.y;
         line[i] = {across, at.s[i] + up * at.normalS[i], at.z[i] + up * at.normalZ[i]};
       }
-      clipper.add(line, static_cast<uint8_t>(single), packing);
+      clipper.add(line, static_cast<uint8_t>(single), false);
     }
   }
 }
@@ -163,7 +162,7 @@ void layFlyaway(const YarnModel& yarn, const Flyaway& flyaway, double shift, con
     if (line.empty()) place(a, b, std::max(start, a.t));
     place(a, b, std::min(end, b.t));
   }
-  clipper.add(line, 0, 0.0f);
+  clipper.add(line, 0, true);
 }
 
 }  // namespace

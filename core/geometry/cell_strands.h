@@ -16,11 +16,10 @@ namespace loomlight {
 /// cell at s = pitch/2 goes on in the next cell of the yarn at s = -pitch/2.
 struct CellStrands {
   struct Strand {
-    uint32_t first = 0;    ///< into points
-    uint32_t count = 0;    ///< points, >= 2; segments = count - 1
-    uint8_t ply = 0;       ///< among the plies of all cords
-    uint8_t material = 0;  ///< which fibre of the yarn's blend; 0 for all of ours so far
-    float packing = 0;     ///< local fibre volume fraction around it: the yarn's, 0 for loose hairs
+    uint32_t first = 0;  ///< into points
+    uint32_t count = 0;  ///< points, >= 2; segments = count - 1
+    uint8_t ply = 0;     ///< among the plies of all cords
+    bool loose = false;  ///< a hair, which stands off the yarn's body
   };
   std::vector<glm::vec3> points;
   std::vector<Strand> strands;

@@ -120,7 +120,6 @@ YarnGeometry outlineYarn(const Yarn& yarn, const Fibre& fibre, double pitch_mm, 
   g.cords = yarn.cords;
   g.plies = yarn.plies;
   g.fibreDensity_g_cm3 = fibre.density_g_cm3;
-  g.packing = yarn.packing;
   g.pitch_mm = pitch_mm;
   g.crossPitch_mm = crossPitch_mm;
   g.migration = yarn.migration;

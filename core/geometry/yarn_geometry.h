@@ -22,7 +22,6 @@ struct YarnGeometry {
   double cordOrbit_mm = 0;  ///< distance of the cord axes from the yarn axis; 0 for one cord
   double halfWidth_mm = 0;  ///< of the flattened yarn section, hairs excluded
   double halfHeight_mm = 0;
-  double packing = 0;
   int period = 1;            ///< cells
   int plyTurns = 0;          ///< signed turns over one period; positive is Z (right-handed)
   int yarnTurns = 0;         ///< of the plies about their cord's axis; they turn along rigidly, as they are plied

@@ -43,7 +43,7 @@ YarnSection yarnSection(const Fabric& fabric, int yarn) {
       const glm::vec3 a = strands.points[i], b = strands.points[i + 1];  // (u, s, z)
       if ((a.y < 0) == (b.y < 0)) continue;
       const glm::vec3 at = glm::mix(a, b, a.y / (a.y - b.y));
-      section.points.push_back({{at.x, at.z - key.here.height_mm}, strand.ply, strand.packing == 0, second});
+      section.points.push_back({{at.x, at.z - key.here.height_mm}, strand.ply, strand.loose, second});
     }
   }
   return section;

@@ -15,7 +15,6 @@ void ComponentEncoder::encodeBatch() {
   for (int i = count; i % kWide != 0; ++i) {  // places that are not used may hold anything that is harmless
     batch_[i] = batch_[0];
     volumes_mm3_[i] = volumes_mm3_[0];
-    materials_[i] = 0;
   }
   FittedBatch fitted;
   fitDistributions(batch_, count, fitted);
@@ -24,9 +23,7 @@ void ComponentEncoder::encodeBatch() {
     std::array<DistributionLanes, 2>& eight = fitted[i / kWide];
     for (int half = 0; half < 2; ++half) {
       const double* volumes = &volumes_mm3_[i + half * kLanes];
-      const int* materials = &materials_[i + half * kLanes];
       eight[half].lengthDensity /= Lanes{volumes[0], volumes[1], volumes[2], volumes[3]};
-      eight[half].material = IntLanes{materials[0], materials[1], materials[2], materials[3]};
     }
     Component::encode(eight, &components[i]);
   }

@@ -15,7 +15,7 @@ class ComponentEncoder {
   ComponentEncoder();
 
   /// length > 0.
-  void add(const FibreMoments& moments, double volume_mm3, int material);
+  void add(const FibreMoments& moments, double volume_mm3);
   size_t count() const { return parts_.size() + static_cast<size_t>(inBatch_); }  ///< added since the last take()
   /// One component for each add(), in that order; those too thin for a length density have 0. Starts anew.
   std::vector<Component> take();
@@ -37,17 +37,15 @@ class ComponentEncoder {
 
   FitBatch batch_;
   std::array<double, kFitBatch> volumes_mm3_;
-  std::array<int, kFitBatch> materials_;
   int inBatch_ = 0;
   std::vector<Part> parts_;
   std::array<int, kClasses> first_;  ///< of each class
   double lost_mm_ = 0;               ///< of all parts
 };
 
-inline void ComponentEncoder::add(const FibreMoments& moments, double volume_mm3, int material) {
+inline void ComponentEncoder::add(const FibreMoments& moments, double volume_mm3) {
   batch_[inBatch_] = moments;
   volumes_mm3_[inBatch_] = volume_mm3;
-  materials_[inBatch_] = material;
   if (++inBatch_ == kFitBatch) encodeBatch();
 }
 

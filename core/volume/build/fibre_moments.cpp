@@ -99,14 +99,11 @@ DistributionLanes distributionOf(const Fit& fit, const FibreMoments* m) {
   const auto& [x, y, z] = fit.axis;
   const Lanes along = x * x * t.xx + y * y * t.yy + z * z * t.zz + 2 * (x * y * t.xy + x * z * t.xz + y * z * t.yz);
   const Lanes length{m[0].others[3], m[1].others[3], m[2].others[3], m[3].others[3]};
-  const Lanes packed{m[0].others[2], m[1].others[2], m[2].others[2], m[3].others[2]};
   return {.x = x,
           .y = y,
           .z = z,
           .spread = TangentSpread::spreadsFromMeanSquareSines(1 - along / squareOf(fit.axis)),
-          .lengthDensity = length,
-          .packing = packed / length,
-          .material = IntLanes{}};
+          .lengthDensity = length};
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace loomlight {
 /// of segments meet in a coarse voxel, and lambda must integrate to the yarn's length.
 struct alignas(64) FibreMoments {
   Lanes squares{};  ///< sums of l times xx, yy, zz, xy of the tangent's components
-  Lanes others{};   ///< sums of l xz, l yz, l packing, l
+  Lanes others{};   ///< sums of l xz, l yz, 0, l
 
   double length_mm() const { return others[3]; }
   void add(const FibreMoments& more) {
@@ -23,7 +23,7 @@ struct alignas(64) FibreMoments {
     others += factor * more.others;
   }
   /// A straight segment; d is its length and direction, mm (the last lane is not used).
-  static FibreMoments ofSegment(Lanes d, double packing);
+  static FibreMoments ofSegment(Lanes d);
 };
 
 /// The fibres of many voxels, to be fitted together. All lengths are > 0.
@@ -39,12 +39,12 @@ void fitDistributions(const FitBatch& batch, int count, FittedBatch& fitted);
 /// How much would be lost by describing both by one distribution: Ward's distance of the two normalised tensors.
 double mergeCost(const FibreMoments& a, const FibreMoments& b);
 
-inline FibreMoments FibreMoments::ofSegment(Lanes d, double packing) {
+inline FibreMoments FibreMoments::ofSegment(Lanes d) {
   const double length = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
   const double f = length > 0 ? 1 / length : 0;
   const Lanes unit = d * f;
   return {Lanes{d[0], d[1], d[2], d[0]} * Lanes{unit[0], unit[1], unit[2], unit[1]},
-          Lanes{d[0], d[1], packing, 1} * Lanes{unit[2], unit[2], length, length}};
+          Lanes{d[0], d[1], 0, 1} * Lanes{unit[2], unit[2], 0, length}};
 }
 
 }  // namespace loomlight

@@ -74,7 +74,6 @@ void LeafFiller::measure(const CellStrands& strands, const CellStrands::Strand& 
   Point* const points = points_.data();
   FibreMoments* const sums = sums_.data();
   const glm::vec3* const source = strands.points.data() + strand.first;
-  const double packing = strand.packing;
   // A fibre has a section, and its length is spread over it: by lines that waver across it, at a distance from the axis
   // that gives them the second moment of the section, r^2 / 4 across each way. The points of a line lie on a sphere, so
   // a third of that is along the fibre, and what lies between two points is nearer to the axis by another third.
@@ -89,7 +88,7 @@ void LeafFiller::measure(const CellStrands& strands, const CellStrands::Strand& 
   for (size_t i = 1; i < count; ++i) {
     const FloatLanes start = std::exchange(end, toCloth(source[i], system)), from = std::exchange(at, about(end, i));
     const Lanes along = __builtin_convertvector(end, Lanes) - __builtin_convertvector(start, Lanes);
-    sum.add(FibreMoments::ofSegment(along, packing), 0.5);
+    sum.add(FibreMoments::ofSegment(along), 0.5);
     const IntLanes left = std::exchange(voxel, VoxelFrame::voxelOf(at));
     const IntLanes upwards = voxel > left;  // -1 where it is so
     const FloatLanes face = __builtin_convertvector(left - upwards, FloatLanes);
@@ -132,7 +131,7 @@ void LeafFiller::follow(const CellStrands::Strand& strand, MomentLevel& leaves) 
   const FibreMoments* const sums = sums_.data();
   Lanes squares{}, others{};  // of the strand up to where it came into the voxel
   for (int left = crossingCounts_[0] + crossingCounts_[1] + crossingCounts_[2]; left > 0; --left) {
-    FibreMoments& here = leaves.at(ox + oy + oz, strand.ply, strand.material);
+    FibreMoments& here = leaves.at(ox + oy + oz, strand.ply);
     const uint64_t next = std::min(x->when, std::min(y->when, z->when));
     const FibreMoments &to = sums[next >> 32], &from = *(&to - 1);
     const double share = std::bit_cast<float>(static_cast<uint32_t>(next));
@@ -150,7 +149,7 @@ void LeafFiller::follow(const CellStrands::Strand& strand, MomentLevel& leaves) 
     y += isY;
     z += isZ;
   }
-  FibreMoments& last = leaves.at(ox + oy + oz, strand.ply, strand.material);
+  FibreMoments& last = leaves.at(ox + oy + oz, strand.ply);
   last.squares += sums[strand.count - 1].squares - squares;
   last.others += sums[strand.count - 1].others - others;
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <tuple>
 #include <utility>
 
 namespace loomlight {
@@ -27,9 +26,8 @@ glm::ivec3 blockOf(glm::ivec3 voxel, glm::ivec3 perCell) {
   return place.cell * ((perCell + 3) >> 2) + (place.inCell >> 2);
 }
 
-/// Blocks of the cells of a level.
-glm::ivec3 blocksPerCell(const VoxelGrid& grid, int level) {
-  return (grid.cellAt(level) + 3) >> 2;
+glm::ivec3 blocksPerCell(const VoxelGrid& grid) {
+  return (grid.perCell() + 3) >> 2;
 }
 
 /// Of a voxel's number in its block, that of the coarser voxel it lies in, from the first voxel of its block on.
@@ -43,10 +41,10 @@ constexpr auto kHalved = makeHalved();
 /// The moments of one ply in a voxel, or of several that had to be merged.
 struct Part {
   FibreMoments moments;
-  uint8_t ply, material;
+  uint8_t ply;
 };
 
-/// Merges the most alike until two are left; the longer names the material.
+/// Merges the most alike until two are left.
 void mergeToTwo(std::vector<Part>& parts) {
   while (parts.size() > 2) {
     size_t first = 0, second = 1;
@@ -61,24 +59,22 @@ void mergeToTwo(std::vector<Part>& parts) {
         }
       }
     }
-    if (parts[second].moments.length_mm() > parts[first].moments.length_mm())
-      parts[first].material = parts[second].material;
     parts[first].moments.add(parts[second].moments);
     parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(second));
   }
 }
 
 /// Takes out the components without length density.
-void dropEmpty(Brick::Level& level) {
+void dropEmpty(Brick& brick) {
   const auto empty = [](Component c) { return c.lengthDensity() == 0; };
-  if (std::none_of(level.components.begin(), level.components.end(), empty)) return;
+  if (std::none_of(brick.components.begin(), brick.components.end(), empty)) return;
   std::vector<Component> kept;
-  for (Brick::Block& block : level.grid) {
+  for (Brick::Block& block : brick.grid) {
     const Brick::Block before = std::exchange(block, {});
     block.first = static_cast<uint32_t>(kept.size());
     for (uint64_t rest = before.occupied; rest != 0; rest &= rest - 1) {
       const uint64_t bit = rest & -rest;
-      for (const Component c : level.at(before, std::countr_zero(rest))) {
+      for (const Component c : brick.at(before, std::countr_zero(rest))) {
         if (empty(c)) continue;
         (block.occupied & bit ? block.second : block.occupied) |= bit;
         kept.push_back(c);
@@ -87,15 +83,14 @@ void dropEmpty(Brick::Level& level) {
     if (block.occupied == 0) block.first = 0;
   }
   kept.shrink_to_fit();
-  level.components = std::move(kept);
+  brick.components = std::move(kept);
 }
 
 }  // namespace
 
-void MomentLevel::reset(const VoxelGrid& grid, int level, glm::ivec3 lower, glm::ivec3 blocks) {
+void MomentLevel::resetBlocks(const VoxelGrid& grid, glm::ivec3 lower, glm::ivec3 blocks) {
   grid_ = grid;
-  level_ = level;
-  perCell_ = blocksPerCell(grid, level);
+  perCell_ = blocksPerCell(grid);
   lower_ = lower;
   blocks_ = blocks;
   occupied_.assign(static_cast<size_t>(blocks.x) * blocks.y * blocks.z, 0);
@@ -104,13 +99,13 @@ void MomentLevel::reset(const VoxelGrid& grid, int level, glm::ivec3 lower, glm:
   moments_.clear();
 }
 
-void MomentLevel::reset(const VoxelGrid& grid, glm::ivec3 first, glm::ivec3 last) {
-  const glm::ivec3 lower = blockOf(first, grid.cell);
-  reset(grid, 0, lower, blockOf(last, grid.cell) + 1 - lower);
+void MomentLevel::reset(const VoxelGrid& leaves, glm::ivec3 first, glm::ivec3 last) {
+  const glm::ivec3 lower = blockOf(first, leaves.cell);
+  resetBlocks(leaves, lower, blockOf(last, leaves.cell) + 1 - lower);
 }
 
 int32_t MomentLevel::offset(int axis, int v) const {
-  const int cell = grid_.cellAt(level_)[axis], inCell = v - floorDivide(v, cell) * cell;
+  const int cell = grid_.perCell()[axis], inCell = v - floorDivide(v, cell) * cell;
   const int block = floorDivide(v, cell) * perCell_[axis] + (inCell >> 2) - lower_[axis];
   const int stride[] = {1, blocks_.x, blocks_.x * blocks_.y};
   return 64 * block * stride[axis] + ((inCell & 3) << (2 * axis));
@@ -121,21 +116,22 @@ glm::ivec3 MomentLevel::blockAt(size_t number) const {
   return lower_ + glm::ivec3(n % blocks_.x, n / blocks_.x % blocks_.y, n / (blocks_.x * blocks_.y));
 }
 
-FibreMoments& MomentLevel::append(int32_t voxel, uint8_t ply, uint8_t material) {
-  links_.push_back({heads_[voxel], ply, material});
+FibreMoments& MomentLevel::append(int32_t voxel, uint8_t ply) {
+  links_.push_back({heads_[voxel], ply});
   heads_[voxel] = static_cast<int32_t>(moments_.size());
   occupied_[voxel >> 6] |= uint64_t{1} << (voxel & 63);
   return moments_.emplace_back();
 }
 
 void MomentLevel::resetToCoarser(const MomentLevel& finer) {
-  const glm::ivec3 parentsPerCell = blocksPerCell(finer.grid_, finer.level_ + 1);
+  const VoxelGrid grid = finer.grid_.atLevel(finer.grid_.level + 1);
+  const glm::ivec3 parentsPerCell = blocksPerCell(grid);
   const auto parentOf = [&](glm::ivec3 block) {
     const Place place = placeOf(block, finer.perCell_);
     return place.cell * parentsPerCell + (place.inCell >> 1);
   };
   const glm::ivec3 lower = parentOf(finer.lower_), last = parentOf(finer.lower_ + finer.blocks_ - 1);
-  reset(finer.grid_, finer.level_ + 1, lower, finer.occupied_.empty() ? glm::ivec3(0) : last + 1 - lower);
+  resetBlocks(grid, lower, finer.occupied_.empty() ? glm::ivec3(0) : last + 1 - lower);
   for (size_t number = 0; number < finer.occupied_.size(); ++number) {
     if (finer.occupied_[number] == 0) continue;
     // The block is an octant of its parent.
@@ -146,7 +142,7 @@ void MomentLevel::resetToCoarser(const MomentLevel& finer) {
     for (uint64_t rest = finer.occupied_[number]; rest != 0; rest &= rest - 1) {
       const int voxel = std::countr_zero(rest);
       for (int32_t i = finer.heads_[64 * number + voxel]; i >= 0; i = finer.links_[i].next)
-        at(first + kHalved[voxel], finer.links_[i].ply, finer.links_[i].material).add(finer.moments_[i]);
+        at(first + kHalved[voxel], finer.links_[i].ply).add(finer.moments_[i]);
     }
   }
 }
@@ -154,11 +150,10 @@ void MomentLevel::resetToCoarser(const MomentLevel& finer) {
 int MomentLevel::encodeMany(int32_t voxel, double volume_mm3, ComponentEncoder& encoder) const {
   std::vector<Part> parts;
   for (int32_t i = heads_[voxel]; i >= 0; i = links_[i].next)
-    if (moments_[i].length_mm() > 0) parts.push_back({moments_[i], links_[i].ply, links_[i].material});
-  std::sort(parts.begin(), parts.end(),
-            [](const Part& a, const Part& b) { return std::tie(a.ply, a.material) < std::tie(b.ply, b.material); });
+    if (moments_[i].length_mm() > 0) parts.push_back({moments_[i], links_[i].ply});
+  std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.ply < b.ply; });
   mergeToTwo(parts);
-  for (const Part& part : parts) encoder.add(part.moments, volume_mm3, part.material);
+  for (const Part& part : parts) encoder.add(part.moments, volume_mm3);
   return static_cast<int>(parts.size());
 }
 
@@ -166,13 +161,14 @@ inline int MomentLevel::encode(int32_t voxel, double volume_mm3, ComponentEncode
   const int32_t head = heads_[voxel];
   if (links_[head].next >= 0) return encodeMany(voxel, volume_mm3, encoder);
   if (!(moments_[head].length_mm() > 0)) return 0;
-  encoder.add(moments_[head], volume_mm3, links_[head].material);
+  encoder.add(moments_[head], volume_mm3);
   return 1;
 }
 
-Brick::Level MomentLevel::fit(ComponentEncoder& encoder) const {
-  Brick::Level result;
-  result.cell = grid_.cellAt(level_);
+Brick MomentLevel::fit(ComponentEncoder& encoder, size_t segments) const {
+  Brick result;
+  result.segments = segments;
+  result.cell = grid_.perCell();
   result.lower = lower_;
   result.blocks = blocks_;
   result.grid.resize(occupied_.size());
@@ -183,7 +179,7 @@ Brick::Level MomentLevel::fit(ComponentEncoder& encoder) const {
     const glm::ivec3 corner = 4 * placeOf(blockAt(number), perCell_).inCell;
     std::array<std::array<double, 4>, 3> extents_mm;
     for (int axis = 0; axis < 3; ++axis)
-      for (int i = 0; i < 4; ++i) extents_mm[axis][i] = grid_.extent_mm(axis, corner[axis] + i, level_);
+      for (int i = 0; i < 4; ++i) extents_mm[axis][i] = grid_.extent_mm(axis, corner[axis] + i);
     for (uint64_t rest = occupied_[number]; rest != 0; rest &= rest - 1) {
       const int bit = std::countr_zero(rest);
       const double volume = extents_mm[0][bit & 3] * extents_mm[1][bit >> 2 & 3] * extents_mm[2][bit >> 4];

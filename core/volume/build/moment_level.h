@@ -11,7 +11,7 @@ namespace loomlight {
 
 /// One level of a brick while it is made: the moments of every ply in every voxel, before anything is rounded. A dense
 /// index over the blocks of the brick leads to chains of moments, one per ply, so that memory follows what is occupied.
-/// Voxels are numbered block by block: 64 * (number of the block in Brick::Level::grid) + number in the block.
+/// Voxels are numbered block by block: 64 * (number of the block in Brick::grid) + number in the block.
 class MomentLevel {
  public:
   /// Nothing yet: reset() comes first. What is reset keeps its memory, so that bricks can be made one after another
@@ -19,36 +19,35 @@ class MomentLevel {
   MomentLevel() = default;
 
   /// Leaves of nothing, in the blocks of a box of voxels of which `last` is the last one.
-  void reset(const VoxelGrid& grid, glm::ivec3 first, glm::ivec3 last);
+  void reset(const VoxelGrid& leaves, glm::ivec3 first, glm::ivec3 last);
   /// No leaves: a brick of nothing.
-  void reset(const VoxelGrid& grid) { reset(grid, 0, glm::ivec3(0), glm::ivec3(0)); }
+  void reset(const VoxelGrid& leaves) { resetBlocks(leaves, glm::ivec3(0), glm::ivec3(0)); }
   /// The moments of the level below, each summed into the voxel that it lies in.
   void resetToCoarser(const MomentLevel& finer);
 
   /// What voxels of coordinate v in an axis add to their numbers: a voxel's is the sum over the axes.
   int32_t offset(int axis, int v) const;
 
-  /// The moments of a ply (0..255) with fibres of a material in a voxel; made where there are none.
-  FibreMoments& at(int32_t voxel, uint8_t ply, uint8_t material);
+  /// The moments of a ply (0..255) in a voxel; made where there are none.
+  FibreMoments& at(int32_t voxel, uint8_t ply);
 
-  /// Fitted, rounded and packed. The encoder is one that has nothing in it.
-  Brick::Level fit(ComponentEncoder& encoder) const;
+  /// Fitted, rounded and packed, of so many fibre segments. The encoder is one that has nothing in it.
+  Brick fit(ComponentEncoder& encoder, size_t segments) const;
 
  private:
-  /// The blocks [lower, lower + blocks), counted as Brick::Level does.
-  void reset(const VoxelGrid& grid, int level, glm::ivec3 lower, glm::ivec3 blocks);
+  /// The blocks [lower, lower + blocks), counted as Brick does.
+  void resetBlocks(const VoxelGrid& grid, glm::ivec3 lower, glm::ivec3 blocks);
   struct Link {
     int32_t next;
-    uint8_t ply, material;
+    uint8_t ply;
   };
-  FibreMoments& append(int32_t voxel, uint8_t ply, uint8_t material);
+  FibreMoments& append(int32_t voxel, uint8_t ply);
   glm::ivec3 blockAt(size_t number) const;
   /// Give the moments of a voxel to the encoder; return of how many components: none, one or two.
   int encode(int32_t voxel, double volume_mm3, ComponentEncoder& encoder) const;
   int encodeMany(int32_t voxel, double volume_mm3, ComponentEncoder& encoder) const;
 
   VoxelGrid grid_;
-  int level_ = 0;
   glm::ivec3 perCell_{1};  ///< blocks of a cell
   glm::ivec3 lower_{0}, blocks_{0};
   std::vector<uint64_t> occupied_;  ///< per block
@@ -57,10 +56,10 @@ class MomentLevel {
   std::vector<FibreMoments> moments_;
 };
 
-inline FibreMoments& MomentLevel::at(int32_t voxel, uint8_t ply, uint8_t material) {
+inline FibreMoments& MomentLevel::at(int32_t voxel, uint8_t ply) {
   for (int32_t i = heads_[voxel]; i >= 0; i = links_[i].next)
-    if (links_[i].ply == ply && links_[i].material == material) return moments_[i];
-  return append(voxel, ply, material);
+    if (links_[i].ply == ply) return moments_[i];
+  return append(voxel, ply);
 }
 
 }  // namespace loomlight

@@ -3,12 +3,19 @@
 #include <cmath>
 
 namespace loomlight {
-double VoxelGrid::volume_mm3(glm::ivec3 voxel, int level) const {
-  const glm::ivec3 perCell = cellAt(level);
+
+int VoxelGrid::levels() const {
+  int levels = 1;
+  while (atLevel(levels - 1).perCell() != glm::ivec3(1)) ++levels;
+  return levels;
+}
+
+double VoxelGrid::volume_mm3(glm::ivec3 voxel) const {
+  const glm::ivec3 voxels = perCell();
   double volume = 1;
   for (int axis = 0; axis < 3; ++axis) {
-    const int inCell = (voxel[axis] % perCell[axis] + perCell[axis]) % perCell[axis];
-    volume *= extent_mm(axis, inCell, level);
+    const int inCell = (voxel[axis] % voxels[axis] + voxels[axis]) % voxels[axis];
+    volume *= extent_mm(axis, inCell);
   }
   return volume;
 }
@@ -29,7 +36,6 @@ VoxelGrid makeGrid(const ClothGeometry& geometry, int resolution) {
   grid.cell = glm::ivec3(cell);
   grid.size_mm = glm::vec3(x / cell.x, y / cell.y, leaf);
   grid.zLower_mm = static_cast<float>(-0.5 * leaf * cell.z);
-  while (grid.cellAt(grid.levels - 1) != glm::ivec3(1)) ++grid.levels;
   return grid;
 }
 

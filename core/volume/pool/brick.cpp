@@ -2,19 +2,14 @@
 
 namespace loomlight {
 
-Brick::Brick(std::vector<Level> levels, size_t segments) : levels_(std::move(levels)), segments_(segments) {
-  for (const Block& block : levels_.front().grid) voxels_ += static_cast<size_t>(std::popcount(block.occupied));
-}
-
 size_t Brick::bytes() const {
-  size_t bytes = sizeof(Brick) + levels_.capacity() * sizeof(Level);
-  for (const Level& level : levels_)
-    bytes += level.grid.capacity() * sizeof(Block) + level.components.capacity() * sizeof(Component);
-  return bytes;
+  return sizeof(Brick) + grid.capacity() * sizeof(Block) + components.capacity() * sizeof(Component);
 }
 
-size_t Brick::components() const {
-  return levels_.front().components.size();
+size_t Brick::voxels() const {
+  size_t voxels = 0;
+  for (const Block& block : grid) voxels += static_cast<size_t>(std::popcount(block.occupied));
+  return voxels;
 }
 
 }  // namespace loomlight

@@ -10,16 +10,13 @@ namespace {
 BrickTable::Slot slotOf(const Brick& brick, System system) {
   BrickTable::Slot slot{&brick, false, false};
   const int axis = system == System::warp ? 0 : 1;
-  for (int l = 0; l < brick.levels(); ++l) {
-    const Brick::Level& level = brick.level(l);
-    const int first = level.lower[axis], perCell = level.blocksPerCell()[axis];
-    for (size_t i = 0; i < level.grid.size(); ++i) {
-      if (!level.grid[i].occupied) continue;
-      const auto block = static_cast<int>(i);
-      const int b = first + (axis == 0 ? block % level.blocks.x : block / level.blocks.x % level.blocks.y);
-      slot.reachesBelow |= b < 0;
-      slot.reachesAbove |= b >= perCell;
-    }
+  const int first = brick.lower[axis], perCell = brick.blocksPerCell()[axis];
+  for (size_t i = 0; i < brick.grid.size(); ++i) {
+    if (!brick.grid[i].occupied) continue;
+    const auto block = static_cast<int>(i);
+    const int b = first + (axis == 0 ? block % brick.blocks.x : block / brick.blocks.x % brick.blocks.y);
+    slot.reachesBelow |= b < 0;
+    slot.reachesAbove |= b >= perCell;
   }
   return slot;
 }

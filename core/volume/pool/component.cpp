@@ -71,10 +71,13 @@ void Component::encode(const std::array<DistributionLanes, 2>& distributions, Co
   for (int half = 0; half < 2; ++half) {
     const DistributionLanes& d = distributions[half];
     const IntLanes spreads = unitCode(squareRoot(most(d.spread, Lanes{})), 255);
-    const IntLanes high = unitCode(d.packing, 255) | (d.material & 0xFF) << 8 | encodeDensity(d.lengthDensity) << 16;
+    const IntLanes densities = encodeDensity(d.lengthDensity);
     for (int i = 0; i < kLanes; ++i) {
-      const uint32_t low = static_cast<uint32_t>(directions[half * kLanes + i] | spreads[i] << 24);
-      eight[half * kLanes + i].bits_ = low | static_cast<uint64_t>(static_cast<uint32_t>(high[i])) << 32;
+      const uint32_t bits = static_cast<uint32_t>(directions[half * kLanes + i] | spreads[i] << 24);
+      Component& component = eight[half * kLanes + i];
+      component.low_ = static_cast<uint16_t>(bits);
+      component.high_ = static_cast<uint16_t>(bits >> 16);
+      component.density_ = static_cast<uint16_t>(densities[i]);
     }
   }
 }
@@ -84,9 +87,7 @@ Component Component::encode(const FibreDistribution& d) {
                                .y = inAllLanes(d.direction.y),
                                .z = inAllLanes(d.direction.z),
                                .spread = inAllLanes(d.spread),
-                               .lengthDensity = inAllLanes(d.lengthDensity),
-                               .packing = inAllLanes(d.packing),
-                               .material = IntLanes{} + d.material};
+                               .lengthDensity = inAllLanes(d.lengthDensity)};
   Component eight[kWide];
   encode({same, same}, eight);
   return eight[0];

@@ -16,26 +16,21 @@ struct FibreDistribution {
   glm::vec3 direction{0, 0, 1};  ///< unit mean tangent m in cloth space; a line, m and -m are the same
   float spread = 0;              ///< s, radians per axis of an isotropic two-dimensional Gaussian about m, 0..1
   float lengthDensity = 0;       ///< lambda = sum of clipped segment lengths / voxel volume, 1/mm^2
-  float packing = 0;             ///< length-weighted fibre volume fraction around the fibres, 0..1
-  int material = 0;              ///< which fibre of the yarn's blend, 0..255
 };
 
 /// Four of them side by side.
 struct DistributionLanes {
   Lanes x, y, z;  ///< direction
-  Lanes spread, lengthDensity, packing;
-  IntLanes material;
+  Lanes spread, lengthDensity;
 };
 
-/// A FibreDistribution in 8 bytes, from the low bits up: direction 2 x 12 bits, spread 8, packing 8, material 8, length
-/// density 16.
+/// A FibreDistribution in 6 bytes: direction 2 x 12 bits and spread 8, from the low bits up; length density 16.
 ///
 /// - Direction: an octahedral map of the upper hemisphere alone, because m and -m are the same line: twice as fine as a
 ///   map of the sphere; off by at most 0.6 mrad. The axes x, y, z are exact.
 /// - Spread: its square root in 255 steps, finest where it matters, near 0; 0 and 1 are exact.
 /// - Length density: a float of 5 exponent and 11 mantissa bits, 2^-12 (2.4e-4) to 2^20 (1.0e6) per mm^2, off by at
-/// most
-///   0.025 %; 0 is exact, less than half the smallest becomes 0, more than the largest becomes the largest.
+///   most 0.025 %; 0 is exact, less than half the smallest becomes 0, more than the largest becomes the largest.
 class Component {
  public:
   Component() = default;
@@ -49,7 +44,8 @@ class Component {
   /// stays.
   Component withDensitySteps(int steps) const;
 
-  uint64_t bits() const { return bits_; }
+  /// All of it: equal components have equal bits.
+  uint64_t bits() const { return directionAndSpread() | static_cast<uint64_t>(density_) << 32; }
   friend bool operator==(Component, Component) = default;
 
  private:
@@ -57,15 +53,17 @@ class Component {
   static constexpr int kAxisCentre = 2047;
   static constexpr uint32_t kDensityBias = (127u - 12u) << 23;
 
-  static glm::vec3 decodeDirection(uint64_t bits);
+  uint32_t directionAndSpread() const { return low_ | static_cast<uint32_t>(high_) << 16; }
+  static glm::vec3 decodeDirection(uint32_t bits);
   static WideInts encodeDirections(const std::array<DistributionLanes, 2>& distributions);
   static IntLanes encodeDensity(Lanes lengthDensity);
 
-  uint64_t bits_ = 0;
+  uint16_t low_ = 0, high_ = 0;  ///< of direction and spread; apart, so that components lie 6 bytes apart
+  uint16_t density_ = 0;
 };
-static_assert(sizeof(Component) == 8);
+static_assert(sizeof(Component) == 6);
 
-inline glm::vec3 Component::decodeDirection(uint64_t bits) {
+inline glm::vec3 Component::decodeDirection(uint32_t bits) {
   constexpr float kStep = 1.0f / kAxisCentre;
   const float u = static_cast<float>(static_cast<int>(bits & 0xFFF) - kAxisCentre) * kStep;
   const float v = static_cast<float>(static_cast<int>(bits >> 12 & 0xFFF) - kAxisCentre) * kStep;
@@ -76,26 +74,22 @@ inline glm::vec3 Component::decodeDirection(uint64_t bits) {
 }
 
 inline float Component::lengthDensity() const {
-  const auto code = static_cast<uint32_t>(bits_ >> 48);
-  return code == 0 ? 0.0f : std::bit_cast<float>((code << 12) + kDensityBias);
+  return density_ == 0 ? 0.0f : std::bit_cast<float>((static_cast<uint32_t>(density_) << 12) + kDensityBias);
 }
 
 inline Component Component::withDensitySteps(int steps) const {
-  const int code = static_cast<int>(bits_ >> 48);
-  const int moved = code == 0 ? 0 : std::clamp(code + steps, 1, 0xFFFF);
-  Component c;
-  c.bits_ = (bits_ & 0xFFFFFFFFFFFFu) | static_cast<uint64_t>(moved) << 48;
+  Component c = *this;
+  if (density_ != 0) c.density_ = static_cast<uint16_t>(std::clamp(density_ + steps, 1, 0xFFFF));
   return c;
 }
 
 inline FibreDistribution Component::decode() const {
-  const float root = static_cast<float>(bits_ >> 24 & 0xFF) * (1.0f / 255.0f);
+  const uint32_t bits = directionAndSpread();
+  const float root = static_cast<float>(bits >> 24) * (1.0f / 255.0f);
   FibreDistribution d;
-  d.direction = decodeDirection(bits_);
+  d.direction = decodeDirection(bits);
   d.spread = root * root;
   d.lengthDensity = lengthDensity();
-  d.packing = static_cast<float>(bits_ >> 32 & 0xFF) * (1.0f / 255.0f);
-  d.material = static_cast<int>(bits_ >> 40 & 0xFF);
   return d;
 }
 

@@ -59,6 +59,14 @@ std::shared_ptr<const ClothVolume> ClothVolume::draft(std::shared_ptr<const Clot
   return volume->completed();
 }
 
+std::shared_ptr<const ClothVolume> ClothVolume::atLevel(int level, const Task& task) const {
+  std::shared_ptr<ClothVolume> volume(new ClothVolume(geometry_, grid_.atLevel(level)));
+  volume->tiles_ = tiles_;
+  for (TileMap& tiles : volume->tiles_) tiles.dropBricks();
+  const Wanted wanted = volume->wanted(CellRect{});
+  return volume->makeBricks(wanted.places, 0, wanted.places.size(), task) ? volume : nullptr;
+}
+
 std::shared_ptr<const ClothVolume> ClothVolume::completed() const {
   std::shared_ptr<ClothVolume> copy(new ClothVolume(geometry_, grid_));
   copy->tiles_ = tiles_;
@@ -181,9 +189,9 @@ VolumeCounts ClothVolume::counts() const {
   forEachBrick([&](const Brick& brick, uint64_t cells) {
     ++counts.bricks;
     counts.voxels += brick.voxels();
-    counts.components += brick.components();
-    counts.segments += brick.segments();
-    counts.segmentsRepresented += static_cast<double>(cells) * static_cast<double>(brick.segments());
+    counts.components += brick.components.size();
+    counts.segments += brick.segments;
+    counts.segmentsRepresented += static_cast<double>(cells) * static_cast<double>(brick.segments);
   });
   counts.bytes = sizeof(ClothVolume) + brickBytes();
   for (const TileMap& tiles : tiles_) counts.bytes += tiles.bytes();
@@ -208,7 +216,7 @@ const Brick& ClothVolume::brick(System system, int pick, int end) const {
   return *tiles.at(warp ? end : pick, along, along % tiles.repeatAlong()).brick;
 }
 
-void ClothVolume::contentAt(glm::vec3 point, VoxelContent& content, int level) const {
+void ClothVolume::contentAt(glm::vec3 point, VoxelContent& content) const {
   content.count = 0;
   const glm::dvec3 p(point.x, point.y, static_cast<double>(point.z) - grid_.zLower_mm);
   glm::ivec3 cell, voxel;
@@ -216,13 +224,13 @@ void ClothVolume::contentAt(glm::vec3 point, VoxelContent& content, int level) c
     if (!(p[axis] >= 0 && p[axis] < cell_mm_[axis] * cells_[axis])) return;
     cell[axis] = std::min(static_cast<int>(p[axis] / cell_mm_[axis]), cells_[axis] - 1);
     const double leaf = (p[axis] - cell[axis] * cell_mm_[axis]) / voxel_mm_[axis];
-    voxel[axis] = std::clamp(static_cast<int>(leaf), 0, grid_.cell[axis] - 1) >> level;
+    voxel[axis] = std::clamp(static_cast<int>(leaf), 0, grid_.cell[axis] - 1) >> grid_.level;
   }
   content.end = cell.x;
   content.pick = cell.y;
-  content.voxel = cell * grid_.cellAt(level) + voxel;
+  content.voxel = cell * grid_.perCell() + voxel;
   Reaches reaches;
-  gather(cell.y, cell.x, level, reaches);
+  gather(cell.y, cell.x, reaches);
   if (openBlock(reaches, voxel >> 2) != 0) look(reaches, numberInBlock(voxel), content);
 }
 

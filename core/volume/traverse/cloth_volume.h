@@ -31,7 +31,7 @@ struct VoxelContent {
     int index;  ///< which end (warp) or pick (weft), absolute
     int yarn;   ///< index into Fabric::yarns
   };
-  glm::ivec3 voxel;       ///< leaf (or level) coordinates in the whole cloth; x and y may not be negative
+  glm::ivec3 voxel;       ///< coordinates in the whole cloth, in voxels of the volume's grid
   int pick = 0, end = 0;  ///< the crossing cell
   int count = 0;
   Part parts[kMaxParts];
@@ -56,6 +56,9 @@ class ClothVolume {
                                                   const CellRect& inView, const Task& task,
                                                   const ClothVolume* previous = nullptr);
   static constexpr size_t kMaxBytes = size_t{4} << 30;
+  /// The same cloth in voxels 2^level leaves wide, each the sum of what its leaves hold: the mixtures of the report's
+  /// octree, made when asked for. Null when stopped.
+  std::shared_ptr<const ClothVolume> atLevel(int level, const Task& task) const;
 
   ClothVolume(const ClothVolume&) = delete;
   ClothVolume& operator=(const ClothVolume&) = delete;
@@ -78,21 +81,20 @@ class ClothVolume {
   /// Walks the voxels that the ray origin + t direction (cloth space, direction of any length) crosses for t in
   /// [t0, t1], in order. visit(const VoxelContent&, float tEnter, float tLeave) is called for voxels with content only,
   /// with tEnter < tLeave, and returns false to stop. True if the walk reached t1 or left the piece. Voxels are
-  /// half-open: a ray within a face sees those on its upper side. Rays that are not finite meet nothing. `level` > 0
-  /// walks a coarser level of the octree. Cost per step: one block read per yarn in reach of the cell; these are looked
-  /// up on entering a cell.
+  /// half-open: a ray within a face sees those on its upper side. Rays that are not finite meet nothing. Cost
+  /// per step: one block read per yarn in reach of the cell; these are looked up on entering a cell.
   template <class Visit>
-  bool march(glm::vec3 origin, glm::vec3 direction, float t0, float t1, Visit&& visit, int level = 0) const;
+  bool march(glm::vec3 origin, glm::vec3 direction, float t0, float t1, Visit&& visit) const;
 
   /// What the voxel around a point holds; nothing (count 0) outside the piece.
-  void contentAt(glm::vec3 cloth_mm, VoxelContent& content, int level = 0) const;
+  void contentAt(glm::vec3 cloth_mm, VoxelContent& content) const;
 
   class Probe;
 
  private:
   /// A brick that reaches into the current cell.
   struct Reach {
-    const Brick::Level* level;
+    const Brick* brick;
     const Brick::Block* block;  ///< of the current 4 x 4 x 4 voxels; null where the brick has none
     glm::ivec3 shift;           ///< from blocks of the cell to those of the brick
     System system;
@@ -134,8 +136,8 @@ class ClothVolume {
   size_t brickBytes() const;
 
   /// All bricks with voxels in a cell of the piece.
-  void gather(int pick, int end, int level, Reaches& reaches) const;
-  void gather(System system, int across, int along, int level, Reaches& reaches) const;
+  void gather(int pick, int end, Reaches& reaches) const;
+  void gather(System system, int across, int along, Reaches& reaches) const;
   /// Goes to a block of the cell; which of its voxels hold anything.
   static uint64_t openBlock(Reaches& reaches, glm::ivec3 block);
   /// Fills in count and parts: a voxel of the open block.

@@ -10,15 +10,15 @@
 
 namespace loomlight {
 
-inline void ClothVolume::gather(System system, int across, int along, int level, Reaches& reaches) const {
+inline void ClothVolume::gather(System system, int across, int along, Reaches& reaches) const {
   const TileMap& tiles = tiles_[static_cast<int>(system)];
   const int axis = system == System::warp ? 0 : 1;
   const int inRepeat = along % tiles.repeatAlong();
   const auto add = [&](const TileMap::Slot& slot, int neighbour) {
     Reach& reach = reaches.entries[reaches.count++];
-    reach.level = &slot.brick->level(level);
-    reach.shift = -reach.level->lower;
-    reach.shift[axis] -= neighbour * reach.level->blocksPerCell()[axis];
+    reach.brick = slot.brick;
+    reach.shift = -reach.brick->lower;
+    reach.shift[axis] -= neighbour * reach.brick->blocksPerCell()[axis];
     reach.system = system;
     reach.index = across + neighbour;
     reach.yarn = geometry_->yarnIndex(system, reach.index);
@@ -34,17 +34,17 @@ inline void ClothVolume::gather(System system, int across, int along, int level,
   }
 }
 
-inline void ClothVolume::gather(int pick, int end, int level, Reaches& reaches) const {
+inline void ClothVolume::gather(int pick, int end, Reaches& reaches) const {
   reaches.count = 0;
-  gather(System::warp, end, pick, level, reaches);
-  gather(System::weft, pick, end, level, reaches);
+  gather(System::warp, end, pick, reaches);
+  gather(System::weft, pick, end, reaches);
 }
 
 inline uint64_t ClothVolume::openBlock(Reaches& reaches, glm::ivec3 block) {
   uint64_t occupied = 0;
   for (int i = 0; i < reaches.count; ++i) {
     Reach& reach = reaches.entries[i];
-    reach.block = reach.level->blockFromLower(block + reach.shift);
+    reach.block = reach.brick->blockFromLower(block + reach.shift);
     if (reach.block) occupied |= reach.block->occupied;
   }
   return occupied;
@@ -55,7 +55,7 @@ inline void ClothVolume::look(const Reaches& reaches, int voxel, VoxelContent& c
   for (int i = 0; i < reaches.count; ++i) {
     const Reach& reach = reaches.entries[i];
     if (!reach.block) continue;
-    const std::span<const Component> components = reach.level->at(*reach.block, voxel);
+    const std::span<const Component> components = reach.brick->at(*reach.block, voxel);
     if (!components.empty()) content.parts[count++] = {components, reach.system, reach.index, reach.yarn};
   }
   content.count = count;
@@ -64,8 +64,8 @@ inline void ClothVolume::look(const Reaches& reaches, int voxel, VoxelContent& c
 /// A ray on its way through a piece, block by block of 4 x 4 x 4 voxels.
 class ClothVolume::Walk {
  public:
-  Walk(const ClothVolume& volume, glm::vec3 origin, glm::vec3 direction, int level)
-      : volume_(volume), level_(level), perCell_(volume.grid_.cellAt(level)), o_(origin), d_(direction) {
+  Walk(const ClothVolume& volume, glm::vec3 origin, glm::vec3 direction)
+      : volume_(volume), level_(volume.grid_.level), perCell_(volume.grid_.perCell()), o_(origin), d_(direction) {
     o_.z -= volume.grid_.zLower_mm;
     for (int axis = 0; axis < 3; ++axis) {
       upwards_[axis] = d_[axis] > 0 ? 1 : 0;
@@ -135,7 +135,7 @@ class ClothVolume::Walk {
     return t.z < t[axis] ? 2 : axis;
   }
 
-  glm::ivec3 cell{0}, block{0}, voxel{0};  ///< block and voxel: in their cell, of the level
+  glm::ivec3 cell{0}, block{0}, voxel{0};  ///< block and voxel: in their cell
   glm::dvec3 tBlock{0}, tVoxel{0};         ///< where the ray crosses their faces ahead
   bool cellChanged = false;
 
@@ -165,10 +165,10 @@ class ClothVolume::Walk {
 };
 
 template <class Visit>
-bool ClothVolume::march(glm::vec3 origin, glm::vec3 direction, float t0, float t1, Visit&& visit, int level) const {
+bool ClothVolume::march(glm::vec3 origin, glm::vec3 direction, float t0, float t1, Visit&& visit) const {
   if (!(t0 < t1) || !std::isfinite(glm::dot(origin, glm::vec3(1)) + glm::dot(direction, glm::vec3(1)))) return true;
   double t = std::max(t0, std::numeric_limits<float>::lowest()), tEnd = t1;
-  Walk walk(*this, origin, direction, level);
+  Walk walk(*this, origin, direction);
   if (!walk.clip(t, tEnd)) return true;
   walk.start(t);
   walk.cellChanged = true;
@@ -180,7 +180,7 @@ bool ClothVolume::march(glm::vec3 origin, glm::vec3 direction, float t0, float t
     if (walk.cellChanged) {
       content.end = walk.cell.x;
       content.pick = walk.cell.y;
-      gather(content.pick, content.end, level, reaches);
+      gather(content.pick, content.end, reaches);
     }
     const uint64_t occupied = openBlock(reaches, walk.block);
     const int side = Walk::nearest(walk.tBlock);

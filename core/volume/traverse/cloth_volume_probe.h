@@ -28,7 +28,7 @@ class ClothVolume::Probe {
       return 0;
     if (cell != cell_) {
       cell_ = cell;
-      volume_.gather(cell.y, cell.x, 0, reaches_);
+      volume_.gather(cell.y, cell.x, reaches_);
     }
     const glm::vec3 inVoxels = (p - glm::vec3(cell) * cell_mm_) * perVoxel_;
     const glm::ivec3 voxel = glm::clamp(glm::ivec3(inVoxels), glm::ivec3(0), volume_.grid_.cell - 1);

@@ -102,8 +102,7 @@ TEST(Migration, OfNothingIsTheSection) {
 TEST(FlattenedSection, PackedFibresDoNotOverlapHoweverItTurns) {
   YarnGeometry outline;
   outline.fibreRadius_mm = 0.006;
-  outline.packing = 0.6;
-  outline.plyRadius_mm = 0.006 * std::sqrt(80 / outline.packing);
+  outline.plyRadius_mm = 0.006 * std::sqrt(80 / 0.6);  // 60 % of it is fibre
   outline.halfWidth_mm = 1.15 * outline.plyRadius_mm;
   outline.halfHeight_mm = outline.plyRadius_mm / 1.15;
   outline.pitch_mm = outline.crossPitch_mm = outline.cellLength_mm = 0.4;

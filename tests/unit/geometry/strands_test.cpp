@@ -186,7 +186,7 @@ TEST(Strands, ChordsKeepToTheSagitta) {
         double worst = 0;
         for (size_t k = 0; k < chords.strands.size(); ++k) {
           const CellStrands::Strand &a = curves.strands[k], &b = chords.strands[k];
-          if (a.packing == 0) continue;  // loose fibres are laid more freely
+          if (a.loose) continue;  // loose fibres are laid more freely
           worst = std::max(worst, farthest({&curves.points[a.first], a.count}, {&chords.points[b.first], b.count}));
         }
         EXPECT_LE(worst, 1.1 * kSagitta * geometry.fibreRadius_mm);
@@ -257,7 +257,7 @@ TEST(Hairs, AreLooseAndReachBeyondTheBody) {
     const CellKey key = cloth.key(System::warp, pick, 0);
     const CellStrands cell = cloth.strands(key);
     for (const CellStrands::Strand& strand : cell.strands) {
-      if (strand.packing > 0) continue;
+      if (!strand.loose) continue;
       ++loose;
       for (uint32_t i = strand.first; i < strand.first + strand.count; ++i)
         furthest = std::max<double>(furthest, std::abs(cell.points[i].z - key.here.height_mm));
@@ -281,7 +281,7 @@ TEST(Hairs, NeverOutweighTheYarn) {
     CellStrands hairs;
     hairs.points = cell.points;
     for (const CellStrands::Strand& strand : cell.strands)
-      if (strand.packing == 0) hairs.strands.push_back(strand);
+      if (strand.loose) hairs.strands.push_back(strand);
     loose += hairs.length_mm();
   }
   EXPECT_LT(loose, 0.4 * all);

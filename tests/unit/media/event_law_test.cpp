@@ -10,8 +10,8 @@ namespace {
 
 /// A voxel of straight warp (along y) and weft (along x) of equal density.
 struct CrossedVoxel {
-  Component warp = Component::encode({{0, 1, 0}, 0.0f, 1000.0f, 0.5f, 0});
-  Component weft = Component::encode({{1, 0, 0}, 0.0f, 1000.0f, 0.5f, 0});
+  Component warp = Component::encode({{0, 1, 0}, 0.0f, 1000.0f});
+  Component weft = Component::encode({{1, 0, 0}, 0.0f, 1000.0f});
   YarnOptics optics{0, false, 0.006f};
 
   double shareOfWarp(double elevation_rad, EventLaw law) const {

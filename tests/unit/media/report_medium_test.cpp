@@ -36,7 +36,8 @@ TEST(LocalCell, IsTwoLeavesWideHalfOpenAndCutByTheCrossing) {
     const int width = inCrossing - inCrossing % 2 + 1 < grid.cell.x ? 2 : 1;
     EXPECT_NEAR(cell.upper.x - cell.lower.x, width * grid.size_mm.x, 1e-5);
   }
-  // The same cells as the octree's: voxels of its first level.
+  // The same cells as the octree's: voxels of its first level above the leaves.
+  const auto coarse = volume.atLevel(1, Task{});
   Random random(1);
   for (int i = 0; i < 1000; ++i) {
     const glm::vec3 size = volume.upper_mm() - volume.lower_mm();
@@ -44,10 +45,10 @@ TEST(LocalCell, IsTwoLeavesWideHalfOpenAndCutByTheCrossing) {
     const glm::vec3 point = volume.lower_mm() + glm::vec3(u, v, w) * size;
     const LocalCell cell = LocalCell::around(point, volume);
     VoxelContent here, there;
-    volume.contentAt(point, here, 1);
-    volume.contentAt(glm::vec3(cell.lower * 0.999 + cell.upper * 0.001), there, 1);
+    coarse->contentAt(point, here);
+    coarse->contentAt(glm::vec3(cell.lower * 0.999 + cell.upper * 0.001), there);
     EXPECT_EQ(here.voxel, there.voxel);
-    volume.contentAt(glm::vec3(cell.lower * 0.001 + cell.upper * 0.999), there, 1);
+    coarse->contentAt(glm::vec3(cell.lower * 0.001 + cell.upper * 0.999), there);
     EXPECT_EQ(here.voxel, there.voxel);
   }
 }

@@ -21,14 +21,13 @@ double lengthOf(const CellStrands& strands) {
   return length;
 }
 
-double lengthOf(const Brick& brick, const VoxelGrid& grid, int level) {
-  const Brick::Level& l = brick.level(level);
+double lengthOf(const Brick& brick, const VoxelGrid& grid) {
   double length = 0;
-  for (int z = 0; z < l.cell.z; ++z)
-    for (int y = -l.cell.y; y < 2 * l.cell.y; ++y)
-      for (int x = -l.cell.x; x < 2 * l.cell.x; ++x) {
+  for (int z = 0; z < brick.cell.z; ++z)
+    for (int y = -brick.cell.y; y < 2 * brick.cell.y; ++y)
+      for (int x = -brick.cell.x; x < 2 * brick.cell.x; ++x) {
         const glm::ivec3 v(x, y, z);
-        for (const Component c : l.at(v)) length += c.lengthDensity() * grid.volume_mm3(v, level);
+        for (const Component c : brick.at(v)) length += c.lengthDensity() * grid.volume_mm3(v);
       }
   return length;
 }
@@ -42,8 +41,8 @@ TEST(VoxelGrid, LeafIsAFractionOfTheYarnAndTheSlabIsCovered) {
     EXPECT_NEAR(grid.size_mm.z, geometry->minYarnDiameter_mm() / resolution, 1e-6);
     EXPECT_LE(grid.zLower_mm, -geometry->halfThickness_mm() + 1e-7);
     EXPECT_LT(-grid.zLower_mm, geometry->halfThickness_mm() + grid.size_mm.z);
-    EXPECT_EQ(grid.cellAt(grid.levels - 1), glm::ivec3(1));
-    EXPECT_TRUE(grid.levels == 1 || grid.cellAt(grid.levels - 2) != glm::ivec3(1));
+    EXPECT_EQ(grid.atLevel(grid.levels() - 1).perCell(), glm::ivec3(1));
+    EXPECT_TRUE(grid.levels() == 1 || grid.atLevel(grid.levels() - 2).perCell() != glm::ivec3(1));
   }
 }
 
@@ -69,15 +68,22 @@ TEST(ClothVolume, IntegratesToTheLengthOfItsFibres) {
   for (const Fabric& fabric : {plainFabric(), hairyTwill()}) {
     const auto volume = volumeOf(fabric, 4, 4, 8);
     const ClothGeometry& geometry = volume->geometry();
-    std::vector<double> lengths(volume->grid().levels, 0.0);
-    double expected = 0;
-    for (int pick = 0; pick < 4; ++pick)
-      for (int end = 0; end < 4; ++end)
-        for (const System system : {System::warp, System::weft}) {
-          expected += lengthOf(geometry.strands(geometry.key(system, pick, end)));
-          for (int level = 0; level < volume->grid().levels; ++level)
-            lengths[level] += lengthOf(volume->brick(system, pick, end), volume->grid(), level);
-        }
+    const auto sumOverCells = [](const auto& lengthIn) {
+      double sum = 0;
+      for (int pick = 0; pick < 4; ++pick)
+        for (int end = 0; end < 4; ++end)
+          for (const System system : {System::warp, System::weft}) sum += lengthIn(system, pick, end);
+      return sum;
+    };
+    const double expected = sumOverCells(
+        [&](System system, int pick, int end) { return lengthOf(geometry.strands(geometry.key(system, pick, end))); });
+    std::vector<double> lengths;
+    for (int level = 0; level < volume->grid().levels(); ++level) {
+      const auto coarse = volume->atLevel(level, Task{});
+      lengths.push_back(sumOverCells([&](System system, int pick, int end) {
+        return lengthOf(coarse->brick(system, pick, end), coarse->grid());
+      }));
+    }
     EXPECT_NEAR(lengths[0] / expected, 1, 1e-6);
     EXPECT_NEAR(lengths[1] / expected, 1, 1e-5);
     // One voxel holds all; its rounding is 2.5e-4.
@@ -108,7 +114,7 @@ TEST(ClothVolume, StoresEachKeyOnceAndNoneThatThePieceLacks) {
         for (const System system : {System::warp, System::weft}) {
           const CellKey key = volume->geometry().key(system, pick, end);
           const Brick* brick = &volume->brick(system, pick, end);
-          if (bricks.emplace(hash(key), brick).second) segments += brick->segments();
+          if (bricks.emplace(hash(key), brick).second) segments += brick->segments;
           EXPECT_EQ(bricks[hash(key)], brick);
         }
     EXPECT_EQ(volume->counts().bricks, bricks.size());
@@ -192,7 +198,7 @@ TEST(ClothVolume, RepresentsTheSegmentsOfItsGeometry) {
   for (int pick = 0; pick < 40; ++pick)
     for (int end = 0; end < 40; ++end)
       for (const System system : {System::warp, System::weft})
-        segments += static_cast<double>(volume->brick(system, pick, end).segments());
+        segments += static_cast<double>(volume->brick(system, pick, end).segments);
   EXPECT_NEAR(volume->counts().segmentsRepresented / segments, 1, 0.01);
 }
 

@@ -77,19 +77,15 @@ TEST(Component, LengthDensityIsMonotoneAndCoversItsRange) {
   EXPECT_NEAR(before, 0x1p20, 1e3) << "beyond the range: the largest";
 }
 
-TEST(Component, SpreadPackingAndMaterialAreKept) {
+TEST(Component, SpreadIsKept) {
   for (int i = 0; i <= 1000; ++i) {
     const float x = static_cast<float>(i) / 1000;
-    const FibreDistribution d =
-        Component::encode({.spread = x, .lengthDensity = 5, .packing = x, .material = i & 0xFF}).decode();
+    const FibreDistribution d = Component::encode({.spread = x, .lengthDensity = 5}).decode();
     // The step of the square root is 1/255.
     EXPECT_NEAR(d.spread, x, std::sqrt(x) / 255 + 1e-5);
-    EXPECT_NEAR(d.packing, x, 0.5 / 255 + 1e-6);
-    EXPECT_EQ(d.material, i & 0xFF);
   }
   EXPECT_EQ(Component::encode({.spread = 0}).decode().spread, 0);
   EXPECT_EQ(Component::encode({.spread = 1}).decode().spread, 1);
-  EXPECT_EQ(Component::encode({.packing = 1}).decode().packing, 1);
 }
 
 }  // namespace

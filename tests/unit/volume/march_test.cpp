@@ -19,9 +19,9 @@ struct Visit {
 /// Every voxel of the piece with content, found through brick() alone.
 class AllVoxels {
  public:
-  AllVoxels(const ClothVolume& volume, int level) : volume_(volume), level_(level) {
+  explicit AllVoxels(const ClothVolume& volume) : volume_(volume), level_(volume.grid().level) {
     const VoxelGrid& grid = volume.grid();
-    const glm::ivec3 perCell = grid.cellAt(level);
+    const glm::ivec3 perCell = grid.perCell();
     const ClothGeometry& geometry = volume.geometry();
     for (int pick = 0; pick < geometry.picks(); ++pick)
       for (int end = 0; end < geometry.ends(); ++end)
@@ -61,16 +61,14 @@ class AllVoxels {
 
   void add(int pick, int end, glm::ivec3 v) {
     const VoxelGrid& grid = volume_.grid();
-    const glm::ivec3 perCell = grid.cellAt(level_);
+    const glm::ivec3 perCell = grid.perCell();
     const ClothGeometry& geometry = volume_.geometry();
     Voxel voxel{glm::ivec3(end, pick, 0) * perCell + v, {}, {}, {}};
     for (int side = -1; side <= 1; ++side) {
       if (end + side >= 0 && end + side < geometry.ends())
-        append(volume_.brick(System::warp, pick, end + side).at(v - glm::ivec3(side * perCell.x, 0, 0), level_), side,
-               voxel);
+        append(volume_.brick(System::warp, pick, end + side).at(v - glm::ivec3(side * perCell.x, 0, 0)), side, voxel);
       if (pick + side >= 0 && pick + side < geometry.picks())
-        append(volume_.brick(System::weft, pick + side, end).at(v - glm::ivec3(0, side * perCell.y, 0), level_), side,
-               voxel);
+        append(volume_.brick(System::weft, pick + side, end).at(v - glm::ivec3(0, side * perCell.y, 0)), side, voxel);
     }
     if (voxel.components.empty()) return;
     std::sort(voxel.components.begin(), voxel.components.end());
@@ -92,20 +90,17 @@ class AllVoxels {
   std::vector<Voxel> voxels_;
 };
 
-std::vector<Visit> marched(const ClothVolume& volume, glm::vec3 origin, glm::vec3 direction, float t0, float t1,
-                           int level) {
+std::vector<Visit> marched(const ClothVolume& volume, glm::vec3 origin, glm::vec3 direction, float t0, float t1) {
   std::vector<Visit> result;
-  const bool through = volume.march(
-      origin, direction, t0, t1,
-      [&](const VoxelContent& content, float enter, float leave) {
+  const bool through =
+      volume.march(origin, direction, t0, t1, [&](const VoxelContent& content, float enter, float leave) {
         Visit visit{content.voxel, enter, leave, {}};
         for (int i = 0; i < content.count; ++i)
           for (const Component c : content.parts[i].components) visit.components.push_back(c.bits());
         std::sort(visit.components.begin(), visit.components.end());
         result.push_back(visit);
         return true;
-      },
-      level);
+      });
   EXPECT_TRUE(through);
   return result;
 }
@@ -137,8 +132,8 @@ class MarchTest : public testing::TestWithParam<int> {};
 
 TEST_P(MarchTest, VisitsWhatBruteForceFinds) {
   const int level = GetParam();
-  const auto volume = volumeOf(hairyTwill(), 5, 4, 4);
-  const AllVoxels all(*volume, level);
+  const auto volume = volumeOf(hairyTwill(), 5, 4, 4)->atLevel(level, Task{});
+  const AllVoxels all(*volume);
   ASSERT_TRUE(all.anySpilled());
   const glm::vec3 low = volume->lower_mm(), size = volume->upper_mm() - low;
   Random random(3);
@@ -157,15 +152,15 @@ TEST_P(MarchTest, VisitsWhatBruteForceFinds) {
     const float t0 = i % 7 == 0 ? 0.3f * random.uniform() : 0.0f;
     const float t1 = i % 2 == 0 ? std::numeric_limits<float>::infinity() : t0 + random.uniform();
     SCOPED_TRACE(i);
-    expectSame(marched(*volume, origin, direction, t0, t1, level), all.crossed(origin, direction, t0, t1),
+    expectSame(marched(*volume, origin, direction, t0, t1), all.crossed(origin, direction, t0, t1),
                glm::length(direction));
   }
 }
 
 TEST_P(MarchTest, RaysOnFacesAndThroughEdgesSeeTheUpperVoxels) {
   const int level = GetParam();
-  const auto volume = volumeOf(plainFabric(), 4, 4, 4);
-  const AllVoxels all(*volume, level);
+  const auto volume = volumeOf(plainFabric(), 4, 4, 4)->atLevel(level, Task{});
+  const AllVoxels all(*volume);
   const VoxelGrid& grid = volume->grid();
   const glm::dvec3 leaf(volume->geometry().warpPitch_mm() / grid.cell.x,
                         volume->geometry().weftPitch_mm() / grid.cell.y, grid.size_mm.z);
@@ -174,8 +169,8 @@ TEST_P(MarchTest, RaysOnFacesAndThroughEdgesSeeTheUpperVoxels) {
       // Along y through an edge of voxels, up and down. Which voxel a face is in is for its float to say.
       const glm::vec3 origin(x * leaf.x, 0, grid.zLower_mm + z * leaf.z);
       const double wide = 1e-4, t1 = 1.0;
-      const auto up = marched(*volume, origin, {0, 1, 0}, 0, 1, level);
-      const auto down = marched(*volume, origin + glm::vec3(0, 1, 0), {0, -1, 0}, 0, 1, level);
+      const auto up = marched(*volume, origin, {0, 1, 0}, 0, 1);
+      const auto down = marched(*volume, origin + glm::vec3(0, 1, 0), {0, -1, 0}, 0, 1);
       auto expected = all.crossed(origin, {0, 1, 0}, 0, 1);
       dropSlivers(expected, wide);
       auto seen = up;
@@ -195,7 +190,7 @@ INSTANTIATE_TEST_SUITE_P(Level, MarchTest, testing::Values(0, 1, 2));
 TEST(March, StartingOnAFaceSeesWhatLiesAhead) {
   const auto volume = volumeOf(plainFabric(), 3, 3, 4);
   const glm::vec3 top(0.5f * volume->upper_mm().x, 0.5f * volume->upper_mm().y, volume->upper_mm().z);
-  const auto from = [&](float lift) { return marched(*volume, top + glm::vec3(0, 0, lift), {0, 0, -1}, 0, 9, 0); };
+  const auto from = [&](float lift) { return marched(*volume, top + glm::vec3(0, 0, lift), {0, 0, -1}, 0, 9); };
   const auto above = from(0.5f), onFace = from(0);
   ASSERT_FALSE(above.empty());
   ASSERT_EQ(onFace.size(), above.size());
@@ -203,17 +198,17 @@ TEST(March, StartingOnAFaceSeesWhatLiesAhead) {
     EXPECT_EQ(onFace[i].voxel, above[i].voxel);
     EXPECT_NEAR(onFace[i].enter, above[i].enter - 0.5, 1e-6);
   }
-  EXPECT_TRUE(marched(*volume, top, {0, 0, 1}, 0, 9, 0).empty());
+  EXPECT_TRUE(marched(*volume, top, {0, 0, 1}, 0, 9).empty());
 }
 
 TEST(March, NothingOutsideThePieceNorInNoTime) {
   const auto volume = volumeOf(plainFabric(), 3, 3, 4);
   const glm::vec3 low = volume->lower_mm(), high = volume->upper_mm(), middle = 0.5f * (low + high);
-  EXPECT_FALSE(marched(*volume, middle, {1, 0, 0}, -1, 1, 0).empty());
-  EXPECT_TRUE(marched(*volume, middle, {1, 0, 0}, 0.1f, 0.1f, 0).empty());
-  EXPECT_TRUE(marched(*volume, middle, {1, 0, 0}, 0.2f, 0.1f, 0).empty());
-  EXPECT_TRUE(marched(*volume, {high.x, middle.y, middle.z}, {0, 1, 0}, -9, 9, 0).empty()) << "the far face is outside";
-  EXPECT_TRUE(marched(*volume, {middle.x, middle.y, high.z + 1}, {1, 0, 0}, -9, 9, 0).empty());
+  EXPECT_FALSE(marched(*volume, middle, {1, 0, 0}, -1, 1).empty());
+  EXPECT_TRUE(marched(*volume, middle, {1, 0, 0}, 0.1f, 0.1f).empty());
+  EXPECT_TRUE(marched(*volume, middle, {1, 0, 0}, 0.2f, 0.1f).empty());
+  EXPECT_TRUE(marched(*volume, {high.x, middle.y, middle.z}, {0, 1, 0}, -9, 9).empty()) << "the far face is outside";
+  EXPECT_TRUE(marched(*volume, {middle.x, middle.y, high.z + 1}, {1, 0, 0}, -9, 9).empty());
 }
 
 TEST(March, WhatIsNotFiniteEnds) {
@@ -224,16 +219,16 @@ TEST(March, WhatIsNotFiniteEnds) {
     for (int axis = 0; axis < 3; ++axis) {
       glm::vec3 v(0.1f);
       v[axis] = bad;
-      EXPECT_TRUE(marched(*volume, v, {0, 0, 1}, 0, 1, 0).empty());
-      EXPECT_TRUE(marched(*volume, middle, v, 0, 1, 0).empty());
+      EXPECT_TRUE(marched(*volume, v, {0, 0, 1}, 0, 1).empty());
+      EXPECT_TRUE(marched(*volume, middle, v, 0, 1).empty());
     }
   }
-  EXPECT_TRUE(marched(*volume, middle, {0, 0, 1}, nan, 1, 0).empty());
-  EXPECT_TRUE(marched(*volume, middle, {0, 0, 1}, 0, nan, 0).empty());
+  EXPECT_TRUE(marched(*volume, middle, {0, 0, 1}, nan, 1).empty());
+  EXPECT_TRUE(marched(*volume, middle, {0, 0, 1}, 0, nan).empty());
   // All of a line, and a ray that does not move.
-  EXPECT_FALSE(marched(*volume, middle, {1, 0, 0}, -inf, inf, 0).empty());
-  EXPECT_LE(marched(*volume, middle, {0, 0, 0}, 0, inf, 0).size(), 1u);
-  EXPECT_LE(marched(*volume, middle, {1e-44f, 0, 0}, 0, 1, 0).size(), 1u);
+  EXPECT_FALSE(marched(*volume, middle, {1, 0, 0}, -inf, inf).empty());
+  EXPECT_LE(marched(*volume, middle, {0, 0, 0}, 0, inf).size(), 1u);
+  EXPECT_LE(marched(*volume, middle, {1e-44f, 0, 0}, 0, 1).size(), 1u);
 }
 
 TEST(March, VisitorStopsIt) {
@@ -265,9 +260,9 @@ TEST(March, NamesTheYarnAndTheCell) {
         EXPECT_LE(std::abs(part.index - own), 1);
         const Brick& brick =
             volume->brick(part.system, isWarp ? content.pick : part.index, isWarp ? part.index : content.end);
-        const Component* first = brick.level(0).components.data();
+        const Component* first = brick.components.data();
         EXPECT_GE(part.components.data(), first) << "of the yarn that it names";
-        EXPECT_LT(part.components.data(), first + brick.components());
+        EXPECT_LT(part.components.data(), first + brick.components.size());
         neighbours += part.index != own;
         ++(isWarp ? warp : weft);
       }

@@ -67,7 +67,7 @@ inline bool isWhole(const ClothVolume& volume) {
   for (int pick = 0; pick < volume.geometry().picks(); ++pick)
     for (int end = 0; end < volume.geometry().ends(); ++end)
       for (const System system : {System::warp, System::weft})
-        if (volume.brick(system, pick, end).levels() != volume.grid().levels) return false;
+        if (volume.brick(system, pick, end).cell != volume.grid().perCell()) return false;
   return true;
 }
 

@@ -14,20 +14,18 @@ VoxelGrid oddGrid() {
   grid.cell = {11, 13, 6};
   grid.size_mm = {0.4f / 11, 0.5f / 13, 0.05f};
   grid.zLower_mm = -0.15f;
-  grid.levels = 5;
   return grid;
 }
 
 VoxelGrid oneVoxel(float side) {
-  return {.cell = {1, 1, 1}, .size_mm = glm::vec3(side), .zLower_mm = -side / 2, .levels = 1};
+  return {.cell = {1, 1, 1}, .size_mm = glm::vec3(side), .zLower_mm = -side / 2};
 }
 
-void addStrand(CellStrands& strands, const std::vector<glm::vec3>& points, int ply = 0, float packing = 0.5f) {
+void addStrand(CellStrands& strands, const std::vector<glm::vec3>& points, int ply = 0) {
   CellStrands::Strand strand;
   strand.first = static_cast<uint32_t>(strands.points.size());
   strand.count = static_cast<uint32_t>(points.size());
   strand.ply = static_cast<uint8_t>(ply);
-  strand.packing = packing;
   strands.points.insert(strands.points.end(), points.begin(), points.end());
   strands.strands.push_back(strand);
 }
@@ -42,19 +40,19 @@ double lengthOf(const CellStrands& strands) {
 
 /// Visits every voxel of a brick that could be occupied: visit(voxel, components).
 template <class Visit>
-void forEachVoxel(const Brick::Level& level, const Visit& visit) {
-  for (int z = 0; z < level.cell.z; ++z)
-    for (int y = -level.cell.y; y < 2 * level.cell.y; ++y)
-      for (int x = -level.cell.x; x < 2 * level.cell.x; ++x) {
+void forEachVoxel(const Brick& brick, const Visit& visit) {
+  for (int z = 0; z < brick.cell.z; ++z)
+    for (int y = -brick.cell.y; y < 2 * brick.cell.y; ++y)
+      for (int x = -brick.cell.x; x < 2 * brick.cell.x; ++x) {
         const glm::ivec3 v(x, y, z);
-        if (const auto components = level.at(v); !components.empty()) visit(v, components);
+        if (const auto components = brick.at(v); !components.empty()) visit(v, components);
       }
 }
 
-double lengthOf(const Brick& brick, const VoxelGrid& grid, int level) {
+double lengthOf(const Brick& brick, const VoxelGrid& grid) {
   double length = 0;
-  forEachVoxel(brick.level(level), [&](glm::ivec3 v, std::span<const Component> components) {
-    for (const Component c : components) length += c.lengthDensity() * grid.volume_mm3(v, level);
+  forEachVoxel(brick, [&](glm::ivec3 v, std::span<const Component> components) {
+    for (const Component c : components) length += c.lengthDensity() * grid.volume_mm3(v);
   });
   return length;
 }
@@ -72,7 +70,7 @@ CellStrands wanderingFibres(int fibres, float halfWidth, int plies, uint64_t see
       p += 0.02f * glm::vec2(random.uniform() - 0.5f, random.uniform() - 0.5f);
       p = glm::clamp(p, glm::vec2(-halfWidth, -0.15f), glm::vec2(halfWidth, 0.15f));
     }
-    addStrand(strands, points, f % plies, 0.3f);
+    addStrand(strands, points, f % plies);
   }
   return strands;
 }
@@ -135,15 +133,16 @@ TEST(Voxelise, EveryVoxelHasTheLengthClippedToIt) {
 TEST(Voxelise, LengthIsConservedAtEveryLevel) {
   for (const System system : {System::warp, System::weft})
     for (const int plies : {1, 2, 5}) {
-      const VoxelGrid grid = oddGrid();
       const CellStrands strands = wanderingFibres(200, 0.3f, plies, 7, system);
-      const Brick brick = voxelise(strands, system, grid);
-      ASSERT_EQ(brick.levels(), grid.levels);
       const double length = lengthOf(strands);
-      for (int level = 0; level < grid.levels; ++level) {
+      ASSERT_EQ(oddGrid().levels(), 5);
+      for (int level = 0; level < 5; ++level) {
+        const VoxelGrid grid = oddGrid().atLevel(level);
+        const Brick brick = voxelise(strands, system, grid);
+        EXPECT_EQ(brick.cell, grid.perCell());
         // What is left is the rounding of the shortest component of the level.
-        const double bound = brick.level(level).components.size() > 100 ? 1e-6 : 2.5e-4;
-        EXPECT_NEAR(lengthOf(brick, grid, level) / length, 1, bound) << "level " << level << ", plies " << plies;
+        const double bound = brick.components.size() > 100 ? 1e-6 : 2.5e-4;
+        EXPECT_NEAR(lengthOf(brick, grid) / length, 1, bound) << "level " << level << ", plies " << plies;
       }
     }
 }
@@ -153,13 +152,13 @@ TEST(Voxelise, YarnsLieInClothAxes) {
   CellStrands strands;
   addStrand(strands, {{0.15f, -0.1f, 0.12f}, {0.15f, 0.1f, 0.12f}});  // u = +0.15, along s
   const Brick warp = voxelise(strands, System::warp, grid);
-  forEachVoxel(warp.level(0), [&](glm::ivec3 v, std::span<const Component> components) {
+  forEachVoxel(warp, [&](glm::ivec3 v, std::span<const Component> components) {
     EXPECT_EQ(v.x, static_cast<int>(0.35f / grid.size_mm.x));  // x = +u
     EXPECT_EQ(v.z, 5);
     EXPECT_EQ(glm::abs(components[0].decode().direction), glm::vec3(0, 1, 0));
   });
   const Brick weft = voxelise(strands, System::weft, grid);
-  forEachVoxel(weft.level(0), [&](glm::ivec3 v, std::span<const Component> components) {
+  forEachVoxel(weft, [&](glm::ivec3 v, std::span<const Component> components) {
     EXPECT_EQ(v.y, static_cast<int>(0.1f / grid.size_mm.y));  // y = -u
     EXPECT_EQ(glm::abs(components[0].decode().direction), glm::vec3(1, 0, 0));
   });
@@ -176,13 +175,14 @@ TEST(Voxelise, AYarnSpillsIntoTheCellsBesideIt) {
   EXPECT_EQ(warp.voxels(), 3u * grid.cell.x);
   // Coarser voxels begin anew in each cell: 11 leaves are 6, 3, 2, 1 voxels.
   const int perCell[] = {11, 6, 3, 2, 1};
-  for (int level = 0; level < grid.levels; ++level) {
+  for (int level = 0; level < grid.levels(); ++level) {
+    const Brick coarse = voxelise(strands, System::warp, grid.atLevel(level));
     size_t count = 0;
-    forEachVoxel(warp.level(level), [&](glm::ivec3 v, std::span<const Component> components) {
+    forEachVoxel(coarse, [&](glm::ivec3 v, std::span<const Component> components) {
       EXPECT_GE(v.x, -perCell[level]);
       EXPECT_LT(v.x, 2 * perCell[level]);
       // The voxels that the cell's edge cuts have their true volume, so a fibre of one direction has one density.
-      EXPECT_NEAR(components[0].lengthDensity() / warp.level(level).at({0, v.y, v.z})[0].lengthDensity(), 1, 2e-3);
+      EXPECT_NEAR(components[0].lengthDensity() / coarse.at({0, v.y, v.z})[0].lengthDensity(), 1, 2e-3);
       ++count;
     });
     EXPECT_EQ(count, 3u * perCell[level]);
@@ -191,7 +191,7 @@ TEST(Voxelise, AYarnSpillsIntoTheCellsBesideIt) {
 
 TEST(Voxelise, FacesBelongToTheUpperVoxel) {
   // Fibres exactly within a face between voxels, and on the cell's faces.
-  VoxelGrid grid{.cell = {4, 4, 4}, .size_mm = glm::vec3(0.25f), .zLower_mm = -0.5f, .levels = 3};
+  VoxelGrid grid{.cell = {4, 4, 4}, .size_mm = glm::vec3(0.25f), .zLower_mm = -0.5f};
   CellStrands strands;
   addStrand(strands, {{0, -0.5f, 0}, {0, 0.5f, 0}});
   const Brick brick = voxelise(strands, System::warp, grid);
@@ -212,18 +212,16 @@ TEST(Voxelise, FacesBelongToTheUpperVoxel) {
 TEST(Voxelise, ComponentsAreThePliesInTheVoxelAndAtMostTwo) {
   VoxelGrid grid = oneVoxel(1);
   CellStrands strands;
-  addStrand(strands, {{-0.4f, 0, 0}, {0.4f, 0, 0}}, 0, 0.5f);
-  addStrand(strands, {{0, -0.3f, 0}, {0, 0.3f, 0}}, 1, 0.7f);
+  addStrand(strands, {{-0.4f, 0, 0}, {0.4f, 0, 0}}, 0);
+  addStrand(strands, {{0, -0.3f, 0}, {0, 0.3f, 0}}, 1);
   const Brick two = voxelise(strands, System::warp, grid);
   auto components = two.at({0, 0, 0});
   ASSERT_EQ(components.size(), 2u);
   EXPECT_NEAR(components[0].decode().lengthDensity, 0.8, 1e-3);
-  EXPECT_NEAR(components[0].decode().packing, 0.5, 0.003);
   EXPECT_NEAR(components[1].decode().lengthDensity, 0.6, 1e-3);
-  EXPECT_NEAR(components[1].decode().packing, 0.7, 0.003);
 
   // A third, almost parallel to the first, joins it.
-  addStrand(strands, {{-0.2f, 0.02f, 0}, {0.2f, 0, 0}}, 2, 0.5f);
+  addStrand(strands, {{-0.2f, 0.02f, 0}, {0.2f, 0, 0}}, 2);
   const Brick three = voxelise(strands, System::warp, grid);
   components = three.at({0, 0, 0});
   ASSERT_EQ(components.size(), 2u);
@@ -264,11 +262,12 @@ TEST(Voxelise, SameInputSameBytes) {
   EXPECT_EQ(voxelise(strands, System::warp, oddGrid()), voxelise(strands, System::warp, oddGrid()));
 }
 
-TEST(Voxelise, NothingGivesEmptyLevels) {
-  const Brick brick = voxelise({}, System::weft, oddGrid());
-  EXPECT_EQ(brick.levels(), 5);
-  EXPECT_EQ(brick.voxels(), 0u);
-  EXPECT_TRUE(brick.at({0, 0, 0}).empty());
+TEST(Voxelise, NothingGivesEmptyBricks) {
+  for (int level = 0; level < oddGrid().levels(); ++level) {
+    const Brick brick = voxelise({}, System::weft, oddGrid().atLevel(level));
+    EXPECT_EQ(brick.voxels(), 0u);
+    EXPECT_TRUE(brick.at({0, 0, 0}).empty());
+  }
 }
 
 TEST(Voxelise, PointsWithoutLengthOrBeyondTheCellDoNoHarm) {
@@ -276,7 +275,7 @@ TEST(Voxelise, PointsWithoutLengthOrBeyondTheCellDoNoHarm) {
   addStrand(strands, {{0, 0, 0}, {0, 0, 0}});
   addStrand(strands, {{-9, 0.26f, -1}, {9, -0.26f, 1}});
   const Brick brick = voxelise(strands, System::warp, oddGrid());
-  EXPECT_NEAR(lengthOf(brick, oddGrid(), 0) / lengthOf(strands), 1, 1e-4);
+  EXPECT_NEAR(lengthOf(brick, oddGrid()) / lengthOf(strands), 1, 1e-4);
 }
 
 }  // namespace
