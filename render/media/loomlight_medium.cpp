@@ -87,12 +87,25 @@ Collision collisionWith(const MetFibre& fibre, const ScenePoint& place, glm::vec
   return c;
 }
 
+/// The share that a voxel's components have left, seen from its middle on the ray.
+struct UnknownShare {
+  const Unknown* unknown;  ///< null: all of it
+  glm::vec3 middle;
+  glm::ivec3 voxel;
+
+  float operator()(const FibreDistribution& fibres, const YarnOptics& optics, const VoxelContent::Part& part) const {
+    if (!unknown) return 1;
+    return unknown->share(fibres, optics.fibreRadius_mm, optics.packed, {part.system, part.index}, middle, voxel);
+  }
+};
+
 }  // namespace
 
 /// Part of a ray along which light can meet fibres whose axes lie in one voxel: [t, t + length] from the start of the
 /// flight. Up to t + near the light is still in the voxel before, or in none, and the gaps are as wide as there.
 struct LoomlightMedium::Stretch {
-  const VoxelExtinction& voxel;
+  const VoxelExtinction& extinction;
+  const UnknownShare& share;
   const VoxelContent& content;
   const ShellSegment& segment;
   float ahead;  ///< of the light, the axes: c
@@ -136,21 +149,17 @@ bool LoomlightMedium::advance(const ScenePoint& from, const Memory& memory, glm:
         [&](const VoxelContent& content, float uEnter, float uLeave) {
           const float filledBefore = uEnter - last < 1e-5f ? filled : 0.0f;
           const glm::vec3 middle = s.origin + 0.5f * (uEnter + uLeave) * direction;
-          const VoxelExtinction voxel(*cloth_, content, s.drape, direction,
-                                      [&](const FibreDistribution& fibres, const YarnOptics& optics, Thread thread) {
-                                        if (!ingredients_.hotSpot) return 1.0f;
-                                        return unknown.share(fibres, optics.fibreRadius_mm, optics.packed, thread,
-                                                             middle, content.voxel);
-                                      });
+          const UnknownShare share{ingredients_.hotSpot ? &unknown : nullptr, middle, content.voxel};
+          const VoxelExtinction voxel = sumExtinction(cloth_->yarns, content, s.drape, direction, share);
           last = uLeave;
-          filled = ingredients_.packing ? std::min(voxel.packed(), kFullest) : 0.0f;
-          const float ahead = std::min(0.5f * voxel.solid() / voxel.whole(), farthest_mm_);
+          filled = ingredients_.packing ? std::min(voxel.packed, kFullest) : 0.0f;
+          const float ahead = std::min(0.5f * voxel.solid / voxel.whole, farthest_mm_);
           const float start = std::max(uEnter, s.tEnter + ahead), stop = std::min(uLeave, s.tLeave + ahead);
           if (!(start < stop)) return true;
           ++counts.steps;
-          return onStretch(Stretch{voxel, content, s, ahead, s.passed + start - ahead, stop - start,
+          return onStretch(Stretch{voxel, share, content, s, ahead, s.passed + start - ahead, stop - start,
                                    std::clamp(uEnter + ahead - start, 0.0f, stop - start),
-                                   voxel.total() / (1 - filledBefore), voxel.total() / (1 - filled)});
+                                   voxel.total / (1 - filledBefore), voxel.total / (1 - filled)});
         });
   });
 }
@@ -163,17 +172,18 @@ Collision LoomlightMedium::meet(const ScenePoint& from, glm::vec3 direction, con
   c.distance_mm = t;
   c.place = {from.world + t * direction, s.tet};
   c.normal = s.drape.normal();
-  const auto take = [&](const VoxelExtinction& voxel, const VoxelContent& content) {
-    const VoxelExtinction::Entry& entry = voxel.choose(random.uniform(), EventLaw::projected);
-    c.tangent = eitherWay(projectedTangent(inWorld(entry.component->decode(), s.drape), direction, random), random);
-    c.optics = *entry.optics;
-    c.thread = entry.thread;
-    c.yarn = entry.yarn;
+  const auto take = [&](const VoxelContent& content, const auto& share) {
+    const MetComponent met =
+        chooseComponent(cloth_->yarns, content, s.drape, direction, random.uniform(), EventLaw::projected, share);
+    c.tangent = eitherWay(projectedTangent(met.fibres, direction, random), random);
+    c.optics = *met.optics;
+    c.thread = met.thread;
+    c.yarn = met.yarn;
     c.end = content.end;
     c.pick = content.pick;
   };
   if (!ingredients_.finiteRadius) {
-    take(stretch.voxel, stretch.content);
+    take(stretch.content, stretch.share);
     c.offset = 2 * random.uniform() - 1;
     return c;
   }
@@ -186,23 +196,23 @@ Collision LoomlightMedium::meet(const ScenePoint& from, glm::vec3 direction, con
   const glm::vec3 lower = grid.lower_mm(stretch.content.voxel);
   ClothVolume::Probe probe(*cloth_->volume);
   VoxelContent contents[2];
-  std::optional<VoxelExtinction> elsewhere[2];
+  float elsewhere[2] = {0, 0};  // extinction of what was found in other voxels
   const auto look = [&](glm::vec3 w, int i) {
     const glm::vec3 shift = radius_mm_ * across(w) + 2 * stretch.ahead * w.z * direction;
     const glm::vec3 axis = place + toCloth * shift, inVoxel = axis - lower;
     if (glm::all(glm::greaterThanEqual(inVoxel, glm::vec3(0))) && glm::all(glm::lessThan(inVoxel, grid.size_mm)))
-      return stretch.voxel.whole();
+      return stretch.extinction.whole;
     probe.look(axis, contents[i]);
-    return elsewhere[i].emplace(*cloth_, contents[i], s.drape, direction).whole();
+    return elsewhere[i] = sumExtinction(cloth_->yarns, contents[i], s.drape, direction).whole;
   };
   const AntitheticPoints w(random);
   const float first = look(w.first, 0), second = look(w.second, 1);
   const bool takesFirst = random.uniform() * (first + second) < first;
   const int taken = takesFirst ? 0 : 1;
-  if (elsewhere[taken] && elsewhere[taken]->whole() > 0)
-    take(*elsewhere[taken], contents[taken]);
+  if (elsewhere[taken] > 0)
+    take(contents[taken], WholeExtinction{});
   else
-    take(stretch.voxel, stretch.content);
+    take(stretch.content, stretch.share);
   // The shift leads from the surface to the axis, so the normal's component across is its negative.
   const glm::vec3 b = glm::cross(c.tangent, direction);
   c.offset = std::clamp(-glm::dot(across(takesFirst ? w.first : w.second), b) / glm::length(b), -1.0f, 1.0f);

@@ -22,30 +22,30 @@ std::optional<Collision> VolumeMedium::collide(const ScenePoint& from, Memory&, 
   walkCloth(*cloth_, from, direction, std::numeric_limits<float>::infinity(),
             [&](const VoxelContent& content, float tEnter, float tLeave, const LocalDrape& drape, int tet) {
               ++counts.steps;
-              const VoxelExtinction voxel(*cloth_, content, drape, direction);
-              const float depth = voxel.total() * (tLeave - tEnter);
+              const float total = sumExtinction(cloth_->yarns, content, drape, direction).total;
+              const float depth = total * (tLeave - tEnter);
               if (opticalDepth >= depth) {
                 opticalDepth -= depth;
                 return true;
               }
-              const float t = std::min(tLeave, tEnter + opticalDepth / voxel.total());
-              const VoxelExtinction::Entry& entry = voxel.choose(random.uniform(), law_);
-              const FibreDistribution fibres = inWorld(entry.component->decode(), drape);
+              const float t = std::min(tLeave, tEnter + opticalDepth / total);
+              const MetComponent met =
+                  chooseComponent(cloth_->yarns, content, drape, direction, random.uniform(), law_);
               Collision c;
               c.place = {from.world + t * direction, tet};
               c.distance_mm = t;
               c.incoming = direction;
               if (law_ == EventLaw::report) {
                 const float u1 = random.uniform(), u2 = random.uniform();
-                c.tangent = eitherWay(sampleTangent(fibres, u1, u2), random);
+                c.tangent = eitherWay(sampleTangent(met.fibres, u1, u2), random);
               } else {
-                c.tangent = eitherWay(projectedTangent(fibres, direction, random), random);
+                c.tangent = eitherWay(projectedTangent(met.fibres, direction, random), random);
               }
               c.offset = 2.0f * random.uniform() - 1.0f;
               c.normal = drape.normal();
-              c.optics = *entry.optics;
-              c.thread = entry.thread;
-              c.yarn = entry.yarn;
+              c.optics = *met.optics;
+              c.thread = met.thread;
+              c.yarn = met.yarn;
               c.end = content.end;
               c.pick = content.pick;
               collision = c;
@@ -67,7 +67,7 @@ float VolumeMedium::transmittanceBeyond(float clear_mm, const ScenePoint& from, 
                   const float length = tLeave - std::max(tEnter, clear_mm);
                   if (length <= 0) return true;
                   ++counts.steps;
-                  depth += VoxelExtinction(*cloth_, content, drape, direction).total() * length;
+                  depth += sumExtinction(cloth_->yarns, content, drape, direction).total * length;
                   return depth < deepest;
                 });
   return through ? std::exp(-std::min(depth, kExactDepth)) : 0.0f;

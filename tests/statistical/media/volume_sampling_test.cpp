@@ -80,8 +80,8 @@ TEST(FreeFlights, FitTheExtinctionOfTheirWay) {
               [&](const VoxelContent& content, float tEnter, float tLeave, const LocalDrape& local, int) {
                 const double before = depths.empty() ? 0 : depths.back();
                 ends.push_back(tLeave);
-                depths.push_back(before +
-                                 VoxelExtinction(*scene->cloth, content, local, direction).total() * (tLeave - tEnter));
+                depths.push_back(before + sumExtinction(scene->cloth->yarns, content, local, direction).total *
+                                              (tLeave - tEnter));
                 return true;
               });
     ASSERT_GT(depths.size(), 10u);

@@ -12,17 +12,24 @@ namespace {
 struct CrossedVoxel {
   Component warp = Component::encode({{0, 1, 0}, 0.0f, 1000.0f});
   Component weft = Component::encode({{1, 0, 0}, 0.0f, 1000.0f});
-  YarnOptics optics{0, false, 0.006f};
+  YarnTables yarns{{{{0, false, 0.006f}}, {{0, false, 0.006f}}}};
+
+  static VoxelContent of(std::initializer_list<VoxelContent::Part> parts) {
+    VoxelContent content;
+    for (const VoxelContent::Part& part : parts) content.parts[content.count++] = part;
+    return content;
+  }
+  VoxelContent::Part warpPart() const { return {{&warp, 1}, System::warp, 0, 0}; }
+  VoxelContent::Part weftPart() const { return {{&weft, 1}, System::weft, 0, 0}; }
 
   double shareOfWarp(double elevation_rad, EventLaw law) const {
     // The ray runs over the warp: along y, at an elevation.
     const glm::vec3 d(0, std::cos(elevation_rad), -std::sin(elevation_rad));
-    VoxelExtinction voxel(d);
-    voxel.add(warp, LocalDrape{}, optics, {}, 0);
-    voxel.add(weft, LocalDrape{}, optics, {}, 1);
+    const VoxelContent both = of({warpPart(), weftPart()});
     constexpr int kDraws = 20000;
     int hits = 0;
-    for (int i = 0; i < kDraws; ++i) hits += voxel.choose((i + 0.5f) / kDraws, law).yarn == 0;
+    for (int i = 0; i < kDraws; ++i)
+      hits += chooseComponent(yarns, both, {}, d, (i + 0.5f) / kDraws, law).thread.system == System::warp;
     return static_cast<double>(hits) / kDraws;
   }
 };
@@ -43,13 +50,27 @@ TEST(EventLaw, OfTheReportIgnoresTheAngle) {
     EXPECT_NEAR(voxel.shareOfWarp(degrees * kPi / 180, EventLaw::report), 0.5, 0.005);
 }
 
+TEST(EventLaw, ChoosesOnlyAmongWhatCounts) {
+  const CrossedVoxel voxel;
+  const auto weftAlone = [](const FibreDistribution&, const YarnOptics&, const VoxelContent::Part& part) {
+    return part.system == System::weft ? 0.25f : 0.0f;
+  };
+  const VoxelContent both = CrossedVoxel::of({voxel.warpPart(), voxel.weftPart()});
+  const glm::vec3 down(0, 0, -1);
+  for (const float u : {0.0f, 0.5f, 0.999f}) {
+    const MetComponent met = chooseComponent(voxel.yarns, both, {}, down, u, EventLaw::projected, weftAlone);
+    EXPECT_EQ(met.thread.system, System::weft);
+    EXPECT_EQ(met.fibres.direction, voxel.weft.decode().direction);
+  }
+  const VoxelExtinction sum = sumExtinction(voxel.yarns, both, {}, down, weftAlone);
+  EXPECT_NEAR(sum.total, 0.125f * sum.whole, 1e-5f * sum.whole);
+}
+
 TEST(VoxelExtinction, IsProjectedFibreArea) {
   const CrossedVoxel voxel;
   const glm::vec3 d = glm::normalize(glm::vec3(0.3f, 0.5f, -0.8f));
-  VoxelExtinction extinction(d);
-  extinction.add(voxel.warp, LocalDrape{}, voxel.optics, {}, 0);
   const double expected = 2 * 0.006 * 1000 * std::sqrt(1 - d.y * d.y);
-  EXPECT_NEAR(extinction.total(), expected, 0.01 * expected);
+  EXPECT_NEAR(sumExtinction(voxel.yarns, CrossedVoxel::of({voxel.warpPart()}), {}, d).total, expected, 0.01 * expected);
 }
 
 TEST(VoxelExtinction, StretchedClothKeepsItsFibres) {
@@ -60,15 +81,15 @@ TEST(VoxelExtinction, StretchedClothKeepsItsFibres) {
   stretched.frame[1] = {0, 2, 0};
   stretched.densityScale = 0.5f;
   stretched.isometric = false;
-  VoxelExtinction before({0, 0, -1}), after({0, 0, -1});
-  before.add(voxel.warp, LocalDrape{}, voxel.optics, {}, 0);
-  after.add(voxel.warp, stretched, voxel.optics, {}, 0);
-  EXPECT_NEAR(after.total() / before.total(), 1.0, 1e-4);
+  const auto change = [&](const VoxelContent::Part& part) {
+    const VoxelContent content = CrossedVoxel::of({part});
+    const glm::vec3 down(0, 0, -1);
+    return sumExtinction(voxel.yarns, content, stretched, down).total /
+           sumExtinction(voxel.yarns, content, {}, down).total;
+  };
+  EXPECT_NEAR(change(voxel.warpPart()), 1.0, 1e-4);
   // The weft keeps its length and is spread over twice the room.
-  VoxelExtinction weftBefore({0, 0, -1}), weftAfter({0, 0, -1});
-  weftBefore.add(voxel.weft, LocalDrape{}, voxel.optics, {}, 1);
-  weftAfter.add(voxel.weft, stretched, voxel.optics, {}, 1);
-  EXPECT_NEAR(weftAfter.total() / weftBefore.total(), 0.5, 1e-4);
+  EXPECT_NEAR(change(voxel.weftPart()), 0.5, 1e-4);
 }
 
 }  // namespace
