@@ -69,12 +69,12 @@ void dropEmpty(Brick& brick) {
   const auto empty = [](Component c) { return c.lengthDensity() == 0; };
   if (std::none_of(brick.components.begin(), brick.components.end(), empty)) return;
   std::vector<Component> kept;
-  for (Brick::Block& block : brick.grid) {
-    const Brick::Block before = std::exchange(block, {});
+  for (BrickBlock& block : brick.blocks) {
+    const BrickBlock before = std::exchange(block, {});
     block.first = static_cast<uint32_t>(kept.size());
     for (uint64_t rest = before.occupied; rest != 0; rest &= rest - 1) {
       const uint64_t bit = rest & -rest;
-      for (const Component c : brick.at(before, std::countr_zero(rest))) {
+      for (const Component c : before.at(std::countr_zero(rest), brick.components.data())) {
         if (empty(c)) continue;
         (block.occupied & bit ? block.second : block.occupied) |= bit;
         kept.push_back(c);
@@ -82,7 +82,6 @@ void dropEmpty(Brick& brick) {
     }
     if (block.occupied == 0) block.first = 0;
   }
-  kept.shrink_to_fit();
   brick.components = std::move(kept);
 }
 
@@ -169,12 +168,11 @@ Brick MomentLevel::fit(ComponentEncoder& encoder, size_t segments) const {
   Brick result;
   result.segments = segments;
   result.cell = grid_.perCell();
-  result.lower = lower_;
-  result.blocks = blocks_;
-  result.grid.resize(occupied_.size());
+  result.box = {lower_, blocks_};
+  result.blocks.resize(occupied_.size());
   for (size_t number = 0; number < occupied_.size(); ++number) {
     if (occupied_[number] == 0) continue;
-    Brick::Block& block = result.grid[number];
+    BrickBlock& block = result.blocks[number];
     block.first = static_cast<uint32_t>(encoder.count());
     const glm::ivec3 corner = 4 * placeOf(blockAt(number), perCell_).inCell;
     std::array<std::array<double, 4>, 3> extents_mm;

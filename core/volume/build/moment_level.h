@@ -11,7 +11,7 @@ namespace loomlight {
 
 /// One level of a brick while it is made: the moments of every ply in every voxel, before anything is rounded. A dense
 /// index over the blocks of the brick leads to chains of moments, one per ply, so that memory follows what is occupied.
-/// Voxels are numbered block by block: 64 * (number of the block in Brick::grid) + number in the block.
+/// Voxels are numbered block by block: 64 * (number of the block in Brick::blocks) + number in the block.
 class MomentLevel {
  public:
   /// Nothing yet: reset() comes first. What is reset keeps its memory, so that bricks can be made one after another
@@ -35,7 +35,7 @@ class MomentLevel {
   Brick fit(ComponentEncoder& encoder, size_t segments) const;
 
  private:
-  /// The blocks [lower, lower + blocks), counted as Brick does.
+  /// The blocks [lower, lower + blocks), counted as BrickBox does.
   void resetBlocks(const VoxelGrid& grid, glm::ivec3 lower, glm::ivec3 blocks);
   struct Link {
     int32_t next;

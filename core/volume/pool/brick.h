@@ -9,65 +9,69 @@
 
 namespace loomlight {
 
-/// The fibres of one yarn in one crossing cell, in sparse voxels. A voxel holds no, one or two components (two where
-/// plies meet). Voxel coordinates are those of the cell's grid; a yarn that spills sideways has voxels at coordinates
-/// below 0 or beyond the cell's size. About 6 bytes a component and 24 bytes a block of 64 voxels.
-struct Brick {
-  /// 4 x 4 x 4 voxels. A voxel's components start at first + (set bits below it in occupied) + (the same in second).
-  struct Block {
-    uint64_t occupied = 0;
-    uint64_t second = 0;
-    uint32_t first = 0;
-    bool operator==(const Block&) const = default;
-  };
+/// 4 x 4 x 4 voxels of a brick. A voxel holds no, one or two components (two where plies meet). Its components start at
+/// first + (set bits below it in occupied) + (the same in second).
+struct BrickBlock {
+  uint64_t occupied = 0;
+  uint64_t second = 0;
+  uint32_t first = 0;
 
-  // Blocks are counted from the corner of each cell, and the last ones of a cell may be cut by its edge: so the blocks
-  // of all bricks that reach into a cell coincide, and a traversal can test them together.
-  glm::ivec3 cell{1};    ///< voxels of one cell
-  glm::ivec3 lower{0};   ///< first block
-  glm::ivec3 blocks{0};  ///< extent, in blocks
-  std::vector<Block> grid;
-  std::vector<Component> components;
-  size_t segments = 0;  ///< fibre segments it was made of
-
-  glm::ivec3 blocksPerCell() const { return (cell + 3) >> 2; }
-  /// The block at a place counted from the first one; null where there is none.
-  const Block* blockFromLower(glm::ivec3 b) const;
-  /// The components of a voxel of a block, by its number x + 4 y + 16 z there.
-  std::span<const Component> at(const Block& block, int voxel) const;
-  /// The components of voxel v; empty where there are none or v is outside. Cost: one block and one or two components
-  /// read.
-  std::span<const Component> at(glm::ivec3 v) const;
-
-  size_t bytes() const;   ///< all that it keeps, itself included
-  size_t voxels() const;  ///< occupied ones; counts them
-  friend bool operator==(const Brick&, const Brick&) = default;
+  /// The components of a voxel, by its number x + 4 y + 16 z in the block; `components` is what `first` counts from.
+  std::span<const Component> at(int voxel, const Component* components) const {
+    const uint64_t bit = uint64_t{1} << voxel;
+    if (!(occupied & bit)) return {};
+    const uint64_t below = bit - 1;
+    const auto index = first + std::popcount(occupied & below) + std::popcount(second & below);
+    return {components + index, second & bit ? size_t{2} : size_t{1}};
+  }
 };
 
-inline const Brick::Block* Brick::blockFromLower(glm::ivec3 b) const {
-  if (static_cast<unsigned>(b.x) >= static_cast<unsigned>(blocks.x) ||
-      static_cast<unsigned>(b.y) >= static_cast<unsigned>(blocks.y) ||
-      static_cast<unsigned>(b.z) >= static_cast<unsigned>(blocks.z))
-    return nullptr;
-  return &grid[(b.z * blocks.y + b.y) * blocks.x + b.x];
-}
+/// The blocks of a brick: a box of them, those that are empty included, x before y before z. Blocks are counted from
+/// the corner of each cell, and the last ones of a cell may be cut by its edge: so the blocks of all bricks that reach
+/// into a cell coincide, and a traversal can test them together.
+struct BrickBox {
+  glm::ivec3 lower{0};  ///< first block
+  glm::ivec3 size{0};   ///< in blocks
 
-inline std::span<const Component> Brick::at(const Block& block, int voxel) const {
-  const uint64_t bit = uint64_t{1} << voxel;
-  if (!(block.occupied & bit)) return {};
-  const uint64_t below = bit - 1;
-  const auto index = block.first + std::popcount(block.occupied & below) + std::popcount(block.second & below);
-  return {components.data() + index, block.second & bit ? size_t{2} : size_t{1}};
-}
+  size_t blocks() const { return static_cast<size_t>(size.x) * size.y * size.z; }
+  /// The number of a block, by its place counted from the first one; -1 where it lies outside.
+  int number(glm::ivec3 place) const {
+    const bool inside = static_cast<unsigned>(place.x) < static_cast<unsigned>(size.x) &&
+                        static_cast<unsigned>(place.y) < static_cast<unsigned>(size.y) &&
+                        static_cast<unsigned>(place.z) < static_cast<unsigned>(size.z);
+    return inside ? (place.z * size.y + place.y) * size.x + place.x : -1;
+  }
+  bool operator==(const BrickBox&) const = default;
+};
 
-inline std::span<const Component> Brick::at(glm::ivec3 v) const {
-  const auto cellOf = [](int i, int size) { return i < 0 ? -1 : i >= size ? 1 : 0; };
-  const glm::ivec3 neighbour(cellOf(v.x, cell.x), cellOf(v.y, cell.y), 0);
-  v -= neighbour * cell;
-  if (glm::any(glm::lessThan(v, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(v, cell))) return {};
-  const Block* b = blockFromLower((v >> 2) + neighbour * blocksPerCell() - lower);
-  if (!b) return {};
-  return at(*b, (v.x & 3) | (v.y & 3) << 2 | (v.z & 3) << 4);
-}
+/// The fibres of one yarn in one crossing cell, in sparse voxels, wherever they are kept. Voxel coordinates are those
+/// of the cell's grid; a yarn that spills sideways has voxels at coordinates below 0 or beyond the cell's size.
+struct BrickView {
+  glm::ivec3 cell{1};  ///< voxels of one cell
+  BrickBox box;
+  const BrickBlock* blocks = nullptr;
+  const Component* first = nullptr;       ///< what BrickBlock::first counts from
+  std::span<const Component> components;  ///< of all its voxels
+  size_t segments = 0;                    ///< fibre segments it was made of
+
+  /// The components of voxel v; empty where there are none or v is outside.
+  std::span<const Component> at(glm::ivec3 v) const;
+  size_t voxels() const;  ///< occupied ones; counts them
+  size_t bytes() const { return box.blocks() * sizeof(BrickBlock) + components.size_bytes(); }
+  /// The same content, wherever it is kept.
+  friend bool operator==(const BrickView& a, const BrickView& b);
+};
+
+/// A brick as it is made, before a pool takes it.
+struct Brick {
+  glm::ivec3 cell{1};
+  BrickBox box;
+  std::vector<BrickBlock> blocks;
+  std::vector<Component> components;
+  size_t segments = 0;
+
+  BrickView view() const { return {cell, box, blocks.data(), components.data(), components, segments}; }
+  std::span<const Component> at(glm::ivec3 v) const { return view().at(v); }
+};
 
 }  // namespace loomlight

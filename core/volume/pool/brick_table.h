@@ -4,47 +4,46 @@
 #include <memory>
 #include <vector>
 
-#include "core/volume/pool/brick.h"
+#include "core/volume/pool/brick_pool.h"
 
 namespace loomlight {
 
 /// The brick of each of a number of kinds of cells, or none. A pointer to copy: copies share all until one is changed.
 class BrickTable {
  public:
-  /// What the traversal needs.
-  struct Slot {
-    const Brick* brick = nullptr;
-    bool reachesBelow = false;  ///< into the cell beside it across the yarn, on the lower side
-    bool reachesAbove = false;
-  };
+  BrickTable() = default;
+  explicit BrickTable(std::shared_ptr<BrickPool> pool) { start(std::move(pool), 0); }
 
   size_t size() const { return data_->bricks.size(); }
-  const std::shared_ptr<const Brick>& operator[](size_t kind) const { return data_->bricks[kind]; }
-  const Slot& slot(size_t kind) const { return slots_[kind]; }
+  /// kNone where it is missing.
+  BrickPool::Id operator[](size_t kind) const { return data_->bricks[kind]; }
+  /// What the traversal needs.
+  const BrickPool::Entry& entry(size_t kind) const { return entries_[bricks_[kind]]; }
   bool anyReachesBelow() const { return data_->anyReachesBelow; }
   bool anyReachesAbove() const { return data_->anyReachesAbove; }
-  size_t bytes() const;  ///< without the bricks
+  size_t bytes() const { return sizeof(Data) + data_->bricks.bytes(); }  ///< without the bricks
   /// With the bricks, but without what `other` has in the same places.
   size_t bytesBeside(const BrickTable& other) const;
 
-  /// `system`: of the yarns whose bricks these are.
-  void place(size_t kind, System system, std::shared_ptr<const Brick> brick);
-  void lend(size_t kind, size_t other);  ///< another kind has the same brick
+  void place(size_t kind, BrickPool::Id brick);
   void resize(size_t kinds);
-  void clear();  ///< as many kinds, no bricks
+  /// As many kinds, no bricks; those to come are of this pool.
+  void clear(std::shared_ptr<BrickPool> pool) { start(std::move(pool), size()); }
   /// Leaves those bricks only whose kinds have cells.
   void keepOnly(const std::vector<uint64_t>& cellsOf);
 
  private:
   struct Data {
-    std::vector<std::shared_ptr<const Brick>> bricks;
-    std::vector<Slot> slots;
+    BrickList bricks;
     bool anyReachesBelow = false, anyReachesAbove = false;
   };
+  void start(std::shared_ptr<BrickPool> pool, size_t kinds);
   Data& own();
 
   std::shared_ptr<Data> data_ = std::make_shared<Data>();
-  const Slot* slots_ = nullptr;
+  // Of the list and its pool, for the traversal:
+  const BrickPool::Id* bricks_ = nullptr;
+  const BrickPool::Entry* entries_ = nullptr;
 };
 
 }  // namespace loomlight

@@ -11,7 +11,8 @@
 
 namespace loomlight {
 
-TileMap::TileMap(const ClothGeometry& geometry, System system, const Task& task) : system_(system) {
+TileMap::TileMap(const ClothGeometry& geometry, System system, std::shared_ptr<BrickPool> pool, const Task& task)
+    : system_(system), bricks_(std::move(pool)) {
   findExtent(geometry);
   placeYarns(geometry);
   ShapeTable table(geometry, system);
@@ -25,6 +26,7 @@ void TileMap::findExtent(const ClothGeometry& geometry) {
   cells_ = warp ? geometry.picks() : geometry.ends();
   repeatAcross_ = std::min(yarnCount_, warp ? geometry.repeatEnds() : geometry.repeatPicks());
   repeatAlong_ = std::min(cells_, warp ? geometry.repeatPicks() : geometry.repeatEnds());
+  inRepeat_ = Modulo(static_cast<uint32_t>(repeatAlong_));
   if (static_cast<double>(repeatAcross_) * repeatAlong_ > kMaxCrossings)
     throw InputError(
         fmt::format("the cloth repeats only after {} ends and {} picks: expected at most {:.0f} crossings; "
@@ -93,8 +95,7 @@ size_t TileMap::bytes() const {
     const auto first = cellsOf_.begin() + static_cast<std::ptrdiff_t>(index({shape, 0}));
     used += std::any_of(first, first + kMaxPeriod, [](uint64_t cells) { return cells > 0; });
   }
-  const size_t perShape =
-      sizeof(CellKey) + sizeof(codes_[0]) + kMaxPeriod * (sizeof(uint64_t) + sizeof(bricks_[0]) + sizeof(Slot));
+  const size_t perShape = sizeof(CellKey) + sizeof(codes_[0]) + kMaxPeriod * (sizeof(uint64_t) + sizeof(BrickPool::Id));
   const size_t perRow = sizeof(Row) + sizeof(rows_[0]) + sizeof(low_[0]) +
                         static_cast<size_t>(repeatAlong_) * (used > 0x10000 ? 2 : 1) * sizeof(uint16_t);
   return static_cast<size_t>(yarnCount_) * sizeof(PlacedYarn) + rows_.size() * perRow + used * perShape;

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/modulo.h"
 #include "core/base/shared_list.h"
 #include "core/base/task.h"
 #include "core/fabric/weave/weave_edit.h"
@@ -25,7 +26,6 @@ class ShapeTable;
 class TileMap {
  public:
   /// A yarn's cells are addressed by its own index (end or pick), `across`, and where along it, `along` (pick or end).
-  using Slot = BrickTable::Slot;
   /// Of cells: a shape in one phase. All of a kind have one brick.
   struct Kind {
     uint32_t shape = 0;
@@ -33,10 +33,11 @@ class TileMap {
   };
 
   TileMap() = default;
-  /// Reads the shapes of one repeat of `geometry`, or of the whole piece where that is smaller; all bricks are missing.
+  /// Reads the shapes of one repeat of `geometry`, or of the whole piece where that is smaller; all bricks are missing,
+  /// and will be of `pool`.
   /// Throws InputError where this is more than kMaxCrossings, or of a million shapes. Left empty when the task is
   /// stopped.
-  TileMap(const ClothGeometry& geometry, System system, const Task& task);
+  TileMap(const ClothGeometry& geometry, System system, std::shared_ptr<BrickPool> pool, const Task& task);
   static constexpr double kMaxCrossings = 268435456;  ///< 2^28: the largest weave, 16384 x 16384
 
   /// How a cloth came out of another.
@@ -58,8 +59,8 @@ class TileMap {
   CellKey key(Kind kind) const;
   /// Of the piece.
   uint64_t cells(Kind kind) const { return cellsOf_[index(kind)]; }
-  /// Null where the piece has no such cell, and where it is missing.
-  const std::shared_ptr<const Brick>& brick(Kind kind) const { return bricks_[index(kind)]; }
+  /// BrickPool::kNone where the piece has no such cell, and where it is missing.
+  BrickPool::Id brick(Kind kind) const { return bricks_[index(kind)]; }
   std::vector<Kind> missing() const;
   /// The same, in the order in which they are wanted by who looks at these crossings of the piece: `sketch` of them,
   /// with which, and standIn(), every cell that is seen has a brick of its shape, if of another phase; then, up to
@@ -73,16 +74,14 @@ class TileMap {
   /// the map is for show: its bricks are not those of its keys.
   void standIn();
   std::vector<ClothGeometry::CellCount> cellCounts() const;  ///< of the piece, by shape
-  void place(Kind kind, std::shared_ptr<const Brick> brick) { bricks_.place(index(kind), system_, std::move(brick)); }
-  void dropBricks() { bricks_.clear(); }  ///< all are missing then
+  void place(Kind kind, BrickPool::Id brick) { bricks_.place(index(kind), brick); }
+  /// All are missing then; those to come are of this pool.
+  void dropBricks(std::shared_ptr<BrickPool> pool) { bricks_.clear(std::move(pool)); }
 
-  /// 0 <= across < yarns of the piece, 0 <= along < cells of a yarn; inRepeat = along % repeatAlong().
-  const Slot& at(int across, int along, int inRepeat) const {
-    const PlacedYarn& yarn = yarns_[across];
-    const uint32_t phase = (yarn.phase + static_cast<uint32_t>(along)) % yarn.period;
-    return bricks_.slot(index({shapeAt(yarn.row, static_cast<uint32_t>(inRepeat)), static_cast<int>(phase)}));
-  }
-  int repeatAlong() const { return repeatAlong_; }
+  /// 0 <= across < yarns of the piece, 0 <= along < cells of a yarn. The brick of the cell: four reads that wait for
+  /// one another, no division.
+  const BrickPool::Entry& at(int across, int along) const { return bricks_.entry(indexAt(across, along)); }
+  BrickPool::Id brickAt(int across, int along) const { return bricks_[indexAt(across, along)]; }
   bool anyReachesBelow() const { return bricks_.anyReachesBelow(); }
   bool anyReachesAbove() const { return bricks_.anyReachesAbove(); }
 
@@ -118,9 +117,21 @@ class TileMap {
   };
   class PhaseCounts;
   struct Band;
+  /// [period]
+  static constexpr auto kByPeriod = [] {
+    std::array<Modulo, kMaxPeriod + 1> all;
+    for (uint32_t period = 1; period < all.size(); ++period) all[period] = Modulo(period);
+    return all;
+  }();
 
   std::vector<bool> kindsIn(const CellRect& rect) const;
   bool hasBrick(uint32_t shape) const;
+  size_t indexAt(int across, int along) const {
+    const PlacedYarn& yarn = yarns_[across];
+    const auto cell = static_cast<uint32_t>(along);
+    const uint32_t phase = kByPeriod[yarn.period](yarn.phase + cell);
+    return index({shapeAt(yarn.row, inRepeat_(cell)), static_cast<int>(phase)});
+  }
   static size_t index(Kind kind) { return static_cast<size_t>(kind.shape) * kMaxPeriod + kind.phase; }
   uint32_t shapeAt(uint32_t row, uint32_t inRepeat) const {
     const uint32_t low = low_[row][inRepeat];
@@ -142,6 +153,7 @@ class TileMap {
   System system_ = System::warp;
   int yarnCount_ = 0, cells_ = 0;  ///< of the piece: across, and along each yarn
   int repeatAcross_ = 1, repeatAlong_ = 1;
+  Modulo inRepeat_;                            ///< by repeatAlong_
   std::shared_ptr<const PlacedYarn[]> yarns_;  ///< of the piece
   SharedList<Row> rows_;                       ///< per yarn of the repeat
   std::vector<const uint16_t*> low_, high_;    ///< of each row; `high_` is empty where no row has any

@@ -103,7 +103,7 @@ void TileMap::standIn() {
     if (i == 0 || kind.shape != kinds[i - 1].shape) by = likest(kind.shape);
     int phase = kind.phase;
     while (!brick({by, phase})) phase = (phase + 1) % kMaxPeriod;
-    bricks_.lend(index({by, phase}), index(kind));
+    place(kind, brick({by, phase}));
   }
 }
 

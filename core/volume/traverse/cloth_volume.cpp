@@ -13,8 +13,13 @@
 
 namespace loomlight {
 
-ClothVolume::ClothVolume(std::shared_ptr<const ClothGeometry> geometry, VoxelGrid grid)
-    : geometry_(std::move(geometry)), grid_(grid) {
+ClothVolume::ClothVolume(std::shared_ptr<const ClothGeometry> geometry, VoxelGrid grid, std::shared_ptr<BrickPool> pool)
+    : geometry_(std::move(geometry)),
+      grid_(grid),
+      pool_(std::move(pool)),
+      blocks_(pool_->blocks()),
+      components_(pool_->components()),
+      blocksPerCell_((grid.perCell() + 3) >> 2) {
   cells_ = {geometry_->ends(), geometry_->picks(), 1};
   cell_mm_ = {geometry_->warpPitch_mm(), geometry_->weftPitch_mm(), -2.0 * grid_.zLower_mm};
   voxel_mm_ = cell_mm_ / glm::dvec3(grid_.cell);
@@ -25,7 +30,8 @@ ClothVolume::ClothVolume(std::shared_ptr<const ClothGeometry> geometry, VoxelGri
 std::shared_ptr<ClothVolume> ClothVolume::begin(std::shared_ptr<const ClothGeometry> geometry, int resolution,
                                                 const Task& task, const ClothVolume* previous) {
   const VoxelGrid grid = makeGrid(*geometry, resolution);
-  std::shared_ptr<ClothVolume> volume(new ClothVolume(std::move(geometry), grid));
+  auto pool = previous && previous->grid_ == grid ? previous->pool_ : std::make_shared<BrickPool>(grid.perCell());
+  std::shared_ptr<ClothVolume> volume(new ClothVolume(std::move(geometry), grid, std::move(pool)));
   if (!previous || !volume->editTiles(*previous, task)) volume->readTiles(previous, task);
   return task.stopped() ? nullptr : volume;
 }
@@ -60,15 +66,16 @@ std::shared_ptr<const ClothVolume> ClothVolume::draft(std::shared_ptr<const Clot
 }
 
 std::shared_ptr<const ClothVolume> ClothVolume::atLevel(int level, const Task& task) const {
-  std::shared_ptr<ClothVolume> volume(new ClothVolume(geometry_, grid_.atLevel(level)));
+  const VoxelGrid grid = grid_.atLevel(level);
+  std::shared_ptr<ClothVolume> volume(new ClothVolume(geometry_, grid, std::make_shared<BrickPool>(grid.perCell())));
   volume->tiles_ = tiles_;
-  for (TileMap& tiles : volume->tiles_) tiles.dropBricks();
+  for (TileMap& tiles : volume->tiles_) tiles.dropBricks(volume->pool_);
   const Wanted wanted = volume->wanted(CellRect{});
   return volume->makeBricks(wanted.places, 0, wanted.places.size(), task) ? volume : nullptr;
 }
 
 std::shared_ptr<const ClothVolume> ClothVolume::completed() const {
-  std::shared_ptr<ClothVolume> copy(new ClothVolume(geometry_, grid_));
+  std::shared_ptr<ClothVolume> copy(new ClothVolume(geometry_, grid_, pool_));
   copy->tiles_ = tiles_;
   for (TileMap& tiles : copy->tiles_) tiles.standIn();
   return copy;
@@ -76,7 +83,7 @@ std::shared_ptr<const ClothVolume> ClothVolume::completed() const {
 
 void ClothVolume::readTiles(const ClothVolume* previous, const Task& task) {
   for (size_t system = 0; system < tiles_.size() && !task.stopped(); ++system) {
-    tiles_[system] = TileMap(*geometry_, static_cast<System>(system), task);
+    tiles_[system] = TileMap(*geometry_, static_cast<System>(system), pool_, task);
     if (previous) tiles_[system].shareRows(previous->tiles_[system]);
   }
   if (previous && !task.stopped()) reuseBricks(*previous);
@@ -95,7 +102,7 @@ bool ClothVolume::editTiles(const ClothVolume& previous, const Task& task) {
   const TileMap::Change change{before, std::move(*names), std::move(*places)};
   tiles_ = previous.tiles_;
   for (TileMap& tiles : tiles_) {
-    if (!weaveOnly) tiles.dropBricks();
+    if (!weaveOnly) tiles.dropBricks(pool_);
     tiles.edit(*geometry_, change, task);
   }
   if (!weaveOnly && !task.stopped()) reuseBricks(previous);
@@ -126,7 +133,7 @@ void ClothVolume::reuseBricks(const ClothVolume& previous) {
       key.yarn = *entry->second;
       const auto found = oldShapes.find(key);
       if (found == oldShapes.end()) continue;
-      if (const auto& brick = old.brick({found->second, kind.phase})) tiles.place(kind, brick);
+      if (const auto brick = old.brick({found->second, kind.phase})) tiles.place(kind, brick);
     }
   }
 }
@@ -148,7 +155,7 @@ ClothVolume::Wanted ClothVolume::wanted(const CellRect& inView) {
 }
 
 bool ClothVolume::makeBricks(std::span<const Place> places, size_t done, size_t all, const Task& task) {
-  std::vector<std::shared_ptr<const Brick>> made(places.size());
+  BrickList made(pool_, places.size());
   // One voxeliser for each thread: they keep their memory from brick to brick.
   std::atomic<size_t> bytes{brickBytes()}, next{0}, finished{done};
   const size_t workers = std::min<size_t>(places.size(), task.threads > 0 ? task.threads : hardwareThreads());
@@ -156,8 +163,8 @@ bool ClothVolume::makeBricks(std::span<const Place> places, size_t done, size_t 
     Voxeliser voxelise(grid_);
     for (size_t i = next++; i < places.size() && !task.stopped(); i = next++) {
       const CellKey key = places[i].tiles->key(places[i].kind);
-      made[i] = std::make_shared<const Brick>(voxelise(geometry_->strands(key), key.system));
-      if ((bytes += made[i]->bytes()) > kMaxBytes)
+      made.takeOver(i, pool_->add(voxelise(geometry_->strands(key), key.system), key.system));
+      if ((bytes += (*pool_)[made[i]].bytes()) > kMaxBytes)
         throw InputError(
             fmt::format("the volume of this cloth takes more than {} GiB ({} of its yarn cells are different): "
                         "expected a lower resolution, fewer different yarns or a smaller repeat",
@@ -166,7 +173,7 @@ bool ClothVolume::makeBricks(std::span<const Place> places, size_t done, size_t 
     }
   });
   if (task.stopped()) return false;
-  for (size_t i = 0; i < places.size(); ++i) places[i].tiles->place(places[i].kind, std::move(made[i]));
+  for (size_t i = 0; i < places.size(); ++i) places[i].tiles->place(places[i].kind, made[i]);
   return true;
 }
 
@@ -175,21 +182,21 @@ void ClothVolume::forEachBrick(const Visit& visit) const {
   for (const TileMap& tiles : tiles_)
     for (uint32_t shape = 0; shape < tiles.shapes().size(); ++shape)
       for (int phase = 0; phase < kMaxPeriod; ++phase)
-        if (const auto& brick = tiles.brick({shape, phase})) visit(*brick, tiles.cells({shape, phase}));
+        if (const auto brick = tiles.brick({shape, phase})) visit((*pool_)[brick], tiles.cells({shape, phase}));
 }
 
 size_t ClothVolume::brickBytes() const {
   size_t bytes = 0;
-  forEachBrick([&](const Brick& brick, uint64_t) { bytes += brick.bytes(); });
+  forEachBrick([&](const BrickPool::Entry& brick, uint64_t) { bytes += brick.bytes(); });
   return bytes;
 }
 
 VolumeCounts ClothVolume::counts() const {
   VolumeCounts counts;
-  forEachBrick([&](const Brick& brick, uint64_t cells) {
+  forEachBrick([&](const BrickPool::Entry& brick, uint64_t cells) {
     ++counts.bricks;
-    counts.voxels += brick.voxels();
-    counts.components += brick.components.size();
+    counts.voxels += brick.voxels;
+    counts.components += brick.components;
     counts.segments += brick.segments;
     counts.segmentsRepresented += static_cast<double>(cells) * static_cast<double>(brick.segments);
   });
@@ -209,11 +216,9 @@ glm::vec3 ClothVolume::upper_mm() const {
   return {upper.x, upper.y, -grid_.zLower_mm};
 }
 
-const Brick& ClothVolume::brick(System system, int pick, int end) const {
+BrickView ClothVolume::brick(System system, int pick, int end) const {
   const bool warp = system == System::warp;
-  const TileMap& tiles = tiles_[static_cast<int>(system)];
-  const int along = warp ? pick : end;
-  return *tiles.at(warp ? end : pick, along, along % tiles.repeatAlong()).brick;
+  return pool_->view(tiles_[static_cast<int>(system)].brickAt(warp ? end : pick, warp ? pick : end));
 }
 
 void ClothVolume::contentAt(glm::vec3 point, VoxelContent& content) const {

@@ -75,8 +75,9 @@ class ClothVolume {
   glm::vec3 lower_mm() const { return {0.0f, 0.0f, grid_.zLower_mm}; }  ///< bounds of the whole piece
   glm::vec3 upper_mm() const;
 
-  /// The brick of a yarn in a cell of the piece: 0 <= pick < picks, 0 <= end < ends.
-  const Brick& brick(System system, int pick, int end) const;
+  /// The brick of a yarn in a cell of the piece: 0 <= pick < picks, 0 <= end < ends. Cells of equal keys have the very
+  /// same one, and volumes that share it too.
+  BrickView brick(System system, int pick, int end) const;
 
   /// Walks the voxels that the ray origin + t direction (cloth space, direction of any length) crosses for t in
   /// [t0, t1], in order. visit(const VoxelContent&, float tEnter, float tLeave) is called for voxels with content only,
@@ -94,9 +95,9 @@ class ClothVolume {
  private:
   /// A brick that reaches into the current cell.
   struct Reach {
-    const Brick* brick;
-    const Brick::Block* block;  ///< of the current 4 x 4 x 4 voxels; null where the brick has none
-    glm::ivec3 shift;           ///< from blocks of the cell to those of the brick
+    const BrickPool::Entry* brick;
+    const BrickBlock* block;  ///< of the current 4 x 4 x 4 voxels; null where the brick has none
+    glm::ivec3 shift;         ///< from blocks of the cell to those of the brick
     System system;
     int index, yarn;
   };
@@ -115,7 +116,7 @@ class ClothVolume {
     std::vector<Place> places;
     size_t sketch = 0, seen = 0;
   };
-  ClothVolume(std::shared_ptr<const ClothGeometry> geometry, VoxelGrid grid);
+  ClothVolume(std::shared_ptr<const ClothGeometry> geometry, VoxelGrid grid, std::shared_ptr<BrickPool> pool);
   /// Has its maps, and the bricks of `previous` (may be null) that serve; null when stopped.
   static std::shared_ptr<ClothVolume> begin(std::shared_ptr<const ClothGeometry> geometry, int resolution,
                                             const Task& task, const ClothVolume* previous);
@@ -130,7 +131,7 @@ class ClothVolume {
   Wanted wanted(const CellRect& inView);
   /// False when stopped. `done` of `all` have been made before.
   bool makeBricks(std::span<const Place> places, size_t done, size_t all, const Task& task);
-  /// visit(brick, how many cells of the piece have it).
+  /// visit(const BrickPool::Entry&, how many cells of the piece have it).
   template <class Visit>
   void forEachBrick(const Visit& visit) const;
   size_t brickBytes() const;
@@ -139,13 +140,17 @@ class ClothVolume {
   void gather(int pick, int end, Reaches& reaches) const;
   void gather(System system, int across, int along, Reaches& reaches) const;
   /// Goes to a block of the cell; which of its voxels hold anything.
-  static uint64_t openBlock(Reaches& reaches, glm::ivec3 block);
+  uint64_t openBlock(Reaches& reaches, glm::ivec3 block) const;
   /// Fills in count and parts: a voxel of the open block.
-  static void look(const Reaches& reaches, int voxel, VoxelContent& content);
+  void look(const Reaches& reaches, int voxel, VoxelContent& content) const;
   static int numberInBlock(glm::ivec3 v) { return (v.x & 3) | (v.y & 3) << 2 | (v.z & 3) << 4; }
 
   std::shared_ptr<const ClothGeometry> geometry_;
   VoxelGrid grid_;
+  std::shared_ptr<BrickPool> pool_;
+  const BrickBlock* blocks_ = nullptr;     ///< the pool's
+  const Component* components_ = nullptr;  ///< the pool's
+  glm::ivec3 blocksPerCell_{1};
   glm::dvec3 cell_mm_{1};                ///< pitches, and the thickness of all layers
   glm::dvec3 perCell_{1}, perVoxel_{1};  ///< 1 / cell_mm_, 1 / voxel_mm_
   glm::dvec3 voxel_mm_{1};  ///< grid().size_mm unrounded: cells of a wide cloth must not drift against the geometry's

@@ -13,24 +13,23 @@ namespace loomlight {
 inline void ClothVolume::gather(System system, int across, int along, Reaches& reaches) const {
   const TileMap& tiles = tiles_[static_cast<int>(system)];
   const int axis = system == System::warp ? 0 : 1;
-  const int inRepeat = along % tiles.repeatAlong();
-  const auto add = [&](const TileMap::Slot& slot, int neighbour) {
+  const auto add = [&](const BrickPool::Entry& brick, int neighbour) {
     Reach& reach = reaches.entries[reaches.count++];
-    reach.brick = slot.brick;
-    reach.shift = -reach.brick->lower;
-    reach.shift[axis] -= neighbour * reach.brick->blocksPerCell()[axis];
+    reach.brick = &brick;
+    reach.shift = -brick.box.lower;
+    reach.shift[axis] -= neighbour * blocksPerCell_[axis];
     reach.system = system;
     reach.index = across + neighbour;
     reach.yarn = geometry_->yarnIndex(system, reach.index);
   };
-  add(tiles.at(across, along, inRepeat), 0);
+  add(tiles.at(across, along), 0);
   if (tiles.anyReachesAbove() && across > 0) {
-    const TileMap::Slot& slot = tiles.at(across - 1, along, inRepeat);
-    if (slot.reachesAbove) add(slot, -1);
+    const BrickPool::Entry& brick = tiles.at(across - 1, along);
+    if (brick.reachesAbove) add(brick, -1);
   }
   if (tiles.anyReachesBelow() && across + 1 < cells_[axis]) {
-    const TileMap::Slot& slot = tiles.at(across + 1, along, inRepeat);
-    if (slot.reachesBelow) add(slot, 1);
+    const BrickPool::Entry& brick = tiles.at(across + 1, along);
+    if (brick.reachesBelow) add(brick, 1);
   }
 }
 
@@ -40,22 +39,23 @@ inline void ClothVolume::gather(int pick, int end, Reaches& reaches) const {
   gather(System::weft, pick, end, reaches);
 }
 
-inline uint64_t ClothVolume::openBlock(Reaches& reaches, glm::ivec3 block) {
+inline uint64_t ClothVolume::openBlock(Reaches& reaches, glm::ivec3 block) const {
   uint64_t occupied = 0;
   for (int i = 0; i < reaches.count; ++i) {
     Reach& reach = reaches.entries[i];
-    reach.block = reach.brick->blockFromLower(block + reach.shift);
+    const int number = reach.brick->box.number(block + reach.shift);
+    reach.block = number >= 0 ? blocks_ + reach.brick->firstBlock + number : nullptr;
     if (reach.block) occupied |= reach.block->occupied;
   }
   return occupied;
 }
 
-inline void ClothVolume::look(const Reaches& reaches, int voxel, VoxelContent& content) {
+inline void ClothVolume::look(const Reaches& reaches, int voxel, VoxelContent& content) const {
   int count = 0;
   for (int i = 0; i < reaches.count; ++i) {
     const Reach& reach = reaches.entries[i];
     if (!reach.block) continue;
-    const std::span<const Component> components = reach.brick->at(*reach.block, voxel);
+    const std::span<const Component> components = reach.block->at(voxel, components_);
     if (!components.empty()) content.parts[count++] = {components, reach.system, reach.index, reach.yarn};
   }
   content.count = count;

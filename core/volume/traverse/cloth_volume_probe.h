@@ -32,7 +32,7 @@ class ClothVolume::Probe {
     }
     const glm::vec3 inVoxels = (p - glm::vec3(cell) * cell_mm_) * perVoxel_;
     const glm::ivec3 voxel = glm::clamp(glm::ivec3(inVoxels), glm::ivec3(0), volume_.grid_.cell - 1);
-    const uint64_t occupied = openBlock(reaches_, voxel >> 2);
+    const uint64_t occupied = volume_.openBlock(reaches_, voxel >> 2);
     if (occupied == 0) {
       // The last block of a cell may be cut by the cell's edge.
       const glm::ivec3 first = (voxel >> 2) * 4;
@@ -43,7 +43,7 @@ class ClothVolume::Probe {
     }
     const int number = numberInBlock(voxel);
     if (occupied >> number & 1) {
-      ClothVolume::look(reaches_, number, content);
+      volume_.look(reaches_, number, content);
       content.end = cell.x;
       content.pick = cell.y;
       content.voxel = cell * volume_.grid_.cell + voxel;

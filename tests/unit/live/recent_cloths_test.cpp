@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 
 #include "render/transport/make_medium.h"
@@ -102,13 +103,16 @@ TEST(RecentCloths, KeepWithinTheirBudget) {
 
 /// Bytes of all bricks that the volumes hold together.
 size_t brickBytes(const std::set<std::shared_ptr<const ClothVolume>>& volumes) {
-  std::set<const Brick*> bricks;
+  std::map<const BrickBlock*, size_t> bricks;  // by where they lie
   for (const auto& volume : volumes)
     for (int pick = 0; pick < volume->geometry().picks(); ++pick)
       for (int end = 0; end < volume->geometry().ends(); ++end)
-        for (const System system : {System::warp, System::weft}) bricks.insert(&volume->brick(system, pick, end));
+        for (const System system : {System::warp, System::weft}) {
+          const BrickView brick = volume->brick(system, pick, end);
+          bricks[brick.blocks] = brick.bytes();
+        }
   size_t bytes = 0;
-  for (const Brick* brick : bricks) bytes += brick->bytes();
+  for (const auto& brick : bricks) bytes += brick.second;
   return bytes;
 }
 

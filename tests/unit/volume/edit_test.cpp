@@ -2,7 +2,7 @@
 
 #include <deque>
 #include <functional>
-#include <set>
+#include <map>
 #include <thread>
 
 #include "core/volume/traverse/cloth_volume.h"
@@ -121,12 +121,15 @@ TEST(Edits, InThousandsOfSequencesLeaveWhatAFreshBuildMakes) {
   }
 }
 
-/// Bricks of a volume, by address.
-std::set<const Brick*> bricksOf(const ClothVolume& volume) {
-  std::set<const Brick*> bricks;
+/// Bricks of a volume, by where they lie, and their bytes.
+std::map<const BrickBlock*, size_t> bricksOf(const ClothVolume& volume) {
+  std::map<const BrickBlock*, size_t> bricks;
   for (int pick = 0; pick < volume.geometry().picks(); ++pick)
     for (int end = 0; end < volume.geometry().ends(); ++end)
-      for (const System system : {System::warp, System::weft}) bricks.insert(&volume.brick(system, pick, end));
+      for (const System system : {System::warp, System::weft}) {
+        const BrickView brick = volume.brick(system, pick, end);
+        bricks[brick.blocks] = sizeof(BrickPool::Entry) + brick.bytes();
+      }
   return bricks;
 }
 
@@ -139,10 +142,10 @@ TEST(Edits, OfACrossingVoxeliseOnlyShapesThatWereNotThere) {
   for (int step = 0; step < 20; ++step) {
     const int pick = random.below(120), end = random.below(120);
     fabric.weave = fabric.weave.with(pick, end, !fabric.weave.at(pick, end));
-    const std::set<const Brick*> before = bricksOf(*volume);
+    const auto before = bricksOf(*volume);
     volume = volumeOf(fabric, 120, 120, 2, volume.get());
     size_t made = 0;
-    for (const Brick* brick : bricksOf(*volume)) made += before.count(brick) == 0;
+    for (const auto& brick : bricksOf(*volume)) made += before.count(brick.first) == 0;
     most = std::max(most, made);
     all += made;
   }
@@ -183,8 +186,8 @@ TEST(Edits, ThatNoFibreFollowsVoxeliseNothing) {
 double shareOfBytesBeside(const Fabric& fabric, const ClothVolume& after, const ClothVolume& before) {
   const double crossings = 4.0 * fabric.weave.ends() * fabric.weave.picks();  // bytes, of both systems
   size_t bricks = 0;
-  std::set<const Brick*> known = bricksOf(before);
-  for (const Brick* brick : bricksOf(after)) bricks += known.count(brick) ? 0 : brick->bytes();
+  const auto known = bricksOf(before);
+  for (const auto& [brick, bytes] : bricksOf(after)) bricks += known.count(brick) ? 0 : bytes;
   return static_cast<double>(after.bytesBeside(before) - bricks) / crossings;
 }
 

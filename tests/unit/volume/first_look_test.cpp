@@ -51,9 +51,9 @@ CellRect whole(const ClothGeometry& geometry) {
   return {0, 0, geometry.picks(), geometry.ends()};
 }
 
-std::set<const Brick*> bricksIn(const ClothVolume& volume, const CellRect& rect) {
-  std::set<const Brick*> bricks;
-  forEachYarn(rect, [&](System system, int pick, int end) { bricks.insert(&volume.brick(system, pick, end)); });
+std::set<const BrickBlock*> bricksIn(const ClothVolume& volume, const CellRect& rect) {
+  std::set<const BrickBlock*> bricks;
+  forEachYarn(rect, [&](System system, int pick, int end) { bricks.insert(volume.brick(system, pick, end).blocks); });
   return bricks;
 }
 
@@ -101,7 +101,7 @@ TEST(FirstLook, HasABrickOfTheRightShapeInEveryCellThatIsSeenAndOneOfTheRightYar
   for (const auto& draft : looker.drafts) {
     ASSERT_LT(draft->counts().segments, fresh->counts().segments * 40);  // walks all bricks: none is missing
     forEachYarn(all, [&](System system, int pick, int end) {
-      const Brick& shown = draft->brick(system, pick, end);
+      const BrickView shown = draft->brick(system, pick, end);
       const bool seen = rect.contains(pick, end);
       bool known = false;
       forEachYarn(all, [&](System other, int p, int e) {

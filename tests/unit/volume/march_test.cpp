@@ -258,7 +258,7 @@ TEST(March, NamesTheYarnAndTheCell) {
         const bool isWarp = part.system == System::warp;
         const int own = isWarp ? content.end : content.pick;
         EXPECT_LE(std::abs(part.index - own), 1);
-        const Brick& brick =
+        const BrickView brick =
             volume->brick(part.system, isWarp ? content.pick : part.index, isWarp ? part.index : content.end);
         const Component* first = brick.components.data();
         EXPECT_GE(part.components.data(), first) << "of the yarn that it names";

@@ -67,19 +67,21 @@ inline bool isWhole(const ClothVolume& volume) {
   for (int pick = 0; pick < volume.geometry().picks(); ++pick)
     for (int end = 0; end < volume.geometry().ends(); ++end)
       for (const System system : {System::warp, System::weft})
-        if (volume.brick(system, pick, end).cell != volume.grid().perCell()) return false;
+        if (const BrickView brick = volume.brick(system, pick, end);
+            brick.box.blocks() == 0 || brick.cell != volume.grid().perCell())
+          return false;
   return true;
 }
 
 /// Whether both have the same bricks, byte for byte, in all cells, and count the same.
 inline bool sameVolume(const ClothVolume& a, const ClothVolume& b) {
   if (a.grid() != b.grid()) return false;
-  std::set<std::pair<const Brick*, const Brick*>> same;
+  std::set<std::pair<const BrickBlock*, const BrickBlock*>> same;
   for (int pick = 0; pick < a.geometry().picks(); ++pick)
     for (int end = 0; end < a.geometry().ends(); ++end)
       for (const System system : {System::warp, System::weft}) {
-        const Brick &left = a.brick(system, pick, end), &right = b.brick(system, pick, end);
-        if (same.insert({&left, &right}).second && !(left == right)) return false;
+        const BrickView left = a.brick(system, pick, end), right = b.brick(system, pick, end);
+        if (same.insert({left.blocks, right.blocks}).second && !(left == right)) return false;
       }
   const VolumeCounts left = a.counts(), right = b.counts();
   return left.bricks == right.bricks && left.voxels == right.voxels && left.components == right.components &&

@@ -162,8 +162,8 @@ TEST(Voxelise, YarnsLieInClothAxes) {
     EXPECT_EQ(v.y, static_cast<int>(0.1f / grid.size_mm.y));  // y = -u
     EXPECT_EQ(glm::abs(components[0].decode().direction), glm::vec3(1, 0, 0));
   });
-  EXPECT_GT(warp.voxels(), 4u);
-  EXPECT_GT(weft.voxels(), 4u);
+  EXPECT_GT(warp.view().voxels(), 4u);
+  EXPECT_GT(weft.view().voxels(), 4u);
 }
 
 TEST(Voxelise, AYarnSpillsIntoTheCellsBesideIt) {
@@ -172,7 +172,7 @@ TEST(Voxelise, AYarnSpillsIntoTheCellsBesideIt) {
   addStrand(strands, {{-0.6f, 0, 0}, {0.6f, 0, 0}});  // |u| = 1.5 cells: all that a yarn may reach
   const Brick warp = voxelise(strands, System::warp, grid);
   for (int x = -grid.cell.x; x < 2 * grid.cell.x; ++x) EXPECT_EQ(warp.at({x, 6, 3}).size(), 1u) << x;
-  EXPECT_EQ(warp.voxels(), 3u * grid.cell.x);
+  EXPECT_EQ(warp.view().voxels(), 3u * grid.cell.x);
   // Coarser voxels begin anew in each cell: 11 leaves are 6, 3, 2, 1 voxels.
   const int perCell[] = {11, 6, 3, 2, 1};
   for (int level = 0; level < grid.levels(); ++level) {
@@ -195,7 +195,7 @@ TEST(Voxelise, FacesBelongToTheUpperVoxel) {
   CellStrands strands;
   addStrand(strands, {{0, -0.5f, 0}, {0, 0.5f, 0}});
   const Brick brick = voxelise(strands, System::warp, grid);
-  EXPECT_EQ(brick.voxels(), 4u);
+  EXPECT_EQ(brick.view().voxels(), 4u);
   for (int y = 0; y < 4; ++y) EXPECT_EQ(brick.at({2, y, 2}).size(), 1u);
 
   CellStrands top;
@@ -205,7 +205,7 @@ TEST(Voxelise, FacesBelongToTheUpperVoxel) {
   CellStrands back;  // ends on a face, coming from above and from below
   addStrand(back, {{0.25f, 0, 0}, {0, 0, 0}, {0.25f, 0, 0}});
   const Brick there = voxelise(back, System::warp, grid);
-  EXPECT_EQ(there.voxels(), 1u);
+  EXPECT_EQ(there.view().voxels(), 1u);
   EXPECT_NEAR(there.at({2, 2, 2})[0].lengthDensity(), 0.5 / (0.25 * 0.25 * 0.25), 0.01);
 }
 
@@ -259,13 +259,14 @@ TEST(Voxelise, IsotropicFibresAreIsotropic) {
 
 TEST(Voxelise, SameInputSameBytes) {
   const CellStrands strands = wanderingFibres(150, 0.35f, 3, 9);
-  EXPECT_EQ(voxelise(strands, System::warp, oddGrid()), voxelise(strands, System::warp, oddGrid()));
+  const Brick once = voxelise(strands, System::warp, oddGrid()), again = voxelise(strands, System::warp, oddGrid());
+  EXPECT_EQ(once.view(), again.view());
 }
 
 TEST(Voxelise, NothingGivesEmptyBricks) {
   for (int level = 0; level < oddGrid().levels(); ++level) {
     const Brick brick = voxelise({}, System::weft, oddGrid().atLevel(level));
-    EXPECT_EQ(brick.voxels(), 0u);
+    EXPECT_EQ(brick.view().voxels(), 0u);
     EXPECT_TRUE(brick.at({0, 0, 0}).empty());
   }
 }

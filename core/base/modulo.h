@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+namespace loomlight {
+
+/// The remainder by a divisor that is used often: two multiplications instead of a division (Lemire, Kaser and Kurz
+/// 2019, "Faster remainder by direct computation"). Exact for all 32-bit numbers.
+class Modulo {
+ public:
+  constexpr Modulo() = default;  ///< by 1
+  explicit constexpr Modulo(uint32_t divisor)
+      : inverse_(std::numeric_limits<uint64_t>::max() / divisor + 1), divisor_(divisor) {}
+  constexpr uint32_t operator()(uint32_t n) const {
+    return static_cast<uint32_t>(static_cast<Wide>(inverse_ * n) * divisor_ >> 64);
+  }
+
+ private:
+  __extension__ using Wide = unsigned __int128;
+  uint64_t inverse_ = 0;
+  uint32_t divisor_ = 1;
+};
+
+}  // namespace loomlight
