@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "render/media/medium.h"
 #include "render/scene/shell_entry.h"
@@ -49,57 +50,99 @@ struct ShellSegment {
   LocalDrape drape;
 };
 
-/// Follows the ray from + t direction (unit) through every fold of the shell that it meets, for t in (0, tMax), and
-/// calls visit(const ShellSegment&), in order, until it returns false. True if nothing stopped it.
-template <class Visit>
-bool walkShell(const TraceData& cloth, const ScenePoint& from, glm::vec3 direction, float tMax, Visit&& visit) {
-  const Shell& shell = *cloth.shell;
-  const bool flat = shell.isFlat();
-  int tet = from.tet;
-  glm::vec3 origin = from.world;
-  float passed = 0;  // a far eye must not cost precision inside the cloth, so its ray begins anew near the cloth
-  if (tet < 0) {
-    const float distance = distanceToBounds(shell, origin, direction);
-    if (!(distance < tMax)) return true;
-    passed = 0.999f * distance;
-    origin += passed * direction;
-    tMax -= passed;
+/// A ray on its way through every fold of the shell that it meets: it stops at each part of it that lies in one
+/// tetrahedron, in order, and goes on when it is asked to.
+class ShellWalk {
+ public:
+  /// The ray from + t direction (unit) for t in (0, tMax). The cloth must outlive the walk.
+  ShellWalk(const TraceData& cloth, const ScenePoint& from, glm::vec3 direction, float tMax)
+      : shell_(*cloth.shell),
+        entry_(*cloth.entry),
+        origin_(from.world),
+        direction_(direction),
+        tMax_(tMax),
+        tet_(from.tet) {
+    if (tet_ >= 0) return;
+    // A far eye must not cost precision inside the cloth, so its ray begins anew near the cloth.
+    const float distance = distanceToBounds(shell_, origin_, direction);
+    over_ = !(distance < tMax);
+    if (over_) return;
+    passed_ = 0.999f * distance;
+    origin_ += passed_ * direction;
+    tMax_ -= passed_;
   }
-  for (float t = 0;;) {
-    if (tet < 0) {
-      const auto hit = cloth.entry->enter(origin, direction, t, tMax);
-      if (!hit) return true;
-      tet = hit->tet;
-      t = hit->t;
-    }
-    while (tet >= 0) {
-      int face = 0;
-      const float tExit = std::max(t, shell.exit(tet, origin, direction, face));
-      ShellSegment segment{tet, origin, t, std::min(tExit, tMax), passed, shell.toCloth(tet, origin), direction, {}};
-      if (!flat) {
-        segment.drape.frame = shell.frame(tet, origin + 0.5f * (t + segment.tLeave) * direction);
-        segment.drape.densityScale = 1.0f / std::abs(glm::determinant(segment.drape.frame));
-        segment.drape.isometric = false;
-        segment.clothDirection = shell.tets()[tet].toCloth * direction;
-      }
-      if (!visit(static_cast<const ShellSegment&>(segment))) return false;
-      if (tExit >= tMax || flat) return true;  // flat: a box is convex, what leaves it is gone
-      t = tExit;
-      tet = shell.tets()[tet].neighbour[face];
-    }
-  }
-}
 
-/// Shows each voxel with content on the way, in order, to visit(const VoxelContent&, float tEnter, float tLeave, const
-/// LocalDrape&, int tet), which returns false to stop. Parameters are world distances from `from`.
-template <class Visit>
-bool walkCloth(const TraceData& cloth, const ScenePoint& from, glm::vec3 direction, float tMax, Visit&& visit) {
-  return walkShell(cloth, from, direction, tMax, [&](const ShellSegment& s) {
-    return cloth.volume->march(s.clothOrigin, s.clothDirection, s.tEnter, s.tLeave,
-                               [&](const VoxelContent& content, float tEnter, float tLeave) {
-                                 return visit(content, s.passed + tEnter, s.passed + tLeave, s.drape, s.tet);
-                               });
-  });
-}
+  /// False where nothing is left.
+  bool next() {
+    if (over_) return false;
+    if (tet_ < 0) {
+      const auto hit = entry_.enter(origin_, direction_, t_, tMax_);
+      over_ = !hit;
+      if (over_) return false;
+      tet_ = hit->tet;
+      t_ = hit->t;
+    }
+    int face = 0;
+    const float tExit = std::max(t_, shell_.exit(tet_, origin_, direction_, face));
+    const bool flat = shell_.isFlat();
+    segment_ = {tet_, origin_, t_, std::min(tExit, tMax_), passed_, shell_.toCloth(tet_, origin_), direction_, {}};
+    if (!flat) {
+      segment_.drape.frame = shell_.frame(tet_, origin_ + 0.5f * (t_ + segment_.tLeave) * direction_);
+      segment_.drape.densityScale = 1.0f / std::abs(glm::determinant(segment_.drape.frame));
+      segment_.drape.isometric = false;
+      segment_.clothDirection = shell_.tets()[tet_].toCloth * direction_;
+    }
+    over_ = tExit >= tMax_ || flat;  // flat: a box is convex, what leaves it is gone
+    if (!over_) {
+      t_ = tExit;
+      tet_ = shell_.tets()[tet_].neighbour[face];
+    }
+    return true;
+  }
+
+  /// Where it stands, until it goes on.
+  const ShellSegment& segment() const { return segment_; }
+
+ private:
+  const Shell& shell_;
+  const ShellEntry& entry_;
+  glm::vec3 origin_, direction_;
+  float tMax_, t_ = 0;  ///< from the origin
+  float passed_ = 0;    ///< from where the walk began to the origin
+  int tet_;
+  bool over_ = false;
+  ShellSegment segment_{};
+};
+
+/// A ray on its way through the voxels with content of draped cloth, in order. Parameters are world distances from
+/// where it began.
+class ClothWalk {
+ public:
+  /// As ShellWalk.
+  ClothWalk(const TraceData& cloth, const ScenePoint& from, glm::vec3 direction, float tMax)
+      : volume_(*cloth.volume), shell_(cloth, from, direction, tMax) {}
+
+  /// False where nothing is left.
+  bool next() {
+    while (!march_ || !march_->next()) {
+      if (!shell_.next()) return false;
+      const ShellSegment& s = shell_.segment();
+      march_.emplace(volume_, s.clothOrigin, s.clothDirection, s.tEnter, s.tLeave);
+    }
+    return true;
+  }
+
+  // Where it stands, until it goes on:
+  const VoxelContent& content() const { return march_->content(); }
+  float enter() const { return shell_.segment().passed + march_->enter(); }
+  float leave() const { return shell_.segment().passed + march_->leave(); }
+  const LocalDrape& drape() const { return shell_.segment().drape; }
+  int tet() const { return shell_.segment().tet; }
+
+ private:
+  const ClothVolume& volume_;
+  ShellWalk shell_;
+  std::optional<ClothVolume::March> march_;
+};
 
 }  // namespace loomlight

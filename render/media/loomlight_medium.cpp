@@ -101,19 +101,77 @@ struct UnknownShare {
 
 }  // namespace
 
-/// Part of a ray along which light can meet fibres whose axes lie in one voxel: [t, t + length] from the start of the
-/// flight. Up to t + near the light is still in the voxel before, or in none, and the gaps are as wide as there.
-struct LoomlightMedium::Stretch {
-  const VoxelExtinction& extinction;
-  const UnknownShare& share;
-  const VoxelContent& content;
-  const ShellSegment& segment;
-  float ahead;  ///< of the light, the axes: c
-  float t, length, near;
-  float sigmaNear, sigma;  ///< 1/mm
+/// A ray on its way through the stretches along which light can meet fibres whose axes lie in one voxel, in order.
+class LoomlightMedium::Stretches {
+ public:
+  Stretches(const LoomlightMedium& medium, const ScenePoint& from, const Memory& memory, glm::vec3 direction,
+            float tMax)
+      : medium_(medium), memory_(memory), direction_(direction), shell_(*medium.cloth_, from, direction, tMax) {}
+
+  /// False where nothing is left.
+  bool next() {
+    for (;;) {
+      while (!march_ || !march_->next())
+        if (!enterSegment()) return false;
+      if (enterVoxel()) return true;
+    }
+  }
+
+  // Of the stretch where it stands, until it goes on. It is [t, t + length] from the start of the flight. Up to t +
+  // near the light is still in the voxel before, or in none, and the gaps are as wide as there.
+  float t = 0, length = 0, near = 0;
+  float sigmaNear = 0, sigma = 0;  ///< 1/mm
+  float ahead = 0;                 ///< of the light, the axes: c
+  VoxelExtinction extinction;
 
   float depthNear() const { return sigmaNear * near; }
   float depth() const { return depthNear() + sigma * (length - near); }
+  const VoxelContent& content() const { return march_->content(); }
+  const ShellSegment& segment() const { return shell_.segment(); }
+  UnknownShare share() const {
+    const glm::vec3 middle = segment().origin + 0.5f * (march_->enter() + march_->leave()) * direction_;
+    return {medium_.ingredients_.hotSpot ? &*unknown_ : nullptr, middle, content().voxel};
+  }
+
+ private:
+  bool enterSegment() {
+    if (!shell_.next()) return false;
+    const ShellSegment& s = segment();
+    unknown_.emplace(memory_, s, medium_.cloth_->volume->grid(), medium_.toClothOf(s));
+    last_ = -1;
+    filled_ = 0;
+    march_.emplace(*medium_.cloth_->volume, s.clothOrigin, s.clothDirection, s.tEnter, s.tLeave + medium_.farthest_mm_);
+    return true;
+  }
+
+  /// The axes lie ahead of the light: u is where they are, t where the light is. False where none is in the voxel while
+  /// the light is in the segment.
+  bool enterVoxel() {
+    constexpr float kFullest = 0.9f;  // of space; no gap is so narrow that light could not be in it
+    const ShellSegment& s = segment();
+    const float uEnter = march_->enter(), uLeave = march_->leave();
+    const float filledBefore = uEnter - last_ < 1e-5f ? filled_ : 0.0f;
+    extinction = sumExtinction(medium_.cloth_->yarns, content(), s.drape, direction_, share());
+    last_ = uLeave;
+    filled_ = medium_.ingredients_.packing ? std::min(extinction.packed, kFullest) : 0.0f;
+    ahead = std::min(0.5f * extinction.solid / extinction.whole, medium_.farthest_mm_);
+    const float start = std::max(uEnter, s.tEnter + ahead), stop = std::min(uLeave, s.tLeave + ahead);
+    if (!(start < stop)) return false;
+    t = s.passed + start - ahead;
+    length = stop - start;
+    near = std::clamp(uEnter + ahead - start, 0.0f, length);
+    sigmaNear = extinction.total / (1 - filledBefore);
+    sigma = extinction.total / (1 - filled_);
+    return true;
+  }
+
+  const LoomlightMedium& medium_;
+  const Memory& memory_;
+  glm::vec3 direction_;
+  ShellWalk shell_;
+  std::optional<Unknown> unknown_;  ///< of the segment
+  std::optional<ClothVolume::March> march_;
+  float last_ = -1, filled_ = 0;  ///< where the voxel before ended, and how much of it is fibre
 };
 
 LoomlightMedium::LoomlightMedium(std::shared_ptr<const TraceData> cloth, Ingredients ingredients)
@@ -135,39 +193,10 @@ glm::mat3 LoomlightMedium::toClothOf(const ShellSegment& s) const {
   return s.drape.isometric ? glm::mat3(1.0f) : cloth_->shell->tets()[s.tet].toCloth;
 }
 
-/// Calls onStretch(const Stretch&) along the ray, in order, until it returns false; true if it never did.
-template <class OnStretch>
-bool LoomlightMedium::advance(const ScenePoint& from, const Memory& memory, glm::vec3 direction, float tMax,
-                              TraceCounts& counts, OnStretch&& onStretch) const {
-  constexpr float kFullest = 0.9f;  // of space; no gap is so narrow that light could not be in it
-  return walkShell(*cloth_, from, direction, tMax, [&](const ShellSegment& s) {
-    const Unknown unknown(memory, s, cloth_->volume->grid(), toClothOf(s));
-    float last = -1, filled = 0;  // where the voxel before ended, and how much of it is fibre
-    // The axes lie ahead of the light: u is where they are, t where the light is.
-    return cloth_->volume->march(
-        s.clothOrigin, s.clothDirection, s.tEnter, s.tLeave + farthest_mm_,
-        [&](const VoxelContent& content, float uEnter, float uLeave) {
-          const float filledBefore = uEnter - last < 1e-5f ? filled : 0.0f;
-          const glm::vec3 middle = s.origin + 0.5f * (uEnter + uLeave) * direction;
-          const UnknownShare share{ingredients_.hotSpot ? &unknown : nullptr, middle, content.voxel};
-          const VoxelExtinction voxel = sumExtinction(cloth_->yarns, content, s.drape, direction, share);
-          last = uLeave;
-          filled = ingredients_.packing ? std::min(voxel.packed, kFullest) : 0.0f;
-          const float ahead = std::min(0.5f * voxel.solid / voxel.whole, farthest_mm_);
-          const float start = std::max(uEnter, s.tEnter + ahead), stop = std::min(uLeave, s.tLeave + ahead);
-          if (!(start < stop)) return true;
-          ++counts.steps;
-          return onStretch(Stretch{voxel, share, content, s, ahead, s.passed + start - ahead, stop - start,
-                                   std::clamp(uEnter + ahead - start, 0.0f, stop - start),
-                                   voxel.total / (1 - filledBefore), voxel.total / (1 - filled)});
-        });
-  });
-}
-
 /// Which fibre is met at t.
-Collision LoomlightMedium::meet(const ScenePoint& from, glm::vec3 direction, const Stretch& stretch, float t,
+Collision LoomlightMedium::meet(const ScenePoint& from, glm::vec3 direction, const Stretches& stretch, float t,
                                 Random& random) const {
-  const ShellSegment& s = stretch.segment;
+  const ShellSegment& s = stretch.segment();
   Collision c;
   c.distance_mm = t;
   c.place = {from.world + t * direction, s.tet};
@@ -183,7 +212,7 @@ Collision LoomlightMedium::meet(const ScenePoint& from, glm::vec3 direction, con
     c.pick = content.pick;
   };
   if (!ingredients_.finiteRadius) {
-    take(stretch.content, stretch.share);
+    take(stretch.content(), stretch.share());
     c.offset = 2 * random.uniform() - 1;
     return c;
   }
@@ -193,7 +222,7 @@ Collision LoomlightMedium::meet(const ScenePoint& from, glm::vec3 direction, con
   const auto across = [&](glm::vec3 w) { return w.x * frame.y + w.y * frame.z; };
   // Most often the axis is looked for in the very voxel that the stretch is in.
   const VoxelGrid& grid = cloth_->volume->grid();
-  const glm::vec3 lower = grid.lower_mm(stretch.content.voxel);
+  const glm::vec3 lower = grid.lower_mm(stretch.content().voxel);
   ClothVolume::Probe probe(*cloth_->volume);
   VoxelContent contents[2];
   float elsewhere[2] = {0, 0};  // extinction of what was found in other voxels
@@ -212,7 +241,7 @@ Collision LoomlightMedium::meet(const ScenePoint& from, glm::vec3 direction, con
   if (elsewhere[taken] > 0)
     take(contents[taken], WholeExtinction{});
   else
-    take(stretch.content, stretch.share);
+    take(stretch.content(), stretch.share());
   // The shift leads from the surface to the axis, so the normal's component across is its negative.
   const glm::vec3 b = glm::cross(c.tangent, direction);
   c.offset = std::clamp(-glm::dot(across(takesFirst ? w.first : w.second), b) / glm::length(b), -1.0f, 1.0f);
@@ -231,20 +260,20 @@ std::optional<Collision> LoomlightMedium::collide(const ScenePoint& from, Memory
   float opticalDepth = -std::log(1 - random.uniform());
   std::optional<Collision> met;
   int tet = from.tet;
-  advance(from, memory, direction, toBefore, counts, [&](const Stretch& stretch) {
-    tet = stretch.segment.tet;
+  for (Stretches stretch(*this, from, memory, direction, toBefore); !met && stretch.next();) {
+    ++counts.steps;
+    tet = stretch.segment().tet;
     const float depth = stretch.depth();
     if (opticalDepth >= depth) {
       opticalDepth -= depth;
-      return true;
+      continue;
     }
     const float beyondNear = opticalDepth - stretch.depthNear();
     const float t =
         stretch.t + (beyondNear < 0 ? opticalDepth / stretch.sigmaNear : stretch.near + beyondNear / stretch.sigma);
     met = meet(from, direction, stretch, t, random);
     met->axis = axisOf(*met, direction);
-    return false;
-  });
+  }
   if (!met) {
     if (toBefore == kNever) return std::nullopt;
     met = collisionWith(memory.before, {from.world + toBefore * direction, tet}, direction, *cloth_);
@@ -267,11 +296,12 @@ float LoomlightMedium::transmittance(const ScenePoint& from, const Memory& memor
   constexpr float kExactDepth = 4.0f;
   const float deepest = kExactDepth - std::log(1 - random.uniform());
   float depth = 0;
-  const bool through = advance(from, memory, direction, distance, counts, [&](const Stretch& stretch) {
+  for (Stretches stretch(*this, from, memory, direction, distance); stretch.next();) {
+    ++counts.steps;
     depth += stretch.depth();
-    return depth < deepest;
-  });
-  return through ? std::exp(-std::min(depth, kExactDepth)) : 0.0f;
+    if (!(depth < deepest)) return 0;
+  }
+  return std::exp(-std::min(depth, kExactDepth));
 }
 
 glm::vec3 LoomlightMedium::exit(const Collision& met, glm::vec3 wi, int order) const {

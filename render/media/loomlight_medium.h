@@ -56,12 +56,9 @@ class LoomlightMedium final : public Medium {
                       TraceCounts& counts) const;
 
  private:
-  struct Stretch;
+  class Stretches;
   glm::mat3 toClothOf(const ShellSegment& segment) const;  ///< d cloth / d world
-  template <class OnStretch>
-  bool advance(const ScenePoint& from, const Memory& memory, glm::vec3 direction, float tMax, TraceCounts& counts,
-               OnStretch&& onStretch) const;
-  Collision meet(const ScenePoint& from, glm::vec3 direction, const Stretch& stretch, float t, Random& random) const;
+  Collision meet(const ScenePoint& from, glm::vec3 direction, const Stretches& stretch, float t, Random& random) const;
 
   std::shared_ptr<const TraceData> cloth_;
   Ingredients ingredients_;

@@ -24,7 +24,7 @@ struct Sample {
   explicit Sample(const std::filesystem::path& file) : fabric(readFabric(file.string())) {
     geometry = makeGeometry();
     for (const System system : {System::warp, System::weft}) {
-      const TileMap tiles(*geometry, system, oneThread());
+      const TileMap tiles(*geometry, system, std::make_shared<BrickPool>(glm::ivec3(1)), oneThread());
       for (const TileMap::Kind kind : tiles.missing()) keys.push_back(tiles.key(kind));
     }
     for (const CellKey& key : keys) segments += static_cast<double>(geometry->strands(key).segments());
@@ -48,9 +48,10 @@ void geometry(benchmark::State& state, const Sample& sample) {
 }
 
 void tileMaps(benchmark::State& state, const Sample& sample) {
+  const auto pool = std::make_shared<BrickPool>(glm::ivec3(1));
   for (auto _ : state)
     for (const System system : {System::warp, System::weft})
-      benchmark::DoNotOptimize(TileMap(*sample.geometry, system, oneThread()));
+      benchmark::DoNotOptimize(TileMap(*sample.geometry, system, pool, oneThread()));
   countSegments(state, sample);
 }
 

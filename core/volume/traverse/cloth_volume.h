@@ -79,13 +79,8 @@ class ClothVolume {
   /// same one, and volumes that share it too.
   BrickView brick(System system, int pick, int end) const;
 
-  /// Walks the voxels that the ray origin + t direction (cloth space, direction of any length) crosses for t in
-  /// [t0, t1], in order. visit(const VoxelContent&, float tEnter, float tLeave) is called for voxels with content only,
-  /// with tEnter < tLeave, and returns false to stop. True if the walk reached t1 or left the piece. Voxels are
-  /// half-open: a ray within a face sees those on its upper side. Rays that are not finite meet nothing. Cost
-  /// per step: one block read per yarn in reach of the cell; these are looked up on entering a cell.
-  template <class Visit>
-  bool march(glm::vec3 origin, glm::vec3 direction, float t0, float t1, Visit&& visit) const;
+  /// The voxels with content that a ray crosses, in order.
+  class March;
 
   /// What the voxel around a point holds; nothing (count 0) outside the piece.
   void contentAt(glm::vec3 cloth_mm, VoxelContent& content) const;
@@ -105,7 +100,6 @@ class ClothVolume {
     int count = 0;
     Reach entries[VoxelContent::kMaxParts];
   };
-  class Walk;
   /// A brick that is missing.
   struct Place {
     TileMap* tiles;

@@ -61,154 +61,177 @@ inline void ClothVolume::look(const Reaches& reaches, int voxel, VoxelContent& c
   content.count = count;
 }
 
-/// A ray on its way through a piece, block by block of 4 x 4 x 4 voxels.
-class ClothVolume::Walk {
+/// A ray on its way through a piece: it stops at each voxel with content, and goes on from there when it is asked to,
+/// so that many can be under way side by side. It may be copied, and the copies go on alone.
+///
+/// Voxels are half-open: a ray within a face sees those on its upper side. Rays that are not finite meet nothing. Cells
+/// are crossed block by block of 4 x 4 x 4 voxels, and only where a block holds anything voxel by voxel. Where a ray
+/// crosses a face is computed anew for each, from where it starts in the cell, so that no error adds up. Cost: one
+/// block read for each yarn in reach of the cell, at every block; these yarns are looked up on entering a cell.
+class ClothVolume::March {
  public:
-  Walk(const ClothVolume& volume, glm::vec3 origin, glm::vec3 direction)
-      : volume_(volume), level_(volume.grid_.level), perCell_(volume.grid_.perCell()), o_(origin), d_(direction) {
+  /// For t in [t0, t1] of the ray origin + t direction: cloth space, direction of any length.
+  March(const ClothVolume& volume, glm::vec3 origin, glm::vec3 direction, float t0, float t1)
+      : volume_(&volume), perCell_(volume.grid_.perCell()), o_(origin), d_(direction), tEnd_(t1) {
+    if (!(t0 < t1) || !std::isfinite(glm::dot(origin, glm::vec3(1)) + glm::dot(direction, glm::vec3(1)))) return;
     o_.z -= volume.grid_.zLower_mm;
     for (int axis = 0; axis < 3; ++axis) {
       upwards_[axis] = d_[axis] > 0 ? 1 : 0;
       inverse_[axis] = d_[axis] != 0 ? 1 / d_[axis] : 0;
       never_[axis] = d_[axis] != 0 ? 0 : std::numeric_limits<double>::infinity();
     }
+    t_ = std::max(t0, std::numeric_limits<float>::lowest());
+    inPiece_ = clip();
+    if (!inPiece_) return;
+    start();
+    openBlock();
+  }
+
+  /// Goes to the next voxel with content. False where t1 is reached, or the piece left.
+  bool next() {
+    while (inPiece_) {
+      // The faces of a block are faces of its voxels, computed alike, so the walk cannot step out of the block.
+      while (inBlock_) {
+        const int axis = nearest(tVoxel_), number = numberInBlock(voxel_);
+        const double tLeave = std::min(tVoxel_[axis], tLeaveBlock_);
+        enter_ = static_cast<float>(t_);
+        leave_ = static_cast<float>(tLeave);
+        // A step of no length is that of a ray through an edge, or one that starts on a face.
+        const bool found = (occupied_ >> number & 1) != 0 && enter_ < leave_;
+        if (found) {
+          volume_->look(reaches_, number, content_);
+          content_.voxel = cell_ * perCell_ + voxel_;
+        }
+        t_ = std::max(t_, tLeave);
+        inBlock_ = tVoxel_[axis] < tLeaveBlock_;
+        if (inBlock_) leaveVoxel(axis);
+        if (found) return true;
+      }
+      t_ = std::max(t_, tLeaveBlock_);
+      inPiece_ = tBlock_[side_] < tEnd_ && leaveBlock(side_);
+      if (inPiece_) openBlock();
+    }
+    return false;
+  }
+
+  // Of the voxel that it stands at, until it goes on:
+  const VoxelContent& content() const { return content_; }
+  float enter() const { return enter_; }  ///< of the ray's t
+  float leave() const { return leave_; }  ///< beyond enter()
+
+ private:
+  static int nearest(const glm::dvec3& t) {
+    const int axis = t.y < t.x ? 1 : 0;
+    return t.z < t[axis] ? 2 : axis;
   }
 
   /// Clips [t, tEnd] to the piece; false if nothing is left.
-  bool clip(double& t, double& tEnd) {
-    const glm::dvec3 size = volume_.cell_mm_ * glm::dvec3(volume_.cells_);
+  bool clip() {
+    const glm::dvec3 size = volume_->cell_mm_ * glm::dvec3(volume_->cells_);
     for (int axis = 0; axis < 3; ++axis) {
       if (d_[axis] == 0) {
         if (!(o_[axis] >= 0 && o_[axis] < size[axis])) return false;
         continue;
       }
       const double a = -o_[axis] * inverse_[axis], b = (size[axis] - o_[axis]) * inverse_[axis];
-      t = std::max(t, std::min(a, b));
-      tEnd = std::min(tEnd, std::max(a, b));
+      t_ = std::max(t_, std::min(a, b));
+      tEnd_ = std::min(tEnd_, std::max(a, b));
     }
-    return t < tEnd;
+    return t_ < tEnd_;
   }
 
   /// Goes to the block at t.
-  void start(double t) {
+  void start() {
     for (int axis = 0; axis < 3; ++axis) {
-      const double position = o_[axis] + t * d_[axis];
-      cell[axis] = std::clamp(static_cast<int>(position * volume_.perCell_[axis]), 0, volume_.cells_[axis] - 1);
+      const double position = o_[axis] + t_ * d_[axis];
+      cell_[axis] = std::clamp(static_cast<int>(position * volume_->perCell_[axis]), 0, volume_->cells_[axis] - 1);
       enterCell(axis);
-      block[axis] = voxelAt(axis, t) >> 2;
-      tBlock[axis] = faceAhead(axis, lastVoxel(axis));
+      block_[axis] = voxelAt(axis) >> 2;
+      tBlock_[axis] = faceAhead(axis, lastVoxel(axis));
     }
+    gather();
+  }
+
+  void gather() {
+    content_.end = cell_.x;
+    content_.pick = cell_.y;
+    volume_->gather(cell_.y, cell_.x, reaches_);
+  }
+
+  /// Sees what the block holds, and goes to its voxel at t if there is anything.
+  void openBlock() {
+    occupied_ = volume_->openBlock(reaches_, block_);
+    side_ = nearest(tBlock_);
+    tLeaveBlock_ = std::min(tBlock_[side_], tEnd_);
+    inBlock_ = occupied_ != 0 && tLeaveBlock_ > t_;
+    if (inBlock_ && !knowsVoxel_) findVoxel();
+    knowsVoxel_ = inBlock_;
   }
 
   /// Crosses the block's face in an axis; false if this leaves the piece.
   bool leaveBlock(int axis) {
     const int step = 2 * upwards_[axis] - 1, count = (perCell_[axis] + 3) >> 2;
-    block[axis] += step;
-    cellChanged = static_cast<unsigned>(block[axis]) >= static_cast<unsigned>(count);
-    if (cellChanged) {
-      cell[axis] += step;
-      if (static_cast<unsigned>(cell[axis]) >= static_cast<unsigned>(volume_.cells_[axis])) return false;
-      block[axis] = upwards_[axis] ? 0 : count - 1;
+    block_[axis] += step;
+    const bool leavesCell = static_cast<unsigned>(block_[axis]) >= static_cast<unsigned>(count);
+    if (leavesCell) {
+      cell_[axis] += step;
+      if (static_cast<unsigned>(cell_[axis]) >= static_cast<unsigned>(volume_->cells_[axis])) return false;
+      block_[axis] = upwards_[axis] ? 0 : count - 1;
       enterCell(axis);
     }
-    tBlock[axis] = faceAhead(axis, lastVoxel(axis));
-    voxel[axis] = firstVoxel(axis);
-    tVoxel[axis] = faceAhead(axis, voxel[axis]);
+    tBlock_[axis] = faceAhead(axis, lastVoxel(axis));
+    voxel_[axis] = firstVoxel(axis);
+    tVoxel_[axis] = faceAhead(axis, voxel_[axis]);
+    if (leavesCell) gather();
     return true;
   }
 
-  /// Goes to the voxel of the block at t: in the block, whatever rounding says.
-  void findVoxel(double t) {
+  /// The voxel of the block at t: in the block, whatever rounding says.
+  void findVoxel() {
     for (int axis = 0; axis < 3; ++axis) {
-      voxel[axis] = std::clamp(voxelAt(axis, t), 4 * block[axis], std::min(4 * block[axis] + 3, perCell_[axis] - 1));
-      tVoxel[axis] = faceAhead(axis, voxel[axis]);
+      voxel_[axis] = std::clamp(voxelAt(axis), 4 * block_[axis], std::min(4 * block_[axis] + 3, perCell_[axis] - 1));
+      tVoxel_[axis] = faceAhead(axis, voxel_[axis]);
     }
   }
   void leaveVoxel(int axis) {
-    voxel[axis] += 2 * upwards_[axis] - 1;
-    tVoxel[axis] = faceAhead(axis, voxel[axis]);
-  }
-  glm::ivec3 voxelOfCloth() const { return cell * perCell_ + voxel; }
-
-  static int nearest(const glm::dvec3& t) {
-    const int axis = t.y < t.x ? 1 : 0;
-    return t.z < t[axis] ? 2 : axis;
+    voxel_[axis] += 2 * upwards_[axis] - 1;
+    tVoxel_[axis] = faceAhead(axis, voxel_[axis]);
   }
 
-  glm::ivec3 cell{0}, block{0}, voxel{0};  ///< block and voxel: in their cell
-  glm::dvec3 tBlock{0}, tVoxel{0};         ///< where the ray crosses their faces ahead
-  bool cellChanged = false;
+  void enterCell(int axis) { inCell_[axis] = o_[axis] - cell_[axis] * volume_->cell_mm_[axis]; }
 
- private:
-  void enterCell(int axis) { inCell_[axis] = o_[axis] - cell[axis] * volume_.cell_mm_[axis]; }
-
-  int voxelAt(int axis, double t) const {
-    const double leaf = (inCell_[axis] + t * d_[axis]) * volume_.perVoxel_[axis];
-    return std::clamp(static_cast<int>(leaf), 0, volume_.grid_.cell[axis] - 1) >> level_;
+  int voxelAt(int axis) const {
+    const double leaf = (inCell_[axis] + t_ * d_[axis]) * volume_->perVoxel_[axis];
+    return std::clamp(static_cast<int>(leaf), 0, volume_->grid_.cell[axis] - 1) >> volume_->grid_.level;
   }
   /// Of the block, those that the ray enters and leaves it by.
-  int firstVoxel(int axis) const { return std::min(4 * block[axis] + 3 * (1 - upwards_[axis]), perCell_[axis] - 1); }
-  int lastVoxel(int axis) const { return std::min(4 * block[axis] + 3 * upwards_[axis], perCell_[axis] - 1); }
+  int firstVoxel(int axis) const { return std::min(4 * block_[axis] + 3 * (1 - upwards_[axis]), perCell_[axis] - 1); }
+  int lastVoxel(int axis) const { return std::min(4 * block_[axis] + 3 * upwards_[axis], perCell_[axis] - 1); }
   double faceAhead(int axis, int v) const {
-    const int leaf = std::min((v + upwards_[axis]) << level_, volume_.grid_.cell[axis]);
-    return (leaf * volume_.voxel_mm_[axis] - inCell_[axis]) * inverse_[axis] + never_[axis];
+    const int leaf = std::min((v + upwards_[axis]) << volume_->grid_.level, volume_->grid_.cell[axis]);
+    return (leaf * volume_->voxel_mm_[axis] - inCell_[axis]) * inverse_[axis] + never_[axis];
   }
 
-  const ClothVolume& volume_;
-  int level_;
+  const ClothVolume* volume_;
   glm::ivec3 perCell_;
   // In double: at the far side of a wide cloth a float's step is no longer small beside a voxel.
-  glm::dvec3 o_, d_, inverse_{0}, inCell_{0};
-  glm::dvec3 never_{0};  ///< infinite in the axes that the ray does not move along
-  glm::ivec3 upwards_{
-      0};  ///< 1 where it moves to greater coordinates; numbers, because signs are what no branch predicts
+  glm::dvec3 o_, d_, inverse_{0};
+  glm::dvec3 never_{0};    ///< infinite in the axes that the ray does not move along
+  glm::ivec3 upwards_{0};  ///< 1 where it moves to greater coordinates; numbers, for no branch predicts signs
+  double t_ = 0, tEnd_;    ///< how far it has come, and goes
+
+  glm::ivec3 cell_{0}, block_{0}, voxel_{0};  ///< block and voxel: in their cell
+  glm::dvec3 inCell_{0};                      ///< the ray's origin, from the corner of the cell
+  glm::dvec3 tBlock_{0}, tVoxel_{0};          ///< where the ray crosses the faces ahead of block and voxel
+  double tLeaveBlock_ = 0;
+  int side_ = 0;           ///< the axis in which it leaves the block
+  uint64_t occupied_ = 0;  ///< which voxels of the block hold anything
+  bool inPiece_ = false, inBlock_ = false;
+  bool knowsVoxel_ = false;  ///< whether the voxel is that at t, without looking for it
+
+  Reaches reaches_;
+  VoxelContent content_;
+  float enter_ = 0, leave_ = 0;
 };
-
-template <class Visit>
-bool ClothVolume::march(glm::vec3 origin, glm::vec3 direction, float t0, float t1, Visit&& visit) const {
-  if (!(t0 < t1) || !std::isfinite(glm::dot(origin, glm::vec3(1)) + glm::dot(direction, glm::vec3(1)))) return true;
-  double t = std::max(t0, std::numeric_limits<float>::lowest()), tEnd = t1;
-  Walk walk(*this, origin, direction);
-  if (!walk.clip(t, tEnd)) return true;
-  walk.start(t);
-  walk.cellChanged = true;
-
-  VoxelContent content;
-  Reaches reaches;
-  bool inStep = false;  // whether the walk's voxel is that at t, without looking for it
-  for (;;) {
-    if (walk.cellChanged) {
-      content.end = walk.cell.x;
-      content.pick = walk.cell.y;
-      gather(content.pick, content.end, reaches);
-    }
-    const uint64_t occupied = openBlock(reaches, walk.block);
-    const int side = Walk::nearest(walk.tBlock);
-    const double tLeaveBlock = std::min(walk.tBlock[side], tEnd);
-    if (occupied != 0 && tLeaveBlock > t) {
-      if (!inStep) walk.findVoxel(t);
-      // The faces of a block are faces of its voxels, computed alike, so the walk cannot step out of the block.
-      for (;;) {
-        const int axis = Walk::nearest(walk.tVoxel), number = numberInBlock(walk.voxel);
-        const double tLeave = std::min(walk.tVoxel[axis], tLeaveBlock);
-        // A step of no length is that of a ray through an edge, or one that starts on a face.
-        const auto enter = static_cast<float>(t), leave = static_cast<float>(tLeave);
-        if ((occupied >> number & 1) != 0 && enter < leave) {
-          look(reaches, number, content);
-          content.voxel = walk.voxelOfCloth();
-          if (!visit(static_cast<const VoxelContent&>(content), enter, leave)) return false;
-        }
-        t = std::max(t, tLeave);
-        if (!(walk.tVoxel[axis] < tLeaveBlock)) break;
-        walk.leaveVoxel(axis);
-      }
-      inStep = true;
-    } else {
-      inStep = false;
-    }
-    t = std::max(t, tLeaveBlock);
-    if (!(walk.tBlock[side] < tEnd) || !walk.leaveBlock(side)) return true;
-  }
-}
 
 }  // namespace loomlight

@@ -76,14 +76,13 @@ TEST(FreeFlights, FitTheExtinctionOfTheirWay) {
 
     // Optical depth at the end of every voxel on the way.
     std::vector<double> ends, depths;
-    walkCloth(*scene->cloth, from, direction, 1000,
-              [&](const VoxelContent& content, float tEnter, float tLeave, const LocalDrape& local, int) {
-                const double before = depths.empty() ? 0 : depths.back();
-                ends.push_back(tLeave);
-                depths.push_back(before + sumExtinction(scene->cloth->yarns, content, local, direction).total *
-                                              (tLeave - tEnter));
-                return true;
-              });
+    ClothWalk walk(*scene->cloth, from, direction, 1000);
+    while (walk.next()) {
+      const double before = depths.empty() ? 0 : depths.back();
+      ends.push_back(walk.leave());
+      depths.push_back(before + sumExtinction(scene->cloth->yarns, walk.content(), walk.drape(), direction).total *
+                                    (walk.leave() - walk.enter()));
+    }
     ASSERT_GT(depths.size(), 10u);
 
     constexpr int kFlights = 100000;

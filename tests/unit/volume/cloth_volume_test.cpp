@@ -130,16 +130,15 @@ double depthFromAbove(const ClothVolume& volume, double fibreRadius_mm) {
   for (int y = 0; y < rays; ++y)
     for (int x = 0; x < rays; ++x) {
       const glm::vec3 origin(upper.x * (x + 0.5f) / rays, upper.y * (y + 0.5f) / rays, 1);
-      volume.march(origin, {0, 0, -1}, 0, 2, [&](const VoxelContent& content, float enter, float leave) {
-        for (int i = 0; i < content.count; ++i)
-          for (const Component c : content.parts[i].components) {
+      ClothVolume::March march(volume, origin, {0, 0, -1}, 0, 2);
+      while (march.next())
+        for (int i = 0; i < march.content().count; ++i)
+          for (const Component c : march.content().parts[i].components) {
             const FibreDistribution d = c.decode();
             const float sine2 = 1 - d.direction.z * d.direction.z;
             depth += 2 * fibreRadius_mm * d.lengthDensity *
-                     TangentSpread::table().projectedLengthOfSquare(sine2, d.spread) * (leave - enter);
+                     TangentSpread::table().projectedLengthOfSquare(sine2, d.spread) * (march.leave() - march.enter());
           }
-        return true;
-      });
     }
   return depth / (rays * rays);
 }

@@ -14,6 +14,7 @@ struct Visit {
   glm::ivec3 voxel;
   double enter, leave;
   std::vector<uint64_t> components;  ///< sorted: the order of a voxel's parts means nothing
+  bool operator==(const Visit&) const = default;
 };
 
 /// Every voxel of the piece with content, found through brick() alone.
@@ -90,18 +91,19 @@ class AllVoxels {
   std::vector<Voxel> voxels_;
 };
 
+Visit visitOf(const ClothVolume::March& march) {
+  Visit visit{march.content().voxel, march.enter(), march.leave(), {}};
+  for (int i = 0; i < march.content().count; ++i)
+    for (const Component c : march.content().parts[i].components) visit.components.push_back(c.bits());
+  std::sort(visit.components.begin(), visit.components.end());
+  return visit;
+}
+
 std::vector<Visit> marched(const ClothVolume& volume, glm::vec3 origin, glm::vec3 direction, float t0, float t1) {
   std::vector<Visit> result;
-  const bool through =
-      volume.march(origin, direction, t0, t1, [&](const VoxelContent& content, float enter, float leave) {
-        Visit visit{content.voxel, enter, leave, {}};
-        for (int i = 0; i < content.count; ++i)
-          for (const Component c : content.parts[i].components) visit.components.push_back(c.bits());
-        std::sort(visit.components.begin(), visit.components.end());
-        result.push_back(visit);
-        return true;
-      });
-  EXPECT_TRUE(through);
+  ClothVolume::March march(volume, origin, direction, t0, t1);
+  while (march.next()) result.push_back(visitOf(march));
+  EXPECT_FALSE(march.next()) << "what is over stays over";
   return result;
 }
 
@@ -231,14 +233,28 @@ TEST(March, WhatIsNotFiniteEnds) {
   EXPECT_LE(marched(*volume, middle, {1e-44f, 0, 0}, 0, 1).size(), 1u);
 }
 
-TEST(March, VisitorStopsIt) {
-  const auto volume = volumeOf(plainFabric(), 3, 3, 4);
-  const glm::vec3 middle = 0.5f * (volume->lower_mm() + volume->upper_mm());
-  int visits = 0;
-  const bool through =
-      volume->march(middle, {1, 0, 0}, -1, 1, [&](const VoxelContent&, float, float) { return ++visits < 3; });
-  EXPECT_FALSE(through);
-  EXPECT_EQ(visits, 3);
+TEST(March, GoesOnFromWhereItStands) {
+  const auto volume = volumeOf(hairyTwill(), 5, 4, 4);
+  const glm::vec3 low = volume->lower_mm(), high = volume->upper_mm();
+  const glm::vec3 there = glm::normalize(high - low), back = -there;
+  const std::vector<Visit> ahead = marched(*volume, low, there, 0, 9), behind = marched(*volume, high, back, 0, 9);
+  ASSERT_GT(ahead.size(), 20u);
+  ASSERT_GT(behind.size(), 20u);
+  // Two rays take turns, and from each place a copy goes on alone.
+  ClothVolume::March first(*volume, low, there, 0, 9), second(*volume, high, back, 0, 9);
+  for (size_t i = 0; i < ahead.size() || i < behind.size(); ++i) {
+    ASSERT_EQ(first.next(), i < ahead.size());
+    ASSERT_EQ(second.next(), i < behind.size());
+    if (i >= ahead.size()) continue;
+    EXPECT_EQ(visitOf(first), ahead[i]);
+    ClothVolume::March copy = first;
+    for (size_t j = i + 1; j < ahead.size(); ++j) {
+      ASSERT_TRUE(copy.next());
+      ASSERT_EQ(visitOf(copy), ahead[j]);
+    }
+    EXPECT_FALSE(copy.next());
+    EXPECT_EQ(visitOf(first), ahead[i]) << "the one that was copied stands where it stood";
+  }
 }
 
 TEST(March, NamesTheYarnAndTheCell) {
@@ -248,8 +264,10 @@ TEST(March, NamesTheYarnAndTheCell) {
   int warp = 0, weft = 0, neighbours = 0;
   for (int i = 0; i < 20; ++i) {
     const float y = volume->upper_mm().y * (static_cast<float>(i) + 0.37f) / 20;
-    volume->march({0, y, -0.04f}, {1, 0, 0.01f}, 0, 9, [&](const VoxelContent& content, float enter, float leave) {
-      EXPECT_EQ(content.end, static_cast<int>(0.5f * (enter + leave) / geometry.warpPitch_mm()));
+    ClothVolume::March march(*volume, {0, y, -0.04f}, {1, 0, 0.01f}, 0, 9);
+    while (march.next()) {
+      const VoxelContent& content = march.content();
+      EXPECT_EQ(content.end, static_cast<int>(0.5f * (march.enter() + march.leave()) / geometry.warpPitch_mm()));
       EXPECT_EQ(content.pick, static_cast<int>(y / geometry.weftPitch_mm()));
       EXPECT_EQ(content.voxel.x / grid.cell.x, content.end);
       EXPECT_EQ(content.voxel.y / grid.cell.y, content.pick);
@@ -266,8 +284,7 @@ TEST(March, NamesTheYarnAndTheCell) {
         neighbours += part.index != own;
         ++(isWarp ? warp : weft);
       }
-      return true;
-    });
+    }
   }
   EXPECT_GT(warp, 0);
   EXPECT_GT(weft, 0);
@@ -282,16 +299,17 @@ TEST(March, ContentAtAPointIsThatOfTheVoxelAroundIt) {
     const float y = random.uniform(), z = random.uniform();
     const glm::vec3 size = volume->upper_mm() - volume->lower_mm();
     const glm::vec3 origin = volume->lower_mm() + size * glm::vec3(0, y, z);
-    volume->march(origin, {1, 0, 0}, 0, size.x, [&](const VoxelContent& content, float enter, float leave) {
-      if (leave - enter < 1e-4f) return true;
+    ClothVolume::March march(*volume, origin, {1, 0, 0}, 0, size.x);
+    while (march.next()) {
+      if (march.leave() - march.enter() < 1e-4f) continue;
+      const VoxelContent& content = march.content();
       VoxelContent at;
-      volume->contentAt(origin + glm::vec3(0.5f * (enter + leave), 0, 0), at);
+      volume->contentAt(origin + glm::vec3(0.5f * (march.enter() + march.leave()), 0, 0), at);
       EXPECT_EQ(at.voxel, content.voxel);
       EXPECT_EQ(at.count, content.count);
       for (int p = 0; p < at.count; ++p) EXPECT_EQ(at.parts[p].components.data(), content.parts[p].components.data());
       ++found;
-      return true;
-    });
+    }
   }
   EXPECT_GT(found, 1000);
   VoxelContent outside;
