@@ -23,14 +23,14 @@ double segmentsOf(const YarnModel& yarn, const CellKey& key) {
 }  // namespace
 
 ClothMeasures ClothGeometry::measure() const {
-  const int ends = std::min(repeatEnds_, ends_), picks = std::min(repeatPicks_, picks_);
+  const int ends = std::min(repeatEnds(), ends_), picks = std::min(repeatPicks(), picks_);
   std::array<std::vector<CellCount>, 2> counts;
   for (const System system : {System::warp, System::weft}) {
     std::unordered_map<ShapeCode, int64_t> cells;
     const bool warp = system == System::warp;
     std::vector<ShapeCode> codes(static_cast<size_t>(warp ? picks : ends));
     for (int across = 0; across < (warp ? ends : picks); ++across) {
-      shapeCodes(system, across, 0, codes);
+      codes_.read(system, across, 0, codes);
       for (const ShapeCode code : codes) ++cells[code];
     }
     // Sorted, so that sums do not depend on the library's hashing.
@@ -42,16 +42,16 @@ ClothMeasures ClothGeometry::measure() const {
 
 ClothMeasures ClothGeometry::measure(const std::array<std::vector<CellCount>, 2>& counts) const {
   const double cellsPerRepeat =
-      static_cast<double>(std::min(repeatEnds_, ends_)) * static_cast<double>(std::min(repeatPicks_, picks_));
+      static_cast<double>(std::min(repeatEnds(), ends_)) * static_cast<double>(std::min(repeatPicks(), picks_));
   ClothMeasures measures;
   double highest = 0, lowest = 0;
   for (const System system : {System::warp, System::weft}) {
     double cells = 0, axis = 0, mass_g = 0, segments = 0;
     for (const CellCount& count : counts[static_cast<size_t>(system)]) {
       const CellKey& key = count.shape;
-      const YarnModel& model = *of(system).yarns[key.yarn];
+      const YarnModel& model = yarns_.model(system, key.yarn);
       const YarnGeometry& g = model.geometry;
-      const double length = count.cells * axisLength_mm(key);
+      const double length = count.cells * yarns_.axisLength_mm(key);
       cells += count.cells;
       axis += length;
       mass_g += length * g.count_tex * 1e-6;
@@ -59,9 +59,9 @@ ClothMeasures ClothGeometry::measure(const std::array<std::vector<CellCount>, 2>
       highest = std::max(highest, key.here.height_mm + g.halfHeight_mm);
       lowest = std::min(lowest, key.here.height_mm - g.halfHeight_mm);
     }
-    const double pitch = system == System::warp ? weftPitch_mm_ : warpPitch_mm_;
+    const double pitch = system == System::warp ? weftPitch_mm() : warpPitch_mm();
     (system == System::warp ? measures.crimpWarp : measures.crimpWeft) = axis / (cells * pitch) - 1;
-    measures.arealMass_g_m2 += mass_g / (cells * warpPitch_mm_ * weftPitch_mm_ * 1e-6);
+    measures.arealMass_g_m2 += mass_g / (cells * warpPitch_mm() * weftPitch_mm() * 1e-6);
     measures.segmentsPerRepeat += segments * (cellsPerRepeat / cells);
   }
   measures.thickness_mm = highest - lowest;

@@ -45,7 +45,7 @@ bool isTurned(const Weave& now, const Weave& then, int pick, int end) {
 /// Whether a crossing has been turned so near that what is seen here may have changed: along the yarns that cross
 /// there, and on the threads beside them.
 bool isNearTurned(const Weave& now, const Weave& then, const Film::Hit& hit) {
-  constexpr int kReach = ClothGeometry::kCrossingReach;
+  constexpr int kReach = kCrossingReach;
   if (hit.end < 0 || hit.pick < 0) return false;  // a gap
   for (int along = -kReach; along <= kReach; ++along)
     for (int beside = -1; beside <= 1; ++beside)

@@ -27,7 +27,7 @@ VoxelGrid makeGrid(const ClothGeometry& geometry, int resolution) {
   // A voxel narrower than a fibre holds one alone, and light would meet again the very fibre that it leaves.
   constexpr int kFinestRegardless = 8;
   const double diameter = geometry.minYarnDiameter_mm();
-  const double finest = std::min(2 * geometry.minFibreRadius_mm(), diameter / kFinestRegardless);
+  const double finest = std::min(2 * geometry.yarns().minFibreRadius_mm(), diameter / kFinestRegardless);
   double leaf = std::max(diameter / std::max(1, resolution), finest);
   while (across(x, leaf) * across(y, leaf) * layers(leaf) > kMaxCellVoxels) leaf *= 1.125;
 

@@ -13,13 +13,13 @@ void ShapeTable::index() {
   }
 }
 
-uint32_t ShapeTable::add(ClothGeometry::ShapeCode code, const CellKey& shape) {
+uint32_t ShapeTable::add(ShapeCode code, const CellKey& shape) {
   shapes_.push_back(shape);
   codes_.push_back(code);
   return end() - 1;
 }
 
-uint32_t ShapeTable::search(ClothGeometry::ShapeCode code) {
+uint32_t ShapeTable::search(ShapeCode code) {
   if (const auto found = std::find(codes_.begin(), codes_.end(), code); found != codes_.end())
     return static_cast<uint32_t>(found - codes_.begin());
   // Another code may have the same shape.
@@ -28,7 +28,7 @@ uint32_t ShapeTable::search(ClothGeometry::ShapeCode code) {
   return found != shapes_.end() ? static_cast<uint32_t>(found - shapes_.begin()) : add(code, shape);
 }
 
-uint32_t ShapeTable::numberOf(ClothGeometry::ShapeCode code) {
+uint32_t ShapeTable::numberOf(ShapeCode code) {
   if (!indexed_) {
     if (++searches_ <= kFewSearches) return search(code);
     index();

@@ -17,12 +17,11 @@ class ShapeTable {
   ShapeTable(const ClothGeometry& geometry, System system, const ShapeTable& known)
       : geometry_(&geometry), system_(system), known_(&known), first_(known.end()) {}
   /// Of shapes that have numbers already, and one code of each: for looking up some few more. Not indexed.
-  ShapeTable(const ClothGeometry& geometry, System system, std::vector<CellKey> shapes,
-             std::vector<ClothGeometry::ShapeCode> codes)
+  ShapeTable(const ClothGeometry& geometry, System system, std::vector<CellKey> shapes, std::vector<ShapeCode> codes)
       : geometry_(&geometry), system_(system), shapes_(std::move(shapes)), codes_(std::move(codes)), indexed_(false) {}
 
   /// Of the shape with this code; a handful of instructions for those met lately.
-  uint32_t number(ClothGeometry::ShapeCode code) {
+  uint32_t number(ShapeCode code) {
     Recent& recent = recent_[(code * 0x9E3779B97F4A7C15ull) >> (64 - kRecentBits)];
     if (recent.code != code) recent = {code, numberOf(code)};
     return recent.number;
@@ -36,33 +35,33 @@ class ShapeTable {
   uint32_t end() const { return first_ + static_cast<uint32_t>(shapes_.size()); }
   const CellKey& shape(uint32_t number) const { return shapes_[number - first_]; }  ///< first() <= number < end()
   /// The first that was met of the codes of this shape.
-  ClothGeometry::ShapeCode code(uint32_t number) const { return codes_[number - first_]; }
+  ShapeCode code(uint32_t number) const { return codes_[number - first_]; }
 
  private:
   struct KeyHash {
     size_t operator()(const CellKey& key) const { return hash(key); }
   };
   struct Recent {
-    ClothGeometry::ShapeCode code = ~ClothGeometry::ShapeCode{0};  ///< no shape has this one
+    ShapeCode code = ~ShapeCode{0};  ///< no shape has this one
     uint32_t number = 0;
   };
   static constexpr int kRecentBits = 10;
   static constexpr int kFewSearches = 64;  ///< so many searches one by one cost less than an index
 
-  uint32_t numberOf(ClothGeometry::ShapeCode code);
-  uint32_t search(ClothGeometry::ShapeCode code);
-  uint32_t add(ClothGeometry::ShapeCode code, const CellKey& shape);
+  uint32_t numberOf(ShapeCode code);
+  uint32_t search(ShapeCode code);
+  uint32_t add(ShapeCode code, const CellKey& shape);
 
   const ClothGeometry* geometry_;
   System system_;
   const ShapeTable* known_ = nullptr;
   uint32_t first_ = 0;
   std::vector<CellKey> shapes_;
-  std::vector<ClothGeometry::ShapeCode> codes_;
+  std::vector<ShapeCode> codes_;
   bool indexed_ = true;
   int searches_ = 0;
   std::unordered_map<CellKey, uint32_t, KeyHash> numbers_;
-  std::unordered_map<ClothGeometry::ShapeCode, uint32_t> numbersOfCodes_;
+  std::unordered_map<ShapeCode, uint32_t> numbersOfCodes_;
   std::vector<Recent> recent_ = std::vector<Recent>(size_t{1} << kRecentBits);
 };
 

@@ -43,8 +43,8 @@ class TileMap {
   /// How a cloth came out of another.
   struct Change {
     const ClothGeometry& before;
-    ClothGeometry::ClassNames names;  ///< of the classes of `before`
-    std::vector<WeavePlace> places;   ///< changes of the weave, as of weaveChanges()
+    ClassNames names;                ///< of the classes of `before`
+    std::vector<WeavePlace> places;  ///< changes of the weave, as of weaveChanges()
   };
   /// Makes it the map of another geometry, as a new map would be, but for the bricks: those of shapes that are still
   /// there stay. Costs a copy of the shapes of each yarn that a place lies on. Where the repeat has another size, what
@@ -158,7 +158,7 @@ class TileMap {
   SharedList<Row> rows_;                       ///< per yarn of the repeat
   std::vector<const uint16_t*> low_, high_;    ///< of each row; `high_` is empty where no row has any
   std::vector<CellKey> shapes_;
-  std::vector<ClothGeometry::ShapeCode> codes_;  ///< one of each shape
+  std::vector<ShapeCode> codes_;  ///< one of each shape
   // By shape and phase, index():
   std::vector<uint64_t> cellsOf_;
   BrickTable bricks_;

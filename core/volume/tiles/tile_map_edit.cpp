@@ -9,7 +9,7 @@
 namespace loomlight {
 namespace {
 
-constexpr int kReach = ClothGeometry::kCrossingReach;
+constexpr int kReach = kCrossingReach;
 
 /// Of a weave, as one system sees it: how many yarns, and how many crossings along each.
 struct WeaveSides {
@@ -45,7 +45,7 @@ std::vector<Stretch> reachedFrom(std::span<const int> places, int count) {
 }  // namespace
 
 void TileMap::edit(const ClothGeometry& geometry, const Change& change, const Task& task) {
-  for (ClothGeometry::ShapeCode& code : codes_) code = ClothGeometry::renamed(system_, code, change.names);
+  for (ShapeCode& code : codes_) code = renamed(system_, code, change.names);
   if (!geometry.differsInWeaveOnly(change.before))
     for (size_t i = 0; i < shapes_.size(); ++i) shapes_[i] = geometry.shapeKey(system_, codes_[i]);
   ShapeTable table(geometry, system_, shapes_, codes_);
@@ -104,10 +104,10 @@ void TileMap::editRow(const ClothGeometry& geometry, int across, std::span<const
   const int weaveAlong = WeaveSides(geometry.weave(), system_).along;
   const PhaseCounts phases(*this, across);
   const auto row = std::make_shared<Row>(*rows_[across]);
-  std::vector<ClothGeometry::ShapeCode> codes;
+  std::vector<ShapeCode> codes;
   const auto read = [&](int from, int to) {
     codes.resize(static_cast<size_t>(to - from));
-    geometry.shapeCodes(system_, across, from, codes);
+    geometry.codes().read(system_, across, from, codes);
     for (int along = from; along < to; ++along) {
       const uint32_t before = row->at(static_cast<size_t>(along)), after = table.number(codes[along - from]);
       if (before == after) continue;

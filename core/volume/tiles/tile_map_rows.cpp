@@ -26,11 +26,11 @@ void checkShapes(const ShapeTable& table) {
 /// Numbers the shapes of cells from `along` on. The codes of a few at a time stay in the cache.
 void readCells(const ClothGeometry& geometry, System system, int across, std::span<const uint8_t> crossings, int along,
                std::span<uint32_t> shapes, ShapeTable& table) {
-  std::array<ClothGeometry::ShapeCode, 512> codes;
+  std::array<ShapeCode, 512> codes;
   for (size_t done = 0; done < shapes.size();) {
     const auto some = std::span(codes).first(std::min(codes.size(), shapes.size() - done));
-    geometry.shapeCodes(system, across, along + static_cast<int>(done), crossings, some);
-    for (const ClothGeometry::ShapeCode code : some) shapes[done++] = table.number(code);
+    geometry.codes().read(system, across, along + static_cast<int>(done), crossings, some);
+    for (const ShapeCode code : some) shapes[done++] = table.number(code);
   }
 }
 

@@ -118,7 +118,7 @@ TEST(AnyValidFabric, WeighsItsCount) {
       key.phase = phase;
       const CellStrands cell = cloth.strands(key);
       mass_g += cell.length_mm() * kPi * cell.fibreRadius_mm * cell.fibreRadius_mm * yarn.fibreDensity_g_cm3 * 1e-3;
-      axis_mm += cloth.axisLength_mm(key);
+      axis_mm += cloth.yarns().axisLength_mm(key);
     }
     EXPECT_NEAR(mass_g / axis_mm * 1e6 / yarn.count_tex, 1, 1e-3);
   }

@@ -63,11 +63,11 @@ TEST(CellKeys, AreThoseOfTheShapeCodes) {
     const ClothGeometry cloth(fabric, 100, 100);
     for (const System system : {System::warp, System::weft})
       for (int across = -3; across < 12; ++across) {
-        std::vector<ClothGeometry::ShapeCode> codes(50);
-        cloth.shapeCodes(system, across, -7, codes);
+        std::vector<ShapeCode> codes(50);
+        cloth.codes().read(system, across, -7, codes);
         if (system == System::warp) {
-          std::vector<ClothGeometry::ShapeCode> ofColumn(50);
-          cloth.shapeCodes(system, across, -7, fabric.weave.columns(across, 1), ofColumn);
+          std::vector<ShapeCode> ofColumn(50);
+          cloth.codes().read(system, across, -7, fabric.weave.columns(across, 1), ofColumn);
           EXPECT_EQ(ofColumn, codes);
         }
         for (int i = 0; i < 50; ++i) {
@@ -98,17 +98,17 @@ TEST(ClothGeometry, SharesTheYarnsThatAnEditLeavesAlone) {
 
 /// Whether a map of the shapes of `before` is one of `after`, name by name; their weaves must be the same.
 void expectSameShapes(const ClothGeometry& before, const ClothGeometry& after) {
-  const auto names = after.namesOfClasses(before);
+  const auto names = after.yarns().namesOfClasses(before.yarns());
   ASSERT_TRUE(names);
   std::array<std::set<std::pair<size_t, size_t>>, 2> keys;  // numbers of the codes' shapes, before and after
   for (const System system : {System::warp, System::weft}) {
     std::map<uint64_t, size_t> numbersBefore, numbersAfter;
     for (int across = 0; across < 40; ++across) {
-      std::vector<ClothGeometry::ShapeCode> codes(50), codesAfter(50);
-      before.shapeCodes(system, across, 0, codes);
-      after.shapeCodes(system, across, 0, codesAfter);
+      std::vector<ShapeCode> codes(50), codesAfter(50);
+      before.codes().read(system, across, 0, codes);
+      after.codes().read(system, across, 0, codesAfter);
       for (size_t i = 0; i < codes.size(); ++i) {
-        EXPECT_EQ(ClothGeometry::renamed(system, codes[i], *names), codesAfter[i]);
+        EXPECT_EQ(renamed(system, codes[i], *names), codesAfter[i]);
         const uint64_t keyBefore = hash(before.shapeKey(system, codes[i]));
         const uint64_t keyAfter = hash(after.shapeKey(system, codesAfter[i]));
         keys[static_cast<size_t>(system)].emplace(
@@ -144,10 +144,10 @@ TEST(ClothGeometry, NamesNoClassesWhereTheyArePartedOrBecomeOne) {
   const ClothGeometry same(fabric, 10, 10);
   fabric.yarns[1].count_tex *= 1.5;
   const ClothGeometry striped(fabric, 10, 10);
-  EXPECT_FALSE(striped.namesOfClasses(same));
-  EXPECT_FALSE(same.namesOfClasses(striped));
+  EXPECT_FALSE(striped.yarns().namesOfClasses(same.yarns()));
+  EXPECT_FALSE(same.yarns().namesOfClasses(striped.yarns()));
   fabric.warpSequence = {0, 0, 1};
-  EXPECT_FALSE(ClothGeometry(fabric, 10, 10).namesOfClasses(striped));
+  EXPECT_FALSE(ClothGeometry(fabric, 10, 10).yarns().namesOfClasses(striped.yarns()));
 }
 
 TEST(WeaveChanges, AreThePlacesThatDiffer) {

@@ -33,7 +33,7 @@ Weighed weigh(const ClothGeometry& cloth, System system, int index) {
   for (int i = 0; i < cells; ++i) {
     const CellStrands cell = cloth.strands(keyAt(i));
     sum.mass_g += segmentMass_g(cell, yarn.fibreDensity_g_cm3);
-    sum.axis_mm += cloth.axisLength_mm(keyAt(i));
+    sum.axis_mm += cloth.yarns().axisLength_mm(keyAt(i));
     sum.largestRadiusChange =
         std::max(sum.largestRadiusChange, std::abs(cell.fibreRadius_mm / yarn.fibreRadius_mm - 1));
   }

@@ -50,7 +50,7 @@ TEST(VoxelGrid, FinestLeafIsNoNarrowerThanAFibre) {
   Fabric fabric = plainFabric();
   fabric.yarns[0].fibresPerPly = 20;
   const auto geometry = geometryOf(fabric, 4, 4);
-  const double r = geometry->minFibreRadius_mm(), d = geometry->minYarnDiameter_mm();
+  const double r = geometry->yarns().minFibreRadius_mm(), d = geometry->minYarnDiameter_mm();
   ASSERT_LT(d / 16, 2 * r);
   EXPECT_NEAR(makeGrid(*geometry, 16).size_mm.z, std::min(2 * r, d / 8), 1e-6);
   EXPECT_NEAR(makeGrid(*geometry, 8).size_mm.z, d / 8, 1e-6);

@@ -150,7 +150,7 @@ TEST(Edits, OfACrossingVoxeliseOnlyShapesThatWereNotThere) {
     all += made;
   }
   // A crossing is within reach of nine cells of either yarn, each in one phase.
-  EXPECT_LE(most, 2u * (2 * ClothGeometry::kCrossingReach + 1));
+  EXPECT_LE(most, 2u * (2 * kCrossingReach + 1));
   EXPECT_GT(all, 0u);
 }
 

@@ -1,0 +1,176 @@
+#include "core/geometry/cell_codes.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace loomlight {
+namespace {
+
+/// In order.
+std::vector<int> divisorsOf(int n) {
+  std::vector<int> divisors;
+  for (int d = 1; d * d <= n; ++d) {
+    if (n % d != 0) continue;
+    divisors.push_back(d);
+    if (d * d < n) divisors.push_back(n / d);
+  }
+  std::sort(divisors.begin(), divisors.end());
+  return divisors;
+}
+
+/// Smallest p that divides n with same(i, i + p) for all i.
+template <class Same>
+int smallestPeriod(int n, Same&& same) {
+  for (const int p : divisorsOf(n)) {
+    int i = 0;
+    while (i + p < n && same(i, i + p)) ++i;
+    if (i + p >= n) return p;
+  }
+  return n;
+}
+
+bool sameRow(std::span<const uint8_t> a, std::span<const uint8_t> b) {
+  return a.data() == b.data() || std::equal(a.begin(), a.end(), b.begin());
+}
+
+/// Smallest p that divides the ends, with which every pick repeats.
+int smallestPeriodOfEnds(const Weave& weave) {
+  // The periods of a pick that divide n are the multiples of its smallest, so each pick goes on from the one before.
+  const std::vector<int> divisors = divisorsOf(weave.ends());
+  auto period = divisors.begin();
+  for (int pick = 0; pick < weave.picks() && *period < weave.ends(); ++pick) {
+    const auto row = weave.row(pick);
+    const int step = *period;
+    while (*period % step != 0 || !sameRow(row.subspan(static_cast<size_t>(*period)), row.first(row.size() - *period)))
+      ++period;
+  }
+  return *period;
+}
+
+int leastCommonMultiple(int a, int b) {
+  const int64_t multiple = std::lcm(static_cast<int64_t>(a), static_cast<int64_t>(b));
+  return static_cast<int>(std::min<int64_t>(multiple, std::numeric_limits<int>::max()));
+}
+
+// What one node of a path comes from: distance to the end of the float in 2 bits, the side in 1, the class crossed in
+// the 6 that 64 yarns need. A cell's shape code has its own class above those of its three nodes.
+constexpr int kFloatBits = 3, kOverBit = 4, kNodeBits = kFloatBits + 6;
+static_assert(kMaxFloatDistance < kOverBit);
+
+// The sides at the crossings within a float's reach of the three nodes of a cell, one bit each, tell how the yarn
+// floats at each node: a table, because there is one look-up for every crossing of a jacquard.
+constexpr int kReach = kCrossingReach, kSidesSeen = 2 * kReach + 1;
+
+constexpr std::array<uint32_t, 1 << kSidesSeen> makeFloatCodes() {
+  std::array<uint32_t, 1 << kSidesSeen> codes{};
+  for (unsigned sides = 0; sides < codes.size(); ++sides) {
+    const auto over = [sides](int i) { return (sides >> i & 1u) != 0; };
+    for (int node = 0; node < 3; ++node) {
+      const int i = kReach - 1 + node;
+      int distance = 0;
+      while (distance < kMaxFloatDistance && over(i - distance - 1) == over(i) && over(i + distance + 1) == over(i))
+        ++distance;
+      codes[sides] = codes[sides] << kNodeBits | static_cast<uint32_t>((over(i) ? kOverBit : 0) | distance);
+    }
+  }
+  return codes;
+}
+constexpr auto kFloatCodes = makeFloatCodes();
+
+}  // namespace
+
+std::vector<int> shortestRepeat(std::vector<int> list) {
+  const auto same = [&](int a, int b) { return list[a] == list[b]; };
+  list.resize(static_cast<size_t>(smallestPeriod(static_cast<int>(list.size()), same)));
+  return list;
+}
+
+CellCodes::CellCodes(const Weave& weave, std::array<std::vector<int>, 2> classes)
+    : weave_(weave), classes_(std::move(classes)) {
+  const int weavePicks =
+      smallestPeriod(weave_.picks(), [&](int a, int b) { return sameRow(weave_.row(a), weave_.row(b)); });
+  const int weaveEnds = smallestPeriodOfEnds(weave_);
+  repeatEnds_ = leastCommonMultiple(weaveEnds, static_cast<int>(classes_[0].size()));
+  repeatPicks_ = leastCommonMultiple(weavePicks, static_cast<int>(classes_[1].size()));
+}
+
+int CellCodes::geometryClass(System system, int index) const {
+  const std::vector<int>& all = classes(system);
+  return all[wrap(index, static_cast<int>(all.size()))];
+}
+
+/// warpOver(i): of the crossing at i along the yarn, 0 <= i < as many as the weave has.
+template <class WarpOver>
+void CellCodes::readOf(System system, int across, int along, const WarpOver& warpOver,
+                       std::span<ShapeCode> codes) const {
+  const bool warp = system == System::warp;
+  const int alongCount = warp ? weave_.picks() : weave_.ends();
+  const std::vector<int>& others = classes(warp ? System::weft : System::warp);
+  const ShapeCode own = static_cast<ShapeCode>(geometryClass(system, across)) << (3 * kNodeBits);
+
+  // Both slide along the yarn: the sides of the crossings in reach, and the classes of the three yarns that are
+  // crossed.
+  int ahead = wrap(along - kReach, alongCount);
+  unsigned sides = 0;
+  const auto see = [&] {
+    const bool over = warpOver(ahead) == warp;
+    sides = sides >> 1 | static_cast<unsigned>(over) << (kSidesSeen - 1);
+    if (++ahead == alongCount) ahead = 0;
+  };
+  for (int i = 0; i < kSidesSeen - 1; ++i) see();
+  auto other = static_cast<size_t>(wrap(along - 1, static_cast<int>(others.size())));
+  ShapeCode crossed = 0;
+  const auto cross = [&] {
+    crossed = (crossed << kNodeBits | static_cast<ShapeCode>(others[other]) << kFloatBits) &
+              ((ShapeCode{1} << (3 * kNodeBits)) - 1);
+    if (++other == others.size()) other = 0;
+  };
+  cross();
+  cross();
+  for (ShapeCode& code : codes) {
+    see();
+    cross();
+    code = own | crossed | kFloatCodes[sides];
+  }
+}
+
+void CellCodes::read(System system, int across, int along, std::span<const uint8_t> crossings,
+                     std::span<ShapeCode> codes) const {
+  const uint8_t* const sides = crossings.data();
+  readOf(system, across, along, [sides](int i) { return sides[i] != 0; }, codes);
+}
+
+void CellCodes::read(System system, int across, int along, std::span<ShapeCode> codes) const {
+  if (system == System::weft) {
+    read(system, across, along, weave_.row(wrap(across, weave_.picks())), codes);
+  } else {
+    const int end = wrap(across, weave_.ends());
+    readOf(system, across, along, [this, end](int pick) { return weave_.at(pick, end); }, codes);
+  }
+}
+
+CellShape shapeOf(ShapeCode code) {
+  const auto nodeAt = [code](int place) {
+    const int bits = static_cast<int>(code >> (place * kNodeBits)) & ((1 << kNodeBits) - 1);
+    return CellShape::Node{bits >> kFloatBits, (bits & kOverBit) != 0, bits & (kOverBit - 1)};
+  };
+  return {static_cast<int>(code >> (3 * kNodeBits)), nodeAt(2), nodeAt(1), nodeAt(0)};
+}
+
+ShapeCode renamed(System system, ShapeCode code, const ClassNames& names) {
+  const auto own = static_cast<size_t>(system), crossed = 1 - own;
+  const auto name = [](const std::vector<int>& of, ShapeCode number) {
+    return static_cast<ShapeCode>(of[static_cast<size_t>(number)]);
+  };
+  ShapeCode result = name(names[own], code >> (3 * kNodeBits)) << (3 * kNodeBits);
+  for (int place = 0; place < 3; ++place) {
+    const ShapeCode node = code >> (place * kNodeBits) & ((1 << kNodeBits) - 1);
+    const ShapeCode floating = node & ((1 << kFloatBits) - 1);
+    result |= (name(names[crossed], node >> kFloatBits) << kFloatBits | floating) << (place * kNodeBits);
+  }
+  return result;
+}
+
+}  // namespace loomlight

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/fabric/model/fabric.h"
+#include "core/geometry/crossing.h"
+
+namespace loomlight {
+
+/// What a yarn does in one crossing cell, as a number: its class, and of the nodes before, in and after the cell the
+/// class that is crossed, on which side, and how far from the end of its float. Cells of one code have one key, up to
+/// the phase.
+using ShapeCode = uint64_t;
+
+/// The same, taken apart.
+struct CellShape {
+  struct Node {
+    int crossed = 0;  ///< geometry class
+    bool over = false;
+    int floatDistance = 0;
+  };
+  int own = 0;  ///< geometry class
+  Node previous, here, next;
+};
+CellShape shapeOf(ShapeCode code);
+
+/// Whose geometry classes are whose: [system][class of another cloth] is the class here, -1 of those that the cloth
+/// does not use.
+using ClassNames = std::array<std::vector<int>, 2>;
+/// What a code of the other cloth is here.
+ShapeCode renamed(System system, ShapeCode code, const ClassNames& names);
+
+/// A changed crossing changes the codes of cells that are so far away along its two yarns, and no others.
+inline constexpr int kCrossingReach = kMaxFloatDistance + 1;
+
+/// Reads the codes of a cloth's cells from its weave and the order of its yarns' classes. The cloth goes on beyond its
+/// edges as its repeat does.
+class CellCodes {
+ public:
+  /// `classes`: by system, those of ends and picks in their shortest repeat.
+  CellCodes(const Weave& weave, std::array<std::vector<int>, 2> classes);
+
+  const Weave& weave() const { return weave_; }
+  const std::vector<int>& classes(System system) const { return classes_[static_cast<size_t>(system)]; }
+  int geometryClass(System system, int index) const;  ///< of the yarn of an end or a pick; any integer
+  /// Smallest periods, in crossings, after which the codes repeat.
+  int repeatEnds() const { return repeatEnds_; }
+  int repeatPicks() const { return repeatPicks_; }
+
+  /// Those of codes.size() cells in a row along a yarn, from cell `along` on; much cheaper than one by one.
+  void read(System system, int across, int along, std::span<ShapeCode> codes) const;
+  /// The same, cheaper still for many cells of an end, whose crossings lie apart in the weave: `crossings` are those
+  /// along the yarn over the weave's repeat, as in Weave::row() and Weave::columns().
+  void read(System system, int across, int along, std::span<const uint8_t> crossings, std::span<ShapeCode> codes) const;
+
+ private:
+  template <class WarpOver>
+  void readOf(System system, int across, int along, const WarpOver& warpOver, std::span<ShapeCode> codes) const;
+
+  Weave weave_;
+  std::array<std::vector<int>, 2> classes_;
+  int repeatEnds_ = 1, repeatPicks_ = 1;
+};
+
+/// The shortest part that a list is repeats of.
+std::vector<int> shortestRepeat(std::vector<int> list);
+/// i counted from the nearest multiple of n below: 0 <= wrap(i, n) < n.
+inline int wrap(int i, int n) {
+  const int r = i % n;
+  return r < 0 ? r + n : r;
+}
+
+}  // namespace loomlight

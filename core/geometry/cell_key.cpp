@@ -1,0 +1,19 @@
+#include "core/geometry/cell_key.h"
+
+#include "core/base/hash.h"
+
+namespace loomlight {
+
+uint64_t hash(const CellKey& key) {
+  uint64_t h = hashCombine(0, static_cast<int>(key.system));
+  h = hashCombine(h, key.yarn);
+  h = hashCombine(h, key.phase);
+  for (const PathNode* node : {&key.previous, &key.here, &key.next}) {
+    h = hashCombine(h, node->height_mm);
+    h = hashCombine(h, node->radius_mm);
+    h = hashCombine(h, node->flat_mm);
+  }
+  return h;
+}
+
+}  // namespace loomlight

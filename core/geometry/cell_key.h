@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/fabric/model/fabric.h"
+#include "core/geometry/yarn_path.h"
+
+namespace loomlight {
+
+/// All that the fibres of one yarn in one crossing cell depend on, and nothing more: equal keys have equal fibres,
+/// voxel for voxel. Colour and optics are not in it.
+struct CellKey {
+  System system = System::warp;
+  int yarn = 0;   ///< geometry class of the yarn: equal for yarns that differ only in colour
+  int phase = 0;  ///< where in the yarn's own period this cell lies, 0 <= phase < YarnGeometry::period
+  PathNode previous, here, next;
+  bool operator==(const CellKey&) const = default;
+};
+uint64_t hash(const CellKey& key);
+
+}  // namespace loomlight

@@ -1,0 +1,216 @@
+#include "core/geometry/yarn_table.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "core/base/hash.h"
+#include "core/fabric/model/yarn_count.h"
+
+namespace loomlight {
+YarnTable::YarnTable(const Fabric& fabric, const YarnTable* previous, bool sketched, const Task& task)
+    : warpPitch_mm_(fabric.warpPitch_mm()), weftPitch_mm_(fabric.weftPitch_mm()) {
+  resolve(fabric, previous, sketched, task);
+  findThickness();
+}
+
+void YarnTable::resolve(const Fabric& fabric, const YarnTable* previous, bool sketched, const Task& task) {
+  const std::vector<int> classOf = geometryClasses(fabric);
+  classCount_ = *std::max_element(classOf.begin(), classOf.end()) + 1;
+  std::vector<const Yarn*> yarnOf(classCount_);
+  for (size_t i = classOf.size(); i-- > 0;) yarnOf[classOf[i]] = &fabric.yarns[i];
+
+  // Outlines first: a yarn's path depends on the outlines of those it crosses.
+  std::array<std::vector<YarnGeometry>, 2> outlines;
+  for (const System system : {System::warp, System::weft}) {
+    SystemYarns& of = systems_[static_cast<size_t>(system)];
+    of.sequence = system == System::warp ? fabric.warpSequence : fabric.weftSequence;
+    for (const int index : of.sequence) of.classes.push_back(classOf[index]);
+    of.classes = shortestRepeat(std::move(of.classes));  // colours alone repeat more slowly
+    of.models.resize(classCount_);
+    const double pitch = system == System::warp ? weftPitch_mm_ : warpPitch_mm_;
+    const double crossPitch = system == System::warp ? warpPitch_mm_ : weftPitch_mm_;
+    for (const Yarn* yarn : yarnOf) {
+      YarnGeometry& outline = outlines[static_cast<size_t>(system)].emplace_back(
+          outlineYarn(*yarn, meanFibre(*yarn, fabric.fibres), pitch, crossPitch));
+      outline.seed = mixBits(static_cast<uint64_t>(system));
+    }
+  }
+  for (const YarnGeometry& warp : outlines[0])
+    for (const YarnGeometry& weft : outlines[1]) crossings_.push_back(cross(warp, weft));
+
+  for (const System system : {System::warp, System::weft}) {
+    SystemYarns& mine = systems_[static_cast<size_t>(system)];
+    const std::vector<int>& others = systems_[1 - static_cast<size_t>(system)].classes;
+    for (const int own : mine.classes) {
+      if (mine.models[own]) continue;
+      YarnGeometry outline = outlines[static_cast<size_t>(system)][own];
+      double interlaced = 0;
+      for (const int other : others) {
+        const PathNode over = node(system, own, {other, true, 0}), under = node(system, own, {other, false, 0});
+        interlaced += Transition(over, under, outline.pitch_mm).length_mm() / static_cast<double>(others.size());
+      }
+      const Yarn& yarn = *yarnOf[own];
+      resolveTwist(outline, yarn, 0.5 * (outline.pitch_mm + interlaced));
+      YarnSource source = sourceOf(outline, yarn, meanFibre(yarn, fabric.fibres));
+      if (previous)
+        for (const auto& model : previous->of(system).models)
+          if (model && model->source == source) mine.models[own] = model;
+      if (mine.models[own]) continue;
+      source.sketched = (sketched || task.stopped()) && isWorthSketching(source);
+      mine.models[own] = makeYarnModel(source, task);
+    }
+  }
+}
+
+bool YarnTable::isSketched() const {
+  for (const SystemYarns& system : systems_)
+    for (const auto& yarn : system.models)
+      if (yarn && yarn->source.sketched) return true;
+  return false;
+}
+
+void YarnTable::findThickness() {
+  for (const System system : {System::warp, System::weft}) {
+    const System otherSystem = system == System::warp ? System::weft : System::warp;
+    for (int own = 0; own < classCount_; ++own)
+      for (int other = 0; other < classCount_; ++other) {
+        if (!of(system).models[own] || !of(otherSystem).models[other]) continue;
+        const double crown = node(system, own, {other, true, kMaxFloatDistance}).height_mm;
+        halfThickness_mm_ = std::max(halfThickness_mm_, crown + of(system).models[own]->reachUp_mm());
+      }
+  }
+}
+
+double YarnTable::minYarnDiameter_mm() const {
+  double least = std::numeric_limits<double>::max();
+  for (const SystemYarns& system : systems_)
+    for (const int own : system.classes) least = std::min(least, system.models[own]->geometry.diameter_mm());
+  return least;
+}
+
+double YarnTable::minFibreRadius_mm() const {
+  double least = std::numeric_limits<double>::max();
+  for (const SystemYarns& system : systems_)
+    for (const int own : system.classes) least = std::min(least, system.models[own]->geometry.fibreRadius_mm);
+  return least;
+}
+
+const YarnModel& YarnTable::model(System system, int geometryClass) const {
+  assert(of(system).models[geometryClass]);
+  return *of(system).models[geometryClass];
+}
+
+int YarnTable::yarnIndex(System system, int index) const {
+  const std::vector<int>& sequence = of(system).sequence;
+  return sequence[wrap(index, static_cast<int>(sequence.size()))];
+}
+
+PathNode YarnTable::node(System system, int own, const CellShape::Node& at) const {
+  const bool warp = system == System::warp;
+  const Crossing& c =
+      crossings_[static_cast<size_t>(warp ? own : at.crossed) * classCount_ + (warp ? at.crossed : own)];
+  const double rise = at.floatDistance > 0 ? floatRise_mm(model(system, own).geometry, at.floatDistance) : 0.0;
+  const double height = (warp ? c.warpHeight_mm : c.weftHeight_mm) + rise;
+  return {static_cast<float>(at.over ? height : -height), static_cast<float>(warp ? c.warpRadius_mm : c.weftRadius_mm),
+          static_cast<float>(warp ? c.warpFlat_mm : c.weftFlat_mm)};
+}
+
+CellKey YarnTable::shapeKey(System system, const CellShape& shape) const {
+  const auto nodeAt = [&](const CellShape::Node& at) { return node(system, shape.own, at); };
+  return {system, shape.own, 0, nodeAt(shape.previous), nodeAt(shape.here), nodeAt(shape.next)};
+}
+
+int YarnTable::phase(System system, int geometryClass, int across, int along) const {
+  const YarnGeometry& g = model(system, geometryClass).geometry;
+  const int start = static_cast<int>(mixBits(g.seed ^ static_cast<uint32_t>(across)) % static_cast<uint64_t>(g.period));
+  return (wrap(along, g.period) + start) % g.period;
+}
+
+bool YarnTable::sameShapes(const YarnTable& other) const {
+  const auto sameModel = [](const std::shared_ptr<const YarnModel>& a, const std::shared_ptr<const YarnModel>& b) {
+    return a == b || (a && b && a->geometry == b->geometry);
+  };
+  const auto sameSystem = [&](const SystemYarns& a, const SystemYarns& b) {
+    return a.classes == b.classes &&
+           std::equal(a.models.begin(), a.models.end(), b.models.begin(), b.models.end(), sameModel);
+  };
+  return sameSystem(systems_[0], other.systems_[0]) && sameSystem(systems_[1], other.systems_[1]) &&
+         warpPitch_mm_ == other.warpPitch_mm_ && weftPitch_mm_ == other.weftPitch_mm_ && sameNodes(other);
+}
+
+std::optional<ClassNames> YarnTable::namesOfClasses(const YarnTable& other) const {
+  ClassNames names;
+  std::array<std::vector<int>, 2> here, there;  // the classes in use, pair by pair
+  for (size_t system = 0; system < 2; ++system) {
+    const std::vector<int>&mine = systems_[system].classes, &others = other.systems_[system].classes;
+    if (mine.size() != others.size()) return std::nullopt;
+    names[system].assign(static_cast<size_t>(other.classCount_), -1);
+    std::vector<int> back(static_cast<size_t>(classCount_), -1);
+    for (size_t i = 0; i < mine.size(); ++i) {
+      int &name = names[system][others[i]], &former = back[mine[i]];
+      if (name < 0 && former < 0) {
+        here[system].push_back(name = mine[i]);
+        there[system].push_back(former = others[i]);
+      }
+      if (name != mine[i] || former != others[i]) return std::nullopt;
+    }
+  }
+  for (const System system : {System::warp, System::weft}) {
+    const auto own = static_cast<size_t>(system), crossed = 1 - own;
+    for (size_t i = 0; i < here[own].size(); ++i)
+      if (nodeGroups(system, here[own][i], here[crossed]) != other.nodeGroups(system, there[own][i], there[crossed]))
+        return std::nullopt;
+  }
+  return names;
+}
+
+/// Of all nodes that a yarn's path may have, crossing these classes on either side: the number of the first equal one.
+std::vector<int> YarnTable::nodeGroups(System system, int own, const std::vector<int>& crossed) const {
+  std::map<std::array<float, 3>, int> first;
+  std::vector<int> groups;
+  for (const int other : crossed)
+    for (const bool over : {true, false})
+      for (int distance = 0; distance <= kMaxFloatDistance; ++distance) {
+        const PathNode n = node(system, own, {other, over, distance});
+        const auto number = static_cast<int>(groups.size());
+        groups.push_back(first.try_emplace({n.height_mm, n.radius_mm, n.flat_mm}, number).first->second);
+      }
+  return groups;
+}
+
+/// Whether all paths have the same nodes: crossings differ by more digits than nodes keep. The yarns must be the same.
+bool YarnTable::sameNodes(const YarnTable& other) const {
+  if (crossings_ == other.crossings_) return true;
+  for (const System system : {System::warp, System::weft}) {
+    const auto& crossedYarns = of(system == System::warp ? System::weft : System::warp).models;
+    for (int own = 0; own < classCount_; ++own)
+      for (int crossed = 0; crossed < classCount_; ++crossed) {
+        if (!of(system).models[own] || !crossedYarns[crossed]) continue;
+        for (int distance = 0; distance <= kMaxFloatDistance; ++distance)
+          if (!(node(system, own, {crossed, true, distance}) == other.node(system, own, {crossed, true, distance})))
+            return false;
+      }
+  }
+  return true;
+}
+
+CellStrands YarnTable::strands(const CellKey& key) const {
+  const YarnModel& yarn = model(key.system, key.yarn);
+  const YarnGeometry& g = yarn.geometry;
+  CellStrands cell = layStrands(yarn, key.previous, key.here, key.next, key.phase, g.pitch_mm);
+  const double straight = yarn.straightLength_mm[key.phase] * axisLength_mm(key) / g.cellLength_mm;
+  cell.fibreRadius_mm = static_cast<float>(g.fibreRadius_mm * std::sqrt(straight / cell.length_mm()));
+  return cell;
+}
+
+double YarnTable::axisLength_mm(const CellKey& key) const {
+  const double pitch = model(key.system, key.yarn).geometry.pitch_mm;
+  const Transition before(key.previous, key.here, pitch), after(key.here, key.next, pitch);
+  return before.length_mm() - before.lengthTo(0.5 * pitch) + after.lengthTo(0.5 * pitch);
+}
+
+}  // namespace loomlight

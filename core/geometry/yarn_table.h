@@ -1,0 +1,75 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/base/task.h"
+#include "core/fabric/model/fabric.h"
+#include "core/geometry/cell_codes.h"
+#include "core/geometry/cell_key.h"
+#include "core/geometry/cell_strands.h"
+#include "core/geometry/crossing.h"
+#include "core/geometry/yarn_geometry.h"
+#include "core/geometry/yarn_model.h"
+
+namespace loomlight {
+
+/// The yarns of a cloth, and how each bends where it crosses any other: all of its shape that no weave changes.
+class YarnTable {
+ public:
+  /// As ClothGeometry.
+  YarnTable(const Fabric& fabric, const YarnTable* previous, bool sketched, const Task& task);
+  bool isSketched() const;  ///< any of the yarns
+
+  double warpPitch_mm() const { return warpPitch_mm_; }
+  double weftPitch_mm() const { return weftPitch_mm_; }
+  /// All fibres, hairs too, lie in |z| <= this.
+  double halfThickness_mm() const { return halfThickness_mm_; }
+  double minYarnDiameter_mm() const;  ///< of the yarns that the cloth uses
+  double minFibreRadius_mm() const;   ///< likewise
+
+  /// Index into Fabric::yarns of an end or a pick; any integer.
+  int yarnIndex(System system, int index) const;
+  /// Geometry classes of ends or picks, in their shortest repeat.
+  const std::vector<int>& classes(System system) const { return of(system).classes; }
+  /// Of a class that occurs in the system's sequence.
+  const YarnModel& model(System system, int geometryClass) const;
+
+  CellKey shapeKey(System system, const CellShape& shape) const;  ///< with phase 0
+  /// Where in its period a yarn is in a cell. It counts on along the yarn from a start that differs from yarn to yarn,
+  /// so that neighbours are not in step.
+  int phase(System system, int geometryClass, int across, int along) const;
+
+  /// The fibres of a cell. A pure function of the key (and of these yarns).
+  CellStrands strands(const CellKey& key) const;
+  /// Length of the yarn's axis in the cell, mm.
+  double axisLength_mm(const CellKey& key) const;
+
+  /// Whether cells of the same codes have the same fibres.
+  bool sameShapes(const YarnTable& other) const;
+  /// Where threads are of one class here just where they are in `other`, and cells of one shape likewise: whatever the
+  /// yarns have become, a map of the other's shapes is one of these. Nothing where they are not.
+  std::optional<ClassNames> namesOfClasses(const YarnTable& other) const;
+
+ private:
+  struct SystemYarns {
+    std::vector<std::shared_ptr<const YarnModel>> models;  ///< per geometry class; null where the system has none
+    std::vector<int> sequence;                             ///< Fabric::yarns index per end or pick
+    std::vector<int> classes;
+  };
+  const SystemYarns& of(System system) const { return systems_[static_cast<size_t>(system)]; }
+  PathNode node(System system, int own, const CellShape::Node& at) const;
+  bool sameNodes(const YarnTable& other) const;
+  std::vector<int> nodeGroups(System system, int own, const std::vector<int>& crossed) const;
+  void resolve(const Fabric& fabric, const YarnTable* previous, bool sketched, const Task& task);
+  void findThickness();
+
+  std::array<SystemYarns, 2> systems_;
+  std::vector<Crossing> crossings_;  ///< warp class * classCount + weft class
+  int classCount_ = 0;
+  double warpPitch_mm_ = 0, weftPitch_mm_ = 0, halfThickness_mm_ = 0;
+};
+
+}  // namespace loomlight
