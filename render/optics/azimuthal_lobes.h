@@ -8,7 +8,7 @@
 #include "core/base/units.h"
 #include "core/fabric/model/fabric.h"
 #include "render/optics/dielectric_cylinder.h"
-#include "render/optics/lanes.h"
+#include "render/optics/polynomials.h"
 
 namespace loomlight::optics {
 
@@ -24,11 +24,11 @@ class AzimuthalLobes {
   AzimuthalLobes(double roughness, FibreSection section, double index);
 
   /// Density over the azimuth of wi relative to wo for every mode; of its cosine and sine only the ratio counts.
-  Lanes density(const CylinderHit& hit, float cosine, float sine) const {
-    const Lanes c = cosine * hit.turnCosine - sine * hit.turnSine;
-    const Lanes s = cosine * hit.turnSine + sine * hit.turnCosine;
-    const Lanes decay = exponential(-angle(s, c) * inverseScale_);
-    const Lanes root = 1 + decay;
+  Float32x4 density(const CylinderHit& hit, float cosine, float sine) const {
+    const Float32x4 c = cosine * hit.turnCosine - sine * hit.turnSine;
+    const Float32x4 s = cosine * hit.turnSine + sine * hit.turnCosine;
+    const Float32x4 decay = exponential(-angle(s, c) * inverseScale_);
+    const Float32x4 root = 1 + decay;
     return norm_ * decay / (root * root);
   }
 
@@ -52,7 +52,7 @@ class AzimuthalLobes {
     float scale = 0;  ///< of the logistic, in units of pi; 0: uniform
     float reach = 0;  ///< twice the probability between the centre and pi before trimming
   };
-  Lanes inverseScale_{}, norm_{};
+  Float32x4 inverseScale_{}, norm_{};
   std::array<Inverse, 4> inverse_{};
 };
 

@@ -11,12 +11,12 @@ using namespace optics;
 
 namespace {
 
-std::array<float, FibreBcsdf::kLobes> toArray(Lanes lanes) {
+std::array<float, FibreBcsdf::kLobes> toArray(Float32x4 lanes) {
   return {lanes[0], lanes[1], lanes[2], lanes[3]};
 }
 
 /// Chooses R, TT, TRT or the residual. Sums of comparisons, since no processor can predict this branch.
-size_t chooseMode(Lanes share, float u) {
+size_t chooseMode(Float32x4 share, float u) {
   const float two = share[0] + share[1], three = two + share[2];
   // Rounding of the sums must not choose a residual that cannot be.
   return size_t{u >= share[0]} + size_t{u >= two} + size_t{u >= three && share[3] > 0};

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/glm.hpp>
 
-#include "render/optics/lanes.h"
+#include "render/optics/polynomials.h"
 
 namespace loomlight::optics {
 
@@ -14,11 +14,11 @@ namespace loomlight::optics {
 struct CylinderHit {
   float sineO, cosineO;  ///< inclination of wo to the plane across the fibre
   glm::vec2 azimuthO;    ///< unit; wo in that plane
-  Lanes share;           ///< probability of R, TT, TRT, residual; sums to one
+  Float32x4 share;       ///< probability of R, TT, TRT, residual; sums to one
   float inside;          ///< internal reflectance f
   float chord;           ///< length of one internal traverse, in radii
   /// Unit complex numbers e^(-i Phi_p), Phi_p = 2 p gamma_t - 2 gamma_o + p pi: the turn in azimuth of each mode.
-  Lanes turnCosine, turnSine;
+  Float32x4 turnCosine, turnSine;
 
   CylinderHit(glm::vec3 wo, float h, float index);
 };
@@ -49,15 +49,15 @@ inline CylinderHit::CylinderHit(glm::vec3 wo, float h, float index) {
   const float f = fresnel(cosineO * cosGammaO, e, index);
   const float entering = (1 - f) * (1 - f);
   inside = f;
-  share = Lanes{f, entering, entering * f, (1 - f) * f * f};
+  share = Float32x4{f, entering, entering * f, (1 - f) * f * f};
 
   // First e^(2 i gamma_o), then per traverse once more -e^(-2 i gamma_t).
   const float c0 = 1 - 2 * h * h, s0 = 2 * h * cosGammaO;
   const float ct = 2 * sinGammaT * sinGammaT - 1, st = 2 * sinGammaT * cosGammaT;
   const float c1 = c0 * ct - s0 * st, s1 = c0 * st + s0 * ct;
   const float c2 = c1 * ct - s1 * st, s2 = c1 * st + s1 * ct;
-  turnCosine = Lanes{c0, c1, c2, 1};
-  turnSine = Lanes{s0, s1, s2, 0};
+  turnCosine = Float32x4{c0, c1, c2, 1};
+  turnSine = Float32x4{s0, s1, s2, 0};
 }
 
 }  // namespace loomlight::optics

@@ -8,10 +8,10 @@ namespace loomlight::optics {
 namespace {
 
 /// Shares of the modes, averaged over the offset h, by the midpoint rule in its arcsine: periodic and smooth.
-Lanes meanShare(double cosine, double index) {
+Float32x4 meanShare(double cosine, double index) {
   constexpr int kPoints = 24;
   const glm::vec3 wo(std::sqrt(std::max(0.0, 1 - cosine * cosine)), cosine, 0.0);
-  Lanes sum{};
+  Float32x4 sum{};
   float weights = 0;
   for (int k = 0; k < kPoints; ++k) {
     const double gamma = 0.5 * kPi * (k + 0.5) / kPoints;
@@ -49,18 +49,18 @@ class Quadrature {
     const auto c = static_cast<float>(cosine), s = static_cast<float>(std::sqrt(1 - cosine * cosine));
     const auto inverse = static_cast<float>(1 / variance_);
     for (size_t k = 0; k < size_; k += 4) {
-      Lanes si{}, ci{}, root{};
+      Float32x4 si{}, ci{}, root{};
       for (size_t lane = 0; lane < 4; ++lane) {
         si[lane] = sine_[k + lane];
         ci[lane] = cosine_[k + lane];
         root[lane] = std::sqrt(c * ci[lane] * inverse);
       }
       const BesselI0 bessel = besselI0(root);
-      const auto side = [&](Lanes difference) {
-        const Lanes versine = 0.5f * (difference * difference + (c - ci) * (c - ci));
+      const auto side = [&](Float32x4 difference) {
+        const Float32x4 versine = 0.5f * (difference * difference + (c - ci) * (c - ci));
         return bessel.factor * exponential(-bessel.rest - versine * inverse);
       };
-      const Lanes both = side(s - si) + side(s + si);
+      const Float32x4 both = side(s - si) + side(s + si);
       for (size_t lane = 0; lane < 4; ++lane) result[k + lane] = weight_[k + lane] * static_cast<double>(both[lane]);
     }
   }

@@ -7,7 +7,7 @@
 
 #include "core/base/random.h"
 #include "core/base/units.h"
-#include "render/optics/lanes.h"
+#include "render/optics/polynomials.h"
 
 namespace loomlight::optics {
 
@@ -34,11 +34,13 @@ class LongitudinalLobes {
 
   /// Where wo lies, as every mode sees it: shifted by the tilt of the scales.
   struct Outgoing {
-    Lanes sine, cosine, root;
-    Lanes factor;  ///< a(o) / A(o)
+    Float32x4 sine, cosine, root;
+    Float32x4 factor;  ///< a(o) / A(o)
   };
   Outgoing outgoing(Inclination o) const {
-    if (!tilted_) return {spread(o.sine), spread(o.cosine), spread(o.root), lookUp(outgoing_, o)};
+    if (!tilted_)
+      return {broadcast<Float32x4>(o.sine), broadcast<Float32x4>(o.cosine), broadcast<Float32x4>(o.root),
+              lookUp(outgoing_, o)};
     Outgoing shifted;
     for (size_t mode = 0; mode < kModes; ++mode) {
       const float sine = o.sine * tilt_[mode].cosine + o.cosine * tilt_[mode].sine;
@@ -52,12 +54,12 @@ class LongitudinalLobes {
   }
 
   /// Density of i per radian and cos_i, for every mode.
-  Lanes density(const Outgoing& o, Inclination i) const {
+  Float32x4 density(const Outgoing& o, Inclination i) const {
     // 1 - cos(o + i) as half a squared distance: narrow lobes would not survive the difference.
-    const Lanes sines = o.sine + i.sine, cosines = o.cosine - i.cosine;
-    const Lanes versine = 0.5f * (sines * sines + cosines * cosines);
+    const Float32x4 sines = o.sine + i.sine, cosines = o.cosine - i.cosine;
+    const Float32x4 versine = 0.5f * (sines * sines + cosines * cosines);
     const BesselI0 bessel = besselI0(o.root * i.root * inverseDeviation_);
-    const Lanes decay = exponential(-bessel.rest - versine * inverseVariance_);
+    const Float32x4 decay = exponential(-bessel.rest - versine * inverseVariance_);
     return o.factor * lookUp(incoming_, i) * i.cosine * norm_ * bessel.factor * decay;
   }
 
@@ -77,7 +79,7 @@ class LongitudinalLobes {
   }
 
   /// Bytes of the tables.
-  size_t bytes() const { return (outgoing_.size() + incoming_.size()) * sizeof(Lanes); }
+  size_t bytes() const { return (outgoing_.size() + incoming_.size()) * sizeof(Float32x4); }
 
  private:
   static constexpr size_t kModes = 4;
@@ -89,7 +91,7 @@ class LongitudinalLobes {
   };
 
   /// Functions of the cosine: one row for each of kRows equal steps from 0 to 1, and one more to interpolate with.
-  using Table = std::vector<Lanes>;
+  using Table = std::vector<Float32x4>;
   struct Place {
     size_t row;
     float next;
@@ -98,7 +100,7 @@ class LongitudinalLobes {
     const float x = t.cosine * static_cast<float>(kRows);
     return {static_cast<size_t>(static_cast<int>(x)), x - std::floor(x)};
   }
-  static Lanes lookUp(const Table& table, Inclination t) {
+  static Float32x4 lookUp(const Table& table, Inclination t) {
     const Place p = place(t);
     return table[p.row] + p.next * (table[p.row + 1] - table[p.row]);
   }
@@ -110,7 +112,7 @@ class LongitudinalLobes {
 
   bool tilted_;
   std::array<SinCos, kModes> tilt_{};
-  Lanes inverseVariance_{}, inverseDeviation_{}, norm_{};
+  Float32x4 inverseVariance_{}, inverseDeviation_{}, norm_{};
   std::array<Inverse, kModes> inverse_{};
   Table outgoing_, incoming_;  ///< a / A, and a
 };

@@ -5,7 +5,7 @@
 
 #include "core/base/units.h"
 #include "render/optics/bcsdf.h"
-#include "render/optics/lanes.h"
+#include "render/optics/polynomials.h"
 
 namespace loomlight {
 
@@ -25,7 +25,7 @@ namespace path_light_detail {
 /// exp(-x), x >= 0. The one exponential by which paths get their colour: traced and recoloured pictures are equal
 /// because it is.
 inline Rgb attenuation(Rgb x) {
-  const optics::Lanes e = optics::exponential(optics::Lanes{-x.r, -x.g, -x.b, 0});
+  const Float32x4 e = optics::exponential(Float32x4{-x.r, -x.g, -x.b, 0});
   return {e[0], e[1], e[2]};
 }
 

@@ -12,18 +12,18 @@ ComponentEncoder::ComponentEncoder() {
 
 void ComponentEncoder::encodeBatch() {
   const int count = std::exchange(inBatch_, 0);
-  for (int i = count; i % kWide != 0; ++i) {  // places that are not used may hold anything that is harmless
+  for (int i = count; i % kLanes<Float32x8> != 0; ++i) {  // places that are not used may hold anything that is harmless
     batch_[i] = batch_[0];
     volumes_mm3_[i] = volumes_mm3_[0];
   }
   FittedBatch fitted;
   fitDistributions(batch_, count, fitted);
   std::array<Component, kFitBatch> components;
-  for (int i = 0; i < count; i += kWide) {
-    std::array<DistributionLanes, 2>& eight = fitted[i / kWide];
+  for (int i = 0; i < count; i += kLanes<Float32x8>) {
+    std::array<DistributionLanes, 2>& eight = fitted[i / kLanes<Float32x8>];
     for (int half = 0; half < 2; ++half) {
-      const double* volumes = &volumes_mm3_[i + half * kLanes];
-      eight[half].lengthDensity /= Lanes{volumes[0], volumes[1], volumes[2], volumes[3]};
+      const double* volumes = &volumes_mm3_[i + half * kLanes<Float64x4>];
+      eight[half].lengthDensity /= Float64x4{volumes[0], volumes[1], volumes[2], volumes[3]};
     }
     Component::encode(eight, &components[i]);
   }

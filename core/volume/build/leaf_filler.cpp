@@ -19,15 +19,15 @@ class SectionOffsets {
     for (int i = 0; i < kCount; ++i) {
       const int shuffled = i * kStride % kCount;
       const double z = 1 - (2 * shuffled + 1.0) / kCount, radius = std::sqrt(1 - z * z), angle = kGolden * shuffled;
-      offsets_[i] = FloatLanes{static_cast<float>(radius * std::cos(angle)),
-                               static_cast<float>(radius * std::sin(angle)), static_cast<float>(z), 0};
+      offsets_[i] = Float32x4{static_cast<float>(radius * std::cos(angle)),
+                              static_cast<float>(radius * std::sin(angle)), static_cast<float>(z), 0};
     }
   }
-  FloatLanes operator[](size_t i) const { return offsets_[i % kCount]; }
+  Float32x4 operator[](size_t i) const { return offsets_[i % kCount]; }
 
  private:
   static constexpr int kCount = 64, kStride = 25;
-  std::array<FloatLanes, kCount> offsets_;
+  std::array<Float32x4, kCount> offsets_;
 };
 
 uint64_t when(size_t point, float share) {
@@ -51,14 +51,14 @@ void LeafFiller::fill(const CellStrands& strands, System system, const VoxelGrid
 void LeafFiller::reset(const CellStrands& strands, System system, const VoxelFrame& frame, const VoxelGrid& grid,
                        MomentLevel& leaves) {
   if (strands.points.empty()) return leaves.reset(grid);
-  const FloatLanes reach = FloatLanes{} + 1.1f * strands.fibreRadius_mm;
-  FloatLanes low = toCloth(strands.points[0], system), high = low;
+  const Float32x4 reach = Float32x4{} + 1.1f * strands.fibreRadius_mm;
+  Float32x4 low = toCloth(strands.points[0], system), high = low;
   for (const glm::vec3& p : strands.points) {
-    const FloatLanes point = toCloth(p, system);
+    const Float32x4 point = toCloth(p, system);
     low = least(low, point - reach);
     high = most(high, point + reach);
   }
-  const IntLanes a = VoxelFrame::voxelOf(frame(low)), b = VoxelFrame::voxelOf(frame(high));
+  const Int32x4 a = VoxelFrame::voxelOf(frame(low)), b = VoxelFrame::voxelOf(frame(high));
   leaves.reset(grid, frame.first() + glm::ivec3(a[0], a[1], a[2]), frame.first() + glm::ivec3(b[0], b[1], b[2]));
   for (int axis = 0; axis < 3; ++axis) {
     offsets_[axis].clear();
@@ -78,21 +78,21 @@ void LeafFiller::measure(const CellStrands& strands, const CellStrands::Strand& 
   // that gives them the second moment of the section, r^2 / 4 across each way. The points of a line lie on a sphere, so
   // a third of that is along the fibre, and what lies between two points is nearer to the axis by another third.
   static const SectionOffsets offsets;
-  const FloatLanes radius = FloatLanes{} + std::sqrt(9.0f / 8.0f) * strands.fibreRadius_mm * side;
-  const auto about = [&](FloatLanes axis, size_t i) { return frame(axis + radius * offsets[strand.first + i]); };
-  FloatLanes end = toCloth(source[0], system), at = about(end, 0);
-  IntLanes voxel = VoxelFrame::voxelOf(at), crossings{};
+  const Float32x4 radius = Float32x4{} + std::sqrt(9.0f / 8.0f) * strands.fibreRadius_mm * side;
+  const auto about = [&](Float32x4 axis, size_t i) { return frame(axis + radius * offsets[strand.first + i]); };
+  Float32x4 end = toCloth(source[0], system), at = about(end, 0);
+  Int32x4 voxel = VoxelFrame::voxelOf(at), crossings{};
   FibreMoments sum;
-  points[0] = {at, FloatLanes{}, voxel};
+  points[0] = {at, Float32x4{}, voxel};
   sums[0] = sum;
   for (size_t i = 1; i < count; ++i) {
-    const FloatLanes start = std::exchange(end, toCloth(source[i], system)), from = std::exchange(at, about(end, i));
-    const Lanes along = __builtin_convertvector(end, Lanes) - __builtin_convertvector(start, Lanes);
+    const Float32x4 start = std::exchange(end, toCloth(source[i], system)), from = std::exchange(at, about(end, i));
+    const Float64x4 along = __builtin_convertvector(end, Float64x4) - __builtin_convertvector(start, Float64x4);
     sum.add(FibreMoments::ofSegment(along), 0.5);
-    const IntLanes left = std::exchange(voxel, VoxelFrame::voxelOf(at));
-    const IntLanes upwards = voxel > left;  // -1 where it is so
-    const FloatLanes face = __builtin_convertvector(left - upwards, FloatLanes);
-    points[i] = {at, least(most((face - from) / (at - from), FloatLanes{}), FloatLanes{} + 1), voxel};
+    const Int32x4 left = std::exchange(voxel, VoxelFrame::voxelOf(at));
+    const Int32x4 upwards = voxel > left;  // -1 where it is so
+    const Float32x4 face = __builtin_convertvector(left - upwards, Float32x4);
+    points[i] = {at, least(most((face - from) / (at - from), Float32x4{}), Float32x4{} + 1), voxel};
     sums[i] = sum;
     crossings += magnitude(voxel - left);
   }
@@ -126,17 +126,17 @@ void LeafFiller::findCrossings(int axis) {
 
 void LeafFiller::follow(const CellStrands::Strand& strand, MomentLevel& leaves) const {
   const Crossing *x = crossings_[0].data(), *y = crossings_[1].data(), *z = crossings_[2].data();
-  const IntLanes first = points_[0].voxel;
+  const Int32x4 first = points_[0].voxel;
   int32_t ox = offsets_[0][first[0]], oy = offsets_[1][first[1]], oz = offsets_[2][first[2]];
   const FibreMoments* const sums = sums_.data();
-  Lanes squares{}, others{};  // of the strand up to where it came into the voxel
+  Float64x4 squares{}, others{};  // of the strand up to where it came into the voxel
   for (int left = crossingCounts_[0] + crossingCounts_[1] + crossingCounts_[2]; left > 0; --left) {
     FibreMoments& here = leaves.at(ox + oy + oz, strand.ply);
     const uint64_t next = std::min(x->when, std::min(y->when, z->when));
     const FibreMoments &to = sums[next >> 32], &from = *(&to - 1);
     const double share = std::bit_cast<float>(static_cast<uint32_t>(next));
-    const Lanes nowSquares = from.squares + share * (to.squares - from.squares);
-    const Lanes nowOthers = from.others + share * (to.others - from.others);
+    const Float64x4 nowSquares = from.squares + share * (to.squares - from.squares);
+    const Float64x4 nowOthers = from.others + share * (to.others - from.others);
     here.squares += nowSquares - squares;
     here.others += nowOthers - others;
     squares = nowSquares;

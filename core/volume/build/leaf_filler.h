@@ -20,9 +20,9 @@ class LeafFiller {
  private:
   /// What is found at a point of a strand.
   struct Point {
-    FloatLanes at;         ///< in the frame of voxels
-    FloatLanes firstFace;  ///< where the segment to it first meets a face across an axis, 0..1
-    IntLanes voxel;
+    Float32x4 at;         ///< in the frame of voxels
+    Float32x4 firstFace;  ///< where the segment to it first meets a face across an axis, 0..1
+    Int32x4 voxel;
   };
   /// A strand comes to another voxel.
   struct Crossing {
@@ -42,7 +42,7 @@ class LeafFiller {
   // Of one strand:
   std::vector<Point> points_;
   std::vector<FibreMoments> sums_;  ///< up to each point
-  IntLanes crossingCounts_{};       ///< by axis
+  Int32x4 crossingCounts_{};        ///< by axis
   std::array<std::vector<Crossing>, 3> crossings_;
 };
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/base/simd.h"
 #include "core/base/units.h"
-#include "core/volume/pool/lanes.h"
 
 namespace loomlight {
 
@@ -20,8 +20,8 @@ struct FibreDistribution {
 
 /// Four of them side by side.
 struct DistributionLanes {
-  Lanes x, y, z;  ///< direction
-  Lanes spread, lengthDensity;
+  Float64x4 x, y, z;  ///< direction
+  Float64x4 spread, lengthDensity;
 };
 
 /// A FibreDistribution in 6 bytes: direction 2 x 12 bits and spread 8, from the low bits up; length density 16.
@@ -55,8 +55,8 @@ class Component {
 
   uint32_t directionAndSpread() const { return low_ | static_cast<uint32_t>(high_) << 16; }
   static glm::vec3 decodeDirection(uint32_t bits);
-  static WideInts encodeDirections(const std::array<DistributionLanes, 2>& distributions);
-  static IntLanes encodeDensity(Lanes lengthDensity);
+  static Int32x8 encodeDirections(const std::array<DistributionLanes, 2>& distributions);
+  static Int32x4 encodeDensity(Float64x4 lengthDensity);
 
   uint16_t low_ = 0, high_ = 0;  ///< of direction and spread; apart, so that components lie 6 bytes apart
   uint16_t density_ = 0;

@@ -85,7 +85,7 @@ double TangentSpread::meanSquareSine(double spread) {
   return overAngle(spread, 400, [](double theta) { return std::sin(theta) * std::sin(theta); });
 }
 
-Lanes TangentSpread::spreadsFromMeanSquareSines(Lanes meanSquares) {
+Float64x4 TangentSpread::spreadsFromMeanSquareSines(Float64x4 meanSquares) {
   // Spread over root-mean-square sine, which is nearly linear: s = rms / sqrt(2) for small s.
   static constexpr int kSamples = 256;
   struct Inverse {
@@ -103,12 +103,13 @@ Lanes TangentSpread::spreadsFromMeanSquareSines(Lanes meanSquares) {
     }
   };
   static const Inverse inverse;
-  const Lanes x = least(squareRoot(most(meanSquares, Lanes{})) * (kSamples / inverse.rmsOfOne), inAllLanes(kSamples));
-  const IntLanes i = truncated(least(x, inAllLanes(kSamples - 1)));
+  const Float64x4 x =
+      least(squareRoot(most(meanSquares, Float64x4{})) * (kSamples / inverse.rmsOfOne), broadcast<Float64x4>(kSamples));
+  const Int32x4 i = truncated(least(x, broadcast<Float64x4>(kSamples - 1)));
   const double* at = inverse.spread.data();
-  const Lanes low{at[i[0]], at[i[1]], at[i[2]], at[i[3]]};
-  const Lanes high{at[i[0] + 1], at[i[1] + 1], at[i[2] + 1], at[i[3] + 1]};
-  return low + (x - toLanes(i)) * (high - low);
+  const Float64x4 low{at[i[0]], at[i[1]], at[i[2]], at[i[3]]};
+  const Float64x4 high{at[i[0] + 1], at[i[1] + 1], at[i[2] + 1], at[i[3] + 1]};
+  return low + (x - __builtin_convertvector(i, Float64x4)) * (high - low);
 }
 
 glm::vec3 sampleTangent(const FibreDistribution& distribution, float u1, float u2) {

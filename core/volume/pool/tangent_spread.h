@@ -34,9 +34,9 @@ class TangentSpread {
   static double meanSquareSine(double spread);
   /// The spread s whose Gaussian has this E[sin^2 angle(m, t)], 0..2/3 and clamped to s <= 1.
   static double spreadFromMeanSquareSine(double meanSquareSine) {
-    return spreadsFromMeanSquareSines(inAllLanes(meanSquareSine))[0];
+    return spreadsFromMeanSquareSines(broadcast<Float64x4>(meanSquareSine))[0];
   }
-  static Lanes spreadsFromMeanSquareSines(Lanes meanSquareSines);
+  static Float64x4 spreadsFromMeanSquareSines(Float64x4 meanSquareSines);
 
  private:
   TangentSpread();

@@ -6,36 +6,16 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/base/simd.h"
+
 namespace loomlight::optics {
 
-/// Four floats computed side by side, one for each mode of a fibre: R, TT, TRT, residual. GCC and Clang map the
-/// arithmetic to one SIMD register on every machine; comparisons give masks for the ?: operator.
-using Lanes = float __attribute__((vector_size(16)));
-using LaneMask = int __attribute__((vector_size(16)));
+// Elementary functions for the four modes of a fibre side by side: R, TT, TRT, residual.
 
-inline Lanes spread(float x) {
-  return Lanes{x, x, x, x};
-}
-inline Lanes least(Lanes a, Lanes b) {
-  return a < b ? a : b;
-}
-inline Lanes most(Lanes a, Lanes b) {
-  return a > b ? a : b;
-}
-inline Lanes magnitude(Lanes a) {
-  return most(a, -a);
-}
-inline Lanes squareRoot(Lanes a) {
-  return Lanes{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])};
-}
 /// Clamped to [-1, 1]; not-a-number becomes 1, so that bad directions cannot leave a table.
 inline float withinOne(float x) {
   return std::max(-1.0f, std::min(1.0f, x));
 }
-inline float sum(Lanes a) {
-  return (a[0] + a[1]) + (a[2] + a[3]);
-}
-
 /// c0 + c1 x + c2 x^2 + ..., by pairs (Estrin), so that few operations wait for another: the latency of these chains is
 /// what a path waits for. The polynomials below are Chebyshev interpolants of the functions named.
 template <class T, size_t N>
@@ -55,20 +35,20 @@ T polynomial(T x, C... c) {
 }
 
 /// e^x for x <= 0, relative error below 5e-6 (2e-7 for x > -1). Never below e^-40, which keeps products of two normal.
-inline Lanes exponential(Lanes x) {
-  const Lanes t = most(x, spread(-40.0f)) * 1.44269504f;
-  const LaneMask whole = __builtin_convertvector(t, LaneMask);  // towards zero, so that the rest is in (-1, 0]
-  const Lanes power = polynomial(t - __builtin_convertvector(whole, Lanes), 1.0f, 0.6931470452f, 0.2402243312f,
-                                 0.05549093212f, 0.009579859973f, 0.001275540135f, 0.0001093289239f);
-  return power * reinterpret_cast<Lanes>((whole + 127) << 23);
+inline Float32x4 exponential(Float32x4 x) {
+  const Float32x4 t = most(x, broadcast<Float32x4>(-40.0f)) * 1.44269504f;
+  const Int32x4 whole = __builtin_convertvector(t, Int32x4);  // towards zero, so that the rest is in (-1, 0]
+  const Float32x4 power = polynomial(t - __builtin_convertvector(whole, Float32x4), 1.0f, 0.6931470452f, 0.2402243312f,
+                                     0.05549093212f, 0.009579859973f, 0.001275540135f, 0.0001093289239f);
+  return power * reinterpret_cast<Float32x4>((whole + 127) << 23);
 }
 
 /// |atan2(sine, cosine)|, in [0, pi]; absolute error below 6e-7. The pair need not be normalised; (0, 0) gives 0.
-inline Lanes angle(Lanes sine, Lanes cosine) {
-  const Lanes s = magnitude(sine), c = magnitude(cosine);
-  const Lanes ratio = least(s, c) / most(most(s, c), spread(1e-30f));
-  Lanes a = ratio * polynomial(ratio * ratio, 0.999999882f, -0.333318127f, 0.199669618f, -0.140032902f, 0.0986886546f,
-                               -0.0588297531f, 0.0237805186f, -0.00455979199f);
+inline Float32x4 angle(Float32x4 sine, Float32x4 cosine) {
+  const Float32x4 s = magnitude(sine), c = magnitude(cosine);
+  const Float32x4 ratio = least(s, c) / most(most(s, c), broadcast<Float32x4>(1e-30f));
+  Float32x4 a = ratio * polynomial(ratio * ratio, 0.999999882f, -0.333318127f, 0.199669618f, -0.140032902f,
+                                   0.0986886546f, -0.0588297531f, 0.0237805186f, -0.00455979199f);
   a = s > c ? 1.57079633f - a : a;
   return cosine < 0 ? 3.14159265f - a : a;
 }
@@ -100,20 +80,21 @@ inline float logarithm(float x) {
 /// The modified Bessel function as I0(x) e^-x = factor * e^-rest: the rest is x where x is small, and 0 where it is
 /// large. Takes the square root of x >= 0. Relative error of the factor below 5e-7 (Abramowitz & Stegun 9.8.1, 9.8.2).
 struct BesselI0 {
-  Lanes factor, rest;
+  Float32x4 factor, rest;
 };
 
-inline BesselI0 besselI0(Lanes root) {
+inline BesselI0 besselI0(Float32x4 root) {
   constexpr float edge = 3.75f;
-  const Lanes x = root * root;
-  const Lanes low = x * x / (edge * edge);
-  const Lanes inverse = 1 / most(root, spread(1.0f));
-  const Lanes high = edge * inverse * inverse;
-  const Lanes series = polynomial(low, 1.0f, 3.5156229f, 3.0899424f, 1.2067492f, 0.2659732f, 0.0360768f, 0.0045813f);
-  const Lanes asymptotic = inverse * polynomial(high, 0.39894228f, 0.01328592f, 0.00225319f, -0.00157565f, 0.00916281f,
-                                                -0.02057706f, 0.02635537f, -0.01647633f, 0.00392377f);
-  const LaneMask small = x < edge;
-  return {small ? series : asymptotic, small ? x : Lanes{}};
+  const Float32x4 x = root * root;
+  const Float32x4 low = x * x / (edge * edge);
+  const Float32x4 inverse = 1 / most(root, broadcast<Float32x4>(1.0f));
+  const Float32x4 high = edge * inverse * inverse;
+  const Float32x4 series =
+      polynomial(low, 1.0f, 3.5156229f, 3.0899424f, 1.2067492f, 0.2659732f, 0.0360768f, 0.0045813f);
+  const Float32x4 asymptotic = inverse * polynomial(high, 0.39894228f, 0.01328592f, 0.00225319f, -0.00157565f,
+                                                    0.00916281f, -0.02057706f, 0.02635537f, -0.01647633f, 0.00392377f);
+  const Int32x4 small = x < edge;
+  return {small ? series : asymptotic, small ? x : Float32x4{}};
 }
 
 }  // namespace loomlight::optics
