@@ -2,12 +2,18 @@
 
 #include <utility>
 
+#include "core/fabric/model/changes.h"
 #include "render/scene/scene.h"
-#include "render/transport/dye_walks.h"
 #include "render/transport/make_medium.h"
 
 namespace loomlight {
 namespace {
+
+/// Whether walks through the cloth of one fabric tell the colours of the other's: on a flat patch, under the same sky.
+bool walkedAlike(const Fabric& a, const Fabric& b) {
+  return changes(a, b).stages.within(Stage::drape | Stage::colour | Stage::brightness | Stage::light | Stage::camera |
+                                     Stage::label);
+}
 
 std::shared_ptr<const ColourAnswer> answerTo(const ColourWish& wish, const ColourWalks& walks) {
   auto answer = std::make_shared<ColourAnswer>();
@@ -38,24 +44,24 @@ std::string ColourWorker::error() const {
 
 /// Walks for the wish, which may be replaced under way by one that the same walks serve. False when stopped.
 bool ColourWorker::makeWalks(ColourWish& wish, Answering::Turn& turn) {
-  auto patch = std::make_shared<const Fabric>(undyedPatch(*wish.fabric));
-  if (construction_ && *construction_ == *patch && walkedFibre_ == wish.fibre) return true;
+  if (walked_ && walkedAlike(*walked_, *wish.fabric) && walkedFibre_ == wish.fibre) return true;
+  const auto fabric = wish.fabric;
   Task task;
   task.stop = turn.stop();
   task.threads = 1;
   task.progress = [&](double) {
     auto newer = turn.takeNewer();
     if (!newer) return;
-    if (newer->fibre == wish.fibre && undyedPatch(*newer->fabric) == *patch)
+    if (newer->fibre == wish.fibre && walkedAlike(*newer->fabric, *fabric))
       wish = std::move(*newer);
     else
       turn.giveWayTo(std::move(*newer));
   };
-  const auto scene = makeScene(patch, task);
+  const auto scene = makeScene(std::make_shared<const Fabric>(colourPatch(*fabric)), task);
   const auto medium = scene ? makeMedium(*scene, defaultMemoryLimit_bytes(), task) : nullptr;
   auto walks = medium ? walkColours(*scene, *medium, wish.fibre, kDyeWalks, task) : std::nullopt;
   if (!walks) return false;
-  construction_ = std::move(patch);
+  walked_ = fabric;
   walkedFibre_ = wish.fibre;
   walks_ = std::move(*walks);
   return true;

@@ -46,7 +46,7 @@ class ColourWorker {
 
   // The thread's own:
   std::shared_ptr<const ColourAnswer> last_;
-  std::shared_ptr<const Fabric> construction_;  ///< that was walked through, undyed
+  std::shared_ptr<const Fabric> walked_;  ///< through whose cloth walks_ are
   int walkedFibre_ = -1;
   ColourWalks walks_;
 

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/fabric/model/impact.h"
+#include "core/fabric/model/changes.h"
 
 namespace loomlight {
 
 BuiltCloth RecentCloths::baseFor(const Fabric& fabric) const {
   for (const Entry& entry : entries_)
-    if (sameCloth(*entry.cloth.traceable.scene->fabric, fabric)) return entry.cloth;
+    if (!changes(*entry.cloth.traceable.scene->fabric, fabric).cloth()) return entry.cloth;
   return entries_.empty() ? BuiltCloth{} : entries_.front().cloth;
 }
 

@@ -4,6 +4,7 @@
 #include <exception>
 #include <utility>
 
+#include "core/fabric/model/changes.h"
 #include "render/display/denoise.h"
 #include "render/display/display_picture.h"
 #include "render/transport/make_medium.h"
@@ -85,7 +86,8 @@ void ThumbnailWorker::fulfil(const Orders& orders, Rendering::Turn& turn) {
       const uint32_t samples = first ? std::min(kFewSamples, wanted) : wanted;
       const auto before = done_.find(order.name);
       const Thumbnail* old = before == done_.end() ? nullptr : before->second.get();
-      if (old && *old->fabric == *order.fabric && (old->samples >= samples || !old->error.empty())) continue;
+      const bool same = old && !changes(*old->fabric, *order.fabric).picture();
+      if (same && (old->samples >= samples || !old->error.empty())) continue;
       auto thumbnail = rendered(order, samples, task);
       if (!thumbnail) return;
       done_[order.name] = std::move(thumbnail);

@@ -155,10 +155,13 @@ void Tracer::begin(Request request) {
   const bool seen = better && picture_->begun();
   const std::shared_ptr<const Frame> earlier = seen ? newestFrame() : nullptr;
   const int reached = seen ? picture_->divider() : 0;
+  const Fabric& fabric = *request.cloth.scene->fabric;
   // On another drape the cloth may fill the picture as it did not before, or be slower to trace.
-  const bool costsAlike = picture_ && picture_->scene().fabric->drape == request.cloth.scene->fabric->drape;
+  const bool costsAlike = picture_ && !changes(*picture_->scene().fabric, fabric).stages.any(Stage::drape);
   const double secondsPerPath = costsAlike ? picture_->secondsPerPath() : 0;
-  if (clear_ && !clearServes(request)) clear_.reset();
+  const Changes sinceClear = clearFabric_ ? changes(*clearFabric_, fabric) : Changes{};
+  const bool sameView = clearFabric_ && !sinceClear.stages.any(Stage::camera | Stage::drape);
+  if (clear_ && !clearServes(request, sinceClear)) clear_.reset();
   request_ = std::move(request);
   picturePending_.reset();
   dyed_.reset();
@@ -170,7 +173,7 @@ void Tracer::begin(Request request) {
   if (seen) {
     picture_->standIn(earlier);
     picture_->skipCoarse(reached);
-  } else if (better || (sameSize && sameView(*request_.cloth.scene->fabric))) {
+  } else if (better || (sameSize && sameView)) {
     picture_->beginAt(kLegible, kPatience_s);
   } else if (costsAlike) {
     picture_->beginAt(kInMotion, kFollowing_s);
@@ -238,11 +241,13 @@ void Tracer::changeDenoising(bool wanted) {
 }
 
 /// Whether the clear picture can stand where the new one is not as good yet.
-bool Tracer::clearServes(const Request& request) const {
-  const std::shared_ptr<const Fabric>& fabric = request.cloth.scene->fabric;
-  if (fabric == clearFabric_) return 4 * request.height <= 5 * clear_->height;  // stretched further it would be a blur
+bool Tracer::clearServes(const Request& request, const Changes& sinceClear) const {
+  const Fabric& fabric = *request.cloth.scene->fabric;
+  if (!sinceClear.picture()) return 4 * request.height <= 5 * clear_->height;  // stretched further it would be a blur
   const bool sameSize = request.width == clear_->width && request.height == clear_->height;
-  return sameSize && differInCrossings(*clearFabric_, *fabric);
+  const bool sameWeaveSize =
+      fabric.weave.ends() == clearFabric_->weave.ends() && fabric.weave.picks() == clearFabric_->weave.picks();
+  return sameSize && sameWeaveSize && sinceClear.crossingsAlone();
 }
 
 /// The clear picture with what is new in this one.
@@ -250,11 +255,6 @@ Frame Tracer::cleared(Frame fresh) const {
   if (clear_->width != request_.width || clear_->height != request_.height)
     return reframed(fresh, *clear_, request_.width, request_.height, threads_);
   return patched(std::move(fresh), *clear_, request_.cloth.scene->fabric->weave, clearFabric_->weave);
-}
-
-/// Whether the clear picture was seen from the same place.
-bool Tracer::sameView(const Fabric& fabric) const {
-  return clearFabric_ && clearFabric_->camera == fabric.camera && clearFabric_->drape == fabric.drape;
 }
 
 std::shared_ptr<Frame> Tracer::framed(Frame frame) const {

@@ -10,6 +10,7 @@
 
 #include "app/live/refinement.h"
 #include "app/live/turns.h"
+#include "core/fabric/model/changes.h"
 #include "render/display/difference.h"
 
 namespace loomlight {
@@ -76,8 +77,7 @@ class Tracer {
   bool recolour(const Request& request);
   std::shared_ptr<const Frame> newestFrame() const;
   void beginPicture(double secondsPerPath);
-  bool sameView(const Fabric& fabric) const;
-  bool clearServes(const Request& request) const;
+  bool clearServes(const Request& request, const Changes& sinceClear) const;
   Frame cleared(Frame fresh) const;
   void changeDenoising(bool wanted);
   bool worthShowing() const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/fabric/model/changes.h"
 #include "core/geometry/yarn_geometry.h"
 #include "render/bvdf/bvdf_picture.h"
 
@@ -60,15 +61,18 @@ VisibilityWorker::Status VisibilityWorker::status() const {
 VisibilityWorker::Result VisibilityWorker::fulfil(const Wish& wish, Baking::Turn& turn) {
   wish_ = wish;
   if (wish_.fabric) {
-    std::string recipe = bvdfRecipe(*wish_.fabric, options_);
-    if (recipe == recipe_ && !interrupted_) {
+    if (!interrupted_ && isBakedFor(*wish_.fabric)) {
       keep(numberedFor(*wish_.fabric, newest_->tables), true);
     } else {
-      recipe_ = std::move(recipe);
       bake(turn);
     }
   }
   return {newest_, {}};
+}
+
+/// Whether recipe_ is this fabric's too. Where its fibres lie as they did nothing need be written out to know it.
+bool VisibilityWorker::isBakedFor(const Fabric& fabric) const {
+  return !recipe_.empty() && (!changes(*baked_, fabric).voxels() || bvdfRecipe(fabric, options_) == recipe_);
 }
 
 /// Whether the bake under way is right for what has been asked for since: another yarn or another colour is no reason
@@ -76,7 +80,7 @@ VisibilityWorker::Result VisibilityWorker::fulfil(const Wish& wish, Baking::Turn
 bool VisibilityWorker::servesNewer(Baking::Turn& turn) {
   auto newer = turn.takeNewer();
   if (!newer) return false;
-  const bool serves = newer->fabric && bvdfRecipe(*newer->fabric, options_) == recipe_;
+  const bool serves = newer->fabric && isBakedFor(*newer->fabric);
   if (serves)
     wish_ = std::move(*newer);
   else
@@ -84,12 +88,14 @@ bool VisibilityWorker::servesNewer(Baking::Turn& turn) {
   return serves;
 }
 
-/// For recipe_ and wish_.
+/// For wish_.
 void VisibilityWorker::bake(Baking::Turn& turn) {
   constexpr double kBetweenPictures_s = 0.25;
   ++bake_;
   interrupted_ = true;
   const std::shared_ptr<const Fabric> fabric = wish_.fabric;
+  recipe_ = bvdfRecipe(*fabric, options_);
+  baked_ = fabric;
   const std::shared_ptr<const BvdfSet> prior = cache_.has(recipe_) ? nullptr : known_.nearest(recipe_);
   Status status{true, prior != nullptr, 0, ""};
   if (prior) keep(numberedFor(*fabric, prior), false);

@@ -60,6 +60,7 @@ class VisibilityWorker {
   };
   using Baking = Worker<Wish, Result>;
   Result fulfil(const Wish& wish, Baking::Turn& turn);
+  bool isBakedFor(const Fabric& fabric) const;
   void bake(Baking::Turn& turn);
   bool servesNewer(Baking::Turn& turn);
   void keep(std::shared_ptr<const BvdfSet> tables, bool finished);
@@ -69,8 +70,9 @@ class VisibilityWorker {
   // The thread's own:
   BvdfCache cache_;
   KnownBvdfs known_;
-  Wish wish_;           ///< the newest that has been looked at
-  std::string recipe_;  ///< of what is published, or being baked
+  Wish wish_;                            ///< the newest that has been looked at
+  std::string recipe_;                   ///< of what is published, or being baked
+  std::shared_ptr<const Fabric> baked_;  ///< a fabric of that recipe
   uint64_t bake_ = 0;
   bool interrupted_ = false;  ///< the bake of recipe_ was stopped
   std::shared_ptr<const BakedVisibility> newest_;

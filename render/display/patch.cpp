@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 
-#include "core/fabric/model/impact.h"
 #include "core/geometry/cloth_geometry.h"
 #include "render/display/despeckle.h"
 #include "render/display/stretch.h"
@@ -103,14 +102,6 @@ std::vector<glm::vec4> sharesOf(const std::vector<bool>& changed, const Frame& f
 }
 
 }  // namespace
-
-bool differInCrossings(const Fabric& before, const Fabric& after) {
-  if (before.weave.ends() != after.weave.ends() || before.weave.picks() != after.weave.picks()) return false;
-  Fabric between = before;
-  between.weave = after.weave;
-  between.draft = after.draft;
-  return impact(between, after).nothing();
-}
 
 Frame patched(Frame fresh, const Frame& old, const Weave& weaveNow, const Weave& weaveThen) {
   std::vector<bool> changed = newlySeen(fresh, old);

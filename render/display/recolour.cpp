@@ -5,7 +5,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/rgb.h"
-#include "core/fabric/model/impact.h"
+#include "core/fabric/model/changes.h"
 #include "render/colour/spectrum.h"
 
 namespace loomlight {
@@ -48,13 +48,8 @@ double luminanceVariance(Rgb variance) {
 std::optional<Dye> dyeBetween(const Scene& traced, const Scene& wanted) {
   const Fabric& from = *traced.fabric;
   const Fabric& to = *wanted.fabric;
-  if (traced.cloth != wanted.cloth || from.fibres.size() != to.fibres.size()) return std::nullopt;
+  if (!changes(from, to).stages.within(Stage::colour | Stage::brightness | Stage::label)) return std::nullopt;
   if (!(from.light.intensity > 0)) return std::nullopt;
-  Fabric between = from;
-  for (size_t k = 0; k < to.fibres.size(); ++k) between.fibres[k].absorption_per_mm = to.fibres[k].absorption_per_mm;
-  between.light.intensity = to.light.intensity;
-  between.light.temperature_K = to.light.temperature_K;
-  if (!impact(between, to).nothing()) return std::nullopt;
   const Rgb tint = blackBodyTint(to.light.temperature_K) / blackBodyTint(from.light.temperature_K);
   return Dye{wanted.absorption_per_mm, static_cast<float>(to.light.intensity / from.light.intensity) * tint};
 }

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/base/stopwatch.h"
-#include "core/fabric/model/impact.h"
+#include "core/fabric/model/changes.h"
 #include "core/fabric/model/yarn_count.h"
 #include "render/scene/cells_in_view.h"
 #include "render/scene/shell_entry.h"
@@ -51,19 +51,14 @@ std::shared_ptr<const Shell> makeShell(const Piece& piece, const ClothGeometry& 
       Shell::flat(geometry.ends() * geometry.warpPitch_mm(), geometry.picks() * geometry.weftPitch_mm(), half));
 }
 
-bool sameOptics(const Fibre& a, const Fibre& b) {
-  return a.refractiveIndex == b.refractiveIndex && a.longitudinalRoughness == b.longitudinalRoughness &&
-         a.azimuthalRoughness == b.azimuthalRoughness && a.scaleTilt_deg == b.scaleTilt_deg && a.section == b.section;
-}
-
-std::vector<Material> makeMaterials(const Fabric& fabric, const Scene* previous) {
+std::vector<Material> makeMaterials(const Fabric& fabric, const Changes& change, const Scene* previous) {
   std::vector<Material> materials;
   for (size_t i = 0; i < fabric.fibres.size(); ++i) {
     const Fibre& fibre = fabric.fibres[i];
-    const bool known =
-        previous && i < previous->fabric->fibres.size() && sameOptics(previous->fabric->fibres[i], fibre);
-    materials.push_back({known ? previous->cloth->materials[i].bcsdf : std::make_shared<const FibreBcsdf>(fibre),
-                         static_cast<float>(fibre.refractiveIndex)});
+    const bool known = previous && !std::binary_search(change.fibres.begin(), change.fibres.end(), static_cast<int>(i));
+    materials.push_back(
+        known ? previous->cloth->materials[i]
+              : Material{std::make_shared<const FibreBcsdf>(fibre), static_cast<float>(fibre.refractiveIndex)});
   }
   return materials;
 }
@@ -103,10 +98,10 @@ struct Unfinished {
 };
 
 /// The shell and what hangs on it.
-void lay(Unfinished& made, const Piece& piece, const ClothGeometry& geometry, const Impact& change,
+void lay(Unfinished& made, const Piece& piece, const ClothGeometry& geometry, const Changes& change,
          const Scene* previous) {
   TraceData& cloth = made.cloth;
-  const bool sameShell = previous && !change.drape && !change.allBricks &&
+  const bool sameShell = previous && !change.stages.any(Stage::drape | Stage::grid) &&
                          previous->cloth->volume->geometry().halfThickness_mm() == geometry.halfThickness_mm();
   cloth.shell = sameShell ? previous->cloth->shell : makeShell(piece, geometry);
   cloth.entry = sameShell ? previous->cloth->entry : std::make_shared<const ShellEntry>(cloth.shell);
@@ -115,7 +110,7 @@ void lay(Unfinished& made, const Piece& piece, const ClothGeometry& geometry, co
 
 /// Shows the scene with yarns that were made in no time. False when stopped.
 bool showSketch(Unfinished sketched, const Piece& piece, std::shared_ptr<const ClothGeometry> sketch,
-                const Impact& change, const Scene* previous, const FirstScenes& first, const Task& task) {
+                const Changes& change, const Scene* previous, const FirstScenes& first, const Task& task) {
   const Fabric& fabric = *sketched.scene.fabric;
   lay(sketched, piece, *sketch, change, previous);
   const CellRect inView =
@@ -128,7 +123,7 @@ bool showSketch(Unfinished sketched, const Piece& piece, std::shared_ptr<const C
 }
 
 /// Volume, shell and yarns: all of them, or what the edit leaves of the previous scene's. False when stopped.
-bool makeCloth(Unfinished& made, const Impact& change, const Scene* previous, const FirstScenes* first,
+bool makeCloth(Unfinished& made, const Changes& change, const Scene* previous, const FirstScenes* first,
                const Task& task) {
   const Fabric& fabric = *made.scene.fabric;
   TraceData& cloth = made.cloth;
@@ -174,25 +169,27 @@ bool makeCloth(Unfinished& made, const Impact& change, const Scene* previous, co
 
 std::shared_ptr<const Scene> makeScene(std::shared_ptr<const Fabric> fabric, const Task& task, const Scene* previous,
                                        const FirstScenes* first) {
-  const Impact change = previous ? impact(*previous->fabric, *fabric) : Impact{};
+  const Changes change = previous ? changes(*previous->fabric, *fabric) : Changes{};
   Unfinished made;
   Scene& scene = made.scene;
   scene.fabric = fabric;
   for (const Fibre& fibre : fabric->fibres) scene.absorption_per_mm.push_back(fibre.absorption_per_mm);
   scene.roulette_per_mm = scene.absorption_per_mm;
-  // A headlight goes with the eye: that is in `lighting`.
-  scene.lighting = previous && !change.lighting
+  scene.lighting = previous && !change.stages.any(Stage::light | Stage::brightness)
                        ? previous->lighting
                        : std::make_shared<const Lighting>(fabric->light, CameraRays(fabric->camera, 1, 1).eye_mm(),
                                                           static_cast<float>(fabric->camera.distance_mm),
                                                           previous ? previous->lighting.get() : nullptr);
-  made.cloth.materials = makeMaterials(*fabric, previous);
+  if (previous && !change.medium()) {
+    scene.cloth = previous->cloth;
+    return std::make_shared<const Scene>(std::move(scene));
+  }
+  made.cloth.materials = makeMaterials(*fabric, change, previous);
   made.cloth.method = fabric->render.method;
   made.cloth.estimator = fabric->render.estimator;
   made.cloth.eventLaw = fabric->render.eventLaw;
   if (!makeCloth(made, change, previous, first, task)) return nullptr;
-  scene.cloth = previous && *previous->cloth == made.cloth ? previous->cloth
-                                                           : std::make_shared<const TraceData>(std::move(made.cloth));
+  scene.cloth = std::make_shared<const TraceData>(std::move(made.cloth));
   return std::make_shared<const Scene>(std::move(scene));
 }
 

@@ -17,8 +17,6 @@ class ShellEntry;
 struct Material {
   std::shared_ptr<const FibreBcsdf> bcsdf;
   float refractiveIndex = 1;
-
-  bool operator==(const Material&) const = default;
 };
 
 /// What light meets in a yarn beside the statistics of its components, per Fabric::yarns and system.
@@ -28,14 +26,12 @@ struct YarnOptics {
   float fibreRadius_mm = 0;  ///< of the geometry; differs between warp and weft by less than a rounding of fibre counts
   int blendMaterial = 0;     ///< the second material of a blended yarn (Yarn::blendFibre)
   float blendShare = 0;      ///< how many of its fibres are of that one, by number, 0..1; 0: no blend
-
-  bool operator==(const YarnOptics&) const = default;
 };
 
 /// All of a scene that decides where light goes inside of the cloth, and nothing of what colour it has or where it
 /// comes from. Flat and immutable; media share it, so that they outlive the scene that they were made for. Scenes that
-/// differ in light, camera or colour alone share one, so a medium serves every scene that has the very TraceData it was
-/// made of.
+/// differ in light, camera or colour alone share one (no Changes::medium()), so a medium serves every scene that has
+/// the very TraceData it was made of.
 struct TraceData {
   std::shared_ptr<const ClothVolume> volume;
   std::shared_ptr<const Shell> shell;
@@ -46,8 +42,6 @@ struct TraceData {
   Method method = Method::volume;
   Estimator estimator = Estimator::loomlight;
   EventLaw eventLaw = EventLaw::projected;
-
-  bool operator==(const TraceData&) const = default;
 };
 
 }  // namespace loomlight

@@ -62,6 +62,12 @@ Rgb ColourWalks::colour(const std::vector<Rgb>& absorption_per_mm) const {
   return Rgb(sum / static_cast<double>(count));
 }
 
+std::vector<Rgb> absorptionsOf(const Fabric& fabric) {
+  std::vector<Rgb> absorptions;
+  for (const Fibre& fibre : fabric.fibres) absorptions.push_back(fibre.absorption_per_mm);
+  return absorptions;
+}
+
 Fabric colourPatch(Fabric fabric) {
   const double margin = 2 * kMarginThicknesses * ClothGeometry(fabric, 1, 1).halfThickness_mm();
   const glm::dvec2 window = window_mm(fabric);

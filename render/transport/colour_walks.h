@@ -9,6 +9,9 @@
 
 namespace loomlight {
 
+/// How many walks tell the colour of a cloth: a standard error of half a percent of it.
+inline constexpr size_t kDyeWalks = 8192;
+
 /// Light on its way from an eye straight above the cloth back to a white sky, black below: how a spectrophotometer
 /// looks at cloth. Absorption enters a path only as exp(-sum sigma_k L_k), so the lengths L_k that it has gone inside
 /// each fibre material are all that its colour depends on: one set of walks answers for every dye.
@@ -21,6 +24,9 @@ struct ColourWalks {
   /// What shows, where that fibre lies on top, with these absorptions (1/mm, per material). 1 is white paper.
   Rgb colour(const std::vector<Rgb>& absorption_per_mm) const;
 };
+
+/// Of every fibre, 1/mm: what ColourWalks::colour() is asked for.
+std::vector<Rgb> absorptionsOf(const Fabric& fabric);
 
 /// The fabric on a flat patch for walkColours: its repeat, as far as that is not too large, and what light travels
 /// sideways around it.

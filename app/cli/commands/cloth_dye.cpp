@@ -14,7 +14,6 @@
 #include "core/fabric/model/validate.h"
 #include "render/colour/colour_space.h"
 #include "render/transport/colour_solver.h"
-#include "render/transport/dye_walks.h"
 #include "render/transport/make_medium.h"
 
 namespace loomlight {
@@ -88,7 +87,7 @@ bool walk(const Fabric& fabric, std::vector<Dyeing>& dyeings) {
   Task task;
   task.stop = interrupt.token();
   task.progress = [&](double fraction) { progress.update((static_cast<double>(done) + fraction) / parts); };
-  const auto scene = makeScene(std::make_shared<const Fabric>(undyedPatch(fabric)), task);
+  const auto scene = makeScene(std::make_shared<const Fabric>(colourPatch(fabric)), task);
   const auto medium = scene ? makeMedium(*scene, defaultMemoryLimit_bytes(), task) : nullptr;
   if (!medium) return false;
   for (Dyeing& dyeing : dyeings) {

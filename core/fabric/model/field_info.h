@@ -3,11 +3,15 @@
 #include <tuple>
 #include <type_traits>
 
+#include "core/fabric/model/stages.h"
+
 namespace loomlight {
 
-/// What is known of one editable value, stated once: files name it by `key`, the inspector shows `label`, `unit` and
-/// `help`, and both hold it to the range. Text, choices and switches have no range.
+/// What is known of one editable value, stated once: an edit of it puts `stages` out of date, files name it by `key`,
+/// the inspector shows `label`, `unit` and `help`, and both hold it to the range. Text, choices and switches have no
+/// range.
 struct FieldInfo {
+  Stages stages;
   const char* key = "";    ///< in files; ends in the unit where there is one
   const char* label = "";  ///< in the inspector
   const char* unit = "";   ///< UTF-8, for display

@@ -28,15 +28,19 @@ struct WifOrigin {
 template <>
 struct FieldTable<WifOrigin> {
   static constexpr auto fields = std::make_tuple(
-      Field{&WifOrigin::program, {"program", "Program", "", 0, 0, "What wrote the weaving file."}},
-      Field{&WifOrigin::ends, {"ends", "Ends", "", 0, Weave::kMaxSide, "Warp threads of the file's draft."}},
-      Field{&WifOrigin::picks, {"picks", "Picks", "", 0, Weave::kMaxSide, "Weft threads of the file's draft."}},
-      Field{&WifOrigin::ends_per_cm, {"ends_per_cm", "Ends", "/cm", 0, 500, "Sett of the fabric it became."}},
-      Field{&WifOrigin::picks_per_cm, {"picks_per_cm", "Picks", "/cm", 0, 500, "Sett of the fabric it became."}},
+      Field{&WifOrigin::program, {Stage::label, "program", "Program", "", 0, 0, "What wrote the weaving file."}},
+      Field{&WifOrigin::ends,
+            {Stage::label, "ends", "Ends", "", 0, Weave::kMaxSide, "Warp threads of the file's draft."}},
+      Field{&WifOrigin::picks,
+            {Stage::label, "picks", "Picks", "", 0, Weave::kMaxSide, "Weft threads of the file's draft."}},
+      Field{&WifOrigin::ends_per_cm,
+            {Stage::label, "ends_per_cm", "Ends", "/cm", 0, 500, "Sett of the fabric it became."}},
+      Field{&WifOrigin::picks_per_cm,
+            {Stage::label, "picks_per_cm", "Picks", "/cm", 0, 500, "Sett of the fabric it became."}},
       Field{&WifOrigin::warpDiameter_mm,
-            {"warp_diameter_mm", "Warp", "mm", 0, 1e4, "Mean diameter of the yarns it was given."}},
+            {Stage::label, "warp_diameter_mm", "Warp", "mm", 0, 1e4, "Mean diameter of the yarns it was given."}},
       Field{&WifOrigin::weftDiameter_mm,
-            {"weft_diameter_mm", "Weft", "mm", 0, 1e4, "Mean diameter of the yarns it was given."}});
+            {Stage::label, "weft_diameter_mm", "Weft", "mm", 0, 1e4, "Mean diameter of the yarns it was given."}});
 };
 
 }  // namespace loomlight

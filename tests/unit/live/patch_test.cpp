@@ -109,20 +109,6 @@ TEST(Patched, TakesCoarsePicturesThatReachBeyondTheEdge) {
   for (const glm::vec4& pixel : patched(fresh, old, kNow, kThen).rgba) EXPECT_EQ(pixel, kFresh);
 }
 
-TEST(DifferInCrossings, IsSoOfTheWeaveAlone) {
-  const Fabric before = test::whiteCotton();
-  const auto after = [&](auto&& edit) {
-    Fabric fabric = before;
-    edit(fabric);
-    return differInCrossings(before, fabric);
-  };
-  EXPECT_TRUE(after([](Fabric& f) { f.weave = f.weave.with(0, 0, !f.weave.at(0, 0)); }));
-  EXPECT_FALSE(after([](Fabric& f) { f.fibres[0].absorption_per_mm = Rgb(3); }));
-  EXPECT_FALSE(after([](Fabric& f) { f.camera.distance_mm += 1; }));
-  EXPECT_FALSE(after([](Fabric& f) { f.yarns[0].plyTwist_per_m += 50; }));
-  EXPECT_FALSE(after([](Fabric& f) { f.light.intensity = 2; }));
-}
-
 // What a stroke of the brush does not touch stays as clear as it was, from the first picture on.
 TEST(LivePatch, APaintedCrossingLeavesTheRestOfThePictureAsItWas) {
   Fabric fabric = test::whiteCotton();

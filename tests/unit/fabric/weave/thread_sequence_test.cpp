@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "core/fabric/model/changes.h"
 #include "core/fabric/model/colourways.h"
-#include "core/fabric/model/impact.h"
 
 namespace loomlight {
 namespace {
@@ -53,9 +53,7 @@ TEST(Colourways, ThereAndBackAndNothingButColour) {
   fabric.fibres[1].absorption_per_mm = Rgb(3.0f, 20.0f, 40.0f);
   const Colourway rust = colourwayOf(fabric, "rust");
   EXPECT_EQ(inColourway(inColourway(fabric, plain), rust), fabric);
-  const Impact change = impact(fabric, inColourway(fabric, plain));
-  EXPECT_TRUE(change.materials);
-  EXPECT_FALSE(change.volume() || change.threads || change.drape || change.lighting);
+  EXPECT_EQ(changes(fabric, inColourway(fabric, plain)).stages, Stages(Stage::colour));
 }
 
 TEST(Colourways, FibresThatItDoesNotKnowKeepTheirs) {
