@@ -9,213 +9,210 @@ namespace loomlight {
 
 template <>
 struct FieldTable<Fibre> {
+  using enum Stage;
   static constexpr auto fields = std::make_tuple(
-      Field{&Fibre::name, {Stage::label, "name", "Fibre", "", 0, 0, "What this fibre is called."}},
-      Field{&Fibre::radius_um,
-            {Stage::shape, "radius_um", "Radius", "µm", 1, 200, "Half the thickness of one fibre, as if it were round.",
-             true}},
+      Field{&Fibre::name, {label, "name", "Fibre", "", 0, 0, "What this fibre is called."}},
+      Field{
+          &Fibre::radius_um,
+          {shape, "radius_um", "Radius", "µm", 1, 200, "Half the thickness of one fibre, as if it were round.", true}},
       Field{&Fibre::density_g_cm3,
-            {Stage::shape, "density_g_cm3", "Density", "g/cm³", 0.2, 20, "Mass of the fibre's substance.", true}},
+            {shape, "density_g_cm3", "Density", "g/cm³", 0.2, 20, "Mass of the fibre's substance.", true}},
       Field{&Fibre::refractiveIndex,
-            {Stage::optics, "refractive_index", "Refractive index", "", 1.01, 3,
+            {optics, "refractive_index", "Refractive index", "", 1.01, 3,
              "How strongly the fibre bends and mirrors light; textile fibres lie between 1.46 and 1.6."}},
       Field{&Fibre::absorption_per_mm,
-            {Stage::colour, "absorption_per_mm", "Absorption", "1/mm", 0, 10000,
+            {colour, "absorption_per_mm", "Absorption", "1/mm", 0, 10000,
              "How deep the colour is: light lost on its way inside the fibre, for red, green and blue.", true}},
       Field{&Fibre::longitudinalRoughness,
-            {Stage::optics, "longitudinal_roughness", "Roughness along", "", 0.05, 1,
+            {optics, "longitudinal_roughness", "Roughness along", "", 0.05, 1,
              "How far highlights spread along the fibre: low is lustrous, high is matt (beta_m)."}},
       Field{&Fibre::azimuthalRoughness,
-            {Stage::optics, "azimuthal_roughness", "Roughness around", "", 0.05, 1,
+            {optics, "azimuthal_roughness", "Roughness around", "", 0.05, 1,
              "How far light spreads around the fibre; irregular sections have much of it (beta_n)."}},
       Field{&Fibre::scaleTilt_deg,
-            {Stage::optics, "scale_tilt_deg", "Scale tilt", "°", -10, 10,
+            {optics, "scale_tilt_deg", "Scale tilt", "°", -10, 10,
              "Tilt of the surface scales; wool has 2 to 3 degrees."}},
-      Field{&Fibre::section, {Stage::optics, "section", "Section", "", 0, 0, "Shape of the fibre, cut across."}});
+      Field{&Fibre::section, {optics, "section", "Section", "", 0, 0, "Shape of the fibre, cut across."}});
 };
 
 template <>
 struct FieldTable<Yarn> {
+  using enum Stage;
   static constexpr auto fields = std::make_tuple(
-      Field{&Yarn::name, {Stage::label, "name", "Yarn", "", 0, 0, "What this yarn is called."}},
+      Field{&Yarn::name, {label, "name", "Yarn", "", 0, 0, "What this yarn is called."}},
       Field{&Yarn::fibre,
-            {Stage::shape | Stage::optics, "fibre", "Fibre", "", 0, 63,
-             "The fibre it is spun of: a number in the list, from 0."}},
+            {shape | optics, "fibre", "Fibre", "", 0, 63, "The fibre it is spun of: a number in the list, from 0."}},
       Field{&Yarn::blendFibre,
-            {Stage::shape | Stage::optics, "blend_fibre", "Blended with", "", 0, 63,
+            {shape | optics, "blend_fibre", "Blended with", "", 0, 63,
              "A second fibre that is spun together with the first: a number in the list, from 0."}},
       Field{&Yarn::blendShare,
-            {Stage::shape | Stage::optics, "blend_share", "Share", "", 0, 1,
-             "How much of the yarn's mass is the second fibre."}},
+            {shape | optics, "blend_share", "Share", "", 0, 1, "How much of the yarn's mass is the second fibre."}},
       Field{&Yarn::count_tex,
-            {Stage::shape, "count_tex", "Count", "tex", 0.5, 5000, "How thick the yarn is: grams of one kilometre.",
-             true}},
+            {shape, "count_tex", "Count", "tex", 0.5, 5000, "How thick the yarn is: grams of one kilometre.", true}},
       Field{&Yarn::fibresPerPly,
-            {Stage::shape, "fibres_per_ply", "Fibres per ply", "", 1, 2000,
+            {shape, "fibres_per_ply", "Fibres per ply", "", 1, 2000,
              "Number of fibres in one ply; where it is given, the count follows from it.", true}},
-      Field{&Yarn::plies, {Stage::shape, "plies", "Plies", "", 1, 8, "How many singles are twisted together."}},
+      Field{&Yarn::plies, {shape, "plies", "Plies", "", 1, 8, "How many singles are twisted together."}},
       Field{&Yarn::plyTwist_per_m,
-            {Stage::shape, "ply_twist_per_m", "Ply twist", "turns/m", 0, 5000,
+            {shape, "ply_twist_per_m", "Ply twist", "turns/m", 0, 5000,
              "Turns of the fibres about the axis of their ply."}},
-      Field{&Yarn::plyTwistDirection,
-            {Stage::shape, "ply_twist_direction", "Ply direction", "", 0, 0,
-             "Fibres on the near side slant like this letter."}},
       Field{
-          &Yarn::yarnTwist_per_m,
-          {Stage::shape, "yarn_twist_per_m", "Yarn twist", "turns/m", 0, 5000, "Turns of the plies about each other."}},
+          &Yarn::plyTwistDirection,
+          {shape, "ply_twist_direction", "Ply direction", "", 0, 0, "Fibres on the near side slant like this letter."}},
+      Field{&Yarn::yarnTwist_per_m,
+            {shape, "yarn_twist_per_m", "Yarn twist", "turns/m", 0, 5000, "Turns of the plies about each other."}},
       Field{&Yarn::yarnTwistDirection,
-            {Stage::shape, "yarn_twist_direction", "Yarn direction", "", 0, 0,
+            {shape, "yarn_twist_direction", "Yarn direction", "", 0, 0,
              "Plies on the near side slant like this letter."}},
       Field{&Yarn::cords,
-            {Stage::shape, "cords", "Cords", "", 1, 6,
+            {shape, "cords", "Cords", "", 1, 6,
              "How many plied yarns are twisted together once more, to a cable; 1 is an ordinary yarn."}},
       Field{&Yarn::cableTwist_per_m,
-            {Stage::shape, "cable_twist_per_m", "Cable twist", "turns/m", 0, 5000,
-             "Turns of the cords about each other."}},
+            {shape, "cable_twist_per_m", "Cable twist", "turns/m", 0, 5000, "Turns of the cords about each other."}},
       Field{&Yarn::cableTwistDirection,
-            {Stage::shape, "cable_twist_direction", "Cable direction", "", 0, 0,
+            {shape, "cable_twist_direction", "Cable direction", "", 0, 0,
              "Cords on the near side slant like this letter."}},
       Field{&Yarn::packing,
-            {Stage::shape, "packing", "Packing", "", 0.05, 0.85,
+            {shape, "packing", "Packing", "", 0.05, 0.85,
              "Share of a ply's section that is fibre, the rest is air: soft yarns 0.3, ring-spun 0.55, filament 0.7."}},
       Field{&Yarn::flattening,
-            {Stage::shape, "flattening", "Flattening", "", 1, 4,
+            {shape, "flattening", "Flattening", "", 1, 4,
              "How much wider than high the yarn's section is, pressed in the cloth."}},
       Field{&Yarn::hairiness_per_mm,
-            {Stage::shape, "hairiness_per_mm", "Hairiness", "1/mm", 0, 50,
+            {shape, "hairiness_per_mm", "Hairiness", "1/mm", 0, 50,
              "Loose fibre ends and loops on one millimetre of yarn."}},
       Field{&Yarn::hairLength_mm,
-            {Stage::shape, "hair_length_mm", "Hair length", "mm", 0.05, 3, "How far loose fibres reach.", true}},
+            {shape, "hair_length_mm", "Hair length", "mm", 0.05, 3, "How far loose fibres reach.", true}},
       Field{&Yarn::migration,
-            {Stage::shape, "migration", "Migration", "", 0, 1,
+            {shape, "migration", "Migration", "", 0, 1,
              "How far fibres wander between the core and the surface of the yarn."}},
       Field{&Yarn::layout,
-            {Stage::shape, "layout", "Fibre layout", "", 0, 0,
+            {shape, "layout", "Fibre layout", "", 0, 0,
              "How fibres lie in the section: at random, overlaps allowed, or packed without overlap."}});
 };
 
 template <>
 struct FieldTable<Drape> {
+  using enum Stage;
   static constexpr auto fields = std::make_tuple(
-      Field{&Drape::kind, {Stage::drape, "kind", "Drape", "", 0, 0, "The surface the cloth lies on."}},
-      Field{&Drape::width_mm,
-            {Stage::drape, "width_mm", "Width", "mm", 1, 10000, "Size of the piece along the weft.", true}},
+      Field{&Drape::kind, {drape, "kind", "Drape", "", 0, 0, "The surface the cloth lies on."}},
+      Field{&Drape::width_mm, {drape, "width_mm", "Width", "mm", 1, 10000, "Size of the piece along the weft.", true}},
       Field{&Drape::height_mm,
-            {Stage::drape, "height_mm", "Height", "mm", 1, 10000, "Size of the piece along the warp.", true}},
+            {drape, "height_mm", "Height", "mm", 1, 10000, "Size of the piece along the warp.", true}},
       Field{&Drape::radius_mm,
-            {Stage::drape, "radius_mm", "Radius", "mm", 0.5, 10000,
+            {drape, "radius_mm", "Radius", "mm", 0.5, 10000,
              "Of the cylinder, the sphere or the waist of a skirt; of folds, the tightest bend; of a cushion, its "
              "height.",
              true}},
-      Field{&Drape::file,
-            {Stage::drape, "file", "Mesh", "", 0, 0, "An OBJ, PLY or OFF file with texture coordinates."}},
+      Field{&Drape::file, {drape, "file", "Mesh", "", 0, 0, "An OBJ, PLY or OFF file with texture coordinates."}},
       Field{&Drape::uvScale_mm,
-            {Stage::drape, "uv_scale_mm", "Scale", "mm", 1e-3, 1e6,
-             "Millimetres of cloth for one unit of texture coordinate.", true}});
+            {drape, "uv_scale_mm", "Scale", "mm", 1e-3, 1e6, "Millimetres of cloth for one unit of texture coordinate.",
+             true}});
 };
 
 template <>
 struct FieldTable<Light> {
+  using enum Stage;
   static constexpr auto fields = std::make_tuple(
-      Field{&Light::kind, {Stage::light, "kind", "Light", "", 0, 0, "What shines on the cloth."}},
-      Field{
-          &Light::intensity,
-          {Stage::brightness, "intensity", "Intensity", "×", 0, 1000, "Factor on the brightness of the light.", true}},
+      Field{&Light::kind, {light, "kind", "Light", "", 0, 0, "What shines on the cloth."}},
+      Field{&Light::intensity,
+            {brightness, "intensity", "Intensity", "×", 0, 1000, "Factor on the brightness of the light.", true}},
       Field{&Light::temperature_K,
-            {Stage::brightness, "temperature_k", "Temperature", "K", 2000, 12000,
+            {brightness, "temperature_k", "Temperature", "K", 2000, 12000,
              "Colour of the light: 2700 is a warm lamp, 4000 a shop's, 6500 leaves it as it is, 9000 is a blue sky's. "
              "It changes the colour alone, not the brightness.",
              true}},
       Field{&Light::azimuth_deg,
-            {Stage::light, "azimuth_deg", "Azimuth", "°", -360, 360,
+            {light, "azimuth_deg", "Azimuth", "°", -360, 360,
              "Where the sun or the lamp stands, turning left from the right."}},
       Field{&Light::elevation_deg,
-            {Stage::light, "elevation_deg", "Elevation", "°", -90, 90,
+            {light, "elevation_deg", "Elevation", "°", -90, 90,
              "How high the sun or the lamp stands; a sky needs more than 0."}},
       Field{&Light::turbidity,
-            {Stage::light, "turbidity", "Haze", "", 2, 10, "Haze of the sky: 2 is clear, 10 is hazy (turbidity)."}},
+            {light, "turbidity", "Haze", "", 2, 10, "Haze of the sky: 2 is clear, 10 is hazy (turbidity)."}},
       Field{&Light::file,
-            {Stage::light, "file", "Environment", "", 0, 0, "A picture of the surroundings: latitude-longitude EXR."}});
+            {light, "file", "Environment", "", 0, 0, "A picture of the surroundings: latitude-longitude EXR."}});
 };
 
 template <>
 struct FieldTable<Camera> {
+  using enum Stage;
   static constexpr auto fields = std::make_tuple(
       Field{&Camera::target_mm,
-            {Stage::camera | Stage::light, "target_mm", "Target", "mm", -1e5, 1e5, "The point the camera looks at."}},
+            {camera | light, "target_mm", "Target", "mm", -1e5, 1e5, "The point the camera looks at."}},
       Field{&Camera::azimuth_deg,
-            {Stage::camera | Stage::light, "azimuth_deg", "Azimuth", "°", -360, 360,
+            {camera | light, "azimuth_deg", "Azimuth", "°", -360, 360,
              "Where the camera stands, turning left from the right."}},
       Field{&Camera::elevation_deg,
-            {Stage::camera | Stage::light, "elevation_deg", "Elevation", "°", -90, 90,
+            {camera | light, "elevation_deg", "Elevation", "°", -90, 90,
              "How high the camera stands; 90 looks straight down."}},
       Field{&Camera::distance_mm,
-            {Stage::camera | Stage::light, "distance_mm", "Distance", "mm", 0.1, 1e5, "From the camera to its target.",
-             true}},
+            {camera | light, "distance_mm", "Distance", "mm", 0.1, 1e5, "From the camera to its target.", true}},
       Field{&Camera::fov_deg,
-            {Stage::camera, "fov_deg", "Field of view", "°", 0, 120,
+            {camera, "fov_deg", "Field of view", "°", 0, 120,
              "Angle of the view from top to bottom; 0 is without perspective."}});
 };
 
 template <>
 struct FieldTable<RenderSettings> {
+  using enum Stage;
   static constexpr auto fields = std::make_tuple(
-      Field{&RenderSettings::width, {Stage::camera, "width", "Width", "px", 1, 16384, "Width of a snapshot."}},
-      Field{&RenderSettings::height, {Stage::camera, "height", "Height", "px", 1, 16384, "Height of a snapshot."}},
+      Field{&RenderSettings::width, {camera, "width", "Width", "px", 1, 16384, "Width of a snapshot."}},
+      Field{&RenderSettings::height, {camera, "height", "Height", "px", 1, 16384, "Height of a snapshot."}},
       Field{&RenderSettings::samplesPerPixel,
-            {Stage::label, "samples_per_pixel", "Samples", "per px", 1, 1048576,
+            {label, "samples_per_pixel", "Samples", "per px", 1, 1048576,
              "Light paths for every pixel; more is less noise.", true}},
-      Field{&RenderSettings::seed,
-            {Stage::sampling, "seed", "Seed", "", 0, 18446744073709551615.0,
-             "Another number gives another pattern of noise."}},
+      Field{
+          &RenderSettings::seed,
+          {sampling, "seed", "Seed", "", 0, 18446744073709551615.0, "Another number gives another pattern of noise."}},
       Field{&RenderSettings::resolution,
-            {Stage::grid, "resolution", "Resolution", "per yarn", 1, 16,
+            {grid, "resolution", "Resolution", "per yarn", 1, 16,
              "Voxels across the thinnest yarn: 1, 2, 4, 8 or 16; beyond 8 no finer than a fibre."}},
       Field{&RenderSettings::maxDepth,
-            {Stage::sampling, "max_depth", "Depth", "events", 1, 65536,
+            {sampling, "max_depth", "Depth", "events", 1, 65536,
              "Where a light path ends at the latest, in fibres met.", true}},
       Field{
           &RenderSettings::method,
-          {Stage::optics, "method", "Method", "", 0, 0,
+          {optics, "method", "Method", "", 0, 0,
            "What light is traced through: the volume, or every single fibre, which is the truth and takes far more."}},
       Field{&RenderSettings::estimator,
-            {Stage::optics, "estimator", "Estimator", "", 0, 0,
+            {optics, "estimator", "Estimator", "", 0, 0,
              "How the volume sees what is smaller than a voxel: not at all, as the report does, or our way."}},
       Field{&RenderSettings::eventLaw,
-            {Stage::optics, "event_law", "Event law", "", 0, 0,
+            {optics, "event_law", "Event law", "", 0, 0,
              "Without an estimator, how a path chooses its fibre: by what it sees of it, or by density alone (the "
              "report)."}});
 };
 
 template <>
 struct FieldTable<Draft> {
+  using enum Stage;
   static constexpr auto fields = std::make_tuple(
-      Field{&Draft::shafts,
-            {Stage::label, "shafts", "Shafts", "", 0, 4096, "Frames that lift the ends threaded on them."}},
+      Field{&Draft::shafts, {label, "shafts", "Shafts", "", 0, 4096, "Frames that lift the ends threaded on them."}},
       Field{&Draft::treadles,
-            {Stage::label, "treadles", "Treadles", "", 0, 4096, "Pedals that move the shafts tied to them."}},
+            {label, "treadles", "Treadles", "", 0, 4096, "Pedals that move the shafts tied to them."}},
       Field{&Draft::risingShed,
-            {Stage::label, "rising_shed", "Rising shed", "", 0, 0,
+            {label, "rising_shed", "Rising shed", "", 0, 0,
              "Tied shafts are raised; in a sinking shed they are pulled down."}});
 };
 
 template <>
 struct FieldTable<Colourway> {
+  using enum Stage;
   static constexpr auto fields = std::make_tuple(
-      Field{&Colourway::name, {Stage::label, "name", "Colourway", "", 0, 0, "What these colours are called."}});
+      Field{&Colourway::name, {label, "name", "Colourway", "", 0, 0, "What these colours are called."}});
 };
 
 template <>
 struct FieldTable<Fabric> {
+  using enum Stage;
   static constexpr auto fields = std::make_tuple(
-      Field{&Fabric::name, {Stage::label, "name", "Name", "", 0, 0, "What this cloth is called."}},
-      Field{&Fabric::description,
-            {Stage::label, "description", "Description", "", 0, 0, "Anything worth saying about it."}},
+      Field{&Fabric::name, {label, "name", "Name", "", 0, 0, "What this cloth is called."}},
+      Field{&Fabric::description, {label, "description", "Description", "", 0, 0, "Anything worth saying about it."}},
       Field{&Fabric::ends_per_cm,
-            {Stage::grid, "ends_per_cm", "Ends", "/cm", 0.2, 500, "Warp yarns, side by side on one centimetre.", true}},
+            {grid, "ends_per_cm", "Ends", "/cm", 0.2, 500, "Warp yarns, side by side on one centimetre.", true}},
       Field{&Fabric::picks_per_cm,
-            {Stage::grid, "picks_per_cm", "Picks", "/cm", 0.2, 500, "Weft yarns, side by side on one centimetre.",
-             true}});
+            {grid, "picks_per_cm", "Picks", "/cm", 0.2, 500, "Weft yarns, side by side on one centimetre.", true}});
 };
 
 }  // namespace loomlight

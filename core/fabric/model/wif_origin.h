@@ -27,20 +27,17 @@ struct WifOrigin {
 
 template <>
 struct FieldTable<WifOrigin> {
+  using enum Stage;
   static constexpr auto fields = std::make_tuple(
-      Field{&WifOrigin::program, {Stage::label, "program", "Program", "", 0, 0, "What wrote the weaving file."}},
-      Field{&WifOrigin::ends,
-            {Stage::label, "ends", "Ends", "", 0, Weave::kMaxSide, "Warp threads of the file's draft."}},
-      Field{&WifOrigin::picks,
-            {Stage::label, "picks", "Picks", "", 0, Weave::kMaxSide, "Weft threads of the file's draft."}},
-      Field{&WifOrigin::ends_per_cm,
-            {Stage::label, "ends_per_cm", "Ends", "/cm", 0, 500, "Sett of the fabric it became."}},
-      Field{&WifOrigin::picks_per_cm,
-            {Stage::label, "picks_per_cm", "Picks", "/cm", 0, 500, "Sett of the fabric it became."}},
+      Field{&WifOrigin::program, {label, "program", "Program", "", 0, 0, "What wrote the weaving file."}},
+      Field{&WifOrigin::ends, {label, "ends", "Ends", "", 0, Weave::kMaxSide, "Warp threads of the file's draft."}},
+      Field{&WifOrigin::picks, {label, "picks", "Picks", "", 0, Weave::kMaxSide, "Weft threads of the file's draft."}},
+      Field{&WifOrigin::ends_per_cm, {label, "ends_per_cm", "Ends", "/cm", 0, 500, "Sett of the fabric it became."}},
+      Field{&WifOrigin::picks_per_cm, {label, "picks_per_cm", "Picks", "/cm", 0, 500, "Sett of the fabric it became."}},
       Field{&WifOrigin::warpDiameter_mm,
-            {Stage::label, "warp_diameter_mm", "Warp", "mm", 0, 1e4, "Mean diameter of the yarns it was given."}},
+            {label, "warp_diameter_mm", "Warp", "mm", 0, 1e4, "Mean diameter of the yarns it was given."}},
       Field{&WifOrigin::weftDiameter_mm,
-            {Stage::label, "weft_diameter_mm", "Weft", "mm", 0, 1e4, "Mean diameter of the yarns it was given."}});
+            {label, "weft_diameter_mm", "Weft", "mm", 0, 1e4, "Mean diameter of the yarns it was given."}});
 };
 
 }  // namespace loomlight
