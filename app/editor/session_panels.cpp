@@ -238,7 +238,7 @@ void Session::tellProbe(Ui& ui, const LiveStatus& status) const {
   ui.probe.fact("shown_light", shown ? lightOf(*shown) : "");
   static constexpr const char* kPhases[] = {"idle", "voxelising", "tracing", "converged"};
   ui.probe.fact("phase", kPhases[static_cast<int>(status.phase)]);
-  ui.probe.fact("shown_draft", shown && shown->draft ? "yes" : "no");
+  ui.probe.fact("shown_draft", shown && shown->quality == Quality::sketch ? "yes" : "no");
   ui.probe.fact("denoised", shown && !shown->denoised.empty() ? "yes" : "no");
   ui.probe.fact("error", status.error);
   ui.probe.fact("refusal", refusal_);

@@ -14,8 +14,6 @@ namespace {
 
 /// Samples at which the viewport goes to sleep.
 constexpr uint32_t kMostSamples = 1024;
-/// From here on pictures are shown as they are.
-constexpr int kClearSamples = 16;
 
 double secondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -133,7 +131,7 @@ void Refinement::endPass() {
   } else {
     Frame coarse = traced(*coarse_, plan.divider);
     finish(coarse);
-    coarse.draft = false;  // each of its pixels has a sample of its own
+    coarse.quality = Quality::coarse;  // each of its own pixels has a sample: nothing is left of a sketch
     standIn_.emplace(std::make_shared<const Frame>(std::move(coarse)));
   }
 }
@@ -143,7 +141,6 @@ void Refinement::finish(Frame& frame) const {
   if (standIn_ && frame.divider == 1)
     frame.samples += static_cast<int>(
         std::lround(standIn_->share(history_.samples) * static_cast<float>(standIn_->frame().samples)));
-  frame.draft = standIn_ && standIn_->frame().draft;
   frame.seconds = secondsSince(start_);
   if (asTraced_) {
     // One lucky path to the sun is held back until samples come.
@@ -152,6 +149,11 @@ void Refinement::finish(Frame& frame) const {
   } else {
     takeNoise(frame);
   }
+  const bool sketched = standIn_ && standIn_->frame().quality == Quality::sketch;
+  frame.quality = std::min(frame.quality, sketched                        ? Quality::sketch
+                                          : frame.samples == 0            ? Quality::coarse
+                                          : frame.samples < kClearSamples ? Quality::young
+                                                                          : Quality::clear);
   if (frame.divider > 1) soften(frame.helped.empty() ? frame.rgba : frame.helped, frame.width, frame.height);
 }
 
@@ -179,7 +181,7 @@ std::vector<float> Refinement::variances(const Frame& frame) const {
       // In other colours noise is in proportion.
       const float shown = luminance(Rgb(frame.rgba[variances.size()]));
       const float traced = luminance(Rgb(faded(light(fine_, x, y), x, y, Rgb(1))));
-      const float scale = frame.recoloured && traced > 0 ? shown / traced : 1.0f;
+      const float scale = frame.quality == Quality::dyed && traced > 0 ? shown / traced : 1.0f;
       const float own = fine_.variance(x, y);
       variances.push_back(scale * scale * (mixed ? standIn_->variance(x, y, fine_.samples(x, y), own) : own));
     }
@@ -204,7 +206,7 @@ Frame Refinement::recoloured(const Dye& dye, int threads, double& variance) cons
       const size_t i = static_cast<size_t>(y) * static_cast<size_t>(fine_.width()) + static_cast<size_t>(x);
       frame.rgba[i] = faded(frame.rgba[i], x, y, picture.change[i]);
     }
-  frame.recoloured = true;
+  frame.quality = Quality::dyed;
   finish(frame);
   return frame;
 }

@@ -15,12 +15,11 @@ namespace {
 
 /// With less noise than few samples leave. Single fibres are shown as they are once they are clear.
 Pixels8 quietPicture(const Film& film, uint32_t samples, Method method) {
-  constexpr uint32_t kClearSamples = 16;
   Frame frame;
   frame.width = film.width();
   frame.height = film.height();
   film.toDisplayBuffer(frame.rgba);
-  if (method == Method::volume || samples < kClearSamples) {
+  if (method == Method::volume || samples < uint32_t{kClearSamples}) {
     for (int y = 0; y < frame.height; ++y)
       for (int x = 0; x < frame.width; ++x) {
         frame.hits.push_back(film.hit(x, y));

@@ -147,21 +147,22 @@ void Tracer::take(News news) {
 }
 
 void Tracer::begin(Request request) {
-  constexpr int kLegible = 8, kInMotion = 12;              // coarser ones say nothing of the weave
-  constexpr double kPatience_s = 0.3, kFollowing_s = 0.1;  // the first pass of a scene cannot be stopped
   const bool sameSize = request.width == request_.width && request.height == request_.height;
   const bool better = picture_ && sameSize && request.generation == request_.generation;
   if (!better && sameSize && recolour(request)) return;
-  const bool seen = better && picture_->begun();
-  const std::shared_ptr<const Frame> earlier = seen ? newestFrame() : nullptr;
-  const int reached = seen ? picture_->divider() : 0;
   const Fabric& fabric = *request.cloth.scene->fabric;
-  // On another drape the cloth may fill the picture as it did not before, or be slower to trace.
-  const bool costsAlike = picture_ && !changes(*picture_->scene().fabric, fabric).stages.any(Stage::drape);
-  const double secondsPerPath = costsAlike ? picture_->secondsPerPath() : 0;
-  const Changes sinceClear = clearFabric_ ? changes(*clearFabric_, fabric) : Changes{};
-  const bool sameView = clearFabric_ && !sinceClear.stages.any(Stage::camera | Stage::drape);
-  if (clear_ && !clearServes(request, sinceClear)) clear_.reset();
+  PreviewHave have{better, sameSize, better ? picture_->divider() : 0, {}, {}};
+  if (picture_) have.sincePicture = changes(*picture_->scene().fabric, fabric);
+  if (clearFabric_) have.sinceClear = changes(*clearFabric_, fabric);
+  const PreviewStart start = previewStart(have);
+  const double secondsPerPath = start.knowsCost ? picture_->secondsPerPath() : 0;
+  const std::shared_ptr<const Frame> earlier = start.reached > 0 ? newestFrame() : nullptr;
+  if (clear_) {
+    clearHelp_ = clearHelp(*have.sinceClear,
+                           {clear_->width, clear_->height, clearFabric_->weave.ends(), clearFabric_->weave.picks()},
+                           {request.width, request.height, fabric.weave.ends(), fabric.weave.picks()});
+    if (clearHelp_ == ClearHelp::none) clear_.reset();
+  }
   request_ = std::move(request);
   picturePending_.reset();
   dyed_.reset();
@@ -170,13 +171,11 @@ void Tracer::begin(Request request) {
     return;
   }
   beginPicture(secondsPerPath);
-  if (seen) {
+  if (earlier) {
     picture_->standIn(earlier);
-    picture_->skipCoarse(reached);
-  } else if (better || (sameSize && sameView)) {
-    picture_->beginAt(kLegible, kPatience_s);
-  } else if (costsAlike) {
-    picture_->beginAt(kInMotion, kFollowing_s);
+    picture_->skipCoarse(start.reached);
+  } else {
+    picture_->beginAt(start.coarsest, start.patience_s);
   }
   spentBeforeLens_s_ = 0;
   if (!better) {  // the lens is of another scene; openLens() makes a new one where the same fibres serve
@@ -240,27 +239,16 @@ void Tracer::changeDenoising(bool wanted) {
   publish();
 }
 
-/// Whether the clear picture can stand where the new one is not as good yet.
-bool Tracer::clearServes(const Request& request, const Changes& sinceClear) const {
-  const Fabric& fabric = *request.cloth.scene->fabric;
-  if (!sinceClear.picture()) return 4 * request.height <= 5 * clear_->height;  // stretched further it would be a blur
-  const bool sameSize = request.width == clear_->width && request.height == clear_->height;
-  const bool sameWeaveSize =
-      fabric.weave.ends() == clearFabric_->weave.ends() && fabric.weave.picks() == clearFabric_->weave.picks();
-  return sameSize && sameWeaveSize && sinceClear.crossingsAlone();
-}
-
 /// The clear picture with what is new in this one.
 Frame Tracer::cleared(Frame fresh) const {
-  if (clear_->width != request_.width || clear_->height != request_.height)
-    return reframed(fresh, *clear_, request_.width, request_.height, threads_);
+  if (clearHelp_ == ClearHelp::reframed) return reframed(fresh, *clear_, request_.width, request_.height, threads_);
   return patched(std::move(fresh), *clear_, request_.cloth.scene->fabric->weave, clearFabric_->weave);
 }
 
 std::shared_ptr<Frame> Tracer::framed(Frame frame) const {
   auto shared = std::make_shared<Frame>(std::move(frame));
   shared->generation = request_.generation;
-  shared->draft |= request_.draft;
+  if (request_.sketch) shared->quality = Quality::sketch;
   return shared;
 }
 
@@ -322,25 +310,23 @@ void Tracer::tracePicture() {
 }
 
 void Tracer::showPicture() {
-  constexpr int kClear = 16;  // samples from which on a picture needs no help
   Frame frame = picture_->frame();
-  if (clear_ && frame.samples < std::min(clear_->samples, kClear)) {
+  if (clear_ && wantsHelp(frame.samples, clear_->samples)) {
     picturePending_ = framed(cleared(std::move(frame)));
     if (picturePending_->samples == 0) picture_->standIn(picturePending_);
     return;
   }
   picturePending_ = framed(std::move(frame));
-  if (picturePending_->samples == 0 || picturePending_->draft) return;
+  if (picturePending_->quality <= Quality::coarse) return;
   clear_ = picturePending_;
   clearFabric_ = request_.cloth.scene->fabric;
+  clearHelp_ = ClearHelp::patched;
 }
 
 /// Whether the picture is no worse than the one that stands in for it.
 bool Tracer::worthShowing() const {
-  constexpr uint32_t kFewest = 4;  // to know a variance by
-  const uint32_t samples = picture_->samples();
-  if (!dyed_ || samples >= dyed_->worth_samples()) return true;
-  return !dyed_->fading() && samples >= kFewest && meanVariance(picture_->film()) <= varianceToBeat_;
+  return !dyed_ || supersedes(picture_->samples(), meanVariance(picture_->film()),
+                              {dyed_->worth_samples(), dyed_->fading(), varianceToBeat_});
 }
 
 void Tracer::traceLens() {

@@ -8,9 +8,9 @@
 #include <string>
 #include <thread>
 
+#include "app/live/preview_policy.h"
 #include "app/live/refinement.h"
 #include "app/live/turns.h"
-#include "core/fabric/model/changes.h"
 #include "render/display/difference.h"
 
 namespace loomlight {
@@ -30,7 +30,7 @@ class Tracer {
     Traceable cloth;
     int width = 0, height = 0;
     uint64_t generation = 0;
-    bool draft = false;  ///< of what there is of a cloth that is still being built
+    bool sketch = false;  ///< of what there is of a cloth that is still being built
   };
   struct State {
     enum class Phase { idle, tracing, converged };
@@ -77,7 +77,6 @@ class Tracer {
   bool recolour(const Request& request);
   std::shared_ptr<const Frame> newestFrame() const;
   void beginPicture(double secondsPerPath);
-  bool clearServes(const Request& request, const Changes& sinceClear) const;
   Frame cleared(Frame fresh) const;
   void changeDenoising(bool wanted);
   bool worthShowing() const;
@@ -121,6 +120,7 @@ class Tracer {
   /// size, its pixels stand in.
   std::shared_ptr<const Frame> clear_;
   std::shared_ptr<const Fabric> clearFabric_;
+  ClearHelp clearHelp_ = ClearHelp::none;        ///< of it for the picture under way
   std::shared_ptr<const Frame> picturePending_;  ///< traced, not shown yet
   std::shared_ptr<const Frame> lensPending_;
   std::shared_ptr<const Difference> difference_;

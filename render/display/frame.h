@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "render/display/quality.h"
 #include "render/film/film.h"
 #include "render/transport/path_tracer.h"
 
@@ -24,8 +25,7 @@ struct Frame {
   int samples = 0;                  ///< that every pixel has at least; 0 for a coarse pass
   int divider = 1;                  ///< of the resolution
   double seconds = 0;               ///< since this picture was begun
-  bool draft = false;               ///< some of it was traced in what there is of a cloth that is still being built
-  bool recoloured = false;          ///< made from paths that were traced in other colours; it is being traced anew
+  Quality quality = Quality::clear;
 
   /// What the display shows where nothing is asked for.
   std::span<const glm::vec4> plain() const { return helped.empty() ? rgba : helped; }

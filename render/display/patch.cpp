@@ -117,8 +117,7 @@ Frame patched(Frame fresh, const Frame& old, const Weave& weaveNow, const Weave&
   whole.generation = fresh.generation;
   whole.samples = fresh.samples;
   whole.seconds = fresh.seconds;
-  whole.draft = fresh.draft || old.draft;
-  whole.recoloured = false;
+  whole.quality = std::min(fresh.quality, old.quality);
   const bool denoised = !fresh.denoised.empty() && !old.denoised.empty();
   if (!denoised) whole.denoised.clear();
   const bool helped = !fresh.helped.empty() || !old.helped.empty();

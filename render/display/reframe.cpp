@@ -54,7 +54,7 @@ Frame reframed(const Frame& fresh, const Frame& old, int width, int height, int 
   whole.generation = fresh.generation;
   whole.samples = fresh.samples;
   whole.seconds = fresh.seconds;
-  whole.draft = fresh.draft;
+  whole.quality = std::min(fresh.quality, old.quality);
   const size_t pixels = static_cast<size_t>(width) * static_cast<size_t>(height);
   whole.rgba.resize(pixels);
   whole.hits.resize(pixels);

@@ -12,14 +12,14 @@ std::string workOf(const LiveStatus& status, const Frame* shown) {
                            : !shown->denoised.empty() ? ", denoised"
                            : !shown->helped.empty()   ? ", smoothed"
                                                       : "";
-  if (shown && shown->draft) return "first look" + help;
+  if (shown && shown->quality == Quality::sketch) return "first look" + help;
   switch (status.phase) {
     case LiveStatus::Phase::idle:
       return "waiting" + help;
     case LiveStatus::Phase::voxelising:
       return fmt::format("building {:3.0f} %{}", 100 * status.buildProgress, help);
     case LiveStatus::Phase::tracing:
-      if (!shown || !shown->recoloured) return "refining" + help;
+      if (!shown || shown->quality != Quality::dyed) return "refining" + help;
       return help.empty() ? "recoloured, refining" : "recoloured" + help;  // all three would need more room
     case LiveStatus::Phase::converged:
       break;

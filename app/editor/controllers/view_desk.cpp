@@ -79,7 +79,8 @@ void ViewDesk::followPicture(const Sight& sight) {
 }
 
 bool ViewDesk::shows(const std::shared_ptr<const Fabric>& fabric) const {
-  return frame_ && frame_->width > 0 && fabric == sight_.fabric && frame_->generation == generation_ && !frame_->draft;
+  return frame_ && frame_->width > 0 && fabric == sight_.fabric && frame_->generation == generation_ &&
+         frame_->quality != Quality::sketch;
 }
 
 std::optional<Film::Hit> ViewDesk::hitAt(ImVec2 place) const {

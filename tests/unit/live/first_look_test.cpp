@@ -53,12 +53,12 @@ TEST_F(FirstLook, IsMarkedUntilNothingOfItIsLeft) {
   show(black(), 1, true);
   ASSERT_TRUE(waitFor(1, 8));
   const auto draft = tracer.frame();
-  EXPECT_TRUE(draft->draft);
+  EXPECT_EQ(draft->quality, Quality::sketch);
   show(white(), 1, false);
   std::vector<std::shared_ptr<const Frame>> frames;
   ASSERT_TRUE(window.waitFor([&] {
     frames.push_back(tracer.frame());
-    return !frames.back()->draft;
+    return frames.back()->quality != Quality::sketch;
   }));
   const double cloth = brightness(*frames.back());
   EXPECT_GT(cloth, 2 * brightness(*draft));
@@ -71,8 +71,8 @@ TEST_F(FirstLook, IsNeverRecoloured) {
   ASSERT_TRUE(waitFor(1, 8));
   show(black(), 2, false);
   ASSERT_TRUE(window.waitFor([&] { return tracer.frame()->generation == 2; }));
-  EXPECT_FALSE(tracer.frame()->recoloured);
-  EXPECT_FALSE(tracer.frame()->draft);
+  EXPECT_NE(tracer.frame()->quality, Quality::dyed);
+  EXPECT_NE(tracer.frame()->quality, Quality::sketch);
 }
 
 TEST_F(FirstLook, IsNotWhatAStrokeLeavesAsItWas) {
@@ -83,7 +83,7 @@ TEST_F(FirstLook, IsNotWhatAStrokeLeavesAsItWas) {
   painted.weave = painted.weave.with(0, 0, !painted.weave.at(0, 0));
   show(painted, 2, false);
   ASSERT_TRUE(window.waitFor([&] { return tracer.frame()->generation == 2; }));
-  EXPECT_FALSE(tracer.frame()->draft);
+  EXPECT_NE(tracer.frame()->quality, Quality::sketch);
   EXPECT_GT(brightness(*tracer.frame()), 2 * draft);
 }
 

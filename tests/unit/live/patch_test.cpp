@@ -93,13 +93,13 @@ TEST(Patched, ATurnedCrossingIsSeenWhereNoSampleMetIt) {
     }
 }
 
-TEST(Patched, IsADraftWhereEitherIs) {
+TEST(Patched, IsAsGoodAsTheWorseOfBoth) {
   Frame old = pictureOf(48, 1, kOld), fresh = pictureOf(48, 8, kFresh);
-  EXPECT_FALSE(patched(fresh, old, kNow, kThen).draft);
-  fresh.draft = true;
-  EXPECT_TRUE(patched(fresh, old, kNow, kThen).draft);
-  std::swap(fresh.draft, old.draft);
-  EXPECT_TRUE(patched(fresh, old, kNow, kThen).draft);
+  EXPECT_EQ(patched(fresh, old, kNow, kThen).quality, Quality::clear);
+  fresh.quality = Quality::sketch;
+  EXPECT_EQ(patched(fresh, old, kNow, kThen).quality, Quality::sketch);
+  std::swap(fresh.quality, old.quality);
+  EXPECT_EQ(patched(fresh, old, kNow, kThen).quality, Quality::sketch);
 }
 
 TEST(Patched, TakesCoarsePicturesThatReachBeyondTheEdge) {

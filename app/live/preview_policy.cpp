@@ -1,0 +1,43 @@
+#include "app/live/preview_policy.h"
+
+#include <algorithm>
+
+#include "render/display/quality.h"
+
+namespace loomlight {
+
+PreviewStart previewStart(const PreviewHave& have) {
+  constexpr int kLegible = 8, kInMotion = 12;              // coarser ones say nothing of the weave
+  constexpr double kPatience_s = 0.3, kFollowing_s = 0.1;  // the first pass of a scene cannot be stopped
+  PreviewStart start;
+  // On another drape the cloth may fill the picture as it did not before, or be slower to trace.
+  start.knowsCost = have.sincePicture && !have.sincePicture->stages.any(Stage::drape);
+  const bool sameView = have.sameSize && have.sinceClear && !have.sinceClear->stages.any(Stage::camera | Stage::drape);
+  if (have.sameRequest && have.divider > 0) {
+    start.reached = have.divider;
+  } else if (have.sameRequest || sameView) {
+    start.coarsest = kLegible;
+    start.patience_s = kPatience_s;
+  } else if (start.knowsCost) {
+    start.coarsest = kInMotion;
+    start.patience_s = kFollowing_s;
+  }
+  return start;
+}
+
+ClearHelp clearHelp(const Changes& sinceClear, const PreviewSize& clear, const PreviewSize& wanted) {
+  if (clear == wanted && sinceClear.crossingsAlone()) return ClearHelp::patched;
+  const bool wouldBlur = 4 * wanted.height > 5 * clear.height;
+  return sinceClear.picture() || wouldBlur ? ClearHelp::none : ClearHelp::reframed;
+}
+
+bool wantsHelp(int samples, int clearSamples) {
+  return samples < std::min(clearSamples, kClearSamples);
+}
+
+bool supersedes(unsigned samples, double variance, const DyedPicture& dyed) {
+  constexpr unsigned kFewest = 4;  // to know a variance by
+  return samples >= dyed.worth_samples || (!dyed.fading && samples >= kFewest && variance <= dyed.variance);
+}
+
+}  // namespace loomlight
