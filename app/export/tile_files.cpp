@@ -30,6 +30,16 @@ Pixels8 picture(const TileMaps& maps, const Colour& colour) {
   return pixels;
 }
 
+/// Numbers of the maps from 0 to 1, 65535 steps to each.
+template <class Value>
+Pixels16 numbers(const TileMaps& maps, int channels, const Value& value) {
+  Pixels16 pixels{maps.width, maps.height, channels, {}};
+  for (size_t i = 0; i < maps.opacity.size(); ++i)
+    for (int channel = 0; channel < channels; ++channel)
+      pixels.values.push_back(static_cast<uint16_t>(std::lround(65535 * std::clamp(value(i, channel), 0.0f, 1.0f))));
+  return pixels;
+}
+
 /// Colours that tell yarns apart at a glance: hues a golden angle apart. Black is no yarn.
 Rgb idColour(int yarn) {
   if (yarn < 0) return Rgb(0);
@@ -78,8 +88,10 @@ TileReport writeTile(const std::string& stem, const TileMaps& maps, const Fabric
   const auto write = [&](const char* ending, const Pixels8& pixels) { writePng(named(ending), pixels, {}, dpi); };
   writeExr(named(".exr"), imageOf(maps), dpi);
   write("_basecolor.png", picture(maps, [&](size_t i) { return srgbFromLinear(maps.baseColour[i]); }));
-  write("_normal.png", picture(maps, [&](size_t i) { return 0.5f * maps.normal[i] + 0.5f; }));
-  write("_height.png", picture(maps, [&](size_t i) { return Rgb((maps.height_mm[i] - lowest) / range); }));
+  writePng(named("_normal.png"), numbers(maps, 3, [&](size_t i, int c) { return 0.5f * maps.normal[i][c] + 0.5f; }),
+           dpi);
+  writePng(named("_height.png"), numbers(maps, 1, [&](size_t i, int) { return (maps.height_mm[i] - lowest) / range; }),
+           dpi);
   write("_opacity.png", picture(maps, [&](size_t i) { return Rgb(maps.opacity[i]); }));
   write("_yarn.png", picture(maps, [&](size_t i) { return idColour(maps.yarn[i]); }));
 
@@ -109,10 +121,10 @@ TileReport writeTile(const std::string& stem, const TileMaps& maps, const Fabric
             {"opacity.Y", "0 to 1"},
             {"yarn.id", "number of the yarn, -1 in holes"}}}}},
         {"base_color", {{"file", fileName("_basecolor.png")}, {"encoding", "sRGB, not multiplied by opacity"}}},
-        {"normal", {{"file", fileName("_normal.png")}, {"encoding", "linear, y up (OpenGL)"}}},
+        {"normal", {{"file", fileName("_normal.png")}, {"encoding", "linear, 16 bits, y up (OpenGL)"}}},
         {"height",
          {{"file", fileName("_height.png")},
-          {"encoding", "linear"},
+          {"encoding", "linear, 16 bits"},
           {"black_mm", lowest},
           {"white_mm", lowest + range}}},
         {"opacity", {{"file", fileName("_opacity.png")}, {"encoding", "linear"}}},

@@ -43,8 +43,14 @@ struct Pixels8 {
 };
 void writePng(const std::string& file, const Pixels8& pixels, const std::map<std::string, std::string>& text = {},
               double dpi = 0);
-Pixels8 readPng(const std::string& file);
-/// The texts in it that writePng() can write: UTF-8, not compressed.
-std::map<std::string, std::string> readPngTexts(const std::string& file);
+/// `texts`: if wanted, those in it that writePng() can write: UTF-8, not compressed.
+Pixels8 readPng(const std::string& file, std::map<std::string, std::string>* texts = nullptr);
+
+/// Numbers of 16 bits, which are no colours: 1 or 3 channels.
+struct Pixels16 {
+  int width = 0, height = 0, channels = 1;
+  std::vector<uint16_t> values;
+};
+void writePng(const std::string& file, const Pixels16& pixels, double dpi = 0);
 
 }  // namespace loomlight

@@ -1,30 +1,17 @@
-// PNG by stb, whose two implementations live here and nowhere else. Texts and the size on paper are chunks that we add
-// ourselves: stb cannot.
-#define STB_IMAGE_IMPLEMENTATION
-#define STB_IMAGE_STATIC
-#define STBI_ONLY_PNG
-#define STBI_NO_FAILURE_STRINGS
-#define STBI_NO_HDR
-#define STBI_NO_LINEAR
-#define STBI_MAX_DIMENSIONS 16384
-#define STB_IMAGE_WRITE_IMPLEMENTATION
-#define STB_IMAGE_WRITE_STATIC
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function"
-#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
-#include <stb/stb_image.h>
-#include <stb/stb_image_write.h>
-#pragma GCC diagnostic pop
-
+// PNG by libpng. It leaves where it fails by a jump, so what it calls and what lies between is free of destructors:
+// attempt() is the only place that is jumped to.
 #include <fmt/core.h>
+#include <png.h>
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cassert>
-#include <climits>
 #include <cmath>
+#include <cstdio>
+#include <cstring>
 #include <fstream>
-#include <memory>
+#include <new>
 #include <string_view>
 
 #include "core/base/error.h"
@@ -34,58 +21,188 @@
 namespace loomlight {
 namespace {
 
-constexpr int kMaxSide = STBI_MAX_DIMENSIONS;
+constexpr int kMaxSide = 16384;
 constexpr size_t kMaxFileBytes = size_t{1} << 30;
-constexpr size_t kHeaderBytes = 8 + 25;  ///< the signature and the IHDR chunk, which comes first
 
-/// CRC-32 of ISO 3309, as in the PNG specification, annex D.
-uint32_t crc(const std::string& bytes) {
-  static constexpr auto table = [] {
-    std::array<uint32_t, 256> t{};
-    for (uint32_t n = 0; n < 256; ++n) {
-      t[n] = n;
-      for (int k = 0; k < 8; ++k) t[n] = t[n] & 1 ? 0xEDB88320u ^ (t[n] >> 1) : t[n] >> 1;
+/// What libpng says is wrong, in a place that no jump leaves unfreed.
+using Complaint = std::array<char, 256>;
+
+[[noreturn]] void complain(png_structp png, png_const_charp text) {
+  auto* const complaint = static_cast<Complaint*>(png_get_error_ptr(png));
+  std::snprintf(complaint->data(), complaint->size(), "%s", text);
+  png_longjmp(png, 1);
+}
+
+void ignore(png_structp, png_const_charp) {}
+
+/// Runs calls of libpng; false where one has failed. `calls` must own nothing.
+template <class Calls>
+bool attempt(png_structp png, const Calls& calls) {
+  if (setjmp(png_jmpbuf(png))) return false;
+  calls();
+  return true;
+}
+
+/// A PNG that is being read, from bytes that outlive it.
+class Reader {
+ public:
+  explicit Reader(std::string_view bytes)
+      : rest_(bytes),
+        png_(png_create_read_struct(PNG_LIBPNG_VER_STRING, &complaint_, complain, ignore)),
+        info_(png_ ? png_create_info_struct(png_) : nullptr) {
+    if (!info_) {
+      png_destroy_read_struct(&png_, nullptr, nullptr);
+      throw std::bad_alloc();
     }
-    return t;
-  }();
-  uint32_t c = ~0u;
-  for (const char byte : bytes) c = table[(c ^ static_cast<uint8_t>(byte)) & 255] ^ (c >> 8);
-  return ~c;
+    png_set_read_fn(png_, &rest_, [](png_structp png, png_bytep to, size_t count) {
+      auto& rest = *static_cast<std::string_view*>(png_get_io_ptr(png));
+      if (count > rest.size()) png_error(png, "it breaks off");
+      std::memcpy(to, rest.data(), count);
+      rest.remove_prefix(count);
+    });
+    png_set_user_limits(png_, kMaxSide, kMaxSide);
+    // No chunk is larger than its file, whatever it says, nor unpacked larger than the fabric of a huge jacquard.
+    constexpr size_t kMostUnpacked = size_t{64} << 20;
+    png_set_chunk_malloc_max(png_, std::max(bytes.size(), kMostUnpacked));
+  }
+  ~Reader() { png_destroy_read_struct(&png_, &info_, nullptr); }
+  Reader(const Reader&) = delete;
+  Reader& operator=(const Reader&) = delete;
+
+  /// What stands before the pixels. False where it is damaged: the extent is known all the same if knowsExtent().
+  bool readInfo() {
+    return attempt(png_, [&] { png_read_info(png_, info_); });
+  }
+  bool knowsExtent() const { return png_get_rowbytes(png_, info_) > 0; }
+  int width() const { return static_cast<int>(png_get_image_width(png_, info_)); }
+  int height() const { return static_cast<int>(png_get_image_height(png_, info_)); }
+  int channels() const {
+    return png_get_color_type(png_, info_) == PNG_COLOR_TYPE_PALETTE ? 3 : png_get_channels(png_, info_);
+  }
+
+  /// Of 8 bits, in colour, with alpha where anything is transparent. False where the file is damaged.
+  bool readPixels(Pixels8& pixels) {
+    // What a file cannot hold takes no memory: deflate packs 1032 bytes into one at most.
+    constexpr size_t kMostPacked = 1032;
+    if (png_get_rowbytes(png_, info_) * static_cast<size_t>(height()) / kMostPacked > rest_.size()) {
+      std::snprintf(complaint_.data(), complaint_.size(), "it is too short for %d x %d pixels", width(), height());
+      return false;
+    }
+    if (!attempt(png_, [&] {
+          png_set_expand(png_);
+          png_set_scale_16(png_);
+          png_set_gray_to_rgb(png_);
+          png_set_interlace_handling(png_);
+          png_read_update_info(png_, info_);
+        }))
+      return false;
+    pixels = {width(), height(), png_get_channels(png_, info_), {}};
+    const size_t row = png_get_rowbytes(png_, info_);
+    pixels.bytes.resize(row * static_cast<size_t>(pixels.height));
+    std::vector<png_bytep> rows;
+    for (size_t y = 0; y < static_cast<size_t>(pixels.height); ++y) rows.push_back(pixels.bytes.data() + y * row);
+    return attempt(png_, [&] {
+      png_read_image(png_, rows.data());
+      png_read_end(png_, info_);
+    });
+  }
+
+  std::map<std::string, std::string> texts() const {
+    std::map<std::string, std::string> texts;
+    png_textp found = nullptr;
+    const int count = png_get_text(png_, info_, &found, nullptr);
+    for (int i = 0; i < count; ++i)
+      if (found[i].compression == PNG_ITXT_COMPRESSION_NONE)
+        texts[found[i].key] = std::string(found[i].text, found[i].itxt_length);
+    return texts;
+  }
+
+  const char* complaint() const { return complaint_.data(); }
+
+ private:
+  Complaint complaint_{};
+  std::string_view rest_;
+  png_structp png_;
+  png_infop info_;
+};
+
+[[noreturn]] void refuse(const std::string& file, std::string_view bytes, const char* complaint) {
+  const bool isPng =
+      png_sig_cmp(reinterpret_cast<png_const_bytep>(bytes.data()), 0, std::min<size_t>(8, bytes.size())) == 0;
+  throw InputError(fmt::format("{}: {}{}; expected a PNG of at most {} x {} pixels", file,
+                               isPng ? "damaged PNG file: " : "not a PNG file", isPng ? complaint : "", kMaxSide,
+                               kMaxSide));
 }
 
-std::string bigEndian(uint32_t n) {
-  return {static_cast<char>(n >> 24), static_cast<char>(n >> 16), static_cast<char>(n >> 8), static_cast<char>(n)};
-}
+/// What a PNG is made of beside its pixels.
+struct Form {
+  int width = 0, height = 0, channels = 0, bits = 8;
+  bool isColour = true;  ///< sRGB; else plain numbers
+  double dpi = 0;
+};
 
-uint32_t number(const std::string& bytes, size_t at) {
-  uint32_t n = 0;
-  for (size_t i = 0; i < 4; ++i) n = n << 8 | static_cast<uint8_t>(bytes[at + i]);
-  return n;
-}
-
-std::string chunk(const std::string& type, const std::string& data) {
-  return bigEndian(static_cast<uint32_t>(data.size())) + type + data + bigEndian(crc(type + data));
-}
-
-/// An iTXt chunk: UTF-8, uncompressed, no language.
-std::string textChunk(const std::string& file, const std::string& key, const std::string& value) {
-  if (key.empty() || key.size() > 79 || key.find('\0') != std::string::npos || value.size() > INT_MAX / 2)
-    throw InputError(fmt::format("{}: '{}' cannot be the name of a text in a PNG", file, key));
-  return chunk("iTXt", key + std::string(5, '\0') + value);
-}
-
-/// A pHYs chunk: whole pixels per metre, the same both ways.
-std::string sizeChunk(double dpi) {
-  constexpr double kInchesPerMetre = 1 / 0.0254;
-  const auto perMetre = static_cast<uint32_t>(std::lround(std::clamp(dpi * kInchesPerMetre, 1.0, 1e9)));
-  return chunk("pHYs", bigEndian(perMetre) + bigEndian(perMetre) + '\1');
-}
-
-/// The text of an iTXt chunk as textChunk() makes them; other forms are left out.
-void addText(std::string_view data, std::map<std::string, std::string>& texts) {
-  const size_t end = data.find('\0');
-  if (end == std::string_view::npos || data.substr(end, 5) != std::string_view("\0\0\0\0\0", 5)) return;
-  texts[std::string(data.substr(0, end))] = std::string(data.substr(end + 5));
+/// `rows`: as the file has them, but numbers of 16 bits as the processor has them. Throws InputError.
+void write(const std::string& file, const Form& form, const uint8_t* rows,
+           const std::map<std::string, std::string>& text) {
+  if (form.width < 1 || form.height < 1 || form.width > kMaxSide || form.height > kMaxSide)
+    throw InputError(fmt::format("{}: cannot be written with {} x {} pixels, expected 1 to {} a side", file, form.width,
+                                 form.height, kMaxSide));
+  std::vector<png_text> texts;
+  for (const auto& [key, value] : text) {
+    if (key.empty() || key.size() > 79 || key.find('\0') != std::string::npos)
+      throw InputError(fmt::format("{}: '{}' cannot be the name of a text in a PNG", file, key));
+    png_text entry{};
+    entry.compression = PNG_ITXT_COMPRESSION_NONE;
+    entry.key = const_cast<char*>(key.c_str());  // libpng copies both
+    entry.text = const_cast<char*>(value.c_str());
+    entry.itxt_length = value.size();
+    texts.push_back(entry);
+  }
+  struct Output {
+    std::string png;
+    bool isFull = false;
+  } output;
+  Complaint complaint{};
+  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &complaint, complain, ignore);
+  png_infop info = png ? png_create_info_struct(png) : nullptr;
+  if (!info) {
+    png_destroy_write_struct(&png, nullptr);
+    throw std::bad_alloc();
+  }
+  png_set_write_fn(
+      png, &output,
+      [](png_structp to, png_bytep bytes, size_t count) {
+        auto& out = *static_cast<Output*>(png_get_io_ptr(to));
+        try {
+          out.png.append(reinterpret_cast<const char*>(bytes), count);
+        } catch (const std::bad_alloc&) {
+          out.isFull = true;
+        }
+        if (out.isFull) png_error(to, "needs more memory than there is");
+      },
+      nullptr);
+  static constexpr int kColourTypes[] = {PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB,
+                                         PNG_COLOR_TYPE_RGB_ALPHA};
+  const bool written = attempt(png, [&] {
+    png_set_IHDR(png, info, static_cast<png_uint_32>(form.width), static_cast<png_uint_32>(form.height), form.bits,
+                 kColourTypes[form.channels - 1], PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+                 PNG_FILTER_TYPE_DEFAULT);
+    if (form.isColour) png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+    if (form.dpi > 0) {
+      constexpr double kInchesPerMetre = 1 / 0.0254;
+      const auto perMetre = static_cast<png_uint_32>(std::lround(std::clamp(form.dpi * kInchesPerMetre, 1.0, 1e9)));
+      png_set_pHYs(png, info, perMetre, perMetre, PNG_RESOLUTION_METER);
+    }
+    if (!texts.empty()) png_set_text(png, info, texts.data(), static_cast<int>(texts.size()));
+    png_write_info(png, info);
+    if (form.bits == 16 && std::endian::native == std::endian::little) png_set_swap(png);
+    const size_t row = png_get_rowbytes(png, info);
+    for (size_t y = 0; y < static_cast<size_t>(form.height); ++y) png_write_row(png, rows + y * row);
+    png_write_end(png, nullptr);
+  });
+  png_destroy_write_struct(&png, &info);
+  if (!written) throw InputError(fmt::format("{}: {}", file, complaint.data()));
+  writeFileAtomically(file, output.png);
 }
 
 }  // namespace
@@ -93,79 +210,34 @@ void addText(std::string_view data, std::map<std::string, std::string>& texts) {
 void writePng(const std::string& file, const Pixels8& pixels, const std::map<std::string, std::string>& text,
               double dpi) {
   assert(pixels.channels == 3 || pixels.channels == 4);
-  if (pixels.width < 1 || pixels.height < 1 || pixels.width > kMaxSide || pixels.height > kMaxSide)
-    throw InputError(fmt::format("{}: cannot be written with {} x {} pixels, expected 1 to {} a side", file,
-                                 pixels.width, pixels.height, kMaxSide));
-  std::string png;
-  const auto append = [](void* to, void* bytes, int count) {
-    static_cast<std::string*>(to)->append(static_cast<const char*>(bytes), static_cast<size_t>(count));
-  };
-  if (!stbi_write_png_to_func(append, &png, pixels.width, pixels.height, pixels.channels, pixels.bytes.data(),
-                              pixels.width * pixels.channels))
-    throw InputError(fmt::format("{}: needs more memory than there is", file));
-
-  std::string extra = chunk("sRGB", std::string(1, '\0'));  // perceptual intent
-  if (dpi > 0) extra += sizeChunk(dpi);
-  for (const auto& [key, value] : text) extra += textChunk(file, key, value);
-  png.insert(kHeaderBytes, extra);
-  writeFileAtomically(file, png);
+  write(file, {pixels.width, pixels.height, pixels.channels, 8, true, dpi}, pixels.bytes.data(), text);
 }
 
-Pixels8 readPng(const std::string& file) {
+void writePng(const std::string& file, const Pixels16& pixels, double dpi) {
+  assert(pixels.channels == 1 || pixels.channels == 3);
+  write(file, {pixels.width, pixels.height, pixels.channels, 16, false, dpi},
+        reinterpret_cast<const uint8_t*>(pixels.values.data()), {});
+}
+
+Pixels8 readPng(const std::string& file, std::map<std::string, std::string>* texts) {
   const std::string bytes = readFile(file, kMaxFileBytes);
-  const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
-  const int size = static_cast<int>(bytes.size());
+  Reader reader(bytes);
   Pixels8 pixels;
-  int channelsInFile = 0;
-  if (!stbi_info_from_memory(data, size, &pixels.width, &pixels.height, &channelsInFile))
-    throw InputError(fmt::format("{}: not a PNG file, or one of more than {} x {} pixels", file, kMaxSide, kMaxSide));
-  const bool hasAlpha = channelsInFile == 2 || channelsInFile == 4;
-  pixels.channels = hasAlpha ? 4 : 3;
-  const std::unique_ptr<stbi_uc, void (*)(void*)> decoded(
-      stbi_load_from_memory(data, size, &pixels.width, &pixels.height, &channelsInFile, pixels.channels),
-      stbi_image_free);
-  if (!decoded) throw InputError(fmt::format("{}: damaged PNG file", file));
-  const size_t count =
-      static_cast<size_t>(pixels.width) * static_cast<size_t>(pixels.height) * static_cast<size_t>(pixels.channels);
-  pixels.bytes.assign(decoded.get(), decoded.get() + count);
+  if (!reader.readInfo() || !reader.readPixels(pixels)) refuse(file, bytes, reader.complaint());
+  if (texts) *texts = reader.texts();
   return pixels;
 }
 
 PictureExtent readPngExtent(const std::string& file) {
-  // Read here, not by the decoder: some versions of it ask for more of the file than its header.
+  constexpr std::streamsize kHeaderBytes = 8 + 25;  // the signature, and the header
   std::string header(kHeaderBytes, '\0');
   std::ifstream stream(file, std::ios::binary);
-  const bool isPng = stream.read(header.data(), static_cast<std::streamsize>(header.size())) &&
-                     header.compare(0, 8, "\x89PNG\r\n\x1a\n") == 0 && header.compare(12, 4, "IHDR") == 0;
-  const auto bigEndian = [&](size_t at) {
-    uint32_t value = 0;
-    for (size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<uint8_t>(header[at + i]);
-    return value;
-  };
-  const uint32_t width = bigEndian(16), height = bigEndian(20);
-  if (!isPng || width < 1 || width > kMaxSide || height < 1 || height > kMaxSide)
-    throw InputError(fmt::format("{}: not a PNG file, or one of more than {} x {} pixels", file, kMaxSide, kMaxSide));
-  PictureExtent extent;
-  extent.width = static_cast<int>(width);
-  extent.height = static_cast<int>(height);
-  const int colourType = header[25];  // PNG 1.2, section 4.1.1: grey, RGB, palette, grey and alpha, RGB and alpha
-  extent.channels = colourType == 0 ? 1 : colourType == 4 ? 2 : colourType == 6 ? 4 : 3;
-  return extent;
-}
-
-std::map<std::string, std::string> readPngTexts(const std::string& file) {
-  constexpr size_t kSignature = 8, kAround = 12;  // length and type before a chunk's data, checksum behind it
-  const std::string bytes = readFile(file, kMaxFileBytes);
-  if (bytes.compare(0, kSignature, "\x89PNG\r\n\x1a\n") != 0) throw InputError(fmt::format("{}: not a PNG file", file));
-  std::map<std::string, std::string> texts;
-  for (size_t at = kSignature; at < bytes.size();) {
-    const size_t left = bytes.size() - at;
-    const size_t length = left < kAround ? left : number(bytes, at);
-    if (left < kAround || length > left - kAround) throw InputError(fmt::format("{}: damaged PNG file", file));
-    if (bytes.compare(at + 4, 4, "iTXt") == 0) addText(std::string_view(bytes).substr(at + 8, length), texts);
-    at += kAround + length;
-  }
-  return texts;
+  stream.read(header.data(), kHeaderBytes);
+  header.resize(static_cast<size_t>(stream.gcount()));
+  Reader reader(header);
+  reader.readInfo();  // in vain, as the rest is not there; but it has read the header
+  if (!reader.knowsExtent()) refuse(file, header, reader.complaint());
+  return {reader.width(), reader.height(), reader.channels()};
 }
 
 }  // namespace loomlight

@@ -1,7 +1,9 @@
 #include "app/editor/model/picture_label.h"
 
 #include <fmt/core.h>
-#include <stb/stb_truetype.h>
+#include <ft2build.h>
+#include FT_FREETYPE_H
+#include FT_OUTLINE_H
 
 #include <algorithm>
 #include <cassert>
@@ -18,42 +20,48 @@ constexpr uint8_t kBand = 118, kInk = 250;  // 18 % reflectance, as around the c
 /// One line of text, drawn into pixels.
 class TextLine {
  public:
-  explicit TextLine(float height) {
-    const auto* bytes = reinterpret_cast<const unsigned char*>(kFontRegular.data());
-    if (!stbtt_InitFont(&font_, bytes, stbtt_GetFontOffsetForIndex(bytes, 0)))
+  /// `height` in pixels, from the highest ascent to the lowest descent.
+  explicit TextLine(int height) {
+    const auto* bytes = reinterpret_cast<const FT_Byte*>(kFontRegular.data());
+    FT_Size_RequestRec size{FT_SIZE_REQUEST_TYPE_REAL_DIM, 0, height * 64L, 0, 0};
+    if (FT_Init_FreeType(&library_) != 0 ||
+        FT_New_Memory_Face(library_, bytes, static_cast<FT_Long>(kFontRegular.size()), 0, &face_) != 0 ||
+        FT_Request_Size(face_, &size) != 0) {
+      FT_Done_FreeType(library_);
       throw std::runtime_error("the built-in font cannot be read");
-    scale_ = stbtt_ScaleForPixelHeight(&font_, height);
-    int descent = 0, gap = 0;
-    stbtt_GetFontVMetrics(&font_, &ascent_, &descent, &gap);
+    }
   }
+  ~TextLine() { FT_Done_FreeType(library_); }  // and with it the face
+  TextLine(const TextLine&) = delete;
+  TextLine& operator=(const TextLine&) = delete;
 
   float width(const std::u32string& text) const {
     float width = 0;
-    for (const char32_t c : text) width += advance(c);
+    for (const char32_t c : text)
+      if (load(c)) width += advance();
     return width;
   }
 
   void draw(Pixels8& pixels, const std::u32string& text, float x, float top) const {
-    const float baseline = top + scale_ * static_cast<float>(ascent_);
+    const int baseline = static_cast<int>(std::lround(top + static_cast<float>(face_->size->metrics.ascender) / 64));
     for (const char32_t c : text) {
-      int width = 0, height = 0, left = 0, up = 0;
-      unsigned char* const glyph = stbtt_GetCodepointBitmapSubpixel(&font_, scale_, scale_, x - std::floor(x), 0,
-                                                                    static_cast<int>(c), &width, &height, &left, &up);
-      for (int gy = 0; gy < height; ++gy)
-        for (int gx = 0; gx < width; ++gx)
-          blend(pixels, static_cast<int>(std::floor(x)) + left + gx, static_cast<int>(std::lround(baseline)) + up + gy,
-                glyph[gy * width + gx]);
-      stbtt_FreeBitmap(glyph, nullptr);
-      x += advance(c);
+      if (!load(c)) continue;
+      FT_GlyphSlot glyph = face_->glyph;
+      const float next = x + advance(), whole = std::floor(x);
+      FT_Outline_Translate(&glyph->outline, std::lround(64 * (x - whole)), 0);
+      x = next;
+      if (FT_Render_Glyph(glyph, FT_RENDER_MODE_NORMAL) != 0) continue;
+      const FT_Bitmap& bitmap = glyph->bitmap;
+      for (int gy = 0; gy < static_cast<int>(bitmap.rows); ++gy)
+        for (int gx = 0; gx < static_cast<int>(bitmap.width); ++gx)
+          blend(pixels, static_cast<int>(whole) + glyph->bitmap_left + gx, baseline - glyph->bitmap_top + gy,
+                bitmap.buffer[gy * bitmap.pitch + gx]);
     }
   }
 
  private:
-  float advance(char32_t c) const {
-    int advance = 0, bearing = 0;
-    stbtt_GetCodepointHMetrics(&font_, static_cast<int>(c), &advance, &bearing);
-    return scale_ * static_cast<float>(advance);
-  }
+  bool load(char32_t c) const { return FT_Load_Char(face_, c, FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP) == 0; }
+  float advance() const { return static_cast<float>(face_->glyph->linearHoriAdvance) / 65536; }
   static void blend(Pixels8& pixels, int x, int y, int coverage) {
     if (x < 0 || y < 0 || x >= pixels.width || y >= pixels.height) return;
     uint8_t* const p =
@@ -61,9 +69,8 @@ class TextLine {
     for (int c = 0; c < 3; ++c) p[c] = static_cast<uint8_t>(p[c] + (kInk - p[c]) * coverage / 255);
   }
 
-  stbtt_fontinfo font_{};
-  float scale_ = 1;
-  int ascent_ = 0;
+  FT_Library library_ = nullptr;
+  FT_Face face_ = nullptr;
 };
 
 /// UTF-8; what is none is left out.
@@ -118,7 +125,7 @@ Pixels8 labelled(const Pixels8& picture, const PictureLabel& label, double mm_pe
   const int text = std::max(10, picture.height / 40), pad = text / 2, band = text + 2 * pad;
   Pixels8 whole{picture.width, picture.height + band, 3, picture.bytes};
   whole.bytes.resize(3 * static_cast<size_t>(whole.width) * static_cast<size_t>(whole.height), kBand);
-  const TextLine line(static_cast<float>(text));
+  const TextLine line(text);
   const auto top = static_cast<float>(picture.height + pad);
   auto left = static_cast<float>(pad);
   if (label.scaleBar) {

@@ -45,11 +45,12 @@ std::vector<std::string> ViewFolder::ids() const {
 
 KeptView ViewFolder::read(const std::string& id) const {
   const std::string file = fileOf(id).string();
-  const auto texts = readPngTexts(file);
+  std::map<std::string, std::string> texts;
+  Pixels8 picture = readPng(file, &texts);
   const auto found = texts.find(kFabricKey);
   if (found == texts.end()) throw InputError(fmt::format("{}: expected a kept view, found no fabric in it", file));
   Fabric fabric = workingNames(fabricFromJson(found->second, file), file);
-  KeptView view{id, std::make_shared<const Fabric>(std::move(fabric)), readPng(file)};
+  KeptView view{id, std::make_shared<const Fabric>(std::move(fabric)), std::move(picture)};
   if (view.picture.channels != 3) throw InputError(fmt::format("{}: expected a picture without alpha", file));
   return view;
 }

@@ -107,7 +107,7 @@ class CommandLineTest(unittest.TestCase):
 
 
 def read_png(file):
-    """Width, height and rows of pixels of an 8-bit PNG without interlace."""
+    """Width, height and rows of pixels of a PNG of 8 or 16 bits without interlace."""
     data = pathlib.Path(file).read_bytes()
     assert data[:8] == b"\x89PNG\r\n\x1a\n", "no PNG"
     position, compressed = 8, b""
@@ -116,21 +116,23 @@ def read_png(file):
         body = data[position + 8 : position + 8 + length]
         if kind == b"IHDR":
             width, height, depth, colour, _, _, interlace = struct.unpack(">IIBBBBB", body)
-            assert depth == 8 and interlace == 0
+            assert depth in (8, 16) and interlace == 0
         elif kind == b"IDAT":
             compressed += body
         position += 12 + length
     channels = {0: 1, 2: 3, 4: 2, 6: 4}[colour]
-    raw, stride, rows = zlib.decompress(compressed), width * channels, []
+    step = channels * depth // 8  # bytes of a pixel
+    raw, stride, rows = zlib.decompress(compressed), width * step, []
     above = bytearray(stride)
     for y in range(height):
         start = y * (stride + 1)
         kind, line = raw[start], bytearray(raw[start + 1 : start + 1 + stride])
         for i in range(stride):
-            left = line[i - channels] if i >= channels else 0
-            corner = above[i - channels] if i >= channels else 0
+            left = line[i - step] if i >= step else 0
+            corner = above[i - step] if i >= step else 0
             line[i] = (line[i] + _predicted(kind, left, above[i], corner)) & 255
-        rows.append([tuple(line[i : i + channels]) for i in range(0, stride, channels)])
+        values = struct.unpack(f">{width * channels}{'B' if depth == 8 else 'H'}", line)
+        rows.append([values[i : i + channels] for i in range(0, width * channels, channels)])
         above = line
     return width, height, rows
 

@@ -18,6 +18,8 @@ class Tile(CommandLineTest):
         for name in ("base_color", "normal", "height", "opacity", "yarn"):
             width, height, rows = read_png(self.folder / "maps" / sidecar["maps"][name]["file"])
             self.assertEqual((width, height), (sidecar["width_px"], sidecar["height_px"]), name)
+            if name in ("normal", "height"):
+                self.assertGreater(max(max(pixel) for row in rows for pixel in row), 255, f"{name}: 16 bits")
             self.assertGreater(len({pixel for row in rows for pixel in row}), 1, name)
             content = (self.folder / "maps" / sidecar["maps"][name]["file"]).read_bytes()
             place = content.index(b"pHYs") + 4

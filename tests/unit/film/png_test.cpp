@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <png.h>
 
 #include "core/base/error.h"
 #include "core/base/random.h"
@@ -82,11 +83,13 @@ TEST(Png, TextsComeBack) {
   const std::map<std::string, std::string> texts{{"Title", "Caf\u00E9"},
                                                  {"loomlight.fabric", std::string(100000, 'x')}};
   writePng(folder.file("a.png"), noise(3, 2, 4), texts, 72);
-  EXPECT_EQ(readPngTexts(folder.file("a.png")), texts);
+  std::map<std::string, std::string> read;
+  EXPECT_EQ(readPng(folder.file("a.png"), &read).bytes, noise(3, 2, 4).bytes);
+  EXPECT_EQ(read, texts);
   const std::string whole = bytesOf(folder.file("a.png"));
   for (const size_t length : {size_t{0}, size_t{7}, size_t{20}, size_t{60}, whole.size() - 1}) {
     putBytes(folder.file("cut.png"), whole.substr(0, length));
-    EXPECT_THROW(readPngTexts(folder.file("cut.png")), InputError) << length;
+    EXPECT_THROW(readPng(folder.file("cut.png"), &read), InputError) << length;
   }
 }
 
@@ -158,6 +161,60 @@ TEST(Png, RefusesHugeClaims) {
   std::string bytes = bytesOf(folder.file("a.png"));
   bytes[17] = '\x01';  // 65538 pixels wide
   EXPECT_THAT(complaint(bytes), HasSubstr("16384"));
+}
+
+/// The file with other dimensions, and the checksum that goes with them.
+std::string claiming(std::string png, uint32_t width, uint32_t height) {
+  const auto put = [&png](size_t at, uint32_t n) {
+    for (size_t i = 0; i < 4; ++i) png[at + i] = static_cast<char>(n >> (24 - 8 * i));
+  };
+  put(16, width);
+  put(20, height);
+  put(29, slowCrc(png.substr(12, 17)));
+  return png;
+}
+
+TEST(Png, HugeClaimsAreRefusedByTheHeader) {
+  const test::ScratchFolder folder;
+  writePng(folder.file("a.png"), noise(2, 2, 3));
+  const std::string sound = bytesOf(folder.file("a.png"));
+  ASSERT_EQ(claiming(sound, 2, 2), sound);
+  EXPECT_THAT(complaint(claiming(sound, 16385, 2)), HasSubstr("IHDR"));
+  EXPECT_THAT(complaint(claiming(sound, 2, 1u << 30)), HasSubstr("IHDR"));
+  EXPECT_THAT(complaint(claiming(sound, 16384, 16384)), HasSubstr("too short for 16384 x 16384 pixels"))
+      << "its pixels would take 800 MB, and are not there";
+  putBytes(folder.file("b.png"), claiming(sound, 16385, 2));
+  EXPECT_THROW(readPngExtent(folder.file("b.png")), InputError);
+}
+
+TEST(Png, SaysWhatIsWrongWithADamagedFile) {
+  const test::ScratchFolder folder;
+  writePng(folder.file("a.png"), noise(20, 20, 3));
+  const std::string sound = bytesOf(folder.file("a.png"));
+  EXPECT_THAT(complaint(sound.substr(0, sound.size() / 2)), HasSubstr("damaged PNG file: it breaks off"));
+  std::string turned = sound;
+  turned[turned.size() / 2] = static_cast<char>(turned[turned.size() / 2] ^ 1);
+  EXPECT_THAT(complaint(turned), HasSubstr("damaged PNG file: IDAT"));
+}
+
+// Heights and normals: 256 steps of either show as terraces.
+TEST(Png, NumbersKeepTheir16Bits) {
+  const test::ScratchFolder folder;
+  for (const int channels : {1, 3}) {
+    Pixels16 numbers{31, 17, channels, {}};
+    Random random(7);
+    for (int i = 0; i < 31 * 17 * channels; ++i) numbers.values.push_back(static_cast<uint16_t>(random.next()));
+    writePng(folder.file("a.png"), numbers, 300);
+    for (const Chunk& chunk : chunksOf(bytesOf(folder.file("a.png")))) EXPECT_NE(chunk.type, "sRGB") << "no colours";
+    // As a reader that is not ours has them: without a colour space, 16 bits are linear.
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    ASSERT_TRUE(png_image_begin_read_from_file(&image, folder.file("a.png").c_str()));
+    image.format = channels == 1 ? PNG_FORMAT_LINEAR_Y : PNG_FORMAT_LINEAR_RGB;
+    std::vector<uint16_t> read(numbers.values.size());
+    ASSERT_TRUE(png_image_finish_read(&image, nullptr, read.data(), 0, nullptr)) << image.message;
+    EXPECT_EQ(read, numbers.values);
+  }
 }
 
 TEST(Png, TruncationBeforeTheEndIsRefused) {
