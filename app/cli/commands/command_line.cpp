@@ -11,6 +11,7 @@
 #include "app/cli/version_text.h"
 #include "app/export/file_name.h"
 #include "app/export/program_folders.h"
+#include "core/fabric/json/fabric_schema.h"
 #include "render/film/film.h"
 
 namespace loomlight {
@@ -178,6 +179,9 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   addThumbnail(*thumbnails, thumbnail);
   CLI::App* const traces = app.add_subcommand("trace", "the path of one sample of one pixel, event by event");
   addTrace(*traces, trace);
+  bool keysAlone = false;
+  CLI::App* const schemas = app.add_subcommand("schema", "what a fabric's file may say, as a JSON schema");
+  schemas->add_flag("--keys", keysAlone, "a list of all keys, for people");
   CLI::App* const brdfs = app.add_subcommand("brdf", "how a flat patch reflects, seen from a half-dome of cameras");
   addBrdf(*brdfs, brdf);
   CLI::App* const benches =
@@ -222,6 +226,7 @@ Command parseCommandLine(const std::vector<std::string>& words) {
     return render;
   }
   if (*informs) return info;
+  if (*schemas) return TextCommand{keysAlone ? fabricKeys() : fabricSchema()};
   if (*brdfs) {
     if (brdf.options.light && brdf.lightAngle_deg)
       throw UsageError("--light-angle: expected it alone or --light alone, got both");
