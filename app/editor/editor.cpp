@@ -139,7 +139,7 @@ int runEditor(const EditorOptions& options) {
   session.drop(dropped);
   frames.runUntilOver(session);
   session.close();
-  Settings last = session.settings();
+  Settings last = session.settingsToKeep();
   last.windowWidth = static_cast<int>(window.sizeInWindow().x);
   last.windowHeight = static_cast<int>(window.sizeInWindow().y);
   writeSettings(settingsFile(), last);

@@ -1,58 +1,219 @@
 #include "app/editor/session.h"
 
+#include <utility>
+
 #include "app/editor/model/sample_fabric.h"
 #include "app/editor/model/user_folders.h"
+#include "app/export/file_name.h"
+#include "core/base/stopwatch.h"
+#include "core/fabric/weave/structure_edit.h"
+#include "ui/widgets/keys.h"
 
 namespace loomlight {
 
 Session::Session(Document document, Settings settings, DisplayDriver& driver, std::function<void()> wake, int threads)
     : settings_(std::move(settings)),
-      document_(std::move(document)),
-      wake_(std::move(wake)),
-      sampleNames_(sampleNames()),
-      autosave_(stateFolder(), wake_),
-      colours_(wake_),
-      sidePictures_(driver, wake_),
-      shelf_(viewFolder(), driver, wake_),
-      presetDesk_(presetFolder(), driver, wake_),
-      views_(driver, wake_, threads),
-      files_(wake_),
-      previews_(driver, wake_),
-      pictures_(wake_) {
-  hints_.wanted = !settings_.hintsSeen;
+      document_(std::move(document), wake),
+      viewport_(driver, wake, threads),
+      draft_(wake),
+      inspector_(driver, wake),
+      snapshots_(viewFolder(), driver, wake),
+      presets_(presetFolder(), driver, wake),
+      files_(driver, wake) {
+  help_.hints.wanted = !settings_.hintsSeen;
   const ViewSettings& view = settings_.view;
-  viewport_.denoised = view.denoised;
-  viewport_.filmic = view.filmic;
-  viewport_.exposure_stops = view.exposure_stops;
-  draft_.inColour = view.draftInColour;
-  draft_.back = view.draftBack;
-  draft_.marksFloats = view.marksFloats;
-  snapshotDialog_.setOptions(settings_.snapshot);
-  if (!document_.file().empty()) remember(document_.file());
+  viewport_.view().denoised = view.denoised;
+  viewport_.view().filmic = view.filmic;
+  viewport_.view().exposure_stops = view.exposure_stops;
+  draft_.view().inColour = view.draftInColour;
+  draft_.view().back = view.draftBack;
+  draft_.view().marksFloats = view.marksFloats;
+  inspector_.view().units = settings_.units;
+  snapshots_.setOptions(settings_.snapshot);
+  if (!document_.document().file().empty()) remember(document_.document().file());
 }
 
-void Session::keepSettings() {
-  settings_.hintsSeen = !hints_.wanted;
-  settings_.view = {viewport_.denoised, viewport_.filmic, viewport_.exposure_stops,
-                    draft_.inColour,    draft_.back,      draft_.marksFloats};
-  settings_.snapshot = snapshotDialog_.options();
+Settings Session::settingsToKeep() const {
+  Settings settings = settings_;
+  const ViewportView& viewport = viewport_.view();
+  const DraftView& draft = draft_.view();
+  settings.hintsSeen = !help_.hints.wanted;
+  settings.view = {viewport.denoised, viewport.filmic, viewport.exposure_stops,
+                   draft.inColour,    draft.back,      draft.marksFloats};
+  settings.snapshot = snapshots_.options();
+  settings.units = inspector_.view().units;
+  return settings;
 }
 
 std::string Session::title() const {
-  return document_.fabric()->name + (document_.isDirty() ? " (edited)" : "") + " - Loomlight";
+  return document_.fabric()->name + (document_.document().isDirty() ? " (edited)" : "") + " - Loomlight";
 }
 
-Tone Session::tone() const {
-  Tone tone;
-  tone.exposure_stops = static_cast<float>(viewport_.exposure_stops);
-  tone.filmic = viewport_.filmic;
-  return tone;
+void Session::frame(Ui& ui) {
+  Stopwatch watch;
+  if (viewport_.take()) snapshots_.followView(document_.fabric(), viewport_.desk());
+  work_s_ = watch.lap();
+  document_.beginFrame(ImGui::IsAnyMouseDown() || ImGui::IsAnyItemActive());
+  if (!dialogIsOpen()) readKeys();
+  drawPanels(ui);
+  drawDialogs(ui);
+  watch.lap();
+  follow();
+  work_s_ += watch.lap();
 }
 
-bool Session::dialogIsOpen() const {
-  return files_.busy() || browser_.isOpen() || message_.isOpen() || snapshotDialog_.isOpen() || preferences_.isOpen() ||
-         keys_.isOpen() || wifDialog_.isOpen() || structures_.isOpen() || pictureDialog_.isOpen() ||
-         tileDialog_.isOpen() || colourways_.isOpen() || compare_.isOpen() || presetBrowser_.isOpen();
+/// Takes what workers have brought, and tells them what is wanted now.
+void Session::follow() {
+  snapshots_.follow();
+  if (const auto message = presets_.follow(!dialogIsOpen())) questions_.say(message->title, message->text);
+  const bool panels = settings_.desk.panelsShown;
+  if (auto dyed = inspector_.follow(document_.fabric(), document_.gesture(), panels))
+    document_.edit(std::move(dyed->fabric), inspector_.place(), dyed->gesture);
+  const InspectorView& inspector = inspector_.view();
+  viewport_.follow(document_.fabric(), inspector.yarn, inspector.visibilityShown && panels, settings_.fibreMemory_GB);
+  document_.keepCopy();
+}
+
+void Session::run(Command command) {
+  switch (command) {
+    case Command::newFabric:
+      return leaveFor(Afterwards::beginAnew);
+    case Command::open:
+      return browse(FileTask::open);
+    case Command::save:
+      if (document_.document().file().empty()) return browse(FileTask::saveAs);
+      return files_.desk().save(document_.document().file(), document_.fabric(), document_.document().state());
+    case Command::saveAs:
+      return browse(FileTask::saveAs);
+    case Command::savePreset:
+      return presets_.keep(*document_.fabric());
+    case Command::snapshot:
+      return snapshots_.show(document_.fabric()->render, freeFile(fileCalledAsCloth(".png")).string());
+    case Command::presets:
+      viewport_.desk().pause(true);  // its pictures are looked at now
+      return presets_.showBrowser();
+    case Command::colourways:
+      viewport_.desk().pause(true);  // its pictures are looked at now
+      return inspector_.showColourways();
+    case Command::keepView:
+      return snapshots_.keepView(document_.fabric(), viewport_.tone(), viewport_.desk());
+    case Command::chooseMesh:
+      return browse(FileTask::mesh);
+    case Command::chooseEnvironment:
+      return browse(FileTask::environment);
+    case Command::quit:
+      return askToQuit();
+    case Command::undo:
+      return goTo(document_.undo());
+    case Command::redo:
+      return goTo(document_.redo());
+    case Command::fitView:
+      viewport_.view().fitWanted = true;
+      break;
+    case Command::fitDraft:
+      return draft_.fit();
+    case Command::truthLens:
+      return viewport_.view().lens.toggle();
+    case Command::denoise:
+      viewport_.view().denoised = !viewport_.view().denoised;
+      break;
+    case Command::preferences:
+      return preferences_.show();
+    case Command::togglePanels:
+      settings_.desk.panelsShown = !settings_.desk.panelsShown;
+      break;
+    case Command::fullScreen:
+      window_.isFull = !window_.isFull;
+      break;
+    case Command::darkTheme:
+      settings_.darkTheme = true;
+      break;
+    case Command::lightTheme:
+      settings_.darkTheme = false;
+      break;
+    case Command::showKeys:
+      return help_.keys.show();
+    case Command::showAbout:
+      return questions_.say("Loomlight " LOOMLIGHT_VERSION,
+                            "Woven cloth, seen as it will look: path-traced from the optics of its fibres.\n\n"
+                            "Colours are shown in sRGB with the white of daylight (D65). Apache License 2.0.");
+  }
+}
+
+void Session::run(DraftCommand command) {
+  switch (command) {
+    case DraftCommand::structures:
+      return draft_.showStructures();
+    case DraftCommand::fromPicture:
+      return browse(FileTask::picture);
+    case DraftCommand::exportWif:
+      return browse(FileTask::exportWif);
+    case DraftCommand::exportBitmap:
+      return browse(FileTask::exportBitmap);
+    case DraftCommand::exportDraft:
+      return browse(FileTask::exportDraft);
+    case DraftCommand::exportTile:
+      return tile_.show(freeFile(fileCalledAsCloth(" tile.json")).string());
+    default:
+      const EditPlace place = draft_.place();
+      if (auto edited = draft_.run(command, *document_.fabric(), settings_.draft))
+        document_.edit(std::move(*edited), place);
+  }
+}
+
+void Session::readKeys() {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (io.WantTextInput) return;
+  const bool listIsOpen = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+  const bool escape = keyPressed(ImGuiKey_Escape);
+  if (escape && listIsOpen) return;  // it shuts the list alone
+  if (const auto command = draftKey(draft_.view())) return run(*command);
+  if (io.KeyCtrl) {
+    if (letterPressed('N')) run(Command::newFabric);
+    if (letterPressed('O')) run(Command::open);
+    if (letterPressed('S')) run(io.KeyShift ? Command::saveAs : Command::save);
+    if (letterPressed('Z')) run(io.KeyShift ? Command::redo : Command::undo);
+    if (letterPressed('Y')) run(Command::redo);
+    if (letterPressed('P')) run(Command::snapshot);
+    if (letterPressed('B')) run(Command::presets);
+    if (letterPressed('Q')) run(Command::quit);
+    return;
+  }
+  if (letterPressed('F')) run(io.KeyShift ? Command::fitDraft : Command::fitView);
+  if (letterPressed('K')) run(Command::keepView);
+  if (letterPressed('L')) run(Command::truthLens);
+  if (letterPressed('N')) run(Command::denoise);
+  if (escape && viewport_.view().lens.on) viewport_.view().lens.close();
+  if (keyPressed(ImGuiKey_Tab)) run(Command::togglePanels);
+  if (functionKeyPressed(1) || io.InputQueueCharacters.contains('?')) run(Command::showKeys);
+  if (functionKeyPressed(11)) run(Command::fullScreen);
+}
+
+void Session::startOver(Document document) {
+  document_.startOver(std::move(document));
+  draft_.startOver();
+  inspector_.startOver();
+}
+
+void Session::applyPreset(const PresetChoice& choice) {
+  if (choice.isSample) return dress(sampleFabric(choice.index));
+  files_.desk().open(FileDesk::Work::usePreset, presets_.fileOf(choice), document_.fabric(),
+                     document_.document().state());
+}
+
+void Session::dress(const Fabric& cloth) {
+  document_.edit(dressed(*document_.fabric(), cloth), draft_.place());
+  draft_.fit();
+}
+
+/// To where an edit was made.
+void Session::goTo(const EditPlace& place) {
+  if (place.panel == EditPlace::Panel::none) return;
+  settings_.desk.panelsShown = true;
+  if (place.panel == EditPlace::Panel::draft)
+    draft_.goTo(place);
+  else
+    inspector_.goTo(place);
 }
 
 }  // namespace loomlight

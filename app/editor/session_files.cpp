@@ -1,13 +1,16 @@
 #include <fmt/core.h>
 
 #include <filesystem>
+#include <utility>
 
 #include "app/editor/model/left_work.h"
 #include "app/editor/model/sample_fabric.h"
 #include "app/editor/model/user_folders.h"
 #include "app/editor/session.h"
+#include "app/export/draft_sheet.h"
 #include "app/export/file_name.h"
-#include "app/export/program_folders.h"
+#include "app/export/weave_bitmap.h"
+#include "core/fabric/wif/wif_fabric.h"
 
 namespace loomlight {
 namespace fs = std::filesystem;
@@ -20,6 +23,56 @@ fs::path absolute(const std::string& file) {
 }
 
 }  // namespace
+
+void Session::leaveFor(Afterwards next) {
+  if (questions_.isAsking(Question::unsaved) && questions_.afterwards == next) return;
+  questions_.afterwards = next;
+  if (files_.desk().isReading()) files_.desk().cancel();  // a copy that was taken up stays where it is
+  if (files_.desk().busy()) return;                       // fileDone() comes back here
+  if (!document_.document().isDirty()) return goOn();
+  questions_.ask(Question::unsaved, "Unsaved work",
+                 fmt::format("\xE2\x80\x9C{}\xE2\x80\x9D has changes that are not saved.", document_.fabric()->name),
+                 {"Cancel", "Don't save", "Save"}, 2);
+}
+
+void Session::goOn() {
+  const auto open = [this](FileDesk::Work work, const std::string& file) {
+    files_.desk().open(work, file, document_.fabric(), document_.document().state());
+  };
+  switch (std::exchange(questions_.afterwards, Afterwards::nothing)) {
+    case Afterwards::quit:
+      window_.isOver = true;
+      break;
+    case Afterwards::beginAnew:
+      return startOver(Document(sampleFabric()));
+    case Afterwards::open:
+      return open(FileDesk::Work::open, questions_.pendingFile);
+    case Afterwards::takeUp:
+      return open(FileDesk::Work::takeUp, questions_.leftBehind);
+    case Afterwards::nothing:
+      break;
+  }
+}
+
+void Session::answered(const QuestionController::Answer& answer) {
+  switch (answer.question) {
+    case Question::unsaved:
+      if (answer.answer == 0) questions_.afterwards = Afterwards::nothing;
+      if (answer.answer == 1) goOn();
+      if (answer.answer == 2) run(Command::save);
+      break;
+    case Question::forgetRecent:
+      if (answer.answer == 1) forget(settings_.recent, questions_.pendingFile);
+      break;
+    case Question::recover:
+      if (answer.answer == 1) document_.throwAway(questions_.leftBehind);
+      if (answer.answer == 2) leaveFor(Afterwards::takeUp);
+      break;
+    case Question::said:
+    case Question::none:
+      break;
+  }
+}
 
 void Session::lookNextIn(const std::string& fileThere) {
   settings_.folder = absolute(fileThere).parent_path().string();
@@ -34,93 +87,88 @@ void Session::openRecent(const std::string& file) {
   lookFor(settings_.recent);
   std::error_code ignored;
   if (fs::is_regular_file(file, ignored)) return openFile(file);
-  pendingFile_ = file;
-  ask(Question::forgetRecent, "This file is missing", file + " is not there any more.",
-      {"Keep in the list", "Forget it"}, 0);
+  questions_.pendingFile = file;
+  questions_.ask(Question::forgetRecent, "This file is missing", file + " is not there any more.",
+                 {"Keep in the list", "Forget it"}, 0);
 }
 
-void Session::openFabric(const std::string& file) {
-  files_.open(FileDesk::Work::open, file, document_.fabric(), document_.state());
-}
-
-void Session::drop(const std::vector<std::string>& files) {
-  dropped_.insert(dropped_.end(), files.begin(), files.end());
-}
-
-void Session::openDropped() {
-  while (!dropped_.empty() && !dialogIsOpen()) {
-    const std::string file = std::move(dropped_.front());
-    dropped_.pop_front();
-    openFile(file);
+/// What has waited until no dialog is open: work that another editor left, and files that were dropped.
+void Session::openPending() {
+  if (questions_.recoveryDue && !dialogIsOpen()) {
+    questions_.recoveryDue = false;
+    if (const auto left = Autosave::leftBehind(stateFolder())) {
+      questions_.leftBehind = left->string();
+      questions_.ask(Question::recover, "Unsaved work was found", aboutLeftWork(*left) + " Take it up again?",
+                     {"Later", "Throw away", "Take up"}, 2);
+    }
+  }
+  while (!dialogIsOpen()) {
+    const auto file = files_.takeDropped();
+    if (!file) return;
+    openFile(*file);
   }
 }
 
 void Session::openFile(const std::string& file) {
   const std::string extension = lowerExtension(file);
   if (extension == ".obj" || extension == ".ply" || extension == ".off") {
-    Fabric fabric = *document_.fabric();
-    fabric.drape.kind = DrapeKind::mesh;
-    fabric.drape.file = file;
-    edit(std::move(fabric));
-    viewport_.fitWanted = true;
+    document_.change([&](Fabric& fabric) {
+      fabric.drape.kind = DrapeKind::mesh;
+      fabric.drape.file = file;
+    });
+    viewport_.view().fitWanted = true;
   } else if (extension == ".exr") {
-    Fabric fabric = *document_.fabric();
-    fabric.light.kind = LightKind::environment;
-    fabric.light.file = file;
-    edit(std::move(fabric));
+    document_.change([&](Fabric& fabric) {
+      fabric.light.kind = LightKind::environment;
+      fabric.light.file = file;
+    });
   } else if (extension == ".png") {
-    openPicture(file);
+    draft_.openPicture(file);
+    lookNextIn(file);
   } else if (isFabricFile(file) || isWeavingFile(file)) {
-    pendingFile_ = file;
+    questions_.pendingFile = file;
     leaveFor(Afterwards::open);
   } else {
-    say("This file cannot be opened",
-        file +
-            ": expected a cloth (.loomlight, .json), a weaving file (.wif), a picture (.png), a mesh "
-            "(.obj, .ply, .off) or an environment (.exr)");
+    sayUnopened(file +
+                ": expected a cloth (.loomlight, .json), a weaving file (.wif), a picture (.png), a mesh "
+                "(.obj, .ply, .off) or an environment (.exr)");
   }
 }
 
-void Session::sayUnopened(const std::string& problem) {
-  say("This file cannot be opened", problem);
-}
-
-void Session::save(const std::string& file) {
-  files_.save(file, document_.fabric(), document_.state());
-}
-
-void Session::drawBusy(Ui& ui) {
-  if (auto result = files_.take()) fileDone(std::move(*result));
-  std::optional<std::string> text;
-  if (const auto& busy = files_.busy()) {
-    const char* does = files_.isReading() ? "Opening" : files_.canCancel() ? "Writing" : "Finishing";
-    text = fmt::format("{} {}\xE2\x80\xA6", does, fs::path(busy->file).filename().string());
+void Session::opened(FileDesk::Result result) {
+  if (!isWeavingFile(result.file)) {
+    startOver(Document(std::move(*result.fabric), result.file));
+  } else {
+    startOver(Document(std::move(*result.fabric)));
+    draft_.askForSizes(document_.fabric(), std::move(result.warnings));
   }
-  if (busyDialog_.draw(ui, text, files_.canCancel())) files_.cancel();
+  remember(result.file);
+}
+
+void Session::takeUp(Fabric fabric, const std::string& left) {
+  startOver(Document(sampleFabric()));  // not into a file that was just opened
+  document_.edit(std::move(fabric));
+  document_.takeOver(left);
 }
 
 void Session::fileDone(FileDesk::Result result) {
   using Work = FileDesk::Work;
   const bool written = result.work == Work::save || result.work == Work::exportTo;
-  if (!result.problem.empty() || result.cancelled) afterwards_ = Afterwards::nothing;
+  if (!result.problem.empty() || result.cancelled) questions_.afterwards = Afterwards::nothing;
   if (result.cancelled) return;
   if (!result.problem.empty() && result.work == Work::usePreset)
-    return say("This preset cannot be used", result.problem);
+    return questions_.say("This preset cannot be used", result.problem);
   if (!result.problem.empty() && !written) return sayUnopened(result.problem);
   if (!result.problem.empty())
-    return say("The file could not be written", result.problem + "\n\nNothing is lost: the cloth is still here.");
+    return questions_.say("The file could not be written",
+                          result.problem + "\n\nNothing is lost: the cloth is still here.");
   // Workers go on while a file is read: what they have edited since is asked about too.
-  const bool editedSince = !written && result.state != document_.state() && document_.isDirty();
+  const bool editedSince = !written && result.state != document_.document().state() && document_.document().isDirty();
   switch (result.work) {
     case Work::open:
-      if (editedSince) {
-        pendingFile_ = result.file;
-        return leaveFor(Afterwards::open);
-      }
-      if (isWeavingFile(result.file))
-        return weavingOpened(std::move(*result.fabric), result.file, std::move(result.warnings));
-      startOver(Document(std::move(*result.fabric), result.file));
-      return remember(result.file);
+      if (!editedSince) return opened(std::move(result));
+      questions_.pendingFile = result.file;
+      return leaveFor(Afterwards::open);
     case Work::takeUp:
       if (editedSince) return leaveFor(Afterwards::takeUp);
       return takeUp(std::move(*result.fabric), result.file);
@@ -129,30 +177,14 @@ void Session::fileDone(FileDesk::Result result) {
     case Work::save:
       document_.savedAs(result.file, result.state);
       remember(result.file);
-      if (!document_.isDirty()) autosave_.forget();
       break;
     case Work::exportTo:
       lookNextIn(result.file);
       std::string text = "Written: " + result.file;
       for (const std::string& remark : result.remarks) text += "\n\n" + remark;
-      say("Exported", text);
+      questions_.say("Exported", text);
   }
-  if (afterwards_ != Afterwards::nothing) leaveFor(afterwards_);
-}
-
-void Session::askForRecovery() {
-  recoveryDue_ = false;
-  const auto left = Autosave::leftBehind(stateFolder());
-  if (!left) return;
-  leftBehind_ = left->string();
-  ask(Question::recover, "Unsaved work was found", aboutLeftWork(*left) + " Take it up again?",
-      {"Later", "Throw away", "Take up"}, 2);
-}
-
-void Session::takeUp(Fabric fabric, const std::string& left) {
-  startOver(Document(sampleFabric()));  // not into a file that was just opened
-  edit(std::move(fabric));
-  autosave_.takeOver(left);
+  if (questions_.afterwards != Afterwards::nothing) leaveFor(questions_.afterwards);
 }
 
 fs::path Session::folderToLookIn() const {
@@ -163,79 +195,59 @@ fs::path Session::fileCalledAsCloth(const std::string& ending) const {
   return folderToLookIn() / (fileNameOf(document_.fabric()->name) + ending);
 }
 
-void Session::browse(FileTask task) {
-  fileTask_ = task;
-  previews_.forget();  // files change between two looks at them
-  const fs::path folder = folderToLookIn();
-  std::vector<FileBrowser::Place> places = {{"Home", homeFolder()}, {"Presets", presetFolder()}, {"Computer", "/"}};
-  if (const auto samples = sampleFolder()) places.push_back({"Samples", *samples});
-  using Purpose = FileBrowser::Purpose;
+/// Where the browser begins.
+fs::path Session::startOf(FileTask task) const {
+  const std::string& file = document_.document().file();
   switch (task) {
-    case FileTask::open:
-      browser_.show(Purpose::open, "Open a cloth", {".loomlight", ".json", ".wif", ".png"}, folder, places);
-      break;
-    case FileTask::saveAs: {
-      const fs::path file = document_.file().empty() ? fileCalledAsCloth(".loomlight") : fs::path(document_.file());
-      browser_.show(Purpose::save, "Save the cloth", {".loomlight", ".json"}, file, places);
-      break;
-    }
-    case FileTask::mesh:
-      browser_.show(Purpose::open, "Choose a mesh", {".obj", ".ply", ".off"}, folder, places);
-      break;
-    case FileTask::environment:
-      browser_.show(Purpose::open, "Choose a surrounding", {".exr"}, folder, places);
-      break;
+    case FileTask::saveAs:
+      return file.empty() ? fileCalledAsCloth(".loomlight") : fs::path(file);
     case FileTask::snapshot:
-      browser_.show(Purpose::save, "Where the snapshot goes", {".png", ".exr"}, snapshotDialog_.file(), places);
-      break;
-    case FileTask::picture:
-      browser_.show(Purpose::open, "Choose a picture", {".png"}, folder, places);
-      break;
-    case FileTask::exportWif:
-      browser_.show(Purpose::save, "Export as weaving file", {".wif"}, fileCalledAsCloth(".wif"), places);
-      break;
-    case FileTask::exportDraft:
-      browser_.show(Purpose::save, "Export the draft for print", {".pdf", ".png"}, fileCalledAsCloth(".pdf"), places);
-      break;
+      return snapshots_.file();
     case FileTask::exportTile:
-      browser_.show(Purpose::save, "Where the tile goes", {".json"}, tileDialog_.file(), places);
-      break;
+      return tile_.file();
+    case FileTask::exportWif:
+      return fileCalledAsCloth(".wif");
+    case FileTask::exportDraft:
+      return fileCalledAsCloth(".pdf");
     case FileTask::exportBitmap:
-      browser_.show(Purpose::save, "Export the weave", {".png"}, fileCalledAsCloth(".png"), places);
-      break;
+      return fileCalledAsCloth(".png");
+    default:
+      return folderToLookIn();
+  }
+}
+
+void Session::fileChosen(const FileController::Chosen& chosen) {
+  switch (chosen.task) {
+    case FileTask::open:
+    case FileTask::mesh:
+    case FileTask::environment:
+    case FileTask::picture:
+      return openFile(chosen.file);
+    case FileTask::saveAs:
+      return files_.desk().save(chosen.file, document_.fabric(), document_.document().state());
+    case FileTask::snapshot:
+      return snapshots_.setFile(chosen.file);
+    case FileTask::exportTile:
+      return tile_.setFile(chosen.file);
+    case FileTask::exportWif:
+    case FileTask::exportBitmap:
+    case FileTask::exportDraft:
+      return exportTo(chosen.task, chosen.file);
     case FileTask::none:
       break;
   }
 }
 
-void Session::fileChosen(const std::string& file) {
-  const FileTask task = std::exchange(fileTask_, FileTask::none);
-  switch (task) {
-    case FileTask::open:
-    case FileTask::mesh:
-    case FileTask::environment:
-    case FileTask::picture:
-      openFile(file);
-      break;
-    case FileTask::saveAs:
-      save(file);
-      break;
-    case FileTask::snapshot:
-      snapshotDialog_.setFile(file);
-      snapshot_.forget();
-      break;
-    case FileTask::exportTile:
-      tileDialog_.setFile(file);
-      tile_.forget();
-      break;
-    case FileTask::exportWif:
-    case FileTask::exportBitmap:
-    case FileTask::exportDraft:
-      exportTo(task, file);
-      break;
-    case FileTask::none:
-      break;
-  }
+void Session::exportTo(FileTask task, const std::string& file) {
+  const DraftCorner corner{settings_.draft.startsRight(), settings_.draft.startsAtTop()};
+  files_.desk().exportTo(file, [task, file, corner, fabric = document_.fabric()]() -> std::vector<std::string> {
+    if (task == FileTask::exportWif) return writeWifFabric(*fabric, file);
+    if (task == FileTask::exportDraft)
+      writeDraftSheet(file, *fabric, corner);
+    else
+      writeWeaveBitmap(file, fabric->weave);
+    return {};
+  });
 }
 
 }  // namespace loomlight

@@ -1,78 +1,36 @@
-#include <fmt/core.h>
+#include <algorithm>
+#include <utility>
 
-#include <cmath>
-
-#include "app/editor/controllers/lens_model.h"
 #include "app/editor/controllers/status_model.h"
 #include "app/editor/session.h"
-#include "core/base/stopwatch.h"
-#include "ui/desk.h"
-#include "ui/draft/draft_panel.h"
+#include "core/base/memory.h"
 #include "ui/menu_bar.h"
-#include "ui/widgets/preset_list.h"
-#include "ui/widgets/yarn_colours.h"
 
 namespace loomlight {
-namespace {
-
-/// How wide a picture is in a viewport of this size: as high as that, and of its own proportions. A coarse one reaches
-/// beyond its viewport by a part of a pixel, which is nothing of its proportions.
-int shownWidth(const Frame& frame, int width, int height) {
-  const PixelRect& window = frame.window;
-  const auto covers = [&](int length, int room) { return length >= room && length < room + frame.divider; };
-  if (window.height <= 0 || (covers(window.width, width) && covers(window.height, height))) return width;
-  return static_cast<int>(std::clamp<int64_t>(int64_t{window.width} * height / window.height, 1, 4 * int64_t{width}));
-}
-
-/// Linear, red, green and blue: the mean of all pixels, which noise leaves where it is.
-std::string lightOf(const Frame& frame) {
-  const auto& pixels = frame.shown();
-  glm::dvec3 sum(0.0);
-  for (const glm::vec4& pixel : pixels) sum += glm::dvec3(pixel);
-  if (!pixels.empty()) sum /= static_cast<double>(pixels.size());
-  return fmt::format("{:.6f} {:.6f} {:.6f}", sum.r, sum.g, sum.b);
-}
-
-}  // namespace
-
-void Session::frame(Ui& ui) {
-  Stopwatch watch;
-  if (views_.take(viewport_.lens.showsDifference)) followViewToKeep();
-  work_s_ = watch.lap();
-  // A gesture lasts while a button is down or a text is open; what it changes is one step of undo.
-  if (!ImGui::IsAnyMouseDown() && !ImGui::IsAnyItemActive()) ++gesture_;
-  if (!dialogIsOpen()) readKeys();
-  drawPanels(ui);
-  drawDialogs(ui);
-  watch.lap();
-  follow();
-  work_s_ += watch.lap();
-}
 
 void Session::drawPanels(Ui& ui) {
-  const LiveStatus status = views_.status();
-  const std::shared_ptr<const Insight> insight = views_.insight();
   MenuModel menu;
   menu.title = document_.fabric()->name;
-  menu.edited = document_.isDirty();
-  menu.canUndo = document_.canUndo();
-  menu.canRedo = document_.canRedo();
+  menu.edited = document_.document().isDirty();
+  menu.canUndo = document_.document().canUndo();
+  menu.canRedo = document_.document().canRedo();
   menu.darkTheme = settings_.darkTheme;
   menu.panelsShown = settings_.desk.panelsShown;
-  menu.lensOn = viewport_.lens.on;
-  menu.denoised = viewport_.denoised;
-  menu.weave = {draft_.selection.has_value(), draft_.back, draft_.marksFloats};
-  const float menuHeight = ImGui::GetFontSize() + ui.px(16);
+  menu.lensOn = viewport_.view().lens.on;
+  menu.denoised = viewport_.view().denoised;
+  menu.weave = {draft_.view().selection.has_value(), draft_.view().back, draft_.view().marksFloats};
   menu.recent = settings_.recent;
+  const float menuHeight = ImGui::GetFontSize() + ui.px(16);
   const MenuChoice choice = menuBar(ui, menu);
 
-  const DeskAreas areas = deskAreas(settings_.desk, ImGui::GetIO().DisplaySize, menuHeight, ui.scale,
-                                    shelf_.empty() ? 0 : kSnapshotStripHeight);
+  const bool strip = snapshots_.stripIsShown();
+  const DeskAreas areas =
+      deskAreas(settings_.desk, ImGui::GetIO().DisplaySize, menuHeight, ui.scale, strip ? kSnapshotStripHeight : 0);
   splitters(ui, settings_.desk, areas);
   beginPanel("viewport", areas.viewport, false);
-  drawViewport(ui, insight.get(), status);
+  drawViewport(ui);
   endPanel();
-  if (!shelf_.empty()) {
+  if (strip) {
     beginPanel("strip", areas.strip, false);
     drawStrip(ui);
     endPanel();
@@ -82,16 +40,15 @@ void Session::drawPanels(Ui& ui) {
     drawDraft(ui);
     endPanel();
     beginPanel("inspector", areas.inspector, true);
-    drawInspector(ui, insight.get(), status);
+    drawInspector(ui);
     endPanel();
   }
   beginPanel("status", areas.status, false);
-  statusBar(ui, statusToSay(insight.get(), status));
+  statusBar(ui, statusToSay());
   endPanel();
-  const ImVec2 picture(static_cast<float>(viewport_.width), static_cast<float>(viewport_.height));
-  firstHints(ui, areas.viewport.min, picture, hints_);
-  keepSettings();
-  tellProbe(ui, status);
+  const ImVec2 picture(static_cast<float>(viewport_.view().width), static_cast<float>(viewport_.view().height));
+  firstHints(ui, areas.viewport.min, picture, help_.hints);
+  tellProbe(ui);
   if (choice.command) run(*choice.command);
   if (choice.draft) run(*choice.draft);
   if (choice.recent.appeared) lookFor(settings_.recent);
@@ -100,160 +57,119 @@ void Session::drawPanels(Ui& ui) {
 }
 
 void Session::drawDraft(Ui& ui) {
-  const Fabric& fabric = *document_.fabric();
-  place_ = placeInDraft();
-  draft_.brushYarn = inspector_.yarn;
-  auto edited = draftPanel(ui, fabric, yarnColours(fabric), settings_.draft, draft_, underPointer_);
-  hints_.drew |= edited.has_value();
-  if (edited) edit(std::move(*edited));
-  inspector_.yarn = draft_.brushYarn;
-  if (std::exchange(draft_.libraryWanted, false)) run(DraftCommand::structures);
-  if (const auto choice = presetList(ui, presetDesk_.names(), sampleNames_)) applyPreset(*choice);
+  const EditPlace place = draft_.place();
+  auto edited = draft_.draw(ui, *document_.fabric(), inspector_.view().yarn, settings_.draft, viewport_.underPointer());
+  help_.hints.drew |= edited.has_value();
+  if (edited) document_.edit(std::move(*edited), place);
+  if (const auto choice = presets_.drawList(ui)) applyPreset(*choice);
 }
 
-void Session::drawViewport(Ui& ui, const Insight* insight, const LiveStatus& status) {
-  place_ = {};
-  std::optional<ViewportPicture::Outline> outline;
-  const Weave& weave = document_.fabric()->weave;
-  // A coarse first pass has pixels larger than crossings; an outline of them would only be blocks.
-  constexpr int kCoarsest = 3;
-  const Frame* shown = views_.frame();
-  const ImVec4& accent = ui.theme.accent;
-  if (draft_.hovered && shown && shown->divider <= kCoarsest)
-    outline = {inRepeat(*draft_.hovered, weave), weave.ends(), weave.picks(), Rgb(accent.x, accent.y, accent.z)};
-  ViewportModel model;
-  const int pictureWidth = shown ? shownWidth(*shown, viewport_.width, viewport_.height) : viewport_.width;
-  model.picture = views_.picture(pictureWidth, viewport_.height, tone(), outline);
-  model.pictureSize = ImVec2(static_cast<float>(pictureWidth), static_cast<float>(viewport_.height));
-  lookUnderPointer();
-  model.under = underPointer_;
-  model.underYarn = underPointerYarn_;
-  model.denoised = shown && !shown->denoised.empty();
-  model.building = status.phase == LiveStatus::Phase::voxelising && status.buildProgress < 1;
-  model.buildProgress = status.buildProgress;
-  model.error = status.error;
-  if (insight && insight->fabric->drape == document_.fabric()->drape) model.mesh = insight->mesh;
-  model.lens = lensModelFor(status.lens);
-  ViewportEdit result = viewportPanel(ui, *document_.fabric(), model, viewport_);
-  if (result.fabric) edit(std::move(*result.fabric));
-  if (result.camera) document_.lookFrom(*result.camera);
-  hints_.turned |= result.camera && viewport_.drag == ViewportView::Drag::orbit;
-  if (const auto hit = result.picked ? views_.hitAt(*result.picked) : std::nullopt)
-    inspector_.yarn = std::min(hit->yarn, static_cast<int>(document_.fabric()->yarns.size()) - 1);
-  if (result.lens.changeLimit) run(Command::preferences);
-  if (!result.lens.remedy) return;
-  Fabric smaller = *document_.fabric();
-  if (const auto drape = fittingPiece(smaller.drape, status.lens.bytes, 1e9 * settings_.fibreMemory_GB)) {
-    smaller.drape = *drape;
-    edit(std::move(smaller));
-    viewport_.fitWanted = true;
-  }
+void Session::drawViewport(Ui& ui) {
+  ViewportController::Edit edit =
+      viewport_.draw(ui, document_.fabric(), draft_.view().hovered, settings_.fibreMemory_GB);
+  help_.hints.turned |= edit.turned;
+  if (edit.fabric) document_.edit(std::move(*edit.fabric));
+  if (edit.camera) document_.lookFrom(*edit.camera);
+  if (edit.yarn) inspector_.view().yarn = *edit.yarn;
+  if (edit.preferences) run(Command::preferences);
 }
 
-LensModel Session::lensModelFor(const LensStatus& status) {
-  const LensFrame* frame = views_.lensFrame();
-  LensModel model = lensModel(status, frame, viewport_.lens.showsDifference, 1e9 * settings_.fibreMemory_GB,
-                              document_.fabric()->drape);
-  if (!frame || !viewport_.lens.on) return model;
-  const PixelRect& window = frame->fibres->window;
-  model.window = {window.x, window.y, window.width, window.height};
-  model.picture = views_.lensPicture(tone());
-  return model;
+void Session::drawStrip(Ui& ui) {
+  auto restored = snapshots_.drawStrip(ui, document_.fabric(), viewport_.tone(), viewport_.desk());
+  if (!restored) return;
+  document_.edit(std::move(*restored));
+  draft_.fit();
 }
 
-void Session::lookUnderPointer() {
-  underPointer_.reset();
-  const auto hit = viewport_.pointer ? views_.hitAt(*viewport_.pointer) : std::nullopt;
-  if (!hit) return;
-  const Fabric& fabric = *document_.fabric();
-  underPointer_ = CrossingIndex{hit->pick, hit->end};
-  underPointerYarn_.clear();
-  // The picture may be of an older fabric that had more yarns.
-  if (hit->yarn < static_cast<int>(fabric.yarns.size()))
-    underPointerYarn_ = fabric.yarns[static_cast<size_t>(hit->yarn)].name;
-}
-
-void Session::drawInspector(Ui& ui, const Insight* insight, const LiveStatus& status) {
-  const Fabric& fabric = *document_.fabric();
-  InspectorModel model;
-  if (insight && insight->yarn == inspector_.yarn) model.section = &insight->section;
-  model.measured = status.measures.thickness_mm > 0;  // a moment after it is built
-  model.crimpWarp = status.measures.crimpWarp;
-  model.crimpWeft = status.measures.crimpWeft;
-  model.thickness_mm = status.measures.thickness_mm;
-  model.arealMass_g_m2 = status.measures.arealMass_g_m2;
-  if (insight) {
-    model.floats = &insight->floats;
-    model.binding = &insight->binding;
-    model.warnings = &insight->warnings;
-  }
-  model.yarnColours = yarnColours(fabric);
-  if (inspector_.page == InspectorView::Page::yarn && inspector_.yarn < static_cast<int>(fabric.yarns.size()))
-    model.closeUp = sidePictures_.closeUp(document_.fabric(), inspector_.yarn, ui.scale);
-  if (inspector_.page == InspectorView::Page::fibre)
-    model.clothColour = colours_.model(fabric, shownFibre(fabric, inspector_), inspector_.clothColour);
-  model.visibility = views_.visibilityModel(inspector_.yarn);
-  place_ = placeInInspector();
-  model.inches = settings_.draft.inches;
-  inspector_.units = settings_.units;
-  InspectorResult result = inspector(ui, fabric, model, inspector_);
-  settings_.units = inspector_.units;
-  hints_.set |= result.fabric.has_value();
-  if (result.fabric) edit(std::move(*result.fabric));
+void Session::drawInspector(Ui& ui) {
+  const EditPlace place = inspector_.place();
+  InspectorResult result = inspector_.draw(ui, document_.fabric(), viewport_.desk(), settings_.draft.inches);
+  help_.hints.set |= result.fabric.has_value();
+  if (result.fabric) document_.edit(std::move(*result.fabric), place);
   if (result.camera) document_.lookFrom(*result.camera);
   if (result.command) run(*result.command);
 }
 
+void Session::drawSnapshot(Ui& ui) {
+  const SnapshotController::Edit edit =
+      snapshots_.drawDialog(ui, document_.fabric(), viewport_.tone(), viewport_.desk());
+  if (edit.settings) document_.change([&](Fabric& fabric) { fabric.render = *edit.settings; });
+  if (edit.chooseFile) browse(FileTask::snapshot);
+}
+
+/// Those that put something into the fabric.
+void Session::drawFabricDialogs(Ui& ui) {
+  if (presets_.isOpen()) {
+    const Fabric& now = *document_.fabric();
+    const int yarn = std::min(inspector_.view().yarn, static_cast<int>(now.yarns.size()) - 1);
+    auto used = presets_.drawBrowser(ui, now, yarn, shownFibre(now, inspector_.view()));
+    if (used) document_.edit(std::move(used->fabric));
+    if (used && used->isWhole) draft_.fit();
+    if (!presets_.isOpen()) viewport_.desk().pause(false);
+  }
+  if (inspector_.colourwaysAreOpen()) {
+    if (auto edited = inspector_.drawColourways(ui, document_.fabric())) document_.edit(std::move(*edited));
+    if (!inspector_.colourwaysAreOpen()) viewport_.desk().pause(false);
+  }
+  const EditPlace place = draft_.place();
+  DraftController::Edit edit = draft_.drawDialogs(ui, document_.fabric(), settings_.draft);
+  if (edit.fabric) document_.edit(std::move(*edit.fabric), place);
+  if (!edit.problem.empty()) questions_.say("This picture cannot be used", edit.problem);
+}
+
+void Session::drawDialogs(Ui& ui) {
+  openPending();
+  // The browser stands in for the dialogs while it names their files.
+  if (!files_.isBrowsing() && snapshots_.dialogIsOpen()) drawSnapshot(ui);
+  if (const auto chosen = files_.drawBrowser(ui)) fileChosen(*chosen);
+  if (!files_.isBrowsing() && !questions_.isOpen() && !files_.desk().busy())
+    questions_.afterwards = Afterwards::nothing;  // no file was named
+  if (auto result = files_.drawBusy(ui)) fileDone(std::move(*result));
+  if (const auto answer = questions_.draw(ui)) answered(*answer);
+  preferences_.draw(ui, 1e-9 * static_cast<double>(physicalMemory_bytes()),
+                    {settings_.darkTheme, settings_.interfaceSize, inspector_.view().units, settings_.draft,
+                     settings_.fibreMemory_GB});
+  help_.keys.draw(ui);
+  snapshots_.drawComparison(ui);
+  if (!files_.isBrowsing() && tile_.draw(ui, *document_.fabric(), viewport_.desk())) browse(FileTask::exportTile);
+  drawFabricDialogs(ui);
+}
+
+bool Session::dialogIsOpen() const {
+  return files_.desk().busy() || files_.isBrowsing() || questions_.isOpen() || snapshots_.dialogIsOpen() ||
+         snapshots_.comparisonIsOpen() || preferences_.isOpen() || help_.keys.isOpen() || draft_.dialogIsOpen() ||
+         tile_.isOpen() || inspector_.colourwaysAreOpen() || presets_.isOpen();
+}
+
 /// What is unsafe comes before what is worth knowing of the cloth.
-StatusModel Session::statusToSay(const Insight* insight, const LiveStatus& status) const {
-  StatusModel model = statusModel(insight, status, views_.visibilityStatus(), views_.frame());
-  const auto insist = [&model](std::string warning) {
-    model.warning = std::move(warning);
+StatusModel Session::statusToSay() const {
+  const ViewDesk& seen = viewport_.desk();
+  StatusModel model = statusModel(seen.insight().get(), seen.status(), seen.visibilityStatus(), seen.frame());
+  const auto insist = [&model](const std::string& about, const std::string& problem) {
+    if (problem.empty()) return;
+    model.warning = about + problem;
     model.moreWarnings = 0;
   };
-  if (const std::string unknown = views_.insightProblem(); !unknown.empty())
-    insist("The cloth's figures are not known: " + unknown);
-  if (const std::string& unsafe = shelf_.problem(); !unsafe.empty())
-    insist("The view that was kept will not last: " + unsafe);
-  if (const std::string unsafe = autosave_.problem(); !unsafe.empty())
-    insist("Unsaved work is not kept safe: " + unsafe);
-  if (!refusal_.empty()) insist(refusal_);
+  insist("The cloth's figures are not known: ", seen.insightProblem());
+  insist("The view that was kept will not last: ", snapshots_.problem());
+  insist("Unsaved work is not kept safe: ", document_.autosave().problem());
+  insist("", document_.refusal());
   return model;
 }
 
-void Session::tellProbe(Ui& ui, const LiveStatus& status) const {
+void Session::tellProbe(Ui& ui) const {
   if (!ui.probe.watching()) return;
-  const Frame* shown = views_.frame();
-  const LensFrame* lens = views_.lensFrame();
+  const Document& document = document_.document();
   ui.probe.fact("frame", std::to_string(ImGui::GetFrameCount()));
   ui.probe.fact("text_input", ImGui::GetIO().WantTextInput ? "yes" : "no");
-  ui.probe.fact("name", document_.fabric()->name);
-  ui.probe.fact("file", document_.file());
-  ui.probe.fact("dirty", document_.isDirty() ? "yes" : "no");
-  ui.probe.fact("revision", std::to_string(document_.revision()));
-  ui.probe.fact("generation", std::to_string(views_.generation()));
-  ui.probe.fact("built_generation", std::to_string(status.builtGeneration));
-  ui.probe.fact("shown_generation", std::to_string(shown ? shown->generation : 0));
-  ui.probe.fact("shown_samples", std::to_string(shown ? shown->samples : 0));
-  ui.probe.fact("shown_light", shown ? lightOf(*shown) : "");
-  static constexpr const char* kPhases[] = {"idle", "voxelising", "tracing", "converged"};
-  ui.probe.fact("phase", kPhases[static_cast<int>(status.phase)]);
-  ui.probe.fact("shown_draft", shown && shown->quality == Quality::sketch ? "yes" : "no");
-  ui.probe.fact("denoised", shown && !shown->denoised.empty() ? "yes" : "no");
-  ui.probe.fact("error", status.error);
-  ui.probe.fact("refusal", refusal_);
-  ui.probe.fact("autosave_problem", autosave_.problem());
-  static constexpr const char* kLensPhases[] = {"closed",    "waiting", "needless", "laying",
-                                                "too_large", "failed",  "tracing",  "converged"};
-  ui.probe.fact("lens", kLensPhases[static_cast<int>(status.lens.phase)]);
-  ui.probe.fact("lens_tool", viewport_.lens.placed ? "placed" : viewport_.lens.on ? "chosen" : "off");
-  ui.probe.fact("lens_samples", std::to_string(lens ? lens->fibres->samples : 0));
-  ui.probe.fact("lens_generation", std::to_string(lens ? lens->fibres->generation : 0));
-  ui.probe.fact("lens_difference", lens && lens->difference ? "known" : "unknown");
-  const BakedVisibility* visibility = views_.visibility();
-  const bool baked = visibility && visibility->yarn == inspector_.yarn;
-  ui.probe.fact("visibility", !baked ? "none" : visibility->finished ? "finished" : "early");
-  ui.probe.fact("yarn", std::to_string(inspector_.yarn));
+  ui.probe.fact("name", document.fabric()->name);
+  ui.probe.fact("file", document.file());
+  ui.probe.fact("dirty", document.isDirty() ? "yes" : "no");
+  ui.probe.fact("revision", std::to_string(document.revision()));
+  viewport_.tellProbe(ui.probe, inspector_.view().yarn);
+  ui.probe.fact("refusal", document_.refusal());
+  ui.probe.fact("autosave_problem", document_.autosave().problem());
+  ui.probe.fact("yarn", std::to_string(inspector_.view().yarn));
   ui.probe.fact("dialog", dialogIsOpen() ? "open" : "none");
 }
 

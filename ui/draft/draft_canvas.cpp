@@ -109,7 +109,7 @@ std::optional<Fabric> askWhatToDo(Ui& ui, const Fabric& fabric, const DraftPrefe
 }
 
 std::optional<Fabric> barStroke(Ui& ui, const Fabric& fabric, DraftView& view, const DraftFrame& frame, System system,
-                                const Box& bar) {
+                                const Box& bar, int brushYarn) {
   const bool warp = system == System::warp;
   const char* id = warp ? "draft.warp_bar" : "draft.weft_bar";
   ImGui::SetCursorScreenPos(bar.min);
@@ -128,7 +128,7 @@ std::optional<Fabric> barStroke(Ui& ui, const Fabric& fabric, DraftView& view, c
   view.stroke = mine;
   const int from = warp ? view.strokeLast.end : view.strokeLast.pick, to = warp ? under.end : under.pick;
   view.strokeLast = under;
-  return paintBar(fabric, system, from, to, view.brushYarn);
+  return paintBar(fabric, system, from, to, brushYarn);
 }
 
 /// Room for the parts; it does not change under the brush.
@@ -171,7 +171,7 @@ void tellProbe(Ui& ui, const DraftView& view, const Draft* draft, const DraftFra
 
 }  // namespace
 
-std::optional<Fabric> draftCanvas(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& yarnColours,
+std::optional<Fabric> draftCanvas(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& yarnColours, int brushYarn,
                                   const DraftPreferences& preferences, DraftView& view,
                                   std::optional<CrossingIndex> lit, ImVec2 size) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -205,8 +205,8 @@ std::optional<Fabric> draftCanvas(Ui& ui, const Fabric& fabric, const std::vecto
     place = partUnderMouse(*draft, frame, layout);
   }
 
-  if (!edited) edited = barStroke(ui, fabric, view, frame, System::warp, layout.warpBar);
-  if (!edited) edited = barStroke(ui, fabric, view, frame, System::weft, layout.weftBar);
+  if (!edited) edited = barStroke(ui, fabric, view, frame, System::warp, layout.warpBar, brushYarn);
+  if (!edited) edited = barStroke(ui, fabric, view, frame, System::weft, layout.weftBar, brushYarn);
   const Draft* shownDraft = !edited ? draft : draftBeside(*edited, preferences, view);
   if (shownDraft && layout.lift > 0)
     if (auto made = draftParts(ui, *shownDraft, view, frame, layout)) {

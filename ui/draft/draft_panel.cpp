@@ -30,7 +30,7 @@ void panelHead(Ui& ui, DraftView& view) {
 
 }  // namespace
 
-std::optional<Fabric> draftPanel(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& yarnColours,
+std::optional<Fabric> draftPanel(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& yarnColours, int brushYarn,
                                  DraftPreferences& preferences, DraftView& view, std::optional<CrossingIndex> lit) {
   panelHead(ui, view);
   const ImVec2 room = ImGui::GetContentRegionAvail();
@@ -41,7 +41,8 @@ std::optional<Fabric> draftPanel(Ui& ui, const Fabric& fabric, const std::vector
   const float presets = spare > 0 ? ui.px(kLowestPresetList) + 0.25f * spare : 0;
   const float below = 2 * ImGui::GetFrameHeightWithSpacing() + ui.px(24) + page + presets;
   const float height = std::max(ui.px(180), std::min(1.3f * room.x, room.y - below));
-  std::optional<Fabric> edited = draftCanvas(ui, fabric, yarnColours, preferences, view, lit, ImVec2(room.x, height));
+  std::optional<Fabric> edited =
+      draftCanvas(ui, fabric, yarnColours, brushYarn, preferences, view, lit, ImVec2(room.x, height));
 
   static constexpr const char* kPages[] = {"Structures", "Loom", "Colours"};
   static constexpr const char* kIds[] = {"draft.tab_structures", "draft.tab_loom", "draft.tab_colours"};

@@ -7,8 +7,9 @@
 
 namespace loomlight {
 
-/// The draft with its colour bars; below it structures to start from, the loom, and the order of colours.
-std::optional<Fabric> draftPanel(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& yarnColours,
+/// The draft with its colour bars; below it structures to start from, the loom, and the order of colours. `brushYarn`:
+/// what a click on a colour bar paints.
+std::optional<Fabric> draftPanel(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& yarnColours, int brushYarn,
                                  DraftPreferences& preferences, DraftView& view, std::optional<CrossingIndex> lit);
 
 // The pages; each returns the fabric after an edit.

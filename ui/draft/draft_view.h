@@ -47,7 +47,6 @@ struct DraftView {
   bool inColour = false;     ///< false: point paper; true: the yarn that lies on top
   bool back = false;         ///< the cloth turned over like a page
   bool marksFloats = false;  ///< those longer than DraftPreferences::longFloat_mm
-  int brushYarn = 0;         ///< what a click on a colour bar paints
 
   /// How a weave that has no draft of its own is shown; jacquard: by itself.
   enum class Loom { treadles, liftplan, jacquard };

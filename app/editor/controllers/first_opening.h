@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/controllers/file_desk.h"
+#include "app/editor/desks/file_desk.h"
 #include "app/editor/model/document.h"
 #include "app/editor/model/settings.h"
 #include "ui/dialogs/busy_dialog.h"

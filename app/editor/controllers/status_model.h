@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/editor/controllers/insight.h"
+#include "app/editor/desks/insight.h"
 #include "app/live/live_renderer.h"
 #include "app/live/visibility_worker.h"
 #include "ui/status_bar.h"

@@ -74,7 +74,7 @@ void HeadlessEditor::leave() {
   if (!session_->isOver() && fact("dirty") == "yes") click("message.answer_1");
   until("the session is over", [this] { return session_->isOver(); });
   session_->close();
-  writeSettings(settingsFile(), session_->settings());
+  writeSettings(settingsFile(), session_->settingsToKeep());
   settings_ = readSettings(settingsFile());
   session_.reset();
 }

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <thread>
 
-#include "app/editor/controllers/insight.h"
+#include "app/editor/desks/insight.h"
 #include "app/editor/model/autosave.h"
 #include "app/editor/model/file_lock.h"
 #include "app/editor/model/left_work.h"

@@ -1,4 +1,4 @@
-#include "app/editor/controllers/preset_desk.h"
+#include "app/editor/desks/preset_desk.h"
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>

@@ -7,7 +7,7 @@
 #include <memory>
 #include <optional>
 
-#include "app/editor/controllers/insight.h"
+#include "app/editor/desks/insight.h"
 #include "app/editor/display/display_driver.h"
 #include "app/live/live_renderer.h"
 #include "app/live/visibility_worker.h"

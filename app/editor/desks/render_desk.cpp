@@ -1,4 +1,4 @@
-#include "app/editor/controllers/render_desk.h"
+#include "app/editor/desks/render_desk.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "app/editor/controllers/colour_desk.h"
+#include "app/editor/desks/colour_desk.h"
 
 #include "render/colour/colour_space.h"
 

@@ -1,4 +1,4 @@
-#include "app/editor/controllers/file_preview_desk.h"
+#include "app/editor/desks/file_preview_desk.h"
 
 #include <fmt/format.h>
 #include <sys/stat.h>

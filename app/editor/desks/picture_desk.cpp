@@ -1,4 +1,4 @@
-#include "app/editor/controllers/picture_desk.h"
+#include "app/editor/desks/picture_desk.h"
 
 #include <algorithm>
 #include <filesystem>

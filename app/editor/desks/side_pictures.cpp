@@ -1,4 +1,4 @@
-#include "app/editor/controllers/side_pictures.h"
+#include "app/editor/desks/side_pictures.h"
 
 #include <fmt/core.h>
 

@@ -1,4 +1,4 @@
-#include "app/editor/controllers/insight.h"
+#include "app/editor/desks/insight.h"
 
 #include <algorithm>
 #include <utility>

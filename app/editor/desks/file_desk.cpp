@@ -1,4 +1,4 @@
-#include "app/editor/controllers/file_desk.h"
+#include "app/editor/desks/file_desk.h"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include "app/editor/controllers/view_desk.h"
+#include "app/editor/desks/view_desk.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "app/editor/controllers/snapshot_shelf.h"
+#include "app/editor/desks/snapshot_shelf.h"
 
 #include <fmt/core.h>
 

@@ -1,0 +1,125 @@
+#include "app/editor/controllers/draft_controller.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <utility>
+
+#include "core/fabric/wif/wif_fabric.h"
+#include "core/fabric/yarn/derived.h"
+#include "ui/widgets/yarn_colours.h"
+
+namespace loomlight {
+namespace {
+
+WifSett settOf(const Fabric& fabric) {
+  return {fabric.ends_per_cm, fabric.picks_per_cm, meanDiameter_mm(fabric, System::warp),
+          meanDiameter_mm(fabric, System::weft)};
+}
+
+std::string summaryOf(const Fabric& fabric) {
+  std::string summary = fmt::format("\xE2\x80\x9C{}\xE2\x80\x9D: {} ends, {} picks", fabric.name, fabric.weave.ends(),
+                                    fabric.weave.picks());
+  if (fabric.draft) {
+    summary += fmt::format(", {} shafts", fabric.draft->shafts);
+    summary += fabric.draft->liftplan.empty() ? fmt::format(", {} treadles", fabric.draft->treadles)
+                                              : std::string(", with a liftplan");
+  }
+  if (fabric.wif && !fabric.wif->program.empty()) summary += fmt::format(". Written by {}", fabric.wif->program);
+  return summary + ".";
+}
+
+}  // namespace
+
+std::optional<Fabric> DraftController::draw(Ui& ui, const Fabric& fabric, int brushYarn, DraftPreferences& preferences,
+                                            const std::optional<CrossingIndex>& lit) {
+  auto edited = draftPanel(ui, fabric, yarnColours(fabric), brushYarn, preferences, view_, lit);
+  if (std::exchange(view_.libraryWanted, false)) structures_.show();
+  return edited;
+}
+
+/// Another weave in place of the whole or of the selection.
+Fabric DraftController::taken(Rewoven result) {
+  view_.remark = std::move(result.remark);
+  if (!view_.selection) fit();
+  return std::move(result.fabric);
+}
+
+std::optional<Fabric> DraftController::drawStructures(Ui& ui, const Fabric& fabric, const LoomLimits& limits) {
+  if (!structures_.isOpen()) return std::nullopt;
+  const std::vector<ImVec4> colours = yarnColours(withSecondYarn(fabric));
+  const ImVec4 darkLight[2] = {colours[0], colours[1]};
+  const auto structure = structures_.draw(ui, view_.selection, darkLight);
+  if (!structure) return std::nullopt;
+  return taken(withStructure(fabric, view_.selection, *structure, limits));
+}
+
+void DraftController::openPicture(const std::string& file) {
+  picture_.await(std::filesystem::path(file).filename().string());
+  pictures_.read(file);
+}
+
+DraftController::Edit DraftController::drawPicture(Ui& ui, const std::shared_ptr<const Fabric>& fabric,
+                                                   const LoomLimits& limits) {
+  Edit edit;
+  if (auto come = pictures_.take()) {
+    if (come->source) {
+      picture_.show(come->source, fabric->ends_per_cm / fabric->picks_per_cm);
+    } else {
+      picture_.close();
+      edit.problem = come->problem;
+      if (come->woven) {
+        // Only the weave: what else was edited meanwhile stays.
+        Fabric rewoven = *fabric;
+        rewoven.weave = std::move(come->woven->fabric.weave);
+        rewoven.draft = std::move(come->woven->fabric.draft);
+        view_.selection.reset();
+        edit.fabric = taken({std::move(rewoven), std::move(come->woven->remark)});
+      }
+    }
+  }
+  const bool open = picture_.isOpen();
+  if (auto order = picture_.draw(ui)) pictures_.weave(std::move(*order), fabric, limits);
+  if (open && !picture_.isOpen()) pictures_.forget();
+  return edit;
+}
+
+void DraftController::askForSizes(std::shared_ptr<const Fabric> opened, std::vector<WifWarning> warnings) {
+  wifKept_ = std::move(opened);
+  std::vector<WifWarning> beyond;
+  withWifSizes(*wifKept_, beyond);
+  wif_.show({summaryOf(*wifKept_), wifSett(*wifKept_), settOf(*wifKept_), std::move(beyond), std::move(warnings)});
+}
+
+std::optional<Fabric> DraftController::drawSizes(Ui& ui) {
+  const auto sizes = wif_.draw(ui);
+  if (!sizes) return std::nullopt;
+  std::vector<WifWarning> said;  // the dialog has them already
+  return *sizes == WifSizeChoice::file ? withWifSizes(*wifKept_, said) : *wifKept_;
+}
+
+DraftController::Edit DraftController::drawDialogs(Ui& ui, const std::shared_ptr<const Fabric>& fabric,
+                                                   const DraftPreferences& preferences) {
+  auto structured = drawStructures(ui, *fabric, preferences.loom);
+  Edit edit = drawPicture(ui, fabric, preferences.loom);
+  auto sized = drawSizes(ui);
+  if (!edit.fabric) edit.fabric = structured ? std::move(structured) : std::move(sized);
+  return edit;
+}
+
+void DraftController::goTo(const EditPlace& place) {
+  view_.cell = place.cell;
+  view_.origin = ImVec2(place.originX, place.originY);
+}
+
+void DraftController::startOver() {
+  pictures_.forget();
+  picture_.close();
+  wif_.close();
+  wifKept_.reset();
+  fit();
+  view_.selection.reset();
+  view_.remark.clear();
+}
+
+}  // namespace loomlight

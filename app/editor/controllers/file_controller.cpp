@@ -1,0 +1,73 @@
+#include "app/editor/controllers/file_controller.h"
+
+#include <fmt/core.h>
+
+#include "app/editor/model/user_folders.h"
+#include "app/export/program_folders.h"
+
+namespace loomlight {
+namespace {
+
+struct Asked {
+  FileTask task;
+  FileBrowser::Purpose purpose;
+  const char* title;
+  std::vector<std::string> endings;
+};
+
+const Asked& askedFor(FileTask task) {
+  using Purpose = FileBrowser::Purpose;
+  static const Asked kAsked[] = {
+      {FileTask::open, Purpose::open, "Open a cloth", {".loomlight", ".json", ".wif", ".png"}},
+      {FileTask::saveAs, Purpose::save, "Save the cloth", {".loomlight", ".json"}},
+      {FileTask::mesh, Purpose::open, "Choose a mesh", {".obj", ".ply", ".off"}},
+      {FileTask::environment, Purpose::open, "Choose a surrounding", {".exr"}},
+      {FileTask::snapshot, Purpose::save, "Where the snapshot goes", {".png", ".exr"}},
+      {FileTask::picture, Purpose::open, "Choose a picture", {".png"}},
+      {FileTask::exportWif, Purpose::save, "Export as weaving file", {".wif"}},
+      {FileTask::exportDraft, Purpose::save, "Export the draft for print", {".pdf", ".png"}},
+      {FileTask::exportTile, Purpose::save, "Where the tile goes", {".json"}},
+      {FileTask::exportBitmap, Purpose::save, "Export the weave", {".png"}},
+  };
+  for (const Asked& asked : kAsked)
+    if (asked.task == task) return asked;
+  return kAsked[0];
+}
+
+}  // namespace
+
+void FileController::browse(FileTask task, const std::filesystem::path& start) {
+  task_ = task;
+  previews_.forget();  // files change between two looks at them
+  std::vector<FileBrowser::Place> places = {{"Home", homeFolder()}, {"Presets", presetFolder()}, {"Computer", "/"}};
+  if (const auto samples = sampleFolder()) places.push_back({"Samples", *samples});
+  const Asked& asked = askedFor(task);
+  browser_.show(asked.purpose, asked.title, asked.endings, start, places);
+}
+
+std::optional<FileController::Chosen> FileController::drawBrowser(Ui& ui) {
+  if (!browser_.isOpen()) return std::nullopt;
+  auto file = browser_.draw(ui, previews_.of(browser_.chosen()));
+  if (!file) return std::nullopt;
+  return Chosen{std::exchange(task_, FileTask::none), std::move(*file)};
+}
+
+std::optional<FileDesk::Result> FileController::drawBusy(Ui& ui) {
+  auto result = desk_.take();
+  std::optional<std::string> text;
+  if (const auto& busy = desk_.busy()) {
+    const char* does = desk_.isReading() ? "Opening" : desk_.canCancel() ? "Writing" : "Finishing";
+    text = fmt::format("{} {}\xE2\x80\xA6", does, std::filesystem::path(busy->file).filename().string());
+  }
+  if (busy_.draw(ui, text, desk_.canCancel())) desk_.cancel();
+  return result;
+}
+
+std::optional<std::string> FileController::takeDropped() {
+  if (dropped_.empty()) return std::nullopt;
+  std::optional<std::string> file(std::move(dropped_.front()));
+  dropped_.pop_front();
+  return file;
+}
+
+}  // namespace loomlight

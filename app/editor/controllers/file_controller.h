@@ -1,0 +1,65 @@
+#pragma once
+
+#include <deque>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/editor/desks/file_desk.h"
+#include "app/editor/desks/file_preview_desk.h"
+#include "ui/dialogs/busy_dialog.h"
+#include "ui/dialogs/file_browser.h"
+
+namespace loomlight {
+
+/// What a file is chosen for.
+enum class FileTask {
+  none,
+  open,
+  saveAs,
+  mesh,
+  environment,
+  snapshot,
+  exportWif,
+  exportBitmap,
+  exportDraft,
+  exportTile,
+  picture
+};
+
+/// The browser of files, the reading and writing of them, and files that were dropped on the window.
+class FileController {
+ public:
+  FileController(DisplayDriver& driver, const std::function<void()>& wake) : desk_(wake), previews_(driver, wake) {}
+
+  /// Opens the browser: in a folder, or for a task that writes on a file.
+  void browse(FileTask task, const std::filesystem::path& start);
+  bool isBrowsing() const { return browser_.isOpen(); }
+  struct Chosen {
+    FileTask task = FileTask::none;
+    std::string file;
+  };
+  /// Once.
+  std::optional<Chosen> drawBrowser(Ui& ui);
+  /// Says what is being read or written. What has been, once.
+  std::optional<FileDesk::Result> drawBusy(Ui& ui);
+
+  FileDesk& desk() { return desk_; }
+  const FileDesk& desk() const { return desk_; }
+  void drop(const std::vector<std::string>& files) { dropped_.insert(dropped_.end(), files.begin(), files.end()); }
+  /// The next of those dropped.
+  std::optional<std::string> takeDropped();
+
+ private:
+  FileDesk desk_;
+  FileBrowser browser_;
+  FilePreviewDesk previews_;
+  BusyDialog busy_;
+  FileTask task_ = FileTask::none;
+  std::deque<std::string> dropped_;  ///< files that wait until no dialog is open
+};
+
+}  // namespace loomlight

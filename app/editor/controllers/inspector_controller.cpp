@@ -1,0 +1,59 @@
+#include "app/editor/controllers/inspector_controller.h"
+
+#include <utility>
+
+#include "ui/widgets/yarn_colours.h"
+
+namespace loomlight {
+
+InspectorResult InspectorController::draw(Ui& ui, const std::shared_ptr<const Fabric>& fabric, const ViewDesk& seen,
+                                          bool inches) {
+  const ClothMeasures measures = seen.status().measures;
+  const std::shared_ptr<const Insight> insight = seen.insight();
+  InspectorModel model;
+  if (insight && insight->yarn == view_.yarn) model.section = &insight->section;
+  model.measured = measures.thickness_mm > 0;  // a moment after it is built
+  model.crimpWarp = measures.crimpWarp;
+  model.crimpWeft = measures.crimpWeft;
+  model.thickness_mm = measures.thickness_mm;
+  model.arealMass_g_m2 = measures.arealMass_g_m2;
+  if (insight) {
+    model.floats = &insight->floats;
+    model.binding = &insight->binding;
+    model.warnings = &insight->warnings;
+  }
+  model.yarnColours = yarnColours(*fabric);
+  if (view_.page == InspectorView::Page::yarn && view_.yarn < static_cast<int>(fabric->yarns.size()))
+    model.closeUp = pictures_.closeUp(fabric, view_.yarn, ui.scale);
+  if (view_.page == InspectorView::Page::fibre)
+    model.clothColour = colours_.model(*fabric, shownFibre(*fabric, view_), view_.clothColour);
+  model.visibility = seen.visibilityModel(view_.yarn);
+  model.inches = inches;
+  return inspector(ui, *fabric, model, view_);
+}
+
+std::optional<Fabric> InspectorController::drawColourways(Ui& ui, const std::shared_ptr<const Fabric>& fabric) {
+  return colourways_.draw(ui, *fabric, pictures_.colourways(fabric, ui.scale));
+}
+
+std::optional<InspectorController::Dyed> InspectorController::follow(const std::shared_ptr<const Fabric>& fabric,
+                                                                     uint64_t gesture, bool isShown) {
+  pictures_.follow();
+  if (view_.page != InspectorView::Page::fibre || !isShown) return std::nullopt;
+  if (std::exchange(colourWish_, view_.clothColour.wish) != view_.clothColour.wish) colourGesture_ = gesture;
+  auto dyed = colours_.follow(fabric, shownFibre(*fabric, view_), view_.clothColour);
+  if (!dyed) return std::nullopt;
+  return Dyed{std::move(*dyed), colourGesture_};
+}
+
+void InspectorController::goTo(const EditPlace& place) {
+  view_.page = static_cast<InspectorView::Page>(place.page);
+  view_.yarn = place.yarn;
+}
+
+void InspectorController::startOver() {
+  view_.yarn = 0;
+  view_.clothColour.wanted.clear();
+}
+
+}  // namespace loomlight

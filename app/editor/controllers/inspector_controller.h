@@ -1,0 +1,54 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "app/editor/desks/colour_desk.h"
+#include "app/editor/desks/side_pictures.h"
+#include "app/editor/desks/view_desk.h"
+#include "app/editor/model/document.h"
+#include "ui/dialogs/colourways_dialog.h"
+#include "ui/inspector/inspector.h"
+
+namespace loomlight {
+
+/// The panel of yarns, fibres, cloth and scene, and the dialog of the cloth's colourways, with the workers that find
+/// dyes and render small pictures beside them.
+class InspectorController {
+ public:
+  InspectorController(DisplayDriver& driver, const std::function<void()>& wake)
+      : colours_(wake), pictures_(driver, wake) {}
+
+  /// What the panel asks for in a frame. `inches`: of setts and lengths.
+  InspectorResult draw(Ui& ui, const std::shared_ptr<const Fabric>& fabric, const ViewDesk& seen, bool inches);
+  /// The fabric after an edit.
+  std::optional<Fabric> drawColourways(Ui& ui, const std::shared_ptr<const Fabric>& fabric);
+  void showColourways() { colourways_.show(); }
+  bool colourwaysAreOpen() const { return colourways_.isOpen(); }
+
+  /// A colour that was asked for arrives later than the gesture that asked for it, and is still one step of undo with
+  /// it.
+  struct Dyed {
+    Fabric fabric;
+    uint64_t gesture = 0;
+  };
+  /// At the end of a frame: asks the workers for what was drawn.
+  std::optional<Dyed> follow(const std::shared_ptr<const Fabric>& fabric, uint64_t gesture, bool isShown);
+
+  /// Where an edit is made now.
+  EditPlace place() const { return {EditPlace::Panel::inspector, 0, 0, 0, static_cast<int>(view_.page), view_.yarn}; }
+  void goTo(const EditPlace& place);
+  void startOver();
+  InspectorView& view() { return view_; }
+  const InspectorView& view() const { return view_; }
+
+ private:
+  InspectorView view_;
+  ColourDesk colours_;
+  SidePictures pictures_;
+  ColourwaysDialog colourways_;
+  uint64_t colourWish_ = 0, colourGesture_ = 0;  ///< the newest wish for a colour, and the gesture that made it
+};
+
+}  // namespace loomlight

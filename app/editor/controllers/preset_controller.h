@@ -1,0 +1,50 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/editor/desks/preset_desk.h"
+#include "app/editor/model/sample_fabric.h"
+#include "ui/dialogs/preset_browser.h"
+#include "ui/widgets/preset_list.h"
+
+namespace loomlight {
+
+/// What is kept at hand: the list below the draft, and the browser.
+class PresetController {
+ public:
+  PresetController(std::filesystem::path folder, DisplayDriver& driver, std::function<void()> wake)
+      : desk_(std::move(folder), driver, std::move(wake)) {}
+
+  /// What the browser puts into the fabric. `yarn`, `fibre`: those looked at.
+  struct Used {
+    Fabric fabric;
+    bool isWhole = false;  ///< another cloth altogether
+  };
+  std::optional<Used> drawBrowser(Ui& ui, const Fabric& now, int yarn, int fibre);
+  void showBrowser();
+  bool isOpen() const { return browser_.isOpen(); }
+
+  std::optional<PresetChoice> drawList(Ui& ui) const { return presetList(ui, desk_.names(), samples_); }
+  /// Of a choice of the designer's own.
+  std::string fileOf(const PresetChoice& choice) const { return desk_.fileOf(desk_.names()[choice.index]); }
+  void keep(const Fabric& fabric) { desk_.keep(PresetKind::fabrics, fabric, 0, 0); }
+
+  struct Message {
+    std::string title, text;
+  };
+  /// At the end of a frame. What came of a change, where the browser does not say it; `mayTell`: no other dialog is
+  /// open.
+  std::optional<Message> follow(bool mayTell);
+
+ private:
+  PresetDesk desk_;
+  PresetBrowser browser_;
+  std::string problem_;  ///< why the last change was not made
+  const std::vector<std::string> samples_ = sampleNames();
+};
+
+}  // namespace loomlight

@@ -1,0 +1,23 @@
+#include "app/editor/controllers/question_controller.h"
+
+#include <utility>
+
+namespace loomlight {
+
+void QuestionController::ask(Question question, std::string title, std::string text, std::vector<std::string> answers,
+                             int safe) {
+  question_ = question;
+  message_.show(std::move(title), std::move(text), std::move(answers), safe);
+}
+
+void QuestionController::say(std::string title, std::string text) {
+  ask(Question::said, std::move(title), std::move(text), {"OK"}, 0);
+}
+
+std::optional<QuestionController::Answer> QuestionController::draw(Ui& ui) {
+  const auto answer = message_.draw(ui);
+  if (!answer) return std::nullopt;
+  return Answer{std::exchange(question_, Question::none), *answer};
+}
+
+}  // namespace loomlight

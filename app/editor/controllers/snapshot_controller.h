@@ -1,0 +1,70 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/editor/desks/render_desk.h"
+#include "app/editor/desks/snapshot_shelf.h"
+#include "app/editor/desks/view_desk.h"
+#include "ui/dialogs/dialogs.h"
+
+namespace loomlight {
+
+/// Pictures that are rendered to a file, and views that are kept: their dialogs and the strip of kept views.
+class SnapshotController {
+ public:
+  SnapshotController(std::filesystem::path folder, DisplayDriver& driver, std::function<void()> wake)
+      : shelf_(std::move(folder), driver, std::move(wake)) {}
+
+  /// What the dialog asks for in a frame.
+  struct Edit {
+    std::optional<RenderSettings> settings;
+    bool chooseFile = false;
+  };
+  Edit drawDialog(Ui& ui, const std::shared_ptr<const Fabric>& fabric, const Tone& tone, ViewDesk& seen);
+  /// Two kept views against each other.
+  void drawComparison(Ui& ui) { compare_.draw(ui, shelf_.comparison()); }
+  /// The fabric of the view that is wanted back.
+  std::optional<Fabric> drawStrip(Ui& ui, const std::shared_ptr<const Fabric>& fabric, const Tone& tone,
+                                  const ViewDesk& seen);
+  bool dialogIsOpen() const { return dialog_.isOpen(); }
+  bool comparisonIsOpen() const { return compare_.isOpen(); }
+  bool stripIsShown() const { return !shelf_.empty(); }
+
+  /// Asks for a picture of these settings.
+  void show(const RenderSettings& settings, std::string file);
+  const std::string& file() const { return dialog_.file(); }
+  void setFile(const std::string& file);
+  const SnapshotOptions& options() const { return dialog_.options(); }
+  void setOptions(SnapshotOptions options) { dialog_.setOptions(std::move(options)); }
+
+  /// Keeps the view: once there is a picture of the cloth itself, and as long as it is seen, better and better.
+  void keepView(const std::shared_ptr<const Fabric>& fabric, const Tone& tone, const ViewDesk& seen);
+  /// When the picture is another one.
+  void followView(const std::shared_ptr<const Fabric>& fabric, const ViewDesk& seen);
+  /// At the end of a frame.
+  void follow() { shelf_.follow(); }
+  /// Why the newest view will not last; empty while all is well.
+  const std::string& problem() const { return shelf_.problem(); }
+
+ private:
+  /// Of which a picture joins the strip as soon as there is one, and is renewed while it gets better.
+  struct ViewToKeep {
+    std::shared_ptr<const Fabric> fabric;  ///< usually null
+    Tone tone;                             ///< as it was seen
+    std::string id;                        ///< on the shelf; empty until it is there
+    int samples = 0;                       ///< of the picture there
+  };
+
+  SnapshotShelf shelf_;
+  RenderDesk rendering_;
+  SnapshotDialog dialog_;
+  CompareDialog compare_;
+  SnapshotStripView strip_;
+  ViewToKeep viewToKeep_;
+};
+
+}  // namespace loomlight

@@ -1,0 +1,44 @@
+#include "app/editor/controllers/tile_controller.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <utility>
+
+#include "app/export/tile.h"
+#include "render/transport/make_medium.h"
+
+namespace loomlight {
+
+void TileController::show(std::string file) {
+  rendering_.forget();
+  dialog_.show(std::move(file));
+}
+
+void TileController::setFile(const std::string& file) {
+  dialog_.setFile(file);
+  rendering_.forget();
+}
+
+bool TileController::draw(Ui& ui, const Fabric& fabric, ViewDesk& seen) {
+  if (rendering_.isRunning()) ui.wakeWithin(0.1);
+  if (rendering_.follow().has_value()) seen.pause(false);
+  const std::string before = dialog_.file();
+  const TileDialog::Result result = dialog_.draw(ui, rendering_.progress());
+  if (dialog_.file() != before) rendering_.forget();
+  if (result.cancel) rendering_.cancel();
+  if (!result.start || rendering_.isRunning()) return result.chooseFile;
+  const std::filesystem::path file(dialog_.file());
+  Fabric sampled = fabric;
+  sampled.render.samplesPerPixel = dialog_.samplesPerPixel();
+  seen.pause(true);
+  rendering_.start([fabric = std::move(sampled), stem = (file.parent_path() / file.stem()).string(),
+                    side = dialog_.longestSide()](const Task& task) -> std::optional<std::string> {
+    const auto tile = makeTile(fabric, stem, side, defaultMemoryLimit_bytes(), task);
+    if (!tile) return std::nullopt;
+    return fmt::format("Written: {}.json and {} maps beside it", stem, tile->files.size() - 1);
+  });
+  return result.chooseFile;
+}
+
+}  // namespace loomlight

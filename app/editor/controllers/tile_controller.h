@@ -1,0 +1,27 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "app/editor/desks/render_desk.h"
+#include "app/editor/desks/view_desk.h"
+#include "ui/dialogs/tile_dialog.h"
+
+namespace loomlight {
+
+/// The dialog of a seamless tile for other programs, and the rendering of it.
+class TileController {
+ public:
+  /// Whether a file is to be chosen.
+  bool draw(Ui& ui, const Fabric& fabric, ViewDesk& seen);
+  bool isOpen() const { return dialog_.isOpen(); }
+  void show(std::string file);
+  const std::string& file() const { return dialog_.file(); }
+  void setFile(const std::string& file);
+
+ private:
+  RenderDesk rendering_;
+  TileDialog dialog_;
+};
+
+}  // namespace loomlight

@@ -1,0 +1,141 @@
+#include "app/editor/controllers/viewport_controller.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "app/editor/controllers/lens_model.h"
+
+namespace loomlight {
+namespace {
+
+/// How wide a picture is in a viewport of this size: as high as that, and of its own proportions. A coarse one reaches
+/// beyond its viewport by a part of a pixel, which is nothing of its proportions.
+int shownWidth(const Frame& frame, int width, int height) {
+  const PixelRect& window = frame.window;
+  const auto covers = [&](int length, int room) { return length >= room && length < room + frame.divider; };
+  if (window.height <= 0 || (covers(window.width, width) && covers(window.height, height))) return width;
+  return static_cast<int>(std::clamp<int64_t>(int64_t{window.width} * height / window.height, 1, 4 * int64_t{width}));
+}
+
+/// Linear, red, green and blue: the mean of all pixels, which noise leaves where it is.
+std::string lightOf(const Frame& frame) {
+  const auto& pixels = frame.shown();
+  glm::dvec3 sum(0.0);
+  for (const glm::vec4& pixel : pixels) sum += glm::dvec3(pixel);
+  if (!pixels.empty()) sum /= static_cast<double>(pixels.size());
+  return fmt::format("{:.6f} {:.6f} {:.6f}", sum.r, sum.g, sum.b);
+}
+
+}  // namespace
+
+Tone ViewportController::tone() const {
+  Tone tone;
+  tone.exposure_stops = static_cast<float>(view_.exposure_stops);
+  tone.filmic = view_.filmic;
+  return tone;
+}
+
+ViewportController::Edit ViewportController::draw(Ui& ui, const std::shared_ptr<const Fabric>& fabric,
+                                                  const std::optional<CrossingIndex>& hovered, double fibreMemory_GB) {
+  const LiveStatus status = desk_.status();
+  std::optional<ViewportPicture::Outline> outline;
+  const Weave& weave = fabric->weave;
+  // A coarse first pass has pixels larger than crossings; an outline of them would only be blocks.
+  constexpr int kCoarsest = 3;
+  const Frame* shown = desk_.frame();
+  const ImVec4& accent = ui.theme.accent;
+  if (hovered && shown && shown->divider <= kCoarsest)
+    outline = {inRepeat(*hovered, weave), weave.ends(), weave.picks(), Rgb(accent.x, accent.y, accent.z)};
+  ViewportModel model;
+  const int pictureWidth = shown ? shownWidth(*shown, view_.width, view_.height) : view_.width;
+  model.picture = desk_.picture(pictureWidth, view_.height, tone(), outline);
+  model.pictureSize = ImVec2(static_cast<float>(pictureWidth), static_cast<float>(view_.height));
+  lookUnderPointer(*fabric);
+  model.under = underPointer_;
+  model.underYarn = underPointerYarn_;
+  model.denoised = shown && !shown->denoised.empty();
+  model.building = status.phase == LiveStatus::Phase::voxelising && status.buildProgress < 1;
+  model.buildProgress = status.buildProgress;
+  model.error = status.error;
+  const std::shared_ptr<const Insight> insight = desk_.insight();
+  if (insight && insight->fabric->drape == fabric->drape) model.mesh = insight->mesh;
+  model.lens = lensModelFor(status.lens, *fabric, fibreMemory_GB);
+  ViewportEdit result = viewportPanel(ui, *fabric, model, view_);
+
+  Edit edit{std::move(result.fabric), result.camera, {}, result.lens.changeLimit, false};
+  edit.turned = result.camera && view_.drag == ViewportView::Drag::orbit;
+  if (const auto hit = result.picked ? desk_.hitAt(*result.picked) : std::nullopt)
+    edit.yarn = std::min(hit->yarn, static_cast<int>(fabric->yarns.size()) - 1);
+  if (!result.lens.remedy) return edit;
+  if (const auto drape = fittingPiece(fabric->drape, status.lens.bytes, 1e9 * fibreMemory_GB)) {
+    edit.fabric = *fabric;
+    edit.fabric->drape = *drape;
+    view_.fitWanted = true;
+  }
+  return edit;
+}
+
+LensModel ViewportController::lensModelFor(const LensStatus& status, const Fabric& fabric, double fibreMemory_GB) {
+  const LensFrame* frame = desk_.lensFrame();
+  LensModel model = lensModel(status, frame, view_.lens.showsDifference, 1e9 * fibreMemory_GB, fabric.drape);
+  if (!frame || !view_.lens.on) return model;
+  const PixelRect& window = frame->fibres->window;
+  model.window = {window.x, window.y, window.width, window.height};
+  model.picture = desk_.lensPicture(tone());
+  return model;
+}
+
+void ViewportController::lookUnderPointer(const Fabric& fabric) {
+  underPointer_.reset();
+  const auto hit = view_.pointer ? desk_.hitAt(*view_.pointer) : std::nullopt;
+  if (!hit) return;
+  underPointer_ = CrossingIndex{hit->pick, hit->end};
+  underPointerYarn_.clear();
+  // The picture may be of an older fabric that had more yarns.
+  if (hit->yarn < static_cast<int>(fabric.yarns.size()))
+    underPointerYarn_ = fabric.yarns[static_cast<size_t>(hit->yarn)].name;
+}
+
+void ViewportController::follow(const std::shared_ptr<const Fabric>& fabric, int yarn, bool visibilityShown,
+                                double fibreMemory_GB) {
+  Sight sight;
+  sight.fabric = fabric;
+  sight.width = view_.width;
+  sight.height = view_.height;
+  sight.denoised = view_.denoised;
+  const LensView& lens = view_.lens;
+  if (lens.on && lens.placed)
+    sight.lens = {{lens.rect.x, lens.rect.y, lens.rect.width, lens.rect.height}, 1e9 * fibreMemory_GB};
+  sight.yarn = yarn;
+  sight.visibilityShown = visibilityShown;
+  desk_.follow(sight);
+}
+
+void ViewportController::tellProbe(WidgetProbe& probe, int yarn) const {
+  const LiveStatus status = desk_.status();
+  const Frame* shown = desk_.frame();
+  const LensFrame* lens = desk_.lensFrame();
+  probe.fact("generation", std::to_string(desk_.generation()));
+  probe.fact("built_generation", std::to_string(status.builtGeneration));
+  probe.fact("shown_generation", std::to_string(shown ? shown->generation : 0));
+  probe.fact("shown_samples", std::to_string(shown ? shown->samples : 0));
+  probe.fact("shown_light", shown ? lightOf(*shown) : "");
+  static constexpr const char* kPhases[] = {"idle", "voxelising", "tracing", "converged"};
+  probe.fact("phase", kPhases[static_cast<int>(status.phase)]);
+  probe.fact("shown_draft", shown && shown->quality == Quality::sketch ? "yes" : "no");
+  probe.fact("denoised", shown && !shown->denoised.empty() ? "yes" : "no");
+  probe.fact("error", status.error);
+  static constexpr const char* kLensPhases[] = {"closed",    "waiting", "needless", "laying",
+                                                "too_large", "failed",  "tracing",  "converged"};
+  probe.fact("lens", kLensPhases[static_cast<int>(status.lens.phase)]);
+  probe.fact("lens_tool", view_.lens.placed ? "placed" : view_.lens.on ? "chosen" : "off");
+  probe.fact("lens_samples", std::to_string(lens ? lens->fibres->samples : 0));
+  probe.fact("lens_generation", std::to_string(lens ? lens->fibres->generation : 0));
+  probe.fact("lens_difference", lens && lens->difference ? "known" : "unknown");
+  const BakedVisibility* visibility = desk_.visibility();
+  const bool baked = visibility && visibility->yarn == yarn;
+  probe.fact("visibility", !baked ? "none" : visibility->finished ? "finished" : "early");
+}
+
+}  // namespace loomlight

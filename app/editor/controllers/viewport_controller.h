@@ -1,0 +1,55 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/editor/desks/view_desk.h"
+#include "ui/viewport/viewport_panel.h"
+
+namespace loomlight {
+
+/// The panel of the picture, and the workers that make what is seen in it.
+class ViewportController {
+ public:
+  ViewportController(DisplayDriver& driver, const std::function<void()>& wake, int threads)
+      : desk_(driver, wake, threads) {}
+
+  /// What the panel asks for in a frame.
+  struct Edit {
+    std::optional<Fabric> fabric;
+    std::optional<Camera> camera;  ///< looking around is no edit of the cloth
+    std::optional<int> yarn;       ///< that was clicked at
+    bool preferences = false;      ///< are asked for: the lens needs more memory
+    bool turned = false;           ///< the cloth was
+  };
+  /// `hovered`: the crossing under the mouse in the draft, which is outlined in the picture.
+  Edit draw(Ui& ui, const std::shared_ptr<const Fabric>& fabric, const std::optional<CrossingIndex>& hovered,
+            double fibreMemory_GB);
+
+  /// Takes what the workers have brought. Returns whether the picture is another one.
+  bool take() { return desk_.take(view_.lens.showsDifference); }
+  /// Has the workers follow the fabric, and one yarn of it, whose visibility is on the screen or not.
+  void follow(const std::shared_ptr<const Fabric>& fabric, int yarn, bool visibilityShown, double fibreMemory_GB);
+  void tellProbe(WidgetProbe& probe, int yarn) const;
+
+  ViewportView& view() { return view_; }
+  const ViewportView& view() const { return view_; }
+  ViewDesk& desk() { return desk_; }
+  const ViewDesk& desk() const { return desk_; }
+  Tone tone() const;
+  /// The crossing of the cloth under the mouse.
+  const std::optional<CrossingIndex>& underPointer() const { return underPointer_; }
+
+ private:
+  LensModel lensModelFor(const LensStatus& status, const Fabric& fabric, double fibreMemory_GB);
+  void lookUnderPointer(const Fabric& fabric);
+
+  ViewportView view_;
+  ViewDesk desk_;
+  std::optional<CrossingIndex> underPointer_;
+  std::string underPointerYarn_;
+};
+
+}  // namespace loomlight
