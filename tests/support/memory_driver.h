@@ -37,7 +37,10 @@ class MemoryDriver final : public DisplayDriver {
   class Viewport final : public ViewportPicture {
    public:
     explicit Viewport(ImTextureID id) : id_(id) {}
-    void upload(int, int, std::span<const glm::vec4>, std::span<const Film::Hit>) override { filled_ = true; }
+    void uploadParts(int, int, std::span<const glm::vec4>, std::span<const Film::Hit>, const PixelRect&,
+                     const PixelRect&) override {
+      filled_ = true;
+    }
     ImTextureID display(int, int, const Tone&, const std::optional<Outline>&) override {
       return filled_ ? id_ : ImTextureID{};
     }

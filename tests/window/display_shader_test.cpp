@@ -111,5 +111,34 @@ TEST(DisplayShader, FollowsTonePictureAndSize) {
   EXPECT_LT(shown(0.1f, tone, 16), first) << "another picture";
 }
 
+/// Rows of the picture lie further apart than those of the part.
+TEST(DisplayShader, TakesAPartOfThePictureAlone) {
+  Window window("Shader", 960, 600, 1);
+  OpenGlDriver driver;
+  const auto viewport = driver.makeViewport();
+  std::vector<glm::vec4> pixels(16, glm::vec4(0.1f, 0.1f, 0.1f, 1));
+  viewport->upload(4, 4, pixels, {});
+  const auto greens = [&] {
+    const ImTextureID texture = viewport->display(4, 4, Tone{}, std::nullopt);
+    std::vector<uint8_t> bytes(4 * 16);
+    glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>((intptr_t)texture));
+    glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+    std::vector<uint8_t> greens;
+    for (size_t i = 1; i < bytes.size(); i += 4) greens.push_back(bytes[i]);
+    return greens;
+  };
+  const std::vector<uint8_t> before = greens();
+  for (size_t i = 0; i < 16; ++i) pixels[i] = glm::vec4(0.01f * static_cast<float>(20 + i));
+  viewport->uploadParts(4, 4, pixels, {}, {1, 2, 2, 2}, {});
+  const std::vector<uint8_t> after = greens();
+  viewport->upload(4, 4, pixels, {});
+  const std::vector<uint8_t> whole = greens();
+  for (size_t i = 0; i < 16; ++i) {
+    const bool isNew = i % 4 >= 1 && i % 4 <= 2 && i / 4 >= 2;
+    EXPECT_EQ(after[i], isNew ? whole[i] : before[i]) << i;
+    EXPECT_NE(before[i], whole[i]);
+  }
+}
+
 }  // namespace
 }  // namespace loomlight

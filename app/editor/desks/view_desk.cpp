@@ -1,7 +1,10 @@
 #include "app/editor/desks/view_desk.h"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
+
+#include "render/display/changed_rect.h"
 
 namespace loomlight {
 namespace {
@@ -33,9 +36,24 @@ bool ViewDesk::take(bool showsDifference) {
   }
   std::shared_ptr<const Frame> newest = renderer_.frame();
   if (!newest || newest == frame_) return false;
-  picture_->upload(newest->width, newest->height, newest->shown(), newest->hits);
+  upload(*newest);
   frame_ = std::move(newest);
   return true;
+}
+
+/// Of the picture what is new: while a pass comes part by part most of it stays, and crossings seldom change at all.
+void ViewDesk::upload(const Frame& newest) {
+  const int width = newest.width, height = newest.height;
+  if (!frame_ || frame_->width != width || frame_->height != height) {
+    picture_->upload(width, height, newest.shown(), newest.hits);
+    return;
+  }
+  const auto sameCrossing = [](const Film::Hit& a, const Film::Hit& b) {
+    return a.yarn == b.yarn && a.end == b.end && a.pick == b.pick;
+  };
+  picture_->uploadParts(width, height, newest.shown(), newest.hits,
+                        changedRect(frame_->shown(), newest.shown(), width, std::equal_to<glm::vec4>()),
+                        changedRect<Film::Hit>(frame_->hits, newest.hits, width, sameCrossing));
 }
 
 void ViewDesk::takeLens(bool showsDifference) {

@@ -60,6 +60,7 @@ class ViewDesk {
   VisibilityModel visibilityModel(int yarn) const;
 
  private:
+  void upload(const Frame& newest);
   void takeLens(bool showsDifference);
   void followPicture(const Sight& sight);
 

@@ -9,6 +9,7 @@
 #include "render/colour/tone.h"
 #include "render/film/film.h"
 #include "render/film/image.h"
+#include "render/transport/path_tracer.h"
 #include "ui/widgets/crossing_index.h"
 
 namespace loomlight {
@@ -28,7 +29,13 @@ class ViewportPicture {
   virtual ~ViewportPicture() = default;
 
   /// Linear, premultiplied by alpha; row by row from the top left. `hits`: the crossings to be outlined; may be empty.
-  virtual void upload(int width, int height, std::span<const glm::vec4> rgba, std::span<const Film::Hit> hits) = 0;
+  void upload(int width, int height, std::span<const glm::vec4> rgba, std::span<const Film::Hit> hits) {
+    const PixelRect whole{0, 0, width, height};
+    uploadParts(width, height, rgba, hits, whole, whole);
+  }
+  /// The same where the upload before had this size and these parts alone have changed: the rest is not read.
+  virtual void uploadParts(int width, int height, std::span<const glm::vec4> rgba, std::span<const Film::Hit> hits,
+                           const PixelRect& newLight, const PixelRect& newHits) = 0;
 
   struct Outline {
     CrossingIndex crossing;  ///< of the repeat; every repetition is outlined

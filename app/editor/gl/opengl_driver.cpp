@@ -97,7 +97,8 @@ class OpenGlViewport final : public ViewportPicture {
   OpenGlViewport(const OpenGlViewport&) = delete;
   OpenGlViewport& operator=(const OpenGlViewport&) = delete;
 
-  void upload(int width, int height, std::span<const glm::vec4> rgba, std::span<const Film::Hit> hits) override;
+  void uploadParts(int width, int height, std::span<const glm::vec4> rgba, std::span<const Film::Hit> hits,
+                   const PixelRect& newLight, const PixelRect& newHits) override;
   ImTextureID display(int width, int height, const Tone& tone, const std::optional<Outline>& outline) override;
 
  private:
@@ -105,7 +106,8 @@ class OpenGlViewport final : public ViewportPicture {
 
   GLuint program_ = 0, vertexArray_ = 0, picture_ = 0, crossings_ = 0, target_ = 0, framebuffer_ = 0;
   int targetWidth_ = 0, targetHeight_ = 0;
-  bool filled_ = false;
+  int width_ = 0, height_ = 0;  ///< of the picture
+  bool knowsCrossings_ = false;
   /// What the target shows; null where the picture is another by now.
   struct Shown {
     int width = 0, height = 0;
@@ -133,22 +135,43 @@ OpenGlViewport::~OpenGlViewport() {
   glDeleteProgram(program_);
 }
 
-void OpenGlViewport::upload(int width, int height, std::span<const glm::vec4> rgba, std::span<const Film::Hit> hits) {
+/// Into the bound texture a part of it, of rows that lie so many pixels apart.
+void uploadPart(const PixelRect& part, int pixelsPerRow, GLenum format, GLenum type, const void* firstPixel) {
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  glBindTexture(GL_TEXTURE_2D, picture_);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, rgba.data());
-  std::vector<GLint> crossings;
-  crossings.reserve(2 * hits.size());
-  for (const Film::Hit& hit : hits) {
-    crossings.push_back(hit.yarn < 0 ? kNoCloth : hit.end);
-    crossings.push_back(hit.yarn < 0 ? kNoCloth : hit.pick);
-  }
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, pixelsPerRow);
+  glTexSubImage2D(GL_TEXTURE_2D, 0, part.x, part.y, part.width, part.height, format, type, firstPixel);
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+}
+
+void OpenGlViewport::uploadParts(int width, int height, std::span<const glm::vec4> rgba,
+                                 std::span<const Film::Hit> hits, const PixelRect& newLight, const PixelRect& newHits) {
   const bool known = !hits.empty();
+  const auto at = [width](const PixelRect& part, int y) {
+    return static_cast<size_t>(part.y + y) * static_cast<size_t>(width) + static_cast<size_t>(part.x);
+  };
+  glBindTexture(GL_TEXTURE_2D, picture_);
+  if (width != width_ || height != height_)
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, nullptr);
+  if (newLight.width > 0) uploadPart(newLight, width, GL_RGBA, GL_FLOAT, &rgba[at(newLight, 0)]);
+
   constexpr GLint kNone[] = {kNoCloth, kNoCloth};
   glBindTexture(GL_TEXTURE_2D, crossings_);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RG32I, known ? width : 1, known ? height : 1, 0, GL_RG_INTEGER, GL_INT,
-               known ? crossings.data() : kNone);
-  filled_ = true;
+  if (width != width_ || height != height_ || known != knowsCrossings_)
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RG32I, known ? width : 1, known ? height : 1, 0, GL_RG_INTEGER, GL_INT,
+                 known ? nullptr : kNone);
+  if (known && newHits.width > 0) {
+    std::vector<GLint> crossings;
+    crossings.reserve(2 * static_cast<size_t>(newHits.width) * static_cast<size_t>(newHits.height));
+    for (int y = 0; y < newHits.height; ++y)
+      for (const Film::Hit& hit : hits.subspan(at(newHits, y), static_cast<size_t>(newHits.width))) {
+        crossings.push_back(hit.yarn < 0 ? kNoCloth : hit.end);
+        crossings.push_back(hit.yarn < 0 ? kNoCloth : hit.pick);
+      }
+    uploadPart(newHits, newHits.width, GL_RG_INTEGER, GL_INT, crossings.data());
+  }
+  width_ = width;
+  height_ = height;
+  knowsCrossings_ = known;
   shown_.reset();
 }
 
@@ -162,7 +185,7 @@ void OpenGlViewport::resizeTarget(int width, int height) {
 }
 
 ImTextureID OpenGlViewport::display(int width, int height, const Tone& tone, const std::optional<Outline>& outline) {
-  if (!filled_ || width <= 0 || height <= 0) return nullptr;
+  if (width_ == 0 || width <= 0 || height <= 0) return nullptr;
   const auto target = reinterpret_cast<ImTextureID>(static_cast<intptr_t>(target_));
   const Shown wanted{width, height, tone, outline};
   if (shown_ == wanted) return target;  // most frames change something else
