@@ -91,22 +91,23 @@ struct MetComponent {
 template <class Share = WholeExtinction>
 MetComponent chooseComponent(const YarnTables& yarns, const VoxelContent& content, const LocalDrape& drape,
                              glm::vec3 direction, float u, EventLaw law, const Share& share = {}) {
-  constexpr int kMost = 2 * VoxelContent::kMaxParts;
-  std::array<float, kMost> weights;
-  int count = 0;
-  float sum = 0;
-  forEachComponent(yarns, content, drape,
-                   [&](const FibreDistribution& fibres, const YarnOptics& optics, const VoxelContent::Part& part) {
-                     const float weight = law == EventLaw::report
-                                              ? fibres.lengthDensity
-                                              : extinction(fibres, optics, direction) * share(fibres, optics, part);
-                     weights[count++] = weight;
-                     sum += weight;
-                   });
   int chosen = 0;
-  for (float rest = u * sum; chosen + 1 < count; ++chosen) {
-    rest -= weights[chosen];
-    if (rest < 0) break;
+  if (content.count > 1 || content.parts[0].components.size() > 1) {
+    std::array<float, 2 * VoxelContent::kMaxParts> weights;
+    int count = 0;
+    float sum = 0;
+    forEachComponent(yarns, content, drape,
+                     [&](const FibreDistribution& fibres, const YarnOptics& optics, const VoxelContent::Part& part) {
+                       const float weight = law == EventLaw::report
+                                                ? fibres.lengthDensity
+                                                : extinction(fibres, optics, direction) * share(fibres, optics, part);
+                       weights[count++] = weight;
+                       sum += weight;
+                     });
+    for (float rest = u * sum; chosen + 1 < count; ++chosen) {
+      rest -= weights[chosen];
+      if (rest < 0) break;
+    }
   }
   MetComponent met{};
   int number = 0;
