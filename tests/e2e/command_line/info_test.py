@@ -69,12 +69,15 @@ class Info(CommandLineTest):
         self.assertIn("b.wif: [WEAVING] Rising Shed: It is not said whether the shed rises; it is taken as rising.", info["warnings"])
         self.assertIn("rising shed", self.run_program("info", "b.wif", "--resolution", 1))
 
-    def test_a_piece_a_hundred_times_as_large_needs_no_more_memory(self):
-        sizes = []
+    def test_a_piece_a_hundred_times_as_large_needs_eight_bytes_more_an_end_or_pick(self):
+        infos = []
         for side in (30, 300):
             drape = {"kind": "flat", "width_mm": side, "height_mm": side}
-            sizes.append(json.loads(self.run_program("info", self.fabric(drape=drape), "--json"))["volume_bytes"])
-        self.assertLess(sizes[1], 1.1 * sizes[0])
+            infos.append(json.loads(self.run_program("info", self.fabric(drape=drape), "--json")))
+        small, large = infos
+        threads = 27 * (small["ends_per_cm"] + small["picks_per_cm"])
+        self.assertEqual(large["bricks"], small["bricks"])
+        self.assertLessEqual(large["volume_bytes"] - small["volume_bytes"], 8 * threads)
 
 
 main()
