@@ -35,7 +35,7 @@ bool PathTranscript::meets(const Collision& at, uint32_t event) {
   const Fabric& fabric = *scene_.fabric;
   const auto out = std::back_inserter(text_);
   fmt::format_to(out, "event {}: {} {} at crossing {},{}, yarn {} '{}' of '{}', {}\n", event,
-                 at.thread.system == System::warp ? "end" : "pick", at.thread.index, at.end, at.pick, at.yarn,
+                 at.yarnId.system == System::warp ? "end" : "pick", at.yarnId.index, at.end, at.pick, at.yarn,
                  fabric.yarns[static_cast<size_t>(at.yarn)].name, fabric.fibres[static_cast<size_t>(at.material)].name,
                  placeText(at));
   fmt::format_to(out, "  flight    {:.9g} mm, to {} mm\n", at.distance_mm, vectorText(at.place.world));

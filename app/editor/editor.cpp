@@ -119,7 +119,8 @@ int runEditor(const EditorOptions& options) {
   OpenGlDriver driver;
   Frames frames(window, options.widgetDump);
 
-  FileDesk firstFile(Window::wake);  // outlives the session: for a read that was given up nobody waits but at the end
+  FileService firstFile(
+      Window::wake);  // outlives the session: for a read that was given up nobody waits but at the end
   std::string problem;
   std::vector<std::string> dropped;
   // A weaving file or a picture is opened into the sample, by the session, which says what was wrong in it.

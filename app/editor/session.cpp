@@ -51,7 +51,7 @@ std::string Session::title() const {
 
 void Session::frame(Ui& ui) {
   Stopwatch watch;
-  if (viewport_.take()) snapshots_.followView(document_.fabric(), viewport_.desk());
+  if (viewport_.take()) snapshots_.followView(document_.fabric(), viewport_.service());
   work_s_ = watch.lap();
   document_.beginFrame(ImGui::IsAnyMouseDown() || ImGui::IsAnyItemActive());
   if (!dialogIsOpen()) readKeys();
@@ -82,7 +82,7 @@ void Session::run(Command command) {
       return browse(FileTask::open);
     case Command::save:
       if (document_.document().file().empty()) return browse(FileTask::saveAs);
-      return files_.desk().save(document_.document().file(), document_.fabric(), document_.document().state());
+      return files_.service().save(document_.document().file(), document_.fabric(), document_.document().state());
     case Command::saveAs:
       return browse(FileTask::saveAs);
     case Command::savePreset:
@@ -90,13 +90,13 @@ void Session::run(Command command) {
     case Command::snapshot:
       return snapshots_.show(document_.fabric()->render, freeFile(fileCalledAsCloth(".png")).string());
     case Command::presets:
-      viewport_.desk().pause(true);  // its pictures are looked at now
+      viewport_.service().pause(true);  // its pictures are looked at now
       return presets_.showBrowser();
     case Command::colourways:
-      viewport_.desk().pause(true);  // its pictures are looked at now
+      viewport_.service().pause(true);  // its pictures are looked at now
       return inspector_.showColourways();
     case Command::keepView:
-      return snapshots_.keepView(document_.fabric(), viewport_.tone(), viewport_.desk());
+      return snapshots_.keepView(document_.fabric(), viewport_.tone(), viewport_.service());
     case Command::chooseMesh:
       return browse(FileTask::mesh);
     case Command::chooseEnvironment:
@@ -197,8 +197,8 @@ void Session::startOver(Document document) {
 
 void Session::applyPreset(const PresetChoice& choice) {
   if (choice.isSample) return dress(sampleFabric(choice.index));
-  files_.desk().open(FileDesk::Work::usePreset, presets_.fileOf(choice), document_.fabric(),
-                     document_.document().state());
+  files_.service().open(FileService::Work::usePreset, presets_.fileOf(choice), document_.fabric(),
+                        document_.document().state());
 }
 
 void Session::dress(const Fabric& cloth) {

@@ -103,8 +103,8 @@ class Session {
   void openPending();
   void remember(const std::string& file);
   void lookNextIn(const std::string& fileThere);
-  void fileDone(FileDesk::Result result);
-  void opened(FileDesk::Result result);
+  void fileDone(FileService::Result result);
+  void opened(FileService::Result result);
   void takeUp(Fabric fabric, const std::string& left);
   std::filesystem::path folderToLookIn() const;
   std::filesystem::path fileCalledAsCloth(const std::string& ending) const;

@@ -27,8 +27,8 @@ fs::path absolute(const std::string& file) {
 void Session::leaveFor(Afterwards next) {
   if (questions_.isAsking(Question::unsaved) && questions_.afterwards == next) return;
   questions_.afterwards = next;
-  if (files_.desk().isReading()) files_.desk().cancel();  // a copy that was taken up stays where it is
-  if (files_.desk().busy()) return;                       // fileDone() comes back here
+  if (files_.service().isReading()) files_.service().cancel();  // a copy that was taken up stays where it is
+  if (files_.service().busy()) return;                          // fileDone() comes back here
   if (!document_.document().isDirty()) return goOn();
   questions_.ask(Question::unsaved, "Unsaved work",
                  fmt::format("\xE2\x80\x9C{}\xE2\x80\x9D has changes that are not saved.", document_.fabric()->name),
@@ -36,8 +36,8 @@ void Session::leaveFor(Afterwards next) {
 }
 
 void Session::goOn() {
-  const auto open = [this](FileDesk::Work work, const std::string& file) {
-    files_.desk().open(work, file, document_.fabric(), document_.document().state());
+  const auto open = [this](FileService::Work work, const std::string& file) {
+    files_.service().open(work, file, document_.fabric(), document_.document().state());
   };
   switch (std::exchange(questions_.afterwards, Afterwards::nothing)) {
     case Afterwards::quit:
@@ -46,9 +46,9 @@ void Session::goOn() {
     case Afterwards::beginAnew:
       return startOver(Document(sampleFabric()));
     case Afterwards::open:
-      return open(FileDesk::Work::open, questions_.pendingFile);
+      return open(FileService::Work::open, questions_.pendingFile);
     case Afterwards::takeUp:
-      return open(FileDesk::Work::takeUp, questions_.leftBehind);
+      return open(FileService::Work::takeUp, questions_.leftBehind);
     case Afterwards::nothing:
       break;
   }
@@ -135,7 +135,7 @@ void Session::openFile(const std::string& file) {
   }
 }
 
-void Session::opened(FileDesk::Result result) {
+void Session::opened(FileService::Result result) {
   if (!isWeavingFile(result.file)) {
     startOver(Document(std::move(*result.fabric), result.file));
   } else {
@@ -151,8 +151,8 @@ void Session::takeUp(Fabric fabric, const std::string& left) {
   document_.takeOver(left);
 }
 
-void Session::fileDone(FileDesk::Result result) {
-  using Work = FileDesk::Work;
+void Session::fileDone(FileService::Result result) {
+  using Work = FileService::Work;
   const bool written = result.work == Work::save || result.work == Work::exportTo;
   if (!result.problem.empty() || result.cancelled) questions_.afterwards = Afterwards::nothing;
   if (result.cancelled) return;
@@ -224,7 +224,7 @@ void Session::fileChosen(const FileController::Chosen& chosen) {
     case FileTask::picture:
       return openFile(chosen.file);
     case FileTask::saveAs:
-      return files_.desk().save(chosen.file, document_.fabric(), document_.document().state());
+      return files_.service().save(chosen.file, document_.fabric(), document_.document().state());
     case FileTask::snapshot:
       return snapshots_.setFile(chosen.file);
     case FileTask::exportTile:
@@ -240,7 +240,7 @@ void Session::fileChosen(const FileController::Chosen& chosen) {
 
 void Session::exportTo(FileTask task, const std::string& file) {
   const DraftCorner corner{settings_.draft.startsRight(), settings_.draft.startsAtTop()};
-  files_.desk().exportTo(file, [task, file, corner, fabric = document_.fabric()]() -> std::vector<std::string> {
+  files_.service().exportTo(file, [task, file, corner, fabric = document_.fabric()]() -> std::vector<std::string> {
     if (task == FileTask::exportWif) return writeWifFabric(*fabric, file);
     if (task == FileTask::exportDraft)
       writeDraftSheet(file, *fabric, corner);

@@ -75,7 +75,7 @@ void Session::drawViewport(Ui& ui) {
 }
 
 void Session::drawStrip(Ui& ui) {
-  auto restored = snapshots_.drawStrip(ui, document_.fabric(), viewport_.tone(), viewport_.desk());
+  auto restored = snapshots_.drawStrip(ui, document_.fabric(), viewport_.tone(), viewport_.service());
   if (!restored) return;
   document_.edit(std::move(*restored));
   draft_.fit();
@@ -83,7 +83,7 @@ void Session::drawStrip(Ui& ui) {
 
 void Session::drawInspector(Ui& ui) {
   const EditPlace place = inspector_.place();
-  InspectorResult result = inspector_.draw(ui, document_.fabric(), viewport_.desk(), settings_.draft.inches);
+  InspectorResult result = inspector_.draw(ui, document_.fabric(), viewport_.service(), settings_.draft.inches);
   help_.hints.set |= result.fabric.has_value();
   if (result.fabric) document_.edit(std::move(*result.fabric), place);
   if (result.camera) document_.lookFrom(*result.camera);
@@ -92,7 +92,7 @@ void Session::drawInspector(Ui& ui) {
 
 void Session::drawSnapshot(Ui& ui) {
   const SnapshotController::Edit edit =
-      snapshots_.drawDialog(ui, document_.fabric(), viewport_.tone(), viewport_.desk());
+      snapshots_.drawDialog(ui, document_.fabric(), viewport_.tone(), viewport_.service());
   if (edit.settings) document_.change([&](Fabric& fabric) { fabric.render = *edit.settings; });
   if (edit.chooseFile) browse(FileTask::snapshot);
 }
@@ -105,11 +105,11 @@ void Session::drawFabricDialogs(Ui& ui) {
     auto used = presets_.drawBrowser(ui, now, yarn, shownFibre(now, inspector_.view()));
     if (used) document_.edit(std::move(used->fabric));
     if (used && used->isWhole) draft_.fit();
-    if (!presets_.isOpen()) viewport_.desk().pause(false);
+    if (!presets_.isOpen()) viewport_.service().pause(false);
   }
   if (inspector_.colourwaysAreOpen()) {
     if (auto edited = inspector_.drawColourways(ui, document_.fabric())) document_.edit(std::move(*edited));
-    if (!inspector_.colourwaysAreOpen()) viewport_.desk().pause(false);
+    if (!inspector_.colourwaysAreOpen()) viewport_.service().pause(false);
   }
   const EditPlace place = draft_.place();
   DraftController::Edit edit = draft_.drawDialogs(ui, document_.fabric(), settings_.draft);
@@ -122,7 +122,7 @@ void Session::drawDialogs(Ui& ui) {
   // The browser stands in for the dialogs while it names their files.
   if (!files_.isBrowsing() && snapshots_.dialogIsOpen()) drawSnapshot(ui);
   if (const auto chosen = files_.drawBrowser(ui)) fileChosen(*chosen);
-  if (!files_.isBrowsing() && !questions_.isOpen() && !files_.desk().busy())
+  if (!files_.isBrowsing() && !questions_.isOpen() && !files_.service().busy())
     questions_.afterwards = Afterwards::nothing;  // no file was named
   if (auto result = files_.drawBusy(ui)) fileDone(std::move(*result));
   if (const auto answer = questions_.draw(ui)) answered(*answer);
@@ -131,20 +131,20 @@ void Session::drawDialogs(Ui& ui) {
                      settings_.fibreMemory_GB});
   help_.keys.draw(ui);
   snapshots_.drawComparison(ui);
-  if (!files_.isBrowsing() && tile_.draw(ui, *document_.fabric(), viewport_.desk())) browse(FileTask::exportTile);
+  if (!files_.isBrowsing() && tile_.draw(ui, *document_.fabric(), viewport_.service())) browse(FileTask::exportTile);
   drawFabricDialogs(ui);
 }
 
 bool Session::dialogIsOpen() const {
-  return files_.desk().busy() || files_.isBrowsing() || questions_.isOpen() || snapshots_.dialogIsOpen() ||
+  return files_.service().busy() || files_.isBrowsing() || questions_.isOpen() || snapshots_.dialogIsOpen() ||
          snapshots_.comparisonIsOpen() || preferences_.isOpen() || help_.keys.isOpen() || draft_.dialogIsOpen() ||
          tile_.isOpen() || inspector_.colourwaysAreOpen() || presets_.isOpen();
 }
 
 /// What is unsafe comes before what is worth knowing of the cloth.
 StatusModel Session::statusToSay() const {
-  const ViewDesk& seen = viewport_.desk();
-  StatusModel model = statusModel(seen.insight().get(), seen.status(), seen.visibilityStatus(), seen.frame());
+  const ViewService& seen = viewport_.service();
+  StatusModel model = statusModel(seen.stats().get(), seen.status(), seen.visibilityStatus(), seen.frame());
   const auto insist = [&model](const std::string& about, const std::string& problem) {
     if (problem.empty()) return;
     model.warning = about + problem;

@@ -15,7 +15,7 @@ bool walkedAlike(const Fabric& a, const Fabric& b) {
                                      Stage::label);
 }
 
-std::shared_ptr<const ColourAnswer> answerTo(const ColourWish& wish, const ColourWalks& walks) {
+std::shared_ptr<const ColourAnswer> answerTo(const ColourWish& wish, const PathLengthTally& walks) {
   auto answer = std::make_shared<ColourAnswer>();
   answer->wish = wish;
   answer->seen = walks.lit() > 0;
@@ -59,7 +59,7 @@ bool ColourWorker::makeWalks(ColourWish& wish, Answering::Turn& turn) {
   };
   const auto scene = makeScene(std::make_shared<const Fabric>(colourPatch(*fabric)), task);
   const auto medium = scene ? makeMedium(*scene, defaultMemoryLimit_bytes(), task) : nullptr;
-  auto walks = medium ? walkColours(*scene, *medium, wish.fibre, kDyeWalks, task) : std::nullopt;
+  auto walks = medium ? tallyPathLengths(*scene, *medium, wish.fibre, kDyeWalks, task) : std::nullopt;
   if (!walks) return false;
   walked_ = fabric;
   walkedFibre_ = wish.fibre;

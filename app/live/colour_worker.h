@@ -48,7 +48,7 @@ class ColourWorker {
   std::shared_ptr<const ColourAnswer> last_;
   std::shared_ptr<const Fabric> walked_;  ///< through whose cloth walks_ are
   int walkedFibre_ = -1;
-  ColourWalks walks_;
+  PathLengthTally walks_;
 
   Answering worker_;  // last: it ends before what it uses is gone
 };

@@ -42,7 +42,7 @@ std::shared_ptr<const Medium> makeLiveMedium(const Scene& scene, const std::shar
 
 /// Null pointers when stopped.
 BuiltCloth makeCloth(const ViewRequest& request, const Task& task, const BuiltCloth& previous,
-                     const FirstScenes* first) {
+                     const ScenePreviews* first) {
   const Traceable& old = previous.traceable;
   BuiltCloth made;
   made.visibility = request.visibility;
@@ -136,7 +136,7 @@ void LiveRenderer::Workers::build(const ViewRequest& request, Builder::Turn& tur
   };
   // A draft is worth a picture of its own where the whole takes longer than a picture does.
   constexpr double kWorthWaiting_s = 0.05;
-  const FirstScenes first{
+  const ScenePreviews first{
       static_cast<double>(request.width) / std::max(1, request.height),
       [start](double fraction) {
         const std::chrono::duration<double> spent = Clock::now() - start;

@@ -81,8 +81,8 @@ std::optional<Collision> FibreMedium::collide(const ScenePoint& from, Memory& me
   c.fibre = hit->fibre;
   c.end = hit->end;
   c.pick = hit->pick;
-  c.thread = {hit->system, hit->system == System::warp ? hit->end : hit->pick};
-  c.yarn = cloth_->volume->geometry().yarnIndex(c.thread.system, c.thread.index);
+  c.yarnId = {hit->system, hit->system == System::warp ? hit->end : hit->pick};
+  c.yarn = cloth_->volume->geometry().yarnIndex(c.yarnId.system, c.yarnId.index);
   c.optics = cloth_->yarns[static_cast<int>(hit->system)][c.yarn];
   c.axis = c.place.world - c.optics.fibreRadius_mm * hit->normal;
   Random kind(mixBits(hit->fibre));  // a fibre is what it is, whoever meets it

@@ -36,22 +36,23 @@ struct AntitheticPoints {
 
 /// The share of extinction that is left of fibres near earlier flights, and beside the fibre that the last flight came
 /// from: that one is met for itself, so a voxel must not count it again.
-class Unknown {
+class CorrelationState {
  public:
-  Unknown(const LoomlightMedium::Memory& memory, const ShellSegment& s, const VoxelGrid& grid, glm::mat3 toCloth)
+  CorrelationState(const LoomlightMedium::Memory& memory, const ShellSegment& s, const VoxelGrid& grid,
+                   glm::mat3 toCloth)
       : memory_(memory),
         grid_(grid),
         before_(s.clothOrigin + toCloth * (memory.before.axis - s.origin),
                 glm::normalize(toCloth * memory.before.tangent), memory.before.radius_mm, grid_) {}
 
-  float share(const FibreDistribution& fibres, float radius_mm, bool packed, Thread thread, glm::vec3 point,
+  float share(const FibreDistribution& fibres, float radius_mm, bool packed, YarnId yarnId, glm::vec3 point,
               glm::ivec3 voxel) const {
     float absent = 0;
-    for (const Flight& flight : memory_.flights)
+    for (const RaySegment& flight : memory_.flights)
       if (flight.length_mm > 0)
         absent = std::max(absent, knownAbsent(flight, point, fibres.direction, fibres.spread, radius_mm));
     float before = 0;
-    if (memory_.before.radius_mm > 0 && thread == memory_.before.thread && packed)
+    if (memory_.before.radius_mm > 0 && yarnId == memory_.before.yarnId && packed)
       before = std::min(1.0f, before_.lengthDensity(grid_.lower_mm(voxel)) / fibres.lengthDensity);
     return (1 - absent) * (1 - before);
   }
@@ -79,17 +80,17 @@ Collision collisionWith(const MetFibre& fibre, const ScenePoint& place, glm::vec
   c.normal = glm::normalize(place.world - c.axis);
   const glm::vec3 b = glm::cross(c.tangent, direction);
   c.offset = std::clamp(glm::dot(c.normal, b) / glm::length(b), -1.0f, 1.0f);
-  c.thread = fibre.thread;
+  c.yarnId = fibre.yarnId;
   c.yarn = fibre.yarn;
   c.end = fibre.end;
   c.pick = fibre.pick;
-  c.optics = cloth.yarns[static_cast<int>(fibre.thread.system)][fibre.yarn];
+  c.optics = cloth.yarns[static_cast<int>(fibre.yarnId.system)][fibre.yarn];
   return c;
 }
 
 /// The share that a voxel's components have left, seen from its middle on the ray.
-struct UnknownShare {
-  const Unknown* unknown;  ///< null: all of it
+struct CorrelatedShare {
+  const CorrelationState* unknown;  ///< null: all of it
   glm::vec3 middle;
   glm::ivec3 voxel;
 
@@ -128,7 +129,7 @@ class LoomlightMedium::Stretches {
   float depth() const { return depthNear() + sigma * (length - near); }
   const VoxelContent& content() const { return march_->content(); }
   const ShellSegment& segment() const { return shell_.segment(); }
-  UnknownShare share() const {
+  CorrelatedShare share() const {
     const glm::vec3 middle = segment().origin + 0.5f * (march_->enter() + march_->leave()) * direction_;
     return {medium_.ingredients_.hotSpot ? &*unknown_ : nullptr, middle, content().voxel};
   }
@@ -169,7 +170,7 @@ class LoomlightMedium::Stretches {
   const Memory& memory_;
   glm::vec3 direction_;
   ShellWalk shell_;
-  std::optional<Unknown> unknown_;  ///< of the segment
+  std::optional<CorrelationState> unknown_;  ///< of the segment
   std::optional<ClothVolume::March> march_;
   float last_ = -1, filled_ = 0;  ///< where the voxel before ended, and how much of it is fibre
 };
@@ -206,7 +207,7 @@ Collision LoomlightMedium::meet(const ScenePoint& from, glm::vec3 direction, con
         chooseComponent(cloth_->yarns, content, s.drape, direction, random.uniform(), EventLaw::projected, share);
     c.tangent = eitherWay(projectedTangent(met.fibres, direction, random), random);
     c.optics = *met.optics;
-    c.thread = met.thread;
+    c.yarnId = met.yarnId;
     c.yarn = met.yarn;
     c.end = content.end;
     c.pick = content.pick;
@@ -283,8 +284,8 @@ std::optional<Collision> LoomlightMedium::collide(const ScenePoint& from, Memory
   met->material = drawMaterial(met->optics, random);
   if (ingredients_.hotSpot) {
     memory.before = memory.leaving;
-    memory.leaving = {met->axis, met->tangent, met->optics.fibreRadius_mm, met->thread, met->yarn, met->end, met->pick};
-    memory.flights = {Flight{met->place.world, direction, met->distance_mm}, memory.flights[0]};
+    memory.leaving = {met->axis, met->tangent, met->optics.fibreRadius_mm, met->yarnId, met->yarn, met->end, met->pick};
+    memory.flights = {RaySegment{met->place.world, direction, met->distance_mm}, memory.flights[0]};
   }
   return met;
 }

@@ -44,8 +44,8 @@ class LoomlightMedium final : public Medium {
 
   /// What is known of the fibres around a path; nothing without the hot spot.
   struct Memory {
-    MetFibre leaving, before;         ///< the last fibre that it met, and the one before
-    std::array<Flight, 2> flights{};  ///< to both, the newest first
+    MetFibre leaving, before;             ///< the last fibre that it met, and the one before
+    std::array<RaySegment, 2> flights{};  ///< to both, the newest first
   };
 
   std::unique_ptr<MediumPath> path() const override;

@@ -25,10 +25,10 @@ struct TraceCounts {
 };
 
 /// The yarn that a fibre is of: an end of the warp, or a pick of the weft.
-struct Thread {
+struct YarnId {
   System system = System::warp;
   int index = 0;  ///< absolute
-  bool operator==(const Thread&) const = default;
+  bool operator==(const YarnId&) const = default;
 };
 
 /// A scattering event: where a ray met a fibre, and which.
@@ -42,7 +42,7 @@ struct Collision {
   glm::vec3 axis{0};          ///< nearest point of the fibre's axis; media whose fibres have a radius
   YarnOptics optics;          ///< of its yarn
   int material = 0;           ///< of this fibre: that of the yarn, or in a blend one of its two
-  Thread thread;              ///< whose fibre it is
+  YarnId yarnId;              ///< whose fibre it is
   int yarn = 0;               ///< index into Fabric::yarns
   int end = 0, pick = 0;      ///< the crossing cell
   uint64_t fibre = 0;         ///< which; explicit fibres only

@@ -15,19 +15,19 @@ struct MetFibre {
   glm::vec3 axis{0};
   glm::vec3 tangent{1, 0, 0};
   float radius_mm = 0;  ///< 0: none
-  Thread thread;
+  YarnId yarnId;
   int yarn = 0, end = 0, pick = 0;
 };
 
 /// A flight that ended at a collision: a way now known to be free of fibres.
-struct Flight {
+struct RaySegment {
   glm::vec3 end{0};
   glm::vec3 direction{0, 0, -1};
   float length_mm = 0;  ///< 0: none
 };
 
 /// The share of fibres through a point, with tangent m, that would also have blocked a flight: those are not there.
-inline float knownAbsent(const Flight& flight, glm::vec3 point, glm::vec3 m, float spread, float radius_mm) {
+inline float knownAbsent(const RaySegment& flight, glm::vec3 point, glm::vec3 m, float spread, float radius_mm) {
   // Seen along m, fibres are discs, and the flight a line.
   const glm::vec3 offset = point - flight.end;
   const float alongTangent = glm::dot(flight.direction, m);

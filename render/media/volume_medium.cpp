@@ -44,7 +44,7 @@ std::optional<Collision> VolumeMedium::collide(const ScenePoint& from, Memory&, 
     c.normal = walk.drape().normal();
     c.optics = *met.optics;
     c.material = drawMaterial(c.optics, random);
-    c.thread = met.thread;
+    c.yarnId = met.yarnId;
     c.yarn = met.yarn;
     c.end = walk.content().end;
     c.pick = walk.content().pick;

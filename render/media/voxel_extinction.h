@@ -82,7 +82,7 @@ VoxelExtinction sumExtinction(const YarnTables& yarns, const VoxelContent& conte
 struct MetComponent {
   FibreDistribution fibres;  ///< in the world
   const YarnOptics* optics;
-  Thread thread;
+  YarnId yarnId;
   int yarn;  ///< index into Fabric::yarns
 };
 

@@ -110,7 +110,7 @@ void lay(Unfinished& made, const Piece& piece, const ClothGeometry& geometry, co
 
 /// Shows the scene with yarns that were made in no time. False when stopped.
 bool showSketch(Unfinished sketched, const Piece& piece, std::shared_ptr<const ClothGeometry> sketch,
-                const Changes& change, const Scene* previous, const FirstScenes& first, const Task& task) {
+                const Changes& change, const Scene* previous, const ScenePreviews& first, const Task& task) {
   const Fabric& fabric = *sketched.scene.fabric;
   lay(sketched, piece, *sketch, change, previous);
   const CellRect inView =
@@ -123,7 +123,7 @@ bool showSketch(Unfinished sketched, const Piece& piece, std::shared_ptr<const C
 }
 
 /// Volume, shell and yarns: all of them, or what the edit leaves of the previous scene's. False when stopped.
-bool makeCloth(Unfinished& made, const Changes& change, const Scene* previous, const FirstScenes* first,
+bool makeCloth(Unfinished& made, const Changes& change, const Scene* previous, const ScenePreviews* first,
                const Task& task) {
   const Fabric& fabric = *made.scene.fabric;
   TraceData& cloth = made.cloth;
@@ -150,13 +150,13 @@ bool makeCloth(Unfinished& made, const Changes& change, const Scene* previous, c
   made.scene.seconds.geometry = watch.lap();
   lay(made, piece, *geometry, change, previous);
   made.scene.seconds.accelerate = watch.lap();
-  const auto build = [&](const FirstLook* look) {
+  const auto build = [&](const PreviewSink* look) {
     return ClothVolume::build(geometry, fabric.render.resolution, task, volumeBefore, look);
   };
   if (first) {
-    const FirstLook look{cellsInView(fabric.camera, first->aspect, *geometry, *cloth.shell, *cloth.entry),
-                         first->wanted,
-                         [&](std::shared_ptr<const ClothVolume> draft) { first->show(made.with(std::move(draft))); }};
+    const PreviewSink look{cellsInView(fabric.camera, first->aspect, *geometry, *cloth.shell, *cloth.entry),
+                           first->wanted,
+                           [&](std::shared_ptr<const ClothVolume> draft) { first->show(made.with(std::move(draft))); }};
     cloth.volume = build(&look);
   } else {
     cloth.volume = build(nullptr);
@@ -168,7 +168,7 @@ bool makeCloth(Unfinished& made, const Changes& change, const Scene* previous, c
 }  // namespace
 
 std::shared_ptr<const Scene> makeScene(std::shared_ptr<const Fabric> fabric, const Task& task, const Scene* previous,
-                                       const FirstScenes* first) {
+                                       const ScenePreviews* first) {
   const Changes change = previous ? changes(*previous->fabric, *fabric) : Changes{};
   Unfinished made;
   Scene& scene = made.scene;

@@ -36,7 +36,7 @@ struct Scene {
 };
 
 /// What somebody who waits for a scene wants to see of it before it is there.
-struct FirstScenes {
+struct ScenePreviews {
   double aspect = 1;  ///< width over height of the picture
   /// Asked where a draft could be shown, having so much of all bricks. Both are called from the thread that builds.
   std::function<bool(double fraction)> wanted;
@@ -48,6 +48,6 @@ struct FirstScenes {
 /// null when stopped; throws InputError for files that cannot be used. What `first` (may be null) is shown in between
 /// changes nothing; none of it may be a `previous`.
 std::shared_ptr<const Scene> makeScene(std::shared_ptr<const Fabric> fabric, const Task& task,
-                                       const Scene* previous = nullptr, const FirstScenes* first = nullptr);
+                                       const Scene* previous = nullptr, const ScenePreviews* first = nullptr);
 
 }  // namespace loomlight

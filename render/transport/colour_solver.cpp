@@ -15,7 +15,7 @@ constexpr float kTolerance = 1e-3f;        // of reflectance: less is not seen
 /// One channel of the walks as a function of one absorption: mean of weight exp(-sigma length).
 class Channel {
  public:
-  Channel(const ColourWalks& walks, const std::vector<Rgb>& absorption_per_mm, size_t material, int channel)
+  Channel(const PathLengthTally& walks, const std::vector<Rgb>& absorption_per_mm, size_t material, int channel)
       : walks_(walks), material_(material) {
     weights_.reserve(walks.lit());
     for (size_t i = 0; i < walks.lengths_mm.size(); i += walks.materials) {
@@ -41,7 +41,7 @@ class Channel {
   }
 
  private:
-  const ColourWalks& walks_;
+  const PathLengthTally& walks_;
   size_t material_;
   std::vector<double> weights_;
 };
@@ -63,7 +63,7 @@ double absorptionFor(const Channel& channel, double wanted) {
 
 }  // namespace
 
-SolvedColour solveColour(const ColourWalks& walks, std::vector<Rgb> absorption_per_mm, int material,
+SolvedColour solveColour(const PathLengthTally& walks, std::vector<Rgb> absorption_per_mm, int material,
                          const Rgb& wanted) {
   assert(walks.lit() > 0 && absorption_per_mm.size() == walks.materials);
   SolvedColour solved;

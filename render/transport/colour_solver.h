@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/transport/colour_walks.h"
+#include "render/transport/path_length_tally.h"
 
 namespace loomlight {
 
@@ -15,6 +15,7 @@ struct SolvedColour {
 /// The absorption of `material` with which the walks give the wanted colour (linear, 1 is white paper), those of all
 /// other materials as they are; where a channel cannot be reached, the one that looks nearest (nearestColour()) of all
 /// that can. `walks` are of light that met `material` first, and some of them came back to the sky.
-SolvedColour solveColour(const ColourWalks& walks, std::vector<Rgb> absorption_per_mm, int material, const Rgb& wanted);
+SolvedColour solveColour(const PathLengthTally& walks, std::vector<Rgb> absorption_per_mm, int material,
+                         const Rgb& wanted);
 
 }  // namespace loomlight

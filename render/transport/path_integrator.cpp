@@ -87,7 +87,7 @@ void PathIntegrator::gatherEscaped(glm::vec3 direction, float scatterPdf, float 
 }
 
 /// One lamp, seen from a collision. Nothing when no light comes of it.
-std::optional<PathLight> PathIntegrator::sampleLamp(const Event& event, Random& random, TraceCounts& counts) {
+std::optional<PathLight> PathIntegrator::sampleLight(const Event& event, Random& random, TraceCounts& counts) {
   const Collision& at = event.at;
   const auto light = scene_.lighting->sample(at.place.world, random);
   if (!light || light->pdf <= 0) return std::nullopt;
@@ -131,7 +131,7 @@ void PathIntegrator::follow(const Ray& ray, Random& random, PathSink& sink, Trac
     const Event event(*collision, scene_);
     if (lamps_) {
       stratify(1);
-      if (const auto light = sampleLamp(event, random, counts)) gather(*light, sink);
+      if (const auto light = sampleLight(event, random, counts)) gather(*light, sink);
     }
     if (events_ >= rules_.maxEvents) return sink.ends(PathEnd::deepest);
 

@@ -47,7 +47,7 @@ class PathIntegrator {
   bool survives(Random& random);
   void gather(PathLight light, PathSink& sink) const;
   void gatherEscaped(glm::vec3 direction, float scatterPdf, float visible, PathSink& sink) const;
-  std::optional<PathLight> sampleLamp(const Event& event, Random& random, TraceCounts& counts);
+  std::optional<PathLight> sampleLight(const Event& event, Random& random, TraceCounts& counts);
 
   const Scene& scene_;
   PathRules rules_;

@@ -77,7 +77,7 @@ Light lightOf(const AccuracyLight& choice) {
 }
 
 /// All that is measured of one way to trace a cloth.
-struct Sight {
+struct ViewState {
   std::vector<TwoPictures> pictures;  ///< of each light
   std::optional<TwoMeasures> halfDome;
 };
@@ -127,8 +127,8 @@ std::optional<TwoPictures> look(const Scene& scene, const Medium& medium, const 
   }
 }
 
-std::optional<Sight> see(const Scene& scene, const Medium& medium, const Plan& plan, const Task& task) {
-  Sight sight;
+std::optional<ViewState> see(const Scene& scene, const Medium& medium, const Plan& plan, const Task& task) {
+  ViewState sight;
   for (size_t i = 0; i < kAccuracyLights.size(); ++i) {
     auto pictures = look(scene, medium, kAccuracyLights[i], plan.lights[i], task);
     if (!pictures) return std::nullopt;
@@ -147,7 +147,7 @@ Estimate rootPercent(const Estimate& squared) {
   return {100 * std::copysign(root, squared.value), root > 0 ? 50 * squared.standardError / root : 0};
 }
 
-Accuracy accuracyOf(const std::string& method, const Sight& sight, const Sight& truth) {
+Accuracy accuracyOf(const std::string& method, const ViewState& sight, const ViewState& truth) {
   Accuracy accuracy{method, {}, {}, {}};
   for (size_t i = 0; i < kAccuracyLights.size(); ++i) {
     const MeanColour found = meanColour(sight.pictures[i]), expected = meanColour(truth.pictures[i]);
@@ -183,7 +183,7 @@ Fabric posed(Fabric fabric, const Plan& plan) {
 }
 
 struct Fibres {
-  Sight sight;
+  ViewState sight;
   double segments = 0;
 };
 
@@ -199,11 +199,11 @@ std::optional<Fibres> seeFibres(const Fabric& fabric, const ReportBench& bench, 
   return Fibres{std::move(*sight), static_cast<double>(cost.segments)};
 }
 
-Pixels8 pictureOf(const std::vector<const Sight*>& sights) {
+Pixels8 pictureOf(const std::vector<const ViewState*>& sights) {
   std::vector<Pixels8> rows;
   for (size_t i = 0; i < kAccuracyLights.size(); ++i) {
     std::vector<Pixels8> row;
-    for (const Sight* sight : sights) row.push_back(magnified(shown(sight->pictures[i]), 3));
+    for (const ViewState* sight : sights) row.push_back(magnified(shown(sight->pictures[i]), 3));
     rows.push_back(sideBySide(row));
   }
   return stacked(rows);
@@ -225,8 +225,8 @@ std::optional<AccuracyStudy> studyAccuracy(const BenchCloth& cloth, const Report
   const auto other = seeFibres(rearranged(fabric), bench, beside, task);
   if (!other) return std::nullopt;
   study.methods.push_back(accuracyOf(kOtherFibres, other->sight, truth->sight));
-  std::vector<const Sight*> columns{&truth->sight, &other->sight};
-  std::optional<Sight> ours;
+  std::vector<const ViewState*> columns{&truth->sight, &other->sight};
+  std::optional<ViewState> ours;
   std::shared_ptr<const Scene> scene;  // the last: those of one resolution share their volume
   for (const auto& [variant, isTarget] : volumes(bench.quick)) {
     say(variant.name);

@@ -23,7 +23,7 @@ namespace {
 struct Dyeing {
   size_t fibre = 0;  ///< in the fabric's list
   Rgb wanted{0};     ///< linear
-  ColourWalks walks;
+  PathLengthTally walks;
   SolvedColour solved;
 };
 
@@ -92,7 +92,7 @@ bool walk(const Fabric& fabric, std::vector<Dyeing>& dyeings) {
   if (!medium) return false;
   for (Dyeing& dyeing : dyeings) {
     ++done;
-    auto walks = walkColours(*scene, *medium, static_cast<int>(dyeing.fibre), kDyeWalks, task);
+    auto walks = tallyPathLengths(*scene, *medium, static_cast<int>(dyeing.fibre), kDyeWalks, task);
     if (!walks) return false;
     dyeing.walks = std::move(*walks);
   }

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/desks/picture_desk.h"
 #include "app/editor/model/document.h"
+#include "app/editor/services/picture_service.h"
 #include "core/fabric/weave/structure_edit.h"
 #include "ui/dialogs/picture_dialog.h"
 #include "ui/dialogs/structure_dialog.h"
@@ -63,7 +63,7 @@ class DraftController {
   DraftView view_;
   StructureDialog structures_;
   PictureDialog picture_;
-  PictureDesk pictures_;
+  PictureService pictures_;
   WifDialog wif_;
   std::shared_ptr<const Fabric> wifKept_;  ///< the weaving file's cloth with the designer's own sizes
 };

@@ -52,14 +52,14 @@ std::optional<FileController::Chosen> FileController::drawBrowser(Ui& ui) {
   return Chosen{std::exchange(task_, FileTask::none), std::move(*file)};
 }
 
-std::optional<FileDesk::Result> FileController::drawBusy(Ui& ui) {
-  auto result = desk_.take();
+std::optional<FileService::Result> FileController::drawBusy(Ui& ui) {
+  auto result = service_.take();
   std::optional<std::string> text;
-  if (const auto& busy = desk_.busy()) {
-    const char* does = desk_.isReading() ? "Opening" : desk_.canCancel() ? "Writing" : "Finishing";
+  if (const auto& busy = service_.busy()) {
+    const char* does = service_.isReading() ? "Opening" : service_.canCancel() ? "Writing" : "Finishing";
     text = fmt::format("{} {}\xE2\x80\xA6", does, std::filesystem::path(busy->file).filename().string());
   }
-  if (busy_.draw(ui, text, desk_.canCancel())) desk_.cancel();
+  if (busy_.draw(ui, text, service_.canCancel())) service_.cancel();
   return result;
 }
 

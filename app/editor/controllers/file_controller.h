@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/editor/desks/file_desk.h"
-#include "app/editor/desks/file_preview_desk.h"
+#include "app/editor/services/file_preview_service.h"
+#include "app/editor/services/file_service.h"
 #include "ui/dialogs/busy_dialog.h"
 #include "ui/dialogs/file_browser.h"
 
@@ -33,7 +33,7 @@ enum class FileTask {
 /// The browser of files, the reading and writing of them, and files that were dropped on the window.
 class FileController {
  public:
-  FileController(DisplayDriver& driver, const std::function<void()>& wake) : desk_(wake), previews_(driver, wake) {}
+  FileController(DisplayDriver& driver, const std::function<void()>& wake) : service_(wake), previews_(driver, wake) {}
 
   /// Opens the browser: in a folder, or for a task that writes on a file.
   void browse(FileTask task, const std::filesystem::path& start);
@@ -45,18 +45,18 @@ class FileController {
   /// Once.
   std::optional<Chosen> drawBrowser(Ui& ui);
   /// Says what is being read or written. What has been, once.
-  std::optional<FileDesk::Result> drawBusy(Ui& ui);
+  std::optional<FileService::Result> drawBusy(Ui& ui);
 
-  FileDesk& desk() { return desk_; }
-  const FileDesk& desk() const { return desk_; }
+  FileService& service() { return service_; }
+  const FileService& service() const { return service_; }
   void drop(const std::vector<std::string>& files) { dropped_.insert(dropped_.end(), files.begin(), files.end()); }
   /// The next of those dropped.
   std::optional<std::string> takeDropped();
 
  private:
-  FileDesk desk_;
+  FileService service_;
   FileBrowser browser_;
-  FilePreviewDesk previews_;
+  FilePreviewService previews_;
   BusyDialog busy_;
   FileTask task_ = FileTask::none;
   std::deque<std::string> dropped_;  ///< files that wait until no dialog is open

@@ -8,9 +8,9 @@
 
 namespace loomlight {
 
-FirstOpening::FirstOpening(FileDesk& files, const std::string& file, Document otherwise, Settings settings)
+FirstOpening::FirstOpening(FileService& files, const std::string& file, Document otherwise, Settings settings)
     : files_(files), file_(file), document_(std::move(otherwise)), settings_(std::move(settings)) {
-  files_.open(FileDesk::Work::open, file, document_.fabric(), document_.state());
+  files_.open(FileService::Work::open, file, document_.fabric(), document_.state());
 }
 
 void FirstOpening::frame(Ui& ui) {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/desks/file_desk.h"
 #include "app/editor/model/document.h"
 #include "app/editor/model/settings.h"
+#include "app/editor/services/file_service.h"
 #include "ui/dialogs/busy_dialog.h"
 
 namespace loomlight {
@@ -17,7 +17,7 @@ namespace loomlight {
 class FirstOpening {
  public:
   /// `files` reads it, and is left with it where it is given up. `otherwise`: the cloth to begin with then.
-  FirstOpening(FileDesk& files, const std::string& file, Document otherwise, Settings settings);
+  FirstOpening(FileService& files, const std::string& file, Document otherwise, Settings settings);
 
   void frame(Ui& ui);
   bool isOver() const { return over_; }
@@ -34,7 +34,7 @@ class FirstOpening {
   const std::vector<std::string>& dropped() const { return dropped_; }
 
  private:
-  FileDesk& files_;
+  FileService& files_;
   std::string file_;
   Document document_;
   Settings settings_;

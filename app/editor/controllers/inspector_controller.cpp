@@ -6,21 +6,21 @@
 
 namespace loomlight {
 
-InspectorResult InspectorController::draw(Ui& ui, const std::shared_ptr<const Fabric>& fabric, const ViewDesk& seen,
+InspectorResult InspectorController::draw(Ui& ui, const std::shared_ptr<const Fabric>& fabric, const ViewService& seen,
                                           bool inches) {
   const ClothMeasures measures = seen.status().measures;
-  const std::shared_ptr<const Insight> insight = seen.insight();
+  const std::shared_ptr<const FabricStats> stats = seen.stats();
   InspectorModel model;
-  if (insight && insight->yarn == view_.yarn) model.section = &insight->section;
+  if (stats && stats->yarn == view_.yarn) model.section = &stats->section;
   model.measured = measures.thickness_mm > 0;  // a moment after it is built
   model.crimpWarp = measures.crimpWarp;
   model.crimpWeft = measures.crimpWeft;
   model.thickness_mm = measures.thickness_mm;
   model.arealMass_g_m2 = measures.arealMass_g_m2;
-  if (insight) {
-    model.floats = &insight->floats;
-    model.binding = &insight->binding;
-    model.warnings = &insight->warnings;
+  if (stats) {
+    model.floats = &stats->floats;
+    model.binding = &stats->binding;
+    model.warnings = &stats->warnings;
   }
   model.yarnColours = yarnColours(*fabric);
   if (view_.page == InspectorView::Page::yarn && view_.yarn < static_cast<int>(fabric->yarns.size()))

@@ -4,10 +4,10 @@
 #include <memory>
 #include <optional>
 
-#include "app/editor/desks/colour_desk.h"
-#include "app/editor/desks/side_pictures.h"
-#include "app/editor/desks/view_desk.h"
 #include "app/editor/model/document.h"
+#include "app/editor/services/cloth_colour_service.h"
+#include "app/editor/services/side_pictures.h"
+#include "app/editor/services/view_service.h"
 #include "ui/dialogs/colourways_dialog.h"
 #include "ui/inspector/inspector.h"
 
@@ -21,7 +21,7 @@ class InspectorController {
       : colours_(wake), pictures_(driver, wake) {}
 
   /// What the panel asks for in a frame. `inches`: of setts and lengths.
-  InspectorResult draw(Ui& ui, const std::shared_ptr<const Fabric>& fabric, const ViewDesk& seen, bool inches);
+  InspectorResult draw(Ui& ui, const std::shared_ptr<const Fabric>& fabric, const ViewService& seen, bool inches);
   /// The fabric after an edit.
   std::optional<Fabric> drawColourways(Ui& ui, const std::shared_ptr<const Fabric>& fabric);
   void showColourways() { colourways_.show(); }
@@ -45,7 +45,7 @@ class InspectorController {
 
  private:
   InspectorView view_;
-  ColourDesk colours_;
+  ClothColourService colours_;
   SidePictures pictures_;
   ColourwaysDialog colourways_;
   uint64_t colourWish_ = 0, colourGesture_ = 0;  ///< the newest wish for a colour, and the gesture that made it

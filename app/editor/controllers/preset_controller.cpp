@@ -11,25 +11,25 @@ void PresetController::showBrowser() {
 
 std::optional<PresetController::Used> PresetController::drawBrowser(Ui& ui, const Fabric& now, int yarn, int fibre) {
   const PresetKind kind = browser_.kind();
-  const PresetBrowserEdit change =
-      browser_.draw(ui, desk_.cards(kind, ui.scale), desk_.lastChange(), problem_.empty() ? desk_.problem() : problem_);
+  const PresetBrowserEdit change = browser_.draw(ui, service_.cards(kind, ui.scale), service_.lastChange(),
+                                                 problem_.empty() ? service_.problem() : problem_);
   std::optional<Used> used;
-  if (change.use) used = {desk_.used(*change.use, now, yarn, fibre), kind == PresetKind::fabrics};
-  if (change.keep) desk_.keep(kind, now, yarn, fibre);
-  if (change.duplicate) desk_.duplicate(*change.duplicate);
-  if (change.rename) desk_.rename(change.rename->first, change.rename->second);
-  if (change.tag) desk_.tag(change.tag->first, change.tag->second);
-  if (change.remove) desk_.remove(*change.remove);
-  if (change.undo) desk_.undo();
-  if (!browser_.isOpen()) desk_.lookAway();
+  if (change.use) used = {service_.used(*change.use, now, yarn, fibre), kind == PresetKind::fabrics};
+  if (change.keep) service_.keep(kind, now, yarn, fibre);
+  if (change.duplicate) service_.duplicate(*change.duplicate);
+  if (change.rename) service_.rename(change.rename->first, change.rename->second);
+  if (change.tag) service_.tag(change.tag->first, change.tag->second);
+  if (change.remove) service_.remove(*change.remove);
+  if (change.undo) service_.undo();
+  if (!browser_.isOpen()) service_.lookAway();
   return used;
 }
 
 std::optional<PresetController::Message> PresetController::follow(bool mayTell) {
-  desk_.follow();
-  desk_.take();
+  service_.follow();
+  service_.take();
   if (!mayTell && !browser_.isOpen()) return std::nullopt;
-  const auto outcome = desk_.takeOutcome();
+  const auto outcome = service_.takeOutcome();
   if (!outcome) return std::nullopt;
   if (browser_.isOpen()) {
     problem_ = outcome->problem;

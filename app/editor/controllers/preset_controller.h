@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/desks/preset_desk.h"
 #include "app/editor/model/sample_fabric.h"
+#include "app/editor/services/preset_service.h"
 #include "ui/dialogs/preset_browser.h"
 #include "ui/widgets/preset_list.h"
 
@@ -17,7 +17,7 @@ namespace loomlight {
 class PresetController {
  public:
   PresetController(std::filesystem::path folder, DisplayDriver& driver, std::function<void()> wake)
-      : desk_(std::move(folder), driver, std::move(wake)) {}
+      : service_(std::move(folder), driver, std::move(wake)) {}
 
   /// What the browser puts into the fabric. `yarn`, `fibre`: those looked at.
   struct Used {
@@ -28,10 +28,10 @@ class PresetController {
   void showBrowser();
   bool isOpen() const { return browser_.isOpen(); }
 
-  std::optional<PresetChoice> drawList(Ui& ui) const { return presetList(ui, desk_.names(), samples_); }
+  std::optional<PresetChoice> drawList(Ui& ui) const { return presetList(ui, service_.names(), samples_); }
   /// Of a choice of the designer's own.
-  std::string fileOf(const PresetChoice& choice) const { return desk_.fileOf(desk_.names()[choice.index]); }
-  void keep(const Fabric& fabric) { desk_.keep(PresetKind::fabrics, fabric, 0, 0); }
+  std::string fileOf(const PresetChoice& choice) const { return service_.fileOf(service_.names()[choice.index]); }
+  void keep(const Fabric& fabric) { service_.keep(PresetKind::fabrics, fabric, 0, 0); }
 
   struct Message {
     std::string title, text;
@@ -41,7 +41,7 @@ class PresetController {
   std::optional<Message> follow(bool mayTell);
 
  private:
-  PresetDesk desk_;
+  PresetService service_;
   PresetBrowser browser_;
   std::string problem_;  ///< why the last change was not made
   const std::vector<std::string> samples_ = sampleNames();

@@ -34,13 +34,14 @@ void SnapshotController::setFile(const std::string& file) {
   rendering_.forget();
 }
 
-void SnapshotController::keepView(const std::shared_ptr<const Fabric>& fabric, const Tone& tone, const ViewDesk& seen) {
+void SnapshotController::keepView(const std::shared_ptr<const Fabric>& fabric, const Tone& tone,
+                                  const ViewService& seen) {
   viewToKeep_ = {fabric, tone, {}, 0};
   followView(fabric, seen);
 }
 
 /// An edit that comes before the picture has taken its place.
-void SnapshotController::followView(const std::shared_ptr<const Fabric>& fabric, const ViewDesk& seen) {
+void SnapshotController::followView(const std::shared_ptr<const Fabric>& fabric, const ViewService& seen) {
   ViewToKeep& view = viewToKeep_;
   if (view.fabric != fabric) view = {};
   if (!view.fabric || !seen.shows(view.fabric)) return;
@@ -56,7 +57,7 @@ void SnapshotController::followView(const std::shared_ptr<const Fabric>& fabric,
 }
 
 SnapshotController::Edit SnapshotController::drawDialog(Ui& ui, const std::shared_ptr<const Fabric>& fabric,
-                                                        const Tone& tone, ViewDesk& seen) {
+                                                        const Tone& tone, ViewService& seen) {
   if (rendering_.isRunning()) ui.wakeWithin(0.1);
   if (const auto written = rendering_.follow()) {
     seen.pause(false);
@@ -80,7 +81,7 @@ SnapshotController::Edit SnapshotController::drawDialog(Ui& ui, const std::share
 }
 
 std::optional<Fabric> SnapshotController::drawStrip(Ui& ui, const std::shared_ptr<const Fabric>& fabric,
-                                                    const Tone& tone, const ViewDesk& seen) {
+                                                    const Tone& tone, const ViewService& seen) {
   const SnapshotStripEdit result = snapshotStrip(ui, shelf_.items(), strip_);
   if (result.keep) keepView(fabric, tone, seen);
   std::optional<Fabric> restored;

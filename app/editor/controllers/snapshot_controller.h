@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
-#include "app/editor/desks/render_desk.h"
-#include "app/editor/desks/snapshot_shelf.h"
-#include "app/editor/desks/view_desk.h"
+#include "app/editor/services/render_service.h"
+#include "app/editor/services/snapshot_store.h"
+#include "app/editor/services/view_service.h"
 #include "ui/dialogs/dialogs.h"
 
 namespace loomlight {
@@ -24,12 +24,12 @@ class SnapshotController {
     std::optional<RenderSettings> settings;
     bool chooseFile = false;
   };
-  Edit drawDialog(Ui& ui, const std::shared_ptr<const Fabric>& fabric, const Tone& tone, ViewDesk& seen);
+  Edit drawDialog(Ui& ui, const std::shared_ptr<const Fabric>& fabric, const Tone& tone, ViewService& seen);
   /// Two kept views against each other.
   void drawComparison(Ui& ui) { compare_.draw(ui, shelf_.comparison()); }
   /// The fabric of the view that is wanted back.
   std::optional<Fabric> drawStrip(Ui& ui, const std::shared_ptr<const Fabric>& fabric, const Tone& tone,
-                                  const ViewDesk& seen);
+                                  const ViewService& seen);
   bool dialogIsOpen() const { return dialog_.isOpen(); }
   bool comparisonIsOpen() const { return compare_.isOpen(); }
   bool stripIsShown() const { return !shelf_.empty(); }
@@ -42,9 +42,9 @@ class SnapshotController {
   void setOptions(SnapshotOptions options) { dialog_.setOptions(std::move(options)); }
 
   /// Keeps the view: once there is a picture of the cloth itself, and as long as it is seen, better and better.
-  void keepView(const std::shared_ptr<const Fabric>& fabric, const Tone& tone, const ViewDesk& seen);
+  void keepView(const std::shared_ptr<const Fabric>& fabric, const Tone& tone, const ViewService& seen);
   /// When the picture is another one.
-  void followView(const std::shared_ptr<const Fabric>& fabric, const ViewDesk& seen);
+  void followView(const std::shared_ptr<const Fabric>& fabric, const ViewService& seen);
   /// At the end of a frame.
   void follow() { shelf_.follow(); }
   /// Why the newest view will not last; empty while all is well.
@@ -59,8 +59,8 @@ class SnapshotController {
     int samples = 0;                       ///< of the picture there
   };
 
-  SnapshotShelf shelf_;
-  RenderDesk rendering_;
+  SnapshotStore shelf_;
+  RenderService rendering_;
   SnapshotDialog dialog_;
   CompareDialog compare_;
   SnapshotStripView strip_;

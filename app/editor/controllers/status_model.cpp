@@ -27,27 +27,27 @@ std::string workOf(const LiveStatus& status, const Frame* shown) {
   return "converged" + help;
 }
 
-void tellFigures(const Insight& insight, const ClothMeasures& measures, StatusModel& model) {
-  const int warp = insight.floats.warp(), weft = insight.floats.weft();
-  const double warp_mm = floatLength_mm(*insight.fabric, System::warp, warp);
-  const double weft_mm = floatLength_mm(*insight.fabric, System::weft, weft);
+void tellFigures(const FabricStats& stats, const ClothMeasures& measures, StatusModel& model) {
+  const int warp = stats.floats.warp(), weft = stats.floats.weft();
+  const double warp_mm = floatLength_mm(*stats.fabric, System::warp, warp);
+  const double weft_mm = floatLength_mm(*stats.fabric, System::weft, weft);
   model.figuresKnown = true;
   model.longestFloat = warp_mm >= weft_mm ? warp : weft;
   model.longestFloat_mm = std::max(warp_mm, weft_mm);
-  model.coverPercent = 100 * insight.cover.fraction;
+  model.coverPercent = 100 * stats.cover.fraction;
   model.arealMass_g_m2 = measures.arealMass_g_m2;
   model.thickness_mm = measures.thickness_mm;
-  if (insight.warnings.empty()) return;
-  model.warning = insight.warnings.front();
-  model.moreWarnings = static_cast<int>(insight.warnings.size()) - 1;
+  if (stats.warnings.empty()) return;
+  model.warning = stats.warnings.front();
+  model.moreWarnings = static_cast<int>(stats.warnings.size()) - 1;
 }
 
 }  // namespace
 
-StatusModel statusModel(const Insight* insight, const LiveStatus& status, const VisibilityWorker::Status& baking,
+StatusModel statusModel(const FabricStats* stats, const LiveStatus& status, const VisibilityWorker::Status& baking,
                         const Frame* shown) {
   StatusModel model;
-  if (insight && status.measures.thickness_mm > 0) tellFigures(*insight, status.measures, model);
+  if (stats && status.measures.thickness_mm > 0) tellFigures(*stats, status.measures, model);
   if (!status.notices.empty() && model.warning.empty()) model.warning = status.notices.front();
   if (!baking.error.empty() && model.warning.empty()) model.warning = baking.error;
   if (shown) {

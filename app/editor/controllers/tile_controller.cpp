@@ -20,7 +20,7 @@ void TileController::setFile(const std::string& file) {
   rendering_.forget();
 }
 
-bool TileController::draw(Ui& ui, const Fabric& fabric, ViewDesk& seen) {
+bool TileController::draw(Ui& ui, const Fabric& fabric, ViewService& seen) {
   if (rendering_.isRunning()) ui.wakeWithin(0.1);
   if (rendering_.follow().has_value()) seen.pause(false);
   const std::string before = dialog_.file();

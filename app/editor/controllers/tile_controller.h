@@ -3,8 +3,8 @@
 #include <memory>
 #include <string>
 
-#include "app/editor/desks/render_desk.h"
-#include "app/editor/desks/view_desk.h"
+#include "app/editor/services/render_service.h"
+#include "app/editor/services/view_service.h"
 #include "ui/dialogs/tile_dialog.h"
 
 namespace loomlight {
@@ -13,14 +13,14 @@ namespace loomlight {
 class TileController {
  public:
   /// Whether a file is to be chosen.
-  bool draw(Ui& ui, const Fabric& fabric, ViewDesk& seen);
+  bool draw(Ui& ui, const Fabric& fabric, ViewService& seen);
   bool isOpen() const { return dialog_.isOpen(); }
   void show(std::string file);
   const std::string& file() const { return dialog_.file(); }
   void setFile(const std::string& file);
 
  private:
-  RenderDesk rendering_;
+  RenderService rendering_;
   TileDialog dialog_;
 };
 

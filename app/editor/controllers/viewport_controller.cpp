@@ -38,18 +38,18 @@ Tone ViewportController::tone() const {
 
 ViewportController::Edit ViewportController::draw(Ui& ui, const std::shared_ptr<const Fabric>& fabric,
                                                   const std::optional<CrossingIndex>& hovered, double fibreMemory_GB) {
-  const LiveStatus status = desk_.status();
+  const LiveStatus status = service_.status();
   std::optional<ViewportPicture::Outline> outline;
   const Weave& weave = fabric->weave;
   // A coarse first pass has pixels larger than crossings; an outline of them would only be blocks.
   constexpr int kCoarsest = 3;
-  const Frame* shown = desk_.frame();
+  const Frame* shown = service_.frame();
   const ImVec4& accent = ui.theme.accent;
   if (hovered && shown && shown->divider <= kCoarsest)
     outline = {inRepeat(*hovered, weave), weave.ends(), weave.picks(), Rgb(accent.x, accent.y, accent.z)};
   ViewportModel model;
   const int pictureWidth = shown ? shownWidth(*shown, view_.width, view_.height) : view_.width;
-  model.picture = desk_.picture(pictureWidth, view_.height, tone(), outline);
+  model.picture = service_.picture(pictureWidth, view_.height, tone(), outline);
   model.pictureSize = ImVec2(static_cast<float>(pictureWidth), static_cast<float>(view_.height));
   lookUnderPointer(*fabric);
   model.under = underPointer_;
@@ -58,14 +58,14 @@ ViewportController::Edit ViewportController::draw(Ui& ui, const std::shared_ptr<
   model.building = status.phase == LiveStatus::Phase::voxelising && status.buildProgress < 1;
   model.buildProgress = status.buildProgress;
   model.error = status.error;
-  const std::shared_ptr<const Insight> insight = desk_.insight();
-  if (insight && insight->fabric->drape == fabric->drape) model.mesh = insight->mesh;
+  const std::shared_ptr<const FabricStats> stats = service_.stats();
+  if (stats && stats->fabric->drape == fabric->drape) model.mesh = stats->mesh;
   model.lens = lensModelFor(status.lens, *fabric, fibreMemory_GB);
   ViewportEdit result = viewportPanel(ui, *fabric, model, view_);
 
   Edit edit{std::move(result.fabric), result.camera, {}, result.lens.changeLimit, false};
   edit.turned = result.camera && view_.drag == ViewportView::Drag::orbit;
-  if (const auto hit = result.picked ? desk_.hitAt(*result.picked) : std::nullopt)
+  if (const auto hit = result.picked ? service_.hitAt(*result.picked) : std::nullopt)
     edit.yarn = std::min(hit->yarn, static_cast<int>(fabric->yarns.size()) - 1);
   if (!result.lens.remedy) return edit;
   if (const auto drape = fittingPiece(fabric->drape, status.lens.bytes, 1e9 * fibreMemory_GB)) {
@@ -77,18 +77,18 @@ ViewportController::Edit ViewportController::draw(Ui& ui, const std::shared_ptr<
 }
 
 LensModel ViewportController::lensModelFor(const LensStatus& status, const Fabric& fabric, double fibreMemory_GB) {
-  const LensFrame* frame = desk_.lensFrame();
+  const LensFrame* frame = service_.lensFrame();
   LensModel model = lensModel(status, frame, view_.lens.showsDifference, 1e9 * fibreMemory_GB, fabric.drape);
   if (!frame || !view_.lens.on) return model;
   const PixelRect& window = frame->fibres->window;
   model.window = {window.x, window.y, window.width, window.height};
-  model.picture = desk_.lensPicture(tone());
+  model.picture = service_.lensPicture(tone());
   return model;
 }
 
 void ViewportController::lookUnderPointer(const Fabric& fabric) {
   underPointer_.reset();
-  const auto hit = view_.pointer ? desk_.hitAt(*view_.pointer) : std::nullopt;
+  const auto hit = view_.pointer ? service_.hitAt(*view_.pointer) : std::nullopt;
   if (!hit) return;
   underPointer_ = CrossingIndex{hit->pick, hit->end};
   underPointerYarn_.clear();
@@ -99,24 +99,24 @@ void ViewportController::lookUnderPointer(const Fabric& fabric) {
 
 void ViewportController::follow(const std::shared_ptr<const Fabric>& fabric, int yarn, bool visibilityShown,
                                 double fibreMemory_GB) {
-  Sight sight;
-  sight.fabric = fabric;
-  sight.width = view_.width;
-  sight.height = view_.height;
-  sight.denoised = view_.denoised;
+  ViewState state;
+  state.fabric = fabric;
+  state.width = view_.width;
+  state.height = view_.height;
+  state.denoised = view_.denoised;
   const LensView& lens = view_.lens;
   if (lens.on && lens.placed)
-    sight.lens = {{lens.rect.x, lens.rect.y, lens.rect.width, lens.rect.height}, 1e9 * fibreMemory_GB};
-  sight.yarn = yarn;
-  sight.visibilityShown = visibilityShown;
-  desk_.follow(sight);
+    state.lens = {{lens.rect.x, lens.rect.y, lens.rect.width, lens.rect.height}, 1e9 * fibreMemory_GB};
+  state.yarn = yarn;
+  state.visibilityShown = visibilityShown;
+  service_.follow(state);
 }
 
 void ViewportController::tellProbe(WidgetProbe& probe, int yarn) const {
-  const LiveStatus status = desk_.status();
-  const Frame* shown = desk_.frame();
-  const LensFrame* lens = desk_.lensFrame();
-  probe.fact("generation", std::to_string(desk_.generation()));
+  const LiveStatus status = service_.status();
+  const Frame* shown = service_.frame();
+  const LensFrame* lens = service_.lensFrame();
+  probe.fact("generation", std::to_string(service_.generation()));
   probe.fact("built_generation", std::to_string(status.builtGeneration));
   probe.fact("shown_generation", std::to_string(shown ? shown->generation : 0));
   probe.fact("shown_samples", std::to_string(shown ? shown->samples : 0));
@@ -133,7 +133,7 @@ void ViewportController::tellProbe(WidgetProbe& probe, int yarn) const {
   probe.fact("lens_samples", std::to_string(lens ? lens->fibres->samples : 0));
   probe.fact("lens_generation", std::to_string(lens ? lens->fibres->generation : 0));
   probe.fact("lens_difference", lens && lens->difference ? "known" : "unknown");
-  const BakedVisibility* visibility = desk_.visibility();
+  const BakedVisibility* visibility = service_.visibility();
   const bool baked = visibility && visibility->yarn == yarn;
   probe.fact("visibility", !baked ? "none" : visibility->finished ? "finished" : "early");
 }

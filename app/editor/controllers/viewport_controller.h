@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "app/editor/desks/view_desk.h"
+#include "app/editor/services/view_service.h"
 #include "ui/viewport/viewport_panel.h"
 
 namespace loomlight {
@@ -14,7 +14,7 @@ namespace loomlight {
 class ViewportController {
  public:
   ViewportController(DisplayDriver& driver, const std::function<void()>& wake, int threads)
-      : desk_(driver, wake, threads) {}
+      : service_(driver, wake, threads) {}
 
   /// What the panel asks for in a frame.
   struct Edit {
@@ -29,15 +29,15 @@ class ViewportController {
             double fibreMemory_GB);
 
   /// Takes what the workers have brought. Returns whether the picture is another one.
-  bool take() { return desk_.take(view_.lens.showsDifference); }
+  bool take() { return service_.take(view_.lens.showsDifference); }
   /// Has the workers follow the fabric, and one yarn of it, whose visibility is on the screen or not.
   void follow(const std::shared_ptr<const Fabric>& fabric, int yarn, bool visibilityShown, double fibreMemory_GB);
   void tellProbe(WidgetProbe& probe, int yarn) const;
 
   ViewportView& view() { return view_; }
   const ViewportView& view() const { return view_; }
-  ViewDesk& desk() { return desk_; }
-  const ViewDesk& desk() const { return desk_; }
+  ViewService& service() { return service_; }
+  const ViewService& service() const { return service_; }
   Tone tone() const;
   /// The crossing of the cloth under the mouse.
   const std::optional<CrossingIndex>& underPointer() const { return underPointer_; }
@@ -47,7 +47,7 @@ class ViewportController {
   void lookUnderPointer(const Fabric& fabric);
 
   ViewportView view_;
-  ViewDesk desk_;
+  ViewService service_;
   std::optional<CrossingIndex> underPointer_;
   std::string underPointerYarn_;
 };

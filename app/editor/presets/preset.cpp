@@ -7,7 +7,7 @@
 
 #include "app/editor/model/sample_fabric.h"
 #include "app/editor/model/yarn_close_up.h"
-#include "app/editor/presets/preset_store.h"
+#include "app/editor/presets/preset_folder.h"
 #include "core/fabric/model/colourways.h"
 #include "core/fabric/model/yarn_count.h"
 #include "core/fabric/yarn/colour.h"

@@ -38,7 +38,7 @@ std::shared_ptr<ClothVolume> ClothVolume::begin(std::shared_ptr<const ClothGeome
 
 std::shared_ptr<const ClothVolume> ClothVolume::build(std::shared_ptr<const ClothGeometry> geometry, int resolution,
                                                       const Task& task, const ClothVolume* previous,
-                                                      const FirstLook* look) {
+                                                      const PreviewSink* look) {
   const auto volume = begin(std::move(geometry), resolution, task, previous);
   if (!volume) return nullptr;
   const Wanted wanted = volume->wanted(look ? look->inView : CellRect{});

@@ -9,7 +9,7 @@
 #include "core/volume/build/voxel_grid.h"
 #include "core/volume/build/voxelise.h"
 #include "core/volume/tiles/tile_map.h"
-#include "core/volume/traverse/first_look.h"
+#include "core/volume/traverse/preview_sink.h"
 
 namespace loomlight {
 
@@ -49,7 +49,7 @@ class ClothVolume {
   /// it wants them; the rest is made last. The volume is the same without.
   static std::shared_ptr<const ClothVolume> build(std::shared_ptr<const ClothGeometry> geometry, int resolution,
                                                   const Task& task, const ClothVolume* previous = nullptr,
-                                                  const FirstLook* look = nullptr);
+                                                  const PreviewSink* look = nullptr);
   /// A volume for a first look at these crossings of the piece, of the fewest bricks: all cells have one, those that
   /// are seen one of their shape, though it may be of another phase. It cannot be a `previous`. Null when stopped.
   static std::shared_ptr<const ClothVolume> draft(std::shared_ptr<const ClothGeometry> geometry, int resolution,

@@ -71,7 +71,7 @@ double difference(const Rgb& a, const Rgb& b) {
 TEST(ColourSolver, SolvedClothRendersInTheWantedColour) {
   Fabric fabric = twoYarns();
   const Patch patch(fabric);
-  const auto walks = walkColours(*patch.scene, *patch.medium, 0, kWalks, Task{});
+  const auto walks = tallyPathLengths(*patch.scene, *patch.medium, 0, kWalks, Task{});
   ASSERT_TRUE(walks.has_value());
   ASSERT_EQ(walks->count, kWalks);
   for (const Rgb& wanted : {Rgb(0.25f, 0.10f, 0.04f), Rgb(0.06f, 0.12f, 0.20f)}) {
@@ -90,7 +90,7 @@ TEST(ColourSolver, SheerClothCannotBeWhite) {
   fabric.ends_per_cm = fabric.picks_per_cm = 12;
   for (Yarn& yarn : fabric.yarns) yarn.count_tex = 5;
   const Patch patch(fabric);
-  const auto walks = walkColours(*patch.scene, *patch.medium, 0, 4096, Task{});
+  const auto walks = tallyPathLengths(*patch.scene, *patch.medium, 0, 4096, Task{});
   ASSERT_TRUE(walks.has_value());
   const std::vector<Rgb> undyed = {Rgb(0.0f), fabric.fibres[1].absorption_per_mm};
   const Rgb white(0.95f);
@@ -114,7 +114,7 @@ TEST(ColourSolver, AFibreBelowTheFaceIsNotSeen) {
   fabric.yarns[2].fibre = 2;
   fabric.fibres.push_back(fabric.fibres[0]);
   const Patch patch(fabric);  // no thread uses it
-  const auto walks = walkColours(*patch.scene, *patch.medium, 2, 256, Task{});
+  const auto walks = tallyPathLengths(*patch.scene, *patch.medium, 2, 256, Task{});
   ASSERT_TRUE(walks.has_value());
   EXPECT_EQ(walks->count, 0u);
 }

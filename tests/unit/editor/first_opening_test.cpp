@@ -37,11 +37,11 @@ class FirstOpeningTest : public testing::Test {
   WidgetProbe probe_{true};
   FieldMemory memory_;
   std::promise<void> letGo_;
-  FileDesk files_{[] {},
-                  [gone = letGo_.get_future().share()](const std::string&, const Fabric&) {
-                    gone.wait();
-                    return WifImport{};
-                  }};
+  FileService files_{[] {},
+                     [gone = letGo_.get_future().share()](const std::string&, const Fabric&) {
+                       gone.wait();
+                       return WifImport{};
+                     }};
 };
 
 TEST_F(FirstOpeningTest, CtrlQEndsTheProgramWhileTheFileIsRead) {

@@ -8,13 +8,13 @@
 #include <fstream>
 #include <thread>
 
-#include "app/editor/desks/insight.h"
 #include "app/editor/model/autosave.h"
 #include "app/editor/model/file_lock.h"
 #include "app/editor/model/left_work.h"
 #include "app/editor/model/sample_fabric.h"
 #include "app/editor/model/settings.h"
-#include "app/editor/presets/preset_store.h"
+#include "app/editor/presets/preset_folder.h"
+#include "app/editor/services/fabric_stats.h"
 #include "core/base/error.h"
 #include "core/fabric/json/fabric_json.h"
 #include "core/fabric/model/yarn_count.h"
@@ -201,9 +201,9 @@ TEST(LeftWork, IsNamedHoweverMuchOfItThereIs) {
   EXPECT_THAT(aboutLeftWork(left), testing::StartsWith("A cloth was last edited")) << "nothing in it is a cloth's name";
 }
 
-TEST(PresetStore, KeepsAndLoads) {
+TEST(PresetFolder, KeepsAndLoads) {
   const Folder folder;
-  PresetStore store(folder.path);
+  PresetFolder store(folder.path);
   EXPECT_TRUE(store.names().empty());
   Fabric fabric = sampleFabric();
   fabric.name = "../half/blue";
@@ -214,7 +214,7 @@ TEST(PresetStore, KeepsAndLoads) {
   EXPECT_THROW(store.load("none"), InputError);
 }
 
-TEST(PresetStore, DressingKeepsTheScene) {
+TEST(PresetFolder, DressingKeepsTheScene) {
   Fabric scene = sampleFabric(0);
   scene.light.kind = LightKind::dome;
   scene.camera.azimuth_deg = 17;
@@ -312,8 +312,8 @@ TEST(YarnSection, ShowsEveryFibreOnceInsideTheYarn) {
   }
 }
 
-TEST(InsightWorker, AnswersTheNewestRequest) {
-  InsightWorker worker([] {});
+TEST(FabricStatsWorker, AnswersTheNewestRequest) {
+  FabricStatsWorker worker([] {});
   std::shared_ptr<const Fabric> last;
   for (int i = 0; i < 20; ++i) {
     Fabric fabric = sampleFabric();

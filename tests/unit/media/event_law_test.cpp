@@ -29,7 +29,7 @@ struct CrossedVoxel {
     constexpr int kDraws = 20000;
     int hits = 0;
     for (int i = 0; i < kDraws; ++i)
-      hits += chooseComponent(yarns, both, {}, d, (i + 0.5f) / kDraws, law).thread.system == System::warp;
+      hits += chooseComponent(yarns, both, {}, d, (i + 0.5f) / kDraws, law).yarnId.system == System::warp;
     return static_cast<double>(hits) / kDraws;
   }
 };
@@ -59,7 +59,7 @@ TEST(EventLaw, ChoosesOnlyAmongWhatCounts) {
   const glm::vec3 down(0, 0, -1);
   for (const float u : {0.0f, 0.5f, 0.999f}) {
     const MetComponent met = chooseComponent(voxel.yarns, both, {}, down, u, EventLaw::projected, weftAlone);
-    EXPECT_EQ(met.thread.system, System::weft);
+    EXPECT_EQ(met.yarnId.system, System::weft);
     EXPECT_EQ(met.fibres.direction, voxel.weft.decode().direction);
   }
   const VoxelExtinction sum = sumExtinction(voxel.yarns, both, {}, down, weftAlone);

@@ -8,8 +8,8 @@ namespace loomlight {
 namespace {
 
 /// Two materials; one walk in five does not come back.
-ColourWalks someWalks() {
-  ColourWalks walks;
+PathLengthTally someWalks() {
+  PathLengthTally walks;
   walks.materials = 2;
   walks.count = 500;
   Random random(3);
@@ -56,7 +56,7 @@ TEST(ColourSolver, SaysWhatIsTooDarkAndTakesNoMoreDyeThanShows) {
 }
 
 TEST(ColourSolver, AFibreThatIsNeverOnTopHasNoColour) {
-  EXPECT_EQ(ColourWalks{}.colour({}), Rgb(0.0f));
+  EXPECT_EQ(PathLengthTally{}.colour({}), Rgb(0.0f));
 }
 
 }  // namespace

@@ -1,0 +1,47 @@
+#include "app/editor/services/cloth_colour_service.h"
+
+#include "render/colour/colour_space.h"
+
+namespace loomlight {
+
+ClothColourModel ClothColourService::model(const Fabric& fabric, int fibre, const ClothColourView& view) const {
+  using State = ClothColourModel::State;
+  ClothColourModel model;
+  const std::shared_ptr<const ColourAnswer> answer = worker_.newest();
+  if (!worker_.error().empty()) model.state = State::failed;
+  // What is known of the cloth before the last edit is shown until it is known of this one.
+  if (!answer || answer->wish.fibre != fibre || answer->wish.fabric->fibres.size() != fabric.fibres.size())
+    return model;
+  model.state = answer->seen ? State::known : State::hidden;
+  model.colour = answer->colour;
+  const auto wanted = view.wanted.find(fibre);
+  if (wanted == view.wanted.end()) return model;
+  model.difference = ciede2000(labFromLinear(glm::dvec3(wanted->second)), labFromLinear(glm::dvec3(model.colour)));
+  if (answer->solved) {
+    model.tooLight = answer->solved->tooLight;
+    model.tooDark = answer->solved->tooDark;
+  }
+  return model;
+}
+
+std::optional<Fabric> ClothColourService::follow(const std::shared_ptr<const Fabric>& fabric, int fibre,
+                                                 const ClothColourView& view) {
+  if (fabric != askedFabric_ || fibre != askedFibre_ || view.wish != askedWish_) {
+    askedFabric_ = fabric;
+    askedFibre_ = fibre;
+    askedWish_ = view.wish;
+    const auto wanted = view.wanted.find(fibre);
+    worker_.request(
+        {fabric, fibre, wanted == view.wanted.end() ? std::nullopt : std::optional(wanted->second), view.wish});
+  }
+  const std::shared_ptr<const ColourAnswer> answer = worker_.newest();
+  if (!answer || answer->wish.number <= doneWish_ || answer->wish.fibre != fibre || !answer->solved ||
+      answer->wish.fabric->fibres.size() != fabric->fibres.size())
+    return std::nullopt;
+  doneWish_ = answer->wish.number;
+  Fabric dyed = *fabric;
+  dyed.fibres[static_cast<size_t>(fibre)].absorption_per_mm = answer->solved->absorption_per_mm;
+  return dyed;
+}
+
+}  // namespace loomlight

@@ -1,0 +1,112 @@
+#include "app/editor/services/fabric_stats.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/base/random.h"
+#include "core/fabric/model/yarn_count.h"
+#include "core/geometry/cloth_geometry.h"
+#include "core/shell/shell.h"
+
+namespace loomlight {
+namespace {
+
+/// A plain weave of one yarn: what shapes a section is the yarn and its sett; a jacquard's repeat is not needed.
+Fabric plainClothOf(const Fabric& fabric, int yarn) {
+  Fabric plain;
+  plain.yarns = {fabric.yarns[static_cast<size_t>(yarn)]};
+  plain.fibres = {meanFibre(plain.yarns[0], fabric.fibres)};
+  plain.yarns[0].fibre = 0;
+  plain.yarns[0].blendFibre.reset();
+  plain.ends_per_cm = fabric.ends_per_cm;
+  plain.picks_per_cm = fabric.picks_per_cm;
+  return plain;
+}
+
+}  // namespace
+
+YarnSection yarnSection(const Fabric& fabric, int yarn) {
+  const double secondShare = blendNumberShare(fabric.yarns[static_cast<size_t>(yarn)], fabric.fibres);
+  const ClothGeometry geometry(plainClothOf(fabric, yarn), 2, 2);
+  const CellKey key = geometry.key(System::warp, 0, 0);
+  const YarnGeometry& shape = geometry.yarn(System::warp, key.yarn);
+  const CellStrands strands = geometry.strands(key);
+  YarnSection section;
+  section.fibreRadius_mm = strands.fibreRadius_mm;
+  section.halfWidth_mm = shape.halfWidth_mm;
+  section.halfHeight_mm = shape.halfHeight_mm;
+  for (size_t k = 0; k < strands.strands.size(); ++k) {
+    const CellStrands::Strand& strand = strands.strands[k];
+    const bool second = Random(k).uniformDouble() < secondShare;  // which ones is chance, as in the yarn
+    for (uint32_t i = strand.first; i + 1 < strand.first + strand.count; ++i) {
+      const glm::vec3 a = strands.points[i], b = strands.points[i + 1];  // (u, s, z)
+      if ((a.y < 0) == (b.y < 0)) continue;
+      const glm::vec3 at = glm::mix(a, b, a.y / (a.y - b.y));
+      section.points.push_back({{at.x, at.z - key.here.height_mm}, strand.ply, strand.loose, second});
+    }
+  }
+  return section;
+}
+
+FabricStatsWorker::FabricStatsWorker(std::function<void()> wake, Compute compute)
+    : compute_(std::move(compute)),
+      worker_(
+          std::move(wake), [this](const Request& request, const auto&) { return tell(request); },
+          [this](const Request&, const std::string& problem) { return Result{last_, problem}; }) {}
+
+void FabricStatsWorker::request(std::shared_ptr<const Fabric> fabric, int yarn) {
+  worker_.ask({std::move(fabric), yarn});
+}
+
+std::shared_ptr<const FabricStats> FabricStatsWorker::newest() const {
+  const auto told = worker_.newest();
+  return told ? told->stats : nullptr;
+}
+
+std::string FabricStatsWorker::problem() const {
+  const auto told = worker_.newest();
+  return told ? told->problem : "";
+}
+
+std::optional<MeshExtent> FabricStatsWorker::extentOf(const Drape& drape) {
+  if (!hasOwnExtent(drape)) return std::nullopt;
+  if (drape == measured_) return measuredExtent_;
+  measured_ = drape;
+  measuredExtent_.reset();
+  try {
+    const DrapeMesh mesh = makeDrape(drape);
+    if (mesh.positions.empty()) return std::nullopt;
+    glm::vec3 lower = mesh.positions.front(), upper = lower;
+    for (const glm::vec3& p : mesh.positions) {
+      lower = glm::min(lower, p);
+      upper = glm::max(upper, p);
+    }
+    measuredExtent_ = MeshExtent{0.5f * (lower + upper), 0.5 * glm::length(upper - lower)};
+  } catch (const InputError&) {
+    return std::nullopt;  // the builder reads it too, and tells the user
+  }
+  return measuredExtent_;
+}
+
+FabricStats FabricStatsWorker::insightOf(const Fabric& fabric, int yarn) {
+  FabricStats stats;
+  stats.section = yarnSection(fabric, yarn);
+  stats.floats = floats(fabric.weave);
+  stats.binding = binding(fabric.weave);
+  stats.cover = coverFactors(fabric);
+  stats.warnings = warnings(fabric);
+  return stats;
+}
+
+FabricStatsWorker::Result FabricStatsWorker::tell(const Request& request) {
+  const int yarn = std::min(request.yarn, static_cast<int>(request.fabric->yarns.size()) - 1);
+  auto stats = std::make_shared<FabricStats>(compute_(*request.fabric, yarn));
+  stats->fabric = request.fabric;
+  stats->yarn = yarn;
+  stats->mesh = extentOf(request.fabric->drape);
+  last_ = std::move(stats);
+  return {last_, ""};
+}
+
+}  // namespace loomlight

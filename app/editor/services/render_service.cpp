@@ -1,0 +1,43 @@
+#include "app/editor/services/render_service.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/base/parallel.h"
+
+namespace loomlight {
+
+RenderService::RenderService()
+    : worker_(
+          {},  // its dialog looks as often as it needs to
+
+          [](const Work& work, const auto& turn) {
+            Task task;
+            task.stop = turn.stop();
+            task.threads = std::max(1, hardwareThreads() - 1);  // the window keeps its core
+            task.progress = [&turn](double fraction) { turn.bring({{true, fraction, "", false}, false}); };
+            const std::optional<std::string> written = work(task);
+            return Told{{false, 1, written.value_or("Cancelled; nothing was written."), false}, written.has_value()};
+          },
+          [](const Work&, const std::string& problem) { return Told{{false, 1, problem, true}, false}; },
+          Backlog::newest, Priority::picture) {}
+
+void RenderService::start(Work work) {
+  progress_ = {};
+  progress_.running = true;
+  worker_.ask(std::move(work));
+}
+
+void RenderService::forget() {
+  if (!isRunning()) progress_ = {};
+}
+
+std::optional<bool> RenderService::follow() {
+  const auto told = worker_.take();
+  if (!told) return std::nullopt;
+  progress_ = told->progress;
+  if (progress_.running) return std::nullopt;
+  return told->written;
+}
+
+}  // namespace loomlight

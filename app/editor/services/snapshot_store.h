@@ -1,0 +1,74 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/editor/display/display_driver.h"
+#include "app/editor/model/view_folder.h"
+#include "app/live/worker.h"
+#include "core/fabric/model/fabric.h"
+#include "ui/viewport/compare_dialog.h"
+#include "ui/viewport/snapshot_strip.h"
+
+namespace loomlight {
+
+/// The views that a designer has kept: pictures, and the fabrics with the cameras that they show. They last from one
+/// session to the next; a thread of its own reads and writes them.
+class SnapshotStore {
+ public:
+  /// `wake` is called from that thread when there is something to follow().
+  SnapshotStore(std::filesystem::path folder, DisplayDriver& driver, std::function<void()> wake);
+
+  /// Takes what has been read; once a frame.
+  void follow();
+  /// Returns what to renew() it by.
+  std::string keep(std::shared_ptr<const Fabric> fabric, Pixels8 picture);
+  /// With a better picture of the same, unless it has been removed meanwhile.
+  void renew(const std::string& id, Pixels8 picture);
+  void remove(size_t index);
+  /// Also while the first are still being read.
+  bool empty() const { return kept_.empty() && awaited_ == 0; }
+  /// Why the newest view will not last; empty while all is well.
+  const std::string& problem() const { return problem_; }
+  const Fabric& fabric(size_t index) const { return *kept_[index].view.fabric; }
+  std::vector<SnapshotItem> items() const;
+
+  void compare(size_t first, size_t second);
+  /// Of the pair last compared.
+  CompareDialog::Model comparison() const;
+
+ private:
+  struct Kept {
+    std::string name;
+    KeptView view;
+    std::shared_ptr<PictureTexture> texture;
+  };
+  struct Order {
+    enum class Work { read, keep, remove } work;
+    KeptView view;  ///< to read and to remove: its name alone
+  };
+  struct Done {
+    Order::Work work;
+    std::optional<KeptView> view;  ///< that was read
+    std::string problem;
+  };
+  static Done done(const ViewFolder& folder, const Order& order);
+  void add(KeptView view);
+
+  static constexpr ViewFolder::Budget kBudget{};
+  ViewFolder folder_;
+  DisplayDriver& driver_;
+  std::vector<Kept> kept_;
+  std::vector<Kept> compared_;
+  std::unique_ptr<PictureTexture> difference_;
+  int count_ = 0;
+  size_t awaited_ = 0;  ///< views that are still being read
+  std::string problem_;
+  Worker<Order, Done> disk_;  // last: it ends before what it uses is gone
+};
+
+}  // namespace loomlight

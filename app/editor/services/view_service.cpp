@@ -1,0 +1,138 @@
+#include "app/editor/services/view_service.h"
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+#include "render/display/changed_rect.h"
+
+namespace loomlight {
+namespace {
+
+bool showsReport(const Fabric& fabric) {
+  return fabric.render.method == Method::volume && fabric.render.estimator == Estimator::report;
+}
+
+/// Whose visibility is to be baked: somebody looks at it, or the picture needs it. Null: nobody's.
+std::shared_ptr<const Fabric> bakedFor(const ViewState& state) {
+  return state.fabric && (state.visibilityShown || showsReport(*state.fabric)) ? state.fabric : nullptr;
+}
+
+}  // namespace
+
+ViewService::ViewService(DisplayDriver& driver, const std::function<void()>& wake, int threads)
+    : stats_(wake),
+      visibility_(wake, BvdfOptions{}, BvdfCache(BvdfCache::userFolder())),
+      renderer_(wake, threads),
+      picture_(driver.makeViewport()),
+      lensPicture_(driver.makeViewport()),
+      visibilityPicture_(driver.makeTexture()) {}
+
+bool ViewService::take(bool showsDifference) {
+  takeLens(showsDifference);
+  if (auto newest = visibility_.newest(); newest && newest != shownVisibility_) {
+    visibilityPicture_->upload(newest->picture);
+    shownVisibility_ = std::move(newest);
+  }
+  std::shared_ptr<const Frame> newest = renderer_.frame();
+  if (!newest || newest == frame_) return false;
+  upload(*newest);
+  frame_ = std::move(newest);
+  return true;
+}
+
+/// Of the picture what is new: while a pass comes part by part most of it stays, and crossings seldom change at all.
+void ViewService::upload(const Frame& newest) {
+  const int width = newest.width, height = newest.height;
+  if (!frame_ || frame_->width != width || frame_->height != height) {
+    picture_->upload(width, height, newest.shown(), newest.hits);
+    return;
+  }
+  const auto sameCrossing = [](const Film::Hit& a, const Film::Hit& b) {
+    return a.yarn == b.yarn && a.end == b.end && a.pick == b.pick;
+  };
+  picture_->uploadParts(width, height, newest.shown(), newest.hits,
+                        changedRect(frame_->shown(), newest.shown(), width, std::equal_to<glm::vec4>()),
+                        changedRect<Film::Hit>(frame_->hits, newest.hits, width, sameCrossing));
+}
+
+void ViewService::takeLens(bool showsDifference) {
+  lensFrame_ = renderer_.lensFrame();
+  if (!lensFrame_) {
+    lensUpload_ = nullptr;
+    return;
+  }
+  const Difference* difference = showsDifference ? lensFrame_->difference.get() : nullptr;
+  const Frame& fibres = *lensFrame_->fibres;
+  const void* wanted = difference ? static_cast<const void*>(difference) : &fibres;
+  if (wanted == std::exchange(lensUpload_, wanted)) return;
+  lensIsDifference_ = difference != nullptr;
+  if (difference)
+    lensPicture_->upload(difference->width, difference->height, difference->map, {});
+  else
+    lensPicture_->upload(fibres.width, fibres.height, fibres.rgba, {});
+}
+
+void ViewService::follow(const ViewState& state) {
+  const std::shared_ptr<const Fabric> baked = bakedFor(state);
+  if (baked != bakedFor(state_) || (baked && state.yarn != state_.yarn)) visibility_.request(baked, state.yarn);
+  followPicture(state);
+  if (state.denoised != state_.denoised) renderer_.denoise(state.denoised);
+  if (state.fabric != state_.fabric || state.yarn != state_.yarn) stats_.request(state.fabric, state.yarn);
+  if (state.lens != state_.lens) renderer_.lens(state.lens);
+  state_ = state;
+}
+
+void ViewService::followPicture(const ViewState& state) {
+  // Early tables are good enough to begin with; the picture goes over to better ones as they come.
+  const std::shared_ptr<const BakedVisibility> baked = visibility_.newest();
+  const bool better =
+      showsReport(*state.fabric) && baked && (!usedVisibility_ || worthTaking(*baked, *usedVisibility_));
+  const bool another = state.fabric != state_.fabric || state.width != state_.width || state.height != state_.height;
+  if (!another && !better) return;
+  if (better) usedVisibility_ = baked;
+  if (another) ++generation_;
+  renderer_.request(
+      {state.fabric, state.width, state.height, generation_, usedVisibility_ ? usedVisibility_->tables : nullptr});
+}
+
+bool ViewService::shows(const std::shared_ptr<const Fabric>& fabric) const {
+  return frame_ && frame_->width > 0 && fabric == state_.fabric && frame_->generation == generation_ &&
+         frame_->quality != Quality::sketch;
+}
+
+std::optional<Film::Hit> ViewService::hitAt(ImVec2 place) const {
+  if (!frame_ || frame_->hits.empty()) return std::nullopt;
+  const auto index = [](float along, int count) {
+    return std::clamp(static_cast<int>(along * static_cast<float>(count)), 0, count - 1);
+  };
+  const int x = index(place.x, frame_->width), y = index(place.y, frame_->height);
+  const Film::Hit& hit = frame_->hits[static_cast<size_t>(y) * static_cast<size_t>(frame_->width) + x];
+  if (hit.yarn < 0) return std::nullopt;
+  return hit;
+}
+
+ImTextureID ViewService::lensPicture(const Tone& tone) {
+  if (!lensFrame_) return nullptr;
+  // Colours of the difference go to the display as they are, whatever the exposure.
+  Tone neutral;
+  neutral.filmic = false;
+  const PixelRect& window = lensFrame_->fibres->window;
+  return lensPicture_->display(window.width, window.height, lensIsDifference_ ? neutral : tone, std::nullopt);
+}
+
+VisibilityModel ViewService::visibilityModel(int yarn) const {
+  VisibilityModel model;
+  const VisibilityWorker::Status status = visibility_.status();
+  model.baking = status.baking;
+  model.progress = status.progress;
+  model.error = status.error;
+  model.columns = VisibilityWorker::kPictureColumns;
+  model.rows = 8 / model.columns;
+  if (!shownVisibility_ || shownVisibility_->yarn != yarn) return model;
+  model.picture = visibilityPicture_->id();
+  model.rays = static_cast<double>(shownVisibility_->tables->rays);
+  return model;
+}
+
+}  // namespace loomlight

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <imgui.h>
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "app/editor/display/display_driver.h"
+#include "app/editor/services/fabric_stats.h"
+#include "app/live/live_renderer.h"
+#include "app/live/visibility_worker.h"
+#include "ui/inspector/visibility_section.h"
+
+namespace loomlight {
+
+/// What of a fabric is looked at.
+struct ViewState {
+  std::shared_ptr<const Fabric> fabric;  ///< null before the first frame
+  int width = 0, height = 0;             ///< pixels of the picture
+  bool denoised = false;
+  std::optional<LensRequest> lens;  ///< null: closed
+  int yarn = 0;                     ///< whose section and visibility are shown
+  bool visibilityShown = false;     ///< on the screen, whether or not the picture needs it
+};
+
+/// The workers that make what is seen of the fabric: its picture, its fibres under the lens, what is worth knowing of
+/// it, a yarn's visibility. They are asked when the state changes; the newest that they have brought is at hand here,
+/// in the driver's textures where it is a picture. All of it in the thread of the window; no call waits.
+class ViewService {
+ public:
+  /// `wake` is called from the workers. `threads`: for tracing; 0 leaves one hardware thread to the window.
+  ViewService(DisplayDriver& driver, const std::function<void()>& wake, int threads);
+
+  /// Takes what has come. Returns whether the picture is another one.
+  bool take(bool showsDifference);
+  void follow(const ViewState& state);
+  /// Stops tracing while others need the cores; the picture stays.
+  void pause(bool paused) { renderer_.pause(paused); }
+
+  const Frame* frame() const { return frame_.get(); }  ///< the one shown; null before the first
+  const LensFrame* lensFrame() const { return lensFrame_.get(); }
+  LiveStatus status() const { return renderer_.status(); }
+  uint64_t generation() const { return generation_; }  ///< that was asked for last
+  std::shared_ptr<const FabricStats> stats() const { return stats_.newest(); }
+  std::string insightProblem() const { return stats_.problem(); }
+  VisibilityWorker::Status visibilityStatus() const { return visibility_.status(); }
+  const BakedVisibility* visibility() const { return shownVisibility_.get(); }
+
+  /// Whether the picture is of this very fabric, and no first look.
+  bool shows(const std::shared_ptr<const Fabric>& fabric) const;
+  /// Of the picture, at a place of 0..1 from the top left.
+  std::optional<Film::Hit> hitAt(ImVec2 place) const;
+  ImTextureID picture(int width, int height, const Tone& tone, const std::optional<ViewportPicture::Outline>& outline) {
+    return picture_->display(width, height, tone, outline);
+  }
+  /// Under the lens, in pixels of its own; null while there is nothing to show.
+  ImTextureID lensPicture(const Tone& tone);
+  VisibilityModel visibilityModel(int yarn) const;
+
+ private:
+  void upload(const Frame& newest);
+  void takeLens(bool showsDifference);
+  void followPicture(const ViewState& state);
+
+  FabricStatsWorker stats_;
+  VisibilityWorker visibility_;
+  LiveRenderer renderer_;
+  ViewState state_;                                        ///< what was asked for last
+  uint64_t generation_ = 0;                                ///< of the picture
+  std::shared_ptr<const BakedVisibility> usedVisibility_;  ///< the tables that the renderer has
+
+  std::shared_ptr<const Frame> frame_;
+  std::shared_ptr<const LensFrame> lensFrame_;
+  std::shared_ptr<const BakedVisibility> shownVisibility_;
+  std::unique_ptr<ViewportPicture> picture_, lensPicture_;
+  std::unique_ptr<PictureTexture> visibilityPicture_;
+  const void* lensUpload_ = nullptr;  ///< what of the lens frame is in its picture
+  bool lensIsDifference_ = false;
+};
+
+}  // namespace loomlight

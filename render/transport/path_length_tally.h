@@ -1,0 +1,40 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/base/task.h"
+#include "render/media/medium.h"
+#include "render/scene/scene.h"
+
+namespace loomlight {
+
+/// How many walks tell the colour of a cloth: a standard error of half a percent of it.
+inline constexpr size_t kDyeWalks = 8192;
+
+/// Light on its way from an eye straight above the cloth back to a white sky, black below: how a spectrophotometer
+/// looks at cloth. Absorption enters a path only as exp(-sum sigma_k L_k), so the lengths L_k that it has gone inside
+/// each fibre material are all that its colour depends on: one set of walks answers for every dye.
+struct PathLengthTally {
+  size_t materials = 0;           ///< of the scene
+  size_t count = 0;               ///< walks that met the fibre in question first
+  std::vector<float> lengths_mm;  ///< of those that came out to the sky: walk by walk, one length for each material
+
+  size_t lit() const { return materials > 0 ? lengths_mm.size() / materials : 0; }
+  /// What shows, where that fibre lies on top, with these absorptions (1/mm, per material). 1 is white paper.
+  Rgb colour(const std::vector<Rgb>& absorption_per_mm) const;
+};
+
+/// Of every fibre, 1/mm: what PathLengthTally::colour() is asked for.
+std::vector<Rgb> absorptionsOf(const Fabric& fabric);
+
+/// The fabric on a flat patch for tallyPathLengths: its repeat, as far as that is not too large, and what light travels
+/// sideways around it.
+Fabric colourPatch(Fabric fabric);
+
+/// `count` walks that first meet `material`, over the middle of the scene, which is that of a colourPatch(); fewer
+/// where hardly any does, none where it never lies on top. A function of the scene's seed. nullopt when stopped.
+std::optional<PathLengthTally> tallyPathLengths(const Scene& scene, const Medium& medium, int material, size_t count,
+                                                const Task& task);
+
+}  // namespace loomlight

@@ -1,0 +1,130 @@
+#include "app/editor/services/file_service.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+#include <future>
+#include <thread>
+
+#include "core/fabric/json/fabric_json.h"
+
+namespace loomlight {
+namespace {
+namespace fs = std::filesystem;
+
+class FileDeskTest : public testing::Test {
+ protected:
+  FileDeskTest() { fs::create_directories(folder_); }
+  ~FileDeskTest() override { fs::remove_all(folder_); }
+
+  std::string at(const std::string& name) const { return (folder_ / name).string(); }
+  static std::shared_ptr<const Fabric> named(const std::string& name) {
+    Fabric fabric;
+    fabric.name = name;
+    return std::make_shared<const Fabric>(std::move(fabric));
+  }
+  std::optional<FileService::Result> result() {
+    for (int i = 0; i < 2000; ++i) {
+      if (auto come = service_.take()) return come;
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    return std::nullopt;
+  }
+
+  fs::path folder_ = fs::path(testing::TempDir()) / ("loomlight-file-service-" + std::to_string(getpid()));
+  FileService service_{[] {}};
+};
+
+TEST_F(FileDeskTest, SavesAndOpens) {
+  service_.save(at("a.json"), named("Tweed"), 7);
+  EXPECT_TRUE(service_.isBusyWith(FileService::Work::save));
+  const auto saved = result();
+  ASSERT_TRUE(saved);
+  EXPECT_EQ(saved->problem, "");
+  EXPECT_EQ(saved->state, 7u);
+  EXPECT_FALSE(service_.busy());
+  service_.open(FileService::Work::open, at("a.json"), named("mine"), 9);
+  const auto opened = result();
+  ASSERT_TRUE(opened && opened->fabric);
+  EXPECT_EQ(opened->state, 9u) << "what is edited meanwhile must be told from what was there";
+  EXPECT_EQ(opened->fabric->name, "Tweed");
+  EXPECT_EQ(opened->file, at("a.json"));
+}
+
+TEST_F(FileDeskTest, SaysWhatWentWrong) {
+  service_.open(FileService::Work::open, at("none.json"), named("mine"), 0);
+  const auto opened = result();
+  ASSERT_TRUE(opened);
+  EXPECT_FALSE(opened->fabric);
+  EXPECT_NE(opened->problem.find("none.json"), std::string::npos) << opened->problem;
+  service_.save(at("no folder/a.json"), named("Tweed"), 1);
+  const auto saved = result();
+  ASSERT_TRUE(saved);
+  EXPECT_NE(saved->problem.find("no folder"), std::string::npos) << saved->problem;
+}
+
+TEST_F(FileDeskTest, WhatIsCancelledDoesNotCome) {
+  writeFabric(*named("Tweed"), at("a.json"));
+  writeFabric(*named("Twill"), at("b.json"));
+  for (const auto work : {FileService::Work::open, FileService::Work::takeUp, FileService::Work::usePreset}) {
+    service_.open(work, at("a.json"), named("mine"), 0);
+    EXPECT_TRUE(service_.isReading() && service_.canCancel());
+    service_.cancel();
+    EXPECT_FALSE(service_.busy() || service_.isReading());
+  }
+  service_.open(FileService::Work::open, at("b.json"), named("mine"), 0);
+  const auto opened = result();
+  ASSERT_TRUE(opened && opened->fabric);
+  EXPECT_EQ(opened->fabric->name, "Twill");
+}
+
+TEST_F(FileDeskTest, OnlyWhatCanBeStoppedOffersIt) {
+  EXPECT_FALSE(service_.canCancel()) << "nothing is done";
+  service_.exportTo(at("a.png"), [] { return std::vector<std::string>{}; });
+  EXPECT_FALSE(service_.canCancel());
+  service_.cancel();
+  const auto exported = result();
+  ASSERT_TRUE(exported);
+  EXPECT_FALSE(service_.canCancel());
+  service_.save(at("a.json"), named("Tweed"), 1);
+  EXPECT_TRUE(service_.canCancel() && !service_.isReading());
+  service_.cancel();
+  EXPECT_FALSE(service_.canCancel()) << "once is enough";
+  EXPECT_TRUE(result());
+}
+
+TEST_F(FileDeskTest, ASaveThatIsCancelledSaysWhetherItCameTooLate) {
+  writeFabric(*named("old"), at("a.json"));
+  for (int i = 0; i < 20; ++i) {
+    service_.save(at("a.json"), named("new"), 1);
+    service_.cancel();
+    EXPECT_TRUE(service_.busy()) << "until it is known what is in the file";
+    const auto saved = result();
+    ASSERT_TRUE(saved);
+    EXPECT_EQ(readFabric(at("a.json")).name, saved->cancelled ? "old" : "new");
+    writeFabric(*named("old"), at("a.json"));
+  }
+}
+
+TEST_F(FileDeskTest, AReadThatHangsHoldsUpNeitherASaveNorTheEnd) {
+  std::promise<void> letGo, begun;
+  {
+    FileService service([] {},
+                        [gone = letGo.get_future().share(), &begun](const std::string&, const Fabric&) {
+                          begun.set_value();
+                          gone.wait();
+                          return WifImport{};
+                        });
+    service.open(FileService::Work::open, at("a.json"), named("mine"), 0);
+    begun.get_future().wait();
+    service.cancel();
+    service.save(at("b.json"), named("Tweed"), 1);
+  }
+  EXPECT_EQ(readFabric(at("b.json")).name, "Tweed");
+  letGo.set_value();  // only now: the end has not waited for it
+}
+
+}  // namespace
+}  // namespace loomlight
