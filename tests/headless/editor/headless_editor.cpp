@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <stdexcept>
 
 #include "app/editor/display/interface_scale.h"
 #include "app/editor/model/user_folders.h"
