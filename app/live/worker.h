@@ -126,8 +126,8 @@ std::string problemCaught();
 /// Outlives the worker for as long as a thread that hangs does.
 template <class Request, class Result>
 struct Worker<Request, Result>::Shared {
-  Shared(std::function<void()> toWake, Work toDo, Failed toSay, Backlog kept, Priority rank)
-      : wake(std::move(toWake)), work(std::move(toDo)), failed(std::move(toSay)), backlog(kept), priority(rank) {}
+  Shared(std::function<void()> toWake, Work toWork, Failed toSay, Backlog kept, Priority rank)
+      : wake(std::move(toWake)), work(std::move(toWork)), failed(std::move(toSay)), backlog(kept), priority(rank) {}
 
   std::optional<Order> next();
   void bring(Result result, uint64_t number);
