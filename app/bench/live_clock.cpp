@@ -92,4 +92,20 @@ std::vector<double> LiveClock::play(std::span<const Fabric> fabrics, double inte
   return lookUntil(done, kForEver_s, stop) ? waited_s : std::vector<double>{};
 }
 
+bool LiveClock::watch(const Fabric& fabric, double seconds,
+                      const std::function<void(std::shared_ptr<const Frame>, double)>& look, std::stop_token stop) {
+  const auto start = Clock::now();
+  send(fabric);
+  std::shared_ptr<const Frame> last;
+  const auto lookAgain = [&] {
+    auto frame = renderer_.frame();
+    if (frame && frame != last && frame->generation >= generation_) look(last = std::move(frame), secondsSince(start));
+    return secondsSince(start) >= seconds;
+  };
+  while (!lookAgain()) {
+    if (!lookUntil(lookAgain, seconds - secondsSince(start), stop)) return false;
+  }
+  return true;
+}
+
 }  // namespace loomlight

@@ -2,6 +2,7 @@
 
 #include <condition_variable>
 #include <cstdint>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <span>
@@ -34,6 +35,11 @@ class LiveClock {
   /// Sends one fabric after another at this interval, however long they take; how long each waited for a picture of it
   /// or of a later one. Empty when stopped.
   std::vector<double> play(std::span<const Fabric> fabrics, double interval_s, std::stop_token stop);
+
+  /// Sends the fabric and tells `look` of every picture of it that is shown within so many seconds, and when. False
+  /// when stopped.
+  bool watch(const Fabric& fabric, double seconds,
+             const std::function<void(std::shared_ptr<const Frame> shown, double since_s)>& look, std::stop_token stop);
 
   LiveStatus status() const { return renderer_.status(); }
   void pause(bool paused) { renderer_.pause(paused); }

@@ -158,6 +158,7 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   EditBenchCommand editBench{"bench-edit"};
   UiBenchCommand uiBench;
   ConvergeBenchCommand convergeBench{"bench-converge"};
+  ClearBenchCommand clearBench{"bench-clear"};
 
   CLI::App app("Woven fabric, path-traced from the optics of its fibres.", "loomlight");
   if (const auto samples = sampleFolder()) app.footer("Fabrics to begin with: " + samples->string());
@@ -206,6 +207,9 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   CLI::App* const convergeBenches =
       benches->add_subcommand("converge", "how fast pictures converge, with each way of sampling paths on and off");
   addConvergeBench(*convergeBenches, convergeBench);
+  CLI::App* const clearBenches = benches->add_subcommand(
+      "clear", "how soon after an edit the editor's picture is clear, on every drape and light");
+  addClearBench(*clearBenches, clearBench);
   CLI::App* const compares = app.add_subcommand("compare", "how far a picture is from its reference");
   addCompare(*compares, compare);
   CLI::App* const visibilities = app.add_subcommand("bvdf", "bake the local visibility of a fabric's yarns (Fig. 8)");
@@ -245,10 +249,12 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   if (*editBenches) return editBench;
   if (*uiBenches) return uiBench;
   if (*convergeBenches) return convergeBench;
+  if (*clearBenches) return clearBench;
   if (*volumes) return bench;
   if (*benches)
-    throw UsageError(fmt::format("bench: expected volume, table1, figures, accuracy, edit, ui or converge, got '{}'",
-                                 noSuite.empty() ? "" : noSuite.front()));
+    throw UsageError(
+        fmt::format("bench: expected volume, table1, figures, accuracy, edit, clear, ui or converge, got '{}'",
+                    noSuite.empty() ? "" : noSuite.front()));
   if (*visibilities) return bvdf;
   if (*compares) {
     if (compare.yardstickAgain && !compare.yardstick)

@@ -4,6 +4,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/bench/bench_clear.h"
 #include "app/bench/bench_command.h"
 #include "app/bench/bench_converge.h"
 #include "app/bench/bench_edit.h"
@@ -37,8 +38,8 @@ struct TextCommand {
 };
 
 using Command = std::variant<EditCommand, RenderCommand, InfoCommand, ConvertCommand, BenchCommand, ReportBenchCommand,
-                             EditBenchCommand, UiBenchCommand, ConvergeBenchCommand, BrdfCommand, CompareCommand,
-                             BvdfCommand, TileCommand, ThumbnailCommand, TraceCommand, TextCommand>;
+                             EditBenchCommand, ClearBenchCommand, UiBenchCommand, ConvergeBenchCommand, BrdfCommand,
+                             CompareCommand, BvdfCommand, TileCommand, ThumbnailCommand, TraceCommand, TextCommand>;
 
 /// What the words behind the program's name ask for. Throws UsageError.
 Command parseCommandLine(const std::vector<std::string>& words);

@@ -61,6 +61,26 @@ void addConvergeBench(CLI::App& app, ConvergeBenchCommand& command) {
   addThreads(app, command.threads);
 }
 
+void addClearBench(CLI::App& app, ClearBenchCommand& command) {
+  app.add_option("-o,--output", command.folder, "the folder for page and tables; made where needed")->type_name("DIR");
+  app.add_flag("--quick", command.quick, "one setting, a small picture: a minute instead of hours");
+  app.add_flag("--pictures", command.pictures, "also what was shown at some times");
+  app.add_option("--only", command.only, "of cloths, drapes, lights or edits these, with commas between them")
+      ->type_name("NAME,...")
+      ->delimiter(',');
+  addValue(
+      app, "--seconds", "N", "that each edit is looked at; 12 where not given",
+      [&command](const auto& option, const auto& text) { command.seconds = parseNumber(option, text, 0.1, 3600); });
+  addValue(app, "--reference", "N", "samples of the converged pictures; 256 where not given",
+           [&command](const auto& option, const auto& text) {
+             command.referenceSamples = static_cast<int>(parseWhole(option, text, 1, 1 << 20));
+           });
+  addValue(app, "--threads", "N", "threads; as in the window, all but one, where not given",
+           [&command](const auto& option, const auto& text) {
+             command.threads = static_cast<int>(parseWhole(option, text, 1, 1024));
+           });
+}
+
 void addBrdf(CLI::App& app, BrdfCommand& command) {
   addInput(app, "FABRIC", command.input);
   app.add_option("-o,--output", command.output, "writes OUT.exr, OUT.png and OUT.csv")->type_name("OUT")->required();

@@ -1,0 +1,159 @@
+#include "app/bench/bench_clear.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/bench/clear_course.h"
+#include "app/bench/clear_settings.h"
+#include "app/bench/machine_facts.h"
+#include "app/bench/studies/report_page.h"
+#include "app/cli/interrupt.h"
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/fabric/model/validate.h"
+#include "render/display/display_picture.h"
+
+namespace loomlight {
+namespace {
+
+using Row = std::vector<std::string>;
+
+struct Extent {
+  int width, height;
+  uint32_t referenceSamples;
+  double seconds;
+};
+constexpr Extent kFull{640, 400, 256, 12};
+constexpr Extent kQuick{160, 100, 64, 2};
+
+const std::vector<double> kTimes_s{0.3, 1, 3, 10};
+constexpr double kClear[] = {0.10, 0.05, 0.03};
+
+void expectKnown(const std::vector<std::string>& names) {
+  const std::vector<std::string> known = clearNames();
+  for (const std::string& name : names)
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw InputError(fmt::format("--only: expected some of {}, got '{}'", fmt::join(known, ", "), name));
+}
+
+std::string secondsText(double seconds) {
+  return std::isfinite(seconds) ? fmt::format("{:.2f}", seconds) : "-";
+}
+
+class ClearBench {
+ public:
+  ClearBench(const ClearBenchCommand& command, Task task)
+      : command_(command),
+        extent_(command.quick ? kQuick : kFull),
+        task_(std::move(task)),
+        page_(command.folder, "clear", "From an edit to a clear picture") {
+    if (command.seconds > 0) extent_.seconds = command.seconds;
+    if (command.referenceSamples > 0) extent_.referenceSamples = static_cast<uint32_t>(command.referenceSamples);
+  }
+
+  /// False when stopped.
+  bool run() {
+    const ClearChoice choice{command_.only};
+    for (const ClearSetting& setting : clearSettings(choice, command_.quick))
+      if (!study(setting, clearEdits(choice))) return false;
+    return true;
+  }
+
+  std::string finish() {
+    page_.paragraph(fmt::format(
+        "Pictures of {} x {}, each looked at for {} s after an edit of one that is clear. FLIP is the mean over nine "
+        "windows, a tenth of the picture each way, of what the display shows, against {} samples of another seed. A "
+        "step back is how much worse than the best before it a picture was, at worst.",
+        extent_.width, extent_.height, extent_.seconds, extent_.referenceSamples));
+    Row header{"cloth", "drape", "light", "edit", "first picture, s", "its FLIP"};
+    for (const double time_s : kTimes_s) header.push_back(fmt::format("FLIP after {} s", time_s));
+    for (const double flip : kClear) header.push_back(fmt::format("s to {:.2f}", flip));
+    header.insert(header.end(), {"worst step back", "samples at the end"});
+    page_.table("clear", header, rows_);
+    page_.csv("clear_course", {"cloth", "drape", "light", "edit", "s", "samples", "FLIP"}, courses_);
+    page_.paragraph(fmt::format("Measured on {}", machineFacts(task_.threads)));
+    return page_.finish();
+  }
+
+ private:
+  bool study(const ClearSetting& setting, const std::vector<ClearEdit>& edits) {
+    for (const ClearEdit& edit : edits) {
+      const Fabric edited = edit.apply(setting.fabric);
+      validate(edited, edit.name);
+      const ClearReference reference(edited, extent_.width, extent_.height, extent_.referenceSamples,
+                                     command_.folder + "/references", task_);
+      if (task_.stopped()) return false;
+      if (!measure(setting, edit, edited, reference)) return false;
+    }
+    return true;
+  }
+
+  bool measure(const ClearSetting& setting, const ClearEdit& edit, const Fabric& edited,
+               const ClearReference& reference) {
+    LiveClock clock(extent_.width, extent_.height, command_.threads);
+    const auto nothing = [](const std::shared_ptr<const Frame>&, double) {};
+    if (edit.name != "open" && !clock.watch(setting.fabric, extent_.seconds, nothing, task_.stop)) return false;
+    std::vector<std::shared_ptr<const Frame>> pictures;
+    const ClearCourse course =
+        watchClear(clock, edited, reference, extent_.seconds, kTimes_s, command_.pictures ? &pictures : nullptr, task_);
+    if (task_.stopped()) return false;
+    add(setting, edit, course);
+    for (size_t i = 0; i < pictures.size(); ++i)
+      if (pictures[i]) addPicture(setting, edit, kTimes_s[i], *pictures[i]);
+    fmt::print(stderr, "loomlight: {}, {}: {:.3f} after 1 s\n", setting.name(), edit.name, course.at(1));
+    return true;
+  }
+
+  void add(const ClearSetting& setting, const ClearEdit& edit, const ClearCourse& course) {
+    const Row about{setting.cloth, setting.drape, setting.light, edit.name};
+    Row row = about;
+    row.push_back(course.points.empty() ? "-" : secondsText(course.points.front().since_s));
+    row.push_back(fmt::format("{:.3f}", course.first()));
+    for (const double time_s : kTimes_s)
+      row.push_back(time_s <= extent_.seconds ? fmt::format("{:.3f}", course.at(time_s)) : "-");
+    for (const double flip : kClear) row.push_back(secondsText(course.timeTo(flip)));
+    row.push_back(fmt::format("{:.2f}", course.worstStepBack()));
+    row.push_back(course.points.empty() ? "0" : std::to_string(course.points.back().samples));
+    rows_.push_back(std::move(row));
+    for (const ClearCourse::Point& point : course.points) {
+      Row one = about;
+      one.insert(one.end(), {fmt::format("{:.3f}", point.since_s), std::to_string(point.samples),
+                             fmt::format("{:.4f}", point.flip)});
+      courses_.push_back(std::move(one));
+    }
+  }
+
+  void addPicture(const ClearSetting& setting, const ClearEdit& edit, double time_s, const Frame& frame) {
+    Frame shown = frame;
+    shown.rgba.assign(frame.shown().begin(), frame.shown().end());
+    const std::string name =
+        fmt::format("{}_{}_{}_{}_{}", setting.cloth, setting.drape, setting.light, edit.name, time_s);
+    const Pixels8 pixels = displayPicture(shown, Tone{});
+    page_.picture(name, frame.divider > 1 ? magnified(pixels, frame.divider) : pixels,
+                  fmt::format("{}, {} after {} s", setting.name(), edit.name, time_s));
+  }
+
+  const ClearBenchCommand& command_;
+  Extent extent_;
+  Task task_;
+  ReportPage page_;
+  std::vector<Row> rows_, courses_;
+};
+
+}  // namespace
+
+int run(const ClearBenchCommand& command) {
+  expectKnown(command.only);
+  const Interrupt interrupt;
+  Task task;
+  task.stop = interrupt.token();
+  task.threads = hardwareThreads();
+  ClearBench bench(command, task);
+  if (!bench.run()) return Interrupt::kExitStatus;
+  fmt::print("{}\n", bench.finish());
+  return 0;
+}
+
+}  // namespace loomlight

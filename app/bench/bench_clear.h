@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace loomlight {
+
+/// loomlight bench clear: how fast what the editor shows comes near the picture that it converges to, after every kind
+/// of edit, through the editor's own builder, tracer and display policy.
+struct ClearBenchCommand {
+  std::string folder;               ///< where page and tables go, and the converged pictures, for the next time
+  bool quick = false;               ///< one setting, a small picture, seconds: for tests
+  bool pictures = false;            ///< also writes what was shown at some times
+  std::vector<std::string> only{};  ///< names of cloths, drapes, lights and edits; see ClearChoice
+  double seconds = 0;               ///< that each edit is looked at; 0: as the extent has it
+  int referenceSamples = 0;         ///< likewise
+  int threads = 0;                  ///< 0: as in the window, all but one
+};
+
+/// Exit status 0, or 130 when stopped, without a page then. Throws InputError.
+int run(const ClearBenchCommand& command);
+
+}  // namespace loomlight

@@ -1,0 +1,174 @@
+#include "app/bench/clear_course.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "core/base/hash.h"
+#include "core/base/rgb.h"
+#include "core/fabric/json/fabric_json.h"
+#include "render/colour/tone.h"
+#include "render/display/stretch.h"
+#include "render/film/image.h"
+#include "render/metrics/flip.h"
+#include "render/scene/scene.h"
+#include "render/transport/make_medium.h"
+
+namespace loomlight {
+namespace {
+
+constexpr uint64_t kReferenceSeed = 0x5EED;
+constexpr int kAcross = 3;  // windows each way
+
+/// A tenth of the picture each way, at least as large as an eye blurs.
+std::vector<PixelRect> windowsIn(int width, int height) {
+  constexpr int kLeast = 16;
+  const int w = std::max(kLeast, width / 10), h = std::max(kLeast, height / 10);
+  std::vector<PixelRect> windows;
+  for (int row = 0; row < kAcross; ++row)
+    for (int column = 0; column < kAcross; ++column)
+      windows.push_back(
+          {(2 * column + 1) * width / (2 * kAcross) - w / 2, (2 * row + 1) * height / (2 * kAcross) - h / 2, w, h});
+  return windows;
+}
+
+/// What the display makes of premultiplied light: FLIP starts from light.
+Rgb displayed(const glm::vec4& pixel) {
+  const Tone tone;
+  const Rgb encoded = toDisplay(Rgb(pixel) + (1 - pixel.a) * tone.background, tone);
+  return {decodeSrgb(encoded.r), decodeSrgb(encoded.g), decodeSrgb(encoded.b)};
+}
+
+/// All windows below each other.
+Image imageOf(const std::vector<LinearPicture>& windows) {
+  Image image;
+  image.width = windows.front().width;
+  image.height = static_cast<int>(windows.size()) * windows.front().height;
+  for (const char* name : {"R", "G", "B"}) image.add(name);
+  for (int c = 0; c < 3; ++c) {
+    size_t i = 0;
+    for (const LinearPicture& window : windows)
+      for (const Rgb& pixel : window.pixels) image.channels[c].values[i++] = pixel[c];
+  }
+  return image;
+}
+
+std::vector<LinearPicture> windowsFrom(const LinearPicture& all, const std::vector<PixelRect>& rects) {
+  std::vector<LinearPicture> windows;
+  auto next = all.pixels.begin();
+  for (const PixelRect& rect : rects) {
+    const auto end = next + static_cast<std::ptrdiff_t>(rect.width) * rect.height;
+    windows.push_back({rect.width, rect.height, {next, end}});
+    next = end;
+  }
+  return windows;
+}
+
+}  // namespace
+
+double ClearCourse::at(double since_s) const {
+  double flip = 1;
+  for (const Point& point : points)
+    if (point.since_s <= since_s) flip = point.flip;
+  return flip;
+}
+
+double ClearCourse::timeTo(double flip) const {
+  for (const Point& point : points)
+    if (point.flip <= flip) return point.since_s;
+  return std::numeric_limits<double>::infinity();
+}
+
+double ClearCourse::worstStepBack() const {
+  double worst = 1, best = std::numeric_limits<double>::infinity();
+  for (const Point& point : points) {
+    if (best > 0) worst = std::max(worst, point.flip / best);
+    best = std::min(best, point.flip);
+  }
+  return worst;
+}
+
+ClearReference::ClearReference(const Fabric& fabric, int width, int height, uint32_t samples, const std::string& folder,
+                               const Task& task)
+    : width_(width), height_(height) {
+  Fabric seeded = fabric;
+  seeded.render.seed = kReferenceSeed;
+  uint64_t key = hashCombine(hashCombine(hashCombine(0, width), height), samples);
+  for (const char c : fabricToJson(seeded)) key = hashCombine(key, c);
+  std::filesystem::create_directories(folder);
+  const std::string file = fmt::format("{}/{:016x}.exr", folder, key);
+  const std::vector<PixelRect> rects = windowsIn(width, height);
+  if (std::filesystem::exists(file)) {
+    windows_ = windowsFrom(readLinearPicture(file), rects);
+    return;
+  }
+  const auto scene = makeScene(std::make_shared<const Fabric>(seeded), task);
+  if (!scene) return;
+  const auto medium = makeMedium(*scene, defaultMemoryLimit_bytes(), task);
+  if (!medium) return;
+  Film film(width, height);
+  const CameraRays camera(seeded.camera, width, height);
+  for (const PixelRect& rect : rects) {
+    if (!renderUpTo(samples, *scene, *medium, camera, film, rect, task).complete) return;
+    LinearPicture& window = windows_.emplace_back();
+    window = {rect.width, rect.height, {}};
+    for (int y = rect.y; y < rect.y + rect.height; ++y)
+      for (int x = rect.x; x < rect.x + rect.width; ++x)
+        window.pixels.push_back(displayed(glm::vec4(film.mean(x, y), film.alpha(x, y))));
+  }
+  writeExr(file, imageOf(windows_));
+}
+
+std::vector<LinearPicture> ClearReference::windowsOf(const Frame& frame) const {
+  std::vector<LinearPicture> windows;
+  const auto columns = [&](int x) { return Between(x, 1.0f / static_cast<float>(frame.divider), 0, frame.width); };
+  const auto rows = [&](int y) { return Between(y, 1.0f / static_cast<float>(frame.divider), 0, frame.height); };
+  for (const PixelRect& rect : windowsIn(width_, height_)) {
+    LinearPicture& window = windows.emplace_back();
+    window = {rect.width, rect.height, {}};
+    for (int y = rect.y; y < rect.y + rect.height; ++y)
+      for (int x = rect.x; x < rect.x + rect.width; ++x)
+        window.pixels.push_back(displayed(stretched(frame.shown(), frame.width, columns(x), rows(y))));
+  }
+  return windows;
+}
+
+double ClearReference::distance(const std::vector<LinearPicture>& shown, int threads) const {
+  double sum = 0;
+  size_t pixels = 0;
+  for (size_t i = 0; i < windows_.size(); ++i) {
+    for (const float error : flip(shown[i], windows_[i], Viewing{}, threads)) sum += error;
+    pixels += windows_[i].pixels.size();
+  }
+  return sum / static_cast<double>(std::max<size_t>(1, pixels));
+}
+
+ClearCourse watchClear(LiveClock& clock, const Fabric& fabric, const ClearReference& reference, double seconds,
+                       const std::vector<double>& times_s, std::vector<std::shared_ptr<const Frame>>* pictures,
+                       const Task& task) {
+  struct Shown {
+    std::vector<LinearPicture> windows;
+    ClearCourse::Point point;
+  };
+  std::vector<Shown> shown;
+  if (pictures) pictures->assign(times_s.size(), nullptr);
+  const auto look = [&](const std::shared_ptr<const Frame>& frame, double since_s) {
+    shown.push_back({reference.windowsOf(*frame), {since_s, 0, frame->samples}});
+    for (size_t i = 0; pictures && i < times_s.size(); ++i)
+      if (since_s <= times_s[i]) (*pictures)[i] = frame;
+  };
+  ClearCourse course;
+  if (!clock.watch(fabric, seconds, look, task.stop)) return course;
+  clock.pause(true);
+  for (Shown& one : shown) {
+    one.point.flip = reference.distance(one.windows, task.threads);
+    course.points.push_back(one.point);
+  }
+  clock.pause(false);
+  return course;
+}
+
+}  // namespace loomlight

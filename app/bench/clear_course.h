@@ -1,0 +1,53 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/bench/live_clock.h"
+#include "core/base/task.h"
+#include "render/metrics/linear_picture.h"
+
+namespace loomlight {
+
+/// How far what is shown is from the picture that it converges to, while time passes.
+struct ClearCourse {
+  struct Point {
+    double since_s = 0;  ///< the edit
+    double flip = 0;     ///< mean over what is measured of the picture
+    int samples = 0;     ///< of every pixel, at least
+  };
+  std::vector<Point> points;  ///< one for each picture that was shown
+
+  double at(double since_s) const;   ///< FLIP of what is shown then; 1 before the first
+  double timeTo(double flip) const;  ///< the first time at which it is no more than that; infinite if never
+  double first() const { return points.empty() ? 1.0 : points.front().flip; }
+  /// The most by which a picture was worse than the best before it, as a ratio; 1 where none was.
+  double worstStepBack() const;
+};
+
+/// What is measured of a picture: windows spread evenly over it, in display light, so that the picture that it
+/// converges to may be traced without tracing all of it.
+class ClearReference {
+ public:
+  /// Traces the windows of the fabric's picture with so many samples of another seed, or reads them from `folder`,
+  /// where they are kept for the next time. Nothing to compare with when stopped.
+  ClearReference(const Fabric& fabric, int width, int height, uint32_t samples, const std::string& folder,
+                 const Task& task);
+
+  /// What the display shows of a frame, in these windows.
+  std::vector<LinearPicture> windowsOf(const Frame& frame) const;
+  /// Mean FLIP.
+  double distance(const std::vector<LinearPicture>& shown, int threads) const;
+
+ private:
+  int width_, height_;
+  std::vector<LinearPicture> windows_;
+};
+
+/// Shows a fabric for so many seconds and measures every picture afterwards, so as not to take time from the tracer.
+/// `pictures` (may be null) receives the frames that are shown at these times. Empty when stopped.
+ClearCourse watchClear(LiveClock& clock, const Fabric& fabric, const ClearReference& reference, double seconds,
+                       const std::vector<double>& times_s, std::vector<std::shared_ptr<const Frame>>* pictures,
+                       const Task& task);
+
+}  // namespace loomlight

@@ -1,0 +1,30 @@
+"""The quick form of `bench clear`: edits are looked at, and what is shown is told. Times are not judged."""
+
+import csv
+
+from harness import CommandLineTest, main
+
+
+class ClearBench(CommandLineTest):
+    def rows(self, name):
+        with open(self.folder / "out" / name, newline="") as file:
+            return list(csv.DictReader(file))
+
+    def test_page_and_tables(self):
+        self.run_program("bench", "clear", "--quick", "--only", "open,colour", "-o", "out", timeout=280)
+        self.assertTrue((self.folder / "out/clear.md").exists())
+        rows = self.rows("clear.csv")
+        self.assertEqual([row["edit"] for row in rows], ["open", "colour"])
+        course = self.rows("clear_course.csv")
+        for row in rows:
+            flips = [float(point["FLIP"]) for point in course if point["edit"] == row["edit"]]
+            self.assertGreater(len(flips), 0)
+            self.assertTrue(all(0 <= flip <= 1 for flip in flips))
+            self.assertEqual(float(row["its FLIP"]), round(flips[0], 3))
+
+    def test_unknown_name(self):
+        said = self.run_program("bench", "clear", "--quick", "--only", "velvet", status=1)
+        self.assertIn("velvet", said)
+
+
+main()
