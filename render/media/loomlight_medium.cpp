@@ -63,18 +63,30 @@ class CorrelationState {
   FibreInVoxels before_;
 };
 
-/// Where axis and surface are, of a fibre met at a point, from its tangent and h.
-glm::vec3 axisOf(const Collision& c, glm::vec3 direction) {
-  const glm::vec3 forward = direction - glm::dot(direction, c.tangent) * c.tangent;
-  const glm::vec3 b = glm::cross(c.tangent, direction);
-  const glm::vec3 normal = (c.offset * b - std::sqrt(1 - c.offset * c.offset) * forward) / glm::length(b);
-  return c.place.world - c.optics.fibreRadius_mm * normal;
+/// The offset h at which a fibre is met whose axis was drawn by a point w of the unit hemisphere about the ray.
+class OffsetAcross {
+ public:
+  explicit OffsetAcross(const Collision& met) {
+    const FibreFrame frame(met.incoming);
+    const glm::vec3 b = glm::cross(met.tangent, met.incoming);
+    // The shift leads from the surface to the axis, so the normal's component across is its negative.
+    towards_ = -glm::vec2(glm::dot(frame.y, b), glm::dot(frame.z, b)) / glm::length(b);
+  }
+  float operator()(glm::vec3 w) const { return std::clamp(w.x * towards_.x + w.y * towards_.y, -1.0f, 1.0f); }
+
+ private:
+  glm::vec2 towards_;
+};
+
+bool isWithin(glm::vec3 place, glm::vec3 size) {
+  return glm::all(glm::greaterThanEqual(place, glm::vec3(0))) && glm::all(glm::lessThan(place, size));
 }
 
 /// A collision with the cylinder that a path came from.
 Collision collisionWith(const MetFibre& fibre, const ScenePoint& place, glm::vec3 direction, const TraceData& cloth) {
   Collision c;
   c.place = place;
+  c.incoming = direction;
   c.tangent = fibre.tangent;
   c.axis = fibre.axis + glm::dot(place.world - fibre.axis, fibre.tangent) * fibre.tangent;
   c.normal = glm::normalize(place.world - c.axis);
@@ -138,7 +150,7 @@ class LoomlightMedium::Stretches {
   bool enterSegment() {
     if (!shell_.next()) return false;
     const ShellSegment& s = segment();
-    unknown_.emplace(memory_, s, medium_.cloth_->volume->grid(), medium_.toClothOf(s));
+    unknown_.emplace(memory_, s, medium_.cloth_->volume->grid(), medium_.toClothOf(s.tet));
     last_ = -1;
     filled_ = 0;
     march_.emplace(*medium_.cloth_->volume, s.clothOrigin, s.clothDirection, s.tEnter, s.tLeave + medium_.farthest_mm_);
@@ -190,15 +202,16 @@ LoomlightMedium::LoomlightMedium(std::shared_ptr<const TraceData> cloth, Ingredi
   farthest_mm_ = static_cast<float>(kPi) * radius_mm_;  // four times that of a fibre across the ray
 }
 
-glm::mat3 LoomlightMedium::toClothOf(const ShellSegment& s) const {
-  return s.drape.isometric ? glm::mat3(1.0f) : cloth_->shell->tets()[s.tet].toCloth;
+glm::mat3 LoomlightMedium::toClothOf(int tet) const {
+  return cloth_->shell->isFlat() ? glm::mat3(1.0f) : cloth_->shell->tets()[tet].toCloth;
 }
 
 /// Which fibre is met at t.
 Collision LoomlightMedium::meet(const ScenePoint& from, glm::vec3 direction, const Stretches& stretch, float t,
-                                Random& random) const {
+                                Random& random, Meeting& meeting) const {
   const ShellSegment& s = stretch.segment();
   Collision c;
+  c.incoming = direction;
   c.distance_mm = t;
   c.place = {from.world + t * direction, s.tet};
   c.normal = s.drape.normal();
@@ -215,10 +228,11 @@ Collision LoomlightMedium::meet(const ScenePoint& from, glm::vec3 direction, con
   if (!ingredients_.finiteRadius) {
     take(stretch.content(), stretch.share());
     c.offset = 2 * random.uniform() - 1;
+    meeting.inOneVoxel = true;
     return c;
   }
   const FibreFrame frame(direction);  // about the ray
-  const glm::mat3 toCloth = toClothOf(s);
+  const glm::mat3 toCloth = toClothOf(s.tet);
   const glm::vec3 place = s.clothOrigin + (t - s.passed) * s.clothDirection;
   const auto across = [&](glm::vec3 w) { return w.x * frame.y + w.y * frame.z; };
   // Most often the axis is looked for in the very voxel that the stretch is in.
@@ -229,13 +243,14 @@ Collision LoomlightMedium::meet(const ScenePoint& from, glm::vec3 direction, con
   float elsewhere[2] = {0, 0};  // extinction of what was found in other voxels
   const auto look = [&](glm::vec3 w, int i) {
     const glm::vec3 shift = radius_mm_ * across(w) + 2 * stretch.ahead * w.z * direction;
-    const glm::vec3 axis = place + toCloth * shift, inVoxel = axis - lower;
-    if (glm::all(glm::greaterThanEqual(inVoxel, glm::vec3(0))) && glm::all(glm::lessThan(inVoxel, grid.size_mm)))
-      return stretch.extinction.whole;
+    const glm::vec3 axis = place + toCloth * shift;
+    if (isWithin(axis - lower, grid.size_mm)) return stretch.extinction.whole;
+    meeting.inOneVoxel = false;
     probe.look(axis, contents[i]);
     return elsewhere[i] = sumExtinction(cloth_->yarns, contents[i], s.drape, direction).whole;
   };
   const AntitheticPoints w(random);
+  meeting.inOneVoxel = true;
   const float first = look(w.first, 0), second = look(w.second, 1);
   const bool takesFirst = random.uniform() * (first + second) < first;
   const int taken = takesFirst ? 0 : 1;
@@ -243,10 +258,39 @@ Collision LoomlightMedium::meet(const ScenePoint& from, glm::vec3 direction, con
     take(contents[taken], WholeExtinction{});
   else
     take(stretch.content(), stretch.share());
-  // The shift leads from the surface to the axis, so the normal's component across is its negative.
-  const glm::vec3 b = glm::cross(c.tangent, direction);
-  c.offset = std::clamp(-glm::dot(across(takesFirst ? w.first : w.second), b) / glm::length(b), -1.0f, 1.0f);
+  meeting.points[0] = takesFirst ? w.first : w.second;
+  meeting.points[1] = takesFirst ? w.second : w.first;
+  meeting.inVoxel_mm = place - lower;
+  meeting.ahead_mm = stretch.ahead;
+  c.offset = OffsetAcross(c)(meeting.points[0]);
   return c;
+}
+
+/// What a meeting is with hangs on the voxel that the axis lies in, and on nothing else of the two antithetic points.
+/// So where both lay in one voxel, all other pairs of points that do belong to the same component and tangent.
+size_t LoomlightMedium::offsetsAcross(const Collision& met, const Memory& memory, std::span<float> offsets,
+                                      Random& random) const {
+  offsets[0] = met.offset;
+  const Meeting& meeting = memory.meeting;
+  if (!meeting.inOneVoxel) return 1;
+  if (!ingredients_.finiteRadius) return evenOffsets(met.offset, offsets);
+  const OffsetAcross offset(met);
+  const FibreFrame frame(met.incoming);
+  const glm::mat3 toCloth = toClothOf(met.place.tet);
+  const glm::vec3 size_mm = cloth_->volume->grid().size_mm;
+  const auto isInVoxel = [&](glm::vec3 w) {
+    const glm::vec3 shift = radius_mm_ * (w.x * frame.y + w.y * frame.z) + 2 * meeting.ahead_mm * w.z * met.incoming;
+    return isWithin(meeting.inVoxel_mm + toCloth * shift, size_mm);
+  };
+  size_t count = 1;
+  offsets[count++] = offset(meeting.points[1]);
+  for (size_t tried = 2; tried + 1 < offsets.size(); tried += 2) {
+    const AntitheticPoints w(random);
+    if (!isInVoxel(w.first) || !isInVoxel(w.second)) continue;
+    offsets[count++] = offset(w.first);
+    offsets[count++] = offset(w.second);
+  }
+  return count;
 }
 
 std::unique_ptr<MediumPath> LoomlightMedium::path() const {
@@ -272,15 +316,15 @@ std::optional<Collision> LoomlightMedium::collide(const ScenePoint& from, Memory
     const float beyondNear = opticalDepth - stretch.depthNear();
     const float t =
         stretch.t + (beyondNear < 0 ? opticalDepth / stretch.sigmaNear : stretch.near + beyondNear / stretch.sigma);
-    met = meet(from, direction, stretch, t, random);
-    met->axis = axisOf(*met, direction);
+    met = meet(from, direction, stretch, t, random, memory.meeting);
+    met->axis = axisOf(*met);
   }
   if (!met) {
     if (toBefore == kNever) return std::nullopt;
     met = collisionWith(memory.before, {from.world + toBefore * direction, tet}, direction, *cloth_);
+    memory.meeting.inOneVoxel = false;
     met->distance_mm = toBefore;
   }
-  met->incoming = direction;
   met->material = drawMaterial(met->optics, random);
   if (ingredients_.hotSpot) {
     memory.before = memory.leaving;

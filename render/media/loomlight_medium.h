@@ -2,12 +2,11 @@
 
 #include <array>
 #include <memory>
+#include <span>
 
 #include "render/media/met_fibre.h"
 
 namespace loomlight {
-
-struct ShellSegment;
 
 /// The cloth as a statistical volume that knows what fibres are: our default. On top of VolumeMedium it has
 ///
@@ -42,10 +41,19 @@ class LoomlightMedium final : public Medium {
   LoomlightMedium(std::shared_ptr<const TraceData> cloth, Ingredients ingredients);
   explicit LoomlightMedium(std::shared_ptr<const TraceData> cloth) : LoomlightMedium(std::move(cloth), Ingredients{}) {}
 
-  /// What is known of the fibres around a path; nothing without the hot spot.
+  /// How the last fibre was met: from which two antithetic points of the hemisphere about the ray its axis was chosen
+  /// (above), where both led into one voxel.
+  struct Meeting {
+    bool inOneVoxel = false;
+    glm::vec3 points[2]{};  ///< the one that was taken first; along the axes of FibreFrame about the ray, and along it
+    glm::vec3 inVoxel_mm{0};  ///< where the light was, in cloth space, from the voxel's lower corner
+    float ahead_mm = 0;       ///< c
+  };
+  /// What is known of the fibres around a path; of all but the last meeting nothing without the hot spot.
   struct Memory {
     MetFibre leaving, before;             ///< the last fibre that it met, and the one before
     std::array<RaySegment, 2> flights{};  ///< to both, the newest first
+    Meeting meeting;
   };
 
   std::unique_ptr<MediumPath> path() const override;
@@ -54,11 +62,13 @@ class LoomlightMedium final : public Medium {
   glm::vec3 exit(const Collision& met, glm::vec3 wi, int order) const;
   float transmittance(const ScenePoint& from, const Memory& memory, glm::vec3 direction, float distance, Random& random,
                       TraceCounts& counts) const;
+  size_t offsetsAcross(const Collision& met, const Memory& memory, std::span<float> offsets, Random& random) const;
 
  private:
   class Stretches;
-  glm::mat3 toClothOf(const ShellSegment& segment) const;  ///< d cloth / d world
-  Collision meet(const ScenePoint& from, glm::vec3 direction, const Stretches& stretch, float t, Random& random) const;
+  glm::mat3 toClothOf(int tet) const;  ///< d cloth / d world
+  Collision meet(const ScenePoint& from, glm::vec3 direction, const Stretches& stretch, float t, Random& random,
+                 Meeting& meeting) const;
 
   std::shared_ptr<const TraceData> cloth_;
   Ingredients ingredients_;

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "core/base/random.h"
 #include "render/scene/trace_data.h"
@@ -48,6 +50,25 @@ struct Collision {
   uint64_t fibre = 0;         ///< which; explicit fibres only
 };
 
+/// Where the axis of the fibre is, from where its surface is met and at which offset.
+inline glm::vec3 axisOf(const Collision& met) {
+  const glm::vec3 forward = met.incoming - glm::dot(met.incoming, met.tangent) * met.tangent;
+  const glm::vec3 b = glm::cross(met.tangent, met.incoming);
+  const glm::vec3 normal = (met.offset * b - std::sqrt(1 - met.offset * met.offset) * forward) / glm::length(b);
+  return met.place.world - met.optics.fibreRadius_mm * normal;
+}
+
+/// Fills offsets across a fibre at equal distances over -1..1, beginning with `first`: each is uniform if that is.
+/// Returns how many.
+inline size_t evenOffsets(float first, std::span<float> offsets) {
+  const float step = 2.0f / static_cast<float>(offsets.size());
+  for (size_t i = 0; i < offsets.size(); ++i) {
+    const float offset = first + static_cast<float>(i) * step;
+    offsets[i] = offset > 1 ? offset - 2 : offset;
+  }
+  return offsets.size();
+}
+
 /// Which material a fibre of the yarn is of. The fibres of a blend (melange) are mixed evenly, so a volume needs no
 /// voxels of its own for it: every fibre that is met is of the second kind with the share that its kind has.
 inline int drawMaterial(const YarnOptics& yarn, Random& random) {
@@ -69,6 +90,16 @@ class MediumPath {
   virtual void leave(const Collision& met, glm::vec3 wi, int order) = 0;
   /// An unbiased estimate of the probability that a ray from here meets no fibre within `distance`.
   virtual float transmittance(glm::vec3 direction, float distance, Random& random, TraceCounts& counts) const = 0;
+
+  /// Where across the fibre just met the ray may as well have met it, as far as nobody could tell: values of
+  /// Collision::offset, each as likely as the others, of which `met`'s own is the first. Fills at least one, at most
+  /// all of `offsets`, and returns how many. The mean of any function over them has the expectation that it has at the
+  /// first alone, and less variance.
+  virtual size_t offsetsAcross(const Collision& met, std::span<float> offsets, Random& random) const {
+    (void)random;
+    offsets[0] = met.offset;
+    return 1;
+  }
 
   virtual const ScenePoint& place() const = 0;            ///< where it stands
   virtual std::unique_ptr<MediumPath> clone() const = 0;  ///< to go on two ways from here

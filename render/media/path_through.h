@@ -10,6 +10,7 @@ namespace loomlight {
 ///   std::optional<Collision> collide(from, Memory&, direction, random, counts) const;
 ///   glm::vec3 exit(collision, wi, order) const;  where in the world light comes out of the fibre
 ///   float transmittance(from, const Memory&, direction, distance, random, counts) const;
+///   size_t offsetsAcross(met, const Memory&, offsets, random) const;  if it can tell more than one
 template <class M>
 class PathThrough final : public MediumPath {
  public:
@@ -29,6 +30,12 @@ class PathThrough final : public MediumPath {
   }
   float transmittance(glm::vec3 direction, float distance, Random& random, TraceCounts& counts) const override {
     return medium_.transmittance(place_, memory_, direction, distance, random, counts);
+  }
+  size_t offsetsAcross(const Collision& met, std::span<float> offsets, Random& random) const override {
+    if constexpr (requires { medium_.offsetsAcross(met, memory_, offsets, random); })
+      return medium_.offsetsAcross(met, memory_, offsets, random);
+    else
+      return MediumPath::offsetsAcross(met, offsets, random);
   }
   const ScenePoint& place() const override { return place_; }
   std::unique_ptr<MediumPath> clone() const override { return std::make_unique<PathThrough>(*this); }

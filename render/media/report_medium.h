@@ -29,6 +29,9 @@ class ReportMedium final : public Medium {
                                    TraceCounts& counts) const;
   glm::vec3 exit(const Collision& met, glm::vec3, int) const { return met.place.world; }
   /// From the first event: direct light. As exact as that of VolumeMedium.
+  size_t offsetsAcross(const Collision& met, const Memory&, std::span<float> offsets, Random&) const {
+    return evenOffsets(met.offset, offsets);
+  }
   float transmittance(const ScenePoint& from, const Memory& memory, glm::vec3 direction, float distance, Random& random,
                       TraceCounts& counts) const;
 

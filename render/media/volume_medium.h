@@ -23,6 +23,10 @@ class VolumeMedium final : public Medium {
   std::optional<Collision> collide(const ScenePoint& from, Memory&, glm::vec3 direction, Random& random,
                                    TraceCounts& counts) const;
   glm::vec3 exit(const Collision& met, glm::vec3, int) const { return met.place.world; }
+  /// Nobody sees where across: evenly spread, from that of `met` on.
+  size_t offsetsAcross(const Collision& met, const Memory&, std::span<float> offsets, Random&) const {
+    return evenOffsets(met.offset, offsets);
+  }
   /// Exact down to e^-4; below that 0 or e^-4, because what hardly gets through is not worth walking for.
   float transmittance(const ScenePoint& from, const Memory&, glm::vec3 direction, float distance, Random& random,
                       TraceCounts& counts) const {

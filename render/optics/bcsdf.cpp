@@ -52,12 +52,21 @@ FibreBcsdf::Sample FibreBcsdf::draw(glm::vec3 wo, float h, Random& random, bool 
 }
 
 FibreBcsdf::Value FibreBcsdf::evaluate(glm::vec3 wo, glm::vec3 wi, float h) const {
-  const CylinderHit hit(wo, h, index_);
-  const LongitudinalLobes::Outgoing o = along_.outgoing({hit.sineO, hit.cosineO});
+  Value value;
+  evaluate(wo, wi, {&h, 1}, {&value, 1});
+  return value;
+}
+
+void FibreBcsdf::evaluate(glm::vec3 wo, glm::vec3 wi, std::span<const float> offsets, std::span<Value> values) const {
   const Inclination i(wi.x, std::min(1.0f, std::sqrt(wi.y * wi.y + wi.z * wi.z)));
-  const float cosine = wi.y * hit.azimuthO.x + wi.z * hit.azimuthO.y;
-  const float sine = wi.z * hit.azimuthO.x - wi.y * hit.azimuthO.y;
-  return {toArray(hit.share * along_.density(o, i) * about_.density(hit, cosine, sine)), hit.chord, hit.inside};
+  Float32x4 along{};
+  for (size_t k = 0; k < offsets.size(); ++k) {
+    const CylinderHit hit(wo, offsets[k], index_);
+    if (k == 0) along = along_.density(along_.outgoing({hit.sineO, hit.cosineO}), i);
+    const float cosine = wi.y * hit.azimuthO.x + wi.z * hit.azimuthO.y;
+    const float sine = wi.z * hit.azimuthO.x - wi.y * hit.azimuthO.y;
+    values[k] = {toArray(hit.share * along * about_.density(hit, cosine, sine)), hit.chord, hit.inside};
+  }
 }
 
 FibreBcsdf::Modes FibreBcsdf::modes(glm::vec3 wo, float h) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "core/base/random.h"
 #include "core/fabric/model/fabric.h"
@@ -55,6 +56,8 @@ class FibreBcsdf {
   /// The same sample with its pdf left at zero, for a third less time: where no light is sampled, nobody asks for it.
   Sample sampleWithoutPdf(glm::vec3 wo, float h, Random& random) const { return draw(wo, h, random, false); }
   Value evaluate(glm::vec3 wo, glm::vec3 wi, float h) const;
+  /// The same at many offsets at once, one value for each: what is along the fibre is the same for all.
+  void evaluate(glm::vec3 wo, glm::vec3 wi, std::span<const float> offsets, std::span<Value> values) const;
   Modes modes(glm::vec3 wo, float h) const;
 
  private:

@@ -11,6 +11,9 @@ namespace {
 
 constexpr uint32_t kRouletteAfter = 4;  // events
 
+/// Places across a fibre from which a lamp is looked for at once.
+constexpr size_t kOffsets = 4;
+
 /// Numbers of a path's first events that are stratified: so many each for the flight, the lamp and the fibre. Later
 /// events differ too much from path to path to gain.
 constexpr uint32_t kStratifiedEvents = 3, kDimensionsPerUse = 8, kDimensionsPerEvent = 3 * kDimensionsPerUse;
@@ -87,22 +90,49 @@ void PathIntegrator::gatherEscaped(glm::vec3 direction, float scatterPdf, float 
 }
 
 /// One lamp, seen from a collision. Nothing when no light comes of it.
+///
+/// Nobody sees where across the fibre the path met it, and narrow modes send the lamp's light on from few of these
+/// places: so the light is the mean over several of them (MediumPath::offsetsAcross), and one of them, chosen in
+/// proportion, says how the light goes on, through the fibre and out of it. Each place counts with the weight that it
+/// would have alone, since a path that finds the lamp by itself leaves from one place.
 std::optional<PathLight> PathIntegrator::sampleLight(const Event& event, Random& random, TraceCounts& counts) {
   const Collision& at = event.at;
   const auto light = scene_.lighting->sample(at.place.world, random);
   if (!light || light->pdf <= 0) return std::nullopt;
-  const FibreBcsdf::Value value = event.bcsdf.evaluate(event.wo, event.frame.toLocal(light->wi), at.offset);
-  const float pdf = value.sum();
-  if (pdf <= 0) return std::nullopt;
-  const float chance = lampChance(pdf);
+  std::array<float, kOffsets> offsets;
+  std::array<FibreBcsdf::Value, kOffsets> values;
+  const size_t count = path_->offsetsAcross(at, offsets, random);
+  event.bcsdf.evaluate(event.wo, event.frame.toLocal(light->wi), {offsets.data(), count}, {values.data(), count});
+
+  std::array<float, kOffsets> weighted;
+  float pdfs = 0, sum = 0;
+  for (size_t k = 0; k < count; ++k) {
+    const float pdf = values[k].sum();
+    weighted[k] = pdf > 0 && !light->delta ? pdf * misWeight(lampChance(pdf) * light->pdf, pdf) : pdf;
+    pdfs += pdf;
+    sum += weighted[k];
+  }
+  if (!(sum > 0)) return std::nullopt;
+  const float chance = lampChance(pdfs / static_cast<float>(count));
   if (random.uniform() >= chance) return std::nullopt;
-  const float density = chance * light->pdf;
-  const float weight = light->delta ? 1.0f : misWeight(density, pdf);
-  path_->leave(at, light->wi, likelyOrder(value, random));
+  size_t chosen = 0;
+  if (count > 1)
+    for (float rest = random.uniform() * sum; chosen + 1 < count && (rest -= weighted[chosen]) >= 0;) ++chosen;
+  const FibreBcsdf::Value& value = values[chosen];
+  if (!(value.sum() > 0)) return std::nullopt;  // rounding chose it
+  if (chosen == 0) {
+    path_->leave(at, light->wi, likelyOrder(value, random));
+  } else {
+    Collision across = at;
+    across.offset = offsets[chosen];
+    across.axis = axisOf(across);
+    path_->leave(across, light->wi, likelyOrder(value, random));
+  }
   const float visible = path_->transmittance(light->wi, light->distance, random, counts);
   if (visible == 0) return std::nullopt;
-  return PathLight{light->radiance * (weight * visible / density), value.q, at.material,
-                   value.chord * at.optics.fibreRadius_mm, value.inside};
+  const float mean = sum / static_cast<float>(count);
+  const Rgb radiance = light->radiance * (visible * mean / (chance * light->pdf * value.sum()));
+  return PathLight{radiance, value.q, at.material, value.chord * at.optics.fibreRadius_mm, value.inside};
 }
 
 void PathIntegrator::follow(const Ray& ray, Random& random, PathSink& sink, TraceCounts& counts) {

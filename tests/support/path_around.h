@@ -14,6 +14,9 @@ class PathAround : public MediumPath {
     return path_->collide(direction, random, counts);
   }
   void leave(const Collision& met, glm::vec3 wi, int order) override { path_->leave(met, wi, order); }
+  size_t offsetsAcross(const Collision& met, std::span<float> offsets, Random& random) const override {
+    return path_->offsetsAcross(met, offsets, random);
+  }
   float transmittance(glm::vec3 direction, float distance, Random& random, TraceCounts& counts) const override {
     return path_->transmittance(direction, distance, random, counts);
   }

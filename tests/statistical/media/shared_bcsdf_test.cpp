@@ -40,6 +40,9 @@ class OneCollision final : public Medium {
       return std::exchange(next_, std::nullopt);
     }
     float transmittance(glm::vec3, float, Random&, TraceCounts&) const override { return 1; }
+    size_t offsetsAcross(const Collision& met, std::span<float> offsets, Random& random) const override {
+      return MediumPath::offsetsAcross(met, offsets, random);
+    }
 
    private:
     std::optional<Collision> next_;

@@ -56,6 +56,21 @@ double transfer(const FibreBcsdf& bcsdf, double o, double i) {
   return sum * (0.5 * kPi / kOffsets) * (2 * kPi / kAzimuths);
 }
 
+TEST(FibreBcsdf, ValuesAtManyOffsetsAreThoseAtEach) {
+  const FibreBcsdf bcsdf(fibreOf(0.2, 0.3, 1.55, 3));
+  const std::array<float, 5> offsets{-1, -0.4f, 0, 0.7f, 1};
+  std::array<FibreBcsdf::Value, 5> values;
+  const glm::vec3 wo = direction(0.4, 1.1), wi = direction(-0.3, -2.0);
+  bcsdf.evaluate(wo, wi, offsets, values);
+  for (size_t k = 0; k < offsets.size(); ++k) {
+    const FibreBcsdf::Value alone = bcsdf.evaluate(wo, wi, offsets[k]);
+    EXPECT_EQ(values[k].q, alone.q);
+    EXPECT_EQ(values[k].chord, alone.chord);
+    EXPECT_EQ(values[k].inside, alone.inside);
+  }
+  EXPECT_NE(values[0].q, values[1].q);
+}
+
 TEST(FibreBcsdf, WhiteFurnace) {
   for (const double along : {0.05, 0.1, 0.3, 0.6, 1.0}) {
     for (const double about : {0.2, 1.0}) {
