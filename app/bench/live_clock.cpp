@@ -35,7 +35,7 @@ void LiveClock::send(const Fabric& fabric) {
 }
 
 template <class Done>
-bool LiveClock::lookUntil(const Done& done, double seconds, std::stop_token stop) {
+bool LiveClock::lookUntil(const Done& done, double seconds, const std::stop_token& stop) {
   const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
   while (!done()) {
     std::unique_lock lock(mutex_);
@@ -49,7 +49,7 @@ bool LiveClock::lookUntil(const Done& done, double seconds, std::stop_token stop
   return true;
 }
 
-std::optional<LiveTimes> LiveClock::show(const Fabric& fabric, bool wholeSample, std::stop_token stop) {
+std::optional<LiveTimes> LiveClock::show(const Fabric& fabric, bool wholeSample, const std::stop_token& stop) {
   LiveTimes times;
   const LiveStatus before = renderer_.status();
   const auto start = Clock::now();
@@ -72,7 +72,7 @@ std::optional<LiveTimes> LiveClock::show(const Fabric& fabric, bool wholeSample,
   return times;
 }
 
-std::vector<double> LiveClock::play(std::span<const Fabric> fabrics, double interval_s, std::stop_token stop) {
+std::vector<double> LiveClock::play(std::span<const Fabric> fabrics, double interval_s, const std::stop_token& stop) {
   std::vector<double> sent_s, waited_s;
   const uint64_t first = generation_ + 1;
   const auto start = Clock::now();

@@ -31,10 +31,10 @@ class LiveClock {
 
   /// Waits for the first picture of the fabric and for its volume, or for one sample of every pixel. nullopt when
   /// stopped. Throws InputError where the fabric cannot be shown.
-  std::optional<LiveTimes> show(const Fabric& fabric, bool wholeSample, std::stop_token stop);
+  std::optional<LiveTimes> show(const Fabric& fabric, bool wholeSample, const std::stop_token& stop);
   /// Sends one fabric after another at this interval, however long they take; how long each waited for a picture of it
   /// or of a later one. Empty when stopped.
-  std::vector<double> play(std::span<const Fabric> fabrics, double interval_s, std::stop_token stop);
+  std::vector<double> play(std::span<const Fabric> fabrics, double interval_s, const std::stop_token& stop);
 
   /// Sends the fabric and tells `look` of every picture of it that is shown within so many seconds, and when. False
   /// when stopped.
@@ -48,7 +48,7 @@ class LiveClock {
   void send(const Fabric& fabric);
   /// Looks after every wake, until done() or the time is over; false when stopped.
   template <class Done>
-  bool lookUntil(const Done& done, double seconds, std::stop_token stop);
+  bool lookUntil(const Done& done, double seconds, const std::stop_token& stop);
 
   int width_, height_;
   uint64_t generation_ = 0;

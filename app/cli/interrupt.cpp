@@ -19,7 +19,7 @@ sigset_t handledSignals() {
 }
 
 // A thread that waits for the signals may do anything; a signal handler may do next to nothing.
-void listen(std::stop_source source) {
+void listen(const std::stop_source& source) {
   const sigset_t signals = handledSignals();
   for (;;) {
     int signal = 0;

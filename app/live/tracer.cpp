@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <utility>
 
 #include "render/display/patch.h"
 #include "render/display/recolour.h"
@@ -22,7 +23,7 @@ PixelRect within(const PixelRect& rect, int width, int height) {
 }  // namespace
 
 Tracer::Tracer(std::function<void()> wake, int threads) : wake_(std::move(wake)), threads_(threads) {
-  thread_ = std::jthread([this](std::stop_token stop) { loop(stop); });
+  thread_ = std::jthread([this](const std::stop_token& stop) { loop(stop); });
 }
 
 Tracer::~Tracer() {
@@ -84,7 +85,7 @@ Tracer::State Tracer::state() const {
   return state_;
 }
 
-void Tracer::loop(std::stop_token stop) {
+void Tracer::loop(const std::stop_token& stop) {
   bool busy = false;
   while (!stop.stop_requested()) {
     News news;
@@ -351,7 +352,7 @@ void Tracer::publish() {
     if (picturePending_) frame_ = std::move(picturePending_);
     if (lensPending_ || (lensFrame_ && lens_)) {
       auto frame = std::make_shared<LensFrame>();
-      frame->fibres = lensPending_ ? std::move(lensPending_) : lensFrame_->fibres;
+      frame->fibres = lensPending_ ? std::exchange(lensPending_, nullptr) : lensFrame_->fibres;
       frame->difference = difference_;
       lensFrame_ = std::move(frame);
     }

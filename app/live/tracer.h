@@ -70,7 +70,7 @@ class Tracer {
     bool empty() const { return !request && !lens && !fibres && !denoise; }
   };
 
-  void loop(std::stop_token stop);
+  void loop(const std::stop_token& stop);
   bool goOn(News news);  ///< one pass; false when there is nothing to do
   void take(News news);
   void begin(Request request);
