@@ -33,17 +33,23 @@ void addEdit(CLI::App& app, EditorOptions& options) {
       ->type_name("FILE");
 }
 
-void addRender(CLI::App& app, RenderCommand& command) {
-  app.add_option("FABRIC", command.input,
-                 "a fabric (.json, .loomlight) or draft (.wif), or a picture (.exr) to render again")
-      ->type_name("");
-  app.add_option("-o,--output", command.output, "the picture: .exr or .png")->type_name("OUT")->required();
+/// All that a path of a picture depends on, so that `trace` can follow a path of what `render` made.
+template <class PathCommand>
+void addPathOptions(CLI::App& app, PathCommand& command) {
   addPictureOptions(app, command.options);
   addFabricOptions(app, command.options);
   addWifSizes(app, command.wifSizes);
   addThreads(app, command.threads);
   addMemoryLimit(app, command.memoryLimit_bytes);
   addFibreExtent(app, command.fibreExtent);
+}
+
+void addRender(CLI::App& app, RenderCommand& command) {
+  app.add_option("FABRIC", command.input,
+                 "a fabric (.json, .loomlight) or draft (.wif), or a picture (.exr) to render again")
+      ->type_name("");
+  app.add_option("-o,--output", command.output, "the picture: .exr or .png")->type_name("OUT")->required();
+  addPathOptions(app, command);
   addExposure(app, command.tone);
   app.add_option("--stats", command.stats, "write counts and times of every stage, as JSON")->type_name("FILE.json");
   app.add_flag("--keep-sums", command.keepSums, "keep in the .exr what --resume needs");
@@ -129,12 +135,7 @@ void addTrace(CLI::App& app, TraceCommand& command) {
     command.sample = static_cast<uint32_t>(parseWhole(option, text, 0, Film::maxSamples - 1));
   });
   for (const char* needed : {"--pixel", "--sample"}) app.get_option(needed)->required();
-  addPictureOptions(app, command.options);
-  addFabricOptions(app, command.options);
-  addWifSizes(app, command.wifSizes);
-  addThreads(app, command.threads);
-  addMemoryLimit(app, command.memoryLimit_bytes);
-  addFibreExtent(app, command.fibreExtent);
+  addPathOptions(app, command);
 }
 
 }  // namespace
