@@ -47,7 +47,7 @@ Points hexagonal(int count, double spacing, Random& random) {
 
 /// Pushes overlapping discs apart, from within the rim, until none overlap. Where the rim leaves too little room, the
 /// rim gives way: the later sweeps leave it free.
-void relax(Points& points, const Threads& fibres, double rim, const Task& task) {
+void relax(Points& points, const HelicalFibres& fibres, double rim, const Task& task) {
   Parting parting(fibres);
   for (int sweep = 0; sweep < kRelaxations && !task.stopped(); ++sweep) {
     if (sweep < kRelaxations / 4) {
@@ -60,7 +60,7 @@ void relax(Points& points, const Threads& fibres, double rim, const Task& task) 
 
 }  // namespace
 
-Points plySection(FibreLayout layout, int count, double plyRadius_mm, const Threads& fibres, uint64_t seed,
+Points plySection(FibreLayout layout, int count, double plyRadius_mm, const HelicalFibres& fibres, uint64_t seed,
                   const Task& task) {
   if (count == 1) return {glm::dvec2(0)};
   Random random(seed);

@@ -14,7 +14,7 @@ namespace loomlight {
 /// - packed: threads of the fibres' radius (or more where they need the room) that do not overlap, disordered as far as
 ///   there is room: a hexagonal lattice of the density count * radius^2 / plyRadius^2, shaken, then relaxed. The rim
 ///   may reach beyond plyRadius by about a fibre.
-DiscCentres plySection(FibreLayout layout, int count, double plyRadius_mm, const Threads& fibres, uint64_t seed,
+DiscCentres plySection(FibreLayout layout, int count, double plyRadius_mm, const HelicalFibres& fibres, uint64_t seed,
                        const Task& task = oneThread());
 
 }  // namespace loomlight

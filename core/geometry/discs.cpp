@@ -39,11 +39,11 @@ class Buckets {
   std::vector<int> start_, members_;
 };
 
-/// How far from one another threads may lie and touch, at most.
-double farthestTouch(const DiscCentres& centres, const Threads& threads) {
+/// How far from one another fibres may lie and touch, at most.
+double farthestTouch(const DiscCentres& centres, const HelicalFibres& fibres) {
   double square = 0;
   for (const glm::dvec2& p : centres) square = std::max(square, glm::dot(p, p));
-  return 2 * threads.radius_mm / threads.cosineAt(square);
+  return 2 * fibres.radius_mm / fibres.cosineAt(square);
 }
 
 }  // namespace
@@ -60,24 +60,24 @@ bool Parting::knowsNeighbours(const DiscCentres& centres) const {
 
 void Parting::findNeighbours(const DiscCentres& centres) {
   constexpr double kSlack = 0.5;  // radii
-  slack_mm_ = kSlack * threads_.radius_mm;
+  slack_mm_ = kSlack * fibres_.radius_mm;
   looked_ = centres;
   neighbours_.clear();
-  const double near = 2 * threads_.radius_mm + slack_mm_;
-  const Buckets buckets(centres, farthestTouch(centres, threads_) + slack_mm_);
+  const double near = 2 * fibres_.radius_mm + slack_mm_;
+  const Buckets buckets(centres, farthestTouch(centres, fibres_) + slack_mm_);
   for (int i = 0; i < static_cast<int>(centres.size()); ++i)
     buckets.near(centres[i], [&](int j) {
       if (j <= i) return;
-      if (threads_.apartSquare(centres[i], centres[j]) < near * near) neighbours_.emplace_back(i, j);
+      if (fibres_.apartSquare(centres[i], centres[j]) < near * near) neighbours_.emplace_back(i, j);
     });
 }
 
 double Parting::sweep(DiscCentres& centres) {
   if (!knowsNeighbours(centres)) findNeighbours(centres);
-  const double diameter = 2 * threads_.radius_mm;
+  const double diameter = 2 * fibres_.radius_mm;
   double worst = 0;
   for (const auto& [i, j] : neighbours_) {
-    const double square = threads_.apartSquare(centres[i], centres[j]);
+    const double square = fibres_.apartSquare(centres[i], centres[j]);
     if (square >= diameter * diameter) continue;
     const double distance = std::sqrt(square);
     worst = std::max(worst, diameter - distance);
@@ -88,17 +88,6 @@ double Parting::sweep(DiscCentres& centres) {
     centres[j] += shift;
   }
   return worst;
-}
-
-double worstOverlap(const DiscCentres& centres_mm, const Threads& threads) {
-  const Buckets buckets(centres_mm, farthestTouch(centres_mm, threads));
-  double worst = 0;
-  for (size_t i = 0; i < centres_mm.size(); ++i)
-    buckets.near(centres_mm[i], [&](int j) {
-      if (static_cast<size_t>(j) > i)
-        worst = std::max(worst, 2 * threads.radius_mm - std::sqrt(threads.apartSquare(centres_mm[i], centres_mm[j])));
-    });
-  return worst / threads.radius_mm;
 }
 
 }  // namespace loomlight

@@ -11,9 +11,9 @@ namespace loomlight {
 /// Discs of equal size in a plane, by their centres.
 using DiscCentres = std::vector<glm::dvec2>;
 
-/// Threads of that radius that all wind about the origin: a section cuts them not as discs but as ellipses, the longer
-/// the way they turn the further out they lie, by 1 / cos of their helix angle.
-struct Threads {
+/// Fibres, or plies, of one radius that all wind about the origin: a section cuts them not as discs but as ellipses,
+/// the longer the way they turn the further out they lie, by 1 / cos of their helix angle.
+struct HelicalFibres {
   double radius_mm = 0;
   double turns_per_mm = 0;  ///< of length along the axis; 0: they are straight
 
@@ -32,11 +32,11 @@ struct Threads {
   }
 };
 
-/// Moves the threads of a section apart. It remembers which are neighbours until they have moved too far: keep one for
+/// Moves the fibres of a section apart. It remembers which are neighbours until they have moved too far: keep one for
 /// each section.
 class Parting {
  public:
-  explicit Parting(const Threads& threads) : threads_(threads) {}
+  explicit Parting(const HelicalFibres& fibres) : fibres_(fibres) {}
   /// One sweep: moves apart, half each, every two that overlap; the deepest overlap that was met, mm. Chains of
   /// contacts need many.
   double sweep(DiscCentres& centres_mm);
@@ -45,13 +45,10 @@ class Parting {
   void findNeighbours(const DiscCentres& centres);
   bool knowsNeighbours(const DiscCentres& centres) const;
 
-  Threads threads_;
+  HelicalFibres fibres_;
   double slack_mm_ = 0;  ///< that neighbours were looked for in, beyond where they touch
   DiscCentres looked_;   ///< where they were then
   std::vector<std::pair<int, int>> neighbours_;
 };
-
-/// Deepest overlap of any two threads, in radii; 0 where all are apart.
-double worstOverlap(const DiscCentres& centres_mm, const Threads& threads);
 
 }  // namespace loomlight

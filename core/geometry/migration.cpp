@@ -29,7 +29,7 @@ void keepWithin(DiscCentres& centres, double rim) {
 
 /// As threads that push one another aside: discs apart at every stage, within the rim, and straight from stage to
 /// stage, the less so the nearer to the end. Where there is too little room for all, they overlap.
-void partThreads(std::vector<DiscCentres>& stages, const Threads& fibres, double rim, const Task& task) {
+void partFibres(std::vector<DiscCentres>& stages, const HelicalFibres& fibres, double rim, const Task& task) {
   constexpr double kTouching = 0.01;  // overlap, in radii, that counts as none
   std::vector<Parting> partings(stages.size(), Parting(fibres));
   std::vector<double> overlaps(stages.size());
@@ -56,7 +56,7 @@ Migration::Migration(const DiscCentres& section) {
   keep({section});
 }
 
-Migration::Migration(const DiscCentres& section, FibreLayout layout, double amount, const Threads& fibres,
+Migration::Migration(const DiscCentres& section, FibreLayout layout, double amount, const HelicalFibres& fibres,
                      uint64_t seed, const Task& task) {
   Random random(seed);
   std::vector<double> phases(section.size());
@@ -65,7 +65,7 @@ Migration::Migration(const DiscCentres& section, FibreLayout layout, double amou
   for (int k = 0; k < kStages; ++k)
     for (size_t i = 0; i < section.size(); ++i)
       stages[k][i] *= 1 - 0.5 * amount * (1 - std::cos(2 * kPi * (static_cast<double>(k) / kStages + phases[i])));
-  if (layout == FibreLayout::packed) partThreads(stages, fibres, reachOf(section), task);
+  if (layout == FibreLayout::packed) partFibres(stages, fibres, reachOf(section), task);
   keep(stages);
 }
 

@@ -19,7 +19,7 @@ class Migration {
   explicit Migration(const DiscCentres& section);
   /// Each fibre goes from its place to 1 - `amount` of the way out to it and back, out of step with the others (Zhao et
   /// al. 2016, Eq. 3). Packed ones go round one another; unfinished when the task is stopped.
-  Migration(const DiscCentres& section, FibreLayout layout, double amount, const Threads& fibres, uint64_t seed,
+  Migration(const DiscCentres& section, FibreLayout layout, double amount, const HelicalFibres& fibres, uint64_t seed,
             const Task& task = oneThread());
 
   int fibres() const { return fibres_; }

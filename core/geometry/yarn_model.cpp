@@ -25,10 +25,10 @@ int migrations(const YarnGeometry& g) {
 /// The room that packed fibres keep in their section. Flattened, it is lower by upScale(), and they turn in it, so all
 /// ways round they need the room that they have least of; and their chords lie inside the curve, so that halfway
 /// between stations the section is narrower. But no more than leaves discs in disorder (random close packing).
-Threads roomOfFibres(const YarnModel& m) {
+HelicalFibres roomOfFibres(const YarnModel& m) {
   constexpr double kFullest = 0.82;
   const YarnGeometry& g = m.geometry;
-  Threads fibres{g.fibreRadius_mm, g.fibreSpin() / (g.period * g.cellLength_mm)};
+  HelicalFibres fibres{g.fibreRadius_mm, g.fibreSpin() / (g.period * g.cellLength_mm)};
   fibres.radius_mm /= std::min(m.upScale(), m.acrossScale());
   if (fibres.turns_per_mm != 0) fibres.radius_mm *= 1 + kSagitta * g.fibreRadius_mm / g.plyRadius_mm;
   const double typicalCosine = fibres.cosineAt(0.5 * g.plyRadius_mm * g.plyRadius_mm);
@@ -39,7 +39,7 @@ Threads roomOfFibres(const YarnModel& m) {
 
 void laySections(YarnModel& m, const Task& task) {
   const YarnGeometry& g = m.geometry;
-  Threads fibres = roomOfFibres(m);
+  HelicalFibres fibres = roomOfFibres(m);
   if (m.source.sketched) fibres.radius_mm *= 0.1;  // thin threads hardly have to be parted
   const FibreLayout onTheirWay = m.source.sketched ? FibreLayout::random : g.layout;
   m.plies.clear();

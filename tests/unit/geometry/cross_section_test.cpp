@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/base/random.h"
+#include "tests/support/worst_overlap.h"
 
 namespace loomlight {
 namespace {
@@ -16,7 +17,7 @@ TEST(PackedSection, FibresDoNotOverlap) {
       const double radius = std::sqrt(count / packing);
       const auto fibres = plySection(FibreLayout::packed, count, radius, {1}, 42);
       ASSERT_EQ(fibres.size(), static_cast<size_t>(count));
-      EXPECT_LE(worstOverlap(fibres, {1}), 0.02) << count << " fibres, packing " << packing;
+      EXPECT_LE(test::worstOverlap(fibres, {1}), 0.02) << count << " fibres, packing " << packing;
       for (const glm::dvec2& p : fibres) EXPECT_LE(glm::length(p), radius + 0.2) << packing << " " << count;
     }
 }
@@ -68,7 +69,7 @@ TEST(RandomSection, IsUniformInTheDisc) {
 }
 
 TEST(RandomSection, AllowsOverlaps) {
-  EXPECT_GT(worstOverlap(plySection(FibreLayout::random, 165, std::sqrt(165 / 0.55), {1}, 9), {1}), 0.5);
+  EXPECT_GT(test::worstOverlap(plySection(FibreLayout::random, 165, std::sqrt(165 / 0.55), {1}, 9), {1}), 0.5);
 }
 
 TEST(Section, CentroidIsTheAxis) {
@@ -83,18 +84,6 @@ TEST(Section, IsAFunctionOfItsSeed) {
   const auto section = [](uint64_t seed) { return plySection(FibreLayout::packed, 60, 11, {1}, seed); };
   EXPECT_EQ(section(1), section(1));
   EXPECT_NE(section(1), section(2));
-}
-
-TEST(WorstOverlap, IsTheBruteForceAnswer) {
-  Random random(4);
-  for (int round = 0; round < 20; ++round) {
-    std::vector<glm::dvec2> points;
-    for (int i = 0; i < 50; ++i) points.push_back({30 * random.uniformDouble(), 30 * random.uniformDouble()});
-    double worst = 0;
-    for (size_t i = 0; i < points.size(); ++i)
-      for (size_t j = 0; j < i; ++j) worst = std::max(worst, 2 - glm::distance(points[i], points[j]));
-    EXPECT_DOUBLE_EQ(worstOverlap(points, {1}), worst);
-  }
 }
 
 }  // namespace

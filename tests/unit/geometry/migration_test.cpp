@@ -6,6 +6,7 @@
 
 #include "core/geometry/cross_section.h"
 #include "core/geometry/yarn_model.h"
+#include "tests/support/worst_overlap.h"
 
 namespace loomlight {
 namespace {
@@ -28,8 +29,8 @@ TEST(Migration, OfPackedFibresHasThemGoRoundOneAnother) {
   const Migration alone(section(FibreLayout::packed, 0.5), FibreLayout::random, kAmount, {1}, 11);
   double worst = 0, worstAlone = 0;
   for (int i = 0; i < 100; ++i) {  // at the stages and between them
-    worst = std::max(worst, worstOverlap(placesAt(ply, 0.01 * i), {1}));
-    worstAlone = std::max(worstAlone, worstOverlap(placesAt(alone, 0.01 * i), {1}));
+    worst = std::max(worst, test::worstOverlap(placesAt(ply, 0.01 * i), {1}));
+    worstAlone = std::max(worstAlone, test::worstOverlap(placesAt(alone, 0.01 * i), {1}));
   }
   EXPECT_LT(worst, 0.1);
   EXPECT_GT(worstAlone, 1);
@@ -116,7 +117,7 @@ TEST(FlattenedSection, PackedFibresDoNotOverlapHoweverItTurns) {
       places.emplace_back(yarn->upScale() * (std::cos(turn) * p.x - std::sin(turn) * p.y),
                           yarn->acrossScale() * (std::sin(turn) * p.x + std::cos(turn) * p.y));
     }
-    EXPECT_LT(worstOverlap(places, {yarn->geometry.fibreRadius_mm}), 0.02) << degrees;
+    EXPECT_LT(test::worstOverlap(places, {yarn->geometry.fibreRadius_mm}), 0.02) << degrees;
   }
 }
 
