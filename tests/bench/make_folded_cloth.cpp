@@ -3,7 +3,7 @@
 #include <fstream>
 #include <iostream>
 
-#include "core/shell/cloth_drop.h"
+#include "tests/bench/cloth_drop.h"
 
 int main(int argc, char** argv) {
   const char* file = argc > 1 ? argv[1] : LOOMLIGHT_SAMPLES "/folded_cloth.obj";

@@ -1,4 +1,4 @@
-#include "core/shell/cloth_drop.h"
+#include "tests/bench/cloth_drop.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
