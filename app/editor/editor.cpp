@@ -104,12 +104,6 @@ class Frames {
 
 }  // namespace
 
-bool hasDisplay() {
-  if (!glfwInit()) return false;
-  glfwTerminate();
-  return true;
-}
-
 int runEditor(const EditorOptions& options) {
   Settings settings = readSettings(settingsFile());
   Document document(settings.hintsSeen ? sampleFabric() : welcomeFabric());

@@ -16,7 +16,4 @@ struct EditorOptions {
 /// file that cannot be read is said in the window.
 int runEditor(const EditorOptions& options);
 
-/// Whether a window can be opened at all here; cheap.
-bool hasDisplay();
-
 }  // namespace loomlight

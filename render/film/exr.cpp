@@ -207,10 +207,6 @@ Image readExr(const std::string& file) {
   return guarded(file, readImage);
 }
 
-std::map<std::string, std::string> readExrMetadata(const std::string& file) {
-  return guarded(file, [](const std::string& name) { return textsOf(Imf::InputFile(name.c_str()).header()); });
-}
-
 PictureExtent readExrExtent(const std::string& file) {
   return guarded(file, [](const std::string& name) {
     const Imf::InputFile input(name.c_str());

@@ -142,12 +142,6 @@ float Film::alpha(int x, int y) const {
   return p.samples == 0 ? 0.0f : static_cast<float>(static_cast<double>(p.hits) / p.samples);
 }
 
-double Film::totalEvents() const {
-  uint64_t events = 0;
-  for (const Pixel& p : pixels_) events += p.events;
-  return static_cast<double>(events);
-}
-
 void Film::toDisplayBuffer(std::vector<glm::vec4>& rgba, int threads) const {
   rgba.resize(pixels_.size());
   parallelFor(static_cast<size_t>(height_), threads, [&](size_t row) {

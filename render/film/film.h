@@ -65,7 +65,6 @@ class Film {
   };
   /// Of the lowest-numbered sample that met a fibre. Indices beyond 2^24 are kept as 2^24.
   Hit hit(int x, int y) const;
-  double totalEvents() const;
 
   /// Linear mean radiance and alpha, premultiplied as alpha already is in the mean: width * height, row by row from the
   /// top left. Reuses the memory of `rgba`. `threads`: 0 for all.

@@ -29,8 +29,6 @@ struct PictureExtent {
 /// rename it, so that a picture is whole or the old one is still there. Sizes beyond 16384 x 16384 are refused. `dpi`:
 /// pixels per inch, which is how large it is on paper; 0 where it has no size of its own.
 Image readExr(const std::string& file);
-/// Only its texts, without the pixels.
-std::map<std::string, std::string> readExrMetadata(const std::string& file);
 /// Only how large it says it is.
 PictureExtent readExrExtent(const std::string& file);
 PictureExtent readPngExtent(const std::string& file);

@@ -1,13 +1,6 @@
 #include "render/light/lighting.h"
 
-#include <fmt/core.h>
-
-#include <cmath>
-
-#include "core/base/error.h"
-#include "core/base/parallel.h"
 #include "render/colour/spectrum.h"
-#include "render/light/lat_long.h"
 #include "render/light/surroundings.h"
 
 namespace loomlight {
@@ -49,15 +42,6 @@ std::filesystem::file_time_type writtenAt(const Light& light) {
                                               : std::filesystem::file_time_type::min();
 }
 
-Image tinted(Image image, Rgb tint) {
-  constexpr const char* kNames[] = {"R", "G", "B"};
-  for (Image::Channel& channel : image.channels)
-    for (int c = 0; c < 3; ++c)
-      if (channel.name == kNames[c])
-        for (float& value : channel.values) value *= tint[c];
-  return image;
-}
-
 }  // namespace
 
 Lighting::Lighting(const Light& light, glm::vec3 eye_mm, float reach_mm, const Lighting* previous)
@@ -94,28 +78,6 @@ std::optional<LightSample> Lighting::sample(glm::vec3 p, Random& random) const {
 
 float Lighting::pdf(glm::vec3 d) const {
   return std::visit([&](const auto& light) { return light.pdf(d); }, light_);
-}
-
-Image environmentImage(const Light& light, int width) {
-  if (width < 2 || width > 16384 || width % 2 != 0)
-    throw InputError(fmt::format("an environment {} pixels wide: expected an even number from 2 to 16384", width));
-  if (light.kind == LightKind::sky) return tinted(SkyLight(light).image(width), blackBodyTint(light.temperature_K));
-
-  const Lighting lighting(light, glm::vec3(0));
-  Image image;
-  image.width = width;
-  image.height = width / 2;
-  for (const char* name : {"R", "G", "B"}) image.add(name);
-  parallelFor(static_cast<size_t>(image.height), 0, [&](size_t y) {
-    const auto cosTheta = static_cast<float>(std::cos(kPi * (static_cast<double>(y) + 0.5) / image.height));
-    for (size_t x = 0; x < static_cast<size_t>(width); ++x) {
-      const Rgb radiance =
-          lighting.escape(latLongDirection((static_cast<float>(x) + 0.5f) / static_cast<float>(width), cosTheta));
-      for (int c = 0; c < 3; ++c)
-        image.channels[static_cast<size_t>(c)].values[y * static_cast<size_t>(width) + x] = radiance[c];
-    }
-  });
-  return image;
 }
 
 }  // namespace loomlight

@@ -7,7 +7,6 @@
 
 #include "core/base/random.h"
 #include "core/fabric/model/fabric.h"
-#include "render/film/image.h"
 #include "render/light/environment_light.h"
 #include "render/light/light_sample.h"
 #include "render/light/simple_lights.h"
@@ -46,9 +45,5 @@ class Lighting {
   std::variant<UniformLight, SkyLight, EnvironmentLight, Headlight, DirectionalLight> light_;
   Rgb tint_;  ///< of its temperature; directions are chosen without it
 };
-
-/// What escape() sees, as a lat-long image (R, G, B; width x width / 2) that EnvironmentLight reads back with azimuth
-/// 0: a sky to look at, to edit, or to use elsewhere. Width 2..16384. Delta lights give black.
-Image environmentImage(const Light& light, int width);
 
 }  // namespace loomlight

@@ -4,8 +4,6 @@
 #include <limits>
 #include <vector>
 
-#include "core/base/parallel.h"
-#include "render/film/image.h"
 #include "render/light/lat_long.h"
 
 namespace loomlight {
@@ -89,40 +87,6 @@ std::optional<LightSample> SkyLight::sample(glm::vec3, Random& random) const {
   // A direction on the very edge of the sun may round out of it, over a part of the table that is never drawn.
   if (!(sample.pdf > 0) || sample.radiance == Rgb(0)) return std::nullopt;
   return sample;
-}
-
-Image SkyLight::image(int width) const {
-  Image image;
-  image.width = width;
-  image.height = width / 2;
-  const auto columns = static_cast<size_t>(image.width), rows = static_cast<size_t>(image.height);
-  for (const char* name : {"R", "G", "B"}) image.add(name);
-  const auto put = [&](size_t pixel, Rgb radiance) {
-    for (int c = 0; c < 3; ++c) image.channels[static_cast<size_t>(c)].values[pixel] += radiance[c] * intensity_;
-  };
-  parallelFor(rows, 0, [&](size_t y) {
-    const auto cosTheta =
-        static_cast<float>(std::cos(kPi * (static_cast<double>(y) + 0.5) / static_cast<double>(rows)));
-    for (size_t x = 0; x < columns; ++x)
-      put(y * columns + x,
-          daylight_.radiance(latLongDirection((static_cast<float>(x) + 0.5f) / static_cast<float>(columns), cosTheta)));
-  });
-  if (sunChance_ <= 0) return image;
-
-  // Points spread evenly over the disc by the golden angle; each brings its share to the pixel it falls into.
-  constexpr int kPoints = 4096;
-  for (int i = 0; i < kPoints; ++i) {
-    const glm::vec3 d =
-        sunPoint((static_cast<float>(i) + 0.5f) / kPoints, std::fmod(2.3999632f * static_cast<float>(i), 6.2831853f));
-    if (d.z <= 0) continue;
-    const auto x = static_cast<size_t>(cellOf(latLongU(d), image.width));
-    const auto y = static_cast<size_t>(cellOf(latLongV(d), image.height));
-    const double top = kPi * static_cast<double>(y) / static_cast<double>(rows),
-                 bottom = top + kPi / static_cast<double>(rows);
-    const double pixelSolidAngle = (std::cos(top) - std::cos(bottom)) * 2 * kPi / static_cast<double>(columns);
-    put(y * columns + x, daylight_.sunRadiance() * static_cast<float>(kSunSolidAngle / kPoints / pixelSolidAngle));
-  }
-  return image;
 }
 
 }  // namespace loomlight

@@ -10,8 +10,6 @@
 
 namespace loomlight {
 
-struct Image;
-
 /// Sky, ground and sun. The sun is sampled as a cone, the rest by a table of its luminance; which of both, by power.
 class SkyLight {
  public:
@@ -21,8 +19,6 @@ class SkyLight {
   bool wantsSampling() const { return true; }
   std::optional<LightSample> sample(glm::vec3 p, Random& random) const;
   float pdf(glm::vec3 d) const;
-  /// Lat-long, width x width / 2. The sun's power goes to the pixels it covers.
-  Image image(int width) const;
 
  private:
   bool inSun(glm::vec3 d) const;

@@ -41,7 +41,6 @@ class Window {
 
   bool closeWanted() const;
   void refuseClose();
-  bool isFullScreen() const { return fullScreen_; }
   void setFullScreen(bool on);
   ImVec2 sizeInWindow() const;  ///< as it is to be opened again: not that of full screen
   std::vector<std::string> takeDroppedFiles();

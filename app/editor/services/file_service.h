@@ -40,7 +40,6 @@ class FileService {
     std::string file;
   };
   const std::optional<Busy>& busy() const { return busy_; }
-  bool isBusyWith(Work work) const { return busy_ && busy_->work == work; }
   bool isReading() const { return busy_ && busy_->work < Work::save; }
   /// An export is not, once it was asked for; a save only once.
   bool canCancel() const { return busy_ && busy_->work != Work::exportTo && !cancelled_; }

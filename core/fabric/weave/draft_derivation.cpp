@@ -167,20 +167,4 @@ Draft withShed(const Draft& draft, bool rising) {
   return other;
 }
 
-Weave backOf(const Weave& weave) {
-  std::vector<Weave::SharedRow> rows;
-  std::unordered_map<const uint8_t*, Weave::SharedRow> turned;  // picks that share a row share the turned one
-  for (int pick = 0; pick < weave.picks(); ++pick) {
-    const std::span<const uint8_t> row = weave.row(pick);
-    Weave::SharedRow& back = turned[row.data()];
-    if (!back) {
-      Weave::Row cells(row.rbegin(), row.rend());
-      for (uint8_t& cell : cells) cell = cell ? 0 : 1;
-      back = std::make_shared<const Weave::Row>(std::move(cells));
-    }
-    rows.push_back(back);
-  }
-  return Weave(std::move(rows));
-}
-
 }  // namespace loomlight

@@ -26,7 +26,4 @@ Draft withTreadles(Draft draft);
 /// liftplan says what goes up in either shed, and stays alone.
 Draft withShed(const Draft& draft, bool rising);
 
-/// The cloth seen from its back, turned over like a page: ends from right to left, up for down.
-Weave backOf(const Weave& weave);
-
 }  // namespace loomlight

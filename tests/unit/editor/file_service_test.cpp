@@ -39,7 +39,8 @@ class FileDeskTest : public testing::Test {
 
 TEST_F(FileDeskTest, SavesAndOpens) {
   service_.save(at("a.json"), named("Tweed"), 7);
-  EXPECT_TRUE(service_.isBusyWith(FileService::Work::save));
+  ASSERT_TRUE(service_.busy());
+  EXPECT_EQ(service_.busy()->work, FileService::Work::save);
   const auto saved = result();
   ASSERT_TRUE(saved);
   EXPECT_EQ(saved->problem, "");

@@ -106,8 +106,7 @@ TEST(Exr, RoundTripKeepsTexts) {
                     {"empty", ""},
                     {"zeros", std::string("a\0b", 3)}};
   writeExr(folder.file("a.exr"), image);
-  const auto texts = readExrMetadata(folder.file("a.exr"));
-  EXPECT_EQ(texts, readExr(folder.file("a.exr")).metadata);
+  const auto texts = readExr(folder.file("a.exr")).metadata;
   for (const auto& [key, value] : image.metadata) {
     ASSERT_TRUE(texts.contains(key)) << key;
     EXPECT_EQ(texts.at(key), value) << key;

@@ -210,14 +210,6 @@ TEST(Film, DisplayBufferIsMeanAndAlpha) {
       EXPECT_EQ(rgba[static_cast<size_t>(y * kWidth + x)], glm::vec4(film.mean(x, y), film.alpha(x, y)));
 }
 
-TEST(Film, CountsEvents) {
-  Film film(2, 1);
-  PathSample s;
-  s.events = 4000000000u;
-  for (uint32_t i = 0; i < 3; ++i) film.add(static_cast<int>(i % 2), 0, i, s);
-  EXPECT_EQ(film.totalEvents(), 12e9);
-}
-
 TEST(Film, RefusesImpossibleSizes) {
   EXPECT_THROW(Film(0, 1), InputError);
   EXPECT_THROW(Film(1, -1), InputError);

@@ -12,6 +12,7 @@
 #include "render/film/image.h"
 #include "render/light/lat_long.h"
 #include "render/light/lighting.h"
+#include "tests/support/surroundings.h"
 
 namespace loomlight {
 namespace {
@@ -140,24 +141,24 @@ TEST(EnvironmentLight, MissingFilesAreNamed) {
   }
 }
 
-TEST(EnvironmentLight, AnExportedSkyLightsLikeTheSky) {
+TEST(EnvironmentLight, AnImageOfTheSkyLightsLikeTheSky) {
   Light sky;
-  sky.elevation_deg = 30;
+  sky.elevation_deg = -2;  // the sun is below the horizon: no pixel could show it as small as it is
   const std::string file =
       (std::filesystem::temp_directory_path() / ("loomlight-sky-" + std::to_string(getpid()) + ".exr")).string();
-  writeExr(file, environmentImage(sky, 512));
+  writeExr(file, test::surroundings(sky, 512));
   Light exported = turned(0);
   exported.file = file;
   const Lighting original(sky, {0, 0, 1}), copy(exported, {0, 0, 1});
   std::filesystem::remove(file);
-  // Away from the sun, radiance itself; the horizon is as sharp as a pixel.
+  // Radiance itself; the horizon is as sharp as a pixel.
   Random random(3);
   for (int i = 0; i < 200; ++i) {
     const glm::vec3 d = latLongDirection(random.uniform(), 2 * random.uniform() - 1);
-    if (std::abs(d.z) < 0.02f || glm::dot(d, glm::vec3(directionOf(130, 30))) > 0.98f) continue;
+    if (std::abs(d.z) < 0.02f) continue;
     EXPECT_NEAR(copy.escape(d).g, original.escape(d).g, 0.02f * original.escape(d).g);
   }
-  // All of it by sampling: irradiance of the horizontal, sun included.
+  // All of it by sampling: irradiance of the horizontal.
   const auto irradiance = [](const Lighting& lighting) {
     Random r(5);
     double sum = 0;
@@ -168,7 +169,7 @@ TEST(EnvironmentLight, AnExportedSkyLightsLikeTheSky) {
     }
     return sum / n;
   };
-  // Standard errors are 0.15 % each; bilinear interpolation moves the sun's light by less than a pixel.
+  // Standard errors are 0.15 % each; bilinear interpolation moves the light by less than a pixel.
   EXPECT_NEAR(irradiance(copy) / irradiance(original), 1, 0.015);
 }
 

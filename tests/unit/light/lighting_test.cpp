@@ -11,6 +11,7 @@
 #include "render/colour/spectrum.h"
 #include "render/light/daylight.h"
 #include "render/light/lat_long.h"
+#include "tests/support/surroundings.h"
 #include "tests/unit/film/scratch_folder.h"
 
 namespace loomlight {
@@ -64,17 +65,6 @@ TEST(Lighting, TemperatureTintsWhatArrivesAndLeavesTheDirectionsAlone) {
       EXPECT_EQ(warm * a->radiance, b->radiance);
       EXPECT_EQ(warm * neutral.escape(a->wi), tinted.escape(a->wi));
     }
-  }
-}
-
-TEST(Lighting, EnvironmentImagesAreTinted) {
-  Light light;
-  const Image neutral = environmentImage(light, 16);
-  light.temperature_K = 2700;
-  const Image warm = environmentImage(light, 16);
-  for (int c = 0; c < 3; ++c) {
-    const auto channel = static_cast<size_t>(c);
-    EXPECT_FLOAT_EQ(warm.channels[channel].values[20], blackBodyTint(2700)[c] * neutral.channels[channel].values[20]);
   }
 }
 
@@ -149,42 +139,6 @@ TEST(Lighting, MidnightIsDarkAndHarmless) {
   EXPECT_TRUE(std::isfinite(night.pdf({0, 0, 1})));
 }
 
-TEST(Lighting, AnImageOfTheSkyHoldsThePowerOfTheSunAtAnyWidth) {
-  Light light;
-  light.elevation_deg = 25;
-  const Daylight daylight(light.turbidity, light.azimuth_deg, light.elevation_deg);
-  const double half = Daylight::sunHalfAngle_deg * kPi / 180;
-  const double expected = daylight.sunRadiance().g * 2 * kPi * (1 - std::cos(half));
-  for (const int width : {16, 64, 256}) {
-    const Image image = environmentImage(light, width);
-    ASSERT_EQ(image.height, width / 2);
-    double sun = 0;  // what the pixels have beyond the sky at their centres
-    for (int y = 0; y < image.height; ++y) {
-      const double solidAngle =
-          (std::cos(kPi * y / image.height) - std::cos(kPi * (y + 1) / image.height)) * 2 * kPi / width;
-      const auto centre = static_cast<float>(std::cos(kPi * (y + 0.5) / image.height));
-      for (int x = 0; x < width; ++x) {
-        const glm::vec3 d = latLongDirection((static_cast<float>(x) + 0.5f) / static_cast<float>(width), centre);
-        sun += (image.find("G")->values[static_cast<size_t>(y * width + x)] - daylight.radiance(d).g) * solidAngle;
-      }
-    }
-    EXPECT_NEAR(sun, expected, 5e-4 * expected) << width;
-  }
-}
-
-TEST(Lighting, EnvironmentImagesHaveSensibleWidths) {
-  for (const int width : {0, -4, 3, 16386}) EXPECT_THROW(environmentImage(Light{}, width), InputError);
-}
-
-TEST(Lighting, EnvironmentImageOfADomeIsWhiteAbove) {
-  Light light;
-  light.kind = LightKind::dome;
-  const Image image = environmentImage(light, 8);
-  EXPECT_EQ(image.find("R")->values[0], 1);
-  EXPECT_EQ(image.find("B")->values[15], 1);
-  EXPECT_EQ(image.find("G")->values[16], 0);
-}
-
 TEST(Headlight, IsAsBrightOnWhatTheCameraLooksAtWhereverThatIs) {
   Light light;
   light.kind = LightKind::headlight;
@@ -205,7 +159,7 @@ TEST(Lighting, ReadsAnEnvironmentOnce) {
   light.file = folder.file("room.exr");
   Light source;
   source.kind = LightKind::sky;
-  writeExr(light.file, environmentImage(source, 64));
+  writeExr(light.file, test::surroundings(source, 64));
   const Lighting first(light, {0, 0, 60}, 60);
   const auto written = std::filesystem::last_write_time(light.file);
   std::filesystem::resize_file(light.file, 10);

@@ -14,6 +14,7 @@
 #include "core/fabric/model/wif_origin.h"
 #include "render/transport/path_tracer.h"
 #include "tests/support/every_medium.h"
+#include "tests/support/surroundings.h"
 
 namespace loomlight {
 namespace {
@@ -217,9 +218,9 @@ TEST_P(FieldStages, OfTheDrape) {
 TEST_P(FieldStages, OfTheLight) {
   const std::filesystem::path folder = testing::TempDir();
   Light sky;
-  writeExr((folder / "field_stages.exr").string(), environmentImage(sky, 16));
+  writeExr((folder / "field_stages.exr").string(), test::surroundings(sky, 16));
   sky.azimuth_deg = 10;
-  writeExr((folder / "another field_stages.exr").string(), environmentImage(sky, 16));
+  writeExr((folder / "another field_stages.exr").string(), test::surroundings(sky, 16));
   const auto surrounded = [&](Fabric& f) {
     f.light.kind = LightKind::environment;
     f.light.file = (folder / "field_stages.exr").string();

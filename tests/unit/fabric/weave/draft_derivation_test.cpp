@@ -84,11 +84,5 @@ TEST(DraftConversions, AnotherShedKeepsTreadlingAndComplementsTheTieUp) {
   EXPECT_EQ(withShed(sinking, true), draft);
 }
 
-TEST(BackOf, IsTurnedLikeAPage) {
-  const Weave weave(std::vector<Weave::Row>{{1, 0, 0}, {1, 1, 0}});
-  EXPECT_EQ(backOf(weave), Weave(std::vector<Weave::Row>{{1, 1, 0}, {1, 0, 0}}));
-  EXPECT_EQ(backOf(backOf(damaskJacquard(40, 30))), damaskJacquard(40, 30));
-}
-
 }  // namespace
 }  // namespace loomlight
