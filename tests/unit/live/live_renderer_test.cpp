@@ -331,8 +331,10 @@ TEST(TruthLens, ComparesBothPicturesAndTheVolumeGoesOn) {
   renderer.request(view(fabric, 1));
   const PixelRect place{20, 10, 24, 16};
   renderer.lens(LensRequest{place, 4e9});
+  constexpr int kSamples = 64;  // as many as the pictures below: with half of the noise that would hide the difference
   ASSERT_TRUE(window.waitFor([&] {
-    return renderer.lensFrame() && renderer.lensFrame()->difference && renderer.lensFrame()->fibres->samples >= 16;
+    const auto seen = renderer.lensFrame();
+    return seen && seen->difference && seen->fibres->samples >= kSamples && renderer.frame()->samples >= kSamples;
   }));
   const int before = renderer.frame()->samples;
   EXPECT_TRUE(window.waitFor([&] { return renderer.frame()->samples > before; }));
@@ -346,7 +348,7 @@ TEST(TruthLens, ComparesBothPicturesAndTheVolumeGoesOn) {
     const auto scene = test::sceneOf(other);
     const auto medium = makeMedium(*scene, 4e9, Task{});
     Film film(64, 48);
-    renderUpTo(64, *scene, *medium, CameraRays(fabric.camera, 64, 48), film, place, Task{});
+    renderUpTo(kSamples, *scene, *medium, CameraRays(fabric.camera, 64, 48), film, place, Task{});
     return film;
   };
   const Film volume = traced(Method::volume), fibres = traced(Method::fibres);
