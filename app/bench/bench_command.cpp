@@ -113,6 +113,7 @@ int run(const BenchCommand& command) {
   task.stop = interrupt.token();
   task.threads = command.threads;
   Fabric fabric = withOptions(fabricFromFile(command.input), command.options);
+  if (!command.options.samplesPerPixel) fabric.render.samplesPerPixel = BenchCommand::kSamples;
   validate(fabric, command.input);
   std::vector<Row> rows(command.resolutions.size());
   for (size_t i = 0; i < rows.size(); ++i) {

@@ -14,6 +14,8 @@ struct BenchCommand {
   std::string input;
   FabricOptions options;
   std::vector<int> resolutions{1, 2, 4, 8};
+  /// Per pixel, where the options do not say: a fabric's own number, for a picture without noise, would take an hour.
+  static constexpr int kSamples = 2;
   int rounds = 3;   ///< medians are of this many
   int threads = 1;  ///< figures per core are cleanest on one
   bool json = false;
