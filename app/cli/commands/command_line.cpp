@@ -3,6 +3,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <type_traits>
+#include <utility>
 
 #include "app/cli/commands/measuring_options.h"
 #include "app/cli/common_options.h"
@@ -138,83 +143,99 @@ void addTrace(CLI::App& app, TraceCommand& command) {
   addPathOptions(app, command);
 }
 
+void checkRender(const RenderCommand& command) {
+  if (command.input.empty() && command.resume.empty()) throw UsageError("render: expected a FABRIC, or --resume");
+}
+
+void checkBrdf(const BrdfCommand& command) {
+  if (command.options.light && command.lightAngle_deg)
+    throw UsageError("--light-angle: expected it alone or --light alone, got both");
+}
+
+void checkCompare(const CompareCommand& command) {
+  if (command.yardstickAgain && !command.yardstick) throw UsageError("--yardstick-again: expected --yardstick as well");
+}
+
+void addUi(CLI::App& app, UiBenchCommand& command) {
+  addUiBench(app, command.options);
+}
+
+ReportBenchCommand reportBench(ReportBenchCommand::Suite suite, const char* folder) {
+  return {suite, {folder, false, defaultMemoryLimit_bytes()}};
+}
+
+/// The words that choose a command, each with the options that it takes.
+class CommandWords {
+ public:
+  /// `options`: what they are where none is given. `check`: throws UsageError for those that do not go together.
+  template <class Options>
+  void add(CLI::App& under, const char* word, const char* help, void (*addOptions)(CLI::App&, Options&),
+           std::type_identity_t<Options> options = {}, void (*check)(const std::type_identity_t<Options>&) = nullptr) {
+    CLI::App* const app = under.add_subcommand(word, help);
+    const auto given = std::make_shared<Options>(std::move(options));
+    addOptions(*app, *given);
+    choices_.emplace_back(app, [given, check]() -> Command {
+      if (check) check(*given);
+      return *given;
+    });
+  }
+  /// None where no word was given.
+  std::optional<Command> chosen() const {
+    for (const auto& [app, command] : choices_)
+      if (*app) return command();
+    return std::nullopt;
+  }
+
+ private:
+  std::vector<std::pair<CLI::App*, std::function<Command()>>> choices_;
+};
+
+void addBenches(CommandWords& words, CLI::App& benches) {
+  using Suite = ReportBenchCommand::Suite;
+  words.add(benches, "volume", "voxels, memory and speed at several resolutions", addVolumeBench);
+  words.add(benches, "table1", "Table 1 of the report: explicit fibres and the volume", addReportBench,
+            reportBench(Suite::table1, "bench-table1"));
+  words.add(benches, "figures", "the report's figures, ours beside explicit fibres", addReportBench,
+            reportBench(Suite::figures, "bench-figures"));
+  words.add(benches, "accuracy", "how near the volume comes to its own fibres, by every estimator", addReportBench,
+            reportBench(Suite::accuracy, "bench-accuracy"));
+  words.add(benches, "edit", "how soon the editor shows an edit, of every kind and on cloths of every size",
+            addEditBench, {"bench-edit"});
+  words.add(benches, "ui", "how long the window's thread does anything but draw while all is rebuilt", addUi);
+  words.add(benches, "converge", "how fast pictures converge, with each way of sampling paths on and off",
+            addConvergeBench, {"bench-converge"});
+  words.add(benches, "clear", "how soon after an edit the editor's picture is clear, on every drape and light",
+            addClearBench, {"bench-clear"});
+}
+
 }  // namespace
 
 Command parseCommandLine(const std::vector<std::string>& words) {
-  EditCommand edit;
-  RenderCommand render;
-  InfoCommand info;
-  ConvertCommand convert;
-  TileCommand tile;
-  ThumbnailCommand thumbnail;
-  BenchCommand bench;
-  TraceCommand trace;
-  CompareCommand compare;
-  BvdfCommand bvdf;
-  BrdfCommand brdf;
-  ReportBenchCommand table1{ReportBenchCommand::Suite::table1, {"bench-table1", false, defaultMemoryLimit_bytes()}};
-  ReportBenchCommand figures{ReportBenchCommand::Suite::figures, {"bench-figures", false, defaultMemoryLimit_bytes()}};
-  ReportBenchCommand accuracy{ReportBenchCommand::Suite::accuracy,
-                              {"bench-accuracy", false, defaultMemoryLimit_bytes()}};
-  EditBenchCommand editBench{"bench-edit"};
-  UiBenchCommand uiBench;
-  ConvergeBenchCommand convergeBench{"bench-converge"};
-  ClearBenchCommand clearBench{"bench-clear"};
-
   CLI::App app("Woven fabric, path-traced from the optics of its fibres.", "loomlight");
   if (const auto samples = sampleFolder()) app.footer("Fabrics to begin with: " + samples->string());
   app.set_version_flag("--version", [] { return versionText(); });
   app.require_subcommand(0, 1);
+  EditCommand edit;
   addEdit(app, edit.options);
-  CLI::App* const edits = app.add_subcommand("edit", "open the editor (also without this word)");
-  addEdit(*edits, edit.options);
-  CLI::App* const renders = app.add_subcommand("render", "render a fabric to a picture");
-  addRender(*renders, render);
-  CLI::App* const informs = app.add_subcommand("info", "what follows from a fabric: mass, cover, floats, voxels");
-  addInfo(*informs, info);
-  CLI::App* const converts = app.add_subcommand("convert", "between fabrics, drafts and weave bitmaps");
-  addConvert(*converts, convert);
-  CLI::App* const tiles =
-      app.add_subcommand("tile", "a seamless tile for other programs: color, normal, height, opacity");
-  addTile(*tiles, tile);
-  CLI::App* const thumbnails = app.add_subcommand("thumbnail", "a small picture of the weave, for file managers");
-  addThumbnail(*thumbnails, thumbnail);
-  CLI::App* const traces = app.add_subcommand("trace", "the path of one sample of one pixel, event by event");
-  addTrace(*traces, trace);
+  addEdit(*app.add_subcommand("edit", "open the editor (also without this word)"), edit.options);
+  CommandWords commands;
+  commands.add(app, "render", "render a fabric to a picture", addRender, {}, checkRender);
+  commands.add(app, "info", "what follows from a fabric: mass, cover, floats, voxels", addInfo);
+  commands.add(app, "convert", "between fabrics, drafts and weave bitmaps", addConvert, {}, checkConvert);
+  commands.add(app, "tile", "a seamless tile for other programs: color, normal, height, opacity", addTile);
+  commands.add(app, "thumbnail", "a small picture of the weave, for file managers", addThumbnail);
+  commands.add(app, "trace", "the path of one sample of one pixel, event by event", addTrace);
   bool keysAlone = false;
   CLI::App* const schemas = app.add_subcommand("schema", "what a fabric's file may say, as a JSON schema");
   schemas->add_flag("--keys", keysAlone, "a list of all keys, for people");
-  CLI::App* const brdfs = app.add_subcommand("brdf", "how a flat patch reflects, seen from a half-dome of cameras");
-  addBrdf(*brdfs, brdf);
+  commands.add(app, "brdf", "how a flat patch reflects, seen from a half-dome of cameras", addBrdf, {}, checkBrdf);
   CLI::App* const benches =
       app.add_subcommand("bench", "measure: what a volume costs, or the report's table and figures");
   std::vector<std::string> noSuite;  // what stands where a suite should
   benches->add_option("SUITE", noSuite)->group("");
-  CLI::App* const volumes = benches->add_subcommand("volume", "voxels, memory and speed at several resolutions");
-  addVolumeBench(*volumes, bench);
-  CLI::App* const tables = benches->add_subcommand("table1", "Table 1 of the report: explicit fibres and the volume");
-  addReportBench(*tables, table1);
-  CLI::App* const figuresOf = benches->add_subcommand("figures", "the report's figures, ours beside explicit fibres");
-  addReportBench(*figuresOf, figures);
-  CLI::App* const accuracies =
-      benches->add_subcommand("accuracy", "how near the volume comes to its own fibres, by every estimator");
-  addReportBench(*accuracies, accuracy);
-  CLI::App* const editBenches =
-      benches->add_subcommand("edit", "how soon the editor shows an edit, of every kind and on cloths of every size");
-  addEditBench(*editBenches, editBench);
-  CLI::App* const uiBenches =
-      benches->add_subcommand("ui", "how long the window's thread does anything but draw while all is rebuilt");
-  addUiBench(*uiBenches, uiBench.options);
-  CLI::App* const convergeBenches =
-      benches->add_subcommand("converge", "how fast pictures converge, with each way of sampling paths on and off");
-  addConvergeBench(*convergeBenches, convergeBench);
-  CLI::App* const clearBenches = benches->add_subcommand(
-      "clear", "how soon after an edit the editor's picture is clear, on every drape and light");
-  addClearBench(*clearBenches, clearBench);
-  CLI::App* const compares = app.add_subcommand("compare", "how far a picture is from its reference");
-  addCompare(*compares, compare);
-  CLI::App* const visibilities = app.add_subcommand("bvdf", "bake the local visibility of a fabric's yarns (Fig. 8)");
-  addBvdf(*visibilities, bvdf);
+  addBenches(commands, *benches);
+  commands.add(app, "compare", "how far a picture is from its reference", addCompare, {}, checkCompare);
+  commands.add(app, "bvdf", "bake the local visibility of a fabric's yarns (Fig. 8)", addBvdf);
 
   try {
     app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // CLI11 takes them last to first
@@ -226,42 +247,12 @@ Command parseCommandLine(const std::vector<std::string>& words) {
     throw UsageError(error.what());
   }
 
-  if (*renders) {
-    if (render.input.empty() && render.resume.empty()) throw UsageError("render: expected a FABRIC, or --resume");
-    return render;
-  }
-  if (*informs) return info;
   if (*schemas) return TextCommand{keysAlone ? fabricKeys() : fabricSchema()};
-  if (*brdfs) {
-    if (brdf.options.light && brdf.lightAngle_deg)
-      throw UsageError("--light-angle: expected it alone or --light alone, got both");
-    return brdf;
-  }
-  if (*converts) {
-    checkConvert(convert);
-    return convert;
-  }
-  if (*tiles) return tile;
-  if (*thumbnails) return thumbnail;
-  if (*traces) return trace;
-  if (*tables) return table1;
-  if (*figuresOf) return figures;
-  if (*accuracies) return accuracy;
-  if (*editBenches) return editBench;
-  if (*uiBenches) return uiBench;
-  if (*convergeBenches) return convergeBench;
-  if (*clearBenches) return clearBench;
-  if (*volumes) return bench;
+  if (auto command = commands.chosen()) return *std::move(command);
   if (*benches)
     throw UsageError(
         fmt::format("bench: expected volume, table1, figures, accuracy, edit, clear, ui or converge, got '{}'",
                     noSuite.empty() ? "" : noSuite.front()));
-  if (*visibilities) return bvdf;
-  if (*compares) {
-    if (compare.yardstickAgain && !compare.yardstick)
-      throw UsageError("--yardstick-again: expected --yardstick as well");
-    return compare;
-  }
   return edit;
 }
 
