@@ -66,7 +66,7 @@ void Session::frame(Ui& ui) {
 void Session::follow() {
   snapshots_.follow();
   if (const auto message = presets_.follow(!dialogIsOpen())) questions_.say(message->title, message->text);
-  const bool panels = settings_.desk.panelsShown;
+  const bool panels = settings_.dock.panelsShown;
   if (auto dyed = inspector_.follow(document_.fabric(), document_.gesture(), panels))
     document_.edit(std::move(dyed->fabric), inspector_.place(), dyed->gesture);
   const InspectorView& inspector = inspector_.view();
@@ -120,7 +120,7 @@ void Session::run(Command command) {
     case Command::preferences:
       return preferences_.show();
     case Command::togglePanels:
-      settings_.desk.panelsShown = !settings_.desk.panelsShown;
+      settings_.dock.panelsShown = !settings_.dock.panelsShown;
       break;
     case Command::fullScreen:
       window_.isFull = !window_.isFull;
@@ -209,7 +209,7 @@ void Session::dress(const Fabric& cloth) {
 /// To where an edit was made.
 void Session::goTo(const EditPlace& place) {
   if (place.panel == EditPlace::Panel::none) return;
-  settings_.desk.panelsShown = true;
+  settings_.dock.panelsShown = true;
   if (place.panel == EditPlace::Panel::draft)
     draft_.goTo(place);
   else

@@ -18,9 +18,9 @@
 #include "app/editor/controllers/tile_controller.h"
 #include "app/editor/controllers/viewport_controller.h"
 #include "app/editor/model/settings.h"
-#include "ui/desk.h"
 #include "ui/dialogs/keys_dialog.h"
 #include "ui/dialogs/preferences_dialog.h"
+#include "ui/dock_layout.h"
 #include "ui/first_hints.h"
 #include "ui/status_bar.h"
 #include "ui/widgets/commands.h"
@@ -43,7 +43,8 @@ class Session {
   void run(DraftCommand command);
   /// Opens a fabric, or uses a mesh or an environment, by what the file is.
   void openFile(const std::string& file);
-  /// The same for files dropped on the window, each once no dialog is open: an answer is for what it was asked about.
+  /// Opens files that were dropped on the window, one after the other. Each waits until no dialog is open, so that no
+  /// answer is taken for a question that was not asked.
   void drop(const std::vector<std::string>& files) { files_.drop(files); }
   /// Says why a file could not be opened.
   void sayUnopened(const std::string& problem) { questions_.say("This file cannot be opened", problem); }

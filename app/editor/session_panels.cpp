@@ -15,7 +15,7 @@ void Session::drawPanels(Ui& ui) {
   menu.canUndo = document_.document().canUndo();
   menu.canRedo = document_.document().canRedo();
   menu.darkTheme = settings_.darkTheme;
-  menu.panelsShown = settings_.desk.panelsShown;
+  menu.panelsShown = settings_.dock.panelsShown;
   menu.lensOn = viewport_.view().lens.on;
   menu.denoised = viewport_.view().denoised;
   menu.weave = {draft_.view().selection.has_value(), draft_.view().back, draft_.view().marksFloats};
@@ -24,9 +24,9 @@ void Session::drawPanels(Ui& ui) {
   const MenuChoice choice = menuBar(ui, menu);
 
   const bool strip = snapshots_.stripIsShown();
-  const DeskAreas areas =
-      deskAreas(settings_.desk, ImGui::GetIO().DisplaySize, menuHeight, ui.scale, strip ? kSnapshotStripHeight : 0);
-  splitters(ui, settings_.desk, areas);
+  const DockAreas areas =
+      dockAreas(settings_.dock, ImGui::GetIO().DisplaySize, menuHeight, ui.scale, strip ? kSnapshotStripHeight : 0);
+  splitters(ui, settings_.dock, areas);
   beginPanel("viewport", areas.viewport, false);
   drawViewport(ui);
   endPanel();
@@ -35,7 +35,7 @@ void Session::drawPanels(Ui& ui) {
     drawStrip(ui);
     endPanel();
   }
-  if (settings_.desk.panelsShown) {
+  if (settings_.dock.panelsShown) {
     beginPanel("draft", areas.draft, true);
     drawDraft(ui);
     endPanel();

@@ -57,7 +57,7 @@ inline void nameKeys([[maybe_unused]] ImGuiIO& io) {
   for (int key = 0; key < ImGuiKey_COUNT; ++key) io.KeyMap[key] = kFree + key;
   for (const auto& [key, letter] : {std::pair(ImGuiKey_A, 'A'), std::pair(ImGuiKey_C, 'C'), std::pair(ImGuiKey_V, 'V'),
                                     std::pair(ImGuiKey_X, 'X'), std::pair(ImGuiKey_Y, 'Y'), std::pair(ImGuiKey_Z, 'Z')})
-    io.KeyMap[key] = letter;
+    io.KeyMap[key] = numberOfLetter(letter);
 #endif
 }
 /// By its number.

@@ -106,9 +106,9 @@ Settings readSettings(const std::filesystem::path& file) {
     settings.darkTheme = valueOf(json, "dark_theme", settings.darkTheme);
     settings.interfaceSize =
         std::clamp(valueOf(json, "interface_size", settings.interfaceSize), kInterfaceSizes[0], kInterfaceSizes[4]);
-    settings.desk.draftWidth = std::clamp(valueOf(json, "draft_width", settings.desk.draftWidth), 0.0f, 4000.0f);
-    settings.desk.inspectorWidth =
-        std::clamp(valueOf(json, "inspector_width", settings.desk.inspectorWidth), 0.0f, 4000.0f);
+    settings.dock.draftWidth = std::clamp(valueOf(json, "draft_width", settings.dock.draftWidth), 0.0f, 4000.0f);
+    settings.dock.inspectorWidth =
+        std::clamp(valueOf(json, "inspector_width", settings.dock.inspectorWidth), 0.0f, 4000.0f);
     settings.fibreMemory_GB = std::clamp(valueOf(json, "fibre_memory_gb", settings.fibreMemory_GB), 0.1, 65536.0);
     settings.folder = valueOf(json, "folder", settings.folder);
     settings.recent = recentFiles(valueOf(json, "recent", nlohmann::json::array()));
@@ -132,8 +132,8 @@ void writeSettings(const std::filesystem::path& file, const Settings& settings) 
                                {"window_height", settings.windowHeight},
                                {"dark_theme", settings.darkTheme},
                                {"interface_size", settings.interfaceSize},
-                               {"draft_width", settings.desk.draftWidth},
-                               {"inspector_width", settings.desk.inspectorWidth},
+                               {"draft_width", settings.dock.draftWidth},
+                               {"inspector_width", settings.dock.inspectorWidth},
                                {"fibre_memory_gb", settings.fibreMemory_GB},
                                {"draft_origin", kOrigins[static_cast<int>(settings.draft.origin)]},
                                {"draft_inches", settings.draft.inches},

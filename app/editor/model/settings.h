@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/editor/model/recent_files.h"
-#include "ui/desk.h"
+#include "ui/dock_layout.h"
 #include "ui/draft/draft_view.h"
 #include "ui/inspector/trade_units.h"
 #include "ui/viewport/snapshot_options.h"
@@ -27,7 +27,7 @@ struct Settings {
   int windowWidth = 1440, windowHeight = 900;
   bool darkTheme = true;
   float interfaceSize = 1;  ///< beside what the monitor asks for
-  DeskLayout desk;
+  DockLayout dock;
   ViewSettings view;
   DraftPreferences draft;
   SnapshotOptions snapshot;

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "ui/desk.h"
+#include "ui/dock_layout.h"
 #include "ui/viewport/camera_moves.h"
 #include "ui/widgets/crossing_index.h"
 
@@ -102,11 +102,11 @@ TEST(CrossingIndex, WrapsIntoTheRepeatFromBothSides) {
 }
 
 TEST(Desk, TheClothKeepsHalfOfTheWindow) {
-  DeskLayout layout;
+  DockLayout layout;
   layout.draftWidth = layout.inspectorWidth = 5000;
   for (const ImVec2 screen : {ImVec2(1280, 720), ImVec2(1440, 900), ImVec2(2560, 1440)})
     for (float scale : {1.0f, screen.x / 1280}) {
-      const DeskAreas areas = deskAreas(layout, screen, 31 * scale, scale);
+      const DockAreas areas = dockAreas(layout, screen, 31 * scale, scale);
       EXPECT_GE(areas.viewport.size.x, 0.5f * screen.x - 1);
       EXPECT_NEAR(areas.inspector.min.x + areas.inspector.size.x, screen.x, 1);
       EXPECT_NEAR(areas.status.min.y + areas.status.size.y, screen.y, 1);
@@ -116,13 +116,13 @@ TEST(Desk, TheClothKeepsHalfOfTheWindow) {
 TEST(Desk, PanelsThatNobodyDraggedGrowWithTheScreen) {
   float last = 0;
   for (const float width : {1280.0f, 1600.0f, 1920.0f}) {
-    const DeskAreas areas = deskAreas(DeskLayout{}, ImVec2(width, 900), 31, 1);
+    const DockAreas areas = dockAreas(DockLayout{}, ImVec2(width, 900), 31, 1);
     EXPECT_GT(areas.draft.size.x, last);
     last = areas.draft.size.x;
   }
-  DeskLayout dragged;
+  DockLayout dragged;
   dragged.draftWidth = 300;
-  EXPECT_EQ(deskAreas(dragged, ImVec2(1920, 1080), 31, 1).draft.size.x, 300);
+  EXPECT_EQ(dockAreas(dragged, ImVec2(1920, 1080), 31, 1).draft.size.x, 300);
 }
 
 }  // namespace

@@ -1,14 +1,14 @@
 #include <gtest/gtest.h>
 
-#include "ui/desk.h"
+#include "ui/dock_layout.h"
 
 namespace loomlight {
 namespace {
 
-TEST(DeskAreas, AStripTakesItsHeightFromTheViewportAlone) {
-  const DeskLayout layout;
+TEST(DockAreas, AStripTakesItsHeightFromTheViewportAlone) {
+  const DockLayout layout;
   const ImVec2 screen(1280, 720);
-  const DeskAreas without = deskAreas(layout, screen, 31, 1), with = deskAreas(layout, screen, 31, 1, 92);
+  const DockAreas without = dockAreas(layout, screen, 31, 1), with = dockAreas(layout, screen, 31, 1, 92);
   EXPECT_EQ(without.strip.size.y, 0);
   EXPECT_EQ(with.strip.size.y, 92);
   EXPECT_EQ(with.strip.size.x, with.viewport.size.x);

@@ -6,13 +6,13 @@ namespace loomlight {
 
 /// Where the panels are. Widths in pixels at scale 1, 0 until one is dragged: it is then a share of the screen, so that
 /// a larger screen has a larger draft. Kept between sessions.
-struct DeskLayout {
+struct DockLayout {
   float draftWidth = 0;
   float inspectorWidth = 0;
   bool panelsShown = true;
 };
 
-struct DeskAreas {
+struct DockAreas {
   struct Area {
     ImVec2 min, size;
   };
@@ -21,13 +21,13 @@ struct DeskAreas {
 };
 
 /// Divides the screen below the menu bar; the cloth never gets less than half of the width. `stripHeight` at scale 1.
-DeskAreas deskAreas(const DeskLayout& layout, ImVec2 screen, float menuHeight, float scale, float stripHeight = 0);
+DockAreas dockAreas(const DockLayout& layout, ImVec2 screen, float menuHeight, float scale, float stripHeight = 0);
 
 /// The gaps between the panels, to be dragged.
-void splitters(Ui& ui, DeskLayout& layout, const DeskAreas& areas);
+void splitters(Ui& ui, DockLayout& layout, const DockAreas& areas);
 
 /// A panel that fills its area; endPanel() closes it.
-void beginPanel(const char* name, const DeskAreas::Area& area, bool padded);
+void beginPanel(const char* name, const DockAreas::Area& area, bool padded);
 void endPanel();
 
 }  // namespace loomlight

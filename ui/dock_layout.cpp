@@ -1,4 +1,4 @@
-#include "ui/desk.h"
+#include "ui/dock_layout.h"
 
 #include <cmath>
 
@@ -14,11 +14,11 @@ float fittedWidth(float wanted, float widestUndragged, float screenWidth) {
   return std::clamp(wanted, kNarrowest, std::max(kNarrowest, 0.5f * 0.5f * screenWidth - kGap));
 }
 
-float draftWidth(const DeskLayout& layout, float screenWidth) {
+float draftWidth(const DockLayout& layout, float screenWidth) {
   return fittedWidth(layout.draftWidth, kWidestDraft, screenWidth);
 }
 
-float inspectorWidth(const DeskLayout& layout, float screenWidth) {
+float inspectorWidth(const DockLayout& layout, float screenWidth) {
   return fittedWidth(layout.inspectorWidth, kWidestInspector, screenWidth);
 }
 
@@ -48,14 +48,14 @@ void splitter(Ui& ui, const char* name, ImVec2 min, ImVec2 size, float direction
 
 }  // namespace
 
-DeskAreas deskAreas(const DeskLayout& layout, ImVec2 screen, float menuHeight, float scale, float stripHeight) {
+DockAreas dockAreas(const DockLayout& layout, ImVec2 screen, float menuHeight, float scale, float stripHeight) {
   const float gap = std::floor(kGap * scale), status = std::round(kStatusHeight * scale);
   const float top = menuHeight + gap, height = std::max(1.0f, screen.y - top - gap - status);
   const float width1 = screen.x / scale;
   const float left = layout.panelsShown ? std::floor(draftWidth(layout, width1) * scale) : 0;
   const float right = layout.panelsShown ? std::floor(inspectorWidth(layout, width1) * scale) : 0;
   const float leftGap = left > 0 ? gap : 0, rightGap = right > 0 ? gap : 0;
-  DeskAreas areas;
+  DockAreas areas;
   areas.draft = {ImVec2(0, top), ImVec2(left, height)};
   const float strip = stripHeight > 0 ? std::round(stripHeight * scale) : 0, stripGap = strip > 0 ? gap : 0;
   const float middle = screen.x - left - right - leftGap - rightGap;
@@ -66,7 +66,7 @@ DeskAreas deskAreas(const DeskLayout& layout, ImVec2 screen, float menuHeight, f
   return areas;
 }
 
-void splitters(Ui& ui, DeskLayout& layout, const DeskAreas& areas) {
+void splitters(Ui& ui, DockLayout& layout, const DockAreas& areas) {
   if (!layout.panelsShown) return;
   const float width1 = ImGui::GetIO().DisplaySize.x / ui.scale;
   const float gap = areas.viewport.min.x - areas.draft.size.x;
@@ -77,7 +77,7 @@ void splitters(Ui& ui, DeskLayout& layout, const DeskAreas& areas) {
            inspectorWidth(layout, width1), layout.inspectorWidth);
 }
 
-void beginPanel(const char* name, const DeskAreas::Area& area, bool padded) {
+void beginPanel(const char* name, const DockAreas::Area& area, bool padded) {
   ImGui::SetNextWindowPos(area.min);
   ImGui::SetNextWindowSize(area.size);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
