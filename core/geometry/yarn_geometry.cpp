@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <tuple>
 
+#include "core/fabric/model/changes.h"
 #include "core/fabric/model/yarn_count.h"
 
 namespace loomlight {
@@ -74,14 +74,6 @@ void flatten(YarnGeometry& g, double flattening) {
   g.halfHeight_mm = std::min(round * round / a, 2 * a);
 }
 
-/// What the fibres depend on, and nothing else.
-auto shapeOf(const Yarn& y, const Fibre& f) {
-  const Twist twist = nominalTwist(y);
-  return std::tuple(f.radius_um, f.density_g_cm3, y.fibresPerPly, y.fibresPerPly ? 0.0 : y.count_tex, y.plies, y.cords,
-                    twist.ply_per_mm, twist.yarn_per_mm, twist.cable_per_mm, y.packing, y.flattening,
-                    y.hairiness_per_mm, y.hairiness_per_mm > 0 ? y.hairLength_mm : 0.0, y.migration, y.layout);
-}
-
 }  // namespace
 
 double YarnGeometry::contactShare() const {
@@ -89,13 +81,12 @@ double YarnGeometry::contactShare() const {
 }
 
 std::vector<int> geometryClasses(const Fabric& fabric) {
-  std::vector<int> classes;
-  std::vector<decltype(shapeOf(Yarn{}, Fibre{}))> shapes;
-  for (const Yarn& yarn : fabric.yarns) {
-    const auto shape = shapeOf(yarn, meanFibre(yarn, fabric.fibres));
-    const auto found = std::find(shapes.begin(), shapes.end(), shape);
-    classes.push_back(static_cast<int>(found - shapes.begin()));
-    if (found == shapes.end()) shapes.push_back(shape);
+  std::vector<int> classes, firstYarns;  // of a class
+  for (int yarn = 0; yarn < static_cast<int>(fabric.yarns.size()); ++yarn) {
+    const auto found = std::find_if(firstYarns.begin(), firstYarns.end(),
+                                    [&](int first) { return sameShape(fabric, first, fabric, yarn); });
+    classes.push_back(static_cast<int>(found - firstYarns.begin()));
+    if (found == firstYarns.end()) firstYarns.push_back(yarn);
   }
   return classes;
 }

@@ -32,20 +32,8 @@ Yarn inUse(Yarn yarn) {
   return yarn;
 }
 
-/// Whether the fibres of two yarns lie alike, whatever they are called and numbered.
-bool sameShape(const Fabric& before, int a, const Fabric& after, int b) {
-  const auto unnumbered = [](Yarn yarn) {
-    yarn.fibre = 0;
-    yarn.blendFibre.reset();
-    return inUse(yarn);
-  };
-  const Yarn &x = before.yarns[a], &y = after.yarns[b];
-  return !(between(unnumbered(x), unnumbered(y)) | between(meanFibre(x, before.fibres), meanFibre(y, after.fibres)))
-              .any(Stage::shape);
-}
-
 /// Notes which yarns take whose places: [a][b] where threads of yarn a become of yarn b. Two periodic words that agree
-/// on a stretch as long as both periods together agree everywhere (Fine and Wilf 1965).
+/// on a length of both periods together agree everywhere (Fine and Wilf 1965).
 void pair(const std::vector<int>& before, const std::vector<int>& after, std::vector<std::vector<bool>>& pairs) {
   for (size_t i = 0; i < before.size() + after.size(); ++i)
     pairs[before[i % before.size()]][after[i % after.size()]] = true;
@@ -84,6 +72,17 @@ void compareMaterials(const Fabric& before, const Fabric& after, Changes& change
 }
 
 }  // namespace
+
+bool sameShape(const Fabric& before, int a, const Fabric& after, int b) {
+  const auto unnumbered = [](Yarn yarn) {
+    yarn.fibre = 0;
+    yarn.blendFibre.reset();
+    return inUse(yarn);
+  };
+  const Yarn &x = before.yarns[a], &y = after.yarns[b];
+  return !(between(unnumbered(x), unnumbered(y)) | between(meanFibre(x, before.fibres), meanFibre(y, after.fibres)))
+              .any(Stage::shape);
+}
 
 Changes changes(const Fabric& before, const Fabric& after) {
   Changes changes;

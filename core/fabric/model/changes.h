@@ -21,9 +21,10 @@ struct Changes {
   bool voxels() const { return stages.any(Stage::shape | Stage::grid); }
   /// Volume or shell are out of date.
   bool cloth() const { return voxels() || stages.any(Stage::thread | Stage::drape); }
-  /// So is what light is traced through. Making fibres takes seconds, so moving the camera must not.
+  /// The medium that light is traced through is out of date. It takes seconds to make fibres, so a change of the camera
+  /// must not name it.
   bool medium() const { return cloth() || stages.any(Stage::optics); }
-  /// Nothing has changed but which crossings are warp over, if that.
+  /// Nothing but which crossings are warp over may have changed.
   bool crossingsAlone() const { return stages.within(Stage::shape | Stage::label) && yarns.empty(); }
 };
 
@@ -31,5 +32,9 @@ struct Changes {
 /// fabrics differ name in field_tables.h. Values that are not in use, such as the twist of plies in a yarn of one ply,
 /// change nothing. Both valid.
 Changes changes(const Fabric& before, const Fabric& after);
+
+/// Whether the fibres of yarn `a` of one fabric lie as those of yarn `b` of another, or of the same, whatever they are
+/// called and numbered. It is the fields of Stage::shape that are compared.
+bool sameShape(const Fabric& before, int a, const Fabric& after, int b);
 
 }  // namespace loomlight
