@@ -11,7 +11,7 @@
 #include "core/base/rgb.h"
 #include "core/fabric/json/fabric_json.h"
 #include "render/colour/tone.h"
-#include "render/display/stretch.h"
+#include "render/display/resample.h"
 #include "render/film/image.h"
 #include "render/metrics/flip.h"
 #include "render/scene/scene.h"
@@ -131,7 +131,7 @@ std::vector<LinearPicture> ClearReference::windowsOf(const Frame& frame) const {
     window = {rect.width, rect.height, {}};
     for (int y = rect.y; y < rect.y + rect.height; ++y)
       for (int x = rect.x; x < rect.x + rect.width; ++x)
-        window.pixels.push_back(displayed(stretched(frame.shown(), frame.width, columns(x), rows(y))));
+        window.pixels.push_back(displayed(resampled(frame.shown(), frame.width, columns(x), rows(y))));
   }
   return windows;
 }

@@ -93,7 +93,8 @@ std::vector<double> LiveClock::play(std::span<const Fabric> fabrics, double inte
 }
 
 bool LiveClock::watch(const Fabric& fabric, double seconds,
-                      const std::function<void(std::shared_ptr<const Frame>, double)>& look, std::stop_token stop) {
+                      const std::function<void(std::shared_ptr<const Frame>, double)>& look,
+                      const std::stop_token& stop) {
   const auto start = Clock::now();
   send(fabric);
   std::shared_ptr<const Frame> last;

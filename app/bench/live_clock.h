@@ -39,7 +39,8 @@ class LiveClock {
   /// Sends the fabric and tells `look` of every picture of it that is shown within so many seconds, and when. False
   /// when stopped.
   bool watch(const Fabric& fabric, double seconds,
-             const std::function<void(std::shared_ptr<const Frame> shown, double since_s)>& look, std::stop_token stop);
+             const std::function<void(std::shared_ptr<const Frame> shown, double since_s)>& look,
+             const std::stop_token& stop);
 
   LiveStatus status() const { return renderer_.status(); }
   void pause(bool paused) { renderer_.pause(paused); }

@@ -33,7 +33,7 @@ struct AxisPoint {
 /// over radius.
 class Transition {
  public:
-  /// A stretch of constant curvature.
+  /// A piece of constant curvature.
   struct Piece {
     AxisPoint start;
     double begin_mm = 0;  ///< length of axis before it

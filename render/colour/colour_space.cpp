@@ -72,8 +72,8 @@ double ciede2000(const Lab& one, const Lab& other, double kL) {
     return std::sqrt(c7 / (c7 + std::pow(25.0, 7)));
   };
   const double meanC = 0.5 * (std::hypot(one.a, one.b) + std::hypot(other.a, other.b));  // 2, 3
-  const double stretch = 1 + 0.5 * (1 - saturating(meanC));  // 4, 5: near greys a counts more
-  const double a1 = stretch * one.a, a2 = stretch * other.a;
+  const double scaleOfA = 1 + 0.5 * (1 - saturating(meanC));  // 4, 5: near greys a counts more
+  const double a1 = scaleOfA * one.a, a2 = scaleOfA * other.a;
   const double c1 = std::hypot(a1, one.b), c2 = std::hypot(a2, other.b);  // 6
   const double h1 = hue_deg(a1, one.b), h2 = hue_deg(a2, other.b);        // 7
   const bool grey = c1 * c2 == 0;

@@ -8,6 +8,12 @@
 #include "core/base/parallel.h"
 #include "core/base/rgb.h"
 
+// How it works. An edge-avoiding a-trous filter (Dammertz et al. 2010) that moves light instead of averaging it. Pixels
+// exchange with partners at distances of 1, 2, 4, 2 and 1 pixels: a pair's weight falls with how far its luminances are
+// apart, measured in standard deviations of its noise, and is zero across yarns and depths. As each gives what the
+// other receives, the picture keeps its light exactly. Variances are carried along, so that every round knows how much
+// noise is left. They come from the samples where there are several, and from the pixels around where there is one.
+
 namespace loomlight {
 namespace {
 

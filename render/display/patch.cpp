@@ -5,12 +5,17 @@
 
 #include "core/geometry/cloth_geometry.h"
 #include "render/display/despeckle.h"
-#include "render/display/stretch.h"
+#include "render/display/resample.h"
+
+// How it works. After crossings were turned, the last clear picture is right wherever no turned crossing is seen. The
+// new, coarse picture is put in where it shows a thread that the old one does not have there and a turned crossing is
+// in reach of it, and where the old one shows a turned crossing. Its share fades out beyond those pixels, so that the
+// patch has no border.
 
 namespace loomlight {
 namespace {
 
-bool sameThread(const Film::Hit& a, const Film::Hit& b) {
+bool sameCrossing(const Film::Hit& a, const Film::Hit& b) {
   return a.yarn == b.yarn && a.end == b.end && a.pick == b.pick;
 }
 
@@ -26,7 +31,7 @@ std::vector<bool> newlySeen(const Frame& fresh, const Frame& old) {
       const int right = std::min(old.width, (x + 1) * size + around), left = std::max(0, x * size - around);
       for (int v = std::max(0, y * size - around); v < std::min(old.height, (y + 1) * size + around); ++v) {
         const Film::Hit* row = &old.hits[static_cast<size_t>(v) * static_cast<size_t>(old.width)];
-        if (std::none_of(row + left, row + right, [&](const Film::Hit& h) { return sameThread(h, fresh.hits[i]); }))
+        if (std::none_of(row + left, row + right, [&](const Film::Hit& h) { return sameCrossing(h, fresh.hits[i]); }))
           continue;
         changed[i] = false;
         break;
@@ -89,7 +94,7 @@ std::vector<bool> around(const std::vector<bool>& pixels, int width, int height,
 }
 
 /// How much of the new picture is seen at each of its pixels: all of it where it changes, and beyond their neighbours
-/// ever less, so that no border is a line. Stretching a coarse picture does that on its own.
+/// ever less, so that no border is a line. Enlarging a coarse picture does that on its own.
 std::vector<glm::vec4> sharesOf(const std::vector<bool>& changed, const Frame& fresh) {
   constexpr int kSoftPixels = 2;  // of the viewport, to each side
   const int softened = kSoftPixels / fresh.divider;
@@ -128,12 +133,12 @@ Frame patched(Frame fresh, const Frame& old, const Weave& weaveNow, const Weave&
       const size_t coarse = static_cast<size_t>(y / fresh.divider) * static_cast<size_t>(fresh.width) +
                             static_cast<size_t>(x / fresh.divider);
       const Between u(x, ratio, 0, fresh.width), v(y, ratio, 0, fresh.height);
-      const float share = stretched(shares, fresh.width, u, v).x;
+      const float share = resampled(shares, fresh.width, u, v).x;
       if (share == 0) continue;
       const size_t i = static_cast<size_t>(y) * static_cast<size_t>(old.width) + static_cast<size_t>(x);
-      whole.rgba[i] = glm::mix(old.rgba[i], stretched(fresh.rgba, fresh.width, u, v), share);
-      if (helped) whole.helped[i] = glm::mix(whole.helped[i], stretched(fresh.plain(), fresh.width, u, v), share);
-      if (denoised) whole.denoised[i] = glm::mix(old.denoised[i], stretched(fresh.denoised, fresh.width, u, v), share);
+      whole.rgba[i] = glm::mix(old.rgba[i], resampled(fresh.rgba, fresh.width, u, v), share);
+      if (helped) whole.helped[i] = glm::mix(whole.helped[i], resampled(fresh.plain(), fresh.width, u, v), share);
+      if (denoised) whole.denoised[i] = glm::mix(old.denoised[i], resampled(fresh.denoised, fresh.width, u, v), share);
       if (changed[coarse]) whole.hits[i] = fresh.hits[coarse];
     }
   return whole;

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/base/parallel.h"
-#include "render/display/stretch.h"
+#include "render/display/resample.h"
 
 namespace loomlight {
 namespace {
@@ -33,9 +33,9 @@ std::vector<Column> columnsOf(const Frame& fresh, const Frame& old, int width, f
 
 glm::vec4 mixed(std::span<const glm::vec4> fresh, int freshWidth, std::span<const glm::vec4> old, int oldWidth,
                 const Column& u, const Between& freshRow, const Between& oldRow) {
-  if (u.share == 0) return stretched(fresh, freshWidth, u.fresh, freshRow);
-  const glm::vec4 before = stretched(old, oldWidth, u.old, oldRow);
-  return u.share == 1 ? before : glm::mix(stretched(fresh, freshWidth, u.fresh, freshRow), before, u.share);
+  if (u.share == 0) return resampled(fresh, freshWidth, u.fresh, freshRow);
+  const glm::vec4 before = resampled(old, oldWidth, u.old, oldRow);
+  return u.share == 1 ? before : glm::mix(resampled(fresh, freshWidth, u.fresh, freshRow), before, u.share);
 }
 
 const Film::Hit& hitAt(const Frame& frame, int x, int y) {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "render/display/stretch.h"
+#include "render/display/resample.h"
 
 namespace loomlight {
 
@@ -27,7 +27,7 @@ glm::vec4 StandIn::between(std::span<const glm::vec4> pixels, int x, int y, int 
   const float ratio = static_cast<float>(divider) / own;
   const Between u(x, ratio, -static_cast<float>(f.window.x) / own, f.width);
   const Between v(y, ratio, -static_cast<float>(f.window.y) / own, f.height);
-  return stretched(pixels, f.width, u, v);
+  return resampled(pixels, f.width, u, v);
 }
 
 Film::Hit StandIn::hit(int x, int y, int divider) const {

@@ -21,9 +21,9 @@ std::vector<BenchCloth> largeCloths();
 /// The fabric on a smaller piece of the same drape, so that it has about that many fibre segments; larger where it has
 /// fewer.
 Fabric withSegments(Fabric fabric, double segments);
-/// The same yarns with another arrangement of their fibres in every crossing: the piece, a repeat longer on every side,
-/// so that what lay in the middle is a repeat further on along the cloth; the camera looks at the same place of it. A
-/// flat piece or a cylinder.
+/// A fabric of the same yarns, whose fibres lie otherwise in every crossing that is seen. The piece becomes longer by a
+/// repeat on every side, so that another repeat of the cloth, with fibres of its own, comes to lie in the middle, where
+/// the camera looks. For a flat piece or a cylinder.
 Fabric rearranged(Fabric fabric);
 /// Fibre segments of the whole piece, from its geometry alone.
 double segmentsOf(const Fabric& fabric);

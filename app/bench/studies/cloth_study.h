@@ -31,7 +31,7 @@ Fabric variantOf(Fabric fabric, const Variant& variant);
 /// What light is traced through, for a scene of that variant. Null when stopped; throws InputError as makeMedium does.
 std::unique_ptr<const Medium> mediumOf(const Scene& scene, const Variant& variant, const ReportBench& bench,
                                        const Task& task, MediumCost& cost);
-/// The same cloth in another light and with another pattern of noise. Null when stopped.
+/// The scene in another light and with another pattern of noise; it shares the cloth. Null when stopped.
 std::shared_ptr<const Scene> relit(const Scene& scene, const Light& light, uint64_t seed, const Task& task);
 
 /// A cloth made ready to be traced in one way, and what that took.
@@ -49,7 +49,7 @@ struct PreparedCloth {
 std::optional<PreparedCloth> prepare(const Fabric& fabric, const Variant& variant, const ReportBench& bench,
                                      const Task& task);
 
-/// The same picture with two patterns of noise, so that what is bias can be told from what is noise.
+/// One picture rendered twice, with two patterns of noise, so that what is bias can be told from what is noise.
 struct TwoPictures {
   std::array<Film, 2> films;
   double render_s = 0;  ///< processor time of both
@@ -61,7 +61,7 @@ struct TwoPictures {
 std::optional<std::vector<TwoPictures>> renderInTurns(const std::vector<PreparedCloth>& cloths, const Light& light,
                                                       int samples, const Task& task);
 
-/// Both together, for the display.
+/// The mean of both pictures, encoded for the display.
 Pixels8 shown(const TwoPictures& pictures);
 
 /// Squared relative difference of pixels, free of noise (noiseFreeBiasEstimate). `part`: of width and height, around

@@ -29,7 +29,7 @@ std::vector<Rgb> pixelsOf(const Film& film) {
 }
 
 /// As the window shows a coarse picture: denoised, softened, and bilinear between the centres of the pixels.
-std::vector<Rgb> stretched(const Film& film, int divider, int width, int height) {
+std::vector<Rgb> resampled(const Film& film, int divider, int width, int height) {
   std::vector<glm::vec4> coarse;
   film.toDisplayBuffer(coarse);
   std::vector<Film::Hit> hits;
@@ -132,7 +132,7 @@ std::optional<ConvergenceStudy::Point> ConvergenceStudy::coarse(int divider) con
     CpuStopwatch watch;
     if (!renderUpTo(1, scene, medium_, camera, film, task_).complete) return std::nullopt;
     point.seconds += watch.lap() / rounds_;
-    point.error += error(stretched(film, divider, size.width, size.height)) / rounds_;
+    point.error += error(resampled(film, divider, size.width, size.height)) / rounds_;
   }
   return point;
 }

@@ -14,7 +14,7 @@
 
 namespace loomlight {
 
-/// The same measurement with two patterns of noise.
+/// One measurement made twice, with two patterns of noise.
 using TwoMeasures = std::array<HalfDomeMeasure, 2>;
 /// nullopt when stopped.
 std::optional<TwoMeasures> measureTwice(const Scene& scene, const Medium& medium, const Light& light,

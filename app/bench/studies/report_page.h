@@ -19,7 +19,7 @@ class ReportPage {
   /// The table on the page, and as NAME.csv. Every row has as many cells as the header.
   void table(const std::string& name, const std::vector<std::string>& header,
              const std::vector<std::vector<std::string>>& rows);
-  /// The same table as NAME.csv alone.
+  /// A table that is written as NAME.csv and does not stand on the page.
   void csv(const std::string& name, const std::vector<std::string>& header,
            const std::vector<std::vector<std::string>>& rows);
   /// A picture, NAME.png, with a caption; and, halved as often as it takes, as small/NAME.png of kSmall_bytes at most.

@@ -26,7 +26,7 @@ Column inverse(Column column) {
   return column;
 }
 
-/// The shortest stretch that repeats, of a list that repeats as a whole.
+/// The shortest part that repeats, of a list that repeats as a whole.
 template <class T>
 void keepOneRepeat(std::vector<T>& list) {
   for (size_t period = 1; period < list.size(); ++period) {

@@ -6,6 +6,12 @@
 #include "core/volume/tiles/tile_map.h"
 
 // How the TileMap of an edited cloth is made from the one before.
+// How it works. A crossing shapes the cells of its two yarns within kCrossingReach of it. So the edited map copies the
+// rows of the yarns on which crossings were turned, reads their cells again where they are in reach, and shares all
+// other rows with the map before. The counts of cells of each kind are corrected cell by cell. Where the repeat changes
+// its size, what old and new repeat have in common is copied (keptOf) and the rest is read; where yarns change their
+// period, or the piece its size, all cells are counted again.
+
 namespace loomlight {
 namespace {
 
@@ -20,26 +26,26 @@ struct WeaveSides {
         along(system == System::warp ? weave.picks() : weave.ends()) {}
 };
 
-struct Stretch {
+struct CellSpan {
   int from, to;  ///< [from, to)
 };
 
 /// Which crossings along a yarn are within reach of changed ones, of which the yarn has `count`; `places` in order.
-std::vector<Stretch> reachedFrom(std::span<const int> places, int count) {
-  std::vector<Stretch> stretches;
+std::vector<CellSpan> reachedFrom(std::span<const int> places, int count) {
+  std::vector<CellSpan> spans;
   const auto add = [&](int from, int to) {
     if (from >= to) return;
-    if (!stretches.empty() && from <= stretches.back().to) {
-      stretches.back().to = std::max(stretches.back().to, to);
+    if (!spans.empty() && from <= spans.back().to) {
+      spans.back().to = std::max(spans.back().to, to);
     } else {
-      stretches.push_back({from, to});
+      spans.push_back({from, to});
     }
   };
   // Round the ends of the repeat.
   add(0, std::min(count, places.back() + kReach + 1 - count));
   for (const int place : places) add(std::max(0, place - kReach), std::min(count, place + kReach + 1));
   add(std::max(0, count + places.front() - kReach), count);
-  return stretches;
+  return spans;
 }
 
 }  // namespace
@@ -118,11 +124,10 @@ void TileMap::editRow(const ClothGeometry& geometry, int across, std::span<const
       phases.add(along, &cellsOf_[index({after, 0})]);
     }
   };
-  const std::vector<Stretch> stretches = reachedFrom(places, weaveAlong);
+  const std::vector<CellSpan> spans = reachedFrom(places, weaveAlong);
   for (int repeat = 0; repeat < repeatAlong_; repeat += weaveAlong)
-    for (const Stretch& stretch : stretches)
-      if (repeat + stretch.from < repeatAlong_)
-        read(repeat + stretch.from, std::min(repeat + stretch.to, repeatAlong_));
+    for (const CellSpan& span : spans)
+      if (repeat + span.from < repeatAlong_) read(repeat + span.from, std::min(repeat + span.to, repeatAlong_));
   addShapes(table);
   rows_.set(static_cast<size_t>(across), row);
   pointTo(static_cast<size_t>(across), *row);

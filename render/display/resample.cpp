@@ -1,4 +1,4 @@
-#include "render/display/stretch.h"
+#include "render/display/resample.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@ Between::Between(int pixel, float ratio, float offset, int count) {
   share = place - whole;
 }
 
-glm::vec4 stretched(std::span<const glm::vec4> picture, int width, const Between& x, const Between& y) {
+glm::vec4 resampled(std::span<const glm::vec4> picture, int width, const Between& x, const Between& y) {
   const auto at = [&](int u, int v) { return picture[static_cast<size_t>(v) * static_cast<size_t>(width) + u]; };
   return glm::mix(glm::mix(at(x.first, y.first), at(x.second, y.first), x.share),
                   glm::mix(at(x.first, y.second), at(x.second, y.second), x.share), y.share);
