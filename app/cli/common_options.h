@@ -22,7 +22,7 @@ using Setter = std::function<void(const std::string& option, const std::string& 
 
 void addValue(CLI::App& app, const std::string& name, const std::string& value, const std::string& help,
               const Setter& set);
-/// The same for an option that may be given several times, in the order of the command line.
+/// An option that may be given several times: `set` is called for each, in the order of the command line.
 void addValues(CLI::App& app, const std::string& name, const std::string& value, const std::string& help,
                const Setter& set);
 
@@ -33,13 +33,13 @@ int parseWholeField(const std::string& option, const std::string& text, Number O
 }
 
 void addInput(CLI::App& app, const std::string& name, std::string& input);
-/// Of a draft, which is mostly drawn with the default sizes of some program.
+/// Whether sett and yarn counts of a draft are used: most drafts have those that some program writes by default.
 void addWifSizes(CLI::App& app, WifSizeChoice& sizes);
 void addResolution(CLI::App& app, FabricOptions& options);
 void addFabricOptions(CLI::App& app, FabricOptions& options);
-/// Samples, seed and method: of whatever is rendered.
+/// --spp, --seed and --method.
 void addSampling(CLI::App& app, FabricOptions& options, const std::string& samplesHelp);
-/// These, and all else of how light is traced, for pictures and measurements alike.
+/// --spp, --seed and --method, and all other options of how light is traced, for pictures and measurements alike.
 void addTraceOptions(CLI::App& app, FabricOptions& options, const std::string& samplesHelp);
 void addColourway(CLI::App& app, FabricOptions& options);
 void addPictureOptions(CLI::App& app, FabricOptions& options);

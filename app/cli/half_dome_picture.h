@@ -15,7 +15,7 @@ Pixels8 halfDomePicture(const HalfDomeMeasure& measure, double paperRadiance, co
 /// Reflectance factors (1: as much as white paper) as R, G, B: a column for every azimuth, a row for every inclination.
 Image halfDomeImage(const HalfDomeMeasure& measure, double paperRadiance);
 
-/// The same as text: azimuth_deg,inclination_deg,red,green,blue, one line a camera.
+/// Reflectance factors as text: azimuth_deg,inclination_deg,red,green,blue, one line a camera.
 std::string halfDomeCsv(const HalfDomeMeasure& measure, double paperRadiance);
 
 }  // namespace loomlight

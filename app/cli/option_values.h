@@ -39,7 +39,7 @@ PixelChoice parsePixel(const std::string& option, const std::string& text);
 
 /// One of 1, 2, 4, 8, 16.
 int parseResolution(const std::string& option, const std::string& text);
-/// The same, several with commas between them.
+/// Several of 1, 2, 4, 8, 16, with commas between them.
 std::vector<int> parseResolutions(const std::string& option, const std::string& text);
 
 Method parseMethod(const std::string& option, const std::string& text);

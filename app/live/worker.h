@@ -4,6 +4,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
+#include <cstdio>
 #include <deque>
 #include <functional>
 #include <memory>
@@ -57,9 +58,9 @@ class Worker {
   ~Worker();
 
   void ask(Request request);
-  /// Stops what is under way, and what waits: it may still say how far it came.
+  /// Requests the stop of all work, begun or waiting; work may still bring a result that says how far it came.
   void cancel();
-  /// The same, and nothing comes of it. What has been brought and not taken is gone too.
+  /// Requests the stop of all work and drops its results, also those that were brought and not taken.
   void forget();
   /// Whether a request has not been begun.
   bool isWaiting() const {
@@ -77,7 +78,7 @@ class Worker {
   std::optional<Result> newest() const;
 
  private:
-  static void run(std::shared_ptr<Shared> shared);
+  static void run(const std::shared_ptr<Shared>& shared);
 
   std::shared_ptr<Shared> shared_;
   std::thread thread_;  ///< unless work may hang: then they run on their own
@@ -93,9 +94,9 @@ class Worker<Request, Result>::Turn {
   void bring(Result result) const { shared_.bring(std::move(result), number_); }
   /// The request that waits, for work that may serve it too as it goes on. None once this turn is stopped.
   std::optional<Request> takeNewer() const;
-  /// Stops this turn, for the request that waits.
+  /// Stops this turn, so that the request that waits is begun.
   void giveWay() { source_.request_stop(); }
-  /// The same, for one that was taken; unless another has come since.
+  /// Stops this turn and hands a request that takeNewer() gave back to the next turn, unless a newer one waits by now.
   void giveWayTo(Request newer);
   /// Sleeps, but not beyond the stop.
   void rest(std::chrono::milliseconds time) const;
@@ -218,7 +219,7 @@ std::optional<Result> Worker<Request, Result>::newest() const {
 }
 
 template <class Request, class Result>
-void Worker<Request, Result>::run(std::shared_ptr<Shared> shared) {
+void Worker<Request, Result>::run(const std::shared_ptr<Shared>& shared) {
   if (shared->priority == Priority::background) lowerPriorityOfThisThread();
   while (const std::optional<Order> order = shared->next()) shared->doTurn(*order);
 }
@@ -250,7 +251,7 @@ void Worker<Request, Result>::Shared::doTurn(const Order& order) {
     }
     if (result) bring(std::move(*result), order.number);
   } catch (...) {
-    // There is no memory even to say so.
+    std::fputs("loomlight: no memory is left, not even to say what went wrong\n", stderr);
   }
   const std::lock_guard lock(mutex);
   std::erase(underWay, order.stop);

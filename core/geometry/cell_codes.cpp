@@ -5,6 +5,15 @@
 #include <numeric>
 #include <utility>
 
+// How it works. A cell's shape depends on the seven crossings about its own: three nodes, and how far each lies from
+// the end of its float. Reading a row of cells therefore slides a window of seven bits, one for each crossing (is this
+// yarn over?), along the yarn; a table of all 128 windows, made when the program is compiled, gives sides and float
+// distances of the three nodes at once. A second window holds the classes of the three yarns that are crossed. Both
+// packed together are the code, so a crossing of a jacquard costs two shifts and a look-up.
+//
+// The repeat of the codes is the least common multiple of the repeats of weave and yarn sequence, after each was
+// reduced to its smallest period: the smallest divisor of its length after which it agrees with itself.
+
 namespace loomlight {
 namespace {
 

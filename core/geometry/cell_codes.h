@@ -15,7 +15,7 @@ namespace loomlight {
 /// the phase.
 using ShapeCode = uint64_t;
 
-/// The same, taken apart.
+/// A ShapeCode taken apart.
 struct CellShape {
   struct Node {
     int crossed = 0;  ///< geometry class
@@ -50,10 +50,10 @@ class CellCodes {
   int repeatEnds() const { return repeatEnds_; }
   int repeatPicks() const { return repeatPicks_; }
 
-  /// Those of codes.size() cells in a row along a yarn, from cell `along` on; much cheaper than one by one.
+  /// The codes of codes.size() cells in a row along a yarn, from cell `along` on; much cheaper than one by one.
   void read(System system, int across, int along, std::span<ShapeCode> codes) const;
-  /// The same, cheaper still for many cells of an end, whose crossings lie apart in the weave: `crossings` are those
-  /// along the yarn over the weave's repeat, as in Weave::row() and Weave::columns().
+  /// Codes of cells in a row from the crossings along the yarn over the weave's repeat, as Weave::row() and
+  /// Weave::columns() give them. Cheaper still for many cells of an end, whose crossings lie apart in the weave.
   void read(System system, int across, int along, std::span<const uint8_t> crossings, std::span<ShapeCode> codes) const;
 
  private:

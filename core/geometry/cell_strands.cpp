@@ -6,6 +6,13 @@
 
 #include "core/geometry/stations.h"
 
+// How it works. All fibres of a cell have their points at the same stations along the yarn (stations.cpp), which know
+// the angles of ply, cord and yarn there. In the round section a fibre's place is the sum of three turned vectors: of
+// the cord about the yarn, of the ply about the cord, of the fibre about the ply (where it has migrated to). That sum
+// is scaled across and up, which flattens the yarn, and set into the plane normal to the yarn's path. The polylines
+// reach beyond the cell, since its ends cut slanted sections: StrandClipper cuts them there, with the new ends exactly
+// on the edge, so that the next cell of the yarn goes on from the very same points.
+
 namespace loomlight {
 namespace {
 

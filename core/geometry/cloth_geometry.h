@@ -72,7 +72,8 @@ class ClothGeometry {
     CellKey shape;
     double cells = 0;
   };
-  /// The same of cells that have been counted already, those of warp and of weft: costs what there are shapes.
+  /// Measures from the counts of the cells of warp and of weft, where these are known: it takes time for each shape
+  /// instead of each cell.
   ClothMeasures measure(const std::array<std::vector<CellCount>, 2>& counts) const;
 
  private:

@@ -5,6 +5,12 @@
 
 #include "core/base/random.h"
 
+// How it works. A packed section starts as the hexagonal lattice of the wanted density, its points nearest to a random
+// place of it, each then shaken as far as the free room between neighbours allows. Sweeps push overlapping fibres
+// apart, half each (discs.cpp), at first within the rim of the ply; the later sweeps leave the rim free, so that a
+// section that is too full grows a little instead of overlapping. A random section is independent uniform points, as in
+// the report.
+
 namespace loomlight {
 namespace {
 

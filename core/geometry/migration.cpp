@@ -6,6 +6,12 @@
 #include "core/base/parallel.h"
 #include "core/base/random.h"
 
+// How it works. Each fibre's distance from the ply's axis goes down and up once in a migration, as a raised cosine with
+// a phase of its own; the migration is kept as kStages sections. Fibres that are packed would run through one another
+// that way, so the sections are relaxed together: every sweep pushes overlapping fibres apart in each section, and then
+// draws each fibre towards the mean of where it is in the sections before and after. That pull fades out, so that
+// overlaps have the last word. Between stages a fibre follows a Catmull-Rom cubic through its places.
+
 namespace loomlight {
 namespace {
 

@@ -3,6 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+// How it works. Fibres are polylines, and a chord of length h misses a curve by h^2 / 8 times its second derivative.
+// For each piece of the yarn's path (an arc or a line) that derivative is bounded for the outermost fibre, from the
+// curvature of the path, the twists, the migration and their products; so stations stand as far apart as the sagitta
+// allows, and no cell has more than it needs. Twist does not run evenly along a transition: it has the same rate at
+// both nodes whatever its length, eased between them (TwistEasing), so that fibres have no kink where two transitions
+// meet.
+
 namespace loomlight {
 namespace {
 

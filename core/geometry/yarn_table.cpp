@@ -10,6 +10,12 @@
 #include "core/base/hash.h"
 #include "core/fabric/model/yarn_count.h"
 
+// How it works. What a yarn is like depends on its neighbours, so it is resolved in steps. The outline of each class of
+// yarns follows from its count alone; two outlines give a crossing (how high each yarn goes over the other, along which
+// arcs); the paths over all crossings give the length of a yarn in a cell, and with that its twist per cell; and only
+// then are its fibres laid out (makeYarnModel), which takes the time. Models of the table before serve again where
+// their source is equal.
+
 namespace loomlight {
 YarnTable::YarnTable(const Fabric& fabric, const YarnTable* previous, bool sketched, const Task& task)
     : warpPitch_mm_(fabric.warpPitch_mm()), weftPitch_mm_(fabric.weftPitch_mm()) {

@@ -10,6 +10,12 @@
 #include "core/base/error.h"
 #include "core/shell/mesh_topology.h"
 
+// How it works. In order: vertices at one place are welded; triangles without texture coordinates, or without area in
+// the world or in the texture, are left out; each connected piece is wound one way, the way of most of its triangles,
+// by walking from neighbour to neighbour; pieces whose texture is mirrored are mirrored back, and triangles that are
+// folded over in it are left out; vertices are split where the texture has seams; normals are means over the triangles
+// around, weighted by their angle. What was done is said in a list, for the user.
+
 namespace loomlight {
 namespace {
 

@@ -6,6 +6,12 @@
 
 #include "core/shell/prism.h"
 
+// How it works. Every vertex is offset by half the thickness along its normal, to both sides; a triangle becomes a
+// prism of three tetrahedra. Where the mesh bends too sharply for that thickness, a tetrahedron has hardly any volume
+// left or is turned inside out. All vertices of such triangles are then made thinner by a constant factor, and all
+// triangles are tested again, until none is unsound: thickness only ever shrinks, so this ends. A triangle whose
+// normals point away from it, or that would have to become thinner than kThinnest, is left out.
+
 namespace loomlight {
 namespace {
 

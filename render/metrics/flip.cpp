@@ -9,6 +9,12 @@
 #include "render/colour/colour_space.h"
 #include "render/metrics/flip_kernels.h"
 
+// How it works (Andersson et al. 2020). Both pictures are blurred by the eye's contrast sensitivity in an opponent
+// colour space, and compared by the HyAB distance of their Hunt-adjusted colours. Edges and points are found in the
+// luminance by first and second derivatives of a Gaussian; where they differ the error of the colour is raised towards
+// 1: error = colour^(1 - feature). All filters are separable. The picture is done in tiles with a margin as wide as the
+// widest filter, side by side.
+
 namespace loomlight {
 namespace {
 

@@ -11,6 +11,12 @@
 #include "render/scene/embree.h"
 #include "render/scene/yarn_curves.h"
 
+// How it works. The fibres of each end and each pick are one Embree geometry of round linear curves, bent by the drape
+// when they are laid. A flat piece of many repeats has one repeat laid and the rest as instances of it. Rays are
+// answered through a filter: a surface counts only from outside; not the surface
+// of the fibre that the ray has just left, within its clearance; and not what the last instances have beyond the edge
+// of the piece.
+
 namespace loomlight {
 namespace {
 

@@ -7,6 +7,11 @@
 #include "core/geometry/cloth_geometry.h"
 #include "render/transport/path_integrator.h"
 
+// How it works. Rays go straight down at random places of a patch that lies under a white sky. Of those that meet the
+// material first, the path is followed until it leaves the cloth, and the lengths that it has gone inside the fibres of
+// each material are written down. The colour of the cloth for any absorptions is then the mean of exp(-absorption .
+// lengths) over the paths, without tracing them again.
+
 namespace loomlight {
 namespace {
 

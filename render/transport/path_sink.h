@@ -21,11 +21,12 @@ class PathSink {
  public:
   virtual ~PathSink() = default;
 
-  /// It has met its `event`th fibre, from 1. False ends it there.
+  /// The path has met its `event`th fibre, counted from 1. Returning false ends it there.
   virtual bool meets(const Collision& /*at*/, uint32_t /*event*/) { return true; }
-  /// Light has come onto it, `events` fibres from the eye, after these lengths inside the fibres of each material.
+  /// Light comes onto the path, `events` fibres from the eye, after these lengths inside the fibres of each material.
   virtual void gathers(const PathLight& /*light*/, std::span<const float> /*lengths_mm*/, uint32_t /*events*/) {}
-  /// It goes on from the fibre into a direction of the world; weight: 1, or what roulette has made of it.
+  /// The path goes on from the fibre into a direction of the world. weight: 1, or more where Russian roulette let it
+  /// live.
   virtual void scatters(const FibreBcsdf::Sample& /*by*/, glm::vec3 /*direction*/, float /*weight*/) {}
   virtual void ends(PathEnd /*why*/) {}
 };

@@ -41,8 +41,8 @@ struct PassResult {
 /// so that a stopped or resumed picture goes on where each of its pixels is. Checks stop per path.
 PassResult renderUpTo(uint32_t samples, const Scene& scene, const Medium& medium, const CameraRays& camera, Film& film,
                       const Task& task, uint32_t firstSample = 0);
-/// The same for a part of the film: its pixels get the samples that they would have in the whole picture. `records`, of
-/// the film's size, keeps the paths it has room for; the window then begins where one of its tiles does.
+/// Brings the pixels of a window of the film to `samples` samples, the ones that they would have in the whole picture.
+/// `records`, of the film's size, keeps the paths it has room for; the window then begins where one of its tiles does.
 PassResult renderUpTo(uint32_t samples, const Scene& scene, const Medium& medium, const CameraRays& camera, Film& film,
                       const PixelRect& window, const Task& task, uint32_t firstSample = 0,
                       PathRecords* records = nullptr);

@@ -33,7 +33,8 @@ class ViewportPicture {
     const PixelRect whole{0, 0, width, height};
     uploadParts(width, height, rgba, hits, whole, whole);
   }
-  /// The same where the upload before had this size and these parts alone have changed: the rest is not read.
+  /// Uploads only the parts that have changed since the upload before, which had the same size: pixels outside them are
+  /// not read.
   virtual void uploadParts(int width, int height, std::span<const glm::vec4> rgba, std::span<const Film::Hit> hits,
                            const PixelRect& newLight, const PixelRect& newHits) = 0;
 

@@ -29,7 +29,7 @@ class Autosave {
   /// Removes a copy that another editor left, and what was beside it. Whatever is no copy in the folder is let alone:
   /// designers' files are never removed.
   void throwAway(const std::filesystem::path& left) const;
-  /// The same, once the work is written again, so that at no time there is no copy of it.
+  /// Removes another editor's copy once the work in it has been written here: at every moment there is one copy.
   void takeOver(std::filesystem::path left) { takenOver_ = std::move(left); }
   /// Why the newest work could not be kept; empty while all is well.
   std::string problem() const;

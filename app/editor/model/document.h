@@ -10,7 +10,7 @@
 
 namespace loomlight {
 
-/// Where on the desk an edit was made: undo goes back there.
+/// In which panel an edit was made: undo goes back there.
 struct EditPlace {
   enum class Panel { none, draft, inspector };
   Panel panel = Panel::none;

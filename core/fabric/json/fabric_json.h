@@ -17,7 +17,7 @@ inline constexpr size_t kMaxFabricBytes = 280'000'000;
 
 /// Throws InputError, naming `sourceName`, the place, and what was expected there, for anything but a valid fabric.
 Fabric fabricFromJson(std::string_view text, const std::string& sourceName);
-/// The same bytes for equal fabrics; reading them gives an equal one.
+/// The text of a fabric's file. Equal fabrics give the same bytes, and fabricFromJson() gives an equal fabric back.
 std::string fabricToJson(const Fabric& fabric);
 
 /// The meshes and environments that a fabric names, as `file` holds their names: relative to its folder where they lie

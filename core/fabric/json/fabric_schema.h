@@ -8,7 +8,7 @@ namespace loomlight {
 /// range, default and a sentence of help. It is made of the field tables, so it cannot lag behind what is read.
 std::string fabricSchema();
 
-/// The same for people: a line a key, objects indented.
+/// All keys of a fabric's file as a list for people: a line a key, objects indented.
 std::string fabricKeys();
 
 }  // namespace loomlight

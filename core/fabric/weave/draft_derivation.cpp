@@ -6,6 +6,11 @@
 #include <string_view>
 #include <unordered_map>
 
+// How it works. Picks of equal rows share a treadle. Ends that go together in all picks share a shaft: they start as
+// one class, and each distinct pick splits every class into the ends that it raises and those that it leaves; the
+// classes that are left at the end are the shafts, and fewer cannot do. A jacquard is told by its first picks, which
+// already need too many.
+
 namespace loomlight {
 namespace {
 

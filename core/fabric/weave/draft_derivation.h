@@ -11,7 +11,7 @@ namespace loomlight {
 /// draft needs fewer shafts. What a loom has, or a Draft may have (validateDraft), is for the caller to compare: a
 /// jacquard has thousands. Costs ends x distinct picks, and keeps the tie-up.
 Draft smallestDraft(const Weave& weave);
-/// The same, or nothing where that takes more than `mostShafts`: a jacquard is found out after a few picks.
+/// The smallest draft, or nothing where it has more than `mostShafts`; a jacquard is found out after a few picks.
 std::optional<Draft> smallestDraft(const Weave& weave, int mostShafts);
 
 // The same cloth by other means. Where ends hang on several shafts, and up and down have to be swapped, the draft is
@@ -22,8 +22,7 @@ Draft withLiftplan(Draft draft);
 /// A tie-up of the lifts that differ, and one treadle a pick, in place of a liftplan or of several treadles a pick.
 Draft withTreadles(Draft draft);
 /// The other shed: what was raised is left, what was left is pulled down. Treadles are kept where each pick presses
-/// one, and made anew where not. A
-/// liftplan says what goes up in either shed, and stays alone.
+/// one, and made anew where not. A liftplan says what goes up in either shed, and stays alone.
 Draft withShed(const Draft& draft, bool rising);
 
 }  // namespace loomlight

@@ -8,6 +8,10 @@
 
 #include "core/base/units.h"
 
+// How it works. The design is a function of the place in the repeat, made of shapes with a signed distance: leaves for
+// petals, sepals and stems, ribbons for the trellis. The first shape that covers a spot decides in which structure it
+// is woven.
+
 namespace loomlight {
 namespace {
 

@@ -4,6 +4,11 @@
 #include <cassert>
 #include <limits>
 
+// How it works. A picture with no more colours than are wanted keeps them. Else the colours are counted in bins, and
+// the palette is found among the bins by k-means with a fixed beginning: the commonest bin first, then always the bin
+// that the centres so far stand for worst, weighted by how common it is; then Lloyd's iteration. Each pixel gets the
+// nearest colour of the palette, and each colour's structure is woven where the pixels have it.
+
 namespace loomlight {
 namespace {
 

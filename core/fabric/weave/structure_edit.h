@@ -15,8 +15,8 @@ Fabric withSecondYarn(Fabric fabric);
 /// The fabric with the structure in the selection, or in place of its weave where nothing is selected.
 Rewoven withStructure(const Fabric& fabric, const std::optional<CellRect>& selection, const Weave& structure,
                       const LoomLimits& limits);
-/// The same; then the first and the second yarn, which there is from then on, follow each other as a colour effect
-/// asks.
+/// Puts a structure with a colour effect into the selection, or in place of the weave, and lets the first and the
+/// second yarn follow each other as the effect asks. A fabric of one yarn gets a second one (withSecondYarn).
 Rewoven withStructure(const Fabric& fabric, const std::optional<CellRect>& selection, const MadeStructure& structure,
                       const LoomLimits& limits);
 

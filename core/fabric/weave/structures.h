@@ -19,8 +19,8 @@ Weave plainWeave();
 Weave basket(int ends, int picks);
 /// Each end goes over `over` picks and under `under`, >= 1 both; the next end does the same one pick later.
 Weave twill(int over, int under, Slant slant = Slant::z);
-/// The same of several runs, over and under in turn (2 2 1 3), an even number of them, each >= 1. The next end does it
-/// `step` picks later, >= 1: more makes the line steeper.
+/// A twill of several runs: each end goes over and under in turn, (2 2 1 3) say, by an even number of runs, each >= 1.
+/// The next end does so `step` picks later, >= 1: more makes the line steeper.
 Weave twill(const std::vector<int>& runs, int step, Slant slant);
 /// A twill on `over` + `under` shafts whose threading goes up and down: lines meet in points. Diamond: so does the
 /// treadling, and points close to diamonds. Three shafts or more.

@@ -54,7 +54,8 @@ struct WifExport {
 /// one. Throws InputError, naming `file`, where that needs more shafts than a draft can have.
 WifExport wifFromFabric(const Fabric& fabric, const std::string& file);
 
-/// The same with files. Reading throws InputError; writing too, and writes whole or not at all.
+/// Read and write a weaving file on disk. Both throw InputError. A file is written whole or not at all; what is
+/// returned are the remarks of WifExport.
 WifImport readWifFabric(const std::string& file, const Fabric& mine, WifSizeChoice sizes);
 std::vector<std::string> writeWifFabric(const Fabric& fabric, const std::string& file);
 

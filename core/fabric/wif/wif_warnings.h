@@ -14,7 +14,7 @@ struct WifWarning {
   friend bool operator==(const WifWarning&, const WifWarning&) = default;
 };
 
-/// Both in one line: "line 12: [WARP] Threads=many: This is no number.".
+/// Place and problem in one line: "line 12: [WARP] Threads=many: This is no number.".
 std::string inOneLine(const WifWarning& warning);
 
 /// What was found wrong in a weaving file. Like warnings are counted rather than repeated, so a file of a million slips

@@ -7,6 +7,17 @@
 #include <limits>
 #include <utility>
 
+// How it works. A strand is a polyline; what a voxel gets is the part of it that lies inside. Sums of the moments are
+// taken along the strand once, so that the part between any two points of it is a difference of two sums, and no
+// segment is cut. measure() makes the sums and notes for each segment where it crosses the first voxel face of each
+// axis; findCrossings() lists the crossings of one axis in order; follow() merges the three lists, and at every
+// crossing gives the voxel that is left the moments since the crossing before. A crossing is a 64-bit number, segment
+// above and share of it below, so that comparing two numbers tells which comes first. Nothing branches but for segments
+// that cross several faces of one axis.
+//
+// A fibre is not a line but has a section: each strand is followed twice, by lines that waver to both sides of its
+// axis.
+
 namespace loomlight {
 namespace {
 

@@ -4,6 +4,13 @@
 #include <limits>
 #include <utility>
 
+// How it works. Voxels lie in blocks of 4 x 4 x 4, and a voxel is a number: its block's, times 64, plus its own. Most
+// voxels are empty and most of the others have fibres of one ply, so each voxel has the head of a linked list of
+// moments, one for each ply; -1 where there is none. A coarser level adds the lists of eight voxels into one. fit()
+// turns a voxel's list into components: where there are more than two plies, the pair whose merging loses least is
+// merged until two are left. Voxels are encoded in order of their number, so that the components of a block lie
+// together.
+
 namespace loomlight {
 namespace {
 

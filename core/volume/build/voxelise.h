@@ -16,7 +16,7 @@ namespace loomlight {
 /// most 2.5e-4 of a level with one voxel).
 Brick voxelise(const CellStrands& strands, System system, const VoxelGrid& grid);
 
-/// The same for one brick after another of a grid, in the same memory. Not to be shared by threads.
+/// voxelise() for one brick after another of a grid; keeps its memory from brick to brick. One for each thread.
 class Voxeliser {
  public:
   explicit Voxeliser(const VoxelGrid& grid) : grid_(grid) {}

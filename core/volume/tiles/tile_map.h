@@ -62,9 +62,9 @@ class TileMap {
   /// BrickPool::kNone where the piece has no such cell, and where it is missing.
   BrickPool::Id brick(Kind kind) const { return bricks_[index(kind)]; }
   std::vector<Kind> missing() const;
-  /// The same, in the order in which they are wanted by who looks at these crossings of the piece: `sketch` of them,
-  /// with which, and standIn(), every cell that is seen has a brick of its shape, if of another phase; then, up to
-  /// `seen`, the others that are seen; then the rest.
+  /// The missing kinds in the order in which a picture of these crossings of the piece needs them. With the first
+  /// `sketch`, and standIn(), every cell that is seen has a brick of its shape, perhaps of another phase; with the
+  /// first `seen`, each has its own; the rest is not seen.
   struct Wanted {
     std::vector<Kind> kinds;
     size_t sketch = 0, seen = 0;

@@ -10,6 +10,13 @@
 #include "core/volume/tiles/tile_map.h"
 
 // How a TileMap is read from the weave, and counted.
+// How it works. Reading a repeat means to number every cell's shape code, by a table that gives new codes the next
+// number. Bands of yarns are read side by side, each with a table of its own that continues a common one; then, one
+// band after the other, their new numbers are replaced by common ones. The first band is read alone, since it finds
+// most of the shapes. As the bands are joined in order, numbers do not depend on how many threads there are.
+//
+// A row has the low 16 bits of its numbers, and their high bits only where some number needs them.
+
 namespace loomlight {
 namespace {
 
@@ -89,9 +96,9 @@ void TileMap::readBand(const ClothGeometry& geometry, const Task& task, const Ke
                                      static_cast<size_t>(across - band.first) * weave.picks(), weave.picks())
                                : weave.row(across % weave.picks());
     const auto read = [&](int from, int to) {
-      const auto stretch = std::span(shapes).subspan(from, to - from);
-      readCells(geometry, system_, across, crossings, from, stretch, band.table);
-      return stretch;
+      const auto run = std::span(shapes).subspan(from, to - from);
+      readCells(geometry, system_, across, crossings, from, run, band.table);
+      return run;
     };
     if (across < kept.yarns) {
       const auto row = std::make_shared<Row>(*rows_[across], shapes.size());

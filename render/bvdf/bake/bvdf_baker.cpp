@@ -12,6 +12,12 @@
 #include "render/bvdf/bvdf_counts.h"
 #include "render/bvdf/local_cell.h"
 
+// How it works. Eye rays, stratified over the hemisphere, go to random places of a small patch of explicit fibres, from
+// its face and its back in turn. From the fibre that each meets, shadow rays go in directions that are stratified over
+// the sphere, as far as the ends of the local cell: each adds to the bin of its two directions whether it met a fibre,
+// and what the model of the hot spot expects there. The tables are the ratios of both. A block of rays is a function of
+// its number alone, and blocks are added in order, so that a table has the same bytes for any number of threads.
+
 namespace loomlight {
 namespace {
 

@@ -237,7 +237,7 @@ TEST(Settings, ComeBackAndSurviveNonsense) {
   Settings settings;
   settings.windowWidth = 1777;
   settings.darkTheme = false;
-  settings.desk.draftWidth = 401;
+  settings.dock.draftWidth = 401;
   settings.units.count = CountSystem::denier;
   settings.units.piece.width_cm = 90;
   settings.recent = {{"/a.json", false}, {"/b.json", false}};
