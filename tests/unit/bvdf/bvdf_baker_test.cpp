@@ -6,8 +6,8 @@
 
 #include "core/base/error.h"
 #include "render/bvdf/bake/bvdf_patch.h"
+#include "tests/support/scratch_folder.h"
 #include "tests/support/test_cloth.h"
-#include "tests/unit/film/scratch_folder.h"
 
 namespace loomlight {
 namespace {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "tests/unit/film/scratch_folder.h"
+#include "tests/support/scratch_folder.h"
 
 namespace loomlight {
 namespace {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "render/bvdf/bake/bvdf_baker.h"
+#include "tests/support/scratch_folder.h"
 #include "tests/support/test_cloth.h"
-#include "tests/unit/film/scratch_folder.h"
 
 namespace loomlight {
 namespace {

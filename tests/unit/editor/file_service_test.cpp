@@ -1,43 +1,36 @@
 #include "app/editor/services/file_service.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <chrono>
-#include <filesystem>
 #include <future>
-#include <thread>
 
 #include "core/fabric/json/fabric_json.h"
+#include "tests/support/scratch_folder.h"
+#include "tests/support/wakes.h"
 
 namespace loomlight {
 namespace {
-namespace fs = std::filesystem;
 
-class FileDeskTest : public testing::Test {
+class FileServiceTest : public testing::Test {
  protected:
-  FileDeskTest() { fs::create_directories(folder_); }
-  ~FileDeskTest() override { fs::remove_all(folder_); }
-
-  std::string at(const std::string& name) const { return (folder_ / name).string(); }
+  std::string at(const std::string& name) const { return folder_.file(name); }
   static std::shared_ptr<const Fabric> named(const std::string& name) {
     Fabric fabric;
     fabric.name = name;
     return std::make_shared<const Fabric>(std::move(fabric));
   }
   std::optional<FileService::Result> result() {
-    for (int i = 0; i < 2000; ++i) {
-      if (auto come = service_.take()) return come;
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    return std::nullopt;
+    std::optional<FileService::Result> come;
+    wakes_.until([&] { return (come = service_.take()).has_value(); });
+    return come;
   }
 
-  fs::path folder_ = fs::path(testing::TempDir()) / ("loomlight-file-service-" + std::to_string(getpid()));
-  FileService service_{[] {}};
+  test::ScratchFolder folder_;
+  Wakes wakes_;
+  FileService service_{wakes_.callback()};
 };
 
-TEST_F(FileDeskTest, SavesAndOpens) {
+TEST_F(FileServiceTest, SavesAndOpens) {
   service_.save(at("a.json"), named("Tweed"), 7);
   ASSERT_TRUE(service_.busy());
   EXPECT_EQ(service_.busy()->work, FileService::Work::save);
@@ -54,7 +47,7 @@ TEST_F(FileDeskTest, SavesAndOpens) {
   EXPECT_EQ(opened->file, at("a.json"));
 }
 
-TEST_F(FileDeskTest, SaysWhatWentWrong) {
+TEST_F(FileServiceTest, SaysWhatWentWrong) {
   service_.open(FileService::Work::open, at("none.json"), named("mine"), 0);
   const auto opened = result();
   ASSERT_TRUE(opened);
@@ -66,7 +59,7 @@ TEST_F(FileDeskTest, SaysWhatWentWrong) {
   EXPECT_NE(saved->problem.find("no folder"), std::string::npos) << saved->problem;
 }
 
-TEST_F(FileDeskTest, WhatIsCancelledDoesNotCome) {
+TEST_F(FileServiceTest, WhatIsCancelledDoesNotCome) {
   writeFabric(*named("Tweed"), at("a.json"));
   writeFabric(*named("Twill"), at("b.json"));
   for (const auto work : {FileService::Work::open, FileService::Work::takeUp, FileService::Work::usePreset}) {
@@ -81,7 +74,7 @@ TEST_F(FileDeskTest, WhatIsCancelledDoesNotCome) {
   EXPECT_EQ(opened->fabric->name, "Twill");
 }
 
-TEST_F(FileDeskTest, OnlyWhatCanBeStoppedOffersIt) {
+TEST_F(FileServiceTest, OnlyWhatCanBeStoppedOffersIt) {
   EXPECT_FALSE(service_.canCancel()) << "nothing is done";
   service_.exportTo(at("a.png"), [] { return std::vector<std::string>{}; });
   EXPECT_FALSE(service_.canCancel());
@@ -96,7 +89,7 @@ TEST_F(FileDeskTest, OnlyWhatCanBeStoppedOffersIt) {
   EXPECT_TRUE(result());
 }
 
-TEST_F(FileDeskTest, ASaveThatIsCancelledSaysWhetherItCameTooLate) {
+TEST_F(FileServiceTest, ASaveThatIsCancelledSaysWhetherItCameTooLate) {
   writeFabric(*named("old"), at("a.json"));
   for (int i = 0; i < 20; ++i) {
     service_.save(at("a.json"), named("new"), 1);
@@ -109,7 +102,7 @@ TEST_F(FileDeskTest, ASaveThatIsCancelledSaysWhetherItCameTooLate) {
   }
 }
 
-TEST_F(FileDeskTest, AReadThatHangsHoldsUpNeitherASaveNorTheEnd) {
+TEST_F(FileServiceTest, AReadThatHangsHoldsUpNeitherASaveNorTheEnd) {
   std::promise<void> letGo, begun;
   {
     FileService service([] {},

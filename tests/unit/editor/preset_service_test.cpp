@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
@@ -11,17 +10,15 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "tests/support/memory_driver.h"
+#include "tests/support/scratch_folder.h"
 #include "tests/support/wakes.h"
 
 namespace loomlight {
 namespace {
 namespace fs = std::filesystem;
 
-class PresetDeskTest : public testing::Test {
+class PresetServiceTest : public testing::Test {
  protected:
-  PresetDeskTest() { fs::remove_all(folder_); }
-  ~PresetDeskTest() override { fs::remove_all(folder_); }
-
   static Fabric cloth(const std::string& name) {
     Fabric fabric;
     fabric.name = name;
@@ -31,10 +28,11 @@ class PresetDeskTest : public testing::Test {
 
   MemoryDriver driver_;
   Wakes wakes_;
-  fs::path folder_ = fs::path(testing::TempDir()) / ("loomlight-presets-" + std::to_string(getpid()));
+  test::ScratchFolder scratch_;
+  const fs::path folder_ = scratch_.path() / "presets";  // not there yet
 };
 
-TEST_F(PresetDeskTest, StoresKeepNamesApart) {
+TEST_F(PresetServiceTest, StoresKeepNamesApart) {
   PresetFolder store(folder_);
   EXPECT_EQ(store.keep(cloth("Tweed")), "Tweed");
   EXPECT_EQ(store.keep(cloth("Tweed")), "Tweed 2");
@@ -42,7 +40,7 @@ TEST_F(PresetDeskTest, StoresKeepNamesApart) {
   EXPECT_EQ(store.load("Tweed 2").name, "Tweed 2");
 }
 
-TEST_F(PresetDeskTest, LongNamesAreCutBetweenCharactersAndStillKeptApart) {
+TEST_F(PresetServiceTest, LongNamesAreCutBetweenCharactersAndStillKeptApart) {
   PresetFolder store(folder_);
   std::string name;
   for (int i = 0; i < 70; ++i) name += "\u00E9";
@@ -53,7 +51,7 @@ TEST_F(PresetDeskTest, LongNamesAreCutBetweenCharactersAndStillKeptApart) {
   EXPECT_EQ(store.keep(cloth(name)), name.substr(0, 99)) << "a character is not halved";
 }
 
-TEST_F(PresetDeskTest, TagsLast) {
+TEST_F(PresetServiceTest, TagsLast) {
   PresetTags(folder_ / "tags").set("Tweed", "winter, client A");
   PresetTags tags(folder_ / "tags");
   EXPECT_EQ(tags.of("Tweed"), "winter, client A");
@@ -63,7 +61,7 @@ TEST_F(PresetDeskTest, TagsLast) {
   EXPECT_EQ(PresetFolder(folder_).names().size(), 0u) << "tags are no preset";
 }
 
-TEST_F(PresetDeskTest, TagsThatCannotBeReadAreSaidAndPutAside) {
+TEST_F(PresetServiceTest, TagsThatCannotBeReadAreSaidAndPutAside) {
   fs::create_directories(folder_);
   EXPECT_EQ(PresetTags(folder_ / "tags").problem(), "") << "a file that is not there is no problem";
   int readings = 0;
@@ -81,7 +79,7 @@ TEST_F(PresetDeskTest, TagsThatCannotBeReadAreSaidAndPutAside) {
   }
 }
 
-TEST_F(PresetDeskTest, WhateverIsInTheWayOfTagsIsPutAside) {
+TEST_F(PresetServiceTest, WhateverIsInTheWayOfTagsIsPutAside) {
   const fs::path file = folder_ / "tags", aside = folder_ / "tags.unreadable";
   const std::function<void()> ways[] = {[&] { fs::create_directories(file); },
                                         [&] { fs::create_symlink(file, file); },  // leads round in a circle
@@ -100,14 +98,14 @@ TEST_F(PresetDeskTest, WhateverIsInTheWayOfTagsIsPutAside) {
   }
 }
 
-TEST_F(PresetDeskTest, TagsThatCannotBeWrittenAreRefused) {
+TEST_F(PresetServiceTest, TagsThatCannotBeWrittenAreRefused) {
   std::ofstream(folder_) << "in the way of the folder";
   PresetTags tags(folder_ / "tags");
   EXPECT_THROW(tags.set("Tweed", "winter"), InputError);
   EXPECT_EQ(tags.of("Tweed"), "");
 }
 
-TEST_F(PresetDeskTest, RenamingNeverWritesOverAnother) {
+TEST_F(PresetServiceTest, RenamingNeverWritesOverAnother) {
   PresetFolder store(folder_);
   store.keep(cloth("A"));
   store.keep(cloth("B"));
@@ -118,7 +116,7 @@ TEST_F(PresetDeskTest, RenamingNeverWritesOverAnother) {
   EXPECT_THROW(store.rename("C", "D"), InputError);
 }
 
-TEST_F(PresetDeskTest, WhatIsRemovedCanBePutBack) {
+TEST_F(PresetServiceTest, WhatIsRemovedCanBePutBack) {
   PresetFolder store(folder_);
   Fabric first = cloth("A"), second = cloth("A");
   first.ends_per_cm = 11;
@@ -136,7 +134,7 @@ TEST_F(PresetDeskTest, WhatIsRemovedCanBePutBack) {
   EXPECT_EQ(store.load("A").ends_per_cm, 12);
 }
 
-TEST_F(PresetDeskTest, WhatCouldNotBeTakenBackIsTriedAgain) {
+TEST_F(PresetServiceTest, WhatCouldNotBeTakenBackIsTriedAgain) {
   PresetLibrary cabinet(folder_);
   const auto kind = PresetKind::fabrics;
   cabinet.keep(kind, cloth("A"));
@@ -152,7 +150,7 @@ TEST_F(PresetDeskTest, WhatCouldNotBeTakenBackIsTriedAgain) {
   EXPECT_NE(cabinet.lastChange(), removed);
 }
 
-TEST_F(PresetDeskTest, OnlyWhatHasChangedIsReadAgain) {
+TEST_F(PresetServiceTest, OnlyWhatHasChangedIsReadAgain) {
   PresetLibrary cabinet(folder_);
   const auto kind = PresetKind::fabrics;
   const auto readAll = [&] {
@@ -184,7 +182,7 @@ bool comes(Wakes& wakes, PresetService& service, const Condition& condition) {
   });
 }
 
-TEST_F(PresetDeskTest, CardsComeAndFollowWhatIsChanged) {
+TEST_F(PresetServiceTest, CardsComeAndFollowWhatIsChanged) {
   PresetFolder(folder_).keep(cloth("A"));
   PresetService service(folder_, driver_, wakes_.callback());
   const auto kind = PresetKind::fabrics;
@@ -207,7 +205,7 @@ TEST_F(PresetDeskTest, CardsComeAndFollowWhatIsChanged) {
   EXPECT_FALSE(service.takeOutcome());
 }
 
-TEST_F(PresetDeskTest, WhatCannotBeKeptIsSaid) {
+TEST_F(PresetServiceTest, WhatCannotBeKeptIsSaid) {
   std::ofstream(folder_) << "in the way of the folder";
   PresetService service(folder_, driver_, wakes_.callback());
   service.keep(PresetKind::fabrics, cloth("A"), 0, 0);
@@ -218,7 +216,7 @@ TEST_F(PresetDeskTest, WhatCannotBeKeptIsSaid) {
   EXPECT_EQ(service.lastChange(), "");
 }
 
-TEST_F(PresetDeskTest, WhatWasToBeKeptIsKeptBeforeTheEnd) {
+TEST_F(PresetServiceTest, WhatWasToBeKeptIsKeptBeforeTheEnd) {
   for (const char* name : {"A", "B", "C"}) PresetFolder(folder_).keep(cloth(name));
   {
     PresetService service(folder_, driver_, wakes_.callback());

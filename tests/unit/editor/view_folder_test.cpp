@@ -6,7 +6,7 @@
 
 #include "app/editor/model/sample_fabric.h"
 #include "core/base/error.h"
-#include "tests/unit/film/scratch_folder.h"
+#include "tests/support/scratch_folder.h"
 
 namespace loomlight {
 namespace {

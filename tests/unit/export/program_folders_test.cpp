@@ -4,7 +4,7 @@
 
 #include <fstream>
 
-#include "tests/unit/film/scratch_folder.h"
+#include "tests/support/scratch_folder.h"
 
 namespace loomlight {
 namespace {

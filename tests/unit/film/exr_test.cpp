@@ -11,9 +11,9 @@
 #include "core/base/file.h"
 #include "core/base/random.h"
 #include "render/film/image.h"
+#include "tests/support/scratch_folder.h"
 #include "tests/unit/film/exr_bytes.h"
 #include "tests/unit/film/film_samples.h"
-#include "tests/unit/film/scratch_folder.h"
 
 namespace loomlight {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "core/base/error.h"
 #include "render/film/film.h"
+#include "tests/support/scratch_folder.h"
 #include "tests/unit/film/film_samples.h"
-#include "tests/unit/film/scratch_folder.h"
 
 namespace loomlight {
 namespace {

@@ -3,7 +3,7 @@
 #include "core/base/error.h"
 #include "render/film/image.h"
 #include "tests/support/mutated.h"
-#include "tests/unit/film/scratch_folder.h"
+#include "tests/support/scratch_folder.h"
 
 namespace loomlight {
 namespace {

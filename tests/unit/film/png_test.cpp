@@ -5,7 +5,7 @@
 #include "core/base/error.h"
 #include "core/base/random.h"
 #include "render/film/image.h"
-#include "tests/unit/film/scratch_folder.h"
+#include "tests/support/scratch_folder.h"
 
 namespace loomlight {
 namespace {

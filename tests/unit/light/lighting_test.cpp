@@ -11,8 +11,8 @@
 #include "render/colour/spectrum.h"
 #include "render/light/daylight.h"
 #include "render/light/lat_long.h"
+#include "tests/support/scratch_folder.h"
 #include "tests/support/surroundings.h"
-#include "tests/unit/film/scratch_folder.h"
 
 namespace loomlight {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "tests/support/scratch_folder.h"
 #include "tests/support/test_cloth.h"
-#include "tests/unit/film/scratch_folder.h"
 #include "tests/unit/live/worker_window.h"
 
 namespace loomlight {
