@@ -13,7 +13,7 @@ struct ClearBenchCommand {
   bool pictures = false;            ///< also writes what was shown at some times
   std::vector<std::string> only{};  ///< names of cloths, drapes, lights and edits; see ClearChoice
   double seconds = 0;               ///< that each edit is looked at; 0: as the extent has it
-  int referenceSamples = 0;         ///< likewise
+  int referenceSamples = 0;         ///< of the converged pictures; 0: as the extent has it
   int threads = 0;                  ///< 0: as in the window, all but one
 };
 

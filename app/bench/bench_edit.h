@@ -4,8 +4,8 @@
 
 namespace loomlight {
 
-/// loomlight bench edit: how long the editor's workers take to answer every kind of edit, on four cloths, and the same
-/// edit by a full build.
+/// loomlight bench edit: how long the editor's workers take to answer every kind of edit on four cloths, and how long a
+/// full build of the edited cloth takes.
 struct EditBenchCommand {
   std::string folder;  ///< where page and tables go
   bool quick = false;  ///< small cloths, small pictures, one round: for tests

@@ -32,8 +32,8 @@ class LiveClock {
   /// Waits for the first picture of the fabric and for its volume, or for one sample of every pixel. nullopt when
   /// stopped. Throws InputError where the fabric cannot be shown.
   std::optional<LiveTimes> show(const Fabric& fabric, bool wholeSample, const std::stop_token& stop);
-  /// Sends one fabric after another at this interval, however long they take; how long each waited for a picture of it
-  /// or of a later one. Empty when stopped.
+  /// Sends one fabric after another at this interval, however long they take. Returns how long each of them waited for
+  /// its own picture or a later one, in seconds; empty when stopped.
   std::vector<double> play(std::span<const Fabric> fabrics, double interval_s, const std::stop_token& stop);
 
   /// Sends the fabric and tells `look` of every picture of it that is shown within so many seconds, and when. False

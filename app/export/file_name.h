@@ -16,8 +16,8 @@ bool isFabricFile(const std::string& file);
 /// Whether it is to be read as a weaving file: some come by mail as texts, "draft.wif.txt".
 bool isWeavingFile(const std::string& file);
 
-/// A name for people as a name for a file: without a folder in it, not hidden, of characters that other systems take
-/// too, and short enough for any of them, with a number behind it too.
+/// Makes a file's name of a name for people: without a folder in it, not hidden, of characters that all systems allow,
+/// and so short that a number still fits behind it on any of them.
 std::string fileNameOf(const std::string& name);
 
 /// Whether something is there, be it a link that leads nowhere.

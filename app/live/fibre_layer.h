@@ -28,7 +28,8 @@ class FibreLayer {
   /// soon as that is no longer wanted. Nothing of it is kept here.
   FibreLayer(std::function<void()> wake, std::function<void(Traceable)> deliver, int threads);
 
-  /// Fibres of the scene's cloth, from now on. What is there or under way stays if it is right for this scene too.
+  /// Fibres of this scene's cloth are wanted from now on. Those that are there or under way are kept if they are its
+  /// own.
   void lay(std::shared_ptr<const Scene> scene, double limit_bytes);
   /// None are wanted.
   void clear();

@@ -33,22 +33,22 @@ class Refinement {
   Refinement(Traceable cloth, int width, int height, double secondsPerPath);
 
   void look(const PixelRect& window);  ///< within the film
-  /// Begins no coarser than this, where the old picture says more than a coarser one, unless it has to wait longer
-  /// than that.
+  /// The first pass has this divider at most, because the old picture says more than a coarser one would; it is coarser
+  /// all the same where the pass would take longer than `patience_s`.
   void beginAt(int divider, double patience_s) {
     history_.coarsest = divider;
     history_.patience_s = patience_s;
   }
-  /// Counts as begun, and goes on with passes that are finer than this: for a picture that another one stands in for,
-  /// or that nobody sees before it has many samples.
+  /// Leaves out all passes whose divider is this or larger: for a picture that another one stands in for, or that is
+  /// not shown before it has many samples.
   void skipCoarse(int divider = 1) { history_.divider = divider; }
   /// Frames have no hits, and are as they were traced: for the lens.
   void asTraced() { asTraced_ = true; }
   /// Another picture of the same view, of the window or more, shown where this one is not as good yet.
   void standIn(std::shared_ptr<const Frame> earlier) { standIn_.emplace(std::move(earlier)); }
-  /// Whether something of that is still to be seen.
+  /// Whether the picture that stands in is still to be seen.
   bool fading() const { return standIn_ && history_.samples < standIn_->samples(); }
-  /// Samples with which another picture is as good as this one, with what stands in for it.
+  /// With so many samples another picture is as good as what this one shows, stand-in included.
   uint32_t worth_samples() const { return fading() ? standIn_->samples() : history_.samples; }
   /// Whether frames with hits have a copy with less noise for the display.
   void denoise(bool wanted) { denoised_ = wanted; }

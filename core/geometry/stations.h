@@ -28,7 +28,7 @@ inline constexpr int kLeastMaxStations = 32;
 
 /// The stations of a cell from `previous` through `here` to `next`, in order, and those beside it whose fibres spill
 /// in: the fibres lie in planes normal to the path, so the cell's ends cut them at different stations. Each transition
-/// has its stations from its own nodes, hence both cells that share it have the same.
+/// has its stations from its own nodes, so both cells that share a transition have the same stations in it.
 std::vector<Station> layStations(const YarnModel& yarn, const PathNode& previous, const PathNode& here,
                                  const PathNode& next, int phase, double pitch_mm);
 

@@ -28,7 +28,7 @@ class YarnTable {
   /// All fibres, hairs too, lie in |z| <= this.
   double halfThickness_mm() const { return halfThickness_mm_; }
   double minYarnDiameter_mm() const;  ///< of the yarns that the cloth uses
-  double minFibreRadius_mm() const;   ///< likewise
+  double minFibreRadius_mm() const;   ///< of the yarns that the cloth uses
 
   /// Index into Fabric::yarns of an end or a pick; any integer.
   int yarnIndex(System system, int index) const;

@@ -26,8 +26,8 @@ struct Scene {
   std::shared_ptr<const TraceData> cloth;
   std::shared_ptr<const Lighting> lighting;
   std::vector<Rgb> absorption_per_mm;  ///< inside the fibres of each material
-  /// What roulette takes for it: the same, unless paths must end where those of another colouring do. Whatever it is,
-  /// the picture converges to the same.
+  /// The absorptions by which Russian roulette ends paths: absorption_per_mm, unless paths must end where those of
+  /// another colouring end. The mean of the picture does not depend on them.
   std::vector<Rgb> roulette_per_mm;
   PathSampling sampling;
   struct Seconds {
@@ -38,10 +38,10 @@ struct Scene {
 /// What somebody who waits for a scene wants to see of it before it is there.
 struct ScenePreviews {
   double aspect = 1;  ///< width over height of the picture
-  /// Asked where a draft could be shown, having so much of all bricks. Both are called from the thread that builds.
+  /// Whether a preview is wanted now that this fraction of all bricks is made. Both are called by the building thread.
   std::function<bool(double fraction)> wanted;
-  /// A scene as it will be, but for fibres that overlap, or bricks out of sight, or of sight in another phase.
-  std::function<void(std::shared_ptr<const Scene> draft)> show;
+  /// Brings a scene in which fibres may overlap, bricks out of sight are missing, and others show another phase.
+  std::function<void(std::shared_ptr<const Scene> preview)> show;
 };
 
 /// Builds the scene of a fabric, reusing from `previous` (may be null) every part that the edit did not touch. Returns

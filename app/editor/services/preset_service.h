@@ -53,7 +53,7 @@ class PresetService {
   const std::string& lastChange() const { return state_.lastChange; }     ///< empty: there is none
   const std::string& problem() const { return state_.problem; }           ///< what was kept and cannot be read
   const std::vector<std::string>& names() const { return state_.names; }  ///< of the designer's own cloths
-  std::string fileOf(const std::string& name) const;                      ///< of one of them
+  std::string fileOf(const std::string& name) const;                      ///< of the cloth of this name
 
  private:
   using Presets = std::vector<Preset>;

@@ -35,7 +35,7 @@ struct ReducedPicture {
 struct ColourCounts {
   struct Bin {
     double weight = 0;                    ///< pixels of nearly one colour
-    std::array<double, 3> mean{0, 0, 0};  ///< of them
+    std::array<double, 3> mean{0, 0, 0};  ///< of the colours in the bin
   };
   std::vector<Bin> bins;
   std::vector<Rgb8> few;  ///< the colours themselves, where there are at most 32
