@@ -67,7 +67,7 @@ std::string HeadlessEditor::start(const Fabric& cloth, const std::string& name) 
 void HeadlessEditor::startOn(const std::string& file) {
   session_ = std::make_unique<Session>(Document(readFabric(file), file), settings_, driver_, wakes_.callback(), 0);
   session_->offerRecovery();
-  until("the desk is drawn", [this] { return shows("viewport"); });
+  until("the panels are drawn", [this] { return shows("viewport"); });
 }
 
 void HeadlessEditor::leave() {

@@ -249,7 +249,7 @@ TEST(Settings, ComeBackAndSurviveNonsense) {
   writeSettings(file, settings);
   EXPECT_EQ(readSettings(file).windowWidth, 1777);
   EXPECT_FALSE(readSettings(file).darkTheme);
-  EXPECT_EQ(readSettings(file).desk.draftWidth, 401);
+  EXPECT_EQ(readSettings(file).dock.draftWidth, 401);
   EXPECT_EQ(readSettings(file).units.count, CountSystem::denier);
   EXPECT_EQ(readSettings(file).units.piece.width_cm, 90);
   ASSERT_EQ(readSettings(file).recent.size(), 2u);

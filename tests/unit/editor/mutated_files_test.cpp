@@ -59,7 +59,7 @@ TEST_F(MutatedFiles, Settings) {
     EXPECT_GE(read.windowWidth, 960);
     EXPECT_LE(read.windowWidth, 16384);
     EXPECT_GE(read.draft.loom.shafts, 1);
-    EXPECT_LE(read.desk.draftWidth, 4000.0f);
+    EXPECT_LE(read.dock.draftWidth, 4000.0f);
     return read.windowWidth == 1777;
   });
 }
