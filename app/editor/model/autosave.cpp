@@ -50,7 +50,7 @@ void sweepLocks(const fs::path& folder) {
 
 }  // namespace
 
-Autosave::Autosave(fs::path folder, std::function<void()> wake) {
+Autosave::Autosave(const fs::path& folder, std::function<void()> wake) {
   std::error_code ignored;  // without the folder a write fails, and says so
   fs::create_directories(folder, ignored);
   sweepLocks(folder);

@@ -20,7 +20,7 @@ namespace loomlight {
 class Autosave {
  public:
   /// `wake` is called from the thread when problem() changes.
-  explicit Autosave(std::filesystem::path folder, std::function<void()> wake = {});
+  explicit Autosave(const std::filesystem::path& folder, std::function<void()> wake = {});
   ~Autosave();  ///< leaves the copy: whoever is torn down by an error still has it
 
   void keep(std::shared_ptr<const Fabric> fabric) { ask(std::move(fabric)); }

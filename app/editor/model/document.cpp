@@ -29,7 +29,7 @@ size_t ownBytes(const Fabric& fabric, const Fabric* before) {
   if (!fabric.draft) return bytes;
   for (const auto* lists :
        {&fabric.draft->threading, &fabric.draft->tieUp, &fabric.draft->treadling, &fabric.draft->liftplan})
-    for (const std::vector<int>& list : *lists) bytes += sizeof(list) + list.capacity() * sizeof(int);
+    for (const std::vector<int>& list : *lists) bytes += sizeof(std::vector<int>) + list.capacity() * sizeof(int);
   return bytes;
 }
 
