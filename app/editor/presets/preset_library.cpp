@@ -56,7 +56,7 @@ bool PresetLibrary::readNext(PresetKind kind) {
     try {
       read.preset = presetOf(kind, shelf.store.load(name), name, true, shelf.scale);
     } catch (const InputError&) {
-      // A file that is none of ours, or was broken by hand: it is not offered.
+      read.preset.reset();  // none of ours, or broken by hand: it is not offered
     } catch (const std::bad_alloc&) {
       read.tooMany = true;
     }
