@@ -25,7 +25,7 @@ struct Extent {
   uint32_t referenceSamples;
   double seconds;
 };
-constexpr Extent kFull{640, 400, 256, 12};
+constexpr Extent kFull{640, 400, 1024, 12};
 constexpr Extent kQuick{160, 100, 64, 2};
 
 const std::vector<double> kTimes_s{0.3, 1, 3, 10};
@@ -64,15 +64,16 @@ class ClearBench {
   std::string finish() {
     page_.paragraph(fmt::format(
         "Pictures of {} x {}, each looked at for {} s after an edit of one that is clear. FLIP is the mean over nine "
-        "windows, a tenth of the picture each way, of what the display shows, against {} samples of another seed. A "
+        "windows, a twentieth of the picture each way, of what the display shows, against {} samples of another seed. "
+        "A "
         "step back is how much worse than the best before it a picture was, at worst.",
         extent_.width, extent_.height, extent_.seconds, extent_.referenceSamples));
-    Row header{"cloth", "drape", "light", "edit", "first picture, s", "its FLIP"};
+    Row header{"cloth", "drape", "light", "edit", "light shared", "first picture, s", "its FLIP"};
     for (const double time_s : kTimes_s) header.push_back(fmt::format("FLIP after {} s", time_s));
     for (const double flip : kClear) header.push_back(fmt::format("s to {:.2f}", flip));
     header.insert(header.end(), {"worst step back", "samples at the end"});
     page_.table("clear", header, rows_);
-    page_.csv("clear_course", {"cloth", "drape", "light", "edit", "s", "samples", "FLIP"}, courses_);
+    page_.csv("clear_course", {"cloth", "drape", "light", "edit", "light shared", "s", "samples", "FLIP"}, courses_);
     page_.paragraph(fmt::format("Measured on {}", machineFacts(task_.threads)));
     return page_.finish();
   }
@@ -85,29 +86,35 @@ class ClearBench {
       const ClearReference reference(edited, extent_.width, extent_.height, extent_.referenceSamples,
                                      command_.folder + "/references", task_);
       if (task_.stopped()) return false;
-      if (!measure(setting, edit, edited, reference)) return false;
+      for (const bool shared : {false, true}) {
+        using Sharing = ClearBenchCommand::Sharing;
+        if (command_.sharing == (shared ? Sharing::off : Sharing::on)) continue;
+        if (!measure(setting, edit, edited, reference, shared)) return false;
+      }
     }
     return true;
   }
 
   bool measure(const ClearSetting& setting, const ClearEdit& edit, const Fabric& edited,
-               const ClearReference& reference) {
+               const ClearReference& reference, bool shared) {
     LiveClock clock(extent_.width, extent_.height, command_.threads);
+    clock.shareLight(shared);
     const auto nothing = [](const std::shared_ptr<const Frame>&, double) {};
     if (edit.name != "open" && !clock.watch(setting.fabric, extent_.seconds, nothing, task_.stop)) return false;
     std::vector<std::shared_ptr<const Frame>> pictures;
     const ClearCourse course =
         watchClear(clock, edited, reference, extent_.seconds, kTimes_s, command_.pictures ? &pictures : nullptr, task_);
     if (task_.stopped()) return false;
-    add(setting, edit, course);
+    add(setting, edit, shared, course);
     for (size_t i = 0; i < pictures.size(); ++i)
-      if (pictures[i]) addPicture(setting, edit, kTimes_s[i], *pictures[i]);
-    fmt::print(stderr, "loomlight: {}, {}: {:.3f} after 1 s\n", setting.name(), edit.name, course.at(1));
+      if (pictures[i]) addPicture(setting, edit, shared, kTimes_s[i], *pictures[i]);
+    fmt::print(stderr, "loomlight: {}, {}, light {}: {:.3f} after 1 s\n", setting.name(), edit.name,
+               shared ? "shared" : "not shared", course.at(1));
     return true;
   }
 
-  void add(const ClearSetting& setting, const ClearEdit& edit, const ClearCourse& course) {
-    const Row about{setting.cloth, setting.drape, setting.light, edit.name};
+  void add(const ClearSetting& setting, const ClearEdit& edit, bool shared, const ClearCourse& course) {
+    const Row about{setting.cloth, setting.drape, setting.light, edit.name, shared ? "yes" : "no"};
     Row row = about;
     row.push_back(course.points.empty() ? "-" : secondsText(course.points.front().since_s));
     row.push_back(fmt::format("{:.3f}", course.first()));
@@ -125,14 +132,15 @@ class ClearBench {
     }
   }
 
-  void addPicture(const ClearSetting& setting, const ClearEdit& edit, double time_s, const Frame& frame) {
+  void addPicture(const ClearSetting& setting, const ClearEdit& edit, bool shared, double time_s, const Frame& frame) {
     Frame shown = frame;
     shown.rgba.assign(frame.shown().begin(), frame.shown().end());
-    const std::string name =
-        fmt::format("{}_{}_{}_{}_{}", setting.cloth, setting.drape, setting.light, edit.name, time_s);
+    const std::string name = fmt::format("{}_{}_{}_{}_{}_{}", setting.cloth, setting.drape, setting.light, edit.name,
+                                         shared ? "shared" : "plain", time_s);
     const Pixels8 pixels = displayPicture(shown, Tone{});
     page_.picture(name, frame.divider > 1 ? magnified(pixels, frame.divider) : pixels,
-                  fmt::format("{}, {} after {} s", setting.name(), edit.name, time_s));
+                  fmt::format("{}, {} after {} s, light {}", setting.name(), edit.name, time_s,
+                              shared ? "shared" : "not shared"));
   }
 
   const ClearBenchCommand& command_;

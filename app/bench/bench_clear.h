@@ -8,10 +8,12 @@ namespace loomlight {
 /// loomlight bench clear: how fast what the editor shows comes near the picture that it converges to, after every kind
 /// of edit, through the editor's own builder, tracer and display policy.
 struct ClearBenchCommand {
+  enum class Sharing { on, off, both };
   std::string folder;               ///< where page and tables go, and the converged pictures, for the next time
   bool quick = false;               ///< one setting, a small picture, seconds: for tests
   bool pictures = false;            ///< also writes what was shown at some times
   std::vector<std::string> only{};  ///< names of cloths, drapes, lights and edits; see ClearChoice
+  Sharing sharing = Sharing::both;  ///< whether light is shared between repeats
   double seconds = 0;               ///< that each edit is looked at; 0: as the extent has it
   int referenceSamples = 0;         ///< of the converged pictures; 0: as the extent has it
   int threads = 0;                  ///< 0: as in the window, all but one

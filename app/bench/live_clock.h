@@ -43,6 +43,7 @@ class LiveClock {
              const std::stop_token& stop);
 
   LiveStatus status() const { return renderer_.status(); }
+  void shareLight(bool wanted) { renderer_.shareLight(wanted); }
   void pause(bool paused) { renderer_.pause(paused); }
 
  private:

@@ -305,6 +305,10 @@ void LiveRenderer::denoise(bool wanted) {
   workers_->tracer.denoise(wanted);
 }
 
+void LiveRenderer::shareLight(bool wanted) {
+  workers_->tracer.shareLight(wanted);
+}
+
 void LiveRenderer::pause(bool paused) {
   workers_->tracer.pause(paused);
 }

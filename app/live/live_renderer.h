@@ -83,8 +83,9 @@ class LiveRenderer {
   std::shared_ptr<const Frame> frame() const;          ///< the newest; null before the first
   std::shared_ptr<const LensFrame> lensFrame() const;  ///< null while there is nothing to show in the lens
   LiveStatus status() const;
-  void denoise(bool wanted);  ///< whether frames have a copy with less noise for the display
-  void pause(bool paused);    ///< stops tracing (a snapshot needs the cores); the picture stays
+  void denoise(bool wanted);     ///< whether frames have a copy with less noise for the display
+  void shareLight(bool wanted);  ///< whether the next pictures show light that repeats share; true unless told
+  void pause(bool paused);       ///< stops tracing (a snapshot needs the cores); the picture stays
 
  private:
   struct Workers;

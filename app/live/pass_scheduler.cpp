@@ -43,4 +43,11 @@ PassPlan nextPass(const PassHistory& h, uint32_t samplesWanted) {
   return {1, std::min(samplesWanted, h.samples + more)};
 }
 
+uint32_t hitsWanted(const PassHistory& h) {
+  if (h.divider == 0) return 0;  // nothing would be seen sooner than the first coarse pass
+  if (h.divider > 2) return 1;
+  if (h.samples == 0) return 2;
+  return h.samples == 1 ? 4 : h.samples < 4 ? 8 : 16;
+}
+
 }  // namespace loomlight

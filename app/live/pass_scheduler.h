@@ -30,4 +30,8 @@ double passBudget_s(const PassHistory& history);
 /// samples == 0 in the plan: converged, nothing left to do.
 PassPlan nextPass(const PassHistory& history, uint32_t samplesWanted);
 
+/// First fibres that every pixel should have before the next pass, where light is shared between repeats: each round of
+/// them costs a fraction of a sample, and shows the picture at full resolution.
+uint32_t hitsWanted(const PassHistory& history);
+
 }  // namespace loomlight

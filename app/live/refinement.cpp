@@ -63,6 +63,14 @@ void Refinement::keepPaths(size_t bytes) {
                                            static_cast<int>(scene().cloth->materials.size()), bytes);
 }
 
+void Refinement::shareLight(std::unique_ptr<SharedLight> earlier, const Changes& edit) {
+  shared_ = std::move(earlier);
+  if (shared_)
+    shared_->moveTo(cloth_.scene, cloth_.medium, fine_.width(), fine_.height(), edit);
+  else
+    shared_ = std::make_unique<SharedLight>(cloth_.scene, cloth_.medium, fine_.width(), fine_.height());
+}
+
 bool Refinement::converged() const {
   return !pass_ && nextPass(history_, kMostSamples).samples == 0;
 }
@@ -96,6 +104,11 @@ bool Refinement::advance(const Task& task) {
   threads_ = task.threads;
   if (converged()) return true;
   history_.seconds = secondsSince(start_);
+  if (!pass_ && shared_ && shared_->hits() < hitsWanted(history_)) {
+    const bool complete = shared_->addHits(hitsWanted(history_), task);
+    spent_s_ += secondsSince(start_) - history_.seconds;
+    return complete;
+  }
   if (!pass_) pass_ = beginPass();
   const PassPlan& plan = pass_->plan;
   Film& film = filmFor(plan.divider);
@@ -106,9 +119,11 @@ bool Refinement::advance(const Task& task) {
   uint64_t paths = 0;
   double seconds = 0;
   bool complete = true;
+  FirstFibreSink* const first = shared_ ? shared_->listener(history_.samples, plan.divider) : nullptr;
   while (complete && !pass_->parts.finished() && seconds < budget) {
     const PassResult result =
-        renderUpTo(plan.samples, scene(), *cloth_.medium, camera, film, pass_->parts.next(), task, 0, records);
+        renderUpTo(plan.samples, scene(), *cloth_.medium, camera, film, pass_->parts.next(), task, 0, records, first);
+    if (first) shared_->settle();
     seconds = secondsSince(start);
     paths += result.counts.paths;
     complete = result.complete;
@@ -160,7 +175,7 @@ void Refinement::finish(Frame& frame) const {
 /// Noise darkens a picture, as what is brighter than white is lost to the eye: a young one is shown denoised, which
 /// keeps all light, and less and less so until it is clear. What was traced stays beside it.
 void Refinement::takeNoise(Frame& frame) const {
-  const float youth = 1 - static_cast<float>(std::min(frame.samples, kClearSamples)) / kClearSamples;
+  const float youth = frame.shared ? 0 : 1 - static_cast<float>(std::min(frame.samples, kClearSamples)) / kClearSamples;
   if (youth == 0 && !denoised_) return;
   frame.variances = variances(frame);
   std::vector<glm::vec4> quiet(frame.plain().begin(), frame.plain().end());
@@ -189,10 +204,30 @@ std::vector<float> Refinement::variances(const Frame& frame) const {
 }
 
 Frame Refinement::frame() const {
-  const int divider = fineBegun_ || !coarse_ ? 1 : coarseDivider_;
+  const bool shared = sharesLight();
+  const int divider = shared || fineBegun_ || !coarse_ ? 1 : coarseDivider_;
   Frame frame = traced(divider == 1 ? fine_ : *coarse_, divider);
+  if (shared) share(frame);
   finish(frame);
   return frame;
+}
+
+bool Refinement::sharesLight() const {
+  return shared_ && shared_->shows() && history_.samples < SharedLight::kFilmAlone;
+}
+
+/// For the display, light that repeats share; a fine picture that stands in gives way to it as to the film.
+void Refinement::share(Frame& frame) const {
+  frame.shared = true;
+  frame.helped = shared_->picture(fine_, threads_);
+  if (!standIn_ || standIn_->frame().samples == 0) return;
+  for (int y = 0; y < fine_.height(); ++y)
+    for (int x = 0; x < fine_.width(); ++x) {
+      glm::vec4& own =
+          frame.helped[static_cast<size_t>(y) * static_cast<size_t>(fine_.width()) + static_cast<size_t>(x)];
+      const float share = standIn_->share(fine_.samples(x, y));
+      if (share > 0) own = glm::mix(own, standIn_->helped(x, y, 1), share);
+    }
 }
 
 Frame Refinement::recoloured(const Dye& dye, int threads, double& variance) const {
@@ -201,6 +236,10 @@ Frame Refinement::recoloured(const Dye& dye, int threads, double& variance) cons
   Frame frame = traced(fine_, 1);
   frame.helped.clear();
   frame.rgba = std::move(picture.rgba);
+  if (sharesLight()) {
+    share(frame);
+    for (size_t i = 0; i < frame.helped.size(); ++i) frame.helped[i] *= glm::vec4(picture.change[i], 1);
+  }
   for (int y = 0; fading() && y < fine_.height(); ++y)
     for (int x = 0; x < fine_.width(); ++x) {
       const size_t i = static_cast<size_t>(y) * static_cast<size_t>(fine_.width()) + static_cast<size_t>(x);

@@ -12,6 +12,7 @@
 #include "render/display/stand_in.h"
 #include "render/media/medium.h"
 #include "render/scene/scene.h"
+#include "render/share/shared_light.h"
 
 namespace loomlight {
 
@@ -55,6 +56,12 @@ class Refinement {
   /// From now on keeps what recolouring needs, within so many bytes. Before the first pass.
   void keepPaths(size_t bytes);
 
+  /// From now on shows light that repeats share, while it is better than the film. `earlier` (may be null) is that of
+  /// another picture, and `edit` what came between.
+  void shareLight(std::unique_ptr<SharedLight> earlier, const Changes& edit);
+  /// Null where none is shared; it is then no longer.
+  std::unique_ptr<SharedLight> takeSharedLight() { return std::move(shared_); }
+
   bool begun() const { return history_.divider != 0; }  ///< the window has been filled, if coarsely
   bool converged() const;
   int divider() const { return history_.divider; }
@@ -90,12 +97,15 @@ class Refinement {
   glm::vec4 faded(const glm::vec4& own, int x, int y, Rgb change) const;
   void finish(Frame& frame) const;
   void takeNoise(Frame& frame) const;
+  bool sharesLight() const;
+  void share(Frame& frame) const;
   std::vector<float> variances(const Frame& frame) const;
 
   Traceable cloth_;
   Film fine_;
   bool fineBegun_ = false;
   std::unique_ptr<PathRecords> records_;  ///< of fine_; null where none are kept
+  std::unique_ptr<SharedLight> shared_;   ///< null where none is shared
   std::optional<Film> coarse_;            ///< of a 1/coarseDivider_ of the resolution
   int coarseDivider_ = 0;
   bool denoised_ = false, asTraced_ = false;

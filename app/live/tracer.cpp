@@ -70,6 +70,12 @@ void Tracer::denoise(bool wanted) {
   interrupt();
 }
 
+void Tracer::shareLight(bool wanted) {
+  std::lock_guard lock(mutex_);
+  news_.share = wanted;
+  interrupt();
+}
+
 std::shared_ptr<const Frame> Tracer::frame() const {
   std::lock_guard lock(mutex_);
   return frame_;
@@ -143,6 +149,7 @@ void Tracer::take(News news) {
   if (news.fibres) fibres_ = std::move(*news.fibres);
   if (news.lens) lensWindow_ = *news.lens;
   if (news.denoise) changeDenoising(*news.denoise);
+  if (news.share) shared_ = *news.share;
   if (news.request) begin(std::move(*news.request));
   if (news.request || news.fibres || news.lens) openLens();
 }
@@ -164,6 +171,7 @@ void Tracer::begin(Request request) {
                            {request.width, request.height, fabric.weave.ends(), fabric.weave.picks()});
     if (clearHelp_ == ClearHelp::none) clear_.reset();
   }
+  std::unique_ptr<SharedLight> light = picture_ ? picture_->takeSharedLight() : nullptr;
   request_ = std::move(request);
   picturePending_.reset();
   dyed_.reset();
@@ -171,7 +179,7 @@ void Tracer::begin(Request request) {
     picture_.reset();
     return;
   }
-  beginPicture(secondsPerPath);
+  beginPicture(secondsPerPath, std::move(light), have.sincePicture.value_or(Changes{}));
   if (earlier) {
     picture_->standIn(earlier);
     picture_->skipCoarse(start.reached);
@@ -209,7 +217,7 @@ bool Tracer::recolour(const Request& request) {
     const double secondsPerPath = known->secondsPerPath();
     if (!dyed_) dyed_ = std::exchange(picture_, std::nullopt);
     picturePending_ = framed(dyed_->recoloured(*dye, threads_, varianceToBeat_));
-    beginPicture(secondsPerPath);
+    beginPicture(secondsPerPath, nullptr, {});
     picture_->skipCoarse();
   }
   spentBeforeLens_s_ = 0;
@@ -219,8 +227,10 @@ bool Tracer::recolour(const Request& request) {
   return true;
 }
 
-void Tracer::beginPicture(double secondsPerPath) {
+/// `light`: what repeats shared in the picture before, and `edit` what came between.
+void Tracer::beginPicture(double secondsPerPath, std::unique_ptr<SharedLight> light, const Changes& edit) {
   picture_.emplace(request_.cloth, request_.width, request_.height, secondsPerPath);
+  if (shared_ && SharedLight::serves(*request_.cloth.scene)) picture_->shareLight(std::move(light), edit);
   picture_->keepPaths(kPathBytes);
   picture_->denoise(denoised_);
 }

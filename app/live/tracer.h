@@ -55,6 +55,9 @@ class Tracer {
   void pause(bool paused);  ///< the picture stays
   /// Whether frames have a copy with less noise for the display. The lens has none: it is there for the truth.
   void denoise(bool wanted);
+  /// Whether the next pictures show light that repeats of the cloth share (render/share); they do unless told
+  /// otherwise.
+  void shareLight(bool wanted);
 
   std::shared_ptr<const Frame> frame() const;
   std::shared_ptr<const LensFrame> lensFrame() const;  ///< null while there is nothing to show in it
@@ -66,8 +69,8 @@ class Tracer {
     std::optional<Request> request;
     std::optional<std::optional<PixelRect>> lens;
     std::optional<Traceable> fibres;
-    std::optional<bool> denoise;
-    bool empty() const { return !request && !lens && !fibres && !denoise; }
+    std::optional<bool> denoise, share;
+    bool empty() const { return !request && !lens && !fibres && !denoise && !share; }
   };
 
   void loop(const std::stop_token& stop);
@@ -76,7 +79,7 @@ class Tracer {
   void begin(Request request);
   bool recolour(const Request& request);
   std::shared_ptr<const Frame> newestFrame() const;
-  void beginPicture(double secondsPerPath);
+  void beginPicture(double secondsPerPath, std::unique_ptr<SharedLight> light, const Changes& edit);
   Frame cleared(Frame fresh) const;
   void changeDenoising(bool wanted);
   bool worthShowing() const;
@@ -111,7 +114,7 @@ class Tracer {
   std::optional<Refinement> picture_, lens_;
   std::optional<PixelRect> lensWindow_;
   Traceable fibres_;
-  bool denoised_ = false;
+  bool denoised_ = false, shared_ = true;
   std::optional<Refinement> dyed_;  ///< the old picture, shown in other colours until picture_ is as good
   double varianceToBeat_ = 0;       ///< of it
   double spentBeforeLens_s_ = 0;    ///< on the picture, before the lens was opened

@@ -26,6 +26,7 @@ struct Frame {
   int divider = 1;                  ///< of the resolution
   double seconds = 0;               ///< since this picture was begun
   Quality quality = Quality::clear;
+  bool shared = false;  ///< `helped` is light that repeats share
 
   /// What the display shows where nothing is asked for.
   std::span<const glm::vec4> plain() const { return helped.empty() ? rgba : helped; }

@@ -8,21 +8,22 @@ namespace loomlight {
 /// worse of the two. Until the picture is there something else stands in for it, so that no edit waits to be seen; none
 /// of that is ever saved or measured:
 ///
-/// | stands in                    | made by                                  | frames  | until |
-/// |------------------------------|------------------------------------------|---------|--------------------------------|
-/// | yarns made in no time        | ClothGeometry, sketched                  | sketch  | the yarns have been calibrated
-/// | | bricks of what is in view    | ClothVolume::draft()                     | sketch  | all bricks are there | |
-/// bricks of another phase      | ClothVolume::build() with a PreviewSink    | sketch  | likewise | | scenes of these
-/// | makeScene() with ScenePreviews             | sketch  | the scene is there | | fewer pixels                 |
-/// nextPass(), Frame::divider               | coarse  | the first pass at full size    | | parts of a pass, others old
-/// | Parts, Refinement                        | coarse  | the pass is done               | | patches in the clear
-/// picture | patched(), where crossings were turned   | coarse+ | the new one is as clear | | the clear picture,
-/// reframed  | reframed(), where the viewport is resized| coarse+ | likewise                       | | the same in
-/// other colours    | recolour(), from PathRecords             | dyed    | the new one has no more noise | | the
-/// picture before           | StandIn, where a better medium has come  | young   | it has been replaced by sample | |
-/// borrowed visibility          | VisibilityWorker, of similar yarns       | any     | the bake has more rays         |
-/// | less noise                   | despeckle(), denoise(): Frame::helped    | young   | kClearSamples | | less noise,
-/// if asked for     | denoise(): Frame::denoised               | any     | switched off |
+/// | stands in                     | made by                                   | frames  | until                     |
+/// |-------------------------------|-------------------------------------------|---------|---------------------------|
+/// | yarns made in no time         | ClothGeometry, sketched                   | sketch  | yarns are calibrated      |
+/// | bricks of what is in view     | ClothVolume::draft()                      | sketch  | all bricks are there      |
+/// | bricks of another phase       | ClothVolume::build() with a PreviewSink   | sketch  | likewise                  |
+/// | scenes of these               | makeScene() with ScenePreviews            | sketch  | the scene is there        |
+/// | fewer pixels                  | nextPass(), Frame::divider                | coarse  | the first full pass       |
+/// | parts of a pass, others old   | Parts, Refinement                         | coarse  | the pass is done          |
+/// | patches in the clear picture  | patched(), where crossings were turned    | coarse+ | the new one is as clear   |
+/// | the clear picture, reframed   | reframed(), where the viewport is resized | coarse+ | likewise                  |
+/// | the same in other colours     | recolour(), from PathRecords              | dyed    | the new one is as clear   |
+/// | the picture before            | StandIn, where a better medium has come   | young   | replaced, sample by sample |
+/// | borrowed visibility           | VisibilityWorker, of similar yarns        | any     | the bake has more rays    |
+/// | light that repeats share      | SharedLight: Frame::shared                | coarse+ | SharedLight::kFilmAlone   |
+/// | less noise, where none shared | despeckle(), denoise(): Frame::helped     | young   | kClearSamples             |
+/// | less noise, if asked for      | denoise(): Frame::denoised                | any     | switched off              |
 enum class Quality : uint8_t {
   sketch,  ///< some of it was traced in what there is of a cloth that is still being built
   coarse,  ///< some of its pixels have no sample of their own

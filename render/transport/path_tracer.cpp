@@ -22,10 +22,14 @@ void recordFirstHit(const Collision& at, PathSample& sample) {
 /// Makes the sample of a pixel; colours light as it comes.
 class PixelSink final : public PathSink {
  public:
-  PixelSink(const Scene& scene, PathSink* listener) : scene_(scene), listener_(listener) {}
+  PixelSink(const Scene& scene, Collision& first, PathSink* listener)
+      : scene_(scene), first_(first), listener_(listener) {}
 
   bool meets(const Collision& at, uint32_t event) override {
-    if (event == 1) recordFirstHit(at, sample_);
+    if (event == 1) {
+      recordFirstHit(at, sample_);
+      first_ = at;
+    }
     sample_.events = event;
     return !listener_ || listener_->meets(at, event);
   }
@@ -43,6 +47,7 @@ class PixelSink final : public PathSink {
 
  private:
   const Scene& scene_;
+  Collision& first_;
   PathSink* listener_;
   PathSample sample_;
 };
@@ -64,7 +69,7 @@ PathSample PathTracer::trace(int x, int y, uint32_t index, TraceCounts& counts, 
   Random random(hashCombine(hashCombine(hashCombine(scene_.fabric->render.seed, x), y), 0), index);
   if (scene_.sampling.stratified) random.stratify(0, PathIntegrator::kFirstDimension);
   const float dx = random.uniform(), dy = random.uniform();
-  PixelSink sink(scene_, listener);
+  PixelSink sink(scene_, first_, listener);
   integrator_.follow(camera_.ray(static_cast<float>(x) + dx, static_cast<float>(y) + dy), random, sink, counts);
   return sink.sample();
 }
@@ -80,12 +85,14 @@ PassResult renderUpTo(uint32_t samples, const Scene& scene, const Medium& medium
 }
 
 PassResult renderUpTo(uint32_t samples, const Scene& scene, const Medium& medium, const CameraRays& camera, Film& film,
-                      const PixelRect& window, const Task& task, uint32_t firstSample, PathRecords* records) {
+                      const PixelRect& window, const Task& task, uint32_t firstSample, PathRecords* records,
+                      FirstFibreSink* first) {
   constexpr int kTile = PathRecords::kTile;
   assert(!records || (window.x % kTile == 0 && window.y % kTile == 0));  // no two threads in one of its tiles
   const int columns = (window.width + kTile - 1) / kTile, rows = (window.height + kTile - 1) / kTile;
   std::vector<TraceCounts> tileCounts(static_cast<size_t>(columns) * rows);
   std::atomic<size_t> tilesDone{0};
+  if (first) first->begin(tileCounts.size());
   parallelFor(tileCounts.size(), task.threads, [&](size_t tile) {
     const int left = window.x + static_cast<int>(tile % columns) * kTile;
     const int top = window.y + static_cast<int>(tile / columns) * kTile;
@@ -101,6 +108,7 @@ PassResult renderUpTo(uint32_t samples, const Scene& scene, const Medium& medium
           log.clear();
           const PathSample sample = tracer.trace(x, y, firstSample + i, tileCounts[tile], recorded ? &log : nullptr);
           film.add(x, y, firstSample + i, sample);
+          if (first) first->sample(tile, x, y, sample.alpha > 0 ? &tracer.first() : nullptr, sample);
           if (recorded) records->add(x, y, sample.direct + sample.indirect, log);
         }
     task.report(static_cast<double>(++tilesDone) / static_cast<double>(tileCounts.size()));

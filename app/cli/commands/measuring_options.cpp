@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/common_options.h"
+#include "app/cli/usage_error.h"
 
 namespace loomlight {
 namespace {
@@ -15,6 +16,14 @@ void addPair(CLI::App& app, const std::string& name, const std::string& help, st
       ->type_size(2)
       ->expected(1)
       ->allow_extra_args(false);
+}
+
+ClearBenchCommand::Sharing parseSharing(const std::string& option, const std::string& text) {
+  using Sharing = ClearBenchCommand::Sharing;
+  if (text == "on") return Sharing::on;
+  if (text == "off") return Sharing::off;
+  if (text == "both") return Sharing::both;
+  throw UsageError(option + ": expected on, off or both, got '" + text + "'");
 }
 
 }  // namespace
@@ -68,10 +77,12 @@ void addClearBench(CLI::App& app, ClearBenchCommand& command) {
   app.add_option("--only", command.only, "of cloths, drapes, lights or edits these, with commas between them")
       ->type_name("NAME,...")
       ->delimiter(',');
+  addValue(app, "--share", "on|off|both", "light between repeats; both where not given",
+           [&command](const auto& option, const auto& text) { command.sharing = parseSharing(option, text); });
   addValue(
       app, "--seconds", "N", "that each edit is looked at; 12 where not given",
       [&command](const auto& option, const auto& text) { command.seconds = parseNumber(option, text, 0.1, 3600); });
-  addValue(app, "--reference", "N", "samples of the converged pictures; 256 where not given",
+  addValue(app, "--reference", "N", "samples of the converged pictures; 1024 where not given",
            [&command](const auto& option, const auto& text) {
              command.referenceSamples = static_cast<int>(parseWhole(option, text, 1, 1 << 20));
            });

@@ -10,6 +10,7 @@ namespace {
 std::string workOf(const LiveStatus& status, const Frame* shown) {
   const std::string help = !shown                     ? ""
                            : !shown->denoised.empty() ? ", denoised"
+                           : shown->shared            ? ", shared"
                            : !shown->helped.empty()   ? ", smoothed"
                                                       : "";
   if (shown && shown->quality == Quality::sketch) return "first look" + help;

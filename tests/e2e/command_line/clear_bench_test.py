@@ -1,4 +1,4 @@
-"""The quick form of `bench clear`: edits are looked at, and what is shown is told. Times are not judged."""
+"""The quick form of `bench clear`: edits are looked at with and without shared light. Times are not judged."""
 
 import csv
 
@@ -14,10 +14,14 @@ class ClearBench(CommandLineTest):
         self.run_program("bench", "clear", "--quick", "--only", "open,colour", "-o", "out", timeout=280)
         self.assertTrue((self.folder / "out/clear.md").exists())
         rows = self.rows("clear.csv")
-        self.assertEqual([row["edit"] for row in rows], ["open", "colour"])
+        self.assertEqual(
+            [(row["edit"], row["light shared"]) for row in rows],
+            [("open", "no"), ("open", "yes"), ("colour", "no"), ("colour", "yes")],
+        )
         course = self.rows("clear_course.csv")
         for row in rows:
-            flips = [float(point["FLIP"]) for point in course if point["edit"] == row["edit"]]
+            flips = [float(point["FLIP"]) for point in course
+                     if (point["edit"], point["light shared"]) == (row["edit"], row["light shared"])]
             self.assertGreater(len(flips), 0)
             self.assertTrue(all(0 <= flip <= 1 for flip in flips))
             self.assertEqual(float(row["its FLIP"]), round(flips[0], 3))

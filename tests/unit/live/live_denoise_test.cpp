@@ -38,7 +38,7 @@ TEST_F(LiveDenoise, IsACopyForTheDisplayWhereItIsWanted) {
   show(1);
   ASSERT_TRUE(waitForFrame([](const Frame& f) { return f.samples >= kClear; }));
   EXPECT_TRUE(frame->denoised.empty());
-  EXPECT_EQ(frame->shown().data(), frame->rgba.data());
+  EXPECT_EQ(frame->shown().data(), frame->plain().data());
   renderer.denoise(true);
   ASSERT_TRUE(waitForFrame([](const Frame& f) { return !f.denoised.empty(); }));
   EXPECT_EQ(frame->denoised.size(), kPixels);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace loomlight {
@@ -100,6 +101,22 @@ TEST(PassScheduler, SurvivesOddSizes) {
       EXPECT_GE(plan.divider, 1);
       EXPECT_EQ(plan.samples, 1u);
     }
+}
+
+TEST(HitsWanted, NoneBeforeTheFirstPassThenMoreWithEverySample) {
+  PassHistory history;
+  EXPECT_EQ(hitsWanted(history), 0u);
+  uint32_t before = 0;
+  for (const int divider : {16, 8, 4, 2, 1}) {
+    history.divider = divider;
+    EXPECT_GE(hitsWanted(history), std::max(1u, before));
+    before = hitsWanted(history);
+  }
+  for (history.samples = 1; history.samples < 8; ++history.samples) {
+    EXPECT_GE(hitsWanted(history), before);
+    before = hitsWanted(history);
+  }
+  EXPECT_EQ(before, 16u);
 }
 
 }  // namespace

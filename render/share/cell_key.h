@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+
+#include "render/media/medium.h"
+#include "render/scene/scene.h"
+
+namespace loomlight {
+
+/// How many levels of cells there are: one of all light, and each dividing the cells of the one before.
+inline constexpr int kCellLevels = 5;
+
+/// The cells that a place is in, one of each level, coarse first. The level is in the last bits of a key.
+struct CellPath {
+  std::array<uint64_t, kCellLevels> keys{};
+  uint64_t finest() const { return keys.back(); }
+};
+inline constexpr uint64_t kCellLevelBits = 7;
+
+/// Which places of a cloth look alike, as far as one can tell without light: what a cell is. Repeats of the weave lie
+/// in the same cells wherever the same light falls on them in the same way.
+///
+/// | level | places in one cell agree in                                                                              |
+/// |-------|----------------------------------------------------------------------------------------------------------|
+/// | 0     | nothing                                                                                                  |
+/// | 1     | warp or weft, yarn, material, the side of the cloth frame that the eye is on (6)                         |
+/// | 2     | the cut edges that are near; how the cloth lies in the world, in steps of some 14 degrees | | 3     |
+/// which side the yarns cross on here and around (3 x 3), which yarns they are, block of 4 x 4 x 4 voxels   | | 4     |
+/// voxel                                                                                                    |
+///
+/// Where the cloth lies is no part of it, but under the headlight: on a flat piece nothing casts a shadow.
+///
+/// One thread, as many places as it likes. The scene must outlive it.
+class CellKeys {
+ public:
+  explicit CellKeys(const Scene& scene);
+
+  /// The cells of the place where a path met its first fibre. `jitter`: two numbers from -1/2 to 1/2, in steps of how
+  /// the cloth lies: places near a border of two such steps are then in either.
+  CellPath of(const Collision& first, glm::vec2 jitter = glm::vec2(0));
+
+ private:
+  uint64_t crossingsAround(int pick, int end) const;
+  uint64_t edges(int pick, int end) const;
+
+  const TraceData& cloth_;
+  const ClothGeometry& geometry_;
+  bool lightIsNear_;
+  int pick_ = -1, end_ = -1;  ///< whose crossings were looked at last
+  uint64_t around_ = 0;
+};
+
+}  // namespace loomlight

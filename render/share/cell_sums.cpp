@@ -1,0 +1,185 @@
+#include "render/share/cell_sums.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cmath>
+
+namespace loomlight {
+namespace {
+
+// As fine as the film's; 2^26 paths of the brightest light do not overflow.
+constexpr double kQuantum = 0x1p-20, kMostColour = 0x1p18;
+constexpr double kSquareQuantum = 0x1p-16, kMostSquare = 0x1p22;
+
+uint64_t quantised(double value, double most, double quantum) {
+  return value > 0 ? static_cast<uint64_t>(std::llround(std::min(value, most) / quantum)) : 0;
+}
+
+}  // namespace
+
+glm::dvec3 CellSums::Cell::sum() const {
+  return kQuantum *
+         glm::dvec3(static_cast<double>(colour[0]), static_cast<double>(colour[1]), static_cast<double>(colour[2]));
+}
+
+double CellSums::Cell::sumOfSquares() const {
+  return kSquareQuantum * static_cast<double>(squares);
+}
+
+CellSums::CellSums(size_t limit_bytes) {
+  constexpr size_t kPerCell = sizeof(Cell) + sizeof(CellMeans::Mean);
+  const size_t slots = std::bit_floor(std::max<size_t>(64, limit_bytes / 32));  // less than half of them are ever used
+  slots_.resize(slots);
+  cells_.resize(
+      std::max<size_t>(kCellLevels, (limit_bytes - std::min(limit_bytes, slots * sizeof(uint32_t))) / kPerCell));
+  bytes_ = slots * sizeof(uint32_t) + cells_.size() * kPerCell;
+}
+
+/// Where the key is, or would be.
+size_t CellSums::slotOf(uint64_t key) const {
+  const size_t mask = slots_.size() - 1;
+  size_t slot = mixBits(key) & mask;
+  while (slots_[slot] != 0 && cells_[slots_[slot] - 1].key != key) slot = (slot + 1) & mask;
+  return slot;
+}
+
+std::optional<uint32_t> CellSums::find(uint64_t key) const {
+  const uint32_t found = slots_[slotOf(key)];
+  return found == 0 ? std::nullopt : std::optional(found - 1);
+}
+
+std::optional<uint32_t> CellSums::find(const CellPath& path) const {
+  return find(path.finest());
+}
+
+std::optional<uint32_t> CellSums::make(uint64_t key, uint32_t parent) {
+  const size_t slot = slotOf(key);
+  if (slots_[slot] != 0) return slots_[slot] - 1;
+  if (isFull()) return std::nullopt;
+  const auto cell = static_cast<uint32_t>(size_++);
+  cells_[cell] = {key, {0, 0, 0}, 0, 0, size_ == 1 ? cell : parent};
+  slots_[slot] = cell + 1;
+  return cell;
+}
+
+uint32_t CellSums::add(const CellPath& path) {
+  if (const auto known = find(path)) return *known;
+  uint32_t cell = 0;
+  for (const uint64_t key : path.keys) {
+    const auto next = make(key, cell);
+    if (!next) break;
+    cell = *next;
+  }
+  return cell;
+}
+
+void CellSums::deposit(uint32_t cell, Rgb colour) {
+  uint64_t quanta[3];
+  double square = 0;
+  for (int c = 0; c < 3; ++c) {
+    quanta[c] = quantised(colour[c], kMostColour, kQuantum);
+    square += std::pow(kQuantum * static_cast<double>(quanta[c]), 2);
+  }
+  const uint64_t squares = quantised(square, kMostSquare, kSquareQuantum);
+  for (;;) {
+    Cell& sums = cells_[cell];
+    for (int c = 0; c < 3; ++c) sums.colour[c] += quanta[c];
+    sums.squares += squares;
+    ++sums.paths;
+    if (sums.parent == cell) break;
+    cell = sums.parent;
+  }
+}
+
+void CellSums::merge(const CellSums& other) {
+  std::vector<std::optional<uint32_t>> ours(other.size_);
+  for (uint32_t i = 0; i < other.size_; ++i) {
+    const Cell& theirs = other.cells_[i];
+    if (!ours[theirs.parent] && theirs.parent != i) continue;
+    ours[i] = make(theirs.key, theirs.parent == i ? 0 : *ours[theirs.parent]);
+    if (!ours[i]) continue;
+    Cell& sums = cells_[*ours[i]];
+    for (int c = 0; c < 3; ++c) sums.colour[c] += theirs.colour[c];
+    sums.squares += theirs.squares;
+    sums.paths += theirs.paths;
+  }
+}
+
+void CellSums::fade(uint32_t mostPaths) {
+  if (size_ == 0) return;
+  double finest = 0;
+  for (size_t i = 0; i < size_; ++i) finest += cells_[i].level() == kCellLevels - 1 && cells_[i].paths > 0;
+  const double share = mostPaths * std::max(1.0, finest) / std::max(1u, cells_[0].paths);
+  if (share >= 1) return;
+  for (size_t i = 0; i < size_; ++i) {
+    Cell& sums = cells_[i];
+    const auto paths = static_cast<uint32_t>(std::lround(share * sums.paths));
+    // What is left of the light is that of so many paths.
+    const double kept = sums.paths > 0 ? paths / static_cast<double>(sums.paths) : 0;
+    for (uint64_t& channel : sums.colour) channel = static_cast<uint64_t>(kept * static_cast<double>(channel));
+    sums.squares = static_cast<uint64_t>(kept * static_cast<double>(sums.squares));
+    sums.paths = paths;
+  }
+}
+
+/// One-way analysis of variance with unequal groups (Searle, Casella, McCulloch 1992, section 3.6), level by level: the
+/// variance within cells, s^2, and between cells of one parent, t^2. A parent is worth s^2 / t^2 paths.
+CellMeans::CellMeans(const CellSums& sums) : means_(sums.size()) {
+  struct Level {
+    double within = 0, withinFreedom = 0;
+    double between = 0, betweenFreedom = 0, spread = 0;
+  };
+  std::array<Level, kCellLevels> levels;
+  // Of the cells in each: how many have paths, sum of |sum|^2 / paths, of paths^2.
+  struct Children {
+    double count = 0, squares = 0, paths2 = 0, paths = 0;
+  };
+  std::vector<Children> children(sums.size());
+  for (uint32_t i = 0; i < sums.size(); ++i) {
+    const CellSums::Cell& cell = sums[i];
+    if (cell.paths == 0) continue;
+    const double paths = cell.paths, square = glm::dot(cell.sum(), cell.sum()) / paths;
+    Level& level = levels[static_cast<size_t>(cell.level())];
+    level.within += std::max(0.0, cell.sumOfSquares() - square);
+    level.withinFreedom += paths - 1;
+    if (cell.parent == i) continue;
+    Children& of = children[cell.parent];
+    of.count += 1;
+    of.squares += square;
+    of.paths2 += paths * paths;
+    of.paths += paths;
+  }
+  for (uint32_t i = 0; i < sums.size(); ++i) {
+    const Children& of = children[i];
+    const CellSums::Cell& cell = sums[i];
+    if (of.count < 2 || cell.level() + 1 >= kCellLevels) continue;
+    // A faded cell may have fewer paths than its parts together.
+    Level& level = levels[static_cast<size_t>(cell.level()) + 1];
+    const double scale = of.paths / cell.paths;
+    const glm::dvec3 sum = cell.sum();
+    level.between += std::max(0.0, of.squares - scale * glm::dot(sum, sum) / cell.paths);
+    level.betweenFreedom += of.count - 1;
+    level.spread += of.paths - of.paths2 / of.paths;
+  }
+  constexpr double kLeast = 1, kMost = 1e6;
+  for (size_t l = 1; l < kCellLevels; ++l) {
+    const Level& level = levels[l];
+    worth_[l] = kMost;
+    if (level.withinFreedom < 1 || level.betweenFreedom < 1) continue;
+    const double within = level.within / level.withinFreedom;
+    const double between = (level.between - level.betweenFreedom * within) / level.spread;
+    if (between > 0) worth_[l] = std::clamp(within / between, kLeast, kMost);
+  }
+  for (uint32_t i = 0; i < sums.size(); ++i) {
+    const CellSums::Cell& cell = sums[i];
+    const double paths = cell.paths, prior = cell.parent == i ? 0 : worth_[static_cast<size_t>(cell.level())];
+    if (paths + prior == 0) continue;
+    const Mean parent = means_[cell.parent];
+    Mean& mean = means_[i];
+    mean.colour = Rgb((cell.sum() + prior * glm::dvec3(parent.colour)) / (paths + prior));
+    mean.square = static_cast<float>((cell.sumOfSquares() + prior * parent.square) / (paths + prior));
+  }
+}
+
+}  // namespace loomlight

@@ -1,0 +1,69 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/parallel.h"
+#include "render/share/shared_picture.h"
+
+namespace loomlight {
+namespace {
+
+/// Sums over the rows of a picture, in order, so that they are the same from any number of threads.
+struct RowSums {
+  double difference2 = 0;  ///< of the film's light from that of the cells, squared
+  double noise = 0;        ///< of the film, as the cells let expect it
+  double light2 = 0;       ///< of the cells, squared
+  double pixels = 0;       ///< with samples
+};
+
+/// The square of the cells' own error, as a share of the square of their light: how much further the film is from them
+/// than its noise explains. Over the whole picture, or a few lucky paths would vouch for each other; and so much more
+/// noise than expected as there may be by chance is no error of the cells.
+double relativeError2(const SharedPicture& shared, const Film& film, int threads) {
+  std::vector<RowSums> rows(static_cast<size_t>(shared.height));
+  parallelFor(rows.size(), threads, [&](size_t row) {
+    RowSums& sums = rows[row];
+    for (int x = 0; x < shared.width; ++x) {
+      const uint32_t samples = film.samples(x, static_cast<int>(row));
+      if (samples == 0) continue;
+      const size_t i = row * static_cast<size_t>(shared.width) + static_cast<size_t>(x);
+      const Rgb difference = film.mean(x, static_cast<int>(row)) - shared.light[i];
+      sums.difference2 += glm::dot(difference, difference);
+      sums.noise += shared.variances[i] / static_cast<float>(samples);
+      sums.light2 += glm::dot(shared.light[i], shared.light[i]);
+      ++sums.pixels;
+    }
+  });
+  RowSums all;
+  for (const RowSums& row : rows) {
+    all.difference2 += row.difference2;
+    all.noise += row.noise;
+    all.light2 += row.light2;
+    all.pixels += row.pixels;
+  }
+  if (all.light2 <= 0) return 0;
+  const double chance = 1 + 3 * std::sqrt(10 / all.pixels);  // single paths vary a lot
+  return std::max(0.0, all.difference2 - chance * all.noise) / all.light2;
+}
+
+}  // namespace
+
+std::vector<glm::vec4> corrected(const SharedPicture& shared, const Film& film, uint32_t samplesAlone, int threads) {
+  const auto error2 = static_cast<float>(relativeError2(shared, film, threads));
+  std::vector<glm::vec4> picture(shared.light.size());
+  parallelFor(static_cast<size_t>(shared.height), threads, [&](size_t row) {
+    for (int x = 0; x < shared.width; ++x) {
+      const int y = static_cast<int>(row);
+      const size_t i = row * static_cast<size_t>(shared.width) + static_cast<size_t>(x);
+      const glm::vec4 cells(shared.light[i], shared.alpha[i]);
+      const auto samples = static_cast<float>(film.samples(x, y));
+      const float alone = std::min(1.0f, samples / static_cast<float>(samplesAlone));
+      const float bias = error2 * glm::dot(shared.light[i], shared.light[i]);
+      const float trusted = bias > 0 && samples > 0 ? bias / (bias + shared.variances[i] / samples) : 0.0f;
+      const float share = alone < 1 ? trusted + (1 - trusted) * alone * alone : 1.0f;
+      picture[i] = samples > 0 ? glm::mix(cells, glm::vec4(film.mean(x, y), film.alpha(x, y)), share) : cells;
+    }
+  });
+  return picture;
+}
+
+}  // namespace loomlight

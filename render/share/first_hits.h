@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/base/task.h"
+#include "render/media/medium.h"
+#include "render/scene/scene.h"
+#include "render/share/cell_sums.h"
+
+namespace loomlight {
+
+/// Which cells each pixel of a picture shows: the first fibres of some paths through it, which end there and so cost a
+/// fraction of a path that looks for light. A pure function of (seed, camera, cloth, drape): light and dyes may change.
+class FirstHits {
+ public:
+  static constexpr uint32_t kMost = 16;                     ///< of a pixel; fewer in a picture so large that...
+  static constexpr size_t kLimit_bytes = size_t{64} << 20;  ///< ...they would take more than this
+  static constexpr uint32_t kPast = ~0u;                    ///< past the cloth
+
+  FirstHits(int width, int height);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  uint32_t most() const { return most_; }      ///< that a pixel may have
+  uint32_t perPixel() const { return have_; }  ///< that have been traced for every pixel
+  /// Traces so many for every pixel in all, and makes their cells; a pixel keeps most() of them. False when stopped:
+  /// then it has those that it had.
+  bool trace(uint32_t perPixel, const Scene& scene, const Medium& medium, CellSums& cells, const Task& task);
+  /// Another one, of a path that has been traced for its light; forgotten where the pixel has enough.
+  void put(size_t pixel, uint32_t cell) {
+    if (counts_[pixel] < most_) cells_[pixel * most_ + counts_[pixel]++] = cell;
+  }
+  /// A cell or kPast each.
+  std::span<const uint32_t> of(int x, int y) const {
+    const size_t pixel = pixelAt(x, y);
+    return {&cells_[pixel * most_], counts_[pixel]};
+  }
+  size_t pixelAt(int x, int y) const {
+    return static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x);
+  }
+
+ private:
+  int width_, height_;
+  uint32_t most_, have_ = 0;
+  std::vector<uint32_t, ZeroAllocator<uint32_t>> cells_;
+  std::vector<uint8_t> counts_;  ///< that each pixel has
+};
+
+}  // namespace loomlight

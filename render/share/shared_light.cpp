@@ -1,0 +1,75 @@
+#include "render/share/shared_light.h"
+
+namespace loomlight {
+namespace {
+
+/// Paths that a cell of a picture which has changed a little counts for.
+constexpr uint32_t kPriorPaths = 16;
+
+}  // namespace
+
+SharedFate sharedFate(const Changes& edit) {
+  using Cells = SharedFate::Cells;
+  const Stages stages = edit.stages;
+  if (stages.within(Stage::label)) return {Cells::live, true};
+  if (stages.within(Stage::label | Stage::camera)) return {Cells::prior, false};
+  // Keys know crossings and the threads around; those further away matter little.
+  if (edit.crossingsAlone()) return {Cells::prior, false};
+  if (stages.within(Stage::label | Stage::light | Stage::brightness | Stage::colour | Stage::optics))
+    return {Cells::places, true};
+  return {Cells::none, false};
+}
+
+bool SharedLight::serves(const Scene& scene) {
+  return scene.cloth->shell->isFlat() && scene.cloth->method == Method::volume;
+}
+
+SharedLight::SharedLight(std::shared_ptr<const Scene> scene, std::shared_ptr<const Medium> medium, int width,
+                         int height)
+    : scene_(std::move(scene)),
+      medium_(std::move(medium)),
+      cells_(std::make_unique<CellSums>()),
+      hits_(std::make_unique<FirstHits>(width, height)),
+      deposits_(std::make_unique<CellDeposits>(*scene_, *cells_, *hits_)) {}
+
+void SharedLight::moveTo(std::shared_ptr<const Scene> scene, std::shared_ptr<const Medium> medium, int width,
+                         int height, const Changes& edit) {
+  SharedFate fate = sharedFate(edit);
+  const bool sameVolume = scene->cloth->volume == scene_->cloth->volume;
+  if (cells_->isFull()) fate = {};
+  scene_ = std::move(scene);
+  medium_ = std::move(medium);
+  switch (fate.cells) {
+    case SharedFate::Cells::live:
+      break;
+    case SharedFate::Cells::prior:
+      cells_->fade(kPriorPaths);
+      break;
+    case SharedFate::Cells::places:
+      cells_->fade(0);
+      break;
+    case SharedFate::Cells::none:
+      cells_ = std::make_unique<CellSums>();
+      break;
+  }
+  // The same fabric may come again with bricks that were still missing.
+  if (!fate.hits || !sameVolume || width != hits_->width() || height != hits_->height())
+    hits_ = std::make_unique<FirstHits>(width, height);
+  deposits_ = std::make_unique<CellDeposits>(*scene_, *cells_, *hits_);
+}
+
+FirstFibreSink* SharedLight::listener(uint32_t samples, int divider) {
+  constexpr uint32_t kEnough = 32;  // by then cells are as good as they get
+  deposits_->ofPixels(divider == 1);
+  return samples < kEnough ? deposits_.get() : nullptr;
+}
+
+bool SharedLight::addHits(uint32_t perPixel, const Task& task) {
+  return hits_->trace(perPixel, *scene_, *medium_, *cells_, task);
+}
+
+std::vector<glm::vec4> SharedLight::picture(const Film& film, int threads) const {
+  return corrected(sharedPicture(*hits_, CellMeans(*cells_), threads), film, kFilmAlone, threads);
+}
+
+}  // namespace loomlight

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "core/fabric/model/changes.h"
+#include "render/share/cell_deposits.h"
+#include "render/share/shared_picture.h"
+
+namespace loomlight {
+
+/// What an edit leaves of the light that repeats share.
+struct SharedFate {
+  enum class Cells {
+    live,    ///< all they know is still so
+    prior,   ///< it is nearly so: they count for few paths
+    places,  ///< they are there, but other light comes from them
+    none
+  };
+  Cells cells = Cells::none;
+  bool hits = false;  ///< pixels show the same cells
+  bool operator==(const SharedFate&) const = default;
+};
+SharedFate sharedFate(const Changes& edit);
+
+/// Light of one picture that repeats of its cloth share, for the display alone: the cells of the cloth, what the paths
+/// of the film have brought from them, and which of them each pixel shows. The film stays exact and knows nothing of
+/// it. One thread at a time.
+class SharedLight {
+ public:
+  /// Samples of a pixel from which on the film is shown alone.
+  static constexpr uint32_t kFilmAlone = 1024;
+
+  /// Whether repeats of a scene's cloth lie so much alike that light can be shared: on a flat piece. Draped, light
+  /// turns within the paths that a cell has. Explicit fibres would be blurred to voxels.
+  static bool serves(const Scene& scene);
+
+  SharedLight(std::shared_ptr<const Scene> scene, std::shared_ptr<const Medium> medium, int width, int height);
+
+  /// Goes on with the picture of another scene, with what the edit leaves of what it knows.
+  void moveTo(std::shared_ptr<const Scene> scene, std::shared_ptr<const Medium> medium, int width, int height,
+              const Changes& edit);
+
+  /// Hears the paths of the next pass, whose pixels are 1/divider of the resolution and have so many samples; null
+  /// where cells need no more of them.
+  FirstFibreSink* listener(uint32_t samples, int divider);
+  /// After that pass.
+  void settle() { deposits_->settle(); }
+  uint32_t hits() const { return hits_->perPixel(); }  ///< first fibres of every pixel
+  /// False when stopped.
+  bool addHits(uint32_t perPixel, const Task& task);
+
+  /// Whether there is anything to show.
+  bool shows() const { return hits() > 0 && cells_->size() > 0 && (*cells_)[0].paths > 0; }
+  /// Linear, premultiplied, of the film's size.
+  std::vector<glm::vec4> picture(const Film& film, int threads) const;
+
+ private:
+  std::shared_ptr<const Scene> scene_;
+  std::shared_ptr<const Medium> medium_;
+  std::unique_ptr<CellSums> cells_;
+  std::unique_ptr<FirstHits> hits_;
+  std::unique_ptr<CellDeposits> deposits_;
+};
+
+}  // namespace loomlight

@@ -1,0 +1,36 @@
+#include "render/share/shared_picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/parallel.h"
+
+namespace loomlight {
+
+SharedPicture sharedPicture(const FirstHits& hits, const CellMeans& means, int threads) {
+  const size_t pixels = static_cast<size_t>(hits.width()) * static_cast<size_t>(hits.height());
+  SharedPicture picture{hits.width(), hits.height(), std::vector<Rgb>(pixels), std::vector<float>(pixels),
+                        std::vector<float>(pixels)};
+  parallelFor(static_cast<size_t>(hits.height()), threads, [&](size_t row) {
+    for (int x = 0; x < hits.width(); ++x) {
+      CellMeans::Mean sum;
+      float alpha = 0;
+      const std::span<const uint32_t> cells = hits.of(x, static_cast<int>(row));
+      for (const uint32_t cell : cells) {
+        if (cell == FirstHits::kPast) continue;
+        alpha += 1;
+        sum.colour += means[cell].colour;
+        sum.square += means[cell].square;
+      }
+      const float share = 1.0f / static_cast<float>(std::max<size_t>(1, cells.size()));
+      const size_t i = hits.pixelAt(x, static_cast<int>(row));
+      const Rgb mean = share * sum.colour;
+      picture.light[i] = mean;
+      picture.alpha[i] = share * alpha;
+      picture.variances[i] = std::max(0.0f, share * sum.square - glm::dot(mean, mean));
+    }
+  });
+  return picture;
+}
+
+}  // namespace loomlight

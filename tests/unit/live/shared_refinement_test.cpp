@@ -1,0 +1,55 @@
+#include <gtest/gtest.h>
+
+#include "app/live/refinement.h"
+#include "tests/support/refining_test.h"
+
+namespace loomlight {
+namespace {
+
+class SharedRefinement : public test::RefiningTest {
+ protected:
+  static constexpr double kSlow_s = 1e-4;  ///< a path: so that it begins coarse
+
+  Refinement sharing() const {
+    Refinement refinement(cloth, kWidth, kHeight, kSlow_s);
+    refinement.shareLight(nullptr, {});
+    return refinement;
+  }
+};
+
+TEST_F(SharedRefinement, TheFilmKnowsNothingOfIt) {
+  Refinement shared = sharing(), plain(cloth, kWidth, kHeight, kSlow_s);
+  refine(shared, 2);
+  refine(plain, shared.samples());
+  refine(shared, plain.samples());
+  ASSERT_EQ(shared.samples(), plain.samples());
+  const Frame frame = shared.frame();
+  EXPECT_TRUE(frame.shared);
+  EXPECT_FALSE(plain.frame().shared);
+  EXPECT_EQ(frame.rgba, plain.frame().rgba);
+  EXPECT_NE(frame.helped, frame.rgba);
+}
+
+TEST_F(SharedRefinement, IsSeenAtFullResolutionBeforeTheFilmIs) {
+  Refinement refinement = sharing();
+  while (!refinement.frame().shared) ASSERT_TRUE(refinement.advance(Task{{}, {}, 1}));
+  EXPECT_GT(refinement.divider(), 1);
+  const Frame frame = refinement.frame();
+  EXPECT_EQ(frame.divider, 1);
+  EXPECT_EQ(frame.quality, Quality::coarse);
+  ASSERT_EQ(frame.helped.size(), static_cast<size_t>(kWidth) * kHeight);
+  EXPECT_EQ(frame.plain().data(), frame.helped.data());
+  EXPECT_EQ(frame.hits.size(), frame.helped.size());
+}
+
+TEST_F(SharedRefinement, ServesFlatVolumesAlone) {
+  EXPECT_TRUE(SharedLight::serves(*cloth.scene));
+  Fabric bent = *cloth.scene->fabric, fibres = bent;
+  bent.drape.kind = DrapeKind::cylinder;
+  EXPECT_FALSE(SharedLight::serves(*test::sceneOf(bent)));
+  fibres.render.method = Method::fibres;
+  EXPECT_FALSE(SharedLight::serves(*test::sceneOf(fibres)));
+}
+
+}  // namespace
+}  // namespace loomlight

@@ -1,0 +1,208 @@
+#include "render/share/shared_light.h"
+
+#include <gtest/gtest.h>
+
+#include "render/transport/make_medium.h"
+#include "tests/support/test_cloth.h"
+
+namespace loomlight {
+namespace {
+
+constexpr int kWidth = 48, kHeight = 32;
+
+Fabric cloth(LightKind light) {
+  Fabric fabric = test::whiteCotton();
+  fabric.render.resolution = 2;
+  fabric.drape.width_mm = fabric.drape.height_mm = 6;
+  fabric.camera.distance_mm = 8;
+  fabric.light.kind = light;
+  return fabric;
+}
+
+Fabric dyed(Fabric fabric) {
+  fabric.fibres[0].absorption_per_mm = Rgb(4, 2, 1);
+  return fabric;
+}
+
+Task threads(int count) {
+  Task task;
+  task.threads = count;
+  return task;
+}
+
+/// A picture as the editor makes it.
+struct Picture {
+  std::shared_ptr<const Scene> scene;
+  std::shared_ptr<const Medium> medium;
+  std::unique_ptr<SharedLight> light;
+  Film film{kWidth, kHeight};
+
+  explicit Picture(const Fabric& fabric) : scene(test::sceneOf(fabric)), medium(makeMedium(*scene, 1e9, Task{})) {
+    light = std::make_unique<SharedLight>(scene, medium, kWidth, kHeight);
+  }
+  void trace(uint32_t samples, int threadCount) {
+    const CameraRays camera(scene->fabric->camera, kWidth, kHeight);
+    renderUpTo(samples, *scene, *medium, camera, film, {0, 0, kWidth, kHeight}, threads(threadCount), 0, nullptr,
+               light->listener(0, 1));
+    light->settle();
+  }
+  std::vector<glm::vec4> shown(int threadCount) const { return light->picture(film, threadCount); }
+};
+
+/// Of what is cloth.
+Rgb meanOf(const std::vector<glm::vec4>& picture) {
+  glm::dvec4 sum(0);
+  for (const glm::vec4& pixel : picture) sum += glm::dvec4(pixel);
+  return Rgb(glm::dvec3(sum) / sum.a);
+}
+
+TEST(SharedLight, IsTheSameFromAnyNumberOfThreads) {
+  std::vector<glm::vec4> first;
+  for (const int count : {1, 3}) {
+    Fabric fabric = dyed(cloth(LightKind::sky));
+    fabric.drape.kind = DrapeKind::cylinder;
+    fabric.drape.radius_mm = 2;
+    Picture picture(fabric);
+    ASSERT_TRUE(picture.light->addHits(2, threads(count)));
+    picture.trace(2, count);
+    ASSERT_TRUE(picture.light->addHits(5, threads(count)));
+    if (count == 1)
+      first = picture.shown(1);
+    else
+      EXPECT_EQ(picture.shown(count), first);
+  }
+}
+
+TEST(SharedLight, OfAWhiteFurnaceIsExactlyWhite) {
+  Picture picture(cloth(LightKind::furnace));
+  picture.trace(1, 2);
+  ASSERT_TRUE(picture.light->addHits(4, threads(2)));
+  for (const glm::vec4& pixel : picture.shown(2)) {
+    EXPECT_NEAR(pixel.r, pixel.a, 1e-5);
+    EXPECT_NEAR(pixel.b, pixel.a, 1e-5);
+  }
+}
+
+TEST(SharedLight, KeepsTheMeanOfTheFilm) {
+  Fabric crop = dyed(cloth(LightKind::dome));
+  crop.camera.distance_mm = 5;
+  Picture picture(crop);
+  ASSERT_TRUE(picture.light->addHits(8, threads(2)));
+  picture.trace(96, 2);
+  const std::vector<glm::vec4> shared = picture.shown(2);
+  std::vector<glm::vec4> film;
+  picture.film.toDisplayBuffer(film);
+  const Rgb mean = meanOf(shared), wanted = meanOf(film);
+  // With few paths the rare and dark cells of gaps are drawn towards brighter ones; here a cell has some hundred.
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(mean[c] / wanted[c], 1, 0.01);
+}
+
+TEST(SharedLight, IsClearerThanTheFilmThatItIsMadeOf) {
+  Picture picture(dyed(cloth(LightKind::dome))), converged(dyed(cloth(LightKind::dome)));
+  ASSERT_TRUE(picture.light->addHits(2, threads(2)));
+  picture.trace(1, 2);
+  const CameraRays camera(converged.scene->fabric->camera, kWidth, kHeight);
+  renderUpTo(64, *converged.scene, *converged.medium, camera, converged.film, threads(2), 1);
+  std::vector<glm::vec4> film, wanted;
+  picture.film.toDisplayBuffer(film);
+  converged.film.toDisplayBuffer(wanted);
+  const std::vector<glm::vec4> shared = picture.shown(2);
+  double ofFilm = 0, ofShared = 0;
+  for (size_t i = 0; i < wanted.size(); ++i) {
+    ofFilm += glm::dot(Rgb(film[i] - wanted[i]), Rgb(film[i] - wanted[i]));
+    ofShared += glm::dot(Rgb(shared[i] - wanted[i]), Rgb(shared[i] - wanted[i]));
+  }
+  EXPECT_LT(ofShared, 0.25 * ofFilm);
+}
+
+TEST(SharedLight, AnEditLeavesWhatIsStillSo) {
+  using Cells = SharedFate::Cells;
+  const Fabric before = dyed(cloth(LightKind::sky));
+  const auto fate = [&](auto&& edit) {
+    Fabric after = before;
+    edit(after);
+    return sharedFate(changes(before, after));
+  };
+  EXPECT_EQ(fate([](Fabric& f) { f.name = "other"; }), (SharedFate{Cells::live, true}));
+  EXPECT_EQ(fate([](Fabric& f) { f.camera.azimuth_deg += 5; }), (SharedFate{Cells::prior, false}));
+  EXPECT_EQ(fate([](Fabric& f) { f.weave = f.weave.with(0, 0, !f.weave.at(0, 0)); }),
+            (SharedFate{Cells::prior, false}));
+  EXPECT_EQ(fate([](Fabric& f) { f.light.azimuth_deg += 5; }), (SharedFate{Cells::places, true}));
+  EXPECT_EQ(fate([](Fabric& f) { f.fibres[0].absorption_per_mm = Rgb(9); }), (SharedFate{Cells::places, true}));
+  EXPECT_EQ(fate([](Fabric& f) { f.yarns[0].plyTwist_per_m += 50; }), (SharedFate{Cells::none, false}));
+  EXPECT_EQ(fate([](Fabric& f) { f.drape.kind = DrapeKind::cylinder; }), (SharedFate{Cells::none, false}));
+  EXPECT_EQ(fate([](Fabric& f) { f.ends_per_cm += 1; }), (SharedFate{Cells::none, false}));
+}
+
+TEST(SharedLight, GoesOnAfterAnEdit) {
+  const Fabric before = dyed(cloth(LightKind::sky));
+  Picture picture(before);
+  ASSERT_TRUE(picture.light->addHits(2, threads(2)));
+  picture.trace(1, 2);
+  const auto moveTo = [&](const Fabric& after) {
+    const auto scene = makeScene(std::make_shared<const Fabric>(after), Task{}, picture.scene.get());
+    picture.light->moveTo(scene, picture.medium, kWidth, kHeight, changes(*picture.scene->fabric, after));
+    picture.scene = scene;
+  };
+  Fabric brighter = before;
+  brighter.light.azimuth_deg += 90;
+  moveTo(brighter);
+  EXPECT_EQ(picture.light->hits(), 2u);  // pixels show what they showed
+  EXPECT_FALSE(picture.light->shows());  // but nobody knows yet in which light
+  picture.film = Film(kWidth, kHeight);
+  picture.trace(1, 2);
+  EXPECT_TRUE(picture.light->shows());
+  Fabric turned = brighter;
+  turned.camera.azimuth_deg += 10;
+  moveTo(turned);
+  EXPECT_EQ(picture.light->hits(), 0u);
+  ASSERT_TRUE(picture.light->addHits(1, threads(2)));
+  EXPECT_TRUE(picture.light->shows());  // in the light of before
+}
+
+/// Of cells that say: one half, with so much noise a path.
+SharedPicture grey(float variance) {
+  constexpr size_t kPixels = 64 * 64;
+  return {64, 64, std::vector<Rgb>(kPixels, Rgb(0.5f)), std::vector<float>(kPixels, 1.0f),
+          std::vector<float>(kPixels, variance)};
+}
+
+TEST(Corrected, ComesToTheFilmAsItsSamplesGrow) {
+  const SharedPicture shared = grey(1.0f);
+  Film film(64, 64);
+  PathSample sample;
+  sample.alpha = 1;
+  sample.direct = Rgb(0.8f);
+  float before = 0.5f;
+  uint32_t samples = 0;
+  for (const uint32_t upTo : {1u, 4u, 16u, 64u, 256u, 1024u}) {
+    for (; samples < upTo; ++samples)
+      for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; ++x) film.add(x, y, samples, sample);
+    const float now = corrected(shared, film, 1024, 1)[64 * 32 + 32].r;
+    EXPECT_GE(now, before) << upTo;
+    EXPECT_LE(now, 0.8f + 1e-5f) << upTo;
+    before = now;
+  }
+  EXPECT_EQ(before, film.mean(32, 32).r);
+}
+
+TEST(Corrected, LeavesWhatIsNoisyAlone) {
+  const SharedPicture shared = grey(0.75f);
+  Film film(64, 64);
+  Random random(3);
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 64; ++x) {
+      PathSample sample;
+      sample.alpha = 1;
+      sample.direct = random.below(2) == 0 ? Rgb(0) : Rgb(1);
+      film.add(x, y, 0, sample);
+    }
+  double square = 0;
+  for (const glm::vec4& pixel : corrected(shared, film, 1024, 1))
+    square += (pixel.r - 0.5) * (pixel.r - 0.5) / (64 * 64);
+  EXPECT_LT(square, 0.02 * 0.25);  // of the film's variance
+}
+
+}  // namespace
+}  // namespace loomlight
