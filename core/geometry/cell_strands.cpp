@@ -155,11 +155,12 @@ void layFlyaway(const YarnModel& yarn, const Flyaway& flyaway, double shift, con
   const auto place = [&](const Station& a, const Station& b, double t) {
     const double x = b.t > a.t ? (t - a.t) / (b.t - a.t) : 0.0;
     const auto mix = [x](float from, float to) { return from + x * (static_cast<double>(to) - from); };
-    const glm::dvec2 offset = flyawayOffset(flyaway, yarn.geometry, t - shift);
+    const AxisHeight axis{mix(a.z_mm, b.z_mm), mix(a.crown_mm, b.crown_mm)};
+    const glm::dvec2 offset = flyawayOffset(flyaway, yarn.geometry, t - shift, axis);
     // Beyond the body hairs stand straight up, or long ones would lean over into cells further along the yarn.
     const double up = std::clamp(offset.y, -bodyUp, bodyUp);
     line.push_back(glm::vec3(offset.x, mix(a.s_mm, b.s_mm) + up * mix(a.normalS, b.normalS),
-                             mix(a.z_mm, b.z_mm) + up * mix(a.normalZ, b.normalZ) + (offset.y - up)));
+                             axis.here_mm + up * mix(a.normalZ, b.normalZ) + (offset.y - up)));
   };
   const double start = flyaway.start + shift, end = flyaway.end + shift;
   line.clear();

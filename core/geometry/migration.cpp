@@ -49,6 +49,52 @@ void partFibres(std::vector<DiscCentres>& stages, const HelicalFibres& fibres, d
   }
 }
 
+/// RMS slope, per migration, of a wave of unit amplitude with so many periods, as the cubic through its stages has it:
+/// that of short waves is less than the wave's own.
+double rmsSlope(int periods) {
+  constexpr int kSteps = 16 * Migration::kStages;
+  const auto wave = [&](double migrations) {
+    const Migration::Moment m = Migration::at(migrations);
+    double sum = 0;
+    for (int i = 0; i < 4; ++i) sum += m.weights[i] * std::cos(2 * kPi * periods * (m.first + i) / Migration::kStages);
+    return sum;
+  };
+  double squares = 0;
+  for (int i = 0; i < kSteps; ++i) {
+    const double from = static_cast<double>(i) / kSteps, to = static_cast<double>(i + 1) / kSteps;
+    squares += std::pow((wave(to) - wave(from)) * kSteps, 2) / kSteps;
+  }
+  return std::sqrt(squares);
+}
+
+/// Adds three waves to the way of every fibre, of random lengths and phases, each with a third of the variance of the
+/// slope. One fibre in 16 strays more than twice as far.
+void stray(std::vector<DiscCentres>& stages, const FibreDisorder& disorder, Random& random) {
+  constexpr int kWaves = 3, kMostPerMigration = Migration::kStages / 3;  // a wave needs three stages to be one
+  constexpr double kShortest = 2, kLongest = 9;                          // ply radii
+  constexpr double kLoopShare = 1.0 / 16, kLoopReach = 2.2;
+  const double perRadius = disorder.migration_mm / disorder.plyRadius_mm;
+  const int fewest = std::clamp(static_cast<int>(std::ceil(perRadius / kLongest)), 1, kMostPerMigration);
+  const int most = std::clamp(static_cast<int>(perRadius / kShortest), fewest, kMostPerMigration);
+  const double usual = 1 / std::sqrt(1 - kLoopShare + kLoopShare * kLoopReach * kLoopReach);
+  std::vector<double> amplitudes;  // of waves, fewest first: each has a third of the variance of the slope
+  const double widest_mm = disorder.slope * kLongest * disorder.plyRadius_mm / (std::sqrt(2.0 * kWaves) * kPi);
+  for (int periods = fewest; periods <= most; ++periods)
+    amplitudes.push_back(
+        usual * std::min(widest_mm, disorder.slope * disorder.migration_mm / (std::sqrt(kWaves) * rmsSlope(periods))));
+  for (size_t fibre = 0; fibre < stages[0].size(); ++fibre) {
+    const double share = random.uniformDouble() < kLoopShare ? kLoopReach : 1.0;
+    for (int axis = 0; axis < 2; ++axis)
+      for (int wave = 0; wave < kWaves; ++wave) {
+        const auto choice = random.below(static_cast<uint32_t>(amplitudes.size()));
+        const double turn = 2 * kPi * (fewest + static_cast<int>(choice)) / static_cast<double>(stages.size());
+        const double phase = 2 * kPi * random.uniformDouble();
+        for (size_t k = 0; k < stages.size(); ++k)
+          stages[k][fibre][axis] += share * amplitudes[choice] * std::cos(turn * static_cast<double>(k) + phase);
+      }
+  }
+}
+
 /// Furthest of them from the ply's axis.
 double reachOf(const DiscCentres& centres) {
   double square = 0;
@@ -63,7 +109,7 @@ Migration::Migration(const DiscCentres& section) {
 }
 
 Migration::Migration(const DiscCentres& section, FibreLayout layout, double amount, const HelicalFibres& fibres,
-                     uint64_t seed, const Task& task) {
+                     uint64_t seed, const Task& task, const FibreDisorder& disorder) {
   Random random(seed);
   std::vector<double> phases(section.size());
   for (double& phase : phases) phase = random.uniformDouble();
@@ -71,7 +117,8 @@ Migration::Migration(const DiscCentres& section, FibreLayout layout, double amou
   for (int k = 0; k < kStages; ++k)
     for (size_t i = 0; i < section.size(); ++i)
       stages[k][i] *= 1 - 0.5 * amount * (1 - std::cos(2 * kPi * (static_cast<double>(k) / kStages + phases[i])));
-  if (layout == FibreLayout::packed) partFibres(stages, fibres, reachOf(section), task);
+  if (layout == FibreLayout::packed && amount > 0) partFibres(stages, fibres, reachOf(section), task);
+  if (disorder.slope > 0) stray(stages, disorder, random);
   keep(stages);
 }
 

@@ -9,6 +9,13 @@
 
 namespace loomlight {
 
+/// How fibres stray from the helix that twist would lay them on: harmonics of their own, after they have been parted.
+struct FibreDisorder {
+  double slope = 0;         ///< RMS, along either axis of the section; 0: none
+  double migration_mm = 0;  ///< length of yarn in which they migrate once
+  double plyRadius_mm = 0;  ///< waves are two to nine of these long, so that they stray by about a tenth of it
+};
+
 /// The fibres of a ply on their way between core and surface, as the section that turns with the ply shows them, at
 /// equal stages of one migration, over and over.
 class Migration {
@@ -18,9 +25,10 @@ class Migration {
   /// No migration: they stay in their places.
   explicit Migration(const DiscCentres& section);
   /// Each fibre goes from its place to 1 - `amount` of the way out to it and back, out of step with the others (Zhao et
-  /// al. 2016, Eq. 3). Packed ones go round one another; unfinished when the task is stopped.
+  /// al. 2016, Eq. 3). Packed ones go round one another; unfinished when the task is stopped. Disorder comes last: as
+  /// in spun yarn, fibres that stray do touch, and a few stand out as loops.
   Migration(const DiscCentres& section, FibreLayout layout, double amount, const HelicalFibres& fibres, uint64_t seed,
-            const Task& task = oneThread());
+            const Task& task = oneThread(), const FibreDisorder& disorder = {});
 
   int fibres() const { return fibres_; }
   bool moves() const { return stages_ > 1; }

@@ -49,6 +49,9 @@ class CellStations {
     const Transition path(from, to, pitch_);
     const TwistEasing easing(path.length_mm(), yarn_.geometry.cellLength_mm);
     const double rate = easing.maxCellsPerMm();
+    const auto crownAt = [&](double share) {
+      return std::abs(from.height_mm) + share * (std::abs(to.height_mm) - std::abs(from.height_mm));
+    };
     double wanted = 0;
     for (const Transition::Piece& piece : path.pieces()) wanted += piece.length_mm / spacing(piece, rate);
     const double coarser = std::max(1.0, wanted / maxStations_);
@@ -56,10 +59,10 @@ class CellStations {
       const int steps = static_cast<int>(std::ceil(piece.length_mm / (coarser * spacing(piece, rate))));
       for (int i = 0; i < steps; ++i) {
         const double length = piece.begin_mm + piece.length_mm * i / steps;
-        place(path.at(length), s_mm, phase + easing.cells(length));
+        place(path.at(length), s_mm, phase + easing.cells(length), crownAt(length / path.length_mm()));
       }
     }
-    if (last) place(path.at(path.length_mm()), s_mm, phase + 1);
+    if (last) place(path.at(path.length_mm()), s_mm, phase + 1, crownAt(1));
   }
 
   /// Only those that this cell's fibres need.
@@ -97,12 +100,13 @@ class CellStations {
     return std::max(step, 1e-9);
   }
 
-  void place(const AxisPoint& at, double s_mm, double t) {
+  void place(const AxisPoint& at, double s_mm, double t, double crown_mm) {
     const YarnGeometry& g = yarn_.geometry;
     Station x;
     const double tilt = std::clamp(std::sin(at.angle), -maxTilt_, maxTilt_);
     x.s_mm = static_cast<float>(s_mm + at.s_mm);
     x.z_mm = static_cast<float>(at.z_mm);
+    x.crown_mm = static_cast<float>(crown_mm);
     x.normalS = static_cast<float>(-tilt);
     x.normalZ = static_cast<float>(std::sqrt(1 - tilt * tilt));
     x.spill_mm = static_cast<float>(1.001 * std::abs(tilt) * reach_);

@@ -114,6 +114,7 @@ YarnGeometry outlineYarn(const Yarn& yarn, const Fibre& fibre, double pitch_mm, 
   g.pitch_mm = pitch_mm;
   g.crossPitch_mm = crossPitch_mm;
   g.migration = yarn.migration;
+  g.disorder = std::tan(yarn.fibreDisorder_deg * kPi / 180);
   g.hairiness_per_mm = yarn.hairiness_per_mm;
   g.hairLength_mm = yarn.hairiness_per_mm > 0 ? yarn.hairLength_mm : 0.0;
   g.layout = yarn.layout;
@@ -125,7 +126,7 @@ YarnGeometry outlineYarn(const Yarn& yarn, const Fibre& fibre, double pitch_mm, 
 void resolveTwist(YarnGeometry& g, const Yarn& yarn, double cellLength_mm) {
   g.cellLength_mm = cellLength_mm;
   const Twist twist = possibleTwist(g, yarn, cellLength_mm);
-  const bool varied = g.migration > 0 || g.hairiness_per_mm > 0;
+  const bool varied = g.migration > 0 || g.disorder > 0 || g.hairiness_per_mm > 0;
   double best = -1;
   for (int period = varied ? kMinVariedPeriod : kMinPeriod; period <= kMaxPeriod; ++period) {
     const double length_mm = cellLength_mm * period;

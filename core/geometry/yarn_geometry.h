@@ -30,6 +30,7 @@ struct YarnGeometry {
   double crossPitch_mm = 0;  ///< width of a cell across the yarn
   double cellLength_mm = 0;  ///< typical length of axis in a cell: between a float's and a full interlacing's
   double migration = 0;
+  double disorder = 0;  ///< of fibres, to their helix: RMS slope, along either axis
   double hairiness_per_mm = 0;
   double hairLength_mm = 0;
   FibreLayout layout = FibreLayout::packed;

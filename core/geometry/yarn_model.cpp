@@ -17,7 +17,7 @@ constexpr double kMigrationsPerTurn =
     0.7;  // Zhao's fits lie between 0.1 and 1.9; not whole, or fibres only shift aside
 
 int migrations(const YarnGeometry& g) {
-  if (g.migration <= 0) return 0;
+  if (g.migration <= 0 && g.disorder <= 0) return 0;
   const int turns = std::max({std::abs(g.plyTurns), std::abs(g.plyTurns + g.yarnTurns), std::abs(g.fibreSpin())});
   return std::max(1, static_cast<int>(std::lround(kMigrationsPerTurn * turns)));
 }
@@ -42,13 +42,15 @@ void laySections(YarnModel& m, const Task& task) {
   HelicalFibres fibres = roomOfFibres(m);
   if (m.source.sketched) fibres.radius_mm *= 0.1;  // thin threads hardly have to be parted
   const FibreLayout onTheirWay = m.source.sketched ? FibreLayout::random : g.layout;
+  const double migration_mm = g.period * g.cellLength_mm / std::max(1, m.migrations);
   m.plies.clear();
   m.bodyReach_mm = 0;
   for (int ply = 0; ply < g.plies; ++ply) {
     const uint64_t seed = hashCombine(g.seed, ply);
     const DiscCentres section = plySection(g.layout, g.fibresPerPly, g.plyRadius_mm, fibres, seed, task);
-    m.plies.push_back(m.migrations > 0 ? Migration(section, onTheirWay, g.migration, fibres, hashCombine(seed, 1), task)
-                                       : Migration(section));
+    m.plies.push_back(m.migrations == 0 ? Migration(section)
+                                        : Migration(section, onTheirWay, g.migration, fibres, hashCombine(seed, 1),
+                                                    task, {g.disorder, migration_mm, g.plyRadius_mm}));
     m.bodyReach_mm = std::max(m.bodyReach_mm, g.cordOrbit_mm + g.plyOrbit_mm + m.plies.back().reach_mm());
   }
 }
@@ -71,7 +73,7 @@ double looseLength_mm(const YarnModel& m) {
     constexpr int kSteps = 16;
     for (int i = 0; i < kSteps; ++i) {
       const auto at = [&](int k) { return f.start + (f.end - f.start) * k / kSteps; };
-      const glm::dvec2 d = flyawayOffset(f, m.geometry, at(i + 1)) - flyawayOffset(f, m.geometry, at(i));
+      const glm::dvec2 d = flyawayOffset(f, m.geometry, at(i + 1), {}) - flyawayOffset(f, m.geometry, at(i), {});
       const double ds = (at(i + 1) - at(i)) * m.geometry.cellLength_mm;
       total += std::sqrt(glm::dot(d, d) + ds * ds);
     }
@@ -107,7 +109,8 @@ double meanTakeUp(const YarnModel& m) {
 double YarnModel::reachUp_mm() const {
   double reach = bodyReach_mm * upScale();
   const double scale = upScale();
-  for (const Flyaway& f : flyaways) reach = std::max(reach, f.root_mm * scale + f.rise_mm);
+  for (const Flyaway& f : flyaways)
+    reach = std::max(reach, f.lies ? geometry.halfHeight_mm + f.rise_mm : f.root_mm * scale + f.rise_mm);
   return reach + 1.05 * geometry.fibreRadius_mm;
 }
 

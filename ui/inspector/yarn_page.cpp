@@ -117,6 +117,7 @@ std::optional<Fabric> yarnPage(Ui& ui, const Fabric& fabric, const InspectorMode
   changed |= memberField(ui, "yarn", yarn, &Yarn::flattening, 2);
   changed |= memberChoice(ui, "yarn", yarn, &Yarn::layout, layoutNames());
   changed |= memberField(ui, "yarn", yarn, &Yarn::migration, 2);
+  changed |= memberField(ui, "yarn", yarn, &Yarn::fibreDisorder_deg, 1);
   changed |= memberField(ui, "yarn", yarn, &Yarn::hairiness_per_mm, 1, 0.05);
   if (yarn.hairiness_per_mm > 0) changed |= memberField(ui, "yarn", yarn, &Yarn::hairLength_mm, 2);
   visibilitySection(ui, model.visibility, view.visibilityOpen);

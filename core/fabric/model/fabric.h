@@ -55,6 +55,7 @@ struct Yarn {
   double hairiness_per_mm = 0.0;  ///< loose fibre ends and loops per mm of yarn, 0..50
   double hairLength_mm = 0.6;     ///< how far they reach, 0.05..3
   double migration = 0.0;         ///< 0..1: how far fibres wander between core and surface
+  double fibreDisorder_deg = 0.0;  ///< how far fibres stray from their helix: RMS angle, along either axis, 0..20
   FibreLayout layout = FibreLayout::packed;
   UnknownKeys unknown;
   friend bool operator==(const Yarn&, const Yarn&);

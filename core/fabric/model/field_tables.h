@@ -86,6 +86,10 @@ struct FieldTable<Yarn> {
       Field{&Yarn::migration,
             {shape, "migration", "Migration", "", 0, 1,
              "How far fibres wander between the core and the surface of the yarn."}},
+      Field{&Yarn::fibreDisorder_deg,
+            {shape, "fibre_disorder_deg", "Fibre disorder", "°", 0, 20,
+             "How far fibres stray from lying side by side: filaments 1, compact and worsted yarns 4 to 5, ring-spun "
+             "cotton 6 to 9, rotor and woollen yarns 11 to 15."}},
       Field{&Yarn::layout,
             {shape, "layout", "Fibre layout", "", 0, 0,
              "How fibres lie in the section: at random, overlaps allowed, or packed without overlap."}});

@@ -190,6 +190,7 @@ Yarn ringSpun(const char* name, double count_tex, double twistMultiplier) {
   yarn.hairiness_per_mm = 4.5;
   yarn.hairLength_mm = 0.5;
   yarn.migration = 0.25;
+  yarn.fibreDisorder_deg = 6;
   return yarn;
 }
 
@@ -221,6 +222,7 @@ Yarn filament(const char* name, double count_tex, double twist_per_m, double pac
   yarn.plyTwist_per_m = twist_per_m;
   yarn.packing = packing;
   yarn.flattening = flattening;
+  yarn.fibreDisorder_deg = 1;
   return yarn;
 }
 
@@ -248,11 +250,12 @@ std::vector<FibrePreset> fibrePresets() {
 std::vector<YarnPreset> yarnPresets() {
   const char* const spun =
       "count, twist: handbook (TM 3.8-4.5); packing: handbook (0.5-0.6); hairs: measured (Zhao 2016); "
-      "flattening, migration: guess";
-  const char* const flat = "count: handbook; packing: handbook, recalled (0.7-0.8); twist, flattening: guess";
+      "flattening, migration, disorder: guess";
+  const char* const flat = "count: handbook; packing: handbook, recalled (0.7-0.8); twist, flattening, disorder: guess";
   Yarn worsted = twoPly(ringSpun("Worsted wool 2/60 Nm", tex(60, CountSystem::metric), 2.8), 430);
   worsted.packing = 0.5;
   worsted.hairiness_per_mm = 5;
+  worsted.fibreDisorder_deg = 4;
   Yarn linen = ringSpun("Linen NeL 40", tex(40, CountSystem::linen), 3.0);
   linen.packing = 0.6;
   linen.hairiness_per_mm = 2;
@@ -264,11 +267,12 @@ std::vector<YarnPreset> yarnPresets() {
        fibreNamed("cotton"),
        "count: handbook (cabled as sewing and crochet threads are); twist: guess (each level takes back 65 % of the "
        "one "
-       "before); packing: handbook (0.5-0.6); hairs: measured on singles (Zhao 2016); flattening, migration: guess"},
+       "before); packing: handbook (0.5-0.6); hairs: measured on singles (Zhao 2016); flattening, migration, disorder: "
+       "guess"},
       {worsted, fibreNamed("wool"),
        "count: handbook; twist: guess (plying at 65 % of the singles' twist); packing: handbook, recalled (0.45-0.55); "
-       "hairs, flattening, migration: guess"},
-      {linen, fibreNamed("linen"), "count: handbook; twist, packing, hairs, flattening, migration: guess"},
+       "hairs, flattening, migration, disorder: guess"},
+      {linen, fibreNamed("linen"), "count: handbook; twist, packing, hairs, flattening, migration, disorder: guess"},
       {filament("Silk 20/22 den", tex(21, CountSystem::denier), 150, 0.7, 1.3), fibreNamed("silk"), flat},
       {filament("Silk crepe 20/22 den x 2", tex(42, CountSystem::denier), 2400, 0.75, 1.05), fibreNamed("silk"), flat},
       {filament("Viscose 84 dtex", 8.4, 120, 0.7, 1.4), fibreNamed("viscose"), flat},

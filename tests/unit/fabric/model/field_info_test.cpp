@@ -57,8 +57,8 @@ TEST(FieldTables, CoverEveryMember) {
   [[maybe_unused]] const auto& [f1, f2, f3, f4, f5, f6, f7, f8, f9, fu] = Fibre{};
   EXPECT_EQ(count(Fibre{}), 9);
   [[maybe_unused]] const auto& [y1, y2, y3, y4, y5, y6, y7, y8, y9, y10, y11, y12, y13, y14, y15, y16, y17, y18, y19,
-                                y20, yu] = Yarn{};
-  EXPECT_EQ(count(Yarn{}), 20);
+                                y20, y21, yu] = Yarn{};
+  EXPECT_EQ(count(Yarn{}), 21);
   [[maybe_unused]] const auto& [d1, d2, d3, d4, d5, d6, du] = Drape{};
   EXPECT_EQ(count(Drape{}), 6);
   [[maybe_unused]] const auto& [l1, l2, l3, l4, l5, l6, l7, lu] = Light{};
