@@ -50,11 +50,11 @@ struct Yarn {
   int cords = 1;                  ///< plied yarns that are cabled together, 1..6; 1: the yarn is no cable
   double cableTwist_per_m = 0.0;  ///< turns of the cords about the axis of the yarn, 0..5000; cords > 1 only
   TwistDirection cableTwistDirection = TwistDirection::z;
-  double packing = 0.55;          ///< fibre volume over ply volume, 0.05..0.85
-  double flattening = 1.2;        ///< width over height of the section in the cloth, 1..4
-  double hairiness_per_mm = 0.0;  ///< loose fibre ends and loops per mm of yarn, 0..50
-  double hairLength_mm = 0.6;     ///< how far they reach, 0.05..3
-  double migration = 0.0;         ///< 0..1: how far fibres wander between core and surface
+  double packing = 0.55;           ///< fibre volume over ply volume, 0.05..0.85
+  double flattening = 1.2;         ///< width over height of the section in the cloth, 1..4
+  double hairiness_per_mm = 0.0;   ///< loose fibre ends and loops per mm of yarn, 0..50
+  double hairLength_mm = 0.6;      ///< how far they reach, 0.05..3
+  double migration = 0.0;          ///< 0..1: how far fibres wander between core and surface
   double fibreDisorder_deg = 0.0;  ///< how far fibres stray from their helix: RMS angle, along either axis, 0..20
   FibreLayout layout = FibreLayout::packed;
   UnknownKeys unknown;
