@@ -65,8 +65,7 @@ class ClearBench {
     page_.paragraph(fmt::format(
         "Pictures of {} x {}, each looked at for {} s after an edit of one that is clear. FLIP is the mean over nine "
         "windows, a twentieth of the picture each way, of what the display shows, against {} samples of another seed. "
-        "A "
-        "step back is how much worse than the best before it a picture was, at worst.",
+        "A step back is how much worse than the best before it a picture was, at worst.",
         extent_.width, extent_.height, extent_.seconds, extent_.referenceSamples));
     Row header{"cloth", "drape", "light", "edit", "light shared", "first picture, s", "its FLIP"};
     for (const double time_s : kTimes_s) header.push_back(fmt::format("FLIP after {} s", time_s));

@@ -26,14 +26,17 @@ const std::vector<NamedCloth>& cloths() {
   return all;
 }
 
+/// A drape, and how it is looked at; lengths over the side of the cloth's flat piece.
 struct NamedDrape {
   const char* name;
   DrapeKind kind;
+  double width, height, radius;  ///< 0: as Drape has it by default
+  double elevation_deg, distance;
 };
-constexpr NamedDrape kDrapes[] = {{"flat", DrapeKind::flat},
-                                  {"cylinder", DrapeKind::cylinder},
-                                  {"folds", DrapeKind::folds},
-                                  {"skirt", DrapeKind::skirt}};
+constexpr NamedDrape kDrapes[] = {{"flat", DrapeKind::flat, 1, 1, 0, 58, 1.42},
+                                  {"cylinder", DrapeKind::cylinder, 1.4, 1.6, 1.0 / 3, 32, 2.1},
+                                  {"folds", DrapeKind::folds, 4, 2, 1.0 / 8, 20, 5},
+                                  {"skirt", DrapeKind::skirt, 0, 2, 1.0 / 2, 20, 8}};
 
 struct NamedLight {
   const char* name;
@@ -41,40 +44,19 @@ struct NamedLight {
 };
 constexpr NamedLight kLights[] = {{"dome", LightKind::dome}, {"window", LightKind::window}, {"sky", LightKind::sky}};
 
-Fabric posed(const NamedCloth& cloth, DrapeKind drape, LightKind light) {
+Fabric posed(const NamedCloth& cloth, const NamedDrape& drape, LightKind light) {
   Fabric fabric = fabricFromJson(std::string(cloth.json), cloth.name);
   const double side_mm = cloth.side_mm;
   fabric.drape = Drape{};
-  fabric.drape.kind = drape;
+  fabric.drape.kind = drape.kind;
+  if (drape.width > 0) fabric.drape.width_mm = drape.width * side_mm;
+  fabric.drape.height_mm = drape.height * side_mm;
+  if (drape.radius > 0) fabric.drape.radius_mm = drape.radius * side_mm;
   fabric.camera = Camera{};
   fabric.camera.azimuth_deg = -90;
-  fabric.camera.elevation_deg = 58;
+  fabric.camera.elevation_deg = drape.elevation_deg;
   fabric.camera.fov_deg = 20;
-  switch (drape) {
-    case DrapeKind::cylinder:
-      fabric.drape.width_mm = 1.4 * side_mm;
-      fabric.drape.height_mm = 1.6 * side_mm;
-      fabric.drape.radius_mm = side_mm / 3;
-      fabric.camera.elevation_deg = 32;
-      fabric.camera.distance_mm = 2.1 * side_mm;
-      break;
-    case DrapeKind::folds:
-      fabric.drape.width_mm = 4 * side_mm;
-      fabric.drape.height_mm = 2 * side_mm;
-      fabric.drape.radius_mm = side_mm / 8;
-      fabric.camera.elevation_deg = 20;
-      fabric.camera.distance_mm = 5 * side_mm;
-      break;
-    case DrapeKind::skirt:
-      fabric.drape.height_mm = 2 * side_mm;
-      fabric.drape.radius_mm = side_mm / 2;
-      fabric.camera.elevation_deg = 20;
-      fabric.camera.distance_mm = 8 * side_mm;
-      break;
-    default:
-      fabric.drape.width_mm = fabric.drape.height_mm = side_mm;
-      fabric.camera.distance_mm = 1.42 * side_mm;
-  }
+  fabric.camera.distance_mm = drape.distance * side_mm;
   fabric.light = Light{};
   fabric.light.kind = light;
   return fabric;
@@ -156,7 +138,7 @@ std::vector<ClearSetting> clearSettings(const ClearChoice& choice, bool quick) {
       for (const NamedLight& light : kLights)
         if (choice(namesOf(cloths()), cloth.name) && choice(namesOf(kDrapes), drape.name) &&
             choice(namesOf(kLights), light.name))
-          settings.push_back({cloth.name, drape.name, light.name, posed(cloth, drape.kind, light.kind)});
+          settings.push_back({cloth.name, drape.name, light.name, posed(cloth, drape, light.kind)});
   if (quick && !settings.empty()) settings.erase(settings.begin() + 1, settings.end());
   return settings;
 }

@@ -22,13 +22,12 @@ inline constexpr uint64_t kCellLevelBits = 7;
 /// Which places of a cloth look alike, as far as one can tell without light: what a cell is. Repeats of the weave lie
 /// in the same cells wherever the same light falls on them in the same way.
 ///
-/// | level | places in one cell agree in                                                                              |
-/// |-------|----------------------------------------------------------------------------------------------------------|
-/// | 0     | nothing                                                                                                  |
-/// | 1     | warp or weft, yarn, material, the side of the cloth frame that the eye is on (6)                         |
-/// | 2     | the cut edges that are near; how the cloth lies in the world, in steps of some 14 degrees | | 3     |
-/// which side the yarns cross on here and around (3 x 3), which yarns they are, block of 4 x 4 x 4 voxels   | | 4     |
-/// voxel                                                                                                    |
+/// Places in one cell agree in:
+/// - level 0: nothing
+/// - level 1: warp or weft, yarn, material, the side of the cloth frame that the eye is on (6)
+/// - level 2: the cut edges that are near; how the cloth lies in the world, in steps of some 14 degrees
+/// - level 3: which side the yarns cross on here and around (3 x 3), which yarns they are, block of 4 x 4 x 4 voxels
+/// - level 4: voxel
 ///
 /// Where the cloth lies is no part of it, but under the headlight: on a flat piece nothing casts a shadow.
 ///
