@@ -27,9 +27,8 @@ Bounds prismBounds(const Shell& shell, size_t prism) {
 
 /// How deep inside the tetrahedron, mm; negative outside.
 float depth(const Shell::Tet& tet, glm::vec3 world) {
-  float least = std::numeric_limits<float>::max();
-  for (const glm::vec4& plane : tet.plane) least = std::min(least, glm::dot(glm::vec3(plane), world) + plane.w);
-  return least;
+  const Float32x4 heights = tet.plane.heights(world);
+  return std::min(std::min(heights[0], heights[1]), std::min(heights[2], heights[3]));
 }
 
 }  // namespace

@@ -12,15 +12,10 @@ constexpr float kAlong = 1e-6f;
 
 /// Weights of the four vertices at a point, from its distances to the opposite faces; clamped for points that rounding
 /// has put outside.
-glm::vec4 barycentric(const Shell::Tet& tet, std::span<const glm::vec3> vertices, glm::vec3 point) {
-  glm::vec4 weight(0);
-  for (int i = 0; i < 4; ++i) {
-    const glm::vec3 normal(tet.plane[i]);
-    const float height = glm::dot(normal, vertices[tet.vertex[i]]) + tet.plane[i].w;
-    weight[i] = std::max(0.0f, (glm::dot(normal, point) + tet.plane[i].w) / height);
-  }
-  const float sum = weight.x + weight.y + weight.z + weight.w;
-  return sum > 0 ? weight / sum : glm::vec4(0.25f);
+Float32x4 barycentric(const Shell::Tet& tet, glm::vec3 point) {
+  const Float32x4 weight = most(Float32x4{}, tet.plane.heights(point) / tet.height);
+  const float sum = weight[0] + weight[1] + weight[2] + weight[3];
+  return sum > 0 ? weight / sum : broadcast<Float32x4>(0.25);
 }
 
 float exitBox(glm::vec3 lower, glm::vec3 upper, glm::vec3 origin, glm::vec3 direction) {
@@ -52,7 +47,7 @@ glm::vec3 Shell::toCloth(int tet, glm::vec3 world) const {
 glm::mat3 Shell::frame(int tet, glm::vec3 world) const {
   if (isFlat()) return glm::mat3(1);
   const Tet& t = tets_[static_cast<size_t>(tet)];
-  const glm::vec4 weight = barycentric(t, vertices_, world);
+  const Float32x4 weight = barycentric(t, world);
   glm::mat3 blend(0);
   for (int i = 0; i < 4; ++i) blend += weight[i] * vertexFrames_[t.vertex[i]];
   return blend;
@@ -62,14 +57,14 @@ float Shell::exit(int tet, glm::vec3 origin, glm::vec3 direction, int& face) con
   face = 0;
   if (isFlat()) return exitBox(lower_, upper_, origin, direction);
   const Tet& t = tets_[static_cast<size_t>(tet)];
-  float nearest = std::numeric_limits<float>::infinity();
+  constexpr float kNever = std::numeric_limits<float>::infinity();
+  const Float32x4 approach = t.plane.approach(direction);
+  const Float32x4 there = t.plane.heights(origin) / -approach;
+  const Float32x4 parameter = approach > -kAlong ? broadcast<Float32x4>(kNever) : there;
+  float nearest = kNever;
   for (int i = 0; i < 4; ++i) {
-    const glm::vec3 normal(t.plane[i]);
-    const float approach = glm::dot(normal, direction);
-    if (approach > -kAlong) continue;
-    const float parameter = (glm::dot(normal, origin) + t.plane[i].w) / -approach;
-    if (parameter >= nearest) continue;
-    nearest = parameter;
+    if (parameter[i] >= nearest) continue;
+    nearest = parameter[i];
     face = i;
   }
   return nearest;

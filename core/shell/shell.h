@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/simd.h"
 #include "core/shell/drape_mesh.h"
 
 namespace loomlight {
@@ -19,12 +20,29 @@ namespace loomlight {
 /// one, and meets what remains of the other after leaving it.
 class Shell {
  public:
+  /// The planes of a tetrahedron's faces, face i opposite vertex i, side by side: inward unit normals and distances.
+  struct Planes {
+    Float32x4 x, y, z, w;
+
+    glm::vec4 operator[](int i) const { return {x[i], y[i], z[i], w[i]}; }
+    void set(int i, glm::vec4 plane) {
+      x[i] = plane.x;
+      y[i] = plane.y;
+      z[i] = plane.z;
+      w[i] = plane.w;
+    }
+    /// How fast a point moves away from each.
+    Float32x4 approach(glm::vec3 direction) const { return x * direction.x + y * direction.y + z * direction.z; }
+    /// Distances of a point, >= 0 inside.
+    Float32x4 heights(glm::vec3 point) const { return approach(point) + w; }
+  };
   struct Tet {
     uint32_t vertex[4];
     int32_t neighbour[4];  ///< tetrahedron across the face opposite vertex i; -1: the boundary
     glm::mat3 toCloth;     ///< cloth = toCloth * world + offset
     glm::vec3 offset;
-    glm::vec4 plane[4];  ///< inward normal and distance of the face opposite vertex i: dot(n, x) + w >= 0 inside
+    Planes plane;
+    Float32x4 height;  ///< of each vertex over the face opposite to it
   };
   struct BoundaryFace {
     uint32_t vertex[3];  ///< counter-clockwise seen from outside

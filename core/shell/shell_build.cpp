@@ -34,8 +34,9 @@ void setPlanes(Shell::Tet& tet, const glm::dvec3 (&corner)[4]) {
     const glm::dvec4 plane = planeThrough(corner[i == 0 ? 1 : 0], corner[i <= 1 ? 2 : 1], corner[i <= 2 ? 3 : 2]);
     const bool inward = glm::dot(glm::dvec3(plane), corner[i]) + plane.w > 0;
     const glm::vec4 rounded(plane);
-    tet.plane[i] = inward ? rounded : -rounded;
+    tet.plane.set(i, inward ? rounded : -rounded);
   }
+  for (int i = 0; i < 4; ++i) tet.height[i] = tet.plane.heights(glm::vec3(corner[i]))[i];
 }
 
 void setMap(Shell::Tet& tet, const glm::dvec3 (&world)[4], const glm::dvec3 (&cloth)[4]) {

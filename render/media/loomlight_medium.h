@@ -4,7 +4,7 @@
 #include <memory>
 #include <span>
 
-#include "render/media/met_fibre.h"
+#include "render/media/lane_walker.h"
 
 namespace loomlight {
 
@@ -49,26 +49,32 @@ class LoomlightMedium final : public Medium {
     glm::vec3 inVoxel_mm{0};  ///< where the light was, in cloth space, from the voxel's lower corner
     float ahead_mm = 0;       ///< c
   };
-  /// What is known of the fibres around a path; of all but the last meeting nothing without the hot spot.
+  /// Of a path. What is known of fibres is nothing without the hot spot.
   struct Memory {
-    MetFibre leaving, before;             ///< the last fibre that it met, and the one before
-    std::array<RaySegment, 2> flights{};  ///< to both, the newest first
+    KnownFibres known;
     Meeting meeting;
   };
 
   std::unique_ptr<MediumPath> path() const override;
-  std::optional<Collision> collide(const ScenePoint& from, Memory& memory, glm::vec3 direction, Random& random,
-                                   TraceCounts& counts) const;
+  std::unique_ptr<MediumBatch> batch(size_t paths) const override;
+
+  // What a batch is made of:
+  const TraceData& cloth() const { return *cloth_; }
+  const Ingredients& ingredients() const { return ingredients_; }
+  LaneWalker::Rules walkRules() const { return {farthest_mm_, ingredients_.packing, ingredients_.hotSpot}; }
+  /// Which of the fibres that were found along a ray from there is met, and how.
+  Collision meet(const ScenePoint& from, glm::vec3 direction, const FoundFibres& found, Random& random,
+                 Memory& memory) const;
+  /// With the fibre before, as the cylinder that it is.
+  Collision meetBefore(const ScenePoint& place, glm::vec3 direction, float distance_mm, Random& random,
+                       Memory& memory) const;
+  /// Keeps a meeting in mind.
+  void remember(const Collision& met, Memory& memory) const;
   glm::vec3 exit(const Collision& met, glm::vec3 wi, int order) const;
-  float transmittance(const ScenePoint& from, const Memory& memory, glm::vec3 direction, float distance, Random& random,
-                      TraceCounts& counts) const;
   size_t offsetsAcross(const Collision& met, const Memory& memory, std::span<float> offsets, Random& random) const;
 
  private:
-  class Stretches;
   glm::mat3 toClothOf(int tet) const;  ///< d cloth / d world
-  Collision meet(const ScenePoint& from, glm::vec3 direction, const Stretches& stretch, float t, Random& random,
-                 Meeting& meeting) const;
 
   std::shared_ptr<const TraceData> cloth_;
   Ingredients ingredients_;

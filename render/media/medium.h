@@ -105,6 +105,38 @@ class MediumPath {
   virtual std::unique_ptr<MediumPath> clone() const = 0;  ///< to go on two ways from here
 };
 
+/// The next flight of one path of a batch.
+struct Flight {
+  uint32_t path = 0;
+  glm::vec3 direction{0, 0, -1};  ///< unit
+  Random* random = nullptr;       ///< the path's own
+};
+
+/// A shadow ray from where one path of a batch stands.
+struct ShadowRay {
+  uint32_t path = 0;
+  glm::vec3 direction{0, 0, -1};  ///< unit
+  float distance = 0;             ///< mm
+  Random* random = nullptr;       ///< the path's own
+  float visible = 0;              ///< what comes of it: MediumPath::transmittance()
+};
+
+/// Many paths on their way through a medium side by side, each as a MediumPath is: what one medium can do for many rays
+/// at once costs less than the same for one after the other. No path knows of the others, whichever are asked together.
+class MediumBatch {
+ public:
+  virtual ~MediumBatch() = default;
+
+  virtual void begin(uint32_t path, const ScenePoint& from) = 0;
+  /// Every flight's first fibre, as MediumPath::collide(); one entry of `met` for each. No path flies twice.
+  virtual void collide(std::span<const Flight> flights, std::span<std::optional<Collision>> met,
+                       TraceCounts& counts) = 0;
+  virtual void leave(uint32_t path, const Collision& met, glm::vec3 wi, int order) = 0;
+  /// Sets `visible` of each. No path has two.
+  virtual void transmit(std::span<ShadowRay> rays, TraceCounts& counts) = 0;
+  virtual size_t offsetsAcross(uint32_t path, const Collision& met, std::span<float> offsets, Random& random) const = 0;
+};
+
 /// The cloth, as light meets it: everything that paths ask of it, and nothing about how it is stored. Immutable, and
 /// safe to ask from many threads.
 class Medium {
@@ -113,6 +145,8 @@ class Medium {
 
   /// A path through it, for one thread and as many paths after each other as it likes. The medium must outlive it.
   virtual std::unique_ptr<MediumPath> path() const = 0;
+  /// The same for so many paths at once, numbered from 0: one after the other, unless the medium knows better.
+  virtual std::unique_ptr<MediumBatch> batch(size_t paths) const;
 
   /// Whether light that comes straight from a lamp to the first fibre of a path is seen by transmittance() alone,
   /// whatever the flight that goes on from there meets: the report's way. False where both are one law.

@@ -17,7 +17,7 @@ class FirstFibre final : public PathSink {
  public:
   bool meets(const Collision& at, uint32_t) override {
     met_ = at;
-    return false;
+    return false;  // it ends there
   }
   void ends(PathEnd why) override { stopped_ = why == PathEnd::stopped; }
   const Collision* met() const { return stopped_ ? &met_ : nullptr; }
@@ -56,30 +56,44 @@ bool FirstHits::trace(uint32_t perPixel, const Scene& scene, const Medium& mediu
   parallelFor(strips.size(), task.threads, [&](size_t number) {
     Strip& strip = strips[number];
     CellKeys keys(scene);
-    FirstFibre first;
     TraceCounts counts;
-    PathIntegrator integrator(scene, medium, PathRules::of(scene));
+    PathIntegrator integrator(scene, medium, PathRules::of(scene), PathIntegrator::kBatch);
+    std::vector<FirstFibre> firsts(PathIntegrator::kBatch);
+    std::vector<PathStart> starts;
+    std::vector<size_t> pixels;  // of the paths
+    const auto follow = [&] {
+      if (!integrator.follow(starts, counts, &task)) return false;
+      for (size_t i = 0; i < starts.size(); ++i) {
+        if (!firsts[i].met()) {
+          strip.hits.push_back({pixels[i], kPast});
+          continue;
+        }
+        Random& random = starts[i].random;
+        const float jx = random.uniform(), jy = random.uniform();
+        const CellPath path = keys.of(*firsts[i].met(), glm::vec2(jx, jy) - 0.5f);
+        const auto cell = cells.find(path);
+        strip.hits.push_back({pixels[i], cell.value_or(kNew)});
+        if (!cell) strip.fresh.push_back(path);
+      }
+      starts.clear();
+      pixels.clear();
+      return true;
+    };
     const int top = static_cast<int>(number) * kRows;
     for (int y = top; y < std::min(height_, top + kRows); ++y)
       for (int x = 0; x < width_; ++x)
         for (uint32_t i = have_; i < perPixel; ++i) {
-          if (task.stopped()) return;
           const size_t pixel = pixelAt(x, y);
           if (counts_[pixel] + i - have_ >= most_) break;
           Random random(hashCombine(hashCombine(seed, x), y), i);
           random.stratify(0, PathIntegrator::kFirstDimension);
           const float dx = random.uniform(), dy = random.uniform();
-          integrator.follow(camera.ray(static_cast<float>(x) + dx, static_cast<float>(y) + dy), random, first, counts);
-          if (!first.met()) {
-            strip.hits.push_back({pixel, kPast});
-            continue;
-          }
-          const float jx = random.uniform(), jy = random.uniform();
-          const CellPath path = keys.of(*first.met(), glm::vec2(jx, jy) - 0.5f);
-          const auto cell = cells.find(path);
-          strip.hits.push_back({pixel, cell.value_or(kNew)});
-          if (!cell) strip.fresh.push_back(path);
+          pixels.push_back(pixel);
+          starts.push_back(
+              {camera.ray(static_cast<float>(x) + dx, static_cast<float>(y) + dy), random, &firsts[starts.size()]});
+          if (starts.size() == PathIntegrator::kBatch && !follow()) return;
         }
+    follow();
   });
   if (task.stopped()) return false;
   for (const Strip& strip : strips) {

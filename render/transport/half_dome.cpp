@@ -64,18 +64,20 @@ Rgb look(const Scene& scene, const Medium& medium, const View& view, size_t came
   // Fewer samples than pixels go to every nth pixel.
   const int stride = std::max(1, pixels / samples);
   const int x0 = (view.width - view.columns) / 2, y0 = (view.height - view.rows) / 2;
-  PathTracer tracer(scene, medium, rays);
-  glm::dvec3 sum(0.0);
-  int count = 0;
+  std::vector<PixelSample> wanted;
   for (int round = 0; round < rounds; ++round)
     for (int i = 0; i < pixels; i += stride) {
-      if (task.stopped()) return Rgb(0.0f);
       const auto index = static_cast<uint32_t>(camera * static_cast<size_t>(rounds) + static_cast<size_t>(round));
-      const PathSample sample = tracer.trace(x0 + i % view.columns, y0 + i / view.columns, index, counts);
-      sum += glm::dvec3(sample.direct + sample.indirect);
-      ++count;
+      wanted.push_back({x0 + i % view.columns, y0 + i / view.columns, index});
     }
-  return Rgb(sum / static_cast<double>(count));
+  PathTracer tracer(scene, medium, rays, PathIntegrator::kBatch);
+  glm::dvec3 sum(0.0);
+  for (size_t begin = 0; begin < wanted.size(); begin += PathIntegrator::kBatch) {
+    const auto batch = std::span(wanted).subspan(begin, std::min(PathIntegrator::kBatch, wanted.size() - begin));
+    if (!tracer.trace(batch, counts, &task)) return Rgb(0.0f);
+    for (size_t i = 0; i < batch.size(); ++i) sum += glm::dvec3(tracer.sample(i).direct + tracer.sample(i).indirect);
+  }
+  return Rgb(sum / static_cast<double>(wanted.size()));
 }
 
 }  // namespace

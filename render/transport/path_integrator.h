@@ -1,7 +1,10 @@
 #pragma once
 
-#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
 
+#include "core/base/task.h"
 #include "render/media/medium.h"
 #include "render/scene/camera_rays.h"
 #include "render/scene/scene.h"
@@ -24,39 +27,79 @@ struct PathRules {
   }
 };
 
+/// A path as it sets out, and who hears of it.
+struct PathStart {
+  Ray ray;
+  Random random;  ///< the path's own; it is left where the path has ended
+  PathSink* sink;
+};
+
 /// The one way in which light is traced: from the eye backwards, fibre by fibre, by a medium that finds them. At each a
 /// lamp is looked for, and the fibre's BCSDF sends the path on; both ways of finding a lamp are weighted against each
 /// other by the balance heuristic (Veach 1997). No path has a colour: it carries the lengths that it has travelled
 /// inside the fibres of each material, of which colour is made where light is met (path_light.h).
 ///
-/// One thread, as many paths after each other as it likes. Scene and medium must outlive it.
+/// Paths go on side by side, stage by stage: all fly, then all look for their lamps, then all are sent on (a wavefront:
+/// Laine et al. 2013). So each stage's code and tables stay at hand, and the medium sees many rays at once. What
+/// becomes of a path does not depend on the others, since it has random numbers of its own.
+///
+/// One thread, as many batches after each other as it likes. Scene and medium must outlive it.
 class PathIntegrator {
  public:
   static constexpr uint32_t kFirstDimension = 2;  ///< of stratified numbers; those below are the camera's
+  static constexpr size_t kBatch = 256;           ///< paths that are under way at once, at most
 
-  PathIntegrator(const Scene& scene, const Medium& medium, const PathRules& rules);
+  /// For batches of up to `most` paths, at most kBatch.
+  PathIntegrator(const Scene& scene, const Medium& medium, const PathRules& rules, size_t most = 1);
 
-  /// One path, told to `sink`; its cost is added to `counts`.
+  /// Follows them to their ends; their cost is added to `counts`. False where `task` (may be null) was stopped: then
+  /// some have not ended.
+  bool follow(std::span<PathStart> paths, TraceCounts& counts, const Task* task = nullptr);
+  /// One path alone.
   void follow(const Ray& ray, Random& random, PathSink& sink, TraceCounts& counts);
 
  private:
   static constexpr size_t kMaxMaterials = 64;  // of a valid fabric
-  struct Event;                                // a fibre, as the path has come to it
-  std::span<const float> lengths_mm() const { return {lengths_mm_.data(), materials_}; }
-  float lampChance(float value) const;
-  bool survives(Random& random);
-  void gather(PathLight light, PathSink& sink) const;
-  void gatherEscaped(glm::vec3 direction, float scatterPdf, float visible, PathSink& sink) const;
-  std::optional<PathLight> sampleLight(const Event& event, Random& random, TraceCounts& counts);
+  struct Event;                                // a fibre, as a path has come to it
+  /// A path between two fibres.
+  struct State {
+    std::optional<Collision> at;
+    glm::vec3 direction{0, 0, -1};
+    float scatterPdf = 0, weight = 1;
+    uint32_t events = 0;
+    bool addedAlready = false;  ///< what this flight may bring straight from a lamp to the first fibre
+  };
+  /// A lamp's light on its way to a path, unless it is in shadow.
+  struct Lamp {
+    Rgb radiance{0};
+    float mean = 0, divisor = 1;  ///< radiance counts with their quotient
+    PathLight light;              ///< all but its radiance
+  };
+  std::span<float> lengths_mm(uint32_t path) { return {&lengths_mm_[path * materials_], materials_}; }
+  void fly(std::span<PathStart> paths, TraceCounts& counts);
+  void lookForLamps(std::span<PathStart> paths, TraceCounts& counts);
+  void scatter(std::span<PathStart> paths);
+  void seeDirectLightApart(std::span<PathStart> paths, TraceCounts& counts);
+  void stratify(PathStart& path, uint32_t events, uint32_t use) const;
+  float lampChance(float value, uint32_t events) const;
+  bool survives(uint32_t path, Random& random);
+  void gather(uint32_t path, PathLight light, PathSink& sink);
+  void gatherEscaped(uint32_t path, float visible, PathSink& sink);
+  bool sampleLight(uint32_t path, Random& random, ShadowRay& ray, Lamp& lamp);
 
   const Scene& scene_;
   PathRules rules_;
   bool seesDirectLightApart_, lamps_;
   size_t materials_;
-  std::unique_ptr<MediumPath> path_;
-  std::array<float, kMaxMaterials> lengths_mm_{};  ///< of the path so far, inside the fibres of each material
-  float weight_ = 1;
-  uint32_t events_ = 0;
+  std::unique_ptr<MediumBatch> medium_;
+  std::vector<State> states_;
+  std::vector<float> lengths_mm_;  ///< of each path so far, inside the fibres of each material
+  std::vector<uint32_t> active_;   ///< the paths that have not ended
+  // Of one stage:
+  std::vector<Flight> flights_;
+  std::vector<std::optional<Collision>> met_;
+  std::vector<ShadowRay> shadowRays_;
+  std::vector<Lamp> lampsFound_;
 };
 
 }  // namespace loomlight

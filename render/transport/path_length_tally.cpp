@@ -87,7 +87,7 @@ Fabric colourPatch(Fabric fabric) {
 
 std::optional<PathLengthTally> tallyPathLengths(const Scene& scene, const Medium& medium, int material, size_t count,
                                                 const Task& task) {
-  constexpr size_t kBlock = 256;
+  constexpr size_t kBlock = PathIntegrator::kBatch;
   constexpr size_t kTriesPerWalk = 64;  // a fibre that so few eyes see is not on the face
   const glm::dvec2 window = window_mm(*scene.fabric);
   const double above = 2 * scene.cloth->volume->geometry().halfThickness_mm();
@@ -96,19 +96,26 @@ std::optional<PathLengthTally> tallyPathLengths(const Scene& scene, const Medium
   std::atomic<size_t> done{0};
   parallelFor(blocks.size(), task.threads, [&](size_t b) {
     PathLengthTally& block = blocks[b];
-    Random random(hashCombine(scene.fabric->render.seed, b));
-    LengthTally tally(material);
-    PathIntegrator integrator(scene, medium, PathRules::plain(deepest));
+    PathIntegrator integrator(scene, medium, PathRules::plain(deepest), kBlock);
+    std::vector<LengthTally> tallies(kBlock, LengthTally(material));
+    std::vector<PathStart> starts;
     TraceCounts counts;
-    for (size_t tries = 0; tries < kBlock * kTriesPerWalk && block.count < kBlock; ++tries) {
-      if (task.stopped()) return;
-      const glm::dvec3 place((random.uniformDouble() - 0.5) * window.x, (random.uniformDouble() - 0.5) * window.y,
-                             above);
-      tally.clear();
-      integrator.follow({glm::vec3(place), {0, 0, -1}}, random, tally, counts);
-      if (!tally.met()) continue;
-      ++block.count;
-      block.lengths_mm.insert(block.lengths_mm.end(), tally.lengths_mm().begin(), tally.lengths_mm().end());
+    for (size_t tries = 0; tries < kBlock * kTriesPerWalk && block.count < kBlock;) {
+      starts.clear();
+      for (size_t i = block.count; i < kBlock; ++i) {
+        Random random(hashCombine(hashCombine(scene.fabric->render.seed, b), tries++));
+        const double u = random.uniformDouble(), v = random.uniformDouble();
+        const glm::dvec3 place((u - 0.5) * window.x, (v - 0.5) * window.y, above);
+        tallies[starts.size()].clear();
+        starts.push_back({{glm::vec3(place), {0, 0, -1}}, random, &tallies[starts.size()]});
+      }
+      if (!integrator.follow(starts, counts, &task)) return;
+      for (size_t i = 0; i < starts.size(); ++i) {
+        if (!tallies[i].met()) continue;
+        ++block.count;
+        const auto& lengths = tallies[i].lengths_mm();
+        block.lengths_mm.insert(block.lengths_mm.end(), lengths.begin(), lengths.end());
+      }
     }
     task.report(static_cast<double>(++done) / static_cast<double>(blocks.size()));
   });

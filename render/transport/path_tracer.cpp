@@ -19,39 +19,6 @@ void recordFirstHit(const Collision& at, PathSample& sample) {
   sample.pick = at.pick;
 }
 
-/// Makes the sample of a pixel; colours light as it comes.
-class PixelSink final : public PathSink {
- public:
-  PixelSink(const Scene& scene, Collision& first, PathSink* listener)
-      : scene_(scene), first_(first), listener_(listener) {}
-
-  bool meets(const Collision& at, uint32_t event) override {
-    if (event == 1) {
-      recordFirstHit(at, sample_);
-      first_ = at;
-    }
-    sample_.events = event;
-    return !listener_ || listener_->meets(at, event);
-  }
-  void gathers(const PathLight& light, std::span<const float> lengths_mm, uint32_t events) override {
-    (events == 1 ? sample_.direct : sample_.indirect) += colourOf(light, lengths_mm, scene_.absorption_per_mm);
-    if (listener_) listener_->gathers(light, lengths_mm, events);
-  }
-  void scatters(const FibreBcsdf::Sample& by, glm::vec3 direction, float weight) override {
-    if (listener_) listener_->scatters(by, direction, weight);
-  }
-  void ends(PathEnd why) override {
-    if (listener_) listener_->ends(why);
-  }
-  const PathSample& sample() const { return sample_; }
-
- private:
-  const Scene& scene_;
-  Collision& first_;
-  PathSink* listener_;
-  PathSample sample_;
-};
-
 }  // namespace
 
 TraceCounts& TraceCounts::operator+=(const TraceCounts& other) {
@@ -62,21 +29,52 @@ TraceCounts& TraceCounts::operator+=(const TraceCounts& other) {
   return *this;
 }
 
-PathTracer::PathTracer(const Scene& scene, const Medium& medium, const CameraRays& camera)
-    : scene_(scene), camera_(camera), integrator_(scene, medium, PathRules::of(scene)) {}
+bool PathTracer::PixelSink::meets(const Collision& at, uint32_t event) {
+  if (event == 1) {
+    recordFirstHit(at, sample_);
+    first_ = at;
+  }
+  sample_.events = event;
+  return !listener_ || listener_->meets(at, event);
+}
 
-PathSample PathTracer::trace(int x, int y, uint32_t index, TraceCounts& counts, PathSink* listener) {
-  Random random(hashCombine(hashCombine(hashCombine(scene_.fabric->render.seed, x), y), 0), index);
-  if (scene_.sampling.stratified) random.stratify(0, PathIntegrator::kFirstDimension);
-  const float dx = random.uniform(), dy = random.uniform();
-  PixelSink sink(scene_, first_, listener);
-  integrator_.follow(camera_.ray(static_cast<float>(x) + dx, static_cast<float>(y) + dy), random, sink, counts);
-  return sink.sample();
+void PathTracer::PixelSink::gathers(const PathLight& light, std::span<const float> lengths_mm, uint32_t events) {
+  (events == 1 ? sample_.direct : sample_.indirect) += colourOf(light, lengths_mm, scene_.absorption_per_mm);
+  if (listener_) listener_->gathers(light, lengths_mm, events);
+}
+
+void PathTracer::PixelSink::scatters(const FibreBcsdf::Sample& by, glm::vec3 direction, float weight) {
+  if (listener_) listener_->scatters(by, direction, weight);
+}
+
+void PathTracer::PixelSink::ends(PathEnd why) {
+  if (listener_) listener_->ends(why);
+}
+
+PathTracer::PathTracer(const Scene& scene, const Medium& medium, const CameraRays& camera, size_t most)
+    : scene_(scene), camera_(camera), integrator_(scene, medium, PathRules::of(scene), most) {}
+
+bool PathTracer::trace(std::span<const PixelSample> wanted, TraceCounts& counts, const Task* task) {
+  sinks_.clear();
+  starts_.clear();
+  for (const PixelSample& of : wanted) sinks_.emplace_back(scene_, of.listener);
+  for (size_t i = 0; i < wanted.size(); ++i) {
+    const PixelSample& of = wanted[i];
+    const uint64_t pixel = hashCombine(hashCombine(hashCombine(scene_.fabric->render.seed, of.x), of.y), 0);
+    Random random(pixel, of.index);
+    if (scene_.sampling.stratified) random.stratify(0, PathIntegrator::kFirstDimension);
+    const float dx = random.uniform(), dy = random.uniform();
+    const Ray ray = camera_.ray(static_cast<float>(of.x) + dx, static_cast<float>(of.y) + dy);
+    starts_.push_back({ray, random, &sinks_[i]});
+  }
+  return integrator_.follow(starts_, counts, task);
 }
 
 PathSample tracePath(const Scene& scene, const Medium& medium, const CameraRays& camera, int x, int y, uint32_t index,
                      TraceCounts& counts, PathSink* listener) {
-  return PathTracer(scene, medium, camera).trace(x, y, index, counts, listener);
+  PathTracer tracer(scene, medium, camera);
+  tracer.trace(std::vector<PixelSample>{{x, y, index, listener}}, counts);
+  return tracer.sample(0);
 }
 
 PassResult renderUpTo(uint32_t samples, const Scene& scene, const Medium& medium, const CameraRays& camera, Film& film,
@@ -98,19 +96,28 @@ PassResult renderUpTo(uint32_t samples, const Scene& scene, const Medium& medium
     const int top = window.y + static_cast<int>(tile / columns) * kTile;
     const int right = std::min(left + kTile, window.x + window.width);
     const int bottom = std::min(top + kTile, window.y + window.height);
-    PathLog log;
-    PathTracer tracer(scene, medium, camera);
-    for (int y = top; y < bottom; ++y)
-      for (int x = left; x < right; ++x)
-        for (uint32_t i = film.samples(x, y); i < samples; ++i) {
-          if (task.stopped()) return;
-          const bool recorded = records && records->takes(x, y, i);
-          log.clear();
-          const PathSample sample = tracer.trace(x, y, firstSample + i, tileCounts[tile], recorded ? &log : nullptr);
-          film.add(x, y, firstSample + i, sample);
-          if (first) first->sample(tile, x, y, sample.alpha > 0 ? &tracer.first() : nullptr, sample);
-          if (recorded) records->add(x, y, sample.direct + sample.indirect, log);
-        }
+    PathTracer tracer(scene, medium, camera, static_cast<size_t>((right - left) * (bottom - top)));
+    std::vector<PathLog> logs(records ? kTile * kTile : 0);
+    std::vector<PixelSample> wanted;
+    while (!task.stopped()) {  // the next sample of every pixel that lacks some
+      wanted.clear();
+      for (int y = top; y < bottom; ++y)
+        for (int x = left; x < right; ++x)
+          if (const uint32_t next = film.samples(x, y); next < samples) {
+            PathLog* log = records && records->takes(x, y, next) ? &logs[wanted.size()] : nullptr;
+            if (log) log->clear();
+            wanted.push_back({x, y, firstSample + next, log});
+          }
+      if (wanted.empty()) break;
+      if (!tracer.trace(wanted, tileCounts[tile], &task)) return;
+      for (size_t i = 0; i < wanted.size(); ++i) {
+        const auto& [x, y, index, log] = wanted[i];
+        const PathSample& sample = tracer.sample(i);
+        film.add(x, y, index, sample);
+        if (first) first->sample(tile, x, y, tracer.first(i), sample);
+        if (log) records->add(x, y, sample.direct + sample.indirect, *static_cast<const PathLog*>(log));
+      }
+    }
     task.report(static_cast<double>(++tilesDone) / static_cast<double>(tileCounts.size()));
   });
   if (records) records->settle();

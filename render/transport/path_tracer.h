@@ -7,22 +7,51 @@
 
 namespace loomlight {
 
+/// A sample of a pixel that is to be traced.
+struct PixelSample {
+  int x = 0, y = 0;
+  uint32_t index = 0;
+  PathSink* listener = nullptr;  ///< may be null; hears all that befalls its path, uncoloured
+};
+
 /// Traces the samples of pixels, for one thread. Scene, medium and camera must outlive it.
 class PathTracer {
  public:
-  PathTracer(const Scene& scene, const Medium& medium, const CameraRays& camera);
+  /// For so many at once, at most PathIntegrator::kBatch.
+  PathTracer(const Scene& scene, const Medium& medium, const CameraRays& camera, size_t most = 1);
 
-  /// Sample `index` of the pixel: a pure function of (scene, medium, camera, seed, x, y, index). Adds its cost to
-  /// `counts`. `listener` (may be null) hears all that befalls its path, uncoloured.
-  PathSample trace(int x, int y, uint32_t index, TraceCounts& counts, PathSink* listener = nullptr);
-  /// Where the last path met its first fibre, if its sample has alpha.
-  const Collision& first() const { return first_; }
+  /// Each a pure function of (scene, medium, camera, seed, x, y, index), whichever are traced together. Adds their cost
+  /// to `counts`. False where `task` (may be null) was stopped: then there are none.
+  bool trace(std::span<const PixelSample> wanted, TraceCounts& counts, const Task* task = nullptr);
+  // Of the last call, by place in its list:
+  const PathSample& sample(size_t i) const { return sinks_[i].sample(); }
+  /// Where the path met its first fibre; null where it met none.
+  const Collision* first(size_t i) const { return sinks_[i].sample().alpha > 0 ? &sinks_[i].first() : nullptr; }
 
  private:
+  /// Makes the sample of a pixel; colours light as it comes.
+  class PixelSink final : public PathSink {
+   public:
+    PixelSink(const Scene& scene, PathSink* listener) : scene_(scene), listener_(listener) {}
+    bool meets(const Collision& at, uint32_t event) override;
+    void gathers(const PathLight& light, std::span<const float> lengths_mm, uint32_t events) override;
+    void scatters(const FibreBcsdf::Sample& by, glm::vec3 direction, float weight) override;
+    void ends(PathEnd why) override;
+    const PathSample& sample() const { return sample_; }
+    const Collision& first() const { return first_; }
+
+   private:
+    const Scene& scene_;
+    PathSink* listener_;
+    Collision first_;
+    PathSample sample_;
+  };
+
   const Scene& scene_;
   const CameraRays& camera_;
   PathIntegrator integrator_;
-  Collision first_;
+  std::vector<PixelSink> sinks_;
+  std::vector<PathStart> starts_;
 };
 
 /// One such sample.
@@ -50,7 +79,8 @@ class FirstFibreSink {
 };
 
 /// Brings every pixel of the film to `samples` samples, numbered from `firstSample` on: traces those that are missing,
-/// so that a stopped or resumed picture goes on where each of its pixels is. Checks stop per path.
+/// so that a stopped or resumed picture goes on where each of its pixels is. Checks stop each time that the paths of a
+/// tile have met a fibre; samples that have not ended then are dropped.
 PassResult renderUpTo(uint32_t samples, const Scene& scene, const Medium& medium, const CameraRays& camera, Film& film,
                       const Task& task, uint32_t firstSample = 0);
 /// Brings the pixels of a window of the film to `samples` samples, the ones that they would have in the whole picture.

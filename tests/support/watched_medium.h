@@ -11,9 +11,11 @@ namespace loomlight::test {
 /// A medium that tells of each path that sets out into it, and can hold it up there.
 class WatchedMedium : public Medium {
  public:
-  /// `onPath` is called with the number of the path, from 1, by the thread that traces it.
-  WatchedMedium(std::shared_ptr<const Medium> medium, std::function<void(uint64_t)> onPath)
-      : medium_(std::move(medium)), onPath_(std::move(onPath)) {}
+  /// `onPath` is called with the number of the path, from 1, by the thread that traces it, and `onFlight` (may be
+  /// empty) before each flight of any of them, with its number.
+  WatchedMedium(std::shared_ptr<const Medium> medium, std::function<void(uint64_t)> onPath,
+                std::function<void(uint64_t)> onFlight = {})
+      : medium_(std::move(medium)), onPath_(std::move(onPath)), onFlight_(std::move(onFlight)) {}
 
   uint64_t paths() const { return paths_; }
 
@@ -28,6 +30,10 @@ class WatchedMedium : public Medium {
       watched_.onPath_(++watched_.paths_);
       PathAround::begin(from);
     }
+    std::optional<Collision> collide(glm::vec3 direction, Random& random, TraceCounts& counts) override {
+      if (watched_.onFlight_) watched_.onFlight_(++watched_.flights_);
+      return PathAround::collide(direction, random, counts);
+    }
 
    private:
     const WatchedMedium& watched_;
@@ -35,7 +41,8 @@ class WatchedMedium : public Medium {
 
   std::shared_ptr<const Medium> medium_;
   std::function<void(uint64_t)> onPath_;
-  mutable std::atomic<uint64_t> paths_{0};
+  std::function<void(uint64_t)> onFlight_;
+  mutable std::atomic<uint64_t> paths_{0}, flights_{0};
 };
 
 }  // namespace loomlight::test

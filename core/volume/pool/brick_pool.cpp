@@ -5,8 +5,10 @@
 namespace loomlight {
 namespace {
 
-// Of each, about 24 GiB: more than any volume may take.
-constexpr uint32_t kMostComponents = 0xFFFFFFFF, kMostBlocks = uint32_t{1} << 30, kMostEntries = uint32_t{1} << 28;
+// Of components and blocks 4 GiB each, which any volume is content with (ClothVolume::kMaxBytes): so 32 bits address
+// their bytes too, as vector instructions do.
+constexpr uint32_t kMostComponents = 0xFFFFFFFF / sizeof(Component), kMostBlocks = 0xFFFFFFFF / sizeof(BrickBlock),
+                   kMostEntries = uint32_t{1} << 28;
 
 /// Into the cells on either side, across the yarn.
 void findReach(const Brick& brick, System system, BrickPool::Entry& entry) {

@@ -48,11 +48,13 @@ class Component {
   uint64_t bits() const { return directionAndSpread() | static_cast<uint64_t>(density_) << 32; }
   friend bool operator==(Component, Component) = default;
 
- private:
+  // How it is stored, for those who decode many side by side (render/walk):
   /// Codes 0..4094 of an octahedral coordinate are -1..1, and 0 is one of them.
   static constexpr int kAxisCentre = 2047;
+  /// What is added to a length density's code, 12 bits up, to make the bits of a float; code 0 is zero.
   static constexpr uint32_t kDensityBias = (127u - 12u) << 23;
 
+ private:
   uint32_t directionAndSpread() const { return low_ | static_cast<uint32_t>(high_) << 16; }
   static glm::vec3 decodeDirection(uint32_t bits);
   static Int32x8 encodeDirections(const std::array<DistributionLanes, 2>& distributions);

@@ -115,7 +115,7 @@ Float64x4 TangentSpread::spreadsFromMeanSquareSines(Float64x4 meanSquares) {
 glm::vec3 sampleTangent(const FibreDistribution& distribution, float u1, float u2) {
   const glm::vec3 m = distribution.direction;
   if (distribution.spread == 0) return m;
-  const float theta = distribution.spread * std::sqrt(-2 * std::log1p(-u1));
+  const float theta = distribution.spread * std::sqrt(-2 * std::log(1 - u1));
   const float phi = static_cast<float>(2 * kPi) * u2;
   // Duff et al. 2017, "Building an Orthonormal Basis, Revisited".
   const float sign = std::copysign(1.0f, m.z);

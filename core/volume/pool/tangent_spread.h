@@ -38,13 +38,20 @@ class TangentSpread {
   }
   static Float64x4 spreadsFromMeanSquareSines(Float64x4 meanSquareSines);
 
+  /// The table itself, for those who look up many numbers side by side (render/walk).
+  struct View {
+    const float* values;  ///< [spreads][ratios]
+    int ratios, spreads;
+  };
+  View view() const { return {values_[0], kRatios, kSpreads}; }
+
  private:
   TangentSpread();
   static constexpr int kRatios = 64, kSpreads = 32;
   float values_[kSpreads][kRatios];
 };
 
-/// A tangent of the distribution, its Gaussian about the mean direction; u1, u2 uniform in [0, 1).
+/// A tangent of the distribution, its Gaussian about the mean direction; u1, u2 uniform in [0, 1), of 24 bits.
 ///
 /// With the majorant 2 r lambda, the extinction of fibres all seen side-on, it makes the table-free reference of the
 /// look-up: draw a flight from the majorant and a tangent t from here, and accept the collision with probability

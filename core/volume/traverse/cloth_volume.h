@@ -79,13 +79,24 @@ class ClothVolume {
   /// same one, and volumes that share it too.
   BrickView brick(System system, int pick, int end) const;
 
+  /// The part of a ray that lies in the piece.
+  class RayInPiece;
   /// The voxels with content that a ray crosses, in order.
   class March;
+  // For those who let many rays march side by side (render/walk), in plain numbers:
+  /// A ray that comes into the piece and goes from cell to cell.
+  class CellMarch;
+  /// The bricks that reach into a cell.
+  struct CellBricks;
+  CellBricks bricksIn(glm::ivec3 cell) const;
+  /// The cell that a point lies in, and which of its voxels; false outside the piece. In float: half a voxel is far
+  /// beyond its rounding on any piece that one sees whole.
+  bool locate(glm::vec3 cloth_mm, glm::ivec3& cell, glm::ivec3& voxel) const;
+  const BrickBlock* blocks() const { return blocks_; }
+  const Component* components() const { return components_; }
 
   /// What the voxel around a point holds; nothing (count 0) outside the piece.
   void contentAt(glm::vec3 cloth_mm, VoxelContent& content) const;
-
-  class Probe;
 
  private:
   /// A brick that reaches into the current cell.
@@ -155,5 +166,5 @@ class ClothVolume {
 
 }  // namespace loomlight
 
+#include "core/volume/traverse/cloth_volume_cells.h"
 #include "core/volume/traverse/cloth_volume_march.h"
-#include "core/volume/traverse/cloth_volume_probe.h"

@@ -61,27 +61,67 @@ inline void ClothVolume::look(const Reaches& reaches, int voxel, VoxelContent& c
   content.count = count;
 }
 
-/// A ray on its way through a piece: it stops at each voxel with content, and goes on from there when it is asked to,
-/// so that many can be under way side by side. It may be copied, and the copies go on alone.
-///
-/// Voxels are half-open: a ray within a face sees those on its upper side. Rays that are not finite meet nothing. Cells
-/// are crossed block by block of 4 x 4 x 4 voxels, and only where a block holds anything voxel by voxel. Where a ray
-/// crosses a face is computed anew for each, from where it starts in the cell, so that no error adds up. Cost: one
-/// block read for each yarn in reach of the cell, at every block; these yarns are looked up on entering a cell.
-class ClothVolume::March {
+/// A ray, clipped to a piece. Rays that are not finite meet nothing.
+class ClothVolume::RayInPiece {
  public:
-  /// For t in [t0, t1] of the ray origin + t direction: cloth space, direction of any length.
-  March(const ClothVolume& volume, glm::vec3 origin, glm::vec3 direction, float t0, float t1)
-      : volume_(&volume), perCell_(volume.grid_.perCell()), o_(origin), d_(direction), tEnd_(t1) {
+  bool inPiece() const { return inPiece_; }
+
+ protected:
+  RayInPiece(const ClothVolume& volume, glm::vec3 origin, glm::vec3 direction, float t0, float t1)
+      : volume_(&volume), o_(origin), d_(direction), tEnd_(t1) {
     if (!(t0 < t1) || !std::isfinite(glm::dot(origin, glm::vec3(1)) + glm::dot(direction, glm::vec3(1)))) return;
     o_.z -= volume.grid_.zLower_mm;
     for (int axis = 0; axis < 3; ++axis) {
       upwards_[axis] = d_[axis] > 0 ? 1 : 0;
       inverse_[axis] = d_[axis] != 0 ? 1 / d_[axis] : 0;
-      never_[axis] = d_[axis] != 0 ? 0 : std::numeric_limits<double>::infinity();
     }
     t_ = std::max(t0, std::numeric_limits<float>::lowest());
     inPiece_ = clip();
+  }
+
+  /// The cell at t, in an axis.
+  int cellAt(int axis) const {
+    const double position = o_[axis] + t_ * d_[axis];
+    return std::clamp(static_cast<int>(position * volume_->perCell_[axis]), 0, volume_->cells_[axis] - 1);
+  }
+
+  const ClothVolume* volume_;
+  // In double: at the far side of a wide cloth a float's step is no longer small beside a voxel.
+  glm::dvec3 o_, d_, inverse_{0};
+  glm::ivec3 upwards_{0};  ///< 1 where it moves to greater coordinates; numbers, for no branch predicts signs
+  double t_ = 0, tEnd_;    ///< how far it has come, and goes
+  bool inPiece_ = false;
+
+ private:
+  /// Clips [t, tEnd] to the piece; false if nothing is left.
+  bool clip() {
+    const glm::dvec3 size = volume_->cell_mm_ * glm::dvec3(volume_->cells_);
+    for (int axis = 0; axis < 3; ++axis) {
+      if (d_[axis] == 0) {
+        if (!(o_[axis] >= 0 && o_[axis] < size[axis])) return false;
+        continue;
+      }
+      const double a = -o_[axis] * inverse_[axis], b = (size[axis] - o_[axis]) * inverse_[axis];
+      t_ = std::max(t_, std::min(a, b));
+      tEnd_ = std::min(tEnd_, std::max(a, b));
+    }
+    return t_ < tEnd_;
+  }
+};
+
+/// A ray on its way through a piece: it stops at each voxel with content, and goes on from there when it is asked to,
+/// so that many can be under way side by side. It may be copied, and the copies go on alone.
+///
+/// Voxels are half-open: a ray within a face sees those on its upper side. Cells are crossed block by block of 4 x 4 x
+/// 4 voxels, and only where a block holds anything voxel by voxel. Where a ray crosses a face is computed anew for
+/// each, from where it starts in the cell, so that no error adds up. Cost: one block read for each yarn in reach of the
+/// cell, at every block; these yarns are looked up on entering a cell.
+class ClothVolume::March : public RayInPiece {
+ public:
+  /// For t in [t0, t1] of the ray origin + t direction: cloth space, direction of any length.
+  March(const ClothVolume& volume, glm::vec3 origin, glm::vec3 direction, float t0, float t1)
+      : RayInPiece(volume, origin, direction, t0, t1), perCell_(volume.grid_.perCell()) {
+    for (int axis = 0; axis < 3; ++axis) never_[axis] = d_[axis] != 0 ? 0 : std::numeric_limits<double>::infinity();
     if (!inPiece_) return;
     start();
     openBlock();
@@ -125,26 +165,10 @@ class ClothVolume::March {
     return t.z < t[axis] ? 2 : axis;
   }
 
-  /// Clips [t, tEnd] to the piece; false if nothing is left.
-  bool clip() {
-    const glm::dvec3 size = volume_->cell_mm_ * glm::dvec3(volume_->cells_);
-    for (int axis = 0; axis < 3; ++axis) {
-      if (d_[axis] == 0) {
-        if (!(o_[axis] >= 0 && o_[axis] < size[axis])) return false;
-        continue;
-      }
-      const double a = -o_[axis] * inverse_[axis], b = (size[axis] - o_[axis]) * inverse_[axis];
-      t_ = std::max(t_, std::min(a, b));
-      tEnd_ = std::min(tEnd_, std::max(a, b));
-    }
-    return t_ < tEnd_;
-  }
-
   /// Goes to the block at t.
   void start() {
     for (int axis = 0; axis < 3; ++axis) {
-      const double position = o_[axis] + t_ * d_[axis];
-      cell_[axis] = std::clamp(static_cast<int>(position * volume_->perCell_[axis]), 0, volume_->cells_[axis] - 1);
+      cell_[axis] = cellAt(axis);
       enterCell(axis);
       block_[axis] = voxelAt(axis) >> 2;
       tBlock_[axis] = faceAhead(axis, lastVoxel(axis));
@@ -212,13 +236,8 @@ class ClothVolume::March {
     return (leaf * volume_->voxel_mm_[axis] - inCell_[axis]) * inverse_[axis] + never_[axis];
   }
 
-  const ClothVolume* volume_;
   glm::ivec3 perCell_;
-  // In double: at the far side of a wide cloth a float's step is no longer small beside a voxel.
-  glm::dvec3 o_, d_, inverse_{0};
-  glm::dvec3 never_{0};    ///< infinite in the axes that the ray does not move along
-  glm::ivec3 upwards_{0};  ///< 1 where it moves to greater coordinates; numbers, for no branch predicts signs
-  double t_ = 0, tEnd_;    ///< how far it has come, and goes
+  glm::dvec3 never_{0};  ///< infinite in the axes that the ray does not move along
 
   glm::ivec3 cell_{0}, block_{0}, voxel_{0};  ///< block and voxel: in their cell
   glm::dvec3 inCell_{0};                      ///< the ray's origin, from the corner of the cell
@@ -226,7 +245,7 @@ class ClothVolume::March {
   double tLeaveBlock_ = 0;
   int side_ = 0;           ///< the axis in which it leaves the block
   uint64_t occupied_ = 0;  ///< which voxels of the block hold anything
-  bool inPiece_ = false, inBlock_ = false;
+  bool inBlock_ = false;
   bool knowsVoxel_ = false;  ///< whether the voxel is that at t, without looking for it
 
   Reaches reaches_;

@@ -53,7 +53,7 @@ TEST(Tracer, TheSamePictureBetterGoesOnFromACoarseOneAndCanBeStopped) {
   tracer.show({{scene, medium}, kWidth, kHeight, 2});
   editSent.count_down();
   ASSERT_TRUE(window.waitFor([&] { return tracer.frame()->generation == 2; }));
-  EXPECT_EQ(built->paths(), 1u);
+  EXPECT_LE(built->paths(), PathIntegrator::kBatch) << "no path set out but with the one that was held up";
 }
 
 TEST(Tracer, TheSamePictureBetterIsNeverCoarser) {

@@ -1,0 +1,103 @@
+#pragma once
+
+// How rays come into the cells of ClothVolume, apart from its declaration; included by cloth_volume.h.
+
+#include <array>
+
+#include "core/volume/traverse/cloth_volume_march.h"
+
+namespace loomlight {
+
+/// Those of `bricks` that count.
+struct ClothVolume::CellBricks {
+  struct Brick {
+    glm::ivec3 shift;  ///< from blocks of the cell to those of the brick
+    BrickBox box;      ///< only its size counts
+    uint32_t firstBlock;
+    System system;
+    int index;  ///< which end or pick
+    int yarn;   ///< index into Fabric::yarns
+  };
+  glm::ivec3 cell{-1};
+  int count = 0;
+  std::array<Brick, VoxelContent::kMaxParts> bricks;
+
+  /// What a voxel of the cell holds, counted from its corner; `volume` is the one that they are of.
+  void content(const ClothVolume& volume, glm::ivec3 voxel, VoxelContent& content) const;
+};
+
+inline ClothVolume::CellBricks ClothVolume::bricksIn(glm::ivec3 cell) const {
+  Reaches reaches;
+  gather(cell.y, cell.x, reaches);
+  CellBricks of{.cell = cell, .count = reaches.count, .bricks = {}};
+  for (int i = 0; i < reaches.count; ++i) {
+    const Reach& reach = reaches.entries[i];
+    of.bricks[i] = {reach.shift, reach.brick->box, reach.brick->firstBlock, reach.system, reach.index, reach.yarn};
+  }
+  return of;
+}
+
+inline bool ClothVolume::locate(glm::vec3 cloth_mm, glm::ivec3& cell, glm::ivec3& voxel) const {
+  const glm::vec3 p(cloth_mm.x, cloth_mm.y, cloth_mm.z - grid_.zLower_mm);
+  cell = glm::ivec3(glm::floor(p * glm::vec3(perCell_)));
+  if (static_cast<unsigned>(cell.x) >= static_cast<unsigned>(cells_.x) ||
+      static_cast<unsigned>(cell.y) >= static_cast<unsigned>(cells_.y) || cell.z != 0)
+    return false;
+  const glm::vec3 inVoxels = (p - glm::vec3(cell) * glm::vec3(cell_mm_)) * glm::vec3(perVoxel_);
+  voxel = glm::clamp(glm::ivec3(inVoxels), glm::ivec3(0), grid_.cell - 1);
+  return true;
+}
+
+inline void ClothVolume::CellBricks::content(const ClothVolume& volume, glm::ivec3 voxel, VoxelContent& content) const {
+  content.count = 0;
+  content.end = cell.x;
+  content.pick = cell.y;
+  content.voxel = cell * volume.grid_.cell + voxel;
+  for (int i = 0; i < count; ++i) {
+    const Brick& brick = bricks[i];
+    const int number = brick.box.number((voxel >> 2) + brick.shift);
+    if (number < 0) continue;
+    const BrickBlock& block = volume.blocks_[brick.firstBlock + static_cast<uint32_t>(number)];
+    const auto components = block.at(numberInBlock(voxel), volume.components_);
+    if (!components.empty()) content.parts[content.count++] = {components, brick.system, brick.index, brick.yarn};
+  }
+}
+
+/// A ray that is about to march through a piece, cell by cell. All in numbers that are counted from the cell, so that
+/// floats will do. Leaves alone: grid().level is 0.
+class ClothVolume::CellMarch : public RayInPiece {
+ public:
+  /// For t in [t0, t1] of the ray origin + t direction: cloth space, direction of any length.
+  CellMarch(const ClothVolume& volume, glm::vec3 origin, glm::vec3 direction, float t0, float t1)
+      : RayInPiece(volume, origin, direction, t0, t1) {
+    if (!inPiece_) return;
+    for (int axis = 0; axis < 3; ++axis) cell_[axis] = cellAt(axis);
+  }
+
+  // In the piece:
+  float enter() const { return static_cast<float>(t_); }     ///< of the ray's t
+  float leave() const { return static_cast<float>(tEnd_); }  ///< beyond enter()
+  glm::ivec3 cell() const { return cell_; }
+  /// The voxel in which it comes into the piece, counted from the corner of its cell.
+  glm::ivec3 voxel() const {
+    const glm::dvec3 inCell = o_ + t_ * d_ - glm::dvec3(cell_) * volume_->cell_mm_;
+    return glm::clamp(glm::ivec3(inCell * volume_->perVoxel_), glm::ivec3(0), volume_->grid_.cell - 1);
+  }
+  /// The ray's origin, from the corner of the cell that it is in.
+  glm::vec3 start_mm() const { return glm::vec3(o_ - glm::dvec3(cell_) * volume_->cell_mm_); }
+  /// Corner of the cell, cloth space.
+  glm::dvec3 corner_mm() const {
+    const glm::dvec3 corner = glm::dvec3(cell_) * volume_->cell_mm_;
+    return {corner.x, corner.y, corner.z + static_cast<double>(volume_->grid_.zLower_mm)};
+  }
+  /// Goes to the next cell in an axis; false where that leaves the piece.
+  bool leaveCell(int axis) {
+    cell_[axis] += 2 * upwards_[axis] - 1;
+    return static_cast<unsigned>(cell_[axis]) < static_cast<unsigned>(volume_->cells_[axis]);
+  }
+
+ private:
+  glm::ivec3 cell_{0};
+};
+
+}  // namespace loomlight

@@ -1,0 +1,203 @@
+#include "render/media/lane_walker.h"
+
+#include <algorithm>
+
+namespace loomlight {
+namespace {
+
+void put(LaneFloats (&columns)[3], size_t lane, glm::vec3 v) {
+  for (int axis = 0; axis < 3; ++axis) columns[axis][lane] = v[axis];
+}
+void put(LaneInts (&columns)[3], size_t lane, glm::ivec3 v) {
+  for (int axis = 0; axis < 3; ++axis) columns[axis][lane] = v[axis];
+}
+int32_t numberOf(YarnId yarn) {
+  return 2 * yarn.index + static_cast<int32_t>(yarn.system);
+}
+
+}  // namespace
+
+void CellCache::contentAt(glm::vec3 cloth_mm, VoxelContent& content) {
+  glm::ivec3 cell, voxel;
+  content.count = 0;
+  if (volume_.locate(cloth_mm, cell, voxel)) bricksIn(cell).content(volume_, voxel, content);
+}
+
+LaneWalker::LaneWalker(const TraceData& cloth, const Rules& rules)
+    : cloth_(cloth), lanes_(std::make_unique<WalkLanes>()), cells_(*cloth.volume) {
+  const ClothVolume& volume = *cloth.volume;
+  field_.blocks = volume.blocks();
+  field_.components = volume.components();
+  for (int axis = 0; axis < 3; ++axis) {
+    field_.size_mm[axis] = volume.grid().size_mm[axis];
+    field_.perCell[axis] = volume.grid().cell[axis];
+  }
+  field_.farthest_mm = rules.farthest_mm;
+  field_.packing = rules.packing;
+  field_.hotSpot = rules.hotSpot;
+  field_.flat = cloth.shell->isFlat();
+  *lanes_ = {};
+  lanes_->stop.fill(static_cast<int32_t>(WalkStop::leftSegment));
+}
+
+uint64_t LaneWalker::walk(std::span<const DepthRay> rays, DepthRayEnds& ends) {
+  next_ = 0;
+  uint64_t steps = 0;
+  size_t busy = 0;
+  for (size_t lane = 0; lane < kWalkLanes; ++lane) busy += take(lane, rays, ends) ? 1 : 0;
+  while (busy > 0) {
+    loomlight::walk(field_, *lanes_);
+    for (size_t lane = 0; lane < kWalkLanes; ++lane) {
+      const auto stop = static_cast<WalkStop>(lanes_->stop[lane]);
+      Ray& own = rays_[lane];
+      if (stop == WalkStop::none || !own.march) continue;
+      const DepthRay& ray = rays[own.number];
+      bool goesOn = false;
+      if (stop == WalkStop::met)
+        tellFound(lane, ray, ends);
+      else
+        goesOn = (stop == WalkStop::leftCell && leaveCell(lane)) || enterSegment(lane, ray);
+      if (goesOn) continue;
+      if (stop != WalkStop::met) ends.left(own.number, lanes_->depth[lane], own.tet);
+      steps += static_cast<uint64_t>(lanes_->steps[lane]);
+      if (!take(lane, rays, ends)) --busy;
+    }
+  }
+  return steps;
+}
+
+/// Gives the lane the next ray that comes into the cloth; false where there is none.
+bool LaneWalker::take(size_t lane, std::span<const DepthRay> rays, DepthRayEnds& ends) {
+  Ray& own = rays_[lane];
+  for (; next_ < rays.size(); ++next_) {
+    const DepthRay& ray = rays[next_];
+    own.number = next_;
+    own.tet = ray.from.tet;
+    own.shell.emplace(cloth_, ray.from, ray.direction, ray.tMax_mm);
+    put(lanes_->direction, lane, ray.direction);
+    lanes_->depth[lane] = ray.depth;
+    lanes_->steps[lane] = 0;
+    own.flightsTold = false;
+    if (enterSegment(lane, ray)) {
+      ++next_;
+      return true;
+    }
+    ends.left(own.number, ray.depth, own.tet);
+  }
+  own.march.reset();
+  lanes_->stop[lane] = static_cast<int32_t>(WalkStop::leftSegment);
+  return false;
+}
+
+/// Goes to the ray's next segment in which there is any of the piece; false where there is none.
+bool LaneWalker::enterSegment(size_t lane, const DepthRay& ray) {
+  Ray& own = rays_[lane];
+  WalkLanes& l = *lanes_;
+  while (own.shell->next()) {
+    const ShellSegment& s = own.shell->segment();
+    own.tet = s.tet;
+    own.march.emplace(*cloth_.volume, s.clothOrigin, s.clothDirection, s.tEnter, s.tLeave + field_.farthest_mm);
+    if (!own.march->inPiece()) continue;
+    l.stop[lane] = static_cast<int32_t>(WalkStop::none);
+    l.t[lane] = own.march->enter();
+    l.tEnd[lane] = own.march->leave();
+    l.lightStart[lane] = s.tEnter;
+    l.lightEnd[lane] = s.tLeave;
+    l.lastEnd[lane] = -1;
+    l.lastFilled[lane] = 0;
+    constexpr float kNever = 1e30f;  // a face so far off is never come to
+    for (int axis = 0; axis < 3; ++axis) {
+      const float d = s.clothDirection[axis];
+      l.inverse[axis][lane] = d != 0 ? std::clamp(1 / d, -kNever, kNever) : kNever;
+      l.upwards[axis][lane] = d < 0 ? 0 : 1;
+    }
+    put(l.voxel, lane, own.march->voxel());
+    if (!field_.flat) {
+      for (int column = 0; column < 3; ++column) put(l.frame[column], lane, s.drape.frame[column]);
+      l.densityScale[lane] = s.drape.densityScale;
+    }
+    if (field_.hotSpot) {
+      if (!own.flightsTold) setFlights(lane, ray);
+      own.flightsTold = true;
+      setBefore(lane, ray);
+    }
+    enterCell(lane);
+    return true;
+  }
+  own.march.reset();
+  return false;
+}
+
+void LaneWalker::setFlights(size_t lane, const DepthRay& ray) {
+  const glm::vec3 origin = rays_[lane].shell->segment().origin;
+  for (size_t i = 0; i < ray.known->flights.size(); ++i) {
+    const RaySegment& flight = ray.known->flights[i];
+    WalkLanes::Flight& columns = lanes_->flights[i];
+    put(columns.offset_mm, lane, origin - flight.end);
+    put(columns.direction, lane, flight.direction);
+    columns.length_mm[lane] = flight.length_mm;
+  }
+}
+
+void LaneWalker::setBefore(size_t lane, const DepthRay& ray) {
+  const MetFibre& before = ray.known->before;
+  WalkLanes::Before& columns = lanes_->before;
+  columns.radius_mm[lane] = before.radius_mm;
+  if (before.radius_mm <= 0) return;
+  const ShellSegment& s = rays_[lane].shell->segment();
+  const glm::mat3 toCloth = cloth_.shell->isFlat() ? glm::mat3(1.0f) : cloth_.shell->tets()[s.tet].toCloth;
+  rays_[lane].before_mm = glm::dvec3(s.clothOrigin + toCloth * (before.axis - s.origin));
+  put(columns.tangent, lane, glm::normalize(toCloth * before.tangent));
+  columns.yarn[lane] = numberOf(before.yarnId);
+}
+
+/// Fills in what is counted from the corner of the cell, and the bricks that reach into it.
+void LaneWalker::enterCell(size_t lane) {
+  Ray& own = rays_[lane];
+  WalkLanes& l = *lanes_;
+  put(l.start_mm, lane, own.march->start_mm());
+  if (field_.hotSpot && l.before.radius_mm[lane] > 0)
+    put(l.before.axis_mm, lane, glm::vec3(own.before_mm - own.march->corner_mm()));
+  if (own.march->cell() == own.slotsOf) return;
+  const ClothVolume::CellBricks& cell = cells_.bricksIn(own.march->cell());
+  own.slotsOf = cell.cell;
+  l.slotCount[lane] = cell.count;
+  for (int i = 0; i < cell.count; ++i) {
+    const ClothVolume::CellBricks::Brick& brick = cell.bricks[i];
+    const YarnOptics& optics = cloth_.yarns[static_cast<int>(brick.system)][brick.yarn];
+    WalkLanes::Slot& slot = l.slots[i];
+    put(slot.shift, lane, brick.shift);
+    put(slot.size, lane, brick.box.size);
+    slot.firstBlock[lane] = static_cast<int32_t>(brick.firstBlock);
+    slot.yarn[lane] = numberOf({brick.system, brick.index});
+    slot.radius_mm[lane] = optics.fibreRadius_mm;
+    slot.packed[lane] = optics.packed ? 1.0f : 0.0f;
+  }
+}
+
+/// Goes to the cell that the ray's voxel is in; false where that is beyond the piece.
+bool LaneWalker::leaveCell(size_t lane) {
+  WalkLanes& l = *lanes_;
+  for (int axis = 0; axis < 3; ++axis) {
+    int32_t& voxel = l.voxel[axis][lane];
+    if (voxel >= 0 && voxel < field_.perCell[axis]) continue;
+    if (!rays_[lane].march->leaveCell(axis)) return false;
+    voxel = voxel < 0 ? field_.perCell[axis] - 1 : 0;
+  }
+  l.stop[lane] = static_cast<int32_t>(WalkStop::none);
+  enterCell(lane);
+  return true;
+}
+
+void LaneWalker::tellFound(size_t lane, const DepthRay& ray, DepthRayEnds& ends) {
+  const WalkLanes& l = *lanes_;
+  const ShellSegment& s = rays_[lane].shell->segment();
+  VoxelContent content;
+  const glm::ivec3 voxel(l.voxel[0][lane], l.voxel[1][lane], l.voxel[2][lane]);
+  cells_.bricksIn(rays_[lane].march->cell()).content(*cloth_.volume, voxel, content);
+  const glm::vec3 middle = s.origin + l.middle[lane] * ray.direction;
+  const float t = s.passed + l.tMet[lane];
+  ends.found(rays_[lane].number, {s, content, t, l.ahead[lane], l.whole[lane], middle, cells_});
+}
+
+}  // namespace loomlight

@@ -1,0 +1,144 @@
+#include "render/media/loomlight_batch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace loomlight {
+namespace {
+
+constexpr float kNever = std::numeric_limits<float>::infinity();
+
+/// Turns what flights find into collisions.
+class Meetings final : public DepthRayEnds {
+ public:
+  Meetings(const LoomlightMedium& medium, LoomlightBatch& paths, std::span<const Flight> flights,
+           std::span<const DepthRay> rays, std::span<std::optional<Collision>> met)
+      : medium_(medium), paths_(paths), flights_(flights), rays_(rays), met_(met) {}
+
+  void found(size_t i, const FoundFibres& fibres) override {
+    const Flight& flight = flights_[i];
+    LoomlightBatch::Path& path = paths_[flight.path];
+    met_[i] = medium_.meet(path.place, flight.direction, fibres, *flight.random, path.memory);
+    medium_.remember(*met_[i], path.memory);
+  }
+  void left(size_t i, float, int tet) override {
+    const Flight& flight = flights_[i];
+    const float distance = rays_[i].tMax_mm;
+    met_[i].reset();
+    if (distance == kNever) return;
+    LoomlightBatch::Path& path = paths_[flight.path];
+    const ScenePoint place{path.place.world + distance * flight.direction, tet};
+    met_[i] = medium_.meetBefore(place, flight.direction, distance, *flight.random, path.memory);
+    medium_.remember(*met_[i], path.memory);
+  }
+
+ private:
+  const LoomlightMedium& medium_;
+  LoomlightBatch& paths_;
+  std::span<const Flight> flights_;
+  std::span<const DepthRay> rays_;
+  std::span<std::optional<Collision>> met_;
+};
+
+/// Exact down to e^-4; below that 0 or e^-4, because what hardly gets through is not worth walking for.
+constexpr float kExactDepth = 4.0f;
+
+/// Turns what is left of shadow rays' depths into how visible the light is.
+class Visibilities final : public DepthRayEnds {
+ public:
+  Visibilities(std::span<ShadowRay* const> shadows, std::span<const DepthRay> rays) : shadows_(shadows), rays_(rays) {}
+
+  void found(size_t i, const FoundFibres&) override { shadows_[i]->visible = 0; }
+  void left(size_t i, float depth, int) override {
+    shadows_[i]->visible = std::exp(-std::min(rays_[i].depth - depth, kExactDepth));
+  }
+
+ private:
+  std::span<ShadowRay* const> shadows_;
+  std::span<const DepthRay> rays_;
+};
+
+/// One path, for those who have no more.
+class LonePath final : public MediumPath {
+ public:
+  explicit LonePath(const LoomlightMedium& medium) : medium_(medium), batch_(medium, 1) {}
+
+  void begin(const ScenePoint& from) override { batch_.begin(0, from); }
+  std::optional<Collision> collide(glm::vec3 direction, Random& random, TraceCounts& counts) override {
+    const Flight flight{0, direction, &random};
+    std::optional<Collision> met;
+    batch_.collide({&flight, 1}, {&met, 1}, counts);
+    return met;
+  }
+  void leave(const Collision& met, glm::vec3 wi, int order) override { batch_.leave(0, met, wi, order); }
+  float transmittance(glm::vec3 direction, float distance, Random& random, TraceCounts& counts) const override {
+    ShadowRay ray{0, direction, distance, &random};
+    batch_.transmit({&ray, 1}, counts);
+    return ray.visible;
+  }
+  size_t offsetsAcross(const Collision& met, std::span<float> offsets, Random& random) const override {
+    return batch_.offsetsAcross(0, met, offsets, random);
+  }
+  const ScenePoint& place() const override { return batch_[0].place; }
+  std::unique_ptr<MediumPath> clone() const override {
+    auto copy = std::make_unique<LonePath>(medium_);
+    copy->batch_[0] = batch_[0];
+    return copy;
+  }
+
+ private:
+  const LoomlightMedium& medium_;
+  mutable LoomlightBatch batch_;  ///< its lanes are room to work in
+};
+
+}  // namespace
+
+LoomlightBatch::LoomlightBatch(const LoomlightMedium& medium, size_t paths)
+    : medium_(medium), paths_(paths), walker_(medium.cloth(), medium.walkRules()) {}
+
+void LoomlightBatch::collide(std::span<const Flight> flights, std::span<std::optional<Collision>> met,
+                             TraceCounts& counts) {
+  rays_.clear();
+  for (const Flight& flight : flights) {
+    const Path& path = paths_[flight.path];
+    const float toBefore = medium_.ingredients().hotSpot
+                               ? distanceTo(path.memory.known.before, path.place.world, flight.direction)
+                               : kNever;
+    const float depth = -std::log(1 - flight.random->uniform());
+    rays_.push_back({path.place, flight.direction, toBefore, depth, &path.memory.known});
+  }
+  Meetings meetings(medium_, *this, flights, rays_, met);
+  counts.rays += flights.size();
+  counts.steps += walker_.walk(rays_, meetings);
+  for (const auto& collision : met) counts.events += collision ? 1 : 0;
+}
+
+void LoomlightBatch::transmit(std::span<ShadowRay> rays, TraceCounts& counts) {
+  rays_.clear();
+  shadows_.clear();
+  for (ShadowRay& ray : rays) {
+    const Path& path = paths_[ray.path];
+    const KnownFibres& known = path.memory.known;
+    if (medium_.ingredients().hotSpot && distanceTo(known.before, path.place.world, ray.direction) < ray.distance) {
+      ray.visible = 0;
+      continue;
+    }
+    const float deepest = kExactDepth - std::log(1 - ray.random->uniform());
+    rays_.push_back({path.place, ray.direction, ray.distance, deepest, &known});
+    shadows_.push_back(&ray);
+  }
+  Visibilities visibilities(shadows_, rays_);
+  counts.rays += rays.size();
+  counts.steps += walker_.walk(rays_, visibilities);
+}
+
+std::unique_ptr<MediumPath> LoomlightMedium::path() const {
+  return std::make_unique<LonePath>(*this);
+}
+
+std::unique_ptr<MediumBatch> LoomlightMedium::batch(size_t paths) const {
+  return std::make_unique<LoomlightBatch>(*this, paths);
+}
+
+}  // namespace loomlight

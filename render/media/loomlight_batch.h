@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vector>
+
+#include "render/media/loomlight_medium.h"
+
+namespace loomlight {
+
+/// Paths through LoomlightMedium, side by side in lanes. The medium must outlive it.
+class LoomlightBatch final : public MediumBatch {
+ public:
+  LoomlightBatch(const LoomlightMedium& medium, size_t paths);
+
+  void begin(uint32_t path, const ScenePoint& from) override { paths_[path] = {from, {}}; }
+  void collide(std::span<const Flight> flights, std::span<std::optional<Collision>> met, TraceCounts& counts) override;
+  void leave(uint32_t path, const Collision& met, glm::vec3 wi, int order) override {
+    paths_[path].place = {medium_.exit(met, wi, order), met.place.tet};
+  }
+  void transmit(std::span<ShadowRay> rays, TraceCounts& counts) override;
+  size_t offsetsAcross(uint32_t path, const Collision& met, std::span<float> offsets, Random& random) const override {
+    return medium_.offsetsAcross(met, paths_[path].memory, offsets, random);
+  }
+
+  /// A path on its way: where it stands, and what it remembers.
+  struct Path {
+    ScenePoint place;
+    LoomlightMedium::Memory memory;
+  };
+  Path& operator[](uint32_t path) { return paths_[path]; }
+  const Path& operator[](uint32_t path) const { return paths_[path]; }
+
+ private:
+  const LoomlightMedium& medium_;
+  std::vector<Path> paths_;
+  LaneWalker walker_;
+  // Of one call:
+  std::vector<DepthRay> rays_;
+  std::vector<ShadowRay*> shadows_;  ///< those of `rays_`
+};
+
+}  // namespace loomlight

@@ -1,0 +1,287 @@
+// The walk of walk_lanes.h. Each ray goes from voxel to voxel: where it crosses the next face is computed anew in each
+// voxel, from where it starts, so that no error adds up (Amanatides and Woo 1987). In a voxel with content the axes of
+// the fibres lie ahead of the light by half their mean chord, so what the light goes along there is shifted, and cut by
+// the ends of the segment (LoomlightMedium says why); it uses up optical depth, until none is left.
+//
+// This file is compiled once for each instruction set, and which one runs is found out as the program runs. All lanes
+// compute all branches that any of them takes; what a lane does not want is masked out.
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/walk/walk_kernel.cpp"
+#include <hwy/foreach_target.h>
+
+#include "render/walk/fibre_lanes-inl.h"
+#include "render/walk/walk_lanes.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace loomlight::HWY_NAMESPACE {
+
+HWY_INLINE Whole code(WalkStop stop) {
+  return Whole(static_cast<int32_t>(stop));
+}
+
+/// As many rays as a register holds, on their way.
+class Step {
+ public:
+  HWY_INLINE Step(const WalkField& field, WalkLanes& lanes, size_t lane)
+      : field_(field),
+        lanes_(lanes),
+        lane_(lane),
+        goes_(Whole::of(&lanes.stop[lane]) == code(WalkStop::none)),
+        size_{Real(field.size_mm[0]), Real(field.size_mm[1]), Real(field.size_mm[2])},
+        voxel_{Whole::of(&lanes.voxel[0][lane]), Whole::of(&lanes.voxel[1][lane]), Whole::of(&lanes.voxel[2][lane])},
+        enter_(Real::of(&lanes.t[lane])) {}
+
+  HWY_INLINE bool anyGoes() const { return any(goes_); }
+
+  /// Beyond the next voxel with content, or as far as a ray stops; whether any does. Most voxels are empty, and cost
+  /// much less: so rays cross a few of them before those that wait at one with content are served together.
+  HWY_INLINE bool go() {
+    Whole stop = Whole::of(&lanes_.stop[lane_]);
+    for (int empty = 0;; ++empty) {
+      findFace();
+      findBricks();
+      const Mask passes = goes_ & ~occupied_;
+      if (empty == kMostEmpty || !any(passes)) break;
+      leaveVoxel(passes, stop);
+    }
+    sumFibres();
+    useUpDepth();
+    stop = choose(met_, code(WalkStop::met), stop);
+    leaveVoxel(goes_ & ~met_, stop);
+    for (int axis = 0; axis < 3; ++axis) voxel_[axis].to(&lanes_.voxel[axis][lane_]);
+    enter_.to(&lanes_.t[lane_]);
+    const Mask went = Whole::of(&lanes_.stop[lane_]) == code(WalkStop::none);
+    stop.to(&lanes_.stop[lane_]);
+    return any(went & ~(stop == code(WalkStop::none)));
+  }
+
+ private:
+  static constexpr float kFullest = 0.9f;  // of space; no gap is so narrow that light could not be in it
+  static constexpr int kMostEmpty = 2;     // voxels that are crossed while others wait
+
+  HWY_INLINE void findFace() {
+    Real face[3];
+    const Real sizes[3] = {size_.x, size_.y, size_.z};
+    for (int axis = 0; axis < 3; ++axis) {
+      const Whole ahead = voxel_[axis] + Whole::of(&lanes_.upwards[axis][lane_]);
+      face[axis] = (toReal(ahead) * sizes[axis] - Real::of(&lanes_.start_mm[axis][lane_])) *
+                   Real::of(&lanes_.inverse[axis][lane_]);
+    }
+    const Mask x = (face[0] <= face[1]) & (face[0] <= face[2]), y = (face[1] <= face[2]) & ~x;
+    through_[0] = x;
+    through_[1] = y;
+    through_[2] = ~(x | y);
+    faceAt_ = choose(x, face[0], choose(y, face[1], face[2]));
+    leave_ = least(faceAt_, Real::of(&lanes_.tEnd[lane_]));
+  }
+
+  /// Which bricks hold anything in the voxel.
+  HWY_INLINE void findBricks() {
+    occupied_ = Whole(0) == Whole(1);
+    const Mask crosses = goes_ & (enter_ < leave_);
+    const Whole count = Whole::of(&lanes_.slotCount[lane_]);
+    const Whole number = numberInBlock();
+    const Whole bit = bitNumber(number & Whole(31)), word = wordOf(number);
+    const Whole own[3] = {shiftedRightSigned<2>(voxel_[0]), shiftedRightSigned<2>(voxel_[1]),
+                          shiftedRightSigned<2>(voxel_[2])};
+    for (slots_ = 0; slots_ < WalkLanes::kSlots; ++slots_) {
+      const Mask there = crosses & (Whole(slots_) < count);
+      if (!any(there)) break;
+      const WalkLanes::Slot& brick = lanes_.slots[slots_];
+      Whole block[3], size[3];
+      Mask inside = there;
+      for (int axis = 0; axis < 3; ++axis) {
+        block[axis] = own[axis] + Whole::of(&brick.shift[axis][lane_]);
+        size[axis] = Whole::of(&brick.size[axis][lane_]);
+        inside = inside & (Whole(-1) < block[axis]) & (block[axis] < size[axis]);
+      }
+      const Whole at = Whole::of(&brick.firstBlock[lane_]) + (block[2] * size[1] + block[1]) * size[0] + block[0];
+      byte_[slots_] = choose(inside, at, Whole(0)) * Whole(static_cast<int32_t>(sizeof(BrickBlock)));
+      occupiedWord_[slots_] = gatherBytes(field_.blocks, byte_[slots_] + word);
+      holds_[slots_] = inside & ~((occupiedWord_[slots_] & bit) == Whole(0));
+      occupied_ = occupied_ | holds_[slots_];
+    }
+  }
+
+  HWY_INLINE Whole numberInBlock() const {
+    return (voxel_[0] & Whole(3)) | shiftedLeft<2>(voxel_[1] & Whole(3)) | shiftedLeft<4>(voxel_[2] & Whole(3));
+  }
+  /// Byte of the half of a block's 64 bits in which that of a voxel is.
+  HWY_INLINE static Whole wordOf(Whole number) { return shiftedRight<3>(number & Whole(32)); }
+
+  /// Over all components of the voxel: VoxelExtinction. Which of its bricks a ray has anything of differs from ray to
+  /// ray, and most have of one alone: so each ray takes the first of its own, then those that have more the next.
+  HWY_INLINE void sumFibres() {
+    total_ = whole_ = solid_ = packed_ = Real(0.0f);
+    middle_ = Real(0.5f) * (enter_ + leave_);
+    const Whole number = numberInBlock();
+    const Whole bit = bitNumber(number & Whole(31)), below = bit - Whole(1), word = wordOf(number);
+    const Mask upper = Whole(31) < number;
+    for (Mask holds = takeBrick(); any(holds); holds = takeBrick()) {
+      const Whole second = gatherBytes(field_.blocks, taken_.byte + word + Whole(8));
+      Whole before = setBits(taken_.occupiedWord & below) + setBits(second & below);
+      if (any(holds & upper)) {
+        const Whole low = gatherBytes(field_.blocks, taken_.byte);
+        const Whole secondLow = gatherBytes(field_.blocks, taken_.byte + Whole(8));
+        before = choose(upper, before + (setBits(low) + setBits(secondLow)), before);
+      }
+      const Whole component = gatherBytes(field_.blocks, taken_.byte + Whole(16)) + before;
+      addFibres(holds, component);
+      const Mask twice = holds & ~((second & bit) == Whole(0));
+      if (any(twice)) addFibres(twice, component + Whole(1));
+    }
+  }
+
+  /// The next brick of each ray with anything in the voxel; which rays have one.
+  HWY_INLINE Mask takeBrick() {
+    Mask has = goes_ & ~goes_;
+    taken_.byte = taken_.occupiedWord = taken_.yarn = Whole(0);
+    taken_.radius = taken_.packed = Real(0.0f);
+    for (int slot = 0; slot < slots_; ++slot) {
+      const Mask takes = holds_[slot] & ~has;
+      const WalkLanes::Slot& brick = lanes_.slots[slot];
+      taken_.byte = choose(takes, byte_[slot], taken_.byte);
+      taken_.occupiedWord = choose(takes, occupiedWord_[slot], taken_.occupiedWord);
+      taken_.yarn = choose(takes, Whole::of(&brick.yarn[lane_]), taken_.yarn);
+      taken_.radius = choose(takes, Real::of(&brick.radius_mm[lane_]), taken_.radius);
+      taken_.packed = choose(takes, Real::of(&brick.packed[lane_]), taken_.packed);
+      has = has | takes;
+      holds_[slot] = holds_[slot] & ~takes;
+    }
+    return has;
+  }
+
+  /// Adds the components of these numbers, of the bricks that are taken.
+  HWY_INLINE void addFibres(Mask holds, Whole component) {
+    FibreLanes fibres = decode(field_.components, choose(holds, component, Whole(0)));
+    if (!field_.flat) {
+      const Vector frame[3] = {vectorOf(lanes_.frame[0], lane_), vectorOf(lanes_.frame[1], lane_),
+                               vectorOf(lanes_.frame[2], lane_)};
+      fibres = inWorld(fibres, frame, Real::of(&lanes_.densityScale[lane_]));
+    }
+    const Real cosine = dot(vectorOf(lanes_.direction, lane_), fibres.direction);
+    const Real sineSquare = most(Real(0.0f), Real(1.0f) - cosine * cosine);
+    const Real extinction = orZero(holds, Real(2.0f) * taken_.radius * fibres.lengthDensity *
+                                              projectedLength(field_.spreads, sineSquare, fibres.spread));
+    const Real section = Real(static_cast<float>(kPi)) * taken_.radius * taken_.radius;
+    const Real solid = orZero(holds, section * fibres.lengthDensity);
+    whole_ = whole_ + extinction;
+    solid_ = solid_ + solid;
+    packed_ = packed_ + solid * taken_.packed;
+    total_ = total_ + (field_.hotSpot ? extinction * shareLeft(holds, fibres) : extinction);
+  }
+
+  /// What the flights before and the fibre that the last of them came from leave of such fibres.
+  HWY_INLINE Real shareLeft(Mask holds, const FibreLanes& fibres) {
+    const Vector onRay = vectorOf(lanes_.direction, lane_) * middle_;
+    Real absent(0.0f);
+    for (const WalkLanes::Flight& flight : lanes_.flights)
+      absent = most(absent, FlightLanes(flight, lane_, onRay).absent(fibres, taken_.radius));
+    const Real left = Real(1.0f) - absent;
+    const Mask own = holds & (taken_.yarn == Whole::of(&lanes_.before.yarn[lane_])) &
+                     (Real(0.0f) < Real::of(&lanes_.before.radius_mm[lane_])) & (Real(0.0f) < taken_.packed);
+    if (!any(own)) return left;
+    const Vector lower{toReal(voxel_[0]) * size_.x, toReal(voxel_[1]) * size_.y, toReal(voxel_[2]) * size_.z};
+    const Real known = lengthDensityOf(lanes_.before, lane_, lower, size_);
+    const Real density = choose(own, fibres.lengthDensity, Real(1.0f));
+    return choose(own, left * (Real(1.0f) - least(Real(1.0f), known / density)), left);
+  }
+
+  /// Where the light goes along these fibres, and whether it meets one of them.
+  HWY_INLINE void useUpDepth() {
+    const Real lastEnd = Real::of(&lanes_.lastEnd[lane_]), lastFilled = Real::of(&lanes_.lastFilled[lane_]);
+    const Real filledBefore = orZero(enter_ - lastEnd < Real(1e-5f), lastFilled);
+    const Real filled = field_.packing ? least(packed_, Real(kFullest)) : Real(0.0f);
+    occupied_ = occupied_ & goes_;
+    choose(occupied_, leave_, lastEnd).to(&lanes_.lastEnd[lane_]);
+    choose(occupied_, filled, lastFilled).to(&lanes_.lastFilled[lane_]);
+
+    const Mask some = occupied_ & (Real(0.0f) < whole_);
+    const Real ahead = least(Real(0.5f) * solid_ / choose(some, whole_, Real(1.0f)), Real(field_.farthest_mm));
+    const Real start = most(enter_, Real::of(&lanes_.lightStart[lane_]) + ahead),
+               stop = least(leave_, Real::of(&lanes_.lightEnd[lane_]) + ahead);
+    const Mask along = some & (start < stop);
+    const Real length = stop - start;
+    const Real near = least(most(enter_ + ahead - start, Real(0.0f)), length);
+    const Real sigmaNear = total_ / (Real(1.0f) - filledBefore), sigma = total_ / (Real(1.0f) - filled);
+    const Real depthNear = sigmaNear * near, depth = depthNear + sigma * (length - near);
+    const Real left = Real::of(&lanes_.depth[lane_]);
+    met_ = along & (left < depth);
+    choose(along & ~met_, left - depth, left).to(&lanes_.depth[lane_]);
+    choose(along, Whole::of(&lanes_.steps[lane_]) + Whole(1), Whole::of(&lanes_.steps[lane_])).to(&lanes_.steps[lane_]);
+    if (!any(met_)) return;
+    const Real beyond = left - depthNear;
+    const Real one(1.0f);
+    const Real within =
+        choose(beyond < Real(0.0f), left / choose(met_, sigmaNear, one), near + beyond / choose(met_, sigma, one));
+    (start - ahead + within).to(&lanes_.tMet[lane_]);
+    ahead.to(&lanes_.ahead[lane_]);
+    whole_.to(&lanes_.whole[lane_]);
+    middle_.to(&lanes_.middle[lane_]);
+  }
+
+  /// These rays go to the next voxel, or stop.
+  HWY_INLINE void leaveVoxel(Mask moves, Whole& stop) {
+    enter_ = choose(moves, most(enter_, leave_), enter_);
+    const Mask over = moves & ~(faceAt_ < Real::of(&lanes_.tEnd[lane_]));
+    Mask out = goes_ & ~goes_;
+    for (int axis = 0; axis < 3; ++axis) {
+      const Mask steps = moves & through_[axis] & ~over;
+      const Whole next = voxel_[axis] + shiftedLeft<1>(Whole::of(&lanes_.upwards[axis][lane_])) - Whole(1);
+      out = out | (steps & ((next < Whole(0)) | ~(next < Whole(field_.perCell[axis]))));
+      voxel_[axis] = choose(steps, next, voxel_[axis]);
+    }
+    stop = choose(over, code(WalkStop::leftSegment), choose(out, code(WalkStop::leftCell), stop));
+    goes_ = goes_ & ~(over | out);
+  }
+
+  const WalkField& field_;
+  WalkLanes& lanes_;
+  size_t lane_;  ///< the first of them
+  Mask goes_;
+  Vector size_;
+  Whole voxel_[3];
+  Real enter_;
+  // As it finds out:
+  Mask through_[3];  ///< the face that it leaves by
+  Real faceAt_, leave_, middle_;
+  Real total_, whole_, solid_, packed_;
+  Mask occupied_, met_;
+  struct Taken {
+    Whole byte, occupiedWord, yarn;
+    Real radius, packed;
+  } taken_;                                ///< of each ray, the brick whose fibres are summed
+  int slots_ = 0;                          ///< so many bricks reach into the cell of any ray
+  Whole byte_[WalkLanes::kSlots];          ///< of the block that the voxel is in
+  Whole occupiedWord_[WalkLanes::kSlots];  ///< BrickBlock::occupied, the half with the voxel's bit
+  Mask holds_[WalkLanes::kSlots];
+};
+
+void walkLanes(const WalkField& field, WalkLanes& lanes) {
+  bool stopped = false, going = true;
+  while (!stopped && going) {
+    going = false;
+    for (size_t lane = 0; lane < kWalkLanes; lane += hn::Lanes(RealTag())) {
+      Step step(field, lanes, lane);
+      if (!step.anyGoes()) continue;
+      going = true;
+      stopped |= step.go();
+    }
+  }
+}
+
+}  // namespace loomlight::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace loomlight {
+
+HWY_EXPORT(walkLanes);
+
+void walk(const WalkField& field, WalkLanes& lanes) {
+  HWY_DYNAMIC_DISPATCH(walkLanes)(field, lanes);
+}
+
+}  // namespace loomlight
+#endif

@@ -1,0 +1,169 @@
+#include "render/media/lane_walker.h"
+
+#include <gtest/gtest.h>
+#include <hwy/targets.h>
+
+#include <cmath>
+#include <vector>
+
+#include "render/media/loomlight_batch.h"
+#include "render/optics/fibre_frame.h"
+#include "tests/support/lone_walk.h"
+#include "tests/support/test_cloth.h"
+
+namespace loomlight {
+namespace {
+
+using test::WalkEnd;
+
+/// Keeps how each ray ends.
+class Ends final : public DepthRayEnds {
+ public:
+  explicit Ends(size_t rays) : ends_(rays), told_(rays) {}
+  void found(size_t ray, const FoundFibres& fibres) override {
+    ++told_[ray];
+    ends_[ray] = {true, fibres.t_mm, 0, fibres.content.voxel};
+  }
+  void left(size_t ray, float depth, int) override {
+    ++told_[ray];
+    ends_[ray] = {false, 0, depth, {}};
+  }
+  const std::vector<WalkEnd>& ends() const { return ends_; }
+  bool allToldOnce() const {
+    return std::all_of(told_.begin(), told_.end(), [](int times) { return times == 1; });
+  }
+
+ private:
+  std::vector<WalkEnd> ends_;
+  std::vector<int> told_;
+};
+
+/// Flights and shadow rays as paths come to them: from the eye, and from inside the cloth with fibres in mind.
+struct Rays {
+  std::vector<DepthRay> rays;
+  std::vector<std::unique_ptr<KnownFibres>> known;
+};
+
+Rays raysOf(const Scene& scene, const LoomlightMedium& medium, int paths) {
+  const CameraRays camera(scene.fabric->camera, 64, 64);
+  LoomlightBatch batch(medium, 1);
+  Random random(11);
+  TraceCounts counts;
+  Rays all;
+  const auto add = [&](glm::vec3 direction, float tMax) {
+    all.known.push_back(std::make_unique<KnownFibres>(batch[0].memory.known));
+    const float depth = -std::log(1 - random.uniform());
+    all.rays.push_back({batch[0].place, direction, tMax, depth, all.known.back().get()});
+  };
+  for (int i = 0; i < paths; ++i) {
+    const float x = 64 * random.uniform(), y = 64 * random.uniform();
+    const Ray ray = camera.ray(x, y);
+    batch.begin(0, {ray.origin, -1});
+    glm::vec3 direction = ray.direction;
+    for (int event = 0; event < 4; ++event) {
+      add(direction, std::numeric_limits<float>::infinity());
+      const Flight flight{0, direction, &random};
+      std::optional<Collision> met;
+      batch.collide({&flight, 1}, {&met, 1}, counts);
+      if (!met) break;
+      const FibreFrame frame(met->tangent);
+      const auto scattered = scene.cloth->materials[0].bcsdf->sample(frame.toLocal(-direction), met->offset, random);
+      direction = frame.toWorld(scattered.wi);
+      batch.leave(0, *met, direction, scattered.order);
+      add(direction, 0.3f * random.uniform());
+    }
+  }
+  return all;
+}
+
+struct Case {
+  const char* name;
+  DrapeKind drape;
+  FibreLayout layout;
+  int plies;
+};
+
+class LaneWalks : public testing::TestWithParam<Case> {
+ protected:
+  std::shared_ptr<const Scene> scene() const {
+    Fabric fabric = test::whiteCotton();
+    fabric.yarns[0].layout = GetParam().layout;
+    fabric.yarns[0].plies = GetParam().plies;
+    fabric.drape.kind = GetParam().drape;
+    fabric.drape.radius_mm = 4;
+    return test::sceneOf(fabric);
+  }
+};
+
+// Lanes take each ray as far as it would come alone, in doubles. Their floats put the faces of voxels elsewhere by some
+// 1e-6 mm, which is less than a thousandth of a voxel: so a ray ends in another voxel, or passes where the other meets,
+// only if its depth is used up as near to a face as that, and that is one ray in a thousand at the most.
+TEST_P(LaneWalks, GoAsFarAsEachRayAlone) {
+  const auto scene = this->scene();
+  const LoomlightMedium medium(scene->cloth);
+  const Rays all = raysOf(*scene, medium, 1500);
+  LaneWalker walker(*scene->cloth, medium.walkRules());
+  Ends lanes(all.rays.size());
+  EXPECT_GT(walker.walk(all.rays, lanes), all.rays.size());
+  EXPECT_TRUE(lanes.allToldOnce());
+  const glm::vec3 size = scene->cloth->volume->grid().size_mm;
+  const float near_mm = 0.01f * std::min({size.x, size.y, size.z});
+  size_t met = 0, others = 0;
+  for (size_t i = 0; i < all.rays.size(); ++i) {
+    const WalkEnd alone = test::loneWalk(*scene->cloth, medium.walkRules(), all.rays[i]);
+    const WalkEnd& lane = lanes.ends()[i];
+    met += alone.met;
+    const bool same = alone.met == lane.met && std::abs(alone.t_mm - lane.t_mm) <= near_mm &&
+                      std::abs(alone.depth - lane.depth) <= 0.01f;
+    others += !same;
+  }
+  EXPECT_GT(met, all.rays.size() / 4);
+  EXPECT_LT(met, all.rays.size());
+  EXPECT_LE(others, all.rays.size() / 1000) << "of " << all.rays.size();
+}
+
+// What becomes of a ray does not depend on which others walk beside it, nor on how many fit into a register.
+TEST_P(LaneWalks, AreTheSameInAnyCompanyAndOfAnyWidth) {
+  const auto scene = this->scene();
+  const LoomlightMedium medium(scene->cloth);
+  const Rays all = raysOf(*scene, medium, 200);
+  const auto together = [&] {
+    LaneWalker walker(*scene->cloth, medium.walkRules());
+    Ends ends(all.rays.size());
+    walker.walk(all.rays, ends);
+    return ends.ends();
+  };
+  const auto expectSame = [](const WalkEnd& a, const WalkEnd& b) {
+    EXPECT_EQ(a.met, b.met);
+    EXPECT_EQ(a.t_mm, b.t_mm);
+    EXPECT_EQ(a.depth, b.depth);
+    EXPECT_EQ(a.voxel, b.voxel);
+  };
+  const std::vector<WalkEnd> expected = together();
+  LaneWalker walker(*scene->cloth, medium.walkRules());
+  for (size_t i = 0; i < all.rays.size(); ++i) {
+    Ends alone(1);
+    walker.walk({&all.rays[i], 1}, alone);
+    expectSame(alone.ends()[0], expected[i]);
+  }
+  for (const int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    SCOPED_TRACE(hwy::TargetName(target));
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    const std::vector<WalkEnd> ends = together();
+    for (size_t i = 0; i < ends.size(); ++i) expectSame(ends[i], expected[i]);
+  }
+  hwy::SetSupportedTargetsForTest(0);
+  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+}
+
+INSTANTIATE_TEST_SUITE_P(Cloths, LaneWalks,
+                         testing::Values(Case{"flat", DrapeKind::flat, FibreLayout::packed, 1},
+                                         Case{"plied", DrapeKind::flat, FibreLayout::packed, 2},
+                                         Case{"atRandom", DrapeKind::flat, FibreLayout::random, 1},
+                                         Case{"bent", DrapeKind::cylinder, FibreLayout::packed, 2},
+                                         Case{"folded", DrapeKind::folds, FibreLayout::packed, 1}),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+}  // namespace
+}  // namespace loomlight
