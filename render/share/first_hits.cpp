@@ -54,6 +54,7 @@ bool FirstHits::trace(uint32_t perPixel, const Scene& scene, const Medium& mediu
   const uint64_t seed = hashCombine(scene.fabric->render.seed, uint64_t{0xF1257});
   std::vector<Strip> strips(static_cast<size_t>((height_ + kRows - 1) / kRows));
   parallelFor(strips.size(), task.threads, [&](size_t number) {
+    if (task.stopped()) return;
     Strip& strip = strips[number];
     CellKeys keys(scene);
     TraceCounts counts;

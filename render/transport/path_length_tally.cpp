@@ -100,7 +100,7 @@ std::optional<PathLengthTally> tallyPathLengths(const Scene& scene, const Medium
     std::vector<LengthTally> tallies(kBlock, LengthTally(material));
     std::vector<PathStart> starts;
     TraceCounts counts;
-    for (size_t tries = 0; tries < kBlock * kTriesPerWalk && block.count < kBlock;) {
+    for (size_t tries = 0; tries < kBlock * kTriesPerWalk && block.count < kBlock && !task.stopped();) {
       starts.clear();
       for (size_t i = block.count; i < kBlock; ++i) {
         Random random(hashCombine(hashCombine(scene.fabric->render.seed, b), tries++));
