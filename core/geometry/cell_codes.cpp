@@ -5,11 +5,11 @@
 #include <numeric>
 #include <utility>
 
-// How it works. A cell's shape depends on the seven crossings about its own: three nodes, and how far each lies from
-// the end of its float. Reading a row of cells therefore slides a window of seven bits, one for each crossing (is this
-// yarn over?), along the yarn; a table of all 128 windows, made when the program is compiled, gives sides and float
-// distances of the three nodes at once. A second window holds the classes of the three yarns that are crossed. Both
-// packed together are the code, so a crossing of a jacquard costs two shifts and a look-up.
+// How it works. A cell's shape depends on five crossings, its own in their middle: three nodes, and the neighbours of
+// each. Reading a row of cells therefore slides a window of five bits, one for each crossing (is this yarn over?),
+// along the yarn; a table of all 32 windows, made when the program is compiled, gives sides and float states of the
+// three nodes at once. A second window holds the classes of the three yarns that are crossed. Both packed together are
+// the code, so a crossing of a jacquard costs two shifts and a look-up.
 //
 // The repeat of the codes is the least common multiple of the repeats of weave and yarn sequence, after each was
 // reduced to its smallest period: the smallest divisor of its length after which it agrees with itself.
@@ -63,13 +63,13 @@ int leastCommonMultiple(int a, int b) {
   return static_cast<int>(std::min<int64_t>(multiple, std::numeric_limits<int>::max()));
 }
 
-// What one node of a path comes from: distance to the end of the float in 2 bits, the side in 1, the class crossed in
-// the 6 that 64 yarns need. A cell's shape code has its own class above those of its three nodes.
+// What one node of a path comes from: the float state in 2 bits, the side in 1, the class crossed in the 6 that 64
+// yarns need. A cell's shape code has its own class above those of its three nodes.
 constexpr int kFloatBits = 3, kOverBit = 4, kNodeBits = kFloatBits + 6;
-static_assert(kMaxFloatDistance < kOverBit);
+static_assert(kFloatStates <= kOverBit);
 
-// The sides at the crossings within a float's reach of the three nodes of a cell, one bit each, tell how the yarn
-// floats at each node: a table, because there is one look-up for every crossing of a jacquard.
+// The sides at the three nodes of a cell and the crossings beside them, one bit each, tell how the yarn floats at each
+// node: a table, because there is one look-up for every crossing of a jacquard.
 constexpr int kReach = kCrossingReach, kSidesSeen = 2 * kReach + 1;
 
 constexpr std::array<uint32_t, 1 << kSidesSeen> makeFloatCodes() {
@@ -78,10 +78,8 @@ constexpr std::array<uint32_t, 1 << kSidesSeen> makeFloatCodes() {
     const auto over = [sides](int i) { return (sides >> i & 1u) != 0; };
     for (int node = 0; node < 3; ++node) {
       const int i = kReach - 1 + node;
-      int distance = 0;
-      while (distance < kMaxFloatDistance && over(i - distance - 1) == over(i) && over(i + distance + 1) == over(i))
-        ++distance;
-      codes[sides] = codes[sides] << kNodeBits | static_cast<uint32_t>((over(i) ? kOverBit : 0) | distance);
+      const int state = (over(i - 1) == over(i)) + (over(i + 1) == over(i));
+      codes[sides] = codes[sides] << kNodeBits | static_cast<uint32_t>((over(i) ? kOverBit : 0) | state);
     }
   }
   return codes;

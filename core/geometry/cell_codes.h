@@ -11,8 +11,7 @@
 namespace loomlight {
 
 /// What a yarn does in one crossing cell, as a number: its class, and of the nodes before, in and after the cell the
-/// class that is crossed, on which side, and how far from the end of its float. Cells of one code have one key, up to
-/// the phase.
+/// class that is crossed, on which side, and its float state. Cells of one code have one key, up to the phase.
 using ShapeCode = uint64_t;
 
 /// A ShapeCode taken apart.
@@ -20,7 +19,7 @@ struct CellShape {
   struct Node {
     int crossed = 0;  ///< geometry class
     bool over = false;
-    int floatDistance = 0;
+    int floatState = 0;  ///< 0..kFloatStates - 1 (pressing.h)
   };
   int own = 0;  ///< geometry class
   Node previous, here, next;
@@ -34,7 +33,7 @@ using ClassNames = std::array<std::vector<int>, 2>;
 ShapeCode renamed(System system, ShapeCode code, const ClassNames& names);
 
 /// A changed crossing changes the codes of cells that are so far away along its two yarns, and no others.
-inline constexpr int kCrossingReach = kMaxFloatDistance + 1;
+inline constexpr int kCrossingReach = 2;
 
 /// Reads the codes of a cloth's cells from its weave and the order of its yarns' classes. The cloth goes on beyond its
 /// edges as its repeat does.

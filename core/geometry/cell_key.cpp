@@ -10,8 +10,8 @@ uint64_t hash(const CellKey& key) {
   h = hashCombine(h, key.phase);
   for (const PathNode* node : {&key.previous, &key.here, &key.next}) {
     h = hashCombine(h, node->height_mm);
-    h = hashCombine(h, node->radius_mm);
-    h = hashCombine(h, node->flat_mm);
+    h = hashCombine(h, node->up);
+    h = hashCombine(h, node->across);
   }
   return h;
 }

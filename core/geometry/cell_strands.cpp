@@ -9,9 +9,9 @@
 // How it works. All fibres of a cell have their points at the same stations along the yarn (stations.cpp), which know
 // the angles of ply, cord and yarn there. In the round section a fibre's place is the sum of three turned vectors: of
 // the cord about the yarn, of the ply about the cord, of the fibre about the ply (where it has migrated to). That sum
-// is scaled across and up, which flattens the yarn, and set into the plane normal to the yarn's path. The polylines
-// reach beyond the cell, since its ends cut slanted sections: StrandClipper cuts them there, with the new ends exactly
-// on the edge, so that the next cell of the yarn goes on from the very same points.
+// is scaled across and up, as the yarn is pressed there, and set into the plane normal to the yarn's path. The
+// polylines reach beyond the cell, since its ends cut slanted sections: StrandClipper cuts them there, with the new
+// ends exactly on the edge, so that the next cell of the yarn goes on from the very same points.
 
 namespace loomlight {
 namespace {
@@ -94,13 +94,15 @@ class StrandClipper {
 
 /// Numbers of the stations, list by list: what is computed for every fibre goes through them eight at a time.
 struct StationLists {
-  std::vector<float> s, z, normalS, normalZ;
+  std::vector<float> s, z, normalS, normalZ, upScale, acrossScale;
   explicit StationLists(const std::vector<Station>& stations) {
     for (const Station& x : stations) {
       s.push_back(x.s_mm);
       z.push_back(x.z_mm);
       normalS.push_back(x.normalS);
       normalZ.push_back(x.normalZ);
+      upScale.push_back(x.up);
+      acrossScale.push_back(x.across);
     }
   }
 };
@@ -121,7 +123,6 @@ void layBody(const YarnModel& yarn, const std::vector<Station>& stations, Strand
   const YarnGeometry& g = yarn.geometry;
   const size_t n = stations.size();
   const StationLists at(stations);
-  const float acrossScale = static_cast<float>(yarn.acrossScale()), upScale = static_cast<float>(yarn.upScale());
   const float plyOrbit = static_cast<float>(g.plyOrbit_mm), cordOrbit = static_cast<float>(g.cordOrbit_mm);
 
   std::vector<glm::vec2> plyAt(n), spin(n), place(n);  // up, across
@@ -140,7 +141,7 @@ void layBody(const YarnModel& yarn, const std::vector<Station>& stations, Strand
         place[i] = fibres.moves() ? fibres.place(fibre, stations[i].migration) : fibres.place(fibre);
       for (size_t i = 0; i < n; ++i) {
         const glm::vec2 fibreAt = plyAt[i] + turned(spin[i], place[i]);
-        const float up = upScale * fibreAt.x, across = acrossScale * fibreAt.y;
+        const float up = at.upScale[i] * fibreAt.x, across = at.acrossScale[i] * fibreAt.y;
         line[i] = {across, at.s[i] + up * at.normalS[i], at.z[i] + up * at.normalZ[i]};
       }
       clipper.add(line, static_cast<uint8_t>(single), false);
@@ -151,11 +152,11 @@ void layBody(const YarnModel& yarn, const std::vector<Station>& stations, Strand
 /// A loose fibre has its points at the stations too, and at its ends.
 void layFlyaway(const YarnModel& yarn, const Flyaway& flyaway, double shift, const std::vector<Station>& stations,
                 std::vector<glm::vec3>& line, StrandClipper& clipper) {
-  const double bodyUp = yarn.bodyReach_mm * yarn.upScale();
   const auto place = [&](const Station& a, const Station& b, double t) {
     const double x = b.t > a.t ? (t - a.t) / (b.t - a.t) : 0.0;
     const auto mix = [x](float from, float to) { return from + x * (static_cast<double>(to) - from); };
-    const AxisHeight axis{mix(a.z_mm, b.z_mm), mix(a.crown_mm, b.crown_mm)};
+    const AxisPlace axis{mix(a.z_mm, b.z_mm), mix(a.crown_mm, b.crown_mm), {mix(a.up, b.up), mix(a.across, b.across)}};
+    const double bodyUp = yarn.bodyReach_mm * axis.section.up;
     const glm::dvec2 offset = flyawayOffset(flyaway, yarn.geometry, t - shift, axis);
     // Beyond the body hairs stand straight up, or long ones would lean over into cells further along the yarn.
     const double up = std::clamp(offset.y, -bodyUp, bodyUp);

@@ -32,7 +32,7 @@ struct CellStrands {
 };
 
 /// The fibres of a yarn in a cell: fibres wound about the axes of their plies, plies about their cord's, cords about
-/// the yarn's, migrating between core and surface (Zhao et al. 2016, Eq. 3), then flattened, and cut off at the ends of
+/// the yarn's, migrating between core and surface (Zhao et al. 2016, Eq. 3), then pressed, and cut off at the ends of
 /// the cell. Every fibre's points lie at the cell's stations (stations.h). With the yarn's own fibre radius.
 CellStrands layStrands(const YarnModel& yarn, const PathNode& previous, const PathNode& here, const PathNode& next,
                        int phase, double pitch_mm);

@@ -70,7 +70,8 @@ Points plySection(FibreLayout layout, int count, double plyRadius_mm, const Heli
                   const Task& task) {
   if (count == 1) return {glm::dvec2(0)};
   Random random(seed);
-  const double radius = fibres.radius_mm, rim = std::max(plyRadius_mm - radius, 0.5 * plyRadius_mm);
+  const double radius = fibres.radius_mm / std::sqrt(fibres.section.up * fibres.section.across);
+  const double rim = std::max(plyRadius_mm - radius, 0.5 * plyRadius_mm);
   Points points;
   if (layout == FibreLayout::random) {
     for (int i = 0; i < count; ++i) points.push_back(rim * uniformInDisc(random));

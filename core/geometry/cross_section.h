@@ -12,8 +12,8 @@ namespace loomlight {
 /// arguments; unfinished when stopped.
 /// - random: uniform in the disc of plyRadius less the fibres' radius, overlaps allowed (the report);
 /// - packed: threads of the fibres' radius (or more where they need the room) that do not overlap, disordered as far as
-///   there is room: a hexagonal lattice of the density count * radius^2 / plyRadius^2, shaken, then relaxed. The rim
-///   may reach beyond plyRadius by about a fibre.
+///   there is room: a hexagonal lattice of the density that the section has when pressed, shaken, then relaxed. The
+///   rim may reach beyond plyRadius by about a fibre.
 DiscCentres plySection(FibreLayout layout, int count, double plyRadius_mm, const HelicalFibres& fibres, uint64_t seed,
                        const Task& task = oneThread());
 

@@ -39,11 +39,13 @@ class Buckets {
   std::vector<int> start_, members_;
 };
 
-/// How far from one another fibres may lie and touch, at most.
+/// How far from one another fibres may lie in the round section and touch, at most.
 double farthestTouch(const DiscCentres& centres, const HelicalFibres& fibres) {
   double square = 0;
   for (const glm::dvec2& p : centres) square = std::max(square, glm::dot(p, p));
-  return 2 * fibres.radius_mm / fibres.cosineAt(square);
+  const auto& [up, across] = fibres.section;
+  return 2 * fibres.radius_mm /
+         (fibres.cosineAt(square * std::max(up, across) * std::max(up, across)) * std::min(up, across));
 }
 
 }  // namespace
@@ -55,7 +57,8 @@ bool Parting::knowsNeighbours(const DiscCentres& centres) const {
     const glm::dvec2 d = centres[i] - looked_[i];
     moved = std::max(moved, glm::dot(d, d));
   }
-  return 4 * moved < slack_mm_ * slack_mm_;
+  const double widest = std::max(fibres_.section.up, fibres_.section.across);
+  return 4 * moved * widest * widest < slack_mm_ * slack_mm_;
 }
 
 void Parting::findNeighbours(const DiscCentres& centres) {
@@ -64,7 +67,8 @@ void Parting::findNeighbours(const DiscCentres& centres) {
   looked_ = centres;
   neighbours_.clear();
   const double near = 2 * fibres_.radius_mm + slack_mm_;
-  const Buckets buckets(centres, farthestTouch(centres, fibres_) + slack_mm_);
+  const double narrowest = std::min(fibres_.section.up, fibres_.section.across);
+  const Buckets buckets(centres, farthestTouch(centres, fibres_) + slack_mm_ / narrowest);
   for (int i = 0; i < static_cast<int>(centres.size()); ++i)
     buckets.near(centres[i], [&](int j) {
       if (j <= i) return;

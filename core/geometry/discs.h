@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/units.h"
+#include "core/geometry/pressing.h"
 
 namespace loomlight {
 
@@ -12,18 +13,20 @@ namespace loomlight {
 using DiscCentres = std::vector<glm::dvec2>;
 
 /// Fibres, or plies, of one radius that all wind about the origin: a section cuts them not as discs but as ellipses,
-/// the longer the way they turn the further out they lie, by 1 / cos of their helix angle.
+/// the longer the way they turn the further out they lie, by 1 / cos of their helix angle. Their places are those in
+/// the round section, (up, across); they touch as they lie in the pressed one.
 struct HelicalFibres {
   double radius_mm = 0;
   double turns_per_mm = 0;  ///< of length along the axis; 0: they are straight
+  SectionScale section{};   ///< that they turn in
 
   /// Square of the distance from one to another, as seen along them: the way around the origin is foreshortened by the
   /// cosine of the helix angle halfway between. They touch where that is two radii.
   double apartSquare(glm::dvec2 from, glm::dvec2 to) const {
-    const glm::dvec2 middle = 0.5 * (from + to), between = to - from;
-    const double slope = 2 * kPi * turns_per_mm;
-    const double around = slope * (between.y * middle.x - between.x * middle.y);
-    return glm::dot(between, between) - around * around / (1 + slope * slope * glm::dot(middle, middle));
+    const glm::dvec2 middle = 0.5 * (from + to), scale(section.up, section.across), between = scale * (to - from);
+    const glm::dvec2 slope = 2 * kPi * turns_per_mm * scale * glm::dvec2(-middle.y, middle.x);
+    const double around = glm::dot(slope, between);
+    return glm::dot(between, between) - around * around / (1 + glm::dot(slope, slope));
   }
   /// Of the helix angle, at the square of a distance from the axis.
   double cosineAt(double square_mm2) const {

@@ -59,28 +59,26 @@ std::vector<Flyaway> placeFlyaways(const YarnGeometry& g, double budget_mm) {
   return flyaways;
 }
 
-glm::dvec2 flyawayOffset(const Flyaway& f, const YarnGeometry& g, double t, const AxisHeight& axis) {
+glm::dvec2 flyawayOffset(const Flyaway& f, const YarnGeometry& g, double t, const AxisPlace& axis) {
   double x = (t - f.start) / (f.end - f.start);
   if (f.backwards) x = 1 - x;
   const double bump = std::sin(kPi * x);
   const double rise = f.rise_mm * (f.loop ? bump * bump : x);
   const double angle = f.angle + f.angleSpan * x;
-  const double round = 0.5 * g.diameter_mm();
   // Long hairs bend back before they leave the cells beside their own; the sine is nearly straight where most end.
   const double reach = 1.45 * g.crossPitch_mm;
   const auto bentBack = [reach](double across) {
     return reach * std::sin(std::clamp(across / reach, -0.5 * kPi, 0.5 * kPi));
   };
   if (!f.lies) {
-    const double across = std::sin(angle) * (f.root_mm * g.halfWidth_mm / round + rise);
-    return {bentBack(across), std::cos(angle) * (f.root_mm * g.halfHeight_mm / round + rise)};
+    const double across = std::sin(angle) * (f.root_mm * axis.section.across + rise);
+    return {bentBack(across), std::cos(angle) * (f.root_mm * axis.section.up + rise)};
   }
   const double lifted = std::min(1.0, x / kLifted), share = lifted * lifted * (3 - 2 * lifted);
-  const double root = std::cos(f.angle) * f.root_mm * g.halfHeight_mm / round;
+  const double root = std::cos(f.angle) * f.root_mm * axis.section.up;
   const double side = root < 0 ? -1 : 1;
-  const double onCloth = side * (axis.crown_mm + g.halfHeight_mm + f.rise_mm * (0.6 + 0.4 * bump)) - axis.here_mm;
-  const double across =
-      std::sin(f.angle) * f.root_mm * g.halfWidth_mm / round + f.drift_mm * (x + f.curl * bump * bump);
+  const double onCloth = side * (axis.crown_mm + g.halfHeight_mm() + f.rise_mm * (0.6 + 0.4 * bump)) - axis.here_mm;
+  const double across = std::sin(f.angle) * f.root_mm * axis.section.across + f.drift_mm * (x + f.curl * bump * bump);
   return {bentBack(across), root + share * (onCloth - root)};
 }
 

@@ -27,12 +27,13 @@ struct Flyaway {
 std::vector<Flyaway> placeFlyaways(const YarnGeometry& geometry, double budget_mm);
 inline constexpr int kMaxFlyaways = 4096;
 
-/// How high the yarn's axis lies in the cloth, and would if the yarn were uppermost there.
-struct AxisHeight {
+/// How high the yarn's axis lies in the cloth, and would if the yarn were uppermost there; and its section.
+struct AxisPlace {
   double here_mm = 0, crown_mm = 0;
+  SectionScale section;
 };
 
 /// Where a loose fibre is at `t` cells, start <= t <= end: offset from the yarn's axis, (u, up), mm.
-glm::dvec2 flyawayOffset(const Flyaway& flyaway, const YarnGeometry& geometry, double t, const AxisHeight& axis);
+glm::dvec2 flyawayOffset(const Flyaway& flyaway, const YarnGeometry& geometry, double t, const AxisPlace& axis);
 
 }  // namespace loomlight

@@ -56,8 +56,9 @@ ClothMeasures ClothGeometry::measure(const std::array<std::vector<CellCount>, 2>
       axis += length;
       mass_g += length * g.count_tex * 1e-6;
       segments += count.cells * segmentsOf(model, key);
-      highest = std::max(highest, key.here.height_mm + g.halfHeight_mm);
-      lowest = std::min(lowest, key.here.height_mm - g.halfHeight_mm);
+      const double halfHeight = key.here.up * g.coreRadius_mm();
+      highest = std::max(highest, key.here.height_mm + halfHeight);
+      lowest = std::min(lowest, key.here.height_mm - halfHeight);
     }
     const double pitch = system == System::warp ? weftPitch_mm() : warpPitch_mm();
     (system == System::warp ? measures.crimpWarp : measures.crimpWeft) = axis / (cells * pitch) - 1;

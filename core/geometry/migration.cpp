@@ -7,23 +7,44 @@
 #include "core/base/random.h"
 
 // How it works. Each fibre's distance from the ply's axis goes down and up once in a migration, as a raised cosine with
-// a phase of its own; the migration is kept as kStages sections. Fibres that are packed would run through one another
-// that way, so the sections are relaxed together: every sweep pushes overlapping fibres apart in each section, and then
-// draws each fibre towards the mean of where it is in the sections before and after. That pull fades out, so that
-// overlaps have the last word. Between stages a fibre follows a Catmull-Rom cubic through its places.
+// a phase of its own; each migration is kept as kStages sections. Fibres that are packed would run through one another
+// that way, so the sections are relaxed together: every sweep pushes overlapping fibres apart in each section, turned
+// and pressed as it lies in the cloth, and then draws each fibre towards the mean of where it is in the sections before
+// and after, in the frame that turns along. That pull fades out, so that overlaps have the last word. Between stages a
+// fibre follows a Catmull-Rom cubic through its places.
 
 namespace loomlight {
 namespace {
 
 constexpr int kSweeps = 100;
 
-/// Every fibre a little towards the mean of where it was and where it will be.
-void straighten(std::vector<DiscCentres>& stages, double share) {
+glm::dvec2 turned(glm::dvec2 direction, glm::dvec2 p) {
+  return {direction.x * p.x - direction.y * p.y, direction.y * p.x + direction.x * p.y};
+}
+
+/// Of so many turns, spread over the stages: the direction of one stage.
+glm::dvec2 directionAt(size_t stage, int turns, size_t stages) {
+  const double angle = 2 * kPi * turns * static_cast<double>(stage) / static_cast<double>(stages);
+  return {std::cos(angle), std::sin(angle)};
+}
+
+void turnAll(std::vector<DiscCentres>& stages, int turns) {
+  if (turns == 0) return;
+  for (size_t k = 0; k < stages.size(); ++k) {
+    const glm::dvec2 direction = directionAt(k, turns, stages.size());
+    for (glm::dvec2& p : stages[k]) p = turned(direction, p);
+  }
+}
+
+/// Every fibre a little towards the mean of where it was and where it will be, as the turning section sees it.
+void straighten(std::vector<DiscCentres>& stages, int turns, double share) {
   const std::vector<DiscCentres> old = stages;
   const size_t count = stages.size();
+  const glm::dvec2 on = directionAt(1, turns, count), back = directionAt(1, -turns, count);
   for (size_t k = 0; k < count; ++k)
     for (size_t i = 0; i < stages[k].size(); ++i) {
-      const glm::dvec2 middle = 0.5 * (old[(k + count - 1) % count][i] + old[(k + 1) % count][i]);
+      const glm::dvec2 middle =
+          0.5 * (turned(on, old[(k + count - 1) % count][i]) + turned(back, old[(k + 1) % count][i]));
       stages[k][i] += share * (middle - old[k][i]);
     }
 }
@@ -35,7 +56,8 @@ void keepWithin(DiscCentres& centres, double rim) {
 
 /// As threads that push one another aside: discs apart at every stage, within the rim, and straight from stage to
 /// stage, the less so the nearer to the end. Where there is too little room for all, they overlap.
-void partFibres(std::vector<DiscCentres>& stages, const HelicalFibres& fibres, double rim, const Task& task) {
+void partFibres(std::vector<DiscCentres>& stages, const HelicalFibres& fibres, int turns, double rim,
+                const Task& task) {
   constexpr double kTouching = 0.01;  // overlap, in radii, that counts as none
   std::vector<Parting> partings(stages.size(), Parting(fibres));
   std::vector<double> overlaps(stages.size());
@@ -45,24 +67,24 @@ void partFibres(std::vector<DiscCentres>& stages, const HelicalFibres& fibres, d
       keepWithin(stages[k], rim);
     });
     if (*std::max_element(overlaps.begin(), overlaps.end()) < kTouching * fibres.radius_mm) return;
-    straighten(stages, 0.5 * (1 - (sweep + 1.0) / kSweeps));
+    straighten(stages, turns, 0.5 * (1 - (sweep + 1.0) / kSweeps));
   }
 }
 
-/// RMS slope, per migration, of a wave of unit amplitude with so many periods, as the cubic through its stages has it:
+/// RMS slope, per pattern, of a wave of unit amplitude with so many periods, as the cubic through its stages has it:
 /// that of short waves is less than the wave's own.
-double rmsSlope(int periods) {
-  constexpr int kSteps = 16 * Migration::kStages;
-  const auto wave = [&](double migrations) {
-    const Migration::Moment m = Migration::at(migrations);
+double rmsSlope(int periods, int stages) {
+  const int steps = 16 * stages;
+  const auto wave = [&](double patterns) {
+    const Migration::Moment m = Migration::at(patterns, stages);
     double sum = 0;
-    for (int i = 0; i < 4; ++i) sum += m.weights[i] * std::cos(2 * kPi * periods * (m.first + i) / Migration::kStages);
+    for (int i = 0; i < 4; ++i) sum += m.weights[i] * std::cos(2 * kPi * periods * (m.first + i) / stages);
     return sum;
   };
   double squares = 0;
-  for (int i = 0; i < kSteps; ++i) {
-    const double from = static_cast<double>(i) / kSteps, to = static_cast<double>(i + 1) / kSteps;
-    squares += std::pow((wave(to) - wave(from)) * kSteps, 2) / kSteps;
+  for (int i = 0; i < steps; ++i) {
+    const double from = static_cast<double>(i) / steps, to = static_cast<double>(i + 1) / steps;
+    squares += std::pow((wave(to) - wave(from)) * steps, 2) / steps;
   }
   return std::sqrt(squares);
 }
@@ -70,18 +92,20 @@ double rmsSlope(int periods) {
 /// Adds three waves to the way of every fibre, of random lengths and phases, each with a third of the variance of the
 /// slope. One fibre in 16 strays more than twice as far.
 void stray(std::vector<DiscCentres>& stages, const FibreDisorder& disorder, Random& random) {
-  constexpr int kWaves = 3, kMostPerMigration = Migration::kStages / 3;  // a wave needs three stages to be one
-  constexpr double kShortest = 2, kLongest = 9;                          // ply radii
+  constexpr int kWaves = 3;
+  const int count = static_cast<int>(stages.size());
+  const int mostPerPattern = count / 3;          // a wave needs three stages to be one
+  constexpr double kShortest = 2, kLongest = 9;  // ply radii
   constexpr double kLoopShare = 1.0 / 16, kLoopReach = 2.2;
-  const double perRadius = disorder.migration_mm / disorder.plyRadius_mm;
-  const int fewest = std::clamp(static_cast<int>(std::ceil(perRadius / kLongest)), 1, kMostPerMigration);
-  const int most = std::clamp(static_cast<int>(perRadius / kShortest), fewest, kMostPerMigration);
+  const double perRadius = disorder.pattern_mm / disorder.plyRadius_mm;
+  const int fewest = std::clamp(static_cast<int>(std::ceil(perRadius / kLongest)), 1, mostPerPattern);
+  const int most = std::clamp(static_cast<int>(perRadius / kShortest), fewest, mostPerPattern);
   const double usual = 1 / std::sqrt(1 - kLoopShare + kLoopShare * kLoopReach * kLoopReach);
   std::vector<double> amplitudes;  // of waves, fewest first: each has a third of the variance of the slope
   const double widest_mm = disorder.slope * kLongest * disorder.plyRadius_mm / (std::sqrt(2.0 * kWaves) * kPi);
   for (int periods = fewest; periods <= most; ++periods)
-    amplitudes.push_back(
-        usual * std::min(widest_mm, disorder.slope * disorder.migration_mm / (std::sqrt(kWaves) * rmsSlope(periods))));
+    amplitudes.push_back(usual * std::min(widest_mm, disorder.slope * disorder.pattern_mm /
+                                                         (std::sqrt(kWaves) * rmsSlope(periods, count))));
   for (size_t fibre = 0; fibre < stages[0].size(); ++fibre) {
     const double share = random.uniformDouble() < kLoopShare ? kLoopReach : 1.0;
     for (int axis = 0; axis < 2; ++axis)
@@ -109,15 +133,19 @@ Migration::Migration(const DiscCentres& section) {
 }
 
 Migration::Migration(const DiscCentres& section, FibreLayout layout, double amount, const HelicalFibres& fibres,
-                     uint64_t seed, const Task& task, const FibreDisorder& disorder) {
+                     uint64_t seed, const Task& task, const FibreDisorder& disorder, const FibrePattern& pattern) {
   Random random(seed);
   std::vector<double> phases(section.size());
   for (double& phase : phases) phase = random.uniformDouble();
-  std::vector<DiscCentres> stages(kStages, section);
-  for (int k = 0; k < kStages; ++k)
+  std::vector<DiscCentres> stages(static_cast<size_t>(kStages * pattern.migrations), section);
+  for (size_t k = 0; k < stages.size(); ++k)
     for (size_t i = 0; i < section.size(); ++i)
       stages[k][i] *= 1 - 0.5 * amount * (1 - std::cos(2 * kPi * (static_cast<double>(k) / kStages + phases[i])));
-  if (layout == FibreLayout::packed && amount > 0) partFibres(stages, fibres, reachOf(section), task);
+  if (layout == FibreLayout::packed && (amount > 0 || pattern.turns != 0)) {
+    turnAll(stages, pattern.turns);
+    partFibres(stages, fibres, pattern.turns, reachOf(section), task);
+    turnAll(stages, -pattern.turns);
+  }
   if (disorder.slope > 0) stray(stages, disorder, random);
   keep(stages);
 }
@@ -126,14 +154,15 @@ void Migration::keep(const std::vector<DiscCentres>& stages) {
   fibres_ = static_cast<int>(stages[0].size());
   stages_ = static_cast<int>(stages.size());
   for (int i = 0; i < fibres_; ++i)
-    for (size_t k = 0; k < stride(); ++k) places_.emplace_back(stages[k % stages.size()][static_cast<size_t>(i)]);
+    for (size_t k = 0; k < stride(); ++k)
+      places_.emplace_back(stages[(k + stages.size() - 1) % stages.size()][static_cast<size_t>(i)]);
 }
 
 double Migration::reach_mm() const {
   float square = 0;
   for (const glm::vec2& p : places_) square = std::max(square, glm::dot(p, p));
   // Between stages a cubic may swing a little beyond both.
-  return std::sqrt(square) + bend_mm() / (8 * kStages * kStages);
+  return std::sqrt(square) + bend_mm() / (8.0 * stages_ * stages_);
 }
 
 template <class Visit>
@@ -141,25 +170,25 @@ double Migration::largest(const Visit& visit) const {
   if (!moves()) return 0;
   float most = 0;
   for (size_t fibre = 0; fibre < places_.size(); fibre += stride())
-    for (int k = 0; k < kStages; ++k) most = std::max(most, visit(&places_[fibre + static_cast<size_t>(k)]));
+    for (int k = 0; k < stages_; ++k) most = std::max(most, visit(&places_[fibre + static_cast<size_t>(k)]));
   return most;
 }
 
 double Migration::slope_mm() const {
-  return kStages * largest([](const glm::vec2* p) { return 0.5f * glm::distance(p[0], p[2]); });
+  return stages_ * largest([](const glm::vec2* p) { return 0.5f * glm::distance(p[0], p[2]); });
 }
 
 double Migration::bend_mm() const {
-  return kStages * kStages * largest([](const glm::vec2* p) {
+  return static_cast<double>(stages_) * stages_ * largest([](const glm::vec2* p) {
            const glm::vec2 first = p[0] - 2.0f * p[1] + p[2], second = p[1] - 2.0f * p[2] + p[3];
            return std::max(glm::length(2.0f * first - second), glm::length(2.0f * second - first));
          });
 }
 
-Migration::Moment Migration::at(double migrations) {
-  const double stage = (migrations - std::floor(migrations)) * kStages;
+Migration::Moment Migration::at(double patterns, int stages) {
+  const double stage = (patterns - std::floor(patterns)) * stages;
   Moment moment;
-  moment.first = std::min(static_cast<int>(stage), kStages - 1);
+  moment.first = std::min(static_cast<int>(stage), stages - 1);
   const auto x = static_cast<float>(stage - moment.first);
   // Catmull and Rom 1974.
   moment.weights[0] = 0.5f * x * (x * (2 - x) - 1);

@@ -5,10 +5,10 @@
 
 // How it works. Fibres are polylines, and a chord of length h misses a curve by h^2 / 8 times its second derivative.
 // For each piece of the yarn's path (an arc or a line) that derivative is bounded for the outermost fibre, from the
-// curvature of the path, the twists, the migration and their products; so stations stand as far apart as the sagitta
-// allows, and no cell has more than it needs. Twist does not run evenly along a transition: it has the same rate at
-// both nodes whatever its length, eased between them (TwistEasing), so that fibres have no kink where two transitions
-// meet.
+// curvature of the path, the twists, the migration, the easing of the section and their products; so stations stand as
+// far apart as the sagitta allows, and no cell has more than it needs. Twist does not run evenly along a transition: it
+// has the same rate at both nodes whatever its length, eased between them (TwistEasing), so that fibres have no kink
+// where two transitions meet.
 
 namespace loomlight {
 namespace {
@@ -33,7 +33,7 @@ class TwistEasing {
 class CellStations {
  public:
   CellStations(const YarnModel& yarn, double pitch_mm) : yarn_(yarn), pitch_(pitch_mm) {
-    const double reach = yarn.bodyReach_mm * yarn.upScale();
+    const double reach = yarn.bodyReach_mm * yarn.geometry.highest();
     reach_ = reach;
     const int fibres = std::max(1, static_cast<int>(yarn.fibreCount()));
     maxStations_ = std::clamp(kMaxPointsPerCell / fibres, kLeastMaxStations, kMaxStations);
@@ -48,21 +48,23 @@ class CellStations {
   void add(const PathNode& from, const PathNode& to, double s_mm, double phase, bool last) {
     const Transition path(from, to, pitch_);
     const TwistEasing easing(path.length_mm(), yarn_.geometry.cellLength_mm);
-    const double rate = easing.maxCellsPerMm();
+    const SectionEasing section({from.up, from.across}, {to.up, to.across}, yarn_.geometry.free);
+    const Rates rates = ratesOf(section, path.length_mm(), easing.maxCellsPerMm());
     const auto crownAt = [&](double share) {
       return std::abs(from.height_mm) + share * (std::abs(to.height_mm) - std::abs(from.height_mm));
     };
     double wanted = 0;
-    for (const Transition::Piece& piece : path.pieces()) wanted += piece.length_mm / spacing(piece, rate);
+    for (const Transition::Piece& piece : path.pieces()) wanted += piece.length_mm / spacing(piece, rates);
     const double coarser = std::max(1.0, wanted / maxStations_);
     for (const Transition::Piece& piece : path.pieces()) {
-      const int steps = static_cast<int>(std::ceil(piece.length_mm / (coarser * spacing(piece, rate))));
+      const int steps = static_cast<int>(std::ceil(piece.length_mm / (coarser * spacing(piece, rates))));
       for (int i = 0; i < steps; ++i) {
         const double length = piece.begin_mm + piece.length_mm * i / steps;
-        place(path.at(length), s_mm, phase + easing.cells(length), crownAt(length / path.length_mm()));
+        const double share = length / path.length_mm();
+        place(path.at(length), s_mm, phase + easing.cells(length), crownAt(share), section.at(share));
       }
     }
-    if (last) place(path.at(path.length_mm()), s_mm, phase + 1, crownAt(1));
+    if (last) place(path.at(path.length_mm()), s_mm, phase + 1, crownAt(1), section.at(1));
   }
 
   /// Only those that this cell's fibres need.
@@ -77,35 +79,51 @@ class CellStations {
   }
 
  private:
-  /// Of stations on a piece, so that chords stay within the sagitta: h^2 / 8 times the second derivative of the
-  /// outermost fibre by the length of the axis. Its parts are the path's curvature, the twists, migration, and the
-  /// products of these.
-  double spacing(const Transition::Piece& piece, double cellsPerMm) const {
+  /// How fast the outermost fibre moves across a straight yarn, and how sharply it turns: bounds on the first and
+  /// second derivative of its place by the length of the axis.
+  struct Rates {
+    double slope, bend;
+  };
+  /// Of the place in the round section, times the section's factors: from the twists, migration, the easing of the
+  /// section, and the products of these.
+  Rates ratesOf(const SectionEasing& section, double length_mm, double cellsPerMm) const {
     const YarnGeometry& g = yarn_.geometry;
     const double turn = 2 * kPi * cellsPerMm / g.period;
     const double spin = turn * std::abs(g.fibreSpin()), swing = turn * std::abs(g.plySpin());
     const double cable = turn * std::abs(g.cableTurns);
-    const double migrations = cellsPerMm * yarn_.migrations / g.period;
-    const double wander = migrations * slope_, wanderBend = migrations * migrations * bend_;
-    const double scale = std::max(yarn_.acrossScale(), yarn_.upScale());
+    const double patterns = cellsPerMm * yarn_.patterns / g.period;
+    const double wander = patterns * slope_, wanderBend = patterns * patterns * bend_;
     const double inPly = yarn_.bodyReach_mm - g.plyOrbit_mm - g.cordOrbit_mm;
-    const double slope = scale * (inPly * spin + g.plyOrbit_mm * swing + g.cordOrbit_mm * cable + wander);
+    const double slope = inPly * spin + g.plyOrbit_mm * swing + g.cordOrbit_mm * cable + wander;
+    const double bend = inPly * spin * spin + g.plyOrbit_mm * swing * swing + g.cordOrbit_mm * cable * cable +
+                        wanderBend + 2 * wander * spin;
+    const double easing = section.slope() / length_mm, easingBend = section.bend() / (length_mm * length_mm);
+    const double scale = section.largest();
+    return {scale * slope + easing * yarn_.bodyReach_mm,
+            scale * bend + 2 * easing * slope + easingBend * yarn_.bodyReach_mm};
+  }
+
+  /// Of stations on a piece, so that chords stay within the sagitta: h^2 / 8 times the second derivative of the
+  /// outermost fibre by the length of the axis. Its parts are the path's curvature, the fibre's own way, and the
+  /// products of these.
+  double spacing(const Transition::Piece& piece, const Rates& rates) const {
+    const YarnGeometry& g = yarn_.geometry;
     const double bend = std::abs(piece.curvature_per_mm);
-    const double second = bend * (1 + bend * reach_) + 2 * bend * slope +
-                          scale * (inPly * spin * spin + g.plyOrbit_mm * swing * swing +
-                                   g.cordOrbit_mm * cable * cable + wanderBend + 2 * wander * spin);
+    const double second = bend * (1 + bend * reach_) + 2 * bend * rates.slope + rates.bend;
     double step = std::sqrt(8 * kSagitta * g.fibreRadius_mm / std::max(second, 1e-12));
     // Loops rise and fall within a yarn diameter.
     if (!yarn_.flyaways.empty()) step = std::min(step, 0.25 * g.diameter_mm());
     return std::max(step, 1e-9);
   }
 
-  void place(const AxisPoint& at, double s_mm, double t, double crown_mm) {
+  void place(const AxisPoint& at, double s_mm, double t, double crown_mm, const SectionScale& section) {
     const YarnGeometry& g = yarn_.geometry;
     Station x;
     const double tilt = std::clamp(std::sin(at.angle), -maxTilt_, maxTilt_);
     x.s_mm = static_cast<float>(s_mm + at.s_mm);
     x.z_mm = static_cast<float>(at.z_mm);
+    x.up = static_cast<float>(section.up);
+    x.across = static_cast<float>(std::min(section.across, yarn_.widest()));
     x.crown_mm = static_cast<float>(crown_mm);
     x.normalS = static_cast<float>(-tilt);
     x.normalZ = static_cast<float>(std::sqrt(1 - tilt * tilt));
@@ -119,7 +137,7 @@ class CellStations {
     direction(turn * g.fibreSpin(), x.spinCos, x.spinSin);
     direction(turn * g.plySpin(), x.orbitCos, x.orbitSin);
     direction(turn * g.cableTurns, x.cableCos, x.cableSin);
-    x.migration = Migration::at(t * yarn_.migrations / g.period);
+    if (!yarn_.plies.empty()) x.migration = yarn_.plies[0].at(t * yarn_.patterns / g.period);
     stations_.push_back(x);
   }
 

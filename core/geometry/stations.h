@@ -11,6 +11,7 @@ namespace loomlight {
 struct Station {
   float s_mm = 0, z_mm = 0;          ///< of the axis, in the frame of the cell
   float normalS = 0, normalZ = 1;    ///< direction of "up" in the section
+  float up = 1, across = 1;          ///< factors of the section
   float crown_mm = 0;                ///< of the axis, above the mid-plane, were it uppermost here
   float spill_mm = 0;                ///< how far fibres of the body may lie from s along the yarn
   float spinCos = 1, spinSin = 0;    ///< angle of the plies' sections, all twists

@@ -38,7 +38,7 @@ double orbit(int circles, double radius_mm) {
   return circles > 1 ? radius_mm / std::sin(kPi / circles) : 0.0;
 }
 
-/// Mean height of the topmost of circles on that orbit as they turn, over the orbit.
+/// Mean height of the topmost of circles on an orbit as they turn, over the orbit.
 double meanTop(int circles) {
   return circles / kPi * std::sin(kPi / circles);
 }
@@ -65,19 +65,48 @@ double plyRadius_mm(const YarnGeometry& g, const Yarn& yarn, const Fibre& fibre)
   return trial.plyRadius_mm;
 }
 
-void flatten(YarnGeometry& g, double flattening) {
-  const double round = 0.5 * g.diameter_mm();
-  double a = round * std::sqrt(flattening);
-  a = std::min(a, std::max(0.5 * g.crossPitch_mm / g.contactShare(), round * std::sqrt(0.5)));
-  a = std::min(a, 1.3 * g.crossPitch_mm);
-  g.halfWidth_mm = a;
-  g.halfHeight_mm = std::min(round * round / a, 2 * a);
+/// Section and rest of one state, made to fit between the yarn's neighbours: area is kept, and what rests on the yarn
+/// goes up with it.
+void fit(const YarnGeometry& g, SectionScale& section, double& rest_mm) {
+  constexpr double kTallest = 2;  // over its width
+  const double core = g.coreRadius_mm(), area = section.up * section.across;
+  const double widest = std::max(0.5 * g.crossPitch_mm / core, std::sqrt(area / kTallest));
+  const double across = std::min({section.across, widest, 1.3 * g.crossPitch_mm / core});
+  const double up = std::min(area / across, std::max(section.up, kTallest * across));
+  rest_mm *= up / section.up;
+  section = {up, across};
+}
+
+void pressSections(YarnGeometry& g, const Yarn& yarn, double press) {
+  constexpr double kUsualFlattening = 1.2;  // of the yarns that the law was found for
+  constexpr SectionScale kFree = {0.92, 0.97};
+  const bool rigid = yarn.fibresPerPly == 1;
+  // Plies give way into the gaps between them: as high as a single of their area, they are wider by what they keep.
+  const double single = g.plyRadius_mm * std::sqrt(static_cast<double>(g.singles()));
+  const double flatter = rigid ? 1.0 : std::sqrt(yarn.flattening / kUsualFlattening) * g.coreRadius_mm() / single;
+  const double closer = rigid ? 1.0 : std::sqrt(yarn.packing / packingAtCrossings(yarn.packing));
+  for (int state = 0; state < kFloatStates; ++state) {
+    const Yielding yielding = rigid ? Yielding{} : yieldingOf(press, yarn.packing, state);
+    SectionScale& section = g.pressed[static_cast<size_t>(state)];
+    double& rest_mm = g.rest_mm[static_cast<size_t>(state)];
+    section = {yielding.section.up * closer / flatter, yielding.section.across * closer * flatter};
+    rest_mm = yielding.apart * closer / flatter * g.coreRadius_mm();
+    if (!rigid) fit(g, section, rest_mm);
+  }
+  double unused = 0;
+  if (!rigid) fit(g, g.free = {kFree.up / flatter, kFree.across * flatter}, unused);
 }
 
 }  // namespace
 
-double YarnGeometry::contactShare() const {
-  return 2 * (plyRadius_mm + meanTop(plies) * plyOrbit_mm + meanTop(cords) * cordOrbit_mm) / diameter_mm();
+double YarnGeometry::coreRadius_mm() const {
+  return plyRadius_mm + meanTop(plies) * plyOrbit_mm + meanTop(cords) * cordOrbit_mm;
+}
+
+double YarnGeometry::highest() const {
+  double most = free.up;
+  for (const SectionScale& section : pressed) most = std::max(most, section.up);
+  return most;
 }
 
 std::vector<int> geometryClasses(const Fabric& fabric) {
@@ -106,7 +135,7 @@ double estimateTakeUp(const YarnGeometry& g, const Twist& twist) {
                    square(cords * g.cordOrbit_mm));
 }
 
-YarnGeometry outlineYarn(const Yarn& yarn, const Fibre& fibre, double pitch_mm, double crossPitch_mm) {
+YarnGeometry outlineYarn(const Yarn& yarn, const Fibre& fibre, double pitch_mm, double crossPitch_mm, double press) {
   YarnGeometry g;
   g.cords = yarn.cords;
   g.plies = yarn.plies;
@@ -119,7 +148,9 @@ YarnGeometry outlineYarn(const Yarn& yarn, const Fibre& fibre, double pitch_mm, 
   g.hairLength_mm = yarn.hairiness_per_mm > 0 ? yarn.hairLength_mm : 0.0;
   g.layout = yarn.layout;
   setPlyRadius(g, plyRadius_mm(g, yarn, fibre));
-  flatten(g, yarn.flattening);
+  const bool monofilament = yarn.fibresPerPly == 1;
+  g.fibreArea_mm2 = (monofilament ? 1.0 : yarn.packing) * g.singles() * kPi * g.plyRadius_mm * g.plyRadius_mm;
+  pressSections(g, yarn, press);
   return g;
 }
 

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
 #include "core/fabric/model/fabric.h"
+#include "core/geometry/pressing.h"
 
 namespace loomlight {
 
@@ -16,14 +19,16 @@ struct YarnGeometry {
   int fibresPerPly = 1;
   double fibreRadius_mm = 0;  ///< chosen so that the whole number of fibres has exactly the yarn's count
   double fibreDensity_g_cm3 = 0;
-  double count_tex = 0;     ///< of the yarn as it lies in the cloth, take-up of its twists and loose hairs included
-  double plyRadius_mm = 0;  ///< holds the fibres' volume at the yarn's packing
-  double plyOrbit_mm = 0;   ///< distance of the ply axes from their cord's; 0 for a single ply
-  double cordOrbit_mm = 0;  ///< distance of the cord axes from the yarn axis; 0 for one cord
-  double halfWidth_mm = 0;  ///< of the flattened yarn section, hairs excluded
-  double halfHeight_mm = 0;
-  int period = 1;            ///< cells
-  int plyTurns = 0;          ///< signed turns over one period; positive is Z (right-handed)
+  double count_tex = 0;      ///< of the yarn as it lies in the cloth, take-up of its twists and loose hairs included
+  double plyRadius_mm = 0;   ///< holds the fibres' volume at the yarn's packing
+  double plyOrbit_mm = 0;    ///< distance of the ply axes from their cord's; 0 for a single ply
+  double cordOrbit_mm = 0;   ///< distance of the cord axes from the yarn axis; 0 for one cord
+  double fibreArea_mm2 = 0;  ///< of all fibres in the section
+  std::array<SectionScale, kFloatStates> pressed{};  ///< where the yarn crosses another, by float state
+  SectionScale free;                                 ///< where nothing presses it
+  std::array<double, kFloatStates> rest_mm{};        ///< its part of the distance of the axes there
+  int period = 1;                                    ///< cells
+  int plyTurns = 0;                                  ///< signed turns over one period; positive is Z (right-handed)
   int yarnTurns = 0;         ///< of the plies about their cord's axis; they turn along rigidly, as they are plied
   int cableTurns = 0;        ///< of the cords about the yarn's axis; they turn along rigidly too
   double pitch_mm = 0;       ///< length of a cell along the yarn
@@ -37,14 +42,19 @@ struct YarnGeometry {
   uint64_t seed = 0;
 
   double cordRadius_mm() const { return plyOrbit_mm + plyRadius_mm; }
-  double diameter_mm() const { return 2.0 * (cordOrbit_mm + cordRadius_mm()); }  ///< round, before flattening
+  double diameter_mm() const { return 2.0 * (cordOrbit_mm + cordRadius_mm()); }  ///< round, not pressed
   int singles() const { return cords * plies; }                                  ///< in the whole section
   /// Signed turns over one period, as the axis of the yarn sees them: of the fibres, and of the plies.
   int fibreSpin() const { return plyTurns + yarnTurns + cableTurns; }
   int plySpin() const { return yarnTurns + cableTurns; }
-  /// Half the section where another yarn rests on it, over half the circle around all plies: as n plies turn, the one
-  /// on top is at (n / pi) sin(pi / n) of its orbit on average; so are cords. 1 for a single.
-  double contactShare() const;
+  /// Where other yarns rest on the round section, on average as its plies turn: the topmost of n is at (n / pi) sin(pi
+  /// / n) of their orbit.
+  double coreRadius_mm() const;
+  /// The section at the end of a float, hairs excluded: of most crossings in most weaves.
+  const SectionScale& usual() const { return pressed[1]; }
+  double halfWidth_mm() const { return usual().across * coreRadius_mm(); }
+  double halfHeight_mm() const { return usual().up * coreRadius_mm(); }
+  double highest() const;  ///< factor up of its highest section
   /// Area of a fibre's section times its density, g per mm of fibre.
   double fibreMass_g_mm() const { return fibreDensity_g_cm3 * 1e-3 * kPi * fibreRadius_mm * fibreRadius_mm; }
   bool operator==(const YarnGeometry&) const = default;
@@ -58,9 +68,10 @@ std::vector<int> geometryClasses(const Fabric& fabric);
 /// fibre count and fibre radius to resolveTwist() and calibration (yarn_model.h), which need the path.
 /// - ply radius: N fibres of volume fraction phi, N pi r^2 takeUp / phi = pi R^2;
 /// - plies touch: they orbit at R / sin(pi / plies); so do cords;
-/// - flattening keeps the area. A yarn too wide for its pitch is squeezed until it touches its neighbours and grows
-///   taller, to twice as tall as wide; beyond that (absurd setts) it overlaps them.
-YarnGeometry outlineYarn(const Yarn& yarn, const Fibre& fibre, double pitch_mm, double crossPitch_mm);
+/// - sections are those of the law (pressing.h), wider and lower the more readily the yarn flattens. One that is too
+///   wide for its pitch is squeezed until it touches its neighbours and grows taller, to twice as tall as wide;
+///   beyond that (absurd setts) it overlaps them. A monofilament stays round.
+YarnGeometry outlineYarn(const Yarn& yarn, const Fibre& fibre, double pitch_mm, double crossPitch_mm, double press);
 
 /// Cells after which any yarn repeats, at most.
 inline constexpr int kMaxPeriod = 16;

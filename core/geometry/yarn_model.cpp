@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/base/random.h"
 #include "core/fabric/model/validate.h"
@@ -22,35 +23,83 @@ int migrations(const YarnGeometry& g) {
   return std::max(1, static_cast<int>(std::lround(kMigrationsPerTurn * turns)));
 }
 
-/// The room that packed fibres keep in their section. Flattened, it is lower by upScale(), and they turn in it, so all
-/// ways round they need the room that they have least of; and their chords lie inside the curve, so that halfway
-/// between stations the section is narrower. But no more than leaves discs in disorder (random close packing).
-HelicalFibres roomOfFibres(const YarnModel& m) {
-  constexpr double kFullest = 0.82;
-  const YarnGeometry& g = m.geometry;
-  HelicalFibres fibres{g.fibreRadius_mm, g.fibreSpin() / (g.period * g.cellLength_mm)};
-  fibres.radius_mm /= std::min(m.upScale(), m.acrossScale());
+constexpr double kFullest = 0.82;  // what leaves discs in disorder (random close packing)
+
+/// The sections that a yarn has on its way, with halfway between two crossings.
+std::vector<SectionScale> sectionsOf(const YarnGeometry& g) {
+  std::vector<SectionScale> sections;
+  for (const SectionScale& pressed : g.pressed) {
+    sections.push_back(pressed);
+    sections.push_back(SectionEasing(pressed, pressed, g.free).at(0.5));
+  }
+  return sections;
+}
+
+/// The room that packed fibres keep in a section: they lie apart in all sections that the yarn has on its way, and
+/// their chords lie inside the curve, so that halfway between stations the section is narrower. But no more than leaves
+/// them in disorder.
+HelicalFibres roomOfFibres(const YarnGeometry& g, const SectionScale& section) {
+  HelicalFibres fibres{g.fibreRadius_mm, g.fibreSpin() / (g.period * g.cellLength_mm), section};
+  double least = 1;
+  for (const SectionScale& other : sectionsOf(g))
+    least = std::min({least, other.up / section.up, other.across / section.across});
+  fibres.radius_mm /= least;
   if (fibres.turns_per_mm != 0) fibres.radius_mm *= 1 + kSagitta * g.fibreRadius_mm / g.plyRadius_mm;
-  const double typicalCosine = fibres.cosineAt(0.5 * g.plyRadius_mm * g.plyRadius_mm);
-  const double fullest = g.plyRadius_mm * std::sqrt(kFullest * typicalCosine / g.fibresPerPly);
+  const double area = section.up * section.across;
+  const double typicalCosine = fibres.cosineAt(0.5 * area * g.plyRadius_mm * g.plyRadius_mm);
+  const double fullest = g.plyRadius_mm * std::sqrt(kFullest * area * typicalCosine / g.fibresPerPly);
   fibres.radius_mm = std::max(g.fibreRadius_mm, std::min(fibres.radius_mm, fullest));
   return fibres;
 }
 
+/// The same fibres, to be laid in the round section with as much room.
+HelicalFibres asRound(const HelicalFibres& fibres) {
+  const double scale = std::sqrt(fibres.section.up * fibres.section.across);
+  return {fibres.radius_mm / scale, fibres.turns_per_mm, {}};
+}
+
+/// How the fibres of a ply are laid: the section that they are parted in, and after what their ways repeat.
+struct PlyLayout {
+  SectionScale section;
+  FibrePattern pattern;
+  int patterns = 0;  ///< in a period; 0: their places stay
+  int stages() const { return patterns == 0 ? 1 : Migration::kStages * pattern.migrations; }
+};
+
+/// Packed fibres are parted in the usual section, turning in it as they do in the yarn. Cords would turn differently,
+/// and of some yarns the pattern is too long: these are parted round, with the room that they need any way round.
+PlyLayout layoutOf(const YarnGeometry& g, FibreLayout onTheirWay) {
+  constexpr int kMostPlaces = 150'000;
+  const int migrating = migrations(g), turns = g.fibreSpin();
+  PlyLayout layout;
+  if (onTheirWay == FibreLayout::packed && g.cords == 1 && g.fibresPerPly > 1) {
+    layout.section = g.usual();
+    layout.patterns = std::gcd(migrating, turns);
+    if (layout.patterns == 0) return layout;
+    layout.pattern = {std::max(1, migrating / layout.patterns), turns / layout.patterns};
+    if (layout.stages() * g.fibresPerPly * g.plies <= kMostPlaces) return layout;
+  }
+  const double narrowest = std::min(g.usual().up, g.usual().across);
+  return {{narrowest, narrowest}, {}, migrating};
+}
+
 void laySections(YarnModel& m, const Task& task) {
   const YarnGeometry& g = m.geometry;
-  HelicalFibres fibres = roomOfFibres(m);
-  if (m.source.sketched) fibres.radius_mm *= 0.1;  // thin threads hardly have to be parted
   const FibreLayout onTheirWay = m.source.sketched ? FibreLayout::random : g.layout;
-  const double migration_mm = g.period * g.cellLength_mm / std::max(1, m.migrations);
+  const PlyLayout layout = layoutOf(g, onTheirWay);
+  HelicalFibres fibres = roomOfFibres(g, layout.section);
+  if (m.source.sketched) fibres.radius_mm *= 0.1;  // thin threads hardly have to be parted
+  m.patterns = layout.patterns;
+  const double pattern_mm = g.period * g.cellLength_mm / std::max(1, m.patterns);
   m.plies.clear();
   m.bodyReach_mm = 0;
   for (int ply = 0; ply < g.plies; ++ply) {
     const uint64_t seed = hashCombine(g.seed, ply);
-    const DiscCentres section = plySection(g.layout, g.fibresPerPly, g.plyRadius_mm, fibres, seed, task);
-    m.plies.push_back(m.migrations == 0 ? Migration(section)
-                                        : Migration(section, onTheirWay, g.migration, fibres, hashCombine(seed, 1),
-                                                    task, {g.disorder, migration_mm, g.plyRadius_mm}));
+    const DiscCentres section =
+        plySection(g.layout, g.fibresPerPly, g.plyRadius_mm, m.patterns == 0 ? fibres : asRound(fibres), seed, task);
+    m.plies.push_back(m.patterns == 0 ? Migration(section)
+                                      : Migration(section, onTheirWay, g.migration, fibres, hashCombine(seed, 1), task,
+                                                  {g.disorder, pattern_mm, g.plyRadius_mm}, layout.pattern));
     m.bodyReach_mm = std::max(m.bodyReach_mm, g.cordOrbit_mm + g.plyOrbit_mm + m.plies.back().reach_mm());
   }
 }
@@ -71,9 +120,11 @@ double looseLength_mm(const YarnModel& m) {
   double total = 0;
   for (const Flyaway& f : m.flyaways) {
     constexpr int kSteps = 16;
+    const AxisPlace straight{0, 0, m.geometry.usual()};
     for (int i = 0; i < kSteps; ++i) {
       const auto at = [&](int k) { return f.start + (f.end - f.start) * k / kSteps; };
-      const glm::dvec2 d = flyawayOffset(f, m.geometry, at(i + 1), {}) - flyawayOffset(f, m.geometry, at(i), {});
+      const glm::dvec2 d =
+          flyawayOffset(f, m.geometry, at(i + 1), straight) - flyawayOffset(f, m.geometry, at(i), straight);
       const double ds = (at(i + 1) - at(i)) * m.geometry.cellLength_mm;
       total += std::sqrt(glm::dot(d, d) + ds * ds);
     }
@@ -83,14 +134,14 @@ double looseLength_mm(const YarnModel& m) {
 
 /// Fibres a ply that a cell has room for in memory, at the stations it needs.
 int fibreLimit(const YarnModel& m) {
-  const PathNode straight;
+  const PathNode straight = m.straightNode();
   const size_t stations = layStations(m, straight, straight, straight, 0, m.geometry.cellLength_mm).size();
   const int byPoints = kMaxPointsPerCell / (m.geometry.singles() * static_cast<int>(stations));
   return std::clamp(byPoints, 1, std::min(kMaxFibresPerPly, kMaxFibresInYarn / m.geometry.singles()));
 }
 
 void measureStraight(YarnModel& m) {
-  const PathNode straight;
+  const PathNode straight = m.straightNode();
   m.straightLength_mm.clear();
   for (int phase = 0; phase < m.geometry.period; ++phase)
     m.straightLength_mm.push_back(
@@ -107,10 +158,10 @@ double meanTakeUp(const YarnModel& m) {
 }  // namespace
 
 double YarnModel::reachUp_mm() const {
-  double reach = bodyReach_mm * upScale();
-  const double scale = upScale();
+  const double scale = geometry.highest();
+  double reach = bodyReach_mm * scale;
   for (const Flyaway& f : flyaways)
-    reach = std::max(reach, f.lies ? geometry.halfHeight_mm + f.rise_mm : f.root_mm * scale + f.rise_mm);
+    reach = std::max(reach, f.lies ? geometry.halfHeight_mm() + f.rise_mm : f.root_mm * scale + f.rise_mm);
   return reach + 1.05 * geometry.fibreRadius_mm;
 }
 
@@ -140,7 +191,7 @@ std::shared_ptr<const YarnModel> makeYarnModel(const YarnSource& source, const T
                                           : source.count_tex * 1e-3 / source.fibreDensity_g_cm3;
 
   g.fibreRadius_mm = radius;
-  model->migrations = migrations(g);
+  model->patterns = migrations(g);
   model->bodyReach_mm = 0.5 * g.diameter_mm();
   placeLooseFibres(*model, kFlyawayShare * area / fibreArea * g.period * g.cellLength_mm);
   const double loose = looseLength_mm(*model) / (g.period * g.cellLength_mm);

@@ -9,6 +9,7 @@
 #include "core/geometry/flyaways.h"
 #include "core/geometry/migration.h"
 #include "core/geometry/yarn_geometry.h"
+#include "core/geometry/yarn_path.h"
 
 namespace loomlight {
 
@@ -28,8 +29,8 @@ struct YarnModel {
   YarnSource source;  ///< what it was made of
   YarnGeometry geometry;
   std::vector<Migration> plies;  ///< the fibres of the first cord's; other cords are that one, turned
-  int migrations = 0;            ///< in a period; 0 for none
-  double bodyReach_mm = 0;       ///< furthest of these fibres from the yarn's axis, before flattening
+  int patterns = 0;              ///< of the fibres' ways, in a period; 0 for none
+  double bodyReach_mm = 0;       ///< furthest of these fibres from the yarn's axis, not pressed
   std::vector<Flyaway> flyaways;
   /// Per phase: the loose fibres near that cell, and the shift in cells that brings them there.
   struct FlyawayUse {
@@ -42,12 +43,13 @@ struct YarnModel {
   size_t fibreCount() const {
     return static_cast<size_t>(geometry.singles()) * static_cast<size_t>(geometry.fibresPerPly);
   }
-  /// Of flattening. A few fat fibres may reach far beyond their ply: across, no further than the cells beside its own.
-  double acrossScale() const {
-    return std::min(geometry.halfWidth_mm / (0.5 * geometry.diameter_mm()),
-                    1.499 * geometry.crossPitch_mm / bodyReach_mm);
+  /// Factor across of the widest section that stays in the cells beside its own: a few fat fibres may reach far beyond
+  /// their ply.
+  double widest() const { return 1.499 * geometry.crossPitch_mm / bodyReach_mm; }
+  /// Where the yarn lies straight, its section is the usual one.
+  PathNode straightNode() const {
+    return {0.0f, static_cast<float>(geometry.usual().up), static_cast<float>(geometry.usual().across)};
   }
-  double upScale() const { return geometry.halfHeight_mm / (0.5 * geometry.diameter_mm()); }
   /// Furthest that a fibre's surface rises above the yarn's axis, hairs included.
   double reachUp_mm() const;
 };

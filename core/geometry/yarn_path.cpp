@@ -14,37 +14,46 @@ AxisPoint advance(const AxisPoint& p, double length_mm, double curvature_per_mm)
           p.z_mm + (std::cos(p.angle) - std::cos(angle)) / curvature_per_mm, angle};
 }
 
+constexpr double kArcShare = 1.0 / 3;  // of the pitch
+
+/// How high a path climbs over a unit of pitch whose line has this slope, and how that grows with the slope. An arc
+/// from the horizontal to the angle a rises by tan(a / 2) over a unit.
+struct Climb {
+  double height, growth;
+  explicit Climb(double slope) {
+    const double secant = std::sqrt(1 + slope * slope), half = slope / (1 + secant);
+    height = 2 * kArcShare * half + (1 - 2 * kArcShare) * slope;
+    growth = kArcShare * (1 + half * half) / (secant * secant) + 1 - 2 * kArcShare;
+  }
+};
+
+/// The slope of the line that climbs so high over a unit of pitch. The climb is concave in the slope, so Newton's steps
+/// come up to it from below.
+double slopeOf(double height) {
+  double slope = 0;
+  for (int i = 0; i < 12; ++i) {
+    const Climb climb(slope);
+    slope += (height - climb.height) / climb.growth;
+  }
+  return std::min(slope, std::tan(kSteepestPath));
+}
+
 }  // namespace
+
+double steepestClimb_mm(double pitch_mm) {
+  return pitch_mm * Climb(std::tan(kSteepestPath)).height;
+}
 
 Transition::Transition(const PathNode& from, const PathNode& to, double pitch_mm) {
   const double climb = static_cast<double>(to.height_mm) - from.height_mm;
-  const double H = std::abs(climb);
-  double radiusFrom = from.radius_mm, radiusTo = to.radius_mm;
-  double R = radiusFrom + radiusTo;
-
-  // Room E between the flats that two arcs of these radii need for the climb: they just meet at E^2 + H^2 = 2 H R, and
-  // meet at the steepest angle at E = H / tan(steepest / 2).
-  const double flats = static_cast<double>(from.flat_mm) + to.flat_mm;
-  const double room = std::max(std::sqrt(std::max(0.0, H * (2 * R - H))), H / std::tan(kSteepestPath / 2));
-  const double keep = flats > 0 ? std::clamp((pitch_mm - room) / flats, 0.0, 1.0) : 0.0;
-  const double E = pitch_mm - keep * flats;
-  if (E * E + H * H < 2 * H * R) {
-    const double shrink = (E * E + H * H) / (2 * H * R);
-    radiusFrom *= shrink;
-    radiusTo *= shrink;
-    R *= shrink;
-  }
-
-  // The common tangent of the two arcs: E + i (R - H) = (L + i R) exp(-i angle).
-  const double L = std::sqrt(std::max(0.0, E * E + H * H - 2 * H * R));
-  const double angle = std::max(0.0, std::atan2(R, L) - std::atan2(R - H, E));
-  const double up = climb < 0 ? -1.0 : 1.0;
+  const double angle = std::atan(slopeOf(std::abs(climb) / pitch_mm)), up = climb < 0 ? -1.0 : 1.0;
   end_ = {0.0, from.height_mm, 0.0};
-  append(keep * from.flat_mm, 0.0);
-  append(radiusFrom * angle, up / radiusFrom);
-  append(L, 0.0);
-  append(radiusTo * angle, -up / radiusTo);
-  append(keep * to.flat_mm, 0.0);
+  const double arc_mm = kArcShare * pitch_mm;
+  const double curvature = up * std::sin(angle) / arc_mm;
+  const double arcLength_mm = angle > 1e-9 ? arc_mm * angle / std::sin(angle) : arc_mm;
+  append(arcLength_mm, curvature);
+  append((pitch_mm - 2 * arc_mm) / std::cos(angle), 0.0);
+  append(arcLength_mm, -curvature);
 }
 
 void Transition::append(double length_mm, double curvature_per_mm) {

@@ -8,12 +8,11 @@
 
 namespace loomlight {
 
-/// One point of a yarn's path, at a crossing. Between nodes the path is arc, straight line, arc (Peirce), with a flat
-/// top of half-length `flat_mm` for the flattened section it bends over (Kemp's racetrack).
+/// One point of a yarn's path, at a crossing.
 struct PathNode {
   float height_mm = 0;  ///< of the yarn's axis above the mid-plane of the cloth
-  float radius_mm = 0;  ///< of the arc
-  float flat_mm = 0;
+  float up = 1;         ///< factors of its section there (SectionScale)
+  float across = 1;
   bool operator==(const PathNode&) const = default;
 };
 
@@ -27,7 +26,12 @@ struct AxisPoint {
   double angle = 0;
 };
 
-/// The path of a yarn's axis from one crossing to the next: horizontal at both nodes, C1 between, single-valued in s.
+/// What a path can climb from one node to the next, mm, without being steeper anywhere.
+double steepestClimb_mm(double pitch_mm);
+
+/// The path of a yarn's axis from one crossing to the next: horizontal at both nodes, C1 between, single-valued in s:
+/// an arc, a straight line and an arc (Peirce), the arcs over a third of the pitch each. Relaxed yarns bend over 27 %,
+/// but wider arcs keep more of a yarn out of the flanks of the one that it bends over.
 /// It depends on its two nodes alone, so the two cells that share it agree about it. Its curvature jumps where arcs
 /// meet lines, so the tangents of twisted fibres off the axis jump there too, by up to their slope times half-height
 /// over radius.
@@ -41,8 +45,7 @@ class Transition {
     double curvature_per_mm = 0;  ///< signed: positive turns upwards
   };
 
-  /// From `from` at s = 0 to `to` at s = pitch. Where the pitch leaves too little room, the flats shrink first, then
-  /// the radii, down to two arcs that meet (the jammed cloth).
+  /// From `from` at s = 0 to `to` at s = pitch, which are no further apart in height than steepestClimb_mm().
   Transition(const PathNode& from, const PathNode& to, double pitch_mm);
 
   double length_mm() const { return length_mm_; }
@@ -55,7 +58,7 @@ class Transition {
  private:
   void append(double length_mm, double curvature_per_mm);
 
-  std::array<Piece, 5> pieces_;
+  std::array<Piece, 3> pieces_;
   size_t count_ = 0;
   double length_mm_ = 0;
   AxisPoint end_;

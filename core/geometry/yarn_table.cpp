@@ -11,8 +11,8 @@
 #include "core/fabric/model/yarn_count.h"
 
 // How it works. What a yarn is like depends on its neighbours, so it is resolved in steps. The outline of each class of
-// yarns follows from its count alone; two outlines give a crossing (how high each yarn goes over the other, along which
-// arcs); the paths over all crossings give the length of a yarn in a cell, and with that its twist per cell; and only
+// yarns follows from its count and finish; two outlines give a crossing (how high each yarn goes over the other); the
+// paths over all crossings give the length of a yarn in a cell, and with that its twist per cell; and only
 // then are its fibres laid out (makeYarnModel), which takes the time. Models of the table before serve again where
 // their source is equal.
 
@@ -30,7 +30,6 @@ void YarnTable::resolve(const Fabric& fabric, const YarnTable* previous, bool sk
   for (size_t i = classOf.size(); i-- > 0;) yarnOf[classOf[i]] = &fabric.yarns[i];
 
   // Outlines first: a yarn's path depends on the outlines of those it crosses.
-  std::array<std::vector<YarnGeometry>, 2> outlines;
   for (const System system : {System::warp, System::weft}) {
     SystemYarns& of = systems_[static_cast<size_t>(system)];
     of.sequence = system == System::warp ? fabric.warpSequence : fabric.weftSequence;
@@ -40,20 +39,20 @@ void YarnTable::resolve(const Fabric& fabric, const YarnTable* previous, bool sk
     const double pitch = system == System::warp ? weftPitch_mm_ : warpPitch_mm_;
     const double crossPitch = system == System::warp ? warpPitch_mm_ : weftPitch_mm_;
     for (const Yarn* yarn : yarnOf) {
-      YarnGeometry& outline = outlines[static_cast<size_t>(system)].emplace_back(
-          outlineYarn(*yarn, meanFibre(*yarn, fabric.fibres), pitch, crossPitch));
+      YarnGeometry& outline = of.outlines.emplace_back(
+          outlineYarn(*yarn, meanFibre(*yarn, fabric.fibres), pitch, crossPitch, fabric.press));
       outline.seed = mixBits(static_cast<uint64_t>(system));
     }
   }
-  for (const YarnGeometry& warp : outlines[0])
-    for (const YarnGeometry& weft : outlines[1]) crossings_.push_back(cross(warp, weft));
+  for (const YarnGeometry& warp : systems_[0].outlines)
+    for (const YarnGeometry& weft : systems_[1].outlines) crossings_.push_back(cross(warp, weft, fabric.crimpBalance));
 
   for (const System system : {System::warp, System::weft}) {
     SystemYarns& mine = systems_[static_cast<size_t>(system)];
     const std::vector<int>& others = systems_[1 - static_cast<size_t>(system)].classes;
     for (const int own : mine.classes) {
       if (mine.models[own]) continue;
-      YarnGeometry outline = outlines[static_cast<size_t>(system)][own];
+      YarnGeometry outline = mine.outlines[own];
       double interlaced = 0;
       for (const int other : others) {
         const PathNode over = node(system, own, {other, true, 0}), under = node(system, own, {other, false, 0});
@@ -85,8 +84,10 @@ void YarnTable::findThickness() {
     for (int own = 0; own < classCount_; ++own)
       for (int other = 0; other < classCount_; ++other) {
         if (!of(system).models[own] || !of(otherSystem).models[other]) continue;
-        const double crown = node(system, own, {other, true, kMaxFloatDistance}).height_mm;
-        halfThickness_mm_ = std::max(halfThickness_mm_, crown + of(system).models[own]->reachUp_mm());
+        for (int state = 0; state < kFloatStates; ++state) {
+          const double crown = node(system, own, {other, true, state}).height_mm;
+          halfThickness_mm_ = std::max(halfThickness_mm_, crown + of(system).models[own]->reachUp_mm());
+        }
       }
   }
 }
@@ -119,10 +120,11 @@ PathNode YarnTable::node(System system, int own, const CellShape::Node& at) cons
   const bool warp = system == System::warp;
   const Crossing& c =
       crossings_[static_cast<size_t>(warp ? own : at.crossed) * classCount_ + (warp ? at.crossed : own)];
-  const double rise = at.floatDistance > 0 ? floatRise_mm(model(system, own).geometry, at.floatDistance) : 0.0;
-  const double height = (warp ? c.warpHeight_mm : c.weftHeight_mm) + rise;
-  return {static_cast<float>(at.over ? height : -height), static_cast<float>(warp ? c.warpRadius_mm : c.weftRadius_mm),
-          static_cast<float>(warp ? c.warpFlat_mm : c.weftFlat_mm)};
+  const auto state = static_cast<size_t>(at.floatState);
+  const double height = (warp ? c.warpHeight_mm : c.weftHeight_mm)[state];
+  const SectionScale& section = of(system).outlines[static_cast<size_t>(own)].pressed[state];
+  return {static_cast<float>(at.over ? height : -height), static_cast<float>(section.up),
+          static_cast<float>(section.across)};
 }
 
 CellKey YarnTable::shapeKey(System system, const CellShape& shape) const {
@@ -180,10 +182,10 @@ std::vector<int> YarnTable::nodeGroups(System system, int own, const std::vector
   std::vector<int> groups;
   for (const int other : crossed)
     for (const bool over : {true, false})
-      for (int distance = 0; distance <= kMaxFloatDistance; ++distance) {
-        const PathNode n = node(system, own, {other, over, distance});
+      for (int state = 0; state < kFloatStates; ++state) {
+        const PathNode n = node(system, own, {other, over, state});
         const auto number = static_cast<int>(groups.size());
-        groups.push_back(first.try_emplace({n.height_mm, n.radius_mm, n.flat_mm}, number).first->second);
+        groups.push_back(first.try_emplace({n.height_mm, n.up, n.across}, number).first->second);
       }
   return groups;
 }
@@ -196,8 +198,8 @@ bool YarnTable::sameNodes(const YarnTable& other) const {
     for (int own = 0; own < classCount_; ++own)
       for (int crossed = 0; crossed < classCount_; ++crossed) {
         if (!of(system).models[own] || !crossedYarns[crossed]) continue;
-        for (int distance = 0; distance <= kMaxFloatDistance; ++distance)
-          if (!(node(system, own, {crossed, true, distance}) == other.node(system, own, {crossed, true, distance})))
+        for (int state = 0; state < kFloatStates; ++state)
+          if (!(node(system, own, {crossed, true, state}) == other.node(system, own, {crossed, true, state})))
             return false;
       }
   }

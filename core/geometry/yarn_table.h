@@ -55,6 +55,7 @@ class YarnTable {
 
  private:
   struct SystemYarns {
+    std::vector<YarnGeometry> outlines;                    ///< per geometry class, without fibres
     std::vector<std::shared_ptr<const YarnModel>> models;  ///< per geometry class; null where the system has none
     std::vector<int> sequence;                             ///< Fabric::yarns index per end or pick
     std::vector<int> classes;

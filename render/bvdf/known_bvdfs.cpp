@@ -50,7 +50,8 @@ double unlikeness(const Fabric& fabricA, size_t a, const Fabric& fabricB, size_t
          0.2 * std::abs(x.hairiness_per_mm - y.hairiness_per_mm) + (x.layout == y.layout ? 0 : 1) +
          ratio(fabricA.render.resolution, fabricB.render.resolution) +
          0.5 * ratio(fabricA.ends_per_cm, fabricB.ends_per_cm) +
-         0.5 * ratio(fabricA.picks_per_cm, fabricB.picks_per_cm);
+         0.5 * ratio(fabricA.picks_per_cm, fabricB.picks_per_cm) + std::abs(fabricA.press - fabricB.press) +
+         0.5 * ratio(fabricA.crimpBalance, fabricB.crimpBalance);
 }
 
 }  // namespace

@@ -40,6 +40,13 @@ bool settRows(Ui& ui, bool inches, double& ends, double& picks) {
   return changed;
 }
 
+bool finishRows(Ui& ui, Fabric& fabric) {
+  heading(ui, "Finish");
+  bool changed = memberField(ui, "cloth", fabric, &Fabric::press, 2);
+  changed |= memberField(ui, "cloth", fabric, &Fabric::crimpBalance, 2);
+  return changed;
+}
+
 std::string repeatText(const Fabric& fabric, bool inches) {
   const double width_mm = fabric.weave.ends() * fabric.warpPitch_mm();
   const double height_mm = fabric.weave.picks() * fabric.weftPitch_mm();
@@ -157,21 +164,16 @@ void remarks(Ui& ui, const InspectorModel& model) {
 }  // namespace
 
 std::optional<Fabric> clothPage(Ui& ui, const Fabric& fabric, const InspectorModel& model, InspectorView& view) {
-  std::string name = fabric.name, description = fabric.description;
-  double ends = fabric.ends_per_cm, picks = fabric.picks_per_cm;
-  bool changed = textField(ui, rowText("cloth", &Fabric::name), name);
-  changed |= textField(ui, rowText("cloth", &Fabric::description), description);
-  changed |= settRows(ui, model.inches, ends, picks);
+  Fabric edited = fabric;
+  bool changed = textField(ui, rowText("cloth", &Fabric::name), edited.name);
+  changed |= textField(ui, rowText("cloth", &Fabric::description), edited.description);
+  changed |= settRows(ui, model.inches, edited.ends_per_cm, edited.picks_per_cm);
+  changed |= finishRows(ui, edited);
   clothRows(ui, fabric, model, view.units.count);
   bindingRows(ui, fabric, model);
   pieceRows(ui, fabric, model, view.units.piece);
   remarks(ui, model);
   if (!changed) return std::nullopt;
-  Fabric edited = fabric;
-  edited.name = name;
-  edited.description = description;
-  edited.ends_per_cm = ends;
-  edited.picks_per_cm = picks;
   return edited;
 }
 

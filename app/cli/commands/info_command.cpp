@@ -94,6 +94,7 @@ nlohmann::ordered_json toJson(const Fabric& fabric, const Information& of) {
   json["thickness_mm"] = of.measures.thickness_mm;
   json["crimp_warp"] = of.measures.crimpWarp;
   json["crimp_weft"] = of.measures.crimpWeft;
+  json["press"] = fabric.press;
   json["yarn_need"] = needsJson(fabric, of);
   json["warnings"] = of.warnings;
   json["piece_ends"] = of.pieceEnds;
@@ -149,6 +150,8 @@ void printTable(const Fabric& fabric, const Information& of) {
   line("thickness", fmt::format("{:.3f}", of.measures.thickness_mm), "mm");
   line("crimp of the warp", fmt::format("{:.1f} %", 100 * of.measures.crimpWarp));
   line("crimp of the weft", fmt::format("{:.1f} %", 100 * of.measures.crimpWeft));
+  line("press", fmt::format("{:g}", fabric.press), "0 washed, 0.5 pressed, 1 calendered");
+  fmt::print("  All of this is of the finished cloth, at the setts given: shrinkage from the loom is not modelled.\n");
   printNeeds(fabric, of);
   fmt::print("\nVolume\n");
   line("piece", fmt::format("{} x {}", of.pieceEnds, of.piecePicks), "ends x picks");

@@ -19,6 +19,7 @@ Fabric yarnCloseUp(const Fabric& fabric, int yarn, int width, int height) {
   const double pitch_mm = std::clamp(kPitchDiameters * diameter_mm, 0.02, 50.0);
   alone.weave = Weave(std::vector<Weave::Row>{{1}});
   alone.ends_per_cm = alone.picks_per_cm = 10 / pitch_mm;
+  alone.press = 0;
   alone.drape.width_mm = std::max(1.0, pitch_mm);
   alone.drape.height_mm = std::max(1.0, 2 * pitch_mm);
   constexpr double kSeenPerDistance = 0.3527;  // 2 tan(10 degrees)

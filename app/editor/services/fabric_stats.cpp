@@ -21,6 +21,8 @@ Fabric plainClothOf(const Fabric& fabric, int yarn) {
   plain.yarns[0].blendFibre.reset();
   plain.ends_per_cm = fabric.ends_per_cm;
   plain.picks_per_cm = fabric.picks_per_cm;
+  plain.press = fabric.press;
+  plain.crimpBalance = fabric.crimpBalance;
   return plain;
 }
 
@@ -34,8 +36,8 @@ YarnSection yarnSection(const Fabric& fabric, int yarn) {
   const CellStrands strands = geometry.strands(key);
   YarnSection section;
   section.fibreRadius_mm = strands.fibreRadius_mm;
-  section.halfWidth_mm = shape.halfWidth_mm;
-  section.halfHeight_mm = shape.halfHeight_mm;
+  section.halfWidth_mm = 0.5 * shape.diameter_mm() * key.here.across;
+  section.halfHeight_mm = 0.5 * shape.diameter_mm() * key.here.up;
   for (size_t k = 0; k < strands.strands.size(); ++k) {
     const CellStrands::Strand& strand = strands.strands[k];
     const bool second = Random(k).uniformDouble() < secondShare;  // which ones is chance, as in the yarn

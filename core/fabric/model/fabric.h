@@ -51,7 +51,7 @@ struct Yarn {
   double cableTwist_per_m = 0.0;  ///< turns of the cords about the axis of the yarn, 0..5000; cords > 1 only
   TwistDirection cableTwistDirection = TwistDirection::z;
   double packing = 0.55;           ///< fibre volume over ply volume, 0.05..0.85
-  double flattening = 1.2;         ///< width over height of the section in the cloth, 1..4
+  double flattening = 1.2;         ///< how readily it flattens, 1..4: goes with the width over height of its section
   double hairiness_per_mm = 0.0;   ///< loose fibre ends and loops per mm of yarn, 0..50
   double hairLength_mm = 0.6;      ///< how far they reach, 0.05..3
   double migration = 0.0;          ///< 0..1: how far fibres wander between core and surface
@@ -152,6 +152,8 @@ struct Fabric {
   std::vector<int> weftSequence{0};  ///< which yarn each pick uses
   double ends_per_cm = 20.0;         ///< 0.2..500
   double picks_per_cm = 20.0;
+  double press = 0.5;                  ///< finish: 0 washed and relaxed, 0.5 pressed, 1 calendered
+  double crimpBalance = 1.0;           ///< of warp against weft, 0.25..4; 1: their stiffness and setts decide
   std::vector<Yarn> yarns{Yarn{}};     ///< 1..64
   std::vector<Fibre> fibres{Fibre{}};  ///< 1..64
   std::vector<Colourway> colourways;   ///< 0..64, to choose from: the cloth has its fibres' own colours

@@ -77,7 +77,7 @@ struct FieldTable<Yarn> {
              "Share of a ply's section that is fibre, the rest is air: soft yarns 0.3, ring-spun 0.55, filament 0.7."}},
       Field{&Yarn::flattening,
             {shape, "flattening", "Flattening", "", 1, 4,
-             "How much wider than high the yarn's section is, pressed in the cloth."}},
+             "How readily the yarn's section flattens in the cloth: 1.2 as most do, more for a wider one."}},
       Field{&Yarn::hairiness_per_mm,
             {shape, "hairiness_per_mm", "Hairiness", "1/mm", 0, 50,
              "Loose fibre ends and loops on one millimetre of yarn."}},
@@ -216,7 +216,13 @@ struct FieldTable<Fabric> {
       Field{&Fabric::ends_per_cm,
             {grid, "ends_per_cm", "Ends", "/cm", 0.2, 500, "Warp yarns, side by side on one centimetre.", true}},
       Field{&Fabric::picks_per_cm,
-            {grid, "picks_per_cm", "Picks", "/cm", 0.2, 500, "Weft yarns, side by side on one centimetre.", true}});
+            {grid, "picks_per_cm", "Picks", "/cm", 0.2, 500, "Weft yarns, side by side on one centimetre.", true}},
+      Field{&Fabric::press,
+            {grid, "press", "Press", "", 0, 1,
+             "How the cloth was finished: 0 washed and relaxed, 0.5 pressed, 1 calendered, thin and flat."}},
+      Field{&Fabric::crimpBalance,
+            {grid, "crimp_balance", "Crimp balance", "×", 0.25, 4,
+             "Above 1 the warp takes more of the crimp, below 1 the weft; at 1 stiffness and sett decide.", true}});
 };
 
 }  // namespace loomlight

@@ -72,6 +72,8 @@ Fabric BvdfPatch::reduced(const Fabric& fabric) {
   patch.weftSequence = fabric.weftSequence;
   patch.ends_per_cm = fabric.ends_per_cm;
   patch.picks_per_cm = fabric.picks_per_cm;
+  patch.press = fabric.press;
+  patch.crimpBalance = fabric.crimpBalance;
   mergeYarns(fabric, patch);
   patch.light.kind = LightKind::dome;
   patch.render.resolution = fabric.render.resolution;

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/geometry/cross_section.h"
-#include "core/geometry/yarn_model.h"
 #include "tests/support/worst_overlap.h"
 
 namespace loomlight {
@@ -20,7 +19,7 @@ DiscCentres section(FibreLayout layout, double packing) {
 
 DiscCentres placesAt(const Migration& ply, double migrations) {
   DiscCentres places;
-  for (int i = 0; i < ply.fibres(); ++i) places.emplace_back(ply.place(i, Migration::at(migrations)));
+  for (int i = 0; i < ply.fibres(); ++i) places.emplace_back(ply.place(i, ply.at(migrations)));
   return places;
 }
 
@@ -65,7 +64,7 @@ TEST(Migration, StopsWhenItIsTold) {
   const DiscCentres start = section(FibreLayout::packed, 0.5);
   const Migration ply(start, FibreLayout::packed, kAmount, {1}, 11, stopped);
   const Migration unparted(start, FibreLayout::random, kAmount, {1}, 11);
-  for (int i = 0; i < kFibres; ++i) EXPECT_EQ(ply.place(i, Migration::at(0.3)), unparted.place(i, Migration::at(0.3)));
+  for (int i = 0; i < kFibres; ++i) EXPECT_EQ(ply.place(i, ply.at(0.3)), unparted.place(i, unparted.at(0.3)));
 }
 
 TEST(Migration, TakesFibresInAndOutAsFarAsItIsTold) {
@@ -74,7 +73,7 @@ TEST(Migration, TakesFibresInAndOutAsFarAsItIsTold) {
   for (int i = 0; i < kFibres; ++i) {
     double nearest = 1e9, furthest = 0;
     for (int k = 0; k < 240; ++k) {
-      const double reach = glm::length(ply.place(i, Migration::at(k / 240.0)));
+      const double reach = glm::length(ply.place(i, ply.at(k / 240.0)));
       nearest = std::min(nearest, reach);
       furthest = std::max(furthest, reach);
     }
@@ -87,8 +86,8 @@ TEST(Migration, TakesFibresInAndOutAsFarAsItIsTold) {
 TEST(Migration, RepeatsWithoutAStep) {
   const Migration ply(section(FibreLayout::packed, 0.5), FibreLayout::packed, kAmount, {1}, 11);
   for (int i = 0; i < kFibres; ++i) {
-    EXPECT_LT(glm::distance(ply.place(i, Migration::at(0.9999999)), ply.place(i, Migration::at(1))), 1e-5);
-    EXPECT_LE(glm::length(ply.place(i, Migration::at(0.37))), ply.reach_mm());
+    EXPECT_LT(glm::distance(ply.place(i, ply.at(0.9999999)), ply.place(i, ply.at(1))), 1e-5);
+    EXPECT_LE(glm::length(ply.place(i, ply.at(0.37))), ply.reach_mm());
   }
 }
 
@@ -107,8 +106,8 @@ double rmsSlope(double asked, double migration_mm, double plyRadius_mm, uint64_t
   double squares = 0;
   for (int i = 0; i < kMany; ++i)
     for (int step = 0; step < kSteps; ++step) {
-      const glm::vec2 from = ply.place(i, Migration::at(static_cast<double>(step) / kSteps));
-      const glm::vec2 to = ply.place(i, Migration::at((step + 1.0) / kSteps));
+      const glm::vec2 from = ply.place(i, ply.at(static_cast<double>(step) / kSteps));
+      const glm::vec2 to = ply.place(i, ply.at((step + 1.0) / kSteps));
       const glm::vec2 slope = (to - from) * static_cast<float>(kSteps / migration_mm);
       squares += 0.5 * glm::dot(slope, slope);
     }
@@ -141,7 +140,7 @@ TEST(FibreDisorder, LeavesFibresWhereTheyAreOnAverage) {
     glm::dvec2 mean(0);
     double strays = 0;
     for (int k = 0; k < Migration::kStages; ++k) {
-      const glm::dvec2 at(ply.place(i, Migration::at(static_cast<double>(k) / Migration::kStages)));
+      const glm::dvec2 at(ply.place(i, ply.at(static_cast<double>(k) / Migration::kStages)));
       mean += at / static_cast<double>(Migration::kStages);
       strays = std::max(strays, glm::length(at - section[static_cast<size_t>(i)]));
     }
@@ -150,25 +149,31 @@ TEST(FibreDisorder, LeavesFibresWhereTheyAreOnAverage) {
   }
 }
 
-// A section is packed round, then flattened, and turns within its outline: no fibre may run into another in any of it.
-TEST(FlattenedSection, PackedFibresDoNotOverlapHoweverItTurns) {
-  YarnGeometry outline;
-  outline.fibreRadius_mm = 0.006;
-  outline.plyRadius_mm = 0.006 * std::sqrt(80 / 0.6);  // 60 % of it is fibre
-  outline.halfWidth_mm = 1.15 * outline.plyRadius_mm;
-  outline.halfHeight_mm = outline.plyRadius_mm / 1.15;
-  outline.pitch_mm = outline.crossPitch_mm = outline.cellLength_mm = 0.4;
-  outline.fibreDensity_g_cm3 = 1.5;
-  const auto yarn = makeYarnModel({outline, 6, 1.5, 30, 80});
-  for (int degrees = 0; degrees < 180; degrees += 10) {
-    const double turn = degrees * kPi / 180;
-    DiscCentres places;
-    for (int i = 0; i < yarn->plies[0].fibres(); ++i) {
-      const glm::dvec2 p(yarn->plies[0].place(i));
-      places.emplace_back(yarn->upScale() * (std::cos(turn) * p.x - std::sin(turn) * p.y),
-                          yarn->acrossScale() * (std::sin(turn) * p.x + std::cos(turn) * p.y));
+// A section turns within its pressed outline: no fibre may run into another, wherever it is on its way.
+TEST(PressedSection, PackedFibresDoNotOverlapHoweverItTurns) {
+  const SectionScale pressed = {0.7, 1.15};  // packing 0.62
+  const HelicalFibres fibres{1, 0, pressed};
+  const double plyRadius = std::sqrt(80 / 0.5);
+  const DiscCentres start = plySection(FibreLayout::packed, 80, plyRadius, {1 / std::sqrt(0.7 * 1.15)}, 7);
+  const auto worst = [&](const Migration& ply, int turns) {
+    double most = 0;
+    for (int i = 0; i < 96; ++i) {  // at the stages and between them
+      const double share = i / 96.0, angle = 2 * kPi * turns * share;
+      DiscCentres places;
+      for (int k = 0; k < ply.fibres(); ++k) {
+        const glm::dvec2 p(ply.place(k, ply.at(share)));
+        places.emplace_back(pressed.up * (std::cos(angle) * p.x - std::sin(angle) * p.y),
+                            pressed.across * (std::sin(angle) * p.x + std::cos(angle) * p.y));
+      }
+      most = std::max(most, test::worstOverlap(places, {1}));
     }
-    EXPECT_LT(test::worstOverlap(places, {yarn->geometry.fibreRadius_mm}), 0.02) << degrees;
+    return most;
+  };
+  for (const int turns : {1, -2}) {
+    const FibrePattern pattern{2, turns};
+    const Migration ply(start, FibreLayout::packed, 0, fibres, 11, oneThread(), {}, pattern);
+    EXPECT_LT(worst(ply, turns), 0.1) << turns;
+    EXPECT_GT(worst(ply, -turns), 0.3) << "parted for the other way";
   }
 }
 

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "core/geometry/cloth_geometry.h"
 #include "tests/unit/geometry/cloths.h"
@@ -8,62 +9,36 @@
 namespace loomlight {
 namespace {
 
-/// The axis of a yarn near a crossing, as height above s = 0 there, |s| <= pitch.
-class AxisAt {
- public:
-  AxisAt(const ClothGeometry& cloth, const CellKey& key)
-      : pitch_(cloth.yarn(key.system, key.yarn).pitch_mm),
-        before_(key.previous, key.here, pitch_),
-        after_(key.here, key.next, pitch_) {}
-  AxisPoint operator()(double s) const {
-    return s < 0 ? before_.at(before_.lengthTo(s + pitch_)) : after_.at(after_.lengthTo(s));
-  }
-
- private:
-  double pitch_;
-  Transition before_, after_;
-};
-
-/// How deep the bodies of warp and weft, as flattened tubes of the size at which yarns rest on each other, go into each
-/// other at a crossing, mm; negative: a gap.
-double penetration(const ClothGeometry& cloth, int pick, int end) {
-  const CellKey warpKey = cloth.key(System::warp, pick, end), weftKey = cloth.key(System::weft, pick, end);
-  const YarnGeometry &warp = cloth.yarn(System::warp, warpKey.yarn), &weft = cloth.yarn(System::weft, weftKey.yarn);
-  const double warpTop = warp.halfHeight_mm * warp.contactShare(), warpSide = warp.halfWidth_mm * warp.contactShare();
-  const double weftTop = weft.halfHeight_mm * weft.contactShare(), weftSide = weft.halfWidth_mm * weft.contactShare();
-  const AxisAt warpAxis(cloth, warpKey), weftAxis(cloth, weftKey);
-  const double side = warpKey.here.height_mm > weftKey.here.height_mm ? 1.0 : -1.0;
-  double deepest = -1;
-  constexpr int kSteps = 24;
-  for (int i = -kSteps; i <= kSteps; ++i)
-    for (int j = -kSteps; j <= kSteps; ++j) {
-      // x across the warp, y across the weft: inside both outlines seen from above.
-      const double x = warpSide * i / kSteps, y = weftSide * j / kSteps;
-      if (std::abs(x) > weft.pitch_mm || std::abs(y) > warp.pitch_mm) continue;
-      const AxisPoint over = warpAxis(y), under = weftAxis(x);
-      const double warpHalf = warpTop * std::sqrt(1 - std::pow(x / warpSide, 2)) / std::cos(over.angle);
-      const double weftHalf = weftTop * std::sqrt(1 - std::pow(y / weftSide, 2)) / std::cos(under.angle);
-      const double gap = side * (over.z_mm - under.z_mm) - warpHalf - weftHalf;
-      deepest = std::max(deepest, -gap);
-    }
-  return deepest;
-}
-
-TEST(YarnPath, WarpAndWeftTouchWithoutInterpenetrating) {
+/// What the law puts between two yarns: axes as far apart as both sections are high, or further where they bend both
+/// ways or float.
+TEST(YarnPath, YarnsRestOnEachOtherWhereTheyCross) {
   for (const Fabric& fabric : cloths::all()) {
     SCOPED_TRACE(fabric.name);
     const ClothGeometry cloth(fabric, 8, 8);
     for (int pick = 0; pick < cloth.repeatPicks(); ++pick)
-      for (int end = 0; end < cloth.repeatEnds(); ++end)
-        ASSERT_LT(penetration(cloth, pick, end), 0.03 * cloth.minYarnDiameter_mm()) << pick << ", " << end;
+      for (int end = 0; end < cloth.repeatEnds(); ++end) {
+        const CellKey warp = cloth.key(System::warp, pick, end), weft = cloth.key(System::weft, pick, end);
+        const double warpHigh = warp.here.up * cloth.yarn(System::warp, warp.yarn).coreRadius_mm();
+        const double weftHigh = weft.here.up * cloth.yarn(System::weft, weft.yarn).coreRadius_mm();
+        const double apart = std::abs(warp.here.height_mm - weft.here.height_mm);
+        // Where their float states differ, each keeps the height of its own: the law's rows differ by up to 14 %.
+        ASSERT_GT(apart, 0.93 * (warpHigh + weftHigh)) << pick << ", " << end;
+        ASSERT_LT(apart, 1.07 * (warpHigh + weftHigh)) << pick << ", " << end;
+      }
   }
 }
 
-TEST(YarnPath, YarnsTouchWhereTheyInterlace) {
-  const ClothGeometry cloth(cloths::plain(), 4, 4);
-  const YarnGeometry &warp = cloth.yarn(System::warp, 0), &weft = cloth.yarn(System::weft, 0);
-  const CellKey over = cloth.key(System::warp, 0, 0), under = cloth.key(System::weft, 0, 0);
-  EXPECT_NEAR(std::abs(over.here.height_mm - under.here.height_mm), warp.halfHeight_mm + weft.halfHeight_mm, 1e-6);
+TEST(YarnPath, HeightsAddUpToTheDistanceOfTheAxes) {
+  Fabric fabric = cloths::plain();
+  for (const double balance : {0.25, 1.0, 4.0}) {
+    fabric.crimpBalance = balance;
+    const ClothGeometry cloth(fabric, 4, 4);
+    const YarnGeometry &warp = cloth.yarn(System::warp, 0), &weft = cloth.yarn(System::weft, 0);
+    const CellKey over = cloth.key(System::warp, 0, 0), under = cloth.key(System::weft, 0, 0);
+    EXPECT_NEAR(std::abs(over.here.height_mm - under.here.height_mm), warp.rest_mm[0] + weft.rest_mm[0], 1e-6);
+    // Equal yarns: the ratio is that of the pitches, 22 to 20, to the power of 2.5, times the balance.
+    EXPECT_NEAR(std::abs(over.here.height_mm / under.here.height_mm), balance * std::pow(22.0 / 20, 2.5), 1e-4);
+  }
 }
 
 TEST(YarnPath, WarpLiesOverWhereTheWeaveSaysSo) {
@@ -77,36 +52,98 @@ TEST(YarnPath, WarpLiesOverWhereTheWeaveSaysSo) {
     }
 }
 
-TEST(YarnPath, CrimpOfPlainWeaveIsPeirces) {
-  // Round yarns of one kind, no flats: with p the pitch, D the sum of radii, theta the steepest angle,
-  // p = (l - D theta) cos theta + D sin theta, h = (l - D theta) sin theta + D (1 - cos theta), h = D.
-  Fabric fabric = cloths::plain();
-  fabric.yarns[0].flattening = 1;
-  fabric.ends_per_cm = fabric.picks_per_cm = 18;
-  const ClothGeometry cloth(fabric, 4, 4);
-  const double p = 10.0 / 18, D = cloth.minYarnDiameter_mm();
+TEST(YarnPath, IsAnArcALineAndAnArc) {
+  // Over a third of the pitch each: with a the angle, 2 (p / 3) tan(a / 2) + (p / 3) tan a = 2 h, and the length is
+  // 2 (p / 3) a / sin a + (p / 3) / cos a.
+  const ClothGeometry cloth(cloths::plain(), 4, 4);
+  const double p = 10.0 / 20, climb = 2 * std::abs(cloth.key(System::warp, 0, 0).here.height_mm);
   double low = 0, high = 1.3;
   for (int i = 0; i < 60; ++i) {
-    const double theta = 0.5 * (low + high);
-    const double straight = (p - 2 * D * std::sin(theta)) / std::cos(theta);
-    const double climb = straight * std::sin(theta) + 2 * D * (1 - std::cos(theta));
-    (climb < D ? low : high) = theta;
+    const double a = 0.5 * (low + high);
+    (p / 3 * (2 * std::tan(a / 2) + std::tan(a)) < climb ? low : high) = a;
   }
-  const double length = (p - 2 * D * std::sin(low)) / std::cos(low) + 2 * D * low;
-  EXPECT_NEAR(cloth.measure().crimpWarp, length / p - 1, 1e-5);
-  EXPECT_NEAR(cloth.measure().crimpWeft, length / p - 1, 1e-5);
-  EXPECT_NEAR(cloth.measure().thickness_mm, 2 * D, 1e-6);
+  const double length = p / 3 * (2 * low / std::sin(low) + 1 / std::cos(low));
+  EXPECT_NEAR(cloth.measure().crimpWarp, length / p - 1, 1e-6);
 }
 
-TEST(YarnPath, FloatsBulgeAndCrimpLess) {
+TEST(YarnPath, FloatsCrimpLessAndLieHigher) {
   Fabric fabric = cloths::plain();
   const double plainCrimp = ClothGeometry(fabric, 8, 8).measure().crimpWarp;
   fabric.weave = cloths::satin8();
   const ClothGeometry satin(fabric, 8, 8);
   EXPECT_LT(satin.measure().crimpWarp, 0.5 * plainCrimp);
-  // End 0 is over at pick 0 only: the float under picks 1 to 7 is deepest in its middle.
+  // End 0 is over at pick 0 only: the float under picks 1 to 7 is deeper inside than at its ends.
   EXPECT_LT(satin.key(System::warp, 4, 0).here.height_mm, satin.key(System::warp, 1, 0).here.height_mm);
   EXPECT_EQ(satin.key(System::warp, 1, 0).here.height_mm, satin.key(System::warp, 7, 0).here.height_mm);
+}
+
+/// Of cotton singles.
+Fabric cottonCloth(double ends_per_cm, double picks_per_cm, double warp_tex, double weft_tex) {
+  Fabric fabric = cloths::plain();
+  fabric.ends_per_cm = ends_per_cm;
+  fabric.picks_per_cm = picks_per_cm;
+  fabric.yarns.assign(2, fabric.yarns[0]);
+  fabric.weftSequence = {1};
+  fabric.yarns[0].count_tex = warp_tex;
+  fabric.yarns[1].count_tex = weft_tex;
+  for (Yarn& yarn : fabric.yarns) yarn.packing = 0.5;
+  return fabric;
+}
+
+TEST(YarnPath, CrimpOfAPoplinOfUnequalSettIsTheHandbooks) {
+  // 14 and 2 % for 50 x 28 per cm of 14.8 tex: textilecalculations.com.
+  const ClothMeasures poplin = ClothGeometry(cottonCloth(50, 28, 14.8, 14.8), 4, 4).measure();
+  EXPECT_NEAR(100 * poplin.crimpWarp, 14, 2);
+  EXPECT_NEAR(100 * poplin.crimpWeft, 2, 2);
+}
+
+/// Crimp and thickness of yarns relaxed as bundles of hard threads, with tension, bending, contact and friction: ranges
+/// over what such a solver can be started from. The law was read off the same threads, so that this holds its port.
+struct RelaxedCloth {
+  const char* name;
+  Weave weave;
+  double ends_per_cm, picks_per_cm, warp_tex, weft_tex, packing;
+  double warpCrimp[2], weftCrimp[2], thickness_mm[2];
+};
+
+TEST(YarnPath, CrimpAndThicknessAreThoseOfRelaxedYarns) {
+  const Weave denim({{1, 1, 1, 0}, {0, 1, 1, 1}, {1, 0, 1, 1}, {1, 1, 0, 1}});
+  const Weave basket({{1, 1, 0, 0}, {1, 1, 0, 0}, {0, 0, 1, 1}, {0, 0, 1, 1}});
+  const Weave plain = cloths::plain().weave;
+  std::vector<std::vector<uint8_t>> satin(5, std::vector<uint8_t>(5, 0));
+  for (size_t pick = 0; pick < 5; ++pick) satin[pick][2 * pick % 5] = 1;
+  const RelaxedCloth relaxed[] = {
+      {"denim", denim, 26, 17, 84, 66, 0.5, {7.5, 10.8}, {2.3, 7.6}, {0.62, 0.71}},
+      {"poplin", plain, 50, 28, 14.8, 14.8, 0.5, {12.5, 14}, {2, 3.7}, {0.25, 0.30}},
+      {"sheeting", plain, 30, 26, 19.7, 19.7, 0.5, {8.1, 8.1}, {6.0, 6.0}, {0.25, 0.29}},
+      {"satin", Weave(satin), 34, 24, 29.5, 29.5, 0.7, {5.4, 5.4}, {2.1, 2.1}, {0.38, 0.41}},
+      {"basket", basket, 30, 30, 30.3, 30.3, 0.5, {7.0, 7.0}, {7.0, 7.0}, {0.39, 0.39}},
+      {"organza", plain, 48, 44, 4.67, 4.67, 0.7, {5.4, 5.4}, {4.8, 4.8}, {0.13, 0.14}}};
+  for (const RelaxedCloth& cloth : relaxed) {
+    SCOPED_TRACE(cloth.name);
+    Fabric fabric = cottonCloth(cloth.ends_per_cm, cloth.picks_per_cm, cloth.warp_tex, cloth.weft_tex);
+    fabric.weave = cloth.weave;
+    fabric.press = 0;
+    for (Yarn& yarn : fabric.yarns) yarn.packing = cloth.packing;
+    const ClothMeasures measures = ClothGeometry(fabric, 8, 8).measure();
+    EXPECT_GT(100 * measures.crimpWarp, cloth.warpCrimp[0] - 2);
+    EXPECT_LT(100 * measures.crimpWarp, cloth.warpCrimp[1] + 2);
+    EXPECT_GT(100 * measures.crimpWeft, cloth.weftCrimp[0] - 2);
+    EXPECT_LT(100 * measures.crimpWeft, cloth.weftCrimp[1] + 2);
+    EXPECT_GT(measures.thickness_mm, 0.85 * cloth.thickness_mm[0]);
+    EXPECT_LT(measures.thickness_mm, 1.15 * cloth.thickness_mm[1]);
+  }
+}
+
+TEST(YarnPath, ClothIsThinnerTheMoreItIsPressed) {
+  Fabric fabric = cottonCloth(30, 26, 19.7, 19.7);
+  double before = 1;
+  for (const double press : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+    fabric.press = press;
+    const double thickness = ClothGeometry(fabric, 4, 4).measure().thickness_mm;
+    EXPECT_LT(thickness, before);
+    before = thickness;
+  }
 }
 
 TEST(YarnPath, ThinYarnsBendRoundThickOnes) {
@@ -121,12 +158,12 @@ TEST(YarnPath, ThinYarnsBendRoundThickOnes) {
 
 TEST(YarnPath, JammedYarnsGrowTallerAndStayBounded) {
   Fabric fabric = cloths::plain();
-  const double open = ClothGeometry(fabric, 4, 4).yarn(System::warp, 0).halfHeight_mm;
+  const double open = ClothGeometry(fabric, 4, 4).yarn(System::warp, 0).halfHeight_mm();
   fabric.ends_per_cm = 60;
   const ClothGeometry jammed(fabric, 4, 4);
   const YarnGeometry& warp = jammed.yarn(System::warp, 0);
-  EXPECT_GT(warp.halfHeight_mm, open);
-  EXPECT_LE(warp.halfWidth_mm, 0.5 * warp.crossPitch_mm * 1.9);
+  EXPECT_GT(warp.halfHeight_mm(), open);
+  EXPECT_LE(warp.halfWidth_mm(), 0.5 * warp.crossPitch_mm * 1.9);
   const Transition path(jammed.key(System::weft, 0, 0).here, jammed.key(System::weft, 0, 0).next, 10.0 / 60);
   for (const Transition::Piece& piece : path.pieces()) EXPECT_LE(std::abs(piece.start.angle), kSteepestPath + 1e-6);
 }

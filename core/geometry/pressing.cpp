@@ -1,0 +1,79 @@
+#include "core/geometry/pressing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/units.h"
+
+namespace loomlight {
+namespace {
+
+constexpr double kSpunPacking = 0.5, kFilamentPacking = 0.7;
+constexpr double kEased = 0.25;  // of the way to the free section
+
+using StateRow = std::array<Yielding, kFloatStates>;
+constexpr double kSquarer = 1.06;  // area of a superellipse of exponent 2.4 over that of the ellipse in it
+
+constexpr std::array<StateRow, 3> kSpun = {{
+    {{{{0.70, 1.05}, 0.70}, {{0.76, 1.00}, 0.73}, {{0.83, 0.96}, 0.80}}},  // washed
+    {{{{0.65, 1.10}, 0.66}, {{0.69, 1.09}, 0.67}, {{0.72, 0.97}, 0.75}}},  // pressed
+    {{{{0.59, 1.16}, 0.64}, {{0.63, 1.10}, 0.65}, {{0.69, 1.05}, 0.73}}},  // calendered
+}};
+constexpr Yielding kFilament = {{0.86, 1.06}, 0.83};
+
+double mix(double a, double b, double share) {
+  return a + share * (b - a);
+}
+Yielding mix(const Yielding& a, const Yielding& b, double share) {
+  return {{mix(a.section.up, b.section.up, share), mix(a.section.across, b.section.across, share)},
+          mix(a.apart, b.apart, share)};
+}
+
+}  // namespace
+
+double packingAtCrossings(double packing) {
+  return std::clamp(packing, kSpunPacking, kFilamentPacking);
+}
+
+Yielding yieldingOf(double press, double packing, int floatState) {
+  const auto state = static_cast<size_t>(floatState);
+  const double row = 2 * std::clamp(press, 0.0, 1.0);
+  const Yielding spun =
+      row < 1 ? mix(kSpun[0][state], kSpun[1][state], row) : mix(kSpun[1][state], kSpun[2][state], row - 1);
+  const double filament = (packingAtCrossings(packing) - kSpunPacking) / (kFilamentPacking - kSpunPacking);
+  Yielding yielding = mix(spun, kFilament, filament);
+  yielding.apart = std::max(yielding.apart, yielding.section.up);
+  yielding.section.across *= kSquarer;
+  return yielding;
+}
+
+SectionScale SectionEasing::at(double share) const {
+  const double onWay = share * share * (3 - 2 * share), sine = std::sin(kPi * share), eased = kEased * sine * sine;
+  return {mix(mix(from_.up, to_.up, onWay), free_.up, eased),
+          mix(mix(from_.across, to_.across, onWay), free_.across, eased)};
+}
+
+// Smoothstep has slopes up to 1.5 and second derivatives up to 6, the square of a sine up to pi and 2 pi^2.
+double SectionEasing::slope() const {
+  const auto of = [this](double SectionScale::* factor) {
+    const double change = std::abs(to_.*factor - from_.*factor);
+    const double far = std::max(std::abs(free_.*factor - from_.*factor), std::abs(free_.*factor - to_.*factor));
+    return 1.5 * change + kEased * kPi * far;
+  };
+  return std::max(of(&SectionScale::up), of(&SectionScale::across));
+}
+
+double SectionEasing::bend() const {
+  const auto of = [this](double SectionScale::* factor) {
+    const double change = std::abs(to_.*factor - from_.*factor);
+    const double far = std::max(std::abs(free_.*factor - from_.*factor), std::abs(free_.*factor - to_.*factor));
+    return 6 * change + kEased * (2 * kPi * kPi * far + 2 * kPi * 1.5 * change);
+  };
+  return std::max(of(&SectionScale::up), of(&SectionScale::across));
+}
+
+double SectionEasing::largest() const {
+  return std::max({from_.up, to_.up, free_.up, from_.across, to_.across, free_.across});
+}
+
+}  // namespace loomlight
