@@ -48,9 +48,13 @@ Transition::Transition(const PathNode& from, const PathNode& to, double pitch_mm
   const double climb = static_cast<double>(to.height_mm) - from.height_mm;
   const double angle = std::atan(slopeOf(std::abs(climb) / pitch_mm)), up = climb < 0 ? -1.0 : 1.0;
   end_ = {0.0, from.height_mm, 0.0};
+  if (angle < 1e-9) {
+    append(pitch_mm, 0.0);
+    return;
+  }
   const double arc_mm = kArcShare * pitch_mm;
   const double curvature = up * std::sin(angle) / arc_mm;
-  const double arcLength_mm = angle > 1e-9 ? arc_mm * angle / std::sin(angle) : arc_mm;
+  const double arcLength_mm = arc_mm * angle / std::sin(angle);
   append(arcLength_mm, curvature);
   append((pitch_mm - 2 * arc_mm) / std::cos(angle), 0.0);
   append(arcLength_mm, -curvature);

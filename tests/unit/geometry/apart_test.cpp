@@ -66,9 +66,8 @@ double sharePressedTogether(const ClothGeometry& cloth, int pick, int end, doubl
 TEST(YarnsOfBothSystems, HardlyRunThroughEachOther) {
   for (const Fabric& fabric : {cloths::plain(), cloths::twill(), cloths::pliedSatin()}) {
     SCOPED_TRACE(fabric.name);
-    const ClothGeometry cloth(fabric, 16, 16);
-    double share = 0;
-    for (int end = 0; end < 4; ++end) share += sharePressedTogether(cloth, 1, end, 1.5) / 4;
+    const ClothGeometry cloth(fabric, 4, 4);
+    const double share = sharePressedTogether(cloth, 1, 2, 1.5);
     EXPECT_LT(share, 0.02);
     EXPECT_GT(share, 0) << "they touch";
   }
