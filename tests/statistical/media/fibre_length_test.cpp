@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -57,34 +58,45 @@ const glm::vec3 kDirections[] = {{0, 1, 0},
                                  glm::normalize(glm::vec3(0.6f, 0.5f, -1)),
                                  glm::normalize(glm::vec3(-1, 1, 0))};
 
-/// In how many of these directions there is another length of fibre than across the warp.
-int directionsThatDiffer(const Scene& scene, const Medium& medium) {
+struct Comparison {
+  int differ = 0;         ///< directions in which there is another length of fibre than across the warp
+  double worstError = 0;  ///< of the lengths, over that across the warp: what a difference is held against
+};
+
+Comparison compareDirections(const Scene& scene, const Medium& medium) {
   const test::SampledMean across = lengthSeen(scene, medium, kAcross);
-  int differ = 0;
+  Comparison comparison;
   for (const glm::vec3 direction : kDirections) {
     const test::SampledMean length = lengthSeen(scene, medium, direction);
     const double error = std::hypot(length.standardError(), across.standardError());
-    EXPECT_LT(error, 0.03 * across.mean());
+    comparison.worstError = std::max(comparison.worstError, error / across.mean());
     const int runs = 2 * static_cast<int>(std::size(kDirections));  // of this kind of test, in all of what follows
-    differ += !test::isWithinNoise(length.mean(), across.mean(), error, runs);
+    comparison.differ += !test::isWithinNoise(length.mean(), across.mean(), error, runs);
   }
-  return differ;
+  return comparison;
+}
+
+void expectSameFromAnyDirection(const Scene& scene, const Medium& medium) {
+  const Comparison comparison = compareDirections(scene, medium);
+  EXPECT_EQ(comparison.differ, 0);
+  EXPECT_LT(comparison.worstError, 0.03);
 }
 
 // The cloth has the same fibres whatever direction it is looked at from: where few of them are met, each must be one of
 // which little is seen. So it is only where extinction, the choice of components and that of tangents belong together.
 TEST(FibreLength, IsTheSameFromAnyDirection) {
   const auto scene = test::sceneOf(twistedWarp(test::kPlain));
-  EXPECT_EQ(directionsThatDiffer(*scene, *test::kPlain.make(*scene)), 0);
+  expectSameFromAnyDirection(*scene, *test::kPlain.make(*scene));
   // With a radius, surfaces lie before their axes, and a place has others from each side.
   const LoomlightMedium thin(scene->cloth, {.finiteRadius = false, .packing = true, .hotSpot = true});
-  EXPECT_EQ(directionsThatDiffer(*scene, thin), 0);
+  expectSameFromAnyDirection(*scene, thin);
 }
 
-// Fibres chosen by density alone, as the report has it, are met too often by rays that hardly see them.
+// Fibres chosen by density alone, as the report has it, are met too often by rays that hardly see them: each stands for
+// so much length that no number of samples makes it certain, and yet the difference is seen.
 TEST(FibreLength, IsNotByTheReportsLaw) {
   const auto scene = test::sceneOf(twistedWarp(test::kReportsLaw));
-  EXPECT_GT(directionsThatDiffer(*scene, *test::kReportsLaw.make(*scene)), 0);
+  EXPECT_GT(compareDirections(*scene, *test::kReportsLaw.make(*scene)).differ, 0);
 }
 
 }  // namespace
