@@ -29,7 +29,7 @@ class Fibres(CommandLineTest):
 
     def test_of_a_flat_piece_beyond_the_limit_one_repeat_is_laid_and_said(self):
         words = ("render", self.fabric(drape={"kind": "flat", "width_mm": 24, "height_mm": 24}), "-o", "a.png")
-        words += ("--method", "fibres", "--spp", 1, "--size", "16x16", "--memory-limit", 0.08)
+        words += ("--method", "fibres", "--spp", 1, "--size", "16x16", "--memory-limit", 0.15)
         self.assertRegex(self.run_program(*words, messages=True), "a repeat of [0-9]+ x [0-9]+ crossings")
         self.assertIn("this piece has", self.run_program(*words, "--fibres-extent", "piece", status=1))
 
