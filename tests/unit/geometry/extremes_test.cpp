@@ -86,8 +86,12 @@ void expectSound(const ClothGeometry& cloth, const CellKey& key) {
   ASSERT_GE(fibres, static_cast<size_t>(yarn.singles() * yarn.fibresPerPly));
 }
 
-TEST(AnyValidFabric, HasSoundGeometry) {
-  for (uint64_t seed = 0; seed < 60; ++seed) {
+/// Some of all; in parts, since each takes seconds.
+class AnyValidFabricOf : public testing::TestWithParam<uint64_t> {};
+
+TEST_P(AnyValidFabricOf, HasSoundGeometry) {
+  constexpr uint64_t kSeeds = 15;
+  for (uint64_t seed = kSeeds * GetParam(); seed < kSeeds * (GetParam() + 1); ++seed) {
     SCOPED_TRACE(seed);
     const Fabric fabric = anyValidFabric(seed);
     const ClothGeometry cloth(fabric, 6, 6);
@@ -105,6 +109,8 @@ TEST(AnyValidFabric, HasSoundGeometry) {
     ASSERT_TRUE(std::isfinite(measures.arealMass_g_m2 + measures.thickness_mm + measures.segmentsPerRepeat));
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Parts, AnyValidFabricOf, testing::Range<uint64_t>(0, 4));
 
 TEST(AnyValidFabric, WeighsItsCount) {
   for (uint64_t seed = 200; seed < 210; ++seed) {
