@@ -1,7 +1,7 @@
 # The level of the processor that the library behind the program is compiled for; `loomlight` itself, a small door before
 # it (app/main.cpp), runs on every processor. A package holds the library for both levels, and the dynamic loader takes
-# the one for its machine: `cmake --install` of a build at x86-64 lays it into lib/loomlight, and
-# `cmake --install --component level` of a build at x86-64-v3 into lib/loomlight/glibc-hwcaps/x86-64-v3.
+# the one for its machine: `cmake --install` of a build at x86-64 lays it into lib/loomlight/private, and
+# `cmake --install --component level` of a build at x86-64-v3 into lib/loomlight/private/glibc-hwcaps/x86-64-v3.
 add_library(loomlight_level INTERFACE)
 target_link_libraries(loomlight_level INTERFACE loomlight_build)
 if(NOT CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")

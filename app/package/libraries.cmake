@@ -1,7 +1,8 @@
-# Copies the shared libraries that the installed program needs, but for those of every desktop, into lib/loomlight, where
-# its run path leads; with the licence of each. Run by `cmake --install BUILD --component libraries`, after the program.
+# Copies the shared libraries that the installed program needs, but for those of every desktop, into
+# lib/loomlight/private, where its run path leads; with the licence of each. Run by
+# `cmake --install BUILD --component libraries`, after the program.
 set(prefix $ENV{DESTDIR}${CMAKE_INSTALL_PREFIX})
-file(GLOB_RECURSE ours ${prefix}/lib/loomlight/libloomlight*.so*)
+file(GLOB_RECURSE ours ${prefix}/lib/loomlight/private/libloomlight*.so*)
 
 # What belongs to the system must be the system's own: the C and C++ libraries, OpenGL and the display, and the fonts,
 # which read settings made for their version.
@@ -17,7 +18,7 @@ file(GET_RUNTIME_DEPENDENCIES
 
 find_program(DPKG_QUERY dpkg-query)
 foreach(library ${libraries})
-  file(INSTALL ${library} DESTINATION ${CMAKE_INSTALL_PREFIX}/lib/loomlight FOLLOW_SYMLINK_CHAIN)
+  file(INSTALL ${library} DESTINATION ${CMAKE_INSTALL_PREFIX}/lib/loomlight/private FOLLOW_SYMLINK_CHAIN)
   if(NOT DPKG_QUERY)
     continue()
   endif()

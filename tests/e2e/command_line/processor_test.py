@@ -26,7 +26,7 @@ class Processor(CommandLineTest):
     def libraries(self):
         """For which levels there is a library: a build has one, a package both."""
         program = os.path.dirname(os.path.realpath(os.environ["LOOMLIGHT"]))
-        with_avx2 = os.path.join(program, "../lib/loomlight/glibc-hwcaps/x86-64-v3/libloomlight.so")
+        with_avx2 = os.path.join(program, "../lib/loomlight/private/glibc-hwcaps/x86-64-v3/libloomlight.so")
         return {"x86-64", "x86-64-v3"} if os.path.exists(with_avx2) else {self.level()}
 
     def expect_line(self, **options):
