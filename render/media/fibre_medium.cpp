@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "render/media/fibre_collision.h"
 #include "render/media/fibre_exit.h"
-#include "render/media/fibre_tangent.h"
 #include "render/media/path_through.h"
 #include "render/scene/fibre_bvh.h"
 
@@ -67,26 +67,7 @@ std::optional<Collision> FibreMedium::collide(const ScenePoint& from, Memory& me
   ++counts.rays;
   const auto hit = bvh_->meet(rayFrom(from, memory, direction, std::numeric_limits<float>::infinity()));
   if (!hit) return std::nullopt;
-  Collision c;
-  c.place = {from.world + hit->distance_mm * direction, -1};
-  c.distance_mm = hit->distance_mm;
-  c.incoming = direction;
-  Random root(~hit->fibre);  // apart from the number that decides its material
-  c.tangent = eitherWay(hit->tangent, root);
-  const glm::vec3 across = glm::cross(c.tangent, direction);
-  // h is the sine, about the axis, from the normal to the way back.
-  const float width = glm::length(across);
-  c.offset = width > 0 ? std::clamp(glm::dot(across, hit->normal) / width, -1.0f, 1.0f) : 0.0f;
-  c.normal = hit->normal;
-  c.fibre = hit->fibre;
-  c.end = hit->end;
-  c.pick = hit->pick;
-  c.yarnId = {hit->system, hit->system == System::warp ? hit->end : hit->pick};
-  c.yarn = cloth_->volume->geometry().yarnIndex(c.yarnId.system, c.yarnId.index);
-  c.optics = cloth_->yarns[static_cast<int>(hit->system)][c.yarn];
-  c.axis = c.place.world - c.optics.fibreRadius_mm * hit->normal;
-  Random kind(mixBits(hit->fibre));  // a fibre is what it is, whoever meets it
-  c.material = drawMaterial(c.optics, kind);
+  const Collision c = collisionAt(*cloth_, {from.world + hit->distance_mm * direction, -1}, direction, *hit);
   memory = {hit->fibre, kOwnFibreRadii * c.optics.fibreRadius_mm};
   return c;
 }

@@ -64,7 +64,7 @@ class LonePath final : public MediumPath {
  public:
   explicit LonePath(const LoomlightMedium& medium) : medium_(medium), batch_(medium, 1) {}
 
-  void begin(const ScenePoint& from) override { batch_.begin(0, from); }
+  void begin(const ScenePoint& from) override { batch_.begin(0, from, {}); }
   std::optional<Collision> collide(glm::vec3 direction, Random& random, TraceCounts& counts) override {
     const Flight flight{0, direction, &random};
     std::optional<Collision> met;
@@ -112,6 +112,12 @@ void LoomlightBatch::collide(std::span<const Flight> flights, std::span<std::opt
   counts.rays += flights.size();
   counts.steps += walker_.walk(rays_, meetings);
   for (const auto& collision : met) counts.events += collision ? 1 : 0;
+}
+
+void LoomlightBatch::meet(uint32_t path, const Collision& met) {
+  LoomlightMedium::Memory& memory = paths_[path].memory;
+  memory.meeting.inOneVoxel = false;  // it could not have been met elsewhere across
+  medium_.remember(met, memory);
 }
 
 void LoomlightBatch::transmit(std::span<ShadowRay> rays, TraceCounts& counts) {

@@ -11,7 +11,7 @@ class LoomlightBatch final : public MediumBatch {
  public:
   LoomlightBatch(const LoomlightMedium& medium, size_t paths);
 
-  void begin(uint32_t path, const ScenePoint& from) override { paths_[path] = {from, {}}; }
+  void begin(uint32_t path, const ScenePoint& from, const RayCone&) override { paths_[path] = {from, {}}; }
   void collide(std::span<const Flight> flights, std::span<std::optional<Collision>> met, TraceCounts& counts) override;
   void leave(uint32_t path, const Collision& met, glm::vec3 wi, int order) override {
     paths_[path].place = {medium_.exit(met, wi, order), met.place.tet};
@@ -26,6 +26,8 @@ class LoomlightBatch final : public MediumBatch {
     ScenePoint place;
     LoomlightMedium::Memory memory;
   };
+  /// The path has met this fibre, which something else has found.
+  void meet(uint32_t path, const Collision& met);
   Path& operator[](uint32_t path) { return paths_[path]; }
   const Path& operator[](uint32_t path) const { return paths_[path]; }
 

@@ -12,7 +12,7 @@ class OneByOne final : public MediumBatch {
     for (size_t i = 0; i < count; ++i) paths_.push_back(medium.path());
   }
 
-  void begin(uint32_t path, const ScenePoint& from) override { paths_[path]->begin(from); }
+  void begin(uint32_t path, const ScenePoint& from, const RayCone&) override { paths_[path]->begin(from); }
   void collide(std::span<const Flight> flights, std::span<std::optional<Collision>> met, TraceCounts& counts) override {
     for (size_t i = 0; i < flights.size(); ++i)
       met[i] = paths_[flights[i].path]->collide(flights[i].direction, *flights[i].random, counts);

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "core/base/random.h"
+#include "render/scene/camera_rays.h"
 #include "render/scene/trace_data.h"
 
 namespace loomlight {
@@ -127,7 +128,8 @@ class MediumBatch {
  public:
   virtual ~MediumBatch() = default;
 
-  virtual void begin(uint32_t path, const ScenePoint& from) = 0;
+  /// `cone`: of the path's first ray, where that is an eye's.
+  virtual void begin(uint32_t path, const ScenePoint& from, const RayCone& cone) = 0;
   /// Every flight's first fibre, as MediumPath::collide(); one entry of `met` for each. No path flies twice.
   virtual void collide(std::span<const Flight> flights, std::span<std::optional<Collision>> met,
                        TraceCounts& counts) = 0;

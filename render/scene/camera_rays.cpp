@@ -35,8 +35,8 @@ Ray CameraRays::ray(float x, float y) const {
   const float pixel = 2.0f * halfHeight_ / static_cast<float>(height_);
   const glm::vec3 offset =
       pixel * ((x - 0.5f * static_cast<float>(width_)) * right_ + (0.5f * static_cast<float>(height_) - y) * up_);
-  if (orthographic_) return {eye_ + offset, forward_};
-  return {eye_, glm::normalize(forward_ + offset)};
+  if (orthographic_) return {eye_ + offset, forward_, {pixel, 0}};
+  return {eye_, glm::normalize(forward_ + offset), {0, pixel}};
 }
 
 float CameraRays::pixelSize_mm(float distance) const {

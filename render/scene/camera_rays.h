@@ -4,9 +4,19 @@
 
 namespace loomlight {
 
+/// How wide what a ray stands for is along it (Amanatides 1984): of a camera's ray, the pixel.
+struct RayCone {
+  float width_mm = 0;  ///< where the ray begins
+  float growth = 0;    ///< mm per mm of the way
+
+  bool isLine() const { return width_mm == 0 && growth == 0; }
+  float widthAt(float distance_mm) const { return width_mm + growth * distance_mm; }
+};
+
 struct Ray {
   glm::vec3 origin{0};
   glm::vec3 direction{0, 0, 1};  ///< unit
+  RayCone cone{};
 };
 
 /// Makes the rays of a Camera for pictures of any size. z is up in the picture; looking straight down, it is what lies
@@ -14,7 +24,7 @@ struct Ray {
 class CameraRays {
  public:
   CameraRays(const Camera& camera, int width, int height);
-  /// x in [0, width), y in [0, height), from the top left; pixel centres at .5.
+  /// x in [0, width), y in [0, height), from the top left; pixel centres at .5. Its cone is a pixel wide.
   Ray ray(float x, float y) const;
   glm::vec3 eye_mm() const { return eye_; }
   /// Size of a pixel, mm, at this distance from the eye.

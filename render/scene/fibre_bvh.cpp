@@ -208,9 +208,7 @@ bool FibreBvh::Parts::isInPiece(const PlacedFibre& fibre) const {
 }
 
 uint64_t FibreBvh::Parts::idOf(const PlacedFibre& fibre) const {
-  const bool warp = fibre.curves.system() == System::warp;
-  const uint64_t yarn = uint64_t{2} * static_cast<uint32_t>(fibre.across) + (warp ? 0 : 1);
-  return (yarn + 1) << 32 | fibre.curves.strandOf(fibre.segment);
+  return fibreNumber(fibre.curves.system(), fibre.across, fibre.curves.strandOf(fibre.segment));
 }
 
 /// Surfaces count from outside only, and not the fibre's own where the ray has just left it.

@@ -6,18 +6,9 @@
 
 #include "core/base/task.h"
 #include "render/scene/fibre_extent.h"
+#include "render/scene/fibre_hit.h"
 
 namespace loomlight {
-
-/// Where a ray meets a fibre.
-struct FibreHit {
-  float distance_mm = 0;
-  glm::vec3 normal{0, 0, 1};   ///< of the fibre's surface, unit
-  glm::vec3 tangent{1, 0, 0};  ///< unit
-  System system = System::warp;
-  int end = 0, pick = 0;
-  uint64_t fibre = 0;  ///< which of the whole cloth; never 0
-};
 
 /// A ray into the fibres, which does not see the fibre that it leaves within a distance from its origin.
 struct FibreRay {

@@ -10,6 +10,7 @@
 #include "core/fabric/model/changes.h"
 #include "core/fabric/model/yarn_count.h"
 #include "render/scene/cells_in_view.h"
+#include "render/scene/fibre_bricks.h"
 #include "render/scene/shell_entry.h"
 
 namespace loomlight {
@@ -132,6 +133,7 @@ bool makeCloth(Unfinished& made, const Changes& change, const Scene* previous, c
     cloth.volume = previous->cloth->volume;
     cloth.shell = previous->cloth->shell;
     cloth.entry = previous->cloth->entry;
+    cloth.fibres = previous->cloth->fibres;
     made.lookUpYarns(cloth.volume->geometry());
     return true;
   }
@@ -162,7 +164,11 @@ bool makeCloth(Unfinished& made, const Changes& change, const Scene* previous, c
     cloth.volume = build(nullptr);
   }
   made.scene.seconds.voxelise = watch.lap();
-  return cloth.volume != nullptr;
+  if (!cloth.volume) return false;
+  const bool sameYarns =
+      previous && previous->cloth->fibres && volumeBefore->geometry().yarns().sameShapes(geometry->yarns());
+  cloth.fibres = sameYarns ? previous->cloth->fibres : FibreBricks::of(*cloth.volume, std::move(geometry));
+  return true;
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 namespace loomlight {
 
+class FibreBricks;
 class ShellEntry;
 
 /// What light does at the fibres of one material. Colour is apart: Scene::absorption_per_mm.
@@ -36,6 +37,9 @@ struct TraceData {
   std::shared_ptr<const ClothVolume> volume;
   std::shared_ptr<const Shell> shell;
   std::shared_ptr<const ShellEntry> entry;
+  /// The fibres themselves, for eyes that come near. Null in a preview, which nobody looks at for long enough, and
+  /// where they would take too much.
+  std::shared_ptr<const FibreBricks> fibres;
   std::vector<Material> materials;               ///< [index into Fabric::fibres]
   std::array<std::vector<YarnOptics>, 2> yarns;  ///< [system][index into Fabric::yarns]
   /// Which medium RenderSettings ask for, and how it chooses the fibre of an event.

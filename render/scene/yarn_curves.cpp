@@ -2,16 +2,9 @@
 
 #include <algorithm>
 
+#include "render/scene/place_in_cloth.h"
+
 namespace loomlight {
-namespace {
-
-/// Cloth coordinates of a point of CellStrands.
-glm::vec3 inCloth(glm::vec3 usz, System system, glm::vec2 centre) {
-  return system == System::warp ? glm::vec3(centre.x + usz.x, centre.y + usz.y, usz.z)
-                                : glm::vec3(centre.x + usz.y, centre.y - usz.x, usz.z);
-}
-
-}  // namespace
 
 bool YarnCurves::lay(const ClothGeometry& geometry, int cells, const ClothToWorld& toWorld, const Task& task) {
   for (int cell = 0; cell < cells; ++cell) {

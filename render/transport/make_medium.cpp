@@ -4,7 +4,7 @@
 #include "core/base/stopwatch.h"
 #include "render/bvdf/bake/bvdf_baker.h"
 #include "render/media/fibre_medium.h"
-#include "render/media/loomlight_medium.h"
+#include "render/media/close_up_medium.h"
 #include "render/media/report_medium.h"
 #include "render/media/volume_medium.h"
 
@@ -46,7 +46,7 @@ std::unique_ptr<const Medium> makeMedium(const Scene& scene, const FibreOptions&
     medium = makeReport(scene, task, own);
     own.bvdfSeconds = watch.lap();
   } else if (scene.cloth->estimator == Estimator::loomlight) {
-    medium = std::make_unique<const LoomlightMedium>(scene.cloth);
+    medium = std::make_unique<const CloseUpMedium>(scene.cloth);
   } else {
     medium = std::make_unique<const VolumeMedium>(scene.cloth);
   }

@@ -246,7 +246,7 @@ bool PathIntegrator::follow(std::span<PathStart> paths, TraceCounts& counts, con
   active_.clear();
   for (uint32_t path = 0; path < paths.size(); ++path) {
     states_[path] = {.at = {}, .direction = paths[path].ray.direction};
-    medium_->begin(path, {paths[path].ray.origin, -1});
+    medium_->begin(path, {paths[path].ray.origin, -1}, paths[path].ray.cone);
     active_.push_back(path);
   }
   counts.paths += paths.size();

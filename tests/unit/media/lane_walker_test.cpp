@@ -58,7 +58,7 @@ Rays raysOf(const Scene& scene, const LoomlightMedium& medium, int paths) {
   for (int i = 0; i < paths; ++i) {
     const float x = 64 * random.uniform(), y = 64 * random.uniform();
     const Ray ray = camera.ray(x, y);
-    batch.begin(0, {ray.origin, -1});
+    batch.begin(0, {ray.origin, -1}, {});
     glm::vec3 direction = ray.direction;
     for (int event = 0; event < 4; ++event) {
       add(direction, std::numeric_limits<float>::infinity());

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "core/volume/traverse/cloth_volume.h"
+#include "render/scene/fibre_hit.h"
+
+namespace loomlight {
+
+/// The fibres of a cloth, laid once for all cells of a key, as voxels are: a brick of fibres is the strands of a yarn
+/// in a cell, as Embree round curves. So there are explicit fibres in cloth of any size and on every drape, for the
+/// memory of the bricks that rays have come to. A brick is made when the first ray comes to it, 5 to 20 ms each; which
+/// is seen nowhere but in time. Safe to ask from many threads, each with a Reader of its own.
+class FibreBricks {
+ public:
+  /// What the bricks of a cloth may take in all, were every one made: some 70 bytes a segment.
+  static constexpr size_t kMostSegments = 25'000'000;
+
+  /// Null where all of a volume's bricks would be more than kMostSegments.
+  static std::shared_ptr<const FibreBricks> of(const ClothVolume& volume,
+                                               std::shared_ptr<const ClothGeometry> geometry);
+  ~FibreBricks();
+  FibreBricks(const FibreBricks&) = delete;
+  FibreBricks& operator=(const FibreBricks&) = delete;
+
+  size_t made() const;  ///< bricks so far
+
+  class Reader;
+
+ private:
+  struct Brick;
+  /// A brick, or where it will be.
+  struct Slot;
+  struct KeyHash {
+    size_t operator()(const CellKey& key) const { return hash(key); }
+  };
+  explicit FibreBricks(std::shared_ptr<const ClothGeometry> geometry);
+  const Brick& brick(const CellKey& key) const;
+  std::unique_ptr<const Brick> make(const CellKey& key) const;
+
+  const std::shared_ptr<const ClothGeometry> geometry_;
+  struct Device;
+  mutable std::once_flag started_;
+  mutable std::unique_ptr<Device> device_;  ///< from the first brick on
+  mutable std::mutex mutex_;  ///< over the map; what is in it stays
+  mutable std::unordered_map<CellKey, std::unique_ptr<Slot>, KeyHash> bricks_;
+};
+
+/// Asks for fibres; keeps in mind the cells that it was in of late. For one thread.
+class FibreBricks::Reader {
+ public:
+  /// `volume`: of cloth whose yarns are those that the bricks are of, in any weave.
+  Reader(const FibreBricks& bricks, const ClothVolume& volume) : bricks_(bricks), volume_(volume) {}
+
+  /// The first fibre along origin + t direction, t in [t0, t1]: cloth space, direction of any length, and so is the
+  /// hit, whose distance is t. Surfaces are met from outside only. Cost: a ray into the tree of every brick that
+  /// reaches into a cell on the way.
+  std::optional<FibreHit> meet(glm::vec3 origin, glm::vec3 direction, float t0, float t1);
+
+ private:
+  struct Cell {
+    glm::ivec3 cell{-1};
+    int count = 0;
+    struct Reaching {
+      const Brick* brick;
+      glm::vec3 centre_mm;  ///< of its own cell, from the corner of this one
+      System system;
+      int end, pick;
+    };
+    std::array<Reaching, VoxelContent::kMaxParts> bricks;
+  };
+  const Cell& at(glm::ivec3 cell);
+  std::optional<FibreHit> meetIn(const Cell& cell, glm::vec3 start_mm, glm::vec3 direction, float from, float to) const;
+
+  const FibreBricks& bricks_;
+  const ClothVolume& volume_;
+  std::array<Cell, 64> cells_;
+};
+
+}  // namespace loomlight

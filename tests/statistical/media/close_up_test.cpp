@@ -1,0 +1,119 @@
+#include "render/media/close_up_medium.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "render/media/fibre_medium.h"
+#include "render/transport/make_medium.h"
+#include "render/transport/path_tracer.h"
+#include "tests/support/test_cloth.h"
+#include "tests/support/white_light.h"
+
+namespace loomlight {
+namespace {
+
+constexpr int kSize = 24;
+
+/// White cotton that a picture of kSize pixels shows so wide.
+Fabric seenAt(double width_mm) {
+  Fabric fabric = test::whiteCotton();
+  fabric.drape.width_mm = fabric.drape.height_mm = 6;
+  fabric.render.estimator = Estimator::loomlight;
+  fabric.camera.elevation_deg = 70;
+  fabric.camera.fov_deg = 20;
+  fabric.camera.distance_mm = width_mm / (2 * std::tan(10 * kPi / 180));
+  return fabric;
+}
+
+std::vector<PathSample> traced(const Scene& scene, const Medium& medium, uint32_t samples) {
+  const CameraRays camera(scene.fabric->camera, kSize, kSize);
+  std::vector<PathSample> all;
+  TraceCounts counts;
+  for (int y = 0; y < kSize; ++y)
+    for (int x = 0; x < kSize; ++x)
+      for (uint32_t i = 0; i < samples; ++i) all.push_back(tracePath(scene, medium, camera, x, y, i, counts));
+  return all;
+}
+
+TEST(CloseUp, FromAfarItIsTheVolumeToTheBit) {
+  const auto scene = test::sceneOf(seenAt(5));  // a pixel is 0.2 mm wide
+  const LoomlightMedium volume(scene->cloth);
+  const CloseUpMedium closeUp(scene->cloth);
+  const auto expected = traced(*scene, volume, 2), seen = traced(*scene, closeUp, 2);
+  for (size_t i = 0; i < seen.size(); ++i) {
+    EXPECT_EQ(seen[i].direct + seen[i].indirect, expected[i].direct + expected[i].indirect);
+    EXPECT_EQ(seen[i].depth_mm, expected[i].depth_mm);
+  }
+  EXPECT_EQ(scene->cloth->fibres->made(), 0u);
+}
+
+TEST(CloseUp, FromNearTheEyeMeetsTheFibresThemselves) {
+  const auto scene = test::sceneOf(seenAt(0.15));  // a pixel is 6 um wide, fibres are more
+  const CloseUpMedium closeUp(scene->cloth);
+  const auto fibres = FibreMedium::build(scene->cloth, {}, Task{});
+  const auto expected = traced(*scene, *fibres, 1), seen = traced(*scene, closeUp, 1);
+  int same = 0;
+  for (size_t i = 0; i < seen.size(); ++i)
+    same += seen[i].alpha == expected[i].alpha && std::abs(seen[i].depth_mm - expected[i].depth_mm) < 1e-3 &&
+            std::abs(glm::dot(seen[i].tangent, expected[i].tangent)) > 0.999f;
+  EXPECT_GE(same, 0.99 * static_cast<double>(seen.size()));
+}
+
+TEST(CloseUp, ChanceGoesFromNoneToAllAsTheEyeComesNearer) {
+  const auto scene = test::sceneOf(seenAt(5));
+  const CloseUpMedium closeUp(scene->cloth);
+  EXPECT_EQ(closeUp.chanceAt(1), 0);
+  EXPECT_EQ(closeUp.chanceAt(1e-4f), 1);
+  float last = 0;
+  bool between = false;
+  for (float width = 0.1f; width > 1e-3f; width *= 0.9f) {
+    const float chance = closeUp.chanceAt(width);
+    EXPECT_GE(chance, last);
+    between = between || (chance > 0 && chance < 1);
+    last = chance;
+  }
+  EXPECT_TRUE(between);
+}
+
+/// Of white fibres under white light every path is worth 1 in the mean, however its first fibre was met, as long as
+/// what follows takes light and shadow by one law.
+TEST(CloseUp, WhiteStaysWhite) {
+  const test::WhiteLight white;
+  for (const double width_mm : {0.15, 0.45}) {
+    Fabric fabric = seenAt(width_mm);
+    fabric.render.maxDepth = 4000;
+    white.shineOn(fabric);
+    const auto scene = test::sceneOf(fabric);
+    const CloseUpMedium closeUp(scene->cloth);
+    double sum = 0, squares = 0, count = 0;
+    for (const PathSample& sample : traced(*scene, closeUp, 12)) {
+      if (sample.alpha == 0) continue;
+      const double value = (sample.direct + sample.indirect).g;
+      sum += value;
+      squares += value * value;
+      ++count;
+    }
+    const double mean = sum / count, error = std::sqrt((squares / count - mean * mean) / count);
+    EXPECT_GT(scene->cloth->fibres->made(), 0u) << width_mm;
+    EXPECT_NEAR(mean, 1, 4.5 * error) << width_mm;
+    EXPECT_LT(error, 0.02) << width_mm;
+  }
+}
+
+TEST(CloseUp, BytesDoNotDependOnThreads) {
+  const auto scene = test::sceneOf(seenAt(0.45));  // a pixel is as wide as fibres are: some of its samples meet them
+  const auto picture = [&](int threads) {
+    const auto medium = makeMedium(*scene, {}, Task{});
+    Film film(kSize, kSize);
+    renderUpTo(4, *scene, *medium, CameraRays(scene->fabric->camera, kSize, kSize), film, Task{{}, {}, threads});
+    std::vector<Rgb> colours;
+    for (int y = 0; y < kSize; ++y)
+      for (int x = 0; x < kSize; ++x) colours.push_back(film.mean(x, y));
+    return colours;
+  };
+  EXPECT_EQ(picture(1), picture(4));
+}
+
+}  // namespace
+}  // namespace loomlight
