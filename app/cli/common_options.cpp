@@ -105,9 +105,11 @@ void addMemoryLimit(CLI::App& app, double& limit_bytes) {
 }
 
 void addFibreExtent(CLI::App& app, FibreExtent& extent) {
-  addValue(app, "--fibres-extent", "auto|piece|repeat",
-           "all fibres of the piece, or of a flat one a repeat, side by side; auto: as memory allows",
-           [&extent](const auto& option, const auto& text) { extent = parseFibreExtent(option, text); });
+  addValue(
+      app, "--fibres-extent", "auto|piece|repeat|bricks",
+      "all fibres of the piece, or of a flat one a repeat, side by side, or those of each kind of cell once; auto: "
+      "the piece where memory allows, else bricks",
+      [&extent](const auto& option, const auto& text) { extent = parseFibreExtent(option, text); });
 }
 
 void addExposure(CLI::App& app, Tone& tone) {

@@ -53,10 +53,12 @@ std::optional<FibreLayer::Status> FibreLayer::fulfil(const Wish& wish, const Lay
   deliver_({});  // what was laid before may be gigabytes
   if (!wish.scene) return status;
   turn.bring(status);
-  const FibreOptions options(wish.limit_bytes);
+  // Bricks are there at once; the one tree of a piece takes seconds.
+  const bool bricks = wish.scene->cloth->fibres != nullptr;
+  const FibreOptions options(wish.limit_bytes, bricks ? FibreExtent::bricks : FibreExtent::automatic);
   status.size = planFibres(*wish.scene->cloth, options);
   if (status.size.bytes > wish.limit_bytes) {
-    status.size = planFibres(*wish.scene->cloth, {wish.limit_bytes, FibreExtent::wholePiece});
+    if (!bricks) status.size = planFibres(*wish.scene->cloth, {wish.limit_bytes, FibreExtent::wholePiece});
     status.phase = Status::Phase::tooLarge;
     return status;
   }

@@ -11,8 +11,9 @@
 
 namespace loomlight {
 
-/// Lays the explicit fibres of the newest cloth on a thread of its own, for the truth lens. Says beforehand what they
-/// will take, falls back on copies of one repeat, and refuses where that too is more than it may be. No call here waits
+/// Lays the explicit fibres of the newest cloth on a thread of its own, for the truth lens: brick by brick, or where a
+/// cloth is of too many kinds of cells for that, all in one. Says beforehand what they will take, and refuses where that
+/// is more than it may be. No call here waits
 /// (destruction does, for what it stops).
 class FibreLayer {
  public:

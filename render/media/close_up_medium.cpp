@@ -1,113 +1,114 @@
 #include "render/media/close_up_medium.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
-#include "render/media/fibre_collision.h"
-#include "render/media/loomlight_batch.h"
+#include "render/media/cloth_walk.h"
 
 namespace loomlight {
 namespace {
 
-/// Paths whose first flight may be an eye's that is near.
+/// Paths of which some go among fibres, and the others through the volume.
 class CloseUpBatch final : public MediumBatch {
  public:
-  CloseUpBatch(const CloseUpMedium& medium, const LoomlightMedium& volume, size_t paths)
-      : medium_(medium),
-        cloth_(volume.cloth()),
-        paths_(volume, paths),
-        reader_(*cloth_.fibres, *cloth_.volume),
-        cones_(paths) {}
+  CloseUpBatch(const CloseUpMedium& medium, const LoomlightMedium& volume, const FibreMedium& fibres, size_t paths)
+      : medium_(medium), cloth_(volume.cloth()), paths_(paths) {
+    groups_[0].batch = volume.batch(paths);
+    groups_[1].batch = fibres.batch(paths);
+  }
 
   void begin(uint32_t path, const ScenePoint& from, const RayCone& cone) override {
-    cones_[path] = cone;
-    fromEyes_ = fromEyes_ || !cone.isLine();
-    paths_.begin(path, from, cone);
+    paths_[path] = {from, cone, false};
+    groups_[0].batch->begin(path, from, cone);
   }
   void collide(std::span<const Flight> flights, std::span<std::optional<Collision>> met, TraceCounts& counts) override {
-    if (!fromEyes_) return paths_.collide(flights, met, counts);
-    fromEyes_ = false;
-    others_.clear();
-    places_.clear();
-    for (size_t i = 0; i < flights.size(); ++i) {
-      if (look(flights[i], met[i], counts)) continue;
-      others_.push_back(flights[i]);
-      places_.push_back(i);
+    for (const Flight& flight : flights) decide(flight);
+    divide(flights);
+    for (Group& group : groups_) {
+      group.flights.clear();
+      for (const size_t i : group.members) group.flights.push_back(flights[i]);
+      group.met.resize(group.flights.size());
+      group.batch->collide(group.flights, group.met, counts);
+      for (size_t k = 0; k < group.members.size(); ++k) met[group.members[k]] = group.met[k];
     }
-    metByOthers_.resize(others_.size());
-    paths_.collide(others_, metByOthers_, counts);
-    for (size_t i = 0; i < places_.size(); ++i) met[places_[i]] = metByOthers_[i];
   }
   void leave(uint32_t path, const Collision& met, glm::vec3 wi, int order) override {
-    paths_.leave(path, met, wi, order);
+    batchOf(path).leave(path, met, wi, order);
   }
-  void transmit(std::span<ShadowRay> rays, TraceCounts& counts) override { paths_.transmit(rays, counts); }
+  void transmit(std::span<ShadowRay> rays, TraceCounts& counts) override {
+    divide(std::span<const ShadowRay>(rays));
+    for (Group& group : groups_) {
+      group.shadows.clear();
+      for (const size_t i : group.members) group.shadows.push_back(rays[i]);
+      group.batch->transmit(group.shadows, counts);
+      for (size_t k = 0; k < group.members.size(); ++k) rays[group.members[k]].visible = group.shadows[k].visible;
+    }
+  }
   size_t offsetsAcross(uint32_t path, const Collision& met, std::span<float> offsets, Random& random) const override {
-    return paths_.offsetsAcross(path, met, offsets, random);
+    return groups_[paths_[path].amongFibres].batch->offsetsAcross(path, met, offsets, random);
   }
 
  private:
-  /// Whether a flight is that of an eye which meets fibres themselves; then `met` is what it meets.
-  bool look(const Flight& flight, std::optional<Collision>& met, TraceCounts& counts) {
-    const RayCone cone = std::exchange(cones_[flight.path], {});
-    if (cone.isLine()) return false;
-    const ScenePoint& from = paths_[flight.path].place;
-    ShellWalk walk(cloth_, from, flight.direction, std::numeric_limits<float>::infinity());
-    if (!walk.next() || !isNear(cone.widthAt(walk.segment().passed + walk.segment().tEnter), *flight.random))
-      return false;
-    ++counts.rays;
-    met.reset();
-    do {
-      const ShellSegment& s = walk.segment();
-      const auto hit = reader_.meet(s.clothOrigin, s.clothDirection, s.tEnter, s.tLeave);
-      if (!hit) continue;
-      const FibreHit inWorld = bent(*hit, s);
-      met =
-          collisionAt(cloth_, {from.world + inWorld.distance_mm * flight.direction, s.tet}, flight.direction, inWorld);
-      paths_.meet(flight.path, *met);
-      ++counts.events;
-      return true;
-    } while (walk.next());
-    return true;
+  struct Path {
+    ScenePoint from;
+    RayCone cone;  ///< of its first flight, until that begins; then a line
+    bool amongFibres = false;
+  };
+  /// Through the volume, or among fibres.
+  struct Group {
+    std::unique_ptr<MediumBatch> batch;
+    // Of one call:
+    std::vector<size_t> members;  ///< of what was asked
+    std::vector<Flight> flights;
+    std::vector<std::optional<Collision>> met;
+    std::vector<ShadowRay> shadows;
+  };
+
+  MediumBatch& batchOf(uint32_t path) { return *groups_[paths_[path].amongFibres].batch; }
+
+  template <class Asked>
+  void divide(std::span<const Asked> asked) {
+    for (Group& group : groups_) group.members.clear();
+    for (size_t i = 0; i < asked.size(); ++i) groups_[paths_[asked[i].path].amongFibres].members.push_back(i);
   }
 
-  bool isNear(float width_mm, const Random& random) const {
-    const float chance = medium_.chanceAt(width_mm);
+  /// Where its first flight sends a path.
+  void decide(const Flight& flight) {
+    Path& path = paths_[flight.path];
+    if (path.cone.isLine()) return;
+    path.amongFibres = isNear(path, flight);
+    path.cone = {};
+    if (path.amongFibres) groups_[1].batch->begin(flight.path, path.from, {});
+  }
+
+  bool isNear(const Path& path, const Flight& flight) const {
+    const float nearest = distanceToBounds(*cloth_.shell, path.from.world, flight.direction);
+    if (medium_.chanceAt(path.cone.widthAt(nearest)) <= 0) return false;
+    ShellWalk walk(cloth_, path.from, flight.direction, std::numeric_limits<float>::infinity());
+    if (!walk.next()) return false;
+    const float chance = medium_.chanceAt(path.cone.widthAt(walk.segment().passed + walk.segment().tEnter));
     if (chance <= 0 || chance >= 1) return chance > 0;
     constexpr uint64_t kPurpose = 0xC105E;
-    Random copy = random;  // the path's own numbers are drawn as if nobody had asked
+    Random copy = *flight.random;  // the path's own numbers are drawn as if nobody had asked
     return Random(hashCombine(copy.next(), kPurpose)).uniform() < chance;
-  }
-
-  /// A hit in cloth space, in the world.
-  FibreHit bent(FibreHit hit, const ShellSegment& s) const {
-    hit.distance_mm += s.passed;
-    if (cloth_.shell->isFlat()) return hit;
-    hit.tangent = glm::normalize(s.drape.frame * hit.tangent);
-    const glm::vec3 normal = glm::transpose(cloth_.shell->tets()[static_cast<size_t>(s.tet)].toCloth) * hit.normal;
-    hit.normal = glm::normalize(normal - glm::dot(normal, hit.tangent) * hit.tangent);
-    return hit;
   }
 
   const CloseUpMedium& medium_;
   const TraceData& cloth_;
-  LoomlightBatch paths_;
-  FibreBricks::Reader reader_;
-  std::vector<RayCone> cones_;  ///< of paths that have not flown yet; a line of the others
-  bool fromEyes_ = false;       ///< any of them
-  // Of one call:
-  std::vector<Flight> others_;
-  std::vector<size_t> places_;
-  std::vector<std::optional<Collision>> metByOthers_;
+  std::vector<Path> paths_;
+  std::array<Group, 2> groups_;
 };
 
 }  // namespace
 
 CloseUpMedium::CloseUpMedium(std::shared_ptr<const TraceData> cloth)
-    : volume_(std::move(cloth)),
-      diameter_mm_(2 * static_cast<float>(volume_.cloth().volume->geometry().yarns().minFibreRadius_mm())) {}
+    : volume_(cloth), diameter_mm_(2 * static_cast<float>(cloth->volume->geometry().yarns().minFibreRadius_mm())) {
+  if (cloth->fibres) fibres_ = std::make_unique<const FibreMedium>(std::move(cloth));
+}
 
 float CloseUpMedium::chanceAt(float width_mm) const {
   constexpr float kNone = 0.5f, kAll = 0.75f;  // of a pixel, a fibre's diameter
@@ -115,8 +116,8 @@ float CloseUpMedium::chanceAt(float width_mm) const {
 }
 
 std::unique_ptr<MediumBatch> CloseUpMedium::batch(size_t paths) const {
-  if (!volume_.cloth().fibres) return volume_.batch(paths);
-  return std::make_unique<CloseUpBatch>(*this, volume_, paths);
+  if (!fibres_) return volume_.batch(paths);
+  return std::make_unique<CloseUpBatch>(*this, volume_, *fibres_, paths);
 }
 
 }  // namespace loomlight

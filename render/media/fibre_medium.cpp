@@ -2,13 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
+#include <cassert>
+#include <utility>
+#include <vector>
 
 #include "core/base/error.h"
 #include "render/media/fibre_collision.h"
 #include "render/media/fibre_exit.h"
-#include "render/media/path_through.h"
+#include "render/media/lone_path.h"
 #include "render/scene/fibre_bvh.h"
 
 namespace loomlight {
@@ -16,19 +17,67 @@ namespace {
 
 constexpr float kOwnFibreRadii = 3;  // how far, in radii, a ray does not see the fibre that it has left
 
+const char* partOf(const FibreSize& size) {
+  if (size.bricks) return "one of each kind of cell";
+  return size.isWholePiece() ? "this piece" : "one repeat of this piece";
+}
+
 void expectWithin(const FibreSize& size, double limit_bytes) {
   constexpr double kGiB = 1024.0 * 1024 * 1024;
   if (size.bytes <= limit_bytes) return;
   throw InputError(
       fmt::format("{} has {:.3g} fibre segments, which would take {:.2f} GiB; expected at most {:.2f} GiB: make the "
                   "piece smaller, or raise the limit",
-                  size.isWholePiece() ? "this piece" : "one repeat of this piece", size.segments, size.bytes / kGiB,
-                  limit_bytes / kGiB));
+                  partOf(size), size.segments, size.bytes / kGiB, limit_bytes / kGiB));
 }
 
-FibreRay rayFrom(const ScenePoint& from, const FibreMedium::Memory& leaving, glm::vec3 direction, float length_mm) {
-  return {from.world, direction, length_mm, leaving.fibre, leaving.clearance_mm};
-}
+/// Paths among fibres.
+class FibreBatch final : public MediumBatch {
+ public:
+  FibreBatch(const FibreMedium& medium, size_t paths) : medium_(medium), rays_(medium.rays()), paths_(paths) {}
+
+  void begin(uint32_t path, const ScenePoint& from, const RayCone&) override { paths_[path] = {from, {}}; }
+  void collide(std::span<const Flight> flights, std::span<std::optional<Collision>> met, TraceCounts& counts) override {
+    for (size_t i = 0; i < flights.size(); ++i) met[i] = collide(paths_[flights[i].path], flights[i].direction, counts);
+  }
+  void leave(uint32_t path, const Collision& met, glm::vec3 wi, int order) override {
+    paths_[path].place = {met.optics.packed ? fibreExit(medium_.cloth(), met, wi, order) : met.place.world,
+                          met.place.tet};
+  }
+  void transmit(std::span<ShadowRay> rays, TraceCounts& counts) override {
+    counts.rays += rays.size();
+    for (ShadowRay& ray : rays) {
+      const Path& path = paths_[ray.path];
+      ray.visible = rays_->isFree(path.place, ray.direction, ray.distance, path.leaving) ? 1.0f : 0.0f;
+    }
+  }
+  size_t offsetsAcross(uint32_t, const Collision& met, std::span<float> offsets, Random&) const override {
+    offsets[0] = met.offset;
+    return 1;
+  }
+
+  struct Path {
+    ScenePoint place;
+    OwnFibre leaving;
+  };
+  Path& operator[](uint32_t path) { return paths_[path]; }
+  const Path& operator[](uint32_t path) const { return paths_[path]; }
+
+ private:
+  std::optional<Collision> collide(Path& path, glm::vec3 direction, TraceCounts& counts) {
+    ++counts.rays;
+    const auto met = rays_->meet(path.place, direction, path.leaving);
+    if (!met) return std::nullopt;
+    ++counts.events;
+    const Collision c = collisionAt(medium_.cloth(), met->place, direction, met->hit);
+    path.leaving = {c.fibre, kOwnFibreRadii * c.optics.fibreRadius_mm};
+    return c;
+  }
+
+  const FibreMedium& medium_;
+  std::unique_ptr<FibreRays> rays_;
+  std::vector<Path> paths_;
+};
 
 }  // namespace
 
@@ -41,45 +90,38 @@ std::unique_ptr<const FibreMedium> FibreMedium::build(std::shared_ptr<const Trac
                                                       const FibreOptions& options, const Task& task) {
   const FibreSize size = planFibres(*cloth, options);
   expectWithin(size, options.limit_bytes);
+  if (size.bricks) return std::make_unique<const FibreMedium>(std::move(cloth));
   auto bvh = FibreBvh::build(cloth, size, task);
   if (!bvh) return nullptr;
   return std::unique_ptr<const FibreMedium>(new FibreMedium(std::move(cloth), size, std::move(bvh)));
 }
 
+FibreMedium::FibreMedium(std::shared_ptr<const TraceData> cloth) : cloth_(std::move(cloth)) {
+  assert(cloth_->fibres);
+}
+
 size_t FibreMedium::segments() const {
-  return bvh_->segments();
+  return bvh_ ? bvh_->segments() : 0;
 }
 
 size_t FibreMedium::geometryBytes() const {
-  return bvh_->geometryBytes();
+  return bvh_ ? bvh_->geometryBytes() : 0;
 }
 
 size_t FibreMedium::acceleratorBytes() const {
-  return bvh_->acceleratorBytes();
+  return bvh_ ? bvh_->acceleratorBytes() : 0;
+}
+
+std::unique_ptr<FibreRays> FibreMedium::rays() const {
+  return bvh_ ? raysInto(*bvh_) : raysIntoBricks(*cloth_);
 }
 
 std::unique_ptr<MediumPath> FibreMedium::path() const {
-  return std::make_unique<PathThrough<FibreMedium>>(*this);
+  return std::make_unique<LonePath<FibreMedium, FibreBatch>>(*this);
 }
 
-std::optional<Collision> FibreMedium::collide(const ScenePoint& from, Memory& memory, glm::vec3 direction, Random&,
-                                              TraceCounts& counts) const {
-  ++counts.rays;
-  const auto hit = bvh_->meet(rayFrom(from, memory, direction, std::numeric_limits<float>::infinity()));
-  if (!hit) return std::nullopt;
-  const Collision c = collisionAt(*cloth_, {from.world + hit->distance_mm * direction, -1}, direction, *hit);
-  memory = {hit->fibre, kOwnFibreRadii * c.optics.fibreRadius_mm};
-  return c;
-}
-
-glm::vec3 FibreMedium::exit(const Collision& met, glm::vec3 wi, int order) const {
-  return met.optics.packed ? fibreExit(*cloth_, met, wi, order) : met.place.world;
-}
-
-float FibreMedium::transmittance(const ScenePoint& from, const Memory& memory, glm::vec3 direction, float distance,
-                                 Random&, TraceCounts& counts) const {
-  ++counts.rays;
-  return bvh_->isFree(rayFrom(from, memory, direction, distance)) ? 1.0f : 0.0f;
+std::unique_ptr<MediumBatch> FibreMedium::batch(size_t paths) const {
+  return std::make_unique<FibreBatch>(*this, paths);
 }
 
 }  // namespace loomlight

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "core/base/task.h"
-#include "render/media/medium.h"
+#include "render/media/fibre_rays.h"
 #include "render/scene/fibre_extent.h"
 
 namespace loomlight {
@@ -12,8 +12,8 @@ namespace loomlight {
 class FibreBvh;
 
 /// The cloth fibre by fibre: every strand of the piece as Embree round curves, bent onto the drape; or of a flat piece
-/// one repeat and copies of it. No statistics: it is the ground truth that the volume is measured against. The same
-/// strands, lobes, lights and bookkeeping.
+/// one repeat and copies of it; or brick by brick, each laid once for all cells that are like it. No statistics: it is
+/// the ground truth that the volume is measured against. The same strands, lobes, lights and bookkeeping.
 ///
 /// Where light sets out again is part of the claim. Of packed fibres (FibreLayout::packed), which do not overlap, it
 /// leaves from the point where its mode comes out of the fibre. Of fibres laid at random, which do overlap (the
@@ -26,32 +26,29 @@ class FibreMedium final : public Medium {
   /// that does. Null when stopped.
   static std::unique_ptr<const FibreMedium> build(std::shared_ptr<const TraceData> cloth, const FibreOptions& options,
                                                   const Task& task);
+  /// By the bricks of a cloth that has any (TraceData::fibres): made as rays come to them, for cloth of any size and on
+  /// every drape.
+  explicit FibreMedium(std::shared_ptr<const TraceData> cloth);
   ~FibreMedium() override;
 
-  const FibreSize& size() const { return size_; }  ///< as it was estimated
-  size_t segments() const;                         ///< that are laid
+  const FibreSize& size() const { return size_; }  ///< as it was estimated; of no use where bricks are made
+  size_t segments() const;                         ///< that are laid; 0 of bricks, here and below
   size_t geometryBytes() const;
   size_t acceleratorBytes() const;  ///< as Embree reports its allocations
 
-  /// The fibre that a path leaves.
-  struct Memory {
-    uint64_t fibre = 0;      ///< 0: none
-    float clearance_mm = 0;  ///< within this distance it is not met again
-  };
-
   std::unique_ptr<MediumPath> path() const override;
-  std::optional<Collision> collide(const ScenePoint& from, Memory& memory, glm::vec3 direction, Random&,
-                                   TraceCounts& counts) const;
-  glm::vec3 exit(const Collision& met, glm::vec3 wi, int order) const;
-  float transmittance(const ScenePoint& from, const Memory& memory, glm::vec3 direction, float distance, Random&,
-                      TraceCounts& counts) const;
+  std::unique_ptr<MediumBatch> batch(size_t paths) const override;
+
+  // What a batch is made of:
+  const TraceData& cloth() const { return *cloth_; }
+  std::unique_ptr<FibreRays> rays() const;  ///< for one thread; the medium must outlive them
 
  private:
   FibreMedium(std::shared_ptr<const TraceData> cloth, const FibreSize& size, std::unique_ptr<const FibreBvh> bvh);
 
   std::shared_ptr<const TraceData> cloth_;
   FibreSize size_;
-  std::unique_ptr<const FibreBvh> bvh_;
+  std::unique_ptr<const FibreBvh> bvh_;  ///< null: bricks
 };
 
 }  // namespace loomlight

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "render/media/lone_path.h"
+
 namespace loomlight {
 namespace {
 
@@ -59,39 +61,6 @@ class Visibilities final : public DepthRayEnds {
   std::span<const DepthRay> rays_;
 };
 
-/// One path, for those who have no more.
-class LonePath final : public MediumPath {
- public:
-  explicit LonePath(const LoomlightMedium& medium) : medium_(medium), batch_(medium, 1) {}
-
-  void begin(const ScenePoint& from) override { batch_.begin(0, from, {}); }
-  std::optional<Collision> collide(glm::vec3 direction, Random& random, TraceCounts& counts) override {
-    const Flight flight{0, direction, &random};
-    std::optional<Collision> met;
-    batch_.collide({&flight, 1}, {&met, 1}, counts);
-    return met;
-  }
-  void leave(const Collision& met, glm::vec3 wi, int order) override { batch_.leave(0, met, wi, order); }
-  float transmittance(glm::vec3 direction, float distance, Random& random, TraceCounts& counts) const override {
-    ShadowRay ray{0, direction, distance, &random};
-    batch_.transmit({&ray, 1}, counts);
-    return ray.visible;
-  }
-  size_t offsetsAcross(const Collision& met, std::span<float> offsets, Random& random) const override {
-    return batch_.offsetsAcross(0, met, offsets, random);
-  }
-  const ScenePoint& place() const override { return batch_[0].place; }
-  std::unique_ptr<MediumPath> clone() const override {
-    auto copy = std::make_unique<LonePath>(medium_);
-    copy->batch_[0] = batch_[0];
-    return copy;
-  }
-
- private:
-  const LoomlightMedium& medium_;
-  mutable LoomlightBatch batch_;  ///< its lanes are room to work in
-};
-
 }  // namespace
 
 LoomlightBatch::LoomlightBatch(const LoomlightMedium& medium, size_t paths)
@@ -114,12 +83,6 @@ void LoomlightBatch::collide(std::span<const Flight> flights, std::span<std::opt
   for (const auto& collision : met) counts.events += collision ? 1 : 0;
 }
 
-void LoomlightBatch::meet(uint32_t path, const Collision& met) {
-  LoomlightMedium::Memory& memory = paths_[path].memory;
-  memory.meeting.inOneVoxel = false;  // it could not have been met elsewhere across
-  medium_.remember(met, memory);
-}
-
 void LoomlightBatch::transmit(std::span<ShadowRay> rays, TraceCounts& counts) {
   rays_.clear();
   shadows_.clear();
@@ -140,7 +103,7 @@ void LoomlightBatch::transmit(std::span<ShadowRay> rays, TraceCounts& counts) {
 }
 
 std::unique_ptr<MediumPath> LoomlightMedium::path() const {
-  return std::make_unique<LonePath>(*this);
+  return std::make_unique<LonePath<LoomlightMedium, LoomlightBatch>>(*this);
 }
 
 std::unique_ptr<MediumBatch> LoomlightMedium::batch(size_t paths) const {

@@ -26,8 +26,6 @@ class LoomlightBatch final : public MediumBatch {
     ScenePoint place;
     LoomlightMedium::Memory memory;
   };
-  /// The path has met this fibre, which something else has found.
-  void meet(uint32_t path, const Collision& met);
   Path& operator[](uint32_t path) { return paths_[path]; }
   const Path& operator[](uint32_t path) const { return paths_[path]; }
 

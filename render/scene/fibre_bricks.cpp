@@ -16,16 +16,7 @@
 // cell, so that floats will do on cloth of any size.
 
 namespace loomlight {
-namespace {
-
-/// Surfaces count from outside only: a ray that comes into a cell may be inside of a fibre, which it has met before.
-void meetFromOutside(const RTCFilterFunctionNArguments* args) {
-  const auto* ray = reinterpret_cast<const RTCRay*>(args->ray);
-  const auto* hit = reinterpret_cast<const RTCHit*>(args->hit);
-  if (ray->dir_x * hit->Ng_x + ray->dir_y * hit->Ng_y + ray->dir_z * hit->Ng_z > 0) args->valid[0] = 0;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 struct FibreBricks::Device {
   Device() {
@@ -53,10 +44,61 @@ struct FibreBricks::Brick {
   Brick(const Brick&) = delete;
   Brick& operator=(const Brick&) = delete;
 
+  uint64_t fibre(const Reader::Cell::Reaching& of, unsigned segment) const {
+    return fibreNumber(of.system, of.system == System::warp ? of.end : of.pick, strandOf[segment]);
+  }
+  static void filter(const RTCFilterFunctionNArguments* args);
+
   std::vector<glm::vec4> vertices;           ///< from the middle of the cell, cloth space; radius
   std::vector<uint32_t> segments, strandOf;  ///< first vertex of each, and its strand
   RTCScene scene = nullptr;
+  glm::vec3 lower{0}, upper{0};  ///< of all its fibres
+
+  /// Whether a ray of this length comes there at all.
+  bool isOn(const RTCRay& ray) const {
+    const glm::vec3 inverse(1 / ray.dir_x, 1 / ray.dir_y, 1 / ray.dir_z), origin(ray.org_x, ray.org_y, ray.org_z);
+    const glm::vec3 a = (lower - origin) * inverse, b = (upper - origin) * inverse;
+    const glm::vec3 enter = glm::min(a, b), leave = glm::max(a, b);  // a NaN (in the plane of a face) loses
+    return std::max({0.0f, enter.x, enter.y, enter.z}) <= std::min({ray.tfar, leave.x, leave.y, leave.z});
+  }
 };
+
+/// A question to a brick, which its filter sees behind Embree's own context.
+struct FibreBricks::Reader::Query {
+  embree::QueryContext embree;  ///< first, so that Embree's pointer to it is a pointer to the whole
+  const Cell::Reaching* of;
+  uint64_t ownFibre;
+  float ownUntil;  ///< of Embree's ray
+
+  /// `entry`: where the ray comes into the cell, from the cell's corner, at `from`.
+  Query(const Cell::Reaching& reaching, const ClothRay& ray, float from)
+      : of(&reaching), ownFibre(ray.ownFibre), ownUntil(ray.ownUntil - from) {
+    embree::initialise(embree);
+  }
+  static RTCRay rayInto(const Cell::Reaching& of, glm::vec3 entry, glm::vec3 direction, float length) {
+    const glm::vec3 origin = entry - of.centre_mm;
+    RTCRay ray{};
+    ray.org_x = origin.x;
+    ray.org_y = origin.y;
+    ray.org_z = origin.z;
+    ray.dir_x = direction.x;
+    ray.dir_y = direction.y;
+    ray.dir_z = direction.z;
+    ray.tfar = length;
+    ray.mask = ~0u;
+    return ray;
+  }
+};
+
+/// Surfaces count from outside only: a ray that comes into a cell may be inside of a fibre, which it has met before.
+void FibreBricks::Brick::filter(const RTCFilterFunctionNArguments* args) {
+  const auto* ray = reinterpret_cast<const RTCRay*>(args->ray);
+  const auto* hit = reinterpret_cast<const RTCHit*>(args->hit);
+  const auto& query = *reinterpret_cast<const Reader::Query*>(args->context);
+  const bool fromInside = ray->dir_x * hit->Ng_x + ray->dir_y * hit->Ng_y + ray->dir_z * hit->Ng_z > 0;
+  const bool own = ray->tfar < query.ownUntil && query.of->brick->fibre(*query.of, hit->primID) == query.ownFibre;
+  if (fromInside || own) args->valid[0] = 0;
+}
 
 struct FibreBricks::Slot {
   std::once_flag once;
@@ -111,14 +153,18 @@ std::unique_ptr<const FibreBricks::Brick> FibreBricks::make(const CellKey& key) 
                              sizeof(glm::vec4), brick->vertices.size());
   rtcSetSharedGeometryBuffer(curves, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT, brick->segments.data(), 0,
                              sizeof(uint32_t), brick->segments.size());
-  rtcSetGeometryIntersectFilterFunction(curves, meetFromOutside);
+  rtcSetGeometryIntersectFilterFunction(curves, Brick::filter);
+  rtcSetGeometryOccludedFilterFunction(curves, Brick::filter);
   rtcCommitGeometry(curves);
   brick->scene = rtcNewScene(device_->handle);
   rtcAttachGeometry(brick->scene, curves);
   rtcReleaseGeometry(curves);
-  rtcSetSceneFlags(brick->scene, RTC_SCENE_FLAG_ROBUST);
   rtcCommitScene(brick->scene);
   if (rtcGetDeviceError(device_->handle) != RTC_ERROR_NONE) throw std::bad_alloc();
+  RTCBounds bounds;
+  rtcGetSceneBounds(brick->scene, &bounds);
+  brick->lower = {bounds.lower_x, bounds.lower_y, bounds.lower_z};
+  brick->upper = {bounds.upper_x, bounds.upper_y, bounds.upper_z};
   return brick;
 }
 
@@ -143,66 +189,73 @@ const FibreBricks::Reader::Cell& FibreBricks::Reader::at(glm::ivec3 cell) {
   return known;
 }
 
-/// start_mm: the ray at t = 0, from the corner of the cell.
-std::optional<FibreHit> FibreBricks::Reader::meetIn(const Cell& cell, glm::vec3 start_mm, glm::vec3 direction,
-                                                    float from, float to) const {
-  std::optional<FibreHit> nearest;
-  const glm::vec3 entry = start_mm + from * direction;
-  float length = to - from;
-  for (int i = 0; i < cell.count; ++i) {
-    const Cell::Reaching& of = cell.bricks[i];
-    const glm::vec3 origin = entry - of.centre_mm;
-    RTCRayHit query{};
-    query.ray.org_x = origin.x;
-    query.ray.org_y = origin.y;
-    query.ray.org_z = origin.z;
-    query.ray.dir_x = direction.x;
-    query.ray.dir_y = direction.y;
-    query.ray.dir_z = direction.z;
-    query.ray.tfar = length;
-    query.ray.mask = ~0u;
-    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    embree::QueryContext context;
-    embree::initialise(context);
-    embree::intersect(of.brick->scene, context, query);
-    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) continue;
-    length = query.ray.tfar;
-    const glm::vec4* const segment = &of.brick->vertices[of.brick->segments[query.hit.primID]];
-    nearest = {
-        from + length,
-        glm::normalize(glm::vec3(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z)),
-        glm::normalize(glm::vec3(segment[1]) - glm::vec3(segment[0])),
-        of.system,
-        of.end,
-        of.pick,
-        fibreNumber(of.system, of.system == System::warp ? of.end : of.pick, of.brick->strandOf[query.hit.primID])};
-  }
-  return nearest;
-}
-
-std::optional<FibreHit> FibreBricks::Reader::meet(glm::vec3 origin, glm::vec3 direction, float t0, float t1) {
+template <class Visit>
+void FibreBricks::Reader::forEachCell(const ClothRay& ray, const Visit& visit) {
   const ClothGeometry& geometry = volume_.geometry();
-  ClothVolume::CellMarch march(volume_, origin, direction, t0, t1);
-  if (!march.inPiece()) return std::nullopt;
+  ClothVolume::CellMarch march(volume_, ray.origin, ray.direction, ray.t0, ray.t1);
+  if (!march.inPiece()) return;
   const double size_mm[2] = {geometry.warpPitch_mm(), geometry.weftPitch_mm()};
   for (float from = march.enter();;) {
     const glm::vec3 start = march.start_mm();
     float to = march.leave();
     int through = -1;
     for (int axis = 0; axis < 2; ++axis) {
-      if (direction[axis] == 0) continue;
-      const auto face = static_cast<float>(direction[axis] > 0 ? size_mm[axis] : 0.0);
-      const float t = (face - start[axis]) / direction[axis];
+      if (ray.direction[axis] == 0) continue;
+      const auto face = static_cast<float>(ray.direction[axis] > 0 ? size_mm[axis] : 0.0);
+      const float t = (face - start[axis]) / ray.direction[axis];
       if (t >= to) continue;
       to = t;
       through = axis;
     }
     to = std::max(to, from);
-    if (const auto hit = meetIn(at(march.cell()), start, direction, from, to)) return hit;
-    if (through < 0 || !march.leaveCell(through)) return std::nullopt;
+    if (visit(at(march.cell()), start + from * ray.direction, from, to)) return;
+    if (through < 0 || !march.leaveCell(through)) return;
     from = to;
   }
+}
+
+std::optional<FibreHit> FibreBricks::Reader::meet(const ClothRay& ray) {
+  std::optional<FibreHit> nearest;
+  forEachCell(ray, [&](const Cell& cell, glm::vec3 entry, float from, float to) {
+    for (int i = 0; i < cell.count; ++i) {
+      const Cell::Reaching& of = cell.bricks[i];
+      const float length = (nearest ? nearest->distance_mm : to) - from;
+      RTCRayHit found{Query::rayInto(of, entry, ray.direction, length), {}};
+      if (!of.brick->isOn(found.ray)) continue;
+      found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+      found.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+      Query query(of, ray, from);
+      embree::intersect(of.brick->scene, query.embree, found);
+      const RTCHit& hit = found.hit;
+      if (hit.geomID == RTC_INVALID_GEOMETRY_ID) continue;
+      const glm::vec4* const segment = &of.brick->vertices[of.brick->segments[hit.primID]];
+      nearest = {from + found.ray.tfar,
+                 glm::normalize(glm::vec3(hit.Ng_x, hit.Ng_y, hit.Ng_z)),
+                 glm::normalize(glm::vec3(segment[1]) - glm::vec3(segment[0])),
+                 of.system,
+                 of.end,
+                 of.pick,
+                 of.brick->fibre(of, hit.primID)};
+    }
+    return nearest.has_value();
+  });
+  return nearest;
+}
+
+bool FibreBricks::Reader::isFree(const ClothRay& ray) {
+  bool free = true;
+  forEachCell(ray, [&](const Cell& cell, glm::vec3 entry, float from, float to) {
+    for (int i = 0; i < cell.count && free; ++i) {
+      const Cell::Reaching& of = cell.bricks[i];
+      RTCRay asked = Query::rayInto(of, entry, ray.direction, to - from);
+      if (!of.brick->isOn(asked)) continue;
+      Query query(of, ray, from);
+      embree::occluded(of.brick->scene, query.embree, asked);
+      free = asked.tfar >= 0;
+    }
+    return !free;
+  });
+  return free;
 }
 
 }  // namespace loomlight

@@ -48,8 +48,16 @@ class FibreBricks {
   struct Device;
   mutable std::once_flag started_;
   mutable std::unique_ptr<Device> device_;  ///< from the first brick on
-  mutable std::mutex mutex_;  ///< over the map; what is in it stays
+  mutable std::mutex mutex_;                ///< over the map; what is in it stays
   mutable std::unordered_map<CellKey, std::unique_ptr<Slot>, KeyHash> bricks_;
+};
+
+/// A ray in cloth space, of any length of direction, which does not see the fibre that it leaves up to a parameter.
+struct ClothRay {
+  glm::vec3 origin{0}, direction{0, 0, -1};
+  float t0 = 0, t1 = 0;   ///< the part of it that counts
+  uint64_t ownFibre = 0;  ///< FibreHit::fibre; 0: none
+  float ownUntil = 0;     ///< t
 };
 
 /// Asks for fibres; keeps in mind the cells that it was in of late. For one thread.
@@ -58,12 +66,15 @@ class FibreBricks::Reader {
   /// `volume`: of cloth whose yarns are those that the bricks are of, in any weave.
   Reader(const FibreBricks& bricks, const ClothVolume& volume) : bricks_(bricks), volume_(volume) {}
 
-  /// The first fibre along origin + t direction, t in [t0, t1]: cloth space, direction of any length, and so is the
-  /// hit, whose distance is t. Surfaces are met from outside only. Cost: a ray into the tree of every brick that
-  /// reaches into a cell on the way.
-  std::optional<FibreHit> meet(glm::vec3 origin, glm::vec3 direction, float t0, float t1);
+  /// The first fibre along it; the hit is in cloth space, and its distance is t. Surfaces are met from outside only.
+  /// Cost: a ray into the tree of every brick that reaches into a cell on the way.
+  std::optional<FibreHit> meet(const ClothRay& ray);
+  /// Whether there is none.
+  bool isFree(const ClothRay& ray);
 
  private:
+  friend FibreBricks;
+  struct Query;
   struct Cell {
     glm::ivec3 cell{-1};
     int count = 0;
@@ -76,7 +87,10 @@ class FibreBricks::Reader {
     std::array<Reaching, VoxelContent::kMaxParts> bricks;
   };
   const Cell& at(glm::ivec3 cell);
-  std::optional<FibreHit> meetIn(const Cell& cell, glm::vec3 start_mm, glm::vec3 direction, float from, float to) const;
+  /// visit(Cell, the ray at t = 0 from the cell's corner, t there and where it leaves) in each cell of the ray in turn,
+  /// until that returns true.
+  template <class Visit>
+  void forEachCell(const ClothRay& ray, const Visit& visit);
 
   const FibreBricks& bricks_;
   const ClothVolume& volume_;

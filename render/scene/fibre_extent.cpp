@@ -1,10 +1,13 @@
 #include "render/scene/fibre_extent.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
 
 #include "core/base/error.h"
+#include "render/scene/fibre_bricks.h"
 
 namespace loomlight {
 namespace {
@@ -61,6 +64,12 @@ FibreSize sizeOfRepeat(const ClothGeometry& geometry, double segmentsPerCrossing
   }
 }
 
+FibreSize sizeOfBricks(const TraceData& cloth) {
+  const ClothGeometry& geometry = cloth.volume->geometry();
+  const auto segments = static_cast<double>(cloth.volume->counts().segments);
+  return {geometry.ends(), geometry.picks(), glm::ivec2(1), segments, segments * kBytesPerSegment, true};
+}
+
 }  // namespace
 
 FibreSize planFibres(const TraceData& cloth, const FibreOptions& options) {
@@ -68,11 +77,25 @@ FibreSize planFibres(const TraceData& cloth, const FibreOptions& options) {
   const bool flat = cloth.shell->isFlat();
   if (options.extent == FibreExtent::oneRepeat && !flat)
     throw InputError("fibres: expected a flat drape for one repeat to stand for the piece; got one that is bent");
+  if (options.extent == FibreExtent::bricks && !cloth.fibres)
+    throw InputError(fmt::format("fibres: {} segments in cells that differ; expected at most {} for bricks",
+                                 cloth.volume->counts().segments, FibreBricks::kMostSegments));
   const double each = segmentsPerCrossing(geometry);
   const FibreSize whole = sizeOf(geometry, each, geometry.ends(), geometry.picks());
-  const bool repeat = options.extent == FibreExtent::oneRepeat ||
-                      (options.extent == FibreExtent::automatic && flat && whole.bytes > options.limit_bytes);
-  return repeat ? sizeOfRepeat(geometry, each) : whole;
+  switch (options.extent) {
+    case FibreExtent::wholePiece:
+      return whole;
+    case FibreExtent::oneRepeat:
+      return sizeOfRepeat(geometry, each);
+    case FibreExtent::bricks:
+      return sizeOfBricks(cloth);
+    case FibreExtent::automatic:
+      break;
+  }
+  if (whole.bytes <= options.limit_bytes) return whole;
+  if (cloth.fibres)
+    if (const FibreSize bricks = sizeOfBricks(cloth); bricks.bytes <= options.limit_bytes) return bricks;
+  return flat ? sizeOfRepeat(geometry, each) : whole;
 }
 
 }  // namespace loomlight

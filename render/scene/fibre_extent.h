@@ -7,13 +7,13 @@
 
 namespace loomlight {
 
-/// How much of a cloth is laid fibre by fibre. wholePiece: all of it. oneRepeat: of a flat piece the crossings of one
-/// repeat, which stand side by side over it. automatic: the whole piece where memory is enough for it, else one repeat
-/// of what is flat.
-enum class FibreExtent { automatic, wholePiece, oneRepeat };
+/// How a cloth is laid fibre by fibre. wholePiece: all of it in one tree. oneRepeat: of a flat piece the crossings of
+/// one repeat, which stand side by side over it. bricks: cell by cell, each laid once for all that are like it
+/// (FibreBricks). automatic: the whole piece where memory is enough for it, else bricks.
+enum class FibreExtent { automatic, wholePiece, oneRepeat, bricks };
 template <>
 struct ChoiceNames<FibreExtent> {
-  static constexpr std::array names{"auto", "piece", "repeat"};
+  static constexpr std::array names{"auto", "piece", "repeat", "bricks"};
 };
 
 struct FibreOptions {
@@ -36,12 +36,13 @@ struct FibreSize {
   glm::ivec2 copies{1};
   double segments = 0;  ///< that are laid
   double bytes = 0;     ///< at most, while it is built
+  bool bricks = false;  ///< of the whole piece, counted once for all cells that are alike
 
   bool isWholePiece() const { return copies == glm::ivec2(1); }
 };
 
 /// Of the extent that the options lead to. May be beyond their limit: then there is nothing smaller to lay. Throws
-/// InputError where one repeat is asked of cloth that is not flat.
+/// InputError where one repeat is asked of cloth that is not flat, and bricks of one that has none (TraceData::fibres).
 FibreSize planFibres(const TraceData& cloth, const FibreOptions& options);
 
 }  // namespace loomlight

@@ -3,8 +3,8 @@
 #include "core/base/memory.h"
 #include "core/base/stopwatch.h"
 #include "render/bvdf/bake/bvdf_baker.h"
-#include "render/media/fibre_medium.h"
 #include "render/media/close_up_medium.h"
+#include "render/media/fibre_medium.h"
 #include "render/media/report_medium.h"
 #include "render/media/volume_medium.h"
 

@@ -51,4 +51,7 @@ inline constexpr MediumKind kFibresAtRandom{
 inline constexpr MediumKind kFibresOfOneRepeat{
     .name = "fibresOfOneRepeat", .method = Method::fibres, .extent = FibreExtent::oneRepeat};
 
+inline constexpr MediumKind kFibresInBricks{
+    .name = "fibresInBricks", .method = Method::fibres, .extent = FibreExtent::bricks};
+
 }  // namespace loomlight::test

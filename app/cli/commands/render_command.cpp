@@ -98,6 +98,7 @@ std::shared_ptr<const Scene> buildScene(const std::shared_ptr<const Fabric>& fab
 
 /// What a reader of the picture must know where not all of the piece is laid.
 std::string repeatText(const FibreSize& size) {
+  if (size.bricks) return " at most, laid brick by brick as rays come to them";
   if (size.isWholePiece()) return "";
   return fmt::format(": a repeat of {} x {} crossings, {} x {} times side by side", size.ends, size.picks,
                      size.copies.x, size.copies.y);

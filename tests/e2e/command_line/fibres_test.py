@@ -27,10 +27,11 @@ class Fibres(CommandLineTest):
         self.assertRegex(message, "fibre segments.*GiB.*expected at most")
         self.assertFalse((self.folder / "a.png").exists())
 
-    def test_of_a_flat_piece_beyond_the_limit_one_repeat_is_laid_and_said(self):
+    def test_of_a_piece_beyond_the_limit_bricks_are_laid_and_that_is_said(self):
         words = ("render", self.fabric(drape={"kind": "flat", "width_mm": 24, "height_mm": 24}), "-o", "a.png")
         words += ("--method", "fibres", "--spp", 1, "--size", "16x16", "--memory-limit", 0.15)
-        self.assertRegex(self.run_program(*words, messages=True), "a repeat of [0-9]+ x [0-9]+ crossings")
+        self.assertIn("brick by brick", self.run_program(*words, messages=True))
+        self.assertIn("brick by brick", self.run_program(*words, "--drape", "cylinder", messages=True))
         self.assertIn("this piece has", self.run_program(*words, "--fibres-extent", "piece", status=1))
 
     def test_one_repeat_can_be_asked_of_flat_pieces_only(self):

@@ -25,7 +25,8 @@ std::vector<Case> cases() {
   for (const MediumKind* medium : {&test::kPlain, &test::kLoomlight, &test::kFibres})
     for (const DrapeKind drape : {DrapeKind::flat, DrapeKind::cylinder, DrapeKind::sphere, DrapeKind::folds})
       all.push_back({*medium, drape});
-  for (const MediumKind* medium : {&test::kReport, &test::kLoomlightAtRandom, &test::kFibresAtRandom})
+  for (const MediumKind* medium :
+       {&test::kReport, &test::kLoomlightAtRandom, &test::kFibresAtRandom, &test::kFibresInBricks})
     for (const DrapeKind drape : {DrapeKind::flat, DrapeKind::cylinder}) all.push_back({*medium, drape});
   all.push_back({test::kReportsLaw, DrapeKind::flat});
   all.push_back({test::kFibresOfOneRepeat, DrapeKind::flat});

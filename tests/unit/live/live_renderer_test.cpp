@@ -286,7 +286,7 @@ TEST(LiveRenderer, BetterTablesReplaceAPictureWithoutGoingBack) {
   EXPECT_FALSE(wentBack);
 }
 
-TEST(TruthLens, ShowsTheVeryPixelsThatTheFibresMethodShows) {
+TEST(TruthLens, ShowsTheVeryPixelsThatBricksOfFibresShow) {
   constexpr int kClear = 16;  // from here on pictures are shown as they are
   Window window;
   LiveRenderer renderer(window.waker(), 2);
@@ -306,7 +306,7 @@ TEST(TruthLens, ShowsTheVeryPixelsThatTheFibresMethodShows) {
   fabric.render.method = Method::fibres;
   renderer.lens(std::nullopt);
   const auto scene = test::sceneOf(fabric);
-  const auto fibres = makeMedium(*scene, 4e9, Task{});
+  const auto fibres = makeMedium(*scene, {4e9, FibreExtent::bricks}, Task{});
   Film film(64, 48);
   const CameraRays camera(fabric.camera, 64, 48);
   ASSERT_TRUE(renderUpTo(static_cast<uint32_t>(seen->samples), *scene, *fibres, camera, film, Task{}).complete);

@@ -29,7 +29,7 @@ std::optional<FibreHit> meet(const TraceData& cloth, FibreBricks::Reader& reader
   ShellWalk walk(cloth, {ray.origin, -1}, ray.direction, 1e9f);
   while (walk.next()) {
     const ShellSegment& s = walk.segment();
-    auto hit = reader.meet(s.clothOrigin, s.clothDirection, s.tEnter, s.tLeave);
+    auto hit = reader.meet({s.clothOrigin, s.clothDirection, s.tEnter, s.tLeave});
     if (!hit) continue;
     hit->distance_mm += s.passed;
     return hit;

@@ -47,9 +47,9 @@ TEST(FibreExtent, GoesByTheMemoryWhereNobodySays) {
   EXPECT_TRUE(whole.isWholePiece());
   EXPECT_EQ(whole.ends, scene->cloth->volume->geometry().ends());
   EXPECT_TRUE(planFibres(*scene->cloth, {whole.bytes}).isWholePiece());
-  const FibreSize repeat = planFibres(*scene->cloth, {0.999 * whole.bytes});
-  EXPECT_FALSE(repeat.isWholePiece());
-  EXPECT_LT(repeat.bytes, 0.1 * whole.bytes);
+  const FibreSize bricks = planFibres(*scene->cloth, {0.999 * whole.bytes});
+  EXPECT_TRUE(bricks.bricks);
+  EXPECT_LT(bricks.bytes, 0.1 * whole.bytes);
   EXPECT_TRUE(planFibres(*scene->cloth, {1, FibreExtent::wholePiece}).isWholePiece());
 }
 
@@ -61,6 +61,7 @@ TEST(FibreExtent, SmallPiecesAndBentOnesAreWhole) {
   fabric.drape.kind = DrapeKind::cylinder;
   const auto bent = test::sceneOf(fabric);
   EXPECT_TRUE(planFibres(*bent->cloth, {1}).isWholePiece());
+  EXPECT_TRUE(planFibres(*bent->cloth, {1, FibreExtent::bricks}).bricks);
   EXPECT_THROW(planFibres(*bent->cloth, {1, FibreExtent::oneRepeat}), InputError);
 }
 
@@ -68,7 +69,7 @@ TEST(FibreExtent, SmallPiecesAndBentOnesAreWhole) {
 TEST(FibreExtent, OfWideClothSeveralRepeatsAreLaid) {
   Fabric fabric = wideTwill();
   fabric.drape.width_mm = fabric.drape.height_mm = 10000;
-  const FibreSize size = planFibres(*test::sceneOf(fabric)->cloth, {1e9});
+  const FibreSize size = planFibres(*test::sceneOf(fabric)->cloth, {1e9, FibreExtent::oneRepeat});
   EXPECT_LT(size.bytes, 1e9);
   EXPECT_LT(static_cast<double>(size.copies.x) * size.copies.y, 1e6);
 }

@@ -4,7 +4,7 @@
 
 #include "core/base/error.h"
 #include "render/media/fibre_medium.h"
-#include "render/media/loomlight_medium.h"
+#include "render/media/close_up_medium.h"
 #include "render/media/volume_medium.h"
 #include "tests/support/every_medium.h"
 
@@ -26,7 +26,7 @@ TEST(MakeMedium, FollowsTheSettings) {
   Fabric fabric = smallCotton();
   MediumCost cost;
   const auto ours = test::sceneOf(fabric);
-  EXPECT_NE(dynamic_cast<const LoomlightMedium*>(made(*ours).get()), nullptr);
+  EXPECT_NE(dynamic_cast<const CloseUpMedium*>(made(*ours).get()), nullptr);
   fabric.render.estimator = Estimator::none;
   const auto plain = test::sceneOf(fabric);
   EXPECT_NE(dynamic_cast<const VolumeMedium*>(made(*plain, &cost).get()), nullptr);

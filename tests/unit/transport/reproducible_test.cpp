@@ -77,7 +77,7 @@ TEST_P(ReproducibleMedium, ForAnyNumberOfThreads) {
 INSTANTIATE_TEST_SUITE_P(Every, ReproducibleMedium,
                          testing::Values(test::kPlain, test::kReportsLaw, test::kReport, test::kLoomlight,
                                          test::kLoomlightAtRandom, test::kFibres, test::kFibresAtRandom,
-                                         test::kFibresOfOneRepeat),
+                                         test::kFibresOfOneRepeat, test::kFibresInBricks),
                          [](const auto& info) { return std::string(info.param.name); });
 
 TEST_F(ReproducibleFilm, ForAnySplitOfTheSamples) {
