@@ -114,7 +114,7 @@ TEST_F(RefinementTest, ALongPassComesInParts) {
 
   refine(inParts, 2);
   Film straight(kWide, kHigh);
-  renderUpTo(inParts.samples(), *cloth.scene, *cloth.medium, CameraRays(cloth.scene->fabric->camera, kWide, kHigh),
+  renderUpTo(inParts.samples(), *cloth.scene, *watched.medium, CameraRays(cloth.scene->fabric->camera, kWide, kHigh),
              straight, Task{});
   for (int y = 0; y < kHigh; ++y)
     for (int x = 0; x < kWide; ++x) ASSERT_EQ(inParts.film().mean(x, y), straight.mean(x, y));
