@@ -230,7 +230,9 @@ bool Tracer::recolour(const Request& request) {
 /// `light`: what repeats shared in the picture before, and `edit` what came between.
 void Tracer::beginPicture(double secondsPerPath, std::unique_ptr<SharedLight> light, const Changes& edit) {
   picture_.emplace(request_.cloth, request_.width, request_.height, secondsPerPath);
-  if (shared_ && SharedLight::serves(*request_.cloth.scene)) picture_->shareLight(std::move(light), edit);
+  const Scene& scene = *request_.cloth.scene;
+  if (shared_ && SharedLight::serves(scene, request_.width, request_.height))
+    picture_->shareLight(std::move(light), edit);
   picture_->keepPaths(kPathBytes);
   picture_->denoise(denoised_);
 }

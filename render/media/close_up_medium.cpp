@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "render/media/cloth_walk.h"
+#include "render/scene/fibre_bricks.h"
 
 namespace loomlight {
 namespace {
@@ -15,8 +16,8 @@ namespace {
 /// Paths of which some go among fibres, and the others through the volume.
 class CloseUpBatch final : public MediumBatch {
  public:
-  CloseUpBatch(const CloseUpMedium& medium, const LoomlightMedium& volume, const FibreMedium& fibres, size_t paths)
-      : medium_(medium), cloth_(volume.cloth()), paths_(paths) {
+  CloseUpBatch(const LoomlightMedium& volume, const FibreMedium& fibres, size_t paths)
+      : cloth_(volume.cloth()), paths_(paths) {
     groups_[0].batch = volume.batch(paths);
     groups_[1].batch = fibres.batch(paths);
   }
@@ -87,17 +88,16 @@ class CloseUpBatch final : public MediumBatch {
 
   bool isNear(const Path& path, const Flight& flight) const {
     const float nearest = distanceToBounds(*cloth_.shell, path.from.world, flight.direction);
-    if (medium_.chanceAt(path.cone.widthAt(nearest)) <= 0) return false;
+    if (closeUpChance(cloth_, path.cone.widthAt(nearest)) <= 0) return false;
     ShellWalk walk(cloth_, path.from, flight.direction, std::numeric_limits<float>::infinity());
     if (!walk.next()) return false;
-    const float chance = medium_.chanceAt(path.cone.widthAt(walk.segment().passed + walk.segment().tEnter));
+    const float chance = closeUpChance(cloth_, path.cone.widthAt(walk.segment().passed + walk.segment().tEnter));
     if (chance <= 0 || chance >= 1) return chance > 0;
     constexpr uint64_t kPurpose = 0xC105E;
     Random copy = *flight.random;  // the path's own numbers are drawn as if nobody had asked
     return Random(hashCombine(copy.next(), kPurpose)).uniform() < chance;
   }
 
-  const CloseUpMedium& medium_;
   const TraceData& cloth_;
   std::vector<Path> paths_;
   std::array<Group, 2> groups_;
@@ -105,19 +105,19 @@ class CloseUpBatch final : public MediumBatch {
 
 }  // namespace
 
-CloseUpMedium::CloseUpMedium(std::shared_ptr<const TraceData> cloth)
-    : volume_(cloth), diameter_mm_(2 * static_cast<float>(cloth->volume->geometry().yarns().minFibreRadius_mm())) {
-  if (cloth->fibres) fibres_ = std::make_unique<const FibreMedium>(std::move(cloth));
+float closeUpChance(const TraceData& cloth, float width_mm) {
+  constexpr float kNone = 0.5f, kAll = 0.75f;  // of a pixel, a fibre's diameter
+  if (!cloth.fibres || cloth.estimator != Estimator::loomlight) return 0;
+  return std::clamp((cloth.fibres->thinnest_mm() / width_mm - kNone) / (kAll - kNone), 0.0f, 1.0f);
 }
 
-float CloseUpMedium::chanceAt(float width_mm) const {
-  constexpr float kNone = 0.5f, kAll = 0.75f;  // of a pixel, a fibre's diameter
-  return std::clamp((diameter_mm_ / width_mm - kNone) / (kAll - kNone), 0.0f, 1.0f);
+CloseUpMedium::CloseUpMedium(std::shared_ptr<const TraceData> cloth) : volume_(cloth) {
+  if (cloth->fibres) fibres_ = std::make_unique<const FibreMedium>(std::move(cloth));
 }
 
 std::unique_ptr<MediumBatch> CloseUpMedium::batch(size_t paths) const {
   if (!fibres_) return volume_.batch(paths);
-  return std::make_unique<CloseUpBatch>(*this, volume_, *fibres_, paths);
+  return std::make_unique<CloseUpBatch>(volume_, *fibres_, paths);
 }
 
 }  // namespace loomlight

@@ -111,7 +111,8 @@ std::shared_ptr<const FibreBricks> FibreBricks::of(const ClothVolume& volume,
   return std::shared_ptr<const FibreBricks>(new FibreBricks(std::move(geometry)));
 }
 
-FibreBricks::FibreBricks(std::shared_ptr<const ClothGeometry> geometry) : geometry_(std::move(geometry)) {}
+FibreBricks::FibreBricks(std::shared_ptr<const ClothGeometry> geometry)
+    : geometry_(std::move(geometry)), thinnest_mm_(2 * static_cast<float>(geometry_->yarns().minFibreRadius_mm())) {}
 FibreBricks::~FibreBricks() = default;
 
 size_t FibreBricks::made() const {

@@ -29,7 +29,8 @@ class FibreBricks {
   FibreBricks(const FibreBricks&) = delete;
   FibreBricks& operator=(const FibreBricks&) = delete;
 
-  size_t made() const;  ///< bricks so far
+  size_t made() const;                                ///< bricks so far
+  float thinnest_mm() const { return thinnest_mm_; }  ///< diameter of the thinnest fibres
 
   class Reader;
 
@@ -45,6 +46,7 @@ class FibreBricks {
   std::unique_ptr<const Brick> make(const CellKey& key) const;
 
   const std::shared_ptr<const ClothGeometry> geometry_;
+  const float thinnest_mm_;
   struct Device;
   mutable std::once_flag started_;
   mutable std::unique_ptr<Device> device_;  ///< from the first brick on

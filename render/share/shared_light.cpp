@@ -1,5 +1,7 @@
 #include "render/share/shared_light.h"
 
+#include "render/media/close_up_medium.h"
+
 namespace loomlight {
 namespace {
 
@@ -20,8 +22,11 @@ SharedFate sharedFate(const Changes& edit) {
   return {Cells::none, false};
 }
 
-bool SharedLight::serves(const Scene& scene) {
-  return scene.cloth->shell->isFlat() && scene.cloth->method == Method::volume;
+bool SharedLight::serves(const Scene& scene, int width, int height) {
+  if (!scene.cloth->shell->isFlat() || scene.cloth->method != Method::volume) return false;
+  const Camera& camera = scene.fabric->camera;
+  const float pixel_mm = CameraRays(camera, width, height).pixelSize_mm(static_cast<float>(camera.distance_mm));
+  return closeUpChance(*scene.cloth, pixel_mm) == 0;
 }
 
 SharedLight::SharedLight(std::shared_ptr<const Scene> scene, std::shared_ptr<const Medium> medium, int width,

@@ -63,13 +63,12 @@ TEST(CloseUp, FromNearItIsTheFibresToTheBit) {
 
 TEST(CloseUp, ChanceGoesFromNoneToAllAsTheEyeComesNearer) {
   const auto scene = test::sceneOf(seenAt(5));
-  const CloseUpMedium closeUp(scene->cloth);
-  EXPECT_EQ(closeUp.chanceAt(1), 0);
-  EXPECT_EQ(closeUp.chanceAt(1e-4f), 1);
+  EXPECT_EQ(closeUpChance(*scene->cloth, 1), 0);
+  EXPECT_EQ(closeUpChance(*scene->cloth, 1e-4f), 1);
   float last = 0;
   bool between = false;
   for (float width = 0.1f; width > 1e-3f; width *= 0.9f) {
-    const float chance = closeUp.chanceAt(width);
+    const float chance = closeUpChance(*scene->cloth, width);
     EXPECT_GE(chance, last);
     between = between || (chance > 0 && chance < 1);
     last = chance;

@@ -115,6 +115,16 @@ TEST(SharedLight, IsClearerThanTheFilmThatItIsMadeOf) {
   EXPECT_LT(ofShared, 0.25 * ofFilm);
 }
 
+// Cells are voxels: fibres that an eye sees one by one must not be averaged over them.
+TEST(SharedLight, ServesNoCloseUp) {
+  Fabric fabric = cloth(LightKind::sky);
+  fabric.camera.distance_mm = 20;
+  EXPECT_TRUE(SharedLight::serves(*test::sceneOf(fabric), kWidth, kHeight));
+  EXPECT_FALSE(SharedLight::serves(*test::sceneOf(fabric), 100 * kWidth, 100 * kHeight));
+  fabric.camera.distance_mm = 0.5;
+  EXPECT_FALSE(SharedLight::serves(*test::sceneOf(fabric), kWidth, kHeight));
+}
+
 TEST(SharedLight, AnEditLeavesWhatIsStillSo) {
   using Cells = SharedFate::Cells;
   const Fabric before = dyed(cloth(LightKind::sky));
