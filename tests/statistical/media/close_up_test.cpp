@@ -61,6 +61,24 @@ TEST(CloseUp, FromNearItIsTheFibresToTheBit) {
   EXPECT_GT(scene->cloth->fibres->made(), 0u);
 }
 
+// The same numbers are drawn, so a path differs from the first fibre on that was met otherwise: at the seams of cells,
+// and where roundings part at a fibre's rim. It meets a dozen fibres.
+TEST(CloseUp, BricksTracePathsAsOneTreeDoes) {
+  Fabric fabric = seenAt(0.15);
+  fabric.render.maxDepth = 8;
+  const auto scene = test::sceneOf(fabric);
+  const auto tree = FibreMedium::build(scene->cloth, {}, Task{});
+  const FibreMedium bricks(scene->cloth);
+  const auto expected = traced(*scene, *tree, 2), seen = traced(*scene, bricks, 2);
+  int same = 0;
+  for (size_t i = 0; i < seen.size(); ++i) {
+    const float light = (expected[i].direct + expected[i].indirect).g;
+    same += seen[i].events == expected[i].events &&
+            std::abs((seen[i].direct + seen[i].indirect).g - light) <= 0.01f * light;
+  }
+  EXPECT_GT(same, 0.9 * static_cast<double>(seen.size()));
+}
+
 TEST(CloseUp, ChanceGoesFromNoneToAllAsTheEyeComesNearer) {
   const auto scene = test::sceneOf(seenAt(5));
   EXPECT_EQ(closeUpChance(*scene->cloth, 1), 0);
