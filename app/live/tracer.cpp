@@ -7,6 +7,12 @@
 #include "render/display/recolour.h"
 #include "render/display/reframe.h"
 
+// How it works. What is wanted is one value; each change of it stops the pass under way and is the next turn's request.
+// A turn takes what is new in it, then traces pass by pass. A scene begins in begin(): other colours are answered from
+// paths on record; the same scene made better goes on from what is shown; anything else begins coarse, helped by the
+// last clear picture as far as that still shows the same (preview_policy.h). The viewport's picture and the lens take
+// passes in turn (nextSubject); what is to be shown is pending until publish(), and bring() hands it to the window.
+
 namespace loomlight {
 namespace {
 
