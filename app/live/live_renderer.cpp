@@ -15,6 +15,11 @@
 #include "render/media/report_medium.h"
 #include "render/transport/make_medium.h"
 
+// How it works. request() replaces the request before and stops its build, but never two builds in a row, or a steady
+// drag would show none. The builder makes a scene and a medium from the nearest of the recent cloths, showing first
+// looks on the way where the whole takes long, and hands them to the tracer. Counts and measures follow when no newer
+// request waits.
+
 namespace loomlight {
 namespace {
 
@@ -79,7 +84,7 @@ struct LiveRenderer::Workers {
 
   using Builder = Worker<ViewRequest, std::monostate>;  // what it makes goes to the tracer and into `status`
   void build(const ViewRequest& request, Builder::Turn& turn);
-  void showDraft(const ViewRequest& request, std::shared_ptr<const Scene> scene, const Task& task, Builder::Turn& turn);
+  void showDraft(const ViewRequest& request, std::shared_ptr<const Scene> first, const Task& task, Builder::Turn& turn);
   void tell(const std::string& problem);
   void count();
   void layFibres();
@@ -94,6 +99,7 @@ struct LiveRenderer::Workers {
   bool buildMayBeCancelled = true;  // not twice in a row, or a steady drag would never show a new volume
   std::optional<LensRequest> lens;
   std::shared_ptr<const Scene> scene;  // the newest that could be built; only the builder changes it
+  std::shared_ptr<const Scene> woven;  // likewise, or a first look at one under way whose yarns are no sketches
 
   // The builder's:
   RecentCloths recent{recentBytes()};
@@ -167,7 +173,7 @@ void LiveRenderer::Workers::build(const ViewRequest& request, Builder::Turn& tur
         status.buildSeconds = spent.count();
       }
       status.notices = made.scene->cloth->shell->repairs();
-      scene = made.scene;
+      scene = woven = made.scene;
     }
   }
   if (made.scene) {
@@ -180,12 +186,13 @@ void LiveRenderer::Workers::build(const ViewRequest& request, Builder::Turn& tur
 }
 
 /// Has a picture traced of what is there of a cloth. From then on its builder may be stopped: a drag moves the picture.
-void LiveRenderer::Workers::showDraft(const ViewRequest& request, std::shared_ptr<const Scene> scene, const Task& task,
+void LiveRenderer::Workers::showDraft(const ViewRequest& request, std::shared_ptr<const Scene> first, const Task& task,
                                       Builder::Turn& turn) {
-  Traceable draft{scene, makeLiveMedium(*scene, request.visibility, task)};
+  Traceable draft{first, makeLiveMedium(*first, request.visibility, task)};
   if (!draft.medium) return;
   tracer.show({std::move(draft), request.width, request.height, request.generation, true});
   std::lock_guard lock(mutex);
+  if (!first->cloth->volume->geometry().isSketched()) woven = std::move(first);
   if (builder.isWaiting()) turn.giveWay();
   buildMayBeCancelled = true;
 }
@@ -286,6 +293,11 @@ std::shared_ptr<const Frame> LiveRenderer::frame() const {
 
 std::shared_ptr<const LensFrame> LiveRenderer::lensFrame() const {
   return workers_->tracer.lensFrame();
+}
+
+std::shared_ptr<const Scene> LiveRenderer::scene() const {
+  std::lock_guard lock(workers_->mutex);
+  return workers_->woven;
 }
 
 LiveStatus LiveRenderer::status() const {

@@ -82,6 +82,8 @@ class LiveRenderer {
   void lens(std::optional<LensRequest> request);       ///< null: closed
   std::shared_ptr<const Frame> frame() const;          ///< the newest; null before the first
   std::shared_ptr<const LensFrame> lensFrame() const;  ///< null while there is nothing to show in the lens
+  /// The newest that has been built, or is being built and has all its yarns; null before the first.
+  std::shared_ptr<const Scene> scene() const;
   LiveStatus status() const;
   void denoise(bool wanted);     ///< whether frames have a copy with less noise for the display
   void shareLight(bool wanted);  ///< whether the next pictures show light that repeats share; true unless told

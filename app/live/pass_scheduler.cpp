@@ -50,4 +50,14 @@ uint32_t hitsWanted(const PassHistory& h) {
   return h.samples == 1 ? 4 : h.samples < 4 ? 8 : 16;
 }
 
+Subject nextSubject(const Contender& picture, const Contender& lens) {
+  if (!picture.wants) return lens.wants ? Subject::lens : Subject::none;
+  if (!lens.wants) return Subject::picture;
+  if (picture.divider == 0) return Subject::picture;
+  if (lens.divider == 0) return Subject::lens;
+  if (picture.divider == 1 && lens.divider > 1) return Subject::lens;
+  if (lens.divider == 1 && picture.divider > 1) return Subject::picture;
+  return lens.spent_s < picture.spent_s ? Subject::lens : Subject::picture;
+}
+
 }  // namespace loomlight

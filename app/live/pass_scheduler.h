@@ -34,4 +34,16 @@ PassPlan nextPass(const PassHistory& history, uint32_t samplesWanted);
 /// them costs a fraction of a sample, and shows the picture at full resolution.
 uint32_t hitsWanted(const PassHistory& history);
 
+/// One of the two pictures that share the tracer's threads.
+struct Contender {
+  bool wants = false;  ///< there is something left to trace
+  int divider = 0;     ///< of its last pass; 0: nothing to be seen yet
+  double spent_s = 0;  ///< tracing it, since both have been there
+};
+
+enum class Subject { none, picture, lens };
+
+/// Of which the next pass is: first what cannot be seen yet, then what is coarse, then what has had less time. Pure.
+Subject nextSubject(const Contender& picture, const Contender& lens);
+
 }  // namespace loomlight

@@ -7,8 +7,8 @@
 namespace loomlight {
 
 // What the tracer shows until the picture is there (render/display/quality.h), decided by what it has and what is
-// wanted alone: no clock, no thread, no pixels. How fine and how long each pass is says pass_scheduler.h, whose turn it
-// is turns.h.
+// wanted alone: no clock, no thread, no pixels. How fine and how long each pass is, and of which picture, says
+// pass_scheduler.h.
 
 /// What there is to see when a scene comes that is to be traced.
 struct PreviewHave {

@@ -9,6 +9,11 @@
 #include "render/display/despeckle.h"
 #include "render/display/recolour.h"
 
+// How it works. advance() does what the scheduler plans: a pass at a fraction of the resolution into a film of its own,
+// or further samples of the fine film, part by part. What came before stands in (StandIn) and gives way sample by
+// sample, so that every frame is a mean of what is traced and what was shown. A frame is read off the film, given the
+// light that repeats share, then less noise, and is labelled with its Quality last.
+
 namespace loomlight {
 namespace {
 

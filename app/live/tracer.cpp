@@ -1,12 +1,17 @@
 #include "app/live/tracer.h"
 
 #include <algorithm>
-#include <exception>
 #include <utility>
 
 #include "render/display/patch.h"
 #include "render/display/recolour.h"
 #include "render/display/reframe.h"
+
+// How it works. What is wanted is one value; each change of it stops the pass under way and is the next turn's request.
+// A turn takes what is new in it, then traces pass by pass. A scene begins in begin(): other colours are answered from
+// paths on record; the same scene made better goes on from what is shown; anything else begins coarse, helped by the
+// last clear picture as far as that still shows the same (preview_policy.h). The viewport's picture and the lens take
+// passes in turn (nextSubject); what is to be shown is pending until publish(), and bring() hands it to the window.
 
 namespace loomlight {
 namespace {
@@ -22,142 +27,123 @@ PixelRect within(const PixelRect& rect, int width, int height) {
 
 }  // namespace
 
-Tracer::Tracer(std::function<void()> wake, int threads) : wake_(std::move(wake)), threads_(threads) {
-  thread_ = std::jthread([this](const std::stop_token& stop) { loop(stop); });
-}
+Tracer::Tracer(std::function<void()> wake, int threads)
+    : threads_(threads),
+      worker_(
+          std::move(wake),
+          [this](const Wanted& wanted, const Tracing::Turn& turn) {
+            trace(wanted, turn);
+            return std::nullopt;
+          },
+          // A picture too large for the memory, say: the window goes on without.
+          [this](const Wanted&, const std::string& problem) { return givenUp(problem); }, Backlog::newest,
+          Priority::picture) {}
 
-Tracer::~Tracer() {
-  thread_.request_stop();
-  std::lock_guard lock(mutex_);
-  ending_ = true;
-  passStop_.request_stop();
-}
-
-void Tracer::interrupt() {
-  if (passMayBeCancelled_) passStop_.request_stop();
-  arrived_.notify_all();
+/// Changes what is wanted, and brings the thread to look at that: it leaves the pass under way where it may.
+template <class Change>
+void Tracer::want(const Change& change) {
+  Wanted before;  // it may be the last to hold a scene, which then dies outside the lock
+  const std::lock_guard lock(mutex_);
+  before = wanted_;
+  change(wanted_);
+  if (passMayBeCancelled_) worker_.cancel();
+  worker_.ask(wanted_);
 }
 
 void Tracer::show(Request request) {
-  std::optional<Request> old(std::move(request));  // then what nobody took: it may die outside the lock
-  std::lock_guard lock(mutex_);
-  news_.request.swap(old);
-  interrupt();
+  want([&](Wanted& wanted) {
+    wanted.request = std::move(request);
+    ++wanted.requests;
+  });
 }
 
 void Tracer::lens(std::optional<PixelRect> window) {
-  std::lock_guard lock(mutex_);
-  news_.lens = window;
-  interrupt();
+  want([&](Wanted& wanted) { wanted.lens = window; });
 }
 
 void Tracer::fibres(Traceable laid) {
-  std::optional<Traceable> old(std::move(laid));
-  std::lock_guard lock(mutex_);
-  news_.fibres.swap(old);
-  interrupt();
+  want([&](Wanted& wanted) { wanted.fibres = std::move(laid); });
 }
 
 void Tracer::pause(bool paused) {
-  std::lock_guard lock(mutex_);
-  paused_ = paused;
-  interrupt();
+  want([&](Wanted& wanted) { wanted.paused = paused; });
 }
 
 void Tracer::denoise(bool wanted) {
-  std::lock_guard lock(mutex_);
-  news_.denoise = wanted;
-  interrupt();
+  want([&](Wanted& all) { all.denoised = wanted; });
 }
 
 void Tracer::shareLight(bool wanted) {
-  std::lock_guard lock(mutex_);
-  news_.share = wanted;
-  interrupt();
-}
-
-std::shared_ptr<const Frame> Tracer::frame() const {
-  std::lock_guard lock(mutex_);
-  return frame_;
-}
-
-std::shared_ptr<const LensFrame> Tracer::lensFrame() const {
-  std::lock_guard lock(mutex_);
-  return lensFrame_;
+  want([&](Wanted& all) { all.shared = wanted; });
 }
 
 Tracer::State Tracer::state() const {
-  std::lock_guard lock(mutex_);
-  return state_;
+  Shown newest = shown();
+  const std::lock_guard lock(mutex_);
+  if (newest.requests != wanted_.requests) {
+    newest.state.picture = State::Phase::tracing;
+    newest.state.error.clear();
+  }
+  return newest.state;
 }
 
-void Tracer::loop(const std::stop_token& stop) {
-  bool busy = false;
-  while (!stop.stop_requested()) {
-    News news;
-    {
-      std::unique_lock lock(mutex_);
-      // A scene that has come during a pause is shown all the same, by its first pass.
-      const auto mayWork = [&] { return !news_.empty() || (busy && (!paused_ || (picture_ && !picture_->begun()))); };
-      arrived_.wait(lock, stop, mayWork);
-      if (stop.stop_requested()) return;
-      std::swap(news, news_);
-    }
-    try {
-      busy = goOn(std::move(news));
-    } catch (const std::exception& e) {  // a picture too large for the memory, say: the window goes on without
-      giveUp(e.what());
-      busy = false;
-    }
+/// Pass by pass, until there is nothing left to trace, or something else is wanted: that is the next turn's.
+void Tracer::trace(const Wanted& wanted, const Tracing::Turn& turn) {
+  take(wanted);
+  bring(turn);
+  for (Subject next = nextToTrace(); mayGoOn(next) && !worker_.isWaiting(); next = nextToTrace()) {
+    if (next == Subject::picture)
+      tracePicture(turn.stop());
+    else
+      traceLens(turn.stop());
+    bring(turn);
+    if (turn.isStopped()) return;
   }
 }
 
-void Tracer::giveUp(const std::string& reason) {
+/// A scene that has come during a pause is shown all the same, by its first pass.
+bool Tracer::mayGoOn(Subject next) const {
+  return next != Subject::none && (!taken_.paused || (picture_ && !picture_->begun()));
+}
+
+Subject Tracer::nextToTrace() const {
+  const auto contender = [](const std::optional<Refinement>& refinement, double spentBefore_s) {
+    if (!refinement) return Contender{};
+    return Contender{!refinement->converged(), refinement->divider(), refinement->spent_s() - spentBefore_s};
+  };
+  return nextSubject(contender(picture_, spentBeforeLens_s_), contender(lens_, 0));
+}
+
+Tracer::Shown Tracer::givenUp(const std::string& reason) {
   picture_.reset();
   dyed_.reset();
   clear_.reset();
   lens_.reset();
-  {
-    std::lock_guard lock(mutex_);
-    state_.picture = state_.lens = State::Phase::idle;
-    state_.error = reason;
-  }
-  wake_();
+  shown_.state.picture = shown_.state.lens = State::Phase::idle;
+  shown_.state.error = reason;
+  shown_.requests = taken_.requests;
+  return shown_;
 }
 
-bool Tracer::goOn(News news) {
-  take(std::move(news));
-  switch (nextTurn(contender(picture_, spentBeforeLens_s_), contender(lens_, 0))) {
-    case Turn::picture:
-      tracePicture();
-      return true;
-    case Turn::lens:
-      traceLens();
-      return true;
-    case Turn::none:
-      return false;
-  }
-  return false;
+void Tracer::take(const Wanted& wanted) {
+  const Wanted before = std::exchange(taken_, wanted);
+  const bool isRequest = taken_.requests != before.requests;
+  const bool isDenoising = taken_.denoised != before.denoised;
+  for (auto* picture : {&picture_, &dyed_})
+    if (*picture) (*picture)->denoise(taken_.denoised);
+  if (isRequest)
+    begin(before.request);
+  else if (isDenoising)
+    showOtherwise();
+  if (isRequest || taken_.fibres.medium != before.fibres.medium || taken_.lens != before.lens) openLens();
 }
 
-Contender Tracer::contender(const std::optional<Refinement>& refinement, double spentBefore) const {
-  if (!refinement) return {};
-  return {!refinement->converged(), refinement->divider(), refinement->spent_s() - spentBefore};
-}
-
-void Tracer::take(News news) {
-  if (news.fibres) fibres_ = std::move(*news.fibres);
-  if (news.lens) lensWindow_ = *news.lens;
-  if (news.denoise) changeDenoising(*news.denoise);
-  if (news.share) shared_ = *news.share;
-  if (news.request) begin(std::move(*news.request));
-  if (news.request || news.fibres || news.lens) openLens();
-}
-
-void Tracer::begin(Request request) {
-  const bool sameSize = request.width == request_.width && request.height == request_.height;
-  const bool better = picture_ && sameSize && request.generation == request_.generation;
-  if (!better && sameSize && recolour(request)) return;
+/// The picture of the request that has been taken; `before` is the one that was taken last.
+void Tracer::begin(const Request& before) {
+  const Request& request = taken_.request;
+  const bool sameSize = request.width == before.width && request.height == before.height;
+  const bool better = picture_ && sameSize && request.generation == before.generation;
+  if (!better && sameSize && recolour()) return;
   const Fabric& fabric = *request.cloth.scene->fabric;
   PreviewHave have{better, sameSize, better ? picture_->divider() : 0, {}, {}};
   if (picture_) have.sincePicture = changes(*picture_->scene().fabric, fabric);
@@ -172,11 +158,13 @@ void Tracer::begin(Request request) {
     if (clearHelp_ == ClearHelp::none) clear_.reset();
   }
   std::unique_ptr<SharedLight> light = picture_ ? picture_->takeSharedLight() : nullptr;
-  request_ = std::move(request);
   picturePending_.reset();
   dyed_.reset();
-  if (request_.width <= 0 || request_.height <= 0) {
+  shown_.state.error.clear();
+  if (request.width <= 0 || request.height <= 0) {
     picture_.reset();
+    shown_.state.picture = State::Phase::idle;
+    publish();
     return;
   }
   beginPicture(secondsPerPath, std::move(light), have.sincePicture.value_or(Changes{}));
@@ -191,24 +179,21 @@ void Tracer::begin(Request request) {
     lens_.reset();
     difference_.reset();
   }
-  std::lock_guard lock(mutex_);
-  state_.picture = State::Phase::tracing;
-  state_.error.clear();
 }
 
 /// What is shown, or about to be.
 std::shared_ptr<const Frame> Tracer::newestFrame() const {
-  return picturePending_ ? picturePending_ : frame();
+  return picturePending_ ? picturePending_ : shown_.frame;
 }
 
 /// Answers a change of colour from the paths that have been traced already, and begins to trace new ones behind. False
 /// where they cannot tell.
-bool Tracer::recolour(const Request& request) {
+bool Tracer::recolour() {
+  const Request& request = taken_.request;
   std::optional<Refinement>& known = dyed_ ? dyed_ : picture_;
   if (!known || known->samples() == 0 || &known->medium() != request.cloth.medium.get()) return false;
   const auto dye = dyeBetween(known->scene(), *request.cloth.scene);
   if (!dye) return false;
-  request_ = request;
   clear_.reset();
   if (dye->light == Rgb(1) && dye->absorption_per_mm == known->scene().absorption_per_mm) {
     if (dyed_) picture_ = std::exchange(dyed_, std::nullopt);  // back to the colours that it was traced in
@@ -229,19 +214,17 @@ bool Tracer::recolour(const Request& request) {
 
 /// `light`: what repeats shared in the picture before, and `edit` what came between.
 void Tracer::beginPicture(double secondsPerPath, std::unique_ptr<SharedLight> light, const Changes& edit) {
-  picture_.emplace(request_.cloth, request_.width, request_.height, secondsPerPath);
-  const Scene& scene = *request_.cloth.scene;
-  if (shared_ && SharedLight::serves(scene, request_.width, request_.height))
+  const Request& request = taken_.request;
+  picture_.emplace(request.cloth, request.width, request.height, secondsPerPath);
+  if (taken_.shared && SharedLight::serves(*request.cloth.scene, request.width, request.height))
     picture_->shareLight(std::move(light), edit);
   picture_->keepPaths(kPathBytes);
-  picture_->denoise(denoised_);
+  picture_->denoise(taken_.denoised);
 }
 
-/// Shows what there is otherwise, at once; a picture that stands in for a better one stays as it is until that comes.
-void Tracer::changeDenoising(bool wanted) {
-  denoised_ = wanted;
-  for (auto* picture : {&picture_, &dyed_})
-    if (*picture) (*picture)->denoise(wanted);
+/// What there is with less noise, or as it is, at once; a picture that stands in for a better one stays as it is until
+/// that comes.
+void Tracer::showOtherwise() {
   if (!picture_) return;
   if (dyed_) {
     const auto dye = dyeBetween(dyed_->scene(), picture_->scene());
@@ -254,38 +237,34 @@ void Tracer::changeDenoising(bool wanted) {
 
 /// The clear picture with what is new in this one.
 Frame Tracer::cleared(Frame fresh) const {
-  if (clearHelp_ == ClearHelp::reframed) return reframed(fresh, *clear_, request_.width, request_.height, threads_);
-  return patched(std::move(fresh), *clear_, request_.cloth.scene->fabric->weave, clearFabric_->weave);
+  if (clearHelp_ == ClearHelp::reframed)
+    return reframed(fresh, *clear_, taken_.request.width, taken_.request.height, threads_);
+  return patched(std::move(fresh), *clear_, taken_.request.cloth.scene->fabric->weave, clearFabric_->weave);
 }
 
 std::shared_ptr<Frame> Tracer::framed(Frame frame) const {
   auto shared = std::make_shared<Frame>(std::move(frame));
-  shared->generation = request_.generation;
-  if (request_.sketch) shared->quality = Quality::sketch;
+  shared->generation = taken_.request.generation;
+  if (taken_.request.sketch) shared->quality = Quality::sketch;
   return shared;
 }
 
 /// Brings the lens in line with what is wanted of it and what it can look at.
 void Tracer::openLens() {
-  const bool possible = lensWindow_ && picture_ && fibres_.medium && fibres_.scene->cloth == picture_->scene().cloth;
-  const PixelRect window = possible ? within(*lensWindow_, request_.width, request_.height) : PixelRect{};
+  const bool possible =
+      taken_.lens && picture_ && taken_.fibres.medium && taken_.fibres.scene->cloth == picture_->scene().cloth;
+  const PixelRect window = possible ? within(*taken_.lens, taken_.request.width, taken_.request.height) : PixelRect{};
   if (window.width <= 0 || window.height <= 0) {
     lens_.reset();
     lensPending_.reset();
     difference_.reset();
-    bool changed = false;
-    {
-      std::lock_guard lock(mutex_);
-      changed = lensFrame_ != nullptr;
-      lensFrame_.reset();
-      state_.lens = State::Phase::idle;
-    }
-    if (changed) wake_();
+    if (std::exchange(shown_.lensFrame, nullptr)) isNews_ = true;
+    shown_.state.lens = State::Phase::idle;
     return;
   }
   if (!lens_) {
-    lens_.emplace(Traceable{request_.cloth.scene, fibres_.medium}, request_.width, request_.height,
-                  lensSecondsPerPath_);
+    lens_.emplace(Traceable{taken_.request.cloth.scene, taken_.fibres.medium}, taken_.request.width,
+                  taken_.request.height, lensSecondsPerPath_);
     lens_->asTraced();
     spentBeforeLens_s_ = picture_->spent_s();
   }
@@ -301,17 +280,15 @@ void Tracer::showLens() {
   publish();
 }
 
-std::optional<Task> Tracer::beginPass(const Refinement& refinement) {
-  std::lock_guard lock(mutex_);
-  passStop_ = std::stop_source();
+std::optional<Task> Tracer::beginPass(const Refinement& refinement, const std::stop_token& stop) {
+  const std::lock_guard lock(mutex_);
   passMayBeCancelled_ = refinement.begun();
-  if (ending_) return std::nullopt;
-  if (passMayBeCancelled_ && (paused_ || !news_.empty())) return std::nullopt;
-  return Task{passStop_.get_token(), {}, threads_};
+  if (passMayBeCancelled_ && worker_.isWaiting()) return std::nullopt;
+  return Task{stop, {}, threads_};
 }
 
-void Tracer::tracePicture() {
-  const auto task = beginPass(*picture_);
+void Tracer::tracePicture(const std::stop_token& stop) {
+  const auto task = beginPass(*picture_, stop);
   if (!task || !picture_->advance(*task)) return;
   if (worthShowing()) {
     dyed_.reset();
@@ -332,7 +309,7 @@ void Tracer::showPicture() {
   picturePending_ = framed(std::move(frame));
   if (picturePending_->quality <= Quality::coarse) return;
   clear_ = picturePending_;
-  clearFabric_ = request_.cloth.scene->fabric;
+  clearFabric_ = taken_.request.cloth.scene->fabric;
   clearHelp_ = ClearHelp::patched;
 }
 
@@ -342,8 +319,8 @@ bool Tracer::worthShowing() const {
                               {dyed_->worth_samples(), dyed_->fading(), varianceToBeat_});
 }
 
-void Tracer::traceLens() {
-  const auto task = beginPass(*lens_);
+void Tracer::traceLens(const std::stop_token& stop) {
+  const auto task = beginPass(*lens_, stop);
   if (!task || !lens_->advance(*task)) return;
   lensSecondsPerPath_ = lens_->secondsPerPath();
   showLens();
@@ -358,26 +335,31 @@ void Tracer::lookForDifference() {
     difference_ = std::make_shared<const Difference>(std::move(*found));
 }
 
+/// What is pending is shown from now on; bring() hands it out.
 void Tracer::publish() {
-  {
-    std::lock_guard lock(mutex_);
-    if (picturePending_) frame_ = std::move(picturePending_);
-    if (lensPending_ || (lensFrame_ && lens_)) {
-      auto frame = std::make_shared<LensFrame>();
-      frame->fibres = lensPending_ ? std::exchange(lensPending_, nullptr) : lensFrame_->fibres;
-      frame->difference = difference_;
-      lensFrame_ = std::move(frame);
-    }
-    const auto phase = [](const Refinement& r) {
-      return r.converged() ? State::Phase::converged : State::Phase::tracing;
-    };
-    if (picture_) {
-      state_.picture = phase(*picture_);
-      if (picture_->secondsPerPath() > 0) state_.pathsPerSecond = 1 / picture_->secondsPerPath();
-    }
-    if (lens_) state_.lens = phase(*lens_);
+  isNews_ = true;
+  if (picturePending_) shown_.frame = std::move(picturePending_);
+  if (lensPending_ || (shown_.lensFrame && lens_)) {
+    auto frame = std::make_shared<LensFrame>();
+    frame->fibres = lensPending_ ? std::exchange(lensPending_, nullptr) : shown_.lensFrame->fibres;
+    frame->difference = difference_;
+    shown_.lensFrame = std::move(frame);
   }
-  wake_();
+  const auto phase = [](const Refinement& r) {
+    return r.converged() ? State::Phase::converged : State::Phase::tracing;
+  };
+  State& state = shown_.state;
+  if (picture_) {
+    state.picture = phase(*picture_);
+    if (picture_->secondsPerPath() > 0) state.pathsPerSecond = 1 / picture_->secondsPerPath();
+  }
+  if (lens_) state.lens = phase(*lens_);
+}
+
+void Tracer::bring(const Tracing::Turn& turn) {
+  if (!std::exchange(isNews_, false)) return;
+  shown_.requests = taken_.requests;
+  turn.bring(shown_);
 }
 
 }  // namespace loomlight

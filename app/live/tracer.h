@@ -1,16 +1,15 @@
 #pragma once
 
-#include <condition_variable>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 
+#include "app/live/pass_scheduler.h"
 #include "app/live/preview_policy.h"
 #include "app/live/refinement.h"
-#include "app/live/turns.h"
+#include "app/live/worker.h"
 #include "render/display/difference.h"
 
 namespace loomlight {
@@ -21,9 +20,9 @@ struct LensFrame {
   std::shared_ptr<const Difference> difference;  ///< null while unknown
 };
 
-/// Refines pictures of the newest scene on a thread of its own: the viewport's, and beside it, in turns and with the
-/// same threads, the truth lens's. At least one pass of each scene is shown before the next takes its place, so that a
-/// steady drag moves the picture. No call here waits (destruction does: one path).
+/// Refines pictures of the newest scene on a thread of its own: the viewport's, and beside it, pass by pass and with
+/// the same threads, the truth lens's. At least one pass of each scene is shown before the next takes its place, so
+/// that a steady drag moves the picture. No call here waits (destruction does: one path).
 class Tracer {
  public:
   struct Request {
@@ -41,7 +40,6 @@ class Tracer {
 
   /// `wake` is called when there is something new to show.
   Tracer(std::function<void()> wake, int threads);
-  ~Tracer();
 
   /// A scene to show. One of the same generation and size as the one before only shows the same better: the old picture
   /// gives way sample by sample. One that differs in colour alone is shown at once, as converged as
@@ -59,62 +57,66 @@ class Tracer {
   /// otherwise.
   void shareLight(bool wanted);
 
-  std::shared_ptr<const Frame> frame() const;
-  std::shared_ptr<const LensFrame> lensFrame() const;  ///< null while there is nothing to show in it
+  std::shared_ptr<const Frame> frame() const { return shown().frame; }
+  std::shared_ptr<const LensFrame> lensFrame() const { return shown().lensFrame; }  ///< null: nothing to show in it
   State state() const;
 
  private:
-  /// What has been asked for since the thread last looked.
-  struct News {
-    std::optional<Request> request;
-    std::optional<std::optional<PixelRect>> lens;
-    std::optional<Traceable> fibres;
-    std::optional<bool> denoise, share;
-    bool empty() const { return !request && !lens && !fibres && !denoise && !share; }
+  /// All that has been asked for.
+  struct Wanted {
+    Request request;
+    uint64_t requests = 0;  ///< that have come; the picture begins anew with each
+    std::optional<PixelRect> lens;
+    Traceable fibres;
+    bool denoised = false, shared = true, paused = false;
   };
+  struct Shown {
+    std::shared_ptr<const Frame> frame;
+    std::shared_ptr<const LensFrame> lensFrame;
+    State state;
+    uint64_t requests = 0;  ///< that had come
+  };
+  using Tracing = Worker<Wanted, Shown>;
 
-  void loop(const std::stop_token& stop);
-  bool goOn(News news);  ///< one pass; false when there is nothing to do
-  void take(News news);
-  void begin(Request request);
-  bool recolour(const Request& request);
+  template <class Change>
+  void want(const Change& change);
+  Shown shown() const { return worker_.newest().value_or(Shown{}); }
+
+  // The thread's:
+  void trace(const Wanted& wanted, const Tracing::Turn& turn);
+  void take(const Wanted& wanted);
+  bool mayGoOn(Subject next) const;
+  Subject nextToTrace() const;
+  void begin(const Request& before);
+  bool recolour();
   std::shared_ptr<const Frame> newestFrame() const;
   void beginPicture(double secondsPerPath, std::unique_ptr<SharedLight> light, const Changes& edit);
   Frame cleared(Frame fresh) const;
-  void changeDenoising(bool wanted);
+  void showOtherwise();
   bool worthShowing() const;
   std::shared_ptr<Frame> framed(Frame frame) const;
   void showPicture();
   void openLens();
-  void tracePicture();
-  void traceLens();
+  void tracePicture(const std::stop_token& stop);
+  void traceLens(const std::stop_token& stop);
   void showLens();
-  std::optional<Task> beginPass(const Refinement& refinement);
+  std::optional<Task> beginPass(const Refinement& refinement, const std::stop_token& stop);
   void publish();
+  void bring(const Tracing::Turn& turn);
   void lookForDifference();
-  Contender contender(const std::optional<Refinement>& refinement, double spentBefore) const;
-  void giveUp(const std::string& reason);
-  void interrupt();  ///< with the mutex held
+  Shown givenUp(const std::string& reason);
 
-  std::function<void()> wake_;
   int threads_;
 
-  mutable std::mutex mutex_;
-  std::condition_variable_any arrived_;
-  News news_;
-  State state_;
-  std::shared_ptr<const Frame> frame_;
-  std::shared_ptr<const LensFrame> lensFrame_;
-  std::stop_source passStop_;
+  mutable std::mutex mutex_;  ///< of the next two
+  Wanted wanted_;
   bool passMayBeCancelled_ = false;  ///< not before the scene's first pass has been shown
-  bool paused_ = false, ending_ = false;
 
   // The thread's own:
-  Request request_;
+  Wanted taken_;  ///< what it works for
+  Shown shown_;
+  bool isNews_ = false;  ///< shown_ has changed since it was brought
   std::optional<Refinement> picture_, lens_;
-  std::optional<PixelRect> lensWindow_;
-  Traceable fibres_;
-  bool denoised_ = false, shared_ = true;
   std::optional<Refinement> dyed_;  ///< the old picture, shown in other colours until picture_ is as good
   double varianceToBeat_ = 0;       ///< of it
   double spentBeforeLens_s_ = 0;    ///< on the picture, before the lens was opened
@@ -128,7 +130,7 @@ class Tracer {
   std::shared_ptr<const Frame> lensPending_;
   std::shared_ptr<const Difference> difference_;
 
-  std::jthread thread_;  // last: it stops before what it uses is gone
+  Tracing worker_;  // last: it ends before what it uses is gone
 };
 
 }  // namespace loomlight

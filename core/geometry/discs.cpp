@@ -3,6 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+// How it works. A sweep pushes every pair of fibres that overlap apart by half of what is wanting each. Pairs that
+// could overlap are found by buckets, with some slack; the list serves until a fibre has moved by half of that slack.
+// Distance is measured as the fibres lie in the yarn, pressed and inclined, not in the round section
+// (HelicalFibres::apartSquare).
+
 namespace loomlight {
 namespace {
 

@@ -5,6 +5,10 @@
 
 #include "core/base/random.h"
 
+// How it works. Loops rise and come back, ends stand off, and most ends lie on the cloth: each rises from its yarn over
+// the first quarter of its length and goes on at the height of the crowns, drifting to a side. Reaches are exponential,
+// cut off at three means; roots are spread evenly along the yarn.
+
 namespace loomlight {
 namespace {
 

@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+// How it works. From one crossing to the next an axis goes along an arc, a straight line and the arc turned over, each
+// a third of the pitch, horizontal at both ends. The line's slope is that which climbs from height to height, found by
+// Newton's method; lengths along the path and places on it are then closed forms.
+
 namespace loomlight {
 namespace {
 

@@ -8,6 +8,11 @@
 #include "core/shell/prism_layers.h"
 #include "core/shell/shell.h"
 
+// How it works. Every triangle of the drape is offset to both sides and becomes a prism, which is cut into three
+// tetrahedra such that neighbours cut the face between them along the same diagonal (prism.h). A tetrahedron maps
+// affinely from the world to the cloth. Its four planes are computed from vertices in one order, so that two neighbours
+// see the very same plane; faces without a neighbour are the boundary that rays enter by.
+
 namespace loomlight {
 namespace {
 

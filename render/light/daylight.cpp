@@ -7,6 +7,14 @@
 #include "render/colour/spectrum.h"
 #include "render/light/lat_long.h"
 
+// How it works. Luminance and chromaticity of the sky are Perez functions of the angles to zenith and sun, with the
+// coefficients that the paper fits to turbidity. The sun is a black body behind air that absorbs wavelength by
+// wavelength. The ground is grey and lit by both.
+//
+// The model of Hosek and Wilkie (2012) is truer near the horizon and under a low sun. Its coefficients are tables of
+// some thousands of fitted numbers that are not in the paper but came as a download; no package of Debian 12 or 13
+// holds them, and nothing here is downloaded. Every number of the model here is printed in its paper.
+
 namespace loomlight {
 namespace {
 

@@ -11,6 +11,10 @@
 #include "render/film/image.h"
 #include "render/light/lat_long.h"
 
+// How it works. The picture is made finite and small enough, and a table of the mean luminance around every texel is
+// sampled by inversion (sphere_table.h). Light is looked up bilinearly, so the means are over what that interpolation
+// shows: wherever there is light, the table's density is not 0.
+
 namespace loomlight {
 namespace {
 

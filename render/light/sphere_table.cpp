@@ -4,6 +4,10 @@
 #include <cassert>
 #include <cmath>
 
+// How it works. The sphere is cut into rows of equal angle and each row into cells. A draw inverts the cumulative power
+// of the rows, then that within the row, and takes a point of the cell evenly by solid angle. Cumulative shares are
+// whole numbers of 2^-31, so that density and draw agree exactly.
+
 namespace loomlight {
 namespace {
 

@@ -9,6 +9,11 @@
 #include "core/base/error.h"
 #include "render/colour/colour_space.h"
 
+// How it works. relMSE divides each squared difference by the reference's square plus a hundredth of its mean's, so
+// that dark pixels do not rule. The bias beneath the noise comes of two independent pictures of each kind: noise of
+// different seeds has mean 0 in the products (A - R)(A' - R') and RR', and their sums' ratio is the squared relative
+// bias.
+
 namespace loomlight {
 namespace {
 

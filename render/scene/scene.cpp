@@ -13,6 +13,10 @@
 #include "render/scene/fibre_bricks.h"
 #include "render/scene/shell_entry.h"
 
+// How it works. Changes say which parts of the scene before still stand; those are shared, the others made in the order
+// in which they need one another: geometry, shell and the look-ups of yarns, voxels. Where yarns take long to make, a
+// scene of sketched ones is shown first, and scenes of the first bricks after that.
+
 namespace loomlight {
 namespace {
 

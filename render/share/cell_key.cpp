@@ -5,6 +5,11 @@
 
 #include "core/base/hash.h"
 
+// How it works. A key is a hash that grows from level to level: yarn, fibre and the side seen; then edges near by and
+// how the cloth lies; then the crossings around and a block of voxels; then the voxel. The key as it stands at each
+// level names the cell of that level, so a cell's parent is known without a search. Directions are cut into bins on a
+// cube, with a jitter that blurs the borders between bins.
+
 namespace loomlight {
 namespace {
 

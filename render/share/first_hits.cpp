@@ -7,6 +7,10 @@
 #include "render/scene/camera_rays.h"
 #include "render/transport/path_integrator.h"
 
+// How it works. Paths from the eye end at their first fibre; what is kept of one is the number of the cell of light
+// that it met. Strips of rows are traced in parallel and only look cells up; cells that are new are added afterwards,
+// strip by strip in order, so that their numbers do not depend on the threads.
+
 namespace loomlight {
 namespace {
 

@@ -6,6 +6,11 @@
 
 #include "core/base/parallel.h"
 
+// How it works. A picture is traced in tiles, each by one thread. A tile sends the next sample of all its pixels
+// together through the integrator, until every pixel has what is wanted. Sample i of a pixel draws from a stream that
+// depends on (seed, pixel, i) alone, and sums in the film are integers, so neither tiles nor threads show in the
+// picture.
+
 namespace loomlight {
 namespace {
 

@@ -77,7 +77,7 @@ Light lightOf(const AccuracyLight& choice) {
 }
 
 /// All that is measured of one way to trace a cloth.
-struct ViewState {
+struct Renderings {
   std::vector<TwoPictures> pictures;  ///< of each light
   std::optional<TwoMeasures> halfDome;
 };
@@ -127,18 +127,18 @@ std::optional<TwoPictures> look(const Scene& scene, const Medium& medium, const 
   }
 }
 
-std::optional<ViewState> see(const Scene& scene, const Medium& medium, const Plan& plan, const Task& task) {
-  ViewState sight;
+std::optional<Renderings> see(const Scene& scene, const Medium& medium, const Plan& plan, const Task& task) {
+  Renderings seen;
   for (size_t i = 0; i < kAccuracyLights.size(); ++i) {
     auto pictures = look(scene, medium, kAccuracyLights[i], plan.lights[i], task);
     if (!pictures) return std::nullopt;
-    sight.pictures.push_back(std::move(*pictures));
+    seen.pictures.push_back(std::move(*pictures));
   }
-  if (plan.halfDomeSamples == 0) return sight;
-  sight.halfDome =
+  if (plan.halfDomeSamples == 0) return seen;
+  seen.halfDome =
       measureTwice(scene, medium, lightOf(kAccuracyLights[kAccuracyDome]), plan.halfDome, plan.halfDomeSamples, task);
-  if (!sight.halfDome) return std::nullopt;
-  return sight;
+  if (!seen.halfDome) return std::nullopt;
+  return seen;
 }
 
 /// The root of a squared difference, with its sign, in percent.
@@ -147,18 +147,18 @@ Estimate rootPercent(const Estimate& squared) {
   return {100 * std::copysign(root, squared.value), root > 0 ? 50 * squared.standardError / root : 0};
 }
 
-Accuracy accuracyOf(const std::string& method, const ViewState& sight, const ViewState& truth) {
+Accuracy accuracyOf(const std::string& method, const Renderings& seen, const Renderings& truth) {
   Accuracy accuracy{method, {}, {}, {}};
   for (size_t i = 0; i < kAccuracyLights.size(); ++i) {
-    const MeanColour found = meanColour(sight.pictures[i]), expected = meanColour(truth.pictures[i]);
+    const MeanColour found = meanColour(seen.pictures[i]), expected = meanColour(truth.pictures[i]);
     for (int c = 0; c < 3; ++c)
       accuracy.colour[i][static_cast<size_t>(c)] = {
           100 * (found.value[c] - expected.value[c]) / expected.value[c],
           100 * std::hypot(found.standardError[c], expected.standardError[c]) / expected.value[c]};
   }
-  accuracy.pixels = rootPercent(squaredDifference(sight.pictures[kAccuracyDome], truth.pictures[kAccuracyDome]));
-  if (sight.halfDome && truth.halfDome)
-    accuracy.halfDome = rootPercent(squaredDifference(*sight.halfDome, *truth.halfDome));
+  accuracy.pixels = rootPercent(squaredDifference(seen.pictures[kAccuracyDome], truth.pictures[kAccuracyDome]));
+  if (seen.halfDome && truth.halfDome)
+    accuracy.halfDome = rootPercent(squaredDifference(*seen.halfDome, *truth.halfDome));
   return accuracy;
 }
 
@@ -183,7 +183,7 @@ Fabric posed(Fabric fabric, const Plan& plan) {
 }
 
 struct Fibres {
-  ViewState sight;
+  Renderings seen;
   double segments = 0;
 };
 
@@ -194,16 +194,16 @@ std::optional<Fibres> seeFibres(const Fabric& fabric, const ReportBench& bench, 
   MediumCost cost;
   const auto medium = mediumOf(*scene, variant, bench, task, cost);
   if (!medium) return std::nullopt;
-  auto sight = see(*scene, *medium, plan, task);
-  if (!sight) return std::nullopt;
-  return Fibres{std::move(*sight), static_cast<double>(cost.segments)};
+  auto seen = see(*scene, *medium, plan, task);
+  if (!seen) return std::nullopt;
+  return Fibres{std::move(*seen), static_cast<double>(cost.segments)};
 }
 
-Pixels8 pictureOf(const std::vector<const ViewState*>& sights) {
+Pixels8 pictureOf(const std::vector<const Renderings*>& columns) {
   std::vector<Pixels8> rows;
   for (size_t i = 0; i < kAccuracyLights.size(); ++i) {
     std::vector<Pixels8> row;
-    for (const ViewState* sight : sights) row.push_back(magnified(shown(sight->pictures[i]), 3));
+    for (const Renderings* seen : columns) row.push_back(magnified(shown(seen->pictures[i]), 3));
     rows.push_back(sideBySide(row));
   }
   return stacked(rows);
@@ -224,9 +224,9 @@ std::optional<AccuracyStudy> studyAccuracy(const BenchCloth& cloth, const Report
   const Plan beside = bench.quick ? plan : plan.cursory();
   const auto other = seeFibres(rearranged(fabric), bench, beside, task);
   if (!other) return std::nullopt;
-  study.methods.push_back(accuracyOf(kOtherFibres, other->sight, truth->sight));
-  std::vector<const ViewState*> columns{&truth->sight, &other->sight};
-  std::optional<ViewState> ours;
+  study.methods.push_back(accuracyOf(kOtherFibres, other->seen, truth->seen));
+  std::vector<const Renderings*> columns{&truth->seen, &other->seen};
+  std::optional<Renderings> ours;
   std::shared_ptr<const Scene> scene;  // the last: those of one resolution share their volume
   for (const auto& [variant, isTarget] : volumes(bench.quick)) {
     say(variant.name);
@@ -235,10 +235,10 @@ std::optional<AccuracyStudy> studyAccuracy(const BenchCloth& cloth, const Report
     MediumCost cost;
     const auto medium = mediumOf(*scene, variant, bench, task, cost);
     if (!medium) return std::nullopt;
-    auto sight = see(*scene, *medium, isTarget ? plan : beside, task);
-    if (!sight) return std::nullopt;
-    study.methods.push_back(accuracyOf(variant.name, *sight, truth->sight));
-    if (variant.name == kOurs8) ours = std::move(*sight);
+    auto seen = see(*scene, *medium, isTarget ? plan : beside, task);
+    if (!seen) return std::nullopt;
+    study.methods.push_back(accuracyOf(variant.name, *seen, truth->seen));
+    if (variant.name == kOurs8) ours = std::move(*seen);
   }
   if (ours) columns.push_back(&*ours);
   study.picture = pictureOf(columns);

@@ -11,7 +11,7 @@ InspectorResult InspectorController::draw(Ui& ui, const std::shared_ptr<const Fa
   const ClothMeasures measures = seen.status().measures;
   const std::shared_ptr<const FabricStats> stats = seen.stats();
   InspectorModel model;
-  if (stats && stats->yarn == view_.yarn) model.section = &stats->section;
+  if (stats && stats->yarn == view_.yarn && stats->section) model.section = &*stats->section;
   model.measured = measures.thickness_mm > 0;  // a moment after it is built
   model.crimpWarp = measures.crimpWarp;
   model.crimpWeft = measures.crimpWeft;

@@ -26,18 +26,26 @@ Fabric plainClothOf(const Fabric& fabric, int yarn) {
   return plain;
 }
 
-}  // namespace
+/// A cell in which the yarn lies; none where the cloth does not use it.
+std::optional<CellKey> cellOf(const ClothGeometry& cloth, const Fabric& fabric, int yarn) {
+  for (const System system : {System::warp, System::weft}) {
+    const std::vector<int>& sequence = system == System::warp ? fabric.warpSequence : fabric.weftSequence;
+    const auto found = std::find(sequence.begin(), sequence.end(), yarn);
+    if (found == sequence.end()) continue;
+    const auto index = static_cast<int>(found - sequence.begin());
+    return system == System::warp ? cloth.key(system, 0, index) : cloth.key(system, index, 0);
+  }
+  return std::nullopt;
+}
 
-YarnSection yarnSection(const Fabric& fabric, int yarn) {
-  const double secondShare = blendNumberShare(fabric.yarns[static_cast<size_t>(yarn)], fabric.fibres);
-  const ClothGeometry geometry(plainClothOf(fabric, yarn), 2, 2);
-  const CellKey key = geometry.key(System::warp, 0, 0);
-  const YarnGeometry& shape = geometry.yarn(System::warp, key.yarn);
-  const CellStrands strands = geometry.strands(key);
+/// `secondShare`: how many of the fibres are the second ones of a blend.
+YarnSection sectionIn(const ClothGeometry& cloth, const CellKey& key, double secondShare) {
+  const double diameter_mm = cloth.yarn(key.system, key.yarn).diameter_mm();
+  const CellStrands strands = cloth.strands(key);
   YarnSection section;
   section.fibreRadius_mm = strands.fibreRadius_mm;
-  section.halfWidth_mm = 0.5 * shape.diameter_mm() * key.here.across;
-  section.halfHeight_mm = 0.5 * shape.diameter_mm() * key.here.up;
+  section.halfWidth_mm = 0.5 * diameter_mm * key.here.across;
+  section.halfHeight_mm = 0.5 * diameter_mm * key.here.up;
   for (size_t k = 0; k < strands.strands.size(); ++k) {
     const CellStrands::Strand& strand = strands.strands[k];
     const bool second = Random(k).uniformDouble() < secondShare;  // which ones is chance, as in the yarn
@@ -51,14 +59,23 @@ YarnSection yarnSection(const Fabric& fabric, int yarn) {
   return section;
 }
 
+}  // namespace
+
+YarnSection yarnSection(const ClothGeometry& cloth, const Fabric& fabric, int yarn) {
+  const double secondShare = blendNumberShare(fabric.yarns[static_cast<size_t>(yarn)], fabric.fibres);
+  if (const auto key = cellOf(cloth, fabric, yarn)) return sectionIn(cloth, *key, secondShare);
+  const ClothGeometry plain(plainClothOf(fabric, yarn), 2, 2);
+  return sectionIn(plain, plain.key(System::warp, 0, 0), secondShare);
+}
+
 FabricStatsWorker::FabricStatsWorker(std::function<void()> wake, Compute compute)
     : compute_(std::move(compute)),
       worker_(
           std::move(wake), [this](const Request& request, const auto&) { return tell(request); },
           [this](const Request&, const std::string& problem) { return Result{last_, problem}; }) {}
 
-void FabricStatsWorker::request(std::shared_ptr<const Fabric> fabric, int yarn) {
-  worker_.ask({std::move(fabric), yarn});
+void FabricStatsWorker::request(std::shared_ptr<const Fabric> fabric, int yarn, std::shared_ptr<const Scene> built) {
+  worker_.ask({std::move(fabric), yarn, std::move(built)});
 }
 
 std::shared_ptr<const FabricStats> FabricStatsWorker::newest() const {
@@ -91,9 +108,8 @@ std::optional<MeshExtent> FabricStatsWorker::extentOf(const Drape& drape) {
   return measuredExtent_;
 }
 
-FabricStats FabricStatsWorker::insightOf(const Fabric& fabric, int yarn) {
+FabricStats FabricStatsWorker::statsOf(const Fabric& fabric) {
   FabricStats stats;
-  stats.section = yarnSection(fabric, yarn);
   stats.floats = floats(fabric.weave);
   stats.binding = binding(fabric.weave);
   stats.cover = coverFactors(fabric);
@@ -103,10 +119,19 @@ FabricStats FabricStatsWorker::insightOf(const Fabric& fabric, int yarn) {
 
 FabricStatsWorker::Result FabricStatsWorker::tell(const Request& request) {
   const int yarn = std::min(request.yarn, static_cast<int>(request.fabric->yarns.size()) - 1);
-  auto stats = std::make_shared<FabricStats>(compute_(*request.fabric, yarn));
-  stats->fabric = request.fabric;
+  const bool known = last_ && last_->fabric == request.fabric;
+  auto stats = std::make_shared<FabricStats>(known ? *last_ : compute_(*request.fabric));
+  if (!known) {
+    stats->fabric = request.fabric;
+    stats->mesh = extentOf(request.fabric->drape);
+  }
   stats->yarn = yarn;
-  stats->mesh = extentOf(request.fabric->drape);
+  if (request.built && request.built->fabric == request.fabric)
+    stats->section = yarnSection(request.built->cloth->volume->geometry(), *request.fabric, yarn);
+  else if (last_ && last_->yarn == yarn)
+    stats->section = last_->section;  // until the cloth is built
+  else
+    stats->section.reset();
   last_ = std::move(stats);
   return {last_, ""};
 }

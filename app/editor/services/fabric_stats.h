@@ -8,6 +8,7 @@
 
 #include "app/live/worker.h"
 #include "core/fabric/yarn/derived.h"
+#include "render/scene/scene.h"
 #include "ui/inspector/yarn_section.h"
 #include "ui/viewport/camera_moves.h"
 
@@ -17,7 +18,7 @@ namespace loomlight {
 struct FabricStats {
   std::shared_ptr<const Fabric> fabric;  ///< of which it speaks
   int yarn = 0;                          ///< whose section it is
-  YarnSection section;
+  std::optional<YarnSection> section;    ///< of the newest cloth that is built; none before the first
   Floats floats;
   CoverFactors cover;
   Binding binding;
@@ -25,18 +26,21 @@ struct FabricStats {
   std::optional<MeshExtent> mesh;  ///< of a mesh drape that could be read
 };
 
-/// The section of one yarn of the fabric, as it lies in plain cloth of this sett.
-YarnSection yarnSection(const Fabric& fabric, int yarn);
+/// The section of one yarn of the fabric in its built cloth; of a yarn that the cloth does not use, as it would lie in
+/// plain cloth of this sett.
+YarnSection yarnSection(const ClothGeometry& cloth, const Fabric& fabric, int yarn);
 
-/// Computes insights on a thread of its own, of the newest request: a float search in a large jacquard, or the fibres
-/// of a coarse yarn, take longer than a frame.
+/// Finds out what is worth knowing of the newest fabric on a thread of its own: a float search in a large jacquard
+/// takes longer than a frame. The section is that of the very fibres that the cloth was built of, so it comes with
+/// that.
 class FabricStatsWorker {
  public:
-  /// What is worth knowing of a fabric, but for its mesh. May throw.
-  using Compute = std::function<FabricStats(const Fabric&, int yarn)>;
-  explicit FabricStatsWorker(std::function<void()> wake, Compute compute = insightOf);
+  /// What is worth knowing of a fabric, but for its mesh and the section. May throw.
+  using Compute = std::function<FabricStats(const Fabric&)>;
+  explicit FabricStatsWorker(std::function<void()> wake, Compute compute = statsOf);
 
-  void request(std::shared_ptr<const Fabric> fabric, int yarn);
+  /// `built`: the newest cloth that is there; may be null, or of a fabric before this one.
+  void request(std::shared_ptr<const Fabric> fabric, int yarn, std::shared_ptr<const Scene> built);
   std::shared_ptr<const FabricStats> newest() const;  ///< null before the first
   std::string problem() const;                        ///< why there is none of the newest request; else empty
 
@@ -44,12 +48,13 @@ class FabricStatsWorker {
   struct Request {
     std::shared_ptr<const Fabric> fabric;
     int yarn = 0;
+    std::shared_ptr<const Scene> built;
   };
   struct Result {
     std::shared_ptr<const FabricStats> stats;  ///< the last that could be computed
     std::string problem;
   };
-  static FabricStats insightOf(const Fabric& fabric, int yarn);
+  static FabricStats statsOf(const Fabric& fabric);
   Result tell(const Request& request);
   std::optional<MeshExtent> extentOf(const Drape& drape);
 

@@ -34,6 +34,9 @@ bool ViewService::take(bool showsDifference) {
     visibilityPicture_->upload(newest->picture);
     shownVisibility_ = std::move(newest);
   }
+  std::shared_ptr<const Scene> built = renderer_.scene();
+  if (built != built_ && built->fabric == state_.fabric) stats_.request(state_.fabric, state_.yarn, built);
+  built_ = std::move(built);
   std::shared_ptr<const Frame> newest = renderer_.frame();
   if (!newest || newest == frame_) return false;
   upload(*newest);
@@ -78,7 +81,7 @@ void ViewService::follow(const ViewState& state) {
   if (baked != bakedFor(state_) || (baked && state.yarn != state_.yarn)) visibility_.request(baked, state.yarn);
   followPicture(state);
   if (state.denoised != state_.denoised) renderer_.denoise(state.denoised);
-  if (state.fabric != state_.fabric || state.yarn != state_.yarn) stats_.request(state.fabric, state.yarn);
+  if (state.fabric != state_.fabric || state.yarn != state_.yarn) stats_.request(state.fabric, state.yarn, built_);
   if (state.lens != state_.lens) renderer_.lens(state.lens);
   state_ = state;
 }

@@ -71,6 +71,7 @@ class ViewService {
   uint64_t generation_ = 0;                                ///< of the picture
   std::shared_ptr<const BakedVisibility> usedVisibility_;  ///< the tables that the renderer has
 
+  std::shared_ptr<const Scene> built_;  ///< the newest cloth
   std::shared_ptr<const Frame> frame_;
   std::shared_ptr<const LensFrame> lensFrame_;
   std::shared_ptr<const BakedVisibility> shownVisibility_;

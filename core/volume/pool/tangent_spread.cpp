@@ -2,6 +2,11 @@
 
 #include <vector>
 
+// How it works. The mean over the turned tangents is a double integral: by the trapezoidal rule over the logarithm of
+// the angle, by the midpoint rule over the turn, both of which converge exponentially. It is tabulated divided by what
+// makes it smooth at its tip; the row of vanishing spread is its limit in the plane. The inverse, from a mean squared
+// sine to a spread, is a table over the root, where it is nearly linear.
+
 namespace loomlight {
 namespace {
 

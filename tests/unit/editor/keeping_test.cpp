@@ -294,38 +294,5 @@ TEST(Settings, AFolderWhoseNameIsNoTextCostsNoSetting) {
   EXPECT_EQ(readSettings(file).windowWidth, 1777);
 }
 
-TEST(YarnSection, ShowsEveryFibreOnceInsideTheYarn) {
-  Fabric fabric = sampleFabric();
-  for (FibreLayout layout : {FibreLayout::random, FibreLayout::packed}) {
-    Yarn& yarn = fabric.yarns[0];
-    yarn.layout = layout;
-    yarn.hairiness_per_mm = 0;
-    yarn.plies = 3;
-    yarn.yarnTwist_per_m = 400;
-    yarn.fibresPerPly = 37;
-    const YarnSection section = yarnSection(fabric, 0);
-    EXPECT_EQ(section.points.size(), 3u * 37u);
-    for (const YarnSection::Point& point : section.points) {
-      EXPECT_LT(std::abs(point.at_mm.x), 1.05 * section.halfWidth_mm);
-      EXPECT_LT(std::abs(point.at_mm.y), 1.05 * section.halfHeight_mm);
-    }
-  }
-}
-
-TEST(FabricStatsWorker, AnswersTheNewestRequest) {
-  FabricStatsWorker worker([] {});
-  std::shared_ptr<const Fabric> last;
-  for (int i = 0; i < 20; ++i) {
-    Fabric fabric = sampleFabric();
-    fabric.ends_per_cm = 20 + i;
-    last = std::make_shared<const Fabric>(std::move(fabric));
-    worker.request(last, 0);
-  }
-  EXPECT_TRUE(comesTrue([&] {
-    const auto newest = worker.newest();
-    return newest && newest->fabric == last;
-  }));
-}
-
 }  // namespace
 }  // namespace loomlight

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <latch>
+#include <new>
 
 #include "render/transport/make_medium.h"
 #include "tests/support/test_cloth.h"
@@ -134,6 +135,33 @@ TEST(Tracer, PausesAndGoesOn) {
   }
   tracer.pause(false);
   EXPECT_TRUE(window.waitFor([&] { return watched->paths() > paths && tracer.frame()->samples > 1; }));
+}
+
+TEST(Tracer, TracesFromTheMomentThatItIsAsked) {
+  const std::shared_ptr<const Scene> scene = test::sceneOf(test::whiteCotton());
+  std::latch looked(1);
+  const auto held =
+      std::make_shared<const WatchedMedium>(makeMedium(*scene, 1e9, Task{}), [&](uint64_t) { looked.wait(); });
+  Tracer tracer([] {}, 1);
+  EXPECT_EQ(tracer.state().picture, Tracer::State::Phase::idle);
+  tracer.show({{scene, held}, kWidth, kHeight, 1});
+  EXPECT_EQ(tracer.state().picture, Tracer::State::Phase::tracing);
+  looked.count_down();
+}
+
+TEST(Tracer, SaysWhatWentWrongAndGoesOnWithTheNextScene) {
+  const std::shared_ptr<const Scene> scene = test::sceneOf(test::whiteCotton());
+  const std::shared_ptr<const Medium> medium = makeMedium(*scene, 1e9, Task{});
+  const auto failing = std::make_shared<const WatchedMedium>(medium, [](uint64_t) { throw std::bad_alloc(); });
+  test::WorkerWindow window;
+  Tracer tracer(window.waker(), 1);
+  tracer.show({{scene, failing}, 16, 12, 1});
+  ASSERT_TRUE(window.waitFor([&] { return !tracer.state().error.empty(); }));
+  EXPECT_EQ(tracer.state().error, "It needs more memory than there is.");
+  EXPECT_EQ(tracer.state().picture, Tracer::State::Phase::idle);
+  tracer.show({{scene, medium}, 16, 12, 2});
+  EXPECT_TRUE(window.waitFor([&] { return tracer.frame() && tracer.frame()->generation == 2; }));
+  EXPECT_EQ(tracer.state().error, "");
 }
 
 }  // namespace
