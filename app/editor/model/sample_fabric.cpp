@@ -1,5 +1,8 @@
 #include "app/editor/model/sample_fabric.h"
 
+#include <iterator>
+
+#include "app/wardrobe/wardrobe.h"
 #include "core/fabric/json/fabric_json.h"
 #include "sample_text.h"
 
@@ -21,17 +24,20 @@ constexpr Sample kSamples[] = {
     {"Jacquard damask", kJacquard},
 };
 
-constexpr size_t kWelcome = 4;  // Denim
+constexpr size_t kOfTheirOwn = std::size(kSamples);  // the others are the wardrobe's
+constexpr size_t kWelcome = 4;                       // Denim
 
 }  // namespace
 
 std::vector<std::string> sampleNames() {
   std::vector<std::string> names;
   for (const Sample& sample : kSamples) names.emplace_back(sample.name);
+  for (const WardrobeCloth& cloth : wardrobe()) names.emplace_back(cloth.name);
   return names;
 }
 
 Fabric sampleFabric(size_t index) {
+  if (index >= kOfTheirOwn) return fabricOf(wardrobe()[index - kOfTheirOwn]);
   return fabricFromJson(kSamples[index].json, kSamples[index].name);
 }
 

@@ -7,7 +7,8 @@
 
 namespace loomlight {
 
-/// The sample cloths that travel inside the program, by name. The first is what a new editor opens on.
+/// The sample cloths that travel inside the program, by name: some of our own, then the wardrobe. The first is what a
+/// new editor opens on.
 std::vector<std::string> sampleNames();
 /// index < sampleNames().size()
 Fabric sampleFabric(size_t index = 0);
