@@ -1,5 +1,6 @@
 #include "app/editor/model/sample_fabric.h"
 
+#include <algorithm>
 #include <iterator>
 
 #include "app/wardrobe/wardrobe.h"
@@ -25,7 +26,7 @@ constexpr Sample kSamples[] = {
 };
 
 constexpr size_t kOfTheirOwn = std::size(kSamples);  // the others are the wardrobe's
-constexpr size_t kWelcome = 4;                       // Denim
+constexpr std::string_view kWelcome = "denim_raw";
 
 }  // namespace
 
@@ -42,16 +43,9 @@ Fabric sampleFabric(size_t index) {
 }
 
 Fabric welcomeFabric() {
-  Fabric fabric = sampleFabric(kWelcome);
-  fabric.drape.kind = DrapeKind::folds;
-  fabric.drape.width_mm = 84;
-  fabric.drape.height_mm = 66;
-  fabric.drape.radius_mm = 5;
-  fabric.light.kind = LightKind::window;  // clear after a few samples, as the sun is not
-  fabric.camera.azimuth_deg = -78;
-  fabric.camera.elevation_deg = 48;
-  fabric.camera.distance_mm = 110;
-  return fabric;
+  const auto cloths = wardrobe();
+  return fabricOf(
+      *std::find_if(cloths.begin(), cloths.end(), [](const WardrobeCloth& cloth) { return cloth.file == kWelcome; }));
 }
 
 }  // namespace loomlight
