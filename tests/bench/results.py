@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Puts the pages of `loomlight bench accuracy`, `table1`, `figures`, `edit` and `converge` together as RESULTS.md, with a
+"""Puts the pages of `loomlight bench accuracy`, `table1`, `figures`, `edit`, `converge` and `cloths` together as RESULTS.md, with a
 few small pictures.
 
     tests/bench/results.py --run build/app/loomlight RUNS    measures first: over an hour on two idle cores
@@ -15,7 +15,7 @@ import shutil
 import subprocess
 
 HERE = pathlib.Path(__file__).resolve().parent
-SUITES = ("accuracy", "table1", "figures", "edit", "converge")
+SUITES = ("accuracy", "table1", "figures", "edit", "converge", "cloths")
 PICTURES = ("accuracy_plain_filament", "blue", "black_and_white", "fig1", "fig4", "fig7", "fig8", "fig11-14_blue")
 LARGEST_BYTES = 100_000
 

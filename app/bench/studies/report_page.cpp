@@ -56,6 +56,14 @@ void writeSmallPng(const std::string& file, Pixels8 pixels) {
 
 }  // namespace
 
+std::string markdownTable(const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows) {
+  std::string text = markdownRow(header) + "|---|";
+  for (size_t i = 1; i < header.size(); ++i) text += "---:|";
+  text += "\n";
+  for (const auto& row : rows) text += markdownRow(row);
+  return text;
+}
+
 ReportPage::ReportPage(std::string folder, std::string name, const std::string& title)
     : folder_(std::move(folder)), name_(std::move(name)), text_(fmt::format("# {}\n", title)) {
   std::error_code error;
@@ -73,10 +81,8 @@ void ReportPage::paragraph(const std::string& text) {
 
 void ReportPage::table(const std::string& name, const std::vector<std::string>& header,
                        const std::vector<std::vector<std::string>>& rows) {
-  text_ += fmt::format("\n{}|---|", markdownRow(header));
-  for (size_t i = 1; i < header.size(); ++i) text_ += "---:|";
-  text_ += "\n";
-  for (const auto& row : rows) text_ += markdownRow(row);
+  text_ += '\n';
+  text_ += markdownTable(header, rows);
   csv(name, header, rows);
 }
 

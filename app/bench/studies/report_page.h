@@ -34,6 +34,9 @@ class ReportPage {
   std::string folder_, name_, text_;
 };
 
+/// The table as it stands on a page; what is in the first column is set left, all else right.
+std::string markdownTable(const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows);
+
 /// Half as large each way, every pixel the mean of four; an odd last row or column is left out.
 Pixels8 halved(const Pixels8& picture);
 /// Every pixel as a square of n x n.

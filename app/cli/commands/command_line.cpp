@@ -206,6 +206,8 @@ void addBenches(CommandWords& words, CLI::App& benches) {
             addConvergeBench, {"bench-converge"});
   words.add(benches, "clear", "how soon after an edit the editor's picture is clear, on every drape and light",
             addClearBench, {"bench-clear"});
+  words.add(benches, "cloths", "what the trade says of cloths that have a name, beside what ours turn out as",
+            addClothsBench, {"bench-cloths"});
 }
 
 }  // namespace
@@ -251,7 +253,7 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   if (auto command = commands.chosen()) return *std::move(command);
   if (*benches)
     throw UsageError(
-        fmt::format("bench: expected volume, table1, figures, accuracy, edit, clear, ui or converge, got '{}'",
+        fmt::format("bench: expected volume, table1, figures, accuracy, edit, clear, cloths, ui or converge, got '{}'",
                     noSuite.empty() ? "" : noSuite.front()));
   return edit;
 }

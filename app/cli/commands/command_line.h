@@ -8,6 +8,7 @@
 #include "app/bench/bench_command.h"
 #include "app/bench/bench_converge.h"
 #include "app/bench/bench_edit.h"
+#include "app/bench/bench_wardrobe.h"
 #include "app/cli/commands/brdf_command.h"
 #include "app/cli/commands/bvdf_command.h"
 #include "app/cli/commands/compare_command.h"
@@ -37,9 +38,10 @@ struct TextCommand {
   std::string text;
 };
 
-using Command = std::variant<EditCommand, RenderCommand, InfoCommand, ConvertCommand, BenchCommand, ReportBenchCommand,
-                             EditBenchCommand, ClearBenchCommand, UiBenchCommand, ConvergeBenchCommand, BrdfCommand,
-                             CompareCommand, BvdfCommand, TileCommand, ThumbnailCommand, TraceCommand, TextCommand>;
+using Command =
+    std::variant<EditCommand, RenderCommand, InfoCommand, ConvertCommand, BenchCommand, ReportBenchCommand,
+                 EditBenchCommand, ClearBenchCommand, UiBenchCommand, ConvergeBenchCommand, ClothsBenchCommand,
+                 BrdfCommand, CompareCommand, BvdfCommand, TileCommand, ThumbnailCommand, TraceCommand, TextCommand>;
 
 /// What the words behind the program's name ask for. Throws UsageError.
 Command parseCommandLine(const std::vector<std::string>& words);

@@ -92,6 +92,10 @@ void addClearBench(CLI::App& app, ClearBenchCommand& command) {
            });
 }
 
+void addClothsBench(CLI::App& app, ClothsBenchCommand& command) {
+  app.add_option("-o,--output", command.folder, "the folder for page and tables; made where needed")->type_name("DIR");
+}
+
 void addBrdf(CLI::App& app, BrdfCommand& command) {
   addInput(app, "FABRIC", command.input);
   app.add_option("-o,--output", command.output, "writes OUT.exr, OUT.png and OUT.csv")->type_name("OUT")->required();

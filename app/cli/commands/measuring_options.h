@@ -16,6 +16,7 @@ void addUiBench(CLI::App& app, UiBenchOptions& options);
 void addEditBench(CLI::App& app, EditBenchCommand& command);
 void addConvergeBench(CLI::App& app, ConvergeBenchCommand& command);
 void addClearBench(CLI::App& app, ClearBenchCommand& command);
+void addClothsBench(CLI::App& app, ClothsBenchCommand& command);
 void addBrdf(CLI::App& app, BrdfCommand& command);
 void addBvdf(CLI::App& app, BvdfCommand& command);
 void addCompare(CLI::App& app, CompareCommand& command);

@@ -1,5 +1,9 @@
 #include "app/editor/model/sample_fabric.h"
 
+#include <algorithm>
+#include <iterator>
+
+#include "app/wardrobe/wardrobe.h"
 #include "core/fabric/json/fabric_json.h"
 #include "sample_text.h"
 
@@ -21,31 +25,27 @@ constexpr Sample kSamples[] = {
     {"Jacquard damask", kJacquard},
 };
 
-constexpr size_t kWelcome = 4;  // Denim
+constexpr size_t kOfTheirOwn = std::size(kSamples);  // the others are the wardrobe's
+constexpr std::string_view kWelcome = "denim_raw";
 
 }  // namespace
 
 std::vector<std::string> sampleNames() {
   std::vector<std::string> names;
   for (const Sample& sample : kSamples) names.emplace_back(sample.name);
+  for (const WardrobeCloth& cloth : wardrobe()) names.emplace_back(cloth.name);
   return names;
 }
 
 Fabric sampleFabric(size_t index) {
+  if (index >= kOfTheirOwn) return fabricOf(wardrobe()[index - kOfTheirOwn]);
   return fabricFromJson(kSamples[index].json, kSamples[index].name);
 }
 
 Fabric welcomeFabric() {
-  Fabric fabric = sampleFabric(kWelcome);
-  fabric.drape.kind = DrapeKind::folds;
-  fabric.drape.width_mm = 84;
-  fabric.drape.height_mm = 66;
-  fabric.drape.radius_mm = 5;
-  fabric.light.kind = LightKind::window;  // clear after a few samples, as the sun is not
-  fabric.camera.azimuth_deg = -78;
-  fabric.camera.elevation_deg = 48;
-  fabric.camera.distance_mm = 110;
-  return fabric;
+  const auto cloths = wardrobe();
+  return fabricOf(
+      *std::find_if(cloths.begin(), cloths.end(), [](const WardrobeCloth& cloth) { return cloth.file == kWelcome; }));
 }
 
 }  // namespace loomlight

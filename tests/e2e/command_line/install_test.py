@@ -32,8 +32,9 @@ class Install(CommandLineTest):
         first.rename(second)
         self.assertIn(str(second / "share/loomlight/samples"), self.run_in(second, "--help"))
         samples = second / "share" / "loomlight" / "samples"
-        self.assertEqual({file.name for file in samples.iterdir()},
-                         {file.name for file in (ROOT / "samples").iterdir() if file.is_file()})
+        for folder in (samples, samples / "cloths"):
+            self.assertEqual({file.name for file in folder.iterdir() if file.is_file()},
+                             {file.name for file in (ROOT / folder.relative_to(samples.parent)).iterdir() if file.is_file()})
         self.run_in(second, "render", str(samples / "denim.json"), "-o", "a.png", "--size", "32x24", "--spp", "1",
                     "--drape", str(samples / "folded_cloth.obj"))
         link = self.folder / "loomlight"

@@ -93,11 +93,11 @@ class AppRun(CommandLineTest):
 
     def test_a_display_gets_the_editor(self):
         done = self.app_run(DISPLAY=":5")
-        self.assertRegex(done.stdout, r"^called with: edit .*/samples/denim.json\n$")
+        self.assertRegex(done.stdout, r"^called with: edit .*/samples/cloths/denim_raw.json\n$")
 
     def test_without_a_display_a_picture_is_rendered(self):
         done = self.app_run()
-        self.assertRegex(done.stdout, r"^called with: render .*/samples/denim.json -o denim.png")
+        self.assertRegex(done.stdout, r"^called with: render .*/samples/cloths/denim_raw.json -o denim.png")
         self.assertIn("no display", done.stderr)
 
 

@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <thread>
@@ -228,7 +230,17 @@ TEST(PresetFolder, DressingKeepsTheScene) {
 }
 
 TEST(Samples, AllOpen) {
-  for (size_t i = 0; i < sampleNames().size(); ++i) EXPECT_NO_THROW(sampleFabric(i)) << sampleNames()[i];
+  for (size_t i = 0; i < sampleNames().size(); ++i) EXPECT_EQ(sampleFabric(i).name, sampleNames()[i]);
+}
+
+/// A hand is 8 to 12 cm broad: there folds and weave are seen together.
+TEST(Samples, TheFirstStartShowsAHandsBreadth) {
+  const Fabric fabric = welcomeFabric();
+  const double seen_mm = 2 * fabric.camera.distance_mm * std::tan(fabric.camera.fov_deg / 2 * kPi / 180);
+  EXPECT_GT(seen_mm, 80);
+  EXPECT_LT(seen_mm, 120);
+  EXPECT_GT(std::min(fabric.drape.width_mm, fabric.drape.height_mm), seen_mm) << "cloth up to the edges";
+  EXPECT_EQ(fabric.drape.kind, DrapeKind::folds);
 }
 
 TEST(Settings, ComeBackAndSurviveNonsense) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -198,13 +199,14 @@ TEST(FabricFile, InvalidFabricLeavesTheOldFileThere) {
   std::filesystem::remove(file);
 }
 
-/// Everything in samples/: valid, written as this version writes it, without warnings of a weaver.
+/// Everything in samples/ and samples/cloths/: valid, written as this version writes it, without warnings of a weaver.
 class Samples : public testing::TestWithParam<std::string> {};
 
 std::vector<std::string> sampleFiles() {
   std::vector<std::string> files;
-  for (const auto& entry : std::filesystem::directory_iterator(LOOMLIGHT_SAMPLES))
-    if (entry.path().extension() == ".json") files.push_back(entry.path().stem().string());
+  for (const std::string folder : {"", "cloths/"})
+    for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(LOOMLIGHT_SAMPLES) / folder))
+      if (entry.path().extension() == ".json") files.push_back(folder + entry.path().stem().string());
   std::sort(files.begin(), files.end());
   return files;
 }
@@ -218,7 +220,11 @@ TEST_P(Samples, RoundTripIsByteStable) {
   EXPECT_EQ(fabricFromJson(written, file), fabric);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Samples, testing::ValuesIn(sampleFiles()), [](const auto& test) { return test.param; });
+INSTANTIATE_TEST_SUITE_P(All, Samples, testing::ValuesIn(sampleFiles()), [](const auto& test) {
+  std::string name = test.param;
+  std::replace(name.begin(), name.end(), '/', '_');
+  return name;
+});
 
 TEST(Samples, TheReportsFourAndTheOthersAreThere) {
   EXPECT_THAT(sampleFiles(), testing::IsSupersetOf({"blue_cloth", "colourful_cloth", "black_and_white_cloth",

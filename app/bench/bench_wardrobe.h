@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+namespace loomlight {
+
+/// loomlight bench cloths: mass, thickness and cover of the wardrobe's cloths, the trade's and ours.
+struct ClothsBenchCommand {
+  std::string folder;  ///< where page and tables go
+};
+
+/// The table on stdout, too. Exit status 0. Throws InputError.
+int run(const ClothsBenchCommand& command);
+
+}  // namespace loomlight

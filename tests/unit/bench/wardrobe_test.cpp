@@ -1,0 +1,62 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "app/bench/studies/wardrobe_study.h"
+#include "core/fabric/model/validate.h"
+#include "core/fabric/yarn/derived.h"
+
+namespace loomlight {
+namespace {
+
+std::vector<const WardrobeCloth*> allCloths() {
+  std::vector<const WardrobeCloth*> cloths;
+  for (const WardrobeCloth& cloth : wardrobe()) cloths.push_back(&cloth);
+  return cloths;
+}
+
+TEST(Wardrobe, HasTwentyFourClothsAndDenimTwice) {
+  std::set<std::string> files, names;
+  for (const WardrobeCloth& cloth : wardrobe()) {
+    files.insert(cloth.file);
+    names.insert(cloth.name);
+  }
+  EXPECT_EQ(wardrobe().size(), 25u);
+  EXPECT_EQ(files.size(), wardrobe().size());
+  EXPECT_EQ(names.size(), wardrobe().size());
+}
+
+class WardrobeCloths : public testing::TestWithParam<const WardrobeCloth*> {};
+
+TEST_P(WardrobeCloths, AreValidAndSayWhatTheyAre) {
+  const Fabric fabric = fabricOf(*GetParam());
+  EXPECT_NO_THROW(validate(fabric, GetParam()->file));
+  EXPECT_EQ(fabric.name, GetParam()->name) << "the table and the file call it the same";
+  EXPECT_THAT(fabric.description, testing::HasSubstr("Source")) << "where its construction is from";
+  EXPECT_THAT(warnings(fabric), testing::IsEmpty());
+}
+
+/// Within the trade's bounds, or it is said why not: what a later change of the geometry would break. `info` measures
+/// in the same way.
+TEST_P(WardrobeCloths, TurnOutAsTheTradeSays) {
+  const TradeFigures& trade = GetParam()->trade;
+  const ClothComparison of = compareWithTrade(*GetParam());
+  EXPECT_LE(std::abs(of.massOff()), kMassAllowance.share)
+      << of.ours.arealMass_g_m2 << " g/m2, the trade says " << trade.mass_g_m2;
+  EXPECT_LE(std::abs(of.thicknessOff()), trade.thickness.share)
+      << of.ours.thickness_mm << " mm, the trade says " << trade.thickness_mm;
+  if (trade.thickness.share > kThicknessAllowance.share) {
+    EXPECT_STRNE(trade.thickness.reason, "");
+    EXPECT_GT(std::abs(of.thicknessOff()), kThicknessAllowance.share) << "an excuse that is no longer needed";
+  }
+  EXPECT_GT(of.cover, trade.cover - 0.12);
+  EXPECT_LE(of.cover, 1.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, WardrobeCloths, testing::ValuesIn(allCloths()),
+                         [](const auto& test) { return std::string(test.param->file); });
+
+}  // namespace
+}  // namespace loomlight
