@@ -30,9 +30,7 @@ std::shared_ptr<const ColourAnswer> answerTo(const ColourWish& wish, const PathL
 ColourWorker::ColourWorker(std::function<void()> wake)
     : worker_(
           std::move(wake), [this](const ColourWish& wish, auto& turn) { return answer(wish, turn); },
-          [this](const ColourWish&, const std::string& problem) {
-            return Result{last_, problem};
-          }) {}
+          [this](const ColourWish&, const std::string& problem) { return Result{last_, problem}; }) {}
 
 std::shared_ptr<const ColourAnswer> ColourWorker::newest() const {
   const auto result = worker_.newest();

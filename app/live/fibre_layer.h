@@ -12,9 +12,8 @@
 namespace loomlight {
 
 /// Lays the explicit fibres of the newest cloth on a thread of its own, for the truth lens: brick by brick, or where a
-/// cloth is of too many kinds of cells for that, all in one. Says beforehand what they will take, and refuses where that
-/// is more than it may be. No call here waits
-/// (destruction does, for what it stops).
+/// cloth is of too many kinds of cells for that, all in one. Says beforehand what they will take, and refuses where
+/// that is more than it may be. No call here waits (destruction does, for what it stops).
 class FibreLayer {
  public:
   struct Status {

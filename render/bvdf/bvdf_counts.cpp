@@ -3,7 +3,7 @@
 namespace loomlight {
 namespace {
 
-constexpr int BvdfBin::*kAxes[] = {&BvdfBin::thetaO, &BvdfBin::phiO, &BvdfBin::thetaI, &BvdfBin::phiI};
+constexpr int BvdfBin::* kAxes[] = {&BvdfBin::thetaO, &BvdfBin::phiO, &BvdfBin::thetaI, &BvdfBin::phiI};
 
 /// visit(index, bin) for every bin, in the order of their indices.
 template <class Visit>

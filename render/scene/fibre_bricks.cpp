@@ -27,9 +27,7 @@ struct FibreBricks::Device {
 #endif
     if (!handle) throw std::runtime_error("Embree could not start");
   }
-  ~Device() {
-    rtcReleaseDevice(handle);
-  }
+  ~Device() { rtcReleaseDevice(handle); }
   Device(const Device&) = delete;
   Device& operator=(const Device&) = delete;
 

@@ -34,8 +34,7 @@ TEST(Tangents, FitTheirGaussian) {
       const float u1 = random.uniform(), u2 = random.uniform();
       return sampleTangent(fibres, u1, u2);
     };
-    const auto result = test::chiSquareOnSphere(
-        sampler, [&](glm::vec3 t) { return gaussian(fibres, t); }, settings);
+    const auto result = test::chiSquareOnSphere(sampler, [&](glm::vec3 t) { return gaussian(fibres, t); }, settings);
     EXPECT_TRUE(fits(result, std::size(kFibres))) << "spread " << fibres.spread;
   }
 }

@@ -57,7 +57,8 @@ std::vector<Case> cases() {
   std::vector<Case> all;
   for (const MediumKind* medium : {&test::kPlain, &test::kLoomlight, &test::kFibres})
     for (const DrapeKind drape : kDrapes) all.push_back({*medium, drape});
-  for (const MediumKind* medium : {&test::kReportsLaw, &test::kLoomlightAtRandom, &test::kFibresAtRandom, &test::kFibresInBricks})
+  for (const MediumKind* medium :
+       {&test::kReportsLaw, &test::kLoomlightAtRandom, &test::kFibresAtRandom, &test::kFibresInBricks})
     for (const DrapeKind drape : {DrapeKind::flat, DrapeKind::cylinder}) all.push_back({*medium, drape});
   all.push_back({test::kFibresOfOneRepeat});
   for (const MediumKind* medium : {&test::kPlain, &test::kLoomlight})

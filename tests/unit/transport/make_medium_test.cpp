@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "render/media/fibre_medium.h"
 #include "render/media/close_up_medium.h"
+#include "render/media/fibre_medium.h"
 #include "render/media/volume_medium.h"
 #include "tests/support/every_medium.h"
 
