@@ -43,12 +43,12 @@ TEST_F(SharedRefinement, IsSeenAtFullResolutionBeforeTheFilmIs) {
 }
 
 TEST_F(SharedRefinement, ServesFlatVolumesAlone) {
-  EXPECT_TRUE(SharedLight::serves(*cloth.scene));
+  EXPECT_TRUE(SharedLight::serves(*cloth.scene, kWidth, kHeight));
   Fabric bent = *cloth.scene->fabric, fibres = bent;
   bent.drape.kind = DrapeKind::cylinder;
-  EXPECT_FALSE(SharedLight::serves(*test::sceneOf(bent)));
+  EXPECT_FALSE(SharedLight::serves(*test::sceneOf(bent), kWidth, kHeight));
   fibres.render.method = Method::fibres;
-  EXPECT_FALSE(SharedLight::serves(*test::sceneOf(fibres)));
+  EXPECT_FALSE(SharedLight::serves(*test::sceneOf(fibres), kWidth, kHeight));
 }
 
 }  // namespace
