@@ -7,6 +7,7 @@
 #include "app/editor/model/sample_fabric.h"
 #include "app/editor/model/user_folders.h"
 #include "app/editor/session.h"
+#include "app/export/cloth_sheet.h"
 #include "app/export/draft_sheet.h"
 #include "app/export/file_name.h"
 #include "app/export/weave_bitmap.h"
@@ -44,7 +45,8 @@ void Session::goOn() {
       window_.isOver = true;
       break;
     case Afterwards::beginAnew:
-      return startOver(Document(sampleFabric()));
+      viewport_.view().fitWanted = true;
+      return startOver(Document(newFabric()));
     case Afterwards::open:
       return open(FileService::Work::open, questions_.pendingFile);
     case Afterwards::takeUp:
@@ -130,7 +132,7 @@ void Session::openFile(const std::string& file) {
     leaveFor(Afterwards::open);
   } else {
     sayUnopened(file +
-                ": expected a cloth (.loomlight, .json), a weaving file (.wif), a picture (.png), a mesh "
+                ": expected a cloth (.loomlight, .json), a WIF draft (.wif), a picture (.png), a mesh "
                 "(.obj, .ply, .off) or an environment (.exr)");
   }
 }
@@ -139,8 +141,11 @@ void Session::opened(FileService::Result result) {
   if (!isWeavingFile(result.file)) {
     startOver(Document(std::move(*result.fabric), result.file));
   } else {
-    startOver(Document(std::move(*result.fabric)));
-    draft_.askForSizes(document_.fabric(), std::move(result.warnings));
+    // As the file says, where it does; the dialog that says so has the designer's own on offer.
+    const auto mine = std::make_shared<const Fabric>(std::move(*result.fabric));
+    std::vector<WifWarning> said;  // by the dialog
+    startOver(Document(withWifSizes(*mine, said)));
+    draft_.askForSizes(mine, std::move(result.warnings));
   }
   remember(result.file);
 }
@@ -211,6 +216,8 @@ fs::path Session::startOf(FileTask task) const {
       return fileCalledAsCloth(".pdf");
     case FileTask::exportBitmap:
       return fileCalledAsCloth(".png");
+    case FileTask::sheet:
+      return fileCalledAsCloth(" sheet.pdf");
     default:
       return folderToLookIn();
   }
@@ -232,6 +239,7 @@ void Session::fileChosen(const FileController::Chosen& chosen) {
     case FileTask::exportWif:
     case FileTask::exportBitmap:
     case FileTask::exportDraft:
+    case FileTask::sheet:
       return exportTo(chosen.task, chosen.file);
     case FileTask::none:
       break;
@@ -240,14 +248,21 @@ void Session::fileChosen(const FileController::Chosen& chosen) {
 
 void Session::exportTo(FileTask task, const std::string& file) {
   const DraftCorner corner{settings_.draft.startsRight(), settings_.draft.startsAtTop()};
-  files_.service().exportTo(file, [task, file, corner, fabric = document_.fabric()]() -> std::vector<std::string> {
-    if (task == FileTask::exportWif) return writeWifFabric(*fabric, file);
-    if (task == FileTask::exportDraft)
-      writeDraftSheet(file, *fabric, corner);
-    else
-      writeWeaveBitmap(file, fabric->weave);
-    return {};
-  });
+  ClothSheetOptions sheet;
+  sheet.width_cm = inspector_.view().units.piece.width_cm;
+  sheet.counts = inspector_.view().units.count;
+  sheet.corner = corner;
+  files_.service().exportTo(file,
+                            [task, file, corner, sheet, fabric = document_.fabric()]() -> std::vector<std::string> {
+                              if (task == FileTask::exportWif) return writeWifFabric(*fabric, file);
+                              if (task == FileTask::exportDraft)
+                                writeDraftSheet(file, *fabric, corner);
+                              else if (task == FileTask::sheet)
+                                writeClothSheet(file, *fabric, sheet, {});
+                              else
+                                writeWeaveBitmap(file, fabric->weave);
+                              return {};
+                            });
 }
 
 }  // namespace loomlight
