@@ -158,7 +158,7 @@ void Session::takeUp(Fabric fabric, const std::string& left) {
 
 void Session::fileDone(FileService::Result result) {
   using Work = FileService::Work;
-  const bool written = result.work == Work::save || result.work == Work::exportTo;
+  const bool written = result.work >= Work::save;
   if (!result.problem.empty() || result.cancelled) questions_.afterwards = Afterwards::nothing;
   if (result.cancelled) return;
   if (!result.problem.empty() && result.work == Work::usePreset)
@@ -184,6 +184,7 @@ void Session::fileDone(FileService::Result result) {
       remember(result.file);
       break;
     case Work::exportTo:
+    case Work::renderTo:
       lookNextIn(result.file);
       std::string text = "Written: " + result.file;
       for (const std::string& remark : result.remarks) text += "\n\n" + remark;
@@ -239,30 +240,36 @@ void Session::fileChosen(const FileController::Chosen& chosen) {
     case FileTask::exportWif:
     case FileTask::exportBitmap:
     case FileTask::exportDraft:
-    case FileTask::sheet:
       return exportTo(chosen.task, chosen.file);
+    case FileTask::sheet:
+      return writeSheet(chosen.file);
     case FileTask::none:
       break;
   }
 }
 
+void Session::writeSheet(const std::string& file) {
+  ClothSheetOptions options;
+  options.width_cm = inspector_.view().units.piece.width_cm;
+  options.counts = inspector_.view().units.count;
+  options.corner = {settings_.draft.startsRight(), settings_.draft.startsAtTop()};
+  files_.service().renderTo(file, [file, options, fabric = document_.fabric()](const std::stop_token& stop) {
+    Task task;
+    task.stop = stop;
+    return writeClothSheet(file, *fabric, options, task);
+  });
+}
+
 void Session::exportTo(FileTask task, const std::string& file) {
   const DraftCorner corner{settings_.draft.startsRight(), settings_.draft.startsAtTop()};
-  ClothSheetOptions sheet;
-  sheet.width_cm = inspector_.view().units.piece.width_cm;
-  sheet.counts = inspector_.view().units.count;
-  sheet.corner = corner;
-  files_.service().exportTo(file,
-                            [task, file, corner, sheet, fabric = document_.fabric()]() -> std::vector<std::string> {
-                              if (task == FileTask::exportWif) return writeWifFabric(*fabric, file);
-                              if (task == FileTask::exportDraft)
-                                writeDraftSheet(file, *fabric, corner);
-                              else if (task == FileTask::sheet)
-                                writeClothSheet(file, *fabric, sheet, {});
-                              else
-                                writeWeaveBitmap(file, fabric->weave);
-                              return {};
-                            });
+  files_.service().exportTo(file, [task, file, corner, fabric = document_.fabric()]() -> std::vector<std::string> {
+    if (task == FileTask::exportWif) return writeWifFabric(*fabric, file);
+    if (task == FileTask::exportDraft)
+      writeDraftSheet(file, *fabric, corner);
+    else
+      writeWeaveBitmap(file, fabric->weave);
+    return {};
+  });
 }
 
 }  // namespace loomlight

@@ -59,7 +59,7 @@ struct Pictures {
 };
 
 std::optional<Pictures> tracedPictures(const Fabric& fabric, const ClothSheetOptions& options, const Task& task) {
-  constexpr double kFine = 200 / 25.4, kCoarse = 120 / 25.4;  // pixels to the mm
+  constexpr double kFine = 150 / 25.4, kCoarse = 100 / 25.4;  // pixels to the mm
   const size_t count = std::min(fabric.colourways.size(), kMostColourways);
   const double small = kColourway_mm * kCoarse, large = kCloth_mm * kFine;
   const double all = large * large + static_cast<double>(count) * small * small;
@@ -151,8 +151,9 @@ class SheetWriter {
     y = row(x, y, "Sett, on the loom",
             settOf(fabric_.ends_per_cm / (1 + m.crimpWeft), fabric_.picks_per_cm / (1 + m.crimpWarp)));
     y = row(x, y, "Width",
-            fmt::format("{:.0f} cm finished, {:.0f} cm in the reed; {:.0f} ends", options_.width_cm,
-                        options_.width_cm * (1 + m.crimpWeft), options_.width_cm * fabric_.ends_per_cm));
+            fmt::format("{:.0f} cm finished, {:.0f} cm in the reed", options_.width_cm,
+                        options_.width_cm * (1 + m.crimpWeft)));
+    y = row(x, y, "Ends", fmt::format("{:.0f}", options_.width_cm * fabric_.ends_per_cm));
     y = row(x, y, "Weave", isoWeaveCode(weave) ? "ISO 9354  " + *isoWeaveCode(weave) : "as drawn");
     y = row(x, y, "Weave repeat", repeat(weave.ends(), weave.picks()));
     y = row(x, y, "Pattern repeat", repeat(patternEnds(fabric_), patternPicks(fabric_)));
@@ -270,14 +271,16 @@ class SheetWriter {
 
 bool writeClothSheet(const std::string& file, const Fabric& fabric, const ClothSheetOptions& options,
                      const Task& task) {
-  if (lowerExtension(file) != ".pdf")
-    throw InputError(fmt::format("{}: expected the name of a sheet that ends in .pdf", file));
+  const std::string extension = lowerExtension(file);
+  if (extension != ".pdf" && extension != ".png")
+    throw InputError(fmt::format("{}: expected the name of a sheet that ends in .pdf or .png", file));
   expectWritable(file);
   const auto pictures = tracedPictures(fabric, options, task);
   if (!pictures) return false;
-  Paper paper(kPage_mm[0], kPage_mm[1]);
+  constexpr double kPngPixels_per_mm = 200 / 25.4;
+  Paper paper(kPage_mm[0], kPage_mm[1], extension == ".png" ? kPngPixels_per_mm : 0);
   SheetWriter(paper, fabric, options, *pictures).write();
-  writeFileAtomically(file, paper.pdf(file));
+  writeFileAtomically(file, paper.bytes(file));
   return true;
 }
 

@@ -50,9 +50,10 @@ class Sheet {
   int above() const { return 2 + (draft_ ? draft_->shafts + 1 : 0); }
   int beside() const { return 2 + columns() + (columns() > 0 ? 1 : 0); }
 
-  std::string title(const Window& window) const {
+  /// What it is, in numbers.
+  std::string figures(const Window& window) const {
     const Weave& weave = fabric_.weave;
-    std::string text = fmt::format("{}   {} ends x {} picks", fabric_.name, weave.ends(), weave.picks());
+    std::string text = fmt::format("{} ends x {} picks", weave.ends(), weave.picks());
     if (draft_)
       text += draft_->liftplan.empty() ? fmt::format(", {} shafts, {} treadles", draft_->shafts, draft_->treadles)
                                        : fmt::format(", {} shafts, liftplan", draft_->shafts);
@@ -70,7 +71,7 @@ class Sheet {
     cairo_select_font_face(canvas, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
     cairo_set_font_size(canvas, 0.5 * size.title);
     cairo_move_to(canvas, size.margin, size.margin + 0.5 * size.title);
-    cairo_show_text(canvas, title(window).c_str());
+    cairo_show_text(canvas, (fabric_.name + "   " + figures(window)).c_str());
     cairo_translate(canvas, size.margin, size.margin + size.title);
     cairo_scale(canvas, size.cell, size.cell);  // from here on a crossing is 1 x 1
     drawParts(canvas, size, window);
@@ -296,7 +297,7 @@ std::string drawDraft(cairo_t* canvas, const Fabric& fabric, const DraftCorner& 
                       all ? weave.picks() : std::min(picks, weave.picks())};
   cairo_scale(canvas, size.cell, size.cell);
   sheet.drawParts(canvas, size, window);
-  return sheet.title(window);
+  return sheet.figures(window);
 }
 
 void writeDraftSheet(const std::string& file, const Fabric& fabric, const DraftCorner& corner) {

@@ -20,7 +20,7 @@ struct DraftCorner {
 void writeDraftSheet(const std::string& file, const Fabric& fabric, const DraftCorner& corner);
 
 /// As much of the draft as is legible in a rectangle of so many points, from end 1 and pick 1 on, at cairo's origin.
-/// Returns what it is, as the line above a page says it.
+/// Returns what it is, in numbers.
 std::string drawDraft(_cairo* canvas, const Fabric& fabric, const DraftCorner& corner, double width, double height);
 
 }  // namespace loomlight

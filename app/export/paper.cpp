@@ -27,10 +27,17 @@ void choose(cairo_t* canvas, const Paper::Font& font) {
 
 }  // namespace
 
-Paper::Paper(double width_mm, double height_mm)
-    : surface_(cairo_pdf_surface_create_for_stream(append, &bytes_, width_mm * kPoints, height_mm * kPoints)),
+Paper::Paper(double width_mm, double height_mm, double pixels_per_mm)
+    : isPdf_(pixels_per_mm <= 0),
+      surface_(isPdf_ ? cairo_pdf_surface_create_for_stream(append, &bytes_, width_mm * kPoints, height_mm * kPoints)
+                      : cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(width_mm * pixels_per_mm),
+                                                   static_cast<int>(height_mm * pixels_per_mm))),
       canvas_(cairo_create(surface_)) {
-  cairo_scale(canvas_, kPoints, kPoints);
+  const double unit = isPdf_ ? kPoints : pixels_per_mm;
+  cairo_scale(canvas_, unit, unit);
+  if (isPdf_) return;
+  cairo_set_source_rgb(canvas_, 1, 1, 1);
+  cairo_paint(canvas_);
 }
 
 Paper::~Paper() {
@@ -126,9 +133,13 @@ void Paper::draw(double x, double y, const std::function<void(cairo_t*)>& how) {
   cairo_restore(canvas_);
 }
 
-std::string Paper::pdf(const std::string& file) {
-  cairo_surface_show_page(surface_);
-  cairo_surface_finish(surface_);
+std::string Paper::bytes(const std::string& file) {
+  if (isPdf_) {
+    cairo_surface_show_page(surface_);
+    cairo_surface_finish(surface_);
+  } else {
+    cairo_surface_write_to_png_stream(surface_, append, &bytes_);
+  }
   for (const cairo_status_t status : {cairo_status(canvas_), cairo_surface_status(surface_)})
     if (status != CAIRO_STATUS_SUCCESS && status != CAIRO_STATUS_SURFACE_FINISHED)
       throw InputError(fmt::format("{}: expected to draw the sheet, got: {}", file, cairo_status_to_string(status)));

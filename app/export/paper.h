@@ -14,7 +14,8 @@ namespace loomlight {
 /// A sheet of paper that is written and drawn on, in millimetres from its top left. Texts are UTF-8.
 class Paper {
  public:
-  Paper(double width_mm, double height_mm);
+  /// For a PDF file; for a PNG where it has so many `pixels_per_mm`.
+  Paper(double width_mm, double height_mm, double pixels_per_mm = 0);
   ~Paper();
   Paper(const Paper&) = delete;
   Paper& operator=(const Paper&) = delete;
@@ -36,11 +37,12 @@ class Paper {
   /// Draws with cairo itself, in points, the origin at (x, y).
   void draw(double x, double y, const std::function<void(cairo_t*)>& how);
 
-  /// The page as a PDF file. Throws InputError naming `file` where that failed.
-  std::string pdf(const std::string& file);
+  /// The page as a file. Throws InputError naming `file` where that failed.
+  std::string bytes(const std::string& file);
 
  private:
   std::string bytes_;
+  bool isPdf_;
   cairo_surface_t* surface_;
   cairo_t* canvas_;
 };

@@ -134,7 +134,7 @@ void addSheet(CLI::App& app, SheetCommand& command) {
            [&command](const auto& option, const auto& text) {
              command.options.width_cm = parseNumber(option, text, kPieceWidth_cm[0], kPieceWidth_cm[1]);
            });
-  addValue(app, "--spp", "N", "samples per pixel of its pictures; 48 where not given",
+  addValue(app, "--spp", "N", "samples per pixel of its pictures; 16 where not given",
            [&command](const auto& option, const auto& text) {
              command.options.samplesPerPixel = static_cast<int>(parseWhole(option, text, 1, 65536));
            });

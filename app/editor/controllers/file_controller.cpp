@@ -27,7 +27,7 @@ const Asked& askedFor(FileTask task) {
       {FileTask::exportWif, Purpose::save, "Export as WIF draft", {".wif"}},
       {FileTask::exportDraft, Purpose::save, "Export the draft for print", {".pdf", ".png"}},
       {FileTask::exportTile, Purpose::save, "Where the tile goes", {".json"}},
-      {FileTask::sheet, Purpose::save, "Where the cloth sheet goes", {".pdf"}},
+      {FileTask::sheet, Purpose::save, "Where the cloth sheet goes", {".pdf", ".png"}},
       {FileTask::exportBitmap, Purpose::save, "Export the weave", {".png"}},
   };
   for (const Asked& asked : kAsked)

@@ -9,7 +9,7 @@ class Sheet(CommandLineTest):
         self.assertTrue(self.bytes_of("sheet.pdf").startswith(b"%PDF-"))
 
     def test_it_is_a_pdf(self):
-        self.assertIn(".pdf", self.run_program("sheet", self.fabric(), "-o", "sheet.png", status=1))
+        self.assertIn(".pdf", self.run_program("sheet", self.fabric(), "-o", "sheet.txt", status=1))
 
 
 main()

@@ -58,7 +58,7 @@ TEST_F(ClothSheet, TakesAJacquardAndSixtyYarns) {
 }
 
 TEST_F(ClothSheet, IsAPdfAndNothingElse) {
-  EXPECT_THROW(writeClothSheet((folder_.path() / "sheet.png").string(), openCloth(), {}, {}), InputError);
+  EXPECT_THROW(writeClothSheet((folder_.path() / "sheet.txt").string(), openCloth(), {}, {}), InputError);
 }
 
 TEST_F(ClothSheet, WhatIsStoppedLeavesNoFile) {
