@@ -4,6 +4,7 @@
 
 #include "core/fabric/model/glossary.h"
 #include "core/fabric/model/validate.h"
+#include "ui/draft/stripe_table.h"
 #include "ui/widgets/fields.h"
 
 namespace loomlight {
@@ -32,7 +33,8 @@ void stripeFields(Ui& ui, StripeChance& stripes) {
 
 }  // namespace
 
-std::optional<Fabric> colourOrderTools(Ui& ui, const Fabric& fabric, ColourOrderView& view) {
+std::optional<Fabric> colourOrderTools(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& yarnColours,
+                                       ColourOrderView& view) {
   static constexpr const char* kSystems[] = {"Warp", "Weft"};
   int system = view.weft ? 1 : 0;
   segmentField(ui, {"order.system", "Tools for", "Whose colour order the tools below work on."}, kSystems, system);
@@ -53,6 +55,15 @@ std::optional<Fabric> colourOrderTools(Ui& ui, const Fabric& fabric, ColourOrder
   if (button(ui, "order.copy", (view.weft ? words::copyWarp : words::copyWeft).label, half, own != other,
              words::copyWeft.help))
     made = other;
+
+  const int repeat = view.weft ? fabric.weave.picks() : fabric.weave.ends();
+  const std::vector<int> even = balanced(own, repeat);
+  if (button(ui, "order.balance", words::balance.label, 0, even != own && even.size() <= kMaxSequence,
+             words::balance.help))
+    made = even;
+  if (foldingHeading(ui, "order.stripes", words::stripes.label, words::stripes.help, view.stripesOpen))
+    if (auto set = stripeTable(ui, own, yarnColours, view.weft ? fabric.weftPitch_mm() : fabric.warpPitch_mm()))
+      made = std::move(set);
 
   heading(ui, words::randomStripes.label);
   if (button(ui, "order.random", "New stripes", -1, fabric.yarns.size() > 1, words::randomStripes.help)) {

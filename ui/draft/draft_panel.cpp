@@ -69,7 +69,7 @@ std::optional<Fabric> draftPanel(Ui& ui, const Fabric& fabric, const std::vector
       paged = loomPage(ui, fabric, preferences, view);
       break;
     case DraftView::Page::colours:
-      paged = orderPage(ui, fabric, view);
+      paged = orderPage(ui, fabric, yarnColours, view);
       break;
   }
   ImGui::EndChild();

@@ -16,6 +16,6 @@ std::optional<Fabric> draftPanel(Ui& ui, const Fabric& fabric, const std::vector
 // The pages; each returns the fabric after an edit.
 std::optional<Fabric> structurePage(Ui& ui, const Fabric& fabric, const DraftPreferences& preferences, DraftView& view);
 std::optional<Fabric> loomPage(Ui& ui, const Fabric& fabric, DraftPreferences& preferences, DraftView& view);
-std::optional<Fabric> orderPage(Ui& ui, const Fabric& fabric, DraftView& view);
+std::optional<Fabric> orderPage(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& yarnColours, DraftView& view);
 
 }  // namespace loomlight

@@ -115,6 +115,9 @@ inline constexpr Word threadOrder{
 inline constexpr Word doubleThreads{"Double", "Every thread twice: stripes become twice as wide."};
 inline constexpr Word copyWeft{"Copy from weft", "The same order both ways, as in a tartan."};
 inline constexpr Word copyWarp{"Copy from warp", copyWeft.help};
+inline constexpr Word stripes{"Stripes", "Each stripe of the order, by its threads or by its width."};
+inline constexpr Word balance{"Balance to the repeat",
+                              "Makes the last stripe longer, so that the order repeats with the weave."};
 inline constexpr Word randomStripes{
     "Random stripes",
     "Another order each time, with as much of each yarn as the present one; undo brings back the last."};

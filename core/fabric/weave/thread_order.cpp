@@ -8,6 +8,7 @@
 #include <span>
 
 #include "core/base/error.h"
+#include "core/fabric/weave/thread_sequence.h"
 #include "core/fabric/yarn/yarn_name.h"
 
 namespace loomlight {
@@ -84,11 +85,6 @@ class OrderReader {
   size_t maxThreads_;
 };
 
-struct Run {
-  int yarn = 0, threads = 0;
-  friend bool operator==(const Run&, const Run&) = default;
-};
-
 /// Runs that come again and again one after the other.
 struct Group {
   size_t runs = 1, times = 1;
@@ -96,7 +92,7 @@ struct Group {
 };
 
 /// The group at the beginning that leaves least to be written.
-Group groupAt(std::span<const Run> rest) {
+Group groupAt(std::span<const Stripe> rest) {
   constexpr size_t kLongestGroup = 64;
   Group best;
   for (size_t runs = 2; runs <= std::min(kLongestGroup, rest.size() / 2); ++runs) {
@@ -109,7 +105,7 @@ Group groupAt(std::span<const Run> rest) {
   return best;
 }
 
-std::string textOf(std::span<const Run> runs) {
+std::string textOf(std::span<const Stripe> runs) {
   std::string text;
   for (size_t i = 0; i < runs.size();) {
     if (!text.empty()) text += ' ';
@@ -128,11 +124,7 @@ std::string textOf(std::span<const Run> runs) {
 }  // namespace
 
 std::string threadOrderText(const std::vector<int>& sequence) {
-  std::vector<Run> runs;
-  for (const int yarn : sequence) {
-    if (runs.empty() || runs.back().yarn != yarn) runs.push_back({yarn, 0});
-    ++runs.back().threads;
-  }
+  const std::vector<Stripe> runs = stripesOf(sequence);
   return textOf(runs);
 }
 

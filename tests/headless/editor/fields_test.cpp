@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/headless/editor/weaver.h"
 
 namespace loomlight {
@@ -145,6 +147,22 @@ TEST_F(Orders, WhatIsNoOrderIsRefusedAloudAndStaysToBeMended) {
   EXPECT_EQ(warp(), before);
   editor.click("draft.warp_order");
   editor.type(")");
+}
+
+TEST_F(Orders, StripesAreSetByThreadsOrByWidth) {
+  editor.edits("an order", [&] { editor.enter("draft.warp_order", "4A 6B"); });
+  const HeadlessEditor::Rect tab = editor.rect("draft.tab_structures");
+  const ImVec2 page(tab.x1, tab.y1 + 60);
+  const auto scrolledTo = [&](const std::string& row) {
+    while (!editor.shows(row) || editor.rect(row).y1 > editor.screen().y - 240) editor.wheelAt(page, -1);
+  };
+  scrolledTo("order.stripes");
+  editor.click("order.stripes");
+  scrolledTo("order.stripe_1_cm");
+  editor.edits("threads", [&] { editor.enter("order.stripe_0_threads", "8"); });
+  EXPECT_THAT(warp(), ElementsAre(0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1));
+  editor.edits("a width, to whole threads", [&] { editor.enter("order.stripe_1_cm", "0.25"); });
+  EXPECT_EQ(warp().size(), 8 + std::lround(0.25 * smallTwill().ends_per_cm));
 }
 
 TEST_F(Orders, AnOrderIsOneStepOfUndo) {
