@@ -46,6 +46,7 @@ MenuChoice menuBar(Ui& ui, const MenuModel& model) {
     if (const auto chosen = exportMenu(ui)) draft = chosen;
     ImGui::Separator();
     menu.item("menu.snapshot", "Snapshot\xE2\x80\xA6", "Ctrl+P", Command::snapshot);
+    menu.item("menu.sheet", "Cloth sheet\xE2\x80\xA6", ".pdf", Command::sheet);
     ImGui::Separator();
     menu.item("menu.quit", "Quit", "Ctrl+Q", Command::quit);
     ImGui::EndMenu();
@@ -61,14 +62,23 @@ MenuChoice menuBar(Ui& ui, const MenuModel& model) {
   }
   if (const auto chosen = weaveMenu(ui, model.weave)) draft = chosen;
   if (menu.begin("menu.view", "View")) {
-    menu.item("menu.fit", "Show the whole cloth", "F", Command::fitView);
-    menu.item("menu.fit_draft", "Show the whole repeat", "Shift+F", Command::fitDraft);
+    menu.item("menu.fit", "Fit the cloth", "Ctrl+0", Command::fitView);
+    menu.item("menu.actual_size", "Actual size", "Ctrl+1", Command::actualSize);
+    if (menu.begin("menu.flat", "Flat cloth")) {
+      menu.item("menu.flat_repeat", "One repeat", "", Command::flatRepeat);
+      menu.item("menu.flat_repeats", "4 \xC3\x97 4 repeats", "", Command::flatRepeats);
+      menu.item("menu.flat_5cm", "5 \xC3\x97 5 cm", "", Command::flat5cm);
+      menu.item("menu.flat_10cm", "10 \xC3\x97 10 cm", "", Command::flat10cm);
+      menu.item("menu.flat_20cm", "20 \xC3\x97 20 cm", "", Command::flat20cm);
+      ImGui::EndMenu();
+    }
+    menu.item("menu.fit_draft", "Fit the draft", "Shift+F", Command::fitDraft);
     ImGui::Separator();
     menu.item("menu.keep_view", "Keep this view", "K", Command::keepView);
     menu.item("menu.lens", "Truth lens", "L", Command::truthLens, true, model.lensOn);
     menu.item("menu.denoise", "Denoised preview", "N", Command::denoise, true, model.denoised);
     ImGui::Separator();
-    menu.item("menu.panels", "Panels", "Tab", Command::togglePanels, true, model.panelsShown);
+    menu.item("menu.panels", "Panels", "P", Command::togglePanels, true, model.panelsShown);
     menu.item("menu.fullscreen", "Full screen", "F11", Command::fullScreen);
     ImGui::Separator();
     menu.item("menu.dark", "Dark", "", Command::darkTheme, true, model.darkTheme);

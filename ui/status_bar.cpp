@@ -34,13 +34,19 @@ void statusBar(Ui& ui, const StatusModel& model) {
   };
   clothFigure("status.mass", 0, fmt::format("{:.0f} g/m\xC2\xB2", model.arealMass_g_m2),
               "Areal mass: what one square metre of this cloth weighs.");
-  clothFigure("status.cover", 88, fmt::format("cover {:.0f} %", model.coverPercent),
-              "How much of the area yarns hide when the cloth is seen flat, from straight above.");
+  clothFigure(
+      "status.cover", 88, fmt::format("cover {:.0f} %", model.coverPercent),
+      "Share of the area that yarns hide when the cloth is seen flat, from straight above. Peirce's cover factors, on "
+      "the page of the cloth, are another figure: how many threads there are for their thickness.");
   clothFigure("status.thickness", 184, fmt::format("{:.2f} mm thick", model.thickness_mm),
               "From the lowest to the highest fibre, loose hairs left out.");
   clothFigure("status.float", 304,
-              fmt::format("longest float {} ({:.1f} mm)", model.longestFloat, model.longestFloat_mm),
-              "The most crossings that a thread passes over or under without interlacing: long ones snag.");
+              model.longFloats == 0
+                  ? fmt::format("longest float {} ({:.1f} mm)", model.longestFloat, model.longestFloat_mm)
+                  : fmt::format("longest float {} ({:.1f} mm), {} over {:.1f}", model.longestFloat,
+                                model.longestFloat_mm, model.longFloats, model.longFloat_mm),
+              "The most crossings that a thread passes over or under without interlacing, and how many floats of one "
+              "repeat are longer than the limit set beside Floats: long ones snag.");
   const std::string more = model.moreWarnings > 0 ? fmt::format("  (+{})", model.moreWarnings) : std::string();
   const float left = x + ui.px(520);
   const float room = right - left - ImGui::CalcTextSize(more.c_str()).x;

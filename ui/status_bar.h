@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "ui/widgets/ui.h"
@@ -12,6 +13,8 @@ struct StatusModel {
   double coverPercent = 0;
   int longestFloat = 0;
   double longestFloat_mm = 0;
+  int64_t longFloats = 0;   ///< how many are longer than
+  double longFloat_mm = 0;  ///< the limit that is set for them
   double thickness_mm = 0;
   std::string warning;  ///< the most important one about the cloth; empty when all is well
   int moreWarnings = 0;

@@ -117,7 +117,7 @@ int runEditor(const EditorOptions& options) {
       Window::wake);  // outlives the session: for a read that was given up nobody waits but at the end
   std::string problem;
   std::vector<std::string> dropped;
-  // A weaving file or a picture is opened into the sample, by the session, which says what was wrong in it.
+  // A WIF draft or a picture is opened into the sample, by the session, which says what was wrong in it.
   if (isFabricFile(options.fabricFile)) {
     FirstOpening opening(firstFile, options.fabricFile, std::move(document), settings);
     frames.runUntilOver(opening);
@@ -128,6 +128,7 @@ int runEditor(const EditorOptions& options) {
   }
 
   Session session(std::move(document), settings, driver, Window::wake, options.threads);
+  session.displayIs(window.pixels_per_mm());
   session.offerRecovery();
   if (!problem.empty()) session.sayUnopened(problem);
   if (!options.fabricFile.empty() && !isFabricFile(options.fabricFile)) session.openFile(options.fabricFile);

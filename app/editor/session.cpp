@@ -1,15 +1,38 @@
 #include "app/editor/session.h"
 
+#include <imgui_internal.h>
+
 #include <utility>
 
 #include "app/editor/model/sample_fabric.h"
 #include "app/editor/model/user_folders.h"
 #include "app/export/file_name.h"
 #include "core/base/stopwatch.h"
+#include "core/fabric/model/field_tables.h"
 #include "core/fabric/weave/structure_edit.h"
+#include "core/fabric/yarn/derived.h"
+#include "ui/widgets/fields.h"
 #include "ui/widgets/keys.h"
 
 namespace loomlight {
+namespace {
+
+DocumentController::Hold heldNow() {
+  bool pressed = false;
+  for (int button = 0; button < ImGuiMouseButton_COUNT; ++button) pressed |= ImGui::IsMouseClicked(button);
+  return {ImGui::IsAnyMouseDown() || ImGui::IsAnyItemActive(), pressed, ImGui::GetActiveID()};
+}
+
+/// So many repeats of the pattern across and along, as far as a piece can be so large.
+glm::dvec2 repeatsOf(const Fabric& fabric, int count) {
+  const FieldInfo range = fieldInfo(&Drape::width_mm);
+  const auto length = [&](int64_t threads, double pitch_mm) {
+    return std::clamp(static_cast<double>(count * threads) * pitch_mm, range.min, range.max);
+  };
+  return {length(patternEnds(fabric), fabric.warpPitch_mm()), length(patternPicks(fabric), fabric.weftPitch_mm())};
+}
+
+}  // namespace
 
 Session::Session(Document document, Settings settings, DisplayDriver& driver, std::function<void()> wake, int threads)
     : settings_(std::move(settings)),
@@ -19,6 +42,7 @@ Session::Session(Document document, Settings settings, DisplayDriver& driver, st
       inspector_(driver, wake),
       snapshots_(viewFolder(), driver, wake),
       presets_(presetFolder(), driver, wake),
+      tile_(wake),
       files_(driver, wake) {
   help_.hints.wanted = !settings_.hintsSeen;
   const ViewSettings& view = settings_.view;
@@ -53,7 +77,8 @@ void Session::frame(Ui& ui) {
   Stopwatch watch;
   if (viewport_.take()) snapshots_.followView(document_.fabric(), viewport_.service());
   work_s_ = watch.lap();
-  document_.beginFrame(ImGui::IsAnyMouseDown() || ImGui::IsAnyItemActive());
+  document_.beginFrame(heldNow());
+  walkNumbers(ui);
   if (!dialogIsOpen()) readKeys();
   drawPanels(ui);
   drawDialogs(ui);
@@ -70,7 +95,8 @@ void Session::follow() {
   if (auto dyed = inspector_.follow(document_.fabric(), document_.gesture(), panels))
     document_.edit(std::move(dyed->fabric), inspector_.place(), dyed->gesture);
   const InspectorView& inspector = inspector_.view();
-  viewport_.follow(document_.fabric(), inspector.yarn, inspector.visibilityShown && panels, settings_.fibreMemory_GB);
+  viewport_.follow(document_.fabric(), inspector.yarn, inspector.visibilityShown && panels, settings_.fibreMemory_GB,
+                   {draft_.view().back, settings_.draft.longFloat_mm});
   document_.keepCopy();
 }
 
@@ -110,6 +136,26 @@ void Session::run(Command command) {
     case Command::fitView:
       viewport_.view().fitWanted = true;
       break;
+    case Command::actualSize:
+      return document_.lookFrom(viewport_.atActualSize(*document_.fabric(), settings_.rulerFactor));
+    case Command::flatRepeat:
+      return layFlat(repeatsOf(*document_.fabric(), 1));
+    case Command::flatRepeats:
+      return layFlat(repeatsOf(*document_.fabric(), 4));
+    case Command::flat5cm:
+      return layFlat({50, 50});
+    case Command::flat10cm:
+      return layFlat({100, 100});
+    case Command::flat20cm:
+      return layFlat({200, 200});
+    case Command::sheet:
+      return browse(FileTask::sheet);
+    case Command::brushBefore:
+      return inspector_.stepYarn(-1, document_.fabric()->yarns.size());
+    case Command::brushNext:
+      return inspector_.stepYarn(1, document_.fabric()->yarns.size());
+    case Command::swapBrushes:
+      return inspector_.swapYarns(document_.fabric()->yarns.size());
     case Command::fitDraft:
       return draft_.fit();
     case Command::truthLens:
@@ -153,7 +199,7 @@ void Session::run(DraftCommand command) {
     case DraftCommand::exportDraft:
       return browse(FileTask::exportDraft);
     case DraftCommand::exportTile:
-      return tile_.show(freeFile(fileCalledAsCloth(" tile.json")).string());
+      return tile_.show(freeFile(fileCalledAsCloth(" tile.json")).string(), document_.fabric());
     default:
       const EditPlace place = draft_.place();
       if (auto edited = draft_.run(command, *document_.fabric(), settings_.draft))
@@ -177,14 +223,19 @@ void Session::readKeys() {
     if (letterPressed('P')) run(Command::snapshot);
     if (letterPressed('B')) run(Command::presets);
     if (letterPressed('Q')) run(Command::quit);
+    if (letterPressed('0')) run(Command::fitView);
+    if (letterPressed('1')) run(Command::actualSize);
     return;
   }
   if (letterPressed('F')) run(io.KeyShift ? Command::fitDraft : Command::fitView);
   if (letterPressed('K')) run(Command::keepView);
   if (letterPressed('L')) run(Command::truthLens);
   if (letterPressed('N')) run(Command::denoise);
+  if (letterPressed('X')) run(Command::swapBrushes);
+  if (io.InputQueueCharacters.contains('[')) run(Command::brushBefore);
+  if (io.InputQueueCharacters.contains(']')) run(Command::brushNext);
   if (escape && viewport_.view().lens.on) viewport_.view().lens.close();
-  if (keyPressed(ImGuiKey_Tab)) run(Command::togglePanels);
+  if (letterPressed('P')) run(Command::togglePanels);
   if (functionKeyPressed(1) || io.InputQueueCharacters.contains('?')) run(Command::showKeys);
   if (functionKeyPressed(11)) run(Command::fullScreen);
 }
@@ -193,6 +244,18 @@ void Session::startOver(Document document) {
   document_.startOver(std::move(document));
   draft_.startOver();
   inspector_.startOver();
+}
+
+/// Straight from above, all of it.
+void Session::layFlat(const glm::dvec2& piece_mm) {
+  document_.change([&](Fabric& fabric) {
+    fabric.drape.kind = DrapeKind::flat;
+    fabric.drape.width_mm = piece_mm.x;
+    fabric.drape.height_mm = piece_mm.y;
+  });
+  const ViewportView& view = viewport_.view();
+  const double aspect = static_cast<double>(std::max(view.width, 1)) / std::max(view.height, 1);
+  document_.lookFrom(aboveFlat(document_.fabric()->camera, piece_mm.x, piece_mm.y, aspect));
 }
 
 void Session::applyPreset(const PresetChoice& choice) {

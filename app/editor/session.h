@@ -56,6 +56,8 @@ class Session {
   bool isOver() const { return window_.isOver; }
   /// The end has come as it should: nothing is left to be taken up again.
   void close() { document_.endWell(); }
+  /// Of the display, as the system says; until then as most are.
+  void displayIs(double pixels_per_mm) { viewport_.displayIs(pixels_per_mm); }
   bool wantsFullScreen() const { return window_.isFull; }
   const Settings& settings() const { return settings_; }
   /// To be remembered, with how the panels are looked at now.
@@ -93,6 +95,7 @@ class Session {
   void startOver(Document document);
   void applyPreset(const PresetChoice& choice);
   void dress(const Fabric& cloth);
+  void layFlat(const glm::dvec2& piece_mm);
   void goTo(const EditPlace& place);
 
   // session_files.cpp: cloths from files and into them
@@ -113,6 +116,7 @@ class Session {
   void browse(FileTask task) { files_.browse(task, startOf(task)); }
   void fileChosen(const FileController::Chosen& chosen);
   void exportTo(FileTask task, const std::string& file);
+  void writeSheet(const std::string& file);
 
   Settings settings_;
   DocumentController document_;

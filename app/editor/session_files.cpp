@@ -7,6 +7,7 @@
 #include "app/editor/model/sample_fabric.h"
 #include "app/editor/model/user_folders.h"
 #include "app/editor/session.h"
+#include "app/export/cloth_sheet.h"
 #include "app/export/draft_sheet.h"
 #include "app/export/file_name.h"
 #include "app/export/weave_bitmap.h"
@@ -44,7 +45,8 @@ void Session::goOn() {
       window_.isOver = true;
       break;
     case Afterwards::beginAnew:
-      return startOver(Document(sampleFabric()));
+      viewport_.view().fitWanted = true;
+      return startOver(Document(newFabric()));
     case Afterwards::open:
       return open(FileService::Work::open, questions_.pendingFile);
     case Afterwards::takeUp:
@@ -130,7 +132,7 @@ void Session::openFile(const std::string& file) {
     leaveFor(Afterwards::open);
   } else {
     sayUnopened(file +
-                ": expected a cloth (.loomlight, .json), a weaving file (.wif), a picture (.png), a mesh "
+                ": expected a cloth (.loomlight, .json), a WIF draft (.wif), a picture (.png), a mesh "
                 "(.obj, .ply, .off) or an environment (.exr)");
   }
 }
@@ -139,8 +141,11 @@ void Session::opened(FileService::Result result) {
   if (!isWeavingFile(result.file)) {
     startOver(Document(std::move(*result.fabric), result.file));
   } else {
-    startOver(Document(std::move(*result.fabric)));
-    draft_.askForSizes(document_.fabric(), std::move(result.warnings));
+    // As the file says, where it does; the dialog that says so has the designer's own on offer.
+    const auto mine = std::make_shared<const Fabric>(std::move(*result.fabric));
+    std::vector<WifWarning> said;  // by the dialog
+    startOver(Document(withWifSizes(*mine, said)));
+    draft_.askForSizes(mine, std::move(result.warnings));
   }
   remember(result.file);
 }
@@ -153,7 +158,7 @@ void Session::takeUp(Fabric fabric, const std::string& left) {
 
 void Session::fileDone(FileService::Result result) {
   using Work = FileService::Work;
-  const bool written = result.work == Work::save || result.work == Work::exportTo;
+  const bool written = result.work >= Work::save;
   if (!result.problem.empty() || result.cancelled) questions_.afterwards = Afterwards::nothing;
   if (result.cancelled) return;
   if (!result.problem.empty() && result.work == Work::usePreset)
@@ -179,6 +184,7 @@ void Session::fileDone(FileService::Result result) {
       remember(result.file);
       break;
     case Work::exportTo:
+    case Work::renderTo:
       lookNextIn(result.file);
       std::string text = "Written: " + result.file;
       for (const std::string& remark : result.remarks) text += "\n\n" + remark;
@@ -211,6 +217,8 @@ fs::path Session::startOf(FileTask task) const {
       return fileCalledAsCloth(".pdf");
     case FileTask::exportBitmap:
       return fileCalledAsCloth(".png");
+    case FileTask::sheet:
+      return fileCalledAsCloth(" sheet.pdf");
     default:
       return folderToLookIn();
   }
@@ -233,9 +241,23 @@ void Session::fileChosen(const FileController::Chosen& chosen) {
     case FileTask::exportBitmap:
     case FileTask::exportDraft:
       return exportTo(chosen.task, chosen.file);
+    case FileTask::sheet:
+      return writeSheet(chosen.file);
     case FileTask::none:
       break;
   }
+}
+
+void Session::writeSheet(const std::string& file) {
+  ClothSheetOptions options;
+  options.width_cm = inspector_.view().units.piece.width_cm;
+  options.counts = inspector_.view().units.count;
+  options.corner = {settings_.draft.startsRight(), settings_.draft.startsAtTop()};
+  files_.service().renderTo(file, [file, options, fabric = document_.fabric()](const std::stop_token& stop) {
+    Task task;
+    task.stop = stop;
+    return writeClothSheet(file, *fabric, options, task);
+  });
 }
 
 void Session::exportTo(FileTask task, const std::string& file) {

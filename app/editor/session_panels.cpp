@@ -58,10 +58,15 @@ void Session::drawPanels(Ui& ui) {
 
 void Session::drawDraft(Ui& ui) {
   const EditPlace place = draft_.place();
-  auto edited = draft_.draw(ui, *document_.fabric(), inspector_.view().yarn, settings_.draft, viewport_.underPointer());
+  const std::shared_ptr<const FabricStats> stats = viewport_.service().stats();
+  draft_.view().counts = viewport_.view().counts = inspector_.view().units.count;
+  auto edited = draft_.draw(ui, *document_.fabric(), inspector_.view().yarn, stats ? &stats->longFloats : nullptr,
+                            settings_.draft, viewport_.underPointer());
   help_.hints.drew |= edited.has_value();
   if (edited) document_.edit(std::move(*edited), place);
-  if (const auto choice = presets_.drawList(ui)) applyPreset(*choice);
+  bool browse = false;
+  if (const auto choice = presets_.drawList(ui, browse)) applyPreset(*choice);
+  if (browse) run(Command::presets);
 }
 
 void Session::drawViewport(Ui& ui) {
@@ -93,7 +98,7 @@ void Session::drawInspector(Ui& ui) {
 void Session::drawSnapshot(Ui& ui) {
   const SnapshotController::Edit edit =
       snapshots_.drawDialog(ui, document_.fabric(), viewport_.tone(), viewport_.service());
-  if (edit.settings) document_.change([&](Fabric& fabric) { fabric.render = *edit.settings; });
+  if (edit.settings) document_.renderAs(*edit.settings);
   if (edit.chooseFile) browse(FileTask::snapshot);
 }
 
@@ -126,9 +131,9 @@ void Session::drawDialogs(Ui& ui) {
     questions_.afterwards = Afterwards::nothing;  // no file was named
   if (auto result = files_.drawBusy(ui)) fileDone(std::move(*result));
   if (const auto answer = questions_.draw(ui)) answered(*answer);
-  preferences_.draw(ui, 1e-9 * static_cast<double>(physicalMemory_bytes()),
+  preferences_.draw(ui, 1e-9 * static_cast<double>(physicalMemory_bytes()), viewport_.displayPixels_per_mm(),
                     {settings_.darkTheme, settings_.interfaceSize, inspector_.view().units, settings_.draft,
-                     settings_.fibreMemory_GB});
+                     settings_.rulerFactor, settings_.fibreMemory_GB});
   help_.keys.draw(ui);
   snapshots_.drawComparison(ui);
   if (!files_.isBrowsing() && tile_.draw(ui, *document_.fabric(), viewport_.service())) browse(FileTask::exportTile);

@@ -50,9 +50,10 @@ class Sheet {
   int above() const { return 2 + (draft_ ? draft_->shafts + 1 : 0); }
   int beside() const { return 2 + columns() + (columns() > 0 ? 1 : 0); }
 
-  std::string title(const Window& window) const {
+  /// What it is, in numbers.
+  std::string figures(const Window& window) const {
     const Weave& weave = fabric_.weave;
-    std::string text = fmt::format("{}   {} ends x {} picks", fabric_.name, weave.ends(), weave.picks());
+    std::string text = fmt::format("{} ends x {} picks", weave.ends(), weave.picks());
     if (draft_)
       text += draft_->liftplan.empty() ? fmt::format(", {} shafts, {} treadles", draft_->shafts, draft_->treadles)
                                        : fmt::format(", {} shafts, liftplan", draft_->shafts);
@@ -70,10 +71,27 @@ class Sheet {
     cairo_select_font_face(canvas, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
     cairo_set_font_size(canvas, 0.5 * size.title);
     cairo_move_to(canvas, size.margin, size.margin + 0.5 * size.title);
-    cairo_show_text(canvas, title(window).c_str());
+    cairo_show_text(canvas, (fabric_.name + "   " + figures(window)).c_str());
     cairo_translate(canvas, size.margin, size.margin + size.title);
     cairo_scale(canvas, size.cell, size.cell);  // from here on a crossing is 1 x 1
     drawParts(canvas, size, window);
+  }
+
+  /// With a crossing of 1 x 1.
+  void drawParts(cairo_t* canvas, const SheetSize& size, const Window& w) const {
+    for (int end = w.firstEnd; end < w.firstEnd + w.ends; ++end) {
+      setYarn(canvas, fabric_.warpYarn(end));
+      fillCells(canvas, [&] { cairo_rectangle(canvas, xOf(w, end), 0, 1, 1); });
+    }
+    for (int pick = w.firstPick; pick < w.firstPick + w.picks; ++pick) {
+      setYarn(canvas, fabric_.weftYarn(pick));
+      fillCells(canvas, [&] { cairo_rectangle(canvas, 0, yOf(w, pick), 1, 1); });
+    }
+    drawCrossings(canvas, w);
+    constexpr int kMostLines = 2000;  // beyond, they would be all that is seen
+    const bool ruled = w.ends + w.picks <= kMostLines;
+    if (ruled) drawGrid(canvas, size, 2, above(), w.ends, w.picks);
+    if (draft_) drawDraft(canvas, size, w, *draft_);
   }
 
  private:
@@ -151,22 +169,6 @@ class Sheet {
     cairo_surface_mark_dirty(picture.get());
     cairo_set_source_rgb(canvas, kInk, kInk, kInk);
     cairo_mask_surface(canvas, picture.get(), 2, above());
-  }
-
-  void drawParts(cairo_t* canvas, const SheetSize& size, const Window& w) const {
-    for (int end = w.firstEnd; end < w.firstEnd + w.ends; ++end) {
-      setYarn(canvas, fabric_.warpYarn(end));
-      fillCells(canvas, [&] { cairo_rectangle(canvas, xOf(w, end), 0, 1, 1); });
-    }
-    for (int pick = w.firstPick; pick < w.firstPick + w.picks; ++pick) {
-      setYarn(canvas, fabric_.weftYarn(pick));
-      fillCells(canvas, [&] { cairo_rectangle(canvas, 0, yOf(w, pick), 1, 1); });
-    }
-    drawCrossings(canvas, w);
-    constexpr int kMostLines = 2000;  // beyond, they would be all that is seen
-    const bool ruled = w.ends + w.picks <= kMostLines;
-    if (ruled) drawGrid(canvas, size, 2, above(), w.ends, w.picks);
-    if (draft_) drawDraft(canvas, size, w, *draft_);
   }
 
   void drawDraft(cairo_t* canvas, const SheetSize& size, const Window& w, const Draft& draft) const {
@@ -277,6 +279,26 @@ std::string pngOf(const Sheet& sheet, const Weave& weave, const std::string& fil
 }
 
 }  // namespace
+
+std::string drawDraft(cairo_t* canvas, const Fabric& fabric, const DraftCorner& corner, double width, double height) {
+  constexpr double kMillimetre = 72 / 25.4, kLargestCell = 4 * kMillimetre, kLegibleCell = 1.2 * kMillimetre;
+  const Sheet sheet(fabric, corner);
+  const Weave& weave = fabric.weave;
+  SheetSize size{width, height, 0, 0, 0, 0.15};
+  const double whole = std::min(width / (weave.ends() + sheet.beside()), height / (weave.picks() + sheet.above()));
+  size.cell = std::clamp(whole, kLegibleCell, kLargestCell);
+  const int ends = static_cast<int>(width / size.cell) - sheet.beside();
+  const int picks = static_cast<int>(height / size.cell) - sheet.above();
+  // A loom that leaves no room for the cloth is drawn as a whole, however small.
+  constexpr int kFewest = 8;
+  if (ends < std::min(kFewest, weave.ends()) || picks < std::min(kFewest, weave.picks())) size.cell = whole;
+  const bool all = size.cell == whole || (ends >= weave.ends() && picks >= weave.picks());
+  const Window window{0, all ? weave.ends() : std::min(ends, weave.ends()), 0,
+                      all ? weave.picks() : std::min(picks, weave.picks())};
+  cairo_scale(canvas, size.cell, size.cell);
+  sheet.drawParts(canvas, size, window);
+  return sheet.figures(window);
+}
 
 void writeDraftSheet(const std::string& file, const Fabric& fabric, const DraftCorner& corner) {
   const std::string extension = lowerExtension(file);

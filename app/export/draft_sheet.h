@@ -4,6 +4,8 @@
 
 #include "core/fabric/model/fabric.h"
 
+struct _cairo;
+
 namespace loomlight {
 
 /// The corner of the drawdown where end 1 and pick 1 are.
@@ -16,5 +18,9 @@ struct DraftCorner {
 /// one picture. A jacquard too large for that is drawn as a whole, with a dot for each crossing. Throws InputError when
 /// the file cannot be written, or has another extension.
 void writeDraftSheet(const std::string& file, const Fabric& fabric, const DraftCorner& corner);
+
+/// As much of the draft as is legible in a rectangle of so many points, from end 1 and pick 1 on, at cairo's origin.
+/// Returns what it is, in numbers.
+std::string drawDraft(_cairo* canvas, const Fabric& fabric, const DraftCorner& corner, double width, double height);
 
 }  // namespace loomlight

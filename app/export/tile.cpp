@@ -63,7 +63,7 @@ void fillHoles(const std::vector<float>& opacity, int width, int height, std::ve
 
 }  // namespace
 
-TileExtent tileExtent(const Fabric& fabric) {
+TileExtent tileExtent(const Fabric& fabric, bool joinTwist) {
   const ClothGeometry geometry(fabric, fabric.weave.ends(), fabric.weave.picks());
   const auto lcm = [](int64_t a, int64_t b) { return std::lcm(a, b); };
   const int64_t ends =
@@ -73,11 +73,24 @@ TileExtent tileExtent(const Fabric& fabric) {
   if (ends > Weave::kMaxSide || picks > Weave::kMaxSide)
     throw InputError(fmt::format("{}: expected weave and colours to repeat within {} threads, got {} ends and {} picks",
                                  fabric.name, Weave::kMaxSide, ends, picks));
+  if (!joinTwist) return {static_cast<int>(ends), static_cast<int>(picks), false};
   const int64_t twistEnds = lcm(ends, twistPeriod(geometry, System::weft));
   const int64_t twistPicks = lcm(picks, twistPeriod(geometry, System::warp));
   const bool joins =
       twistEnds <= std::max<int64_t>(ends, kMostThreads) && twistPicks <= std::max<int64_t>(picks, kMostThreads);
   return {static_cast<int>(joins ? twistEnds : ends), static_cast<int>(joins ? twistPicks : picks), joins};
+}
+
+double pixelsPerThread(const Fabric& fabric, const TileExtent& extent, int longestSide) {
+  const double width_mm = extent.ends * fabric.warpPitch_mm(), height_mm = extent.picks * fabric.weftPitch_mm();
+  return longestSide / std::max(width_mm, height_mm) * std::min(fabric.warpPitch_mm(), fabric.weftPitch_mm());
+}
+
+int usualTileSide(const Fabric& fabric, const TileExtent& extent) {
+  constexpr double kPerThread = 16;
+  constexpr int kStep = 64, kLeast = 1024, kMost = 16384;
+  const double wanted = kPerThread / pixelsPerThread(fabric, extent, 1);
+  return std::clamp(kStep * static_cast<int>(std::ceil(std::min<double>(wanted, kMost) / kStep)), kLeast, kMost);
 }
 
 Fabric tileScene(const Fabric& fabric, const TileExtent& extent, int longestSide) {
@@ -140,11 +153,12 @@ TileMaps tileMaps(const Film& film, const Fabric& scene) {
   return maps;
 }
 
-std::optional<TileReport> makeTile(const Fabric& fabric, const std::string& stem, int longestSide, double limit_bytes,
-                                   const Task& task) {
+std::optional<TileReport> makeTile(const Fabric& fabric, const std::string& stem, const TileOrder& order,
+                                   double limit_bytes, const Task& task) {
   expectWritable(stem + ".json");
-  const TileExtent extent = tileExtent(fabric);
-  const auto tile = std::make_shared<const Fabric>(tileScene(fabric, extent, longestSide));
+  const TileExtent extent = tileExtent(fabric, order.joinTwist);
+  const int side = order.longestSide > 0 ? order.longestSide : usualTileSide(fabric, extent);
+  const auto tile = std::make_shared<const Fabric>(tileScene(fabric, extent, side));
   validate(*tile, "the tile");
   const auto picture = renderWhole(tile, {limit_bytes, FibreExtent::oneRepeat}, task);
   if (!picture) return std::nullopt;

@@ -19,9 +19,16 @@ struct TileExtent {
   /// too large a tile, only weave and colours do.
   bool twistJoins = true;
 };
-/// The smallest rectangle of crossings that repeats: weave, order of colours, and, up to 2000 threads a side, twist.
-/// Throws InputError where colours alone take more than Weave::kMaxSide.
-TileExtent tileExtent(const Fabric& fabric);
+/// The smallest rectangle of crossings that repeats: weave, order of colours, and where `joinTwist` and up to 2000
+/// threads a side, twist. Throws InputError where colours alone take more than Weave::kMaxSide.
+TileExtent tileExtent(const Fabric& fabric, bool joinTwist = true);
+
+/// Pixels across the finer of its threads, in a picture of it whose longer side has so many.
+double pixelsPerThread(const Fabric& fabric, const TileExtent& extent, int longestSide);
+/// Fewer show no yarn, but a colour for each thread.
+inline constexpr double kFewestPixelsPerThread = 8;
+/// A longer side of 16 pixels for each thread, and of 1024 at least: as far as a picture can be so large.
+int usualTileSide(const Fabric& fabric, const TileExtent& extent);
 
 /// The fabric as it is rendered for a tile: flat, several tiles wide, in white light from everywhere, seen straight
 /// from above without perspective; the picture is the tile in the middle. `longestSide`: pixels, 16..16384.
@@ -50,8 +57,12 @@ struct TileReport {
 TileReport writeTile(const std::string& stem, const TileMaps& maps, const Fabric& fabric, const TileExtent& extent,
                      double thickness_mm, double arealMass_g_m2);
 
+struct TileOrder {
+  int longestSide = 0;  ///< pixels; 0: usualTileSide()
+  bool joinTwist = true;
+};
 /// All of it. Nothing when stopped. `limit_bytes`: of explicit fibres. Throws InputError.
-std::optional<TileReport> makeTile(const Fabric& fabric, const std::string& stem, int longestSide, double limit_bytes,
-                                   const Task& task);
+std::optional<TileReport> makeTile(const Fabric& fabric, const std::string& stem, const TileOrder& order,
+                                   double limit_bytes, const Task& task);
 
 }  // namespace loomlight

@@ -8,6 +8,7 @@
 #include "app/export/tile.h"
 #include "core/base/file.h"
 #include "core/base/rgb.h"
+#include "core/fabric/yarn/yarn_name.h"
 
 namespace loomlight {
 namespace {
@@ -97,7 +98,8 @@ TileReport writeTile(const std::string& stem, const TileMaps& maps, const Fabric
 
   nlohmann::ordered_json yarns = nlohmann::ordered_json::array();
   for (size_t i = 0; i < fabric.yarns.size(); ++i)
-    yarns.push_back({{"id", i}, {"name", fabric.yarns[i].name}, {"color", hex(idColour(static_cast<int>(i)))}});
+    yarns.push_back(
+        {{"id", i}, {"name", yarnName(fabric, static_cast<int>(i))}, {"color", hex(idColour(static_cast<int>(i)))}});
   const nlohmann::ordered_json json = {
       {"name", fabric.name},
       {"program", "Loomlight " LOOMLIGHT_VERSION},

@@ -50,7 +50,7 @@ void SnapshotDialog::show(const RenderSettings& settings, std::string file) {
   open_ = opening_ = true;
 }
 
-SnapshotDialog::Result SnapshotDialog::draw(Ui& ui, const RenderJob& job) {
+SnapshotDialog::Result SnapshotDialog::draw(Ui& ui, double seen_mm, const RenderJob& job) {
   Result result;
   if (!open_) return result;
   if (!beginModal(ui, "Snapshot", ImVec2(ui.px(480), 0), open_, opening_)) {
@@ -58,7 +58,7 @@ SnapshotDialog::Result SnapshotDialog::draw(Ui& ui, const RenderJob& job) {
     return result;
   }
   ImGui::BeginDisabled(job.running);
-  bool changed = snapshotOptionRows(ui, options_, settings_);
+  bool changed = snapshotOptionRows(ui, options_, settings_, seen_mm);
   changed |= memberField(ui, "snapshot", settings_, &RenderSettings::samplesPerPixel);
   textField(ui,
             {"snapshot.file", "File",

@@ -20,7 +20,7 @@ constexpr KeyLine kCloth[] = {
     {"Shift or Space + drag", "Move, as the middle button does"},
     {"Wheel", "Nearer and further"},
     {"Click", "Choose the yarn that is there"},
-    {"F", "Show the whole cloth"},
+    {"F or Ctrl+0, Ctrl+1", "Fit the cloth, actual size"},
     {"1, 2, 3", "From above, aslant, low"},
     {"K", "Keep this view below"},
     {"L", "Truth lens; Esc closes"},
@@ -32,17 +32,19 @@ constexpr KeyLine kDraft[] = {
     {"Shift + drag", "Keep to a line"},
     {"Space + drag", "Move, as the middle button does"},
     {"Wheel", "Nearer and further"},
-    {"Shift+F", "Show the whole repeat"},
-    {"Ctrl + drag", "Select; Esc selects nothing"},
+    {"Shift+F", "Fit the draft"},
+    {"[, ], X", "Another yarn to paint with, swap"},
+    {"Ctrl + drag", "Select; Esc deselects"},
     {"Right click while selecting", "What can be done"},
     {"Ctrl+A", "Select the repeat"},
     {"Ctrl+C, Ctrl+X, Ctrl+V", "Copy, cut, paste crossings"},
-    {"Ctrl+Shift+V", "Fill with what was copied"},
+    {"Ctrl+Shift+V", "Fill with the copy"},
     {"Delete, arrows, Ctrl+I", "Weft over, shift, invert"},
 };
 constexpr KeyLine kNumbers[] = {
     {"Drag", "Change; Shift fine, Ctrl coarse"},
-    {"Click", "Type; Esc keeps the old one"},
+    {"Click", "Type; Enter takes, Esc restores"},
+    {"Tab, Shift+Tab", "The next one, the one before"},
 };
 constexpr KeyLine kEverywhere[] = {
     {"Ctrl+N, Ctrl+O", "New, open"},
@@ -50,7 +52,7 @@ constexpr KeyLine kEverywhere[] = {
     {"Ctrl+Z, Ctrl+Shift+Z", "Undo, redo"},
     {"Ctrl+P", "Snapshot"},
     {"Ctrl+B", "Presets, by pictures"},
-    {"Tab, F11", "Hide panels, full screen"},
+    {"P, F11", "Hide panels, full screen"},
     {"F1, ?", "This list"},
     {"Ctrl+Q", "Quit"},
 };

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <numeric>
 #include <utility>
 
 #include "ui/widgets/fields.h"
@@ -61,6 +63,8 @@ int PictureDialog::proportionalPicks() const {
 void PictureDialog::reducePalette() {
   preview_ = reduced(source_->small, paletteOf(source_->colours, colours_));
   assigned_.clear();
+  mergedInto_.resize(preview_.palette.size());
+  std::iota(mergedInto_.begin(), mergedInto_.end(), size_t{0});
   const int last = std::max(1, static_cast<int>(preview_.palette.size()) - 1);
   for (int i = 0; i < static_cast<int>(preview_.palette.size()); ++i)
     assigned_.push_back(kFirstShade + (kShades - 1) * (last - i) / last);
@@ -75,10 +79,10 @@ void PictureDialog::drawPreview(float size) const {
     for (int x = 0; x < preview_.width;) {
       const uint8_t* row = &preview_.colourOf[static_cast<size_t>(y) * static_cast<size_t>(preview_.width)];
       int end = x + 1;
-      while (end < preview_.width && row[end] == row[x]) ++end;
+      while (end < preview_.width && mergedInto_[row[end]] == mergedInto_[row[x]]) ++end;
       draw.AddRectFilled(ImVec2(min.x + pixel * static_cast<float>(x), min.y + pixel * static_cast<float>(y)),
                          ImVec2(min.x + pixel * static_cast<float>(end), min.y + pixel * static_cast<float>(y + 1)),
-                         displayed(preview_.palette[row[x]]));
+                         displayed(preview_.palette[mergedInto_[row[x]]]));
       x = end;
     }
 }
@@ -96,22 +100,58 @@ void PictureDialog::drawFields(Ui& ui) {
   ImGui::Dummy(ImVec2(0, ui.px(4)));
   std::vector<const char*> names;
   for (const Structure& structure : structures_) names.push_back(structure.name.c_str());
-  for (size_t i = 0; i < preview_.palette.size(); ++i) {
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float height = ImGui::GetFrameHeight();
-    const std::string share = fmt::format("         {:.0f} %", 100 * preview_.shares[i]);
-    choiceField(ui,
-                {fmt::format("picture.structure_{}", i), share.c_str(), "What is woven in the place of this colour."},
-                names, assigned_[i]);
-    ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(at.x, at.y + ui.px(2)),
-                                              ImVec2(at.x + ui.px(24), at.y + height - ui.px(2)),
-                                              displayed(preview_.palette[i]), ui.px(3));
+  for (size_t i = 0; i < preview_.palette.size(); ++i)
+    if (mergedInto_[i] == i) colourRow(ui, i, names);
+  hint(ui, "Drag a colour on another to weave both alike.");
+}
+
+/// Both are woven alike from now on, and shown as one.
+void PictureDialog::merge(size_t colour, size_t into) {
+  std::replace(mergedInto_.begin(), mergedInto_.end(), colour, into);
+}
+
+void PictureDialog::colourRow(Ui& ui, size_t colour, const std::vector<const char*>& names) {
+  double share = 0;
+  for (size_t i = 0; i < mergedInto_.size(); ++i)
+    if (mergedInto_[i] == colour) share += preview_.shares[i];
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float height = ImGui::GetFrameHeight();
+  const std::string label = fmt::format("         {:.0f} %", 100 * share);
+  choiceField(
+      ui, {fmt::format("picture.structure_{}", colour), label.c_str(), "What is woven in the place of this colour."},
+      names, assigned_[colour]);
+  const ImVec2 after = ImGui::GetCursorPos();
+  const ImVec2 min(at.x, at.y + ui.px(2)), max(at.x + ui.px(24), at.y + height - ui.px(2));
+  ImGui::SetCursorScreenPos(min);
+  const std::string id = fmt::format("picture.colour_{}", colour);
+  ImGui::InvisibleButton(id.c_str(), ImVec2(max.x - min.x, max.y - min.y));
+  ui.probe.recordItem(id);
+  ImGui::GetWindowDrawList()->AddRectFilled(min, max, displayed(preview_.palette[colour]), ui.px(3));
+  constexpr const char* kPayload = "colour of a picture";
+  if (ImGui::BeginDragDropSource(ImGuiDragDropFlags_SourceNoPreviewTooltip)) {
+    ImGui::SetDragDropPayload(kPayload, &colour, sizeof colour);
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    ImGui::GetForegroundDrawList()->AddRectFilled(ImVec2(mouse.x - ui.px(8), mouse.y - ui.px(8)),
+                                                  ImVec2(mouse.x + ui.px(8), mouse.y + ui.px(8)),
+                                                  displayed(preview_.palette[colour]), ui.px(3));
+    ImGui::EndDragDropSource();
   }
+  if (ImGui::BeginDragDropTarget()) {
+    const ImGuiPayload* const dropped = ImGui::AcceptDragDropPayload(kPayload);
+    if (dropped && dropped->DataSize == sizeof colour) {
+      size_t other = 0;
+      std::memcpy(&other, dropped->Data, sizeof other);
+      if (other != colour && other < mergedInto_.size()) merge(other, colour);
+    }
+    ImGui::EndDragDropTarget();
+  }
+  ImGui::SetCursorPos(after);
 }
 
 PictureOrder PictureDialog::order() const {
   PictureOrder order{source_, ends_, picks_, preview_.palette, {}};
-  for (const int structure : assigned_) order.structures.push_back(structures_[static_cast<size_t>(structure)].weave);
+  for (const size_t colour : mergedInto_)
+    order.structures.push_back(structures_[static_cast<size_t>(assigned_[colour])].weave);
   return order;
 }
 

@@ -45,6 +45,8 @@ class PictureDialog {
   PictureOrder order() const;
   int proportionalPicks() const;
   void reducePalette();
+  void merge(size_t colour, size_t into);
+  void colourRow(Ui& ui, size_t colour, const std::vector<const char*>& names);
   void drawPreview(float size) const;
   void drawFields(Ui& ui);
 
@@ -57,6 +59,7 @@ class PictureDialog {
   ReducedPicture preview_;             ///< a small one, with the palette
   std::vector<Structure> structures_;  ///< that may be chosen
   std::vector<int> assigned_;          ///< index into them, for each colour
+  std::vector<size_t> mergedInto_;     ///< for each colour the one that it goes with: itself, or another
 };
 
 }  // namespace loomlight

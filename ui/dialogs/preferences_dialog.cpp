@@ -30,11 +30,42 @@ void lookRows(Ui& ui, bool& darkTheme, float& interfaceSize) {
     interfaceSize = kInterfaceSizes[size];
 }
 
+/// A bar as long as the editor believes 50 mm to be; what a ruler reads of it sets that right.
+void rulerRow(Ui& ui, double pixels_per_mm, double& factor) {
+  constexpr double kBar_mm = 50;
+  heading(ui, "Actual size");
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const auto length = static_cast<float>(kBar_mm * pixels_per_mm / factor);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const ImU32 ink = packed(ui.theme.text);
+  const float low = at.y + ui.px(10);
+  draw.AddLine(ImVec2(at.x, low), ImVec2(at.x + length, low), ink, ui.px(1.5f));
+  for (int i = 0; i <= 5; ++i) {
+    const float x = at.x + length * static_cast<float>(i) / 5;
+    draw.AddLine(ImVec2(x, at.y + ui.px(2)), ImVec2(x, low), ink, 1);
+  }
+  ImGui::Dummy(ImVec2(length, ui.px(14)));
+  ui.probe.record("preferences.ruler_bar", at, ImVec2(at.x + length, low));
+  NumberStyle style;
+  style.unit = "mm";
+  style.min = 10;
+  style.max = 200;
+  style.decimals = 1;
+  double read_mm = kBar_mm;
+  if (numberField(
+          ui,
+          {"preferences.ruler", "A ruler reads",
+           "Hold a ruler to the bar above and type what it reads: from then on 1 : 1 is 1 : 1 on this display."},
+          style, read_mm))
+    factor = std::clamp(factor * read_mm / kBar_mm, kRulerFactor[0], kRulerFactor[1]);
+}
+
 }  // namespace
 
-void PreferencesDialog::draw(Ui& ui, double machine_GB, PreferenceValues values) {
+void PreferencesDialog::draw(Ui& ui, double machine_GB, double pixels_per_mm, PreferenceValues values) {
   if (!open_ || !beginModal(ui, "Preferences", ImVec2(ui.px(560), 0), open_, opening_)) return;
   lookRows(ui, values.darkTheme, values.interfaceSize);
+  rulerRow(ui, pixels_per_mm, values.rulerFactor);
   heading(ui, "Units");
   countSystemRow(ui, "preferences", values.units.count);
   twistUnitRow(ui, "preferences", values.units.twistAsMultiplier);

@@ -68,27 +68,26 @@ bool says(const WifSett& sett) {
 
 void WifDialog::show(Content content) {
   content_ = std::move(content);
-  sizes_ = WifSizeChoice::keep;
+  sizes_ = says(content_.file) ? WifSizeChoice::file : WifSizeChoice::keep;
   open_ = opening_ = true;
   closing_ = false;
 }
 
 std::optional<WifSizeChoice> WifDialog::draw(Ui& ui) {
-  if (!open_ || !beginModal(ui, "Weaving file", ImVec2(ui.px(600), 0), open_, opening_)) return std::nullopt;
+  if (!open_ || !beginModal(ui, "WIF draft", ImVec2(ui.px(600), 0), open_, opening_)) return std::nullopt;
   std::optional<WifSizeChoice> changed;
   ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(content_.summary.c_str());
   ImGui::PopTextWrapPos();
   ImGui::Dummy(ImVec2(0, ui.px(4)));
   if (says(content_.file)) {
-    static constexpr const char* kNames[] = {"Keep mine", "Use the file's"};
+    static constexpr const char* kNames[] = {"Keep mine", "The file's"};
     int chosen = static_cast<int>(sizes_);
-    if (segmentField(
-            ui,
-            {"wif.sizes", "Sett and thickness",
-             "Most programs write a default of their own here, whatever the cloth. Thick and thin threads keep "
-             "their proportions either way."},
-            kNames, chosen)) {
+    if (segmentField(ui,
+                     {"wif.sizes", "Sett and thickness",
+                      "The cloth has the file's. Many programs write a default of their own here, whatever the cloth: "
+                      "keep yours then. Thick and thin threads keep their proportions either way."},
+                     kNames, chosen)) {
       sizes_ = static_cast<WifSizeChoice>(chosen);
       changed = sizes_;
     }

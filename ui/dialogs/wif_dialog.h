@@ -21,7 +21,7 @@ class WifDialog {
   void show(Content content);
   bool isOpen() const { return open_; }
   void close() { closing_ = true; }
-  /// The choice, each time that it changes. At first the cloth has the designer's own sizes.
+  /// The choice, each time that it changes. At first the cloth has the file's sizes where it says any.
   std::optional<WifSizeChoice> draw(Ui& ui);
 
  private:

@@ -2,13 +2,15 @@
 
 #include <algorithm>
 
+#include "core/fabric/model/glossary.h"
 #include "core/fabric/model/validate.h"
+#include "ui/draft/stripe_table.h"
 #include "ui/widgets/fields.h"
 
 namespace loomlight {
 namespace {
 
-/// How many threads of each yarn there are: stripes by chance keep these proportions.
+/// How many threads of each yarn there are: random stripes keep these proportions.
 std::vector<double> weightsOf(const std::vector<int>& sequence, size_t yarns) {
   std::vector<double> weights(yarns, 0);
   for (const int yarn : sequence) weights[static_cast<size_t>(yarn)] += 1;
@@ -31,10 +33,11 @@ void stripeFields(Ui& ui, StripeChance& stripes) {
 
 }  // namespace
 
-std::optional<Fabric> colourOrderTools(Ui& ui, const Fabric& fabric, ColourOrderView& view) {
+std::optional<Fabric> colourOrderTools(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& yarnColours,
+                                       ColourOrderView& view) {
   static constexpr const char* kSystems[] = {"Warp", "Weft"};
   int system = view.weft ? 1 : 0;
-  segmentField(ui, {"order.system", "Change the", "Whose colour order the tools below work on."}, kSystems, system);
+  segmentField(ui, {"order.system", "Tools for", "Whose colour order the tools below work on."}, kSystems, system);
   view.weft = system == 1;
   const std::vector<int>& own = view.weft ? fabric.weftSequence : fabric.warpSequence;
   const std::vector<int>& other = view.weft ? fabric.warpSequence : fabric.weftSequence;
@@ -45,16 +48,25 @@ std::optional<Fabric> colourOrderTools(Ui& ui, const Fabric& fabric, ColourOrder
     made = mirrored(own);
   ImGui::SameLine();
   if (button(ui, "order.reverse", "Reverse", half, own.size() > 1, "From the other side")) made = reversed(own);
-  if (button(ui, "order.widen", "Twice as wide", half, 2 * own.size() <= kMaxSequence, "Every thread twice"))
+  if (button(ui, "order.widen", words::doubleThreads.label, half, 2 * own.size() <= kMaxSequence,
+             words::doubleThreads.help))
     made = widened(own, 2);
   ImGui::SameLine();
-  if (button(ui, "order.copy", view.weft ? "As the warp" : "As the weft", half, own != other,
-             "The same order both ways, as in a tartan"))
+  if (button(ui, "order.copy", (view.weft ? words::copyWarp : words::copyWeft).label, half, own != other,
+             words::copyWeft.help))
     made = other;
 
-  heading(ui, "Stripes by chance");
-  if (button(ui, "order.random", "Draw stripes", -1, fabric.yarns.size() > 1,
-             "Another order each time, with as much of each yarn as the present one; undo brings back the last")) {
+  const int repeat = view.weft ? fabric.weave.picks() : fabric.weave.ends();
+  const std::vector<int> even = balanced(own, repeat);
+  if (button(ui, "order.balance", words::balance.label, 0, even != own && even.size() <= kMaxSequence,
+             words::balance.help))
+    made = even;
+  if (foldingHeading(ui, "order.stripes", words::stripes.label, words::stripes.help, view.stripesOpen))
+    if (auto set = stripeTable(ui, own, yarnColours, view.weft ? fabric.weftPitch_mm() : fabric.warpPitch_mm()))
+      made = std::move(set);
+
+  heading(ui, words::randomStripes.label);
+  if (button(ui, "order.random", "New stripes", -1, fabric.yarns.size() > 1, words::randomStripes.help)) {
     made = randomStripes(weightsOf(own, fabric.yarns.size()), view.stripes);
     ++view.stripes.seed;
   }

@@ -9,8 +9,9 @@
 #include "ui/draft/draft_commands.h"
 #include "ui/draft/draft_drawing.h"
 #include "ui/draft/draft_parts.h"
+#include "ui/draft/float_row.h"
 #include "ui/draft/weave_menu.h"
-#include "ui/widgets/fields.h"
+#include "ui/widgets/field_row.h"
 #include "ui/widgets/keys.h"
 
 namespace loomlight {
@@ -65,7 +66,7 @@ bool navigate(DraftView& view, const DraftFrame& frame) {
   const bool space = keyHeld(ImGuiKey_Space);
   if (!ImGui::IsItemActive() || !(ImGui::IsMouseDown(ImGuiMouseButton_Middle) || space)) return false;
   view.origin.x += (frame.fromRight ? 1.0f : -1.0f) * io.MouseDelta.x / view.cell;
-  view.origin.y += (frame.fromTop ? -1.0f : 1.0f) * io.MouseDelta.y / view.cell;
+  view.origin.y += (frame.fromTop ? -1.0f : 1.0f) * io.MouseDelta.y / frame.cellHeight();
   return true;
 }
 
@@ -115,9 +116,6 @@ std::optional<Fabric> barStroke(Ui& ui, const Fabric& fabric, DraftView& view, c
   ImGui::SetCursorScreenPos(bar.min);
   ImGui::InvisibleButton(id, ImVec2(bar.width(), bar.height()));
   ui.probe.recordItem(id);
-  tooltipFor(ui, id, bar.min, bar.max,
-             warp ? "The yarn of each end (warp thread). Click or drag to give ends the selected yarn."
-                  : "The yarn of each pick (weft thread). Click or drag to give picks the selected yarn.");
   const auto mine = warp ? DraftView::Stroke::warpBar : DraftView::Stroke::weftBar;
   if (!ImGui::IsItemActive()) {
     if (view.stroke == mine) view.stroke = DraftView::Stroke::none;
@@ -129,6 +127,21 @@ std::optional<Fabric> barStroke(Ui& ui, const Fabric& fabric, DraftView& view, c
   const int from = warp ? view.strokeLast.end : view.strokeLast.pick, to = warp ? under.end : under.pick;
   view.strokeLast = under;
   return paintBar(fabric, system, from, to, brushYarn);
+}
+
+/// What a bar of colours shows under the mouse: said in the line below, as nothing may cover what is drawn at.
+std::string barUnderMouse(const Fabric& fabric, CountSystem counts, const DraftFrame& frame,
+                          const DraftLayout& layout) {
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const auto under = [](const Box& box) { return ImGui::IsMouseHoveringRect(box.min, box.max); };
+  const CrossingIndex at = frame.at(mouse);
+  const auto said = [&](const char* thread, int index, int yarn) {
+    return fmt::format("{} {}: {}; a click gives it the selected yarn", thread, index + 1,
+                       yarnName(fabric, yarn, counts));
+  };
+  if (under(layout.warpBar)) return said("end", at.end, fabric.warpYarn(at.end));
+  if (under(layout.weftBar)) return said("pick", at.pick, fabric.weftYarn(at.pick));
+  return {};
 }
 
 /// Room for the parts; it does not change under the brush.
@@ -151,6 +164,7 @@ void sayLine(Ui& ui, DraftView& view, const std::string& place, const std::strin
   ImGui::PopStyleColor();
   ImGui::PopFont();
   ui.probe.recordItem("draft.line");
+  if (warns) tellIfClipped(ui, "draft.line", said.c_str(), ImGui::GetContentRegionAvail().x + ui.px(1));
   if (!said.empty())
     tooltipFor(ui, "draft.line", ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
                warns ? (remark + " What the loom has is set under Loom, below.").c_str() : said.c_str());
@@ -179,6 +193,7 @@ std::optional<Fabric> draftCanvas(Ui& ui, const Fabric& fabric, const std::vecto
   const Draft* draft = draftBeside(fabric, preferences, view, &remark);
   const DraftLayout layout = layOut(ui, draft, preferences, view, size);
   const Box& cloth = layout.cloth;
+  view.aspect = cellAspect(fabric);
   if (view.cell <= 0) fitDraft(view, fabric.weave, ImVec2(cloth.width(), cloth.height()), ui.scale);
 
   ImGui::SetCursorScreenPos(cloth.min);
@@ -189,6 +204,7 @@ std::optional<Fabric> draftCanvas(Ui& ui, const Fabric& fabric, const std::vecto
   const bool hovered = ImGui::IsItemHovered() || ImGui::IsItemActive();
   const bool navigating = navigate(view, frameOf(view, preferences, cloth));
   const DraftFrame frame = frameOf(view, preferences, cloth);
+  view.seen = ImVec2(cloth.width() / frame.cell, cloth.height() / frame.cellHeight());
   std::optional<Fabric> edited = askWhatToDo(ui, fabric, preferences, view, frame);
   if (auto weave = navigating || edited ? std::nullopt : stroke(fabric.weave, view, frame)) {
     Rewoven result = rewoven(fabric, std::move(*weave), preferences.loom);
@@ -201,8 +217,9 @@ std::optional<Fabric> draftCanvas(Ui& ui, const Fabric& fabric, const std::vecto
   if (hovered) {
     const CrossingIndex c = inRepeat(*view.hovered, fabric.weave);
     place = fmt::format("end {}, pick {}", c.end + 1, c.pick + 1);
-  } else if (draft) {
-    place = partUnderMouse(*draft, frame, layout);
+  } else {
+    place = barUnderMouse(fabric, view.counts, frame, layout);
+    if (place.empty() && draft) place = partUnderMouse(*draft, frame, layout);
   }
 
   if (!edited) edited = barStroke(ui, fabric, view, frame, System::warp, layout.warpBar, brushYarn);
@@ -224,6 +241,7 @@ std::optional<Fabric> draftCanvas(Ui& ui, const Fabric& fabric, const std::vecto
   }
   ImGui::GetWindowDrawList()->PushClipRect(cloth.min, cloth.max, true);
   if (view.selection) drawSelection(ui, frame, *view.selection);
+  if (view.marksFloats && view.chosenFloat) ringFloat(ui, frame, *view.chosenFloat);
   if (hovered && view.stroke == DraftView::Stroke::none) ringCrossing(ui, frame, *view.hovered);
   if (lit) ringCrossing(ui, frame, inRepeat(*lit, fabric.weave));
   ImGui::GetWindowDrawList()->PopClipRect();
@@ -232,7 +250,8 @@ std::optional<Fabric> draftCanvas(Ui& ui, const Fabric& fabric, const std::vecto
   ImGui::SetCursorScreenPos(ImVec2(corner.x, corner.y + size.y));
   const std::string& became = remark.empty() ? view.remark : remark;
   if (place.empty() && became.empty() && view.marksFloats)
-    place = fmt::format("marked: floats longer than {:.1f} mm", preferences.longFloat_mm);
+    place = view.chosenFloat ? floatText(*view.chosenFloat)
+                             : fmt::format("marked: floats longer than {:.1f} mm", preferences.longFloat_mm);
   sayLine(ui, view, place, became);
   return edited;
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/fabric/yarn/derived.h"
+#include "core/fabric/yarn/long_floats.h"
 
 namespace loomlight {
 namespace {
@@ -41,33 +41,6 @@ class RunPainter {
   Box run_;
 };
 
-/// How many crossings each system may float over; a whole repeat and more is an end that never interlaces.
-struct FloatLimits {
-  int warp = 0, weft = 0;
-};
-
-FloatLimits floatLimits(const Fabric& fabric, double limit_mm) {
-  const auto cells = [&](System system) {
-    int most = 1;
-    while (most < 4096 && floatLength_mm(fabric, system, most + 1) <= limit_mm) ++most;
-    return most;
-  };
-  return {cells(System::warp), cells(System::weft)};
-}
-
-/// The thread that lies on top passes over more crossings than it may; only so many are looked at on either side.
-bool floatsTooFar(const Weave& weave, int pick, int end, const FloatLimits& limits) {
-  const bool warp = weave.warpOver(pick, end);
-  const int most = warp ? limits.warp : limits.weft;
-  const auto same = [&](int step) {
-    return (warp ? weave.warpOver(pick + step, end) : weave.warpOver(pick, end + step)) == warp;
-  };
-  int length = 1;
-  for (int step = 1; length <= most && same(step); ++step) ++length;
-  for (int step = 1; length <= most && same(-step); ++step) ++length;
-  return length > most;
-}
-
 void drawCells(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& yarnColours, const DraftFrame& frame,
                bool inColour) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -75,8 +48,8 @@ void drawCells(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& yarnColo
   for (const ImVec4& colour : yarnColours) colours.push_back(packed(colour));
   const ImU32 ink = packed(ui.theme.ink);
   const Weave& weave = fabric.weave;
-  const int step = std::max(1, static_cast<int>(std::ceil(kSmallestBlock / frame.cell)));
-  RunPainter painter(draw, !inColour && frame.cell >= 9 * ui.scale ? ui.scale : 0.0f);
+  const int step = std::max(1, static_cast<int>(std::ceil(kSmallestBlock / frame.smaller())));
+  RunPainter painter(draw, !inColour && frame.smaller() >= 9 * ui.scale ? ui.scale : 0.0f);
   const int firstPick = frame.firstPick() - wrapped(frame.firstPick(), step);
   const int firstEnd = frame.firstEnd() - wrapped(frame.firstEnd(), step);
   for (int pick = firstPick; pick <= frame.lastPick(); pick += step) {
@@ -91,11 +64,10 @@ void drawCells(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& yarnColo
   }
 }
 
-/// Seen from either side: a long float on the back is a long float.
 void markFloats(Ui& ui, const Fabric& fabric, const DraftFrame& frame, double limit_mm) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const FloatLimits limits = floatLimits(fabric, limit_mm);
-  const int step = std::max(1, static_cast<int>(std::ceil(kSmallestBlock / frame.cell)));
+  const int step = std::max(1, static_cast<int>(std::ceil(kSmallestBlock / frame.smaller())));
   RunPainter painter(draw, 0);
   const ImU32 mark = packed(ui.theme.warning, 0.75f);
   for (int pick = frame.firstPick(); pick <= frame.lastPick(); pick += step) {
@@ -106,7 +78,7 @@ void markFloats(Ui& ui, const Fabric& fabric, const DraftFrame& frame, double li
 }
 
 void drawGrid(Ui& ui, const DraftFrame& frame) {
-  const float fade = std::clamp((frame.cell / ui.scale - 6.0f) / 6.0f, 0.0f, 1.0f);
+  const float fade = std::clamp((frame.smaller() / ui.scale - 6.0f) / 6.0f, 0.0f, 1.0f);
   if (fade <= 0) return;
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const Box& box = frame.box;
@@ -158,9 +130,10 @@ void drawBar(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& yarnColour
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.PushClipRect(bar.min, bar.max, true);
   const bool warp = system == System::warp;
-  const int step = std::max(1, static_cast<int>(std::ceil(1.0f / frame.cell)));
+  const float side = warp ? frame.cell : frame.cellHeight();
+  const int step = std::max(1, static_cast<int>(std::ceil(1.0f / side)));
   const int first = warp ? frame.firstEnd() : frame.firstPick(), last = warp ? frame.lastEnd() : frame.lastPick();
-  const float gap = frame.cell >= 6 * ui.scale ? 1.0f : 0.0f;
+  const float gap = side >= 3 * ui.scale ? 1.0f : 0.0f;  // threads are counted as long as a gap leaves anything of them
   for (int i = first; i <= last; i += step) {
     const int yarn = warp ? fabric.warpYarn(i) : fabric.weftYarn(i);
     const Box cell = frame.cells(i, i, step, step);
@@ -176,9 +149,19 @@ void drawBar(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& yarnColour
 
 void ringCrossing(Ui& ui, const DraftFrame& frame, const CrossingIndex& crossing) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const float grow = std::max(0.0f, 0.5f * (6.0f * ui.scale - frame.cell));
+  const float grow = std::max(0.0f, 0.5f * (6.0f * ui.scale - frame.smaller()));
   const Box cell = frame.cells(crossing.pick, crossing.end);
   const ImVec2 a(cell.min.x - grow, cell.min.y - grow), b(cell.max.x + grow, cell.max.y + grow);
+  draw.AddRect(a, b, packed(ui.theme.onAccent), 0, 0, ui.px(4));
+  draw.AddRect(a, b, packed(ui.theme.accent), 0, 0, ui.px(2));
+}
+
+void ringFloat(Ui& ui, const DraftFrame& frame, const FloatRun& run) {
+  const bool warp = run.system == System::warp;
+  const Box box =
+      warp ? frame.cells(run.first, run.thread, run.cells, 1) : frame.cells(run.thread, run.first, 1, run.cells);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const ImVec2 a(box.min.x - ui.px(2), box.min.y - ui.px(2)), b(box.max.x + ui.px(2), box.max.y + ui.px(2));
   draw.AddRect(a, b, packed(ui.theme.onAccent), 0, 0, ui.px(4));
   draw.AddRect(a, b, packed(ui.theme.accent), 0, 0, ui.px(2));
 }

@@ -1,3 +1,4 @@
+#include "core/fabric/model/glossary.h"
 #include "core/fabric/weave/draft_derivation.h"
 #include "ui/draft/draft_panel.h"
 #include "ui/widgets/fields.h"
@@ -33,13 +34,11 @@ std::optional<Fabric> loomRow(Ui& ui, const Fabric& fabric, DraftView& view) {
 std::optional<Fabric> draftRows(Ui& ui, const Fabric& fabric, const Draft& draft) {
   int shafts = draft.shafts, treadles = draft.treadles, shed = draft.risingShed ? 0 : 1;
   static constexpr const char* kSheds[] = {"Rising", "Sinking"};
-  if (wholeNumberField(
-          ui, {"loom.shafts", "Shafts", "Frames that lift the ends threaded on them. Fewer leave ends on none."}, "", 1,
-          kMostShafts, shafts))
+  if (wholeNumberField(ui, {"loom.shafts", words::shafts.label, words::shafts.help}, "", 1, kMostShafts, shafts))
     return withDraft(fabric, withShaftCount(draft, shafts));
   if (!draft.liftplan.empty()) return std::nullopt;
-  if (wholeNumberField(ui, {"loom.treadles", "Treadles", "Pedals that move the shafts tied to them."}, "", 1,
-                       kMostShafts, treadles))
+  if (wholeNumberField(ui, {"loom.treadles", words::treadles.label, words::treadles.help}, "", 1, kMostShafts,
+                       treadles))
     return withDraft(fabric, withTreadleCount(draft, treadles));
   if (segmentField(
           ui,
@@ -72,10 +71,10 @@ std::optional<Fabric> repeatRows(Ui& ui, const Fabric& fabric, DraftView& view) 
 /// What the designer's loom has, and how drafts are read; nothing of the fabric.
 void preferenceRows(Ui& ui, DraftPreferences& preferences, DraftView& view) {
   heading(ui, "For all drafts");
-  wholeNumberField(ui, {"loom.most_shafts", "Most shafts", "A weave that takes more of them is a jacquard."}, "", 1,
-                   256, preferences.loom.shafts);
-  wholeNumberField(ui, {"loom.most_treadles", "Most treadles", "A weave that takes more of them gets a liftplan."}, "",
-                   1, 256, preferences.loom.treadles);
+  wholeNumberField(ui, {"loom.most_shafts", words::loomShafts.label, words::loomShafts.help}, "", 1, 256,
+                   preferences.loom.shafts);
+  wholeNumberField(ui, {"loom.most_treadles", words::loomTreadles.label, words::loomTreadles.help}, "", 1, 256,
+                   preferences.loom.treadles);
   static constexpr const char* kCorners[] = {"Bottom left", "Bottom right", "Top left", "Top right"};
   int corner = static_cast<int>(preferences.origin);
   if (choiceField(ui, {"draft.corner", "First thread", "The corner of the drawdown where end 1 and pick 1 are."},
@@ -88,14 +87,6 @@ void preferenceRows(Ui& ui, DraftPreferences& preferences, DraftView& view) {
   int unit = preferences.inches ? 1 : 0;
   if (segmentField(ui, {"draft.unit", "Lengths in", "Of rulers, setts and repeats."}, kUnits, unit))
     preferences.inches = unit == 1;
-  NumberStyle length;
-  length.unit = "mm";
-  length.min = 0.1;
-  length.max = 100;
-  length.decimals = 1;
-  length.logarithmic = true;
-  numberField(ui, {"draft.long_float", "Long floats", "Floats beyond this length snag; Floats above marks them."},
-              length, preferences.longFloat_mm);
 }
 
 }  // namespace

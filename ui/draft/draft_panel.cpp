@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/fabric/model/glossary.h"
+#include "ui/draft/float_row.h"
 #include "ui/widgets/panel_controls.h"
 #include "ui/widgets/preset_list.h"
 
@@ -22,23 +24,24 @@ void panelHead(Ui& ui, DraftView& view) {
   toggleButton(ui, "draft.colour", "Colour", "The yarn that lies on top; else point paper: dark is warp over.",
                view.inColour);
   ImGui::SameLine(0, gap);
-  toggleButton(ui, "draft.back", "Back", "The cloth from behind, turned over like a page.", view.back);
+  toggleButton(ui, "draft.back", "Back", words::backOfCloth.help, view.back);
   ImGui::SameLine(0, gap);
-  toggleButton(ui, "draft.floats", "Floats", "Marks threads that float further than the length set under Loom.",
-               view.marksFloats);
+  toggleButton(ui, "draft.floats", "Floats", words::checkFloats.help, view.marksFloats);
 }
 
 }  // namespace
 
 std::optional<Fabric> draftPanel(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& yarnColours, int brushYarn,
-                                 DraftPreferences& preferences, DraftView& view, std::optional<CrossingIndex> lit) {
+                                 const LongFloats* floats, DraftPreferences& preferences, DraftView& view,
+                                 std::optional<CrossingIndex> lit) {
   panelHead(ui, view);
+  if (view.marksFloats) floatRow(ui, floats, preferences, view);
   const ImVec2 room = ImGui::GetContentRegionAvail();
   // What stands below keeps its place: tabs, a page, and the presets. Of a tall window all three get more; in a low one
   // the draft comes before presets, which have their dialog too.
   const float spare = room.y - ui.px(720);
   const float page = ui.px(190) + 0.25f * std::max(0.0f, spare);
-  const float presets = spare > 0 ? ui.px(kLowestPresetList) + 0.25f * spare : 0;
+  const float presets = spare > 0 ? ui.px(kLowestPresetList) + 0.25f * spare : ImGui::GetFrameHeightWithSpacing();
   const float below = 2 * ImGui::GetFrameHeightWithSpacing() + ui.px(24) + page + presets;
   const float height = std::max(ui.px(180), std::min(1.3f * room.x, room.y - below));
   std::optional<Fabric> edited =
@@ -66,7 +69,7 @@ std::optional<Fabric> draftPanel(Ui& ui, const Fabric& fabric, const std::vector
       paged = loomPage(ui, fabric, preferences, view);
       break;
     case DraftView::Page::colours:
-      paged = orderPage(ui, fabric, view);
+      paged = orderPage(ui, fabric, yarnColours, view);
       break;
   }
   ImGui::EndChild();

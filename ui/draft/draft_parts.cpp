@@ -17,7 +17,6 @@ struct Table {
   DraftPart part;
   DraftView::Stroke stroke;
   const char* id;
-  const char* tooltip;
   Box box;
   int lines;         ///< ends, picks or treadles; those of threading and treadling repeat
   int numbers;       ///< shafts or treadles
@@ -33,7 +32,6 @@ std::vector<Table> tablesOf(const Draft& draft, const DraftLayout& layout) {
   const Table threading{DraftPart::threading,
                         DraftView::Stroke::threading,
                         "draft.threading",
-                        "Threading: the shaft that each end hangs on. Click or drag; Ctrl hangs an end on several.",
                         layout.threading,
                         static_cast<int>(draft.threading.size()),
                         draft.shafts,
@@ -43,7 +41,6 @@ std::vector<Table> tablesOf(const Draft& draft, const DraftLayout& layout) {
     const Table liftplan{DraftPart::liftplan,
                          DraftView::Stroke::treadling,
                          "draft.treadling",
-                         "Liftplan: the shafts that go up for each pick. Click or drag.",
                          layout.treadling,
                          picksOf(draft),
                          draft.shafts,
@@ -54,7 +51,6 @@ std::vector<Table> tablesOf(const Draft& draft, const DraftLayout& layout) {
   const Table tieUp{DraftPart::tieUp,
                     DraftView::Stroke::tieUp,
                     "draft.tieup",
-                    "Tie-up: the shafts that each treadle moves. Click or drag.",
                     layout.tieUp,
                     draft.treadles,
                     draft.shafts,
@@ -63,7 +59,6 @@ std::vector<Table> tablesOf(const Draft& draft, const DraftLayout& layout) {
   const Table treadling{DraftPart::treadling,
                         DraftView::Stroke::treadling,
                         "draft.treadling",
-                        "Treadling: the treadle pressed for each pick. Click or drag; Ctrl presses several at once.",
                         layout.treadling,
                         picksOf(draft),
                         draft.treadles,
@@ -149,7 +144,8 @@ void drawRules(Ui& ui, const Table& table, const DraftFrame& frame, float lift, 
       rule({ImVec2(x, table.box.min.y), ImVec2(x + 1, table.box.max.y)}, number % 4 == 0);
   }
   const bool repeats = table.part != DraftPart::tieUp;
-  if (repeats && frame.cell < 6 * ui.scale) return;
+  const float cell = table.linesAcross ? frame.cell : frame.cellHeight();
+  if (repeats && cell < 6 * ui.scale) return;
   for (int line = first; line <= last + 1; ++line) {
     const Box place = placeOf(table, frame, lift, line, 1);
     const float x = !repeats || !frame.fromRight ? place.min.x : place.max.x;
@@ -171,8 +167,9 @@ void drawTable(Ui& ui, const Draft& draft, const Table& table, const DraftFrame&
     first = table.linesAcross ? frame.firstEnd() : frame.firstPick();
     last = table.linesAcross ? frame.lastEnd() : frame.lastPick();
   }
-  const float along = repeats ? std::min(frame.cell, lift) : lift;
-  const int step = std::max(1, static_cast<int>(std::ceil(1.0f / (repeats ? frame.cell : lift))));
+  const float cell = table.linesAcross ? frame.cell : frame.cellHeight();
+  const float along = repeats ? std::min(cell, lift) : lift;
+  const int step = std::max(1, static_cast<int>(std::ceil(1.0f / (repeats ? cell : lift))));
   const ImU32 ink = packed(ui.theme.ink), faded = packed(ui.theme.ink, 0.4f);
   const float gap = along >= 5 * ui.scale ? ui.scale : 0.0f;
   for (int line = first; line <= last; line += step) {
@@ -210,7 +207,6 @@ std::optional<Draft> strokeOn(Ui& ui, const Draft& draft, const Table& table, Dr
   ImGui::InvisibleButton(table.id, ImVec2(table.box.width(), table.box.height()),
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
   ui.probe.recordItem(table.id);
-  tooltipFor(ui, table.id, table.box.min, table.box.max, table.tooltip);
   if (!ImGui::IsItemActive()) {
     if (view.stroke == table.stroke) view.stroke = DraftView::Stroke::none;
     return std::nullopt;
@@ -255,14 +251,16 @@ std::string partUnderMouse(const Draft& draft, const DraftFrame& frame, const Dr
     if (cell.pick < 1 || cell.pick > table.numbers) return {};
     switch (table.part) {
       case DraftPart::threading:
-        return fmt::format("end {}, shaft {}", wrapped(cell.end, table.lines) + 1, cell.pick);
+        return fmt::format("threading: end {}, shaft {}; Ctrl: several", wrapped(cell.end, table.lines) + 1, cell.pick);
       case DraftPart::tieUp:
-        return cell.end < 0 || cell.end >= table.lines ? ""
-                                                       : fmt::format("treadle {}, shaft {}", cell.end + 1, cell.pick);
+        return cell.end < 0 || cell.end >= table.lines
+                   ? ""
+                   : fmt::format("tie-up: treadle {}, shaft {}", cell.end + 1, cell.pick);
       case DraftPart::treadling:
-        return fmt::format("pick {}, treadle {}", wrapped(cell.end, table.lines) + 1, cell.pick);
+        return fmt::format("treadling: pick {}, treadle {}; Ctrl: several", wrapped(cell.end, table.lines) + 1,
+                           cell.pick);
       case DraftPart::liftplan:
-        return fmt::format("pick {}, shaft {}", wrapped(cell.end, table.lines) + 1, cell.pick);
+        return fmt::format("liftplan: pick {}, shaft {}", wrapped(cell.end, table.lines) + 1, cell.pick);
     }
   }
   return {};

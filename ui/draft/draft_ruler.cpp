@@ -24,10 +24,10 @@ void drawRuler(Ui& ui, const Fabric& fabric, const DraftFrame& frame, System alo
   // The warp runs along the picks, and is measured across them.
   const bool picks = along == System::warp;
   const double pitch_mm = picks ? fabric.weftPitch_mm() : fabric.warpPitch_mm();
-  const float room = picks ? ruler.height() : ruler.width();
+  const float room = picks ? ruler.height() : ruler.width(), cell = picks ? frame.cellHeight() : frame.cell;
   const double first_mm = (picks ? frame.origin.y : frame.origin.x) * pitch_mm;
-  const double last_mm = first_mm + room / frame.cell * pitch_mm;
-  const double step = labelStep_mm(pitch_mm / frame.cell, ui.px(44), inches);
+  const double last_mm = first_mm + room / cell * pitch_mm;
+  const double step = labelStep_mm(pitch_mm / cell, ui.px(44), inches);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   ImGui::PushFont(ui.fonts.small);
   draw.PushClipRect(ruler.min, ruler.max, true);

@@ -22,7 +22,7 @@ float DraftFrame::x(double end) const {
 }
 
 float DraftFrame::y(double pick) const {
-  const float along = static_cast<float>(pick - origin.y) * cell;
+  const float along = static_cast<float>(pick - origin.y) * cellHeight();
   return fromTop ? box.min.y + along : box.max.y - along;
 }
 
@@ -35,7 +35,7 @@ Box DraftFrame::cells(int pick, int end, int picks, int ends) const {
 CrossingIndex DraftFrame::at(ImVec2 p) const {
   const float alongEnds = fromRight ? box.max.x - p.x : p.x - box.min.x;
   const float alongPicks = fromTop ? p.y - box.min.y : box.max.y - p.y;
-  return {static_cast<int>(std::floor(alongPicks / cell + origin.y)),
+  return {static_cast<int>(std::floor(alongPicks / cellHeight() + origin.y)),
           static_cast<int>(std::floor(alongEnds / cell + origin.x))};
 }
 
@@ -49,11 +49,18 @@ int DraftFrame::firstPick() const {
   return static_cast<int>(std::floor(origin.y));
 }
 int DraftFrame::lastPick() const {
-  return static_cast<int>(std::ceil(origin.y + box.height() / cell)) - 1;
+  return static_cast<int>(std::ceil(origin.y + box.height() / cellHeight())) - 1;
 }
 
 DraftFrame frameOf(const DraftView& view, const DraftPreferences& preferences, const Box& box) {
-  return {box, view.cell, view.origin, preferences.startsRight() != view.back, preferences.startsAtTop(), view.back};
+  return {
+      box,      view.cell, view.aspect, view.origin, preferences.startsRight() != view.back, preferences.startsAtTop(),
+      view.back};
+}
+
+float cellAspect(const Fabric& fabric) {
+  constexpr double kFlattest = 0.125;
+  return static_cast<float>(std::clamp(fabric.ends_per_cm / fabric.picks_per_cm, kFlattest, 1 / kFlattest));
 }
 
 void fitDraft(DraftView& view, const Weave& weave, ImVec2 size, float scale) {
@@ -61,9 +68,16 @@ void fitDraft(DraftView& view, const Weave& weave, ImVec2 size, float scale) {
   constexpr int kFewestCells = 12;
   const float ends = static_cast<float>(std::max(weave.ends(), kFewestCells));
   const float picks = static_cast<float>(std::max(weave.picks(), kFewestCells));
-  const float cell = std::min(size.x / ends, size.y / picks);
+  const float cell = std::min(size.x / ends, size.y / (picks * view.aspect));
   view.cell = cell >= 4 * scale ? std::floor(cell) : std::max(cell, 0.02f);
   view.origin = ImVec2(0, 0);
+}
+
+void showFloat(DraftView& view, const FloatRun& run) {
+  const bool warp = run.system == System::warp;
+  const auto middle = static_cast<float>(run.first) + 0.5f * static_cast<float>(run.cells);
+  const auto thread = static_cast<float>(run.thread) + 0.5f;
+  view.origin = ImVec2((warp ? thread : middle) - 0.5f * view.seen.x, (warp ? middle : thread) - 0.5f * view.seen.y);
 }
 
 void zoomDraft(DraftView& view, const DraftFrame& frame, ImVec2 pointer, float clicks) {
@@ -73,7 +87,7 @@ void zoomDraft(DraftView& view, const DraftFrame& frame, ImVec2 pointer, float c
   const float alongEnds = frame.fromRight ? frame.box.max.x - pointer.x : pointer.x - frame.box.min.x;
   const float alongPicks = frame.fromTop ? pointer.y - frame.box.min.y : frame.box.max.y - pointer.y;
   view.origin.x += alongEnds / old - alongEnds / view.cell;
-  view.origin.y += alongPicks / old - alongPicks / view.cell;
+  view.origin.y += (alongPicks / old - alongPicks / view.cell) / view.aspect;
   // Far from the origin a float no longer tells neighbouring cells apart; nobody weaves there.
   constexpr float kFar = 1e5f;
   view.origin.x = std::clamp(view.origin.x, -kFar, kFar);

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,7 +10,10 @@
 #include "core/fabric/weave/draft_edit.h"
 #include "core/fabric/weave/structures.h"
 #include "core/fabric/weave/weave_edit.h"
+#include "core/fabric/yarn/long_floats.h"
+#include "core/fabric/yarn/yarn_name.h"
 #include "ui/draft/colour_order_tools.h"
+#include "ui/draft/order_field.h"
 #include "ui/widgets/crossing_index.h"
 
 namespace loomlight {
@@ -42,11 +46,13 @@ class ShownDraft {
 
 /// How the draft is looked at, and the stroke under way. No truth about the fabric.
 struct DraftView {
-  float cell = 0;            ///< pixels of a crossing; 0: fit at the next frame
-  ImVec2 origin{0, 0};       ///< end and pick at the corner of the canvas where they start
-  bool inColour = false;     ///< false: point paper; true: the yarn that lies on top
-  bool back = false;         ///< the cloth turned over like a page
-  bool marksFloats = false;  ///< those longer than DraftPreferences::longFloat_mm
+  float cell = 0;                         ///< pixels of a crossing across; 0: fit at the next frame
+  CountSystem counts = CountSystem::tex;  ///< in which yarns without a name are called by their count
+  float aspect = 1;                       ///< height of a crossing over its width: that of the cloth, by its sett
+  ImVec2 origin{0, 0};                    ///< end and pick at the corner of the canvas where they start
+  bool inColour = false;                  ///< false: point paper; true: the yarn that lies on top
+  bool back = false;                      ///< the cloth turned over like a page
+  bool marksFloats = false;               ///< those longer than DraftPreferences::longFloat_mm
 
   /// How a weave that has no draft of its own is shown; jacquard: by itself.
   enum class Loom { treadles, liftplan, jacquard };
@@ -69,15 +75,13 @@ struct DraftView {
   bool pageScrolls = false;
   bool libraryWanted = false;  ///< the library of structures was asked for in this frame
 
-  struct OrderText {  ///< of a thread order, while it is being typed
-    bool open = false;
-    std::string text, problem;
-  };
   OrderText warpOrder, weftOrder;
   ColourOrderView colourOrder;
   std::vector<Structure> palette = structurePalette();
 
   std::optional<CrossingIndex> hovered;  ///< under the mouse, not wrapped
+  ImVec2 seen{0, 0};                     ///< ends and picks that the canvas has room for
+  std::optional<FloatRun> chosenFloat;   ///< of the long floats, the one that is looked at
 };
 
 struct Box {
@@ -89,12 +93,14 @@ struct Box {
 /// Between crossings and pixels. Ends and picks count away from the corner where they start.
 struct DraftFrame {
   Box box;  ///< of the drawdown, pixels
-  float cell = 1;
+  float cell = 1, aspect = 1;
   ImVec2 origin;
   bool fromRight = false, fromTop = false;
   bool back = false;  ///< warp over is weft over
 
-  float x(double end) const;  ///< the near edge of the end
+  float cellHeight() const { return cell * aspect; }
+  float smaller() const { return cell * std::min(1.0f, aspect); }  ///< side of a crossing
+  float x(double end) const;                                       ///< the near edge of the end
   float y(double pick) const;
   /// Of a block of crossings, to whole pixels.
   Box cells(int pick, int end, int picks = 1, int ends = 1) const;
@@ -103,8 +109,12 @@ struct DraftFrame {
 };
 
 DraftFrame frameOf(const DraftView& view, const DraftPreferences& preferences, const Box& box);
+/// Height over width of a crossing at a sett, as far as it can be drawn.
+float cellAspect(const Fabric& fabric);
 /// Shows the whole repeat, and a little of how it goes on.
 void fitDraft(DraftView& view, const Weave& weave, ImVec2 size, float scale);
+/// Brings a float into the middle, as near as it has been looked at.
+void showFloat(DraftView& view, const FloatRun& run);
 /// The crossing under the pointer stays there.
 void zoomDraft(DraftView& view, const DraftFrame& frame, ImVec2 pointer, float clicks);
 

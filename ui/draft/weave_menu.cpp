@@ -1,4 +1,6 @@
 #include "ui/draft/weave_menu.h"
+
+#include "core/fabric/model/glossary.h"
 #include "ui/widgets/keys.h"
 
 namespace loomlight {
@@ -24,17 +26,17 @@ class Items {
 /// What is done to the selection, or to the whole repeat.
 void editItems(Ui& ui, Items& items, bool selection) {
   items.add("menu.select_all", "Select all", "Ctrl+A", DraftCommand::selectAll);
-  items.add("menu.select_nothing", "Select nothing", "Esc", DraftCommand::selectNothing, selection);
+  items.add("menu.select_nothing", "Deselect", "Esc", DraftCommand::selectNothing, selection);
   items.add("menu.cut", "Cut", "Ctrl+X", DraftCommand::cut);
   items.add("menu.copy", "Copy", "Ctrl+C", DraftCommand::copy);
   items.add("menu.paste", "Paste", "Ctrl+V", DraftCommand::paste);
-  items.add("menu.fill", "Fill with what was copied", "Ctrl+Shift+V", DraftCommand::fillWithCopy);
+  items.add("menu.fill", "Fill with the copy", "Ctrl+Shift+V", DraftCommand::fillWithCopy);
   items.add("menu.clear", "Weft over", "Delete", DraftCommand::clear, selection);
   ImGui::Separator();
   items.add("menu.invert", "Invert", "Ctrl+I", DraftCommand::invert);
-  items.add("menu.mirror_ends", "Mirror left and right", "", DraftCommand::mirrorEnds);
-  items.add("menu.mirror_picks", "Mirror top and bottom", "", DraftCommand::mirrorPicks);
-  items.add("menu.turn", "Turn to the right", "", DraftCommand::quarterTurn);
+  items.add("menu.mirror_ends", words::mirrorWarp.label, "", DraftCommand::mirrorEnds);
+  items.add("menu.mirror_picks", words::mirrorWeft.label, "", DraftCommand::mirrorPicks);
+  items.add("menu.turn", words::rotate.label, "", DraftCommand::quarterTurn);
   if (beginMenu(ui, "menu.shift", "Shift")) {
     items.add("menu.shift_left", "Left", "Left", DraftCommand::shiftLeft);
     items.add("menu.shift_right", "Right", "Right", DraftCommand::shiftRight);
@@ -42,7 +44,7 @@ void editItems(Ui& ui, Items& items, bool selection) {
     items.add("menu.shift_down", "Down", "Down", DraftCommand::shiftDown);
     ImGui::EndMenu();
   }
-  items.add("menu.crop", "Make the selection the repeat", "", DraftCommand::repeatSelection, selection);
+  items.add("menu.crop", "Crop the repeat to the selection", "", DraftCommand::repeatSelection, selection);
 }
 
 }  // namespace
@@ -62,8 +64,8 @@ std::optional<DraftCommand> weaveMenu(Ui& ui, const WeaveMenuModel& model) {
   ImGui::Separator();
   editItems(ui, items, model.selection);
   ImGui::Separator();
-  items.add("menu.back", "Seen from the back", "", DraftCommand::showBack, true, model.back);
-  items.add("menu.floats", "Mark long floats", "", DraftCommand::markFloats, true, model.marksFloats);
+  items.add("menu.back", words::backOfCloth.label, "", DraftCommand::showBack, true, model.back);
+  items.add("menu.floats", words::checkFloats.label, "", DraftCommand::markFloats, true, model.marksFloats);
   ImGui::EndMenu();
   return items.chosen();
 }
@@ -87,10 +89,10 @@ std::optional<DraftCommand> selectionMenu(Ui& ui, bool selection) {
 std::optional<DraftCommand> exportMenu(Ui& ui) {
   if (!beginMenu(ui, "menu.export", "Export")) return std::nullopt;
   Items items(ui);
-  items.add("menu.export_wif", "Weaving file\xE2\x80\xA6", ".wif", DraftCommand::exportWif);
-  items.add("menu.export_bitmap", "Weave, a pixel a crossing\xE2\x80\xA6", ".png", DraftCommand::exportBitmap);
-  items.add("menu.export_draft", "Draft for print\xE2\x80\xA6", ".pdf .png", DraftCommand::exportDraft);
-  items.add("menu.export_tile", "Tile for other programs\xE2\x80\xA6", ".exr .png", DraftCommand::exportTile);
+  items.add("menu.export_wif", "WIF draft\xE2\x80\xA6", ".wif", DraftCommand::exportWif);
+  items.add("menu.export_bitmap", "Weave bitmap\xE2\x80\xA6", ".png", DraftCommand::exportBitmap);
+  items.add("menu.export_draft", "Printed draft\xE2\x80\xA6", ".pdf .png", DraftCommand::exportDraft);
+  items.add("menu.export_tile", "Texture tile\xE2\x80\xA6", ".exr .png", DraftCommand::exportTile);
   ImGui::EndMenu();
   return items.chosen();
 }

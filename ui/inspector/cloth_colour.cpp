@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/fabric/model/glossary.h"
 #include "ui/widgets/field_row.h"
 
 namespace loomlight {
@@ -46,7 +47,7 @@ std::string remark(const ClothColourModel& model, bool wanted) {
   const std::string off = fmt::format("off by {:.1f} (CIEDE2000)", model.difference);
   if (model.tooLight && model.tooDark) return "Not to be had of this fibre; the nearest is " + off + ".";
   if (model.tooLight) return "Lighter than this cloth can be, light comes through: the nearest is " + off + ".";
-  if (model.tooDark) return "Darker than fibres can be, they mirror: the nearest is " + off + ".";
+  if (model.tooDark) return "Darker than fibres can be, their surface reflects: the nearest is " + off + ".";
   return model.difference < 1 ? "Reached: " + off + "." : "The cloth has changed since, and is " + off + ".";
 }
 
@@ -58,12 +59,7 @@ void clothColourRows(Ui& ui, int fibre, const ClothColourModel& model, ClothColo
   const bool known = model.state == ClothColourModel::State::known;
   // Until the cloth's colour is known the swatch is an empty field: black would be a colour.
   Rgb colour = wanted.value_or(known ? model.colour : toLinearColour(ui.theme.field));
-  if (colourField(ui,
-                  {"fibre.cloth_colour", "In this cloth",
-                   "The colour that the cloth should have where this fibre lies on top. The dye for it is found by "
-                   "walking light through this very construction."},
-                  colour) &&
-      known) {
+  if (colourField(ui, {"fibre.cloth_colour", words::inThisCloth.label, words::inThisCloth.help}, colour) && known) {
     view.wanted[fibre] = colour;
     ++view.wish;
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/fabric/yarn/derived.h"
+#include "core/fabric/yarn/yarn_name.h"
 #include "core/fabric/yarn/yarn_need.h"
 #include "ui/inspector/inspector.h"
 #include "ui/widgets/member_fields.h"
@@ -47,34 +48,35 @@ bool finishRows(Ui& ui, Fabric& fabric) {
   return changed;
 }
 
-std::string repeatText(const Fabric& fabric, bool inches) {
-  const double width_mm = fabric.weave.ends() * fabric.warpPitch_mm();
-  const double height_mm = fabric.weave.picks() * fabric.weftPitch_mm();
+std::string sizeText(const Fabric& fabric, int64_t ends, int64_t picks, bool inches) {
+  const double width_mm = static_cast<double>(ends) * fabric.warpPitch_mm();
+  const double height_mm = static_cast<double>(picks) * fabric.weftPitch_mm();
   if (inches) return fmt::format("{:.2f} \xC3\x97 {:.2f} in", width_mm / kMmPerInch, height_mm / kMmPerInch);
   return fmt::format("{:.1f} \xC3\x97 {:.1f} mm", width_mm, height_mm);
+}
+
+/// Threads, and below them the size.
+void repeatRows(Ui& ui, const Fabric& fabric, const std::string& id, const Word& word, const char* size, int64_t ends,
+                int64_t picks, bool inches) {
+  readout(ui, {id + "_threads", word.label, word.help}, fmt::format("{} \xC3\x97 {}", ends, picks));
+  readout(ui, {id, size, word.help}, sizeText(fabric, ends, picks, inches));
 }
 
 void clothRows(Ui& ui, const Fabric& fabric, const InspectorModel& model, CountSystem counts) {
   heading(ui, "This cloth");
   auto measured = [&](const std::string& text) { return model.measured ? text : std::string(kUnknown); };
-  readout(ui, {"cloth.mass", "Mass", "What one square metre weighs, from counts, sett and crimp"},
-          measured(fmt::format("{:.0f} g/m\xC2\xB2", model.arealMass_g_m2)));
-  readout(ui, {"cloth.thickness", "Thickness", "From the lowest to the highest fibre, loose hairs left out"},
-          measured(fmt::format("{:.2f} mm", model.thickness_mm)));
-  readout(ui, {"cloth.repeat", "Repeat", "Size of one repeat of the weave"}, repeatText(fabric, model.inches));
+  const auto worded = [](const char* id, const Word& word) { return RowText{id, word.label, word.help}; };
+  readout(ui, worded("cloth.mass", words::mass), measured(fmt::format("{:.0f} g/m\xC2\xB2", model.arealMass_g_m2)));
+  readout(ui, worded("cloth.thickness", words::thickness), measured(fmt::format("{:.2f} mm", model.thickness_mm)));
+  const Weave& weave = fabric.weave;
+  repeatRows(ui, fabric, "cloth.repeat", words::weaveRepeat, words::weaveSize.label, weave.ends(), weave.picks(),
+             model.inches);
+  repeatRows(ui, fabric, "cloth.pattern", words::patternRepeat, words::patternSize.label, patternEnds(fabric),
+             patternPicks(fabric), model.inches);
   const CoverFactors cover = coverFactors(fabric);
-  readout(ui,
-          {"cloth.warp_cover", "Warp cover",
-           "Peirce's cover factor: ends per inch over the square root of the cotton count. At 28 round yarns touch; "
-           "most cloths lie near 12."},
-          fmt::format("{:.1f}", cover.warp));
-  readout(ui,
-          {"cloth.weft_cover", "Weft cover",
-           "Peirce's cover factor: picks per inch over the square root of the cotton count. At 28 round yarns touch; "
-           "most cloths lie near 12."},
-          fmt::format("{:.1f}", cover.weft));
-  readout(ui, {"cloth.cover", "Cloth cover", "Both together, less what lies over each other: K1 + K2 - K1 K2 / 28"},
-          fmt::format("{:.1f}", cover.cloth));
+  readout(ui, worded("cloth.warp_cover", words::warpCover), fmt::format("{:.1f}", cover.warp));
+  readout(ui, worded("cloth.weft_cover", words::weftCover), fmt::format("{:.1f}", cover.weft));
+  readout(ui, worded("cloth.cover", words::clothCover), fmt::format("{:.1f}", cover.cloth));
   readout(ui, {"cloth.crimp_warp", "Warp crimp", "How much longer the warp yarn is than the cloth it lies in"},
           measured(fmt::format("{:.1f} %", 100 * model.crimpWarp)));
   readout(ui, {"cloth.crimp_weft", "Weft crimp", "How much longer the weft yarn is than the cloth it lies in"},
@@ -91,13 +93,9 @@ void bindingRows(Ui& ui, const Fabric& fabric, const InspectorModel& model) {
     return fmt::format("{} \xC2\xB7 {:.1f} mm", cells, floatLength_mm(fabric, system, cells));
   };
   const bool known = model.floats && model.binding;
-  readout(ui,
-          {"cloth.warp_float", "Longest warp float",
-           "The most picks that an end passes over or under without interlacing: long floats snag"},
+  readout(ui, {"cloth.warp_float", words::longestWarpFloat.label, words::longestWarpFloat.help},
           known ? floatText(System::warp, model.floats->warp()) : kUnknown);
-  readout(ui,
-          {"cloth.weft_float", "Longest weft float",
-           "The most ends that a pick passes over or under without interlacing: long floats snag"},
+  readout(ui, {"cloth.weft_float", words::longestWeftFloat.label, words::longestWeftFloat.help},
           known ? floatText(System::weft, model.floats->weft()) : kUnknown);
   readout(ui,
           {"cloth.balance", "Warp on the face",
@@ -117,13 +115,13 @@ std::string massText(double mass_kg) {
 }
 
 void needRow(Ui& ui, const std::string& id, const char* label, const YarnNeed& need) {
-  const std::string tooltip = fmt::format("Warp {}, weft {}. Loom waste and shrinkage are not counted.",
+  const std::string tooltip = fmt::format("{}: warp {}, weft {}. Loom waste and shrinkage are not counted.", label,
                                           lengthText(need.warp_m), lengthText(need.weft_m));
   readout(ui, {id, label, tooltip.c_str()},
           fmt::format("{} \xC2\xB7 {}", lengthText(need.warp_m + need.weft_m), massText(need.mass_kg)));
 }
 
-void pieceRows(Ui& ui, const Fabric& fabric, const InspectorModel& model, PieceSize& piece) {
+void pieceRows(Ui& ui, const Fabric& fabric, const InspectorModel& model, CountSystem counts, PieceSize& piece) {
   heading(ui, "Yarn for a piece");
   pieceSizeRows(ui, "cloth", piece);
   const double crimpWarp = model.measured ? model.crimpWarp : 0, crimpWeft = model.measured ? model.crimpWeft : 0;
@@ -144,7 +142,7 @@ void pieceRows(Ui& ui, const Fabric& fabric, const InspectorModel& model, PieceS
   if (used < 2) return;
   for (size_t i = 0; i < needs.size(); ++i)
     if (needs[i].warp_m + needs[i].weft_m > 0)
-      needRow(ui, fmt::format("cloth.need_{}", i), fabric.yarns[i].name.c_str(), needs[i]);
+      needRow(ui, fmt::format("cloth.need_{}", i), yarnName(fabric, static_cast<int>(i), counts).c_str(), needs[i]);
 }
 
 void remarks(Ui& ui, const InspectorModel& model) {
@@ -171,7 +169,7 @@ std::optional<Fabric> clothPage(Ui& ui, const Fabric& fabric, const InspectorMod
   changed |= finishRows(ui, edited);
   clothRows(ui, fabric, model, view.units.count);
   bindingRows(ui, fabric, model);
-  pieceRows(ui, fabric, model, view.units.piece);
+  pieceRows(ui, fabric, model, view.units.count, view.units.piece);
   remarks(ui, model);
   if (!changed) return std::nullopt;
   return edited;

@@ -6,6 +6,7 @@
 #include "core/fabric/model/yarn_count.h"
 #include "core/fabric/yarn/colour.h"
 #include "core/fabric/yarn/presets.h"
+#include "core/fabric/yarn/yarn_name.h"
 #include "ui/inspector/count_text.h"
 #include "ui/inspector/inspector.h"
 #include "ui/widgets/choices.h"
@@ -86,7 +87,7 @@ bool sourcedField(Ui& ui, Fibre& fibre, double Fibre::* member, int decimals, co
 
 bool absorptionRows(Ui& ui, Fibre& fibre) {
   static constexpr const char* kIds[] = {"fibre.absorption_r", "fibre.absorption_g", "fibre.absorption_b"};
-  static constexpr const char* kLabels[] = {"Absorbs red", "Absorbs green", "Absorbs blue"};
+  static constexpr const char* kLabels[] = {words::depthRed.label, words::depthGreen.label, words::depthBlue.label};
   const FieldInfo info = fieldInfo(&Fibre::absorption_per_mm);
   NumberStyle style;
   style.unit = info.unit;
@@ -105,13 +106,13 @@ bool absorptionRows(Ui& ui, Fibre& fibre) {
 }
 
 /// Yarns that are spun of a fibre, but for one.
-std::string usersOf(const Fabric& fabric, int fibre, int except) {
+std::string usersOf(const Fabric& fabric, int fibre, int except, CountSystem counts) {
   std::string names;
   for (int i = 0; i < static_cast<int>(fabric.yarns.size()); ++i) {
     const Yarn& yarn = fabric.yarns[static_cast<size_t>(i)];
     if (i == except || (yarn.fibre != fibre && yarn.blendFibre != fibre)) continue;
     if (!names.empty()) names += ", ";
-    names += yarn.name;
+    names += yarnName(fabric, i, counts);
   }
   return names;
 }
@@ -144,11 +145,7 @@ bool finenessField(Ui& ui, Fibre& fibre) {
   style.parse = [&](std::string_view text) { return finenessFromText(text, fibre.density_g_cm3); };
   style.otherwise = "1.5 den or 18.5 mic";
   double fineness_dtex = fibreFineness_dtex(fibre);
-  if (!numberField(ui,
-                   {"fibre.fineness", "Fineness",
-                    "Mass of ten kilometres of one fibre. May be typed as 1.5 den too, or by its thickness, as wool is "
-                    "sold: 18.5 mic."},
-                   style, fineness_dtex))
+  if (!numberField(ui, {"fibre.fineness", words::fibreFineness.label, words::fibreFineness.help}, style, fineness_dtex))
     return false;
   fibre.radius_um = std::clamp(fibreRadius_um(fineness_dtex, fibre.density_g_cm3), radius.min, radius.max);
   return true;
@@ -173,9 +170,9 @@ void opticsRows(Ui& ui, Fibre& fibre, const FibrePreset* kind, bool& changed) {
 }  // namespace
 
 std::optional<Fabric> fibrePage(Ui& ui, const Fabric& fabric, const InspectorModel& model, InspectorView& view) {
-  yarnChooser(ui, fabric, model.yarnColours, view.yarn, "inspector");
+  yarnChooser(ui, fabric, model.yarnColours, view.units.count, view.yarn, "inspector");
   const Yarn& yarn = fabric.yarns[static_cast<size_t>(view.yarn)];
-  hint(ui, fmt::format("The fibre of {}.", yarn.name));
+  hint(ui, fmt::format("The fibre of {}.", yarnName(fabric, view.yarn, view.units.count)));
   blendRow(ui, yarn, view);
   const int index = shownFibre(fabric, view);
   Fibre fibre = fabric.fibres[static_cast<size_t>(index)];
@@ -187,11 +184,7 @@ std::optional<Fabric> fibrePage(Ui& ui, const Fabric& fabric, const InspectorMod
   heading(ui, "Colour");
   clothColourRows(ui, index, model.clothColour, view.clothColour);
   Rgb colour = colourOf(fibre);
-  if (colourField(ui,
-                  {"fibre.colour", "In a thick mass",
-                   "The colour that a bundle of this fibre shows, sRGB with the white of daylight (D65). Cloth that "
-                   "light goes through is darker over black."},
-                  colour)) {
+  if (colourField(ui, {"fibre.colour", words::looseStock.label, words::looseStock.help}, colour)) {
     dye(fibre, colour);
     changed = true;
   }
@@ -199,7 +192,7 @@ std::optional<Fabric> fibrePage(Ui& ui, const Fabric& fabric, const InspectorMod
   finenessRows(ui, fibre, kind, changed);
   opticsRows(ui, fibre, kind, changed);
 
-  const std::string others = usersOf(fabric, index, view.yarn);
+  const std::string others = usersOf(fabric, index, view.yarn, view.units.count);
   if (!others.empty()) {
     hint(ui, "Also the fibre of " + others + ".");
     if (button(ui, "fibre.own", "Give this yarn its own", 0, static_cast<int>(fabric.fibres.size()) < kMaxKinds)) {

@@ -62,6 +62,7 @@ std::optional<Fabric> clothPage(Ui& ui, const Fabric& fabric, const InspectorMod
 InspectorResult scenePage(Ui& ui, const Fabric& fabric);
 
 /// A swatch for each yarn; a click selects.
-void yarnChooser(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& colours, int& yarn, const char* prefix);
+void yarnChooser(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& colours, CountSystem counts, int& yarn,
+                 const char* prefix);
 
 }  // namespace loomlight

@@ -70,7 +70,7 @@ bool countRow(Ui& ui, CountSystem system, const Fibre& fibre, Yarn& yarn, std::o
   const bool changed = numberField(ui,
                                    {"yarn.count_tex", info.label,
                                     "How thick the yarn is. Typed counts are understood in every system: 30/2 Ne, "
-                                    "2/60 Nm, 150 den, 20 tex x 2, and of cables 20/2/3 Ne. Plies and cords are set "
+                                    "2/60 Nm, 150 den, 20 tex x 2, and of cables 20/2/3 Ne. Plies and cabling are set "
                                     "with it, and with filaments, 167 dtex f48, the fineness of the fibre."},
                                    style, count);
   if (!changed && !typed) return false;
@@ -87,7 +87,7 @@ bool countRow(Ui& ui, CountSystem system, const Fibre& fibre, Yarn& yarn, std::o
 }
 
 /// Turns of a strand of `tex`: per metre, or as the multiplier that spinners know it by.
-bool twistRow(Ui& ui, bool asMultiplier, double tex, double Yarn::* member, Yarn& yarn) {
+bool twistRow(Ui& ui, const char* label, bool asMultiplier, double tex, double Yarn::* member, Yarn& yarn) {
   constexpr double kTurnsPerPixel = 4.0;
   const FieldInfo info = fieldInfo(member);
   const auto shown = [&](double turns) { return asMultiplier ? twistMultiplier(turns, tex) : turns; };
@@ -103,7 +103,7 @@ bool twistRow(Ui& ui, bool asMultiplier, double tex, double Yarn::* member, Yarn
   };
   double value = shown(yarn.*member);
   const std::string help = std::string(info.help) + " Typed twists may be in t/m, tpi or TM.";
-  if (!numberField(ui, {std::string("yarn.") + info.key, info.label, help.c_str()}, style, value)) return false;
+  if (!numberField(ui, {std::string("yarn.") + info.key, label, help.c_str()}, style, value)) return false;
   yarn.*member = std::clamp(asMultiplier ? twist_per_m(value, tex) : value, info.min, info.max);
   return true;
 }
@@ -144,8 +144,16 @@ bool twistRows(Ui& ui, const Fibre& fibre, TradeUnits& units, Yarn& yarn) {
   twistUnitRow(ui, "yarn", units.twistAsMultiplier);
   const double tex = yarnCount_tex(yarn, fibre);
   const auto level = [&](double strand_tex, double Yarn::* twist, TwistDirection Yarn::* way) {
-    changed |= twistRow(ui, units.twistAsMultiplier, strand_tex, twist, yarn);
-    changed |= memberChoice(ui, "yarn", yarn, way, twistNames());
+    // A single yarn has one twist, and nobody calls it that of its singles.
+    const bool isOnly = yarn.plies == 1 && yarn.cords == 1;
+    const char* const label = isOnly ? words::twist.label : fieldInfo(twist).label;
+    changed |= twistRow(ui, label, units.twistAsMultiplier, strand_tex, twist, yarn);
+    RowText wayText = rowText("yarn", way);
+    if (isOnly) wayText.label = words::twistWay.label;
+    int chosen = static_cast<int>(yarn.*way);
+    if (!segmentField(ui, wayText, twistNames(), chosen)) return;
+    yarn.*way = static_cast<TwistDirection>(chosen);
+    changed = true;
   };
   level(tex / singlesIn(yarn), &Yarn::plyTwist_per_m, &Yarn::plyTwistDirection);
   if (yarn.plies > 1) level(tex / yarn.cords, &Yarn::yarnTwist_per_m, &Yarn::yarnTwistDirection);
@@ -181,11 +189,7 @@ bool bulkRows(Ui& ui, const Fibre& fibre, Yarn& yarn) {
   style.decimals = 3;
   style.logarithmic = true;
   double wanted = diameter_mm;
-  if (numberField(ui,
-                  {"yarn.diameter_mm", "Diameter",
-                   "Of the yarn as if it were round and lay free. It follows from count and packing; set it where it "
-                   "was measured, and the packing follows."},
-                  style, wanted)) {
+  if (numberField(ui, {"yarn.diameter_mm", words::diameter.label, words::diameter.help}, style, wanted)) {
     const double ratio = diameter_mm / wanted;
     yarn.packing = std::clamp(yarn.packing * ratio * ratio, packing.min, packing.max);
     changed = true;

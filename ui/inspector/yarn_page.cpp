@@ -7,6 +7,7 @@
 #include "core/fabric/yarn/colour.h"
 #include "core/fabric/yarn/presets.h"
 #include "core/fabric/yarn/yarn_edit.h"
+#include "core/fabric/yarn/yarn_name.h"
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/yarn_fields.h"
 #include "ui/widgets/choices.h"
@@ -23,22 +24,8 @@ bool isUsed(const Fabric& fabric, int yarn) {
   return has(fabric.warpSequence) || has(fabric.weftSequence);
 }
 
-Fabric withYarnCopied(const Fabric& fabric, int yarn) {
-  Fabric edited = fabric;
-  Yarn copy = fabric.yarns[static_cast<size_t>(yarn)];
-  Fibre fibre = fabric.fibres[static_cast<size_t>(copy.fibre)];
-  copy.name += " copy";
-  if (static_cast<int>(fabric.fibres.size()) < kMaxKinds) {
-    // A new yarn is wanted for a new colour more often than not, so it gets a fibre of its own.
-    copy.fibre = static_cast<int>(fabric.fibres.size());
-    edited.fibres.push_back(std::move(fibre));
-  }
-  edited.yarns.push_back(std::move(copy));
-  return edited;
-}
-
 std::optional<Fabric> yarnList(Ui& ui, const Fabric& fabric, const InspectorModel& model, InspectorView& view) {
-  yarnChooser(ui, fabric, model.yarnColours, view.yarn, "inspector");
+  yarnChooser(ui, fabric, model.yarnColours, view.units.count, view.yarn, "inspector");
   std::optional<Fabric> edited;
   const float half = 0.5f * (ImGui::GetContentRegionAvail().x - ui.px(8));
   if (button(ui, "yarn.copy", "New from this", half, static_cast<int>(fabric.yarns.size()) < kMaxKinds,
@@ -63,8 +50,8 @@ std::optional<Fabric> presetRow(Ui& ui, const Fabric& fabric, int index) {
   for (const YarnPreset& preset : presets) names.push_back(preset.yarn.name.c_str());
   int chosen = -1;
   if (!choiceField(ui,
-                   {"yarn.preset", "Fill in from",
-                    "A yarn of the trade to start from: count, twist, packing and hairs, and its fibre; the colour "
+                   {"yarn.preset", "Start from",
+                    "A yarn of the trade to start from: count, twist, bulk and hairs, and its fibre; the colour "
                     "stays."},
                    names, chosen, "Trade yarns"))
     return std::nullopt;
@@ -107,7 +94,9 @@ std::optional<Fabric> yarnPage(Ui& ui, const Fabric& fabric, const InspectorMode
       ui, fmt::format("{} \xC2\xB7 {} \xC2\xB7 {:.0f} fibres", countText(yarnCount_tex(yarn, fibre), view.units.count),
                       sizeText(model.section, yarnDiameter_mm(yarn, fibre)), fibresInYarn(yarn, fibre)));
 
-  bool changed = textField(ui, rowText("yarn", &Yarn::name), yarn.name);
+  const std::string called = yarnName(fabric, view.yarn, view.units.count);
+  bool changed = textField(ui, rowText("yarn", &Yarn::name), yarn.name, called.c_str());
+  ui.probe.fact("yarn.called", called);
   std::optional<Fabric> filled = presetRow(ui, fabric, view.yarn);
   changed |= fibreRows(ui, fibres, yarn);
   std::optional<double> filament_dtex;

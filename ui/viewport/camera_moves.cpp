@@ -88,6 +88,22 @@ Camera turnedTo(const Camera& camera, Viewpoint viewpoint) {
   return turned;
 }
 
+double heightSeen_mm(const Camera& camera) {
+  return pixelSize_mm(camera, 1);
+}
+
+Camera atScale(const Camera& camera, int height, double pixels_per_mm) {
+  Camera moved = camera;
+  moved.distance_mm = std::clamp(camera.distance_mm / (pixels_per_mm * pixelSize_mm(camera, height)), 0.1, 100000.0);
+  return moved;
+}
+
+Camera aboveFlat(const Camera& camera, double width_mm, double height_mm, double aspect) {
+  Camera moved = turnedTo(camera, Viewpoint::above);
+  moved.target_mm = glm::dvec3(0.0);
+  return atScale(moved, 1, 1 / std::max(height_mm, width_mm / aspect));
+}
+
 Camera fitted(const Camera& camera, const Drape& drape, double aspect, const MeshExtent& mesh) {
   constexpr double kMargin = 1.02;
   Camera moved = camera;

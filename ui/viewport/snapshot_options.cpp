@@ -22,10 +22,7 @@ bool lengthField(Ui& ui, const char* id, const char* label, double& length_mm) {
   return numberField(ui, {id, label, "On paper"}, style, length_mm);
 }
 
-/// Width, height and resolution of the print; the pixels follow.
-bool printRows(Ui& ui, SnapshotOptions& options, RenderSettings& settings) {
-  lengthField(ui, "snapshot.width_mm", "Width", options.width_mm);
-  lengthField(ui, "snapshot.height_mm", "Height", options.height_mm);
+void resolutionField(Ui& ui, double& dpi) {
   NumberStyle style;
   style.unit = "dpi";
   style.min = kPrintResolution_dpi[0];
@@ -33,15 +30,48 @@ bool printRows(Ui& ui, SnapshotOptions& options, RenderSettings& settings) {
   style.decimals = 0;
   style.logarithmic = true;
   numberField(ui, {"snapshot.dpi", "Resolution", "Pixels on an inch of paper: 300 for print, 150 for a large poster"},
-              style, options.dpi);
-  readout(ui, {"snapshot.pixels", "Pixels", "Of the picture"},
-          fmt::format("{} \xC3\x97 {}", settings.width, settings.height));
+              style, dpi);
+}
+
+/// Width, height and resolution of the print; the pixels follow.
+bool printRows(Ui& ui, SnapshotOptions& options, RenderSettings& settings) {
+  lengthField(ui, "snapshot.width_mm", "Width", options.width_mm);
+  lengthField(ui, "snapshot.height_mm", "Height", options.height_mm);
+  resolutionField(ui, options.dpi);
   const int width = pixelsOfPrint(options.width_mm, options.dpi);
   const int height = pixelsOfPrint(options.height_mm, options.dpi);
-  if (width == settings.width && height == settings.height) return false;
+  const bool changed = width != settings.width || height != settings.height;
   settings.width = width;
   settings.height = height;
-  return true;
+  readout(ui, {"snapshot.pixels", "Pixels", "Of the picture"}, fmt::format("{} \xC3\x97 {}", width, height));
+  return changed;
+}
+
+/// Width and height in pixels; the size on paper follows. As many rows as for a print, so that a change of units moves
+/// nothing under the mouse.
+bool pixelRows(Ui& ui, SnapshotOptions& options, RenderSettings& settings) {
+  bool changed = memberField(ui, "snapshot", settings, &RenderSettings::width);
+  changed |= memberField(ui, "snapshot", settings, &RenderSettings::height);
+  resolutionField(ui, options.dpi);
+  const auto length_mm = [&](int pixels) { return pixels / options.dpi * kMmPerInch; };
+  readout(ui, {"snapshot.paper", "On paper", "How large the picture is printed at this resolution"},
+          fmt::format("{:.0f} \xC3\x97 {:.0f} mm", length_mm(settings.width), length_mm(settings.height)));
+  return changed;
+}
+
+/// How much cloth there is to be seen, which is another thing than how large the paper is.
+void clothRows(Ui& ui, SnapshotOptions& options, const RenderSettings& settings, double seen_mm) {
+  static constexpr const char* kScales[] = {"As seen", "1 : 1"};
+  int scale = options.actualSize ? 1 : 0;
+  segmentField(ui,
+               {"snapshot.scale", "Cloth on paper",
+                "As seen: as much cloth as the viewport shows. 1 : 1: a centimetre of cloth is a centimetre of paper."},
+               kScales, scale);
+  options.actualSize = scale == 1;
+  const double paper_mm = settings.height / options.dpi * kMmPerInch;
+  const double height_mm = options.actualSize ? paper_mm : seen_mm;
+  readout(ui, {"snapshot.cloth", "Cloth shown", "Where the camera looks"},
+          fmt::format("{:.1f} \xC3\x97 {:.1f} mm", height_mm * settings.width / settings.height, height_mm));
 }
 
 }  // namespace
@@ -51,7 +81,7 @@ int pixelsOfPrint(double length_mm, double dpi) {
   return static_cast<int>(std::lround(std::clamp(length_mm / kMmPerInch * dpi, info.min, info.max)));
 }
 
-bool snapshotOptionRows(Ui& ui, SnapshotOptions& options, RenderSettings& settings) {
+bool snapshotOptionRows(Ui& ui, SnapshotOptions& options, RenderSettings& settings, double seen_mm) {
   static constexpr const char* kUnits[] = {"Pixels", "Print, mm"};
   int unit = options.inMillimetres ? 1 : 0;
   if (segmentField(ui, {"snapshot.size_in", "Size in", "For a screen, or for a print of a size."}, kUnits, unit) &&
@@ -60,13 +90,8 @@ bool snapshotOptionRows(Ui& ui, SnapshotOptions& options, RenderSettings& settin
     options.height_mm = settings.height / options.dpi * kMmPerInch;
   }
   options.inMillimetres = unit == 1;
-  bool changed = false;
-  if (options.inMillimetres) {
-    changed = printRows(ui, options, settings);
-  } else {
-    changed |= memberField(ui, "snapshot", settings, &RenderSettings::width);
-    changed |= memberField(ui, "snapshot", settings, &RenderSettings::height);
-  }
+  const bool changed = options.inMillimetres ? printRows(ui, options, settings) : pixelRows(ui, options, settings);
+  clothRows(ui, options, settings, seen_mm);
   switchField(ui,
               {"snapshot.scale_bar", "Scale bar",
                "A bar of a round length below the picture, right where the camera looks; .png only."},

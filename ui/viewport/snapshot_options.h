@@ -13,6 +13,7 @@ inline constexpr double kPrintSide_mm[] = {1, 2000}, kPrintResolution_dpi[] = {3
 struct SnapshotOptions {
   bool inMillimetres = false;  ///< for print; else in pixels
   double width_mm = 120, height_mm = 90, dpi = 300;
+  bool actualSize = false;  ///< a millimetre of cloth is one of paper
   bool scaleBar = false;
   std::string caption;
 };
@@ -20,7 +21,7 @@ struct SnapshotOptions {
 /// Pixels of a printed length, at least 1 and at most what a picture may have.
 int pixelsOfPrint(double length_mm, double dpi);
 
-/// Their rows. True when the number of pixels changed.
-bool snapshotOptionRows(Ui& ui, SnapshotOptions& options, RenderSettings& settings);
+/// Their rows. `seen_mm`: how much cloth the camera sees, from top to bottom. True when the number of pixels changed.
+bool snapshotOptionRows(Ui& ui, SnapshotOptions& options, RenderSettings& settings, double seen_mm);
 
 }  // namespace loomlight

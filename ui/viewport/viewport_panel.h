@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "core/fabric/model/yarn_count.h"
 #include "ui/viewport/camera_moves.h"
 #include "ui/viewport/lens_overlay.h"
 #include "ui/widgets/crossing_index.h"
@@ -32,10 +33,11 @@ constexpr double kMostExposure_stops = 8;  ///< up, and down
 struct ViewportView {
   double exposure_stops = 0;
   bool filmic = true;
-  bool denoised = false;          ///< the display takes noise from the picture
-  bool fitWanted = false;         ///< frame the whole cloth at the next frame
-  int width = 0, height = 0;      ///< pixels that the picture should have
-  std::optional<ImVec2> pointer;  ///< mouse over the picture, 0..1 from the top left
+  bool denoised = false;                  ///< the display takes noise from the picture
+  bool fitWanted = false;                 ///< frame the whole cloth at the next frame
+  int width = 0, height = 0;              ///< pixels that the picture should have
+  std::optional<ImVec2> pointer;          ///< mouse over the picture, 0..1 from the top left
+  CountSystem counts = CountSystem::tex;  ///< in which yarns without a name are called by their count
   enum class Drag { none, orbit, pan };
   Drag drag = Drag::none;
   LensView lens;

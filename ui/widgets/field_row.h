@@ -14,6 +14,8 @@ struct FieldRow {
 
 /// Draws the label and puts the cursor where the field begins.
 FieldRow beginRow(Ui& ui, const RowText& text);
+/// The panel or dialog that is drawn into: Tab does not leave it.
+ImGuiID panelOfFields();
 /// Tells the tests where a text does not fit its place.
 void tellIfClipped(Ui& ui, const std::string& id, const char* text, float room);
 /// Names the field's rectangle for tests and explains it to a resting mouse.

@@ -162,6 +162,9 @@ bool segmentField(Ui& ui, const RowText& text, std::span<const char* const> name
     const ImVec2 size = ImGui::CalcTextSize(names[i]);
     draw.AddText(ImVec2(0.5f * (a.x + b.x - size.x), 0.5f * (a.y + b.y - size.y)),
                  packed(on ? ui.theme.text : ui.theme.textQuiet), names[i]);
+    if (on)  // one step of grey is soon overlooked
+      draw.AddRectFilled(ImVec2(a.x + ui.px(4), b.y - ui.px(2)), ImVec2(b.x - ui.px(4), b.y), packed(ui.theme.accent),
+                         ui.px(1));
     tellIfClipped(ui, text.id, names[i], width);
   }
   ImGui::PopID();
@@ -177,12 +180,16 @@ bool switchField(Ui& ui, const RowText& text, bool& value) {
   return true;
 }
 
-bool textField(Ui& ui, const RowText& text, std::string& value) {
+bool textField(Ui& ui, const RowText& text, std::string& value, const char* whenEmpty) {
   const FieldRow row = beginRow(ui, text);
   const ImVec2 min = ImGui::GetCursorScreenPos();
   ImGui::PushID(text.id.c_str());
   ImGui::SetNextItemWidth(row.width);
-  const bool changed = ImGui::InputText("##text", &value);
+  ImGui::PushItemFlag(ImGuiItemFlags_NoTabStop, true);
+  const bool changed = ImGui::InputTextWithHint("##text", whenEmpty, &value);
+  ImGui::PopItemFlag();
+  ui.memory.walk.pass(ImGui::GetItemID(), panelOfFields(), false);
+  if (ImGui::IsItemActivated()) ui.memory.walk.standOn(ImGui::GetItemID(), false);
   const bool goesOn = ImGui::CalcTextSize(value.c_str()).x > row.width - ui.px(16);
   if (goesOn && !ImGui::IsItemActive()) {  // a text that goes on fades out
     const ImVec2 max(min.x + row.width, min.y + row.height);
@@ -194,7 +201,10 @@ bool textField(Ui& ui, const RowText& text, std::string& value) {
     draw.AddRectFilled(ImVec2(end, min.y), max, full, rounding, ImDrawFlags_RoundCornersRight);
   }
   ImGui::PopID();
-  endRow(ui, text, min, ImVec2(min.x + row.width, min.y + row.height));
+  RowText explained = text;  // what fades out is read there
+  const std::string whole = goesOn ? value + "\n\n" + text.tooltip : text.tooltip;
+  explained.tooltip = whole.c_str();
+  endRow(ui, explained, min, ImVec2(min.x + row.width, min.y + row.height));
   return changed;
 }
 

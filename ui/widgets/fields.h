@@ -38,13 +38,17 @@ struct NumberStyle {
 bool numberField(Ui& ui, const RowText& text, const NumberStyle& style, double& value);
 bool wholeNumberField(Ui& ui, const RowText& text, const char* unit, int min, int max, int& value);
 
+/// Tab and Shift+Tab open the next number of the panel, or the one before; asked once, at the beginning of a frame.
+void walkNumbers(Ui& ui);
+
 /// One of a few names, in a list that opens; `chosen` may be -1 for none of them, shown as `otherwise`.
 bool choiceField(Ui& ui, const RowText& text, std::span<const char* const> names, int& chosen,
                  const char* otherwise = "");
 /// One of two to five short names, side by side.
 bool segmentField(Ui& ui, const RowText& text, std::span<const char* const> names, int& chosen);
 bool switchField(Ui& ui, const RowText& text, bool& value);
-bool textField(Ui& ui, const RowText& text, std::string& value);
+/// `whenEmpty`: what stands there, quietly, while there is no text.
+bool textField(Ui& ui, const RowText& text, std::string& value, const char* whenEmpty = "");
 /// A display colour in linear light, edited in a picker that opens.
 bool colourField(Ui& ui, const RowText& text, Rgb& linear);
 /// A value that is computed, not edited.

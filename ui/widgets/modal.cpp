@@ -1,5 +1,7 @@
 #include "ui/widgets/modal.h"
 
+#include <imgui_internal.h>
+
 #include <utility>
 
 #include "ui/widgets/fields.h"
@@ -19,7 +21,14 @@ bool beginModal(Ui& ui, const char* title, ImVec2 size, bool& open, bool& openin
   const float edge = ui.px(kEdge);
   size.x = std::min(size.x, screen.x - 2 * edge);
   if (size.y > 0) size.y = std::min(size.y, screen.y - 2 * edge);
-  ImGui::SetNextWindowPos(ImVec2(0.5f * screen.x, 0.5f * screen.y), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
+  // In the middle when it appears; rows that come and go later move no other, as long as the window has the room.
+  const ImGuiWindow* const before = ImGui::FindWindowByName(title);
+  const ImVec2 last = ui.memory.screen;
+  const bool resized = last.x != screen.x || last.y != screen.y;
+  const bool leaves = before && before->Active && before->Pos.y + before->Size.y > screen.y - ui.px(4);
+  ui.memory.screen = screen;
+  ImGui::SetNextWindowPos(ImVec2(0.5f * screen.x, 0.5f * screen.y),
+                          resized || leaves ? ImGuiCond_Always : ImGuiCond_Appearing, ImVec2(0.5f, 0.5f));
   ImGui::SetNextWindowSize(size, ImGuiCond_Always);
   open = ImGui::BeginPopupModal(title, nullptr,
                                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |

@@ -116,17 +116,22 @@ bool typeValue(Ui& ui, const NumberStyle& style, double& value, ImGuiID id, floa
   FieldMemory& memory = ui.memory;
   ImGui::SetNextItemWidth(width);
   if (memory.justOpened) ImGui::SetKeyboardFocusHere();
-  const bool entered = ImGui::InputText("##text", &memory.text,
-                                        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  ImGui::PushItemFlag(ImGuiItemFlags_NoTabStop, true);  // Tab is ours
+  const bool confirmed = ImGui::InputText("##text", &memory.text,
+                                          ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  ImGui::PopItemFlag();
+  const bool entered = confirmed || memory.walk.isGoing();
   const bool cancelled = ImGui::IsItemDeactivated() && keyPressed(ImGuiKey_Escape);
   const bool left = ImGui::IsItemDeactivated() && !memory.justOpened;
   memory.justOpened = false;
   if (cancelled) {
     memory.typing = 0;
+    memory.walk.standOn(id, true);
     return false;
   }
   if (!entered && !left) return false;
   memory.typing = 0;
+  if (confirmed) memory.walk.standOn(id, true);
   std::optional<double> typed = parsePlain(memory.text, style.unit);
   if (!typed && style.parse) typed = style.parse(memory.text);
   if (typed && *typed >= style.min && *typed <= style.max) {
@@ -134,10 +139,29 @@ bool typeValue(Ui& ui, const NumberStyle& style, double& value, ImGuiID id, floa
     value = *typed;
     return changed;
   }
+  memory.walk.stay();
   memory.failed = id;
   memory.failedAt = ui.time;
   memory.failure = objectionTo(memory.text, style);
   return false;
+}
+
+void openText(Ui& ui, const NumberStyle& style, double value, ImGuiID id) {
+  ui.memory.typing = id;
+  ui.memory.text = written(style, value);
+  ui.memory.justOpened = true;
+  ui.wakeWithin(0);
+}
+
+/// Opens the field that Tab has come to, in sight.
+void arriveByKeys(Ui& ui, const NumberStyle& style, double value, ImGuiID id, const ImRect& box) {
+  ui.memory.walk.pass(id, panelOfFields(), true);
+  const bool another = ui.memory.typing != 0 && ui.memory.typing != id;  // whose text is taken first
+  if (another || !ui.memory.walk.arrive(id)) return;
+  openText(ui, style, value, id);
+  const ImRect& seen = ImGui::GetCurrentWindow()->InnerClipRect;
+  if (box.Min.y < seen.Min.y || box.Max.y > seen.Max.y)
+    ImGui::SetScrollFromPosY(box.Min.y - ImGui::GetWindowPos().y, 0.5f);
 }
 
 void showFailure(Ui& ui, ImGuiID id, const ImRect& box) {
@@ -161,10 +185,8 @@ bool scrubValue(Ui& ui, const NumberStyle& style, double& value, ImGuiID id) {
   if (!ImGui::IsItemActive()) {
     memory.scrubbing = 0;
     if (!memory.scrubMoved) {
-      memory.typing = id;
-      memory.text = written(style, value);
-      memory.justOpened = true;
-      ui.wakeWithin(0);
+      openText(ui, style, value, id);
+      memory.walk.standOn(id, false);
     }
     return false;
   }
@@ -189,6 +211,7 @@ bool numberField(Ui& ui, const RowText& text, const NumberStyle& style, double& 
   bool changed = false;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImRect box(corner, ImVec2(corner.x + row.width, corner.y + row.height));
+  arriveByKeys(ui, style, value, id, box);
   if (ui.memory.typing == id) {
     changed = typeValue(ui, style, value, id, row.width);
   } else {
@@ -197,11 +220,32 @@ bool numberField(Ui& ui, const RowText& text, const NumberStyle& style, double& 
     if (lit) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     changed = scrubValue(ui, style, value, id);
     drawValue(ui, style, value, box, lit);
+    if (ui.memory.walk.isSeenOn(id))
+      ImGui::GetWindowDrawList()->AddRect(box.Min, box.Max, packed(ui.theme.accent), ImGui::GetStyle().FrameRounding);
   }
   showFailure(ui, id, box);
   ImGui::PopID();
   endRow(ui, text, box.Min, box.Max);
   return changed;
+}
+
+ImGuiID panelOfFields() {
+  return ImGui::GetCurrentWindow()->RootWindow->ID;
+}
+
+void walkNumbers(Ui& ui) {
+  FieldWalk& walk = ui.memory.walk;
+  const ImGuiIO& io = ImGui::GetIO();
+  if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) walk.hide();
+  if (!keyPressed(ImGuiKey_Tab) || io.KeyCtrl) return;
+  std::optional<ImGuiID> dialog;
+  if (const auto& open = ImGui::GetCurrentContext()->OpenPopupStack; !open.empty()) {
+    const ImGuiWindow* const window = open.back().Window;
+    if (!window || !(window->Flags & ImGuiWindowFlags_Modal)) return;  // a list, or the picker of a colour
+    dialog = window->ID;
+  }
+  walk.go(io.KeyShift ? -1 : 1, dialog);
+  ui.wakeWithin(0);
 }
 
 bool wholeNumberField(Ui& ui, const RowText& text, const char* unit, int min, int max, int& value) {

@@ -11,10 +11,10 @@ bool toggleButton(Ui& ui, const char* id, const char* name, const char* tooltip,
   const ImVec2 max(min.x + size.x, min.y + size.y);
   if (clicked) on = !on;
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const ImVec4& back = on ? ui.theme.fieldFill : ImGui::IsItemHovered() ? ui.theme.fieldHover : ui.theme.field;
+  const ImVec4& back = on ? ui.theme.accent : ImGui::IsItemHovered() ? ui.theme.fieldHover : ui.theme.field;
   draw.AddRectFilled(min, max, packed(back), ImGui::GetStyle().FrameRounding);
   draw.AddText(ImVec2(min.x + ui.px(8), min.y + 0.5f * (size.y - text.y)),
-               packed(on ? ui.theme.text : ui.theme.textQuiet), name);
+               packed(on ? ui.theme.onAccent : ui.theme.textQuiet), name);
   ui.probe.record(id, min, max);
   tooltipFor(ui, id, min, max, tooltip);
   return clicked;

@@ -5,8 +5,11 @@
 namespace loomlight {
 
 std::optional<PresetChoice> presetList(Ui& ui, const std::vector<std::string>& own,
-                                       const std::vector<std::string>& samples) {
-  if (ImGui::GetContentRegionAvail().y < ui.px(kLowestPresetList) - 1) return std::nullopt;
+                                       const std::vector<std::string>& samples, bool& browse) {
+  if (ImGui::GetContentRegionAvail().y < ui.px(kLowestPresetList) - 1) {
+    browse = button(ui, "presets.browse", "Presets\xE2\x80\xA6", 0, true, "Cloths to start from, by pictures (Ctrl+B)");
+    return std::nullopt;
+  }
   heading(ui, "Presets");
   std::optional<PresetChoice> chosen;
   ImGui::BeginChild("presets", ImVec2(0, 0));

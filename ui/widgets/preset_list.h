@@ -17,8 +17,9 @@ struct PresetChoice {
 inline constexpr float kLowestPresetList = 110;
 
 /// The cloths kept at hand: the designer's own, then those that came with the program. Returns the one that was
-/// clicked. Where less than kLowestPresetList is left it is not there, and the browser of presets stands in for it.
+/// clicked. Where less than kLowestPresetList is left a button stands in for the list, and `browse` is true when the
+/// browser of presets is asked for.
 std::optional<PresetChoice> presetList(Ui& ui, const std::vector<std::string>& own,
-                                       const std::vector<std::string>& samples);
+                                       const std::vector<std::string>& samples, bool& browse);
 
 }  // namespace loomlight

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 
+#include "ui/widgets/field_walk.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widget_probe.h"
@@ -23,6 +24,8 @@ struct FieldMemory {
   double scrubValue = 0;  ///< unrounded
   bool scrubMoved = false;
   bool keysAreTaken = false;  ///< Escape and Enter are not for the dialog in this frame
+  FieldWalk walk;
+  ImVec2 screen{0, 0};  ///< in which dialogs have found their places
   ImGuiID restingOn = 0;
   double restingSince = 0;
 };

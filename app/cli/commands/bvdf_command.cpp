@@ -14,6 +14,7 @@
 #include "core/base/stopwatch.h"
 #include "core/fabric/json/fabric_json.h"
 #include "core/fabric/model/validate.h"
+#include "core/fabric/yarn/yarn_name.h"
 #include "render/bvdf/bake/bvdf_baker.h"
 #include "render/bvdf/bvdf_picture.h"
 
@@ -37,7 +38,7 @@ std::map<std::string, std::string> metadata(const Fabric& fabric, const BvdfSet&
   const BvdfResolution& r = set.tables.front().resolution();
   std::string yarns;
   for (size_t i = 0; i < fabric.yarns.size(); ++i)
-    yarns += fmt::format("{}{}: {}.p", i ? ", " : "", fabric.yarns[i].name, set.tableOfYarn[i]);
+    yarns += fmt::format("{}{}: {}.p", i ? ", " : "", yarnName(fabric, static_cast<int>(i)), set.tableOfYarn[i]);
   return {{"bvdf.bins", fmt::format("theta_o {}, phi_o {}, theta_i {}, phi_i {}", r.thetaO, r.phiO, r.thetaI, r.phiI)},
           {"bvdf.rays", std::to_string(set.rays)},
           {"bvdf.yarns", yarns},

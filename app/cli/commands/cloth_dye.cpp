@@ -120,7 +120,7 @@ std::vector<Rgb> solve(std::vector<Rgb> absorption_per_mm, std::vector<Dyeing>& 
 
 std::string whyNot(const SolvedColour& solved) {
   if (solved.tooLight && solved.tooDark) return "lighter and darker than this fibre can be in this cloth";
-  return solved.tooLight ? "lighter than this cloth can be" : "darker than fibres can be, as they mirror";
+  return solved.tooLight ? "lighter than this cloth can be" : "darker than fibres can be, as their surface reflects";
 }
 
 void tell(const Fibre& fibre, const Dyeing& dyeing, const Rgb& shown) {

@@ -113,15 +113,33 @@ void addTile(CLI::App& app, TileCommand& command) {
   app.add_option("-o,--output", command.folder, "where the maps go; made where there is none")
       ->type_name("FOLDER")
       ->required();
-  addValue(app, "--size", "N", "pixels of the longer side; 1024 where not given",
+  addValue(app, "--size", "N", "pixels of the longer side; where not given 1024, or 16 for each thread",
            [&command](const auto& option, const auto& text) {
-             command.longestSide = static_cast<int>(parseWhole(option, text, 16, 16384));
+             command.order.longestSide = static_cast<int>(parseWhole(option, text, 16, 16384));
            });
+  app.add_flag_callback(
+      "--free-twist", [&command] { command.order.joinTwist = false; },
+      "let twist end at the tile's edges, which may leave it many times smaller");
   addSampling(app, command.options, "samples per pixel; 128 where not given");
   addColourway(app, command.options);
   addResolution(app, command.options);
   addThreads(app, command.threads);
   addMemoryLimit(app, command.memoryLimit_bytes);
+}
+
+void addSheet(CLI::App& app, SheetCommand& command) {
+  addInput(app, "FABRIC", command.input);
+  app.add_option("-o,--output", command.output, "the page, a .pdf")->type_name("OUT.pdf")->required();
+  addValue(app, "--width", "CM", "of the finished cloth; 150 where not given",
+           [&command](const auto& option, const auto& text) {
+             command.options.width_cm = parseNumber(option, text, kPieceWidth_cm[0], kPieceWidth_cm[1]);
+           });
+  addValue(app, "--spp", "N", "samples per pixel of its pictures; 16 where not given",
+           [&command](const auto& option, const auto& text) {
+             command.options.samplesPerPixel = static_cast<int>(parseWhole(option, text, 1, 65536));
+           });
+  addThreads(app, command.threads);
+  addMemoryLimit(app, command.options.memoryLimit_bytes);
 }
 
 void addThumbnail(CLI::App& app, ThumbnailCommand& command) {
@@ -225,6 +243,7 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   commands.add(app, "info", "what follows from a fabric: mass, cover, floats, voxels", addInfo);
   commands.add(app, "convert", "between fabrics, drafts and weave bitmaps", addConvert, {}, checkConvert);
   commands.add(app, "tile", "a seamless tile for other programs: color, normal, height, opacity", addTile);
+  commands.add(app, "sheet", "a page for the mill: cloth at 1 : 1, draft, colour orders, yarns, sett, mass", addSheet);
   commands.add(app, "thumbnail", "a small picture of the weave, for file managers", addThumbnail);
   commands.add(app, "trace", "the path of one sample of one pixel, event by event", addTrace);
   bool keysAlone = false;

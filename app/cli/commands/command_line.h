@@ -15,6 +15,7 @@
 #include "app/cli/commands/convert_command.h"
 #include "app/cli/commands/info_command.h"
 #include "app/cli/commands/render_command.h"
+#include "app/cli/commands/sheet_command.h"
 #include "app/cli/commands/thumbnail_command.h"
 #include "app/cli/commands/tile_command.h"
 #include "app/cli/commands/trace_command.h"
@@ -41,7 +42,8 @@ struct TextCommand {
 using Command =
     std::variant<EditCommand, RenderCommand, InfoCommand, ConvertCommand, BenchCommand, ReportBenchCommand,
                  EditBenchCommand, ClearBenchCommand, UiBenchCommand, ConvergeBenchCommand, ClothsBenchCommand,
-                 BrdfCommand, CompareCommand, BvdfCommand, TileCommand, ThumbnailCommand, TraceCommand, TextCommand>;
+                 BrdfCommand, CompareCommand, BvdfCommand, TileCommand, SheetCommand, ThumbnailCommand, TraceCommand,
+                 TextCommand>;
 
 /// What the words behind the program's name ask for. Throws UsageError.
 Command parseCommandLine(const std::vector<std::string>& words);

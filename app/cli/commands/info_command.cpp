@@ -13,6 +13,7 @@
 #include "core/fabric/weave/draft_derivation.h"
 #include "core/fabric/weave/weave_code.h"
 #include "core/fabric/yarn/derived.h"
+#include "core/fabric/yarn/yarn_name.h"
 #include "render/scene/scene.h"
 
 namespace loomlight {
@@ -53,7 +54,7 @@ nlohmann::ordered_json needsJson(const Fabric& fabric, const Information& of) {
   for (size_t i = 0; i < of.needs.size(); ++i) {
     const YarnNeed& need = of.needs[i];
     if (need.warp_m + need.weft_m > 0)
-      json["yarns"].push_back({{"name", fabric.yarns[i].name},
+      json["yarns"].push_back({{"name", yarnName(fabric, static_cast<int>(i))},
                                {"warp_m", need.warp_m},
                                {"weft_m", need.weft_m},
                                {"mass_kg", need.mass_kg}});
@@ -114,7 +115,7 @@ void printNeeds(const Fabric& fabric, const Information& of) {
   for (size_t i = 0; i < of.needs.size(); ++i) {
     const YarnNeed& need = of.needs[i];
     if (need.warp_m + need.weft_m > 0)
-      line(fabric.yarns[i].name, fmt::format("{:.0f} m", need.warp_m + need.weft_m),
+      line(yarnName(fabric, static_cast<int>(i)), fmt::format("{:.0f} m", need.warp_m + need.weft_m),
            fmt::format("{:.3f} kg; warp {:.0f} m, weft {:.0f} m", need.mass_kg, need.warp_m, need.weft_m));
   }
 }

@@ -43,7 +43,7 @@ int run(const TileCommand& command) {
   task.stop = interrupt.token();
   task.threads = command.threads > 0 ? command.threads : hardwareThreads();
   task.progress = [&progress](double fraction) { progress.update(fraction); };
-  const auto tile = makeTile(fabric, stem, command.longestSide, command.memoryLimit_bytes, task);
+  const auto tile = makeTile(fabric, stem, command.order, command.memoryLimit_bytes, task);
   if (!tile) return Interrupt::kExitStatus;
   fmt::print("{}.json and {} maps, {}\n", stem, tile->files.size() - 1, durationText(whole.lap()));
   return 0;

@@ -3,17 +3,18 @@
 #include <string>
 
 #include "app/cli/fabric_options.h"
+#include "app/export/tile.h"
 #include "render/transport/make_medium.h"
 
 namespace loomlight {
 
 /// loomlight tile FABRIC -o FOLDER
 struct TileCommand {
-  static constexpr int kLongestSide = 1024, kSamples = 128;
+  static constexpr int kSamples = 128;
 
   std::string input;
   std::string folder;  ///< made where there is none; the files are named after the fabric
-  int longestSide = kLongestSide;
+  TileOrder order;
   FabricOptions options;  ///< samples, seed, method, colourway, resolution
   int threads = 0;        ///< 0: all
   double memoryLimit_bytes = defaultMemoryLimit_bytes();

@@ -11,6 +11,18 @@ namespace loomlight {
 DocumentController::DocumentController(Document document, std::function<void()> wake)
     : document_(std::move(document)), autosave_(stateFolder(), std::move(wake)) {}
 
+void DocumentController::beginFrame(const Hold& hold) {
+  const bool another = hold.item != 0 && heldItem_ != 0 && hold.item != heldItem_;
+  if (!hold.holds || hold.pressedAnew || another) ++gesture_;
+  if (!hold.holds || hold.item != 0) heldItem_ = hold.item;
+}
+
+/// A click in one panel takes what was typed in another: two edits in one frame, and not of one gesture.
+void DocumentController::edit(Fabric fabric, const EditPlace& place) {
+  if (std::exchange(editedPanel_, place.panel) != place.panel) ++gesture_;
+  edit(std::move(fabric), place, gesture_);
+}
+
 void DocumentController::edit(Fabric fabric, const EditPlace& place, uint64_t gesture) {
   try {
     validate(fabric, "this edit");

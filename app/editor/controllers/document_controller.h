@@ -20,11 +20,18 @@ class DocumentController {
   const Autosave& autosave() const { return autosave_; }
   const std::string& refusal() const { return refusal_; }  ///< why the last edit was not taken; empty if it was
 
-  /// A gesture lasts while a button is down or a text is open; what is edited meanwhile is one step of undo.
-  void beginFrame(bool gestureLasts) { gesture_ += gestureLasts ? 0 : 1; }
+  /// What the designer holds at the beginning of a frame: a button, or a field that is dragged or typed into.
+  struct Hold {
+    bool holds = false;
+    bool pressedAnew = false;
+    uint32_t item = 0;  ///< the number of the field; 0: none
+  };
+  /// A gesture lasts while one thing is held; what is edited meanwhile is one step of undo. From one field to another
+  /// it is another gesture, even if nothing was let go between.
+  void beginFrame(const Hold& hold);
   uint64_t gesture() const { return gesture_; }
   /// `place`: where undo goes back to. A fabric that is not valid is refused.
-  void edit(Fabric fabric, const EditPlace& place = {}) { edit(std::move(fabric), place, gesture_); }
+  void edit(Fabric fabric, const EditPlace& place = {});
   /// Belongs to a gesture that may be over.
   void edit(Fabric fabric, const EditPlace& place, uint64_t gesture);
   /// A change of the fabric, as `edit`.
@@ -35,6 +42,7 @@ class DocumentController {
     edit(std::move(fabric));
   }
   void lookFrom(const Camera& camera) { document_.lookFrom(camera); }
+  void renderAs(const RenderSettings& settings) { document_.renderAs(settings); }
   EditPlace undo() { return document_.undo(); }
   EditPlace redo() { return document_.redo(); }
 
@@ -52,6 +60,8 @@ class DocumentController {
   Autosave autosave_;
   std::string refusal_;
   uint64_t gesture_ = 1;
+  uint32_t heldItem_ = 0;
+  EditPlace::Panel editedPanel_ = EditPlace::Panel::none;
   uint64_t keptRevision_ = 0;  ///< last handed to autosave
 };
 

@@ -31,9 +31,9 @@ std::string summaryOf(const Fabric& fabric) {
 
 }  // namespace
 
-std::optional<Fabric> DraftController::draw(Ui& ui, const Fabric& fabric, int brushYarn, DraftPreferences& preferences,
-                                            const std::optional<CrossingIndex>& lit) {
-  auto edited = draftPanel(ui, fabric, yarnColours(fabric), brushYarn, preferences, view_, lit);
+std::optional<Fabric> DraftController::draw(Ui& ui, const Fabric& fabric, int brushYarn, const LongFloats* floats,
+                                            DraftPreferences& preferences, const std::optional<CrossingIndex>& lit) {
+  auto edited = draftPanel(ui, fabric, yarnColours(fabric), brushYarn, floats, preferences, view_, lit);
   if (std::exchange(view_.libraryWanted, false)) structures_.show();
   return edited;
 }
@@ -84,8 +84,8 @@ DraftController::Edit DraftController::drawPicture(Ui& ui, const std::shared_ptr
   return edit;
 }
 
-void DraftController::askForSizes(std::shared_ptr<const Fabric> opened, std::vector<WifWarning> warnings) {
-  wifKept_ = std::move(opened);
+void DraftController::askForSizes(std::shared_ptr<const Fabric> mine, std::vector<WifWarning> warnings) {
+  wifKept_ = std::move(mine);
   std::vector<WifWarning> beyond;
   withWifSizes(*wifKept_, beyond);
   wif_.show({summaryOf(*wifKept_), wifSett(*wifKept_), settOf(*wifKept_), std::move(beyond), std::move(warnings)});

@@ -25,9 +25,9 @@ class DraftController {
   explicit DraftController(std::function<void()> wake) : pictures_(std::move(wake)) {}
 
   /// The fabric after an edit. `brushYarn`: what a click on a bar of colours paints; `lit`: the crossing under the
-  /// mouse in the picture.
-  std::optional<Fabric> draw(Ui& ui, const Fabric& fabric, int brushYarn, DraftPreferences& preferences,
-                             const std::optional<CrossingIndex>& lit);
+  /// mouse in the picture; `floats`: the long ones, null while they are counted.
+  std::optional<Fabric> draw(Ui& ui, const Fabric& fabric, int brushYarn, const LongFloats* floats,
+                             DraftPreferences& preferences, const std::optional<CrossingIndex>& lit);
   /// What the dialogs ask for in a frame.
   struct Edit {
     std::optional<Fabric> fabric;
@@ -39,8 +39,9 @@ class DraftController {
   void showStructures() { structures_.show(); }
   /// Reads the picture and asks how it is to be woven.
   void openPicture(const std::string& file);
-  /// Asks whose sizes the cloth of a weaving file is to have.
-  void askForSizes(std::shared_ptr<const Fabric> opened, std::vector<WifWarning> warnings);
+  /// Asks whose sizes the cloth of a WIF draft is to have, which has those of the file. `mine`: with the designer's
+  /// own.
+  void askForSizes(std::shared_ptr<const Fabric> mine, std::vector<WifWarning> warnings);
   /// An edit that is none of a dialog: a command's.
   std::optional<Fabric> run(DraftCommand command, const Fabric& fabric, const DraftPreferences& preferences) {
     return runDraftCommand(command, fabric, preferences, view_);

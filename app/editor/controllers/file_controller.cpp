@@ -24,9 +24,10 @@ const Asked& askedFor(FileTask task) {
       {FileTask::environment, Purpose::open, "Choose a surrounding", {".exr"}},
       {FileTask::snapshot, Purpose::save, "Where the snapshot goes", {".png", ".exr"}},
       {FileTask::picture, Purpose::open, "Choose a picture", {".png"}},
-      {FileTask::exportWif, Purpose::save, "Export as weaving file", {".wif"}},
+      {FileTask::exportWif, Purpose::save, "Export as WIF draft", {".wif"}},
       {FileTask::exportDraft, Purpose::save, "Export the draft for print", {".pdf", ".png"}},
       {FileTask::exportTile, Purpose::save, "Where the tile goes", {".json"}},
+      {FileTask::sheet, Purpose::save, "Where the cloth sheet goes", {".pdf", ".png"}},
       {FileTask::exportBitmap, Purpose::save, "Export the weave", {".png"}},
   };
   for (const Asked& asked : kAsked)

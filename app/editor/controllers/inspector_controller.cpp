@@ -1,5 +1,6 @@
 #include "app/editor/controllers/inspector_controller.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "ui/widgets/yarn_colours.h"
@@ -39,11 +40,21 @@ std::optional<Fabric> InspectorController::drawColourways(Ui& ui, const std::sha
 std::optional<InspectorController::Dyed> InspectorController::follow(const std::shared_ptr<const Fabric>& fabric,
                                                                      uint64_t gesture, bool isShown) {
   pictures_.follow();
+  if (view_.yarn != lookedAt_) before_ = std::exchange(lookedAt_, view_.yarn);
   if (view_.page != InspectorView::Page::fibre || !isShown) return std::nullopt;
   if (std::exchange(colourWish_, view_.clothColour.wish) != view_.clothColour.wish) colourGesture_ = gesture;
   auto dyed = colours_.follow(fabric, shownFibre(*fabric, view_), view_.clothColour);
   if (!dyed) return std::nullopt;
   return Dyed{std::move(*dyed), colourGesture_};
+}
+
+void InspectorController::stepYarn(int step, size_t yarns) {
+  const auto count = static_cast<int>(yarns);
+  view_.yarn = (view_.yarn + step + count) % count;
+}
+
+void InspectorController::swapYarns(size_t yarns) {
+  view_.yarn = std::min(before_, static_cast<int>(yarns) - 1);
 }
 
 void InspectorController::goTo(const EditPlace& place) {

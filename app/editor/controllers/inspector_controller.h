@@ -36,6 +36,11 @@ class InspectorController {
   /// At the end of a frame: asks the workers for what was drawn.
   std::optional<Dyed> follow(const std::shared_ptr<const Fabric>& fabric, uint64_t gesture, bool isShown);
 
+  // The yarn that bars of colour are painted with is the one that is looked at.
+  void stepYarn(int step, size_t yarns);
+  /// The one that was looked at before, as a painter swaps two colours.
+  void swapYarns(size_t yarns);
+
   /// Where an edit is made now.
   EditPlace place() const { return {EditPlace::Panel::inspector, 0, 0, 0, static_cast<int>(view_.page), view_.yarn}; }
   void goTo(const EditPlace& place);
@@ -48,6 +53,7 @@ class InspectorController {
   ClothColourService colours_;
   SidePictures pictures_;
   ColourwaysDialog colourways_;
+  int lookedAt_ = 0, before_ = 1;                ///< yarns
   uint64_t colourWish_ = 0, colourGesture_ = 0;  ///< the newest wish for a colour, and the gesture that made it
 };
 

@@ -28,7 +28,10 @@ class PresetController {
   void showBrowser();
   bool isOpen() const { return browser_.isOpen(); }
 
-  std::optional<PresetChoice> drawList(Ui& ui) const { return presetList(ui, service_.names(), samples_); }
+  /// `browse`: the browser is asked for instead.
+  std::optional<PresetChoice> drawList(Ui& ui, bool& browse) const {
+    return presetList(ui, service_.names(), samples_, browse);
+  }
   /// Of a choice of the designer's own.
   std::string fileOf(const PresetChoice& choice) const { return service_.fileOf(service_.names()[choice.index]); }
   void keep(const Fabric& fabric) { service_.keep(PresetKind::fabrics, fabric, 0, 0); }

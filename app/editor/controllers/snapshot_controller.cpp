@@ -64,12 +64,15 @@ SnapshotController::Edit SnapshotController::drawDialog(Ui& ui, const std::share
     if (*written) keepView(fabric, tone, seen);
   }
   const std::string before = dialog_.file();
-  const SnapshotDialog::Result result = dialog_.draw(ui, rendering_.progress());
+  const SnapshotDialog::Result result = dialog_.draw(ui, heightSeen_mm(fabric->camera), rendering_.progress());
   if (result.settings || dialog_.file() != before) rendering_.forget();
   if (result.cancel) rendering_.cancel();
   if (result.start && !rendering_.isRunning()) {
-    const auto edited = std::make_shared<Fabric>(*fabric);
+    const auto edited = std::make_shared<Fabric>(*seen.asSeen(fabric));
     if (result.settings) edited->render = *result.settings;
+    const SnapshotOptions& options = dialog_.options();
+    constexpr double kMmPerInch = 25.4;
+    if (options.actualSize) edited->camera = atScale(edited->camera, edited->render.height, options.dpi / kMmPerInch);
     seen.pause(true);
     rendering_.start([edited, file = dialog_.file(), tone,
                       print = printOf(dialog_.options(), *edited)](const Task& task) -> std::optional<std::string> {

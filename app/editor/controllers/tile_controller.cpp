@@ -10,8 +10,38 @@
 
 namespace loomlight {
 
-void TileController::show(std::string file) {
+namespace {
+
+TileSize sizeOf(const Fabric& fabric, const TileExtent& extent) {
+  TileSize size;
+  size.ends = extent.ends;
+  size.picks = extent.picks;
+  size.repeatsAcross = extent.ends / fabric.weave.ends();
+  size.repeatsDown = extent.picks / fabric.weave.picks();
+  size.width_mm = extent.ends * fabric.warpPitch_mm();
+  size.height_mm = extent.picks * fabric.weftPitch_mm();
+  size.threadsAlongLonger = 1 / pixelsPerThread(fabric, extent, 1);
+  size.usualSide = usualTileSide(fabric, extent);
+  return size;
+}
+
+}  // namespace
+
+TileController::TileController(std::function<void()> wake)
+    : sizes_(
+          std::move(wake),
+          [](const std::shared_ptr<const Fabric>& fabric, const auto&) {
+            const TileExtent joined = tileExtent(*fabric), plain = tileExtent(*fabric, false);
+            return TileModel{sizeOf(*fabric, joined), sizeOf(*fabric, plain), {}};
+          },
+          [](const std::shared_ptr<const Fabric>&, const std::string& problem) {
+            return TileModel{std::nullopt, std::nullopt, problem};
+          }) {}
+
+void TileController::show(std::string file, const std::shared_ptr<const Fabric>& fabric) {
   rendering_.forget();
+  sizes_.forget();
+  sizes_.ask(fabric);
   dialog_.show(std::move(file));
 }
 
@@ -24,7 +54,9 @@ bool TileController::draw(Ui& ui, const Fabric& fabric, ViewService& seen) {
   if (rendering_.isRunning()) ui.wakeWithin(0.1);
   if (rendering_.follow().has_value()) seen.pause(false);
   const std::string before = dialog_.file();
-  const TileDialog::Result result = dialog_.draw(ui, rendering_.progress());
+  const auto sizes = sizes_.newest();
+  const TileDialog::Result result =
+      dialog_.draw(ui, sizes ? *sizes : TileModel{}, kFewestPixelsPerThread, rendering_.progress());
   if (dialog_.file() != before) rendering_.forget();
   if (result.cancel) rendering_.cancel();
   if (!result.start || rendering_.isRunning()) return result.chooseFile;
@@ -32,12 +64,13 @@ bool TileController::draw(Ui& ui, const Fabric& fabric, ViewService& seen) {
   Fabric sampled = fabric;
   sampled.render.samplesPerPixel = dialog_.samplesPerPixel();
   seen.pause(true);
-  rendering_.start([fabric = std::move(sampled), stem = (file.parent_path() / file.stem()).string(),
-                    side = dialog_.longestSide()](const Task& task) -> std::optional<std::string> {
-    const auto tile = makeTile(fabric, stem, side, defaultMemoryLimit_bytes(), task);
-    if (!tile) return std::nullopt;
-    return fmt::format("Written: {}.json and {} maps beside it", stem, tile->files.size() - 1);
-  });
+  rendering_.start(
+      [fabric = std::move(sampled), stem = (file.parent_path() / file.stem()).string(),
+       order = TileOrder{dialog_.longestSide(), dialog_.joinsTwist()}](const Task& task) -> std::optional<std::string> {
+        const auto tile = makeTile(fabric, stem, order, defaultMemoryLimit_bytes(), task);
+        if (!tile) return std::nullopt;
+        return fmt::format("Written: {}.json and {} maps beside it", stem, tile->files.size() - 1);
+      });
   return result.chooseFile;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/editor/controllers/lens_model.h"
+#include "core/fabric/yarn/yarn_name.h"
 
 namespace loomlight {
 namespace {
@@ -86,6 +87,10 @@ LensModel ViewportController::lensModelFor(const LensStatus& status, const Fabri
   return model;
 }
 
+Camera ViewportController::atActualSize(const Fabric& fabric, double rulerFactor) const {
+  return atScale(turnedTo(fabric.camera, Viewpoint::above), view_.height, display_pixels_per_mm_ / rulerFactor);
+}
+
 void ViewportController::lookUnderPointer(const Fabric& fabric) {
   underPointer_.reset();
   const auto hit = view_.pointer ? service_.hitAt(*view_.pointer) : std::nullopt;
@@ -93,12 +98,11 @@ void ViewportController::lookUnderPointer(const Fabric& fabric) {
   underPointer_ = CrossingIndex{hit->pick, hit->end};
   underPointerYarn_.clear();
   // The picture may be of an older fabric that had more yarns.
-  if (hit->yarn < static_cast<int>(fabric.yarns.size()))
-    underPointerYarn_ = fabric.yarns[static_cast<size_t>(hit->yarn)].name;
+  if (hit->yarn < static_cast<int>(fabric.yarns.size())) underPointerYarn_ = yarnName(fabric, hit->yarn, view_.counts);
 }
 
 void ViewportController::follow(const std::shared_ptr<const Fabric>& fabric, int yarn, bool visibilityShown,
-                                double fibreMemory_GB) {
+                                double fibreMemory_GB, const DraftSight& draft) {
   ViewState state;
   state.fabric = fabric;
   state.width = view_.width;
@@ -109,6 +113,8 @@ void ViewportController::follow(const std::shared_ptr<const Fabric>& fabric, int
     state.lens = {{lens.rect.x, lens.rect.y, lens.rect.width, lens.rect.height}, 1e9 * fibreMemory_GB};
   state.yarn = yarn;
   state.visibilityShown = visibilityShown;
+  state.back = draft.back;
+  state.longFloat_mm = draft.longFloat_mm;
   service_.follow(state);
 }
 

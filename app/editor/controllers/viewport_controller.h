@@ -31,9 +31,19 @@ class ViewportController {
   /// Takes what the workers have brought. Returns whether the picture is another one.
   bool take() { return service_.take(view_.lens.showsDifference); }
   /// Has the workers follow the fabric, and one yarn of it, whose visibility is on the screen or not.
-  void follow(const std::shared_ptr<const Fabric>& fabric, int yarn, bool visibilityShown, double fibreMemory_GB);
+  struct DraftSight {
+    bool back = false;        ///< the draft is seen from behind, and the cloth with it
+    double longFloat_mm = 4;  ///< beyond which floats are listed
+  };
+  void follow(const std::shared_ptr<const Fabric>& fabric, int yarn, bool visibilityShown, double fibreMemory_GB,
+              const DraftSight& draft);
   void tellProbe(WidgetProbe& probe, int yarn) const;
 
+  void displayIs(double pixels_per_mm) { display_pixels_per_mm_ = pixels_per_mm; }
+  double displayPixels_per_mm() const { return display_pixels_per_mm_; }
+  /// A camera that shows the cloth as large as it is, straight from above. `rulerFactor`: how much longer a ruler finds
+  /// the display's millimetres than the system says.
+  Camera atActualSize(const Fabric& fabric, double rulerFactor) const;
   ViewportView& view() { return view_; }
   const ViewportView& view() const { return view_; }
   ViewService& service() { return service_; }
@@ -48,6 +58,7 @@ class ViewportController {
 
   ViewportView view_;
   ViewService service_;
+  double display_pixels_per_mm_ = 96 / 25.4;
   std::optional<CrossingIndex> underPointer_;
   std::string underPointerYarn_;
 };

@@ -148,6 +148,17 @@ void Window::followScale() {
   setTheme(theme_);
 }
 
+double Window::pixels_per_mm() const {
+  constexpr double kUsual = 96 / 25.4;
+  GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
+  const GLFWvidmode* const mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+  int width_mm = 0, height_mm = 0;
+  if (monitor) glfwGetMonitorPhysicalSize(monitor, &width_mm, &height_mm);
+  if (!mode || width_mm <= 0) return kUsual;
+  const double said = static_cast<double>(mode->width) / width_mm;
+  return said > 1 && said < 40 ? said : kUsual;  // projectors and virtual displays say anything
+}
+
 void Window::beginFrame() {
   followScale();
   ImGui_ImplOpenGL3_NewFrame();

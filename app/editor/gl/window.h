@@ -24,6 +24,8 @@ class Window {
   Window& operator=(const Window&) = delete;
 
   float scale() const { return scale_; }
+  /// Of the display, as it says; 96 to the inch where it does not.
+  double pixels_per_mm() const;
   /// Makes the interface larger or smaller than the monitor asks for. Not within a frame.
   void setInterfaceSize(float factor);
   const Fonts& fonts() const { return fonts_; }

@@ -76,6 +76,13 @@ void Document::lookFrom(const Camera& camera) {
   steps_[now_].fabric = seenFrom(fabric(), camera);
 }
 
+void Document::renderAs(const RenderSettings& settings) {
+  if (fabric()->render == settings) return;
+  auto sized = std::make_shared<Fabric>(*fabric());
+  sized->render = settings;
+  steps_[now_].fabric = std::move(sized);
+}
+
 EditPlace Document::undo() {
   const EditPlace place = steps_[now_].place;
   if (!canUndo()) return {};

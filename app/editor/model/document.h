@@ -40,6 +40,8 @@ class Document {
   void edit(Fabric fabric, uint64_t gesture, const EditPlace& place = {});
   /// Looking around: no step of undo, no reason to ask at the end.
   void lookFrom(const Camera& camera);
+  /// How large pictures of it are to be, and how fine: no edit of the cloth either.
+  void renderAs(const RenderSettings& settings);
   bool canUndo() const { return now_ > 0; }
   bool canRedo() const { return now_ + 1 < steps_.size(); }
   /// Return where the edit was made that is taken back, or made again.

@@ -42,6 +42,18 @@ Fabric sampleFabric(size_t index) {
   return fabricFromJson(kSamples[index].json, kSamples[index].name);
 }
 
+Fabric newFabric() {
+  constexpr double kHandsBreadth_mm = 90;
+  Fabric fabric = sampleFabric();
+  fabric.name = Fabric().name;
+  fabric.description.clear();
+  for (Yarn& yarn : fabric.yarns) yarn.name.clear();
+  fabric.drape = Drape{};
+  fabric.drape.width_mm = fabric.drape.height_mm = kHandsBreadth_mm;
+  fabric.light.kind = LightKind::window;
+  return fabric;
+}
+
 Fabric welcomeFabric() {
   const auto cloths = wardrobe();
   return fabricOf(

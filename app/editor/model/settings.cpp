@@ -68,6 +68,7 @@ SnapshotOptions snapshotOptions(const nlohmann::json& json, SnapshotOptions opti
       std::clamp(valueOf(json, "snapshot_height_mm", options.height_mm), kPrintSide_mm[0], kPrintSide_mm[1]);
   options.dpi =
       std::clamp(valueOf(json, "snapshot_dpi", options.dpi), kPrintResolution_dpi[0], kPrintResolution_dpi[1]);
+  options.actualSize = valueOf(json, "snapshot_actual_size", options.actualSize);
   options.scaleBar = valueOf(json, "snapshot_scale_bar", options.scaleBar);
   return options;
 }
@@ -106,6 +107,8 @@ Settings readSettings(const std::filesystem::path& file) {
     settings.darkTheme = valueOf(json, "dark_theme", settings.darkTheme);
     settings.interfaceSize =
         std::clamp(valueOf(json, "interface_size", settings.interfaceSize), kInterfaceSizes[0], kInterfaceSizes[4]);
+    settings.rulerFactor =
+        std::clamp(valueOf(json, "ruler_factor", settings.rulerFactor), kRulerFactor[0], kRulerFactor[1]);
     settings.dock.draftWidth = std::clamp(valueOf(json, "draft_width", settings.dock.draftWidth), 0.0f, 4000.0f);
     settings.dock.inspectorWidth =
         std::clamp(valueOf(json, "inspector_width", settings.dock.inspectorWidth), 0.0f, 4000.0f);
@@ -132,6 +135,7 @@ void writeSettings(const std::filesystem::path& file, const Settings& settings) 
                                {"window_height", settings.windowHeight},
                                {"dark_theme", settings.darkTheme},
                                {"interface_size", settings.interfaceSize},
+                               {"ruler_factor", settings.rulerFactor},
                                {"draft_width", settings.dock.draftWidth},
                                {"inspector_width", settings.dock.inspectorWidth},
                                {"fibre_memory_gb", settings.fibreMemory_GB},
@@ -151,6 +155,7 @@ void writeSettings(const std::filesystem::path& file, const Settings& settings) 
                                {"snapshot_width_mm", settings.snapshot.width_mm},
                                {"snapshot_height_mm", settings.snapshot.height_mm},
                                {"snapshot_dpi", settings.snapshot.dpi},
+                               {"snapshot_actual_size", settings.snapshot.actualSize},
                                {"snapshot_scale_bar", settings.snapshot.scaleBar},
                                {"count_unit", countUnit(settings.units.count)},
                                {"twist_multiplier", settings.units.twistAsMultiplier},

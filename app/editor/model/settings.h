@@ -26,6 +26,7 @@ struct ViewSettings {
 struct Settings {
   int windowWidth = 1440, windowHeight = 900;
   bool darkTheme = true;
+  double rulerFactor = 1;   ///< how much longer a millimetre of the display is than the system says
   float interfaceSize = 1;  ///< beside what the monitor asks for
   DockLayout dock;
   ViewSettings view;

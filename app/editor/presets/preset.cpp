@@ -56,7 +56,7 @@ std::string aboutCloth(const Fabric& fabric) {
 
 std::string aboutYarn(const Yarn& yarn, const Fibre& fibre) {
   std::string folded = fmt::format("{} {}", yarn.plies, yarn.plies == 1 ? "ply" : "plies");
-  if (yarn.cords > 1) folded = fmt::format("{} cords of {}", yarn.cords, folded);
+  if (yarn.cords > 1) folded = fmt::format("{} x {}, cabled", yarn.cords, folded);
   return fmt::format("{:.1f} tex, {}, {}", yarnCount_tex(yarn, fibre), folded, fibre.name);
 }
 

@@ -74,8 +74,9 @@ FabricStatsWorker::FabricStatsWorker(std::function<void()> wake, Compute compute
           std::move(wake), [this](const Request& request, const auto&) { return tell(request); },
           [this](const Request&, const std::string& problem) { return Result{last_, problem}; }) {}
 
-void FabricStatsWorker::request(std::shared_ptr<const Fabric> fabric, int yarn, std::shared_ptr<const Scene> built) {
-  worker_.ask({std::move(fabric), yarn, std::move(built)});
+void FabricStatsWorker::request(std::shared_ptr<const Fabric> fabric, int yarn, std::shared_ptr<const Scene> built,
+                                double longFloat_mm) {
+  worker_.ask({std::move(fabric), yarn, std::move(built), longFloat_mm});
 }
 
 std::shared_ptr<const FabricStats> FabricStatsWorker::newest() const {
@@ -126,6 +127,8 @@ FabricStatsWorker::Result FabricStatsWorker::tell(const Request& request) {
     stats->mesh = extentOf(request.fabric->drape);
   }
   stats->yarn = yarn;
+  if (!known || stats->longFloats.limit_mm != request.longFloat_mm)
+    stats->longFloats = longFloats(*request.fabric, request.longFloat_mm);
   if (request.built && request.built->fabric == request.fabric)
     stats->section = yarnSection(request.built->cloth->volume->geometry(), *request.fabric, yarn);
   else if (last_ && last_->yarn == yarn)

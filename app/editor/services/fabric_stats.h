@@ -8,6 +8,7 @@
 
 #include "app/live/worker.h"
 #include "core/fabric/yarn/derived.h"
+#include "core/fabric/yarn/long_floats.h"
 #include "render/scene/scene.h"
 #include "ui/inspector/yarn_section.h"
 #include "ui/viewport/camera_moves.h"
@@ -20,6 +21,7 @@ struct FabricStats {
   int yarn = 0;                          ///< whose section it is
   std::optional<YarnSection> section;    ///< of the newest cloth that is built; none before the first
   Floats floats;
+  LongFloats longFloats;
   CoverFactors cover;
   Binding binding;
   std::vector<std::string> warnings;
@@ -35,12 +37,14 @@ YarnSection yarnSection(const ClothGeometry& cloth, const Fabric& fabric, int ya
 /// that.
 class FabricStatsWorker {
  public:
-  /// What is worth knowing of a fabric, but for its mesh and the section. May throw.
+  /// What is worth knowing of a fabric, but for its mesh, its long floats and the section. May throw.
   using Compute = std::function<FabricStats(const Fabric&)>;
   explicit FabricStatsWorker(std::function<void()> wake, Compute compute = statsOf);
 
-  /// `built`: the newest cloth that is there; may be null, or of a fabric before this one.
-  void request(std::shared_ptr<const Fabric> fabric, int yarn, std::shared_ptr<const Scene> built);
+  /// `built`: the newest cloth that is there; may be null, or of a fabric before this one. `longFloat_mm`: beyond which
+  /// floats are listed.
+  void request(std::shared_ptr<const Fabric> fabric, int yarn, std::shared_ptr<const Scene> built,
+               double longFloat_mm = 4);
   std::shared_ptr<const FabricStats> newest() const;  ///< null before the first
   std::string problem() const;                        ///< why there is none of the newest request; else empty
 
@@ -49,6 +53,7 @@ class FabricStatsWorker {
     std::shared_ptr<const Fabric> fabric;
     int yarn = 0;
     std::shared_ptr<const Scene> built;
+    double longFloat_mm = 4;
   };
   struct Result {
     std::shared_ptr<const FabricStats> stats;  ///< the last that could be computed

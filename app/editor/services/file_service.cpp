@@ -79,6 +79,14 @@ void FileService::exportTo(std::string file, std::function<std::vector<std::stri
   writes_.ask(std::move(order));
 }
 
+void FileService::renderTo(std::string file, std::function<bool(const std::stop_token&)> write) {
+  WriteOrder order{
+      about(Work::renderTo, std::move(file), 0),
+      [write = std::move(write)](const std::stop_token& stop, Result& result) { result.cancelled = !write(stop); }};
+  begin(order.about);
+  writes_.ask(std::move(order));
+}
+
 void FileService::cancel() {
   if (!canCancel()) return;
   cancelled_ = true;

@@ -20,7 +20,7 @@ namespace loomlight {
 /// The destructor waits for what was to be written. A read that was cancelled goes on unseen, and holds up nothing.
 class FileService {
  public:
-  enum class Work { open, takeUp, usePreset, save, exportTo };  ///< what reads, then what writes
+  enum class Work { open, takeUp, usePreset, save, exportTo, renderTo };  ///< what reads, then what writes
 
   /// Reads a cloth, a weaving file with `mine`, and throws InputError.
   using Read = std::function<WifImport(const std::string& file, const Fabric& mine)>;
@@ -34,6 +34,8 @@ class FileService {
   void save(std::string file, std::shared_ptr<const Fabric> fabric, uint64_t state);
   /// `write` throws, or returns what there is to say of the file that it has written.
   void exportTo(std::string file, std::function<std::vector<std::string>()> write);
+  /// The same of what takes a while and can be cancelled: then `write` returns false, and leaves no file.
+  void renderTo(std::string file, std::function<bool(const std::stop_token&)> write);
 
   struct Busy {
     Work work;

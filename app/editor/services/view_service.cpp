@@ -4,6 +4,7 @@
 #include <functional>
 #include <utility>
 
+#include "core/fabric/weave/turned_over.h"
 #include "render/display/changed_rect.h"
 
 namespace loomlight {
@@ -81,9 +82,21 @@ void ViewService::follow(const ViewState& state) {
   if (baked != bakedFor(state_) || (baked && state.yarn != state_.yarn)) visibility_.request(baked, state.yarn);
   followPicture(state);
   if (state.denoised != state_.denoised) renderer_.denoise(state.denoised);
-  if (state.fabric != state_.fabric || state.yarn != state_.yarn) stats_.request(state.fabric, state.yarn, built_);
+  if (state.fabric != state_.fabric || state.yarn != state_.yarn || state.longFloat_mm != state_.longFloat_mm)
+    stats_.request(state.fabric, state.yarn, built_, state.longFloat_mm);
   if (state.lens != state_.lens) renderer_.lens(state.lens);
   state_ = state;
+}
+
+ImTextureID ViewService::picture(int width, int height, const Tone& tone,
+                                 std::optional<ViewportPicture::Outline> outline) {
+  if (outline && state_.back) outline->crossing.end = outline->ends - 1 - outline->crossing.end;
+  return picture_->display(width, height, tone, outline);
+}
+
+std::shared_ptr<const Fabric> ViewService::asSeen(const std::shared_ptr<const Fabric>& fabric) const {
+  if (!state_.back) return fabric;
+  return fabric == state_.fabric ? turned_ : std::make_shared<const Fabric>(turnedOver(*fabric));
 }
 
 void ViewService::followPicture(const ViewState& state) {
@@ -91,12 +104,17 @@ void ViewService::followPicture(const ViewState& state) {
   const std::shared_ptr<const BakedVisibility> baked = visibility_.newest();
   const bool better =
       showsReport(*state.fabric) && baked && (!usedVisibility_ || worthTaking(*baked, *usedVisibility_));
-  const bool another = state.fabric != state_.fabric || state.width != state_.width || state.height != state_.height;
+  const bool another = state.fabric != state_.fabric || state.back != state_.back || state.width != state_.width ||
+                       state.height != state_.height;
   if (!another && !better) return;
   if (better) usedVisibility_ = baked;
   if (another) ++generation_;
-  renderer_.request(
-      {state.fabric, state.width, state.height, generation_, usedVisibility_ ? usedVisibility_->tables : nullptr});
+  if (!state.back)
+    turned_ = nullptr;
+  else if (!turned_ || state.fabric != state_.fabric)
+    turned_ = std::make_shared<const Fabric>(turnedOver(*state.fabric));
+  renderer_.request({turned_ ? turned_ : state.fabric, state.width, state.height, generation_,
+                     usedVisibility_ ? usedVisibility_->tables : nullptr});
 }
 
 bool ViewService::shows(const std::shared_ptr<const Fabric>& fabric) const {
@@ -110,8 +128,9 @@ std::optional<Film::Hit> ViewService::hitAt(ImVec2 place) const {
     return std::clamp(static_cast<int>(along * static_cast<float>(count)), 0, count - 1);
   };
   const int x = index(place.x, frame_->width), y = index(place.y, frame_->height);
-  const Film::Hit& hit = frame_->hits[static_cast<size_t>(y) * static_cast<size_t>(frame_->width) + x];
+  Film::Hit hit = frame_->hits[static_cast<size_t>(y) * static_cast<size_t>(frame_->width) + x];
   if (hit.yarn < 0) return std::nullopt;
+  if (state_.back) hit.end = turnedEnd(hit.end);
   return hit;
 }
 

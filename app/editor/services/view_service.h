@@ -22,6 +22,8 @@ struct ViewState {
   bool denoised = false;
   std::optional<LensRequest> lens;  ///< null: closed
   int yarn = 0;                     ///< whose section and visibility are shown
+  bool back = false;                ///< the cloth is seen from behind
+  double longFloat_mm = 4;          ///< beyond which floats are listed
   bool visibilityShown = false;     ///< on the screen, whether or not the picture needs it
 };
 
@@ -52,9 +54,9 @@ class ViewService {
   bool shows(const std::shared_ptr<const Fabric>& fabric) const;
   /// Of the picture, at a place of 0..1 from the top left.
   std::optional<Film::Hit> hitAt(ImVec2 place) const;
-  ImTextureID picture(int width, int height, const Tone& tone, const std::optional<ViewportPicture::Outline>& outline) {
-    return picture_->display(width, height, tone, outline);
-  }
+  ImTextureID picture(int width, int height, const Tone& tone, std::optional<ViewportPicture::Outline> outline);
+  /// The fabric as it is looked at now: turned over, where its back is.
+  std::shared_ptr<const Fabric> asSeen(const std::shared_ptr<const Fabric>& fabric) const;
   /// Under the lens, in pixels of its own; null while there is nothing to show.
   ImTextureID lensPicture(const Tone& tone);
   VisibilityModel visibilityModel(int yarn) const;
@@ -68,6 +70,7 @@ class ViewService {
   VisibilityWorker visibility_;
   LiveRenderer renderer_;
   ViewState state_;                                        ///< what was asked for last
+  std::shared_ptr<const Fabric> turned_;                   ///< its fabric from behind; null where the face is seen
   uint64_t generation_ = 0;                                ///< of the picture
   std::shared_ptr<const BakedVisibility> usedVisibility_;  ///< the tables that the renderer has
 

@@ -236,10 +236,10 @@ Draft readDraft(json value, const Place& place) {
   return draft;
 }
 
-/// What a weaving file said, in its own syntax, line by line. Nobody but us writes it, so it has to be right.
+/// What a WIF draft said, in its own syntax, line by line. Nobody but us writes it, so it has to be right.
 WifRest readWifLines(const json& value, const std::string& source, const Place& place) {
   std::string text;
-  for (const json& line : readList(value, "a list of texts, the lines of a weaving file", place)) {
+  for (const json& line : readList(value, "a list of texts, the lines of a WIF draft", place)) {
     if (!line.is_string()) place.reject("texts", shown(line));
     text += line.get_ref<const std::string&>();
     text += '\n';
@@ -250,7 +250,7 @@ WifRest readWifLines(const json& value, const std::string& source, const Place& 
   WifWarnings warnings;
   WifRest rest = readWifRest(parseWifSections(text, fmt::format("{}: {}", source, place.path()), warnings), warnings);
   const std::vector<WifWarning> complaints = warnings.list();
-  if (!complaints.empty()) place.reject("lines as in a weaving file", inOneLine(complaints.front()));
+  if (!complaints.empty()) place.reject("lines as in a WIF draft", inOneLine(complaints.front()));
   return rest;
 }
 

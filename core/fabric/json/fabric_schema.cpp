@@ -114,8 +114,8 @@ Json colourwaySchema() {
 }
 
 Json wifSchema() {
-  Json wif = objectOf<WifOrigin>("Of a fabric that came from a weaving file: what else that said.");
-  wif["properties"]["lines"] = listOf({{"type", "string"}}, "The rest of the weaving file, as it would stand there.");
+  Json wif = objectOf<WifOrigin>("Of a fabric that came from a WIF draft: what else that said.");
+  wif["properties"]["lines"] = listOf({{"type", "string"}}, "The rest of the WIF draft, as it would stand there.");
   return wif;
 }
 

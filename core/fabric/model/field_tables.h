@@ -2,6 +2,7 @@
 
 #include "core/fabric/model/fabric.h"
 #include "core/fabric/model/field_info.h"
+#include "core/fabric/model/glossary.h"
 
 /// Every editable value of a fabric: its key in files, its label, unit and range, and a sentence of help. The JSON
 /// reader and writer, validation, comparison and the inspector all go through these tables, so they agree.
@@ -11,88 +12,62 @@ template <>
 struct FieldTable<Fibre> {
   using enum Stage;
   static constexpr auto fields = std::make_tuple(
-      Field{&Fibre::name, {label, "name", "Fibre", "", 0, 0, "What this fibre is called."}},
-      Field{
-          &Fibre::radius_um,
-          {shape, "radius_um", "Radius", "µm", 1, 200, "Half the thickness of one fibre, as if it were round.", true}},
+      Field{&Fibre::name, {label, "name", words::fibreName.label, "", 0, 0, words::fibreName.help}},
+      Field{&Fibre::radius_um,
+            {shape, "radius_um", words::fibreRadius.label, "µm", 1, 200, words::fibreRadius.help, true}},
       Field{&Fibre::density_g_cm3,
-            {shape, "density_g_cm3", "Density", "g/cm³", 0.2, 20, "Mass of the fibre's substance.", true}},
+            {shape, "density_g_cm3", words::fibreDensity.label, "g/cm³", 0.2, 20, words::fibreDensity.help, true}},
       Field{&Fibre::refractiveIndex,
-            {optics, "refractive_index", "Refractive index", "", 1.01, 3,
-             "How strongly the fibre bends and mirrors light; textile fibres lie between 1.46 and 1.6."}},
+            {optics, "refractive_index", words::refractiveIndex.label, "", 1.01, 3, words::refractiveIndex.help}},
       Field{&Fibre::absorption_per_mm,
-            {colour, "absorption_per_mm", "Absorption", "1/mm", 0, 10000,
-             "How deep the colour is: light lost on its way inside the fibre, for red, green and blue.", true}},
+            {colour, "absorption_per_mm", words::depthOfShade.label, "1/mm", 0, 10000, words::depthOfShade.help, true}},
       Field{&Fibre::longitudinalRoughness,
-            {optics, "longitudinal_roughness", "Roughness along", "", 0.05, 1,
-             "How far highlights spread along the fibre: low is lustrous, high is matt (beta_m)."}},
+            {optics, "longitudinal_roughness", words::lustreAlong.label, "", 0.05, 1, words::lustreAlong.help}},
       Field{&Fibre::azimuthalRoughness,
-            {optics, "azimuthal_roughness", "Roughness around", "", 0.05, 1,
-             "How far light spreads around the fibre; irregular sections have much of it (beta_n)."}},
+            {optics, "azimuthal_roughness", words::lustreAround.label, "", 0.05, 1, words::lustreAround.help}},
       Field{&Fibre::scaleTilt_deg,
-            {optics, "scale_tilt_deg", "Scale tilt", "°", -10, 10,
-             "Tilt of the surface scales; wool has 2 to 3 degrees."}},
-      Field{&Fibre::section, {optics, "section", "Section", "", 0, 0, "Shape of the fibre, cut across."}});
+            {optics, "scale_tilt_deg", words::scaleTilt.label, "°", -10, 10, words::scaleTilt.help}},
+      Field{&Fibre::section, {optics, "section", words::fibreSection.label, "", 0, 0, words::fibreSection.help}});
 };
 
 template <>
 struct FieldTable<Yarn> {
   using enum Stage;
   static constexpr auto fields = std::make_tuple(
-      Field{&Yarn::name, {label, "name", "Yarn", "", 0, 0, "What this yarn is called."}},
-      Field{&Yarn::fibre,
-            {shape | optics, "fibre", "Fibre", "", 0, 63, "The fibre it is spun of: a number in the list, from 0."}},
+      Field{&Yarn::name, {label, "name", words::yarnName.label, "", 0, 0, words::yarnName.help}},
+      Field{&Yarn::fibre, {shape | optics, "fibre", words::yarnFibre.label, "", 0, 63, words::yarnFibre.help}},
       Field{&Yarn::blendFibre,
-            {shape | optics, "blend_fibre", "Blended with", "", 0, 63,
-             "A second fibre that is spun together with the first: a number in the list, from 0."}},
+            {shape | optics, "blend_fibre", words::blendedWith.label, "", 0, 63, words::blendedWith.help}},
       Field{&Yarn::blendShare,
-            {shape | optics, "blend_share", "Share", "", 0, 1, "How much of the yarn's mass is the second fibre."}},
-      Field{&Yarn::count_tex,
-            {shape, "count_tex", "Count", "tex", 0.5, 5000, "How thick the yarn is: grams of one kilometre.", true}},
+            {shape | optics, "blend_share", words::blendShare.label, "", 0, 1, words::blendShare.help}},
+      Field{&Yarn::count_tex, {shape, "count_tex", words::count.label, "tex", 0.5, 5000, words::count.help, true}},
       Field{&Yarn::fibresPerPly,
-            {shape, "fibres_per_ply", "Fibres per ply", "", 1, 2000,
-             "Number of fibres in one ply; where it is given, the count follows from it.", true}},
-      Field{&Yarn::plies, {shape, "plies", "Plies", "", 1, 8, "How many singles are twisted together."}},
+            {shape, "fibres_per_ply", words::fibresInSingle.label, "", 1, 2000, words::fibresInSingle.help, true}},
+      Field{&Yarn::plies, {shape, "plies", words::plies.label, "", 1, 8, words::plies.help}},
       Field{&Yarn::plyTwist_per_m,
-            {shape, "ply_twist_per_m", "Ply twist", "turns/m", 0, 5000,
-             "Turns of the fibres about the axis of their ply."}},
-      Field{
-          &Yarn::plyTwistDirection,
-          {shape, "ply_twist_direction", "Ply direction", "", 0, 0, "Fibres on the near side slant like this letter."}},
+            {shape, "ply_twist_per_m", words::singlesTwist.label, "turns/m", 0, 5000, words::singlesTwist.help}},
+      Field{&Yarn::plyTwistDirection,
+            {shape, "ply_twist_direction", words::singlesWay.label, "", 0, 0, words::singlesWay.help}},
       Field{&Yarn::yarnTwist_per_m,
-            {shape, "yarn_twist_per_m", "Yarn twist", "turns/m", 0, 5000, "Turns of the plies about each other."}},
+            {shape, "yarn_twist_per_m", words::plyTwist.label, "turns/m", 0, 5000, words::plyTwist.help}},
       Field{&Yarn::yarnTwistDirection,
-            {shape, "yarn_twist_direction", "Yarn direction", "", 0, 0,
-             "Plies on the near side slant like this letter."}},
-      Field{&Yarn::cords,
-            {shape, "cords", "Cords", "", 1, 6,
-             "How many plied yarns are twisted together once more, to a cable; 1 is an ordinary yarn."}},
+            {shape, "yarn_twist_direction", words::plyWay.label, "", 0, 0, words::plyWay.help}},
+      Field{&Yarn::cords, {shape, "cords", words::cabledFrom.label, "", 1, 6, words::cabledFrom.help}},
       Field{&Yarn::cableTwist_per_m,
-            {shape, "cable_twist_per_m", "Cable twist", "turns/m", 0, 5000, "Turns of the cords about each other."}},
+            {shape, "cable_twist_per_m", words::cableTwist.label, "turns/m", 0, 5000, words::cableTwist.help}},
       Field{&Yarn::cableTwistDirection,
-            {shape, "cable_twist_direction", "Cable direction", "", 0, 0,
-             "Cords on the near side slant like this letter."}},
-      Field{&Yarn::packing,
-            {shape, "packing", "Packing", "", 0.05, 0.85,
-             "Share of a ply's section that is fibre, the rest is air: soft yarns 0.3, ring-spun 0.55, filament 0.7."}},
-      Field{&Yarn::flattening,
-            {shape, "flattening", "Flattening", "", 1, 4,
-             "How readily the yarn's section flattens in the cloth: 1.2 as most do, more for a wider one."}},
+            {shape, "cable_twist_direction", words::cableWay.label, "", 0, 0, words::cableWay.help}},
+      Field{&Yarn::packing, {shape, "packing", words::compactness.label, "", 0.05, 0.85, words::compactness.help}},
+      Field{&Yarn::flattening, {shape, "flattening", words::flattening.label, "", 1, 4, words::flattening.help}},
       Field{&Yarn::hairiness_per_mm,
-            {shape, "hairiness_per_mm", "Hairiness", "1/mm", 0, 50,
-             "Loose fibre ends and loops on one millimetre of yarn."}},
+            {shape, "hairiness_per_mm", words::hairiness.label, "1/mm", 0, 50, words::hairiness.help}},
       Field{&Yarn::hairLength_mm,
-            {shape, "hair_length_mm", "Hair length", "mm", 0.05, 3, "How far loose fibres reach.", true}},
+            {shape, "hair_length_mm", words::hairLength.label, "mm", 0.05, 3, words::hairLength.help, true}},
       Field{&Yarn::migration,
-            {shape, "migration", "Migration", "", 0, 1,
-             "How far fibres wander between the core and the surface of the yarn."}},
+            {shape, "migration", words::fibreInterchange.label, "", 0, 1, words::fibreInterchange.help}},
       Field{&Yarn::fibreDisorder_deg,
-            {shape, "fibre_disorder_deg", "Fibre disorder", "°", 0, 20,
-             "How far fibres stray from lying side by side: filaments 1, compact and worsted yarns 4 to 5, ring-spun "
-             "cotton 6 to 9, rotor and woollen yarns 11 to 15."}},
-      Field{&Yarn::layout,
-            {shape, "layout", "Fibre layout", "", 0, 0,
-             "How fibres lie in the section: at random, overlaps allowed, or packed without overlap."}});
+            {shape, "fibre_disorder_deg", words::parallelism.label, "°", 0, 20, words::parallelism.help}},
+      Field{&Yarn::layout, {shape, "layout", words::fibreLayout.label, "", 0, 0, words::fibreLayout.help}});
 };
 
 template <>
@@ -192,12 +167,9 @@ template <>
 struct FieldTable<Draft> {
   using enum Stage;
   static constexpr auto fields = std::make_tuple(
-      Field{&Draft::shafts, {label, "shafts", "Shafts", "", 0, 4096, "Frames that lift the ends threaded on them."}},
-      Field{&Draft::treadles,
-            {label, "treadles", "Treadles", "", 0, 4096, "Pedals that move the shafts tied to them."}},
-      Field{&Draft::risingShed,
-            {label, "rising_shed", "Rising shed", "", 0, 0,
-             "Tied shafts are raised; in a sinking shed they are pulled down."}});
+      Field{&Draft::shafts, {label, "shafts", words::shafts.label, "", 0, 4096, words::shafts.help}},
+      Field{&Draft::treadles, {label, "treadles", words::treadles.label, "", 0, 4096, words::treadles.help}},
+      Field{&Draft::risingShed, {label, "rising_shed", words::risingShed.label, "", 0, 0, words::risingShed.help}});
 };
 
 template <>
@@ -211,18 +183,14 @@ template <>
 struct FieldTable<Fabric> {
   using enum Stage;
   static constexpr auto fields = std::make_tuple(
-      Field{&Fabric::name, {label, "name", "Name", "", 0, 0, "What this cloth is called."}},
-      Field{&Fabric::description, {label, "description", "Description", "", 0, 0, "Anything worth saying about it."}},
-      Field{&Fabric::ends_per_cm,
-            {grid, "ends_per_cm", "Ends", "/cm", 0.2, 500, "Warp yarns, side by side on one centimetre.", true}},
+      Field{&Fabric::name, {label, "name", words::clothName.label, "", 0, 0, words::clothName.help}},
+      Field{&Fabric::description, {label, "description", words::description.label, "", 0, 0, words::description.help}},
+      Field{&Fabric::ends_per_cm, {grid, "ends_per_cm", words::ends.label, "/cm", 0.2, 500, words::ends.help, true}},
       Field{&Fabric::picks_per_cm,
-            {grid, "picks_per_cm", "Picks", "/cm", 0.2, 500, "Weft yarns, side by side on one centimetre.", true}},
-      Field{&Fabric::press,
-            {grid, "press", "Press", "", 0, 1,
-             "How the cloth was finished: 0 washed and relaxed, 0.5 pressed, 1 calendered, thin and flat."}},
+            {grid, "picks_per_cm", words::picks.label, "/cm", 0.2, 500, words::picks.help, true}},
+      Field{&Fabric::press, {grid, "press", words::press.label, "", 0, 1, words::press.help}},
       Field{&Fabric::crimpBalance,
-            {grid, "crimp_balance", "Crimp balance", "×", 0.25, 4,
-             "Above 1 the warp takes more of the crimp, below 1 the weft; at 1 stiffness and sett decide.", true}});
+            {grid, "crimp_balance", words::crimpBalance.label, "×", 0.25, 4, words::crimpBalance.help, true}});
 };
 
 }  // namespace loomlight

@@ -8,8 +8,8 @@
 
 namespace loomlight {
 
-/// Where a fabric came from: a weaving file. It holds what the fabric does not, for the day when the fabric is written
-/// as a weaving file again. Edits leave it alone.
+/// Where a fabric came from: a WIF draft. It holds what the fabric does not, for the day when the fabric is written
+/// as a WIF draft again. Edits leave it alone.
 struct WifOrigin {
   std::string program;  ///< that wrote the file
   int ends = 0;         ///< of its draft
@@ -29,7 +29,7 @@ template <>
 struct FieldTable<WifOrigin> {
   using enum Stage;
   static constexpr auto fields = std::make_tuple(
-      Field{&WifOrigin::program, {label, "program", "Program", "", 0, 0, "What wrote the weaving file."}},
+      Field{&WifOrigin::program, {label, "program", "Program", "", 0, 0, "What wrote the WIF draft."}},
       Field{&WifOrigin::ends, {label, "ends", "Ends", "", 0, Weave::kMaxSide, "Warp threads of the file's draft."}},
       Field{&WifOrigin::picks, {label, "picks", "Picks", "", 0, Weave::kMaxSide, "Weft threads of the file's draft."}},
       Field{&WifOrigin::ends_per_cm, {label, "ends_per_cm", "Ends", "/cm", 0, 500, "Sett of the fabric it became."}},

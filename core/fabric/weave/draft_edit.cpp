@@ -156,14 +156,14 @@ Draft resized(const Draft& draft, int ends, int picks) {
 
 DerivedDraft deriveDraft(const Weave& weave, const LoomLimits& limits, const Draft& like) {
   if (int64_t{weave.ends()} * weave.picks() > kMostDerivedCrossings)
-    return {std::nullopt, fmt::format("Drawn freely: threading is worked out up to {} million crossings.",
-                                      kMostDerivedCrossings / 1'000'000)};
+    return {std::nullopt,
+            fmt::format("Too large to be threaded: over {} million crossings.", kMostDerivedCrossings / 1'000'000)};
   std::optional<Draft> draft = smallestDraft(weave, limits.shafts);
-  if (!draft) return {std::nullopt, fmt::format("A jacquard: it takes more than {} shafts.", limits.shafts)};
+  if (!draft) return {std::nullopt, fmt::format("Jacquard: more than {} shafts.", limits.shafts)};
   DerivedDraft derived;
   const bool lifted = !like.liftplan.empty();
   if (!lifted && draft->treadles > limits.treadles)
-    derived.remark = fmt::format("A liftplan: it takes {} treadles, more than {}.", draft->treadles, limits.treadles);
+    derived.remark = fmt::format("Liftplan: {} treadles, more than {}.", draft->treadles, limits.treadles);
   Draft made = withShed(numberedAs(std::move(*draft), like), like.risingShed);
   if (lifted || !derived.remark.empty()) made = withLiftplan(std::move(made));
   made.unknown = like.unknown;

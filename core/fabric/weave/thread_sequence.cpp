@@ -45,6 +45,29 @@ std::vector<int> widened(const std::vector<int>& sequence, int factor) {
   return wide;
 }
 
+std::vector<Stripe> stripesOf(const std::vector<int>& sequence) {
+  std::vector<Stripe> stripes;
+  for (const int yarn : sequence) {
+    if (stripes.empty() || stripes.back().yarn != yarn) stripes.push_back({yarn, 0});
+    ++stripes.back().threads;
+  }
+  return stripes;
+}
+
+std::vector<int> sequenceOf(const std::vector<Stripe>& stripes) {
+  std::vector<int> sequence;
+  for (const Stripe& stripe : stripes)
+    sequence.insert(sequence.end(), static_cast<size_t>(stripe.threads), stripe.yarn);
+  return sequence;
+}
+
+std::vector<int> balanced(std::vector<int> sequence, int repeat) {
+  assert(!sequence.empty() && repeat >= 1);
+  const size_t rest = sequence.size() % static_cast<size_t>(repeat);
+  if (rest > 0) sequence.insert(sequence.end(), static_cast<size_t>(repeat) - rest, sequence.back());
+  return sequence;
+}
+
 std::vector<int> randomStripes(const std::vector<double>& weights, const StripeChance& chance) {
   assert(chance.threads >= 1 && chance.narrowest >= 1 && chance.narrowest <= chance.widest);
   assert(std::accumulate(weights.begin(), weights.end(), 0.0) > 0);

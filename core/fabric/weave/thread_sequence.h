@@ -13,6 +13,16 @@ std::vector<int> reversed(const std::vector<int>& sequence);
 /// Every stripe `factor` times as wide; factor >= 1.
 std::vector<int> widened(const std::vector<int>& sequence, int factor);
 
+/// Threads of one yarn side by side.
+struct Stripe {
+  int yarn = 0, threads = 0;
+  friend bool operator==(const Stripe&, const Stripe&) = default;
+};
+std::vector<Stripe> stripesOf(const std::vector<int>& sequence);
+std::vector<int> sequenceOf(const std::vector<Stripe>& stripes);
+/// The last stripe made longer by as few threads as make the order repeat with a weave of `repeat` threads; >= 1.
+std::vector<int> balanced(std::vector<int> sequence, int repeat);
+
 /// Stripes by chance: each of a width from `narrowest` to `widest` threads, of a yarn drawn with its weight, neighbours
 /// of different yarns where there are two. `weights` per yarn, none negative, one positive; 1 <= narrowest <= widest;
 /// threads >= 1. The last stripe may be cut off. A pure function of its arguments.

@@ -40,7 +40,7 @@ void repeatTo(Lists& lists, int count) {
   for (size_t i = period; i < static_cast<size_t>(count); ++i) lists.push_back(std::vector<int>(lists[i - period]));
 }
 
-/// As a weaving file has its lists: sorted, each number once, none of them 0.
+/// As a WIF draft has its lists: sorted, each number once, none of them 0.
 void normalise(Lists& lists) {
   for (std::vector<int>& list : lists) {
     std::sort(list.begin(), list.end());

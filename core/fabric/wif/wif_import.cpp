@@ -165,13 +165,9 @@ void dressThreads(Fabric& fabric, const std::vector<Kind>& warp, const std::vect
     if (kind.permille != 1000) yarn = heavier(yarn, fibre, diameters * diameters, held);
     const auto [known, isNew] = fibreOf.emplace(std::pair(yarn.fibre, kind.colour), fabric.fibres.size());
     yarn.fibre = known->second;
-    if (kind.colour > 0) {
-      const std::string colour = fmt::format(", colour {}", kind.colour);
-      yarn.name += colour;
-      fibre.name += colour;
-      fibre = dyed(fibre, linearFromSrgb(palette.srgb(palette.colours.at(kind.colour))));
-    }
-    if (kind.permille != 1000) yarn.name += fmt::format(", {:g} x as thick", diameters);
+    if (kind.colour > 0) fibre = dyed(fibre, linearFromSrgb(palette.srgb(palette.colours.at(kind.colour))));
+    // What I called my yarn says nothing of one of another colour or thickness: it goes by these.
+    if (kind.colour > 0 || kind.permille != 1000) yarn.name.clear();
     if (isNew) fabric.fibres.push_back(fibre);
     fabric.yarns.push_back(yarn);
   }

@@ -26,7 +26,7 @@ void expectWeavingFile(const WifSections& sections, const std::string& source) {
   for (const char* name : {"WIF", "WEAVING", "THREADING", "TREADLING", "LIFTPLAN", "WARP", "WEFT"})
     if (sections.find(name)) return;
   throw InputError(
-      fmt::format("{}: expected a weaving file (WIF) with sections such as [WIF], [WARP] and [THREADING], got none of "
+      fmt::format("{}: expected a WIF draft with sections such as [WIF], [WARP] and [THREADING], got none of "
                   "them",
                   source));
 }
@@ -34,8 +34,7 @@ void expectWeavingFile(const WifSections& sections, const std::string& source) {
 void expectDraft(const WifSections& sections, const std::string& source) {
   for (const char* name : {"WARP", "WEFT", "THREADING", "TREADLING", "LIFTPLAN"})
     if (sections.find(name)) return;
-  throw InputError(
-      fmt::format("{}: expected a draft, got a weaving file with no [WARP], [WEFT] or [THREADING]", source));
+  throw InputError(fmt::format("{}: expected a draft, got a WIF draft with no [WARP], [WEFT] or [THREADING]", source));
 }
 
 /// Version, date and developers are those of the specification, in every file.

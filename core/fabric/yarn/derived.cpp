@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/fabric/model/yarn_count.h"
 
@@ -114,6 +115,14 @@ Floats floats(const Weave& weave) {
 
 double floatLength_mm(const Fabric& fabric, System system, int cells) {
   return cells * (system == System::warp ? fabric.weftPitch_mm() : fabric.warpPitch_mm());
+}
+
+int64_t patternEnds(const Fabric& fabric) {
+  return std::lcm(int64_t{fabric.weave.ends()}, static_cast<int64_t>(fabric.warpSequence.size()));
+}
+
+int64_t patternPicks(const Fabric& fabric) {
+  return std::lcm(int64_t{fabric.weave.picks()}, static_cast<int64_t>(fabric.weftSequence.size()));
 }
 
 Binding binding(const Weave& weave) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,10 @@ struct Floats {
 Floats floats(const Weave& weave);
 /// Length of a float of `cells` crossings, mm: the warp floats over picks, the weft over ends.
 double floatLength_mm(const Fabric& fabric, System system, int cells);
+
+/// Until weave and order of colours repeat together: threads of the pattern. The smallest number that both divide.
+int64_t patternEnds(const Fabric& fabric);
+int64_t patternPicks(const Fabric& fabric);
 
 /// How tightly and how evenly a weave binds, over one repeat.
 struct Binding {

@@ -36,6 +36,18 @@ Fabric withYarn(Fabric fabric, int index, Yarn yarn, Fibre fibre) {
   return withFibre(std::move(fabric), index, std::move(fibre));
 }
 
+Fabric withYarnCopied(Fabric fabric, int index) {
+  Yarn copy = fabric.yarns[static_cast<size_t>(index)];
+  copy.name.clear();
+  if (fabric.fibres.size() < kMaxKinds) {
+    Fibre fibre = fabric.fibres[static_cast<size_t>(copy.fibre)];
+    copy.fibre = static_cast<int>(fabric.fibres.size());
+    fabric.fibres.push_back(std::move(fibre));
+  }
+  fabric.yarns.push_back(std::move(copy));
+  return fabric;
+}
+
 Fabric withoutYarn(Fabric fabric, int index) {
   const Yarn gone = fabric.yarns[static_cast<size_t>(index)];
   fabric.yarns.erase(fabric.yarns.begin() + index);

@@ -8,6 +8,10 @@ namespace loomlight {
 /// is added where other yarns are spun of it too. A blend ends; the name stays.
 Fabric withYarn(Fabric fabric, int index, Yarn yarn, Fibre fibre);
 
+/// The fabric with one more yarn, a copy of that one. A new yarn is wanted for a new colour more often than not, so it
+/// gets a fibre of its own where there is room for one; its name is not that of the old one, which it is not.
+Fabric withYarnCopied(Fabric fabric, int index);
+
 /// The fabric without a yarn that no thread uses, and without the fibres that were spun for it alone, in no colourway
 /// either.
 Fabric withoutYarn(Fabric fabric, int index);

@@ -119,7 +119,7 @@ class Convert(CommandLineTest):
         self.assertIn("b.wif: line ", said)
         self.assertIn("[WEAVING] Shafts=many: The number of shafts should stand here", said)
         (self.folder / "story.wif").write_text("You are in a maze of twisty little passages.\n")
-        self.assertIn("story.wif: expected a weaving file", self.run_program("convert", "story.wif", "c.json", status=1))
+        self.assertIn("story.wif: expected a WIF draft", self.run_program("convert", "story.wif", "c.json", status=1))
 
     def test_a_draft_is_drawn_for_print(self):
         fabric = self.fabric()

@@ -55,8 +55,19 @@ def ask_for_too_much(editor):
     editor.key("Escape")
 
 
+def scroll_to(editor, widget):
+    """The page of colours is longer than its room."""
+    x0, _, x1, y1 = editor.widgets()["draft.tab_colours"]
+    for _ in range(30):
+        if editor.widgets()[widget][3] < HEIGHT - 240:
+            return
+        editor.wheel((x0 + x1) / 2, y1 + 60)
+
+
 def order_yarns(editor, file):
     editor.click("draft.tab_colours")
+    editor.centre("order.widen")
+    scroll_to(editor, "order.widen")
     for tool, expected in (("order.mirror", [0, 0, 1, 0]), ("order.reverse", [0, 1, 0, 0]),
                            ("order.widen", [0, 0, 1, 1, 0, 0, 0, 0])):
         revision = editor.number("revision")
@@ -64,6 +75,7 @@ def order_yarns(editor, file):
         editor.wait_until(f"{tool} edits the fabric", lambda: editor.number("revision") > revision)
         sequence = editor.saved(file)["warp_sequence"]
         expect(sequence == expected, f"{tool} made {sequence}")
+    scroll_to(editor, "order.random")
     revision = editor.number("revision")
     editor.click("order.random")
     editor.wait_until("stripes are drawn", lambda: editor.number("revision") > revision)

@@ -126,7 +126,7 @@ def a_killed_editor_leaves_its_work(editor):
 
 
 def a_text_is_read_as_what_it_is(editor):
-    """Weaving files come by mail as texts; what is none of ours is named."""
+    """WIF drafts come by mail as texts; what is none of ours is named."""
     draft = mailed_draft(editor.home)
     editor.key("ctrl+o")
     name_file(editor, draft)
@@ -137,7 +137,7 @@ def a_text_is_read_as_what_it_is(editor):
     os.rename(draft, other)
     editor.key("ctrl+o")
     name_file(editor, other)
-    editor.wait_until("the editor says what it reads", lambda: "a weaving file (.wif)" in editor.fact("message"))
+    editor.wait_until("the editor says what it reads", lambda: "a WIF draft (.wif)" in editor.fact("message"))
     editor.key("Return")
     editor.wait_until("the message is gone", lambda: editor.fact("dialog") == "none")
 

@@ -105,7 +105,7 @@ TEST_F(DraftParts, TheShedSinksAndTheClothStays) {
 void scrollTo(HeadlessEditor& editor, const std::string& over, const std::string& wanted) {
   const ImVec2 place = editor.centre(over);
   for (int turns = 0; turns < 12; ++turns) {
-    if (editor.shows(wanted) && editor.rect(wanted).y1 < editor.screen().y - 60) return;
+    if (editor.shows(wanted) && editor.rect(wanted).y1 < editor.screen().y - 110) return;
     editor.wheelAt(place, -1);
   }
   throw HeadlessEditor::Vain(wanted + " does not come into sight over " + over);
@@ -185,10 +185,10 @@ TEST_F(DraftParts, KeysOfTheWindow) {
     editor.key(closes);
     editor.until("the list is gone", [&] { return editor.fact("dialog") == "none"; });
   }
-  editor.key("Tab");
-  editor.until("Tab hides the panels", [&] { return !editor.shows("draft.select"); });
-  editor.key("Tab");
-  editor.until("Tab brings them back", [&] { return editor.shows("draft.select"); });
+  editor.key("p");
+  editor.until("P hides the panels", [&] { return !editor.shows("draft.select"); });
+  editor.key("p");
+  editor.until("P brings them back", [&] { return editor.shows("draft.select"); });
   for (const auto& [key, elevation] : {std::pair("2", 35.0), std::pair("3", 12.0), std::pair("1", 90.0)}) {
     editor.key(key);
     EXPECT_EQ(editor.saved().camera.elevation_deg, elevation) << "key " << key;

@@ -11,7 +11,7 @@ class DraftSelection : public testing::Test {
   DraftSelection() {
     editor.start(smallTwill());
     editor.click("draft.tab_structures");
-    editor.edits("a structure", [&] { editor.click("structure/Satin 8"); });
+    weaver.takes("Satin 8");
     editor.until("the whole repeat is shown", [&] { return editor.shows("draft.cell_0_0"); });
     before = weaver.rows();
     EXPECT_EQ(before.size(), 8u);
@@ -41,7 +41,7 @@ TEST_F(DraftSelection, ADragSelectsAndEditsOnlyThere) {
   EXPECT_EQ(weaver.rows(), before);
   editor.edits("Ctrl+I inverts", [&] { editor.key("ctrl+i"); });
   EXPECT_EQ(within(weaver.rows(), 6), turnedOver(within(before, 6)));
-  editor.edits("a structure fills the selection", [&] { editor.click("structure/Plain"); });
+  weaver.takes("Plain");
   Rows expected = before;
   expected[6].replace(1, 3, "#.#");
   expected[5].replace(1, 3, ".#.");

@@ -58,6 +58,15 @@ class Weaver {
       return editor_.fact("draft.kind") == kind && (shafts.empty() || editor_.fact("draft.shafts") == shafts);
     });
   }
+  /// From the page of structures, which may have to be scrolled.
+  void takes(const std::string& structure) {
+    const std::string id = "structure/" + structure;
+    const HeadlessEditor::Rect tab = editor_.rect("draft.tab_structures");
+    const ImVec2 page(tab.x1, tab.y1 + 60);
+    while (editor_.rect(id).y1 > editor_.screen().y - 110) editor_.wheelAt(page, -1);
+    while (editor_.rect(id).y0 < tab.y1 + 8) editor_.wheelAt(page, 1);
+    editor_.edits(structure + " replaces the weave", [&] { editor_.click(id); });
+  }
   void undo() {
     editor_.edits("undo", [this] { editor_.key("ctrl+z"); });
   }

@@ -1,4 +1,4 @@
-/// Weaving files and weave pictures: opened by dialog and by name, their sizes chosen, their warnings shown, exported.
+/// WIF drafts and weave pictures: opened by dialog and by name, their sizes chosen, their warnings shown, exported.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -85,9 +85,8 @@ class WeavingFiles : public testing::Test {
   /// Rosepath, with the sizes that its file gives.
   void openRosepath() {
     open(write("rosepath.wif", kRosepath));
-    editor.until("the weaving file is opened", [&] { return editor.fact("name") == "Rosepath"; });
+    editor.until("the WIF draft is opened", [&] { return editor.fact("name") == "Rosepath"; });
     EXPECT_GE(editor.number("wif.warnings"), 1u) << "nothing is said of Shafts=four";
-    editor.edits("the file's sizes are used", [&] { editor.click("wif.sizes/Use the file's"); });
     editor.click("wif.close");
     editor.until("the dialog closes", [&] { return editor.fact("dialog") == "none"; });
   }
@@ -111,6 +110,16 @@ TEST_F(WeavingFiles, ADraftIsOpenedWithItsSizes) {
   EXPECT_EQ(fabric.picks_per_cm, 8);
   EXPECT_EQ(fabric.draft.value().threading, kThreading);
   EXPECT_EQ(fabric.drape.width_mm, 4) << "the drape is the designer's own";
+}
+
+/// Where it is said that the file's sizes are used, they can be refused.
+TEST_F(WeavingFiles, TheSizesOfADraftCanBeRefused) {
+  open(write("rosepath.wif", kRosepath));
+  editor.edits("the designer's own are kept", [&] { editor.click("wif.sizes/Keep mine"); });
+  editor.click("wif.close");
+  const Fabric fabric = editor.savedAs(editor.homeFile("rosepath.json"));
+  EXPECT_EQ(fabric.ends_per_cm, smallTwill().ends_per_cm);
+  EXPECT_EQ(fabric.picks_per_cm, smallTwill().picks_per_cm);
 }
 
 /// The list is filtered and gone through by keys; a file is seen before it is opened; Esc leaves at once.

@@ -33,12 +33,12 @@ class DocumentControllerTest : public testing::Test {
 
 TEST_F(DocumentControllerTest, AGestureIsOneStepOfUndo) {
   const double before = controller_.fabric()->ends_per_cm;
-  controller_.beginFrame(false);
+  controller_.beginFrame({});
   sett(31);
-  controller_.beginFrame(true);
+  controller_.beginFrame({true});
   sett(32);
   EXPECT_EQ(controller_.fabric()->ends_per_cm, 32);
-  controller_.beginFrame(false);
+  controller_.beginFrame({});
   sett(33);
   controller_.undo();
   EXPECT_EQ(controller_.fabric()->ends_per_cm, 32);
@@ -46,12 +46,45 @@ TEST_F(DocumentControllerTest, AGestureIsOneStepOfUndo) {
   EXPECT_EQ(controller_.fabric()->ends_per_cm, before);
 }
 
+// Tab goes from one field to the next, and nothing is let go between.
+TEST_F(DocumentControllerTest, AnotherFieldIsAnotherGesture) {
+  constexpr uint32_t kName = 7, kEnds = 8;
+  controller_.beginFrame({true, false, kName});
+  sett(31);
+  controller_.beginFrame({true, false, kName});
+  sett(32);
+  controller_.beginFrame({true, false, kEnds});
+  sett(33);
+  controller_.undo();
+  EXPECT_EQ(controller_.fabric()->ends_per_cm, 32);
+  controller_.undo();
+  EXPECT_FALSE(controller_.document().canUndo()) << "what was typed in one field is one step";
+}
+
+// A click in one panel takes what was typed in another.
+TEST_F(DocumentControllerTest, TwoPanelsInOneFrameAreTwoGestures) {
+  controller_.beginFrame({});
+  sett(31, {EditPlace::Panel::draft});
+  sett(32, {EditPlace::Panel::inspector});
+  controller_.undo();
+  EXPECT_EQ(controller_.fabric()->ends_per_cm, 31);
+}
+
+TEST_F(DocumentControllerTest, HowPicturesAreRenderedIsNoEdit) {
+  RenderSettings settings = controller_.fabric()->render;
+  settings.width = 123;
+  controller_.renderAs(settings);
+  EXPECT_EQ(controller_.fabric()->render.width, 123);
+  EXPECT_FALSE(controller_.document().isDirty());
+  EXPECT_FALSE(controller_.document().canUndo());
+}
+
 // A dye that was asked for comes after its gesture, while another may have begun.
 TEST_F(DocumentControllerTest, ALateAnswerBelongsToTheGestureThatAskedForIt) {
-  controller_.beginFrame(false);
+  controller_.beginFrame({});
   const uint64_t asked = controller_.gesture();
   sett(31);
-  controller_.beginFrame(false);
+  controller_.beginFrame({});
   Fabric dyed = *controller_.fabric();
   dyed.fibres[0].absorption_per_mm *= 2.0f;
   controller_.edit(dyed, {}, asked);

@@ -40,7 +40,8 @@ class HeadlessDesk {
     ImGui::SetNextWindowSize(ImVec2(kWidth, kHeight));
     ImGui::Begin("draft", nullptr, ImGuiWindowFlags_NoDecoration);
     const std::vector<ImVec4> colours(fabric.yarns.size(), ImVec4(0.2f, 0.3f, 0.5f, 1));
-    if (auto edited = draftPanel(ui, fabric, colours, 0, preferences_, view, std::nullopt)) fabric = std::move(*edited);
+    if (auto edited = draftPanel(ui, fabric, colours, 0, nullptr, preferences_, view, std::nullopt))
+      fabric = std::move(*edited);
     ImGui::End();
     ImGui::Render();
     return ImGui::GetDrawData()->TotalVtxCount;

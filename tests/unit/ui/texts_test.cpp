@@ -3,7 +3,7 @@
 #include <tuple>
 
 #include "core/base/error.h"
-#include "ui/draft/thread_order.h"
+#include "core/fabric/weave/thread_order.h"
 #include "ui/inspector/count_text.h"
 #include "ui/widgets/number_text.h"
 

@@ -69,7 +69,7 @@ std::vector<std::string> unknownIn(const json& value, const json& type, const st
   return unknown;
 }
 
-// Whatever is written beyond the tables: lists, drafts, what came from a weaving file.
+// Whatever is written beyond the tables: lists, drafts, what came from a WIF draft.
 TEST(FabricSchema, HasEveryKeyThatIsWritten) {
   Fabric fabric;
   fabric.weave = Weave(std::vector<Weave::Row>{{1, 0}, {0, 1}});

@@ -45,7 +45,7 @@ TEST(HostileJson, NotJsonAtAll) {
   expectRefused("42", "a number");
   expectRefused("[]", "a list");
   expectRefused("\"text\"", "a text");
-  expectRefused("[WIF]\nVersion=1.1\n", "a weaving file");
+  expectRefused("[WIF]\nVersion=1.1\n", "a WIF draft");
   expectRefused("\x89PNG\r\n\x1a\n", "a picture");
   expectRefused(std::string(1000, '\0'), "zeros");
   expectRefused("{\"name\": \"\xff\xfe\"}", "no UTF-8");

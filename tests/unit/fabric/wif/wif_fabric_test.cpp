@@ -75,16 +75,31 @@ TEST(WifFabric, MineGivesTheYarnsAndAllElse) {
   Fabric mine;
   mine.yarns = {Yarn{}, Yarn{}, Yarn{}};
   mine.yarns[1].name = "silk";
+  mine.yarns[1].count_tex = 20;
   mine.yarns[2].name = "linen";
+  mine.yarns[2].count_tex = 40;
   mine.warpSequence = {2};
   mine.weftSequence = {1};
   mine.ends_per_cm = 33;
   mine.camera.distance_mm = 7;
   const Fabric f = fabricFromWif(twillFile(), "x.wif", mine, WifSizeChoice::keep).fabric;
-  EXPECT_EQ(f.yarns[f.warpYarn(0)].name, "linen, colour 1");
-  EXPECT_EQ(f.yarns[f.weftYarn(0)].name, "silk, colour 3");
+  EXPECT_EQ(f.yarns[f.warpYarn(0)].count_tex, 40) << "the warp is not that of mine";
+  EXPECT_EQ(f.yarns[f.weftYarn(0)].count_tex, 20);
   EXPECT_EQ(f.ends_per_cm, 33);
   EXPECT_EQ(f.camera, mine.camera);
+}
+
+// Opened one after the other, each into the cloth before: what a yarn was called does not pile up.
+TEST(WifFabric, YarnsOfTheFilesColoursGoByThese) {
+  Fabric mine;
+  mine.yarns[0].name = "warp, ultramarine";
+  mine.fibres[0].name = "cotton";
+  for (int i = 0; i < 3; ++i) {
+    const Fabric f = fabricFromWif(twillFile(), "x.wif", mine, WifSizeChoice::keep).fabric;
+    EXPECT_EQ(f.yarns[f.warpYarn(0)].name, "");
+    EXPECT_EQ(f.fibres[f.yarns[f.warpYarn(0)].fibre].name, "cotton");
+    mine = f;
+  }
 }
 
 TEST(WifFabric, KeepsMySizesOrTakesTheFiles) {

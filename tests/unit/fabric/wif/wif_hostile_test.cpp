@@ -149,8 +149,7 @@ TEST(HostileWif, LinesOfAFabricFileHaveToBeRight) {
   EXPECT_EQ(complaint("[]"), "x.json: wif: expected an object, got a list");
   EXPECT_THAT(complaint("{\"lines\": 7}"), HasSubstr("x.json: wif.lines: expected a list of texts"));
   EXPECT_THAT(complaint("{\"lines\": [7]}"), HasSubstr("x.json: wif.lines: expected texts, got 7"));
-  EXPECT_THAT(complaint("{\"lines\": [\"[COLOR TABLE]\", \"oops\"]}"),
-              HasSubstr("expected lines as in a weaving file"));
+  EXPECT_THAT(complaint("{\"lines\": [\"[COLOR TABLE]\", \"oops\"]}"), HasSubstr("expected lines as in a WIF draft"));
   EXPECT_EQ(complaint("{\"lines\": [\"[PRIVATE A]\", \"b=\\u0000\"]}"),
             "x.json: wif.lines: expected texts, got one with a NUL character");
   std::string sections;

@@ -240,9 +240,9 @@ TEST(WifReader, LikeWarningsAreCounted) {
 }
 
 TEST(WifReader, OtherFilesAreRefusedInPlainWords) {
-  EXPECT_THAT(refusalOf(""), HasSubstr("x.wif: expected a weaving file (WIF)"));
-  EXPECT_THAT(refusalOf("You are in a maze of twisty little passages.\n"), HasSubstr("expected a weaving file"));
-  EXPECT_THAT(refusalOf("[package]\nname = \"x\"\n"), HasSubstr("expected a weaving file"));
+  EXPECT_THAT(refusalOf(""), HasSubstr("x.wif: expected a WIF draft"));
+  EXPECT_THAT(refusalOf("You are in a maze of twisty little passages.\n"), HasSubstr("expected a WIF draft"));
+  EXPECT_THAT(refusalOf("[package]\nname = \"x\"\n"), HasSubstr("expected a WIF draft"));
   EXPECT_THAT(refusalOf("[WIF]\nVersion=1.1\n[COLOR TABLE]\n1=1,1,1\n"), HasSubstr("expected a draft"));
   EXPECT_THAT(refusalOf("[WIF]\n[WARP]\n[WEFT]\n"),
               HasSubstr("[WARP] Threads: expected from 1 to 16384 threads, got none"));

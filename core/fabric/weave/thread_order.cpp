@@ -1,11 +1,15 @@
-#include "ui/draft/thread_order.h"
+#include "core/fabric/weave/thread_order.h"
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <span>
 
 #include "core/base/error.h"
+#include "core/fabric/weave/thread_sequence.h"
+#include "core/fabric/yarn/yarn_name.h"
 
 namespace loomlight {
 namespace {
@@ -72,7 +76,7 @@ class OrderReader {
   }
 
   void skipBlanks() {
-    while (at_ != end_ && (*at_ == ' ' || *at_ == ',')) ++at_;
+    while (at_ != end_ && (*at_ == ' ' || *at_ == ',' || *at_ == '\n')) ++at_;
   }
 
   const char* at_;
@@ -81,26 +85,47 @@ class OrderReader {
   size_t maxThreads_;
 };
 
-}  // namespace
+/// Runs that come again and again one after the other.
+struct Group {
+  size_t runs = 1, times = 1;
+  size_t saved() const { return runs * (times - 1); }
+};
 
-std::string yarnLetters(int yarn) {
-  std::string letters;
-  for (int rest = yarn; rest >= 0; rest = rest / 26 - 1)
-    letters.insert(letters.begin(), static_cast<char>('A' + rest % 26));
-  return letters;
+/// The group at the beginning that leaves least to be written.
+Group groupAt(std::span<const Stripe> rest) {
+  constexpr size_t kLongestGroup = 64;
+  Group best;
+  for (size_t runs = 2; runs <= std::min(kLongestGroup, rest.size() / 2); ++runs) {
+    size_t times = 1;
+    while ((times + 1) * runs <= rest.size() && std::equal(rest.begin(), rest.begin() + static_cast<ptrdiff_t>(runs),
+                                                           rest.begin() + static_cast<ptrdiff_t>(times * runs)))
+      ++times;
+    if (const Group group{runs, times}; group.saved() > best.saved()) best = group;
+  }
+  return best;
 }
 
-std::string threadOrderText(const std::vector<int>& sequence) {
+std::string textOf(std::span<const Stripe> runs) {
   std::string text;
-  for (size_t i = 0; i < sequence.size();) {
-    size_t run = i;
-    while (run < sequence.size() && sequence[run] == sequence[i]) ++run;
+  for (size_t i = 0; i < runs.size();) {
     if (!text.empty()) text += ' ';
-    if (run - i > 1) text += std::to_string(run - i);
-    text += yarnLetters(sequence[i]);
-    i = run;
+    const Group group = groupAt(runs.subspan(i));
+    if (group.times > 1)
+      text += fmt::format("{}({})", group.times, textOf(runs.subspan(i, group.runs)));
+    else if (runs[i].threads > 1)
+      text += std::to_string(runs[i].threads) + yarnLetters(runs[i].yarn);
+    else
+      text += yarnLetters(runs[i].yarn);
+    i += group.runs * group.times;
   }
   return text;
+}
+
+}  // namespace
+
+std::string threadOrderText(const std::vector<int>& sequence) {
+  const std::vector<Stripe> runs = stripesOf(sequence);
+  return textOf(runs);
 }
 
 std::vector<int> threadOrderFromText(std::string_view text, int yarnCount, int maxThreads) {

@@ -7,14 +7,11 @@
 namespace loomlight {
 
 /// The order of yarns along a warp or weft as weavers write it: "4A 2B" is four threads of the first yarn, then two of
-/// the second, repeating.
+/// the second, repeating; "3(4A 2B)" is that three times.
 std::string threadOrderText(const std::vector<int>& sequence);
 
 /// Reads it back; groups may repeat: "3(4A 2B) 10C". Throws InputError with what was expected when the text is no such
 /// order, names a yarn beyond `yarnCount`, or asks for more than `maxThreads`.
 std::vector<int> threadOrderFromText(std::string_view text, int yarnCount, int maxThreads);
-
-/// "A" for yarn 0, "Z" for 25, "AA" for 26.
-std::string yarnLetters(int yarn);
 
 }  // namespace loomlight

@@ -1,0 +1,27 @@
+#include "app/cli/commands/sheet_command.h"
+
+#include <fmt/format.h>
+
+#include "app/cli/inputs.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/progress.h"
+#include "core/base/parallel.h"
+#include "core/base/stopwatch.h"
+
+namespace loomlight {
+
+int run(const SheetCommand& command) {
+  Stopwatch whole;
+  const Fabric fabric = fabricFromFile(command.input);
+  const Interrupt interrupt;
+  Progress progress("rendering the cloth");
+  Task task;
+  task.stop = interrupt.token();
+  task.threads = command.threads > 0 ? command.threads : hardwareThreads();
+  task.progress = [&progress](double fraction) { progress.update(fraction); };
+  if (!writeClothSheet(command.output, fabric, command.options, task)) return Interrupt::kExitStatus;
+  fmt::print("{}, {}\n", command.output, durationText(whole.lap()));
+  return 0;
+}
+
+}  // namespace loomlight

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+
+#include "app/export/draft_sheet.h"
+#include "core/base/task.h"
+#include "core/fabric/model/fabric.h"
+#include "core/fabric/model/yarn_count.h"
+#include "render/transport/make_medium.h"
+
+namespace loomlight {
+
+struct ClothSheetOptions {
+  double width_cm = 150;                  ///< of the finished cloth: what yarns are reckoned for, and the ends
+  CountSystem counts = CountSystem::tex;  ///< in which counts are written
+  DraftCorner corner;                     ///< of the draft
+  int samplesPerPixel = 16;               ///< of the pictures
+  double memoryLimit_bytes = defaultMemoryLimit_bytes();  ///< of explicit fibres
+};
+
+/// One A4 page that a mill can weave from, as a .pdf, or a .png to be looked at: the cloth at 1 : 1 in a light booth,
+/// its draft or as much of the first repeat as is legible, construction, finish and mass, the yarns with count, twist,
+/// fibre and kg for 100 m, the orders of colours as tables, notes, and the colourways in small. False, and nothing is
+/// written, when stopped. Throws InputError.
+bool writeClothSheet(const std::string& file, const Fabric& fabric, const ClothSheetOptions& options, const Task& task);
+
+}  // namespace loomlight

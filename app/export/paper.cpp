@@ -1,0 +1,149 @@
+#include "app/export/paper.h"
+
+#include <cairo-pdf.h>
+#include <fmt/format.h>
+
+#include <memory>
+#include <sstream>
+
+#include "core/base/error.h"
+
+namespace loomlight {
+namespace {
+
+constexpr double kPoints = 72 / 25.4;  ///< in a millimetre
+
+cairo_status_t append(void* closure, const unsigned char* data, unsigned int length) {
+  static_cast<std::string*>(closure)->append(reinterpret_cast<const char*>(data), length);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+void choose(cairo_t* canvas, const Paper::Font& font) {
+  cairo_select_font_face(canvas, "sans-serif", CAIRO_FONT_SLANT_NORMAL,
+                         font.bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+  cairo_set_font_size(canvas, font.size_mm);
+  cairo_set_source_rgb(canvas, font.grey, font.grey, font.grey);
+}
+
+}  // namespace
+
+Paper::Paper(double width_mm, double height_mm, double pixels_per_mm)
+    : isPdf_(pixels_per_mm <= 0),
+      surface_(isPdf_ ? cairo_pdf_surface_create_for_stream(append, &bytes_, width_mm * kPoints, height_mm * kPoints)
+                      : cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(width_mm * pixels_per_mm),
+                                                   static_cast<int>(height_mm * pixels_per_mm))),
+      canvas_(cairo_create(surface_)) {
+  const double unit = isPdf_ ? kPoints : pixels_per_mm;
+  cairo_scale(canvas_, unit, unit);
+  if (isPdf_) return;
+  cairo_set_source_rgb(canvas_, 1, 1, 1);
+  cairo_paint(canvas_);
+}
+
+Paper::~Paper() {
+  cairo_destroy(canvas_);
+  cairo_surface_destroy(surface_);
+}
+
+double Paper::width(const std::string& text, const Font& font) {
+  choose(canvas_, font);
+  cairo_text_extents_t extents;
+  cairo_text_extents(canvas_, text.c_str(), &extents);
+  return extents.x_advance;
+}
+
+double Paper::text(double x, double y, const std::string& text, const Font& font, double room_mm) {
+  std::string shown = text;
+  if (room_mm > 0 && width(shown, font) > room_mm) {
+    const std::string ellipsis = "\xE2\x80\xA6";
+    while (!shown.empty() && width(shown + ellipsis, font) > room_mm) {
+      while (!shown.empty() && (static_cast<unsigned char>(shown.back()) & 0xC0) == 0x80) shown.pop_back();
+      if (!shown.empty()) shown.pop_back();
+    }
+    shown += ellipsis;
+  }
+  choose(canvas_, font);
+  cairo_move_to(canvas_, x, y);
+  cairo_show_text(canvas_, shown.c_str());
+  return x + width(shown, font);
+}
+
+double Paper::paragraph(double x, double y, const std::string& text, const Font& font, double room_mm, int mostLines) {
+  std::istringstream words(text);
+  std::string line, word;
+  const double step = 1.3 * font.size_mm;
+  int lines = 0;
+  while (lines < mostLines && words >> word) {
+    const std::string longer = line.empty() ? word : line + " " + word;
+    if (line.empty() || width(longer, font) <= room_mm) {
+      line = longer;
+      continue;
+    }
+    if (lines + 1 == mostLines) {
+      line = longer;  // cut off below
+      break;
+    }
+    this->text(x, y + step * lines++, line, font);
+    line = word;
+  }
+  if (!line.empty()) this->text(x, y + step * lines++, line, font, room_mm);
+  return y + step * lines;
+}
+
+void Paper::line(double x0, double y0, double x1, double y1, double width_mm, double grey) {
+  cairo_set_source_rgb(canvas_, grey, grey, grey);
+  cairo_set_line_width(canvas_, width_mm);
+  cairo_move_to(canvas_, x0, y0);
+  cairo_line_to(canvas_, x1, y1);
+  cairo_stroke(canvas_);
+}
+
+void Paper::fill(double x, double y, double width, double height, const Rgb& srgb) {
+  cairo_set_source_rgb(canvas_, srgb.r, srgb.g, srgb.b);
+  cairo_rectangle(canvas_, x, y, width, height);
+  cairo_fill(canvas_);
+}
+
+void Paper::picture(double x, double y, double width, double height, const Pixels8& pixels) {
+  const std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> image(
+      cairo_image_surface_create(CAIRO_FORMAT_RGB24, pixels.width, pixels.height), cairo_surface_destroy);
+  if (cairo_surface_status(image.get()) != CAIRO_STATUS_SUCCESS) throw std::bad_alloc();
+  unsigned char* const rows = cairo_image_surface_get_data(image.get());
+  const int stride = cairo_image_surface_get_stride(image.get());
+  for (int row = 0; row < pixels.height; ++row) {
+    auto* const out = reinterpret_cast<uint32_t*>(rows + static_cast<ptrdiff_t>(row) * stride);
+    const uint8_t* in = &pixels.bytes[3 * static_cast<size_t>(row) * static_cast<size_t>(pixels.width)];
+    for (int column = 0; column < pixels.width; ++column, in += 3)
+      out[column] = static_cast<uint32_t>(in[0]) << 16 | static_cast<uint32_t>(in[1]) << 8 | in[2];
+  }
+  cairo_surface_mark_dirty(image.get());
+  cairo_save(canvas_);
+  cairo_translate(canvas_, x, y);
+  cairo_scale(canvas_, width / pixels.width, height / pixels.height);
+  cairo_set_source_surface(canvas_, image.get(), 0, 0);
+  cairo_paint(canvas_);
+  cairo_restore(canvas_);
+}
+
+void Paper::draw(double x, double y, const std::function<void(cairo_t*)>& how) {
+  cairo_save(canvas_);
+  cairo_translate(canvas_, x, y);
+  cairo_scale(canvas_, 1 / kPoints, 1 / kPoints);
+  how(canvas_);
+  cairo_restore(canvas_);
+}
+
+std::string Paper::bytes(const std::string& file) {
+  if (isPdf_) {
+    cairo_surface_show_page(surface_);
+    cairo_surface_finish(surface_);
+  } else {
+    cairo_surface_write_to_png_stream(surface_, append, &bytes_);
+  }
+  for (const cairo_status_t status : {cairo_status(canvas_), cairo_surface_status(surface_)})
+    if (status != CAIRO_STATUS_SUCCESS && status != CAIRO_STATUS_SURFACE_FINISHED)
+      throw InputError(fmt::format("{}: expected to draw the sheet, got: {}", file, cairo_status_to_string(status)));
+  return bytes_;
+}
+
+}  // namespace loomlight

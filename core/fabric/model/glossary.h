@@ -1,0 +1,158 @@
+#pragma once
+
+/// The words of the trade, as weavers, spinners and dyers use them (WIF 1.1 for drafts, ISO 2 and ISO 8159 for twist
+/// and plies, ISO 3572 and ISO 8388 for weaves and fabrics). Labels come from here, so that a thing is called one name
+/// everywhere, and another language needs one file. The help explains the physics where the trade has no word for it.
+namespace loomlight {
+
+struct Word {
+  const char* label;
+  const char* help = "";
+};
+
+namespace words {
+
+// Fibre
+inline constexpr Word fibreName{"Fibre", "What this fibre is called."};
+inline constexpr Word fibreRadius{"Radius", "Half the thickness of one fibre, as if it were round."};
+inline constexpr Word fibreDensity{"Density", "Mass of the fibre's substance."};
+inline constexpr Word fibreFineness{"Fineness",
+                                    "Mass of ten kilometres of one fibre. May be typed as 1.5 den too, or by its "
+                                    "thickness, as wool is sold: 18.5 mic."};
+inline constexpr Word refractiveIndex{
+    "Refractive index", "How strongly the fibre bends and mirrors light; textile fibres lie between 1.46 and 1.6."};
+inline constexpr Word depthOfShade{
+    "Depth of shade",
+    "How deep the dyeing is: light that the dye absorbs on its way inside the fibre (absorption, 1/mm), for red, green "
+    "and blue."};
+inline constexpr Word depthRed{"Depth, red", depthOfShade.help};
+inline constexpr Word depthGreen{"Depth, green", depthOfShade.help};
+inline constexpr Word depthBlue{"Depth, blue", depthOfShade.help};
+inline constexpr Word lustreAlong{
+    "Lustre along",
+    "How far highlights spread along the fibre: low is lustrous, high is matt (longitudinal roughness, beta_m)."};
+inline constexpr Word lustreAround{
+    "Lustre around",
+    "How far light spreads around the fibre; irregular sections have much of it (azimuthal roughness, beta_n)."};
+inline constexpr Word scaleTilt{"Scale tilt", "Tilt of the surface scales; wool has 2 to 3 degrees."};
+inline constexpr Word fibreSection{"Section", "Shape of the fibre, cut across."};
+inline constexpr Word looseStock{"Loose stock",
+                                 "The colour of a thick mass of this fibre, as dyers match loose stock; sRGB with the "
+                                 "white of daylight (D65). Cloth "
+                                 "that light goes through is darker over black."};
+inline constexpr Word inThisCloth{
+    "In this cloth",
+    "The colour that the cloth should have where this fibre lies on top. The dye for it is found by walking light "
+    "through this very construction."};
+
+// Yarn
+inline constexpr Word yarnName{"Yarn", "What this yarn is called; where it has no name, its colour and its count."};
+inline constexpr Word yarnFibre{"Fibre", "The fibre it is spun of: a number in the list, from 0."};
+inline constexpr Word blendedWith{"Blended with",
+                                  "A second fibre that is spun together with the first: a number in the list, from 0."};
+inline constexpr Word blendShare{"Share", "How much of the yarn's mass is the second fibre."};
+inline constexpr Word count{"Count", "How thick the yarn is: grams of one kilometre."};
+inline constexpr Word fibresInSingle{"Fibres/single",
+                                     "Number of fibres in one single; where it is given, the count follows from it."};
+inline constexpr Word plies{"Plies", "How many singles are twisted together; 1 is a single yarn."};
+inline constexpr Word twist{"Twist", "Turns of the fibres about the axis of the yarn."};
+inline constexpr Word singlesTwist{"Singles twist", "Turns of the fibres about the axis of their single."};
+inline constexpr Word singlesWay{"Singles way", "Fibres on the near side slant like this letter."};
+inline constexpr Word twistWay{"Twist way", "Fibres on the near side slant like this letter."};
+inline constexpr Word plyTwist{"Ply twist", "Turns of the singles about each other (folding twist)."};
+inline constexpr Word plyWay{"Ply way", "Singles on the near side slant like this letter."};
+inline constexpr Word cabledFrom{"Cabled from",
+                                 "How many plied yarns are twisted together once more; 1 is a plied yarn, no cable."};
+inline constexpr Word cableTwist{"Cable twist", "Turns of the plied yarns of a cable about each other."};
+inline constexpr Word cableWay{"Cable way", "Plied yarns on the near side slant like this letter."};
+inline constexpr Word compactness{
+    "Compactness",
+    "Share of a single's section that is fibre, the rest is air (packing density): soft yarns 0.3, ring-spun 0.55, "
+    "filament 0.7."};
+inline constexpr Word diameter{"Diameter",
+                               "Of the yarn as if it were round and lay free. It follows from count and compactness; "
+                               "set it where it was measured, "
+                               "and the compactness follows."};
+inline constexpr Word flattening{
+    "Flattening", "How readily the yarn's section flattens in the cloth: 1.2 as most do, more for a wider one."};
+inline constexpr Word hairiness{"Hairiness", "Loose fibre ends and loops on one millimetre of yarn."};
+inline constexpr Word hairLength{"Hair length", "How far loose fibres reach."};
+inline constexpr Word fibreInterchange{
+    "Interchange",
+    "How far fibres wander between the core and the surface of the yarn, which holds it together (fibre migration)."};
+inline constexpr Word parallelism{"Fibre straying",
+                                  "How far fibres stray from lying side by side: filaments 1, compact and worsted "
+                                  "yarns 4 to 5, ring-spun cotton 6 to "
+                                  "9, rotor and woollen yarns 11 to 15."};
+inline constexpr Word fibreLayout{
+    "Fibre layout", "How fibres lie in the section: at random, overlaps allowed, or side by side without overlap."};
+
+// Draft and loom
+inline constexpr Word threading{"Threading"};
+inline constexpr Word tieUp{"Tie-up"};
+inline constexpr Word treadling{"Treadling"};
+inline constexpr Word liftplan{"Liftplan"};
+inline constexpr Word shafts{"Shafts", "Frames that lift the ends threaded on them. Fewer leave ends on none."};
+inline constexpr Word treadles{"Treadles", "Pedals that move the shafts tied to them."};
+inline constexpr Word loomShafts{"Loom shafts", "What your loom has: a weave that takes more of them is a jacquard."};
+inline constexpr Word loomTreadles{"Loom treadles",
+                                   "What your loom has: a weave that takes more of them gets a liftplan."};
+inline constexpr Word risingShed{"Rising shed", "Tied shafts are raised; in a sinking shed they are pulled down."};
+inline constexpr Word wifDraft{"WIF draft", "A draft as weaving programs exchange it (Weaving Information File)."};
+inline constexpr Word rotate{"Rotate 90\xC2\xB0 right"};
+inline constexpr Word mirrorWarp{"Mirror horizontally"};
+inline constexpr Word mirrorWeft{"Mirror vertically"};
+inline constexpr Word checkFloats{"Check floats", "Marks threads that float too far, and lists them."};
+inline constexpr Word backOfCloth{"Back of the cloth", "The cloth and its draft from behind, turned over like a page."};
+
+// Colour orders
+inline constexpr Word warpOrder{"Warp order"};
+inline constexpr Word weftOrder{"Weft order"};
+inline constexpr Word threadOrder{
+    "Order",
+    "Which yarns the threads are of, repeating: 4A 2B is four of the first yarn, then two of the second; 3(4A "
+    "2B) is that three times. Enter takes it."};
+inline constexpr Word doubleThreads{"Double", "Every thread twice: stripes become twice as wide."};
+inline constexpr Word copyWeft{"Copy from weft", "The same order both ways, as in a tartan."};
+inline constexpr Word copyWarp{"Copy from warp", copyWeft.help};
+inline constexpr Word stripes{"Stripes", "Each stripe of the order, by its threads or by its width."};
+inline constexpr Word balance{"Balance to the repeat",
+                              "Makes the last stripe longer, so that the order repeats with the weave."};
+inline constexpr Word randomStripes{
+    "Random stripes",
+    "Another order each time, with as much of each yarn as the present one; undo brings back the last."};
+
+// Cloth
+inline constexpr Word clothName{"Name", "What this cloth is called."};
+inline constexpr Word description{"Description", "Anything worth saying about it."};
+inline constexpr Word ends{"Ends", "Warp yarns, side by side on one centimetre."};
+inline constexpr Word picks{"Picks", "Weft yarns, side by side on one centimetre."};
+inline constexpr Word press{"Pressing",
+                            "How the cloth was finished: 0 washed and relaxed, 0.5 pressed, 1 calendered, thin and "
+                            "flat."};
+inline constexpr Word crimpBalance{
+    "Crimp balance", "Above 1 the warp takes more of the crimp, below 1 the weft; at 1 stiffness and sett decide."};
+inline constexpr Word mass{"Mass", "What one square metre weighs, from counts, sett and crimp."};
+inline constexpr Word thickness{"Thickness", "From the lowest to the highest fibre, loose hairs left out."};
+inline constexpr Word weaveRepeat{"Weave repeat", "Threads and size of one repeat of the weave."};
+inline constexpr Word weaveSize{"Weave size"};
+inline constexpr Word patternSize{"Pattern size"};
+inline constexpr Word patternRepeat{"Pattern repeat",
+                                    "Threads and size until the weave and the orders of colours repeat together."};
+inline constexpr Word warpCover{"Warp cover factor",
+                                "Peirce's factor: ends per inch over the square root of the cotton count. At 28 round "
+                                "yarns touch; most cloths lie near 12."};
+inline constexpr Word weftCover{"Weft cover factor",
+                                "Peirce's factor: picks per inch over the square root of the cotton count. At 28 round "
+                                "yarns touch; most cloths lie near 12."};
+inline constexpr Word clothCover{
+    "Cloth cover factor",
+    "Both together, less what lies over each other: K1 + K2 - K1 K2 / 28. The cover of the status bar is another "
+    "figure: the share of the area that yarns hide, seen from straight above."};
+inline constexpr Word longestWarpFloat{
+    "Longest warp float", "The most picks that an end passes over or under without interlacing: long floats snag."};
+inline constexpr Word longestWeftFloat{
+    "Longest weft float", "The most ends that a pick passes over or under without interlacing: long floats snag."};
+
+}  // namespace words
+}  // namespace loomlight

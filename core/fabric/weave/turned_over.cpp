@@ -1,0 +1,15 @@
+#include "core/fabric/weave/turned_over.h"
+
+#include "core/fabric/weave/thread_sequence.h"
+#include "core/fabric/weave/weave_edit.h"
+
+namespace loomlight {
+
+Fabric turnedOver(Fabric fabric) {
+  fabric.draft.reset();
+  fabric.weave = inverted(mirroredEnds(fabric.weave));
+  fabric.warpSequence = reversed(fabric.warpSequence);
+  return fabric;
+}
+
+}  // namespace loomlight

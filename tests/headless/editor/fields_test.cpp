@@ -1,0 +1,177 @@
+/// Typing: where Tab goes, what Enter and Esc do, what one undo takes back, and what is no edit at all.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/headless/editor/weaver.h"
+
+namespace loomlight {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class Fields : public testing::Test {
+ protected:
+  Fields() {
+    editor.start(smallTwill());
+    editor.click("tab.cloth");
+  }
+  void listens() {
+    editor.until("a field listens", [&] { return editor.fact("text_input") == "yes"; });
+  }
+  /// In the place of what the open field has.
+  void types(const std::string& text) {
+    listens();
+    editor.key("ctrl+a");
+    editor.type(text);
+  }
+  HeadlessEditor editor{{1280, 900, 1}};
+};
+
+TEST_F(Fields, TabWalksThroughNumbersAndRenamesNothing) {
+  editor.click("cloth.ends_per_cm");
+  types("31");
+  editor.key("Tab");
+  types("20");
+  editor.key("Tab");
+  types("0.25");
+  editor.hold("shift");
+  editor.key("Tab");
+  editor.let("shift");
+  types("21");
+  editor.key("Return");
+  const Fabric fabric = editor.saved();
+  EXPECT_EQ(fabric.ends_per_cm, 31);
+  EXPECT_EQ(fabric.picks_per_cm, 21);
+  EXPECT_EQ(fabric.press, 0.25);
+  EXPECT_EQ(fabric.name, "Blue cloth");
+  EXPECT_TRUE(editor.shows("draft.select")) << "the panels are gone";
+}
+
+TEST_F(Fields, TabGoesOnFromANameAndFromWhereEnterWasPressed) {
+  editor.click("cloth.name");
+  types("Serge");
+  editor.key("Tab");
+  types("29");
+  editor.key("Return");
+  editor.until("Enter commits", [&] { return editor.fact("text_input") == "no"; });
+  editor.key("Tab");
+  types("19");
+  editor.key("Return");
+  const Fabric fabric = editor.saved();
+  EXPECT_EQ(fabric.name, "Serge");
+  EXPECT_EQ(fabric.ends_per_cm, 29);
+  EXPECT_EQ(fabric.picks_per_cm, 19);
+}
+
+TEST_F(Fields, EscapeRestoresANumber) {
+  const double before = smallTwill().ends_per_cm;
+  editor.click("cloth.ends_per_cm");
+  types("77");
+  editor.key("Escape");
+  EXPECT_EQ(editor.saved().ends_per_cm, before);
+}
+
+TEST_F(Fields, OneUndoTakesBackOneField) {
+  const double before = smallTwill().ends_per_cm;
+  editor.click("cloth.name");
+  types("Serge");
+  editor.key("Tab");
+  types("31");
+  editor.edits("Enter commits", [&] { editor.key("Return"); });
+  editor.edits("undo", [&] { editor.key("ctrl+z"); });
+  const Fabric fabric = editor.saved();
+  EXPECT_EQ(fabric.ends_per_cm, before);
+  EXPECT_EQ(fabric.name, "Serge") << "one undo has taken back two edits";
+}
+
+/// The click that leaves a field is itself an edit.
+TEST_F(Fields, OneUndoTakesBackAStrokeAndNotTheNumberBeforeIt) {
+  Weaver weaver(editor);
+  editor.click("cloth.ends_per_cm");
+  types("31");
+  editor.edits("a crossing is turned over", [&] { editor.clickAt(weaver.crossing(0, 0)); });
+  editor.until("the number is taken", [&] { return editor.saved().ends_per_cm == 31; });
+  const Rows painted = weaver.rows();
+  weaver.undo();
+  const Fabric once = editor.saved();
+  EXPECT_NE(rowsOf(once.weave) == painted, once.ends_per_cm == 31) << "one undo has taken back both, or none";
+}
+
+TEST_F(Fields, ASnapshotIsNoEdit) {
+  editor.key("ctrl+p");
+  editor.enter("snapshot.width", "200");
+  editor.enter("snapshot.samples_per_pixel", "1");
+  editor.key("Escape");
+  EXPECT_EQ(editor.fact("dirty"), "no");
+  editor.edits("an edit", [&] { editor.enter("cloth.ends_per_cm", "27"); });
+  const Fabric saved = editor.saved();
+  EXPECT_EQ(saved.render.width, 200) << "the size is remembered all the same";
+}
+
+/// Pixels or mm: nothing moves under the mouse, so that a second click means what the first one meant.
+TEST_F(Fields, AChangeOfUnitsMovesNoRow) {
+  editor.key("ctrl+p");
+  const HeadlessEditor::Rect before = editor.rect("snapshot.size_in/Print, mm"), file = editor.rect("snapshot.file");
+  editor.click("snapshot.size_in/Print, mm");
+  editor.until("sizes are in mm", [&] { return editor.shows("snapshot.width_mm"); });
+  EXPECT_EQ(editor.rect("snapshot.size_in/Print, mm"), before);
+  EXPECT_EQ(editor.rect("snapshot.file"), file);
+}
+
+class Orders : public Fields {
+ protected:
+  Orders() { editor.click("draft.tab_colours"); }
+  std::vector<int> warp() { return editor.saved().warpSequence; }
+};
+
+TEST_F(Orders, AYarnThatIsNotThereIsRefusedAndOffered) {
+  ASSERT_EQ(smallTwill().yarns.size(), 2u);
+  const std::vector<int> before = warp();
+  editor.enter("draft.warp_order", "6A 4C");
+  editor.until("it is refused", [&] { return editor.fact("draft.warp_order_problem") == "There is no yarn C yet."; });
+  EXPECT_EQ(warp(), before) << "a part of it was taken";
+  editor.edits("the yarn is added", [&] { editor.click("draft.warp_order_add"); });
+  const Fabric fabric = editor.saved();
+  EXPECT_THAT(fabric.warpSequence, ElementsAre(0, 0, 0, 0, 0, 0, 2, 2, 2, 2));
+  EXPECT_EQ(fabric.yarns.size(), 3u);
+  EXPECT_EQ(editor.fact("draft.warp_order_problem"), "");
+}
+
+TEST_F(Orders, WhatIsNoOrderIsRefusedAloudAndStaysToBeMended) {
+  const std::vector<int> before = warp();
+  editor.enter("draft.warp_order", "4A 2(B");
+  editor.until("it is refused", [&] { return !editor.fact("draft.warp_order_problem").empty(); });
+  EXPECT_EQ(warp(), before);
+  editor.click("draft.warp_order");
+  editor.type(")");
+}
+
+TEST_F(Orders, StripesAreSetByThreadsOrByWidth) {
+  editor.edits("an order", [&] { editor.enter("draft.warp_order", "4A 6B"); });
+  const HeadlessEditor::Rect tab = editor.rect("draft.tab_structures");
+  const ImVec2 page(tab.x1, tab.y1 + 60);
+  const auto scrolledTo = [&](const std::string& row) {
+    while (!editor.shows(row) || editor.rect(row).y1 > editor.screen().y - 240) editor.wheelAt(page, -1);
+  };
+  scrolledTo("order.stripes");
+  editor.click("order.stripes");
+  scrolledTo("order.stripe_1_cm");
+  editor.edits("threads", [&] { editor.enter("order.stripe_0_threads", "8"); });
+  EXPECT_THAT(warp(), ElementsAre(0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1));
+  editor.edits("a width, to whole threads", [&] { editor.enter("order.stripe_1_cm", "0.25"); });
+  EXPECT_EQ(warp().size(), 8 + std::lround(0.25 * smallTwill().ends_per_cm));
+}
+
+TEST_F(Orders, AnOrderIsOneStepOfUndo) {
+  const std::vector<int> before = warp();
+  editor.edits("an order", [&] { editor.enter("draft.warp_order", "4(2A 2B) 3A 4B"); });
+  EXPECT_EQ(warp().size(), 23u);
+  editor.edits("undo", [&] { editor.key("ctrl+z"); });
+  EXPECT_EQ(warp(), before);
+}
+
+}  // namespace
+}  // namespace loomlight

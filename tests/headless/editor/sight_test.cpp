@@ -1,0 +1,132 @@
+/// How the cloth is looked at: as large as it is, flat, from behind; its floats one by one; a tile and what it is
+/// large.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/fabric/yarn/derived.h"
+#include "tests/headless/editor/weaver.h"
+
+namespace loomlight {
+namespace {
+
+using testing::EndsWith;
+using testing::HasSubstr;
+
+class Sight : public testing::Test {
+ protected:
+  Sight() { editor.start(smallTwill()); }
+  void view(const std::string& item) {
+    editor.click("menu.view");
+    editor.click(item);
+  }
+  /// Millimetres of cloth on a millimetre of a display of 96 pixels to the inch.
+  double scale() {
+    const Camera camera = editor.saved().camera;
+    const HeadlessEditor::Rect r = editor.rect("viewport");
+    const double seen_mm = 2 * camera.distance_mm * std::tan(camera.fov_deg * kPi / 360);
+    return seen_mm / ((r.y1 - r.y0) / (96 / 25.4));
+  }
+  HeadlessEditor editor{{1280, 900, 1}};
+  Weaver weaver{editor};
+};
+
+TEST_F(Sight, ActualSizeIsActualAndStraightFromAbove) {
+  editor.key("ctrl+1");
+  EXPECT_NEAR(scale(), 1, 1e-3);
+  EXPECT_EQ(editor.saved().camera.elevation_deg, 90);
+  editor.key("ctrl+0");
+  EXPECT_LT(scale(), 0.5) << "a piece of 4 mm fills the window";
+}
+
+/// A ruler reads 25 mm of what is believed to be 50: the display is twice as fine.
+TEST_F(Sight, ARulerCorrectsActualSize) {
+  editor.click("menu.edit");
+  editor.click("menu.preferences");
+  editor.enter("preferences.ruler", "25");
+  editor.click("preferences.close");
+  editor.key("ctrl+1");
+  EXPECT_NEAR(scale(), 0.5, 1e-3);
+}
+
+TEST_F(Sight, SoManyRepeatsOrCentimetresLieFlat) {
+  view("menu.flat");
+  editor.edits("four repeats", [&] { editor.click("menu.flat_repeats"); });
+  const Fabric repeats = editor.saved();
+  EXPECT_EQ(repeats.drape.kind, DrapeKind::flat);
+  EXPECT_NEAR(repeats.drape.width_mm, 4.0 * static_cast<double>(patternEnds(repeats)) * repeats.warpPitch_mm(), 1e-9);
+  view("menu.flat");
+  editor.edits("ten centimetres", [&] { editor.click("menu.flat_10cm"); });
+  EXPECT_EQ(editor.saved().drape.height_mm, 100);
+}
+
+/// With the draft the cloth is turned over: what is under the mouse is the same crossing, seen from behind.
+TEST_F(Sight, BackTurnsTheClothToo) {
+  editor.key("1");
+  editor.untilPictured();
+  const uint64_t generation = editor.number("generation");
+  const Rows before = weaver.rows();
+  editor.click("draft.back");
+  editor.until("the cloth is pictured anew", [&] { return editor.number("generation") > generation; });
+  editor.untilPictured();
+  EXPECT_EQ(editor.fact("error"), "");
+  EXPECT_EQ(weaver.rows(), before) << "looking from behind has edited the cloth";
+  EXPECT_EQ(editor.fact("dirty"), "no");
+  editor.click("draft.back");
+  editor.untilPictured();
+}
+
+TEST_F(Sight, FloatsAreListedAndGoneThrough) {
+  weaver.takes("Satin 8");
+  editor.click("draft.floats");
+  editor.enter("draft.long_float", "1");
+  const double pitch_mm = std::max(smallTwill().warpPitch_mm(), smallTwill().weftPitch_mm());
+  ASSERT_GT(7 * pitch_mm, 1);
+  editor.until("eight warp floats and eight weft floats are counted",
+               [&] { return editor.fact("draft.floats_shown") == "16 floats"; });
+  editor.click("draft.float_next");
+  editor.until("the first is looked at", [&] { return editor.fact("draft.floats_shown") == "1 of 16"; });
+  editor.click("draft.float_before");
+  editor.until("the last is looked at", [&] { return editor.fact("draft.floats_shown") == "16 of 16"; });
+  editor.enter("draft.long_float", "9");
+  editor.until("none is longer", [&] { return editor.fact("draft.floats_shown") == "none"; });
+}
+
+TEST_F(Sight, ATileSaysHowLargeItIsAndWhenItHasTooFewPixels) {
+  editor.click("menu.file");
+  editor.click("menu.export");
+  editor.click("menu.export_tile");
+  editor.until("its size is known", [&] { return editor.fact("tile.size_mm").ends_with("mm"); });
+  editor.click("tile.twist/Off");
+  editor.until("weave and colours alone", [&] { return editor.fact("tile.repeats") == "1 \u00d7 1"; });
+  EXPECT_EQ(editor.fact("tile.few_pixels"), "no");
+  EXPECT_GE(std::stod(editor.fact("tile.per_thread")), 16);
+  editor.enter("tile.size", "16");
+  editor.until("four pixels a thread are few", [&] { return editor.fact("tile.few_pixels") == "yes"; });
+}
+
+TEST_F(Sight, ASnapshotSaysHowMuchClothItShows) {
+  editor.key("ctrl+p");
+  editor.click("snapshot.size_in/Print, mm");
+  editor.enter("snapshot.width_mm", "60");
+  editor.enter("snapshot.height_mm", "40");
+  editor.click("snapshot.scale/1 : 1");
+  editor.until("as much cloth as paper", [&] {
+    return editor.fact("snapshot.cloth").starts_with("60.") && editor.fact("snapshot.cloth").ends_with("40.0 mm");
+  });
+  editor.click("snapshot.scale/As seen");
+}
+
+TEST_F(Sight, AnotherYarnToPaintWith) {
+  EXPECT_EQ(editor.fact("yarn"), "0");
+  editor.character("]");
+  editor.until("the next yarn", [&] { return editor.fact("yarn") == "1"; });
+  editor.key("x");
+  editor.until("the one before", [&] { return editor.fact("yarn") == "0"; });
+  editor.character("[");
+  editor.until("round to the last", [&] { return editor.fact("yarn") == "1"; });
+}
+
+}  // namespace
+}  // namespace loomlight

@@ -1,0 +1,146 @@
+#include "ui/draft/order_field.h"
+
+#include <fmt/core.h>
+#include <imgui_internal.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/fabric/model/validate.h"
+#include "core/fabric/weave/thread_order.h"
+#include "core/fabric/yarn/yarn_edit.h"
+#include "core/fabric/yarn/yarn_name.h"
+#include "ui/widgets/field_row.h"
+
+namespace loomlight {
+namespace {
+
+// A jacquard's order could be sixteen thousand letters long: it is shown, but only the bars edit it.
+constexpr size_t kLongest = 4096;
+
+/// Breaks the lines of a text at blanks, which keep their number: the cursor stays where it is.
+void breakLines(char* text, int length, float width) {
+  std::replace(text, text + length, '\n', ' ');
+  int lineStart = 0, lastBlank = -1;
+  for (int i = 0; i <= length; ++i) {
+    if (i < length && text[i] != ' ') continue;
+    if (ImGui::CalcTextSize(text + lineStart, text + i).x > width && lastBlank > lineStart) {
+      text[lastBlank] = '\n';
+      lineStart = lastBlank + 1;
+    }
+    lastBlank = i;
+  }
+}
+
+int breakWhileTyped(ImGuiInputTextCallbackData* data) {
+  breakLines(data->Buf, data->BufTextLen, *static_cast<const float*>(data->UserData));
+  data->BufDirty = true;
+  return 0;
+}
+
+/// The order of a text, or why there is none, said in `typing`.
+std::optional<std::vector<int>> taken(const std::string& text, int yarns, OrderText& typing) {
+  typing.problem.clear();
+  typing.wanted.clear();
+  try {
+    std::vector<int> sequence = threadOrderFromText(text, kMaxKinds, kMaxSequence);
+    const int most = *std::max_element(sequence.begin(), sequence.end());
+    if (most < yarns) return sequence;
+    typing.problem = fmt::format("There is no yarn {} yet.", yarnLetters(yarns));
+    typing.wanted = std::move(sequence);
+  } catch (const InputError& error) {
+    typing.problem = error.what();
+    typing.problem.front() = 'E';  // "expected ..."
+    typing.problem += '.';
+  }
+  return std::nullopt;
+}
+
+/// What the order comes to, in threads and mm; or what is wrong, and the way out.
+std::optional<Fabric> lineBelow(Ui& ui, const std::string& id, const Fabric& fabric, std::vector<int> Fabric::* system,
+                                double pitch_mm, OrderText& typing) {
+  std::optional<Fabric> edited;
+  const float top = ImGui::GetCursorPosY(), height = ImGui::GetFrameHeight();
+  const std::vector<int>& sequence = fabric.*system;
+  const std::string comesTo =
+      fmt::format("{} threads \xC2\xB7 {:.1f} mm", sequence.size(), pitch_mm * static_cast<double>(sequence.size()));
+  const bool fails = !typing.problem.empty();
+  const float offer = typing.wanted.empty() ? 0 : ui.px(104);
+  ImGui::AlignTextToFramePadding();
+  const std::string& said = fails ? typing.problem : comesTo;
+  ImGui::TextColored(fails ? ui.theme.error : ui.theme.textQuiet, "%s",
+                     shortened(said, ImGui::GetContentRegionAvail().x - offer).c_str());
+  ui.probe.recordItem(id + "_line");
+  ui.probe.fact(id + "_problem", typing.problem);
+  tooltipFor(ui, (id + "_line").c_str(), ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), said.c_str());
+  if (offer > 0) {
+    const int last = *std::max_element(typing.wanted.begin(), typing.wanted.end());
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - offer);
+    if (button(ui, (id + "_add").c_str(), "Add the yarn", offer, true,
+               "Adds what the order names beyond the yarns that there are, each a copy of the last one")) {
+      edited = fabric;
+      while (static_cast<int>(edited->yarns.size()) <= last)
+        edited = withYarnCopied(*edited, static_cast<int>(edited->yarns.size()) - 1);
+      (*edited).*system = typing.sequence = typing.wanted;
+      typing.problem.clear();
+      typing.wanted.clear();
+    }
+  }
+  ImGui::SetCursorPosY(top + height + ui.px(4));
+  return edited;
+}
+
+}  // namespace
+
+std::optional<Fabric> orderField(Ui& ui, const RowText& text, const Fabric& fabric, std::vector<int> Fabric::* system,
+                                 double pitch_mm, OrderText& typing) {
+  const std::vector<int>& sequence = fabric.*system;
+  if (!typing.open && typing.sequence != sequence) typing = {false, false, threadOrderText(sequence), sequence, {}, {}};
+  ImGui::TextDisabled("%s", text.label);
+  const float width = ImGui::GetContentRegionAvail().x;
+  float room = width - 2 * ImGui::GetStyle().FramePadding.x - ui.px(8);
+  std::string shown = typing.text;
+  const bool tooLong = shown.size() > kLongest;
+  if (tooLong) shown = fmt::format("{} threads", sequence.size());
+  breakLines(shown.data(), static_cast<int>(shown.size()), room);
+  const auto lines = static_cast<float>(1 + std::count(shown.begin(), shown.end(), '\n'));
+  const ImVec2 size(width, std::min(lines, 6.0f) * ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().FramePadding.y);
+  const ImVec2 min = ImGui::GetCursorScreenPos(), max(min.x + size.x, min.y + size.y);
+  ImGui::PushID(text.id.c_str());
+  ImGui::PushItemFlag(ImGuiItemFlags_NoTabStop, true);
+  const ImGuiInputTextFlags flags = ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CtrlEnterForNewLine |
+                                    ImGuiInputTextFlags_NoHorizontalScroll | ImGuiInputTextFlags_CallbackAlways |
+                                    (tooLong ? ImGuiInputTextFlags_ReadOnly : 0);
+  const bool entered = ImGui::InputTextMultiline("##text", &shown, size, flags, breakWhileTyped, &room);
+  ImGui::PopItemFlag();
+  ui.memory.walk.pass(ImGui::GetItemID(), panelOfFields(), false);
+  typing.open = ImGui::IsItemActive();
+  const bool left = ImGui::IsItemDeactivated();
+  ImGui::PopID();
+  if (!typing.problem.empty())
+    ImGui::GetWindowDrawList()->AddRect(min, max, packed(ui.theme.error), ImGui::GetStyle().FrameRounding);
+  endRow(ui, text, min, max);
+  std::optional<Fabric> edited;
+  if (!tooLong) {
+    std::replace(shown.begin(), shown.end(), '\n', ' ');
+    const bool changed = shown != typing.text;
+    if (changed) typing.text = shown;
+    if ((entered || left) && (changed || typing.edited)) {
+      typing.edited = false;
+      if (auto order = taken(typing.text, static_cast<int>(fabric.yarns.size()), typing)) {
+        typing.sequence = *order;
+        if (*order != sequence) {
+          edited = fabric;
+          (*edited).*system = std::move(*order);
+        }
+      }
+    } else if (changed) {
+      typing.edited = true;
+    }
+  }
+  auto added = lineBelow(ui, text.id, fabric, system, pitch_mm, typing);
+  return added ? std::move(added) : std::move(edited);
+}
+
+}  // namespace loomlight
