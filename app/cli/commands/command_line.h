@@ -39,11 +39,10 @@ struct TextCommand {
   std::string text;
 };
 
-using Command =
-    std::variant<EditCommand, RenderCommand, InfoCommand, ConvertCommand, BenchCommand, ReportBenchCommand,
-                 EditBenchCommand, ClearBenchCommand, UiBenchCommand, ConvergeBenchCommand, ClothsBenchCommand,
-                 BrdfCommand, CompareCommand, BvdfCommand, TileCommand, SheetCommand, ThumbnailCommand, TraceCommand,
-                 TextCommand>;
+using Command = std::variant<EditCommand, RenderCommand, InfoCommand, ConvertCommand, BenchCommand, ReportBenchCommand,
+                             EditBenchCommand, ClearBenchCommand, UiBenchCommand, ConvergeBenchCommand,
+                             ClothsBenchCommand, BrdfCommand, CompareCommand, BvdfCommand, TileCommand, SheetCommand,
+                             ThumbnailCommand, TraceCommand, TextCommand>;
 
 /// What the words behind the program's name ask for. Throws UsageError.
 Command parseCommandLine(const std::vector<std::string>& words);

@@ -36,7 +36,8 @@ bool ViewService::take(bool showsDifference) {
     shownVisibility_ = std::move(newest);
   }
   std::shared_ptr<const Scene> built = renderer_.scene();
-  if (built != built_ && built->fabric == state_.fabric) stats_.request(state_.fabric, state_.yarn, built);
+  if (built != built_ && built->fabric == state_.fabric)
+    stats_.request(state_.fabric, state_.yarn, built, state_.longFloat_mm);
   built_ = std::move(built);
   std::shared_ptr<const Frame> newest = renderer_.frame();
   if (!newest || newest == frame_) return false;
