@@ -53,12 +53,17 @@ std::optional<FibreLayer::Status> FibreLayer::fulfil(const Wish& wish, const Lay
   deliver_({});  // what was laid before may be gigabytes
   if (!wish.scene) return status;
   turn.bring(status);
-  // Bricks are there at once; the one tree of a piece takes seconds.
-  const bool bricks = wish.scene->cloth->fibres != nullptr;
-  const FibreOptions options(wish.limit_bytes, bricks ? FibreExtent::bricks : FibreExtent::automatic);
+  // Bricks are there at once, while one tree of a piece takes seconds; but of a piece of few cells it takes less
+  // memory.
+  FibreOptions options(wish.limit_bytes);
+  if (wish.scene->cloth->fibres) options.extent = FibreExtent::bricks;
   status.size = planFibres(*wish.scene->cloth, options);
   if (status.size.bytes > wish.limit_bytes) {
-    if (!bricks) status.size = planFibres(*wish.scene->cloth, {wish.limit_bytes, FibreExtent::wholePiece});
+    options.extent = FibreExtent::automatic;
+    status.size = planFibres(*wish.scene->cloth, options);
+  }
+  if (status.size.bytes > wish.limit_bytes) {
+    status.size = planFibres(*wish.scene->cloth, {wish.limit_bytes, FibreExtent::wholePiece});
     status.phase = Status::Phase::tooLarge;
     return status;
   }

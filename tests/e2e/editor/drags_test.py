@@ -27,7 +27,7 @@ def square_fabric(home):
         "fibres": [{"name": "blue", "radius_um": 20, "absorption_per_mm": [50, 20, 4]},
                    {"name": "ecru", "radius_um": 20, "absorption_per_mm": [1, 2, 4]}],
         "drape": {"kind": "flat", "width_mm": 8, "height_mm": 8}, "light": {"kind": "dome"},
-        "camera": {"distance_mm": 64, "elevation_deg": 60}, "render": {"resolution": 1},
+        "camera": {"distance_mm": 64, "elevation_deg": 60}, "render": {"resolution": 1, "estimator": "none"},
     }
     return write_json(home, "drags.json", fabric)
 

@@ -20,9 +20,12 @@ class SharedRefinement : public test::RefiningTest {
 TEST_F(SharedRefinement, TheFilmKnowsNothingOfIt) {
   Refinement shared = sharing(), plain(cloth, kWidth, kHeight, kSlow_s);
   refine(shared, 2);
-  refine(plain, shared.samples());
-  refine(shared, plain.samples());
-  ASSERT_EQ(shared.samples(), plain.samples());
+  // How many samples a pass has hangs on how long they take, so one may go beyond the other, and that one beyond it.
+  while (shared.samples() != plain.samples()) {
+    ASSERT_LT(shared.samples(), 1000u);
+    refine(plain, shared.samples());
+    refine(shared, plain.samples());
+  }
   const Frame frame = shared.frame();
   EXPECT_TRUE(frame.shared);
   EXPECT_FALSE(plain.frame().shared);
