@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/fabric/model/changes.h"
+#include "render/scene/fibre_bricks.h"
 
 namespace loomlight {
 
@@ -41,6 +42,8 @@ void RecentCloths::count(size_t i) {
   if (i >= entries_.size()) return;
   bytes_ -= entries_[i].bytes;
   entries_[i].bytes = entries_[i].volume().bytesBeside(entries_[i - 1].volume());
+  const auto& fibres = entries_[i].fibres();
+  if (fibres && fibres != entries_[i - 1].fibres()) entries_[i].bytes += fibres->bytes();
   bytes_ += entries_[i].bytes;
 }
 

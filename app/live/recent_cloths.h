@@ -18,8 +18,8 @@ struct BuiltCloth {
 /// anew. Cloths of one volume count as one: the newest.
 class RecentCloths {
  public:
-  /// `budget_bytes`: what volumes may take that the newest does not share. Explicit fibres are kept of the newest
-  /// alone.
+  /// `budget_bytes`: what volumes may take, with the bricks of fibres that close-ups have made, that the newest does
+  /// not share. Explicit fibres in one tree are kept of the newest alone.
   explicit RecentCloths(size_t budget_bytes) : budget_bytes_(budget_bytes) {}
 
   /// What a cloth of this fabric is best made from: the newest whose volume and shell it can have as they are, or else
@@ -34,8 +34,9 @@ class RecentCloths {
  private:
   struct Entry {
     BuiltCloth cloth;
-    size_t bytes = 0;  ///< of its volume that the next newer one does not share
+    size_t bytes = 0;  ///< of its volume and bricks of fibres that the next newer one does not share
     const ClothVolume& volume() const { return *cloth.traceable.scene->cloth->volume; }
+    const std::shared_ptr<const FibreBricks>& fibres() const { return cloth.traceable.scene->cloth->fibres; }
   };
   void count(size_t i);
 

@@ -19,13 +19,21 @@ namespace loomlight {
 namespace {}  // namespace
 
 struct FibreBricks::Device {
-  Device() {
+  /// `bytes` counts what it has allocated.
+  explicit Device(std::atomic<int64_t>& bytes) {
 #ifdef LOOMLIGHT_STD_THREADS
     handle = rtcNewDevice("threads=1");  // ThreadSanitizer cannot follow oneTBB's threads
 #else
     handle = rtcNewDevice(nullptr);
 #endif
     if (!handle) throw std::runtime_error("Embree could not start");
+    rtcSetDeviceMemoryMonitorFunction(
+        handle,
+        [](void* user, ssize_t more, bool) {
+          *static_cast<std::atomic<int64_t>*>(user) += more;
+          return true;
+        },
+        &bytes);
   }
   ~Device() { rtcReleaseDevice(handle); }
   Device(const Device&) = delete;
@@ -118,6 +126,10 @@ size_t FibreBricks::made() const {
   return bricks_.size();
 }
 
+size_t FibreBricks::bytes() const {
+  return static_cast<size_t>(bytes_.load());
+}
+
 const FibreBricks::Brick& FibreBricks::brick(const CellKey& key) const {
   Slot* slot = nullptr;
   {
@@ -131,7 +143,7 @@ const FibreBricks::Brick& FibreBricks::brick(const CellKey& key) const {
 }
 
 std::unique_ptr<const FibreBricks::Brick> FibreBricks::make(const CellKey& key) const {
-  std::call_once(started_, [this] { device_ = std::make_unique<Device>(); });
+  std::call_once(started_, [this] { device_ = std::make_unique<Device>(bytes_); });
   auto brick = std::make_unique<Brick>();
   const CellStrands cell = geometry_->strands(key);
   brick->vertices.reserve(cell.points.size());
@@ -164,6 +176,8 @@ std::unique_ptr<const FibreBricks::Brick> FibreBricks::make(const CellKey& key) 
   rtcGetSceneBounds(brick->scene, &bounds);
   brick->lower = {bounds.lower_x, bounds.lower_y, bounds.lower_z};
   brick->upper = {bounds.upper_x, bounds.upper_y, bounds.upper_z};
+  bytes_ += static_cast<int64_t>(brick->vertices.size() * sizeof(glm::vec4) +
+                                 (brick->segments.size() + brick->strandOf.size()) * sizeof(uint32_t));
   return brick;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <mutex>
@@ -30,6 +31,7 @@ class FibreBricks {
   FibreBricks& operator=(const FibreBricks&) = delete;
 
   size_t made() const;                                ///< bricks so far
+  size_t bytes() const;                               ///< that they take
   float thinnest_mm() const { return thinnest_mm_; }  ///< diameter of the thinnest fibres
 
   class Reader;
@@ -48,6 +50,7 @@ class FibreBricks {
   const std::shared_ptr<const ClothGeometry> geometry_;
   const float thinnest_mm_;
   struct Device;
+  mutable std::atomic<int64_t> bytes_{0};
   mutable std::once_flag started_;
   mutable std::unique_ptr<Device> device_;  ///< from the first brick on
   mutable std::mutex mutex_;                ///< over the map; what is in it stays

@@ -111,7 +111,12 @@ TEST(FibreBricks, AreMadeOncePerKeyAndServeAnyWeave) {
   for (int i = 0; i < 5000; ++i) meet(*scene->cloth, reader, rayInto(*scene->cloth->shell, random));
   const size_t made = fibres.made();
   EXPECT_GT(made, 0u);
-  EXPECT_LE(made, scene->cloth->volume->counts().bricks);
+  const VolumeCounts counts = scene->cloth->volume->counts();
+  EXPECT_LE(made, counts.bricks);
+  // A segment has at least a point and a number in the tree, and at most what is planned for one.
+  EXPECT_GT(fibres.bytes(), 20 * counts.segments * made / counts.bricks);
+  EXPECT_LT(static_cast<double>(fibres.bytes()),
+            planFibres(*scene->cloth, {1e9, FibreExtent::bricks}).bytes * 1.05 + 1e6);
 
   fabric.weave = fabric.weave.with(0, 0, !fabric.weave.at(0, 0));
   const auto edited = makeScene(std::make_shared<const Fabric>(fabric), Task{}, scene.get());
