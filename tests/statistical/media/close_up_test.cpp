@@ -64,7 +64,7 @@ TEST(CloseUp, FromNearItIsTheFibresToTheBit) {
 // The same numbers are drawn, so a path differs from the first fibre on that was met otherwise: at the seams of cells,
 // and where roundings part at a fibre's rim. It meets a dozen fibres.
 TEST(CloseUp, BricksTracePathsAsOneTreeDoes) {
-  Fabric fabric = seenAt(0.15);
+  Fabric fabric = seenAt(3);  // several cells
   fabric.render.maxDepth = 8;
   const auto scene = test::sceneOf(fabric);
   const auto tree = FibreMedium::build(scene->cloth, {}, Task{});
