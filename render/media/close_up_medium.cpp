@@ -28,6 +28,7 @@ class CloseUpBatch final : public MediumBatch {
   }
   void collide(std::span<const Flight> flights, std::span<std::optional<Collision>> met, TraceCounts& counts) override {
     for (const Flight& flight : flights) decide(flight);
+    if (!anyAmongFibres_) return groups_[0].batch->collide(flights, met, counts);
     divide(flights);
     for (Group& group : groups_) {
       group.flights.clear();
@@ -41,6 +42,7 @@ class CloseUpBatch final : public MediumBatch {
     batchOf(path).leave(path, met, wi, order);
   }
   void transmit(std::span<ShadowRay> rays, TraceCounts& counts) override {
+    if (!anyAmongFibres_) return groups_[0].batch->transmit(rays, counts);
     divide(std::span<const ShadowRay>(rays));
     for (Group& group : groups_) {
       group.shadows.clear();
@@ -83,7 +85,9 @@ class CloseUpBatch final : public MediumBatch {
     if (path.cone.isLine()) return;
     path.amongFibres = isNear(path, flight);
     path.cone = {};
-    if (path.amongFibres) groups_[1].batch->begin(flight.path, path.from, {});
+    if (!path.amongFibres) return;
+    anyAmongFibres_ = true;
+    groups_[1].batch->begin(flight.path, path.from, {});
   }
 
   bool isNear(const Path& path, const Flight& flight) const {
@@ -100,6 +104,7 @@ class CloseUpBatch final : public MediumBatch {
 
   const TraceData& cloth_;
   std::vector<Path> paths_;
+  bool anyAmongFibres_ = false;  ///< has any path gone there; from afar none does, and nothing is divided
   std::array<Group, 2> groups_;
 };
 

@@ -16,9 +16,8 @@ float closeUpChance(const TraceData& cloth, float width_mm);
 /// voxels would blur them. The nearer, the more of a pixel's paths go among the fibres, so that zooming in has no seam;
 /// a path keeps to one of both, each of which is true to itself. Far away every picture is the volume's to the bit.
 ///
-/// To meet the first fibre itself and then go on in the volume costs half as much, and is wrong by some 10 %: the
-/// surface of a yarn lies in the middle of the voxels that it is blurred over, where half of them shades what leaves
-/// it.
+/// To meet the first fibre itself and then go on in the volume costs less, and is wrong by some 10 %: the surface of a
+/// yarn lies in the middle of the voxels that it is blurred over, where half of them shades what leaves it.
 class CloseUpMedium final : public Medium {
  public:
   explicit CloseUpMedium(std::shared_ptr<const TraceData> cloth);

@@ -14,10 +14,11 @@
 
 namespace loomlight {
 
-/// The fibres of a cloth, laid once for all cells of a key, as voxels are: a brick of fibres is the strands of a yarn
-/// in a cell, as Embree round curves. So there are explicit fibres in cloth of any size and on every drape, for the
-/// memory of the bricks that rays have come to. A brick is made when the first ray comes to it, 5 to 20 ms each; which
-/// is seen nowhere but in time. Safe to ask from many threads, each with a Reader of its own.
+/// The fibres of a cloth's yarns, laid once for all cells of a key, as voxels are: a brick of fibres is the strands of
+/// a yarn in a cell, as Embree round curves. So there are explicit fibres in cloth of any size and on every drape, for
+/// the memory of the bricks that rays have come to. A brick is made when the first ray comes to it, which shows in
+/// nothing but time. Serves every cloth of these yarns (YarnTable::sameShapes()), whatever its weave. Safe to ask from
+/// many threads, each with a Reader of its own.
 class FibreBricks {
  public:
   /// What the bricks of a cloth may take in all, were every one made: some 70 bytes a segment.

@@ -37,27 +37,22 @@ std::vector<PathSample> traced(const Scene& scene, const Medium& medium, uint32_
   return all;
 }
 
-TEST(CloseUp, FromAfarItIsTheVolumeToTheBit) {
-  const auto scene = test::sceneOf(seenAt(5));  // a pixel is 0.2 mm wide
-  const LoomlightMedium volume(scene->cloth);
-  const CloseUpMedium closeUp(scene->cloth);
-  const auto expected = traced(*scene, volume, 2), seen = traced(*scene, closeUp, 2);
+void expectSame(const std::vector<PathSample>& seen, const std::vector<PathSample>& expected) {
   for (size_t i = 0; i < seen.size(); ++i) {
     EXPECT_EQ(seen[i].direct + seen[i].indirect, expected[i].direct + expected[i].indirect);
     EXPECT_EQ(seen[i].depth_mm, expected[i].depth_mm);
   }
+}
+
+TEST(CloseUp, FromAfarItIsTheVolumeToTheBit) {
+  const auto scene = test::sceneOf(seenAt(5));  // a pixel is 0.2 mm wide
+  expectSame(traced(*scene, CloseUpMedium(scene->cloth), 2), traced(*scene, LoomlightMedium(scene->cloth), 2));
   EXPECT_EQ(scene->cloth->fibres->made(), 0u);
 }
 
 TEST(CloseUp, FromNearItIsTheFibresToTheBit) {
   const auto scene = test::sceneOf(seenAt(0.15));  // a pixel is 6 um wide, fibres are more
-  const CloseUpMedium closeUp(scene->cloth);
-  const FibreMedium fibres(scene->cloth);
-  const auto expected = traced(*scene, fibres, 2), seen = traced(*scene, closeUp, 2);
-  for (size_t i = 0; i < seen.size(); ++i) {
-    EXPECT_EQ(seen[i].direct + seen[i].indirect, expected[i].direct + expected[i].indirect);
-    EXPECT_EQ(seen[i].depth_mm, expected[i].depth_mm);
-  }
+  expectSame(traced(*scene, CloseUpMedium(scene->cloth), 2), traced(*scene, FibreMedium(scene->cloth), 2));
   EXPECT_GT(scene->cloth->fibres->made(), 0u);
 }
 
