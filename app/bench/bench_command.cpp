@@ -11,7 +11,6 @@
 #include "app/cli/inputs.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/volume_json.h"
-#include "core/base/parallel.h"
 #include "core/base/stopwatch.h"
 #include "core/fabric/model/validate.h"
 #include "render/scene/scene.h"
@@ -130,9 +129,7 @@ int run(const BenchCommand& command) {
 
 int run(const ReportBenchCommand& command) {
   const Interrupt interrupt;
-  Task task;
-  task.stop = interrupt.token();
-  task.threads = command.threads > 0 ? command.threads : hardwareThreads();
+  const Task task = interrupt.task(command.threads);
   const auto measure = [&] {
     switch (command.suite) {
       case ReportBenchCommand::Suite::table1:

@@ -10,7 +10,6 @@
 #include "app/bench/studies/convergence_study.h"
 #include "app/bench/studies/report_page.h"
 #include "app/cli/interrupt.h"
-#include "core/base/parallel.h"
 #include "render/transport/make_medium.h"
 
 namespace loomlight {
@@ -144,9 +143,7 @@ class ConvergeBench {
 
 int run(const ConvergeBenchCommand& command) {
   const Interrupt interrupt;
-  Task task;
-  task.stop = interrupt.token();
-  task.threads = command.threads > 0 ? command.threads : hardwareThreads();
+  const Task task = interrupt.task(command.threads);
   std::vector<BenchCloth> cloths = cylinderCloths();
   for (BenchCloth& cloth : largeCloths())
     if (cloths.size() < 6) cloths.push_back(std::move(cloth));

@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "core/base/parallel.h"
+
 namespace loomlight {
 namespace {
 
@@ -43,6 +45,13 @@ Interrupt::~Interrupt() {
   listener_.join();
   const sigset_t signals = handledSignals();
   pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
+}
+
+Task Interrupt::task(int threads) const {
+  Task task;
+  task.stop = token();
+  task.threads = threads > 0 ? threads : hardwareThreads();
+  return task;
 }
 
 }  // namespace loomlight

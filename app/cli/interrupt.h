@@ -3,6 +3,8 @@
 #include <stop_token>
 #include <thread>
 
+#include "core/base/task.h"
+
 namespace loomlight {
 
 /// While one lives, Ctrl-C and a request to terminate ask for a stop, so that work can end in good order; a second one
@@ -18,6 +20,8 @@ class Interrupt {
   Interrupt& operator=(const Interrupt&) = delete;
 
   std::stop_token token() const { return source_.get_token(); }
+  /// Work that it stops, on so many threads; 0: all.
+  Task task(int threads) const;
 
  private:
   std::stop_source source_;

@@ -12,7 +12,6 @@
 #include "app/export/file_name.h"
 #include "app/export/picture.h"
 #include "core/base/file.h"
-#include "core/base/parallel.h"
 #include "core/base/stopwatch.h"
 #include "core/fabric/model/validate.h"
 #include "render/media/fibre_medium.h"
@@ -56,9 +55,7 @@ int run(const BrdfCommand& command) {
   const Interrupt interrupt;
   const auto fabric = std::make_shared<const Fabric>(patch(command));
   Progress progress("measuring");
-  Task task;
-  task.stop = interrupt.token();
-  task.threads = command.threads > 0 ? command.threads : hardwareThreads();
+  Task task = interrupt.task(command.threads);
   const auto scene = makeScene(fabric, task);
   const auto medium = scene ? makeMedium(*scene, {command.memoryLimit_bytes, command.fibreExtent}, task) : nullptr;
   task.progress = [&progress](double fraction) { progress.update(fraction); };

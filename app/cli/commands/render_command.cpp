@@ -13,7 +13,6 @@
 #include "app/export/picture.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
-#include "core/base/parallel.h"
 #include "core/base/stopwatch.h"
 #include "core/fabric/json/fabric_json.h"
 #include "core/fabric/model/validate.h"
@@ -129,9 +128,7 @@ int run(const RenderCommand& command) {
   const Interrupt interrupt;
   Job job = prepare(command);
   const RenderSettings& settings = job.fabric->render;
-  Task task;
-  task.stop = interrupt.token();
-  task.threads = command.threads > 0 ? command.threads : hardwareThreads();
+  Task task = interrupt.task(command.threads);
 
   const auto scene = buildScene(job.fabric, task);
   MediumCost mediumCost;

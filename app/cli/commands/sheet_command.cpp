@@ -5,7 +5,6 @@
 #include "app/cli/inputs.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
-#include "core/base/parallel.h"
 #include "core/base/stopwatch.h"
 
 namespace loomlight {
@@ -15,9 +14,7 @@ int run(const SheetCommand& command) {
   const Fabric fabric = fabricFromFile(command.input);
   const Interrupt interrupt;
   Progress progress("rendering the cloth");
-  Task task;
-  task.stop = interrupt.token();
-  task.threads = command.threads > 0 ? command.threads : hardwareThreads();
+  Task task = interrupt.task(command.threads);
   task.progress = [&progress](double fraction) { progress.update(fraction); };
   if (!writeClothSheet(command.output, fabric, command.options, task)) return Interrupt::kExitStatus;
   fmt::print("{}, {}\n", command.output, durationText(whole.lap()));

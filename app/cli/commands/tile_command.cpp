@@ -9,7 +9,6 @@
 #include "app/cli/progress.h"
 #include "app/export/tile.h"
 #include "core/base/error.h"
-#include "core/base/parallel.h"
 #include "core/base/stopwatch.h"
 
 namespace loomlight {
@@ -39,9 +38,7 @@ int run(const TileCommand& command) {
   const std::string stem = (std::filesystem::path(command.folder) / fileName(fabric.name)).string();
   const Interrupt interrupt;
   Progress progress("rendering the tile");
-  Task task;
-  task.stop = interrupt.token();
-  task.threads = command.threads > 0 ? command.threads : hardwareThreads();
+  Task task = interrupt.task(command.threads);
   task.progress = [&progress](double fraction) { progress.update(fraction); };
   const auto tile = makeTile(fabric, stem, command.order, command.memoryLimit_bytes, task);
   if (!tile) return Interrupt::kExitStatus;

@@ -6,7 +6,6 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/path_transcript.h"
 #include "app/cli/usage_error.h"
-#include "core/base/parallel.h"
 #include "core/fabric/model/choice_names.h"
 #include "core/fabric/model/validate.h"
 #include "render/transport/path_tracer.h"
@@ -23,9 +22,7 @@ int run(const TraceCommand& command) {
     throw UsageError(fmt::format("--pixel: expected X from 0 to {} and Y from 0 to {}, got {},{}", settings.width - 1,
                                  settings.height - 1, pixel.x, pixel.y));
   const Interrupt interrupt;
-  Task task;
-  task.stop = interrupt.token();
-  task.threads = command.threads > 0 ? command.threads : hardwareThreads();
+  const Task task = interrupt.task(command.threads);
   const auto scene = makeScene(fabric, task);
   const auto medium = scene ? makeMedium(*scene, {command.memoryLimit_bytes, command.fibreExtent}, task) : nullptr;
   if (!medium) return Interrupt::kExitStatus;
