@@ -4,11 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <new>
-#include <stdexcept>
 
-#include "core/base/parallel.h"
-#include "render/scene/embree.h"
+#include "render/scene/embree_device.h"
 #include "render/scene/place_in_cloth.h"
+#include "render/scene/round_curves.h"
 
 // How it works. A ray goes from cell to cell of the weave, as it does through voxels. In each it is asked of the bricks
 // that reach into the cell, up to six, every one about the middle of its own cell; only what is met inside of the cell
@@ -17,30 +16,6 @@
 
 namespace loomlight {
 namespace {}  // namespace
-
-struct FibreBricks::Device {
-  /// `bytes` counts what it has allocated.
-  explicit Device(std::atomic<int64_t>& bytes) {
-#ifdef LOOMLIGHT_STD_THREADS
-    handle = rtcNewDevice("threads=1");  // ThreadSanitizer cannot follow oneTBB's threads
-#else
-    handle = rtcNewDevice(nullptr);
-#endif
-    if (!handle) throw std::runtime_error("Embree could not start");
-    rtcSetDeviceMemoryMonitorFunction(
-        handle,
-        [](void* user, ssize_t more, bool) {
-          *static_cast<std::atomic<int64_t>*>(user) += more;
-          return true;
-        },
-        &bytes);
-  }
-  ~Device() { rtcReleaseDevice(handle); }
-  Device(const Device&) = delete;
-  Device& operator=(const Device&) = delete;
-
-  RTCDevice handle;
-};
 
 struct FibreBricks::Brick {
   Brick() = default;
@@ -51,12 +26,11 @@ struct FibreBricks::Brick {
   Brick& operator=(const Brick&) = delete;
 
   uint64_t fibre(const Reader::Cell::Reaching& of, unsigned segment) const {
-    return fibreNumber(of.system, of.system == System::warp ? of.end : of.pick, strandOf[segment]);
+    return fibreNumber(of.system, of.system == System::warp ? of.end : of.pick, curves.strandOf(segment));
   }
   static void filter(const RTCFilterFunctionNArguments* args);
 
-  std::vector<glm::vec4> vertices;           ///< from the middle of the cell, cloth space; radius
-  std::vector<uint32_t> segments, strandOf;  ///< first vertex of each, and its strand
+  RoundCurves curves;  ///< from the middle of the cell, cloth space
   RTCScene scene = nullptr;
   glm::vec3 lower{0}, upper{0};  ///< of all its fibres
 
@@ -81,19 +55,6 @@ struct FibreBricks::Reader::Query {
       : of(&reaching), ownFibre(ray.ownFibre), ownUntil(ray.ownUntil - from) {
     embree::initialise(embree);
   }
-  static RTCRay rayInto(const Cell::Reaching& of, glm::vec3 entry, glm::vec3 direction, float length) {
-    const glm::vec3 origin = entry - of.centre_mm;
-    RTCRay ray{};
-    ray.org_x = origin.x;
-    ray.org_y = origin.y;
-    ray.org_z = origin.z;
-    ray.dir_x = direction.x;
-    ray.dir_y = direction.y;
-    ray.dir_z = direction.z;
-    ray.tfar = length;
-    ray.mask = ~0u;
-    return ray;
-  }
 };
 
 /// Surfaces count from outside only: a ray that comes into a cell may be inside of a fibre, which it has met before.
@@ -101,9 +62,8 @@ void FibreBricks::Brick::filter(const RTCFilterFunctionNArguments* args) {
   const auto* ray = reinterpret_cast<const RTCRay*>(args->ray);
   const auto* hit = reinterpret_cast<const RTCHit*>(args->hit);
   const auto& query = *reinterpret_cast<const Reader::Query*>(args->context);
-  const bool fromInside = ray->dir_x * hit->Ng_x + ray->dir_y * hit->Ng_y + ray->dir_z * hit->Ng_z > 0;
   const bool own = ray->tfar < query.ownUntil && query.of->brick->fibre(*query.of, hit->primID) == query.ownFibre;
-  if (fromInside || own) args->valid[0] = 0;
+  if (RoundCurves::isFromInside(*args) || own) args->valid[0] = 0;
 }
 
 struct FibreBricks::Slot {
@@ -127,7 +87,8 @@ size_t FibreBricks::made() const {
 }
 
 size_t FibreBricks::bytes() const {
-  return static_cast<size_t>(bytes_.load());
+  const size_t curves = bytesOfCurves_;  // of finished bricks: where there are any, the device is there
+  return curves == 0 ? 0 : curves + device_->bytes();
 }
 
 const FibreBricks::Brick& FibreBricks::brick(const CellKey& key) const {
@@ -143,41 +104,20 @@ const FibreBricks::Brick& FibreBricks::brick(const CellKey& key) const {
 }
 
 std::unique_ptr<const FibreBricks::Brick> FibreBricks::make(const CellKey& key) const {
-  std::call_once(started_, [this] { device_ = std::make_unique<Device>(bytes_); });
+  std::call_once(started_, [this] { device_ = std::make_unique<EmbreeDevice>(0); });
   auto brick = std::make_unique<Brick>();
-  const CellStrands cell = geometry_->strands(key);
-  brick->vertices.reserve(cell.points.size());
-  brick->segments.reserve(cell.segments());
-  brick->strandOf.reserve(cell.segments());
-  for (size_t s = 0; s < cell.strands.size(); ++s) {
-    const CellStrands::Strand& strand = cell.strands[s];
-    for (uint32_t i = strand.first; i < strand.first + strand.count; ++i) {
-      if (i + 1 < strand.first + strand.count) {
-        brick->segments.push_back(static_cast<uint32_t>(brick->vertices.size()));
-        brick->strandOf.push_back(static_cast<uint32_t>(s));
-      }
-      brick->vertices.emplace_back(inCloth(cell.points[i], key.system, glm::vec2(0)), cell.fibreRadius_mm);
-    }
-  }
-  RTCGeometry curves = rtcNewGeometry(device_->handle, RTC_GEOMETRY_TYPE_ROUND_LINEAR_CURVE);
-  rtcSetSharedGeometryBuffer(curves, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, brick->vertices.data(), 0,
-                             sizeof(glm::vec4), brick->vertices.size());
-  rtcSetSharedGeometryBuffer(curves, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT, brick->segments.data(), 0,
-                             sizeof(uint32_t), brick->segments.size());
-  rtcSetGeometryIntersectFilterFunction(curves, Brick::filter);
-  rtcSetGeometryOccludedFilterFunction(curves, Brick::filter);
-  rtcCommitGeometry(curves);
-  brick->scene = rtcNewScene(device_->handle);
+  brick->curves.add(geometry_->strands(key), [&](glm::vec3 usz) { return inCloth(usz, key.system, glm::vec2(0)); });
+  RTCGeometry curves = brick->curves.geometry(*device_, Brick::filter, nullptr);
+  brick->scene = rtcNewScene(*device_);
   rtcAttachGeometry(brick->scene, curves);
   rtcReleaseGeometry(curves);
   rtcCommitScene(brick->scene);
-  if (rtcGetDeviceError(device_->handle) != RTC_ERROR_NONE) throw std::bad_alloc();
+  if (rtcGetDeviceError(*device_) != RTC_ERROR_NONE) throw std::bad_alloc();
   RTCBounds bounds;
   rtcGetSceneBounds(brick->scene, &bounds);
   brick->lower = {bounds.lower_x, bounds.lower_y, bounds.lower_z};
   brick->upper = {bounds.upper_x, bounds.upper_y, bounds.upper_z};
-  bytes_ += static_cast<int64_t>(brick->vertices.size() * sizeof(glm::vec4) +
-                                 (brick->segments.size() + brick->strandOf.size()) * sizeof(uint32_t));
+  bytesOfCurves_ += brick->curves.bytes();
   return brick;
 }
 
@@ -233,7 +173,7 @@ std::optional<FibreHit> FibreBricks::Reader::meet(const ClothRay& ray) {
     for (int i = 0; i < cell.count; ++i) {
       const Cell::Reaching& of = cell.bricks[i];
       const float length = (nearest ? nearest->distance_mm : to) - from;
-      RTCRayHit found{Query::rayInto(of, entry, ray.direction, length), {}};
+      RTCRayHit found{RoundCurves::ray(entry - of.centre_mm, ray.direction, length), {}};
       if (!of.brick->isOn(found.ray)) continue;
       found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
       found.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
@@ -241,10 +181,9 @@ std::optional<FibreHit> FibreBricks::Reader::meet(const ClothRay& ray) {
       embree::intersect(of.brick->scene, query.embree, found);
       const RTCHit& hit = found.hit;
       if (hit.geomID == RTC_INVALID_GEOMETRY_ID) continue;
-      const glm::vec4* const segment = &of.brick->vertices[of.brick->segments[hit.primID]];
       nearest = {from + found.ray.tfar,
                  glm::normalize(glm::vec3(hit.Ng_x, hit.Ng_y, hit.Ng_z)),
-                 glm::normalize(glm::vec3(segment[1]) - glm::vec3(segment[0])),
+                 of.brick->curves.tangent(hit.primID),
                  of.system,
                  of.end,
                  of.pick,
@@ -260,7 +199,7 @@ bool FibreBricks::Reader::isFree(const ClothRay& ray) {
   forEachCell(ray, [&](const Cell& cell, glm::vec3 entry, float from, float to) {
     for (int i = 0; i < cell.count && free; ++i) {
       const Cell::Reaching& of = cell.bricks[i];
-      RTCRay asked = Query::rayInto(of, entry, ray.direction, to - from);
+      RTCRay asked = RoundCurves::ray(entry - of.centre_mm, ray.direction, to - from);
       if (!of.brick->isOn(asked)) continue;
       Query query(of, ray, from);
       embree::occluded(of.brick->scene, query.embree, asked);

@@ -14,6 +14,8 @@
 
 namespace loomlight {
 
+class EmbreeDevice;
+
 /// The fibres of a cloth's yarns, laid once for all cells of a key, as voxels are: a brick of fibres is the strands of
 /// a yarn in a cell, as Embree round curves. So there are explicit fibres in cloth of any size and on every drape, for
 /// the memory of the bricks that rays have come to. A brick is made when the first ray comes to it, which shows in
@@ -50,11 +52,10 @@ class FibreBricks {
 
   const std::shared_ptr<const ClothGeometry> geometry_;
   const float thinnest_mm_;
-  struct Device;
-  mutable std::atomic<int64_t> bytes_{0};
+  mutable std::atomic<size_t> bytesOfCurves_{0};
   mutable std::once_flag started_;
-  mutable std::unique_ptr<Device> device_;  ///< from the first brick on
-  mutable std::mutex mutex_;                ///< over the map; what is in it stays
+  mutable std::unique_ptr<const EmbreeDevice> device_;  ///< from the first brick on
+  mutable std::mutex mutex_;                            ///< over the map; what is in it stays
   mutable std::unordered_map<CellKey, std::unique_ptr<Slot>, KeyHash> bricks_;
 };
 

@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "core/base/parallel.h"
-#include "render/scene/embree.h"
+#include "render/scene/embree_device.h"
 #include "render/scene/yarn_curves.h"
 
 // How it works. The fibres of each end and each pick are one Embree geometry of round linear curves, bent by the drape
@@ -20,15 +20,6 @@
 namespace loomlight {
 namespace {
 
-/// Threads for Embree's builder; 0: all. They are oneTBB's, which ThreadSanitizer cannot follow (core/base/parallel.h).
-int builderThreads([[maybe_unused]] const Task& task) {
-#ifdef LOOMLIGHT_STD_THREADS
-  return 1;
-#else
-  return task.threads;
-#endif
-}
-
 /// What the filter needs to know of a ray, behind Embree's own context.
 struct RayContext {
   explicit RayContext(const FibreRay& fibreRay) : ray(&fibreRay) { embree::initialise(embree); }
@@ -36,22 +27,9 @@ struct RayContext {
   const FibreRay* ray;
 };
 
-RTCRay embreeRay(const FibreRay& from) {
-  RTCRay ray{};
-  ray.org_x = from.origin.x;
-  ray.org_y = from.origin.y;
-  ray.org_z = from.origin.z;
-  ray.dir_x = from.direction.x;
-  ray.dir_y = from.direction.y;
-  ray.dir_z = from.direction.z;
-  ray.tfar = from.length_mm;
-  ray.mask = ~0u;
-  return ray;
-}
-
 /// A fibre as copies know it: where its yarn is in the whole piece.
 struct PlacedFibre {
-  const YarnCurves& curves;
+  const YarnCurves& yarn;
   uint32_t segment;
   int across;     ///< which end (warp) or pick (weft) it belongs to
   int firstCell;  ///< crossing of the piece at which the curves begin
@@ -64,13 +42,11 @@ struct FibreBvh::Parts {
   ~Parts() {
     if (piece) rtcReleaseScene(piece);
     if (laid) rtcReleaseScene(laid);
-    if (device) rtcReleaseDevice(device);
   }
   Parts(const Parts&) = delete;
   Parts& operator=(const Parts&) = delete;
 
   bool lay(const Task& task);
-  void startDevice(const Task& task);
   void attach(unsigned id);
   bool attachCopies(const Task& task);
   bool commit(RTCScene of, const Task& task, double from, double to) const;
@@ -83,10 +59,9 @@ struct FibreBvh::Parts {
   const std::shared_ptr<const TraceData> cloth;
   const FibreSize size;
   std::vector<YarnCurves> yarns;  ///< ends, then picks; each one Embree geometry
-  RTCDevice device = nullptr;
+  std::optional<EmbreeDevice> device;
   RTCScene laid = nullptr;   ///< the crossings that are laid
   RTCScene piece = nullptr;  ///< what rays are asked of: `laid` itself, or its copies
-  std::atomic<int64_t> acceleratorBytes{0};
 };
 
 bool FibreBvh::Parts::lay(const Task& task) {
@@ -102,30 +77,10 @@ bool FibreBvh::Parts::lay(const Task& task) {
   return !task.stopped();
 }
 
-void FibreBvh::Parts::startDevice(const Task& task) {
-  device = rtcNewDevice(fmt::format("threads={}", builderThreads(task)).c_str());
-  if (!device) throw std::runtime_error("Embree could not start");
-  rtcSetDeviceMemoryMonitorFunction(
-      device,
-      [](void* user, ssize_t bytes, bool) {
-        static_cast<Parts*>(user)->acceleratorBytes += bytes;
-        return true;
-      },
-      this);
-}
-
 void FibreBvh::Parts::attach(unsigned id) {
   const YarnCurves& yarn = yarns[id];
-  if (yarn.segments().empty()) return;
-  RTCGeometry curves = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_ROUND_LINEAR_CURVE);
-  rtcSetSharedGeometryBuffer(curves, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, yarn.vertices().data(), 0,
-                             sizeof(glm::vec4), yarn.vertices().size());
-  rtcSetSharedGeometryBuffer(curves, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT, yarn.segments().data(), 0,
-                             sizeof(uint32_t), yarn.segments().size());
-  rtcSetGeometryUserData(curves, this);
-  rtcSetGeometryIntersectFilterFunction(curves, filter);
-  rtcSetGeometryOccludedFilterFunction(curves, filter);
-  rtcCommitGeometry(curves);
+  if (yarn.curves().segments().empty()) return;
+  RTCGeometry curves = yarn.curves().geometry(*device, filter, this);
   rtcAttachGeometryByID(laid, curves, id);
   rtcReleaseGeometry(curves);
 }
@@ -136,7 +91,7 @@ bool FibreBvh::Parts::attachCopies(const Task& task) {
   for (int y = 0; y < size.copies.y; ++y) {
     if (task.stopped()) return false;
     for (int x = 0; x < size.copies.x; ++x) {
-      RTCGeometry copy = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
+      RTCGeometry copy = rtcNewGeometry(*device, RTC_GEOMETRY_TYPE_INSTANCE);
       rtcSetGeometryInstancedScene(copy, laid);
       const float placed[12] = {1,
                                 0,
@@ -177,7 +132,7 @@ bool FibreBvh::Parts::commit(RTCScene of, const Task& task, double from, double 
       &monitor);
   rtcCommitScene(of);
   rtcSetSceneProgressMonitorFunction(of, nullptr, nullptr);
-  switch (rtcGetDeviceError(device)) {
+  switch (rtcGetDeviceError(*device)) {
     case RTC_ERROR_NONE:
       return !task.stopped();
     case RTC_ERROR_CANCELLED:
@@ -202,13 +157,13 @@ PlacedFibre FibreBvh::Parts::placed(const RTCHit& hit) const {
 /// The last copies may reach beyond the piece.
 bool FibreBvh::Parts::isInPiece(const PlacedFibre& fibre) const {
   const ClothGeometry& geometry = cloth->volume->geometry();
-  const bool warp = fibre.curves.system() == System::warp;
+  const bool warp = fibre.yarn.system() == System::warp;
   const int yarnCount = warp ? geometry.ends() : geometry.picks(), cells = warp ? geometry.picks() : geometry.ends();
-  return fibre.across < yarnCount && fibre.segment < fibre.curves.segmentsBefore(cells - fibre.firstCell);
+  return fibre.across < yarnCount && fibre.segment < fibre.yarn.segmentsBefore(cells - fibre.firstCell);
 }
 
 uint64_t FibreBvh::Parts::idOf(const PlacedFibre& fibre) const {
-  return fibreNumber(fibre.curves.system(), fibre.across, fibre.curves.strandOf(fibre.segment));
+  return fibreNumber(fibre.yarn.system(), fibre.across, fibre.yarn.curves().strandOf(fibre.segment));
 }
 
 /// Surfaces count from outside only, and not the fibre's own where the ray has just left it.
@@ -217,9 +172,8 @@ void FibreBvh::Parts::filter(const RTCFilterFunctionNArguments* args) {
   const auto* hit = reinterpret_cast<const RTCHit*>(args->hit);
   const FibreRay& from = *reinterpret_cast<const RayContext*>(args->context)->ray;
   const auto& parts = *static_cast<const Parts*>(args->geometryUserPtr);
-  const bool fromInside = ray->dir_x * hit->Ng_x + ray->dir_y * hit->Ng_y + ray->dir_z * hit->Ng_z > 0;
   const bool mayBeOwn = ray->tfar < from.clearance_mm;
-  if (fromInside) {
+  if (RoundCurves::isFromInside(*args)) {
     args->valid[0] = 0;
   } else if (mayBeOwn || !parts.size.isWholePiece()) {
     const PlacedFibre fibre = parts.placed(*hit);
@@ -234,8 +188,8 @@ std::unique_ptr<const FibreBvh> FibreBvh::build(std::shared_ptr<const TraceData>
                                                 const Task& task) {
   auto parts = std::make_unique<Parts>(std::move(cloth), size);
   if (!parts->lay(task)) return nullptr;
-  parts->startDevice(task);
-  parts->laid = rtcNewScene(parts->device);
+  parts->device.emplace(task.threads);
+  parts->laid = rtcNewScene(*parts->device);
   for (unsigned id = 0; id < parts->yarns.size(); ++id) {
     if (task.stopped()) return nullptr;
     parts->attach(id);
@@ -247,7 +201,7 @@ std::unique_ptr<const FibreBvh> FibreBvh::build(std::shared_ptr<const TraceData>
     rtcRetainScene(parts->laid);
     parts->piece = parts->laid;
   } else {
-    parts->piece = rtcNewScene(parts->device);
+    parts->piece = rtcNewScene(*parts->device);
     if (!parts->attachCopies(task) || !parts->commit(parts->piece, task, built, 1)) return nullptr;
   }
   task.report(1);
@@ -257,35 +211,35 @@ std::unique_ptr<const FibreBvh> FibreBvh::build(std::shared_ptr<const TraceData>
 std::optional<FibreHit> FibreBvh::meet(const FibreRay& ray) const {
   RayContext context(ray);
   RTCRayHit query{};
-  query.ray = embreeRay(ray);
+  query.ray = RoundCurves::ray(ray.origin, ray.direction, ray.length_mm);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   embree::intersect(parts_->piece, context.embree, query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
   const PlacedFibre fibre = parts_->placed(query.hit);
-  const YarnCurves& curves = fibre.curves;
+  const YarnCurves& yarn = fibre.yarn;
   FibreHit hit;
   hit.distance_mm = query.ray.tfar;
   hit.normal = glm::normalize(glm::vec3(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z));
-  hit.tangent = curves.tangent(fibre.segment);
-  hit.system = curves.system();
-  const int cell = fibre.firstCell + curves.cellOf(fibre.segment);
-  hit.end = curves.system() == System::warp ? fibre.across : cell;
-  hit.pick = curves.system() == System::warp ? cell : fibre.across;
+  hit.tangent = yarn.curves().tangent(fibre.segment);
+  hit.system = yarn.system();
+  const int cell = fibre.firstCell + yarn.cellOf(fibre.segment);
+  hit.end = yarn.system() == System::warp ? fibre.across : cell;
+  hit.pick = yarn.system() == System::warp ? cell : fibre.across;
   hit.fibre = parts_->idOf(fibre);
   return hit;
 }
 
 bool FibreBvh::isFree(const FibreRay& ray) const {
   RayContext context(ray);
-  RTCRay query = embreeRay(ray);
+  RTCRay query = RoundCurves::ray(ray.origin, ray.direction, ray.length_mm);
   embree::occluded(parts_->piece, context.embree, query);
   return query.tfar >= 0;
 }
 
 size_t FibreBvh::segments() const {
   size_t sum = 0;
-  for (const YarnCurves& yarn : parts_->yarns) sum += yarn.segments().size();
+  for (const YarnCurves& yarn : parts_->yarns) sum += yarn.curves().segments().size();
   return sum;
 }
 
@@ -296,7 +250,7 @@ size_t FibreBvh::geometryBytes() const {
 }
 
 size_t FibreBvh::acceleratorBytes() const {
-  return static_cast<size_t>(parts_->acceleratorBytes.load());
+  return parts_->device->bytes();
 }
 
 }  // namespace loomlight

@@ -7,6 +7,7 @@
 #include "core/base/task.h"
 #include "core/geometry/cloth_geometry.h"
 #include "core/shell/cloth_to_world.h"
+#include "render/scene/round_curves.h"
 
 namespace loomlight {
 
@@ -20,21 +21,16 @@ class YarnCurves {
 
   System system() const { return system_; }
   int index() const { return index_; }
-  const std::vector<glm::vec4>& vertices() const { return vertices_; }  ///< place, radius; mm
-  const std::vector<uint32_t>& segments() const { return segments_; }   ///< first vertex of each
-  glm::vec3 tangent(uint32_t segment) const;                            ///< unit
-  /// Which strand of its cell: a fibre has the same number in every cell of its yarn.
-  uint32_t strandOf(uint32_t segment) const { return strandOfSegment_[segment]; }
+  const RoundCurves& curves() const { return curves_; }  ///< strands have the same number in every cell of the yarn
   int cellOf(uint32_t segment) const;
   /// Of the first `cells` cells; of all where there are not as many.
   uint32_t segmentsBefore(int cells) const;
-  size_t bytes() const;
+  size_t bytes() const { return curves_.bytes() + firstOfCell_.size() * sizeof(uint32_t); }
 
  private:
   System system_;
   int index_;
-  std::vector<glm::vec4> vertices_;
-  std::vector<uint32_t> segments_, strandOfSegment_;
+  RoundCurves curves_;
   std::vector<uint32_t> firstOfCell_;  ///< into segments
 };
 
