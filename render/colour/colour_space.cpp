@@ -48,6 +48,9 @@ double hue_deg(double a, double b) {
 
 }  // namespace
 
+glm::dvec3 d65Xyz() {
+  return kXyzFromLinear * glm::dvec3(1);
+}
 glm::dvec3 whiteXyzFromLinear(const glm::dvec3& linear) {
   return kWhiteXyzFromLinear * linear;
 }

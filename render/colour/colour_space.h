@@ -6,6 +6,9 @@
 
 namespace loomlight {
 
+/// CIE XYZ of D65 white, Y = 1, as the matrix of Rec. 709 has it.
+glm::dvec3 d65Xyz();
+
 /// CIE XYZ over that of the white point: (1, 1, 1) is D65 white. From linear Rec. 709 light, primaries and white of
 /// ITU-R BT.709; greys have three equal components.
 glm::dvec3 whiteXyzFromLinear(const glm::dvec3& linear);

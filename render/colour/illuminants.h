@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/spectrum.h"
+#include "render/colour/observer.h"
+
+namespace loomlight {
+
+/// What a colour is seen under: the relative power of a light at every nm from 360 to 780.
+struct Illuminant {
+  std::string name;
+  PerNm<double> power{};
+};
+
+/// The names that illuminantNamed() knows besides temperatures: D50, D55, D65, A, E, F2, F7, F11, LED-B1 to LED-B5.
+std::vector<std::string> illuminantNames();
+
+/// An illuminant of the CIE (CIE 15:2018) by its name, in capitals or not; "TL84" is F11, and "FL2" is F2. "2856 K" is
+/// the black body of that temperature, 1000 to 25000 K. Throws InputError for other names; it lists those there are.
+Illuminant illuminantNamed(const std::string& name);
+
+/// The illuminant of that name, or, for the name of a file, of its two columns: wavelength in nm, ascending, at least
+/// from 380 to 730; and power, in any unit. Columns are parted by blanks, a comma or a semicolon; "#" starts a comment,
+/// and one line of headings may come first. Between its lines power goes straight, beyond them it stays. Throws
+/// InputError.
+Illuminant illuminantCalled(const std::string& nameOrFile);
+
+/// The power of a light in each band, as a spectrophotometer of 10 nm sees it: the mean under a triangle that is 20 nm
+/// wide at its foot.
+Spectrum bandPower(const Illuminant& illuminant);
+
+}  // namespace loomlight
