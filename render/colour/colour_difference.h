@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/base/spectrum.h"
+#include "render/colour/colour_space.h"
+#include "render/colour/tristimulus.h"
+
+/// What a dyer reports of a standard and a sample; CIEDE2000 is in colour_space.h.
+namespace loomlight {
+
+/// CIELAB of a reflectance under the light of the weights, whose perfect diffuser is L* = 100.
+Lab labUnder(const TristimulusWeights& weights, const Spectrum& reflectance);
+
+/// CMC(l:c) of the Society of Dyers and Colourists (ISO 105-J03). Not the same both ways: the standard says how large
+/// the ellipsoid is. The textile trade takes l = 2 and c = 1 to pass or fail.
+double cmcDifference(const Lab& standard, const Lab& sample, double l = 2, double c = 1);
+
+/// The special metamerism index for a change of illuminant (CIE 15:2018, 9.2): the CIEDE2000 that is between standard
+/// and sample under `test` when they match under `reference`. Where they do not quite, the sample's X, Y and Z are
+/// first multiplied by what is missing there. 0 for two that match under both, whatever their spectra.
+double metamerismIndex(const Spectrum& standard, const Spectrum& sample, const TristimulusWeights& reference,
+                       const TristimulusWeights& test);
+
+}  // namespace loomlight
