@@ -1,0 +1,41 @@
+#include "core/fabric/swatch/measured_swatch.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/base/sprague.h"
+#include "core/fabric/swatch/raw_swatch.h"
+#include "core/fabric/wif/text_encoding.h"
+#include "core/fabric/wif/wif_values.h"
+
+namespace loomlight {
+
+Spectrum bandReflectance(const MeasuredSwatch& swatch) {
+  const auto last = static_cast<double>(swatch.values.size() - 1);
+  Spectrum bands;
+  for (size_t j = 0; j < kBands; ++j) {
+    const double at = std::clamp((bandWavelength_nm(j) - swatch.first_nm) / swatch.step_nm, 0.0, last);
+    bands[j] = static_cast<float>(std::clamp(sprague(swatch.values, at), 0.0, 1.0));
+  }
+  return bands;
+}
+
+SwatchFile readSwatches(const std::string& file) {
+  return swatchesFrom(readFile(file, kMostSwatchBytes), file);
+}
+
+SwatchFile swatchesFrom(std::string_view bytes, const std::string& source) {
+  if (bytes.size() > kMostSwatchBytes)
+    throw InputError(fmt::format("{}: expected at most {} bytes", source, kMostSwatchBytes));
+  const std::string text = decodeText(bytes, source).text;
+  const auto has = [&text](const char* word) { return text.find(word) != std::string::npos; };
+  if (trimmed(text).starts_with('<')) return swatchesFromCxf(text, source);
+  if (has("[STANDARD_DATA") || has("[BATCH_DATA")) return swatchesFromQtx(text, source);
+  if (has("BEGIN_DATA_FORMAT")) return swatchesFromCgats(text, source);
+  return swatchesFromTable(text, source);
+}
+
+}  // namespace loomlight
