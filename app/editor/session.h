@@ -41,7 +41,7 @@ class Session {
   double workSeconds() const { return work_s_; }
   void run(Command command);
   void run(DraftCommand command);
-  /// Opens a fabric, or uses a mesh or an environment, by what the file is.
+  /// Opens a fabric, or uses a mesh, an environment or a measured swatch, by what the file is.
   void openFile(const std::string& file);
   /// Opens files that were dropped on the window, one after the other. Each waits until no dialog is open, so that no
   /// answer is taken for a question that was not asked.
@@ -65,6 +65,7 @@ class Session {
   std::string title() const;
 
  private:
+  void dyeLike(const std::string& swatchFile);
   using Question = QuestionController::Question;
   using Afterwards = QuestionController::Afterwards;
 

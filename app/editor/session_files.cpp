@@ -11,6 +11,8 @@
 #include "app/export/draft_sheet.h"
 #include "app/export/file_name.h"
 #include "app/export/weave_bitmap.h"
+#include "core/base/error.h"
+#include "core/fabric/swatch/measured_swatch.h"
 #include "core/fabric/wif/wif_fabric.h"
 
 namespace loomlight {
@@ -124,6 +126,8 @@ void Session::openFile(const std::string& file) {
       fabric.light.kind = LightKind::environment;
       fabric.light.file = file;
     });
+  } else if (isSwatchFile(file)) {
+    dyeLike(file);
   } else if (extension == ".png") {
     draft_.openPicture(file);
     lookNextIn(file);
@@ -133,7 +137,18 @@ void Session::openFile(const std::string& file) {
   } else {
     sayUnopened(file +
                 ": expected a cloth (.loomlight, .json), a WIF draft (.wif), a picture (.png), a mesh "
-                "(.obj, .ply, .off) or an environment (.exr)");
+                "(.obj, .ply, .off), an environment (.exr) or a measured swatch (.cxf, .qtx, .csv, CGATS .txt)");
+  }
+}
+
+/// The fibre that is looked at is dyed so that the cloth reflects as was measured.
+void Session::dyeLike(const std::string& swatchFile) {
+  try {
+    const SwatchFile found = readSwatches(swatchFile);
+    inspector_.dyeLike(*document_.fabric(), found.swatches.front());
+    if (!found.remarks.empty()) questions_.say("The swatch was read", found.remarks.front());
+  } catch (const InputError& error) {
+    sayUnopened(error.what());
   }
 }
 

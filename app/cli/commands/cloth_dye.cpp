@@ -8,10 +8,12 @@
 
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
+#include "app/cli/swatches.h"
 #include "app/cli/usage_error.h"
 #include "core/base/error.h"
 #include "core/base/rgb.h"
 #include "core/fabric/model/validate.h"
+#include "core/fabric/yarn/band_colour.h"
 #include "render/colour/colour_space.h"
 #include "render/transport/colour_solver.h"
 #include "render/transport/make_medium.h"
@@ -21,10 +23,11 @@ namespace {
 
 /// A wanted colour on its way.
 struct Dyeing {
-  size_t fibre = 0;  ///< in the fabric's list
-  Rgb wanted{0};     ///< linear
+  size_t fibre = 0;                  ///< in the fabric's list
+  Rgb wanted{0};                     ///< linear
+  std::optional<Spectrum> measured;  ///< wanted in bands
   PathLengthTally walks;
-  SolvedColour solved;
+  bool tooLight = false, tooDark = false;  ///< for this cloth
 };
 
 std::optional<Rgb8> colourFromText(const std::string& text) {
@@ -72,7 +75,12 @@ std::vector<Dyeing> dyeingsOf(const Fabric& fabric, const std::vector<ClothColou
       if (other.fibre == fibre)
         throw InputError(fmt::format("{}: --cloth-colour: expected one colour for each fibre, got two for {} '{}'",
                                      source, fibre + 1, fabric.fibres[fibre].name));
-    dyeings.push_back({fibre, linearColour(wish.colour), {}, {}});
+    Dyeing& dyeing = dyeings.emplace_back();
+    dyeing.fibre = fibre;
+    dyeing.wanted = linearColour(wish.colour);
+    if (wish.swatch.empty()) continue;
+    dyeing.measured = reflectanceFrom(wish.swatch);
+    dyeing.wanted = linearFromReflectance(*dyeing.measured);
   }
   return dyeings;
 }
@@ -99,37 +107,52 @@ bool walk(const Fabric& fabric, std::vector<Dyeing>& dyeings) {
   return true;
 }
 
-/// Light that met one fibre goes through others too: each is dyed anew until no dye changes what is seen. Gives the
-/// dyes of all fibres.
-std::vector<Rgb> solve(std::vector<Rgb> absorption_per_mm, std::vector<Dyeing>& dyeings) {
-  constexpr int kMostRounds = 50;
+/// Dyes one fibre, the others as they are. Whether that changed what is seen.
+bool dye(Fabric& fabric, Dyeing& dyeing) {
   constexpr float kSettled = 1e-3f;  // of a dye
-  for (int round = 0; round < kMostRounds; ++round) {
-    bool settled = true;
-    for (Dyeing& dyeing : dyeings) {
-      Rgb& dye = absorption_per_mm[dyeing.fibre];
-      dyeing.solved = solveColour(dyeing.walks, absorption_per_mm, static_cast<int>(dyeing.fibre), dyeing.wanted);
-      const Rgb now = dyeing.solved.absorption_per_mm;
-      settled &= glm::all(glm::lessThanEqual(glm::abs(now - dye), kSettled * now));
-      dye = now;
-    }
-    if (settled) break;
+  Absorption& absorption = fabric.fibres[dyeing.fibre].absorption_per_mm;
+  const auto fibre = static_cast<int>(dyeing.fibre);
+  bool settled = true;
+  if (dyeing.measured) {
+    const SolvedReflectance solved =
+        solveReflectance(dyeing.walks, colouringInDaylight(fabric), fibre, *dyeing.measured);
+    const Spectrum now = solved.absorption_per_mm, before = absorption.inBands();
+    for (size_t j = 0; j < kBands; ++j) settled &= std::abs(now[j] - before[j]) <= kSettled * now[j];
+    dyeing.tooLight = solved.tooLight > 0;
+    dyeing.tooDark = solved.tooDark > 0;
+    absorption = Absorption(now);
+  } else {
+    const SolvedColour solved = solveColour(dyeing.walks, absorptionsOf(fabric), fibre, dyeing.wanted);
+    const Rgb now = solved.absorption_per_mm, before = absorption.primaries;
+    settled = glm::all(glm::lessThanEqual(glm::abs(now - before), kSettled * now));
+    dyeing.tooLight = solved.tooLight;
+    dyeing.tooDark = solved.tooDark;
+    absorption = now;
   }
-  return absorption_per_mm;
+  return !settled;
 }
 
-std::string whyNot(const SolvedColour& solved) {
-  if (solved.tooLight && solved.tooDark) return "lighter and darker than this fibre can be in this cloth";
-  return solved.tooLight ? "lighter than this cloth can be" : "darker than fibres can be, as their surface reflects";
+/// Light that met one fibre goes through others too: each is dyed anew until no dye changes what is seen.
+void solve(Fabric& fabric, std::vector<Dyeing>& dyeings) {
+  constexpr int kMostRounds = 50;
+  for (int round = 0; round < kMostRounds; ++round) {
+    bool changed = false;
+    for (Dyeing& dyeing : dyeings) changed |= dye(fabric, dyeing);
+    if (!changed) break;
+  }
+}
+
+std::string whyNot(const Dyeing& dyeing) {
+  if (dyeing.tooLight && dyeing.tooDark) return "lighter and darker than this fibre can be in this cloth";
+  return dyeing.tooLight ? "lighter than this cloth can be" : "darker than fibres can be, as their surface reflects";
 }
 
 void tell(const Fibre& fibre, const Dyeing& dyeing, const Rgb& shown) {
   const double difference = ciede2000(labFromLinear(glm::dvec3(dyeing.wanted)), labFromLinear(glm::dvec3(shown)));
   const std::string reached = fmt::format("{}, off by {:.1f} (CIEDE2000)", textOf(shown), difference);
   const std::string wanted = textOf(dyeing.wanted);
-  if (dyeing.solved.tooLight || dyeing.solved.tooDark)
-    fmt::print("{}: {} cannot be had, it is {}: the nearest is {}\n", fibre.name, wanted, whyNot(dyeing.solved),
-               reached);
+  if (dyeing.tooLight || dyeing.tooDark)
+    fmt::print("{}: {} cannot be had, it is {}: the nearest is {}\n", fibre.name, wanted, whyNot(dyeing), reached);
   else
     fmt::print("{}: {} is wanted, the cloth shows {}\n", fibre.name, wanted, reached);
 }
@@ -138,11 +161,14 @@ void tell(const Fibre& fibre, const Dyeing& dyeing, const Rgb& shown) {
 
 ClothColour parseClothColour(const std::string& option, const std::string& text) {
   const size_t sign = text.rfind('=');
-  const auto colour = sign == std::string::npos ? std::nullopt : colourFromText(text.substr(sign + 1));
-  if (!colour || sign == 0)
-    throw UsageError(
-        fmt::format("{}: expected FIBRE=#RRGGBB, such as cotton=#b04020 or 1=#b04020, got '{}'", option, text));
-  return {text.substr(0, sign), *colour};
+  const std::string what = sign == std::string::npos || sign == 0 ? "" : text.substr(sign + 1);
+  const std::string fibre = text.substr(0, sign);
+  if (const auto colour = colourFromText(what)) return {fibre, *colour, ""};
+  if (isSwatchFile(what)) return {fibre, {}, what};
+  throw UsageError(
+      fmt::format("{}: expected FIBRE=#RRGGBB, such as cotton=#b04020 or 1=#b04020, or a measured swatch, "
+                  "such as cotton=navy.csv, got '{}'",
+                  option, text));
 }
 
 std::optional<Fabric> dyed(Fabric fabric, const std::vector<ClothColour>& wanted, const std::string& source) {
@@ -155,12 +181,9 @@ std::optional<Fabric> dyed(Fabric fabric, const std::vector<ClothColour>& wanted
           fmt::format("{}: --cloth-colour: expected a fibre that lies on the face, where it shows its colour, got {} "
                       "'{}'",
                       source, dyeing.fibre + 1, fabric.fibres[dyeing.fibre].name));
-  const std::vector<Rgb> absorption_per_mm = solve(absorptionsOf(fabric), dyeings);
-  for (const Dyeing& dyeing : dyeings) {
-    Fibre& fibre = fabric.fibres[dyeing.fibre];
-    fibre.absorption_per_mm = absorption_per_mm[dyeing.fibre];
-    tell(fibre, dyeing, dyeing.walks.colour(absorption_per_mm));
-  }
+  solve(fabric, dyeings);
+  const Colouring colouring = colouringInDaylight(fabric);
+  for (const Dyeing& dyeing : dyeings) tell(fabric.fibres[dyeing.fibre], dyeing, dyeing.walks.colour(colouring));
   return fabric;
 }
 

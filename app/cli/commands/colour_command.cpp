@@ -9,6 +9,7 @@
 #include "app/cli/inputs.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
+#include "app/cli/swatches.h"
 #include "render/colour/colour_difference.h"
 #include "render/transport/cloth_walks.h"
 
@@ -41,6 +42,10 @@ struct Judgement {
 
 /// nullopt when stopped.
 std::optional<Sample> sampleFrom(const std::string& file, const ColourCommand& command) {
+  if (isSwatchFile(file)) {
+    const MeasuredSwatch swatch = swatchFrom(file);
+    return Sample{swatch.name, {bandReflectance(swatch), {}}};
+  }
   const Fabric fabric = withOptions(fabricFromFile(file, command.wifSizes), command.options);
   const Interrupt interrupt;
   Progress progress("walking light through the cloth");

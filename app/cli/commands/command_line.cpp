@@ -87,8 +87,9 @@ void addConvert(CLI::App& app, ConvertCommand& command) {
       [&command](const auto& option, const auto& text) { command.colours.push_back(parseStructure(option, text)); });
   addValue(app, "--repeat", "WxH", "ends and picks that the picture takes; its pixels where not given",
            [&command](const auto& option, const auto& text) { command.repeat = parseSize(option, text); });
-  addValues(app, "--cloth-colour", "FIBRE=#RRGGBB",
-            "dye a fibre, by its name or its number from 1, so that the cloth has this colour where it lies on top; "
+  addValues(app, "--cloth-colour", "FIBRE=#RRGGBB|FILE",
+            "dye a fibre, by its name or its number from 1, so that the cloth has this colour where it lies on top, or "
+            "reflects like a measured swatch (CGATS .txt, .cxf, .qtx, .csv); "
             "once for each fibre",
             [&command](const auto& option, const auto& text) {
               command.clothColours.push_back(parseClothColour(option, text));

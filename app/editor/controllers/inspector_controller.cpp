@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/fabric/yarn/band_colour.h"
 #include "ui/widgets/yarn_colours.h"
 
 namespace loomlight {
@@ -46,6 +47,13 @@ std::optional<InspectorController::Dyed> InspectorController::follow(const std::
   auto dyed = colours_.follow(fabric, shownFibre(*fabric, view_), view_.clothColour);
   if (!dyed) return std::nullopt;
   return Dyed{std::move(*dyed), colourGesture_};
+}
+
+void InspectorController::dyeLike(const Fabric& fabric, const MeasuredSwatch& swatch) {
+  view_.page = InspectorView::Page::fibre;
+  const Spectrum measured = bandReflectance(swatch);
+  view_.clothColour.wanted[shownFibre(fabric, view_)] = {linearFromReflectance(measured), measured, swatch.name};
+  ++view_.clothColour.wish;
 }
 
 void InspectorController::stepYarn(int step, size_t yarns) {

@@ -8,6 +8,7 @@
 #include "app/editor/services/cloth_colour_service.h"
 #include "app/editor/services/side_pictures.h"
 #include "app/editor/services/view_service.h"
+#include "core/fabric/swatch/measured_swatch.h"
 #include "ui/dialogs/colourways_dialog.h"
 #include "ui/inspector/inspector.h"
 
@@ -35,6 +36,9 @@ class InspectorController {
   };
   /// At the end of a frame: asks the workers for what was drawn.
   std::optional<Dyed> follow(const std::shared_ptr<const Fabric>& fabric, uint64_t gesture, bool isShown);
+
+  /// Opens the page of fibres and wants of the one looked at that the cloth reflects as was measured.
+  void dyeLike(const Fabric& fabric, const MeasuredSwatch& swatch);
 
   // The yarn that bars of colour are painted with is the one that is looked at.
   void stepYarn(int step, size_t yarns);

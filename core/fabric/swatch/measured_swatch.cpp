@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <filesystem>
 
 #include "core/base/error.h"
 #include "core/base/file.h"
@@ -21,6 +23,19 @@ Spectrum bandReflectance(const MeasuredSwatch& swatch) {
     bands[j] = static_cast<float>(std::clamp(sprague(swatch.values, at), 0.0, 1.0));
   }
   return bands;
+}
+
+bool isSwatchFile(const std::string& file) {
+  std::string extension = std::filesystem::path(file).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (extension == ".csv" || extension == ".cxf" || extension == ".qtx") return true;
+  if (extension != ".txt") return false;
+  try {
+    return readFile(file, kMostSwatchBytes).find("BEGIN_DATA_FORMAT") != std::string::npos;
+  } catch (const InputError&) {
+    return false;  // who opens it will say why
+  }
 }
 
 SwatchFile readSwatches(const std::string& file) {

@@ -36,6 +36,9 @@ struct SwatchFile {
 /// wavelengths as its columns or as its rows; which of them it is, its content says. Throws InputError.
 SwatchFile readSwatches(const std::string& file);
 
+/// Whether a file is one of these, by the ending of its name; of a .txt, which may be anything, by its words.
+bool isSwatchFile(const std::string& file);
+
 /// The same of a file's bytes; `source` names them in messages and gives a swatch without a name its own.
 SwatchFile swatchesFrom(std::string_view bytes, const std::string& source);
 

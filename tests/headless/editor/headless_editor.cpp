@@ -295,6 +295,11 @@ void HeadlessEditor::choose(const std::string& list, const std::string& choice) 
   click(list + "/" + choice);
 }
 
+void HeadlessEditor::drop(const std::string& file) {
+  session_->drop({file});
+  frame();
+}
+
 void HeadlessEditor::nameFile(const std::string& file) {
   enter("browser.name", file);
 }

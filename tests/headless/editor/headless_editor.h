@@ -92,6 +92,8 @@ class HeadlessEditor {
   void enter(const std::string& field, const std::string& text);
   /// Of a list: clicks it, then the choice.
   void choose(const std::string& list, const std::string& choice);
+  /// A file is dropped on the window.
+  void drop(const std::string& file);
   void nameFile(const std::string& file);  ///< in the file browser
   void answer(int index = 0);              ///< of a message that is up or comes
   /// The cloth that Ctrl+S saves in the file it has.
