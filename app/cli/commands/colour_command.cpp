@@ -20,7 +20,7 @@
 namespace loomlight {
 namespace {
 
-constexpr size_t kWalks = 8 * kDyeWalks;
+constexpr size_t kWalks = 2 * kDyeWalks;
 
 /// A cloth or a swatch, as it reflects.
 struct Sample {

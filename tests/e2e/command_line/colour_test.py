@@ -3,8 +3,7 @@
 import json
 import math
 
-from dye_test import CLOSED
-from harness import CommandLineTest, main
+from harness import CLOSED, CommandLineTest, main
 
 GREY = [12] * 36
 

@@ -3,20 +3,8 @@
 import json
 import math
 
-from harness import CommandLineTest, main, read_png
+from harness import CLOSED, CommandLineTest, main, read_png
 
-# Closed cloth of one yarn: whatever is seen from above is its fibre.
-YARN = {"name": "yarn", "fibre": 0, "fibres_per_ply": 120}
-CLOSED = {
-    "weave": ["#.", ".#"],
-    "ends_per_cm": 60,
-    "picks_per_cm": 60,
-    "weft_sequence": [0],
-    "yarns": [YARN],
-    "fibres": [{"name": "a=b", "radius_um": 9}],
-    "drape": {"kind": "flat", "width_mm": 12, "height_mm": 12},
-    "camera": {"elevation_deg": 90, "fov_deg": 0, "distance_mm": 6},
-}
 WALKS = 8192
 
 

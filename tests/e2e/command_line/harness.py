@@ -39,6 +39,19 @@ SMALL = {
     "render": {"width": 32, "height": 24, "samples_per_pixel": 4, "resolution": 2},
 }
 
+# Closed cloth of one yarn: whatever is seen from above is its fibre.
+_YARN = {"name": "yarn", "fibre": 0, "fibres_per_ply": 120}
+CLOSED = {
+    "weave": ["#.", ".#"],
+    "ends_per_cm": 60,
+    "picks_per_cm": 60,
+    "weft_sequence": [0],
+    "yarns": [_YARN],
+    "fibres": [{"name": "a=b", "radius_um": 9}],
+    "drape": {"kind": "flat", "width_mm": 12, "height_mm": 12},
+    "camera": {"elevation_deg": 90, "fov_deg": 0, "distance_mm": 6},
+}
+
 
 class CommandLineTest(unittest.TestCase):
     """A test with a folder of its own."""

@@ -1,4 +1,5 @@
 /// What a spectrophotometer has measured becomes the dye of the fibre that is looked at.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "core/fabric/yarn/yarn_reflectance.h"
@@ -19,10 +20,10 @@ class Swatches : public testing::Test {
   std::string brown() {
     std::string head = "name", row = "made-up brown";
     for (int nm = 400; nm <= 700; nm += 20) {
-      head += "," + std::to_string(nm);
-      row += "," + std::to_string(0.05 + (nm - 400) * 0.0007);
+      head += fmt::format(",{}", nm);
+      row += fmt::format(",{:.4f}", 0.05 + (nm - 400) * 0.0007);
     }
-    return head + "\n" + row + "\n";
+    return fmt::format("{}\n{}\n", head, row);
   }
   test::ScratchFolder folder;
   HeadlessEditor editor{{1280, 900, 1}};

@@ -103,7 +103,7 @@ TEST(ColourSolver, SolvedClothRendersAsItsSwatchWasMeasured) {
     Spectrum swatch;
     for (size_t j = 0; j < kBands; ++j) {
       const double away = (bandWavelength_nm(j) - centre_nm) / 60;
-      swatch[j] = static_cast<float>(0.08 + 0.3 * std::exp(-away * away));
+      swatch[j] = static_cast<float>(0.08 + 0.2 * std::exp(-away * away));
     }
     const SolvedReflectance solved = solveReflectance(*walks, colouringInDaylight(fabric), 0, swatch);
     EXPECT_EQ(solved.tooLight + solved.tooDark, 0u);
