@@ -31,7 +31,10 @@ class Swatches : public testing::Test {
 
 TEST_F(Swatches, ADroppedOneDyesTheFibreInBandsInOneStep) {
   const Absorption before = editor.saved().fibres[0].absorption_per_mm;
-  editor.edits("the cloth is dyed", [&] { editor.drop(file("brown.csv", brown())); });
+  editor.edits("the cloth is dyed", [&] {
+    editor.drop(file("brown.csv", brown()));
+    editor.answer();  // that its numbers are fractions of 1 was guessed
+  });
   EXPECT_TRUE(editor.shows("fibre.cloth_colour")) << "the page of fibres is open";
   const Fibre dyed = editor.saved().fibres[0];
   ASSERT_TRUE(dyed.absorption_per_mm.isSpectral());
