@@ -76,6 +76,7 @@ MenuChoice menuBar(Ui& ui, const MenuModel& model) {
     ImGui::Separator();
     menu.item("menu.keep_view", "Keep this view", "K", Command::keepView);
     menu.item("menu.lens", "Truth lens", "L", Command::truthLens, true, model.lensOn);
+    menu.item("menu.next_lamp", "Next lamp of the booth", "J", Command::boothLamp);
     menu.item("menu.denoise", "Denoised preview", "N", Command::denoise, true, model.denoised);
     ImGui::Separator();
     menu.item("menu.panels", "Panels", "P", Command::togglePanels, true, model.panelsShown);

@@ -26,7 +26,7 @@ void statusBar(Ui& ui, const StatusModel& model) {
   const float width = ImGui::GetWindowWidth();
   const float x = ui.px(16);
   // The places are reserved, so that nothing moves. In a narrow window figures end before what the workers say begins.
-  const float right = width - ui.px(model.background.empty() ? 330 : 450);
+  const float right = width - ui.px(model.background.empty() && model.lamp.empty() ? 330 : 450);
   const auto clothFigure = [&](const char* id, float place, const std::string& text, const char* tooltip) {
     const float from = x + ui.px(place);
     if (model.figuresKnown && from + ImGui::CalcTextSize(text.c_str()).x < right)
@@ -57,6 +57,12 @@ void statusBar(Ui& ui, const StatusModel& model) {
            "How often light is stopped within the yarns is measured in the background, to be used once it is known. "
            "Until then it is lent by the most similar yarns that have been measured before.",
            quiet);
+  else if (!model.lamp.empty())
+    figure(
+        ui, "status.lamp", width - ui.px(434), model.lamp,
+        "The lamp whose spectrum the colours are seen by, as in a light booth (J takes the next). The eye is adapted "
+        "to it: white is white, and what moves is what dyers call metamerism.",
+        quiet);
   figure(ui, "status.work", width - ui.px(314), model.work, "What the workers behind the picture are doing.", quiet);
   figure(ui, "status.samples", width - ui.px(150),
          model.samples > 0 ? fmt::format("{} spp", model.samples) : std::string("preview"),

@@ -22,6 +22,7 @@ struct StatusModel {
   double seconds = 0;
   std::string work;        ///< what the workers do: "tracing", "building 40 %", "converged"
   std::string background;  ///< what is done beside that: "visibility 40 %"; empty: nothing
+  std::string lamp;        ///< whose spectrum white light has, where it is not daylight's; empty: it is
   bool figuresKnown = false;
 };
 

@@ -89,7 +89,7 @@ const std::vector<ClearEdit>& allEdits() {
        }},
       {"colour",
        [](Fabric f) {
-         f.fibres[0].absorption_per_mm += Rgb(1, 8, 16);
+         f.fibres[0].absorption_per_mm.primaries += Rgb(1, 8, 16);
          return f;
        }},
       {"light",

@@ -121,7 +121,7 @@ std::vector<EditKind> editKinds() {
            }},
           {"absorption", Voxelises::nothing,
            [](Fabric f, int round) {
-             f.fibres[0].absorption_per_mm += Rgb(3 + round, 1, 2);
+             f.fibres[0].absorption_per_mm.primaries += Rgb(3 + round, 1, 2);
              return f;
            }},
           {"refractive index", Voxelises::nothing,

@@ -86,6 +86,13 @@ void addPictureOptions(CLI::App& app, FabricOptions& options) {
              const FieldInfo info = fieldInfo(&Light::temperature_K);
              options.temperature_K = parseNumber(option, text, info.min, info.max);
            });
+  addValue(
+      app, "--illuminant", "NAME|KELVIN|FILE",
+      "spectrum of white light: D65, D55, D50, A, E, F2, F7, F11, LED-B1 to LED-B5, a black body such as 2856K, or a "
+      "text file of nm and power; the eye is adapted to it",
+      [&options](const auto& option, const auto& text) { options.illuminant = parseIlluminant(option, text); });
+  addValue(app, "--observer", "2|10", "whose eye sees the colours: the CIE observer for so many degrees",
+           [&options](const auto& option, const auto& text) { options.observer = parseObserver(option, text); });
   addColourway(app, options);
   addValue(app, "--view", "NAME|AZ,EL[,MM]", viewPresetNames() + ", or angles in degrees and a distance",
            [&options](const auto& option, const auto& text) { options.view = parseView(option, text); });

@@ -20,6 +20,12 @@ void applyLight(const LightChoice& choice, Light& light) {
   }
 }
 
+void applyIlluminant(const IlluminantChoice& choice, Light& light) {
+  light.illuminant = choice.illuminant;
+  light.illuminantFile = choice.file;
+  light.temperature_K = choice.temperature_K.value_or(light.temperature_K);
+}
+
 Fabric inColourwayNamed(const std::string& name, const Fabric& fabric) {
   std::string names;
   for (const Colourway& colourway : fabric.colourways) {
@@ -54,6 +60,8 @@ Fabric withOptions(Fabric fabric, const FabricOptions& options) {
   fabric.drape.uvScale_mm = options.uvScale_mm.value_or(fabric.drape.uvScale_mm);
   if (options.light) applyLight(*options.light, fabric.light);
   fabric.light.temperature_K = options.temperature_K.value_or(fabric.light.temperature_K);
+  if (options.illuminant) applyIlluminant(*options.illuminant, fabric.light);
+  render.observer = options.observer.value_or(render.observer);
 
   auto view = options.view;
   if (!view && options.drape) view = ViewChoice{fabric.camera.azimuth_deg, fabric.camera.elevation_deg, {}, {}};

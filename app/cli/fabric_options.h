@@ -24,7 +24,9 @@ struct FabricOptions {
   std::optional<ViewChoice> view;
   std::optional<LightChoice> light;
   std::optional<double> temperature_K;  ///< of the light
-  std::string colourway;                ///< its name; empty: the colours that the fabric has now
+  std::optional<IlluminantChoice> illuminant;
+  std::optional<Observer> observer;
+  std::string colourway;  ///< its name; empty: the colours that the fabric has now
 };
 
 /// The fabric with these options. Another drape without a view keeps the camera's angle, and moves the camera to see

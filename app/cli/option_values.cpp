@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <limits>
 
 #include "app/cli/usage_error.h"
 #include "core/fabric/model/choice_names.h"
+#include "core/fabric/model/field_tables.h"
 
 namespace loomlight {
 namespace {
@@ -145,6 +148,29 @@ ViewChoice parseView(const std::string& option, const std::string& text) {
   view.elevation_deg = parseNumber(option + " (elevation)", parts[1], -90, 90);
   if (parts.size() == 3) view.distance_mm = parseNumber(option + " (distance)", parts[2], 0.1, 1e5);
   return view;
+}
+
+IlluminantChoice parseIlluminant(const std::string& option, const std::string& text) {
+  std::string name = text;
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return c == '-' ? '_' : static_cast<char>(std::tolower(c)); });
+  if (name == "tl84") name = "f11";
+  const auto known = choiceFromName<StandardIlluminant>(name);
+  if (known && *known != StandardIlluminant::blackBody && *known != StandardIlluminant::file) return {*known, {}, ""};
+  if (name.size() > 1 && name.back() == 'k' && std::isdigit(static_cast<unsigned char>(name.front()))) {
+    const FieldInfo info = fieldInfo(&Light::temperature_K);
+    const double temperature_K = parseNumber(option, name.substr(0, name.size() - 1), info.min, info.max);
+    return {StandardIlluminant::blackBody, temperature_K, ""};
+  }
+  if (text.find('.') == std::string::npos)
+    refuse(option, "D65, D55, D50, A, E, F2, F7, F11, LED-B1 to LED-B5, a black body such as 2856K, or a text file",
+           text);
+  return {StandardIlluminant::file, {}, text};
+}
+
+Observer parseObserver(const std::string& option, const std::string& text) {
+  if (text != "2" && text != "10") refuse(option, "2 or 10", text);
+  return text == "2" ? Observer::degrees2 : Observer::degrees10;
 }
 
 DrapeChoice parseDrape(const std::string& option, const std::string& text) {

@@ -51,6 +51,17 @@ HalfDomeGrid parseHalfDome(const std::string& option, const std::string& text);
 /// 10x150: length in metres and width in cm, in the ranges of core/fabric/yarn/yarn_need.h.
 PieceSize parsePieceSize(const std::string& option, const std::string& text);
 
+/// The spectrum that white light is to have; the temperature is a black body's.
+struct IlluminantChoice {
+  StandardIlluminant illuminant = StandardIlluminant::d65;
+  std::optional<double> temperature_K;
+  std::string file;
+};
+/// D65, a, TL84, LED-B3; 2856K; or the name of a file, which has a dot.
+IlluminantChoice parseIlluminant(const std::string& option, const std::string& text);
+/// 2 or 10, degrees.
+Observer parseObserver(const std::string& option, const std::string& text);
+
 EventLaw parseEventLaw(const std::string& option, const std::string& text);
 WifSizeChoice parseWifSizes(const std::string& option, const std::string& text);
 

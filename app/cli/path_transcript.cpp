@@ -46,7 +46,7 @@ bool PathTranscript::meets(const Collision& at, uint32_t event) {
 }
 
 void PathTranscript::gathers(const PathLight& light, std::span<const float> lengths_mm, uint32_t events) {
-  const Rgb colour = colourOf(light, lengths_mm, scene_.absorption_per_mm);
+  const Rgb colour = colourOf(light, lengths_mm, scene_.colouring);
   (events == 1 ? direct_ : indirect_) += colour;
   const auto out = std::back_inserter(text_);
   fmt::format_to(out, "  {}     {}\n", light.traverse_mm > 0 ? "lamp " : "found", vectorText(colour));

@@ -11,6 +11,7 @@
 #include "core/fabric/model/field_tables.h"
 #include "core/fabric/weave/structure_edit.h"
 #include "core/fabric/yarn/derived.h"
+#include "ui/widgets/choices.h"
 #include "ui/widgets/fields.h"
 #include "ui/widgets/keys.h"
 
@@ -160,6 +161,8 @@ void Session::run(Command command) {
       return draft_.fit();
     case Command::truthLens:
       return viewport_.view().lens.toggle();
+    case Command::boothLamp:
+      return document_.change([](Fabric& fabric) { fabric.light.illuminant = nextLamp(fabric.light.illuminant); });
     case Command::denoise:
       viewport_.view().denoised = !viewport_.view().denoised;
       break;
@@ -230,6 +233,7 @@ void Session::readKeys() {
   if (letterPressed('F')) run(io.KeyShift ? Command::fitDraft : Command::fitView);
   if (letterPressed('K')) run(Command::keepView);
   if (letterPressed('L')) run(Command::truthLens);
+  if (letterPressed('J')) run(Command::boothLamp);
   if (letterPressed('N')) run(Command::denoise);
   if (letterPressed('X')) run(Command::swapBrushes);
   if (io.InputQueueCharacters.contains('[')) run(Command::brushBefore);

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -5,6 +7,7 @@
 #include "app/editor/session.h"
 #include "core/base/memory.h"
 #include "ui/menu_bar.h"
+#include "ui/widgets/choices.h"
 
 namespace loomlight {
 
@@ -150,6 +153,8 @@ bool Session::dialogIsOpen() const {
 StatusModel Session::statusToSay() const {
   const ViewService& seen = viewport_.service();
   StatusModel model = statusModel(seen.stats().get(), seen.status(), seen.visibilityStatus(), seen.frame());
+  const Light& light = document_.fabric()->light;
+  if (light.illuminant != StandardIlluminant::d65) model.lamp = fmt::format("under {}", lampName(light.illuminant));
   const auto insist = [&model](const std::string& about, const std::string& problem) {
     if (problem.empty()) return;
     model.warning = about + problem;

@@ -15,7 +15,7 @@
 #include "core/base/file.h"
 #include "core/base/rgb.h"
 #include "core/fabric/weave/draft_edit.h"
-#include "core/fabric/yarn/colour.h"
+#include "core/fabric/yarn/yarn_reflectance.h"
 
 namespace loomlight {
 namespace {
@@ -111,7 +111,7 @@ class Sheet {
 
   void setYarn(cairo_t* canvas, int yarn) const {
     const Fibre& fibre = fabric_.fibres[static_cast<size_t>(fabric_.yarns[static_cast<size_t>(yarn)].fibre)];
-    const Rgb linear = colourFromAbsorption(fibre.absorption_per_mm, fibre.azimuthalRoughness, fibre.radius_um);
+    const Rgb linear = fibreReflectance(fibre);
     const Rgb display = srgbFromLinear(glm::clamp(linear, Rgb(0.0f), Rgb(1.0f)));
     cairo_set_source_rgb(canvas, display.x, display.y, display.z);
   }

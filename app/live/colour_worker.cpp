@@ -3,8 +3,7 @@
 #include <utility>
 
 #include "core/fabric/model/changes.h"
-#include "render/scene/scene.h"
-#include "render/transport/make_medium.h"
+#include "render/transport/cloth_walks.h"
 
 namespace loomlight {
 namespace {
@@ -20,8 +19,10 @@ std::shared_ptr<const ColourAnswer> answerTo(const ColourWish& wish, const PathL
   answer->wish = wish;
   answer->seen = walks.lit() > 0;
   if (!answer->seen) return answer;
-  answer->colour = walks.colour(absorptionsOf(*wish.fabric));
+  const Colouring colouring = colouringInDaylight(*wish.fabric);
+  answer->colour = walks.colour(colouring);
   if (wish.wanted) answer->solved = solveColour(walks, absorptionsOf(*wish.fabric), wish.fibre, *wish.wanted);
+  if (wish.measured) answer->matched = solveReflectance(walks, colouring, wish.fibre, *wish.measured);
   return answer;
 }
 
@@ -57,9 +58,7 @@ bool ColourWorker::makeWalks(ColourWish& wish, Answering::Turn& turn) {
     else
       turn.giveWayTo(std::move(*newer));
   };
-  const auto scene = makeScene(std::make_shared<const Fabric>(colourPatch(*fabric)), task);
-  const auto medium = scene ? makeMedium(*scene, defaultMemoryLimit_bytes(), task) : nullptr;
-  auto walks = medium ? tallyPathLengths(*scene, *medium, wish.fibre, kDyeWalks, task) : std::nullopt;
+  auto walks = walkThrough(*fabric, wish.fibre, kDyeWalks, task);
   if (!walks) return false;
   walked_ = fabric;
   walkedFibre_ = wish.fibre;

@@ -10,12 +10,14 @@
 
 namespace loomlight {
 
-/// Which colour the cloth shows where a fibre lies on top; and, where one is wanted, how to dye it for that.
+/// Which colour the cloth shows where a fibre lies on top; and, where one is wanted, how to dye it for that. At most
+/// one of the two is wanted.
 struct ColourWish {
   std::shared_ptr<const Fabric> fabric;
   int fibre = 0;
-  std::optional<Rgb> wanted;  ///< linear, 1 is white paper
-  uint64_t number = 0;        ///< the asker's, to know the answer by
+  std::optional<Rgb> wanted;         ///< linear, 1 is white paper
+  std::optional<Spectrum> measured;  ///< a reflectance in bands, 1 is a perfect diffuser
+  uint64_t number = 0;               ///< the asker's, to know the answer by
 };
 
 struct ColourAnswer {
@@ -23,6 +25,7 @@ struct ColourAnswer {
   bool seen = false;  ///< the fibre lies on top somewhere
   Rgb colour{0};      ///< that the cloth shows now
   std::optional<SolvedColour> solved;
+  std::optional<SolvedReflectance> matched;
 };
 
 /// Answers the newest wish on a thread of its own, at low priority: light is walked through the cloth once for each

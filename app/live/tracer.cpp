@@ -195,7 +195,7 @@ bool Tracer::recolour() {
   const auto dye = dyeBetween(known->scene(), *request.cloth.scene);
   if (!dye) return false;
   clear_.reset();
-  if (dye->light == Rgb(1) && dye->absorption_per_mm == known->scene().absorption_per_mm) {
+  if (dye->light == Rgb(1) && dye->colouring == known->scene().colouring) {
     if (dyed_) picture_ = std::exchange(dyed_, std::nullopt);  // back to the colours that it was traced in
     picturePending_ = framed(picture_->frame());
   } else {

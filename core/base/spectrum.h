@@ -18,4 +18,8 @@ constexpr int bandWavelength_nm(size_t band) {
 /// One value for each band: a reflectance (1 is a perfect diffuser), the power of a light, or an absorption (1/mm).
 using Spectrum = std::array<float, kBands>;
 
+/// Whose eye sees colours: the CIE standard observer of 1931, for patches of 2 degrees, or of 1964, for 10 degrees,
+/// with which the textile trade measures.
+enum class Observer { degrees2, degrees10 };
+
 }  // namespace loomlight

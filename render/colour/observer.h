@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <glm/glm.hpp>
 
+#include "core/base/spectrum.h"
+
 namespace loomlight {
 
 /// The wavelengths that colour is summed over: every nm from 360 to 780, as ASTM E308 does.
@@ -11,10 +13,6 @@ inline constexpr int kFirstVisible_nm = 360, kLastVisible_nm = 780;
 inline constexpr size_t kVisible = kLastVisible_nm - kFirstVisible_nm + 1;
 template <class Value>
 using PerNm = std::array<Value, kVisible>;
-
-/// Whose eye: the CIE standard observer of 1931, for patches of 2 degrees, or of 1964, for 10 degrees, with which
-/// the textile trade measures.
-enum class Observer { degrees2, degrees10 };
 
 /// The colour matching functions x, y and z of an observer (CIE 15:2018; ISO/CIE 11664-1), at every nm.
 const PerNm<glm::dvec3>& matchingFunctions(Observer observer);

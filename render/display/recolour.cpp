@@ -6,7 +6,6 @@
 #include "core/base/parallel.h"
 #include "core/base/rgb.h"
 #include "core/fabric/model/changes.h"
-#include "render/colour/spectrum.h"
 
 // How it works. Paths on record say what light they would bring in the other colours. Where all of a pixel's samples
 // are on record, that is its new colour. Elsewhere the film's colour is multiplied by the ratio of new to old light,
@@ -55,8 +54,8 @@ std::optional<Dye> dyeBetween(const Scene& traced, const Scene& wanted) {
   const Fabric& to = *wanted.fabric;
   if (!changes(from, to).stages.within(Stage::colour | Stage::brightness | Stage::label)) return std::nullopt;
   if (!(from.light.intensity > 0)) return std::nullopt;
-  const Rgb tint = blackBodyTint(to.light.temperature_K) / blackBodyTint(from.light.temperature_K);
-  return Dye{wanted.absorption_per_mm, static_cast<float>(to.light.intensity / from.light.intensity) * tint};
+  const Rgb tint = Lighting::tint(to.light) / Lighting::tint(from.light);
+  return Dye{wanted.colouring, static_cast<float>(to.light.intensity / from.light.intensity) * tint};
 }
 
 Recoloured recolour(const Film& film, const PathRecords& records, const Dye& dye, int threads) {

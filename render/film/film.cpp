@@ -43,15 +43,15 @@ Film::Film(int width, int height) : width_(width), height_(height) {
 void Film::add(int x, int y, uint32_t sampleIndex, const PathSample& sample) {
   assert(x >= 0 && x < width_ && y >= 0 && y < height_ && sampleIndex < maxSamples);
   Pixel& p = at(x, y);
-  uint64_t total[3];
+  glm::dvec3 total;
   for (int c = 0; c < 3; ++c) {
-    const uint64_t direct = fixedRadiance(sample.direct[c]), indirect = fixedRadiance(sample.indirect[c]);
+    const int64_t direct = fixedRadiance(sample.direct[c]), indirect = fixedRadiance(sample.indirect[c]);
     p.direct[c] += direct;
     p.indirect[c] += indirect;
-    total[c] = direct + indirect;
+    total[c] = static_cast<double>(direct + indirect);
   }
   // From the rounded values, so that mean and second moment speak of the same samples.
-  p.luminance2 = saturatingAdd(p.luminance2, fixedSquare(luminance(total)));
+  p.luminance2 = saturatingAdd(p.luminance2, fixedSquare(luminanceOf(total)));
   p.events += sample.events;
   ++p.samples;
   if (!(sample.alpha >= 0.5f)) return;
@@ -105,19 +105,20 @@ void Film::clear() {
   std::fill(pixels_.begin(), pixels_.end(), Pixel{});
 }
 
+/// The sum of all samples, in quanta.
+glm::dvec3 Film::radiance(const Pixel& p) {
+  return glm::dvec3(p.direct[0], p.direct[1], p.direct[2]) + glm::dvec3(p.indirect[0], p.indirect[1], p.indirect[2]);
+}
+
 Rgb Film::mean(const Pixel& p) {
   if (p.samples == 0) return Rgb(0);
-  const double scale = kRadianceQuantum / p.samples;
-  return {static_cast<float>(static_cast<double>(p.direct[0] + p.indirect[0]) * scale),
-          static_cast<float>(static_cast<double>(p.direct[1] + p.indirect[1]) * scale),
-          static_cast<float>(static_cast<double>(p.direct[2] + p.indirect[2]) * scale)};
+  return Rgb(radiance(p) * (kRadianceQuantum / p.samples));
 }
 
 float Film::variance(const Pixel& p) {
   if (p.samples < 2) return 0;
   if (p.luminance2 == std::numeric_limits<uint64_t>::max()) return std::numeric_limits<float>::infinity();
-  const uint64_t total[3] = {p.direct[0] + p.indirect[0], p.direct[1] + p.indirect[1], p.direct[2] + p.indirect[2]};
-  const double n = p.samples, mean = luminance(total) / n;
+  const double n = p.samples, mean = luminanceOf(radiance(p)) / n;
   const double meanOfSquares = static_cast<double>(p.luminance2) * kSquareQuantum / n;
   return static_cast<float>(std::max(0.0, meanOfSquares - mean * mean) / (n - 1));
 }

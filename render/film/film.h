@@ -30,7 +30,7 @@ struct PathSample {
 ///
 /// | sum                    | quantum    | a sample is clamped to |
 /// |------------------------|------------|------------------------|
-/// | radiance, each channel | 2^-24      | 0 .. 2^18              |
+/// | radiance, each channel | 2^-24      | -2^18 .. 2^18          |
 /// | luminance squared      | 2^-28      | 0 .. 2^34              |
 /// | depth                  | 2^-16 mm   | 0 .. 2^20 mm           |
 /// | normal, tangent        | 2^-10      | -1 .. 1                |
@@ -80,7 +80,7 @@ class Film {
  private:
   /// All zero is a pixel without samples.
   struct alignas(64) Pixel {
-    uint64_t direct[3], indirect[3];
+    int64_t direct[3], indirect[3];
     uint64_t luminance2;
     uint64_t depth;
     uint64_t events;
@@ -97,6 +97,7 @@ class Film {
     return pixels_[static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x)];
   }
   const Pixel& at(int x, int y) const { return const_cast<Film*>(this)->at(x, y); }
+  static glm::dvec3 radiance(const Pixel& pixel);
   static Rgb mean(const Pixel& pixel);
   static float variance(const Pixel& pixel);
   static Hit hit(const Pixel& pixel);

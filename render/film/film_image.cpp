@@ -21,6 +21,9 @@ std::array<float, 3> split(uint64_t v) {
   constexpr uint64_t mask = (1u << 22) - 1;
   return {static_cast<float>(v & mask), static_cast<float>(v >> 22 & mask), static_cast<float>(v >> 44)};
 }
+std::array<float, 3> split(int64_t v) {
+  return split(static_cast<uint64_t>(v));
+}
 std::array<float, 2> split(int32_t v) {
   const auto bits = static_cast<uint32_t>(v);
   return {static_cast<float>(bits & 0xFFFF), static_cast<float>(bits >> 16)};
@@ -41,6 +44,12 @@ bool join(const std::array<float, 3>& parts, uint64_t& v) {
   if (!isPart(parts[0], 22) || !isPart(parts[1], 22) || !isPart(parts[2], 20)) return false;
   v = static_cast<uint64_t>(parts[0]) | static_cast<uint64_t>(parts[1]) << 22 | static_cast<uint64_t>(parts[2]) << 44;
   return true;
+}
+bool join(const std::array<float, 3>& parts, int64_t& v) {
+  uint64_t bits = 0;
+  const bool sound = join(parts, bits);
+  v = static_cast<int64_t>(bits);
+  return sound;
 }
 bool join(const std::array<float, 2>& parts, int32_t& v) {
   if (!isPart(parts[0], 16) || !isPart(parts[1], 16)) return false;
@@ -122,8 +131,8 @@ Image Film::toImage(bool withSums) const {
       const Rgb radiance = mean(p);
       for (int c = 0; c < 3; ++c) put(radiance[c]);
       put(meanOver(p.hits, 1, p.samples));
-      for (const uint64_t sum : p.direct) put(meanOver(static_cast<double>(sum), kRadianceQuantum, p.samples));
-      for (const uint64_t sum : p.indirect) put(meanOver(static_cast<double>(sum), kRadianceQuantum, p.samples));
+      for (const int64_t sum : p.direct) put(meanOver(static_cast<double>(sum), kRadianceQuantum, p.samples));
+      for (const int64_t sum : p.indirect) put(meanOver(static_cast<double>(sum), kRadianceQuantum, p.samples));
       put(meanOver(static_cast<double>(p.depth), kDepthQuantum_mm, p.hits));
       for (const int32_t sum : p.normal) put(meanOver(sum, kDirectionQuantum, p.hits));
       for (const int32_t sum : p.tangent) put(meanOver(sum, kDirectionQuantum, p.hits));
@@ -163,6 +172,9 @@ Film Film::fromImage(const Image& image, const std::string& file) {
       sound = join(parts, sum) && sound;
     });
     sound = sound && p.samples <= maxSamples && p.hits <= p.samples;
+    const int64_t brightest = p.samples * static_cast<int64_t>(kMaxRadiance / kRadianceQuantum);
+    for (const int64_t sum : {p.direct[0], p.direct[1], p.direct[2], p.indirect[0], p.indirect[1], p.indirect[2]})
+      sound = sound && sum >= -brightest && sum <= brightest;
     const int64_t longest = p.hits * static_cast<int64_t>(1 / kDirectionQuantum);
     for (int c = 0; c < 3; ++c)
       sound = sound && std::abs(int64_t{p.normal[c]}) <= longest && std::abs(int64_t{p.tangent[c]}) <= longest;

@@ -14,15 +14,18 @@ inline constexpr double kRadianceQuantum = 0x1p-24, kSquareQuantum = 0x1p-28, kD
                         kDirectionQuantum = 0x1p-10;
 inline constexpr double kMaxRadiance = 0x1p18, kMaxSquare = 0x1p34, kMaxDepth_mm = 0x1p20;
 
+/// Rounded to the nearest quantum; NaN gives 0. Radiance of colours outside of the gamut has negative channels.
+inline int64_t fixedRadiance(float value) {
+  if (std::isnan(value)) return 0;
+  return std::llrint(std::clamp(static_cast<double>(value), -kMaxRadiance, kMaxRadiance) * (1 / kRadianceQuantum));
+}
+
 /// Rounded to the nearest quantum; NaN and what is below zero give 0.
 inline uint64_t fixedPositive(double value, double maximum, double quantum) {
   if (!(value > 0)) return 0;
   return static_cast<uint64_t>(std::llrint(std::min(value, maximum) * (1 / quantum)));
 }
 
-inline uint64_t fixedRadiance(float value) {
-  return fixedPositive(value, kMaxRadiance, kRadianceQuantum);
-}
 inline uint64_t fixedDepth(float value_mm) {
   return fixedPositive(value_mm, kMaxDepth_mm, kDepthQuantum_mm);
 }
@@ -42,8 +45,8 @@ inline uint64_t saturatingAdd(uint64_t a, uint64_t b) {
 }
 
 /// Of radiance in quanta.
-inline double luminance(const uint64_t (&rgb)[3]) {
-  return kRadianceQuantum * luminance(glm::dvec3(rgb[0], rgb[1], rgb[2]));
+inline double luminanceOf(const glm::dvec3& quanta) {
+  return kRadianceQuantum * luminance(quanta);
 }
 
 }  // namespace loomlight

@@ -49,7 +49,11 @@ Lighting::Lighting(const Light& light, glm::vec3 eye_mm, float reach_mm, const L
       file_(light.file),
       written_(writtenAt(light)),
       light_(makeLight(light, eye_mm, reach_mm, previous && previous->shows(*this) ? &previous->light_ : nullptr)),
-      tint_(blackBodyTint(light.temperature_K)) {}
+      tint_(tint(light)) {}
+
+Rgb Lighting::tint(const Light& light) {
+  return light.illuminant == StandardIlluminant::blackBody ? Rgb(1) : blackBodyTint(light.temperature_K);
+}
 
 /// Whether another one has the same surroundings, brighter or turned perhaps.
 bool Lighting::shows(const Lighting& other) const {

@@ -36,6 +36,10 @@ class Lighting {
   /// The pdf with which sample() chooses the non-delta direction d.
   float pdf(glm::vec3 d) const;
 
+  /// How its temperature tints white light, of luminance 1; a black body's spectrum is the colouring's, and tints
+  /// nothing here.
+  static Rgb tint(const Light& light);
+
  private:
   bool shows(const Lighting& other) const;
 

@@ -183,8 +183,8 @@ std::shared_ptr<const Scene> makeScene(std::shared_ptr<const Fabric> fabric, con
   Unfinished made;
   Scene& scene = made.scene;
   scene.fabric = fabric;
-  for (const Fibre& fibre : fabric->fibres) scene.absorption_per_mm.push_back(fibre.absorption_per_mm);
-  scene.roulette_per_mm = scene.absorption_per_mm;
+  scene.colouring = colouringOf(*fabric);
+  scene.roulette_per_mm = leastAbsorption_per_mm(scene.colouring);
   scene.lighting = previous && !change.stages.any(Stage::light | Stage::brightness)
                        ? previous->lighting
                        : std::make_shared<const Lighting>(fabric->light, CameraRays(fabric->camera, 1, 1).eye_mm(),

@@ -7,6 +7,7 @@
 #include "core/fabric/model/fabric.h"
 #include "render/light/lighting.h"
 #include "render/scene/camera_rays.h"
+#include "render/scene/colouring.h"
 #include "render/scene/trace_data.h"
 
 namespace loomlight {
@@ -25,9 +26,9 @@ struct Scene {
   std::shared_ptr<const Fabric> fabric;
   std::shared_ptr<const TraceData> cloth;
   std::shared_ptr<const Lighting> lighting;
-  std::vector<Rgb> absorption_per_mm;  ///< inside the fibres of each material
-  /// The absorptions by which Russian roulette ends paths: absorption_per_mm, unless paths must end where those of
-  /// another colouring end. The mean of the picture does not depend on them.
+  Colouring colouring;
+  /// The absorptions by which Russian roulette ends paths: the least that its colouring has, unless paths must end
+  /// where those of another colouring end. The mean of the picture does not depend on them.
   std::vector<Rgb> roulette_per_mm;
   PathSampling sampling;
   struct Seconds {

@@ -14,7 +14,7 @@ namespace loomlight {
 class FibreBricks;
 class ShellEntry;
 
-/// What light does at the fibres of one material. Colour is apart: Scene::absorption_per_mm.
+/// What light does at the fibres of one material. Colour is apart: Scene::colouring.
 struct Material {
   std::shared_ptr<const FibreBcsdf> bcsdf;
   float refractiveIndex = 1;

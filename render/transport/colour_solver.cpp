@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "render/colour/nearest_colour.h"
+#include "render/transport/path_light.h"
 
 namespace loomlight {
 namespace {
@@ -12,18 +14,13 @@ namespace {
 constexpr double kMostAbsorption = 10000;  // of a valid fabric
 constexpr float kTolerance = 1e-3f;        // of reflectance: less is not seen
 
-/// One channel of the walks as a function of one absorption: mean of weight exp(-sigma length).
+/// One channel or band of the walks as a function of one absorption: mean of weight exp(-sigma length).
 class Channel {
  public:
-  Channel(const PathLengthTally& walks, const std::vector<Rgb>& absorption_per_mm, size_t material, int channel)
-      : walks_(walks), material_(material) {
-    weights_.reserve(walks.lit());
-    for (size_t i = 0; i < walks.lengths_mm.size(); i += walks.materials) {
-      double exponent = 0;
-      for (size_t k = 0; k < walks.materials; ++k)
-        if (k != material) exponent += absorption_per_mm[k][channel] * walks.lengths_mm[i + k];
-      weights_.push_back(std::exp(-exponent) / static_cast<double>(walks.count));
-    }
+  /// `weights`: of each walk, what the other materials leave of its light.
+  Channel(const PathLengthTally& walks, size_t material, std::vector<double> weights)
+      : walks_(walks), material_(material), weights_(std::move(weights)) {
+    for (double& weight : weights_) weight /= static_cast<double>(walks.count);
   }
 
   struct Value {
@@ -61,6 +58,30 @@ double absorptionFor(const Channel& channel, double wanted) {
   return sigma;
 }
 
+std::vector<double> channelWeights(const PathLengthTally& walks, const std::vector<Rgb>& absorption_per_mm,
+                                   size_t material, int channel) {
+  std::vector<double> weights;
+  for (size_t i = 0; i < walks.lengths_mm.size(); i += walks.materials) {
+    double exponent = 0;
+    for (size_t k = 0; k < walks.materials; ++k)
+      if (k != material) exponent += absorption_per_mm[k][channel] * walks.lengths_mm[i + k];
+    weights.push_back(std::exp(-exponent));
+  }
+  return weights;
+}
+
+/// What a channel can be.
+struct Range {
+  double darkest = 0, lightest = 1;
+
+  explicit Range(const Channel& channel)
+      : darkest(channel.at(kMostAbsorption).colour), lightest(channel.at(0).colour) {}
+  /// As dark as can be asks for no more dye than makes a difference.
+  double darkestWorthwhile() const { return std::min(darkest + kTolerance, lightest); }
+  bool isTooLight(double wanted) const { return wanted > lightest + kTolerance; }
+  bool isTooDark(double wanted) const { return wanted < darkest - kTolerance; }
+};
+
 }  // namespace
 
 SolvedColour solveColour(const PathLengthTally& walks, std::vector<Rgb> absorption_per_mm, int material,
@@ -71,13 +92,12 @@ SolvedColour solveColour(const PathLengthTally& walks, std::vector<Rgb> absorpti
   std::vector<Channel> channels;
   Rgb darkest, lightest;
   for (int c = 0; c < 3; ++c) {
-    channels.emplace_back(walks, absorption_per_mm, own, c);
-    lightest[c] = static_cast<float>(channels.back().at(0).colour);
-    darkest[c] = static_cast<float>(channels.back().at(kMostAbsorption).colour);
-    solved.tooLight |= wanted[c] > lightest[c] + kTolerance;
-    solved.tooDark |= wanted[c] < darkest[c] - kTolerance;
-    // As dark as can be asks for no more dye than makes a difference.
-    darkest[c] = std::min(darkest[c] + kTolerance, lightest[c]);
+    channels.emplace_back(walks, own, channelWeights(walks, absorption_per_mm, own, c));
+    const Range range(channels.back());
+    solved.tooLight |= range.isTooLight(wanted[c]);
+    solved.tooDark |= range.isTooDark(wanted[c]);
+    lightest[c] = static_cast<float>(range.lightest);
+    darkest[c] = static_cast<float>(range.darkestWorthwhile());
   }
   // Each channel has a dye of its own, so all between the two can be had.
   const Rgb target = nearestColour(wanted, darkest, lightest);
@@ -86,6 +106,30 @@ SolvedColour solveColour(const PathLengthTally& walks, std::vector<Rgb> absorpti
       solved.absorption_per_mm[c] = static_cast<float>(absorptionFor(channels[static_cast<size_t>(c)], target[c]));
   absorption_per_mm[own] = solved.absorption_per_mm;
   solved.reached = walks.colour(absorption_per_mm);
+  return solved;
+}
+
+SolvedReflectance solveReflectance(const PathLengthTally& walks, Colouring colouring, int material,
+                                   const Spectrum& wanted) {
+  assert(walks.lit() > 0 && colouring.primaries_per_mm.size() == walks.materials);
+  const auto own = static_cast<size_t>(material);
+  colouring.setBands(own, Spectrum{});
+  std::array<std::vector<double>, kBands> weights;
+  for (size_t i = 0; i < walks.lengths_mm.size(); i += walks.materials) {
+    const Spectrum left = leftInBands(std::span(walks.lengths_mm).subspan(i, walks.materials), colouring);
+    for (size_t j = 0; j < kBands; ++j) weights[j].push_back(left[j]);
+  }
+  SolvedReflectance solved;
+  for (size_t j = 0; j < kBands; ++j) {
+    const Channel band(walks, own, std::move(weights[j]));
+    const Range range(band);
+    solved.tooLight += range.isTooLight(wanted[j]);
+    solved.tooDark += range.isTooDark(wanted[j]);
+    const double target = std::max(static_cast<double>(wanted[j]), range.darkestWorthwhile());
+    if (target < range.lightest) solved.absorption_per_mm[j] = static_cast<float>(absorptionFor(band, target));
+  }
+  colouring.setBands(own, solved.absorption_per_mm);
+  solved.reached = walks.reflectance(colouring).mean;
   return solved;
 }
 

@@ -18,4 +18,16 @@ struct SolvedColour {
 SolvedColour solveColour(const PathLengthTally& walks, std::vector<Rgb> absorption_per_mm, int material,
                          const Rgb& wanted);
 
+/// How a fibre absorbs in each band, where the cloth reflects as measured.
+struct SolvedReflectance {
+  Spectrum absorption_per_mm{};      ///< of that fibre
+  Spectrum reached{};                ///< what the cloth then reflects, where the fibre lies on top
+  size_t tooLight = 0, tooDark = 0;  ///< bands in which wanted lies beyond what this cloth can reflect
+};
+
+/// The same band by band, for a reflectance as a spectrophotometer measures it: bands that cannot be reached are as
+/// near as they can be. Other materials are as they are in `colouring`.
+SolvedReflectance solveReflectance(const PathLengthTally& walks, Colouring colouring, int material,
+                                   const Spectrum& wanted);
+
 }  // namespace loomlight

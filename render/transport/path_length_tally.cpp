@@ -1,9 +1,13 @@
 #include "render/transport/path_length_tally.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <cmath>
+#include <span>
 
 #include "core/base/parallel.h"
+#include "core/fabric/yarn/yarn_reflectance.h"
 #include "core/geometry/cloth_geometry.h"
 #include "render/transport/path_integrator.h"
 
@@ -41,7 +45,7 @@ class LengthTally final : public PathSink {
   const std::vector<float>& lengths_mm() const { return lengths_mm_; }
 
   bool meets(const Collision& at, uint32_t event) override {
-    if (event == 1) met_ = at.material == material_;
+    if (event == 1) met_ = material_ == kAnyMaterial || at.material == material_;
     return met_;
   }
   void gathers(const PathLight&, std::span<const float> lengths_mm, uint32_t) override {
@@ -67,9 +71,37 @@ Rgb PathLengthTally::colour(const std::vector<Rgb>& absorption_per_mm) const {
   return Rgb(sum / static_cast<double>(count));
 }
 
+Rgb PathLengthTally::colour(const Colouring& colouring) const {
+  if (count == 0) return Rgb(0.0f);
+  glm::dvec3 sum(0.0);
+  for (size_t i = 0; i < lengths_mm.size(); i += materials)
+    sum += glm::dvec3(colourOf({Rgb(1)}, std::span(lengths_mm).subspan(i, materials), colouring));
+  return Rgb(sum / static_cast<double>(count));
+}
+
+Reflectance PathLengthTally::reflectance(const Colouring& colouring) const {
+  std::array<double, kBands> sums{}, squares{};
+  for (size_t i = 0; i < lengths_mm.size(); i += materials) {
+    const Spectrum left = leftInBands(std::span(lengths_mm).subspan(i, materials), colouring);
+    for (size_t j = 0; j < kBands; ++j) {
+      sums[j] += left[j];
+      squares[j] += double{left[j]} * left[j];
+    }
+  }
+  Reflectance measured;
+  const auto n = static_cast<double>(count);
+  if (n < 2) return measured;
+  for (size_t j = 0; j < kBands; ++j) {
+    const double mean = sums[j] / n;
+    measured.mean[j] = static_cast<float>(mean);
+    measured.standardError[j] = static_cast<float>(std::sqrt(std::max(0.0, squares[j] / n - mean * mean) / (n - 1)));
+  }
+  return measured;
+}
+
 std::vector<Rgb> absorptionsOf(const Fabric& fabric) {
   std::vector<Rgb> absorptions;
-  for (const Fibre& fibre : fabric.fibres) absorptions.push_back(fibre.absorption_per_mm);
+  for (const Fibre& fibre : fabric.fibres) absorptions.push_back(absorptionOfPrimaries(fibre));
   return absorptions;
 }
 

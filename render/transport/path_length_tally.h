@@ -12,6 +12,12 @@ namespace loomlight {
 /// How many walks tell the colour of a cloth: a standard error of half a percent of it.
 inline constexpr size_t kDyeWalks = 8192;
 
+/// What a spectrophotometer says of a cloth.
+struct Reflectance {
+  Spectrum mean{};           ///< 1 is a perfect diffuser
+  Spectrum standardError{};  ///< bands err together, since all see the same walks
+};
+
 /// Light on its way from an eye straight above the cloth back to a white sky, black below: how a spectrophotometer
 /// looks at cloth. Absorption enters a path only as exp(-sum sigma_k L_k), so the lengths L_k that it has gone inside
 /// each fibre material are all that its colour depends on: one set of walks answers for every dye.
@@ -23,17 +29,26 @@ struct PathLengthTally {
   size_t lit() const { return materials > 0 ? lengths_mm.size() / materials : 0; }
   /// What shows, where that fibre lies on top, with these absorptions (1/mm, per material). 1 is white paper.
   Rgb colour(const std::vector<Rgb>& absorption_per_mm) const;
+  Rgb colour(const Colouring& colouring) const;
+  /// The same in each band, whatever the lamps: what a spectrophotometer reads that lights from all of the sky and
+  /// looks from straight above, gloss included, with black behind (d/0).
+  Reflectance reflectance(const Colouring& colouring) const;
 };
 
-/// Of every fibre, 1/mm: what PathLengthTally::colour() is asked for.
+/// Of every fibre three numbers, 1/mm, that stand for all that is known of it (absorptionOfPrimaries()): what
+/// PathLengthTally::colour() is asked for.
 std::vector<Rgb> absorptionsOf(const Fabric& fabric);
+
+/// Stands for whichever material is met first.
+inline constexpr int kAnyMaterial = -1;
 
 /// The fabric on a flat patch for tallyPathLengths: its repeat, as far as that is not too large, and what light travels
 /// sideways around it.
 Fabric colourPatch(Fabric fabric);
 
-/// `count` walks that first meet `material`, over the middle of the scene, which is that of a colourPatch(); fewer
-/// where hardly any does, none where it never lies on top. A function of the scene's seed. nullopt when stopped.
+/// `count` walks that first meet `material` (kAnyMaterial: one of them), over the middle of the scene, which is that of
+/// a colourPatch(); fewer where hardly any does, none where it never lies on top. A function of the scene's seed.
+/// nullopt when stopped.
 std::optional<PathLengthTally> tallyPathLengths(const Scene& scene, const Medium& medium, int material, size_t count,
                                                 const Task& task);
 

@@ -6,6 +6,7 @@
 #include "core/base/units.h"
 #include "render/optics/bcsdf.h"
 #include "render/optics/polynomials.h"
+#include "render/scene/colouring.h"
 
 namespace loomlight {
 
@@ -38,14 +39,39 @@ inline Rgb attenuation(std::span<const Rgb> absorption_per_mm, std::span<const f
   return path_light_detail::attenuation(exponent);
 }
 
-/// The colour that light brings to the eye along a path that has travelled these lengths; one of each per material.
-inline Rgb colourOf(const PathLight& light, std::span<const float> lengths_mm, std::span<const Rgb> absorption_per_mm) {
+namespace path_light_detail {
+
+/// What all modes of a fibre send on together, of which this much is left after one traverse: of primaries, or of four
+/// bands side by side.
+template <class Channels>
+Channels sentOn(const PathLight& light, const Channels& traverse) {
+  const Channels residual = traverse * traverse * traverse * (1.0f - light.inside) / (1.0f - light.inside * traverse);
+  return light.modes[0] + traverse * (light.modes[1] + traverse * light.modes[2]) + residual * light.modes[3];
+}
+
+/// The colour of light in primaries of which the bands are dimmed too.
+Rgb colourInBands(const Rgb& primaries, const PathLight& light, std::span<const float> lengths_mm,
+                  const Colouring& colouring);
+
+}  // namespace path_light_detail
+
+/// What is left in each band of light that has gone these lengths inside the fibres of each material, 1 at first.
+Spectrum leftInBands(std::span<const float> lengths_mm, const Colouring& colouring);
+
+/// The colour that light brings to the eye along a path that has travelled these lengths; one of each per material. In
+/// primaries it takes two exponentials of four numbers; where materials are known in bands, 9 or 18 more.
+inline Rgb colourOf(const PathLight& light, std::span<const float> lengths_mm, const Colouring& colouring) {
+  const std::vector<Rgb>& absorption_per_mm = colouring.primaries_per_mm;
   const Rgb arriving = light.radiance * attenuation(absorption_per_mm, lengths_mm);
-  if (light.traverse_mm == 0) return arriving * light.modes[0];
-  const Rgb traverse = path_light_detail::attenuation(absorption_per_mm[light.material] * light.traverse_mm);
-  const Rgb residual = traverse * traverse * traverse * (1.0f - light.inside) / (1.0f - light.inside * traverse);
-  return arriving *
-         (light.modes[0] + traverse * (light.modes[1] + traverse * light.modes[2]) + residual * light.modes[3]);
+  const auto material = static_cast<size_t>(light.material);
+  Rgb primaries = arriving;
+  if (light.traverse_mm == 0)
+    primaries *= light.modes[0];
+  else if (!colouring.isSpectral(material))
+    primaries *= path_light_detail::sentOn(
+        light, path_light_detail::attenuation(absorption_per_mm[material] * light.traverse_mm));
+  if (colouring.isSpectral()) return path_light_detail::colourInBands(primaries, light, lengths_mm, colouring);
+  return colouring.eye.whole ? *colouring.eye.whole * primaries : primaries;
 }
 
 }  // namespace loomlight

@@ -100,7 +100,7 @@ void PathRecords::sum(const Tile& tile, const Dye& dye, std::span<Sums> sums) co
     for (word += kSampleHead; word < next;) {
       PathLight light;
       const auto fibre = static_cast<int>(word[0]);
-      light.radiance = Rgb(word[1], word[2], word[3]);
+      light.radiance = dye.light * Rgb(word[1], word[2], word[3]);
       const std::span<const float> lengths_mm(word + kLightHead, materials_);
       word += kLightHead + materials_;
       if (fibre > 0) {
@@ -110,9 +110,8 @@ void PathRecords::sum(const Tile& tile, const Dye& dye, std::span<Sums> sums) co
         light.inside = word[FibreBcsdf::kLobes + 1];
         word += kFibreWords;
       }
-      dyed += colourOf(light, lengths_mm, dye.absorption_per_mm);
+      dyed += colourOf(light, lengths_mm, dye.colouring);
     }
-    dyed *= dye.light;
     pixel.traced += traced;
     pixel.dyed += dyed;
     pixel.tracedTraced += traced * traced;

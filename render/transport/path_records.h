@@ -21,10 +21,10 @@ class PathLog final : public PathSink {
   std::vector<float> words_;
 };
 
-/// What the light of a picture is: the absorption of each material, and what its lamps shine with of what they shone
-/// with when the picture was traced, channel by channel.
+/// What the colours of a picture come from: fibres and lamps, and how brightly these shine beside what they shone with
+/// when the picture was traced, primary by primary.
 struct Dye {
-  std::vector<Rgb> absorption_per_mm;
+  Colouring colouring;
   Rgb light{1};
 };
 

@@ -44,7 +44,7 @@ bool PathTracer::PixelSink::meets(const Collision& at, uint32_t event) {
 }
 
 void PathTracer::PixelSink::gathers(const PathLight& light, std::span<const float> lengths_mm, uint32_t events) {
-  (events == 1 ? sample_.direct : sample_.indirect) += colourOf(light, lengths_mm, scene_.absorption_per_mm);
+  (events == 1 ? sample_.direct : sample_.indirect) += colourOf(light, lengths_mm, scene_.colouring);
   if (listener_) listener_->gathers(light, lengths_mm, events);
 }
 

@@ -28,9 +28,9 @@ void recolourPicture(benchmark::State& state, const char* file, LightKind light)
   PathRecords records(kWidth, kHeight, static_cast<int>(scene->cloth->materials.size()), size_t{64} << 20);
   for (uint32_t samples = 1; samples <= 16; ++samples)
     renderUpTo(samples, *scene, *medium, camera, film, {0, 0, kWidth, kHeight}, Task{}, 0, &records);
-  Dye dye{scene->absorption_per_mm, Rgb(1)};
+  Dye dye{scene->colouring, Rgb(1)};
   for (auto _ : state) {
-    dye.absorption_per_mm[0] *= 0.99f;
+    dye.colouring.primaries_per_mm[0] *= 0.99f;
     benchmark::DoNotOptimize(recolour(film, records, dye, 1));
   }
   const uint32_t kept = records.samples(0, 0);

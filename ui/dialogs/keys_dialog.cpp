@@ -24,6 +24,7 @@ constexpr KeyLine kCloth[] = {
     {"1, 2, 3", "From above, aslant, low"},
     {"K", "Keep this view below"},
     {"L", "Truth lens; Esc closes"},
+    {"J", "Judge by the next lamp: D65, F11, A, LED"},
     {"N", "Denoised preview"},
 };
 constexpr KeyLine kDraft[] = {

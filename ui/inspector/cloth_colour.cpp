@@ -11,7 +11,7 @@ namespace loomlight {
 namespace {
 
 /// Wanted on the left, what is there on the right, edge to edge, as one compares swatches.
-void comparisonRow(Ui& ui, const std::optional<Rgb>& wanted, const ClothColourModel& model) {
+void comparisonRow(Ui& ui, const std::optional<WantedColour>& wanted, const ClothColourModel& model) {
   const RowText text{"fibre.cloth_colour_reached", "Wanted, reached",
                      "The colour asked for on the left, the cloth's on the right, seen from straight above in white "
                      "light from the sky over black."};
@@ -23,7 +23,7 @@ void comparisonRow(Ui& ui, const std::optional<Rgb>& wanted, const ClothColourMo
   draw.AddRectFilled(min, max, packed(ui.theme.field), rounding);
   const bool known = model.state == ClothColourModel::State::known;
   if (wanted)
-    draw.AddRectFilled(min, ImVec2(middle, max.y), packed(toDisplayColour(*wanted)), rounding,
+    draw.AddRectFilled(min, ImVec2(middle, max.y), packed(toDisplayColour(wanted->colour)), rounding,
                        ImDrawFlags_RoundCornersLeft);
   if (known)
     draw.AddRectFilled(ImVec2(middle, min.y), max, packed(toDisplayColour(model.colour)), rounding,
@@ -32,7 +32,7 @@ void comparisonRow(Ui& ui, const std::optional<Rgb>& wanted, const ClothColourMo
   endRow(ui, text, min, max);
 }
 
-std::string remark(const ClothColourModel& model, bool wanted) {
+std::string remark(const ClothColourModel& model, const std::optional<WantedColour>& wanted) {
   switch (model.state) {
     case ClothColourModel::State::measuring:
       return "Measuring what light does in this cloth.";
@@ -43,11 +43,12 @@ std::string remark(const ClothColourModel& model, bool wanted) {
     case ClothColourModel::State::known:
       break;
   }
-  if (!wanted) return "Pick the colour that the cloth should have.";
+  if (!wanted) return "Pick the colour that the cloth should have, or drop a measured swatch here.";
   const std::string off = fmt::format("off by {:.1f} (CIEDE2000)", model.difference);
   if (model.tooLight && model.tooDark) return "Not to be had of this fibre; the nearest is " + off + ".";
   if (model.tooLight) return "Lighter than this cloth can be, light comes through: the nearest is " + off + ".";
   if (model.tooDark) return "Darker than fibres can be, their surface reflects: the nearest is " + off + ".";
+  if (wanted->measured && model.difference < 1) return "As " + wanted->name + " was measured: " + off + ".";
   return model.difference < 1 ? "Reached: " + off + "." : "The cloth has changed since, and is " + off + ".";
 }
 
@@ -55,12 +56,12 @@ std::string remark(const ClothColourModel& model, bool wanted) {
 
 void clothColourRows(Ui& ui, int fibre, const ClothColourModel& model, ClothColourView& view) {
   const auto found = view.wanted.find(fibre);
-  const std::optional<Rgb> wanted = found == view.wanted.end() ? std::nullopt : std::optional(found->second);
+  const std::optional<WantedColour> wanted = found == view.wanted.end() ? std::nullopt : std::optional(found->second);
   const bool known = model.state == ClothColourModel::State::known;
   // Until the cloth's colour is known the swatch is an empty field: black would be a colour.
-  Rgb colour = wanted.value_or(known ? model.colour : toLinearColour(ui.theme.field));
+  Rgb colour = wanted ? wanted->colour : known ? model.colour : toLinearColour(ui.theme.field);
   if (colourField(ui, {"fibre.cloth_colour", words::inThisCloth.label, words::inThisCloth.help}, colour) && known) {
-    view.wanted[fibre] = colour;
+    view.wanted[fibre] = {colour, {}, ""};
     ++view.wish;
   }
   comparisonRow(ui, wanted, model);
@@ -69,7 +70,7 @@ void clothColourRows(Ui& ui, int fibre, const ClothColourModel& model, ClothColo
   ImGui::PushFont(ui.fonts.small);
   const float room = 2 * ImGui::GetTextLineHeightWithSpacing();
   ImGui::PopFont();
-  const std::string said = remark(model, wanted.has_value());
+  const std::string said = remark(model, wanted);
   hint(ui, said);
   ui.probe.fact("fibre.cloth_colour_remark", said);
   ImGui::SetCursorPosY(top + room);

@@ -2,6 +2,9 @@
 
 #include <map>
 #include <optional>
+#include <string>
+
+#include "core/base/spectrum.h"
 
 #include "ui/widgets/fields.h"
 
@@ -16,10 +19,17 @@ struct ClothColourModel {
   bool tooLight = false, tooDark = false;
 };
 
+/// A colour that the cloth is to have, as it was picked or as it was measured.
+struct WantedColour {
+  Rgb colour{0};                     ///< linear; in daylight
+  std::optional<Spectrum> measured;  ///< its reflectance in bands, 1 is a perfect diffuser
+  std::string name;                  ///< of what was measured
+};
+
 /// Which colours were asked for.
 struct ClothColourView {
-  std::map<int, Rgb> wanted;  ///< by fibre
-  uint64_t wish = 0;          ///< counts up when a colour is asked for
+  std::map<int, WantedColour> wanted;  ///< by fibre
+  uint64_t wish = 0;                   ///< counts up when a colour is asked for
 };
 
 /// The colour that the designer wants the cloth to have, beside the one it has.

@@ -7,6 +7,7 @@
 #include "core/fabric/yarn/colour.h"
 #include "core/fabric/yarn/presets.h"
 #include "core/fabric/yarn/yarn_name.h"
+#include "core/fabric/yarn/yarn_reflectance.h"
 #include "ui/inspector/count_text.h"
 #include "ui/inspector/inspector.h"
 #include "ui/widgets/choices.h"
@@ -14,10 +15,6 @@
 
 namespace loomlight {
 namespace {
-
-Rgb colourOf(const Fibre& fibre) {
-  return colourFromAbsorption(fibre.absorption_per_mm, fibre.azimuthalRoughness, fibre.radius_um);
-}
 
 void dye(Fibre& fibre, const Rgb& colour) {
   fibre.absorption_per_mm =
@@ -55,13 +52,16 @@ bool presetRow(Ui& ui, Fibre& fibre, const std::vector<FibrePreset>& presets, co
                     "are from."},
                    names, chosen, otherwise.c_str()))
     return false;
-  const Rgb colour = colourOf(fibre);
+  const Rgb colour = fibreReflectance(fibre);
   Fibre filled = presets[static_cast<size_t>(chosen)].fibre;
   const bool namedAsKind = std::any_of(presets.begin(), presets.end(),
                                        [&](const FibrePreset& preset) { return preset.fibre.name == fibre.name; });
   if (!namedAsKind) filled.name = fibre.name;
   filled.unknown = fibre.unknown;
-  dye(filled, colour);
+  if (fibre.absorption_per_mm.isSpectral())  // measured: a picked colour would say less
+    filled.absorption_per_mm = fibre.absorption_per_mm;
+  else
+    dye(filled, colour);
   fibre = filled;
   return true;
 }
@@ -97,9 +97,9 @@ bool absorptionRows(Ui& ui, Fibre& fibre) {
   style.decimals = 1;
   bool changed = false;
   for (int i = 0; i < 3; ++i) {
-    double value = fibre.absorption_per_mm[i];
+    double value = fibre.absorption_per_mm.primaries[i];
     if (!numberField(ui, {kIds[i], kLabels[i], info.help}, style, value)) continue;
-    fibre.absorption_per_mm[i] = static_cast<float>(value);
+    fibre.absorption_per_mm.primaries[i] = static_cast<float>(value);
     changed = true;
   }
   return changed;
@@ -183,7 +183,7 @@ std::optional<Fabric> fibrePage(Ui& ui, const Fabric& fabric, const InspectorMod
   changed |= presetRow(ui, fibre, presets, kind);
   heading(ui, "Colour");
   clothColourRows(ui, index, model.clothColour, view.clothColour);
-  Rgb colour = colourOf(fibre);
+  Rgb colour = fibreReflectance(fibre);
   if (colourField(ui, {"fibre.colour", words::looseStock.label, words::looseStock.help}, colour)) {
     dye(fibre, colour);
     changed = true;

@@ -22,6 +22,7 @@ bool lightRows(Ui& ui, Light& light, InspectorResult& result) {
   bool changed = memberChoice(ui, "light", light, &Light::kind, lightNames(light));
   if (light.kind != before) light = withKind(light, light.kind);
   changed |= memberField(ui, "light", light, &Light::intensity, 2);
+  changed |= memberChoice(ui, "light", light, &Light::illuminant, illuminantNames(light));
   changed |= memberField(ui, "light", light, &Light::temperature_K, 0);
   const bool aimed = light.kind == LightKind::sky || light.kind == LightKind::directional;
   const bool turns = aimed || light.kind == LightKind::environment || light.kind == LightKind::window ||
@@ -74,6 +75,7 @@ InspectorResult scenePage(Ui& ui, const Fabric& fabric) {
   if (cameraRows(ui, camera)) result.camera = camera;
   heading(ui, "Detail");
   changed |= resolutionRow(ui, render);
+  changed |= memberChoice(ui, "scene", render, &RenderSettings::observer, observerNames());
   changed |= memberChoice(ui, "scene", render, &RenderSettings::method, methodNames());
   if (render.method == Method::volume) {
     changed |= memberChoice(ui, "scene", render, &RenderSettings::estimator, estimatorNames());

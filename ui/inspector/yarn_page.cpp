@@ -4,10 +4,10 @@
 
 #include "core/fabric/model/validate.h"
 #include "core/fabric/model/yarn_count.h"
-#include "core/fabric/yarn/colour.h"
 #include "core/fabric/yarn/presets.h"
 #include "core/fabric/yarn/yarn_edit.h"
 #include "core/fabric/yarn/yarn_name.h"
+#include "core/fabric/yarn/yarn_reflectance.h"
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/yarn_fields.h"
 #include "ui/widgets/choices.h"
@@ -57,7 +57,7 @@ std::optional<Fabric> presetRow(Ui& ui, const Fabric& fabric, int index) {
     return std::nullopt;
   const YarnPreset& preset = presets[static_cast<size_t>(chosen)];
   const Fibre& old = fabric.fibres[static_cast<size_t>(fabric.yarns[static_cast<size_t>(index)].fibre)];
-  const Rgb colour = colourFromAbsorption(old.absorption_per_mm, old.azimuthalRoughness, old.radius_um);
+  const Rgb colour = fibreReflectance(old);
   return withYarn(fabric, index, preset.yarn, dyed(preset.fibre, colour));
 }
 

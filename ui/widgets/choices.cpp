@@ -1,5 +1,9 @@
 #include "ui/widgets/choices.h"
 
+#include <cctype>
+
+#include "core/fabric/model/choice_names.h"
+
 namespace loomlight {
 
 std::span<const char* const> lightNames(const Light& light) {
@@ -32,6 +36,41 @@ std::span<const char* const> twistNames() {
 
 std::span<const char* const> layoutNames() {
   static constexpr const char* kNames[] = {"Random", "Packed"};
+  return kNames;
+}
+
+std::span<const char* const> illuminantNames(const Light& light) {
+  static constexpr const char* kNames[] = {"D65, daylight",   "D55, sunlight",  "D50, print booth",  "A, light bulb",
+                                           "E, equal energy", "F2, cool white", "F7, daylight tube", "F11, shop (TL84)",
+                                           "LED B1, 2700 K",  "LED B2, 3000 K", "LED B3, 4100 K",    "LED B4, 5100 K",
+                                           "LED B5, 6600 K",  "Black body",     "Measured lamp"};
+  return std::span(kNames).first(std::size(kNames) - (light.illuminantFile.empty() ? 1 : 0));
+}
+
+std::string lampName(StandardIlluminant lamp) {
+  if (lamp == StandardIlluminant::blackBody) return "black body";
+  if (lamp == StandardIlluminant::file) return "own lamp";
+  std::string name = choiceName(lamp);
+  for (char& c : name) c = c == '_' ? ' ' : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return name;
+}
+
+StandardIlluminant nextLamp(StandardIlluminant lamp) {
+  using enum StandardIlluminant;
+  switch (lamp) {
+    case d65:
+      return f11;
+    case f11:
+      return a;
+    case a:
+      return ledB3;
+    default:
+      return d65;
+  }
+}
+
+std::span<const char* const> observerNames() {
+  static constexpr const char* kNames[] = {"2 degrees", "10 degrees"};
   return kNames;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 
 #include "core/fabric/model/fabric.h"
 
@@ -16,6 +17,12 @@ std::span<const char* const> drapeNames(const Drape& drape);
 std::span<const char* const> fibreSectionNames();
 std::span<const char* const> twistNames();
 std::span<const char* const> layoutNames();
+std::span<const char* const> illuminantNames(const Light& light);
+/// In few letters: "F11".
+std::string lampName(StandardIlluminant lamp);
+/// Of the lamps that a light booth switches through the one after this: daylight, shop, bulb, white diode, and again.
+StandardIlluminant nextLamp(StandardIlluminant lamp);
+std::span<const char* const> observerNames();
 std::span<const char* const> methodNames();
 std::span<const char* const> estimatorNames();
 std::span<const char* const> eventLawNames();

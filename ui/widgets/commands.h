@@ -30,6 +30,7 @@ enum class Command {
   brushNext,
   swapBrushes,
   truthLens,
+  boothLamp,  // the next of those that a light booth has
   denoise,
   fitDraft,
   togglePanels,

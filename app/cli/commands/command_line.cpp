@@ -244,6 +244,8 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   commands.add(app, "convert", "between fabrics, drafts and weave bitmaps", addConvert, {}, checkConvert);
   commands.add(app, "tile", "a seamless tile for other programs: color, normal, height, opacity", addTile);
   commands.add(app, "sheet", "a page for the mill: cloth at 1 : 1, draft, colour orders, yarns, sett, mass", addSheet);
+  commands.add(app, "colour", "what a spectrophotometer and a light booth say of a cloth, alone or beside a standard",
+               addColour);
   commands.add(app, "thumbnail", "a small picture of the weave, for file managers", addThumbnail);
   commands.add(app, "trace", "the path of one sample of one pixel, event by event", addTrace);
   bool keysAlone = false;

@@ -11,6 +11,7 @@
 #include "app/bench/bench_wardrobe.h"
 #include "app/cli/commands/brdf_command.h"
 #include "app/cli/commands/bvdf_command.h"
+#include "app/cli/commands/colour_command.h"
 #include "app/cli/commands/compare_command.h"
 #include "app/cli/commands/convert_command.h"
 #include "app/cli/commands/info_command.h"
@@ -42,7 +43,7 @@ struct TextCommand {
 using Command = std::variant<EditCommand, RenderCommand, InfoCommand, ConvertCommand, BenchCommand, ReportBenchCommand,
                              EditBenchCommand, ClearBenchCommand, UiBenchCommand, ConvergeBenchCommand,
                              ClothsBenchCommand, BrdfCommand, CompareCommand, BvdfCommand, TileCommand, SheetCommand,
-                             ThumbnailCommand, TraceCommand, TextCommand>;
+                             ColourCommand, ThumbnailCommand, TraceCommand, TextCommand>;
 
 /// What the words behind the program's name ask for. Throws UsageError.
 Command parseCommandLine(const std::vector<std::string>& words);

@@ -126,6 +126,24 @@ void addBvdf(CLI::App& app, BvdfCommand& command) {
   addThreads(app, command.threads);
 }
 
+void addColour(CLI::App& app, ColourCommand& command) {
+  addInput(app, "FABRIC", command.input);
+  app.add_option("--standard", command.standard, "another fabric: what it ought to look like")->type_name("FILE");
+  app.add_option("--illuminant", command.illuminants,
+                 "lamps to judge by, with commas between; D65,F11,A where not given. Also 2856 K, or a text file of nm "
+                 "and power. Metamerism is told from the first")
+      ->type_name("NAME,...")
+      ->delimiter(',');
+  addValue(app, "--observer", "2|10", "the CIE observer for so many degrees; 10 where not given",
+           [&command](const auto& option, const auto& text) { command.observer = parseObserver(option, text); });
+  addValue(app, "--tolerance", "N", "the largest CMC(2:1) that passes; 1 where not given",
+           [&command](const auto& option, const auto& text) { command.tolerance = parseNumber(option, text, 0, 100); });
+  addColourway(app, command.options);
+  addWifSizes(app, command.wifSizes);
+  addThreads(app, command.threads);
+  app.add_flag("--json", command.json, "JSON instead of a table");
+}
+
 void addCompare(CLI::App& app, CompareCommand& command) {
   app.add_option("PICTURE", command.pictures.picture, "an .exr")->type_name("")->required();
   app.add_option("REFERENCE", command.pictures.reference, "an .exr of the same size: what it ought to look like")

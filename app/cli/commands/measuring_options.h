@@ -19,6 +19,7 @@ void addClearBench(CLI::App& app, ClearBenchCommand& command);
 void addClothsBench(CLI::App& app, ClothsBenchCommand& command);
 void addBrdf(CLI::App& app, BrdfCommand& command);
 void addBvdf(CLI::App& app, BvdfCommand& command);
+void addColour(CLI::App& app, ColourCommand& command);
 void addCompare(CLI::App& app, CompareCommand& command);
 
 }  // namespace loomlight

@@ -8,7 +8,7 @@ namespace {
 
 size_t textBytes(const Fabric& fabric) {
   size_t bytes = fabric.name.capacity() + fabric.description.capacity() + fabric.drape.file.capacity() +
-                 fabric.light.file.capacity();
+                 fabric.light.file.capacity() + fabric.light.illuminantFile.capacity();
   for (const Yarn& yarn : fabric.yarns) bytes += yarn.name.capacity();
   for (const Fibre& fibre : fabric.fibres) bytes += fibre.name.capacity();
   for (const Colourway& colourway : fabric.colourways) bytes += colourway.name.capacity();
@@ -22,7 +22,8 @@ size_t ownBytes(const Fabric& fabric, const Fabric* before) {
                  fabric.yarns.capacity() * sizeof(Yarn) + fabric.fibres.capacity() * sizeof(Fibre) +
                  (fabric.warpSequence.capacity() + fabric.weftSequence.capacity()) * sizeof(int) +
                  fabric.colourways.capacity() * sizeof(Colourway);
-  for (const Colourway& colourway : fabric.colourways) bytes += colourway.absorption_per_mm.capacity() * sizeof(Rgb);
+  for (const Colourway& colourway : fabric.colourways)
+    bytes += colourway.absorption_per_mm.capacity() * sizeof(Absorption);
   const int both = before ? std::min(weave.picks(), before->weave.picks()) : 0;
   for (int pick = 0; pick < weave.picks(); ++pick)
     if (pick >= both || weave.sharedRow(pick) != before->weave.sharedRow(pick)) bytes += weave.row(pick).size();

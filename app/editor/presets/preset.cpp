@@ -10,9 +10,9 @@
 #include "app/editor/presets/preset_folder.h"
 #include "core/fabric/model/colourways.h"
 #include "core/fabric/model/yarn_count.h"
-#include "core/fabric/yarn/colour.h"
 #include "core/fabric/yarn/presets.h"
 #include "core/fabric/yarn/yarn_edit.h"
+#include "core/fabric/yarn/yarn_reflectance.h"
 
 namespace loomlight {
 namespace {
@@ -138,12 +138,9 @@ Fabric toKeep(PresetKind kind, const Fabric& now, int yarn, int fibre) {
 
 Fabric withPreset(PresetKind kind, const Preset& from, const Fabric& now, int yarn, int fibre) {
   const Fabric& preset = *from.fabric;
-  const auto colourOf = [](const Fibre& of) {
-    return colourFromAbsorption(of.absorption_per_mm, of.azimuthalRoughness, of.radius_um);
-  };
   // What came with the program is undyed: the colour stays the designer's.
   const Fibre& old = now.fibres[static_cast<size_t>(fibre)];
-  const auto coloured = [&](const Fibre& of) { return from.own ? of : dyed(of, colourOf(old)); };
+  const auto coloured = [&](const Fibre& of) { return from.own ? of : dyed(of, fibreReflectance(old)); };
   switch (kind) {
     case PresetKind::fabrics:
       return dressed(now, preset);

@@ -16,10 +16,15 @@ ClothColourModel ClothColourService::model(const Fabric& fabric, int fibre, cons
   model.colour = answer->colour;
   const auto wanted = view.wanted.find(fibre);
   if (wanted == view.wanted.end()) return model;
-  model.difference = ciede2000(labFromLinear(glm::dvec3(wanted->second)), labFromLinear(glm::dvec3(model.colour)));
+  model.difference =
+      ciede2000(labFromLinear(glm::dvec3(wanted->second.colour)), labFromLinear(glm::dvec3(model.colour)));
   if (answer->solved) {
     model.tooLight = answer->solved->tooLight;
     model.tooDark = answer->solved->tooDark;
+  }
+  if (answer->matched) {
+    model.tooLight = answer->matched->tooLight > 0;
+    model.tooDark = answer->matched->tooDark > 0;
   }
   return model;
 }
@@ -31,16 +36,21 @@ std::optional<Fabric> ClothColourService::follow(const std::shared_ptr<const Fab
     askedFibre_ = fibre;
     askedWish_ = view.wish;
     const auto wanted = view.wanted.find(fibre);
-    worker_.request(
-        {fabric, fibre, wanted == view.wanted.end() ? std::nullopt : std::optional(wanted->second), view.wish});
+    ColourWish wish{.fabric = fabric, .fibre = fibre, .wanted = {}, .measured = {}, .number = view.wish};
+    if (wanted != view.wanted.end()) {
+      wish.measured = wanted->second.measured;
+      if (!wish.measured) wish.wanted = wanted->second.colour;
+    }
+    worker_.request(std::move(wish));
   }
   const std::shared_ptr<const ColourAnswer> answer = worker_.newest();
-  if (!answer || answer->wish.number <= doneWish_ || answer->wish.fibre != fibre || !answer->solved ||
-      answer->wish.fabric->fibres.size() != fabric->fibres.size())
+  if (!answer || answer->wish.number <= doneWish_ || answer->wish.fibre != fibre ||
+      (!answer->solved && !answer->matched) || answer->wish.fabric->fibres.size() != fabric->fibres.size())
     return std::nullopt;
   doneWish_ = answer->wish.number;
   Fabric dyed = *fabric;
-  dyed.fibres[static_cast<size_t>(fibre)].absorption_per_mm = answer->solved->absorption_per_mm;
+  dyed.fibres[static_cast<size_t>(fibre)].absorption_per_mm =
+      answer->matched ? Absorption(answer->matched->absorption_per_mm) : Absorption(answer->solved->absorption_per_mm);
   return dyed;
 }
 

@@ -33,6 +33,7 @@ Fabric workingNames(Fabric fabric, const std::string& file) {
   const fs::path folder = fs::path(file).parent_path();
   fabric.drape.file = resolved(fabric.drape.file, folder);
   fabric.light.file = resolved(fabric.light.file, folder);
+  fabric.light.illuminantFile = resolved(fabric.light.illuminantFile, folder);
   return fabric;
 }
 
@@ -40,6 +41,7 @@ Fabric localNames(Fabric fabric, const std::string& file) {
   const fs::path folder = fs::path(file).parent_path();
   fabric.drape.file = relativeTo(fabric.drape.file, folder);
   fabric.light.file = relativeTo(fabric.light.file, folder);
+  fabric.light.illuminantFile = relativeTo(fabric.light.illuminantFile, folder);
   return fabric;
 }
 

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -101,6 +102,10 @@ void read(const json& value, const FieldInfo&, const Place& place, Enum& out)
   out = *choice;
 }
 
+// Read from objects, and so below.
+void read(const json& value, const FieldInfo& info, const Place& place, Spectrum& out);
+void read(const json& value, const FieldInfo& info, const Place& place, Absorption& out);
+
 /// An object whose known keys are taken out one by one; what remains is what this version does not know.
 class ObjectReader {
  public:
@@ -114,6 +119,12 @@ class ObjectReader {
     std::optional<json> value(std::move(*found));
     object_.erase(found);
     return value;
+  }
+
+  /// The value of a key, where it is there.
+  template <class Value>
+  void take(const char* key, const FieldInfo& info, Value& out) {
+    if (const std::optional<json> value = take(key)) read(*value, info, place_.at(key), out);
   }
 
   template <class Object>
@@ -130,6 +141,67 @@ class ObjectReader {
   json object_;
   const Place& place_;
 };
+
+/// Of as many samples as there are, evenly apart, the values at the bands: between two along a line, beyond the ends as
+/// at the end.
+Spectrum atBands(const std::vector<double>& values, double from_nm, double step_nm) {
+  Spectrum bands;
+  const double last = static_cast<double>(values.size() - 1);
+  for (size_t j = 0; j < kBands; ++j) {
+    const double place = std::clamp((bandWavelength_nm(j) - from_nm) / step_nm, 0.0, last);
+    const auto below = static_cast<size_t>(place), above = std::min(below + 1, values.size() - 1);
+    bands[j] = static_cast<float>(std::lerp(values[below], values[above], place - static_cast<double>(below)));
+  }
+  return bands;
+}
+
+/// Either a list with a number for each band, or an object that says where its values lie.
+void read(const json& value, const FieldInfo& info, const Place& place, Spectrum& out) {
+  const std::string expected =
+      fmt::format("a list of {} numbers, from {} to {} nm", kBands, kFirstBand_nm, bandWavelength_nm(kBands - 1));
+  double from_nm = kFirstBand_nm, step_nm = kBandStep_nm;
+  std::vector<double> values;
+  const auto readValues = [&](const json& list, const Place& there) {
+    for (size_t i = 0; i < list.size(); ++i) read(list[i], info, there.at(i), values.emplace_back());
+  };
+  if (!value.is_object()) {
+    if (readList(value, expected.c_str(), place).size() != kBands)
+      place.reject(expected, fmt::format("{}", value.size()));
+    readValues(value, place);
+  } else {
+    constexpr size_t kMost = 1001;
+    const Place there = place.at("values");
+    ObjectReader reader(value, place);
+    reader.take("from_nm", FieldInfo{{}, "", "", "", 100, 2000}, from_nm);
+    reader.take("step_nm", FieldInfo{{}, "", "", "", 0.1, 100}, step_nm);
+    const json list = reader.take("values").value_or(json());
+    const size_t count = readList(list, "a list of numbers", there).size();
+    if (count < 2 || count > kMost) there.reject(fmt::format("from 2 to {} numbers", kMost), fmt::format("{}", count));
+    readValues(list, there);
+  }
+  out = atBands(values, from_nm, step_nm);
+}
+
+std::vector<Dyestuff> readDyes(json value, const Place& place) {
+  readList(value, "a list of dyes", place);
+  std::vector<Dyestuff> dyes;
+  for (size_t i = 0; i < value.size() && i <= Absorption::kMostDyes; ++i) {
+    ObjectReader reader(std::move(value[i]), place.at(i));
+    reader.takeFields(dyes.emplace_back());
+  }
+  return dyes;
+}
+
+/// Three numbers, or what is known beyond them.
+void read(const json& value, const FieldInfo& info, const Place& place, Absorption& out) {
+  out = {};
+  if (!value.is_object()) return read(value, info, place, out.primaries);
+  ObjectReader reader(value, place);
+  reader.take("primaries", info, out.primaries);
+  if (const std::optional<json> bands = reader.take("bands"))
+    read(*bands, info, place.at("bands"), out.bands.emplace());
+  if (std::optional<json> dyes = reader.take("dyes")) out.dyes = readDyes(std::move(*dyes), place.at("dyes"));
+}
 
 template <class Object>
 Object readObject(json value, const Place& place) {

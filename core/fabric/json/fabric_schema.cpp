@@ -72,6 +72,31 @@ template <class Vector>
 Json typeOf(const FieldInfo& info, const Vector&) {
   return {{"type", "array"}, {"items", ranged("number", info.min, info.max)}, {"minItems", 3}, {"maxItems", 3}};
 }
+/// A number for each band, or an object that says where its samples lie.
+Json typeOf(const FieldInfo& info, const Spectrum&) {
+  const Json number = ranged("number", info.min, info.max);
+  const std::string text =
+      fmt::format("{} numbers, from {} to {} nm.", kBands, kFirstBand_nm, bandWavelength_nm(kBands - 1));
+  Json samples{{"type", "object"},
+               {"properties",
+                {{"from_nm", ranged("number", 100, 2000)},
+                 {"step_nm", ranged("number", 0.1, 100)},
+                 {"values", listOf(number, "In the order of their wavelengths.", 2, 1001)}}}};
+  return {{"anyOf", {listOf(number, text, kBands, kBands), std::move(samples)}}};
+}
+template <class Object>
+Json objectOf(const std::string& text);
+/// Three numbers, or an object with what is known beyond them.
+Json typeOf(const FieldInfo& info, const Absorption& value) {
+  const Json primaries = typeOf(info, value.primaries);
+  Json object{{"type", "object"},
+              {"properties",
+               {{"primaries", described(primaries, "What red, green and blue light lose.")},
+                {"bands", described(typeOf(info, Spectrum{}), "What each band loses, as measured.")},
+                {"dyes", listOf(objectOf<Dyestuff>("A dye of the recipe: it adds its amount times its absorption."),
+                                "The dyes on the fibre.", 0, Absorption::kMostDyes)}}}};
+  return {{"anyOf", {primaries, std::move(object)}}};
+}
 template <class Enum>
   requires std::is_enum_v<Enum>
 Json typeOf(const FieldInfo&, Enum value) {
@@ -108,8 +133,8 @@ Json draftSchema() {
 
 Json colourwaySchema() {
   Json colourway = objectOf<Colourway>("Other colours for the same cloth.");
-  colourway["properties"]["absorption_per_mm"] =
-      listOf(typeOf(fieldInfo(&Fibre::absorption_per_mm), Rgb(0)), "The absorption of every fibre, in their order.");
+  colourway["properties"]["absorption_per_mm"] = listOf(typeOf(fieldInfo(&Fibre::absorption_per_mm), Absorption{}),
+                                                        "The absorption of every fibre, in their order.");
   return colourway;
 }
 
@@ -150,6 +175,7 @@ Json schema() {
 
 /// "0.5 to 5000, or 30 where not given", or what else can be said of a value in few words.
 std::string valueText(const Json& type) {
+  if (type.contains("anyOf")) return valueText(type["anyOf"][0]) + "; or an object of what is known beyond them";
   std::string text;
   if (type.contains("enum")) {
     for (const Json& name : type["enum"]) text += (text.empty() ? "" : " | ") + name.get<std::string>();

@@ -39,10 +39,27 @@ Json toJson(const std::optional<double>& value) {
 Json toJson(const glm::dvec3& value) {
   return Json::array({value.x, value.y, value.z});
 }
-/// As the shortest decimals that give the same floats: 0.3, not 0.30000001192092896.
+/// As the shortest decimal that gives the same float: 0.3, not 0.30000001192092896.
+double decimal(float value) {
+  return std::strtod(fmt::format("{}", value).c_str(), nullptr);
+}
 Json toJson(const Rgb& value) {
-  const auto decimal = [](float f) { return std::strtod(fmt::format("{}", f).c_str(), nullptr); };
   return Json::array({decimal(value.x), decimal(value.y), decimal(value.z)});
+}
+Json toJson(const Spectrum& value) {
+  Json json = Json::array();
+  for (const float band : value) json.push_back(decimal(band));
+  return json;
+}
+template <class Object>
+void addFields(Json& json, const Object& object);
+Json toJson(const Absorption& value) {
+  if (!value.isSpectral()) return toJson(value.primaries);
+  Json json = Json::object();
+  if (value.primaries != Rgb(0)) json["primaries"] = toJson(value.primaries);
+  if (value.bands) json["bands"] = toJson(*value.bands);
+  for (const Dyestuff& dye : value.dyes) addFields(json["dyes"].emplace_back(Json::object()), dye);
+  return json;
 }
 template <class Enum>
 Json toJson(Enum value)
@@ -85,7 +102,8 @@ Json colourwaysToJson(const std::vector<Colourway>& colourways) {
     Json item = Json::object();
     addFields(item, colourway);
     item["absorption_per_mm"] = Json::array();
-    for (const Rgb& absorption : colourway.absorption_per_mm) item["absorption_per_mm"].push_back(toJson(absorption));
+    for (const Absorption& absorption : colourway.absorption_per_mm)
+      item["absorption_per_mm"].push_back(toJson(absorption));
     addUnknown(item, colourway.unknown);
     json.push_back(std::move(item));
   }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "core/fabric/model/field_tables.h"
+
 namespace loomlight {
 
 std::string expectedNumber(double min, double max) {
@@ -32,6 +34,24 @@ void check(const FieldInfo& info, const std::optional<double>& value, const Plac
 
 void check(const FieldInfo& info, const Rgb& value, const Place& place) {
   for (int i = 0; i < 3; ++i) check(info, static_cast<double>(value[i]), place.at(static_cast<size_t>(i)));
+}
+
+void check(const FieldInfo& info, const Spectrum& bands, const Place& place) {
+  for (size_t j = 0; j < kBands; ++j) check(info, static_cast<double>(bands[j]), place.at(j));
+}
+
+void check(const FieldInfo& info, const Absorption& value, const Place& place) {
+  const bool alone = !value.isSpectral();  // as it stands in a file
+  check(info, value.primaries, alone ? place : place.at("primaries"));
+  if (value.bands) check(info, *value.bands, place.at("bands"));
+  const Place dyes = place.at("dyes");
+  if (value.dyes.size() > Absorption::kMostDyes)
+    dyes.reject(fmt::format("at most {} dyes", Absorption::kMostDyes), fmt::format("{}", value.dyes.size()));
+  for (size_t i = 0; i < value.dyes.size(); ++i) {
+    const Place here = dyes.at(i);
+    forEachField<Dyestuff>(
+        [&](const auto& field) { check(field.info, value.dyes[i].*field.member, here.at(field.info.key)); });
+  }
 }
 
 void check(const FieldInfo& info, const glm::dvec3& value, const Place& place) {

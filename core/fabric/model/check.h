@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/base/units.h"
+#include "core/fabric/model/absorption.h"
 #include "core/fabric/model/choice_names.h"
 #include "core/fabric/model/field_info.h"
 #include "core/fabric/model/place.h"
@@ -19,6 +20,8 @@ void check(const FieldInfo& info, int value, const Place& place);
 void check(const FieldInfo& info, const std::optional<int>& value, const Place& place);
 void check(const FieldInfo& info, const std::optional<double>& value, const Place& place);
 void check(const FieldInfo& info, const Rgb& value, const Place& place);
+void check(const FieldInfo& info, const Spectrum& value, const Place& place);
+void check(const FieldInfo& info, const Absorption& value, const Place& place);
 void check(const FieldInfo& info, const glm::dvec3& value, const Place& place);
 void check(const FieldInfo& info, const std::string& value, const Place& place);
 inline void check(const FieldInfo&, uint64_t, const Place&) {}

@@ -35,6 +35,15 @@ struct ChoiceNames<LightKind> {
                                     "furnace", "back",     "headlight", "directional", "environment"};
 };
 template <>
+struct ChoiceNames<StandardIlluminant> {
+  static constexpr std::array names{"d65",    "d55",    "d50",    "a",      "e",      "f2",         "f7",  "f11",
+                                    "led_b1", "led_b2", "led_b3", "led_b4", "led_b5", "black_body", "file"};
+};
+template <>
+struct ChoiceNames<Observer> {
+  static constexpr std::array names{"2_degrees", "10_degrees"};
+};
+template <>
 struct ChoiceNames<Method> {
   static constexpr std::array names{"volume", "fibres"};
 };

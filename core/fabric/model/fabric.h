@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/units.h"
+#include "core/fabric/model/absorption.h"
 #include "core/fabric/model/unknown_keys.h"
 #include "core/fabric/model/weave.h"
 
@@ -17,10 +18,10 @@ enum class FibreSection { round, kidney, triangle, trilobal, serrated, polygon }
 /// The optics and fineness of one kind of fibre.
 struct Fibre {
   std::string name = "cotton";
-  double radius_um = 6.0;              ///< 1..200; equivalent round radius
-  double density_g_cm3 = 1.52;         ///< 0.2..20
-  double refractiveIndex = 1.55;       ///< 1.01..3
-  Rgb absorption_per_mm{0.0f};         ///< 0..10000 per channel, inside the fibre
+  double radius_um = 6.0;         ///< 1..200; equivalent round radius
+  double density_g_cm3 = 1.52;    ///< 0.2..20
+  double refractiveIndex = 1.55;  ///< 1.01..3
+  Absorption absorption_per_mm;
   double longitudinalRoughness = 0.3;  ///< beta_m, 0.05..1 (Chiang 2016)
   double azimuthalRoughness = 0.3;     ///< beta_n, 0.05..1
   double scaleTilt_deg = 0.0;          ///< -10..10; cuticle scales (wool 2-3)
@@ -78,17 +79,23 @@ struct Drape {
 
 enum class LightKind { sky, overcast, window, booth, dome, furnace, back, headlight, directional, environment };
 
+/// Which spectrum white light has: of the CIE (CIE 15:2018), of a black body, or of a file. The eye is adapted to it.
+enum class StandardIlluminant { d65, d55, d50, a, e, f2, f7, f11, ledB1, ledB2, ledB3, ledB4, ledB5, blackBody, file };
+
 /// What shines on the cloth. z is up. overcast: a grey sky over grass; window: a room with one window, in the direction
 /// of the azimuth; booth: a light booth as dyers judge colours in, open towards the azimuth; these three light white
 /// paper on a table to radiance 1. dome: white from above; furnace: white from everywhere; back: white from below.
 struct Light {
   LightKind kind = LightKind::sky;
-  double intensity = 1.0;       ///< factor on radiance, 0..1000
-  double temperature_K = 6500;  ///< of the black body that white light is tinted like, 2000..12000; 6500: as it is
+  double intensity = 1.0;  ///< factor on radiance, 0..1000
+  /// Of the black body that white light is tinted like, 2000..12000, 6500: as it is; or of the black body that it is.
+  double temperature_K = 6500;
   double azimuth_deg = 130.0;   ///< of the sun or the direction, from +x towards +y
   double elevation_deg = 45.0;  ///< -90..90, above the xy-plane; the sky needs > 0
   double turbidity = 3.0;       ///< sky: 2..10 (Preetham 1999)
   std::string file;             ///< environment: lat-long EXR
+  StandardIlluminant illuminant = StandardIlluminant::d65;
+  std::string illuminantFile;  ///< file: wavelengths in nm and power, two columns of text
   UnknownKeys unknown;
   friend bool operator==(const Light&, const Light&);
 };
@@ -127,6 +134,7 @@ struct RenderSettings {
   Method method = Method::volume;
   Estimator estimator = Estimator::loomlight;
   EventLaw eventLaw = EventLaw::projected;
+  Observer observer = Observer::degrees2;
   UnknownKeys unknown;
   friend bool operator==(const RenderSettings&, const RenderSettings&);
 };
@@ -134,7 +142,7 @@ struct RenderSettings {
 /// Other colours for the same construction: how much each fibre absorbs, under a name.
 struct Colourway {
   std::string name = "colourway";
-  std::vector<Rgb> absorption_per_mm;  ///< per Fabric::fibres; fibres beyond its end keep their own
+  std::vector<Absorption> absorption_per_mm;  ///< per Fabric::fibres; fibres beyond its end keep their own
   UnknownKeys unknown;
   friend bool operator==(const Colourway&, const Colourway&);
 };

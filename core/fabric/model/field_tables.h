@@ -9,6 +9,17 @@
 namespace loomlight {
 
 template <>
+struct FieldTable<Dyestuff> {
+  using enum Stage;
+  static constexpr auto fields = std::make_tuple(
+      Field{&Dyestuff::name, {label, "name", "Dye", "", 0, 0, "What the dyer calls it."}},
+      Field{&Dyestuff::amount_percent,
+            {colour, "amount_percent", "Amount", "%", 0, 100, "On weight of fibre, as a recipe has it."}},
+      Field{&Dyestuff::absorption_per_mm,
+            {colour, "absorption_per_mm", "Absorption", "1/mm", 0, 10000, "Of a fibre with 1 % of it, in each band."}});
+};
+
+template <>
 struct FieldTable<Fibre> {
   using enum Stage;
   static constexpr auto fields = std::make_tuple(
@@ -110,7 +121,14 @@ struct FieldTable<Light> {
       Field{&Light::turbidity,
             {light, "turbidity", "Haze", "", 2, 10, "Haze of the sky: 2 is clear, 10 is hazy (turbidity)."}},
       Field{&Light::file,
-            {light, "file", "Environment", "", 0, 0, "A picture of the surroundings: latitude-longitude EXR."}});
+            {light, "file", "Environment", "", 0, 0, "A picture of the surroundings: latitude-longitude EXR."}},
+      Field{&Light::illuminant,
+            {colour | brightness, "illuminant", "Lamp spectrum", "", 0, 0,
+             "The spectrum of white light: D65 is daylight, A a light bulb, F2, F7 and F11 (TL84) are fluorescent "
+             "tubes, LED B1 to B5 white diodes. The eye is adapted to it, so white stays white, and dyes shift."}},
+      Field{&Light::illuminantFile,
+            {colour, "illuminant_file", "Measured spectrum", "", 0, 0,
+             "A measured lamp: a text file of two columns, nm and power."}});
 };
 
 template <>
@@ -160,7 +178,12 @@ struct FieldTable<RenderSettings> {
       Field{&RenderSettings::eventLaw,
             {optics, "event_law", "Event law", "", 0, 0,
              "Without an estimator, how a path chooses its fibre: by what it sees of it, or by density alone (the "
-             "report)."}});
+             "report)."}},
+      Field{
+          &RenderSettings::observer,
+          {colour, "observer", "Observer", "", 0, 0,
+           "Whose eye sees the colours: the CIE standard observer for patches of 2 degrees, or for 10, as the textile "
+           "trade measures."}});
 };
 
 template <>

@@ -60,6 +60,8 @@ void checkLight(const Light& light, const Place& place) {
     place.at("elevation_deg").reject("a number above 0 for a sky", fmt::format("{}", light.elevation_deg));
   if (light.kind == LightKind::environment && light.file.empty())
     place.at("file").reject("the name of a latitude-longitude EXR file", "nothing");
+  if (light.illuminant == StandardIlluminant::file && light.illuminantFile.empty())
+    place.at("illuminant_file").reject("the name of a text file of wavelengths and power", "nothing");
 }
 
 void checkRender(const RenderSettings& render, const Place& place) {

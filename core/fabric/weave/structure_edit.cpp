@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "core/fabric/model/validate.h"
-#include "core/fabric/yarn/colour.h"
 #include "core/fabric/yarn/presets.h"
+#include "core/fabric/yarn/yarn_reflectance.h"
 
 namespace loomlight {
 
@@ -17,7 +17,7 @@ Fabric withSecondYarn(Fabric fabric) {
   if (fabric.yarns.size() != 1) return fabric;
   Yarn yarn = fabric.yarns.front();
   Fibre fibre = fabric.fibres[static_cast<size_t>(yarn.fibre)];
-  const Rgb shown = colourFromAbsorption(fibre.absorption_per_mm, fibre.azimuthalRoughness, fibre.radius_um);
+  const Rgb shown = fibreReflectance(fibre);
   constexpr float kMiddleGrey = 0.18f, kDark = 0.03f, kLight = 0.7f;
   const bool isLight = (shown.x + shown.y + shown.z) / 3 > kMiddleGrey;
   const char* shade = isLight ? ", dark" : ", light";

@@ -14,9 +14,9 @@
 #include "core/fabric/weave/draft_derivation.h"
 #include "core/fabric/wif/wif_fabric.h"
 #include "core/fabric/wif/wif_writer.h"
-#include "core/fabric/yarn/colour.h"
 #include "core/fabric/yarn/derived.h"
 #include "core/fabric/yarn/presets.h"
+#include "core/fabric/yarn/yarn_reflectance.h"
 
 namespace loomlight {
 namespace {
@@ -96,7 +96,7 @@ std::vector<int> numbersOfYarns(const Fabric& fabric, WifPalette& palette, const
       number = there->first;
     } else {
       number = palette.colours.empty() ? 1 : palette.colours.rbegin()->first + 1;
-      const Rgb shown = colourFromAbsorption(fibre.absorption_per_mm, fibre.azimuthalRoughness, fibre.radius_um);
+      const Rgb shown = fibreReflectance(fibre);
       palette.colours[number] = palette.nearest(srgbFromLinear(shown));
     }
     if (number > kMaxWifNumber)

@@ -14,6 +14,11 @@ double depthFactor(double betaN) {
   return 5.969 + b * (-0.215 + b * (2.532 + b * (-10.73 + b * (5.574 + b * 0.245))));
 }
 
+double reflectanceOf(double absorption_per_mm, double factor, double radius_um) {
+  const double depth = std::sqrt(std::max(0.0, absorption_per_mm) * radius_um * kMmPerUm);
+  return std::max(kDarkest, std::exp(-depth * factor));
+}
+
 template <class F>
 Rgb perChannel(const Rgb& value, F&& f) {
   return {f(value.x), f(value.y), f(value.z)};
@@ -31,10 +36,16 @@ Rgb absorptionFromColour(const Rgb& colour, double azimuthalRoughness, double ra
 
 Rgb colourFromAbsorption(const Rgb& absorption_per_mm, double azimuthalRoughness, double radius_um) {
   const double factor = depthFactor(azimuthalRoughness);
-  return perChannel(absorption_per_mm, [&](float absorption) {
-    const double depth = std::sqrt(std::max(0.0, static_cast<double>(absorption)) * radius_um * kMmPerUm);
-    return static_cast<float>(std::max(kDarkest, std::exp(-depth * factor)));
-  });
+  return perChannel(absorption_per_mm,
+                    [&](float absorption) { return static_cast<float>(reflectanceOf(absorption, factor, radius_um)); });
+}
+
+Spectrum reflectanceFromAbsorption(const Spectrum& absorption_per_mm, double azimuthalRoughness, double radius_um) {
+  const double factor = depthFactor(azimuthalRoughness);
+  Spectrum reflectance;
+  for (size_t j = 0; j < kBands; ++j)
+    reflectance[j] = static_cast<float>(reflectanceOf(absorption_per_mm[j], factor, radius_um));
+  return reflectance;
 }
 
 }  // namespace loomlight

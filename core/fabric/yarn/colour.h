@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/spectrum.h"
 #include "core/base/units.h"
 
 namespace loomlight {
@@ -11,5 +12,7 @@ namespace loomlight {
 /// what the fibres' surfaces mirror, about 0.015. `azimuthalRoughness` as in Fibre.
 Rgb absorptionFromColour(const Rgb& colour, double azimuthalRoughness, double radius_um);
 Rgb colourFromAbsorption(const Rgb& absorption_per_mm, double azimuthalRoughness, double radius_um);
+/// The same in each band.
+Spectrum reflectanceFromAbsorption(const Spectrum& absorption_per_mm, double azimuthalRoughness, double radius_um);
 
 }  // namespace loomlight

@@ -18,7 +18,7 @@ void dropUnusedFibre(Fabric& fabric, int fibre) {
     if (yarn.blendFibre > fibre) --*yarn.blendFibre;
   }
   for (Colourway& colourway : fabric.colourways) {
-    std::vector<Rgb>& absorptions = colourway.absorption_per_mm;
+    std::vector<Absorption>& absorptions = colourway.absorption_per_mm;
     if (fibre < static_cast<int>(absorptions.size())) absorptions.erase(absorptions.begin() + fibre);
   }
 }

@@ -6,6 +6,10 @@
 
 namespace loomlight {
 
+/// The three numbers that give a thick mass of these fibres the colour that it has in daylight by all that is known of
+/// its absorption, 1/mm: what is not known in bands is as it is.
+Rgb absorptionOfPrimaries(const Fibre& fibre);
+
 /// How a fibre looks in a thick mass: linear reflectance.
 Rgb fibreReflectance(const Fibre& fibre);
 

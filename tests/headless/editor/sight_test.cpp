@@ -61,6 +61,20 @@ TEST_F(Sight, SoManyRepeatsOrCentimetresLieFlat) {
   EXPECT_EQ(editor.saved().drape.height_mm, 100);
 }
 
+/// The lamps of a light booth, one after the other; the cloth is not traced anew but seen by them.
+TEST_F(Sight, JTakesTheNextLampOfTheBooth) {
+  editor.untilPictured();
+  EXPECT_FALSE(editor.shows("status.lamp")) << "daylight goes without saying";
+  const StandardIlluminant lamps[] = {StandardIlluminant::f11, StandardIlluminant::a, StandardIlluminant::ledB3,
+                                      StandardIlluminant::d65};
+  for (const StandardIlluminant lamp : lamps) {
+    editor.edits("the next lamp", [&] { editor.key("j"); });
+    EXPECT_EQ(editor.saved().light.illuminant, lamp);
+    EXPECT_EQ(editor.shows("status.lamp"), lamp != StandardIlluminant::d65);
+    editor.untilPictured();
+  }
+}
+
 /// With the draft the cloth is turned over: what is under the mouse is the same crossing, seen from behind.
 TEST_F(Sight, BackTurnsTheClothToo) {
   editor.key("1");

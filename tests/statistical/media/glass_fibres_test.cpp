@@ -76,7 +76,7 @@ Colour rayTraced(const Scene& scene, uint32_t samples) {
     EXPECT_TRUE(path.escaped);
     if (!path.met) return Rgb(0);
     const Rgb arriving = scene.lighting->escape(glm::vec3(path.direction));
-    return arriving * glm::exp(-fibre.absorption_per_mm * static_cast<float>(path.inside_mm));
+    return arriving * glm::exp(-fibre.absorption_per_mm.primaries * static_cast<float>(path.inside_mm));
   });
 }
 

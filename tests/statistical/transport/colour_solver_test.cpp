@@ -4,6 +4,7 @@
 
 #include "core/fabric/weave/structures.h"
 #include "render/colour/colour_space.h"
+#include "render/colour/tristimulus.h"
 #include "render/transport/make_medium.h"
 #include "render/transport/path_tracer.h"
 #include "tests/support/test_cloth.h"
@@ -30,9 +31,16 @@ Fabric twoYarns() {
   return fabric;
 }
 
+/// Under a dome of the fabric's lamps.
+Fabric patchOf(const Fabric& fabric) {
+  Fabric patch = colourPatch(fabric);
+  patch.light.illuminant = fabric.light.illuminant;
+  return patch;
+}
+
 struct Patch {
   explicit Patch(const Fabric& fabric)
-      : scene(test::sceneOf(colourPatch(fabric))), medium(makeMedium(*scene, defaultMemoryLimit_bytes(), Task{})) {}
+      : scene(test::sceneOf(patchOf(fabric))), medium(makeMedium(*scene, defaultMemoryLimit_bytes(), Task{})) {}
   std::shared_ptr<const Scene> scene;
   std::unique_ptr<const Medium> medium;
 };
@@ -75,13 +83,39 @@ TEST(ColourSolver, SolvedClothRendersInTheWantedColour) {
   ASSERT_TRUE(walks.has_value());
   ASSERT_EQ(walks->count, kWalks);
   for (const Rgb& wanted : {Rgb(0.25f, 0.10f, 0.04f), Rgb(0.06f, 0.12f, 0.20f)}) {
-    const SolvedColour solved =
-        solveColour(*walks, {fabric.fibres[0].absorption_per_mm, fabric.fibres[1].absorption_per_mm}, 0, wanted);
+    const SolvedColour solved = solveColour(*walks, absorptionsOf(fabric), 0, wanted);
     EXPECT_FALSE(solved.tooLight || solved.tooDark);
     fabric.fibres[0].absorption_per_mm = solved.absorption_per_mm;
     const Rgb rendered = renderedColour(fabric, 0);
     EXPECT_LT(difference(rendered, wanted), kDeltaE)
         << rendered.r << " " << rendered.g << " " << rendered.b << " for " << wanted.r;
+  }
+}
+
+// A measured swatch becomes the absorption of this very cloth's fibre, and the picture has its colour, under the lamp
+// that the picture is of.
+TEST(ColourSolver, SolvedClothRendersAsItsSwatchWasMeasured) {
+  Fabric fabric = twoYarns();
+  const Patch patch(fabric);
+  const auto walks = tallyPathLengths(*patch.scene, *patch.medium, 0, kWalks, Task{});
+  ASSERT_TRUE(walks.has_value());
+  for (const double centre_nm : {460, 600}) {
+    Spectrum swatch;
+    for (size_t j = 0; j < kBands; ++j) {
+      const double away = (bandWavelength_nm(j) - centre_nm) / 60;
+      swatch[j] = static_cast<float>(0.08 + 0.3 * std::exp(-away * away));
+    }
+    const SolvedReflectance solved = solveReflectance(*walks, colouringInDaylight(fabric), 0, swatch);
+    EXPECT_EQ(solved.tooLight + solved.tooDark, 0u);
+    for (size_t j = 0; j < kBands; ++j) EXPECT_NEAR(solved.reached[j], swatch[j], 1e-4) << bandWavelength_nm(j);
+    fabric.fibres[0].absorption_per_mm = Absorption(solved.absorption_per_mm);
+    for (const StandardIlluminant lamp : {StandardIlluminant::d65, StandardIlluminant::f11}) {
+      fabric.light.illuminant = lamp;
+      const LinearWeights weights =
+          linearWeights(illuminantNamed(lamp == StandardIlluminant::d65 ? "D65" : "F11"), Observer::degrees2);
+      const Rgb rendered = renderedColour(fabric, 0);
+      EXPECT_LT(difference(rendered, Rgb(weighted(weights, swatch))), kDeltaE) << centre_nm;
+    }
   }
 }
 
@@ -92,7 +126,7 @@ TEST(ColourSolver, SheerClothCannotBeWhite) {
   const Patch patch(fabric);
   const auto walks = tallyPathLengths(*patch.scene, *patch.medium, 0, 4096, Task{});
   ASSERT_TRUE(walks.has_value());
-  const std::vector<Rgb> undyed = {Rgb(0.0f), fabric.fibres[1].absorption_per_mm};
+  const std::vector<Rgb> undyed = {Rgb(0.0f), fabric.fibres[1].absorption_per_mm.primaries};
   const Rgb white(0.95f);
   const SolvedColour solved = solveColour(*walks, undyed, 0, white);
   EXPECT_TRUE(solved.tooLight);

@@ -31,7 +31,7 @@ Fabric withColour(Fabric fabric, Rgb absorption_per_mm) {
 }
 
 Dye dyeOf(const Scene& scene) {
-  return {scene.absorption_per_mm, Rgb(1)};
+  return {scene.colouring, Rgb(1)};
 }
 
 /// A picture of a scene, with the paths of some of its samples.
@@ -82,7 +82,7 @@ TEST(DyeBetween, IsKnownForColourAndBrightnessAlone) {
   const auto red = test::sceneOf(withColour(blueCotton(), Rgb(1, 50, 60)));
   const auto dye = dyeBetween(*blue, *makeScene(red->fabric, Task{}, blue.get()));
   ASSERT_TRUE(dye);
-  EXPECT_EQ(dye->absorption_per_mm[0], Rgb(1, 50, 60));
+  EXPECT_EQ(dye->colouring.primaries_per_mm[0], Rgb(1, 50, 60));
   EXPECT_EQ(dye->light, Rgb(1));
 
   const auto after = [&](auto&& edit) {
@@ -120,7 +120,8 @@ TEST(Recolour, KnowsItsNoise) {
   underDome.light.kind = LightKind::dome;
   constexpr uint32_t kSamples = 16;
   const Picture blue(underDome, kSamples, 400);
-  ASSERT_EQ(blue.records.samples(16, 16), kSamples / 2);
+  ASSERT_GE(blue.records.samples(16, 16), kSamples / 2);  // how many there is room for hangs on who is first
+  ASSERT_LT(blue.records.samples(16, 16), kSamples);
   const auto medium = makeMedium(*blue.scene, 1e9, Task{});
   const CameraRays camera(underDome.camera, kSide, kSide);
   constexpr double kLuminance[] = {0.2126, 0.7152, 0.0722};
@@ -173,9 +174,9 @@ TEST(Recolour, UnderAWarmLampIsThePictureTracedUnderIt) {
 // With all samples on record nothing is estimated: it is the picture that the same paths bring in the other colours.
 TEST(Recolour, OfPathsAllOnRecordIsExact) {
   const Picture blue(blueCotton(), 4, 1 << 14);
-  const Dye dye{{Rgb(1, 50, 60)}, Rgb(1)};
+  const Dye dye{{{Rgb(1, 50, 60)}}, Rgb(1)};
   Scene inRed = *blue.scene;
-  inRed.absorption_per_mm = dye.absorption_per_mm;  // its paths end where those of the blue one do
+  inRed.colouring = dye.colouring;  // its paths end where those of the blue one do
   const Picture red(std::make_shared<const Scene>(inRed), 4, 0);
   const Recoloured recoloured = recolour(blue.film, blue.records, dye, 1);
   constexpr float kQuantum = 0x1p-24f;  // of the film, whose sums are rounded

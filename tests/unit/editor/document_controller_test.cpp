@@ -86,7 +86,7 @@ TEST_F(DocumentControllerTest, ALateAnswerBelongsToTheGestureThatAskedForIt) {
   sett(31);
   controller_.beginFrame({});
   Fabric dyed = *controller_.fabric();
-  dyed.fibres[0].absorption_per_mm *= 2.0f;
+  dyed.fibres[0].absorption_per_mm.primaries *= 2.0f;
   controller_.edit(dyed, {}, asked);
   controller_.undo();
   EXPECT_NE(controller_.fabric()->ends_per_cm, 31) << "both are taken back";

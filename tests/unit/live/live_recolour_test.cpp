@@ -41,7 +41,7 @@ TEST_F(LiveRecolour, AColourIsShownOnTheFinishedPictureAndTracedAnewBehind) {
   show(fabric, 1);
   ASSERT_TRUE(waitFor(1, 16));
   for (uint64_t generation = 2; generation < 10; ++generation) {
-    fabric.fibres[0].absorption_per_mm *= 0.9f;
+    fabric.fibres[0].absorption_per_mm.primaries *= 0.9f;
     show(fabric, generation);
     ASSERT_TRUE(window.waitFor([&] { return renderer.frame()->generation == generation; }));
     EXPECT_EQ(renderer.frame()->divider, 1) << "never coarse again";

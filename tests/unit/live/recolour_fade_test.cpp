@@ -21,7 +21,7 @@ TEST_F(RecolourFade, KeepsTheShareOfTheEarlierPicture) {
   const Frame before = picture.frame();
   for (const float brighter : {1.0f, 2.0f}) {
     double variance = 0;
-    const Frame after = picture.recoloured({cloth.scene->absorption_per_mm, Rgb(brighter)}, 1, variance);
+    const Frame after = picture.recoloured({cloth.scene->colouring, Rgb(brighter)}, 1, variance);
     EXPECT_EQ(after.samples, before.samples);
     for (size_t i = 0; i < after.rgba.size(); ++i)
       for (int channel = 0; channel < 3; ++channel)

@@ -56,7 +56,7 @@ TEST(ColourSolver, SaysWhatIsTooDarkAndTakesNoMoreDyeThanShows) {
 }
 
 TEST(ColourSolver, AFibreThatIsNeverOnTopHasNoColour) {
-  EXPECT_EQ(PathLengthTally{}.colour({}), Rgb(0.0f));
+  EXPECT_EQ(PathLengthTally{}.colour(std::vector<Rgb>{}), Rgb(0.0f));
 }
 
 }  // namespace

@@ -70,6 +70,8 @@ Value another(const Value& value, const FieldInfo& info) {
     return (name.parent_path() / ("another " + name.filename().string())).string();
   } else if constexpr (std::is_same_v<Value, bool>) {
     return !value;
+  } else if constexpr (std::is_same_v<Value, Absorption>) {
+    return Absorption(value.primaries + Rgb(0.3f));
   } else if constexpr (std::is_same_v<Value, Rgb> || std::is_same_v<Value, glm::dvec3>) {
     return value + Value(0.3);
   } else if constexpr (std::is_enum_v<Value>) {
@@ -227,7 +229,14 @@ TEST_P(FieldStages, OfTheLight) {
     f.light.kind = LightKind::environment;
     f.light.file = (folder / "field_stages.exr").string();
   };
-  expectAllOf<Light>({blend(), blendWith(surrounded)}, [](Fabric& fabric) -> Light& { return fabric.light; });
+  std::ofstream(folder / "field_stages.txt") << "380 1\n730 2\n";
+  std::ofstream(folder / "another field_stages.txt") << "380 2\n730 1\n";
+  const auto measured = [&](Fabric& f) {
+    f.light.illuminant = StandardIlluminant::file;
+    f.light.illuminantFile = (folder / "field_stages.txt").string();
+  };
+  expectAllOf<Light>({blend(), blendWith(surrounded), blendWith(measured)},
+                     [](Fabric& fabric) -> Light& { return fabric.light; });
 }
 
 TEST_P(FieldStages, OfTheCamera) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "render/transport/make_medium.h"
 #include "render/transport/path_tracer.h"
 #include "tests/support/test_cloth.h"
@@ -32,7 +34,7 @@ Fabric twoDyes(LightKind light) {
 
 /// The same scene in other colours, its paths ending where those of the first do.
 Scene dyed(Scene scene) {
-  scene.absorption_per_mm = {Rgb(0.5f, 3, 25), Rgb(300, 0, 12)};
+  scene.colouring.primaries_per_mm = {Rgb(0.5f, 3, 25), Rgb(300, 0, 12)};
   return scene;
 }
 
@@ -69,7 +71,7 @@ TEST(PathRecords, RecolouredIsWhatTheSamePathsTracedInTheNewColoursBring) {
       const Traced first(*scene, *medium, kPlenty);
       const Scene other = dyed(*scene);
       const Traced second(other, *medium, kPlenty);
-      const auto recoloured = first.records.dyed({other.absorption_per_mm, Rgb(1)}, 2);
+      const auto recoloured = first.records.dyed({other.colouring, Rgb(1)}, 2);
       double change = 0;
       for (int y = 0; y < kSide; ++y)
         for (int x = 0; x < kSide; ++x) {
@@ -83,12 +85,36 @@ TEST(PathRecords, RecolouredIsWhatTheSamePathsTracedInTheNewColoursBring) {
     }
 }
 
+// The same where a dye is known band by band, and seen under another lamp than the picture was traced under.
+TEST(PathRecords, AreSeenByOtherLampsInBandsToo) {
+  Fabric fabric = twoDyes(LightKind::sky);
+  Spectrum bands;
+  for (size_t j = 0; j < kBands; ++j) bands[j] = 20 + 20 * std::sin(static_cast<float>(j));
+  fabric.fibres[0].absorption_per_mm = Absorption(bands);
+  const auto scene = test::sceneOf(fabric);
+  const auto medium = makeMedium(*scene, 1e9, Task{});
+  const Traced first(*scene, *medium, kPlenty);
+  Scene other = *scene;  // its paths end where they did
+  fabric.light.illuminant = StandardIlluminant::f11;
+  other.colouring = colouringOf(fabric);
+  const Traced second(other, *medium, kPlenty);
+  const auto recoloured = first.records.dyed({other.colouring, Rgb(1)}, 2);
+  double change = 0;
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x) {
+      const PathRecords::Sums sums = at(recoloured, x, y);
+      expectEqual(sums.dyed / float{kSamples}, second.film.mean(x, y));
+      change += glm::length(sums.dyed - sums.traced);
+    }
+  EXPECT_GT(change, 1) << "the lamp is another";
+}
+
 TEST(PathRecords, InItsOwnColoursIsTheFilm) {
   const auto scene = test::sceneOf(twoDyes(LightKind::sky));
   const auto medium = makeMedium(*scene, 1e9, Task{});
   const Traced traced(*scene, *medium, kPlenty);
-  const auto same = traced.records.dyed({scene->absorption_per_mm, Rgb(1)}, 1);
-  const auto half = traced.records.dyed({scene->absorption_per_mm, Rgb(0.5f)}, 1);
+  const auto same = traced.records.dyed({scene->colouring, Rgb(1)}, 1);
+  const auto half = traced.records.dyed({scene->colouring, Rgb(0.5f)}, 1);
   for (int y = 0; y < kSide; ++y)
     for (int x = 0; x < kSide; ++x) {
       expectEqual(at(same, x, y).dyed, at(same, x, y).traced);
@@ -108,7 +134,7 @@ TEST(PathRecords, WithLittleRoomKeepTheFirstSamplesOfAllPixelsAlike) {
   const uint32_t kept = traced.records.samples(0, 0);
   ASSERT_GT(kept, 0u);
   ASSERT_LT(kept, kSamples);
-  const auto picture = traced.records.dyed({scene->absorption_per_mm, Rgb(1)}, 1);
+  const auto picture = traced.records.dyed({scene->colouring, Rgb(1)}, 1);
   const CameraRays camera(scene->fabric->camera, kSide, kSide);
   TraceCounts counts;
   for (int y = 0; y < kSide; ++y)
@@ -137,7 +163,7 @@ TEST(PathRecords, OfAPictureContinuedAreThoseOfOneRun) {
   const Traced whole(*scene, *medium, kPlenty);
   Traced parts(kPlenty);
   for (const uint32_t samples : {1u, 4u, kSamples}) parts.bringTo(samples, *scene, *medium);
-  const Dye dye{{Rgb(3), Rgb(70)}, Rgb(1)};
+  const Dye dye{{{Rgb(3), Rgb(70)}}, Rgb(1)};
   const auto a = parts.records.dyed(dye, 1), b = whole.records.dyed(dye, 2);
   for (size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i].dyed, b[i].dyed);
 }

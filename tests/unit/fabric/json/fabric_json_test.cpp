@@ -47,7 +47,7 @@ TEST(FabricJson, EveryValueComesBack) {
   f.warpSequence = {0, 1, 1};
   f.weftSequence = {1};
   f.fibres.resize(2);
-  f.fibres[1].absorption_per_mm = {0.1f, 1.0f / 3.0f, 9999.99f};
+  f.fibres[1].absorption_per_mm = Rgb(0.1f, 1.0f / 3.0f, 9999.99f);
   f.fibres[1].section = FibreSection::trilobal;
   f.fibres[1].scaleTilt_deg = -2.5;
   f.yarns.resize(2);
@@ -63,11 +63,13 @@ TEST(FabricJson, EveryValueComesBack) {
   f.yarns[1].blendShare = 0.35;
   f.colourways.resize(2);
   f.colourways[0].name = "Rust";
-  f.colourways[0].absorption_per_mm = {{0.1f, 20, 30}, {1, 2, 3}};
+  f.colourways[0].absorption_per_mm = {Rgb(0.1f, 20, 30), Rgb(1, 2, 3)};
   f.drape.kind = DrapeKind::mesh;
   f.drape.file = "folds.obj";
   f.light.kind = LightKind::environment;
   f.light.file = "sky.exr";
+  f.light.illuminant = StandardIlluminant::ledB3;
+  f.light.illuminantFile = "lamp.txt";
   f.camera.target_mm = {1, -2.25, 1e-9};
   f.camera.fov_deg = 0;
   f.render.seed = 18446744073709551615u;
@@ -75,6 +77,7 @@ TEST(FabricJson, EveryValueComesBack) {
   f.render.method = Method::fibres;
   f.render.estimator = Estimator::none;
   f.render.eventLaw = EventLaw::report;
+  f.render.observer = Observer::degrees10;
   const std::string text = fabricToJson(f);
   const Fabric back = fabricFromJson(text, "x.json");
   EXPECT_EQ(back, f);
@@ -90,6 +93,51 @@ TEST(FabricJson, FloatsAreWrittenShortAndReadExactly) {
   }
   f.fibres[0].absorption_per_mm = Rgb(0.3f);
   EXPECT_THAT(fabricToJson(f), HasSubstr("[0.3, 0.3, 0.3]"));
+}
+
+TEST(FabricJson, SpectraAndRecipesComeBack) {
+  Fabric f;
+  f.colourways.resize(1);
+  Spectrum bands;
+  for (size_t j = 0; j < kBands; ++j) bands[j] = 0.1f * static_cast<float>(j);
+  Absorption measured(bands), recipe(Rgb(1, 2, 3));
+  recipe.dyes = {{"navy", 2.5, bands}, {"red", 0, Spectrum{}}};
+  for (const Absorption& absorption : {measured, recipe}) {
+    f.fibres[0].absorption_per_mm = absorption;
+    f.colourways[0].absorption_per_mm = {absorption};
+    const std::string text = fabricToJson(f);
+    EXPECT_EQ(fabricFromJson(text, "x.json"), f);
+    EXPECT_EQ(fabricToJson(fabricFromJson(text, "x.json")), text);
+  }
+}
+
+TEST(FabricJson, OtherSamplesAreReadOffAtTheBands) {
+  const Fabric f = fabricFromJson(
+      with(R"("fibres": [{"absorption_per_mm": {"bands": {"from_nm": 400, "step_nm": 20, "values": [2, 4, 10]}}}])"),
+      "x.json");
+  const Spectrum& bands = *f.fibres[0].absorption_per_mm.bands;
+  EXPECT_EQ(bands[0], 2) << "as at the end";
+  EXPECT_EQ(bands[2], 2);
+  EXPECT_EQ(bands[3], 3);
+  EXPECT_EQ(bands[5], 7);
+  EXPECT_EQ(bands[kBands - 1], 10);
+}
+
+TEST(FabricJson, BadSpectraAreRefusedWhereTheyAre) {
+  const auto of = [](const std::string& absorption) {
+    return complaint(with(R"("fibres": [{"absorption_per_mm": )" + absorption + "}]"));
+  };
+  EXPECT_EQ(of(R"({"bands": [1, 2]})"),
+            "x.json: fibres[0].absorption_per_mm.bands: expected a list of 36 numbers, from 380 to 730 nm, got 2");
+  EXPECT_EQ(of(R"({"bands": {"values": [1]}})"),
+            "x.json: fibres[0].absorption_per_mm.bands.values: expected from 2 to 1001 numbers, got 1");
+  EXPECT_EQ(of(R"({"bands": {"step_nm": 0, "values": [1, 2]}})"),
+            "x.json: fibres[0].absorption_per_mm.bands.step_nm: expected a number from 0.1 to 100, got 0");
+  EXPECT_EQ(of(R"({"bands": {"values": [1, -2]}})"),
+            "x.json: fibres[0].absorption_per_mm.bands.values[1]: expected a number from 0 to 10000, got -2");
+  EXPECT_EQ(of(R"({"dyes": [{"amount_percent": 101}]})"),
+            "x.json: fibres[0].absorption_per_mm.dyes[0].amount_percent: expected a number from 0 to 100, got 101");
+  EXPECT_EQ(of(R"({"dyes": 3})"), "x.json: fibres[0].absorption_per_mm.dyes: expected a list of dyes, got 3");
 }
 
 TEST(FabricJson, FirstWeaveTextIsTheTopOfThePicture) {

@@ -16,7 +16,7 @@ static_assert(fieldInfo(&Fabric::ends_per_cm).min == 0.2);
 
 template <class T>
 class FieldTableOf : public testing::Test {};
-using Tables = testing::Types<Fibre, Yarn, Drape, Light, Camera, RenderSettings, Draft, Fabric>;
+using Tables = testing::Types<Dyestuff, Fibre, Yarn, Drape, Light, Camera, RenderSettings, Draft, Fabric>;
 TYPED_TEST_SUITE(FieldTableOf, Tables);
 
 TYPED_TEST(FieldTableOf, KeysAreUniqueAndEveryEntryIsExplained) {
@@ -56,17 +56,19 @@ TEST(FieldTables, CoverEveryMember) {
   // Structured bindings fail to compile when a member is added, and then this test and the table are to be looked at.
   [[maybe_unused]] const auto& [f1, f2, f3, f4, f5, f6, f7, f8, f9, fu] = Fibre{};
   EXPECT_EQ(count(Fibre{}), 9);
+  [[maybe_unused]] const auto& [s1, s2, s3] = Dyestuff{};
+  EXPECT_EQ(count(Dyestuff{}), 3);
   [[maybe_unused]] const auto& [y1, y2, y3, y4, y5, y6, y7, y8, y9, y10, y11, y12, y13, y14, y15, y16, y17, y18, y19,
                                 y20, y21, yu] = Yarn{};
   EXPECT_EQ(count(Yarn{}), 21);
   [[maybe_unused]] const auto& [d1, d2, d3, d4, d5, d6, du] = Drape{};
   EXPECT_EQ(count(Drape{}), 6);
-  [[maybe_unused]] const auto& [l1, l2, l3, l4, l5, l6, l7, lu] = Light{};
-  EXPECT_EQ(count(Light{}), 7);
+  [[maybe_unused]] const auto& [l1, l2, l3, l4, l5, l6, l7, l8, l9, lu] = Light{};
+  EXPECT_EQ(count(Light{}), 9);
   [[maybe_unused]] const auto& [c1, c2, c3, c4, c5, cu] = Camera{};
   EXPECT_EQ(count(Camera{}), 5);
-  [[maybe_unused]] const auto& [r1, r2, r3, r4, r5, r6, r7, r8, r9, ru] = RenderSettings{};
-  EXPECT_EQ(count(RenderSettings{}), 9);
+  [[maybe_unused]] const auto& [r1, r2, r3, r4, r5, r6, r7, r8, r9, r10, ru] = RenderSettings{};
+  EXPECT_EQ(count(RenderSettings{}), 10);
 }
 
 TEST(FieldTables, ComparisonIgnoresUnknownKeysOnly) {

@@ -50,7 +50,7 @@ TEST(Validate, NamesSourcePlaceAndRange) {
             "cloth.json: yarns[1].ply_twist_per_m: expected a number from 0 to 5000, got -3");
   EXPECT_EQ(complaintAfter([](Fabric& f) { f.yarns[0].plies = 9; }),
             "cloth.json: yarns[0].plies: expected a whole number from 1 to 8, got 9");
-  EXPECT_EQ(complaintAfter([](Fabric& f) { f.fibres[0].absorption_per_mm.y = -1; }),
+  EXPECT_EQ(complaintAfter([](Fabric& f) { f.fibres[0].absorption_per_mm.primaries.y = -1; }),
             "cloth.json: fibres[0].absorption_per_mm[1]: expected a number from 0 to 10000, got -1");
   EXPECT_EQ(complaintAfter([](Fabric& f) { f.ends_per_cm = std::nan(""); }),
             "cloth.json: ends_per_cm: expected a number from 0.2 to 500, got nan");

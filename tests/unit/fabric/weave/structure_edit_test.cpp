@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/fabric/weave/draft_derivation.h"
-#include "core/fabric/yarn/colour.h"
+#include "core/fabric/yarn/yarn_reflectance.h"
 
 namespace loomlight {
 namespace {
@@ -38,7 +38,7 @@ TEST(StructureEdit, AColourEffectTakesTwoYarns) {
   EXPECT_EQ(edited.warpSequence, houndstooth.warpColours);
   const auto colourOf = [&edited](int yarn) {
     const Fibre& fibre = edited.fibres[static_cast<size_t>(edited.yarns[static_cast<size_t>(yarn)].fibre)];
-    return colourFromAbsorption(fibre.absorption_per_mm, fibre.azimuthalRoughness, fibre.radius_um).y;
+    return fibreReflectance(fibre).y;
   };
   EXPECT_LT(colourOf(1), 0.2f * colourOf(0)) << "the effect would not be seen";
   EXPECT_EQ(withSecondYarn(edited), edited);

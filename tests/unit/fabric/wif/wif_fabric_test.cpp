@@ -14,8 +14,8 @@
 #include "core/fabric/weave/jacquard.h"
 #include "core/fabric/weave/structures.h"
 #include "core/fabric/wif/wif_writer.h"
-#include "core/fabric/yarn/colour.h"
 #include "core/fabric/yarn/derived.h"
+#include "core/fabric/yarn/yarn_reflectance.h"
 #include "tests/unit/fabric/wif/wif_drafts.h"
 
 namespace loomlight {
@@ -31,7 +31,7 @@ Fabric imported(std::string_view bytes, WifSizeChoice sizes = WifSizeChoice::kee
 
 Rgb colourOf(const Fabric& fabric, int yarn) {
   const Fibre& fibre = fabric.fibres[fabric.yarns[yarn].fibre];
-  return srgbFromLinear(colourFromAbsorption(fibre.absorption_per_mm, fibre.azimuthalRoughness, fibre.radius_um));
+  return srgbFromLinear(fibreReflectance(fibre));
 }
 
 void expectColour(const Rgb& colour, const Rgb& bytes) {

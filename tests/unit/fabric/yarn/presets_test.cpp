@@ -5,8 +5,8 @@
 
 #include "core/fabric/model/validate.h"
 #include "core/fabric/model/yarn_count.h"
-#include "core/fabric/yarn/colour.h"
 #include "core/fabric/yarn/derived.h"
+#include "core/fabric/yarn/yarn_reflectance.h"
 
 namespace loomlight {
 namespace {
@@ -44,7 +44,7 @@ TEST(Presets, SilkIsAsClearAsMeasured) {
   // Guided light in bombyx silk loses at most 0.64 per mm.
   const FibrePreset silk = fibrePresets()[2];
   ASSERT_EQ(silk.fibre.name, "silk");
-  EXPECT_LE(silk.fibre.absorption_per_mm.r, 0.64f);
+  EXPECT_LE(silk.fibre.absorption_per_mm.primaries.r, 0.64f);
 }
 
 TEST(Presets, EveryFibreAndYarnIsValidInACloth) {
@@ -74,7 +74,7 @@ TEST(Presets, TwistMultiplierOfTheTrade) {
 TEST(Presets, DyedShowsItsColour) {
   const Rgb wanted(0.5f, 0.1f, 0.02f);
   const Fibre fibre = dyed(fibrePresets()[0].fibre, wanted);
-  const Rgb shown = colourFromAbsorption(fibre.absorption_per_mm, fibre.azimuthalRoughness, fibre.radius_um);
+  const Rgb shown = fibreReflectance(fibre);
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(shown[i], wanted[i], 1e-4);
 }
 

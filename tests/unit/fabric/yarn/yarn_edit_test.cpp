@@ -23,7 +23,7 @@ TEST(YarnEdit, AYarnThatGoesTakesItsOwnFibresAlong) {
   EXPECT_EQ(without.yarns[1].fibre, 1);
   EXPECT_EQ(without.yarns[1].blendFibre, 0);
   EXPECT_EQ(without.warpSequence, (std::vector<int>{0, 1}));
-  EXPECT_EQ(without.colourways[0].absorption_per_mm, (std::vector<Rgb>{Rgb(1), Rgb(4)}));
+  EXPECT_EQ(without.colourways[0].absorption_per_mm, (std::vector<Absorption>{Rgb(1), Rgb(4)}));
   // What others are spun of stays.
   EXPECT_EQ(withoutYarn(fabric, 0).fibres.size(), 4u);
 }
