@@ -9,6 +9,11 @@ Lab labUnder(const TristimulusWeights& weights, const Spectrum& reflectance) {
   return labFromWhiteXyz(weighted(weights, reflectance) / whiteXyz(weights));
 }
 
+glm::dvec3 linearUnder(const TristimulusWeights& weights, const Lab& lab) {
+  const glm::dvec3 white = whiteXyz(weights), d65 = d65Xyz();
+  return linearFromWhiteXyz(bradford(white, d65) * (whiteXyzFromLab(lab) * white) / d65);
+}
+
 double cmcDifference(const Lab& standard, const Lab& sample, double l, double c) {
   const double chroma = std::hypot(standard.a, standard.b);
   const double dL = sample.L - standard.L, dC = std::hypot(sample.a, sample.b) - chroma;

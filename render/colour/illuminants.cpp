@@ -85,9 +85,8 @@ bool isCalled(const LampTable& lamp, const std::string& name) {
 /// The temperature in "2856 K" and "2856k".
 std::optional<double> temperature_K(std::string_view name) {
   double kelvin = 0;
-  const char* const end = name.data() + name.size();
-  const auto [rest, error] = std::from_chars(name.data(), end, kelvin);
-  const std::string_view unit(rest, end);
+  const auto [rest, error] = std::from_chars(name.data(), name.data() + name.size(), kelvin);
+  const std::string_view unit = name.substr(static_cast<size_t>(rest - name.data()));
   if (error != std::errc() || (unit != "K" && unit != " K")) return std::nullopt;
   return kelvin;
 }

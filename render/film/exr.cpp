@@ -1,5 +1,6 @@
 // EXR by OpenEXR 3. What a hostile file could make the library allocate is checked before the library sees the file.
 #include <ImfChannelList.h>
+#include <ImfChromaticities.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfIO.h>
@@ -189,10 +190,15 @@ auto guarded(const std::string& file, Read&& read) {
   }
 }
 
+bool isColour(const Image& image) {
+  return image.find("R") && image.find("G") && image.find("B");
+}
+
 Imf::Header headerOf(const std::string& file, const Image& image) {
   Imf::Header header(image.width, image.height);
   header.compression() = Imf::ZIP_COMPRESSION;
   for (const Image::Channel& channel : image.channels) header.channels().insert(channel.name, Imf::Channel(Imf::FLOAT));
+  if (isColour(image)) Imf::addChromaticities(header, Imf::Chromaticities());  // by default those of Rec. 709 and D65
   for (const auto& [name, value] : image.metadata) {
     if (name.empty() || name.size() > 255 || header.find(name) != header.end())
       throw InputError(fmt::format("{}: '{}' cannot be the name of a text in an EXR", file, name));

@@ -27,7 +27,8 @@ struct PictureExtent {
 
 /// Throw InputError, naming the file and what is wrong with it. Writers write a temporary file beside the target and
 /// rename it, so that a picture is whole or the old one is still there. Sizes beyond 16384 x 16384 are refused. `dpi`:
-/// pixels per inch, which is how large it is on paper; 0 where it has no size of its own.
+/// pixels per inch, which is how large it is on paper; 0 where it has no size of its own. An EXR with channels R, G and
+/// B says that they are of Rec. 709, white D65.
 Image readExr(const std::string& file);
 /// Only how large it says it is.
 PictureExtent readExrExtent(const std::string& file);

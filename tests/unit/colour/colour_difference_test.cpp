@@ -97,6 +97,15 @@ TEST(LabUnder, GreysAreNeutralUnderEveryLight) {
   }
 }
 
+/// Both ways from a reflectance to a colour on the screen, by weights of linear light and by CIELAB, are the same.
+TEST(LinearUnder, IsTheColourThatTheReflectanceHas) {
+  for (const char* name : {"D50", "D65", "F11"}) {
+    const glm::dvec3 straight = weighted(linearWeights(illuminantNamed(name), Observer::degrees10), slope(0.2f, 0.7f));
+    const glm::dvec3 byLab = linearUnder(under(name), labUnder(under(name), slope(0.2f, 0.7f)));
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(byLab[c], straight[c], 1e-6) << name;
+  }
+}
+
 TEST(MetamerismIndex, IsTheDifferenceUnderTheOtherLightOfTwoThatMatch) {
   const TristimulusWeights d65 = under("D65"), f11 = under("F11");
   const Spectrum standard = slope(0.3f, 0.6f);

@@ -52,6 +52,21 @@ std::string complaint(const std::string& bytes) {
   return message;
 }
 
+/// Red, green, blue and white of ITU-R BT.709, as programs read them that know more than one red.
+TEST(Exr, OfColoursSaysWhatItsPrimariesAre) {
+  const test::ScratchFolder folder;
+  writeExr(folder.file("colours.exr"), smallImage());
+  std::string chromaticities;
+  for (const float value : {0.64f, 0.33f, 0.30f, 0.60f, 0.15f, 0.06f, 0.3127f, 0.3290f})
+    chromaticities += test::int32(std::bit_cast<int32_t>(value));
+  EXPECT_THAT(bytesOf(folder.file("colours.exr")),
+              HasSubstr(ExrBytes::attribute("chromaticities", "chromaticities", chromaticities)));
+  Image depth = smallImage();
+  depth.channels.erase(depth.channels.begin());
+  writeExr(folder.file("depth.exr"), depth);
+  EXPECT_THAT(bytesOf(folder.file("depth.exr")), testing::Not(HasSubstr("chromaticities"))) << "no colours";
+}
+
 TEST(Exr, RoundTripKeepsEveryBit) {
   const test::ScratchFolder folder;
   Image image = smallImage();
