@@ -4,29 +4,10 @@
 
 #include <cmath>
 
-#include "core/fabric/weave/structures.h"
+#include "tests/unit/handover/two_sided_cloth.h"
 
 namespace loomlight {
 namespace {
-
-/// Dark warp and white weft in a warp-faced twill: no side of it looks like the other, nor like its mirror image.
-Fabric twoSidedCloth() {
-  Fabric fabric;
-  fabric.weave = twill(3, 1);
-  fabric.ends_per_cm = 12;
-  fabric.picks_per_cm = 10;
-  fabric.yarns[0].fibresPerPly = 60;
-  fabric.yarns[0].layout = FibreLayout::random;
-  fabric.fibres[0].radius_um = 15;
-  fabric.yarns.push_back(fabric.yarns[0]);
-  fabric.yarns[1].fibre = 1;
-  fabric.fibres.push_back(fabric.fibres[0]);
-  fabric.fibres[0].absorption_per_mm = Rgb(60, 20, 5);
-  fabric.weftSequence = {1};
-  fabric.render.resolution = 2;
-  fabric.render.samplesPerPixel = 32;
-  return fabric;
-}
 
 TileSides sidesOf(const Fabric& fabric, int side) {
   return *tileSides(fabric, tileExtent(fabric, false), side, 1e9, {});
@@ -42,7 +23,7 @@ double meanOf(const std::vector<Rgb>& map) {
 class BothSides : public testing::Test {
  protected:
   static const TileSides& sides() {
-    static const TileSides sides = sidesOf(twoSidedCloth(), 96);
+    static const TileSides sides = sidesOf(test::twoSidedCloth(), 96);
     return sides;
   }
   static size_t pixel(int x, int y) {
@@ -124,7 +105,7 @@ TEST_F(BothSides, FibresLieAlongTheirYarnsMirroredOnTheBack) {
 }
 
 TEST(SideMaps, AWhiteClothSendsBackAllThatFallsOnItFromBothSides) {
-  Fabric fabric = twoSidedCloth();
+  Fabric fabric = test::twoSidedCloth();
   fabric.fibres[0].absorption_per_mm = Rgb(0);
   fabric.render.samplesPerPixel = 8;
   const TileSides sides = sidesOf(fabric, 64);
@@ -140,7 +121,7 @@ TEST(SideMaps, AWhiteClothSendsBackAllThatFallsOnItFromBothSides) {
 }
 
 TEST(SideMaps, NothingComesOfAStoppedOne) {
-  const Fabric fabric = twoSidedCloth();
+  const Fabric fabric = test::twoSidedCloth();
   std::stop_source stop;
   stop.request_stop();
   EXPECT_FALSE(tileSides(fabric, tileExtent(fabric, false), 64, 1e9, {stop.get_token(), {}, 0}));
