@@ -12,7 +12,7 @@ Json colour(const Rgb& linear) {
 }
 
 Json errorJson(const FitError& error) {
-  return {{"mean_reflectance_factor", error.mean}, {"rms_error", error.rms}};
+  return {{"mean_reflectance_factor", error.mean}, {"rms_error", error.rms}, {"rms_noise_of_measurement", error.noise}};
 }
 
 }  // namespace

@@ -56,14 +56,21 @@ class Goniometer {
                const Task& task) const {
     const bool underneath = side == ClothSide::back;
     const bool litUnderneath = underneath != isThrough;
-    auto fabric = std::make_shared<Fabric>(fabric_);
-    fabric->light.azimuth_deg = from.azimuth_deg;
-    fabric->light.elevation_deg = (litUnderneath ? -1 : 1) * (90 - from.angle_deg);
-    const double unit = paperRadiance(fabric->light);
-    const auto scene = makeScene(fabric, task, built_.get());
+    Fabric lit = fabric_;
+    lit.light.azimuth_deg = from.azimuth_deg;
+    lit.light.elevation_deg = (litUnderneath ? -1 : 1) * (90 - from.angle_deg);
+    const double unit = paperRadiance(lit.light);
     const HalfDomeGrid grid{kAzimuths, kInclinations, underneath};
-    const auto measure = scene ? measureHalfDome(*scene, *medium_, grid, samples_, task) : std::nullopt;
-    if (!measure) return false;
+    // Twice with half the paths: how far the two differ is how much noise there is.
+    std::optional<HalfDomeMeasure> halves[2];
+    for (int i = 0; i < 2; ++i) {
+      lit.render.seed = fabric_.render.seed + static_cast<uint64_t>(i);
+      const auto scene = makeScene(std::make_shared<const Fabric>(lit), task, built_.get());
+      halves[i] = scene ? measureHalfDome(*scene, *medium_, grid, std::max(1, samples_ / 2),
+                                          partOf(task, 0.5 * i, 0.5 * (i + 1)))
+                        : std::nullopt;
+      if (!halves[i]) return false;
+    }
     const glm::vec3 in = inPicture(direction(from.angle_deg, from.azimuth_deg, litUnderneath), side);
     const double step = 0.5 * kPi / kInclinations;
     for (int j = 0; j < kInclinations; ++j) {
@@ -71,8 +78,11 @@ class Goniometer {
       const double share = std::pow(std::sin((j + 1) * step), 2) - std::pow(std::sin(j * step), 2);
       for (int i = 0; i < kAzimuths; ++i) {
         const glm::vec3 out = inPicture(direction(grid.inclination_deg(j), grid.azimuth_deg(i), underneath), side);
-        const Rgb radiance = measure->radiance[static_cast<size_t>(j * kAzimuths + i)];
-        seen.push_back({in, out, radiance / static_cast<float>(unit), static_cast<float>(share / kAzimuths)});
+        const auto camera = static_cast<size_t>(j * kAzimuths + i);
+        const auto scale = static_cast<float>(0.5 / unit);
+        const Rgb mean = scale * (halves[0]->radiance[camera] + halves[1]->radiance[camera]);
+        const Rgb spread = scale * (halves[0]->radiance[camera] - halves[1]->radiance[camera]);
+        seen.push_back({in, out, mean, static_cast<float>(share / kAzimuths), glm::dot(spread, spread) / 3});
       }
     }
     return true;
@@ -118,9 +128,13 @@ Rgb albedoAlongNormal(const std::vector<Observation>& seen) {
 
 void scaleTo(const Rgb& albedo, std::vector<Observation>& seen) {
   const Rgb is = albedoAlongNormal(seen);
-  for (Observation& one : seen)
-    for (int c = 0; c < 3; ++c)
-      if (is[c] > 0) one.factor[c] *= albedo[c] / is[c];
+  Rgb scale(1);
+  for (int c = 0; c < 3; ++c)
+    if (is[c] > 0) scale[c] = albedo[c] / is[c];
+  for (Observation& one : seen) {
+    one.factor *= scale;
+    one.variance *= glm::dot(scale, scale) / 3;
+  }
 }
 
 }  // namespace loomlight

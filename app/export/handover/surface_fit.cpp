@@ -59,9 +59,11 @@ FitError errorOf(const SurfaceFit& fit, std::span<const SurfaceSample> samples, 
     weights += one.weight;
     error.mean += one.weight * (one.factor.r + one.factor.g + one.factor.b) / 3;
     error.rms += one.weight * glm::dot(difference, difference) / 3;
+    error.noise += one.weight * one.variance;
   }
   error.mean /= weights;
-  error.rms = std::sqrt(error.rms / weights);
+  error.rms = std::sqrt(std::max(0.0, error.rms - error.noise) / weights);
+  error.noise = std::sqrt(error.noise / weights);
   return error;
 }
 

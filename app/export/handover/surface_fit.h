@@ -11,8 +11,9 @@ namespace loomlight {
 /// of the side's picture: x right, y up, z towards the eye. `in`.z is below 0 for light from behind.
 struct Observation {
   glm::vec3 in{0, 0, 1}, out{0, 0, 1};
-  Rgb factor{0};     ///< radiance over that of white paper in this light from its own side
-  float weight = 0;  ///< share of the directions `out`, by projected solid angle; those of one light sum to 1
+  Rgb factor{0};       ///< radiance over that of white paper in this light from its own side
+  float weight = 0;    ///< share of the directions `out`, by projected solid angle; those of one light sum to 1
+  float variance = 0;  ///< that noise left in the factor, mean of the channels
 };
 
 /// A pixel of the maps that stands for many.
@@ -22,8 +23,9 @@ struct SurfaceSample {
 };
 
 struct FitError {
-  double mean = 0;  ///< of the factors that were measured, over channels, lights and, by weight, directions
-  double rms = 0;   ///< of the factors of the fit minus those, likewise
+  double mean = 0;   ///< of the factors that were measured, over channels, lights and, by weight, directions
+  double rms = 0;    ///< of the factors of the fit minus those, likewise; what noise adds to it is taken away
+  double noise = 0;  ///< RMS of the noise in the factors that were measured
 };
 
 /// The principled surface that stands for one side of a cloth, and how well it does.

@@ -120,6 +120,36 @@ TEST(SideMaps, AWhiteClothSendsBackAllThatFallsOnItFromBothSides) {
   }
 }
 
+/// Mean difference of a column and the next, beyond the last the first, of what a pixel has.
+template <class Value>
+double stepAfter(int x, int width, int height, const Value& value) {
+  double sum = 0;
+  for (int y = 0; y < height; ++y) {
+    const auto row = static_cast<size_t>(y) * static_cast<size_t>(width);
+    sum += std::abs(value(row + static_cast<size_t>((x + 1) % width)) - value(row + static_cast<size_t>(x)));
+  }
+  return sum / height;
+}
+
+TEST(SideMaps, NoSeamOfEitherSideIsSeenAmongItsColumns) {
+  Fabric fabric = test::twoSidedCloth();
+  fabric.render.samplesPerPixel = 16;
+  const TileSides sides = *tileSides(fabric, tileExtent(fabric), 128, 1e9, {});
+  for (const SideMaps* side : {&sides.front, &sides.back}) {
+    const auto meets = [&](const char* map, const auto& value) {
+      const int width = side->tile.width, height = side->tile.height;
+      double largest = 0;
+      for (int x = 0; x + 1 < width; ++x) largest = std::max(largest, stepAfter(x, width, height, value));
+      EXPECT_LE(stepAfter(width - 1, width, height, value), largest) << map;
+    };
+    meets("base", [&](size_t i) { return side->reflected[i].x; });
+    meets("transmitted", [&](size_t i) { return side->transmitted[i].x; });
+    meets("height", [&](size_t i) { return side->tile.height_mm[i]; });
+    meets("normal", [&](size_t i) { return side->tile.normal[i].x; });
+    meets("opacity", [&](size_t i) { return side->tile.opacity[i]; });
+  }
+}
+
 TEST(SideMaps, NothingComesOfAStoppedOne) {
   const Fabric fabric = test::twoSidedCloth();
   std::stop_source stop;
