@@ -38,6 +38,15 @@ std::string fileNameOf(const std::string& name) {
   return file.empty() ? "Untitled" : file;
 }
 
+std::string portableFileName(const std::string& name) {
+  std::string plain;
+  for (const char c : name) {
+    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-';
+    plain += letter || (static_cast<unsigned char>(c) & 0x80) != 0 ? c : '_';
+  }
+  return plain.empty() ? "cloth" : plain;
+}
+
 bool isTaken(const fs::path& file) {
   std::error_code ignored;
   return fs::exists(fs::symlink_status(file, ignored));

@@ -20,6 +20,9 @@ bool isWeavingFile(const std::string& file);
 /// and so short that a number still fits behind it on any of them.
 std::string fileNameOf(const std::string& name);
 
+/// The same of letters and digits of ASCII, "-", "_" and what is not ASCII alone, for formats that allow less.
+std::string portableFileName(const std::string& name);
+
 /// Whether something is there, be it a link that leads nowhere.
 bool isTaken(const std::filesystem::path& file);
 

@@ -93,7 +93,7 @@ int usualTileSide(const Fabric& fabric, const TileExtent& extent) {
   return std::clamp(kStep * static_cast<int>(std::ceil(std::min<double>(wanted, kMost) / kStep)), kLeast, kMost);
 }
 
-Fabric tileScene(const Fabric& fabric, const TileExtent& extent, int longestSide) {
+Fabric tileScene(const Fabric& fabric, const TileExtent& extent, int longestSide, ClothSide side) {
   Fabric scene = fabric;
   const double width_mm = extent.ends * fabric.warpPitch_mm(), height_mm = extent.picks * fabric.weftPitch_mm();
   const double pixels_per_mm = longestSide / std::max(width_mm, height_mm);
@@ -108,7 +108,8 @@ Fabric tileScene(const Fabric& fabric, const TileExtent& extent, int longestSide
   scene.light = Light{};
   scene.light.kind = LightKind::furnace;
   scene.camera = Camera{};
-  scene.camera.elevation_deg = 90;
+  scene.camera.elevation_deg = side == ClothSide::front ? 90 : -90;
+  scene.camera.azimuth_deg = side == ClothSide::front ? -90 : 90;  // whose picture has y upwards
   scene.camera.fov_deg = 0;
   scene.camera.distance_mm = height_mm / heightSeenAtOne();
   return scene;

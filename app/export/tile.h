@@ -30,18 +30,23 @@ inline constexpr double kFewestPixelsPerThread = 8;
 /// A longer side of 16 pixels for each thread, and of 1024 at least: as far as a picture can be so large.
 int usualTileSide(const Fabric& fabric, const TileExtent& extent);
 
-/// The fabric as it is rendered for a tile: flat, several tiles wide, in white light from everywhere, seen straight
-/// from above without perspective; the picture is the tile in the middle. `longestSide`: pixels, 16..16384.
-Fabric tileScene(const Fabric& fabric, const TileExtent& extent, int longestSide);
+/// The side of the cloth that a tile shows. The back is what is seen once the cloth is turned over like a page, about
+/// the vertical axis of the front's picture: column c of one lies behind column width - 1 - c of the other, rows stay.
+enum class ClothSide { front, back };
 
-/// The maps, row by row from the top left, the first end at the left and the first pick at the bottom.
+/// The fabric as it is rendered for a tile: flat, several tiles wide, in white light from everywhere, seen straight
+/// from above its side without perspective; the picture is the tile in the middle. `longestSide`: pixels, 16..16384.
+Fabric tileScene(const Fabric& fabric, const TileExtent& extent, int longestSide, ClothSide side = ClothSide::front);
+
+/// The maps, row by row from the top left, the first pick at the bottom; of the front the first end is at the left, of
+/// the back at the right.
 struct TileMaps {
   int width = 0, height = 0;
   std::vector<Rgb> baseColour;    ///< linear; the share of light from everywhere that yarn sends back, with the noise
                                   ///< of its samples; in holes that of the nearest yarn
   std::vector<float> opacity;     ///< 0..1: the share of a pixel that yarn covers, seen from above
-  std::vector<float> height_mm;   ///< above the cloth's mid-plane; in holes the lowest of the yarns
-  std::vector<glm::vec3> normal;  ///< of the height, smoothed over a pixel; x along the ends' order, y along the picks'
+  std::vector<float> height_mm;   ///< above the cloth's mid-plane, towards the eye; in holes the lowest of the yarns
+  std::vector<glm::vec3> normal;  ///< of the height, smoothed over a pixel; x to the right, y up, z towards the eye
   std::vector<int> yarn;          ///< index into Fabric::yarns; -1 in holes
 };
 /// Of a film of tileScene().

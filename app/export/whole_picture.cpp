@@ -3,33 +3,36 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/export/task_part.h"
 #include "render/transport/make_medium.h"
-#include "render/transport/path_tracer.h"
 
 namespace loomlight {
 
-std::optional<WholePicture> renderWhole(std::shared_ptr<const Fabric> fabric, const FibreOptions& fibres,
-                                        const Task& task) {
-  constexpr double kBuildShare = 0.1;  // of the progress
+std::optional<Film> tracedFilm(const Scene& scene, const Medium& medium, const Task& task, FirstFibreSink* first) {
   constexpr uint32_t kBatches = 64;
-  Task building = task;
-  building.progress = [&task](double fraction) { task.report(kBuildShare * fraction); };
-  const auto scene = makeScene(fabric, building);
-  const auto medium = scene ? makeMedium(*scene, fibres, building) : nullptr;
-  if (!medium) return std::nullopt;
-
-  const RenderSettings& settings = fabric->render;
-  WholePicture picture{scene, Film(settings.width, settings.height)};
-  const CameraRays camera(fabric->camera, settings.width, settings.height);
+  const RenderSettings& settings = scene.fabric->render;
+  Film film(settings.width, settings.height);
+  const CameraRays camera(scene.fabric->camera, settings.width, settings.height);
+  const PixelRect all{0, 0, settings.width, settings.height};
   Task tracing = task;
   tracing.progress = nullptr;
   const auto samples = static_cast<uint32_t>(settings.samplesPerPixel);
   for (uint32_t done = 0; done < samples;) {
     done = std::min(samples, done + std::max(1u, samples / kBatches));
-    if (!renderUpTo(done, *scene, *medium, camera, picture.film, tracing).complete) return std::nullopt;
-    task.report(kBuildShare + (1 - kBuildShare) * done / samples);
+    if (!renderUpTo(done, scene, medium, camera, film, all, tracing, 0, nullptr, first).complete) return std::nullopt;
+    task.report(static_cast<double>(done) / samples);
   }
-  return picture;
+  return film;
+}
+
+std::optional<WholePicture> renderWhole(std::shared_ptr<const Fabric> fabric, const FibreOptions& fibres,
+                                        const Task& task) {
+  constexpr double kBuildShare = 0.1;  // of the progress
+  const auto scene = makeScene(fabric, partOf(task, 0, kBuildShare));
+  const auto medium = scene ? makeMedium(*scene, fibres, partOf(task, 0, kBuildShare)) : nullptr;
+  auto film = medium ? tracedFilm(*scene, *medium, partOf(task, kBuildShare, 1)) : std::nullopt;
+  if (!film) return std::nullopt;
+  return WholePicture{scene, std::move(*film)};
 }
 
 }  // namespace loomlight

@@ -34,7 +34,10 @@ struct View {
   CameraRays rays() const { return CameraRays(camera, width, height); }
 };
 
-View viewFrom(double azimuth_deg, double inclination_deg, double window, double halfThickness_mm) {
+View viewFrom(const HalfDomeGrid& grid, size_t camera, double window, double halfThickness_mm) {
+  const auto azimuths = static_cast<size_t>(grid.azimuths);
+  const double azimuth_deg = grid.azimuth_deg(static_cast<int>(camera % azimuths));
+  const double inclination_deg = grid.inclination_deg(static_cast<int>(camera / azimuths));
   const double cosine = std::cos(inclination_deg * kRadians), sine = std::sin(inclination_deg * kRadians);
   const double pixel = window / kPixels;
   View view;
@@ -49,7 +52,7 @@ View viewFrom(double azimuth_deg, double inclination_deg, double window, double 
   view.width = view.columns;
   view.camera.fov_deg = 0;
   view.camera.azimuth_deg = azimuth_deg;
-  view.camera.elevation_deg = 90 - inclination_deg;
+  view.camera.elevation_deg = (grid.underneath ? -1 : 1) * (90 - inclination_deg);
   view.camera.distance_mm = view.height * pixel / seenPerDistance;
   return view;
 }
@@ -61,8 +64,9 @@ Rgb look(const Scene& scene, const Medium& medium, const View& view, size_t came
   const CameraRays rays = view.rays();
   const int pixels = view.columns * view.rows;
   const int rounds = (samples + pixels - 1) / pixels;
-  // Fewer samples than pixels go to every nth pixel.
-  const int stride = std::max(1, pixels / samples);
+  // Fewer samples than pixels go to every nth pixel. An odd number, as the columns are a power of two: so each of them
+  // gets its part, and none of the phases of a thread is left out.
+  const int stride = std::max(1, pixels / samples - (pixels / samples + 1) % 2);
   const int x0 = (view.width - view.columns) / 2, y0 = (view.height - view.rows) / 2;
   std::vector<PixelSample> wanted;
   for (int round = 0; round < rounds; ++round)
@@ -101,8 +105,7 @@ std::optional<HalfDomeMeasure> measureHalfDome(const Scene& scene, const Medium&
   std::vector<TraceCounts> counts(grid.size());
   std::atomic<size_t> done{0};
   parallelFor(grid.size(), task.threads, [&](size_t i) {
-    const int azimuth = static_cast<int>(i) % grid.azimuths, inclination = static_cast<int>(i) / grid.azimuths;
-    const View view = viewFrom(grid.azimuth_deg(azimuth), grid.inclination_deg(inclination), window, half);
+    const View view = viewFrom(grid, i, window, half);
     measure.radiance[i] = look(scene, medium, view, i, samples, task, counts[i]);
     task.report(static_cast<double>(++done) / static_cast<double>(grid.size()));
   });

@@ -15,6 +15,7 @@ namespace loomlight {
 struct HalfDomeGrid {
   int azimuths = 64;
   int inclinations = 16;
+  bool underneath = false;  ///< over the cloth's back instead: the same azimuths, inclinations from the back's normal
 
   size_t size() const { return static_cast<size_t>(azimuths) * static_cast<size_t>(inclinations); }
   double azimuth_deg(int i) const { return (i + 0.5) * 360.0 / azimuths; }

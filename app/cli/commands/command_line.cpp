@@ -109,9 +109,11 @@ void checkConvert(const ConvertCommand& command) {
     throw UsageError("--cloth-colour: expected an OUT with colours, got a weave bitmap, which has none");
 }
 
-void addTile(CLI::App& app, TileCommand& command) {
+/// What `tile` and `handover` have in common.
+template <class TilingCommand>
+void addTiling(CLI::App& app, TilingCommand& command) {
   addInput(app, "FABRIC", command.input);
-  app.add_option("-o,--output", command.folder, "where the maps go; made where there is none")
+  app.add_option("-o,--output", command.folder, "where the files go; made where there is none")
       ->type_name("FOLDER")
       ->required();
   addValue(app, "--size", "N", "pixels of the longer side; where not given 1024, or 16 for each thread",
@@ -121,11 +123,24 @@ void addTile(CLI::App& app, TileCommand& command) {
   app.add_flag_callback(
       "--free-twist", [&command] { command.order.joinTwist = false; },
       "let twist end at the tile's edges, which may leave it many times smaller");
-  addSampling(app, command.options, "samples per pixel; 128 where not given");
+  addSampling(app, command.options, fmt::format("samples per pixel; {} where not given", TilingCommand::kSamples));
   addColourway(app, command.options);
   addResolution(app, command.options);
   addThreads(app, command.threads);
   addMemoryLimit(app, command.memoryLimit_bytes);
+}
+
+void addTile(CLI::App& app, TileCommand& command) {
+  addTiling(app, command);
+}
+
+void addHandover(CLI::App& app, HandoverCommand& command) {
+  addTiling(app, command);
+  app.add_flag("--colourways", command.allColourways, "its colourways as well, each in a folder of its own");
+  addValue(app, "--measure", "N", "paths for each camera that the surface is fitted to; 512 where not given",
+           [&command](const auto& option, const auto& text) {
+             command.order.measuringSamples = static_cast<int>(parseWhole(option, text, 1, 65536));
+           });
 }
 
 void addSheet(CLI::App& app, SheetCommand& command) {
@@ -244,6 +259,8 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   commands.add(app, "info", "what follows from a fabric: mass, cover, floats, voxels", addInfo);
   commands.add(app, "convert", "between fabrics, drafts and weave bitmaps", addConvert, {}, checkConvert);
   commands.add(app, "tile", "a seamless tile for other programs: color, normal, height, opacity", addTile);
+  commands.add(app, "handover", "both sides for CLO, Browzwear, Blender and others: U3M, glTF, MaterialX, maps",
+               addHandover);
   commands.add(app, "sheet", "a page for the mill: cloth at 1 : 1, draft, colour orders, yarns, sett, mass", addSheet);
   commands.add(app, "colour", "what a spectrophotometer and a light booth say of a cloth, alone or beside a standard",
                addColour);

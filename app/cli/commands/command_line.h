@@ -14,6 +14,7 @@
 #include "app/cli/commands/colour_command.h"
 #include "app/cli/commands/compare_command.h"
 #include "app/cli/commands/convert_command.h"
+#include "app/cli/commands/handover_command.h"
 #include "app/cli/commands/info_command.h"
 #include "app/cli/commands/render_command.h"
 #include "app/cli/commands/sheet_command.h"
@@ -42,8 +43,8 @@ struct TextCommand {
 
 using Command = std::variant<EditCommand, RenderCommand, InfoCommand, ConvertCommand, BenchCommand, ReportBenchCommand,
                              EditBenchCommand, ClearBenchCommand, UiBenchCommand, ConvergeBenchCommand,
-                             ClothsBenchCommand, BrdfCommand, CompareCommand, BvdfCommand, TileCommand, SheetCommand,
-                             ColourCommand, ThumbnailCommand, TraceCommand, TextCommand>;
+                             ClothsBenchCommand, BrdfCommand, CompareCommand, BvdfCommand, TileCommand, HandoverCommand,
+                             SheetCommand, ColourCommand, ThumbnailCommand, TraceCommand, TextCommand>;
 
 /// What the words behind the program's name ask for. Throws UsageError.
 Command parseCommandLine(const std::vector<std::string>& words);

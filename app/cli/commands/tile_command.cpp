@@ -7,25 +7,12 @@
 #include "app/cli/inputs.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
+#include "app/export/file_name.h"
 #include "app/export/tile.h"
 #include "core/base/error.h"
 #include "core/base/stopwatch.h"
 
 namespace loomlight {
-namespace {
-
-/// A name that every file system takes.
-std::string fileName(const std::string& name) {
-  std::string plain;
-  for (const char c : name) {
-    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-';
-    plain += letter || (static_cast<unsigned char>(c) & 0x80) != 0 ? c : '_';
-  }
-  return plain.empty() ? "cloth" : plain;
-}
-
-}  // namespace
-
 int run(const TileCommand& command) {
   Stopwatch whole;
   Fabric fabric = fabricFromFile(command.input);
@@ -35,7 +22,7 @@ int run(const TileCommand& command) {
   std::filesystem::create_directories(command.folder, failed);
   if (failed)
     throw InputError(fmt::format("{}: expected a folder that can be made, got: {}", command.folder, failed.message()));
-  const std::string stem = (std::filesystem::path(command.folder) / fileName(fabric.name)).string();
+  const std::string stem = (std::filesystem::path(command.folder) / portableFileName(fabric.name)).string();
   const Interrupt interrupt;
   Progress progress("rendering the tile");
   Task task = interrupt.task(command.threads);

@@ -1,0 +1,94 @@
+#include "app/export/handover/handover.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "app/export/handover/cloth_facts.h"
+#include "app/export/handover/fit_json.h"
+#include "app/export/handover/gltf.h"
+#include "app/export/handover/materialx.h"
+#include "app/export/handover/restricted_zip.h"
+#include "app/export/handover/textures.h"
+#include "app/export/handover/u3m.h"
+#include "core/base/error.h"
+#include "core/base/file.h"
+
+namespace loomlight {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string fitLine(const char* side, const SurfaceFit& fit) {
+  const auto percent = [](const FitError& error) { return error.mean > 0 ? 100 * error.rms / error.mean : 0.0; };
+  return fmt::format(
+      "{}: roughness {:.2f}, specular {:.2f}, anisotropy {:.2f}, sheen {:.3f} with roughness {:.2f}; RMS over "
+      "directions "
+      "{:.1f} % of the mean {:.3f} ({:.1f} % from afar), through it {:.1f} % of {:.3f}",
+      side, fit.surface.roughness, fit.surface.specular, fit.surface.anisotropy,
+      std::max({fit.surface.sheenColour.r, fit.surface.sheenColour.g, fit.surface.sheenColour.b}),
+      fit.surface.sheenRoughness, percent(fit.reflected), fit.reflected.mean, percent(fit.fromAfar),
+      percent(fit.transmitted), fit.transmitted.mean);
+}
+
+std::string sidecar(const DigitalCloth& cloth, const SideTextures& front, const SideTextures& back) {
+  const Json json = {{"name", cloth.fabric.name},
+                     {"program", "Loomlight " LOOMLIGHT_VERSION},
+                     {"width_mm", cloth.width_mm()},
+                     {"height_mm", cloth.height_mm()},
+                     {"ends", cloth.extent.ends},
+                     {"picks", cloth.extent.picks},
+                     {"twist_joins", cloth.extent.twistJoins},
+                     {"width_px", cloth.front.maps.tile.width},
+                     {"height_px", cloth.front.maps.tile.height},
+                     {"areal_mass_g_m2", cloth.measures.arealMass_g_m2},
+                     {"thickness_mm", cloth.measures.thickness_mm},
+                     {"construction", constructionOf(cloth.fabric.weave).type},
+                     {"back",
+                      "turned over about the vertical axis: column c lies behind column width - 1 - c of the "
+                      "front, rows stay"},
+                     {"sides", {{"front", sideJson(cloth.front, front)}, {"back", sideJson(cloth.back, back)}}}};
+  return json.dump(2) + "\n";
+}
+
+}  // namespace
+
+HandoverReport writeHandover(const std::string& folder, const std::string& name, const DigitalCloth& cloth,
+                             std::chrono::sys_seconds now) {
+  const std::filesystem::path place(folder);
+  std::error_code failed;
+  std::filesystem::create_directories(place / "textures", failed);
+  if (failed)
+    throw InputError(fmt::format("{}: expected a folder that can be made, got: {}", (place / "textures").string(),
+                                 failed.message()));
+  HandoverReport report;
+  const auto written = [&](const std::string& file, const std::string& content) {
+    writeFileAtomically((place / file).string(), content);
+    report.files.push_back(file);
+  };
+  const SideTextures front = writeTextures(folder, name, cloth, ClothSide::front);
+  const SideTextures back = writeTextures(folder, name, cloth, ClothSide::back);
+
+  const std::string u3m = u3mText(cloth, front, back, now);
+  std::vector<ArchivedFile> packed{{name + ".u3m", u3m}};
+  for (const SideTextures* side : {&front, &back})
+    for (const std::string& file : side->files()) {
+      packed.push_back({file, readFile((place / file).string(), std::numeric_limits<size_t>::max())});
+      report.files.push_back(file);
+    }
+  written(name + ".u3m", u3m);
+  written(name + ".u3ma", restrictedZip(packed, now));
+  packed.clear();
+  const std::string scratch = (place / ("textures/." + name + ".png")).string();
+  written(name + ".glb", glbBytes(cloth, ClothSide::front, scratch));
+  written(name + "_back.glb", glbBytes(cloth, ClothSide::back, scratch));
+  written(name + ".mtlx", materialXText(cloth, ClothSide::front, front));
+  written(name + "_back.mtlx", materialXText(cloth, ClothSide::back, back));
+  written(name + ".handover.json", sidecar(cloth, front, back));
+  report.lines = {fitLine("front", cloth.front.fit), fitLine("back", cloth.back.fit)};
+  return report;
+}
+
+}  // namespace loomlight

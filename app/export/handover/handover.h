@@ -1,0 +1,27 @@
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/export/handover/digital_cloth.h"
+
+namespace loomlight {
+
+struct HandoverReport {
+  std::vector<std::string> files;  ///< that were written, within the folder
+  std::vector<std::string> lines;  ///< for people: the fit of either side, and its error
+};
+
+/// Writes a cloth in the formats of other programs into a folder, which is there:
+/// - textures/NAME_BASE.png and its like, and those of the back as textures/NAME_back_BASE.png, for drag and drop;
+/// - NAME.u3m, which refers to them, and NAME.u3ma, which holds both;
+/// - NAME.glb and NAME_back.glb: a swatch of either side, with all that it takes;
+/// - NAME.mtlx and NAME_back.mtlx (MaterialX, OpenPBR), which refer to the textures;
+/// - NAME.handover.json: sizes, mass, thickness, parameters, errors of the fit, encodings.
+/// `name`: a file's. Each file is whole or not there. Throws InputError.
+HandoverReport writeHandover(const std::string& folder, const std::string& name, const DigitalCloth& cloth,
+                             std::chrono::sys_seconds now);
+
+}  // namespace loomlight

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+
+#include "core/base/units.h"
+
+namespace loomlight {
+
+/// The surface that a renderer of games, films and garments knows, as glTF 2.0 defines it with its extensions
+/// KHR_materials_specular, _anisotropy, _sheen and _diffuse_transmission, without metal:
+///
+///   f = S (D V F + (1 - F) reflected / pi) + C Dc Vc,  and through it  f = S transmitted / pi
+///
+/// - D: GGX (Trowbridge-Reitz) with slopes ax along the drawn-out axis and ay across; ay = roughness^2 and
+///   ax = mix(ay, 1, anisotropy^2); V: its masking and shadowing after Smith, correlated by height;
+/// - F: Schlick's, from 0.04 specular at the normal to `specular` at grazing;
+/// - Dc: "Charlie" (Estevez and Kulla 2017) with the roughness sheenRoughness^2; Vc = 1 / (4 (nl + nv - nl nv))
+///   (Neubelt and Pettineo 2013); C: the sheen's colour;
+/// - S: 1 - max(C) max(E(nl), E(nv)), what the sheen leaves to the rest, where E is its albedo.
+struct Principled {
+  float specular = 1;           ///< 0..1
+  float roughness = 1;          ///< 0.05..1
+  float anisotropy = 0;         ///< 0..1
+  Rgb sheenColour{0};           ///< linear, 0..1
+  float sheenRoughness = 0.5f;  ///< 0.1..1
+};
+
+/// A point of such a surface. Directions are in the picture's frame: x right, y up, z towards the eye.
+struct SurfacePoint {
+  glm::vec3 normal{0, 0, 1};
+  glm::vec2 drawnOut{1, 0};          ///< in the plane of the picture: the axis along which highlights are long; unit
+  float anisotropyScale = 1;         ///< on Principled::anisotropy, 0..1
+  float roughnessScale = 1;          ///< on Principled::roughness
+  Rgb reflected{0}, transmitted{0};  ///< of the diffuse parts, linear
+};
+
+/// Albedo of the sheen of colour 1 in light from (or a view into) a direction, over its cosine with the normal: one
+/// roughness, made once for many evaluations.
+class SheenAlbedo {
+ public:
+  explicit SheenAlbedo(float sheenRoughness);
+  float operator()(float cosine) const;
+
+ private:
+  static constexpr int kSteps = 16;
+  std::array<float, kSteps + 1> values_;
+};
+
+/// What a surface does with light from `in` that is seen from `out`, unit vectors that point away from it: f times the
+/// cosine of `in` with the normal, 1/sr. 0 where the shading normal faces away from either where it is not behind the
+/// picture's plane.
+Rgb reflectedLight(const Principled& surface, const SheenAlbedo& sheen, const SurfacePoint& at, glm::vec3 in,
+                   glm::vec3 out);
+/// The same of light from behind: in.z < 0.
+Rgb transmittedLight(const Principled& surface, const SheenAlbedo& sheen, const SurfacePoint& at, glm::vec3 in,
+                     glm::vec3 out);
+
+}  // namespace loomlight

@@ -1,0 +1,62 @@
+#include "app/export/handover/side_pixels.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/export/handover/surface_samples.h"
+
+namespace loomlight {
+namespace {
+
+/// Of GGX along the drawn-out axis and across it, from glTF's numbers.
+struct Slopes {
+  float along, across;
+};
+Slopes slopesOf(float roughness, float anisotropy) {
+  const float across = roughness * roughness;
+  return {std::lerp(across, 1.0f, anisotropy * anisotropy), across};
+}
+
+}  // namespace
+
+SidePixel sidePixel(const DigitalSide& side, size_t pixel) {
+  const SurfacePoint at = surfacePoint(side.maps, side.roughnessScales, pixel);
+  SidePixel out;
+  out.reflected = glm::clamp(side.fit.reflectedWeight * at.reflected, 0.0f, 1.0f);
+  out.transmitted = glm::clamp(side.fit.transmittedWeight * at.transmitted, 0.0f, 1.0f);
+  out.opacity = side.maps.tile.opacity[pixel];
+  out.normal = at.normal;
+  out.drawnOut = at.drawnOut;
+  out.roughness = std::clamp(side.fit.surface.roughness * at.roughnessScale, 0.05f, 1.0f);
+  out.anisotropy = side.fit.surface.anisotropy * at.anisotropyScale;
+  return out;
+}
+
+float rotationOf(glm::vec2 drawnOut) {
+  constexpr auto kTurn = static_cast<float>(2 * kPi);
+  float turns = std::atan2(drawnOut.y, drawnOut.x) / kTurn;  // -0.5 to 0.5
+  while (turns < 0.375f) turns += 0.5f;
+  while (turns >= 0.875f) turns -= 0.5f;
+  return turns;
+}
+
+DisneyGloss disneyGloss(float roughness, float anisotropy) {
+  const Slopes slopes = slopesOf(roughness, anisotropy);
+  return {std::pow(slopes.along * slopes.across, 0.25f), std::min(1.0f, (1 - slopes.across / slopes.along) / 0.9f)};
+}
+
+DisneyGloss openPbrGloss(float roughness, float anisotropy) {
+  const Slopes slopes = slopesOf(roughness, anisotropy);
+  const float ratio = slopes.across / slopes.along;
+  return {std::sqrt(slopes.along * std::sqrt((1 + ratio * ratio) / 2)), 1 - ratio};
+}
+
+SplitColour splitColour(const Rgb& reflected, const Rgb& transmitted) {
+  SplitColour split;
+  split.share = std::min(0.99f, std::max({transmitted.r, transmitted.g, transmitted.b}));
+  if (split.share > 0) split.through = glm::min(Rgb(1), transmitted / split.share);
+  split.base = glm::min(Rgb(1), reflected / (1 - split.share));
+  return split;
+}
+
+}  // namespace loomlight

@@ -1,0 +1,164 @@
+// How it works. The unknowns are the five numbers of the principled surface (with a sheen of three channels: seven) and
+// three weights of the colour maps. A prediction is what a renderer would show of the patch: the mean over pixels,
+// each with its normal, axis and colours. Residuals are the differences of reflectance factors, times the root of the
+// projected solid angle, so that what they sum up to is power, and grazing directions do not rule the fit. A wide and
+// a narrow gloss, with and without sheen, are tried as starts, as the sum of squares has more than one valley.
+#include "app/export/handover/surface_fit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "app/export/handover/least_squares.h"
+#include "core/base/parallel.h"
+
+namespace loomlight {
+namespace {
+
+enum Place {
+  kSpecular,
+  kRoughness,
+  kAnisotropy,
+  kSheenRoughness,
+  kSheen,
+  kReflected = kSheen + 3,
+  kCount = kReflected + 3
+};
+
+SurfaceFit surfaceOf(std::span<const double> values) {
+  const auto at = [&](int place) { return static_cast<float>(values[static_cast<size_t>(place)]); };
+  SurfaceFit fit;
+  fit.surface.specular = at(kSpecular);
+  fit.surface.roughness = at(kRoughness);
+  fit.surface.anisotropy = at(kAnisotropy);
+  fit.surface.sheenRoughness = at(kSheenRoughness);
+  for (int c = 0; c < 3; ++c) {
+    fit.surface.sheenColour[c] = at(kSheen + c);
+    fit.reflectedWeight[c] = at(kReflected + c);
+  }
+  return fit;
+}
+
+std::vector<Unknown> unknownsFrom(double roughness, double sheen) {
+  std::vector<Unknown> unknowns(kCount, {1, 0, 2});  // of the weights
+  unknowns[kSpecular] = {0.5, 0, 1};
+  unknowns[kRoughness] = {roughness, 0.1, 1};
+  unknowns[kAnisotropy] = {0.3, 0, 1};
+  unknowns[kSheenRoughness] = {0.5, 0.15, 1};
+  for (int c = 0; c < 3; ++c) unknowns[static_cast<size_t>(kSheen + c)] = {sheen, 0, 1};
+  return unknowns;
+}
+
+/// The measured and the predicted, weighted as residuals are, of one fit.
+FitError errorOf(const SurfaceFit& fit, std::span<const SurfaceSample> samples, std::span<const Observation> seen) {
+  const SheenAlbedo sheen(fit.surface.sheenRoughness);
+  FitError error;
+  double weights = 0;
+  for (const Observation& one : seen) {
+    const Rgb difference = predictedFactor(fit, sheen, samples, one) - one.factor;
+    weights += one.weight;
+    error.mean += one.weight * (one.factor.r + one.factor.g + one.factor.b) / 3;
+    error.rms += one.weight * glm::dot(difference, difference) / 3;
+    error.noise += one.weight * one.variance;
+  }
+  error.mean /= weights;
+  error.rms = std::sqrt(std::max(0.0, error.rms - error.noise) / weights);
+  error.noise = std::sqrt(error.noise / weights);
+  return error;
+}
+
+/// All pixels seen as one.
+std::vector<SurfaceSample> fromAfar(std::span<const SurfaceSample> samples) {
+  SurfaceSample mean;
+  mean.opacity = 0;
+  mean.point.anisotropyScale = mean.point.roughnessScale = 0;
+  glm::vec3 normal(0);
+  glm::vec2 axes(0);  // with doubled angles, as both ends of an axis are the same
+  for (const SurfaceSample& sample : samples) {
+    const SurfacePoint& at = sample.point;
+    const glm::vec2 axis = at.drawnOut;
+    mean.opacity += sample.opacity;
+    mean.point.reflected += sample.opacity * at.reflected;
+    mean.point.transmitted += sample.opacity * at.transmitted;
+    mean.point.roughnessScale += sample.opacity * at.roughnessScale;
+    normal += sample.opacity * at.normal;
+    axes += sample.opacity * at.anisotropyScale * glm::vec2(axis.x * axis.x - axis.y * axis.y, 2 * axis.x * axis.y);
+  }
+  if (mean.opacity <= 0) return {mean};
+  mean.point.reflected /= mean.opacity;
+  mean.point.transmitted /= mean.opacity;
+  mean.point.roughnessScale /= mean.opacity;
+  mean.point.normal = glm::normalize(normal);
+  mean.point.anisotropyScale = glm::length(axes) / mean.opacity;
+  const float angle = 0.5f * std::atan2(axes.y, axes.x);
+  mean.point.drawnOut = {std::cos(angle), std::sin(angle)};
+  mean.opacity /= static_cast<float>(samples.size());
+  return {mean};
+}
+
+LeastSquares fitFrom(std::span<const Unknown> unknowns, std::span<const SurfaceSample> samples,
+                     std::span<const Observation> seen) {
+  return leastSquares(unknowns, [&](std::span<const double> values) {
+    const SurfaceFit fit = surfaceOf(values);
+    const SheenAlbedo sheen(fit.surface.sheenRoughness);
+    std::vector<double> residuals;
+    residuals.reserve(3 * seen.size());
+    for (const Observation& one : seen) {
+      const Rgb difference = predictedFactor(fit, sheen, samples, one) - one.factor;
+      for (int c = 0; c < 3; ++c) residuals.push_back(std::sqrt(one.weight) * difference[c]);
+    }
+    return residuals;
+  });
+}
+
+/// The weight of each channel for which the squares of predicted minus measured are least.
+Rgb transmittedWeight(const SurfaceFit& fit, std::span<const SurfaceSample> samples,
+                      std::span<const Observation> seen) {
+  const SheenAlbedo sheen(fit.surface.sheenRoughness);
+  glm::dvec3 products(0), squares(0);
+  for (const Observation& one : seen) {
+    const glm::dvec3 predicted = predictedFactor(fit, sheen, samples, one);
+    products += static_cast<double>(one.weight) * predicted * glm::dvec3(one.factor);
+    squares += static_cast<double>(one.weight) * predicted * predicted;
+  }
+  Rgb weight(1);
+  for (int c = 0; c < 3; ++c)
+    if (squares[c] > 0) weight[c] = static_cast<float>(std::clamp(products[c] / squares[c], 0.0, 2.0));
+  return weight;
+}
+
+}  // namespace
+
+Rgb predictedFactor(const SurfaceFit& fit, const SheenAlbedo& sheen, std::span<const SurfaceSample> samples,
+                    const Observation& seen) {
+  const bool isThrough = seen.in.z < 0;
+  Rgb sum(0);
+  for (const SurfaceSample& sample : samples) {
+    SurfacePoint at = sample.point;
+    at.reflected *= fit.reflectedWeight;
+    at.transmitted *= fit.transmittedWeight;
+    sum += sample.opacity * (isThrough ? transmittedLight(fit.surface, sheen, at, seen.in, seen.out)
+                                       : reflectedLight(fit.surface, sheen, at, seen.in, seen.out));
+  }
+  const auto count = static_cast<float>(samples.size());
+  return static_cast<float>(kPi) / (count * std::abs(seen.in.z)) * sum;
+}
+
+SurfaceFit fitSurface(std::span<const SurfaceSample> samples, std::span<const Observation> reflected,
+                      std::span<const Observation> transmitted, int threads) {
+  constexpr std::array<std::pair<double, double>, 3> kStarts{{{0.6, 0.02}, {0.35, 0.02}, {0.9, 0.2}}};
+  std::array<LeastSquares, kStarts.size()> fits;
+  parallelFor(fits.size(), threads, [&](size_t i) {
+    fits[i] = fitFrom(unknownsFrom(kStarts[i].first, kStarts[i].second), samples, reflected);
+  });
+  const auto best = std::min_element(fits.begin(), fits.end(),
+                                     [](const LeastSquares& a, const LeastSquares& b) { return a.sum < b.sum; });
+  SurfaceFit fit = surfaceOf(best->values);
+  fit.transmittedWeight = transmittedWeight(fit, samples, transmitted);
+  fit.reflected = errorOf(fit, samples, reflected);
+  fit.transmitted = errorOf(fit, samples, transmitted);
+  fit.fromAfar = errorOf(fit, fromAfar(samples), reflected);
+  return fit;
+}
+
+}  // namespace loomlight

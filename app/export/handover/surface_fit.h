@@ -1,0 +1,50 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "app/export/handover/principled.h"
+
+namespace loomlight {
+
+/// Parallel light that a patch of cloth sends on. Directions are unit, point away from the cloth, and are in the frame
+/// of the side's picture: x right, y up, z towards the eye. `in`.z is below 0 for light from behind.
+struct Observation {
+  glm::vec3 in{0, 0, 1}, out{0, 0, 1};
+  Rgb factor{0};       ///< radiance over that of white paper in this light from its own side
+  float weight = 0;    ///< share of the directions `out`, by projected solid angle; those of one light sum to 1
+  float variance = 0;  ///< that noise left in the factor, mean of the channels
+};
+
+/// A pixel of the maps that stands for many.
+struct SurfaceSample {
+  SurfacePoint point;
+  float opacity = 1;
+};
+
+struct FitError {
+  double mean = 0;   ///< of the factors that were measured, over channels, lights and, by weight, directions
+  double rms = 0;    ///< of the factors of the fit minus those, likewise; what noise adds to it is taken away
+  double noise = 0;  ///< RMS of the noise in the factors that were measured
+};
+
+/// The principled surface that stands for one side of a cloth, and how well it does.
+struct SurfaceFit {
+  Principled surface;
+  /// What the maps of reflected and transmitted light are multiplied by to be those of the diffuse parts.
+  Rgb reflectedWeight{1}, transmittedWeight{1};
+  FitError reflected, transmitted;
+  FitError fromAfar;  ///< of reflected light, where all pixels are seen as one: their mean normal and mean colour
+};
+
+/// Fits the parameters to what was measured, by least squares over directions (least_squares.h), from several starts;
+/// the transmitted light then takes a weight alone. What the fit predicts of a patch is the mean over `samples`, each
+/// as a surface of its own. `samples`, `reflected`, `transmitted`: at least one of each.
+SurfaceFit fitSurface(std::span<const SurfaceSample> samples, std::span<const Observation> reflected,
+                      std::span<const Observation> transmitted, int threads = 0);
+
+/// What a fitted patch sends on, as an observation of it would be; its in, out alone are read.
+Rgb predictedFactor(const SurfaceFit& fit, const SheenAlbedo& sheen, std::span<const SurfaceSample> samples,
+                    const Observation& seen);
+
+}  // namespace loomlight

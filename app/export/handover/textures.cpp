@@ -1,0 +1,108 @@
+#include "app/export/handover/textures.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/export/handover/side_pixels.h"
+#include "core/base/rgb.h"
+
+namespace loomlight {
+namespace {
+
+/// Writes pictures of one side, each from a number or a colour of its pixels.
+class TextureWriter {
+ public:
+  TextureWriter(const std::string& folder, std::string stem, const DigitalCloth& cloth, const DigitalSide& side)
+      : folder_(folder), stem_(std::move(stem)), dpi_(cloth.dpiX()), tile_(side.maps.tile) {
+    for (size_t i = 0; i < tile_.opacity.size(); ++i) pixels_.push_back(sidePixel(side, i));
+  }
+
+  const std::vector<SidePixel>& pixels() const { return pixels_; }
+
+  /// `value`: linear, of a pixel.
+  template <class Value>
+  std::string colour(const char* suffix, const Value& value) const {
+    Pixels8 picture{tile_.width, tile_.height, 3, {}};
+    for (const SidePixel& pixel : pixels_) {
+      const Rgb shown = srgbFromLinear(value(pixel));
+      for (int c = 0; c < 3; ++c)
+        picture.bytes.push_back(static_cast<uint8_t>(std::lround(255 * std::clamp(shown[c], 0.0f, 1.0f))));
+    }
+    const std::string file = nameOf(suffix);
+    writePng(folder_ + "/" + file, picture, {}, dpi_);
+    return file;
+  }
+
+  /// `value`: 0 to 1 in each channel, of a pixel by its number.
+  template <class Value>
+  std::string numbers(const char* suffix, const Value& value) const {
+    Pixels16 picture{tile_.width, tile_.height, 3, {}};
+    for (size_t i = 0; i < pixels_.size(); ++i) {
+      const glm::vec3 numbers(value(i));
+      for (int c = 0; c < 3; ++c)
+        picture.values.push_back(static_cast<uint16_t>(std::lround(65535 * std::clamp(numbers[c], 0.0f, 1.0f))));
+    }
+    const std::string file = nameOf(suffix);
+    writePng(folder_ + "/" + file, picture, dpi_);
+    return file;
+  }
+
+ private:
+  std::string nameOf(const char* suffix) const { return "textures/" + stem_ + suffix + ".png"; }
+
+  const std::string& folder_;
+  std::string stem_;
+  double dpi_;
+  const TileMaps& tile_;
+  std::vector<SidePixel> pixels_;
+};
+
+SideTextures::Means meansOf(const std::vector<SidePixel>& pixels) {
+  SideTextures::Means means{Rgb(0), 0, 0, 0, 0};
+  glm::vec2 axes(0);  // with doubled angles
+  for (const SidePixel& pixel : pixels) {
+    const DisneyGloss gloss = disneyGloss(pixel.roughness, pixel.anisotropy);
+    means.base += pixel.reflected;
+    means.opacity += pixel.opacity;
+    means.roughness += gloss.roughness;
+    means.anisotropy += gloss.anisotropy;
+    const glm::vec2 axis = pixel.drawnOut;
+    axes += gloss.anisotropy * glm::vec2(axis.x * axis.x - axis.y * axis.y, 2 * axis.x * axis.y);
+  }
+  const auto count = static_cast<float>(pixels.size());
+  means.base /= count;
+  means.opacity /= count;
+  means.roughness /= count;
+  means.anisotropy /= count;
+  const float angle = 0.5f * std::atan2(axes.y, axes.x);
+  means.anisotropyRotation = rotationOf({std::cos(angle), std::sin(angle)});
+  return means;
+}
+
+}  // namespace
+
+SideTextures writeTextures(const std::string& folder, const std::string& name, const DigitalCloth& cloth,
+                           ClothSide side) {
+  const DigitalSide& of = cloth.of(side);
+  const TextureWriter writer(folder, name + (side == ClothSide::front ? "_" : "_back_"), cloth, of);
+  const std::vector<SidePixel>& pixels = writer.pixels();
+  const std::vector<float>& height_mm = of.maps.tile.height_mm;
+  const auto [low, high] = std::minmax_element(height_mm.begin(), height_mm.end());
+  SideTextures files;
+  files.lowest_mm = *low;
+  files.highest_mm = std::max(*high, *low + 1e-6f);
+  const float range_mm = files.highest_mm - files.lowest_mm;
+  files.base = writer.colour("BASE", [](const SidePixel& pixel) { return pixel.reflected; });
+  files.transmitted = writer.colour("TRANS", [](const SidePixel& pixel) { return pixel.transmitted; });
+  files.normal = writer.numbers("NRM", [&](size_t i) { return 0.5f * pixels[i].normal + 0.5f; });
+  files.height = writer.numbers("DISP", [&](size_t i) { return (height_mm[i] - files.lowest_mm) / range_mm; });
+  const auto gloss = [&](size_t i) { return disneyGloss(pixels[i].roughness, pixels[i].anisotropy); };
+  files.roughness = writer.numbers("ROUGH", [&](size_t i) { return gloss(i).roughness; });
+  files.anisotropy = writer.numbers("ANISO", [&](size_t i) { return gloss(i).anisotropy; });
+  files.anisotropyRotation = writer.numbers("ANISOROT", [&](size_t i) { return rotationOf(pixels[i].drawnOut); });
+  files.opacity = writer.numbers("ALPHA", [&](size_t i) { return pixels[i].opacity; });
+  files.means = meansOf(pixels);
+  return files;
+}
+
+}  // namespace loomlight

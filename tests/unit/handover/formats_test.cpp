@@ -1,0 +1,262 @@
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
+
+#include "app/export/handover/cloth_facts.h"
+#include "app/export/handover/handover.h"
+#include "app/export/handover/restricted_zip.h"
+#include "app/export/handover/side_pixels.h"
+#include "core/base/file.h"
+#include "core/fabric/weave/jacquard.h"
+#include "core/geometry/cloth_geometry.h"
+#include "tests/support/scratch_folder.h"
+#include "tests/unit/handover/two_sided_cloth.h"
+
+namespace loomlight {
+namespace {
+
+using Json = nlohmann::json;
+using std::chrono::sys_days;
+
+constexpr std::chrono::sys_seconds kNoon = sys_days(std::chrono::year(2026) / 11 / 21) + std::chrono::hours(12);
+
+uint32_t number(const std::string& bytes, size_t at, int count) {
+  uint32_t value = 0;
+  for (int i = 0; i < count; ++i) value |= uint32_t{static_cast<uint8_t>(bytes[at + static_cast<size_t>(i)])} << 8 * i;
+  return value;
+}
+
+/// A cloth handed over once, for all tests of its files.
+class HandedOver : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    Fabric fabric = test::twoSidedCloth();
+    fabric.name = "two sides";
+    fabric.render.samplesPerPixel = 4;
+    fabric.fibres[0].name = "wool, white";
+    fabric.fibres[1].name = "acme 5";
+    DigitalClothOrder order;
+    order.longestSide = 64;
+    order.joinTwist = false;
+    order.measuringSamples = 4;
+    order.fitSamples = 8;
+    folder = new test::ScratchFolder;
+    cloth = new DigitalCloth(*makeDigitalCloth(fabric, order, 1e9, {}));
+    report = new HandoverReport(writeHandover(folder->path().string(), "two_sides", *cloth, kNoon));
+  }
+  static void TearDownTestSuite() {
+    delete report;
+    delete cloth;
+    delete folder;
+  }
+  static std::string read(const std::string& file) {
+    return readFile((folder->path() / file).string(), size_t{1} << 30);
+  }
+
+  static inline test::ScratchFolder* folder = nullptr;
+  static inline DigitalCloth* cloth = nullptr;
+  static inline HandoverReport* report = nullptr;
+};
+
+TEST_F(HandedOver, AllFilesThatAreSaidAreThereAndNoOthers) {
+  std::set<std::string> there;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder->path()))
+    if (entry.is_regular_file()) there.insert(std::filesystem::relative(entry.path(), folder->path()).string());
+  EXPECT_EQ(there, std::set<std::string>(report->files.begin(), report->files.end()));
+  EXPECT_TRUE(there.contains("textures/two_sides_BASE.png"));
+  EXPECT_TRUE(there.contains("textures/two_sides_back_NRM.png"));
+}
+
+TEST_F(HandedOver, TheU3mHasEveryKeyOfItsVersionAndSizesThatAgree) {
+  const Json u3m = Json::parse(read("two_sides.u3m"));
+  EXPECT_EQ(u3m.size(), 3u);
+  EXPECT_EQ(u3m["schema"], "1.1");
+  const Json& material = u3m["material"];
+  for (const char* key :
+       {"id", "name", "description", "created", "modified", "front", "back", "side", "physics", "metadata"})
+    EXPECT_TRUE(material.contains(key)) << key;
+  EXPECT_EQ(material.size(), 10u);
+  EXPECT_EQ(material["created"], "2026-11-21T12:00:00Z");
+  EXPECT_TRUE(std::regex_match(material["id"].get<std::string>(),
+                               std::regex("[0-9a-f]{8}-[0-9a-f]{4}-4[0-9a-f]{3}-[89ab][0-9a-f]{3}-[0-9a-f]{12}")));
+  for (const char* which : {"front", "back"}) {
+    const Json& side = material[which];
+    for (const char* key : {"alpha",
+                            "anisotropy_value",
+                            "anisotropy_rotation",
+                            "clearcoat_value",
+                            "clearcoat_normal",
+                            "clearcoat_roughness",
+                            "ior",
+                            "metalness",
+                            "normal",
+                            "displacement",
+                            "roughness",
+                            "sheen_value",
+                            "sheen_tint",
+                            "specular_value",
+                            "specular_tint",
+                            "subsurface_radius",
+                            "subsurface_value",
+                            "transmission",
+                            "basecolor",
+                            "subsurface_color",
+                            "shader",
+                            "preview"})
+      EXPECT_TRUE(side.contains(key)) << key;
+    EXPECT_EQ(side.size(), 22u);
+    for (const auto& [key, value] : side.items()) {
+      if (!value.is_object() || value["texture"].is_null()) continue;
+      const Json& image = value["texture"]["image"];
+      const PictureExtent extent = readPngExtent((folder->path() / image["path"].get<std::string>()).string());
+      EXPECT_EQ(extent.channels, 3) << key;
+      EXPECT_NEAR(image["dpi"]["x"].get<double>() * image["width"].get<double>() / 25.4, extent.width, 1e-6);
+      EXPECT_NEAR(image["dpi"]["y"].get<double>() * image["height"].get<double>() / 25.4, extent.height, 1e-6);
+    }
+  }
+  const Json& physics = material["physics"];
+  EXPECT_NEAR(physics["thickness"], cloth->measures.thickness_mm, 1e-9);
+  double sum = 0;
+  for (const Json& part : physics["composition"]["parts"]) {
+    sum += part["ratio"].get<double>();
+    EXPECT_EQ(part["name"].is_null(), part["type"] != "other");
+  }
+  EXPECT_NEAR(sum, 1, 1e-9);
+  EXPECT_EQ(physics["composition"]["parts"].size(), 2u);
+}
+
+TEST_F(HandedOver, TheArchiveHoldsTheSameBytesAndNothingThatItsRulesForbid) {
+  const std::string zip = read("two_sides.u3ma");
+  const size_t end = zip.size() - 22;
+  ASSERT_EQ(number(zip, end, 4), 0x06054b50u);
+  const uint32_t count = number(zip, end + 10, 2);
+  EXPECT_EQ(count, 17u);
+  EXPECT_EQ(number(zip, end + 20, 2), 0u);  // no comment
+  size_t at = number(zip, end + 16, 4);
+  EXPECT_EQ(at + number(zip, end + 12, 4), end);
+  for (uint32_t i = 0; i < count; ++i) {
+    ASSERT_EQ(number(zip, at, 4), 0x02014b50u);
+    EXPECT_EQ(number(zip, at + 4, 2), 0x003Fu);
+    EXPECT_EQ(number(zip, at + 6, 2), 0x14u);
+    EXPECT_EQ(number(zip, at + 8, 2), 0x800u);
+    EXPECT_EQ(number(zip, at + 10, 2), 0u);
+    EXPECT_EQ(number(zip, at + 12, 2), 12u << 11);  // noon
+    EXPECT_EQ(number(zip, at + 14, 2), 46u << 9 | 11u << 5 | 21u);
+    for (const size_t empty : {30, 32, 34, 36, 38, 40}) EXPECT_EQ(number(zip, at + empty, 2), 0u);
+    const uint32_t length = number(zip, at + 28, 2), local = number(zip, at + 42, 4), size = number(zip, at + 24, 4);
+    EXPECT_EQ(zip.substr(local + 4, 26), zip.substr(at + 6, 26)) << "both headers say the same";
+    const std::string path = zip.substr(at + 46, length);
+    EXPECT_EQ(zip.substr(local + 30, length), path);
+    EXPECT_EQ(zip.substr(local + 30 + length, size), read(path)) << path;
+    at += 46 + length;
+  }
+  EXPECT_EQ(at, end);
+}
+
+TEST(RestrictedZip, ChecksumsAreThoseOfZip) {
+  const ArchivedFile file{"a.txt", "123456789"};
+  const std::string zip = restrictedZip(std::span(&file, 1), kNoon);
+  EXPECT_EQ(number(zip, 14, 4), 0xCBF43926u);  // the check value of CRC-32
+}
+
+TEST_F(HandedOver, TheGlbIsWholeAndAtTrueSize) {
+  for (const char* file : {"two_sides.glb", "two_sides_back.glb"}) {
+    const std::string glb = read(file);
+    ASSERT_EQ(glb.substr(0, 4), "glTF");
+    EXPECT_EQ(number(glb, 4, 4), 2u);
+    EXPECT_EQ(number(glb, 8, 4), glb.size());
+    const uint32_t length = number(glb, 12, 4);
+    EXPECT_EQ(length % 4, 0u);
+    const Json json = Json::parse(glb.substr(20, length));
+    const uint32_t binary = number(glb, 20 + length, 4);
+    EXPECT_EQ(28 + length + binary, glb.size());
+    EXPECT_EQ(json["buffers"][0]["byteLength"], binary);
+    for (const Json& view : json["bufferViews"])
+      EXPECT_LE(view["byteOffset"].get<uint32_t>() + view["byteLength"].get<uint32_t>(), binary);
+    for (const Json& image : json["images"]) {
+      const Json& view = json["bufferViews"][image["bufferView"].get<size_t>()];
+      EXPECT_EQ(glb.substr(28 + length + view["byteOffset"].get<size_t>(), 4), "\x89PNG");
+    }
+    // The swatch is as many tiles across as its texture coordinates say.
+    const Json& places = json["bufferViews"][json["accessors"][3]["bufferView"].get<size_t>()];
+    float across = 0;
+    std::memcpy(&across, glb.data() + 28 + length + places["byteOffset"].get<size_t>() + 8, sizeof(across));
+    EXPECT_NEAR(json["accessors"][0]["max"][0].get<double>(), 1e-3 * across * cloth->width_mm(), 1e-6);
+    EXPECT_NEAR(json["accessors"][0]["max"][0].get<double>(), 0.1, 0.5e-3 * cloth->width_mm());
+    for (const Json& extension : json["extensionsUsed"])
+      EXPECT_TRUE(json["materials"][0]["extensions"].contains(extension.get<std::string>()));
+  }
+}
+
+TEST_F(HandedOver, TheMaterialXNamesFilesThatAreThere) {
+  const std::string text = read("two_sides_back.mtlx");
+  const std::regex file("type=\"filename\" value=\"([^\"]*)\"");
+  int found = 0;
+  for (std::sregex_iterator i(text.begin(), text.end(), file), none; i != none; ++i, ++found)
+    EXPECT_TRUE(std::filesystem::exists(folder->path() / (*i)[1].str())) << (*i)[1];
+  EXPECT_EQ(found, 6);
+}
+
+TEST(ClothFacts, WeavesHaveTheNamesOfTheTrade) {
+  EXPECT_EQ(constructionOf(plainWeave()).type, "Plain weave");
+  EXPECT_EQ(constructionOf(twill(2, 1, Slant::z)).type, "Twill - right hand (Z)");
+  EXPECT_EQ(constructionOf(twill(3, 1, Slant::s)).type, "Twill - left hand (S)");
+  EXPECT_EQ(constructionOf(satin(5, 2)).type, "Satin");
+  EXPECT_EQ(constructionOf(basket(2, 2)).type, "other");
+  EXPECT_EQ(constructionOf(waffle(5)).type, "Dobby");
+}
+
+TEST(ClothFacts, FibresAreToldByWordsOfTheirNames) {
+  Fabric fabric = test::twoSidedCloth();
+  const auto named = [&](const char* name) {
+    fabric.fibres[0].name = fabric.fibres[1].name = name;
+    return compositionOf(fabric, ClothMeasures{}).front().fibre;
+  };
+  EXPECT_EQ(named("Wool, navy"), (ListedName{"Wool", ""}));
+  EXPECT_EQ(named("organic cotton"), (ListedName{"Organic cotton", ""}));
+  EXPECT_EQ(named("petrol"), (ListedName{"other", "petrol"}));
+  fabric.fibres[1].name = "silk";
+  const auto parts = compositionOf(fabric, ClothMeasures{});
+  ASSERT_EQ(parts.size(), 2u);
+  EXPECT_NEAR(parts[0].ratio + parts[1].ratio, 1, 1e-12);
+  EXPECT_GE(parts[0].ratio, parts[1].ratio);
+}
+
+TEST(SidePixels, RotationsNeverJumpNearWarpAndWeft) {
+  const auto at = [](double angle_deg) {
+    return rotationOf({std::cos(angle_deg * kPi / 180), std::sin(angle_deg * kPi / 180)});
+  };
+  for (double angle = -40; angle < 130; angle += 5) {
+    EXPECT_NEAR(at(angle), 0.5 + angle / 360, 1e-5) << angle;
+    EXPECT_NEAR(at(angle + 180), at(angle), 1e-5) << "an axis has two ends";
+  }
+}
+
+TEST(SidePixels, EveryConventionHasTheSameSlopes) {
+  const float roughness = 0.5f, anisotropy = 0.6f;
+  const float across = roughness * roughness, along = std::lerp(across, 1.0f, anisotropy * anisotropy);
+  const DisneyGloss disney = disneyGloss(roughness, anisotropy), open = openPbrGloss(roughness, anisotropy);
+  const float aspect = std::sqrt(1 - 0.9f * disney.anisotropy);
+  EXPECT_NEAR(disney.roughness * disney.roughness / aspect, along, 1e-5);
+  EXPECT_NEAR(disney.roughness * disney.roughness * aspect, across, 1e-5);
+  const float inverse = 1 - open.anisotropy;
+  const float first = open.roughness * open.roughness * std::sqrt(2 / (1 + inverse * inverse));
+  EXPECT_NEAR(first, along, 1e-5);
+  EXPECT_NEAR(first * inverse, across, 1e-5);
+}
+
+TEST(SidePixels, SplitLightIsTheLightThatWasSplit) {
+  const Rgb reflected(0.3f, 0.2f, 0.1f), transmitted(0.2f, 0.3f, 0.05f);
+  const SplitColour split = splitColour(reflected, transmitted);
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_NEAR(split.base[c] * (1 - split.share), reflected[c], 1e-6);
+    EXPECT_NEAR(split.through[c] * split.share, transmitted[c], 1e-6);
+  }
+}
+
+}  // namespace
+}  // namespace loomlight

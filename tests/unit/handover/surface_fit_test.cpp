@@ -1,0 +1,152 @@
+#include "app/export/handover/surface_fit.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/base/random.h"
+
+namespace loomlight {
+namespace {
+
+glm::vec3 direction(double angle_deg, double azimuth_deg) {
+  const double angle = angle_deg * kPi / 180, azimuth = azimuth_deg * kPi / 180;
+  return glm::vec3(std::sin(angle) * std::cos(azimuth), std::sin(angle) * std::sin(azimuth), std::cos(angle));
+}
+
+/// Half-domes under nine lights, without what they see.
+std::vector<Observation> halfDomes(bool isThrough) {
+  std::vector<Observation> seen;
+  constexpr int kAzimuths = 16, kInclinations = 8;
+  for (const double angle : {0.0, 30.0, 60.0})
+    for (double azimuth = 0; azimuth < (angle > 0 ? 360 : 90); azimuth += 90)
+      for (int j = 0; j < kInclinations; ++j)
+        for (int i = 0; i < kAzimuths; ++i) {
+          const double low = j * kPi / 2 / kInclinations, high = low + kPi / 2 / kInclinations;
+          Observation one;
+          one.in = direction(isThrough ? 180 - angle : angle, azimuth);
+          one.out = direction((j + 0.5) * 90 / kInclinations, (i + 0.5) * 360 / kAzimuths);
+          one.weight = static_cast<float>((std::pow(std::sin(high), 2) - std::pow(std::sin(low), 2)) / kAzimuths);
+          seen.push_back(one);
+        }
+  return seen;
+}
+
+/// Pixels of two yarns, one along x and one along y, whose normals roll about their axes.
+std::vector<SurfaceSample> wovenSamples() {
+  std::vector<SurfaceSample> samples;
+  Random random(7);
+  for (int i = 0; i < 24; ++i) {
+    SurfaceSample sample;
+    const bool isWarp = i % 2 == 0;
+    const float roll = random.uniform() - 0.5f, dip = 0.3f * (random.uniform() - 0.5f);
+    sample.point.normal = glm::normalize(isWarp ? glm::vec3(roll, dip, 1) : glm::vec3(dip, roll, 1));
+    sample.point.drawnOut = isWarp ? glm::vec2(1, 0) : glm::vec2(0, 1);
+    sample.point.reflected = isWarp ? Rgb(0.3f, 0.2f, 0.1f) : Rgb(0.5f, 0.5f, 0.55f);
+    sample.point.transmitted = Rgb(0.2f, 0.1f, 0.05f);
+    sample.opacity = 0.9f;
+    samples.push_back(sample);
+  }
+  return samples;
+}
+
+void show(const SurfaceFit& truth, std::span<const SurfaceSample> samples, std::vector<Observation>& seen) {
+  const SheenAlbedo sheen(truth.surface.sheenRoughness);
+  for (Observation& one : seen) one.factor = predictedFactor(truth, sheen, samples, one);
+}
+
+class FitOfKnown : public testing::TestWithParam<Principled> {};
+
+TEST_P(FitOfKnown, TheModelsOwnLobesGiveTheirParametersBack) {
+  SurfaceFit truth;
+  truth.surface = GetParam();
+  truth.reflectedWeight = Rgb(0.8f, 0.9f, 1.1f);
+  truth.transmittedWeight = Rgb(1.2f, 0.7f, 1.0f);
+  const std::vector<SurfaceSample> samples = wovenSamples();
+  std::vector<Observation> reflected = halfDomes(false), transmitted = halfDomes(true);
+  show(truth, samples, reflected);
+  show(truth, samples, transmitted);
+  const SurfaceFit fit = fitSurface(samples, reflected, transmitted);
+  EXPECT_LT(fit.reflected.rms, 1e-3 * fit.reflected.mean);
+  EXPECT_LT(fit.transmitted.rms, 1e-2 * fit.transmitted.mean);
+  EXPECT_NEAR(fit.surface.roughness, truth.surface.roughness, 0.02);
+  EXPECT_NEAR(fit.surface.specular, truth.surface.specular, 0.05);
+  EXPECT_NEAR(fit.surface.anisotropy, truth.surface.anisotropy, 0.05);
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_NEAR(fit.surface.sheenColour[c], truth.surface.sheenColour[c], 0.02);
+    EXPECT_NEAR(fit.reflectedWeight[c], truth.reflectedWeight[c], 0.02);
+    EXPECT_NEAR(fit.transmittedWeight[c], truth.transmittedWeight[c], 0.05);
+  }
+  if (truth.surface.sheenColour.x > 0) {
+    EXPECT_NEAR(fit.surface.sheenRoughness, truth.surface.sheenRoughness, 0.05);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Surfaces, FitOfKnown,
+                         testing::Values(Principled{0.8f, 0.4f, 0.6f, Rgb(0), 0.5f},
+                                         Principled{0.5f, 0.6f, 0.0f, Rgb(0.1f, 0.15f, 0.2f), 0.6f},
+                                         Principled{1.0f, 0.3f, 0.3f, Rgb(0.05f), 0.35f}));
+
+TEST(SurfaceFit, StatesTheErrorOfWhatItCannotFit) {
+  // A cloth that sends light from everywhere back to where it came from, which no such surface does.
+  const std::vector<SurfaceSample> samples = wovenSamples();
+  std::vector<Observation> reflected = halfDomes(false), transmitted = halfDomes(true);
+  for (Observation& one : reflected) one.factor = Rgb(glm::dot(one.in, one.out) > 0.95f ? 3.0f : 0.2f);
+  for (Observation& one : transmitted) one.factor = Rgb(0.1f);
+  const SurfaceFit fit = fitSurface(samples, reflected, transmitted);
+  EXPECT_GT(fit.reflected.rms, 0.3 * fit.reflected.mean);
+}
+
+TEST(Principled, TakesLightInAndOutTheSameWay) {
+  SurfacePoint at;
+  at.normal = glm::normalize(glm::vec3(0.2f, -0.1f, 1));
+  at.drawnOut = glm::normalize(glm::vec2(0.3f, 0.9f));
+  at.reflected = Rgb(0.4f);
+  const Principled surface{0.9f, 0.4f, 0.7f, Rgb(0.2f), 0.4f};
+  const SheenAlbedo sheen(surface.sheenRoughness);
+  const glm::vec3 in = direction(25, 40), out = direction(50, 200);
+  const Rgb there = reflectedLight(surface, sheen, at, in, out) / glm::dot(at.normal, in);
+  const Rgb back = reflectedLight(surface, sheen, at, out, in) / glm::dot(at.normal, out);
+  EXPECT_NEAR(there.x, back.x, 1e-5);
+  EXPECT_GT(there.x, 0);
+}
+
+/// Albedo over the half-dome by quadrature, for light from `angle_deg`.
+double albedo(const Principled& surface, double angle_deg) {
+  SurfacePoint at;
+  at.reflected = Rgb(1);
+  const SheenAlbedo sheen(surface.sheenRoughness);
+  double sum = 0;
+  constexpr int kSteps = 128;
+  for (int i = 0; i < kSteps; ++i)
+    for (int j = 0; j < kSteps; ++j) {
+      const double square = (i + 0.5) / kSteps;  // of the sine: equal projected solid angles
+      const glm::vec3 out = direction(std::asin(std::sqrt(square)) * 180 / kPi, (j + 0.5) * 360 / kSteps);
+      // By reciprocity, the light that comes from everywhere into one direction.
+      sum += reflectedLight(surface, sheen, at, out, direction(angle_deg, 30)).x / out.z;
+    }
+  return sum * kPi / (kSteps * kSteps);
+}
+
+TEST(Principled, AWhiteSurfaceSendsBackNoMoreThanItGets) {
+  for (const double angle : {5.0, 40.0, 70.0}) {
+    EXPECT_NEAR(albedo({0, 0.5f, 0, Rgb(0), 0.5f}, angle), 1, 1e-3);
+    EXPECT_LT(albedo({1, 0.5f, 0.5f, Rgb(0), 0.5f}, angle), 1.02);
+    EXPECT_LT(albedo({1, 0.5f, 0.5f, Rgb(0.5f), 0.5f}, angle), 1.02);
+    EXPECT_GT(albedo({1, 0.5f, 0.5f, Rgb(0.5f), 0.5f}, angle), 0.6);
+  }
+}
+
+TEST(Principled, ItsHighlightIsLongAlongTheAxis) {
+  const Principled surface{1, 0.3f, 0.8f, Rgb(0), 0.5f};
+  const SheenAlbedo sheen(surface.sheenRoughness);
+  SurfacePoint at;
+  at.drawnOut = {0, 1};
+  const glm::vec3 normal(0, 0, 1);
+  const Rgb along = reflectedLight(surface, sheen, at, normal, direction(40, 90));
+  const Rgb across = reflectedLight(surface, sheen, at, normal, direction(40, 0));
+  EXPECT_GT(along.x, 2 * across.x);
+}
+
+}  // namespace
+}  // namespace loomlight
