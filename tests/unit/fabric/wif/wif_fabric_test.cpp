@@ -121,6 +121,18 @@ TEST(WifFabric, KeepsMySizesOrTakesTheFiles) {
   EXPECT_EQ(withWifSizes(kept.fabric, warnings), taken) << "it can be done later";
 }
 
+// Warp and weft have their commonest yarn in common, the weft another one besides: it is scaled like the rest.
+TEST(WifFabric, TheFilesThicknessReachesEveryYarn) {
+  std::string text = replaced(twillFile(), "Color=3\nUnits=Inches", "Color=1\nThickness=0.04\nUnits=Centimeters");
+  text += "[WEFT COLORS]\n2=4\n";
+  text = replaced(text, "[WEFT SPACING]\n2=0.04\n", "");
+  const Fabric f = imported(text, WifSizeChoice::file);
+  ASSERT_EQ(f.warpYarn(0), f.weftYarn(0));
+  ASSERT_NE(f.weftYarn(1), f.weftYarn(0));
+  for (const int yarn : {f.warpYarn(0), f.warpYarn(2), f.weftYarn(1)})
+    EXPECT_NEAR(yarnDiameter_mm(f.yarns[yarn], f.fibres[f.yarns[yarn].fibre]), 0.4, 1e-4) << yarn;
+}
+
 TEST(WifFabric, ThickThreadsAreThickerByTheirRatio) {
   const std::string text = twillFile() + "[WARP THICKNESS]\n3=0.08\n";
   const Fabric f = imported(text);

@@ -1,0 +1,188 @@
+#include "core/fabric/wif/wif_yarns.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <tuple>
+
+#include "core/base/rgb.h"
+#include "core/fabric/model/field_tables.h"
+#include "core/fabric/model/validate.h"
+#include "core/fabric/model/yarn_count.h"
+#include "core/fabric/wif/wif_most_common.h"
+#include "core/fabric/yarn/derived.h"
+#include "core/fabric/yarn/presets.h"
+
+namespace loomlight {
+namespace {
+
+using Warnings = std::vector<WifWarning>;
+
+/// A yarn of the fabric to be: one of mine, dyed in a colour of the palette, and perhaps thicker.
+struct Kind {
+  int base = 0;         ///< in mine.yarns
+  int system = 0;       ///< 1 for the weft where its yarn is not that of the warp
+  int colour = 0;       ///< 0: mine
+  int permille = 1000;  ///< of the usual diameter
+  auto key() const { return std::tie(base, system, colour, permille); }
+  friend bool operator<(const Kind& a, const Kind& b) { return a.key() < b.key(); }
+};
+
+std::vector<Kind> kindsOfThreads(const std::vector<int>& colours, const WifSizes& sizes, int base, int system) {
+  const auto threads = static_cast<int>(colours.size());
+  const std::optional<double> usual = usualThickness_mm(sizes, threads);
+  std::vector<Kind> kinds;
+  for (int thread = 1; thread <= threads; ++thread) {
+    const double ratio = usual ? sizes.thickness_mm(thread).value_or(*usual) / *usual : 1.0;
+    constexpr double kMostRatio = 1000.0;
+    const double held = std::clamp(ratio, 1.0 / kMostRatio, kMostRatio);
+    kinds.push_back({base, system, colours[thread - 1], static_cast<int>(std::lround(1000.0 * held))});
+  }
+  return kinds;
+}
+
+/// Leaves at most kMaxKinds kinds of yarn: first all of one thickness, then rare colours as their nearest.
+void reduceKinds(std::vector<Kind>& warp, std::vector<Kind>& weft, const WifPalette& palette, Warnings& warnings) {
+  const auto counted = [&] {
+    std::map<Kind, int> counts;
+    for (const auto* kinds : {&warp, &weft})
+      for (const Kind& kind : *kinds) ++counts[kind];
+    return counts;
+  };
+  std::map<Kind, int> counts = counted();
+  if (counts.size() <= static_cast<size_t>(kMaxKinds)) return;
+  warnings.push_back(
+      {fmt::format("The threads have {} combinations of colour and thickness, a fabric has at most {} yarns; all "
+                   "threads of a colour get the usual thickness, rare colours the nearest.",
+                   counts.size(), kMaxKinds),
+       {}});
+  for (auto* kinds : {&warp, &weft})
+    for (Kind& kind : *kinds) kind.permille = 1000;
+  counts = counted();
+  std::vector<std::pair<Kind, int>> byUse(counts.begin(), counts.end());
+  std::stable_sort(byUse.begin(), byUse.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+  const auto colourOf = [&palette](const Kind& kind) {
+    return kind.colour > 0 ? palette.srgb(palette.colours.at(kind.colour)) : Rgb(1.0f);
+  };
+  std::map<Kind, Kind> instead;
+  for (size_t i = kMaxKinds; i < byUse.size(); ++i) {
+    const Kind& rare = byUse[i].first;
+    const auto distance = [&](const Kind& kind) {
+      const Rgb d = colourOf(kind) - colourOf(rare);
+      return glm::dot(d, d);
+    };
+    instead[rare] = std::min_element(byUse.begin(), byUse.begin() + kMaxKinds, [&](const auto& a, const auto& b) {
+                      return distance(a.first) < distance(b.first);
+                    })->first;
+  }
+  for (auto* kinds : {&warp, &weft})
+    for (Kind& kind : *kinds)
+      if (const auto found = instead.find(kind); found != instead.end()) kind = found->second;
+}
+
+/// The shortest sequence that goes on in the same way for ever and fits the repeat.
+std::vector<int> shortest(std::vector<int> sequence) {
+  const size_t n = sequence.size();
+  for (size_t period = 1; period <= n / 2; ++period) {
+    if (n % period != 0) continue;
+    if (std::equal(sequence.begin() + static_cast<long>(period), sequence.end(), sequence.begin())) {
+      sequence.resize(period);
+      return sequence;
+    }
+  }
+  return sequence;
+}
+
+/// Gives the fabric, which is a copy of mine, the yarns of these threads.
+void dress(Fabric& fabric, const std::vector<Kind>& warp, const std::vector<Kind>& weft, const WifPalette& palette,
+           Warnings& warnings) {
+  const std::vector<Yarn> myYarns = fabric.yarns;
+  const std::vector<Fibre> myFibres = fabric.fibres;
+  std::map<Kind, int> yarnOf;
+  for (const auto* kinds : {&warp, &weft})
+    for (const Kind& kind : *kinds) yarnOf.emplace(kind, 0);
+  std::map<std::pair<int, int>, int> fibreOf;  // of mine, and colour
+  fabric.yarns.clear();
+  fabric.fibres.clear();
+  bool held = false;
+  for (auto& [kind, index] : yarnOf) {
+    index = static_cast<int>(fabric.yarns.size());
+    Yarn yarn = myYarns[kind.base];
+    Fibre fibre = myFibres[yarn.fibre];
+    const double diameters = kind.permille / 1000.0;
+    if (kind.permille != 1000) yarn = heavier(yarn, fibre, diameters * diameters, held);
+    const auto [known, isNew] = fibreOf.emplace(std::pair(yarn.fibre, kind.colour), fabric.fibres.size());
+    yarn.fibre = known->second;
+    if (kind.colour > 0) fibre = dyed(fibre, linearFromSrgb(palette.srgb(palette.colours.at(kind.colour))));
+    // What I called my yarn says nothing of one of another colour or thickness: it goes by these.
+    if (kind.colour > 0 || kind.permille != 1000) yarn.name.clear();
+    if (isNew) fabric.fibres.push_back(fibre);
+    fabric.yarns.push_back(yarn);
+  }
+  if (held) warnings.push_back(heldYarns());
+  const auto sequence = [&yarnOf](const std::vector<Kind>& kinds) {
+    std::vector<int> yarns;
+    for (const Kind& kind : kinds) yarns.push_back(yarnOf.at(kind));
+    return shortest(std::move(yarns));
+  };
+  fabric.warpSequence = sequence(warp);
+  fabric.weftSequence = sequence(weft);
+}
+
+}  // namespace
+
+double tidy(double value) {
+  return std::strtod(fmt::format("{:.5g}", value).c_str(), nullptr);
+}
+
+std::optional<double> usualThickness_mm(const WifSizes& sizes, int threads) {
+  std::vector<double> known;
+  for (int thread = 1; thread <= threads; ++thread)
+    if (const auto thickness = sizes.thickness_mm(thread)) known.push_back(*thickness);
+  return known.empty() ? std::nullopt : std::optional(mostCommon(known));
+}
+
+Yarn heavier(Yarn yarn, const Fibre& fibre, double factor, bool& held) {
+  const double inYarn = fibresInYarn(yarn, fibre);
+  const double most = std::min(factor, 0.999 * kMaxFibresInYarn / inYarn);
+  if (yarn.fibresPerPly) {
+    const FieldInfo range = fieldInfo(&Yarn::fibresPerPly);
+    const double wanted = std::floor(*yarn.fibresPerPly * most + 0.5);
+    yarn.fibresPerPly = static_cast<int>(std::clamp(wanted, range.min, range.max));
+    held = held || most < factor || wanted < range.min || wanted > range.max;
+  } else {
+    const FieldInfo range = fieldInfo(&Yarn::count_tex);
+    const double wanted = yarn.count_tex * most;
+    yarn.count_tex = tidy(std::clamp(wanted, range.min, range.max));
+    held = held || most < factor || wanted < range.min || wanted > range.max;
+  }
+  return yarn;
+}
+
+void dressThreads(Fabric& fabric, const WifDocument& document, Warnings& warnings) {
+  const WifRest& rest = document.rest;
+  const int warpBase = fabric.warpYarn(0), weftBase = fabric.weftYarn(0);
+  const bool apart = warpBase == weftBase &&
+                     usualThickness_mm(rest.warp, document.ends()) != usualThickness_mm(rest.weft, document.picks());
+  std::vector<Kind> warp = kindsOfThreads(document.warpColours, rest.warp, warpBase, 0);
+  std::vector<Kind> weft = kindsOfThreads(document.weftColours, rest.weft, weftBase, apart ? 1 : 0);
+  reduceKinds(warp, weft, rest.palette, warnings);
+  dress(fabric, warp, weft, rest.palette, warnings);
+}
+
+WifWarning heldYarns() {
+  return {"The file has yarns thicker or thinner than a yarn can be here; they are held to what it can.", {}};
+}
+
+std::shared_ptr<const WifOrigin> withSizesOf(WifOrigin origin, const Fabric& fabric) {
+  origin.ends_per_cm = fabric.ends_per_cm;
+  origin.picks_per_cm = fabric.picks_per_cm;
+  origin.warpDiameter_mm = meanDiameter_mm(fabric, System::warp);
+  origin.weftDiameter_mm = meanDiameter_mm(fabric, System::weft);
+  return std::make_shared<const WifOrigin>(std::move(origin));
+}
+
+}  // namespace loomlight
