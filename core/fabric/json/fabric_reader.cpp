@@ -248,7 +248,8 @@ WifRest readWifLines(const json& value, const std::string& source, const Place& 
     place.reject(fmt::format("at most {} bytes", kMaxWifBytes), fmt::format("{}", text.size()));
   if (text.find('\0') != std::string::npos) place.reject("texts", "one with a NUL character");
   WifWarnings warnings;
-  WifRest rest = readWifRest(parseWifSections(text, fmt::format("{}: {}", source, place.path()), warnings), warnings);
+  WifRest rest =
+      readWifRest(parseWifSections(text, fmt::format("{}: {}", source, place.path()), warnings), {}, warnings);
   const std::vector<WifWarning> complaints = warnings.list();
   if (!complaints.empty()) place.reject("lines as in a WIF draft", inOneLine(complaints.front()));
   return rest;

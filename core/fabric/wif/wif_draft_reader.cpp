@@ -19,8 +19,9 @@ int mostShafts() {
 
 class DraftReader {
  public:
-  DraftReader(const WifSections& sections, const std::string& source, WifWarnings& warnings)
-      : sections_(sections), source_(source), warnings_(warnings) {}
+  DraftReader(const WifSections& sections, const WifCounting& counting, const std::string& source,
+              WifWarnings& warnings)
+      : sections_(sections), counting_(counting), source_(source), warnings_(warnings) {}
 
   Draft read() {
     const WifSection* threading = sections_.find("THREADING");
@@ -31,11 +32,12 @@ class DraftReader {
     const bool lifted = liftplan && (!liftplan->entries.empty() || !trodden);
 
     Draft draft;
-    const int ends = threads("WARP", threading, "WARP COLORS");
-    const int picks = threads("WEFT", lifted ? liftplan : treadling, "WEFT COLORS");
-    draft.threading = lists(threading, ends, "end", "shaft");
-    if (lifted) draft.liftplan = lists(liftplan, picks, "pick", "shaft");
-    if (trodden || !lifted) draft.treadling = lists(treadling, picks, "pick", "treadle");
+    const int ends = threads("WARP", threading, "WARP COLORS", counting_.end);
+    const int picks = threads("WEFT", lifted ? liftplan : treadling, "WEFT COLORS", counting_.pick);
+    draft.threading = lists(threading, {counting_.end, ends}, "end", shafts());
+    if (lifted) draft.liftplan = lists(liftplan, {counting_.pick, picks}, "pick", shafts());
+    if (trodden || !lifted)
+      draft.treadling = lists(treadling, {counting_.pick, picks}, "pick", {"treadle", counting_.pressedTreadle});
     readTieUp(draft);
     draft.shafts = kinds("Shafts", largest(draft.threading, draft.tieUp, draft.liftplan));
     draft.risingShed = risingShed();
@@ -49,6 +51,16 @@ class DraftReader {
   }
 
  private:
+  struct Lines {
+    int first = 1, count = 0;
+  };
+  /// What lists name, and how the first of it is called.
+  struct Listed {
+    const char* kind;
+    int first = 1;
+  };
+  Listed shafts() const { return {"shaft", counting_.shaft}; }
+
   const WifEntry* find(const char* section, const char* key) {
     const WifSection* const found = sections_.find(section);
     return found ? found->find(lowerCase(key)) : nullptr;
@@ -57,12 +69,13 @@ class DraftReader {
   static std::string said(const WifEntry& entry) { return fmt::format("{}={}", entry.key, entry.value.substr(0, 40)); }
 
   /// How many threads a system has: what Threads= says, or else as many as the lines of the draft name.
-  int threads(const char* system, const WifSection* draft, const char* colours) {
+  int threads(const char* system, const WifSection* draft, const char* colours, int first) {
     const WifEntry* const entry = find(system, "Threads");
     const int number = entry ? wifWhole(entry->value).value_or(0) : 0;
     if (number >= 1 && number <= Weave::kMaxSide) return number;
     int listed = largestKey(draft);
     if (listed == 0) listed = largestKey(sections_.find(colours));
+    if (listed > 0 || first == 0) listed = std::min(listed + 1 - first, Weave::kMaxSide);
     const bool tooMany = draft && draft->entries.size() > static_cast<size_t>(Weave::kMaxSide);
     if (listed == 0 || tooMany)
       throw InputError(fmt::format("{}: [{}] Threads: expected from 1 to {} threads, got {}", source_, system,
@@ -83,20 +96,20 @@ class DraftReader {
   }
 
   /// The lines of a section as lists of shafts or treadles, one for each of `count` threads or treadles.
-  Lists lists(const WifSection* section, int count, const char* what, const char* kind) {
-    Lists all(static_cast<size_t>(count));
+  Lists lists(const WifSection* section, const Lines& lines, const char* what, const Listed& listed) {
+    Lists all(static_cast<size_t>(lines.count));
     int named = 0;
-    forEachNumbered(section, count, what, warnings_, [&](int number, const WifEntry& entry) {
-      all[number - 1] = list(*section, entry, kind);
+    forEachNumbered(section, lines.first, lines.count, what, warnings_, [&](int number, const WifEntry& entry) {
+      all[number - 1] = list(*section, entry, listed);
       ++named;
     });
-    if (section && named < count)
+    if (section && named < lines.count)
       warnings_.add(0, section->name, "",
-                    fmt::format("Only {} of {} {}s are named; the others are left empty.", named, count, what));
+                    fmt::format("Only {} of {} {}s are named; the others are left empty.", named, lines.count, what));
     return all;
   }
 
-  std::vector<int> list(const WifSection& section, const WifEntry& entry, const char* kind) {
+  std::vector<int> list(const WifSection& section, const WifEntry& entry, const Listed& listed) {
     std::vector<int> numbers;
     // "2;3" may have been meant as a list.
     const size_t comment = entry.value.find(';');
@@ -106,12 +119,12 @@ class DraftReader {
                     "What stands behind a semicolon is a comment; numbers of a list are parted by commas.");
     for (const std::string_view part : wifList(entry.value)) {
       const std::optional<int> number = wifWhole(part);
-      if (!number || *number < 0 || *number > mostShafts()) {
+      if (!number || *number < 0 || *number > mostShafts() + listed.first - 1) {
         warnings_.add(
             entry.line, section.name, said(entry),
-            fmt::format("There can be {}s 1 to {}, or 0 for none; others are passed over.", kind, mostShafts()));
-      } else if (*number > 0) {
-        numbers.push_back(*number);
+            fmt::format("There can be {}s 1 to {}, or 0 for none; others are passed over.", listed.kind, mostShafts()));
+      } else if (*number >= listed.first) {
+        numbers.push_back(*number - listed.first + 1);
       }
     }
     std::sort(numbers.begin(), numbers.end());
@@ -123,11 +136,11 @@ class DraftReader {
   /// pressed but neither of the two moves nothing.
   void readTieUp(Draft& draft) {
     const WifSection* const tieUp = sections_.find("TIEUP");
-    draft.treadles = kinds("Treadles", std::min(largestKey(tieUp), mostShafts()));
+    draft.treadles = kinds("Treadles", std::min(largestKey(tieUp) + 1 - counting_.tiedTreadle, mostShafts()));
     if (tieUp || !draft.treadling.empty()) draft.tieUp.resize(static_cast<size_t>(draft.treadles));
-    forEachNumbered(tieUp, draft.treadles, "treadle", warnings_, [&](int treadle, const WifEntry& entry) {
-      draft.tieUp[treadle - 1] = list(*tieUp, entry, "shaft");
-    });
+    forEachNumbered(
+        tieUp, counting_.tiedTreadle, draft.treadles, "treadle", warnings_,
+        [&](int treadle, const WifEntry& entry) { draft.tieUp[treadle - 1] = list(*tieUp, entry, shafts()); });
     for (size_t pick = 0; pick < draft.treadling.size(); ++pick) {
       std::vector<int>& pressed = draft.treadling[pick];
       const auto first = std::upper_bound(pressed.begin(), pressed.end(), draft.treadles);
@@ -190,14 +203,16 @@ class DraftReader {
   }
 
   const WifSections& sections_;
+  const WifCounting& counting_;
   const std::string& source_;
   WifWarnings& warnings_;
 };
 
 }  // namespace
 
-Draft readWifDraft(const WifSections& sections, const std::string& source, WifWarnings& warnings) {
-  return DraftReader(sections, source, warnings).read();
+Draft readWifDraft(const WifSections& sections, const WifCounting& counting, const std::string& source,
+                   WifWarnings& warnings) {
+  return DraftReader(sections, counting, source, warnings).read();
 }
 
 }  // namespace loomlight

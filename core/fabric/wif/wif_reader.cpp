@@ -94,9 +94,9 @@ void checkContents(const WifSections& sections, WifWarnings& warnings) {
   }
 }
 
-std::vector<std::string> readNotes(const WifSections& sections, WifWarnings& warnings) {
+std::vector<std::string> readNotes(const WifSections& sections, int first, WifWarnings& warnings) {
   std::map<int, std::string> lines;
-  forEachNumbered(sections.find("NOTES"), kMaxWifNumber, "line", warnings,
+  forEachNumbered(sections.find("NOTES"), first, kMaxWifNumber, "line", warnings,
                   [&](int number, const WifEntry& entry) { lines[number] = entry.value; });
   std::vector<std::string> notes;
   for (auto& [number, line] : lines) notes.push_back(std::move(line));
@@ -124,13 +124,14 @@ WifDocument readWif(std::string_view bytes, const std::string& source, WifWarnin
   checkContents(sections, warnings);
   expectDraft(sections, source);
 
+  const WifCounting counting = wifCounting(sections, warnings);
   WifDocument document;
   document.title = textOf(sections, "TEXT", "title");
-  document.notes = readNotes(sections, warnings);
+  document.notes = readNotes(sections, counting.note, warnings);
   const std::string program = textOf(sections, "WIF", "source program");
   document.program = trimmed(program + " " + textOf(sections, "WIF", "source version"));
-  document.draft = readWifDraft(sections, source, warnings);
-  document.rest = readWifRest(sections, warnings);
+  document.draft = readWifDraft(sections, counting, source, warnings);
+  document.rest = readWifRest(sections, counting, warnings);
   const Draft& draft = document.draft;
   const auto ends = static_cast<int>(draft.threading.size());
   const auto picks = static_cast<int>(draft.liftplan.empty() ? draft.treadling.size() : draft.liftplan.size());
@@ -139,8 +140,8 @@ WifDocument readWif(std::string_view bytes, const std::string& source, WifWarnin
   cutSizes(rest.warp.thicknesses, "WARP THICKNESS", ends, warnings);
   cutSizes(rest.weft.spacings, "WEFT SPACING", picks, warnings);
   cutSizes(rest.weft.thicknesses, "WEFT THICKNESS", picks, warnings);
-  document.warpColours = readWifColours(sections, System::warp, ends, rest.palette, warnings);
-  document.weftColours = readWifColours(sections, System::weft, picks, rest.palette, warnings);
+  document.warpColours = readWifColours(sections, counting, System::warp, ends, rest.palette, warnings);
+  document.weftColours = readWifColours(sections, counting, System::weft, picks, rest.palette, warnings);
   return document;
 }
 
