@@ -259,6 +259,7 @@ std::shared_ptr<const WifOrigin> readOrigin(json value, const std::string& sourc
   ObjectReader reader(std::move(value), place);
   auto origin = std::make_shared<WifOrigin>();
   reader.takeFields(*origin);
+  if (auto yarns = reader.take("yarns")) origin->yarns = readObjects<WifYarn>(std::move(*yarns), place.at("yarns"));
   if (const std::optional<json> lines = reader.take("lines"))
     origin->rest = readWifLines(*lines, source, place.at("lines"));
   origin->unknown = reader.rest();

@@ -36,7 +36,8 @@ struct WifSizes {
 
   /// Mean over `threads` threads, mm; nothing where the file does not give it for all of them.
   std::optional<double> meanSpacing_mm(int threads) const;
-  std::optional<double> thickness_mm(int thread) const;  ///< of one thread, from 1
+  std::optional<double> spacing_mm(int thread) const;  ///< of one thread, from 1
+  std::optional<double> thickness_mm(int thread) const;
   friend bool operator==(const WifSizes&, const WifSizes&) = default;
 };
 

@@ -9,6 +9,7 @@
 #include "core/fabric/model/validate.h"
 #include "core/fabric/wif/wif_fabric.h"
 #include "core/fabric/wif/wif_reader.h"
+#include "core/fabric/wif/wif_thickness.h"
 #include "core/fabric/wif/wif_yarns.h"
 
 namespace loomlight {
@@ -36,9 +37,12 @@ WifImport fabricFromWif(std::string_view bytes, const std::string& source, const
   fabric.description = fitting(fmt::format("{}", fmt::join(document.notes, "\n")), "text of notes", import.warnings);
   fabric.weave = drawdown(document.draft);
 
-  dressThreads(fabric, document, import.warnings);
-
   WifOrigin origin;
+  origin.yarns = dressThreads(fabric, document, import.warnings);
+  for (const auto& uneven : {unevenSpacing(document.rest.warp, document.ends(), "Ends"),
+                             unevenSpacing(document.rest.weft, document.picks(), "Picks")})
+    if (uneven) import.warnings.push_back(*uneven);
+
   origin.program = fitting(document.program, "name of the program", import.warnings);
   origin.ends = document.ends();
   origin.picks = document.picks();

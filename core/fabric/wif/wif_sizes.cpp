@@ -8,6 +8,7 @@
 #include "core/fabric/model/yarn_count.h"
 #include "core/fabric/wif/wif_fabric.h"
 #include "core/fabric/wif/wif_most_common.h"
+#include "core/fabric/wif/wif_thickness.h"
 #include "core/fabric/wif/wif_yarns.h"
 #include "core/fabric/yarn/derived.h"
 
@@ -15,11 +16,6 @@ namespace loomlight {
 namespace {
 
 using Warnings = std::vector<WifWarning>;
-
-bool varies(const std::map<int, double>& lengths) {
-  return std::adjacent_find(lengths.begin(), lengths.end(),
-                            [](const auto& a, const auto& b) { return a.second != b.second; }) != lengths.end();
-}
 
 const std::vector<int>& sequenceOf(const Fabric& fabric, System system) {
   return system == System::warp ? fabric.warpSequence : fabric.weftSequence;
@@ -100,8 +96,6 @@ Fabric withWifSizes(Fabric fabric, std::vector<WifWarning>& warnings) {
   };
   set("ends", sett.ends_per_cm, fabric.ends_per_cm);
   set("picks", sett.picks_per_cm, fabric.picks_per_cm);
-  if (varies(fabric.wif->rest.warp.spacings) || varies(fabric.wif->rest.weft.spacings))
-    warnings.push_back({"The file spaces its threads unevenly; here they lie evenly, at the mean.", {}});
 
   scaleYarns(fabric, sett, warnings);
   fabric.wif = withSizesOf(*fabric.wif, fabric);

@@ -12,7 +12,7 @@
 #include "core/fabric/model/field_tables.h"
 #include "core/fabric/model/validate.h"
 #include "core/fabric/model/yarn_count.h"
-#include "core/fabric/wif/wif_most_common.h"
+#include "core/fabric/wif/wif_thickness.h"
 #include "core/fabric/yarn/derived.h"
 #include "core/fabric/yarn/presets.h"
 
@@ -32,14 +32,12 @@ struct Kind {
 };
 
 std::vector<Kind> kindsOfThreads(const std::vector<int>& colours, const WifSizes& sizes, int base, int system) {
-  const auto threads = static_cast<int>(colours.size());
-  const std::optional<double> usual = usualThickness_mm(sizes, threads);
+  const std::vector<double> thick = relativeThickness(sizes, static_cast<int>(colours.size()));
   std::vector<Kind> kinds;
-  for (int thread = 1; thread <= threads; ++thread) {
-    const double ratio = usual ? sizes.thickness_mm(thread).value_or(*usual) / *usual : 1.0;
+  for (size_t thread = 0; thread < colours.size(); ++thread) {
     constexpr double kMostRatio = 1000.0;
-    const double held = std::clamp(ratio, 1.0 / kMostRatio, kMostRatio);
-    kinds.push_back({base, system, colours[thread - 1], static_cast<int>(std::lround(1000.0 * held))});
+    const double held = std::clamp(thick[thread], 1.0 / kMostRatio, kMostRatio);
+    kinds.push_back({base, system, colours[thread], static_cast<int>(std::lround(1000.0 * held))});
   }
   return kinds;
 }
@@ -97,8 +95,8 @@ std::vector<int> shortest(std::vector<int> sequence) {
 }
 
 /// Gives the fabric, which is a copy of mine, the yarns of these threads.
-void dress(Fabric& fabric, const std::vector<Kind>& warp, const std::vector<Kind>& weft, const WifPalette& palette,
-           Warnings& warnings) {
+std::vector<WifYarn> dress(Fabric& fabric, const std::vector<Kind>& warp, const std::vector<Kind>& weft,
+                           const WifPalette& palette, Warnings& warnings) {
   const std::vector<Yarn> myYarns = fabric.yarns;
   const std::vector<Fibre> myFibres = fabric.fibres;
   std::map<Kind, int> yarnOf;
@@ -107,6 +105,7 @@ void dress(Fabric& fabric, const std::vector<Kind>& warp, const std::vector<Kind
   std::map<std::pair<int, int>, int> fibreOf;  // of mine, and colour
   fabric.yarns.clear();
   fabric.fibres.clear();
+  std::vector<WifYarn> given;
   bool held = false;
   for (auto& [kind, index] : yarnOf) {
     index = static_cast<int>(fabric.yarns.size());
@@ -120,6 +119,7 @@ void dress(Fabric& fabric, const std::vector<Kind>& warp, const std::vector<Kind
     // What I called my yarn says nothing of one of another colour or thickness: it goes by these.
     if (kind.colour > 0 || kind.permille != 1000) yarn.name.clear();
     if (isNew) fabric.fibres.push_back(fibre);
+    given.push_back({kind.colour, fabric.fibres[yarn.fibre].absorption_per_mm, {}});
     fabric.yarns.push_back(yarn);
   }
   if (held) warnings.push_back(heldYarns());
@@ -130,19 +130,13 @@ void dress(Fabric& fabric, const std::vector<Kind>& warp, const std::vector<Kind
   };
   fabric.warpSequence = sequence(warp);
   fabric.weftSequence = sequence(weft);
+  return given;
 }
 
 }  // namespace
 
 double tidy(double value) {
   return std::strtod(fmt::format("{:.5g}", value).c_str(), nullptr);
-}
-
-std::optional<double> usualThickness_mm(const WifSizes& sizes, int threads) {
-  std::vector<double> known;
-  for (int thread = 1; thread <= threads; ++thread)
-    if (const auto thickness = sizes.thickness_mm(thread)) known.push_back(*thickness);
-  return known.empty() ? std::nullopt : std::optional(mostCommon(known));
 }
 
 Yarn heavier(Yarn yarn, const Fibre& fibre, double factor, bool& held) {
@@ -162,7 +156,7 @@ Yarn heavier(Yarn yarn, const Fibre& fibre, double factor, bool& held) {
   return yarn;
 }
 
-void dressThreads(Fabric& fabric, const WifDocument& document, Warnings& warnings) {
+std::vector<WifYarn> dressThreads(Fabric& fabric, const WifDocument& document, Warnings& warnings) {
   const WifRest& rest = document.rest;
   const int warpBase = fabric.warpYarn(0), weftBase = fabric.weftYarn(0);
   const bool apart = warpBase == weftBase &&
@@ -170,7 +164,7 @@ void dressThreads(Fabric& fabric, const WifDocument& document, Warnings& warning
   std::vector<Kind> warp = kindsOfThreads(document.warpColours, rest.warp, warpBase, 0);
   std::vector<Kind> weft = kindsOfThreads(document.weftColours, rest.weft, weftBase, apart ? 1 : 0);
   reduceKinds(warp, weft, rest.palette, warnings);
-  dress(fabric, warp, weft, rest.palette, warnings);
+  return dress(fabric, warp, weft, rest.palette, warnings);
 }
 
 WifWarning heldYarns() {

@@ -15,9 +15,6 @@ namespace loomlight {
 /// As many digits as figures in such files have.
 double tidy(double value);
 
-/// The thickness that most of these threads have; nothing where the file gives none.
-std::optional<double> usualThickness_mm(const WifSizes& sizes, int threads);
-
 /// The yarn with `factor` times its mass per length, as far as a yarn can have it; `held` is set where it cannot.
 Yarn heavier(Yarn yarn, const Fibre& fibre, double factor, bool& held);
 /// What is said where a yarn was held.
@@ -25,8 +22,8 @@ WifWarning heldYarns();
 
 /// Gives the fabric, which is a copy of the designer's, a yarn for every colour and thickness of the document's
 /// threads: the designer's first of the warp and of the weft, dyed, and perhaps thicker. What does not fit into
-/// kMaxKinds yarns becomes the nearest that does, with a warning.
-void dressThreads(Fabric& fabric, const WifDocument& document, std::vector<WifWarning>& warnings);
+/// kMaxKinds yarns becomes the nearest that does, with a warning. Returns what each yarn was given.
+std::vector<WifYarn> dressThreads(Fabric& fabric, const WifDocument& document, std::vector<WifWarning>& warnings);
 
 /// The origin of a fabric that has just been given its sizes.
 std::shared_ptr<const WifOrigin> withSizesOf(WifOrigin origin, const Fabric& fabric);

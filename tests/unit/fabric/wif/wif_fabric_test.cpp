@@ -55,7 +55,7 @@ TEST(WifFabric, TakesDraftColoursAndTexts) {
   EXPECT_EQ(f.draft->treadling.back(), (std::vector<int>{2, 3}));
   EXPECT_EQ(f.weave, drawdown(*f.draft));
   EXPECT_EQ(f.warpSequence.size(), 4u) << "the shortest that goes on so";
-  EXPECT_EQ(f.weftSequence.size(), 1u);
+  EXPECT_EQ(f.weftSequence.size(), 6u) << "one pick of them is thick";
   expectColour(colourOf(f, f.warpYarn(0)), {255, 255, 255});
   expectColour(colourOf(f, f.warpYarn(7)), {17, 34, 200});
   expectColour(colourOf(f, f.weftYarn(3)), {0, 0, 0});
@@ -141,6 +141,46 @@ TEST(WifFabric, ThickThreadsAreThickerByTheirRatio) {
   EXPECT_NEAR(f.yarns[f.warpYarn(2)].count_tex, 4 * Yarn{}.count_tex, 1e-9) << "twice the diameter";
 }
 
+// Some programs write thick and thin as the room that a thread takes.
+TEST(WifFabric, UnevenSpacingIsThickAndThin) {
+  const WifImport import = fabricFromWif(twillFile(), "x.wif", Fabric{}, WifSizeChoice::keep);
+  const Fabric& f = import.fabric;
+  EXPECT_EQ(f.yarns[f.weftYarn(0)].count_tex, Yarn{}.count_tex);
+  EXPECT_NEAR(f.yarns[f.weftYarn(1)].count_tex, 4 * Yarn{}.count_tex, 1e-9) << "twice the diameter";
+  EXPECT_EQ(f.weftYarn(0), f.weftYarn(5));
+  EXPECT_THAT(inLines(import.warnings),
+              ElementsAre(testing::AllOf(HasSubstr("Picks lie 1 to 2 times the usual distance apart"),
+                                         HasSubstr("one distance, the mean"))));
+  const std::string back = wifFromFabric(f, "y.wif").text;
+  EXPECT_EQ(document(back).rest.weft, document(twillFile()).rest.weft) << "none is lost";
+  expectSameCloth(imported(back), f);
+}
+
+TEST(WifFabric, ThreadsThatFitTheirRoomAreSetApart) {
+  const std::string text = replaced(twillFile(), "Spacing=.02\n", "Spacing=.02\nThickness=.018\n");
+  const WifImport import = fabricFromWif(text, "x.wif", Fabric{}, WifSizeChoice::keep);
+  EXPECT_EQ(import.fabric.weftSequence.size(), 1u) << "one yarn, with gaps";
+  EXPECT_THAT(inLines(import.warnings), ElementsAre(HasSubstr("in the file; here they lie at one distance")));
+  EXPECT_EQ(document(wifFromFabric(import.fabric, "y.wif").text).rest, document(text).rest);
+}
+
+TEST(WifFabric, BothThickAndUnevenTakesTheThickness) {
+  const std::string text = twillFile() + "[WEFT THICKNESS]\n1=.02\n2=.02\n3=.03\n4=.02\n5=.02\n6=.02\n";
+  const Fabric f = imported(text);
+  EXPECT_NEAR(f.yarns[f.weftYarn(2)].count_tex, 2.25 * Yarn{}.count_tex, 1e-9);
+  EXPECT_EQ(f.weftYarn(1), f.weftYarn(0));
+}
+
+TEST(WifFabric, UnevenSpacingThatGoesIsSaid) {
+  Fabric fabric = imported(twillFile());
+  fabric.picks_per_cm = 31;
+  const WifExport exported = wifFromFabric(fabric, "y.wif");
+  EXPECT_THAT(exported.remarks, Contains(HasSubstr("Picks lay unevenly in the file")));
+  EXPECT_TRUE(document(exported.text).rest.weft.spacings.empty());
+  const Fabric again = imported(exported.text);
+  EXPECT_NE(again.weftYarn(1), again.weftYarn(0)) << "thick picks have their thickness now";
+}
+
 TEST(WifFabric, HostileSizesAreHeldToTheRange) {
   std::string text =
       replaced(replaced(twillFile(), "Spacing=0.05", "Spacing=90000"), "Thickness=0.04", "Thickness=90000");
@@ -172,6 +212,59 @@ TEST(WifFabric, EveryByteOfAColourComesBack) {
       EXPECT_EQ(document(exported.text).rest.palette, document(text).rest.palette);
     }
   }
+}
+
+// Thick and thin of one colour are two yarns, white is there twice, and the last colour is nobody's.
+TEST(WifFabric, ColourNumbersStayAsTheyWere) {
+  std::string text = replaced(twillFile(), "Thickness=0.04\n", "Thickness=0.04\n[WARP THICKNESS]\n3=0.08\n6=0.08\n");
+  text = replaced(text, "Threads=6\n", "Threads=6\n[WEFT COLORS]\n2=5\n4=5\n5=1\n");
+  text = replaced(text, "4=120,80,3\n", "4=120,80,3\n5=255,255,255\n7=17,34,200\n");
+  const WifDocument before = document(text);
+  const Fabric fabric = imported(text);
+  for (const Fabric& f : {fabric, fabricFromJson(fabricToJson(fabric), "x.json")}) {
+    const WifDocument after = document(wifFromFabric(f, "y.wif").text);
+    EXPECT_EQ(after.warpColours, before.warpColours);
+    EXPECT_EQ(after.weftColours, before.weftColours);
+    EXPECT_EQ(after.rest.palette, before.rest.palette);
+  }
+  Fabric redyed = fabric;
+  Fibre& weft = redyed.fibres[redyed.yarns[redyed.weftYarn(0)].fibre];
+  weft.absorption_per_mm = {9, 4, 1};
+  const WifDocument after = document(wifFromFabric(redyed, "y.wif").text);
+  EXPECT_EQ(after.warpColours, before.warpColours);
+  EXPECT_EQ(after.weftColours[0], 8) << "a colour of its own, behind all others";
+  EXPECT_EQ(after.weftColours[1], 5);
+  EXPECT_EQ(after.rest.palette.colours.size(), before.rest.palette.colours.size() + 1);
+}
+
+TEST(WifFabric, ADraftWithoutColoursGoesOutWithoutThem) {
+  std::string text = twillFile();
+  text = replaced(replaced(text, "Color=1\n", ""), "Color=3\n", "");
+  for (const char* section : {"[COLOR PALETTE]", "[COLOR TABLE]", "[WARP COLORS]"}) {
+    const size_t from = text.find(section), to = text.find("\n[", from);
+    text.erase(from, to + 1 - from);
+  }
+  ASSERT_TRUE(document(text).rest.palette.colours.empty());
+  Fabric navy;
+  navy.fibres[0].absorption_per_mm = {50, 40, 9};
+  for (const Fabric& mine : {Fabric{}, navy}) {
+    Fabric fabric = fabricFromWif(text, "x.wif", mine, WifSizeChoice::keep).fabric;
+    const WifDocument after = document(wifFromFabric(fabric, "y.wif").text);
+    EXPECT_TRUE(after.rest.palette.colours.empty());
+    EXPECT_EQ(after.warpColours, document(text).warpColours);
+    fabric.fibres[0].absorption_per_mm = {1, 2, 3};
+    EXPECT_EQ(document(wifFromFabric(fabric, "y.wif").text).rest.palette.colours.size(), 1u) << "dyed since";
+  }
+}
+
+TEST(WifFabric, YarnsOfOneColourShareItsNumber) {
+  Fabric fabric;
+  fabric.yarns.resize(3);
+  fabric.yarns[1].count_tex = 90;
+  fabric.fibres[0].absorption_per_mm = {9, 4, 1};
+  fabric.warpSequence = {0, 1};
+  fabric.weftSequence = {2};
+  EXPECT_EQ(document(wifFromFabric(fabric, "y.wif").text).rest.palette.colours.size(), 1u);
 }
 
 TEST(WifFabric, GoesThroughJsonAndBackToTheSameFile) {
@@ -208,8 +301,9 @@ TEST(WifFabric, SizesOfTheDesignerReplaceThoseOfTheFile) {
   EXPECT_EQ(rest.warp.spacing, 0.04);
   EXPECT_EQ(rest.weft, document(twillFile()).rest.weft) << "untouched";
   for (Yarn& yarn : fabric.yarns) yarn.count_tex *= 4;
+  const Yarn& usual = fabric.yarns[fabric.weftYarn(0)];
   EXPECT_NEAR(*document(wifFromFabric(fabric, "y.wif").text).rest.weft.thickness,
-              0.1 * meanDiameter_mm(fabric, System::weft), 1e-6);
+              0.1 * yarnDiameter_mm(usual, fabric.fibres[usual.fibre]), 1e-6);
 }
 
 TEST(WifFabric, SizesOfSingleThreadsGoWhereThreadsHaveChanged) {

@@ -155,6 +155,11 @@ TEST(HostileWif, LinesOfAFabricFileHaveToBeRight) {
   std::string sections;
   for (int i = 0; i < 5000; ++i) sections += fmt::format("\"[P {}]\", ", i);
   EXPECT_EQ(complaint("{\"lines\": [" + sections + "\"\"]}"), "x.json: wif.lines: expected at most 4096 sections");
+  EXPECT_THAT(complaint("{\"yarns\": 3}"), HasSubstr("x.json: wif.yarns: expected a list of objects"));
+  EXPECT_THAT(complaint("{\"yarns\": [{\"colour\": -1}]}"), HasSubstr("x.json: wif.yarns[0].colour: expected"));
+  std::string yarns;
+  for (int i = 0; i < 64; ++i) yarns += "{}, ";
+  EXPECT_THAT(complaint("{\"yarns\": [" + yarns + "{}]}"), HasSubstr("x.json: wif.yarns: expected at most 64"));
   EXPECT_THAT(complaint("{\"ends\": -3}"), HasSubstr("x.json: wif.ends: expected a whole number"));
 }
 
