@@ -119,9 +119,11 @@ void addExposure(CLI::App& app, Tone& tone) {
            });
 }
 
-void addWifSizes(CLI::App& app, WifSizeChoice& sizes) {
+void addWifChoices(CLI::App& app, WifChoices& choices) {
   addValue(app, "--wif-sizes", "file|keep", "sett and yarn count of a draft: as its file says, or the default's",
-           [&sizes](const auto& option, const auto& text) { sizes = parseWifSizes(option, text); });
+           [&choices](const auto& option, const auto& text) { choices.sizes = parseWifSizes(option, text); });
+  addValue(app, "--wif-threads", "all|named", "threads of a draft: as many as its file states, or as its lines name",
+           [&choices](const auto& option, const auto& text) { choices.threads = parseWifThreads(option, text); });
 }
 
 }  // namespace loomlight

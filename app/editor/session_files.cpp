@@ -145,7 +145,7 @@ void Session::opened(FileService::Result result) {
     const auto mine = std::make_shared<const Fabric>(std::move(*result.fabric));
     std::vector<WifWarning> said;  // by the dialog
     startOver(Document(withWifSizes(*mine, said)));
-    draft_.askForSizes(mine, std::move(result.warnings));
+    draft_.askForSizes(mine, std::move(result.warnings), result.named);
   }
   remember(result.file);
 }

@@ -170,7 +170,7 @@ void printTable(const Fabric& fabric, const Information& of) {
 
 int run(const InfoCommand& command) {
   const Interrupt interrupt;
-  FabricInput input = readInput(command.input, command.wifSizes);
+  FabricInput input = readInput(command.input, command.wif);
   Fabric fabric = withOptions(std::move(input.fabric), command.options);
   fabric.light = Light{};
   fabric.light.kind = LightKind::dome;  // nothing here depends on light, so no environment need be loaded

@@ -12,7 +12,7 @@ namespace loomlight {
 struct InfoCommand {
   std::string input;
   FabricOptions options;
-  WifSizeChoice wifSizes = WifSizeChoice::keep;
+  WifChoices wif;
   PieceSize piece;  ///< that yarn is needed for
   bool json = false;
 };

@@ -20,7 +20,7 @@ using Warnings = std::vector<WifWarning>;
 /// As much of a text as a fabric takes, in whole characters.
 std::string fitting(std::string text, const char* what, Warnings& warnings) {
   if (text.size() <= kMaxText) return text;
-  warnings.push_back({fmt::format("The {} of the file is too long; its end is cut off.", what), {}});
+  warnings.push_back({fmt::format("The {} of the file is too long; its end is cut off.", what), {}, WifConcern::file});
   text.resize(wholeCharacters(text, kMaxText).size());
   return text;
 }
@@ -30,7 +30,7 @@ std::string fitting(std::string text, const char* what, Warnings& warnings) {
 WifImport fabricFromWif(std::string_view bytes, const std::string& source, const Fabric& mine, WifSizeChoice sizes) {
   WifWarnings wifWarnings;
   WifDocument document = readWif(bytes, source, wifWarnings);
-  WifImport import{mine, wifWarnings.list()};
+  WifImport import{mine, wifWarnings.list(), document.named};
   Fabric& fabric = import.fabric;
   fabric.name = document.title.empty() ? std::filesystem::path(source).stem().string()
                                        : fitting(document.title, "title", import.warnings);
@@ -51,6 +51,7 @@ WifImport fabricFromWif(std::string_view bytes, const std::string& source, const
   fabric.wif = withSizesOf(std::move(origin), fabric);
   if (sizes == WifSizeChoice::file) fabric = withWifSizes(std::move(fabric), import.warnings);
   validate(fabric, source);
+  sortByConcern(import.warnings);
   return import;
 }
 

@@ -23,7 +23,7 @@ WifDocument readWif(std::string_view bytes, const std::string& source, WifWarnin
 /// Parts of the above.
 /// Shafts, treadles, threading, tie-up, treadling and liftplan.
 Draft readWifDraft(const WifSections& sections, const WifCounting& counting, const std::string& source,
-                   WifWarnings& warnings);
+                   WifWarnings& warnings, WifNamed& named);
 /// The colours, by number from 1.
 WifPalette readWifPalette(const WifSections& sections, const WifCounting& counting, WifWarnings& warnings);
 /// Numbers of the palette for the threads of a system, 0 where there is none.

@@ -12,6 +12,7 @@
 #include "core/fabric/model/field_tables.h"
 #include "core/fabric/model/validate.h"
 #include "core/fabric/model/yarn_count.h"
+#include "core/fabric/wif/wif_stand_ins.h"
 #include "core/fabric/wif/wif_thickness.h"
 #include "core/fabric/yarn/derived.h"
 #include "core/fabric/yarn/presets.h"
@@ -42,56 +43,47 @@ std::vector<Kind> kindsOfThreads(const std::vector<int>& colours, const WifSizes
   return kinds;
 }
 
-/// Leaves at most kMaxKinds kinds of yarn: first all of one thickness, then rare colours as their nearest.
-void reduceKinds(std::vector<Kind>& warp, std::vector<Kind>& weft, const WifPalette& palette, Warnings& warnings) {
-  const auto counted = [&] {
-    std::map<Kind, int> counts;
-    for (const auto* kinds : {&warp, &weft})
-      for (const Kind& kind : *kinds) ++counts[kind];
-    return counts;
-  };
-  std::map<Kind, int> counts = counted();
-  if (counts.size() <= static_cast<size_t>(kMaxKinds)) return;
-  warnings.push_back(
-      {fmt::format("The threads have {} combinations of colour and thickness, a fabric has at most {} yarns; all "
-                   "threads of a colour get the usual thickness, rare colours the nearest.",
-                   counts.size(), kMaxKinds),
-       {}});
-  for (auto* kinds : {&warp, &weft})
-    for (Kind& kind : *kinds) kind.permille = 1000;
-  counts = counted();
-  std::vector<std::pair<Kind, int>> byUse(counts.begin(), counts.end());
-  std::stable_sort(byUse.begin(), byUse.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
-  const auto colourOf = [&palette](const Kind& kind) {
-    return kind.colour > 0 ? palette.srgb(palette.colours.at(kind.colour)) : Rgb(1.0f);
-  };
-  std::map<Kind, Kind> instead;
-  for (size_t i = kMaxKinds; i < byUse.size(); ++i) {
-    const Kind& rare = byUse[i].first;
-    const auto distance = [&](const Kind& kind) {
-      const Rgb d = colourOf(kind) - colourOf(rare);
-      return glm::dot(d, d);
-    };
-    instead[rare] = std::min_element(byUse.begin(), byUse.begin() + kMaxKinds, [&](const auto& a, const auto& b) {
-                      return distance(a.first) < distance(b.first);
-                    })->first;
-  }
-  for (auto* kinds : {&warp, &weft})
-    for (Kind& kind : *kinds)
-      if (const auto found = instead.find(kind); found != instead.end()) kind = found->second;
+/// What the eye tells yarns by: colour; a doubling of the diameter counts as half the way from black to white; and
+/// yarns that are spun otherwise, or are of the other system, stay apart.
+YarnPoint pointOf(const Kind& kind, const WifPalette& palette) {
+  const Rgb colour = kind.colour > 0 ? palette.srgb(palette.colours.at(kind.colour)) : Rgb(1.0f);
+  return {colour.r, colour.g, colour.b, 0.5 * std::log2(kind.permille / 1000.0),
+          static_cast<double>(kind.base + kind.system)};
 }
 
-/// The shortest sequence that goes on in the same way for ever and fits the repeat.
-std::vector<int> shortest(std::vector<int> sequence) {
-  const size_t n = sequence.size();
-  for (size_t period = 1; period <= n / 2; ++period) {
-    if (n % period != 0) continue;
-    if (std::equal(sequence.begin() + static_cast<long>(period), sequence.end(), sequence.begin())) {
-      sequence.resize(period);
-      return sequence;
-    }
+/// Leaves at most kMaxKinds kinds of yarn: the others become the nearest of those.
+void reduceKinds(std::vector<Kind>& warp, std::vector<Kind>& weft, const WifPalette& palette, Warnings& warnings) {
+  std::map<Kind, int> counts;
+  for (const auto* kinds : {&warp, &weft})
+    for (const Kind& kind : *kinds) ++counts[kind];
+  if (counts.size() <= static_cast<size_t>(kMaxKinds)) return;
+  std::vector<Kind> all;
+  for (const auto& [kind, count] : counts) all.push_back(kind);
+  const auto commonest = std::max_element(all.begin(), all.end(),
+                                          [&](const Kind& a, const Kind& b) { return counts.at(a) < counts.at(b); });
+  std::iter_swap(all.begin(), commonest);
+  std::vector<YarnPoint> points;
+  for (const Kind& kind : all) points.push_back(pointOf(kind, palette));
+  const std::vector<size_t> standIn = standIns(points, kMaxKinds);
+  std::map<Kind, Kind> instead;
+  double colourStep = 0, thicknessStep = 1;
+  for (size_t i = 0; i < all.size(); ++i) {
+    const size_t by = standIn[i];
+    instead.emplace(all[i], all[by]);
+    for (size_t channel = 0; channel < 3; ++channel)
+      colourStep = std::max(colourStep, 255 * std::abs(points[i][channel] - points[by][channel]));
+    thicknessStep = std::max(thicknessStep, std::exp2(2 * std::abs(points[i][3] - points[by][3])));
   }
-  return sequence;
+  for (auto* kinds : {&warp, &weft})
+    for (Kind& kind : *kinds) kind = instead.at(kind);
+  warnings.push_back(
+      {fmt::format(
+           "The threads have {} combinations of colour and thickness, a fabric has at most {} yarns; the others "
+           "become the nearest of these, which is off by {:.0f} of 255 in a channel of a colour and by a factor "
+           "of {:.2f} in thickness at most.",
+           all.size(), kMaxKinds, colourStep, thicknessStep),
+       {},
+       WifConcern::look});
 }
 
 /// Gives the fabric, which is a copy of mine, the yarns of these threads.
@@ -134,6 +126,18 @@ std::vector<WifYarn> dress(Fabric& fabric, const std::vector<Kind>& warp, const 
 }
 
 }  // namespace
+
+std::vector<int> shortest(std::vector<int> sequence) {
+  const size_t n = sequence.size();
+  for (size_t period = 1; period <= n / 2; ++period) {
+    if (n % period != 0) continue;
+    if (std::equal(sequence.begin() + static_cast<long>(period), sequence.end(), sequence.begin())) {
+      sequence.resize(period);
+      return sequence;
+    }
+  }
+  return sequence;
+}
 
 double tidy(double value) {
   return std::strtod(fmt::format("{:.5g}", value).c_str(), nullptr);

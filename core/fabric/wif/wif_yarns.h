@@ -25,6 +25,9 @@ WifWarning heldYarns();
 /// kMaxKinds yarns becomes the nearest that does, with a warning. Returns what each yarn was given.
 std::vector<WifYarn> dressThreads(Fabric& fabric, const WifDocument& document, std::vector<WifWarning>& warnings);
 
+/// The shortest sequence that goes on in the same way for ever and fits the repeat.
+std::vector<int> shortest(std::vector<int> sequence);
+
 /// The origin of a fabric that has just been given its sizes.
 std::shared_ptr<const WifOrigin> withSizesOf(WifOrigin origin, const Fabric& fabric);
 

@@ -181,6 +181,20 @@ TEST(WifFabric, UnevenSpacingThatGoesIsSaid) {
   EXPECT_NE(again.weftYarn(1), again.weftYarn(0)) << "thick picks have their thickness now";
 }
 
+TEST(WifFabric, WhatIsNotNamedCanBeCutOff) {
+  const std::string text = replaced(replaced(twillFile(), "Threads=6", "Threads=500"), "Threads=8", "Threads=30");
+  const WifImport import = fabricFromWif(text, "x.wif", Fabric{}, WifSizeChoice::keep);
+  EXPECT_EQ(import.named, (WifNamed{8, 6}));
+  const Fabric cut = cutToNamed(import.fabric, import.named), plain = imported(twillFile());
+  EXPECT_EQ(cut.weave, plain.weave);
+  EXPECT_EQ(cut.draft, plain.draft);
+  expectSameCloth(cut, plain);
+  EXPECT_EQ(fabricFromJson(fabricToJson(cut), "x.json"), cut);
+  EXPECT_EQ(document(wifFromFabric(cut, "y.wif").text).warpColours, document(twillFile()).warpColours);
+  EXPECT_EQ(cutToNamed(plain, {}), plain);
+  EXPECT_EQ(cutToNamed(cut, {100, 100}).weave, plain.weave);
+}
+
 TEST(WifFabric, HostileSizesAreHeldToTheRange) {
   std::string text =
       replaced(replaced(twillFile(), "Spacing=0.05", "Spacing=90000"), "Thickness=0.04", "Thickness=90000");
@@ -200,8 +214,23 @@ TEST(WifFabric, MoreColoursThanYarnsBecomeTheNearest) {
   const WifImport import = fabricFromWif(text, "x.wif", Fabric{}, WifSizeChoice::keep);
   EXPECT_EQ(import.fabric.yarns.size(), 64u);
   EXPECT_THAT(inLines(import.warnings), Contains(HasSubstr("a fabric has at most 64 yarns")));
-  expectColour(colourOf(import.fabric, import.fabric.warpYarn(10)), Rgb(11));
+  for (int end = 0; end < 200; ++end)
+    EXPECT_NEAR(255 * colourOf(import.fabric, import.fabric.warpYarn(end)).r, end + 1, 3.5)
+        << "the 200 greys are 3.1 of 64 apart, and no stand-in is off by more than twice half of that";
   EXPECT_EQ(import.fabric.wif->rest.palette.colours.size(), 200u) << "none is lost";
+}
+
+// One gold end among two hundred greys is what the weaver put it in for.
+TEST(WifFabric, ARareColourOfItsOwnStays) {
+  std::string table = "[COLOR TABLE]\n", colours = "[WARP COLORS]\n";
+  for (int c = 1; c <= 400; ++c) {
+    table += c == 400 ? "400=255,200,0\n" : fmt::format("{0}={1},{1},{1}\n", c, (c + 1) / 2);
+    colours += fmt::format("{0}={0}\n", c);
+  }
+  const std::string text =
+      "[WIF]\n[WARP]\nThreads=400\n[WEFT]\nThreads=1\n[COLOR PALETTE]\nRange=0,255\n" + table + colours;
+  const Fabric f = imported(text);
+  expectColour(colourOf(f, f.warpYarn(399)), {255, 200, 0});
 }
 
 TEST(WifFabric, EveryByteOfAColourComesBack) {
@@ -339,6 +368,23 @@ TEST(WifFabric, AJacquardIsWrittenAndReadAgain) {
   Fabric fabric;
   fabric.weave = damaskJacquard(200, 240);
   EXPECT_EQ(imported(wifFromFabric(fabric, "y.wif").text).weave, fabric.weave);
+}
+
+// A jacquard's hooks, each end its own: no draft has as many, but what goes together can be one.
+TEST(WifFabric, ShaftsBeyondADraftsAreMergedByNeed) {
+  constexpr int kHooks = 6000;
+  std::string text = fmt::format("[WIF]\n[WEAVING]\nRising Shed=1\n[WARP]\nThreads={}\n[WEFT]\nThreads=2\n", kHooks);
+  std::string threading = "[THREADING]\n", lifts[2] = {"[LIFTPLAN]\n1=", "\n2="};
+  for (int end = 1; end <= kHooks; ++end) {
+    threading += fmt::format("{0}={0}\n", end);
+    lifts[end % 2] += fmt::format("{}{}", end > 2 ? "," : "", end);
+  }
+  const WifImport import =
+      fabricFromWif(text + threading + lifts[0] + lifts[1], "x.wif", Fabric{}, WifSizeChoice::keep);
+  ASSERT_EQ(import.fabric.weave.ends(), kHooks);
+  for (int end = 0; end < kHooks; ++end) ASSERT_EQ(import.fabric.weave.at(0, end), end % 2 == 1) << end;
+  EXPECT_EQ(import.fabric.draft->shafts, 2);
+  EXPECT_THAT(inLines(import.warnings), Contains(HasSubstr("The draft names 6000 shafts, and there can be 4096")));
 }
 
 TEST(WifFabric, TooManyShaftsAreRefusedByNumber) {

@@ -31,11 +31,41 @@ void expectSurvived(const std::string& bytes) {
 
 TEST(HostileWif, ChangedFilesAreReadOrRefused) {
   // Pieces that mean something, put in the place of others.
-  const char* const pieces[] = {"=",        ",",    "\n",        "[",          "]",     ";",
-                                "-1",       "0",    "999999999", "99",         "[WIF]", "[LIFTPLAN]\n",
-                                "1=1,2\n",  "\"",   "\xFF",      "e9",         " ",     "\r",
-                                ".",        "2=",   "[WARP]\n",  "Threads=",   "yes",   "inches",
-                                "PRIVATE ", "\t\\", "Range=3,",  "Form=HSV\n", "0=",    "[TIEUP]\n0=1,0\n"};
+  const char* const pieces[] = {"=",
+                                ",",
+                                "\n",
+                                "[",
+                                "]",
+                                ";",
+                                "-1",
+                                "0",
+                                "999999999",
+                                "99",
+                                "[WIF]",
+                                "[LIFTPLAN]\n",
+                                "1=1,2\n",
+                                "\"",
+                                "\xFF",
+                                "e9",
+                                " ",
+                                "\r",
+                                ".",
+                                "2=",
+                                "[WARP]\n",
+                                "Threads=",
+                                "yes",
+                                "inches",
+                                "PRIVATE ",
+                                "\t\\",
+                                "Range=3,",
+                                "Form=HSV\n",
+                                "0=",
+                                "2-",
+                                "+3",
+                                ";4",
+                                "#a0b1c2",
+                                "Color=1,2,3\n",
+                                "[TIEUP]\n0=1,0\n"};
   Random random(7);
   for (int i = 0; i < 3000; ++i) {
     std::string text = i % 2 ? twillFile() : wifFromDocument(randomDocument(random));

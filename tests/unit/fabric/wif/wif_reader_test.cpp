@@ -221,7 +221,7 @@ TEST(WifReader, MissingSectionsLeaveADraftThatOpens) {
   EXPECT_EQ(document(without("WARP")).ends(), 8);
   EXPECT_EQ(document(without("WEFT")).picks(), 6);
   EXPECT_THAT(warningsOf(without("WIF")), Contains(HasSubstr("[WIF]: The part that names the format is missing")));
-  EXPECT_THAT(warningsOf(without("CONTENTS")), ElementsAre(HasSubstr("[CONTENTS]: The table of contents is missing")));
+  EXPECT_THAT(warningsOf(without("CONTENTS")), IsEmpty());
   EXPECT_THAT(document(without("COLOR TABLE")).warpColours, testing::Each(0));
   EXPECT_THAT(warningsOf(without("NOTES")), ElementsAre(HasSubstr("names what is not there")));
 }
@@ -289,13 +289,72 @@ TEST(WifReader, HabitsOfOtherProgramsAreUnderstoodOrSaid) {
   EXPECT_THAT(warningsOf(thousand), Contains(HasSubstr("Threads=1.000: The number of threads should stand here")));
   EXPECT_EQ(document(replaced(twillFile(), "Units=Centimeters", "Units=Centimetre")), expected);
   EXPECT_THAT(warningsOf(replaced(twillFile(), "Range=0,255", "Range=0,255\nForm=HSV")),
-              Contains(HasSubstr("Form=HSV: Colours of another form than RGB")));
+              Contains(HasSubstr("Form=HSV: Colours are of hue, saturation and value")));
+  EXPECT_THAT(warningsOf(replaced(twillFile(), "Range=0,255", "Range=0,255\nForm=CMYK")),
+              Contains(HasSubstr("Form=CMYK: Colours of another form than RGB and HSV")));
   EXPECT_EQ(warningsOf(replaced(twillFile(), "Range=0,255", "Range=0,255\nForm=rgb")), warningsOf(twillFile()));
   const std::string semicolons = replaced(twillFile(), "6=2,3\n", "6=2;3\n");
-  EXPECT_THAT(document(semicolons).draft.treadling.back(), ElementsAre(2));
-  EXPECT_THAT(warningsOf(semicolons), Contains(HasSubstr("6=2;3: What stands behind a semicolon is a comment")));
+  EXPECT_THAT(document(semicolons).draft.treadling.back(), ElementsAre(2, 3));
+  EXPECT_THAT(warningsOf(semicolons), ElementsAre(HasSubstr("6=2;3: A semicolon begins a comment in this format")));
+  const std::string comment = replaced(twillFile(), "6=2,3\n", "6=2;3 of them\n");
+  EXPECT_THAT(document(comment).draft.treadling.back(), ElementsAre(2));
+  EXPECT_THAT(warningsOf(comment), ElementsAre(HasSubstr("What stands behind a semicolon is a comment")));
   EXPECT_EQ(document(twillFile() + std::string("\0\0\x1A", 3)), expected) << "what old systems end a text with";
   EXPECT_EQ(document(replaced(twillFile(), "\n[WARP]\n", "\n\t[WARP]\t\n")), expected);
+}
+
+TEST(WifReader, HousekeepingIsNotSpokenOf) {
+  std::string text = replaced(twillFile(), "Version=1.1", "Version=2.0");
+  text = replaced(replaced(text, "April 20, 1997", "9/11/2014"), "wif@mhsoft.com", "me@example.org");
+  EXPECT_THAT(warningsOf(replaced(text, "NOTES=true\n", "")), IsEmpty());
+}
+
+TEST(WifReader, WhatChangesTheClothIsSaidFirst) {
+  std::string text = replaced(replaced(twillFile(), "Title=", "oops\nTitle="), "2=17,34,200", "2=17,34");
+  text = replaced(replaced(text, "Treadles=4", "Treadles=2"), "8=4\n", "8=four\n");
+  EXPECT_THAT(warningsOf(text),
+              testing::ElementsAreArray({HasSubstr("[THREADING] 8=four"), HasSubstr("[COLOR TABLE] 2"),
+                                         HasSubstr("[WARP COLORS] 3=2"), HasSubstr("[TEXT] oops"),
+                                         HasSubstr("[WEAVING] Treadles=2")}));
+}
+
+TEST(WifReader, ThreadsThatAreOnlyCountedAreToldFromTheNamed) {
+  EXPECT_EQ(document(twillFile()).named, WifNamed{});
+  const std::string text = replaced(replaced(twillFile(), "Threads=6", "Threads=500"), "8=4\n", "");
+  EXPECT_EQ(document(text).named, (WifNamed{7, 6}));
+  EXPECT_THAT(warningsOf(text),
+              ElementsAre(HasSubstr("Only 7 of 8 ends are named"), HasSubstr("Only 6 of 500 picks are named")));
+  EXPECT_EQ(document(replaced(twillFile(), "3=3\n", "")).named, WifNamed{}) << "a gap is none";
+}
+
+TEST(WifReader, ListsAreReadHoweverTheyAreParted) {
+  for (const char* list : {"2+3", "2/3", "2&3", "2-3", "2 + 3", "3-2", "2;3"}) {
+    const std::string text = replaced(twillFile(), "6=2,3\n", std::string("6=") + list + "\n");
+    EXPECT_THAT(document(text).draft.treadling.back(), ElementsAre(2, 3)) << list;
+    EXPECT_THAT(warningsOf(text), testing::SizeIs(1)) << list;
+  }
+  const std::string dash = replaced(twillFile(), "6=2,3\n", "6=1-4\n");
+  EXPECT_THAT(document(dash).draft.treadling.back(), ElementsAre(1, 4));
+  EXPECT_THAT(warningsOf(dash), ElementsAre(HasSubstr("6=1-4: Two numbers with a dash are read as those two")));
+}
+
+TEST(WifReader, ColoursAreReadAsTheyAreOftenWritten) {
+  const auto read = [](const char* from, const char* to) { return document(replaced(twillFile(), from, to)); };
+  for (const char* hex : {"2=#1122c8\n", "2=0x1122C8\n", "2=1122C8\n"})
+    EXPECT_EQ(read("2=17,34,200\n", hex).rest.palette.colours.at(2), glm::ivec3(17, 34, 200)) << hex;
+  EXPECT_EQ(read("Color=3\n", "Color=200,10,30\n").rest.palette.colours.at(5), glm::ivec3(200, 10, 30));
+  EXPECT_THAT(read("Color=3\n", "Color=200,10,30\n").weftColours, testing::Each(5));
+  EXPECT_THAT(warningsOf(replaced(twillFile(), "Color=3\n", "Color=200,10,30\n")),
+              Contains(HasSubstr("without its number; it is read as red, green and blue")));
+  const std::string bare =
+      replaced(replaced(without("COLOR TABLE"), "Color=1\n", "Color=0,0,255\n"), "Color=3\n", "Color=255,0,0\n");
+  const WifDocument d = document(bare);
+  EXPECT_EQ(d.rest.palette.srgb(d.rest.palette.colours.at(d.warpColours[0])), Rgb(0, 0, 1));
+  EXPECT_EQ(d.rest.palette.srgb(d.rest.palette.colours.at(d.weftColours[0])), Rgb(1, 0, 0));
+  const std::string hsv =
+      replaced(replaced(twillFile(), "Range=0,255", "Range=0,255\nForm=HSV"), "2=17,34,200\n", "2=170,255,102\n");
+  EXPECT_EQ(document(hsv).rest.palette.colours.at(2), glm::ivec3(0, 0, 102)) << "a dark blue";
+  EXPECT_EQ(document(hsv).rest.palette.colours.at(1), glm::ivec3(255, 0, 0)) << "hue 255 is that of 0";
 }
 
 TEST(WifReader, LikeWarningsAreCounted) {

@@ -186,6 +186,7 @@ TEST(WifVariants, ADraftIsTheSameHoweverItIsWritten) {
     std::string bytes = encoded(written(sectionsOf(strict), habits, random), habits.encoding);
     if (habits.fillsBlock && habits.encoding < 3) bytes += std::string("\x1A\0\0\0\0", 5);
     WifDocument expected = document(strict), read = document(bytes);
+    read.named = {};             // lines that say nothing may be left out
     expected.rest.kept.clear();  // its comments and letters are those of the file
     read.rest.kept.clear();
     ASSERT_EQ(read, expected) << "file " << i << ":\n" << bytes;
