@@ -25,7 +25,7 @@ void addValues(CLI::App& app, const std::string& name, const std::string& value,
 }
 
 void addInput(CLI::App& app, const std::string& name, std::string& input) {
-  app.add_option(name, input, "a fabric (.json, .loomlight), draft (.wif), weave bitmap (.png) or picture (.exr)")
+  app.add_option(name, input, "a fabric (.json, .loomlight), draft (.wif, .dtx), weave bitmap (.png) or picture (.exr)")
       ->type_name("")
       ->required();
 }

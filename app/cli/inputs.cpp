@@ -57,7 +57,7 @@ FabricInput readInput(const std::string& file, const WifChoices& choices) {
     return {std::move(fabric), {}};
   }
   throw InputError(fmt::format(
-      "{}: expected a fabric (.json, .loomlight), a draft (.wif), a weave bitmap (.png) or a picture rendered by "
+      "{}: expected a fabric (.json, .loomlight), a draft (.wif, .dtx), a weave bitmap (.png) or a picture rendered by "
       "Loomlight (.exr)",
       file));
 }

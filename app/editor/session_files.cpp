@@ -132,7 +132,7 @@ void Session::openFile(const std::string& file) {
     leaveFor(Afterwards::open);
   } else {
     sayUnopened(file +
-                ": expected a cloth (.loomlight, .json), a WIF draft (.wif), a picture (.png), a mesh "
+                ": expected a cloth (.loomlight, .json), a draft (.wif, .dtx), a picture (.png), a mesh "
                 "(.obj, .ply, .off) or an environment (.exr)");
   }
 }

@@ -7,6 +7,7 @@
 #include "core/base/utf8.h"
 #include "core/fabric/model/check.h"
 #include "core/fabric/model/validate.h"
+#include "core/fabric/wif/dtx_reader.h"
 #include "core/fabric/wif/wif_fabric.h"
 #include "core/fabric/wif/wif_reader.h"
 #include "core/fabric/wif/wif_thickness.h"
@@ -29,7 +30,7 @@ std::string fitting(std::string text, const char* what, Warnings& warnings) {
 
 WifImport fabricFromWif(std::string_view bytes, const std::string& source, const Fabric& mine, WifSizeChoice sizes) {
   WifWarnings wifWarnings;
-  WifDocument document = readWif(bytes, source, wifWarnings);
+  WifDocument document = isDtx(bytes) ? readDtx(bytes, source, wifWarnings) : readWif(bytes, source, wifWarnings);
   WifImport import{mine, wifWarnings.list(), document.named};
   Fabric& fabric = import.fabric;
   fabric.name = document.title.empty() ? std::filesystem::path(source).stem().string()
