@@ -68,6 +68,10 @@ void addInfo(CLI::App& app, InfoCommand& command) {
   addWifChoices(app, command.wif);
   addValue(app, "--piece", "MxCM", "length in metres and width in cm that yarn is needed for; 10x150 where not given",
            [&command](const auto& option, const auto& text) { command.piece = parsePieceSize(option, text); });
+  addValue(app, "--float-limit", "MM", "floats that are longer are listed with their places; 4 where not given",
+           [&command](const auto& option, const auto& text) {
+             command.floatLimit_mm = parseNumber(option, text, 0.1, 100);
+           });
   app.add_flag("--json", command.json, "JSON instead of a table");
 }
 

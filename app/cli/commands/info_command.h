@@ -14,6 +14,7 @@ struct InfoCommand {
   FabricOptions options;
   WifChoices wif;
   PieceSize piece;  ///< that yarn is needed for
+  double floatLimit_mm = 4.0;  ///< longer floats are listed; 0.1..100
   bool json = false;
 };
 
