@@ -25,7 +25,7 @@ void addValues(CLI::App& app, const std::string& name, const std::string& value,
 }
 
 void addInput(CLI::App& app, const std::string& name, std::string& input) {
-  app.add_option(name, input, "a fabric (.json, .loomlight), draft (.wif), weave bitmap (.png) or picture (.exr)")
+  app.add_option(name, input, "a fabric (.json, .loomlight), draft (.wif, .dtx), weave bitmap (.png) or picture (.exr)")
       ->type_name("")
       ->required();
 }
@@ -126,9 +126,11 @@ void addExposure(CLI::App& app, Tone& tone) {
            });
 }
 
-void addWifSizes(CLI::App& app, WifSizeChoice& sizes) {
+void addWifChoices(CLI::App& app, WifChoices& choices) {
   addValue(app, "--wif-sizes", "file|keep", "sett and yarn count of a draft: as its file says, or the default's",
-           [&sizes](const auto& option, const auto& text) { sizes = parseWifSizes(option, text); });
+           [&choices](const auto& option, const auto& text) { choices.sizes = parseWifSizes(option, text); });
+  addValue(app, "--wif-threads", "all|named", "threads of a draft: as many as its file states, or as its lines name",
+           [&choices](const auto& option, const auto& text) { choices.threads = parseWifThreads(option, text); });
 }
 
 }  // namespace loomlight

@@ -33,8 +33,9 @@ int parseWholeField(const std::string& option, const std::string& text, Number O
 }
 
 void addInput(CLI::App& app, const std::string& name, std::string& input);
-/// Whether sett and yarn counts of a draft are used: most drafts have those that some program writes by default.
-void addWifSizes(CLI::App& app, WifSizeChoice& sizes);
+/// Whether sett and yarn counts of a draft are used: most drafts have those that some program writes by default; and
+/// whether threads that it only counts are.
+void addWifChoices(CLI::App& app, WifChoices& choices);
 void addResolution(CLI::App& app, FabricOptions& options);
 void addFabricOptions(CLI::App& app, FabricOptions& options);
 /// --spp, --seed and --method.

@@ -12,20 +12,44 @@
 
 namespace loomlight {
 
-FabricInput readInput(const std::string& file, WifSizeChoice sizes) {
+namespace {
+
+/// What was said of a draft, and which options would have taken more from it.
+FabricInput readDraft(const std::string& file, const WifChoices& choices) {
+  WifImport import = readWifFabric(file, Fabric{}, WifSizeChoice::keep);
+  FabricInput input{std::move(import.fabric), {}};
+  const auto say = [&](const std::string& sentence) {
+    input.warnings.push_back(fmt::format("{}: {}", file, sentence));
+  };
+  for (const WifWarning& warning : import.warnings) say(inOneLine(warning));
+  if (import.named != WifNamed{}) {
+    Fabric cut = cutToNamed(input.fabric, import.named);
+    const std::string size = fmt::format("{} ends and {} picks", cut.weave.ends(), cut.weave.picks());
+    if (choices.threads == WifThreadChoice::named) {
+      input.fabric = std::move(cut);
+      say(fmt::format("Cut to the {} that are named.", size));
+    } else {
+      say(fmt::format("--wif-threads named cuts it to the {} that are named.", size));
+    }
+  }
+  const bool keeps = choices.sizes == WifSizeChoice::keep;
+  std::vector<WifWarning> sizes;
+  if (keeps)
+    sizes = otherWifSizes(input.fabric);
+  else
+    input.fabric = withWifSizes(std::move(input.fabric), sizes);
+  for (const WifWarning& warning : sizes) say(inOneLine(warning));
+  if (keeps && !sizes.empty()) say("--wif-sizes file takes the file's sett and yarn counts.");
+  return input;
+}
+
+}  // namespace
+
+FabricInput readInput(const std::string& file, const WifChoices& choices) {
   const std::string extension = lowerExtension(file);
   if (isFabricFile(file)) return {readFabric(file), {}};
   if (extension == ".exr") return {fabricOfPicture(file), {}};
-  if (isWeavingFile(file)) {
-    WifImport import = readWifFabric(file, Fabric{}, sizes);
-    std::vector<std::string> warnings;
-    for (const WifWarning& warning : import.warnings)
-      warnings.push_back(fmt::format("{}: {}", file, inOneLine(warning)));
-    if (sizes == WifSizeChoice::keep)
-      for (const WifWarning& warning : otherWifSizes(import.fabric))
-        warnings.push_back(fmt::format("{}: {}", file, inOneLine(warning)));
-    return {std::move(import.fabric), std::move(warnings)};
-  }
+  if (isWeavingFile(file)) return readDraft(file, choices);
   if (extension == ".png") {
     Fabric fabric;
     fabric.name = std::filesystem::path(file).stem().string();
@@ -33,13 +57,13 @@ FabricInput readInput(const std::string& file, WifSizeChoice sizes) {
     return {std::move(fabric), {}};
   }
   throw InputError(fmt::format(
-      "{}: expected a fabric (.json, .loomlight), a draft (.wif), a weave bitmap (.png) or a picture rendered by "
+      "{}: expected a fabric (.json, .loomlight), a draft (.wif, .dtx), a weave bitmap (.png) or a picture rendered by "
       "Loomlight (.exr)",
       file));
 }
 
-Fabric fabricFromFile(const std::string& file, WifSizeChoice sizes) {
-  FabricInput input = readInput(file, sizes);
+Fabric fabricFromFile(const std::string& file, const WifChoices& choices) {
+  FabricInput input = readInput(file, choices);
   for (const std::string& warning : input.warnings) fmt::print(stderr, "{}\n", warning);
   return std::move(input.fabric);
 }

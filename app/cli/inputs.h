@@ -15,9 +15,9 @@ struct FabricInput {
 
 /// The fabric in a file of any kind that has one: a fabric (.json, .loomlight), a draft (.wif), a weave as a
 /// black-and-white picture (.png), or a picture that we rendered (.exr). Drafts and weaves have the default yarns;
-/// `sizes` says whose sett and yarn counts a draft gets. Throws InputError.
-FabricInput readInput(const std::string& file, WifSizeChoice sizes = WifSizeChoice::keep);
+/// `choices` says what is taken from a draft. Throws InputError.
+FabricInput readInput(const std::string& file, const WifChoices& choices = {});
 /// The fabric that readInput() finds; its warnings go to stderr.
-Fabric fabricFromFile(const std::string& file, WifSizeChoice sizes = WifSizeChoice::keep);
+Fabric fabricFromFile(const std::string& file, const WifChoices& choices = {});
 
 }  // namespace loomlight

@@ -121,6 +121,10 @@ WifSizeChoice parseWifSizes(const std::string& option, const std::string& text) 
   return parseChoice<WifSizeChoice>(option, text);
 }
 
+WifThreadChoice parseWifThreads(const std::string& option, const std::string& text) {
+  return parseChoice<WifThreadChoice>(option, text);
+}
+
 HalfDomeGrid parseHalfDome(const std::string& option, const std::string& text) {
   constexpr int kMost = 256;
   const auto counts = split(text, 'x');

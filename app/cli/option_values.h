@@ -64,6 +64,7 @@ Observer parseObserver(const std::string& option, const std::string& text);
 
 EventLaw parseEventLaw(const std::string& option, const std::string& text);
 WifSizeChoice parseWifSizes(const std::string& option, const std::string& text);
+WifThreadChoice parseWifThreads(const std::string& option, const std::string& text);
 
 /// front, top, close, macro, side, or AZ,EL[,DISTANCE] in degrees and mm.
 ViewChoice parseView(const std::string& option, const std::string& text);

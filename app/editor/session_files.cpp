@@ -136,7 +136,7 @@ void Session::openFile(const std::string& file) {
     leaveFor(Afterwards::open);
   } else {
     sayUnopened(file +
-                ": expected a cloth (.loomlight, .json), a WIF draft (.wif), a picture (.png), a mesh "
+                ": expected a cloth (.loomlight, .json), a draft (.wif, .dtx), a picture (.png), a mesh "
                 "(.obj, .ply, .off), an environment (.exr) or a measured swatch (.cxf, .qtx, .csv, CGATS .txt)");
   }
 }
@@ -160,7 +160,7 @@ void Session::opened(FileService::Result result) {
     const auto mine = std::make_shared<const Fabric>(std::move(*result.fabric));
     std::vector<WifWarning> said;  // by the dialog
     startOver(Document(withWifSizes(*mine, said)));
-    draft_.askForSizes(mine, std::move(result.warnings));
+    draft_.askForSizes(mine, std::move(result.warnings), result.named);
   }
   remember(result.file);
 }

@@ -25,7 +25,7 @@ bool isFabricFile(const std::string& file) {
 
 bool isWeavingFile(const std::string& file) {
   const std::string extension = lowerExtension(file);
-  return extension == ".wif" || extension == ".txt";
+  return extension == ".wif" || extension == ".dtx" || extension == ".txt";
 }
 
 std::string fileNameOf(const std::string& name) {

@@ -13,7 +13,7 @@ std::string lowerExtension(const std::string& file);
 /// ".loomlight" is ours alone, so that a desktop opens it with this program.
 bool isFabricFile(const std::string& file);
 
-/// Whether it is to be read as a weaving file: some come by mail as texts, "draft.wif.txt".
+/// Whether it is to be read as a weaving file: WIF, or .dtx; some come by mail as texts, "draft.wif.txt".
 bool isWeavingFile(const std::string& file);
 
 /// Makes a file's name of a name for people: without a folder in it, not hidden, of characters that all systems allow,

@@ -60,6 +60,20 @@ void warningRows(Ui& ui, const std::vector<WifWarning>& warnings) {
   ImGui::PopStyleColor();
 }
 
+/// Whether what the file only counts stays; true where that changes.
+bool threadsField(Ui& ui, const std::string& cut, WifThreadChoice& threads) {
+  static constexpr const char* kNames[] = {"All", "The named"};
+  int chosen = static_cast<int>(threads);
+  const bool changed = segmentField(ui,
+                                    {"wif.threads", "Threads",
+                                     "The file counts more threads than its draft names. The others hang on no shaft, "
+                                     "or lift none; they can be cut off."},
+                                    kNames, chosen);
+  threads = static_cast<WifThreadChoice>(chosen);
+  hint(ui, cut);
+  return changed;
+}
+
 bool says(const WifSett& sett) {
   return sett.ends_per_cm || sett.picks_per_cm || sett.warpDiameter_mm || sett.weftDiameter_mm;
 }
@@ -68,37 +82,38 @@ bool says(const WifSett& sett) {
 
 void WifDialog::show(Content content) {
   content_ = std::move(content);
-  sizes_ = says(content_.file) ? WifSizeChoice::file : WifSizeChoice::keep;
+  choices_ = {says(content_.file) ? WifSizeChoice::file : WifSizeChoice::keep, WifThreadChoice::all};
   open_ = opening_ = true;
   closing_ = false;
 }
 
-std::optional<WifSizeChoice> WifDialog::draw(Ui& ui) {
+std::optional<WifChoices> WifDialog::draw(Ui& ui) {
   if (!open_ || !beginModal(ui, "WIF draft", ImVec2(ui.px(600), 0), open_, opening_)) return std::nullopt;
-  std::optional<WifSizeChoice> changed;
+  bool changed = false;
   ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(content_.summary.c_str());
   ImGui::PopTextWrapPos();
   ImGui::Dummy(ImVec2(0, ui.px(4)));
   if (says(content_.file)) {
     static constexpr const char* kNames[] = {"Keep mine", "The file's"};
-    int chosen = static_cast<int>(sizes_);
+    int chosen = static_cast<int>(choices_.sizes);
     if (segmentField(ui,
                      {"wif.sizes", "Sett and thickness",
                       "The cloth has the file's. Many programs write a default of their own here, whatever the cloth: "
                       "keep yours then. Thick and thin threads keep their proportions either way."},
                      kNames, chosen)) {
-      sizes_ = static_cast<WifSizeChoice>(chosen);
-      changed = sizes_;
+      choices_.sizes = static_cast<WifSizeChoice>(chosen);
+      changed = true;
     }
-    sizeRows(ui, content_, sizes_);
+    sizeRows(ui, content_, choices_.sizes);
     // Laid out even when it does not count, so that the dialog keeps its size.
     ImVec4 ink = ui.theme.warning;
-    if (sizes_ == WifSizeChoice::keep) ink.w = 0;
+    if (choices_.sizes == WifSizeChoice::keep) ink.w = 0;
     for (const WifWarning& warning : content_.beyond) hint(ui, warning.sentence, ink);
   } else {
     hint(ui, "It says nothing of sett and thickness; those of your cloth are kept.");
   }
+  if (!content_.cut.empty()) changed = threadsField(ui, content_.cut, choices_.threads) || changed;
   if (!content_.warnings.empty()) warningRows(ui, content_.warnings);
   ui.probe.fact("wif.warnings", std::to_string(content_.warnings.size()));
   ImGui::Dummy(ImVec2(0, ui.px(4)));
@@ -108,7 +123,7 @@ std::optional<WifSizeChoice> WifDialog::draw(Ui& ui) {
     ImGui::CloseCurrentPopup();
   }
   endModal();
-  return closing_ ? std::nullopt : changed;
+  return changed && !closing_ ? std::optional(choices_) : std::nullopt;
 }
 
 }  // namespace loomlight

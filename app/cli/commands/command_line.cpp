@@ -43,7 +43,7 @@ template <class PathCommand>
 void addPathOptions(CLI::App& app, PathCommand& command) {
   addPictureOptions(app, command.options);
   addFabricOptions(app, command.options);
-  addWifSizes(app, command.wifSizes);
+  addWifChoices(app, command.wif);
   addThreads(app, command.threads);
   addMemoryLimit(app, command.memoryLimit_bytes);
   addFibreExtent(app, command.fibreExtent);
@@ -65,9 +65,13 @@ void addRender(CLI::App& app, RenderCommand& command) {
 void addInfo(CLI::App& app, InfoCommand& command) {
   addInput(app, "FABRIC", command.input);
   addFabricOptions(app, command.options);
-  addWifSizes(app, command.wifSizes);
+  addWifChoices(app, command.wif);
   addValue(app, "--piece", "MxCM", "length in metres and width in cm that yarn is needed for; 10x150 where not given",
            [&command](const auto& option, const auto& text) { command.piece = parsePieceSize(option, text); });
+  addValue(app, "--float-limit", "MM", "floats that are longer are listed with their places; 4 where not given",
+           [&command](const auto& option, const auto& text) {
+             command.floatLimit_mm = parseNumber(option, text, 0.1, 100);
+           });
   app.add_flag("--json", command.json, "JSON instead of a table");
 }
 
@@ -94,7 +98,7 @@ void addConvert(CLI::App& app, ConvertCommand& command) {
             [&command](const auto& option, const auto& text) {
               command.clothColours.push_back(parseClothColour(option, text));
             });
-  addWifSizes(app, command.wifSizes);
+  addWifChoices(app, command.wif);
 }
 
 void checkConvert(const ConvertCommand& command) {

@@ -38,8 +38,7 @@ Fabric fabricFromPicture(const ConvertCommand& command) {
 }  // namespace
 
 int run(const ConvertCommand& command) {
-  Fabric fabric =
-      command.colours.empty() ? fabricFromFile(command.input, command.wifSizes) : fabricFromPicture(command);
+  Fabric fabric = command.colours.empty() ? fabricFromFile(command.input, command.wif) : fabricFromPicture(command);
   if (!command.like.empty()) {
     Fabric like = fabricFromFile(command.like);
     like.name = fabric.name;

@@ -22,7 +22,7 @@ struct ConvertCommand {
   std::vector<MadeStructure> colours;
   std::optional<PictureSize> repeat;      ///< ends and picks of the picture; its pixels where not given
   std::vector<ClothColour> clothColours;  ///< what the cloth is to look like, of some of its fibres
-  WifSizeChoice wifSizes = WifSizeChoice::keep;
+  WifChoices wif;
 };
 
 /// Says on stderr what is in the output otherwise than in the input. Exit status 0, or that of an

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/inputs.h"
@@ -13,6 +14,7 @@
 #include "core/fabric/weave/draft_derivation.h"
 #include "core/fabric/weave/weave_code.h"
 #include "core/fabric/yarn/derived.h"
+#include "core/fabric/yarn/long_floats.h"
 #include "core/fabric/yarn/yarn_name.h"
 #include "render/scene/scene.h"
 
@@ -34,6 +36,7 @@ Loom loomOf(const Fabric& fabric) {
 
 struct Information {
   Floats floats;
+  LongFloats longFloats;
   Binding binding;
   Loom loom;
   CoverFactors cover;
@@ -62,6 +65,21 @@ nlohmann::ordered_json needsJson(const Fabric& fabric, const Information& of) {
   return json;
 }
 
+/// Threads count from 1, as in a draft.
+nlohmann::ordered_json longFloatsJson(const LongFloats& of) {
+  nlohmann::ordered_json json{{"limit_mm", of.limit_mm}, {"count", of.count}};
+  json["longest"] = nlohmann::ordered_json::array();
+  for (const FloatRun& run : of.longest)
+    json["longest"].push_back({{"system", run.system == System::warp ? "warp" : "weft"},
+                               {"face", run.onFace},
+                               {"thread", run.thread + 1},
+                               {"first", run.first + 1},
+                               {"cells", run.cells},
+                               {"endless", run.isEndless},
+                               {"length_mm", run.length_mm}});
+  return json;
+}
+
 nlohmann::ordered_json toJson(const Fabric& fabric, const Information& of) {
   nlohmann::ordered_json json;
   json["name"] = fabric.name;
@@ -81,6 +99,7 @@ nlohmann::ordered_json toJson(const Fabric& fabric, const Information& of) {
   json["max_weft_float_mm"] = floatLength_mm(fabric, System::weft, of.floats.weft());
   json["max_warp_float_face"] = of.floats.warpFace;
   json["max_weft_float_face"] = of.floats.weftFace;
+  json["long_floats"] = longFloatsJson(of.longFloats);
   json["ends_per_cm"] = fabric.ends_per_cm;
   json["picks_per_cm"] = fabric.picks_per_cm;
   json["repeat_width_mm"] = fabric.weave.ends() * fabric.warpPitch_mm();
@@ -120,6 +139,20 @@ void printNeeds(const Fabric& fabric, const Information& of) {
   }
 }
 
+/// The longest of them, each with its place.
+void printLongFloats(const LongFloats& of) {
+  constexpr size_t kShown = 10;
+  line("long floats", fmt::format("{}", of.count), fmt::format("a repeat, of more than {:g} mm", of.limit_mm));
+  for (size_t i = 0; i < std::min(kShown, of.longest.size()); ++i) {
+    const FloatRun& run = of.longest[i];
+    const bool isWarp = run.system == System::warp;
+    line("", fmt::format("{:.2f} mm", run.length_mm),
+         fmt::format("{} {}, from {} {} over {}{}, on the {}", isWarp ? "end" : "pick", run.thread + 1,
+                     isWarp ? "pick" : "end", run.first + 1, run.cells, run.isEndless ? ", bound by none" : "",
+                     run.onFace ? "face" : "back"));
+  }
+}
+
 void printTable(const Fabric& fabric, const Information& of) {
   fmt::print("{}\n\nWeave\n", fabric.name);
   line("repeat", fmt::format("{} x {}", fabric.weave.ends(), fabric.weave.picks()), "ends x picks");
@@ -135,6 +168,7 @@ void printTable(const Fabric& fabric, const Information& of) {
        fmt::format("picks, {:.2f} mm", floatLength_mm(fabric, System::warp, of.floats.warp())));
   line("longest weft float", fmt::format("{}", of.floats.weft()),
        fmt::format("ends, {:.2f} mm", floatLength_mm(fabric, System::weft, of.floats.weft())));
+  printLongFloats(of.longFloats);
   line("interlacings", fmt::format("{}", of.binding.warpInterlacings + of.binding.weftInterlacings), "a repeat");
   fmt::print("\nCloth\n");
   line("sett", fmt::format("{:g} x {:g}", fabric.ends_per_cm, fabric.picks_per_cm), "per cm");
@@ -170,7 +204,7 @@ void printTable(const Fabric& fabric, const Information& of) {
 
 int run(const InfoCommand& command) {
   const Interrupt interrupt;
-  FabricInput input = readInput(command.input, command.wifSizes);
+  FabricInput input = readInput(command.input, command.wif);
   Fabric fabric = withOptions(std::move(input.fabric), command.options);
   fabric.light = Light{};
   fabric.light.kind = LightKind::dome;  // nothing here depends on light, so no environment need be loaded
@@ -188,6 +222,7 @@ int run(const InfoCommand& command) {
   const ClothGeometry& geometry = scene->cloth->volume->geometry();
   Information information;
   information.floats = floats(fabric.weave);
+  information.longFloats = longFloats(fabric, command.floatLimit_mm);
   information.binding = binding(fabric.weave);
   information.loom = loomOf(fabric);
   information.cover = coverFactors(fabric);

@@ -12,8 +12,9 @@ namespace loomlight {
 struct InfoCommand {
   std::string input;
   FabricOptions options;
-  WifSizeChoice wifSizes = WifSizeChoice::keep;
+  WifChoices wif;
   PieceSize piece;  ///< that yarn is needed for
+  double floatLimit_mm = 4.0;  ///< longer floats are listed; 0.1..100
   bool json = false;
 };
 

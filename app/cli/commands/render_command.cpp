@@ -45,8 +45,8 @@ struct Job {
 Job prepare(const RenderCommand& command) {
   std::optional<UnfinishedPicture> begun;
   if (!command.resume.empty()) begun = readUnfinishedPicture(command.resume);
-  Fabric fabric = withOptions(command.input.empty() ? begun->fabric : fabricFromFile(command.input, command.wifSizes),
-                              command.options);
+  Fabric fabric =
+      withOptions(command.input.empty() ? begun->fabric : fabricFromFile(command.input, command.wif), command.options);
   validate(fabric, command.input.empty() ? command.resume : command.input);
   const RenderSettings settings = fabric.render;
   auto shared = std::make_shared<const Fabric>(std::move(fabric));

@@ -14,7 +14,7 @@ struct RenderCommand {
   std::string input;   ///< a fabric, or a picture that carries one; may be empty where `resume` is not
   std::string output;  ///< .exr or .png
   FabricOptions options;
-  WifSizeChoice wifSizes = WifSizeChoice::keep;           ///< of a draft
+  WifChoices wif;                                         ///< of a draft
   Tone tone;                                              ///< of a .png
   int threads = 0;                                        ///< 0: all
   double memoryLimit_bytes = defaultMemoryLimit_bytes();  ///< of explicit fibres

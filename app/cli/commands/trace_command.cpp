@@ -14,7 +14,7 @@ namespace loomlight {
 
 int run(const TraceCommand& command) {
   auto fabric =
-      std::make_shared<const Fabric>(withOptions(fabricFromFile(command.input, command.wifSizes), command.options));
+      std::make_shared<const Fabric>(withOptions(fabricFromFile(command.input, command.wif), command.options));
   validate(*fabric, command.input);
   const RenderSettings& settings = fabric->render;
   const PixelChoice pixel = command.pixel;

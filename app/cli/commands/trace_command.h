@@ -13,7 +13,7 @@ namespace loomlight {
 struct TraceCommand {
   std::string input;
   FabricOptions options;
-  WifSizeChoice wifSizes = WifSizeChoice::keep;
+  WifChoices wif;
   PixelChoice pixel;
   uint32_t sample = 0;
   int threads = 0;  ///< to build with; 0: all

@@ -29,6 +29,15 @@ std::string summaryOf(const Fabric& fabric) {
   return summary + ".";
 }
 
+/// What the draft names of that cloth; empty where it names all.
+std::string namedOf(const Fabric& fabric, const WifNamed& named) {
+  if (named == WifNamed{}) return {};
+  const int ends = named.ends > 0 ? named.ends : fabric.weave.ends();
+  const int picks = named.picks > 0 ? named.picks : fabric.weave.picks();
+  return fmt::format("It names {} of {} ends and {} of {} picks.", ends, fabric.weave.ends(), picks,
+                     fabric.weave.picks());
+}
+
 }  // namespace
 
 std::optional<Fabric> DraftController::draw(Ui& ui, const Fabric& fabric, int brushYarn, const LongFloats* floats,
@@ -84,18 +93,22 @@ DraftController::Edit DraftController::drawPicture(Ui& ui, const std::shared_ptr
   return edit;
 }
 
-void DraftController::askForSizes(std::shared_ptr<const Fabric> mine, std::vector<WifWarning> warnings) {
+void DraftController::askForSizes(std::shared_ptr<const Fabric> mine, std::vector<WifWarning> warnings,
+                                  WifNamed named) {
   wifKept_ = std::move(mine);
+  wifNamed_ = named;
   std::vector<WifWarning> beyond;
   withWifSizes(*wifKept_, beyond);
-  wif_.show({summaryOf(*wifKept_), wifSett(*wifKept_), settOf(*wifKept_), std::move(beyond), std::move(warnings)});
+  wif_.show({summaryOf(*wifKept_), wifSett(*wifKept_), settOf(*wifKept_), namedOf(*wifKept_, named), std::move(beyond),
+             std::move(warnings)});
 }
 
 std::optional<Fabric> DraftController::drawSizes(Ui& ui) {
-  const auto sizes = wif_.draw(ui);
-  if (!sizes) return std::nullopt;
+  const auto choices = wif_.draw(ui);
+  if (!choices) return std::nullopt;
+  Fabric fabric = choices->threads == WifThreadChoice::named ? cutToNamed(*wifKept_, wifNamed_) : *wifKept_;
   std::vector<WifWarning> said;  // the dialog has them already
-  return *sizes == WifSizeChoice::file ? withWifSizes(*wifKept_, said) : *wifKept_;
+  return choices->sizes == WifSizeChoice::file ? withWifSizes(std::move(fabric), said) : fabric;
 }
 
 DraftController::Edit DraftController::drawDialogs(Ui& ui, const std::shared_ptr<const Fabric>& fabric,

@@ -41,7 +41,7 @@ class DraftController {
   void openPicture(const std::string& file);
   /// Asks whose sizes the cloth of a WIF draft is to have, which has those of the file. `mine`: with the designer's
   /// own.
-  void askForSizes(std::shared_ptr<const Fabric> mine, std::vector<WifWarning> warnings);
+  void askForSizes(std::shared_ptr<const Fabric> mine, std::vector<WifWarning> warnings, WifNamed named);
   /// An edit that is none of a dialog: a command's.
   std::optional<Fabric> run(DraftCommand command, const Fabric& fabric, const DraftPreferences& preferences) {
     return runDraftCommand(command, fabric, preferences, view_);
@@ -67,6 +67,7 @@ class DraftController {
   PictureService pictures_;
   WifDialog wif_;
   std::shared_ptr<const Fabric> wifKept_;  ///< the weaving file's cloth with the designer's own sizes
+  WifNamed wifNamed_;
 };
 
 }  // namespace loomlight

@@ -18,7 +18,7 @@ struct Asked {
 const Asked& askedFor(FileTask task) {
   using Purpose = FileBrowser::Purpose;
   static const Asked kAsked[] = {
-      {FileTask::open, Purpose::open, "Open a cloth", {".loomlight", ".json", ".wif", ".png"}},
+      {FileTask::open, Purpose::open, "Open a cloth", {".loomlight", ".json", ".wif", ".dtx", ".png"}},
       {FileTask::saveAs, Purpose::save, "Save the cloth", {".loomlight", ".json"}},
       {FileTask::mesh, Purpose::open, "Choose a mesh", {".obj", ".ply", ".off"}},
       {FileTask::environment, Purpose::open, "Choose a surrounding", {".exr"}},

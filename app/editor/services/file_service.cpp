@@ -35,6 +35,7 @@ FileService::FileService(std::function<void()> wake, Read read)
             WifImport cloth = read(result.file, *order.mine);
             result.fabric = std::move(cloth.fabric);
             result.warnings = std::move(cloth.warnings);
+            result.named = cloth.named;
             return result;
           },
           failed<ReadOrder>, Backlog::hanging),

@@ -53,6 +53,7 @@ class FileService {
     std::string file;
     std::optional<Fabric> fabric;      ///< that was read
     std::vector<WifWarning> warnings;  ///< about the weaving file that was read
+    WifNamed named;                    ///< of its threads: see cutToNamed()
     std::vector<std::string> remarks;  ///< about what was written
     std::string problem;               ///< why it was not; empty when all went well
     bool cancelled = false;            ///< and the file is as it was

@@ -320,7 +320,8 @@ WifRest readWifLines(const json& value, const std::string& source, const Place& 
     place.reject(fmt::format("at most {} bytes", kMaxWifBytes), fmt::format("{}", text.size()));
   if (text.find('\0') != std::string::npos) place.reject("texts", "one with a NUL character");
   WifWarnings warnings;
-  WifRest rest = readWifRest(parseWifSections(text, fmt::format("{}: {}", source, place.path()), warnings), warnings);
+  WifRest rest =
+      readWifRest(parseWifSections(text, fmt::format("{}: {}", source, place.path()), warnings), {}, warnings);
   const std::vector<WifWarning> complaints = warnings.list();
   if (!complaints.empty()) place.reject("lines as in a WIF draft", inOneLine(complaints.front()));
   return rest;
@@ -330,6 +331,7 @@ std::shared_ptr<const WifOrigin> readOrigin(json value, const std::string& sourc
   ObjectReader reader(std::move(value), place);
   auto origin = std::make_shared<WifOrigin>();
   reader.takeFields(*origin);
+  if (auto yarns = reader.take("yarns")) origin->yarns = readObjects<WifYarn>(std::move(*yarns), place.at("yarns"));
   if (const std::optional<json> lines = reader.take("lines"))
     origin->rest = readWifLines(*lines, source, place.at("lines"));
   origin->unknown = reader.rest();

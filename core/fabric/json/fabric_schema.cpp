@@ -141,6 +141,8 @@ Json colourwaySchema() {
 Json wifSchema() {
   Json wif = objectOf<WifOrigin>("Of a fabric that came from a WIF draft: what else that said.");
   wif["properties"]["lines"] = listOf({{"type", "string"}}, "The rest of the WIF draft, as it would stand there.");
+  wif["properties"]["yarns"] =
+      listOf(objectOf<WifYarn>("A yarn."), "What the fabric's yarns were given, in their order.", 0, kMaxKinds);
   return wif;
 }
 

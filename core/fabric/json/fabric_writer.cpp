@@ -141,6 +141,7 @@ Json draftToJson(const Draft& draft) {
 Json originToJson(const WifOrigin& origin) {
   Json json = Json::object();
   addFields(json, origin);
+  if (!origin.yarns.empty()) json["yarns"] = listToJson(origin.yarns);
   json["lines"] = wifRestLines(origin.rest);
   addUnknown(json, origin.unknown);
   return json;

@@ -52,8 +52,12 @@ bool operator==(const Draft& a, const Draft& b) {
          a.liftplan == b.liftplan;
 }
 
+bool operator==(const WifYarn& a, const WifYarn& b) {
+  return equalFields(a, b);
+}
+
 bool operator==(const WifOrigin& a, const WifOrigin& b) {
-  return equalFields(a, b) && a.rest == b.rest;
+  return equalFields(a, b) && a.yarns == b.yarns && a.rest == b.rest;
 }
 
 bool operator==(const Fabric& a, const Fabric& b) {

@@ -89,6 +89,17 @@ void checkDraftList(const std::vector<std::vector<int>>& list, int kinds, const 
     place.reject(fmt::format("at most {} numbers in all", mostNumbers), fmt::format("{}", numbers));
 }
 
+void checkOrigin(const WifOrigin& origin, const Place& place) {
+  checkFields(origin, place);
+  const Place yarns = place.at("yarns");
+  if (origin.yarns.size() > kMaxKinds)
+    yarns.reject(fmt::format("at most {} yarns", kMaxKinds), fmt::format("{}", origin.yarns.size()));
+  for (size_t i = 0; i < origin.yarns.size(); ++i) {
+    const Place yarn = yarns.at(i);
+    checkFields(origin.yarns[i], yarn);
+  }
+}
+
 }  // namespace
 
 void validateDraft(const Draft& draft, const Place& place) {
@@ -137,7 +148,7 @@ void validate(const Fabric& fabric, const std::string& source) {
   checkLight(fabric.light, place.at("light"));
   checkFields(fabric.camera, place.at("camera"));
   checkRender(fabric.render, place.at("render"));
-  if (fabric.wif) checkFields(*fabric.wif, place.at("wif"));
+  if (fabric.wif) checkOrigin(*fabric.wif, place.at("wif"));
 }
 
 }  // namespace loomlight

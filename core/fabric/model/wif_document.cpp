@@ -46,10 +46,16 @@ std::optional<double> WifSizes::meanSpacing_mm(int threads) const {
   return millimetres(sum / threads, unit);
 }
 
+std::optional<double> WifSizes::spacing_mm(int thread) const {
+  const auto own = spacings.find(thread);
+  const std::optional<double> value = own != spacings.end() ? own->second : spacing;
+  return value ? std::optional(millimetres(*value, unit)) : std::nullopt;
+}
+
 std::optional<double> WifSizes::thickness_mm(int thread) const {
   const auto own = thicknesses.find(thread);
-  if (own != thicknesses.end()) return millimetres(own->second, unit);
-  return thickness ? std::optional(millimetres(*thickness, unit)) : std::nullopt;
+  const std::optional<double> value = own != thicknesses.end() ? own->second : thickness;
+  return value ? std::optional(millimetres(*value, unit)) : std::nullopt;
 }
 
 }  // namespace loomlight

@@ -36,7 +36,8 @@ struct WifSizes {
 
   /// Mean over `threads` threads, mm; nothing where the file does not give it for all of them.
   std::optional<double> meanSpacing_mm(int threads) const;
-  std::optional<double> thickness_mm(int thread) const;  ///< of one thread, from 1
+  std::optional<double> spacing_mm(int thread) const;  ///< of one thread, from 1
+  std::optional<double> thickness_mm(int thread) const;
   friend bool operator==(const WifSizes&, const WifSizes&) = default;
 };
 
@@ -58,6 +59,12 @@ struct WifRest {
   friend bool operator==(const WifRest&, const WifRest&) = default;
 };
 
+/// How far the lines of a draft go where the file states more threads than they name; 0 where they name the last.
+struct WifNamed {
+  int ends = 0, picks = 0;
+  friend bool operator==(const WifNamed&, const WifNamed&) = default;
+};
+
 /// A weaving file: WIF 1.1, the interchange format of weaving programs. Threads, shafts, treadles and colours count
 /// from 1, 0 is none.
 struct WifDocument {
@@ -68,6 +75,7 @@ struct WifDocument {
   Draft draft;
   std::vector<int> warpColours;  ///< of each end, a number of the palette or 0
   std::vector<int> weftColours;
+  WifNamed named;
   WifRest rest;
   friend bool operator==(const WifDocument&, const WifDocument&) = default;
 

@@ -1,12 +1,21 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "core/fabric/model/field_info.h"
 #include "core/fabric/model/unknown_keys.h"
 #include "core/fabric/model/wif_document.h"
 
 namespace loomlight {
+
+/// What one of the fabric's yarns was given when the file was read.
+struct WifYarn {
+  int colour = 0;               ///< a number of the palette, 0 for none: the designer's own colour
+  Rgb absorption_per_mm{0.0f};  ///< of its fibre
+  UnknownKeys unknown;
+  friend bool operator==(const WifYarn&, const WifYarn&);
+};
 
 /// Where a fabric came from: a WIF draft. It holds what the fabric does not, for the day when the fabric is written
 /// as a WIF draft again. Edits leave it alone.
@@ -20,9 +29,20 @@ struct WifOrigin {
   double picks_per_cm = 0;
   double warpDiameter_mm = 0;  ///< mean over the threads
   double weftDiameter_mm = 0;
+  /// In the order of the fabric's yarns. A yarn that still has that colour goes out under the number it came with.
+  std::vector<WifYarn> yarns;
   WifRest rest;
   UnknownKeys unknown;
   friend bool operator==(const WifOrigin&, const WifOrigin&);
+};
+
+template <>
+struct FieldTable<WifYarn> {
+  using enum Stage;
+  static constexpr auto fields = std::make_tuple(
+      Field{&WifYarn::colour, {label, "colour", "Colour", "", 0, kMaxWifNumber, "Number in the file; 0 for none."}},
+      Field{&WifYarn::absorption_per_mm,
+            {label, "absorption_per_mm", "Absorption", "1/mm", 0, 10000, "What its fibre was given for that."}});
 };
 
 template <>

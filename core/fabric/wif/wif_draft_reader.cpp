@@ -1,10 +1,11 @@
 #include <algorithm>
-#include <cctype>
+#include <map>
 
 #include "core/base/error.h"
 #include "core/fabric/model/field_tables.h"
 #include "core/fabric/model/place.h"
 #include "core/fabric/model/validate.h"
+#include "core/fabric/weave/draft_derivation.h"
 #include "core/fabric/wif/wif_numbered.h"
 #include "core/fabric/wif/wif_reader.h"
 
@@ -19,8 +20,9 @@ int mostShafts() {
 
 class DraftReader {
  public:
-  DraftReader(const WifSections& sections, const std::string& source, WifWarnings& warnings)
-      : sections_(sections), source_(source), warnings_(warnings) {}
+  DraftReader(const WifSections& sections, const WifCounting& counting, const std::string& source,
+              WifWarnings& warnings)
+      : sections_(sections), counting_(counting), source_(source), warnings_(warnings) {}
 
   Draft read() {
     const WifSection* threading = sections_.find("THREADING");
@@ -31,14 +33,17 @@ class DraftReader {
     const bool lifted = liftplan && (!liftplan->entries.empty() || !trodden);
 
     Draft draft;
-    const int ends = threads("WARP", threading, "WARP COLORS");
-    const int picks = threads("WEFT", lifted ? liftplan : treadling, "WEFT COLORS");
-    draft.threading = lists(threading, ends, "end", "shaft");
-    if (lifted) draft.liftplan = lists(liftplan, picks, "pick", "shaft");
-    if (trodden || !lifted) draft.treadling = lists(treadling, picks, "pick", "treadle");
+    const int ends = threads("WARP", threading, "WARP COLORS", counting_.end);
+    const int picks = threads("WEFT", lifted ? liftplan : treadling, "WEFT COLORS", counting_.pick);
+    draft.threading = lists(threading, {counting_.end, ends}, "end", shafts());
+    if (lifted) draft.liftplan = lists(liftplan, {counting_.pick, picks}, "pick", shafts());
+    if (trodden || !lifted)
+      draft.treadling =
+          lists(treadling, {counting_.pick, picks}, "pick", {"treadle", counting_.pressedTreadle, mostShafts()});
     readTieUp(draft);
-    draft.shafts = kinds("Shafts", largest(draft.threading, draft.tieUp, draft.liftplan));
     draft.risingShed = risingShed();
+    fewerShafts(draft);
+    draft.shafts = kinds("Shafts", largest(draft.threading, draft.tieUp, draft.liftplan));
 
     if (!threading)
       warnings_.add(0, "THREADING", "", "There is no threading: no end hangs on a shaft, and nothing is lifted.");
@@ -48,7 +53,26 @@ class DraftReader {
     return draft;
   }
 
+  WifNamed named() const {
+    const auto of = [this](const char* what) {
+      const auto found = named_.find(what);
+      return found == named_.end() ? 0 : found->second;
+    };
+    return {of("end"), of("pick")};
+  }
+
  private:
+  struct Lines {
+    int first = 1, count = 0;
+  };
+  /// What lists name, and how the first of it is called.
+  struct Listed {
+    const char* kind;
+    int first = 1;
+    int most = 0;
+  };
+  Listed shafts() const { return {"shaft", counting_.shaft, Weave::kMaxSide}; }
+
   const WifEntry* find(const char* section, const char* key) {
     const WifSection* const found = sections_.find(section);
     return found ? found->find(lowerCase(key)) : nullptr;
@@ -57,12 +81,13 @@ class DraftReader {
   static std::string said(const WifEntry& entry) { return fmt::format("{}={}", entry.key, entry.value.substr(0, 40)); }
 
   /// How many threads a system has: what Threads= says, or else as many as the lines of the draft name.
-  int threads(const char* system, const WifSection* draft, const char* colours) {
+  int threads(const char* system, const WifSection* draft, const char* colours, int first) {
     const WifEntry* const entry = find(system, "Threads");
     const int number = entry ? wifWhole(entry->value).value_or(0) : 0;
     if (number >= 1 && number <= Weave::kMaxSide) return number;
     int listed = largestKey(draft);
     if (listed == 0) listed = largestKey(sections_.find(colours));
+    if (listed > 0 || first == 0) listed = std::min(listed + 1 - first, Weave::kMaxSide);
     const bool tooMany = draft && draft->entries.size() > static_cast<size_t>(Weave::kMaxSide);
     if (listed == 0 || tooMany)
       throw InputError(fmt::format("{}: [{}] Threads: expected from 1 to {} threads, got {}", source_, system,
@@ -83,35 +108,33 @@ class DraftReader {
   }
 
   /// The lines of a section as lists of shafts or treadles, one for each of `count` threads or treadles.
-  Lists lists(const WifSection* section, int count, const char* what, const char* kind) {
-    Lists all(static_cast<size_t>(count));
-    int named = 0;
-    forEachNumbered(section, count, what, warnings_, [&](int number, const WifEntry& entry) {
-      all[number - 1] = list(*section, entry, kind);
+  Lists lists(const WifSection* section, const Lines& lines, const char* what, const Listed& listed) {
+    Lists all(static_cast<size_t>(lines.count));
+    int named = 0, last = 0;
+    forEachNumbered(section, lines.first, lines.count, what, warnings_, [&](int number, const WifEntry& entry) {
+      all[number - 1] = list(*section, entry, listed);
       ++named;
+      last = std::max(last, number);
     });
-    if (section && named < count)
+    if (last > 0 && last < lines.count) named_[what] = last;
+    if (section && named < lines.count)
       warnings_.add(0, section->name, "",
-                    fmt::format("Only {} of {} {}s are named; the others are left empty.", named, count, what));
+                    fmt::format("Only {} of {} {}s are named; the others are left empty.", named, lines.count, what));
     return all;
   }
 
-  std::vector<int> list(const WifSection& section, const WifEntry& entry, const char* kind) {
+  std::vector<int> list(const WifSection& section, const WifEntry& entry, const Listed& listed) {
     std::vector<int> numbers;
-    // "2;3" may have been meant as a list.
-    const size_t comment = entry.value.find(';');
-    if (comment != std::string::npos && comment + 1 < entry.value.size() &&
-        std::isdigit(static_cast<unsigned char>(entry.value[comment + 1])))
-      warnings_.add(entry.line, section.name, said(entry),
-                    "What stands behind a semicolon is a comment; numbers of a list are parted by commas.");
-    for (const std::string_view part : wifList(entry.value)) {
+    const WifNumbers parts = wifNumbers(entry.value);
+    for (const std::string& remark : parts.remarks) warnings_.add(entry.line, section.name, said(entry), remark);
+    for (const std::string& part : parts.parts) {
       const std::optional<int> number = wifWhole(part);
-      if (!number || *number < 0 || *number > mostShafts()) {
+      if (!number || *number < 0 || *number > listed.most + listed.first - 1) {
         warnings_.add(
             entry.line, section.name, said(entry),
-            fmt::format("There can be {}s 1 to {}, or 0 for none; others are passed over.", kind, mostShafts()));
-      } else if (*number > 0) {
-        numbers.push_back(*number);
+            fmt::format("There can be {}s 1 to {}, or 0 for none; others are passed over.", listed.kind, listed.most));
+      } else if (*number >= listed.first) {
+        numbers.push_back(*number - listed.first + 1);
       }
     }
     std::sort(numbers.begin(), numbers.end());
@@ -119,15 +142,37 @@ class DraftReader {
     return numbers;
   }
 
+  /// A loom has fewer shafts than such a file may name. Lifts of shafts that no end hangs on move nothing; where ends
+  /// do hang on more, shafts that always go together become one.
+  void fewerShafts(Draft& draft) {
+    if (largest(draft.threading, {}, {}) <= mostShafts()) {
+      for (Lists* lists : {&draft.tieUp, &draft.liftplan})
+        for (std::vector<int>& list : *lists)
+          list.erase(std::upper_bound(list.begin(), list.end(), mostShafts()), list.end());
+      return;
+    }
+    draft.shafts = largest(draft.threading, draft.tieUp, draft.liftplan);
+    const std::optional<Draft> merged = smallestDraft(drawdown(draft), mostShafts());
+    if (!merged)
+      throw InputError(
+          fmt::format("{}: [THREADING]: expected at most {} shafts that differ, got a draft that needs more", source_,
+                      mostShafts()));
+    warnings_.add(0, "THREADING", "",
+                  fmt::format("The draft names {} shafts, and there can be {}; those that always go together are one, "
+                              "which leaves {}. The cloth is the same.",
+                              draft.shafts, mostShafts(), merged->shafts));
+    draft = withLiftplan(*merged);
+  }
+
   /// The tie-up, and how many treadles there are: those tied, and as many more as [WEAVING] says. A treadle that is
   /// pressed but neither of the two moves nothing.
   void readTieUp(Draft& draft) {
     const WifSection* const tieUp = sections_.find("TIEUP");
-    draft.treadles = kinds("Treadles", std::min(largestKey(tieUp), mostShafts()));
+    draft.treadles = kinds("Treadles", std::min(largestKey(tieUp) + 1 - counting_.tiedTreadle, mostShafts()));
     if (tieUp || !draft.treadling.empty()) draft.tieUp.resize(static_cast<size_t>(draft.treadles));
-    forEachNumbered(tieUp, draft.treadles, "treadle", warnings_, [&](int treadle, const WifEntry& entry) {
-      draft.tieUp[treadle - 1] = list(*tieUp, entry, "shaft");
-    });
+    forEachNumbered(
+        tieUp, counting_.tiedTreadle, draft.treadles, "treadle", warnings_,
+        [&](int treadle, const WifEntry& entry) { draft.tieUp[treadle - 1] = list(*tieUp, entry, shafts()); });
     for (size_t pick = 0; pick < draft.treadling.size(); ++pick) {
       std::vector<int>& pressed = draft.treadling[pick];
       const auto first = std::upper_bound(pressed.begin(), pressed.end(), draft.treadles);
@@ -157,7 +202,7 @@ class DraftReader {
     std::string sentence = fmt::format("It is not said how many {} there are; the draft uses {}.", counted, used);
     if (entry) sentence = fmt::format("The number of {} should stand here; the draft uses {}.", counted, used);
     if (number != kNone) sentence = fmt::format("The draft uses another number of {}: {}.", counted, used);
-    warnings_.add(entry ? entry->line : 0, "WEAVING", entry ? said(*entry) : key, sentence);
+    warnings_.add(entry ? entry->line : 0, "WEAVING", entry ? said(*entry) : key, sentence, WifConcern::file);
     return used;
   }
 
@@ -175,7 +220,8 @@ class DraftReader {
 
   void noteMissing(const Draft& draft, bool trodden) {
     if (!trodden) {
-      warnings_.add(0, "", "", "Neither a treadling nor a liftplan says what is lifted; no pick lifts anything.");
+      warnings_.add(0, "TREADLING", "",
+                    "Neither a treadling nor a liftplan says what is lifted; no pick lifts anything.");
     } else if (!draft.tieUp.empty() && draft.tieUp == Lists(draft.tieUp.size())) {
       warnings_.add(0, "TIEUP", "", "No shaft is tied to any treadle; no pick lifts anything.");
     }
@@ -190,14 +236,20 @@ class DraftReader {
   }
 
   const WifSections& sections_;
+  const WifCounting& counting_;
   const std::string& source_;
   WifWarnings& warnings_;
+  std::map<std::string, int> named_;  ///< of "end" and "pick", the last that has a line, where that is not the last
 };
 
 }  // namespace
 
-Draft readWifDraft(const WifSections& sections, const std::string& source, WifWarnings& warnings) {
-  return DraftReader(sections, source, warnings).read();
+Draft readWifDraft(const WifSections& sections, const WifCounting& counting, const std::string& source,
+                   WifWarnings& warnings, WifNamed& named) {
+  DraftReader reader(sections, counting, source, warnings);
+  Draft draft = reader.read();
+  named = reader.named();
+  return draft;
 }
 
 }  // namespace loomlight

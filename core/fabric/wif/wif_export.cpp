@@ -13,6 +13,7 @@
 #include "core/fabric/model/yarn_count.h"
 #include "core/fabric/weave/draft_derivation.h"
 #include "core/fabric/wif/wif_fabric.h"
+#include "core/fabric/wif/wif_thickness.h"
 #include "core/fabric/wif/wif_writer.h"
 #include "core/fabric/yarn/derived.h"
 #include "core/fabric/yarn/presets.h"
@@ -76,33 +77,57 @@ Draft draftFor(const Fabric& fabric, int ends, int picks, const std::string& fil
   return draft;
 }
 
-/// Gives every yarn in use a number of the palette, and none to two of them. A colour that is there serves where it
-/// dyes the fibre just as it is; others are added behind.
-std::vector<int> numbersOfYarns(const Fabric& fabric, WifPalette& palette, const std::string& file) {
+std::set<int> yarnsInUse(const Fabric& fabric) {
   std::set<int> used(fabric.warpSequence.begin(), fabric.warpSequence.end());
   used.insert(fabric.weftSequence.begin(), fabric.weftSequence.end());
-  std::set<int> taken;
+  return used;
+}
+
+const Absorption& absorptionOf(const Fabric& fabric, int yarn) {
+  return fabric.fibres[fabric.yarns[yarn].fibre].absorption_per_mm;
+}
+
+/// The number that a yarn came with, where it still has that colour.
+std::optional<int> numberFromFile(const Fabric& fabric, int yarn, const WifPalette& palette) {
+  if (!fabric.wif || static_cast<size_t>(yarn) >= fabric.wif->yarns.size()) return std::nullopt;
+  const WifYarn& given = fabric.wif->yarns[yarn];
+  const bool isThere = given.colour == 0 || palette.colours.count(given.colour) > 0;
+  return isThere && given.absorption_per_mm == absorptionOf(fabric, yarn) ? std::optional(given.colour) : std::nullopt;
+}
+
+/// A number for the colour of a yarn: of the palette where it has one that dyes the fibre just as it is, else a new one
+/// behind.
+int numberInPalette(const Fabric& fabric, int yarn, WifPalette& palette, const std::string& file) {
+  const Fibre& fibre = fabric.fibres[fabric.yarns[yarn].fibre];
+  const auto there = std::find_if(palette.colours.begin(), palette.colours.end(), [&](const auto& entry) {
+    return dyed(fibre, linearFromSrgb(palette.srgb(entry.second))).absorption_per_mm == fibre.absorption_per_mm;
+  });
+  if (there != palette.colours.end()) return there->first;
+  const int number = palette.colours.empty() ? 1 : palette.colours.rbegin()->first + 1;
+  if (number > kMaxWifNumber)
+    throw InputError(fmt::format("{}: COLOR TABLE: expected a free number up to {} for another colour, got none", file,
+                                 kMaxWifNumber));
+  const Rgb shown = fibreReflectance(fibre);
+  palette.colours[number] = palette.nearest(srgbFromLinear(shown));
+  return number;
+}
+
+/// A number of the palette for every yarn in use; yarns of one colour share it. Yarns that came without a colour stay
+/// so, unless another yarn has been dyed since: then they would take that yarn's colour in other programs.
+std::vector<int> numbersOfYarns(const Fabric& fabric, WifPalette& palette, const std::string& file) {
+  const std::set<int> used = yarnsInUse(fabric);
+  const bool asInFile = std::all_of(used.begin(), used.end(),
+                                    [&](int yarn) { return numberFromFile(fabric, yarn, palette).has_value(); });
   std::vector<int> numbers(fabric.yarns.size(), 0);
   for (const int yarn : used) {
-    const Fibre& fibre = fabric.fibres[fabric.yarns[yarn].fibre];
-    const auto dyes = [&](const glm::ivec3& colour) {
-      return dyed(fibre, linearFromSrgb(palette.srgb(colour))).absorption_per_mm == fibre.absorption_per_mm;
-    };
-    const auto there = std::find_if(palette.colours.begin(), palette.colours.end(), [&](const auto& entry) {
-      return taken.count(entry.first) == 0 && dyes(entry.second);
+    const std::optional<int> known = numberFromFile(fabric, yarn, palette);
+    const auto like = std::find_if(used.begin(), used.end(), [&](int other) {
+      return other < yarn && numbers[other] > 0 && absorptionOf(fabric, other) == absorptionOf(fabric, yarn);
     });
-    int& number = numbers[yarn];
-    if (there != palette.colours.end()) {
-      number = there->first;
-    } else {
-      number = palette.colours.empty() ? 1 : palette.colours.rbegin()->first + 1;
-      const Rgb shown = fibreReflectance(fibre);
-      palette.colours[number] = palette.nearest(srgbFromLinear(shown));
-    }
-    if (number > kMaxWifNumber)
-      throw InputError(fmt::format("{}: COLOR TABLE: expected a free number up to {} for another colour, got none",
-                                   file, kMaxWifNumber));
-    taken.insert(number);
+    if (known && (asInFile || *known > 0))
+      numbers[yarn] = *known;
+    else
+      numbers[yarn] = like != used.end() ? numbers[*like] : numberInPalette(fabric, yarn, palette, file);
   }
   return numbers;
 }
@@ -136,6 +161,11 @@ void setSizes(const Fabric& fabric, WifDocument& document, std::vector<std::stri
   const WifOrigin origin = fabric.wif ? *fabric.wif : WifOrigin{};
   const auto set = [&](System system, WifSizes& sizes, bool untouched, int threads, int were) {
     if (!untouched || sizes == WifSizes{}) {
+      if (unevenSpacing(sizes, were, ""))
+        remarks.push_back(
+            fmt::format("{} lay unevenly in the file that the cloth is from; sett or yarns are others "
+                        "now, and all are written at one distance.",
+                        system == System::warp ? "Ends" : "Picks"));
       sizes = ownSizes(fabric, system, threads);
     } else if (threads != were && !(sizes.spacings.empty() && sizes.thicknesses.empty())) {
       sizes.spacings.clear();

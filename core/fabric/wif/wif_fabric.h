@@ -21,6 +21,19 @@ struct ChoiceNames<WifSizeChoice> {
   static constexpr std::array names{"keep", "file"};
 };
 
+/// A file that states more threads than its lines name leaves the rest of the cloth empty; it may be cut off.
+enum class WifThreadChoice { all, named };
+template <>
+struct ChoiceNames<WifThreadChoice> {
+  static constexpr std::array names{"all", "named"};
+};
+
+/// What is taken from a weaving file.
+struct WifChoices {
+  WifSizeChoice sizes = WifSizeChoice::keep;
+  WifThreadChoice threads = WifThreadChoice::all;
+};
+
 /// Sett and yarn as the file has them; nothing where it does not say.
 struct WifSett {
   std::optional<double> ends_per_cm, picks_per_cm;
@@ -31,7 +44,8 @@ WifSett wifSett(const Fabric& fabric);
 
 struct WifImport {
   Fabric fabric;
-  std::vector<WifWarning> warnings;  ///< what was wrong in the file, and what was done
+  std::vector<WifWarning> warnings;  ///< what was wrong in the file, and what was done: of most concern first
+  WifNamed named = {};               ///< what cutToNamed() leaves
 };
 
 /// The fabric of a weaving file, valid. `mine` gives all that a weaving file does not: how the yarns are spun (the
@@ -45,6 +59,9 @@ WifImport fabricFromWif(std::string_view bytes, const std::string& source, const
 Fabric withWifSizes(Fabric fabric, std::vector<WifWarning>& warnings);
 /// What the file says of sett where the fabric has another: for those who are not asked which to use.
 std::vector<WifWarning> otherWifSizes(const Fabric& fabric);
+
+/// The fabric with so many ends and picks only, from the first; 0 leaves a system as it is.
+Fabric cutToNamed(Fabric fabric, WifNamed named);
 
 struct WifExport {
   std::string text;

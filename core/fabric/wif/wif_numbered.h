@@ -10,23 +10,27 @@
 namespace loomlight {
 
 /// Calls visit(n, entry) for the lines "n=..." of a section, 1 <= n <= most, in file order; where a number comes twice,
-/// for both of them, and the last one is to count. `what` is what the lines are numbered by: "end", "pick", "treadle".
+/// for both of them, and the last one is to count. `what` is what the lines are numbered by: "end", "pick", "treadle";
+/// `first` what the file gives the first of them, 0 or 1.
 template <class Visit>
-void forEachNumbered(const WifSection* section, int most, const char* what, WifWarnings& warnings, Visit&& visit) {
+void forEachNumbered(const WifSection* section, int first, int most, const char* what, WifWarnings& warnings,
+                     Visit&& visit) {
   if (!section) return;
   std::vector<bool> seen(static_cast<size_t>(most) + 1, false);
   for (const WifEntry& entry : section->entries) {
     const std::optional<int> number = wifWhole(entry.key);
-    if (!number || *number < 1 || *number > most) {
+    if (!number || *number < first || *number > most - 1 + first) {
       warnings.add(entry.line, section->name, entry.key,
-                   fmt::format("There are {}s 1 to {} only; what is said of others is passed over.", what, most));
+                   fmt::format("There are {}s {} to {} only; what is said of others is passed over.", what, first,
+                               most - 1 + first));
       continue;
     }
-    if (seen[*number])
+    const int counted = *number - first + 1;
+    if (seen[counted])
       warnings.add(entry.line, section->name, entry.key,
                    fmt::format("Each {} should be named once; the last line of it counts.", what));
-    seen[*number] = true;
-    visit(*number, entry);
+    seen[counted] = true;
+    visit(counted, entry);
   }
 }
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
 
 #include "core/base/error.h"
@@ -37,38 +36,10 @@ void expectDraft(const WifSections& sections, const std::string& source) {
   throw InputError(fmt::format("{}: expected a draft, got a WIF draft with no [WARP], [WEFT] or [THREADING]", source));
 }
 
-/// Version, date and developers are those of the specification, in every file.
-void checkHeader(const WifSections& sections, WifWarnings& warnings) {
-  const WifSection* const wif = sections.find("WIF");
-  if (!wif) {
-    warnings.add(0, "WIF", "", "The part that names the format is missing; the file is read as WIF 1.1.");
-    return;
-  }
-  struct Constant {
-    const char* key;
-    const char* value;
-    const char* otherwise;
-  };
-  constexpr std::array<Constant, 3> kConstants = {
-      Constant{"version", "1.1", "The file names another version of the format; it is read as 1.1."},
-      Constant{"date", "April 20, 1997", "The format asks for its own date here, April 20, 1997; nothing hangs on it."},
-      Constant{"developers", "wif@mhsoft.com",
-               "The format asks for its own address here, wif@mhsoft.com; nothing hangs on it."}};
-  for (const Constant& constant : kConstants) {
-    const WifEntry* const entry = wif->find(constant.key);
-    if (entry && unquoted(entry->value) != constant.value)
-      warnings.add(entry->line, "WIF", fmt::format("{}={}", entry->key, entry->value.substr(0, 40)),
-                   constant.otherwise);
-  }
-}
-
 /// [CONTENTS] should list what there is. Whatever it says, what is there is read.
 void checkContents(const WifSections& sections, WifWarnings& warnings) {
   const WifSection* const contents = sections.find("CONTENTS");
-  if (!contents) {
-    warnings.add(0, "CONTENTS", "", "The table of contents is missing; all that is there is read.");
-    return;
-  }
+  if (!contents) return;
   std::map<std::string, bool> there;
   for (const WifSection& section : sections.sections)
     there[wifName(section.name)] = !section.entries.empty() || !section.lines.empty();
@@ -86,17 +57,15 @@ void checkContents(const WifSections& sections, WifWarnings& warnings) {
   for (const auto& [name, filled] : there) {
     if (name == "WIF" || name == "CONTENTS") continue;
     const auto found = listed.find(name);
-    if (found == listed.end())
-      warnings.add(0, "CONTENTS", name, "This part is not in the table of contents; it is read all the same.");
-    else if (!found->second && filled)
+    if (found != listed.end() && !found->second && filled)
       warnings.add(0, "CONTENTS", name,
                    "The table of contents says that this part is not there; it is read all the same.");
   }
 }
 
-std::vector<std::string> readNotes(const WifSections& sections, WifWarnings& warnings) {
+std::vector<std::string> readNotes(const WifSections& sections, int first, WifWarnings& warnings) {
   std::map<int, std::string> lines;
-  forEachNumbered(sections.find("NOTES"), kMaxWifNumber, "line", warnings,
+  forEachNumbered(sections.find("NOTES"), first, kMaxWifNumber, "line", warnings,
                   [&](int number, const WifEntry& entry) { lines[number] = entry.value; });
   std::vector<std::string> notes;
   for (auto& [number, line] : lines) notes.push_back(std::move(line));
@@ -120,17 +89,20 @@ WifDocument readWif(std::string_view bytes, const std::string& source, WifWarnin
     warnings.add(0, "", "", "The text is not UTF-8; accents and the like are read as Windows-1252.");
   const WifSections sections = parseWifSections(decoded.text, source, warnings);
   expectWeavingFile(sections, source);
-  checkHeader(sections, warnings);
+  // Version, date and developers are those of the specification in every file, and nothing hangs on them.
+  if (!sections.find("WIF"))
+    warnings.add(0, "WIF", "", "The part that names the format is missing; the file is read as WIF 1.1.");
   checkContents(sections, warnings);
   expectDraft(sections, source);
 
+  const WifCounting counting = wifCounting(sections, warnings);
   WifDocument document;
   document.title = textOf(sections, "TEXT", "title");
-  document.notes = readNotes(sections, warnings);
+  document.notes = readNotes(sections, counting.note, warnings);
   const std::string program = textOf(sections, "WIF", "source program");
   document.program = trimmed(program + " " + textOf(sections, "WIF", "source version"));
-  document.draft = readWifDraft(sections, source, warnings);
-  document.rest = readWifRest(sections, warnings);
+  document.draft = readWifDraft(sections, counting, source, warnings, document.named);
+  document.rest = readWifRest(sections, counting, warnings);
   const Draft& draft = document.draft;
   const auto ends = static_cast<int>(draft.threading.size());
   const auto picks = static_cast<int>(draft.liftplan.empty() ? draft.treadling.size() : draft.liftplan.size());
@@ -139,8 +111,8 @@ WifDocument readWif(std::string_view bytes, const std::string& source, WifWarnin
   cutSizes(rest.warp.thicknesses, "WARP THICKNESS", ends, warnings);
   cutSizes(rest.weft.spacings, "WEFT SPACING", picks, warnings);
   cutSizes(rest.weft.thicknesses, "WEFT THICKNESS", picks, warnings);
-  document.warpColours = readWifColours(sections, System::warp, ends, rest.palette, warnings);
-  document.weftColours = readWifColours(sections, System::weft, picks, rest.palette, warnings);
+  document.warpColours = readWifColours(sections, counting, System::warp, ends, rest.palette, warnings);
+  document.weftColours = readWifColours(sections, counting, System::weft, picks, rest.palette, warnings);
   return document;
 }
 

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "core/fabric/model/wif_document.h"
+#include "core/fabric/wif/wif_counting.h"
 #include "core/fabric/wif/wif_sections.h"
 #include "core/fabric/wif/wif_warnings.h"
 
@@ -21,11 +22,14 @@ WifDocument readWif(std::string_view bytes, const std::string& source, WifWarnin
 
 /// Parts of the above.
 /// Shafts, treadles, threading, tie-up, treadling and liftplan.
-Draft readWifDraft(const WifSections& sections, const std::string& source, WifWarnings& warnings);
+Draft readWifDraft(const WifSections& sections, const WifCounting& counting, const std::string& source,
+                   WifWarnings& warnings, WifNamed& named);
+/// The colours, by number from 1.
+WifPalette readWifPalette(const WifSections& sections, const WifCounting& counting, WifWarnings& warnings);
 /// Numbers of the palette for the threads of a system, 0 where there is none.
-std::vector<int> readWifColours(const WifSections& sections, System system, int threads, const WifPalette& palette,
-                                WifWarnings& warnings);
+std::vector<int> readWifColours(const WifSections& sections, const WifCounting& counting, System system, int threads,
+                                const WifPalette& palette, WifWarnings& warnings);
 /// All that a fabric does not hold.
-WifRest readWifRest(const WifSections& sections, WifWarnings& warnings);
+WifRest readWifRest(const WifSections& sections, const WifCounting& counting, WifWarnings& warnings);
 
 }  // namespace loomlight

@@ -22,114 +22,6 @@ std::string name(System system, const char* rest = "") {
   return fmt::format("{}{}", system == System::warp ? "WARP" : "WEFT", rest);
 }
 
-// Colours
-
-struct RealRange {
-  double low = 0, high = 255;
-};
-
-/// The channels of one colour; nothing, with a warning, where they are no three numbers.
-std::optional<glm::dvec3> channels(const WifSection& table, const WifEntry& entry, size_t first,
-                                   WifWarnings& warnings) {
-  const std::vector<std::string_view> parts = wifList(entry.value);
-  glm::dvec3 colour(0.0);
-  bool good = parts.size() == first + 3;
-  for (int i = 0; i < 3 && good; ++i) {
-    const std::optional<double> channel = wifDecimal(parts[first + static_cast<size_t>(i)]);
-    good = channel.has_value();
-    if (good) colour[i] = *channel;
-  }
-  if (good) return colour;
-  warnings.add(entry.line, table.name, said(entry),
-               "A colour should be three numbers, of red, green and blue; this one is passed over.");
-  return std::nullopt;
-}
-
-RealRange rangeOf(const WifSections& sections, const std::map<int, glm::dvec3>& colours, WifWarnings& warnings) {
-  const WifEntry* const entry = findEntry(sections, "COLOR PALETTE", "range");
-  if (entry) {
-    const std::vector<std::string_view> parts = wifList(entry->value);
-    const auto low = parts.size() == 2 ? wifDecimal(parts[0]) : std::nullopt;
-    const auto high = parts.size() == 2 ? wifDecimal(parts[1]) : std::nullopt;
-    constexpr double kMost = 1e9;
-    if (low && high && *low < *high && std::abs(*low) <= kMost && std::abs(*high) <= kMost) return {*low, *high};
-  }
-  RealRange range;
-  double largest = 0;
-  for (const auto& [number, colour] : colours) largest = std::max({largest, colour.x, colour.y, colour.z});
-  for (const double usual : {255.0, 999.0, 65535.0}) {
-    range.high = usual;
-    if (largest <= usual) break;
-  }
-  warnings.add(entry ? entry->line : 0, "COLOR PALETTE", entry ? said(*entry) : "Range",
-               fmt::format("The lowest and highest of the colours' numbers should stand here; they are taken as 0 and "
-                           "{:.0f}.",
-                           range.high));
-  return range;
-}
-
-bool isRgb(const WifEntry& form) {
-  return lowerCase(unquoted(form.value)) == "rgb";
-}
-
-bool isWhole(double value) {
-  return value == std::floor(value);
-}
-
-WifPalette readPalette(const WifSections& sections, WifWarnings& warnings) {
-  std::map<int, glm::dvec3> colours;
-  const WifSection* const table = sections.find("COLOR TABLE");
-  forEachNumbered(table, kMaxWifNumber, "colour", warnings, [&](int number, const WifEntry& entry) {
-    if (const auto colour = channels(*table, entry, 0, warnings)) colours[number] = *colour;
-  });
-  // Color=number,red,green,blue names a colour that the table may lack.
-  for (const System system : {System::warp, System::weft}) {
-    const WifEntry* const entry = findEntry(sections, name(system), "color");
-    const auto parts = entry ? wifList(entry->value) : std::vector<std::string_view>();
-    const std::optional<int> number = parts.size() > 1 ? wifWhole(parts[0]) : std::nullopt;
-    if (!number || *number < 1 || *number > kMaxWifNumber || colours.count(*number) > 0) continue;
-    if (const auto colour = channels(*sections.find(name(system)), *entry, 1, warnings)) colours[*number] = *colour;
-  }
-
-  if (colours.empty()) {
-    if (sections.find("COLOR PALETTE"))
-      warnings.add(0, "COLOR PALETTE", "", "A palette is announced, but there are no colours.");
-    return {};
-  }
-  if (const WifEntry* const form = findEntry(sections, "COLOR PALETTE", "form"); form && !isRgb(*form))
-    warnings.add(form->line, "COLOR PALETTE", said(*form),
-                 "Colours of another form than RGB are not known; they are read as red, green and blue.");
-  const RealRange range = rangeOf(sections, colours, warnings);
-  bool whole = isWhole(range.low) && isWhole(range.high);
-  for (const auto& [number, colour] : colours)
-    whole = whole && isWhole(colour.x) && isWhole(colour.y) && isWhole(colour.z);
-  WifPalette palette;
-  palette.low = whole ? static_cast<int>(range.low) : 0;
-  palette.high = whole ? static_cast<int>(range.high) : 65535;
-  if (!whole)
-    warnings.add(0, "COLOR TABLE", "",
-                 "Some colours have numbers that are not whole; they are kept in steps of 1/65535.");
-  for (const auto& [number, colour] : colours) {
-    const glm::dvec3 inside = glm::clamp(colour, range.low, range.high);
-    if (inside != colour)
-      warnings.add(
-          0, "COLOR TABLE", fmt::format("{}", number),
-          fmt::format("The numbers of a colour go from {:g} to {:g}; others are held to that.", range.low, range.high));
-    const double steps = static_cast<double>(palette.high) - palette.low;
-    for (int i = 0; i < 3; ++i)
-      palette.colours[number][i] =
-          palette.low + static_cast<int>(std::lround((inside[i] - range.low) / (range.high - range.low) * steps));
-  }
-
-  const WifEntry* const entries = findEntry(sections, "COLOR PALETTE", "entries");
-  const std::optional<int> stated = entries ? wifWhole(entries->value) : std::nullopt;
-  const int last = palette.colours.rbegin()->first;
-  if (entries && stated != last && stated != static_cast<int>(palette.colours.size()))
-    warnings.add(entries->line, "COLOR PALETTE", said(*entries),
-                 fmt::format("The number of colours is another, {}; all of them are read.", palette.colours.size()));
-  return palette;
-}
-
 // Sizes
 
 /// How lengths are written, and what they are multiplied by for a unit that the format has.
@@ -176,7 +68,7 @@ ReadUnit readUnit(const WifSections& sections, System system, WifWarnings& warni
   return {};
 }
 
-WifSizes readSizes(const WifSections& sections, System system, WifWarnings& warnings) {
+WifSizes readSizes(const WifSections& sections, System system, int first, WifWarnings& warnings) {
   WifSizes sizes;
   const ReadUnit written = readUnit(sections, system, warnings);
   sizes.unit = written.unit;
@@ -189,7 +81,7 @@ WifSizes readSizes(const WifSections& sections, System system, WifWarnings& warn
   common("thickness", sizes.thickness);
   const auto single = [&](const char* section, std::map<int, double>& values) {
     const WifSection* const found = sections.find(name(system, section));
-    forEachNumbered(found, Weave::kMaxSide, "thread", warnings, [&](int number, const WifEntry& entry) {
+    forEachNumbered(found, first, Weave::kMaxSide, "thread", warnings, [&](int number, const WifEntry& entry) {
       if (const auto value = length(*found, entry, written.factor, warnings)) values[number] = *value;
     });
   };
@@ -199,6 +91,10 @@ WifSizes readSizes(const WifSections& sections, System system, WifWarnings& warn
 }
 
 // What is kept line by line
+
+bool isRgb(const WifEntry& form) {
+  return lowerCase(unquoted(form.value)) == "rgb";
+}
 
 /// The keys of a section that are read; all of its keys where there are none here.
 struct KnownKeys {
@@ -231,7 +127,15 @@ const std::vector<KnownKeys>& knownKeys() {
   return known;
 }
 
-std::vector<std::string> keptLines(const WifSection& section) {
+/// The key as files that count from 1 have it, which is how it is handed back: of lines about single threads.
+std::string keptKey(const WifSection& section, const WifEntry& entry, const WifCounting& counting) {
+  const bool ofThreads = section.name.ends_with(" SYMBOLS") || section.name.ends_with(" ZOOM");
+  const int first = section.name.starts_with("WARP") ? counting.end : counting.pick;
+  const std::optional<int> number = ofThreads && first == 0 ? wifWhole(entry.key) : std::nullopt;
+  return number && *number >= 0 && *number < Weave::kMaxSide ? fmt::format("{}", *number + 1) : std::string(entry.key);
+}
+
+std::vector<std::string> keptLines(const WifSection& section, const WifCounting& counting) {
   if (!isStandardWifSection(section.name)) return {section.lines.begin(), section.lines.end()};
   const auto known = std::find_if(knownKeys().begin(), knownKeys().end(),
                                   [&](const KnownKeys& one) { return section.name == one.section; });
@@ -246,21 +150,21 @@ std::vector<std::string> keptLines(const WifSection& section) {
     if (!seen.insert(key).second) continue;
     // Colours go out as red, green and blue, so that another form would be wrong from now on.
     const bool isUntrue = section.name == "COLOR PALETTE" && key == "form" && !isRgb(*entry);
-    if (!isUntrue) lines.push_back(fmt::format("{}={}", entry->key, entry->value));
+    if (!isUntrue) lines.push_back(fmt::format("{}={}", keptKey(section, *entry, counting), entry->value));
   }
   std::reverse(lines.begin(), lines.end());
   return lines;
 }
 
-std::vector<WifLines> readKept(const WifSections& sections, bool coloured) {
+std::vector<WifLines> readKept(const WifSections& sections, const WifCounting& counting, bool coloured) {
   std::vector<WifLines> kept;
   WifLines head{"WIF", {}};
-  if (const WifSection* const wif = sections.find("WIF")) head.lines = keptLines(*wif);
+  if (const WifSection* const wif = sections.find("WIF")) head.lines = keptLines(*wif, counting);
   head.lines.insert(head.lines.end(), sections.comments.begin(), sections.comments.end());
   if (!head.lines.empty()) kept.push_back(std::move(head));
   for (const WifSection& section : sections.sections) {
     if (section.name == "WIF" || (section.name == "COLOR PALETTE" && !coloured)) continue;
-    std::vector<std::string> lines = keptLines(section);
+    std::vector<std::string> lines = keptLines(section, counting);
     if (!lines.empty() || !isStandardWifSection(section.name)) kept.push_back({section.name, std::move(lines)});
   }
   std::stable_sort(kept.begin(), kept.end(), [](const WifLines& a, const WifLines& b) {
@@ -271,34 +175,12 @@ std::vector<WifLines> readKept(const WifSections& sections, bool coloured) {
 
 }  // namespace
 
-std::vector<int> readWifColours(const WifSections& sections, System system, int threads, const WifPalette& palette,
-                                WifWarnings& warnings) {
-  /// The colour an entry names first; 0 where there is none of that number.
-  const auto colourOf = [&](const std::string& section, const WifEntry& entry, const char* instead) {
-    const std::vector<std::string_view> parts = wifList(entry.value);
-    if (parts.empty()) return 0;
-    const std::optional<int> number = wifWhole(parts[0]);
-    if (number && palette.colours.count(*number) > 0) return *number;
-    warnings.add(entry.line, section, said(entry), fmt::format("There is no colour of this number; {}.", instead));
-    return 0;
-  };
-  const WifEntry* const common = findEntry(sections, name(system), "color");
-  const int usual = common ? colourOf(name(system), *common, "the threads take the yarn's own colour") : 0;
-  std::vector<int> colours(static_cast<size_t>(threads), usual);
-  const std::string section = name(system, " COLORS");
-  forEachNumbered(sections.find(section), threads, "thread", warnings, [&](int number, const WifEntry& entry) {
-    const int own = colourOf(section, entry, "the thread takes the usual colour");
-    colours[number - 1] = own > 0 ? own : usual;
-  });
-  return colours;
-}
-
-WifRest readWifRest(const WifSections& sections, WifWarnings& warnings) {
+WifRest readWifRest(const WifSections& sections, const WifCounting& counting, WifWarnings& warnings) {
   WifRest rest;
-  rest.palette = readPalette(sections, warnings);
-  rest.warp = readSizes(sections, System::warp, warnings);
-  rest.weft = readSizes(sections, System::weft, warnings);
-  rest.kept = readKept(sections, !rest.palette.colours.empty());
+  rest.palette = readWifPalette(sections, counting, warnings);
+  rest.warp = readSizes(sections, System::warp, counting.end, warnings);
+  rest.weft = readSizes(sections, System::weft, counting.pick, warnings);
+  rest.kept = readKept(sections, counting, !rest.palette.colours.empty());
   return rest;
 }
 

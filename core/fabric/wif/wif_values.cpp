@@ -1,5 +1,6 @@
 #include "core/fabric/wif/wif_values.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -78,6 +79,34 @@ std::vector<std::string_view> wifList(std::string_view value) {
     parts.push_back(part);
     rest.remove_prefix(part.size());
   }
+}
+
+WifNumbers wifNumbers(std::string_view value) {
+  WifNumbers numbers;
+  std::string text(value);
+  const size_t semicolon = text.find(';');
+  const auto isDigit = [&](size_t at) { return at < text.size() && text[at] >= '0' && text[at] <= '9'; };
+  if (semicolon != std::string::npos && isDigit(semicolon + 1)) {
+    const bool onlyNumbers =
+        isDigit(semicolon - 1) && text.find_first_not_of("0123456789;,+/&- \t") == std::string::npos;
+    if (onlyNumbers) std::replace(text.begin(), text.end(), ';', ',');
+    numbers.remarks.emplace_back(
+        onlyNumbers ? "A semicolon begins a comment in this format; between numbers it is read as a comma."
+                    : "What stands behind a semicolon is a comment; numbers of a list are parted by commas.");
+  }
+  for (const std::string_view part : wifList(text)) {
+    size_t start = 0;
+    for (size_t sign = part.find_first_of("+/&-", 1); sign != std::string_view::npos;
+         start = sign + 1, sign = part.find_first_of("+/&-", start + 1)) {
+      numbers.parts.emplace_back(part.substr(start, sign - start));
+      const bool isDash = part[sign] == '-';
+      numbers.remarks.emplace_back(
+          isDash ? "Two numbers with a dash are read as those two, as weavers write them, not as all between."
+                 : "Numbers of a list should be parted by commas; other signs between them are read as such.");
+    }
+    numbers.parts.emplace_back(part.substr(start));
+  }
+  return numbers;
 }
 
 }  // namespace loomlight

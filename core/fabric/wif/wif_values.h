@@ -22,6 +22,14 @@ std::string_view unquoted(std::string_view value);
 /// The parts of a list, between commas, or blanks where somebody forgot the commas; none of them empty.
 std::vector<std::string_view> wifList(std::string_view value);
 
+/// The numbers of a list of shafts or treadles, however they are parted, and what is to be said of that.
+struct WifNumbers {
+  std::vector<std::string> parts;
+  std::vector<std::string> remarks;  ///< sentences
+};
+/// 1,2 and 1 2; also 1+2, 1/2, 1&2, 1-2, and 1;2 where nothing but numbers follows.
+WifNumbers wifNumbers(std::string_view value);
+
 /// Without blanks on both sides.
 std::string_view trimmed(std::string_view text);
 /// Letters A to Z only.

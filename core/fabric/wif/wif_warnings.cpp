@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/fabric/model/place.h"
 
 namespace loomlight {
@@ -17,13 +19,31 @@ std::string placeOf(int line, std::string_view section, std::string_view got) {
   return line > 0 ? fmt::format("line {}: {}", line, place) : place;
 }
 
+WifConcern concernOf(std::string_view section) {
+  for (const char* weave : {"THREADING", "TIEUP", "TREADLING", "LIFTPLAN", "WEAVING", "WARP", "WEFT"})
+    if (section == weave) return WifConcern::weave;
+  for (const char* look : {"COLOR", " COLORS", " SPACING", " THICKNESS"})
+    if (section.find(look) != std::string_view::npos) return WifConcern::look;
+  return WifConcern::file;
+}
+
 }  // namespace
 
 std::string inOneLine(const WifWarning& warning) {
   return warning.place.empty() ? warning.sentence : fmt::format("{}: {}", warning.place, warning.sentence);
 }
 
+void sortByConcern(std::vector<WifWarning>& warnings) {
+  std::stable_sort(warnings.begin(), warnings.end(),
+                   [](const WifWarning& a, const WifWarning& b) { return a.concern < b.concern; });
+}
+
 void WifWarnings::add(int line, std::string_view section, std::string_view got, std::string_view sentence) {
+  add(line, section, got, sentence, concernOf(section));
+}
+
+void WifWarnings::add(int line, std::string_view section, std::string_view got, std::string_view sentence,
+                      WifConcern concern) {
   const std::string key = fmt::format("{}\n{}", section, sentence);
   auto found = index_.find(key);
   if (found == index_.end()) {
@@ -32,7 +52,7 @@ void WifWarnings::add(int line, std::string_view section, std::string_view got, 
       return;
     }
     found = index_.emplace(key, kinds_.size()).first;
-    kinds_.push_back({{std::string(sentence), {}}});
+    kinds_.push_back({{std::string(sentence), {}, concern}});
   }
   Kind& kind = kinds_[found->second];
   if (kind.named == kPlaces) {
@@ -49,7 +69,9 @@ std::vector<WifWarning> WifWarnings::list() const {
     all.push_back(kind.shown);
     if (kind.more > 0) all.back().place += fmt::format("; and {} more like this", kind.more);
   }
-  if (beyond_ > 0) all.push_back({fmt::format("There are {} further oddities of other kinds.", beyond_), {}});
+  sortByConcern(all);
+  if (beyond_ > 0)
+    all.push_back({fmt::format("There are {} further oddities of other kinds.", beyond_), {}, WifConcern::file});
   return all;
 }
 

@@ -57,6 +57,26 @@ class Convert(CommandLineTest):
         self.run_program("convert", fabric, "expected.png")
         self.assertEqual(read_png(self.folder / "weave.png"), read_png(self.folder / "expected.png"))
 
+    def test_a_draft_says_which_option_takes_more_of_it(self):
+        draft = ("[WIF]\n[WEAVING]\nShafts=2\nTreadles=2\nRising Shed=1\n[WARP]\nThreads=2\nUnits=cm\nSpacing=.1\n"
+                 "[WEFT]\nThreads=50\n[THREADING]\n1=1\n2=2\n[TIEUP]\n1=1\n2=2\n[TREADLING]\n1=1\n2=2\n")
+        (self.folder / "a.wif").write_text(draft)
+        said = self.run_program("convert", "a.wif", "a.json", messages=True)
+        self.assertIn("--wif-threads named cuts it to the 2 ends and 2 picks", said)
+        self.assertIn("--wif-sizes file takes", said)
+        said = self.run_program("convert", "a.wif", "b.json", "--wif-threads", "named", "--wif-sizes", "file",
+                                messages=True)
+        self.assertNotIn("--wif", said)
+        fabric = json.loads(self.bytes_of("b.json"))
+        self.assertEqual(fabric["draft"]["treadling"], [1, 2])
+        self.assertEqual(fabric["ends_per_cm"], 10)
+
+    def test_a_text_draft_of_fiberworks_becomes_a_wif_draft(self):
+        (self.folder / "a.dtx").write_text("@@StartDTX\n@@Info\n%%shafts 2\n%%treadles 2\n%%ends 3\n%%picks 2\n"
+                                           "@@Threading\n1 2 1\n@@Tieup\n01\n10\n@@Treadling\n2 1\n@@EndDTX\n")
+        self.run_program("convert", "a.dtx", "a.wif")
+        self.assertIn(b"[TREADLING]\r\n1=2\r\n2=1\r\n", self.bytes_of("a.wif"))
+
     def test_a_structure_by_its_name_takes_the_place_of_the_weave(self):
         self.run_program("convert", self.fabric(), "a.json", "--structure", "satin,5,2")
         self.run_program("convert", "a.json", "satin.png")

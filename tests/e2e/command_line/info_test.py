@@ -23,6 +23,18 @@ class Info(CommandLineTest):
         self.assertGreater(info["areal_mass_g_m2"], uncrimped)
         self.assertLess(info["areal_mass_g_m2"], 1.3 * uncrimped)
 
+    def test_long_floats_are_listed_with_their_places(self):
+        # The last pick passes over three ends, from end 2 on; ends are 2 mm apart.
+        fabric = self.fabric(weave=["#...", "#.#.", ".#.#", "#.#."], ends_per_cm=5, picks_per_cm=20)
+        listed = json.loads(self.run_program("info", fabric, "--json", "--float-limit", 5))["long_floats"]
+        self.assertEqual((listed["limit_mm"], listed["count"]), (5, 1))
+        run = listed["longest"][0]
+        self.assertEqual((run["system"], run["face"], run["thread"], run["first"], run["cells"]),
+                         ("weft", True, 4, 2, 3))
+        self.assertIn("pick 4, from end 2 over 3, on the face", self.run_program("info", fabric, "--float-limit", 5))
+        self.assertEqual(json.loads(self.run_program("info", fabric, "--json", "--float-limit", 50))["long_floats"],
+                         {"limit_mm": 50, "count": 0, "longest": []})
+
     def test_every_sample_has_plausible_numbers(self):
         for sample in sorted(SAMPLES.glob("*.json")):
             with self.subTest(sample=sample.name):

@@ -122,6 +122,21 @@ TEST_F(WeavingFiles, TheSizesOfADraftCanBeRefused) {
   EXPECT_EQ(fabric.picks_per_cm, smallTwill().picks_per_cm);
 }
 
+/// A draft that names 4 of 40 picks: those it names are left where one asks for it, and all come back.
+TEST_F(WeavingFiles, PicksThatAreOnlyCountedCanBeCutOff) {
+  std::string text = kRosepath;
+  text.replace(text.find("Threads=4"), 9, "Threads=40");
+  open(write("rosepath.wif", text));
+  editor.edits("the named are left", [&] { editor.click("wif.threads/The named"); });
+  editor.edits("all are back", [&] { editor.click("wif.threads/All"); });
+  editor.edits("the named are left", [&] { editor.click("wif.threads/The named"); });
+  editor.click("wif.close");
+  const Fabric fabric = editor.savedAs(editor.homeFile("rosepath.json"));
+  EXPECT_EQ(fabric.weave.picks(), 4);
+  EXPECT_EQ(fabric.picks_per_cm, 8) << "with the file's sizes as before";
+  EXPECT_EQ(fabric.draft.value().threading, kThreading);
+}
+
 /// The list is filtered and gone through by keys; a file is seen before it is opened; Esc leaves at once.
 TEST_F(WeavingFiles, ADraftIsSeenBeforeItIsOpened) {
   write("rosepath.wif", kRosepath);

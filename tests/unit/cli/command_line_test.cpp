@@ -125,14 +125,17 @@ TEST(CommandLine, InfoConvertAndBench) {
   EXPECT_EQ(convert.input, "a.png");
   EXPECT_EQ(convert.output, "b.json");
   EXPECT_EQ(convert.like, "c.json");
-  EXPECT_EQ(convert.wifSizes, WifSizeChoice::keep);
-  EXPECT_EQ(parsed<ConvertCommand>({"convert", "a.wif", "b.json", "--wif-sizes", "file"}).wifSizes,
+  EXPECT_EQ(convert.wif.sizes, WifSizeChoice::keep);
+  EXPECT_EQ(parsed<ConvertCommand>({"convert", "a.wif", "b.json", "--wif-sizes", "file"}).wif.sizes,
             WifSizeChoice::file);
-  EXPECT_EQ(parsed<InfoCommand>({"info", "a.wif", "--wif-sizes", "file"}).wifSizes, WifSizeChoice::file);
+  EXPECT_EQ(parsed<InfoCommand>({"info", "a.wif", "--wif-sizes", "file"}).wif.sizes, WifSizeChoice::file);
   const PieceSize piece = parsed<InfoCommand>({"info", "a.json", "--piece", "2.5x90"}).piece;
   EXPECT_DOUBLE_EQ(piece.length_m, 2.5);
   EXPECT_DOUBLE_EQ(piece.width_cm, 90);
   EXPECT_DOUBLE_EQ(info.piece.length_m, PieceSize{}.length_m);
+  EXPECT_EQ(parsed<ConvertCommand>({"convert", "a.wif", "b.json", "--wif-threads", "named"}).wif.threads,
+            WifThreadChoice::named);
+  EXPECT_THAT(complaint({"convert", "a.wif", "b.json", "--wif-threads", "some"}), HasSubstr("--wif-threads: expected"));
   EXPECT_THAT(complaint({"convert", "a.wif", "b.json", "--wif-sizes", "mine"}), HasSubstr("--wif-sizes: expected"));
   const auto bench = parsed<BenchCommand>({"bench", "volume", "a.json", "--resolutions", "2,4", "--rounds", "1"});
   EXPECT_THAT(bench.resolutions, testing::ElementsAre(2, 4));

@@ -55,7 +55,7 @@ TEST(WifFabric, TakesDraftColoursAndTexts) {
   EXPECT_EQ(f.draft->treadling.back(), (std::vector<int>{2, 3}));
   EXPECT_EQ(f.weave, drawdown(*f.draft));
   EXPECT_EQ(f.warpSequence.size(), 4u) << "the shortest that goes on so";
-  EXPECT_EQ(f.weftSequence.size(), 1u);
+  EXPECT_EQ(f.weftSequence.size(), 6u) << "one pick of them is thick";
   expectColour(colourOf(f, f.warpYarn(0)), {255, 255, 255});
   expectColour(colourOf(f, f.warpYarn(7)), {17, 34, 200});
   expectColour(colourOf(f, f.weftYarn(3)), {0, 0, 0});
@@ -121,12 +121,78 @@ TEST(WifFabric, KeepsMySizesOrTakesTheFiles) {
   EXPECT_EQ(withWifSizes(kept.fabric, warnings), taken) << "it can be done later";
 }
 
+// Warp and weft have their commonest yarn in common, the weft another one besides: it is scaled like the rest.
+TEST(WifFabric, TheFilesThicknessReachesEveryYarn) {
+  std::string text = replaced(twillFile(), "Color=3\nUnits=Inches", "Color=1\nThickness=0.04\nUnits=Centimeters");
+  text += "[WEFT COLORS]\n2=4\n";
+  text = replaced(text, "[WEFT SPACING]\n2=0.04\n", "");
+  const Fabric f = imported(text, WifSizeChoice::file);
+  ASSERT_EQ(f.warpYarn(0), f.weftYarn(0));
+  ASSERT_NE(f.weftYarn(1), f.weftYarn(0));
+  for (const int yarn : {f.warpYarn(0), f.warpYarn(2), f.weftYarn(1)})
+    EXPECT_NEAR(yarnDiameter_mm(f.yarns[yarn], f.fibres[f.yarns[yarn].fibre]), 0.4, 1e-4) << yarn;
+}
+
 TEST(WifFabric, ThickThreadsAreThickerByTheirRatio) {
   const std::string text = twillFile() + "[WARP THICKNESS]\n3=0.08\n";
   const Fabric f = imported(text);
   EXPECT_NE(f.warpYarn(2), f.warpYarn(6)) << "of one colour";
   EXPECT_EQ(f.yarns[f.warpYarn(6)].count_tex, Yarn{}.count_tex);
   EXPECT_NEAR(f.yarns[f.warpYarn(2)].count_tex, 4 * Yarn{}.count_tex, 1e-9) << "twice the diameter";
+}
+
+// Some programs write thick and thin as the room that a thread takes.
+TEST(WifFabric, UnevenSpacingIsThickAndThin) {
+  const WifImport import = fabricFromWif(twillFile(), "x.wif", Fabric{}, WifSizeChoice::keep);
+  const Fabric& f = import.fabric;
+  EXPECT_EQ(f.yarns[f.weftYarn(0)].count_tex, Yarn{}.count_tex);
+  EXPECT_NEAR(f.yarns[f.weftYarn(1)].count_tex, 4 * Yarn{}.count_tex, 1e-9) << "twice the diameter";
+  EXPECT_EQ(f.weftYarn(0), f.weftYarn(5));
+  EXPECT_THAT(inLines(import.warnings),
+              ElementsAre(testing::AllOf(HasSubstr("Picks lie 1 to 2 times the usual distance apart"),
+                                         HasSubstr("one distance, the mean"))));
+  const std::string back = wifFromFabric(f, "y.wif").text;
+  EXPECT_EQ(document(back).rest.weft, document(twillFile()).rest.weft) << "none is lost";
+  expectSameCloth(imported(back), f);
+}
+
+TEST(WifFabric, ThreadsThatFitTheirRoomAreSetApart) {
+  const std::string text = replaced(twillFile(), "Spacing=.02\n", "Spacing=.02\nThickness=.018\n");
+  const WifImport import = fabricFromWif(text, "x.wif", Fabric{}, WifSizeChoice::keep);
+  EXPECT_EQ(import.fabric.weftSequence.size(), 1u) << "one yarn, with gaps";
+  EXPECT_THAT(inLines(import.warnings), ElementsAre(HasSubstr("in the file; here they lie at one distance")));
+  EXPECT_EQ(document(wifFromFabric(import.fabric, "y.wif").text).rest, document(text).rest);
+}
+
+TEST(WifFabric, BothThickAndUnevenTakesTheThickness) {
+  const std::string text = twillFile() + "[WEFT THICKNESS]\n1=.02\n2=.02\n3=.03\n4=.02\n5=.02\n6=.02\n";
+  const Fabric f = imported(text);
+  EXPECT_NEAR(f.yarns[f.weftYarn(2)].count_tex, 2.25 * Yarn{}.count_tex, 1e-9);
+  EXPECT_EQ(f.weftYarn(1), f.weftYarn(0));
+}
+
+TEST(WifFabric, UnevenSpacingThatGoesIsSaid) {
+  Fabric fabric = imported(twillFile());
+  fabric.picks_per_cm = 31;
+  const WifExport exported = wifFromFabric(fabric, "y.wif");
+  EXPECT_THAT(exported.remarks, Contains(HasSubstr("Picks lay unevenly in the file")));
+  EXPECT_TRUE(document(exported.text).rest.weft.spacings.empty());
+  const Fabric again = imported(exported.text);
+  EXPECT_NE(again.weftYarn(1), again.weftYarn(0)) << "thick picks have their thickness now";
+}
+
+TEST(WifFabric, WhatIsNotNamedCanBeCutOff) {
+  const std::string text = replaced(replaced(twillFile(), "Threads=6", "Threads=500"), "Threads=8", "Threads=30");
+  const WifImport import = fabricFromWif(text, "x.wif", Fabric{}, WifSizeChoice::keep);
+  EXPECT_EQ(import.named, (WifNamed{8, 6}));
+  const Fabric cut = cutToNamed(import.fabric, import.named), plain = imported(twillFile());
+  EXPECT_EQ(cut.weave, plain.weave);
+  EXPECT_EQ(cut.draft, plain.draft);
+  expectSameCloth(cut, plain);
+  EXPECT_EQ(fabricFromJson(fabricToJson(cut), "x.json"), cut);
+  EXPECT_EQ(document(wifFromFabric(cut, "y.wif").text).warpColours, document(twillFile()).warpColours);
+  EXPECT_EQ(cutToNamed(plain, {}), plain);
+  EXPECT_EQ(cutToNamed(cut, {100, 100}).weave, plain.weave);
 }
 
 TEST(WifFabric, HostileSizesAreHeldToTheRange) {
@@ -148,8 +214,23 @@ TEST(WifFabric, MoreColoursThanYarnsBecomeTheNearest) {
   const WifImport import = fabricFromWif(text, "x.wif", Fabric{}, WifSizeChoice::keep);
   EXPECT_EQ(import.fabric.yarns.size(), 64u);
   EXPECT_THAT(inLines(import.warnings), Contains(HasSubstr("a fabric has at most 64 yarns")));
-  expectColour(colourOf(import.fabric, import.fabric.warpYarn(10)), Rgb(11));
+  for (int end = 0; end < 200; ++end)
+    EXPECT_NEAR(255 * colourOf(import.fabric, import.fabric.warpYarn(end)).r, end + 1, 3.5)
+        << "the 200 greys are 3.1 of 64 apart, and no stand-in is off by more than twice half of that";
   EXPECT_EQ(import.fabric.wif->rest.palette.colours.size(), 200u) << "none is lost";
+}
+
+// One gold end among two hundred greys is what the weaver put it in for.
+TEST(WifFabric, ARareColourOfItsOwnStays) {
+  std::string table = "[COLOR TABLE]\n", colours = "[WARP COLORS]\n";
+  for (int c = 1; c <= 400; ++c) {
+    table += c == 400 ? "400=255,200,0\n" : fmt::format("{0}={1},{1},{1}\n", c, (c + 1) / 2);
+    colours += fmt::format("{0}={0}\n", c);
+  }
+  const std::string text =
+      "[WIF]\n[WARP]\nThreads=400\n[WEFT]\nThreads=1\n[COLOR PALETTE]\nRange=0,255\n" + table + colours;
+  const Fabric f = imported(text);
+  expectColour(colourOf(f, f.warpYarn(399)), {255, 200, 0});
 }
 
 TEST(WifFabric, EveryByteOfAColourComesBack) {
@@ -160,6 +241,59 @@ TEST(WifFabric, EveryByteOfAColourComesBack) {
       EXPECT_EQ(document(exported.text).rest.palette, document(text).rest.palette);
     }
   }
+}
+
+// Thick and thin of one colour are two yarns, white is there twice, and the last colour is nobody's.
+TEST(WifFabric, ColourNumbersStayAsTheyWere) {
+  std::string text = replaced(twillFile(), "Thickness=0.04\n", "Thickness=0.04\n[WARP THICKNESS]\n3=0.08\n6=0.08\n");
+  text = replaced(text, "Threads=6\n", "Threads=6\n[WEFT COLORS]\n2=5\n4=5\n5=1\n");
+  text = replaced(text, "4=120,80,3\n", "4=120,80,3\n5=255,255,255\n7=17,34,200\n");
+  const WifDocument before = document(text);
+  const Fabric fabric = imported(text);
+  for (const Fabric& f : {fabric, fabricFromJson(fabricToJson(fabric), "x.json")}) {
+    const WifDocument after = document(wifFromFabric(f, "y.wif").text);
+    EXPECT_EQ(after.warpColours, before.warpColours);
+    EXPECT_EQ(after.weftColours, before.weftColours);
+    EXPECT_EQ(after.rest.palette, before.rest.palette);
+  }
+  Fabric redyed = fabric;
+  Fibre& weft = redyed.fibres[redyed.yarns[redyed.weftYarn(0)].fibre];
+  weft.absorption_per_mm = {9, 4, 1};
+  const WifDocument after = document(wifFromFabric(redyed, "y.wif").text);
+  EXPECT_EQ(after.warpColours, before.warpColours);
+  EXPECT_EQ(after.weftColours[0], 8) << "a colour of its own, behind all others";
+  EXPECT_EQ(after.weftColours[1], 5);
+  EXPECT_EQ(after.rest.palette.colours.size(), before.rest.palette.colours.size() + 1);
+}
+
+TEST(WifFabric, ADraftWithoutColoursGoesOutWithoutThem) {
+  std::string text = twillFile();
+  text = replaced(replaced(text, "Color=1\n", ""), "Color=3\n", "");
+  for (const char* section : {"[COLOR PALETTE]", "[COLOR TABLE]", "[WARP COLORS]"}) {
+    const size_t from = text.find(section), to = text.find("\n[", from);
+    text.erase(from, to + 1 - from);
+  }
+  ASSERT_TRUE(document(text).rest.palette.colours.empty());
+  Fabric navy;
+  navy.fibres[0].absorption_per_mm = {50, 40, 9};
+  for (const Fabric& mine : {Fabric{}, navy}) {
+    Fabric fabric = fabricFromWif(text, "x.wif", mine, WifSizeChoice::keep).fabric;
+    const WifDocument after = document(wifFromFabric(fabric, "y.wif").text);
+    EXPECT_TRUE(after.rest.palette.colours.empty());
+    EXPECT_EQ(after.warpColours, document(text).warpColours);
+    fabric.fibres[0].absorption_per_mm = {1, 2, 3};
+    EXPECT_EQ(document(wifFromFabric(fabric, "y.wif").text).rest.palette.colours.size(), 1u) << "dyed since";
+  }
+}
+
+TEST(WifFabric, YarnsOfOneColourShareItsNumber) {
+  Fabric fabric;
+  fabric.yarns.resize(3);
+  fabric.yarns[1].count_tex = 90;
+  fabric.fibres[0].absorption_per_mm = {9, 4, 1};
+  fabric.warpSequence = {0, 1};
+  fabric.weftSequence = {2};
+  EXPECT_EQ(document(wifFromFabric(fabric, "y.wif").text).rest.palette.colours.size(), 1u);
 }
 
 TEST(WifFabric, GoesThroughJsonAndBackToTheSameFile) {
@@ -196,8 +330,9 @@ TEST(WifFabric, SizesOfTheDesignerReplaceThoseOfTheFile) {
   EXPECT_EQ(rest.warp.spacing, 0.04);
   EXPECT_EQ(rest.weft, document(twillFile()).rest.weft) << "untouched";
   for (Yarn& yarn : fabric.yarns) yarn.count_tex *= 4;
+  const Yarn& usual = fabric.yarns[fabric.weftYarn(0)];
   EXPECT_NEAR(*document(wifFromFabric(fabric, "y.wif").text).rest.weft.thickness,
-              0.1 * meanDiameter_mm(fabric, System::weft), 1e-6);
+              0.1 * yarnDiameter_mm(usual, fabric.fibres[usual.fibre]), 1e-6);
 }
 
 TEST(WifFabric, SizesOfSingleThreadsGoWhereThreadsHaveChanged) {
@@ -233,6 +368,23 @@ TEST(WifFabric, AJacquardIsWrittenAndReadAgain) {
   Fabric fabric;
   fabric.weave = damaskJacquard(200, 240);
   EXPECT_EQ(imported(wifFromFabric(fabric, "y.wif").text).weave, fabric.weave);
+}
+
+// A jacquard's hooks, each end its own: no draft has as many, but what goes together can be one.
+TEST(WifFabric, ShaftsBeyondADraftsAreMergedByNeed) {
+  constexpr int kHooks = 6000;
+  std::string text = fmt::format("[WIF]\n[WEAVING]\nRising Shed=1\n[WARP]\nThreads={}\n[WEFT]\nThreads=2\n", kHooks);
+  std::string threading = "[THREADING]\n", lifts[2] = {"[LIFTPLAN]\n1=", "\n2="};
+  for (int end = 1; end <= kHooks; ++end) {
+    threading += fmt::format("{0}={0}\n", end);
+    lifts[end % 2] += fmt::format("{}{}", end > 2 ? "," : "", end);
+  }
+  const WifImport import =
+      fabricFromWif(text + threading + lifts[0] + lifts[1], "x.wif", Fabric{}, WifSizeChoice::keep);
+  ASSERT_EQ(import.fabric.weave.ends(), kHooks);
+  for (int end = 0; end < kHooks; ++end) ASSERT_EQ(import.fabric.weave.at(0, end), end % 2 == 1) << end;
+  EXPECT_EQ(import.fabric.draft->shafts, 2);
+  EXPECT_THAT(inLines(import.warnings), Contains(HasSubstr("The draft names 6000 shafts, and there can be 4096")));
 }
 
 TEST(WifFabric, TooManyShaftsAreRefusedByNumber) {

@@ -31,11 +31,41 @@ void expectSurvived(const std::string& bytes) {
 
 TEST(HostileWif, ChangedFilesAreReadOrRefused) {
   // Pieces that mean something, put in the place of others.
-  const char* const pieces[] = {"=",        ",",    "\n",        "[",         "]",     ";",
-                                "-1",       "0",    "999999999", "99",        "[WIF]", "[LIFTPLAN]\n",
-                                "1=1,2\n",  "\"",   "\xFF",      "e9",        " ",     "\r",
-                                ".",        "2=",   "[WARP]\n",  "Threads=",  "yes",   "inches",
-                                "PRIVATE ", "\t\\", "Range=3,",  "Form=HSV\n"};
+  const char* const pieces[] = {"=",
+                                ",",
+                                "\n",
+                                "[",
+                                "]",
+                                ";",
+                                "-1",
+                                "0",
+                                "999999999",
+                                "99",
+                                "[WIF]",
+                                "[LIFTPLAN]\n",
+                                "1=1,2\n",
+                                "\"",
+                                "\xFF",
+                                "e9",
+                                " ",
+                                "\r",
+                                ".",
+                                "2=",
+                                "[WARP]\n",
+                                "Threads=",
+                                "yes",
+                                "inches",
+                                "PRIVATE ",
+                                "\t\\",
+                                "Range=3,",
+                                "Form=HSV\n",
+                                "0=",
+                                "2-",
+                                "+3",
+                                ";4",
+                                "#a0b1c2",
+                                "Color=1,2,3\n",
+                                "[TIEUP]\n0=1,0\n"};
   Random random(7);
   for (int i = 0; i < 3000; ++i) {
     std::string text = i % 2 ? twillFile() : wifFromDocument(randomDocument(random));
@@ -155,6 +185,11 @@ TEST(HostileWif, LinesOfAFabricFileHaveToBeRight) {
   std::string sections;
   for (int i = 0; i < 5000; ++i) sections += fmt::format("\"[P {}]\", ", i);
   EXPECT_EQ(complaint("{\"lines\": [" + sections + "\"\"]}"), "x.json: wif.lines: expected at most 4096 sections");
+  EXPECT_THAT(complaint("{\"yarns\": 3}"), HasSubstr("x.json: wif.yarns: expected a list of objects"));
+  EXPECT_THAT(complaint("{\"yarns\": [{\"colour\": -1}]}"), HasSubstr("x.json: wif.yarns[0].colour: expected"));
+  std::string yarns;
+  for (int i = 0; i < 64; ++i) yarns += "{}, ";
+  EXPECT_THAT(complaint("{\"yarns\": [" + yarns + "{}]}"), HasSubstr("x.json: wif.yarns: expected at most 64"));
   EXPECT_THAT(complaint("{\"ends\": -3}"), HasSubstr("x.json: wif.ends: expected a whole number"));
 }
 

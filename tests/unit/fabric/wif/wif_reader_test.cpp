@@ -145,6 +145,73 @@ TEST(WifReader, TreadlesThatAreNotThereMoveNothing) {
   EXPECT_THAT(warningsOf(text), ElementsAre(HasSubstr("pick 6, treadle 7: There are 4 treadles")));
 }
 
+/// The lines of some sections of a file with keys, values, or both one less.
+std::string countedFromZero(const std::string& text, const std::vector<std::string>& sections, bool keys, bool values) {
+  std::string made, section;
+  for (size_t at = 0; at < text.size();) {
+    const size_t end = text.find('\n', at);
+    const std::string line = text.substr(at, end - at);
+    at = end + 1;
+    if (line.starts_with('[')) section = line.substr(1, line.size() - 2);
+    const size_t equals = line.find('=');
+    const bool chosen = std::find(sections.begin(), sections.end(), section) != sections.end();
+    if (!chosen || equals == std::string::npos) {
+      made += line + "\n";
+      continue;
+    }
+    const auto less = [](const std::string& number) { return std::to_string(std::stoi(number) - 1); };
+    const std::string key = line.substr(0, equals), value = line.substr(equals + 1);
+    const size_t comma = value.find(',');
+    std::string lessValue = values && comma == std::string::npos ? less(value) : value;
+    if (values && comma != std::string::npos)
+      lessValue = less(value.substr(0, comma)) + ',' + less(value.substr(comma + 1));
+    made += (keys ? less(key) : key) + '=' + lessValue + "\n";
+  }
+  return made;
+}
+
+TEST(WifReader, WhatHasALineZeroCountsFromIt) {
+  const WifDocument expected = document(twillFile());
+  const std::string treadles =
+      countedFromZero(countedFromZero(twillFile(), {"TIEUP"}, true, false), {"TREADLING"}, false, true);
+  EXPECT_EQ(document(treadles), expected);
+  EXPECT_THAT(warningsOf(treadles),
+              ElementsAre("[TIEUP]: Treadles are counted from 0 here, not from 1; they are read so."));
+  EXPECT_EQ(document(countedFromZero(twillFile(), {"TIEUP"}, true, false)), expected)
+      << "treadles pressed from 1, for there is no line 4 of the tie-up";
+  const std::string threads =
+      countedFromZero(twillFile(), {"THREADING", "TREADLING", "WARP COLORS", "WEFT SPACING"}, true, false);
+  EXPECT_EQ(document(threads), expected) << threads;
+  EXPECT_EQ(document(replaced(threads, "Threads=8", "Threads=")), expected) << "as many as there are lines";
+  std::string all = countedFromZero(threads, {"TIEUP"}, true, true);
+  all = countedFromZero(countedFromZero(all, {"THREADING", "TREADLING", "WARP COLORS"}, false, true), {"COLOR TABLE"},
+                        true, false);
+  all = replaced(replaced(all, "Color=1\n", "Color=0\n"), "Color=3\n", "Color=2\n");
+  EXPECT_EQ(document(all), expected) << all;
+  EXPECT_THAT(warningsOf(all), testing::SizeIs(5)) << "ends, picks, treadles, shafts, colours";
+}
+
+TEST(WifReader, ALineZeroBesideTheLastIsASlip) {
+  const WifDocument expected = document(twillFile());
+  for (const char* section : {"[THREADING]\n", "[TREADLING]\n", "[WARP COLORS]\n", "[COLOR TABLE]\n"}) {
+    const std::string text = replaced(twillFile(), section, std::string(section) + "0=2\n");
+    EXPECT_EQ(document(text), expected) << section;
+    EXPECT_THAT(warningsOf(text),
+                ElementsAre(testing::AnyOf(HasSubstr(" only; what is said of others"), HasSubstr("three numbers"))))
+        << section;
+  }
+  EXPECT_EQ(document(replaced(twillFile(), "[TIEUP]\n", "[TIEUP]\n0=\n")), expected);
+  EXPECT_EQ(document(replaced(twillFile(), "[TIEUP]\n", "[TIEUP]\n0=1,3\n")).draft.treadles, 5)
+      << "something is tied to it: it is one of them";
+}
+
+TEST(WifReader, KeptLinesOfThreadsAreHandedBackFromOne) {
+  const std::string text = countedFromZero(twillFile(), {"THREADING", "WARP COLORS"}, true, false) +
+                           "[WARP SYMBOLS]\n0='X'\n3=#219\n[WEFT SYMBOLS]\n2='O'\n";
+  EXPECT_THAT(document(text).rest.kept, Contains(WifLines{"WARP SYMBOLS", {"1='X'", "4=#219"}}));
+  EXPECT_THAT(document(text).rest.kept, Contains(WifLines{"WEFT SYMBOLS", {"2='O'"}}));
+}
+
 TEST(WifReader, MissingSectionsLeaveADraftThatOpens) {
   EXPECT_EQ(drawdown(document(without("TIEUP")).draft), Weave(std::vector<Weave::Row>(6, Weave::Row(8, 0))));
   EXPECT_THAT(warningsOf(without("TIEUP")), Contains(HasSubstr("[TIEUP]: No shaft is tied")));
@@ -154,7 +221,7 @@ TEST(WifReader, MissingSectionsLeaveADraftThatOpens) {
   EXPECT_EQ(document(without("WARP")).ends(), 8);
   EXPECT_EQ(document(without("WEFT")).picks(), 6);
   EXPECT_THAT(warningsOf(without("WIF")), Contains(HasSubstr("[WIF]: The part that names the format is missing")));
-  EXPECT_THAT(warningsOf(without("CONTENTS")), ElementsAre(HasSubstr("[CONTENTS]: The table of contents is missing")));
+  EXPECT_THAT(warningsOf(without("CONTENTS")), IsEmpty());
   EXPECT_THAT(document(without("COLOR TABLE")).warpColours, testing::Each(0));
   EXPECT_THAT(warningsOf(without("NOTES")), ElementsAre(HasSubstr("names what is not there")));
 }
@@ -222,13 +289,72 @@ TEST(WifReader, HabitsOfOtherProgramsAreUnderstoodOrSaid) {
   EXPECT_THAT(warningsOf(thousand), Contains(HasSubstr("Threads=1.000: The number of threads should stand here")));
   EXPECT_EQ(document(replaced(twillFile(), "Units=Centimeters", "Units=Centimetre")), expected);
   EXPECT_THAT(warningsOf(replaced(twillFile(), "Range=0,255", "Range=0,255\nForm=HSV")),
-              Contains(HasSubstr("Form=HSV: Colours of another form than RGB")));
+              Contains(HasSubstr("Form=HSV: Colours are of hue, saturation and value")));
+  EXPECT_THAT(warningsOf(replaced(twillFile(), "Range=0,255", "Range=0,255\nForm=CMYK")),
+              Contains(HasSubstr("Form=CMYK: Colours of another form than RGB and HSV")));
   EXPECT_EQ(warningsOf(replaced(twillFile(), "Range=0,255", "Range=0,255\nForm=rgb")), warningsOf(twillFile()));
   const std::string semicolons = replaced(twillFile(), "6=2,3\n", "6=2;3\n");
-  EXPECT_THAT(document(semicolons).draft.treadling.back(), ElementsAre(2));
-  EXPECT_THAT(warningsOf(semicolons), Contains(HasSubstr("6=2;3: What stands behind a semicolon is a comment")));
+  EXPECT_THAT(document(semicolons).draft.treadling.back(), ElementsAre(2, 3));
+  EXPECT_THAT(warningsOf(semicolons), ElementsAre(HasSubstr("6=2;3: A semicolon begins a comment in this format")));
+  const std::string comment = replaced(twillFile(), "6=2,3\n", "6=2;3 of them\n");
+  EXPECT_THAT(document(comment).draft.treadling.back(), ElementsAre(2));
+  EXPECT_THAT(warningsOf(comment), ElementsAre(HasSubstr("What stands behind a semicolon is a comment")));
   EXPECT_EQ(document(twillFile() + std::string("\0\0\x1A", 3)), expected) << "what old systems end a text with";
   EXPECT_EQ(document(replaced(twillFile(), "\n[WARP]\n", "\n\t[WARP]\t\n")), expected);
+}
+
+TEST(WifReader, HousekeepingIsNotSpokenOf) {
+  std::string text = replaced(twillFile(), "Version=1.1", "Version=2.0");
+  text = replaced(replaced(text, "April 20, 1997", "9/11/2014"), "wif@mhsoft.com", "me@example.org");
+  EXPECT_THAT(warningsOf(replaced(text, "NOTES=true\n", "")), IsEmpty());
+}
+
+TEST(WifReader, WhatChangesTheClothIsSaidFirst) {
+  std::string text = replaced(replaced(twillFile(), "Title=", "oops\nTitle="), "2=17,34,200", "2=17,34");
+  text = replaced(replaced(text, "Treadles=4", "Treadles=2"), "8=4\n", "8=four\n");
+  EXPECT_THAT(warningsOf(text),
+              testing::ElementsAreArray({HasSubstr("[THREADING] 8=four"), HasSubstr("[COLOR TABLE] 2"),
+                                         HasSubstr("[WARP COLORS] 3=2"), HasSubstr("[TEXT] oops"),
+                                         HasSubstr("[WEAVING] Treadles=2")}));
+}
+
+TEST(WifReader, ThreadsThatAreOnlyCountedAreToldFromTheNamed) {
+  EXPECT_EQ(document(twillFile()).named, WifNamed{});
+  const std::string text = replaced(replaced(twillFile(), "Threads=6", "Threads=500"), "8=4\n", "");
+  EXPECT_EQ(document(text).named, (WifNamed{7, 6}));
+  EXPECT_THAT(warningsOf(text),
+              ElementsAre(HasSubstr("Only 7 of 8 ends are named"), HasSubstr("Only 6 of 500 picks are named")));
+  EXPECT_EQ(document(replaced(twillFile(), "3=3\n", "")).named, WifNamed{}) << "a gap is none";
+}
+
+TEST(WifReader, ListsAreReadHoweverTheyAreParted) {
+  for (const char* list : {"2+3", "2/3", "2&3", "2-3", "2 + 3", "3-2", "2;3"}) {
+    const std::string text = replaced(twillFile(), "6=2,3\n", std::string("6=") + list + "\n");
+    EXPECT_THAT(document(text).draft.treadling.back(), ElementsAre(2, 3)) << list;
+    EXPECT_THAT(warningsOf(text), testing::SizeIs(1)) << list;
+  }
+  const std::string dash = replaced(twillFile(), "6=2,3\n", "6=1-4\n");
+  EXPECT_THAT(document(dash).draft.treadling.back(), ElementsAre(1, 4));
+  EXPECT_THAT(warningsOf(dash), ElementsAre(HasSubstr("6=1-4: Two numbers with a dash are read as those two")));
+}
+
+TEST(WifReader, ColoursAreReadAsTheyAreOftenWritten) {
+  const auto read = [](const char* from, const char* to) { return document(replaced(twillFile(), from, to)); };
+  for (const char* hex : {"2=#1122c8\n", "2=0x1122C8\n", "2=1122C8\n"})
+    EXPECT_EQ(read("2=17,34,200\n", hex).rest.palette.colours.at(2), glm::ivec3(17, 34, 200)) << hex;
+  EXPECT_EQ(read("Color=3\n", "Color=200,10,30\n").rest.palette.colours.at(5), glm::ivec3(200, 10, 30));
+  EXPECT_THAT(read("Color=3\n", "Color=200,10,30\n").weftColours, testing::Each(5));
+  EXPECT_THAT(warningsOf(replaced(twillFile(), "Color=3\n", "Color=200,10,30\n")),
+              Contains(HasSubstr("without its number; it is read as red, green and blue")));
+  const std::string bare =
+      replaced(replaced(without("COLOR TABLE"), "Color=1\n", "Color=0,0,255\n"), "Color=3\n", "Color=255,0,0\n");
+  const WifDocument d = document(bare);
+  EXPECT_EQ(d.rest.palette.srgb(d.rest.palette.colours.at(d.warpColours[0])), Rgb(0, 0, 1));
+  EXPECT_EQ(d.rest.palette.srgb(d.rest.palette.colours.at(d.weftColours[0])), Rgb(1, 0, 0));
+  const std::string hsv =
+      replaced(replaced(twillFile(), "Range=0,255", "Range=0,255\nForm=HSV"), "2=17,34,200\n", "2=170,255,102\n");
+  EXPECT_EQ(document(hsv).rest.palette.colours.at(2), glm::ivec3(0, 0, 102)) << "a dark blue";
+  EXPECT_EQ(document(hsv).rest.palette.colours.at(1), glm::ivec3(255, 0, 0)) << "hue 255 is that of 0";
 }
 
 TEST(WifReader, LikeWarningsAreCounted) {

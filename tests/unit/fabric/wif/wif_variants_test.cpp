@@ -21,6 +21,8 @@ struct Section {
       if (name == one) return true;
     return false;
   }
+  /// Lines of threads, and of treadles.
+  bool isOfThreads() const { return isNumbered() && name != "TIEUP" && name != "COLOR TABLE"; }
   bool isFree() const { return name.starts_with("PRIVATE") || name.starts_with("TW"); }
   /// Missing lines of these mean no shaft, no treadle.
   bool meansNoneWhereMissing() const { return name == "THREADING" || name == "TREADLING" || name == "LIFTPLAN"; }
@@ -53,6 +55,18 @@ std::string otherCase(std::string text, uint32_t kind) {
   return text;
 }
 
+/// A list of numbers, each one less; where 0 was none there is nothing.
+std::string fromZero(const std::string& list) {
+  std::string text;
+  for (size_t at = 0; at < list.size();) {
+    const size_t end = std::min(list.find(',', at), list.size());
+    const int number = std::stoi(list.substr(at, end - at));
+    if (number > 0) text += fmt::format("{}{}", text.empty() ? "" : ",", number - 1);
+    at = end + 1;
+  }
+  return text;
+}
+
 std::string spaced(const std::string& list) {
   std::string text;
   for (const char c : list) text += c == ',' ? std::string(", ") : std::string(1, c);
@@ -71,12 +85,15 @@ struct Habits {
         leavesOutNone(random.below(2) == 0),
         saysTwice(random.below(4) == 0),
         leavesOutContents(random.below(3) == 0),
+        threadsFromZero(random.below(4) == 0),
+        treadlesFromZero(random.below(4) == 0),
         lineEnd(random.below(3)),
         encoding(random.below(5)),
         fillsBlock(random.below(4) == 0) {}
   bool sectionsInOrder, linesInOrder;
   uint32_t letters;
   bool blanks, zerosBeforeKeys, comments, leavesOutNone, saysTwice, leavesOutContents;
+  bool threadsFromZero, treadlesFromZero;
   uint32_t lineEnd, encoding;
   bool fillsBlock;
 };
@@ -90,10 +107,16 @@ void writeLine(std::string& text, const Section& section, const std::string& lin
   }
   std::string key = otherCase(line.substr(0, equals), habits.letters), value = line.substr(equals + 1);
   if (section.isNumbered()) {
-    const bool isFirst = &line == &section.lines.front();  // an empty section would say that there is no such plan
+    const bool isFirst = key == "1";  // an empty section would say that there is no such plan
     const bool isNone = value.empty() || value == "0";
+    const bool fewer =
+        (habits.threadsFromZero && section.isOfThreads()) || (habits.treadlesFromZero && section.name == "TIEUP");
+    const bool fromZeroOn = habits.threadsFromZero || habits.treadlesFromZero;
+    if (fromZeroOn && value == "0") value.clear();  // who counts from 0 cannot write 0 for none
+    if (fewer) key = fromZero(key);
+    if (habits.treadlesFromZero && section.name == "TREADLING") value = fromZero(value);
     if (habits.leavesOutNone && section.meansNoneWhereMissing() && isNone && !isFirst) return;
-    if (habits.saysTwice) text += key + "=1" + end;
+    if (habits.saysTwice) text += key + (fromZeroOn ? "=" : "=1") + end;
     if (habits.zerosBeforeKeys) key = fmt::format("00{}", key);
     if (habits.blanks) value = spaced(value);
     if (habits.comments && !value.empty()) value += " ; so it is";
@@ -163,6 +186,7 @@ TEST(WifVariants, ADraftIsTheSameHoweverItIsWritten) {
     std::string bytes = encoded(written(sectionsOf(strict), habits, random), habits.encoding);
     if (habits.fillsBlock && habits.encoding < 3) bytes += std::string("\x1A\0\0\0\0", 5);
     WifDocument expected = document(strict), read = document(bytes);
+    read.named = {};             // lines that say nothing may be left out
     expected.rest.kept.clear();  // its comments and letters are those of the file
     read.rest.kept.clear();
     ASSERT_EQ(read, expected) << "file " << i << ":\n" << bytes;

@@ -66,7 +66,7 @@ TEST(WifWriter, RestGoesThroughItsLines) {
     std::string text;
     for (const std::string& line : wifRestLines(rest)) text += line + "\n";
     WifWarnings warnings;
-    EXPECT_EQ(readWifRest(parseWifSections(text, "x", warnings), warnings), rest) << text;
+    EXPECT_EQ(readWifRest(parseWifSections(text, "x", warnings), {}, warnings), rest) << text;
     EXPECT_THAT(warnings.list(), testing::IsEmpty());
   }
 }

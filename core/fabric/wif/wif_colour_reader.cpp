@@ -1,0 +1,245 @@
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <span>
+
+#include "core/fabric/wif/wif_numbered.h"
+#include "core/fabric/wif/wif_reader.h"
+
+namespace loomlight {
+namespace {
+
+std::string said(const WifEntry& entry) {
+  return fmt::format("{}={}", entry.key, entry.value.substr(0, 40));
+}
+
+const WifEntry* findEntry(const WifSections& sections, std::string_view section, std::string_view key) {
+  const WifSection* const found = sections.find(section);
+  return found ? found->find(key) : nullptr;
+}
+
+std::string name(System system, const char* rest = "") {
+  return fmt::format("{}{}", system == System::warp ? "WARP" : "WEFT", rest);
+}
+
+/// The number of a colour, from 1.
+std::optional<int> counted(std::string_view text, const WifCounting& counting) {
+  const std::optional<int> number = wifWhole(text);
+  return number && *number <= kMaxWifNumber ? std::optional(*number + 1 - counting.colour) : std::nullopt;
+}
+
+struct RealRange {
+  double low = 0, high = 255;
+};
+
+/// A colour as it is written.
+struct Written {
+  glm::dvec3 channels{0.0};
+  bool isHex = false;  ///< #RRGGBB: from 0 to 255, whatever the range is
+};
+
+std::optional<Written> hexColour(std::string_view text) {
+  for (const char* mark : {"#", "0x", "0X"})
+    if (text.starts_with(mark)) text.remove_prefix(std::string_view(mark).size());
+  uint32_t rgb = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), rgb, 16);
+  if (text.size() != 6 || error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return Written{glm::dvec3(rgb >> 16, rgb >> 8 & 0xFF, rgb & 0xFF), true};
+}
+
+/// The colour behind the first so many parts of a list; nothing where it is none.
+std::optional<Written> written(std::span<const std::string_view> parts) {
+  if (parts.size() == 1 && !wifWhole(parts[0])) return hexColour(parts[0]);
+  if (parts.size() != 3) return std::nullopt;
+  Written colour;
+  for (int i = 0; i < 3; ++i) {
+    const std::optional<double> channel = wifDecimal(parts[static_cast<size_t>(i)]);
+    if (!channel) return std::nullopt;
+    colour.channels[i] = *channel;
+  }
+  return colour;
+}
+
+std::optional<Written> written(const WifSection& table, const WifEntry& entry, size_t first, WifWarnings& warnings) {
+  const std::vector<std::string_view> parts = wifList(entry.value);
+  std::optional<Written> colour;
+  if (parts.size() > first) colour = written(std::span(parts).subspan(first));
+  if (!colour)
+    warnings.add(entry.line, table.name, said(entry),
+                 "A colour should be three numbers, of red, green and blue; this one is passed over.",
+                 WifConcern::look);
+  return colour;
+}
+
+/// Color=red,green,blue, which the format does not know: where three numbers stand, and the first is no colour's.
+bool isUnnumbered(const WifSections& sections, const WifCounting& counting, System system) {
+  const WifEntry* const entry = findEntry(sections, name(system), "color");
+  if (!entry) return false;
+  const std::vector<std::string_view> parts = wifList(entry->value);
+  if (parts.size() != 3 || !written(parts)) return false;
+  const std::optional<int> number = counted(parts[0], counting);
+  const WifSection* const table = sections.find("COLOR TABLE");
+  return !table || !number || std::none_of(table->entries.begin(), table->entries.end(), [&](const WifEntry& line) {
+    return counted(line.key, counting) == number;
+  });
+}
+
+glm::dvec3 rgbFromHsv(const glm::dvec3& hsv) {
+  glm::dvec3 rgb;
+  for (int i = 0; i < 3; ++i) {
+    constexpr double kSectors[] = {5, 3, 1};
+    const double k = std::fmod(kSectors[i] + 6.0 * hsv.x, 6.0);
+    rgb[i] = hsv.z * (1.0 - hsv.y * std::clamp(std::min(k, 4.0 - k), 0.0, 1.0));
+  }
+  return rgb;
+}
+
+RealRange rangeOf(const WifSections& sections, const std::map<int, Written>& colours, WifWarnings& warnings) {
+  const WifEntry* const entry = findEntry(sections, "COLOR PALETTE", "range");
+  if (entry) {
+    const std::vector<std::string_view> parts = wifList(entry->value);
+    const auto low = parts.size() == 2 ? wifDecimal(parts[0]) : std::nullopt;
+    const auto high = parts.size() == 2 ? wifDecimal(parts[1]) : std::nullopt;
+    constexpr double kMost = 1e9;
+    if (low && high && *low < *high && std::abs(*low) <= kMost && std::abs(*high) <= kMost) return {*low, *high};
+  }
+  RealRange range;
+  double largest = 0;
+  for (const auto& [number, colour] : colours)
+    if (!colour.isHex) largest = std::max({largest, colour.channels.x, colour.channels.y, colour.channels.z});
+  for (const double usual : {255.0, 999.0, 65535.0}) {
+    range.high = usual;
+    if (largest <= usual) break;
+  }
+  warnings.add(entry ? entry->line : 0, "COLOR PALETTE", entry ? said(*entry) : "Range",
+               fmt::format("The lowest and highest of the colours' numbers should stand here; they are taken as 0 and "
+                           "{:.0f}.",
+                           range.high));
+  return range;
+}
+
+bool isWhole(double value) {
+  return value == std::floor(value);
+}
+
+std::map<int, Written> writtenColours(const WifSections& sections, const WifCounting& counting, WifWarnings& warnings) {
+  std::map<int, Written> colours;
+  const WifSection* const table = sections.find("COLOR TABLE");
+  forEachNumbered(table, counting.colour, kMaxWifNumber, "colour", warnings, [&](int number, const WifEntry& entry) {
+    if (const auto colour = written(*table, entry, 0, warnings)) colours[number] = *colour;
+  });
+  // Color=number,red,green,blue names a colour that the table may lack.
+  for (const System system : {System::warp, System::weft}) {
+    const WifEntry* const entry = findEntry(sections, name(system), "color");
+    const auto parts = entry ? wifList(entry->value) : std::vector<std::string_view>();
+    if (parts.size() < 2 || isUnnumbered(sections, counting, system)) continue;
+    const std::optional<int> number = counted(parts[0], counting);
+    if (!number || *number < 1 || *number > kMaxWifNumber || colours.count(*number) > 0) continue;
+    if (const auto colour = written(*sections.find(name(system)), *entry, 1, warnings)) colours[*number] = *colour;
+  }
+  // Those without a number come behind all others, the weft's last: ownNumber() finds them there.
+  for (const System system : {System::warp, System::weft}) {
+    if (!isUnnumbered(sections, counting, system)) continue;
+    const WifEntry& entry = *findEntry(sections, name(system), "color");
+    const int number = colours.empty() ? 1 : colours.rbegin()->first + 1;
+    colours[number] = *written(wifList(entry.value));
+    warnings.add(entry.line, name(system), said(entry),
+                 "A colour stands here without its number; it is read as red, green and blue.", WifConcern::look);
+  }
+  return colours;
+}
+
+/// The number that a system's colour without one was given.
+int ownNumber(const WifSections& sections, const WifCounting& counting, System system, const WifPalette& palette) {
+  const int last = palette.colours.rbegin()->first;
+  return system == System::warp && isUnnumbered(sections, counting, System::weft) ? last - 1 : last;
+}
+
+/// Colours of all forms as red, green and blue in the range.
+void toRgb(std::map<int, Written>& colours, const WifSections& sections, const RealRange& range,
+           WifWarnings& warnings) {
+  const WifEntry* const form = findEntry(sections, "COLOR PALETTE", "form");
+  const std::string name = form ? lowerCase(unquoted(form->value)) : "rgb";
+  const bool isHsv = name == "hsv" || name == "hsb";
+  if (form && name != "rgb")
+    warnings.add(form->line, "COLOR PALETTE", said(*form),
+                 isHsv ? "Colours are of hue, saturation and value here; they are read so, and exported as red, green "
+                         "and blue."
+                       : "Colours of another form than RGB and HSV are not known; they are read as red, green and "
+                         "blue.");
+  const double span = range.high - range.low;
+  for (auto& [number, colour] : colours) {
+    if (colour.isHex)
+      colour.channels = range.low + glm::round(colour.channels / 255.0 * span);
+    else if (isHsv)
+      colour.channels =
+          range.low + glm::round(span * rgbFromHsv(glm::clamp((colour.channels - range.low) / span, 0.0, 1.0)));
+  }
+}
+
+}  // namespace
+
+WifPalette readWifPalette(const WifSections& sections, const WifCounting& counting, WifWarnings& warnings) {
+  std::map<int, Written> colours = writtenColours(sections, counting, warnings);
+  if (colours.empty()) {
+    if (sections.find("COLOR PALETTE"))
+      warnings.add(0, "COLOR PALETTE", "", "A palette is announced, but there are no colours.");
+    return {};
+  }
+  const RealRange range = rangeOf(sections, colours, warnings);
+  toRgb(colours, sections, range, warnings);
+  bool whole = isWhole(range.low) && isWhole(range.high);
+  for (const auto& [number, colour] : colours) whole = whole && colour.channels == glm::floor(colour.channels);
+  WifPalette palette;
+  palette.low = whole ? static_cast<int>(range.low) : 0;
+  palette.high = whole ? static_cast<int>(range.high) : 65535;
+  if (!whole)
+    warnings.add(0, "COLOR TABLE", "",
+                 "Some colours have numbers that are not whole; they are kept in steps of 1/65535.");
+  for (const auto& [number, colour] : colours) {
+    const glm::dvec3 inside = glm::clamp(colour.channels, range.low, range.high);
+    if (inside != colour.channels)
+      warnings.add(
+          0, "COLOR TABLE", fmt::format("{}", number),
+          fmt::format("The numbers of a colour go from {:g} to {:g}; others are held to that.", range.low, range.high));
+    const double steps = static_cast<double>(palette.high) - palette.low;
+    for (int i = 0; i < 3; ++i)
+      palette.colours[number][i] =
+          palette.low + static_cast<int>(std::lround((inside[i] - range.low) / (range.high - range.low) * steps));
+  }
+
+  const WifEntry* const entries = findEntry(sections, "COLOR PALETTE", "entries");
+  const std::optional<int> stated = entries ? wifWhole(entries->value) : std::nullopt;
+  const int last = palette.colours.rbegin()->first;
+  if (entries && stated != last && stated != static_cast<int>(palette.colours.size()))
+    warnings.add(entries->line, "COLOR PALETTE", said(*entries),
+                 fmt::format("The number of colours is another, {}; all of them are read.", palette.colours.size()));
+  return palette;
+}
+
+std::vector<int> readWifColours(const WifSections& sections, const WifCounting& counting, System system, int threads,
+                                const WifPalette& palette, WifWarnings& warnings) {
+  /// The colour an entry names first; 0 where there is none of that number.
+  const auto colourOf = [&](const std::string& section, const WifEntry& entry, const char* instead) {
+    const std::vector<std::string_view> parts = wifList(entry.value);
+    if (parts.empty()) return 0;
+    if (&entry == findEntry(sections, name(system), "color") && isUnnumbered(sections, counting, system))
+      return ownNumber(sections, counting, system, palette);
+    const std::optional<int> number = counted(parts[0], counting);
+    if (number && palette.colours.count(*number) > 0) return *number;
+    warnings.add(entry.line, section, said(entry), fmt::format("There is no colour of this number; {}.", instead));
+    return 0;
+  };
+  const WifEntry* const common = findEntry(sections, name(system), "color");
+  const int usual = common ? colourOf(name(system), *common, "the threads take the yarn's own colour") : 0;
+  std::vector<int> colours(static_cast<size_t>(threads), usual);
+  const std::string section = name(system, " COLORS");
+  const int first = system == System::warp ? counting.end : counting.pick;
+  forEachNumbered(sections.find(section), first, threads, "thread", warnings, [&](int number, const WifEntry& entry) {
+    const int own = colourOf(section, entry, "the thread takes the usual colour");
+    colours[number - 1] = own > 0 ? own : usual;
+  });
+  return colours;
+}
+
+}  // namespace loomlight

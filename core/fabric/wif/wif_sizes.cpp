@@ -1,0 +1,105 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/fabric/model/field_tables.h"
+#include "core/fabric/model/wif_origin.h"
+#include "core/fabric/model/yarn_count.h"
+#include "core/fabric/wif/wif_fabric.h"
+#include "core/fabric/wif/wif_most_common.h"
+#include "core/fabric/wif/wif_thickness.h"
+#include "core/fabric/wif/wif_yarns.h"
+#include "core/fabric/yarn/derived.h"
+
+namespace loomlight {
+namespace {
+
+using Warnings = std::vector<WifWarning>;
+
+const std::vector<int>& sequenceOf(const Fabric& fabric, System system) {
+  return system == System::warp ? fabric.warpSequence : fabric.weftSequence;
+}
+
+/// What a system's yarns are scaled by, so that the one that most of its threads have gets this diameter.
+double scaleOf(const Fabric& fabric, System system, double diameter_mm) {
+  const Yarn& usual = fabric.yarns[mostCommon(sequenceOf(fabric, system))];
+  return diameter_mm / yarnDiameter_mm(usual, meanFibre(usual, fabric.fibres));
+}
+
+/// Gives the yarns the file's diameters. Both scales are of the yarns as they were: where warp and weft share the yarn
+/// that most threads have, the second would find it scaled already, and leave all others of its threads behind. A yarn
+/// of both systems takes the warp's.
+void scaleYarns(Fabric& fabric, const WifSett& sett, Warnings& warnings) {
+  const auto scale = [&fabric](System system, std::optional<double> diameter_mm) {
+    return diameter_mm ? std::optional(scaleOf(fabric, system, *diameter_mm)) : std::nullopt;
+  };
+  const std::pair<System, std::optional<double>> scales[] = {{System::warp, scale(System::warp, sett.warpDiameter_mm)},
+                                                             {System::weft, scale(System::weft, sett.weftDiameter_mm)}};
+  std::vector<bool> done(fabric.yarns.size(), false);
+  bool held = false;
+  for (const auto& [system, factor] : scales) {
+    if (!factor) continue;
+    for (const int index : sequenceOf(fabric, system)) {
+      if (done[index]) continue;
+      done[index] = true;
+      Yarn& yarn = fabric.yarns[index];
+      yarn = heavier(yarn, meanFibre(yarn, fabric.fibres), *factor * *factor, held);
+    }
+  }
+  if (held) warnings.push_back(heldYarns());
+}
+
+}  // namespace
+
+WifSett wifSett(const Fabric& fabric) {
+  WifSett sett;
+  if (!fabric.wif) return sett;
+  const WifOrigin& origin = *fabric.wif;
+  const auto threads_per_cm = [](const WifSizes& sizes, int threads) -> std::optional<double> {
+    const std::optional<double> pitch_mm = sizes.meanSpacing_mm(threads);
+    return pitch_mm ? std::optional(tidy(10.0 / *pitch_mm)) : std::nullopt;
+  };
+  sett.ends_per_cm = threads_per_cm(origin.rest.warp, origin.ends);
+  sett.picks_per_cm = threads_per_cm(origin.rest.weft, origin.picks);
+  sett.warpDiameter_mm = usualThickness_mm(origin.rest.warp, origin.ends);
+  sett.weftDiameter_mm = usualThickness_mm(origin.rest.weft, origin.picks);
+  return sett;
+}
+
+std::vector<WifWarning> otherWifSizes(const Fabric& fabric) {
+  const WifSett sett = wifSett(fabric);
+  Warnings warnings;
+  const auto note = [&](const char* threads, std::optional<double> file, double mine) {
+    if (file && std::abs(*file - mine) > 1e-4 * mine)
+      warnings.push_back(
+          {fmt::format("The file has {:.4g} {} per cm; the cloth keeps {:g}.", *file, threads, mine), {}});
+  };
+  note("ends", sett.ends_per_cm, fabric.ends_per_cm);
+  note("picks", sett.picks_per_cm, fabric.picks_per_cm);
+  return warnings;
+}
+
+Fabric withWifSizes(Fabric fabric, std::vector<WifWarning>& warnings) {
+  if (!fabric.wif) return fabric;
+  const WifSett sett = wifSett(fabric);
+  const FieldInfo range = fieldInfo(&Fabric::ends_per_cm);
+  const auto set = [&](const char* threads, std::optional<double> file, double& mine) {
+    if (!file) {
+      warnings.push_back(
+          {fmt::format("The file does not say how close its {} lie; it stays at {:g} per cm.", threads, mine), {}});
+      return;
+    }
+    mine = std::clamp(*file, range.min, range.max);
+    if (mine != *file)
+      warnings.push_back({fmt::format("{:g} {} per cm are out of range; there are {:g}.", *file, threads, mine), {}});
+  };
+  set("ends", sett.ends_per_cm, fabric.ends_per_cm);
+  set("picks", sett.picks_per_cm, fabric.picks_per_cm);
+
+  scaleYarns(fabric, sett, warnings);
+  fabric.wif = withSizesOf(*fabric.wif, fabric);
+  return fabric;
+}
+
+}  // namespace loomlight

@@ -1,0 +1,186 @@
+#include "core/fabric/wif/wif_yarns.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <tuple>
+
+#include "core/base/rgb.h"
+#include "core/fabric/model/field_tables.h"
+#include "core/fabric/model/validate.h"
+#include "core/fabric/model/yarn_count.h"
+#include "core/fabric/wif/wif_stand_ins.h"
+#include "core/fabric/wif/wif_thickness.h"
+#include "core/fabric/yarn/derived.h"
+#include "core/fabric/yarn/presets.h"
+
+namespace loomlight {
+namespace {
+
+using Warnings = std::vector<WifWarning>;
+
+/// A yarn of the fabric to be: one of mine, dyed in a colour of the palette, and perhaps thicker.
+struct Kind {
+  int base = 0;         ///< in mine.yarns
+  int system = 0;       ///< 1 for the weft where its yarn is not that of the warp
+  int colour = 0;       ///< 0: mine
+  int permille = 1000;  ///< of the usual diameter
+  auto key() const { return std::tie(base, system, colour, permille); }
+  friend bool operator<(const Kind& a, const Kind& b) { return a.key() < b.key(); }
+};
+
+std::vector<Kind> kindsOfThreads(const std::vector<int>& colours, const WifSizes& sizes, int base, int system) {
+  const std::vector<double> thick = relativeThickness(sizes, static_cast<int>(colours.size()));
+  std::vector<Kind> kinds;
+  for (size_t thread = 0; thread < colours.size(); ++thread) {
+    constexpr double kMostRatio = 1000.0;
+    const double held = std::clamp(thick[thread], 1.0 / kMostRatio, kMostRatio);
+    kinds.push_back({base, system, colours[thread], static_cast<int>(std::lround(1000.0 * held))});
+  }
+  return kinds;
+}
+
+/// What the eye tells yarns by: colour; a doubling of the diameter counts as half the way from black to white; and
+/// yarns that are spun otherwise, or are of the other system, stay apart.
+YarnPoint pointOf(const Kind& kind, const WifPalette& palette) {
+  const Rgb colour = kind.colour > 0 ? palette.srgb(palette.colours.at(kind.colour)) : Rgb(1.0f);
+  return {colour.r, colour.g, colour.b, 0.5 * std::log2(kind.permille / 1000.0),
+          static_cast<double>(kind.base + kind.system)};
+}
+
+/// Leaves at most kMaxKinds kinds of yarn: the others become the nearest of those.
+void reduceKinds(std::vector<Kind>& warp, std::vector<Kind>& weft, const WifPalette& palette, Warnings& warnings) {
+  std::map<Kind, int> counts;
+  for (const auto* kinds : {&warp, &weft})
+    for (const Kind& kind : *kinds) ++counts[kind];
+  if (counts.size() <= static_cast<size_t>(kMaxKinds)) return;
+  std::vector<Kind> all;
+  for (const auto& [kind, count] : counts) all.push_back(kind);
+  const auto commonest = std::max_element(all.begin(), all.end(),
+                                          [&](const Kind& a, const Kind& b) { return counts.at(a) < counts.at(b); });
+  std::iter_swap(all.begin(), commonest);
+  std::vector<YarnPoint> points;
+  for (const Kind& kind : all) points.push_back(pointOf(kind, palette));
+  const std::vector<size_t> standIn = standIns(points, kMaxKinds);
+  std::map<Kind, Kind> instead;
+  double colourStep = 0, thicknessStep = 1;
+  for (size_t i = 0; i < all.size(); ++i) {
+    const size_t by = standIn[i];
+    instead.emplace(all[i], all[by]);
+    for (size_t channel = 0; channel < 3; ++channel)
+      colourStep = std::max(colourStep, 255 * std::abs(points[i][channel] - points[by][channel]));
+    thicknessStep = std::max(thicknessStep, std::exp2(2 * std::abs(points[i][3] - points[by][3])));
+  }
+  for (auto* kinds : {&warp, &weft})
+    for (Kind& kind : *kinds) kind = instead.at(kind);
+  warnings.push_back(
+      {fmt::format(
+           "The threads have {} combinations of colour and thickness, a fabric has at most {} yarns; the others "
+           "become the nearest of these, which is off by {:.0f} of 255 in a channel of a colour and by a factor "
+           "of {:.2f} in thickness at most.",
+           all.size(), kMaxKinds, colourStep, thicknessStep),
+       {},
+       WifConcern::look});
+}
+
+/// Gives the fabric, which is a copy of mine, the yarns of these threads.
+std::vector<WifYarn> dress(Fabric& fabric, const std::vector<Kind>& warp, const std::vector<Kind>& weft,
+                           const WifPalette& palette, Warnings& warnings) {
+  const std::vector<Yarn> myYarns = fabric.yarns;
+  const std::vector<Fibre> myFibres = fabric.fibres;
+  std::map<Kind, int> yarnOf;
+  for (const auto* kinds : {&warp, &weft})
+    for (const Kind& kind : *kinds) yarnOf.emplace(kind, 0);
+  std::map<std::pair<int, int>, int> fibreOf;  // of mine, and colour
+  fabric.yarns.clear();
+  fabric.fibres.clear();
+  std::vector<WifYarn> given;
+  bool held = false;
+  for (auto& [kind, index] : yarnOf) {
+    index = static_cast<int>(fabric.yarns.size());
+    Yarn yarn = myYarns[kind.base];
+    Fibre fibre = myFibres[yarn.fibre];
+    const double diameters = kind.permille / 1000.0;
+    if (kind.permille != 1000) yarn = heavier(yarn, fibre, diameters * diameters, held);
+    const auto [known, isNew] = fibreOf.emplace(std::pair(yarn.fibre, kind.colour), fabric.fibres.size());
+    yarn.fibre = known->second;
+    if (kind.colour > 0) fibre = dyed(fibre, linearFromSrgb(palette.srgb(palette.colours.at(kind.colour))));
+    // What I called my yarn says nothing of one of another colour or thickness: it goes by these.
+    if (kind.colour > 0 || kind.permille != 1000) yarn.name.clear();
+    if (isNew) fabric.fibres.push_back(fibre);
+    given.push_back({kind.colour, fabric.fibres[yarn.fibre].absorption_per_mm, {}});
+    fabric.yarns.push_back(yarn);
+  }
+  if (held) warnings.push_back(heldYarns());
+  const auto sequence = [&yarnOf](const std::vector<Kind>& kinds) {
+    std::vector<int> yarns;
+    for (const Kind& kind : kinds) yarns.push_back(yarnOf.at(kind));
+    return shortest(std::move(yarns));
+  };
+  fabric.warpSequence = sequence(warp);
+  fabric.weftSequence = sequence(weft);
+  return given;
+}
+
+}  // namespace
+
+std::vector<int> shortest(std::vector<int> sequence) {
+  const size_t n = sequence.size();
+  for (size_t period = 1; period <= n / 2; ++period) {
+    if (n % period != 0) continue;
+    if (std::equal(sequence.begin() + static_cast<long>(period), sequence.end(), sequence.begin())) {
+      sequence.resize(period);
+      return sequence;
+    }
+  }
+  return sequence;
+}
+
+double tidy(double value) {
+  return std::strtod(fmt::format("{:.5g}", value).c_str(), nullptr);
+}
+
+Yarn heavier(Yarn yarn, const Fibre& fibre, double factor, bool& held) {
+  const double inYarn = fibresInYarn(yarn, fibre);
+  const double most = std::min(factor, 0.999 * kMaxFibresInYarn / inYarn);
+  if (yarn.fibresPerPly) {
+    const FieldInfo range = fieldInfo(&Yarn::fibresPerPly);
+    const double wanted = std::floor(*yarn.fibresPerPly * most + 0.5);
+    yarn.fibresPerPly = static_cast<int>(std::clamp(wanted, range.min, range.max));
+    held = held || most < factor || wanted < range.min || wanted > range.max;
+  } else {
+    const FieldInfo range = fieldInfo(&Yarn::count_tex);
+    const double wanted = yarn.count_tex * most;
+    yarn.count_tex = tidy(std::clamp(wanted, range.min, range.max));
+    held = held || most < factor || wanted < range.min || wanted > range.max;
+  }
+  return yarn;
+}
+
+std::vector<WifYarn> dressThreads(Fabric& fabric, const WifDocument& document, Warnings& warnings) {
+  const WifRest& rest = document.rest;
+  const int warpBase = fabric.warpYarn(0), weftBase = fabric.weftYarn(0);
+  const bool apart = warpBase == weftBase &&
+                     usualThickness_mm(rest.warp, document.ends()) != usualThickness_mm(rest.weft, document.picks());
+  std::vector<Kind> warp = kindsOfThreads(document.warpColours, rest.warp, warpBase, 0);
+  std::vector<Kind> weft = kindsOfThreads(document.weftColours, rest.weft, weftBase, apart ? 1 : 0);
+  reduceKinds(warp, weft, rest.palette, warnings);
+  return dress(fabric, warp, weft, rest.palette, warnings);
+}
+
+WifWarning heldYarns() {
+  return {"The file has yarns thicker or thinner than a yarn can be here; they are held to what it can.", {}};
+}
+
+std::shared_ptr<const WifOrigin> withSizesOf(WifOrigin origin, const Fabric& fabric) {
+  origin.ends_per_cm = fabric.ends_per_cm;
+  origin.picks_per_cm = fabric.picks_per_cm;
+  origin.warpDiameter_mm = meanDiameter_mm(fabric, System::warp);
+  origin.weftDiameter_mm = meanDiameter_mm(fabric, System::weft);
+  return std::make_shared<const WifOrigin>(std::move(origin));
+}
+
+}  // namespace loomlight
