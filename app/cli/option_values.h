@@ -5,10 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/progress.h"
 #include "app/cli/view.h"
 #include "core/fabric/model/fabric.h"
 #include "core/fabric/wif/wif_fabric.h"
 #include "core/fabric/yarn/yarn_need.h"
+#include "render/film/pixel_rect.h"
 #include "render/scene/fibre_extent.h"
 #include "render/transport/half_dome.h"
 
@@ -37,6 +39,9 @@ struct PixelChoice {
 /// 320,240
 PixelChoice parsePixel(const std::string& option, const std::string& text);
 
+/// 100,80,320x240: from the top left, counted from 0.
+PixelRect parseCrop(const std::string& option, const std::string& text);
+
 /// One of 1, 2, 4, 8, 16.
 int parseResolution(const std::string& option, const std::string& text);
 /// Several of 1, 2, 4, 8, 16, with commas between them.
@@ -52,6 +57,7 @@ HalfDomeGrid parseHalfDome(const std::string& option, const std::string& text);
 PieceSize parsePieceSize(const std::string& option, const std::string& text);
 
 EventLaw parseEventLaw(const std::string& option, const std::string& text);
+ProgressStyle parseProgress(const std::string& option, const std::string& text);
 WifSizeChoice parseWifSizes(const std::string& option, const std::string& text);
 
 /// front, top, close, macro, side, or AZ,EL[,DISTANCE] in degrees and mm.
