@@ -126,6 +126,11 @@ void addExposure(CLI::App& app, Tone& tone) {
            });
 }
 
+void addProgress(CLI::App& app, ProgressStyle& style) {
+  addValue(app, "--progress", "plain|json", "how far it is, on stderr: for people, or as lines of JSON",
+           [&style](const auto& option, const auto& text) { style = parseProgress(option, text); });
+}
+
 void addWifChoices(CLI::App& app, WifChoices& choices) {
   addValue(app, "--wif-sizes", "file|keep", "sett and yarn count of a draft: as its file says, or the default's",
            [&choices](const auto& option, const auto& text) { choices.sizes = parseWifSizes(option, text); });

@@ -5,6 +5,7 @@
 
 #include "app/cli/fabric_options.h"
 #include "app/cli/option_values.h"
+#include "app/cli/progress.h"
 #include "core/fabric/model/field_tables.h"
 #include "render/colour/tone.h"
 #include "render/scene/fibre_extent.h"
@@ -48,5 +49,6 @@ void addThreads(CLI::App& app, int& threads);
 void addMemoryLimit(CLI::App& app, double& limit_bytes);
 void addFibreExtent(CLI::App& app, FibreExtent& extent);
 void addExposure(CLI::App& app, Tone& tone);
+void addProgress(CLI::App& app, ProgressStyle& style);
 
 }  // namespace loomlight

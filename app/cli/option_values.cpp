@@ -89,6 +89,16 @@ PixelChoice parsePixel(const std::string& option, const std::string& text) {
   return {*x, *y};
 }
 
+PixelRect parseCrop(const std::string& option, const std::string& text) {
+  const auto parts = split(text, ',');
+  const auto x = wholeText<int>(parts[0]);
+  const auto y = parts.size() == 3 ? wholeText<int>(parts[1]) : std::nullopt;
+  if (!x || !y || *x < 0 || *y < 0 || *x >= kLargestSide || *y >= kLargestSide)
+    refuse(option, "X,Y,WIDTHxHEIGHT in pixels from the top left, such as 100,80,320x240", text);
+  const PictureSize size = parseSize(option, parts[2]);
+  return {*x, *y, size.width, size.height};
+}
+
 int parseResolution(const std::string& option, const std::string& text) {
   const auto value = wholeText<int>(text);
   if (!value || !knownResolution(*value)) refuse(option, "1, 2, 4, 8 or 16 voxels per yarn diameter", text);
@@ -115,6 +125,10 @@ Estimator parseEstimator(const std::string& option, const std::string& text) {
 
 EventLaw parseEventLaw(const std::string& option, const std::string& text) {
   return parseChoice<EventLaw>(option, text);
+}
+
+ProgressStyle parseProgress(const std::string& option, const std::string& text) {
+  return parseChoice<ProgressStyle>(option, text);
 }
 
 WifSizeChoice parseWifSizes(const std::string& option, const std::string& text) {

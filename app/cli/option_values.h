@@ -5,10 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/progress.h"
 #include "app/cli/view.h"
 #include "core/fabric/model/fabric.h"
 #include "core/fabric/wif/wif_fabric.h"
 #include "core/fabric/yarn/yarn_need.h"
+#include "render/film/pixel_rect.h"
 #include "render/scene/fibre_extent.h"
 #include "render/transport/half_dome.h"
 
@@ -37,6 +39,9 @@ struct PixelChoice {
 /// 320,240
 PixelChoice parsePixel(const std::string& option, const std::string& text);
 
+/// 100,80,320x240: from the top left, counted from 0.
+PixelRect parseCrop(const std::string& option, const std::string& text);
+
 /// One of 1, 2, 4, 8, 16.
 int parseResolution(const std::string& option, const std::string& text);
 /// Several of 1, 2, 4, 8, 16, with commas between them.
@@ -63,6 +68,7 @@ IlluminantChoice parseIlluminant(const std::string& option, const std::string& t
 Observer parseObserver(const std::string& option, const std::string& text);
 
 EventLaw parseEventLaw(const std::string& option, const std::string& text);
+ProgressStyle parseProgress(const std::string& option, const std::string& text);
 WifSizeChoice parseWifSizes(const std::string& option, const std::string& text);
 WifThreadChoice parseWifThreads(const std::string& option, const std::string& text);
 

@@ -6,12 +6,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 namespace loomlight {
 namespace {
 
 constexpr double kBarEvery_s = 0.1;
 constexpr double kLineEvery_s = 2.0;
+constexpr double kJsonEvery_s = 1.0;
 
 int columnsOf(std::FILE* terminal) {
   winsize size{};
@@ -46,8 +48,19 @@ std::string progressBar(const std::string& label, double fraction, double elapse
   return fmt::format("{} [{}{}]{}", label, std::string(filled, '#'), std::string(room - filled, '.'), tail);
 }
 
-Progress::Progress(std::string label, std::FILE* out)
-    : label_(std::move(label)), out_(out), terminal_(isatty(fileno(out)) != 0) {}
+std::string progressJson(const std::string& label, double fraction, double elapsed_s) {
+  const auto rounded = [](double value, double digits) { return std::round(value * digits) / digits; };
+  nlohmann::ordered_json line{
+      {"stage", label}, {"fraction", rounded(fraction, 1e4)}, {"elapsed_s", rounded(elapsed_s, 10)}};
+  if (fraction > 0) line["left_s"] = rounded(elapsed_s * (1 - fraction) / fraction, 10);
+  return line.dump();
+}
+
+Progress::Progress(std::string label, ProgressStyle style, std::FILE* out)
+    : label_(std::move(label)),
+      style_(style),
+      out_(out),
+      terminal_(style == ProgressStyle::plain && isatty(fileno(out)) != 0) {}
 
 Progress::~Progress() {
   if (terminal_ && lastShown_s_ > 0) {
@@ -61,6 +74,10 @@ void Progress::update(double fraction) {
   if (!(fraction > fraction_)) return;
   fraction_ = std::min(fraction, 1.0);
   const double elapsed_s = std::chrono::duration<double>(Clock::now() - started_).count();
+  if (style_ == ProgressStyle::json) {
+    writeJson(elapsed_s);
+    return;
+  }
   if (elapsed_s - lastShown_s_ < (terminal_ ? kBarEvery_s : kLineEvery_s)) return;
   if (terminal_)
     drawBar(elapsed_s);
@@ -70,6 +87,13 @@ void Progress::update(double fraction) {
 
 void Progress::drawBar(double elapsed_s) {
   fmt::print(out_, "\r{}\033[K", progressBar(label_, fraction_, elapsed_s, columnsOf(out_)));
+  std::fflush(out_);
+  lastShown_s_ = elapsed_s;
+}
+
+void Progress::writeJson(double elapsed_s) {
+  if (fraction_ < 1 && elapsed_s - lastShown_s_ < kJsonEvery_s) return;
+  fmt::print(out_, "{}\n", progressJson(label_, fraction_, elapsed_s));
   std::fflush(out_);
   lastShown_s_ = elapsed_s;
 }

@@ -5,6 +5,8 @@
 #include <mutex>
 #include <string>
 
+#include "core/fabric/model/choice_names.h"
+
 namespace loomlight {
 
 /// "2.4 s", "1 min 05 s", "3 h 20 min", "12 days".
@@ -12,11 +14,22 @@ std::string durationText(double seconds);
 /// "weaving  [######......]  52 %  12 s left", at most `columns` wide; a fraction of 0 has no time left yet.
 std::string progressBar(const std::string& label, double fraction, double elapsed_s, int columns);
 
+/// For people, or lines of JSON for other programs.
+enum class ProgressStyle { plain, json };
+template <>
+struct ChoiceNames<ProgressStyle> {
+  static constexpr std::array names{"plain", "json"};
+};
+
+/// A line of JSON: {"stage":"rendering","fraction":0.52,"elapsed_s":13.1,"left_s":12.1}; without the last where nothing
+/// is done yet.
+std::string progressJson(const std::string& label, double fraction, double elapsed_s);
+
 /// Tells on a stream how far long work is: on a terminal a bar that is drawn over itself, elsewhere a plain line every
-/// tenth of the way, at most one in two seconds. May be told from any thread.
+/// tenth of the way, at most one in two seconds; as JSON one a second, and one at the end. May be told from any thread.
 class Progress {
  public:
-  explicit Progress(std::string label, std::FILE* out = stderr);
+  explicit Progress(std::string label, ProgressStyle style = ProgressStyle::plain, std::FILE* out = stderr);
   /// Takes the bar away, so that the next line stands where it stood.
   ~Progress();
   Progress(const Progress&) = delete;
@@ -29,8 +42,10 @@ class Progress {
   using Clock = std::chrono::steady_clock;
   void drawBar(double elapsed_s);
   void writeLine(double elapsed_s);
+  void writeJson(double elapsed_s);
 
   const std::string label_;
+  const ProgressStyle style_;
   std::FILE* const out_;
   const bool terminal_;
   const Clock::time_point started_ = Clock::now();

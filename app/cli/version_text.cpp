@@ -28,6 +28,10 @@ constexpr const char* kInstructionSet = "unknown";
 
 }  // namespace
 
+std::string buildName() {
+  return "loomlight " LOOMLIGHT_VERSION ", commit " LOOMLIGHT_COMMIT;
+}
+
 std::string versionText() {
   // OpenMesh has no version that CMake could find.
   return fmt::format("loomlight {}\ncommit: {}\ncompiler: {}\ninstruction set: {}\nlibraries: {}, OpenMesh {}.{}\n",

@@ -7,4 +7,7 @@ namespace loomlight {
 /// What `loomlight --version` says, one thing a line: version, commit, compiler, instruction set, libraries.
 std::string versionText();
 
+/// Version and commit, in one line. Builds that share it trace the same samples, whatever processors they are for.
+std::string buildName();
+
 }  // namespace loomlight

@@ -17,15 +17,21 @@ constexpr const char* kFabricKey = "loomlight.fabric";
 constexpr const char* kSamplesKey = "loomlight.samples_per_pixel";
 constexpr const char* kVersionKey = "loomlight.version";
 
-Fabric fabricInMetadata(const Image& image, const std::string& file) {
-  const auto found = image.metadata.find(kFabricKey);
-  if (found == image.metadata.end())
+}  // namespace
+
+Fabric fabricInTexts(const std::map<std::string, std::string>& texts, const std::string& file) {
+  const auto found = texts.find(kFabricKey);
+  if (found == texts.end())
     throw InputError(fmt::format("{}: expected the metadata '{}' that Loomlight writes into its pictures, found none",
                                  file, kFabricKey));
   return workingNames(fabricFromJson(found->second, file), file);
 }
 
-}  // namespace
+std::map<std::string, std::string> exrTexts(const Film& film, const Fabric& fabric, const std::string& file) {
+  return {{kFabricKey, fabricToJson(localNames(fabric, file))},
+          {kSamplesKey, std::to_string(fewestSamples(film))},
+          {kVersionKey, LOOMLIGHT_VERSION}};
+}
 
 void checkPictureName(const std::string& file) {
   const std::string ending = lowerExtension(file);
@@ -38,22 +44,19 @@ std::map<std::string, std::string> pngTexts(const Fabric& fabric) {
   return {{"Software", "Loomlight " LOOMLIGHT_VERSION}, {"Title", fabric.name}};
 }
 
-void writePicture(const std::string& file, const Film& film, const Fabric& fabric, const Tone& tone, bool keepSums,
-                  double dpi) {
+void writePicture(const std::string& file, const Film& film, const Fabric& fabric, const Tone& tone, double dpi) {
   checkPictureName(file);
   if (lowerExtension(file) == ".png") {
     writePng(file, toPixels(film, tone), pngTexts(fabric), dpi);
     return;
   }
-  Image image = film.toImage(keepSums);
-  image.metadata[kFabricKey] = fabricToJson(localNames(fabric, file));
-  image.metadata[kSamplesKey] = std::to_string(fewestSamples(film));
-  image.metadata[kVersionKey] = LOOMLIGHT_VERSION;
+  Image image = film.toImage(false);
+  image.metadata.merge(exrTexts(film, fabric, file));
   writeExr(file, image, dpi);
 }
 
 Fabric fabricOfPicture(const std::string& file) {
-  return fabricInMetadata(readExr(file), file);
+  return fabricInTexts(readExr(file).metadata, file);
 }
 
 uint32_t fewestSamples(const Film& film) {
@@ -61,16 +64,6 @@ uint32_t fewestSamples(const Film& film) {
   for (int y = 0; y < film.height(); ++y)
     for (int x = 0; x < film.width(); ++x) fewest = std::min(fewest, film.samples(x, y));
   return fewest;
-}
-
-UnfinishedPicture readUnfinishedPicture(const std::string& file) {
-  const Image image = readExr(file);
-  UnfinishedPicture picture{fabricInMetadata(image, file), Film::fromImage(image, file)};
-  const auto& settings = picture.fabric.render;
-  if (picture.film.width() != settings.width || picture.film.height() != settings.height)
-    throw InputError(fmt::format("{}: expected {} x {} pixels as its metadata says, got {} x {}", file, settings.width,
-                                 settings.height, picture.film.width(), picture.film.height()));
-  return picture;
 }
 
 }  // namespace loomlight

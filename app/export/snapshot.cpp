@@ -17,7 +17,7 @@ bool writeSnapshot(const std::shared_ptr<const Fabric>& fabric, const std::strin
     writePng(file, print.finish ? print.finish(toPixels(film, tone)) : toPixels(film, tone), pngTexts(*fabric),
              print.dpi);
   else
-    writePicture(file, film, *fabric, tone, false, print.dpi);
+    writePicture(file, film, *fabric, tone, print.dpi);
   return true;
 }
 

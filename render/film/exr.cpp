@@ -161,6 +161,12 @@ Image readImage(const std::string& file) {
   input.setFrameBuffer(buffer);
   input.readPixels(window.min.y, window.max.y);
   image.metadata = textsOf(header);
+  if (const Imath::Box2i& whole = header.displayWindow(); whole != window && whole.min == Imath::V2i(0)) {
+    image.left = window.min.x;
+    image.top = window.min.y;
+    image.wholeWidth = whole.max.x + 1;
+    image.wholeHeight = whole.max.y + 1;
+  }
   return image;
 }
 
@@ -195,7 +201,10 @@ bool isColour(const Image& image) {
 }
 
 Imf::Header headerOf(const std::string& file, const Image& image) {
-  Imf::Header header(image.width, image.height);
+  const bool whole = image.wholeWidth == 0;
+  Imf::Header header(
+      whole ? image.width : image.wholeWidth, whole ? image.height : image.wholeHeight,
+      Imath::Box2i({image.left, image.top}, {image.left + image.width - 1, image.top + image.height - 1}));
   header.compression() = Imf::ZIP_COMPRESSION;
   for (const Image::Channel& channel : image.channels) header.channels().insert(channel.name, Imf::Channel(Imf::FLOAT));
   if (isColour(image)) Imf::addChromaticities(header, Imf::Chromaticities());  // by default those of Rec. 709 and D65
@@ -221,6 +230,10 @@ PictureExtent readExrExtent(const std::string& file) {
     for (auto c = input.header().channels().begin(); c != input.header().channels().end(); ++c) ++extent.channels;
     return extent;
   });
+}
+
+std::map<std::string, std::string> readExrTexts(const std::string& file) {
+  return guarded(file, [](const std::string& name) { return textsOf(Imf::InputFile(name.c_str()).header()); });
 }
 
 void writeExr(const std::string& file, const Image& image, double dpi) {

@@ -71,14 +71,18 @@ void Film::add(int x, int y, uint32_t sampleIndex, const PathSample& sample) {
   ++p.hits;
 }
 
-void Film::merge(const Film& other) {
-  assert(width_ == other.width_ && height_ == other.height_);
-  for (size_t i = 0; i < pixels_.size(); ++i) {
-    if (pixels_[i].samples > maxSamples - std::min(maxSamples, other.pixels_[i].samples))
+void Film::merge(const Film& other, int x, int y) {
+  assert(x >= 0 && y >= 0 && other.width_ <= width_ - x && other.height_ <= height_ - y);
+  const auto ours = [&](size_t i) -> Pixel& {
+    const auto width = static_cast<size_t>(other.width_);
+    return at(x + static_cast<int>(i % width), y + static_cast<int>(i / width));
+  };
+  for (size_t i = 0; i < other.pixels_.size(); ++i) {
+    if (ours(i).samples > maxSamples - std::min(maxSamples, other.pixels_[i].samples))
       throw InputError(fmt::format("pictures with together more than {} samples a pixel cannot be merged", maxSamples));
   }
-  for (size_t i = 0; i < pixels_.size(); ++i) {
-    Pixel& p = pixels_[i];
+  for (size_t i = 0; i < other.pixels_.size(); ++i) {
+    Pixel& p = ours(i);
     const Pixel& q = other.pixels_[i];
     if (q.hits > 0 && (p.hits == 0 || q.firstIndex < p.firstIndex)) {
       p.firstIndex = q.firstIndex;
@@ -99,6 +103,13 @@ void Film::merge(const Film& other) {
     p.samples += q.samples;
     p.hits += q.hits;
   }
+}
+
+Film Film::cropped(const PixelRect& window) const {
+  assert(window.x >= 0 && window.y >= 0 && window.width <= width_ - window.x && window.height <= height_ - window.y);
+  Film part(window.width, window.height);
+  for (int y = 0; y < window.height; ++y) std::copy_n(&at(window.x, window.y + y), window.width, &part.at(0, y));
+  return part;
 }
 
 void Film::clear() {

@@ -6,6 +6,7 @@
 
 #include "core/base/units.h"
 #include "render/film/image.h"
+#include "render/film/pixel_rect.h"
 #include "render/film/zero_allocator.h"
 
 namespace loomlight {
@@ -48,9 +49,11 @@ class Film {
   int height() const { return height_; }
 
   void add(int x, int y, uint32_t sampleIndex, const PathSample& sample);
-  /// The sums of another film of the same size, whose samples are others than ours. Throws InputError when together
-  /// they are more than maxSamples; this film is then unchanged.
-  void merge(const Film& other);
+  /// The sums of another film, whose samples are others than ours and whose top left is our pixel x, y; all of it lies
+  /// in ours. Throws InputError when together they are more than maxSamples; this film is then unchanged.
+  void merge(const Film& other, int x = 0, int y = 0);
+  /// The pixels of a window of it.
+  Film cropped(const PixelRect& window) const;
   void clear();
 
   // Of a pixel; all zero where it has no samples yet, as after a stopped pass.

@@ -14,6 +14,9 @@ struct Image {
     std::vector<float> values;  ///< width * height
   };
   int width = 0, height = 0;
+  /// Of a part of a larger picture: where its top left lies in that one, and how large that is; 0 x 0 where it is
+  /// whole. In an EXR, its data window in its display window.
+  int left = 0, top = 0, wholeWidth = 0, wholeHeight = 0;
   std::vector<Channel> channels;
   std::map<std::string, std::string> metadata;
 
@@ -32,6 +35,8 @@ struct PictureExtent {
 Image readExr(const std::string& file);
 /// Only how large it says it is.
 PictureExtent readExrExtent(const std::string& file);
+/// Only its metadata.
+std::map<std::string, std::string> readExrTexts(const std::string& file);
 PictureExtent readPngExtent(const std::string& file);
 void writeExr(const std::string& file, const Image& image, double dpi = 0);
 

@@ -58,12 +58,6 @@ class PathTracer {
 PathSample tracePath(const Scene& scene, const Medium& medium, const CameraRays& camera, int x, int y, uint32_t index,
                      TraceCounts& counts, PathSink* listener = nullptr);
 
-/// Pixels of a film; x to the right, y downwards, from its top left.
-struct PixelRect {
-  int x = 0, y = 0, width = 0, height = 0;
-  bool operator==(const PixelRect&) const = default;
-};
-
 struct PassResult {
   bool complete = true;  ///< false when stopped: some pixels lack some samples
   TraceCounts counts;

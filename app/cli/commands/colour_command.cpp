@@ -46,7 +46,7 @@ std::optional<Sample> sampleFrom(const std::string& file, const ColourCommand& c
     const MeasuredSwatch swatch = swatchFrom(file);
     return Sample{swatch.name, {bandReflectance(swatch), {}}};
   }
-  const Fabric fabric = withOptions(fabricFromFile(file, command.wifSizes), command.options);
+  const Fabric fabric = withOptions(fabricFromFile(file, command.wif), command.options);
   const Interrupt interrupt;
   Progress progress("walking light through the cloth");
   Task task = interrupt.task(command.threads);

@@ -18,7 +18,7 @@ struct ColourCommand {
   Observer observer = Observer::degrees10;
   double tolerance = 1;  ///< largest CMC(2:1) that passes
   FabricOptions options;
-  WifSizeChoice wifSizes = WifSizeChoice::keep;
+  WifChoices wif;
   bool json = false;
   int threads = 0;
 };

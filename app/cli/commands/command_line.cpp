@@ -49,11 +49,52 @@ void addPathOptions(CLI::App& app, PathCommand& command) {
   addFibreExtent(app, command.fibreExtent);
 }
 
-void addRender(CLI::App& app, RenderCommand& command) {
-  app.add_option("FABRIC", command.input,
-                 "a fabric (.json, .loomlight) or draft (.wif), or a picture (.exr) to render again")
-      ->type_name("");
+void addPartOptions(CLI::App& app, PartChoice& part) {
+  addValue(app, "--samples-from", "N",
+           "a part, for `loomlight merge`: only samples from this number on, counted from 0",
+           [&part](const auto& option, const auto& text) {
+             part.firstSample = static_cast<int>(parseWhole(option, text, 0, Film::maxSamples - 1));
+           });
+  addValue(app, "--samples", "K", "so many of them; up to --spp where not given",
+           [&part](const auto& option, const auto& text) {
+             part.samples = static_cast<int>(parseWhole(option, text, 1, Film::maxSamples));
+           });
+  addValue(app, "--crop", "X,Y,WxH", "a part: only these pixels, from the top left",
+           [&part](const auto& option, const auto& text) { part.crop = parseCrop(option, text); });
+}
+
+void addSeriesOptions(CLI::App& app, RenderCommand& command) {
+  addValue(app, "--turn", "camera|light[:N[,DEG]]",
+           "N frames (36 where not given), in which one of them goes about the cloth, by 360 degrees or DEG",
+           [&command](const auto& option, const auto& text) { command.turn = parseTurn(option, text); });
+  addValue(app, "--frames", "A..B", "only these frames of --turn, counted from 1",
+           [&command](const auto& option, const auto& text) { command.frames = parseFrames(option, text); });
+  addProgress(app, command.progress);
+}
+
+void addMerge(CLI::App& app, MergeCommand& command) {
+  app.add_option("PART", command.parts, "what `loomlight render` made with --samples-from, --crop or --keep-sums")
+      ->type_name("")
+      ->required();
   app.add_option("-o,--output", command.output, "the picture: .exr or .png")->type_name("OUT")->required();
+  app.add_flag("--partial", command.partial,
+               "merge what there is, into a larger part, where some of the picture is missing");
+  app.add_flag("--keep-sums", command.keepSums, "keep in the .exr what --resume and merge need");
+  addExposure(app, command.tone);
+  addProgress(app, command.progress);
+}
+
+void addRender(CLI::App& app, RenderCommand& command) {
+  app.add_option("FABRIC", command.inputs,
+                 "fabrics (.json, .loomlight), drafts (.wif), or pictures (.exr) to render again")
+      ->type_name("");
+  app.add_option("-o,--output", command.output,
+                 "the picture: .exr or .png; of several, {} is the fabric's name and #### the frame's number")
+      ->type_name("OUT")
+      ->required();
+  app.add_option("--list", command.list, "a text file with the name of a fabric in each line")->type_name("FILE");
+  addPartOptions(app, command.part);
+  addSeriesOptions(app, command);
   addPathOptions(app, command);
   addExposure(app, command.tone);
   app.add_option("--stats", command.stats, "write counts and times of every stage, as JSON")->type_name("FILE.json");
@@ -182,7 +223,16 @@ void addTrace(CLI::App& app, TraceCommand& command) {
 }
 
 void checkRender(const RenderCommand& command) {
-  if (command.input.empty() && command.resume.empty()) throw UsageError("render: expected a FABRIC, or --resume");
+  const bool several = command.inputs.size() > 1 || !command.list.empty() || command.turn;
+  if (command.inputs.empty() && command.list.empty() && command.resume.empty())
+    throw UsageError("render: expected a FABRIC, --list, or --resume");
+  if (several && !command.resume.empty()) throw UsageError("--resume: expected one picture, not several");
+  if (command.frames && !command.turn) throw UsageError("--frames: expected --turn as well");
+}
+
+void checkMerge(const MergeCommand& command) {
+  if ((command.partial || command.keepSums) && lowerExtension(command.output) != ".exr")
+    throw UsageError("--partial and --keep-sums: expected an .exr, which can keep sums, got " + command.output);
 }
 
 void checkBrdf(const BrdfCommand& command) {
@@ -260,6 +310,8 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   addEdit(*app.add_subcommand("edit", "open the editor (also without this word)"), edit.options);
   CommandWords commands;
   commands.add(app, "render", "render a fabric to a picture", addRender, {}, checkRender);
+  commands.add(app, "merge", "put together what was rendered in parts, to the bit of one run", addMerge, {},
+               checkMerge);
   commands.add(app, "info", "what follows from a fabric: mass, cover, floats, voxels", addInfo);
   commands.add(app, "convert", "between fabrics, drafts and weave bitmaps", addConvert, {}, checkConvert);
   commands.add(app, "tile", "a seamless tile for other programs: color, normal, height, opacity", addTile);

@@ -16,6 +16,7 @@
 #include "app/cli/commands/convert_command.h"
 #include "app/cli/commands/handover_command.h"
 #include "app/cli/commands/info_command.h"
+#include "app/cli/commands/merge_command.h"
 #include "app/cli/commands/render_command.h"
 #include "app/cli/commands/sheet_command.h"
 #include "app/cli/commands/thumbnail_command.h"
@@ -41,10 +42,11 @@ struct TextCommand {
   std::string text;
 };
 
-using Command = std::variant<EditCommand, RenderCommand, InfoCommand, ConvertCommand, BenchCommand, ReportBenchCommand,
-                             EditBenchCommand, ClearBenchCommand, UiBenchCommand, ConvergeBenchCommand,
-                             ClothsBenchCommand, BrdfCommand, CompareCommand, BvdfCommand, TileCommand, HandoverCommand,
-                             SheetCommand, ColourCommand, ThumbnailCommand, TraceCommand, TextCommand>;
+using Command =
+    std::variant<EditCommand, RenderCommand, MergeCommand, InfoCommand, ConvertCommand, BenchCommand,
+                 ReportBenchCommand, EditBenchCommand, ClearBenchCommand, UiBenchCommand, ConvergeBenchCommand,
+                 ClothsBenchCommand, BrdfCommand, CompareCommand, BvdfCommand, TileCommand, HandoverCommand,
+                 SheetCommand, ColourCommand, ThumbnailCommand, TraceCommand, TextCommand>;
 
 /// What the words behind the program's name ask for. Throws UsageError.
 Command parseCommandLine(const std::vector<std::string>& words);

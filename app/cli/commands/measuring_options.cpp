@@ -139,7 +139,7 @@ void addColour(CLI::App& app, ColourCommand& command) {
   addValue(app, "--tolerance", "N", "the largest CMC(2:1) that passes; 1 where not given",
            [&command](const auto& option, const auto& text) { command.tolerance = parseNumber(option, text, 0, 100); });
   addColourway(app, command.options);
-  addWifSizes(app, command.wifSizes);
+  addWifChoices(app, command.wif);
   addThreads(app, command.threads);
   app.add_flag("--json", command.json, "JSON instead of a table");
 }

@@ -2,161 +2,103 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <nlohmann/json.hpp>
+#include <cstdio>
+#include <map>
+#include <new>
 
-#include "app/cli/commands/render_stats.h"
-#include "app/cli/inputs.h"
-#include "app/cli/interrupt.h"
-#include "app/cli/progress.h"
+#include "app/cli/commands/render_job.h"
 #include "app/cli/usage_error.h"
-#include "app/export/picture.h"
 #include "core/base/error.h"
-#include "core/base/file.h"
-#include "core/base/stopwatch.h"
-#include "core/fabric/json/fabric_json.h"
-#include "core/fabric/model/validate.h"
-#include "render/scene/fibre_extent.h"
-#include "render/scene/scene.h"
-#include "render/transport/path_tracer.h"
 
 namespace loomlight {
 namespace {
 
-// Samples of two pictures may only be added where both ask for the same picture, but for the number of samples.
-void expectSamePicture(const Fabric& wanted, Fabric begun, const std::string& file) {
-  begun.render.samplesPerPixel = wanted.render.samplesPerPixel;
-  const auto keptIn = [&](const Fabric& fabric) {
-    return nlohmann::json::parse(fabricToJson(localNames(fabric, file)));
-  };
-  const auto differences = nlohmann::json::diff(keptIn(begun), keptIn(wanted));
-  if (differences.empty()) return;
-  throw InputError(
-      fmt::format("{}: expected a picture of the same fabric with the same settings, but they differ at {}", file,
-                  differences[0].at("path").get<std::string>()));
-}
+/// The pictures of a command: each fabric, in each frame that is wanted.
+std::vector<RenderJob> jobsOf(const RenderCommand& command) {
+  std::vector<std::string> inputs = command.inputs;
+  if (!command.list.empty())
+    for (std::string& name : namesInList(command.list)) inputs.push_back(std::move(name));
+  if (inputs.empty()) inputs.emplace_back();  // that of the picture to go on with
 
-struct Job {
-  std::shared_ptr<const Fabric> fabric;
-  Film film;
-  uint32_t samplesBegun = 0;  ///< in every pixel
-};
-
-Job prepare(const RenderCommand& command) {
-  std::optional<UnfinishedPicture> begun;
-  if (!command.resume.empty()) begun = readUnfinishedPicture(command.resume);
-  Fabric fabric =
-      withOptions(command.input.empty() ? begun->fabric : fabricFromFile(command.input, command.wif), command.options);
-  validate(fabric, command.input.empty() ? command.resume : command.input);
-  const RenderSettings settings = fabric.render;
-  auto shared = std::make_shared<const Fabric>(std::move(fabric));
-  if (!begun) return {shared, Film(settings.width, settings.height), 0};
-
-  expectSamePicture(*shared, begun->fabric, command.resume);
-  const uint32_t samples = fewestSamples(begun->film);
-  if (samples >= static_cast<uint32_t>(settings.samplesPerPixel))
-    throw UsageError(fmt::format("--spp: expected more than the {} samples that {} already has, got {}", samples,
-                                 command.resume, settings.samplesPerPixel));
-  return {shared, std::move(begun->film), samples};
-}
-
-/// Traces until every pixel has its samples. Returns false when stopped.
-bool trace(const Scene& scene, const Medium& medium, Job& job, Task task, TraceCounts& counts) {
-  const RenderSettings& settings = job.fabric->render;
-  const CameraRays camera(job.fabric->camera, settings.width, settings.height);
-  const auto samples = static_cast<uint32_t>(settings.samplesPerPixel);
-  const uint32_t first = job.samplesBegun;
-  Progress progress("rendering");
-  // Batches of about half a second: often enough for the bar, seldom enough to cost nothing.
-  constexpr double kBatch_s = 0.5;
-  uint32_t batch = 1;
-  for (uint32_t done = first; done < samples;) {
-    batch = std::min(batch, samples - done);
-    task.progress = [&progress, done, batch, first, samples](double fraction) {
-      progress.update((done - first + fraction * batch) / (samples - first));
-    };
-    Stopwatch watch;
-    const PassResult pass = renderUpTo(done + batch, scene, medium, camera, job.film, task);
-    counts += pass.counts;
-    if (!pass.complete) return false;
-    done += batch;
-    progress.update(static_cast<double>(done - first) / (samples - first));
-    const double seconds = watch.lap();
-    if (seconds < 0.5 * kBatch_s) batch *= 2;
-    if (seconds > 2 * kBatch_s) batch = std::max(1u, batch / 2);
+  std::vector<std::optional<int>> frames{std::nullopt};
+  if (command.turn) {
+    const FrameRange range = command.frames.value_or(FrameRange{1, command.turn->frames});
+    frames.clear();
+    for (int frame = range.first; frame <= range.last; ++frame) frames.emplace_back(frame);
   }
-  return true;
+  std::vector<RenderJob> jobs;
+  for (const std::string& input : inputs)
+    for (const std::optional<int>& frame : frames)
+      jobs.push_back(
+          {input, nameInSeries(command.output, input, frame), nameInSeries(command.stats, input, frame), frame});
+  return jobs;
 }
 
-/// Null when stopped.
-std::shared_ptr<const Scene> buildScene(const std::shared_ptr<const Fabric>& fabric, Task task) {
-  Progress progress("voxelising");
-  task.progress = [&progress](double fraction) { progress.update(fraction); };
-  return makeScene(fabric, task);
-}
-
-/// What a reader of the picture must know where not all of the piece is laid.
-std::string repeatText(const FibreSize& size) {
-  if (size.bricks) return " at most, laid brick by brick as rays come to them";
-  if (size.isWholePiece()) return "";
-  return fmt::format(": a repeat of {} x {} crossings, {} x {} times side by side", size.ends, size.picks,
-                     size.copies.x, size.copies.y);
-}
-
-/// Null when stopped. Says beforehand what fibres will take.
-std::unique_ptr<const Medium> buildMedium(const Scene& scene, const FibreOptions& options, Task task,
-                                          MediumCost& cost) {
-  const RenderSettings& settings = scene.fabric->render;
-  const bool fibres = settings.method == Method::fibres;
-  if (!fibres && settings.estimator != Estimator::report) return makeMedium(scene, options, task, &cost);
-  if (fibres) {
-    const FibreSize size = planFibres(*scene.cloth, options);
-    fmt::print(stderr, "loomlight: {:.3g} fibre segments will take about {:.2f} GB of memory{}\n", size.segments,
-               size.bytes * 1e-9, repeatText(size));
+/// Throws UsageError where one picture would be written over another.
+void expectDistinct(const std::vector<RenderJob>& jobs) {
+  std::map<std::string, const RenderJob*> taken;
+  for (const RenderJob& job : jobs) {
+    const auto [other, isNew] = taken.try_emplace(job.output, &job);
+    if (isNew) continue;
+    const std::string& before = other->second->input;
+    throw UsageError(
+        before == job.input
+            ? fmt::format("--output: expected #### in '{}', where the number of the frame goes", job.output)
+            : fmt::format("--output: expected {{}} for the names of fabrics, so that {} and {} are not "
+                          "both '{}'",
+                          before, job.input, job.output));
   }
-  Progress progress(fibres ? "laying fibres" : "baking visibility");
-  task.progress = [&progress](double fraction) { progress.update(fraction); };
-  return makeMedium(scene, options, task, &cost);
+}
+
+void tellBegun(const RenderCommand& command, const std::vector<RenderJob>& jobs, size_t i) {
+  if (command.progress == ProgressStyle::plain) {
+    fmt::print(stderr, "loomlight: picture {} of {}: {}\n", i + 1, jobs.size(), jobs[i].output);
+    return;
+  }
+  fmt::print(stderr, "{{\"stage\":\"picture\",\"number\":{},\"of\":{}}}\n", i + 1, jobs.size());
+}
+
+/// Renders one of several pictures. False where it failed, which is told.
+bool tried(const RenderCommand& command, const RenderJob& job, const Interrupt& interrupt, BuiltCloth& built,
+           int& status) {
+  try {
+    status = renderPicture(command, job, interrupt, built);
+    return true;
+  } catch (const InputError& error) {
+    fmt::print(stderr, "loomlight: {}\n", error.what());
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "loomlight: {}: there is not enough memory for this\n", job.input);
+  }
+  built = {};
+  return false;
+}
+
+int renderAll(const RenderCommand& command, const std::vector<RenderJob>& jobs, const Interrupt& interrupt) {
+  BuiltCloth built;
+  std::vector<std::string> failed;
+  for (size_t i = 0; i < jobs.size(); ++i) {
+    tellBegun(command, jobs, i);
+    if (i > 0 && jobs[i].input != jobs[i - 1].input) built = {};
+    int status = 0;
+    if (!tried(command, jobs[i], interrupt, built, status)) failed.push_back(jobs[i].output);
+    if (status == 0) continue;
+    fmt::print("stopped in picture {} of {}, {} failed\n", i + 1, jobs.size(), failed.size());
+    return status;
+  }
+  fmt::print("{} of {} pictures rendered\n", jobs.size() - failed.size(), jobs.size());
+  for (const std::string& output : failed) fmt::print("failed: {}\n", output);
+  return failed.empty() ? 0 : 1;
 }
 
 }  // namespace
 
 int run(const RenderCommand& command) {
-  Stopwatch whole;
-  checkPictureName(command.output);
-  if (!command.stats.empty()) expectWritable(command.stats);
+  const std::vector<RenderJob> jobs = jobsOf(command);
+  expectDistinct(jobs);
   const Interrupt interrupt;
-  Job job = prepare(command);
-  const RenderSettings& settings = job.fabric->render;
-  Task task = interrupt.task(command.threads);
-
-  const auto scene = buildScene(job.fabric, task);
-  MediumCost mediumCost;
-  const auto medium =
-      scene ? buildMedium(*scene, {command.memoryLimit_bytes, command.fibreExtent}, task, mediumCost) : nullptr;
-  if (!medium) {
-    fmt::print(stderr, "loomlight: stopped before the first sample; nothing was written\n");
-    return Interrupt::kExitStatus;
-  }
-  for (const std::string& repair : scene->cloth->shell->repairs()) fmt::print(stderr, "loomlight: {}\n", repair);
-  fmt::print(stderr, "loomlight: rendering {} x {}, {} samples per pixel, threads: {}\n", settings.width,
-             settings.height, settings.samplesPerPixel, task.threads);
-  TraceCounts counts;
-  Stopwatch watch;
-  const bool complete = trace(*scene, *medium, job, task, counts);
-  const double render_s = watch.lap();
-
-  // A stopped picture keeps its sums, so that hours of work can be gone on with.
-  writePicture(command.output, job.film, *job.fabric, command.tone, command.keepSums || !complete);
-  const double total_s = whole.lap();
-  const auto samples = static_cast<int>(fewestSamples(job.film));
-  if (!command.stats.empty()) {
-    writeStats(command.stats, {settings.method, settings.width, settings.height, samples, task.threads, scene->seconds,
-                               render_s, total_s, scene->cloth->volume->counts(), mediumCost, counts});
-  }
-  fmt::print("{}: {} x {}, {} samples per pixel{}, {}\n", command.output, settings.width, settings.height, samples,
-             complete ? "" : fmt::format(" of {}, stopped", settings.samplesPerPixel), durationText(total_s));
-  return complete ? 0 : Interrupt::kExitStatus;
+  BuiltCloth built;
+  return jobs.size() == 1 ? renderPicture(command, jobs.front(), interrupt, built)
+                          : renderAll(command, jobs, interrupt);
 }
 
 }  // namespace loomlight

@@ -111,7 +111,7 @@ std::vector<WifYarn> dress(Fabric& fabric, const std::vector<Kind>& warp, const 
     // What I called my yarn says nothing of one of another colour or thickness: it goes by these.
     if (kind.colour > 0 || kind.permille != 1000) yarn.name.clear();
     if (isNew) fabric.fibres.push_back(fibre);
-    given.push_back({kind.colour, fabric.fibres[yarn.fibre].absorption_per_mm, {}});
+    given.push_back({kind.colour, fabric.fibres[yarn.fibre].absorption_per_mm.primaries, {}});
     fabric.yarns.push_back(yarn);
   }
   if (held) warnings.push_back(heldYarns());

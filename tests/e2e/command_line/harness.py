@@ -64,6 +64,11 @@ class CommandLineTest(unittest.TestCase):
     def run_program(self, *words, status=0, timeout=120, messages=False, cwd=None, before=(), **options):
         """Runs the program in the test's folder or another, by the command `before` it; returns stdout, or stderr where it
         is to fail or for messages."""
+        done = self.run_both(*words, status=status, timeout=timeout, cwd=cwd, before=before, **options)
+        return done.stdout if status == 0 and not messages else done.stderr
+
+    def run_both(self, *words, status=0, timeout=120, cwd=None, before=(), **options):
+        """Likewise, with what it said on both."""
         done = subprocess.run(
             [*before, LOOMLIGHT, *map(str, words)],
             cwd=cwd or self.folder,
@@ -76,7 +81,7 @@ class CommandLineTest(unittest.TestCase):
             **options,
         )
         self.assertEqual(done.returncode, status, f"{words}\n{done.stdout}{done.stderr}")
-        return done.stdout if status == 0 and not messages else done.stderr
+        return done
 
     def start_at_work(self, label, *words, **options):
         """Starts the program on a terminal, and returns it when its bar `label` shows that some of the work is done."""

@@ -60,7 +60,7 @@ TEST(CommandLine, RenderTakesAllItsOptions) {
                                              "2.5",          "--fibres-extent",
                                              "repeat",       "--temperature",
                                              "2700"});
-  EXPECT_EQ(render.input, "a.json");
+  EXPECT_EQ(render.inputs.front(), "a.json");
   EXPECT_EQ(render.output, "b.exr");
   EXPECT_EQ(render.options.size->width, 64);
   EXPECT_EQ(render.options.samplesPerPixel, 16);

@@ -40,7 +40,7 @@ TEST(Progress, ALogHasNoControlCharacters) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> log(std::tmpfile(), &std::fclose);
   ASSERT_TRUE(log);
   {
-    Progress progress("rendering", log.get());
+    Progress progress("rendering", ProgressStyle::plain, log.get());
     for (int i = 0; i <= 1000; ++i) progress.update(i / 1000.0);
   }
   std::rewind(log.get());

@@ -263,6 +263,27 @@ TEST(Exr, FailedWritesNameTheFileAndLeaveTheOldOne) {
   EXPECT_EQ(folder.entries(), 1u);
 }
 
+TEST(Exr, APartLiesWhereItLayInTheWhole) {
+  const test::ScratchFolder folder;
+  Image image;
+  image.width = 3;
+  image.height = 2;
+  image.left = 4;
+  image.top = 5;
+  image.wholeWidth = 10;
+  image.wholeHeight = 8;
+  image.metadata["loomlight.note"] = "a part";
+  image.add("R") = {1, 2, 3, 4, 5, 6};
+  writeExr(folder.file("a.exr"), image);
+  const Image read = readExr(folder.file("a.exr"));
+  EXPECT_EQ(read.left, 4);
+  EXPECT_EQ(read.top, 5);
+  EXPECT_EQ(read.wholeWidth, 10);
+  EXPECT_EQ(read.wholeHeight, 8);
+  EXPECT_EQ(read.find("R")->values, image.channels[0].values);
+  EXPECT_EQ(readExrTexts(folder.file("a.exr")).at("loomlight.note"), "a part");
+}
+
 TEST(Exr, ImpossibleSizesAreNotWritten) {
   const test::ScratchFolder folder;
   Image image;

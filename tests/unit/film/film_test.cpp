@@ -115,6 +115,22 @@ TEST(Film, PixelsWithoutSamplesAreZero) {
   }
 }
 
+TEST(Film, PartsMergeWhereTheyLie) {
+  Film whole(5, 4), parts(5, 4);
+  addAll(whole, {0, 1, 2, 3});
+  Film few(5, 4), more(5, 4);
+  addAll(few, {2, 3});
+  addAll(more, {0, 1});
+  for (const Film* samples : {&few, &more})
+    for (const PixelRect& window : {PixelRect{0, 0, 2, 4}, PixelRect{2, 0, 3, 1}, PixelRect{2, 1, 3, 3}}) {
+      const Film part = samples->cropped(window);
+      EXPECT_EQ(part.width(), window.width);
+      EXPECT_EQ(part.mean(0, 0), samples->mean(window.x, window.y));
+      parts.merge(part, window.x, window.y);
+    }
+  expectSameSums(whole, parts);
+}
+
 TEST(Film, GeometryIsTheMeanOverSamplesThatMetAFibre) {
   Film film(1, 1);
   PathSample hit;

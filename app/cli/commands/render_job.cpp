@@ -1,0 +1,237 @@
+#include "app/cli/commands/render_job.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/commands/render_stats.h"
+#include "app/cli/inputs.h"
+#include "app/cli/usage_error.h"
+#include "app/cli/version_text.h"
+#include "app/export/file_name.h"
+#include "app/export/picture.h"
+#include "app/export/picture_part.h"
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/base/stopwatch.h"
+#include "core/fabric/model/validate.h"
+#include "render/scene/fibre_extent.h"
+#include "render/transport/path_tracer.h"
+
+namespace loomlight {
+namespace {
+
+/// A picture to be traced, with what there is of it already.
+struct Begun {
+  std::shared_ptr<const Fabric> fabric;
+  Film film;                 ///< of the whole picture
+  SampleBox box;             ///< the samples that are wanted
+  uint32_t samples = 0;      ///< in every pixel of its window
+  std::string program = "";  ///< that traced what there is
+};
+
+SampleBox boxOf(const PartChoice& choice, const RenderSettings& settings, const SampleBox& fallback) {
+  const PixelRect window = choice.crop.value_or(fallback.window());
+  if (window.x + window.width > settings.width || window.y + window.height > settings.height)
+    throw UsageError(fmt::format("--crop: expected pixels of the {} x {} of the picture, got {},{},{}x{}",
+                                 settings.width, settings.height, window.x, window.y, window.width, window.height));
+  const int first = choice.firstSample.value_or(fallback.low.z);
+  const int most = settings.samplesPerPixel - first;
+  if (most < 1)
+    throw UsageError(fmt::format("--samples-from: expected a number below the {} samples of --spp, got {}",
+                                 settings.samplesPerPixel, first));
+  const int samples = choice.samples.value_or(fallback.high.z - first);
+  if (samples > most)
+    throw UsageError(
+        fmt::format("--samples: expected at most {}, which with those before makes the {} of --spp, got {}", most,
+                    settings.samplesPerPixel, samples));
+  return SampleBox::of(window, first, samples);
+}
+
+Begun goOn(const RenderCommand& command, PicturePart part, std::shared_ptr<const Fabric> fabric,
+           const std::string& input) {
+  const RenderSettings& settings = fabric->render;
+  expectSameFabric(*fabric, input.empty() ? command.resume : input, part.info.fabric, command.resume);
+  if (part.info.boxes.size() > 1)
+    throw InputError(fmt::format(
+        "{}: merged of parts that leave gaps; expected a picture or one part of it to go on with", command.resume));
+  // A picture, or its end, grows with --spp; a part has its own end.
+  SampleBox has = part.info.boxes.front();
+  if (has.high.z == part.info.fabric.render.samplesPerPixel)
+    has.high.z = std::max(settings.samplesPerPixel, has.low.z + 1);
+  const SampleBox wanted = boxOf(command.part, settings, has);
+  if (wanted.window() != has.window() || wanted.low.z != has.low.z)
+    throw UsageError(fmt::format("--crop and --samples-from: expected those of {}, or neither: {}", command.resume,
+                                 inWords(part.info.boxes.front())));
+  const uint32_t samples = fewestSamples(part.film);
+  if (static_cast<int>(samples) >= wanted.high.z - wanted.low.z)
+    throw UsageError(fmt::format("--spp: expected more than the {} samples that {} already has, got {}", samples,
+                                 command.resume, settings.samplesPerPixel));
+  Film film(settings.width, settings.height);
+  film.merge(part.film, part.window.x, part.window.y);
+  return {fabric, std::move(film), wanted, samples, part.info.origin.program};
+}
+
+Begun begin(const RenderCommand& command, const RenderJob& job) {
+  std::optional<PicturePart> part;
+  if (!command.resume.empty()) part = readPart(command.resume);
+  Fabric fabric =
+      withOptions(job.input.empty() ? part->info.fabric : fabricFromFile(job.input, command.wif), command.options);
+  if (job.frame) fabric = inFrame(std::move(fabric), command.turn.value_or(Turn{}), *job.frame);
+  validate(fabric, job.input.empty() ? command.resume : job.input);
+  const RenderSettings settings = fabric.render;
+  auto shared = std::make_shared<const Fabric>(std::move(fabric));
+  if (part) return goOn(command, std::move(*part), shared, job.input);
+  const SampleBox whole = SampleBox::of({0, 0, settings.width, settings.height}, 0, settings.samplesPerPixel);
+  const SampleBox box = boxOf(command.part, settings, whole);
+  return {shared, Film(settings.width, settings.height), box};
+}
+
+/// Traces until every pixel has its samples. Returns false when stopped.
+bool trace(const BuiltCloth& built, Begun& picture, Task task, ProgressStyle style, TraceCounts& counts) {
+  const RenderSettings& settings = picture.fabric->render;
+  const CameraRays camera(picture.fabric->camera, settings.width, settings.height);
+  const auto firstSample = static_cast<uint32_t>(picture.box.low.z);
+  const auto samples = static_cast<uint32_t>(picture.box.high.z - picture.box.low.z);
+  const uint32_t first = picture.samples;
+  Progress progress("rendering", style);
+  // Batches of about half a second: often enough for the bar, seldom enough to cost nothing.
+  constexpr double kBatch_s = 0.5;
+  uint32_t batch = 1;
+  for (uint32_t done = first; done < samples;) {
+    batch = std::min(batch, samples - done);
+    task.progress = [&progress, done, batch, first, samples](double fraction) {
+      progress.update((done - first + fraction * batch) / (samples - first));
+    };
+    Stopwatch watch;
+    const PassResult pass = renderUpTo(done + batch, *built.scene, *built.medium, camera, picture.film,
+                                       picture.box.window(), task, firstSample);
+    counts += pass.counts;
+    if (!pass.complete) return false;
+    done += batch;
+    progress.update(static_cast<double>(done - first) / (samples - first));
+    const double seconds = watch.lap();
+    if (seconds < 0.5 * kBatch_s) batch *= 2;
+    if (seconds > 2 * kBatch_s) batch = std::max(1u, batch / 2);
+  }
+  return true;
+}
+
+/// What a reader of the picture must know where not all of the piece is laid.
+std::string repeatText(const FibreSize& size) {
+  if (size.bricks) return " at most, laid brick by brick as rays come to them";
+  if (size.isWholePiece()) return "";
+  return fmt::format(": a repeat of {} x {} crossings, {} x {} times side by side", size.ends, size.picks,
+                     size.copies.x, size.copies.y);
+}
+
+/// Which fibres are laid, in a few words; empty where a volume is traced.
+std::string fibresLaid(const Scene& scene, const FibreOptions& options) {
+  if (scene.fabric->render.method != Method::fibres) return "";
+  const FibreSize size = planFibres(*scene.cloth, options);
+  if (size.bricks) return "bricks";
+  return size.isWholePiece() ? "piece" : fmt::format("repeat {}x{}", size.ends, size.picks);
+}
+
+/// Null when stopped. Says beforehand what fibres will take.
+std::shared_ptr<const Medium> buildMedium(const Scene& scene, const FibreOptions& options, Task task,
+                                          ProgressStyle style, MediumCost& cost) {
+  const RenderSettings& settings = scene.fabric->render;
+  const bool fibres = settings.method == Method::fibres;
+  if (!fibres && settings.estimator != Estimator::report) return makeMedium(scene, options, task, &cost);
+  if (fibres) {
+    const FibreSize size = planFibres(*scene.cloth, options);
+    fmt::print(stderr, "loomlight: {:.3g} fibre segments will take about {:.2f} GB of memory{}\n", size.segments,
+               size.bytes * 1e-9, repeatText(size));
+  }
+  Progress progress(fibres ? "laying fibres" : "baking visibility", style);
+  task.progress = [&progress](double fraction) { progress.update(fraction); };
+  return makeMedium(scene, options, task, &cost);
+}
+
+/// Builds what differs from what was built before. False when stopped.
+bool build(const std::shared_ptr<const Fabric>& fabric, const FibreOptions& options, Task task, ProgressStyle style,
+           BuiltCloth& built) {
+  std::shared_ptr<const Scene> scene;
+  {
+    Progress progress("voxelising", style);
+    task.progress = [&progress](double fraction) { progress.update(fraction); };
+    scene = makeScene(fabric, task, built.scene.get());
+  }
+  if (!scene) return false;
+  const bool sameCloth = built.scene && built.scene->cloth == scene->cloth;
+  built.scene = scene;
+  if (sameCloth && built.medium) return true;
+  built.medium = nullptr;
+  built.medium = buildMedium(*scene, options, task, style, built.cost);
+  if (!built.medium) return false;
+  for (const std::string& repair : scene->cloth->shell->repairs()) fmt::print(stderr, "loomlight: {}\n", repair);
+  return true;
+}
+
+std::string bothPrograms(const std::string& before, const std::string& now) {
+  return before.empty() || before == now ? now : before + ", then " + now;
+}
+
+void write(const std::string& output, const Begun& picture, const Tone& tone, bool keepSums,
+           const std::string& fibres) {
+  const RenderSettings& settings = picture.fabric->render;
+  const bool cropped = picture.box.window() != PixelRect{0, 0, settings.width, settings.height};
+  if (lowerExtension(output) == ".exr" && keepSums) {
+    const std::string program = bothPrograms(picture.program, buildName());
+    writePart(output, picture.film, {*picture.fabric, originOf(*picture.fabric, program, fibres), {picture.box}});
+  } else {
+    writePicture(output, cropped ? picture.film.cropped(picture.box.window()) : picture.film, *picture.fabric, tone);
+  }
+}
+
+void tellWritten(const RenderJob& job, uint32_t samples, bool complete, double seconds) {
+  const nlohmann::ordered_json line{{"stage", "written"},
+                                    {"output", job.output},
+                                    {"samples_per_pixel", samples},
+                                    {"complete", complete},
+                                    {"seconds", seconds}};
+  fmt::print(stderr, "{}\n", line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+}
+
+}  // namespace
+
+int renderPicture(const RenderCommand& command, const RenderJob& job, const Interrupt& interrupt, BuiltCloth& built) {
+  Stopwatch whole;
+  checkPictureName(job.output);
+  if (!job.stats.empty()) expectWritable(job.stats);
+  Begun picture = begin(command, job);
+  const RenderSettings& settings = picture.fabric->render;
+  const Task task = interrupt.task(command.threads);
+  const FibreOptions fibres(command.memoryLimit_bytes, command.fibreExtent);
+  if (!build(picture.fabric, fibres, task, command.progress, built)) {
+    fmt::print(stderr, "loomlight: stopped before the first sample; nothing was written\n");
+    return Interrupt::kExitStatus;
+  }
+  const PixelRect window = picture.box.window();
+  const int wanted = picture.box.high.z - picture.box.low.z;
+  fmt::print(stderr, "loomlight: rendering {} x {}, {} samples per pixel, threads: {}\n", window.width, window.height,
+             wanted, task.threads);
+  TraceCounts counts;
+  Stopwatch watch;
+  const bool complete = trace(built, picture, task, command.progress, counts);
+  const double render_s = watch.lap();
+
+  // A stopped picture keeps its sums, so that hours of work can be gone on with.
+  write(job.output, picture, command.tone, command.keepSums || !complete || !command.part.isWhole(),
+        fibresLaid(*built.scene, fibres));
+  const double total_s = whole.lap();
+  const uint32_t samples = fewestSamples(picture.film, window);
+  if (!job.stats.empty()) {
+    writeStats(job.stats,
+               {settings.method, window.width, window.height, static_cast<int>(samples), task.threads,
+                built.scene->seconds, render_s, total_s, built.scene->cloth->volume->counts(), built.cost, counts});
+  }
+  fmt::print("{}: {} x {}, {} samples per pixel{}, {}\n", job.output, window.width, window.height, samples,
+             complete ? "" : fmt::format(" of {}, stopped", wanted), durationText(total_s));
+  if (command.progress == ProgressStyle::json) tellWritten(job, samples, complete, total_s);
+  return complete ? 0 : Interrupt::kExitStatus;
+}
+
+}  // namespace loomlight

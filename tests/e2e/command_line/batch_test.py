@@ -1,0 +1,78 @@
+"""Many pictures of one command: turns of the camera and the light, lists of fabrics, progress for other programs."""
+
+import json
+import os
+import signal
+
+from harness import SMALL, CommandLineTest, main
+
+
+class Batch(CommandLineTest):
+    def test_frames_are_the_pictures_that_they_name(self):
+        light = {"kind": "sky", "azimuth_deg": 100, "elevation_deg": 30}
+        cloth = self.fabric(light=light)
+        self.run_program("render", cloth, "-o", "light.####.exr", "--turn", "light:4,80", "--frames", "2..3")
+        self.assertEqual(sorted(file.name for file in self.folder.glob("light*")), ["light.0002.exr", "light.0003.exr"])
+        self.run_program("render", cloth, "-o", "alone.exr", "--light", "sky:140,30")
+        self.assertEqual(self.bytes_of("light.0003.exr"), self.bytes_of("alone.exr"))
+
+        self.run_program("render", cloth, "-o", "camera.#.exr", "--turn", "camera:2", "--method", "fibres")
+        turned = self.fabric(camera={**SMALL["camera"], "azimuth_deg": 90}, light=light)
+        self.run_program("render", turned, "-o", "alone.exr", "--method", "fibres")
+        self.assertEqual(self.bytes_of("camera.2.exr"), self.bytes_of("alone.exr"))
+
+    def test_frames_need_their_place_in_the_name(self):
+        message = self.run_program("render", self.fabric(), "-o", "a.png", "--turn", "camera:3", status=2)
+        self.assertIn("####", message)
+        self.assertIn("--turn", self.run_program("render", self.fabric(), "-o", "#.png", "--frames", "1..2", status=2))
+        words = ("render", self.fabric(), "-o", "#.png", "--turn", "light", "--light", "dome")
+        self.assertIn("direction", self.run_program(*words, status=2))
+
+    def test_a_list_goes_on_after_errors(self):
+        for name in ("one.json", "two.json"):
+            self.fabric(name)
+        (self.folder / "bad.json").write_text("{")
+        (self.folder / "list.txt").write_text("# ours\none.json\nbad.json\nabsent.json\n\n")
+        words = ("render", "two.json", "--list", "list.txt", "-o", "{}.png", "--stats", "{}.stats.json")
+        done = self.run_both(*words, status=1)
+        self.assertIn("2 of 4 pictures rendered", done.stdout)
+        self.assertIn("failed: bad.png\nfailed: absent.png", done.stdout)
+        for said in ("picture 1 of 4: two.png", "picture 4 of 4", "bad.json: ", "absent.json: "):
+            self.assertIn(said, done.stderr)
+        self.assertEqual(self.bytes_of("one.png"), self.bytes_of("two.png"))
+        self.assertTrue((self.folder / "one.stats.json").exists())
+        self.assertIn("2 of 2", self.run_program("render", "one.json", "two.json", "-o", "{}.png"))
+
+    def test_no_picture_is_written_over_another(self):
+        os.mkdir(self.folder / "other")
+        self.fabric("one.json")
+        self.fabric("other/one.json")
+        message = self.run_program("render", "one.json", "other/one.json", "-o", "{}.png", status=2)
+        for said in ("one.json", "other/one.json", "one.png"):
+            self.assertIn(said, message)
+
+    def test_progress_is_json_a_line(self):
+        done = self.run_both("render", self.fabric(), "-o", "a.png", "--progress", "json")
+        lines = [json.loads(line) for line in done.stderr.splitlines() if line.startswith("{")]
+        rendering = [line for line in lines if line["stage"] == "rendering"]
+        fractions = [line["fraction"] for line in rendering]
+        self.assertEqual(fractions, sorted(fractions))
+        self.assertEqual(fractions[-1], 1)
+        self.assertEqual(set(rendering[-1]), {"stage", "fraction", "elapsed_s", "left_s"})
+        self.assertEqual(lines[-1]["stage"], "written")
+        self.assertEqual((lines[-1]["output"], lines[-1]["complete"]), ("a.png", True))
+
+    def test_ctrl_c_ends_the_whole_list(self):
+        self.fabric("one.json")
+        self.fabric("two.json")
+        words = ("render", "one.json", "two.json", "-o", "{}.exr", "--spp", 1000000)
+        program = self.start_at_work("rendering", *words)
+        program.send_signal(signal.SIGINT)
+        said, _ = program.communicate(timeout=30)
+        self.assertEqual(program.returncode, 130)
+        self.assertIn("stopped in picture 1 of 2", said)
+        self.assertTrue((self.folder / "one.exr").exists())
+        self.assertFalse((self.folder / "two.exr").exists())
+
+
+main()

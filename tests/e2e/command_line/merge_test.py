@@ -1,0 +1,142 @@
+"""What is rendered in parts, by ranges of samples and windows of pixels, is put together to the bytes of one run."""
+
+import signal
+
+from harness import CommandLineTest, main
+
+
+class Merge(CommandLineTest):
+    def setUp(self):
+        super().setUp()
+        drape = {"kind": "cylinder", "width_mm": 4, "height_mm": 4, "radius_mm": 3}
+        self.scene = {"drape": drape, "light": {"kind": "sky"}}
+        self.cloth = self.fabric(**self.scene)
+
+    def render(self, output, *options, cloth=None, spp=7):
+        self.run_program("render", cloth or self.cloth, "-o", output, "--spp", spp, *options)
+        return self.bytes_of(output)
+
+    def part(self, output, first, samples, *options):
+        self.render(output, "--samples-from", first, "--samples", samples, *options)
+        return output
+
+    def refused(self, *parts):
+        return self.run_program("merge", *parts, "-o", "refused.exr", status=1)
+
+    def test_ranges_of_samples(self):
+        parts = [self.part("a.exr", 3, 2), self.part("b.exr", 0, 3, "--threads", 1), self.part("c.exr", 5, 2)]
+        self.run_program("merge", *parts, "-o", "merged.exr")
+        self.assertEqual(self.bytes_of("merged.exr"), self.render("whole.exr"))
+        self.run_program("merge", *parts, "-o", "sums.exr", "--keep-sums")
+        self.assertEqual(self.bytes_of("sums.exr"), self.render("whole-sums.exr", "--keep-sums"))
+        self.run_program("merge", *parts, "-o", "merged.png", "--exposure", 1)
+        self.assertEqual(self.bytes_of("merged.png"), self.render("whole.png", "--exposure", 1))
+
+    def test_windows_of_pixels(self):
+        crops = ("0,0,32x5", "0,5,13x19", "13,5,19x19")
+        parts = [f"{i}.exr" for i in range(3)]
+        for part, crop in zip(parts, crops):
+            self.render(part, "--crop", crop)
+        self.run_program("merge", *parts, "-o", "merged.exr")
+        self.assertEqual(self.bytes_of("merged.exr"), self.render("whole.exr"))
+
+    def test_windows_and_ranges_by_stages(self):
+        left, right = ("--crop", "0,0,16x24"), ("--crop", "16,0,16x24")
+        self.part("a.exr", 0, 4, *left)
+        self.part("b.exr", 4, 3, *left)
+        self.part("c.exr", 0, 6, *right)
+        self.part("d.exr", 6, 1, *right)
+        said = self.run_program("merge", "a.exr", "d.exr", "-o", "some.exr", "--partial")
+        self.assertIn("samples 4 to 6 of the pixels 0,0,16x24", said)
+        self.assertIn("samples 0 to 5 of the pixels 16,0,16x24", said)
+        self.run_program("merge", "c.exr", "some.exr", "b.exr", "-o", "merged.exr")
+        self.assertEqual(self.bytes_of("merged.exr"), self.render("whole.exr"))
+
+    def test_a_finished_picture_gets_more_samples(self):
+        self.render("first.exr", "--keep-sums", spp=4)
+        self.part("more.exr", 4, 3)
+        self.run_program("merge", "first.exr", "more.exr", "-o", "merged.exr")
+        self.assertEqual(self.bytes_of("merged.exr"), self.render("whole.exr"))
+
+    def test_what_is_missing_is_told_and_nothing_is_written(self):
+        self.part("a.exr", 0, 2)
+        self.part("b.exr", 5, 2, "--crop", "0,0,32x10")
+        message = self.refused("a.exr", "b.exr")
+        self.assertIn("samples 2 to 4 of the pixels 0,0,32x10", message)
+        self.assertIn("samples 2 to 6 of the pixels 0,10,32x14", message)
+        self.assertFalse((self.folder / "refused.exr").exists())
+
+    def test_samples_that_are_there_twice_are_refused(self):
+        self.part("a.exr", 0, 4)
+        self.part("b.exr", 3, 4)
+        message = self.refused("a.exr", "b.exr")
+        for said in ("a.exr", "b.exr", "samples 0 to 3", "samples 3 to 6"):
+            self.assertIn(said, message)
+
+    def test_parts_of_another_picture_are_refused(self):
+        self.part("a.exr", 0, 4)
+        yarns = self.fabric("other.json", ends_per_cm=21, **self.scene)
+        for said, options, cloth in (
+            ("seed", ("--seed", 2), None),
+            ("max_depth", ("--max-depth", 5), None),
+            ("width", ("--size", "33x24"), None),
+            ("camera", ("--view", "top"), None),
+            ("ends_per_cm", (), yarns),
+        ):
+            with self.subTest(said=said):
+                self.render("b.exr", "--samples-from", 4, *options, cloth=cloth)
+                message = self.refused("a.exr", "b.exr")
+                for word in ("a.exr", "b.exr", said):
+                    self.assertIn(word, message)
+
+    def test_a_mesh_that_has_changed_is_another_picture(self):
+        mesh = self.folder / "mesh.obj"
+        corners = "v -2 -2 0\nv 2 -2 0\nv 2 2 {}\nv -2 2 0\n"
+        square = corners + "vt 0 0\nvt 4 0\nvt 4 4\nvt 0 4\nf 1/1 2/2 3/3\nf 1/1 3/3 4/4\n"
+        mesh.write_text(square.format(0))
+        self.part("a.exr", 0, 4, "--drape", mesh, "--view", "0,60,14")
+        mesh.write_text(square.format(1))
+        self.part("b.exr", 4, 3, "--drape", mesh, "--view", "0,60,14")
+        self.assertIn("mesh", self.refused("a.exr", "b.exr"))
+
+    def test_other_fibres_are_another_picture(self):
+        fibres = ("--method", "fibres", "--drape", "flat", "--fibres-extent")
+        self.part("a.exr", 0, 4, *fibres, "piece")
+        self.part("b.exr", 4, 3, *fibres, "bricks")
+        self.assertIn("fibres", self.refused("a.exr", "b.exr"))
+
+    def test_what_is_no_part_is_refused(self):
+        self.render("slim.exr")
+        self.assertIn("slim.exr", self.refused("slim.exr"))
+        self.assertIn("absent.exr", self.refused("absent.exr"))
+        self.assertIn("--partial", self.run_program("merge", "slim.exr", "-o", "a.png", "--partial", status=2))
+
+    def test_a_stopped_part_is_refused_until_it_is_finished(self):
+        words = ("render", self.cloth, "-o", "b.exr", "--size", "64x48", "--spp", 1000000, "--samples-from", 0)
+        stopped = self.start_at_work("rendering", *words)
+        stopped.send_signal(signal.SIGINT)
+        self.assertEqual(stopped.wait(timeout=30), 130)
+        self.assertIn("not finished", self.refused("b.exr"))
+
+    def test_a_part_is_gone_on_with(self):
+        self.part("a.exr", 2, 2, "--crop", "3,4,20x10")
+        message = self.run_program("render", "--resume", "a.exr", "-o", "b.exr", "--samples-from", 3, status=2)
+        self.assertIn("--samples-from", message)
+        self.run_program("render", "--resume", "a.exr", "-o", "b.exr", "--samples", 5)
+        self.part("c.exr", 2, 5, "--crop", "3,4,20x10")
+        self.assertEqual(self.bytes_of("b.exr"), self.bytes_of("c.exr"))
+
+    def test_parts_beyond_the_picture(self):
+        for option, words in (
+            ("--crop", ("--crop", "30,0,8x8")),
+            ("--crop", ("--crop", "-1,0,8x8")),
+            ("--crop", ("--crop", "1,0,0x8")),
+            ("--samples-from", ("--samples-from", 7)),
+            ("--samples:", ("--samples-from", 3, "--samples", 5)),
+        ):
+            with self.subTest(words=words):
+                message = self.run_program("render", self.cloth, "-o", "a.exr", "--spp", 7, *words, status=2)
+                self.assertIn(option, message)
+
+
+main()
