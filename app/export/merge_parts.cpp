@@ -20,6 +20,7 @@ void expectSameOrigin(const SampleOrigin& wanted, const std::string& wantedFile,
   expectSame(wanted.fibres, other.fibres, "fibres");
   expectSame(wanted.mesh, other.mesh, "mesh");
   expectSame(wanted.environment, other.environment, "environment");
+  expectSame(wanted.lamp, other.lamp, "spectrum of the lamps");
 }
 
 /// Throws unless every pixel has the samples that the boxes promise.
