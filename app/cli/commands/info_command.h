@@ -13,7 +13,7 @@ struct InfoCommand {
   std::string input;
   FabricOptions options;
   WifChoices wif;
-  PieceSize piece;  ///< that yarn is needed for
+  PieceSize piece;             ///< that yarn is needed for
   double floatLimit_mm = 4.0;  ///< longer floats are listed; 0.1..100
   bool json = false;
 };
