@@ -15,7 +15,8 @@ namespace loomlight {
 namespace {
 
 const std::string kSumsKey = "loomlight.sums";
-const std::string kSumsVersion = "1";  ///< counts up when quanta or channels change
+const std::string kSumsVersion = "2";          ///< counts up when quanta or channels change
+const std::string kUnsignedSumsVersion = "1";  ///< the same, without colours outside of the gamut
 
 std::array<float, 3> split(uint64_t v) {
   constexpr uint64_t mask = (1u << 22) - 1;
@@ -151,7 +152,7 @@ Image Film::toImage(bool withSums) const {
 Film Film::fromImage(const Image& image, const std::string& file) {
   const auto version = image.metadata.find(kSumsKey);
   if (version == image.metadata.end()) throw InputError(fmt::format("{}: holds no sums, it cannot be resumed", file));
-  if (version->second != kSumsVersion)
+  if (version->second != kSumsVersion && version->second != kUnsignedSumsVersion)
     throw InputError(fmt::format("{}: sums of version {}, expected {}", file, version->second, kSumsVersion));
 
   Film film(image.width, image.height);
