@@ -145,8 +145,13 @@ void Session::openFile(const std::string& file) {
 void Session::dyeLike(const std::string& swatchFile) {
   try {
     const SwatchFile found = readSwatches(swatchFile);
+    settings_.dock.panelsShown = true;  // where it is told what came of it
     inspector_.dyeLike(*document_.fabric(), found.swatches.front());
-    if (!found.remarks.empty()) questions_.say("The swatch was read", found.remarks.front());
+    std::string said;
+    for (const std::string& remark : found.remarks) said += remark + "\n\n";
+    if (found.swatches.size() > 1)
+      said += fmt::format("The first of {} is taken: {}.", found.swatches.size(), found.swatches.front().name);
+    if (!said.empty()) questions_.say("The swatch was read", said);
   } catch (const InputError& error) {
     sayUnopened(error.what());
   }

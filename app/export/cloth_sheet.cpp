@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/export/face_colours.h"
 #include "app/export/file_name.h"
 #include "app/export/paper.h"
 #include "app/export/picture.h"
@@ -56,6 +57,7 @@ struct Pictures {
   Pixels8 cloth;
   std::vector<Pixels8> colourways;
   ClothMeasures measures;
+  std::vector<FaceColour> faces;
 };
 
 std::optional<Pictures> tracedPictures(const Fabric& fabric, const ClothSheetOptions& options, const Task& task) {
@@ -83,6 +85,11 @@ std::optional<Pictures> tracedPictures(const Fabric& fabric, const ClothSheetOpt
     if (!picture) return std::nullopt;
     pictures.colourways.push_back(toPixels(picture->film, Tone{}));
   }
+  Task quiet = task;
+  quiet.progress = nullptr;  // it takes a moment
+  auto faces = faceColours(fabric, quiet);
+  if (!faces) return std::nullopt;
+  pictures.faces = std::move(*faces);
   return pictures;
 }
 
@@ -103,6 +110,7 @@ class SheetWriter {
     y = std::max(belowCloth, belowDraft) + 5;
     const double belowFigures = construction(left, y), belowOrders = orders(right, y);
     y = yarns(left, std::max(belowFigures, belowOrders) + 5) + 5;
+    y = colours(left, y) + 5;
     y = notes(left, y);
     colourways(left);
   }
@@ -239,6 +247,28 @@ class SheetWriter {
     }
     if (fabric_.yarns.size() > kMostYarns) {
       paper_.text(columns[1], y, fmt::format("and {} more", fabric_.yarns.size() - kMostYarns), kQuiet);
+      y += kLine_mm;
+    }
+    return y;
+  }
+
+  /// As a spectrophotometer would read the cloth.
+  double colours(double x, double y) {
+    const double columns[] = {x, x + 12, x + 66, x + 112, x + 158};
+    y = heading(x, y, "Colour of the face, CIELAB for 10 degrees");
+    const char* const heads[] = {"", "Where it lies on top", "D65", "A", "moves by (CIEDE2000)"};
+    for (size_t i = 0; i < std::size(heads); ++i) paper_.text(columns[i], y, heads[i], kQuiet);
+    paper_.line(x, y + 1.2, kPage_mm[0] - kMargin_mm, y + 1.2, 0.15);
+    y += kLine_mm + 0.6;
+    const auto text = [](const Lab& lab) {
+      return fmt::format("L* {:.1f}  a* {:.1f}  b* {:.1f}", lab.L, lab.a, lab.b);
+    };
+    for (const FaceColour& face : pictures_.faces) {
+      paper_.fill(columns[0] + 5, y - 2.4, 5, 2.8, srgbFromLinear(glm::clamp(face.shown, Rgb(0.0f), Rgb(1.0f))));
+      paper_.text(columns[1], y, face.name, kBody, columns[2] - columns[1] - 2);
+      paper_.text(columns[2], y, text(face.daylight), kBody);
+      paper_.text(columns[3], y, text(face.bulb), kBody);
+      paper_.text(columns[4], y, fmt::format("{:.1f}", face.inconstancy), kBody);
       y += kLine_mm;
     }
     return y;

@@ -20,8 +20,8 @@ struct ClothSheetOptions {
 
 /// One A4 page that a mill can weave from, as a .pdf, or a .png to be looked at: the cloth at 1 : 1 in a light booth,
 /// its draft or as much of the first repeat as is legible, construction, finish and mass, the yarns with count, twist,
-/// fibre and kg for 100 m, the orders of colours as tables, notes, and the colourways in small. False, and nothing is
-/// written, when stopped. Throws InputError.
+/// fibre and kg for 100 m, the orders of colours as tables, the colour of the face under two lamps, notes, and the
+/// colourways in small. False, and nothing is written, when stopped. Throws InputError.
 bool writeClothSheet(const std::string& file, const Fabric& fabric, const ClothSheetOptions& options, const Task& task);
 
 }  // namespace loomlight

@@ -34,9 +34,15 @@ struct Pool {
   }
 };
 
-/// Where there is nothing to divide by, nothing is known but the light.
+/// A channel that has hardly any light, or less than none, is taken to change as all of the light does. Where there is
+/// nothing to divide by, nothing is known but the lamps.
 Rgb ratio(Rgb a, Rgb b, Rgb light) {
-  const auto divide = [](float x, float y, float unknown) { return y > 0 ? x / y : unknown; };
+  constexpr float kLeast = 1e-4f;  // of the luminance
+  const float before = luminance(b);
+  const auto divide = [&](float x, float y, float unknown) {
+    if (y > kLeast * before && y > 0) return x / y;
+    return before > 0 ? luminance(a) / before : unknown;
+  };
   return {divide(a.r, b.r, light.r), divide(a.g, b.g, light.g), divide(a.b, b.b, light.b)};
 }
 

@@ -39,7 +39,7 @@ EyeResponse responseOf(const Illuminant& illuminant, Observer observer, const Pr
 /// The lamps have a spectrum of their own, where they are not daylight; a sky's is that of daylight of its colours.
 EyeResponse responseOf(const Light& light, Observer observer) {
   const bool isDaylight = light.illuminant == StandardIlluminant::d65 && observer == Observer::degrees2;
-  const bool isSky = isDaylight && light.kind == LightKind::sky;
+  const bool isSky = light.illuminant == StandardIlluminant::d65 && light.kind == LightKind::sky;
   return responseOf(illuminantOf(light), observer, isSky ? daylightPrimaries() : colourPrimaries(), isDaylight);
 }
 
@@ -80,14 +80,15 @@ Colouring colouringInDaylight(const Fabric& fabric) {
 std::vector<Rgb> leastAbsorption_per_mm(const Colouring& colouring) {
   std::vector<Rgb> least = colouring.primaries_per_mm;
   if (!colouring.isSpectral()) return least;
-  constexpr size_t kGreen = 12, kRed = 22;  // from 500 and from 600 nm
+  // Where primaries have hardly any light they say nothing; between, two of them do.
+  constexpr size_t kBlueEnds = 15, kGreenBegins = 8, kGreenEnds = 24, kRedBegins = 19;
   for (size_t k = 0; k < least.size(); ++k) {
     const Spectrum& bands = colouring.bands_per_mm[k];
     const auto leastOf = [&](size_t begin, size_t end) {
       return *std::min_element(bands.begin() + static_cast<ptrdiff_t>(begin),
                                bands.begin() + static_cast<ptrdiff_t>(end));
     };
-    least[k] += Rgb(leastOf(kRed, kBands), leastOf(kGreen, kRed), leastOf(0, kGreen));
+    least[k] += Rgb(leastOf(kRedBegins, kBands), leastOf(kGreenBegins, kGreenEnds), leastOf(0, kBlueEnds));
   }
   return least;
 }

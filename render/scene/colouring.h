@@ -43,8 +43,8 @@ Colouring colouringOf(const Fabric& fabric);
 /// Of the fabric's fibres in daylight, as colours are named and wanted.
 Colouring colouringInDaylight(const Fabric& fabric);
 
-/// For each material what each primary loses at the least, 1/mm: Russian roulette may end paths by it, since no band is
-/// brighter than these say.
+/// For each material what each primary loses at the least, 1/mm, in the bands where it has most of its light: Russian
+/// roulette may end paths by it, since hardly a band is brighter than these say.
 std::vector<Rgb> leastAbsorption_per_mm(const Colouring& colouring);
 
 }  // namespace loomlight

@@ -183,7 +183,8 @@ std::shared_ptr<const Scene> makeScene(std::shared_ptr<const Fabric> fabric, con
   Unfinished made;
   Scene& scene = made.scene;
   scene.fabric = fabric;
-  scene.colouring = colouringOf(*fabric);
+  const Stages colours = Stage::colour | Stage::brightness | Stage::light | Stage::optics;
+  scene.colouring = previous && !change.stages.any(colours) ? previous->colouring : colouringOf(*fabric);
   scene.roulette_per_mm = leastAbsorption_per_mm(scene.colouring);
   scene.lighting = previous && !change.stages.any(Stage::light | Stage::brightness)
                        ? previous->lighting

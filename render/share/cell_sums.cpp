@@ -8,12 +8,12 @@
 namespace loomlight {
 namespace {
 
-// As fine as the film's; 2^26 paths of the brightest light do not overflow.
+// 2^24 paths of the brightest light do not overflow.
 constexpr double kQuantum = 0x1p-20, kMostColour = 0x1p18;
 constexpr double kSquareQuantum = 0x1p-16, kMostSquare = 0x1p22;
 
-uint64_t quantised(double value, double most, double quantum) {
-  return value > 0 ? static_cast<uint64_t>(std::llround(std::min(value, most) / quantum)) : 0;
+int64_t quantised(double value, double most, double quantum) {
+  return std::isnan(value) ? 0 : std::llround(std::clamp(value, -most, most) / quantum);
 }
 
 }  // namespace
@@ -75,13 +75,13 @@ uint32_t CellSums::add(const CellPath& path) {
 }
 
 void CellSums::deposit(uint32_t cell, Rgb colour) {
-  uint64_t quanta[3];
+  int64_t quanta[3];
   double square = 0;
   for (int c = 0; c < 3; ++c) {
     quanta[c] = quantised(colour[c], kMostColour, kQuantum);
     square += std::pow(kQuantum * static_cast<double>(quanta[c]), 2);
   }
-  const uint64_t squares = quantised(square, kMostSquare, kSquareQuantum);
+  const auto squares = static_cast<uint64_t>(quantised(square, kMostSquare, kSquareQuantum));
   for (;;) {
     Cell& sums = cells_[cell];
     for (int c = 0; c < 3; ++c) sums.colour[c] += quanta[c];
@@ -117,7 +117,7 @@ void CellSums::fade(uint32_t mostPaths) {
     const auto paths = static_cast<uint32_t>(std::lround(share * sums.paths));
     // What is left of the light is that of so many paths.
     const double kept = sums.paths > 0 ? paths / static_cast<double>(sums.paths) : 0;
-    for (uint64_t& channel : sums.colour) channel = static_cast<uint64_t>(kept * static_cast<double>(channel));
+    for (int64_t& channel : sums.colour) channel = static_cast<int64_t>(kept * static_cast<double>(channel));
     sums.squares = static_cast<uint64_t>(kept * static_cast<double>(sums.squares));
     sums.paths = paths;
   }

@@ -40,8 +40,8 @@ class CellSums {
 
   struct Cell {
     uint64_t key;
-    uint64_t colour[3];  ///< sum, in quanta
-    uint64_t squares;    ///< sum over channels too, in quanta of their own
+    int64_t colour[3];  ///< sum, in quanta; negative where colours are outside of the gamut
+    uint64_t squares;   ///< sum over channels too, in quanta of their own
     uint32_t paths;
     uint32_t parent;  ///< always before the cell; of the first cell itself
     int level() const { return static_cast<int>(key & kCellLevelBits); }

@@ -90,10 +90,11 @@ Reflectance PathLengthTally::reflectance(const Colouring& colouring) const {
   }
   Reflectance measured;
   const auto n = static_cast<double>(count);
-  if (n < 2) return measured;
+  if (count == 0) return measured;
   for (size_t j = 0; j < kBands; ++j) {
     const double mean = sums[j] / n;
     measured.mean[j] = static_cast<float>(mean);
+    if (count < 2) continue;
     measured.standardError[j] = static_cast<float>(std::sqrt(std::max(0.0, squares[j] / n - mean * mean) / (n - 1)));
   }
   return measured;

@@ -52,17 +52,12 @@ bool presetRow(Ui& ui, Fibre& fibre, const std::vector<FibrePreset>& presets, co
                     "are from."},
                    names, chosen, otherwise.c_str()))
     return false;
-  const Rgb colour = fibreReflectance(fibre);
   Fibre filled = presets[static_cast<size_t>(chosen)].fibre;
   const bool namedAsKind = std::any_of(presets.begin(), presets.end(),
                                        [&](const FibrePreset& preset) { return preset.fibre.name == fibre.name; });
   if (!namedAsKind) filled.name = fibre.name;
   filled.unknown = fibre.unknown;
-  if (fibre.absorption_per_mm.isSpectral())  // measured: a picked colour would say less
-    filled.absorption_per_mm = fibre.absorption_per_mm;
-  else
-    dye(filled, colour);
-  fibre = filled;
+  fibre = dyedLike(std::move(filled), fibre);
   return true;
 }
 
@@ -88,6 +83,11 @@ bool sourcedField(Ui& ui, Fibre& fibre, double Fibre::* member, int decimals, co
 bool absorptionRows(Ui& ui, Fibre& fibre) {
   static constexpr const char* kIds[] = {"fibre.absorption_r", "fibre.absorption_g", "fibre.absorption_b"};
   static constexpr const char* kLabels[] = {words::depthRed.label, words::depthGreen.label, words::depthBlue.label};
+  const Absorption& known = fibre.absorption_per_mm;
+  if (known.bands) hint(ui, "Measured in 36 bands. A picked colour takes its place; the depths below are added to it.");
+  if (!known.dyes.empty())
+    hint(ui, fmt::format("A recipe of {} dyes. A picked colour takes its place; the depths below are added to it.",
+                         known.dyes.size()));
   const FieldInfo info = fieldInfo(&Fibre::absorption_per_mm);
   NumberStyle style;
   style.unit = info.unit;

@@ -7,7 +7,6 @@
 #include "core/fabric/yarn/presets.h"
 #include "core/fabric/yarn/yarn_edit.h"
 #include "core/fabric/yarn/yarn_name.h"
-#include "core/fabric/yarn/yarn_reflectance.h"
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/yarn_fields.h"
 #include "ui/widgets/choices.h"
@@ -57,8 +56,7 @@ std::optional<Fabric> presetRow(Ui& ui, const Fabric& fabric, int index) {
     return std::nullopt;
   const YarnPreset& preset = presets[static_cast<size_t>(chosen)];
   const Fibre& old = fabric.fibres[static_cast<size_t>(fabric.yarns[static_cast<size_t>(index)].fibre)];
-  const Rgb colour = fibreReflectance(old);
-  return withYarn(fabric, index, preset.yarn, dyed(preset.fibre, colour));
+  return withYarn(fabric, index, preset.yarn, dyedLike(preset.fibre, old));
 }
 
 /// Of the yarn as its section is drawn, with the air between plies and flattened as in the cloth; its diameter until

@@ -112,7 +112,7 @@ bool dye(Fabric& fabric, Dyeing& dyeing) {
   constexpr float kSettled = 1e-3f;  // of a dye
   Absorption& absorption = fabric.fibres[dyeing.fibre].absorption_per_mm;
   const auto fibre = static_cast<int>(dyeing.fibre);
-  bool settled = true;
+  bool settled = absorption.isSpectral() == dyeing.measured.has_value();
   if (dyeing.measured) {
     const SolvedReflectance solved =
         solveReflectance(dyeing.walks, colouringInDaylight(fabric), fibre, *dyeing.measured);
@@ -124,7 +124,7 @@ bool dye(Fabric& fabric, Dyeing& dyeing) {
   } else {
     const SolvedColour solved = solveColour(dyeing.walks, absorptionsOf(fabric), fibre, dyeing.wanted);
     const Rgb now = solved.absorption_per_mm, before = absorption.primaries;
-    settled = glm::all(glm::lessThanEqual(glm::abs(now - before), kSettled * now));
+    settled &= glm::all(glm::lessThanEqual(glm::abs(now - before), kSettled * now));
     dyeing.tooLight = solved.tooLight;
     dyeing.tooDark = solved.tooDark;
     absorption = now;

@@ -41,12 +41,12 @@ struct Judgement {
 };
 
 /// nullopt when stopped.
-std::optional<Sample> sampleFrom(const std::string& file, const ColourCommand& command) {
+std::optional<Sample> sampleFrom(const std::string& file, const FabricOptions& options, const ColourCommand& command) {
   if (isSwatchFile(file)) {
     const MeasuredSwatch swatch = swatchFrom(file);
     return Sample{swatch.name, {bandReflectance(swatch), {}}};
   }
-  const Fabric fabric = withOptions(fabricFromFile(file, command.wif), command.options);
+  const Fabric fabric = withOptions(fabricFromFile(file, command.wif), options);
   const Interrupt interrupt;
   Progress progress("walking light through the cloth");
   Task task = interrupt.task(command.threads);
@@ -75,11 +75,12 @@ nlohmann::ordered_json toJson(const Lab& lab) {
 }
 
 nlohmann::ordered_json toJson(const Sample& sample) {
-  return {{"name", sample.name},
-          {"from_nm", kFirstBand_nm},
-          {"step_nm", kBandStep_nm},
-          {"reflectance", sample.reflectance.mean},
-          {"standard_error", sample.reflectance.standardError}};
+  nlohmann::ordered_json json{{"name", sample.name},
+                              {"from_nm", kFirstBand_nm},
+                              {"step_nm", kBandStep_nm},
+                              {"reflectance", sample.reflectance.mean}};
+  if (sample.reflectance.standardError != Spectrum{}) json["standard_error"] = sample.reflectance.standardError;
+  return json;
 }
 
 void printJson(const Sample& sample, const Sample* standard, const std::vector<Lamp>& lamps,
@@ -99,7 +100,7 @@ void printJson(const Sample& sample, const Sample* standard, const std::vector<L
     }
     json["illuminants"].push_back(std::move(under));
   }
-  fmt::print("{}\n", json.dump(2));
+  fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
 std::string text(const Lab& lab) {
@@ -132,11 +133,11 @@ int run(const ColourCommand& command) {
   std::vector<Lamp> lamps;
   for (const std::string& name : command.illuminants)
     lamps.push_back({name, tristimulusWeights(illuminantCalled(name), command.observer)});
-  const auto sample = sampleFrom(command.input, command);
+  const auto sample = sampleFrom(command.input, command.options, command);
   if (!sample) return Interrupt::kExitStatus;
   std::optional<Sample> standard;
   if (!command.standard.empty()) {
-    standard = sampleFrom(command.standard, command);
+    standard = sampleFrom(command.standard, command.standardOptions, command);
     if (!standard) return Interrupt::kExitStatus;
   }
   const Sample* const against = standard ? &*standard : nullptr;

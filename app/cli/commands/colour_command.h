@@ -16,8 +16,9 @@ struct ColourCommand {
   std::string standard;                                     ///< likewise; empty: there is none
   std::vector<std::string> illuminants{"D65", "F11", "A"};  ///< the first is the reference of metamerism
   Observer observer = Observer::degrees10;
-  double tolerance = 1;  ///< largest CMC(2:1) that passes
-  FabricOptions options;
+  double tolerance = 1;   ///< largest CMC(2:1) that passes
+  FabricOptions options;  ///< of the input
+  FabricOptions standardOptions;
   WifChoices wif;
   bool json = false;
   int threads = 0;

@@ -128,7 +128,11 @@ void addBvdf(CLI::App& app, BvdfCommand& command) {
 
 void addColour(CLI::App& app, ColourCommand& command) {
   addInput(app, "FABRIC", command.input);
-  app.add_option("--standard", command.standard, "another fabric: what it ought to look like")->type_name("FILE");
+  app.add_option("--standard", command.standard,
+                 "what it ought to look like: a measured swatch (CGATS .txt, .cxf, .qtx, .csv), or a fabric")
+      ->type_name("FILE");
+  app.add_option("--standard-colourway", command.standardOptions.colourway, "the standard's colours of this name")
+      ->type_name("NAME");
   app.add_option("--illuminant", command.illuminants,
                  "lamps to judge by, with commas between; D65,F11,A where not given. Also 2856 K, or a text file of nm "
                  "and power. Metamerism is told from the first")

@@ -24,6 +24,7 @@ size_t ownBytes(const Fabric& fabric, const Fabric* before) {
                  fabric.colourways.capacity() * sizeof(Colourway);
   for (const Colourway& colourway : fabric.colourways)
     bytes += colourway.absorption_per_mm.capacity() * sizeof(Absorption);
+  for (const Fibre& fibre : fabric.fibres) bytes += fibre.absorption_per_mm.dyes.capacity() * sizeof(Dyestuff);
   const int both = before ? std::min(weave.picks(), before->weave.picks()) : 0;
   for (int pick = 0; pick < weave.picks(); ++pick)
     if (pick >= both || weave.sharedRow(pick) != before->weave.sharedRow(pick)) bytes += weave.row(pick).size();

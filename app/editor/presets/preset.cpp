@@ -12,7 +12,6 @@
 #include "core/fabric/model/yarn_count.h"
 #include "core/fabric/yarn/presets.h"
 #include "core/fabric/yarn/yarn_edit.h"
-#include "core/fabric/yarn/yarn_reflectance.h"
 
 namespace loomlight {
 namespace {
@@ -140,7 +139,7 @@ Fabric withPreset(PresetKind kind, const Preset& from, const Fabric& now, int ya
   const Fabric& preset = *from.fabric;
   // What came with the program is undyed: the colour stays the designer's.
   const Fibre& old = now.fibres[static_cast<size_t>(fibre)];
-  const auto coloured = [&](const Fibre& of) { return from.own ? of : dyed(of, fibreReflectance(old)); };
+  const auto coloured = [&](const Fibre& of) { return from.own ? of : dyedLike(of, old); };
   switch (kind) {
     case PresetKind::fabrics:
       return dressed(now, preset);

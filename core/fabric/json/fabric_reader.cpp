@@ -135,6 +135,11 @@ class ObjectReader {
     });
   }
 
+  /// Of a value that has no place for what this version does not know.
+  void expectNoMore(const char* expected) const {
+    if (!object_.empty()) place_.reject(expected, quotedText(object_.begin().key()));
+  }
+
   UnknownKeys rest() { return object_.empty() ? nullptr : std::make_shared<const json>(std::move(object_)); }
 
  private:
@@ -178,6 +183,11 @@ void read(const json& value, const FieldInfo& info, const Place& place, Spectrum
     const size_t count = readList(list, "a list of numbers", there).size();
     if (count < 2 || count > kMost) there.reject(fmt::format("from 2 to {} numbers", kMost), fmt::format("{}", count));
     readValues(list, there);
+    reader.expectNoMore("from_nm, step_nm and values");
+    constexpr double kFewestFrom_nm = 400, kFewestTo_nm = 700;
+    const double to_nm = from_nm + step_nm * static_cast<double>(count - 1);
+    if (from_nm > kFewestFrom_nm || to_nm < kFewestTo_nm)
+      there.reject("values from 400 to 700 nm at least", fmt::format("from {} to {}", from_nm, to_nm));
   }
   out = atBands(values, from_nm, step_nm);
 }
@@ -186,8 +196,10 @@ std::vector<Dyestuff> readDyes(json value, const Place& place) {
   readList(value, "a list of dyes", place);
   std::vector<Dyestuff> dyes;
   for (size_t i = 0; i < value.size() && i <= Absorption::kMostDyes; ++i) {
-    ObjectReader reader(std::move(value[i]), place.at(i));
+    const Place here = place.at(i);
+    ObjectReader reader(std::move(value[i]), here);
     reader.takeFields(dyes.emplace_back());
+    reader.expectNoMore("a dye's name, amount_percent and absorption_per_mm");
   }
   return dyes;
 }
@@ -201,6 +213,7 @@ void read(const json& value, const FieldInfo& info, const Place& place, Absorpti
   if (const std::optional<json> bands = reader.take("bands"))
     read(*bands, info, place.at("bands"), out.bands.emplace());
   if (std::optional<json> dyes = reader.take("dyes")) out.dyes = readDyes(std::move(*dyes), place.at("dyes"));
+  reader.expectNoMore("primaries, bands and dyes");
 }
 
 template <class Object>

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "core/fabric/model/validate.h"
 #include "core/fabric/model/yarn_count.h"
 #include "core/fabric/yarn/colour.h"
+#include "core/fabric/yarn/yarn_reflectance.h"
 
 namespace loomlight {
 namespace {
@@ -238,6 +240,12 @@ double twistMultiplier(double twist_per_m, double tex) {
 
 Fibre dyed(Fibre fibre, const Rgb& colour) {
   fibre.absorption_per_mm = absorptionFromColour(colour, fibre.azimuthalRoughness, fibre.radius_um);
+  return fibre;
+}
+
+Fibre dyedLike(Fibre fibre, const Fibre& other) {
+  if (!other.absorption_per_mm.isSpectral()) return dyed(std::move(fibre), fibreReflectance(other));
+  fibre.absorption_per_mm = other.absorption_per_mm;
   return fibre;
 }
 

@@ -39,6 +39,9 @@ std::vector<YarnPreset> yarnPresets();
 
 /// The same fibre with the absorption that shows this colour (linear reflectance of a thick mass of it, colour.h).
 Fibre dyed(Fibre fibre, const Rgb& colour);
+/// The fibre in the colour of another one: with its very absorption where that was measured or is a recipe, else so
+/// that a thick mass of it looks alike.
+Fibre dyedLike(Fibre fibre, const Fibre& other);
 
 /// Turns per metre for a twist multiplier (turns per inch over the square root of the cotton count, as spinners give
 /// it: warp yarns 3.8 to 4.5): 957 TM / sqrt(tex).

@@ -20,6 +20,16 @@ CellPath path(uint64_t a, uint64_t b = 0) {
   return path;
 }
 
+// Single paths may be of colours outside of the gamut whose mean is not: to cut them off would bleach it.
+TEST(CellSums, NegativeChannelsCount) {
+  CellSums sums;
+  const uint32_t cell = sums.add(path(1));
+  sums.deposit(cell, Rgb(-1, 2, 0));
+  sums.deposit(cell, Rgb(3, 0, 1));
+  EXPECT_EQ(sums[cell].sum(), glm::dvec3(2, 2, 1));
+  EXPECT_EQ(sums[cell].sumOfSquares(), 1 + 4 + 9 + 1);
+}
+
 TEST(CellSums, ADepositIsInEveryCellAbove) {
   CellSums sums;
   const uint32_t first = sums.add(path(1)), second = sums.add(path(2));

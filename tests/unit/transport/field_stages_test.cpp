@@ -71,7 +71,11 @@ Value another(const Value& value, const FieldInfo& info) {
   } else if constexpr (std::is_same_v<Value, bool>) {
     return !value;
   } else if constexpr (std::is_same_v<Value, Absorption>) {
-    return Absorption(value.primaries + Rgb(0.3f));
+    Absorption more = value;  // of each kind that there is
+    more.primaries += Rgb(0.3f);
+    if (more.bands) (*more.bands)[20] += 5;
+    for (Dyestuff& dye : more.dyes) dye.amount_percent *= 1.5;
+    return more;
   } else if constexpr (std::is_same_v<Value, Rgb> || std::is_same_v<Value, glm::dvec3>) {
     return value + Value(0.3);
   } else if constexpr (std::is_enum_v<Value>) {
@@ -196,7 +200,14 @@ TEST_P(FieldStages, OfAFibre) {
 }
 
 TEST_P(FieldStages, OfABlendedFibre) {
-  expectAllOf<Fibre>({blend(), blendByNumber()}, [](Fabric& fabric) -> Fibre& { return fabric.fibres[1]; });
+  const auto measured = [](Fabric& f) {
+    Spectrum bands;
+    bands.fill(10);
+    f.fibres[1].absorption_per_mm = Absorption(bands);
+    f.fibres[1].absorption_per_mm.dyes = {{"red", 2, bands}};
+  };
+  expectAllOf<Fibre>({blend(), blendByNumber(), blendWith(measured)},
+                     [](Fabric& fabric) -> Fibre& { return fabric.fibres[1]; });
 }
 
 TEST_P(FieldStages, OfAYarn) {

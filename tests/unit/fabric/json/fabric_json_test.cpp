@@ -113,13 +113,13 @@ TEST(FabricJson, SpectraAndRecipesComeBack) {
 
 TEST(FabricJson, OtherSamplesAreReadOffAtTheBands) {
   const Fabric f = fabricFromJson(
-      with(R"("fibres": [{"absorption_per_mm": {"bands": {"from_nm": 400, "step_nm": 20, "values": [2, 4, 10]}}}])"),
+      with(R"("fibres": [{"absorption_per_mm": {"bands": {"from_nm": 400, "step_nm": 150, "values": [2, 4, 10]}}}])"),
       "x.json");
   const Spectrum& bands = *f.fibres[0].absorption_per_mm.bands;
   EXPECT_EQ(bands[0], 2) << "as at the end";
   EXPECT_EQ(bands[2], 2);
-  EXPECT_EQ(bands[3], 3);
-  EXPECT_EQ(bands[5], 7);
+  EXPECT_FLOAT_EQ(bands[5], 2.4f);
+  EXPECT_EQ(bands[17], 4);
   EXPECT_EQ(bands[kBands - 1], 10);
 }
 
@@ -137,6 +137,15 @@ TEST(FabricJson, BadSpectraAreRefusedWhereTheyAre) {
             "x.json: fibres[0].absorption_per_mm.bands.values[1]: expected a number from 0 to 10000, got -2");
   EXPECT_EQ(of(R"({"dyes": [{"amount_percent": 101}]})"),
             "x.json: fibres[0].absorption_per_mm.dyes[0].amount_percent: expected a number from 0 to 100, got 101");
+  EXPECT_EQ(
+      of(R"({"bands": {"from_nm": 500, "step_nm": 10, "values": [1, 2]}})"),
+      "x.json: fibres[0].absorption_per_mm.bands.values: expected values from 400 to 700 nm at least, got from 500 "
+      "to 510");
+  EXPECT_EQ(of(R"({"band": []})"),
+            "x.json: fibres[0].absorption_per_mm: expected primaries, bands and dyes, got \"band\"");
+  EXPECT_EQ(of(R"({"dyes": [{"colour": 1}]})"),
+            "x.json: fibres[0].absorption_per_mm.dyes[0]: expected a dye's name, amount_percent and "
+            "absorption_per_mm, got \"colour\"");
   EXPECT_EQ(of(R"({"dyes": 3})"), "x.json: fibres[0].absorption_per_mm.dyes: expected a list of dyes, got 3");
 }
 

@@ -1,0 +1,46 @@
+#include "app/export/face_colours.h"
+
+#include <algorithm>
+
+#include "core/fabric/yarn/band_colour.h"
+#include "render/colour/colour_difference.h"
+#include "render/transport/make_medium.h"
+#include "render/transport/path_length_tally.h"
+
+namespace loomlight {
+namespace {
+
+constexpr size_t kWalks = kDyeWalks / 2;
+
+FaceColour colourOf(const std::string& name, const PathLengthTally& walks, const Colouring& colouring) {
+  const Spectrum reflectance = walks.reflectance(colouring).mean;
+  const auto under = [&](const char* lamp) {
+    return labUnder(tristimulusWeights(illuminantNamed(lamp), Observer::degrees10), reflectance);
+  };
+  FaceColour colour{name, linearFromReflectance(reflectance), under("D65"), under("A"), 0};
+  colour.inconstancy = ciede2000(colour.daylight, colour.bulb);
+  return colour;
+}
+
+}  // namespace
+
+std::optional<std::vector<FaceColour>> faceColours(const Fabric& fabric, const Task& task) {
+  constexpr int kMostFibres = 3;
+  const auto scene = makeScene(std::make_shared<const Fabric>(colourPatch(fabric)), task);
+  const auto medium = scene ? makeMedium(*scene, defaultMemoryLimit_bytes(), task) : nullptr;
+  if (!medium) return std::nullopt;
+  const Colouring colouring = colouringInDaylight(fabric);
+  std::vector<FaceColour> colours;
+  const int fibres = fabric.fibres.size() > 1 ? std::min(static_cast<int>(fabric.fibres.size()), kMostFibres) : 0;
+  for (int material = kAnyMaterial; material < fibres; ++material) {
+    const auto walks = tallyPathLengths(*scene, *medium, material, kWalks, task);
+    if (!walks) return std::nullopt;
+    const bool isAll = material == kAnyMaterial;
+    if (walks->lit() > 0)
+      colours.push_back(
+          colourOf(isAll ? "Cloth" : fabric.fibres[static_cast<size_t>(material)].name, *walks, colouring));
+  }
+  return colours;
+}
+
+}  // namespace loomlight

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/task.h"
+#include "core/fabric/model/fabric.h"
+#include "render/colour/colour_space.h"
+
+namespace loomlight {
+
+/// How the cloth looks from above where something lies on top, for the CIE observer of 10 degrees, as the textile trade
+/// measures.
+struct FaceColour {
+  std::string name;        ///< of the fibre; "Cloth" for all of the face
+  Rgb shown{0};            ///< linear; in daylight, for the observer of 2 degrees, as displays are meant for
+  Lab daylight, bulb;      ///< under CIE D65 and A
+  double inconstancy = 0;  ///< CIEDE2000 between the two: how far the lamp moves it
+};
+
+/// Of all of the face, and of at most three of its fibres where it has several. nullopt when stopped. Throws InputError
+/// for files that cannot be used.
+std::optional<std::vector<FaceColour>> faceColours(const Fabric& fabric, const Task& task);
+
+}  // namespace loomlight
