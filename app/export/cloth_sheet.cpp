@@ -254,7 +254,7 @@ class SheetWriter {
 
   /// As a spectrophotometer would read the cloth.
   double colours(double x, double y) {
-    const double columns[] = {x, x + 12, x + 66, x + 112, x + 158};
+    const double columns[] = {x, x + 12, x + 66, x + 108, x + 150};
     y = heading(x, y, "Colour of the face, CIELAB for 10 degrees");
     const char* const heads[] = {"", "Where it lies on top", "D65", "A", "moves by (CIEDE2000)"};
     for (size_t i = 0; i < std::size(heads); ++i) paper_.text(columns[i], y, heads[i], kQuiet);

@@ -258,7 +258,7 @@ TEST(WifFabric, ColourNumbersStayAsTheyWere) {
   }
   Fabric redyed = fabric;
   Fibre& weft = redyed.fibres[redyed.yarns[redyed.weftYarn(0)].fibre];
-  weft.absorption_per_mm = {9, 4, 1};
+  weft.absorption_per_mm = Rgb(9, 4, 1);
   const WifDocument after = document(wifFromFabric(redyed, "y.wif").text);
   EXPECT_EQ(after.warpColours, before.warpColours);
   EXPECT_EQ(after.weftColours[0], 8) << "a colour of its own, behind all others";
@@ -275,13 +275,13 @@ TEST(WifFabric, ADraftWithoutColoursGoesOutWithoutThem) {
   }
   ASSERT_TRUE(document(text).rest.palette.colours.empty());
   Fabric navy;
-  navy.fibres[0].absorption_per_mm = {50, 40, 9};
+  navy.fibres[0].absorption_per_mm = Rgb(50, 40, 9);
   for (const Fabric& mine : {Fabric{}, navy}) {
     Fabric fabric = fabricFromWif(text, "x.wif", mine, WifSizeChoice::keep).fabric;
     const WifDocument after = document(wifFromFabric(fabric, "y.wif").text);
     EXPECT_TRUE(after.rest.palette.colours.empty());
     EXPECT_EQ(after.warpColours, document(text).warpColours);
-    fabric.fibres[0].absorption_per_mm = {1, 2, 3};
+    fabric.fibres[0].absorption_per_mm = Rgb(1, 2, 3);
     EXPECT_EQ(document(wifFromFabric(fabric, "y.wif").text).rest.palette.colours.size(), 1u) << "dyed since";
   }
 }
@@ -290,7 +290,7 @@ TEST(WifFabric, YarnsOfOneColourShareItsNumber) {
   Fabric fabric;
   fabric.yarns.resize(3);
   fabric.yarns[1].count_tex = 90;
-  fabric.fibres[0].absorption_per_mm = {9, 4, 1};
+  fabric.fibres[0].absorption_per_mm = Rgb(9, 4, 1);
   fabric.warpSequence = {0, 1};
   fabric.weftSequence = {2};
   EXPECT_EQ(document(wifFromFabric(fabric, "y.wif").text).rest.palette.colours.size(), 1u);
@@ -350,7 +350,7 @@ TEST(WifFabric, AFabricOfOurOwnBecomesADraft) {
   fabric.yarns.resize(2);
   fabric.fibres.resize(2);
   fabric.yarns[1].fibre = 1;
-  fabric.fibres[1].absorption_per_mm = {3, 20, 90};
+  fabric.fibres[1].absorption_per_mm = Rgb(3, 20, 90);
   fabric.warpSequence = {0, 0, 0, 0, 1, 1, 1, 1};
   fabric.weftSequence = {0, 1, 1};
   const WifExport exported = wifFromFabric(fabric, "y.wif");
