@@ -17,7 +17,7 @@ Fabric dyedCloth() {
   fabric.camera.distance_mm = 5;
   fabric.render.resolution = 2;
   fabric.light.kind = LightKind::sky;
-  fabric.fibres[0].absorption_per_mm = {20, 5, 1};
+  fabric.fibres[0].absorption_per_mm = Rgb(20, 5, 1);
   return fabric;
 }
 
