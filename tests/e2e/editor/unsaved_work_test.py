@@ -133,11 +133,11 @@ def a_text_is_read_as_what_it_is(editor):
     editor.wait_until("the draft is open", lambda: editor.fact("name") == "By mail")
     editor.click("wif.close")
     editor.wait_until("the dialog closes", lambda: editor.fact("dialog") == "none")
-    other = os.path.join(editor.home, "draft.dtx")
+    other = os.path.join(editor.home, "draft.wpo")
     os.rename(draft, other)
     editor.key("ctrl+o")
     name_file(editor, other)
-    editor.wait_until("the editor says what it reads", lambda: "a WIF draft (.wif)" in editor.fact("message"))
+    editor.wait_until("the editor says what it reads", lambda: "a draft (.wif, .dtx)" in editor.fact("message"))
     editor.key("Return")
     editor.wait_until("the message is gone", lambda: editor.fact("dialog") == "none")
 
