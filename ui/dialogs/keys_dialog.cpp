@@ -24,7 +24,7 @@ constexpr KeyLine kCloth[] = {
     {"1, 2, 3", "From above, aslant, low"},
     {"K", "Keep this view below"},
     {"L", "Truth lens; Esc closes"},
-    {"J", "Judge by the next lamp: D65, F11, A, LED"},
+    {"J", "The next lamp of the booth"},
     {"N", "Denoised preview"},
 };
 constexpr KeyLine kDraft[] = {

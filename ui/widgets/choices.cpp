@@ -70,7 +70,7 @@ StandardIlluminant nextLamp(StandardIlluminant lamp) {
 }
 
 std::span<const char* const> observerNames() {
-  static constexpr const char* kNames[] = {"2 degrees", "10 degrees"};
+  static constexpr const char* kNames[] = {"2\xC2\xB0", "10\xC2\xB0"};
   return kNames;
 }
 
