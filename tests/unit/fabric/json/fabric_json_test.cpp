@@ -113,13 +113,14 @@ TEST(FabricJson, SpectraAndRecipesComeBack) {
 
 TEST(FabricJson, OtherSamplesAreReadOffAtTheBands) {
   const Fabric f = fabricFromJson(
-      with(R"("fibres": [{"absorption_per_mm": {"bands": {"from_nm": 400, "step_nm": 150, "values": [2, 4, 10]}}}])"),
+      with(
+          R"("fibres": [{"absorption_per_mm": {"bands": {"from_nm": 400, "step_nm": 100, "values": [2, 4, 8, 10]}}}])"),
       "x.json");
   const Spectrum& bands = *f.fibres[0].absorption_per_mm.bands;
   EXPECT_EQ(bands[0], 2) << "as at the end";
   EXPECT_EQ(bands[2], 2);
-  EXPECT_FLOAT_EQ(bands[5], 2.4f);
-  EXPECT_EQ(bands[17], 4);
+  EXPECT_FLOAT_EQ(bands[5], 2.6f);
+  EXPECT_EQ(bands[12], 4);
   EXPECT_EQ(bands[kBands - 1], 10);
 }
 
