@@ -61,7 +61,7 @@ TEST_F(Sight, SoManyRepeatsOrCentimetresLieFlat) {
   EXPECT_EQ(editor.saved().drape.height_mm, 100);
 }
 
-/// The lamps of a light booth, one after the other; the cloth is not traced anew but seen by them.
+/// The lamps of a light booth, one after the other.
 TEST_F(Sight, JTakesTheNextLampOfTheBooth) {
   editor.untilPictured();
   EXPECT_FALSE(editor.shows("status.lamp")) << "daylight goes without saying";
