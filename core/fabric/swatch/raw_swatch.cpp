@@ -161,13 +161,4 @@ std::optional<double> swatchNumber(std::string_view text, bool comma) {
   return value;
 }
 
-std::string_view takeLine(std::string_view& text) {
-  const size_t end = std::min(text.find_first_of("\r\n"), text.size());
-  const std::string_view line = text.substr(0, end);
-  size_t next = end;
-  if (next < text.size()) next += text.substr(next).starts_with("\r\n") ? 2 : 1;
-  text.remove_prefix(next);
-  return line;
-}
-
 }  // namespace loomlight

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/fabric/swatch/measured_swatch.h"
+#include "core/fabric/wif/text_encoding.h"
 
 /// Between the files of instruments and measurements: what every reader of a format hands on, and what all share.
 namespace loomlight {
@@ -43,8 +44,5 @@ std::optional<double> wavelengthIn(std::string_view title);
 
 /// A finite number and nothing else; with a decimal comma where `comma`.
 std::optional<double> swatchNumber(std::string_view text, bool comma = false);
-
-/// Takes the next line off the text, without its end.
-std::string_view takeLine(std::string_view& text);
 
 }  // namespace loomlight

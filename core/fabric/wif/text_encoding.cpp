@@ -1,6 +1,7 @@
 #include "core/fabric/wif/text_encoding.h"
 
 #include <fmt/format.h>
+#include <algorithm>
 
 #include <array>
 #include <cstdint>
@@ -132,6 +133,15 @@ DecodedText decodeText(std::string_view bytes, const std::string& source) {
   if (const size_t zero = decoded.text.find('\0'); zero != std::string::npos)
     throw InputError(fmt::format("{}: expected a text, got a zero at character {}: it is binary", source, zero + 1));
   return decoded;
+}
+
+std::string_view takeLine(std::string_view& text) {
+  const size_t end = std::min(text.find_first_of("\r\n"), text.size());
+  const std::string_view line = text.substr(0, end);
+  size_t next = end;
+  if (next < text.size()) next += text.substr(next).starts_with("\r\n") ? 2 : 1;
+  text.remove_prefix(next);
+  return line;
 }
 
 }  // namespace loomlight

@@ -18,4 +18,7 @@ struct DecodedText {
 /// Throws InputError, naming `source`, for bytes that are no text: a zero among them.
 DecodedText decodeText(std::string_view bytes, const std::string& source);
 
+/// Takes the next line off the text, without its end, which is \n, \r\n or \r.
+std::string_view takeLine(std::string_view& text);
+
 }  // namespace loomlight

@@ -3,24 +3,12 @@
 #include <cmath>
 #include <span>
 
+#include "core/fabric/wif/wif_entries.h"
 #include "core/fabric/wif/wif_numbered.h"
 #include "core/fabric/wif/wif_reader.h"
 
 namespace loomlight {
 namespace {
-
-std::string said(const WifEntry& entry) {
-  return fmt::format("{}={}", entry.key, entry.value.substr(0, 40));
-}
-
-const WifEntry* findEntry(const WifSections& sections, std::string_view section, std::string_view key) {
-  const WifSection* const found = sections.find(section);
-  return found ? found->find(key) : nullptr;
-}
-
-std::string name(System system, const char* rest = "") {
-  return fmt::format("{}{}", system == System::warp ? "WARP" : "WEFT", rest);
-}
 
 /// The number of a colour, from 1.
 std::optional<int> counted(std::string_view text, const WifCounting& counting) {
@@ -65,7 +53,7 @@ std::optional<Written> written(const WifSection& table, const WifEntry& entry, s
   std::optional<Written> colour;
   if (parts.size() > first) colour = written(std::span(parts).subspan(first));
   if (!colour)
-    warnings.add(entry.line, table.name, said(entry),
+    warnings.add(entry.line, table.name, entryText(entry),
                  "A colour should be three numbers, of red, green and blue; this one is passed over.",
                  WifConcern::look);
   return colour;
@@ -73,7 +61,7 @@ std::optional<Written> written(const WifSection& table, const WifEntry& entry, s
 
 /// Color=red,green,blue, which the format does not know: where three numbers stand, and the first is no colour's.
 bool isUnnumbered(const WifSections& sections, const WifCounting& counting, System system) {
-  const WifEntry* const entry = findEntry(sections, name(system), "color");
+  const WifEntry* const entry = findEntry(sections, sectionName(system), "color");
   if (!entry) return false;
   const std::vector<std::string_view> parts = wifList(entry->value);
   if (parts.size() != 3 || !written(parts)) return false;
@@ -111,7 +99,7 @@ RealRange rangeOf(const WifSections& sections, const std::map<int, Written>& col
     range.high = usual;
     if (largest <= usual) break;
   }
-  warnings.add(entry ? entry->line : 0, "COLOR PALETTE", entry ? said(*entry) : "Range",
+  warnings.add(entry ? entry->line : 0, "COLOR PALETTE", entry ? entryText(*entry) : "Range",
                fmt::format("The lowest and highest of the colours' numbers should stand here; they are taken as 0 and "
                            "{:.0f}.",
                            range.high));
@@ -130,20 +118,21 @@ std::map<int, Written> writtenColours(const WifSections& sections, const WifCoun
   });
   // Color=number,red,green,blue names a colour that the table may lack.
   for (const System system : {System::warp, System::weft}) {
-    const WifEntry* const entry = findEntry(sections, name(system), "color");
+    const WifEntry* const entry = findEntry(sections, sectionName(system), "color");
     const auto parts = entry ? wifList(entry->value) : std::vector<std::string_view>();
     if (parts.size() < 2 || isUnnumbered(sections, counting, system)) continue;
     const std::optional<int> number = counted(parts[0], counting);
     if (!number || *number < 1 || *number > kMaxWifNumber || colours.count(*number) > 0) continue;
-    if (const auto colour = written(*sections.find(name(system)), *entry, 1, warnings)) colours[*number] = *colour;
+    if (const auto colour = written(*sections.find(sectionName(system)), *entry, 1, warnings))
+      colours[*number] = *colour;
   }
   // Those without a number come behind all others, the weft's last: ownNumber() finds them there.
   for (const System system : {System::warp, System::weft}) {
     if (!isUnnumbered(sections, counting, system)) continue;
-    const WifEntry& entry = *findEntry(sections, name(system), "color");
+    const WifEntry& entry = *findEntry(sections, sectionName(system), "color");
     const int number = colours.empty() ? 1 : colours.rbegin()->first + 1;
     colours[number] = *written(wifList(entry.value));
-    warnings.add(entry.line, name(system), said(entry),
+    warnings.add(entry.line, sectionName(system), entryText(entry),
                  "A colour stands here without its number; it is read as red, green and blue.", WifConcern::look);
   }
   return colours;
@@ -162,7 +151,7 @@ void toRgb(std::map<int, Written>& colours, const WifSections& sections, const R
   const std::string name = form ? lowerCase(unquoted(form->value)) : "rgb";
   const bool isHsv = name == "hsv" || name == "hsb";
   if (form && name != "rgb")
-    warnings.add(form->line, "COLOR PALETTE", said(*form),
+    warnings.add(form->line, "COLOR PALETTE", entryText(*form),
                  isHsv ? "Colours are of hue, saturation and value here; they are read so, and exported as red, green "
                          "and blue."
                        : "Colours of another form than RGB and HSV are not known; they are read as red, green and "
@@ -212,7 +201,7 @@ WifPalette readWifPalette(const WifSections& sections, const WifCounting& counti
   const std::optional<int> stated = entries ? wifWhole(entries->value) : std::nullopt;
   const int last = palette.colours.rbegin()->first;
   if (entries && stated != last && stated != static_cast<int>(palette.colours.size()))
-    warnings.add(entries->line, "COLOR PALETTE", said(*entries),
+    warnings.add(entries->line, "COLOR PALETTE", entryText(*entries),
                  fmt::format("The number of colours is another, {}; all of them are read.", palette.colours.size()));
   return palette;
 }
@@ -223,17 +212,17 @@ std::vector<int> readWifColours(const WifSections& sections, const WifCounting& 
   const auto colourOf = [&](const std::string& section, const WifEntry& entry, const char* instead) {
     const std::vector<std::string_view> parts = wifList(entry.value);
     if (parts.empty()) return 0;
-    if (&entry == findEntry(sections, name(system), "color") && isUnnumbered(sections, counting, system))
+    if (&entry == findEntry(sections, sectionName(system), "color") && isUnnumbered(sections, counting, system))
       return ownNumber(sections, counting, system, palette);
     const std::optional<int> number = counted(parts[0], counting);
     if (number && palette.colours.count(*number) > 0) return *number;
-    warnings.add(entry.line, section, said(entry), fmt::format("There is no colour of this number; {}.", instead));
+    warnings.add(entry.line, section, entryText(entry), fmt::format("There is no colour of this number; {}.", instead));
     return 0;
   };
-  const WifEntry* const common = findEntry(sections, name(system), "color");
-  const int usual = common ? colourOf(name(system), *common, "the threads take the yarn's own colour") : 0;
+  const WifEntry* const common = findEntry(sections, sectionName(system), "color");
+  const int usual = common ? colourOf(sectionName(system), *common, "the threads take the yarn's own colour") : 0;
   std::vector<int> colours(static_cast<size_t>(threads), usual);
-  const std::string section = name(system, " COLORS");
+  const std::string section = sectionName(system, " COLORS");
   const int first = system == System::warp ? counting.end : counting.pick;
   forEachNumbered(sections.find(section), first, threads, "thread", warnings, [&](int number, const WifEntry& entry) {
     const int own = colourOf(section, entry, "the thread takes the usual colour");

@@ -6,6 +6,7 @@
 #include "core/fabric/model/place.h"
 #include "core/fabric/model/validate.h"
 #include "core/fabric/weave/draft_derivation.h"
+#include "core/fabric/wif/wif_entries.h"
 #include "core/fabric/wif/wif_numbered.h"
 #include "core/fabric/wif/wif_reader.h"
 
@@ -78,8 +79,6 @@ class DraftReader {
     return found ? found->find(lowerCase(key)) : nullptr;
   }
 
-  static std::string said(const WifEntry& entry) { return fmt::format("{}={}", entry.key, entry.value.substr(0, 40)); }
-
   /// How many threads a system has: what Threads= says, or else as many as the lines of the draft name.
   int threads(const char* system, const WifSection* draft, const char* colours, int first) {
     const WifEntry* const entry = find(system, "Threads");
@@ -92,7 +91,7 @@ class DraftReader {
     if (listed == 0 || tooMany)
       throw InputError(fmt::format("{}: [{}] Threads: expected from 1 to {} threads, got {}", source_, system,
                                    Weave::kMaxSide, entry ? plainText(entry->value) : "none"));
-    warnings_.add(entry ? entry->line : 0, system, entry ? said(*entry) : "Threads",
+    warnings_.add(entry ? entry->line : 0, system, entry ? entryText(*entry) : "Threads",
                   fmt::format("The number of threads should stand here, 1 to {}; there are {}, which is as far as the "
                               "lines of the draft go.",
                               Weave::kMaxSide, listed));
@@ -126,12 +125,12 @@ class DraftReader {
   std::vector<int> list(const WifSection& section, const WifEntry& entry, const Listed& listed) {
     std::vector<int> numbers;
     const WifNumbers parts = wifNumbers(entry.value);
-    for (const std::string& remark : parts.remarks) warnings_.add(entry.line, section.name, said(entry), remark);
+    for (const std::string& remark : parts.remarks) warnings_.add(entry.line, section.name, entryText(entry), remark);
     for (const std::string& part : parts.parts) {
       const std::optional<int> number = wifWhole(part);
       if (!number || *number < 0 || *number > listed.most + listed.first - 1) {
         warnings_.add(
-            entry.line, section.name, said(entry),
+            entry.line, section.name, entryText(entry),
             fmt::format("There can be {}s 1 to {}, or 0 for none; others are passed over.", listed.kind, listed.most));
       } else if (*number >= listed.first) {
         numbers.push_back(*number - listed.first + 1);
@@ -202,7 +201,7 @@ class DraftReader {
     std::string sentence = fmt::format("It is not said how many {} there are; the draft uses {}.", counted, used);
     if (entry) sentence = fmt::format("The number of {} should stand here; the draft uses {}.", counted, used);
     if (number != kNone) sentence = fmt::format("The draft uses another number of {}: {}.", counted, used);
-    warnings_.add(entry ? entry->line : 0, "WEAVING", entry ? said(*entry) : key, sentence, WifConcern::file);
+    warnings_.add(entry ? entry->line : 0, "WEAVING", entry ? entryText(*entry) : key, sentence, WifConcern::file);
     return used;
   }
 
@@ -211,7 +210,7 @@ class DraftReader {
     const WifEntry* const entry = weaving ? weaving->find("rising shed") : nullptr;
     const std::optional<bool> rising = entry ? wifBoolean(entry->value) : std::nullopt;
     if (entry && !rising)
-      warnings_.add(entry->line, "WEAVING", said(*entry),
+      warnings_.add(entry->line, "WEAVING", entryText(*entry),
                     "True or false should stand here; the shed is taken as rising.");
     if (!entry)
       warnings_.add(0, "WEAVING", "Rising Shed", "It is not said whether the shed rises; it is taken as rising.");

@@ -3,24 +3,12 @@
 #include <initializer_list>
 #include <unordered_set>
 
+#include "core/fabric/wif/wif_entries.h"
 #include "core/fabric/wif/wif_numbered.h"
 #include "core/fabric/wif/wif_reader.h"
 
 namespace loomlight {
 namespace {
-
-std::string said(const WifEntry& entry) {
-  return fmt::format("{}={}", entry.key, entry.value.substr(0, 40));
-}
-
-const WifEntry* findEntry(const WifSections& sections, std::string_view section, std::string_view key) {
-  const WifSection* const found = sections.find(section);
-  return found ? found->find(key) : nullptr;
-}
-
-std::string name(System system, const char* rest = "") {
-  return fmt::format("{}{}", system == System::warp ? "WARP" : "WEFT", rest);
-}
 
 // Sizes
 
@@ -37,17 +25,18 @@ std::optional<double> length(const WifSection& section, const WifEntry& entry, d
   const std::optional<double> value = wifDecimal(entry.value);
   const double held = value && *value <= kMost ? std::round(*value * factor * kSteps) / kSteps : 0;
   if (held > 0) return held;
-  warnings.add(entry.line, section.name, said(entry),
+  warnings.add(entry.line, section.name, entryText(entry),
                fmt::format("A length should be from {:g} to {:g}; this one is passed over.", 1 / kSteps, kMost));
   return std::nullopt;
 }
 
 ReadUnit readUnit(const WifSections& sections, System system, WifWarnings& warnings) {
-  const WifEntry* const entry = findEntry(sections, name(system), "units");
+  const WifEntry* const entry = findEntry(sections, sectionName(system), "units");
   if (!entry) {
-    const bool needed = findEntry(sections, name(system), "spacing") || findEntry(sections, name(system), "thickness");
+    const bool needed =
+        findEntry(sections, sectionName(system), "spacing") || findEntry(sections, sectionName(system), "thickness");
     if (needed)
-      warnings.add(0, name(system), "Units",
+      warnings.add(0, sectionName(system), "Units",
                    "It is not said in which unit lengths are; they are taken as centimetres.");
     return {};
   }
@@ -59,11 +48,11 @@ ReadUnit readUnit(const WifSections& sections, System system, WifWarnings& warni
   if (isOne({"inches", "inch", "in", "english"})) return {WifUnit::inches};
   if (isOne({"centimeters", "centimetres", "centimeter", "centimetre", "cm", "metric"})) return {};
   if (isOne({"millimeters", "millimetres", "millimeter", "millimetre", "mm"})) {
-    warnings.add(entry->line, name(system), said(*entry),
+    warnings.add(entry->line, sectionName(system), entryText(*entry),
                  "The format knows no millimetres; they are understood, and exported as centimetres.");
     return {WifUnit::centimeters, 0.1};
   }
-  warnings.add(entry->line, name(system), said(*entry),
+  warnings.add(entry->line, sectionName(system), entryText(*entry),
                "Lengths should be in decipoints, inches or centimetres; they are taken as centimetres.");
   return {};
 }
@@ -72,15 +61,15 @@ WifSizes readSizes(const WifSections& sections, System system, int first, WifWar
   WifSizes sizes;
   const ReadUnit written = readUnit(sections, system, warnings);
   sizes.unit = written.unit;
-  const WifSection* const threads = sections.find(name(system));
+  const WifSection* const threads = sections.find(sectionName(system));
   const auto common = [&](const char* key, std::optional<double>& value) {
-    if (const WifEntry* const entry = findEntry(sections, name(system), key))
+    if (const WifEntry* const entry = findEntry(sections, sectionName(system), key))
       value = length(*threads, *entry, written.factor, warnings);
   };
   common("spacing", sizes.spacing);
   common("thickness", sizes.thickness);
   const auto single = [&](const char* section, std::map<int, double>& values) {
-    const WifSection* const found = sections.find(name(system, section));
+    const WifSection* const found = sections.find(sectionName(system, section));
     forEachNumbered(found, first, Weave::kMaxSide, "thread", warnings, [&](int number, const WifEntry& entry) {
       if (const auto value = length(*found, entry, written.factor, warnings)) values[number] = *value;
     });

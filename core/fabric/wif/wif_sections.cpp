@@ -8,6 +8,7 @@
 #include <map>
 
 #include "core/base/error.h"
+#include "core/fabric/wif/text_encoding.h"
 #include "core/fabric/wif/wif_values.h"
 
 namespace loomlight {
@@ -43,16 +44,6 @@ constexpr std::array kStandardSections = {"WIF",
                                           "WEFT SPACING ZOOM",
                                           "WEFT COLORS",
                                           "WEFT SYMBOLS"};
-
-/// Takes the next line off the text; its end is \n, \r\n or \r.
-std::string_view takeLine(std::string_view& text) {
-  const size_t end = std::min(text.find_first_of("\r\n"), text.size());
-  const std::string_view line = text.substr(0, end);
-  size_t next = end;
-  if (next < text.size()) next += text.substr(next).starts_with("\r\n") ? 2 : 1;
-  text.remove_prefix(next);
-  return line;
-}
 
 class Parser {
  public:
