@@ -91,10 +91,14 @@ std::u32string decoded(const std::string& text) {
   return codes;
 }
 
-std::u32string fitted(const TextLine& line, std::u32string text, float room) {
+/// As much of the text as has room, and an ellipsis in the place of the rest.
+std::u32string fitted(const TextLine& line, const std::u32string& text, float room) {
   if (line.width(text) <= room) return text;
-  while (!text.empty() && line.width(text + U"\u2026") > room) text.pop_back();
-  return text.empty() ? text : text + U"\u2026";
+  const std::u32string ellipsis = U"\u2026";
+  float left = room - line.width(ellipsis);
+  size_t kept = 0;
+  while (kept < text.size() && (left -= line.width(text.substr(kept, 1))) >= 0) ++kept;
+  return kept == 0 ? U"" : text.substr(0, kept) + ellipsis;
 }
 
 void fill(Pixels8& pixels, int left, int top, int right, int bottom, uint8_t value) {
