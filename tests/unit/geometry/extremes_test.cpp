@@ -45,6 +45,9 @@ Fabric anyValidFabric(uint64_t seed) {
     if (pick.toss()) y.fibresPerPly = pick.whole(1, 2000);
     y.plies = pick.whole(1, 8);
     if (pick.toss()) y.cords = pick.whole(1, 6);
+    // A cable of 96 000 fibres is valid too, but nobody's cloth, and takes minutes.
+    const int singles = y.plies * y.cords, most = 4000 / singles;
+    if (y.fibresPerPly) y.fibresPerPly = std::min(*y.fibresPerPly, most);
     y.cableTwist_per_m = pick.number(0, 5000);
     if (pick.toss()) y.cableTwistDirection = TwistDirection::s;
     y.plyTwist_per_m = pick.number(0, 5000);
@@ -90,7 +93,7 @@ void expectSound(const ClothGeometry& cloth, const CellKey& key) {
 class AnyValidFabricOf : public testing::TestWithParam<uint64_t> {};
 
 TEST_P(AnyValidFabricOf, HasSoundGeometry) {
-  constexpr uint64_t kSeeds = 15;
+  constexpr uint64_t kSeeds = 6;
   for (uint64_t seed = kSeeds * GetParam(); seed < kSeeds * (GetParam() + 1); ++seed) {
     SCOPED_TRACE(seed);
     const Fabric fabric = anyValidFabric(seed);
