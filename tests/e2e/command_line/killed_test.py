@@ -1,0 +1,84 @@
+"""A program that is killed (kill -9) at any moment while it writes leaves the old file or the new one, never a torn one,
+of every kind that it writes.
+
+  LOOMLIGHT_KILLS=1000 ...    as many as that in place of the few of an ordinary run
+"""
+
+import json
+import os
+import random
+import re
+import subprocess
+import time
+
+from harness import LOOMLIGHT, SMALL, CommandLineTest, main
+
+KILLS = int(os.environ.get("LOOMLIGHT_KILLS", "30"))
+SEED = 1
+
+
+def without_date(content):
+    """A PDF says when it was made."""
+    return re.sub(rb"D:[0-9]{14}Z", b"", content)
+
+
+class Killed(CommandLineTest):
+    def writers(self):
+        """The words before the name of the file that is written, and its ending; large enough to take some time."""
+        wide = self.fabric("wide.json", weave=["#." * 150, ".#" * 150] * 150)
+        for ending in ("json", "wif", "png", "pdf"):
+            yield ("convert", wide), ending
+        picture = ("render", self.fabric("small.json"), "--size", "32x24", "--spp", 1, "--threads", 1, "-o")
+        for ending in ("png", "exr"):
+            yield picture, ending
+
+    def start(self, words, file):
+        return subprocess.Popen([LOOMLIGHT, *map(str, words), file], cwd=self.folder, stdin=subprocess.DEVNULL,
+                                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+    def whole_files(self, words, file):
+        """What it writes when nobody kills it, and how long that takes."""
+        began = time.monotonic()
+        process = self.start(words, file)
+        self.assertEqual(process.wait(timeout=60), 0, words)
+        return without_date(self.bytes_of(file)), time.monotonic() - began
+
+    def test_a_file_is_the_old_one_or_the_new_one(self):
+        chance = random.Random(SEED)
+        writers = list(self.writers())
+        for words, ending in writers:
+            with self.subTest(words=words[0], ending=ending):
+                file = "written." + ending
+                new, longest_s = self.whole_files(words, file)
+                again, took_s = self.whole_files(words, file)
+                self.assertEqual(new, again, "two runs write two files")
+                old = b"the old file, of another length" * 1000
+                for i in range(-(-KILLS // len(writers))):
+                    (self.folder / file).write_bytes(old)
+                    process = self.start(words, file)
+                    if i > 0:  # Most of the time is for what comes before the writing: half of them fall into the end.
+                        least = 0 if chance.random() < 0.5 else 0.7
+                        time.sleep(chance.uniform(least, 1.1) * max(longest_s, took_s))
+                    process.kill()
+                    process.wait()
+                    found = without_date(self.bytes_of(file))
+                    self.assertIn(found, (old, new) if i > 0 else (old,), f"torn: {len(found)} bytes")
+                # What the killed ones left beside it does not hold up the next.
+                self.assertEqual(self.whole_files(words, file)[0], new)
+
+    def test_a_preset_of_the_old_name_is_whole_or_as_it_was(self):
+        """The same of a file that is written over and over, as settings and copies of unsaved work are."""
+        one, other = self.fabric("one.json", name="One"), self.fabric("other.json", name="Other")
+        self.run_program("convert", one, "kept.json")
+        chance = random.Random(SEED + 1)
+        for i in range(max(10, KILLS // 10)):
+            process = self.start(("convert", (one, other)[i % 2]), "kept.json")
+            time.sleep(chance.uniform(0, 0.05))
+            process.kill()
+            process.wait()
+            kept = json.loads(self.bytes_of("kept.json"))
+            self.assertIn(kept["name"], ("One", "Other"))
+            self.assertEqual(kept["weave"], SMALL["weave"])
+
+
+main()

@@ -1,0 +1,134 @@
+"""Whatever somebody does, in whatever order: the editor goes on, answers, and takes all of it back. Actions are drawn
+from a seed; each part of them begins on the cloth as it was saved and is undone in the end.
+
+  LOOMLIGHT_SOAK_ACTIONS=10000 LOOMLIGHT_SOAK_SEED=7 ...    as many as that, and others
+"""
+
+import os
+import random
+import string
+import subprocess
+
+from small_cloth import small_cloth
+from window_driver import Failure, expect, read_json, run, window
+
+PROGRAM = os.environ["LOOMLIGHT"]
+WIDTH, HEIGHT = 960, 600
+ACTIONS = int(os.environ.get("LOOMLIGHT_SOAK_ACTIONS", "120"))
+SEED = int(os.environ.get("LOOMLIGHT_SOAK_SEED", "1"))
+ACTIONS_A_PART = 40
+MOST_UNDONE = 10 * ACTIONS_A_PART  # an action is one step, or a few where a drag passes from one field to the next
+SETTLED_PARTS = 5  # after which caches are as full as they get
+MOST_GROWTH = 1.5  # of the memory from then on
+
+# What ends the editor, begins another document, saves this one, or leads out of its own home.
+NOT_TOUCHED = ("menu.quit", "menu.new", "menu.open", "menu.recent", "menu.save", "menu.save_as", "menu.sheet",
+               "menu.export", "menu.help", "browser.", "recover.")
+KEYS = [*string.ascii_lowercase, *string.digits, "Tab", "shift+Tab", "Return", "Escape", "Delete", "Left", "Right", "Up",
+        "Down", "bracketleft", "bracketright", "space", "ctrl+z", "ctrl+shift+z", "ctrl+c", "ctrl+v", "ctrl+x", "ctrl+a",
+        "ctrl+0", "ctrl+1"]
+TEXTS = ["1", "0", "-1", "7.5", "1e9", "99999999999999999999", "nan", "3A 4B", "4(2A 2B)", "2/60 Nm", "#1a2b3c", "",
+         "Lab 50 10 10", "a name that goes on and on and on and on", "1,5", "0.0000001"]
+
+
+def is_touched(name):
+    return not name.startswith(NOT_TOUCHED)
+
+
+def memory_mb(process):
+    """What the editor itself has of the machine's memory."""
+    with open(f"/proc/{process.pid}/status", encoding="ascii") as status:
+        for line in status:
+            if line.startswith("VmRSS:"):
+                return int(line.split()[1]) / 1024
+    raise Failure("the editor has no memory")
+
+
+class Hand:
+    """Does what is drawn, with what is on the screen, and keeps account of it."""
+
+    def __init__(self, editor, seed):
+        self.editor, self.random = editor, random.Random(seed)
+        self.done = []
+
+    def anywhere_in(self, rect):
+        x0, y0, x1, y1 = rect
+        x, y = self.random.uniform(x0, x1), self.random.uniform(y0, y1)
+        return min(max(x, 0), WIDTH - 1), min(max(y, 0), HEIGHT - 1)
+
+    def act(self):
+        widgets = {name: rect for name, rect in self.editor.widgets().items() if is_touched(name)}
+        name = self.random.choice(sorted(widgets))
+        kind = self.random.choices(("click", "drag", "wheel", "key", "write", "right click"), (40, 15, 8, 22, 12, 3))[0]
+        self.done.append(f"{kind} {name}")
+        place = self.anywhere_in(widgets[name])
+        if kind == "click":
+            self.editor.click_at(*place)
+        elif kind == "right click":
+            self.editor.click_at(*place, 3)
+        elif kind == "drag":
+            end = self.anywhere_in((place[0] - 150, place[1] - 80, place[0] + 150, place[1] + 80))
+            self.editor.drag(place, end, steps=self.random.randint(1, 5))
+        elif kind == "wheel":
+            self.editor.wheel(*place, away=self.random.random() < 0.5, clicks=self.random.randint(1, 4))
+        elif kind == "key":
+            key = self.random.choice(KEYS)
+            self.done[-1] = f"key {key}"
+            self.editor.key(key)
+        else:
+            self.editor.click_at(*place)
+            if self.editor.fact("text_input") == "yes":
+                text = self.random.choice(TEXTS)
+                self.done[-1] += f": {text}"
+                self.editor.key("ctrl+a")
+                self.editor.act(self.editor.input.type, text, answered=True)
+                self.editor.key(self.random.choice(("Return", "Escape", "Tab")))
+        if any(shown.startswith("browser.") for shown in self.editor.widgets()):
+            self.editor.key("Escape")  # files are for other tests
+
+    def come_back(self):
+        """Closes whatever is open, and undoes."""
+        for _ in range(8):
+            if self.editor.fact("dialog") == "none" and self.editor.fact("text_input") == "no":
+                break
+            self.editor.key("Escape")
+        expect(self.editor.fact("dialog") == "none", "a dialog does not close by Escape")
+        self.editor.key("Escape")
+        for _ in range(MOST_UNDONE):
+            if self.editor.fact("dirty") == "no":
+                return
+            self.editor.key("ctrl+z")
+        raise Failure(f"{MOST_UNDONE} steps back are not at the start")
+
+
+def test():
+    with window(WIDTH, HEIGHT) as editor:
+        file = small_cloth(editor.home, "Soaked")
+        subprocess.run([PROGRAM, "convert", file, file], check=True, stdout=subprocess.DEVNULL)  # to the program's own form
+        start = read_json(file)
+        editor.start(PROGRAM, [file])
+        hand = Hand(editor, SEED)
+        memory = []
+        try:
+            for part in range(max(1, ACTIONS // ACTIONS_A_PART)):
+                hand.done.clear()
+                for _ in range(ACTIONS_A_PART):
+                    hand.act()
+                hand.come_back()
+                expect(editor.fact("error") == "", editor.fact("error"))
+                memory.append(memory_mb(editor.process))
+        except Failure as failure:
+            raise Failure(f"seed {SEED}, part {part}: {failure}\nafter: " + "; ".join(hand.done[-60:])) from failure
+        editor.key("ctrl+s")
+        editor.wait_until("it is saved", lambda: editor.fact("dialog") == "none")
+        saved = read_json(file)
+        changed = [key for key in {**start, **saved} if key != "camera" and start.get(key) != saved.get(key)]
+        expect(not changed, f"undone to the start, the cloth has another {', '.join(changed)}")  # looking is no edit
+        settled = memory[SETTLED_PARTS - 1:]
+        if settled:
+            expect(max(settled) < MOST_GROWTH * settled[0],
+                   f"memory grows from {settled[0]:.0f} to {max(settled):.0f} MB")
+        print(f"{len(memory) * ACTIONS_A_PART} actions; memory, MB: {', '.join(f'{mb:.0f}' for mb in memory)}")
+
+
+run(test)
