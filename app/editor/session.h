@@ -65,7 +65,7 @@ class Session {
   std::string title() const;
 
  private:
-  void dyeLike(const std::string& swatchFile);
+  void openColours(const std::string& file);
   using Question = QuestionController::Question;
   using Afterwards = QuestionController::Afterwards;
 

@@ -1,8 +1,9 @@
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <filesystem>
 #include <utility>
 
+#include "app/editor/model/book_colours.h"
 #include "app/editor/model/left_work.h"
 #include "app/editor/model/sample_fabric.h"
 #include "app/editor/model/user_folders.h"
@@ -12,7 +13,6 @@
 #include "app/export/file_name.h"
 #include "app/export/weave_bitmap.h"
 #include "core/base/error.h"
-#include "core/fabric/swatch/measured_swatch.h"
 #include "core/fabric/wif/wif_fabric.h"
 
 namespace loomlight {
@@ -126,8 +126,8 @@ void Session::openFile(const std::string& file) {
       fabric.light.kind = LightKind::environment;
       fabric.light.file = file;
     });
-  } else if (isSwatchFile(file)) {
-    dyeLike(file);
+  } else if (isSwatchFile(file) || isPaletteFile(file)) {
+    openColours(file);
   } else if (extension == ".png") {
     draft_.openPicture(file);
     lookNextIn(file);
@@ -137,21 +137,23 @@ void Session::openFile(const std::string& file) {
   } else {
     sayUnopened(file +
                 ": expected a cloth (.loomlight, .json), a draft (.wif, .dtx), a picture (.png), a mesh "
-                "(.obj, .ply, .off), an environment (.exr) or a measured swatch (.cxf, .qtx, .csv, CGATS .txt)");
+                "(.obj, .ply, .off), an environment (.exr), a palette (.ase, .aco, .gpl, .csv) or a measured swatch (.cxf, "
+                ".qtx, .csv, CGATS .txt)");
   }
 }
 
-/// The fibre that is looked at is dyed so that the cloth reflects as was measured.
-void Session::dyeLike(const std::string& swatchFile) {
+/// One measured swatch dyes the fibre that is looked at, so that the cloth reflects as was measured; several, and the
+/// colours of a palette, are there to choose from.
+void Session::openColours(const std::string& file) {
+  settings_.dock.panelsShown = true;  // where it is told what came of it
   try {
-    const SwatchFile found = readSwatches(swatchFile);
-    settings_.dock.panelsShown = true;  // where it is told what came of it
-    inspector_.dyeLike(*document_.fabric(), found.swatches.front());
-    std::string said;
-    for (const std::string& remark : found.remarks) said += remark + "\n\n";
-    if (found.swatches.size() > 1)
-      said += fmt::format("The first of {} is taken: {}.", found.swatches.size(), found.swatches.front().name);
-    if (!said.empty()) questions_.say("The swatch was read", said);
+    const ColourFile colours = readColourFile(file);
+    if (colours.swatch)
+      inspector_.dyeLike(*document_.fabric(), *colours.swatch);
+    else
+      inspector_.open(colours.palette);
+    if (!colours.remarks.empty())
+      questions_.say("The colours were read", fmt::format("{}", fmt::join(colours.remarks, "\n\n")));
   } catch (const InputError& error) {
     sayUnopened(error.what());
   }

@@ -21,8 +21,9 @@ std::shared_ptr<const ColourAnswer> answerTo(const ColourWish& wish, const PathL
   if (!answer->seen) return answer;
   const Colouring colouring = colouringInDaylight(*wish.fabric);
   answer->colour = walks.colour(colouring);
-  if (wish.wanted) answer->solved = solveColour(walks, absorptionsOf(*wish.fabric), wish.fibre, *wish.wanted);
-  if (wish.measured) answer->matched = solveReflectance(walks, colouring, wish.fibre, *wish.measured);
+  const std::vector<int> dyed = dyedWith(wish.fibre, wish.fabric->fibres.size());
+  if (wish.wanted) answer->solved = solveColour(walks, absorptionsOf(*wish.fabric), dyed, *wish.wanted);
+  if (wish.measured) answer->matched = solveReflectance(walks, colouring, dyed, *wish.measured);
   return answer;
 }
 

@@ -10,11 +10,11 @@
 
 namespace loomlight {
 
-/// Which colour the cloth shows where a fibre lies on top; and, where one is wanted, how to dye it for that. At most
-/// one of the two is wanted.
+/// Which colour the cloth shows where a fibre lies on top, or all of its face; and, where one is wanted, how to dye that
+/// fibre, or the whole piece, for it. At most one of the two is wanted.
 struct ColourWish {
   std::shared_ptr<const Fabric> fabric;
-  int fibre = 0;
+  int fibre = 0;                     ///< or kAnyMaterial: the piece, all of whose fibres are dyed alike
   std::optional<Rgb> wanted;         ///< linear, 1 is white paper
   std::optional<Spectrum> measured;  ///< a reflectance in bands, 1 is a perfect diffuser
   uint64_t number = 0;               ///< the asker's, to know the answer by
@@ -22,7 +22,7 @@ struct ColourWish {
 
 struct ColourAnswer {
   ColourWish wish;
-  bool seen = false;  ///< the fibre lies on top somewhere
+  bool seen = false;  ///< it lies on top somewhere
   Rgb colour{0};      ///< that the cloth shows now
   std::optional<SolvedColour> solved;
   std::optional<SolvedReflectance> matched;
@@ -50,7 +50,7 @@ class ColourWorker {
   // The thread's own:
   std::shared_ptr<const ColourAnswer> last_;
   std::shared_ptr<const Fabric> walked_;  ///< through whose cloth walks_ are
-  int walkedFibre_ = -1;
+  int walkedFibre_ = 0;
   PathLengthTally walks_;
 
   Answering worker_;  // last: it ends before what it uses is gone

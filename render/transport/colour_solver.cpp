@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "render/colour/nearest_colour.h"
@@ -14,13 +15,25 @@ namespace {
 constexpr double kMostAbsorption = 10000;  // of a valid fabric
 constexpr float kTolerance = 1e-3f;        // of reflectance: less is not seen
 
+/// The length of each walk inside the materials that are dyed, mm.
+std::vector<double> lengthsInside(const PathLengthTally& walks, std::span<const int> dyed) {
+  std::vector<double> lengths;
+  for (size_t i = 0; i < walks.lengths_mm.size(); i += walks.materials) {
+    double length = 0;
+    for (const int material : dyed) length += walks.lengths_mm[i + static_cast<size_t>(material)];
+    lengths.push_back(length);
+  }
+  return lengths;
+}
+
 /// One channel or band of the walks as a function of one absorption: mean of weight exp(-sigma length).
 class Channel {
  public:
-  /// `weights`: of each walk, what the other materials leave of its light.
-  Channel(const PathLengthTally& walks, size_t material, std::vector<double> weights)
-      : walks_(walks), material_(material), weights_(std::move(weights)) {
-    for (double& weight : weights_) weight /= static_cast<double>(walks.count);
+  /// `lengths_mm`: of each walk inside what is dyed. `weights`: what the other materials leave of its light. `count`: of
+  /// all walks, those that did not come out too.
+  Channel(const std::vector<double>& lengths_mm, std::vector<double> weights, size_t count)
+      : lengths_mm_(lengths_mm), weights_(std::move(weights)) {
+    for (double& weight : weights_) weight /= static_cast<double>(count);
   }
 
   struct Value {
@@ -29,17 +42,15 @@ class Channel {
   Value at(double sigma) const {
     Value value;
     for (size_t i = 0; i < weights_.size(); ++i) {
-      const double length = walks_.lengths_mm[i * walks_.materials + material_];
-      const double light = weights_[i] * std::exp(-sigma * length);
+      const double light = weights_[i] * std::exp(-sigma * lengths_mm_[i]);
       value.colour += light;
-      value.slope -= light * length;
+      value.slope -= light * lengths_mm_[i];
     }
     return value;
   }
 
  private:
-  const PathLengthTally& walks_;
-  size_t material_;
+  const std::vector<double>& lengths_mm_;
   std::vector<double> weights_;
 };
 
@@ -59,12 +70,11 @@ double absorptionFor(const Channel& channel, double wanted) {
 }
 
 std::vector<double> channelWeights(const PathLengthTally& walks, const std::vector<Rgb>& absorption_per_mm,
-                                   size_t material, int channel) {
+                                   int channel) {
   std::vector<double> weights;
   for (size_t i = 0; i < walks.lengths_mm.size(); i += walks.materials) {
     double exponent = 0;
-    for (size_t k = 0; k < walks.materials; ++k)
-      if (k != material) exponent += absorption_per_mm[k][channel] * walks.lengths_mm[i + k];
+    for (size_t k = 0; k < walks.materials; ++k) exponent += absorption_per_mm[k][channel] * walks.lengths_mm[i + k];
     weights.push_back(std::exp(-exponent));
   }
   return weights;
@@ -84,15 +94,23 @@ struct Range {
 
 }  // namespace
 
-SolvedColour solveColour(const PathLengthTally& walks, std::vector<Rgb> absorption_per_mm, int material,
+std::vector<int> dyedWith(int material, size_t count) {
+  if (material != kAnyMaterial) return {material};
+  std::vector<int> all(count);
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+SolvedColour solveColour(const PathLengthTally& walks, std::vector<Rgb> absorption_per_mm, std::span<const int> dyed,
                          const Rgb& wanted) {
   assert(walks.lit() > 0 && absorption_per_mm.size() == walks.materials);
   SolvedColour solved;
-  const auto own = static_cast<size_t>(material);
+  const std::vector<double> lengths_mm = lengthsInside(walks, dyed);
+  for (const int material : dyed) absorption_per_mm[static_cast<size_t>(material)] = Rgb(0.0f);
   std::vector<Channel> channels;
   Rgb darkest, lightest;
   for (int c = 0; c < 3; ++c) {
-    channels.emplace_back(walks, own, channelWeights(walks, absorption_per_mm, own, c));
+    channels.emplace_back(lengths_mm, channelWeights(walks, absorption_per_mm, c), walks.count);
     const Range range(channels.back());
     solved.tooLight |= range.isTooLight(wanted[c]);
     solved.tooDark |= range.isTooDark(wanted[c]);
@@ -104,16 +122,16 @@ SolvedColour solveColour(const PathLengthTally& walks, std::vector<Rgb> absorpti
   for (int c = 0; c < 3; ++c)
     if (target[c] < lightest[c])
       solved.absorption_per_mm[c] = static_cast<float>(absorptionFor(channels[static_cast<size_t>(c)], target[c]));
-  absorption_per_mm[own] = solved.absorption_per_mm;
+  for (const int material : dyed) absorption_per_mm[static_cast<size_t>(material)] = solved.absorption_per_mm;
   solved.reached = walks.colour(absorption_per_mm);
   return solved;
 }
 
-SolvedReflectance solveReflectance(const PathLengthTally& walks, Colouring colouring, int material,
+SolvedReflectance solveReflectance(const PathLengthTally& walks, Colouring colouring, std::span<const int> dyed,
                                    const Spectrum& wanted) {
   assert(walks.lit() > 0 && colouring.primaries_per_mm.size() == walks.materials);
-  const auto own = static_cast<size_t>(material);
-  colouring.setBands(own, Spectrum{});
+  const std::vector<double> lengths_mm = lengthsInside(walks, dyed);
+  for (const int material : dyed) colouring.setBands(static_cast<size_t>(material), Spectrum{});
   std::array<std::vector<double>, kBands> weights;
   for (size_t i = 0; i < walks.lengths_mm.size(); i += walks.materials) {
     const Spectrum left = leftInBands(std::span(walks.lengths_mm).subspan(i, walks.materials), colouring);
@@ -121,14 +139,14 @@ SolvedReflectance solveReflectance(const PathLengthTally& walks, Colouring colou
   }
   SolvedReflectance solved;
   for (size_t j = 0; j < kBands; ++j) {
-    const Channel band(walks, own, std::move(weights[j]));
+    const Channel band(lengths_mm, std::move(weights[j]), walks.count);
     const Range range(band);
     solved.tooLight += range.isTooLight(wanted[j]);
     solved.tooDark += range.isTooDark(wanted[j]);
     const double target = std::max(static_cast<double>(wanted[j]), range.darkestWorthwhile());
     if (target < range.lightest) solved.absorption_per_mm[j] = static_cast<float>(absorptionFor(band, target));
   }
-  colouring.setBands(own, solved.absorption_per_mm);
+  for (const int material : dyed) colouring.setBands(static_cast<size_t>(material), solved.absorption_per_mm);
   solved.reached = walks.reflectance(colouring).mean;
   return solved;
 }

@@ -1,33 +1,40 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "render/transport/path_length_tally.h"
 
 namespace loomlight {
 
-/// How to dye a fibre so that the cloth shows a colour.
+/// How to dye a fibre, or several alike, so that the cloth shows a colour.
 struct SolvedColour {
-  Rgb absorption_per_mm{0};  ///< of that fibre
-  Rgb reached{0};            ///< what the cloth then shows, where the fibre lies on top
+  Rgb absorption_per_mm{0};  ///< of each of them
+  Rgb reached{0};            ///< what the cloth then shows, where the walks begin
   bool tooLight = false;     ///< wanted is lighter, in some channel, than the cloth is undyed: light comes through
   bool tooDark = false;      ///< wanted is darker, in some channel, than what fibres mirror from their surfaces
 };
 
-/// The absorption of `material` with which the walks give the wanted colour (linear, 1 is white paper), those of all
-/// other materials as they are; where a channel cannot be reached, the one that looks nearest (nearestColour()) of all
-/// that can. `walks` are of light that met `material` first, and some of them came back to the sky.
-SolvedColour solveColour(const PathLengthTally& walks, std::vector<Rgb> absorption_per_mm, int material,
+/// The one absorption of the `dyed` materials with which the walks give the wanted colour (linear, 1 is white paper),
+/// those of all others as they are; where a channel cannot be reached, the one that looks nearest (nearestColour()) of
+/// all that can. `walks` are of light that met a dyed material first, and some of them came back to the sky.
+SolvedColour solveColour(const PathLengthTally& walks, std::vector<Rgb> absorption_per_mm, std::span<const int> dyed,
                          const Rgb& wanted);
 
-/// How a fibre absorbs in each band, where the cloth reflects as measured.
+/// How they absorb in each band, where the cloth reflects as measured.
 struct SolvedReflectance {
-  Spectrum absorption_per_mm{};      ///< of that fibre
-  Spectrum reached{};                ///< what the cloth then reflects, where the fibre lies on top
+  Spectrum absorption_per_mm{};      ///< of each of them
+  Spectrum reached{};                ///< what the cloth then reflects, where the walks begin
   size_t tooLight = 0, tooDark = 0;  ///< bands in which wanted lies beyond what this cloth can reflect
 };
 
 /// The same band by band, for a reflectance as a spectrophotometer measures it: bands that cannot be reached are as
 /// near as they can be. Other materials are as they are in `colouring`.
-SolvedReflectance solveReflectance(const PathLengthTally& walks, Colouring colouring, int material,
+SolvedReflectance solveReflectance(const PathLengthTally& walks, Colouring colouring, std::span<const int> dyed,
                                    const Spectrum& wanted);
+
+/// The materials that are dyed where light first meets `material`: itself, or all of `count` for kAnyMaterial, as a
+/// piece is dyed after it was woven.
+std::vector<int> dyedWith(int material, size_t count);
 
 }  // namespace loomlight

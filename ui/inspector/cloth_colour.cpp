@@ -52,28 +52,52 @@ std::string remark(const ClothColourModel& model, const std::optional<WantedColo
   return model.difference < 1 ? "Reached: " + off + "." : "The cloth has changed since, and is " + off + ".";
 }
 
+/// Whether a yarn takes the dye or the woven piece.
+void dyedRow(Ui& ui, ClothColourView& view) {
+  static constexpr const char* kNames[] = {"This fibre", "Piece"};
+  int chosen = view.piece ? 1 : 0;
+  if (segmentField(ui, {"fibre.dyed", words::dyedAs.label, words::dyedAs.help}, kNames, chosen)) view.refusal.clear();
+  view.piece = chosen == 1;
+}
+
+/// A colour as it is written or called.
+void codeRow(Ui& ui, ClothColourView& view) {
+  const char* const example = view.book ? "#1a2b3c, Lab 30 5 -12 or a name" : "#1a2b3c or Lab 30 5 -12";
+  const RowText text{"fibre.colour_code", words::colourCode.label, words::colourCode.help};
+  if (enteredField(ui, text, view.code, example) && !view.code.empty()) view.entered = view.code;
+}
+
 }  // namespace
 
-void clothColourRows(Ui& ui, int fibre, const ClothColourModel& model, ClothColourView& view) {
-  const auto found = view.wanted.find(fibre);
+void clothColourRows(Ui& ui, int fibre, bool several, const ClothColourModel& model, ClothColourView& view) {
+  if (several) dyedRow(ui, view);
+  const int what = view.dyed(several ? fibre : 0);
+  const auto found = view.wanted.find(what);
   const std::optional<WantedColour> wanted = found == view.wanted.end() ? std::nullopt : std::optional(found->second);
   const bool known = model.state == ClothColourModel::State::known;
   // Until the cloth's colour is known the swatch is an empty field: black would be a colour.
   Rgb colour = wanted ? wanted->colour : known ? model.colour : toLinearColour(ui.theme.field);
   if (colourField(ui, {"fibre.cloth_colour", words::inThisCloth.label, words::inThisCloth.help}, colour) && known) {
-    view.wanted[fibre] = {colour, {}, ""};
-    ++view.wish;
+    view.want(what, {colour, {}, ""});
+    view.refusal.clear();
   }
+  if (known) codeRow(ui, view);
   comparisonRow(ui, wanted, model);
   // Two lines are kept free, so that what is said moves nothing.
   const float top = ImGui::GetCursorPosY();
   ImGui::PushFont(ui.fonts.small);
   const float room = 2 * ImGui::GetTextLineHeightWithSpacing();
   ImGui::PopFont();
-  const std::string said = remark(model, wanted);
+  const std::string said = view.refusal.empty() ? remark(model, wanted) : view.refusal;
   hint(ui, said);
   ui.probe.fact("fibre.cloth_colour_remark", said);
   ImGui::SetCursorPosY(top + room);
+  if (!view.book || !known) return;
+  if (const BookColour* chosen = colourBookRows(ui, *view.book, view.search)) {
+    view.want(what, {chosen->linear, chosen->measured, chosen->name});
+    view.refusal.clear();
+    view.code = chosen->name;
+  }
 }
 
 }  // namespace loomlight

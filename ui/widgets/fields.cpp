@@ -180,13 +180,15 @@ bool switchField(Ui& ui, const RowText& text, bool& value) {
   return true;
 }
 
-bool textField(Ui& ui, const RowText& text, std::string& value, const char* whenEmpty) {
+namespace {
+
+bool textRow(Ui& ui, const RowText& text, std::string& value, const char* whenEmpty, ImGuiInputTextFlags flags) {
   const FieldRow row = beginRow(ui, text);
   const ImVec2 min = ImGui::GetCursorScreenPos();
   ImGui::PushID(text.id.c_str());
   ImGui::SetNextItemWidth(row.width);
   ImGui::PushItemFlag(ImGuiItemFlags_NoTabStop, true);
-  const bool changed = ImGui::InputTextWithHint("##text", whenEmpty, &value);
+  const bool changed = ImGui::InputTextWithHint("##text", whenEmpty, &value, flags);
   ImGui::PopItemFlag();
   ui.memory.walk.pass(ImGui::GetItemID(), panelOfFields(), false);
   if (ImGui::IsItemActivated()) ui.memory.walk.standOn(ImGui::GetItemID(), false);
@@ -206,6 +208,16 @@ bool textField(Ui& ui, const RowText& text, std::string& value, const char* when
   explained.tooltip = whole.c_str();
   endRow(ui, explained, min, ImVec2(min.x + row.width, min.y + row.height));
   return changed;
+}
+
+}  // namespace
+
+bool textField(Ui& ui, const RowText& text, std::string& value, const char* whenEmpty) {
+  return textRow(ui, text, value, whenEmpty, 0);
+}
+
+bool enteredField(Ui& ui, const RowText& text, std::string& value, const char* whenEmpty) {
+  return textRow(ui, text, value, whenEmpty, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
 }
 
 bool colourField(Ui& ui, const RowText& text, Rgb& linear) {

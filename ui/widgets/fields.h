@@ -49,6 +49,8 @@ bool segmentField(Ui& ui, const RowText& text, std::span<const char* const> name
 bool switchField(Ui& ui, const RowText& text, bool& value);
 /// `whenEmpty`: what stands there, quietly, while there is no text.
 bool textField(Ui& ui, const RowText& text, std::string& value, const char* whenEmpty = "");
+/// The same; true only when Enter is pressed.
+bool enteredField(Ui& ui, const RowText& text, std::string& value, const char* whenEmpty = "");
 /// A display colour in linear light, edited in a picker that opens.
 bool colourField(Ui& ui, const RowText& text, Rgb& linear);
 /// A value that is computed, not edited.

@@ -13,6 +13,7 @@
 #include "core/base/error.h"
 #include "core/base/rgb.h"
 #include "core/fabric/model/validate.h"
+#include "core/fabric/palette/colour_code.h"
 #include "core/fabric/yarn/band_colour.h"
 #include "render/colour/colour_space.h"
 #include "render/transport/colour_solver.h"
@@ -23,7 +24,7 @@ namespace {
 
 /// A wanted colour on its way.
 struct Dyeing {
-  size_t fibre = 0;                  ///< in the fabric's list
+  int fibre = 0;                     ///< in the fabric's list; kAnyMaterial: the piece, all of them alike
   Rgb wanted{0};                     ///< linear
   std::optional<Spectrum> measured;  ///< wanted in bands
   PathLengthTally walks;
@@ -31,12 +32,10 @@ struct Dyeing {
 };
 
 std::optional<Rgb8> colourFromText(const std::string& text) {
-  uint32_t value = 0;
-  const char* const end = text.data() + text.size();
-  if (text.size() != 7 || text[0] != '#') return std::nullopt;
-  const auto [stopped, error] = std::from_chars(text.data() + 1, end, value, 16);
-  if (error != std::errc{} || stopped != end) return std::nullopt;
-  return Rgb8{static_cast<uint8_t>(value >> 16), static_cast<uint8_t>(value >> 8), static_cast<uint8_t>(value)};
+  const auto colour = text.starts_with('#') ? hexColour(text) : std::nullopt;
+  if (!colour) return std::nullopt;
+  const auto channel = [&](int c) { return static_cast<uint8_t>(std::lround(255 * (*colour)[c])); };
+  return Rgb8{channel(0), channel(1), channel(2)};
 }
 
 Rgb linearColour(const Rgb8& colour) {
@@ -48,33 +47,41 @@ std::string textOf(const Rgb& linear) {
   return fmt::format("#{:02x}{:02x}{:02x}", std::lround(shown.r), std::lround(shown.g), std::lround(shown.b));
 }
 
-/// Names come first: a fibre may be called "2".
-size_t fibreNamed(const std::string& name, const std::vector<Fibre>& fibres, const std::string& source) {
+/// A fibre's number and name, or that it is the piece.
+std::string nameOf(int fibre, const std::vector<Fibre>& fibres) {
+  return fibre == kAnyMaterial ? "the piece"
+                               : fmt::format("{} '{}'", fibre + 1, fibres[static_cast<size_t>(fibre)].name);
+}
+
+/// Names come first: a fibre may be called "2", or "piece".
+int fibreNamed(const std::string& name, const std::vector<Fibre>& fibres, const std::string& source) {
   const auto isNamed = [&name](const Fibre& fibre) { return fibre.name == name; };
   const auto found = std::find_if(fibres.begin(), fibres.end(), isNamed);
   if (found != fibres.end()) {
-    if (std::count_if(found, fibres.end(), isNamed) == 1) return static_cast<size_t>(found - fibres.begin());
+    if (std::count_if(found, fibres.end(), isNamed) == 1) return static_cast<int>(found - fibres.begin());
     throw InputError(
         fmt::format("{}: --cloth-colour: expected the number of the fibre, as several are named '{}'", source, name));
   }
-  size_t number = 0;
+  if (name == "piece") return kAnyMaterial;
+  int number = 0;
   const char* const end = name.data() + name.size();
   const auto [stopped, error] = std::from_chars(name.data(), end, number);
-  if (error == std::errc{} && stopped == end && number >= 1 && number <= fibres.size()) return number - 1;
+  if (error == std::errc{} && stopped == end && number >= 1 && number <= static_cast<int>(fibres.size()))
+    return number - 1;
   std::string names;
-  for (size_t i = 0; i < fibres.size(); ++i) names += fmt::format("{}{} '{}'", i ? ", " : "", i + 1, fibres[i].name);
-  throw InputError(
-      fmt::format("{}: --cloth-colour: expected one of the fabric's fibres, {}; got '{}'", source, names, name));
+  for (int i = 0; i < static_cast<int>(fibres.size()); ++i) names += nameOf(i, fibres) + ", ";
+  throw InputError(fmt::format("{}: --cloth-colour: expected one of the fabric's fibres, {}or 'piece' for all; got '{}'",
+                               source, names, name));
 }
 
 std::vector<Dyeing> dyeingsOf(const Fabric& fabric, const std::vector<ClothColour>& wanted, const std::string& source) {
   std::vector<Dyeing> dyeings;
   for (const ClothColour& wish : wanted) {
-    const size_t fibre = fibreNamed(wish.fibre, fabric.fibres, source);
+    const int fibre = fibreNamed(wish.fibre, fabric.fibres, source);
     for (const Dyeing& other : dyeings)
-      if (other.fibre == fibre)
-        throw InputError(fmt::format("{}: --cloth-colour: expected one colour for each fibre, got two for {} '{}'",
-                                     source, fibre + 1, fabric.fibres[fibre].name));
+      if (other.fibre == fibre || other.fibre == kAnyMaterial || fibre == kAnyMaterial)
+        throw InputError(fmt::format("{}: --cloth-colour: expected one colour for each fibre, got two for {}", source,
+                                     nameOf(std::max(fibre, other.fibre), fabric.fibres)));
     Dyeing& dyeing = dyeings.emplace_back();
     dyeing.fibre = fibre;
     dyeing.wanted = linearColour(wish.colour);
@@ -100,35 +107,36 @@ bool walk(const Fabric& fabric, std::vector<Dyeing>& dyeings) {
   if (!medium) return false;
   for (Dyeing& dyeing : dyeings) {
     ++done;
-    auto walks = tallyPathLengths(*scene, *medium, static_cast<int>(dyeing.fibre), kDyeWalks, task);
+    auto walks = tallyPathLengths(*scene, *medium, dyeing.fibre, kDyeWalks, task);
     if (!walks) return false;
     dyeing.walks = std::move(*walks);
   }
   return true;
 }
 
-/// Dyes one fibre, the others as they are. Whether that changed what is seen.
+/// Dyes one fibre, the others as they are, or all alike. Whether that changed what is seen.
 bool dye(Fabric& fabric, Dyeing& dyeing) {
   constexpr float kSettled = 1e-3f;  // of a dye
-  Absorption& absorption = fabric.fibres[dyeing.fibre].absorption_per_mm;
-  const auto fibre = static_cast<int>(dyeing.fibre);
+  const std::vector<int> dyed = dyedWith(dyeing.fibre, fabric.fibres.size());
+  Absorption absorption = fabric.fibres[static_cast<size_t>(dyed.front())].absorption_per_mm;
   bool settled = absorption.isSpectral() == dyeing.measured.has_value();
   if (dyeing.measured) {
     const SolvedReflectance solved =
-        solveReflectance(dyeing.walks, colouringInDaylight(fabric), fibre, *dyeing.measured);
+        solveReflectance(dyeing.walks, colouringInDaylight(fabric), dyed, *dyeing.measured);
     const Spectrum now = solved.absorption_per_mm, before = absorption.inBands();
     for (size_t j = 0; j < kBands; ++j) settled &= std::abs(now[j] - before[j]) <= kSettled * now[j];
     dyeing.tooLight = solved.tooLight > 0;
     dyeing.tooDark = solved.tooDark > 0;
     absorption = Absorption(now);
   } else {
-    const SolvedColour solved = solveColour(dyeing.walks, absorptionsOf(fabric), fibre, dyeing.wanted);
+    const SolvedColour solved = solveColour(dyeing.walks, absorptionsOf(fabric), dyed, dyeing.wanted);
     const Rgb now = solved.absorption_per_mm, before = absorption.primaries;
     settled &= glm::all(glm::lessThanEqual(glm::abs(now - before), kSettled * now));
     dyeing.tooLight = solved.tooLight;
     dyeing.tooDark = solved.tooDark;
     absorption = now;
   }
+  for (const int fibre : dyed) fabric.fibres[static_cast<size_t>(fibre)].absorption_per_mm = absorption;
   return !settled;
 }
 
@@ -147,14 +155,14 @@ std::string whyNot(const Dyeing& dyeing) {
   return dyeing.tooLight ? "lighter than this cloth can be" : "darker than fibres can be, as their surface reflects";
 }
 
-void tell(const Fibre& fibre, const Dyeing& dyeing, const Rgb& shown) {
+void tell(const std::string& name, const Dyeing& dyeing, const Rgb& shown) {
   const double difference = ciede2000(labFromLinear(glm::dvec3(dyeing.wanted)), labFromLinear(glm::dvec3(shown)));
   const std::string reached = fmt::format("{}, off by {:.1f} (CIEDE2000)", textOf(shown), difference);
   const std::string wanted = textOf(dyeing.wanted);
   if (dyeing.tooLight || dyeing.tooDark)
-    fmt::print("{}: {} cannot be had, it is {}: the nearest is {}\n", fibre.name, wanted, whyNot(dyeing), reached);
+    fmt::print("{}: {} cannot be had, it is {}: the nearest is {}\n", name, wanted, whyNot(dyeing), reached);
   else
-    fmt::print("{}: {} is wanted, the cloth shows {}\n", fibre.name, wanted, reached);
+    fmt::print("{}: {} is wanted, the cloth shows {}\n", name, wanted, reached);
 }
 
 }  // namespace
@@ -178,12 +186,13 @@ std::optional<Fabric> dyed(Fabric fabric, const std::vector<ClothColour>& wanted
   for (const Dyeing& dyeing : dyeings)
     if (dyeing.walks.lit() == 0)
       throw InputError(
-          fmt::format("{}: --cloth-colour: expected a fibre that lies on the face, where it shows its colour, got {} "
-                      "'{}'",
-                      source, dyeing.fibre + 1, fabric.fibres[dyeing.fibre].name));
+          fmt::format("{}: --cloth-colour: expected a fibre that lies on the face, where it shows its colour, got {}",
+                      source, nameOf(dyeing.fibre, fabric.fibres)));
   solve(fabric, dyeings);
   const Colouring colouring = colouringInDaylight(fabric);
-  for (const Dyeing& dyeing : dyeings) tell(fabric.fibres[dyeing.fibre], dyeing, dyeing.walks.colour(colouring));
+  for (const Dyeing& dyeing : dyeings)
+    tell(dyeing.fibre == kAnyMaterial ? "the piece" : fabric.fibres[static_cast<size_t>(dyeing.fibre)].name, dyeing,
+         dyeing.walks.colour(colouring));
   return fabric;
 }
 

@@ -135,7 +135,7 @@ void addConvert(CLI::App& app, ConvertCommand& command) {
   addValues(app, "--cloth-colour", "FIBRE=#RRGGBB|FILE",
             "dye a fibre, by its name or its number from 1, so that the cloth has this colour where it lies on top, or "
             "reflects like a measured swatch (CGATS .txt, .cxf, .qtx, .csv); "
-            "once for each fibre",
+            "once for each fibre, or piece=... for all alike",
             [&command](const auto& option, const auto& text) {
               command.clothColours.push_back(parseClothColour(option, text));
             });

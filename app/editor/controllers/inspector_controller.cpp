@@ -1,8 +1,12 @@
 #include "app/editor/controllers/inspector_controller.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
+#include "app/editor/model/book_colours.h"
+#include "core/fabric/palette/colour_code.h"
 #include "core/fabric/yarn/band_colour.h"
 #include "ui/widgets/yarn_colours.h"
 
@@ -28,7 +32,7 @@ InspectorResult InspectorController::draw(Ui& ui, const std::shared_ptr<const Fa
   if (view_.page == InspectorView::Page::yarn && view_.yarn < static_cast<int>(fabric->yarns.size()))
     model.closeUp = pictures_.closeUp(fabric, view_.yarn, ui.scale);
   if (view_.page == InspectorView::Page::fibre)
-    model.clothColour = colours_.model(*fabric, shownFibre(*fabric, view_), view_.clothColour);
+    model.clothColour = colours_.model(*fabric, dyed(*fabric), view_.clothColour);
   model.visibility = seen.visibilityModel(view_.yarn);
   model.inches = inches;
   return inspector(ui, *fabric, model, view_);
@@ -43,17 +47,41 @@ std::optional<InspectorController::Dyed> InspectorController::follow(const std::
   pictures_.follow();
   if (view_.yarn != lookedAt_) before_ = std::exchange(lookedAt_, view_.yarn);
   if (view_.page != InspectorView::Page::fibre || !isShown) return std::nullopt;
+  if (const auto code = std::exchange(view_.clothColour.entered, std::nullopt)) wantCode(dyed(*fabric), *code);
   if (std::exchange(colourWish_, view_.clothColour.wish) != view_.clothColour.wish) colourGesture_ = gesture;
-  auto dyed = colours_.follow(fabric, shownFibre(*fabric, view_), view_.clothColour);
-  if (!dyed) return std::nullopt;
-  return Dyed{std::move(*dyed), colourGesture_};
+  auto edited = colours_.follow(fabric, dyed(*fabric), view_.clothColour);
+  if (!edited) return std::nullopt;
+  return Dyed{std::move(*edited), colourGesture_};
+}
+
+int InspectorController::dyed(const Fabric& fabric) const {
+  return fabric.fibres.size() > 1 ? view_.clothColour.dyed(shownFibre(fabric, view_)) : 0;
+}
+
+void InspectorController::wantCode(int what, const std::string& code) {
+  ClothColourView& view = view_.clothColour;
+  const BookColour* const called = view.book ? view.book->named(code) : nullptr;
+  const std::optional<NamedColour> written = called ? std::nullopt : colourFromCode(code);
+  view.refusal = "";
+  if (called)
+    view.want(what, {called->linear, called->measured, called->name});
+  else if (written)
+    view.want(what, {bookColour(*written).linear, {}, code});
+  else
+    view.refusal = fmt::format("\"{}\" is no colour: expected #1a2b3c, Lab 30 5 -12{}.", code,
+                               view.book ? ", or a name of " + view.book->name : "");
 }
 
 void InspectorController::dyeLike(const Fabric& fabric, const MeasuredSwatch& swatch) {
   view_.page = InspectorView::Page::fibre;
   const Spectrum measured = bandReflectance(swatch);
-  view_.clothColour.wanted[shownFibre(fabric, view_)] = {linearFromReflectance(measured), measured, swatch.name};
-  ++view_.clothColour.wish;
+  view_.clothColour.want(dyed(fabric), {linearFromReflectance(measured), measured, swatch.name});
+}
+
+void InspectorController::open(const Palette& palette) {
+  view_.page = InspectorView::Page::fibre;
+  view_.clothColour.book = std::make_shared<const ColourBook>(colourBook(palette));
+  view_.clothColour.search.clear();
 }
 
 void InspectorController::stepYarn(int step, size_t yarns) {

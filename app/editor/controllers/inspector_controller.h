@@ -8,6 +8,7 @@
 #include "app/editor/services/cloth_colour_service.h"
 #include "app/editor/services/side_pictures.h"
 #include "app/editor/services/view_service.h"
+#include "core/fabric/palette/palette.h"
 #include "core/fabric/swatch/measured_swatch.h"
 #include "ui/dialogs/colourways_dialog.h"
 #include "ui/inspector/inspector.h"
@@ -39,6 +40,8 @@ class InspectorController {
 
   /// Opens the page of fibres and wants of the one looked at that the cloth reflects as was measured.
   void dyeLike(const Fabric& fabric, const MeasuredSwatch& swatch);
+  /// The same page, with these colours to choose from.
+  void open(const Palette& palette);
 
   // The yarn that bars of colour are painted with is the one that is looked at.
   void stepYarn(int step, size_t yarns);
@@ -53,6 +56,11 @@ class InspectorController {
   const InspectorView& view() const { return view_; }
 
  private:
+  /// What a colour of the cloth is wanted of: the fibre looked at, or kPiece.
+  int dyed(const Fabric& fabric) const;
+  /// A colour that was typed is wanted, or is refused on the page.
+  void wantCode(int what, const std::string& code);
+
   InspectorView view_;
   ClothColourService colours_;
   SidePictures pictures_;

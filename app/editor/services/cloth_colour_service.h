@@ -15,15 +15,16 @@ class ClothColourService {
  public:
   explicit ClothColourService(std::function<void()> wake) : worker_(std::move(wake)) {}
 
-  ClothColourModel model(const Fabric& fabric, int fibre, const ClothColourView& view) const;
+  /// `what`: a fibre, or kPiece.
+  ClothColourModel model(const Fabric& fabric, int what, const ClothColourView& view) const;
   /// Asks for what the page wants to know. The fabric after an edit, once an answer to a wanted colour is there: each
-  /// is handed out once, and only while its fibre is looked at.
-  std::optional<Fabric> follow(const std::shared_ptr<const Fabric>& fabric, int fibre, const ClothColourView& view);
+  /// is handed out once, and only while what it dyes is looked at.
+  std::optional<Fabric> follow(const std::shared_ptr<const Fabric>& fabric, int what, const ClothColourView& view);
 
  private:
   ColourWorker worker_;
   std::shared_ptr<const Fabric> askedFabric_;
-  int askedFibre_ = -1;
+  int asked_ = 0;
   uint64_t askedWish_ = 0, doneWish_ = 0;
 };
 

@@ -40,6 +40,17 @@ inline constexpr Word looseStock{"Loose stock",
                                  "The colour of a thick mass of this fibre, as dyers match loose stock; sRGB with the "
                                  "white of daylight (D65). Cloth "
                                  "that light goes through is darker over black."};
+inline constexpr Word dyedAs{
+    "Dyed",
+    "What takes the dye: this fibre before it is woven, or the piece, all of whose fibres are dyed alike afterwards."};
+inline constexpr Word colourCode{
+    "Code",
+    "The wanted colour as six hexadecimal digits, as CIELAB in daylight (D65, 2 degree observer), or by its name in the "
+    "colour book. Enter dyes."};
+inline constexpr Word colourBook{
+    "Colour book",
+    "Colours of a file of your own, dropped on the window: a palette (.ase, .aco, .gpl, .csv) or measured colours "
+    "(.cxf, .csv). A part of a name finds them, a click dyes."};
 inline constexpr Word inThisCloth{
     "In this cloth",
     "The colour that the cloth should have where this fibre lies on top. The dye for it is found by walking light "

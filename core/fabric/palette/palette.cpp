@@ -60,6 +60,12 @@ void addCmyk(Palette& palette, std::string name, const glm::dvec4& inks, const s
     palette.remarks.push_back(remark);
 }
 
+bool isPaletteFile(const std::string& file) {
+  constexpr std::string_view kEndings[] = {".ase", ".aco", ".gpl", ".cxf", ".csv"};
+  const std::string ending = lowerCase(std::filesystem::path(file).extension().string());
+  return std::find(std::begin(kEndings), std::end(kEndings), ending) != std::end(kEndings);
+}
+
 Palette readPalette(const std::string& file) {
   return paletteFrom(readFile(file, kMostPaletteBytes), file);
 }

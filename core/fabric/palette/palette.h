@@ -36,6 +36,9 @@ struct Palette {
 /// green and blue are taken as sRGB. Throws InputError.
 Palette readPalette(const std::string& file);
 
+/// Whether a file is one of these, by the ending of its name.
+bool isPaletteFile(const std::string& file);
+
 /// The same of a file's bytes; `source` names them in messages. Photoshop's colours have no mark of their own, so they
 /// are told by `source` ending in ".aco".
 Palette paletteFrom(std::string_view bytes, const std::string& source);

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/base/error.h"
+#include "core/fabric/palette/colour_code.h"
 #include "core/fabric/palette/palette_readers.h"
 #include "core/fabric/swatch/raw_swatch.h"
 #include "core/fabric/swatch/text_table.h"
@@ -24,21 +25,6 @@ std::string titleOf(std::string_view cell) {
   for (const char c : lowerCase(cell))
     if (std::string_view(" *_()").find(c) == std::string_view::npos) title += c;
   return title;
-}
-
-std::optional<glm::dvec3> hexColour(std::string_view cell) {
-  if (cell.starts_with('#')) cell.remove_prefix(1);
-  const auto digit = [](char c) {
-    return c >= '0' && c <= '9'   ? c - '0'
-           : c >= 'a' && c <= 'f' ? c - 'a' + 10
-           : c >= 'A' && c <= 'F' ? c - 'A' + 10
-                                  : -1;
-  };
-  if (cell.size() != 6 || std::any_of(cell.begin(), cell.end(), [&](char c) { return digit(c) < 0; }))
-    return std::nullopt;
-  glm::dvec3 colour;
-  for (int c = 0; c < 3; ++c) colour[c] = (16 * digit(cell[2 * c]) + digit(cell[2 * c + 1])) / 255.0;
-  return colour;
 }
 
 /// Where the columns are that make a colour.

@@ -51,6 +51,19 @@ class Dye(CommandLineTest):
             for one, other in zip(again[i], dyes[i]):
                 self.assertAlmostEqual(one, other, delta=2e-3 * other)
 
+    def test_a_piece_is_dyed_alike(self):
+        wanted = "#5a6e3c"
+        yarn = CLOSED["yarns"][0]
+        blue = {"name": "blue", "radius_um": 9, "absorption_per_mm": [20, 8, 1]}
+        two = {"yarns": [yarn, {**yarn, "fibre": 1}], "weft_sequence": [1], "fibres": [*CLOSED["fibres"], blue]}
+        said = self.run_program("convert", self.fabric(**{**CLOSED, **two}), "dyed.json", "--cloth-colour", "piece=" + wanted)
+        self.assertIn(f"the piece: {wanted} is wanted, the cloth shows {wanted}, off by 0.0 (CIEDE2000)", said)
+        one, other = self.dyes("dyed.json")
+        self.assertEqual(one, other)
+        for channel, seen in zip(channels(wanted), self.seen_from_above("dyed.json")):
+            expected = linear(channel)
+            self.assertLess(abs(seen - expected), 4 * math.sqrt(expected * (1 - expected) / WALKS))
+
     def test_what_cannot_be_had_is_said_and_the_nearest_is_taken(self):
         for wanted, why in (("#ffffff", "lighter than this cloth"), ("#000000", "darker than fibres"),
                             ("#ff0000", "lighter and darker than this fibre")):
@@ -68,7 +81,8 @@ class Dye(CommandLineTest):
         fibres = [{"name": name, "radius_um": 9} for name in ("face", "back", "same", "same")]
         fabric = self.fabric(fibres=fibres)
         for wishes, expected, status in (
-            (["red=#102030"], "one of the fabric's fibres, 1 'face', 2 'back', 3 'same', 4 'same'; got 'red'", 1),
+            (["red=#102030"], "one of the fabric's fibres, 1 'face', 2 'back', 3 'same', 4 'same', or 'piece' for all; got 'red'", 1),
+            (["piece=#102030", "face=#203040"], "one colour for each fibre, got two for 1 'face'", 1),
             (["5=#102030"], "got '5'", 1),
             (["0=#102030"], "got '0'", 1),
             (["same=#102030"], "several are named 'same'", 1),

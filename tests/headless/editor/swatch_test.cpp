@@ -55,5 +55,51 @@ TEST_F(Swatches, OneThatIsBrokenIsSaidAndDyesNothing) {
   EXPECT_EQ(editor.saved().fibres[0].absorption_per_mm, before);
 }
 
+/// A palette gives colours to choose from.
+TEST_F(Swatches, AColourOfAPaletteDyesByAClickOrByItsName) {
+  editor.drop(file("autumn.gpl", "GIMP Palette\nName: Autumn\n#\n120 60 30 rust\n60 70 90 slate\n90 100 50 moss\n"));
+  editor.until("its colours are there", [&] { return editor.fact("book.found") == "3 of 3"; });
+  editor.edits("a click dyes", [&] { editor.click("book.0"); });
+  Rgb dye = editor.saved().fibres[0].absorption_per_mm.primaries;
+  EXPECT_GT(dye.b, dye.r) << "rust";
+  editor.edits("its name dyes", [&] {
+    editor.enter("fibre.colour_code", "Slate");
+  });
+  dye = editor.saved().fibres[0].absorption_per_mm.primaries;
+  EXPECT_GT(dye.r, dye.b) << "slate";
+  editor.edits("one step takes it back", [&] { editor.key("ctrl+z"); });
+  dye = editor.saved().fibres[0].absorption_per_mm.primaries;
+  EXPECT_GT(dye.b, dye.r) << "rust again";
+}
+
+TEST_F(Swatches, ACodeDyesAndWhatIsNoneIsSaid) {
+  editor.click("tab.fibre");
+  editor.until("the cloth is measured", [&] { return editor.shows("fibre.colour_code"); });
+  editor.edits("a code dyes", [&] { editor.enter("fibre.colour_code", "Lab 35 20 -40"); });
+  const Rgb dye = editor.saved().fibres[0].absorption_per_mm.primaries;
+  EXPECT_GT(dye.g, dye.b) << "a violet";
+  editor.enter("fibre.colour_code", "bluish");
+  editor.until("it is refused", [&] { return editor.fact("fibre.cloth_colour_remark").starts_with("\"bluish\" is no colour"); });
+  EXPECT_EQ(editor.saved().fibres[0].absorption_per_mm.primaries, dye);
+}
+
+TEST(PieceDyeing, DyesAllFibresAlike) {
+  Fabric cloth = smallTwill();
+  cloth.fibres.push_back(cloth.fibres[0]);
+  cloth.fibres[1].absorption_per_mm = Rgb(20.0f, 8.0f, 2.0f);
+  cloth.yarns.push_back(cloth.yarns[0]);
+  cloth.yarns[1].fibre = 1;
+  cloth.weftSequence = {1};
+  HeadlessEditor editor{{1280, 900, 1}};
+  editor.start(cloth);
+  editor.click("tab.fibre");
+  editor.click("fibre.dyed/Piece");
+  editor.until("the cloth is measured", [&] { return editor.shows("fibre.colour_code"); });
+  editor.edits("the piece is dyed", [&] { editor.enter("fibre.colour_code", "#7a5030"); });
+  const Fabric dyed = editor.saved();
+  EXPECT_EQ(dyed.fibres[0].absorption_per_mm, dyed.fibres[1].absorption_per_mm);
+  EXPECT_GT(dyed.fibres[0].absorption_per_mm.primaries.b, dyed.fibres[0].absorption_per_mm.primaries.r);
+}
+
 }  // namespace
 }  // namespace loomlight

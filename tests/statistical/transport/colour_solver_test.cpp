@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "core/fabric/weave/structures.h"
 #include "render/colour/colour_space.h"
 #include "render/colour/tristimulus.h"
@@ -13,6 +15,7 @@ namespace loomlight {
 namespace {
 
 constexpr size_t kWalks = 16384;
+constexpr std::array<int, 1> kFirst = {0};
 constexpr double kDeltaE = 1.0;  // of CIEDE2000: about the smallest that an eye sees
 
 /// A twill of two yarns, of one fibre each; the weft is dyed.
@@ -83,7 +86,7 @@ TEST(ColourSolver, SolvedClothRendersInTheWantedColour) {
   ASSERT_TRUE(walks.has_value());
   ASSERT_EQ(walks->count, kWalks);
   for (const Rgb& wanted : {Rgb(0.25f, 0.10f, 0.04f), Rgb(0.06f, 0.12f, 0.20f)}) {
-    const SolvedColour solved = solveColour(*walks, absorptionsOf(fabric), 0, wanted);
+    const SolvedColour solved = solveColour(*walks, absorptionsOf(fabric), kFirst, wanted);
     EXPECT_FALSE(solved.tooLight || solved.tooDark);
     fabric.fibres[0].absorption_per_mm = solved.absorption_per_mm;
     const Rgb rendered = renderedColour(fabric, 0);
@@ -105,7 +108,7 @@ TEST(ColourSolver, SolvedClothRendersAsItsSwatchWasMeasured) {
       const double away = (bandWavelength_nm(j) - centre_nm) / 60;
       swatch[j] = static_cast<float>(0.08 + 0.2 * std::exp(-away * away));
     }
-    const SolvedReflectance solved = solveReflectance(*walks, colouringInDaylight(fabric), 0, swatch);
+    const SolvedReflectance solved = solveReflectance(*walks, colouringInDaylight(fabric), kFirst, swatch);
     EXPECT_EQ(solved.tooLight + solved.tooDark, 0u);
     for (size_t j = 0; j < kBands; ++j) EXPECT_NEAR(solved.reached[j], swatch[j], 1e-4) << bandWavelength_nm(j);
     fabric.fibres[0].absorption_per_mm = Absorption(solved.absorption_per_mm);
@@ -128,7 +131,7 @@ TEST(ColourSolver, SheerClothCannotBeWhite) {
   ASSERT_TRUE(walks.has_value());
   const std::vector<Rgb> undyed = {Rgb(0.0f), fabric.fibres[1].absorption_per_mm.primaries};
   const Rgb white(0.95f);
-  const SolvedColour solved = solveColour(*walks, undyed, 0, white);
+  const SolvedColour solved = solveColour(*walks, undyed, kFirst, white);
   EXPECT_TRUE(solved.tooLight);
   EXPECT_LT(solved.reached.g, 0.9f);
   // The weft shines through in its blue. What looks nearest to white is no bluer than that, and hardly darker.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 namespace loomlight {
@@ -20,11 +21,13 @@ PathLengthTally someWalks() {
   return walks;
 }
 
+constexpr std::array<int, 1> kFirst = {0};
+constexpr std::array<int, 2> kBoth = {0, 1};
 const std::vector<Rgb> kAbsorptions = {Rgb(0.0f), Rgb(2.0f, 20.0f, 40.0f)};
 
 TEST(ColourSolver, ReachesWhatItPromises) {
   const Rgb wanted(0.6f, 0.2f, 0.05f);
-  const SolvedColour solved = solveColour(someWalks(), kAbsorptions, 0, wanted);
+  const SolvedColour solved = solveColour(someWalks(), kAbsorptions, kFirst, wanted);
   EXPECT_FALSE(solved.tooLight || solved.tooDark);
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(solved.reached[c], wanted[c], 1e-4);
   EXPECT_GT(solved.absorption_per_mm.b, solved.absorption_per_mm.g);
@@ -32,7 +35,7 @@ TEST(ColourSolver, ReachesWhatItPromises) {
 }
 
 TEST(ColourSolver, SaysWhatIsTooLightAndTakesNoDye) {
-  const SolvedColour solved = solveColour(someWalks(), kAbsorptions, 0, Rgb(0.9f, 0.3f, 0.1f));
+  const SolvedColour solved = solveColour(someWalks(), kAbsorptions, kFirst, Rgb(0.9f, 0.3f, 0.1f));
   EXPECT_TRUE(solved.tooLight);
   EXPECT_FALSE(solved.tooDark);
   EXPECT_EQ(solved.absorption_per_mm.r, 0);
@@ -40,7 +43,7 @@ TEST(ColourSolver, SaysWhatIsTooLightAndTakesNoDye) {
 }
 
 TEST(ColourSolver, APastelThatIsTooLightKeepsItsHue) {
-  const SolvedColour solved = solveColour(someWalks(), {Rgb(0.0f), Rgb(0.0f)}, 0, Rgb(1.0f, 0.85f, 0.88f));
+  const SolvedColour solved = solveColour(someWalks(), {Rgb(0.0f), Rgb(0.0f)}, kFirst, Rgb(1.0f, 0.85f, 0.88f));
   EXPECT_TRUE(solved.tooLight);
   EXPECT_GT(solved.reached.r, solved.reached.g + 0.05f);
   EXPECT_GT(solved.reached.r, solved.reached.b + 0.03f);
@@ -48,7 +51,7 @@ TEST(ColourSolver, APastelThatIsTooLightKeepsItsHue) {
 
 TEST(ColourSolver, SaysWhatIsTooDarkAndTakesNoMoreDyeThanShows) {
   // Five walks in five hundred never went inside: nothing is darker than 0.01.
-  const SolvedColour solved = solveColour(someWalks(), {Rgb(0.0f), Rgb(0.0f)}, 0, Rgb(0.002f, 0.3f, 0.3f));
+  const SolvedColour solved = solveColour(someWalks(), {Rgb(0.0f), Rgb(0.0f)}, kFirst, Rgb(0.002f, 0.3f, 0.3f));
   EXPECT_TRUE(solved.tooDark);
   EXPECT_FALSE(solved.tooLight);
   EXPECT_NEAR(solved.reached.r, 0.011f, 1e-3);
@@ -57,6 +60,18 @@ TEST(ColourSolver, SaysWhatIsTooDarkAndTakesNoMoreDyeThanShows) {
 
 TEST(ColourSolver, AFibreThatIsNeverOnTopHasNoColour) {
   EXPECT_EQ(PathLengthTally{}.colour(std::vector<Rgb>{}), Rgb(0.0f));
+}
+
+TEST(ColourSolver, DyesAPieceAlikeAndForgetsWhatItsFibresHad) {
+  const Rgb wanted(0.5f, 0.3f, 0.1f);
+  const SolvedColour solved = solveColour(someWalks(), kAbsorptions, kBoth, wanted);
+  const std::vector<Rgb> alike(2, solved.absorption_per_mm);
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(someWalks().colour(alike)[c], wanted[c], 1e-4);
+  EXPECT_EQ(dyedWith(kAnyMaterial, 2), std::vector<int>({0, 1}));
+  EXPECT_EQ(dyedWith(1, 2), std::vector<int>({1}));
+  // A fibre alone takes more of it, since the other's lengths do not count.
+  const SolvedColour one = solveColour(someWalks(), {Rgb(0.0f), Rgb(0.0f)}, kFirst, wanted);
+  for (int c = 0; c < 3; ++c) EXPECT_GT(one.absorption_per_mm[c], solved.absorption_per_mm[c]);
 }
 
 }  // namespace

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/spectrum.h"
+#include "ui/widgets/fields.h"
+
+namespace loomlight {
+
+struct BookColour {
+  std::string name;                  ///< as it is bought; not empty
+  Rgb linear{0};                     ///< in daylight
+  std::optional<Spectrum> measured;  ///< its reflectance in bands, 1 is a perfect diffuser
+};
+
+/// Colours to choose from, of a file of the designer's own.
+struct ColourBook {
+  std::string name;
+  std::vector<BookColour> colours;  ///< at least one
+
+  /// The one whose name is this, in capitals or not; null where there is none.
+  const BookColour* named(std::string_view name) const;
+};
+
+/// A field to search by name, and below it the colours as chips; `search` is what stands in the field. The colour that
+/// was clicked.
+const BookColour* colourBookRows(Ui& ui, const ColourBook& book, std::string& search);
+
+}  // namespace loomlight
