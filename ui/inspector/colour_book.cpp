@@ -61,6 +61,7 @@ const BookColour* colourBookRows(Ui& ui, const ColourBook& book, std::string& se
       }
   ImGui::EndChild();
   ImGui::PopStyleVar();
+  ImGui::Dummy(ImVec2(0, ui.px(4)));
   return chosen;
 }
 

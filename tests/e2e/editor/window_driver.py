@@ -122,17 +122,17 @@ class Editor:
     def has_ended(self):
         return self.process.poll() is not None
 
-    def wait_until(self, what, condition):
+    def wait_until(self, what, condition, longest_s=HANGS_S):
         """Looks again whenever the program tells of another frame. What it does elsewhere, as in its own folders, is
         looked at every now and then."""
-        end = time.monotonic() + HANGS_S
+        end = time.monotonic() + longest_s
         while time.monotonic() < end:
             if self.has_ended():
                 raise Failure(f"the editor ended ({self.process.returncode}) while waiting until {what}\n{self.log()}")
             if condition():
                 return
             self.watch.wait(0.2)
-        raise Failure(f"waited {HANGS_S} s in vain until {what}; facts: {self.dump()['facts']}\n{self.log()}")
+        raise Failure(f"waited {longest_s} s in vain until {what}; facts: {self.dump()['facts']}\n{self.log()}")
 
     def act(self, send, *arguments, answered=False):
         """Sends events; returns when the program has drawn a frame with them, or another one too where they are to be
