@@ -40,10 +40,10 @@ class MeshText {
   size_t lineBegin() const { return begin_; }  ///< offset of the line in the text
   size_t nextBegin() const { return std::min(next_, text_.size()); }
 
-  /// `expected` may quote the file, whatever is in it.
+  /// `expected` may quote the file, whatever is in it: what no terminal shows, or half a letter, is no help.
   [[noreturn]] void fail(std::string expected) const {
     for (char& c : expected)
-      if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
+      if (const auto byte = static_cast<unsigned char>(c); byte < 0x20 || byte >= 0x7F) c = '?';
     throw InputError(file_ + ":" + std::to_string(number_) + ": " + expected);
   }
 

@@ -61,7 +61,7 @@ class Reader {
       rest.remove_prefix(count);
     });
     png_set_user_limits(png_, kMaxSide, kMaxSide);
-    // No chunk is larger than its file, whatever it says, nor unpacked larger than the fabric of a huge jacquard.
+    // No chunk is unpacked larger than its file, or the fabric of a huge jacquard.
     constexpr size_t kMostUnpacked = size_t{64} << 20;
     png_set_chunk_malloc_max(png_, std::max(bytes.size(), kMostUnpacked));
   }
@@ -125,6 +125,21 @@ class Reader {
   png_structp png_;
   png_infop info_;
 };
+
+/// Whether a chunk says that it is longer than what is left of the file. libpng would take memory for all of it before
+/// it sees that it is not there, and its limit for chunks is no more than a warning.
+bool breaksOff(std::string_view bytes) {
+  constexpr size_t kSignature = 8, kWord = 4;
+  for (size_t at = kSignature; at + 2 * kWord <= bytes.size();) {
+    size_t length = 0;
+    for (const char byte : bytes.substr(at, kWord)) length = length << 8 | static_cast<unsigned char>(byte);
+    at += kWord;
+    if (bytes.substr(at, kWord) == "IEND") return false;
+    if (length > bytes.size() - at) return true;
+    at += kWord + length + kWord;  // its name, itself, its sum
+  }
+  return false;
+}
 
 [[noreturn]] void refuse(const std::string& file, std::string_view bytes, const char* complaint) {
   const bool isPng =
@@ -221,6 +236,7 @@ void writePng(const std::string& file, const Pixels16& pixels, double dpi) {
 
 Pixels8 readPng(const std::string& file, std::map<std::string, std::string>* texts) {
   const std::string bytes = readFile(file, kMaxFileBytes);
+  if (breaksOff(bytes)) refuse(file, bytes, "it breaks off");
   Reader reader(bytes);
   Pixels8 pixels;
   if (!reader.readInfo() || !reader.readPixels(pixels)) refuse(file, bytes, reader.complaint());

@@ -185,6 +185,33 @@ TEST(Exr, RefusesHugeClaimsWithoutBelievingThem) {
   EXPECT_THAT(complaint(attribute.header()), HasSubstr("damaged"));
 }
 
+// OpenEXR goes on reading where it takes an attribute to end, and finds there what a check by these sizes has passed
+// over.
+TEST(Exr, RefusesAttributesThatEndElsewhereThanTheySay) {
+  const std::string hidden = ExrBytes::attribute("hidden", "nonsense", "", 0x6F630000);
+  const auto refused = [](const std::string& attribute) {
+    ExrBytes exr = smallFile();
+    exr.extraAttributes = attribute;
+    return complaint(exr.all()).find("damaged EXR header") != std::string::npos;
+  };
+  EXPECT_TRUE(refused(ExrBytes::attribute("place", "v2f", std::string(8, '\0') + hidden)));
+  EXPECT_TRUE(refused(ExrBytes::attribute("turn", "m44f", "")));
+  EXPECT_TRUE(refused(ExrBytes::attribute("more", "chlist", std::string(1, '\0') + hidden)));
+  EXPECT_TRUE(refused(ExrBytes::attribute("words", "stringvector", test::int32(0x6F630000) + "few")));
+  EXPECT_TRUE(refused(ExrBytes::attribute("small", "preview", test::int32(9000) + test::int32(9000))));
+}
+
+TEST(Exr, ReadsAttributesOfOtherPrograms) {
+  ExrBytes exr = smallFile();
+  exr.extraAttributes = ExrBytes::attribute("words", "stringvector", test::int32(3) + "one" + test::int32(0)) +
+                        ExrBytes::attribute("small", "preview", test::int32(1) + test::int32(2) + "12345678") +
+                        ExrBytes::attribute("time", "timecode", std::string(8, '\1')) +
+                        ExrBytes::attribute("own", "something of its own", "12345");
+  const test::ScratchFolder folder;
+  putBytes(folder.file("a.exr"), exr.all());
+  EXPECT_EQ(readExr(folder.file("a.exr")).width, 4);
+}
+
 TEST(Exr, RefusesWhatIsNoExr) {
   EXPECT_THAT(complaint(""), HasSubstr("damaged EXR header"));
   EXPECT_THAT(complaint("These are the threads of a story, and no picture at all."), HasSubstr("not an EXR file"));

@@ -183,6 +183,10 @@ TEST(Png, HugeClaimsAreRefusedByTheHeader) {
   EXPECT_THAT(complaint(claiming(sound, 2, 1u << 30)), HasSubstr("IHDR"));
   EXPECT_THAT(complaint(claiming(sound, 16384, 16384)), HasSubstr("too short for 16384 x 16384 pixels"))
       << "its pixels would take 800 MB, and are not there";
+  const size_t behindHeader = 33;
+  EXPECT_THAT(complaint(std::string(sound).insert(behindHeader, std::string("\x44\x49\x48\0zTXt", 8))),
+              HasSubstr("it breaks off"))
+      << "a chunk of a gigabyte";
   putBytes(folder.file("b.png"), claiming(sound, 16385, 2));
   EXPECT_THROW(readPngExtent(folder.file("b.png")), InputError);
 }

@@ -120,6 +120,7 @@ TEST_F(MeshFiles, NamesFileAndLineOfWhatIsWrong) {
               AllOf(HasSubstr("a.obj:2:"), HasSubstr("expected 3 numbers"), HasSubstr("'nan'")));
   EXPECT_THAT(failure("a.obj", "v 0 0\n"), HasSubstr("a.obj:1: expected 3 numbers"));
   EXPECT_THAT(failure("a.obj", "v 1e39 0 0\n"), HasSubstr("1e39"));
+  EXPECT_THAT(failure("a.obj", "v 0 \xFF\xC3\x07 0\n"), HasSubstr("got '" + std::string(3, '?')));
   EXPECT_THAT(failure("a.obj", "v 0 0 0\nvt 0\n"), HasSubstr("a.obj:2: expected 2 numbers"));
   const std::string three = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n";
   EXPECT_THAT(failure("a.obj", three + "f 1/1 2/2 9/3\n"),
