@@ -193,6 +193,17 @@ std::map<std::string, std::string> textsOf(const Imf::Header& header) {
   return texts;
 }
 
+/// What OpenEXR says, in which it quotes the file's own bytes, as one line that can be shown. It names the file, as we
+/// do before it.
+std::string plainLine(std::string text, const std::string& file) {
+  if (const size_t at = text.find(" \"" + file + "\""); at != std::string::npos) text.erase(at, file.size() + 3);
+  for (char& c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte >= 0x7F) c = byte == '\n' ? ' ' : '?';
+  }
+  return text;
+}
+
 Image readImage(const std::string& file) {
   Imf::InputFile input(file.c_str());
   const Imf::Header& header = input.header();
@@ -202,7 +213,8 @@ Image readImage(const std::string& file) {
   image.height = window.max.y - window.min.y + 1;
   for (auto c = header.channels().begin(); c != header.channels().end(); ++c) {
     if (c.channel().xSampling != 1 || c.channel().ySampling != 1)
-      throw InputError(fmt::format("{}: channel {} is subsampled, expected one value a pixel", file, c.name()));
+      throw InputError(
+          fmt::format("{}: channel {} is subsampled, expected one value a pixel", file, plainLine(c.name(), file)));
   }
   if (!input.isComplete()) throw InputError(fmt::format("{}: incomplete, some of its pixels are missing", file));
 
@@ -221,17 +233,6 @@ Image readImage(const std::string& file) {
     image.wholeHeight = whole.max.y + 1;
   }
   return image;
-}
-
-/// What OpenEXR says, in which it quotes the file's own bytes, as one line that can be shown. It names the file, as we
-/// do before it.
-std::string plainLine(std::string text, const std::string& file) {
-  if (const size_t at = text.find(" \"" + file + "\""); at != std::string::npos) text.erase(at, file.size() + 3);
-  for (char& c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x20 || byte >= 0x7F) c = byte == '\n' ? ' ' : '?';
-  }
-  return text;
 }
 
 /// Runs read(file) on a file whose header makes no outrageous claims; what OpenEXR throws becomes an InputError.

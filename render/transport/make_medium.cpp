@@ -1,6 +1,5 @@
 #include "render/transport/make_medium.h"
 
-#include "core/base/memory.h"
 #include "core/base/stopwatch.h"
 #include "render/bvdf/bake/bvdf_baker.h"
 #include "render/media/close_up_medium.h"
@@ -29,10 +28,6 @@ std::unique_ptr<const Medium> makeReport(const Scene& scene, const Task& task, M
 }
 
 }  // namespace
-
-double defaultMemoryLimit_bytes() {
-  return 0.75 * static_cast<double>(physicalMemory_bytes());
-}
 
 std::unique_ptr<const Medium> makeMedium(const Scene& scene, const FibreOptions& options, const Task& task,
                                          MediumCost* cost) {

@@ -9,11 +9,9 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
 #include "app/cli/swatches.h"
-#include "app/cli/usage_error.h"
 #include "core/base/error.h"
 #include "core/base/rgb.h"
 #include "core/fabric/model/validate.h"
-#include "core/fabric/palette/colour_code.h"
 #include "core/fabric/yarn/band_colour.h"
 #include "render/colour/colour_space.h"
 #include "render/transport/colour_solver.h"
@@ -30,13 +28,6 @@ struct Dyeing {
   PathLengthTally walks;
   bool tooLight = false, tooDark = false;  ///< for this cloth
 };
-
-std::optional<Rgb8> colourFromText(const std::string& text) {
-  const auto colour = text.starts_with('#') ? hexColour(text) : std::nullopt;
-  if (!colour) return std::nullopt;
-  const auto channel = [&](int c) { return static_cast<uint8_t>(std::lround(255 * (*colour)[c])); };
-  return Rgb8{channel(0), channel(1), channel(2)};
-}
 
 Rgb linearColour(const Rgb8& colour) {
   return linearFromSrgb(Rgb(colour[0], colour[1], colour[2]) / 255.0f);
@@ -70,8 +61,8 @@ int fibreNamed(const std::string& name, const std::vector<Fibre>& fibres, const 
     return number - 1;
   std::string names;
   for (int i = 0; i < static_cast<int>(fibres.size()); ++i) names += nameOf(i, fibres) + ", ";
-  throw InputError(fmt::format("{}: --cloth-colour: expected one of the fabric's fibres, {}or 'piece' for all; got '{}'",
-                               source, names, name));
+  throw InputError(fmt::format(
+      "{}: --cloth-colour: expected one of the fabric's fibres, {}or 'piece' for all; got '{}'", source, names, name));
 }
 
 std::vector<Dyeing> dyeingsOf(const Fabric& fabric, const std::vector<ClothColour>& wanted, const std::string& source) {
@@ -166,18 +157,6 @@ void tell(const std::string& name, const Dyeing& dyeing, const Rgb& shown) {
 }
 
 }  // namespace
-
-ClothColour parseClothColour(const std::string& option, const std::string& text) {
-  const size_t sign = text.rfind('=');
-  const std::string what = sign == std::string::npos || sign == 0 ? "" : text.substr(sign + 1);
-  const std::string fibre = text.substr(0, sign);
-  if (const auto colour = colourFromText(what)) return {fibre, *colour, ""};
-  if (isSwatchFile(what)) return {fibre, {}, what};
-  throw UsageError(
-      fmt::format("{}: expected FIBRE=#RRGGBB, such as cotton=#b04020 or 1=#b04020, or a measured swatch, "
-                  "such as cotton=navy.csv, got '{}'",
-                  option, text));
-}
 
 std::optional<Fabric> dyed(Fabric fabric, const std::vector<ClothColour>& wanted, const std::string& source) {
   validate(fabric, source);

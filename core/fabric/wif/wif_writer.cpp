@@ -111,11 +111,15 @@ class Writer {
     return all;
   }
 
-  /// [CONTENTS], second, of all that is there.
+  /// [CONTENTS], second, of all that is there; but a private section of a name that would be read there as something
+  /// else cannot be listed.
   void contents() {
     WifLines contents{"CONTENTS", {}};
+    const auto isKey = [](const std::string& name) {
+      return !name.empty() && name.find('=') == std::string::npos && name.front() != '[' && name.front() != ';';
+    };
     for (const WifLines& section : sections_)
-      if (section.section != "WIF") contents.lines.push_back(section.section + "=true");
+      if (section.section != "WIF" && isKey(section.section)) contents.lines.push_back(section.section + "=true");
     sections_.insert(sections_.begin() + 1, std::move(contents));
   }
 

@@ -157,6 +157,8 @@ TEST(Exr, RefusesSubsampledChannels) {
   ExrBytes exr = smallFile();
   exr.channels[0].sampling = 2;
   EXPECT_THAT(complaint(exr.all()), AllOf(HasSubstr("half"), HasSubstr("subsampled")));
+  exr.channels[0].name = "\xFF\x07";
+  EXPECT_THAT(complaint(exr.all()), HasSubstr("channel ?? is"));
 }
 
 TEST(Exr, RefusesDeepFiles) {

@@ -31,6 +31,16 @@ TEST(WifWriter, WhatIsWrittenIsReadAgainWithoutAWarning) {
   }
 }
 
+TEST(WifWriter, PrivateSectionsOfAnyNameComeBack) {
+  WifDocument d = document(twillFile() + "\n[a=b]\nx=1\n\n[[odd]\ny=2\n\n[;z]\nw=3\n");
+  d.program.clear();
+  WifWarnings warnings;
+  WifDocument read = readWif(wifFromDocument(d), "x.wif", warnings);
+  read.program.clear();
+  EXPECT_EQ(read, d);
+  EXPECT_EQ(wifFromDocument(read), wifFromDocument(d));
+}
+
 TEST(WifWriter, IsStrict) {
   Random random(2);
   for (int i = 0; i < 200; ++i) {
