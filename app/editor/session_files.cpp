@@ -135,10 +135,11 @@ void Session::openFile(const std::string& file) {
     questions_.pendingFile = file;
     leaveFor(Afterwards::open);
   } else {
-    sayUnopened(file +
-                ": expected a cloth (.loomlight, .json), a draft (.wif, .dtx), a picture (.png), a mesh "
-                "(.obj, .ply, .off), an environment (.exr), a palette (.ase, .aco, .gpl, .csv) or a measured swatch (.cxf, "
-                ".qtx, .csv, CGATS .txt)");
+    sayUnopened(
+        file +
+        ": expected a cloth (.loomlight, .json), a draft (.wif, .dtx), a picture (.png), a mesh "
+        "(.obj, .ply, .off), an environment (.exr), a palette (.ase, .aco, .gpl, .csv) or a measured swatch (.cxf, "
+        ".qtx, .csv, CGATS .txt)");
   }
 }
 

@@ -10,8 +10,8 @@
 
 namespace loomlight {
 
-/// Which colour the cloth shows where a fibre lies on top, or all of its face; and, where one is wanted, how to dye that
-/// fibre, or the whole piece, for it. At most one of the two is wanted.
+/// Which colour the cloth shows where a fibre lies on top, or all of its face; and, where one is wanted, how to dye
+/// that fibre, or the whole piece, for it. At most one of the two is wanted.
 struct ColourWish {
   std::shared_ptr<const Fabric> fabric;
   int fibre = 0;                     ///< or kAnyMaterial: the piece, all of whose fibres are dyed alike

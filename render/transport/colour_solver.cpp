@@ -29,8 +29,8 @@ std::vector<double> lengthsInside(const PathLengthTally& walks, std::span<const 
 /// One channel or band of the walks as a function of one absorption: mean of weight exp(-sigma length).
 class Channel {
  public:
-  /// `lengths_mm`: of each walk inside what is dyed. `weights`: what the other materials leave of its light. `count`: of
-  /// all walks, those that did not come out too.
+  /// `lengths_mm`: of each walk inside what is dyed. `weights`: what the other materials leave of its light. `count`:
+  /// of all walks, those that did not come out too.
   Channel(const std::vector<double>& lengths_mm, std::vector<double> weights, size_t count)
       : lengths_mm_(lengths_mm), weights_(std::move(weights)) {
     for (double& weight : weights_) weight /= static_cast<double>(count);

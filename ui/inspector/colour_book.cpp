@@ -32,8 +32,7 @@ const BookColour* ColourBook::named(std::string_view wanted) const {
 }
 
 const BookColour* colourBookRows(Ui& ui, const ColourBook& book, std::string& search) {
-  textField(ui,
-            {"book.search", words::colourBook.label, words::colourBook.help}, search, book.name.c_str());
+  textField(ui, {"book.search", words::colourBook.label, words::colourBook.help}, search, book.name.c_str());
   std::vector<const BookColour*> found;
   for (const BookColour& colour : book.colours)
     if (contains(colour.name, search)) found.push_back(&colour);
@@ -46,7 +45,8 @@ const BookColour* colourBookRows(Ui& ui, const ColourBook& book, std::string& se
   const int columns = std::max(1, static_cast<int>((ImGui::GetContentRegionAvail().x - ui.px(12)) / chip));
   const int rows = (static_cast<int>(found.size()) + columns - 1) / columns;
   const BookColour* chosen = nullptr;
-  // Few rows at a time, so that what is below stays where it is; of a book of thousands only those that are seen are drawn.
+  // Few rows at a time, so that what is below stays where it is; of a book of thousands only those that are seen are
+  // drawn.
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
   ImGui::BeginChild("book", ImVec2(0, chip * static_cast<float>(std::min(rows, kMostRows))));
   ImGuiListClipper clipper;

@@ -12,8 +12,7 @@ ClothColourModel ClothColourService::model(const Fabric& fabric, int what, const
   const std::shared_ptr<const ColourAnswer> answer = worker_.newest();
   if (!worker_.error().empty()) model.state = State::failed;
   // What is known of the cloth before the last edit is shown until it is known of this one.
-  if (!answer || answer->wish.fibre != what || answer->wish.fabric->fibres.size() != fabric.fibres.size())
-    return model;
+  if (!answer || answer->wish.fibre != what || answer->wish.fabric->fibres.size() != fabric.fibres.size()) return model;
   model.state = answer->seen ? State::known : State::hidden;
   model.colour = answer->colour;
   const auto wanted = view.wanted.find(what);

@@ -43,10 +43,10 @@ inline constexpr Word looseStock{"Loose stock",
 inline constexpr Word dyedAs{
     "Dyed",
     "What takes the dye: this fibre before it is woven, or the piece, all of whose fibres are dyed alike afterwards."};
-inline constexpr Word colourCode{
-    "Code",
-    "The wanted colour as six hexadecimal digits, as CIELAB in daylight (D65, 2 degree observer), or by its name in the "
-    "colour book. Enter dyes."};
+inline constexpr Word colourCode{"Code",
+                                 "The wanted colour as six hexadecimal digits, as CIELAB in daylight (D65, 2 degree "
+                                 "observer), or by its name in the "
+                                 "colour book. Enter dyes."};
 inline constexpr Word colourBook{
     "Colour book",
     "Colours of a file of your own, dropped on the window: a palette (.ase, .aco, .gpl, .csv) or measured colours "

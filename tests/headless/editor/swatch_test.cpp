@@ -62,9 +62,7 @@ TEST_F(Swatches, AColourOfAPaletteDyesByAClickOrByItsName) {
   editor.edits("a click dyes", [&] { editor.click("book.0"); });
   Rgb dye = editor.saved().fibres[0].absorption_per_mm.primaries;
   EXPECT_GT(dye.b, dye.r) << "rust";
-  editor.edits("its name dyes", [&] {
-    editor.enter("fibre.colour_code", "Slate");
-  });
+  editor.edits("its name dyes", [&] { editor.enter("fibre.colour_code", "Slate"); });
   dye = editor.saved().fibres[0].absorption_per_mm.primaries;
   EXPECT_GT(dye.r, dye.b) << "slate";
   editor.edits("one step takes it back", [&] { editor.key("ctrl+z"); });
@@ -79,7 +77,8 @@ TEST_F(Swatches, ACodeDyesAndWhatIsNoneIsSaid) {
   const Rgb dye = editor.saved().fibres[0].absorption_per_mm.primaries;
   EXPECT_GT(dye.g, dye.b) << "a violet";
   editor.enter("fibre.colour_code", "bluish");
-  editor.until("it is refused", [&] { return editor.fact("fibre.cloth_colour_remark").starts_with("\"bluish\" is no colour"); });
+  editor.until("it is refused",
+               [&] { return editor.fact("fibre.cloth_colour_remark").starts_with("\"bluish\" is no colour"); });
   EXPECT_EQ(editor.saved().fibres[0].absorption_per_mm.primaries, dye);
 }
 
