@@ -113,8 +113,10 @@ Illuminant readIlluminant(const std::string& file) {
   Illuminant light{std::filesystem::path(file).stem().string()};
   for (size_t i = 0; i < kVisible; ++i) light.power[i] = powerAt(lines, kFirstVisible_nm + static_cast<double>(i));
   const double most = *std::max_element(light.power.begin(), light.power.end());
-  if (!(most > 0)) throw InputError(fmt::format("{}: expected a light that has power between 360 and 780 nm", file));
-  for (double& power : light.power) power *= 100 / most;
+  const double scale = 100 / most;
+  if (!std::isfinite(scale))  // of none, or of less than numbers can be scaled from
+    throw InputError(fmt::format("{}: expected a light that has power between 360 and 780 nm", file));
+  for (double& power : light.power) power *= scale;
   return light;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/base/utf8.h"
 #include "core/fabric/model/field_tables.h"
 #include "core/fabric/model/place.h"
 #include "core/fabric/model/validate.h"
@@ -79,7 +80,7 @@ class DtxReader {
   }
 
   void say(const char* section, std::string_view got, const std::string& sentence, WifConcern concern) {
-    warnings_.add(0, section, got.substr(0, 40), sentence, concern);
+    warnings_.add(0, section, wholeCharacters(got, 40), sentence, concern);
   }
 
   /// Numbers between blanks; those joined by commas together. Blanks may follow a comma.
@@ -265,7 +266,7 @@ class DtxReader {
     for (const Section& section : sections_) {
       const bool isRead = std::find(std::begin(kRead), std::end(kRead), section.name) != std::end(kRead);
       if (isRead || section.lines.empty()) continue;
-      const std::string name = "PRIVATE DTX " + section.name.substr(0, 40);
+      const std::string name = fmt::format("PRIVATE DTX {}", wholeCharacters(section.name, 40));
       const bool isName = name.find(']') == std::string::npos && wifName(name) == wifName(trimmed(name));
       const bool isNew = std::none_of(document_.rest.kept.begin(), document_.rest.kept.end(),
                                       [&](const WifLines& lines) { return wifName(lines.section) == wifName(name); });

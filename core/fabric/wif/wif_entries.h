@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "core/base/units.h"
+#include "core/base/utf8.h"
 #include "core/fabric/wif/wif_sections.h"
 
 /// What the readers of a draft's sections share.
@@ -13,7 +14,7 @@ namespace loomlight {
 
 /// A line as the file has it, for a warning; cut off where it is long.
 inline std::string entryText(const WifEntry& entry) {
-  return fmt::format("{}={}", entry.key, entry.value.substr(0, 40));
+  return fmt::format("{}={}", entry.key, wholeCharacters(entry.value, 40));
 }
 
 /// Null where there is no such section, or no such key in it.

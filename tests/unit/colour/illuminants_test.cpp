@@ -132,6 +132,7 @@ TEST_F(IlluminantFile, SaysWhereItIsWrong) {
   EXPECT_THAT(complaint(""), HasSubstr("two columns"));
   EXPECT_THAT(complaint("wavelength power\nand more\n"), HasSubstr("line 2"));
   EXPECT_THAT(complaint("380 0\n730 0\n"), HasSubstr("has power"));
+  EXPECT_THAT(complaint("380 1e-320\n730 0\n"), HasSubstr("has power"));
   EXPECT_THROW(illuminantCalled(folder_.file("none.txt")), InputError);
 }
 

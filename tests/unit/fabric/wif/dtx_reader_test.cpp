@@ -6,6 +6,7 @@
 
 #include "core/fabric/json/fabric_json.h"
 #include "core/fabric/wif/wif_fabric.h"
+#include "core/fabric/wif/wif_writer.h"
 #include "tests/unit/fabric/wif/wif_drafts.h"
 
 namespace loomlight {
@@ -223,6 +224,17 @@ TEST(HostileDtx, ChangedFilesAreReadOrRefused) {
     }
     if (HasFailure()) return;
   }
+}
+
+TEST(DtxReader, NamesOfOwnSectionsAreCutBetweenLetters) {
+  std::string name = "odd";
+  for (int i = 0; i < 20; ++i) name += "\xC2\xB9";
+  WifWarnings warnings;
+  WifDocument read = readDtx(dtxFile() + "\n@@" + name + "\nsomething\n@@EndDTX\n", "x.dtx", warnings);
+  WifDocument again = readWif(wifFromDocument(read), "x.wif", warnings);
+  again.program = read.program;
+  EXPECT_EQ(again.rest.kept, read.rest.kept);
+  EXPECT_EQ(read.rest.kept.back().section, "PRIVATE DTX " + name.substr(0, 39));
 }
 
 }  // namespace
