@@ -3,9 +3,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cctype>
 #include <sstream>
 
+#include "core/fabric/wif/wif_values.h"
 #include "ui/widgets/fields.h"
 #include "ui/widgets/modal.h"
 
@@ -13,12 +13,6 @@ namespace loomlight {
 namespace {
 
 constexpr float kCardWidth = 168, kPictureHeight = 120, kGap = 12;
-
-std::string lowerCase(const std::string& text) {
-  std::string lower = text;
-  std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
-  return lower;
-}
 
 }  // namespace
 

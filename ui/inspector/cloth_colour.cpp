@@ -69,9 +69,9 @@ void codeRow(Ui& ui, ClothColourView& view) {
 
 }  // namespace
 
-void clothColourRows(Ui& ui, int fibre, bool several, const ClothColourModel& model, ClothColourView& view) {
-  if (several) dyedRow(ui, view);
-  const int what = view.dyed(several ? fibre : 0);
+void clothColourRows(Ui& ui, int fibre, size_t fibres, const ClothColourModel& model, ClothColourView& view) {
+  if (fibres > 1) dyedRow(ui, view);
+  const int what = view.dyed(fibre, fibres);
   const auto found = view.wanted.find(what);
   const std::optional<WantedColour> wanted = found == view.wanted.end() ? std::nullopt : std::optional(found->second);
   const bool known = model.state == ClothColourModel::State::known;

@@ -42,7 +42,8 @@ struct ClothColourView {
   std::shared_ptr<const ColourBook> book;  ///< null while there is none
   std::string search;                      ///< in the book
 
-  int dyed(int fibre) const { return piece ? kPiece : fibre; }
+  /// What takes the dye: the fibre looked at, of so many, or kPiece.
+  int dyed(int fibre, size_t fibres) const { return piece && fibres > 1 ? kPiece : fibre; }
   /// `what` is to have this colour: a fibre, or kPiece.
   void want(int what, WantedColour colour) {
     wanted[what] = std::move(colour);
@@ -50,8 +51,8 @@ struct ClothColourView {
   }
 };
 
-/// The colour that the designer wants the cloth to have, beside the one it has. `fibre`: that is looked at; `several`:
-/// it is not the only one.
-void clothColourRows(Ui& ui, int fibre, bool several, const ClothColourModel& model, ClothColourView& view);
+/// The colour that the designer wants the cloth to have, beside the one it has. `fibre`: that is looked at, of
+/// `fibres`.
+void clothColourRows(Ui& ui, int fibre, size_t fibres, const ClothColourModel& model, ClothColourView& view);
 
 }  // namespace loomlight

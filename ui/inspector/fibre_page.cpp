@@ -182,7 +182,7 @@ std::optional<Fabric> fibrePage(Ui& ui, const Fabric& fabric, const InspectorMod
   bool changed = textField(ui, rowText("fibre", &Fibre::name), fibre.name);
   changed |= presetRow(ui, fibre, presets, kind);
   heading(ui, "Colour");
-  clothColourRows(ui, index, fabric.fibres.size() > 1, model.clothColour, view.clothColour);
+  clothColourRows(ui, index, fabric.fibres.size(), model.clothColour, view.clothColour);
   Rgb colour = fibreReflectance(fibre);
   if (colourField(ui, {"fibre.colour", words::looseStock.label, words::looseStock.help}, colour)) {
     dye(fibre, colour);

@@ -55,7 +55,7 @@ std::optional<InspectorController::Dyed> InspectorController::follow(const std::
 }
 
 int InspectorController::dyed(const Fabric& fabric) const {
-  return fabric.fibres.size() > 1 ? view_.clothColour.dyed(shownFibre(fabric, view_)) : 0;
+  return view_.clothColour.dyed(shownFibre(fabric, view_), fabric.fibres.size());
 }
 
 void InspectorController::wantCode(int what, const std::string& code) {
@@ -101,6 +101,8 @@ void InspectorController::goTo(const EditPlace& place) {
 void InspectorController::startOver() {
   view_.yarn = 0;
   view_.clothColour.wanted.clear();
+  view_.clothColour.code.clear();
+  view_.clothColour.refusal.clear();
 }
 
 }  // namespace loomlight

@@ -36,11 +36,9 @@ ColourFile colourFile(Palette palette) {
 /// Several measurements are a book.
 ColourFile colourFile(SwatchFile file, const std::string& name) {
   if (file.swatches.size() == 1) return {std::move(file.swatches.front()), {}, std::move(file.remarks)};
-  Palette palette;
+  Palette palette = paletteOf(file);
   palette.name = std::filesystem::path(name).stem().string();
-  for (const MeasuredSwatch& swatch : file.swatches)
-    palette.colours.push_back({swatch.name, Rgb(0), std::nullopt, bandReflectance(swatch)});
-  return {std::nullopt, std::move(palette), std::move(file.remarks)};
+  return colourFile(std::move(palette));
 }
 
 }  // namespace

@@ -60,6 +60,14 @@ void addCmyk(Palette& palette, std::string name, const glm::dvec4& inks, const s
     palette.remarks.push_back(remark);
 }
 
+Palette paletteOf(const SwatchFile& measured) {
+  Palette palette;
+  palette.remarks = measured.remarks;
+  for (const MeasuredSwatch& swatch : measured.swatches)
+    palette.colours.push_back({swatch.name, Rgb(0), std::nullopt, bandReflectance(swatch)});
+  return palette;
+}
+
 bool isPaletteFile(const std::string& file) {
   constexpr std::string_view kEndings[] = {".ase", ".aco", ".gpl", ".cxf", ".csv"};
   const std::string ending = lowerCase(std::filesystem::path(file).extension().string());

@@ -7,6 +7,7 @@
 
 #include "core/base/spectrum.h"
 #include "core/base/units.h"
+#include "core/fabric/swatch/measured_swatch.h"
 
 namespace loomlight {
 
@@ -30,6 +31,9 @@ struct Palette {
   std::vector<NamedColour> colours;  ///< at least one, in the order of the file
   std::vector<std::string> remarks;  ///< what was left out, guessed or approximated
 };
+
+/// What was measured, to choose from; without a name.
+Palette paletteOf(const SwatchFile& measured);
 
 /// Reads a palette: Adobe Swatch Exchange (.ase), Photoshop colours (.aco), GIMP (.gpl), a colour book as CxF3 (.cxf),
 /// or a table (.csv) of names with hexadecimal codes, r, g and b, L*, a* and b*, or reflectances. Three numbers of red,

@@ -141,12 +141,7 @@ class Reader {
 
 Palette paletteFromTable(std::string_view text, const std::string& source) {
   Palette palette = Reader(text, source).all();
-  if (!palette.colours.empty()) return palette;
-  SwatchFile file = swatchesFromTable(text, source);
-  palette.remarks = std::move(file.remarks);
-  for (const MeasuredSwatch& swatch : file.swatches)
-    palette.colours.push_back({swatch.name, Rgb(0), std::nullopt, bandReflectance(swatch)});
-  return palette;
+  return palette.colours.empty() ? paletteOf(swatchesFromTable(text, source)) : palette;
 }
 
 }  // namespace loomlight

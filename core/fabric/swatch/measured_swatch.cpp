@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 
 #include "core/base/error.h"
@@ -26,9 +25,7 @@ Spectrum bandReflectance(const MeasuredSwatch& swatch) {
 }
 
 bool isSwatchFile(const std::string& file) {
-  std::string extension = std::filesystem::path(file).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = lowerCase(std::filesystem::path(file).extension().string());
   if (extension == ".csv" || extension == ".cxf" || extension == ".qtx") return true;
   if (extension != ".txt") return false;
   try {

@@ -66,8 +66,8 @@ class Killed(CommandLineTest):
                 # What the killed ones left beside it does not hold up the next.
                 self.assertEqual(self.whole_files(words, file)[0], new)
 
-    def test_a_preset_of_the_old_name_is_whole_or_as_it_was(self):
-        """The same of a file that is written over and over, as settings and copies of unsaved work are."""
+    def test_a_file_that_is_written_over_and_over_is_whole(self):
+        """As settings and copies of unsaved work are."""
         one, other = self.fabric("one.json", name="One"), self.fabric("other.json", name="Other")
         self.run_program("convert", one, "kept.json")
         chance = random.Random(SEED + 1)

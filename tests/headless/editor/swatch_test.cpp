@@ -100,5 +100,14 @@ TEST(PieceDyeing, DyesAllFibresAlike) {
   EXPECT_GT(dyed.fibres[0].absorption_per_mm.primaries.b, dyed.fibres[0].absorption_per_mm.primaries.r);
 }
 
+TEST(PieceDyeing, OfAClothOfOneFibreIsOfThatFibre) {
+  ClothColourView view;
+  view.piece = true;  // as it was left on a cloth of several
+  EXPECT_EQ(view.dyed(0, 1), 0);
+  EXPECT_EQ(view.dyed(1, 2), kPiece);
+  view.piece = false;
+  EXPECT_EQ(view.dyed(1, 2), 1);
+}
+
 }  // namespace
 }  // namespace loomlight
