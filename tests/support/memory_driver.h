@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/editor/display/display_driver.h"
+#include "app/editor/display/texture_id.h"
 
 namespace loomlight {
 
@@ -50,10 +51,10 @@ class MemoryDriver final : public DisplayDriver {
     bool filled_ = false;
   };
 
-  ImTextureID nextId() { return (ImTextureID) static_cast<intptr_t>(++made_ + 1000); }  // a pointer or an integer
+  ImTextureID nextId() { return textureId(++made_ + 1000); }
 
   std::map<ImTextureID, Pixels8> pictures_;
-  intptr_t made_ = 0;
+  uint32_t made_ = 0;
 };
 
 }  // namespace loomlight

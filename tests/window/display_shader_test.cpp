@@ -10,6 +10,7 @@
 #include <limits>
 #include <vector>
 
+#include "app/editor/display/texture_id.h"
 #include "app/editor/gl/opengl_driver.h"
 #include "app/editor/gl/window.h"
 #include "render/display/display_picture.h"
@@ -57,7 +58,7 @@ std::vector<uint8_t> shownByShader(const Frame& frame, const Tone& tone) {
   viewport->upload(frame.width, frame.height, frame.rgba, {});
   const ImTextureID shown = viewport->display(frame.width, frame.height, tone, std::nullopt);
   std::vector<uint8_t> pixels(4 * frame.rgba.size());
-  glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>((intptr_t)shown));
+  glBindTexture(GL_TEXTURE_2D, textureNumber(shown));
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
   return pixels;
@@ -96,7 +97,7 @@ TEST(DisplayShader, FollowsTonePictureAndSize) {
     if (light >= 0) viewport->upload(4, 4, pixels, {});
     const ImTextureID texture = viewport->display(side, side, tone, std::nullopt);
     std::vector<uint8_t> bytes(static_cast<size_t>(4 * side * side));
-    glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>((intptr_t)texture));
+    glBindTexture(GL_TEXTURE_2D, textureNumber(texture));
     glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
     return bytes[bytes.size() / 2];
   };
@@ -121,7 +122,7 @@ TEST(DisplayShader, TakesAPartOfThePictureAlone) {
   const auto greens = [&] {
     const ImTextureID texture = viewport->display(4, 4, Tone{}, std::nullopt);
     std::vector<uint8_t> bytes(4 * 16);
-    glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>((intptr_t)texture));
+    glBindTexture(GL_TEXTURE_2D, textureNumber(texture));
     glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
     std::vector<uint8_t> greens;
     for (size_t i = 1; i < bytes.size(); i += 4) greens.push_back(bytes[i]);

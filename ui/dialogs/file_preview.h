@@ -11,7 +11,7 @@ namespace loomlight {
 
 /// What is seen of a file before it is opened.
 struct FilePreview {
-  ImTextureID picture = nullptr;   ///< null where there is none, or not yet
+  ImTextureID picture{};           ///< null where there is none, or not yet
   ImVec2 size;                     ///< of the picture, in pixels
   std::vector<std::string> lines;  ///< what it is, in a few words each
   bool isComing = false;

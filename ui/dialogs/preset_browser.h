@@ -14,10 +14,10 @@ enum class PresetKind { fabrics, yarns, fibres, colourways };
 
 struct PresetCard {
   std::string name;
-  std::string about;              ///< what it is, in words that can be searched for
-  std::string tags;               ///< words of the designer's own, to search for
-  bool own = false;               ///< the designer's; others came with the program
-  ImTextureID picture = nullptr;  ///< null until there is one
+  std::string about;      ///< what it is, in words that can be searched for
+  std::string tags;       ///< words of the designer's own, to search for
+  bool own = false;       ///< the designer's; others came with the program
+  ImTextureID picture{};  ///< null until there is one
 };
 
 /// Indices are of the list of cards.

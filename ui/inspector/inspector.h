@@ -37,7 +37,7 @@ struct InspectorModel {
   const Binding* binding = nullptr;
   const std::vector<std::string>* warnings = nullptr;  ///< in plain words
   std::vector<ImVec4> yarnColours;                     ///< for the display
-  ImTextureID closeUp = nullptr;                       ///< of the yarn looked at
+  ImTextureID closeUp{};                               ///< of the yarn looked at
   bool inches = false;                                 ///< setts and lengths to the inch; else to the centimetre
   ClothColourModel clothColour;                        ///< of the fibre looked at
   VisibilityModel visibility;                          ///< of the yarn looked at

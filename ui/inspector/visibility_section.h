@@ -8,7 +8,7 @@ namespace loomlight {
 
 /// What is known of the local visibility of the yarn looked at.
 struct VisibilityModel {
-  ImTextureID picture = nullptr;  ///< squares in rows, without gaps; null: none yet
+  ImTextureID picture{};  ///< squares in rows, without gaps; null: none yet
   int columns = 4, rows = 2;
   bool baking = false;
   double progress = 0;  ///< 0..1

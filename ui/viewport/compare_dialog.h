@@ -10,7 +10,7 @@ namespace loomlight {
 class CompareDialog {
  public:
   struct Model {
-    ImTextureID first = nullptr, second = nullptr, difference = nullptr;
+    ImTextureID first{}, second{}, difference{};
     float firstAspect = 1, secondAspect = 1;  ///< width over height
     std::string firstName, secondName;
   };

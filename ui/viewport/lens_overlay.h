@@ -10,9 +10,9 @@ namespace loomlight {
 
 /// What the lens shows; put together by the editor each frame.
 struct LensModel {
-  ImTextureID picture = nullptr;  ///< of `window`; null: the cloth below is seen through it
-  LensRect window;                ///< may reach a little beyond the lens
-  std::string caption;            ///< what is seen: "fibres, 12 spp"
+  ImTextureID picture{};  ///< of `window`; null: the cloth below is seen through it
+  LensRect window;        ///< may reach a little beyond the lens
+  std::string caption;    ///< what is seen: "fibres, 12 spp"
   bool laying = false;
   double progress = 0;        ///< of laying, 0..1
   std::string trouble;        ///< why there is nothing to be seen; empty if there is or soon will be

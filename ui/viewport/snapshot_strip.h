@@ -11,7 +11,7 @@ namespace loomlight {
 
 /// A view of the cloth that was kept, as the strip shows it.
 struct SnapshotItem {
-  ImTextureID picture = nullptr;
+  ImTextureID picture{};
   float aspect = 1;  ///< width over height
   std::string name;
 };

@@ -13,7 +13,7 @@ namespace loomlight {
 
 /// What the panel shows; put together by the editor each frame.
 struct ViewportModel {
-  ImTextureID picture = nullptr;  ///< of the display; null: none yet
+  ImTextureID picture{};  ///< of the display; null: none yet
   /// Pixels that the picture takes, in the middle of the panel: as many as it asked for, unless it was of another size
   /// when that was traced.
   ImVec2 pictureSize;

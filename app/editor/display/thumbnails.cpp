@@ -7,7 +7,7 @@ namespace loomlight {
 ImTextureID Thumbnails::of(const std::string& name, const std::shared_ptr<const Fabric>& fabric) {
   wanted_.push_back({name, fabric});
   std::shared_ptr<const Thumbnail> newest = worker_.of(name);
-  if (!newest || newest->picture.bytes.empty()) return nullptr;
+  if (!newest || newest->picture.bytes.empty()) return {};
   Shown& shown = shown_[name];
   if (shown.thumbnail != newest) {
     if (!shown.texture) shown.texture = driver_.makeTexture();

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "app/editor/display/texture_id.h"
 #include "shader_text.h"
 
 namespace loomlight {
@@ -66,7 +67,7 @@ class OpenGlTexture final : public PictureTexture {
   OpenGlTexture& operator=(const OpenGlTexture&) = delete;
 
   void upload(const Pixels8& pixels) override;
-  ImTextureID id() const override { return reinterpret_cast<ImTextureID>(static_cast<intptr_t>(texture_)); }
+  ImTextureID id() const override { return textureId(texture_); }
 
  private:
   GLuint texture_ = 0;
@@ -185,8 +186,8 @@ void OpenGlViewport::resizeTarget(int width, int height) {
 }
 
 ImTextureID OpenGlViewport::display(int width, int height, const Tone& tone, const std::optional<Outline>& outline) {
-  if (width_ == 0 || width <= 0 || height <= 0) return nullptr;
-  const auto target = reinterpret_cast<ImTextureID>(static_cast<intptr_t>(target_));
+  if (width_ == 0 || width <= 0 || height <= 0) return {};
+  const ImTextureID target = textureId(target_);
   const Shown wanted{width, height, tone, outline};
   if (shown_ == wanted) return target;  // most frames change something else
   shown_ = wanted;

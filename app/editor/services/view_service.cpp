@@ -136,7 +136,7 @@ std::optional<Film::Hit> ViewService::hitAt(ImVec2 place) const {
 }
 
 ImTextureID ViewService::lensPicture(const Tone& tone) {
-  if (!lensFrame_) return nullptr;
+  if (!lensFrame_) return {};
   // Colours of the difference go to the display as they are, whatever the exposure.
   Tone neutral;
   neutral.filmic = false;
