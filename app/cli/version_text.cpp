@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "commit.h"
+#include "render/walk/walk_target.h"
 
 namespace loomlight {
 namespace {
@@ -34,9 +35,10 @@ std::string buildName() {
 
 std::string versionText() {
   // OpenMesh has no version that CMake could find.
-  return fmt::format("loomlight {}\ncommit: {}\ncompiler: {}\ninstruction set: {}\nlibraries: {}, OpenMesh {}.{}\n",
-                     LOOMLIGHT_VERSION, LOOMLIGHT_COMMIT, kCompiler, kInstructionSet, LOOMLIGHT_LIBRARIES, OM_GET_VER,
-                     OM_GET_MAJ);
+  return fmt::format(
+      "loomlight {}\ncommit: {}\ncompiler: {}\ninstruction set: {}\nvectors: {}\nlibraries: {}, OpenMesh {}.{}\n",
+      LOOMLIGHT_VERSION, LOOMLIGHT_COMMIT, kCompiler, kInstructionSet, walkTarget(), LOOMLIGHT_LIBRARIES, OM_GET_VER,
+      OM_GET_MAJ);
 }
 
 }  // namespace loomlight

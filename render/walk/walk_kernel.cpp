@@ -12,6 +12,7 @@
 
 #include "render/walk/fibre_lanes-inl.h"
 #include "render/walk/walk_lanes.h"
+#include "render/walk/walk_target.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace loomlight::HWY_NAMESPACE {
@@ -271,6 +272,10 @@ void walkLanes(const WalkField& field, WalkLanes& lanes) {
   }
 }
 
+const char* targetName() {
+  return hwy::TargetName(HWY_TARGET);
+}
+
 }  // namespace loomlight::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -278,9 +283,14 @@ HWY_AFTER_NAMESPACE();
 namespace loomlight {
 
 HWY_EXPORT(walkLanes);
+HWY_EXPORT(targetName);
 
 void walk(const WalkField& field, WalkLanes& lanes) {
   HWY_DYNAMIC_DISPATCH(walkLanes)(field, lanes);
+}
+
+const char* walkTarget() {
+  return HWY_DYNAMIC_DISPATCH(targetName)();
 }
 
 }  // namespace loomlight
