@@ -14,6 +14,7 @@
 #include "core/fabric/model/wif_origin.h"
 #include "render/transport/path_tracer.h"
 #include "tests/support/every_medium.h"
+#include "tests/support/scratch_folder.h"
 #include "tests/support/surroundings.h"
 
 namespace loomlight {
@@ -217,34 +218,34 @@ TEST_P(FieldStages, OfAYarn) {
 }
 
 TEST_P(FieldStages, OfTheDrape) {
-  const std::filesystem::path folder = testing::TempDir();
+  const test::ScratchFolder folder;
   const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n";
-  std::ofstream(folder / "field_stages.obj") << square << "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n";
-  std::ofstream(folder / "another field_stages.obj") << square << "f 1/1 2/2 3/3\n";
+  std::ofstream(folder.file("cloth.obj")) << square << "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n";
+  std::ofstream(folder.file("another cloth.obj")) << square << "f 1/1 2/2 3/3\n";
   const auto round = [](Fabric& f) { f.drape.kind = DrapeKind::cylinder, f.drape.radius_mm = 1; };
   const auto mesh = [&](Fabric& f) {
     f.drape.kind = DrapeKind::mesh;
-    f.drape.file = (folder / "field_stages.obj").string();
+    f.drape.file = folder.file("cloth.obj");
   };
   expectAllOf<Drape>({blend(), blendWith(round), blendWith(mesh)},
                      [](Fabric& fabric) -> Drape& { return fabric.drape; });
 }
 
 TEST_P(FieldStages, OfTheLight) {
-  const std::filesystem::path folder = testing::TempDir();
+  const test::ScratchFolder folder;
   Light sky;
-  writeExr((folder / "field_stages.exr").string(), test::surroundings(sky, 16));
+  writeExr(folder.file("sky.exr"), test::surroundings(sky, 16));
   sky.azimuth_deg = 10;
-  writeExr((folder / "another field_stages.exr").string(), test::surroundings(sky, 16));
+  writeExr(folder.file("another sky.exr"), test::surroundings(sky, 16));
   const auto surrounded = [&](Fabric& f) {
     f.light.kind = LightKind::environment;
-    f.light.file = (folder / "field_stages.exr").string();
+    f.light.file = folder.file("sky.exr");
   };
-  std::ofstream(folder / "field_stages.txt") << "380 1\n730 2\n";
-  std::ofstream(folder / "another field_stages.txt") << "380 2\n730 1\n";
+  std::ofstream(folder.file("lamp.txt")) << "380 1\n730 2\n";
+  std::ofstream(folder.file("another lamp.txt")) << "380 2\n730 1\n";
   const auto measured = [&](Fabric& f) {
     f.light.illuminant = StandardIlluminant::file;
-    f.light.illuminantFile = (folder / "field_stages.txt").string();
+    f.light.illuminantFile = folder.file("lamp.txt");
   };
   expectAllOf<Light>({blend(), blendWith(surrounded), blendWith(measured)},
                      [](Fabric& fabric) -> Light& { return fabric.light; });
