@@ -35,7 +35,7 @@ class Wakes {
     }
     return true;
   }
-  static constexpr std::chrono::seconds kHangs{120};
+  static constexpr std::chrono::seconds kHangs{900};
 
  private:
   std::mutex mutex_;

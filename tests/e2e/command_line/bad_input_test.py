@@ -37,7 +37,7 @@ def changed(path, value):
 
 class BadInput(CommandLineTest):
     def refused(self, *words):
-        message = self.run_program(*words, status=1, timeout=60, **limited())
+        message = self.run_program(*words, status=1, **limited())
         self.assertTrue(message.startswith("loomlight: "), message)
         self.assertLess(len(message), 2000)
         return message

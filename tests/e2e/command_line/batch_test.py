@@ -4,7 +4,7 @@ import json
 import os
 import signal
 
-from harness import SMALL, CommandLineTest, main
+from harness import HANGS_S, SMALL, CommandLineTest, main
 
 
 class Batch(CommandLineTest):
@@ -68,7 +68,7 @@ class Batch(CommandLineTest):
         words = ("render", "one.json", "two.json", "-o", "{}.exr", "--spp", 1000000)
         program = self.start_at_work("rendering", *words)
         program.send_signal(signal.SIGINT)
-        said, _ = program.communicate(timeout=30)
+        said, _ = program.communicate(timeout=HANGS_S)
         self.assertEqual(program.returncode, 130)
         self.assertIn("stopped in picture 1 of 2", said)
         self.assertTrue((self.folder / "one.exr").exists())

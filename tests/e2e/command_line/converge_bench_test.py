@@ -11,7 +11,7 @@ class ConvergeBench(CommandLineTest):
             return list(csv.DictReader(file))
 
     def test_page_and_tables(self):
-        self.run_program("bench", "converge", "--quick", "-o", "out", timeout=280)
+        self.run_program("bench", "converge", "--quick", "-o", "out")
         self.assertTrue((self.folder / "out/converge.md").exists())
         lights = {"sun and sky", "white dome", "headlight"}
         self.assertEqual({row["light"] for row in self.rows("converge_summary.csv")}, lights)

@@ -10,7 +10,7 @@ NOTHING = ("colour sequence", "absorption", "refractive index", "light", "camera
 
 class EditBench(CommandLineTest):
     def test_counts(self):
-        out = self.run_program("bench", "edit", "--quick", "--json", "-o", "out", timeout=280)
+        out = self.run_program("bench", "edit", "--quick", "--json", "-o", "out")
         cloths = json.loads(out)
         self.assertEqual([cloth["cloth"] for cloth in cloths], ["twill_8", "dobby_64", "jacquard_160"])
         for cloth in cloths:

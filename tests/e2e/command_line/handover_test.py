@@ -10,7 +10,7 @@ FEW = ("--size", "32", "--spp", "1", "--measure", "2", "--free-twist")
 
 class Handover(CommandLineTest):
     def test_a_folder_holds_all_formats_and_the_error_of_the_fit(self):
-        said = self.run_program("handover", self.fabric(), "-o", "out", *FEW, timeout=280)
+        said = self.run_program("handover", self.fabric(), "-o", "out", *FEW)
         self.assertIn("RMS over directions", said)
         folder = self.folder / "out"
         for ending in (".u3m", ".u3ma", ".glb", "_back.glb", ".mtlx", "_back.mtlx", ".handover.json"):
@@ -29,7 +29,7 @@ class Handover(CommandLineTest):
 
     def test_every_colourway_has_a_folder(self):
         fabric = self.fabric(colourways=[{"name": "Rust", "absorption_per_mm": [[1, 8, 20], [2, 9, 30]]}])
-        self.run_program("handover", fabric, "-o", "out", "--colourways", *FEW, timeout=280)
+        self.run_program("handover", fabric, "-o", "out", "--colourways", *FEW)
         self.assertTrue((self.folder / "out/small_twill.u3m").exists())
         rust = json.loads((self.folder / "out/Rust/small_twill_Rust.u3m").read_text())
         self.assertEqual(rust["material"]["name"], "small twill Rust")

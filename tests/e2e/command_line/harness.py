@@ -16,6 +16,7 @@ import zlib
 LOOMLIGHT = os.environ["LOOMLIGHT"]
 ROOT = pathlib.Path(os.environ["LOOMLIGHT_ROOT"])
 SAMPLES = ROOT / "samples"
+HANGS_S = 900  # only what hangs takes so long, however busy the machine
 
 # Small enough that the whole program runs in a fraction of a second.
 SMALL = {
@@ -61,13 +62,13 @@ class CommandLineTest(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
 
-    def run_program(self, *words, status=0, timeout=120, messages=False, cwd=None, before=(), **options):
+    def run_program(self, *words, status=0, messages=False, cwd=None, before=(), **options):
         """Runs the program in the test's folder or another, by the command `before` it; returns stdout, or stderr where it
         is to fail or for messages."""
-        done = self.run_both(*words, status=status, timeout=timeout, cwd=cwd, before=before, **options)
+        done = self.run_both(*words, status=status, cwd=cwd, before=before, **options)
         return done.stdout if status == 0 and not messages else done.stderr
 
-    def run_both(self, *words, status=0, timeout=120, cwd=None, before=(), **options):
+    def run_both(self, *words, status=0, cwd=None, before=(), **options):
         """Likewise, with what it said on both."""
         done = subprocess.run(
             [*before, LOOMLIGHT, *map(str, words)],
@@ -75,7 +76,7 @@ class CommandLineTest(unittest.TestCase):
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
-            timeout=timeout,
+            timeout=HANGS_S,
             text=True,
             errors="replace",
             **options,

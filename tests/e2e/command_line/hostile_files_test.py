@@ -9,7 +9,7 @@ import struct
 import subprocess
 import zlib
 
-from harness import SMALL, CommandLineTest, main
+from harness import HANGS_S, SMALL, CommandLineTest, main
 
 MEMORY_LIMIT = 6 << 30  # bytes
 FULL_AFTER = 64  # bytes that a file may have on the disk that stands in for a full one
@@ -31,7 +31,7 @@ def png_header(width, height):
 
 class HostileFiles(CommandLineTest):
     def refused(self, *words, **options):
-        message = self.run_program(*words, status=1, timeout=60, **options)
+        message = self.run_program(*words, status=1, **options)
         self.assertTrue(message.startswith("loomlight: "), message)
         self.assertLess(len(message), 2000)
         return message
@@ -202,7 +202,7 @@ class HostileFiles(CommandLineTest):
     def run_to(self, out, *words):
         """As run_program, but to another place; returns stderr of a run that fails."""
         done = subprocess.run([os.environ["LOOMLIGHT"], *map(str, words)], cwd=self.folder, stdin=subprocess.DEVNULL,
-                              stdout=out, stderr=subprocess.PIPE, text=True, timeout=60)
+                              stdout=out, stderr=subprocess.PIPE, text=True, timeout=HANGS_S)
         self.assertEqual(done.returncode, 1, done.stderr)
         return done.stderr
 

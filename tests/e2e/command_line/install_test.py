@@ -4,7 +4,7 @@ import os
 import re
 import subprocess
 
-from harness import LOOMLIGHT, ROOT, CommandLineTest, main, read_png
+from harness import HANGS_S, LOOMLIGHT, ROOT, CommandLineTest, main, read_png
 
 BUILD = os.environ["LOOMLIGHT_BUILD"]
 COMMAND = re.compile(r"^  ([a-z]\w*) ", re.MULTILINE)
@@ -21,7 +21,7 @@ class Install(CommandLineTest):
 
     def run_in(self, prefix, *words):
         done = subprocess.run([prefix / "bin" / "loomlight", *words], cwd=self.folder, stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, text=True, timeout=120)
+                              stderr=subprocess.STDOUT, text=True, timeout=HANGS_S)
         self.assertEqual(done.returncode, 0, done.stdout)
         return done.stdout
 

@@ -2,7 +2,7 @@
 
 import signal
 
-from harness import CommandLineTest, main, samples_said
+from harness import HANGS_S, CommandLineTest, main, samples_said
 
 
 class Interrupt(CommandLineTest):
@@ -14,7 +14,7 @@ class Interrupt(CommandLineTest):
     def test_the_picture_so_far_can_be_finished(self):
         process = self.start("part.exr")
         process.send_signal(signal.SIGINT)
-        said, _ = process.communicate(timeout=30)
+        said, _ = process.communicate(timeout=HANGS_S)
         self.assertEqual(process.returncode, 130)
         self.assertIn("stopped", said)
         # A stopped pass has given some pixels more samples than others, but at most about twice as many.
@@ -26,7 +26,7 @@ class Interrupt(CommandLineTest):
     def test_a_request_to_terminate_is_heeded_too(self):
         process = self.start("part.png")
         process.terminate()
-        process.communicate(timeout=30)
+        process.communicate(timeout=HANGS_S)
         self.assertEqual(process.returncode, 130)
         self.assertTrue((self.folder / "part.png").exists())
 

@@ -11,7 +11,7 @@ import re
 import subprocess
 import time
 
-from harness import LOOMLIGHT, SMALL, CommandLineTest, main
+from harness import HANGS_S, LOOMLIGHT, SMALL, CommandLineTest, main
 
 KILLS = int(os.environ.get("LOOMLIGHT_KILLS", "30"))
 SEED = 1
@@ -40,7 +40,7 @@ class Killed(CommandLineTest):
         """What it writes when nobody kills it, and how long that takes."""
         began = time.monotonic()
         process = self.start(words, file)
-        self.assertEqual(process.wait(timeout=60), 0, words)
+        self.assertEqual(process.wait(timeout=HANGS_S), 0, words)
         return without_date(self.bytes_of(file)), time.monotonic() - began
 
     def test_a_file_is_the_old_one_or_the_new_one(self):

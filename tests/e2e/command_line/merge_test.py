@@ -2,7 +2,7 @@
 
 import signal
 
-from harness import CommandLineTest, main
+from harness import HANGS_S, CommandLineTest, main
 
 
 class Merge(CommandLineTest):
@@ -115,7 +115,7 @@ class Merge(CommandLineTest):
         words = ("render", self.cloth, "-o", "b.exr", "--size", "64x48", "--spp", 1000000, "--samples-from", 0)
         stopped = self.start_at_work("rendering", *words)
         stopped.send_signal(signal.SIGINT)
-        self.assertEqual(stopped.wait(timeout=30), 130)
+        self.assertEqual(stopped.wait(timeout=HANGS_S), 130)
         self.assertIn("not finished", self.refused("b.exr"))
 
     def test_a_part_is_gone_on_with(self):

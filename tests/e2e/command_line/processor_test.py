@@ -63,7 +63,7 @@ class Processor(CommandLineTest):
                 self.assertEqual(self.bytes_of("v3.exr"), self.bytes_of("baseline.exr"))
                 if EMULATOR:
                     emulated = (EMULATOR, "-cpu", "Nehalem")
-                    self.run_program("render", cloth, "-o", "2008.exr", "--drape", drape, before=emulated, timeout=280)
+                    self.run_program("render", cloth, "-o", "2008.exr", "--drape", drape, before=emulated)
                     self.assertEqual(self.bytes_of("v3.exr"), self.bytes_of("2008.exr"))
 
 

@@ -37,7 +37,7 @@ class ReportBench(CommandLineTest):
                     self.assertEqual(row[verdict], "yes" if met else "no")
 
     def test_table_1(self):
-        self.run_program("bench", "table1", "--quick", "-o", "out", timeout=280)
+        self.run_program("bench", "table1", "--quick", "-o", "out")
         self.expect_whole("out/table1.md")
         for cloth in ("blue", "colourful", "black_and_white", "green"):
             with self.subTest(cloth=cloth):
@@ -74,7 +74,7 @@ class ReportBench(CommandLineTest):
         self.expect_verdicts(targets)
 
     def test_figures(self):
-        self.run_program("bench", "figures", "--quick", "-o", "out", timeout=280)
+        self.run_program("bench", "figures", "--quick", "-o", "out")
         self.expect_whole("out/figures.md")
         for row in self.table("out/fig1.csv"):
             self.assertGreater(float(row["fibre segments it stands for"]), 1e10)
@@ -99,7 +99,7 @@ class ReportBench(CommandLineTest):
         )
 
     def test_accuracy(self):
-        self.run_program("bench", "accuracy", "--quick", "-o", "out", timeout=280)
+        self.run_program("bench", "accuracy", "--quick", "-o", "out")
         self.expect_whole("out/accuracy.md")
         rows = {row["method"]: row for row in self.table("out/accuracy.csv")}
         errors = {row["method"]: row for row in self.table("out/accuracy_error.csv")}

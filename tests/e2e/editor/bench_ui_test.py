@@ -5,7 +5,7 @@ import os
 import subprocess
 import tempfile
 
-from window_driver import Display, expect
+from window_driver import HANGS_S, Display, expect
 
 PROGRAM = os.environ["LOOMLIGHT"]
 
@@ -17,7 +17,7 @@ def main():
             environment = {**os.environ, "DISPLAY": display.name, "HOME": home, "LIBGL_ALWAYS_SOFTWARE": "1"}
             for kind in ("DATA", "STATE", "CONFIG", "CACHE"):
                 environment[f"XDG_{kind}_HOME"] = os.path.join(home, kind.lower())
-            done = subprocess.run([PROGRAM, "bench", "ui", "--quick", "--json"], env=environment, timeout=200,
+            done = subprocess.run([PROGRAM, "bench", "ui", "--quick", "--json"], env=environment, timeout=HANGS_S,
                                   stdout=subprocess.PIPE, text=True, check=True)
         told = json.loads(done.stdout)
         expect(told["frames"] >= 3 * 8, f"eight frames at least of each of three cloths, not {told['frames']}")

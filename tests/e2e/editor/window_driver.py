@@ -18,7 +18,7 @@ import time
 from folder_watch import FolderWatch
 from x_input import MissingLibrary, XInput
 
-HANGS_S = 240  # nothing takes so long, however busy the machine
+HANGS_S = 900  # only what hangs takes so long, however busy the machine
 
 
 class Failure(Exception):
@@ -122,17 +122,17 @@ class Editor:
     def has_ended(self):
         return self.process.poll() is not None
 
-    def wait_until(self, what, condition, longest_s=HANGS_S):
+    def wait_until(self, what, condition):
         """Looks again whenever the program tells of another frame. What it does elsewhere, as in its own folders, is
         looked at every now and then."""
-        end = time.monotonic() + longest_s
+        end = time.monotonic() + HANGS_S
         while time.monotonic() < end:
             if self.has_ended():
                 raise Failure(f"the editor ended ({self.process.returncode}) while waiting until {what}\n{self.log()}")
             if condition():
                 return
             self.watch.wait(0.2)
-        raise Failure(f"waited {longest_s} s in vain until {what}; facts: {self.dump()['facts']}\n{self.log()}")
+        raise Failure(f"waited {HANGS_S} s in vain until {what}; facts: {self.dump()['facts']}\n{self.log()}")
 
     def act(self, send, *arguments, answered=False):
         """Sends events; returns when the program has drawn a frame with them, or another one too where they are to be

@@ -20,6 +20,7 @@
 #include "core/base/error.h"
 #include "core/fabric/json/fabric_json.h"
 #include "core/fabric/model/yarn_count.h"
+#include "tests/support/wakes.h"
 
 namespace loomlight {
 namespace {
@@ -36,12 +37,14 @@ class Folder {
   fs::path path;
 };
 
+/// What another thread does and nobody is woken of.
 bool comesTrue(const std::function<bool()>& condition) {
-  for (int i = 0; i < 1000; ++i) {
-    if (condition()) return true;
+  const auto end = std::chrono::steady_clock::now() + Wakes::kHangs;
+  while (!condition()) {
+    if (std::chrono::steady_clock::now() > end) return false;
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
-  return false;
+  return true;
 }
 
 /// Lets it keep the sample; false if no copy came.

@@ -5,6 +5,8 @@
 #include <functional>
 #include <mutex>
 
+#include "tests/support/wakes.h"
+
 namespace loomlight::test {
 
 /// Waits for what workers do, as the window does: woken, then looking.
@@ -17,10 +19,10 @@ class WorkerWindow {
       woken_.notify_all();
     };
   }
-  /// False if it has not come true within three generous minutes.
+  /// False when it has not come true by then: only what hangs takes so long.
   template <class Condition>
   bool waitFor(Condition&& condition) {
-    const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(3);
+    const auto deadline = std::chrono::steady_clock::now() + Wakes::kHangs;
     std::unique_lock lock(mutex_);
     for (;;) {
       const int seen = wakes_;
