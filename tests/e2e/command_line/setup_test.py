@@ -1,10 +1,11 @@
 """The set-up that app/run and tests/run share installs what is missing, no more, and says so where it cannot."""
 
 import os
+import re
 import shutil
 import subprocess
 
-from harness import ROOT, CommandLineTest, main
+from harness import HANGS_S, ROOT, CommandLineTest, main
 
 
 class Setup(CommandLineTest):
@@ -28,7 +29,7 @@ class Setup(CommandLineTest):
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
             text=True,
-            timeout=60,
+            timeout=HANGS_S,
         )
 
     def test_only_what_is_missing_is_installed(self):
@@ -54,38 +55,67 @@ class Setup(CommandLineTest):
         self.assertNotEqual(done.returncode, 0)
         self.assertIn("apt-get install --no-install-recommends absent-dev", done.stderr)
 
+    def test_a_full_disk_is_told_from_other_reasons(self):
+        for said, reason in (
+            ("E: You don't have enough free space in /var/cache/apt/archives/.", "the disk is full"),
+            ("E: Write error - write (28: No space left on device)", "the disk is full"),
+            ("E: Unable to correct problems", "Unable to correct problems"),
+        ):
+            with self.subTest(said=said):
+                self.tool("apt-get", f'echo "{said}" >&2; exit 100')
+                done = self.install()
+                self.assertEqual(done.returncode, 1)
+                installing, refusal = done.stderr.splitlines()
+                self.assertEqual(installing, "loomlight: installing absent-dev")
+                self.assertIn(f"could not be installed ({reason}); please run, as root: apt-get install", refusal)
 
-class AppRun(CommandLineTest):
-    """app/run in a tree where building makes a program that says how it was called."""
+
+class SmallTree(CommandLineTest):
+    """The scripts in a tree of their own, where the tools that they call are ours."""
+
+    TOOLS = {"dpkg-query": "printf installed"}
 
     def setUp(self):
         super().setUp()
-        tools = self.folder / "tools"
-        tools.mkdir()
-        (self.folder / "app").mkdir()
-        for name in ("run", "setup.sh", "packages.txt"):
-            shutil.copy(ROOT / "app" / name, self.folder / "app" / name)
-        for name, script in (
-            ("dpkg-query", "printf installed"),
-            ("cmake", "touch .build/release/build.ninja; echo configured"),
-            ("ninja", "mkdir -p .build/release/app; cp tools/program .build/release/app/loomlight; echo built"),
-            ("program", 'echo "called with: $*"; exit 7'),
-        ):
-            (tools / name).write_text("#!/bin/bash\n" + script + "\n")
-            (tools / name).chmod(0o755)
+        (self.folder / "tools").mkdir()
+        for name in ("CMakePresets.json", "app/run", "app/setup.sh", "app/packages.txt", "tests/run", "tests/packages.txt",
+                     "tests/clang_packages.txt"):
+            (self.folder / name).parent.mkdir(exist_ok=True)
+            shutil.copy(ROOT / name, self.folder / name)
+        for name, script in self.TOOLS.items():
+            self.tool(name, script)
 
-    def app_run(self, *words, **environment):
+    def tool(self, name, script):
+        file = self.folder / "tools" / name
+        file.write_text("#!/bin/bash\n" + script + "\n")
+        file.chmod(0o755)
+
+    def run_script(self, *words, **environment):
         plain = {key: value for key, value in os.environ.items() if key not in ("DISPLAY", "WAYLAND_DISPLAY")}
         return subprocess.run(
-            ["app/run", *words],
+            words,
             cwd=self.folder,
             env={**plain, "PATH": f"{self.folder}/tools:{os.environ['PATH']}", **environment},
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
             text=True,
-            timeout=60,
+            timeout=HANGS_S,
         )
+
+
+class AppRun(SmallTree):
+    """app/run where building makes a program that says how it was called."""
+
+    TOOLS = {
+        **SmallTree.TOOLS,
+        "cmake": "touch .build/release/build.ninja; echo configured",
+        "ninja": "mkdir -p .build/release/app; cp tools/program .build/release/app/loomlight; echo built",
+        "program": 'echo "called with: $*"; exit 7',
+    }
+
+    def app_run(self, *words, **environment):
+        return self.run_script("app/run", *words, **environment)
 
     def test_words_go_to_the_program_and_its_answer_comes_back(self):
         done = self.app_run("info", "a file.json", "--json")
@@ -99,6 +129,58 @@ class AppRun(CommandLineTest):
         done = self.app_run()
         self.assertRegex(done.stdout, r"^called with: render .*/samples/cloths/denim_raw.json -o denim.png")
         self.assertIn("no display", done.stderr)
+
+    def df_says(self, *free_mb):
+        """What its calls say, one after the other, and the last one from then on."""
+        (self.folder / "free").write_text("".join(f"{mb}\n" for mb in free_mb))
+        self.tool("df", 'mb=$(head -n 1 free); (($(wc -l <free) == 1)) || sed -i 1d free\n'
+                        'printf "Filesystem 1M-blocks Used Available\\nours 9999 0 $mb\\n"')
+
+    def test_a_disk_that_is_too_small_is_known_before_building(self):
+        self.df_says(100)
+        done = self.app_run()
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertRegex(done.stderr, r"\Aloomlight: not enough space on the disk of .*about \d+ MB, 100 MB are free\n\Z")
+
+    def test_a_disk_that_fills_up_while_building_is_named(self):
+        self.tool("ninja", "echo 'fatal error: error writing to a.o: No space left on device'; exit 1")
+        for left_mb, end in ((9, r"building failed: the disk of .*/\.build/release is full"), (5000, "building failed")):
+            with self.subTest(left_mb=left_mb):
+                shutil.rmtree(self.folder / ".build", ignore_errors=True)
+                self.df_says(5000, left_mb)
+                done = self.app_run()
+                self.assertEqual((done.returncode, done.stdout), (1, ""))
+                self.assertRegex(done.stderr.splitlines()[-1], f"^loomlight: {end}$")
+
+
+class TestsRun(SmallTree):
+    """tests/run, whose words are looked at before anything else is done."""
+
+    TOOLS = {"dpkg-query": "touch asked; printf installed"}
+
+    def refusal(self, *words):
+        done = self.run_script("tests/run", *words)
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertFalse((self.folder / "asked").exists(), "packages were looked at first")
+        (line,) = done.stderr.splitlines()
+        return line
+
+    def test_an_option_without_its_name(self):
+        for option in ("--preset", "-L"):
+            for words in ((option,), ("-R", "volume", option)):
+                with self.subTest(words=words):
+                    self.assertEqual(self.refusal(*words), f"loomlight: {option} takes a name")
+
+    def test_an_unknown_preset(self):
+        self.assertRegex(self.refusal("--preset", "fast"), '"fast"; there are: release .*clang')
+
+    def test_an_unknown_label_is_told_those_that_there_are(self):
+        line = self.refusal("-L", "quik")
+        self.assertIn('"quik"', line)
+        said = subprocess.run(["ctest", "--test-dir", os.environ["LOOMLIGHT_BUILD"], "--print-labels"], check=True,
+                              stdout=subprocess.PIPE, text=True).stdout
+        given = {label for labels in re.findall(r"^  ([a-z-]+)$", said, re.MULTILINE) for label in labels.split("-")}
+        self.assertLessEqual(given, set(line.split("the labels are: ")[1].split()))
 
 
 main()
