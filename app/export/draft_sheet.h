@@ -4,7 +4,7 @@
 
 #include "core/fabric/model/fabric.h"
 
-struct _cairo;
+struct _cairo;  // cairo_t, by its own name; NOLINT(bugprone-reserved-identifier)
 
 namespace loomlight {
 
