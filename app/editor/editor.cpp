@@ -32,20 +32,15 @@ double seconds() {
   return duration<double>(steady_clock::now().time_since_epoch()).count();
 }
 
-/// What those who watch the window are told of its frames: those that a person would notice, by the processor time of
-/// the window's thread, and the longest.
+/// What those who watch the window are told of its frames: the longest, by the processor time of the window's thread.
 class FrameWatch {
  public:
   void count(double seconds, WidgetProbe& probe) {
-    constexpr double kNoticed_s = 0.033;
-    slow_ += seconds > kNoticed_s;
     longest_s_ = std::max(longest_s_, seconds);
-    probe.fact("slow_frames", std::to_string(slow_));
     probe.fact("longest_frame_ms", std::to_string(std::lround(1e3 * longest_s_)));
   }
 
  private:
-  int slow_ = 0;
   double longest_s_ = 0;
 };
 
