@@ -8,6 +8,7 @@
 #include "core/fabric/model/choice_names.h"
 #include "render/optics/fibre_frame.h"
 #include "tests/support/every_medium.h"
+#include "tests/support/mesh_drape.h"
 #include "tests/support/sampled_mean.h"
 
 namespace loomlight {
@@ -23,11 +24,13 @@ struct Case {
 std::vector<Case> cases() {
   std::vector<Case> all;
   for (const MediumKind* medium : {&test::kPlain, &test::kLoomlight, &test::kFibres})
-    for (const DrapeKind drape : {DrapeKind::flat, DrapeKind::cylinder, DrapeKind::sphere, DrapeKind::folds})
+    for (const DrapeKind drape :
+         {DrapeKind::flat, DrapeKind::cylinder, DrapeKind::sphere, DrapeKind::folds, DrapeKind::mesh})
       all.push_back({*medium, drape});
   for (const MediumKind* medium :
        {&test::kReport, &test::kLoomlightAtRandom, &test::kFibresAtRandom, &test::kFibresInBricks})
-    for (const DrapeKind drape : {DrapeKind::flat, DrapeKind::cylinder}) all.push_back({*medium, drape});
+    for (const DrapeKind drape : {DrapeKind::flat, DrapeKind::cylinder, DrapeKind::mesh})
+      all.push_back({*medium, drape});
   all.push_back({test::kReportsLaw, DrapeKind::flat});
   all.push_back({test::kFibresOfOneRepeat, DrapeKind::flat});
   return all;
@@ -99,6 +102,8 @@ class OneLaw : public testing::TestWithParam<Case> {};
 // path that looks for light find as much as one that flies to it.
 TEST_P(OneLaw, FlightsGetAsFarAsShadowRaysSee) {
   Fabric fabric = packedCloth(GetParam().drape);
+  const test::MeshDrape saddle;
+  if (GetParam().drape == DrapeKind::mesh) saddle.giveTo(fabric);
   GetParam().medium.askFor(fabric);
   const auto scene = test::sceneOf(fabric);
   const auto medium = GetParam().medium.make(*scene);

@@ -9,6 +9,7 @@
 #include "render/media/loomlight_medium.h"
 #include "render/transport/path_tracer.h"
 #include "tests/support/every_medium.h"
+#include "tests/support/mesh_drape.h"
 #include "tests/support/sampled_mean.h"
 #include "tests/support/white_light.h"
 
@@ -52,14 +53,15 @@ std::string nameOf(const testing::TestParamInfo<Case>& info) {
 }
 
 std::vector<Case> cases() {
-  constexpr DrapeKind kDrapes[] = {DrapeKind::flat,  DrapeKind::cylinder, DrapeKind::sphere,
-                                   DrapeKind::folds, DrapeKind::cushion,  DrapeKind::skirt};
+  constexpr DrapeKind kDrapes[] = {DrapeKind::flat,    DrapeKind::cylinder, DrapeKind::sphere, DrapeKind::folds,
+                                   DrapeKind::cushion, DrapeKind::skirt,    DrapeKind::mesh};
   std::vector<Case> all;
   for (const MediumKind* medium : {&test::kPlain, &test::kLoomlight, &test::kFibres})
     for (const DrapeKind drape : kDrapes) all.push_back({*medium, drape});
   for (const MediumKind* medium :
        {&test::kReportsLaw, &test::kLoomlightAtRandom, &test::kFibresAtRandom, &test::kFibresInBricks})
-    for (const DrapeKind drape : {DrapeKind::flat, DrapeKind::cylinder}) all.push_back({*medium, drape});
+    for (const DrapeKind drape : {DrapeKind::flat, DrapeKind::cylinder, DrapeKind::mesh})
+      all.push_back({*medium, drape});
   all.push_back({test::kFibresOfOneRepeat});
   for (const MediumKind* medium : {&test::kPlain, &test::kLoomlight})
     for (const int resolution : {1, 2, 8, 16}) all.push_back({*medium, DrapeKind::flat, resolution});
@@ -79,11 +81,13 @@ class WhiteFurnace : public testing::TestWithParam<Case> {};
 TEST_P(WhiteFurnace, ClothIsInvisible) {
   const Case& c = GetParam();
   const test::WhiteLight white;
+  const test::MeshDrape saddle;
   Fabric fabric = test::whiteCotton();
   fabric.yarns[0].count_tex = 10;
   fabric.drape.kind = c.drape;
   fabric.drape.width_mm = fabric.drape.height_mm = 3;
   fabric.drape.radius_mm = 1;
+  if (c.drape == DrapeKind::mesh) saddle.giveTo(fabric);
   fabric.camera.distance_mm = 5;
   fabric.render.resolution = c.resolution;
   c.medium.askFor(fabric);
