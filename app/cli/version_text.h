@@ -4,8 +4,8 @@
 
 namespace loomlight {
 
-/// What `loomlight --version` says, one thing a line: version, commit, compiler, the instruction set that this was built
-/// for, the vector instructions that rays walk by here, libraries.
+/// What `loomlight --version` says, one thing a line: version, commit, compiler, the instruction set that this was
+/// built for, the vector instructions that rays walk by here, libraries.
 std::string versionText();
 
 /// Version and commit, in one line. Builds that share it trace the same samples, whatever processors they are for.
