@@ -5,6 +5,11 @@
 
 namespace loomlight {
 
+double facetAcross(double radius_mm) {
+  constexpr double kFinest = 1.5 * kPi / 180, kCoarsest = 8 * kPi / 180, kSagitta_mm = 0.004;
+  return std::clamp(std::sqrt(8 * radius_mm * kSagitta_mm), radius_mm * kFinest, radius_mm * kCoarsest);
+}
+
 DrapeMesh gridMesh(double width, double height, int columns, int rows,
                    const std::function<SurfacePoint(glm::dvec2 uv)>& surface) {
   DrapeMesh mesh;

@@ -26,7 +26,7 @@ DrapeMesh cylinderDrape(const Drape& drape) {
   // A swatch typed as one turn to a few digits is meant to close.
   const bool closed = drape.height_mm > turn * (1 - 1e-4);
   const double height = closed ? turn : drape.height_mm;
-  const int rows = cellsFor(height, radius * kFacetAngle, 1000);
+  const int rows = cellsFor(height, facetAcross(radius), 1000);
   const int columns = cellsFor(drape.width_mm, kMaxCellAspect * height / rows, kMaxDrapeCells / rows);
 
   // Centre of the bounding box: the arc's top is at +radius, its lowest point at the two ends.
@@ -50,8 +50,8 @@ DrapeMesh sphereDrape(const Drape& drape) {
   const double halfDiagonal = std::hypot(drape.width_mm, drape.height_mm) / 2;
   const double cut = std::min(1.0, kSphereReach * radius / halfDiagonal);
   const double width = drape.width_mm * cut, height = drape.height_mm * cut;
-  const int columns = cellsFor(width, radius * kFacetAngle, 400);
-  const int rows = cellsFor(height, radius * kFacetAngle, 400);
+  const int columns = cellsFor(width, facetAcross(radius), 400);
+  const int rows = cellsFor(height, facetAcross(radius), 400);
 
   const double reach = halfDiagonal * cut / radius;
   const double centre = radius * (1 + std::cos(reach)) / 2;

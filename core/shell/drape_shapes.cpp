@@ -62,7 +62,7 @@ DrapeMesh foldedDrape(const Drape& drape) {
   constexpr double kFewestFolds = 3;
   const double bend = std::min(drape.radius_mm, drape.width_mm / (2 * kPi * kSteepest * kFewestFolds));
   const double wave = 2 * kPi * kSteepest * bend;
-  const int columns = cellsFor(drape.width_mm, bend * kFacetAngle, 2000);
+  const int columns = cellsFor(drape.width_mm, facetAcross(bend), 2000);
   const int rows = cellsFor(drape.height_mm, kMaxCellAspect * drape.width_mm / columns, kMaxDrapeCells / columns);
   const double step = drape.width_mm / (columns * kSubsteps);
   const auto slope = [&](double s) { return -kSteepest * std::sin(2 * kPi * (s - drape.width_mm / 2) / wave); };
@@ -100,15 +100,16 @@ DrapeMesh cushionDrape(const Drape& drape) {
   };
   const glm::dvec2 half(halfOf(drape.width_mm), halfOf(drape.height_mm));
   const ByLength alongX = line(half.x), alongY = line(half.y);
-  const double cell = 0.5 * height * kFacetAngle;  // bends most at the seam
+  const double cell = facetAcross(0.25 * height);  // bends most at the seam
+  // An even number, so that a line of vertices runs over the top.
+  const auto cells = [&](double length) { return 2 * cellsFor(length / 2, cell, 200); };
   DrapeMesh mesh =
-      gridMesh(drape.width_mm, drape.height_mm, cellsFor(drape.width_mm, cell, 400),
-               cellsFor(drape.height_mm, cell, 400), [&](glm::dvec2 uv) {
-                 const glm::dvec2 t(alongX.at(uv.x), alongY.at(uv.y));
-                 const glm::dvec2 f(profile(t.x), profile(t.y));
-                 const glm::dvec2 rise = height * glm::dvec2(slope(t.x) * f.y, f.x * slope(t.y)) / half;
-                 return SurfacePoint{glm::dvec3(half * t, height * f.x * f.y), glm::normalize(glm::dvec3(-rise, 1))};
-               });
+      gridMesh(drape.width_mm, drape.height_mm, cells(drape.width_mm), cells(drape.height_mm), [&](glm::dvec2 uv) {
+        const glm::dvec2 t(alongX.at(uv.x), alongY.at(uv.y));
+        const glm::dvec2 f(profile(t.x), profile(t.y));
+        const glm::dvec2 rise = height * glm::dvec2(slope(t.x) * f.y, f.x * slope(t.y)) / half;
+        return SurfacePoint{glm::dvec3(half * t, height * f.x * f.y), glm::normalize(glm::dvec3(-rise, 1))};
+      });
   centre(mesh);
   if (height < drape.radius_mm)
     mesh.repairs.push_back(
@@ -132,7 +133,7 @@ DrapeMesh skirtDrape(const Drape& drape) {
   const ByLength around = curve(depth);
   const double waist = drape.radius_mm, hem = waist + drape.height_mm;
 
-  constexpr int kRows = 1500;  // each turns by kFacetAngle at most, about
+  constexpr int kRows = 1500;  // each turns by 1.5 degrees at most, about
   const int columns = cellsFor(drape.height_mm, kMaxCellAspect * 2 * kPi * waist / kRows, kMaxDrapeCells / kRows);
   // The circle closes: its last row is its first.
   const auto cut = [](double y) { return y >= 2 * kPi ? 0.0 : y; };
