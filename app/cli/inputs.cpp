@@ -8,6 +8,7 @@
 #include "app/export/picture.h"
 #include "app/export/weave_bitmap.h"
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/fabric/json/fabric_json.h"
 
 namespace loomlight {

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "app/cli/usage_error.h"
+#include "core/base/text.h"
 #include "core/fabric/model/choice_names.h"
 #include "core/fabric/model/field_tables.h"
 
@@ -169,9 +170,8 @@ ViewChoice parseView(const std::string& option, const std::string& text) {
 }
 
 IlluminantChoice parseIlluminant(const std::string& option, const std::string& text) {
-  std::string name = text;
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char c) { return c == '-' ? '_' : static_cast<char>(std::tolower(c)); });
+  std::string name = lowerCase(text);
+  std::replace(name.begin(), name.end(), '-', '_');
   if (name == "tl84") name = "f11";
   const auto known = choiceFromName<StandardIlluminant>(name);
   if (known && *known != StandardIlluminant::blackBody && *known != StandardIlluminant::file) return {*known, {}, ""};

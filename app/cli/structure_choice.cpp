@@ -2,19 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
 #include <sstream>
 
 #include "app/cli/option_values.h"
 #include "app/cli/usage_error.h"
+#include "core/base/text.h"
 
 namespace loomlight {
 namespace {
 
 bool isSameWord(const std::string& a, const std::string& b) {
-  const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](char x, char y) { return lower(x) == lower(y); });
+  return lowerCase(a) == lowerCase(b);
 }
 
 const StructureKind& kindNamed(const std::string& option, const std::string& name) {

@@ -13,6 +13,7 @@
 #include "app/export/file_name.h"
 #include "app/export/weave_bitmap.h"
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/fabric/wif/wif_fabric.h"
 
 namespace loomlight {

@@ -10,13 +10,13 @@
 #include <vector>
 
 #include "app/export/face_colours.h"
-#include "app/export/file_name.h"
 #include "app/export/paper.h"
 #include "app/export/picture.h"
 #include "app/export/whole_picture.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/rgb.h"
+#include "core/base/text.h"
 #include "core/fabric/model/colourways.h"
 #include "core/fabric/weave/thread_order.h"
 #include "core/fabric/weave/weave_code.h"

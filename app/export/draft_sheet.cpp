@@ -10,10 +10,10 @@
 #include <memory>
 #include <new>
 
-#include "app/export/file_name.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/rgb.h"
+#include "core/base/text.h"
 #include "core/fabric/weave/draft_edit.h"
 #include "core/fabric/yarn/yarn_reflectance.h"
 

@@ -2,21 +2,13 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <cctype>
 #include <string_view>
 
+#include "core/base/text.h"
 #include "core/base/utf8.h"
 
 namespace loomlight {
 namespace fs = std::filesystem;
-
-std::string lowerExtension(const std::string& file) {
-  std::string extension = fs::path(file).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
 
 bool isFabricFile(const std::string& file) {
   const std::string extension = lowerExtension(file);

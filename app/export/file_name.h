@@ -5,12 +5,8 @@
 
 namespace loomlight {
 
-/// What kind of file a name stands for: ".json" of "a/b.JSON"; empty where there is no extension.
-std::string lowerExtension(const std::string& file);
-
 /// Whether it is the name of a fabric: both endings stand for the same JSON. ".json" is what other programs open as
-/// well;
-/// ".loomlight" is ours alone, so that a desktop opens it with this program.
+/// well; ".loomlight" is ours alone, so that a desktop opens it with this program.
 bool isFabricFile(const std::string& file);
 
 /// Whether it is to be read as a weaving file: WIF, or .dtx; some come by mail as texts, "draft.wif.txt".

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "app/export/file_name.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/text.h"
 #include "core/fabric/json/fabric_json.h"
 #include "render/film/image.h"
 

@@ -1,8 +1,8 @@
 #include "app/export/snapshot.h"
 
-#include "app/export/file_name.h"
 #include "app/export/picture.h"
 #include "app/export/whole_picture.h"
+#include "core/base/text.h"
 #include "render/transport/make_medium.h"
 
 namespace loomlight {

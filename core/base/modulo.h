@@ -5,6 +5,12 @@
 
 namespace loomlight {
 
+/// i counted from the nearest multiple of n below: 0 <= wrap(i, n) < n.
+constexpr int wrap(int i, int n) {
+  const int r = i % n;
+  return r < 0 ? r + n : r;
+}
+
 /// The remainder by a divisor that is used often: two multiplications instead of a division (Lemire, Kaser and Kurz
 /// 2019, "Faster remainder by direct computation"). Exact for all 32-bit numbers.
 class Modulo {

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "core/base/modulo.h"
+
 // How it works. A cell's shape depends on five crossings, its own in their middle: three nodes, and the neighbours of
 // each. Reading a row of cells therefore slides a window of five bits, one for each crossing (is this yarn over?),
 // along the yarn; a table of all 32 windows, made when the program is compiled, gives sides and float states of the

@@ -66,10 +66,4 @@ class CellCodes {
 
 /// The shortest part that a list is repeats of.
 std::vector<int> shortestRepeat(std::vector<int> list);
-/// i counted from the nearest multiple of n below: 0 <= wrap(i, n) < n.
-inline int wrap(int i, int n) {
-  const int r = i % n;
-  return r < 0 ? r + n : r;
-}
-
 }  // namespace loomlight

@@ -17,5 +17,9 @@ struct CellKey {
   bool operator==(const CellKey&) const = default;
 };
 uint64_t hash(const CellKey& key);
+/// For the standard library's tables.
+struct CellKeyHash {
+  size_t operator()(const CellKey& key) const { return hash(key); }
+};
 
 }  // namespace loomlight

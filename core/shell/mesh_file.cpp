@@ -8,15 +8,14 @@
 #include <OpenMesh/Core/IO/reader/OFFReader.hh>
 #include <OpenMesh/Core/IO/reader/PLYReader.hh>
 #include <OpenMesh/Core/System/omstream.hh>
-#include <algorithm>
 #include <array>
-#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <mutex>
 #include <sstream>
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/shell/mesh_check.h"
 
 namespace loomlight {
@@ -158,13 +157,6 @@ std::string contentOf(const std::string& file) {
   return content;
 }
 
-std::string extensionOf(const std::string& file) {
-  std::string extension = std::filesystem::path(file).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
-  return extension;
-}
-
 /// OpenMesh says nothing to the terminal while this lives: what is wrong with a file is ours to say.
 class Silence {
  public:
@@ -189,7 +181,7 @@ class Silence {
 }  // namespace
 
 MeshFile readMeshFile(const std::string& file) {
-  const std::string extension = extensionOf(file);
+  const std::string extension = lowerExtension(file);
   if (extension != ".obj" && extension != ".ply" && extension != ".off")
     throw InputError(fmt::format("{}: expected a mesh whose name ends in .obj, .ply or .off", file));
   std::string content = contentOf(file);

@@ -3,16 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/modulo.h"
 #include "core/base/units.h"
 
 namespace loomlight {
 namespace {
 
 constexpr auto kPiF = static_cast<float>(kPi);
-
-int wrap(int i, int n) {
-  return i < 0 ? i + n : i >= n ? i - n : i;
-}
 
 int binOf(float angle, float range, int bins) {
   return std::clamp(static_cast<int>(angle / range * static_cast<float>(bins)), 0, bins - 1);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "core/base/modulo.h"
 #include "core/geometry/cloth_geometry.h"
 #include "render/display/despeckle.h"
 #include "render/display/resample.h"

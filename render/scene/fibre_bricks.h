@@ -43,9 +43,6 @@ class FibreBricks {
   struct Brick;
   /// A brick, or where it will be.
   struct Slot;
-  struct KeyHash {
-    size_t operator()(const CellKey& key) const { return hash(key); }
-  };
   explicit FibreBricks(std::shared_ptr<const ClothGeometry> geometry);
   const Brick& brick(const CellKey& key) const;
   std::unique_ptr<const Brick> make(const CellKey& key) const;
@@ -56,7 +53,7 @@ class FibreBricks {
   mutable std::once_flag started_;
   mutable std::unique_ptr<const EmbreeDevice> device_;  ///< from the first brick on
   mutable std::mutex mutex_;                            ///< over the map; what is in it stays
-  mutable std::unordered_map<CellKey, std::unique_ptr<Slot>, KeyHash> bricks_;
+  mutable std::unordered_map<CellKey, std::unique_ptr<Slot>, CellKeyHash> bricks_;
 };
 
 /// A ray in cloth space, of any length of direction, which does not see the fibre that it leaves up to a parameter.

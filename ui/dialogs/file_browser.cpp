@@ -3,9 +3,9 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <cctype>
 #include <utility>
 
+#include "core/base/text.h"
 #include "ui/widgets/fields.h"
 #include "ui/widgets/modal.h"
 
@@ -39,9 +39,7 @@ void FileBrowser::show(Purpose purpose, std::string title, std::vector<std::stri
 }
 
 bool FileBrowser::accepts(const fs::path& file) const {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
+  const std::string extension = lowerExtension(file.string());
   return std::find(extensions_.begin(), extensions_.end(), extension) != extensions_.end();
 }
 
@@ -72,8 +70,7 @@ fs::path FileBrowser::named() const {
 }
 
 bool FileBrowser::passes(const Entry& entry) const {
-  const auto same = [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); };
-  return std::search(entry.name.begin(), entry.name.end(), filter_.begin(), filter_.end(), same) != entry.name.end();
+  return lowerCase(entry.name).find(lowerCase(filter_)) != std::string::npos;
 }
 
 void FileBrowser::step(int direction) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "core/base/text.h"
 #include "core/fabric/wif/wif_values.h"
 #include "ui/widgets/fields.h"
 #include "ui/widgets/modal.h"

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "core/base/modulo.h"
 #include "ui/draft/draft_commands.h"
 #include "ui/draft/draft_drawing.h"
 #include "ui/draft/draft_parts.h"
@@ -50,7 +51,7 @@ std::optional<Fabric> paintBar(const Fabric& fabric, System system, int from, in
   std::optional<Fabric> edited;
   for (int i = std::min(from, to); i <= std::max(from, to); ++i) {
     const std::vector<int>& sequence = system == System::warp ? fabric.warpSequence : fabric.weftSequence;
-    const size_t at = static_cast<size_t>(wrapped(i, static_cast<int>(sequence.size())));
+    const size_t at = static_cast<size_t>(wrap(i, static_cast<int>(sequence.size())));
     if ((edited ? (system == System::warp ? edited->warpSequence : edited->weftSequence) : sequence)[at] == yarn)
       continue;
     if (!edited) edited = fabric;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/modulo.h"
 #include "core/fabric/yarn/long_floats.h"
 
 namespace loomlight {
@@ -50,12 +51,12 @@ void drawCells(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& yarnColo
   const Weave& weave = fabric.weave;
   const int step = std::max(1, static_cast<int>(std::ceil(kSmallestBlock / frame.smaller())));
   RunPainter painter(draw, !inColour && frame.smaller() >= 9 * ui.scale ? ui.scale : 0.0f);
-  const int firstPick = frame.firstPick() - wrapped(frame.firstPick(), step);
-  const int firstEnd = frame.firstEnd() - wrapped(frame.firstEnd(), step);
+  const int firstPick = frame.firstPick() - wrap(frame.firstPick(), step);
+  const int firstEnd = frame.firstEnd() - wrap(frame.firstEnd(), step);
   for (int pick = firstPick; pick <= frame.lastPick(); pick += step) {
-    const std::span<const uint8_t> row = weave.row(wrapped(pick, weave.picks()));
+    const std::span<const uint8_t> row = weave.row(wrap(pick, weave.picks()));
     for (int end = firstEnd; end <= frame.lastEnd(); end += step) {
-      const bool warpOnTop = (row[static_cast<size_t>(wrapped(end, weave.ends()))] != 0) != frame.back;
+      const bool warpOnTop = (row[static_cast<size_t>(wrap(end, weave.ends()))] != 0) != frame.back;
       ImU32 colour = warpOnTop ? ink : 0;
       if (inColour) colour = colours[static_cast<size_t>(warpOnTop ? fabric.warpYarn(end) : fabric.weftYarn(pick))];
       painter.cell(frame.cells(pick, end, step, step), colour);
@@ -83,12 +84,12 @@ void drawGrid(Ui& ui, const DraftFrame& frame) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const Box& box = frame.box;
   for (int end = frame.firstEnd(); end <= frame.lastEnd() + 1; ++end) {
-    const ImU32 line = packed(ui.theme.ink, fade * (wrapped(end, 4) == 0 ? 0.32f : 0.14f));
+    const ImU32 line = packed(ui.theme.ink, fade * (wrap(end, 4) == 0 ? 0.32f : 0.14f));
     const float x = std::round(frame.x(end));
     draw.AddRectFilled(ImVec2(x, box.min.y), ImVec2(x + 1, box.max.y), line);
   }
   for (int pick = frame.firstPick(); pick <= frame.lastPick() + 1; ++pick) {
-    const ImU32 line = packed(ui.theme.ink, fade * (wrapped(pick, 4) == 0 ? 0.32f : 0.14f));
+    const ImU32 line = packed(ui.theme.ink, fade * (wrap(pick, 4) == 0 ? 0.32f : 0.14f));
     const float y = std::round(frame.y(pick));
     draw.AddRectFilled(ImVec2(box.min.x, y), ImVec2(box.max.x, y + 1), line);
   }

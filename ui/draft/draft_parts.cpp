@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <functional>
 
+#include "core/base/modulo.h"
 #include "ui/widgets/fields.h"
 
 namespace loomlight {
@@ -151,9 +152,9 @@ void drawRules(Ui& ui, const Table& table, const DraftFrame& frame, float lift, 
     const float x = !repeats || !frame.fromRight ? place.min.x : place.max.x;
     const float y = frame.fromTop ? place.min.y : place.max.y;
     if (table.linesAcross)
-      rule({ImVec2(x, table.box.min.y), ImVec2(x + 1, table.box.max.y)}, wrapped(line, 4) == 0);
+      rule({ImVec2(x, table.box.min.y), ImVec2(x + 1, table.box.max.y)}, wrap(line, 4) == 0);
     else
-      rule({ImVec2(table.box.min.x, y), ImVec2(table.box.max.x, y + 1)}, wrapped(line, 4) == 0);
+      rule({ImVec2(table.box.min.x, y), ImVec2(table.box.max.x, y + 1)}, wrap(line, 4) == 0);
   }
 }
 
@@ -173,7 +174,7 @@ void drawTable(Ui& ui, const Draft& draft, const Table& table, const DraftFrame&
   const ImU32 ink = packed(ui.theme.ink), faded = packed(ui.theme.ink, 0.4f);
   const float gap = along >= 5 * ui.scale ? ui.scale : 0.0f;
   for (int line = first; line <= last; line += step) {
-    const int inRepeat = wrapped(line, table.lines);
+    const int inRepeat = wrap(line, table.lines);
     drawLine(draw, table, numbersOf(draft, table.part, inRepeat), gap, line == inRepeat ? ink : faded,
              [&](int number) { return placeOf(table, frame, lift, line, number); });
   }
@@ -192,7 +193,7 @@ std::optional<Draft> painted(const Draft& draft, const Table& table, CrossingInd
     int line = from.end + static_cast<int>(std::lround(t * (to.end - from.end)));
     if (number < 1 || number > table.numbers) continue;
     if (table.part == DraftPart::tieUp && (line < 0 || line >= table.lines)) continue;
-    line = wrapped(line, table.lines);
+    line = wrap(line, table.lines);
     if (hasNumber(edited ? *edited : draft, table.part, line, number) == value) continue;
     Draft now = edited ? std::move(*edited) : draft;
     edited = value && alone ? withOnlyNumber(std::move(now), table.part, line, number)
@@ -215,7 +216,7 @@ std::optional<Draft> strokeOn(Ui& ui, const Draft& draft, const Table& table, Dr
   if (view.stroke != table.stroke) {
     view.stroke = table.stroke;
     view.strokeValue = ImGui::IsMouseDown(ImGuiMouseButton_Left) &&
-                       !hasNumber(draft, table.part, wrapped(under.end, table.lines), under.pick);
+                       !hasNumber(draft, table.part, wrap(under.end, table.lines), under.pick);
     view.strokeLast = under;
   }
   const bool alone = table.oneNumber && !ImGui::GetIO().KeyCtrl;
@@ -251,16 +252,15 @@ std::string partUnderMouse(const Draft& draft, const DraftFrame& frame, const Dr
     if (cell.pick < 1 || cell.pick > table.numbers) return {};
     switch (table.part) {
       case DraftPart::threading:
-        return fmt::format("threading: end {}, shaft {}; Ctrl: several", wrapped(cell.end, table.lines) + 1, cell.pick);
+        return fmt::format("threading: end {}, shaft {}; Ctrl: several", wrap(cell.end, table.lines) + 1, cell.pick);
       case DraftPart::tieUp:
         return cell.end < 0 || cell.end >= table.lines
                    ? ""
                    : fmt::format("tie-up: treadle {}, shaft {}", cell.end + 1, cell.pick);
       case DraftPart::treadling:
-        return fmt::format("treadling: pick {}, treadle {}; Ctrl: several", wrapped(cell.end, table.lines) + 1,
-                           cell.pick);
+        return fmt::format("treadling: pick {}, treadle {}; Ctrl: several", wrap(cell.end, table.lines) + 1, cell.pick);
       case DraftPart::liftplan:
-        return fmt::format("liftplan: pick {}, shaft {}", wrapped(cell.end, table.lines) + 1, cell.pick);
+        return fmt::format("liftplan: pick {}, shaft {}", wrap(cell.end, table.lines) + 1, cell.pick);
     }
   }
   return {};

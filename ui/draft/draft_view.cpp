@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/modulo.h"
+
 namespace loomlight {
 
 const DerivedDraft& ShownDraft::of(const Weave& weave, const LoomLimits& limits, bool liftplan) {
@@ -101,8 +103,8 @@ CellRect selectionBetween(const CrossingIndex& a, const CrossingIndex& b, const 
 }
 
 bool isSelected(const CellRect& selection, const CrossingIndex& crossing, const Weave& weave) {
-  return wrapped(crossing.end - selection.end, weave.ends()) < selection.ends &&
-         wrapped(crossing.pick - selection.pick, weave.picks()) < selection.picks;
+  return wrap(crossing.end - selection.end, weave.ends()) < selection.ends &&
+         wrap(crossing.pick - selection.pick, weave.picks()) < selection.picks;
 }
 
 const Draft* draftBeside(const Fabric& fabric, const DraftPreferences& preferences, DraftView& view,

@@ -3,8 +3,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cctype>
 
+#include "core/base/text.h"
 #include "core/fabric/model/glossary.h"
 
 namespace loomlight {
@@ -13,13 +13,8 @@ namespace {
 constexpr float kChip = 26;   // of a side, in pixels of a display of ordinary density
 constexpr int kMostRows = 5;  // that are shown at a time
 
-char lower(char c) {
-  return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-}
-
 bool contains(std::string_view text, std::string_view part) {
-  return std::search(text.begin(), text.end(), part.begin(), part.end(),
-                     [](char a, char b) { return lower(a) == lower(b); }) != text.end();
+  return lowerCase(text).find(lowerCase(part)) != std::string::npos;
 }
 
 }  // namespace

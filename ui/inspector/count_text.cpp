@@ -1,11 +1,11 @@
 #include "ui/inspector/count_text.h"
 
-#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <string>
 #include <vector>
 
+#include "core/base/text.h"
 #include "core/fabric/model/field_tables.h"
 #include "core/fabric/yarn/presets.h"
 #include "ui/widgets/number_text.h"
@@ -27,8 +27,7 @@ std::optional<CountSystem> systemFromName(std::string_view name) {
 /// Numbers, words and signs of a text, one after the other; blanks lie between them.
 class Tokens {
  public:
-  explicit Tokens(std::string_view text) {
-    for (const char c : text) text_ += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  explicit Tokens(std::string_view text) : text_(lowerCase(text)) {
     rest_ = text_;
     skipBlanks();
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/modulo.h"
 #include "core/fabric/model/fabric.h"
 
 namespace loomlight {
@@ -10,15 +11,9 @@ struct CrossingIndex {
   bool operator==(const CrossingIndex&) const = default;
 };
 
-/// The remainder that is never negative.
-inline int wrapped(int value, int period) {
-  const int r = value % period;
-  return r < 0 ? r + period : r;
-}
-
 /// Which crossing of the repeat this one repeats.
 inline CrossingIndex inRepeat(const CrossingIndex& c, const Weave& weave) {
-  return {wrapped(c.pick, weave.picks()), wrapped(c.end, weave.ends())};
+  return {wrap(c.pick, weave.picks()), wrap(c.end, weave.ends())};
 }
 
 }  // namespace loomlight

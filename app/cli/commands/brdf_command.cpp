@@ -2,17 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-
 #include "app/cli/half_dome_picture.h"
 #include "app/cli/inputs.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
 #include "app/cli/usage_error.h"
-#include "app/export/file_name.h"
 #include "app/export/picture.h"
 #include "core/base/file.h"
 #include "core/base/stopwatch.h"
+#include "core/base/text.h"
 #include "core/fabric/model/validate.h"
 #include "render/media/fibre_medium.h"
 

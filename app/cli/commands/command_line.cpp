@@ -14,8 +14,8 @@
 #include "app/cli/structure_choice.h"
 #include "app/cli/usage_error.h"
 #include "app/cli/version_text.h"
-#include "app/export/file_name.h"
 #include "app/export/program_folders.h"
+#include "core/base/text.h"
 #include "core/fabric/json/fabric_schema.h"
 #include "render/film/film.h"
 

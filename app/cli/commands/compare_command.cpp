@@ -5,8 +5,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/export/file_name.h"
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "render/metrics/comparison.h"
 #include "render/metrics/heat_map.h"
 

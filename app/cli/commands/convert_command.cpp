@@ -12,6 +12,7 @@
 #include "app/export/weave_bitmap.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/text.h"
 #include "core/fabric/json/fabric_json.h"
 #include "core/fabric/weave/structure_edit.h"
 #include "core/fabric/wif/wif_fabric.h"

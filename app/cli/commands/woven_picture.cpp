@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "app/export/file_name.h"
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "render/display/raster.h"
 
 namespace loomlight {

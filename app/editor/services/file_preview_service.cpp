@@ -13,6 +13,7 @@
 
 #include "app/export/draft_picture.h"
 #include "app/export/file_name.h"
+#include "core/base/text.h"
 #include "core/fabric/json/fabric_json.h"
 #include "core/fabric/weave/picture_weave.h"
 #include "core/fabric/wif/wif_fabric.h"

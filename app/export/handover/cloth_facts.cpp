@@ -6,6 +6,7 @@
 #include <set>
 #include <string_view>
 
+#include "core/base/text.h"
 #include "core/fabric/weave/weave_code.h"
 #include "core/fabric/yarn/yarn_need.h"
 
@@ -64,9 +65,7 @@ bool hasWord(const std::string& text, std::string_view word) {
 }
 
 ListedName fibreName(const std::string& name) {
-  std::string lower = name;
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string lower = lowerCase(name);
   for (const auto& [word, type] : kFibres)
     if (hasWord(lower, word)) return {std::string(type), ""};
   return {"other", name.empty() ? "unnamed" : name};

@@ -2,6 +2,7 @@
 
 #include <cassert>
 
+#include "core/base/modulo.h"
 #include "core/fabric/model/field_tables.h"
 #include "core/fabric/model/wif_origin.h"
 
@@ -10,9 +11,7 @@ namespace {
 
 int yarnAt(const std::vector<int>& sequence, int thread) {
   assert(!sequence.empty());
-  const int n = static_cast<int>(sequence.size());
-  const int r = thread % n;
-  return sequence[r < 0 ? r + n : r];
+  return sequence[wrap(thread, static_cast<int>(sequence.size()))];
 }
 
 }  // namespace

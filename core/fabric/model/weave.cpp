@@ -6,15 +6,12 @@
 #include <map>
 #include <utility>
 
+#include "core/base/modulo.h"
+
 namespace loomlight {
 namespace {
 
 /// Remainder that is never negative, so that the repeat goes on below zero too.
-int wrapped(int i, int n) {
-  const int r = i % n;
-  return r < 0 ? r + n : r;
-}
-
 [[maybe_unused]] bool isSide(size_t n) {
   return n >= 1 && n <= static_cast<size_t>(Weave::kMaxSide);
 }
@@ -44,7 +41,7 @@ Weave::Weave(std::vector<SharedRow> rows) {
 }
 
 bool Weave::warpOver(int pick, int end) const {
-  return at(wrapped(pick, picks()), wrapped(end, ends_));
+  return at(wrap(pick, picks()), wrap(end, ends_));
 }
 
 std::vector<uint8_t> Weave::columns(int first, int count) const {
@@ -56,7 +53,7 @@ std::vector<uint8_t> Weave::columns(int first, int count) const {
     const size_t n = std::min(kPicks, picks - from);
     for (size_t p = 0; p < n; ++p) rows[p] = rows_[from + p]->data();
     for (int i = 0; i < count; ++i) {
-      const int end = wrapped(first + i, ends_);
+      const int end = wrap(first + i, ends_);
       uint8_t* const column = &cells[static_cast<size_t>(i) * picks + from];
       for (size_t p = 0; p < n; ++p) column[p] = rows[p][end];
     }

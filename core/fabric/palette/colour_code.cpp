@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/rgb.h"
+#include "core/base/text.h"
 #include "core/fabric/wif/wif_values.h"
 
 namespace loomlight {

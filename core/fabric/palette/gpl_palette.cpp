@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/fabric/palette/palette_readers.h"
 #include "core/fabric/swatch/cxf_document.h"
 #include "core/fabric/swatch/raw_swatch.h"

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/rgb.h"
+#include "core/base/text.h"
 #include "core/fabric/palette/palette_readers.h"
 #include "core/fabric/wif/text_encoding.h"
 #include "core/fabric/wif/wif_values.h"
@@ -24,7 +25,7 @@ void add(Palette& palette, NamedColour colour, const std::string& place) {
 
 Palette read(std::string_view bytes, const std::string& source) {
   if (bytes.starts_with("ASEF")) return paletteFromAse(bytes, source);
-  if (lowerCase(std::filesystem::path(source).extension().string()) == ".aco") return paletteFromAco(bytes, source);
+  if (lowerExtension(source) == ".aco") return paletteFromAco(bytes, source);
   const std::string text = decodeText(bytes, source).text;
   const std::string_view start = trimmed(text);
   if (start.starts_with("GIMP Palette")) return paletteFromGpl(text, source);
@@ -70,7 +71,7 @@ Palette paletteOf(const SwatchFile& measured) {
 
 bool isPaletteFile(const std::string& file) {
   constexpr std::string_view kEndings[] = {".ase", ".aco", ".gpl", ".cxf", ".csv"};
-  const std::string ending = lowerCase(std::filesystem::path(file).extension().string());
+  const std::string ending = lowerExtension(file);
   return std::find(std::begin(kEndings), std::end(kEndings), ending) != std::end(kEndings);
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/fabric/palette/colour_code.h"
 #include "core/fabric/palette/palette_readers.h"
 #include "core/fabric/swatch/raw_swatch.h"

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/sprague.h"
+#include "core/base/text.h"
 #include "core/fabric/swatch/raw_swatch.h"
 #include "core/fabric/wif/text_encoding.h"
 #include "core/fabric/wif/wif_values.h"
@@ -25,7 +25,7 @@ Spectrum bandReflectance(const MeasuredSwatch& swatch) {
 }
 
 bool isSwatchFile(const std::string& file) {
-  const std::string extension = lowerCase(std::filesystem::path(file).extension().string());
+  const std::string extension = lowerExtension(file);
   if (extension == ".csv" || extension == ".cxf" || extension == ".qtx") return true;
   if (extension != ".txt") return false;
   try {

@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/fabric/model/place.h"
 #include "core/fabric/wif/wif_values.h"
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/fabric/swatch/raw_swatch.h"
 #include "core/fabric/wif/wif_values.h"
 

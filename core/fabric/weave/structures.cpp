@@ -3,13 +3,10 @@
 #include <cassert>
 #include <numeric>
 
+#include "core/base/modulo.h"
+
 namespace loomlight {
 namespace {
-
-int modulo(int i, int n) {
-  const int r = i % n;
-  return r < 0 ? r + n : r;
-}
 
 /// A weave from a rule: warpOver(pick, end).
 template <class Rule>
@@ -22,7 +19,7 @@ Weave fromRule(int ends, int picks, Rule&& warpOver) {
 
 /// 0 1 .. n - 1 .. 1, of period 2 n - 2.
 int pointed(int i, int n) {
-  const int along = modulo(i, 2 * n - 2);
+  const int along = wrap(i, 2 * n - 2);
   return along < n ? along : 2 * n - 2 - along;
 }
 
@@ -41,7 +38,7 @@ Weave twill(int over, int under, Slant slant) {
   assert(over >= 1 && under >= 1);
   const int n = over + under;
   const int shift = slant == Slant::z ? -1 : 1;
-  return fromRule(n, n, [=](int p, int e) { return modulo(e + shift * p, n) < over; });
+  return fromRule(n, n, [=](int p, int e) { return wrap(e + shift * p, n) < over; });
 }
 
 Weave twill(const std::vector<int>& runs, int step, Slant slant) {
@@ -52,26 +49,25 @@ Weave twill(const std::vector<int>& runs, int step, Slant slant) {
   // Ends that repeat their line sooner than n of them shorten the repeat.
   const int ends = n / std::gcd(n, step);
   const int direction = slant == Slant::z ? -1 : 1;
-  return fromRule(ends, n,
-                  [&](int p, int e) { return line[static_cast<size_t>(modulo(p + direction * step * e, n))]; });
+  return fromRule(ends, n, [&](int p, int e) { return line[static_cast<size_t>(wrap(p + direction * step * e, n))]; });
 }
 
 Weave pointTwill(int over, int under) {
   const int n = over + under;
   assert(over >= 1 && under >= 1 && n >= 3);
-  return fromRule(2 * n - 2, n, [=](int p, int e) { return modulo(pointed(e, n) - p, n) < over; });
+  return fromRule(2 * n - 2, n, [=](int p, int e) { return wrap(pointed(e, n) - p, n) < over; });
 }
 
 Weave diamondTwill(int over, int under) {
   const int n = over + under;
   assert(over >= 1 && under >= 1 && n >= 3);
-  return fromRule(2 * n - 2, 2 * n - 2, [=](int p, int e) { return modulo(pointed(e, n) - pointed(p, n), n) < over; });
+  return fromRule(2 * n - 2, 2 * n - 2, [=](int p, int e) { return wrap(pointed(e, n) - pointed(p, n), n) < over; });
 }
 
 Weave brokenTwill(int over) {
   assert(over >= 1 && over <= 3);
   constexpr int kOrder[4] = {0, 1, 3, 2};
-  return fromRule(4, 4, [&](int p, int e) { return modulo(e - kOrder[p], 4) < over; });
+  return fromRule(4, 4, [&](int p, int e) { return wrap(e - kOrder[p], 4) < over; });
 }
 
 Weave herringbone(int over, int width) {
@@ -79,9 +75,8 @@ Weave herringbone(int over, int width) {
   const int n = 2 * over;
   // The second half runs the other way; its offset makes ends width - 1 and width, and the last and the first,
   // opposite.
-  return fromRule(2 * width, n, [=](int p, int e) {
-    return e < width ? modulo(e - p, n) < over : modulo(e + p - 2 * width, n) < over;
-  });
+  return fromRule(2 * width, n,
+                  [=](int p, int e) { return e < width ? wrap(e - p, n) < over : wrap(e + p - 2 * width, n) < over; });
 }
 
 Weave satin(int ends, int step, Face face) {
@@ -92,7 +87,7 @@ Weave satin(int ends, int step, Face face) {
 
 Weave shadedSatin(int ends, int step, int raised) {
   assert(step > 1 && step < ends - 1 && std::gcd(step, ends) == 1 && raised >= 1 && raised < ends);
-  return fromRule(ends, ends, [=](int p, int e) { return modulo(e - step * p, ends) < raised; });
+  return fromRule(ends, ends, [=](int p, int e) { return wrap(e - step * p, ends) < raised; });
 }
 
 Weave waffle(int shafts) {

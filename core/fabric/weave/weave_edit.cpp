@@ -4,13 +4,10 @@
 #include <span>
 #include <unordered_map>
 
+#include "core/base/modulo.h"
+
 namespace loomlight {
 namespace {
-
-int wrapped(int i, int n) {
-  const int r = i % n;
-  return r < 0 ? r + n : r;
-}
 
 using Row = Weave::Row;
 using SharedRow = Weave::SharedRow;
@@ -60,11 +57,11 @@ Row readRound(const Row& row, int first, int count) {
 }  // namespace
 
 Weave partOf(const Weave& weave, const CellRect& rect) {
-  const int first = wrapped(rect.end, weave.ends());
+  const int first = wrap(rect.end, weave.ends());
   const bool isWhole = first == 0 && rect.ends == weave.ends();
   std::vector<SharedRow> rows;
   for (int p = 0; p < rect.picks; ++p) {
-    const SharedRow& whole = weave.sharedRow(wrapped(rect.pick + p, weave.picks()));
+    const SharedRow& whole = weave.sharedRow(wrap(rect.pick + p, weave.picks()));
     rows.push_back(isWhole ? whole : std::make_shared<const Row>(readRound(*whole, first, rect.ends)));
   }
   return Weave(std::move(rows));
@@ -75,13 +72,13 @@ Weave withPart(const Weave& weave, int pick, int end, const Weave& part) {
 }
 
 Weave withPattern(const Weave& weave, const CellRect& rect, const Weave& pattern) {
-  const int first = wrapped(rect.end, weave.ends()), ends = std::min(rect.ends, weave.ends());
+  const int first = wrap(rect.end, weave.ends()), ends = std::min(rect.ends, weave.ends());
   const bool isWhole = first == 0 && ends == weave.ends() && ends == pattern.ends();
   std::vector<SharedRow> rows;
   for (int p = 0; p < weave.picks(); ++p) {
     const SharedRow& old = weave.sharedRow(p);
     rows.push_back(old);
-    const int along = wrapped(p - rect.pick, weave.picks());
+    const int along = wrap(p - rect.pick, weave.picks());
     if (along >= rect.picks) continue;
     const SharedRow& from = pattern.sharedRow(along % pattern.picks());
     if (isWhole) {
@@ -127,8 +124,8 @@ Weave inverted(const Weave& weave) {
 }
 
 Weave shifted(const Weave& weave, int ends, int picks) {
-  const int along = wrapped(ends, weave.ends());
-  const auto source = [&](int pick) { return wrapped(pick - picks, weave.picks()); };
+  const int along = wrap(ends, weave.ends());
+  const auto source = [&](int pick) { return wrap(pick - picks, weave.picks()); };
   return rowByRow(weave, source, [&](Row row) {
     std::rotate(row.begin(), row.end() - along, row.end());
     return row;

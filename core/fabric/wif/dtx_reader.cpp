@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/base/utf8.h"
 #include "core/fabric/model/field_tables.h"
 #include "core/fabric/model/place.h"

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <span>
 
+#include "core/base/text.h"
 #include "core/fabric/wif/wif_entries.h"
 #include "core/fabric/wif/wif_numbered.h"
 #include "core/fabric/wif/wif_reader.h"

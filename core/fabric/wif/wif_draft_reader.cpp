@@ -2,6 +2,7 @@
 #include <map>
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/fabric/model/field_tables.h"
 #include "core/fabric/model/place.h"
 #include "core/fabric/model/validate.h"

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/fabric/wif/text_encoding.h"
 #include "core/fabric/wif/wif_numbered.h"
 #include "core/fabric/wif/wif_values.h"

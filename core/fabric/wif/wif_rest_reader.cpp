@@ -3,6 +3,7 @@
 #include <initializer_list>
 #include <unordered_set>
 
+#include "core/base/text.h"
 #include "core/fabric/wif/wif_entries.h"
 #include "core/fabric/wif/wif_numbered.h"
 #include "core/fabric/wif/wif_reader.h"

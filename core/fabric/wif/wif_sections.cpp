@@ -8,6 +8,7 @@
 #include <map>
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/fabric/wif/text_encoding.h"
 #include "core/fabric/wif/wif_values.h"
 

@@ -30,9 +30,4 @@ struct WifNumbers {
 /// 1,2 and 1 2; also 1+2, 1/2, 1&2, 1-2, and 1;2 where nothing but numbers follows.
 WifNumbers wifNumbers(std::string_view value);
 
-/// Without blanks on both sides.
-std::string_view trimmed(std::string_view text);
-/// Letters A to Z only.
-std::string lowerCase(std::string_view text);
-
 }  // namespace loomlight

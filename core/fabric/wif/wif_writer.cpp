@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/base/text.h"
 #include "core/fabric/wif/wif_sections.h"
 #include "core/fabric/wif/wif_values.h"
 

@@ -38,9 +38,6 @@ class ShapeTable {
   ShapeCode code(uint32_t number) const { return codes_[number - first_]; }
 
  private:
-  struct KeyHash {
-    size_t operator()(const CellKey& key) const { return hash(key); }
-  };
   struct Recent {
     ShapeCode code = ~ShapeCode{0};  ///< no shape has this one
     uint32_t number = 0;
@@ -60,7 +57,7 @@ class ShapeTable {
   std::vector<ShapeCode> codes_;
   bool indexed_ = true;
   int searches_ = 0;
-  std::unordered_map<CellKey, uint32_t, KeyHash> numbers_;
+  std::unordered_map<CellKey, uint32_t, CellKeyHash> numbers_;
   std::unordered_map<ShapeCode, uint32_t> numbersOfCodes_;
   std::vector<Recent> recent_ = std::vector<Recent>(size_t{1} << kRecentBits);
 };

@@ -13,10 +13,6 @@
 namespace loomlight {
 namespace {
 
-struct KeyHash {
-  size_t operator()(const CellKey& key) const { return hash(key); }
-};
-
 CellKey withoutPhase(CellKey key) {
   key.phase = 0;
   return key;
@@ -222,7 +218,7 @@ TEST(CellKeys, OfAJacquardAreFew) {
   Fabric fabric = cloths::plain();
   fabric.weave = Weave(rows);
   const ClothGeometry cloth(fabric, 300, 300);
-  std::unordered_set<CellKey, KeyHash> keys;
+  std::unordered_set<CellKey, CellKeyHash> keys;
   for (int pick = 0; pick < 300; ++pick)
     for (int end = 0; end < 300; ++end) keys.insert(withoutPhase(cloth.key(System::warp, pick, end)));
   EXPECT_LE(keys.size(), 32u);
@@ -231,7 +227,7 @@ TEST(CellKeys, OfAJacquardAreFew) {
 
 TEST(CellKeys, HashSeparatesThem) {
   const ClothGeometry cloth(cloths::mixed(), 100, 100);
-  std::unordered_set<CellKey, KeyHash> keys;
+  std::unordered_set<CellKey, CellKeyHash> keys;
   std::set<uint64_t> hashes;
   for (int pick = 0; pick < 48; ++pick)
     for (int end = 0; end < 80; ++end)

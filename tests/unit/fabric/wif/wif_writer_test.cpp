@@ -1,4 +1,5 @@
 #include "core/fabric/wif/wif_writer.h"
+#include "core/base/text.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
