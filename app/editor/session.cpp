@@ -35,7 +35,8 @@ glm::dvec2 repeatsOf(const Fabric& fabric, int count) {
 
 }  // namespace
 
-Session::Session(Document document, Settings settings, DisplayDriver& driver, std::function<void()> wake, int threads)
+Session::Session(Document document, Settings settings, DisplayDriver& driver, const std::function<void()>& wake,
+                 int threads)
     : settings_(std::move(settings)),
       document_(std::move(document), wake),
       viewport_(driver, wake, threads),

@@ -34,7 +34,7 @@ class Session {
  public:
   /// `driver` keeps the pictures that are shown, and outlives the session. `wake` brings the window to draw again;
   /// called from the workers. `threads`: for tracing; 0 leaves one hardware thread to the window.
-  Session(Document document, Settings settings, DisplayDriver& driver, std::function<void()> wake, int threads);
+  Session(Document document, Settings settings, DisplayDriver& driver, const std::function<void()>& wake, int threads);
 
   void frame(Ui& ui);
   /// Of the last frame, spent on all but drawing: taking what workers have brought, and telling them what to do next.

@@ -20,7 +20,7 @@ constexpr float kPreviewWidth = 216;
 
 }  // namespace
 
-void FileBrowser::show(Purpose purpose, std::string title, std::vector<std::string> extensions, fs::path start,
+void FileBrowser::show(Purpose purpose, std::string title, std::vector<std::string> extensions, const fs::path& start,
                        std::vector<Place> places) {
   purpose_ = purpose;
   title_ = std::move(title);

@@ -20,7 +20,7 @@ class FileBrowser {
   enum class Purpose { open, save };
 
   /// `extensions` with their dots (".json"); the first is appended to a typed name that has none of them.
-  void show(Purpose purpose, std::string title, std::vector<std::string> extensions, std::filesystem::path start,
+  void show(Purpose purpose, std::string title, std::vector<std::string> extensions, const std::filesystem::path& start,
             std::vector<Place> places);
   bool isOpen() const { return open_; }
 

@@ -195,7 +195,7 @@ std::optional<Draft> painted(const Draft& draft, const Table& table, CrossingInd
     if (table.part == DraftPart::tieUp && (line < 0 || line >= table.lines)) continue;
     line = wrap(line, table.lines);
     if (hasNumber(edited ? *edited : draft, table.part, line, number) == value) continue;
-    Draft now = edited ? std::move(*edited) : draft;
+    Draft now = edited ? std::move(*edited) : Draft(draft);
     edited = value && alone ? withOnlyNumber(std::move(now), table.part, line, number)
                             : withNumber(std::move(now), table.part, line, number, value);
   }

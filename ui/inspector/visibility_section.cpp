@@ -20,7 +20,8 @@ void drawSquares(Ui& ui, const VisibilityModel& model) {
   ImGui::PushFont(ui.fonts.small);
   const float label = ImGui::GetFontSize() + ui.px(2), row = side + label + ui.px(4);
   for (int i = 0; i < count; ++i) {
-    const auto x = static_cast<float>(i % model.columns), y = static_cast<float>(i / model.columns);
+    const int column = i % model.columns, line = i / model.columns;
+    const auto x = static_cast<float>(column), y = static_cast<float>(line);
     const ImVec2 min(corner.x + x * (side + gap), corner.y + y * row), max(min.x + side, min.y + side);
     draw.AddRectFilled(min, max, packed(ui.theme.field));
     if (model.picture)

@@ -66,14 +66,14 @@ ColourFile readColourFile(const std::string& file) {
   if (!isSwatchFile(file)) return colourFile(readPalette(file));
   try {
     return colourFile(readSwatches(file), file);
-  } catch (const InputError&) {
+  } catch (const InputError& asMeasurement) {
     // Its ending may be that of a table of codes too. Where it is neither, what is wrong with the measurement is said.
     if (!isPaletteFile(file)) throw;
     try {
       return colourFile(readPalette(file));
     } catch (const InputError&) {
+      throw InputError(asMeasurement);
     }
-    throw;
   }
 }
 

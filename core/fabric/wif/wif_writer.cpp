@@ -38,7 +38,7 @@ class Writer {
  public:
   void head(const WifDocument& document) {
     add("WIF", {"Version=1.1", "Date=April 20, 1997", "Developers=wif@mhsoft.com", "Source Program=Loomlight",
-                "Source Version=" LOOMLIGHT_VERSION});
+                std::string("Source Version=") + LOOMLIGHT_VERSION});
     if (!document.title.empty()) add("TEXT", {"Title=" + quotedWhereNeeded(document.title)});
     const Draft& draft = document.draft;
     add("WEAVING", {fmt::format("Shafts={}", draft.shafts), fmt::format("Treadles={}", draft.treadles),
