@@ -1,5 +1,5 @@
 #version 330 core
-// Linear, premultiplied light to the display: exposure, shoulder, sRGB. The same as toDisplay() in render/film/tone.cpp,
+// Linear, premultiplied light to the display: exposure, shoulder, sRGB. The same as toDisplay() in render/colour/tone.cpp,
 // so that a PNG looks like the viewport. Exposure never costs a new picture.
 in vec2 uv;
 out vec4 display;

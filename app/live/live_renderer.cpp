@@ -99,7 +99,7 @@ struct LiveRenderer::Workers {
   bool buildMayBeCancelled = true;  // not twice in a row, or a steady drag would never show a new volume
   std::optional<LensRequest> lens;
   std::shared_ptr<const Scene> scene;  // the newest that could be built; only the builder changes it
-  std::shared_ptr<const Scene> woven;  // likewise, or a first look at one under way whose yarns are no sketches
+  std::shared_ptr<const Scene> woven;  // the newest whose yarns are final, though bricks of it may still be missing
 
   // The builder's:
   RecentCloths recent{recentBytes()};

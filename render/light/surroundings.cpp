@@ -10,6 +10,10 @@
 #include "core/base/units.h"
 #include "render/light/lat_long.h"
 
+// How it works. Each of the surroundings is a function of direction, averaged over the texels of a map of all
+// directions, and scaled such that white paper that lies in it has radiance 1. A room is a box with one luminous
+// rectangle: its walls are lit straight from that, by a sum over patches of it, and by each other alike everywhere.
+
 namespace loomlight {
 namespace {
 

@@ -10,6 +10,12 @@
 #include "render/media/cloth_walk.h"
 #include "render/scene/fibre_bricks.h"
 
+// How it works. Every path is of one of two groups, each with a batch of its own: through the volume, or among
+// explicit fibres. Its first flight decides, by how wide a pixel is where the ray comes to the cloth, and between
+// two widths by a number drawn from a copy of the path's own, so that the volume's paths are the same as if nobody
+// had asked. From afar all are of the volume, and its batch is handed on as it is; else calls are divided by group
+// and the answers put together.
+
 namespace loomlight {
 namespace {
 

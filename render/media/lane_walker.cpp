@@ -2,6 +2,12 @@
 
 #include <algorithm>
 
+// How it works. Each lane of the kernel (render/walk) holds one ray, and the kernel returns as soon as any of them
+// needs more than voxels. Here such a ray is served: at the end of a cell it gets the next one with the bricks that
+// reach into it, at the end of a tetrahedron of the shell the next segment with its frame, and when it has met a
+// fibre or left, what it found is told and the lane takes the next ray of the batch. Lanes without a ray stay masked
+// until the batch is over.
+
 namespace loomlight {
 namespace {
 

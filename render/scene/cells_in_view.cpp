@@ -5,6 +5,9 @@
 
 #include "render/scene/shell_entry.h"
 
+// How it works. A coarse grid of rays through the picture says where on the cloth each first meets it; the rectangle
+// of cells about these places, with a margin of one interval of the grid and one cell, is what can be seen.
+
 namespace loomlight {
 
 CellRect cellsInView(const Camera& camera, double aspect, const ClothGeometry& geometry, const Shell& shell,

@@ -9,6 +9,10 @@
 #include "core/base/error.h"
 #include "render/scene/fibre_bricks.h"
 
+// How it works. How many segments a crossing takes is measured on one repeat; from that follow the memory of the
+// whole piece, of the fewest repeats that look like it, and of bricks of distinct cells. Where no extent is asked
+// for, the first of piece, bricks and (on a flat drape) repeats that fits into the limit is taken.
+
 namespace loomlight {
 namespace {
 

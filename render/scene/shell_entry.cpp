@@ -8,6 +8,11 @@
 
 #include "render/scene/embree.h"
 
+// How it works. Embree holds the triangles of the shell's boundary. The first of them that a ray enters through, and
+// behind which the walk of tetrahedra agrees that there is cloth, is where it comes in; a filter refuses the others.
+// Embree and the walk compute with different roundings, so a ray begins a little behind its origin, and one that
+// leaves cloth that it never entered, having slipped between two triangles, is tried again a little aside.
+
 namespace loomlight {
 namespace {
 

@@ -4,6 +4,11 @@
 #include "core/base/parallel.h"
 #include "render/share/shared_picture.h"
 
+// How it works. Two pictures of the same are blended: that of cells, which has little noise and an error of its own,
+// and the film, which has noise alone. How large the cells' error is, is estimated over the whole picture by how
+// much further the two are apart than the film's noise explains. A pixel then trusts the film by that error over
+// error and noise, and after so many samples alone.
+
 namespace loomlight {
 namespace {
 

@@ -9,6 +9,13 @@
 #include "render/colour/nearest_colour.h"
 #include "render/transport/path_light.h"
 
+// How it works. A walk through the cloth is known by its lengths inside each material, so its light is a product of
+// exponentials of the absorptions, and the colour of the cloth a mean of those over all walks. As a function of one
+// absorption, in one channel or band, that mean falls from what undyed fibres give to what black ones do: so each
+// wanted value between the two has one absorption, found by Newton's method on the logarithm. Where a fibre is dyed
+// in several materials at once, their lengths add up. Wanted values out of reach are first brought to the nearest
+// that is.
+
 namespace loomlight {
 namespace {
 

@@ -8,6 +8,12 @@
 #include "core/geometry/cloth_geometry.h"
 #include "render/transport/path_tracer.h"
 
+// How it works. Each direction of the half-dome has an orthographic camera that sees the same square of cloth, of
+// whole repeats where they are few. Pixels are of one size in all of these pictures, so the more a camera slants,
+// the fewer rows of them it has. Paths are those of a picture, spread evenly over the pixels, and the mean over all
+// is the radiance in that direction. The patch of cloth is so wide that neither the steepest camera nor light that
+// travels sideways in it comes to an edge.
+
 namespace loomlight {
 namespace {
 

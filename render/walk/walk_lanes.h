@@ -46,7 +46,7 @@ struct WalkField {
 /// Why a ray stopped.
 enum class WalkStop : int32_t {
   none,         ///< it goes on; lanes without a ray have any other
-  met,          ///< its optical depth is used up: LaneOutput says where
+  met,          ///< its optical depth is used up: tMet, ahead, whole and middle say where
   leftCell,     ///< it stands at a voxel beyond its cell
   leftSegment,  ///< it came to the end of its segment
 };

@@ -6,6 +6,12 @@
 #include <cstdint>
 #include <vector>
 
+// How it works. The smallest repeat of the weave is cut into groups of neighbouring ends that weave alike. Where
+// each group is the inverse of the one before it, the weave is of the plain kind (1); where each is the one before
+// it, so many picks later, it is a twill (2), or a sateen (3) where every end binds once and the step is no
+// neighbour's. The code then has the kind, the floats of the first end, the ends of a group, and the step; all other
+// weaves have none.
+
 namespace loomlight {
 namespace {
 

@@ -4,6 +4,10 @@
 
 #include "core/fabric/yarn/derived.h"
 
+// How it works. Every thread is a ring of crossings, cut where it changes sides: each part is a float, whose length
+// follows from the sett. The longest are kept by cutting a growing list down to a few now and then, so that a
+// jacquard of millions of floats takes no more memory than a plain cloth.
+
 namespace loomlight {
 namespace {
 

@@ -4,6 +4,11 @@
 #include <bit>
 #include <utility>
 
+// How it works. Components are fitted and encoded eight at a time. Their density is rounded, so each loses or gains
+// some length of fibre. The sum of that is given back at the end, the longest components first: one step of density
+// to those that were rounded the wrong way, and then, where anything is left, a few more to any. Lists by exponent
+// of the length, made on the way, stand in for sorting.
+
 namespace loomlight {
 
 ComponentEncoder::ComponentEncoder() {

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 
+// How it works. A yarn of the repeat comes again every repeat of the weave, in a phase of its twist that moves on by
+// the repeat's length each time, modulo the yarn's period. So the counts of its first cell are made once, by phase,
+// and those of every other cell are the same so many phases further on.
+
 namespace loomlight {
 namespace {
 

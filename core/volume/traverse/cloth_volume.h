@@ -45,8 +45,8 @@ class ClothVolume {
   /// Builds the volume, reusing the bricks of `previous` (may be null) where grid, yarns and keys agree, and what its
   /// tile maps have in common with the new ones. The same, brick for brick, as without. Returns null when
   /// stopped. Throws InputError where the distinct bricks would take more than kMaxBytes. `look` (may be null) is shown
-  /// a draft once all that is seen has a brick of its shape, and another when what is seen is as it will be, as far as
-  /// it wants them; the rest is made last. The volume is the same without.
+  /// a first volume when every cell in view has a brick of its shape in any phase, and a second when every cell in view
+  /// has its own, as far as it wants them; cells out of view come last. The volume is the same without.
   static std::shared_ptr<const ClothVolume> build(std::shared_ptr<const ClothGeometry> geometry, int resolution,
                                                   const Task& task, const ClothVolume* previous = nullptr,
                                                   const PreviewSink* look = nullptr);

@@ -5,6 +5,10 @@
 
 #include "core/fabric/model/yarn_count.h"
 
+// How it works. What local visibility depends on is copied from the fabric and nothing else: the corner of a large
+// weave, yarns of one shape as one yarn, a mean fibre, white light. The patch of it is some whole repeats wide, and
+// is cut down until its fibres are few enough to be traced one by one.
+
 namespace loomlight {
 namespace {
 
