@@ -254,12 +254,26 @@ std::vector<Colourway> readColourways(json value, const Place& place) {
   return colourways;
 }
 
+std::vector<int> readWholes(const json& value, int most, const char* expected, const Place& place) {
+  const json::array_t& list = readList(value, expected, place);
+  std::vector<int> numbers;
+  numbers.reserve(list.size());
+  for (size_t i = 0; i < list.size(); ++i) numbers.push_back(readWhole(list[i], 0, most, place.at(i)));
+  return numbers;
+}
+
 std::vector<int> readSequence(const json& value, const Place& place) {
-  const json::array_t& list = readList(value, "a list of yarn numbers", place);
-  std::vector<int> sequence;
-  sequence.reserve(list.size());
-  for (size_t i = 0; i < list.size(); ++i) sequence.push_back(readWhole(list[i], 0, kMaxKinds - 1, place.at(i)));
-  return sequence;
+  return readWholes(value, kMaxKinds - 1, "a list of yarn numbers", place);
+}
+
+MillData readMill(json value, const Place& place) {
+  ObjectReader reader(std::move(value), place);
+  MillData mill;
+  reader.takeFields(mill);
+  if (const auto v = reader.take("ends_per_dent"))
+    mill.endsPerDent = readWholes(*v, MillData::kMostInDent, "a list of numbers of ends", place.at("ends_per_dent"));
+  mill.unknown = reader.rest();
+  return mill;
 }
 
 Weave readWeave(const json& value, const Place& place) {
@@ -378,6 +392,7 @@ Fabric fabricFromJson(std::string_view text, const std::string& sourceName) {
   if (auto v = reader.take("yarns")) fabric.yarns = readObjects<Yarn>(std::move(*v), place.at("yarns"));
   if (auto v = reader.take("fibres")) fabric.fibres = readObjects<Fibre>(std::move(*v), place.at("fibres"));
   if (auto v = reader.take("colourways")) fabric.colourways = readColourways(std::move(*v), place.at("colourways"));
+  if (auto v = reader.take("mill")) fabric.mill = readMill(std::move(*v), place.at("mill"));
   if (auto v = reader.take("drape")) fabric.drape = readObject<Drape>(std::move(*v), place.at("drape"));
   if (auto v = reader.take("light")) fabric.light = readObject<Light>(std::move(*v), place.at("light"));
   if (auto v = reader.take("camera")) fabric.camera = readObject<Camera>(std::move(*v), place.at("camera"));

@@ -138,6 +138,14 @@ Json colourwaySchema() {
   return colourway;
 }
 
+Json millSchema() {
+  Json mill = objectOf<MillData>("What the mill writes beside the draft. No picture depends on it.");
+  Json denting = listOf(ranged("integer", 0, MillData::kMostInDent), words::endsPerDent.help, 1, MillData::kMostDents);
+  denting["default"] = MillData{}.endsPerDent;
+  mill["properties"]["ends_per_dent"] = std::move(denting);
+  return mill;
+}
+
 Json wifSchema() {
   Json wif = objectOf<WifOrigin>("Of a fabric that came from a WIF draft: what else that said.");
   wif["properties"]["lines"] = listOf({{"type", "string"}}, "The rest of the WIF draft, as it would stand there.");
@@ -163,6 +171,7 @@ Json schema() {
   properties["yarns"] = listOf(objectOf<Yarn>("A yarn."), "The yarns, which sequences number from 0.", 1, kMaxKinds);
   properties["fibres"] = listOf(objectOf<Fibre>("A fibre."), "The fibres, which yarns number from 0.", 1, kMaxKinds);
   properties["colourways"] = listOf(colourwaySchema(), "The colourways that the fabric keeps.", 0, kMaxKinds);
+  properties["mill"] = millSchema();
   properties["drape"] = objectOf<Drape>("What the cloth lies on.");
   properties["light"] = objectOf<Light>("What shines on it.");
   properties["camera"] = objectOf<Camera>("From where it is seen.");

@@ -110,6 +110,14 @@ Json colourwaysToJson(const std::vector<Colourway>& colourways) {
   return json;
 }
 
+Json millToJson(const MillData& mill) {
+  Json json = Json::object();
+  addFields(json, mill);
+  json["ends_per_dent"] = mill.endsPerDent;
+  addUnknown(json, mill.unknown);
+  return json;
+}
+
 Json weaveToJson(const Weave& weave) {
   Json json = Json::array();
   for (int p = weave.picks() - 1; p >= 0; --p) {
@@ -158,6 +166,7 @@ std::string fabricToJson(const Fabric& fabric) {
   json["yarns"] = listToJson(fabric.yarns);
   json["fibres"] = listToJson(fabric.fibres);
   if (!fabric.colourways.empty()) json["colourways"] = colourwaysToJson(fabric.colourways);
+  if (fabric.mill != MillData{} || fabric.mill.unknown) json["mill"] = millToJson(fabric.mill);
   json["drape"] = objectToJson(fabric.drape);
   json["light"] = objectToJson(fabric.light);
   json["camera"] = objectToJson(fabric.camera);

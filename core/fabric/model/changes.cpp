@@ -90,7 +90,7 @@ Changes changes(const Fabric& before, const Fabric& after) {
   // The eye carries the headlight; no other lamp moves with it.
   if (after.light.kind != LightKind::headlight) changes.stages -= Stage::light;
   changes.stages |= between(before, after) | between(before.drape, after.drape) | between(before.light, after.light) |
-                    between(before.render, after.render);
+                    between(before.render, after.render) | between(before.mill, after.mill);
   compareMaterials(before, after, changes);
   compareThreads(before, after, changes);
   if (!(before.weave == after.weave)) {

@@ -33,6 +33,9 @@ bool operator==(const Yarn& a, const Yarn& b) {
 bool operator==(const Colourway& a, const Colourway& b) {
   return equalFields(a, b) && a.absorption_per_mm == b.absorption_per_mm;
 }
+bool operator==(const MillData& a, const MillData& b) {
+  return equalFields(a, b) && a.endsPerDent == b.endsPerDent;
+}
 bool operator==(const Drape& a, const Drape& b) {
   return equalFields(a, b);
 }
@@ -62,7 +65,7 @@ bool operator==(const WifOrigin& a, const WifOrigin& b) {
 bool operator==(const Fabric& a, const Fabric& b) {
   return equalFields(a, b) && a.weave == b.weave && a.draft == b.draft && a.warpSequence == b.warpSequence &&
          a.weftSequence == b.weftSequence && a.yarns == b.yarns && a.fibres == b.fibres &&
-         a.colourways == b.colourways && a.drape == b.drape && a.light == b.light && a.camera == b.camera &&
+         a.colourways == b.colourways && a.mill == b.mill && a.drape == b.drape && a.light == b.light && a.camera == b.camera &&
          a.render == b.render && (a.wif == b.wif || (a.wif && b.wif && *a.wif == *b.wif));
 }
 

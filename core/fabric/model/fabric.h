@@ -8,6 +8,7 @@
 
 #include "core/base/units.h"
 #include "core/fabric/model/absorption.h"
+#include "core/fabric/model/mill_data.h"
 #include "core/fabric/model/unknown_keys.h"
 #include "core/fabric/model/weave.h"
 
@@ -165,6 +166,7 @@ struct Fabric {
   std::vector<Yarn> yarns{Yarn{}};     ///< 1..64
   std::vector<Fibre> fibres{Fibre{}};  ///< 1..64
   std::vector<Colourway> colourways;   ///< 0..64, to choose from: the cloth has its fibres' own colours
+  MillData mill;
   Drape drape;
   Light light;
   Camera camera;

@@ -203,6 +203,31 @@ struct FieldTable<Colourway> {
 };
 
 template <>
+struct FieldTable<MillData> {
+  using enum Stage;
+  static constexpr auto fields = std::make_tuple(
+      Field{&MillData::reed_per_10cm,
+            {label, "reed_per_10cm", words::reed.label, "dents/10 cm", 0, 1000, words::reed.help}},
+      Field{&MillData::loomEnds_per_cm,
+            {label, "loom_ends_per_cm", words::loomEnds.label, "/cm", 0, 500, words::loomEnds.help}},
+      Field{&MillData::loomPicks_per_cm,
+            {label, "loom_picks_per_cm", words::loomPicks.label, "/cm", 0, 500, words::loomPicks.help}},
+      Field{&MillData::washedEnds_per_cm,
+            {label, "washed_ends_per_cm", words::washedEnds.label, "/cm", 0, 500, words::washedEnds.help}},
+      Field{&MillData::washedPicks_per_cm,
+            {label, "washed_picks_per_cm", words::washedPicks.label, "/cm", 0, 500, words::washedPicks.help}},
+      Field{&MillData::selvedgeEnds,
+            {label, "selvedge_ends", words::selvedgeEnds.label, "each side", 0, 1000, words::selvedgeEnds.help}},
+      Field{&MillData::selvedgeYarn,
+            {label, "selvedge_yarn", words::selvedgeYarn.label, "", 0, 63, words::selvedgeYarn.help}},
+      Field{&MillData::selvedgeEndsPerDent,
+            {label, "selvedge_ends_per_dent", words::selvedgeDenting.label, "", 1, MillData::kMostInDent,
+             words::selvedgeDenting.help}},
+      Field{&MillData::selvedgeWeave,
+            {label, "selvedge_weave", words::selvedgeWeave.label, "", 0, 0, words::selvedgeWeave.help}});
+};
+
+template <>
 struct FieldTable<Fabric> {
   using enum Stage;
   static constexpr auto fields = std::make_tuple(

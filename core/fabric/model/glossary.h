@@ -161,6 +161,45 @@ inline constexpr Word clothCover{
     "Both together, less what lies over each other: K1 + K2 - K1 K2 / 28. The cover of the status bar is another "
     "figure: the share of the area that yarns hide, seen from straight above."};
 inline constexpr Word longestWarpFloat{
+
+// Reed, selvedges and the states of the cloth
+inline constexpr Word reed{
+    "Reed",
+    "Dents on 10 cm of the reed; 0 where it is not said. With the ends per dent it says how far "
+    "apart the warp is set in the loom. The picture does not change by it: it shows the finished "
+    "cloth at its own sett."};
+inline constexpr Word endsPerDent{
+    "Ends per dent",
+    "Ends in one dent after the other, repeating: 2, or 3 3 0, where 0 is an empty dent. The picture shows all ends "
+    "evenly apart: reed marks and the gaps of empty dents are not modelled."};
+inline constexpr Word reedState{
+    "In the reed",
+    "Ends as reed and denting set them. A figure with ~ is reckoned back from the crimp: the weft is laid in straight, "
+    "and the warp is stretched straight, if the yarn itself does not shrink in finishing."};
+inline constexpr Word loomState{
+    "Loom state",
+    "Grey cloth, off the loom and before finishing. It lies between the sett in the reed and the finished one and "
+    "cannot be reckoned: how it was stretched and shrunk in finishing is not known. Enter what the mill has counted."};
+inline constexpr Word finishedState{"Finished", "The cloth of the picture, at the sett above."};
+inline constexpr Word washedState{
+    "Washed",
+    "After washing and drying. Where Pressing is 0, the cloth of the picture is washed and relaxed already; else enter "
+    "what the mill or its laboratory has counted (ISO 5077)."};
+inline constexpr Word loomEnds{"Loom-state ends", "Ends on 1 cm of grey cloth, as the mill counts them; 0: not said."};
+inline constexpr Word loomPicks{"Loom-state picks",
+                                "Picks on 1 cm of grey cloth, as the mill counts them; 0: not said."};
+inline constexpr Word washedEnds{"Washed ends", "Ends on 1 cm after washing and drying, as counted; 0: not said."};
+inline constexpr Word washedPicks{"Washed picks", "Picks on 1 cm after washing and drying, as counted; 0: not said."};
+inline constexpr Word selvedgeEnds{"Selvedge ends",
+                                   "Ends of the selvedge on each side, beside those of the cloth. The picture is of "
+                                   "cloth without selvedges."};
+inline constexpr Word selvedgeYarn{"Selvedge yarn",
+                                   "What the selvedges are warped with: a number in the list of yarns, from 0."};
+inline constexpr Word selvedgeDenting{"Selvedge per dent", "Ends of the selvedge in one dent."};
+inline constexpr Word selvedgeWeave{"Selvedge weave",
+                                    "What binds the selvedges, as the mill calls it: plain, 2/2 rib, tucked in."};
+
+// What follows for the cloth
     "Longest warp float", "The most picks that an end passes over or under without interlacing: long floats snag."};
 inline constexpr Word longestWeftFloat{
     "Longest weft float", "The most ends that a pick passes over or under without interlacing: long floats snag."};

@@ -48,6 +48,19 @@ void checkColourway(const Colourway& colourway, const Place& place) {
     check(fieldInfo(&Fibre::absorption_per_mm), colourway.absorption_per_mm[i], colours.at(i));
 }
 
+void checkMill(const MillData& mill, size_t yarns, const Place& place) {
+  checkFields(mill, place);
+  const Place denting = place.at("ends_per_dent");
+  checkSize(mill.endsPerDent.size(), MillData::kMostDents, "dents", denting);
+  int all = 0;
+  for (size_t i = 0; i < mill.endsPerDent.size(); ++i) {
+    check(FieldInfo{{}, "", "", "", 0, MillData::kMostInDent}, mill.endsPerDent[i], denting.at(i));
+    all += mill.endsPerDent[i];
+  }
+  if (all == 0) denting.reject("a dent that is not empty", "none");
+  if (mill.selvedgeYarn) checkIndex(*mill.selvedgeYarn, yarns, "yarn", place.at("selvedge_yarn"));
+}
+
 void checkDrape(const Drape& drape, const Place& place) {
   checkFields(drape, place);
   if (drape.kind == DrapeKind::mesh && drape.file.empty())
@@ -144,6 +157,7 @@ void validate(const Fabric& fabric, const std::string& source) {
   if (fabric.colourways.size() > kMaxKinds)
     colourways.reject(fmt::format("at most {} colourways", kMaxKinds), fmt::format("{}", fabric.colourways.size()));
   for (size_t i = 0; i < fabric.colourways.size(); ++i) checkColourway(fabric.colourways[i], colourways.at(i));
+  checkMill(fabric.mill, fabric.yarns.size(), place.at("mill"));
   checkDrape(fabric.drape, place.at("drape"));
   checkLight(fabric.light, place.at("light"));
   checkFields(fabric.camera, place.at("camera"));

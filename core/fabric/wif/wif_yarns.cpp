@@ -120,6 +120,7 @@ std::vector<WifYarn> dress(Fabric& fabric, const std::vector<Kind>& warp, const 
     for (const Kind& kind : kinds) yarns.push_back(yarnOf.at(kind));
     return shortest(std::move(yarns));
   };
+  fabric.mill.selvedgeYarn.reset();  // it was the number of one of my yarns
   fabric.warpSequence = sequence(warp);
   fabric.weftSequence = sequence(weft);
   return given;

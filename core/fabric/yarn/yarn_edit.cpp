@@ -1,6 +1,7 @@
 #include "core/fabric/yarn/yarn_edit.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -54,6 +55,9 @@ Fabric withoutYarn(Fabric fabric, int index) {
   for (std::vector<int>* sequence : {&fabric.warpSequence, &fabric.weftSequence})
     for (int& yarn : *sequence)
       if (yarn > index) --yarn;
+  std::optional<int>& selvedge = fabric.mill.selvedgeYarn;
+  if (selvedge == index) selvedge.reset();
+  if (selvedge > index) --*selvedge;
   // The later one first, so that the other keeps its place until then.
   const int first = gone.fibre, second = gone.blendFibre.value_or(first);
   dropUnusedFibre(fabric, std::max(first, second));

@@ -281,6 +281,7 @@ TEST_P(FieldStages, OfWhatIsNoConstruction) {
     });
   };
   expectLabels(Draft{}, [](Fabric& fabric) -> Draft& { return *fabric.draft; });
+  expectLabels(MillData{}, [](Fabric& fabric) -> MillData& { return fabric.mill; });
   expectLabels(Colourway{}, [](Fabric& fabric) -> Colourway& { return fabric.colourways[0]; });
   expectLabels(WifOrigin{}, [](Fabric& fabric) -> WifOrigin& {
     const auto origin = std::make_shared<WifOrigin>(*fabric.wif);

@@ -64,6 +64,13 @@ TEST(FabricJson, EveryValueComesBack) {
   f.colourways.resize(2);
   f.colourways[0].name = "Rust";
   f.colourways[0].absorption_per_mm = {Rgb(0.1f, 20, 30), Rgb(1, 2, 3)};
+  f.mill.reed_per_10cm = 118.5;
+  f.mill.endsPerDent = {3, 3, 0};
+  f.mill.loomEnds_per_cm = 22;
+  f.mill.washedPicks_per_cm = 0.25;
+  f.mill.selvedgeEnds = 24;
+  f.mill.selvedgeYarn = 1;
+  f.mill.selvedgeWeave = "tucked in";
   f.drape.kind = DrapeKind::mesh;
   f.drape.file = "folds.obj";
   f.light.kind = LightKind::environment;

@@ -44,6 +44,7 @@ TEST(FabricSchema, HasEveryKeyOfTheTables) {
   expectTable<Fibre>(properties["fibres"]["items"]);
   expectTable<Colourway>(properties["colourways"]["items"]);
   expectTable<Draft>(properties["draft"]);
+  expectTable<MillData>(properties["mill"]);
   expectTable<Drape>(properties["drape"]);
   expectTable<Light>(properties["light"]);
   expectTable<Camera>(properties["camera"]);

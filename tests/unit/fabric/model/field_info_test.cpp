@@ -16,7 +16,7 @@ static_assert(fieldInfo(&Fabric::ends_per_cm).min == 0.2);
 
 template <class T>
 class FieldTableOf : public testing::Test {};
-using Tables = testing::Types<Dyestuff, Fibre, Yarn, Drape, Light, Camera, RenderSettings, Draft, Fabric>;
+using Tables = testing::Types<Dyestuff, Fibre, Yarn, Drape, Light, Camera, RenderSettings, Draft, MillData, Fabric>;
 TYPED_TEST_SUITE(FieldTableOf, Tables);
 
 TYPED_TEST(FieldTableOf, KeysAreUniqueAndEveryEntryIsExplained) {
@@ -61,6 +61,8 @@ TEST(FieldTables, CoverEveryMember) {
   [[maybe_unused]] const auto& [y1, y2, y3, y4, y5, y6, y7, y8, y9, y10, y11, y12, y13, y14, y15, y16, y17, y18, y19,
                                 y20, y21, yu] = Yarn{};
   EXPECT_EQ(count(Yarn{}), 21);
+  [[maybe_unused]] const auto& [m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, mu] = MillData{};
+  EXPECT_EQ(count(MillData{}), 9) << "the denting is a list, and no plain field";
   [[maybe_unused]] const auto& [d1, d2, d3, d4, d5, d6, du] = Drape{};
   EXPECT_EQ(count(Drape{}), 6);
   [[maybe_unused]] const auto& [l1, l2, l3, l4, l5, l6, l7, l8, l9, lu] = Light{};

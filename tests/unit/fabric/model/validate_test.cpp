@@ -83,6 +83,7 @@ void probeRanges(const std::function<Object&(Fabric&)>& part) {
 TEST(Validate, HoldsEveryNumberToItsRange) {
   probeRanges<Fabric>([](Fabric& f) -> Fabric& { return f; });
   probeRanges<Drape>([](Fabric& f) -> Drape& { return f.drape; });
+  probeRanges<MillData>([](Fabric& f) -> MillData& { return f.mill; });
   probeRanges<Light>([](Fabric& f) -> Light& { return f.light; });
   probeRanges<Camera>([](Fabric& f) -> Camera& { return f.camera; });
   probeRanges<RenderSettings>([](Fabric& f) -> RenderSettings& { return f.render; });
@@ -99,6 +100,18 @@ TEST(Validate, IndicesNameSomething) {
   EXPECT_NE(complaintAfter([](Fabric& f) { f.weftSequence = {-1}; }), "");
   EXPECT_EQ(complaintAfter([](Fabric& f) { f.yarns[0].fibre = 1; }),
             "cloth.json: yarns[0].fibre: expected the number of a fibre from 0 to 0, got 1");
+}
+
+TEST(Validate, DentsHoldEndsAndSelvedgesAYarnThatIsThere) {
+  EXPECT_EQ(complaintAfter([](Fabric& f) { f.mill.endsPerDent = {3, 3, 0}; }), "");
+  EXPECT_EQ(complaintAfter([](Fabric& f) { f.mill.endsPerDent = {0, 0}; }),
+            "cloth.json: mill.ends_per_dent: expected a dent that is not empty, got none");
+  EXPECT_EQ(complaintAfter([](Fabric& f) { f.mill.endsPerDent = {2, 65}; }),
+            "cloth.json: mill.ends_per_dent[1]: expected a whole number from 0 to 64, got 65");
+  EXPECT_NE(complaintAfter([](Fabric& f) { f.mill.endsPerDent.clear(); }), "");
+  EXPECT_EQ(complaintAfter([](Fabric& f) { f.mill.selvedgeYarn = 0; }), "");
+  EXPECT_EQ(complaintAfter([](Fabric& f) { f.mill.selvedgeYarn = 1; }),
+            "cloth.json: mill.selvedge_yarn: expected the number of a yarn from 0 to 0, got 1");
 }
 
 TEST(Validate, SizesAreBounded) {

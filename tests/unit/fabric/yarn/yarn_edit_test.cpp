@@ -28,6 +28,16 @@ TEST(YarnEdit, AYarnThatGoesTakesItsOwnFibresAlong) {
   EXPECT_EQ(withoutYarn(fabric, 0).fibres.size(), 4u);
 }
 
+TEST(YarnEdit, SelvedgesKeepTheirYarnOrGoOnWithTheWarp) {
+  Fabric fabric;
+  fabric.yarns = {Yarn{}, Yarn{}, Yarn{}};
+  fabric.mill.selvedgeYarn = 2;
+  EXPECT_EQ(withoutYarn(fabric, 1).mill.selvedgeYarn, 1);
+  EXPECT_EQ(withoutYarn(fabric, 2).mill.selvedgeYarn, std::nullopt);
+  fabric.mill.selvedgeYarn = 0;
+  EXPECT_EQ(withoutYarn(fabric, 2).mill.selvedgeYarn, 0);
+}
+
 TEST(YarnEdit, AFibreThatOthersAreSpunOfStaysTheirs) {
   Fabric fabric;
   fabric.fibres = {Fibre{}};
