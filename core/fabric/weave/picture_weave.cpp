@@ -4,7 +4,10 @@
 #include <cassert>
 #include <limits>
 
-// How it works. A picture with no more colours than are wanted keeps them. Else the colours are counted in bins, and
+#include "core/fabric/weave/picture_rims.h"
+
+// How it works. A picture with no more colours than are wanted keeps them. Else the colours of its areas are counted in
+// bins, without the mixtures on their rims (picture_rims.h), and
 // the palette is found among the bins by k-means with a fixed beginning: the commonest bin first, then always the bin
 // that the centres so far stand for worst, weighted by how common it is; then Lloyd's iteration. Each pixel gets the
 // nearest colour of the palette, and each colour's structure is woven where the pixels have it.
@@ -24,18 +27,6 @@ size_t binOf(const Rgb8& c) {
 }
 
 using Bin = ColourCounts::Bin;
-using Colour = std::array<double, 3>;
-
-Colour exactly(const Rgb8& c) {
-  return {static_cast<double>(c[0]), static_cast<double>(c[1]), static_cast<double>(c[2])};
-}
-
-/// How far apart two colours look, roughly: displayed values, weighted as the eye weighs them.
-double distance2(const Colour& a, const Colour& b) {
-  const double r = a[0] - b[0], g = a[1] - b[1], blue = a[2] - b[2];
-  return 2 * r * r + 4 * g * g + 3 * blue * blue;
-}
-
 double lightness(const Rgb8& c) {
   return 0.299 * c[0] + 0.587 * c[1] + 0.114 * c[2];
 }
@@ -44,8 +35,12 @@ std::vector<Bin> binsOf(const Raster& raster) {
   struct Sum {
     double n = 0, r = 0, g = 0, b = 0;
   };
+  const std::vector<PixelKind> kinds = pixelKinds(raster);
+  const bool hasAreas = std::find(kinds.begin(), kinds.end(), PixelKind::area) != kinds.end();
   std::vector<Sum> sums(kBins);
-  for (const Rgb8& c : raster.pixels) {
+  for (size_t i = 0; i < kinds.size(); ++i) {
+    if (hasAreas && kinds[i] != PixelKind::area) continue;
+    const Rgb8& c = raster.pixels[i];
     Sum& sum = sums[binOf(c)];
     sum.n += 1, sum.r += c[0], sum.g += c[1], sum.b += c[2];
   }
@@ -56,12 +51,12 @@ std::vector<Bin> binsOf(const Raster& raster) {
 }
 
 /// Where to begin: the commonest colour, then always the one that the others stand for worst.
-std::vector<Colour> firstCentres(const std::vector<Bin>& bins, size_t count) {
+std::vector<ExactColour> firstCentres(const std::vector<Bin>& bins, size_t count) {
   std::vector<double> worst(bins.size(), std::numeric_limits<double>::max());
   size_t next = 0;
   for (size_t i = 1; i < bins.size(); ++i)
     if (bins[i].weight > bins[next].weight) next = i;
-  std::vector<Colour> centres;
+  std::vector<ExactColour> centres;
   while (centres.size() < count) {
     centres.push_back(bins[next].mean);
     double most = -1;
@@ -73,7 +68,7 @@ std::vector<Colour> firstCentres(const std::vector<Bin>& bins, size_t count) {
   return centres;
 }
 
-size_t nearest(const std::vector<Colour>& centres, const Colour& colour) {
+size_t nearest(const std::vector<ExactColour>& centres, const ExactColour& colour) {
   size_t best = 0;
   for (size_t i = 1; i < centres.size(); ++i)
     if (distance2(centres[i], colour) < distance2(centres[best], colour)) best = i;
@@ -81,10 +76,10 @@ size_t nearest(const std::vector<Colour>& centres, const Colour& colour) {
 }
 
 /// Lloyd's iteration: every centre moves to the mean of the bins that are nearest to it.
-std::vector<Colour> settled(std::vector<Colour> centres, const std::vector<Bin>& bins) {
+std::vector<ExactColour> settled(std::vector<ExactColour> centres, const std::vector<Bin>& bins) {
   constexpr int kRounds = 24;
   for (int round = 0; round < kRounds; ++round) {
-    std::vector<Colour> sums(centres.size(), Colour{});
+    std::vector<ExactColour> sums(centres.size(), ExactColour{});
     std::vector<double> weights(centres.size(), 0);
     for (const Bin& bin : bins) {
       const size_t c = nearest(centres, bin.mean);
@@ -97,7 +92,7 @@ std::vector<Colour> settled(std::vector<Colour> centres, const std::vector<Bin>&
   return centres;
 }
 
-Rgb8 rounded(const Colour& c) {
+Rgb8 rounded(const ExactColour& c) {
   return {static_cast<uint8_t>(c[0] + 0.5), static_cast<uint8_t>(c[1] + 0.5), static_cast<uint8_t>(c[2] + 0.5)};
 }
 
@@ -162,7 +157,7 @@ std::vector<Rgb8> paletteOf(const ColourCounts& counts, int colours) {
   if (counts.few.size() <= most) palette = counts.few;
   if (palette.empty()) {
     const std::vector<Bin>& bins = counts.bins;
-    for (const Colour& centre : settled(firstCentres(bins, std::min(bins.size(), most)), bins))
+    for (const ExactColour& centre : settled(firstCentres(bins, std::min(bins.size(), most)), bins))
       palette.push_back(rounded(centre));
   }
   std::sort(palette.begin(), palette.end(), darker);
@@ -172,17 +167,21 @@ std::vector<Rgb8> paletteOf(const ColourCounts& counts, int colours) {
 ReducedPicture reduced(const Raster& raster, std::vector<Rgb8> palette) {
   assert(!palette.empty() && palette.size() <= 32);
   ReducedPicture picture{raster.width, raster.height, {}, std::move(palette), {}};
-  std::vector<Colour> centres;
+  std::vector<ExactColour> centres;
   for (const Rgb8& c : picture.palette) centres.push_back(exactly(c));
-  std::vector<int64_t> counts(picture.palette.size(), 0);
+  bool isExact = true;
   picture.colourOf.reserve(raster.pixels.size());
   const Rgb8* last = nullptr;  // neighbours are mostly alike
   for (const Rgb8& c : raster.pixels) {
     const bool again = last && *last == c;
     picture.colourOf.push_back(again ? picture.colourOf.back() : static_cast<uint8_t>(nearest(centres, exactly(c))));
-    ++counts[picture.colourOf.back()];
+    isExact = isExact && (again || picture.palette[picture.colourOf.back()] == c);
     last = &c;
   }
+  // A drawing in these very colours was made pixel by pixel: it may have lines as thin as one.
+  if (!isExact) takeRimsIntoNeighbours(raster, picture.palette, picture.colourOf);
+  std::vector<int64_t> counts(picture.palette.size(), 0);
+  for (const uint8_t colour : picture.colourOf) ++counts[colour];
   for (const int64_t count : counts)
     picture.shares.push_back(static_cast<double>(count) / static_cast<double>(raster.pixels.size()));
   return picture;

@@ -5,12 +5,11 @@
 #include <vector>
 
 #include "core/fabric/model/weave.h"
+#include "core/fabric/weave/picture_colour.h"
 
 namespace loomlight {
 
 /// How a picture becomes a jacquard: few colours, and a structure woven in the place of each.
-
-using Rgb8 = std::array<uint8_t, 3>;  ///< as displayed
 
 /// Pixels row by row from the top left, as pictures are.
 struct Raster {
@@ -31,7 +30,8 @@ struct ReducedPicture {
   std::vector<double> shares;  ///< of the area, 0..1
 };
 
-/// How often each colour occurs: what palettes are made of, so that the pixels are looked at once.
+/// How often each colour occurs: what palettes are made of, so that the pixels are looked at once. The mixed colours
+/// of smooth edges are not among the bins.
 struct ColourCounts {
   struct Bin {
     double weight = 0;                    ///< pixels of nearly one colour
@@ -45,7 +45,8 @@ ColourCounts coloursOf(const Raster& raster);
 /// At most `colours` colours, 1..32, from dark to light: those that leave little difference. A picture that has no more
 /// keeps them as they are. The same picture always gives the same palette.
 std::vector<Rgb8> paletteOf(const ColourCounts& counts, int colours);
-/// Each pixel in the nearest of these colours, 1..32.
+/// Each pixel in the nearest of these colours, 1..32. Where the picture has others, a rim between two areas, which is a
+/// mixture of both, becomes a part of the nearer one.
 ReducedPicture reduced(const Raster& raster, std::vector<Rgb8> palette);
 
 /// One end for each column and one pick for each row, the first pick at the bottom; a pixel is woven as the structure

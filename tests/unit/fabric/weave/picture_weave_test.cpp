@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "core/base/random.h"
@@ -64,6 +66,67 @@ TEST(PictureWeave, SmallerIsTheMeanAndLargerAddsNoColour) {
   EXPECT_EQ(reduced(large, 32).palette, reduced(small(), 32).palette);
   EXPECT_EQ(large.pixels.front(), kWhite);
   EXPECT_EQ(large.pixels.back(), kBlack);
+}
+
+/// A disc on a ground, drawn with smooth edges, beside a stripe.
+Raster smoothDisc(const Rgb8& ground, const Rgb8& disc, const Rgb8& stripe, bool inLinearLight) {
+  constexpr int kSide = 60, kFine = 8;
+  const double power = inLinearLight ? 2.2 : 1;
+  Raster raster{kSide, kSide, {}};
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x) {
+      double sum[3] = {0, 0, 0};
+      for (int i = 0; i < kFine * kFine; ++i) {
+        const double u = x + (i % kFine + 0.5) / kFine, v = y + (i / kFine + 0.5) / kFine;
+        const bool isInside = (u - 25) * (u - 25) + (v - 30) * (v - 30) < 20 * 20;
+        const Rgb8& colour = u > 51.5 ? stripe : isInside ? disc : ground;
+        for (size_t c = 0; c < 3; ++c) sum[c] += std::pow(colour[c] / 255.0, power) / (kFine * kFine);
+      }
+      Rgb8& pixel = raster.pixels.emplace_back();
+      for (size_t c = 0; c < 3; ++c) pixel[c] = static_cast<uint8_t>(std::lround(255 * std::pow(sum[c], 1 / power)));
+    }
+  return raster;
+}
+
+TEST(PictureWeave, TheMixedColoursOfSmoothEdgesAreNoColoursOfTheirOwn) {
+  constexpr Rgb8 kGrey{128, 128, 128}, kTeal{0, 160, 150};
+  struct Drawing {
+    Rgb8 ground, disc, stripe;
+  };
+  for (const bool inLinearLight : {false, true})
+    for (const Drawing& drawing :
+         {Drawing{kWhite, kBlack, kGrey}, Drawing{kBlack, kWhite, kGrey}, Drawing{kRed, kTeal, kWhite}}) {
+      SCOPED_TRACE(inLinearLight);
+      const Raster raster = smoothDisc(drawing.ground, drawing.disc, drawing.stripe, inLinearLight);
+      const ReducedPicture picture = reduced(raster, 6);
+      std::vector<Rgb8> areas{drawing.ground, drawing.disc, drawing.stripe}, found = picture.palette;
+      std::sort(areas.begin(), areas.end());
+      std::sort(found.begin(), found.end());
+      EXPECT_EQ(found, areas) << "six were allowed";
+      int wrong = 0;  // the rim of a black disc on white is no grey line
+      for (int y = 0; y < raster.height; ++y)
+        for (int x = 0; x < 49; ++x)
+          wrong +=
+              picture.palette[picture.colourOf[static_cast<size_t>(y) * 60 + static_cast<size_t>(x)]] == drawing.stripe;
+      EXPECT_EQ(wrong, 0);
+    }
+}
+
+TEST(PictureWeave, SmallerPicturesGetNoColoursBetweenTheirAreas) {
+  constexpr Rgb8 kGrey{128, 128, 128};
+  const Raster raster = smoothDisc(kWhite, kBlack, kGrey, false);
+  const ReducedPicture picture = loomlight::reduced(resampled(raster, 23, 37), {kBlack, kGrey, kWhite});
+  for (int y = 0; y < 37; ++y)
+    for (int x = 0; x < 18; ++x) EXPECT_NE(picture.colourOf[static_cast<size_t>(y) * 23 + x], 1) << x << ' ' << y;
+}
+
+TEST(PictureWeave, ThinLinesOfADrawingMadeOfPixelsStay) {
+  constexpr Rgb8 kGrey{128, 128, 128};
+  Raster raster{9, 4, {}};
+  for (int i = 0; i < 36; ++i) raster.pixels.push_back(i % 9 < 4 ? kBlack : i % 9 == 4 ? kGrey : kWhite);
+  const ReducedPicture picture = reduced(raster, 3);
+  EXPECT_EQ(picture.palette, (std::vector<Rgb8>{kBlack, kGrey, kWhite}));
+  EXPECT_NEAR(picture.shares[1], 1.0 / 9, 1e-12);
 }
 
 TEST(PictureWeave, EachColourIsWovenAsItsStructureIsThere) {
