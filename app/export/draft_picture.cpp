@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "core/base/rgb.h"
+#include "core/fabric/yarn/derived.h"
 #include "core/fabric/yarn/yarn_reflectance.h"
 
 namespace loomlight {
@@ -36,10 +37,13 @@ std::function<Rgb(int pick, int end)> colouring(const Fabric& fabric) {
 
 Pixels8 draftPicture(const Fabric& fabric, int side) {
   constexpr int kFewest = 32;  // crossings a side
-  const int longest = std::max(fabric.weave.ends(), fabric.weave.picks());
-  const int cell = std::max(1, side / std::max(kFewest, longest));
-  const double pitch = std::max(1.0, static_cast<double>(longest) / side) / cell;  // crossings from pixel to pixel
-  const int samples = pitch > 1 ? 16 : 1;
+  const CrossingShape shape = crossingShape(fabric);
+  const double longest = std::max(fabric.weave.ends() * shape.width, fabric.weave.picks() * shape.height);
+  const double unit = side / std::max(static_cast<double>(std::min(kFewest, side)), longest);
+  const bool whole = unit >= 1;  // every crossing has pixels of its own
+  const auto pitch = [&](double length) { return 1 / (whole ? std::round(std::floor(unit) * length) : unit * length); };
+  const double acrossPixel = pitch(shape.width), downPixel = pitch(shape.height);  // crossings from pixel to pixel
+  const int samples = whole ? 1 : 16;
   const auto colourAt = colouring(fabric);
   Pixels8 picture{side, side, 3, {}};
   picture.bytes.reserve(static_cast<size_t>(side) * side * 3);
@@ -49,7 +53,7 @@ Pixels8 draftPicture(const Fabric& fabric, int side) {
       for (int i = 0; i < samples; ++i) {
         // Spread evenly, and in step with no weave (Roberts's sequence).
         const double dx = std::fmod(0.5 + 0.7548776662466927 * i, 1), dy = std::fmod(0.5 + 0.5698402909980532 * i, 1);
-        sum += colourAt(static_cast<int>((y + dy) * pitch), static_cast<int>((x + dx) * pitch));
+        sum += colourAt(static_cast<int>((y + dy) * downPixel), static_cast<int>((x + dx) * acrossPixel));
       }
       const Rgb shown = srgbFromLinear(sum / static_cast<float>(samples));
       for (int c = 0; c < 3; ++c) picture.bytes.push_back(static_cast<uint8_t>(std::lround(255 * shown[c])));

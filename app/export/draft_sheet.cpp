@@ -15,6 +15,7 @@
 #include "core/base/rgb.h"
 #include "core/base/text.h"
 #include "core/fabric/weave/draft_edit.h"
+#include "core/fabric/yarn/derived.h"
 #include "core/fabric/yarn/yarn_reflectance.h"
 
 namespace loomlight {
@@ -26,7 +27,7 @@ using Canvas = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
 /// Lengths in the unit of the surface: points of a page, or pixels.
 struct SheetSize {
   double width = 0, height = 0, margin = 0;
-  double cell = 0;   ///< of a crossing
+  double cell = 0;   ///< of a shaft and a treadle, and the shorter side of a crossing
   double title = 0;  ///< height of the line above, font included
   double hairline = 0;
 };
@@ -39,7 +40,8 @@ struct Window {
 /// The draft and how it is laid out on any page: bars of colour, threading and treadling beside the drawdown.
 class Sheet {
  public:
-  Sheet(const Fabric& fabric, const DraftCorner& corner) : fabric_(fabric), corner_(corner) {
+  Sheet(const Fabric& fabric, const DraftCorner& corner)
+      : fabric_(fabric), corner_(corner), shape_(crossingShape(fabric)) {
     // What nobody could thread is drawn without a threading.
     constexpr LoomLimits kLoom{64, 64};
     draft_ = fabric.draft ? fabric.draft : deriveDraft(fabric.weave, kLoom).draft;
@@ -47,8 +49,20 @@ class Sheet {
   }
 
   /// Cells above and beside the drawdown: threading and treadling with a gap, and a bar of colours.
-  int above() const { return 2 + (draft_ ? draft_->shafts + 1 : 0); }
-  int beside() const { return 2 + columns() + (columns() > 0 ? 1 : 0); }
+  double above() const { return 2 + (draft_ ? draft_->shafts + 1 : 0); }
+  double beside() const { return 2 + columns() + (columns() > 0 ? 1 : 0); }
+  /// Cells that so many ends or picks take with what stands beside them.
+  double across(int ends) const { return beside() + ends * shape_.width; }
+  double down(int picks) const { return above() + picks * shape_.height; }
+  /// How many ends or picks such a length of cells has room for.
+  int endsWithin(double cells) const { return static_cast<int>((cells - beside()) / shape_.width); }
+  int picksWithin(double cells) const { return static_cast<int>((cells - above()) / shape_.height); }
+
+  /// Cells of so many pixels: all crossings get alike.
+  void roundToPixels(double cell) {
+    shape_.width = std::round(shape_.width * cell) / cell;
+    shape_.height = std::round(shape_.height * cell) / cell;
+  }
 
   /// What it is, in numbers.
   std::string figures(const Window& window) const {
@@ -73,24 +87,24 @@ class Sheet {
     cairo_move_to(canvas, size.margin, size.margin + 0.5 * size.title);
     cairo_show_text(canvas, (fabric_.name + "   " + figures(window)).c_str());
     cairo_translate(canvas, size.margin, size.margin + size.title);
-    cairo_scale(canvas, size.cell, size.cell);  // from here on a crossing is 1 x 1
+    cairo_scale(canvas, size.cell, size.cell);
     drawParts(canvas, size, window);
   }
 
-  /// With a crossing of 1 x 1.
+  /// With lengths in cells.
   void drawParts(cairo_t* canvas, const SheetSize& size, const Window& w) const {
     for (int end = w.firstEnd; end < w.firstEnd + w.ends; ++end) {
       setYarn(canvas, fabric_.warpYarn(end));
-      fillCells(canvas, [&] { cairo_rectangle(canvas, xOf(w, end), 0, 1, 1); });
+      fillCells(canvas, [&] { cairo_rectangle(canvas, xOf(w, end), 0, shape_.width, 1); });
     }
     for (int pick = w.firstPick; pick < w.firstPick + w.picks; ++pick) {
       setYarn(canvas, fabric_.weftYarn(pick));
-      fillCells(canvas, [&] { cairo_rectangle(canvas, 0, yOf(w, pick), 1, 1); });
+      fillCells(canvas, [&] { cairo_rectangle(canvas, 0, yOf(w, pick), 1, shape_.height); });
     }
     drawCrossings(canvas, w);
     constexpr int kMostLines = 2000;  // beyond, they would be all that is seen
     const bool ruled = w.ends + w.picks <= kMostLines;
-    if (ruled) drawGrid(canvas, size, 2, above(), w.ends, w.picks);
+    if (ruled) drawGrid(canvas, size, {2, above(), w.ends, w.picks, shape_});
     if (draft_) drawDraft(canvas, size, w, *draft_);
   }
 
@@ -102,11 +116,11 @@ class Sheet {
 
   double xOf(const Window& w, int end) const {
     const int i = end - w.firstEnd;
-    return 2 + (corner_.right ? w.ends - 1 - i : i);
+    return 2 + (corner_.right ? w.ends - 1 - i : i) * shape_.width;
   }
   double yOf(const Window& w, int pick) const {
     const int i = pick - w.firstPick;
-    return above() + (corner_.top ? i : w.picks - 1 - i);
+    return above() + (corner_.top ? i : w.picks - 1 - i) * shape_.height;
   }
 
   void setYarn(cairo_t* canvas, int yarn) const {
@@ -122,24 +136,30 @@ class Sheet {
     cairo_fill(canvas);
   }
 
-  void drawGrid(cairo_t* canvas, const SheetSize& size, double x, double y, int across, int down) const {
+  struct Grid {
+    double x = 0, y = 0;
+    int across = 0, down = 0;
+    CrossingShape square;
+  };
+  void drawGrid(cairo_t* canvas, const SheetSize& size, const Grid& grid) const {
+    const double right = grid.x + grid.across * grid.square.width, below = grid.y + grid.down * grid.square.height;
     const auto lineWidth = [&](int i) { return std::max(i % 4 == 0 ? 0.08 : 0.03, size.hairline / size.cell); };
     const auto setGrey = [canvas](int i) {
       const double grey = i % 4 == 0 ? 0.45 : 0.75;
       cairo_set_source_rgb(canvas, grey, grey, grey);
     };
-    for (int i = 0; i <= across; ++i) {
+    for (int i = 0; i <= grid.across; ++i) {
       setGrey(i);
       cairo_set_line_width(canvas, lineWidth(i));
-      cairo_move_to(canvas, x + i, y);
-      cairo_line_to(canvas, x + i, y + down);
+      cairo_move_to(canvas, grid.x + i * grid.square.width, grid.y);
+      cairo_line_to(canvas, grid.x + i * grid.square.width, below);
       cairo_stroke(canvas);
     }
-    for (int i = 0; i <= down; ++i) {
+    for (int i = 0; i <= grid.down; ++i) {
       setGrey(i);
       cairo_set_line_width(canvas, lineWidth(i));
-      cairo_move_to(canvas, x, y + i);
-      cairo_line_to(canvas, x + across, y + i);
+      cairo_move_to(canvas, grid.x, grid.y + i * grid.square.height);
+      cairo_line_to(canvas, right, grid.y + i * grid.square.height);
       cairo_stroke(canvas);
     }
   }
@@ -152,7 +172,8 @@ class Sheet {
     fillCells(canvas, [&] {
       for (int pick = w.firstPick; pick < w.firstPick + w.picks; ++pick)
         for (int end = w.firstEnd; end < w.firstEnd + w.ends; ++end)
-          if (fabric_.weave.at(pick, end)) cairo_rectangle(canvas, xOf(w, end), yOf(w, pick), 1, 1);
+          if (fabric_.weave.at(pick, end))
+            cairo_rectangle(canvas, xOf(w, end), yOf(w, pick), shape_.width, shape_.height);
     });
   }
 
@@ -163,31 +184,36 @@ class Sheet {
     const int stride = cairo_image_surface_get_stride(picture.get());
     for (int pick = w.firstPick; pick < w.firstPick + w.picks; ++pick)
       for (int end = w.firstEnd; end < w.firstEnd + w.ends; ++end) {
-        const auto x = static_cast<int>(xOf(w, end)) - 2, y = static_cast<int>(yOf(w, pick)) - above();
+        const auto x = std::lround((xOf(w, end) - 2) / shape_.width);
+        const auto y = std::lround((yOf(w, pick) - above()) / shape_.height);
         pixels[static_cast<ptrdiff_t>(y) * stride + x] = fabric_.weave.at(pick, end) ? 255 : 0;
       }
     cairo_surface_mark_dirty(picture.get());
     cairo_set_source_rgb(canvas, kInk, kInk, kInk);
-    cairo_mask_surface(canvas, picture.get(), 2, above());
+    cairo_save(canvas);
+    cairo_translate(canvas, 2, above());
+    cairo_scale(canvas, shape_.width, shape_.height);
+    cairo_mask_surface(canvas, picture.get(), 0, 0);
+    cairo_restore(canvas);
   }
 
   void drawDraft(cairo_t* canvas, const SheetSize& size, const Window& w, const Draft& draft) const {
-    const double top = 2, right = 2 + w.ends + 1;
+    const double top = 2, right = 2 + w.ends * shape_.width + 1;
     const double shafts = draft.shafts;
     cairo_set_source_rgb(canvas, kInk, kInk, kInk);
     fillCells(canvas, [&] {
       for (int end = w.firstEnd; end < w.firstEnd + w.ends; ++end)
         for (const int shaft : draft.threading[static_cast<size_t>(end)])
-          if (shaft >= 1) cairo_rectangle(canvas, xOf(w, end), top + shafts - shaft, 1, 1);
+          if (shaft >= 1) cairo_rectangle(canvas, xOf(w, end), top + shafts - shaft, shape_.width, 1);
     });
     const auto& across = draft.liftplan.empty() ? draft.treadling : draft.liftplan;
     fillCells(canvas, [&] {
       for (int pick = w.firstPick; pick < w.firstPick + w.picks; ++pick)
         for (const int number : across[static_cast<size_t>(pick)])
-          if (number >= 1) cairo_rectangle(canvas, right + number - 1, yOf(w, pick), 1, 1);
+          if (number >= 1) cairo_rectangle(canvas, right + number - 1, yOf(w, pick), 1, shape_.height);
     });
-    drawGrid(canvas, size, 2, top, w.ends, draft.shafts);
-    drawGrid(canvas, size, right, above(), columns(), w.picks);
+    drawGrid(canvas, size, {2, top, w.ends, draft.shafts, {shape_.width, 1}});
+    drawGrid(canvas, size, {right, above(), columns(), w.picks, {1, shape_.height}});
     if (!draft.liftplan.empty()) return;
     cairo_set_source_rgb(canvas, kInk, kInk, kInk);
     fillCells(canvas, [&] {
@@ -195,11 +221,12 @@ class Sheet {
         for (const int shaft : draft.tieUp[treadle])
           if (shaft >= 1) cairo_rectangle(canvas, right + static_cast<double>(treadle), top + shafts - shaft, 1, 1);
     });
-    drawGrid(canvas, size, right, top, draft.treadles, draft.shafts);
+    drawGrid(canvas, size, {right, top, draft.treadles, draft.shafts, {}});
   }
 
   const Fabric& fabric_;
   DraftCorner corner_;
+  CrossingShape shape_;
   std::optional<Draft> draft_;
 };
 
@@ -226,13 +253,12 @@ std::string pdfOf(const Sheet& sheet, const Weave& weave, const std::string& fil
   constexpr double kMillimetre = 72 / 25.4, kLargestCell = 5 * kMillimetre, kLegibleCell = 1.6 * kMillimetre;
   constexpr size_t kMostPages = 40;
   SheetSize size{210 * kMillimetre, 297 * kMillimetre, 12 * kMillimetre, 0, 10 * kMillimetre, 0.15};
-  if (weave.ends() + sheet.beside() > weave.picks() + sheet.above()) std::swap(size.width, size.height);
+  if (sheet.across(weave.ends()) > sheet.down(weave.picks())) std::swap(size.width, size.height);
   const double roomX = size.width - 2 * size.margin, roomY = size.height - 2 * size.margin - size.title;
-  const double whole = std::min(roomX / (weave.ends() + sheet.beside()), roomY / (weave.picks() + sheet.above()));
+  const double whole = std::min(roomX / sheet.across(weave.ends()), roomY / sheet.down(weave.picks()));
   size.cell = std::min(whole, kLargestCell);
   std::vector<Window> windows{{0, weave.ends(), 0, weave.picks()}};
-  const int ends = static_cast<int>(roomX / kLegibleCell) - sheet.beside();
-  const int picks = static_cast<int>(roomY / kLegibleCell) - sheet.above();
+  const int ends = sheet.endsWithin(roomX / kLegibleCell), picks = sheet.picksWithin(roomY / kLegibleCell);
   if (whole < kLegibleCell && ends >= 8 && picks >= 8) {
     const std::vector<Window> pages = windowsOf(weave, ends, picks);
     if (pages.size() <= kMostPages) {
@@ -254,18 +280,19 @@ std::string pdfOf(const Sheet& sheet, const Weave& weave, const std::string& fil
   return bytes;
 }
 
-std::string pngOf(const Sheet& sheet, const Weave& weave, const std::string& file) {
+std::string pngOf(Sheet sheet, const Weave& weave, const std::string& file) {
   constexpr double kLargestSide = 8192, kLargestCell = 16;
-  const int across = weave.ends() + sheet.beside(), down = weave.picks() + sheet.above();
   SheetSize size;
   size.margin = 16;
   size.title = 28;
   size.hairline = 1;
-  const double cell = (kLargestSide - size.title - 2 * size.margin) / std::max(across, down);
+  const double longest = std::max(sheet.across(weave.ends()), sheet.down(weave.picks()));
+  const double cell = (kLargestSide - size.title - 2 * size.margin) / longest;
   size.cell = cell >= 1 ? std::min(std::floor(cell), kLargestCell) : cell;
+  if (cell >= 1) sheet.roundToPixels(size.cell);
   constexpr double kTitleWidth = 720;
-  size.width = std::ceil(std::max(across * size.cell, kTitleWidth) + 2 * size.margin);
-  size.height = std::ceil(down * size.cell + 2 * size.margin + size.title);
+  size.width = std::ceil(std::max(sheet.across(weave.ends()) * size.cell, kTitleWidth) + 2 * size.margin);
+  size.height = std::ceil(sheet.down(weave.picks()) * size.cell + 2 * size.margin + size.title);
   const Surface surface(
       cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(size.width), static_cast<int>(size.height)),
       cairo_surface_destroy);
@@ -285,10 +312,9 @@ std::string drawDraft(cairo_t* canvas, const Fabric& fabric, const DraftCorner& 
   const Sheet sheet(fabric, corner);
   const Weave& weave = fabric.weave;
   SheetSize size{width, height, 0, 0, 0, 0.15};
-  const double whole = std::min(width / (weave.ends() + sheet.beside()), height / (weave.picks() + sheet.above()));
+  const double whole = std::min(width / sheet.across(weave.ends()), height / sheet.down(weave.picks()));
   size.cell = std::clamp(whole, kLegibleCell, kLargestCell);
-  const int ends = static_cast<int>(width / size.cell) - sheet.beside();
-  const int picks = static_cast<int>(height / size.cell) - sheet.above();
+  const int ends = sheet.endsWithin(width / size.cell), picks = sheet.picksWithin(height / size.cell);
   // A loom that leaves no room for the cloth is drawn as a whole, however small.
   constexpr int kFewest = 8;
   if (ends < std::min(kFewest, weave.ends()) || picks < std::min(kFewest, weave.picks())) size.cell = whole;

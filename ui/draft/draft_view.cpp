@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/modulo.h"
+#include "core/fabric/yarn/derived.h"
 
 namespace loomlight {
 
@@ -61,8 +62,8 @@ DraftFrame frameOf(const DraftView& view, const DraftPreferences& preferences, c
 }
 
 float cellAspect(const Fabric& fabric) {
-  constexpr double kFlattest = 0.125;
-  return static_cast<float>(std::clamp(fabric.ends_per_cm / fabric.picks_per_cm, kFlattest, 1 / kFlattest));
+  const CrossingShape shape = crossingShape(fabric);
+  return static_cast<float>(shape.height / shape.width);
 }
 
 void fitDraft(DraftView& view, const Weave& weave, ImVec2 size, float scale) {

@@ -118,6 +118,12 @@ double floatLength_mm(const Fabric& fabric, System system, int cells) {
 }
 
 int64_t patternEnds(const Fabric& fabric) {
+CrossingShape crossingShape(const Fabric& fabric) {
+  constexpr double kFlattest = 0.125;
+  const double heightOverWidth = std::clamp(fabric.ends_per_cm / fabric.picks_per_cm, kFlattest, 1 / kFlattest);
+  return heightOverWidth < 1 ? CrossingShape{1 / heightOverWidth, 1} : CrossingShape{1, heightOverWidth};
+}
+
   return std::lcm(int64_t{fabric.weave.ends()}, static_cast<int64_t>(fabric.warpSequence.size()));
 }
 

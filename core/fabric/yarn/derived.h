@@ -35,6 +35,13 @@ Floats floats(const Weave& weave);
 /// Length of a float of `cells` crossings, mm: the warp floats over picks, the weft over ends.
 double floatLength_mm(const Fabric& fabric, System system, int cells);
 
+/// Sides of a crossing in a drawing by the sett, the shorter one 1; so that a circle in the draft is one in the cloth.
+/// At most 8, to be drawn at all.
+struct CrossingShape {
+  double width = 1, height = 1;
+};
+CrossingShape crossingShape(const Fabric& fabric);
+
 /// Until weave and order of colours repeat together: threads of the pattern. The smallest number that both divide.
 int64_t patternEnds(const Fabric& fabric);
 int64_t patternPicks(const Fabric& fabric);

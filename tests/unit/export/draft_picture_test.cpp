@@ -61,5 +61,18 @@ TEST(DraftPicture, MixesWhatIsSmallerThanAPixel) {
     EXPECT_NEAR(colour[1], mean, 40) << count << " pixels are of one yarn more than of the other";
 }
 
+/// Twice as many ends as picks to the cm: a crossing is twice as high as wide.
+TEST(DraftPicture, HasCrossingsOfTheSettsShape) {
+  Fabric fabric = twoColours(twill(3, 1));
+  fabric.ends_per_cm = 40;
+  fabric.picks_per_cm = 20;
+  const Pixels8 picture = draftPicture(fabric, 128);
+  Pixel warp = pixelAt(picture, 0, 127);
+  if (!fabric.weave.warpOver(0, 0)) warp = pixelAt(picture, 4 * 1, 127);
+  for (int pick = 0; pick < 8; ++pick)
+    for (int end = 0; end < 8; ++end)
+      EXPECT_EQ(pixelAt(picture, 4 * end + 2, 127 - 8 * pick - 4) == warp, fabric.weave.warpOver(pick, end));
+}
+
 }  // namespace
 }  // namespace loomlight

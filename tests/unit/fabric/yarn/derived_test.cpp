@@ -223,7 +223,20 @@ TEST(Warnings, NameJammedSettLongFloatsAndIdleThreads) {
   EXPECT_THAT(warnings(idle),
               testing::ElementsAre("2 of 3 ends of the repeat never interlace: nothing holds them in the cloth."));
   idle.weave = fromPicture({"#.#", "#.#"});
-  EXPECT_EQ(warnings(idle).size(), 1u);
+  EXPECT_EQ(warningsOf(idle).size(), 1u);
+}
+
+TEST(CrossingShape, IsThatOfTheSett) {
+  Fabric fabric = printCloth();
+  fabric.ends_per_cm = 30;
+  fabric.picks_per_cm = 20;
+  EXPECT_EQ(crossingShape(fabric).width, 1);
+  EXPECT_EQ(crossingShape(fabric).height, 1.5);
+  std::swap(fabric.ends_per_cm, fabric.picks_per_cm);
+  EXPECT_EQ(crossingShape(fabric).width, 1.5);
+  EXPECT_EQ(crossingShape(fabric).height, 1);
+  fabric.picks_per_cm = 2000;
+  EXPECT_EQ(crossingShape(fabric).width, 8) << "flatter ones cannot be drawn";
 }
 
 }  // namespace
