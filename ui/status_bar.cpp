@@ -18,6 +18,14 @@ void figure(Ui& ui, const char* id, float x, const std::string& text, const char
   tooltipFor(ui, id, at, max, tooltip);
 }
 
+std::string floatsText(const StatusModel& model) {
+  const std::string longest =
+      model.unboundThreads > 0 ? std::string("endless float")
+                               : fmt::format("longest float {} ({:.1f} mm)", model.longestFloat, model.longestFloat_mm);
+  return model.longFloats == 0 ? longest
+                               : fmt::format("{}, {} over {:.1f}", longest, model.longFloats, model.longFloat_mm);
+}
+
 }  // namespace
 
 void statusBar(Ui& ui, const StatusModel& model) {
@@ -40,11 +48,7 @@ void statusBar(Ui& ui, const StatusModel& model) {
       "the page of the cloth, are another figure: how many threads there are for their thickness.");
   clothFigure("status.thickness", 184, fmt::format("{:.2f} mm thick", model.thickness_mm),
               "From the lowest to the highest fibre, loose hairs left out.");
-  clothFigure("status.float", 304,
-              model.longFloats == 0
-                  ? fmt::format("longest float {} ({:.1f} mm)", model.longestFloat, model.longestFloat_mm)
-                  : fmt::format("longest float {} ({:.1f} mm), {} over {:.1f}", model.longestFloat,
-                                model.longestFloat_mm, model.longFloats, model.longFloat_mm),
+  clothFigure("status.float", 304, floatsText(model),
               "The most crossings that a thread passes over or under without interlacing, and how many floats of one "
               "repeat are longer than the limit set beside Floats: long ones snag.");
   const std::string more = model.moreWarnings > 0 ? fmt::format("  (+{})", model.moreWarnings) : std::string();

@@ -28,7 +28,7 @@ struct DraftPreferences {
   bool inches = false;  ///< lengths and setts; else cm
   bool rulers = false;
   LoomLimits loom;
-  double longFloat_mm = 4.0;  ///< floats beyond it are marked
+  double longFloat_mm = kUsualFloatLimit_mm;  ///< floats beyond it are marked
   friend bool operator==(const DraftPreferences&, const DraftPreferences&) = default;
 };
 

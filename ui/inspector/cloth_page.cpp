@@ -89,14 +89,15 @@ void clothRows(Ui& ui, const Fabric& fabric, const InspectorModel& model, CountS
 
 void bindingRows(Ui& ui, const Fabric& fabric, const InspectorModel& model) {
   heading(ui, "Binding");
-  auto floatText = [&](System system, int cells) {
+  auto floatText = [&](System system, int cells, int unbound) {
+    if (unbound > 0) return fmt::format("{} unbound", unbound);
     return fmt::format("{} \xC2\xB7 {:.1f} mm", cells, floatLength_mm(fabric, system, cells));
   };
   const bool known = model.floats && model.binding;
   readout(ui, {"cloth.warp_float", words::longestWarpFloat.label, words::longestWarpFloat.help},
-          known ? floatText(System::warp, model.floats->warp()) : kUnknown);
+          known ? floatText(System::warp, model.floats->warp(), model.floats->idleEnds) : kUnknown);
   readout(ui, {"cloth.weft_float", words::longestWeftFloat.label, words::longestWeftFloat.help},
-          known ? floatText(System::weft, model.floats->weft()) : kUnknown);
+          known ? floatText(System::weft, model.floats->weft(), model.floats->idlePicks) : kUnknown);
   readout(ui,
           {"cloth.balance", "Warp on the face",
            "Share of the crossings with the warp on top: at 50 % face and back are alike"},

@@ -97,6 +97,8 @@ nlohmann::ordered_json toJson(const Fabric& fabric, const Information& of) {
   json["max_weft_float"] = of.floats.weft();
   json["max_warp_float_mm"] = floatLength_mm(fabric, System::warp, of.floats.warp());
   json["max_weft_float_mm"] = floatLength_mm(fabric, System::weft, of.floats.weft());
+  json["unbound_ends"] = of.floats.idleEnds;
+  json["unbound_picks"] = of.floats.idlePicks;
   json["max_warp_float_face"] = of.floats.warpFace;
   json["max_weft_float_face"] = of.floats.weftFace;
   json["long_floats"] = longFloatsJson(of.longFloats);
@@ -104,6 +106,10 @@ nlohmann::ordered_json toJson(const Fabric& fabric, const Information& of) {
   json["picks_per_cm"] = fabric.picks_per_cm;
   json["repeat_width_mm"] = fabric.weave.ends() * fabric.warpPitch_mm();
   json["repeat_height_mm"] = fabric.weave.picks() * fabric.weftPitch_mm();
+  json["pattern_ends"] = patternEnds(fabric);
+  json["pattern_picks"] = patternPicks(fabric);
+  json["pattern_width_mm"] = static_cast<double>(patternEnds(fabric)) * fabric.warpPitch_mm();
+  json["pattern_height_mm"] = static_cast<double>(patternPicks(fabric)) * fabric.weftPitch_mm();
   json["warp_count_tex"] = meanCount_tex(fabric, System::warp);
   json["weft_count_tex"] = meanCount_tex(fabric, System::weft);
   json["cover_factor"] = of.cover.cloth;
@@ -153,6 +159,26 @@ void printLongFloats(const LongFloats& of) {
   }
 }
 
+/// The pattern is the weave together with its orders of colours.
+void printRepeat(const Fabric& fabric, const char* label, int64_t ends, int64_t picks) {
+  line(label,
+       fmt::format("{:.2f} x {:.2f}", static_cast<double>(ends) * fabric.warpPitch_mm(),
+                   static_cast<double>(picks) * fabric.weftPitch_mm()),
+       fmt::format("mm, {} x {} threads", ends, picks));
+}
+
+/// Of a thread that nothing binds no number can be said.
+void printLongestFloat(const Fabric& fabric, System system, const Floats& floats) {
+  const bool isWarp = system == System::warp;
+  const int unbound = isWarp ? floats.idleEnds : floats.idlePicks, cells = isWarp ? floats.warp() : floats.weft();
+  const char* const label = isWarp ? "longest warp float" : "longest weft float";
+  if (unbound > 0)
+    line(label, "endless", fmt::format("{} {} bound by none", unbound, isWarp ? "ends" : "picks"));
+  else
+    line(label, fmt::format("{}", cells),
+         fmt::format("{}, {:.2f} mm", isWarp ? "picks" : "ends", floatLength_mm(fabric, system, cells)));
+}
+
 void printTable(const Fabric& fabric, const Information& of) {
   fmt::print("{}\n\nWeave\n", fabric.name);
   line("repeat", fmt::format("{} x {}", fabric.weave.ends(), fabric.weave.picks()), "ends x picks");
@@ -164,18 +190,14 @@ void printTable(const Fabric& fabric, const Information& of) {
   line("warp on the face", fmt::format("{:.0f} %", 100 * of.binding.warpOnFace),
        fmt::format("{} of {} crossings", of.binding.warpUpCells,
                    static_cast<int64_t>(fabric.weave.ends()) * fabric.weave.picks()));
-  line("longest warp float", fmt::format("{}", of.floats.warp()),
-       fmt::format("picks, {:.2f} mm", floatLength_mm(fabric, System::warp, of.floats.warp())));
-  line("longest weft float", fmt::format("{}", of.floats.weft()),
-       fmt::format("ends, {:.2f} mm", floatLength_mm(fabric, System::weft, of.floats.weft())));
+  printLongestFloat(fabric, System::warp, of.floats);
+  printLongestFloat(fabric, System::weft, of.floats);
   printLongFloats(of.longFloats);
   line("interlacings", fmt::format("{}", of.binding.warpInterlacings + of.binding.weftInterlacings), "a repeat");
   fmt::print("\nCloth\n");
   line("sett", fmt::format("{:g} x {:g}", fabric.ends_per_cm, fabric.picks_per_cm), "per cm");
-  line("repeat",
-       fmt::format("{:.2f} x {:.2f}", fabric.weave.ends() * fabric.warpPitch_mm(),
-                   fabric.weave.picks() * fabric.weftPitch_mm()),
-       "mm");
+  printRepeat(fabric, "weave repeat", fabric.weave.ends(), fabric.weave.picks());
+  printRepeat(fabric, "pattern repeat", patternEnds(fabric), patternPicks(fabric));
   line("yarn count",
        fmt::format("{:.1f} x {:.1f}", meanCount_tex(fabric, System::warp), meanCount_tex(fabric, System::weft)),
        "tex, warp x weft");
@@ -230,7 +252,8 @@ int run(const InfoCommand& command) {
   information.orderedPiece = command.piece;
   information.needs = yarnNeed(fabric, command.piece, information.measures.crimpWarp, information.measures.crimpWeft);
   information.warnings = std::move(input.warnings);
-  for (std::string& warning : warnings(fabric)) information.warnings.push_back(std::move(warning));
+  for (std::string& warning : warnings(fabric, information.floats, information.longFloats))
+    information.warnings.push_back(std::move(warning));
   information.volume = scene->cloth->volume->counts();
   information.pieceEnds = geometry.ends();
   information.piecePicks = geometry.picks();

@@ -4,6 +4,7 @@
 
 #include "app/cli/fabric_options.h"
 #include "core/fabric/wif/wif_fabric.h"
+#include "core/fabric/yarn/long_floats.h"
 #include "core/fabric/yarn/yarn_need.h"
 
 namespace loomlight {
@@ -13,8 +14,8 @@ struct InfoCommand {
   std::string input;
   FabricOptions options;
   WifChoices wif;
-  PieceSize piece;             ///< that yarn is needed for
-  double floatLimit_mm = 4.0;  ///< longer floats are listed; 0.1..100
+  PieceSize piece;                             ///< that yarn is needed for
+  double floatLimit_mm = kUsualFloatLimit_mm;  ///< longer floats are listed; 0.1..100
   bool json = false;
 };
 

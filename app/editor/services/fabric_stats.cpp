@@ -114,7 +114,6 @@ FabricStats FabricStatsWorker::statsOf(const Fabric& fabric) {
   stats.floats = floats(fabric.weave);
   stats.binding = binding(fabric.weave);
   stats.cover = coverFactors(fabric);
-  stats.warnings = warnings(fabric);
   return stats;
 }
 
@@ -127,8 +126,10 @@ FabricStatsWorker::Result FabricStatsWorker::tell(const Request& request) {
     stats->mesh = extentOf(request.fabric->drape);
   }
   stats->yarn = yarn;
-  if (!known || stats->longFloats.limit_mm != request.longFloat_mm)
+  if (!known || stats->longFloats.limit_mm != request.longFloat_mm) {
     stats->longFloats = longFloats(*request.fabric, request.longFloat_mm);
+    stats->warnings = warnings(*request.fabric, stats->floats, stats->longFloats);
+  }
   if (request.built && request.built->fabric == request.fabric)
     stats->section = yarnSection(request.built->cloth->volume->geometry(), *request.fabric, yarn);
   else if (last_ && last_->yarn == yarn)

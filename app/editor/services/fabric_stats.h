@@ -37,14 +37,15 @@ YarnSection yarnSection(const ClothGeometry& cloth, const Fabric& fabric, int ya
 /// that.
 class FabricStatsWorker {
  public:
-  /// What is worth knowing of a fabric, but for its mesh, its long floats and the section. May throw.
+  /// What is worth knowing of a fabric, but for its mesh, its long floats, what is warned of and the section. May
+  /// throw.
   using Compute = std::function<FabricStats(const Fabric&)>;
   explicit FabricStatsWorker(std::function<void()> wake, Compute compute = statsOf);
 
   /// `built`: the newest cloth that is there; may be null, or of a fabric before this one. `longFloat_mm`: beyond which
   /// floats are listed.
   void request(std::shared_ptr<const Fabric> fabric, int yarn, std::shared_ptr<const Scene> built,
-               double longFloat_mm = 4);
+               double longFloat_mm = kUsualFloatLimit_mm);
   std::shared_ptr<const FabricStats> newest() const;  ///< null before the first
   std::string problem() const;                        ///< why there is none of the newest request; else empty
 
@@ -53,7 +54,7 @@ class FabricStatsWorker {
     std::shared_ptr<const Fabric> fabric;
     int yarn = 0;
     std::shared_ptr<const Scene> built;
-    double longFloat_mm = 4;
+    double longFloat_mm = kUsualFloatLimit_mm;
   };
   struct Result {
     std::shared_ptr<const FabricStats> stats;  ///< the last that could be computed

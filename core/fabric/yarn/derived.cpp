@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "core/fabric/model/yarn_count.h"
+#include "core/fabric/yarn/long_floats.h"
 
 namespace loomlight {
 namespace {
@@ -117,13 +118,13 @@ double floatLength_mm(const Fabric& fabric, System system, int cells) {
   return cells * (system == System::warp ? fabric.weftPitch_mm() : fabric.warpPitch_mm());
 }
 
-int64_t patternEnds(const Fabric& fabric) {
 CrossingShape crossingShape(const Fabric& fabric) {
   constexpr double kFlattest = 0.125;
   const double heightOverWidth = std::clamp(fabric.ends_per_cm / fabric.picks_per_cm, kFlattest, 1 / kFlattest);
   return heightOverWidth < 1 ? CrossingShape{1 / heightOverWidth, 1} : CrossingShape{1, heightOverWidth};
 }
 
+int64_t patternEnds(const Fabric& fabric) {
   return std::lcm(int64_t{fabric.weave.ends()}, static_cast<int64_t>(fabric.warpSequence.size()));
 }
 
@@ -176,30 +177,28 @@ double jamming(const Fabric& fabric) {
   return term(fabric.warpPitch_mm(), d1, b.weftInterlacings) + term(fabric.weftPitch_mm(), d2, b.warpInterlacings);
 }
 
-std::vector<std::string> warnings(const Fabric& fabric) {
-  constexpr double kLongFloat_mm = 12.0;
+std::vector<std::string> warnings(const Fabric& fabric, const Floats& floats, const LongFloats& tooLong) {
   std::vector<std::string> said;
   if (jamming(fabric) > 1.0)
     said.push_back(
         fmt::format("The sett is jammed: {:.3g} ends and {:.3g} picks per cm are closer than these yarns fit.",
                     fabric.ends_per_cm, fabric.picks_per_cm));
-  const Floats f = floats(fabric.weave);
-  const auto longFloat = [&](System system, int cells, const char* yarn, const char* crossed) {
-    const double mm = floatLength_mm(fabric, system, cells);
-    if (mm > kLongFloat_mm)
-      said.push_back(fmt::format("The {} floats over {} {}: {:.1f} mm will catch; {:g} mm is the usual limit.", yarn,
-                                 cells, crossed, mm, kLongFloat_mm));
-  };
-  longFloat(System::warp, f.warp(), "warp", "picks");
-  longFloat(System::weft, f.weft(), "weft", "ends");
+  // Threads that nothing binds are told of below.
+  const int64_t bound = tooLong.count - floats.idleEnds - floats.idlePicks;
+  const double longest_mm = std::max(floatLength_mm(fabric, System::warp, floats.warp()),
+                                     floatLength_mm(fabric, System::weft, floats.weft()));
+  if (bound > 0)
+    said.push_back(fmt::format("{} of a repeat {} longer than {:g} mm, up to {:.1f} mm: long floats catch.",
+                               bound == 1 ? "1 float" : fmt::format("{} floats", bound), bound == 1 ? "is" : "are",
+                               tooLong.limit_mm, longest_mm));
   const auto idle = [&](int count, int all, const char* one, const char* many) {
     if (count > 0)
       said.push_back(fmt::format("{} of {} {} of the repeat never interlace{}: nothing holds {} in the cloth.", count,
                                  all, count == 1 && all == 1 ? one : many, count == 1 ? "s" : "",
                                  count == 1 ? "it" : "them"));
   };
-  idle(f.idleEnds, fabric.weave.ends(), "end", "ends");
-  idle(f.idlePicks, fabric.weave.picks(), "pick", "picks");
+  idle(floats.idleEnds, fabric.weave.ends(), "end", "ends");
+  idle(floats.idlePicks, fabric.weave.picks(), "pick", "picks");
   return said;
 }
 

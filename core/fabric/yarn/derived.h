@@ -70,7 +70,9 @@ double arealMass_g_m2(const Fabric& fabric, double crimpWarp, double crimpWeft);
 /// side. 0 for open cloth.
 double jamming(const Fabric& fabric);
 
-/// What a weaver would object to, in plain words: jammed sett, long floats, threads with no interlacing.
-std::vector<std::string> warnings(const Fabric& fabric);
+struct LongFloats;
+/// What a weaver would object to, in plain words: jammed sett, floats longer than they may be, threads with no
+/// interlacing. `floats` and `tooLong`: of this fabric.
+std::vector<std::string> warnings(const Fabric& fabric, const Floats& floats, const LongFloats& tooLong);
 
 }  // namespace loomlight

@@ -30,9 +30,12 @@ FloatLimits floatLimits(const Fabric& fabric, double limit_mm);
 /// further than the limits.
 bool floatsTooFar(const Weave& weave, int pick, int end, const FloatLimits& limits);
 
-/// The floats of one repeat that are longer than they may be.
+/// Beyond which floats are marked, listed and warned of, where no other limit is set.
+inline constexpr double kUsualFloatLimit_mm = 4;
+
+/// The floats of one repeat that are longer than they may be. Threads that nothing binds are, whatever the limit.
 struct LongFloats {
-  double limit_mm = 0;
+  double limit_mm = kUsualFloatLimit_mm;
   int64_t count = 0;              ///< all of them
   std::vector<FloatRun> longest;  ///< the longest first; at most kMostListed
   static constexpr size_t kMostListed = 500;

@@ -7,6 +7,7 @@
 #include "app/bench/studies/wardrobe_study.h"
 #include "core/fabric/model/validate.h"
 #include "core/fabric/yarn/derived.h"
+#include "core/fabric/yarn/long_floats.h"
 
 namespace loomlight {
 namespace {
@@ -35,7 +36,7 @@ TEST_P(WardrobeCloths, AreValidAndSayWhatTheyAre) {
   EXPECT_NO_THROW(validate(fabric, GetParam()->file));
   EXPECT_EQ(fabric.name, GetParam()->name) << "the table and the file call it the same";
   EXPECT_THAT(fabric.description, testing::HasSubstr("Source")) << "where its construction is from";
-  EXPECT_THAT(warnings(fabric), testing::IsEmpty());
+  EXPECT_THAT(warnings(fabric, floats(fabric.weave), longFloats(fabric, 12)), testing::IsEmpty());
 }
 
 /// Within the trade's bounds, or it is said why not: what a later change of the geometry would break. `info` measures

@@ -19,7 +19,7 @@ TEST(FabricStatsWorker, TooLittleMemoryIsSaidAndTheNextClothIsKnownAgain) {
   FabricStatsWorker worker(wakes.callback(), [](const Fabric& fabric) {
     if (fabric.name == "too large") throw std::bad_alloc();
     FabricStats stats;
-    stats.warnings = {"known"};
+    stats.floats.warpFace = 77;
     return stats;
   });
   worker.request(fits, 0, nullptr);
@@ -30,7 +30,7 @@ TEST(FabricStatsWorker, TooLittleMemoryIsSaidAndTheNextClothIsKnownAgain) {
   EXPECT_EQ(worker.newest()->fabric, fits) << "what was known before is still shown";
   worker.request(fits, 0, nullptr);
   EXPECT_TRUE(wakes.until([&] { return worker.problem().empty(); }));
-  EXPECT_EQ(worker.newest()->warnings, std::vector<std::string>{"known"});
+  EXPECT_EQ(worker.newest()->floats.warpFace, 77);
 }
 
 TEST(YarnSection, ShowsEveryFibreOnceInsideTheYarn) {

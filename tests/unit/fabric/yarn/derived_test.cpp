@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/fabric/model/yarn_count.h"
+#include "core/fabric/yarn/long_floats.h"
 
 namespace loomlight {
 namespace {
@@ -203,24 +204,30 @@ TEST(Jamming, FloatsLeaveRoomForCloserSetts) {
   EXPECT_LT(jamming(twill), jamming(plain));
 }
 
+std::vector<std::string> warningsOf(const Fabric& fabric, double floatLimit_mm = kUsualFloatLimit_mm) {
+  return warnings(fabric, floats(fabric.weave), longFloats(fabric, floatLimit_mm));
+}
+
 TEST(Warnings, NoneForTheReferenceCloth) {
-  EXPECT_TRUE(warnings(printCloth()).empty());
+  EXPECT_TRUE(warningsOf(printCloth()).empty());
 }
 
 TEST(Warnings, NameJammedSettLongFloatsAndIdleThreads) {
   Fabric jammed = printCloth();
   jammed.ends_per_cm = jammed.picks_per_cm = 60;
-  EXPECT_THAT(warnings(jammed), testing::Contains(HasSubstr("jammed")));
+  EXPECT_THAT(warningsOf(jammed), testing::Contains(HasSubstr("jammed")));
 
   Fabric loose = printCloth();
   loose.ends_per_cm = loose.picks_per_cm = 4;
   loose.weave =
       fromPicture({".#######", "#######.", "######.#", "#####.##", "####.###", "###.####", "##.#####", "#.######"});
-  EXPECT_THAT(warnings(loose), testing::Contains(HasSubstr("The warp floats over 7 picks: 17.5 mm")));
+  EXPECT_THAT(warningsOf(loose),
+              testing::Contains(HasSubstr("16 floats of a repeat are longer than 4 mm, up to 17.5 mm")));
+  EXPECT_THAT(warningsOf(loose, 17.5), testing::IsEmpty()) << "the limit is the one that is set, and no other";
 
   Fabric idle = printCloth();
   idle.weave = fromPicture({"#.#", "#..", "#.#"});
-  EXPECT_THAT(warnings(idle),
+  EXPECT_THAT(warningsOf(idle),
               testing::ElementsAre("2 of 3 ends of the repeat never interlace: nothing holds them in the cloth."));
   idle.weave = fromPicture({"#.#", "#.#"});
   EXPECT_EQ(warningsOf(idle).size(), 1u);
