@@ -35,7 +35,7 @@ void Session::leaveFor(Afterwards next) {
   if (files_.service().busy()) return;                          // fileDone() comes back here
   if (!document_.document().isDirty()) return goOn();
   questions_.ask(Question::unsaved, "Unsaved work",
-                 fmt::format("\xE2\x80\x9C{}\xE2\x80\x9D has changes that are not saved.", document_.fabric()->name),
+                 fmt::format("\"{}\" has changes that are not saved.", document_.fabric()->name),
                  {"Cancel", "Don't save", "Save"}, 2);
 }
 

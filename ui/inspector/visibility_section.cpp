@@ -45,7 +45,7 @@ void visibilitySection(Ui& ui, const VisibilityModel& model, bool& open) {
   const bool wasOpen = open;
   if (!foldingHeading(ui, "visibility.fold", "Local visibility",
                       "How freely light reaches a fibre past its neighbours (the yarn's BVDF, which the estimator "
-                      "\xE2\x80\x9CReport\xE2\x80\x9D uses)",
+                      "\"Report\" uses)",
                       open))
     return;
   drawSquares(ui, model);

@@ -18,8 +18,8 @@ WifSett settOf(const Fabric& fabric) {
 }
 
 std::string summaryOf(const Fabric& fabric) {
-  std::string summary = fmt::format("\xE2\x80\x9C{}\xE2\x80\x9D: {} ends, {} picks", fabric.name, fabric.weave.ends(),
-                                    fabric.weave.picks());
+  std::string summary =
+      fmt::format("\"{}\": {} ends, {} picks", fabric.name, fabric.weave.ends(), fabric.weave.picks());
   if (fabric.draft) {
     summary += fmt::format(", {} shafts", fabric.draft->shafts);
     summary += fabric.draft->liftplan.empty() ? fmt::format(", {} treadles", fabric.draft->treadles)

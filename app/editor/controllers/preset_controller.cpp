@@ -37,7 +37,7 @@ std::optional<PresetController::Message> PresetController::follow(bool mayTell) 
   }
   if (!outcome->problem.empty()) return Message{"The presets could not be changed", outcome->problem};
   if (outcome->kept.empty()) return std::nullopt;
-  return Message{"Kept as preset", fmt::format("\xE2\x80\x9C{}\xE2\x80\x9D is among the presets now.", outcome->kept)};
+  return Message{"Kept as preset", fmt::format("\"{}\" is among the presets now.", outcome->kept)};
 }
 
 }  // namespace loomlight

@@ -55,7 +55,7 @@ std::string whenWritten(const fs::path& file) {
 
 std::string aboutLeftWork(const fs::path& left) {
   const std::string name = nameIn(beginningOf(left));
-  const std::string what = name.empty() ? "A cloth" : "\xE2\x80\x9C" + name + "\xE2\x80\x9D";
+  const std::string what = name.empty() ? "A cloth" : "\"" + name + "\"";
   return fmt::format("{} was last edited{}, and the editor ended before it was saved.", what, whenWritten(left));
 }
 

@@ -83,8 +83,7 @@ std::string PresetLibrary::problem() const {
     if (!shelf.tags.problem().empty()) return shelf.tags.problem();
     for (const auto& [name, read] : shelf.read)
       if (read.tooMany)
-        return fmt::format("Not all is shown: with \xE2\x80\x9C{}\xE2\x80\x9D it would need more memory than there is.",
-                           name);
+        return fmt::format("Not all is shown: with \"{}\" it would need more memory than there is.", name);
   }
   return {};
 }
@@ -101,7 +100,7 @@ void PresetLibrary::tagAnew(PresetKind kind, const std::string& name, const std:
 
 std::string PresetLibrary::keep(PresetKind kind, Fabric fabric, const std::string& tags, const char* done) {
   const std::string name = of(kind).store.keep(std::move(fabric));
-  changed(fmt::format("{} \xE2\x80\x9C{}\xE2\x80\x9D.", done, name), [this, kind, name]() -> TagAgain {
+  changed(fmt::format("{} \"{}\".", done, name), [this, kind, name]() -> TagAgain {
     of(kind).store.remove(name);
     return [this, kind, name] { tagAnew(kind, name, ""); };
   });
@@ -117,18 +116,17 @@ void PresetLibrary::rename(PresetKind kind, const std::string& before, const std
     tagAnew(kind, to, tags);
     tagAnew(kind, from, "");
   };
-  changed(fmt::format("Renamed \xE2\x80\x9C{}\xE2\x80\x9D to \xE2\x80\x9C{}\xE2\x80\x9D.", before, after),
-          [this, kind, before, after, moveTags]() -> TagAgain {
-            const std::string again = of(kind).store.rename(after, before);
-            return [moveTags, after, again] { moveTags(after, again); };
-          });
+  changed(fmt::format("Renamed \"{}\" to \"{}\".", before, after), [this, kind, before, after, moveTags]() -> TagAgain {
+    const std::string again = of(kind).store.rename(after, before);
+    return [moveTags, after, again] { moveTags(after, again); };
+  });
   moveTags(before, after);
 }
 
 void PresetLibrary::remove(PresetKind kind, const std::string& name) {
   const std::string tags = of(kind).tags.of(name);
   const PresetFolder::Removed removed = of(kind).store.remove(name);
-  changed(fmt::format("Removed \xE2\x80\x9C{}\xE2\x80\x9D.", name), [this, kind, removed, tags]() -> TagAgain {
+  changed(fmt::format("Removed \"{}\".", name), [this, kind, removed, tags]() -> TagAgain {
     of(kind).store.putBack(removed);
     return [this, kind, removed, tags] { tagAnew(kind, removed.name, tags); };
   });
@@ -138,7 +136,7 @@ void PresetLibrary::remove(PresetKind kind, const std::string& name) {
 void PresetLibrary::tag(PresetKind kind, const std::string& name, bool own, const std::string& tags) {
   const std::string key = tagKey(name, own), before = of(kind).tags.of(key);
   of(kind).tags.set(key, tags);
-  changed(fmt::format("Tagged \xE2\x80\x9C{}\xE2\x80\x9D.", name), [this, kind, key, before]() -> TagAgain {
+  changed(fmt::format("Tagged \"{}\".", name), [this, kind, key, before]() -> TagAgain {
     of(kind).tags.set(key, before);
     return [] {};
   });
