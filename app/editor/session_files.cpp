@@ -291,7 +291,7 @@ void Session::exportTo(FileTask task, const std::string& file) {
     if (task == FileTask::exportDraft)
       writeDraftSheet(file, *fabric, corner);
     else
-      writeWeaveBitmap(file, fabric->weave);
+      writeWeaveBitmap(file, *fabric);
     return {};
   });
 }

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "app/export/loom_bitmap.h"
 #include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/base/text.h"
 #include "render/film/image.h"
 
 namespace loomlight {
@@ -25,7 +28,9 @@ Weave readWeaveBitmap(const std::string& file) {
   return Weave(rows);
 }
 
-void writeWeaveBitmap(const std::string& file, const Weave& weave) {
+namespace {
+
+Pixels8 pixelsOf(const Weave& weave) {
   Pixels8 pixels;
   pixels.width = weave.ends();
   pixels.height = weave.picks();
@@ -33,7 +38,21 @@ void writeWeaveBitmap(const std::string& file, const Weave& weave) {
   pixels.bytes.reserve(static_cast<size_t>(pixels.width) * pixels.height * 3);
   for (int pick = weave.picks() - 1; pick >= 0; --pick)
     for (const uint8_t over : weave.row(pick)) pixels.bytes.insert(pixels.bytes.end(), 3, over ? 0 : 255);
-  writePng(file, pixels);
+  return pixels;
+}
+
+}  // namespace
+
+void writeWeaveBitmap(const std::string& file, const Fabric& fabric) {
+  const std::string extension = lowerExtension(file);
+  if (extension == ".png")
+    writePng(file, pixelsOf(fabric.weave));
+  else if (extension == ".tif" || extension == ".tiff")
+    writeFileAtomically(file, tiffOf(fabric));
+  else if (extension == ".bmp")
+    writeFileAtomically(file, bmpOf(fabric));
+  else
+    throw InputError(file + ": expected the name of a weave bitmap that ends in .png, .tif, .tiff or .bmp");
 }
 
 }  // namespace loomlight

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/fabric/model/weave.h"
+#include "core/fabric/model/fabric.h"
 
 namespace loomlight {
 
@@ -11,6 +11,8 @@ namespace loomlight {
 
 /// Any PNG; pixels darker than middle grey, as displayed, are warp over. Throws InputError naming the file.
 Weave readWeaveBitmap(const std::string& file);
-void writeWeaveBitmap(const std::string& file, const Weave& weave);
+/// By the ending of its name: .png in shades of grey, or for looms .tif, .tiff and .bmp of one bit a pixel
+/// (loom_bitmap.h). Throws InputError, also for another ending.
+void writeWeaveBitmap(const std::string& file, const Fabric& fabric);
 
 }  // namespace loomlight

@@ -90,7 +90,7 @@ std::optional<DraftCommand> exportMenu(Ui& ui) {
   if (!beginMenu(ui, "menu.export", "Export")) return std::nullopt;
   Items items(ui);
   items.add("menu.export_wif", "WIF draft\xE2\x80\xA6", ".wif", DraftCommand::exportWif);
-  items.add("menu.export_bitmap", "Weave bitmap\xE2\x80\xA6", ".png", DraftCommand::exportBitmap);
+  items.add("menu.export_bitmap", "Weave bitmap\xE2\x80\xA6", ".png, .tif", DraftCommand::exportBitmap);
   items.add("menu.export_draft", "Printed draft\xE2\x80\xA6", ".pdf .png", DraftCommand::exportDraft);
   items.add("menu.export_tile", "Texture tile\xE2\x80\xA6", ".exr .png", DraftCommand::exportTile);
   ImGui::EndMenu();

@@ -118,8 +118,9 @@ void addInfo(CLI::App& app, InfoCommand& command) {
 
 void addConvert(CLI::App& app, ConvertCommand& command) {
   addInput(app, "IN", command.input);
-  app.add_option("OUT", command.output,
-                 "a fabric (.json, .loomlight), draft (.wif; for print .pdf) or weave bitmap (.png)")
+  app.add_option(
+         "OUT", command.output,
+         "a fabric (.json, .loomlight), draft (.wif; for print .pdf) or weave bitmap (.png; for looms .tif, .bmp)")
       ->type_name("")
       ->required();
   app.add_flag("--draft", command.drawsDraft, "a .png shows the draft as it is printed, not a pixel a crossing");

@@ -63,12 +63,12 @@ int run(const ConvertCommand& command) {
       fmt::print(stderr, "{}: {}\n", command.output, remark);
   } else if (extension == ".pdf" || (extension == ".png" && command.drawsDraft)) {
     writeDraftSheet(command.output, fabric, {});
-  } else if (extension == ".png") {
-    writeWeaveBitmap(command.output, fabric.weave);
+  } else if (extension == ".png" || extension == ".bmp" || extension == ".tif" || extension == ".tiff") {
+    writeWeaveBitmap(command.output, fabric);
   } else {
     throw InputError(
         fmt::format("{}: expected the name of a fabric (.json, .loomlight), a draft (.wif, for print .pdf) or a weave "
-                    "bitmap (.png)",
+                    "bitmap (.png, for looms .tif or .bmp)",
                     command.output));
   }
   fmt::print("{}: {} ends, {} picks\n", command.output, fabric.weave.ends(), fabric.weave.picks());

@@ -14,7 +14,7 @@ namespace loomlight {
 /// loomlight convert IN OUT
 struct ConvertCommand {
   std::string input;        ///< .json, .loomlight, .wif, .png (weave bitmap) or .exr (a picture of ours)
-  std::string output;       ///< .json, .loomlight, .wif, .pdf (the draft for print) or .png
+  std::string output;       ///< .json, .loomlight, .wif, .pdf (the draft for print), .png, or for looms .tif and .bmp
   bool drawsDraft = false;  ///< a .png is the draft for print as well; else the weave, a pixel a crossing
   std::string like;         ///< a fabric that gives all but the weave; empty: none
   std::optional<MadeStructure> structure;  ///< in place of the weave

@@ -28,7 +28,7 @@ const Asked& askedFor(FileTask task) {
       {FileTask::exportDraft, Purpose::save, "Export the draft for print", {".pdf", ".png"}},
       {FileTask::exportTile, Purpose::save, "Where the tile goes", {".json"}},
       {FileTask::sheet, Purpose::save, "Where the cloth sheet goes", {".pdf", ".png"}},
-      {FileTask::exportBitmap, Purpose::save, "Export the weave", {".png"}},
+      {FileTask::exportBitmap, Purpose::save, "Export the weave", {".png", ".tif", ".bmp"}},
   };
   for (const Asked& asked : kAsked)
     if (asked.task == task) return asked;

@@ -1,6 +1,7 @@
 """`convert` between fabrics, drafts and weave bitmaps."""
 
 import json
+import subprocess
 
 from harness import SMALL, CommandLineTest, main, read_png, write_png
 
@@ -14,6 +15,21 @@ class Convert(CommandLineTest):
         self.assertEqual(drawn, SMALL["weave"])
         self.run_program("convert", "weave.png", "back.json")
         self.assertEqual(json.loads(self.bytes_of("back.json"))["weave"], SMALL["weave"])
+
+    def test_looms_get_one_bit_a_crossing(self):
+        weave = ["#........#", ".#........", "..##......"]  # of ten ends: a row is more than a byte
+        fabric = self.fabric(weave=weave, ends_per_cm=24, picks_per_cm=18)
+        for name in ("weave.tif", "weave.tiff", "weave.bmp"):
+            with self.subTest(name=name):
+                self.run_program("convert", fabric, name)
+                file = str(self.folder / name)
+                described = subprocess.run(["identify", "-format", "%w %h %z %[type]", file], capture_output=True,
+                                           text=True, check=True).stdout
+                self.assertEqual(described, "10 3 1 Bilevel")
+                bits = subprocess.run(["convert", file, "-compress", "none", "pbm:-"], capture_output=True, text=True,
+                                      check=True).stdout.split()[3:]
+                self.assertEqual("".join(bits), "".join(weave).replace("#", "1").replace(".", "0"))
+        self.assertIn("weave.ep", self.run_program("convert", fabric, "weave.ep", status=1))
 
     def test_like_gives_all_but_the_weave(self):
         self.run_program("convert", self.fabric(), "weave.png")
