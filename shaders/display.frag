@@ -11,6 +11,10 @@ uniform bool filmic;
 uniform vec3 background;       // linear
 uniform ivec4 lit;             // end and pick of the repeat to outline, ends and picks of the repeat; w = 0: none
 uniform vec3 accent;           // sRGB
+uniform sampler3D prints;      // sRGB colours as a printer prints them, and the difference; see render/colour/soft_proof.h
+uniform bool proofs;           // the print is shown
+uniform float outOfGamut;      // the difference beyond which a colour is marked
+uniform vec3 gamutWarning;     // sRGB
 
 const float kKnee = 0.7;
 const int kNoCloth = -2147483647;
@@ -24,6 +28,12 @@ vec3 shoulder(vec3 c) {
 
 vec3 encode(vec3 c) {
   return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, greaterThan(c, vec3(0.0031308)));
+}
+
+vec3 proofed(vec3 c) {
+  float side = float(textureSize(prints, 0).x);
+  vec4 print = texture(prints, (sqrt(c) * (side - 1.0) + 0.5) / side);
+  return print.a > outOfGamut ? gamutWarning : print.rgb;
 }
 
 bool isLit(ivec2 pixel) {
@@ -41,6 +51,7 @@ void main() {
   c = mix(vec3(0.0), min(c, vec3(1e30)), greaterThan(c, vec3(0.0)));
   if (filmic) c = shoulder(c);
   c = encode(min(c, vec3(1.0)));
+  if (proofs) c = proofed(clamp(c, 0.0, 1.0));
   if (lit.w > 0) {
     ivec2 pixel = ivec2(uv * vec2(textureSize(crossings, 0)));
     if (isLit(pixel)) {

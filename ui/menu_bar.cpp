@@ -73,6 +73,11 @@ MenuChoice menuBar(Ui& ui, const MenuModel& model) {
       ImGui::EndMenu();
     }
     menu.item("menu.fit_draft", "Fit the draft", "Shift+F", Command::fitDraft);
+    menu.item("menu.soft_proof", model.knowsPrinter ? "Soft proof" : "Soft proof\xE2\x80\xA6", "Y", Command::softProof,
+              true, model.knowsPrinter && model.proofs);
+    menu.item("menu.gamut_warning", "Gamut warning", "Shift+Y", Command::gamutWarning,
+              model.knowsPrinter && model.proofs, model.warnsOfGamut);
+    ImGui::Separator();
     ImGui::Separator();
     menu.item("menu.keep_view", "Keep this view", "K", Command::keepView);
     menu.item("menu.lens", "Truth lens", "L", Command::truthLens, true, model.lensOn);

@@ -20,6 +20,8 @@ struct MenuModel {
   bool lensOn = false;
   bool denoised = false;
   WeaveMenuModel weave;
+  bool proofs = false, warnsOfGamut = false;
+  bool knowsPrinter = false;  ///< whose prints can be shown
   std::span<const RecentFile> recent;
 };
 

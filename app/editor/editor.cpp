@@ -10,6 +10,7 @@
 
 #include "app/editor/controllers/first_opening.h"
 #include "app/editor/gl/opengl_driver.h"
+#include "app/editor/gl/system_profile.h"
 #include "app/editor/gl/window.h"
 #include "app/editor/model/sample_fabric.h"
 #include "app/editor/model/thread_clock.h"
@@ -77,6 +78,7 @@ class Frames {
     const Theme theme = shown.settings().darkTheme ? Theme::dark() : Theme::light();
     window_.setTheme(theme);
     window_.setInterfaceSize(shown.settings().interfaceSize);
+    window_.setDisplayCube(shown.displayCube());
     window_.beginFrame();
     probe_.beginFrame();
     probe_.fact("inputs", std::to_string(window_.inputCount()));
@@ -123,7 +125,7 @@ int runEditor(const EditorOptions& options) {
   }
 
   Session session(std::move(document), settings, driver, Window::wake, options.threads);
-  session.displayIs(window.pixels_per_mm());
+  session.displayIs(window.pixels_per_mm(), systemDisplayProfile());
   session.offerRecovery();
   if (!problem.empty()) session.sayUnopened(problem);
   if (!options.fabricFile.empty() && !isFabricFile(options.fabricFile)) session.openFile(options.fabricFile);

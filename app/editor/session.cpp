@@ -35,6 +35,7 @@ glm::dvec2 repeatsOf(const Fabric& fabric, int count) {
 
 }  // namespace
 
+      profiles_(settings_.colours, wake),
 Session::Session(Document document, Settings settings, DisplayDriver& driver, const std::function<void()>& wake,
                  int threads)
     : settings_(std::move(settings)),
@@ -59,6 +60,8 @@ Session::Session(Document document, Settings settings, DisplayDriver& driver, co
   if (!document_.document().file().empty()) remember(document_.document().file());
 }
 
+  settings.books = inspector_.view().clothColour.books;
+  settings.colours = profiles_.colours();
 Settings Session::settingsToKeep() const {
   Settings settings = settings_;
   const ViewportView& viewport = viewport_.view();
@@ -84,6 +87,7 @@ void Session::frame(Ui& ui) {
   if (!dialogIsOpen()) readKeys();
   drawPanels(ui);
   drawDialogs(ui);
+  if (const auto problem = profiles_.follow()) sayUnopened(*problem);
   watch.lap();
   follow();
   work_s_ += watch.lap();
@@ -149,6 +153,13 @@ void Session::run(Command command) {
     case Command::flat10cm:
       return layFlat({100, 100});
     case Command::flat20cm:
+    case Command::softProof:
+      if (!profiles_.knowsPrinter()) return browse(FileTask::profile);
+      profiles_.colours().proofs = !profiles_.colours().proofs;
+      break;
+    case Command::gamutWarning:
+      profiles_.colours().warnsOfGamut = !profiles_.colours().warnsOfGamut;
+      break;
       return layFlat({200, 200});
     case Command::sheet:
       return browse(FileTask::sheet);
@@ -220,6 +231,7 @@ void Session::readKeys() {
   if (const auto command = draftKey(draft_.view())) return run(*command);
   if (io.KeyCtrl) {
     if (letterPressed('N')) run(Command::newFabric);
+  if (letterPressed('Y')) run(io.KeyShift ? Command::gamutWarning : Command::softProof);
     if (letterPressed('O')) run(Command::open);
     if (letterPressed('S')) run(io.KeyShift ? Command::saveAs : Command::save);
     if (letterPressed('Z')) run(io.KeyShift ? Command::redo : Command::undo);

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/editor/controllers/document_controller.h"
@@ -13,6 +14,7 @@
 #include "app/editor/controllers/file_controller.h"
 #include "app/editor/controllers/inspector_controller.h"
 #include "app/editor/controllers/preset_controller.h"
+#include "app/editor/controllers/profile_controller.h"
 #include "app/editor/controllers/question_controller.h"
 #include "app/editor/controllers/snapshot_controller.h"
 #include "app/editor/controllers/tile_controller.h"
@@ -56,8 +58,13 @@ class Session {
   bool isOver() const { return window_.isOver; }
   /// The end has come as it should: nothing is left to be taken up again.
   void close() { document_.endWell(); }
-  /// Of the display, as the system says; until then as most are.
-  void displayIs(double pixels_per_mm) { viewport_.displayIs(pixels_per_mm); }
+  /// Of the display, as the system says; until then as most are. `profile`: its colours' (ICC); empty: none is said.
+  void displayIs(double pixels_per_mm, std::string profile) {
+    viewport_.displayIs(pixels_per_mm);
+    profiles_.start(std::move(profile));
+  }
+  /// Through which all that is drawn is shown; null: the display is sRGB.
+  std::shared_ptr<const ColourCube> displayCube() const { return profiles_.displayCube(); }
   bool wantsFullScreen() const { return window_.isFull; }
   const Settings& settings() const { return settings_; }
   /// To be remembered, with how the panels are looked at now.
@@ -130,6 +137,7 @@ class Session {
   FileController files_;
   QuestionController questions_;
   PreferencesDialog preferences_;
+  ProfileController profiles_;
   Help help_;
   WindowWish window_;
   double work_s_ = 0;

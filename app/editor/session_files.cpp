@@ -129,6 +129,9 @@ void Session::openFile(const std::string& file) {
     });
   } else if (isSwatchFile(file) || isPaletteFile(file)) {
     openColours(file);
+  } else if (extension == ".icc" || extension == ".icm") {
+    profiles_.open(file);
+    lookNextIn(file);
   } else if (extension == ".png") {
     draft_.openPicture(file);
     lookNextIn(file);
@@ -139,8 +142,8 @@ void Session::openFile(const std::string& file) {
     sayUnopened(
         file +
         ": expected a cloth (.loomlight, .json), a draft (.wif, .dtx), a picture (.png), a mesh "
-        "(.obj, .ply, .off), an environment (.exr), a palette (.ase, .aco, .gpl, .csv) or a measured swatch (.cxf, "
-        ".qtx, .csv, CGATS .txt)");
+        "(.obj, .ply, .off), an environment (.exr), a palette (.ase, .aco, .gpl, .csv), a measured swatch (.cxf, "
+        ".qtx, .csv, CGATS .txt) or a colour profile (.icc, .icm)");
   }
 }
 
@@ -254,6 +257,7 @@ void Session::fileChosen(const FileController::Chosen& chosen) {
     case FileTask::mesh:
     case FileTask::environment:
     case FileTask::picture:
+    case FileTask::profile:
       return openFile(chosen.file);
     case FileTask::saveAs:
       return files_.service().save(chosen.file, document_.fabric(), document_.document().state());

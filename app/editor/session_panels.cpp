@@ -21,6 +21,9 @@ void Session::drawPanels(Ui& ui) {
   menu.panelsShown = settings_.dock.panelsShown;
   menu.lensOn = viewport_.view().lens.on;
   menu.denoised = viewport_.view().denoised;
+  menu.proofs = profiles_.colours().proofs;
+  menu.warnsOfGamut = profiles_.colours().warnsOfGamut;
+  menu.knowsPrinter = profiles_.knowsPrinter();
   menu.weave = {draft_.view().selection.has_value(), draft_.view().back, draft_.view().marksFloats};
   menu.recent = settings_.recent;
   const float menuHeight = ImGui::GetFontSize() + ui.px(16);
@@ -74,7 +77,7 @@ void Session::drawDraft(Ui& ui) {
 
 void Session::drawViewport(Ui& ui) {
   ViewportController::Edit edit =
-      viewport_.draw(ui, document_.fabric(), draft_.view().hovered, settings_.fibreMemory_GB);
+      viewport_.draw(ui, document_.fabric(), draft_.view().hovered, profiles_.proof(), settings_.fibreMemory_GB);
   help_.hints.turned |= edit.turned;
   if (edit.fabric) document_.edit(std::move(*edit.fabric));
   if (edit.camera) document_.lookFrom(*edit.camera);
@@ -152,6 +155,17 @@ bool Session::dialogIsOpen() const {
 /// What is unsafe comes before what is worth knowing of the cloth.
 StatusModel Session::statusToSay() const {
   const ViewService& seen = viewport_.service();
+void Session::drawPreferences(Ui& ui) {
+  if (files_.isBrowsing()) return;
+  const PreferencesDialog::Facts facts{1e-9 * static_cast<double>(physicalMemory_bytes()),
+                                       viewport_.displayPixels_per_mm(), profiles_.names()};
+  const bool chooses =
+      preferences_.draw(ui, facts,
+                        {settings_.darkTheme, settings_.interfaceSize, inspector_.view().units, settings_.draft,
+                         profiles_.colours(), settings_.rulerFactor, settings_.fibreMemory_GB});
+  if (chooses) browse(FileTask::profile);
+}
+
   StatusModel model = statusModel(seen.stats().get(), seen.status(), seen.visibilityStatus(), seen.frame());
   const Light& light = document_.fabric()->light;
   if (light.illuminant != StandardIlluminant::d65) model.lamp = fmt::format("under {}", lampName(light.illuminant));

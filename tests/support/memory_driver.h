@@ -42,7 +42,7 @@ class MemoryDriver final : public DisplayDriver {
                      const PixelRect&) override {
       filled_ = true;
     }
-    ImTextureID display(int, int, const Tone&, const std::optional<Outline>&) override {
+    ImTextureID display(int, int, const Tone&, const SoftProof&, const std::optional<Outline>&) override {
       return filled_ ? id_ : ImTextureID{};
     }
 

@@ -5,14 +5,17 @@
 #include <GL/glext.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <vector>
 
 #include "app/editor/display/texture_id.h"
+#include "app/editor/gl/display_pass.h"
 #include "app/editor/gl/opengl_driver.h"
 #include "app/editor/gl/window.h"
+#include "render/colour/icc_profile.h"
 #include "render/display/display_picture.h"
 
 namespace loomlight {
@@ -52,11 +55,11 @@ Frame blocksOf(const std::vector<glm::vec4>& lights) {
 }
 
 /// As the viewport shows it, in four channels.
-std::vector<uint8_t> shownByShader(const Frame& frame, const Tone& tone) {
+std::vector<uint8_t> shownByShader(const Frame& frame, const Tone& tone, const SoftProof& proof = {}) {
   OpenGlDriver driver;
   const auto viewport = driver.makeViewport();
   viewport->upload(frame.width, frame.height, frame.rgba, {});
-  const ImTextureID shown = viewport->display(frame.width, frame.height, tone, std::nullopt);
+  const ImTextureID shown = viewport->display(frame.width, frame.height, tone, proof, std::nullopt);
   std::vector<uint8_t> pixels(4 * frame.rgba.size());
   glBindTexture(GL_TEXTURE_2D, textureNumber(shown));
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
@@ -87,6 +90,69 @@ TEST(DisplayShader, EqualsWhatPicturesAreWrittenWith) {
       for (const Rgb background : {Rgb(0.18f), Rgb(0.02f, 0.3f, 0.9f)}) expectSame(frame, {stops, filmic, background});
 }
 
+/// A print that is paler than the picture, and the further from it the purer a colour is.
+std::shared_ptr<const ColourCube> palePrints() {
+  std::vector<glm::vec4> corners;
+  constexpr int n = ColourCube::kSide;
+  for (int i = 0; i < n * n * n; ++i) {
+    const glm::vec3 c(ColourCube::cornerAt(i % n), ColourCube::cornerAt(i / n % n), ColourCube::cornerAt(i / n / n));
+    const float chroma = std::max({c.r, c.g, c.b}) - std::min({c.r, c.g, c.b});
+    corners.emplace_back(0.2f + 0.7f * c, 8 * chroma);
+  }
+  return std::make_shared<const ColourCube>(std::move(corners));
+}
+
+TEST(DisplayShader, ShowsTheSameProofAsTheCode) {
+  Window window("Shader", 960, 600, 1);
+  const Tone tone;
+  std::vector<glm::vec4> lights;
+  for (int i = 0; i < 200; ++i) {
+    const auto channel = [i](int step) { return 0.02f * static_cast<float>((i * step) % 37); };
+    lights.emplace_back(channel(7), channel(11), channel(17), 1);
+  }
+  const Frame frame = blocksOf(lights);
+  const auto prints = palePrints();
+  for (const bool warns : {false, true}) {
+    const SoftProof proof{prints, warns};
+    const std::vector<uint8_t> shader = shownByShader(frame, tone, proof);
+    int marked = 0;
+    for (int y = kBlock / 2; y < frame.height; y += kBlock)
+      for (int x = kBlock / 2; x < frame.width; x += kBlock) {
+        const size_t i = static_cast<size_t>(y) * static_cast<size_t>(frame.width) + static_cast<size_t>(x);
+        const Rgb encoded = toDisplay(Rgb(frame.rgba[i]), tone), expected = proofed(encoded, proof);
+        marked += expected == kGamutWarning ? 1 : 0;
+        // Where the mark begins either is right.
+        if (warns && std::abs(prints->at(encoded).a - kOutOfGamut_deltaE) < 0.05f) continue;
+        for (int c = 0; c < 3; ++c)
+          ASSERT_NEAR(shader[4 * i + static_cast<size_t>(c)], 255 * expected[c], 1.5f) << x << " " << y;
+      }
+    EXPECT_EQ(marked > 10, warns);
+  }
+}
+
+/// All that is drawn between begin() and end().
+TEST(DisplayPass, BringsWhatIsDrawnThroughTheCube) {
+  Window window("Shader", 960, 600, 1);
+  DisplayPass pass;
+  const float encoded[] = {0.6f, 0.3f, 0.1f};
+  const auto shown = [&](const std::shared_ptr<const ColourCube>& cube) {
+    pass.use(cube);
+    pass.begin(64, 64);
+    glClearColor(encoded[0], encoded[1], encoded[2], 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    pass.end();
+    std::vector<uint8_t> pixel(4);
+    glReadPixels(10, 10, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel.data());
+    return pixel;
+  };
+  const std::vector<uint8_t> plain = shown(nullptr), through = shown(palePrints()), again = shown(nullptr);
+  for (size_t c = 0; c < 3; ++c) {
+    EXPECT_NEAR(plain[c], 255 * encoded[c], 1);
+    EXPECT_NEAR(through[c], 255 * (0.2f + 0.7f * encoded[c]), 1.5);
+    EXPECT_EQ(again[c], plain[c]);
+  }
+}
+
 /// A frame that changes nothing is not computed again; one that does, is.
 TEST(DisplayShader, FollowsTonePictureAndSize) {
   Window window("Shader", 960, 600, 1);
@@ -95,7 +161,7 @@ TEST(DisplayShader, FollowsTonePictureAndSize) {
   const auto shown = [&](float light, const Tone& tone, int side) {
     const std::vector<glm::vec4> pixels(16, glm::vec4(light, light, light, 1));
     if (light >= 0) viewport->upload(4, 4, pixels, {});
-    const ImTextureID texture = viewport->display(side, side, tone, std::nullopt);
+    const ImTextureID texture = viewport->display(side, side, tone, SoftProof{}, std::nullopt);
     std::vector<uint8_t> bytes(static_cast<size_t>(4 * side * side));
     glBindTexture(GL_TEXTURE_2D, textureNumber(texture));
     glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
@@ -120,7 +186,7 @@ TEST(DisplayShader, TakesAPartOfThePictureAlone) {
   std::vector<glm::vec4> pixels(16, glm::vec4(0.1f, 0.1f, 0.1f, 1));
   viewport->upload(4, 4, pixels, {});
   const auto greens = [&] {
-    const ImTextureID texture = viewport->display(4, 4, Tone{}, std::nullopt);
+    const ImTextureID texture = viewport->display(4, 4, Tone{}, SoftProof{}, std::nullopt);
     std::vector<uint8_t> bytes(4 * 16);
     glBindTexture(GL_TEXTURE_2D, textureNumber(texture));
     glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());

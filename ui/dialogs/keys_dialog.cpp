@@ -26,6 +26,7 @@ constexpr KeyLine kCloth[] = {
     {"L", "Truth lens; Esc closes"},
     {"J", "The next lamp of the booth"},
     {"N", "Denoised preview"},
+    {"Y, Shift+Y", "Soft proof, gamut warning"},
 };
 constexpr KeyLine kDraft[] = {
     {"Click, drag", "Turn crossings over"},

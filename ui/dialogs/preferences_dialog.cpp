@@ -62,10 +62,11 @@ void rulerRow(Ui& ui, double pixels_per_mm, double& factor) {
 
 }  // namespace
 
-void PreferencesDialog::draw(Ui& ui, double machine_GB, double pixels_per_mm, PreferenceValues values) {
-  if (!open_ || !beginModal(ui, "Preferences", ImVec2(ui.px(560), 0), open_, opening_)) return;
+bool PreferencesDialog::draw(Ui& ui, const Facts& facts, PreferenceValues values) {
+  if (!open_ || !beginModal(ui, "Preferences", ImVec2(ui.px(560), 0), open_, opening_)) return false;
   lookRows(ui, values.darkTheme, values.interfaceSize);
-  rulerRow(ui, pixels_per_mm, values.rulerFactor);
+  const bool chooses = displayColourRows(ui, facts.profiles, values.colours);
+  rulerRow(ui, facts.pixels_per_mm, values.rulerFactor);
   heading(ui, "Units");
   countSystemRow(ui, "preferences", values.units.count);
   twistUnitRow(ui, "preferences", values.units.twistAsMultiplier);
@@ -79,7 +80,7 @@ void PreferencesDialog::draw(Ui& ui, double machine_GB, double pixels_per_mm, Pr
   NumberStyle memory;
   memory.unit = "GB";
   memory.min = 0.1;
-  memory.max = std::max(memory.min, machine_GB);
+  memory.max = std::max(memory.min, facts.machine_GB);
   memory.decimals = 1;
   numberField(ui,
               {"preferences.fibre_memory", "Memory at most",
@@ -88,6 +89,7 @@ void PreferencesDialog::draw(Ui& ui, double machine_GB, double pixels_per_mm, Pr
               memory, values.fibreMemory_GB);
   if (closedBelow(ui, "preferences.close")) open_ = false;
   endModal();
+  return chooses;
 }
 
 }  // namespace loomlight

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/dialogs/display_colours.h"
 #include "ui/draft/draft_view.h"
 #include "ui/inspector/trade_units.h"
 #include "ui/widgets/ui.h"
@@ -17,6 +18,7 @@ struct PreferenceValues {
   float& interfaceSize;  ///< of kInterfaceSizes
   TradeUnits& units;
   DraftPreferences& draft;
+  DisplayColours& colours;
   double& rulerFactor;     ///< how much longer a millimetre of the display is than the system says
   double& fibreMemory_GB;  ///< what the fibres of the truth lens may take
 };
@@ -25,8 +27,14 @@ class PreferencesDialog {
  public:
   void show() { open_ = opening_ = true; }
   bool isOpen() const { return open_; }
-  /// `machine_GB`: the memory that there is; `pixels_per_mm`: of the display, as the system says.
-  void draw(Ui& ui, double machine_GB, double pixels_per_mm, PreferenceValues values);
+  /// What there is to say beside the values.
+  struct Facts {
+    double machine_GB = 0;     ///< the memory that there is
+    double pixels_per_mm = 0;  ///< of the display, as the system says
+    ProfileNames profiles;
+  };
+  /// True: a colour profile is to be chosen.
+  bool draw(Ui& ui, const Facts& facts, PreferenceValues values);
 
  private:
   bool open_ = false, opening_ = false;

@@ -103,8 +103,8 @@ void drawOverlays(Ui& ui, const ViewportModel& model, const LensView& lens, ImVe
     const ImVec2 size = ImGui::CalcTextSize(text);
     pill(ui, ImVec2(0.5f * (min.x + max.x - size.x), 0.5f * (min.y + max.y - size.y)), text, Theme::dark().text);
   }
-  if (model.denoised) {
-    const char* text = "Denoised";
+  if (model.denoised || model.proofed) {
+    const char* text = !model.proofed ? "Denoised" : model.denoised ? "Denoised, as printed" : "As printed";
     pill(ui, ImVec2(max.x - edge - ImGui::CalcTextSize(text).x - ui.px(16), min.y + edge), text, Theme::dark().text);
   }
   if (!model.error.empty()) pill(ui, ImVec2(min.x + edge, min.y + edge), model.error, Theme::dark().warning);

@@ -20,6 +20,7 @@ struct ViewportModel {
   std::optional<CrossingIndex> under;  ///< crossing under the mouse
   std::string underYarn;               ///< name of the yarn seen there
   bool denoised = false;               ///< the picture is; the panel says so
+  bool proofed = false;                ///< likewise: shown as it prints
   bool building = false;
   double buildProgress = 1;
   std::string error;               ///< why the newest fabric cannot be shown; empty if it can

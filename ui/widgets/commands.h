@@ -27,6 +27,8 @@ enum class Command {
   flat20cm,
   sheet,
   brushBefore,
+  softProof,  // the picture as a printer prints it
+  gamutWarning,
   brushNext,
   swapBrushes,
   truthLens,

@@ -29,6 +29,7 @@ const Asked& askedFor(FileTask task) {
       {FileTask::exportTile, Purpose::save, "Where the tile goes", {".json"}},
       {FileTask::sheet, Purpose::save, "Where the cloth sheet goes", {".pdf", ".png"}},
       {FileTask::exportBitmap, Purpose::save, "Export the weave", {".png", ".tif", ".bmp"}},
+      {FileTask::profile, Purpose::open, "Choose a colour profile", {".icc", ".icm"}},
   };
   for (const Asked& asked : kAsked)
     if (asked.task == task) return asked;

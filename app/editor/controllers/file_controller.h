@@ -28,7 +28,8 @@ enum class FileTask {
   exportDraft,
   exportTile,
   sheet,
-  picture
+  picture,
+  profile
 };
 
 /// The browser of files, the reading and writing of them, and files that were dropped on the window.

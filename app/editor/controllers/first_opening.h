@@ -8,6 +8,7 @@
 #include "app/editor/model/document.h"
 #include "app/editor/model/settings.h"
 #include "app/editor/services/file_service.h"
+#include "render/colour/colour_cube.h"
 #include "ui/dialogs/busy_dialog.h"
 
 namespace loomlight {
@@ -24,6 +25,8 @@ class FirstOpening {
   void askToQuit() { over_ = quits_ = true; }
   void drop(const std::vector<std::string>& files);
   bool wantsFullScreen() const { return false; }
+  /// The display's profile is not known yet.
+  std::shared_ptr<const ColourCube> displayCube() const { return nullptr; }
   const Settings& settings() const { return settings_; }
   std::string title() const { return "Loomlight"; }
 

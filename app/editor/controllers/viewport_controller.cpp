@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "app/editor/controllers/lens_model.h"
 #include "core/fabric/yarn/yarn_name.h"
@@ -38,7 +39,8 @@ Tone ViewportController::tone() const {
 }
 
 ViewportController::Edit ViewportController::draw(Ui& ui, const std::shared_ptr<const Fabric>& fabric,
-                                                  const std::optional<CrossingIndex>& hovered, double fibreMemory_GB) {
+                                                  const std::optional<CrossingIndex>& hovered, const SoftProof& proof,
+                                                  double fibreMemory_GB) {
   const LiveStatus status = service_.status();
   std::optional<ViewportPicture::Outline> outline;
   const Weave& weave = fabric->weave;
@@ -50,7 +52,7 @@ ViewportController::Edit ViewportController::draw(Ui& ui, const std::shared_ptr<
     outline = {inRepeat(*hovered, weave), weave.ends(), weave.picks(), Rgb(accent.x, accent.y, accent.z)};
   ViewportModel model;
   const int pictureWidth = shown ? shownWidth(*shown, view_.width, view_.height) : view_.width;
-  model.picture = service_.picture(pictureWidth, view_.height, tone(), outline);
+  model.picture = service_.picture(pictureWidth, view_.height, tone(), proof, outline);
   model.pictureSize = ImVec2(static_cast<float>(pictureWidth), static_cast<float>(view_.height));
   lookUnderPointer(*fabric);
   model.under = underPointer_;
@@ -61,8 +63,19 @@ ViewportController::Edit ViewportController::draw(Ui& ui, const std::shared_ptr<
   model.error = status.error;
   const std::shared_ptr<const FabricStats> stats = service_.stats();
   if (stats && stats->fabric->drape == fabric->drape) model.mesh = stats->mesh;
-  model.lens = lensModelFor(status.lens, *fabric, fibreMemory_GB);
-  ViewportEdit result = viewportPanel(ui, *fabric, model, view_);
+  if (flat_) {
+    const glm::dvec2& piece_mm = flat_->sight.piece_mm;
+    model.flat =
+        fmt::format("{}, flat \xC2\xB7 {:.1f} \xC3\x97 {:.1f} mm", flatClothText(flat_->cloth), piece_mm.x, piece_mm.y);
+    if (std::exchange(view_.fitWanted, false))
+      flat_->sight.camera = aboveFlat(flat_->sight.camera, piece_mm.x, piece_mm.y, aspect());
+  }
+  ui.probe.fact("flat", model.flat);
+  const bool liesFlat = flat_.has_value();
+  const Fabric seen = asSeen(*fabric, false, flatSight());
+  model.lens = lensModelFor(status.lens, seen, proof, fibreMemory_GB);
+  ViewportEdit result = viewportPanel(ui, seen, model, view_);
+  if (liesFlat && result.fabric) result.fabric = onItsDrape(std::move(*result.fabric), *fabric);
 
   Edit edit{std::move(result.fabric), result.camera, {}, result.lens.changeLimit, false};
   edit.turned = result.camera && view_.drag == ViewportView::Drag::orbit;
@@ -77,13 +90,15 @@ ViewportController::Edit ViewportController::draw(Ui& ui, const std::shared_ptr<
   return edit;
 }
 
-LensModel ViewportController::lensModelFor(const LensStatus& status, const Fabric& fabric, double fibreMemory_GB) {
+LensModel ViewportController::lensModelFor(const LensStatus& status, const Fabric& fabric, const SoftProof& proof,
+                                           double fibreMemory_GB) {
   const LensFrame* frame = service_.lensFrame();
   LensModel model = lensModel(status, frame, view_.lens.showsDifference, 1e9 * fibreMemory_GB, fabric.drape);
   if (!frame || !view_.lens.on) return model;
   const PixelRect& window = frame->fibres->window;
+  model.proofed = proof.prints != nullptr;
   model.window = {window.x, window.y, window.width, window.height};
-  model.picture = service_.lensPicture(tone());
+  model.picture = service_.lensPicture(tone(), proof);
   return model;
 }
 

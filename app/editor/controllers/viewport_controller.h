@@ -24,9 +24,10 @@ class ViewportController {
     bool preferences = false;      ///< are asked for: the lens needs more memory
     bool turned = false;           ///< the cloth was
   };
-  /// `hovered`: the crossing under the mouse in the draft, which is outlined in the picture.
+  /// `hovered`: the crossing under the mouse in the draft, which is outlined in the picture. `proof`: how the picture
+  /// is shown, and the lens in it.
   Edit draw(Ui& ui, const std::shared_ptr<const Fabric>& fabric, const std::optional<CrossingIndex>& hovered,
-            double fibreMemory_GB);
+            const SoftProof& proof, double fibreMemory_GB);
 
   /// Takes what the workers have brought. Returns whether the picture is another one.
   bool take() { return service_.take(view_.lens.showsDifference); }
@@ -53,8 +54,17 @@ class ViewportController {
   const std::optional<CrossingIndex>& underPointer() const { return underPointer_; }
 
  private:
-  LensModel lensModelFor(const LensStatus& status, const Fabric& fabric, double fibreMemory_GB);
-  void lookUnderPointer(const Fabric& fabric);
+  struct Flat {
+    FlatCloth cloth;
+    FlatSight sight;
+    Drape instead;  ///< of which drape
+  };
+  double aspect() const { return static_cast<double>(std::max(view_.width, 1)) / std::max(view_.height, 1); }
+  std::optional<FlatSight> flatSight() const { return flat_ ? std::optional(flat_->sight) : std::nullopt; }
+  /// What was edited of the cloth as it lies flat becomes an edit of the cloth on its drape, or nothing.
+  std::optional<Fabric> onItsDrape(Fabric edited, const Fabric& fabric);
+  LensModel lensModelFor(const LensStatus& status, const Fabric& fabric, const SoftProof& proof, double fibreMemory_GB);
+  void lookUnderPointer();
 
   ViewportView view_;
   ViewService service_;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 
+#include "render/colour/soft_proof.h"
 #include "render/colour/tone.h"
 #include "render/film/film.h"
 #include "render/film/image.h"
@@ -45,7 +46,8 @@ class ViewportPicture {
     friend bool operator==(const Outline&, const Outline&) = default;
   };
   /// Draws it into a texture of the display's pixels; null before the first upload.
-  virtual ImTextureID display(int width, int height, const Tone& tone, const std::optional<Outline>& outline) = 0;
+  virtual ImTextureID display(int width, int height, const Tone& tone, const SoftProof& proof,
+                              const std::optional<Outline>& outline) = 0;
 };
 
 /// Keeps the pictures that the editor shows, so that the editor itself knows no graphics library: OpenGL's memory in

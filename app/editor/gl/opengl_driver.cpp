@@ -1,63 +1,18 @@
 #include "app/editor/gl/opengl_driver.h"
 
-#define GL_GLEXT_PROTOTYPES
-#include <GL/gl.h>
-#include <GL/glext.h>
-
 #include <cmath>
-#include <stdexcept>
-#include <string>
+#include <limits>
 #include <vector>
 
 #include "app/editor/display/texture_id.h"
+#include "app/editor/gl/gl_program.h"
+#include "render/colour/icc_profile.h"
 #include "shader_text.h"
 
 namespace loomlight {
 namespace {
 
 constexpr GLint kNoCloth = -2147483647;  // as in shaders/display.frag
-
-GLuint compile(GLenum kind, std::string_view text) {
-  const GLuint shader = glCreateShader(kind);
-  const char* source = text.data();
-  const auto length = static_cast<GLint>(text.size());
-  glShaderSource(shader, 1, &source, &length);
-  glCompileShader(shader);
-  GLint ok = 0;
-  glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
-  if (ok) return shader;
-  char log[1024] = "";
-  glGetShaderInfoLog(shader, sizeof log, nullptr, log);
-  throw std::runtime_error(std::string("display shader: ") + log);
-}
-
-GLuint link() {
-  const GLuint vertex = compile(GL_VERTEX_SHADER, kDisplayVertexShader);
-  const GLuint fragment = compile(GL_FRAGMENT_SHADER, kDisplayFragmentShader);
-  const GLuint program = glCreateProgram();
-  glAttachShader(program, vertex);
-  glAttachShader(program, fragment);
-  glLinkProgram(program);
-  glDeleteShader(vertex);
-  glDeleteShader(fragment);
-  GLint ok = 0;
-  glGetProgramiv(program, GL_LINK_STATUS, &ok);
-  if (ok) return program;
-  char log[1024] = "";
-  glGetProgramInfoLog(program, sizeof log, nullptr, log);
-  throw std::runtime_error(std::string("display shader: ") + log);
-}
-
-GLuint makeTexture(GLint filter) {
-  GLuint texture = 0;
-  glGenTextures(1, &texture);
-  glBindTexture(GL_TEXTURE_2D, texture);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-  return texture;
-}
 
 class OpenGlTexture final : public PictureTexture {
  public:
@@ -100,12 +55,14 @@ class OpenGlViewport final : public ViewportPicture {
 
   void uploadParts(int width, int height, std::span<const glm::vec4> rgba, std::span<const Film::Hit> hits,
                    const PixelRect& newLight, const PixelRect& newHits) override;
-  ImTextureID display(int width, int height, const Tone& tone, const std::optional<Outline>& outline) override;
+  ImTextureID display(int width, int height, const Tone& tone, const SoftProof& proof,
+                      const std::optional<Outline>& outline) override;
 
  private:
   void resizeTarget(int width, int height);
+  void useProof(const SoftProof& proof);
 
-  GLuint program_ = 0, vertexArray_ = 0, picture_ = 0, crossings_ = 0, target_ = 0, framebuffer_ = 0;
+  GLuint program_ = 0, vertexArray_ = 0, picture_ = 0, crossings_ = 0, target_ = 0, prints_ = 0, framebuffer_ = 0;
   int targetWidth_ = 0, targetHeight_ = 0;
   int width_ = 0, height_ = 0;  ///< of the picture
   bool knowsCrossings_ = false;
@@ -113,25 +70,28 @@ class OpenGlViewport final : public ViewportPicture {
   struct Shown {
     int width = 0, height = 0;
     Tone tone;
+    SoftProof proof;
     std::optional<Outline> outline;
     friend bool operator==(const Shown&, const Shown&) = default;
   };
   std::optional<Shown> shown_;
+  std::shared_ptr<const ColourCube> uploadedPrints_;
 };
 
 OpenGlViewport::OpenGlViewport() {
-  program_ = link();
+  program_ = linkedProgram(kDisplayFragmentShader);
   glGenVertexArrays(1, &vertexArray_);
-  picture_ = makeTexture(GL_LINEAR);
-  crossings_ = makeTexture(GL_NEAREST);
-  target_ = makeTexture(GL_NEAREST);
+  picture_ = madeTexture(GL_TEXTURE_2D, GL_LINEAR);
+  crossings_ = madeTexture(GL_TEXTURE_2D, GL_NEAREST);
+  target_ = madeTexture(GL_TEXTURE_2D, GL_NEAREST);
+  prints_ = madeTexture(GL_TEXTURE_3D, GL_LINEAR);
   glGenFramebuffers(1, &framebuffer_);
 }
 
 OpenGlViewport::~OpenGlViewport() {
   glDeleteFramebuffers(1, &framebuffer_);
-  const GLuint textures[] = {picture_, crossings_, target_};
-  glDeleteTextures(3, textures);
+  const GLuint textures[] = {picture_, crossings_, target_, prints_};
+  glDeleteTextures(4, textures);
   glDeleteVertexArrays(1, &vertexArray_);
   glDeleteProgram(program_);
 }
@@ -185,10 +145,26 @@ void OpenGlViewport::resizeTarget(int width, int height) {
   targetHeight_ = height;
 }
 
-ImTextureID OpenGlViewport::display(int width, int height, const Tone& tone, const std::optional<Outline>& outline) {
+/// With the program in use.
+void OpenGlViewport::useProof(const SoftProof& proof) {
+  const auto at = [&](const char* name) { return glGetUniformLocation(program_, name); };
+  glActiveTexture(GL_TEXTURE2);
+  glBindTexture(GL_TEXTURE_3D, prints_);
+  if (proof.prints && proof.prints != uploadedPrints_) {
+    uploadCube(prints_, *proof.prints);
+    uploadedPrints_ = proof.prints;
+  }
+  glUniform1i(at("prints"), 2);
+  glUniform1i(at("proofs"), proof.prints != nullptr);
+  glUniform1f(at("outOfGamut"), proof.warnsOfGamut ? kOutOfGamut_deltaE : std::numeric_limits<float>::max());
+  glUniform3f(at("gamutWarning"), kGamutWarning.r, kGamutWarning.g, kGamutWarning.b);
+}
+
+ImTextureID OpenGlViewport::display(int width, int height, const Tone& tone, const SoftProof& proof,
+                                    const std::optional<Outline>& outline) {
   if (width_ == 0 || width <= 0 || height <= 0) return {};
   const ImTextureID target = textureId(target_);
-  const Shown wanted{width, height, tone, outline};
+  const Shown wanted{width, height, tone, proof, outline};
   if (shown_ == wanted) return target;  // most frames change something else
   shown_ = wanted;
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
@@ -198,6 +174,7 @@ ImTextureID OpenGlViewport::display(int width, int height, const Tone& tone, con
   glDisable(GL_SCISSOR_TEST);
   glUseProgram(program_);
   glBindVertexArray(vertexArray_);
+  useProof(proof);
   glActiveTexture(GL_TEXTURE1);
   glBindTexture(GL_TEXTURE_2D, crossings_);
   glActiveTexture(GL_TEXTURE0);

@@ -78,6 +78,7 @@ Window::Window(const std::string& title, int width, int height, float scale) {
 }
 
 Window::~Window() {
+  displayPass_.reset();
   ImGui_ImplOpenGL3_Shutdown();
   ImGui_ImplGlfw_Shutdown();
   ImGui::DestroyContext();
@@ -88,6 +89,10 @@ Window::~Window() {
 void Window::setTheme(const Theme& theme) {
   theme_ = theme;
   theme.apply(ImGui::GetStyle(), scale_);
+}
+
+void Window::setDisplayCube(std::shared_ptr<const ColourCube> cube) {
+  displayPass_->use(std::move(cube));
 }
 
 void Window::setTitle(const std::string& title) {
@@ -170,10 +175,12 @@ void Window::endFrame(const Theme& theme) {
   ImGui::Render();
   int width = 0, height = 0;
   glfwGetFramebufferSize(window_, &width, &height);
+  displayPass_->begin(width, height);
   glViewport(0, 0, width, height);
   glClearColor(theme.window.x, theme.window.y, theme.window.z, 1.0f);
   glClear(GL_COLOR_BUFFER_BIT);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  displayPass_->end();
   glfwSwapBuffers(window_);
 }
 

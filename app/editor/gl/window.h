@@ -3,9 +3,11 @@
 #include <imgui.h>
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "app/editor/gl/display_pass.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/theme.h"
 
@@ -31,6 +33,9 @@ class Window {
   const Fonts& fonts() const { return fonts_; }
   void setTheme(const Theme& theme);
   void setTitle(const std::string& title);
+  /// All that is drawn is sRGB; `cube` brings it to the display's colours. Null: the display is sRGB. Not within a
+  /// frame.
+  void setDisplayCube(std::shared_ptr<const ColourCube> cube);
 
   /// Sleeps until there is input, wake(), or the time is over; 0 does not sleep. True when there was input.
   bool waitForEvents(double seconds);
@@ -60,6 +65,7 @@ class Window {
   int placeX_ = 0, placeY_ = 0, placeWidth_ = 0, placeHeight_ = 0;
   Theme theme_ = Theme::dark();
   Fonts fonts_;
+  std::unique_ptr<DisplayPass> displayPass_ = std::make_unique<DisplayPass>();  ///< ends before its context
   std::vector<std::string> dropped_;
   std::string shownTitle_;
 };

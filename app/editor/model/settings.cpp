@@ -59,6 +59,20 @@ ViewSettings viewSettings(const nlohmann::json& json, ViewSettings view) {
   return view;
 }
 
+/// Sources by name.
+constexpr const char* kProfileSources[] = {"srgb", "system", "file"};
+
+DisplayColours displayColours(const nlohmann::json& json, DisplayColours colours) {
+  const std::string source = valueOf(json, "display_profile", std::string());
+  for (int i = 0; i < static_cast<int>(std::size(kProfileSources)); ++i)
+    if (source == kProfileSources[i]) colours.source = static_cast<DisplayColours::Source>(i);
+  colours.displayFile = valueOf(json, "display_profile_file", colours.displayFile);
+  colours.printerFile = valueOf(json, "printer_profile_file", colours.printerFile);
+  colours.proofs = valueOf(json, "soft_proof", colours.proofs);
+  colours.warnsOfGamut = valueOf(json, "gamut_warning", colours.warnsOfGamut);
+  return colours;
+}
+
 /// All but the caption, which is of one picture.
 SnapshotOptions snapshotOptions(const nlohmann::json& json, SnapshotOptions options) {
   options.inMillimetres = valueOf(json, "snapshot_in_mm", options.inMillimetres);
@@ -156,6 +170,11 @@ void writeSettings(const std::filesystem::path& file, const Settings& settings) 
                                {"snapshot_height_mm", settings.snapshot.height_mm},
                                {"snapshot_dpi", settings.snapshot.dpi},
                                {"snapshot_actual_size", settings.snapshot.actualSize},
+                               {"display_profile", kProfileSources[static_cast<int>(settings.colours.source)]},
+                               {"display_profile_file", settings.colours.displayFile},
+                               {"printer_profile_file", settings.colours.printerFile},
+                               {"soft_proof", settings.colours.proofs},
+                               {"gamut_warning", settings.colours.warnsOfGamut},
                                {"snapshot_scale_bar", settings.snapshot.scaleBar},
                                {"count_unit", countUnit(settings.units.count)},
                                {"twist_multiplier", settings.units.twistAsMultiplier},

@@ -33,6 +33,7 @@ struct Settings {
   DraftPreferences draft;
   SnapshotOptions snapshot;
   TradeUnits units;
+  DisplayColours colours;
   double fibreMemory_GB = defaultFibreMemory_GB();  ///< that the truth lens may use
   std::string folder;                               ///< where files were last opened or saved
   std::vector<RecentFile> recent;                   ///< the last one first

@@ -89,10 +89,10 @@ void ViewService::follow(const ViewState& state) {
   state_ = state;
 }
 
-ImTextureID ViewService::picture(int width, int height, const Tone& tone,
+ImTextureID ViewService::picture(int width, int height, const Tone& tone, const SoftProof& proof,
                                  std::optional<ViewportPicture::Outline> outline) {
   if (outline && state_.back) outline->crossing.end = outline->ends - 1 - outline->crossing.end;
-  return picture_->display(width, height, tone, outline);
+  return picture_->display(width, height, tone, proof, outline);
 }
 
 std::shared_ptr<const Fabric> ViewService::asSeen(const std::shared_ptr<const Fabric>& fabric) const {
@@ -135,13 +135,14 @@ std::optional<Film::Hit> ViewService::hitAt(ImVec2 place) const {
   return hit;
 }
 
-ImTextureID ViewService::lensPicture(const Tone& tone) {
+ImTextureID ViewService::lensPicture(const Tone& tone, const SoftProof& proof) {
   if (!lensFrame_) return {};
   // Colours of the difference go to the display as they are, whatever the exposure.
   Tone neutral;
   neutral.filmic = false;
   const PixelRect& window = lensFrame_->fibres->window;
-  return lensPicture_->display(window.width, window.height, lensIsDifference_ ? neutral : tone, std::nullopt);
+  return lensPicture_->display(window.width, window.height, lensIsDifference_ ? neutral : tone,
+                               lensIsDifference_ ? SoftProof{} : proof, std::nullopt);
 }
 
 VisibilityModel ViewService::visibilityModel(int yarn) const {

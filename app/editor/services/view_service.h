@@ -54,11 +54,12 @@ class ViewService {
   bool shows(const std::shared_ptr<const Fabric>& fabric) const;
   /// Of the picture, at a place of 0..1 from the top left.
   std::optional<Film::Hit> hitAt(ImVec2 place) const;
-  ImTextureID picture(int width, int height, const Tone& tone, std::optional<ViewportPicture::Outline> outline);
-  /// The fabric as it is looked at now: turned over, where its back is.
+  ImTextureID picture(int width, int height, const Tone& tone, const SoftProof& proof,
+                      std::optional<ViewportPicture::Outline> outline);
+  /// The fabric as it is looked at now.
   std::shared_ptr<const Fabric> asSeen(const std::shared_ptr<const Fabric>& fabric) const;
   /// Under the lens, in pixels of its own; null while there is nothing to show.
-  ImTextureID lensPicture(const Tone& tone);
+  ImTextureID lensPicture(const Tone& tone, const SoftProof& proof);
   VisibilityModel visibilityModel(int yarn) const;
 
  private:

@@ -1,0 +1,92 @@
+#include "app/editor/controllers/profile_controller.h"
+
+#include <utility>
+
+#include "core/base/error.h"
+
+namespace loomlight {
+
+ProfileController::ProfileController(DisplayColours colours, const std::function<void()>& wake)
+    : colours_(std::move(colours)), kept_(worker(wake)), chosen_(worker(wake)) {}
+
+Worker<ProfileController::Order, ProfileController::Read> ProfileController::worker(const std::function<void()>& wake) {
+  return {wake,
+          [](const Order& order, const auto& turn) -> std::optional<Read> {
+            for (const Source& source : order) turn.bring(read(source));
+            return std::nullopt;
+          },
+          [](const Order& order, const std::string& problem) { return Read{order.front(), {}, {}, problem}; },
+          Backlog::hanging};
+}
+
+void ProfileController::start(std::string system) {
+  Order order;
+  if (!system.empty()) order.push_back({"", std::move(system)});
+  if (!colours_.displayFile.empty()) order.push_back({colours_.displayFile, ""});
+  if (!colours_.printerFile.empty()) order.push_back({colours_.printerFile, ""});
+  if (!order.empty()) kept_.ask(std::move(order));
+}
+
+void ProfileController::open(const std::string& file) {
+  chosen_.ask({{file, ""}});
+}
+
+ProfileController::Read ProfileController::read(const Source& source) {
+  try {
+    const IccProfile profile =
+        source.file.empty() ? iccProfile(source.bytes, "the system's profile") : readIccProfile(source.file);
+    const bool isDisplay = profile.device == IccProfile::Device::display;
+    auto cube = std::make_shared<const ColourCube>(isDisplay ? loomlight::displayCube(profile) : proofCube(profile));
+    return {source, profile.device, {profile.description, std::move(cube)}, {}};
+  } catch (const InputError& error) {
+    return {source, {}, {}, error.what()};
+  }
+}
+
+std::optional<std::string> ProfileController::follow() {
+  for (Worker<Order, Read>* worker : {&kept_, &chosen_})
+    while (auto read = worker->take()) {
+      // Nobody chose the system's, which is only not used where it cannot be.
+      if (!read->problem.empty() && !read->source.file.empty()) return read->problem;
+      if (read->problem.empty()) use(std::move(*read), worker == &chosen_);
+    }
+  return std::nullopt;
+}
+
+/// `wanted`: just now, not in a session before.
+void ProfileController::use(Read read, bool wanted) {
+  if (read.source.file.empty()) {
+    system_ = std::move(read.profile);
+  } else if (read.device == IccProfile::Device::display) {
+    display_ = std::move(read.profile);
+    colours_.displayFile = read.source.file;
+    if (wanted) colours_.source = DisplayColours::Source::file;
+  } else {
+    printer_ = std::move(read.profile);
+    colours_.printerFile = read.source.file;
+    if (wanted) colours_.proofs = true;
+  }
+}
+
+ProfileNames ProfileController::names() const {
+  return {system_.name, display_.name, printer_.name};
+}
+
+std::shared_ptr<const ColourCube> ProfileController::displayCube() const {
+  switch (colours_.source) {
+    case DisplayColours::Source::system:
+      return system_.cube;
+    case DisplayColours::Source::file:
+      return display_.cube;
+    case DisplayColours::Source::srgb:
+      break;
+  }
+  return nullptr;
+}
+
+SoftProof ProfileController::proof() const {
+  if (!colours_.proofs) return {};
+  return {printer_.cube, colours_.warnsOfGamut};
+}
+
+}  // namespace loomlight
