@@ -10,6 +10,7 @@
 #include <memory>
 #include <new>
 
+#include "app/export/pdf_profile.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/rgb.h"
@@ -277,7 +278,7 @@ std::string pdfOf(const Sheet& sheet, const Weave& weave, const std::string& fil
   }
   cairo_surface_finish(surface.get());
   check(cairo_surface_status(surface.get()), file);
-  return bytes;
+  return withSrgbProfile(bytes);
 }
 
 std::string pngOf(Sheet sheet, const Weave& weave, const std::string& file) {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <sstream>
 
+#include "app/export/pdf_profile.h"
 #include "core/base/error.h"
 
 namespace loomlight {
@@ -143,7 +144,7 @@ std::string Paper::bytes(const std::string& file) {
   for (const cairo_status_t status : {cairo_status(canvas_), cairo_surface_status(surface_)})
     if (status != CAIRO_STATUS_SUCCESS && status != CAIRO_STATUS_SURFACE_FINISHED)
       throw InputError(fmt::format("{}: expected to draw the sheet, got: {}", file, cairo_status_to_string(status)));
-  return bytes_;
+  return isPdf_ ? withSrgbProfile(bytes_) : bytes_;
 }
 
 }  // namespace loomlight
