@@ -26,6 +26,7 @@ struct NumberStyle {
   double min = 0, max = 1;
   int decimals = 2;
   bool logarithmic = false;  ///< scrubs by factors; needs min > 0
+  const char* none = "";     ///< stands in the place of 0, where that says nothing
   double perPixel = 0;       ///< change per pixel of scrubbing; 0: the range over 300 pixels
   /// Understands further ways to write the value ("30/2 Ne"); nullopt: not one of them.
   std::function<std::optional<double>(std::string_view)> parse;

@@ -91,7 +91,7 @@ void drawValue(Ui& ui, const NumberStyle& style, double value, const ImRect& box
     draw.AddRectFilled(box.Min, box.Max, packed(ui.theme.fieldFill, 0.75f), rounding);
     draw.PopClipRect();
   }
-  const std::string number = written(style, value);
+  const std::string number = value == 0 && *style.none ? style.none : written(style, value);
   const ImVec2 unitSize = ImGui::CalcTextSize(style.unit);
   const ImVec2 numberSize = ImGui::CalcTextSize(number.c_str());
   const float pad = ui.px(8);

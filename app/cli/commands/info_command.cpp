@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/inputs.h"
@@ -13,6 +14,7 @@
 #include "core/fabric/model/wif_origin.h"
 #include "core/fabric/weave/draft_derivation.h"
 #include "core/fabric/weave/weave_code.h"
+#include "core/fabric/yarn/cloth_states.h"
 #include "core/fabric/yarn/derived.h"
 #include "core/fabric/yarn/long_floats.h"
 #include "core/fabric/yarn/yarn_name.h"
@@ -41,12 +43,22 @@ struct Information {
   Loom loom;
   CoverFactors cover;
   ClothMeasures measures;
+  ClothStates states;
   PieceSize orderedPiece;
   std::vector<YarnNeed> needs;  ///< of the yarns, for that piece
   std::vector<std::string> warnings;
   VolumeCounts volume;
   int pieceEnds = 0, piecePicks = 0;
 };
+
+std::string selvedgeYarnName(const Fabric& fabric) {
+  return fabric.mill.selvedgeYarn ? yarnName(fabric, *fabric.mill.selvedgeYarn) : std::string();
+}
+
+/// In the order in which a cloth goes through them, by their keys.
+std::array<std::pair<const char*, const ClothState*>, 4> namedStates(const ClothStates& of) {
+  return {{{"reed", &of.reed}, {"loom", &of.loom}, {"finished", &of.finished}, {"washed", &of.washed}}};
+}
 
 /// Of those yarns that are woven.
 nlohmann::ordered_json needsJson(const Fabric& fabric, const Information& of) {
@@ -78,6 +90,26 @@ nlohmann::ordered_json longFloatsJson(const LongFloats& of) {
                                {"endless", run.isEndless},
                                {"length_mm", run.length_mm}});
   return json;
+}
+
+/// What the mill has written, and each state of the cloth; a sett that is unknown is null.
+void addMill(nlohmann::ordered_json& json, const Fabric& fabric, const Information& of) {
+  const MillData& mill = fabric.mill;
+  json["reed_per_10cm"] = mill.reed_per_10cm > 0 ? nlohmann::ordered_json(mill.reed_per_10cm) : nullptr;
+  json["ends_per_dent"] = mill.endsPerDent;
+  json["selvedge"] = {{"ends", mill.selvedgeEnds},
+                      {"ends_per_dent", mill.selvedgeEndsPerDent},
+                      {"yarn", selvedgeYarnName(fabric)},
+                      {"weave", mill.selvedgeWeave}};
+  const auto settJson = [](const KnownSett& sett) {
+    nlohmann::ordered_json known{{"per_cm", nullptr}, {"from", sourceText(sett.source)}};
+    if (sett.per_cm > 0) known["per_cm"] = sett.per_cm;
+    return known;
+  };
+  for (const auto& [name, state] : namedStates(of.states))
+    json["setts"][name] = {{"ends", settJson(state->ends)}, {"picks", settJson(state->picks)}};
+  const auto width_cm = reedWidth_cm(fabric, of.states, of.orderedPiece.width_cm);
+  json["reed_width_cm"] = width_cm ? nlohmann::ordered_json(*width_cm) : nullptr;
 }
 
 nlohmann::ordered_json toJson(const Fabric& fabric, const Information& of) {
@@ -121,6 +153,7 @@ nlohmann::ordered_json toJson(const Fabric& fabric, const Information& of) {
   json["crimp_warp"] = of.measures.crimpWarp;
   json["crimp_weft"] = of.measures.crimpWeft;
   json["press"] = fabric.press;
+  addMill(json, fabric, of);
   json["yarn_need"] = needsJson(fabric, of);
   json["warnings"] = of.warnings;
   json["piece_ends"] = of.pieceEnds;
@@ -133,6 +166,28 @@ nlohmann::ordered_json toJson(const Fabric& fabric, const Information& of) {
 
 void line(const std::string& label, const std::string& value, const std::string& remark = "") {
   fmt::print("  {:<22}{:>14}{}{}\n", label, value, remark.empty() ? "" : "  ", remark);
+}
+
+void printMill(const Fabric& fabric, const Information& of) {
+  fmt::print("\nFrom the reed to the wash\n");
+  const MillData& mill = fabric.mill;
+  if (mill.reed_per_10cm > 0)
+    line("reed", fmt::format("{:g}", mill.reed_per_10cm),
+         fmt::format("dents/10 cm, ends per dent {}", dentingText(mill.endsPerDent)));
+  const std::string selvedges = selvedgeText(mill, selvedgeYarnName(fabric));
+  if (!selvedges.empty()) line("selvedges", fmt::format("2 x {}", mill.selvedgeEnds), "ends: " + selvedges);
+  const char* const labels[] = {"sett in the reed", "sett in loom state", "sett, finished", "sett, washed"};
+  const auto states = namedStates(of.states);
+  for (size_t i = 0; i < states.size(); ++i) {
+    const auto& [ends, picks] = *states[i].second;
+    const std::string remark = ends.source == picks.source ? std::string(sourceText(ends.source))
+                                                           : fmt::format("ends: {}; picks: {}", sourceText(ends.source),
+                                                                         sourceText(picks.source));
+    line(labels[i], fmt::format("{} x {}", settText(ends, "?"), settText(picks, "?")), "per cm, " + remark);
+  }
+  if (const auto width_cm = reedWidth_cm(fabric, of.states, of.orderedPiece.width_cm))
+    line("width in the reed", fmt::format("{:.1f}", *width_cm),
+         fmt::format("cm, with the selvedges, for {:g} cm finished", of.orderedPiece.width_cm));
 }
 
 void printNeeds(const Fabric& fabric, const Information& of) {
@@ -202,13 +257,17 @@ void printTable(const Fabric& fabric, const Information& of) {
        fmt::format("{:.1f} x {:.1f}", meanCount_tex(fabric, System::warp), meanCount_tex(fabric, System::weft)),
        "tex, warp x weft");
   line("cover factor", fmt::format("{:.1f}", of.cover.cloth),
-       fmt::format("Peirce; warp {:.1f}, weft {:.1f}, 28 is closed", of.cover.warp, of.cover.weft));
+       fmt::format("Peirce: ends or picks per inch over the root of Ne; warp {:.1f}, weft {:.1f}, 28 is closed",
+                   of.cover.warp, of.cover.weft));
+  line("area covered", fmt::format("{:.0f} %", 100 * of.cover.fraction),
+       "seen from straight above, about: the cover factor over 28");
   line("mass", fmt::format("{:.1f}", of.measures.arealMass_g_m2), "g/m2");
   line("thickness", fmt::format("{:.3f}", of.measures.thickness_mm), "mm");
   line("crimp of the warp", fmt::format("{:.1f} %", 100 * of.measures.crimpWarp));
   line("crimp of the weft", fmt::format("{:.1f} %", 100 * of.measures.crimpWeft));
   line("press", fmt::format("{:g}", fabric.press), "0 washed, 0.5 pressed, 1 calendered");
-  fmt::print("  All of this is of the finished cloth, at the setts given: shrinkage from the loom is not modelled.\n");
+  fmt::print("  All of this is of the finished cloth, at the setts given.\n");
+  printMill(fabric, of);
   printNeeds(fabric, of);
   fmt::print("\nVolume\n");
   line("piece", fmt::format("{} x {}", of.pieceEnds, of.piecePicks), "ends x picks");
@@ -249,6 +308,7 @@ int run(const InfoCommand& command) {
   information.loom = loomOf(fabric);
   information.cover = coverFactors(fabric);
   information.measures = geometry.measure();
+  information.states = clothStates(fabric, Crimps{information.measures.crimpWarp, information.measures.crimpWeft});
   information.orderedPiece = command.piece;
   information.needs = yarnNeed(fabric, command.piece, information.measures.crimpWarp, information.measures.crimpWeft);
   information.warnings = std::move(input.warnings);

@@ -66,6 +66,32 @@ class Info(CommandLineTest):
         for wrong in ("10", "0x150", "10x150x2", "10xwide"):
             self.assertIn("--piece", self.run_program("info", fabric, "--piece", wrong, status=2))
 
+    def test_the_states_of_the_cloth_say_where_they_are_from(self):
+        plain = json.loads(self.run_program("info", self.fabric(), "--json", "--resolution", 1))
+        self.assertIsNone(plain["reed_per_10cm"])
+        setts = plain["setts"]
+        self.assertEqual(list(setts), ["reed", "loom", "finished", "washed"])
+        self.assertAlmostEqual(setts["reed"]["ends"]["per_cm"], 20 / (1 + plain["crimp_weft"]))
+        self.assertAlmostEqual(setts["reed"]["picks"]["per_cm"], 18 / (1 + plain["crimp_warp"]))
+        self.assertEqual(setts["reed"]["ends"]["from"], "reckoned from crimp")
+        self.assertEqual(setts["loom"]["ends"], {"per_cm": None, "from": "not known"})
+        self.assertEqual((setts["finished"]["ends"]["per_cm"], setts["finished"]["picks"]["per_cm"]), (20, 18))
+        mill = {"reed_per_10cm": 120, "ends_per_dent": [3, 0], "loom_ends_per_cm": 19, "selvedge_ends": 24,
+                "selvedge_ends_per_dent": 4, "selvedge_weave": "plain", "washed_picks_per_cm": 19}
+        fabric = self.fabric(mill=mill)
+        told = json.loads(self.run_program("info", fabric, "--json", "--resolution", 1, "--piece", "10x90"))
+        self.assertEqual(told["setts"]["reed"]["ends"], {"per_cm": 18, "from": "reed and denting"})
+        self.assertEqual(told["setts"]["loom"]["ends"], {"per_cm": 19, "from": "counted by the mill"})
+        self.assertEqual(told["setts"]["washed"]["picks"]["per_cm"], 19)
+        # 90 cm at 20 ends to the cm by 18 in the reed, and 6 dents on each side of 12 to the cm.
+        self.assertAlmostEqual(told["reed_width_cm"], 100 + 1)
+        for key in ("areal_mass_g_m2", "crimp_warp", "voxels"):
+            self.assertEqual(told[key], plain[key], "no picture depends on what the mill writes")
+        table = self.run_program("info", fabric, "--resolution", 1)
+        for line in ("dents/10 cm, ends per dent 3 0", "24 each side, 4 per dent, plain", "ends: reed and denting; picks: "
+                     "reckoned from crimp", "area covered"):
+            self.assertIn(line, table)
+
     def test_the_table_has_units(self):
         table = self.run_program("info", self.fabric())
         for word in ("small twill", "g/m2", "mm", "per cm", "ends x picks", "MB", "Yarn for a piece of 10 m x 150 cm"):

@@ -1,0 +1,177 @@
+#include "ui/inspector/mill_rows.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/fabric/yarn/cloth_states.h"
+#include "core/fabric/yarn/yarn_name.h"
+#include "ui/widgets/field_row.h"
+#include "ui/widgets/member_fields.h"
+
+namespace loomlight {
+namespace {
+
+constexpr double kCmPerInch = 2.54;
+constexpr const char* kUnknown = "\xE2\x80\x93";
+
+/// A number that may be left unsaid, with `none` in its place then; shown to the inch where that is wanted.
+bool figureField(Ui& ui, const RowText& text, const FieldInfo& info, const char* unit, double perUnit, const char* none,
+                 double& value) {
+  NumberStyle style;
+  style.unit = unit;
+  style.min = info.min * perUnit;
+  style.max = info.max * perUnit;
+  style.decimals = 1;
+  style.perPixel = 0.1;
+  style.none = none;
+  double shown = value * perUnit;
+  if (!numberField(ui, text, style, shown)) return false;
+  value = std::clamp(shown / perUnit, info.min, info.max);
+  return true;
+}
+
+/// A list of ends is taken while it is typed; what is none is refused below the field.
+bool dentingField(Ui& ui, std::vector<int>& endsPerDent) {
+  const RowText text{"mill.ends_per_dent", words::endsPerDent.label, words::endsPerDent.help};
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const ImVec2 max(corner.x + ImGui::GetContentRegionAvail().x, corner.y + ImGui::GetFrameHeight());
+  const ImGuiID id = ImGui::GetID(text.id.c_str());
+  FieldMemory& memory = ui.memory;
+  std::string typed = dentingText(endsPerDent);
+  bool changed = false;
+  if (textField(ui, text, typed)) {
+    if (memory.failed == id) memory.failed = 0;
+    if (const auto dents = dentingFromText(typed)) {
+      changed = *dents != endsPerDent;
+      endsPerDent = *dents;
+    } else {
+      memory.failed = id;
+      memory.failedAt = ui.time;
+      memory.failure =
+          fmt::format("Expected ends of one dent after the other, 0 to {}: 2, or 3 3 0", MillData::kMostInDent);
+    }
+  }
+  constexpr double kShown_s = 6;
+  if (memory.failed == id && ui.time - memory.failedAt > kShown_s) memory.failed = 0;
+  if (memory.failed == id) {
+    ui.wakeWithin(0.5);
+    problemBelow(ui, ImVec2(corner.x + std::floor(kLabelShare * (max.x - corner.x)), corner.y), max, memory.failure);
+  }
+  return changed;
+}
+
+bool selvedgeRows(Ui& ui, const Fabric& fabric, CountSystem counts, MillData& mill) {
+  bool changed = memberField(ui, "mill", mill, &MillData::selvedgeEnds);
+  if (mill.selvedgeEnds == 0) return changed;
+  changed |= memberField(ui, "mill", mill, &MillData::selvedgeEndsPerDent);
+  std::vector<std::string> yarns{"As the warp"};
+  for (int i = 0; i < static_cast<int>(fabric.yarns.size()); ++i) yarns.push_back(yarnName(fabric, i, counts));
+  std::vector<const char*> names;
+  for (const std::string& yarn : yarns) names.push_back(yarn.c_str());
+  int chosen = mill.selvedgeYarn ? *mill.selvedgeYarn + 1 : 0;
+  if (choiceField(ui, {"mill.selvedge_yarn", words::selvedgeYarn.label, "What the selvedges are warped with."}, names,
+                  chosen)) {
+    mill.selvedgeYarn = chosen == 0 ? std::nullopt : std::optional(chosen - 1);
+    changed = true;
+  }
+  return textField(ui, rowText("mill", &MillData::selvedgeWeave), mill.selvedgeWeave, "as the cloth") || changed;
+}
+
+/// A row of the table of setts: a name, and what is drawn for ends and for picks.
+template <class Ends, class Picks>
+void stateRow(Ui& ui, const char* id, const Word& word, Ends&& ends, Picks&& picks) {
+  const RowText text{id, word.label, word.help};
+  const FieldRow row = beginRow(ui, text);
+  const ImVec2 min = ImGui::GetCursorScreenPos();
+  const float gap = ui.px(6), half = std::floor(0.5f * (row.width - gap));
+  const auto cell = [&](const char* name, auto&& draw) {
+    ImGui::BeginChild((std::string(id) + name).c_str(), ImVec2(half, row.height));
+    draw();
+    ImGui::EndChild();
+  };
+  cell(" ends", ends);
+  ImGui::SameLine(0, gap);
+  cell(" picks", picks);
+  endRow(ui, text, min, ImVec2(min.x + row.width, min.y + row.height));
+}
+
+/// What the columns are of.
+void columnNames(Ui& ui, const char* unit) {
+  const auto name = [&](const char* what) {
+    const std::string text = fmt::format("{} {}", what, unit);
+    ImGui::SetCursorPosX(ImGui::GetContentRegionAvail().x - ui.px(8) - ImGui::CalcTextSize(text.c_str()).x);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("%s", text.c_str());
+  };
+  stateRow(ui, "cloth.states", {""}, [&] { name("ends"); }, [&] { name("picks"); });
+}
+
+/// The cells of a state that is reckoned or known otherwise.
+void shownState(Ui& ui, const std::string& id, const Word& word, const ClothState& state, double perUnit) {
+  const auto cell = [&](const char* what, const KnownSett& sett) {
+    const std::string tooltip = fmt::format("{}: {}. {}", word.label, sourceText(sett.source), word.help);
+    readout(ui, {id + what, "", tooltip.c_str(), true}, settText({sett.per_cm * perUnit, sett.source}));
+  };
+  stateRow(ui, id.c_str(), word, [&] { cell("_ends", state.ends); }, [&] { cell("_picks", state.picks); });
+}
+
+/// Those of a state that the mill counts; what is known without it stands there until then.
+bool countedState(Ui& ui, const char* id, const Word& word, const ClothState& known, double perUnit, MillData& mill,
+                  double MillData::* ends, double MillData::* picks) {
+  bool changed = false;
+  const auto cell = [&](const KnownSett& sett, double MillData::* member) {
+    const FieldInfo info = fieldInfo(member);
+    const std::string otherwise = settText({sett.per_cm * perUnit, sett.source});
+    changed |= figureField(ui, {std::string("mill.") + info.key, "", info.help, true}, info, "", perUnit,
+                           otherwise.c_str(), mill.*member);
+  };
+  stateRow(ui, id, word, [&] { cell(known.ends, ends); }, [&] { cell(known.picks, picks); });
+  return changed;
+}
+
+void shrinkageRow(Ui& ui, const char* id, const char* label, const char* tooltip, const ClothState& before,
+                  const ClothState& after) {
+  const auto text = [](const std::optional<double>& percent) {
+    return percent ? fmt::format("{:.1f} %", *percent) : std::string(kUnknown);
+  };
+  const std::optional<double> width = shrinkage_percent(before.ends, after.ends);
+  const std::optional<double> length = shrinkage_percent(before.picks, after.picks);
+  if (width || length) readout(ui, {id, label, tooltip}, fmt::format("{} \xC3\x97 {}", text(width), text(length)));
+}
+
+bool stateRows(Ui& ui, const Fabric& fabric, const InspectorModel& model, MillData& mill) {
+  const double perUnit = model.inches ? kCmPerInch : 1;
+  const auto crimps = model.measured ? std::optional(Crimps{model.crimpWarp, model.crimpWeft}) : std::nullopt;
+  const ClothStates states = clothStates(fabric, crimps);
+  heading(ui, "Sett from reed to wash");
+  columnNames(ui, model.inches ? "/in" : "/cm");
+  shownState(ui, "cloth.reed_state", words::reedState, states.reed, perUnit);
+  bool changed = countedState(ui, "cloth.loom_state", words::loomState, states.loom, perUnit, mill,
+                              &MillData::loomEnds_per_cm, &MillData::loomPicks_per_cm);
+  shownState(ui, "cloth.finished_state", words::finishedState, states.finished, perUnit);
+  changed |= countedState(ui, "cloth.washed_state", words::washedState, states.washed, perUnit, mill,
+                          &MillData::washedEnds_per_cm, &MillData::washedPicks_per_cm);
+  shrinkageRow(ui, "cloth.contraction", "Shrinks from reed",
+               "By how much the finished cloth is narrower, and shorter, than it lay in the reed.", states.reed,
+               states.finished);
+  shrinkageRow(ui, "cloth.washing_shrinkage", "Shrinks in wash",
+               "By how much the washed cloth is narrower, and shorter, than the finished one.", states.finished,
+               states.washed);
+  return changed;
+}
+
+}  // namespace
+
+bool millRows(Ui& ui, Fabric& fabric, const InspectorModel& model, CountSystem counts) {
+  const FieldInfo reed = fieldInfo(&MillData::reed_per_10cm);
+  heading(ui, "Reed and selvedges");
+  bool changed = figureField(ui, rowText("mill", &MillData::reed_per_10cm), reed, model.inches ? "dents/in" : reed.unit,
+                             model.inches ? 0.1 * kCmPerInch : 1, kUnknown, fabric.mill.reed_per_10cm);
+  changed |= dentingField(ui, fabric.mill.endsPerDent);
+  changed |= selvedgeRows(ui, fabric, counts, fabric.mill);
+  return stateRows(ui, fabric, model, fabric.mill) || changed;
+}
+
+}  // namespace loomlight
