@@ -43,6 +43,7 @@ Session::Session(Document document, Settings settings, DisplayDriver& driver, co
       viewport_(driver, wake, threads),
       draft_(wake),
       inspector_(driver, wake),
+      yarnColours_(wake),
       snapshots_(viewFolder(), driver, wake),
       presets_(presetFolder(), driver, wake),
       tile_(wake),
@@ -56,6 +57,7 @@ Session::Session(Document document, Settings settings, DisplayDriver& driver, co
   draft_.view().back = view.draftBack;
   draft_.view().marksFloats = view.marksFloats;
   inspector_.view().units = settings_.units;
+  inspector_.view().clothColour.books = settings_.books;
   snapshots_.setOptions(settings_.snapshot);
   if (!document_.document().file().empty()) remember(document_.document().file());
 }
@@ -71,6 +73,7 @@ Settings Session::settingsToKeep() const {
                    draft.inColour,    draft.back,      draft.marksFloats};
   settings.snapshot = snapshots_.options();
   settings.units = inspector_.view().units;
+  settings.books = inspector_.view().clothColour.books;
   return settings;
 }
 
@@ -100,6 +103,7 @@ void Session::follow() {
   const bool panels = settings_.dock.panelsShown;
   if (auto dyed = inspector_.follow(document_.fabric(), document_.gesture(), panels))
     document_.edit(std::move(dyed->fabric), inspector_.place(), dyed->gesture);
+  yarnColours_.follow(document_.fabric());
   const InspectorView& inspector = inspector_.view();
   viewport_.follow(document_.fabric(), inspector.yarn, inspector.visibilityShown && panels, settings_.fibreMemory_GB,
                    {draft_.view().back, settings_.draft.longFloat_mm});
@@ -261,6 +265,7 @@ void Session::startOver(Document document) {
   document_.startOver(std::move(document));
   draft_.startOver();
   inspector_.startOver();
+  yarnColours_.forget();
 }
 
 /// Straight from above, all of it.

@@ -20,6 +20,7 @@
 #include "app/editor/controllers/tile_controller.h"
 #include "app/editor/controllers/viewport_controller.h"
 #include "app/editor/model/settings.h"
+#include "app/editor/services/yarn_colour_service.h"
 #include "ui/dialogs/keys_dialog.h"
 #include "ui/dialogs/preferences_dialog.h"
 #include "ui/dock_layout.h"
@@ -132,6 +133,7 @@ class Session {
   DraftController draft_;
   InspectorController inspector_;
   SnapshotController snapshots_;
+  YarnColourService yarnColours_;
   PresetController presets_;
   TileController tile_;
   FileController files_;

@@ -156,7 +156,7 @@ void Session::openColours(const std::string& file) {
     if (colours.swatch)
       inspector_.dyeLike(*document_.fabric(), *colours.swatch);
     else
-      inspector_.open(colours.palette);
+      inspector_.open(colours.palette, absolute(file).string());
     if (!colours.remarks.empty())
       questions_.say("The colours were read", fmt::format("{}", fmt::join(colours.remarks, "\n\n")));
   } catch (const InputError& error) {

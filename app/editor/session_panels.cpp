@@ -65,8 +65,11 @@ void Session::drawPanels(Ui& ui) {
 void Session::drawDraft(Ui& ui) {
   const EditPlace place = draft_.place();
   const std::shared_ptr<const FabricStats> stats = viewport_.service().stats();
-  draft_.view().counts = viewport_.view().counts = inspector_.view().units.count;
-  auto edited = draft_.draw(ui, *document_.fabric(), inspector_.view().yarn, stats ? &stats->longFloats : nullptr,
+  const Fabric& fabric = *document_.fabric();
+  ShownYarns yarns = shownYarns(fabric, yarnColours_.of(fabric), inspector_.view().units.count);
+  viewport_.view().yarnNames = yarns.names;
+  draft_.view().yarnNames = std::move(yarns.names);
+  auto edited = draft_.draw(ui, fabric, yarns.colours, inspector_.view().yarn, stats ? &stats->longFloats : nullptr,
                             settings_.draft, viewport_.underPointer());
   help_.hints.drew |= edited.has_value();
   if (edited) document_.edit(std::move(*edited), place);
@@ -94,7 +97,7 @@ void Session::drawStrip(Ui& ui) {
 
 void Session::drawInspector(Ui& ui) {
   const EditPlace place = inspector_.place();
-  InspectorResult result = inspector_.draw(ui, document_.fabric(), viewport_.service(), settings_.draft.inches);
+  InspectorResult result = inspector_.draw(ui, document_.fabric(), yarnColours_, viewport_.service(), settings_.draft.inches);
   help_.hints.set |= result.fabric.has_value();
   if (result.fabric) document_.edit(std::move(*result.fabric), place);
   if (result.camera) document_.lookFrom(*result.camera);
@@ -119,11 +122,11 @@ void Session::drawFabricDialogs(Ui& ui) {
     if (!presets_.isOpen()) viewport_.service().pause(false);
   }
   if (inspector_.colourwaysAreOpen()) {
-    if (auto edited = inspector_.drawColourways(ui, document_.fabric())) document_.edit(std::move(*edited));
+    if (auto edited = inspector_.drawColourways(ui, document_.fabric(), yarnColours_)) document_.edit(std::move(*edited));
     if (!inspector_.colourwaysAreOpen()) viewport_.service().pause(false);
   }
   const EditPlace place = draft_.place();
-  DraftController::Edit edit = draft_.drawDialogs(ui, document_.fabric(), settings_.draft);
+  DraftController::Edit edit = draft_.drawDialogs(ui, document_.fabric(), yarnColours_, settings_.draft);
   if (edit.fabric) document_.edit(std::move(*edit.fabric), place);
   if (!edit.problem.empty()) questions_.say("This picture cannot be used", edit.problem);
 }
@@ -193,6 +196,7 @@ void Session::tellProbe(Ui& ui) const {
   viewport_.tellProbe(ui.probe, inspector_.view().yarn);
   ui.probe.fact("refusal", document_.refusal());
   ui.probe.fact("autosave_problem", document_.autosave().problem());
+  ui.probe.fact("yarn_colours", yarnColours_.knows(*document_.fabric()) ? "known" : "coming");
   ui.probe.fact("yarn", std::to_string(inspector_.view().yarn));
   ui.probe.fact("dialog", dialogIsOpen() ? "open" : "none");
 }

@@ -6,16 +6,14 @@
 
 #include "core/base/rgb.h"
 #include "core/fabric/yarn/derived.h"
-#include "core/fabric/yarn/yarn_reflectance.h"
 
 namespace loomlight {
 namespace {
 
 /// The colour of what lies on top, linear.
-std::function<Rgb(int pick, int end)> colouring(const Fabric& fabric) {
+std::function<Rgb(int pick, int end)> colouring(const Fabric& fabric, std::span<const Rgb> yarnColours) {
   std::vector<Rgb> yarns;  // as displayed
-  for (const Rgb& reflectance : yarnReflectances(fabric))
-    yarns.push_back(srgbFromLinear(glm::clamp(reflectance, Rgb(0.0f), Rgb(1.0f))));
+  for (const Rgb& colour : yarnColours) yarns.push_back(srgbFromLinear(glm::clamp(colour, Rgb(0.0f), Rgb(1.0f))));
   const Rgb first = yarns[static_cast<size_t>(fabric.warpYarn(0))];
   const auto isFirst = [&](int yarn) {
     const Rgb& c = yarns[static_cast<size_t>(yarn)];
@@ -35,7 +33,7 @@ std::function<Rgb(int pick, int end)> colouring(const Fabric& fabric) {
 
 }  // namespace
 
-Pixels8 draftPicture(const Fabric& fabric, int side) {
+Pixels8 draftPicture(const Fabric& fabric, std::span<const Rgb> yarnColours, int side) {
   constexpr int kFewest = 32;  // crossings a side
   const CrossingShape shape = crossingShape(fabric);
   const double longest = std::max(fabric.weave.ends() * shape.width, fabric.weave.picks() * shape.height);
@@ -44,7 +42,7 @@ Pixels8 draftPicture(const Fabric& fabric, int side) {
   const auto pitch = [&](double length) { return 1 / (whole ? std::round(std::floor(unit) * length) : unit * length); };
   const double acrossPixel = pitch(shape.width), downPixel = pitch(shape.height);  // crossings from pixel to pixel
   const int samples = whole ? 1 : 16;
-  const auto colourAt = colouring(fabric);
+  const auto colourAt = colouring(fabric, yarnColours);
   Pixels8 picture{side, side, 3, {}};
   picture.bytes.reserve(static_cast<size_t>(side) * side * 3);
   for (int y = side - 1; y >= 0; --y)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "core/fabric/model/fabric.h"
 #include "render/film/image.h"
 
@@ -8,6 +10,7 @@ namespace loomlight {
 /// The drawdown in the colours of its yarns, `side` pixels a side and three channels: some repeats of a small one, the
 /// whole of a large one, of which each pixel shows the mean of a few crossings. In a cloth of one colour
 /// the warp is darker and the weft lighter, as on point paper. Crossings have the shape that the sett gives them.
-Pixels8 draftPicture(const Fabric& fabric, int side);
+/// `yarnColours`: linear, one for each.
+Pixels8 draftPicture(const Fabric& fabric, std::span<const Rgb> yarnColours, int side);
 
 }  // namespace loomlight

@@ -32,10 +32,10 @@ std::optional<std::vector<FaceColour>> faceColours(const Fabric& fabric, const T
   const Colouring colouring = colouringInDaylight(fabric);
   std::vector<FaceColour> colours;
   const int fibres = fabric.fibres.size() > 1 ? std::min(static_cast<int>(fabric.fibres.size()), kMostFibres) : 0;
-  for (int material = kAnyMaterial; material < fibres; ++material) {
-    const auto walks = tallyPathLengths(*scene, *medium, material, kWalks, task);
+  for (int material = -1; material < fibres; ++material) {
+    const bool isAll = material < 0;
+    const auto walks = tallyPathLengths(*scene, *medium, isAll ? wholePiece() : partOfFibre(material), kWalks, task);
     if (!walks) return std::nullopt;
-    const bool isAll = material == kAnyMaterial;
     if (walks->lit() > 0)
       colours.push_back(
           colourOf(isAll ? "Cloth" : fabric.fibres[static_cast<size_t>(material)].name, *walks, colouring));

@@ -2,27 +2,25 @@
 
 #include <utility>
 
-#include "core/fabric/model/changes.h"
 #include "render/transport/cloth_walks.h"
 
 namespace loomlight {
 namespace {
 
-/// Whether walks through the cloth of one fabric tell the colours of the other's: on a flat patch, under the same sky.
-bool walkedAlike(const Fabric& a, const Fabric& b) {
-  return changes(a, b).stages.within(Stage::drape | Stage::colour | Stage::brightness | Stage::light | Stage::camera |
-                                     Stage::label);
+std::shared_ptr<const Fabric> readyFor(const ColourWish& wish) {
+  return std::make_shared<const Fabric>(readyToDye(*wish.fabric, wish.part));
 }
 
-std::shared_ptr<const ColourAnswer> answerTo(const ColourWish& wish, const PathLengthTally& walks) {
+std::shared_ptr<const ColourAnswer> answerTo(const ColourWish& wish, const Fabric& ready,
+                                             const PathLengthTally& walks) {
   auto answer = std::make_shared<ColourAnswer>();
   answer->wish = wish;
   answer->seen = walks.lit() > 0;
   if (!answer->seen) return answer;
-  const Colouring colouring = colouringInDaylight(*wish.fabric);
+  const Colouring colouring = colouringInDaylight(ready);
   answer->colour = walks.colour(colouring);
-  const std::vector<int> dyed = dyedWith(wish.fibre, wish.fabric->fibres.size());
-  if (wish.wanted) answer->solved = solveColour(walks, absorptionsOf(*wish.fabric), dyed, *wish.wanted);
+  const std::vector<int> dyed = fibresOf(ready, wish.part);
+  if (wish.wanted) answer->solved = solveColour(walks, absorptionsOf(ready), dyed, *wish.wanted);
   if (wish.measured) answer->matched = solveReflectance(walks, colouring, dyed, *wish.measured);
   return answer;
 }
@@ -44,32 +42,38 @@ std::string ColourWorker::error() const {
   return result ? result->error : "";
 }
 
-/// Walks for the wish, which may be replaced under way by one that the same walks serve. False when stopped.
-bool ColourWorker::makeWalks(ColourWish& wish, Answering::Turn& turn) {
-  if (walked_ && walkedAlike(*walked_, *wish.fabric) && walkedFibre_ == wish.fibre) return true;
-  const auto fabric = wish.fabric;
+/// Makes walks for the wish, which may be replaced under way by one that the same walks serve. Its fabric, ready to
+/// dye; null when stopped.
+std::shared_ptr<const Fabric> ColourWorker::makeWalks(ColourWish& wish, Answering::Turn& turn) {
+  std::shared_ptr<const Fabric> ready = readyFor(wish);
+  if (walked_ && walkedPart_ == wish.part && walkedAlike(*walked_, *ready)) return ready;
+  const auto first = ready;
   Task task;
   task.stop = turn.stop();
   task.threads = 1;
   task.progress = [&](double) {
     auto newer = turn.takeNewer();
     if (!newer) return;
-    if (newer->fibre == wish.fibre && walkedAlike(*newer->fabric, *fabric))
+    auto newerReady = readyFor(*newer);
+    if (newer->part == wish.part && walkedAlike(*newerReady, *first)) {
       wish = std::move(*newer);
-    else
+      ready = std::move(newerReady);
+    } else {
       turn.giveWayTo(std::move(*newer));
+    }
   };
-  auto walks = walkThrough(*fabric, wish.fibre, kDyeWalks, task);
-  if (!walks) return false;
-  walked_ = fabric;
-  walkedFibre_ = wish.fibre;
+  auto walks = walkThrough(*first, wish.part, kDyeWalks, task);
+  if (!walks) return nullptr;
+  walked_ = first;
+  walkedPart_ = wish.part;
   walks_ = std::move(*walks);
-  return true;
+  return ready;
 }
 
 std::optional<ColourWorker::Result> ColourWorker::answer(ColourWish wish, Answering::Turn& turn) {
-  if (!makeWalks(wish, turn)) return std::nullopt;
-  last_ = answerTo(wish, walks_);
+  const auto ready = makeWalks(wish, turn);
+  if (!ready) return std::nullopt;
+  last_ = answerTo(wish, *ready, walks_);
   return Result{last_, ""};
 }
 

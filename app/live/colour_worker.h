@@ -10,16 +10,17 @@
 
 namespace loomlight {
 
-/// Which colour the cloth shows where a fibre lies on top, or all of its face; and, where one is wanted, how to dye
-/// that fibre, or the whole piece, for it. At most one of the two is wanted.
+/// Which colour the cloth shows where a part of it lies on top; and, where one is wanted, how to dye that part for it.
+/// At most one of the two is wanted.
 struct ColourWish {
   std::shared_ptr<const Fabric> fabric;
-  int fibre = 0;                     ///< or kAnyMaterial: the piece, all of whose fibres are dyed alike
+  ClothPart part;                    ///< that the fabric has
   std::optional<Rgb> wanted;         ///< linear, 1 is white paper
   std::optional<Spectrum> measured;  ///< a reflectance in bands, 1 is a perfect diffuser
   uint64_t number = 0;               ///< the asker's, to know the answer by
 };
 
+/// The dyes are for the fibres of the part in the fabric that is readyToDye().
 struct ColourAnswer {
   ColourWish wish;
   bool seen = false;  ///< it lies on top somewhere
@@ -45,12 +46,12 @@ class ColourWorker {
   };
   using Answering = Worker<ColourWish, Result>;
   std::optional<Result> answer(ColourWish wish, Answering::Turn& turn);
-  bool makeWalks(ColourWish& wish, Answering::Turn& turn);
+  std::shared_ptr<const Fabric> makeWalks(ColourWish& wish, Answering::Turn& turn);
 
   // The thread's own:
   std::shared_ptr<const ColourAnswer> last_;
-  std::shared_ptr<const Fabric> walked_;  ///< through whose cloth walks_ are
-  int walkedFibre_ = 0;
+  std::shared_ptr<const Fabric> walked_;  ///< ready to dye, through whose cloth walks_ are
+  ClothPart walkedPart_;
   PathLengthTally walks_;
 
   Answering worker_;  // last: it ends before what it uses is gone

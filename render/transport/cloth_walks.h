@@ -8,8 +8,8 @@
 
 namespace loomlight {
 
-/// tallyPathLengths() through a patch of the fabric that is made for it; nullopt when stopped. `material`: that is met
-/// first, or kAnyMaterial. Throws InputError for files that cannot be used.
-std::optional<PathLengthTally> walkThrough(const Fabric& fabric, int material, size_t count, const Task& task);
+/// tallyPathLengths() through a patch of the fabric that is made for it; nullopt when stopped. `part`: that is met
+/// first. Throws InputError for files that cannot be used.
+std::optional<PathLengthTally> walkThrough(const Fabric& fabric, const ClothPart& part, size_t count, const Task& task);
 
 }  // namespace loomlight

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "render/colour/nearest_colour.h"
@@ -100,13 +99,6 @@ struct Range {
 };
 
 }  // namespace
-
-std::vector<int> dyedWith(int material, size_t count) {
-  if (material != kAnyMaterial) return {material};
-  std::vector<int> all(count);
-  std::iota(all.begin(), all.end(), 0);
-  return all;
-}
 
 SolvedColour solveColour(const PathLengthTally& walks, std::vector<Rgb> absorption_per_mm, std::span<const int> dyed,
                          const Rgb& wanted) {

@@ -33,8 +33,4 @@ struct SolvedReflectance {
 SolvedReflectance solveReflectance(const PathLengthTally& walks, Colouring colouring, std::span<const int> dyed,
                                    const Spectrum& wanted);
 
-/// The materials that are dyed where light first meets `material`: itself, or all of `count` for kAnyMaterial, as a
-/// piece is dyed after it was woven.
-std::vector<int> dyedWith(int material, size_t count);
-
 }  // namespace loomlight

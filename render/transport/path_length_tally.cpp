@@ -4,59 +4,149 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <functional>
 #include <span>
+#include <utility>
 
 #include "core/base/parallel.h"
+#include "core/fabric/model/changes.h"
 #include "core/fabric/yarn/yarn_reflectance.h"
 #include "core/geometry/cloth_geometry.h"
 #include "render/transport/path_integrator.h"
 
-// How it works. Rays go straight down at random places of a patch that lies under a white sky. Of those that meet the
-// material first, the path is followed until it leaves the cloth, and the lengths that it has gone inside the fibres of
-// each material are written down. The colour of the cloth for any absorptions is then the mean of exp(-absorption .
-// lengths) over the paths, without tracing them again.
+// How it works. Rays go straight down at random places of a patch that lies under a white sky. Of those that meet what
+// is asked for first, the path is followed until it leaves the cloth, and the lengths that it has gone inside the
+// fibres of each material are written down. The colour of the cloth for any absorptions is then the mean of
+// exp(-absorption . lengths) over the paths, without tracing them again. Where several kinds of fibres are asked for,
+// each has a tally of its own, and walks are begun until every one has enough or too many have been begun in vain.
 
 namespace loomlight {
 namespace {
 
-constexpr int kFewestCrossings = 8, kMostCrossings = 128;
+constexpr size_t kFewest = 8, kMostOfWeave = 128;  // crossings a side; a jacquard's repeat takes long to build
+constexpr size_t kMostOfColours = 4096, kMostCrossings = size_t{1} << 16;  // a side, and of both together
 constexpr double kMarginThicknesses = 6;  // around the window: hardly any light comes from farther
 
 /// The part of the cloth that is looked at: a repeat of weave and colours, centred.
 glm::dvec2 window_mm(const Fabric& fabric) {
-  const auto side = [](size_t weave, size_t colours, double pitch_mm) {
-    const int repeat = static_cast<int>(std::min<size_t>(std::max(weave, colours), kMostCrossings));
-    return pitch_mm * ((kFewestCrossings + repeat - 1) / repeat * repeat);
+  const auto repeat = [](int weave, size_t colours) {
+    return std::max(std::min(static_cast<size_t>(weave), kMostOfWeave), std::min(colours, kMostOfColours));
   };
-  return {side(static_cast<size_t>(fabric.weave.ends()), fabric.warpSequence.size(), fabric.warpPitch_mm()),
-          side(static_cast<size_t>(fabric.weave.picks()), fabric.weftSequence.size(), fabric.weftPitch_mm())};
+  size_t ends = repeat(fabric.weave.ends(), fabric.warpSequence.size());
+  size_t picks = repeat(fabric.weave.picks(), fabric.weftSequence.size());
+  size_t& longer = ends > picks ? ends : picks;
+  longer = std::min(longer, std::max(kMostOfWeave, kMostCrossings / std::min(ends, picks)));
+  const auto side = [](size_t threads, double pitch_mm) {
+    return pitch_mm * static_cast<double>((kFewest + threads - 1) / threads * threads);
+  };
+  return {side(ends, fabric.warpPitch_mm()), side(picks, fabric.weftPitch_mm())};
 }
 
-/// What one path has gone through, if it met the material first and came back to the sky.
+/// Which of several tallies a walk that begins with this collision goes into; -1: none.
+using KindOf = std::function<int(const Collision&)>;
+
+/// What one path has gone through, if it met a kind first that is wanted, and came back to the sky.
 class LengthTally final : public PathSink {
  public:
-  explicit LengthTally(int material) : material_(material) {}
+  /// `wanted`: kind by kind. Both outlive it.
+  LengthTally(const KindOf& kindOf, const std::vector<char>& wanted) : kindOf_(kindOf), wanted_(wanted) {}
 
   void clear() {
-    met_ = false;
+    kind_ = -1;
     lengths_mm_.clear();
   }
-  bool met() const { return met_; }  ///< the material, first
+  int kind() const { return kind_; }  ///< that was met first; -1: none that is wanted
   const std::vector<float>& lengths_mm() const { return lengths_mm_; }
 
   bool meets(const Collision& at, uint32_t event) override {
-    if (event == 1) met_ = material_ == kAnyMaterial || at.material == material_;
-    return met_;
+    if (event > 1) return true;
+    const int kind = kindOf_(at);
+    if (kind >= 0 && wanted_[static_cast<size_t>(kind)]) kind_ = kind;
+    return kind_ >= 0;
   }
   void gathers(const PathLight&, std::span<const float> lengths_mm, uint32_t) override {
     lengths_mm_.assign(lengths_mm.begin(), lengths_mm.end());
   }
 
  private:
-  int material_;
-  bool met_ = false;
+  const KindOf& kindOf_;
+  const std::vector<char>& wanted_;
+  int kind_ = -1;
   std::vector<float> lengths_mm_;
 };
+
+/// A block of walks, of each kind as many as `most`; false when stopped.
+bool walkBlock(const Scene& scene, const Medium& medium, const KindOf& kindOf, uint64_t seed, size_t most,
+               std::vector<PathLengthTally>& kinds, const Task& task) {
+  constexpr size_t kTriesPerWalk = 64;  // what so few eyes see is not on the face
+  const glm::dvec2 window = window_mm(*scene.fabric);
+  const double above = 2 * scene.cloth->volume->geometry().halfThickness_mm();
+  const uint32_t deepest = PathRules::of(scene).maxEvents + 1;  // no lamp is looked for from the last one
+  PathIntegrator integrator(scene, medium, PathRules::plain(deepest), most);
+  std::vector<char> wanted(kinds.size());
+  std::vector<LengthTally> tallies(most, LengthTally(kindOf, wanted));
+  std::vector<PathStart> starts;
+  TraceCounts counts;
+  for (size_t tries = 0; tries < most * kTriesPerWalk && !task.stopped();) {
+    size_t missing = 0;
+    for (size_t k = 0; k < kinds.size(); ++k) {
+      missing += most - std::min(most, kinds[k].count);
+      wanted[k] = kinds[k].count < most;
+    }
+    if (missing == 0) return true;
+    starts.clear();
+    for (size_t i = 0; i < std::min(most, missing); ++i) {
+      Random random(hashCombine(seed, tries++));
+      const double u = random.uniformDouble(), v = random.uniformDouble();
+      const glm::dvec3 place((u - 0.5) * window.x, (v - 0.5) * window.y, above);
+      tallies[i].clear();
+      starts.push_back({{glm::vec3(place), {0, 0, -1}}, random, &tallies[i]});
+    }
+    if (!integrator.follow(starts, counts, &task)) return false;
+    for (size_t i = 0; i < starts.size(); ++i) {
+      if (tallies[i].kind() < 0) continue;
+      PathLengthTally& kind = kinds[static_cast<size_t>(tallies[i].kind())];
+      ++kind.count;
+      const auto& lengths = tallies[i].lengths_mm();
+      kind.lengths_mm.insert(kind.lengths_mm.end(), lengths.begin(), lengths.end());
+    }
+  }
+  return !task.stopped();
+}
+
+/// Of each kind `count` walks. nullopt when stopped.
+std::optional<std::vector<PathLengthTally>> tallyKinds(const Scene& scene, const Medium& medium, size_t kinds,
+                                                       const KindOf& kindOf, size_t count, const Task& task) {
+  constexpr size_t kBlock = PathIntegrator::kBatch;
+  std::vector<std::vector<PathLengthTally>> blocks((count + kBlock - 1) / kBlock, std::vector<PathLengthTally>(kinds));
+  std::atomic<size_t> done{0};
+  parallelFor(blocks.size(), task.threads, [&](size_t b) {
+    if (walkBlock(scene, medium, kindOf, hashCombine(scene.fabric->render.seed, b), kBlock, blocks[b], task))
+      task.report(static_cast<double>(++done) / static_cast<double>(blocks.size()));
+  });
+  if (task.stopped()) return std::nullopt;
+  std::vector<PathLengthTally> tallies(kinds);
+  for (size_t k = 0; k < kinds; ++k) {
+    tallies[k].materials = scene.cloth->materials.size();
+    for (const std::vector<PathLengthTally>& block : blocks) {
+      tallies[k].count += block[k].count;
+      tallies[k].lengths_mm.insert(tallies[k].lengths_mm.end(), block[k].lengths_mm.begin(), block[k].lengths_mm.end());
+    }
+  }
+  return tallies;
+}
+
+bool isOf(const Collision& met, const ClothPart& part) {
+  switch (part.kind) {
+    case ClothPart::Kind::piece:
+      return true;
+    case ClothPart::Kind::yarn:
+      return met.yarn == part.index;
+    case ClothPart::Kind::fibre:
+      return met.material == part.index;
+  }
+  return false;
+}
 
 }  // namespace
 
@@ -118,48 +208,22 @@ Fabric colourPatch(Fabric fabric) {
   return fabric;
 }
 
-std::optional<PathLengthTally> tallyPathLengths(const Scene& scene, const Medium& medium, int material, size_t count,
-                                                const Task& task) {
-  constexpr size_t kBlock = PathIntegrator::kBatch;
-  constexpr size_t kTriesPerWalk = 64;  // a fibre that so few eyes see is not on the face
-  const glm::dvec2 window = window_mm(*scene.fabric);
-  const double above = 2 * scene.cloth->volume->geometry().halfThickness_mm();
-  std::vector<PathLengthTally> blocks((count + kBlock - 1) / kBlock);
-  const uint32_t deepest = PathRules::of(scene).maxEvents + 1;  // no lamp is looked for from the last one
-  std::atomic<size_t> done{0};
-  parallelFor(blocks.size(), task.threads, [&](size_t b) {
-    PathLengthTally& block = blocks[b];
-    PathIntegrator integrator(scene, medium, PathRules::plain(deepest), kBlock);
-    std::vector<LengthTally> tallies(kBlock, LengthTally(material));
-    std::vector<PathStart> starts;
-    TraceCounts counts;
-    for (size_t tries = 0; tries < kBlock * kTriesPerWalk && block.count < kBlock && !task.stopped();) {
-      starts.clear();
-      for (size_t i = block.count; i < kBlock; ++i) {
-        Random random(hashCombine(hashCombine(scene.fabric->render.seed, b), tries++));
-        const double u = random.uniformDouble(), v = random.uniformDouble();
-        const glm::dvec3 place((u - 0.5) * window.x, (v - 0.5) * window.y, above);
-        tallies[starts.size()].clear();
-        starts.push_back({{glm::vec3(place), {0, 0, -1}}, random, &tallies[starts.size()]});
-      }
-      if (!integrator.follow(starts, counts, &task)) return;
-      for (size_t i = 0; i < starts.size(); ++i) {
-        if (!tallies[i].met()) continue;
-        ++block.count;
-        const auto& lengths = tallies[i].lengths_mm();
-        block.lengths_mm.insert(block.lengths_mm.end(), lengths.begin(), lengths.end());
-      }
-    }
-    task.report(static_cast<double>(++done) / static_cast<double>(blocks.size()));
-  });
-  if (task.stopped()) return std::nullopt;
-  PathLengthTally tally;
-  tally.materials = scene.cloth->materials.size();
-  for (const PathLengthTally& block : blocks) {
-    tally.count += block.count;
-    tally.lengths_mm.insert(tally.lengths_mm.end(), block.lengths_mm.begin(), block.lengths_mm.end());
-  }
-  return tally;
+bool walkedAlike(const Fabric& a, const Fabric& b) {
+  return changes(a, b).stages.within(Stage::drape | Stage::colour | Stage::brightness | Stage::light | Stage::camera |
+                                     Stage::label);
+}
+
+std::optional<PathLengthTally> tallyPathLengths(const Scene& scene, const Medium& medium, const ClothPart& part,
+                                                size_t count, const Task& task) {
+  auto tallies =
+      tallyKinds(scene, medium, 1, [&](const Collision& at) { return isOf(at, part) ? 0 : -1; }, count, task);
+  return tallies ? std::optional(std::move(tallies->front())) : std::nullopt;
+}
+
+std::optional<std::vector<PathLengthTally>> tallyYarns(const Scene& scene, const Medium& medium, size_t count,
+                                                       const Task& task) {
+  return tallyKinds(
+      scene, medium, scene.fabric->yarns.size(), [](const Collision& at) { return at.yarn; }, count, task);
 }
 
 }  // namespace loomlight

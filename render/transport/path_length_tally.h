@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/base/task.h"
+#include "core/fabric/yarn/cloth_part.h"
 #include "render/media/medium.h"
 #include "render/scene/scene.h"
 
@@ -23,11 +24,11 @@ struct Reflectance {
 /// each fibre material are all that its colour depends on: one set of walks answers for every dye.
 struct PathLengthTally {
   size_t materials = 0;           ///< of the scene
-  size_t count = 0;               ///< walks that met the fibre in question first
+  size_t count = 0;               ///< walks that met the part in question first
   std::vector<float> lengths_mm;  ///< of those that came out to the sky: walk by walk, one length for each material
 
   size_t lit() const { return materials > 0 ? lengths_mm.size() / materials : 0; }
-  /// What shows, where that fibre lies on top, with these absorptions (1/mm, per material). 1 is white paper.
+  /// What shows, where that part lies on top, with these absorptions (1/mm, per material). 1 is white paper.
   Rgb colour(const std::vector<Rgb>& absorption_per_mm) const;
   Rgb colour(const Colouring& colouring) const;
   /// The same in each band, whatever the lamps: what a spectrophotometer reads that lights from all of the sky and
@@ -39,17 +40,19 @@ struct PathLengthTally {
 /// PathLengthTally::colour() is asked for.
 std::vector<Rgb> absorptionsOf(const Fabric& fabric);
 
-/// Stands for whichever material is met first.
-inline constexpr int kAnyMaterial = -1;
-
 /// The fabric on a flat patch for tallyPathLengths: its repeat, as far as that is not too large, and what light travels
 /// sideways around it.
 Fabric colourPatch(Fabric fabric);
 
-/// `count` walks that first meet `material` (kAnyMaterial: one of them), over the middle of the scene, which is that of
-/// a colourPatch(); fewer where hardly any does, none where it never lies on top. A function of the scene's seed.
-/// nullopt when stopped.
-std::optional<PathLengthTally> tallyPathLengths(const Scene& scene, const Medium& medium, int material, size_t count,
-                                                const Task& task);
+/// Whether walks through the patch of one fabric tell the colours of the other's: it is flat, under its own sky.
+bool walkedAlike(const Fabric& a, const Fabric& b);
+
+/// `count` walks that first meet a fibre of the part, over the middle of the scene, which is that of a colourPatch();
+/// fewer where hardly any does, none where it never lies on top. A function of the scene's seed. nullopt when stopped.
+std::optional<PathLengthTally> tallyPathLengths(const Scene& scene, const Medium& medium, const ClothPart& part,
+                                                size_t count, const Task& task);
+/// The same for each yarn of the fabric at once; more walks of yarns that show more than others.
+std::optional<std::vector<PathLengthTally>> tallyYarns(const Scene& scene, const Medium& medium, size_t count,
+                                                       const Task& task);
 
 }  // namespace loomlight

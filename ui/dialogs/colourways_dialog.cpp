@@ -8,7 +8,6 @@
 #include "core/fabric/model/validate.h"
 #include "ui/widgets/fields.h"
 #include "ui/widgets/modal.h"
-#include "ui/widgets/yarn_colours.h"
 
 namespace loomlight {
 namespace {
@@ -59,7 +58,7 @@ void ColourwaysDialog::card(Ui& ui, int index, const char* name, ImTextureID pic
     draw.AddRect(min, max, packed(index == chosen_ ? ui.theme.accent : ui.theme.textQuiet), ui.px(4), 0, ui.px(2));
 }
 
-void ColourwaysDialog::cards(Ui& ui, const Fabric& fabric, const std::vector<ImTextureID>& pictures, ImVec2 size) {
+void ColourwaysDialog::cards(Ui& ui, const Fabric& fabric, const ColourwayLooks& looks, ImVec2 size) {
   ImGui::BeginChild("cards", size);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(kGap), ui.px(kGap)));
   const float room = ImGui::GetContentRegionAvail().x + ui.px(kGap);
@@ -68,8 +67,8 @@ void ColourwaysDialog::cards(Ui& ui, const Fabric& fabric, const std::vector<ImT
   for (int i = 0; i < count; ++i) {
     if (i % perLine != 0) ImGui::SameLine();
     const Colourway* const colourway = i > 0 ? &fabric.colourways[static_cast<size_t>(i - 1)] : nullptr;
-    const std::vector<ImVec4> colours = yarnColours(colourway ? inColourway(fabric, *colourway) : fabric);
-    card(ui, i, colourway ? colourway->name.c_str() : "As it is now", pictures[static_cast<size_t>(i)], colours);
+    const auto look = static_cast<size_t>(i);
+    card(ui, i, colourway ? colourway->name.c_str() : "As it is now", looks.pictures[look], looks.yarnColours[look]);
   }
   ImGui::PopStyleVar();
   ImGui::EndChild();
@@ -118,12 +117,12 @@ std::optional<Fabric> ColourwaysDialog::actions(Ui& ui, const Fabric& fabric) {
   return edited;
 }
 
-std::optional<Fabric> ColourwaysDialog::draw(Ui& ui, const Fabric& fabric, const std::vector<ImTextureID>& pictures) {
+std::optional<Fabric> ColourwaysDialog::draw(Ui& ui, const Fabric& fabric, const ColourwayLooks& looks) {
   if (!open_) return std::nullopt;
   chosen_ = std::clamp(chosen_, 0, static_cast<int>(fabric.colourways.size()));
   if (!beginModal(ui, "Colourways", ImVec2(ui.px(768), ui.px(576)), open_, opening_)) return std::nullopt;
   const ImVec2 room = ImGui::GetContentRegionAvail();
-  cards(ui, fabric, pictures, ImVec2(room.x, room.y - 2 * ImGui::GetFrameHeightWithSpacing() - ui.px(16)));
+  cards(ui, fabric, looks, ImVec2(room.x, room.y - 2 * ImGui::GetFrameHeightWithSpacing() - ui.px(16)));
   std::optional<Fabric> edited = actions(ui, fabric);
   endModal();
   return edited;

@@ -131,14 +131,14 @@ std::optional<Fabric> barStroke(Ui& ui, const Fabric& fabric, DraftView& view, c
 }
 
 /// What a bar of colours shows under the mouse: said in the line below, as nothing may cover what is drawn at.
-std::string barUnderMouse(const Fabric& fabric, CountSystem counts, const DraftFrame& frame,
+std::string barUnderMouse(const Fabric& fabric, const std::vector<std::string>& yarnNames, const DraftFrame& frame,
                           const DraftLayout& layout) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const auto under = [](const Box& box) { return ImGui::IsMouseHoveringRect(box.min, box.max); };
   const CrossingIndex at = frame.at(mouse);
   const auto said = [&](const char* thread, int index, int yarn) {
     return fmt::format("{} {}: {}; a click gives it the selected yarn", thread, index + 1,
-                       yarnName(fabric, yarn, counts));
+                       yarnNames[static_cast<size_t>(yarn)]);
   };
   if (under(layout.warpBar)) return said("end", at.end, fabric.warpYarn(at.end));
   if (under(layout.weftBar)) return said("pick", at.pick, fabric.weftYarn(at.pick));
@@ -219,7 +219,7 @@ std::optional<Fabric> draftCanvas(Ui& ui, const Fabric& fabric, const std::vecto
     const CrossingIndex c = inRepeat(*view.hovered, fabric.weave);
     place = fmt::format("end {}, pick {}", c.end + 1, c.pick + 1);
   } else {
-    place = barUnderMouse(fabric, view.counts, frame, layout);
+    place = barUnderMouse(fabric, view.yarnNames, frame, layout);
     if (place.empty() && draft) place = partUnderMouse(*draft, frame, layout);
   }
 

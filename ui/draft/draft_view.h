@@ -11,7 +11,6 @@
 #include "core/fabric/weave/structures.h"
 #include "core/fabric/weave/weave_edit.h"
 #include "core/fabric/yarn/long_floats.h"
-#include "core/fabric/yarn/yarn_name.h"
 #include "ui/draft/colour_order_tools.h"
 #include "ui/draft/order_field.h"
 #include "ui/widgets/crossing_index.h"
@@ -47,7 +46,7 @@ class ShownDraft {
 /// How the draft is looked at, and the stroke under way. No truth about the fabric.
 struct DraftView {
   float cell = 0;                         ///< pixels of a crossing across; 0: fit at the next frame
-  CountSystem counts = CountSystem::tex;  ///< in which yarns without a name are called by their count
+  std::vector<std::string> yarnNames;     ///< what yarns are called, set before each frame
   float aspect = 1;                       ///< height of a crossing over its width: that of the cloth, by its sett
   ImVec2 origin{0, 0};                    ///< end and pick at the corner of the canvas where they start
   bool inColour = false;                  ///< false: point paper; true: the yarn that lies on top

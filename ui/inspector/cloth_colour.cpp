@@ -6,41 +6,127 @@
 
 #include "core/fabric/model/glossary.h"
 #include "ui/widgets/field_row.h"
+#include "ui/widgets/keys.h"
 
 namespace loomlight {
 namespace {
 
-/// Wanted on the left, what is there on the right, edge to edge, as one compares swatches.
-void comparisonRow(Ui& ui, const std::optional<WantedColour>& wanted, const ClothColourModel& model) {
-  const RowText text{"fibre.cloth_colour_reached", "Wanted, reached",
-                     "The colour asked for on the left, the cloth's on the right, seen from straight above in white "
-                     "light from the sky over black."};
-  const FieldRow row = beginRow(ui, text);
-  const ImVec2 min = ImGui::GetCursorScreenPos(), max(min.x + row.width, min.y + row.height);
-  const float middle = std::floor(0.5f * (min.x + max.x));
+constexpr const char* kRow = "fibre.cloth_colour";
+constexpr double kSeen = 1.0;  // CIEDE2000: what is less is taken as reached
+
+using State = ClothColourModel::State;
+using Wanted = std::optional<WantedColour>;
+
+Wanted wantedOf(const ClothColourView& view, const ClothPart& part) {
+  const auto found = view.wanted.find(part);
+  return found == view.wanted.end() ? std::nullopt : std::optional(found->second);
+}
+
+/// Wanted and reached edge to edge, as one compares swatches; what is not known is an empty field, as black would be a
+/// colour.
+void chips(Ui& ui, ImVec2 min, ImVec2 max, bool stacked, const Wanted& wanted, const ClothColourModel& model) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const float rounding = ImGui::GetStyle().FrameRounding;
+  const ImVec2 middle(std::floor(0.5f * (min.x + max.x)), std::floor(0.5f * (min.y + max.y)));
+  const ImVec2 end(stacked ? max.x : middle.x, stacked ? middle.y : max.y);
+  const ImVec2 begin(stacked ? min.x : middle.x, stacked ? middle.y : min.y);
   draw.AddRectFilled(min, max, packed(ui.theme.field), rounding);
-  const bool known = model.state == ClothColourModel::State::known;
   if (wanted)
-    draw.AddRectFilled(min, ImVec2(middle, max.y), packed(toDisplayColour(wanted->colour)), rounding,
-                       ImDrawFlags_RoundCornersLeft);
-  if (known)
-    draw.AddRectFilled(ImVec2(middle, min.y), max, packed(toDisplayColour(model.colour)), rounding,
-                       ImDrawFlags_RoundCornersRight);
-  ImGui::Dummy(ImVec2(row.width, row.height));
+    draw.AddRectFilled(min, end, packed(toDisplayColour(wanted->colour)), rounding,
+                       stacked ? ImDrawFlags_RoundCornersTop : ImDrawFlags_RoundCornersLeft);
+  if (model.state == State::known)
+    draw.AddRectFilled(begin, max, packed(toDisplayColour(model.colour)), rounding,
+                       stacked ? ImDrawFlags_RoundCornersBottom : ImDrawFlags_RoundCornersRight);
+  draw.AddRect(min, max, packed(ui.theme.text, 0.18f), rounding);
+}
+
+std::string differenceText(const Wanted& wanted, const ClothColourModel& model) {
+  return wanted && model.state == State::known ? fmt::format(
+                                                     "\xCE\x94"
+                                                     "E {:.1f}",
+                                                     model.difference)
+                                               : "\xCE\x94"
+                                                 "E \xE2\x80\x93";
+}
+
+/// What can be done about a difference: take what there is, or dye once more where the cloth has become another one.
+void remedy(Ui& ui, const char* id, float width, const ClothPart& part, const Wanted& wanted,
+            const ClothColourModel& model, ClothColourView& view) {
+  const bool known = wanted && model.state == State::known;
+  const bool isOut = model.tooLight || model.tooDark;
+  const bool again = known && !isOut && model.difference >= kSeen;
+  const Word& word = again ? words::dyeAgain : words::takeNearest;
+  if (!button(ui, id, word.label, width, known && (isOut || again), word.help)) return;
+  if (again)
+    view.want(part, *wanted);
+  else
+    view.takeNearest(part, model.colour);
+}
+
+/// The picker, and beside it what is wanted and what comes of it.
+void picker(Ui& ui, const ClothPart& part, const Wanted& wanted, const ClothColourModel& model, ClothColourView& view) {
+  if (!ImGui::BeginPopup("picker")) return;
+  ImGui::BeginGroup();
+  Rgb colour = wanted ? wanted->colour : model.colour;
+  if (colourPicker(ui, kRow, colour)) view.want(part, {colour, {}, ""});
+  ImGui::EndGroup();
+  const float high = ImGui::GetItemRectSize().y, wide = ui.px(112);
+  ImGui::SameLine(0, ui.px(12));
+  ImGui::BeginGroup();
+  const float below = 2 * ImGui::GetFrameHeightWithSpacing();
+  const ImVec2 min = ImGui::GetCursorScreenPos(), max(min.x + wide, min.y + high - below);
+  chips(ui, min, max, true, wanted, model);
+  ImGui::Dummy(ImVec2(wide, max.y - min.y));
+  ui.probe.record("fibre.cloth_colour_chips", min, max);
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(differenceText(wanted, model).c_str());
+  remedy(ui, "fibre.cloth_colour_take", wide, part, wanted, model, view);
+  ImGui::EndGroup();
+  if (keyPressed(ImGuiKey_Escape)) ImGui::CloseCurrentPopup();
+  ImGui::EndPopup();
+}
+
+void wantedRow(Ui& ui, const ClothPart& part, const Wanted& wanted, const ClothColourModel& model,
+               ClothColourView& view) {
+  const RowText text{kRow, words::inThisCloth.label, words::inThisCloth.help};
+  const FieldRow row = beginRow(ui, text);
+  const ImVec2 min = ImGui::GetCursorScreenPos(), max(min.x + row.width, min.y + row.height);
+  ImGui::PushID(kRow);
+  const bool known = model.state == State::known;
+  if (ImGui::InvisibleButton("##chips", ImVec2(row.width, row.height)) && known) ImGui::OpenPopup("picker");
+  chips(ui, min, max, false, wanted, model);
+  ui.probe.record("fibre.cloth_colour_reached", ImVec2(std::floor(0.5f * (min.x + max.x)), min.y), max);
+  picker(ui, part, wanted, model, view);
+  ImGui::PopID();
   endRow(ui, text, min, max);
 }
 
-std::string remark(const ClothColourModel& model, const std::optional<WantedColour>& wanted) {
+/// How far off it is, and what can be done about that.
+void differenceRow(Ui& ui, const ClothPart& part, const Wanted& wanted, const ClothColourModel& model,
+                   ClothColourView& view) {
+  const RowText text{"fibre.cloth_colour_difference", words::difference.label, words::difference.help};
+  const FieldRow row = beginRow(ui, text);
+  const ImVec2 min = ImGui::GetCursorScreenPos(), max(min.x + row.width, min.y + row.height);
+  const std::string said = differenceText(wanted, model);
+  ui.probe.fact(text.id, said);
+  const float number = ui.px(60);
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(said.c_str());
+  ImGui::SetCursorScreenPos(ImVec2(min.x + number, min.y));
+  remedy(ui, "fibre.cloth_colour_nearest", row.width - number, part, wanted, model, view);
+  endRow(ui, text, min, ImVec2(min.x + number, max.y));
+}
+
+std::string remark(const ClothPart& part, const ClothColourModel& model, const Wanted& wanted) {
   switch (model.state) {
-    case ClothColourModel::State::measuring:
+    case State::measuring:
       return "Measuring what light does in this cloth.";
-    case ClothColourModel::State::hidden:
-      return "This fibre never lies on the face, so it shows no colour.";
-    case ClothColourModel::State::failed:
+    case State::hidden:
+      return part.kind == ClothPart::Kind::yarn ? "This yarn never lies on the face, so it shows no colour."
+                                                : "This fibre never lies on the face, so it shows no colour.";
+    case State::failed:
       return "The colour of this cloth cannot be measured.";
-    case ClothColourModel::State::known:
+    case State::known:
       break;
   }
   if (!wanted) return "Pick the colour that the cloth should have, or drop a measured swatch here.";
@@ -48,56 +134,57 @@ std::string remark(const ClothColourModel& model, const std::optional<WantedColo
   if (model.tooLight && model.tooDark) return "Not to be had of this fibre; the nearest is " + off + ".";
   if (model.tooLight) return "Lighter than this cloth can be, light comes through: the nearest is " + off + ".";
   if (model.tooDark) return "Darker than fibres can be, their surface reflects: the nearest is " + off + ".";
-  if (wanted->measured && model.difference < 1) return "As " + wanted->name + " was measured: " + off + ".";
-  return model.difference < 1 ? "Reached: " + off + "." : "The cloth has changed since, and is " + off + ".";
+  const bool reached = model.difference < kSeen;
+  if (wanted->measured && reached) return "As " + wanted->name + " was measured: " + off + ".";
+  return reached ? "Reached: " + off + "." : "The cloth has changed since, and is " + off + ".";
 }
 
-/// Whether a yarn takes the dye or the woven piece.
+/// Whether a fibre takes the dye, a yarn, or the woven piece.
 void dyedRow(Ui& ui, ClothColourView& view) {
-  static constexpr const char* kNames[] = {"This fibre", "Piece"};
-  int chosen = view.piece ? 1 : 0;
+  static constexpr const char* kNames[] = {"Fibre", "Yarn", "Piece"};
+  static constexpr ClothPart::Kind kKinds[] = {ClothPart::Kind::fibre, ClothPart::Kind::yarn, ClothPart::Kind::piece};
+  int chosen = 0;
+  while (kKinds[chosen] != view.dyes) ++chosen;
   if (segmentField(ui, {"fibre.dyed", words::dyedAs.label, words::dyedAs.help}, kNames, chosen)) view.refusal.clear();
-  view.piece = chosen == 1;
+  view.dyes = kKinds[chosen];
 }
 
 /// A colour as it is written or called.
-void codeRow(Ui& ui, ClothColourView& view) {
+void codeRow(Ui& ui, bool canBeDyed, ClothColourView& view) {
   const char* const example = view.book ? "#1a2b3c, Lab 30 5 -12 or a name" : "#1a2b3c or Lab 30 5 -12";
   const RowText text{"fibre.colour_code", words::colourCode.label, words::colourCode.help};
-  if (enteredField(ui, text, view.code, example) && !view.code.empty()) view.entered = view.code;
+  if (!canBeDyed) ImGui::BeginDisabled();
+  if (enteredField(ui, text, view.code, example) && canBeDyed && !view.code.empty()) view.entered = view.code;
+  if (!canBeDyed) ImGui::EndDisabled();
 }
 
-}  // namespace
-
-void clothColourRows(Ui& ui, int fibre, size_t fibres, const ClothColourModel& model, ClothColourView& view) {
-  if (fibres > 1) dyedRow(ui, view);
-  const int what = view.dyed(fibre, fibres);
-  const auto found = view.wanted.find(what);
-  const std::optional<WantedColour> wanted = found == view.wanted.end() ? std::nullopt : std::optional(found->second);
-  const bool known = model.state == ClothColourModel::State::known;
-  // Until the cloth's colour is known the swatch is an empty field: black would be a colour.
-  Rgb colour = wanted ? wanted->colour : known ? model.colour : toLinearColour(ui.theme.field);
-  if (colourField(ui, {"fibre.cloth_colour", words::inThisCloth.label, words::inThisCloth.help}, colour) && known) {
-    view.want(what, {colour, {}, ""});
-    view.refusal.clear();
-  }
-  if (known) codeRow(ui, view);
-  comparisonRow(ui, wanted, model);
-  // Two lines are kept free, so that what is said moves nothing.
+/// Two lines are kept free, so that what is said moves nothing.
+void remarkLines(Ui& ui, const std::string& said) {
   const float top = ImGui::GetCursorPosY();
   ImGui::PushFont(ui.fonts.small);
   const float room = 2 * ImGui::GetTextLineHeightWithSpacing();
   ImGui::PopFont();
-  const std::string said = view.refusal.empty() ? remark(model, wanted) : view.refusal;
   hint(ui, said);
   ui.probe.fact("fibre.cloth_colour_remark", said);
   ImGui::SetCursorPosY(top + room);
-  if (!view.book || !known) return;
-  if (const BookColour* chosen = colourBookRows(ui, *view.book, view.search)) {
-    view.want(what, {chosen->linear, chosen->measured, chosen->name});
-    view.refusal.clear();
-    view.code = chosen->name;
-  }
+}
+
+}  // namespace
+
+void clothColourRows(Ui& ui, const ClothPart& part, const ClothColourModel& model, ClothColourView& view) {
+  const Wanted wanted = wantedOf(view, part);
+  wantedRow(ui, part, wanted, model, view);
+  differenceRow(ui, part, wanted, model, view);
+  dyedRow(ui, view);
+  const bool canBeDyed = model.state == State::known || model.state == State::measuring;
+  codeRow(ui, canBeDyed, view);
+  remarkLines(ui, view.refusal.empty() ? remark(part, model, wanted) : view.refusal);
+  bookRow(ui, view.books);
+  if (!view.book) return;
+  const BookColour* const chosen = colourBookRows(ui, *view.book, view.search);
+  if (!chosen || !canBeDyed) return;
+  view.want(part, {chosen->linear, chosen->measured, chosen->name});
+  view.code = chosen->name;
 }
 
 }  // namespace loomlight

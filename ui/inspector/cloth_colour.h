@@ -7,12 +7,13 @@
 #include <utility>
 
 #include "core/base/spectrum.h"
+#include "core/fabric/yarn/cloth_part.h"
 #include "ui/inspector/colour_book.h"
 #include "ui/widgets/fields.h"
 
 namespace loomlight {
 
-/// What is known of the colour that the cloth shows where a fibre lies on top, or all of its face.
+/// What is known of the colour that the cloth shows where a part of it lies on top.
 struct ClothColourModel {
   enum class State { measuring, known, hidden, failed };
   State state = State::measuring;
@@ -28,31 +29,39 @@ struct WantedColour {
   std::string name;                  ///< of what was measured
 };
 
-/// Stands for all fibres of a fabric, which are dyed alike when the cloth is dyed after it was woven.
-inline constexpr int kPiece = -1;
-
 /// Which colours were asked for, and how.
 struct ClothColourView {
-  bool piece = false;                      ///< the piece is dyed, not the fibre looked at
-  std::map<int, WantedColour> wanted;      ///< by fibre; kPiece: of the piece
+  ClothPart::Kind dyes = ClothPart::Kind::fibre;  ///< what takes the dye
+  std::map<ClothPart, WantedColour> wanted;
   uint64_t wish = 0;                       ///< counts up when a colour is asked for
   std::string code;                        ///< as it stands in its field
   std::optional<std::string> entered;      ///< a code to be understood by whoever knows how
   std::string refusal;                     ///< why the last one was not
   std::shared_ptr<const ColourBook> book;  ///< null while there is none
   std::string search;                      ///< in the book
+  BookShelf books;
 
-  /// What takes the dye: the fibre looked at, of so many, or kPiece.
-  int dyed(int fibre, size_t fibres) const { return piece && fibres > 1 ? kPiece : fibre; }
-  /// `what` is to have this colour: a fibre, or kPiece.
-  void want(int what, WantedColour colour) {
-    wanted[what] = std::move(colour);
+  /// What takes the dye where this yarn and this fibre are looked at.
+  ClothPart dyed(int yarn, int fibre) const {
+    return dyes == ClothPart::Kind::piece  ? wholePiece()
+           : dyes == ClothPart::Kind::yarn ? partOfYarn(yarn)
+                                           : partOfFibre(fibre);
+  }
+  /// The part is to have this colour.
+  void want(const ClothPart& part, WantedColour colour) {
+    wanted[part] = std::move(colour);
+    refusal.clear();
     ++wish;
+  }
+  /// The colour that the part has is the one that is wanted from now on.
+  void takeNearest(const ClothPart& part, const Rgb& reached) {
+    wanted[part] = {reached, {}, ""};
+    code.clear();
   }
 };
 
-/// The colour that the designer wants the cloth to have, beside the one it has. `fibre`: that is looked at, of
-/// `fibres`.
-void clothColourRows(Ui& ui, int fibre, size_t fibres, const ClothColourModel& model, ClothColourView& view);
+/// The colour that the designer wants the cloth to have, beside the one it has: rows of a fixed height, whatever is
+/// known. `part`: that takes the dye.
+void clothColourRows(Ui& ui, const ClothPart& part, const ClothColourModel& model, ClothColourView& view);
 
 }  // namespace loomlight

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "core/fabric/yarn/derived.h"
-#include "core/fabric/yarn/yarn_name.h"
 #include "core/fabric/yarn/yarn_need.h"
 #include "ui/inspector/mill_rows.h"
 #include "ui/inspector/inspector.h"
@@ -123,7 +122,7 @@ void needRow(Ui& ui, const std::string& id, const char* label, const YarnNeed& n
           fmt::format("{} \xC2\xB7 {}", lengthText(need.warp_m + need.weft_m), massText(need.mass_kg)));
 }
 
-void pieceRows(Ui& ui, const Fabric& fabric, const InspectorModel& model, CountSystem counts, PieceSize& piece) {
+void pieceRows(Ui& ui, const Fabric& fabric, const InspectorModel& model, PieceSize& piece) {
   heading(ui, "Yarn for a piece");
   pieceSizeRows(ui, "cloth", piece);
   const double crimpWarp = model.measured ? model.crimpWarp : 0, crimpWeft = model.measured ? model.crimpWeft : 0;
@@ -144,7 +143,7 @@ void pieceRows(Ui& ui, const Fabric& fabric, const InspectorModel& model, CountS
   if (used < 2) return;
   for (size_t i = 0; i < needs.size(); ++i)
     if (needs[i].warp_m + needs[i].weft_m > 0)
-      needRow(ui, fmt::format("cloth.need_{}", i), yarnName(fabric, static_cast<int>(i), counts).c_str(), needs[i]);
+      needRow(ui, fmt::format("cloth.need_{}", i), model.yarns.names[i].c_str(), needs[i]);
 }
 
 void remarks(Ui& ui, const InspectorModel& model) {
@@ -172,7 +171,7 @@ std::optional<Fabric> clothPage(Ui& ui, const Fabric& fabric, const InspectorMod
   changed |= finishRows(ui, edited);
   clothRows(ui, fabric, model, view.units.count);
   bindingRows(ui, fabric, model);
-  pieceRows(ui, fabric, model, view.units.count, view.units.piece);
+  pieceRows(ui, fabric, model, view.units.piece);
   remarks(ui, model);
   if (!changed) return std::nullopt;
   return edited;

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "core/base/text.h"
 #include "core/fabric/model/glossary.h"
@@ -26,24 +27,60 @@ const BookColour* ColourBook::named(std::string_view wanted) const {
   return found == colours.end() ? nullptr : &*found;
 }
 
+void BookShelf::take(const std::string& file) {
+  files.erase(std::remove(files.begin(), files.end(), file), files.end());
+  files.insert(files.begin(), file);
+  if (files.size() > kMostBooks) files.resize(kMostBooks);
+  open = 0;
+}
+
+void BookShelf::forget(int index) {
+  files.erase(files.begin() + index);
+  if (open == index)
+    open = -1;
+  else if (open > index)
+    --open;
+}
+
+void bookRow(Ui& ui, BookShelf& shelf) {
+  std::vector<std::string> names;
+  for (const std::string& file : shelf.files) names.push_back(std::filesystem::path(file).stem().string());
+  const bool isOpen = shelf.open >= 0;
+  if (isOpen) {
+    names.push_back("None");
+    names.push_back("Forget " + names[static_cast<size_t>(shelf.open)]);
+  }
+  std::vector<const char*> choices;
+  for (const std::string& name : names) choices.push_back(name.c_str());
+  int chosen = shelf.open;
+  const char* const otherwise = shelf.files.empty() ? "Drop a palette here" : "None";
+  if (!choiceField(ui, {"book.choice", words::colourBook.label, words::colourBook.help}, choices, chosen, otherwise))
+    return;
+  const int count = static_cast<int>(shelf.files.size());
+  if (chosen < count)
+    shelf.wanted = chosen;
+  else if (chosen == count)
+    shelf.wanted = -1;
+  else
+    shelf.remove = shelf.open;
+}
+
 const BookColour* colourBookRows(Ui& ui, const ColourBook& book, std::string& search) {
-  textField(ui, {"book.search", words::colourBook.label, words::colourBook.help}, search, book.name.c_str());
+  textField(ui, {"book.search", words::findColour.label, words::findColour.help}, search, book.name.c_str());
   std::vector<const BookColour*> found;
   for (const BookColour& colour : book.colours)
     if (contains(colour.name, search)) found.push_back(&colour);
   ui.probe.fact("book.found", fmt::format("{} of {}", found.size(), book.colours.size()));
-  if (found.empty()) {
-    hint(ui, "No colour of " + book.name + " has this in its name.");
-    return nullptr;
-  }
   const float chip = ui.px(kChip);
   const int columns = std::max(1, static_cast<int>((ImGui::GetContentRegionAvail().x - ui.px(12)) / chip));
-  const int rows = (static_cast<int>(found.size()) + columns - 1) / columns;
+  const auto rowsOf = [columns](size_t colours) { return (static_cast<int>(colours) + columns - 1) / columns; };
+  const int rows = rowsOf(found.size());
   const BookColour* chosen = nullptr;
-  // Few rows at a time, so that what is below stays where it is; of a book of thousands only those that are seen are
-  // drawn.
+  // As many rows as the whole book takes, up to a few, so that a search moves nothing below; of a book of thousands
+  // only those that are seen are drawn.
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
-  ImGui::BeginChild("book", ImVec2(0, chip * static_cast<float>(std::min(rows, kMostRows))));
+  ImGui::BeginChild("book", ImVec2(0, chip * static_cast<float>(std::min(rowsOf(book.colours.size()), kMostRows))));
+  if (found.empty()) hint(ui, "No colour of " + book.name + " has this in its name.");
   ImGuiListClipper clipper;
   clipper.Begin(rows, chip);
   while (clipper.Step())

@@ -6,7 +6,6 @@
 #include "core/fabric/model/yarn_count.h"
 #include "core/fabric/yarn/colour.h"
 #include "core/fabric/yarn/presets.h"
-#include "core/fabric/yarn/yarn_name.h"
 #include "core/fabric/yarn/yarn_reflectance.h"
 #include "ui/inspector/count_text.h"
 #include "ui/inspector/inspector.h"
@@ -84,10 +83,10 @@ bool absorptionRows(Ui& ui, Fibre& fibre) {
   static constexpr const char* kIds[] = {"fibre.absorption_r", "fibre.absorption_g", "fibre.absorption_b"};
   static constexpr const char* kLabels[] = {words::depthRed.label, words::depthGreen.label, words::depthBlue.label};
   const Absorption& known = fibre.absorption_per_mm;
-  if (known.bands) hint(ui, "Measured in 36 bands. A picked colour takes its place; the depths below are added to it.");
-  if (!known.dyes.empty())
-    hint(ui, fmt::format("A recipe of {} dyes. A picked colour takes its place; the depths below are added to it.",
-                         known.dyes.size()));
+  const std::string said = known.bands          ? "36 bands"
+                           : known.dyes.empty() ? "three depths"
+                                                : fmt::format("a recipe of {} dyes", known.dyes.size());
+  readout(ui, {"fibre.absorption_known", words::absorptionKnown.label, words::absorptionKnown.help}, said);
   const FieldInfo info = fieldInfo(&Fibre::absorption_per_mm);
   NumberStyle style;
   style.unit = info.unit;
@@ -106,13 +105,13 @@ bool absorptionRows(Ui& ui, Fibre& fibre) {
 }
 
 /// Yarns that are spun of a fibre, but for one.
-std::string usersOf(const Fabric& fabric, int fibre, int except, CountSystem counts) {
+std::string usersOf(const Fabric& fabric, int fibre, int except, const ShownYarns& shown) {
   std::string names;
   for (int i = 0; i < static_cast<int>(fabric.yarns.size()); ++i) {
     const Yarn& yarn = fabric.yarns[static_cast<size_t>(i)];
     if (i == except || (yarn.fibre != fibre && yarn.blendFibre != fibre)) continue;
     if (!names.empty()) names += ", ";
-    names += yarnName(fabric, i, counts);
+    names += shown.names[static_cast<size_t>(i)];
   }
   return names;
 }
@@ -170,9 +169,9 @@ void opticsRows(Ui& ui, Fibre& fibre, const FibrePreset* kind, bool& changed) {
 }  // namespace
 
 std::optional<Fabric> fibrePage(Ui& ui, const Fabric& fabric, const InspectorModel& model, InspectorView& view) {
-  yarnChooser(ui, fabric, model.yarnColours, view.units.count, view.yarn, "inspector");
+  yarnChooser(ui, model.yarns, view.yarn, "inspector");
   const Yarn& yarn = fabric.yarns[static_cast<size_t>(view.yarn)];
-  hint(ui, fmt::format("The fibre of {}.", yarnName(fabric, view.yarn, view.units.count)));
+  hint(ui, fmt::format("The fibre of {}.", model.yarns.names[static_cast<size_t>(view.yarn)]));
   blendRow(ui, yarn, view);
   const int index = shownFibre(fabric, view);
   Fibre fibre = fabric.fibres[static_cast<size_t>(index)];
@@ -182,7 +181,7 @@ std::optional<Fabric> fibrePage(Ui& ui, const Fabric& fabric, const InspectorMod
   bool changed = textField(ui, rowText("fibre", &Fibre::name), fibre.name);
   changed |= presetRow(ui, fibre, presets, kind);
   heading(ui, "Colour");
-  clothColourRows(ui, index, fabric.fibres.size(), model.clothColour, view.clothColour);
+  clothColourRows(ui, view.clothColour.dyed(view.yarn, index), model.clothColour, view.clothColour);
   Rgb colour = fibreReflectance(fibre);
   if (colourField(ui, {"fibre.colour", words::looseStock.label, words::looseStock.help}, colour)) {
     dye(fibre, colour);
@@ -192,7 +191,7 @@ std::optional<Fabric> fibrePage(Ui& ui, const Fabric& fabric, const InspectorMod
   finenessRows(ui, fibre, kind, changed);
   opticsRows(ui, fibre, kind, changed);
 
-  const std::string others = usersOf(fabric, index, view.yarn, view.units.count);
+  const std::string others = usersOf(fabric, index, view.yarn, model.yarns);
   if (!others.empty()) {
     hint(ui, "Also the fibre of " + others + ".");
     if (button(ui, "fibre.own", "Give this yarn its own", 0, static_cast<int>(fabric.fibres.size()) < kMaxKinds)) {

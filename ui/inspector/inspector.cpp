@@ -9,16 +9,16 @@
 #include "ui/widgets/panel_controls.h"
 
 namespace loomlight {
-void yarnChooser(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& colours, CountSystem counts, int& yarn,
-                 const char* prefix) {
+
+void yarnChooser(Ui& ui, const ShownYarns& yarns, int& yarn, const char* prefix) {
   const float size = ui.px(28), all = ImGui::GetContentRegionAvail().x;
   const int perLine = std::max(1, static_cast<int>((all + ui.px(4)) / (size + ui.px(4))));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(4), ui.px(4)));
-  for (int i = 0; i < static_cast<int>(fabric.yarns.size()); ++i) {
+  for (int i = 0; i < static_cast<int>(yarns.colours.size()); ++i) {
     if (i % perLine != 0) ImGui::SameLine();
     const std::string id = fmt::format("{}.yarn_{}", prefix, i);
-    const std::string name = yarnLetters(i) + "   " + yarnName(fabric, i, counts);
-    if (swatch(ui, id.c_str(), colours[static_cast<size_t>(i)], size, i == yarn, name.c_str())) yarn = i;
+    const std::string name = yarnLetters(i) + "   " + yarns.names[static_cast<size_t>(i)];
+    if (swatch(ui, id.c_str(), yarns.colours[static_cast<size_t>(i)], size, i == yarn, name.c_str())) yarn = i;
   }
   ImGui::PopStyleVar();
 }

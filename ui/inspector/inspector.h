@@ -11,6 +11,7 @@
 #include "ui/widgets/commands.h"
 #include "ui/widgets/crossing_index.h"
 #include "ui/widgets/ui.h"
+#include "ui/widgets/yarn_colours.h"
 
 namespace loomlight {
 
@@ -36,11 +37,11 @@ struct InspectorModel {
   const Floats* floats = nullptr;  ///< null while unknown, like the two below
   const Binding* binding = nullptr;
   const std::vector<std::string>* warnings = nullptr;  ///< in plain words
-  std::vector<ImVec4> yarnColours;                     ///< for the display
-  ImTextureID closeUp{};                               ///< of the yarn looked at
-  bool inches = false;                                 ///< setts and lengths to the inch; else to the centimetre
-  ClothColourModel clothColour;                        ///< of the fibre looked at
-  VisibilityModel visibility;                          ///< of the yarn looked at
+  ShownYarns yarns;
+  ImTextureID closeUp{};         ///< of the yarn looked at
+  bool inches = false;           ///< setts and lengths to the inch; else to the centimetre
+  ClothColourModel clothColour;  ///< of the part that takes the dye
+  VisibilityModel visibility;    ///< of the yarn looked at
 };
 
 struct InspectorResult {
@@ -62,7 +63,6 @@ std::optional<Fabric> clothPage(Ui& ui, const Fabric& fabric, const InspectorMod
 InspectorResult scenePage(Ui& ui, const Fabric& fabric);
 
 /// A swatch for each yarn; a click selects.
-void yarnChooser(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& colours, CountSystem counts, int& yarn,
-                 const char* prefix);
+void yarnChooser(Ui& ui, const ShownYarns& yarns, int& yarn, const char* prefix);
 
 }  // namespace loomlight

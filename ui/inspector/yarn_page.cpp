@@ -6,7 +6,6 @@
 #include "core/fabric/model/yarn_count.h"
 #include "core/fabric/yarn/presets.h"
 #include "core/fabric/yarn/yarn_edit.h"
-#include "core/fabric/yarn/yarn_name.h"
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/yarn_fields.h"
 #include "ui/widgets/choices.h"
@@ -24,7 +23,7 @@ bool isUsed(const Fabric& fabric, int yarn) {
 }
 
 std::optional<Fabric> yarnList(Ui& ui, const Fabric& fabric, const InspectorModel& model, InspectorView& view) {
-  yarnChooser(ui, fabric, model.yarnColours, view.units.count, view.yarn, "inspector");
+  yarnChooser(ui, model.yarns, view.yarn, "inspector");
   std::optional<Fabric> edited;
   const float half = 0.5f * (ImGui::GetContentRegionAvail().x - ui.px(8));
   if (button(ui, "yarn.copy", "New from this", half, static_cast<int>(fabric.yarns.size()) < kMaxKinds,
@@ -82,8 +81,12 @@ std::optional<Fabric> yarnPage(Ui& ui, const Fabric& fabric, const InspectorMode
   std::vector<Fibre> fibres = fabric.fibres;
   const Fibre fibre = meanFibre(yarn, fibres);
 
-  const YarnFibreColours colours{fibreColour(fibres[static_cast<size_t>(yarn.fibre)]),
-                                 fibreColour(fibres[static_cast<size_t>(yarn.blendFibre.value_or(yarn.fibre))])};
+  // The two fibres of a blend are told apart by their own colours.
+  const ImVec4& reached = model.yarns.colours[static_cast<size_t>(view.yarn)];
+  const YarnFibreColours colours = !yarn.blendFibre
+                                       ? YarnFibreColours{reached, reached}
+                                       : YarnFibreColours{fibreColour(fibres[static_cast<size_t>(yarn.fibre)]),
+                                                          fibreColour(fibres[static_cast<size_t>(*yarn.blendFibre)])};
   const ImVec2 half(0.5f * (ImGui::GetContentRegionAvail().x - ui.px(8)), ui.px(kCloseUpHeight));
   drawYarnSection(ui, model.section ? *model.section : YarnSection{}, colours, half);
   ImGui::SameLine(0, ui.px(8));
@@ -92,7 +95,7 @@ std::optional<Fabric> yarnPage(Ui& ui, const Fabric& fabric, const InspectorMode
       ui, fmt::format("{} \xC2\xB7 {} \xC2\xB7 {:.0f} fibres", countText(yarnCount_tex(yarn, fibre), view.units.count),
                       sizeText(model.section, yarnDiameter_mm(yarn, fibre)), fibresInYarn(yarn, fibre)));
 
-  const std::string called = yarnName(fabric, view.yarn, view.units.count);
+  const std::string& called = model.yarns.names[static_cast<size_t>(view.yarn)];
   bool changed = textField(ui, rowText("yarn", &Yarn::name), yarn.name, called.c_str());
   ui.probe.fact("yarn.called", called);
   std::optional<Fabric> filled = presetRow(ui, fabric, view.yarn);

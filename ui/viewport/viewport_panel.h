@@ -38,7 +38,7 @@ struct ViewportView {
   bool fitWanted = false;                 ///< frame the whole cloth at the next frame
   int width = 0, height = 0;              ///< pixels that the picture should have
   std::optional<ImVec2> pointer;          ///< mouse over the picture, 0..1 from the top left
-  CountSystem counts = CountSystem::tex;  ///< in which yarns without a name are called by their count
+  std::vector<std::string> yarnNames;     ///< what yarns are called, set before each frame
   enum class Drag { none, orbit, pan };
   Drag drag = Drag::none;
   LensView lens;

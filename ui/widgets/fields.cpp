@@ -220,33 +220,39 @@ bool enteredField(Ui& ui, const RowText& text, std::string& value, const char* w
   return textRow(ui, text, value, whenEmpty, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
 }
 
+bool colourPicker(Ui& ui, const std::string& id, Rgb& linear) {
+  const ImVec4 display = toDisplayColour(linear);
+  float edited[3] = {display.x, display.y, display.z};
+  ImGui::SetNextItemWidth(ui.px(240));
+  const bool touched = ImGui::ColorPicker3("##picker", edited,
+                                           ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_DisplayRGB |
+                                               ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_PickerHueBar);
+  ui.probe.recordItem(id + "/picker");
+  // The picker goes by way of hue and saturation, and the fabric keeps absorptions: a colour that is held still comes
+  // back with other last digits in each frame. Only what a display can show is an edit.
+  constexpr float kQuarterStep = 0.25f / 255.0f;
+  const bool isSeen = std::abs(edited[0] - display.x) > kQuarterStep ||
+                      std::abs(edited[1] - display.y) > kQuarterStep || std::abs(edited[2] - display.z) > kQuarterStep;
+  if (!touched || !isSeen) return false;
+  linear = toLinearColour(ImVec4(edited[0], edited[1], edited[2], 1.0f));
+  return true;
+}
+
 bool colourField(Ui& ui, const RowText& text, Rgb& linear) {
   const FieldRow row = beginRow(ui, text);
   const ImVec2 min = ImGui::GetCursorScreenPos();
   ImGui::PushID(text.id.c_str());
-  const ImVec4 display = toDisplayColour(linear);
-  float edited[3] = {display.x, display.y, display.z};
   bool changed = false;
   constexpr ImGuiColorEditFlags kFlat = ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoDragDrop;
-  if (ImGui::ColorButton("##swatch", display, kFlat, ImVec2(row.width, row.height))) ImGui::OpenPopup("picker");
+  if (ImGui::ColorButton("##swatch", toDisplayColour(linear), kFlat, ImVec2(row.width, row.height)))
+    ImGui::OpenPopup("picker");
   if (ImGui::BeginPopup("picker")) {
-    ImGui::SetNextItemWidth(ui.px(240));
-    changed = ImGui::ColorPicker3("##picker", edited,
-                                  ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_DisplayRGB |
-                                      ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_PickerHueBar);
-    // The picker goes by way of hue and saturation, and the fabric keeps absorptions: a colour that is held still comes
-    // back with other last digits in each frame. Only what a display can show is an edit.
-    constexpr float kQuarterStep = 0.25f / 255.0f;
-    changed =
-        changed && (std::abs(edited[0] - display.x) > kQuarterStep || std::abs(edited[1] - display.y) > kQuarterStep ||
-                    std::abs(edited[2] - display.z) > kQuarterStep);
-    ui.probe.recordItem(text.id + "/picker");
+    changed = colourPicker(ui, text.id, linear);
     if (keyPressed(ImGuiKey_Escape)) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
   }
   ImGui::PopID();
   endRow(ui, text, min, ImVec2(min.x + row.width, min.y + row.height));
-  if (changed) linear = toLinearColour(ImVec4(edited[0], edited[1], edited[2], 1.0f));
   return changed;
 }
 

@@ -54,6 +54,8 @@ bool textField(Ui& ui, const RowText& text, std::string& value, const char* when
 bool enteredField(Ui& ui, const RowText& text, std::string& value, const char* whenEmpty = "");
 /// A display colour in linear light, edited in a picker that opens.
 bool colourField(Ui& ui, const RowText& text, Rgb& linear);
+/// The picker alone, in whatever window is open: for a field that shows more than the colour.
+bool colourPicker(Ui& ui, const std::string& id, Rgb& linear);
 /// A value that is computed, not edited.
 void readout(Ui& ui, const RowText& text, const std::string& value);
 

@@ -1,19 +1,28 @@
 #include "ui/widgets/yarn_colours.h"
 
+#include "core/fabric/yarn/yarn_name.h"
 #include "core/fabric/yarn/yarn_reflectance.h"
 #include "ui/widgets/fields.h"
 
 namespace loomlight {
 
-ImVec4 fibreColour(const Fibre& fibre) {
-  return toDisplayColour(fibreReflectance(fibre));
+ShownYarns shownYarns(const Fabric& fabric, std::span<const Rgb> reached, CountSystem counts) {
+  ShownYarns shown{displayColours(reached), {}};
+  shown.names.reserve(reached.size());
+  for (size_t i = 0; i < reached.size(); ++i)
+    shown.names.push_back(yarnName(fabric, static_cast<int>(i), reached[i], counts));
+  return shown;
 }
 
-std::vector<ImVec4> yarnColours(const Fabric& fabric) {
+std::vector<ImVec4> displayColours(std::span<const Rgb> linear) {
   std::vector<ImVec4> colours;
-  colours.reserve(fabric.yarns.size());
-  for (const Rgb& reflectance : yarnReflectances(fabric)) colours.push_back(toDisplayColour(reflectance));
+  colours.reserve(linear.size());
+  for (const Rgb& colour : linear) colours.push_back(toDisplayColour(colour));
   return colours;
+}
+
+ImVec4 fibreColour(const Fibre& fibre) {
+  return toDisplayColour(fibreReflectance(fibre));
 }
 
 }  // namespace loomlight

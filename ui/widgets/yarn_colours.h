@@ -2,17 +2,27 @@
 
 #include <imgui.h>
 
+#include <span>
+#include <string>
 #include <vector>
 
 #include "core/fabric/model/fabric.h"
+#include "core/fabric/model/yarn_count.h"
 
 namespace loomlight {
 
+/// How the yarns of a fabric are shown, one after the other: each in the colour that the cloth reaches where it lies on
+/// top, and by the name that it goes by.
+struct ShownYarns {
+  std::vector<ImVec4> colours;  ///< for the display
+  std::vector<std::string> names;
+};
+/// `reached`: linear, one for each yarn.
+ShownYarns shownYarns(const Fabric& fabric, std::span<const Rgb> reached, CountSystem counts);
+
+std::vector<ImVec4> displayColours(std::span<const Rgb> linear);
+
 /// How a fibre looks in a thick mass, for the display.
 ImVec4 fibreColour(const Fibre& fibre);
-
-/// How each yarn of the fabric looks in a thick mass, for swatches and drafts: display colours from the absorption of
-/// its fibre.
-std::vector<ImVec4> yarnColours(const Fabric& fabric);
 
 }  // namespace loomlight

@@ -22,7 +22,7 @@ namespace {
 
 /// A wanted colour on its way.
 struct Dyeing {
-  int fibre = 0;                     ///< in the fabric's list; kAnyMaterial: the piece, all of them alike
+  ClothPart part;                    ///< a fibre, or the piece
   Rgb wanted{0};                     ///< linear
   std::optional<Spectrum> measured;  ///< wanted in bands
   PathLengthTally walks;
@@ -39,28 +39,28 @@ std::string textOf(const Rgb& linear) {
 }
 
 /// A fibre's number and name, or that it is the piece.
-std::string nameOf(int fibre, const std::vector<Fibre>& fibres) {
-  return fibre == kAnyMaterial ? "the piece"
-                               : fmt::format("{} '{}'", fibre + 1, fibres[static_cast<size_t>(fibre)].name);
+std::string nameOf(const ClothPart& part, const std::vector<Fibre>& fibres) {
+  if (part == wholePiece()) return "the piece";
+  return fmt::format("{} '{}'", part.index + 1, fibres[static_cast<size_t>(part.index)].name);
 }
 
 /// Names come first: a fibre may be called "2", or "piece".
-int fibreNamed(const std::string& name, const std::vector<Fibre>& fibres, const std::string& source) {
+ClothPart partNamed(const std::string& name, const std::vector<Fibre>& fibres, const std::string& source) {
   const auto isNamed = [&name](const Fibre& fibre) { return fibre.name == name; };
   const auto found = std::find_if(fibres.begin(), fibres.end(), isNamed);
   if (found != fibres.end()) {
-    if (std::count_if(found, fibres.end(), isNamed) == 1) return static_cast<int>(found - fibres.begin());
+    if (std::count_if(found, fibres.end(), isNamed) == 1) return partOfFibre(static_cast<int>(found - fibres.begin()));
     throw InputError(
         fmt::format("{}: --cloth-colour: expected the number of the fibre, as several are named '{}'", source, name));
   }
-  if (name == "piece") return kAnyMaterial;
+  if (name == "piece") return wholePiece();
   int number = 0;
   const char* const end = name.data() + name.size();
   const auto [stopped, error] = std::from_chars(name.data(), end, number);
   if (error == std::errc{} && stopped == end && number >= 1 && number <= static_cast<int>(fibres.size()))
-    return number - 1;
+    return partOfFibre(number - 1);
   std::string names;
-  for (int i = 0; i < static_cast<int>(fibres.size()); ++i) names += nameOf(i, fibres) + ", ";
+  for (int i = 0; i < static_cast<int>(fibres.size()); ++i) names += nameOf(partOfFibre(i), fibres) + ", ";
   throw InputError(fmt::format(
       "{}: --cloth-colour: expected one of the fabric's fibres, {}or 'piece' for all; got '{}'", source, names, name));
 }
@@ -68,13 +68,13 @@ int fibreNamed(const std::string& name, const std::vector<Fibre>& fibres, const 
 std::vector<Dyeing> dyeingsOf(const Fabric& fabric, const std::vector<ClothColour>& wanted, const std::string& source) {
   std::vector<Dyeing> dyeings;
   for (const ClothColour& wish : wanted) {
-    const int fibre = fibreNamed(wish.fibre, fabric.fibres, source);
+    const ClothPart part = partNamed(wish.fibre, fabric.fibres, source);
     for (const Dyeing& other : dyeings)
-      if (other.fibre == fibre || other.fibre == kAnyMaterial || fibre == kAnyMaterial)
+      if (other.part == part || other.part == wholePiece() || part == wholePiece())
         throw InputError(fmt::format("{}: --cloth-colour: expected one colour for each fibre, got two for {}", source,
-                                     nameOf(std::max(fibre, other.fibre), fabric.fibres)));
+                                     nameOf(std::max(part, other.part), fabric.fibres)));
     Dyeing& dyeing = dyeings.emplace_back();
-    dyeing.fibre = fibre;
+    dyeing.part = part;
     dyeing.wanted = linearColour(wish.colour);
     if (wish.swatch.empty()) continue;
     dyeing.measured = reflectanceFrom(wish.swatch);
@@ -98,7 +98,7 @@ bool walk(const Fabric& fabric, std::vector<Dyeing>& dyeings) {
   if (!medium) return false;
   for (Dyeing& dyeing : dyeings) {
     ++done;
-    auto walks = tallyPathLengths(*scene, *medium, dyeing.fibre, kDyeWalks, task);
+    auto walks = tallyPathLengths(*scene, *medium, dyeing.part, kDyeWalks, task);
     if (!walks) return false;
     dyeing.walks = std::move(*walks);
   }
@@ -108,7 +108,7 @@ bool walk(const Fabric& fabric, std::vector<Dyeing>& dyeings) {
 /// Dyes one fibre, the others as they are, or all alike. Whether that changed what is seen.
 bool dye(Fabric& fabric, Dyeing& dyeing) {
   constexpr float kSettled = 1e-3f;  // of a dye
-  const std::vector<int> dyed = dyedWith(dyeing.fibre, fabric.fibres.size());
+  const std::vector<int> dyed = fibresOf(fabric, dyeing.part);
   Absorption absorption = fabric.fibres[static_cast<size_t>(dyed.front())].absorption_per_mm;
   bool settled = absorption.isSpectral() == dyeing.measured.has_value();
   if (dyeing.measured) {
@@ -166,11 +166,11 @@ std::optional<Fabric> dyed(Fabric fabric, const std::vector<ClothColour>& wanted
     if (dyeing.walks.lit() == 0)
       throw InputError(
           fmt::format("{}: --cloth-colour: expected a fibre that lies on the face, where it shows its colour, got {}",
-                      source, nameOf(dyeing.fibre, fabric.fibres)));
+                      source, nameOf(dyeing.part, fabric.fibres)));
   solve(fabric, dyeings);
   const Colouring colouring = colouringInDaylight(fabric);
   for (const Dyeing& dyeing : dyeings)
-    tell(dyeing.fibre == kAnyMaterial ? "the piece" : fabric.fibres[static_cast<size_t>(dyeing.fibre)].name, dyeing,
+    tell(dyeing.part == wholePiece() ? "the piece" : fabric.fibres[static_cast<size_t>(dyeing.part.index)].name, dyeing,
          dyeing.walks.colour(colouring));
   return fabric;
 }

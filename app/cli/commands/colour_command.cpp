@@ -51,7 +51,7 @@ std::optional<Sample> sampleFrom(const std::string& file, const FabricOptions& o
   Progress progress("walking light through the cloth");
   Task task = interrupt.task(command.threads);
   task.progress = [&progress](double fraction) { progress.update(fraction); };
-  const auto walks = walkThrough(fabric, kAnyMaterial, kWalks, task);
+  const auto walks = walkThrough(fabric, wholePiece(), kWalks, task);
   if (!walks) return std::nullopt;
   return Sample{fabric.name, walks->reflectance(colouringInDaylight(fabric))};
 }

@@ -2,11 +2,13 @@
 
 #include "app/cli/inputs.h"
 #include "app/export/draft_picture.h"
+#include "render/transport/reached_colours.h"
 
 namespace loomlight {
 
 int run(const ThumbnailCommand& command) {
-  writePng(command.output, draftPicture(fabricFromFile(command.input), command.side));
+  const Fabric fabric = fabricFromFile(command.input);
+  writePng(command.output, draftPicture(fabric, *soonReachedColours(fabric, Task{}), command.side));
   return 0;
 }
 

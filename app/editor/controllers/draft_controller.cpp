@@ -40,9 +40,10 @@ std::string namedOf(const Fabric& fabric, const WifNamed& named) {
 
 }  // namespace
 
-std::optional<Fabric> DraftController::draw(Ui& ui, const Fabric& fabric, int brushYarn, const LongFloats* floats,
-                                            DraftPreferences& preferences, const std::optional<CrossingIndex>& lit) {
-  auto edited = draftPanel(ui, fabric, yarnColours(fabric), brushYarn, floats, preferences, view_, lit);
+std::optional<Fabric> DraftController::draw(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& yarnColours,
+                                            int brushYarn, const LongFloats* floats, DraftPreferences& preferences,
+                                            const std::optional<CrossingIndex>& lit) {
+  auto edited = draftPanel(ui, fabric, yarnColours, brushYarn, floats, preferences, view_, lit);
   if (std::exchange(view_.libraryWanted, false)) structures_.show();
   return edited;
 }
@@ -54,10 +55,11 @@ Fabric DraftController::taken(Rewoven result) {
   return std::move(result.fabric);
 }
 
-std::optional<Fabric> DraftController::drawStructures(Ui& ui, const Fabric& fabric, const LoomLimits& limits) {
+std::optional<Fabric> DraftController::drawStructures(Ui& ui, const Fabric& fabric,
+                                                      const YarnColourService& colours, const LoomLimits& limits) {
   if (!structures_.isOpen()) return std::nullopt;
-  const std::vector<ImVec4> colours = yarnColours(withSecondYarn(fabric));
-  const ImVec4 darkLight[2] = {colours[0], colours[1]};
+  const std::vector<ImVec4> shown = displayColours(colours.of(withSecondYarn(fabric)));
+  const ImVec4 darkLight[2] = {shown[0], shown[1]};
   const auto structure = structures_.draw(ui, view_.selection, darkLight);
   if (!structure) return std::nullopt;
   return taken(withStructure(fabric, view_.selection, *structure, limits));
@@ -112,8 +114,9 @@ std::optional<Fabric> DraftController::drawSizes(Ui& ui) {
 }
 
 DraftController::Edit DraftController::drawDialogs(Ui& ui, const std::shared_ptr<const Fabric>& fabric,
+                                                   const YarnColourService& colours,
                                                    const DraftPreferences& preferences) {
-  auto structured = drawStructures(ui, *fabric, preferences.loom);
+  auto structured = drawStructures(ui, *fabric, colours, preferences.loom);
   Edit edit = drawPicture(ui, fabric, preferences.loom);
   auto sized = drawSizes(ui);
   if (!edit.fabric) edit.fabric = structured ? std::move(structured) : std::move(sized);

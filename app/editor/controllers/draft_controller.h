@@ -8,6 +8,7 @@
 
 #include "app/editor/model/document.h"
 #include "app/editor/services/picture_service.h"
+#include "app/editor/services/yarn_colour_service.h"
 #include "core/fabric/weave/structure_edit.h"
 #include "ui/dialogs/picture_dialog.h"
 #include "ui/dialogs/structure_dialog.h"
@@ -24,16 +25,18 @@ class DraftController {
   /// `wake` is called from the thread that reads pictures.
   explicit DraftController(std::function<void()> wake) : pictures_(std::move(wake)) {}
 
-  /// The fabric after an edit. `brushYarn`: what a click on a bar of colours paints; `lit`: the crossing under the
-  /// mouse in the picture; `floats`: the long ones, null while they are counted.
-  std::optional<Fabric> draw(Ui& ui, const Fabric& fabric, int brushYarn, const LongFloats* floats,
-                             DraftPreferences& preferences, const std::optional<CrossingIndex>& lit);
+  /// The fabric after an edit. `yarnColours`: for the display; `brushYarn`: what a click on a bar of colours paints;
+  /// `lit`: the crossing under the mouse in the picture; `floats`: the long ones, null while they are counted.
+  std::optional<Fabric> draw(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& yarnColours, int brushYarn,
+                             const LongFloats* floats, DraftPreferences& preferences,
+                             const std::optional<CrossingIndex>& lit);
   /// What the dialogs ask for in a frame.
   struct Edit {
     std::optional<Fabric> fabric;
     std::string problem;  ///< why a picture cannot be used; else empty
   };
-  Edit drawDialogs(Ui& ui, const std::shared_ptr<const Fabric>& fabric, const DraftPreferences& preferences);
+  Edit drawDialogs(Ui& ui, const std::shared_ptr<const Fabric>& fabric, const YarnColourService& colours,
+                   const DraftPreferences& preferences);
   bool dialogIsOpen() const { return structures_.isOpen() || picture_.isOpen() || wif_.isOpen(); }
 
   void showStructures() { structures_.show(); }
@@ -57,7 +60,8 @@ class DraftController {
 
  private:
   Edit drawPicture(Ui& ui, const std::shared_ptr<const Fabric>& fabric, const LoomLimits& limits);
-  std::optional<Fabric> drawStructures(Ui& ui, const Fabric& fabric, const LoomLimits& limits);
+  std::optional<Fabric> drawStructures(Ui& ui, const Fabric& fabric, const YarnColourService& colours,
+                                       const LoomLimits& limits);
   std::optional<Fabric> drawSizes(Ui& ui);
   Fabric taken(Rewoven result);
 

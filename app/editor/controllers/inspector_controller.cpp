@@ -12,8 +12,8 @@
 
 namespace loomlight {
 
-InspectorResult InspectorController::draw(Ui& ui, const std::shared_ptr<const Fabric>& fabric, const ViewService& seen,
-                                          bool inches) {
+InspectorResult InspectorController::draw(Ui& ui, const std::shared_ptr<const Fabric>& fabric,
+                                          const YarnColourService& yarnColours, const ViewService& seen, bool inches) {
   const ClothMeasures measures = seen.status().measures;
   const std::shared_ptr<const FabricStats> stats = seen.stats();
   InspectorModel model;
@@ -28,23 +28,27 @@ InspectorResult InspectorController::draw(Ui& ui, const std::shared_ptr<const Fa
     model.binding = &stats->binding;
     model.warnings = &stats->warnings;
   }
-  model.yarnColours = yarnColours(*fabric);
+  model.yarns = shownYarns(*fabric, yarnColours.of(*fabric), view_.units.count);
   if (view_.page == InspectorView::Page::yarn && view_.yarn < static_cast<int>(fabric->yarns.size()))
     model.closeUp = pictures_.closeUp(fabric, view_.yarn, ui.scale);
-  if (view_.page == InspectorView::Page::fibre)
-    model.clothColour = colours_.model(*fabric, dyed(*fabric), view_.clothColour);
+  if (view_.page == InspectorView::Page::fibre) model.clothColour = colours_.model(dyed(*fabric), view_.clothColour);
   model.visibility = seen.visibilityModel(view_.yarn);
   model.inches = inches;
   return inspector(ui, *fabric, model, view_);
 }
 
-std::optional<Fabric> InspectorController::drawColourways(Ui& ui, const std::shared_ptr<const Fabric>& fabric) {
-  return colourways_.draw(ui, *fabric, pictures_.colourways(fabric, ui.scale));
+std::optional<Fabric> InspectorController::drawColourways(Ui& ui, const std::shared_ptr<const Fabric>& fabric,
+                                                          const YarnColourService& yarnColours) {
+  ColourwayLooks looks{pictures_.colourways(fabric, ui.scale), {displayColours(yarnColours.of(*fabric))}};
+  for (size_t i = 0; i < fabric->colourways.size(); ++i)
+    looks.yarnColours.push_back(displayColours(yarnColours.ofColourway(*fabric, i)));
+  return colourways_.draw(ui, *fabric, looks);
 }
 
 std::optional<InspectorController::Dyed> InspectorController::follow(const std::shared_ptr<const Fabric>& fabric,
                                                                      uint64_t gesture, bool isShown) {
   pictures_.follow();
+  followBooks();
   if (view_.yarn != lookedAt_) before_ = std::exchange(lookedAt_, view_.yarn);
   if (view_.page != InspectorView::Page::fibre || !isShown) return std::nullopt;
   if (const auto code = std::exchange(view_.clothColour.entered, std::nullopt)) wantCode(dyed(*fabric), *code);
@@ -54,19 +58,20 @@ std::optional<InspectorController::Dyed> InspectorController::follow(const std::
   return Dyed{std::move(*edited), colourGesture_};
 }
 
-int InspectorController::dyed(const Fabric& fabric) const {
-  return view_.clothColour.dyed(shownFibre(fabric, view_), fabric.fibres.size());
+ClothPart InspectorController::dyed(const Fabric& fabric) const {
+  const int yarn = std::clamp(view_.yarn, 0, static_cast<int>(fabric.yarns.size()) - 1);
+  return view_.clothColour.dyed(yarn, shownFibre(fabric, view_));
 }
 
-void InspectorController::wantCode(int what, const std::string& code) {
+void InspectorController::wantCode(const ClothPart& part, const std::string& code) {
   ClothColourView& view = view_.clothColour;
   const BookColour* const called = view.book ? view.book->named(code) : nullptr;
   const std::optional<NamedColour> written = called ? std::nullopt : colourFromCode(code);
   view.refusal = "";
   if (called)
-    view.want(what, {called->linear, called->measured, called->name});
+    view.want(part, {called->linear, called->measured, called->name});
   else if (written)
-    view.want(what, {bookColour(*written).linear, {}, code});
+    view.want(part, {bookColour(*written).linear, {}, code});
   else
     view.refusal = fmt::format("\"{}\" is no colour: expected #1a2b3c, Lab 30 5 -12{}.", code,
                                view.book ? ", or a name of " + view.book->name : "");
@@ -78,10 +83,40 @@ void InspectorController::dyeLike(const Fabric& fabric, const MeasuredSwatch& sw
   view_.clothColour.want(dyed(fabric), {linearFromReflectance(measured), measured, swatch.name});
 }
 
-void InspectorController::open(const Palette& palette) {
+void InspectorController::open(const Palette& palette, const std::string& file) {
   view_.page = InspectorView::Page::fibre;
-  view_.clothColour.book = std::make_shared<const ColourBook>(colourBook(palette));
+  show(colourBook(palette), file);
+}
+
+void InspectorController::show(ColourBook book, const std::string& file) {
+  view_.clothColour.book = std::make_shared<const ColourBook>(std::move(book));
+  view_.clothColour.books.take(file);
   view_.clothColour.search.clear();
+  view_.clothColour.refusal.clear();
+}
+
+/// Books that were used before are opened, shut and forgotten as the page asks for it.
+void InspectorController::followBooks() {
+  ClothColourView& view = view_.clothColour;
+  BookShelf& shelf = view.books;
+  const auto shut = [&] {
+    view.book.reset();
+    books_.forget();
+  };
+  if (const auto wanted = std::exchange(shelf.wanted, std::nullopt)) {
+    shut();
+    shelf.open = *wanted;
+    if (*wanted >= 0) books_.read(shelf.files[static_cast<size_t>(*wanted)]);
+  }
+  if (const auto removed = std::exchange(shelf.remove, std::nullopt)) {
+    if (*removed == shelf.open) shut();
+    shelf.forget(*removed);
+  }
+  auto read = books_.take();
+  if (!read) return;
+  if (read->book) return show(std::move(*read->book), read->file);
+  shelf.open = -1;
+  view.refusal = read->problem;
 }
 
 void InspectorController::stepYarn(int step, size_t yarns) {
@@ -99,6 +134,7 @@ void InspectorController::goTo(const EditPlace& place) {
 }
 
 void InspectorController::startOver() {
+  colours_.forget();
   view_.yarn = 0;
   view_.clothColour.wanted.clear();
   view_.clothColour.code.clear();

@@ -6,8 +6,10 @@
 
 #include "app/editor/model/document.h"
 #include "app/editor/services/cloth_colour_service.h"
+#include "app/editor/services/colour_book_service.h"
 #include "app/editor/services/side_pictures.h"
 #include "app/editor/services/view_service.h"
+#include "app/editor/services/yarn_colour_service.h"
 #include "core/fabric/palette/palette.h"
 #include "core/fabric/swatch/measured_swatch.h"
 #include "ui/dialogs/colourways_dialog.h"
@@ -20,12 +22,14 @@ namespace loomlight {
 class InspectorController {
  public:
   InspectorController(DisplayDriver& driver, const std::function<void()>& wake)
-      : colours_(wake), pictures_(driver, wake) {}
+      : colours_(wake), books_(wake), pictures_(driver, wake) {}
 
   /// What the panel asks for in a frame. `inches`: of setts and lengths.
-  InspectorResult draw(Ui& ui, const std::shared_ptr<const Fabric>& fabric, const ViewService& seen, bool inches);
+  InspectorResult draw(Ui& ui, const std::shared_ptr<const Fabric>& fabric, const YarnColourService& yarnColours,
+                       const ViewService& seen, bool inches);
   /// The fabric after an edit.
-  std::optional<Fabric> drawColourways(Ui& ui, const std::shared_ptr<const Fabric>& fabric);
+  std::optional<Fabric> drawColourways(Ui& ui, const std::shared_ptr<const Fabric>& fabric,
+                                       const YarnColourService& yarnColours);
   void showColourways() { colourways_.show(); }
   bool colourwaysAreOpen() const { return colourways_.isOpen(); }
 
@@ -40,8 +44,8 @@ class InspectorController {
 
   /// Opens the page of fibres and wants of the one looked at that the cloth reflects as was measured.
   void dyeLike(const Fabric& fabric, const MeasuredSwatch& swatch);
-  /// The same page, with these colours to choose from.
-  void open(const Palette& palette);
+  /// The same page, with these colours to choose from, which are those of that file.
+  void open(const Palette& palette, const std::string& file);
 
   // The yarn that bars of colour are painted with is the one that is looked at.
   void stepYarn(int step, size_t yarns);
@@ -56,13 +60,16 @@ class InspectorController {
   const InspectorView& view() const { return view_; }
 
  private:
-  /// What a colour of the cloth is wanted of: the fibre looked at, or kPiece.
-  int dyed(const Fabric& fabric) const;
+  /// What a colour of the cloth is wanted of.
+  ClothPart dyed(const Fabric& fabric) const;
   /// A colour that was typed is wanted, or is refused on the page.
-  void wantCode(int what, const std::string& code);
+  void wantCode(const ClothPart& part, const std::string& code);
+  void followBooks();
+  void show(ColourBook book, const std::string& file);
 
   InspectorView view_;
   ClothColourService colours_;
+  ColourBookService books_;
   SidePictures pictures_;
   ColourwaysDialog colourways_;
   int lookedAt_ = 0, before_ = 1;                ///< yarns

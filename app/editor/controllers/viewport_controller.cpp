@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "app/editor/controllers/lens_model.h"
-#include "core/fabric/yarn/yarn_name.h"
 
 namespace loomlight {
 namespace {
@@ -54,7 +53,7 @@ ViewportController::Edit ViewportController::draw(Ui& ui, const std::shared_ptr<
   const int pictureWidth = shown ? shownWidth(*shown, view_.width, view_.height) : view_.width;
   model.picture = service_.picture(pictureWidth, view_.height, tone(), proof, outline);
   model.pictureSize = ImVec2(static_cast<float>(pictureWidth), static_cast<float>(view_.height));
-  lookUnderPointer(*fabric);
+  lookUnderPointer();
   model.under = underPointer_;
   model.underYarn = underPointerYarn_;
   model.denoised = shown && !shown->denoised.empty();
@@ -106,14 +105,15 @@ Camera ViewportController::atActualSize(const Fabric& fabric, double rulerFactor
   return atScale(turnedTo(fabric.camera, Viewpoint::above), view_.height, display_pixels_per_mm_ / rulerFactor);
 }
 
-void ViewportController::lookUnderPointer(const Fabric& fabric) {
+void ViewportController::lookUnderPointer() {
   underPointer_.reset();
   const auto hit = view_.pointer ? service_.hitAt(*view_.pointer) : std::nullopt;
   if (!hit) return;
   underPointer_ = CrossingIndex{hit->pick, hit->end};
   underPointerYarn_.clear();
   // The picture may be of an older fabric that had more yarns.
-  if (hit->yarn < static_cast<int>(fabric.yarns.size())) underPointerYarn_ = yarnName(fabric, hit->yarn, view_.counts);
+  if (hit->yarn < static_cast<int>(view_.yarnNames.size()))
+    underPointerYarn_ = view_.yarnNames[static_cast<size_t>(hit->yarn)];
 }
 
 void ViewportController::follow(const std::shared_ptr<const Fabric>& fabric, int yarn, bool visibilityShown,

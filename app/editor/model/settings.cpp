@@ -102,6 +102,15 @@ TradeUnits tradeUnits(const nlohmann::json& json, TradeUnits units) {
   return units;
 }
 
+BookShelf bookShelf(const nlohmann::json& json) {
+  BookShelf shelf;
+  for (const nlohmann::json& file : valueOf(json, "colour_books", nlohmann::json::array()))
+    if (file.is_string() && shelf.files.size() < kMostBooks) shelf.files.push_back(file.get<std::string>());
+  const int open = valueOf(json, "colour_book", -1);
+  if (open >= 0 && open < static_cast<int>(shelf.files.size())) shelf.wanted = open;
+  return shelf;
+}
+
 std::vector<RecentFile> recentFiles(const nlohmann::json& json) {
   std::vector<RecentFile> files;
   for (const nlohmann::json& file : json)
@@ -132,6 +141,7 @@ Settings readSettings(const std::filesystem::path& file) {
     settings.hintsSeen = valueOf(json, "hints_seen", true);
     settings.draft = draftPreferences(json, settings.draft);
     settings.units = tradeUnits(json, settings.units);
+    settings.books = bookShelf(json);
     settings.view = viewSettings(json, settings.view);
     settings.snapshot = snapshotOptions(json, settings.snapshot);
   } catch (const InputError&) {
@@ -180,6 +190,8 @@ void writeSettings(const std::filesystem::path& file, const Settings& settings) 
                                {"twist_multiplier", settings.units.twistAsMultiplier},
                                {"piece_length_m", settings.units.piece.length_m},
                                {"piece_width_cm", settings.units.piece.width_cm},
+                               {"colour_books", settings.books.files},
+                               {"colour_book", settings.books.open},
                                {"folder", settings.folder},
                                {"recent", recent},
                                {"hints_seen", settings.hintsSeen}};

@@ -7,6 +7,7 @@
 #include "app/editor/model/recent_files.h"
 #include "ui/dock_layout.h"
 #include "ui/draft/draft_view.h"
+#include "ui/inspector/colour_book.h"
 #include "ui/inspector/trade_units.h"
 #include "ui/viewport/snapshot_options.h"
 
@@ -33,6 +34,7 @@ struct Settings {
   DraftPreferences draft;
   SnapshotOptions snapshot;
   TradeUnits units;
+  BookShelf books;  ///< that colours were chosen from; the open one is to be opened
   DisplayColours colours;
   double fibreMemory_GB = defaultFibreMemory_GB();  ///< that the truth lens may use
   std::string folder;                               ///< where files were last opened or saved

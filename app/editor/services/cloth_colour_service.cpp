@@ -4,53 +4,52 @@
 
 namespace loomlight {
 
-static_assert(kPiece == kAnyMaterial);
-
-ClothColourModel ClothColourService::model(const Fabric& fabric, int what, const ClothColourView& view) const {
+ClothColourModel ClothColourService::model(const ClothPart& part, const ClothColourView& view) const {
   using State = ClothColourModel::State;
   ClothColourModel model;
   const std::shared_ptr<const ColourAnswer> answer = worker_.newest();
   if (!worker_.error().empty()) model.state = State::failed;
   // What is known of the cloth before the last edit is shown until it is known of this one.
-  if (!answer || answer->wish.fibre != what || answer->wish.fabric->fibres.size() != fabric.fibres.size()) return model;
+  if (!answer || answer == forgotten_ || answer->wish.part != part) return model;
   model.state = answer->seen ? State::known : State::hidden;
   model.colour = answer->colour;
-  const auto wanted = view.wanted.find(what);
+  const auto wanted = view.wanted.find(part);
   if (wanted == view.wanted.end()) return model;
   model.difference =
       ciede2000(labFromLinear(glm::dvec3(wanted->second.colour)), labFromLinear(glm::dvec3(model.colour)));
-  if (answer->solved) {
+  if (answer->solved && answer->wish.wanted == wanted->second.colour) {
     model.tooLight = answer->solved->tooLight;
     model.tooDark = answer->solved->tooDark;
   }
-  if (answer->matched) {
+  if (answer->matched && answer->wish.measured == wanted->second.measured) {
     model.tooLight = answer->matched->tooLight > 0;
     model.tooDark = answer->matched->tooDark > 0;
   }
   return model;
 }
 
-std::optional<Fabric> ClothColourService::follow(const std::shared_ptr<const Fabric>& fabric, int what,
+std::optional<Fabric> ClothColourService::follow(const std::shared_ptr<const Fabric>& fabric, const ClothPart& part,
                                                  const ClothColourView& view) {
-  if (fabric != askedFabric_ || what != asked_ || view.wish != askedWish_) {
+  const auto wanted = view.wanted.find(part);
+  const bool isWanted = wanted != view.wanted.end();
+  if (fabric != askedFabric_ || part != asked_ || view.wish != askedWish_) {
     askedFabric_ = fabric;
-    asked_ = what;
+    asked_ = part;
     askedWish_ = view.wish;
-    const auto wanted = view.wanted.find(what);
-    ColourWish wish{.fabric = fabric, .fibre = what, .wanted = {}, .measured = {}, .number = view.wish};
-    if (wanted != view.wanted.end()) {
+    ColourWish wish{.fabric = fabric, .part = part, .wanted = {}, .measured = {}, .number = view.wish};
+    if (isWanted) {
       wish.measured = wanted->second.measured;
       if (!wish.measured) wish.wanted = wanted->second.colour;
     }
     worker_.request(std::move(wish));
   }
   const std::shared_ptr<const ColourAnswer> answer = worker_.newest();
-  if (!answer || answer->wish.number <= doneWish_ || answer->wish.fibre != what ||
-      (!answer->solved && !answer->matched) || answer->wish.fabric->fibres.size() != fabric->fibres.size())
+  if (!isWanted || !answer || answer->wish.number <= doneWish_ || answer->wish.part != part ||
+      (!answer->solved && !answer->matched))
     return std::nullopt;
   doneWish_ = answer->wish.number;
-  Fabric dyed = *fabric;
-  for (const int fibre : dyedWith(what, dyed.fibres.size()))
+  Fabric dyed = readyToDye(*fabric, part);
+  for (const int fibre : fibresOf(dyed, part))
     dyed.fibres[static_cast<size_t>(fibre)].absorption_per_mm = answer->matched
                                                                     ? Absorption(answer->matched->absorption_per_mm)
                                                                     : Absorption(answer->solved->absorption_per_mm);

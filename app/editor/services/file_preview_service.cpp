@@ -20,6 +20,7 @@
 #include "render/colour/tone.h"
 #include "render/display/display_picture.h"
 #include "render/display/raster.h"
+#include "render/transport/reached_colours.h"
 
 namespace loomlight {
 namespace fs = std::filesystem;
@@ -88,11 +89,12 @@ std::string clothText(const Fabric& fabric) {
 FilePreviewService::FilePreviewService(DisplayDriver& driver, std::function<void()> wake)
     : driver_(driver),
       looks_(
-          std::move(wake), [](const std::string& file, const auto&) { return std::pair(file, lookInto(file)); },
+          std::move(wake),
+          [](const std::string& file, const auto& turn) { return std::pair(file, lookInto(file, turn)); },
           [](const std::string& file, const std::string& problem) { return std::pair(file, Look{{}, {problem}}); },
           Backlog::hanging) {}
 
-FilePreviewService::Look FilePreviewService::lookInto(const std::string& file) {
+FilePreviewService::Look FilePreviewService::lookInto(const std::string& file, const Looks::Turn& turn) {
   Look look;
   const auto showPng = [&look](const std::string& png) {
     const PictureExtent extent = readPngExtent(png);
@@ -106,10 +108,17 @@ FilePreviewService::Look FilePreviewService::lookInto(const std::string& file) {
     if (extent.channels > 0 && isLight(extent, 4.0 * extent.channels + 16 + 6))
       look.picture = small(displayed(readExr(exr)));
   };
-  const auto showCloth = [&look](const Fabric& fabric) {
-    look.picture = draftPicture(fabric, kSide);
+  const auto showCloth = [&](const Fabric& fabric) {
     look.lines.push_back(fabric.name);
     look.lines.push_back(clothText(fabric));
+    look.isComing = true;
+    turn.bring({file, look});
+    Task task;
+    task.stop = turn.stop();
+    task.threads = 1;
+    const auto colours = soonReachedColours(fabric, task);
+    if (colours) look.picture = draftPicture(fabric, *colours, kSide);
+    look.isComing = false;
   };
   try {
     std::error_code error;
@@ -147,6 +156,7 @@ void FilePreviewService::take() {
     known.preview.size = ImVec2(static_cast<float>(picture.width), static_cast<float>(picture.height));
   }
   known.preview.lines = std::move(come->second.lines);
+  known.preview.isComing = come->second.isComing;
 }
 
 FilePreview FilePreviewService::of(const std::string& file) {

@@ -28,18 +28,20 @@ class FilePreviewService {
   struct Look {
     Pixels8 picture;  ///< three channels; nothing where there is none
     std::vector<std::string> lines;
+    bool isComing = false;  ///< there is more to come
   };
+  using Looks = Worker<std::string, std::pair<std::string, Look>>;
   struct Known {
     std::unique_ptr<PictureTexture> texture;
     FilePreview preview;
   };
-  static Look lookInto(const std::string& file);
+  static Look lookInto(const std::string& file, const Looks::Turn& turn);
   void take();
 
   DisplayDriver& driver_;
   std::map<std::string, Known> known_;
   std::string asked_;
-  Worker<std::string, std::pair<std::string, Look>> looks_;
+  Looks looks_;
 };
 
 }  // namespace loomlight

@@ -40,9 +40,14 @@ inline constexpr Word looseStock{"Loose stock",
                                  "The colour of a thick mass of this fibre, as dyers match loose stock; sRGB with the "
                                  "white of daylight (D65). Cloth "
                                  "that light goes through is darker over black."};
-inline constexpr Word dyedAs{
-    "Dyed",
-    "What takes the dye: this fibre before it is woven, or the piece, all of whose fibres are dyed alike afterwards."};
+inline constexpr Word dyedAs{"Dyed",
+                             "What takes the dye: this fibre in every yarn that is spun of it, this yarn alone, or the "
+                             "piece, all of whose fibres are dyed alike after it was woven."};
+inline constexpr Word takeNearest{"Take nearest", "The colour that the cloth has reached is the wanted one then."};
+inline constexpr Word dyeAgain{"Dye again", "Finds the dye for the wanted colour in the cloth as it is now."};
+inline constexpr Word difference{"Difference",
+                                 "Between wanted and reached (CIEDE2000): 1 is about the least that an eye sees "
+                                 "between two patches side by side."};
 inline constexpr Word colourCode{"Code",
                                  "The wanted colour as six hexadecimal digits, as CIELAB in daylight (D65, 2 degree "
                                  "observer), or by its name in the "
@@ -50,10 +55,16 @@ inline constexpr Word colourCode{"Code",
 inline constexpr Word colourBook{
     "Colour book",
     "Colours of a file of your own, dropped on the window: a palette (.ase, .aco, .gpl, .csv) or measured colours "
-    "(.cxf, .csv). A part of a name finds them, a click dyes."};
+    "(.cxf, .csv). Those that were used stay here to be chosen."};
+inline constexpr Word findColour{"Find", "A part of a name finds the colours that have it; a click on one dyes."};
+inline constexpr Word absorptionKnown{
+    "Known by",
+    "What says how the fibre absorbs: a depth for each of red, green and blue; or bands of a spectrum, or a recipe of "
+    "dyes, to which the depths are added. A picked colour takes the place of all."};
 inline constexpr Word inThisCloth{
     "In this cloth",
-    "The colour that the cloth should have where this fibre lies on top. The dye for it is found by walking light "
+    "On the left the colour that the cloth should have where this lies on top, on the right the one it reaches, seen "
+    "from straight above in white light from the sky over black. A click picks. The dye is found by walking light "
     "through this very construction."};
 
 // Yarn
@@ -123,10 +134,17 @@ inline constexpr Word threadOrder{
     "Order",
     "Which yarns the threads are of, repeating: 4A 2B is four of the first yarn, then two of the second; 3(4A "
     "2B) is that three times. Enter takes it."};
+inline constexpr Word mirrorOrder{"Mirror", "There and back again, turning on the outermost threads."};
+inline constexpr Word reverseOrder{"Reverse", "The other way round."};
+inline constexpr Word repeatOrder{"Repeat", "All stripes once more, to be varied."};
 inline constexpr Word doubleThreads{"Double", "Every thread twice: stripes become twice as wide."};
 inline constexpr Word copyWeft{"Copy from weft", "The same order both ways, as in a tartan."};
 inline constexpr Word copyWarp{"Copy from warp", copyWeft.help};
-inline constexpr Word stripes{"Stripes", "Each stripe of the order, by its threads or by its width."};
+inline constexpr Word stripes{"Stripes", "The stripes of one repeat, from the first thread on."};
+inline constexpr Word stripeBar{"", "Drag an edge between two stripes; the last edge makes the last one wider."};
+inline constexpr Word stripeColour{"Colour", "Which yarn this stripe is of."};
+inline constexpr Word addStripe{"+", "Another stripe after this one."};
+inline constexpr Word removeStripe{"\xE2\x88\x92", "Takes this stripe away."};
 inline constexpr Word balance{"Balance to the repeat",
                               "Makes the last stripe longer, so that the order repeats with the weave."};
 inline constexpr Word randomStripes{

@@ -38,11 +38,14 @@ std::string yarnLetters(int index) {
   return letters;
 }
 
-std::string yarnName(const Fabric& fabric, int index, CountSystem system) {
+std::string yarnName(const Fabric& fabric, int index, const Rgb& colour, CountSystem system) {
   const Yarn& yarn = fabric.yarns[static_cast<size_t>(index)];
   if (!yarn.name.empty()) return yarn.name;
-  return fmt::format("{} {}", colourName(yarnReflectance(fabric, yarn)),
-                     writtenCount(yarn, meanFibre(yarn, fabric.fibres), system));
+  return fmt::format("{} {}", colourName(colour), writtenCount(yarn, meanFibre(yarn, fabric.fibres), system));
+}
+
+std::string yarnName(const Fabric& fabric, int index, CountSystem system) {
+  return yarnName(fabric, index, yarnReflectance(fabric, fabric.yarns[static_cast<size_t>(index)]), system);
 }
 
 }  // namespace loomlight

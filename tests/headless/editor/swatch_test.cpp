@@ -2,6 +2,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <vector>
+
 #include "core/fabric/yarn/yarn_reflectance.h"
 #include "tests/headless/editor/weaver.h"
 #include "tests/support/scratch_folder.h"
@@ -72,7 +75,7 @@ TEST_F(Swatches, AColourOfAPaletteDyesByAClickOrByItsName) {
 
 TEST_F(Swatches, ACodeDyesAndWhatIsNoneIsSaid) {
   editor.click("tab.fibre");
-  editor.until("the cloth is measured", [&] { return editor.shows("fibre.colour_code"); });
+  editor.until("the cloth is measured", [&] { return editor.fact("fibre.cloth_colour_remark").starts_with("Pick"); });
   editor.edits("a code dyes", [&] { editor.enter("fibre.colour_code", "Lab 35 20 -40"); });
   const Rgb dye = editor.saved().fibres[0].absorption_per_mm.primaries;
   EXPECT_GT(dye.g, dye.b) << "a violet";
@@ -93,20 +96,91 @@ TEST(PieceDyeing, DyesAllFibresAlike) {
   editor.start(cloth);
   editor.click("tab.fibre");
   editor.click("fibre.dyed/Piece");
-  editor.until("the cloth is measured", [&] { return editor.shows("fibre.colour_code"); });
+  editor.until("the cloth is measured", [&] { return editor.fact("fibre.cloth_colour_remark").starts_with("Pick"); });
   editor.edits("the piece is dyed", [&] { editor.enter("fibre.colour_code", "#7a5030"); });
   const Fabric dyed = editor.saved();
   EXPECT_EQ(dyed.fibres[0].absorption_per_mm, dyed.fibres[1].absorption_per_mm);
   EXPECT_GT(dyed.fibres[0].absorption_per_mm.primaries.b, dyed.fibres[0].absorption_per_mm.primaries.r);
 }
 
-TEST(PieceDyeing, OfAClothOfOneFibreIsOfThatFibre) {
-  ClothColourView view;
-  view.piece = true;  // as it was left on a cloth of several
-  EXPECT_EQ(view.dyed(0, 1), 0);
-  EXPECT_EQ(view.dyed(1, 2), kPiece);
-  view.piece = false;
-  EXPECT_EQ(view.dyed(1, 2), 1);
+TEST(YarnDyeing, LeavesYarnsAsTheyAreThatShareItsFibre) {
+  Fabric cloth = smallTwill();
+  for (Yarn& yarn : cloth.yarns) yarn.fibre = 0;
+  HeadlessEditor editor{{1280, 900, 1}};
+  editor.start(cloth);
+  editor.click("tab.fibre");
+  editor.click("fibre.dyed/Yarn");
+  editor.click("inspector.yarn_1");
+  editor.until("the yarn is measured", [&] { return editor.fact("fibre.cloth_colour_remark").starts_with("Pick"); });
+  editor.edits("the yarn is dyed", [&] { editor.enter("fibre.colour_code", "#7a5030"); });
+  const Fabric dyed = editor.saved();
+  EXPECT_EQ(dyed.yarns[0], cloth.yarns[0]);
+  EXPECT_EQ(dyed.fibres[0], cloth.fibres[0]) << "the other yarn has its colour still";
+  const Fibre& own = dyed.fibres[static_cast<size_t>(dyed.yarns[1].fibre)];
+  EXPECT_NE(dyed.yarns[1].fibre, 0);
+  EXPECT_GT(own.absorption_per_mm.primaries.b, own.absorption_per_mm.primaries.r) << "a brown";
+  editor.until("it is reached", [&] { return editor.fact("fibre.cloth_colour_remark").starts_with("Reached"); });
+}
+
+TEST_F(Swatches, OneClickTakesTheNearest) {
+  editor.click("tab.fibre");
+  editor.until("the cloth is measured", [&] { return editor.fact("fibre.cloth_colour_remark").starts_with("Pick"); });
+  editor.edits("white is asked for", [&] { editor.enter("fibre.colour_code", "#ffffff"); });
+  editor.until("it cannot be had", [&] {
+    return editor.fact("fibre.cloth_colour_remark").starts_with("Lighter") &&
+           editor.fact("fibre.cloth_colour_difference") != "\u0394E 0.0";
+  });
+  const Fabric nearest = editor.saved();
+  editor.click("fibre.cloth_colour_nearest");
+  editor.until("it is wanted now", [&] { return editor.fact("fibre.cloth_colour_difference") == "\u0394E 0.0"; });
+  EXPECT_TRUE(editor.fact("fibre.cloth_colour_remark").starts_with("Reached"));
+  EXPECT_EQ(editor.saved(), nearest) << "the cloth has the nearest already";
+}
+
+/// Whatever is known, wanted or refused: what is below stays where the hand is.
+TEST_F(Swatches, NoRowMoves) {
+  editor.click("tab.fibre");
+  const auto places = [&] {
+    return std::vector{editor.rect("fibre.dyed"), editor.rect("fibre.colour_code"), editor.rect("book.choice"),
+                       editor.rect("fibre.absorption_r"), editor.rect("fibre.preset")};
+  };
+  const auto before = places();
+  editor.until("the cloth is measured", [&] { return editor.fact("fibre.cloth_colour_remark").starts_with("Pick"); });
+  EXPECT_EQ(places(), before) << "when the colour is known";
+  editor.enter("fibre.colour_code", "bluish");
+  editor.until("it is refused", [&] { return editor.fact("fibre.cloth_colour_remark").starts_with("\"bluish\""); });
+  EXPECT_EQ(places(), before) << "when a code is refused";
+  editor.edits("white is asked for", [&] { editor.enter("fibre.colour_code", "#ffffff"); });
+  editor.until("it cannot be had", [&] { return editor.fact("fibre.cloth_colour_remark").starts_with("Lighter"); });
+  EXPECT_EQ(places(), before) << "when a colour cannot be had";
+  editor.edits("it is dyed as measured", [&] {
+    editor.drop(file("brown.csv", brown()));
+    editor.answer();
+  });
+  EXPECT_EQ(places(), before) << "when it is known in bands";
+}
+
+/// A colour book stays on the page from one session to the next, until it is forgotten.
+TEST_F(Swatches, ABookThatWasDroppedIsThereAtTheNextStart) {
+  const std::string autumn = file("autumn.gpl", "GIMP Palette\nName: Autumn\n#\n120 60 30 rust\n60 70 90 slate\n");
+  const std::string spring = file("spring.gpl", "GIMP Palette\nName: Spring\n#\n180 220 120 leaf\n");
+  editor.drop(autumn);
+  editor.until("its colours are there", [&] { return editor.fact("book.found") == "2 of 2"; });
+  editor.drop(spring);
+  editor.until("the other's are there", [&] { return editor.fact("book.found") == "1 of 1"; });
+  const std::string cloth = editor.fact("file");
+  editor.leave();
+  editor.startOn(cloth);
+  editor.click("tab.fibre");
+  editor.until("the last book is open", [&] { return editor.fact("book.found") == "1 of 1"; });
+  editor.choose("book.choice", "autumn");
+  editor.until("the other is", [&] { return editor.fact("book.found") == "2 of 2"; });
+  editor.choose("book.choice", "Forget autumn");
+  editor.until("it is gone", [&] { return !editor.shows("book.search"); });
+  std::filesystem::remove(spring);
+  editor.choose("book.choice", "spring");
+  editor.until("what is missing is said",
+               [&] { return editor.fact("fibre.cloth_colour_remark").find("spring.gpl") != std::string::npos; });
 }
 
 }  // namespace

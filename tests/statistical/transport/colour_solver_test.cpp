@@ -7,9 +7,7 @@
 #include "core/fabric/weave/structures.h"
 #include "render/colour/colour_space.h"
 #include "render/colour/tristimulus.h"
-#include "render/transport/make_medium.h"
-#include "render/transport/path_tracer.h"
-#include "tests/support/test_cloth.h"
+#include "tests/statistical/transport/rendered_colour.h"
 
 namespace loomlight {
 namespace {
@@ -34,55 +32,10 @@ Fabric twoYarns() {
   return fabric;
 }
 
-/// Under a dome of the fabric's lamps.
-Fabric patchOf(const Fabric& fabric) {
-  Fabric patch = colourPatch(fabric);
-  patch.light.illuminant = fabric.light.illuminant;
-  return patch;
-}
-
-struct Patch {
-  explicit Patch(const Fabric& fabric)
-      : scene(test::sceneOf(patchOf(fabric))), medium(makeMedium(*scene, defaultMemoryLimit_bytes(), Task{})) {}
-  std::shared_ptr<const Scene> scene;
-  std::unique_ptr<const Medium> medium;
-};
-
-/// What the path tracer shows of the yarns of a fibre, seen from straight above in a white dome.
-Rgb renderedColour(Fabric fabric, int fibre) {
-  fabric.render.seed += 1;
-  fabric.camera.elevation_deg = 90;
-  fabric.camera.fov_deg = 0;
-  fabric.camera.distance_mm = 20;
-  const Patch patch(fabric);
-  constexpr int kSide = 64;
-  constexpr uint32_t kSamples = 12;
-  // The middle of a picture that shows most of the patch: about three repeats each way, so that it hardly matters where
-  // they are cut.
-  const CameraRays camera(fabric.camera, 2 * kSide, 2 * kSide);
-  glm::dvec3 sum(0.0);
-  int count = 0;
-  TraceCounts counts;
-  for (int y = 0; y < kSide; ++y)
-    for (int x = 0; x < kSide; ++x)
-      for (uint32_t i = 0; i < kSamples; ++i) {
-        const PathSample sample =
-            tracePath(*patch.scene, *patch.medium, camera, x + kSide / 2, y + kSide / 2, i, counts);
-        if (sample.yarn < 0 || fabric.yarns[static_cast<size_t>(sample.yarn)].fibre != fibre) continue;
-        sum += glm::dvec3(sample.direct + sample.indirect);
-        ++count;
-      }
-  return Rgb(sum / static_cast<double>(count));
-}
-
-double difference(const Rgb& a, const Rgb& b) {
-  return ciede2000(labFromLinear(glm::dvec3(a)), labFromLinear(glm::dvec3(b)));
-}
-
 TEST(ColourSolver, SolvedClothRendersInTheWantedColour) {
   Fabric fabric = twoYarns();
-  const Patch patch(fabric);
-  const auto walks = tallyPathLengths(*patch.scene, *patch.medium, 0, kWalks, Task{});
+  const PatchOfCloth patch(fabric);
+  const auto walks = tallyPathLengths(*patch.scene, *patch.medium, partOfFibre(0), kWalks, Task{});
   ASSERT_TRUE(walks.has_value());
   ASSERT_EQ(walks->count, kWalks);
   for (const Rgb& wanted : {Rgb(0.25f, 0.10f, 0.04f), Rgb(0.06f, 0.12f, 0.20f)}) {
@@ -90,7 +43,7 @@ TEST(ColourSolver, SolvedClothRendersInTheWantedColour) {
     EXPECT_FALSE(solved.tooLight || solved.tooDark);
     fabric.fibres[0].absorption_per_mm = solved.absorption_per_mm;
     const Rgb rendered = renderedColour(fabric, 0);
-    EXPECT_LT(difference(rendered, wanted), kDeltaE)
+    EXPECT_LT(colourDifference(rendered, wanted), kDeltaE)
         << rendered.r << " " << rendered.g << " " << rendered.b << " for " << wanted.r;
   }
 }
@@ -99,8 +52,8 @@ TEST(ColourSolver, SolvedClothRendersInTheWantedColour) {
 // that the picture is of.
 TEST(ColourSolver, SolvedClothRendersAsItsSwatchWasMeasured) {
   Fabric fabric = twoYarns();
-  const Patch patch(fabric);
-  const auto walks = tallyPathLengths(*patch.scene, *patch.medium, 0, kWalks, Task{});
+  const PatchOfCloth patch(fabric);
+  const auto walks = tallyPathLengths(*patch.scene, *patch.medium, partOfFibre(0), kWalks, Task{});
   ASSERT_TRUE(walks.has_value());
   for (const double centre_nm : {460, 600}) {
     Spectrum swatch;
@@ -117,7 +70,7 @@ TEST(ColourSolver, SolvedClothRendersAsItsSwatchWasMeasured) {
       const LinearWeights weights =
           linearWeights(illuminantNamed(lamp == StandardIlluminant::d65 ? "D65" : "F11"), Observer::degrees2);
       const Rgb rendered = renderedColour(fabric, 0);
-      EXPECT_LT(difference(rendered, Rgb(weighted(weights, swatch))), kDeltaE) << centre_nm;
+      EXPECT_LT(colourDifference(rendered, Rgb(weighted(weights, swatch))), kDeltaE) << centre_nm;
     }
   }
 }
@@ -126,8 +79,8 @@ TEST(ColourSolver, SheerClothCannotBeWhite) {
   Fabric fabric = twoYarns();
   fabric.ends_per_cm = fabric.picks_per_cm = 12;
   for (Yarn& yarn : fabric.yarns) yarn.count_tex = 5;
-  const Patch patch(fabric);
-  const auto walks = tallyPathLengths(*patch.scene, *patch.medium, 0, 4096, Task{});
+  const PatchOfCloth patch(fabric);
+  const auto walks = tallyPathLengths(*patch.scene, *patch.medium, partOfFibre(0), 4096, Task{});
   ASSERT_TRUE(walks.has_value());
   const std::vector<Rgb> undyed = {Rgb(0.0f), fabric.fibres[1].absorption_per_mm.primaries};
   const Rgb white(0.95f);
@@ -150,8 +103,8 @@ TEST(ColourSolver, AFibreBelowTheFaceIsNotSeen) {
   fabric.yarns.push_back(fabric.yarns[0]);
   fabric.yarns[2].fibre = 2;
   fabric.fibres.push_back(fabric.fibres[0]);
-  const Patch patch(fabric);  // no thread uses it
-  const auto walks = tallyPathLengths(*patch.scene, *patch.medium, 2, 256, Task{});
+  const PatchOfCloth patch(fabric);  // no thread uses it
+  const auto walks = tallyPathLengths(*patch.scene, *patch.medium, partOfFibre(2), 256, Task{});
   ASSERT_TRUE(walks.has_value());
   EXPECT_EQ(walks->count, 0u);
 }

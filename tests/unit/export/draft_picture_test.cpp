@@ -8,6 +8,7 @@
 #include "core/fabric/weave/structure_edit.h"
 #include "core/fabric/weave/structures.h"
 #include "core/fabric/yarn/presets.h"
+#include "core/fabric/yarn/yarn_reflectance.h"
 
 namespace loomlight {
 namespace {
@@ -26,6 +27,10 @@ std::map<Pixel, int> coloursIn(const Pixels8& picture) {
   return counts;
 }
 
+Pixels8 pictureOf(const Fabric& fabric, int side) {
+  return draftPicture(fabric, yarnReflectances(fabric), side);
+}
+
 Fabric twoColours(Weave weave) {
   Fabric fabric = withSecondYarn(Fabric{});
   fabric.weave = std::move(weave);
@@ -35,7 +40,7 @@ Fabric twoColours(Weave weave) {
 
 TEST(DraftPicture, ShowsTheYarnThatLiesOnTop) {
   const Fabric fabric = twoColours(twill(3, 1));
-  const Pixels8 picture = draftPicture(fabric, 128);
+  const Pixels8 picture = pictureOf(fabric, 128);
   const std::map<Pixel, int> colours = coloursIn(picture);
   ASSERT_EQ(colours.size(), 2u);
   const Pixel warp =
@@ -50,14 +55,14 @@ TEST(DraftPicture, ShowsTheYarnThatLiesOnTop) {
 TEST(DraftPicture, TellsWarpFromWeftInOneColour) {
   Fabric fabric;
   fabric.weave = twill(2, 2);
-  EXPECT_EQ(coloursIn(draftPicture(fabric, 64)).size(), 2u);
+  EXPECT_EQ(coloursIn(pictureOf(fabric, 64)).size(), 2u);
 }
 
 TEST(DraftPicture, MixesWhatIsSmallerThanAPixel) {
-  const std::map<Pixel, int> yarns = coloursIn(draftPicture(twoColours(twill(1, 1)), 64));
+  const std::map<Pixel, int> yarns = coloursIn(pictureOf(twoColours(twill(1, 1)), 64));
   ASSERT_EQ(yarns.size(), 2u);
   const int mean = (yarns.begin()->first[1] + yarns.rbegin()->first[1]) / 2;
-  for (const auto& [colour, count] : coloursIn(draftPicture(twoColours(twill(1, 1).resized(512, 512)), 64)))
+  for (const auto& [colour, count] : coloursIn(pictureOf(twoColours(twill(1, 1).resized(512, 512)), 64)))
     EXPECT_NEAR(colour[1], mean, 40) << count << " pixels are of one yarn more than of the other";
 }
 
@@ -66,7 +71,7 @@ TEST(DraftPicture, HasCrossingsOfTheSettsShape) {
   Fabric fabric = twoColours(twill(3, 1));
   fabric.ends_per_cm = 40;
   fabric.picks_per_cm = 20;
-  const Pixels8 picture = draftPicture(fabric, 128);
+  const Pixels8 picture = pictureOf(fabric, 128);
   Pixel warp = pixelAt(picture, 0, 127);
   if (!fabric.weave.warpOver(0, 0)) warp = pixelAt(picture, 4 * 1, 127);
   for (int pick = 0; pick < 8; ++pick)

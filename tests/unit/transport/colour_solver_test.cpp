@@ -67,8 +67,6 @@ TEST(ColourSolver, DyesAPieceAlikeAndForgetsWhatItsFibresHad) {
   const SolvedColour solved = solveColour(someWalks(), kAbsorptions, kBoth, wanted);
   const std::vector<Rgb> alike(2, solved.absorption_per_mm);
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(someWalks().colour(alike)[c], wanted[c], 1e-4);
-  EXPECT_EQ(dyedWith(kAnyMaterial, 2), std::vector<int>({0, 1}));
-  EXPECT_EQ(dyedWith(1, 2), std::vector<int>({1}));
   // A fibre alone takes more of it, since the other's lengths do not count.
   const SolvedColour one = solveColour(someWalks(), {Rgb(0.0f), Rgb(0.0f)}, kFirst, wanted);
   for (int c = 0; c < 3; ++c) EXPECT_GT(one.absorption_per_mm[c], solved.absorption_per_mm[c]);

@@ -1,0 +1,131 @@
+#include "app/editor/services/yarn_colour_service.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/fabric/model/changes.h"
+#include "core/fabric/model/colourways.h"
+#include "core/fabric/yarn/yarn_reflectance.h"
+
+// How it works. Light is walked through the cloth once for each construction; how much the fibres absorb, and under
+// which lamp they are seen, is arithmetic on those walks. So the walks are kept by what they depend on, those of the
+// last few constructions: a dye, a lamp, a step of undo is answered in a moment. While a new construction is walked
+// through, every yarn keeps the colour that it had.
+
+namespace loomlight {
+namespace {
+
+/// Whether the walks of one fabric's yarns are those of the other's. Yarns that no thread uses are walked through too.
+bool yarnsWalkedAlike(const Fabric& a, const Fabric& b) {
+  if (a.yarns.size() != b.yarns.size() || !walkedAlike(a, b)) return false;
+  for (int i = 0; i < static_cast<int>(a.yarns.size()); ++i)
+    if (!sameShape(a, i, b, i)) return false;
+  return true;
+}
+
+/// Whether two yarns differ in nothing but what they are called.
+bool areAlike(const Fabric& a, size_t i, const Fabric& b, size_t j) {
+  const auto unnamed = [](Yarn yarn) {
+    yarn.name.clear();
+    yarn.fibre = 0;
+    yarn.blendFibre = yarn.blendFibre ? std::optional(1) : std::nullopt;
+    return yarn;
+  };
+  const auto sameFibre = [&](int x, int y) {
+    Fibre one = a.fibres[static_cast<size_t>(x)];
+    one.name = b.fibres[static_cast<size_t>(y)].name;
+    return one == b.fibres[static_cast<size_t>(y)];
+  };
+  const Yarn &x = a.yarns[i], &y = b.yarns[j];
+  return unnamed(x) == unnamed(y) && sameFibre(x.fibre, y.fibre) &&
+         (!x.blendFibre || sameFibre(*x.blendFibre, *y.blendFibre));
+}
+
+}  // namespace
+
+YarnColourService::YarnColourService(std::function<void()> wake)
+    : worker_(
+          std::move(wake), [this](const Request& fabric, auto& turn) { return find(fabric, turn); },
+          // Of a cloth that cannot be made no more is known than before.
+          [this](const Request&, const std::string&) { return worker_.newest().value_or(nullptr); }) {}
+
+/// Makes walks for the fabric where there are none, which may be replaced under way by one that the same walks serve.
+/// Null when stopped.
+const std::vector<PathLengthTally>* YarnColourService::walksFor(Request& fabric, Finding::Turn& turn) {
+  constexpr size_t kMostKept = 8;
+  const auto found = std::find_if(walked_.begin(), walked_.end(),
+                                  [&](const Walked& walked) { return yarnsWalkedAlike(*walked.fabric, *fabric); });
+  if (found != walked_.end()) {
+    std::rotate(walked_.begin(), found, std::next(found));
+    return &walked_.front().walks;
+  }
+  const Request first = fabric;
+  Task task;
+  task.stop = turn.stop();
+  task.threads = 1;
+  task.progress = [&](double) {
+    auto newer = turn.takeNewer();
+    if (!newer) return;
+    if (yarnsWalkedAlike(**newer, *first))
+      fabric = std::move(*newer);
+    else
+      turn.giveWayTo(std::move(*newer));
+  };
+  auto walks = walkYarns(*first, kChipWalks, task, &scene_);
+  if (!walks) return nullptr;
+  walked_.push_front({first, std::move(*walks)});
+  if (walked_.size() > kMostKept) walked_.pop_back();
+  return &walked_.front().walks;
+}
+
+std::optional<YarnColourService::Answer> YarnColourService::find(Request fabric, Finding::Turn& turn) {
+  const std::vector<PathLengthTally>* const walks = walksFor(fabric, turn);
+  if (!walks) return std::nullopt;
+  auto known = std::make_shared<Known>();
+  known->fabric = fabric;
+  known->now = reachedColours(*walks, colouringOf(*fabric));
+  for (const Colourway& colourway : fabric->colourways)
+    known->colourways.push_back(reachedColours(*walks, colouringOf(inColourway(*fabric, colourway))));
+  return known;
+}
+
+void YarnColourService::follow(const std::shared_ptr<const Fabric>& fabric) {
+  if (std::exchange(asked_, fabric) != fabric) worker_.ask(fabric);
+}
+
+YarnColourService::Answer YarnColourService::known() const {
+  const auto newest = worker_.newest();
+  return newest ? *newest : nullptr;
+}
+
+bool YarnColourService::knows(const Fabric& fabric) const {
+  const Answer answer = known();
+  return answer && answer->fabric.get() == &fabric;
+}
+
+std::vector<Rgb> YarnColourService::of(const Fabric& fabric) const {
+  const Answer answer = known();
+  if (!answer) return yarnReflectances(fabric);
+  if (answer->fabric.get() == &fabric) return answer->now;
+  std::vector<Rgb> colours;
+  const Fabric& before = *answer->fabric;
+  for (size_t i = 0; i < fabric.yarns.size(); ++i) {
+    const bool wasThere = i < before.yarns.size();
+    size_t like = wasThere && areAlike(before, i, fabric, i) ? i : 0;
+    while (like < before.yarns.size() && !areAlike(before, like, fabric, i)) ++like;
+    if (like < before.yarns.size())
+      colours.push_back(answer->now[like]);
+    else
+      colours.push_back(wasThere ? answer->now[i] : yarnReflectance(fabric, fabric.yarns[i]));
+  }
+  return colours;
+}
+
+std::vector<Rgb> YarnColourService::ofColourway(const Fabric& fabric, size_t colourway) const {
+  const Answer answer = known();
+  if (answer && answer->fabric->yarns.size() == fabric.yarns.size() && colourway < answer->colourways.size())
+    return answer->colourways[colourway];
+  return yarnReflectances(inColourway(fabric, fabric.colourways[colourway]));
+}
+
+}  // namespace loomlight

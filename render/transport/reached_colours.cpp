@@ -1,0 +1,74 @@
+#include "render/transport/reached_colours.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/base/memory.h"
+#include "render/transport/make_medium.h"
+
+namespace loomlight {
+namespace {
+
+/// Fewer walks that meet a yarn tell nothing of its colour.
+constexpr size_t kFewestWalks = 64;
+
+Fabric plainClothOf(Fabric fabric, int yarn) {
+  fabric.weave = Weave(std::vector<Weave::Row>{{1, 0}, {0, 1}});
+  fabric.draft.reset();
+  fabric.warpSequence = fabric.weftSequence = {yarn};
+  return fabric;
+}
+
+/// A patch of a cloth, ready for walks.
+struct Patch {
+  std::shared_ptr<const Scene> scene;
+  std::unique_ptr<const Medium> medium;
+};
+
+/// nullopt when stopped.
+std::optional<Patch> patchOf(const Fabric& fabric, const Task& task, std::shared_ptr<const Scene>* shared) {
+  Patch patch;
+  patch.scene = makeScene(std::make_shared<const Fabric>(colourPatch(fabric)), task, shared ? shared->get() : nullptr);
+  if (!patch.scene) return std::nullopt;
+  if (shared) *shared = patch.scene;
+  patch.medium = makeMedium(*patch.scene, defaultMemoryLimit_bytes(), task);
+  return patch.medium ? std::optional(std::move(patch)) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::vector<PathLengthTally>> walkYarns(const Fabric& fabric, size_t count, const Task& task,
+                                                      std::shared_ptr<const Scene>* shared) {
+  const auto patch = patchOf(fabric, task, shared);
+  auto walks = patch ? tallyYarns(*patch->scene, *patch->medium, count, task) : std::nullopt;
+  if (!walks) return std::nullopt;
+  std::shared_ptr<const Scene> plain = patch->scene;  // the next is to find the cloth itself, not these
+  for (size_t i = 0; i < walks->size(); ++i) {
+    if ((*walks)[i].count >= kFewestWalks) continue;
+    const auto alone = patchOf(plainClothOf(fabric, static_cast<int>(i)), task, &plain);
+    auto seen = alone ? tallyPathLengths(*alone->scene, *alone->medium, wholePiece(), count, task) : std::nullopt;
+    if (!seen) return std::nullopt;
+    (*walks)[i] = std::move(*seen);
+  }
+  return walks;
+}
+
+std::vector<Rgb> reachedColours(const std::vector<PathLengthTally>& walks, const Colouring& colouring) {
+  std::vector<Rgb> colours;
+  colours.reserve(walks.size());
+  for (const PathLengthTally& yarn : walks) colours.push_back(yarn.colour(colouring));
+  return colours;
+}
+
+std::optional<std::vector<Rgb>> reachedColours(const Fabric& fabric, const Task& task, size_t walks) {
+  const auto walked = walkYarns(fabric, walks, task);
+  return walked ? std::optional(reachedColours(*walked, colouringOf(fabric))) : std::nullopt;
+}
+
+std::optional<std::vector<Rgb>> soonReachedColours(Fabric fabric, const Task& task) {
+  constexpr int kCoarse = 4;
+  fabric.render.resolution = std::min(fabric.render.resolution, kCoarse);
+  return reachedColours(fabric, task, kChipWalks / 4);
+}
+
+}  // namespace loomlight

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <memory>
+
+#include "render/colour/colour_space.h"
+#include "render/transport/make_medium.h"
+#include "render/transport/path_length_tally.h"
+#include "render/transport/path_tracer.h"
+#include "tests/support/test_cloth.h"
+
+namespace loomlight {
+
+/// Under a dome of the fabric's lamps.
+inline Fabric patchOf(const Fabric& fabric) {
+  Fabric patch = colourPatch(fabric);
+  patch.light.illuminant = fabric.light.illuminant;
+  return patch;
+}
+
+struct PatchOfCloth {
+  explicit PatchOfCloth(const Fabric& fabric)
+      : scene(test::sceneOf(patchOf(fabric))), medium(makeMedium(*scene, defaultMemoryLimit_bytes(), Task{})) {}
+  std::shared_ptr<const Scene> scene;
+  std::unique_ptr<const Medium> medium;
+};
+
+/// What the path tracer shows of a yarn, seen from straight above in a white dome.
+inline Rgb renderedColour(Fabric fabric, int yarn) {
+  fabric.render.seed += 1;
+  fabric.camera.elevation_deg = 90;
+  fabric.camera.fov_deg = 0;
+  fabric.camera.distance_mm = 20;
+  const PatchOfCloth patch(fabric);
+  constexpr int kSide = 64;
+  constexpr uint32_t kSamples = 12;
+  // The middle of a picture that shows most of the patch: about three repeats each way, so that it hardly matters where
+  // they are cut.
+  const CameraRays camera(fabric.camera, 2 * kSide, 2 * kSide);
+  glm::dvec3 sum(0.0);
+  int count = 0;
+  TraceCounts counts;
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x)
+      for (uint32_t i = 0; i < kSamples; ++i) {
+        const PathSample sample =
+            tracePath(*patch.scene, *patch.medium, camera, x + kSide / 2, y + kSide / 2, i, counts);
+        if (sample.yarn != yarn) continue;
+        sum += glm::dvec3(sample.direct + sample.indirect);
+        ++count;
+      }
+  return Rgb(sum / static_cast<double>(count));
+}
+
+inline double colourDifference(const Rgb& a, const Rgb& b) {
+  return ciede2000(labFromLinear(glm::dvec3(a)), labFromLinear(glm::dvec3(b)));
+}
+
+}  // namespace loomlight
