@@ -31,6 +31,7 @@ MenuChoice menuBar(Ui& ui, const MenuModel& model) {
   if (!shown) return {};
   std::optional<DraftCommand> draft;
   RecentMenuChoice recent;
+  FlatMenuChoice flat;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(16), ui.px(10)));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(16), ui.px(12)));
   if (menu.begin("menu.file", "File")) {
@@ -64,25 +65,18 @@ MenuChoice menuBar(Ui& ui, const MenuModel& model) {
   if (menu.begin("menu.view", "View")) {
     menu.item("menu.fit", "Fit the cloth", "Ctrl+0", Command::fitView);
     menu.item("menu.actual_size", "Actual size", "Ctrl+1", Command::actualSize);
-    if (menu.begin("menu.flat", "Flat cloth")) {
-      menu.item("menu.flat_repeat", "One repeat", "", Command::flatRepeat);
-      menu.item("menu.flat_repeats", "4 \xC3\x97 4 repeats", "", Command::flatRepeats);
-      menu.item("menu.flat_5cm", "5 \xC3\x97 5 cm", "", Command::flat5cm);
-      menu.item("menu.flat_10cm", "10 \xC3\x97 10 cm", "", Command::flat10cm);
-      menu.item("menu.flat_20cm", "20 \xC3\x97 20 cm", "", Command::flat20cm);
-      ImGui::EndMenu();
-    }
+    flat = flatMenu(ui, model.flat);
     menu.item("menu.fit_draft", "Fit the draft", "Shift+F", Command::fitDraft);
-    menu.item("menu.soft_proof", model.knowsPrinter ? "Soft proof" : "Soft proof\xE2\x80\xA6", "Y", Command::softProof,
-              true, model.knowsPrinter && model.proofs);
-    menu.item("menu.gamut_warning", "Gamut warning", "Shift+Y", Command::gamutWarning,
-              model.knowsPrinter && model.proofs, model.warnsOfGamut);
-    ImGui::Separator();
     ImGui::Separator();
     menu.item("menu.keep_view", "Keep this view", "K", Command::keepView);
     menu.item("menu.lens", "Truth lens", "L", Command::truthLens, true, model.lensOn);
     menu.item("menu.next_lamp", "Next lamp of the booth", "J", Command::boothLamp);
     menu.item("menu.denoise", "Denoised preview", "N", Command::denoise, true, model.denoised);
+    ImGui::Separator();
+    menu.item("menu.soft_proof", model.knowsPrinter ? "Soft proof" : "Soft proof\xE2\x80\xA6", "Y", Command::softProof,
+              true, model.knowsPrinter && model.proofs);
+    menu.item("menu.gamut_warning", "Gamut warning", "Shift+Y", Command::gamutWarning,
+              model.knowsPrinter && model.proofs, model.warnsOfGamut);
     ImGui::Separator();
     menu.item("menu.panels", "Panels", "P", Command::togglePanels, true, model.panelsShown);
     menu.item("menu.fullscreen", "Full screen", "F11", Command::fullScreen);
@@ -105,7 +99,7 @@ MenuChoice menuBar(Ui& ui, const MenuModel& model) {
   ImGui::GetWindowDrawList()->AddText(at, packed(ui.theme.text), right.c_str());
   ui.probe.record("title", at, ImVec2(at.x + size.x, at.y + size.y));
   ImGui::EndMainMenuBar();
-  return {menu.chosen(), draft, recent};
+  return {menu.chosen(), draft, recent, flat};
 }
 
 }  // namespace loomlight

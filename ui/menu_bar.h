@@ -6,6 +6,7 @@
 
 #include "ui/draft/weave_menu.h"
 #include "ui/recent_menu.h"
+#include "ui/flat_menu.h"
 #include "ui/widgets/commands.h"
 #include "ui/widgets/ui.h"
 
@@ -19,9 +20,10 @@ struct MenuModel {
   bool panelsShown = true;
   bool lensOn = false;
   bool denoised = false;
-  WeaveMenuModel weave;
   bool proofs = false, warnsOfGamut = false;
   bool knowsPrinter = false;  ///< whose prints can be shown
+  WeaveMenuModel weave;
+  FlatMenuModel flat;
   std::span<const RecentFile> recent;
 };
 
@@ -29,6 +31,7 @@ struct MenuChoice {
   std::optional<Command> command;
   std::optional<DraftCommand> draft;
   RecentMenuChoice recent;
+  FlatMenuChoice flat;
 };
 
 /// The line at the top of the window.

@@ -8,9 +8,7 @@
 #include "app/editor/model/user_folders.h"
 #include "app/export/file_name.h"
 #include "core/base/stopwatch.h"
-#include "core/fabric/model/field_tables.h"
 #include "core/fabric/weave/structure_edit.h"
-#include "core/fabric/yarn/derived.h"
 #include "ui/widgets/choices.h"
 #include "ui/widgets/fields.h"
 #include "ui/widgets/keys.h"
@@ -24,18 +22,8 @@ DocumentController::Hold heldNow() {
   return {ImGui::IsAnyMouseDown() || ImGui::IsAnyItemActive(), pressed, ImGui::GetActiveID()};
 }
 
-/// So many repeats of the pattern across and along, as far as a piece can be so large.
-glm::dvec2 repeatsOf(const Fabric& fabric, int count) {
-  const FieldInfo range = fieldInfo(&Drape::width_mm);
-  const auto length = [&](int64_t threads, double pitch_mm) {
-    return std::clamp(static_cast<double>(count * threads) * pitch_mm, range.min, range.max);
-  };
-  return {length(patternEnds(fabric), fabric.warpPitch_mm()), length(patternPicks(fabric), fabric.weftPitch_mm())};
-}
-
 }  // namespace
 
-      profiles_(settings_.colours, wake),
 Session::Session(Document document, Settings settings, DisplayDriver& driver, const std::function<void()>& wake,
                  int threads)
     : settings_(std::move(settings)),
@@ -47,6 +35,7 @@ Session::Session(Document document, Settings settings, DisplayDriver& driver, co
       snapshots_(viewFolder(), driver, wake),
       presets_(presetFolder(), driver, wake),
       tile_(wake),
+      profiles_(settings_.colours, wake),
       files_(driver, wake) {
   help_.hints.wanted = !settings_.hintsSeen;
   const ViewSettings& view = settings_.view;
@@ -62,8 +51,6 @@ Session::Session(Document document, Settings settings, DisplayDriver& driver, co
   if (!document_.document().file().empty()) remember(document_.document().file());
 }
 
-  settings.books = inspector_.view().clothColour.books;
-  settings.colours = profiles_.colours();
 Settings Session::settingsToKeep() const {
   Settings settings = settings_;
   const ViewportView& viewport = viewport_.view();
@@ -74,6 +61,7 @@ Settings Session::settingsToKeep() const {
   settings.snapshot = snapshots_.options();
   settings.units = inspector_.view().units;
   settings.books = inspector_.view().clothColour.books;
+  settings.colours = profiles_.colours();
   return settings;
 }
 
@@ -90,7 +78,6 @@ void Session::frame(Ui& ui) {
   if (!dialogIsOpen()) readKeys();
   drawPanels(ui);
   drawDialogs(ui);
-  if (const auto problem = profiles_.follow()) sayUnopened(*problem);
   watch.lap();
   follow();
   work_s_ += watch.lap();
@@ -100,6 +87,7 @@ void Session::frame(Ui& ui) {
 void Session::follow() {
   snapshots_.follow();
   if (const auto message = presets_.follow(!dialogIsOpen())) questions_.say(message->title, message->text);
+  if (const auto problem = profiles_.follow()) sayUnopened(*problem);
   const bool panels = settings_.dock.panelsShown;
   if (auto dyed = inspector_.follow(document_.fabric(), document_.gesture(), panels))
     document_.edit(std::move(dyed->fabric), inspector_.place(), dyed->gesture);
@@ -147,24 +135,7 @@ void Session::run(Command command) {
       viewport_.view().fitWanted = true;
       break;
     case Command::actualSize:
-      return document_.lookFrom(viewport_.atActualSize(*document_.fabric(), settings_.rulerFactor));
-    case Command::flatRepeat:
-      return layFlat(repeatsOf(*document_.fabric(), 1));
-    case Command::flatRepeats:
-      return layFlat(repeatsOf(*document_.fabric(), 4));
-    case Command::flat5cm:
-      return layFlat({50, 50});
-    case Command::flat10cm:
-      return layFlat({100, 100});
-    case Command::flat20cm:
-    case Command::softProof:
-      if (!profiles_.knowsPrinter()) return browse(FileTask::profile);
-      profiles_.colours().proofs = !profiles_.colours().proofs;
-      break;
-    case Command::gamutWarning:
-      profiles_.colours().warnsOfGamut = !profiles_.colours().warnsOfGamut;
-      break;
-      return layFlat({200, 200});
+      return look(viewport_.atActualSize(*document_.fabric(), settings_.rulerFactor));
     case Command::sheet:
       return browse(FileTask::sheet);
     case Command::brushBefore:
@@ -181,6 +152,13 @@ void Session::run(Command command) {
       return document_.change([](Fabric& fabric) { fabric.light.illuminant = nextLamp(fabric.light.illuminant); });
     case Command::denoise:
       viewport_.view().denoised = !viewport_.view().denoised;
+      break;
+    case Command::softProof:
+      if (!profiles_.knowsPrinter()) return browse(FileTask::profile);
+      profiles_.colours().proofs = !profiles_.colours().proofs;
+      break;
+    case Command::gamutWarning:
+      profiles_.colours().warnsOfGamut = !profiles_.colours().warnsOfGamut;
       break;
     case Command::preferences:
       return preferences_.show();
@@ -235,7 +213,6 @@ void Session::readKeys() {
   if (const auto command = draftKey(draft_.view())) return run(*command);
   if (io.KeyCtrl) {
     if (letterPressed('N')) run(Command::newFabric);
-  if (letterPressed('Y')) run(io.KeyShift ? Command::gamutWarning : Command::softProof);
     if (letterPressed('O')) run(Command::open);
     if (letterPressed('S')) run(io.KeyShift ? Command::saveAs : Command::save);
     if (letterPressed('Z')) run(io.KeyShift ? Command::redo : Command::undo);
@@ -253,9 +230,13 @@ void Session::readKeys() {
   if (letterPressed('J')) run(Command::boothLamp);
   if (letterPressed('N')) run(Command::denoise);
   if (letterPressed('X')) run(Command::swapBrushes);
+  if (letterPressed('Y')) run(io.KeyShift ? Command::gamutWarning : Command::softProof);
   if (io.InputQueueCharacters.contains('[')) run(Command::brushBefore);
   if (io.InputQueueCharacters.contains(']')) run(Command::brushNext);
-  if (escape && viewport_.view().lens.on) viewport_.view().lens.close();
+  if (escape && viewport_.view().lens.on)
+    viewport_.view().lens.close();
+  else if (escape)
+    viewport_.leaveFlat();
   if (letterPressed('P')) run(Command::togglePanels);
   if (functionKeyPressed(1) || io.InputQueueCharacters.contains('?')) run(Command::showKeys);
   if (functionKeyPressed(11)) run(Command::fullScreen);
@@ -263,21 +244,15 @@ void Session::readKeys() {
 
 void Session::startOver(Document document) {
   document_.startOver(std::move(document));
+  viewport_.leaveFlat();
   draft_.startOver();
   inspector_.startOver();
   yarnColours_.forget();
 }
 
-/// Straight from above, all of it.
-void Session::layFlat(const glm::dvec2& piece_mm) {
-  document_.change([&](Fabric& fabric) {
-    fabric.drape.kind = DrapeKind::flat;
-    fabric.drape.width_mm = piece_mm.x;
-    fabric.drape.height_mm = piece_mm.y;
-  });
-  const ViewportView& view = viewport_.view();
-  const double aspect = static_cast<double>(std::max(view.width, 1)) / std::max(view.height, 1);
-  document_.lookFrom(aboveFlat(document_.fabric()->camera, piece_mm.x, piece_mm.y, aspect));
+/// Flat cloth is looked at by a camera of its own.
+void Session::look(const Camera& camera) {
+  if (!viewport_.lookAtFlat(camera)) document_.lookFrom(camera);
 }
 
 void Session::applyPreset(const PresetChoice& choice) {

@@ -92,6 +92,7 @@ class Session {
   void drawStrip(Ui& ui);
   void drawInspector(Ui& ui);
   void drawDialogs(Ui& ui);
+  void drawPreferences(Ui& ui);
   void drawFabricDialogs(Ui& ui);
   void drawSnapshot(Ui& ui);
   bool dialogIsOpen() const;
@@ -104,7 +105,7 @@ class Session {
   void startOver(Document document);
   void applyPreset(const PresetChoice& choice);
   void dress(const Fabric& cloth);
-  void layFlat(const glm::dvec2& piece_mm);
+  void look(const Camera& camera);
   void goTo(const EditPlace& place);
 
   // session_files.cpp: cloths from files and into them
@@ -132,14 +133,14 @@ class Session {
   ViewportController viewport_;
   DraftController draft_;
   InspectorController inspector_;
-  SnapshotController snapshots_;
   YarnColourService yarnColours_;
+  SnapshotController snapshots_;
   PresetController presets_;
   TileController tile_;
+  ProfileController profiles_;
   FileController files_;
   QuestionController questions_;
   PreferencesDialog preferences_;
-  ProfileController profiles_;
   Help help_;
   WindowWish window_;
   double work_s_ = 0;

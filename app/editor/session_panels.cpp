@@ -25,6 +25,7 @@ void Session::drawPanels(Ui& ui) {
   menu.warnsOfGamut = profiles_.colours().warnsOfGamut;
   menu.knowsPrinter = profiles_.knowsPrinter();
   menu.weave = {draft_.view().selection.has_value(), draft_.view().back, draft_.view().marksFloats};
+  menu.flat = viewport_.flatMenu();
   menu.recent = settings_.recent;
   const float menuHeight = ImGui::GetFontSize() + ui.px(16);
   const MenuChoice choice = menuBar(ui, menu);
@@ -57,6 +58,8 @@ void Session::drawPanels(Ui& ui) {
   tellProbe(ui);
   if (choice.command) run(*choice.command);
   if (choice.draft) run(*choice.draft);
+  if (choice.flat.cloth) viewport_.layFlat(*document_.fabric(), *choice.flat.cloth);
+  if (choice.flat.asDraped) viewport_.leaveFlat();
   if (choice.recent.appeared) lookFor(settings_.recent);
   if (choice.recent.file) openRecent(*choice.recent.file);
   if (choice.recent.clear) settings_.recent.clear();
@@ -83,7 +86,7 @@ void Session::drawViewport(Ui& ui) {
       viewport_.draw(ui, document_.fabric(), draft_.view().hovered, profiles_.proof(), settings_.fibreMemory_GB);
   help_.hints.turned |= edit.turned;
   if (edit.fabric) document_.edit(std::move(*edit.fabric));
-  if (edit.camera) document_.lookFrom(*edit.camera);
+  if (edit.camera) look(*edit.camera);
   if (edit.yarn) inspector_.view().yarn = *edit.yarn;
   if (edit.preferences) run(Command::preferences);
 }
@@ -97,10 +100,14 @@ void Session::drawStrip(Ui& ui) {
 
 void Session::drawInspector(Ui& ui) {
   const EditPlace place = inspector_.place();
-  InspectorResult result = inspector_.draw(ui, document_.fabric(), yarnColours_, viewport_.service(), settings_.draft.inches);
+  InspectorResult result =
+      inspector_.draw(ui, document_.fabric(), yarnColours_, viewport_.service(), settings_.draft.inches);
   help_.hints.set |= result.fabric.has_value();
   if (result.fabric) document_.edit(std::move(*result.fabric), place);
-  if (result.camera) document_.lookFrom(*result.camera);
+  if (result.camera) {
+    viewport_.leaveFlat();  // the panel's numbers are those of the cloth on its drape
+    document_.lookFrom(*result.camera);
+  }
   if (result.command) run(*result.command);
 }
 
@@ -122,7 +129,8 @@ void Session::drawFabricDialogs(Ui& ui) {
     if (!presets_.isOpen()) viewport_.service().pause(false);
   }
   if (inspector_.colourwaysAreOpen()) {
-    if (auto edited = inspector_.drawColourways(ui, document_.fabric(), yarnColours_)) document_.edit(std::move(*edited));
+    if (auto edited = inspector_.drawColourways(ui, document_.fabric(), yarnColours_))
+      document_.edit(std::move(*edited));
     if (!inspector_.colourwaysAreOpen()) viewport_.service().pause(false);
   }
   const EditPlace place = draft_.place();
@@ -140,24 +148,13 @@ void Session::drawDialogs(Ui& ui) {
     questions_.afterwards = Afterwards::nothing;  // no file was named
   if (auto result = files_.drawBusy(ui)) fileDone(std::move(*result));
   if (const auto answer = questions_.draw(ui)) answered(*answer);
-  preferences_.draw(ui, 1e-9 * static_cast<double>(physicalMemory_bytes()), viewport_.displayPixels_per_mm(),
-                    {settings_.darkTheme, settings_.interfaceSize, inspector_.view().units, settings_.draft,
-                     settings_.rulerFactor, settings_.fibreMemory_GB});
+  drawPreferences(ui);
   help_.keys.draw(ui);
   snapshots_.drawComparison(ui);
   if (!files_.isBrowsing() && tile_.draw(ui, *document_.fabric(), viewport_.service())) browse(FileTask::exportTile);
   drawFabricDialogs(ui);
 }
 
-bool Session::dialogIsOpen() const {
-  return files_.service().busy() || files_.isBrowsing() || questions_.isOpen() || snapshots_.dialogIsOpen() ||
-         snapshots_.comparisonIsOpen() || preferences_.isOpen() || help_.keys.isOpen() || draft_.dialogIsOpen() ||
-         tile_.isOpen() || inspector_.colourwaysAreOpen() || presets_.isOpen();
-}
-
-/// What is unsafe comes before what is worth knowing of the cloth.
-StatusModel Session::statusToSay() const {
-  const ViewService& seen = viewport_.service();
 void Session::drawPreferences(Ui& ui) {
   if (files_.isBrowsing()) return;
   const PreferencesDialog::Facts facts{1e-9 * static_cast<double>(physicalMemory_bytes()),
@@ -169,6 +166,15 @@ void Session::drawPreferences(Ui& ui) {
   if (chooses) browse(FileTask::profile);
 }
 
+bool Session::dialogIsOpen() const {
+  return files_.service().busy() || files_.isBrowsing() || questions_.isOpen() || snapshots_.dialogIsOpen() ||
+         snapshots_.comparisonIsOpen() || preferences_.isOpen() || help_.keys.isOpen() || draft_.dialogIsOpen() ||
+         tile_.isOpen() || inspector_.colourwaysAreOpen() || presets_.isOpen();
+}
+
+/// What is unsafe comes before what is worth knowing of the cloth.
+StatusModel Session::statusToSay() const {
+  const ViewService& seen = viewport_.service();
   StatusModel model = statusModel(seen.stats().get(), seen.status(), seen.visibilityStatus(), seen.frame());
   const Light& light = document_.fabric()->light;
   if (light.illuminant != StandardIlluminant::d65) model.lamp = fmt::format("under {}", lampName(light.illuminant));

@@ -107,7 +107,12 @@ void drawOverlays(Ui& ui, const ViewportModel& model, const LensView& lens, ImVe
     const char* text = !model.proofed ? "Denoised" : model.denoised ? "Denoised, as printed" : "As printed";
     pill(ui, ImVec2(max.x - edge - ImGui::CalcTextSize(text).x - ui.px(16), min.y + edge), text, Theme::dark().text);
   }
-  if (!model.error.empty()) pill(ui, ImVec2(min.x + edge, min.y + edge), model.error, Theme::dark().warning);
+  float top = min.y + edge;
+  if (!model.flat.empty()) {
+    pill(ui, ImVec2(min.x + edge, top), model.flat, Theme::dark().text);
+    top += ImGui::GetFontSize() + ui.px(12);
+  }
+  if (!model.error.empty()) pill(ui, ImVec2(min.x + edge, top), model.error, Theme::dark().warning);
   if (lens.on && !lens.placed) {
     const char* text = "Drag a rectangle over the cloth";
     pill(ui, ImVec2(0.5f * (min.x + max.x - ImGui::CalcTextSize(text).x) - edge, min.y + edge), text,

@@ -23,6 +23,7 @@ struct ViewportModel {
   bool proofed = false;                ///< likewise: shown as it prints
   bool building = false;
   double buildProgress = 1;
+  std::string flat;                ///< what of flat cloth is looked at in the drape's place; empty: the drape
   std::string error;               ///< why the newest fabric cannot be shown; empty if it can
   std::optional<MeshExtent> mesh;  ///< of a mesh drape, once it is known
   LensModel lens;

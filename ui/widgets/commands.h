@@ -20,20 +20,15 @@ enum class Command {
   redo,
   fitView,
   actualSize,
-  flatRepeat,  // the cloth lies flat: one repeat of the pattern, four by four, so many centimetres
-  flatRepeats,
-  flat5cm,
-  flat10cm,
-  flat20cm,
   sheet,
   brushBefore,
-  softProof,  // the picture as a printer prints it
-  gamutWarning,
   brushNext,
   swapBrushes,
   truthLens,
   boothLamp,  // the next of those that a light booth has
   denoise,
+  softProof,  // the picture as a printer prints it
+  gamutWarning,
   fitDraft,
   togglePanels,
   fullScreen,

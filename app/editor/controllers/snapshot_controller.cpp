@@ -64,7 +64,8 @@ SnapshotController::Edit SnapshotController::drawDialog(Ui& ui, const std::share
     if (*written) keepView(fabric, tone, seen);
   }
   const std::string before = dialog_.file();
-  const SnapshotDialog::Result result = dialog_.draw(ui, heightSeen_mm(fabric->camera), rendering_.progress());
+  const SnapshotDialog::Result result =
+      dialog_.draw(ui, heightSeen_mm(seen.asSeen(fabric)->camera), rendering_.progress());
   if (result.settings || dialog_.file() != before) rendering_.forget();
   if (result.cancel) rendering_.cancel();
   if (result.start && !rendering_.isRunning()) {

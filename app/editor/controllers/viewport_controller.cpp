@@ -37,6 +37,33 @@ Tone ViewportController::tone() const {
   return tone;
 }
 
+void ViewportController::layFlat(const Fabric& fabric, const FlatCloth& cloth) {
+  if (cloth.inRepeats)
+    flatRepeats_ = static_cast<int>(cloth.count);
+  else
+    flatSide_cm_ = cloth.count;
+  const glm::dvec2 piece_mm = pieceOf_mm(fabric, cloth);
+  const Camera& from = flat_ ? flat_->sight.camera : fabric.camera;
+  flat_ = Flat{cloth, {piece_mm, aboveFlat(from, piece_mm.x, piece_mm.y, aspect())}, fabric.drape};
+}
+
+bool ViewportController::lookAtFlat(const Camera& camera) {
+  if (flat_) flat_->sight.camera = camera;
+  return flat_.has_value();
+}
+
+std::optional<Fabric> ViewportController::onItsDrape(Fabric edited, const Fabric& fabric) {
+  Drape drape = fabric.drape;
+  if (edited.drape.kind != DrapeKind::flat) {  // another one was chosen
+    drape.kind = edited.drape.kind;
+    leaveFlat();
+  }
+  edited.drape = drape;
+  edited.camera = fabric.camera;
+  if (edited.drape == fabric.drape && edited.light == fabric.light) return std::nullopt;
+  return edited;
+}
+
 ViewportController::Edit ViewportController::draw(Ui& ui, const std::shared_ptr<const Fabric>& fabric,
                                                   const std::optional<CrossingIndex>& hovered, const SoftProof& proof,
                                                   double fibreMemory_GB) {
@@ -57,6 +84,7 @@ ViewportController::Edit ViewportController::draw(Ui& ui, const std::shared_ptr<
   model.under = underPointer_;
   model.underYarn = underPointerYarn_;
   model.denoised = shown && !shown->denoised.empty();
+  model.proofed = proof.prints != nullptr;
   model.building = status.phase == LiveStatus::Phase::voxelising && status.buildProgress < 1;
   model.buildProgress = status.buildProgress;
   model.error = status.error;
@@ -81,7 +109,11 @@ ViewportController::Edit ViewportController::draw(Ui& ui, const std::shared_ptr<
   if (const auto hit = result.picked ? service_.hitAt(*result.picked) : std::nullopt)
     edit.yarn = std::min(hit->yarn, static_cast<int>(fabric->yarns.size()) - 1);
   if (!result.lens.remedy) return edit;
-  if (const auto drape = fittingPiece(fabric->drape, status.lens.bytes, 1e9 * fibreMemory_GB)) {
+  const auto drape = fittingPiece(seen.drape, status.lens.bytes, 1e9 * fibreMemory_GB);
+  if (drape && flat_) {
+    flat_->sight.piece_mm = {drape->width_mm, drape->height_mm};
+    view_.fitWanted = true;
+  } else if (drape) {
     edit.fabric = *fabric;
     edit.fabric->drape = *drape;
     view_.fitWanted = true;
@@ -95,14 +127,14 @@ LensModel ViewportController::lensModelFor(const LensStatus& status, const Fabri
   LensModel model = lensModel(status, frame, view_.lens.showsDifference, 1e9 * fibreMemory_GB, fabric.drape);
   if (!frame || !view_.lens.on) return model;
   const PixelRect& window = frame->fibres->window;
-  model.proofed = proof.prints != nullptr;
   model.window = {window.x, window.y, window.width, window.height};
   model.picture = service_.lensPicture(tone(), proof);
   return model;
 }
 
 Camera ViewportController::atActualSize(const Fabric& fabric, double rulerFactor) const {
-  return atScale(turnedTo(fabric.camera, Viewpoint::above), view_.height, display_pixels_per_mm_ / rulerFactor);
+  return atScale(turnedTo(flat_ ? flat_->sight.camera : fabric.camera, Viewpoint::above), view_.height,
+                 display_pixels_per_mm_ / rulerFactor);
 }
 
 void ViewportController::lookUnderPointer() {
@@ -118,7 +150,9 @@ void ViewportController::lookUnderPointer() {
 
 void ViewportController::follow(const std::shared_ptr<const Fabric>& fabric, int yarn, bool visibilityShown,
                                 double fibreMemory_GB, const DraftSight& draft) {
+  if (flat_ && fabric->drape != flat_->instead) leaveFlat();  // another drape is wanted
   ViewState state;
+  state.flat = flatSight();
   state.fabric = fabric;
   state.width = view_.width;
   state.height = view_.height;

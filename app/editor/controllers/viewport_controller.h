@@ -1,11 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "app/editor/services/view_service.h"
+#include "ui/flat_menu.h"
 #include "ui/viewport/viewport_panel.h"
 
 namespace loomlight {
@@ -33,8 +35,8 @@ class ViewportController {
   bool take() { return service_.take(view_.lens.showsDifference); }
   /// Has the workers follow the fabric, and one yarn of it, whose visibility is on the screen or not.
   struct DraftSight {
-    bool back = false;        ///< the draft is seen from behind, and the cloth with it
-    double longFloat_mm = 4;  ///< beyond which floats are listed
+    bool back = false;                          ///< the draft is seen from behind, and the cloth with it
+    double longFloat_mm = kUsualFloatLimit_mm;  ///< beyond which floats are listed
   };
   void follow(const std::shared_ptr<const Fabric>& fabric, int yarn, bool visibilityShown, double fibreMemory_GB,
               const DraftSight& draft);
@@ -45,6 +47,13 @@ class ViewportController {
   /// A camera that shows the cloth as large as it is, straight from above. `rulerFactor`: how much longer a ruler finds
   /// the display's millimetres than the system says.
   Camera atActualSize(const Fabric& fabric, double rulerFactor) const;
+  /// Looks at so much flat cloth instead of the drape, straight from above, until another drape is chosen. It is a
+  /// view: the fabric stays as it is.
+  void layFlat(const Fabric& fabric, const FlatCloth& cloth);
+  void leaveFlat() { flat_.reset(); }
+  /// Moves the camera that looks at flat cloth; false where there is none.
+  bool lookAtFlat(const Camera& camera);
+  FlatMenuModel flatMenu() const { return {flatRepeats_, flatSide_cm_, flat_.has_value()}; }
   ViewportView& view() { return view_; }
   const ViewportView& view() const { return view_; }
   ViewService& service() { return service_; }
@@ -69,6 +78,9 @@ class ViewportController {
   ViewportView view_;
   ViewService service_;
   double display_pixels_per_mm_ = 96 / 25.4;
+  std::optional<Flat> flat_;
+  int flatRepeats_ = 4;  ///< that were looked at last
+  double flatSide_cm_ = 10;
   std::optional<CrossingIndex> underPointer_;
   std::string underPointerYarn_;
 };

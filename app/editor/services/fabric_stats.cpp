@@ -130,7 +130,7 @@ FabricStatsWorker::Result FabricStatsWorker::tell(const Request& request) {
     stats->longFloats = longFloats(*request.fabric, request.longFloat_mm);
     stats->warnings = warnings(*request.fabric, stats->floats, stats->longFloats);
   }
-  if (request.built && request.built->fabric == request.fabric)
+  if (request.built)
     stats->section = yarnSection(request.built->cloth->volume->geometry(), *request.fabric, yarn);
   else if (last_ && last_->yarn == yarn)
     stats->section = last_->section;  // until the cloth is built

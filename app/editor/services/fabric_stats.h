@@ -42,8 +42,8 @@ class FabricStatsWorker {
   using Compute = std::function<FabricStats(const Fabric&)>;
   explicit FabricStatsWorker(std::function<void()> wake, Compute compute = statsOf);
 
-  /// `built`: the newest cloth that is there; may be null, or of a fabric before this one. `longFloat_mm`: beyond which
-  /// floats are listed.
+  /// `built`: the cloth of this fabric, from whichever side and on whatever drape; null while there is none.
+  /// `longFloat_mm`: beyond which floats are listed.
   void request(std::shared_ptr<const Fabric> fabric, int yarn, std::shared_ptr<const Scene> built,
                double longFloat_mm = kUsualFloatLimit_mm);
   std::shared_ptr<const FabricStats> newest() const;  ///< null before the first

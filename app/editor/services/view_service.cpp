@@ -21,6 +21,17 @@ std::shared_ptr<const Fabric> bakedFor(const ViewState& state) {
 
 }  // namespace
 
+Fabric asSeen(Fabric fabric, bool back, const std::optional<FlatSight>& flat) {
+  if (back) fabric = turnedOver(std::move(fabric));
+  if (!flat) return fabric;
+  fabric.drape = {};
+  fabric.drape.kind = DrapeKind::flat;
+  fabric.drape.width_mm = flat->piece_mm.x;
+  fabric.drape.height_mm = flat->piece_mm.y;
+  fabric.camera = flat->camera;
+  return fabric;
+}
+
 ViewService::ViewService(DisplayDriver& driver, const std::function<void()>& wake, int threads)
     : stats_(wake),
       visibility_(wake, BvdfOptions{}, BvdfCache(BvdfCache::userFolder())),
@@ -36,9 +47,9 @@ bool ViewService::take(bool showsDifference) {
     shownVisibility_ = std::move(newest);
   }
   std::shared_ptr<const Scene> built = renderer_.scene();
-  if (built != built_ && built->fabric == state_.fabric)
-    stats_.request(state_.fabric, state_.yarn, built, state_.longFloat_mm);
+  const bool another = built != built_;
   built_ = std::move(built);
+  if (another && builtAsSeen()) stats_.request(state_.fabric, state_.yarn, built_, state_.longFloat_mm);
   std::shared_ptr<const Frame> newest = renderer_.frame();
   if (!newest || newest == frame_) return false;
   upload(*newest);
@@ -81,10 +92,11 @@ void ViewService::takeLens(bool showsDifference) {
 void ViewService::follow(const ViewState& state) {
   const std::shared_ptr<const Fabric> baked = bakedFor(state);
   if (baked != bakedFor(state_) || (baked && state.yarn != state_.yarn)) visibility_.request(baked, state.yarn);
+  const bool another = state.fabric != state_.fabric;
   followPicture(state);
   if (state.denoised != state_.denoised) renderer_.denoise(state.denoised);
-  if (state.fabric != state_.fabric || state.yarn != state_.yarn || state.longFloat_mm != state_.longFloat_mm)
-    stats_.request(state.fabric, state.yarn, built_, state.longFloat_mm);
+  if (another || state.yarn != state_.yarn || state.longFloat_mm != state_.longFloat_mm)
+    stats_.request(state.fabric, state.yarn, builtAsSeen(), state.longFloat_mm);
   if (state.lens != state_.lens) renderer_.lens(state.lens);
   state_ = state;
 }
@@ -96,8 +108,9 @@ ImTextureID ViewService::picture(int width, int height, const Tone& tone, const 
 }
 
 std::shared_ptr<const Fabric> ViewService::asSeen(const std::shared_ptr<const Fabric>& fabric) const {
-  if (!state_.back) return fabric;
-  return fabric == state_.fabric ? turned_ : std::make_shared<const Fabric>(turnedOver(*fabric));
+  if (!state_.back && !state_.flat) return fabric;
+  return fabric == state_.fabric ? seen_
+                                 : std::make_shared<const Fabric>(loomlight::asSeen(*fabric, state_.back, state_.flat));
 }
 
 void ViewService::followPicture(const ViewState& state) {
@@ -105,17 +118,21 @@ void ViewService::followPicture(const ViewState& state) {
   const std::shared_ptr<const BakedVisibility> baked = visibility_.newest();
   const bool better =
       showsReport(*state.fabric) && baked && (!usedVisibility_ || worthTaking(*baked, *usedVisibility_));
-  const bool another = state.fabric != state_.fabric || state.back != state_.back || state.width != state_.width ||
-                       state.height != state_.height;
+  const bool otherwise = state.fabric != state_.fabric || state.back != state_.back || state.flat != state_.flat;
+  const bool another = otherwise || state.width != state_.width || state.height != state_.height;
   if (!another && !better) return;
   if (better) usedVisibility_ = baked;
   if (another) ++generation_;
-  if (!state.back)
-    turned_ = nullptr;
-  else if (!turned_ || state.fabric != state_.fabric)
-    turned_ = std::make_shared<const Fabric>(turnedOver(*state.fabric));
-  renderer_.request({turned_ ? turned_ : state.fabric, state.width, state.height, generation_,
-                     usedVisibility_ ? usedVisibility_->tables : nullptr});
+  if (!state.back && !state.flat)
+    seen_ = state.fabric;
+  else if (otherwise)
+    seen_ = std::make_shared<const Fabric>(loomlight::asSeen(*state.fabric, state.back, state.flat));
+  renderer_.request(
+      {seen_, state.width, state.height, generation_, usedVisibility_ ? usedVisibility_->tables : nullptr});
+}
+
+std::shared_ptr<const Scene> ViewService::builtAsSeen() const {
+  return built_ && built_->fabric == seen_ ? built_ : nullptr;
 }
 
 bool ViewService::shows(const std::shared_ptr<const Fabric>& fabric) const {

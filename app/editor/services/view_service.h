@@ -15,16 +15,26 @@
 
 namespace loomlight {
 
+/// Flat cloth that is looked at in the place of the drape, by a camera of its own.
+struct FlatSight {
+  glm::dvec2 piece_mm{0.0};
+  Camera camera;
+  bool operator==(const FlatSight&) const = default;
+};
+/// The fabric as it is looked at: turned over, where its back is; and lying flat.
+Fabric asSeen(Fabric fabric, bool back, const std::optional<FlatSight>& flat);
+
 /// What of a fabric is looked at.
 struct ViewState {
   std::shared_ptr<const Fabric> fabric;  ///< null before the first frame
   int width = 0, height = 0;             ///< pixels of the picture
   bool denoised = false;
-  std::optional<LensRequest> lens;  ///< null: closed
-  int yarn = 0;                     ///< whose section and visibility are shown
-  bool back = false;                ///< the cloth is seen from behind
-  double longFloat_mm = 4;          ///< beyond which floats are listed
-  bool visibilityShown = false;     ///< on the screen, whether or not the picture needs it
+  std::optional<LensRequest> lens;            ///< null: closed
+  int yarn = 0;                               ///< whose section and visibility are shown
+  std::optional<FlatSight> flat;              ///< null: as it is draped
+  bool back = false;                          ///< the cloth is seen from behind
+  double longFloat_mm = kUsualFloatLimit_mm;  ///< beyond which floats are listed
+  bool visibilityShown = false;               ///< on the screen, whether or not the picture needs it
 };
 
 /// The workers that make what is seen of the fabric: its picture, its fibres under the lens, what is worth knowing of
@@ -66,12 +76,14 @@ class ViewService {
   void upload(const Frame& newest);
   void takeLens(bool showsDifference);
   void followPicture(const ViewState& state);
+  /// The newest cloth where it is the one that is looked at; else null.
+  std::shared_ptr<const Scene> builtAsSeen() const;
 
   FabricStatsWorker stats_;
   VisibilityWorker visibility_;
   LiveRenderer renderer_;
   ViewState state_;                                        ///< what was asked for last
-  std::shared_ptr<const Fabric> turned_;                   ///< its fabric from behind; null where the face is seen
+  std::shared_ptr<const Fabric> seen_;                     ///< its fabric as it is looked at
   uint64_t generation_ = 0;                                ///< of the picture
   std::shared_ptr<const BakedVisibility> usedVisibility_;  ///< the tables that the renderer has
 

@@ -1,8 +1,10 @@
 /// How the cloth is looked at: as large as it is, flat, from behind; its floats one by one; a tile and what it is
 /// large.
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/fabric/yarn/derived.h"
@@ -50,15 +52,62 @@ TEST_F(Sight, ARulerCorrectsActualSize) {
   EXPECT_NEAR(scale(), 0.5, 1e-3);
 }
 
-TEST_F(Sight, SoManyRepeatsOrCentimetresLieFlat) {
+/// Flat cloth is a view: neither the drape nor its camera is another one, and there is nothing to undo or to save.
+TEST_F(Sight, SoManyRepeatsOrCentimetresLieFlatAndAreNoEdit) {
+  const Fabric draped = editor.saved();
+  const auto flatly = [&](const std::string& item, const std::string& said) {
+    const uint64_t generation = editor.number("generation");
+    view("menu.flat");
+    editor.click(item);
+    editor.until(item, [&] { return editor.fact("flat").starts_with(said); });
+    editor.until("it is pictured", [&] { return editor.number("generation") > generation; });
+    editor.untilPictured();
+    EXPECT_EQ(editor.fact("error"), "");
+  };
+  flatly("menu.flat_repeats", "4 \u00d7 4 repeats, flat");
+  const double width_mm = 4.0 * static_cast<double>(patternEnds(draped)) * draped.warpPitch_mm();
+  EXPECT_THAT(editor.fact("flat"), HasSubstr(fmt::format("{:.1f}", width_mm)));
+  flatly("menu.flat_cm", "10 \u00d7 10 cm, flat");
+  editor.wheelAt(editor.centre("viewport"), 2);
+  EXPECT_EQ(editor.fact("dirty"), "no");
+  editor.key("ctrl+z");  // takes nothing back
+  const Fabric saved = editor.savedAs(editor.homeFile("still draped.json"));
+  EXPECT_EQ(saved.drape, draped.drape);
+  EXPECT_EQ(saved.camera, draped.camera);
+}
+
+TEST_F(Sight, FlatClothOfAnyNumberOfRepeats) {
   view("menu.flat");
-  editor.edits("four repeats", [&] { editor.click("menu.flat_repeats"); });
-  const Fabric repeats = editor.saved();
-  EXPECT_EQ(repeats.drape.kind, DrapeKind::flat);
-  EXPECT_NEAR(repeats.drape.width_mm, 4.0 * static_cast<double>(patternEnds(repeats)) * repeats.warpPitch_mm(), 1e-9);
+  editor.enter("menu.flat_count", "7");
+  editor.until("seven repeats", [&] { return editor.fact("flat").starts_with("7 \u00d7 7 repeats"); });
+  editor.key("Escape");
+  editor.until("the menu is shut", [&] { return !editor.shows("menu.flat_count"); });
+  editor.key("Escape");
+  editor.until("Esc looks at the drape again", [&] { return editor.fact("flat").empty(); });
+}
+
+/// An edit shows on the flat cloth, and keeps the drape; another drape is looked at.
+TEST_F(Sight, FlatClothIsEditedLikeAnyOther) {
   view("menu.flat");
-  editor.edits("ten centimetres", [&] { editor.click("menu.flat_10cm"); });
-  EXPECT_EQ(editor.saved().drape.height_mm, 100);
+  editor.click("menu.flat_repeat");
+  const Fabric draped = editor.saved();
+  editor.edits("a crossing", [&] { editor.clickAt(weaver.crossing(0, 0)); });
+  EXPECT_TRUE(editor.fact("flat").starts_with("One repeat"));
+  EXPECT_EQ(editor.saved().drape, draped.drape);
+  editor.edits("another drape", [&] { editor.choose("view.drape", "Cylinder"); });
+  EXPECT_EQ(editor.fact("flat"), "");
+  EXPECT_EQ(editor.saved().drape.kind, DrapeKind::cylinder);
+}
+
+/// A snapshot of flat cloth shows as much of it as it says.
+TEST_F(Sight, ASnapshotOfFlatClothSaysHowMuchItShows) {
+  view("menu.flat");
+  editor.click("menu.flat_cm");
+  editor.key("ctrl+p");
+  const HeadlessEditor::Rect r = editor.rect("viewport");
+  const std::string high = fmt::format("{:.1f} mm", 100 * std::max(1.0f, (r.y1 - r.y0) / (r.x1 - r.x0)));
+  editor.until("all ten centimetres are seen", [&] { return editor.fact("snapshot.cloth").ends_with(high); });
+  editor.key("Escape");
 }
 
 /// The lamps of a light booth, one after the other.

@@ -86,7 +86,7 @@ TEST(FabricStatsWorker, TheSectionIsThatOfTheClothThatWasBuilt) {
   Fabric edited = *fabric;
   edited.yarns[0].fibresPerPly = 2 * edited.yarns[0].fibresPerPly.value();
   const auto next = std::make_shared<const Fabric>(edited);
-  worker.request(next, 0, scene);
+  worker.request(next, 0, nullptr);
   ASSERT_TRUE(wakes.until([&] { return worker.newest()->fabric == next; }));
   EXPECT_EQ(worker.newest()->section->points.size(), points) << "as it was, until the cloth is built";
   worker.request(next, 0, makeScene(next, Task{}, scene.get()));
