@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/base/text.h"
-#include "ui/widgets/fields.h"
+#include "ui/widgets/field_row.h"
 #include "ui/widgets/modal.h"
 
 namespace loomlight {
@@ -91,7 +91,7 @@ void FileBrowser::drawHead(Ui& ui) {
   const float width = std::min(ui.px(kPreviewWidth), 0.5f * room), path = room - width - gap;
   ImGui::AlignTextToFramePadding();
   ImGui::PushFont(ui.fonts.small);
-  ImGui::TextDisabled("%s", shortened(folder_.string(), path).c_str());
+  textLine(ui, "browser.folder", folder_.string(), ui.theme.textQuiet, path);
   ImGui::PopFont();
   ImGui::SameLine(left + path + gap);
   ImGui::SetNextItemWidth(width);
@@ -104,15 +104,17 @@ void FileBrowser::drawPlaces(Ui& ui, float width, float height) {
   ImGui::BeginChild("places", ImVec2(width, height), false, ImGuiWindowFlags_AlwaysUseWindowPadding);
   ImGui::PopStyleVar();
   std::optional<fs::path> chosen;
-  for (const Place& place : places_)
+  for (const Place& place : places_) {
     if (ImGui::Selectable(place.name.c_str(), place.path == folder_)) chosen = place.path;
+    ui.probe.recordItem("browser.place/" + place.name);
+  }
   ImGui::EndChild();
   if (chosen) enter(*chosen);
 }
 
 bool FileBrowser::drawEntries(Ui& ui, float width, float height) {
   ImGui::PushStyleColor(ImGuiCol_ChildBg, ui.theme.field);
-  ImGui::PushStyleColor(ImGuiCol_Header, ui.theme.fieldFill);
+  ImGui::PushStyleColor(ImGuiCol_Header, ui.theme.accent);
   ImGui::BeginChild("entries", ImVec2(width, height), false, ImGuiWindowFlags_AlwaysUseWindowPadding);
   bool decided = false;
   std::optional<fs::path> into;
@@ -133,8 +135,18 @@ bool FileBrowser::drawEntries(Ui& ui, float width, float height) {
     for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
       const Entry& entry = *shown[static_cast<size_t>(i)];
       const std::string label = entry.folder ? entry.name + "/" : entry.name;
-      if (ImGui::Selectable(label.c_str(), !entry.folder && entry.name == typed_,
-                            ImGuiSelectableFlags_AllowDoubleClick)) {
+      const bool isChosen = !entry.folder && entry.name == typed_;
+      std::string cut;
+      const std::string id = "browser.entry/" + entry.name;
+      const std::string fits = fitted(ui, id, label.c_str(), ImGui::GetContentRegionAvail().x, cut);
+      ImGui::PushStyleColor(ImGuiCol_Text, isChosen ? ui.theme.onAccent : ui.theme.text);
+      ImGui::PushStyleColor(ImGuiCol_HeaderHovered, isChosen ? ui.theme.accent : ui.theme.fieldHover);
+      const bool pressed =
+          ImGui::Selectable((fits + "##" + entry.name).c_str(), isChosen, ImGuiSelectableFlags_AllowDoubleClick);
+      ImGui::PopStyleColor(2);
+      ui.probe.recordItem(id);
+      tooltipFor(ui, id.c_str(), ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), cut.c_str());
+      if (pressed) {
         if (entry.folder) {
           into = folder_ / entry.name;
         } else {
@@ -217,9 +229,7 @@ std::optional<std::string> FileBrowser::draw(Ui& ui, const FilePreview& preview)
     drawFilePreview(ui, preview, ui.px(kPreviewWidth), height);
   }
   drawName(ui, begin, decided);
-  ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.warning);
-  ImGui::TextUnformatted(problem_.empty() ? " " : shortened(problem_, ImGui::GetContentRegionAvail().x).c_str());
-  ImGui::PopStyleColor();
+  textLine(ui, "browser.problem", problem_, ui.theme.warning);
   const float width = ui.px(112);
   ImGui::SetCursorPosX(ImGui::GetWindowWidth() - 2 * width - ui.px(24));
   const bool close = button(ui, "browser.cancel", "Cancel", width) || modalCancelled(ui);

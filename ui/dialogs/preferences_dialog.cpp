@@ -64,6 +64,7 @@ void rulerRow(Ui& ui, double pixels_per_mm, double& factor) {
 
 bool PreferencesDialog::draw(Ui& ui, const Facts& facts, PreferenceValues values) {
   if (!open_ || !beginModal(ui, "Preferences", ImVec2(ui.px(560), 0), open_, opening_)) return false;
+  beginModalRows(ui, "preferences.rows");
   lookRows(ui, values.darkTheme, values.interfaceSize);
   const bool chooses = displayColourRows(ui, facts.profiles, values.colours);
   rulerRow(ui, facts.pixels_per_mm, values.rulerFactor);
@@ -87,6 +88,7 @@ bool PreferencesDialog::draw(Ui& ui, const Facts& facts, PreferenceValues values
                "The lens lays every single fibre of the piece. Where that would take more memory than this, it says so "
                "and leaves it."},
               memory, values.fibreMemory_GB);
+  endModalRows("preferences.rows");
   if (closedBelow(ui, "preferences.close")) open_ = false;
   endModal();
   return chooses;

@@ -7,7 +7,7 @@
 
 #include "core/base/text.h"
 #include "core/fabric/wif/wif_values.h"
-#include "ui/widgets/fields.h"
+#include "ui/widgets/field_row.h"
 #include "ui/widgets/modal.h"
 
 namespace loomlight {
@@ -65,14 +65,15 @@ void PresetBrowser::card(Ui& ui, size_t index, const PresetCard& card) {
                          ImDrawFlags_RoundCornersTop);
   else
     draw.AddRectFilled(min, corner, packed(ui.theme.surround), ui.px(4), ImDrawFlags_RoundCornersTop);
-  const std::string text = shortened(card.name, width - ui.px(16));
+  std::string cut;
+  const std::string text = fitted(ui, id, card.name.c_str(), width - ui.px(16), cut);
   draw.AddText(ImVec2(min.x + ui.px(8), corner.y + 0.5f * (line - ImGui::GetFontSize())),
                packed(card.own ? ui.theme.text : ui.theme.textQuiet), text.c_str());
   const bool chosen = chosen_ == card.name;
   if (chosen || ImGui::IsItemHovered())
     draw.AddRect(min, max, packed(chosen ? ui.theme.accent : ui.theme.textQuiet), ui.px(4), 0, ui.px(2));
   const std::string about = card.tags.empty() ? card.about : card.about + "\nTags: " + card.tags;
-  tooltipFor(ui, id.c_str(), min, max, about.c_str());
+  tooltipFor(ui, id.c_str(), min, max, tooltipWith(cut, about.c_str()).c_str());
 }
 
 void PresetBrowser::grid(Ui& ui, const std::vector<PresetCard>& cards, PresetBrowserEdit& edit) {

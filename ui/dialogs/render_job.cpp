@@ -17,21 +17,19 @@ bool chooseFileButton(Ui& ui, const std::string& dialog, const std::string& file
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
   const std::string name = std::filesystem::path(file).filename().string();
-  ImGui::TextDisabled("%s", shortened(name, ImGui::GetContentRegionAvail().x).c_str());
+  textLine(ui, (dialog + ".name").c_str(), name, ui.theme.textQuiet);
   return pressed;
 }
 
 RenderJobAnswer renderJobRows(Ui& ui, const std::string& dialog, const RenderJob& job, const std::string& file) {
   ImGui::ProgressBar(static_cast<float>(job.fraction), ImVec2(-1, ui.px(4)), "");
-  ImGui::PushStyleColor(ImGuiCol_Text, job.failed ? ui.theme.error : ui.theme.textQuiet);
   std::error_code ignored;
   const bool replaces = !job.running && std::filesystem::exists(file, ignored);
   const std::string there = replaces ? std::filesystem::path(file).filename().string() + " exists already." : "";
   const std::string said = job.running           ? fmt::format("{:.0f} %", 100 * job.fraction)
                            : job.outcome.empty() ? there
                                                  : job.outcome;
-  ImGui::TextWrapped("%s", said.empty() ? " " : said.c_str());
-  ImGui::PopStyleColor();
+  textLine(ui, (dialog + ".said").c_str(), said, job.failed ? ui.theme.error : ui.theme.textQuiet);
   ui.probe.fact(dialog + ".outcome", job.running ? "running" : job.outcome);
 
   RenderJobAnswer answer;

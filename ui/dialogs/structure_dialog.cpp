@@ -96,7 +96,9 @@ void StructureDialog::drawChosen(Ui& ui, const std::optional<CellRect>& selectio
   const float side = ui.px(192);
   drawMade(ui, made_, darkLight, ImGui::GetCursorScreenPos(), side, 32);
   ImGui::Dummy(ImVec2(side, side));
-  heading(ui, shortened(made_.name, ImGui::GetContentRegionAvail().x).c_str());
+  ImGui::PushFont(ui.fonts.strong);
+  textLine(ui, "structures.title", made_.name, ui.theme.text);
+  ImGui::PopFont();
   sayFacts(ui, made_);
   ui.probe.fact("structures.name", made_.name);
   ui.probe.fact("structures.problem", made_.problem);

@@ -4,6 +4,7 @@
 #include <imgui_stdlib.h>
 
 #include <cmath>
+#include <limits>
 
 #include "core/base/rgb.h"
 #include "ui/widgets/field_row.h"
@@ -60,6 +61,18 @@ void tellIfClipped(Ui& ui, const std::string& id, const char* text, float room) 
   if (ui.probe.watching() && ImGui::CalcTextSize(text).x > room + 0.5f) ui.probe.fact("clipped." + id, text);
 }
 
+std::string fitted(Ui& ui, const std::string& id, const char* text, float room, std::string& cut) {
+  std::string shown = shortened(text, std::max(room, 0.0f) + 0.5f);
+  if (shown == text) return shown;
+  cut += (cut.empty() ? "" : "\n") + std::string(text);
+  if (ui.probe.watching()) ui.probe.fact("shortened." + id, text);
+  return shown;
+}
+
+std::string tooltipWith(const std::string& cut, const char* tooltip) {
+  return cut.empty() || !*tooltip ? cut + tooltip : cut + "\n\n" + tooltip;
+}
+
 FieldRow beginRow(Ui& ui, const RowText& text) {
   const float all = ImGui::GetContentRegionAvail().x;
   const float own = *text.label ? ImGui::CalcTextSize(text.label).x + ui.px(12) : 0;
@@ -67,27 +80,38 @@ FieldRow beginRow(Ui& ui, const RowText& text) {
   const float height = ImGui::GetFrameHeight();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const ImVec4 clip(corner.x, corner.y, corner.x + label - ui.px(4), corner.y + height);
-  tellIfClipped(ui, text.id, text.label, std::max(0.0f, label - ui.px(4)));
+  FieldRow row{all - label, height, {}};
+  const std::string shown = fitted(ui, text.id, text.label, label - ui.px(4), row.cut);
   const float y = corner.y + 0.5f * (height - ImGui::GetFontSize());
-  draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), ImVec2(corner.x, y), packed(ui.theme.textQuiet), text.label,
-               nullptr, 0.0f, &clip);
+  draw.AddText(ImVec2(corner.x, y), packed(ui.theme.textQuiet), shown.c_str());
   ImGui::SetCursorScreenPos(ImVec2(corner.x + label, corner.y));
-  return {all - label, height};
+  return row;
 }
 
-void endRow(Ui& ui, const RowText& text, ImVec2 min, ImVec2 max) {
+void endRow(Ui& ui, const RowText& text, ImVec2 min, ImVec2 max, const std::string& cut) {
   ui.probe.record(text.id, min, max);
   const float left = ImGui::GetWindowPos().x + ImGui::GetStyle().WindowPadding.x;
   if (!ImGui::IsAnyItemActive() && ui.memory.failed == 0)
-    tooltipFor(ui, text.id.c_str(), ImVec2(left, min.y), max, text.tooltip);
+    tooltipFor(ui, text.id.c_str(), ImVec2(left, min.y), max, tooltipWith(cut, text.tooltip).c_str());
 }
 
-void tooltipFor(Ui& ui, const char* id, ImVec2 min, ImVec2 max, const char* text) {
+void textLine(Ui& ui, const char* id, const std::string& text, const ImVec4& colour, float width) {
+  std::string cut;
+  const float room = width > 0 ? width : ImGui::GetContentRegionAvail().x;
+  const std::string shown = fitted(ui, id, text.c_str(), room, cut);
+  ImGui::TextColored(colour, "%s", shown.empty() ? " " : shown.c_str());
+  ui.probe.recordItem(id);
+  tooltipFor(ui, id, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), cut.c_str());
+}
+
+void tooltipFor(Ui& ui, const char* id, ImVec2 min, ImVec2 max, const char* text, const std::optional<ImVec2>& at) {
   if (!*text) return;
   const ImGuiID key = ImGui::GetID(id);
   FieldMemory& memory = ui.memory;
-  if (!ImGui::IsWindowHovered() || !ImGui::IsMouseHoveringRect(min, max)) {
+  const bool isOver = ImGui::IsMouseHoveringRect(min, max);
+  if (isOver && memory.restingOn == key && ImGui::IsAnyMouseDown())
+    memory.restingSince = std::numeric_limits<double>::max();  // until it comes again
+  if (!isOver || (!ImGui::IsWindowHovered() && !ImGui::IsAnyMouseDown())) {
     if (memory.restingOn == key) memory.restingOn = 0;
     return;
   }
@@ -95,12 +119,15 @@ void tooltipFor(Ui& ui, const char* id, ImVec2 min, ImVec2 max, const char* text
     memory.restingOn = key;
     memory.restingSince = ui.time;
   }
+  if (memory.restingSince > ui.time) return;
   const double rested = ui.time - memory.restingSince;
   if (rested < kRestSeconds) {
     ui.wakeWithin(kRestSeconds - rested + 0.01);
     return;
   }
+  if (at) ImGui::SetNextWindowPos(*at);
   ImGui::BeginTooltip();
+  ui.probe.fact("tooltip", text);
   ImGui::PushTextWrapPos(ui.px(320));
   ImGui::TextUnformatted(text);
   ImGui::PopTextWrapPos();
@@ -108,7 +135,7 @@ void tooltipFor(Ui& ui, const char* id, ImVec2 min, ImVec2 max, const char* text
 }
 
 bool choiceField(Ui& ui, const RowText& text, std::span<const char* const> names, int& chosen, const char* otherwise) {
-  const FieldRow row = beginRow(ui, text);
+  FieldRow row = beginRow(ui, text);
   const ImVec2 min = ImGui::GetCursorScreenPos();
   const ImVec2 max(min.x + row.width, min.y + row.height);
   ImGui::PushID(text.id.c_str());
@@ -116,8 +143,7 @@ bool choiceField(Ui& ui, const RowText& text, std::span<const char* const> names
   bool changed = false;
   const char* shown = chosen >= 0 && chosen < static_cast<int>(names.size()) ? names[chosen] : otherwise;
   const float room = row.width - ui.px(28);
-  const std::string preview = shortened(shown, room);
-  tellIfClipped(ui, text.id, shown, room);
+  const std::string preview = fitted(ui, text.id, shown, room, row.cut);
   const bool open =
       ImGui::BeginCombo("##choice", preview.c_str(), ImGuiComboFlags_HeightLarge | ImGuiComboFlags_NoArrowButton);
   if (!open) drawChevron(ui, ImVec2(max.x - ui.px(14), 0.5f * (min.y + max.y)));
@@ -133,12 +159,12 @@ bool choiceField(Ui& ui, const RowText& text, std::span<const char* const> names
     ImGui::EndCombo();
   }
   ImGui::PopID();
-  endRow(ui, text, min, max);
+  endRow(ui, text, min, max, row.cut);
   return changed;
 }
 
 bool segmentField(Ui& ui, const RowText& text, std::span<const char* const> names, int& chosen) {
-  const FieldRow row = beginRow(ui, text);
+  FieldRow row = beginRow(ui, text);
   const ImVec2 min = ImGui::GetCursorScreenPos();
   const ImVec2 max(min.x + row.width, min.y + row.height);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -159,16 +185,16 @@ bool segmentField(Ui& ui, const RowText& text, std::span<const char* const> name
     const bool on = i == shown;
     if (on || ImGui::IsItemHovered())
       draw.AddRectFilled(a, b, packed(on ? ui.theme.fieldFill : ui.theme.fieldHover), rounding);
-    const ImVec2 size = ImGui::CalcTextSize(names[i]);
+    const std::string name = fitted(ui, text.id, names[i], width, row.cut);
+    const ImVec2 size = ImGui::CalcTextSize(name.c_str());
     draw.AddText(ImVec2(0.5f * (a.x + b.x - size.x), 0.5f * (a.y + b.y - size.y)),
-                 packed(on ? ui.theme.text : ui.theme.textQuiet), names[i]);
+                 packed(on ? ui.theme.text : ui.theme.textQuiet), name.c_str());
     if (on)  // one step of grey is soon overlooked
       draw.AddRectFilled(ImVec2(a.x + ui.px(4), b.y - ui.px(2)), ImVec2(b.x - ui.px(4), b.y), packed(ui.theme.accent),
                          ui.px(1));
-    tellIfClipped(ui, text.id, names[i], width);
   }
   ImGui::PopID();
-  endRow(ui, text, min, max);
+  endRow(ui, text, min, max, row.cut);
   return changed;
 }
 
@@ -206,7 +232,7 @@ bool textRow(Ui& ui, const RowText& text, std::string& value, const char* whenEm
   RowText explained = text;  // what fades out is read there
   const std::string whole = goesOn ? value + "\n\n" + text.tooltip : text.tooltip;
   explained.tooltip = whole.c_str();
-  endRow(ui, explained, min, ImVec2(min.x + row.width, min.y + row.height));
+  endRow(ui, explained, min, ImVec2(min.x + row.width, min.y + row.height), row.cut);
   return changed;
 }
 
@@ -252,32 +278,36 @@ bool colourField(Ui& ui, const RowText& text, Rgb& linear) {
     ImGui::EndPopup();
   }
   ImGui::PopID();
-  endRow(ui, text, min, ImVec2(min.x + row.width, min.y + row.height));
+  endRow(ui, text, min, ImVec2(min.x + row.width, min.y + row.height), row.cut);
   return changed;
 }
 
 void readout(Ui& ui, const RowText& text, const std::string& value) {
-  const FieldRow row = beginRow(ui, text);
+  FieldRow row = beginRow(ui, text);
   ui.probe.fact(text.id, value);
   const ImVec2 min = ImGui::GetCursorScreenPos();
   const ImVec2 max(min.x + row.width, min.y + row.height);
-  const ImVec2 size = ImGui::CalcTextSize(value.c_str());
+  const std::string shown = fitted(ui, text.id, value.c_str(), row.width - ui.px(8), row.cut);
+  const ImVec2 size = ImGui::CalcTextSize(shown.c_str());
   const float y = min.y + 0.5f * (row.height - size.y);
-  tellIfClipped(ui, text.id, value.c_str(), row.width - ui.px(8));
-  ImGui::GetWindowDrawList()->AddText(ImVec2(max.x - ui.px(8) - size.x, y), packed(ui.theme.text), value.c_str());
+  ImGui::GetWindowDrawList()->AddText(ImVec2(max.x - ui.px(8) - size.x, y), packed(ui.theme.text), shown.c_str());
   ImGui::Dummy(ImVec2(row.width, row.height));
-  endRow(ui, text, min, max);
+  endRow(ui, text, min, max, row.cut);
 }
 
 bool button(Ui& ui, const char* id, const char* label, float width, bool enabled, const char* tooltip) {
   ImGui::PushID(id);
   if (!enabled) ImGui::BeginDisabled();
-  const bool pressed = ImGui::Button(label, ImVec2(width, 0));
+  std::string cut;
+  const float room = width > 0   ? width
+                     : width < 0 ? ImGui::GetContentRegionAvail().x + width
+                                 : ImGui::CalcTextSize(label).x;
+  const std::string shown = fitted(ui, id, label, room, cut);
+  const bool pressed = ImGui::Button(shown.c_str(), ImVec2(width, 0));
   if (!enabled) ImGui::EndDisabled();
   ImGui::PopID();
   ui.probe.recordItem(id);
-  tellIfClipped(ui, id, label, ImGui::GetItemRectSize().x);
-  tooltipFor(ui, id, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), tooltip);
+  tooltipFor(ui, id, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), tooltipWith(cut, tooltip).c_str());
   return pressed;
 }
 

@@ -73,8 +73,13 @@ bool foldingHeading(Ui& ui, const char* id, const char* text, const char* toolti
 /// Quiet explanation, wrapped to the panel; a warning in the colour of one.
 void hint(Ui& ui, const std::string& text);
 void hint(Ui& ui, const std::string& text, const ImVec4& colour);
-/// Shows `text` when the mouse has rested on the rectangle for a moment.
-void tooltipFor(Ui& ui, const char* id, ImVec2 min, ImVec2 max, const char* text);
+/// One line, which keeps its place where there is no text; what has not the room is read in a tooltip. A width of 0:
+/// all there is.
+void textLine(Ui& ui, const char* id, const std::string& text, const ImVec4& colour, float width = 0);
+/// Shows `text` when the mouse has rested on the rectangle for a moment; not while it is pressed, nor after a click.
+/// `at`: where, if not at the mouse.
+void tooltipFor(Ui& ui, const char* id, ImVec2 min, ImVec2 max, const char* text,
+                const std::optional<ImVec2>& at = std::nullopt);
 
 /// Says below a field what is wrong with its text, over whatever is there.
 void problemBelow(Ui& ui, ImVec2 min, ImVec2 max, const std::string& problem);

@@ -51,6 +51,17 @@ float roomAboveButtons(const Ui& ui) {
   return std::max(ui.px(96), ImGui::GetIO().DisplaySize.y - 2 * ui.px(kEdge) - ImGui::GetCursorPosY() - below);
 }
 
+void beginModalRows(const Ui& ui, const char* id) {
+  const float room = roomAboveButtons(ui), known = ImGui::GetStateStorage()->GetFloat(ImGui::GetID(id), room);
+  ImGui::BeginChild(id, ImVec2(0, std::min(known, room)));
+}
+
+void endModalRows(const char* id) {
+  const float height = ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y;
+  ImGui::EndChild();
+  ImGui::GetStateStorage()->SetFloat(ImGui::GetID(id), height);
+}
+
 bool modalCancelled(const Ui& ui) {
   return keyPressed(ImGuiKey_Escape) && !ui.memory.keysAreTaken;
 }

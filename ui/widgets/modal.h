@@ -12,6 +12,10 @@ void endModal();
 /// The height that is left for what stands between here and a last line of buttons, in a dialog that fits its content:
 /// in a low window that part scrolls, and the buttons stay in sight.
 float roomAboveButtons(const Ui& ui);
+/// The rows between a dialog's heading and its last line of buttons, in a dialog that fits its content: as high as they
+/// are, or in a low window as high as there is room, and then they scroll.
+void beginModalRows(const Ui& ui, const char* id);
+void endModalRows(const char* id);
 /// Escape, unless a list that is open in the dialog or a number that is being typed takes it. In a line of text, which
 /// it leaves, it closes the dialog all the same.
 bool modalCancelled(const Ui& ui);

@@ -226,7 +226,7 @@ bool numberField(Ui& ui, const RowText& text, const NumberStyle& style, double& 
   }
   showFailure(ui, id, box);
   ImGui::PopID();
-  endRow(ui, text, box.Min, box.Max);
+  endRow(ui, text, box.Min, box.Max, row.cut);
   return changed;
 }
 

@@ -161,24 +161,6 @@ inline constexpr Word press{"Pressing",
                             "flat."};
 inline constexpr Word crimpBalance{
     "Crimp balance", "Above 1 the warp takes more of the crimp, below 1 the weft; at 1 stiffness and sett decide."};
-inline constexpr Word mass{"Mass", "What one square metre weighs, from counts, sett and crimp."};
-inline constexpr Word thickness{"Thickness", "From the lowest to the highest fibre, loose hairs left out."};
-inline constexpr Word weaveRepeat{"Weave repeat", "Threads and size of one repeat of the weave."};
-inline constexpr Word weaveSize{"Weave size"};
-inline constexpr Word patternSize{"Pattern size"};
-inline constexpr Word patternRepeat{"Pattern repeat",
-                                    "Threads and size until the weave and the orders of colours repeat together."};
-inline constexpr Word warpCover{"Warp cover factor",
-                                "Peirce's factor: ends per inch over the square root of the cotton count. At 28 round "
-                                "yarns touch; most cloths lie near 12."};
-inline constexpr Word weftCover{"Weft cover factor",
-                                "Peirce's factor: picks per inch over the square root of the cotton count. At 28 round "
-                                "yarns touch; most cloths lie near 12."};
-inline constexpr Word clothCover{
-    "Cloth cover factor",
-    "Both together, less what lies over each other: K1 + K2 - K1 K2 / 28. The cover of the status bar is another "
-    "figure: the share of the area that yarns hide, seen from straight above."};
-inline constexpr Word longestWarpFloat{
 
 // Reed, selvedges and the states of the cloth
 inline constexpr Word reed{
@@ -218,6 +200,24 @@ inline constexpr Word selvedgeWeave{"Selvedge weave",
                                     "What binds the selvedges, as the mill calls it: plain, 2/2 rib, tucked in."};
 
 // What follows for the cloth
+inline constexpr Word mass{"Mass", "What one square metre weighs, from counts, sett and crimp."};
+inline constexpr Word thickness{"Thickness", "From the lowest to the highest fibre, loose hairs left out."};
+inline constexpr Word weaveRepeat{"Weave repeat", "Threads and size of one repeat of the weave."};
+inline constexpr Word weaveSize{"Weave size"};
+inline constexpr Word patternSize{"Pattern size"};
+inline constexpr Word patternRepeat{"Pattern repeat",
+                                    "Threads and size until the weave and the orders of colours repeat together."};
+inline constexpr Word warpCover{"Warp cover factor",
+                                "Peirce's factor: ends per inch over the square root of the cotton count. At 28 round "
+                                "yarns touch; most cloths lie near 12."};
+inline constexpr Word weftCover{"Weft cover factor",
+                                "Peirce's factor: picks per inch over the square root of the cotton count. At 28 round "
+                                "yarns touch; most cloths lie near 12."};
+inline constexpr Word clothCover{
+    "Cloth cover factor",
+    "Both together, less what lies over each other: K1 + K2 - K1 K2 / 28. The cover of the status bar is another "
+    "figure: the share of the area that yarns hide, seen from straight above."};
+inline constexpr Word longestWarpFloat{
     "Longest warp float", "The most picks that an end passes over or under without interlacing: long floats snag."};
 inline constexpr Word longestWeftFloat{
     "Longest weft float", "The most ends that a pick passes over or under without interlacing: long floats snag."};

@@ -1,5 +1,6 @@
-/// The editor in three sizes: whatever is opened, no label, choice or button loses its end, and nothing leaves the
-/// window. Its interface can be made larger or smaller.
+/// The editor at four sizes, dark and light: whatever is opened, no label, choice or button loses its end without a way
+/// to read it, nothing leaves the window, and draft, inspector and presets stay in reach. Its interface can be made
+/// larger or smaller.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,7 +13,17 @@
 namespace loomlight {
 namespace {
 
-constexpr HeadlessEditor::Screen kTightest{1280, 720, 1};
+struct Look {
+  const char* name;
+  HeadlessEditor::Screen screen;
+  bool dark;
+};
+constexpr HeadlessEditor::Screen kTightest{1024, 640, 1}, kLaptop{1440, 900, 1}, kDesk{1920, 1080, 1},
+    kFine{2880, 1800, 2};
+constexpr Look kLooks[] = {{"TightestDark", kTightest, true}, {"TightestLight", kTightest, false},
+                           {"LaptopDark", kLaptop, true},     {"LaptopLight", kLaptop, false},
+                           {"DeskDark", kDesk, true},         {"DeskLight", kDesk, false},
+                           {"FineDark", kFine, true},         {"FineLight", kFine, false}};
 
 Fabric lightFabric() {
   Fabric fabric = readFabric(LOOMLIGHT_SAMPLES "/denim.json");
@@ -26,86 +37,115 @@ Fabric lightFabric() {
   return fabric;
 }
 
-void expectWhole(const HeadlessEditor& editor, const std::string& where) {
-  for (const auto& [name, text] : editor.snapshot().facts)
-    EXPECT_FALSE(name.starts_with("clipped.")) << where << ": " << name << " has lost the end of " << text;
-}
+class LookAt : public testing::TestWithParam<Look> {
+ protected:
+  LookAt() {
+    editor.start(lightFabric());
+    editor.untilPictured();
+    if (GetParam().dark) return;
+    editor.click("menu.view");
+    editor.click("menu.light");
+  }
 
-void expectInside(const HeadlessEditor& editor, const std::string& widget) {
-  const HeadlessEditor::Rect r = editor.rect(widget);
-  EXPECT_TRUE(0 <= r.x0 && r.x0 < r.x1 && r.x1 <= editor.screen().x) << widget << " " << r.x0 << " " << r.x1;
-  EXPECT_TRUE(0 <= r.y0 && r.y0 < r.y1 && r.y1 <= editor.screen().y) << widget << " " << r.y0 << " " << r.y1;
-}
+  /// Each text has its room, or is read in a tooltip; where there is room enough, the former.
+  void expectWhole(const std::string& where) const {
+    const bool hasRoom = editor.screen().x / GetParam().screen.scale >= 1280;
+    for (const auto& [name, text] : editor.snapshot().facts) {
+      EXPECT_FALSE(name.starts_with("clipped.")) << where << ": " << name << " has lost the end of " << text;
+      EXPECT_FALSE(hasRoom && name.starts_with("shortened.")) << where << ": " << name << " is not all of " << text;
+    }
+  }
+  void expectInside(const std::string& widget) const {
+    const HeadlessEditor::Rect r = editor.rect(widget);
+    EXPECT_TRUE(0 <= r.x0 && r.x0 < r.x1 && r.x1 <= editor.screen().x) << widget << " " << r.x0 << " " << r.x1;
+    EXPECT_TRUE(0 <= r.y0 && r.y0 < r.y1 && r.y1 <= editor.screen().y) << widget << " " << r.y0 << " " << r.y1;
+  }
 
-void expectEveryPageWhole(HeadlessEditor::Screen screen) {
-  HeadlessEditor editor(screen);
-  editor.start(lightFabric());
-  editor.untilPictured();
-  expectWhole(editor, "the first sight");
+  HeadlessEditor editor{GetParam().screen};
+};
+
+TEST_P(LookAt, EveryPageIsWholeAndAllIsInReach) {
+  expectWhole("the first sight");
   for (const char* page : {"tab.fibre", "tab.cloth", "tab.scene", "tab.yarn", "draft.tab_loom", "draft.tab_colours",
                            "draft.tab_structures"}) {
     editor.click(page);
-    expectWhole(editor, page);
+    expectWhole(page);
+    for (const char* widget : {"draft.canvas", "draft.tieup_0_1", "draft.tab_colours", "tab.yarn", "viewport",
+                               "view.light", "view.exposure", "status.work"})
+      expectInside(widget);
+    expectInside(editor.shows("presets.browse") ? "presets.browse" : "sample/Blue cloth");
   }
 }
 
-TEST(LookAtSize, EveryPageIsWholeOnASmallScreen) {
-  expectEveryPageWhole(kTightest);
-}
-
-TEST(LookAtSize, EveryPageIsWholeOnALargeScreen) {
-  expectEveryPageWhole({1920, 1080, 1});
-}
-
-TEST(LookAtSize, EveryPageIsWholeOnAFineScreen) {
-  expectEveryPageWhole({2560, 1440, 2});
-}
-
-class LookAtTightest : public testing::Test {
- protected:
-  LookAtTightest() {
-    editor.start(lightFabric());
-    editor.untilPictured();
-  }
-  HeadlessEditor editor{kTightest};
-};
-
-TEST_F(LookAtTightest, EveryMenuIsWhole) {
+TEST_P(LookAt, EveryMenuIsWhole) {
   const std::pair<const char*, const char*> menus[] = {{"menu.file", "menu.quit"},
                                                        {"menu.edit", "menu.undo"},
                                                        {"menu.weave", "menu.invert"},
-                                                       {"menu.view", "menu.fit"},
+                                                       {"menu.view", "menu.light"},
                                                        {"menu.help", "menu.about"}};
   for (const auto& [menu, item] : menus) {
     editor.click(menu);
     editor.centre(item);
-    expectInside(editor, item);
-    expectWhole(editor, menu);
+    expectInside(item);
+    expectWhole(menu);
     editor.key("Escape");
     editor.until("Esc shuts the menu", [&, name = item] { return !editor.shows(name); });
   }
 }
 
-TEST_F(LookAtTightest, EveryDialogIsWhole) {
+TEST_P(LookAt, EveryDialogIsWhole) {
   const struct {
     const char *menu, *item, *close;
-  } dialogs[] = {
-      {"menu.file", "menu.snapshot", "snapshot.close"},      {"menu.edit", "menu.preferences", "preferences.close"},
-      {"menu.weave", "menu.structures", "structures.close"}, {"menu.help", "menu.keys", "keys.close"},
-      {"menu.file", "menu.presets", "presets.close"},        {"menu.edit", "menu.colourways", "colourways.close"}};
+  } dialogs[] = {{"menu.file", "menu.open", "browser.cancel"},
+                 {"menu.file", "menu.snapshot", "snapshot.close"},
+                 {"menu.edit", "menu.preferences", "preferences.close"},
+                 {"menu.weave", "menu.structures", "structures.close"},
+                 {"menu.help", "menu.keys", "keys.close"},
+                 {"menu.file", "menu.presets", "presets.close"},
+                 {"menu.edit", "menu.colourways", "colourways.close"}};
   for (const auto& dialog : dialogs) {
     editor.click(dialog.menu);
     editor.click(dialog.item);
     editor.centre(dialog.close);
-    expectInside(editor, dialog.close);
-    expectWhole(editor, dialog.item);
+    expectInside(dialog.close);
+    expectWhole(dialog.item);
     editor.key("Escape");
     editor.until("Esc closes the dialog", [&] { return !editor.shows(dialog.close); });
   }
+  editor.key("ctrl+e");
+  editor.centre("tile.close");
+  expectInside("tile.close");
+  expectWhole("the tile");
+}
+
+INSTANTIATE_TEST_SUITE_P(AtSize, LookAt, testing::ValuesIn(kLooks),
+                         [](const auto& look) { return std::string(look.param.name); });
+
+void expectWhole(const HeadlessEditor& editor, const std::string& where) {
+  for (const auto& [name, text] : editor.snapshot().facts)
+    EXPECT_FALSE(name.starts_with("clipped.")) << where << ": " << name << " has lost the end of " << text;
+}
+
+class LookAtSmall : public testing::Test {
+ protected:
+  LookAtSmall() {
+    editor.start(lightFabric());
+    editor.untilPictured();
+  }
+  HeadlessEditor editor{{1280, 720, 1}};
+};
+
+/// What has been cut is read where the mouse rests, and nothing covers the draft from a button above it.
+TEST_F(LookAtSmall, TooltipsStandBesideTheDraft) {
+  editor.move(editor.centre("draft.floats"));
+  editor.until("the button is explained", [&] { return !editor.fact("tooltip").empty(); });
+  editor.click("draft.floats");
+  for (int i = 0; i < 60; ++i) editor.frame();
+  EXPECT_EQ(editor.fact("tooltip"), "") << "whoever has pressed the button knows what it does";
 }
 
 /// 1, 2 and 3 look from above, aslant and along the cloth.
-TEST_F(LookAtTightest, KeysTurnTheCloth) {
+TEST_F(LookAtSmall, KeysTurnTheCloth) {
   for (const char* key : {"3", "2", "1"}) {
     const uint64_t generation = editor.number("generation");
     editor.key(key);
@@ -114,7 +154,7 @@ TEST_F(LookAtTightest, KeysTurnTheCloth) {
 }
 
 /// Smaller and larger than the monitor asks for, and back; larger as far as leaves room for the cloth.
-TEST_F(LookAtTightest, TheInterfaceIsResized) {
+TEST_F(LookAtSmall, TheInterfaceIsResized) {
   const auto height = [&] {
     const HeadlessEditor::Rect r = editor.rect("preferences.size");
     return r.y1 - r.y0;
