@@ -12,6 +12,10 @@
 #include "core/fabric/model/validate.h"
 #include "core/geometry/cloth_geometry.h"
 
+// How it works. A tile is a whole number of repeats: of the weave, of both colour orders and, where that is not too
+// long, of the twist of the yarns, each by the least common multiple. It is rendered as the middle of a larger piece,
+// from straight above and without perspective, in a furnace, so that what is seen is how the yarns reflect and no lamp
+// lies in the map. Normals are slopes of the height map, taken across the tile's edges.
 namespace loomlight {
 namespace {
 

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 
+// How it works. The first pass after an edit is as coarse as it must be to be there within a frame or two; each pass
+// after it is twice as fine, until pixels are whole. From then on a pass takes a quarter of the time spent so far,
+// within limits, so that a picture that has long been good is not interrupted often. Of a picture and a lens, the
+// coarser one is traced next, and else the one that has had less time.
 namespace loomlight {
 namespace {
 

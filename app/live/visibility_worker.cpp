@@ -7,6 +7,9 @@
 #include "core/geometry/yarn_geometry.h"
 #include "render/bvdf/bvdf_picture.h"
 
+// How it works. A recipe is the text of all that tables depend on; edits that leave it as it is, such as a colour, are
+// served by the tables that are there or by the bake under way. A bake of another recipe begins with borrowed tables
+// (KnownBvdfs), and brings its own several times a second, each time drawn less towards the borrowed ones.
 namespace loomlight {
 namespace {
 

@@ -4,6 +4,8 @@
 #include <limits>
 #include <new>
 
+// How it works. Free ranges are kept twice: by where they begin, to join neighbours when one is given back, and by
+// size, to find the smallest that is large enough. A free range at the end shortens what is in use instead.
 namespace loomlight {
 
 uint32_t RangeAllocator::take(uint32_t count) {

@@ -7,6 +7,11 @@
 #include "core/fabric/model/changes.h"
 #include "core/fabric/model/yarn_count.h"
 
+// How it works. A yarn's radius follows from its mass, its fibres' density and how densely they are packed; plies and
+// cords are circles that touch, on an orbit about their common axis. At a crossing the section is pressed flat and
+// keeps its area (pressing.h). The twist of the trade is then rounded so that a whole number of turns fits into a few
+// cells: the shortest such period whose surface lies within a tolerance of the exact helix, so that one yarn needs few
+// bricks.
 namespace loomlight {
 namespace {
 

@@ -9,6 +9,10 @@
 
 #include "core/shell/drape_grid.h"
 
+// How it works. Cloth does not stretch, so each drape is a curve by its own length: folds are a line whose slope is a
+// sine of the length; a cushion's two middle lines are curves of the piece's width and height, and its surface their
+// product; a skirt is a cone over a wavy curve on the unit sphere, as long as the circle that it is cut from. Where
+// such a curve has no closed form, it is summed up in small steps and inverted by search.
 namespace loomlight {
 namespace {
 

@@ -8,6 +8,10 @@
 #include "core/fabric/json/fabric_json.h"
 #include "core/fabric/model/yarn_count.h"
 
+// How it works. A bake takes seconds, and the picture wants tables at once. So the tables of the fabric that was most
+// like this one stand in: for each yarn the yarn of any kept or cached fabric, of the same kind of tables, whose
+// surroundings differ least. As the rays of the bake come in, the tables go over from the borrowed ones to their own,
+// as if the borrowed ones were a tenth of the bake's rays.
 namespace loomlight {
 namespace {
 

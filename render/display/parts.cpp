@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <numeric>
 
+// How it works. A picture that takes long is made in square parts, those nearest to its middle first, where the eye is.
+// A finished part fades out towards neighbours that are not there yet, over a quarter of its side, so that no edge
+// between old and new pixels is seen.
 namespace loomlight {
 namespace {
 

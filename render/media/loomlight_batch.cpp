@@ -6,6 +6,10 @@
 
 #include "render/media/lone_path.h"
 
+// How it works. Flights and shadow rays are both walks until an optical depth is used up: that of a flight is drawn
+// from an exponential, that of a shadow ray is where nothing is worth following any further. LaneWalker walks them in
+// vector registers and tells, in any order, which met fibres and which left; here these ends become collisions and
+// visibility.
 namespace loomlight {
 namespace {
 

@@ -9,6 +9,11 @@
 #include "render/media/voxel_extinction.h"
 #include "render/optics/fibre_frame.h"
 
+// How it works. The header says what the law is. A voxel tells what meets a path in three draws: a walk finds the
+// voxel; two antithetic points of a hemisphere say where the axis of the fibre could lie, and the voxels there, how
+// likely each of the two is; of the voxel of the one that was taken a component, a tangent and a material are drawn.
+// Whatever changes the extinction there, such as a way that is known to be free, changes the walk and the draws alike,
+// or a white furnace would not stay white.
 namespace loomlight {
 namespace {
 

@@ -4,6 +4,10 @@
 
 #include "render/optics/dielectric_cylinder.h"
 
+// How it works. The header has the law, and with it an equation for a(): energy that leaves must be the share of the
+// mode in every direction. It is solved at the nodes of a quadrature by Sinkhorn's scaling, in which each a is replaced
+// by the geometric mean of itself and of what would satisfy its own equation; some dozens of rounds are enough. Tables
+// over the cosine are then read off the equation itself. All of it happens once for a kind of fibre.
 namespace loomlight::optics {
 namespace {
 

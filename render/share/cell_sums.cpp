@@ -5,6 +5,11 @@
 #include <cassert>
 #include <cmath>
 
+// How it works. A table of open addressing finds a cell by its key; each cell knows the coarser one that it lies in,
+// and a deposit goes up from cell to cell. Sums are integers, so that threads may add in any order. The mean of a cell
+// is a compromise between its own paths and the cell that it lies in, level by level from the coarsest: how much a
+// parent counts is read off the sums by an analysis of variance, since cells that differ by no more than noise tell no
+// more than their parent.
 namespace loomlight {
 namespace {
 

@@ -5,6 +5,9 @@
 
 #include "core/base/parallel.h"
 
+// How it works. Each pixel has looked at the cloth a few times with nothing but a first hit, and every hit fell into a
+// cell whose mean light is known from all paths that began in cells like it. The pixel shows the mean over its hits;
+// how far their cells differ is the variance that is left to be blurred.
 namespace loomlight {
 
 SharedPicture sharedPicture(const FirstHits& hits, const CellMeans& means, int threads) {

@@ -6,6 +6,12 @@
 
 #include "render/optics/fibre_frame.h"
 
+// How it works. Many paths go on side by side, one event at a time, so that the medium can walk them in vector
+// registers: all fly to their next fibre (fly), a lamp is looked for from each (lookForLamps), and each fibre sends its
+// path on (scatter). Light reaches a path in two ways, from a lamp that was looked for and from one that it ran into by
+// itself; both count, each by the balance heuristic (Veach 1997). Colour is not known here: a path carries the lengths
+// that it has gone inside the fibres of each material, and its sink makes light of them. What a path does is a function
+// of its own random numbers alone, whichever others go beside it.
 namespace loomlight {
 namespace {
 

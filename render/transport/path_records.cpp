@@ -5,6 +5,9 @@
 
 #include "core/base/parallel.h"
 
+// How it works. Samples are written one behind the other into a strip of numbers for each tile, with all that their
+// colour depends on but the dyes. Other dyes are then a pass over the strip. Beside the new colour the sums tell how it
+// goes with the traced one, pixel by pixel, so that a film of many more samples can be recoloured by regression.
 namespace loomlight {
 namespace {
 

@@ -1,7 +1,8 @@
-// The walk of walk_lanes.h. Each ray goes from voxel to voxel: where it crosses the next face is computed anew in each
-// voxel, from where it starts, so that no error adds up (Amanatides and Woo 1987). In a voxel with content the axes of
-// the fibres lie ahead of the light by half their mean chord, so what the light goes along there is shifted, and cut by
-// the ends of the segment (LoomlightMedium says why); it uses up optical depth, until none is left.
+// How it works. This is the walk of walk_lanes.h. Each ray goes from voxel to voxel: where it crosses the next face is
+// computed anew in each voxel, from where it starts, so that no error adds up (Amanatides and Woo 1987). In a voxel
+// with content the axes of the fibres lie ahead of the light by half their mean chord, so what the light goes along
+// there is shifted, and cut by the ends of the segment (LoomlightMedium says why); it uses up optical depth, until none
+// is left.
 //
 // This file is compiled once for each instruction set, and which one runs is found out as the program runs. All lanes
 // compute all branches that any of them takes; what a lane does not want is masked out.

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 
+// How it works. A code is what the geometry can tell of a shape without computing it, and several codes may be of one
+// shape. So a code is looked up first, in a small table of those met lately and then among all; only a code that is new
+// costs the shape itself, which is then looked for among the shapes. For an edit's few cells a search from one end is
+// quicker than making an index of thousands of shapes.
 namespace loomlight {
 
 void ShapeTable::index() {

@@ -9,6 +9,10 @@
 #include "core/base/error.h"
 #include "core/volume/tiles/shape_table.h"
 
+// How it works. A cell's shape depends on the yarns and crossings around it, so it repeats with weave and colours; its
+// phase depends on the twist, which repeats with another period. So the two are kept apart: one repeat of shapes, row
+// by row, and for each yarn of the piece a row and the phase of its first cell. Rows are shared between copies of the
+// map.
 namespace loomlight {
 
 TileMap::TileMap(const ClothGeometry& geometry, System system, std::shared_ptr<BrickPool> pool, const Task& task)

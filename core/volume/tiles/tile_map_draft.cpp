@@ -6,7 +6,10 @@
 
 #include "core/volume/tiles/tile_map.h"
 
-// What a TileMap is shown with before all its bricks are there.
+// How it works. The missing bricks are ordered by what a picture needs first: of each shape in view one brick, in any
+// phase; then the other phases in view; then all the rest. As soon as the first are there the map can be shown:
+// whatever is still missing takes the brick of its own shape in another phase, or of the shape of its yarn whose
+// heights are most alike.
 namespace loomlight {
 namespace {
 

@@ -5,11 +5,13 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "core/fabric/weave/structures.h"
-#include "render/colour/colour_difference.h"
 #include "render/colour/illuminants.h"
+#include "render/colour/tristimulus.h"
 #include "render/transport/colour_solver.h"
+#include "render/transport/path_records.h"
 #include "tests/statistical/transport/rendered_colour.h"
 
 namespace loomlight {
