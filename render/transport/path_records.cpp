@@ -6,8 +6,8 @@
 #include "core/base/parallel.h"
 
 // How it works. Samples are written one behind the other into a strip of numbers for each tile, with all that their
-// colour depends on but the dyes. Other dyes are then a pass over the strip. Beside the new colour the sums tell how it
-// goes with the traced one, pixel by pixel, so that a film of many more samples can be recoloured by regression.
+// colour depends on but the dyes. Other dyes are then a pass over the strip. Beside the sums of both colours it gives
+// those of their squares and products, from which render/display/recolour.cpp knows the noise of their ratio.
 namespace loomlight {
 namespace {
 
