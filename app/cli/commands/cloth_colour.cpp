@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <optional>
 
 #include "app/cli/usage_error.h"
@@ -12,11 +11,9 @@
 namespace loomlight {
 namespace {
 
-std::optional<Rgb8> colourFromText(const std::string& text) {
-  const auto colour = text.starts_with('#') ? hexColour(text) : std::nullopt;
-  if (!colour) return std::nullopt;
-  const auto channel = [&](int c) { return static_cast<uint8_t>(std::lround(255 * (*colour)[c])); };
-  return Rgb8{channel(0), channel(1), channel(2)};
+/// Six digits alone might be a file's name.
+std::optional<NamedColour> colourFromText(const std::string& text) {
+  return !text.starts_with('#') && hexColour(text) ? std::nullopt : colourFromCode(text);
 }
 
 }  // namespace
@@ -28,8 +25,8 @@ ClothColour parseClothColour(const std::string& option, const std::string& text)
   if (const auto colour = colourFromText(what)) return {fibre, *colour, ""};
   if (isSwatchFile(what)) return {fibre, {}, what};
   throw UsageError(
-      fmt::format("{}: expected FIBRE=#RRGGBB, such as cotton=#b04020 or 1=#b04020, or a measured swatch, "
-                  "such as cotton=navy.csv, got '{}'",
+      fmt::format("{}: expected FIBRE=#RRGGBB, such as cotton=#b04020 or 1=#b04020, FIBRE=Lab L a b, such as "
+                  "'cotton=Lab 40 52 38', or a measured swatch, such as cotton=navy.csv, got '{}'",
                   option, text));
 }
 

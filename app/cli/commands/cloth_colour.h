@@ -2,18 +2,19 @@
 
 #include <string>
 
-#include "core/fabric/weave/picture_weave.h"
+#include "core/fabric/palette/palette.h"
 
 namespace loomlight {
 
 /// The colour that the cloth is to have where a fibre lies on top.
 struct ClothColour {
   std::string fibre;   ///< its name, or its number from 1
-  Rgb8 colour{};       ///< sRGB
+  NamedColour colour;  ///< linear, or CIELAB in daylight (D65)
   std::string swatch;  ///< file of a measurement, which the cloth is to reflect like in place of the colour; or empty
 };
 
-/// FIBRE=#RRGGBB, or FIBRE=FILE of a spectrophotometer. Throws UsageError naming `option`.
+/// FIBRE=#RRGGBB, FIBRE=Lab L a b (colourFromCode()), or FIBRE=FILE of a spectrophotometer. Throws UsageError naming
+/// `option`.
 ClothColour parseClothColour(const std::string& option, const std::string& text);
 
 }  // namespace loomlight

@@ -29,8 +29,11 @@ struct Dyeing {
   bool tooLight = false, tooDark = false;  ///< for this cloth
 };
 
-Rgb linearColour(const Rgb8& colour) {
-  return linearFromSrgb(Rgb(colour[0], colour[1], colour[2]) / 255.0f);
+/// What is beyond the gamut of Rec. 709 is cut off.
+Rgb linearColour(const NamedColour& colour) {
+  if (!colour.lab) return colour.linear;
+  const Lab lab{colour.lab->L, colour.lab->a, colour.lab->b};
+  return glm::clamp(Rgb(linearFromLab(lab)), Rgb(0.0f), Rgb(1.0f));
 }
 
 std::string textOf(const Rgb& linear) {

@@ -133,13 +133,14 @@ void addConvert(CLI::App& app, ConvertCommand& command) {
       [&command](const auto& option, const auto& text) { command.colours.push_back(parseStructure(option, text)); });
   addValue(app, "--repeat", "WxH", "ends and picks that the picture takes; its pixels where not given",
            [&command](const auto& option, const auto& text) { command.repeat = parseSize(option, text); });
-  addValues(app, "--cloth-colour", "FIBRE=#RRGGBB|FILE",
-            "dye a fibre, by its name or its number from 1, so that the cloth has this colour where it lies on top, or "
-            "reflects like a measured swatch (CGATS .txt, .cxf, .qtx, .csv); "
-            "once for each fibre, or piece=... for all alike",
-            [&command](const auto& option, const auto& text) {
-              command.clothColours.push_back(parseClothColour(option, text));
-            });
+  addValues(
+      app, "--cloth-colour", "FIBRE=#RRGGBB|Lab|FILE",
+      "dye a fibre, by its name or its number from 1, so that the cloth has this colour (#RRGGBB, or Lab "
+      "L a b in daylight) where it lies on top, or reflects like a measured swatch (CGATS .txt, .cxf, .qtx, .csv); "
+      "once for each fibre, or piece=... for all alike",
+      [&command](const auto& option, const auto& text) {
+        command.clothColours.push_back(parseClothColour(option, text));
+      });
   addWifChoices(app, command.wif);
 }
 
@@ -192,6 +193,7 @@ void addHandover(CLI::App& app, HandoverCommand& command) {
 void addSheet(CLI::App& app, SheetCommand& command) {
   addInput(app, "FABRIC", command.input);
   app.add_option("-o,--output", command.output, "the page, a .pdf")->type_name("OUT.pdf")->required();
+  app.add_flag("--colourways", command.colourways, "all colourways at 1 : 1, in the place of the sheet");
   addValue(app, "--width", "CM", "of the finished cloth; 150 where not given",
            [&command](const auto& option, const auto& text) {
              command.options.width_cm = parseNumber(option, text, kPieceWidth_cm[0], kPieceWidth_cm[1]);

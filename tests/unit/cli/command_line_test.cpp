@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "app/cli/usage_error.h"
+#include "core/base/rgb.h"
 
 namespace loomlight {
 namespace {
@@ -148,9 +149,13 @@ TEST(CommandLine, ConvertTakesSeveralColoursOfTheCloth) {
   EXPECT_EQ(convert.output, "b.json");
   ASSERT_EQ(convert.clothColours.size(), 2u);
   EXPECT_EQ(convert.clothColours[0].fibre, "warp=2");
-  EXPECT_THAT(convert.clothColours[0].colour, testing::ElementsAre(0x10, 0x2a, 0xff));
+  EXPECT_FLOAT_EQ(convert.clothColours[0].colour.linear.g, decodeSrgb(0x2a / 255.0f));
   EXPECT_EQ(convert.clothColours[1].fibre, "3");
-  for (const char* wrong : {"#102030", "=#102030", "1=102030", "1=#10203", "1=#1020300", "1=#-10203", "1=#10203g"})
+  const auto lab = parsed<ConvertCommand>({"convert", "a.json", "b.json", "--cloth-colour", "cotton=Lab 40.5 52 -38"});
+  ASSERT_TRUE(lab.clothColours[0].colour.lab);
+  EXPECT_EQ(lab.clothColours[0].colour.lab->L, 40.5);
+  for (const char* wrong : {"1=Lab 40 52", "1=Lab 140 0 0", "#102030", "=#102030", "1=102030", "1=#10203", "1=#1020300",
+                            "1=#-10203", "1=#10203g"})
     EXPECT_THAT(complaint({"convert", "a.json", "b.json", "--cloth-colour", wrong}),
                 HasSubstr("--cloth-colour: expected FIBRE=#RRGGBB"));
   EXPECT_THAT(complaint({"convert", "a.json", "b.png", "--cloth-colour", "1=#102030"}),
