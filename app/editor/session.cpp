@@ -219,6 +219,7 @@ void Session::readKeys() {
     if (letterPressed('Y')) run(Command::redo);
     if (letterPressed('P')) run(Command::snapshot);
     if (letterPressed('B')) run(Command::presets);
+    if (letterPressed('E')) run(DraftCommand::exportTile);
     if (letterPressed('Q')) run(Command::quit);
     if (letterPressed('0')) run(Command::fitView);
     if (letterPressed('1')) run(Command::actualSize);

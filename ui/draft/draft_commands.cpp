@@ -123,6 +123,7 @@ std::optional<DraftCommand> draftKey(const DraftView& view) {
     if (letterPressed('X')) return DraftCommand::cut;
     if (letterPressed('V')) return io.KeyShift ? DraftCommand::fillWithCopy : DraftCommand::paste;
     if (letterPressed('I')) return DraftCommand::invert;
+    if (letterPressed('D')) return DraftCommand::selectNothing;
     return std::nullopt;
   }
   if (!view.selection) return std::nullopt;

@@ -5,6 +5,7 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/fabric/model/validate.h"
@@ -33,9 +34,17 @@ void breakLines(char* text, int length, float width) {
   }
 }
 
+struct Typing {
+  float room = 0;
+  bool opensNow = false;
+};
+
+/// The first click takes all of it, as in fields of numbers: another order is typed at once.
 int breakWhileTyped(ImGuiInputTextCallbackData* data) {
-  breakLines(data->Buf, data->BufTextLen, *static_cast<const float*>(data->UserData));
+  Typing& typing = *static_cast<Typing*>(data->UserData);
+  breakLines(data->Buf, data->BufTextLen, typing.room);
   data->BufDirty = true;
+  if (std::exchange(typing.opensNow, false)) data->SelectAll();
   return 0;
 }
 
@@ -64,7 +73,8 @@ std::optional<Fabric> lineBelow(Ui& ui, const std::string& id, const Fabric& fab
   const float top = ImGui::GetCursorPosY(), height = ImGui::GetFrameHeight();
   const std::vector<int>& sequence = fabric.*system;
   const std::string comesTo =
-      fmt::format("{} threads \xC2\xB7 {:.1f} mm", sequence.size(), pitch_mm * static_cast<double>(sequence.size()));
+      fmt::format("{} {} \xC2\xB7 {:.1f} mm", sequence.size(), sequence.size() == 1 ? "thread" : "threads",
+                  pitch_mm * static_cast<double>(sequence.size()));
   const bool fails = !typing.problem.empty();
   const float offer = typing.wanted.empty() ? 0 : ui.px(104);
   ImGui::AlignTextToFramePadding();
@@ -99,11 +109,11 @@ std::optional<Fabric> orderField(Ui& ui, const RowText& text, const Fabric& fabr
   if (!typing.open && typing.sequence != sequence) typing = {false, false, threadOrderText(sequence), sequence, {}, {}};
   ImGui::TextDisabled("%s", text.label);
   const float width = ImGui::GetContentRegionAvail().x;
-  float room = width - 2 * ImGui::GetStyle().FramePadding.x - ui.px(8);
+  Typing now{width - 2 * ImGui::GetStyle().FramePadding.x - ui.px(8), !typing.open};
   std::string shown = typing.text;
   const bool tooLong = shown.size() > kLongest;
   if (tooLong) shown = fmt::format("{} threads", sequence.size());
-  breakLines(shown.data(), static_cast<int>(shown.size()), room);
+  breakLines(shown.data(), static_cast<int>(shown.size()), now.room);
   const auto lines = static_cast<float>(1 + std::count(shown.begin(), shown.end(), '\n'));
   const ImVec2 size(width, std::min(lines, 6.0f) * ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().FramePadding.y);
   const ImVec2 min = ImGui::GetCursorScreenPos(), max(min.x + size.x, min.y + size.y);
@@ -112,7 +122,7 @@ std::optional<Fabric> orderField(Ui& ui, const RowText& text, const Fabric& fabr
   const ImGuiInputTextFlags flags = ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CtrlEnterForNewLine |
                                     ImGuiInputTextFlags_NoHorizontalScroll | ImGuiInputTextFlags_CallbackAlways |
                                     (tooLong ? ImGuiInputTextFlags_ReadOnly : 0);
-  const bool entered = ImGui::InputTextMultiline("##text", &shown, size, flags, breakWhileTyped, &room);
+  const bool entered = ImGui::InputTextMultiline("##text", &shown, size, flags, breakWhileTyped, &now);
   ImGui::PopItemFlag();
   ui.memory.walk.pass(ImGui::GetItemID(), panelOfFields(), false);
   typing.open = ImGui::IsItemActive();

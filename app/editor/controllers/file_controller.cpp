@@ -15,21 +15,27 @@ struct Asked {
   std::vector<std::string> endings;
 };
 
+/// All that Session::openFile() knows: cloths, drafts, pictures to weave, environments, meshes, colours.
+std::vector<std::string> endingsThatOpen() {
+  return {".loomlight", ".json", ".wif", ".dtx", ".png", ".exr", ".obj", ".ply", ".off",
+          ".ase",       ".aco",  ".gpl", ".csv", ".cxf", ".qtx", ".txt", ".icc", ".icm"};
+}
+
 const Asked& askedFor(FileTask task) {
   using Purpose = FileBrowser::Purpose;
   static const Asked kAsked[] = {
-      {FileTask::open, Purpose::open, "Open a cloth", {".loomlight", ".json", ".wif", ".dtx", ".png"}},
+      {FileTask::open, Purpose::open, "Open", endingsThatOpen()},
       {FileTask::saveAs, Purpose::save, "Save the cloth", {".loomlight", ".json"}},
       {FileTask::mesh, Purpose::open, "Choose a mesh", {".obj", ".ply", ".off"}},
-      {FileTask::environment, Purpose::open, "Choose a surrounding", {".exr"}},
+      {FileTask::environment, Purpose::open, "Choose an environment", {".exr"}},
       {FileTask::snapshot, Purpose::save, "Where the snapshot goes", {".png", ".exr"}},
+      {FileTask::profile, Purpose::open, "Choose a colour profile", {".icc", ".icm"}},
       {FileTask::picture, Purpose::open, "Choose a picture", {".png"}},
       {FileTask::exportWif, Purpose::save, "Export as WIF draft", {".wif"}},
       {FileTask::exportDraft, Purpose::save, "Export the draft for print", {".pdf", ".png"}},
       {FileTask::exportTile, Purpose::save, "Where the tile goes", {".json"}},
       {FileTask::sheet, Purpose::save, "Where the cloth sheet goes", {".pdf", ".png"}},
       {FileTask::exportBitmap, Purpose::save, "Export the weave", {".png", ".tif", ".bmp"}},
-      {FileTask::profile, Purpose::open, "Choose a colour profile", {".icc", ".icm"}},
   };
   for (const Asked& asked : kAsked)
     if (asked.task == task) return asked;

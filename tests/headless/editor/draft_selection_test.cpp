@@ -50,6 +50,14 @@ TEST_F(DraftSelection, ADragSelectsAndEditsOnlyThere) {
   untilSelected("none");
 }
 
+TEST_F(DraftSelection, CtrlDDeselects) {
+  editor.key("ctrl+a");
+  untilSelected("0 0 8 8");
+  editor.key("ctrl+d");
+  untilSelected("none");
+  EXPECT_EQ(weaver.rows(), before);
+}
+
 TEST_F(DraftSelection, TheRightButtonAsks) {
   editor.click("draft.select");
   editor.key("ctrl+a");
