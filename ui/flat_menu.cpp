@@ -8,16 +8,18 @@
 #include "core/fabric/yarn/derived.h"
 #include "ui/draft/weave_menu.h"
 #include "ui/widgets/fields.h"
+#include "ui/words/menu_words.h"
 
 namespace loomlight {
 namespace {
 
 /// Numbers that are set take effect at once.
 void numbers(Ui& ui, const FlatMenuModel& model, FlatMenuChoice& choice) {
-  ImGui::BeginChild("flat numbers", ImVec2(ui.px(224), 2 * ImGui::GetFrameHeight() + ui.px(12)));
+  ImGui::BeginChild("flat numbers", ImVec2(ui.px(224), 2 * ImGui::GetFrameHeight() + ui.px(4)));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(8), ui.px(4)));
   int repeats = model.repeats;
-  if (wholeNumberField(ui, {"menu.flat_count", "Repeats", "Of the pattern, each way"}, "", 1, 100, repeats))
+  if (wholeNumberField(ui, {"menu.flat_count", words::menu::flatCount.label, words::menu::flatCount.help}, "", 1, 100,
+                       repeats))
     choice.cloth = FlatCloth{true, static_cast<double>(repeats)};
   NumberStyle style;
   style.unit = "cm";
@@ -26,7 +28,7 @@ void numbers(Ui& ui, const FlatMenuModel& model, FlatMenuChoice& choice) {
   style.decimals = 1;
   style.logarithmic = true;
   double side_cm = model.side_cm;
-  if (numberField(ui, {"menu.flat_side", "Side", "Of a square of cloth"}, style, side_cm))
+  if (numberField(ui, {"menu.flat_side", words::menu::flatSide.label, words::menu::flatSide.help}, style, side_cm))
     choice.cloth = FlatCloth{false, side_cm};
   ImGui::PopStyleVar();
   ImGui::EndChild();
@@ -44,13 +46,13 @@ glm::dvec2 pieceOf_mm(const Fabric& fabric, const FlatCloth& cloth) {
 }
 
 std::string flatClothText(const FlatCloth& cloth) {
-  if (cloth.inRepeats && cloth.count == 1) return "One repeat";
-  return fmt::format("{0:g} \xC3\x97 {0:g} {1}", cloth.count, cloth.inRepeats ? "repeats" : "cm");
+  if (cloth.inRepeats && cloth.count == 1) return words::menu::oneRepeat.label;
+  return fmt::format("{0:g} \xC3\x97 {0:g} {1}", cloth.count, cloth.inRepeats ? words::menu::repeats.label : "cm");
 }
 
 FlatMenuChoice flatMenu(Ui& ui, const FlatMenuModel& model) {
   FlatMenuChoice choice;
-  if (!beginMenu(ui, "menu.flat", "Flat cloth")) return choice;
+  if (!beginMenu(ui, "menu.flat", words::menu::flatCloth.label)) return choice;
   const auto offer = [&](const char* id, const FlatCloth& cloth) {
     if (ImGui::MenuItem(flatClothText(cloth).c_str())) choice.cloth = cloth;
     ui.probe.recordItem(id);
@@ -61,7 +63,7 @@ FlatMenuChoice flatMenu(Ui& ui, const FlatMenuModel& model) {
   ImGui::Separator();
   numbers(ui, model, choice);
   ImGui::Separator();
-  choice.asDraped = ImGui::MenuItem("As draped", "Esc", false, model.isFlat);
+  choice.asDraped = ImGui::MenuItem(words::menu::asDraped.label, words::menu::asDraped.keys, false, model.isFlat);
   ui.probe.recordItem("menu.as_draped");
   ImGui::EndMenu();
   return choice;

@@ -3,12 +3,13 @@
 #include <filesystem>
 
 #include "ui/widgets/fields.h"
+#include "ui/words/menu_words.h"
 
 namespace loomlight {
 
 RecentMenuChoice recentMenu(Ui& ui, std::span<const RecentFile> files) {
   RecentMenuChoice choice;
-  const bool open = ImGui::BeginMenu("Open recent", !files.empty());
+  const bool open = ImGui::BeginMenu(words::menu::openRecent.label, !files.empty());
   if (!open) ui.probe.recordItem("menu.recent");
   if (!open) return choice;
   choice.appeared = ImGui::IsWindowAppearing();
@@ -17,7 +18,7 @@ RecentMenuChoice recentMenu(Ui& ui, std::span<const RecentFile> files) {
     const std::filesystem::path path(files[i].file);
     const std::string name = shortened(path.filename().string(), widest);
     const std::string where =
-        files[i].missing ? "missing" : shortened(path.parent_path().filename().string() + "/", widest);
+        files[i].missing ? words::menu::missing.label : shortened(path.parent_path().filename().string() + "/", widest);
     ImGui::PushID(static_cast<int>(i));
     if (files[i].missing) ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.textQuiet);
     if (ImGui::MenuItem(name.c_str(), where.c_str())) choice.file = files[i].file;
@@ -25,11 +26,11 @@ RecentMenuChoice recentMenu(Ui& ui, std::span<const RecentFile> files) {
     ImGui::PopID();
     const std::string id = "menu.recent/" + path.filename().string();
     ui.probe.recordItem(id);
-    ui.probe.fact(id, files[i].missing ? "missing" : "there");
+    ui.probe.fact(id, files[i].missing ? words::menu::missing.label : "there");
     tooltipFor(ui, id.c_str(), ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), files[i].file.c_str());
   }
   ImGui::Separator();
-  choice.clear = ImGui::MenuItem("Forget them all");
+  choice.clear = ImGui::MenuItem(words::menu::forgetAll.label);
   ui.probe.recordItem("menu.recent_clear");
   ImGui::EndMenu();
   return choice;

@@ -1,7 +1,7 @@
 #include "ui/draft/weave_menu.h"
 
-#include "core/fabric/model/glossary.h"
 #include "ui/widgets/keys.h"
+#include "ui/words/menu_words.h"
 
 namespace loomlight {
 namespace {
@@ -11,9 +11,8 @@ constexpr const char* kSelectionMenu = "selection menu";
 class Items {
  public:
   explicit Items(Ui& ui) : ui_(ui) {}
-  void add(const char* id, const char* label, const char* keys, DraftCommand command, bool enabled = true,
-           bool ticked = false) {
-    if (ImGui::MenuItem(label, keys, ticked, enabled)) chosen_ = command;
+  void add(const char* id, const MenuWord& word, DraftCommand command, bool enabled = true, bool ticked = false) {
+    if (ImGui::MenuItem(word.label, word.keys, ticked, enabled)) chosen_ = command;
     ui_.probe.recordItem(id);
   }
   std::optional<DraftCommand> chosen() const { return chosen_; }
@@ -25,26 +24,26 @@ class Items {
 
 /// What is done to the selection, or to the whole repeat.
 void editItems(Ui& ui, Items& items, bool selection) {
-  items.add("menu.select_all", "Select all", "Ctrl+A", DraftCommand::selectAll);
-  items.add("menu.select_nothing", "Deselect", "Esc", DraftCommand::selectNothing, selection);
-  items.add("menu.cut", "Cut", "Ctrl+X", DraftCommand::cut);
-  items.add("menu.copy", "Copy", "Ctrl+C", DraftCommand::copy);
-  items.add("menu.paste", "Paste", "Ctrl+V", DraftCommand::paste);
-  items.add("menu.fill", "Fill with the copy", "Ctrl+Shift+V", DraftCommand::fillWithCopy);
-  items.add("menu.clear", "Weft over", "Delete", DraftCommand::clear, selection);
+  items.add("menu.select_all", words::menu::selectAll, DraftCommand::selectAll);
+  items.add("menu.select_nothing", words::menu::selectNothing, DraftCommand::selectNothing, selection);
+  items.add("menu.cut", words::menu::cut, DraftCommand::cut);
+  items.add("menu.copy", words::menu::copy, DraftCommand::copy);
+  items.add("menu.paste", words::menu::paste, DraftCommand::paste);
+  items.add("menu.fill", words::menu::fillWithCopy, DraftCommand::fillWithCopy);
+  items.add("menu.clear", words::menu::weftOver, DraftCommand::clear, selection);
   ImGui::Separator();
-  items.add("menu.invert", "Invert", "Ctrl+I", DraftCommand::invert);
-  items.add("menu.mirror_ends", words::mirrorWarp.label, "", DraftCommand::mirrorEnds);
-  items.add("menu.mirror_picks", words::mirrorWeft.label, "", DraftCommand::mirrorPicks);
-  items.add("menu.turn", words::rotate.label, "", DraftCommand::quarterTurn);
-  if (beginMenu(ui, "menu.shift", "Shift")) {
-    items.add("menu.shift_left", "Left", "Left", DraftCommand::shiftLeft);
-    items.add("menu.shift_right", "Right", "Right", DraftCommand::shiftRight);
-    items.add("menu.shift_up", "Up", "Up", DraftCommand::shiftUp);
-    items.add("menu.shift_down", "Down", "Down", DraftCommand::shiftDown);
+  items.add("menu.invert", words::menu::invert, DraftCommand::invert);
+  items.add("menu.mirror_ends", words::menu::mirrorEnds, DraftCommand::mirrorEnds);
+  items.add("menu.mirror_picks", words::menu::mirrorPicks, DraftCommand::mirrorPicks);
+  items.add("menu.turn", words::menu::rotate, DraftCommand::quarterTurn);
+  if (beginMenu(ui, "menu.shift", words::menu::shift.label)) {
+    items.add("menu.shift_left", words::menu::shiftLeft, DraftCommand::shiftLeft);
+    items.add("menu.shift_right", words::menu::shiftRight, DraftCommand::shiftRight);
+    items.add("menu.shift_up", words::menu::shiftUp, DraftCommand::shiftUp);
+    items.add("menu.shift_down", words::menu::shiftDown, DraftCommand::shiftDown);
     ImGui::EndMenu();
   }
-  items.add("menu.crop", "Crop the repeat to the selection", "", DraftCommand::repeatSelection, selection);
+  items.add("menu.crop", words::menu::cropToSelection, DraftCommand::repeatSelection, selection);
 }
 
 }  // namespace
@@ -57,15 +56,15 @@ bool beginMenu(Ui& ui, const char* id, const char* label) {
 }
 
 std::optional<DraftCommand> weaveMenu(Ui& ui, const WeaveMenuModel& model) {
-  if (!beginMenu(ui, "menu.weave", "Weave")) return std::nullopt;
+  if (!beginMenu(ui, "menu.weave", words::menu::weave.label)) return std::nullopt;
   Items items(ui);
-  items.add("menu.structures", "Structures\xE2\x80\xA6", "", DraftCommand::structures);
-  items.add("menu.picture", "From a picture\xE2\x80\xA6", "", DraftCommand::fromPicture);
+  items.add("menu.structures", words::menu::structures, DraftCommand::structures);
+  items.add("menu.picture", words::menu::fromPicture, DraftCommand::fromPicture);
   ImGui::Separator();
   editItems(ui, items, model.selection);
   ImGui::Separator();
-  items.add("menu.back", words::backOfCloth.label, "", DraftCommand::showBack, true, model.back);
-  items.add("menu.floats", words::checkFloats.label, "", DraftCommand::markFloats, true, model.marksFloats);
+  items.add("menu.back", words::menu::backOfCloth, DraftCommand::showBack, true, model.back);
+  items.add("menu.floats", words::menu::checkFloats, DraftCommand::markFloats, true, model.marksFloats);
   ImGui::EndMenu();
   return items.chosen();
 }
@@ -87,12 +86,12 @@ std::optional<DraftCommand> selectionMenu(Ui& ui, bool selection) {
 }
 
 std::optional<DraftCommand> exportMenu(Ui& ui) {
-  if (!beginMenu(ui, "menu.export", "Export")) return std::nullopt;
+  if (!beginMenu(ui, "menu.export", words::menu::exportTo.label)) return std::nullopt;
   Items items(ui);
-  items.add("menu.export_wif", "WIF draft\xE2\x80\xA6", ".wif", DraftCommand::exportWif);
-  items.add("menu.export_bitmap", "Weave bitmap\xE2\x80\xA6", ".png, .tif", DraftCommand::exportBitmap);
-  items.add("menu.export_draft", "Printed draft\xE2\x80\xA6", ".pdf .png", DraftCommand::exportDraft);
-  items.add("menu.export_tile", "Texture tile\xE2\x80\xA6", ".exr .png", DraftCommand::exportTile);
+  items.add("menu.export_wif", words::menu::exportWif, DraftCommand::exportWif);
+  items.add("menu.export_bitmap", words::menu::exportBitmap, DraftCommand::exportBitmap);
+  items.add("menu.export_draft", words::menu::exportDraft, DraftCommand::exportDraft);
+  items.add("menu.export_tile", words::menu::exportTile, DraftCommand::exportTile);
   ImGui::EndMenu();
   return items.chosen();
 }
