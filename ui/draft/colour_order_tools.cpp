@@ -4,7 +4,6 @@
 
 #include "core/fabric/model/glossary.h"
 #include "core/fabric/model/validate.h"
-#include "ui/draft/stripe_table.h"
 #include "ui/widgets/fields.h"
 
 namespace loomlight {
@@ -31,46 +30,57 @@ void stripeFields(Ui& ui, StripeChance& stripes) {
     stripes.narrowest = std::min(stripes.narrowest, stripes.widest);
 }
 
+/// Buttons, two in a line, that make another order of one. `other`: the other system's.
+std::optional<std::vector<int>> orderButtons(Ui& ui, const std::vector<int>& own, const std::vector<int>& other,
+                                             int weaveRepeat, bool weft) {
+  const float half = 0.5f * (ImGui::GetContentRegionAvail().x - ui.px(8));
+  const bool twiceFits = 2 * own.size() <= kMaxSequence;
+  const std::vector<int> even = balanced(own, weaveRepeat);
+  const Word& copy = weft ? words::copyWarp : words::copyWeft;
+  std::optional<std::vector<int>> made;
+  const auto tool = [&](const char* id, const Word& word, bool enabled, const auto& make) {
+    if (button(ui, id, word.label, half, enabled, word.help)) made = make();
+  };
+  tool("order.mirror", words::mirrorOrder, own.size() > 2 && 2 * own.size() - 2 <= kMaxSequence,
+       [&] { return mirrored(own); });
+  ImGui::SameLine();
+  tool("order.reverse", words::reverseOrder, own.size() > 1, [&] { return reversed(own); });
+  tool("order.repeat", words::repeatOrder, twiceFits, [&] { return repeated(own, 2); });
+  ImGui::SameLine();
+  tool("order.widen", words::doubleThreads, twiceFits, [&] { return widened(own, 2); });
+  tool("order.copy", copy, own != other, [&] { return other; });
+  ImGui::SameLine();
+  tool("order.balance", words::balance, even != own && even.size() <= kMaxSequence, [&] { return even; });
+  return made;
+}
+
 }  // namespace
 
 std::optional<Fabric> colourOrderTools(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& yarnColours,
-                                       ColourOrderView& view) {
+                                       const std::vector<std::string>& yarnNames, ColourOrderView& view) {
   static constexpr const char* kSystems[] = {"Warp", "Weft"};
   int system = view.weft ? 1 : 0;
-  segmentField(ui, {"order.system", "Tools for", "Whose colour order the tools below work on."}, kSystems, system);
+  segmentField(ui, {"order.system", "Stripes of", "Whose colour order the tools below work on."}, kSystems, system);
   view.weft = system == 1;
   const std::vector<int>& own = view.weft ? fabric.weftSequence : fabric.warpSequence;
   const std::vector<int>& other = view.weft ? fabric.warpSequence : fabric.weftSequence;
-  std::optional<std::vector<int>> made;
-  const float half = 0.5f * (ImGui::GetContentRegionAvail().x - ui.px(8));
-  if (button(ui, "order.mirror", "Mirror", half, own.size() > 2 && 2 * own.size() - 2 <= kMaxSequence,
-             "There and back again, turning on the outermost threads"))
-    made = mirrored(own);
-  ImGui::SameLine();
-  if (button(ui, "order.reverse", "Reverse", half, own.size() > 1, "From the other side")) made = reversed(own);
-  if (button(ui, "order.widen", words::doubleThreads.label, half, 2 * own.size() <= kMaxSequence,
-             words::doubleThreads.help))
-    made = widened(own, 2);
-  ImGui::SameLine();
-  if (button(ui, "order.copy", (view.weft ? words::copyWarp : words::copyWeft).label, half, own != other,
-             words::copyWeft.help))
-    made = other;
-
-  const int repeat = view.weft ? fabric.weave.picks() : fabric.weave.ends();
-  const std::vector<int> even = balanced(own, repeat);
-  if (button(ui, "order.balance", words::balance.label, 0, even != own && even.size() <= kMaxSequence,
-             words::balance.help))
-    made = even;
+  const StripedThreads threads{yarnColours, yarnNames, view.weft ? fabric.weftPitch_mm() : fabric.warpPitch_mm(),
+                               view.weft ? "Picks" : "Ends"};
+  StripeRows& rows = view.weft ? view.weftStripes : view.warpStripes;
+  rows.follow(own);
+  std::optional<std::vector<int>> made = stripeBar(ui, threads, rows);
+  if (auto order = orderButtons(ui, own, other, view.weft ? fabric.weave.picks() : fabric.weave.ends(), view.weft))
+    made = std::move(order);
   if (foldingHeading(ui, "order.stripes", words::stripes.label, words::stripes.help, view.stripesOpen))
-    if (auto set = stripeTable(ui, own, yarnColours, view.weft ? fabric.weftPitch_mm() : fabric.warpPitch_mm()))
-      made = std::move(set);
+    if (auto set = stripeTable(ui, threads, rows)) made = std::move(set);
 
-  heading(ui, words::randomStripes.label);
-  if (button(ui, "order.random", "New stripes", -1, fabric.yarns.size() > 1, words::randomStripes.help)) {
-    made = randomStripes(weightsOf(own, fabric.yarns.size()), view.stripes);
-    ++view.stripes.seed;
+  if (foldingHeading(ui, "order.chance", words::randomStripes.label, words::randomStripes.help, view.randomOpen)) {
+    if (button(ui, "order.random", "New stripes", -1, fabric.yarns.size() > 1, words::randomStripes.help)) {
+      made = randomStripes(weightsOf(own, fabric.yarns.size()), view.stripes);
+      ++view.stripes.seed;
+    }
+    stripeFields(ui, view.stripes);
   }
-  stripeFields(ui, view.stripes);
   if (!made) return std::nullopt;
   Fabric edited = fabric;
   (view.weft ? edited.weftSequence : edited.warpSequence) = std::move(*made);

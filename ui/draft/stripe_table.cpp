@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/fabric/model/glossary.h"
 #include "core/fabric/model/validate.h"
-#include "core/fabric/weave/thread_sequence.h"
 #include "core/fabric/yarn/yarn_name.h"
 #include "ui/widgets/fields.h"
 
@@ -14,6 +14,62 @@ namespace loomlight {
 namespace {
 
 constexpr size_t kMostRows = 48;  // a jacquard's thousands are set in the order's text, or in the bars
+constexpr float kBar = 24, kSwatch = 24, kLetter = 26, kButton = 24, kGap = 6;  // at scale 1
+
+int threadsOf(const std::vector<Stripe>& stripes) {
+  int threads = 0;
+  for (const Stripe& stripe : stripes) threads += stripe.threads;
+  return threads;
+}
+
+/// The edge between stripes that the mouse may take, as far from it as a finger's width at most; -1: none.
+int edgeUnder(const Ui& ui, const std::vector<Stripe>& stripes, float x, float perThread) {
+  int nearest = -1, threads = 0;
+  float closest = ui.px(6);
+  for (size_t i = 0; i < stripes.size(); ++i) {
+    threads += stripes[i].threads;
+    const float away = std::abs(x - perThread * static_cast<float>(threads));
+    if (away > closest) continue;
+    closest = away;
+    nearest = static_cast<int>(i);
+  }
+  return nearest;
+}
+
+/// Moves the edge after a stripe to a thread, as far as every stripe keeps one and the order has room.
+void moveEdge(std::vector<Stripe>& stripes, int edge, int thread) {
+  const auto i = static_cast<size_t>(edge);
+  int begin = 0;
+  for (size_t k = 0; k < i; ++k) begin += stripes[k].threads;
+  if (i + 1 == stripes.size()) {
+    stripes[i].threads = std::clamp(thread - begin, 1, kMaxSequence - begin);
+    return;
+  }
+  const int both = stripes[i].threads + stripes[i + 1].threads;
+  stripes[i].threads = std::clamp(thread - begin, 1, both - 1);
+  stripes[i + 1].threads = both - stripes[i].threads;
+}
+
+void drawBar(Ui& ui, const StripedThreads& threads, const std::vector<Stripe>& stripes, float perThread, ImVec2 min,
+             ImVec2 max) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.PushClipRect(min, max, true);
+  draw.AddRectFilled(min, max, packed(ui.theme.field));
+  int at = 0;
+  for (size_t i = 0; i < stripes.size(); ++i) {
+    const float begin = min.x + perThread * static_cast<float>(at);
+    at += stripes[i].threads;
+    const float end = min.x + perThread * static_cast<float>(at);
+    draw.AddRectFilled(ImVec2(begin, min.y), ImVec2(end, max.y),
+                       packed(threads.yarnColours[static_cast<size_t>(stripes[i].yarn)]));
+    // Neighbours of one yarn are told apart, where there is room for it.
+    if (end - begin > ui.px(4)) draw.AddLine(ImVec2(end, min.y), ImVec2(end, max.y), packed(ui.theme.panel), ui.px(1));
+    if (ui.probe.watching())
+      ui.probe.record(fmt::format("order.edge_{}", i), ImVec2(end - ui.px(2), min.y), ImVec2(end + ui.px(2), max.y));
+  }
+  draw.AddRect(min, max, packed(ui.theme.text, 0.18f));
+  draw.PopClipRect();
+}
 
 /// A field of a row, at its place.
 template <class Field>
@@ -25,46 +81,138 @@ bool cell(const std::string& id, float x, float width, const Field& field) {
   return changed;
 }
 
+/// Where the columns of the table are.
+struct Columns {
+  explicit Columns(const Ui& ui)
+      : left(ImGui::GetCursorPosX()),
+        swatch(ui.px(kSwatch)),
+        first(left + swatch + ui.px(kLetter)),
+        width(0.5f * (ImGui::GetContentRegionAvail().x - swatch - ui.px(kLetter + 2 * kButton + 3 * kGap))),
+        second(first + width + ui.px(kGap)),
+        add(second + width + ui.px(kGap)),
+        remove(add + ui.px(kButton + kGap)) {}
+  float left, swatch, first, width, second, add, remove;
+};
+
+/// Which yarn a stripe is of: a swatch that opens the others.
+bool colourCell(Ui& ui, const std::string& row, const Columns& columns, const StripedThreads& threads, Stripe& stripe) {
+  const auto colourOf = [&](int yarn) { return threads.yarnColours[static_cast<size_t>(yarn)]; };
+  const auto nameOf = [&](int yarn) {
+    return yarnLetters(yarn) + "   " + threads.yarnNames[static_cast<size_t>(yarn)];
+  };
+  bool changed = false;
+  if (swatch(ui, (row + "_colour").c_str(), colourOf(stripe.yarn), columns.swatch, false, nameOf(stripe.yarn).c_str()))
+    ImGui::OpenPopup((row + "_yarns").c_str());
+  if (ImGui::BeginPopup((row + "_yarns").c_str())) {
+    constexpr int kPerLine = 8;
+    for (int yarn = 0; yarn < static_cast<int>(threads.yarnColours.size()); ++yarn) {
+      if (yarn % kPerLine != 0) ImGui::SameLine(0, ui.px(4));
+      const std::string id = fmt::format("{}_yarn_{}", row, yarn);
+      if (!swatch(ui, id.c_str(), colourOf(yarn), ui.px(28), yarn == stripe.yarn, nameOf(yarn).c_str())) continue;
+      changed = yarn != stripe.yarn;
+      stripe.yarn = yarn;
+      ImGui::CloseCurrentPopup();
+    }
+    ImGui::EndPopup();
+  }
+  ImGui::SameLine(columns.left + columns.swatch + ui.px(kGap));
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(yarnLetters(stripe.yarn).c_str());
+  return changed;
+}
+
+bool widthCell(Ui& ui, const std::string& row, double pitch_mm, int room, int& threads) {
+  NumberStyle style;
+  style.unit = "cm";
+  style.min = 0.1 * pitch_mm;
+  style.max = 0.1 * pitch_mm * room;
+  double width_cm = 0.1 * pitch_mm * threads;
+  if (!numberField(ui, {row + "_cm", "", "Width of this stripe, to whole threads", true}, style, width_cm))
+    return false;
+  const int before = threads;
+  threads = std::clamp(static_cast<int>(std::lround(10 * width_cm / pitch_mm)), 1, room);
+  return threads != before;
+}
+
+void headings(Ui& ui, const Columns& columns, const StripedThreads& threads) {
+  ImGui::PushFont(ui.fonts.small);
+  ImGui::TextColored(ui.theme.textQuiet, "%s", words::stripeColour.label);
+  ImGui::SameLine(columns.first + ui.px(8));
+  ImGui::TextColored(ui.theme.textQuiet, "%s", threads.threads);
+  ImGui::SameLine(columns.second + ui.px(8));
+  ImGui::TextColored(ui.theme.textQuiet, "Width");
+  ImGui::PopFont();
+}
+
 }  // namespace
 
-std::optional<std::vector<int>> stripeTable(Ui& ui, const std::vector<int>& sequence,
-                                            const std::vector<ImVec4>& yarnColours, double pitch_mm) {
-  std::vector<Stripe> stripes = stripesOf(sequence);
-  const int others = static_cast<int>(sequence.size());
-  const float all = ImGui::GetContentRegionAvail().x, swatch = ui.px(24), letter = ui.px(28), gap = ui.px(8);
-  const float left = ImGui::GetCursorPosX(), first = left + swatch + letter;
-  const float width = 0.5f * (all - swatch - letter - gap);
+void StripeRows::follow(const std::vector<int>& sequence) {
+  if (sequenceOf(stripes) == sequence) return;
+  stripes = stripesOf(sequence);
+  dragged = -1;
+}
+
+std::optional<std::vector<int>> stripeBar(Ui& ui, const StripedThreads& threads, StripeRows& rows) {
+  const ImVec2 size(ImGui::GetContentRegionAvail().x, ui.px(kBar)), min = ImGui::GetCursorScreenPos();
+  const ImVec2 max(min.x + size.x, min.y + size.y);
+  ImGui::InvisibleButton("order.bar", size);
+  ui.probe.recordItem("order.bar");
+  // While an edge is dragged a thread keeps its width: the last edge would run away under the mouse.
+  const float perThread =
+      rows.dragged >= 0 ? rows.perThread : size.x / static_cast<float>(std::max(1, threadsOf(rows.stripes)));
+  const float x = ImGui::GetIO().MousePos.x - min.x;
+  const int under = edgeUnder(ui, rows.stripes, x, perThread);
+  if (ImGui::IsItemActivated()) {
+    rows.dragged = under;
+    rows.perThread = perThread;
+  }
+  if (!ImGui::IsItemActive()) rows.dragged = -1;
+  if (rows.dragged >= 0 || (under >= 0 && ImGui::IsItemHovered())) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+  std::optional<std::vector<int>> edited;
+  if (rows.dragged >= 0) {
+    const std::vector<Stripe> before = rows.stripes;
+    moveEdge(rows.stripes, rows.dragged, static_cast<int>(std::lround(x / perThread)));
+    if (rows.stripes != before) edited = sequenceOf(rows.stripes);
+  }
+  drawBar(ui, threads, rows.stripes, perThread, min, max);
+  if (rows.dragged < 0) tooltipFor(ui, "order.bar", min, max, words::stripeBar.help);
+  return edited;
+}
+
+std::optional<std::vector<int>> stripeTable(Ui& ui, const StripedThreads& threads, StripeRows& rows) {
+  const Columns columns(ui);
+  headings(ui, columns, threads);
+  const int all = threadsOf(rows.stripes);
+  const int yarns = static_cast<int>(threads.yarnColours.size());
+  const float side = ui.px(kButton);
   bool changed = false;
-  for (size_t i = 0; i < std::min(stripes.size(), kMostRows); ++i) {
-    Stripe& stripe = stripes[i];
-    const int room = kMaxSequence - others + stripe.threads;
+  std::optional<size_t> added, removed;
+  for (size_t i = 0; i < std::min(rows.stripes.size(), kMostRows); ++i) {
+    Stripe& stripe = rows.stripes[i];
+    const int room = kMaxSequence - all + stripe.threads;
     const std::string row = fmt::format("order.stripe_{}", i);
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(at.x, at.y + ui.px(4)),
-                                              ImVec2(at.x + swatch, at.y + ImGui::GetFrameHeight() - ui.px(4)),
-                                              packed(yarnColours[static_cast<size_t>(stripe.yarn)]), ui.px(2));
-    ImGui::SetCursorPosX(left + swatch + ui.px(6));
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(yarnLetters(stripe.yarn).c_str());
-    changed |= cell(row + "t", first, width, [&] {
+    changed |= colourCell(ui, row, columns, threads, stripe);
+    changed |= cell(row + "t", columns.first, columns.width, [&] {
       return wholeNumberField(ui, {row + "_threads", "", "Threads of this stripe", true}, "", 1, room, stripe.threads);
     });
-    changed |= cell(row + "w", first + width + gap, width, [&] {
-      NumberStyle style;
-      style.unit = "cm";
-      style.min = 0.1 * pitch_mm;
-      style.max = 0.1 * pitch_mm * room;
-      double width_cm = 0.1 * pitch_mm * stripe.threads;
-      if (!numberField(ui, {row + "_cm", "", "Width of this stripe, to whole threads", true}, style, width_cm))
-        return false;
-      const int before = stripe.threads;
-      stripe.threads = std::clamp(static_cast<int>(std::lround(10 * width_cm / pitch_mm)), 1, room);
-      return stripe.threads != before;
-    });
+    changed |= cell(row + "w", columns.second, columns.width,
+                    [&] { return widthCell(ui, row, threads.pitch_mm, room, stripe.threads); });
+    ImGui::SameLine(columns.add);
+    const Word &add = words::addStripe, &remove = words::removeStripe;
+    if (button(ui, (row + "_add").c_str(), add.label, side, stripe.threads <= kMaxSequence - all, add.help)) added = i;
+    ImGui::SameLine(columns.remove);
+    if (button(ui, (row + "_remove").c_str(), remove.label, side, rows.stripes.size() > 1, remove.help)) removed = i;
   }
-  if (stripes.size() > kMostRows) hint(ui, fmt::format("and {} more", stripes.size() - kMostRows));
-  if (!changed) return std::nullopt;
-  return sequenceOf(stripes);
+  if (rows.stripes.size() > kMostRows) hint(ui, fmt::format("and {} more", rows.stripes.size() - kMostRows));
+  if (added) {
+    const Stripe& like = rows.stripes[*added];
+    const Stripe another{(like.yarn + 1) % yarns, like.threads};
+    rows.stripes.insert(rows.stripes.begin() + static_cast<ptrdiff_t>(*added) + 1, another);
+  } else if (removed) {
+    rows.stripes.erase(rows.stripes.begin() + static_cast<ptrdiff_t>(*removed));
+  }
+  if (!changed && !added && !removed) return std::nullopt;
+  return sequenceOf(rows.stripes);
 }
 
 }  // namespace loomlight

@@ -38,6 +38,12 @@ std::vector<int> reversed(const std::vector<int>& sequence) {
   return {sequence.rbegin(), sequence.rend()};
 }
 
+std::vector<int> repeated(const std::vector<int>& sequence, int times) {
+  std::vector<int> result;
+  for (int i = 0; i < times; ++i) result.insert(result.end(), sequence.begin(), sequence.end());
+  return result;
+}
+
 std::vector<int> widened(const std::vector<int>& sequence, int factor) {
   std::vector<int> wide;
   wide.reserve(sequence.size() * static_cast<size_t>(factor));

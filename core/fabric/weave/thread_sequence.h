@@ -10,6 +10,8 @@ namespace loomlight {
 /// There and back, turning on the outermost threads: A B C becomes A B C B. Of one or two threads it is the same.
 std::vector<int> mirrored(const std::vector<int>& sequence);
 std::vector<int> reversed(const std::vector<int>& sequence);
+/// The same order so many times; times >= 1. It is to be varied: as it stands the cloth is the same.
+std::vector<int> repeated(const std::vector<int>& sequence, int times);
 /// Every stripe `factor` times as wide; factor >= 1.
 std::vector<int> widened(const std::vector<int>& sequence, int factor);
 

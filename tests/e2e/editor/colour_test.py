@@ -75,6 +75,8 @@ def order_yarns(editor, file):
         editor.wait_until(f"{tool} edits the fabric", lambda: editor.number("revision") > revision)
         sequence = editor.saved(file)["warp_sequence"]
         expect(sequence == expected, f"{tool} made {sequence}")
+    scroll_to(editor, "order.chance")
+    editor.click("order.chance")
     scroll_to(editor, "order.random")
     revision = editor.number("revision")
     editor.click("order.random")

@@ -125,6 +125,17 @@ class Orders : public Fields {
  protected:
   Orders() { editor.click("draft.tab_colours"); }
   std::vector<int> warp() { return editor.saved().warpSequence; }
+  /// The page of colours is longer than its room.
+  void bringUp(const std::string& widget) {
+    const HeadlessEditor::Rect tab = editor.rect("draft.tab_structures");
+    const ImVec2 page(tab.x1, tab.y1 + 60);
+    const float end = tab.y1 + 220;
+    for (int i = 0; i < 40; ++i) {
+      const bool below = !editor.shows(widget) || editor.rect(widget).y1 > end;
+      if (!below && editor.rect(widget).y0 > tab.y1 + 8) return;
+      editor.wheelAt(page, below ? -1.0f : 1.0f);
+    }
+  }
 };
 
 TEST_F(Orders, AYarnThatIsNotThereIsRefusedAndOffered) {
@@ -151,18 +162,53 @@ TEST_F(Orders, WhatIsNoOrderIsRefusedAloudAndStaysToBeMended) {
 
 TEST_F(Orders, StripesAreSetByThreadsOrByWidth) {
   editor.edits("an order", [&] { editor.enter("draft.warp_order", "4A 6B"); });
-  const HeadlessEditor::Rect tab = editor.rect("draft.tab_structures");
-  const ImVec2 page(tab.x1, tab.y1 + 60);
-  const auto scrolledTo = [&](const std::string& row) {
-    while (!editor.shows(row) || editor.rect(row).y1 > editor.screen().y - 240) editor.wheelAt(page, -1);
-  };
-  scrolledTo("order.stripes");
-  editor.click("order.stripes");
-  scrolledTo("order.stripe_1_cm");
+  bringUp("order.stripe_0_threads");
   editor.edits("threads", [&] { editor.enter("order.stripe_0_threads", "8"); });
   EXPECT_THAT(warp(), ElementsAre(0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1));
+  bringUp("order.stripe_1_cm");
   editor.edits("a width, to whole threads", [&] { editor.enter("order.stripe_1_cm", "0.25"); });
   EXPECT_EQ(warp().size(), 8 + std::lround(0.25 * smallTwill().ends_per_cm));
+}
+
+TEST_F(Orders, AnEdgeIsDraggedInTheBar) {
+  editor.edits("an order", [&] { editor.enter("draft.warp_order", "4A 6B 2A"); });
+  bringUp("order.bar");
+  const HeadlessEditor::Rect bar = editor.rect("order.bar");
+  const float thread = (bar.x1 - bar.x0) / 12;
+  editor.edits("the first edge", [&] { editor.dragWidget("order.edge_0", 2 * thread); });
+  EXPECT_THAT(warp(), ElementsAre(0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 0, 0)) << "the other stripes stay where they are";
+  editor.edits("one step of undo", [&] { editor.key("ctrl+z"); });
+  EXPECT_THAT(warp(), ElementsAre(0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 0, 0));
+  editor.edits("far beyond its neighbour", [&] { editor.dragWidget("order.edge_0", -40 * thread); });
+  EXPECT_THAT(warp(), ElementsAre(0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0)) << "every stripe keeps a thread";
+}
+
+TEST_F(Orders, StripesAreColouredAddedAndTakenAway) {
+  editor.edits("an order", [&] { editor.enter("draft.warp_order", "4A 6B"); });
+  bringUp("order.stripe_1_add");
+  editor.edits("one more", [&] { editor.click("order.stripe_1_add"); });
+  EXPECT_THAT(warp(), ElementsAre(0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0));
+  bringUp("order.stripe_1_colour");
+  editor.click("order.stripe_1_colour");
+  editor.edits("of the other yarn", [&] { editor.click("order.stripe_1_yarn_0"); });
+  EXPECT_EQ(warp(), std::vector<int>(16, 0));
+  EXPECT_TRUE(editor.shows("order.stripe_2_threads")) << "three stripes of one yarn are three rows yet";
+  bringUp("order.stripe_1_remove");
+  editor.edits("taken away", [&] { editor.click("order.stripe_1_remove"); });
+  EXPECT_EQ(warp(), std::vector<int>(10, 0));
+}
+
+TEST_F(Orders, TheOtherSystemIsCopiedAndTheOrderIsRepeated) {
+  editor.edits("an order", [&] { editor.enter("draft.warp_order", "2A 2B"); });
+  bringUp("order.repeat");
+  editor.edits("once more", [&] { editor.click("order.repeat"); });
+  EXPECT_EQ(warp().size(), 8u);
+  bringUp("order.system/Weft");
+  editor.click("order.system/Weft");
+  bringUp("order.copy");
+  editor.edits("as in a tartan", [&] { editor.click("order.copy"); });
+  const Fabric fabric = editor.saved();
+  EXPECT_EQ(fabric.weftSequence, fabric.warpSequence);
 }
 
 TEST_F(Orders, AnOrderIsOneStepOfUndo) {

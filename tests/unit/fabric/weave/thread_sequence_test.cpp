@@ -19,6 +19,7 @@ TEST(ThreadSequence, MirrorsOnItsOutermostThreads) {
   EXPECT_EQ(mirrored({3}), (Sequence{3}));
   EXPECT_EQ(reversed({0, 1, 1, 2}), (Sequence{2, 1, 1, 0}));
   EXPECT_EQ(widened({0, 1}, 3), (Sequence{0, 0, 0, 1, 1, 1}));
+  EXPECT_EQ(repeated({0, 1}, 3), (Sequence{0, 1, 0, 1, 0, 1}));
 }
 
 TEST(RandomStripes, KeepToTheirWidthsAndYarns) {
