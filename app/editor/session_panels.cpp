@@ -69,7 +69,8 @@ void Session::drawDraft(Ui& ui) {
   const EditPlace place = draft_.place();
   const std::shared_ptr<const FabricStats> stats = viewport_.service().stats();
   const Fabric& fabric = *document_.fabric();
-  ShownYarns yarns = shownYarns(fabric, yarnColours_.of(fabric), inspector_.view().units.count);
+  ShownYarns yarns =
+      shownYarns(fabric, yarnColours_.of(fabric), yarnColours_.forNames(fabric), inspector_.view().units.count);
   viewport_.view().yarnNames = yarns.names;
   draft_.view().yarnNames = std::move(yarns.names);
   auto edited = draft_.draw(ui, fabric, yarns.colours, inspector_.view().yarn, stats ? &stats->longFloats : nullptr,

@@ -60,6 +60,16 @@ std::vector<Rgb> reachedColours(const std::vector<PathLengthTally>& walks, const
   return colours;
 }
 
+std::vector<Rgb> coloursForNames(const std::vector<PathLengthTally>& walks, std::vector<Rgb> reached) {
+  for (size_t i = 0; i < reached.size(); ++i) {
+    const PathLengthTally& yarn = walks[i];
+    if (yarn.lit() == 0) continue;
+    const float white = static_cast<float>(yarn.lit()) / static_cast<float>(yarn.count);
+    reached[i] = glm::min(reached[i] / white, Rgb(1.0f));
+  }
+  return reached;
+}
+
 std::optional<std::vector<Rgb>> reachedColours(const Fabric& fabric, const Task& task, size_t walks) {
   const auto walked = walkYarns(fabric, walks, task);
   return walked ? std::optional(reachedColours(*walked, colouringOf(fabric))) : std::nullopt;

@@ -25,7 +25,11 @@ std::optional<std::vector<PathLengthTally>> walkYarns(const Fabric& fabric, size
 /// shines through.
 std::vector<Rgb> reachedColours(const std::vector<PathLengthTally>& walks, const Colouring& colouring);
 
-/// The same under the fabric's lamps and for its observer. nullopt when stopped.
+/// The colours by which the yarns are called: an eye that has only this cloth takes for white what its undyed yarns
+/// would reach, and calls no white voile grey because black shines through.
+std::vector<Rgb> coloursForNames(const std::vector<PathLengthTally>& walks, std::vector<Rgb> reached);
+
+/// reachedColours() under the fabric's lamps and for its observer. nullopt when stopped.
 std::optional<std::vector<Rgb>> reachedColours(const Fabric& fabric, const Task& task, size_t walks = kChipWalks);
 
 /// The same in a moment, for small pictures of files: of coarse voxels and few walks.

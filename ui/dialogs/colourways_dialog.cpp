@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/base/fresh_name.h"
 #include "core/fabric/model/colourways.h"
 #include "core/fabric/model/validate.h"
 #include "ui/widgets/fields.h"
@@ -14,18 +15,12 @@ namespace {
 
 constexpr float kCardWidth = 232, kPictureHeight = 168, kSwatch = 14, kGap = 12;
 
-/// A name that no colourway has yet: the wish, or that with another number.
-std::string freshName(const Fabric& fabric, const std::string& wish) {
-  const auto taken = [&](const std::string& name) {
+/// A name that no colourway has yet.
+std::string nameFor(const Fabric& fabric, const std::string& wish) {
+  return freshName(wish, [&](const std::string& name) {
     return std::any_of(fabric.colourways.begin(), fabric.colourways.end(),
                        [&](const Colourway& colourway) { return colourway.name == name; });
-  };
-  const size_t end = wish.find_last_not_of("0123456789");
-  const bool numbered = end != std::string::npos && end > 0 && end + 1 < wish.size() && wish[end] == ' ';
-  const std::string stem = numbered ? wish.substr(0, end) : wish;
-  std::string name = wish;
-  for (int i = 2; taken(name); ++i) name = fmt::format("{} {}", stem, i);
-  return name;
+  });
 }
 
 }  // namespace
@@ -91,7 +86,7 @@ std::optional<Fabric> ColourwaysDialog::actions(Ui& ui, const Fabric& fabric) {
   ImGui::Dummy(ImVec2(0, ui.px(4)));
   const float width = ui.px(132);
   if (button(ui, "colourways.keep", "Keep as it is", width, room, "Add the colours that the cloth has now")) {
-    edit().colourways.push_back(colourwayOf(fabric, freshName(fabric, "Colourway")));
+    edit().colourways.push_back(colourwayOf(fabric, nameFor(fabric, "Colourway")));
     chosen_ = static_cast<int>(edit().colourways.size());
   }
   ImGui::SameLine();
@@ -100,7 +95,7 @@ std::optional<Fabric> ColourwaysDialog::actions(Ui& ui, const Fabric& fabric) {
   ImGui::SameLine();
   if (button(ui, "colourways.copy", "Duplicate", width, kept && room, "Add another one that begins as this one")) {
     Colourway copy = fabric.colourways[index];
-    copy.name = freshName(fabric, copy.name);
+    copy.name = nameFor(fabric, copy.name);
     edit().colourways.insert(edit().colourways.begin() + static_cast<ptrdiff_t>(index) + 1, std::move(copy));
     ++chosen_;
   }

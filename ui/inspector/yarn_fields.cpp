@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/fresh_name.h"
 #include "core/fabric/model/validate.h"
 #include "core/fabric/yarn/presets.h"
 #include "ui/inspector/count_text.h"
@@ -214,7 +215,10 @@ bool fibreRows(Ui& ui, std::vector<Fibre>& fibres, Yarn& yarn) {
     yarn.blendFibre = second > 0 ? std::optional(second - 1) : std::nullopt;
     if (second == count + 1) {
       fibres.push_back(fibres[static_cast<size_t>(yarn.fibre)]);
-      fibres.back().name += " 2";
+      const auto isTaken = [&](const std::string& name) {
+        return std::any_of(fibres.begin(), fibres.end() - 1, [&](const Fibre& fibre) { return fibre.name == name; });
+      };
+      fibres.back().name = freshName(fibres.back().name, isTaken);
     }
     changed = true;
   }

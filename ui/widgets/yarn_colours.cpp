@@ -6,11 +6,12 @@
 
 namespace loomlight {
 
-ShownYarns shownYarns(const Fabric& fabric, std::span<const Rgb> reached, CountSystem counts) {
+ShownYarns shownYarns(const Fabric& fabric, std::span<const Rgb> reached, std::span<const Rgb> forNames,
+                      CountSystem counts) {
   ShownYarns shown{displayColours(reached), {}};
   shown.names.reserve(reached.size());
   for (size_t i = 0; i < reached.size(); ++i)
-    shown.names.push_back(yarnName(fabric, static_cast<int>(i), reached[i], counts));
+    shown.names.push_back(yarnName(fabric, static_cast<int>(i), forNames[i], counts));
   return shown;
 }
 

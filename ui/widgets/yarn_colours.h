@@ -17,8 +17,9 @@ struct ShownYarns {
   std::vector<ImVec4> colours;  ///< for the display
   std::vector<std::string> names;
 };
-/// `reached`: linear, one for each yarn.
-ShownYarns shownYarns(const Fabric& fabric, std::span<const Rgb> reached, CountSystem counts);
+/// `reached`: linear, one for each yarn; `forNames`: that they are called by.
+ShownYarns shownYarns(const Fabric& fabric, std::span<const Rgb> reached, std::span<const Rgb> forNames,
+                      CountSystem counts);
 
 std::vector<ImVec4> displayColours(std::span<const Rgb> linear);
 

@@ -28,7 +28,7 @@ InspectorResult InspectorController::draw(Ui& ui, const std::shared_ptr<const Fa
     model.binding = &stats->binding;
     model.warnings = &stats->warnings;
   }
-  model.yarns = shownYarns(*fabric, yarnColours.of(*fabric), view_.units.count);
+  model.yarns = shownYarns(*fabric, yarnColours.of(*fabric), yarnColours.forNames(*fabric), view_.units.count);
   if (view_.page == InspectorView::Page::yarn && view_.yarn < static_cast<int>(fabric->yarns.size()))
     model.closeUp = pictures_.closeUp(fabric, view_.yarn, ui.scale);
   if (view_.page == InspectorView::Page::fibre) model.clothColour = colours_.model(dyed(*fabric), view_.clothColour);

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
+#include <vector>
 
 #include "app/wardrobe/wardrobe.h"
 #include "core/fabric/json/fabric_json.h"
+#include "core/fabric/yarn/yarn_edit.h"
 #include "sample_text.h"
 
 namespace loomlight {
@@ -47,7 +50,17 @@ Fabric newFabric() {
   Fabric fabric = sampleFabric();
   fabric.name = Fabric().name;
   fabric.description.clear();
+  fabric.colourways.clear();
+  fabric.mill = {};
+  fabric.wif.reset();
   for (Yarn& yarn : fabric.yarns) yarn.name.clear();
+  // Nothing is called by colours that soon go.
+  std::vector<Fibre> named;
+  named.swap(fabric.fibres);
+  for (Fibre& fibre : named) {
+    fibre.name = fibreNameFor(fabric, kindName(fibre.name));
+    fabric.fibres.push_back(std::move(fibre));
+  }
   fabric.drape = Drape{};
   fabric.drape.width_mm = fabric.drape.height_mm = kHandsBreadth_mm;
   fabric.light.kind = LightKind::window;

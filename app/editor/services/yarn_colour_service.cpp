@@ -84,6 +84,7 @@ std::optional<YarnColourService::Answer> YarnColourService::find(Request fabric,
   auto known = std::make_shared<Known>();
   known->fabric = fabric;
   known->now = reachedColours(*walks, colouringOf(*fabric));
+  known->named = coloursForNames(*walks, known->now);
   for (const Colourway& colourway : fabric->colourways)
     known->colourways.push_back(reachedColours(*walks, colouringOf(inColourway(*fabric, colourway))));
   return known;
@@ -103,10 +104,11 @@ bool YarnColourService::knows(const Fabric& fabric) const {
   return answer && answer->fabric.get() == &fabric;
 }
 
-std::vector<Rgb> YarnColourService::of(const Fabric& fabric) const {
+std::vector<Rgb> YarnColourService::shown(const Fabric& fabric, std::vector<Rgb> Known::* which) const {
   const Answer answer = known();
   if (!answer) return yarnReflectances(fabric);
-  if (answer->fabric.get() == &fabric) return answer->now;
+  const std::vector<Rgb>& theirs = (*answer).*which;
+  if (answer->fabric.get() == &fabric) return theirs;
   std::vector<Rgb> colours;
   const Fabric& before = *answer->fabric;
   for (size_t i = 0; i < fabric.yarns.size(); ++i) {
@@ -114,9 +116,9 @@ std::vector<Rgb> YarnColourService::of(const Fabric& fabric) const {
     size_t like = wasThere && areAlike(before, i, fabric, i) ? i : 0;
     while (like < before.yarns.size() && !areAlike(before, like, fabric, i)) ++like;
     if (like < before.yarns.size())
-      colours.push_back(answer->now[like]);
+      colours.push_back(theirs[like]);
     else
-      colours.push_back(wasThere ? answer->now[i] : yarnReflectance(fabric, fabric.yarns[i]));
+      colours.push_back(wasThere ? theirs[i] : yarnReflectance(fabric, fabric.yarns[i]));
   }
   return colours;
 }

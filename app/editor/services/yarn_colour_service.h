@@ -22,7 +22,9 @@ class YarnColourService {
   /// Linear, one for each yarn of a fabric that is the one followed or near it. Until it is known what its cloth
   /// reaches, a yarn keeps the colour that it had, or that a yarn like it has; one that nothing is known of has that of
   /// its dye in a thick mass.
-  std::vector<Rgb> of(const Fabric& fabric) const;
+  std::vector<Rgb> of(const Fabric& fabric) const { return shown(fabric, &Known::now); }
+  /// Those by which its yarns are called (coloursForNames()).
+  std::vector<Rgb> forNames(const Fabric& fabric) const { return shown(fabric, &Known::named); }
   /// The same in one of the fabric's colourways.
   std::vector<Rgb> ofColourway(const Fabric& fabric, size_t colourway) const;
   /// Whether what of() says is of this very fabric.
@@ -36,7 +38,7 @@ class YarnColourService {
  private:
   struct Known {
     std::shared_ptr<const Fabric> fabric;
-    std::vector<Rgb> now;
+    std::vector<Rgb> now, named;
     std::vector<std::vector<Rgb>> colourways;
   };
   struct Walked {
@@ -48,6 +50,7 @@ class YarnColourService {
   using Finding = Worker<Request, Answer>;
   std::optional<Answer> find(Request fabric, Finding::Turn& turn);
   const std::vector<PathLengthTally>* walksFor(Request& fabric, Finding::Turn& turn);
+  std::vector<Rgb> shown(const Fabric& fabric, std::vector<Rgb> Known::* which) const;
   Answer known() const;  ///< null while nothing is known of this cloth
 
   // The thread's own:

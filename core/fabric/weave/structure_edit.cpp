@@ -4,6 +4,7 @@
 
 #include "core/fabric/model/validate.h"
 #include "core/fabric/yarn/presets.h"
+#include "core/fabric/yarn/yarn_edit.h"
 #include "core/fabric/yarn/yarn_reflectance.h"
 
 namespace loomlight {
@@ -20,11 +21,10 @@ Fabric withSecondYarn(Fabric fabric) {
   const Rgb shown = fibreReflectance(fibre);
   constexpr float kMiddleGrey = 0.18f, kDark = 0.03f, kLight = 0.7f;
   const bool isLight = (shown.x + shown.y + shown.z) / 3 > kMiddleGrey;
-  const char* shade = isLight ? ", dark" : ", light";
   if (fabric.fibres.size() < static_cast<size_t>(kMaxKinds)) {
     fibre = dyed(std::move(fibre), Rgb(isLight ? kDark : kLight));
-    fibre.name += shade;
-    yarn.name += shade;
+    fibre.name = fibreNameFor(fabric, kindName(fibre.name));
+    yarn.name.clear();  // it goes by its colour and count
     yarn.blendFibre.reset();
     yarn.blendShare.reset();
     yarn.fibre = static_cast<int>(fabric.fibres.size());

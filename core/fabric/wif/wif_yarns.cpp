@@ -16,6 +16,7 @@
 #include "core/fabric/wif/wif_thickness.h"
 #include "core/fabric/yarn/derived.h"
 #include "core/fabric/yarn/presets.h"
+#include "core/fabric/yarn/yarn_edit.h"
 
 namespace loomlight {
 namespace {
@@ -107,8 +108,11 @@ std::vector<WifYarn> dress(Fabric& fabric, const std::vector<Kind>& warp, const 
     if (kind.permille != 1000) yarn = heavier(yarn, fibre, diameters * diameters, held);
     const auto [known, isNew] = fibreOf.emplace(std::pair(yarn.fibre, kind.colour), fabric.fibres.size());
     yarn.fibre = known->second;
-    if (kind.colour > 0) fibre = dyed(fibre, linearFromSrgb(palette.srgb(palette.colours.at(kind.colour))));
-    // What I called my yarn says nothing of one of another colour or thickness: it goes by these.
+    // What I called my yarn and its fibre says nothing of one of another colour or thickness: yarns go by these.
+    if (kind.colour > 0) {
+      fibre = dyed(fibre, linearFromSrgb(palette.srgb(palette.colours.at(kind.colour))));
+      if (isNew) fibre.name = fibreNameFor(fabric, kindName(fibre.name));
+    }
     if (kind.colour > 0 || kind.permille != 1000) yarn.name.clear();
     if (isNew) fabric.fibres.push_back(fibre);
     given.push_back({kind.colour, fabric.fibres[yarn.fibre].absorption_per_mm.primaries, {}});
@@ -120,6 +124,7 @@ std::vector<WifYarn> dress(Fabric& fabric, const std::vector<Kind>& warp, const 
     for (const Kind& kind : kinds) yarns.push_back(yarnOf.at(kind));
     return shortest(std::move(yarns));
   };
+  fabric.colourways.clear();         // they were of my fibres, by number
   fabric.mill.selvedgeYarn.reset();  // it was the number of one of my yarns
   fabric.warpSequence = sequence(warp);
   fabric.weftSequence = sequence(weft);

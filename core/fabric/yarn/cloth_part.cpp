@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/fabric/model/validate.h"
+#include "core/fabric/yarn/yarn_edit.h"
 
 namespace loomlight {
 namespace {
@@ -22,7 +23,9 @@ int copiedFibre(Fabric& fabric, int fibre) {
     for (size_t i = dyes.size(); i < count; ++i) dyes.push_back(fabric.fibres[i].absorption_per_mm);
     dyes.push_back(Absorption(dyes[static_cast<size_t>(fibre)]));
   }
-  fabric.fibres.push_back(Fibre(fabric.fibres[static_cast<size_t>(fibre)]));
+  Fibre copy = fabric.fibres[static_cast<size_t>(fibre)];
+  copy.name = fibreNameFor(fabric, kindName(copy.name));
+  fabric.fibres.push_back(std::move(copy));
   return static_cast<int>(count);
 }
 

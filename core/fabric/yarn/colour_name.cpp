@@ -15,17 +15,17 @@ struct NamedColour {
 };
 
 constexpr NamedColour kNames[] = {
-    {"white", 0xf7f7f5},        {"ivory", 0xf3ecd6},      {"ecru", 0xdcccae},       {"beige", 0xc8b088},
-    {"silver grey", 0xb9bbbd},  {"grey", 0x808284},       {"anthracite", 0x3f4144}, {"black", 0x141415},
-    {"rose", 0xe8a6b0},         {"pink", 0xe0559a},       {"salmon", 0xee8f78},     {"red", 0xc8202c},
-    {"dark red", 0x861b24},     {"bordeaux", 0x521624},   {"orange", 0xe87a1e},     {"rust", 0xa4481f},
-    {"terracotta", 0xbf6b4b},   {"camel", 0xa97b4b},      {"brown", 0x6a4326},      {"dark brown", 0x3b2618},
-    {"cream yellow", 0xf2e19a}, {"yellow", 0xf0cc20},     {"gold", 0xc39a2e},       {"mustard", 0xa9841c},
-    {"olive", 0x66682c},        {"khaki", 0x8f8a5e},      {"lime green", 0x9ac43c}, {"green", 0x2d8a43},
-    {"dark green", 0x174a2b},   {"sage", 0x93a98a},       {"mint", 0xa6dcc0},       {"turquoise", 0x2fb5b0},
-    {"petrol", 0x14545f},       {"light blue", 0xa3c4e4}, {"sky blue", 0x5f9fd8},   {"blue", 0x2554b0},
-    {"denim blue", 0x44618c},   {"navy", 0x1a2547},       {"lilac", 0xb9a3d2},      {"violet", 0x6a3f9c},
-    {"aubergine", 0x3d1f3c},    {"magenta", 0xb3246f},
+    {"white", 0xf7f7f5},       {"ivory", 0xf3ecd6},        {"ecru", 0xdcccae},       {"beige", 0xc8b088},
+    {"silver grey", 0xb9bbbd}, {"stone", 0xa09a90},        {"grey", 0x808284},       {"anthracite", 0x3f4144},
+    {"black", 0x141415},       {"rose", 0xe8a6b0},         {"pink", 0xe0559a},       {"salmon", 0xee8f78},
+    {"red", 0xc8202c},         {"dark red", 0x861b24},     {"bordeaux", 0x521624},   {"orange", 0xe87a1e},
+    {"rust", 0xa4481f},        {"terracotta", 0xbf6b4b},   {"camel", 0xa97b4b},      {"brown", 0x6a4326},
+    {"dark brown", 0x3b2618},  {"cream yellow", 0xf2e19a}, {"yellow", 0xf0cc20},     {"gold", 0xc39a2e},
+    {"mustard", 0xa9841c},     {"olive", 0x66682c},        {"khaki", 0x8f8a5e},      {"lime green", 0x9ac43c},
+    {"green", 0x2d8a43},       {"dark green", 0x174a2b},   {"sage", 0x93a98a},       {"mint", 0xa6dcc0},
+    {"turquoise", 0x2fb5b0},   {"petrol", 0x14545f},       {"light blue", 0xa3c4e4}, {"sky blue", 0x5f9fd8},
+    {"blue", 0x2554b0},        {"denim blue", 0x44618c},   {"navy", 0x1a2547},       {"lilac", 0xb9a3d2},
+    {"violet", 0x6a3f9c},      {"aubergine", 0x3d1f3c},    {"magenta", 0xb3246f},
 };
 
 /// Oklab (Ottosson 2020), in which distances are about as large as they look.

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/fresh_name.h"
 #include "core/fabric/model/validate.h"
 
 namespace loomlight {
@@ -26,6 +27,19 @@ void dropUnusedFibre(Fabric& fabric, int fibre) {
 
 }  // namespace
 
+std::string fibreNameFor(const Fabric& fabric, const std::string& like) {
+  return freshName(like, [&](const std::string& name) {
+    return std::any_of(fabric.fibres.begin(), fabric.fibres.end(),
+                       [&](const Fibre& fibre) { return fibre.name == name; });
+  });
+}
+
+std::string kindName(const std::string& fibreName) {
+  const std::string kind = fibreName.substr(0, fibreName.find(", "));
+  const size_t end = kind.find_last_not_of("0123456789");
+  return end != std::string::npos && end > 0 && kind[end] == ' ' ? kind.substr(0, end) : kind;
+}
+
 Fabric withYarn(Fabric fabric, int index, Yarn yarn, Fibre fibre) {
   Yarn& own = fabric.yarns[static_cast<size_t>(index)];
   yarn.name = own.name;
@@ -42,6 +56,7 @@ Fabric withYarnCopied(Fabric fabric, int index) {
   copy.name.clear();
   if (fabric.fibres.size() < kMaxKinds) {
     Fibre fibre = fabric.fibres[static_cast<size_t>(copy.fibre)];
+    fibre.name = fibreNameFor(fabric, kindName(fibre.name));
     copy.fibre = static_cast<int>(fabric.fibres.size());
     fabric.fibres.push_back(std::move(fibre));
   }

@@ -1,8 +1,17 @@
 #pragma once
 
+#include <string>
+
 #include "core/fabric/model/fabric.h"
 
 namespace loomlight {
+
+/// What one more fibre is called that is like one of that name: that, or with a number, so that no two fibres of the
+/// fabric are called alike.
+std::string fibreNameFor(const Fabric& fabric, const std::string& like);
+
+/// What is left of a fibre's name when its colour goes: "polyester" of "polyester, ultramarine", and of "polyester 2".
+std::string kindName(const std::string& fibreName);
 
 /// The fabric with its yarn of that index like `yarn`, spun of `fibre`: that takes the place of the old one's fibre, or
 /// is added where other yarns are spun of it too. A blend ends; the name stays.

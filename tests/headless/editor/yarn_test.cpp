@@ -128,6 +128,37 @@ TEST_F(YarnPages, ABlend) {
   EXPECT_EQ(editor.fact("error"), "");
 }
 
+TEST_F(YarnPages, AYarnWithoutANameFollowsItsColourAndCount) {
+  editor.click("yarn.name");
+  editor.key("ctrl+a");
+  editor.edits("its name is taken away", [&] { editor.key("Delete"); });
+  editor.key("Return");
+  editor.until("it goes by both", [&] { return editor.fact("yarn.called").ends_with(" 19.7 tex"); });
+  types("yarn.count_tex", "40 tex");
+  editor.until("it follows its count", [&] { return editor.fact("yarn.called").ends_with(" 40 tex"); });
+  editor.click("tab.fibre");
+  editor.edits("a dye", [&] { editor.enter("fibre.colour_code", "#8a1420"); });
+  editor.click("tab.yarn");
+  editor.until("it follows its colour", [&] { return editor.fact("yarn.called").ends_with("red 40 tex"); });
+  types("yarn.name", "Aunt Mary's");
+  EXPECT_EQ(editor.fact("yarn.called"), "Aunt Mary's");
+}
+
+TEST_F(YarnPages, ANewClothKeepsNothingOfWhatAnotherWasCalled) {
+  editor.edits("what is said of it", [&] {
+    editor.click("tab.cloth");
+    editor.enter("cloth.description", "For curtains.");
+  });
+  editor.saved();
+  editor.key("ctrl+n");
+  editor.until("it is new", [&] { return editor.fact("name") == "Untitled"; });
+  const Fabric fresh = editor.savedAs(editor.homeFile("fresh.json"));
+  EXPECT_EQ(fresh.description, "");
+  EXPECT_TRUE(fresh.colourways.empty());
+  for (const Yarn& yarn : fresh.yarns) EXPECT_EQ(yarn.name, "");
+  for (const Fibre& fibre : fresh.fibres) EXPECT_EQ(fibre.name.find(','), std::string::npos) << fibre.name;
+}
+
 TEST_F(YarnPages, AYarnOfTheTrade) {
   editor.edits("a second fibre", [&] { editor.choose("yarn.blend_fibre", "A new fibre"); });
   editor.saved();

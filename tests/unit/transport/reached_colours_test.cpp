@@ -74,6 +74,18 @@ TEST(ReachedColours, FindARareStripeOfAWideOrder) {
   }
 }
 
+TEST(ReachedColours, ASheerWhiteIsCalledWhiteThoughBlackShinesThrough) {
+  Fabric fabric = whiteAndRed();
+  fabric.weftSequence = {0};
+  fabric.ends_per_cm = fabric.picks_per_cm = 12;
+  const auto walks = *walkYarns(fabric, kFewWalks, Task{});
+  const std::vector<Rgb> reached = reachedColours(walks, colouringOf(fabric));
+  EXPECT_LT(reached[0].g, 0.6f);
+  const std::vector<Rgb> called = coloursForNames(walks, reached);
+  for (int c = 0; c < 3; ++c) EXPECT_GT(called[0][c], 0.95f);
+  EXPECT_GT(called[1].r, 3 * called[1].g) << "red stays red";
+}
+
 TEST(ReachedColours, AreStopped) {
   std::stop_source stop;
   stop.request_stop();

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/fabric/weave/draft_derivation.h"
+#include "core/fabric/yarn/yarn_edit.h"
 #include "core/fabric/yarn/yarn_reflectance.h"
 
 namespace loomlight {
@@ -42,6 +43,18 @@ TEST(StructureEdit, AColourEffectTakesTwoYarns) {
   };
   EXPECT_LT(colourOf(1), 0.2f * colourOf(0)) << "the effect would not be seen";
   EXPECT_EQ(withSecondYarn(edited), edited);
+}
+
+TEST(StructureEdit, ASecondYarnGoesByItsColourAndNoNamePilesUp) {
+  Fabric fabric;
+  fabric.yarns[0].name = "Aunt Mary's";
+  fabric.fibres[0].name = "wool, ecru";
+  for (int i = 0; i < 3; ++i) {
+    const Fabric two = withSecondYarn(fabric);
+    EXPECT_EQ(two.yarns[1].name, "");
+    EXPECT_EQ(two.fibres[1].name, i % 2 == 0 ? "wool" : "wool 2") << "after " << i;
+    fabric = withoutYarn(two, 0);
+  }
 }
 
 }  // namespace

@@ -3,13 +3,14 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
 #include <unistd.h>
 
 #include <filesystem>
+#include <set>
 
 #include "core/base/rgb.h"
 #include "core/fabric/json/fabric_json.h"
+#include "core/fabric/model/colourways.h"
 #include "core/fabric/model/yarn_count.h"
 #include "core/fabric/weave/jacquard.h"
 #include "core/fabric/weave/structures.h"
@@ -93,11 +94,16 @@ TEST(WifFabric, MineGivesTheYarnsAndAllElse) {
 TEST(WifFabric, YarnsOfTheFilesColoursGoByThese) {
   Fabric mine;
   mine.yarns[0].name = "warp, ultramarine";
-  mine.fibres[0].name = "cotton";
+  mine.fibres[0].name = "cotton, ultramarine";
+  mine.colourways = {colourwayOf(mine, "of my own")};
   for (int i = 0; i < 3; ++i) {
     const Fabric f = fabricFromWif(twillFile(), "x.wif", mine, WifSizeChoice::keep).fabric;
     EXPECT_EQ(f.yarns[f.warpYarn(0)].name, "");
-    EXPECT_EQ(f.fibres[f.yarns[f.warpYarn(0)].fibre].name, "cotton");
+    std::set<std::string> fibres;
+    for (const Fibre& fibre : f.fibres) fibres.insert(fibre.name);
+    EXPECT_EQ(fibres.size(), f.fibres.size()) << "two are called alike";
+    for (const std::string& fibre : fibres) EXPECT_LE(fibre.size(), std::string("cotton 2").size()) << fibre;
+    EXPECT_TRUE(f.colourways.empty()) << "they were of my fibres";
     mine = f;
   }
 }

@@ -29,6 +29,8 @@ TEST(YarnName, IsColourAndCountUntilSomebodyNamesIt) {
   fibre.absorption_per_mm = Rgb(0.0f);
   fabric.yarns[0].plies = 1;
   EXPECT_EQ(yarnName(fabric, 0), "white 33.3 tex") << "it does not follow what the yarn becomes";
+  EXPECT_EQ(yarnName(fabric, 0, linearFromSrgb(Rgb(0.1f, 0.14f, 0.29f))), "navy 33.3 tex")
+      << "where the cloth reaches it";
   fabric.yarns[0].name = "Aunt Mary's";
   EXPECT_EQ(yarnName(fabric, 0), "Aunt Mary's");
 }
