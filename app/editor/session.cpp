@@ -29,7 +29,7 @@ Session::Session(Document document, Settings settings, DisplayDriver& driver, co
     : settings_(std::move(settings)),
       document_(std::move(document), wake),
       viewport_(driver, wake, threads),
-      draft_(wake),
+      draft_(driver, wake),
       inspector_(driver, wake),
       yarnColours_(wake),
       snapshots_(viewFolder(), driver, wake),

@@ -40,8 +40,11 @@ void PictureDialog::await(std::string name) {
   open_ = opening_ = true;
 }
 
-void PictureDialog::show(std::shared_ptr<const PictureSource> source, double aspect) {
+void PictureDialog::show(std::shared_ptr<const PictureSource> source, double aspect,
+                         const std::optional<CellRect>& selection) {
   source_ = std::move(source);
+  selection_ = selection;
+  fillsSelection_ = selection.has_value();
   const Raster& raster = source_->raster;
   aspect_ = aspect;
   structures_ = assignable();
@@ -62,6 +65,7 @@ int PictureDialog::proportionalPicks() const {
 
 void PictureDialog::reducePalette() {
   preview_ = reduced(source_->small, paletteOf(source_->colours, colours_));
+  changed_ = true;
   assigned_.clear();
   mergedInto_.resize(preview_.palette.size());
   std::iota(mergedInto_.begin(), mergedInto_.end(), size_t{0});
@@ -70,7 +74,8 @@ void PictureDialog::reducePalette() {
     assigned_.push_back(kFirstShade + (kShades - 1) * (last - i) / last);
 }
 
-void PictureDialog::drawPreview(float size) const {
+/// The picture in its colours, those that are woven alike in one.
+void PictureDialog::drawColours(float size) const {
   const ImVec2 min = ImGui::GetCursorScreenPos();
   ImGui::Dummy(ImVec2(size, size));
   const float pixel = size / static_cast<float>(std::max(preview_.width, preview_.height));
@@ -87,14 +92,63 @@ void PictureDialog::drawPreview(float size) const {
     }
 }
 
+void PictureDialog::drawPreview(Ui& ui, ImTextureID woven, float size) {
+  static constexpr const char* kNames[] = {"Woven", "Colours"};
+  int chosen = showsColours_ ? 1 : 0;
+  ImGui::BeginGroup();
+  ImGui::BeginChild("picture.what", ImVec2(size, ImGui::GetFrameHeight()));
+  if (segmentField(ui,
+                   {"picture.shown", "", "The cloth in its present yarns, or the colours that are told apart.", true},
+                   kNames, chosen))
+    showsColours_ = chosen == 1;
+  ImGui::EndChild();
+  if (showsColours_) {
+    drawColours(size);
+  } else {
+    const ImVec2 min = ImGui::GetCursorScreenPos(), max(min.x + size, min.y + size);
+    ImGui::Dummy(ImVec2(size, size));
+    if (woven)
+      ImGui::GetWindowDrawList()->AddImage(woven, min, max);
+    else
+      ImGui::GetWindowDrawList()->AddRectFilled(min, max, packed(ui.theme.surround));
+  }
+  ui.probe.recordItem("picture.preview");
+  ImGui::EndGroup();
+}
+
+/// How large it is woven: as the selection, or as many threads as are wanted.
+void PictureDialog::targetRows(Ui& ui) {
+  if (selection_) {
+    static constexpr const char* kNames[] = {"Selection", "Whole weave"};
+    int chosen = fillsSelection_ ? 0 : 1;
+    if (segmentField(ui,
+                     {"picture.into", "Fills",
+                      "The crossings that are selected in the draft, or in the place of the whole weave."},
+                     kNames, chosen)) {
+      fillsSelection_ = chosen == 0;
+      changed_ = true;
+    }
+  }
+  if (fillsSelection_) {
+    readout(ui, {"picture.selection", "Ends and picks", "Of the selection, which the picture fills."},
+            fmt::format("{} \xC3\x97 {}", selection_->ends, selection_->picks));
+    return;
+  }
+  changed_ |=
+      wholeNumberField(ui, {"picture.ends", "Ends", "How many ends the picture is wide: the repeat of the weave."}, "",
+                       1, Weave::kMaxSide, ends_);
+  changed_ |=
+      wholeNumberField(ui, {"picture.picks", "Picks", "How many picks it is high."}, "", 1, Weave::kMaxSide, picks_);
+  if (button(ui, "picture.proportions", "Picks in proportion", 0, true,
+             "As many picks as leave the picture its proportions, at the cloth's sett.")) {
+    picks_ = proportionalPicks();
+    changed_ = true;
+  }
+}
+
 void PictureDialog::drawFields(Ui& ui) {
   hint(ui, fmt::format("{}: {} \xC3\x97 {} pixels", name_, source_->raster.width, source_->raster.height));
-  wholeNumberField(ui, {"picture.ends", "Ends", "How many ends the picture is wide: the repeat of the weave."}, "", 1,
-                   Weave::kMaxSide, ends_);
-  wholeNumberField(ui, {"picture.picks", "Picks", "How many picks it is high."}, "", 1, Weave::kMaxSide, picks_);
-  if (button(ui, "picture.proportions", "Picks in proportion", 0, true,
-             "As many picks as leave the picture its proportions, at the cloth's sett."))
-    picks_ = proportionalPicks();
+  targetRows(ui);
   if (wholeNumberField(ui, {"picture.colours", "Colours", "That are told apart."}, "", 1, kMostColours, colours_))
     reducePalette();
   ImGui::Dummy(ImVec2(0, ui.px(4)));
@@ -108,6 +162,7 @@ void PictureDialog::drawFields(Ui& ui) {
 /// Both are woven alike from now on, and shown as one.
 void PictureDialog::merge(size_t colour, size_t into) {
   std::replace(mergedInto_.begin(), mergedInto_.end(), colour, into);
+  changed_ = true;
 }
 
 void PictureDialog::colourRow(Ui& ui, size_t colour, const std::vector<const char*>& names) {
@@ -117,7 +172,7 @@ void PictureDialog::colourRow(Ui& ui, size_t colour, const std::vector<const cha
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float height = ImGui::GetFrameHeight();
   const std::string label = fmt::format("         {:.0f} %", 100 * share);
-  choiceField(
+  changed_ |= choiceField(
       ui, {fmt::format("picture.structure_{}", colour), label.c_str(), "What is woven in the place of this colour."},
       names, assigned_[colour]);
   const ImVec2 after = ImGui::GetCursorPos();
@@ -149,26 +204,36 @@ void PictureDialog::colourRow(Ui& ui, size_t colour, const std::vector<const cha
 }
 
 PictureOrder PictureDialog::order() const {
-  PictureOrder order{source_, ends_, picks_, preview_.palette, {}};
+  PictureOrder order{source_, ends_, picks_, preview_.palette, {}, {}};
+  if (fillsSelection_) {
+    order.into = selection_;
+    order.ends = selection_->ends;
+    order.picks = selection_->picks;
+  }
   for (const size_t colour : mergedInto_)
     order.structures.push_back(structures_[static_cast<size_t>(assigned_[colour])].weave);
   return order;
 }
 
-std::optional<PictureOrder> PictureDialog::draw(Ui& ui) {
+std::optional<PictureOrder> PictureDialog::takeChanged() {
+  if (!open_ || !source_ || !std::exchange(changed_, false)) return std::nullopt;
+  return order();
+}
+
+std::optional<PictureOrder> PictureDialog::draw(Ui& ui, ImTextureID woven) {
   if (!open_ || !beginModal(ui, "Weave from a picture", ImVec2(ui.px(720), 0), open_, opening_)) return std::nullopt;
-  const float side = ui.px(340);
+  const float side = ui.px(kPreviewSide), height = side + ImGui::GetFrameHeightWithSpacing();
   if (source_) {
     ImGui::BeginDisabled(weaving_);
-    drawPreview(side);
+    drawPreview(ui, woven, side);
     ImGui::SameLine(0, ui.px(16));
-    ImGui::BeginChild("picture.fields", ImVec2(0, side));
+    ImGui::BeginChild("picture.fields", ImVec2(0, height));
     drawFields(ui);
     ImGui::EndChild();
     ImGui::EndDisabled();
     ui.probe.fact("picture.colours", std::to_string(preview_.palette.size()));
   } else {
-    ImGui::BeginChild("picture.reading", ImVec2(0, side));
+    ImGui::BeginChild("picture.reading", ImVec2(0, height));
     hint(ui, fmt::format("{} is being read\xE2\x80\xA6", name_));
     ImGui::EndChild();
   }

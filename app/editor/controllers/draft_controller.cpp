@@ -55,8 +55,8 @@ Fabric DraftController::taken(Rewoven result) {
   return std::move(result.fabric);
 }
 
-std::optional<Fabric> DraftController::drawStructures(Ui& ui, const Fabric& fabric,
-                                                      const YarnColourService& colours, const LoomLimits& limits) {
+std::optional<Fabric> DraftController::drawStructures(Ui& ui, const Fabric& fabric, const YarnColourService& colours,
+                                                      const LoomLimits& limits) {
   if (!structures_.isOpen()) return std::nullopt;
   const std::vector<ImVec4> shown = displayColours(colours.of(withSecondYarn(fabric)));
   const ImVec4 darkLight[2] = {shown[0], shown[1]};
@@ -71,11 +71,12 @@ void DraftController::openPicture(const std::string& file) {
 }
 
 DraftController::Edit DraftController::drawPicture(Ui& ui, const std::shared_ptr<const Fabric>& fabric,
-                                                   const LoomLimits& limits) {
+                                                   const YarnColourService& colours, const LoomLimits& limits) {
   Edit edit;
   if (auto come = pictures_.take()) {
     if (come->source) {
-      picture_.show(come->source, fabric->ends_per_cm / fabric->picks_per_cm);
+      picture_.show(come->source, fabric->ends_per_cm / fabric->picks_per_cm, view_.selection);
+      wovenIsNew_ = false;
     } else {
       picture_.close();
       edit.problem = come->problem;
@@ -84,13 +85,21 @@ DraftController::Edit DraftController::drawPicture(Ui& ui, const std::shared_ptr
         Fabric rewoven = *fabric;
         rewoven.weave = std::move(come->woven->fabric.weave);
         rewoven.draft = std::move(come->woven->fabric.draft);
-        view_.selection.reset();
+        if (!come->fillsSelection) view_.selection.reset();
         edit.fabric = taken({std::move(rewoven), std::move(come->woven->remark)});
       }
     }
   }
+  if (auto changed = picture_.takeChanged())
+    pictures_.preview(std::move(*changed), fabric, colours.of(*fabric),
+                      static_cast<int>(ui.px(PictureDialog::kPreviewSide)));
+  if (const auto woven = pictures_.takePreview()) {
+    woven_->upload(*woven);
+    wovenIsNew_ = true;
+  }
   const bool open = picture_.isOpen();
-  if (auto order = picture_.draw(ui)) pictures_.weave(std::move(*order), fabric, limits);
+  if (auto order = picture_.draw(ui, wovenIsNew_ ? woven_->id() : ImTextureID{}))
+    pictures_.weave(std::move(*order), fabric, limits);
   if (open && !picture_.isOpen()) pictures_.forget();
   return edit;
 }
@@ -117,7 +126,7 @@ DraftController::Edit DraftController::drawDialogs(Ui& ui, const std::shared_ptr
                                                    const YarnColourService& colours,
                                                    const DraftPreferences& preferences) {
   auto structured = drawStructures(ui, *fabric, colours, preferences.loom);
-  Edit edit = drawPicture(ui, fabric, preferences.loom);
+  Edit edit = drawPicture(ui, fabric, colours, preferences.loom);
   auto sized = drawSizes(ui);
   if (!edit.fabric) edit.fabric = structured ? std::move(structured) : std::move(sized);
   return edit;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/editor/display/display_driver.h"
 #include "app/editor/model/document.h"
 #include "app/editor/services/picture_service.h"
 #include "app/editor/services/yarn_colour_service.h"
@@ -23,7 +24,8 @@ namespace loomlight {
 class DraftController {
  public:
   /// `wake` is called from the thread that reads pictures.
-  explicit DraftController(std::function<void()> wake) : pictures_(std::move(wake)) {}
+  DraftController(DisplayDriver& driver, std::function<void()> wake)
+      : pictures_(std::move(wake)), woven_(driver.makeTexture()) {}
 
   /// The fabric after an edit. `yarnColours`: for the display; `brushYarn`: what a click on a bar of colours paints;
   /// `lit`: the crossing under the mouse in the picture; `floats`: the long ones, null while they are counted.
@@ -59,7 +61,8 @@ class DraftController {
   const DraftView& view() const { return view_; }
 
  private:
-  Edit drawPicture(Ui& ui, const std::shared_ptr<const Fabric>& fabric, const LoomLimits& limits);
+  Edit drawPicture(Ui& ui, const std::shared_ptr<const Fabric>& fabric, const YarnColourService& colours,
+                   const LoomLimits& limits);
   std::optional<Fabric> drawStructures(Ui& ui, const Fabric& fabric, const YarnColourService& colours,
                                        const LoomLimits& limits);
   std::optional<Fabric> drawSizes(Ui& ui);
@@ -69,6 +72,8 @@ class DraftController {
   StructureDialog structures_;
   PictureDialog picture_;
   PictureService pictures_;
+  std::unique_ptr<PictureTexture> woven_;  ///< of the picture as it would be woven
+  bool wovenIsNew_ = false;                ///< it is of the picture that the dialog is open for
   WifDialog wif_;
   std::shared_ptr<const Fabric> wifKept_;  ///< the weaving file's cloth with the designer's own sizes
   WifNamed wifNamed_;

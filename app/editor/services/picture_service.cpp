@@ -4,7 +4,9 @@
 #include <filesystem>
 #include <utility>
 
+#include "app/export/draft_picture.h"
 #include "core/fabric/weave/draft_edit.h"
+#include "core/fabric/weave/weave_edit.h"
 
 namespace loomlight {
 namespace {
@@ -21,13 +23,24 @@ std::shared_ptr<const PictureSource> sourceOf(const std::string& file, const std
   return source;
 }
 
+/// The fabric's weave with the picture in it.
+Weave weaveWith(const PictureOrder& order, const Fabric& fabric) {
+  const Raster threads = resampled(order.source->raster, order.ends, order.picks);
+  Weave weave = weaveOf(reduced(threads, order.palette), order.structures);
+  if (!order.into) return weave;
+  return withPart(fabric.weave, order.into->pick, order.into->end, weave);
+}
+
 }  // namespace
 
 PictureService::PictureService(std::function<void()> wake)
     : worker_(
-          std::move(wake), [](const auto& work, const auto& turn) { return work(turn.stop()); },
+          wake, [](const auto& work, const auto& turn) { return work(turn.stop()); },
           [](const auto&, const std::string& problem) { return Result{nullptr, std::nullopt, problem}; },
-          Backlog::hanging) {}
+          Backlog::hanging),
+      previews_(
+          std::move(wake), [](const auto& work, const auto&) { return work(); },
+          [](const auto&, const std::string&) { return Pixels8{}; }, Backlog::newest, Priority::picture) {}
 
 void PictureService::read(const std::string& file) {
   worker_.ask([file](const std::stop_token& stop) { return Result{sourceOf(file, stop), std::nullopt, ""}; });
@@ -35,11 +48,34 @@ void PictureService::read(const std::string& file) {
 
 void PictureService::weave(PictureOrder order, std::shared_ptr<const Fabric> fabric, const LoomLimits& limits) {
   worker_.ask([order = std::move(order), fabric = std::move(fabric), limits](const std::stop_token&) {
-    const Raster threads = resampled(order.source->raster, order.ends, order.picks);
     Result result;
-    result.woven = rewoven(*fabric, weaveOf(reduced(threads, order.palette), order.structures), limits);
+    result.fillsSelection = order.into.has_value();
+    result.woven = rewoven(*fabric, weaveWith(order, *fabric), limits);
     return result;
   });
+}
+
+void PictureService::preview(PictureOrder order, std::shared_ptr<const Fabric> fabric, std::vector<Rgb> yarnColours,
+                             int side) {
+  previews_.ask([order = std::move(order), fabric = std::move(fabric), colours = std::move(yarnColours), side] {
+    constexpr int kMostThreads = 2048;  // several for each pixel
+    PictureOrder shown = order;
+    if (!order.into) {
+      const double fewer = std::min(1.0, static_cast<double>(kMostThreads) / std::max(order.ends, order.picks));
+      shown.ends = std::max(1, static_cast<int>(fewer * order.ends));
+      shown.picks = std::max(1, static_cast<int>(fewer * order.picks));
+    }
+    Fabric cloth = *fabric;
+    cloth.draft.reset();
+    cloth.weave = weaveWith(shown, *fabric);
+    return draftPicture(cloth, colours, side);
+  });
+}
+
+std::optional<Pixels8> PictureService::takePreview() {
+  auto picture = previews_.take();
+  if (picture && picture->bytes.empty()) picture.reset();
+  return picture;
 }
 
 }  // namespace loomlight

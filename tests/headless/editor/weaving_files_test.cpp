@@ -1,9 +1,7 @@
-/// WIF drafts and weave pictures: opened by dialog and by name, their sizes chosen, their warnings shown, exported.
+/// WIF drafts and weave bitmaps: opened by dialog and by name, their sizes chosen, their warnings shown, exported.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <array>
-#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -174,6 +172,12 @@ TEST_F(WeavingFiles, ABitmapGoesOutAndComesBack) {
   EXPECT_EQ(editor.savedAs(editor.homeFile("again.json")).draft.value().threading, kThreading);
 }
 
+TEST_F(WeavingFiles, ABitmapForLoomsIsExported) {
+  openRosepath();
+  EXPECT_THAT(readFile(exportTo("menu.export_bitmap", "weave.tif"), kMost_bytes), StartsWith("II*"));
+  EXPECT_THAT(readFile(exportTo("menu.export_bitmap", "weave.bmp"), kMost_bytes), StartsWith("BM"));
+}
+
 TEST_F(WeavingFiles, ATileIsExported) {
   editor.click("menu.file");
   editor.click("menu.export");
@@ -197,40 +201,6 @@ TEST_F(WeavingFiles, AFileThatIsNoneLeavesTheCloth) {
   editor.answer();
   EXPECT_EQ(editor.fact("name"), "Blue cloth");
   EXPECT_EQ(rowsOf(editor.saved().weave), before);
-}
-
-/// An orange disc within a navy one on white, with a speck of grey.
-std::string ringsIn(const std::string& file) {
-  Pixels8 picture{96, 64, 3, {}};
-  for (int y = 0; y < picture.height; ++y)
-    for (int x = 0; x < picture.width; ++x) {
-      std::array<uint8_t, 3> colour{255, 255, 255};
-      if (std::hypot(x - 40, y - 32) < 22) colour = {0, 0, 128};
-      if (std::hypot(x - 48, y - 32) < 8) colour = {255, 165, 0};
-      if (std::hypot(x - 90, y - 32) < 2) colour = {128, 128, 128};
-      picture.bytes.insert(picture.bytes.end(), colour.begin(), colour.end());
-    }
-  writePng(file, picture);
-  return file;
-}
-
-TEST_F(WeavingFiles, APictureBecomesAJacquard) {
-  editor.click("menu.weave");
-  editor.click("menu.picture");
-  editor.nameFile(ringsIn(editor.homeFile("rings.png")));
-  editor.until("the dialog shows four colours", [&] { return editor.fact("picture.colours") == "4"; });
-  editor.enter("picture.colours", "3");
-  editor.until("the palette is reduced", [&] { return editor.fact("picture.colours") == "3"; });
-  editor.choose("picture.structure_2", "Plain");
-  editor.enter("picture.ends", "192");
-  editor.click("picture.proportions");
-  editor.edits("the picture is woven", [&] { editor.click("picture.weave"); });
-  const Fabric fabric = editor.savedAs(editor.homeFile("rings.json"));
-  EXPECT_EQ(fabric.weave.ends(), 192);
-  EXPECT_EQ(fabric.weave.picks(), 192 * 64 / 96) << "as square a cloth as the picture: ends and picks are as dense";
-  const std::string ground = rowsOf(fabric.weave)[0].substr(0, 6);
-  EXPECT_TRUE(ground == "#.#.#." || ground == ".#.#.#") << ground;
-  EXPECT_EQ(editor.fact("draft.kind"), "jacquard");
 }
 
 }  // namespace
