@@ -126,7 +126,7 @@ class Session {
   void browse(FileTask task) { files_.browse(task, startOf(task)); }
   void fileChosen(const FileController::Chosen& chosen);
   void exportTo(FileTask task, const std::string& file);
-  void writeSheet(const std::string& file);
+  void writeSheet(FileTask task, const std::string& file);
 
   Settings settings_;
   DocumentController document_;

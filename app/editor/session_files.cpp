@@ -246,6 +246,8 @@ fs::path Session::startOf(FileTask task) const {
       return fileCalledAsCloth(".png");
     case FileTask::sheet:
       return fileCalledAsCloth(" sheet.pdf");
+    case FileTask::colourwaySheet:
+      return fileCalledAsCloth(" colourways.pdf");
     default:
       return folderToLookIn();
   }
@@ -270,21 +272,23 @@ void Session::fileChosen(const FileController::Chosen& chosen) {
     case FileTask::exportDraft:
       return exportTo(chosen.task, chosen.file);
     case FileTask::sheet:
-      return writeSheet(chosen.file);
+    case FileTask::colourwaySheet:
+      return writeSheet(chosen.task, chosen.file);
     case FileTask::none:
       break;
   }
 }
 
-void Session::writeSheet(const std::string& file) {
+void Session::writeSheet(FileTask task, const std::string& file) {
   ClothSheetOptions options;
   options.width_cm = inspector_.view().units.piece.width_cm;
   options.counts = inspector_.view().units.count;
   options.corner = {settings_.draft.startsRight(), settings_.draft.startsAtTop()};
-  files_.service().renderTo(file, [file, options, fabric = document_.fabric()](const std::stop_token& stop) {
-    Task task;
-    task.stop = stop;
-    return writeClothSheet(file, *fabric, options, task);
+  files_.service().renderTo(file, [task, file, options, fabric = document_.fabric()](const std::stop_token& stop) {
+    Task render;
+    render.stop = stop;
+    const auto write = task == FileTask::sheet ? writeClothSheet : writeColourwaySheet;
+    return write(file, *fabric, options, render);
   });
 }
 

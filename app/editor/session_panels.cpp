@@ -133,6 +133,7 @@ void Session::drawFabricDialogs(Ui& ui) {
     if (auto edited = inspector_.drawColourways(ui, document_.fabric(), yarnColours_))
       document_.edit(std::move(*edited));
     if (!inspector_.colourwaysAreOpen()) viewport_.service().pause(false);
+    if (inspector_.takeColourwaysPrint()) browse(FileTask::colourwaySheet);
   }
   const EditPlace place = draft_.place();
   DraftController::Edit edit = draft_.drawDialogs(ui, document_.fabric(), yarnColours_, settings_.draft);

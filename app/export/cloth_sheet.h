@@ -18,10 +18,15 @@ struct ClothSheetOptions {
   double memoryLimit_bytes = defaultMemoryLimit_bytes();  ///< of explicit fibres
 };
 
-/// One A4 page that a mill can weave from, as a .pdf, or a .png to be looked at: the cloth at 1 : 1 in a light booth,
-/// its draft or as much of the first repeat as is legible, construction, finish and mass, the yarns with count, twist,
-/// fibre and kg for 100 m, the orders of colours as tables, the colour of the face under two lamps, notes, and the
-/// colourways in small. False, and nothing is written, when stopped. Throws InputError.
+/// The A4 page that a mill can weave from, as a .pdf, or a .png to be looked at: the cloth at 1 : 1 in a light booth,
+/// its draft or as much of the first repeat as is legible, setts from the reed to the wash, reed, selvedges and mass,
+/// the orders of colours as tables, the yarns with count, twist, fibre and kg for 100 m, the colour of the face under
+/// two lamps, notes, and the colourways in small. What does not fit goes on a second page. False, and nothing is
+/// written, when stopped. Throws InputError.
 bool writeClothSheet(const std::string& file, const Fabric& fabric, const ClothSheetOptions& options, const Task& task);
+
+/// All colourways side by side at 1 : 1 in a light booth, and the cloth as it is now, likewise.
+bool writeColourwaySheet(const std::string& file, const Fabric& fabric, const ClothSheetOptions& options,
+                         const Task& task);
 
 }  // namespace loomlight

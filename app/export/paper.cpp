@@ -29,21 +29,39 @@ void choose(cairo_t* canvas, const Paper::Font& font) {
 }  // namespace
 
 Paper::Paper(double width_mm, double height_mm, double pixels_per_mm)
-    : isPdf_(pixels_per_mm <= 0),
-      surface_(isPdf_ ? cairo_pdf_surface_create_for_stream(append, &bytes_, width_mm * kPoints, height_mm * kPoints)
-                      : cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(width_mm * pixels_per_mm),
-                                                   static_cast<int>(height_mm * pixels_per_mm))),
-      canvas_(cairo_create(surface_)) {
-  const double unit = isPdf_ ? kPoints : pixels_per_mm;
+    : width_mm_(width_mm), height_mm_(height_mm), pixels_per_mm_(pixels_per_mm), isPdf_(pixels_per_mm <= 0) {
+  if (isPdf_) surface_ = cairo_pdf_surface_create_for_stream(append, &bytes_, width_mm * kPoints, height_mm * kPoints);
+  begin();
+}
+
+/// A white page, with a millimetre as the unit.
+void Paper::begin() {
+  if (!isPdf_)
+    surface_ = cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(width_mm_ * pixels_per_mm_),
+                                          static_cast<int>(height_mm_ * pixels_per_mm_));
+  canvas_ = cairo_create(surface_);
+  const double unit = isPdf_ ? kPoints : pixels_per_mm_;
   cairo_scale(canvas_, unit, unit);
   if (isPdf_) return;
   cairo_set_source_rgb(canvas_, 1, 1, 1);
   cairo_paint(canvas_);
 }
 
+void Paper::newPage() {
+  ++page_;
+  if (isPdf_) {
+    cairo_show_page(canvas_);
+    return;
+  }
+  cairo_destroy(canvas_);
+  full_.push_back(surface_);
+  begin();
+}
+
 Paper::~Paper() {
   cairo_destroy(canvas_);
   cairo_surface_destroy(surface_);
+  for (cairo_surface_t* const page : full_) cairo_surface_destroy(page);
 }
 
 double Paper::width(const std::string& text, const Font& font) {
@@ -65,6 +83,9 @@ double Paper::text(double x, double y, const std::string& text, const Font& font
   }
   choose(canvas_, font);
   cairo_move_to(canvas_, x, y);
+  cairo_text_extents_t ink;
+  cairo_text_extents(canvas_, shown.c_str(), &ink);
+  boxes_.push_back({page_, x + ink.x_bearing, y + ink.y_bearing, ink.width, ink.height, shown});
   cairo_show_text(canvas_, shown.c_str());
   return x + width(shown, font);
 }
@@ -106,6 +127,7 @@ void Paper::fill(double x, double y, double width, double height, const Rgb& srg
 }
 
 void Paper::picture(double x, double y, double width, double height, const Pixels8& pixels) {
+  boxes_.push_back({page_, x, y, width, height, {}});
   const std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> image(
       cairo_image_surface_create(CAIRO_FORMAT_RGB24, pixels.width, pixels.height), cairo_surface_destroy);
   if (cairo_surface_status(image.get()) != CAIRO_STATUS_SUCCESS) throw std::bad_alloc();
@@ -139,6 +161,15 @@ std::string Paper::bytes(const std::string& file) {
     cairo_surface_show_page(surface_);
     cairo_surface_finish(surface_);
   } else {
+    const int width = cairo_image_surface_get_width(surface_), height = cairo_image_surface_get_height(surface_);
+    full_.push_back(surface_);
+    surface_ = cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height * static_cast<int>(full_.size()));
+    cairo_destroy(canvas_);
+    canvas_ = cairo_create(surface_);
+    for (size_t i = 0; i < full_.size(); ++i) {
+      cairo_set_source_surface(canvas_, full_[i], 0, height * static_cast<double>(i));
+      cairo_paint(canvas_);
+    }
     cairo_surface_write_to_png_stream(surface_, append, &bytes_);
   }
   for (const cairo_status_t status : {cairo_status(canvas_), cairo_surface_status(surface_)})

@@ -37,12 +37,29 @@ class Paper {
   /// Draws with cairo itself, in points, the origin at (x, y).
   void draw(double x, double y, const std::function<void(cairo_t*)>& how);
 
-  /// The page as a file. Throws InputError naming `file` where that failed.
+  /// Goes on on another sheet of this size; in a PNG it lies below the last.
+  void newPage();
+
+  /// What covers the sheets: the ink of texts, and pictures.
+  struct Box {
+    int page = 0;
+    double x = 0, y = 0, width = 0, height = 0;
+    std::string text;  ///< empty for a picture
+  };
+  const std::vector<Box>& boxes() const { return boxes_; }
+
+  /// The pages as a file. Throws InputError naming `file` where that failed.
   std::string bytes(const std::string& file);
 
  private:
+  void begin();
+
+  double width_mm_, height_mm_, pixels_per_mm_;
   std::string bytes_;
   bool isPdf_;
+  std::vector<Box> boxes_;
+  std::vector<cairo_surface_t*> full_;  ///< the pages before, of a PNG
+  int page_ = 0;
   cairo_surface_t* surface_;
   cairo_t* canvas_;
 };

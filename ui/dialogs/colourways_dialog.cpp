@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/fresh_name.h"
 #include "core/fabric/model/colourways.h"
@@ -13,7 +14,7 @@
 namespace loomlight {
 namespace {
 
-constexpr float kCardWidth = 232, kPictureHeight = 168, kSwatch = 14, kGap = 12;
+constexpr float kNarrowest = 200, kWidest = 640, kPictureAspect = 232.0f / 168, kSwatch = 14, kGap = 12;
 
 /// A name that no colourway has yet.
 std::string nameFor(const Fabric& fabric, const std::string& wish) {
@@ -25,10 +26,30 @@ std::string nameFor(const Fabric& fabric, const std::string& wish) {
 
 }  // namespace
 
+/// As large as so many cards beside and below each other can be; where they would be too small, they scroll.
+void ColourwaysDialog::fitPictures(const Ui& ui, ImVec2 room, int count) {
+  const float gap = ui.px(kGap), line = ImGui::GetFrameHeight();
+  float widest = 0;
+  for (int perLine = 1; perLine <= count; ++perLine) {
+    const auto across = static_cast<float>(perLine), down = static_cast<float>((count + perLine - 1) / perLine);
+    const float width =
+        std::min((room.x - gap * (across - 1)) / across, kPictureAspect * ((room.y - gap * (down - 1)) / down - line));
+    if (width <= widest) continue;
+    widest = width;
+    perLine_ = perLine;
+  }
+  if (widest < ui.px(kNarrowest)) {
+    widest = ui.px(kNarrowest);
+    perLine_ = std::max(1, static_cast<int>((room.x - ImGui::GetStyle().ScrollbarSize + gap) / (widest + gap)));
+  }
+  widest = std::floor(std::min(widest, ui.px(kWidest)));
+  pictureSize_ = ImVec2(widest, std::floor(widest / kPictureAspect));
+}
+
 void ColourwaysDialog::card(Ui& ui, int index, const char* name, ImTextureID picture,
                             const std::vector<ImVec4>& colours) {
   const ImVec2 min = ImGui::GetCursorScreenPos();
-  const float width = ui.px(kCardWidth), height = ui.px(kPictureHeight), line = ImGui::GetFrameHeight();
+  const float width = pictureSize_.x, height = pictureSize_.y, line = ImGui::GetFrameHeight();
   const std::string id = fmt::format("colourways.card_{}", index);
   const ImVec2 max(min.x + width, min.y + height + line);
   if (ImGui::InvisibleButton(id.c_str(), ImVec2(width, height + line))) chosen_ = index;
@@ -56,11 +77,10 @@ void ColourwaysDialog::card(Ui& ui, int index, const char* name, ImTextureID pic
 void ColourwaysDialog::cards(Ui& ui, const Fabric& fabric, const ColourwayLooks& looks, ImVec2 size) {
   ImGui::BeginChild("cards", size);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(kGap), ui.px(kGap)));
-  const float room = ImGui::GetContentRegionAvail().x + ui.px(kGap);
-  const int perLine = std::max(1, static_cast<int>(room / ui.px(kCardWidth + kGap)));
   const int count = static_cast<int>(fabric.colourways.size()) + 1;
+  fitPictures(ui, size, count);
   for (int i = 0; i < count; ++i) {
-    if (i % perLine != 0) ImGui::SameLine();
+    if (i % perLine_ != 0) ImGui::SameLine();
     const Colourway* const colourway = i > 0 ? &fabric.colourways[static_cast<size_t>(i - 1)] : nullptr;
     const auto look = static_cast<size_t>(i);
     card(ui, i, colourway ? colourway->name.c_str() : "As it is now", looks.pictures[look], looks.yarnColours[look]);
@@ -104,6 +124,13 @@ std::optional<Fabric> ColourwaysDialog::actions(Ui& ui, const Fabric& fabric) {
     edit().colourways.erase(edit().colourways.begin() + static_cast<ptrdiff_t>(index));
     --chosen_;
   }
+  ImGui::SameLine();
+  if (button(ui, "colourways.print", "Print\xE2\x80\xA6", width, true,
+             "A page with all of them at 1 : 1, as they look in a light booth")) {
+    printWanted_ = true;
+    open_ = false;
+    ImGui::CloseCurrentPopup();
+  }
   ImGui::SameLine(ImGui::GetWindowWidth() - ui.px(16) - width);
   if (button(ui, "colourways.close", "Close", width) || modalCancelled(ui)) {
     open_ = false;
@@ -115,7 +142,7 @@ std::optional<Fabric> ColourwaysDialog::actions(Ui& ui, const Fabric& fabric) {
 std::optional<Fabric> ColourwaysDialog::draw(Ui& ui, const Fabric& fabric, const ColourwayLooks& looks) {
   if (!open_) return std::nullopt;
   chosen_ = std::clamp(chosen_, 0, static_cast<int>(fabric.colourways.size()));
-  if (!beginModal(ui, "Colourways", ImVec2(ui.px(768), ui.px(576)), open_, opening_)) return std::nullopt;
+  if (!beginModal(ui, "Colourways", ImGui::GetIO().DisplaySize, open_, opening_)) return std::nullopt;
   const ImVec2 room = ImGui::GetContentRegionAvail();
   cards(ui, fabric, looks, ImVec2(room.x, room.y - 2 * ImGui::GetFrameHeightWithSpacing() - ui.px(16)));
   std::optional<Fabric> edited = actions(ui, fabric);

@@ -16,7 +16,8 @@ int run(const SheetCommand& command) {
   Progress progress("rendering the cloth");
   Task task = interrupt.task(command.threads);
   task.progress = [&progress](double fraction) { progress.update(fraction); };
-  if (!writeClothSheet(command.output, fabric, command.options, task)) return Interrupt::kExitStatus;
+  const auto write = command.colourways ? writeColourwaySheet : writeClothSheet;
+  if (!write(command.output, fabric, command.options, task)) return Interrupt::kExitStatus;
   fmt::print("{}, {}\n", command.output, durationText(whole.lap()));
   return 0;
 }

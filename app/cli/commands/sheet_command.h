@@ -11,6 +11,7 @@ struct SheetCommand {
   std::string input;
   std::string output;
   ClothSheetOptions options;
+  bool colourways = false;  ///< all of them at 1 : 1, in the place of the sheet of the cloth
   int threads = 0;  ///< 0: all
 };
 

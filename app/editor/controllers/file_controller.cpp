@@ -35,6 +35,7 @@ const Asked& askedFor(FileTask task) {
       {FileTask::exportDraft, Purpose::save, "Export the draft for print", {".pdf", ".png"}},
       {FileTask::exportTile, Purpose::save, "Where the tile goes", {".json"}},
       {FileTask::sheet, Purpose::save, "Where the cloth sheet goes", {".pdf", ".png"}},
+      {FileTask::colourwaySheet, Purpose::save, "Where the colourways go", {".pdf", ".png"}},
       {FileTask::exportBitmap, Purpose::save, "Export the weave", {".png", ".tif", ".bmp"}},
   };
   for (const Asked& asked : kAsked)

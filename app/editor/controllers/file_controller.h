@@ -28,6 +28,7 @@ enum class FileTask {
   exportDraft,
   exportTile,
   sheet,
+  colourwaySheet,
   picture,
   profile
 };

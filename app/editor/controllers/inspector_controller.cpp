@@ -39,7 +39,8 @@ InspectorResult InspectorController::draw(Ui& ui, const std::shared_ptr<const Fa
 
 std::optional<Fabric> InspectorController::drawColourways(Ui& ui, const std::shared_ptr<const Fabric>& fabric,
                                                           const YarnColourService& yarnColours) {
-  ColourwayLooks looks{pictures_.colourways(fabric, ui.scale), {displayColours(yarnColours.of(*fabric))}};
+  ColourwayLooks looks{pictures_.colourways(fabric, colourways_.pictureSize()),
+                       {displayColours(yarnColours.of(*fabric))}};
   for (size_t i = 0; i < fabric->colourways.size(); ++i)
     looks.yarnColours.push_back(displayColours(yarnColours.ofColourway(*fabric, i)));
   return colourways_.draw(ui, *fabric, looks);

@@ -32,6 +32,7 @@ class InspectorController {
                                        const YarnColourService& yarnColours);
   void showColourways() { colourways_.show(); }
   bool colourwaysAreOpen() const { return colourways_.isOpen(); }
+  bool takeColourwaysPrint() { return colourways_.takePrint(); }
 
   /// A colour that was asked for arrives later than the gesture that asked for it, and is still one step of undo with
   /// it.

@@ -17,9 +17,9 @@ int pixels(float atScale1, float scale) {
 }
 
 /// A picture of the cloth as the designer looks at it, but small and soon there.
-Fabric smallPicture(Fabric fabric, float scale) {
-  fabric.render.width = pixels(232, scale);
-  fabric.render.height = pixels(168, scale);
+Fabric smallPicture(Fabric fabric, ImVec2 size) {
+  fabric.render.width = pixels(size.x, 1);
+  fabric.render.height = pixels(size.y, 1);
   fabric.render.samplesPerPixel = 24;
   fabric.render.resolution = std::min(fabric.render.resolution, 4);
   fabric.render.method = Method::volume;
@@ -40,12 +40,13 @@ ImTextureID SidePictures::closeUp(const std::shared_ptr<const Fabric>& fabric, i
   return thumbnails_.of("yarn", closeUp_);
 }
 
-std::vector<ImTextureID> SidePictures::colourways(const std::shared_ptr<const Fabric>& fabric, float scale) {
-  if (fabric != colourwaysOf_) {
+std::vector<ImTextureID> SidePictures::colourways(const std::shared_ptr<const Fabric>& fabric, ImVec2 size) {
+  if (fabric != colourwaysOf_ || size.x != colourwaySize_.x || size.y != colourwaySize_.y) {
     colourwaysOf_ = fabric;
-    colourways_ = {std::make_shared<const Fabric>(smallPicture(*fabric, scale))};
+    colourwaySize_ = size;
+    colourways_ = {std::make_shared<const Fabric>(smallPicture(*fabric, size))};
     for (const Colourway& colourway : fabric->colourways)
-      colourways_.push_back(std::make_shared<const Fabric>(smallPicture(inColourway(*fabric, colourway), scale)));
+      colourways_.push_back(std::make_shared<const Fabric>(smallPicture(inColourway(*fabric, colourway), size)));
   }
   std::vector<ImTextureID> pictures;
   for (size_t i = 0; i < colourways_.size(); ++i)

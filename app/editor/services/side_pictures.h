@@ -15,8 +15,8 @@ class SidePictures {
 
   /// Of a size for `scale` of the screen. Null until there is one.
   ImTextureID closeUp(const std::shared_ptr<const Fabric>& fabric, int yarn, float scale);
-  /// Of the fabric as it is, then of each of its colourways.
-  std::vector<ImTextureID> colourways(const std::shared_ptr<const Fabric>& fabric, float scale);
+  /// Of the fabric as it is, then of each of its colourways; of that size in pixels.
+  std::vector<ImTextureID> colourways(const std::shared_ptr<const Fabric>& fabric, ImVec2 size);
   /// At the end of a frame.
   void follow() { thumbnails_.follow(); }
 
@@ -25,6 +25,7 @@ class SidePictures {
   std::shared_ptr<const Fabric> closeUpOf_, closeUp_;
   int closeUpYarn_ = -1;
   std::shared_ptr<const Fabric> colourwaysOf_;
+  ImVec2 colourwaySize_;
   std::vector<std::shared_ptr<const Fabric>> colourways_;
 };
 

@@ -64,15 +64,15 @@ std::string settText(const KnownSett& sett, const char* unknown) {
 const char* sourceText(SettSource source) {
   switch (source) {
     case SettSource::cloth:
-      return "the cloth as drawn";
+      return "as drawn";
     case SettSource::mill:
       return "counted by the mill";
     case SettSource::reed:
       return "reed and denting";
     case SettSource::crimp:
-      return "reckoned from crimp";
+      return "from crimp";
     case SettSource::relaxed:
-      return "the cloth as drawn, which is relaxed";
+      return "as drawn, relaxed";
     case SettSource::unknown:
       break;
   }

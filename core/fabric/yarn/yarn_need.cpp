@@ -23,7 +23,10 @@ std::vector<YarnNeed> yarnNeed(const Fabric& fabric, const PieceSize& piece, dou
   const size_t yarns = fabric.yarns.size();
   const double ends = std::round(piece.width_cm * fabric.ends_per_cm);
   const double picks = std::round(100 * piece.length_m * fabric.picks_per_cm);
-  const std::vector<double> warp = threadsOfYarns(fabric.warpSequence, ends, yarns);
+  const MillData& mill = fabric.mill;
+  const double selvedges = 2.0 * mill.selvedgeEnds;
+  std::vector<double> warp = threadsOfYarns(fabric.warpSequence, ends + (mill.selvedgeYarn ? 0 : selvedges), yarns);
+  if (mill.selvedgeYarn) warp[static_cast<size_t>(*mill.selvedgeYarn)] += selvedges;
   const std::vector<double> weft = threadsOfYarns(fabric.weftSequence, picks, yarns);
   std::vector<YarnNeed> needs(yarns);
   for (size_t i = 0; i < yarns; ++i) {

@@ -9,7 +9,7 @@ namespace loomlight {
 /// A piece as it is ordered, off the loom.
 struct PieceSize {
   double length_m = 10;   ///< along the warp
-  double width_cm = 150;  ///< along the weft
+  double width_cm = 150;  ///< along the weft, between the selvedges
 };
 inline constexpr double kPieceLength_m[] = {0.01, 100'000}, kPieceWidth_cm[] = {0.1, 10'000};  ///< from, to
 
@@ -20,7 +20,7 @@ struct YarnNeed {
 };
 
 /// Of every yarn of the fabric: its threads, counted along the sequences from the first end and pick, each as long as
-/// the piece and its crimp (ClothMeasures).
+/// the piece and its crimp (ClothMeasures); and the ends of its selvedges.
 std::vector<YarnNeed> yarnNeed(const Fabric& fabric, const PieceSize& piece, double crimpWarp, double crimpWeft);
 
 }  // namespace loomlight

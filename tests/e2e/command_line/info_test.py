@@ -73,7 +73,7 @@ class Info(CommandLineTest):
         self.assertEqual(list(setts), ["reed", "loom", "finished", "washed"])
         self.assertAlmostEqual(setts["reed"]["ends"]["per_cm"], 20 / (1 + plain["crimp_weft"]))
         self.assertAlmostEqual(setts["reed"]["picks"]["per_cm"], 18 / (1 + plain["crimp_warp"]))
-        self.assertEqual(setts["reed"]["ends"]["from"], "reckoned from crimp")
+        self.assertEqual(setts["reed"]["ends"]["from"], "from crimp")
         self.assertEqual(setts["loom"]["ends"], {"per_cm": None, "from": "not known"})
         self.assertEqual((setts["finished"]["ends"]["per_cm"], setts["finished"]["picks"]["per_cm"]), (20, 18))
         mill = {"reed_per_10cm": 120, "ends_per_dent": [3, 0], "loom_ends_per_cm": 19, "selvedge_ends": 24,
@@ -89,7 +89,7 @@ class Info(CommandLineTest):
             self.assertEqual(told[key], plain[key], "no picture depends on what the mill writes")
         table = self.run_program("info", fabric, "--resolution", 1)
         for line in ("dents/10 cm, ends per dent 3 0", "24 each side, 4 per dent, plain", "ends: reed and denting; picks: "
-                     "reckoned from crimp", "area covered"):
+                     "from crimp", "area covered"):
             self.assertIn(line, table)
 
     def test_the_table_has_units(self):

@@ -23,7 +23,7 @@ MOST_GROWTH = 1.5  # of the memory from then on
 
 # What ends the editor, begins another document, saves this one, or leads out of its own home.
 NOT_TOUCHED = ("menu.quit", "menu.new", "menu.open", "menu.recent", "menu.save", "menu.save_as", "menu.sheet",
-               "menu.export", "menu.help", "browser.", "recover.")
+               "colourways.print", "menu.export", "menu.help", "browser.", "recover.")
 KEYS = [*string.ascii_lowercase, *string.digits, "Tab", "shift+Tab", "Return", "Escape", "Delete", "Left", "Right", "Up",
         "Down", "bracketleft", "bracketright", "space", "ctrl+z", "ctrl+shift+z", "ctrl+c", "ctrl+v", "ctrl+x", "ctrl+a",
         "ctrl+0", "ctrl+1"]

@@ -3,8 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
+#include "app/export/cloth_sheet_page.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/fabric/json/fabric_json.h"
 #include "core/fabric/model/colourways.h"
 #include "core/fabric/weave/jacquard.h"
 #include "core/fabric/weave/structures.h"
@@ -55,6 +59,123 @@ TEST_F(ClothSheet, TakesAJacquardAndSixtyYarns) {
   fabric.warpSequence.clear();
   for (int i = 0; i < 60; ++i) fabric.warpSequence.insert(fabric.warpSequence.end(), 7, i);
   EXPECT_THAT(write(fabric), StartsWith("%PDF-"));
+}
+
+TEST_F(ClothSheet, ColourwaysGoOnPagesOfTheirOwn) {
+  Fabric fabric = openCloth();
+  for (int i = 0; i < 5; ++i) fabric.colourways.push_back(colourwayOf(fabric, "Moss"));
+  ClothSheetOptions options;
+  options.samplesPerPixel = 1;
+  const std::string file = (folder_.path() / "colourways.pdf").string();
+  EXPECT_TRUE(writeColourwaySheet(file, fabric, options, {}));
+  EXPECT_THAT(readFile(file, 50'000'000), StartsWith("%PDF-"));
+}
+
+/// What tracing would find, white and wide.
+ClothSheetContent blankContent(const Fabric& fabric) {
+  ClothSheetContent content;
+  content.cloth = Pixels8{1, 1, 3, {255, 255, 255}};
+  content.colourways.resize(std::min(fabric.colourways.size(), kSheetColourways), content.cloth);
+  content.measures = {1.23, 0.288, 0.288, 888.8, 0};
+  content.faces.resize(4, FaceColour{"a fibre of which much is to be told, dyed in the piece",
+                                     Rgb(1),
+                                     {88.8f, -88.8f, -88.8f},
+                                     {88.8f, -88.8f, -88.8f},
+                                     88.8});
+  content.yarnColours.resize(fabric.yarns.size(), Rgb(1));
+  return content;
+}
+
+using Boxes = std::vector<Paper::Box>;
+
+Boxes layOut(const Fabric& fabric) {
+  Paper paper(kSheetWidth_mm, kSheetHeight_mm);
+  ClothSheetOptions options;
+  options.width_cm = 8888;
+  layOutClothSheet(paper, fabric, options, blankContent(fabric));
+  return paper.boxes();
+}
+
+/// No text runs into another, into a picture, or over the margin.
+void expectApart(const Boxes& boxes) {
+  const auto called = [](const Paper::Box& box) { return box.text.empty() ? std::string("a picture") : box.text; };
+  for (size_t i = 0; i < boxes.size(); ++i) {
+    const Paper::Box& a = boxes[i];
+    constexpr double kRounding_mm = 0.3;
+    EXPECT_GE(a.x, kSheetMargin_mm - kRounding_mm) << called(a);
+    EXPECT_GE(a.y, kSheetMargin_mm - kRounding_mm) << called(a);
+    EXPECT_LE(a.x + a.width, kSheetWidth_mm - kSheetMargin_mm + kRounding_mm) << called(a);
+    EXPECT_LE(a.y + a.height, kSheetHeight_mm - kSheetMargin_mm + 1) << called(a);
+    for (size_t k = 0; k < i; ++k) {
+      const Paper::Box& b = boxes[k];
+      const bool meet = a.page == b.page && a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height &&
+                        b.y < a.y + a.height;
+      EXPECT_FALSE(meet) << called(a) << " over " << called(b) << " on page " << a.page + 1;
+    }
+  }
+}
+
+bool says(const Boxes& boxes, const std::string& text) {
+  return std::any_of(boxes.begin(), boxes.end(), [&](const Paper::Box& box) { return box.text == text; });
+}
+
+TEST(ClothSheetPage, NothingOverlapsInAnySample) {
+  for (const char* const folder : {LOOMLIGHT_SAMPLES, LOOMLIGHT_SAMPLES "/cloths"})
+    for (const auto& file : std::filesystem::directory_iterator(folder)) {
+      if (file.path().extension() != ".json") continue;
+      SCOPED_TRACE(file.path().filename());
+      const Boxes boxes = layOut(readFabric(file.path().string()));
+      expectApart(boxes);
+      EXPECT_EQ(boxes.back().page, 0) << "what the trade sells fits on one page";
+    }
+}
+
+TEST(ClothSheetPage, NothingOverlapsWhereAllIsAsWideAsItCanBe) {
+  Fabric fabric = openCloth();
+  const std::string wide = "Wide woven worsted of which there is very much to be said and written down ";
+  for (int i = 0; i < 4; ++i) fabric.name += wide;
+  for (int i = 0; i < 40; ++i) fabric.description += wide;
+  fabric.ends_per_cm = fabric.picks_per_cm = 88.8;
+  fabric.yarns[0].name = wide;
+  fabric.yarns[0].plies = fabric.yarns[0].cords = 4;
+  fabric.yarns[0].blendFibre = 0;
+  fabric.fibres[0].name = wide;
+  fabric.yarns.resize(64, fabric.yarns[0]);
+  fabric.warpSequence.clear();
+  for (int i = 0; i < 64; ++i) fabric.warpSequence.insert(fabric.warpSequence.end(), 88, i);
+  fabric.weftSequence = fabric.warpSequence;
+  for (int i = 0; i < 8; ++i) fabric.colourways.push_back(colourwayOf(fabric, wide));
+  fabric.mill.reed_per_10cm = 444.4;
+  fabric.mill.endsPerDent.assign(60, 64);
+  fabric.mill.selvedgeEnds = 888;
+  fabric.mill.selvedgeYarn = 63;
+  fabric.mill.selvedgeWeave = wide;
+  fabric.mill.loomEnds_per_cm = fabric.mill.washedPicks_per_cm = 488.8;
+  const Boxes boxes = layOut(fabric);
+  expectApart(boxes);
+  EXPECT_TRUE(says(boxes, "BL")) << "the last of 64 yarns, on another page";
+}
+
+TEST(ClothSheetPage, OrdersAreTables) {
+  Fabric fabric = openCloth();
+  fabric.yarns.resize(3, fabric.yarns[0]);
+  fabric.ends_per_cm = 20;
+  fabric.warpSequence = {0, 0, 0, 0, 0, 0, 1, 1, 2, 2, 2, 2};
+  const Boxes boxes = layOut(fabric);
+  for (const char* const cell : {"ends", "6", "0.30", "0.10", "4", "0.20", "12", "0.60"})
+    EXPECT_TRUE(says(boxes, cell)) << cell;
+}
+
+TEST(ClothSheetPage, TellsTheStatesOfTheCloth) {
+  Fabric fabric = openCloth();
+  EXPECT_TRUE(says(layOut(fabric), "not said")) << "the reed";
+  fabric.mill.reed_per_10cm = 19;
+  fabric.mill.loomPicks_per_cm = 4.7;
+  fabric.mill.selvedgeEnds = 12;
+  const Boxes boxes = layOut(fabric);
+  for (const char* const text :
+       {"19 dents/10 cm, ends per dent 2", "3.8", "4.7", "reed and denting; from crimp", "12 each side, 2 per dent"})
+    EXPECT_TRUE(says(boxes, text)) << text;
 }
 
 TEST_F(ClothSheet, IsAPdfAndNothingElse) {

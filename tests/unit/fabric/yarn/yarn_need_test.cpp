@@ -24,6 +24,17 @@ TEST(YarnNeed, CountsThreadsAlongTheSequences) {
   EXPECT_NEAR(needs[0].mass_kg, 7 * 2 * 1.1 * fabric.yarns[0].count_tex * 1e-6, 1e-12);
 }
 
+TEST(YarnNeed, SelvedgesTakeYarnToo) {
+  Fabric fabric;
+  fabric.yarns.resize(2);
+  fabric.ends_per_cm = 10;
+  fabric.mill.selvedgeEnds = 20;
+  EXPECT_NEAR(yarnNeed(fabric, {2, 1}, 0.1, 0)[0].warp_m, (10 + 40) * 2 * 1.1, 1e-9) << "the warp goes on";
+  fabric.mill.selvedgeYarn = 1;
+  EXPECT_NEAR(yarnNeed(fabric, {2, 1}, 0.1, 0)[0].warp_m, 10 * 2 * 1.1, 1e-9);
+  EXPECT_NEAR(yarnNeed(fabric, {2, 1}, 0.1, 0)[1].warp_m, 40 * 2 * 1.1, 1e-9);
+}
+
 TEST(YarnNeed, AllYarnsTogetherWeighWhatTheClothDoes) {
   Fabric fabric;
   fabric.yarns.resize(3);

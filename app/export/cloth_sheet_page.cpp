@@ -1,0 +1,374 @@
+#include "app/export/cloth_sheet_page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/base/rgb.h"
+#include "core/fabric/weave/thread_order.h"
+#include "core/fabric/weave/weave_code.h"
+#include "core/fabric/yarn/cloth_states.h"
+#include "core/fabric/yarn/derived.h"
+#include "core/fabric/yarn/yarn_name.h"
+#include "core/fabric/yarn/yarn_need.h"
+
+// How it works. Above are the cloth and its draft side by side, below them the construction and the orders of colours.
+// What follows goes over the whole width, part by part and line by line: a line that the page has no room for begins
+// the next page. Every text has a room and is cut off where it does not fit, so that none runs into another.
+
+namespace loomlight {
+namespace {
+
+constexpr double kColumn_mm = 90, kGap_mm = 6, kRight_mm = kSheetMargin_mm + kColumn_mm + kGap_mm;
+constexpr double kEnd_mm = kSheetWidth_mm - kSheetMargin_mm, kBottom_mm = kSheetHeight_mm - kSheetMargin_mm;
+constexpr double kLine_mm = 3.6, kBetween_mm = 4.5;
+constexpr Paper::Font kTitle{5.2, true}, kHeading{3.0, true}, kBody{2.6}, kQuiet{2.6, false, 0.4};
+
+/// Threads of one yarn side by side.
+struct Stripe {
+  int yarn = 0, threads = 0;
+};
+
+std::vector<Stripe> stripesOf(const std::vector<int>& sequence) {
+  std::vector<Stripe> stripes;
+  for (const int yarn : sequence) {
+    if (stripes.empty() || stripes.back().yarn != yarn) stripes.push_back({yarn, 0});
+    ++stripes.back().threads;
+  }
+  return stripes;
+}
+
+/// Threads of each yarn in a repeat.
+std::vector<Stripe> sumsOf(const std::vector<int>& sequence) {
+  std::map<int, int> counts;
+  for (const int yarn : sequence) ++counts[yarn];
+  std::vector<Stripe> sums;
+  for (const auto& [yarn, threads] : counts) sums.push_back({yarn, threads});
+  return sums;
+}
+
+std::string twistOf(const Yarn& yarn) {
+  const auto turns = [](double per_m, TwistDirection way) {
+    return fmt::format("{:.0f} {}", per_m, way == TwistDirection::z ? "Z" : "S");
+  };
+  std::string text = turns(yarn.plyTwist_per_m, yarn.plyTwistDirection);
+  if (yarn.plies > 1) text += " / " + turns(yarn.yarnTwist_per_m, yarn.yarnTwistDirection);
+  if (yarn.cords > 1) text += " / " + turns(yarn.cableTwist_per_m, yarn.cableTwistDirection);
+  return text;
+}
+
+/// Returns the y of the line below.
+double titleLine(Paper& paper, const std::string& text) {
+  const double y = kSheetMargin_mm + kTitle.size_mm;
+  paper.text(kSheetMargin_mm, y, text, kTitle, kEnd_mm - kSheetMargin_mm);
+  paper.line(kSheetMargin_mm, y + 2, kEnd_mm, y + 2, 0.3, 0.2);
+  return y + 6;
+}
+
+class SheetWriter {
+ public:
+  SheetWriter(Paper& paper, const Fabric& fabric, const ClothSheetOptions& options, const ClothSheetContent& content)
+      : paper_(paper),
+        fabric_(fabric),
+        options_(options),
+        content_(content),
+        states_(clothStates(fabric, Crimps{content.measures.crimpWarp, content.measures.crimpWeft})) {}
+
+  void write() {
+    const double top = titleLine(paper_, fabric_.name);
+    const double below = std::max(cloth(kSheetMargin_mm, top), draft(kRight_mm, top)) + kBetween_mm;
+    const double belowFigures = construction(kSheetMargin_mm, below);
+    orders(below, belowFigures);
+    y_ = belowFigures + kBetween_mm;
+    yarns();
+    colours();
+    notes();
+    colourways();
+  }
+
+ private:
+  /// The next page, where this one has no room of that height.
+  void expectRoom(double height_mm) {
+    if (y_ + height_mm <= kBottom_mm) return;
+    paper_.newPage();
+    y_ = titleLine(paper_, fabric_.name) + kLine_mm;
+  }
+
+  double heading(double x, double y, const std::string& text) {
+    paper_.text(x, y, text, kHeading, kColumn_mm);
+    return y + kLine_mm + 0.6;
+  }
+
+  double row(double x, double y, const std::string& label, const std::string& value) {
+    paper_.text(x, y, label, kQuiet, 27);
+    paper_.text(x + 28, y, value, kBody, kColumn_mm - 28);
+    return y + kLine_mm;
+  }
+
+  double cloth(double x, double y) {
+    paper_.picture(x, y, kSheetCloth_mm, kSheetCloth_mm, content_.cloth);
+    y += kSheetCloth_mm + 3;
+    constexpr double kBar_mm = 50;  // to check that the page was not scaled in print
+    paper_.line(x, y - 1, x + kBar_mm, y - 1, 0.3, 0.1);
+    for (int i = 0; i <= 5; ++i) paper_.line(x + 10 * i, y - 2, x + 10 * i, y, 0.2, 0.1);
+    paper_.text(x + kBar_mm + 2, y, "50 mm; cloth at 1 : 1", kQuiet, kColumn_mm - kBar_mm - 2);
+    return y + kLine_mm;
+  }
+
+  double draft(double x, double y) {
+    std::string said;
+    constexpr double kPoints = 72 / 25.4;
+    paper_.draw(x, y, [&](cairo_t* canvas) {
+      said = drawDraft(canvas, fabric_, options_.corner, kColumn_mm * kPoints, kSheetCloth_mm * kPoints);
+    });
+    paper_.text(x, y + kSheetCloth_mm + 3, said, kQuiet, kColumn_mm);
+    return y + kSheetCloth_mm + 3 + kLine_mm;
+  }
+
+  double construction(double x, double y) {
+    const ClothMeasures& m = content_.measures;
+    const Weave& weave = fabric_.weave;
+    y = setts(x, heading(x, y, "Construction"));
+    const MillData& mill = fabric_.mill;
+    y = row(x, y, "Reed",
+            mill.reed_per_10cm > 0
+                ? fmt::format("{:g} dents/10 cm, ends per dent {}", mill.reed_per_10cm, dentingText(mill.endsPerDent))
+                : "not said");
+    const auto reed_cm = reedWidth_cm(fabric_, states_, options_.width_cm);
+    y = row(x, y, "Width",
+            fmt::format("{:.0f} cm finished", options_.width_cm) +
+                (reed_cm ? fmt::format(", {:.0f} cm in the reed", *reed_cm) : ""));
+    y = row(x, y, "Ends", fmt::format("{:.0f}", options_.width_cm * fabric_.ends_per_cm));
+    const std::string selvedges =
+        selvedgeText(mill, mill.selvedgeYarn ? "yarn " + yarnLetters(*mill.selvedgeYarn) : "");
+    if (!selvedges.empty()) y = row(x, y, "Selvedges", selvedges);
+    y = row(x, y, "Weave", isoWeaveCode(weave) ? "ISO 9354  " + *isoWeaveCode(weave) : "as drawn");
+    y = row(x, y, "Weave repeat", repeat(weave.ends(), weave.picks()));
+    y = row(x, y, "Pattern repeat", repeat(patternEnds(fabric_), patternPicks(fabric_)));
+    y = row(x, y, "Mass",
+            fmt::format("{:.0f} g/m\xC2\xB2, {:.0f} g per running metre", m.arealMass_g_m2,
+                        m.arealMass_g_m2 * options_.width_cm / 100));
+    y = row(
+        x, y, "Thickness, crimp",
+        fmt::format("{:.2f} mm; warp {:.1f} %, weft {:.1f} %", m.thickness_mm, 100 * m.crimpWarp, 100 * m.crimpWeft));
+    const CoverFactors cover = coverFactors(fabric_);
+    y = row(x, y, "Cover factor",
+            fmt::format("Peirce: {:.1f}; warp {:.1f}, weft {:.1f}", cover.cloth, cover.warp, cover.weft));
+    y = row(x, y, "Area covered", fmt::format("{:.0f} %, seen from straight above", 100 * cover.fraction));
+    const Floats f = floats(weave);
+    return row(x, y, "Longest float",
+               fmt::format("warp {} ({:.1f} mm), weft {} ({:.1f} mm)", f.warp(),
+                           floatLength_mm(fabric_, System::warp, f.warp()), f.weft(),
+                           floatLength_mm(fabric_, System::weft, f.weft())));
+  }
+
+  /// The cloth from the reed to the wash.
+  double setts(double x, double y) {
+    const double columns[] = {x, x + 20, x + 33, x + 48};
+    const char* const heads[] = {"Sett", "ends/cm", "picks/cm", "known from"};
+    for (size_t i = 0; i < std::size(heads); ++i) paper_.text(columns[i], y, heads[i], kQuiet);
+    paper_.line(x, y + 1.2, x + kColumn_mm, y + 1.2, 0.15);
+    y += kLine_mm + 0.6;
+    const std::pair<const char*, const ClothState*> rows[] = {
+        {"in the reed", &states_.reed},
+        {"loom state", &states_.loom},
+        {"finished", &states_.finished},
+        {"washed", &states_.washed},
+    };
+    for (const auto& [name, state] : rows) {
+      const auto& [ends, picks] = *state;
+      paper_.text(columns[0], y, name, kQuiet);
+      paper_.text(columns[1], y, settText(ends), kBody, 12);
+      paper_.text(columns[2], y, settText(picks), kBody, 12);
+      std::string source = sourceText(ends.source);
+      if (picks.source != ends.source) source += fmt::format("; {}", sourceText(picks.source));
+      paper_.text(columns[3], y, source, kQuiet, kColumn_mm - 48);
+      y += kLine_mm;
+    }
+    return y + 1;
+  }
+
+  std::string repeat(int64_t ends, int64_t picks) const {
+    return fmt::format("{} x {} threads, {:.1f} x {:.1f} mm", ends, picks,
+                       static_cast<double>(ends) * fabric_.warpPitch_mm(),
+                       static_cast<double>(picks) * fabric_.weftPitch_mm());
+  }
+
+  void yarnSwatch(double x, double y, int yarn) {
+    const Rgb& reached = content_.yarnColours[static_cast<size_t>(yarn)];
+    paper_.fill(x, y - 2.4, 5, 2.8, srgbFromLinear(glm::clamp(reached, Rgb(0.0f), Rgb(1.0f))));
+  }
+
+  /// A table of threads in the room down to `bottom`: stripe by stripe where they all fit; else the order as weavers
+  /// write it, and how many threads of each yarn it has.
+  void orderTable(double x, double y, double width, const char* label, const char* threads,
+                  const std::vector<int>& sequence, double pitch_mm, double bottom) {
+    const double columns[] = {x, x + 7, x + 15, x + 28}, end = x + width;
+    const auto cm = [&](double count) { return fmt::format("{:.2f}", 0.1 * pitch_mm * count); };
+    std::vector<Stripe> rows = stripesOf(sequence);
+    const auto rowsIn = [&](double from) { return static_cast<size_t>(std::max(0.0, (bottom - from) / kLine_mm)); };
+    const double headed = y + kLine_mm + 0.6;
+    if (rows.size() > rowsIn(headed + kLine_mm)) {
+      rows = sumsOf(sequence);
+      y = paper_.paragraph(x, y, threadOrderText(sequence), kBody, width, 4) + 0.6;
+    }
+    const char* const heads[] = {label, "", threads, "cm"};
+    for (size_t i = 0; i < std::size(heads); ++i) paper_.text(columns[i], y, heads[i], kQuiet);
+    paper_.line(x, y + 1.2, end, y + 1.2, 0.15);
+    y += kLine_mm + 0.6;
+    const size_t room = std::max<size_t>(2, rowsIn(y));
+    const size_t shown = rows.size() + 1 > room ? room - 2 : rows.size();
+    for (size_t i = 0; i < shown; ++i, y += kLine_mm) {
+      paper_.text(columns[0], y, yarnLetters(rows[i].yarn), kBody, 6);
+      yarnSwatch(columns[1], y, rows[i].yarn);
+      paper_.text(columns[2], y, fmt::format("{}", rows[i].threads), kBody, 12);
+      paper_.text(columns[3], y, cm(rows[i].threads), kBody, end - columns[3]);
+    }
+    if (shown < rows.size()) {
+      paper_.text(columns[0], y, fmt::format("and {} more yarns", rows.size() - shown), kQuiet, width);
+      y += kLine_mm;
+    }
+    paper_.line(x, y - kLine_mm + 1.2, end, y - kLine_mm + 1.2, 0.15);
+    paper_.text(columns[0], y, "repeat", kQuiet, 14);
+    paper_.text(columns[2], y, fmt::format("{}", sequence.size()), kBody, 12);
+    paper_.text(columns[3], y, cm(static_cast<double>(sequence.size())), kBody, end - columns[3]);
+  }
+
+  void orders(double y, double bottom) {
+    y = heading(kRight_mm, y, "Colour orders");
+    constexpr double kApart_mm = 4, kTable_mm = 0.5 * (kColumn_mm - kApart_mm);
+    orderTable(kRight_mm, y, kTable_mm, "Warp", "ends", fabric_.warpSequence, fabric_.warpPitch_mm(), bottom);
+    orderTable(kRight_mm + kTable_mm + kApart_mm, y, kTable_mm, "Weft", "picks", fabric_.weftSequence,
+               fabric_.weftPitch_mm(), bottom);
+  }
+
+  void yarns() {
+    const double columns[] = {kSheetMargin_mm,      kSheetMargin_mm + 14,  kSheetMargin_mm + 66,
+                              kSheetMargin_mm + 98, kSheetMargin_mm + 128, kSheetMargin_mm + 168};
+    const auto head = [&] {
+      y_ = heading(kSheetMargin_mm, y_, "Yarns");
+      const char* const heads[] = {"", "Yarn", "Count", "Twist, turns/m", "Fibre", "kg / 100 m"};
+      for (size_t i = 0; i < std::size(heads); ++i) paper_.text(columns[i], y_, heads[i], kQuiet);
+      paper_.line(kSheetMargin_mm, y_ + 1.2, kEnd_mm, y_ + 1.2, 0.15);
+      y_ += kLine_mm + 0.6;
+    };
+    expectRoom(4 * kLine_mm);
+    head();
+    const auto needs =
+        yarnNeed(fabric_, {100, options_.width_cm}, content_.measures.crimpWarp, content_.measures.crimpWeft);
+    for (size_t i = 0; i < fabric_.yarns.size(); ++i) {
+      if (y_ + kLine_mm > kBottom_mm) {
+        expectRoom(2 * kLine_mm);
+        head();
+      }
+      const Yarn& yarn = fabric_.yarns[i];
+      const auto index = static_cast<int>(i);
+      paper_.text(columns[0], y_, yarnLetters(index), kBody, 6);
+      yarnSwatch(columns[0] + 7, y_, index);
+      std::string fibre = fabric_.fibres[static_cast<size_t>(yarn.fibre)].name;
+      if (yarn.blendFibre)
+        fibre = fmt::format("{:.0f} % {}, {}", 100 * (1 - yarn.blendShare.value_or(0.5)), fibre,
+                            fabric_.fibres[static_cast<size_t>(*yarn.blendFibre)].name);
+      const std::string cells[] = {yarnName(fabric_, index, content_.yarnColours[i], options_.counts),
+                                   writtenCount(yarn, meanFibre(yarn, fabric_.fibres), options_.counts), twistOf(yarn),
+                                   fibre, fmt::format("{:.2f}", needs[i].mass_kg)};
+      for (size_t k = 0; k < std::size(cells); ++k)
+        paper_.text(columns[k + 1], y_, cells[k], kBody,
+                    (k + 2 < std::size(columns) ? columns[k + 2] : kEnd_mm) - columns[k + 1] - 2);
+      y_ += kLine_mm;
+    }
+    y_ += kBetween_mm;
+  }
+
+  /// As a spectrophotometer would read the cloth.
+  void colours() {
+    const double columns[] = {kSheetMargin_mm, kSheetMargin_mm + 14, kSheetMargin_mm + 66, kSheetMargin_mm + 108,
+                              kSheetMargin_mm + 150};
+    expectRoom((2.3 + static_cast<double>(content_.faces.size())) * kLine_mm);
+    y_ = heading(kSheetMargin_mm, y_, "Colour of the face, CIELAB for 10 degrees");
+    const char* const heads[] = {"", "Where it lies on top", "D65", "A", "moves by (CIEDE2000)"};
+    for (size_t i = 0; i < std::size(heads); ++i) paper_.text(columns[i], y_, heads[i], kQuiet);
+    paper_.line(kSheetMargin_mm, y_ + 1.2, kEnd_mm, y_ + 1.2, 0.15);
+    y_ += kLine_mm + 0.6;
+    const auto text = [](const Lab& lab) {
+      return fmt::format("L* {:.1f}  a* {:.1f}  b* {:.1f}", lab.L, lab.a, lab.b);
+    };
+    for (const FaceColour& face : content_.faces) {
+      paper_.fill(columns[0] + 7, y_ - 2.4, 5, 2.8, srgbFromLinear(glm::clamp(face.shown, Rgb(0.0f), Rgb(1.0f))));
+      paper_.text(columns[1], y_, face.name, kBody, columns[2] - columns[1] - 2);
+      paper_.text(columns[2], y_, text(face.daylight), kBody, columns[3] - columns[2] - 2);
+      paper_.text(columns[3], y_, text(face.bulb), kBody, columns[4] - columns[3] - 2);
+      paper_.text(columns[4], y_, fmt::format("{:.1f}", face.inconstancy), kBody, kEnd_mm - columns[4]);
+      y_ += kLine_mm;
+    }
+    y_ += kBetween_mm;
+  }
+
+  void notes() {
+    if (fabric_.description.empty()) return;
+    constexpr int kMostLines = 4;
+    expectRoom((1.3 + kMostLines) * kLine_mm);
+    y_ = heading(kSheetMargin_mm, y_, "Notes");
+    y_ = paper_.paragraph(kSheetMargin_mm, y_, fabric_.description, kBody, kEnd_mm - kSheetMargin_mm, kMostLines);
+  }
+
+  /// Along the lower edge.
+  void colourways() {
+    if (content_.colourways.empty()) return;
+    constexpr double kBelow_mm = kLine_mm, kHigh_mm = kHeading.size_mm + 2 + kSheetColourway_mm + kBelow_mm;
+    expectRoom(kHigh_mm);
+    const double top = kBottom_mm - kSheetColourway_mm - kBelow_mm;
+    heading(kSheetMargin_mm, top - 2, "Colourways");
+    double x = kSheetMargin_mm;
+    for (size_t i = 0; i < content_.colourways.size(); ++i, x += kSheetColourway_mm + 6) {
+      paper_.picture(x, top, kSheetColourway_mm, kSheetColourway_mm, content_.colourways[i]);
+      paper_.text(x, top + kSheetColourway_mm + 3, fabric_.colourways[i].name, kBody, kSheetColourway_mm + 4);
+    }
+  }
+
+  Paper& paper_;
+  const Fabric& fabric_;
+  const ClothSheetOptions& options_;
+  const ClothSheetContent& content_;
+  const ClothStates states_;
+  double y_ = 0;  ///< of the next line over the whole width
+};
+
+}  // namespace
+
+double colourwaySide_mm(size_t pieces) {
+  return pieces <= 4 ? 88 : 58;
+}
+
+void layOutColourways(Paper& paper, const std::string& title, const std::vector<NamedPiece>& pieces) {
+  constexpr double kApart_mm = 5, kNames_mm = 6;
+  const double side = colourwaySide_mm(pieces.size());
+  const auto begin = [&] {
+    const double y = titleLine(paper, title);
+    paper.text(kSheetMargin_mm, y, "Colourways at 1 : 1", kQuiet);
+    return y + kLine_mm;
+  };
+  double x = kSheetMargin_mm, y = begin();
+  for (const NamedPiece& piece : pieces) {
+    if (x + side > kEnd_mm + 0.5) {
+      x = kSheetMargin_mm;
+      y += side + kNames_mm;
+    }
+    if (y + side + kNames_mm > kBottom_mm) {
+      paper.newPage();
+      y = begin();
+    }
+    paper.picture(x, y, side, side, piece.picture);
+    paper.text(x, y + side + 3.2, piece.name, kBody, side);
+    x += side + kApart_mm;
+  }
+}
+
+void layOutClothSheet(Paper& paper, const Fabric& fabric, const ClothSheetOptions& options,
+                      const ClothSheetContent& content) {
+  SheetWriter(paper, fabric, options, content).write();
+}
+
+}  // namespace loomlight
