@@ -65,8 +65,8 @@ bool operator==(const WifOrigin& a, const WifOrigin& b) {
 bool operator==(const Fabric& a, const Fabric& b) {
   return equalFields(a, b) && a.weave == b.weave && a.draft == b.draft && a.warpSequence == b.warpSequence &&
          a.weftSequence == b.weftSequence && a.yarns == b.yarns && a.fibres == b.fibres &&
-         a.colourways == b.colourways && a.mill == b.mill && a.drape == b.drape && a.light == b.light && a.camera == b.camera &&
-         a.render == b.render && (a.wif == b.wif || (a.wif && b.wif && *a.wif == *b.wif));
+         a.colourways == b.colourways && a.mill == b.mill && a.drape == b.drape && a.light == b.light &&
+         a.camera == b.camera && a.render == b.render && (a.wif == b.wif || (a.wif && b.wif && *a.wif == *b.wif));
 }
 
 }  // namespace loomlight
