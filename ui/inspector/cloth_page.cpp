@@ -167,7 +167,7 @@ std::optional<Fabric> clothPage(Ui& ui, const Fabric& fabric, const InspectorMod
   bool changed = textField(ui, rowText("cloth", &Fabric::name), edited.name);
   changed |= textField(ui, rowText("cloth", &Fabric::description), edited.description);
   changed |= settRows(ui, model.inches, edited.ends_per_cm, edited.picks_per_cm);
-  changed |= millRows(ui, edited, model, view.units.count);
+  changed |= millRows(ui, edited, model);
   changed |= finishRows(ui, edited);
   clothRows(ui, fabric, model, view.units.count);
   bindingRows(ui, fabric, model);

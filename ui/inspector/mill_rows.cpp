@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "core/fabric/yarn/cloth_states.h"
-#include "core/fabric/yarn/yarn_name.h"
 #include "ui/widgets/field_row.h"
 #include "ui/widgets/member_fields.h"
 
@@ -62,12 +61,12 @@ bool dentingField(Ui& ui, std::vector<int>& endsPerDent) {
   return changed;
 }
 
-bool selvedgeRows(Ui& ui, const Fabric& fabric, CountSystem counts, MillData& mill) {
+bool selvedgeRows(Ui& ui, const std::vector<std::string>& yarnNames, MillData& mill) {
   bool changed = memberField(ui, "mill", mill, &MillData::selvedgeEnds);
   if (mill.selvedgeEnds == 0) return changed;
   changed |= memberField(ui, "mill", mill, &MillData::selvedgeEndsPerDent);
   std::vector<std::string> yarns{"As the warp"};
-  for (int i = 0; i < static_cast<int>(fabric.yarns.size()); ++i) yarns.push_back(yarnName(fabric, i, counts));
+  yarns.insert(yarns.end(), yarnNames.begin(), yarnNames.end());
   std::vector<const char*> names;
   for (const std::string& yarn : yarns) names.push_back(yarn.c_str());
   int chosen = mill.selvedgeYarn ? *mill.selvedgeYarn + 1 : 0;
@@ -164,13 +163,13 @@ bool stateRows(Ui& ui, const Fabric& fabric, const InspectorModel& model, MillDa
 
 }  // namespace
 
-bool millRows(Ui& ui, Fabric& fabric, const InspectorModel& model, CountSystem counts) {
+bool millRows(Ui& ui, Fabric& fabric, const InspectorModel& model) {
   const FieldInfo reed = fieldInfo(&MillData::reed_per_10cm);
   heading(ui, "Reed and selvedges");
   bool changed = figureField(ui, rowText("mill", &MillData::reed_per_10cm), reed, model.inches ? "dents/in" : reed.unit,
                              model.inches ? 0.1 * kCmPerInch : 1, kUnknown, fabric.mill.reed_per_10cm);
   changed |= dentingField(ui, fabric.mill.endsPerDent);
-  changed |= selvedgeRows(ui, fabric, counts, fabric.mill);
+  changed |= selvedgeRows(ui, model.yarns.names, fabric.mill);
   return stateRows(ui, fabric, model, fabric.mill) || changed;
 }
 
