@@ -2,10 +2,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#define POINTERHOLDER_TRANSITION 4
-#include <qpdf/QPDF.hh>
-#include <qpdf/QPDFPageDocumentHelper.hh>
-#include <qpdf/QPDFPageObjectHelper.hh>
+#include <qpdf/qpdf-c.h>
+
+#include <cstdlib>
+#include <string>
 
 #include "app/export/paper.h"
 #include "render/colour/icc_profile.h"
@@ -13,46 +13,55 @@
 namespace loomlight {
 namespace {
 
-std::string sheet() {
-  Paper paper(100, 80);
-  paper.text(10, 10, "Charmeuse", {});
-  paper.fill(10, 20, 30, 10, Rgb(0.8f, 0.1f, 0.1f));
-  paper.picture(10, 40, 20, 20, {2, 1, 3, {255, 0, 0, 0, 255, 0}});
-  return paper.bytes("sheet.pdf");
-}
-
-std::string bytesOf(QPDFObjectHandle stream) {
-  const auto data = stream.getStreamData();
-  return {reinterpret_cast<const char*>(data->getBuffer()), data->getSize()};
-}
-
-/// By a library of its own: what the page's red, green and blue mean, and what the file was made for.
-TEST(PdfProfile, NamesTheColoursOfEveryPage) {
-  const std::string bytes = sheet();
-  QPDF pdf;
-  pdf.processMemoryFile("sheet", bytes.data(), bytes.size());
-  int pages = 0;
-  for (QPDFPageObjectHelper& page : QPDFPageDocumentHelper(pdf).getAllPages()) {
-    ++pages;
-    QPDFObjectHandle space = page.getAttribute("/Resources", false).getKey("/ColorSpace").getKey("/DefaultRGB");
-    ASSERT_TRUE(space.isArray());
-    EXPECT_EQ(space.getArrayItem(0).getName(), "/ICCBased");
-    const IccProfile profile = iccProfile(bytesOf(space.getArrayItem(1)), "the sheet's");
-    EXPECT_THAT(profile.description, testing::HasSubstr("sRGB"));
+/// A sheet as it is written, read again.
+class PdfProfile : public testing::Test {
+ protected:
+  void SetUp() override {
+    Paper paper(100, 80);
+    paper.text(10, 10, "Charmeuse", {});
+    paper.fill(10, 20, 30, 10, Rgb(0.8f, 0.1f, 0.1f));
+    paper.picture(10, 40, 20, 20, {2, 1, 3, {255, 0, 0, 0, 255, 0}});
+    bytes = paper.bytes("sheet.pdf");
+    ASSERT_EQ(qpdf_read_memory(pdf, "sheet", bytes.data(), bytes.size(), nullptr), QPDF_SUCCESS);
+    ASSERT_EQ(qpdf_get_num_pages(pdf), 1);
+    resources = at(qpdf_get_page_n(pdf, 0), "/Resources");
   }
-  EXPECT_EQ(pages, 1);
-  QPDFObjectHandle intent = pdf.getRoot().getKey("/OutputIntents").getArrayItem(0);
-  EXPECT_EQ(intent.getKey("/OutputConditionIdentifier").getUTF8Value(), "sRGB IEC61966-2.1");
-  EXPECT_NO_THROW(iccProfile(bytesOf(intent.getKey("/DestOutputProfile")), "the intent's"));
+  void TearDown() override { qpdf_cleanup(&pdf); }
+
+  qpdf_oh at(qpdf_oh object, const char* key) const { return qpdf_oh_get_key(pdf, object, key); }
+  std::string bytesOf(qpdf_oh stream) const {
+    unsigned char* data = nullptr;
+    size_t size = 0;
+    qpdf_oh_get_stream_data(pdf, stream, qpdf_dl_generalized, nullptr, &data, &size);
+    std::string read(reinterpret_cast<const char*>(data), size);
+    std::free(data);
+    return read;
+  }
+
+  qpdf_data pdf = qpdf_init();
+  std::string bytes;
+  qpdf_oh resources = 0;
+};
+
+TEST_F(PdfProfile, NamesTheColoursOfThePage) {
+  const qpdf_oh space = at(at(resources, "/ColorSpace"), "/DefaultRGB");
+  ASSERT_TRUE(qpdf_oh_is_array(pdf, space));
+  EXPECT_STREQ(qpdf_oh_get_name(pdf, qpdf_oh_get_array_item(pdf, space, 0)), "/ICCBased");
+  const IccProfile profile = iccProfile(bytesOf(qpdf_oh_get_array_item(pdf, space, 1)), "the sheet's");
+  EXPECT_THAT(profile.description, testing::HasSubstr("sRGB"));
 }
 
-TEST(PdfProfile, KeepsWhatThePageShows) {
-  const std::string bytes = sheet();
-  QPDF pdf;
-  pdf.processMemoryFile("sheet", bytes.data(), bytes.size());
-  QPDFPageObjectHelper page = QPDFPageDocumentHelper(pdf).getAllPages().front();
-  EXPECT_FALSE(page.getImages().empty());
-  EXPECT_FALSE(page.getAttribute("/Resources", false).getKey("/Font").getKeys().empty());
+TEST_F(PdfProfile, SaysWhatTheFileWasMadeFor) {
+  const qpdf_oh intent = qpdf_oh_get_array_item(pdf, at(qpdf_get_root(pdf), "/OutputIntents"), 0);
+  EXPECT_STREQ(qpdf_oh_get_utf8_value(pdf, at(intent, "/OutputConditionIdentifier")), "sRGB IEC61966-2.1");
+  EXPECT_NO_THROW(iccProfile(bytesOf(at(intent, "/DestOutputProfile")), "the intent's"));
+}
+
+TEST_F(PdfProfile, KeepsWhatThePageShows) {
+  for (const char* kind : {"/Font", "/XObject"}) {
+    qpdf_oh_begin_dict_key_iter(pdf, at(resources, kind));
+    EXPECT_TRUE(qpdf_oh_dict_more_keys(pdf)) << kind;
+  }
 }
 
 }  // namespace
