@@ -21,6 +21,34 @@ def _library(name, package):
         raise MissingLibrary(f"{name} is not installed ({package}), and this test drives the window with it") from error
 
 
+class ActionCount:
+    """What a designer would call an action: a click, a drag, a key with what is held beside it, one value that is typed
+    with the Enter or Tab that takes it, one turn of the wheel. Moving the mouse is none."""
+
+    def __init__(self):
+        self.count, self.last = 0, None
+
+    def _another(self, kind):
+        self.count += 1
+        self.last = kind
+
+    def button(self):
+        self._another("button")
+
+    def wheel(self):
+        if self.last != "wheel":
+            self._another("wheel")
+
+    def typed(self):
+        self._another("typed")
+
+    def key(self, name):
+        if name in _KEYSYMS or (self.last == "typed" and name in ("Return", "Tab")):
+            self.last = name if name in _KEYSYMS else "taken"
+        else:
+            self._another("key")
+
+
 class XInput:
     """All calls return how many events the window under the pointer is told of."""
 
@@ -51,6 +79,7 @@ class XInput:
             raise MissingLibrary(f"no X server at {display_name}")
         x.XAutoRepeatOff(self.display)  # a key that a slow window holds for long is one key
         self.pointer = None
+        self.actions = ActionCount()
         self.move(0, 0)
 
     def close(self):
@@ -68,16 +97,21 @@ class XInput:
         return self._sent(1)
 
     def button(self, number, down):
+        if down:
+            self.actions.button()
         self.test.XTestFakeButtonEvent(self.display, number, down, 0)
         return self._sent(1)
 
     def wheel(self, away):
         """One click of it, away from the user or towards."""
+        self.actions.wheel()
         for down in (1, 0):
             self.test.XTestFakeButtonEvent(self.display, 4 if away else 5, down, 0)
         return self._sent(1)
 
     def key(self, name, down):
+        if down:
+            self.actions.key(name)
         keysym = self.x.XStringToKeysym(_KEYSYMS.get(name, name).encode())
         code = self.x.XKeysymToKeycode(self.display, keysym)
         if not code:
@@ -100,6 +134,7 @@ class XInput:
                 events += 1
             if shifted:
                 events += self.key("shift", 0)
+        self.actions.typed()
         return self._sent(events)
 
     def window_called(self, part):
