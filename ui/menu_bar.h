@@ -5,8 +5,8 @@
 #include <string>
 
 #include "ui/draft/weave_menu.h"
-#include "ui/recent_menu.h"
 #include "ui/flat_menu.h"
+#include "ui/recent_menu.h"
 #include "ui/widgets/commands.h"
 #include "ui/widgets/ui.h"
 

@@ -143,6 +143,10 @@ void drawBar(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& yarnColour
     const int period = static_cast<int>(warp ? fabric.warpSequence.size() : fabric.weftSequence.size());
     const float opacity = i >= 0 && i < period ? 1.0f : 0.7f;
     draw.AddRectFilled(a, b, packed(yarnColours[static_cast<size_t>(yarn)], opacity));
+    if (gap == 0) continue;
+    // Seen between threads as dark, or as light, as the panel too.
+    const ImVec2 end(warp ? cell.max.x : bar.max.x, warp ? bar.max.y : cell.max.y);
+    draw.AddRectFilled(ImVec2(warp ? b.x : a.x, warp ? a.y : b.y), end, packed(ui.theme.text, 0.35f));
   }
   draw.AddRect(bar.min, bar.max, packed(ui.theme.text, 0.18f));  // ecru is seen on a light panel, black on a dark one
   draw.PopClipRect();

@@ -45,13 +45,13 @@ class ShownDraft {
 
 /// How the draft is looked at, and the stroke under way. No truth about the fabric.
 struct DraftView {
-  float cell = 0;                         ///< pixels of a crossing across; 0: fit at the next frame
-  std::vector<std::string> yarnNames;     ///< what yarns are called, set before each frame
-  float aspect = 1;                       ///< height of a crossing over its width: that of the cloth, by its sett
-  ImVec2 origin{0, 0};                    ///< end and pick at the corner of the canvas where they start
-  bool inColour = false;                  ///< false: point paper; true: the yarn that lies on top
-  bool back = false;                      ///< the cloth turned over like a page
-  bool marksFloats = false;               ///< those longer than DraftPreferences::longFloat_mm
+  float cell = 0;                      ///< pixels of a crossing across; 0: fit at the next frame
+  std::vector<std::string> yarnNames;  ///< what yarns are called, set before each frame
+  float aspect = 1;                    ///< height of a crossing over its width: that of the cloth, by its sett
+  ImVec2 origin{0, 0};                 ///< end and pick at the corner of the canvas where they start
+  bool inColour = false;               ///< false: point paper; true: the yarn that lies on top
+  bool back = false;                   ///< the cloth turned over like a page
+  bool marksFloats = false;            ///< those longer than DraftPreferences::longFloat_mm
 
   /// How a weave that has no draft of its own is shown; jacquard: by itself.
   enum class Loom { treadles, liftplan, jacquard };

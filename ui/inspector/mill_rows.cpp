@@ -99,8 +99,10 @@ void stateRow(Ui& ui, const char* id, const Word& word, Ends&& ends, Picks&& pic
 /// What the columns are of.
 void columnNames(Ui& ui, const char* unit) {
   const auto name = [&](const char* what) {
-    const std::string text = fmt::format("{} {}", what, unit);
-    ImGui::SetCursorPosX(ImGui::GetContentRegionAvail().x - ui.px(8) - ImGui::CalcTextSize(text.c_str()).x);
+    const std::string whole = fmt::format("{} {}", what, unit);
+    const float room = ImGui::GetContentRegionAvail().x - ui.px(8);
+    const std::string text = ImGui::CalcTextSize(whole.c_str()).x <= room ? whole : what;
+    ImGui::SetCursorPosX(room - ImGui::CalcTextSize(text.c_str()).x);
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("%s", text.c_str());
   };

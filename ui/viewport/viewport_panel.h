@@ -35,11 +35,11 @@ constexpr double kMostExposure_stops = 8;  ///< up, and down
 struct ViewportView {
   double exposure_stops = 0;
   bool filmic = true;
-  bool denoised = false;                  ///< the display takes noise from the picture
-  bool fitWanted = false;                 ///< frame the whole cloth at the next frame
-  int width = 0, height = 0;              ///< pixels that the picture should have
-  std::optional<ImVec2> pointer;          ///< mouse over the picture, 0..1 from the top left
-  std::vector<std::string> yarnNames;     ///< what yarns are called, set before each frame
+  bool denoised = false;               ///< the display takes noise from the picture
+  bool fitWanted = false;              ///< frame the whole cloth at the next frame
+  int width = 0, height = 0;           ///< pixels that the picture should have
+  std::optional<ImVec2> pointer;       ///< mouse over the picture, 0..1 from the top left
+  std::vector<std::string> yarnNames;  ///< what yarns are called, set before each frame
   enum class Drag { none, orbit, pan };
   Drag drag = Drag::none;
   LensView lens;

@@ -92,8 +92,9 @@ ViewportController::Edit ViewportController::draw(Ui& ui, const std::shared_ptr<
   if (stats && stats->fabric->drape == fabric->drape) model.mesh = stats->mesh;
   if (flat_) {
     const glm::dvec2& piece_mm = flat_->sight.piece_mm;
-    model.flat =
-        fmt::format("{}, flat \xC2\xB7 {:.1f} \xC3\x97 {:.1f} mm", flatClothText(flat_->cloth), piece_mm.x, piece_mm.y);
+    model.flat = flatClothText(flat_->cloth) + ", flat";
+    if (flat_->cloth.inRepeats)
+      model.flat += fmt::format(" \xC2\xB7 {:.1f} \xC3\x97 {:.1f} mm", piece_mm.x, piece_mm.y);
     if (std::exchange(view_.fitWanted, false))
       flat_->sight.camera = aboveFlat(flat_->sight.camera, piece_mm.x, piece_mm.y, aspect());
   }
