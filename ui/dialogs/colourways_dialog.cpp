@@ -14,7 +14,7 @@
 namespace loomlight {
 namespace {
 
-constexpr float kNarrowest = 200, kWidest = 640, kPictureAspect = 232.0f / 168, kSwatch = 14, kGap = 12;
+constexpr float kNarrowest = 200, kWidest = 640, kAspect = 232.0f / 168, kWidestAspect = 2, kSwatch = 14, kGap = 12;
 
 /// A name that no colourway has yet.
 std::string nameFor(const Fabric& fabric, const std::string& wish) {
@@ -29,21 +29,20 @@ std::string nameFor(const Fabric& fabric, const std::string& wish) {
 /// As large as so many cards beside and below each other can be; where they would be too small, they scroll.
 void ColourwaysDialog::fitPictures(const Ui& ui, ImVec2 room, int count) {
   const float gap = ui.px(kGap), line = ImGui::GetFrameHeight();
-  float widest = 0;
+  ImVec2 best(0, 0);
   for (int perLine = 1; perLine <= count; ++perLine) {
     const auto across = static_cast<float>(perLine), down = static_cast<float>((count + perLine - 1) / perLine);
-    const float width =
-        std::min((room.x - gap * (across - 1)) / across, kPictureAspect * ((room.y - gap * (down - 1)) / down - line));
-    if (width <= widest) continue;
-    widest = width;
+    const float width = (room.x - gap * (across - 1)) / across, height = (room.y - gap * (down - 1)) / down - line;
+    const ImVec2 size(std::min({width, kWidestAspect * height, ui.px(kWidest)}), std::min(height, width / kAspect));
+    if (size.x * size.y <= best.x * best.y || size.y <= 0) continue;
+    best = size;
     perLine_ = perLine;
   }
-  if (widest < ui.px(kNarrowest)) {
-    widest = ui.px(kNarrowest);
-    perLine_ = std::max(1, static_cast<int>((room.x - ImGui::GetStyle().ScrollbarSize + gap) / (widest + gap)));
+  if (best.x < ui.px(kNarrowest)) {
+    best = ImVec2(ui.px(kNarrowest), ui.px(kNarrowest) / kAspect);
+    perLine_ = std::max(1, static_cast<int>((room.x - ImGui::GetStyle().ScrollbarSize + gap) / (best.x + gap)));
   }
-  widest = std::floor(std::min(widest, ui.px(kWidest)));
-  pictureSize_ = ImVec2(widest, std::floor(widest / kPictureAspect));
+  pictureSize_ = ImVec2(std::floor(best.x), std::floor(best.y));
 }
 
 void ColourwaysDialog::card(Ui& ui, int index, const char* name, ImTextureID picture,

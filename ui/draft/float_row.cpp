@@ -40,9 +40,17 @@ int chosenAmong(const LongFloats& floats, const DraftView& view) {
 void listField(Ui& ui, const LongFloats& floats, int chosen, DraftView& view) {
   const auto listed = static_cast<int>(floats.longest.size());
   const std::string shown = floats.count == 0 ? "none"
-                            : chosen < 0      ? fmt::format("{} floats", floats.count)
-                                              : fmt::format("{} of {}", chosen + 1, floats.count);
+                            : chosen < 0 ? fmt::format("{} {}", floats.count, floats.count == 1 ? "float" : "floats")
+                                         : fmt::format("{} of {}", chosen + 1, floats.count);
   ui.probe.fact("draft.floats_shown", shown);
+  if (listed == 0) {  // an empty list would open
+    ImGui::BeginDisabled();
+    ImGui::PushStyleVar(ImGuiStyleVar_ButtonTextAlign, ImVec2(0, 0.5f));
+    button(ui, "draft.float_list", shown.c_str(), ImGui::GetContentRegionAvail().x);
+    ImGui::PopStyleVar();
+    ImGui::EndDisabled();
+    return;
+  }
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
   if (!ImGui::BeginCombo("##floats", shortened(shown, ImGui::GetContentRegionAvail().x - ui.px(16)).c_str(),
                          ImGuiComboFlags_HeightLarge | ImGuiComboFlags_NoArrowButton)) {

@@ -2,15 +2,16 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <limits>
 
 #include "core/fabric/weave/picture_rims.h"
 
 // How it works. A picture with no more colours than are wanted keeps them. Else the colours of its areas are counted in
-// bins, without the mixtures on their rims (picture_rims.h), and
-// the palette is found among the bins by k-means with a fixed beginning: the commonest bin first, then always the bin
-// that the centres so far stand for worst, weighted by how common it is; then Lloyd's iteration. Each pixel gets the
-// nearest colour of the palette, and each colour's structure is woven where the pixels have it.
+// bins, without the mixtures on their rims (picture_rims.h), and the palette is found among the bins by k-means with a
+// fixed beginning: the commonest bin first, then always the bin that the centres so far stand for worst, weighted by
+// how common it is; then Lloyd's iteration. Each pixel gets the nearest colour of the palette, a rim that of the nearer
+// area beside it, and each colour's structure is woven where the pixels have it.
 
 namespace loomlight {
 namespace {
@@ -93,7 +94,8 @@ std::vector<ExactColour> settled(std::vector<ExactColour> centres, const std::ve
 }
 
 Rgb8 rounded(const ExactColour& c) {
-  return {static_cast<uint8_t>(c[0] + 0.5), static_cast<uint8_t>(c[1] + 0.5), static_cast<uint8_t>(c[2] + 0.5)};
+  const auto whole = [](double value) { return static_cast<uint8_t>(std::lround(value)); };
+  return {whole(c[0]), whole(c[1]), whole(c[2])};
 }
 
 /// The distinct colours, where they are at most `most`; else empty.

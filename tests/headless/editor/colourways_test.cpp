@@ -28,9 +28,16 @@ TEST(Colourways, TakeTheRoomThatThereIs) {
   openDialog(editor);
   for (int i = 0; i < 6; ++i) editor.frame();
   const HeadlessEditor::Rect first = editor.rect("colourways.card_0"), last = editor.rect("colourways.card_3");
-  EXPECT_GT(last.x1 - first.x0, 800) << "two beside each other";
+  EXPECT_GT(last.x1 - first.x0, 1200) << "two beside each other";
   EXPECT_GT(last.y1 - first.y0, 600) << "and two below";
   EXPECT_LT(last.y1, editor.rect("colourways.name").y0);
+  for (int i = 0; i < 4; ++i) {
+    const std::string card = "colourways.card_" + std::to_string(i);
+    editor.until("all have pictures of that size", [&] {
+      const Pixels8* const picture = editor.pictureIn(card);
+      return picture && picture->width + 1 >= static_cast<int>(first.x1 - first.x0);
+    });
+  }
 }
 
 TEST(Colourways, ScrollWhereThereAreTooMany) {
