@@ -15,6 +15,7 @@ void figure(Ui& ui, const char* id, float x, const std::string& text, const char
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   const ImVec2 max(at.x + size.x, at.y + size.y);
   ui.probe.record(id, at, max);
+  ui.probe.fact(id, text);
   tooltipFor(ui, id, at, max, tooltip);
 }
 

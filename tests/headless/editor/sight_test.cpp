@@ -156,6 +156,19 @@ TEST_F(Sight, FloatsAreListedAndGoneThrough) {
   editor.until("none is longer", [&] { return editor.fact("draft.floats_shown") == "none"; });
 }
 
+/// One definition: what the status says, what is marked and what is listed. A thread that nothing binds is marked, so
+/// it cannot be that nothing is long.
+TEST_F(Sight, AThreadThatNothingBindsFloatsWithoutEnd) {
+  editor.until("the figures are known", [&] { return editor.fact("status.float").starts_with("longest float 2"); });
+  editor.click("draft.floats");
+  editor.enter("draft.long_float", "9");
+  for (int pick = 0; pick < 4; ++pick)
+    if (weaver.rows()[static_cast<size_t>(3 - pick)][0] != '#')
+      editor.edits("warp over", [&] { editor.clickAt(weaver.crossing(pick, 0)); });
+  editor.until("it is said", [&] { return editor.fact("status.float") == "endless float, 1 over 9.0"; });
+  EXPECT_EQ(editor.fact("draft.floats_shown"), "1 float");
+}
+
 TEST_F(Sight, ATileSaysHowLargeItIsAndWhenItHasTooFewPixels) {
   editor.click("menu.file");
   editor.click("menu.export");
@@ -167,6 +180,7 @@ TEST_F(Sight, ATileSaysHowLargeItIsAndWhenItHasTooFewPixels) {
   EXPECT_GE(std::stod(editor.fact("tile.per_thread")), 16);
   editor.enter("tile.size", "16");
   editor.until("four pixels a thread are few", [&] { return editor.fact("tile.few_pixels") == "yes"; });
+  EXPECT_EQ(editor.fact("dirty"), "no") << "a tile is no edit of the cloth";
 }
 
 TEST_F(Sight, ASnapshotSaysHowMuchClothItShows) {
