@@ -228,7 +228,7 @@ void printLongestFloat(const Fabric& fabric, System system, const Floats& floats
   const int unbound = isWarp ? floats.idleEnds : floats.idlePicks, cells = isWarp ? floats.warp() : floats.weft();
   const char* const label = isWarp ? "longest warp float" : "longest weft float";
   if (unbound > 0)
-    line(label, "endless", fmt::format("{} {} bound by none", unbound, isWarp ? "ends" : "picks"));
+    line(label, "endless", fmt::format("{} bound by none: {}", isWarp ? "ends" : "picks", unbound));
   else
     line(label, fmt::format("{}", cells),
          fmt::format("{}, {:.2f} mm", isWarp ? "picks" : "ends", floatLength_mm(fabric, system, cells)));

@@ -35,6 +35,18 @@ class Info(CommandLineTest):
         self.assertEqual(json.loads(self.run_program("info", fabric, "--json", "--float-limit", 50))["long_floats"],
                          {"limit_mm": 50, "count": 0, "longest": []})
 
+    def test_the_pattern_repeats_with_weave_and_colours(self):
+        fabric = self.fabric(warp_sequence=[0, 0, 1], ends_per_cm=20, picks_per_cm=18)
+        info = json.loads(self.run_program("info", fabric, "--json"))
+        self.assertEqual((info["pattern_ends"], info["pattern_picks"]), (12, 4))
+        self.assertAlmostEqual(info["pattern_width_mm"], 6)
+        self.assertIn("mm, 12 x 4 threads", self.run_program("info", fabric))
+
+    def test_a_thread_that_nothing_binds_floats_without_end(self):
+        fabric = self.fabric(weave=["#..#", "##..", "###.", "#.##"])
+        self.assertEqual(json.loads(self.run_program("info", fabric, "--json"))["unbound_ends"], 1)
+        self.assertRegex(self.run_program("info", fabric), r"longest warp float +endless +ends bound by none: 1")
+
     def test_every_sample_has_plausible_numbers(self):
         for sample in sorted(SAMPLES.glob("*.json")):
             with self.subTest(sample=sample.name):
