@@ -96,7 +96,9 @@ double Paper::paragraph(double x, double y, const std::string& text, const Font&
   const double step = 1.3 * font.size_mm;
   int lines = 0;
   while (lines < mostLines && words >> word) {
-    const std::string longer = line.empty() ? word : line + " " + word;
+    std::string longer = line;
+    if (!line.empty()) longer += ' ';
+    longer += word;
     if (line.empty() || width(longer, font) <= room_mm) {
       line = longer;
       continue;

@@ -175,7 +175,7 @@ void printMill(const Fabric& fabric, const Information& of) {
     line("reed", fmt::format("{:g}", mill.reed_per_10cm),
          fmt::format("dents/10 cm, ends per dent {}", dentingText(mill.endsPerDent)));
   const std::string selvedges = selvedgeText(mill, selvedgeYarnName(fabric));
-  if (!selvedges.empty()) line("selvedges", fmt::format("2 x {}", mill.selvedgeEnds), "ends: " + selvedges);
+  if (!selvedges.empty()) line("selvedges", "", selvedges);
   const char* const labels[] = {"sett in the reed", "sett in loom state", "sett, finished", "sett, washed"};
   const auto states = namedStates(of.states);
   for (size_t i = 0; i < states.size(); ++i) {
