@@ -123,11 +123,10 @@ bool colourCell(Ui& ui, const std::string& row, const Columns& columns, const St
 
 bool widthCell(Ui& ui, const std::string& row, double pitch_mm, int room, int& threads) {
   NumberStyle style;
-  style.unit = "cm";
   style.min = 0.1 * pitch_mm;
   style.max = 0.1 * pitch_mm * room;
   double width_cm = 0.1 * pitch_mm * threads;
-  if (!numberField(ui, {row + "_cm", "", "Width of this stripe, to whole threads", true}, style, width_cm))
+  if (!numberField(ui, {row + "_cm", "", "Width of this stripe in cm, to whole threads", true}, style, width_cm))
     return false;
   const int before = threads;
   threads = std::clamp(static_cast<int>(std::lround(10 * width_cm / pitch_mm)), 1, room);
@@ -140,7 +139,7 @@ void headings(Ui& ui, const Columns& columns, const StripedThreads& threads) {
   ImGui::SameLine(columns.first + ui.px(8));
   ImGui::TextColored(ui.theme.textQuiet, "%s", threads.threads);
   ImGui::SameLine(columns.second + ui.px(8));
-  ImGui::TextColored(ui.theme.textQuiet, "Width");
+  ImGui::TextColored(ui.theme.textQuiet, "cm");
   ImGui::PopFont();
 }
 

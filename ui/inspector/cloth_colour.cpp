@@ -104,17 +104,13 @@ void wantedRow(Ui& ui, const ClothPart& part, const Wanted& wanted, const ClothC
 /// How far off it is, and what can be done about that.
 void differenceRow(Ui& ui, const ClothPart& part, const Wanted& wanted, const ClothColourModel& model,
                    ClothColourView& view) {
-  const RowText text{"fibre.cloth_colour_difference", words::difference.label, words::difference.help};
+  const std::string said = differenceText(wanted, model);
+  const RowText text{"fibre.cloth_colour_difference", said.c_str(), words::difference.help};
+  ui.probe.fact(text.id, said);
   const FieldRow row = beginRow(ui, text);
   const ImVec2 min = ImGui::GetCursorScreenPos(), max(min.x + row.width, min.y + row.height);
-  const std::string said = differenceText(wanted, model);
-  ui.probe.fact(text.id, said);
-  const float number = ui.px(60);
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(said.c_str());
-  ImGui::SetCursorScreenPos(ImVec2(min.x + number, min.y));
-  remedy(ui, "fibre.cloth_colour_nearest", row.width - number, part, wanted, model, view);
-  endRow(ui, text, min, ImVec2(min.x + number, max.y));
+  remedy(ui, "fibre.cloth_colour_nearest", row.width, part, wanted, model, view);
+  endRow(ui, text, ImVec2(min.x, min.y), ImVec2(min.x, max.y));
 }
 
 std::string remark(const ClothPart& part, const ClothColourModel& model, const Wanted& wanted) {
@@ -130,13 +126,12 @@ std::string remark(const ClothPart& part, const ClothColourModel& model, const W
       break;
   }
   if (!wanted) return "Pick the colour that the cloth should have, or drop a measured swatch here.";
-  const std::string off = fmt::format("off by {:.1f} (CIEDE2000)", model.difference);
-  if (model.tooLight && model.tooDark) return "Not to be had of this fibre; the nearest is " + off + ".";
-  if (model.tooLight) return "Lighter than this cloth can be, light comes through: the nearest is " + off + ".";
-  if (model.tooDark) return "Darker than fibres can be, their surface reflects: the nearest is " + off + ".";
+  if (model.tooLight && model.tooDark) return "Not to be had of this fibre; this is the nearest.";
+  if (model.tooLight) return "Lighter than this cloth can be, as light comes through; this is the nearest.";
+  if (model.tooDark) return "Darker than fibres can be, as their surface reflects; this is the nearest.";
   const bool reached = model.difference < kSeen;
-  if (wanted->measured && reached) return "As " + wanted->name + " was measured: " + off + ".";
-  return reached ? "Reached: " + off + "." : "The cloth has changed since, and is " + off + ".";
+  if (wanted->measured && reached) return "As " + wanted->name + " was measured.";
+  return reached ? "Reached." : "The cloth has changed since.";
 }
 
 /// Whether a fibre takes the dye, a yarn, or the woven piece.
@@ -158,11 +153,12 @@ void codeRow(Ui& ui, bool canBeDyed, ClothColourView& view) {
   if (!canBeDyed) ImGui::EndDisabled();
 }
 
-/// Two lines are kept free, so that what is said moves nothing.
+/// As many lines are kept free as a remark may take, so that what is said moves nothing.
 void remarkLines(Ui& ui, const std::string& said) {
   const float top = ImGui::GetCursorPosY();
+  const float lines = ImGui::GetContentRegionAvail().x < ui.px(280) ? 3 : 2;
   ImGui::PushFont(ui.fonts.small);
-  const float room = 2 * ImGui::GetTextLineHeightWithSpacing();
+  const float room = lines * ImGui::GetTextLineHeight() + ImGui::GetStyle().ItemSpacing.y;
   ImGui::PopFont();
   hint(ui, said);
   ui.probe.fact("fibre.cloth_colour_remark", said);
