@@ -31,7 +31,8 @@ void ColourwaysDialog::fitPictures(const Ui& ui, ImVec2 room, int count) {
   const float gap = ui.px(kGap), line = ImGui::GetFrameHeight();
   ImVec2 best(0, 0);
   for (int perLine = 1; perLine <= count; ++perLine) {
-    const auto across = static_cast<float>(perLine), down = static_cast<float>((count + perLine - 1) / perLine);
+    const int lines = (count + perLine - 1) / perLine;
+    const auto across = static_cast<float>(perLine), down = static_cast<float>(lines);
     const float width = (room.x - gap * (across - 1)) / across, height = (room.y - gap * (down - 1)) / down - line;
     const ImVec2 size(std::min({width, kWidestAspect * height, ui.px(kWidest)}), std::min(height, width / kAspect));
     if (size.x * size.y <= best.x * best.y || size.y <= 0) continue;
