@@ -16,7 +16,8 @@ constexpr double kShortestPassSeconds = 0.1;
 constexpr double kLongestPassSeconds = 1.0;
 
 double pathsAt(const PassHistory& h, int divider) {
-  return static_cast<double>((h.width + divider - 1) / divider) * ((h.height + divider - 1) / divider);
+  const int columns = (h.width + divider - 1) / divider, rows = (h.height + divider - 1) / divider;
+  return static_cast<double>(columns) * rows;
 }
 
 int firstDivider(const PassHistory& h) {

@@ -130,7 +130,7 @@ void VisibilityWorker::bake(Baking::Turn& turn) {
 }
 
 /// As the newest.
-void VisibilityWorker::keep(std::shared_ptr<const BvdfSet> tables, bool finished) {
+void VisibilityWorker::keep(const std::shared_ptr<const BvdfSet>& tables, bool finished) {
   auto baked = std::make_shared<BakedVisibility>();
   baked->bake = bake_;
   baked->rays = tables->rays;
@@ -138,7 +138,7 @@ void VisibilityWorker::keep(std::shared_ptr<const BvdfSet> tables, bool finished
   baked->yarn = std::clamp(wish_.yarn, 0, static_cast<int>(wish_.fabric->yarns.size()) - 1);
   baked->picture = bvdfSquares(tables->of(baked->yarn), kPictureColumns);
   // Of edits in quick succession each borrows what the one before did: the picture need not begin anew.
-  baked->tables = newest_ && alike(*newest_->tables, *tables) ? newest_->tables : std::move(tables);
+  baked->tables = newest_ && alike(*newest_->tables, *tables) ? newest_->tables : tables;
   newest_ = std::move(baked);
 }
 

@@ -63,7 +63,7 @@ class VisibilityWorker {
   bool isBakedFor(const Fabric& fabric) const;
   void bake(Baking::Turn& turn);
   bool servesNewer(Baking::Turn& turn);
-  void keep(std::shared_ptr<const BvdfSet> tables, bool finished);
+  void keep(const std::shared_ptr<const BvdfSet>& tables, bool finished);
 
   BvdfOptions options_;
 
