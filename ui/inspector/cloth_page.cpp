@@ -4,8 +4,8 @@
 
 #include "core/fabric/yarn/derived.h"
 #include "core/fabric/yarn/yarn_need.h"
-#include "ui/inspector/mill_rows.h"
 #include "ui/inspector/inspector.h"
+#include "ui/inspector/mill_rows.h"
 #include "ui/widgets/member_fields.h"
 
 namespace loomlight {
@@ -167,8 +167,8 @@ std::optional<Fabric> clothPage(Ui& ui, const Fabric& fabric, const InspectorMod
   bool changed = textField(ui, rowText("cloth", &Fabric::name), edited.name);
   changed |= textField(ui, rowText("cloth", &Fabric::description), edited.description);
   changed |= settRows(ui, model.inches, edited.ends_per_cm, edited.picks_per_cm);
-  changed |= millRows(ui, edited, model);
   changed |= finishRows(ui, edited);
+  changed |= millRows(ui, edited, model);
   clothRows(ui, fabric, model, view.units.count);
   bindingRows(ui, fabric, model);
   pieceRows(ui, fabric, model, view.units.piece);

@@ -140,6 +140,7 @@ Settings readSettings(const std::filesystem::path& file) {
     settings.recent = recentFiles(valueOf(json, "recent", nlohmann::json::array()));
     settings.hintsSeen = valueOf(json, "hints_seen", true);
     settings.draft = draftPreferences(json, settings.draft);
+    settings.colours = displayColours(json, settings.colours);
     settings.units = tradeUnits(json, settings.units);
     settings.books = bookShelf(json);
     settings.view = viewSettings(json, settings.view);
@@ -169,6 +170,11 @@ void writeSettings(const std::filesystem::path& file, const Settings& settings) 
                                {"loom_shafts", settings.draft.loom.shafts},
                                {"loom_treadles", settings.draft.loom.treadles},
                                {"long_float_mm", settings.draft.longFloat_mm},
+                               {"display_profile", kProfileSources[static_cast<int>(settings.colours.source)]},
+                               {"display_profile_file", settings.colours.displayFile},
+                               {"printer_profile_file", settings.colours.printerFile},
+                               {"soft_proof", settings.colours.proofs},
+                               {"gamut_warning", settings.colours.warnsOfGamut},
                                {"denoised", settings.view.denoised},
                                {"filmic", settings.view.filmic},
                                {"exposure_stops", settings.view.exposure_stops},
@@ -180,11 +186,6 @@ void writeSettings(const std::filesystem::path& file, const Settings& settings) 
                                {"snapshot_height_mm", settings.snapshot.height_mm},
                                {"snapshot_dpi", settings.snapshot.dpi},
                                {"snapshot_actual_size", settings.snapshot.actualSize},
-                               {"display_profile", kProfileSources[static_cast<int>(settings.colours.source)]},
-                               {"display_profile_file", settings.colours.displayFile},
-                               {"printer_profile_file", settings.colours.printerFile},
-                               {"soft_proof", settings.colours.proofs},
-                               {"gamut_warning", settings.colours.warnsOfGamut},
                                {"snapshot_scale_bar", settings.snapshot.scaleBar},
                                {"count_unit", countUnit(settings.units.count)},
                                {"twist_multiplier", settings.units.twistAsMultiplier},

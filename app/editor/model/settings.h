@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/editor/model/recent_files.h"
+#include "ui/dialogs/display_colours.h"
 #include "ui/dock_layout.h"
 #include "ui/draft/draft_view.h"
 #include "ui/inspector/colour_book.h"
@@ -32,10 +33,10 @@ struct Settings {
   DockLayout dock;
   ViewSettings view;
   DraftPreferences draft;
+  DisplayColours colours;
   SnapshotOptions snapshot;
   TradeUnits units;
-  BookShelf books;  ///< that colours were chosen from; the open one is to be opened
-  DisplayColours colours;
+  BookShelf books;                                  ///< that colours were chosen from; the open one is to be opened
   double fibreMemory_GB = defaultFibreMemory_GB();  ///< that the truth lens may use
   std::string folder;                               ///< where files were last opened or saved
   std::vector<RecentFile> recent;                   ///< the last one first
