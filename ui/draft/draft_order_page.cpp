@@ -11,7 +11,8 @@ std::optional<Fabric> orderPage(Ui& ui, const Fabric& fabric, const std::vector<
       orderField(ui, warp, fabric, &Fabric::warpSequence, fabric.warpPitch_mm(), view.warpOrder);
   if (auto wefted = orderField(ui, weft, fabric, &Fabric::weftSequence, fabric.weftPitch_mm(), view.weftOrder))
     edited = std::move(wefted);
-  if (auto ordered = colourOrderTools(ui, fabric, yarnColours, view.yarnNames, view.colourOrder)) edited = std::move(ordered);
+  if (auto ordered = colourOrderTools(ui, fabric, yarnColours, view.yarnNames, view.colourOrder))
+    edited = std::move(ordered);
   return edited;
 }
 
