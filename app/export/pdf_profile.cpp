@@ -42,6 +42,7 @@ class Pdf {
 
   std::string bytes() {
     qpdf_init_write_memory(pdf());
+    qpdf_set_deterministic_ID(pdf(), QPDF_TRUE);  // the same pages make the same file
     qpdf_write(pdf());
     return {reinterpret_cast<const char*>(qpdf_get_buffer(pdf())), qpdf_get_buffer_length(pdf())};
   }

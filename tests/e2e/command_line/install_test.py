@@ -66,8 +66,9 @@ class Thumbnail(CommandLineTest):
                 colours[pixel] = colours.get(pixel, 0) + 1
         self.assertEqual(sorted(colours.values()), [32 * 64, 32 * 64])
         blue, white = sorted(colours, key=sum)
-        self.assertGreater(blue[2], 2 * blue[0])
-        self.assertGreater(min(white), 200)
+        # As the cloth shows them: each with some light of the other.
+        self.assertGreater(blue[2], 1.3 * blue[0])
+        self.assertGreater(min(white), 150)
 
     def test_it_says_what_is_wrong(self):
         (self.folder / "broken.loomlight").write_text("{")

@@ -166,9 +166,8 @@ TEST_F(Presets, AClothIsUsedAndKeptFromTheMenu) {
   editor.until("the cloth is denim", [&] { return editor.fact("name") == "Denim"; });
   editor.click("menu.file");
   editor.click("menu.save_preset");
-  editor.until("the editor says so", [&] {
-    return editor.fact("message").find("\u201cDenim\u201d is among the presets now.") != std::string::npos;
-  });
+  editor.until("the editor says so",
+               [&] { return editor.fact("message").find("\"Denim\" is among the presets now.") != std::string::npos; });
   editor.answer();
 }
 

@@ -66,7 +66,10 @@ TEST_F(YarnPages, WhatFollowsForTheCloth) {
 TEST_F(YarnPages, APieceIsReckoned) {
   editor.click("tab.cloth");
   const ImVec2 page = editor.centre("cloth.repeat");
-  for (int turns = 0; turns < 12; ++turns) editor.wheelAt(page, -1);
+  const auto inSight = [&](const char* row) {
+    return editor.shows(row) && editor.rect(row).y1 < editor.screen().y - 110;
+  };
+  for (int turns = 0; turns < 40 && !inSight("cloth.piece_length"); ++turns) editor.wheelAt(page, -1);
   editor.until("yarn is reckoned", [&] { return !editor.fact("cloth.need_warp").empty(); });
   const std::string before = editor.fact("cloth.need_warp");
   editor.enter("cloth.piece_length", "100");
