@@ -40,9 +40,12 @@ class Pdf {
     qpdf_oh_replace_key(pdf(), qpdf_get_root(pdf()), "/OutputIntents", intents);
   }
 
+  /// The same pages make the same file, whenever they are made.
   std::string bytes() {
+    const qpdf_oh info = qpdf_oh_get_key(pdf(), qpdf_get_trailer(pdf()), "/Info");
+    if (qpdf_oh_is_dictionary(pdf(), info)) qpdf_oh_remove_key(pdf(), info, "/CreationDate");
     qpdf_init_write_memory(pdf());
-    qpdf_set_deterministic_ID(pdf(), QPDF_TRUE);  // the same pages make the same file
+    qpdf_set_deterministic_ID(pdf(), QPDF_TRUE);
     qpdf_write(pdf());
     return {reinterpret_cast<const char*>(qpdf_get_buffer(pdf())), qpdf_get_buffer_length(pdf())};
   }
