@@ -65,11 +65,12 @@ TEST_F(YarnPages, WhatFollowsForTheCloth) {
 
 TEST_F(YarnPages, APieceIsReckoned) {
   editor.click("tab.cloth");
-  const ImVec2 page = editor.centre("cloth.repeat");
+  const ImVec2 page = editor.centre("cloth.ends_per_cm");
   const auto inSight = [&](const char* row) {
     return editor.shows(row) && editor.rect(row).y1 < editor.screen().y - 110;
   };
-  for (int turns = 0; turns < 40 && !inSight("cloth.piece_length"); ++turns) editor.wheelAt(page, -1);
+  for (int turns = 0; turns < 40 && !(inSight("cloth.need_warp") && inSight("cloth.piece_length")); ++turns)
+    editor.wheelAt(page, -1);
   editor.until("yarn is reckoned", [&] { return !editor.fact("cloth.need_warp").empty(); });
   const std::string before = editor.fact("cloth.need_warp");
   editor.enter("cloth.piece_length", "100");
