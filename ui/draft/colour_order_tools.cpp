@@ -35,7 +35,7 @@ std::optional<std::vector<int>> orderButtons(Ui& ui, const std::vector<int>& own
                                              int weaveRepeat, bool weft) {
   const float half = 0.5f * (ImGui::GetContentRegionAvail().x - ui.px(8));
   const bool twiceFits = 2 * own.size() <= kMaxSequence;
-  const std::vector<int> even = balanced(own, weaveRepeat);
+  std::vector<int> even = balanced(own, weaveRepeat);
   const Word& copy = weft ? words::copyWarp : words::copyWeft;
   std::optional<std::vector<int>> made;
   const auto tool = [&](const char* id, const Word& word, bool enabled, const auto& make) {
