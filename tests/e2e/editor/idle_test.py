@@ -8,9 +8,9 @@ from small_cloth import small_cloth
 from window_driver import expect, run, window
 
 PROGRAM = os.environ["LOOMLIGHT"]
-WIDTH, HEIGHT = 960, 600
+WIDTH, HEIGHT = 640, 400
 FRAMES_A_WAKE, LONGEST_SLEEP_S = 6, 5  # as in app/editor/editor.cpp
-WAKES = 4
+WAKES = 3
 LEAST_SPAN_S = 1  # of a sleep that is measured
 BUSY_SHARE = 0.01  # of a processor, that threads asleep may take: they take none
 

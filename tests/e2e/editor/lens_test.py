@@ -6,7 +6,7 @@ from window_driver import difference, expect, picture_statistics, read_json, run
 
 PROGRAM = os.environ["LOOMLIGHT"]
 SAMPLES = os.path.join(os.environ["LOOMLIGHT_ROOT"], "samples")
-WIDTH, HEIGHT = 1280, 720
+WIDTH, HEIGHT = 1024, 720
 
 
 def small_fabric(home):
