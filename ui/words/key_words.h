@@ -29,7 +29,6 @@ inline constexpr KeyLine onTheCloth[] = {
     {"N", "Denoised preview"},
     {"Y, Shift+Y", "Soft proof, gamut warning"},
     {"Esc", "From flat cloth to its drape"},
-    {"Y, Shift+Y", "Soft proof, gamut warning"},
 };
 inline constexpr KeyLine inTheDraft[] = {
     {"Click, drag", "Turn crossings over"},

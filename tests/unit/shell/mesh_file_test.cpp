@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/random.h"
 #include "core/shell/shell.h"
+#include "tests/support/scratch_folder.h"
 
 namespace loomlight {
 namespace {
@@ -17,19 +18,11 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// Files in a folder of the test's own, gone when it ends.
 class MeshFiles : public testing::Test {
  protected:
-  MeshFiles()
-      : folder_(std::filesystem::path(testing::TempDir()) /
-                (std::string("loomlight_") + testing::UnitTest::GetInstance()->current_test_info()->name())) {
-    std::filesystem::create_directories(folder_);
-  }
-  ~MeshFiles() override { std::filesystem::remove_all(folder_); }
-
   DrapeMesh load(const std::string& name, const std::string& content, double scale = 1) {
-    const std::string file = (folder_ / name).string();
-    std::ofstream(file, std::ios::binary) << content;
+    const std::string file = folder_.file(name);
+    test::putBytes(file, content);
     return loadDrapeMesh(file, scale);
   }
   std::string failure(const std::string& name, const std::string& content, double scale = 1) {
@@ -41,7 +34,7 @@ class MeshFiles : public testing::Test {
     return "accepted";
   }
 
-  std::filesystem::path folder_;
+  test::ScratchFolder folder_;
 };
 
 const char* const kQuad =
@@ -146,17 +139,17 @@ TEST_F(MeshFiles, RefusesWhatIsNoMesh) {
   EXPECT_THAT(failure("a.ply", ""), HasSubstr("begins with 'ply'"));
   EXPECT_THAT(failure("a.off", ""), HasSubstr("STOFF"));
   EXPECT_THAT(failure("a.stl", "solid\n"), HasSubstr(".obj, .ply or .off"));
-  EXPECT_THROW(loadDrapeMesh((folder_ / "none.obj").string(), 1), InputError);
-  std::filesystem::create_directory(folder_ / "folder.obj");
-  EXPECT_THROW(loadDrapeMesh((folder_ / "folder.obj").string(), 1), InputError);
+  EXPECT_THROW(loadDrapeMesh(folder_.file("none.obj"), 1), InputError);
+  std::filesystem::create_directory(folder_.path() / "folder.obj");
+  EXPECT_THROW(loadDrapeMesh(folder_.file("folder.obj"), 1), InputError);
   EXPECT_THAT(failure("a.obj", kQuad, 0), HasSubstr("drape.uvScale_mm"));
   EXPECT_THAT(failure("a.obj", kQuad, 1e6), HasSubstr("expected cloth of at most"));
   EXPECT_THAT(failure("a.obj", "v 0 0 0\nv 1e6 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n"),
               HasSubstr("mesh of at most"));
-  std::ofstream huge(folder_ / "huge.obj");
+  std::ofstream huge(folder_.file("huge.obj"));
   huge.close();
-  std::filesystem::resize_file(folder_ / "huge.obj", size_t{513} << 20);  // sparse
-  EXPECT_THROW(loadDrapeMesh((folder_ / "huge.obj").string(), 1), InputError);
+  std::filesystem::resize_file(folder_.file("huge.obj"), size_t{513} << 20);  // sparse
+  EXPECT_THROW(loadDrapeMesh(folder_.file("huge.obj"), 1), InputError);
 }
 
 TEST_F(MeshFiles, RefusesCountsThatWouldTakeAllMemory) {
