@@ -60,6 +60,7 @@ class Frames {
       const bool input = window_.waitForEvents(sleeps ? std::min(wakeIn, kLongestSleep_s) : 0);
       framesLeft = input || sleeps ? kFramesPerEvent - 1 : framesLeft - 1;
       shown.drop(window_.takeDroppedFiles());
+      if constexpr (requires { shown.displayIs(1.0); }) shown.displayIs(window_.pixels_per_mm());
       if (window_.closeWanted()) {
         window_.refuseClose();
         shown.askToQuit();
@@ -125,7 +126,7 @@ int runEditor(const EditorOptions& options) {
   }
 
   Session session(std::move(document), settings, driver, Window::wake, options.threads);
-  session.displayIs(window.pixels_per_mm(), systemDisplayProfile());
+  session.startProfiles(systemDisplayProfile());
   session.offerRecovery();
   if (!problem.empty()) session.sayUnopened(problem);
   if (!options.fabricFile.empty() && !isFabricFile(options.fabricFile)) session.openFile(options.fabricFile);

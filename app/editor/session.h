@@ -59,11 +59,10 @@ class Session {
   bool isOver() const { return window_.isOver; }
   /// The end has come as it should: nothing is left to be taken up again.
   void close() { document_.endWell(); }
-  /// Of the display, as the system says; until then as most are. `profile`: its colours' (ICC); empty: none is said.
-  void displayIs(double pixels_per_mm, std::string profile) {
-    viewport_.displayIs(pixels_per_mm);
-    profiles_.start(std::move(profile));
-  }
+  /// Of the display, as the system says; until then as most are. The window may be moved to another one.
+  void displayIs(double pixels_per_mm) { viewport_.displayIs(pixels_per_mm); }
+  /// `display`: the profile (ICC) that the system has for the display; empty: it says none.
+  void startProfiles(std::string display) { profiles_.start(std::move(display)); }
   /// Through which all that is drawn is shown; null: the display is sRGB.
   std::shared_ptr<const ColourCube> displayCube() const { return profiles_.displayCube(); }
   bool wantsFullScreen() const { return window_.isFull; }

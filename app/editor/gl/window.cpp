@@ -153,9 +153,25 @@ void Window::followScale() {
   setTheme(theme_);
 }
 
+GLFWmonitor* Window::monitor() const {
+  int x = 0, y = 0, width = 0, height = 0;
+  glfwGetWindowPos(window_, &x, &y);
+  glfwGetWindowSize(window_, &width, &height);
+  int count = 0;
+  GLFWmonitor* const* const monitors = glfwGetMonitors(&count);
+  for (int i = 0; i < count; ++i) {
+    const GLFWvidmode* const mode = glfwGetVideoMode(monitors[i]);
+    int left = 0, top = 0;
+    glfwGetMonitorPos(monitors[i], &left, &top);
+    const int inX = x + width / 2 - left, inY = y + height / 2 - top;
+    if (mode && inX >= 0 && inX < mode->width && inY >= 0 && inY < mode->height) return monitors[i];
+  }
+  return glfwGetPrimaryMonitor();
+}
+
 double Window::pixels_per_mm() const {
   constexpr double kUsual = 96 / 25.4;
-  GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
+  GLFWmonitor* const monitor = this->monitor();
   const GLFWvidmode* const mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
   int width_mm = 0, height_mm = 0;
   if (monitor) glfwGetMonitorPhysicalSize(monitor, &width_mm, &height_mm);
@@ -194,7 +210,7 @@ void Window::refuseClose() {
 
 void Window::setFullScreen(bool on) {
   if (on == fullScreen_) return;
-  GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+  GLFWmonitor* const monitor = this->monitor();
   if (!monitor) return;
   if (on) {
     glfwGetWindowPos(window_, &placeX_, &placeY_);

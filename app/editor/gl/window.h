@@ -11,6 +11,7 @@
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/theme.h"
 
+struct GLFWmonitor;
 struct GLFWwindow;
 
 namespace loomlight {
@@ -26,7 +27,7 @@ class Window {
   Window& operator=(const Window&) = delete;
 
   float scale() const { return scale_; }
-  /// Of the display, as it says; 96 to the inch where it does not.
+  /// Of the display that the window is on, as it says; 96 to the inch where it does not.
   double pixels_per_mm() const;
   /// Makes the interface larger or smaller than the monitor asks for. Not within a frame.
   void setInterfaceSize(float factor);
@@ -53,6 +54,8 @@ class Window {
   std::vector<std::string> takeDroppedFiles();
 
  private:
+  /// That the middle of the window is on, or the first where it is on none; null without any.
+  GLFWmonitor* monitor() const;
   float wantedScale() const;
   void followScale();
   void noticeInput();
