@@ -140,7 +140,9 @@ class ObjectReader {
     if (!object_.empty()) place_.reject(expected, quotedText(object_.begin().key()));
   }
 
-  UnknownKeys rest() { return object_.empty() ? nullptr : std::make_shared<const json>(std::move(object_)); }
+  UnknownKeys rest() const {
+    return object_.empty() ? nullptr : std::make_shared<const std::string>(object_.dump());
+  }
 
  private:
   json object_;

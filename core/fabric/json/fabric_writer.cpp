@@ -77,8 +77,7 @@ void addFields(Json& json, const Object& object) {
 }
 
 void addUnknown(Json& json, const UnknownKeys& unknown) {
-  if (!unknown) return;
-  for (auto item = unknown->begin(); item != unknown->end(); ++item) json[item.key()] = item.value();
+  if (unknown) json.update(Json::parse(*unknown));
 }
 
 template <class Object>
