@@ -70,7 +70,7 @@ MenuChoice menuBar(Ui& ui, const MenuModel& model) {
     menu.item("menu.fit_draft", words::menu::fitDraft, Command::fitDraft);
     ImGui::Separator();
     menu.item("menu.keep_view", words::menu::keepView, Command::keepView);
-    menu.item("menu.lens", words::menu::truthLens, Command::truthLens, true, model.lensOn);
+    menu.item("menu.lens", words::menu::truthLens, Command::truthLens, true, model.insetOn);
     menu.item("menu.next_lamp", words::menu::nextLamp, Command::boothLamp);
     menu.item("menu.denoise", words::menu::denoise, Command::denoise, true, model.denoised);
     ImGui::Separator();

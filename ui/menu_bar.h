@@ -18,7 +18,7 @@ struct MenuModel {
   bool canUndo = false, canRedo = false;
   bool darkTheme = true;
   bool panelsShown = true;
-  bool lensOn = false;
+  bool insetOn = false;
   bool denoised = false;
   bool proofs = false, warnsOfGamut = false;
   bool knowsPrinter = false;  ///< whose prints can be shown

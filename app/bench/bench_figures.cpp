@@ -79,7 +79,7 @@ bool addDensity(ReportPage& page, const Task& task) {
   for (const DensityError& e : study->errors)
     rows.push_back({e.method, percent(e.length_percent), fmt::format("{:.3f}", e.voxel_percent),
                     fmt::format("{:.1f}", e.fine_percent), fmt::format("{:.1f}", e.astray_percent)});
-  for (const DensityStudy::Place& p : study->line)
+  for (const DensityStudy::Sample& p : study->line)
     line.push_back({fmt::format("{:.2f}", p.x_um), fmt::format("{:.0f}", p.exact), fmt::format("{:.0f}", p.ours),
                     fmt::format("{:.0f}", p.counted)});
   page.table("fig4",

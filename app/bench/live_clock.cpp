@@ -60,7 +60,7 @@ std::optional<LiveTimes> LiveClock::show(const Fabric& fabric, bool wholeSample,
     const auto frame = renderer_.frame();
     if (!frame || frame->generation < generation_) return false;
     if (times.coarse_s == 0) times.coarse_s = now;
-    if (times.volume_s == 0 || frame->quality == Quality::sketch) return false;
+    if (times.volume_s == 0 || frame->quality == PreviewQuality::sketch) return false;
     if (frame->samples == 0) return !wholeSample;
     times.sample_s = now;
     return true;

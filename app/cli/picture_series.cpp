@@ -32,11 +32,11 @@ std::pair<std::string, std::string> apart(const std::string& text, const std::st
 
 }  // namespace
 
-Turn parseTurn(const std::string& option, const std::string& text) {
+Turntable parseTurntable(const std::string& option, const std::string& text) {
   const auto [what, amounts] = apart(text, ":");
-  Turn turn;
+  Turntable turn;
   if (what == "light")
-    turn.what = Turn::What::light;
+    turn.what = Turntable::What::light;
   else if (what != "camera")
     throw UsageError(
         fmt::format("{}: expected camera or light, such as camera:36 or light:24,90, got '{}'", option, text));
@@ -56,13 +56,13 @@ FrameRange parseFrames(const std::string& option, const std::string& text) {
   return range;
 }
 
-Fabric inFrame(Fabric fabric, const Turn& turn, int frame) {
-  if (turn.what == Turn::What::light && !hasDirection(fabric.light.kind))
+Fabric inFrame(Fabric fabric, const Turntable& turn, int frame) {
+  if (turn.what == Turntable::What::light && !hasDirection(fabric.light.kind))
     throw UsageError(
         "--turn light: expected a light with a direction: sky, window, booth, directional or ibl; choose one by "
         "--light");
   if (frame == 1) return fabric;
-  double& azimuth_deg = turn.what == Turn::What::camera ? fabric.camera.azimuth_deg : fabric.light.azimuth_deg;
+  double& azimuth_deg = turn.what == Turntable::What::camera ? fabric.camera.azimuth_deg : fabric.light.azimuth_deg;
   azimuth_deg = std::remainder(azimuth_deg + (frame - 1) * turn.degrees / turn.frames, 360.0);
   return fabric;
 }

@@ -9,7 +9,7 @@
 namespace loomlight {
 
 /// A series of pictures in which the camera goes about the cloth, or the light does.
-struct Turn {
+struct Turntable {
   enum class What { camera, light };
   What what = What::camera;
   int frames = 36;       ///< of the whole turn, 1..99999
@@ -22,13 +22,13 @@ struct FrameRange {
 };
 
 /// camera, light:24, light:24,90. Throws UsageError.
-Turn parseTurn(const std::string& option, const std::string& text);
+Turntable parseTurntable(const std::string& option, const std::string& text);
 /// 7 or 1..36. Throws UsageError.
 FrameRange parseFrames(const std::string& option, const std::string& text);
 
 /// The fabric as it is seen in a frame: the first one is the fabric as it is, each other one is a step of degrees /
 /// frames further. Throws UsageError where the light has no direction to turn.
-Fabric inFrame(Fabric fabric, const Turn& turn, int frame);
+Fabric inFrame(Fabric fabric, const Turntable& turn, int frame);
 
 /// The name of a picture of a series: in `pattern`, {} becomes the input's name without folder and ending, and the last
 /// run of # the frame's number, with zeros before it where it is shorter than the run. Without a frame, # stay.

@@ -58,14 +58,14 @@ FrameTimes drawFrame(Window& window, Session& session, WidgetProbe& probe, Field
   return times;
 }
 
-struct Part {
+struct Measure {
   const char *key, *name;
   double FrameTimes::* time;
 };
-constexpr Part kParts[] = {{"besides_drawing_ms", "all but drawing", &FrameTimes::besides},
-                           {"panels_ms", "drawing: panels", &FrameTimes::panels},
-                           {"panels_cpu_ms", "the same, processor time", &FrameTimes::panelsCpu},
-                           {"pixels_ms", "drawing: OpenGL", &FrameTimes::pixels}};
+constexpr Measure kMeasures[] = {{"besides_drawing_ms", "all but drawing", &FrameTimes::besides},
+                                 {"panels_ms", "drawing: panels", &FrameTimes::panels},
+                                 {"panels_cpu_ms", "the same, processor time", &FrameTimes::panelsCpu},
+                                 {"pixels_ms", "drawing: OpenGL", &FrameTimes::pixels}};
 
 double quantile(std::vector<double>& values, double part) {
   const auto nth = values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
@@ -105,12 +105,12 @@ int runUiBench(const UiBenchOptions& options) {
   std::string table =
       fmt::format("| {0} x {0} crossings, {1} frames | median, ms | 99 %, ms | longest, ms |\n", side, frames.size()) +
       "|---|---:|---:|---:|\n";
-  for (const Part& part : kParts) {
+  for (const Measure& measure : kMeasures) {
     std::vector<double> values;
-    for (const FrameTimes& times : frames) values.push_back(times.*part.time);
+    for (const FrameTimes& times : frames) values.push_back(times.*measure.time);
     const double median = quantile(values, 0.5), most = quantile(values, 0.99), longest = quantile(values, 1);
-    json[part.key] = {{"median", median}, {"p99", most}, {"longest", longest}};
-    table += fmt::format("| {} | {:.2f} | {:.2f} | {:.2f} |\n", part.name, median, most, longest);
+    json[measure.key] = {{"median", median}, {"p99", most}, {"longest", longest}};
+    table += fmt::format("| {} | {:.2f} | {:.2f} | {:.2f} |\n", measure.name, median, most, longest);
   }
   fmt::print("{}", options.json ? json.dump(2) + "\n" : table);
   return 0;

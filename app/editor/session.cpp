@@ -147,7 +147,7 @@ void Session::run(Command command) {
     case Command::fitDraft:
       return draft_.fit();
     case Command::truthLens:
-      return viewport_.view().lens.toggle();
+      return viewport_.view().inset.toggle();
     case Command::boothLamp:
       return document_.change([](Fabric& fabric) { fabric.light.illuminant = nextLamp(fabric.light.illuminant); });
     case Command::denoise:
@@ -234,8 +234,8 @@ void Session::readKeys() {
   if (letterPressed('Y')) run(io.KeyShift ? Command::gamutWarning : Command::softProof);
   if (io.InputQueueCharacters.contains('[')) run(Command::brushBefore);
   if (io.InputQueueCharacters.contains(']')) run(Command::brushNext);
-  if (escape && viewport_.view().lens.on)
-    viewport_.view().lens.close();
+  if (escape && viewport_.view().inset.on)
+    viewport_.view().inset.close();
   else if (escape)
     viewport_.leaveFlat();
   if (letterPressed('P')) run(Command::togglePanels);

@@ -19,7 +19,7 @@ void Session::drawPanels(Ui& ui) {
   menu.canRedo = document_.document().canRedo();
   menu.darkTheme = settings_.darkTheme;
   menu.panelsShown = settings_.dock.panelsShown;
-  menu.lensOn = viewport_.view().lens.on;
+  menu.insetOn = viewport_.view().inset.on;
   menu.denoised = viewport_.view().denoised;
   menu.proofs = profiles_.colours().proofs;
   menu.warnsOfGamut = profiles_.colours().warnsOfGamut;

@@ -28,7 +28,7 @@ int64_t twistPeriod(const ClothGeometry& geometry, System system) {
   int64_t period = 1;
   const int yarns = warp ? geometry.repeatEnds() : geometry.repeatPicks();
   for (int i = 0; i < yarns && period <= kMostThreads; ++i) {
-    const CellKey key = warp ? geometry.key(system, 0, i) : geometry.key(system, i, 0);
+    const YarnCellKey key = warp ? geometry.key(system, 0, i) : geometry.key(system, i, 0);
     period = std::lcm(period, static_cast<int64_t>(geometry.yarn(system, key.yarn).period));
   }
   return period;

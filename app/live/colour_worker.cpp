@@ -29,7 +29,7 @@ std::shared_ptr<const ColourAnswer> answerTo(const ColourWish& wish, const Fabri
 
 ColourWorker::ColourWorker(std::function<void()> wake)
     : worker_(
-          std::move(wake), [this](const ColourWish& wish, auto& turn) { return answer(wish, turn); },
+          std::move(wake), [this](const ColourWish& wish, auto& job) { return answer(wish, job); },
           [this](const ColourWish&, const std::string& problem) { return Result{last_, problem}; }) {}
 
 std::shared_ptr<const ColourAnswer> ColourWorker::newest() const {
@@ -44,22 +44,22 @@ std::string ColourWorker::error() const {
 
 /// Makes walks for the wish, which may be replaced under way by one that the same walks serve. Its fabric, ready to
 /// dye; null when stopped.
-std::shared_ptr<const Fabric> ColourWorker::makeWalks(ColourWish& wish, Answering::Turn& turn) {
+std::shared_ptr<const Fabric> ColourWorker::makeWalks(ColourWish& wish, Answering::Job& job) {
   std::shared_ptr<const Fabric> ready = readyFor(wish);
   if (walked_ && walkedPart_ == wish.part && walkedAlike(*walked_, *ready)) return ready;
   const auto first = ready;
   Task task;
-  task.stop = turn.stop();
+  task.stop = job.stop();
   task.threads = 1;
   task.progress = [&](double) {
-    auto newer = turn.takeNewer();
+    auto newer = job.takeNewer();
     if (!newer) return;
     auto newerReady = readyFor(*newer);
     if (newer->part == wish.part && walkedAlike(*newerReady, *first)) {
       wish = std::move(*newer);
       ready = std::move(newerReady);
     } else {
-      turn.giveWayTo(std::move(*newer));
+      job.giveWayTo(std::move(*newer));
     }
   };
   auto walks = walkThrough(*first, wish.part, kDyeWalks, task);
@@ -70,8 +70,8 @@ std::shared_ptr<const Fabric> ColourWorker::makeWalks(ColourWish& wish, Answerin
   return ready;
 }
 
-std::optional<ColourWorker::Result> ColourWorker::answer(ColourWish wish, Answering::Turn& turn) {
-  const auto ready = makeWalks(wish, turn);
+std::optional<ColourWorker::Result> ColourWorker::answer(ColourWish wish, Answering::Job& job) {
+  const auto ready = makeWalks(wish, job);
   if (!ready) return std::nullopt;
   last_ = answerTo(wish, *ready, walks_);
   return Result{last_, ""};

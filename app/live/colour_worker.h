@@ -45,8 +45,8 @@ class ColourWorker {
     std::string error;
   };
   using Answering = Worker<ColourWish, Result>;
-  std::optional<Result> answer(ColourWish wish, Answering::Turn& turn);
-  std::shared_ptr<const Fabric> makeWalks(ColourWish& wish, Answering::Turn& turn);
+  std::optional<Result> answer(ColourWish wish, Answering::Job& job);
+  std::shared_ptr<const Fabric> makeWalks(ColourWish& wish, Answering::Job& job);
 
   // The thread's own:
   std::shared_ptr<const ColourAnswer> last_;

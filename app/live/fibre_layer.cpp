@@ -11,7 +11,7 @@ FibreLayer::FibreLayer(std::function<void()> wake, std::function<void(Traceable)
     : deliver_(std::move(deliver)),
       threads_(threads),
       worker_(
-          std::move(wake), [this](const Wish& wish, const auto& turn) { return fulfil(wish, turn); },
+          std::move(wake), [this](const Wish& wish, const auto& job) { return fulfil(wish, job); },
           [](const Wish&, const std::string& problem) {
             Status status;
             status.phase = Status::Phase::failed;
@@ -48,11 +48,11 @@ FibreLayer::Status FibreLayer::status() const {
   return worker_.newest().value_or(Status{});
 }
 
-std::optional<FibreLayer::Status> FibreLayer::fulfil(const Wish& wish, const Laying::Turn& turn) {
+std::optional<FibreLayer::Status> FibreLayer::fulfil(const Wish& wish, const Laying::Job& job) {
   Status status;
   deliver_({});  // what was laid before may be gigabytes
   if (!wish.scene) return status;
-  turn.bring(status);
+  job.bring(status);
   // Bricks are there at once, while one tree of a piece takes seconds; but of a piece of few cells it takes less
   // memory.
   FibreOptions options(wish.limit_bytes);
@@ -68,19 +68,19 @@ std::optional<FibreLayer::Status> FibreLayer::fulfil(const Wish& wish, const Lay
     return status;
   }
   status.phase = Status::Phase::laying;
-  turn.bring(status);
+  job.bring(status);
 
   Task task;
-  task.stop = turn.stop();
+  task.stop = job.stop();
   task.threads = threads_;
   constexpr int kSteps = 25;
   std::atomic<int> told{0};
-  task.progress = [&turn, &status, &told](double fraction) {
+  task.progress = [&job, &status, &told](double fraction) {
     const int step = static_cast<int>(kSteps * fraction);
     if (told.exchange(step) == step) return;  // each wakes the window
     Status now = status;
     now.progress = fraction;
-    turn.bring(now);
+    job.bring(now);
   };
   std::shared_ptr<const Medium> fibres = FibreMedium::build(wish.scene->cloth, options, task);
   if (!fibres) return std::nullopt;

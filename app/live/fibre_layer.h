@@ -11,9 +11,9 @@
 
 namespace loomlight {
 
-/// Lays the explicit fibres of the newest cloth on a thread of its own, for the truth lens: brick by brick, or where a
-/// cloth is of too many kinds of cells for that, all in one. Says beforehand what they will take, and refuses where
-/// that is more than it may be. No call here waits (destruction does, for what it stops).
+/// Lays the explicit fibres of the newest cloth on a thread of its own, for the reference inset: brick by brick, or
+/// where a cloth is of too many kinds of cells for that, all in one. Says beforehand what they will take, and refuses
+/// where that is more than it may be. No call here waits (destruction does, for what it stops).
 class FibreLayer {
  public:
   struct Status {
@@ -43,7 +43,7 @@ class FibreLayer {
   };
   using Laying = Worker<Wish, Status>;
   void post(std::shared_ptr<const Scene> scene, double limit_bytes);
-  std::optional<Status> fulfil(const Wish& wish, const Laying::Turn& turn);
+  std::optional<Status> fulfil(const Wish& wish, const Laying::Job& job);
 
   std::function<void(Traceable)> deliver_;
   int threads_;

@@ -72,8 +72,8 @@ struct LiveRenderer::Workers {
             wake, [this](Traceable laid) { tracer.fibres(std::move(laid)); }, threads),
         builder(
             {},
-            [this](const ViewRequest& request, auto& turn) {
-              build(request, turn);
+            [this](const ViewRequest& request, auto& job) {
+              build(request, job);
               return std::nullopt;
             },
             [this](const ViewRequest&, const std::string& problem) {
@@ -83,12 +83,12 @@ struct LiveRenderer::Workers {
             Backlog::newest, Priority::picture) {}
 
   using Builder = Worker<ViewRequest, std::monostate>;  // what it makes goes to the tracer and into `status`
-  void build(const ViewRequest& request, Builder::Turn& turn);
-  void showDraft(const ViewRequest& request, std::shared_ptr<const Scene> first, const Task& task, Builder::Turn& turn);
+  void build(const ViewRequest& request, Builder::Job& job);
+  void showSketch(const ViewRequest& request, std::shared_ptr<const Scene> first, const Task& task, Builder::Job& job);
   void tell(const std::string& problem);
   void count();
   void layFibres();
-  LensStatus lensStatus(const Tracer::State& traced) const;  ///< with the mutex held
+  InsetStatus insetStatus(const Tracer::State& traced) const;  ///< with the mutex held
 
   std::function<void()> wake;
   int threads;
@@ -97,7 +97,7 @@ struct LiveRenderer::Workers {
   LiveStatus status;  ///< the builder's part of it
   bool building = false;
   bool buildMayBeCancelled = true;  // not twice in a row, or a steady drag would never show a new volume
-  std::optional<LensRequest> lens;
+  std::optional<InsetRequest> inset;
   std::shared_ptr<const Scene> scene;  // the newest that could be built; only the builder changes it
   std::shared_ptr<const Scene> woven;  // the newest whose yarns are final, though bricks of it may still be missing
 
@@ -120,14 +120,14 @@ void LiveRenderer::Workers::tell(const std::string& problem) {
   wake();
 }
 
-void LiveRenderer::Workers::build(const ViewRequest& request, Builder::Turn& turn) {
+void LiveRenderer::Workers::build(const ViewRequest& request, Builder::Job& job) {
   using Clock = std::chrono::steady_clock;
   constexpr std::chrono::milliseconds kTelling{40};  // how far a build is; a quick one says nothing
   const auto start = Clock::now();
   auto told = start;
   if (builder.isWaiting()) return;  // it came before this one could be stopped
   Task task;
-  task.stop = turn.stop();
+  task.stop = job.stop();
   task.threads = threads;
   task.progress = [this, &told, kTelling](double fraction) {
     {
@@ -140,7 +140,7 @@ void LiveRenderer::Workers::build(const ViewRequest& request, Builder::Turn& tur
     }
     wake();
   };
-  // A draft is worth a picture of its own where the whole takes longer than a picture does.
+  // A sketch is worth a picture of its own where the whole takes longer than a picture does.
   constexpr double kWorthWaiting_s = 0.05;
   const ScenePreviews first{
       static_cast<double>(request.width) / std::max(1, request.height),
@@ -148,7 +148,7 @@ void LiveRenderer::Workers::build(const ViewRequest& request, Builder::Turn& tur
         const std::chrono::duration<double> spent = Clock::now() - start;
         return spent.count() * (1 / fraction - 1) > kWorthWaiting_s;
       },
-      [&](std::shared_ptr<const Scene> draft) { showDraft(request, std::move(draft), task, turn); }};
+      [&](std::shared_ptr<const Scene> sketch) { showSketch(request, std::move(sketch), task, job); }};
   const bool showsVolume = request.fabric->render.method == Method::volume;
   const BuiltCloth base = recent.baseFor(*request.fabric);
   BuiltCloth built;
@@ -186,14 +186,14 @@ void LiveRenderer::Workers::build(const ViewRequest& request, Builder::Turn& tur
 }
 
 /// Has a picture traced of what is there of a cloth. From then on its builder may be stopped: a drag moves the picture.
-void LiveRenderer::Workers::showDraft(const ViewRequest& request, std::shared_ptr<const Scene> first, const Task& task,
-                                      Builder::Turn& turn) {
-  Traceable draft{first, makeLiveMedium(*first, request.visibility, task)};
-  if (!draft.medium) return;
-  tracer.show({std::move(draft), request.width, request.height, request.generation, true});
+void LiveRenderer::Workers::showSketch(const ViewRequest& request, std::shared_ptr<const Scene> first, const Task& task,
+                                       Builder::Job& job) {
+  Traceable sketch{first, makeLiveMedium(*first, request.visibility, task)};
+  if (!sketch.medium) return;
+  tracer.show({std::move(sketch), request.width, request.height, request.generation, true});
   std::lock_guard lock(mutex);
   if (!first->cloth->volume->geometry().isSketched()) woven = std::move(first);
-  if (builder.isWaiting()) turn.giveWay();
+  if (builder.isWaiting()) job.giveWay();
   buildMayBeCancelled = true;
 }
 
@@ -211,15 +211,15 @@ void LiveRenderer::Workers::count() {
   wake();
 }
 
-/// Has fibres laid for the newest scene if the lens is open and has a use for them.
+/// Has fibres laid for the newest scene if the inset is open and has a use for them.
 void LiveRenderer::Workers::layFibres() {
   std::shared_ptr<const Scene> newest;
   double limit_bytes = 0;
   {
     std::lock_guard lock(mutex);
-    if (lens && scene && scene->fabric->render.method == Method::volume) {
+    if (inset && scene && scene->fabric->render.method == Method::volume) {
       newest = scene;
-      limit_bytes = lens->memoryLimit_bytes;
+      limit_bytes = inset->memoryLimit_bytes;
     }
   }
   if (newest) {
@@ -229,10 +229,10 @@ void LiveRenderer::Workers::layFibres() {
   }
 }
 
-LensStatus LiveRenderer::Workers::lensStatus(const Tracer::State& traced) const {
-  using Phase = LensStatus::Phase;
-  LensStatus result;
-  if (!lens) return result;
+InsetStatus LiveRenderer::Workers::insetStatus(const Tracer::State& traced) const {
+  using Phase = InsetStatus::Phase;
+  InsetStatus result;
+  if (!inset) return result;
   const FibreLayer::Status laid = layer.status();
   result.progress = laid.progress;
   result.segments = laid.size.segments;
@@ -251,7 +251,7 @@ LensStatus LiveRenderer::Workers::lensStatus(const Tracer::State& traced) const 
       result.phase = Phase::laying;
       break;
     case FibreLayer::Status::Phase::laid:
-      result.phase = traced.lens == Tracer::State::Phase::converged ? Phase::converged : Phase::tracing;
+      result.phase = traced.inset == Tracer::State::Phase::converged ? Phase::converged : Phase::tracing;
       break;
     case FibreLayer::Status::Phase::tooLarge:
       result.phase = Phase::tooLarge;
@@ -278,12 +278,12 @@ void LiveRenderer::request(ViewRequest request) {
   workers_->builder.ask(std::move(request));
 }
 
-void LiveRenderer::lens(std::optional<LensRequest> request) {
+void LiveRenderer::inset(std::optional<InsetRequest> request) {
   {
     std::lock_guard lock(workers_->mutex);
-    workers_->lens = request;
+    workers_->inset = request;
   }
-  workers_->tracer.lens(request ? std::optional(request->window) : std::nullopt);
+  workers_->tracer.inset(request ? std::optional(request->window) : std::nullopt);
   workers_->layFibres();
 }
 
@@ -291,8 +291,8 @@ std::shared_ptr<const Frame> LiveRenderer::frame() const {
   return workers_->tracer.frame();
 }
 
-std::shared_ptr<const LensFrame> LiveRenderer::lensFrame() const {
-  return workers_->tracer.lensFrame();
+std::shared_ptr<const InsetFrame> LiveRenderer::insetFrame() const {
+  return workers_->tracer.insetFrame();
 }
 
 std::shared_ptr<const Scene> LiveRenderer::scene() const {
@@ -309,7 +309,7 @@ LiveStatus LiveRenderer::status() const {
   static constexpr LiveStatus::Phase kPhases[] = {LiveStatus::Phase::idle, LiveStatus::Phase::tracing,
                                                   LiveStatus::Phase::converged};
   status.phase = workers_->building ? LiveStatus::Phase::voxelising : kPhases[static_cast<int>(traced.picture)];
-  status.lens = workers_->lensStatus(traced);
+  status.inset = workers_->insetStatus(traced);
   return status;
 }
 

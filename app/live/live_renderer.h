@@ -25,15 +25,15 @@ struct ViewRequest {
   std::shared_ptr<const BvdfSet> visibility;
 };
 
-/// Where the truth lens is.
-struct LensRequest {
+/// Where the reference inset is: explicit fibres in a part of the viewport.
+struct InsetRequest {
   PixelRect window;
   double memoryLimit_bytes = 0;  ///< that explicit fibres may take
-  bool operator==(const LensRequest&) const = default;
+  bool operator==(const InsetRequest&) const = default;
 };
 
-/// How far the truth lens is.
-struct LensStatus {
+/// How far the reference inset is.
+struct InsetStatus {
   enum class Phase {
     closed,
     waiting,    ///< for the cloth to be built
@@ -63,11 +63,11 @@ struct LiveStatus {
   double pathsPerSecond = 0;
   std::string error;                 ///< of the newest request, for the user; empty if it could be built
   std::vector<std::string> notices;  ///< repairs of a mesh and the like
-  LensStatus lens;
+  InsetStatus inset;
 };
 
 /// The workers behind the viewport: the builder turns the newest fabric into a scene, the tracer refines pictures of
-/// the newest scene, and while the lens is open, explicit fibres are laid for it to look at. No call here ever waits
+/// the newest scene, and while the inset is open, explicit fibres are laid for it to look at. No call here ever waits
 /// for any of them (destruction does: one brick, one path).
 class LiveRenderer {
  public:
@@ -79,9 +79,9 @@ class LiveRenderer {
   LiveRenderer& operator=(const LiveRenderer&) = delete;
 
   void request(ViewRequest request);
-  void lens(std::optional<LensRequest> request);       ///< null: closed
-  std::shared_ptr<const Frame> frame() const;          ///< the newest; null before the first
-  std::shared_ptr<const LensFrame> lensFrame() const;  ///< null while there is nothing to show in the lens
+  void inset(std::optional<InsetRequest> request);       ///< null: closed
+  std::shared_ptr<const Frame> frame() const;            ///< the newest; null before the first
+  std::shared_ptr<const InsetFrame> insetFrame() const;  ///< null while there is nothing to show in the inset
   /// The newest that has been built, or is being built and has all its yarns; null before the first.
   std::shared_ptr<const Scene> scene() const;
   LiveStatus status() const;

@@ -4,7 +4,7 @@
 
 // How it works. The first pass after an edit is as coarse as it must be to be there within a frame or two; each pass
 // after it is twice as fine, until pixels are whole. From then on a pass takes a quarter of the time spent so far,
-// within limits, so that a picture that has long been good is not interrupted often. Of a picture and a lens, the
+// within limits, so that a picture that has long been good is not interrupted often. Of a picture and an inset, the
 // coarser one is traced next, and else the one that has had less time.
 namespace loomlight {
 namespace {
@@ -55,14 +55,14 @@ uint32_t hitsWanted(const PassHistory& h) {
   return h.samples == 1 ? 4 : h.samples < 4 ? 8 : 16;
 }
 
-Subject nextSubject(const Contender& picture, const Contender& lens) {
-  if (!picture.wants) return lens.wants ? Subject::lens : Subject::none;
-  if (!lens.wants) return Subject::picture;
+Subject nextSubject(const Contender& picture, const Contender& inset) {
+  if (!picture.wants) return inset.wants ? Subject::inset : Subject::none;
+  if (!inset.wants) return Subject::picture;
   if (picture.divider == 0) return Subject::picture;
-  if (lens.divider == 0) return Subject::lens;
-  if (picture.divider == 1 && lens.divider > 1) return Subject::lens;
-  if (lens.divider == 1 && picture.divider > 1) return Subject::picture;
-  return lens.spent_s < picture.spent_s ? Subject::lens : Subject::picture;
+  if (inset.divider == 0) return Subject::inset;
+  if (picture.divider == 1 && inset.divider > 1) return Subject::inset;
+  if (inset.divider == 1 && picture.divider > 1) return Subject::picture;
+  return inset.spent_s < picture.spent_s ? Subject::inset : Subject::picture;
 }
 
 }  // namespace loomlight

@@ -41,9 +41,9 @@ struct Contender {
   double spent_s = 0;  ///< tracing it, since both have been there
 };
 
-enum class Subject { none, picture, lens };
+enum class Subject { none, picture, inset };
 
 /// Of which the next pass is: first what cannot be seen yet, then what is coarse, then what has had less time. Pure.
-Subject nextSubject(const Contender& picture, const Contender& lens);
+Subject nextSubject(const Contender& picture, const Contender& inset);
 
 }  // namespace loomlight

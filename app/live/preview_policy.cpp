@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "render/display/quality.h"
+#include "render/display/preview_quality.h"
 
 namespace loomlight {
 
@@ -35,9 +35,10 @@ bool wantsHelp(int samples, int clearSamples) {
   return samples < std::min(clearSamples, kClearSamples);
 }
 
-bool supersedes(unsigned samples, double variance, const DyedPicture& dyed) {
+bool supersedes(unsigned samples, double variance, const RecolouredPicture& recoloured) {
   constexpr unsigned kFewest = 4;  // to know a variance by
-  return samples >= dyed.worth_samples || (!dyed.fading && samples >= kFewest && variance <= dyed.variance);
+  return samples >= recoloured.worth_samples ||
+         (!recoloured.fading && samples >= kFewest && variance <= recoloured.variance);
 }
 
 }  // namespace loomlight

@@ -48,13 +48,13 @@ ClearHelp clearHelp(const Changes& sinceClear, const PreviewSize& clear, const P
 bool wantsHelp(int samples, int clearSamples);
 
 /// A picture in other colours than it was traced in, and how good it is.
-struct DyedPicture {
+struct RecolouredPicture {
   unsigned worth_samples = 0;  ///< with which one that is traced anew is as good for sure
   bool fading = false;         ///< an earlier picture is still to be seen in it, so its own variance says too much
   double variance = 0;         ///< of the luminance, mean over the pixels
 };
 
 /// Whether a picture that is traced anew may take its place: it has no more noise.
-bool supersedes(unsigned samples, double variance, const DyedPicture& dyed);
+bool supersedes(unsigned samples, double variance, const RecolouredPicture& recoloured);
 
 }  // namespace loomlight

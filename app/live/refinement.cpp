@@ -10,7 +10,7 @@
 #include "render/display/recolour.h"
 
 // How it works. advance() does what the scheduler plans: a pass at a fraction of the resolution into a film of its own,
-// or further samples of the fine film, part by part. What came before stands in (StandIn) and gives way sample by
+// or further samples of the fine film, bucket by bucket. What came before stands in (StandIn) and gives way sample by
 // sample, so that every frame is a mean of what is traced and what was shown. A frame is read off the film, given the
 // light that repeats share, then less noise, and is labelled with its Quality last.
 
@@ -35,8 +35,8 @@ PixelRect covering(const PixelRect& window, int divider) {
           coarser(window.y + window.height, divider) - top};
 }
 
-constexpr int kPart = 8 * PathRecords::kTile;  // pixels a side: some tenths of a second on two cores
-constexpr int kSmallestPart = 2 * PathRecords::kTile;
+constexpr int kBucket = 8 * PathRecords::kTile;  // pixels a side: some tenths of a second on two cores
+constexpr int kSmallestBucket = 2 * PathRecords::kTile;
 
 glm::vec4 light(const Film& film, int x, int y) {
   return glm::vec4(film.mean(x, y), film.alpha(x, y));
@@ -92,7 +92,7 @@ Film& Refinement::filmFor(int divider) {
   return *coarse_;
 }
 
-/// The first pass of all is not split: there is nothing that could be seen around its parts.
+/// The first pass of all is not split: there is nothing that could be seen around its buckets.
 Refinement::Pass Refinement::beginPass() const {
   constexpr uint32_t kFadeSteps = 8;  // at least, however quick the machine
   PassPlan plan = nextPass(history_, kMostSamples);
@@ -102,7 +102,7 @@ Refinement::Pass Refinement::beginPass() const {
   const uint32_t more = plan.divider == 1 ? plan.samples - history_.samples : 1;
   const double seconds = static_cast<double>(all.width) * all.height * more * history_.secondsPerPath;
   const bool split = begun() && seconds > 2 * passBudget_s(history_);
-  return {plan, Parts(all, split ? std::max(kSmallestPart, kPart / plan.divider) : 0)};
+  return {plan, Buckets(all, split ? std::max(kSmallestBucket, kBucket / plan.divider) : 0)};
 }
 
 bool Refinement::advance(const Task& task) {
@@ -125,19 +125,19 @@ bool Refinement::advance(const Task& task) {
   double seconds = 0;
   bool complete = true;
   FirstFibreSink* const first = shared_ ? shared_->listener(history_.samples, plan.divider) : nullptr;
-  while (complete && !pass_->parts.finished() && seconds < budget) {
+  while (complete && !pass_->buckets.finished() && seconds < budget) {
     const PassResult result =
-        renderUpTo(plan.samples, scene(), *cloth_.medium, camera, film, pass_->parts.next(), task, 0, records, first);
+        renderUpTo(plan.samples, scene(), *cloth_.medium, camera, film, pass_->buckets.next(), task, 0, records, first);
     if (first) shared_->settle();
     seconds = secondsSince(start);
     paths += result.counts.paths;
     complete = result.complete;
-    if (complete) pass_->parts.finishNext();
+    if (complete) pass_->buckets.finishNext();
   }
   spent_s_ += seconds;
   if (!complete) return false;
   if (paths > 0) history_.secondsPerPath = seconds / static_cast<double>(paths);
-  if (pass_->parts.finished()) endPass();
+  if (pass_->buckets.finished()) endPass();
   return true;
 }
 
@@ -151,7 +151,7 @@ void Refinement::endPass() {
   } else {
     Frame coarse = traced(*coarse_, plan.divider);
     finish(coarse);
-    coarse.quality = Quality::coarse;  // each of its own pixels has a sample: nothing is left of a sketch
+    coarse.quality = PreviewQuality::coarse;  // each of its own pixels has a sample: nothing is left of a sketch
     standIn_.emplace(std::make_shared<const Frame>(std::move(coarse)));
   }
 }
@@ -169,11 +169,11 @@ void Refinement::finish(Frame& frame) const {
   } else {
     takeNoise(frame);
   }
-  const bool sketched = standIn_ && standIn_->frame().quality == Quality::sketch;
-  frame.quality = std::min(frame.quality, sketched                        ? Quality::sketch
-                                          : frame.samples == 0            ? Quality::coarse
-                                          : frame.samples < kClearSamples ? Quality::young
-                                                                          : Quality::clear);
+  const bool sketched = standIn_ && standIn_->frame().quality == PreviewQuality::sketch;
+  frame.quality = std::min(frame.quality, sketched                        ? PreviewQuality::sketch
+                                          : frame.samples == 0            ? PreviewQuality::coarse
+                                          : frame.samples < kClearSamples ? PreviewQuality::young
+                                                                          : PreviewQuality::clear);
   if (frame.divider > 1) soften(frame.helped.empty() ? frame.rgba : frame.helped, frame.width, frame.height);
 }
 
@@ -201,7 +201,7 @@ std::vector<float> Refinement::variances(const Frame& frame) const {
       // In other colours noise is in proportion.
       const float shown = luminance(Rgb(frame.rgba[variances.size()]));
       const float traced = luminance(Rgb(faded(light(fine_, x, y), x, y, Rgb(1))));
-      const float scale = frame.quality == Quality::dyed && traced > 0 ? shown / traced : 1.0f;
+      const float scale = frame.quality == PreviewQuality::recoloured && traced > 0 ? shown / traced : 1.0f;
       const float own = fine_.variance(x, y);
       variances.push_back(scale * scale * (mixed ? standIn_->variance(x, y, fine_.samples(x, y), own) : own));
     }
@@ -235,8 +235,8 @@ void Refinement::share(Frame& frame) const {
     }
 }
 
-Frame Refinement::recoloured(const Dye& dye, int threads, double& variance) const {
-  Recoloured picture = recolour(fine_, *records_, dye, threads);
+Frame Refinement::recoloured(const Recolouring& recolouring, int threads, double& variance) const {
+  Recoloured picture = recolour(fine_, *records_, recolouring, threads);
   variance = picture.variance;
   Frame frame = traced(fine_, 1);
   frame.helped.clear();
@@ -250,7 +250,7 @@ Frame Refinement::recoloured(const Dye& dye, int threads, double& variance) cons
       const size_t i = static_cast<size_t>(y) * static_cast<size_t>(fine_.width()) + static_cast<size_t>(x);
       frame.rgba[i] = faded(frame.rgba[i], x, y, picture.change[i]);
     }
-  frame.quality = Quality::dyed;
+  frame.quality = PreviewQuality::recoloured;
   finish(frame);
   return frame;
 }
@@ -280,7 +280,7 @@ Frame Refinement::traced(const Film& film, int divider) const {
     for (int x = pixels.x; x < pixels.x + pixels.width; ++x, ++i) {
       const uint32_t samples = film.samples(x, y);
       float share = standIn_ ? standIn_->share(samples) : 0;
-      if (first) share = std::max(share, 1 - pass_->parts.shown(x, y));
+      if (first) share = std::max(share, 1 - pass_->buckets.shown(x, y));
       const glm::vec4 own = light(film, x, y);
       frame.rgba[i] = share > 0 ? glm::mix(own, standIn_->light(x, y, divider), share) : own;
       if (!frame.helped.empty())

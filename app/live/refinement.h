@@ -7,8 +7,8 @@
 
 #include "app/live/pass_scheduler.h"
 #include "core/base/task.h"
+#include "render/display/buckets.h"
 #include "render/display/frame.h"
-#include "render/display/parts.h"
 #include "render/display/stand_in.h"
 #include "render/media/medium.h"
 #include "render/scene/scene.h"
@@ -23,7 +23,7 @@ struct Traceable {
 };
 
 /// A picture that grows pass by pass, coarse first: of the whole viewport, or of a window onto it that may be moved.
-/// A pass that takes long is done part by part, from the middle outwards, and each part is shown as it is done.
+/// A pass that takes long is done bucket by bucket, from the middle outwards, and each bucket is shown as it is done.
 /// The window looks at a film of the viewport's size, so each pixel's samples are those that it has in the whole
 /// picture, and what a window has once shown is still there when it comes back. Pixels that were never looked at take
 /// no memory.
@@ -43,7 +43,7 @@ class Refinement {
   /// Leaves out all passes whose divider is this or larger: for a picture that another one stands in for, or that is
   /// not shown before it has many samples.
   void skipCoarse(int divider = 1) { history_.divider = divider; }
-  /// Frames have no hits, and are as they were traced: for the lens.
+  /// Frames have no hits, and are as they were traced: for the inset.
   void asTraced() { asTraced_ = true; }
   /// Another picture of the same view, of the window or more, shown where this one is not as good yet.
   void standIn(std::shared_ptr<const Frame> earlier) { standIn_.emplace(std::move(earlier)); }
@@ -73,13 +73,13 @@ class Refinement {
   const Scene& scene() const { return *cloth_.scene; }
   const Medium& medium() const { return *cloth_.medium; }
 
-  /// The next pass, or part of one. False when stopped: then it goes on where it was.
+  /// The next pass, or some buckets of one. False when stopped: then it goes on where it was.
   bool advance(const Task& task);
 
   Frame frame() const;
   /// The picture at full resolution in other colours, with what stands in for it in these colours too, and the noise of
   /// its own samples: the mean variance of their luminance. Of a picture that keeps its paths and has samples.
-  Frame recoloured(const Dye& dye, int threads, double& variance) const;
+  Frame recoloured(const Recolouring& recolouring, int threads, double& variance) const;
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -87,7 +87,7 @@ class Refinement {
   /// A pass under way: what is to be done, and how far it is.
   struct Pass {
     PassPlan plan;
-    Parts parts;
+    Buckets buckets;
   };
 
   Film& filmFor(int divider);

@@ -35,8 +35,8 @@ Pixels8 quietPicture(const Film& film, uint32_t samples, Method method) {
 ThumbnailWorker::ThumbnailWorker(std::function<void()> wake)
     : worker_(
           std::move(wake),
-          [this](const Orders& orders, auto& turn) {
-            fulfil(orders, turn);
+          [this](const Orders& orders, auto& job) {
+            fulfil(orders, job);
             return std::nullopt;
           },
           [this](const Orders&, const std::string&) { return std::make_shared<const Thumbnails>(done_); }) {}
@@ -71,13 +71,13 @@ std::shared_ptr<const Thumbnail> ThumbnailWorker::rendered(const ThumbnailOrder&
   return thumbnail;
 }
 
-void ThumbnailWorker::fulfil(const Orders& orders, Rendering::Turn& turn) {
+void ThumbnailWorker::fulfil(const Orders& orders, Rendering::Job& job) {
   constexpr uint32_t kFewSamples = 1;
   Task task;
-  task.stop = turn.stop();
+  task.stop = job.stop();
   task.threads = 1;
   task.progress = [&](double) {
-    if (worker_.isWaiting()) turn.giveWay();
+    if (worker_.isWaiting()) job.giveWay();
   };
   for (const bool first : {true, false})
     for (const ThumbnailOrder& order : orders) {
@@ -90,7 +90,7 @@ void ThumbnailWorker::fulfil(const Orders& orders, Rendering::Turn& turn) {
       auto thumbnail = rendered(order, samples, task);
       if (!thumbnail) return;
       done_[order.name] = std::move(thumbnail);
-      turn.bring(std::make_shared<const Thumbnails>(done_));
+      job.bring(std::make_shared<const Thumbnails>(done_));
     }
 }
 

@@ -44,7 +44,7 @@ class ThumbnailWorker {
   using Orders = std::vector<ThumbnailOrder>;
   using Thumbnails = std::map<std::string, std::shared_ptr<const Thumbnail>>;
   using Rendering = Worker<Orders, std::shared_ptr<const Thumbnails>>;
-  void fulfil(const Orders& orders, Rendering::Turn& turn);
+  void fulfil(const Orders& orders, Rendering::Job& job);
   std::shared_ptr<const Thumbnail> rendered(const ThumbnailOrder& order, uint32_t samples, const Task& task);
 
   // The thread's own:

@@ -7,10 +7,10 @@
 #include "render/display/recolour.h"
 #include "render/display/reframe.h"
 
-// How it works. What is wanted is one value; each change of it stops the pass under way and is the next turn's request.
-// A turn takes what is new in it, then traces pass by pass. A scene begins in begin(): other colours are answered from
+// How it works. What is wanted is one value; each change of it stops the pass under way and is the next job's request.
+// A job takes what is new in it, then traces pass by pass. A scene begins in begin(): other colours are answered from
 // paths on record; the same scene made better goes on from what is shown; anything else begins coarse, helped by the
-// last clear picture as far as that still shows the same (preview_policy.h). The viewport's picture and the lens take
+// last clear picture as far as that still shows the same (preview_policy.h). The viewport's picture and the inset take
 // passes in turn (nextSubject); what is to be shown is pending until publish(), and bring() hands it to the window.
 
 namespace loomlight {
@@ -31,8 +31,8 @@ Tracer::Tracer(std::function<void()> wake, int threads)
     : threads_(threads),
       worker_(
           std::move(wake),
-          [this](const Wanted& wanted, const Tracing::Turn& turn) {
-            trace(wanted, turn);
+          [this](const Wanted& wanted, const Tracing::Job& job) {
+            trace(wanted, job);
             return std::nullopt;
           },
           // A picture too large for the memory, say: the window goes on without.
@@ -57,8 +57,8 @@ void Tracer::show(Request request) {
   });
 }
 
-void Tracer::lens(std::optional<PixelRect> window) {
-  want([&](Wanted& wanted) { wanted.lens = window; });
+void Tracer::inset(std::optional<PixelRect> window) {
+  want([&](Wanted& wanted) { wanted.inset = window; });
 }
 
 void Tracer::fibres(Traceable laid) {
@@ -87,17 +87,17 @@ Tracer::State Tracer::state() const {
   return newest.state;
 }
 
-/// Pass by pass, until there is nothing left to trace, or something else is wanted: that is the next turn's.
-void Tracer::trace(const Wanted& wanted, const Tracing::Turn& turn) {
+/// Pass by pass, until there is nothing left to trace, or something else is wanted: that is the next job's.
+void Tracer::trace(const Wanted& wanted, const Tracing::Job& job) {
   take(wanted);
-  bring(turn);
+  bring(job);
   for (Subject next = nextToTrace(); mayGoOn(next) && !worker_.isWaiting(); next = nextToTrace()) {
     if (next == Subject::picture)
-      tracePicture(turn.stop());
+      tracePicture(job.stop());
     else
-      traceLens(turn.stop());
-    bring(turn);
-    if (turn.isStopped()) return;
+      traceInset(job.stop());
+    bring(job);
+    if (job.isStopped()) return;
   }
 }
 
@@ -111,15 +111,15 @@ Subject Tracer::nextToTrace() const {
     if (!refinement) return Contender{};
     return Contender{!refinement->converged(), refinement->divider(), refinement->spent_s() - spentBefore_s};
   };
-  return nextSubject(contender(picture_, spentBeforeLens_s_), contender(lens_, 0));
+  return nextSubject(contender(picture_, spentBeforeInset_s_), contender(inset_, 0));
 }
 
 Tracer::Shown Tracer::givenUp(const std::string& reason) {
   picture_.reset();
-  dyed_.reset();
+  recoloured_.reset();
   clear_.reset();
-  lens_.reset();
-  shown_.state.picture = shown_.state.lens = State::Phase::idle;
+  inset_.reset();
+  shown_.state.picture = shown_.state.inset = State::Phase::idle;
   shown_.state.error = reason;
   shown_.requests = taken_.requests;
   return shown_;
@@ -129,13 +129,13 @@ void Tracer::take(const Wanted& wanted) {
   const Wanted before = std::exchange(taken_, wanted);
   const bool isRequest = taken_.requests != before.requests;
   const bool isDenoising = taken_.denoised != before.denoised;
-  for (auto* picture : {&picture_, &dyed_})
+  for (auto* picture : {&picture_, &recoloured_})
     if (*picture) (*picture)->denoise(taken_.denoised);
   if (isRequest)
     begin(before.request);
   else if (isDenoising)
     showOtherwise();
-  if (isRequest || taken_.fibres.medium != before.fibres.medium || taken_.lens != before.lens) openLens();
+  if (isRequest || taken_.fibres.medium != before.fibres.medium || taken_.inset != before.inset) openInset();
 }
 
 /// The picture of the request that has been taken; `before` is the one that was taken last.
@@ -159,7 +159,7 @@ void Tracer::begin(const Request& before) {
   }
   std::unique_ptr<SharedLight> light = picture_ ? picture_->takeSharedLight() : nullptr;
   picturePending_.reset();
-  dyed_.reset();
+  recoloured_.reset();
   shown_.state.error.clear();
   if (request.width <= 0 || request.height <= 0) {
     picture_.reset();
@@ -174,9 +174,9 @@ void Tracer::begin(const Request& before) {
   } else {
     picture_->beginAt(start.coarsest, start.patience_s);
   }
-  spentBeforeLens_s_ = 0;
-  if (!better) {  // the lens is of another scene; openLens() makes a new one where the same fibres serve
-    lens_.reset();
+  spentBeforeInset_s_ = 0;
+  if (!better) {  // the inset is of another scene; openInset() makes a new one where the same fibres serve
+    inset_.reset();
     difference_.reset();
   }
 }
@@ -190,23 +190,23 @@ std::shared_ptr<const Frame> Tracer::newestFrame() const {
 /// where they cannot tell.
 bool Tracer::recolour() {
   const Request& request = taken_.request;
-  std::optional<Refinement>& known = dyed_ ? dyed_ : picture_;
+  std::optional<Refinement>& known = recoloured_ ? recoloured_ : picture_;
   if (!known || known->samples() == 0 || &known->medium() != request.cloth.medium.get()) return false;
-  const auto dye = dyeBetween(known->scene(), *request.cloth.scene);
-  if (!dye) return false;
+  const auto recolouring = recolouringBetween(known->scene(), *request.cloth.scene);
+  if (!recolouring) return false;
   clear_.reset();
-  if (dye->light == Rgb(1) && dye->colouring == known->scene().colouring) {
-    if (dyed_) picture_ = std::exchange(dyed_, std::nullopt);  // back to the colours that it was traced in
+  if (recolouring->light == Rgb(1) && recolouring->colouring == known->scene().colouring) {
+    if (recoloured_) picture_ = std::exchange(recoloured_, std::nullopt);  // back to the colours that it was traced in
     picturePending_ = framed(picture_->frame());
   } else {
     const double secondsPerPath = known->secondsPerPath();
-    if (!dyed_) dyed_ = std::exchange(picture_, std::nullopt);
-    picturePending_ = framed(dyed_->recoloured(*dye, threads_, varianceToBeat_));
+    if (!recoloured_) recoloured_ = std::exchange(picture_, std::nullopt);
+    picturePending_ = framed(recoloured_->recoloured(*recolouring, threads_, varianceToBeat_));
     beginPicture(secondsPerPath, nullptr, {});
     picture_->skipCoarse();
   }
-  spentBeforeLens_s_ = 0;
-  lens_.reset();
+  spentBeforeInset_s_ = 0;
+  inset_.reset();
   difference_.reset();
   publish();
   return true;
@@ -226,9 +226,9 @@ void Tracer::beginPicture(double secondsPerPath, std::unique_ptr<SharedLight> li
 /// that comes.
 void Tracer::showOtherwise() {
   if (!picture_) return;
-  if (dyed_) {
-    const auto dye = dyeBetween(dyed_->scene(), picture_->scene());
-    picturePending_ = framed(dyed_->recoloured(*dye, threads_, varianceToBeat_));
+  if (recoloured_) {
+    const auto recolouring = recolouringBetween(recoloured_->scene(), picture_->scene());
+    picturePending_ = framed(recoloured_->recoloured(*recolouring, threads_, varianceToBeat_));
   } else if (picture_->begun() && worthShowing()) {
     showPicture();
   }
@@ -245,38 +245,38 @@ Frame Tracer::cleared(Frame fresh) const {
 std::shared_ptr<Frame> Tracer::framed(Frame frame) const {
   auto shared = std::make_shared<Frame>(std::move(frame));
   shared->generation = taken_.request.generation;
-  if (taken_.request.sketch) shared->quality = Quality::sketch;
+  if (taken_.request.sketch) shared->quality = PreviewQuality::sketch;
   return shared;
 }
 
-/// Brings the lens in line with what is wanted of it and what it can look at.
-void Tracer::openLens() {
+/// Brings the inset in line with what is wanted of it and what it can look at.
+void Tracer::openInset() {
   const bool possible =
-      taken_.lens && picture_ && taken_.fibres.medium && taken_.fibres.scene->cloth == picture_->scene().cloth;
-  const PixelRect window = possible ? within(*taken_.lens, taken_.request.width, taken_.request.height) : PixelRect{};
+      taken_.inset && picture_ && taken_.fibres.medium && taken_.fibres.scene->cloth == picture_->scene().cloth;
+  const PixelRect window = possible ? within(*taken_.inset, taken_.request.width, taken_.request.height) : PixelRect{};
   if (window.width <= 0 || window.height <= 0) {
-    lens_.reset();
-    lensPending_.reset();
+    inset_.reset();
+    insetPending_.reset();
     difference_.reset();
-    if (std::exchange(shown_.lensFrame, nullptr)) isNews_ = true;
-    shown_.state.lens = State::Phase::idle;
+    if (std::exchange(shown_.insetFrame, nullptr)) isNews_ = true;
+    shown_.state.inset = State::Phase::idle;
     return;
   }
-  if (!lens_) {
-    lens_.emplace(Traceable{taken_.request.cloth.scene, taken_.fibres.medium}, taken_.request.width,
-                  taken_.request.height, lensSecondsPerPath_);
-    lens_->asTraced();
-    spentBeforeLens_s_ = picture_->spent_s();
+  if (!inset_) {
+    inset_.emplace(Traceable{taken_.request.cloth.scene, taken_.fibres.medium}, taken_.request.width,
+                   taken_.request.height, insetSecondsPerPath_);
+    inset_->asTraced();
+    spentBeforeInset_s_ = picture_->spent_s();
   }
-  if (window == lens_->window()) return;
-  lens_->look(window);
+  if (window == inset_->window()) return;
+  inset_->look(window);
   difference_.reset();
-  if (lens_->begun()) showLens();  // it has been here before: what is there already is shown at once
+  if (inset_->begun()) showInset();  // it has been here before: what is there already is shown at once
 }
 
-void Tracer::showLens() {
+void Tracer::showInset() {
   lookForDifference();
-  lensPending_ = framed(lens_->frame());
+  insetPending_ = framed(inset_->frame());
   publish();
 }
 
@@ -291,12 +291,12 @@ void Tracer::tracePicture(const std::stop_token& stop) {
   const auto task = beginPass(*picture_, stop);
   if (!task || !picture_->advance(*task)) return;
   if (worthShowing()) {
-    dyed_.reset();
+    recoloured_.reset();
     lookForDifference();
     showPicture();
   }
-  // The lens follows a moving camera together with the picture around it.
-  if (!lens_ || lens_->begun()) publish();
+  // The inset follows a moving camera together with the picture around it.
+  if (!inset_ || inset_->begun()) publish();
 }
 
 void Tracer::showPicture() {
@@ -307,7 +307,7 @@ void Tracer::showPicture() {
     return;
   }
   picturePending_ = framed(std::move(frame));
-  if (picturePending_->quality <= Quality::coarse) return;
+  if (picturePending_->quality <= PreviewQuality::coarse) return;
   clear_ = picturePending_;
   clearFabric_ = taken_.request.cloth.scene->fabric;
   clearHelp_ = ClearHelp::patched;
@@ -315,23 +315,23 @@ void Tracer::showPicture() {
 
 /// Whether the picture is no worse than the one that stands in for it.
 bool Tracer::worthShowing() const {
-  return !dyed_ || supersedes(picture_->samples(), meanVariance(picture_->film()),
-                              {dyed_->worth_samples(), dyed_->fading(), varianceToBeat_});
+  return !recoloured_ || supersedes(picture_->samples(), meanVariance(picture_->film()),
+                                    {recoloured_->worth_samples(), recoloured_->fading(), varianceToBeat_});
 }
 
-void Tracer::traceLens(const std::stop_token& stop) {
-  const auto task = beginPass(*lens_, stop);
-  if (!task || !lens_->advance(*task)) return;
-  lensSecondsPerPath_ = lens_->secondsPerPath();
-  showLens();
+void Tracer::traceInset(const std::stop_token& stop) {
+  const auto task = beginPass(*inset_, stop);
+  if (!task || !inset_->advance(*task)) return;
+  insetSecondsPerPath_ = inset_->secondsPerPath();
+  showInset();
 }
 
 void Tracer::lookForDifference() {
-  if (picture_->fading() || dyed_)
+  if (picture_->fading() || recoloured_)
     return;  // the picture that is shown has been measured; the next one is still too noisy
   difference_.reset();
-  if (!lens_ || lens_->divider() != 1 || picture_->divider() != 1) return;
-  if (auto found = differenceOf(picture_->film(), lens_->film(), lens_->window()))
+  if (!inset_ || inset_->divider() != 1 || picture_->divider() != 1) return;
+  if (auto found = differenceOf(picture_->film(), inset_->film(), inset_->window()))
     difference_ = std::make_shared<const Difference>(std::move(*found));
 }
 
@@ -339,11 +339,11 @@ void Tracer::lookForDifference() {
 void Tracer::publish() {
   isNews_ = true;
   if (picturePending_) shown_.frame = std::move(picturePending_);
-  if (lensPending_ || (shown_.lensFrame && lens_)) {
-    auto frame = std::make_shared<LensFrame>();
-    frame->fibres = lensPending_ ? std::exchange(lensPending_, nullptr) : shown_.lensFrame->fibres;
+  if (insetPending_ || (shown_.insetFrame && inset_)) {
+    auto frame = std::make_shared<InsetFrame>();
+    frame->fibres = insetPending_ ? std::exchange(insetPending_, nullptr) : shown_.insetFrame->fibres;
     frame->difference = difference_;
-    shown_.lensFrame = std::move(frame);
+    shown_.insetFrame = std::move(frame);
   }
   const auto phase = [](const Refinement& r) {
     return r.converged() ? State::Phase::converged : State::Phase::tracing;
@@ -353,13 +353,13 @@ void Tracer::publish() {
     state.picture = phase(*picture_);
     if (picture_->secondsPerPath() > 0) state.pathsPerSecond = 1 / picture_->secondsPerPath();
   }
-  if (lens_) state.lens = phase(*lens_);
+  if (inset_) state.inset = phase(*inset_);
 }
 
-void Tracer::bring(const Tracing::Turn& turn) {
+void Tracer::bring(const Tracing::Job& job) {
   if (!std::exchange(isNews_, false)) return;
   shown_.requests = taken_.requests;
-  turn.bring(shown_);
+  job.bring(shown_);
 }
 
 }  // namespace loomlight

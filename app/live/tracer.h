@@ -14,14 +14,14 @@
 
 namespace loomlight {
 
-/// What the truth lens shows. Both parts are immutable and may be shared with the one before.
-struct LensFrame {
+/// What the reference inset shows. Both pictures are immutable and may be shared with the one before.
+struct InsetFrame {
   std::shared_ptr<const Frame> fibres;
   std::shared_ptr<const Difference> difference;  ///< null while unknown
 };
 
 /// Refines pictures of the newest scene on a thread of its own: the viewport's, and beside it, pass by pass and with
-/// the same threads, the truth lens's. At least one pass of each scene is shown before the next takes its place, so
+/// the same threads, the inset's. At least one pass of each scene is shown before the next takes its place, so
 /// that a steady drag moves the picture. No call here waits (destruction does: one path).
 class Tracer {
  public:
@@ -33,7 +33,7 @@ class Tracer {
   };
   struct State {
     enum class Phase { idle, tracing, converged };
-    Phase picture = Phase::idle, lens = Phase::idle;
+    Phase picture = Phase::idle, inset = Phase::idle;
     double pathsPerSecond = 0;  ///< of the viewport's picture
     std::string error;          ///< of the newest scene
   };
@@ -46,19 +46,19 @@ class Tracer {
   /// the old picture, from the paths of that; it stays until a picture traced anew has as little noise. The paths kept
   /// for it take at most 256 MB, and as much again while there are two pictures.
   void show(Request request);
-  /// Where the lens is; null: it is closed.
-  void lens(std::optional<PixelRect> window);
-  /// What the lens looks at; null pointers: nothing yet. Used with every scene of the same cloth.
+  /// Where the inset is; null: it is closed.
+  void inset(std::optional<PixelRect> window);
+  /// What the inset looks at; null pointers: nothing yet. Used with every scene of the same cloth.
   void fibres(Traceable laid);
   void pause(bool paused);  ///< the picture stays
-  /// Whether frames have a copy with less noise for the display. The lens has none: it is there for the truth.
+  /// Whether frames have a copy with less noise for the display. The inset has none: it is there for the truth.
   void denoise(bool wanted);
   /// Whether the next pictures show light that repeats of the cloth share (render/share); they do unless told
   /// otherwise.
   void shareLight(bool wanted);
 
   std::shared_ptr<const Frame> frame() const { return shown().frame; }
-  std::shared_ptr<const LensFrame> lensFrame() const { return shown().lensFrame; }  ///< null: nothing to show in it
+  std::shared_ptr<const InsetFrame> insetFrame() const { return shown().insetFrame; }  ///< null: nothing to show in it
   State state() const;
 
  private:
@@ -66,13 +66,13 @@ class Tracer {
   struct Wanted {
     Request request;
     uint64_t requests = 0;  ///< that have come; the picture begins anew with each
-    std::optional<PixelRect> lens;
+    std::optional<PixelRect> inset;
     Traceable fibres;
     bool denoised = false, shared = true, paused = false;
   };
   struct Shown {
     std::shared_ptr<const Frame> frame;
-    std::shared_ptr<const LensFrame> lensFrame;
+    std::shared_ptr<const InsetFrame> insetFrame;
     State state;
     uint64_t requests = 0;  ///< that had come
   };
@@ -83,7 +83,7 @@ class Tracer {
   Shown shown() const { return worker_.newest().value_or(Shown{}); }
 
   // The thread's:
-  void trace(const Wanted& wanted, const Tracing::Turn& turn);
+  void trace(const Wanted& wanted, const Tracing::Job& job);
   void take(const Wanted& wanted);
   bool mayGoOn(Subject next) const;
   Subject nextToTrace() const;
@@ -96,13 +96,13 @@ class Tracer {
   bool worthShowing() const;
   std::shared_ptr<Frame> framed(Frame frame) const;
   void showPicture();
-  void openLens();
+  void openInset();
   void tracePicture(const std::stop_token& stop);
-  void traceLens(const std::stop_token& stop);
-  void showLens();
+  void traceInset(const std::stop_token& stop);
+  void showInset();
   std::optional<Task> beginPass(const Refinement& refinement, const std::stop_token& stop);
   void publish();
-  void bring(const Tracing::Turn& turn);
+  void bring(const Tracing::Job& job);
   void lookForDifference();
   Shown givenUp(const std::string& reason);
 
@@ -116,18 +116,18 @@ class Tracer {
   Wanted taken_;  ///< what it works for
   Shown shown_;
   bool isNews_ = false;  ///< shown_ has changed since it was brought
-  std::optional<Refinement> picture_, lens_;
-  std::optional<Refinement> dyed_;  ///< the old picture, shown in other colours until picture_ is as good
-  double varianceToBeat_ = 0;       ///< of it
-  double spentBeforeLens_s_ = 0;    ///< on the picture, before the lens was opened
-  double lensSecondsPerPath_ = 0;   ///< of the last lens
+  std::optional<Refinement> picture_, inset_;
+  std::optional<Refinement> recoloured_;  ///< the old picture, shown in other colours until picture_ is as good
+  double varianceToBeat_ = 0;             ///< of it
+  double spentBeforeInset_s_ = 0;         ///< on the picture, before the inset was opened
+  double insetSecondsPerPath_ = 0;        ///< of the last inset
   /// The last picture with samples at full resolution, and of what: while crossings alone change, or the viewport's
   /// size, its pixels stand in.
   std::shared_ptr<const Frame> clear_;
   std::shared_ptr<const Fabric> clearFabric_;
   ClearHelp clearHelp_ = ClearHelp::none;        ///< of it for the picture under way
   std::shared_ptr<const Frame> picturePending_;  ///< traced, not shown yet
-  std::shared_ptr<const Frame> lensPending_;
+  std::shared_ptr<const Frame> insetPending_;
   std::shared_ptr<const Difference> difference_;
 
   Tracing worker_;  // last: it ends before what it uses is gone

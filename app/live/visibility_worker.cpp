@@ -40,7 +40,7 @@ VisibilityWorker::VisibilityWorker(std::function<void()> wake, BvdfOptions optio
       cache_(std::move(cache)),
       known_(cache_),
       worker_(
-          std::move(wake), [this](const Wish& wish, auto& turn) { return fulfil(wish, turn); },
+          std::move(wake), [this](const Wish& wish, auto& job) { return fulfil(wish, job); },
           [this](const Wish&, const std::string& problem) {
             recipe_.clear();
             return Result{newest_, {false, false, 0, problem}};
@@ -61,13 +61,13 @@ VisibilityWorker::Status VisibilityWorker::status() const {
   return result ? result->status : Status{};
 }
 
-VisibilityWorker::Result VisibilityWorker::fulfil(const Wish& wish, Baking::Turn& turn) {
+VisibilityWorker::Result VisibilityWorker::fulfil(const Wish& wish, Baking::Job& job) {
   wish_ = wish;
   if (wish_.fabric) {
     if (!interrupted_ && isBakedFor(*wish_.fabric)) {
       keep(numberedFor(*wish_.fabric, newest_->tables), true);
     } else {
-      bake(turn);
+      bake(job);
     }
   }
   return {newest_, {}};
@@ -80,19 +80,19 @@ bool VisibilityWorker::isBakedFor(const Fabric& fabric) const {
 
 /// Whether the bake under way is right for what has been asked for since: another yarn or another colour is no reason
 /// to begin anew. Else it is stopped.
-bool VisibilityWorker::servesNewer(Baking::Turn& turn) {
-  auto newer = turn.takeNewer();
+bool VisibilityWorker::servesNewer(Baking::Job& job) {
+  auto newer = job.takeNewer();
   if (!newer) return false;
   const bool serves = newer->fabric && isBakedFor(*newer->fabric);
   if (serves)
     wish_ = std::move(*newer);
   else
-    turn.giveWayTo(std::move(*newer));
+    job.giveWayTo(std::move(*newer));
   return serves;
 }
 
 /// For wish_.
-void VisibilityWorker::bake(Baking::Turn& turn) {
+void VisibilityWorker::bake(Baking::Job& job) {
   constexpr double kBetweenPictures_s = 0.25;
   ++bake_;
   interrupted_ = true;
@@ -102,26 +102,26 @@ void VisibilityWorker::bake(Baking::Turn& turn) {
   const std::shared_ptr<const BvdfSet> prior = cache_.has(recipe_) ? nullptr : known_.nearest(recipe_);
   Status status{true, prior != nullptr, 0, ""};
   if (prior) keep(numberedFor(*fabric, prior), false);
-  turn.bring({newest_, status});
+  job.bring({newest_, status});
 
   Task task;
-  task.stop = turn.stop();
+  task.stop = job.stop();
   task.threads = 1;
   task.progress = [&](double fraction) {
     const bool another = static_cast<int>(100 * fraction) != static_cast<int>(100 * status.progress);
     status.progress = fraction;
-    if (another) turn.bring({newest_, status});
+    if (another) job.bring({newest_, status});
   };
   Stopwatch sincePicture;
   double waited_s = kBetweenPictures_s;  // the first at once
   auto set = bakeBvdf(*fabric, options_, cache_, task, [&](const BvdfBaker& baker) {
-    if (servesNewer(turn)) waited_s = kBetweenPictures_s;
+    if (servesNewer(job)) waited_s = kBetweenPictures_s;
     waited_s += sincePicture.lap();
-    if (turn.isStopped() || waited_s < kBetweenPictures_s) return;
+    if (job.isStopped() || waited_s < kBetweenPictures_s) return;
     waited_s = 0;
     const auto own = baker.tables();
     keep(numberedFor(*wish_.fabric, prior ? drawnTowards(*own, *prior, status.progress) : own), false);
-    turn.bring({newest_, status});
+    job.bring({newest_, status});
   });
   interrupted_ = !set;
   if (!set) return;

@@ -59,10 +59,10 @@ class VisibilityWorker {
     Status status;
   };
   using Baking = Worker<Wish, Result>;
-  Result fulfil(const Wish& wish, Baking::Turn& turn);
+  Result fulfil(const Wish& wish, Baking::Job& job);
   bool isBakedFor(const Fabric& fabric) const;
-  void bake(Baking::Turn& turn);
-  bool servesNewer(Baking::Turn& turn);
+  void bake(Baking::Job& job);
+  bool servesNewer(Baking::Job& job);
   void keep(const std::shared_ptr<const BvdfSet>& tables, bool finished);
 
   BvdfOptions options_;

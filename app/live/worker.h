@@ -32,7 +32,7 @@ enum class Priority { background, picture };
 /// Does what it is asked for on a thread of its own, which is there for as long as there is something to do.
 ///
 /// Errors: whatever the work throws becomes a result, by `failed`; nothing that is thrown ends the program.
-/// Cancel: the work looks at its Turn's stop token often. cancel(), forget() and the end request the stop.
+/// Cancel: the work looks at its Job's stop token often. cancel(), forget() and the end request the stop.
 /// Hanging work: up to three go on side by side, so that one that hangs does not hold up the next. Only what was asked
 /// for last counts. The end waits a moment and leaves behind what hangs still: such work owns all that it uses.
 ///
@@ -43,9 +43,9 @@ class Worker {
   struct Order;
 
  public:
-  class Turn;
-  /// Makes a result of the request; none where it has been stopped, or all was brought by Turn::bring().
-  using Work = std::function<std::optional<Result>(const Request&, Turn&)>;
+  class Job;
+  /// Makes a result of the request; none where it has been stopped, or all was brought by Job::bring().
+  using Work = std::function<std::optional<Result>(const Request&, Job&)>;
   /// What is brought in the place of a result; `problem` is for the user.
   using Failed = std::function<Result(const Request&, const std::string& problem)>;
 
@@ -86,24 +86,24 @@ class Worker {
 
 /// One request's: what its work may ask and tell.
 template <class Request, class Result>
-class Worker<Request, Result>::Turn {
+class Worker<Request, Result>::Job {
  public:
   const std::stop_token& stop() const { return stop_; }
   bool isStopped() const { return stop_.stop_requested(); }
   /// A result on the way, or one of several.
   void bring(Result result) const { shared_.bring(std::move(result), number_); }
-  /// The request that waits, for work that may serve it too as it goes on. None once this turn is stopped.
+  /// The request that waits, for work that may serve it too as it goes on. None once this job is stopped.
   std::optional<Request> takeNewer() const;
-  /// Stops this turn, so that the request that waits is begun.
+  /// Stops this job, so that the request that waits is begun.
   void giveWay() { source_.request_stop(); }
-  /// Stops this turn and hands a request that takeNewer() gave back to the next turn, unless a newer one waits by now.
+  /// Stops this job and hands a request that takeNewer() gave back to the next job, unless a newer one waits by now.
   void giveWayTo(Request newer);
   /// Sleeps, but not beyond the stop.
   void rest(std::chrono::milliseconds time) const;
 
  private:
   friend class Worker;
-  Turn(Shared& shared, const Order& order)
+  Job(Shared& shared, const Order& order)
       : shared_(shared), source_(order.stop), stop_(source_.get_token()), number_(order.number) {}
 
   Shared& shared_;
@@ -242,10 +242,10 @@ auto Worker<Request, Result>::Shared::next() -> std::optional<Order> {
 template <class Request, class Result>
 void Worker<Request, Result>::Shared::doTurn(const Order& order) {
   try {
-    Turn turn(*this, order);
+    Job job(*this, order);
     std::optional<Result> result;
     try {
-      result = work(order.request, turn);
+      result = work(order.request, job);
     } catch (...) {
       result = failed(order.request, problemCaught());
     }
@@ -271,7 +271,7 @@ void Worker<Request, Result>::Shared::bring(Result result, uint64_t number) {
 }
 
 template <class Request, class Result>
-std::optional<Request> Worker<Request, Result>::Turn::takeNewer() const {
+std::optional<Request> Worker<Request, Result>::Job::takeNewer() const {
   const std::lock_guard lock(shared_.mutex);
   if (isStopped() || shared_.waiting.empty()) return std::nullopt;
   std::optional<Request> newer(std::move(shared_.waiting.front().request));
@@ -280,14 +280,14 @@ std::optional<Request> Worker<Request, Result>::Turn::takeNewer() const {
 }
 
 template <class Request, class Result>
-void Worker<Request, Result>::Turn::giveWayTo(Request newer) {
+void Worker<Request, Result>::Job::giveWayTo(Request newer) {
   const std::lock_guard lock(shared_.mutex);
   if (!isStopped() && shared_.waiting.empty()) shared_.waiting.push_front({std::move(newer), {}, number_});
   source_.request_stop();
 }
 
 template <class Request, class Result>
-void Worker<Request, Result>::Turn::rest(std::chrono::milliseconds time) const {
+void Worker<Request, Result>::Job::rest(std::chrono::milliseconds time) const {
   std::mutex mutex;
   std::condition_variable_any stopped;
   std::unique_lock lock(mutex);

@@ -4,7 +4,7 @@
 
 namespace loomlight {
 
-/// A stretch of memory that grows and shrinks without ever moving: addresses are reserved at once, memory is taken for
+/// A range of memory that grows and shrinks without ever moving: addresses are reserved at once, memory is taken for
 /// those in use alone. Not to be changed by two threads at a time; what is in use may be read meanwhile.
 class AddressSpace {
  public:

@@ -28,7 +28,7 @@ class RangeAllocator {
   uint32_t end_ = 0;
 };
 
-/// Plain values in one stretch of memory that never moves. Ranges of them are taken and given back, and addressed by
+/// Plain values in memory that never moves. Ranges of them are taken and given back, and addressed by
 /// 32-bit offsets from its beginning. Not to be changed by two threads at a time; the values of ranges that are taken
 /// may be read and written meanwhile.
 template <class T>

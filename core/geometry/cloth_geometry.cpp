@@ -13,10 +13,10 @@ ClothGeometry::ClothGeometry(const Fabric& fabric, int ends, int picks, const Cl
   assert(ends >= 1 && picks >= 1);
 }
 
-CellKey ClothGeometry::key(System system, int pick, int end) const {
+YarnCellKey ClothGeometry::key(System system, int pick, int end) const {
   ShapeCode code;
   codes_.read(system, system == System::warp ? end : pick, system == System::warp ? pick : end, {&code, 1});
-  CellKey key = shapeKey(system, code);
+  YarnCellKey key = shapeKey(system, code);
   key.phase = phase(system, pick, end);
   return key;
 }

@@ -6,8 +6,8 @@
 #include "core/base/task.h"
 #include "core/fabric/model/fabric.h"
 #include "core/geometry/cell_codes.h"
-#include "core/geometry/cell_key.h"
 #include "core/geometry/cell_strands.h"
+#include "core/geometry/yarn_cell_key.h"
 #include "core/geometry/yarn_table.h"
 
 namespace loomlight {
@@ -41,9 +41,9 @@ class ClothGeometry {
 
   /// The yarn of `system` in cell (pick, end); any integers: the cloth goes on beyond its edges as its repeat does.
   /// Costs about a dozen look-ups.
-  CellKey key(System system, int pick, int end) const;
+  YarnCellKey key(System system, int pick, int end) const;
   /// The key up to the phase: that of all cells of a code, with phase 0.
-  CellKey shapeKey(System system, ShapeCode code) const { return yarns_.shapeKey(system, shapeOf(code)); }
+  YarnCellKey shapeKey(System system, ShapeCode code) const { return yarns_.shapeKey(system, shapeOf(code)); }
   /// The phase of key() alone.
   int phase(System system, int pick, int end) const;
   /// Whether this is the same piece but for its weave: a cell whose code is the same has the same fibres.
@@ -63,13 +63,13 @@ class ClothGeometry {
   int repeatEnds() const { return codes_.repeatEnds(); }
   int repeatPicks() const { return codes_.repeatPicks(); }
   const Weave& weave() const { return codes_.weave(); }
-  CellStrands strands(const CellKey& key) const { return yarns_.strands(key); }
+  CellStrands strands(const YarnCellKey& key) const { return yarns_.strands(key); }
 
   /// Over one repeat, or the piece where that is smaller.
   ClothMeasures measure() const;
   /// Cells of one shape: a key with phase 0, and how many there are.
   struct CellCount {
-    CellKey shape;
+    YarnCellKey shape;
     double cells = 0;
   };
   /// Measures from the counts of the cells of warp and of weft, where these are known: it takes time for each shape

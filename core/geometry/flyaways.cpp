@@ -63,7 +63,7 @@ std::vector<Flyaway> placeFlyaways(const YarnGeometry& g, double budget_mm) {
   return flyaways;
 }
 
-glm::dvec2 flyawayOffset(const Flyaway& f, const YarnGeometry& g, double t, const AxisPlace& axis) {
+glm::dvec2 flyawayOffset(const Flyaway& f, const YarnGeometry& g, double t, const AxisPosition& axis) {
   double x = (t - f.start) / (f.end - f.start);
   if (f.backwards) x = 1 - x;
   const double bump = std::sin(kPi * x);

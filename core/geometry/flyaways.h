@@ -28,12 +28,12 @@ std::vector<Flyaway> placeFlyaways(const YarnGeometry& geometry, double budget_m
 inline constexpr int kMaxFlyaways = 4096;
 
 /// How high the yarn's axis lies in the cloth, and would if the yarn were uppermost there; and its section.
-struct AxisPlace {
+struct AxisPosition {
   double here_mm = 0, crown_mm = 0;
   SectionScale section;
 };
 
 /// Where a loose fibre is at `t` cells, start <= t <= end: offset from the yarn's axis, (u, up), mm.
-glm::dvec2 flyawayOffset(const Flyaway& flyaway, const YarnGeometry& geometry, double t, const AxisPlace& axis);
+glm::dvec2 flyawayOffset(const Flyaway& flyaway, const YarnGeometry& geometry, double t, const AxisPosition& axis);
 
 }  // namespace loomlight

@@ -9,7 +9,7 @@ namespace loomlight {
 namespace {
 
 /// Segments of the fibres of a cell, averaged over its phases.
-double segmentsOf(const YarnModel& yarn, const CellKey& key) {
+double segmentsOf(const YarnModel& yarn, const YarnCellKey& key) {
   const YarnGeometry& g = yarn.geometry;
   const auto stations = layStations(yarn, key.previous, key.here, key.next, 0, g.pitch_mm);
   double steps = 0;
@@ -48,7 +48,7 @@ ClothMeasures ClothGeometry::measure(const std::array<std::vector<CellCount>, 2>
   for (const System system : {System::warp, System::weft}) {
     double cells = 0, axis = 0, mass_g = 0, segments = 0;
     for (const CellCount& count : counts[static_cast<size_t>(system)]) {
-      const CellKey& key = count.shape;
+      const YarnCellKey& key = count.shape;
       const YarnModel& model = yarns_.model(system, key.yarn);
       const YarnGeometry& g = model.geometry;
       const double length = count.cells * yarns_.axisLength_mm(key);

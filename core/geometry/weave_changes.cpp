@@ -4,9 +4,9 @@
 
 namespace loomlight {
 
-std::optional<std::vector<WeavePlace>> weaveChanges(const Weave& before, const Weave& after, size_t limit) {
+std::optional<std::vector<WeaveCrossing>> weaveChanges(const Weave& before, const Weave& after, size_t limit) {
   const auto ends = static_cast<size_t>(std::min(before.ends(), after.ends()));
-  std::vector<WeavePlace> changes;
+  std::vector<WeaveCrossing> changes;
   for (int pick = 0; pick < std::min(before.picks(), after.picks()); ++pick) {
     if (before.sharedRow(pick) == after.sharedRow(pick)) continue;  // not even looked at: they may lie anywhere
     const auto a = before.row(pick).first(ends), b = after.row(pick).first(ends);

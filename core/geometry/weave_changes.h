@@ -8,13 +8,13 @@
 namespace loomlight {
 
 /// A crossing of a weave's repeat.
-struct WeavePlace {
+struct WeaveCrossing {
   int pick = 0, end = 0;
-  bool operator==(const WeavePlace&) const = default;
+  bool operator==(const WeaveCrossing&) const = default;
 };
 
 /// Where two weaves differ, in the ends and picks that both have; nothing where they do in more than `limit` places.
 /// In the order of picks, and of ends in each. Rows that they share cost one comparison of pointers.
-std::optional<std::vector<WeavePlace>> weaveChanges(const Weave& before, const Weave& after, size_t limit);
+std::optional<std::vector<WeaveCrossing>> weaveChanges(const Weave& before, const Weave& after, size_t limit);
 
 }  // namespace loomlight

@@ -125,7 +125,7 @@ double looseLength_mm(const YarnModel& m) {
   double total = 0;
   for (const Flyaway& f : m.flyaways) {
     constexpr int kSteps = 16;
-    const AxisPlace straight{0, 0, m.geometry.usual()};
+    const AxisPosition straight{0, 0, m.geometry.usual()};
     for (int i = 0; i < kSteps; ++i) {
       const auto at = [&](int k) { return f.start + (f.end - f.start) * k / kSteps; };
       const glm::dvec2 d =

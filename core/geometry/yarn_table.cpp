@@ -128,7 +128,7 @@ PathNode YarnTable::node(System system, int own, const CellShape::Node& at) cons
           static_cast<float>(section.across)};
 }
 
-CellKey YarnTable::shapeKey(System system, const CellShape& shape) const {
+YarnCellKey YarnTable::shapeKey(System system, const CellShape& shape) const {
   const auto nodeAt = [&](const CellShape::Node& at) { return node(system, shape.own, at); };
   return {system, shape.own, 0, nodeAt(shape.previous), nodeAt(shape.here), nodeAt(shape.next)};
 }
@@ -207,7 +207,7 @@ bool YarnTable::sameNodes(const YarnTable& other) const {
   return true;
 }
 
-CellStrands YarnTable::strands(const CellKey& key) const {
+CellStrands YarnTable::strands(const YarnCellKey& key) const {
   const YarnModel& yarn = model(key.system, key.yarn);
   const YarnGeometry& g = yarn.geometry;
   CellStrands cell = layStrands(yarn, key.previous, key.here, key.next, key.phase, g.pitch_mm);
@@ -216,7 +216,7 @@ CellStrands YarnTable::strands(const CellKey& key) const {
   return cell;
 }
 
-double YarnTable::axisLength_mm(const CellKey& key) const {
+double YarnTable::axisLength_mm(const YarnCellKey& key) const {
   const double pitch = model(key.system, key.yarn).geometry.pitch_mm;
   const Transition before(key.previous, key.here, pitch), after(key.here, key.next, pitch);
   return before.length_mm() - before.lengthTo(0.5 * pitch) + after.lengthTo(0.5 * pitch);

@@ -8,9 +8,9 @@
 #include "core/base/task.h"
 #include "core/fabric/model/fabric.h"
 #include "core/geometry/cell_codes.h"
-#include "core/geometry/cell_key.h"
 #include "core/geometry/cell_strands.h"
 #include "core/geometry/crossing.h"
+#include "core/geometry/yarn_cell_key.h"
 #include "core/geometry/yarn_geometry.h"
 #include "core/geometry/yarn_model.h"
 
@@ -37,15 +37,15 @@ class YarnTable {
   /// Of a class that occurs in the system's sequence.
   const YarnModel& model(System system, int geometryClass) const;
 
-  CellKey shapeKey(System system, const CellShape& shape) const;  ///< with phase 0
+  YarnCellKey shapeKey(System system, const CellShape& shape) const;  ///< with phase 0
   /// Where in its period a yarn is in a cell. It counts on along the yarn from a start that differs from yarn to yarn,
   /// so that neighbours are not in step.
   int phase(System system, int geometryClass, int across, int along) const;
 
   /// The fibres of a cell. A pure function of the key (and of these yarns).
-  CellStrands strands(const CellKey& key) const;
+  CellStrands strands(const YarnCellKey& key) const;
   /// Length of the yarn's axis in the cell, mm.
-  double axisLength_mm(const CellKey& key) const;
+  double axisLength_mm(const YarnCellKey& key) const;
 
   /// Whether cells of the same codes have the same fibres.
   bool sameShapes(const YarnTable& other) const;

@@ -156,11 +156,11 @@ void Shell::linkSides(const DrapeMesh& mesh, std::span<const uint32_t> triangles
   for (const uint32_t triangle : triangles) kept.push_back(mesh.triangles[triangle]);
 
   // The tetrahedra at the two triangles of a side, and the face (0..3) of each.
-  struct Place {
+  struct TetFace {
     int32_t tet;
     int face;
   };
-  const auto placeOf = [&](const TriangleSide& side, int upper) {
+  const auto faceOf = [&](const TriangleSide& side, int upper) {
     const std::array<int, 3> order = sortedCorners(kept[side.triangle], welded);
     const auto rank = [&](int corner) {
       return static_cast<int>(std::find(order.begin(), order.end(), corner) - order.begin());
@@ -171,14 +171,14 @@ void Shell::linkSides(const DrapeMesh& mesh, std::span<const uint32_t> triangles
     while (kPrismFaces[k][face].kind != PrismFace::Kind::side || kPrismFaces[k][face].target != which ||
            kPrismFaces[k][face].upper != upper)
       ++face;
-    return Place{static_cast<int32_t>(3 * side.triangle) + k, face};
+    return TetFace{static_cast<int32_t>(3 * side.triangle) + k, face};
   };
   // Anything but two triangles that run the edge in opposite directions is no surface there: the cloth ends.
   const std::vector<TriangleSide> sides = sortedSides(kept, welded);
   forEachEdge(sides, [&](std::span<const TriangleSide> edge) {
     if (edge.size() != 2 || edge[0].forward == edge[1].forward) return;
     for (int upper = 0; upper < 2; ++upper) {
-      const Place a = placeOf(edge[0], upper), b = placeOf(edge[1], upper);
+      const TetFace a = faceOf(edge[0], upper), b = faceOf(edge[1], upper);
       tets_[static_cast<size_t>(a.tet)].neighbour[a.face] = b.tet;
       tets_[static_cast<size_t>(b.tet)].neighbour[b.face] = a.tet;
     }

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "render/display/quality.h"
+#include "render/display/preview_quality.h"
 #include "render/film/film.h"
 #include "render/transport/path_tracer.h"
 
@@ -18,14 +18,14 @@ struct Frame {
   std::vector<glm::vec4> rgba;      ///< as traced: linear, premultiplied by alpha; row by row from the top left
   std::vector<glm::vec4> helped;    ///< for the display alone: with less noise as long as it is young; empty: as rgba
   std::vector<glm::vec4> denoised;  ///< for the display alone: with less noise; empty where not asked for
-  std::vector<Film::Hit> hits;      ///< yarn and crossing per pixel; -1 where there is no cloth. Empty in the lens
+  std::vector<Film::Hit> hits;      ///< yarn and crossing per pixel; -1 where there is no cloth. Empty in the inset
   std::vector<float> variances;     ///< of the luminance; empty where unknown, or where no noise was taken
   PixelRect window;                 ///< what it covers of the viewport
   uint64_t generation = 0;          ///< of the request it answers
   int samples = 0;                  ///< that every pixel has at least; 0 for a coarse pass
   int divider = 1;                  ///< of the resolution
   double seconds = 0;               ///< since this picture was begun
-  Quality quality = Quality::clear;
+  PreviewQuality quality = PreviewQuality::clear;
   bool shared = false;  ///< `helped` is light that repeats share
 
   /// What the display shows where nothing is asked for.

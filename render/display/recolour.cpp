@@ -17,19 +17,19 @@ namespace {
 
 /// Samples on record of some pixels, per channel.
 struct Pool {
-  Rgb traced{0}, dyed{0};                           ///< sums
-  Rgb tracedTraced{0}, tracedDyed{0}, dyedDyed{0};  ///< sums about the means of each pixel
+  Rgb traced{0}, recoloured{0};                                       ///< sums
+  Rgb tracedTraced{0}, tracedRecoloured{0}, recolouredRecoloured{0};  ///< sums about the means of each pixel
   float samples = 0, freedom = 0;
 
   void add(const PathRecords::Sums& s) {
     traced += s.traced;
-    dyed += s.dyed;
+    recoloured += s.recoloured;
     const auto n = static_cast<float>(s.samples);
     samples += n;
     if (n < 2) return;
     tracedTraced += s.tracedTraced - s.traced * s.traced / n;
-    tracedDyed += s.tracedDyed - s.traced * s.dyed / n;
-    dyedDyed += s.dyedDyed - s.dyed * s.dyed / n;
+    tracedRecoloured += s.tracedRecoloured - s.traced * s.recoloured / n;
+    recolouredRecoloured += s.recolouredRecoloured - s.recoloured * s.recoloured / n;
     freedom += n - 1;
   }
 };
@@ -55,18 +55,18 @@ double luminanceVariance(Rgb variance) {
 
 }  // namespace
 
-std::optional<Dye> dyeBetween(const Scene& traced, const Scene& wanted) {
+std::optional<Recolouring> recolouringBetween(const Scene& traced, const Scene& wanted) {
   const Fabric& from = *traced.fabric;
   const Fabric& to = *wanted.fabric;
   if (!changes(from, to).stages.within(Stage::colour | Stage::brightness | Stage::label)) return std::nullopt;
   if (!(from.light.intensity > 0)) return std::nullopt;
   const Rgb tint = Lighting::tint(to.light) / Lighting::tint(from.light);
-  return Dye{wanted.colouring, static_cast<float>(to.light.intensity / from.light.intensity) * tint};
+  return Recolouring{wanted.colouring, static_cast<float>(to.light.intensity / from.light.intensity) * tint};
 }
 
-Recoloured recolour(const Film& film, const PathRecords& records, const Dye& dye, int threads) {
+Recoloured recolour(const Film& film, const PathRecords& records, const Recolouring& recolouring, int threads) {
   const int width = film.width(), height = film.height();
-  const std::vector<PathRecords::Sums> sums = records.dyed(dye, threads);
+  const std::vector<PathRecords::Sums> sums = records.recoloured(recolouring, threads);
   const auto at = [&](int x, int y) -> const PathRecords::Sums& { return sums[static_cast<size_t>(y) * width + x]; };
 
   Recoloured result;
@@ -83,17 +83,17 @@ Recoloured recolour(const Film& film, const PathRecords& records, const Dye& dye
         for (int u = std::max(0, x - 1); u <= std::min(width - 1, x + 1); ++u)
           if (film.hit(u, v).yarn == yarn) around.add(at(u, v));
       const bool complete = own.samples > 0 && own.samples == film.samples(x, y);
-      const Rgb change = ratio(around.dyed, around.traced, dye.light);
-      const Rgb colour = complete ? own.dyed / static_cast<float>(own.samples) : film.mean(x, y) * change;
+      const Rgb change = ratio(around.recoloured, around.traced, recolouring.light);
+      const Rgb colour = complete ? own.recoloured / static_cast<float>(own.samples) : film.mean(x, y) * change;
       const size_t i = row * static_cast<size_t>(width) + static_cast<size_t>(x);
       result.rgba[i] = glm::vec4(colour, film.alpha(x, y));
       result.change[i] = change;
       if (around.freedom <= 0) continue;
       const Rgb ofFilm = change * change * around.tracedTraced / static_cast<float>(film.samples(x, y));
-      const Rgb ofChange =
-          (around.dyedDyed - 2.0f * change * around.tracedDyed + change * change * around.tracedTraced) /
-          around.samples;
-      const Rgb all = around.dyedDyed / static_cast<float>(std::max(1u, own.samples));
+      const Rgb ofChange = (around.recolouredRecoloured - 2.0f * change * around.tracedRecoloured +
+                            change * change * around.tracedTraced) /
+                           around.samples;
+      const Rgb all = around.recolouredRecoloured / static_cast<float>(std::max(1u, own.samples));
       variances[row] += luminanceVariance((complete ? all : ofFilm + ofChange) / around.freedom);
     }
   });

@@ -11,7 +11,7 @@ namespace loomlight {
 
 /// What makes the picture of one scene that of the other: nullopt where they differ in more than how much fibres absorb
 /// and how brightly and of which colour the lamps shine.
-std::optional<Dye> dyeBetween(const Scene& traced, const Scene& wanted);
+std::optional<Recolouring> recolouringBetween(const Scene& traced, const Scene& wanted);
 
 /// A picture in other colours than it was traced in.
 struct Recoloured {
@@ -24,7 +24,7 @@ struct Recoloured {
 /// are all on record are exactly that. Where the film has more, it is multiplied by the ratio of the two colours among
 /// the samples on record, those of pixels around on the same yarn too: a ratio estimator (Cochran 1977, chapter 6),
 /// nearly as free of noise as the film, and exactly the film in that light when only the lamps change.
-Recoloured recolour(const Film& film, const PathRecords& records, const Dye& dye, int threads);
+Recoloured recolour(const Film& film, const PathRecords& records, const Recolouring& recolouring, int threads);
 
 /// Variance of the luminance, mean over the pixels: what Recoloured::variance is to be compared with. 0 with fewer than
 /// two samples.

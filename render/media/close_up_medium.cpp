@@ -32,15 +32,16 @@ class CloseUpBatch final : public MediumBatch {
     paths_[path] = {from, cone, false};
     groups_[0].batch->begin(path, from, cone);
   }
-  void collide(std::span<const Flight> flights, std::span<std::optional<Collision>> met, TraceCounts& counts) override {
-    for (const Flight& flight : flights) decide(flight);
-    if (!anyAmongFibres_) return groups_[0].batch->collide(flights, met, counts);
-    divide(flights);
+  void collide(std::span<const PathRay> pathRays, std::span<std::optional<Collision>> met,
+               TraceCounts& counts) override {
+    for (const PathRay& pathRay : pathRays) decide(pathRay);
+    if (!anyAmongFibres_) return groups_[0].batch->collide(pathRays, met, counts);
+    divide(pathRays);
     for (Group& group : groups_) {
-      group.flights.clear();
-      for (const size_t i : group.members) group.flights.push_back(flights[i]);
-      group.met.resize(group.flights.size());
-      group.batch->collide(group.flights, group.met, counts);
+      group.pathRays.clear();
+      for (const size_t i : group.members) group.pathRays.push_back(pathRays[i]);
+      group.met.resize(group.pathRays.size());
+      group.batch->collide(group.pathRays, group.met, counts);
       for (size_t k = 0; k < group.members.size(); ++k) met[group.members[k]] = group.met[k];
     }
   }
@@ -72,7 +73,7 @@ class CloseUpBatch final : public MediumBatch {
     std::unique_ptr<MediumBatch> batch;
     // Of one call:
     std::vector<size_t> members;  ///< of what was asked
-    std::vector<Flight> flights;
+    std::vector<PathRay> pathRays;
     std::vector<std::optional<Collision>> met;
     std::vector<ShadowRay> shadows;
   };
@@ -86,25 +87,25 @@ class CloseUpBatch final : public MediumBatch {
   }
 
   /// Where its first flight sends a path.
-  void decide(const Flight& flight) {
-    Path& path = paths_[flight.path];
+  void decide(const PathRay& pathRay) {
+    Path& path = paths_[pathRay.path];
     if (path.cone.isLine()) return;
-    path.amongFibres = isNear(path, flight);
+    path.amongFibres = isNear(path, pathRay);
     path.cone = {};
     if (!path.amongFibres) return;
     anyAmongFibres_ = true;
-    groups_[1].batch->begin(flight.path, path.from, {});
+    groups_[1].batch->begin(pathRay.path, path.from, {});
   }
 
-  bool isNear(const Path& path, const Flight& flight) const {
-    const float nearest = distanceToBounds(*cloth_.shell, path.from.world, flight.direction);
+  bool isNear(const Path& path, const PathRay& pathRay) const {
+    const float nearest = distanceToBounds(*cloth_.shell, path.from.world, pathRay.direction);
     if (closeUpChance(cloth_, path.cone.widthAt(nearest)) <= 0) return false;
-    ShellWalk walk(cloth_, path.from, flight.direction, std::numeric_limits<float>::infinity());
+    ShellWalk walk(cloth_, path.from, pathRay.direction, std::numeric_limits<float>::infinity());
     if (!walk.next()) return false;
     const float chance = closeUpChance(cloth_, path.cone.widthAt(walk.segment().passed + walk.segment().tEnter));
     if (chance <= 0 || chance >= 1) return chance > 0;
     constexpr uint64_t kPurpose = 0xC105E;
-    Random copy = *flight.random;  // the path's own numbers are drawn as if nobody had asked
+    Random copy = *pathRay.random;  // the path's own numbers are drawn as if nobody had asked
     return Random(hashCombine(copy.next(), kPurpose)).uniform() < chance;
   }
 

@@ -37,8 +37,10 @@ class FibreBatch final : public MediumBatch {
   FibreBatch(const FibreMedium& medium, size_t paths) : medium_(medium), rays_(medium.rays()), paths_(paths) {}
 
   void begin(uint32_t path, const ScenePoint& from, const RayCone&) override { paths_[path] = {from, {}}; }
-  void collide(std::span<const Flight> flights, std::span<std::optional<Collision>> met, TraceCounts& counts) override {
-    for (size_t i = 0; i < flights.size(); ++i) met[i] = collide(paths_[flights[i].path], flights[i].direction, counts);
+  void collide(std::span<const PathRay> pathRays, std::span<std::optional<Collision>> met,
+               TraceCounts& counts) override {
+    for (size_t i = 0; i < pathRays.size(); ++i)
+      met[i] = collide(paths_[pathRays[i].path], pathRays[i].direction, counts);
   }
   void leave(uint32_t path, const Collision& met, glm::vec3 wi, int order) override {
     paths_[path].place = {met.optics.packed ? fibreExit(medium_.cloth(), met, wi, order) : met.place.world,

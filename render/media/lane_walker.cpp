@@ -83,7 +83,7 @@ bool LaneWalker::take(size_t lane, std::span<const DepthRay> rays, DepthRayEnds&
     put(lanes_->direction, lane, ray.direction);
     lanes_->depth[lane] = ray.depth;
     lanes_->steps[lane] = 0;
-    own.flightsTold = false;
+    own.pastSegmentsTold = false;
     if (enterSegment(lane, ray)) {
       ++next_;
       return true;
@@ -123,8 +123,8 @@ bool LaneWalker::enterSegment(size_t lane, const DepthRay& ray) {
       l.densityScale[lane] = s.drape.densityScale;
     }
     if (field_.hotSpot) {
-      if (!own.flightsTold) setFlights(lane, ray);
-      own.flightsTold = true;
+      if (!own.pastSegmentsTold) setPastSegments(lane, ray);
+      own.pastSegmentsTold = true;
       setBefore(lane, ray);
     }
     enterCell(lane);
@@ -134,19 +134,19 @@ bool LaneWalker::enterSegment(size_t lane, const DepthRay& ray) {
   return false;
 }
 
-void LaneWalker::setFlights(size_t lane, const DepthRay& ray) {
+void LaneWalker::setPastSegments(size_t lane, const DepthRay& ray) {
   const glm::vec3 origin = rays_[lane].shell->segment().origin;
-  for (size_t i = 0; i < ray.known->flights.size(); ++i) {
-    const RaySegment& flight = ray.known->flights[i];
-    WalkLanes::Flight& columns = lanes_->flights[i];
-    put(columns.offset_mm, lane, origin - flight.end);
-    put(columns.direction, lane, flight.direction);
-    columns.length_mm[lane] = flight.length_mm;
+  for (size_t i = 0; i < ray.known->pastSegments.size(); ++i) {
+    const RaySegment& past = ray.known->pastSegments[i];
+    WalkLanes::PastSegment& columns = lanes_->pastSegments[i];
+    put(columns.offset_mm, lane, origin - past.end);
+    put(columns.direction, lane, past.direction);
+    columns.length_mm[lane] = past.length_mm;
   }
 }
 
 void LaneWalker::setBefore(size_t lane, const DepthRay& ray) {
-  const MetFibre& before = ray.known->before;
+  const KnownFibre& before = ray.known->before;
   WalkLanes::Before& columns = lanes_->before;
   columns.radius_mm[lane] = before.radius_mm;
   if (before.radius_mm <= 0) return;

@@ -6,15 +6,15 @@
 #include <span>
 
 #include "render/media/cloth_walk.h"
-#include "render/media/met_fibre.h"
+#include "render/media/known_fibre.h"
 #include "render/walk/walk_lanes.h"
 
 namespace loomlight {
 
 /// What a path knows of the fibres around it.
 struct KnownFibres {
-  MetFibre leaving, before;             ///< the last fibre that it met, and the one before
-  std::array<RaySegment, 2> flights{};  ///< to both, the newest first
+  KnownFibre leaving, before;                ///< the last fibre that it met, and the one before
+  std::array<RaySegment, 2> pastSegments{};  ///< to both, the newest first
 };
 
 /// A ray that is to walk through draped cloth until it has used up an optical depth.
@@ -85,15 +85,15 @@ class LaneWalker {
     int tet = -1;
     std::optional<ShellWalk> shell;
     std::optional<ClothVolume::CellMarch> march;
-    glm::dvec3 before_mm{0};   ///< axis of the fibre before, cloth space
-    glm::ivec3 slotsOf{-1};    ///< the cell whose bricks its columns have
-    bool flightsTold = false;  ///< its columns have the flights before
+    glm::dvec3 before_mm{0};        ///< axis of the fibre before, cloth space
+    glm::ivec3 slotsOf{-1};         ///< the cell whose bricks its columns have
+    bool pastSegmentsTold = false;  ///< its columns have the flights before
   };
   bool take(size_t lane, std::span<const DepthRay> rays, DepthRayEnds& ends);
   bool enterSegment(size_t lane, const DepthRay& ray);
   void enterCell(size_t lane);
   bool leaveCell(size_t lane);
-  void setFlights(size_t lane, const DepthRay& ray);
+  void setPastSegments(size_t lane, const DepthRay& ray);
   void setBefore(size_t lane, const DepthRay& ray);
   void tellFound(size_t lane, const DepthRay& ray, DepthRayEnds& ends);
 

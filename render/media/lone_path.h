@@ -13,9 +13,9 @@ class LonePath final : public MediumPath {
 
   void begin(const ScenePoint& from) override { batch_.begin(0, from, {}); }
   std::optional<Collision> collide(glm::vec3 direction, Random& random, TraceCounts& counts) override {
-    const Flight flight{0, direction, &random};
+    const PathRay pathRay{0, direction, &random};
     std::optional<Collision> met;
-    batch_.collide({&flight, 1}, {&met, 1}, counts);
+    batch_.collide({&pathRay, 1}, {&met, 1}, counts);
     return met;
   }
   void leave(const Collision& met, glm::vec3 wi, int order) override { batch_.leave(0, met, wi, order); }

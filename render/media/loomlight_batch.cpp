@@ -18,31 +18,31 @@ constexpr float kNever = std::numeric_limits<float>::infinity();
 /// Turns what flights find into collisions.
 class Meetings final : public DepthRayEnds {
  public:
-  Meetings(const LoomlightMedium& medium, LoomlightBatch& paths, std::span<const Flight> flights,
+  Meetings(const LoomlightMedium& medium, LoomlightBatch& paths, std::span<const PathRay> pathRays,
            std::span<const DepthRay> rays, std::span<std::optional<Collision>> met)
-      : medium_(medium), paths_(paths), flights_(flights), rays_(rays), met_(met) {}
+      : medium_(medium), paths_(paths), pathRays_(pathRays), rays_(rays), met_(met) {}
 
   void found(size_t i, const FoundFibres& fibres) override {
-    const Flight& flight = flights_[i];
-    LoomlightBatch::Path& path = paths_[flight.path];
-    met_[i] = medium_.meet(path.place, flight.direction, fibres, *flight.random, path.memory);
+    const PathRay& pathRay = pathRays_[i];
+    LoomlightBatch::Path& path = paths_[pathRay.path];
+    met_[i] = medium_.meet(path.place, pathRay.direction, fibres, *pathRay.random, path.memory);
     medium_.remember(*met_[i], path.memory);
   }
   void left(size_t i, float, int tet) override {
-    const Flight& flight = flights_[i];
+    const PathRay& pathRay = pathRays_[i];
     const float distance = rays_[i].tMax_mm;
     met_[i].reset();
     if (distance == kNever) return;
-    LoomlightBatch::Path& path = paths_[flight.path];
-    const ScenePoint place{path.place.world + distance * flight.direction, tet};
-    met_[i] = medium_.meetBefore(place, flight.direction, distance, *flight.random, path.memory);
+    LoomlightBatch::Path& path = paths_[pathRay.path];
+    const ScenePoint place{path.place.world + distance * pathRay.direction, tet};
+    met_[i] = medium_.meetBefore(place, pathRay.direction, distance, *pathRay.random, path.memory);
     medium_.remember(*met_[i], path.memory);
   }
 
  private:
   const LoomlightMedium& medium_;
   LoomlightBatch& paths_;
-  std::span<const Flight> flights_;
+  std::span<const PathRay> pathRays_;
   std::span<const DepthRay> rays_;
   std::span<std::optional<Collision>> met_;
 };
@@ -70,19 +70,19 @@ class Visibilities final : public DepthRayEnds {
 LoomlightBatch::LoomlightBatch(const LoomlightMedium& medium, size_t paths)
     : medium_(medium), paths_(paths), walker_(medium.cloth(), medium.walkRules()) {}
 
-void LoomlightBatch::collide(std::span<const Flight> flights, std::span<std::optional<Collision>> met,
+void LoomlightBatch::collide(std::span<const PathRay> pathRays, std::span<std::optional<Collision>> met,
                              TraceCounts& counts) {
   rays_.clear();
-  for (const Flight& flight : flights) {
-    const Path& path = paths_[flight.path];
+  for (const PathRay& pathRay : pathRays) {
+    const Path& path = paths_[pathRay.path];
     const float toBefore = medium_.ingredients().hotSpot
-                               ? distanceTo(path.memory.known.before, path.place.world, flight.direction)
+                               ? distanceTo(path.memory.known.before, path.place.world, pathRay.direction)
                                : kNever;
-    const float depth = -std::log(1 - flight.random->uniform());
-    rays_.push_back({path.place, flight.direction, toBefore, depth, &path.memory.known});
+    const float depth = -std::log(1 - pathRay.random->uniform());
+    rays_.push_back({path.place, pathRay.direction, toBefore, depth, &path.memory.known});
   }
-  Meetings meetings(medium_, *this, flights, rays_, met);
-  counts.rays += flights.size();
+  Meetings meetings(medium_, *this, pathRays, rays_, met);
+  counts.rays += pathRays.size();
   counts.steps += walker_.walk(rays_, meetings);
   for (const auto& collision : met) counts.events += collision ? 1 : 0;
 }

@@ -12,7 +12,8 @@ class LoomlightBatch final : public MediumBatch {
   LoomlightBatch(const LoomlightMedium& medium, size_t paths);
 
   void begin(uint32_t path, const ScenePoint& from, const RayCone&) override { paths_[path] = {from, {}}; }
-  void collide(std::span<const Flight> flights, std::span<std::optional<Collision>> met, TraceCounts& counts) override;
+  void collide(std::span<const PathRay> pathRays, std::span<std::optional<Collision>> met,
+               TraceCounts& counts) override;
   void leave(uint32_t path, const Collision& met, glm::vec3 wi, int order) override {
     paths_[path].place = {medium_.exit(met, wi, order), met.place.tet};
   }

@@ -46,19 +46,20 @@ class CorrelatedShare {
       : known_(known), middle_(found.middle), lower_(grid.lower_mm(found.content.voxel)) {
     if (!known || known->before.radius_mm <= 0) return;
     const ShellSegment& s = found.segment;
-    const MetFibre& before = known->before;
+    const KnownFibre& before = known->before;
     before_.emplace(s.clothOrigin + toCloth * (before.axis - s.origin), glm::normalize(toCloth * before.tangent),
                     before.radius_mm, grid);
   }
 
-  float operator()(const FibreDistribution& fibres, const YarnOptics& optics, const VoxelContent::Part& part) const {
+  float operator()(const FibreDistribution& fibres, const YarnOptics& optics,
+                   const VoxelContent::YarnSpan& span) const {
     if (!known_) return 1;
     float absent = 0;
-    for (const RaySegment& flight : known_->flights)
-      if (flight.length_mm > 0)
-        absent = std::max(absent, knownAbsent(flight, middle_, fibres.direction, fibres.spread, optics.fibreRadius_mm));
+    for (const RaySegment& past : known_->pastSegments)
+      if (past.length_mm > 0)
+        absent = std::max(absent, knownAbsent(past, middle_, fibres.direction, fibres.spread, optics.fibreRadius_mm));
     float before = 0;
-    if (before_ && YarnId{part.system, part.index} == known_->before.yarnId && optics.packed)
+    if (before_ && YarnId{span.system, span.index} == known_->before.yarnId && optics.packed)
       before = std::min(1.0f, before_->lengthDensity(lower_) / fibres.lengthDensity);
     return (1 - absent) * (1 - before);
   }
@@ -176,7 +177,7 @@ Collision LoomlightMedium::meet(const ScenePoint& from, glm::vec3 direction, con
 
 Collision LoomlightMedium::meetBefore(const ScenePoint& place, glm::vec3 direction, float distance_mm, Random& random,
                                       Memory& memory) const {
-  const MetFibre& fibre = memory.known.before;
+  const KnownFibre& fibre = memory.known.before;
   Collision c;
   c.place = place;
   c.distance_mm = distance_mm;
@@ -201,7 +202,7 @@ void LoomlightMedium::remember(const Collision& met, Memory& memory) const {
   KnownFibres& known = memory.known;
   known.before = known.leaving;
   known.leaving = {met.axis, met.tangent, met.optics.fibreRadius_mm, met.yarnId, met.yarn, met.end, met.pick};
-  known.flights = {RaySegment{met.place.world, met.incoming, met.distance_mm}, known.flights[0]};
+  known.pastSegments = {RaySegment{met.place.world, met.incoming, met.distance_mm}, known.pastSegments[0]};
 }
 
 /// What a meeting is with hangs on the voxel that the axis lies in, and on nothing else of the two antithetic points.

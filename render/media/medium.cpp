@@ -13,9 +13,10 @@ class OneByOne final : public MediumBatch {
   }
 
   void begin(uint32_t path, const ScenePoint& from, const RayCone&) override { paths_[path]->begin(from); }
-  void collide(std::span<const Flight> flights, std::span<std::optional<Collision>> met, TraceCounts& counts) override {
-    for (size_t i = 0; i < flights.size(); ++i)
-      met[i] = paths_[flights[i].path]->collide(flights[i].direction, *flights[i].random, counts);
+  void collide(std::span<const PathRay> pathRays, std::span<std::optional<Collision>> met,
+               TraceCounts& counts) override {
+    for (size_t i = 0; i < pathRays.size(); ++i)
+      met[i] = paths_[pathRays[i].path]->collide(pathRays[i].direction, *pathRays[i].random, counts);
   }
   void leave(uint32_t path, const Collision& met, glm::vec3 wi, int order) override {
     paths_[path]->leave(met, wi, order);

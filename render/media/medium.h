@@ -107,7 +107,7 @@ class MediumPath {
 };
 
 /// The next flight of one path of a batch.
-struct Flight {
+struct PathRay {
   uint32_t path = 0;
   glm::vec3 direction{0, 0, -1};  ///< unit
   Random* random = nullptr;       ///< the path's own
@@ -131,7 +131,7 @@ class MediumBatch {
   /// `cone`: of the path's first ray, where that is an eye's.
   virtual void begin(uint32_t path, const ScenePoint& from, const RayCone& cone) = 0;
   /// Every flight's first fibre, as MediumPath::collide(); one entry of `met` for each. No path flies twice.
-  virtual void collide(std::span<const Flight> flights, std::span<std::optional<Collision>> met,
+  virtual void collide(std::span<const PathRay> pathRays, std::span<std::optional<Collision>> met,
                        TraceCounts& counts) = 0;
   virtual void leave(uint32_t path, const Collision& met, glm::vec3 wi, int order) = 0;
   /// Sets `visible` of each. No path has two.

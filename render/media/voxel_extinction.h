@@ -37,19 +37,19 @@ inline float extinction(const FibreDistribution& fibres, const YarnOptics& optic
          TangentSpread::table().projectedLengthOfSquare(sineSquared, fibres.spread);
 }
 
-/// Calls visit(fibres in the world, const YarnOptics&, const VoxelContent::Part&) for each component of a voxel.
+/// Calls visit(fibres in the world, const YarnOptics&, const VoxelContent::YarnSpan&) for each component of a voxel.
 template <class Visit>
 void forEachComponent(const YarnTables& yarns, const VoxelContent& content, const LocalDrape& drape, Visit&& visit) {
   for (int p = 0; p < content.count; ++p) {
-    const VoxelContent::Part& part = content.parts[p];
-    const YarnOptics& optics = yarns[static_cast<int>(part.system)][part.yarn];
-    for (const Component& component : part.components) visit(inWorld(component.decode(), drape), optics, part);
+    const VoxelContent::YarnSpan& span = content.spans[p];
+    const YarnOptics& optics = yarns[static_cast<int>(span.system)][span.yarn];
+    for (const Component& component : span.components) visit(inWorld(component.decode(), drape), optics, span);
   }
 }
 
 /// The share of a component's extinction that counts: all of it. Others are functions of the same arguments.
 struct WholeExtinction {
-  float operator()(const FibreDistribution&, const YarnOptics&, const VoxelContent::Part&) const { return 1; }
+  float operator()(const FibreDistribution&, const YarnOptics&, const VoxelContent::YarnSpan&) const { return 1; }
 };
 
 /// Sums over the components of a voxel.
@@ -66,9 +66,9 @@ VoxelExtinction sumExtinction(const YarnTables& yarns, const VoxelContent& conte
                               glm::vec3 direction, const Share& share = {}) {
   VoxelExtinction sum;
   forEachComponent(yarns, content, drape,
-                   [&](const FibreDistribution& fibres, const YarnOptics& optics, const VoxelContent::Part& part) {
+                   [&](const FibreDistribution& fibres, const YarnOptics& optics, const VoxelContent::YarnSpan& span) {
                      const float whole = extinction(fibres, optics, direction);
-                     sum.total += whole * share(fibres, optics, part);
+                     sum.total += whole * share(fibres, optics, span);
                      sum.whole += whole;
                      const float solid =
                          static_cast<float>(kPi) * optics.fibreRadius_mm * optics.fibreRadius_mm * fibres.lengthDensity;
@@ -92,18 +92,19 @@ template <class Share = WholeExtinction>
 MetComponent chooseComponent(const YarnTables& yarns, const VoxelContent& content, const LocalDrape& drape,
                              glm::vec3 direction, float u, EventLaw law, const Share& share = {}) {
   int chosen = 0;
-  if (content.count > 1 || content.parts[0].components.size() > 1) {
-    std::array<float, 2 * VoxelContent::kMaxParts> weights;
+  if (content.count > 1 || content.spans[0].components.size() > 1) {
+    std::array<float, 2 * VoxelContent::kMaxSpans> weights;
     int count = 0;
     float sum = 0;
-    forEachComponent(yarns, content, drape,
-                     [&](const FibreDistribution& fibres, const YarnOptics& optics, const VoxelContent::Part& part) {
-                       const float weight = law == EventLaw::report
-                                                ? fibres.lengthDensity
-                                                : extinction(fibres, optics, direction) * share(fibres, optics, part);
-                       weights[count++] = weight;
-                       sum += weight;
-                     });
+    forEachComponent(
+        yarns, content, drape,
+        [&](const FibreDistribution& fibres, const YarnOptics& optics, const VoxelContent::YarnSpan& span) {
+          const float weight = law == EventLaw::report
+                                   ? fibres.lengthDensity
+                                   : extinction(fibres, optics, direction) * share(fibres, optics, span);
+          weights[count++] = weight;
+          sum += weight;
+        });
     for (float rest = u * sum; chosen + 1 < count; ++chosen) {
       rest -= weights[chosen];
       if (rest < 0) break;
@@ -112,8 +113,8 @@ MetComponent chooseComponent(const YarnTables& yarns, const VoxelContent& conten
   MetComponent met{};
   int number = 0;
   forEachComponent(yarns, content, drape,
-                   [&](const FibreDistribution& fibres, const YarnOptics& optics, const VoxelContent::Part& part) {
-                     if (number++ == chosen) met = {fibres, &optics, {part.system, part.index}, part.yarn};
+                   [&](const FibreDistribution& fibres, const YarnOptics& optics, const VoxelContent::YarnSpan& span) {
+                     if (number++ == chosen) met = {fibres, &optics, {span.system, span.index}, span.yarn};
                    });
   return met;
 }

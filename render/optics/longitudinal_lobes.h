@@ -92,20 +92,20 @@ class LongitudinalLobes {
 
   /// Functions of the cosine: one row for each of kRows equal steps from 0 to 1, and one more to interpolate with.
   using Table = std::vector<Float32x4>;
-  struct Place {
+  struct TablePosition {
     size_t row;
     float next;
   };
-  static Place place(Inclination t) {
+  static TablePosition positionOf(Inclination t) {
     const float x = t.cosine * static_cast<float>(kRows);
     return {static_cast<size_t>(static_cast<int>(x)), x - std::floor(x)};
   }
   static Float32x4 lookUp(const Table& table, Inclination t) {
-    const Place p = place(t);
+    const TablePosition p = positionOf(t);
     return table[p.row] + p.next * (table[p.row + 1] - table[p.row]);
   }
   static float lookUp(const Table& table, size_t mode, Inclination t) {
-    const Place p = place(t);
+    const TablePosition p = positionOf(t);
     return table[p.row][mode] + p.next * (table[p.row + 1][mode] - table[p.row][mode]);
   }
   void solve(size_t mode, double variance, double index);

@@ -91,7 +91,7 @@ size_t FibreBricks::bytes() const {
   return curves == 0 ? 0 : curves + device_->bytes();
 }
 
-const FibreBricks::Brick& FibreBricks::brick(const CellKey& key) const {
+const FibreBricks::Brick& FibreBricks::brick(const YarnCellKey& key) const {
   Slot* slot = nullptr;
   {
     const std::lock_guard lock(mutex_);
@@ -103,7 +103,7 @@ const FibreBricks::Brick& FibreBricks::brick(const CellKey& key) const {
   return *slot->brick;
 }
 
-std::unique_ptr<const FibreBricks::Brick> FibreBricks::make(const CellKey& key) const {
+std::unique_ptr<const FibreBricks::Brick> FibreBricks::make(const YarnCellKey& key) const {
   std::call_once(started_, [this] { device_ = std::make_unique<EmbreeDevice>(0); });
   auto brick = std::make_unique<Brick>();
   brick->curves.add(geometry_->strands(key), [&](glm::vec3 usz) { return inCloth(usz, key.system, glm::vec2(0)); });

@@ -44,8 +44,8 @@ class FibreBricks {
   /// A brick, or where it will be.
   struct Slot;
   explicit FibreBricks(std::shared_ptr<const ClothGeometry> geometry);
-  const Brick& brick(const CellKey& key) const;
-  std::unique_ptr<const Brick> make(const CellKey& key) const;
+  const Brick& brick(const YarnCellKey& key) const;
+  std::unique_ptr<const Brick> make(const YarnCellKey& key) const;
 
   const std::shared_ptr<const ClothGeometry> geometry_;
   const float thinnest_mm_;
@@ -53,7 +53,7 @@ class FibreBricks {
   mutable std::once_flag started_;
   mutable std::unique_ptr<const EmbreeDevice> device_;  ///< from the first brick on
   mutable std::mutex mutex_;                            ///< over the map; what is in it stays
-  mutable std::unordered_map<CellKey, std::unique_ptr<Slot>, CellKeyHash> bricks_;
+  mutable std::unordered_map<YarnCellKey, std::unique_ptr<Slot>, YarnCellKeyHash> bricks_;
 };
 
 /// A ray in cloth space, of any length of direction, which does not see the fibre that it leaves up to a parameter.
@@ -88,7 +88,7 @@ class FibreBricks::Reader {
       System system;
       int end, pick;
     };
-    std::array<Reaching, VoxelContent::kMaxParts> bricks;
+    std::array<Reaching, VoxelContent::kMaxSpans> bricks;
   };
   const Cell& at(glm::ivec3 cell);
   /// visit(Cell, the ray at t = 0 from the cell's corner, t there and where it leaves) in each cell of the ray in turn,

@@ -37,14 +37,14 @@ struct PlacedFibre {
 
 }  // namespace
 
-struct FibreBvh::Parts {
-  Parts(std::shared_ptr<const TraceData> c, const FibreSize& z) : cloth(std::move(c)), size(z) {}
-  ~Parts() {
+struct FibreBvh::Impl {
+  Impl(std::shared_ptr<const TraceData> c, const FibreSize& z) : cloth(std::move(c)), size(z) {}
+  ~Impl() {
     if (piece) rtcReleaseScene(piece);
     if (laid) rtcReleaseScene(laid);
   }
-  Parts(const Parts&) = delete;
-  Parts& operator=(const Parts&) = delete;
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
 
   bool lay(const Task& task);
   void attach(unsigned id);
@@ -64,7 +64,7 @@ struct FibreBvh::Parts {
   RTCScene piece = nullptr;  ///< what rays are asked of: `laid` itself, or its copies
 };
 
-bool FibreBvh::Parts::lay(const Task& task) {
+bool FibreBvh::Impl::lay(const Task& task) {
   for (int end = 0; end < size.ends; ++end) yarns.emplace_back(System::warp, end);
   for (int pick = 0; pick < size.picks; ++pick) yarns.emplace_back(System::weft, pick);
   const ClothToWorld toWorld(*cloth->shell);
@@ -77,7 +77,7 @@ bool FibreBvh::Parts::lay(const Task& task) {
   return !task.stopped();
 }
 
-void FibreBvh::Parts::attach(unsigned id) {
+void FibreBvh::Impl::attach(unsigned id) {
   const YarnCurves& yarn = yarns[id];
   if (yarn.curves().segments().empty()) return;
   RTCGeometry curves = yarn.curves().geometry(*device, filter, this);
@@ -86,7 +86,7 @@ void FibreBvh::Parts::attach(unsigned id) {
 }
 
 /// False when stopped.
-bool FibreBvh::Parts::attachCopies(const Task& task) {
+bool FibreBvh::Impl::attachCopies(const Task& task) {
   const ClothGeometry& geometry = cloth->volume->geometry();
   for (int y = 0; y < size.copies.y; ++y) {
     if (task.stopped()) return false;
@@ -115,7 +115,7 @@ bool FibreBvh::Parts::attachCopies(const Task& task) {
 }
 
 /// False when stopped. Progress goes on from one fraction to the other.
-bool FibreBvh::Parts::commit(RTCScene of, const Task& task, double from, double to) const {
+bool FibreBvh::Impl::commit(RTCScene of, const Task& task, double from, double to) const {
   struct Monitor {
     const Task& task;
     double from, to;
@@ -144,7 +144,7 @@ bool FibreBvh::Parts::commit(RTCScene of, const Task& task, double from, double 
   }
 }
 
-PlacedFibre FibreBvh::Parts::placed(const RTCHit& hit) const {
+PlacedFibre FibreBvh::Impl::placed(const RTCHit& hit) const {
   const YarnCurves& curves = yarns[hit.geomID];
   glm::ivec2 copy(0);
   if (const unsigned instance = hit.instID[0]; instance != RTC_INVALID_GEOMETRY_ID)
@@ -155,57 +155,57 @@ PlacedFibre FibreBvh::Parts::placed(const RTCHit& hit) const {
 }
 
 /// The last copies may reach beyond the piece.
-bool FibreBvh::Parts::isInPiece(const PlacedFibre& fibre) const {
+bool FibreBvh::Impl::isInPiece(const PlacedFibre& fibre) const {
   const ClothGeometry& geometry = cloth->volume->geometry();
   const bool warp = fibre.yarn.system() == System::warp;
   const int yarnCount = warp ? geometry.ends() : geometry.picks(), cells = warp ? geometry.picks() : geometry.ends();
   return fibre.across < yarnCount && fibre.segment < fibre.yarn.segmentsBefore(cells - fibre.firstCell);
 }
 
-uint64_t FibreBvh::Parts::idOf(const PlacedFibre& fibre) const {
+uint64_t FibreBvh::Impl::idOf(const PlacedFibre& fibre) const {
   return fibreNumber(fibre.yarn.system(), fibre.across, fibre.yarn.curves().strandOf(fibre.segment));
 }
 
 /// Surfaces count from outside only, and not the fibre's own where the ray has just left it.
-void FibreBvh::Parts::filter(const RTCFilterFunctionNArguments* args) {
+void FibreBvh::Impl::filter(const RTCFilterFunctionNArguments* args) {
   const auto* ray = reinterpret_cast<const RTCRay*>(args->ray);
   const auto* hit = reinterpret_cast<const RTCHit*>(args->hit);
   const FibreRay& from = *reinterpret_cast<const RayContext*>(args->context)->ray;
-  const auto& parts = *static_cast<const Parts*>(args->geometryUserPtr);
+  const auto& impl = *static_cast<const Impl*>(args->geometryUserPtr);
   const bool mayBeOwn = ray->tfar < from.clearance_mm;
   if (RoundCurves::isFromInside(*args)) {
     args->valid[0] = 0;
-  } else if (mayBeOwn || !parts.size.isWholePiece()) {
-    const PlacedFibre fibre = parts.placed(*hit);
-    if ((mayBeOwn && parts.idOf(fibre) == from.ownFibre) || !parts.isInPiece(fibre)) args->valid[0] = 0;
+  } else if (mayBeOwn || !impl.size.isWholePiece()) {
+    const PlacedFibre fibre = impl.placed(*hit);
+    if ((mayBeOwn && impl.idOf(fibre) == from.ownFibre) || !impl.isInPiece(fibre)) args->valid[0] = 0;
   }
 }
 
-FibreBvh::FibreBvh(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+FibreBvh::FibreBvh(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 FibreBvh::~FibreBvh() = default;
 
 std::unique_ptr<const FibreBvh> FibreBvh::build(std::shared_ptr<const TraceData> cloth, const FibreSize& size,
                                                 const Task& task) {
-  auto parts = std::make_unique<Parts>(std::move(cloth), size);
-  if (!parts->lay(task)) return nullptr;
-  parts->device.emplace(task.threads);
-  parts->laid = rtcNewScene(*parts->device);
-  for (unsigned id = 0; id < parts->yarns.size(); ++id) {
+  auto impl = std::make_unique<Impl>(std::move(cloth), size);
+  if (!impl->lay(task)) return nullptr;
+  impl->device.emplace(task.threads);
+  impl->laid = rtcNewScene(*impl->device);
+  for (unsigned id = 0; id < impl->yarns.size(); ++id) {
     if (task.stopped()) return nullptr;
-    parts->attach(id);
+    impl->attach(id);
   }
   constexpr double kLaid = 0.5;
   const double built = size.isWholePiece() ? 1 : 0.95;
-  if (!parts->commit(parts->laid, task, kLaid, built)) return nullptr;
+  if (!impl->commit(impl->laid, task, kLaid, built)) return nullptr;
   if (size.isWholePiece()) {
-    rtcRetainScene(parts->laid);
-    parts->piece = parts->laid;
+    rtcRetainScene(impl->laid);
+    impl->piece = impl->laid;
   } else {
-    parts->piece = rtcNewScene(*parts->device);
-    if (!parts->attachCopies(task) || !parts->commit(parts->piece, task, built, 1)) return nullptr;
+    impl->piece = rtcNewScene(*impl->device);
+    if (!impl->attachCopies(task) || !impl->commit(impl->piece, task, built, 1)) return nullptr;
   }
   task.report(1);
-  return std::unique_ptr<const FibreBvh>(new FibreBvh(std::move(parts)));
+  return std::unique_ptr<const FibreBvh>(new FibreBvh(std::move(impl)));
 }
 
 std::optional<FibreHit> FibreBvh::meet(const FibreRay& ray) const {
@@ -214,9 +214,9 @@ std::optional<FibreHit> FibreBvh::meet(const FibreRay& ray) const {
   query.ray = RoundCurves::ray(ray.origin, ray.direction, ray.length_mm);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  embree::intersect(parts_->piece, context.embree, query);
+  embree::intersect(impl_->piece, context.embree, query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-  const PlacedFibre fibre = parts_->placed(query.hit);
+  const PlacedFibre fibre = impl_->placed(query.hit);
   const YarnCurves& yarn = fibre.yarn;
   FibreHit hit;
   hit.distance_mm = query.ray.tfar;
@@ -226,31 +226,31 @@ std::optional<FibreHit> FibreBvh::meet(const FibreRay& ray) const {
   const int cell = fibre.firstCell + yarn.cellOf(fibre.segment);
   hit.end = yarn.system() == System::warp ? fibre.across : cell;
   hit.pick = yarn.system() == System::warp ? cell : fibre.across;
-  hit.fibre = parts_->idOf(fibre);
+  hit.fibre = impl_->idOf(fibre);
   return hit;
 }
 
 bool FibreBvh::isFree(const FibreRay& ray) const {
   RayContext context(ray);
   RTCRay query = RoundCurves::ray(ray.origin, ray.direction, ray.length_mm);
-  embree::occluded(parts_->piece, context.embree, query);
+  embree::occluded(impl_->piece, context.embree, query);
   return query.tfar >= 0;
 }
 
 size_t FibreBvh::segments() const {
   size_t sum = 0;
-  for (const YarnCurves& yarn : parts_->yarns) sum += yarn.curves().segments().size();
+  for (const YarnCurves& yarn : impl_->yarns) sum += yarn.curves().segments().size();
   return sum;
 }
 
 size_t FibreBvh::geometryBytes() const {
   size_t sum = 0;
-  for (const YarnCurves& yarn : parts_->yarns) sum += yarn.bytes();
+  for (const YarnCurves& yarn : impl_->yarns) sum += yarn.bytes();
   return sum;
 }
 
 size_t FibreBvh::acceleratorBytes() const {
-  return parts_->device->bytes();
+  return impl_->device->bytes();
 }
 
 }  // namespace loomlight

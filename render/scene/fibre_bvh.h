@@ -36,9 +36,9 @@ class FibreBvh {
   size_t acceleratorBytes() const;  ///< as Embree reports its allocations
 
  private:
-  struct Parts;
-  explicit FibreBvh(std::unique_ptr<Parts> parts);
-  std::unique_ptr<Parts> parts_;
+  struct Impl;
+  explicit FibreBvh(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace loomlight

@@ -49,7 +49,7 @@ int repeatAlong(const ClothGeometry& geometry, System system, int piece) {
   const int yarns =
       warp ? std::min(geometry.repeatEnds(), geometry.ends()) : std::min(geometry.repeatPicks(), geometry.picks());
   for (int i = 0; i < yarns && repeat < piece; ++i) {
-    const CellKey key = warp ? geometry.key(system, 0, i) : geometry.key(system, i, 0);
+    const YarnCellKey key = warp ? geometry.key(system, 0, i) : geometry.key(system, i, 0);
     repeat = std::lcm(repeat, static_cast<int64_t>(geometry.yarn(system, key.yarn).period));
   }
   const int64_t crossings = (kMinCrossings + repeat - 1) / repeat * repeat;

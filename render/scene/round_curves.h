@@ -13,11 +13,11 @@ namespace loomlight {
 /// Strands as Embree traces them: round linear curves, of two points each.
 class RoundCurves {
  public:
-  /// Adds the strands of a cell. place(point of CellStrands): where that lies, or nullopt where a strand ends.
-  template <class Place>
-  void add(const CellStrands& cell, const Place& place);
+  /// Adds the strands of a cell. positionOf(point of CellStrands): where that lies, or nullopt where a strand ends.
+  template <class PositionOf>
+  void add(const CellStrands& cell, const PositionOf& positionOf);
 
-  const std::vector<glm::vec4>& vertices() const { return vertices_; }  ///< place, radius; mm
+  const std::vector<glm::vec4>& vertices() const { return vertices_; }  ///< position, radius; mm
   const std::vector<uint32_t>& segments() const { return segments_; }   ///< first vertex of each
   glm::vec3 tangent(uint32_t segment) const {                           ///< unit
     const uint32_t first = segments_[segment];
@@ -41,13 +41,13 @@ class RoundCurves {
   std::vector<uint32_t> segments_, strandOfSegment_;
 };
 
-template <class Place>
-void RoundCurves::add(const CellStrands& cell, const Place& place) {
+template <class PositionOf>
+void RoundCurves::add(const CellStrands& cell, const PositionOf& positionOf) {
   for (size_t s = 0; s < cell.strands.size(); ++s) {
     const CellStrands::Strand& strand = cell.strands[s];
     bool joined = false;
     for (uint32_t i = strand.first; i < strand.first + strand.count; ++i) {
-      const std::optional<glm::vec3> point = place(cell.points[i]);
+      const std::optional<glm::vec3> point = positionOf(cell.points[i]);
       if (point) {
         if (joined) {
           segments_.push_back(static_cast<uint32_t>(vertices_.size() - 1));

@@ -74,7 +74,7 @@ std::vector<YarnOptics> makeYarnOptics(const Fabric& fabric, const ClothGeometry
   const auto& sequence = system == System::warp ? fabric.warpSequence : fabric.weftSequence;
   for (size_t i = 0; i < sequence.size(); ++i) {
     const int index = static_cast<int>(i);
-    const CellKey key = system == System::warp ? geometry.key(system, 0, index) : geometry.key(system, index, 0);
+    const YarnCellKey key = system == System::warp ? geometry.key(system, 0, index) : geometry.key(system, index, 0);
     const Yarn& yarn = fabric.yarns[sequence[i]];
     optics[sequence[i]] = {yarn.fibre, yarn.layout == FibreLayout::packed,
                            static_cast<float>(geometry.yarn(system, key.yarn).fibreRadius_mm),
@@ -120,8 +120,8 @@ bool showSketch(Unfinished sketched, const Piece& piece, std::shared_ptr<const C
   lay(sketched, piece, *sketch, change, previous);
   const CellRect inView =
       cellsInView(fabric.camera, first.aspect, *sketch, *sketched.cloth.shell, *sketched.cloth.entry);
-  auto volume = ClothVolume::draft(std::move(sketch), fabric.render.resolution, inView, task,
-                                   previous ? previous->cloth->volume.get() : nullptr);
+  auto volume = ClothVolume::sketch(std::move(sketch), fabric.render.resolution, inView, task,
+                                    previous ? previous->cloth->volume.get() : nullptr);
   if (!volume) return false;
   first.show(sketched.with(std::move(volume)));
   return !task.stopped();
@@ -160,9 +160,9 @@ bool makeCloth(Unfinished& made, const Changes& change, const Scene* previous, c
     return ClothVolume::build(geometry, fabric.render.resolution, task, volumeBefore, look);
   };
   if (first) {
-    const PreviewSink look{cellsInView(fabric.camera, first->aspect, *geometry, *cloth.shell, *cloth.entry),
-                           first->wanted,
-                           [&](std::shared_ptr<const ClothVolume> draft) { first->show(made.with(std::move(draft))); }};
+    const PreviewSink look{
+        cellsInView(fabric.camera, first->aspect, *geometry, *cloth.shell, *cloth.entry), first->wanted,
+        [&](std::shared_ptr<const ClothVolume> sketch) { first->show(made.with(std::move(sketch))); }};
     cloth.volume = build(&look);
   } else {
     cloth.volume = build(nullptr);

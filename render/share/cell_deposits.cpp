@@ -13,7 +13,7 @@ void CellDeposits::sample(size_t tile, int x, int y, const Collision* first, con
     if (ofPixels_) own.deposits.push_back({pixel, FirstHits::kPast, Rgb(0)});
     return;
   }
-  const CellPath path = own.keys.of(*first);
+  const LightCellPath path = own.keys.of(*first);
   const auto cell = cells_.find(path);
   own.deposits.push_back({pixel, cell.value_or(kNew), sample.direct + sample.indirect});
   if (!cell) own.fresh.push_back(path);

@@ -31,9 +31,9 @@ class CellDeposits final : public FirstFibreSink {
   };
   struct Tile {
     explicit Tile(const Scene& scene) : keys(scene) {}
-    CellKeys keys;
+    LightCellKeys keys;
     std::vector<Deposit> deposits;
-    std::vector<CellPath> fresh;
+    std::vector<LightCellPath> fresh;
   };
 
   const Scene& scene_;

@@ -37,7 +37,7 @@ CellSums::CellSums(size_t limit_bytes) {
   const size_t slots = std::bit_floor(std::max<size_t>(64, limit_bytes / 32));  // less than half of them are ever used
   slots_.resize(slots);
   cells_.resize(
-      std::max<size_t>(kCellLevels, (limit_bytes - std::min(limit_bytes, slots * sizeof(uint32_t))) / kPerCell));
+      std::max<size_t>(kLightCellLevels, (limit_bytes - std::min(limit_bytes, slots * sizeof(uint32_t))) / kPerCell));
   bytes_ = slots * sizeof(uint32_t) + cells_.size() * kPerCell;
 }
 
@@ -54,7 +54,7 @@ std::optional<uint32_t> CellSums::find(uint64_t key) const {
   return found == 0 ? std::nullopt : std::optional(found - 1);
 }
 
-std::optional<uint32_t> CellSums::find(const CellPath& path) const {
+std::optional<uint32_t> CellSums::find(const LightCellPath& path) const {
   return find(path.finest());
 }
 
@@ -68,7 +68,7 @@ std::optional<uint32_t> CellSums::make(uint64_t key, uint32_t parent) {
   return cell;
 }
 
-uint32_t CellSums::add(const CellPath& path) {
+uint32_t CellSums::add(const LightCellPath& path) {
   if (const auto known = find(path)) return *known;
   uint32_t cell = 0;
   for (const uint64_t key : path.keys) {
@@ -114,7 +114,7 @@ void CellSums::merge(const CellSums& other) {
 void CellSums::fade(uint32_t mostPaths) {
   if (size_ == 0) return;
   double finest = 0;
-  for (size_t i = 0; i < size_; ++i) finest += cells_[i].level() == kCellLevels - 1 && cells_[i].paths > 0;
+  for (size_t i = 0; i < size_; ++i) finest += cells_[i].level() == kLightCellLevels - 1 && cells_[i].paths > 0;
   const double share = mostPaths * std::max(1.0, finest) / std::max(1u, cells_[0].paths);
   if (share >= 1) return;
   for (size_t i = 0; i < size_; ++i) {
@@ -135,7 +135,7 @@ CellMeans::CellMeans(const CellSums& sums) : means_(sums.size()) {
     double within = 0, withinFreedom = 0;
     double between = 0, betweenFreedom = 0, spread = 0;
   };
-  std::array<Level, kCellLevels> levels;
+  std::array<Level, kLightCellLevels> levels;
   // Of the cells in each: how many have paths, sum of |sum|^2 / paths, of paths^2.
   struct Children {
     double count = 0, squares = 0, paths2 = 0, paths = 0;
@@ -158,7 +158,7 @@ CellMeans::CellMeans(const CellSums& sums) : means_(sums.size()) {
   for (uint32_t i = 0; i < sums.size(); ++i) {
     const Children& of = children[i];
     const CellSums::Cell& cell = sums[i];
-    if (of.count < 2 || cell.level() + 1 >= kCellLevels) continue;
+    if (of.count < 2 || cell.level() + 1 >= kLightCellLevels) continue;
     // A faded cell may have fewer paths than its parts together.
     Level& level = levels[static_cast<size_t>(cell.level()) + 1];
     const double scale = of.paths / cell.paths;
@@ -168,7 +168,7 @@ CellMeans::CellMeans(const CellSums& sums) : means_(sums.size()) {
     level.spread += of.paths - of.paths2 / of.paths;
   }
   constexpr double kLeast = 1, kMost = 1e6;
-  for (size_t l = 1; l < kCellLevels; ++l) {
+  for (size_t l = 1; l < kLightCellLevels; ++l) {
     const Level& level = levels[l];
     worth_[l] = kMost;
     if (level.withinFreedom < 1 || level.betweenFreedom < 1) continue;

@@ -8,14 +8,15 @@
 
 #include "core/base/units.h"
 #include "render/film/zero_allocator.h"
-#include "render/share/cell_key.h"
+#include "render/share/light_cell_key.h"
 
 namespace loomlight {
 
-/// How much light comes from the cells of a cloth (cell_key.h): sums of what paths have brought from there, in every
-/// cell and in all that it lies in. The sums are integers, so they do not depend on the order of what is added. Memory
-/// is taken from a fixed limit: where there is no room for a cell, its light is in the next coarser one alone, which
-/// depends on the order of new cells, so they come in an order of their own: tile by tile, never as threads finish.
+/// How much light comes from the cells of a cloth (light_cell_key.h): sums of what paths have brought from there, in
+/// every cell and in all that it lies in. The sums are integers, so they do not depend on the order of what is added.
+/// Memory is taken from a fixed limit: where there is no room for a cell, its light is in the next coarser one alone,
+/// which depends on the order of new cells, so they come in an order of their own: tile by tile, never as threads
+/// finish.
 class CellSums {
  public:
   static constexpr size_t kLimit_bytes = size_t{64} << 20;
@@ -23,9 +24,9 @@ class CellSums {
   explicit CellSums(size_t limit_bytes = kLimit_bytes);
 
   /// The finest cell, where it is known. Safe from many threads while nothing is added.
-  std::optional<uint32_t> find(const CellPath& path) const;
+  std::optional<uint32_t> find(const LightCellPath& path) const;
   /// Makes the cells that are not there yet; returns the finest that there is room for.
-  uint32_t add(const CellPath& path);
+  uint32_t add(const LightCellPath& path);
   /// Light that a path has brought from there: to the cell and to all that it lies in.
   void deposit(uint32_t cell, Rgb colour);
   /// What another store has, whose paths are others than ours.
@@ -44,7 +45,7 @@ class CellSums {
     uint64_t squares;   ///< sum over channels too, in quanta of their own
     uint32_t paths;
     uint32_t parent;  ///< always before the cell; of the first cell itself
-    int level() const { return static_cast<int>(key & kCellLevelBits); }
+    int level() const { return static_cast<int>(key & kLightCellLevelBits); }
     glm::dvec3 sum() const;
     double sumOfSquares() const;
   };
@@ -78,7 +79,7 @@ class CellMeans {
 
  private:
   std::vector<Mean> means_;
-  std::array<double, kCellLevels> worth_{};
+  std::array<double, kLightCellLevels> worth_{};
 };
 
 }  // namespace loomlight

@@ -51,7 +51,7 @@ bool FirstHits::trace(uint32_t perPixel, const Scene& scene, const Medium& mediu
   };
   struct Strip {
     std::vector<Hit> hits;
-    std::vector<CellPath> fresh;
+    std::vector<LightCellPath> fresh;
   };
   constexpr uint32_t kNew = kPast - 1;
   const CameraRays camera(scene.fabric->camera, width_, height_);
@@ -60,7 +60,7 @@ bool FirstHits::trace(uint32_t perPixel, const Scene& scene, const Medium& mediu
   parallelFor(strips.size(), task.threads, [&](size_t number) {
     if (task.stopped()) return;
     Strip& strip = strips[number];
-    CellKeys keys(scene);
+    LightCellKeys keys(scene);
     TraceCounts counts;
     PathIntegrator integrator(scene, medium, PathRules::of(scene), PathIntegrator::kBatch);
     std::vector<FirstFibre> firsts(PathIntegrator::kBatch);
@@ -75,7 +75,7 @@ bool FirstHits::trace(uint32_t perPixel, const Scene& scene, const Medium& mediu
         }
         Random& random = starts[i].random;
         const float jx = random.uniform(), jy = random.uniform();
-        const CellPath path = keys.of(*firsts[i].met(), glm::vec2(jx, jy) - 0.5f);
+        const LightCellPath path = keys.of(*firsts[i].met(), glm::vec2(jx, jy) - 0.5f);
         const auto cell = cells.find(path);
         strip.hits.push_back({pixels[i], cell.value_or(kNew)});
         if (!cell) strip.fresh.push_back(path);

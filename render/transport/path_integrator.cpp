@@ -7,7 +7,7 @@
 #include "render/optics/fibre_frame.h"
 
 // How it works. Many paths go on side by side, one event at a time, so that the medium can walk them in vector
-// registers: all fly to their next fibre (fly), a lamp is looked for from each (lookForLamps), and each fibre sends its
+// registers: all fly to their next fibre (fly), a lamp is looked for from each (sampleLights), and each fibre sends its
 // path on (scatter). Light reaches a path in two ways, from a lamp that was looked for and from one that it ran into by
 // itself; both count, each by the balance heuristic (Veach 1997). Colour is not known here: a path carries the lengths
 // that it has gone inside the fibres of each material, and its sink makes light of them. What a path does is a function
@@ -74,7 +74,7 @@ void PathIntegrator::stratify(PathStart& path, uint32_t events, uint32_t use) co
 /// How likely a collision looks for a lamp: each look costs a walk out of the cloth. The more of the lamp's light the
 /// fibre would send on, the likelier, so that no look brings much more than another: narrow modes, met rarely, are what
 /// makes pictures noisy. `value` is the sum of Q, 1/sr; the least chance keeps all possible.
-float PathIntegrator::lampChance(float value, uint32_t events) const {
+float PathIntegrator::lightSamplingProbability(float value, uint32_t events) const {
   constexpr float kCertain = 0.5f, kLeast = 0.05f;  // of the first event always: it is what the eye sees
   return !rules_.sampling.lampsByChance || events == 1 ? 1.0f : std::clamp(value / kCertain, kLeast, 1.0f);
 }
@@ -101,7 +101,7 @@ void PathIntegrator::gatherEscaped(uint32_t path, float visible, PathSink& sink)
   const State& state = states_[path];
   const Rgb radiance = scene_.lighting->escape(state.direction);
   if (visible == 0 || radiance == Rgb(0)) return;
-  const float looked = lamps_ ? lampChance(state.scatterPdf, state.events) : 0.0f;
+  const float looked = lamps_ ? lightSamplingProbability(state.scatterPdf, state.events) : 0.0f;
   const float weight = lamps_ ? misWeight(state.scatterPdf, looked * scene_.lighting->pdf(state.direction)) : 1.0f;
   gather(path, {radiance * (weight * visible)}, sink);
 }
@@ -128,12 +128,13 @@ bool PathIntegrator::sampleLight(uint32_t path, Random& random, ShadowRay& ray, 
   float pdfs = 0, sum = 0;
   for (size_t k = 0; k < count; ++k) {
     const float pdf = values[k].sum();
-    weighted[k] = pdf > 0 && !light->delta ? pdf * misWeight(lampChance(pdf, state.events) * light->pdf, pdf) : pdf;
+    weighted[k] =
+        pdf > 0 && !light->delta ? pdf * misWeight(lightSamplingProbability(pdf, state.events) * light->pdf, pdf) : pdf;
     pdfs += pdf;
     sum += weighted[k];
   }
   if (!(sum > 0)) return false;
-  const float chance = lampChance(pdfs / static_cast<float>(count), state.events);
+  const float chance = lightSamplingProbability(pdfs / static_cast<float>(count), state.events);
   if (random.uniform() >= chance) return false;
   size_t chosen = 0;
   if (count > 1)
@@ -156,16 +157,16 @@ bool PathIntegrator::sampleLight(uint32_t path, Random& random, ShadowRay& ray, 
 
 /// All active paths fly to their next fibre; those that leave the scene, or have been heard enough of, end.
 void PathIntegrator::fly(std::span<PathStart> paths, TraceCounts& counts) {
-  flights_.clear();
+  pathRays_.clear();
   for (const uint32_t path : active_) {
     stratify(paths[path], states_[path].events, 0);
-    flights_.push_back({path, states_[path].direction, &paths[path].random});
+    pathRays_.push_back({path, states_[path].direction, &paths[path].random});
   }
-  met_.resize(flights_.size());
-  medium_->collide(flights_, met_, counts);
+  met_.resize(pathRays_.size());
+  medium_->collide(pathRays_, met_, counts);
   size_t kept = 0;
-  for (size_t i = 0; i < flights_.size(); ++i) {
-    const uint32_t path = flights_[i].path;
+  for (size_t i = 0; i < pathRays_.size(); ++i) {
+    const uint32_t path = pathRays_[i].path;
     State& state = states_[path];
     PathSink& sink = *paths[path].sink;
     if (!met_[i]) {  // what the camera sees past the cloth is the backdrop's affair: alpha
@@ -183,7 +184,7 @@ void PathIntegrator::fly(std::span<PathStart> paths, TraceCounts& counts) {
   active_.resize(kept);
 }
 
-void PathIntegrator::lookForLamps(std::span<PathStart> paths, TraceCounts& counts) {
+void PathIntegrator::sampleLights(std::span<PathStart> paths, TraceCounts& counts) {
   shadowRays_.clear();
   lampsFound_.clear();
   ShadowRay ray;
@@ -259,7 +260,7 @@ bool PathIntegrator::follow(std::span<PathStart> paths, TraceCounts& counts, con
   while (!active_.empty()) {
     if (task && task->stopped()) return false;
     fly(paths, counts);
-    if (lamps_) lookForLamps(paths, counts);
+    if (lamps_) sampleLights(paths, counts);
     scatter(paths);
     if (seesDirectLightApart_) seeDirectLightApart(paths, counts);
   }

@@ -77,11 +77,11 @@ class PathIntegrator {
   };
   std::span<float> lengths_mm(uint32_t path) { return {&lengths_mm_[path * materials_], materials_}; }
   void fly(std::span<PathStart> paths, TraceCounts& counts);
-  void lookForLamps(std::span<PathStart> paths, TraceCounts& counts);
+  void sampleLights(std::span<PathStart> paths, TraceCounts& counts);
   void scatter(std::span<PathStart> paths);
   void seeDirectLightApart(std::span<PathStart> paths, TraceCounts& counts);
   void stratify(PathStart& path, uint32_t events, uint32_t use) const;
-  float lampChance(float value, uint32_t events) const;
+  float lightSamplingProbability(float value, uint32_t events) const;
   bool survives(uint32_t path, Random& random);
   void gather(uint32_t path, PathLight light, PathSink& sink);
   void gatherEscaped(uint32_t path, float visible, PathSink& sink);
@@ -96,7 +96,7 @@ class PathIntegrator {
   std::vector<float> lengths_mm_;  ///< of each path so far, inside the fibres of each material
   std::vector<uint32_t> active_;   ///< the paths that have not ended
   // Of one stage:
-  std::vector<Flight> flights_;
+  std::vector<PathRay> pathRays_;
   std::vector<std::optional<Collision>> met_;
   std::vector<ShadowRay> shadowRays_;
   std::vector<Lamp> lampsFound_;

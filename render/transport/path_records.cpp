@@ -93,17 +93,17 @@ void PathRecords::cut(Tile& tile, uint32_t samples) {
   tile.samples = kept;
 }
 
-void PathRecords::sum(const Tile& tile, const Dye& dye, std::span<Sums> sums) const {
+void PathRecords::sum(const Tile& tile, const Recolouring& recolouring, std::span<Sums> sums) const {
   const float* const end = tile.words.data() + tile.words.size();
   for (const float* word = tile.words.data(); word < end;) {
     Sums& pixel = sums[static_cast<size_t>(word[0])];
     const Rgb traced(word[2], word[3], word[4]);
     const float* const next = word + kSampleHead + static_cast<size_t>(word[1]);
-    Rgb dyed(0.0f);
+    Rgb recoloured(0.0f);
     for (word += kSampleHead; word < next;) {
       PathLight light;
       const auto fibre = static_cast<int>(word[0]);
-      light.radiance = dye.light * Rgb(word[1], word[2], word[3]);
+      light.radiance = recolouring.light * Rgb(word[1], word[2], word[3]);
       const std::span<const float> lengths_mm(word + kLightHead, materials_);
       word += kLightHead + materials_;
       if (fibre > 0) {
@@ -113,22 +113,22 @@ void PathRecords::sum(const Tile& tile, const Dye& dye, std::span<Sums> sums) co
         light.inside = word[FibreBcsdf::kLobes + 1];
         word += kFibreWords;
       }
-      dyed += colourOf(light, lengths_mm, dye.colouring);
+      recoloured += colourOf(light, lengths_mm, recolouring.colouring);
     }
     pixel.traced += traced;
-    pixel.dyed += dyed;
+    pixel.recoloured += recoloured;
     pixel.tracedTraced += traced * traced;
-    pixel.tracedDyed += traced * dyed;
-    pixel.dyedDyed += dyed * dyed;
+    pixel.tracedRecoloured += traced * recoloured;
+    pixel.recolouredRecoloured += recoloured * recoloured;
     ++pixel.samples;
   }
 }
 
-std::vector<PathRecords::Sums> PathRecords::dyed(const Dye& dye, int threads) const {
+std::vector<PathRecords::Sums> PathRecords::recoloured(const Recolouring& recolouring, int threads) const {
   std::vector<Sums> picture(static_cast<size_t>(width_) * static_cast<size_t>(height_));
   parallelFor(tiles_.size(), threads, [&](size_t i) {
     std::array<Sums, kTile * kTile> sums{};
-    sum(tiles_[i], dye, sums);
+    sum(tiles_[i], recolouring, sums);
     const int left = static_cast<int>(i % columns_) * kTile, top = static_cast<int>(i / columns_) * kTile;
     for (int y = top; y < std::min(top + kTile, height_); ++y)
       for (int x = left; x < std::min(left + kTile, width_); ++x)

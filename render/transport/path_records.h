@@ -23,7 +23,7 @@ class PathLog final : public PathSink {
 
 /// What the colours of a picture come from: fibres and lamps, and how brightly these shine beside what they shone with
 /// when the picture was traced, primary by primary.
-struct Dye {
+struct Recolouring {
   Colouring colouring;
   Rgb light{1};
 };
@@ -52,12 +52,12 @@ class PathRecords {
 
   /// Over the kept samples of a pixel, per channel.
   struct Sums {
-    Rgb traced{0}, dyed{0};  ///< as they were traced, and in other colours
-    Rgb tracedTraced{0}, tracedDyed{0}, dyedDyed{0};
+    Rgb traced{0}, recoloured{0};  ///< as they were traced, and in other colours
+    Rgb tracedTraced{0}, tracedRecoloured{0}, recolouredRecoloured{0};
     uint32_t samples = 0;
   };
   /// Of all pixels, row by row from the top left.
-  std::vector<Sums> dyed(const Dye& dye, int threads) const;
+  std::vector<Sums> recoloured(const Recolouring& recolouring, int threads) const;
 
  private:
   struct Tile {
@@ -69,7 +69,7 @@ class PathRecords {
   static size_t inTile(int x, int y) { return static_cast<size_t>(y % kTile) * kTile + x % kTile; }
   bool makeRoom(std::vector<float>& words, size_t more);
   void cut(Tile& tile, uint32_t samples);
-  void sum(const Tile& tile, const Dye& dye, std::span<Sums> sums) const;
+  void sum(const Tile& tile, const Recolouring& recolouring, std::span<Sums> sums) const;
 
   int width_, height_;
   size_t materials_, columns_, budget_;

@@ -66,7 +66,7 @@ HWY_INLINE Real projectedLength(const SpreadPairs& table, Real sinSquare, Real s
 }
 
 /// A flight of before, seen from the middle of the voxel that the ray is in (RaySegment, knownAbsent()).
-struct FlightLanes {
+struct PastSegmentLanes {
   Vector direction;
   Vector offset;  ///< from its end to that middle
   Real along;     ///< of the offset, along the flight
@@ -74,10 +74,10 @@ struct FlightLanes {
   Real length;
   Mask there;
 
-  HWY_INLINE FlightLanes(const WalkLanes::Flight& flight, size_t lane, const Vector& onRay) {
-    direction = vectorOf(flight.direction, lane);
-    offset = vectorOf(flight.offset_mm, lane) + onRay;
-    length = Real::of(&flight.length_mm[lane]);
+  HWY_INLINE PastSegmentLanes(const WalkLanes::PastSegment& past, size_t lane, const Vector& onRay) {
+    direction = vectorOf(past.direction, lane);
+    offset = vectorOf(past.offset_mm, lane) + onRay;
+    length = Real::of(&past.length_mm[lane]);
     along = dot(offset, direction);
     const Vector across = offset - direction * along;
     apart = squareRoot(dot(across, across));

@@ -178,8 +178,8 @@ class Step {
   HWY_INLINE Real shareLeft(Mask holds, const FibreLanes& fibres) {
     const Vector onRay = vectorOf(lanes_.direction, lane_) * middle_;
     Real absent(0.0f);
-    for (const WalkLanes::Flight& flight : lanes_.flights)
-      absent = most(absent, FlightLanes(flight, lane_, onRay).absent(fibres, taken_.radius));
+    for (const WalkLanes::PastSegment& past : lanes_.pastSegments)
+      absent = most(absent, PastSegmentLanes(past, lane_, onRay).absent(fibres, taken_.radius));
     const Real left = Real(1.0f) - absent;
     const Mask own = holds & (taken_.yarn == Whole::of(&lanes_.before.yarn[lane_])) &
                      (Real(0.0f) < Real::of(&lanes_.before.radius_mm[lane_])) & (Real(0.0f) < taken_.packed);

@@ -56,7 +56,7 @@ enum class WalkStop : int32_t {
 /// where it begins. Positions in cloth space are counted from the lower corner of the ray's cell, so
 /// that floats are as exact on a wide cloth as on a small one.
 struct alignas(64) WalkLanes {
-  static constexpr int kSlots = 6;  ///< bricks that reach into one cell: VoxelContent::kMaxParts
+  static constexpr int kSlots = 6;  ///< bricks that reach into one cell: VoxelContent::kMaxSpans
 
   alignas(64) LaneInts stop;  ///< WalkStop
 
@@ -77,12 +77,12 @@ struct alignas(64) WalkLanes {
   LaneFloats frame[3][3];   ///< [column][row] of d world / d cloth
   LaneFloats densityScale;  ///< 1 / its determinant
 
-  // What the path knows of the fibres there (MetFibre, RaySegment):
-  struct Flight {
+  // What the path knows of the fibres there (KnownFibre, RaySegment):
+  struct PastSegment {
     LaneFloats offset_mm[3];  ///< from its end to this ray at t = 0, world
     LaneFloats direction[3];
     LaneFloats length_mm;  ///< 0: none
-  } flights[2];
+  } pastSegments[2];
   struct Before {
     LaneFloats axis_mm[3];  ///< cloth space, from the corner of the cell
     LaneFloats tangent[3];  ///< cloth space, unit

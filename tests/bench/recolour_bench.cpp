@@ -28,10 +28,10 @@ void recolourPicture(benchmark::State& state, const char* file, LightKind light)
   PathRecords records(kWidth, kHeight, static_cast<int>(scene->cloth->materials.size()), size_t{64} << 20);
   for (uint32_t samples = 1; samples <= 16; ++samples)
     renderUpTo(samples, *scene, *medium, camera, film, {0, 0, kWidth, kHeight}, Task{}, 0, &records);
-  Dye dye{scene->colouring, Rgb(1)};
+  Recolouring recolouring{scene->colouring, Rgb(1)};
   for (auto _ : state) {
-    dye.colouring.primaries_per_mm[0] *= 0.99f;
-    benchmark::DoNotOptimize(recolour(film, records, dye, 1));
+    recolouring.colouring.primaries_per_mm[0] *= 0.99f;
+    benchmark::DoNotOptimize(recolour(film, records, recolouring, 1));
   }
   const uint32_t kept = records.samples(0, 0);
   state.counters["samples"] = kept;

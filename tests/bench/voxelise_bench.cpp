@@ -18,7 +18,7 @@ constexpr int kResolutions[] = {4, 8, 16};
 struct Sample {
   Fabric fabric;
   std::shared_ptr<const ClothGeometry> geometry;
-  std::vector<CellKey> keys;
+  std::vector<YarnCellKey> keys;
   double segments = 0;
 
   explicit Sample(const std::filesystem::path& file) : fabric(readFabric(file.string())) {
@@ -27,7 +27,7 @@ struct Sample {
       const TileMap tiles(*geometry, system, std::make_shared<BrickPool>(glm::ivec3(1)), oneThread());
       for (const TileMap::Kind kind : tiles.missing()) keys.push_back(tiles.key(kind));
     }
-    for (const CellKey& key : keys) segments += static_cast<double>(geometry->strands(key).segments());
+    for (const YarnCellKey& key : keys) segments += static_cast<double>(geometry->strands(key).segments());
   }
   std::shared_ptr<const ClothGeometry> makeGeometry() const {
     const int ends = static_cast<int>(fabric.drape.width_mm / fabric.warpPitch_mm());
@@ -57,14 +57,14 @@ void tileMaps(benchmark::State& state, const Sample& sample) {
 
 void strands(benchmark::State& state, const Sample& sample) {
   for (auto _ : state)
-    for (const CellKey& key : sample.keys) benchmark::DoNotOptimize(sample.geometry->strands(key));
+    for (const YarnCellKey& key : sample.keys) benchmark::DoNotOptimize(sample.geometry->strands(key));
   countSegments(state, sample);
 }
 
 void bricks(benchmark::State& state, const Sample& sample, int resolution) {
   Voxeliser voxelise(makeGrid(*sample.geometry, resolution));
   for (auto _ : state)
-    for (const CellKey& key : sample.keys)
+    for (const YarnCellKey& key : sample.keys)
       benchmark::DoNotOptimize(voxelise(sample.geometry->strands(key), key.system));
   countSegments(state, sample);
 }

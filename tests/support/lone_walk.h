@@ -23,9 +23,9 @@ class CorrelationState {
   float share(const FibreDistribution& fibres, float radius_mm, bool packed, YarnId yarnId, glm::vec3 point,
               glm::ivec3 voxel) const {
     float absent = 0;
-    for (const RaySegment& flight : memory_.flights)
-      if (flight.length_mm > 0)
-        absent = std::max(absent, knownAbsent(flight, point, fibres.direction, fibres.spread, radius_mm));
+    for (const RaySegment& past : memory_.pastSegments)
+      if (past.length_mm > 0)
+        absent = std::max(absent, knownAbsent(past, point, fibres.direction, fibres.spread, radius_mm));
     float before = 0;
     if (memory_.before.radius_mm > 0 && yarnId == memory_.before.yarnId && packed)
       before = std::min(1.0f, before_.lengthDensity(grid_.lower_mm(voxel)) / fibres.lengthDensity);
@@ -44,16 +44,17 @@ struct CorrelatedShare {
   glm::vec3 middle;
   glm::ivec3 voxel;
 
-  float operator()(const FibreDistribution& fibres, const YarnOptics& optics, const VoxelContent::Part& part) const {
+  float operator()(const FibreDistribution& fibres, const YarnOptics& optics,
+                   const VoxelContent::YarnSpan& span) const {
     if (!unknown) return 1;
-    return unknown->share(fibres, optics.fibreRadius_mm, optics.packed, {part.system, part.index}, middle, voxel);
+    return unknown->share(fibres, optics.fibreRadius_mm, optics.packed, {span.system, span.index}, middle, voxel);
   }
 };
 
 /// A ray on its way through the stretches along which light can meet fibres whose axes lie in one voxel, in order.
-class Stretches {
+class RayIntervals {
  public:
-  Stretches(const TraceData& cloth, const LaneWalker::Rules& rules, const DepthRay& ray)
+  RayIntervals(const TraceData& cloth, const LaneWalker::Rules& rules, const DepthRay& ray)
       : cloth_(cloth),
         rules_(rules),
         known_(*ray.known),
@@ -139,16 +140,17 @@ struct WalkEnd {
 inline WalkEnd loneWalk(const TraceData& cloth, const LaneWalker::Rules& rules, const DepthRay& ray) {
   WalkEnd end;
   end.depth = ray.depth;
-  for (Stretches stretch(cloth, rules, ray); stretch.next();) {
-    const float depth = stretch.depth();
+  for (RayIntervals interval(cloth, rules, ray); interval.next();) {
+    const float depth = interval.depth();
     if (end.depth >= depth) {
       end.depth -= depth;
       continue;
     }
-    const float beyondNear = end.depth - stretch.depthNear();
+    const float beyondNear = end.depth - interval.depthNear();
     end.met = true;
-    end.t_mm = stretch.t + (beyondNear < 0 ? end.depth / stretch.sigmaNear : stretch.near + beyondNear / stretch.sigma);
-    end.voxel = stretch.content().voxel;
+    end.t_mm =
+        interval.t + (beyondNear < 0 ? end.depth / interval.sigmaNear : interval.near + beyondNear / interval.sigma);
+    end.voxel = interval.content().voxel;
     end.depth = 0;
     return end;
   }

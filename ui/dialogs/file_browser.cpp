@@ -21,11 +21,11 @@ constexpr float kPreviewWidth = 216;
 }  // namespace
 
 void FileBrowser::show(Purpose purpose, std::string title, std::vector<std::string> extensions, const fs::path& start,
-                       std::vector<Place> places) {
+                       std::vector<Bookmark> bookmarks) {
   purpose_ = purpose;
   title_ = std::move(title);
   extensions_ = std::move(extensions);
-  places_ = std::move(places);
+  bookmarks_ = std::move(bookmarks);
   open_ = opening_ = true;
   filter_.clear();
   std::error_code ignored;
@@ -99,14 +99,14 @@ void FileBrowser::drawHead(Ui& ui) {
   ui.probe.recordItem("browser.filter");
 }
 
-void FileBrowser::drawPlaces(Ui& ui, float width, float height) {
+void FileBrowser::drawBookmarks(Ui& ui, float width, float height) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(8), ImGui::GetStyle().WindowPadding.y));
   ImGui::BeginChild("places", ImVec2(width, height), false, ImGuiWindowFlags_AlwaysUseWindowPadding);
   ImGui::PopStyleVar();
   std::optional<fs::path> chosen;
-  for (const Place& place : places_) {
-    if (ImGui::Selectable(place.name.c_str(), place.path == folder_)) chosen = place.path;
-    ui.probe.recordItem("browser.place/" + place.name);
+  for (const Bookmark& bookmark : bookmarks_) {
+    if (ImGui::Selectable(bookmark.name.c_str(), bookmark.path == folder_)) chosen = bookmark.path;
+    ui.probe.recordItem("browser.place/" + bookmark.name);
   }
   ImGui::EndChild();
   if (chosen) enter(*chosen);
@@ -218,7 +218,7 @@ std::optional<std::string> FileBrowser::draw(Ui& ui, const FilePreview& preview)
   drawHead(ui);
   const float row = ImGui::GetFrameHeightWithSpacing(), gap = ui.px(16);
   const float height = ImGui::GetContentRegionAvail().y - 3 * row;
-  drawPlaces(ui, ui.px(160), height);
+  drawBookmarks(ui, ui.px(160), height);
   ImGui::SameLine();
   constexpr float kLeastList = 320;  // names come first where there is little room
   const float room = ImGui::GetContentRegionAvail().x, list = room - ui.px(kPreviewWidth) - gap;

@@ -13,7 +13,7 @@ namespace loomlight {
 /// path that can be typed below.
 class FileBrowser {
  public:
-  struct Place {
+  struct Bookmark {
     std::string name;
     std::filesystem::path path;
   };
@@ -21,7 +21,7 @@ class FileBrowser {
 
   /// `extensions` with their dots (".json"); the first is appended to a typed name that has none of them.
   void show(Purpose purpose, std::string title, std::vector<std::string> extensions, const std::filesystem::path& start,
-            std::vector<Place> places);
+            std::vector<Bookmark> bookmarks);
   bool isOpen() const { return open_; }
 
   /// What is to be previewed: the file that is named now, which may be none, or not there.
@@ -45,7 +45,7 @@ class FileBrowser {
   void step(int direction);
   void drawHead(Ui& ui);
   void drawName(Ui& ui, bool begin, bool& decided);
-  void drawPlaces(Ui& ui, float width, float height);
+  void drawBookmarks(Ui& ui, float width, float height);
   /// True when a file was double-clicked.
   bool drawEntries(Ui& ui, float width, float height);
   /// `mayReplace`: by the button, which says so; a key that is pressed twice must not.
@@ -57,7 +57,7 @@ class FileBrowser {
   Purpose purpose_ = Purpose::open;
   std::string title_;
   std::vector<std::string> extensions_;
-  std::vector<Place> places_;
+  std::vector<Bookmark> bookmarks_;
   std::filesystem::path folder_;
   std::vector<Entry> entries_;
   std::string filter_;

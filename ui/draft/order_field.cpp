@@ -124,7 +124,7 @@ std::optional<Fabric> orderField(Ui& ui, const RowText& text, const Fabric& fabr
                                     (tooLong ? ImGuiInputTextFlags_ReadOnly : 0);
   const bool entered = ImGui::InputTextMultiline("##text", &shown, size, flags, breakWhileTyped, &now);
   ImGui::PopItemFlag();
-  ui.memory.walk.pass(ImGui::GetItemID(), panelOfFields(), false);
+  ui.memory.tabOrder.pass(ImGui::GetItemID(), panelOfFields(), false);
   typing.open = ImGui::IsItemActive();
   const bool left = ImGui::IsItemDeactivated();
   ImGui::PopID();

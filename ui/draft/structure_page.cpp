@@ -12,23 +12,23 @@ namespace {
 constexpr int kCells = 10;  // of a thumbnail, along each side
 
 /// A thumbnail with its name below, which has this much room.
-struct Place {
+struct ThumbnailSlot {
   float size = 0, width = 0, height = 0;
 };
 
-Place placeOf(Ui& ui, float size) {
+ThumbnailSlot slotOf(Ui& ui, float size) {
   return {size, std::max(size, ui.px(66)), size + ui.px(2) + ui.fonts.small->FontSize};
 }
 
-int thumbnailsPerLine(const Place& place, float gap, float room) {
-  return std::max(1, static_cast<int>((room + gap) / (place.width + gap)));
+int thumbnailsPerLine(const ThumbnailSlot& slot, float gap, float room) {
+  return std::max(1, static_cast<int>((room + gap) / (slot.width + gap)));
 }
 
-void nameBelow(Ui& ui, const std::string& name, ImVec2 at, const Place& place) {
+void nameBelow(Ui& ui, const std::string& name, ImVec2 at, const ThumbnailSlot& slot) {
   ImGui::PushFont(ui.fonts.small);
-  const std::string shown = shortened(name, place.width);
+  const std::string shown = shortened(name, slot.width);
   ImGui::SetCursorPos(
-      ImVec2(at.x + 0.5f * (place.width - ImGui::CalcTextSize(shown.c_str()).x), at.y + place.size + ui.px(2)));
+      ImVec2(at.x + 0.5f * (slot.width - ImGui::CalcTextSize(shown.c_str()).x), at.y + slot.size + ui.px(2)));
   ImGui::TextColored(ui.theme.textQuiet, "%s", shown.c_str());
   ImGui::PopFont();
 }
@@ -38,9 +38,9 @@ float thumbnailSize(Ui& ui, int count, float gap, ImVec2 room) {
   const float step = kCells, smallest = step * std::round(ui.px(30) / step);
   float size = smallest;
   for (float larger = smallest + step; larger <= ui.px(80); larger += step) {
-    const Place place = placeOf(ui, larger);
-    const int perLine = thumbnailsPerLine(place, gap, room.x), lines = (count + perLine - 1) / perLine;
-    if (static_cast<float>(lines) * (place.height + gap) <= room.y) size = larger;
+    const ThumbnailSlot slot = slotOf(ui, larger);
+    const int perLine = thumbnailsPerLine(slot, gap, room.x), lines = (count + perLine - 1) / perLine;
+    if (static_cast<float>(lines) * (slot.height + gap) <= room.y) size = larger;
   }
   return size;
 }
@@ -54,15 +54,15 @@ std::optional<Fabric> structurePage(Ui& ui, const Fabric& fabric, const DraftPre
   const int count = static_cast<int>(view.palette.size());
   const ImVec2 all = ImGui::GetContentRegionAvail(), room(all.x - inset, all.y - under);
   const float size = thumbnailSize(ui, count, gap, room);
-  const Place place = placeOf(ui, size);
-  const int perLine = thumbnailsPerLine(place, gap, room.x);
+  const ThumbnailSlot slot = slotOf(ui, size);
+  const int perLine = thumbnailsPerLine(slot, gap, room.x);
   const ImVec2 corner(ImGui::GetCursorPosX() + inset, ImGui::GetCursorPosY() + inset);
   for (int i = 0; i < count; ++i) {
     const Structure& structure = view.palette[static_cast<size_t>(i)];
-    const ImVec2 at(corner.x + static_cast<float>(i % perLine) * (place.width + gap),
-                    corner.y + static_cast<float>(i / perLine) * (place.height + gap));
-    nameBelow(ui, structure.name, at, place);
-    ImGui::SetCursorPos(ImVec2(at.x + 0.5f * (place.width - size), at.y));
+    const ImVec2 at(corner.x + static_cast<float>(i % perLine) * (slot.width + gap),
+                    corner.y + static_cast<float>(i / perLine) * (slot.height + gap));
+    nameBelow(ui, structure.name, at, slot);
+    ImGui::SetCursorPos(ImVec2(at.x + 0.5f * (slot.width - size), at.y));
     if (structureThumbnail(ui, "structure/" + structure.name, structure, size, kCells,
                            structure.weave == fabric.weave)) {
       Rewoven result = withStructure(fabric, view.selection, structure.weave, preferences.loom);
@@ -72,7 +72,7 @@ std::optional<Fabric> structurePage(Ui& ui, const Fabric& fabric, const DraftPre
     }
   }
   const int lines = (count + perLine - 1) / perLine;
-  ImGui::SetCursorPos(ImVec2(corner.x - inset, corner.y + static_cast<float>(lines) * (place.height + gap)));
+  ImGui::SetCursorPos(ImVec2(corner.x - inset, corner.y + static_cast<float>(lines) * (slot.height + gap)));
   ImGui::Dummy(ImVec2(0, ui.px(2)));
   view.libraryWanted = button(ui, "structures.open", "All structures\xE2\x80\xA6", 0, true,
                               "Every structure with its numbers, for the whole repeat or a selection.");

@@ -57,21 +57,21 @@ std::optional<Camera> viewKeys(const Camera& camera) {
   return std::nullopt;
 }
 
-/// True while the mouse holds the lens by an edge, or is giving it a place.
-bool lensHolds(Ui& ui, ViewportView& view, ImVec2 min) {
-  LensView& lens = view.lens;
+/// True while the mouse holds the inset by an edge, or is giving it a place.
+bool insetHolds(Ui& ui, ViewportView& view, ImVec2 min) {
+  InsetView& inset = view.inset;
   const ImVec2 mouse = ImGui::GetIO().MousePos, at(mouse.x - min.x, mouse.y - min.y);
   const bool active = ImGui::IsItemActive();
   const bool taking = ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left);
   if (taking || (ImGui::IsItemHovered() && !active)) {
-    const LensView::Grip under = lens.gripAt(at, ui.px(5));
-    if (under != LensView::Grip::none) ImGui::SetMouseCursor(cursorOf(under));
-    if (taking) lens.grab(under, at);
+    const InsetView::Grip under = inset.gripAt(at, ui.px(5));
+    if (under != InsetView::Grip::none) ImGui::SetMouseCursor(cursorOf(under));
+    if (taking) inset.grab(under, at);
   }
-  if (lens.grip == LensView::Grip::none || lens.grip == LensView::Grip::move) return false;
-  ImGui::SetMouseCursor(cursorOf(lens.grip));
-  lens.drag(at, view.width, view.height);
-  if (!active) lens.letGo(view.width, view.height);
+  if (inset.grip == InsetView::Grip::none || inset.grip == InsetView::Grip::move) return false;
+  ImGui::SetMouseCursor(cursorOf(inset.grip));
+  inset.drag(at, view.width, view.height);
+  if (!active) inset.letGo(view.width, view.height);
   return true;
 }
 
@@ -91,7 +91,7 @@ std::optional<ImVec2> clickedAt(const ViewportView& view, ImVec2 min, ImVec2 siz
   return placeIn(min, size, io.MousePos);
 }
 
-void drawOverlays(Ui& ui, const ViewportModel& model, const LensView& lens, ImVec2 min, ImVec2 max) {
+void drawOverlays(Ui& ui, const ViewportModel& model, const InsetView& inset, ImVec2 min, ImVec2 max) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const float edge = ui.px(8);
   if (model.building) {
@@ -113,7 +113,7 @@ void drawOverlays(Ui& ui, const ViewportModel& model, const LensView& lens, ImVe
     top += ImGui::GetFontSize() + ui.px(12);
   }
   if (!model.error.empty()) pill(ui, ImVec2(min.x + edge, top), model.error, Theme::dark().warning);
-  if (lens.on && !lens.placed) {
+  if (inset.on && !inset.placed) {
     const char* text = "Drag a rectangle over the cloth";
     pill(ui, ImVec2(0.5f * (min.x + max.x - ImGui::CalcTextSize(text).x) - edge, min.y + edge), text,
          Theme::dark().text);
@@ -155,9 +155,9 @@ std::optional<Fabric> quickChoices(Ui& ui, const Fabric& fabric, ViewportView& v
   const float all = ImGui::GetContentRegionAvail().x;
   const bool narrow = all < ui.px(400);
   const float gap = ui.px(narrow ? 8 : 16);
-  const float fit = all < ui.px(300) ? 0 : ui.px(56), lens = ui.px(40), between = ui.px(8);
+  const float fit = all < ui.px(300) ? 0 : ui.px(56), inset = ui.px(40), between = ui.px(8);
   const float tools = narrow ? 0 : all < ui.px(560) ? 1 : 2;
-  const StripColumns columns = stripColumns(ui, all - fit - tools * (between + lens) - 3 * gap);
+  const StripColumns columns = stripColumns(ui, all - fit - tools * (between + inset) - 3 * gap);
   float x = ImGui::GetStyle().WindowPadding.x;
   const float y = ImGui::GetCursorPosY();
   auto column = [&](const char* id, float width, auto&& content) {
@@ -203,12 +203,12 @@ std::optional<Fabric> quickChoices(Ui& ui, const Fabric& fabric, ViewportView& v
   });
   const float right = ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x;
   if (tools > 1) {
-    ImGui::SetCursorPos(ImVec2(right - fit - tools * (between + lens), y));
-    denoiseButton(ui, view.denoised, lens);
+    ImGui::SetCursorPos(ImVec2(right - fit - tools * (between + inset), y));
+    denoiseButton(ui, view.denoised, inset);
   }
   if (tools > 0) {
-    ImGui::SetCursorPos(ImVec2(right - fit - between - lens, y));
-    lensButton(ui, view.lens, lens);
+    ImGui::SetCursorPos(ImVec2(right - fit - between - inset, y));
+    insetButton(ui, view.inset, inset);
   }
   if (fit == 0) return edited;
   ImGui::SetCursorPos(ImVec2(right - fit, y));
@@ -230,14 +230,14 @@ ViewportEdit viewportPanel(Ui& ui, const Fabric& fabric, const ViewportModel& mo
   ImGui::SetCursorScreenPos(min);
   ImGui::InvisibleButton("cloth", size, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
   ui.probe.recordItem("viewport");
-  const bool withLens = lensHolds(ui, view, min);
+  const bool withInset = insetHolds(ui, view, min);
   // A picture of other proportions than the panel's stands in its middle until the next one comes.
   const ImVec2 corner(std::floor(0.5f * (min.x + max.x - model.pictureSize.x)), min.y);
   edit.picked = clickedAt(view, corner, model.pictureSize);
-  if (!withLens) edit.camera = mouseMoves(fabric.camera, view, min, max);
+  if (!withInset) edit.camera = mouseMoves(fabric.camera, view, min, max);
   if (!edit.camera) edit.camera = viewKeys(fabric.camera);
   view.pointer.reset();
-  if (ImGui::IsItemHovered() && !withLens && view.drag == ViewportView::Drag::none) {
+  if (ImGui::IsItemHovered() && !withInset && view.drag == ViewportView::Drag::none) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     view.pointer = placeIn(corner, model.pictureSize, mouse);
   }
@@ -246,8 +246,8 @@ ViewportEdit viewportPanel(Ui& ui, const Fabric& fabric, const ViewportModel& mo
   draw.AddRectFilled(min, max, packed(ui.theme.surround));
   if (model.picture)
     draw.AddImage(model.picture, corner, ImVec2(corner.x + model.pictureSize.x, corner.y + model.pictureSize.y));
-  drawOverlays(ui, model, view.lens, min, max);
-  edit.lens = lensOverlay(ui, model.lens, view.lens, min, view.width, view.height);
+  drawOverlays(ui, model, view.inset, min, max);
+  edit.inset = insetOverlay(ui, model.inset, view.inset, min, view.width, view.height);
   draw.PopClipRect();
 
   ImGui::SetCursorScreenPos(ImVec2(min.x + ImGui::GetStyle().WindowPadding.x, max.y + ui.px(8)));

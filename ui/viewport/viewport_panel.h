@@ -5,7 +5,7 @@
 
 #include "core/fabric/model/yarn_count.h"
 #include "ui/viewport/camera_moves.h"
-#include "ui/viewport/lens_overlay.h"
+#include "ui/viewport/inset_overlay.h"
 #include "ui/widgets/crossing_index.h"
 #include "ui/widgets/ui.h"
 
@@ -26,7 +26,7 @@ struct ViewportModel {
   std::string flat;                ///< what of flat cloth is looked at in the drape's place; empty: the drape
   std::string error;               ///< why the newest fabric cannot be shown; empty if it can
   std::optional<MeshExtent> mesh;  ///< of a mesh drape, once it is known
-  LensModel lens;
+  InsetModel inset;
 };
 
 constexpr double kMostExposure_stops = 8;  ///< up, and down
@@ -42,17 +42,17 @@ struct ViewportView {
   std::vector<std::string> yarnNames;  ///< what yarns are called, set before each frame
   enum class Drag { none, orbit, pan };
   Drag drag = Drag::none;
-  LensView lens;
+  InsetView inset;
 };
 
 struct ViewportEdit {
   std::optional<Camera> camera;  ///< looking around is no edit of the cloth
   std::optional<Fabric> fabric;
   std::optional<ImVec2> picked;  ///< a click on the picture, 0..1 from the top left
-  LensEdit lens;
+  InsetEdit inset;
 };
 
-/// The cloth: orbit, pan, zoom, exposure, quick choices of light and drape, and the truth lens.
+/// The cloth: orbit, pan, zoom, exposure, quick choices of light and drape, and the reference inset.
 ViewportEdit viewportPanel(Ui& ui, const Fabric& fabric, const ViewportModel& model, ViewportView& view);
 
 }  // namespace loomlight

@@ -216,8 +216,8 @@ bool textRow(Ui& ui, const RowText& text, std::string& value, const char* whenEm
   ImGui::PushItemFlag(ImGuiItemFlags_NoTabStop, true);
   const bool changed = ImGui::InputTextWithHint("##text", whenEmpty, &value, flags);
   ImGui::PopItemFlag();
-  ui.memory.walk.pass(ImGui::GetItemID(), panelOfFields(), false);
-  if (ImGui::IsItemActivated()) ui.memory.walk.standOn(ImGui::GetItemID(), false);
+  ui.memory.tabOrder.pass(ImGui::GetItemID(), panelOfFields(), false);
+  if (ImGui::IsItemActivated()) ui.memory.tabOrder.standOn(ImGui::GetItemID(), false);
   const bool goesOn = ImGui::CalcTextSize(value.c_str()).x > row.width - ui.px(16);
   if (goesOn && !ImGui::IsItemActive()) {  // a text that goes on fades out
     const ImVec2 max(min.x + row.width, min.y + row.height);

@@ -121,18 +121,18 @@ bool typeValue(Ui& ui, const NumberStyle& style, double& value, ImGuiID id, floa
   const bool confirmed = ImGui::InputText("##text", &memory.text,
                                           ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   ImGui::PopItemFlag();
-  const bool entered = confirmed || memory.walk.isGoing();
+  const bool entered = confirmed || memory.tabOrder.isGoing();
   const bool cancelled = ImGui::IsItemDeactivated() && keyPressed(ImGuiKey_Escape);
   const bool left = ImGui::IsItemDeactivated() && !memory.justOpened;
   memory.justOpened = false;
   if (cancelled) {
     memory.typing = 0;
-    memory.walk.standOn(id, true);
+    memory.tabOrder.standOn(id, true);
     return false;
   }
   if (!entered && !left) return false;
   memory.typing = 0;
-  if (confirmed) memory.walk.standOn(id, true);
+  if (confirmed) memory.tabOrder.standOn(id, true);
   std::optional<double> typed = parsePlain(memory.text, style.unit);
   if (!typed && style.parse) typed = style.parse(memory.text);
   if (typed && *typed >= style.min && *typed <= style.max) {
@@ -140,7 +140,7 @@ bool typeValue(Ui& ui, const NumberStyle& style, double& value, ImGuiID id, floa
     value = *typed;
     return changed;
   }
-  memory.walk.stay();
+  memory.tabOrder.stay();
   memory.failed = id;
   memory.failedAt = ui.time;
   memory.failure = objectionTo(memory.text, style);
@@ -156,9 +156,9 @@ void openText(Ui& ui, const NumberStyle& style, double value, ImGuiID id) {
 
 /// Opens the field that Tab has come to, in sight.
 void arriveByKeys(Ui& ui, const NumberStyle& style, double value, ImGuiID id, const ImRect& box) {
-  ui.memory.walk.pass(id, panelOfFields(), true);
+  ui.memory.tabOrder.pass(id, panelOfFields(), true);
   const bool another = ui.memory.typing != 0 && ui.memory.typing != id;  // whose text is taken first
-  if (another || !ui.memory.walk.arrive(id)) return;
+  if (another || !ui.memory.tabOrder.arrive(id)) return;
   openText(ui, style, value, id);
   const ImRect& seen = ImGui::GetCurrentWindow()->InnerClipRect;
   if (box.Min.y < seen.Min.y || box.Max.y > seen.Max.y)
@@ -187,7 +187,7 @@ bool scrubValue(Ui& ui, const NumberStyle& style, double& value, ImGuiID id) {
     memory.scrubbing = 0;
     if (!memory.scrubMoved) {
       openText(ui, style, value, id);
-      memory.walk.standOn(id, false);
+      memory.tabOrder.standOn(id, false);
     }
     return false;
   }
@@ -221,7 +221,7 @@ bool numberField(Ui& ui, const RowText& text, const NumberStyle& style, double& 
     if (lit) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     changed = scrubValue(ui, style, value, id);
     drawValue(ui, style, value, box, lit);
-    if (ui.memory.walk.isSeenOn(id))
+    if (ui.memory.tabOrder.isSeenOn(id))
       ImGui::GetWindowDrawList()->AddRect(box.Min, box.Max, packed(ui.theme.accent), ImGui::GetStyle().FrameRounding);
   }
   showFailure(ui, id, box);
@@ -235,9 +235,9 @@ ImGuiID panelOfFields() {
 }
 
 void walkNumbers(Ui& ui) {
-  FieldWalk& walk = ui.memory.walk;
+  TabOrder& tabOrder = ui.memory.tabOrder;
   const ImGuiIO& io = ImGui::GetIO();
-  if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) walk.hide();
+  if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) tabOrder.hide();
   if (!keyPressed(ImGuiKey_Tab) || io.KeyCtrl) return;
   std::optional<ImGuiID> dialog;
   if (const auto& open = ImGui::GetCurrentContext()->OpenPopupStack; !open.empty()) {
@@ -245,7 +245,7 @@ void walkNumbers(Ui& ui) {
     if (!window || !(window->Flags & ImGuiWindowFlags_Modal)) return;  // a list, or the picker of a colour
     dialog = window->ID;
   }
-  walk.go(io.KeyShift ? -1 : 1, dialog);
+  tabOrder.go(io.KeyShift ? -1 : 1, dialog);
   ui.wakeWithin(0);
 }
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <string>
 
-#include "ui/widgets/field_walk.h"
 #include "ui/widgets/fonts.h"
+#include "ui/widgets/tab_order.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widget_probe.h"
 
@@ -24,7 +24,7 @@ struct FieldMemory {
   double scrubValue = 0;  ///< unrounded
   bool scrubMoved = false;
   bool keysAreTaken = false;  ///< Escape and Enter are not for the dialog in this frame
-  FieldWalk walk;
+  TabOrder tabOrder;
   ImVec2 screen{0, 0};  ///< in which dialogs have found their places
   ImGuiID restingOn = 0;
   double restingSince = 0;

@@ -210,8 +210,8 @@ double sliceOf(const Grid& fine, int x, int pick, int z) {
   return sum / kFine;
 }
 
-std::vector<DensityStudy::Place> lineThrough(const Grid& fine, const Grid& ours, const Grid& counted,
-                                             const Region& region) {
+std::vector<DensityStudy::Sample> lineThrough(const Grid& fine, const Grid& ours, const Grid& counted,
+                                              const Region& region) {
   const int pick = middlePick(region);
   // The layer of voxels with most fibres: the middle of the warp yarn, or near it.
   int layer = 0;
@@ -224,7 +224,7 @@ std::vector<DensityStudy::Place> lineThrough(const Grid& fine, const Grid& ours,
       layer = z;
     }
   }
-  std::vector<DensityStudy::Place> line;
+  std::vector<DensityStudy::Sample> line;
   for (int x = 0; x < fine.size.x; ++x) {
     double exact = 0;
     for (int z = 0; z < kFine; ++z) exact += sliceOf(fine, x, pick, layer * kFine + z) / kFine;

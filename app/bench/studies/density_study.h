@@ -25,11 +25,11 @@ struct DensityError {
 struct DensityStudy {
   std::vector<DensityError> errors;  ///< ours, then counting in spheres of three sizes
   /// Across a warp yarn, from one voxel's face to another's.
-  struct Place {
+  struct Sample {
     double x_um = 0;
     double exact = 0, ours = 0, counted = 0;  ///< 1/mm2; `exact` in slices of a quarter of a voxel
   };
-  std::vector<Place> line;
+  std::vector<Sample> line;
   Pixels8 section;  ///< across the same yarn: exact, ours, counted; the darker, the more fibres
 };
 

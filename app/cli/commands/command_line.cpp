@@ -66,7 +66,7 @@ void addPartOptions(CLI::App& app, PartChoice& part) {
 void addSeriesOptions(CLI::App& app, RenderCommand& command) {
   addValue(app, "--turn", "camera|light[:N[,DEG]]",
            "N frames (36 where not given), in which one of them goes about the cloth, by 360 degrees or DEG",
-           [&command](const auto& option, const auto& text) { command.turn = parseTurn(option, text); });
+           [&command](const auto& option, const auto& text) { command.turn = parseTurntable(option, text); });
   addValue(app, "--frames", "A..B", "only these frames of --turn, counted from 1",
            [&command](const auto& option, const auto& text) { command.frames = parseFrames(option, text); });
   addProgress(app, command.progress);

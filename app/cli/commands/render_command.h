@@ -38,7 +38,7 @@ struct RenderCommand {
   std::string resume;  ///< an .exr with sums, to be continued; empty: none
   bool keepSums = false;
   PartChoice part;
-  std::optional<Turn> turn;
+  std::optional<Turntable> turn;
   std::optional<FrameRange> frames;  ///< of the turn
   ProgressStyle progress = ProgressStyle::plain;
 };

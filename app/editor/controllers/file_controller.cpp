@@ -48,10 +48,11 @@ const Asked& askedFor(FileTask task) {
 void FileController::browse(FileTask task, const std::filesystem::path& start) {
   task_ = task;
   previews_.forget();  // files change between two looks at them
-  std::vector<FileBrowser::Place> places = {{"Home", homeFolder()}, {"Presets", presetFolder()}, {"Computer", "/"}};
-  if (const auto samples = sampleFolder()) places.push_back({"Samples", *samples});
+  std::vector<FileBrowser::Bookmark> bookmarks = {
+      {"Home", homeFolder()}, {"Presets", presetFolder()}, {"Computer", "/"}};
+  if (const auto samples = sampleFolder()) bookmarks.push_back({"Samples", *samples});
   const Asked& asked = askedFor(task);
-  browser_.show(asked.purpose, asked.title, asked.endings, start, places);
+  browser_.show(asked.purpose, asked.title, asked.endings, start, bookmarks);
 }
 
 std::optional<FileController::Chosen> FileController::drawBrowser(Ui& ui) {

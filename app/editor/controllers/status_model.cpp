@@ -13,14 +13,14 @@ std::string workOf(const LiveStatus& status, const Frame* shown) {
                            : shown->shared            ? ", shared"
                            : !shown->helped.empty()   ? ", smoothed"
                                                       : "";
-  if (shown && shown->quality == Quality::sketch) return "first look" + help;
+  if (shown && shown->quality == PreviewQuality::sketch) return "first look" + help;
   switch (status.phase) {
     case LiveStatus::Phase::idle:
       return "waiting" + help;
     case LiveStatus::Phase::voxelising:
       return fmt::format("building {:3.0f} %{}", 100 * status.buildProgress, help);
     case LiveStatus::Phase::tracing:
-      if (!shown || shown->quality != Quality::dyed) return "refining" + help;
+      if (!shown || shown->quality != PreviewQuality::recoloured) return "refining" + help;
       return help.empty() ? "recoloured, refining" : "recoloured" + help;  // all three would need more room
     case LiveStatus::Phase::converged:
       break;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/editor/controllers/lens_model.h"
+#include "app/editor/controllers/inset_model.h"
 
 namespace loomlight {
 namespace {
@@ -101,16 +101,16 @@ ViewportController::Edit ViewportController::draw(Ui& ui, const std::shared_ptr<
   ui.probe.fact("flat", model.flat);
   const bool liesFlat = flat_.has_value();
   const Fabric seen = asSeen(*fabric, false, flatSight());
-  model.lens = lensModelFor(status.lens, seen, proof, fibreMemory_GB);
+  model.inset = insetModelFor(status.inset, seen, proof, fibreMemory_GB);
   ViewportEdit result = viewportPanel(ui, seen, model, view_);
   if (liesFlat && result.fabric) result.fabric = onItsDrape(std::move(*result.fabric), *fabric);
 
-  Edit edit{std::move(result.fabric), result.camera, {}, result.lens.changeLimit, false};
+  Edit edit{std::move(result.fabric), result.camera, {}, result.inset.changeLimit, false};
   edit.turned = result.camera && view_.drag == ViewportView::Drag::orbit;
   if (const auto hit = result.picked ? service_.hitAt(*result.picked) : std::nullopt)
     edit.yarn = std::min(hit->yarn, static_cast<int>(fabric->yarns.size()) - 1);
-  if (!result.lens.remedy) return edit;
-  const auto drape = fittingPiece(seen.drape, status.lens.bytes, 1e9 * fibreMemory_GB);
+  if (!result.inset.remedy) return edit;
+  const auto drape = fittingPiece(seen.drape, status.inset.bytes, 1e9 * fibreMemory_GB);
   if (drape && flat_) {
     flat_->sight.piece_mm = {drape->width_mm, drape->height_mm};
     view_.fitWanted = true;
@@ -122,14 +122,14 @@ ViewportController::Edit ViewportController::draw(Ui& ui, const std::shared_ptr<
   return edit;
 }
 
-LensModel ViewportController::lensModelFor(const LensStatus& status, const Fabric& fabric, const SoftProof& proof,
-                                           double fibreMemory_GB) {
-  const LensFrame* frame = service_.lensFrame();
-  LensModel model = lensModel(status, frame, view_.lens.showsDifference, 1e9 * fibreMemory_GB, fabric.drape);
-  if (!frame || !view_.lens.on) return model;
+InsetModel ViewportController::insetModelFor(const InsetStatus& status, const Fabric& fabric, const SoftProof& proof,
+                                             double fibreMemory_GB) {
+  const InsetFrame* frame = service_.insetFrame();
+  InsetModel model = insetModel(status, frame, view_.inset.showsDifference, 1e9 * fibreMemory_GB, fabric.drape);
+  if (!frame || !view_.inset.on) return model;
   const PixelRect& window = frame->fibres->window;
   model.window = {window.x, window.y, window.width, window.height};
-  model.picture = service_.lensPicture(tone(), proof);
+  model.picture = service_.insetPicture(tone(), proof);
   return model;
 }
 
@@ -158,9 +158,9 @@ void ViewportController::follow(const std::shared_ptr<const Fabric>& fabric, int
   state.width = view_.width;
   state.height = view_.height;
   state.denoised = view_.denoised;
-  const LensView& lens = view_.lens;
-  if (lens.on && lens.placed)
-    state.lens = {{lens.rect.x, lens.rect.y, lens.rect.width, lens.rect.height}, 1e9 * fibreMemory_GB};
+  const InsetView& inset = view_.inset;
+  if (inset.on && inset.placed)
+    state.inset = {{inset.rect.x, inset.rect.y, inset.rect.width, inset.rect.height}, 1e9 * fibreMemory_GB};
   state.yarn = yarn;
   state.visibilityShown = visibilityShown;
   state.back = draft.back;
@@ -171,7 +171,7 @@ void ViewportController::follow(const std::shared_ptr<const Fabric>& fabric, int
 void ViewportController::tellProbe(WidgetProbe& probe, int yarn) const {
   const LiveStatus status = service_.status();
   const Frame* shown = service_.frame();
-  const LensFrame* lens = service_.lensFrame();
+  const InsetFrame* inset = service_.insetFrame();
   probe.fact("generation", std::to_string(service_.generation()));
   probe.fact("built_generation", std::to_string(status.builtGeneration));
   probe.fact("shown_generation", std::to_string(shown ? shown->generation : 0));
@@ -179,16 +179,16 @@ void ViewportController::tellProbe(WidgetProbe& probe, int yarn) const {
   probe.fact("shown_light", shown ? lightOf(*shown) : "");
   static constexpr const char* kPhases[] = {"idle", "voxelising", "tracing", "converged"};
   probe.fact("phase", kPhases[static_cast<int>(status.phase)]);
-  probe.fact("shown_draft", shown && shown->quality == Quality::sketch ? "yes" : "no");
+  probe.fact("shown_sketch", shown && shown->quality == PreviewQuality::sketch ? "yes" : "no");
   probe.fact("denoised", shown && !shown->denoised.empty() ? "yes" : "no");
   probe.fact("error", status.error);
-  static constexpr const char* kLensPhases[] = {"closed",    "waiting", "needless", "laying",
-                                                "too_large", "failed",  "tracing",  "converged"};
-  probe.fact("lens", kLensPhases[static_cast<int>(status.lens.phase)]);
-  probe.fact("lens_tool", view_.lens.placed ? "placed" : view_.lens.on ? "chosen" : "off");
-  probe.fact("lens_samples", std::to_string(lens ? lens->fibres->samples : 0));
-  probe.fact("lens_generation", std::to_string(lens ? lens->fibres->generation : 0));
-  probe.fact("lens_difference", lens && lens->difference ? "known" : "unknown");
+  static constexpr const char* kInsetPhases[] = {"closed",    "waiting", "needless", "laying",
+                                                 "too_large", "failed",  "tracing",  "converged"};
+  probe.fact("lens", kInsetPhases[static_cast<int>(status.inset.phase)]);
+  probe.fact("lens_tool", view_.inset.placed ? "placed" : view_.inset.on ? "chosen" : "off");
+  probe.fact("lens_samples", std::to_string(inset ? inset->fibres->samples : 0));
+  probe.fact("lens_generation", std::to_string(inset ? inset->fibres->generation : 0));
+  probe.fact("lens_difference", inset && inset->difference ? "known" : "unknown");
   const BakedVisibility* visibility = service_.visibility();
   const bool baked = visibility && visibility->yarn == yarn;
   probe.fact("visibility", !baked ? "none" : visibility->finished ? "finished" : "early");

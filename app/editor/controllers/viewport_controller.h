@@ -23,16 +23,16 @@ class ViewportController {
     std::optional<Fabric> fabric;
     std::optional<Camera> camera;  ///< looking around is no edit of the cloth
     std::optional<int> yarn;       ///< that was clicked at
-    bool preferences = false;      ///< are asked for: the lens needs more memory
+    bool preferences = false;      ///< are asked for: the inset needs more memory
     bool turned = false;           ///< the cloth was
   };
   /// `hovered`: the crossing under the mouse in the draft, which is outlined in the picture. `proof`: how the picture
-  /// is shown, and the lens in it.
+  /// is shown, and the inset in it.
   Edit draw(Ui& ui, const std::shared_ptr<const Fabric>& fabric, const std::optional<CrossingIndex>& hovered,
             const SoftProof& proof, double fibreMemory_GB);
 
   /// Takes what the workers have brought. Returns whether the picture is another one.
-  bool take() { return service_.take(view_.lens.showsDifference); }
+  bool take() { return service_.take(view_.inset.showsDifference); }
   /// Has the workers follow the fabric, and one yarn of it, whose visibility is on the screen or not.
   struct DraftSight {
     bool back = false;                          ///< the draft is seen from behind, and the cloth with it
@@ -72,7 +72,8 @@ class ViewportController {
   std::optional<FlatSight> flatSight() const { return flat_ ? std::optional(flat_->sight) : std::nullopt; }
   /// What was edited of the cloth as it lies flat becomes an edit of the cloth on its drape, or nothing.
   std::optional<Fabric> onItsDrape(Fabric edited, const Fabric& fabric);
-  LensModel lensModelFor(const LensStatus& status, const Fabric& fabric, const SoftProof& proof, double fibreMemory_GB);
+  InsetModel insetModelFor(const InsetStatus& status, const Fabric& fabric, const SoftProof& proof,
+                           double fibreMemory_GB);
   void lookUnderPointer();
 
   ViewportView view_;

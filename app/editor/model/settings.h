@@ -14,7 +14,7 @@
 
 namespace loomlight {
 
-/// Three eighths of the machine's memory: fibres of the viewport may take as much beside those of the lens.
+/// Three eighths of the machine's memory: fibres of the viewport may take as much beside those of the inset.
 double defaultFibreMemory_GB();
 
 /// How pictures and drafts are looked at.

@@ -27,7 +27,7 @@ Fabric plainClothOf(const Fabric& fabric, int yarn) {
 }
 
 /// A cell in which the yarn lies; none where the cloth does not use it.
-std::optional<CellKey> cellOf(const ClothGeometry& cloth, const Fabric& fabric, int yarn) {
+std::optional<YarnCellKey> cellOf(const ClothGeometry& cloth, const Fabric& fabric, int yarn) {
   for (const System system : {System::warp, System::weft}) {
     const std::vector<int>& sequence = system == System::warp ? fabric.warpSequence : fabric.weftSequence;
     const auto found = std::find(sequence.begin(), sequence.end(), yarn);
@@ -39,7 +39,7 @@ std::optional<CellKey> cellOf(const ClothGeometry& cloth, const Fabric& fabric, 
 }
 
 /// `secondShare`: how many of the fibres are the second ones of a blend.
-YarnSection sectionIn(const ClothGeometry& cloth, const CellKey& key, double secondShare) {
+YarnSection sectionIn(const ClothGeometry& cloth, const YarnCellKey& key, double secondShare) {
   const double diameter_mm = cloth.yarn(key.system, key.yarn).diameter_mm();
   const CellStrands strands = cloth.strands(key);
   YarnSection section;

@@ -90,11 +90,11 @@ FilePreviewService::FilePreviewService(DisplayDriver& driver, std::function<void
     : driver_(driver),
       looks_(
           std::move(wake),
-          [](const std::string& file, const auto& turn) { return std::pair(file, lookInto(file, turn)); },
+          [](const std::string& file, const auto& job) { return std::pair(file, lookInto(file, job)); },
           [](const std::string& file, const std::string& problem) { return std::pair(file, Look{{}, {problem}}); },
           Backlog::hanging) {}
 
-FilePreviewService::Look FilePreviewService::lookInto(const std::string& file, const Looks::Turn& turn) {
+FilePreviewService::Look FilePreviewService::lookInto(const std::string& file, const Looks::Job& job) {
   Look look;
   const auto showPng = [&look](const std::string& png) {
     const PictureExtent extent = readPngExtent(png);
@@ -112,9 +112,9 @@ FilePreviewService::Look FilePreviewService::lookInto(const std::string& file, c
     look.lines.push_back(fabric.name);
     look.lines.push_back(clothText(fabric));
     look.isComing = true;
-    turn.bring({file, look});
+    job.bring({file, look});
     Task task;
-    task.stop = turn.stop();
+    task.stop = job.stop();
     task.threads = 1;
     const auto colours = soonReachedColours(fabric, task);
     if (colours) look.picture = draftPicture(fabric, *colours, kSide);

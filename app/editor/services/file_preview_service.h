@@ -35,7 +35,7 @@ class FilePreviewService {
     std::unique_ptr<PictureTexture> texture;
     FilePreview preview;
   };
-  static Look lookInto(const std::string& file, const Looks::Turn& turn);
+  static Look lookInto(const std::string& file, const Looks::Job& job);
   void take();
 
   DisplayDriver& driver_;

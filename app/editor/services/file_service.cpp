@@ -41,10 +41,10 @@ FileService::FileService(std::function<void()> wake, Read read)
           failed<ReadOrder>, Backlog::hanging),
       writes_(
           wake,
-          [](const WriteOrder& order, const auto& turn) {
+          [](const WriteOrder& order, const auto& job) {
             Result result = order.about;
-            result.cancelled = turn.isStopped();
-            if (!result.cancelled) order.write(turn.stop(), result);
+            result.cancelled = job.isStopped();
+            if (!result.cancelled) order.write(job.stop(), result);
             return result;
           },
           failed<WriteOrder>, Backlog::every) {}

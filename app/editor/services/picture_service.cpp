@@ -35,7 +35,7 @@ Weave weaveWith(const PictureOrder& order, const Fabric& fabric) {
 
 PictureService::PictureService(std::function<void()> wake)
     : worker_(
-          wake, [](const auto& work, const auto& turn) { return work(turn.stop()); },
+          wake, [](const auto& work, const auto& job) { return work(job.stop()); },
           [](const auto&, const std::string& problem) { return Result{nullptr, std::nullopt, problem}; },
           Backlog::hanging),
       previews_(

@@ -27,7 +27,7 @@ std::optional<PresetService::Brought> PresetService::done(const Job& job) {
   return job(*cabinet_);
 }
 
-/// One file a turn: changes go between them.
+/// One file a job: changes go between them.
 std::optional<PresetService::Brought> PresetService::readOn(PresetLibrary& cabinet, PresetKind kind, uint64_t number) {
   if (number != wanted_) return std::nullopt;
   const bool more = cabinet.readNext(kind);

@@ -11,11 +11,11 @@ RenderService::RenderService()
     : worker_(
           {},  // its dialog looks as often as it needs to
 
-          [](const Work& work, const auto& turn) {
+          [](const Work& work, const auto& job) {
             Task task;
-            task.stop = turn.stop();
+            task.stop = job.stop();
             task.threads = std::max(1, hardwareThreads() - 1);  // the window keeps its core
-            task.progress = [&turn](double fraction) { turn.bring({{true, fraction, "", false}, false}); };
+            task.progress = [&job](double fraction) { job.bring({{true, fraction, "", false}, false}); };
             const std::optional<std::string> written = work(task);
             return Told{{false, 1, written.value_or("Cancelled; nothing was written."), false}, written.has_value()};
           },

@@ -37,11 +37,11 @@ ViewService::ViewService(DisplayDriver& driver, const std::function<void()>& wak
       visibility_(wake, BvdfOptions{}, BvdfCache(BvdfCache::userFolder())),
       renderer_(wake, threads),
       picture_(driver.makeViewport()),
-      lensPicture_(driver.makeViewport()),
+      insetPicture_(driver.makeViewport()),
       visibilityPicture_(driver.makeTexture()) {}
 
 bool ViewService::take(bool showsDifference) {
-  takeLens(showsDifference);
+  takeInset(showsDifference);
   if (auto newest = visibility_.newest(); newest && newest != shownVisibility_) {
     visibilityPicture_->upload(newest->picture);
     shownVisibility_ = std::move(newest);
@@ -72,21 +72,21 @@ void ViewService::upload(const Frame& newest) {
                         changedRect<Film::Hit>(frame_->hits, newest.hits, width, sameCrossing));
 }
 
-void ViewService::takeLens(bool showsDifference) {
-  lensFrame_ = renderer_.lensFrame();
-  if (!lensFrame_) {
-    lensUpload_ = nullptr;
+void ViewService::takeInset(bool showsDifference) {
+  insetFrame_ = renderer_.insetFrame();
+  if (!insetFrame_) {
+    insetUpload_ = nullptr;
     return;
   }
-  const Difference* difference = showsDifference ? lensFrame_->difference.get() : nullptr;
-  const Frame& fibres = *lensFrame_->fibres;
+  const Difference* difference = showsDifference ? insetFrame_->difference.get() : nullptr;
+  const Frame& fibres = *insetFrame_->fibres;
   const void* wanted = difference ? static_cast<const void*>(difference) : &fibres;
-  if (wanted == std::exchange(lensUpload_, wanted)) return;
-  lensIsDifference_ = difference != nullptr;
+  if (wanted == std::exchange(insetUpload_, wanted)) return;
+  insetIsDifference_ = difference != nullptr;
   if (difference)
-    lensPicture_->upload(difference->width, difference->height, difference->map, {});
+    insetPicture_->upload(difference->width, difference->height, difference->map, {});
   else
-    lensPicture_->upload(fibres.width, fibres.height, fibres.rgba, {});
+    insetPicture_->upload(fibres.width, fibres.height, fibres.rgba, {});
 }
 
 void ViewService::follow(const ViewState& state) {
@@ -97,7 +97,7 @@ void ViewService::follow(const ViewState& state) {
   if (state.denoised != state_.denoised) renderer_.denoise(state.denoised);
   if (another || state.yarn != state_.yarn || state.longFloat_mm != state_.longFloat_mm)
     stats_.request(state.fabric, state.yarn, builtAsSeen(), state.longFloat_mm);
-  if (state.lens != state_.lens) renderer_.lens(state.lens);
+  if (state.inset != state_.inset) renderer_.inset(state.inset);
   state_ = state;
 }
 
@@ -137,7 +137,7 @@ std::shared_ptr<const Scene> ViewService::builtAsSeen() const {
 
 bool ViewService::shows(const std::shared_ptr<const Fabric>& fabric) const {
   return frame_ && frame_->width > 0 && fabric == state_.fabric && frame_->generation == generation_ &&
-         frame_->quality != Quality::sketch;
+         frame_->quality != PreviewQuality::sketch;
 }
 
 std::optional<Film::Hit> ViewService::hitAt(ImVec2 place) const {
@@ -152,14 +152,14 @@ std::optional<Film::Hit> ViewService::hitAt(ImVec2 place) const {
   return hit;
 }
 
-ImTextureID ViewService::lensPicture(const Tone& tone, const SoftProof& proof) {
-  if (!lensFrame_) return {};
+ImTextureID ViewService::insetPicture(const Tone& tone, const SoftProof& proof) {
+  if (!insetFrame_) return {};
   // Colours of the difference go to the display as they are, whatever the exposure.
   Tone neutral;
   neutral.filmic = false;
-  const PixelRect& window = lensFrame_->fibres->window;
-  return lensPicture_->display(window.width, window.height, lensIsDifference_ ? neutral : tone,
-                               lensIsDifference_ ? SoftProof{} : proof, std::nullopt);
+  const PixelRect& window = insetFrame_->fibres->window;
+  return insetPicture_->display(window.width, window.height, insetIsDifference_ ? neutral : tone,
+                                insetIsDifference_ ? SoftProof{} : proof, std::nullopt);
 }
 
 VisibilityModel ViewService::visibilityModel(int yarn) const {

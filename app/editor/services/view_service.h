@@ -29,7 +29,7 @@ struct ViewState {
   std::shared_ptr<const Fabric> fabric;  ///< null before the first frame
   int width = 0, height = 0;             ///< pixels of the picture
   bool denoised = false;
-  std::optional<LensRequest> lens;            ///< null: closed
+  std::optional<InsetRequest> inset;          ///< null: closed
   int yarn = 0;                               ///< whose section and visibility are shown
   std::optional<FlatSight> flat;              ///< null: as it is draped
   bool back = false;                          ///< the cloth is seen from behind
@@ -37,7 +37,7 @@ struct ViewState {
   bool visibilityShown = false;               ///< on the screen, whether or not the picture needs it
 };
 
-/// The workers that make what is seen of the fabric: its picture, its fibres under the lens, what is worth knowing of
+/// The workers that make what is seen of the fabric: its picture, its fibres in the inset, what is worth knowing of
 /// it, a yarn's visibility. They are asked when the state changes; the newest that they have brought is at hand here,
 /// in the driver's textures where it is a picture. All of it in the thread of the window; no call waits.
 class ViewService {
@@ -52,7 +52,7 @@ class ViewService {
   void pause(bool paused) { renderer_.pause(paused); }
 
   const Frame* frame() const { return frame_.get(); }  ///< the one shown; null before the first
-  const LensFrame* lensFrame() const { return lensFrame_.get(); }
+  const InsetFrame* insetFrame() const { return insetFrame_.get(); }
   LiveStatus status() const { return renderer_.status(); }
   uint64_t generation() const { return generation_; }  ///< that was asked for last
   std::shared_ptr<const FabricStats> stats() const { return stats_.newest(); }
@@ -68,13 +68,13 @@ class ViewService {
                       std::optional<ViewportPicture::Outline> outline);
   /// The fabric as it is looked at now.
   std::shared_ptr<const Fabric> asSeen(const std::shared_ptr<const Fabric>& fabric) const;
-  /// Under the lens, in pixels of its own; null while there is nothing to show.
-  ImTextureID lensPicture(const Tone& tone, const SoftProof& proof);
+  /// Of the inset, in pixels of its own; null while there is nothing to show.
+  ImTextureID insetPicture(const Tone& tone, const SoftProof& proof);
   VisibilityModel visibilityModel(int yarn) const;
 
  private:
   void upload(const Frame& newest);
-  void takeLens(bool showsDifference);
+  void takeInset(bool showsDifference);
   void followPicture(const ViewState& state);
   /// The newest cloth where it is the one that is looked at; else null.
   std::shared_ptr<const Scene> builtAsSeen() const;
@@ -89,12 +89,12 @@ class ViewService {
 
   std::shared_ptr<const Scene> built_;  ///< the newest cloth
   std::shared_ptr<const Frame> frame_;
-  std::shared_ptr<const LensFrame> lensFrame_;
+  std::shared_ptr<const InsetFrame> insetFrame_;
   std::shared_ptr<const BakedVisibility> shownVisibility_;
-  std::unique_ptr<ViewportPicture> picture_, lensPicture_;
+  std::unique_ptr<ViewportPicture> picture_, insetPicture_;
   std::unique_ptr<PictureTexture> visibilityPicture_;
-  const void* lensUpload_ = nullptr;  ///< what of the lens frame is in its picture
-  bool lensIsDifference_ = false;
+  const void* insetUpload_ = nullptr;  ///< what of the inset frame is in its picture
+  bool insetIsDifference_ = false;
 };
 
 }  // namespace loomlight

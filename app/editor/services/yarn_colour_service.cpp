@@ -45,13 +45,13 @@ bool areAlike(const Fabric& a, size_t i, const Fabric& b, size_t j) {
 
 YarnColourService::YarnColourService(std::function<void()> wake)
     : worker_(
-          std::move(wake), [this](const Request& fabric, auto& turn) { return find(fabric, turn); },
+          std::move(wake), [this](const Request& fabric, auto& job) { return find(fabric, job); },
           // Of a cloth that cannot be made no more is known than before.
           [this](const Request&, const std::string&) { return worker_.newest().value_or(nullptr); }) {}
 
 /// Makes walks for the fabric where there are none, which may be replaced under way by one that the same walks serve.
 /// Null when stopped.
-const std::vector<PathLengthTally>* YarnColourService::walksFor(Request& fabric, Finding::Turn& turn) {
+const std::vector<PathLengthTally>* YarnColourService::walksFor(Request& fabric, Finding::Job& job) {
   constexpr size_t kMostKept = 8;
   const auto found = std::find_if(walked_.begin(), walked_.end(),
                                   [&](const Walked& walked) { return yarnsWalkedAlike(*walked.fabric, *fabric); });
@@ -61,15 +61,15 @@ const std::vector<PathLengthTally>* YarnColourService::walksFor(Request& fabric,
   }
   const Request first = fabric;
   Task task;
-  task.stop = turn.stop();
+  task.stop = job.stop();
   task.threads = 1;
   task.progress = [&](double) {
-    auto newer = turn.takeNewer();
+    auto newer = job.takeNewer();
     if (!newer) return;
     if (yarnsWalkedAlike(**newer, *first))
       fabric = std::move(*newer);
     else
-      turn.giveWayTo(std::move(*newer));
+      job.giveWayTo(std::move(*newer));
   };
   auto walks = walkYarns(*first, kChipWalks, task, &scene_);
   if (!walks) return nullptr;
@@ -78,8 +78,8 @@ const std::vector<PathLengthTally>* YarnColourService::walksFor(Request& fabric,
   return &walked_.front().walks;
 }
 
-std::optional<YarnColourService::Answer> YarnColourService::find(Request fabric, Finding::Turn& turn) {
-  const std::vector<PathLengthTally>* const walks = walksFor(fabric, turn);
+std::optional<YarnColourService::Answer> YarnColourService::find(Request fabric, Finding::Job& job) {
+  const std::vector<PathLengthTally>* const walks = walksFor(fabric, job);
   if (!walks) return std::nullopt;
   auto known = std::make_shared<Known>();
   known->fabric = fabric;

@@ -48,8 +48,8 @@ class YarnColourService {
   using Request = std::shared_ptr<const Fabric>;
   using Answer = std::shared_ptr<const Known>;
   using Finding = Worker<Request, Answer>;
-  std::optional<Answer> find(Request fabric, Finding::Turn& turn);
-  const std::vector<PathLengthTally>* walksFor(Request& fabric, Finding::Turn& turn);
+  std::optional<Answer> find(Request fabric, Finding::Job& job);
+  const std::vector<PathLengthTally>* walksFor(Request& fabric, Finding::Job& job);
   std::vector<Rgb> shown(const Fabric& fabric, std::vector<Rgb> Known::* which) const;
   Answer known() const;  ///< null while nothing is known of this cloth
 

@@ -15,7 +15,7 @@
 namespace loomlight {
 namespace {
 
-enum Place {
+enum Parameter {
   kSpecular,
   kRoughness,
   kAnisotropy,
@@ -26,7 +26,7 @@ enum Place {
 };
 
 SurfaceFit surfaceOf(std::span<const double> values) {
-  const auto at = [&](int place) { return static_cast<float>(values[static_cast<size_t>(place)]); };
+  const auto at = [&](int parameter) { return static_cast<float>(values[static_cast<size_t>(parameter)]); };
   SurfaceFit fit;
   fit.surface.specular = at(kSpecular);
   fit.surface.roughness = at(kRoughness);

@@ -27,90 +27,90 @@ std::string shown(const json& value) {
   return value.dump();
 }
 
-int readWhole(const json& value, double min, double max, const Place& place) {
+int readWhole(const json& value, double min, double max, const FieldPath& path) {
   const double number = value.is_number() ? value.get<double>() : std::nan("");
   if (!(number >= min && number <= max) || number != std::floor(number))
-    place.reject(expectedWhole(min, max), shown(value));
+    path.reject(expectedWhole(min, max), shown(value));
   return static_cast<int>(number);
 }
 
-const json::array_t& readList(const json& value, const char* expected, const Place& place) {
-  if (!value.is_array()) place.reject(expected, shown(value));
+const json::array_t& readList(const json& value, const char* expected, const FieldPath& path) {
+  if (!value.is_array()) path.reject(expected, shown(value));
   return value.get_ref<const json::array_t&>();
 }
 
-void read(const json& value, const FieldInfo& info, const Place& place, double& out) {
-  if (!value.is_number()) place.reject(expectedNumber(info.min, info.max), shown(value));
+void read(const json& value, const FieldInfo& info, const FieldPath& path, double& out) {
+  if (!value.is_number()) path.reject(expectedNumber(info.min, info.max), shown(value));
   out = value.get<double>();
-  check(info, out, place);
+  check(info, out, path);
 }
 
-void read(const json& value, const FieldInfo& info, const Place& place, int& out) {
-  out = readWhole(value, info.min, info.max, place);
+void read(const json& value, const FieldInfo& info, const FieldPath& path, int& out) {
+  out = readWhole(value, info.min, info.max, path);
 }
 
-void read(const json& value, const FieldInfo& info, const Place& place, std::optional<int>& out) {
-  out = readWhole(value, info.min, info.max, place);
+void read(const json& value, const FieldInfo& info, const FieldPath& path, std::optional<int>& out) {
+  out = readWhole(value, info.min, info.max, path);
 }
 
-void read(const json& value, const FieldInfo& info, const Place& place, std::optional<double>& out) {
-  read(value, info, place, out.emplace());
+void read(const json& value, const FieldInfo& info, const FieldPath& path, std::optional<double>& out) {
+  read(value, info, path, out.emplace());
 }
 
-void read(const json& value, const FieldInfo&, const Place& place, uint64_t& out) {
-  if (!value.is_number_unsigned()) place.reject("a whole number from 0 to 18446744073709551615", shown(value));
+void read(const json& value, const FieldInfo&, const FieldPath& path, uint64_t& out) {
+  if (!value.is_number_unsigned()) path.reject("a whole number from 0 to 18446744073709551615", shown(value));
   out = value.get<uint64_t>();
 }
 
-void read(const json& value, const FieldInfo&, const Place& place, bool& out) {
-  if (!value.is_boolean()) place.reject("true or false", shown(value));
+void read(const json& value, const FieldInfo&, const FieldPath& path, bool& out) {
+  if (!value.is_boolean()) path.reject("true or false", shown(value));
   out = value.get<bool>();
 }
 
-void read(const json& value, const FieldInfo& info, const Place& place, std::string& out) {
-  if (!value.is_string()) place.reject("a text", shown(value));
+void read(const json& value, const FieldInfo& info, const FieldPath& path, std::string& out) {
+  if (!value.is_string()) path.reject("a text", shown(value));
   out = value.get<std::string>();
-  check(info, out, place);
+  check(info, out, path);
 }
 
 template <class Vector>
-void readTriple(const json& value, const FieldInfo& info, const Place& place, Vector& out) {
-  const json::array_t& list = readList(value, "a list of 3 numbers", place);
-  if (list.size() != 3) place.reject("a list of 3 numbers", fmt::format("{}", list.size()));
+void readTriple(const json& value, const FieldInfo& info, const FieldPath& path, Vector& out) {
+  const json::array_t& list = readList(value, "a list of 3 numbers", path);
+  if (list.size() != 3) path.reject("a list of 3 numbers", fmt::format("{}", list.size()));
   for (int i = 0; i < 3; ++i) {
     double number = 0;
-    read(list[static_cast<size_t>(i)], info, place.at(static_cast<size_t>(i)), number);
+    read(list[static_cast<size_t>(i)], info, path.at(static_cast<size_t>(i)), number);
     out[i] = static_cast<typename Vector::value_type>(number);
   }
 }
 
-void read(const json& value, const FieldInfo& info, const Place& place, Rgb& out) {
-  readTriple(value, info, place, out);
+void read(const json& value, const FieldInfo& info, const FieldPath& path, Rgb& out) {
+  readTriple(value, info, path, out);
 }
 
-void read(const json& value, const FieldInfo& info, const Place& place, glm::dvec3& out) {
-  readTriple(value, info, place, out);
+void read(const json& value, const FieldInfo& info, const FieldPath& path, glm::dvec3& out) {
+  readTriple(value, info, path, out);
 }
 
 template <class Enum>
-void read(const json& value, const FieldInfo&, const Place& place, Enum& out)
+void read(const json& value, const FieldInfo&, const FieldPath& path, Enum& out)
   requires std::is_enum_v<Enum>
 {
   const std::optional<Enum> choice =
       value.is_string() ? choiceFromName<Enum>(value.get_ref<const std::string&>()) : std::nullopt;
-  if (!choice) place.reject(choiceList<Enum>(), shown(value));
+  if (!choice) path.reject(choiceList<Enum>(), shown(value));
   out = *choice;
 }
 
 // Read from objects, and so below.
-void read(const json& value, const FieldInfo& info, const Place& place, Spectrum& out);
-void read(const json& value, const FieldInfo& info, const Place& place, Absorption& out);
+void read(const json& value, const FieldInfo& info, const FieldPath& path, Spectrum& out);
+void read(const json& value, const FieldInfo& info, const FieldPath& path, Absorption& out);
 
 /// An object whose known keys are taken out one by one; what remains is what this version does not know.
 class ObjectReader {
  public:
-  ObjectReader(json value, const Place& place) : object_(std::move(value)), place_(place) {
-    if (!object_.is_object()) place_.reject("an object", shown(object_));
+  ObjectReader(json value, const FieldPath& path) : object_(std::move(value)), path_(path) {
+    if (!object_.is_object()) path_.reject("an object", shown(object_));
   }
 
   std::optional<json> take(const char* key) {
@@ -124,29 +124,27 @@ class ObjectReader {
   /// The value of a key, where it is there.
   template <class Value>
   void take(const char* key, const FieldInfo& info, Value& out) {
-    if (const std::optional<json> value = take(key)) read(*value, info, place_.at(key), out);
+    if (const std::optional<json> value = take(key)) read(*value, info, path_.at(key), out);
   }
 
   template <class Object>
   void takeFields(Object& object) {
     forEachField<Object>([&](const auto& field) {
       if (const std::optional<json> value = take(field.info.key))
-        read(*value, field.info, place_.at(field.info.key), object.*field.member);
+        read(*value, field.info, path_.at(field.info.key), object.*field.member);
     });
   }
 
   /// Of a value that has no place for what this version does not know.
   void expectNoMore(const char* expected) const {
-    if (!object_.empty()) place_.reject(expected, quotedText(object_.begin().key()));
+    if (!object_.empty()) path_.reject(expected, quotedText(object_.begin().key()));
   }
 
-  UnknownKeys rest() const {
-    return object_.empty() ? nullptr : std::make_shared<const std::string>(object_.dump());
-  }
+  UnknownKeys rest() const { return object_.empty() ? nullptr : std::make_shared<const std::string>(object_.dump()); }
 
  private:
   json object_;
-  const Place& place_;
+  const FieldPath& path_;
 };
 
 /// Of as many samples as there are, evenly apart, the values at the bands: between two along a line, beyond the ends as
@@ -155,30 +153,30 @@ Spectrum atBands(const std::vector<double>& values, double from_nm, double step_
   Spectrum bands;
   const double last = static_cast<double>(values.size() - 1);
   for (size_t j = 0; j < kBands; ++j) {
-    const double place = std::clamp((bandWavelength_nm(j) - from_nm) / step_nm, 0.0, last);
-    const auto below = static_cast<size_t>(place), above = std::min(below + 1, values.size() - 1);
-    bands[j] = static_cast<float>(std::lerp(values[below], values[above], place - static_cast<double>(below)));
+    const double position = std::clamp((bandWavelength_nm(j) - from_nm) / step_nm, 0.0, last);
+    const auto below = static_cast<size_t>(position), above = std::min(below + 1, values.size() - 1);
+    bands[j] = static_cast<float>(std::lerp(values[below], values[above], position - static_cast<double>(below)));
   }
   return bands;
 }
 
 /// Either a list with a number for each band, or an object that says where its values lie.
-void read(const json& value, const FieldInfo& info, const Place& place, Spectrum& out) {
+void read(const json& value, const FieldInfo& info, const FieldPath& path, Spectrum& out) {
   const std::string expected =
       fmt::format("a list of {} numbers, from {} to {} nm", kBands, kFirstBand_nm, bandWavelength_nm(kBands - 1));
   double from_nm = kFirstBand_nm, step_nm = kBandStep_nm;
   std::vector<double> values;
-  const auto readValues = [&](const json& list, const Place& there) {
+  const auto readValues = [&](const json& list, const FieldPath& there) {
     for (size_t i = 0; i < list.size(); ++i) read(list[i], info, there.at(i), values.emplace_back());
   };
   if (!value.is_object()) {
-    if (readList(value, expected.c_str(), place).size() != kBands)
-      place.reject(expected, fmt::format("{}", value.size()));
-    readValues(value, place);
+    if (readList(value, expected.c_str(), path).size() != kBands)
+      path.reject(expected, fmt::format("{}", value.size()));
+    readValues(value, path);
   } else {
     constexpr size_t kMost = 1001;
-    const Place there = place.at("values");
-    ObjectReader reader(value, place);
+    const FieldPath there = path.at("values");
+    ObjectReader reader(value, path);
     reader.take("from_nm", FieldInfo{{}, "", "", "", 100, 2000}, from_nm);
     reader.take("step_nm", FieldInfo{{}, "", "", "", 0.1, 100}, step_nm);
     const json list = reader.take("values").value_or(json());
@@ -194,11 +192,11 @@ void read(const json& value, const FieldInfo& info, const Place& place, Spectrum
   out = atBands(values, from_nm, step_nm);
 }
 
-std::vector<Dyestuff> readDyes(json value, const Place& place) {
-  readList(value, "a list of dyes", place);
+std::vector<Dyestuff> readDyes(json value, const FieldPath& path) {
+  readList(value, "a list of dyes", path);
   std::vector<Dyestuff> dyes;
   for (size_t i = 0; i < value.size() && i <= Absorption::kMostDyes; ++i) {
-    const Place here = place.at(i);
+    const FieldPath here = path.at(i);
     ObjectReader reader(std::move(value[i]), here);
     reader.takeFields(dyes.emplace_back());
     reader.expectNoMore("a dye's name, amount_percent and absorption_per_mm");
@@ -207,20 +205,19 @@ std::vector<Dyestuff> readDyes(json value, const Place& place) {
 }
 
 /// Three numbers, or what is known beyond them.
-void read(const json& value, const FieldInfo& info, const Place& place, Absorption& out) {
+void read(const json& value, const FieldInfo& info, const FieldPath& path, Absorption& out) {
   out = {};
-  if (!value.is_object()) return read(value, info, place, out.primaries);
-  ObjectReader reader(value, place);
+  if (!value.is_object()) return read(value, info, path, out.primaries);
+  ObjectReader reader(value, path);
   reader.take("primaries", info, out.primaries);
-  if (const std::optional<json> bands = reader.take("bands"))
-    read(*bands, info, place.at("bands"), out.bands.emplace());
-  if (std::optional<json> dyes = reader.take("dyes")) out.dyes = readDyes(std::move(*dyes), place.at("dyes"));
+  if (const std::optional<json> bands = reader.take("bands")) read(*bands, info, path.at("bands"), out.bands.emplace());
+  if (std::optional<json> dyes = reader.take("dyes")) out.dyes = readDyes(std::move(*dyes), path.at("dyes"));
   reader.expectNoMore("primaries, bands and dyes");
 }
 
 template <class Object>
-Object readObject(json value, const Place& place) {
-  ObjectReader reader(std::move(value), place);
+Object readObject(json value, const FieldPath& path) {
+  ObjectReader reader(std::move(value), path);
   Object object;
   reader.takeFields(object);
   object.unknown = reader.rest();
@@ -228,24 +225,24 @@ Object readObject(json value, const Place& place) {
 }
 
 template <class Object>
-std::vector<Object> readObjects(json value, const Place& place) {
-  readList(value, "a list of objects", place);
+std::vector<Object> readObjects(json value, const FieldPath& path) {
+  readList(value, "a list of objects", path);
   std::vector<Object> objects;
   for (size_t i = 0; i < value.size() && i <= kMaxKinds; ++i)
-    objects.push_back(readObject<Object>(std::move(value[i]), place.at(i)));
+    objects.push_back(readObject<Object>(std::move(value[i]), path.at(i)));
   return objects;
 }
 
-std::vector<Colourway> readColourways(json value, const Place& place) {
-  readList(value, "a list of objects", place);
+std::vector<Colourway> readColourways(json value, const FieldPath& path) {
+  readList(value, "a list of objects", path);
   std::vector<Colourway> colourways;
   for (size_t i = 0; i < value.size() && i <= kMaxKinds; ++i) {
-    const Place here = place.at(i);
+    const FieldPath here = path.at(i);
     ObjectReader reader(std::move(value[i]), here);
     Colourway& colourway = colourways.emplace_back();
     reader.takeFields(colourway);
     if (const std::optional<json> colours = reader.take("absorption_per_mm")) {
-      const Place there = here.at("absorption_per_mm");
+      const FieldPath there = here.at("absorption_per_mm");
       readList(*colours, "a list of colours, one a fibre", there);
       for (size_t k = 0; k < colours->size() && k <= kMaxKinds; ++k)
         read((*colours)[k], fieldInfo(&Fibre::absorption_per_mm), there.at(k),
@@ -256,36 +253,36 @@ std::vector<Colourway> readColourways(json value, const Place& place) {
   return colourways;
 }
 
-std::vector<int> readWholes(const json& value, int most, const char* expected, const Place& place) {
-  const json::array_t& list = readList(value, expected, place);
+std::vector<int> readWholes(const json& value, int most, const char* expected, const FieldPath& path) {
+  const json::array_t& list = readList(value, expected, path);
   std::vector<int> numbers;
   numbers.reserve(list.size());
-  for (size_t i = 0; i < list.size(); ++i) numbers.push_back(readWhole(list[i], 0, most, place.at(i)));
+  for (size_t i = 0; i < list.size(); ++i) numbers.push_back(readWhole(list[i], 0, most, path.at(i)));
   return numbers;
 }
 
-std::vector<int> readSequence(const json& value, const Place& place) {
-  return readWholes(value, kMaxKinds - 1, "a list of yarn numbers", place);
+std::vector<int> readSequence(const json& value, const FieldPath& path) {
+  return readWholes(value, kMaxKinds - 1, "a list of yarn numbers", path);
 }
 
-MillData readMill(json value, const Place& place) {
-  ObjectReader reader(std::move(value), place);
+MillData readMill(json value, const FieldPath& path) {
+  ObjectReader reader(std::move(value), path);
   MillData mill;
   reader.takeFields(mill);
   if (const auto v = reader.take("ends_per_dent"))
-    mill.endsPerDent = readWholes(*v, MillData::kMostInDent, "a list of numbers of ends", place.at("ends_per_dent"));
+    mill.endsPerDent = readWholes(*v, MillData::kMostInDent, "a list of numbers of ends", path.at("ends_per_dent"));
   mill.unknown = reader.rest();
   return mill;
 }
 
-Weave readWeave(const json& value, const Place& place) {
-  const json::array_t& list = readList(value, "a list of texts, one a pick", place);
+Weave readWeave(const json& value, const FieldPath& path) {
+  const json::array_t& list = readList(value, "a list of texts, one a pick", path);
   if (list.empty() || list.size() > static_cast<size_t>(Weave::kMaxSide))
-    place.reject(fmt::format("from 1 to {} picks", Weave::kMaxSide), fmt::format("{}", list.size()));
+    path.reject(fmt::format("from 1 to {} picks", Weave::kMaxSide), fmt::format("{}", list.size()));
   size_t ends = 0;
   std::vector<Weave::SharedRow> rows(list.size());
   for (size_t i = 0; i < list.size(); ++i) {
-    const Place here = place.at(i);
+    const FieldPath here = path.at(i);
     if (!list[i].is_string()) here.reject("a text of \"#\" and \".\"", shown(list[i]));
     const std::string& text = list[i].get_ref<const std::string&>();
     if (i == 0) {
@@ -306,11 +303,11 @@ Weave readWeave(const json& value, const Place& place) {
 }
 
 /// Entries of a draft: a number or a list of numbers each.
-std::vector<std::vector<int>> readDraftList(const json& value, const Place& place) {
-  const json::array_t& list = readList(value, "a list of numbers, or of lists of numbers", place);
+std::vector<std::vector<int>> readDraftList(const json& value, const FieldPath& path) {
+  const json::array_t& list = readList(value, "a list of numbers, or of lists of numbers", path);
   std::vector<std::vector<int>> entries(list.size());
   for (size_t i = 0; i < list.size(); ++i) {
-    const Place here = place.at(i);
+    const FieldPath here = path.at(i);
     const double most = fieldInfo(&Draft::shafts).max;
     if (list[i].is_array()) {
       for (size_t j = 0; j < list[i].size(); ++j) entries[i].push_back(readWhole(list[i][j], 0, most, here.at(j)));
@@ -321,85 +318,85 @@ std::vector<std::vector<int>> readDraftList(const json& value, const Place& plac
   return entries;
 }
 
-Draft readDraft(json value, const Place& place) {
-  ObjectReader reader(std::move(value), place);
+Draft readDraft(json value, const FieldPath& path) {
+  ObjectReader reader(std::move(value), path);
   Draft draft;
   reader.takeFields(draft);
   const auto list = [&](const char* key, std::vector<std::vector<int>>& entries) {
-    if (const std::optional<json> found = reader.take(key)) entries = readDraftList(*found, place.at(key));
+    if (const std::optional<json> found = reader.take(key)) entries = readDraftList(*found, path.at(key));
   };
   list("threading", draft.threading);
   list("tie_up", draft.tieUp);
   list("treadling", draft.treadling);
   list("liftplan", draft.liftplan);
   draft.unknown = reader.rest();
-  validateDraft(draft, place);
+  validateDraft(draft, path);
   return draft;
 }
 
 /// What a WIF draft said, in its own syntax, line by line. Nobody but us writes it, so it has to be right.
-WifRest readWifLines(const json& value, const std::string& source, const Place& place) {
+WifRest readWifLines(const json& value, const std::string& source, const FieldPath& path) {
   std::string text;
-  for (const json& line : readList(value, "a list of texts, the lines of a WIF draft", place)) {
-    if (!line.is_string()) place.reject("texts", shown(line));
+  for (const json& line : readList(value, "a list of texts, the lines of a WIF draft", path)) {
+    if (!line.is_string()) path.reject("texts", shown(line));
     text += line.get_ref<const std::string&>();
     text += '\n';
   }
   if (text.size() > kMaxWifBytes)
-    place.reject(fmt::format("at most {} bytes", kMaxWifBytes), fmt::format("{}", text.size()));
-  if (text.find('\0') != std::string::npos) place.reject("texts", "one with a NUL character");
+    path.reject(fmt::format("at most {} bytes", kMaxWifBytes), fmt::format("{}", text.size()));
+  if (text.find('\0') != std::string::npos) path.reject("texts", "one with a NUL character");
   WifWarnings warnings;
   WifRest rest =
-      readWifRest(parseWifSections(text, fmt::format("{}: {}", source, place.path()), warnings), {}, warnings);
+      readWifRest(parseWifSections(text, fmt::format("{}: {}", source, path.text()), warnings), {}, warnings);
   const std::vector<WifWarning> complaints = warnings.list();
-  if (!complaints.empty()) place.reject("lines as in a WIF draft", inOneLine(complaints.front()));
+  if (!complaints.empty()) path.reject("lines as in a WIF draft", inOneLine(complaints.front()));
   return rest;
 }
 
-std::shared_ptr<const WifOrigin> readOrigin(json value, const std::string& source, const Place& place) {
-  ObjectReader reader(std::move(value), place);
+std::shared_ptr<const WifOrigin> readOrigin(json value, const std::string& source, const FieldPath& path) {
+  ObjectReader reader(std::move(value), path);
   auto origin = std::make_shared<WifOrigin>();
   reader.takeFields(*origin);
-  if (auto yarns = reader.take("yarns")) origin->yarns = readObjects<WifYarn>(std::move(*yarns), place.at("yarns"));
+  if (auto yarns = reader.take("yarns")) origin->yarns = readObjects<WifYarn>(std::move(*yarns), path.at("yarns"));
   if (const std::optional<json> lines = reader.take("lines"))
-    origin->rest = readWifLines(*lines, source, place.at("lines"));
+    origin->rest = readWifLines(*lines, source, path.at("lines"));
   origin->unknown = reader.rest();
   return origin;
 }
 
-void checkVersion(const std::optional<json>& version, const Place& place) {
-  if (!version) place.reject(fmt::format("{}, as in every fabric file", kFabricVersion), "nothing");
-  if (readWhole(*version, 1, 1e9, place) > kFabricVersion)
-    place.reject(fmt::format("at most {}", kFabricVersion),
-                 version->dump() + ": a newer Loomlight wrote this file, and is needed to read it");
+void checkVersion(const std::optional<json>& version, const FieldPath& path) {
+  if (!version) path.reject(fmt::format("{}, as in every fabric file", kFabricVersion), "nothing");
+  if (readWhole(*version, 1, 1e9, path) > kFabricVersion)
+    path.reject(fmt::format("at most {}", kFabricVersion),
+                version->dump() + ": a newer Loomlight wrote this file, and is needed to read it");
 }
 
 }  // namespace
 
 Fabric fabricFromJson(std::string_view text, const std::string& sourceName) {
-  const Place place(sourceName);
-  ObjectReader reader(parseJson(text, sourceName), place);
-  checkVersion(reader.take("loomlight_version"), place.at("loomlight_version"));
+  const FieldPath path(sourceName);
+  ObjectReader reader(parseJson(text, sourceName), path);
+  checkVersion(reader.take("loomlight_version"), path.at("loomlight_version"));
 
   Fabric fabric;
   reader.takeFields(fabric);
   const std::optional<json> weave = reader.take("weave");
-  if (weave) fabric.weave = readWeave(*weave, place.at("weave"));
+  if (weave) fabric.weave = readWeave(*weave, path.at("weave"));
   if (std::optional<json> draft = reader.take("draft")) {
-    fabric.draft = readDraft(std::move(*draft), place.at("draft"));
+    fabric.draft = readDraft(std::move(*draft), path.at("draft"));
     if (!weave) fabric.weave = drawdown(*fabric.draft);
   }
-  if (auto v = reader.take("warp_sequence")) fabric.warpSequence = readSequence(*v, place.at("warp_sequence"));
-  if (auto v = reader.take("weft_sequence")) fabric.weftSequence = readSequence(*v, place.at("weft_sequence"));
-  if (auto v = reader.take("yarns")) fabric.yarns = readObjects<Yarn>(std::move(*v), place.at("yarns"));
-  if (auto v = reader.take("fibres")) fabric.fibres = readObjects<Fibre>(std::move(*v), place.at("fibres"));
-  if (auto v = reader.take("colourways")) fabric.colourways = readColourways(std::move(*v), place.at("colourways"));
-  if (auto v = reader.take("mill")) fabric.mill = readMill(std::move(*v), place.at("mill"));
-  if (auto v = reader.take("drape")) fabric.drape = readObject<Drape>(std::move(*v), place.at("drape"));
-  if (auto v = reader.take("light")) fabric.light = readObject<Light>(std::move(*v), place.at("light"));
-  if (auto v = reader.take("camera")) fabric.camera = readObject<Camera>(std::move(*v), place.at("camera"));
-  if (auto v = reader.take("render")) fabric.render = readObject<RenderSettings>(std::move(*v), place.at("render"));
-  if (auto v = reader.take("wif")) fabric.wif = readOrigin(std::move(*v), sourceName, place.at("wif"));
+  if (auto v = reader.take("warp_sequence")) fabric.warpSequence = readSequence(*v, path.at("warp_sequence"));
+  if (auto v = reader.take("weft_sequence")) fabric.weftSequence = readSequence(*v, path.at("weft_sequence"));
+  if (auto v = reader.take("yarns")) fabric.yarns = readObjects<Yarn>(std::move(*v), path.at("yarns"));
+  if (auto v = reader.take("fibres")) fabric.fibres = readObjects<Fibre>(std::move(*v), path.at("fibres"));
+  if (auto v = reader.take("colourways")) fabric.colourways = readColourways(std::move(*v), path.at("colourways"));
+  if (auto v = reader.take("mill")) fabric.mill = readMill(std::move(*v), path.at("mill"));
+  if (auto v = reader.take("drape")) fabric.drape = readObject<Drape>(std::move(*v), path.at("drape"));
+  if (auto v = reader.take("light")) fabric.light = readObject<Light>(std::move(*v), path.at("light"));
+  if (auto v = reader.take("camera")) fabric.camera = readObject<Camera>(std::move(*v), path.at("camera"));
+  if (auto v = reader.take("render")) fabric.render = readObject<RenderSettings>(std::move(*v), path.at("render"));
+  if (auto v = reader.take("wif")) fabric.wif = readOrigin(std::move(*v), sourceName, path.at("wif"));
   fabric.unknown = reader.rest();
   validate(fabric, sourceName);
   return fabric;

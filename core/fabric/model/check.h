@@ -7,7 +7,7 @@
 #include "core/fabric/model/absorption.h"
 #include "core/fabric/model/choice_names.h"
 #include "core/fabric/model/field_info.h"
-#include "core/fabric/model/place.h"
+#include "core/fabric/model/field_path.h"
 
 namespace loomlight {
 
@@ -15,23 +15,23 @@ namespace loomlight {
 inline constexpr size_t kMaxText = 65536;
 
 /// Each of these throws InputError, naming the place, unless the value is one that its field allows.
-void check(const FieldInfo& info, double value, const Place& place);
-void check(const FieldInfo& info, int value, const Place& place);
-void check(const FieldInfo& info, const std::optional<int>& value, const Place& place);
-void check(const FieldInfo& info, const std::optional<double>& value, const Place& place);
-void check(const FieldInfo& info, const Rgb& value, const Place& place);
-void check(const FieldInfo& info, const Spectrum& value, const Place& place);
-void check(const FieldInfo& info, const Absorption& value, const Place& place);
-void check(const FieldInfo& info, const glm::dvec3& value, const Place& place);
-void check(const FieldInfo& info, const std::string& value, const Place& place);
-inline void check(const FieldInfo&, uint64_t, const Place&) {}
-inline void check(const FieldInfo&, bool, const Place&) {}
+void check(const FieldInfo& info, double value, const FieldPath& path);
+void check(const FieldInfo& info, int value, const FieldPath& path);
+void check(const FieldInfo& info, const std::optional<int>& value, const FieldPath& path);
+void check(const FieldInfo& info, const std::optional<double>& value, const FieldPath& path);
+void check(const FieldInfo& info, const Rgb& value, const FieldPath& path);
+void check(const FieldInfo& info, const Spectrum& value, const FieldPath& path);
+void check(const FieldInfo& info, const Absorption& value, const FieldPath& path);
+void check(const FieldInfo& info, const glm::dvec3& value, const FieldPath& path);
+void check(const FieldInfo& info, const std::string& value, const FieldPath& path);
+inline void check(const FieldInfo&, uint64_t, const FieldPath&) {}
+inline void check(const FieldInfo&, bool, const FieldPath&) {}
 template <class Enum>
-void check(const FieldInfo&, Enum value, const Place& place)
+void check(const FieldInfo&, Enum value, const FieldPath& path)
   requires std::is_enum_v<Enum>
 {
   if (static_cast<size_t>(value) >= ChoiceNames<Enum>::names.size())
-    place.reject(choiceList<Enum>(), std::to_string(static_cast<int>(value)));
+    path.reject(choiceList<Enum>(), std::to_string(static_cast<int>(value)));
 }
 
 /// What a message expects: "a number from 0 to 5000", "a whole number from 1 to 8".

@@ -6,7 +6,7 @@
 
 namespace loomlight {
 
-class Place;
+class FieldPath;
 
 /// Most yarns, and most fibres, of a fabric.
 inline constexpr int kMaxKinds = 64;
@@ -27,6 +27,6 @@ inline constexpr int kMaxLiftEntries = 2'000'000;
 void validate(const Fabric& fabric, const std::string& source);
 
 /// The draft alone: sizes, shafts and treadles. After it drawdown(draft) is safe.
-void validateDraft(const Draft& draft, const Place& place);
+void validateDraft(const Draft& draft, const FieldPath& path);
 
 }  // namespace loomlight

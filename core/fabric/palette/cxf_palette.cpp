@@ -3,7 +3,7 @@
 #include <map>
 
 #include "core/base/error.h"
-#include "core/fabric/model/place.h"
+#include "core/fabric/model/field_path.h"
 #include "core/fabric/palette/palette_readers.h"
 #include "core/fabric/swatch/cxf_document.h"
 #include "core/fabric/swatch/raw_swatch.h"

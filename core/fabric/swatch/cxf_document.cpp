@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "core/fabric/model/place.h"
+#include "core/fabric/model/field_path.h"
 
 namespace loomlight {
 namespace {

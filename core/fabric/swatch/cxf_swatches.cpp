@@ -4,7 +4,7 @@
 #include <pugixml.hpp>
 
 #include "core/base/error.h"
-#include "core/fabric/model/place.h"
+#include "core/fabric/model/field_path.h"
 #include "core/fabric/swatch/cxf_document.h"
 #include "core/fabric/swatch/raw_swatch.h"
 

@@ -4,7 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
-#include "core/fabric/model/place.h"
+#include "core/fabric/model/field_path.h"
 #include "core/fabric/swatch/raw_swatch.h"
 #include "core/fabric/wif/wif_values.h"
 

@@ -9,7 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
-#include "core/fabric/model/place.h"
+#include "core/fabric/model/field_path.h"
 #include "core/fabric/wif/wif_values.h"
 
 // How it works. Percent or fraction is a matter of the file, not of a swatch: the values of all are looked at together.

@@ -8,8 +8,8 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/base/utf8.h"
+#include "core/fabric/model/field_path.h"
 #include "core/fabric/model/field_tables.h"
-#include "core/fabric/model/place.h"
 #include "core/fabric/model/validate.h"
 #include "core/fabric/wif/text_encoding.h"
 #include "core/fabric/wif/wif_sections.h"
@@ -188,7 +188,7 @@ class DtxReader {
       if (const Section* section = find(name))
         for (const std::string& line : section->properties)
           if (lowerCase(line).ends_with("sinking")) draft.risingShed = false;
-    validateDraft(draft, Place(source_));
+    validateDraft(draft, FieldPath(source_));
   }
 
   void readTieUp(Draft& draft, int most) {

@@ -3,8 +3,8 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/fabric/model/field_path.h"
 #include "core/fabric/model/field_tables.h"
-#include "core/fabric/model/place.h"
 #include "core/fabric/model/validate.h"
 #include "core/fabric/weave/draft_derivation.h"
 #include "core/fabric/wif/wif_entries.h"
@@ -50,7 +50,7 @@ class DraftReader {
     if (!threading)
       warnings_.add(0, "THREADING", "", "There is no threading: no end hangs on a shaft, and nothing is lifted.");
     if (!lifted) noteMissing(draft, trodden);
-    validateDraft(draft, Place(source_));
+    validateDraft(draft, FieldPath(source_));
     if (lifted && trodden) noteDisagreement(draft);
     return draft;
   }

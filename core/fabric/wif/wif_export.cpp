@@ -8,7 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/rgb.h"
-#include "core/fabric/model/place.h"
+#include "core/fabric/model/field_path.h"
 #include "core/fabric/model/validate.h"
 #include "core/fabric/model/yarn_count.h"
 #include "core/fabric/weave/draft_derivation.h"
@@ -72,8 +72,8 @@ Draft draftFor(const Fabric& fabric, int ends, int picks, const std::string& fil
   repeatTo(draft.threading, ends);
   repeatTo(draft.treadling, picks);
   repeatTo(draft.liftplan, picks);
-  const Place place(file);
-  validateDraft(draft, place.at("draft"));
+  const FieldPath path(file);
+  validateDraft(draft, path.at("draft"));
   return draft;
 }
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/fabric/model/place.h"
+#include "core/fabric/model/field_path.h"
 
 namespace loomlight {
 namespace {

@@ -33,21 +33,21 @@ void ComponentEncoder::encodeBatch() {
     Component::encode(eight, &components[i]);
   }
 
-  auto number = static_cast<int>(parts_.size());
-  parts_.resize(parts_.size() + static_cast<size_t>(count));
+  auto number = static_cast<int>(encoded_.size());
+  encoded_.resize(encoded_.size() + static_cast<size_t>(count));
   for (int i = 0; i < count; ++i, ++number) {
     const double length = batch_[i].length_mm();
     const double kept = components[i].lengthDensity() * volumes_mm3_[i];
-    Part& part = parts_[number];
-    part.component = components[i];
-    part.volume_mm3 = volumes_mm3_[i];
-    part.lost_mm = length - kept;
-    lost_mm_ += part.lost_mm;
+    Encoded& one = encoded_[number];
+    one.component = components[i];
+    one.volume_mm3 = volumes_mm3_[i];
+    one.lost_mm = length - kept;
+    lost_mm_ += one.lost_mm;
     if (kept == 0) continue;
     constexpr int kShortest = 1023 - 40;  // the exponent of 2^-40 mm; what is below is of one class with it
     const int exponent = static_cast<int>(std::bit_cast<uint64_t>(length) >> 52);
     int& first = first_[std::clamp(exponent - kShortest, 0, kClasses - 1)];
-    part.next = std::exchange(first, number);
+    one.next = std::exchange(first, number);
   }
 }
 
@@ -55,33 +55,33 @@ template <class MayTake>
 void ComponentEncoder::give(double maxSteps, const MayTake& mayTake) {
   // Longest first, so that each class finds less lost than the one before.
   for (int c = kClasses - 1; c >= 0; --c) {
-    for (int i = first_[c]; i >= 0; i = parts_[i].next) {
-      Part& part = parts_[i];
-      if (!mayTake(part)) continue;
-      const double density = part.component.lengthDensity();
-      const double step_mm = (part.component.withDensitySteps(1).lengthDensity() - density) * part.volume_mm3;
+    for (int i = first_[c]; i >= 0; i = encoded_[i].next) {
+      Encoded& one = encoded_[i];
+      if (!mayTake(one)) continue;
+      const double density = one.component.lengthDensity();
+      const double step_mm = (one.component.withDensitySteps(1).lengthDensity() - density) * one.volume_mm3;
       if (!(std::abs(lost_mm_) > 0.5 * step_mm)) break;  // the others of the class can do little better
       const double steps = std::clamp(lost_mm_ / step_mm, -maxSteps, maxSteps);
-      part.component = part.component.withDensitySteps(static_cast<int>(std::lround(steps)));
-      lost_mm_ -= (part.component.lengthDensity() - density) * part.volume_mm3;
+      one.component = one.component.withDensitySteps(static_cast<int>(std::lround(steps)));
+      lost_mm_ -= (one.component.lengthDensity() - density) * one.volume_mm3;
     }
   }
 }
 
 void ComponentEncoder::giveBack() {
   // First to those that were rounded the wrong way: rounded the other way they are still within one step.
-  give(1, [this](const Part& part) { return part.lost_mm * lost_mm_ > 0; });
+  give(1, [this](const Encoded& one) { return one.lost_mm * lost_mm_ > 0; });
   // Rarely is more than that left; steps are a thousandth and less, so some do no harm.
-  give(16, [](const Part&) { return true; });
+  give(16, [](const Encoded&) { return true; });
 }
 
 std::vector<Component> ComponentEncoder::take() {
   if (inBatch_ > 0) encodeBatch();
   giveBack();
   std::vector<Component> components;
-  components.reserve(parts_.size());
-  for (const Part& part : parts_) components.push_back(part.component);
-  parts_.clear();
+  components.reserve(encoded_.size());
+  for (const Encoded& one : encoded_) components.push_back(one.component);
+  encoded_.clear();
   first_.fill(-1);
   lost_mm_ = 0;
   return components;

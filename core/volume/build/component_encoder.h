@@ -16,18 +16,18 @@ class ComponentEncoder {
 
   /// length > 0.
   void add(const FibreMoments& moments, double volume_mm3);
-  size_t count() const { return parts_.size() + static_cast<size_t>(inBatch_); }  ///< added since the last take()
+  size_t count() const { return encoded_.size() + static_cast<size_t>(inBatch_); }  ///< added since the last take()
   /// One component for each add(), in that order; those too thin for a length density have 0. Starts anew.
   std::vector<Component> take();
 
  private:
-  struct Part {
+  struct Encoded {
     Component component;
     double volume_mm3;
     double lost_mm;  ///< length of the fibres less that of the component
     int next;        ///< of the same class; -1 is none
   };
-  /// Parts by powers of two of their length.
+  /// Components by powers of two of their length.
   static constexpr int kClasses = 64;
 
   void encodeBatch();
@@ -38,9 +38,9 @@ class ComponentEncoder {
   FitBatch batch_;
   std::array<double, kFitBatch> volumes_mm3_;
   int inBatch_ = 0;
-  std::vector<Part> parts_;
+  std::vector<Encoded> encoded_;
   std::array<int, kClasses> first_;  ///< of each class
-  double lost_mm_ = 0;               ///< of all parts
+  double lost_mm_ = 0;               ///< of all components
 };
 
 inline void ComponentEncoder::add(const FibreMoments& moments, double volume_mm3) {

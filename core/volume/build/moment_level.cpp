@@ -19,18 +19,18 @@ int floorDivide(int a, int b) {
 }
 
 /// The cell that a block (or voxel) lies in, -1, 0 or 1 across, and its place there.
-struct Place {
+struct BlockPosition {
   glm::ivec3 cell, inCell;
 };
-Place placeOf(glm::ivec3 block, glm::ivec3 perCell) {
+BlockPosition positionOf(glm::ivec3 block, glm::ivec3 perCell) {
   const glm::ivec3 cell(floorDivide(block.x, perCell.x), floorDivide(block.y, perCell.y), 0);
   return {cell, block - cell * perCell};
 }
 
 /// The block of a leaf voxel.
 glm::ivec3 blockOf(glm::ivec3 voxel, glm::ivec3 perCell) {
-  const Place place = placeOf(voxel, perCell);
-  return place.cell * ((perCell + 3) >> 2) + (place.inCell >> 2);
+  const BlockPosition position = positionOf(voxel, perCell);
+  return position.cell * ((perCell + 3) >> 2) + (position.inCell >> 2);
 }
 
 glm::ivec3 blocksPerCell(const VoxelGrid& grid) {
@@ -46,19 +46,19 @@ constexpr std::array<uint8_t, 64> makeHalved() {
 constexpr auto kHalved = makeHalved();
 
 /// The moments of one ply in a voxel, or of several that had to be merged.
-struct Part {
+struct PlyMoments {
   FibreMoments moments;
   uint8_t ply;
 };
 
 /// Merges the most alike until two are left.
-void mergeToTwo(std::vector<Part>& parts) {
-  while (parts.size() > 2) {
+void mergeToTwo(std::vector<PlyMoments>& plies) {
+  while (plies.size() > 2) {
     size_t first = 0, second = 1;
     double least = std::numeric_limits<double>::infinity();
-    for (size_t i = 0; i < parts.size(); ++i) {
-      for (size_t j = i + 1; j < parts.size(); ++j) {
-        const double cost = mergeCost(parts[i].moments, parts[j].moments);
+    for (size_t i = 0; i < plies.size(); ++i) {
+      for (size_t j = i + 1; j < plies.size(); ++j) {
+        const double cost = mergeCost(plies[i].moments, plies[j].moments);
         if (cost < least) {
           least = cost;
           first = i;
@@ -66,8 +66,8 @@ void mergeToTwo(std::vector<Part>& parts) {
         }
       }
     }
-    parts[first].moments.add(parts[second].moments);
-    parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(second));
+    plies[first].moments.add(plies[second].moments);
+    plies.erase(plies.begin() + static_cast<std::ptrdiff_t>(second));
   }
 }
 
@@ -133,8 +133,8 @@ void MomentLevel::resetToCoarser(const MomentLevel& finer) {
   const VoxelGrid grid = finer.grid_.atLevel(finer.grid_.level + 1);
   const glm::ivec3 parentsPerCell = blocksPerCell(grid);
   const auto parentOf = [&](glm::ivec3 block) {
-    const Place place = placeOf(block, finer.perCell_);
-    return place.cell * parentsPerCell + (place.inCell >> 1);
+    const BlockPosition position = positionOf(block, finer.perCell_);
+    return position.cell * parentsPerCell + (position.inCell >> 1);
   };
   const glm::ivec3 lower = parentOf(finer.lower_), last = parentOf(finer.lower_ + finer.blocks_ - 1);
   resetBlocks(grid, lower, finer.occupied_.empty() ? glm::ivec3(0) : last + 1 - lower);
@@ -142,7 +142,7 @@ void MomentLevel::resetToCoarser(const MomentLevel& finer) {
     if (finer.occupied_[number] == 0) continue;
     // The block is an octant of its parent.
     const glm::ivec3 block = finer.blockAt(number), p = parentOf(block) - lower;
-    const glm::ivec3 octant = placeOf(block, finer.perCell_).inCell & 1;
+    const glm::ivec3 octant = positionOf(block, finer.perCell_).inCell & 1;
     const int parent = (p.z * blocks_.y + p.y) * blocks_.x + p.x;
     const int first = 64 * parent + 2 * (octant.x + 4 * octant.y + 16 * octant.z);
     for (uint64_t rest = finer.occupied_[number]; rest != 0; rest &= rest - 1) {
@@ -154,13 +154,13 @@ void MomentLevel::resetToCoarser(const MomentLevel& finer) {
 }
 
 int MomentLevel::encodeMany(int32_t voxel, double volume_mm3, ComponentEncoder& encoder) const {
-  std::vector<Part> parts;
+  std::vector<PlyMoments> plies;
   for (int32_t i = heads_[voxel]; i >= 0; i = links_[i].next)
-    if (moments_[i].length_mm() > 0) parts.push_back({moments_[i], links_[i].ply});
-  std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.ply < b.ply; });
-  mergeToTwo(parts);
-  for (const Part& part : parts) encoder.add(part.moments, volume_mm3);
-  return static_cast<int>(parts.size());
+    if (moments_[i].length_mm() > 0) plies.push_back({moments_[i], links_[i].ply});
+  std::sort(plies.begin(), plies.end(), [](const PlyMoments& a, const PlyMoments& b) { return a.ply < b.ply; });
+  mergeToTwo(plies);
+  for (const PlyMoments& ply : plies) encoder.add(ply.moments, volume_mm3);
+  return static_cast<int>(plies.size());
 }
 
 inline int MomentLevel::encode(int32_t voxel, double volume_mm3, ComponentEncoder& encoder) const {
@@ -181,16 +181,16 @@ Brick MomentLevel::fit(ComponentEncoder& encoder, size_t segments) const {
     if (occupied_[number] == 0) continue;
     BrickBlock& block = result.blocks[number];
     block.first = static_cast<uint32_t>(encoder.count());
-    const glm::ivec3 corner = 4 * placeOf(blockAt(number), perCell_).inCell;
+    const glm::ivec3 corner = 4 * positionOf(blockAt(number), perCell_).inCell;
     std::array<std::array<double, 4>, 3> extents_mm;
     for (int axis = 0; axis < 3; ++axis)
       for (int i = 0; i < 4; ++i) extents_mm[axis][i] = grid_.extent_mm(axis, corner[axis] + i);
     for (uint64_t rest = occupied_[number]; rest != 0; rest &= rest - 1) {
       const int bit = std::countr_zero(rest);
       const double volume = extents_mm[0][bit & 3] * extents_mm[1][bit >> 2 & 3] * extents_mm[2][bit >> 4];
-      const int parts = encode(static_cast<int32_t>(64 * number) + bit, volume, encoder);
-      block.occupied |= static_cast<uint64_t>(parts > 0) << bit;
-      block.second |= static_cast<uint64_t>(parts > 1) << bit;
+      const int plies = encode(static_cast<int32_t>(64 * number) + bit, volume, encoder);
+      block.occupied |= static_cast<uint64_t>(plies > 0) << bit;
+      block.second |= static_cast<uint64_t>(plies > 1) << bit;
     }
   }
   result.components = encoder.take();

@@ -50,13 +50,13 @@ void TileMap::PhaseCounts::add(int along, uint64_t* cellsOf, uint64_t sign) cons
 }
 
 void TileMap::PhaseCounts::addAll(std::span<uint64_t> cellsOf) const {
-  addStretch(0, more_, often_, cellsOf);
-  addStretch(more_, map_.repeatAlong_, fewer_, cellsOf);
+  addSpan(0, more_, often_, cellsOf);
+  addSpan(more_, map_.repeatAlong_, fewer_, cellsOf);
 }
 
 /// Of a large jacquard, this is done for every crossing. Its cells occur once or twice: in few phases.
-void TileMap::PhaseCounts::addStretch(int from, int to, const Occurrences& occurrences,
-                                      std::span<uint64_t> cellsOf) const {
+void TileMap::PhaseCounts::addSpan(int from, int to, const Occurrences& occurrences,
+                                   std::span<uint64_t> cellsOf) const {
   const uint16_t* const low = map_.low_[row_];
   const uint16_t* const high = map_.high_.empty() ? nullptr : map_.high_[row_];
   for (int i = 0; i < occurrences.phases; ++i) {

@@ -26,7 +26,7 @@ class TileMap::PhaseCounts {
     std::array<uint64_t, kMaxPeriod> cells{};
   };
   Occurrences count(const std::array<uint64_t, kMaxPeriod>& starts, int64_t repeats) const;
-  void addStretch(int from, int to, const Occurrences& occurrences, std::span<uint64_t> cellsOf) const;
+  void addSpan(int from, int to, const Occurrences& occurrences, std::span<uint64_t> cellsOf) const;
 
   const TileMap& map_;
   uint32_t row_;

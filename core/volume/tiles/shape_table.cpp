@@ -17,7 +17,7 @@ void ShapeTable::index() {
   }
 }
 
-uint32_t ShapeTable::add(ShapeCode code, const CellKey& shape) {
+uint32_t ShapeTable::add(ShapeCode code, const YarnCellKey& shape) {
   shapes_.push_back(shape);
   codes_.push_back(code);
   return end() - 1;
@@ -27,7 +27,7 @@ uint32_t ShapeTable::search(ShapeCode code) {
   if (const auto found = std::find(codes_.begin(), codes_.end(), code); found != codes_.end())
     return static_cast<uint32_t>(found - codes_.begin());
   // Another code may have the same shape.
-  const CellKey shape = geometry_->shapeKey(system_, code);
+  const YarnCellKey shape = geometry_->shapeKey(system_, code);
   const auto found = std::find(shapes_.begin(), shapes_.end(), shape);
   return found != shapes_.end() ? static_cast<uint32_t>(found - shapes_.begin()) : add(code, shape);
 }
@@ -41,7 +41,7 @@ uint32_t ShapeTable::numberOf(ShapeCode code) {
     if (const auto found = known_->numbersOfCodes_.find(code); found != known_->numbersOfCodes_.end())
       return found->second;
   if (const auto found = numbersOfCodes_.find(code); found != numbersOfCodes_.end()) return found->second;
-  const CellKey shape = geometry_->shapeKey(system_, code);
+  const YarnCellKey shape = geometry_->shapeKey(system_, code);
   if (known_)
     if (const auto found = known_->numbers_.find(shape); found != known_->numbers_.end())
       return numbersOfCodes_.emplace(code, found->second).first->second;

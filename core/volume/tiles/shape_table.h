@@ -17,7 +17,8 @@ class ShapeTable {
   ShapeTable(const ClothGeometry& geometry, System system, const ShapeTable& known)
       : geometry_(&geometry), system_(system), known_(&known), first_(known.end()) {}
   /// Of shapes that have numbers already, and one code of each: for looking up some few more. Not indexed.
-  ShapeTable(const ClothGeometry& geometry, System system, std::vector<CellKey> shapes, std::vector<ShapeCode> codes)
+  ShapeTable(const ClothGeometry& geometry, System system, std::vector<YarnCellKey> shapes,
+             std::vector<ShapeCode> codes)
       : geometry_(&geometry), system_(system), shapes_(std::move(shapes)), codes_(std::move(codes)), indexed_(false) {}
 
   /// Of the shape with this code; a handful of instructions for those met lately.
@@ -33,7 +34,7 @@ class ShapeTable {
   /// The numbers from here to the end are those of the shapes that were not known.
   uint32_t first() const { return first_; }
   uint32_t end() const { return first_ + static_cast<uint32_t>(shapes_.size()); }
-  const CellKey& shape(uint32_t number) const { return shapes_[number - first_]; }  ///< first() <= number < end()
+  const YarnCellKey& shape(uint32_t number) const { return shapes_[number - first_]; }  ///< first() <= number < end()
   /// The first that was met of the codes of this shape.
   ShapeCode code(uint32_t number) const { return codes_[number - first_]; }
 
@@ -47,17 +48,17 @@ class ShapeTable {
 
   uint32_t numberOf(ShapeCode code);
   uint32_t search(ShapeCode code);
-  uint32_t add(ShapeCode code, const CellKey& shape);
+  uint32_t add(ShapeCode code, const YarnCellKey& shape);
 
   const ClothGeometry* geometry_;
   System system_;
   const ShapeTable* known_ = nullptr;
   uint32_t first_ = 0;
-  std::vector<CellKey> shapes_;
+  std::vector<YarnCellKey> shapes_;
   std::vector<ShapeCode> codes_;
   bool indexed_ = true;
   int searches_ = 0;
-  std::unordered_map<CellKey, uint32_t, CellKeyHash> numbers_;
+  std::unordered_map<YarnCellKey, uint32_t, YarnCellKeyHash> numbers_;
   std::unordered_map<ShapeCode, uint32_t> numbersOfCodes_;
   std::vector<Recent> recent_ = std::vector<Recent>(size_t{1} << kRecentBits);
 };

@@ -50,8 +50,8 @@ void TileMap::placeYarns(const ClothGeometry& geometry) {
   yarns_ = yarns;
 }
 
-CellKey TileMap::key(Kind kind) const {
-  CellKey key = shapes_[kind.shape];
+YarnCellKey TileMap::key(Kind kind) const {
+  YarnCellKey key = shapes_[kind.shape];
   key.phase = kind.phase;
   return key;
 }
@@ -99,7 +99,8 @@ size_t TileMap::bytes() const {
     const auto first = cellsOf_.begin() + static_cast<std::ptrdiff_t>(index({shape, 0}));
     used += std::any_of(first, first + kMaxPeriod, [](uint64_t cells) { return cells > 0; });
   }
-  const size_t perShape = sizeof(CellKey) + sizeof(codes_[0]) + kMaxPeriod * (sizeof(uint64_t) + sizeof(BrickPool::Id));
+  const size_t perShape =
+      sizeof(YarnCellKey) + sizeof(codes_[0]) + kMaxPeriod * (sizeof(uint64_t) + sizeof(BrickPool::Id));
   const size_t perRow = sizeof(Row) + sizeof(rows_[0]) + sizeof(low_[0]) +
                         static_cast<size_t>(repeatAlong_) * (used > 0x10000 ? 2 : 1) * sizeof(uint16_t);
   return static_cast<size_t>(yarnCount_) * sizeof(PlacedYarn) + rows_.size() * perRow + used * perShape;

@@ -43,8 +43,8 @@ class TileMap {
   /// How a cloth came out of another.
   struct Change {
     const ClothGeometry& before;
-    ClassNames names;                ///< of the classes of `before`
-    std::vector<WeavePlace> places;  ///< changes of the weave, as of weaveChanges()
+    ClassNames names;                   ///< of the classes of `before`
+    std::vector<WeaveCrossing> places;  ///< changes of the weave, as of weaveChanges()
   };
   /// Makes it the map of another geometry, as a new map would be, but for the bricks: those of shapes that are still
   /// there stay. Costs a copy of the shapes of each yarn that a place lies on. Where the repeat has another size, what
@@ -55,8 +55,8 @@ class TileMap {
   bool isWorn() const;
 
   /// All shapes there are, and some that there were before an edit; their keys have phase 0.
-  const std::vector<CellKey>& shapes() const { return shapes_; }
-  CellKey key(Kind kind) const;
+  const std::vector<YarnCellKey>& shapes() const { return shapes_; }
+  YarnCellKey key(Kind kind) const;
   /// Of the piece.
   uint64_t cells(Kind kind) const { return cellsOf_[index(kind)]; }
   /// BrickPool::kNone where the piece has no such cell, and where it is missing.
@@ -157,7 +157,7 @@ class TileMap {
   std::shared_ptr<const PlacedYarn[]> yarns_;  ///< of the piece
   SharedList<Row> rows_;                       ///< per yarn of the repeat
   std::vector<const uint16_t*> low_, high_;    ///< of each row; `high_` is empty where no row has any
-  std::vector<CellKey> shapes_;
+  std::vector<YarnCellKey> shapes_;
   std::vector<ShapeCode> codes_;  ///< one of each shape
   // By shape and phase, index():
   std::vector<uint64_t> cellsOf_;

@@ -60,7 +60,7 @@ void TileMap::edit(const ClothGeometry& geometry, const Change& change, const Ta
 
   const bool warp = system_ == System::warp;
   std::map<int, std::vector<int>> changed;  // yarn of the weave: where along it, in order
-  for (const WeavePlace& place : change.places)
+  for (const WeaveCrossing& place : change.places)
     changed[warp ? place.end : place.pick].push_back(warp ? place.pick : place.end);
   for (const auto& yarn : changed)
     for (int across = yarn.first; across < repeatAcross_; across += WeaveSides(geometry.weave(), system_).across)

@@ -49,26 +49,26 @@ std::shared_ptr<const ClothVolume> ClothVolume::build(std::shared_ptr<const Clot
   const auto volume = begin(std::move(geometry), resolution, task, previous);
   if (!volume) return nullptr;
   const Wanted wanted = volume->wanted(look ? look->inView : CellRect{});
-  const std::span<const Place> places = wanted.places;
+  const std::span<const MissingBrick> bricks = wanted.bricks;
   size_t done = 0;
-  for (const size_t stage : {wanted.sketch, wanted.seen, places.size()}) {
-    if (stage == done || (!look && stage < places.size())) continue;
-    if (!volume->makeBricks(places.subspan(done, stage - done), done, places.size(), task)) return nullptr;
+  for (const size_t stage : {wanted.sketch, wanted.seen, bricks.size()}) {
+    if (stage == done || (!look && stage < bricks.size())) continue;
+    if (!volume->makeBricks(bricks.subspan(done, stage - done), done, bricks.size(), task)) return nullptr;
     done = stage;
-    if (look && done < places.size() && look->wanted(static_cast<double>(done) / static_cast<double>(places.size())))
+    if (look && done < bricks.size() && look->wanted(static_cast<double>(done) / static_cast<double>(bricks.size())))
       look->show(volume->completed());
   }
   volume->bricksVoxelised_ = done;
   return volume;
 }
 
-std::shared_ptr<const ClothVolume> ClothVolume::draft(std::shared_ptr<const ClothGeometry> geometry, int resolution,
-                                                      const CellRect& inView, const Task& task,
-                                                      const ClothVolume* previous) {
+std::shared_ptr<const ClothVolume> ClothVolume::sketch(std::shared_ptr<const ClothGeometry> geometry, int resolution,
+                                                       const CellRect& inView, const Task& task,
+                                                       const ClothVolume* previous) {
   const auto volume = begin(std::move(geometry), resolution, task, previous);
   if (!volume) return nullptr;
   const Wanted wanted = volume->wanted(inView);
-  if (!volume->makeBricks(std::span(wanted.places).first(wanted.sketch), 0, wanted.places.size(), task)) return nullptr;
+  if (!volume->makeBricks(std::span(wanted.bricks).first(wanted.sketch), 0, wanted.bricks.size(), task)) return nullptr;
   return volume->completed();
 }
 
@@ -78,7 +78,7 @@ std::shared_ptr<const ClothVolume> ClothVolume::atLevel(int level, const Task& t
   volume->tiles_ = tiles_;
   for (TileMap& tiles : volume->tiles_) tiles.dropBricks(volume->pool_);
   const Wanted wanted = volume->wanted(CellRect{});
-  return volume->makeBricks(wanted.places, 0, wanted.places.size(), task) ? volume : nullptr;
+  return volume->makeBricks(wanted.bricks, 0, wanted.bricks.size(), task) ? volume : nullptr;
 }
 
 std::shared_ptr<const ClothVolume> ClothVolume::completed() const {
@@ -103,10 +103,10 @@ bool ClothVolume::editTiles(const ClothVolume& previous, const Task& task) {
   const Weave& weave = geometry_->weave();
   const size_t crossings = static_cast<size_t>(weave.ends()) * static_cast<size_t>(weave.picks());
   // To read a crossing anew in an edit costs some fifty times what it costs in a whole repeat.
-  auto places = weaveChanges(before.weave(), weave, std::max<size_t>(64, crossings / 64));
-  if (!places) return false;
+  auto changed = weaveChanges(before.weave(), weave, std::max<size_t>(64, crossings / 64));
+  if (!changed) return false;
   const bool weaveOnly = grid_ == previous.grid_ && geometry_->differsInWeaveOnly(before);
-  const TileMap::Change change{before, std::move(*names), std::move(*places)};
+  const TileMap::Change change{before, std::move(*names), std::move(*changed)};
   tiles_ = previous.tiles_;
   for (TileMap& tiles : tiles_) {
     if (!weaveOnly) tiles.dropBricks(pool_);
@@ -118,22 +118,19 @@ bool ClothVolume::editTiles(const ClothVolume& previous, const Task& task) {
 
 void ClothVolume::reuseBricks(const ClothVolume& previous) {
   if (previous.grid_ != grid_) return;
-  struct Hash {
-    size_t operator()(const CellKey& key) const { return hash(key); }
-  };
   for (size_t system = 0; system < tiles_.size(); ++system) {
     TileMap& tiles = tiles_[system];
     const TileMap& old = previous.tiles_[system];
-    std::unordered_map<CellKey, uint32_t, Hash> oldShapes;
+    std::unordered_map<YarnCellKey, uint32_t, YarnCellKeyHash> oldShapes;
     for (uint32_t i = 0; i < old.shapes().size(); ++i) oldShapes.emplace(old.shapes()[i], i);
     // The same yarn may have another class in another fabric.
     std::map<int, std::optional<int>> oldYarns;
     for (const TileMap::Kind kind : tiles.missing()) {
-      CellKey key = tiles.shapes()[kind.shape];
+      YarnCellKey key = tiles.shapes()[kind.shape];
       const auto [entry, isNew] = oldYarns.try_emplace(key.yarn);
       if (isNew) {
         const YarnGeometry& yarn = geometry_->yarn(key.system, key.yarn);
-        for (const CellKey& shape : old.shapes())
+        for (const YarnCellKey& shape : old.shapes())
           if (previous.geometry_->yarn(key.system, shape.yarn) == yarn) entry->second = shape.yarn;
       }
       if (!entry->second) continue;
@@ -151,9 +148,9 @@ ClothVolume::Wanted ClothVolume::wanted(const CellRect& inView) {
   const auto add = [&](size_t TileMap::Wanted::* from, size_t TileMap::Wanted::* to) {
     for (size_t system = 0; system < of.size(); ++system) {
       const size_t first = from ? of[system].*from : 0, end = to ? of[system].*to : of[system].kinds.size();
-      for (size_t i = first; i < end; ++i) all.places.push_back({&tiles_[system], of[system].kinds[i]});
+      for (size_t i = first; i < end; ++i) all.bricks.push_back({&tiles_[system], of[system].kinds[i]});
     }
-    return all.places.size();
+    return all.bricks.size();
   };
   all.sketch = add(nullptr, &TileMap::Wanted::sketch);
   all.seen = add(&TileMap::Wanted::sketch, &TileMap::Wanted::seen);
@@ -161,15 +158,15 @@ ClothVolume::Wanted ClothVolume::wanted(const CellRect& inView) {
   return all;
 }
 
-bool ClothVolume::makeBricks(std::span<const Place> places, size_t done, size_t all, const Task& task) {
-  BrickList made(pool_, places.size());
+bool ClothVolume::makeBricks(std::span<const MissingBrick> bricks, size_t done, size_t all, const Task& task) {
+  BrickList made(pool_, bricks.size());
   // One voxeliser for each thread: they keep their memory from brick to brick.
   std::atomic<size_t> bytes{brickBytes()}, next{0}, finished{done};
-  const size_t workers = std::min<size_t>(places.size(), task.threads > 0 ? task.threads : hardwareThreads());
+  const size_t workers = std::min<size_t>(bricks.size(), task.threads > 0 ? task.threads : hardwareThreads());
   parallelFor(workers, task.threads, [&](size_t) {
     Voxeliser voxelise(grid_);
-    for (size_t i = next++; i < places.size() && !task.stopped(); i = next++) {
-      const CellKey key = places[i].tiles->key(places[i].kind);
+    for (size_t i = next++; i < bricks.size() && !task.stopped(); i = next++) {
+      const YarnCellKey key = bricks[i].tiles->key(bricks[i].kind);
       made.takeOver(i, pool_->add(voxelise(geometry_->strands(key), key.system), key.system));
       if ((bytes += (*pool_)[made[i]].bytes()) > kMaxBytes)
         throw InputError(
@@ -180,7 +177,7 @@ bool ClothVolume::makeBricks(std::span<const Place> places, size_t done, size_t 
     }
   });
   if (task.stopped()) return false;
-  for (size_t i = 0; i < places.size(); ++i) places[i].tiles->place(places[i].kind, made[i]);
+  for (size_t i = 0; i < bricks.size(); ++i) bricks[i].tiles->place(bricks[i].kind, made[i]);
   return true;
 }
 

@@ -24,8 +24,8 @@ struct VolumeCounts {
 
 /// A voxel that a ray crosses, as the traversal shows it to its visitor: up to six spans, of different yarns.
 struct VoxelContent {
-  static constexpr int kMaxParts = 6;  ///< warp and weft of the cell itself, and their neighbours on either side
-  struct Part {
+  static constexpr int kMaxSpans = 6;  ///< warp and weft of the cell itself, and their neighbours on either side
+  struct YarnSpan {
     std::span<const Component> components;
     System system;
     int index;  ///< which end (warp) or pick (weft), absolute
@@ -34,7 +34,7 @@ struct VoxelContent {
   glm::ivec3 voxel;       ///< coordinates in the whole cloth, in voxels of the volume's grid
   int pick = 0, end = 0;  ///< the crossing cell
   int count = 0;
-  Part parts[kMaxParts];
+  YarnSpan spans[kMaxSpans];
 };
 
 /// A flat piece of cloth as a volume: a map from cells to shared, immutable bricks, one of the warp and one of the weft
@@ -52,9 +52,9 @@ class ClothVolume {
                                                   const PreviewSink* look = nullptr);
   /// A volume for a first look at these crossings of the piece, of the fewest bricks: all cells have one, those that
   /// are seen one of their shape, though it may be of another phase. It cannot be a `previous`. Null when stopped.
-  static std::shared_ptr<const ClothVolume> draft(std::shared_ptr<const ClothGeometry> geometry, int resolution,
-                                                  const CellRect& inView, const Task& task,
-                                                  const ClothVolume* previous = nullptr);
+  static std::shared_ptr<const ClothVolume> sketch(std::shared_ptr<const ClothGeometry> geometry, int resolution,
+                                                   const CellRect& inView, const Task& task,
+                                                   const ClothVolume* previous = nullptr);
   static constexpr size_t kMaxBytes = size_t{4} << 30;
   /// The same cloth in voxels 2^level leaves wide, each the sum of what its leaves hold: the mixtures of the report's
   /// octree, made when asked for. Null when stopped.
@@ -109,16 +109,16 @@ class ClothVolume {
   };
   struct Reaches {
     int count = 0;
-    Reach entries[VoxelContent::kMaxParts];
+    Reach entries[VoxelContent::kMaxSpans];
   };
   /// A brick that is missing.
-  struct Place {
+  struct MissingBrick {
     TileMap* tiles;
     TileMap::Kind kind;
   };
   /// All that are missing, in the order in which a first look wants them: as TileMap::Wanted.
   struct Wanted {
-    std::vector<Place> places;
+    std::vector<MissingBrick> bricks;
     size_t sketch = 0, seen = 0;
   };
   ClothVolume(std::shared_ptr<const ClothGeometry> geometry, VoxelGrid grid, std::shared_ptr<BrickPool> pool);
@@ -135,7 +135,7 @@ class ClothVolume {
   void reuseBricks(const ClothVolume& previous);
   Wanted wanted(const CellRect& inView);
   /// False when stopped. `done` of `all` have been made before.
-  bool makeBricks(std::span<const Place> places, size_t done, size_t all, const Task& task);
+  bool makeBricks(std::span<const MissingBrick> bricks, size_t done, size_t all, const Task& task);
   /// visit(const BrickPool::Entry&, how many cells of the piece have it).
   template <class Visit>
   void forEachBrick(const Visit& visit) const;
@@ -146,7 +146,7 @@ class ClothVolume {
   void gather(System system, int across, int along, Reaches& reaches) const;
   /// Goes to a block of the cell; which of its voxels hold anything.
   uint64_t openBlock(Reaches& reaches, glm::ivec3 block) const;
-  /// Fills in count and parts: a voxel of the open block.
+  /// Fills in count and spans: a voxel of the open block.
   void look(const Reaches& reaches, int voxel, VoxelContent& content) const;
   static int numberInBlock(glm::ivec3 v) { return (v.x & 3) | (v.y & 3) << 2 | (v.z & 3) << 4; }
 

@@ -20,7 +20,7 @@ struct ClothVolume::CellBricks {
   };
   glm::ivec3 cell{-1};
   int count = 0;
-  std::array<Brick, VoxelContent::kMaxParts> bricks;
+  std::array<Brick, VoxelContent::kMaxSpans> bricks;
 
   /// What a voxel of the cell holds, counted from its corner; `volume` is the one that they are of.
   void content(const ClothVolume& volume, glm::ivec3 voxel, VoxelContent& content) const;
@@ -59,7 +59,7 @@ inline void ClothVolume::CellBricks::content(const ClothVolume& volume, glm::ive
     if (number < 0) continue;
     const BrickBlock& block = volume.blocks_[brick.firstBlock + static_cast<uint32_t>(number)];
     const auto components = block.at(numberInBlock(voxel), volume.components_);
-    if (!components.empty()) content.parts[content.count++] = {components, brick.system, brick.index, brick.yarn};
+    if (!components.empty()) content.spans[content.count++] = {components, brick.system, brick.index, brick.yarn};
   }
 }
 

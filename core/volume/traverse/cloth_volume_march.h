@@ -56,7 +56,7 @@ inline void ClothVolume::look(const Reaches& reaches, int voxel, VoxelContent& c
     const Reach& reach = reaches.entries[i];
     if (!reach.block) continue;
     const std::span<const Component> components = reach.block->at(voxel, components_);
-    if (!components.empty()) content.parts[count++] = {components, reach.system, reach.index, reach.yarn};
+    if (!components.empty()) content.spans[count++] = {components, reach.system, reach.index, reach.yarn};
   }
   content.count = count;
 }

@@ -12,9 +12,9 @@ class ClothVolume;
 /// What somebody who looks at a cloth wants of its volume before all of it is there.
 struct PreviewSink {
   CellRect inView;  ///< the crossings that are looked at, within the piece
-  /// Asked where a draft could be shown, having so much of all bricks. Both are called from the thread that builds.
+  /// Asked where a sketch could be shown, having so much of all bricks. Both are called from the thread that builds.
   std::function<bool(double fraction)> wanted;
-  std::function<void(std::shared_ptr<const ClothVolume> draft)> show;
+  std::function<void(std::shared_ptr<const ClothVolume> sketch)> show;
 };
 
 }  // namespace loomlight

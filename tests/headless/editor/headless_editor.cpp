@@ -189,7 +189,7 @@ void HeadlessEditor::edits(const std::string& what, const std::function<void()>&
 void HeadlessEditor::untilPictured() {
   until("the picture follows the fabric", [this] {
     return number("generation") > 0 && number("shown_generation") == number("generation") &&
-           fact("shown_draft") == "no";
+           fact("shown_sketch") == "no";
   });
 }
 

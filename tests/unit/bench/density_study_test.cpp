@@ -50,9 +50,9 @@ TEST_P(Density, BeatsFibreCountingInSpheres) {
 TEST_P(Density, LineCrossesTheYarn) {
   const DensityStudy density = study(test::whiteCotton());
   double exact = 0, ours = 0;
-  for (const DensityStudy::Place& place : density.line) {
-    exact += place.exact;
-    ours += place.ours;
+  for (const DensityStudy::Sample& sample : density.line) {
+    exact += sample.exact;
+    ours += sample.ours;
   }
   EXPECT_GT(exact, 0);
   // A dozen voxels, each off by what two lines miss of a section: three sigma of their sum.

@@ -25,7 +25,7 @@ TEST(PictureSeries, NamesFabricsAndFrames) {
 TEST(PictureSeries, ATurnComesBackToItsBeginning) {
   Fabric fabric;
   fabric.camera.azimuth_deg = -90;
-  const Turn turn{Turn::What::camera, 8, 360};
+  const Turntable turn{Turntable::What::camera, 8, 360};
   EXPECT_EQ(inFrame(fabric, turn, 1).camera.azimuth_deg, -90);
   EXPECT_DOUBLE_EQ(inFrame(fabric, turn, 2).camera.azimuth_deg, -45);
   EXPECT_DOUBLE_EQ(inFrame(fabric, turn, 8).camera.azimuth_deg, -135);
@@ -36,7 +36,7 @@ TEST(PictureSeries, ATurnComesBackToItsBeginning) {
 TEST(PictureSeries, ALightIsSweptOnlyWhereItHasADirection) {
   Fabric fabric;
   fabric.light.azimuth_deg = 130;
-  const Turn sweep{Turn::What::light, 3, -90};
+  const Turntable sweep{Turntable::What::light, 3, -90};
   EXPECT_DOUBLE_EQ(inFrame(fabric, sweep, 3).light.azimuth_deg, 70);
   EXPECT_EQ(inFrame(fabric, sweep, 3).camera, fabric.camera);
   fabric.light.kind = LightKind::dome;
@@ -44,15 +44,15 @@ TEST(PictureSeries, ALightIsSweptOnlyWhereItHasADirection) {
 }
 
 TEST(PictureSeries, ParsesWhatIsTurnedAndWhichFrames) {
-  EXPECT_EQ(parseTurn("--turn", "camera").frames, 36);
-  const Turn sweep = parseTurn("--turn", "light:24,-90.5");
-  EXPECT_EQ(sweep.what, Turn::What::light);
+  EXPECT_EQ(parseTurntable("--turn", "camera").frames, 36);
+  const Turntable sweep = parseTurntable("--turn", "light:24,-90.5");
+  EXPECT_EQ(sweep.what, Turntable::What::light);
   EXPECT_EQ(sweep.frames, 24);
   EXPECT_EQ(sweep.degrees, -90.5);
   EXPECT_EQ(parseFrames("--frames", "3..7").last, 7);
   EXPECT_EQ(parseFrames("--frames", "3").last, 3);
   for (const char* wrong : {"", "moon", "camera:", "camera:0", "camera:2,", "camera:2,x", "light;3"})
-    EXPECT_THROW(parseTurn("--turn", wrong), UsageError) << wrong;
+    EXPECT_THROW(parseTurntable("--turn", wrong), UsageError) << wrong;
   for (const char* wrong : {"", "0", "7..3", "1..", "..4", "1-4"})
     EXPECT_THROW(parseFrames("--frames", wrong), UsageError) << wrong;
 }

@@ -30,7 +30,7 @@ Fabric withColour(Fabric fabric, Rgb absorption_per_mm) {
   return fabric;
 }
 
-Dye dyeOf(const Scene& scene) {
+Recolouring recolouringOf(const Scene& scene) {
   return {scene.colouring, Rgb(1)};
 }
 
@@ -77,18 +77,18 @@ double squaredError(const Recoloured& picture, const Film& truth) {
   return sum;
 }
 
-TEST(DyeBetween, IsKnownForColourAndBrightnessAlone) {
+TEST(RecolouringBetween, IsKnownForColourAndBrightnessAlone) {
   const auto blue = test::sceneOf(blueCotton());
   const auto red = test::sceneOf(withColour(blueCotton(), Rgb(1, 50, 60)));
-  const auto dye = dyeBetween(*blue, *makeScene(red->fabric, Task{}, blue.get()));
-  ASSERT_TRUE(dye);
-  EXPECT_EQ(dye->colouring.primaries_per_mm[0], Rgb(1, 50, 60));
-  EXPECT_EQ(dye->light, Rgb(1));
+  const auto recolouring = recolouringBetween(*blue, *makeScene(red->fabric, Task{}, blue.get()));
+  ASSERT_TRUE(recolouring);
+  EXPECT_EQ(recolouring->colouring.primaries_per_mm[0], Rgb(1, 50, 60));
+  EXPECT_EQ(recolouring->light, Rgb(1));
 
   const auto after = [&](auto&& edit) {
     Fabric fabric = blueCotton();
     edit(fabric);
-    return dyeBetween(*blue, *makeScene(std::make_shared<const Fabric>(std::move(fabric)), Task{}, blue.get()));
+    return recolouringBetween(*blue, *makeScene(std::make_shared<const Fabric>(std::move(fabric)), Task{}, blue.get()));
   };
   EXPECT_EQ(after([](Fabric& f) { f.light.intensity *= 3; })->light, Rgb(3));
   EXPECT_EQ(after([](Fabric& f) { f.light.temperature_K = 2700; })->light, blackBodyTint(2700));
@@ -103,7 +103,7 @@ TEST(DyeBetween, IsKnownForColourAndBrightnessAlone) {
 
 TEST(Recolour, InTheSameColoursIsTheFilm) {
   const Picture blue(blueCotton(), 16, 800);
-  const Recoloured same = recolour(blue.film, blue.records, dyeOf(*blue.scene), 2);
+  const Recoloured same = recolour(blue.film, blue.records, recolouringOf(*blue.scene), 2);
   ASSERT_LT(blue.records.samples(16, 16), 16u);
   double change = 0;
   for (int y = 0; y < kSide; ++y)
@@ -139,7 +139,7 @@ TEST(Recolour, KnowsItsNoise) {
       least.add(blue.film.variance(x, y));
       most.add(upper);
     }
-  const Recoloured same = recolour(blue.film, blue.records, dyeOf(*blue.scene), 2);
+  const Recoloured same = recolour(blue.film, blue.records, recolouringOf(*blue.scene), 2);
   const double noise = 3.3 * std::sqrt(2);
   EXPECT_GT(same.variance, least.mean() - noise * least.standardError());
   EXPECT_LT(same.variance, most.mean() + noise * most.standardError());
@@ -147,9 +147,9 @@ TEST(Recolour, KnowsItsNoise) {
 
 TEST(Recolour, UnderBrighterLampsIsTheFilmBrighter) {
   const Picture blue(blueCotton(), 16, 800);
-  Dye dye = dyeOf(*blue.scene);
-  dye.light = Rgb(4);
-  const Recoloured bright = recolour(blue.film, blue.records, dye, 1);
+  Recolouring recolouring = recolouringOf(*blue.scene);
+  recolouring.light = Rgb(4);
+  const Recoloured bright = recolour(blue.film, blue.records, recolouring, 1);
   for (int y = 0; y < kSide; ++y)
     for (int x = 0; x < kSide; ++x) EXPECT_LT(glm::length(at(bright, x, y) - 4.0f * blue.film.mean(x, y)), 4e-3f);
 }
@@ -159,11 +159,11 @@ TEST(Recolour, UnderAWarmLampIsThePictureTracedUnderIt) {
   Fabric warm = blueCotton();
   warm.light.temperature_K = 2700;
   const Picture neutral(blueCotton(), 8, 800), traced(warm, 8, 800);
-  const auto dye =
-      dyeBetween(*neutral.scene, *makeScene(std::make_shared<const Fabric>(warm), Task{}, neutral.scene.get()));
-  ASSERT_TRUE(dye);
-  ASSERT_GT(dye->light.r, 2 * dye->light.b);
-  const Recoloured warmed = recolour(neutral.film, neutral.records, *dye, 1);
+  const auto recolouring =
+      recolouringBetween(*neutral.scene, *makeScene(std::make_shared<const Fabric>(warm), Task{}, neutral.scene.get()));
+  ASSERT_TRUE(recolouring);
+  ASSERT_GT(recolouring->light.r, 2 * recolouring->light.b);
+  const Recoloured warmed = recolour(neutral.film, neutral.records, *recolouring, 1);
   for (int y = 0; y < kSide; ++y)
     for (int x = 0; x < kSide; ++x) {
       const Rgb expected = traced.film.mean(x, y);
@@ -174,11 +174,11 @@ TEST(Recolour, UnderAWarmLampIsThePictureTracedUnderIt) {
 // With all samples on record nothing is estimated: it is the picture that the same paths bring in the other colours.
 TEST(Recolour, OfPathsAllOnRecordIsExact) {
   const Picture blue(blueCotton(), 4, 1 << 14);
-  const Dye dye{{{Rgb(1, 50, 60)}}, Rgb(1)};
+  const Recolouring recolouring{{{Rgb(1, 50, 60)}}, Rgb(1)};
   Scene inRed = *blue.scene;
-  inRed.colouring = dye.colouring;  // its paths end where those of the blue one do
+  inRed.colouring = recolouring.colouring;  // its paths end where those of the blue one do
   const Picture red(std::make_shared<const Scene>(inRed), 4, 0);
-  const Recoloured recoloured = recolour(blue.film, blue.records, dye, 1);
+  const Recoloured recoloured = recolour(blue.film, blue.records, recolouring, 1);
   constexpr float kQuantum = 0x1p-24f;  // of the film, whose sums are rounded
   double change = 0;
   for (int y = 0; y < kSide; ++y)
@@ -199,9 +199,9 @@ TEST(Recolour, UsesTheSamplesThatAreNotOnRecord) {
   const Picture truth(other, 128, 0);
   const Picture many(blueCotton(), 64, 800), few(blueCotton(), 4, 800);
   ASSERT_LT(many.records.samples(0, 0), 16u);
-  const Dye dye = dyeOf(*truth.scene);
-  const Recoloured fromMany = recolour(many.film, many.records, dye, 2);
-  const Recoloured fromFew = recolour(few.film, few.records, dye, 2);
+  const Recolouring recolouring = recolouringOf(*truth.scene);
+  const Recoloured fromMany = recolour(many.film, many.records, recolouring, 2);
+  const Recoloured fromFew = recolour(few.film, few.records, recolouring, 2);
   EXPECT_LT(squaredError(fromMany, truth.film), 0.5 * squaredError(fromFew, truth.film));
   EXPECT_LT(fromMany.variance, 0.25 * fromFew.variance);
 }
@@ -214,7 +214,7 @@ TEST(Recolour, OfADarkClothInLighterColoursIsUnbiased) {
   Fabric paleDome = pale;
   paleDome.light.kind = LightKind::dome;
   const Picture traced(dome, 32, 1 << 14), truth(paleDome, 64, 0);
-  const Rgb recoloured = meanOf(recolour(traced.film, traced.records, dyeOf(*truth.scene), 2));
+  const Rgb recoloured = meanOf(recolour(traced.film, traced.records, recolouringOf(*truth.scene), 2));
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(recoloured[c] / truth.mean()[c], 1, 0.03);
 }
 

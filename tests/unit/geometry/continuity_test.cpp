@@ -46,7 +46,7 @@ double sharpestTurn(const CellStrands& cell) {
 
 /// Every strand that leaves one cell enters the next at the same place, in the same direction up to a turn that it also
 /// makes at its stations, and nothing else enters.
-void expectJoin(const ClothGeometry& cloth, const CellKey& from, const CellKey& to) {
+void expectJoin(const ClothGeometry& cloth, const YarnCellKey& from, const YarnCellKey& to) {
   const double pitch = cloth.yarn(from.system, from.yarn).pitch_mm;
   const CellStrands first = cloth.strands(from), second = cloth.strands(to);
   const std::vector<EndPoint> leave = crossings(first, pitch, 1), enter = crossings(second, pitch, -1);
@@ -72,8 +72,8 @@ TEST(CellContinuity, FibresGoOnInTheNextCell) {
       // Two periods along a few yarns: all neighbours of the repeat, and phases that wrap.
       for (int across = 0; across < 5; ++across)
         for (int along = -3; along < 29; ++along) {
-          const CellKey from = warp ? cloth.key(system, along, across) : cloth.key(system, across, along);
-          const CellKey to = warp ? cloth.key(system, along + 1, across) : cloth.key(system, across, along + 1);
+          const YarnCellKey from = warp ? cloth.key(system, along, across) : cloth.key(system, across, along);
+          const YarnCellKey to = warp ? cloth.key(system, along + 1, across) : cloth.key(system, across, along + 1);
           ASSERT_EQ(to.phase, (from.phase + 1) % cloth.yarn(system, from.yarn).period);
           expectJoin(cloth, from, to);
           if (HasFatalFailure()) return;
@@ -87,7 +87,7 @@ TEST(PathContinuity, TransitionsAreSmooth) {
     SCOPED_TRACE(fabric.name);
     const ClothGeometry cloth(fabric, 8, 8);
     for (int pick = 0; pick < 8; ++pick) {
-      const CellKey key = cloth.key(System::warp, pick, 1);
+      const YarnCellKey key = cloth.key(System::warp, pick, 1);
       const double pitch = cloth.yarn(System::warp, key.yarn).pitch_mm;
       const Transition path(key.here, key.next, pitch);
       const AxisPoint start = path.at(0), end = path.at(path.length_mm());

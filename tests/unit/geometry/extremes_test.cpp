@@ -68,7 +68,7 @@ Fabric anyValidFabric(uint64_t seed) {
   return f;
 }
 
-void expectSound(const ClothGeometry& cloth, const CellKey& key) {
+void expectSound(const ClothGeometry& cloth, const YarnCellKey& key) {
   const YarnGeometry& yarn = cloth.yarn(key.system, key.yarn);
   const CellStrands cell = cloth.strands(key);
   ASSERT_FALSE(cell.strands.empty());
@@ -119,11 +119,11 @@ TEST(AnyValidFabric, WeighsItsCount) {
   for (uint64_t seed = 200; seed < 210; ++seed) {
     SCOPED_TRACE(seed);
     const ClothGeometry cloth(anyValidFabric(seed), 6, 6);
-    const CellKey first = cloth.key(System::weft, 0, 0);
+    const YarnCellKey first = cloth.key(System::weft, 0, 0);
     const YarnGeometry& yarn = cloth.yarn(System::weft, first.yarn);
     double mass_g = 0, axis_mm = 0;
     for (int phase = 0; phase < yarn.period; ++phase) {
-      CellKey key = first;
+      YarnCellKey key = first;
       key.phase = phase;
       const CellStrands cell = cloth.strands(key);
       mass_g += cell.length_mm() * kPi * cell.fibreRadius_mm * cell.fibreRadius_mm * yarn.fibreDensity_g_cm3 * 1e-3;

@@ -13,7 +13,7 @@
 namespace loomlight {
 namespace {
 
-CellKey withoutPhase(CellKey key) {
+YarnCellKey withoutPhase(YarnCellKey key) {
   key.phase = 0;
   return key;
 }
@@ -25,7 +25,7 @@ TEST(CellKeys, RepeatUpToThePhase) {
     for (const System system : {System::warp, System::weft})
       for (int pick = -5; pick < 12; ++pick)
         for (int end = -5; end < 12; ++end) {
-          const CellKey key = withoutPhase(cloth.key(system, pick, end));
+          const YarnCellKey key = withoutPhase(cloth.key(system, pick, end));
           EXPECT_EQ(key, withoutPhase(cloth.key(system, pick + cloth.repeatPicks(), end)));
           EXPECT_EQ(key, withoutPhase(cloth.key(system, pick, end - cloth.repeatEnds())));
           EXPECT_EQ(cloth.phase(system, pick, end), cloth.key(system, pick, end).phase);
@@ -68,7 +68,7 @@ TEST(CellKeys, AreThoseOfTheShapeCodes) {
         }
         for (int i = 0; i < 50; ++i) {
           const bool warp = system == System::warp;
-          const CellKey key = warp ? cloth.key(system, i - 7, across) : cloth.key(system, across, i - 7);
+          const YarnCellKey key = warp ? cloth.key(system, i - 7, across) : cloth.key(system, across, i - 7);
           EXPECT_EQ(cloth.shapeKey(system, codes[i]), withoutPhase(key)) << across << " " << i;
         }
       }
@@ -149,10 +149,10 @@ TEST(ClothGeometry, NamesNoClassesWhereTheyArePartedOrBecomeOne) {
 TEST(WeaveChanges, AreThePlacesThatDiffer) {
   const Weave before = Weave().resized(30, 20);
   const Weave after = before.with(3, 29, !before.at(3, 29)).with(17, 0, !before.at(17, 0)).with(5, 5, before.at(5, 5));
-  EXPECT_EQ(weaveChanges(before, after, 2), (std::vector<WeavePlace>{{3, 29}, {17, 0}}));
+  EXPECT_EQ(weaveChanges(before, after, 2), (std::vector<WeaveCrossing>{{3, 29}, {17, 0}}));
   EXPECT_EQ(weaveChanges(before, after, 1), std::nullopt);
-  EXPECT_EQ(weaveChanges(before.resized(29, 19), after, 2), (std::vector<WeavePlace>{{17, 0}}));
-  EXPECT_EQ(weaveChanges(before, after.resized(33, 10), 2), (std::vector<WeavePlace>{{3, 29}}));
+  EXPECT_EQ(weaveChanges(before.resized(29, 19), after, 2), (std::vector<WeaveCrossing>{{17, 0}}));
+  EXPECT_EQ(weaveChanges(before, after.resized(33, 10), 2), (std::vector<WeaveCrossing>{{3, 29}}));
 }
 
 TEST(CellKeys, NeighbouringYarnsAreNotInStep) {
@@ -218,7 +218,7 @@ TEST(CellKeys, OfAJacquardAreFew) {
   Fabric fabric = cloths::plain();
   fabric.weave = Weave(rows);
   const ClothGeometry cloth(fabric, 300, 300);
-  std::unordered_set<CellKey, CellKeyHash> keys;
+  std::unordered_set<YarnCellKey, YarnCellKeyHash> keys;
   for (int pick = 0; pick < 300; ++pick)
     for (int end = 0; end < 300; ++end) keys.insert(withoutPhase(cloth.key(System::warp, pick, end)));
   EXPECT_LE(keys.size(), 32u);
@@ -227,7 +227,7 @@ TEST(CellKeys, OfAJacquardAreFew) {
 
 TEST(CellKeys, HashSeparatesThem) {
   const ClothGeometry cloth(cloths::mixed(), 100, 100);
-  std::unordered_set<CellKey, CellKeyHash> keys;
+  std::unordered_set<YarnCellKey, YarnCellKeyHash> keys;
   std::set<uint64_t> hashes;
   for (int pick = 0; pick < 48; ++pick)
     for (int end = 0; end < 80; ++end)

@@ -49,7 +49,7 @@ TEST(YarnMass, SegmentsWeighTheCount) {
       for (int i = 0; i < static_cast<int>(sequence.size()); ++i) {
         const Weighed weighed = weigh(cloth, system, i);
         const Yarn& yarn = fabric.yarns[sequence[i]];
-        const CellKey key = system == System::warp ? cloth.key(system, 0, i) : cloth.key(system, i, 0);
+        const YarnCellKey key = system == System::warp ? cloth.key(system, 0, i) : cloth.key(system, i, 0);
         const double count = yarn.fibresPerPly ? cloth.yarn(system, key.yarn).count_tex : yarn.count_tex;
         EXPECT_NEAR(weighed.count_tex() / count, 1, 1e-3);
         EXPECT_LT(weighed.largestRadiusChange, 0.02);
@@ -101,7 +101,7 @@ TEST(ArealMass, SegmentsWeighWhatSettCountAndCrimpSay) {
       double meanCount = 0, crimpedCount = 0;
       for (int i = 0; i < threads; ++i) {
         const Weighed weighed = weigh(cloth, system, i);
-        const CellKey key = warp ? cloth.key(system, 0, i) : cloth.key(system, i, 0);
+        const YarnCellKey key = warp ? cloth.key(system, 0, i) : cloth.key(system, i, 0);
         const YarnGeometry& yarn = cloth.yarn(system, key.yarn);
         const int cells = (warp ? cloth.repeatPicks() : cloth.repeatEnds()) * yarn.period;
         meanCount += yarn.count_tex / threads;

@@ -17,7 +17,7 @@ TEST(YarnPath, YarnsRestOnEachOtherWhereTheyCross) {
     const ClothGeometry cloth(fabric, 8, 8);
     for (int pick = 0; pick < cloth.repeatPicks(); ++pick)
       for (int end = 0; end < cloth.repeatEnds(); ++end) {
-        const CellKey warp = cloth.key(System::warp, pick, end), weft = cloth.key(System::weft, pick, end);
+        const YarnCellKey warp = cloth.key(System::warp, pick, end), weft = cloth.key(System::weft, pick, end);
         const double warpHigh = warp.here.up * cloth.yarn(System::warp, warp.yarn).coreRadius_mm();
         const double weftHigh = weft.here.up * cloth.yarn(System::weft, weft.yarn).coreRadius_mm();
         const double apart = std::abs(warp.here.height_mm - weft.here.height_mm);
@@ -34,7 +34,7 @@ TEST(YarnPath, HeightsAddUpToTheDistanceOfTheAxes) {
     fabric.crimpBalance = balance;
     const ClothGeometry cloth(fabric, 4, 4);
     const YarnGeometry &warp = cloth.yarn(System::warp, 0), &weft = cloth.yarn(System::weft, 0);
-    const CellKey over = cloth.key(System::warp, 0, 0), under = cloth.key(System::weft, 0, 0);
+    const YarnCellKey over = cloth.key(System::warp, 0, 0), under = cloth.key(System::weft, 0, 0);
     EXPECT_NEAR(std::abs(over.here.height_mm - under.here.height_mm), warp.rest_mm[0] + weft.rest_mm[0], 1e-6);
     // Equal yarns: the ratio is that of the pitches, 22 to 20, to the power of 2.5, times the balance.
     EXPECT_NEAR(std::abs(over.here.height_mm / under.here.height_mm), balance * std::pow(22.0 / 20, 2.5), 1e-4);

@@ -62,7 +62,7 @@ TEST(PressedYarn, AMonofilamentStaysRound) {
   fabric.fibres[0].radius_um = 100;
   const ClothGeometry cloth(fabric, 4, 4);
   EXPECT_NEAR(cloth.measure().thickness_mm, 0.4, 1e-6);  // two diameters
-  const CellKey key = cloth.key(System::warp, 0, 0);
+  const YarnCellKey key = cloth.key(System::warp, 0, 0);
   EXPECT_EQ(key.here.up, 1);
   EXPECT_EQ(key.here.across, 1);
 }

@@ -25,7 +25,7 @@ Fabric straightYarn(double plyTwist, TwistDirection ply, int plies, double yarnT
 }
 
 /// The fibres of a cell of a straight yarn as they would lie were it not pressed.
-CellStrands roundStrands(const ClothGeometry& cloth, const CellKey& key) {
+CellStrands roundStrands(const ClothGeometry& cloth, const YarnCellKey& key) {
   const YarnGeometry& yarn = cloth.yarn(key.system, key.yarn);
   const SectionScale node{key.here.up, key.here.across};
   const SectionEasing easing(node, node, yarn.free);
@@ -58,7 +58,7 @@ double handedness(const CellStrands& cell, double axisHeight_mm) {
 TEST(Twist, ZIsRightHandedAndOfTheSizeAsked) {
   for (const TwistDirection direction : {TwistDirection::s, TwistDirection::z}) {
     const ClothGeometry cloth(straightYarn(700, direction, 1, 0, TwistDirection::s), 4, 4);
-    const CellKey key = cloth.key(System::warp, 0, 0);
+    const YarnCellKey key = cloth.key(System::warp, 0, 0);
     const double turns_per_mm = handedness(roundStrands(cloth, key), key.here.height_mm);
     const double expected = direction == TwistDirection::z ? 0.7 : -0.7;
     // Met to kTwistTolerance in the tangent at the surface, and by the cell's length against its typical one.
@@ -73,7 +73,7 @@ TEST(Twist, ZIsRightHandedAndOfTheSizeAsked) {
 TEST(Twist, PliesTurnAboutTheYarnTheirOwnWay) {
   const Fabric fabric = straightYarn(0, TwistDirection::z, 2, 500, TwistDirection::s);
   const ClothGeometry cloth(fabric, 4, 4);
-  const CellKey key = cloth.key(System::warp, 0, 0);
+  const YarnCellKey key = cloth.key(System::warp, 0, 0);
   EXPECT_LT(handedness(roundStrands(cloth, key), key.here.height_mm), -0.3);
   EXPECT_LT(cloth.yarn(System::warp, 0).yarnTurns, 0);
 }
@@ -84,7 +84,7 @@ TEST(Twist, BalancedPliesLayTheOuterFibresAlongTheYarn) {
   const auto outerSlope = [](double yarnTwist) {
     const Fabric fabric = straightYarn(800, TwistDirection::z, 2, yarnTwist, TwistDirection::s);
     const ClothGeometry cloth(fabric, 4, 4);
-    const CellKey key = cloth.key(System::warp, 0, 0);
+    const YarnCellKey key = cloth.key(System::warp, 0, 0);
     const YarnGeometry& yarn = cloth.yarn(System::warp, 0);
     double sum = 0, count = 0;
     const CellStrands cell = roundStrands(cloth, key);
@@ -131,7 +131,7 @@ TEST(Twist, CordsPliesAndFibresTurnEachTheirOwnWay) {
   EXPECT_GT(yarn.cableTurns, 0);
   EXPECT_NEAR(yarn.cordOrbit_mm, yarn.cordRadius_mm() / std::sin(kPi / 3), 1e-12);
 
-  const CellKey key = cloth.key(System::warp, 0, 0);
+  const YarnCellKey key = cloth.key(System::warp, 0, 0);
   const CellStrands cell = roundStrands(cloth, key);
   const glm::dvec2 middle(key.here.height_mm, 0);
   const double perCell = 1.0 / yarn.period;
@@ -184,7 +184,7 @@ TEST(Strands, ChordsKeepToTheSagitta) {
     const ClothGeometry cloth(fabric, 8, 8);
     for (const System system : {System::warp, System::weft})
       for (int i = 0; i < 2; ++i) {
-        const CellKey key = cloth.key(system, i, i);
+        const YarnCellKey key = cloth.key(system, i, i);
         const YarnGeometry& geometry = cloth.yarn(system, key.yarn);
         const Yarn& yarn = fabric.yarns[cloth.yarnIndex(system, i)];
         const auto coarse = makeYarnModel(sourceOf(geometry, yarn, fabric.fibres[0]));
@@ -226,7 +226,7 @@ TEST(Strands, EqualKeysHaveEqualFibres) {
   const Fabric fabric = cloths::hairy();
   const ClothGeometry cloth(fabric, 64, 64), again(fabric, 64, 64);
   for (int pick = 0; pick < 16; ++pick) {
-    const CellKey key = cloth.key(System::weft, pick, 3);
+    const YarnCellKey key = cloth.key(System::weft, pick, 3);
     const CellStrands a = cloth.strands(key), b = again.strands(again.key(System::weft, pick, 3));
     ASSERT_EQ(a.points.size(), b.points.size());
     EXPECT_EQ(0, std::memcmp(a.points.data(), b.points.data(), a.points.size() * sizeof(glm::vec3)));
@@ -243,7 +243,7 @@ TEST(Strands, StayInTheirCellsAndBetweenTheFaces) {
     for (const System system : {System::warp, System::weft})
       for (int pick = 0; pick < 8; ++pick)
         for (int end = 0; end < 8; ++end) {
-          const CellKey key = cloth.key(system, pick, end);
+          const YarnCellKey key = cloth.key(system, pick, end);
           const YarnGeometry& yarn = cloth.yarn(system, key.yarn);
           const CellStrands cell = cloth.strands(key);
           ASSERT_GE(cell.strands.size(), static_cast<size_t>(yarn.singles() * yarn.fibresPerPly));
@@ -269,7 +269,7 @@ TEST(Hairs, AreLooseAndReachBeyondTheBody) {
   size_t loose = 0;
   double furthest = 0;
   for (int pick = 0; pick < yarn.period; ++pick) {
-    const CellKey key = cloth.key(System::warp, pick, 0);
+    const YarnCellKey key = cloth.key(System::warp, pick, 0);
     const CellStrands cell = cloth.strands(key);
     for (const CellStrands::Strand& strand : cell.strands) {
       if (!strand.loose) continue;

@@ -47,7 +47,7 @@ TEST_F(LiveRecolour, AColourIsShownOnTheFinishedPictureAndTracedAnewBehind) {
     EXPECT_EQ(renderer.frame()->divider, 1) << "never coarse again";
     EXPECT_GE(renderer.frame()->samples, 4);
   }
-  EXPECT_TRUE(window.waitFor([&] { return renderer.frame()->quality != Quality::dyed; }));
+  EXPECT_TRUE(window.waitFor([&] { return renderer.frame()->quality != PreviewQuality::recoloured; }));
   EXPECT_GE(renderer.frame()->samples, 4);
 }
 
@@ -63,7 +63,7 @@ TEST_F(LiveRecolour, BackInItsOwnColoursThePictureGoesOn) {
   ASSERT_TRUE(window.waitFor([&] { return renderer.frame()->generation == 2; }));
   show(fabric, 3);
   ASSERT_TRUE(window.waitFor([&] { return renderer.frame()->generation == 3; }));
-  EXPECT_FALSE(renderer.frame()->quality == Quality::dyed && renderer.frame()->samples < before);
+  EXPECT_FALSE(renderer.frame()->quality == PreviewQuality::recoloured && renderer.frame()->samples < before);
   Fabric renamed = fabric;
   renamed.name = "another name";
   const int samples = renderer.frame()->samples;
@@ -79,7 +79,7 @@ TEST_F(LiveRecolour, WhatIsNoColourIsTracedAnew) {
   fabric.fibres[0].refractiveIndex += 0.1;
   show(fabric, 2);
   ASSERT_TRUE(window.waitFor([&] { return renderer.frame()->generation == 2; }));
-  EXPECT_NE(renderer.frame()->quality, Quality::dyed);
+  EXPECT_NE(renderer.frame()->quality, PreviewQuality::recoloured);
 }
 
 }  // namespace

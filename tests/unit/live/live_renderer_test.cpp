@@ -286,7 +286,7 @@ TEST(LiveRenderer, BetterTablesReplaceAPictureWithoutGoingBack) {
   EXPECT_FALSE(wentBack);
 }
 
-TEST(TruthLens, ShowsTheVeryPixelsThatBricksOfFibresShow) {
+TEST(ReferenceInset, ShowsTheVeryPixelsThatBricksOfFibresShow) {
   constexpr int kClear = 16;  // from here on pictures are shown as they are
   Window window;
   LiveRenderer renderer(window.waker(), 2);
@@ -295,16 +295,17 @@ TEST(TruthLens, ShowsTheVeryPixelsThatBricksOfFibresShow) {
   fabric.camera.distance_mm = 6;
   renderer.request(view(fabric, 1));
   const PixelRect place{20, 10, 24, 16};
-  renderer.lens(LensRequest{place, 4e9});
-  ASSERT_TRUE(window.waitFor([&] { return renderer.lensFrame() && renderer.lensFrame()->fibres->samples >= kClear; }));
-  const auto seen = renderer.lensFrame()->fibres;
+  renderer.inset(InsetRequest{place, 4e9});
+  ASSERT_TRUE(
+      window.waitFor([&] { return renderer.insetFrame() && renderer.insetFrame()->fibres->samples >= kClear; }));
+  const auto seen = renderer.insetFrame()->fibres;
   EXPECT_EQ(seen->generation, 1u);
   EXPECT_EQ(seen->window, place);
-  EXPECT_GT(renderer.status().lens.segments, 1000);
-  EXPECT_GT(renderer.status().lens.bytes, renderer.status().lens.segments);
+  EXPECT_GT(renderer.status().inset.segments, 1000);
+  EXPECT_GT(renderer.status().inset.bytes, renderer.status().inset.segments);
 
   fabric.render.method = Method::fibres;
-  renderer.lens(std::nullopt);
+  renderer.inset(std::nullopt);
   const auto scene = test::sceneOf(fabric);
   const auto fibres = makeMedium(*scene, {4e9, FibreExtent::bricks}, Task{});
   Film film(64, 48);
@@ -318,8 +319,8 @@ TEST(TruthLens, ShowsTheVeryPixelsThatBricksOfFibresShow) {
 }
 
 // A volume that forgets what the eye's ray has passed is in its own shadow with the light at the eye, fibres are not:
-// the two pictures are far apart, and the lens says how far.
-TEST(TruthLens, ComparesBothPicturesAndTheVolumeGoesOn) {
+// the two pictures are far apart, and the inset says how far.
+TEST(ReferenceInset, ComparesBothPicturesAndTheVolumeGoesOn) {
   Window window;
   LiveRenderer renderer(window.waker(), 2);
   Fabric fabric = smallCloth();
@@ -330,15 +331,15 @@ TEST(TruthLens, ComparesBothPicturesAndTheVolumeGoesOn) {
   fabric.render.estimator = Estimator::none;
   renderer.request(view(fabric, 1));
   const PixelRect place{20, 10, 24, 16};
-  renderer.lens(LensRequest{place, 4e9});
+  renderer.inset(InsetRequest{place, 4e9});
   constexpr int kSamples = 64;  // as many as the pictures below: with half of the noise that would hide the difference
   ASSERT_TRUE(window.waitFor([&] {
-    const auto seen = renderer.lensFrame();
+    const auto seen = renderer.insetFrame();
     return seen && seen->difference && seen->fibres->samples >= kSamples && renderer.frame()->samples >= kSamples;
   }));
   const int before = renderer.frame()->samples;
   EXPECT_TRUE(window.waitFor([&] { return renderer.frame()->samples > before; }));
-  const auto difference = renderer.lensFrame()->difference;
+  const auto difference = renderer.insetFrame()->difference;
   EXPECT_EQ(difference->map.size(), 24u * 16u);
 
   const auto traced = [&](Method method) {
@@ -365,63 +366,63 @@ TEST(TruthLens, ComparesBothPicturesAndTheVolumeGoesOn) {
   EXPECT_NEAR(difference->mean_percent, expected_percent, 4 * error_percent);
 }
 
-TEST(TruthLens, FollowsTheCameraKeepsTheFibresAndRelaysThemAfterAnEdit) {
+TEST(ReferenceInset, FollowsTheCameraKeepsTheFibresAndRelaysThemAfterAnEdit) {
   Window window;
   LiveRenderer renderer(window.waker(), 2);
   Fabric fabric = smallCloth();
   fabric.drape.width_mm = fabric.drape.height_mm = 3;
   renderer.request(view(fabric, 1));
-  renderer.lens(LensRequest{{20, 10, 24, 16}, 4e9});
+  renderer.inset(InsetRequest{{20, 10, 24, 16}, 4e9});
   const auto shows = [&](uint64_t generation) {
-    return renderer.lensFrame() && renderer.lensFrame()->fibres->generation == generation;
+    return renderer.insetFrame() && renderer.insetFrame()->fibres->generation == generation;
   };
   ASSERT_TRUE(window.waitFor([&] { return shows(1); }));
   bool laying = false;
   fabric.camera.azimuth_deg += 20;
   renderer.request(view(fabric, 2));
   ASSERT_TRUE(window.waitFor([&] {
-    laying |= renderer.status().lens.phase == LensStatus::Phase::laying;
+    laying |= renderer.status().inset.phase == InsetStatus::Phase::laying;
     return shows(2);
   }));
   EXPECT_FALSE(laying);
-  const double segments = renderer.status().lens.segments;
+  const double segments = renderer.status().inset.segments;
   fabric.yarns[0].count_tex *= 2;
   renderer.request(view(fabric, 3));
   ASSERT_TRUE(window.waitFor([&] { return shows(3); }));
-  EXPECT_GT(renderer.status().lens.segments, 1.2 * segments);
+  EXPECT_GT(renderer.status().inset.segments, 1.2 * segments);
 }
 
-TEST(TruthLens, SaysWhatItWouldTakeAndRefusesBeyondTheLimit) {
+TEST(ReferenceInset, SaysWhatItWouldTakeAndRefusesBeyondTheLimit) {
   Window window;
   LiveRenderer renderer(window.waker(), 1);
   renderer.request(view(smallCloth(), 1));
-  renderer.lens(LensRequest{{20, 10, 24, 16}, 1e5});
-  ASSERT_TRUE(window.waitFor([&] { return renderer.status().lens.phase == LensStatus::Phase::tooLarge; }));
-  EXPECT_GT(renderer.status().lens.bytes, 1e5);
-  EXPECT_EQ(renderer.lensFrame(), nullptr);
-  renderer.lens(LensRequest{{20, 10, 24, 16}, 4e9});  // the limit was raised
-  EXPECT_TRUE(window.waitFor([&] { return renderer.lensFrame() != nullptr; }));
-  renderer.lens(std::nullopt);
-  EXPECT_TRUE(window.waitFor([&] { return renderer.lensFrame() == nullptr; }));
-  EXPECT_EQ(renderer.status().lens.phase, LensStatus::Phase::closed);
+  renderer.inset(InsetRequest{{20, 10, 24, 16}, 1e5});
+  ASSERT_TRUE(window.waitFor([&] { return renderer.status().inset.phase == InsetStatus::Phase::tooLarge; }));
+  EXPECT_GT(renderer.status().inset.bytes, 1e5);
+  EXPECT_EQ(renderer.insetFrame(), nullptr);
+  renderer.inset(InsetRequest{{20, 10, 24, 16}, 4e9});  // the limit was raised
+  EXPECT_TRUE(window.waitFor([&] { return renderer.insetFrame() != nullptr; }));
+  renderer.inset(std::nullopt);
+  EXPECT_TRUE(window.waitFor([&] { return renderer.insetFrame() == nullptr; }));
+  EXPECT_EQ(renderer.status().inset.phase, InsetStatus::Phase::closed);
 }
 
-TEST(TruthLens, IsNeedlessOverExplicitFibresAndEndsInTheMiddleOfWork) {
+TEST(ReferenceInset, IsNeedlessOverExplicitFibresAndEndsInTheMiddleOfWork) {
   Window window;
   LiveRenderer renderer(window.waker(), 1);
   Fabric fabric = smallCloth();
-  renderer.lens(LensRequest{{0, 0, 24, 16}, 4e9});
-  EXPECT_EQ(renderer.status().lens.phase, LensStatus::Phase::waiting);
+  renderer.inset(InsetRequest{{0, 0, 24, 16}, 4e9});
+  EXPECT_EQ(renderer.status().inset.phase, InsetStatus::Phase::waiting);
   renderer.request(view(fabric, 1));
-  ASSERT_TRUE(window.waitFor([&] { return renderer.lensFrame() != nullptr; }));
+  ASSERT_TRUE(window.waitFor([&] { return renderer.insetFrame() != nullptr; }));
   fabric.drape.width_mm = fabric.drape.height_mm = 2;
   fabric.render.method = Method::fibres;
   renderer.request(view(fabric, 2));
-  EXPECT_TRUE(window.waitFor([&] { return renderer.status().lens.phase == LensStatus::Phase::needless; }));
+  EXPECT_TRUE(window.waitFor([&] { return renderer.status().inset.phase == InsetStatus::Phase::needless; }));
   fabric.render.method = Method::volume;
   renderer.request(view(fabric, 3));
   EXPECT_TRUE(window.waitFor([&] {
-    const auto frame = renderer.lensFrame();
+    const auto frame = renderer.insetFrame();
     return frame && frame->fibres->generation == 3;
   }));
   fabric.drape.width_mm = fabric.drape.height_mm = 6;

@@ -119,19 +119,19 @@ TEST(HitsWanted, NoneBeforeTheFirstPassThenMoreWithEverySample) {
   EXPECT_EQ(before, 16u);
 }
 
-TEST(NextSubject, WhatCannotBeSeenYetComesFirstAndThePictureBeforeTheLens) {
+TEST(NextSubject, WhatCannotBeSeenYetComesFirstAndThePictureBeforeTheInset) {
   EXPECT_EQ(nextSubject({true, 0, 0}, {true, 0, 0}), Subject::picture);
-  EXPECT_EQ(nextSubject({true, 8, 0.1}, {true, 0, 9}), Subject::lens);
+  EXPECT_EQ(nextSubject({true, 8, 0.1}, {true, 0, 9}), Subject::inset);
   EXPECT_EQ(nextSubject({true, 0, 9}, {true, 8, 0}), Subject::picture);
 }
 
 TEST(NextSubject, WhatIsCoarseComesBeforeWhatIsFine) {
-  EXPECT_EQ(nextSubject({true, 1, 0}, {true, 4, 9}), Subject::lens);
+  EXPECT_EQ(nextSubject({true, 1, 0}, {true, 4, 9}), Subject::inset);
   EXPECT_EQ(nextSubject({true, 4, 9}, {true, 1, 0}), Subject::picture);
 }
 
 TEST(NextSubject, OneThatWantsNothingLeavesAllPassesToTheOther) {
-  EXPECT_EQ(nextSubject({false, 1, 0}, {true, 1, 9}), Subject::lens);
+  EXPECT_EQ(nextSubject({false, 1, 0}, {true, 1, 9}), Subject::inset);
   EXPECT_EQ(nextSubject({true, 1, 9}, {false, 1, 0}), Subject::picture);
   EXPECT_EQ(nextSubject({true, 1, 9}, {}), Subject::picture);
   EXPECT_EQ(nextSubject({}, {}), Subject::none);
@@ -139,12 +139,12 @@ TEST(NextSubject, OneThatWantsNothingLeavesAllPassesToTheOther) {
 
 // However long their passes are, neither is ever more than one of them ahead of the other.
 TEST(NextSubject, BothGetTheSameTime) {
-  constexpr double kPicturePass = 1.0, kLensPass = 0.13;
-  Contender picture{true, 1, 0}, lens{true, 1, 0};
+  constexpr double kPicturePass = 1.0, kInsetPass = 0.13;
+  Contender picture{true, 1, 0}, inset{true, 1, 0};
   for (int i = 0; i < 200; ++i) {
-    (nextSubject(picture, lens) == Subject::lens ? lens.spent_s += kLensPass : picture.spent_s += kPicturePass);
-    EXPECT_LE(picture.spent_s - lens.spent_s, kPicturePass + 1e-9);
-    EXPECT_LE(lens.spent_s - picture.spent_s, kLensPass + 1e-9);
+    (nextSubject(picture, inset) == Subject::inset ? inset.spent_s += kInsetPass : picture.spent_s += kPicturePass);
+    EXPECT_LE(picture.spent_s - inset.spent_s, kPicturePass + 1e-9);
+    EXPECT_LE(inset.spent_s - picture.spent_s, kInsetPass + 1e-9);
   }
 }
 

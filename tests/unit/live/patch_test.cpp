@@ -95,11 +95,11 @@ TEST(Patched, ATurnedCrossingIsSeenWhereNoSampleMetIt) {
 
 TEST(Patched, IsAsGoodAsTheWorseOfBoth) {
   Frame old = pictureOf(48, 1, kOld), fresh = pictureOf(48, 8, kFresh);
-  EXPECT_EQ(patched(fresh, old, kNow, kThen).quality, Quality::clear);
-  fresh.quality = Quality::sketch;
-  EXPECT_EQ(patched(fresh, old, kNow, kThen).quality, Quality::sketch);
+  EXPECT_EQ(patched(fresh, old, kNow, kThen).quality, PreviewQuality::clear);
+  fresh.quality = PreviewQuality::sketch;
+  EXPECT_EQ(patched(fresh, old, kNow, kThen).quality, PreviewQuality::sketch);
   std::swap(fresh.quality, old.quality);
-  EXPECT_EQ(patched(fresh, old, kNow, kThen).quality, Quality::sketch);
+  EXPECT_EQ(patched(fresh, old, kNow, kThen).quality, PreviewQuality::sketch);
 }
 
 TEST(Patched, TakesCoarsePicturesThatReachBeyondTheEdge) {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/live/pass_scheduler.h"
-#include "render/display/quality.h"
+#include "render/display/preview_quality.h"
 
 namespace loomlight {
 namespace {
@@ -122,11 +122,11 @@ TEST(ClearHelp, EndsWhereThePictureIsAsClear) {
 }
 
 TEST(Supersedes, DyedPicturesThatHaveNoLessNoise) {
-  const DyedPicture dyed{64, false, 0.1};
-  EXPECT_FALSE(supersedes(8, 0.11, dyed));
-  EXPECT_TRUE(supersedes(8, 0.1, dyed));
-  EXPECT_FALSE(supersedes(3, 0.01, dyed)) << "too few to know a variance by";
-  EXPECT_TRUE(supersedes(64, 9, dyed)) << "of as many samples";
+  const RecolouredPicture recoloured{64, false, 0.1};
+  EXPECT_FALSE(supersedes(8, 0.11, recoloured));
+  EXPECT_TRUE(supersedes(8, 0.1, recoloured));
+  EXPECT_FALSE(supersedes(3, 0.01, recoloured)) << "too few to know a variance by";
+  EXPECT_TRUE(supersedes(64, 9, recoloured)) << "of as many samples";
   EXPECT_FALSE(supersedes(63, 0.01, {64, true, 0.1})) << "with an earlier picture in it";
 }
 

@@ -16,7 +16,7 @@ double brightness(const Frame& frame) {
   return sum / static_cast<double>(frame.rgba.size());
 }
 
-/// Drafts are black here and the cloth is white, so that one is never taken for the other.
+/// Sketches are black here and the cloth is white, so that one is never taken for the other.
 class PreviewSink : public testing::Test {
  protected:
   static Fabric white() {
@@ -36,8 +36,8 @@ class PreviewSink : public testing::Test {
     const std::shared_ptr<const Scene> scene = test::sceneOf(fabric);
     return {scene, makeMedium(*scene, 1e9, Task{})};
   }
-  void show(const Fabric& fabric, uint64_t generation, bool draft) {
-    tracer.show({traceable(fabric), kWidth, kHeight, generation, draft});
+  void show(const Fabric& fabric, uint64_t generation, bool sketch) {
+    tracer.show({traceable(fabric), kWidth, kHeight, generation, sketch});
   }
   bool waitFor(uint64_t generation, int samples) {
     return window.waitFor([&] {
@@ -52,16 +52,16 @@ class PreviewSink : public testing::Test {
 TEST_F(PreviewSink, IsMarkedUntilNothingOfItIsLeft) {
   show(black(), 1, true);
   ASSERT_TRUE(waitFor(1, 8));
-  const auto draft = tracer.frame();
-  EXPECT_EQ(draft->quality, Quality::sketch);
+  const auto sketch = tracer.frame();
+  EXPECT_EQ(sketch->quality, PreviewQuality::sketch);
   show(white(), 1, false);
   std::vector<std::shared_ptr<const Frame>> frames;
   ASSERT_TRUE(window.waitFor([&] {
     frames.push_back(tracer.frame());
-    return frames.back()->quality != Quality::sketch;
+    return frames.back()->quality != PreviewQuality::sketch;
   }));
   const double cloth = brightness(*frames.back());
-  EXPECT_GT(cloth, 2 * brightness(*draft));
+  EXPECT_GT(cloth, 2 * brightness(*sketch));
   ASSERT_TRUE(waitFor(1, frames.back()->samples + 64));
   EXPECT_NEAR(brightness(*tracer.frame()), cloth, 0.05 * cloth);
 }
@@ -71,20 +71,20 @@ TEST_F(PreviewSink, IsNeverRecoloured) {
   ASSERT_TRUE(waitFor(1, 8));
   show(black(), 2, false);
   ASSERT_TRUE(window.waitFor([&] { return tracer.frame()->generation == 2; }));
-  EXPECT_NE(tracer.frame()->quality, Quality::dyed);
-  EXPECT_NE(tracer.frame()->quality, Quality::sketch);
+  EXPECT_NE(tracer.frame()->quality, PreviewQuality::recoloured);
+  EXPECT_NE(tracer.frame()->quality, PreviewQuality::sketch);
 }
 
 TEST_F(PreviewSink, IsNotWhatAStrokeLeavesAsItWas) {
   show(black(), 1, true);
   ASSERT_TRUE(waitFor(1, 8));
-  const double draft = brightness(*tracer.frame());
+  const double sketch = brightness(*tracer.frame());
   Fabric painted = white();
   painted.weave = painted.weave.with(0, 0, !painted.weave.at(0, 0));
   show(painted, 2, false);
   ASSERT_TRUE(window.waitFor([&] { return tracer.frame()->generation == 2; }));
-  EXPECT_NE(tracer.frame()->quality, Quality::sketch);
-  EXPECT_GT(brightness(*tracer.frame()), 2 * draft);
+  EXPECT_NE(tracer.frame()->quality, PreviewQuality::sketch);
+  EXPECT_GT(brightness(*tracer.frame()), 2 * sketch);
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ TEST_F(SharedRefinement, IsSeenAtFullResolutionBeforeTheFilmIs) {
   EXPECT_GT(refinement.divider(), 1);
   const Frame frame = refinement.frame();
   EXPECT_EQ(frame.divider, 1);
-  EXPECT_EQ(frame.quality, Quality::coarse);
+  EXPECT_EQ(frame.quality, PreviewQuality::coarse);
   ASSERT_EQ(frame.helped.size(), static_cast<size_t>(kWidth) * kHeight);
   EXPECT_EQ(frame.plain().data(), frame.helped.data());
   EXPECT_EQ(frame.hits.size(), frame.helped.size());

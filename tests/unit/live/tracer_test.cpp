@@ -30,7 +30,7 @@ TEST(Tracer, TheSamePictureBetterGoesOnFromACoarseOneAndCanBeStopped) {
 
   std::atomic<bool> coarseShown = false;
   std::latch builtSent(1), builtBegun(1), editSent(1);
-  const auto draft = std::make_shared<const WatchedMedium>(medium, [&](uint64_t) {
+  const auto sketch = std::make_shared<const WatchedMedium>(medium, [&](uint64_t) {
     if (coarseShown) builtSent.wait();
   });
   const auto built = std::make_shared<const WatchedMedium>(medium, [&](uint64_t path) {
@@ -45,7 +45,7 @@ TEST(Tracer, TheSamePictureBetterGoesOnFromACoarseOneAndCanBeStopped) {
         wake();
       },
       1);
-  tracer.show({{scene, draft}, kWidth, kHeight, 1});
+  tracer.show({{scene, sketch}, kWidth, kHeight, 1});
   ASSERT_TRUE(window.waitFor([&] { return tracer.frame() != nullptr; }));
   ASSERT_EQ(tracer.frame()->divider, 2);
   tracer.show({{scene, built}, kWidth, kHeight, 1});
@@ -64,7 +64,7 @@ TEST(Tracer, TheSamePictureBetterIsNeverCoarser) {
   const std::shared_ptr<const Medium> medium = makeMedium(*scene, 1e9, Task{});
   std::atomic<bool> coarseShown = false;
   std::latch builtSent(1);
-  const auto draft = std::make_shared<const WatchedMedium>(medium, [&](uint64_t) {
+  const auto sketch = std::make_shared<const WatchedMedium>(medium, [&](uint64_t) {
     if (coarseShown) builtSent.wait();
   });
   test::WorkerWindow window;
@@ -79,7 +79,7 @@ TEST(Tracer, TheSamePictureBetterIsNeverCoarser) {
         },
         1);
     newest = [&] { return tracer.frame(); };
-    tracer.show({{scene, draft}, kWidth, kHeight, 1});
+    tracer.show({{scene, sketch}, kWidth, kHeight, 1});
     ASSERT_TRUE(window.waitFor([&] { return tracer.frame() != nullptr; }));
     tracer.show({{scene, medium}, kWidth, kHeight, 1});
     builtSent.count_down();

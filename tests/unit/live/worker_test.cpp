@@ -143,10 +143,10 @@ TEST(Worker, CancelStopsTheWorkThatMayStillSayHowFarItCame) {
   std::latch begun{1};
   Numbers worker(
       wakes.callback(),
-      [&](int request, Numbers::Turn& turn) {
+      [&](int request, Numbers::Job& job) {
         begun.count_down();
-        turn.rest(std::chrono::hours(1));  // ends with the stop
-        return turn.isStopped() ? request : 0;
+        job.rest(std::chrono::hours(1));  // ends with the stop
+        return job.isStopped() ? request : 0;
       },
       failedAs);
   worker.ask(3);
@@ -178,10 +178,10 @@ TEST(Worker, TheEndStopsWorkThatNobodyWillSee) {
   {
     Numbers worker(
         {},
-        [&](int request, Numbers::Turn& turn) {
+        [&](int request, Numbers::Job& job) {
           begun.count_down();
-          turn.rest(std::chrono::hours(1));
-          stopped = turn.isStopped();
+          job.rest(std::chrono::hours(1));
+          stopped = job.isStopped();
           return request;
         },
         failedAs);
@@ -198,15 +198,15 @@ TEST(Worker, WorkMayServeANewerRequestOrGiveWayToIt) {
   std::latch asked{1};
   Numbers worker(
       wakes.callback(),
-      [&](int request, Numbers::Turn& turn) -> std::optional<int> {
+      [&](int request, Numbers::Job& job) -> std::optional<int> {
         if (request != 1) return request;
-        turn.bring(1);
+        job.bring(1);
         asked.wait();
-        const auto newer = turn.takeNewer();
+        const auto newer = job.takeNewer();
         if (!newer) return std::nullopt;
-        turn.giveWayTo(*newer);
-        EXPECT_TRUE(turn.isStopped());
-        EXPECT_FALSE(turn.takeNewer()) << "a turn that is over takes nothing from the next";
+        job.giveWayTo(*newer);
+        EXPECT_TRUE(job.isStopped());
+        EXPECT_FALSE(job.takeNewer()) << "a job that is over takes nothing from the next";
         return std::nullopt;
       },
       failedAs, Backlog::newest);
@@ -222,14 +222,14 @@ TEST(Worker, GivesWayToTheNewestOfAll) {
   std::latch begun{1}, first{1}, taken{1}, second{1};
   Numbers worker(
       wakes.callback(),
-      [&](int request, Numbers::Turn& turn) -> std::optional<int> {
+      [&](int request, Numbers::Job& job) -> std::optional<int> {
         if (request != 1) return request;
         begun.count_down();
         first.wait();
-        const auto newer = turn.takeNewer();
+        const auto newer = job.takeNewer();
         taken.count_down();
         second.wait();
-        if (newer) turn.giveWayTo(*newer);
+        if (newer) job.giveWayTo(*newer);
         return std::nullopt;
       },
       failedAs);

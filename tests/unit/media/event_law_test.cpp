@@ -14,18 +14,18 @@ struct CrossedVoxel {
   Component weft = Component::encode({{1, 0, 0}, 0.0f, 1000.0f});
   YarnTables yarns{{{{0, false, 0.006f}}, {{0, false, 0.006f}}}};
 
-  static VoxelContent of(std::initializer_list<VoxelContent::Part> parts) {
+  static VoxelContent of(std::initializer_list<VoxelContent::YarnSpan> spans) {
     VoxelContent content;
-    for (const VoxelContent::Part& part : parts) content.parts[content.count++] = part;
+    for (const VoxelContent::YarnSpan& span : spans) content.spans[content.count++] = span;
     return content;
   }
-  VoxelContent::Part warpPart() const { return {{&warp, 1}, System::warp, 0, 0}; }
-  VoxelContent::Part weftPart() const { return {{&weft, 1}, System::weft, 0, 0}; }
+  VoxelContent::YarnSpan warpSpan() const { return {{&warp, 1}, System::warp, 0, 0}; }
+  VoxelContent::YarnSpan weftSpan() const { return {{&weft, 1}, System::weft, 0, 0}; }
 
   double shareOfWarp(double elevation_rad, EventLaw law) const {
     // The ray runs over the warp: along y, at an elevation.
     const glm::vec3 d(0, std::cos(elevation_rad), -std::sin(elevation_rad));
-    const VoxelContent both = of({warpPart(), weftPart()});
+    const VoxelContent both = of({warpSpan(), weftSpan()});
     constexpr int kDraws = 20000;
     int hits = 0;
     for (int i = 0; i < kDraws; ++i)
@@ -52,10 +52,10 @@ TEST(EventLaw, OfTheReportIgnoresTheAngle) {
 
 TEST(EventLaw, ChoosesOnlyAmongWhatCounts) {
   const CrossedVoxel voxel;
-  const auto weftAlone = [](const FibreDistribution&, const YarnOptics&, const VoxelContent::Part& part) {
-    return part.system == System::weft ? 0.25f : 0.0f;
+  const auto weftAlone = [](const FibreDistribution&, const YarnOptics&, const VoxelContent::YarnSpan& span) {
+    return span.system == System::weft ? 0.25f : 0.0f;
   };
-  const VoxelContent both = CrossedVoxel::of({voxel.warpPart(), voxel.weftPart()});
+  const VoxelContent both = CrossedVoxel::of({voxel.warpSpan(), voxel.weftSpan()});
   const glm::vec3 down(0, 0, -1);
   for (const float u : {0.0f, 0.5f, 0.999f}) {
     const MetComponent met = chooseComponent(voxel.yarns, both, {}, down, u, EventLaw::projected, weftAlone);
@@ -70,7 +70,7 @@ TEST(VoxelExtinction, IsProjectedFibreArea) {
   const CrossedVoxel voxel;
   const glm::vec3 d = glm::normalize(glm::vec3(0.3f, 0.5f, -0.8f));
   const double expected = 2 * 0.006 * 1000 * std::sqrt(1 - d.y * d.y);
-  EXPECT_NEAR(sumExtinction(voxel.yarns, CrossedVoxel::of({voxel.warpPart()}), {}, d).total, expected, 0.01 * expected);
+  EXPECT_NEAR(sumExtinction(voxel.yarns, CrossedVoxel::of({voxel.warpSpan()}), {}, d).total, expected, 0.01 * expected);
 }
 
 TEST(VoxelExtinction, StretchedClothKeepsItsFibres) {
@@ -81,15 +81,15 @@ TEST(VoxelExtinction, StretchedClothKeepsItsFibres) {
   stretched.frame[1] = {0, 2, 0};
   stretched.densityScale = 0.5f;
   stretched.isometric = false;
-  const auto change = [&](const VoxelContent::Part& part) {
-    const VoxelContent content = CrossedVoxel::of({part});
+  const auto change = [&](const VoxelContent::YarnSpan& span) {
+    const VoxelContent content = CrossedVoxel::of({span});
     const glm::vec3 down(0, 0, -1);
     return sumExtinction(voxel.yarns, content, stretched, down).total /
            sumExtinction(voxel.yarns, content, {}, down).total;
   };
-  EXPECT_NEAR(change(voxel.warpPart()), 1.0, 1e-4);
+  EXPECT_NEAR(change(voxel.warpSpan()), 1.0, 1e-4);
   // The weft keeps its length and is spread over twice the room.
-  EXPECT_NEAR(change(voxel.weftPart()), 0.5, 1e-4);
+  EXPECT_NEAR(change(voxel.weftSpan()), 0.5, 1e-4);
 }
 
 }  // namespace

@@ -62,9 +62,9 @@ Rays raysOf(const Scene& scene, const LoomlightMedium& medium, int paths) {
     glm::vec3 direction = ray.direction;
     for (int event = 0; event < 4; ++event) {
       add(direction, std::numeric_limits<float>::infinity());
-      const Flight flight{0, direction, &random};
+      const PathRay pathRay{0, direction, &random};
       std::optional<Collision> met;
-      batch.collide({&flight, 1}, {&met, 1}, counts);
+      batch.collide({&pathRay, 1}, {&met, 1}, counts);
       if (!met) break;
       const FibreFrame frame(met->tangent);
       const auto scattered = scene.cloth->materials[0].bcsdf->sample(frame.toLocal(-direction), met->offset, random);

@@ -35,7 +35,7 @@ TEST(FibreExtent, ARepeatIsOneOfWeaveYarnsAndTwist) {
     for (int end = 0; end < size.ends; ++end) {
       ASSERT_EQ(geometry.key(System::warp, pick, end), geometry.key(System::warp, pick + size.picks, end));
       ASSERT_EQ(geometry.key(System::weft, pick, end), geometry.key(System::weft, pick, end + size.ends));
-      CellKey beside = geometry.key(System::warp, pick, end + size.ends);
+      YarnCellKey beside = geometry.key(System::warp, pick, end + size.ends);
       beside.phase = geometry.phase(System::warp, pick, end);
       ASSERT_EQ(geometry.key(System::warp, pick, end), beside);
     }

@@ -26,25 +26,25 @@ bool sameBricks(const ClothVolume& a, const ClothVolume& b) {
 }
 
 struct Shown {
-  std::vector<std::shared_ptr<const Scene>> drafts;
+  std::vector<std::shared_ptr<const Scene>> sketches;
   ScenePreviews first{1.5, [](double) { return true; },
-                      [this](std::shared_ptr<const Scene> draft) { drafts.push_back(std::move(draft)); }};
+                      [this](std::shared_ptr<const Scene> sketch) { sketches.push_back(std::move(sketch)); }};
 };
 
 TEST(ScenePreviews, AreCompleteAndLeaveTheSceneAsItIs) {
   const auto fabric = std::make_shared<const Fabric>(thickCloth());
   Shown shown;
   const auto scene = makeScene(fabric, Task{}, nullptr, &shown.first), fresh = makeScene(fabric, Task{});
-  ASSERT_FALSE(shown.drafts.empty());
-  EXPECT_TRUE(shown.drafts.front()->cloth->volume->geometry().isSketched());
+  ASSERT_FALSE(shown.sketches.empty());
+  EXPECT_TRUE(shown.sketches.front()->cloth->volume->geometry().isSketched());
   EXPECT_FALSE(scene->cloth->volume->geometry().isSketched());
   EXPECT_TRUE(sameBricks(*scene->cloth->volume, *fresh->cloth->volume));
-  for (const auto& draft : shown.drafts) {
-    EXPECT_EQ(draft->fabric, fabric);
-    EXPECT_TRUE(draft->cloth->shell && draft->cloth->entry && draft->lighting);
-    EXPECT_EQ(draft->cloth->materials.size(), scene->cloth->materials.size());
-    EXPECT_EQ(draft->cloth->yarns[0].size(), scene->cloth->yarns[0].size());
-    EXPECT_EQ(draft->cloth->volume->geometry().ends(), scene->cloth->volume->geometry().ends());
+  for (const auto& sketch : shown.sketches) {
+    EXPECT_EQ(sketch->fabric, fabric);
+    EXPECT_TRUE(sketch->cloth->shell && sketch->cloth->entry && sketch->lighting);
+    EXPECT_EQ(sketch->cloth->materials.size(), scene->cloth->materials.size());
+    EXPECT_EQ(sketch->cloth->yarns[0].size(), scene->cloth->yarns[0].size());
+    EXPECT_EQ(sketch->cloth->volume->geometry().ends(), scene->cloth->volume->geometry().ends());
   }
 }
 
@@ -54,7 +54,7 @@ TEST(ScenePreviews, AreNotShownOfWhatIsThere) {
   fabric.fibres[0].absorption_per_mm = Rgb(3);
   Shown shown;
   const auto after = makeScene(std::make_shared<const Fabric>(fabric), Task{}, before.get(), &shown.first);
-  EXPECT_TRUE(shown.drafts.empty());
+  EXPECT_TRUE(shown.sketches.empty());
   EXPECT_EQ(after->cloth->volume, before->cloth->volume);
 }
 

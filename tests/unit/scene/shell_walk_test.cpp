@@ -59,15 +59,15 @@ std::vector<Interval> bruteForce(const Shell& shell, glm::dvec3 origin, glm::dve
   return merged;
 }
 
-struct Walk {
+struct WalkedTets {
   std::vector<Interval> inside;
   int steps = 0;
   bool ended = true;
 };
 
 /// Enter, walk, leave, enter again. `rebase`: with the origin moved along at every entry and exit.
-Walk walk(const Shell& shell, const ShellEntry& entry, glm::vec3 origin, glm::vec3 direction, bool rebase) {
-  Walk result;
+WalkedTets walk(const Shell& shell, const ShellEntry& entry, glm::vec3 origin, glm::vec3 direction, bool rebase) {
+  WalkedTets result;
   const int limit = 20000;
   double passed = 0;
   float t = 0;
@@ -154,7 +154,7 @@ class ShellWalk : public testing::TestWithParam<const char*> {
       most = std::max(most, near);
     }
     for (const bool rebase : {false, true}) {
-      const Walk walked = walk(*shell_, entry_, origin, direction, rebase);
+      const WalkedTets walked = walk(*shell_, entry_, origin, direction, rebase);
       ASSERT_TRUE(walked.ended) << "a ray walks for ever";
       const double walkedLength = length(walked.inside);
       EXPECT_TRUE(walkedLength > least - tolerance && walkedLength < most + tolerance)

@@ -8,14 +8,14 @@ namespace loomlight {
 namespace {
 
 /// A cell `b` of cell `a`; each level but these has one cell in the one before.
-CellPath path(uint64_t a, uint64_t b = 0) {
-  CellPath path;
+LightCellPath path(uint64_t a, uint64_t b = 0) {
+  LightCellPath path;
   uint64_t key = 1;
-  for (uint64_t level = 0; level < kCellLevels; ++level) {
+  for (uint64_t level = 0; level < kLightCellLevels; ++level) {
     if (level == 1) key = hashCombine(key, a);
     if (level == 2) key = hashCombine(key, b);
     key = mixBits(key);
-    path.keys[level] = (key & ~kCellLevelBits) | level;
+    path.keys[level] = (key & ~kLightCellLevelBits) | level;
   }
   return path;
 }
@@ -48,7 +48,7 @@ TEST(CellSums, TwoHalvesAreTheWhole) {
   CellSums whole, left, right;
   Random random(1);
   for (int i = 0; i < 1000; ++i) {
-    const CellPath where = path(random.below(5), random.below(40));
+    const LightCellPath where = path(random.below(5), random.below(40));
     const Rgb colour(random.uniform(), random.uniform(), random.uniform());
     whole.deposit(whole.add(where), colour);
     CellSums& half = random.below(2) == 0 ? left : right;

@@ -71,15 +71,15 @@ TEST(PathRecords, RecolouredIsWhatTheSamePathsTracedInTheNewColoursBring) {
       const Traced first(*scene, *medium, kPlenty);
       const Scene other = dyed(*scene);
       const Traced second(other, *medium, kPlenty);
-      const auto recoloured = first.records.dyed({other.colouring, Rgb(1)}, 2);
+      const auto recoloured = first.records.recoloured({other.colouring, Rgb(1)}, 2);
       double change = 0;
       for (int y = 0; y < kSide; ++y)
         for (int x = 0; x < kSide; ++x) {
           const PathRecords::Sums sums = at(recoloured, x, y);
           ASSERT_EQ(sums.samples, kSamples);
           expectEqual(sums.traced / float{kSamples}, first.film.mean(x, y));
-          expectEqual(sums.dyed / float{kSamples}, second.film.mean(x, y));
-          change += glm::length(sums.dyed - sums.traced);
+          expectEqual(sums.recoloured / float{kSamples}, second.film.mean(x, y));
+          change += glm::length(sums.recoloured - sums.traced);
         }
       EXPECT_GT(change, 10) << "the colours are others";
     }
@@ -98,13 +98,13 @@ TEST(PathRecords, AreSeenByOtherLampsInBandsToo) {
   fabric.light.illuminant = StandardIlluminant::f11;
   other.colouring = colouringOf(fabric);
   const Traced second(other, *medium, kPlenty);
-  const auto recoloured = first.records.dyed({other.colouring, Rgb(1)}, 2);
+  const auto recoloured = first.records.recoloured({other.colouring, Rgb(1)}, 2);
   double change = 0;
   for (int y = 0; y < kSide; ++y)
     for (int x = 0; x < kSide; ++x) {
       const PathRecords::Sums sums = at(recoloured, x, y);
-      expectEqual(sums.dyed / float{kSamples}, second.film.mean(x, y));
-      change += glm::length(sums.dyed - sums.traced);
+      expectEqual(sums.recoloured / float{kSamples}, second.film.mean(x, y));
+      change += glm::length(sums.recoloured - sums.traced);
     }
   EXPECT_GT(change, 1) << "the lamp is another";
 }
@@ -113,12 +113,12 @@ TEST(PathRecords, InItsOwnColoursIsTheFilm) {
   const auto scene = test::sceneOf(twoDyes(LightKind::sky));
   const auto medium = makeMedium(*scene, 1e9, Task{});
   const Traced traced(*scene, *medium, kPlenty);
-  const auto same = traced.records.dyed({scene->colouring, Rgb(1)}, 1);
-  const auto half = traced.records.dyed({scene->colouring, Rgb(0.5f)}, 1);
+  const auto same = traced.records.recoloured({scene->colouring, Rgb(1)}, 1);
+  const auto half = traced.records.recoloured({scene->colouring, Rgb(0.5f)}, 1);
   for (int y = 0; y < kSide; ++y)
     for (int x = 0; x < kSide; ++x) {
-      expectEqual(at(same, x, y).dyed, at(same, x, y).traced);
-      expectEqual(at(half, x, y).dyed, 0.5f * at(same, x, y).dyed);
+      expectEqual(at(same, x, y).recoloured, at(same, x, y).traced);
+      expectEqual(at(half, x, y).recoloured, 0.5f * at(same, x, y).recoloured);
     }
 }
 
@@ -134,7 +134,7 @@ TEST(PathRecords, WithLittleRoomKeepTheFirstSamplesOfAllPixelsAlike) {
   const uint32_t kept = traced.records.samples(0, 0);
   ASSERT_GT(kept, 0u);
   ASSERT_LT(kept, kSamples);
-  const auto picture = traced.records.dyed({scene->colouring, Rgb(1)}, 1);
+  const auto picture = traced.records.recoloured({scene->colouring, Rgb(1)}, 1);
   const CameraRays camera(scene->fabric->camera, kSide, kSide);
   TraceCounts counts;
   for (int y = 0; y < kSide; ++y)
@@ -145,7 +145,7 @@ TEST(PathRecords, WithLittleRoomKeepTheFirstSamplesOfAllPixelsAlike) {
         const PathSample sample = tracePath(*scene, *medium, camera, x, y, i, counts);
         first += sample.direct + sample.indirect;
       }
-      expectEqual(at(picture, x, y).dyed, first);
+      expectEqual(at(picture, x, y).recoloured, first);
     }
 }
 
@@ -163,9 +163,9 @@ TEST(PathRecords, OfAPictureContinuedAreThoseOfOneRun) {
   const Traced whole(*scene, *medium, kPlenty);
   Traced parts(kPlenty);
   for (const uint32_t samples : {1u, 4u, kSamples}) parts.bringTo(samples, *scene, *medium);
-  const Dye dye{{{Rgb(3), Rgb(70)}}, Rgb(1)};
-  const auto a = parts.records.dyed(dye, 1), b = whole.records.dyed(dye, 2);
-  for (size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i].dyed, b[i].dyed);
+  const Recolouring recolouring{{{Rgb(3), Rgb(70)}}, Rgb(1)};
+  const auto a = parts.records.recoloured(recolouring, 1), b = whole.records.recoloured(recolouring, 2);
+  for (size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i].recoloured, b[i].recoloured);
 }
 
 }  // namespace

@@ -98,7 +98,7 @@ TEST(ClothVolume, EqualKeysHaveEqualContent) {
   for (int pick = 0; pick < 9; ++pick)
     for (int end = 0; end < 9; ++end)
       for (const System system : {System::warp, System::weft}) {
-        const CellKey key = geometry->key(system, pick, end);
+        const YarnCellKey key = geometry->key(system, pick, end);
         EXPECT_EQ(voxelise(geometry->strands(key), system, volume->grid()).view(), volume->brick(system, pick, end))
             << pick << " " << end;
       }
@@ -112,7 +112,7 @@ TEST(ClothVolume, StoresEachKeyOnceAndNoneThatThePieceLacks) {
     for (int pick = 0; pick <= side; ++pick)
       for (int end = 0; end < side; ++end)
         for (const System system : {System::warp, System::weft}) {
-          const CellKey key = volume->geometry().key(system, pick, end);
+          const YarnCellKey key = volume->geometry().key(system, pick, end);
           const BrickView brick = volume->brick(system, pick, end);
           if (bricks.emplace(hash(key), brick.blocks).second) segments += brick.segments;
           EXPECT_EQ(bricks[hash(key)], brick.blocks);
@@ -133,7 +133,7 @@ double depthFromAbove(const ClothVolume& volume, double fibreRadius_mm) {
       ClothVolume::March march(volume, origin, {0, 0, -1}, 0, 2);
       while (march.next())
         for (int i = 0; i < march.content().count; ++i)
-          for (const Component c : march.content().parts[i].components) {
+          for (const Component c : march.content().spans[i].components) {
             const FibreDistribution d = c.decode();
             const float sine2 = 1 - d.direction.z * d.direction.z;
             depth += 2 * fibreRadius_mm * d.lengthDensity *

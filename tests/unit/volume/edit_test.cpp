@@ -88,7 +88,7 @@ void walk(Fabric fabric, int ends, int picks, int steps, Random& random) {
     // Somebody looks at a corner of it meanwhile, and is shown what there is.
     const CellRect corner{0, 0, 1 + static_cast<int>(random.below(picks)), 1 + static_cast<int>(random.below(ends))};
     const PreviewSink look{corner, [](double) { return true; },
-                           [&](std::shared_ptr<const ClothVolume> draft) { EXPECT_TRUE(isWhole(*draft)); }};
+                           [&](std::shared_ptr<const ClothVolume> sketch) { EXPECT_TRUE(isWhole(*sketch)); }};
     volume = ClothVolume::build(geometry, 1, one, volume.get(), &look);
     const auto fresh = ClothVolume::build(geometryOf(history[now], ends, picks), 1, one);
     ASSERT_TRUE(sameVolume(*fresh, *volume)) << "step " << step;

@@ -94,7 +94,7 @@ class AllVoxels {
 Visit visitOf(const ClothVolume::March& march) {
   Visit visit{march.content().voxel, march.enter(), march.leave(), {}};
   for (int i = 0; i < march.content().count; ++i)
-    for (const Component c : march.content().parts[i].components) visit.components.push_back(c.bits());
+    for (const Component c : march.content().spans[i].components) visit.components.push_back(c.bits());
   std::sort(visit.components.begin(), visit.components.end());
   return visit;
 }
@@ -272,16 +272,16 @@ TEST(March, NamesTheYarnAndTheCell) {
       EXPECT_EQ(content.voxel.x / grid.cell.x, content.end);
       EXPECT_EQ(content.voxel.y / grid.cell.y, content.pick);
       for (int p = 0; p < content.count; ++p) {
-        const VoxelContent::Part& part = content.parts[p];
-        const bool isWarp = part.system == System::warp;
+        const VoxelContent::YarnSpan& span = content.spans[p];
+        const bool isWarp = span.system == System::warp;
         const int own = isWarp ? content.end : content.pick;
-        EXPECT_LE(std::abs(part.index - own), 1);
+        EXPECT_LE(std::abs(span.index - own), 1);
         const BrickView brick =
-            volume->brick(part.system, isWarp ? content.pick : part.index, isWarp ? part.index : content.end);
+            volume->brick(span.system, isWarp ? content.pick : span.index, isWarp ? span.index : content.end);
         const Component* first = brick.components.data();
-        EXPECT_GE(part.components.data(), first) << "of the yarn that it names";
-        EXPECT_LT(part.components.data(), first + brick.components.size());
-        neighbours += part.index != own;
+        EXPECT_GE(span.components.data(), first) << "of the yarn that it names";
+        EXPECT_LT(span.components.data(), first + brick.components.size());
+        neighbours += span.index != own;
         ++(isWarp ? warp : weft);
       }
     }
@@ -307,7 +307,7 @@ TEST(March, ContentAtAPointIsThatOfTheVoxelAroundIt) {
       volume->contentAt(origin + glm::vec3(0.5f * (march.enter() + march.leave()), 0, 0), at);
       EXPECT_EQ(at.voxel, content.voxel);
       EXPECT_EQ(at.count, content.count);
-      for (int p = 0; p < at.count; ++p) EXPECT_EQ(at.parts[p].components.data(), content.parts[p].components.data());
+      for (int p = 0; p < at.count; ++p) EXPECT_EQ(at.spans[p].components.data(), content.spans[p].components.data());
       ++found;
     }
   }

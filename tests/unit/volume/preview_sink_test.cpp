@@ -21,13 +21,13 @@ struct Looker {
                fractions.push_back(fraction);
                return true;
              },
-             [this](std::shared_ptr<const ClothVolume> draft) { drafts.push_back(std::move(draft)); }} {}
+             [this](std::shared_ptr<const ClothVolume> sketch) { sketches.push_back(std::move(sketch)); }} {}
   Looker(const Looker&) = delete;
   Looker& operator=(const Looker&) = delete;
 
   PreviewSink look;
   std::vector<double> fractions;
-  std::vector<std::shared_ptr<const ClothVolume>> drafts;
+  std::vector<std::shared_ptr<const ClothVolume>> sketches;
 };
 
 CellRect somewhere(const ClothGeometry& geometry, Random& random) {
@@ -62,7 +62,7 @@ TEST(PreviewSink, ShowsWhatIsSeenAsItWillBeBeforeTheRestIsMade) {
   const auto geometry = geometryOf(fabric, 60, 50);
   const auto fresh = ClothVolume::build(geometry, 2, oneThread());
   Random random(5);
-  int exact = 0;  // drafts
+  int exact = 0;  // sketches
   for (int round = 0; round < 10; ++round) {
     const CellRect rect = somewhere(*geometry, random);
     SCOPED_TRACE(fmt::format("{} picks, {} ends", rect.picks, rect.ends));
@@ -70,15 +70,15 @@ TEST(PreviewSink, ShowsWhatIsSeenAsItWillBeBeforeTheRestIsMade) {
     const auto volume = ClothVolume::build(geometry, 2, oneThread(), nullptr, &looker.look);
     ASSERT_TRUE(sameVolume(*fresh, *volume));
     EXPECT_EQ(volume->bricksVoxelised(), fresh->bricksVoxelised());
-    ASSERT_EQ(looker.drafts.size(), looker.fractions.size());
-    if (looker.drafts.empty()) continue;  // all is in view, each shape in one phase
+    ASSERT_EQ(looker.sketches.size(), looker.fractions.size());
+    if (looker.sketches.empty()) continue;  // all is in view, each shape in one phase
     const size_t seen = bricksIn(*fresh, rect).size();
     const auto made = static_cast<size_t>(std::lround(looker.fractions.back() * volume->bricksVoxelised()));
     EXPECT_LE(made, seen);      // nothing else was made before
     if (made < seen) continue;  // the last brick that is seen was the last of all
     ++exact;
     forEachYarn(rect, [&](System system, int pick, int end) {
-      EXPECT_TRUE(looker.drafts.back()->brick(system, pick, end) == fresh->brick(system, pick, end));
+      EXPECT_TRUE(looker.sketches.back()->brick(system, pick, end) == fresh->brick(system, pick, end));
     });
   }
   EXPECT_GT(exact, 5);
@@ -91,22 +91,22 @@ TEST(PreviewSink, HasABrickOfTheRightShapeInEveryCellThatIsSeenAndOneOfTheRightY
   const CellRect all = whole(*geometry), rect{3, 5, 2, 2};
   Looker looker(rect);
   ClothVolume::build(geometry, 1, oneThread(), nullptr, &looker.look);
-  ASSERT_EQ(looker.drafts.size(), 2u);
-  looker.drafts.push_back(ClothVolume::draft(geometry, 1, rect, oneThread()));
+  ASSERT_EQ(looker.sketches.size(), 2u);
+  looker.sketches.push_back(ClothVolume::sketch(geometry, 1, rect, oneThread()));
   const auto shapeOf = [&](System system, int pick, int end) {
-    CellKey key = geometry->key(system, pick, end);
+    YarnCellKey key = geometry->key(system, pick, end);
     key.phase = 0;
     return key;
   };
-  for (const auto& draft : looker.drafts) {
-    ASSERT_LT(draft->counts().segments, fresh->counts().segments * 40);  // walks all bricks: none is missing
+  for (const auto& sketch : looker.sketches) {
+    ASSERT_LT(sketch->counts().segments, fresh->counts().segments * 40);  // walks all bricks: none is missing
     forEachYarn(all, [&](System system, int pick, int end) {
-      const BrickView shown = draft->brick(system, pick, end);
+      const BrickView shown = sketch->brick(system, pick, end);
       const bool seen = rect.contains(pick, end);
       bool known = false;
       forEachYarn(all, [&](System other, int p, int e) {
         if (known || other != system || !(fresh->brick(other, p, e) == shown)) return;
-        const CellKey a = shapeOf(system, pick, end), b = shapeOf(other, p, e);
+        const YarnCellKey a = shapeOf(system, pick, end), b = shapeOf(other, p, e);
         known = seen ? a == b : a.yarn == b.yarn;
       });
       ASSERT_TRUE(known) << pick << " " << end << (seen ? " seen" : "");
@@ -118,9 +118,9 @@ TEST(PreviewSink, MakesOneBrickOfEachShapeThatIsSeenFirst) {
   const Fabric fabric = hairyTwill();
   const auto geometry = geometryOf(fabric, 40, 36);
   const CellRect rect{0, 0, 4, 4};  // a repeat
-  std::vector<CellKey> shapes;
+  std::vector<YarnCellKey> shapes;
   forEachYarn(rect, [&](System system, int pick, int end) {
-    CellKey key = geometry->key(system, pick, end);
+    YarnCellKey key = geometry->key(system, pick, end);
     key.phase = 0;
     if (std::find(shapes.begin(), shapes.end(), key) == shapes.end()) shapes.push_back(key);
   });
@@ -136,7 +136,7 @@ TEST(PreviewSink, LeavesAnEditWhatAFreshBuildMakes) {
   fabric.fibres[0].radius_um = 40;
   auto geometry = geometryOf(fabric, 50, 44);
   auto volume = ClothVolume::build(geometry, 1, oneThread());
-  size_t drafts = 0;
+  size_t sketches = 0;
   for (int step = 0; step < 60; ++step) {
     const int pick = random.below(30), end = random.below(30);
     fabric.weave = fabric.weave.with(pick, end, !fabric.weave.at(pick, end));
@@ -145,10 +145,10 @@ TEST(PreviewSink, LeavesAnEditWhatAFreshBuildMakes) {
     geometry = std::make_shared<const ClothGeometry>(fabric, 50, 44, geometry.get());
     Looker looker(somewhere(*geometry, random));
     volume = ClothVolume::build(geometry, 1, oneThread(), volume.get(), &looker.look);
-    drafts += looker.drafts.size();
+    sketches += looker.sketches.size();
     ASSERT_TRUE(sameVolume(*ClothVolume::build(geometryOf(fabric, 50, 44), 1, oneThread()), *volume)) << step;
   }
-  EXPECT_GT(drafts, 20u);
+  EXPECT_GT(sketches, 20u);
 }
 
 TEST(PreviewSink, MayStopTheBuild) {

@@ -1,31 +1,31 @@
-#include "render/display/parts.h"
+#include "render/display/buckets.h"
 
 #include <algorithm>
 #include <numeric>
 
-// How it works. A picture that takes long is made in square parts, those nearest to its middle first, where the eye is.
-// A finished part fades out towards neighbours that are not there yet, over a quarter of its side, so that no edge
-// between old and new pixels is seen.
+// How it works. A picture that takes long is made in square buckets, those nearest to its middle first, where the eye
+// is. A finished bucket fades out towards neighbours that are not there yet, over a quarter of its side, so that no
+// edge between old and new pixels is seen.
 namespace loomlight {
 namespace {
 
-int partsAlong(int pixels, int side) {
+int bucketsAlong(int pixels, int side) {
   return (pixels + side - 1) / side;
 }
 
 }  // namespace
 
-Parts::Parts(const PixelRect& window, int side)
+Buckets::Buckets(const PixelRect& window, int side)
     : window_(window),
       width_(side > 0 ? side : window.width),
       height_(side > 0 ? side : window.height),
-      columns_(partsAlong(window.width, width_)),
-      rows_(partsAlong(window.height, height_)),
+      columns_(bucketsAlong(window.width, width_)),
+      rows_(bucketsAlong(window.height, height_)),
       order_(static_cast<size_t>(columns_) * static_cast<size_t>(rows_)),
       isDone_(order_.size(), false) {
   std::iota(order_.begin(), order_.end(), size_t{0});
   const auto fromMiddle = [this](size_t index) {  // squared, in half pixels
-    const PixelRect p = part(index);
+    const PixelRect p = bucket(index);
     const int64_t x = 2 * (p.x - window_.x) + p.width - window_.width;
     const int64_t y = 2 * (p.y - window_.y) + p.height - window_.height;
     return x * x + y * y;
@@ -33,12 +33,12 @@ Parts::Parts(const PixelRect& window, int side)
   std::stable_sort(order_.begin(), order_.end(), [&](size_t a, size_t b) { return fromMiddle(a) < fromMiddle(b); });
 }
 
-PixelRect Parts::part(size_t index) const {
+PixelRect Buckets::bucket(size_t index) const {
   const int x = static_cast<int>(index) % columns_ * width_, y = static_cast<int>(index) / columns_ * height_;
   return {window_.x + x, window_.y + y, std::min(width_, window_.width - x), std::min(height_, window_.height - y)};
 }
 
-float Parts::shown(int x, int y) const {
+float Buckets::shown(int x, int y) const {
   const int column = (x - window_.x) / width_, row = (y - window_.y) / height_;
   const auto done = [&](int c, int r) {
     const bool outside = c < 0 || r < 0 || c >= columns_ || r >= rows_;

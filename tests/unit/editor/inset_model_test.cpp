@@ -1,4 +1,4 @@
-#include "app/editor/controllers/lens_model.h"
+#include "app/editor/controllers/inset_model.h"
 
 #include <gmock/gmock.h>
 
@@ -6,7 +6,7 @@ namespace loomlight {
 namespace {
 
 using testing::HasSubstr;
-using Phase = LensStatus::Phase;
+using Phase = InsetStatus::Phase;
 
 Drape flat(double width_mm, double height_mm) {
   Drape drape;
@@ -16,61 +16,61 @@ Drape flat(double width_mm, double height_mm) {
   return drape;
 }
 
-LensFrame frameWith(int samples) {
+InsetFrame frameWith(int samples) {
   auto frame = std::make_shared<Frame>();
   frame->samples = samples;
   return {frame, nullptr};
 }
 
-TEST(LensModel, SaysWhatTheFibresTakeWhileTheyAreLaid) {
-  LensStatus status;
+TEST(InsetModel, SaysWhatTheFibresTakeWhileTheyAreLaid) {
+  InsetStatus status;
   status.phase = Phase::laying;
   status.progress = 0.431;
   status.segments = 12.34e6;
   status.bytes = 1.18e9;
-  const LensModel model = lensModel(status, nullptr, false, 8e9, flat(20, 20));
+  const InsetModel model = insetModel(status, nullptr, false, 8e9, flat(20, 20));
   EXPECT_EQ(model.caption, "laying 12.3 million fibre segments, 1.2 GB: 43 %");
   EXPECT_TRUE(model.laying);
   EXPECT_EQ(model.trouble, "");
 }
 
-TEST(LensModel, RefusesInPlainWordsAndOffersWhatHelps) {
-  LensStatus status;
+TEST(InsetModel, RefusesInPlainWordsAndOffersWhatHelps) {
+  InsetStatus status;
   status.phase = Phase::tooLarge;
   status.segments = 1.2e9;
   status.bytes = 115e9;
-  const LensModel model = lensModel(status, nullptr, false, 8.8e9, flat(160, 80));
+  const InsetModel model = insetModel(status, nullptr, false, 8.8e9, flat(160, 80));
   EXPECT_THAT(model.trouble, HasSubstr("1.2 billion segments, would take 115.0 GB"));
   EXPECT_THAT(model.trouble, HasSubstr("The limit is 8.8 GB"));
   EXPECT_EQ(model.remedy, "Make it 43 \xC3\x97 21 mm");
   EXPECT_TRUE(model.limitMatters);
   Drape mesh = flat(160, 80);
   mesh.kind = DrapeKind::mesh;
-  EXPECT_EQ(lensModel(status, nullptr, false, 8.8e9, mesh).remedy, "");
-  EXPECT_THAT(lensModel(status, nullptr, false, 8.8e9, mesh).trouble, HasSubstr("laid flat, one repeat"));
+  EXPECT_EQ(insetModel(status, nullptr, false, 8.8e9, mesh).remedy, "");
+  EXPECT_THAT(insetModel(status, nullptr, false, 8.8e9, mesh).trouble, HasSubstr("laid flat, one repeat"));
 }
 
-TEST(LensModel, CaptionsWhatIsSeen) {
-  LensStatus status;
+TEST(InsetModel, CaptionsWhatIsSeen) {
+  InsetStatus status;
   status.phase = Phase::tracing;
-  LensFrame frame = frameWith(12);
-  EXPECT_EQ(lensModel(status, &frame, false, 8e9, flat(20, 20)).caption, "fibres, 12 spp");
-  EXPECT_EQ(lensModel(status, &frame, true, 8e9, flat(20, 20)).caption, "difference, waiting for samples");
+  InsetFrame frame = frameWith(12);
+  EXPECT_EQ(insetModel(status, &frame, false, 8e9, flat(20, 20)).caption, "fibres, 12 spp");
+  EXPECT_EQ(insetModel(status, &frame, true, 8e9, flat(20, 20)).caption, "difference, waiting for samples");
   auto difference = std::make_shared<Difference>();
   difference->mean_percent = 1.26;
   difference->error_percent = 0.24;
   frame.difference = difference;
-  const LensModel model = lensModel(status, &frame, true, 8e9, flat(20, 20));
+  const InsetModel model = insetModel(status, &frame, true, 8e9, flat(20, 20));
   EXPECT_EQ(model.caption,
             "difference \xC3\x97"
             "4, mean +1.3 \xC2\xB1 0.2 %");
   EXPECT_EQ(model.scaleEnd, "25 %");
   EXPECT_GT(model.scale.size(), 8u);
   status.isWholePiece = false;
-  EXPECT_EQ(lensModel(status, &frame, false, 8e9, flat(20, 20)).caption, "fibres of one repeat, 12 spp");
+  EXPECT_EQ(insetModel(status, &frame, false, 8e9, flat(20, 20)).caption, "fibres of one repeat, 12 spp");
   status.isWholePiece = true;
   frame = frameWith(0);
-  EXPECT_EQ(lensModel(status, &frame, false, 8e9, flat(20, 20)).caption, "fibres, preview");
+  EXPECT_EQ(insetModel(status, &frame, false, 8e9, flat(20, 20)).caption, "fibres, preview");
 }
 
 TEST(FittingPiece, KeepsTheProportionsAndFits) {

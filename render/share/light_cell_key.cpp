@@ -1,4 +1,4 @@
-#include "render/share/cell_key.h"
+#include "render/share/light_cell_key.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,12 +32,12 @@ uint64_t directionBin(glm::vec3 d, float steps, glm::vec2 jitter) {
 
 }  // namespace
 
-CellKeys::CellKeys(const Scene& scene)
+LightCellKeys::LightCellKeys(const Scene& scene)
     : cloth_(*scene.cloth),
       geometry_(scene.cloth->volume->geometry()),
       lightIsNear_(scene.fabric->light.kind == LightKind::headlight) {}
 
-uint64_t CellKeys::crossingsAround(int pick, int end) const {
+uint64_t LightCellKeys::crossingsAround(int pick, int end) const {
   uint64_t warpOver = 0, key = 0;
   for (int p = pick - 1; p <= pick + 1; ++p)
     for (int e = end - 1; e <= end + 1; ++e) warpOver = 2 * warpOver + (geometry_.weave().warpOver(p, e) ? 1 : 0);
@@ -50,13 +50,13 @@ uint64_t CellKeys::crossingsAround(int pick, int end) const {
 }
 
 /// Which cut edges are at most two yarns away.
-uint64_t CellKeys::edges(int pick, int end) const {
+uint64_t LightCellKeys::edges(int pick, int end) const {
   constexpr int kNear = 2;
   return (end < kNear ? 1u : 0u) + (end >= geometry_.ends() - kNear ? 2u : 0u) + (pick < kNear ? 4u : 0u) +
          (pick >= geometry_.picks() - kNear ? 8u : 0u);
 }
 
-CellPath CellKeys::of(const Collision& first, glm::vec2 jitter) {
+LightCellPath LightCellKeys::of(const Collision& first, glm::vec2 jitter) {
   const Shell& shell = *cloth_.shell;
   const glm::vec3 place = shell.toCloth(first.place.tet, first.place.world);
   const VoxelGrid& grid = cloth_.volume->grid();
@@ -83,9 +83,9 @@ CellPath CellKeys::of(const Collision& first, glm::vec2 jitter) {
     lie = hashCombine(hashCombine(lie, patch.x), patch.y);
   }
 
-  CellPath path;
+  LightCellPath path;
   uint64_t key = 0;
-  const auto level = [&](uint64_t i) { path.keys[i] = (key & ~kCellLevelBits) | i; };
+  const auto level = [&](uint64_t i) { path.keys[i] = (key & ~kLightCellLevelBits) | i; };
   level(0);
   key = hashCombine(hashCombine(hashCombine(key, static_cast<int>(first.yarnId.system)), first.yarn), first.material);
   key = hashCombine(key, sideOf(toEye));

@@ -10,14 +10,14 @@
 namespace loomlight {
 
 /// How many levels of cells there are: one of all light, and each dividing the cells of the one before.
-inline constexpr int kCellLevels = 5;
+inline constexpr int kLightCellLevels = 5;
 
 /// The cells that a place is in, one of each level, coarse first. The level is in the last bits of a key.
-struct CellPath {
-  std::array<uint64_t, kCellLevels> keys{};
+struct LightCellPath {
+  std::array<uint64_t, kLightCellLevels> keys{};
   uint64_t finest() const { return keys.back(); }
 };
-inline constexpr uint64_t kCellLevelBits = 7;
+inline constexpr uint64_t kLightCellLevelBits = 7;
 
 /// Which places of a cloth look alike, as far as one can tell without light: what a cell is. Repeats of the weave lie
 /// in the same cells wherever the same light falls on them in the same way.
@@ -32,13 +32,13 @@ inline constexpr uint64_t kCellLevelBits = 7;
 /// Where the cloth lies is no part of it, but under the headlight: on a flat piece nothing casts a shadow.
 ///
 /// One thread, as many places as it likes. The scene must outlive it.
-class CellKeys {
+class LightCellKeys {
  public:
-  explicit CellKeys(const Scene& scene);
+  explicit LightCellKeys(const Scene& scene);
 
   /// The cells of the place where a path met its first fibre. `jitter`: two numbers from -1/2 to 1/2, in steps of how
   /// the cloth lies: places near a border of two such steps are then in either.
-  CellPath of(const Collision& first, glm::vec2 jitter = glm::vec2(0));
+  LightCellPath of(const Collision& first, glm::vec2 jitter = glm::vec2(0));
 
  private:
   uint64_t crossingsAround(int pick, int end) const;

@@ -11,7 +11,7 @@ namespace loomlight {
 // What is known of the fibres near a path, from the flights that it has made.
 
 /// A fibre that light has met: nearby, a straight cylinder.
-struct MetFibre {
+struct KnownFibre {
   glm::vec3 axis{0};
   glm::vec3 tangent{1, 0, 0};
   float radius_mm = 0;  ///< 0: none
@@ -27,23 +27,23 @@ struct RaySegment {
 };
 
 /// The share of fibres through a point, with tangent m, that would also have blocked a flight: those are not there.
-inline float knownAbsent(const RaySegment& flight, glm::vec3 point, glm::vec3 m, float spread, float radius_mm) {
+inline float knownAbsent(const RaySegment& segment, glm::vec3 point, glm::vec3 m, float spread, float radius_mm) {
   // Seen along m, fibres are discs, and the flight a line.
-  const glm::vec3 offset = point - flight.end;
-  const float alongTangent = glm::dot(flight.direction, m);
+  const glm::vec3 offset = point - segment.end;
+  const float alongTangent = glm::dot(segment.direction, m);
   const float lineSquare = 1 - alongTangent * alongTangent;
   if (lineSquare < 1e-6f) return 0;
-  const float back = -(glm::dot(offset, flight.direction) - alongTangent * glm::dot(offset, m));
-  if (back <= 0 || back >= flight.length_mm * lineSquare) return 0;
-  const glm::vec3 normal = glm::cross(m, flight.direction);
+  const float back = -(glm::dot(offset, segment.direction) - alongTangent * glm::dot(offset, m));
+  if (back <= 0 || back >= segment.length_mm * lineSquare) return 0;
+  const glm::vec3 normal = glm::cross(m, segment.direction);
   // Tangents that spread see the two ways apart by a little more; not where one way is the other, reversed.
-  const glm::vec3 separation = offset - glm::dot(offset, flight.direction) * flight.direction;
+  const glm::vec3 separation = offset - glm::dot(offset, segment.direction) * segment.direction;
   const float apart = std::abs(glm::dot(offset, normal)) / std::sqrt(lineSquare) + spread * glm::length(separation);
   return std::max(0.0f, 1 - apart / (2 * radius_mm));
 }
 
 /// Distance at which a ray from outside comes to a straight fibre; infinite if it does not.
-inline float distanceTo(const MetFibre& fibre, glm::vec3 origin, glm::vec3 direction) {
+inline float distanceTo(const KnownFibre& fibre, glm::vec3 origin, glm::vec3 direction) {
   constexpr float kNever = std::numeric_limits<float>::infinity();
   if (fibre.radius_mm <= 0) return kNever;
   const glm::vec3 m = fibre.tangent, o = origin - fibre.axis;

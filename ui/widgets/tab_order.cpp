@@ -1,11 +1,11 @@
-#include "ui/widgets/field_walk.h"
+#include "ui/widgets/tab_order.h"
 
 #include <algorithm>
 #include <utility>
 
 namespace loomlight {
 
-void FieldWalk::pass(ImGuiID field, ImGuiID panel, bool isNumber) {
+void TabOrder::pass(ImGuiID field, ImGuiID panel, bool isNumber) {
   if (const int now = ImGui::GetFrameCount(); now != frame_) {
     frame_ = now;
     drawn_ = std::exchange(drawing_, {});
@@ -13,7 +13,7 @@ void FieldWalk::pass(ImGuiID field, ImGuiID panel, bool isNumber) {
   drawing_.push_back({field, panel, isNumber});
 }
 
-void FieldWalk::go(int step, std::optional<ImGuiID> panel) {
+void TabOrder::go(int step, std::optional<ImGuiID> panel) {
   // Asked before the first field of a frame is drawn, and so of the frame before.
   const std::vector<Stop>& stops = frame_ == ImGui::GetFrameCount() ? drawn_ : drawing_;
   auto from = std::find_if(stops.begin(), stops.end(), [&](const Stop& stop) {
@@ -37,7 +37,7 @@ void FieldWalk::go(int step, std::optional<ImGuiID> panel) {
   }
 }
 
-bool FieldWalk::arrive(ImGuiID field) {
+bool TabOrder::arrive(ImGuiID field) {
   if (wanted_ != field) return false;
   wanted_ = 0;
   standOn(field, true);

@@ -1,4 +1,4 @@
-#include "ui/viewport/lens_overlay.h"
+#include "ui/viewport/inset_overlay.h"
 
 #include <fmt/core.h>
 
@@ -15,7 +15,7 @@ ImVec2 plus(ImVec2 a, ImVec2 b) {
   return {a.x + b.x, a.y + b.y};
 }
 
-/// Light between two dark lines: it reads on any cloth. Drawn around the lens, but never outside of the viewport.
+/// Light between two dark lines: it reads on any cloth. Drawn around the inset, but never outside of the viewport.
 void drawBorder(Ui& ui, ImVec2 min, ImVec2 max, ImVec2 viewportMin, ImVec2 viewportMax) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const float line = std::max(1.0f, std::floor(ui.px(1)));
@@ -32,9 +32,9 @@ void drawBorder(Ui& ui, ImVec2 min, ImVec2 max, ImVec2 viewportMin, ImVec2 viewp
   ring(line, IM_COL32(240, 240, 240, 255));
 }
 
-/// The caption in the lower left corner of the lens, with the scale of the difference behind it; of a lens that is too
-/// narrow for it, below, or where the viewport ends there, across.
-void drawCaption(Ui& ui, const LensModel& model, ImVec2 min, ImVec2 max, ImVec2 viewportMin, ImVec2 viewportMax) {
+/// The caption in the lower left corner of the inset, with the scale of the difference behind it; of an inset that is
+/// too narrow for it, below, or where the viewport ends there, across.
+void drawCaption(Ui& ui, const InsetModel& model, ImVec2 min, ImVec2 max, ImVec2 viewportMin, ImVec2 viewportMax) {
   if (model.caption.empty()) return;
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   ImGui::PushFont(ui.fonts.small);
@@ -98,15 +98,15 @@ void drawCross(Ui& ui, ImVec2 centre, bool lit) {
   draw.AddLine({centre.x - r, centre.y + r}, {centre.x + r, centre.y - r}, colour, ui.px(1.5f));
 }
 
-/// Moves the lens, says what it is, switches between fibres and difference, closes it.
-void bar(Ui& ui, LensView& view, ImVec2 origin, int viewportWidth, int viewportHeight) {
+/// Moves the inset, says what it is, switches between fibres and difference, closes it.
+void bar(Ui& ui, InsetView& view, ImVec2 origin, int viewportWidth, int viewportHeight) {
   ImGui::PushFont(ui.fonts.small);
   const float height = ui.px(24), segment = ui.px(72), inset = ui.px(2), cross = ui.px(22);
   const float title = ImGui::CalcTextSize("Truth lens").x + ui.px(16);
   const float buttons = 2 * segment + cross + 3 * inset;
-  const auto lensWidth = static_cast<float>(view.rect.width);
-  const ImVec2 size(std::max(lensWidth, title + buttons), height);
-  const ImVec2 min = plus(origin, besideLens(view.rect, size, ui.px(4), viewportWidth)), max = plus(min, size);
+  const auto insetWidth = static_cast<float>(view.rect.width);
+  const ImVec2 size(std::max(insetWidth, title + buttons), height);
+  const ImVec2 min = plus(origin, besideInset(view.rect, size, ui.px(4), viewportWidth)), max = plus(min, size);
   beginBox("lens.bar_box", min, size);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.AddRectFilled(min, max, kGround, ui.px(4));
@@ -131,10 +131,10 @@ void bar(Ui& ui, LensView& view, ImVec2 origin, int viewportWidth, int viewportH
   ui.probe.recordItem("lens.bar");
   const bool held = ImGui::IsItemActive();
   const ImVec2 mouse = ImGui::GetIO().MousePos;
-  if (ImGui::IsItemActivated()) view.grab(LensView::Grip::move, mouse);
+  if (ImGui::IsItemActivated()) view.grab(InsetView::Grip::move, mouse);
   if (held) view.drag(mouse, viewportWidth, viewportHeight);
   if (ImGui::IsItemDeactivated()) view.letGo(viewportWidth, viewportHeight);
-  if (held || ImGui::IsItemHovered()) ImGui::SetMouseCursor(cursorOf(LensView::Grip::move));
+  if (held || ImGui::IsItemHovered()) ImGui::SetMouseCursor(cursorOf(InsetView::Grip::move));
   draw.AddText({min.x + ui.px(8), min.y + 0.5f * (height - ImGui::GetFontSize())}, packed(Theme::dark().text),
                "Truth lens");
   ImGui::EndChild();
@@ -142,10 +142,10 @@ void bar(Ui& ui, LensView& view, ImVec2 origin, int viewportWidth, int viewportH
   if (closed) view.close();
 }
 
-/// What is in the way, and what can be done about it, in the middle of the lens.
-LensEdit troubleBox(Ui& ui, const LensModel& model, const LensView& view, ImVec2 origin, int viewportWidth,
-                    int viewportHeight) {
-  LensEdit edit;
+/// What is in the way, and what can be done about it, in the middle of the inset.
+InsetEdit troubleBox(Ui& ui, const InsetModel& model, const InsetView& view, ImVec2 origin, int viewportWidth,
+                     int viewportHeight) {
+  InsetEdit edit;
   const float pad = ui.px(12), width = std::min(ui.px(320), static_cast<float>(viewportWidth));
   const float wrap = width - 2 * pad;
   const bool buttons = !model.remedy.empty() || model.limitMatters;
@@ -179,16 +179,16 @@ LensEdit troubleBox(Ui& ui, const LensModel& model, const LensView& view, ImVec2
 
 }  // namespace
 
-LensEdit lensOverlay(Ui& ui, const LensModel& model, LensView& view, ImVec2 origin, int viewportWidth,
-                     int viewportHeight) {
+InsetEdit insetOverlay(Ui& ui, const InsetModel& model, InsetView& view, ImVec2 origin, int viewportWidth,
+                       int viewportHeight) {
   if (!view.on || !view.placed) return {};
   view.keepWithin(viewportWidth, viewportHeight);
-  const LensRect& rect = view.rect;
+  const InsetRect& rect = view.rect;
   const auto corner = [&](int x, int y) { return plus(origin, {static_cast<float>(x), static_cast<float>(y)}); };
   const ImVec2 min = corner(rect.x, rect.y), max = corner(rect.x + rect.width, rect.y + rect.height);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   if (model.picture) {
-    const LensRect& w = model.window;
+    const InsetRect& w = model.window;
     draw.PushClipRect(min, max, true);
     draw.AddImage(model.picture, corner(w.x, w.y), corner(w.x + w.width, w.y + w.height));
     draw.PopClipRect();
@@ -200,13 +200,13 @@ LensEdit lensOverlay(Ui& ui, const LensModel& model, LensView& view, ImVec2 orig
   drawBorder(ui, min, max, origin, corner(viewportWidth, viewportHeight));
   drawCaption(ui, model, min, max, origin, corner(viewportWidth, viewportHeight));
   ui.probe.record("lens", min, max);
-  LensEdit edit;
+  InsetEdit edit;
   if (!model.trouble.empty()) edit = troubleBox(ui, model, view, origin, viewportWidth, viewportHeight);
   bar(ui, view, origin, viewportWidth, viewportHeight);
   return edit;
 }
 
-void lensButton(Ui& ui, LensView& view, float size) {
+void insetButton(Ui& ui, InsetView& view, float size) {
   const ImVec2 min = ImGui::GetCursorScreenPos(), max(min.x + size, min.y + ImGui::GetFrameHeight());
   if (ImGui::InvisibleButton("view.lens", {size, max.y - min.y})) view.toggle();
   ImDrawList& draw = *ImGui::GetWindowDrawList();

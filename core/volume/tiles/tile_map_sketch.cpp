@@ -14,7 +14,7 @@ namespace loomlight {
 namespace {
 
 /// How unlike two paths through a cell are, mm.
-float unlikeness(const CellKey& a, const CellKey& b) {
+float unlikeness(const YarnCellKey& a, const YarnCellKey& b) {
   return std::abs(a.previous.height_mm - b.previous.height_mm) + 2 * std::abs(a.here.height_mm - b.here.height_mm) +
          std::abs(a.next.height_mm - b.next.height_mm);
 }
@@ -92,7 +92,7 @@ void TileMap::standIn() {
   if (known.empty()) return;
   const auto likest = [&](uint32_t shape) {
     if (hasBrick(shape)) return shape;
-    const CellKey& key = shapes_[shape];
+    const YarnCellKey& key = shapes_[shape];
     const auto ofYarn = known.find(key.yarn);
     if (ofYarn == known.end()) return any;
     return *std::min_element(ofYarn->second.begin(), ofYarn->second.end(), [&](uint32_t x, uint32_t y) {

@@ -1,4 +1,4 @@
-#include "ui/viewport/lens_view.h"
+#include "ui/viewport/inset_view.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,20 +9,20 @@ namespace {
 constexpr int kUsualWidth = 280, kUsualHeight = 200;
 constexpr float kClickReach = 4;  // a shorter drag is a click
 
-bool pullsLeft(LensView::Grip grip) {
-  using Grip = LensView::Grip;
+bool pullsLeft(InsetView::Grip grip) {
+  using Grip = InsetView::Grip;
   return grip == Grip::left || grip == Grip::topLeft || grip == Grip::bottomLeft;
 }
-bool pullsRight(LensView::Grip grip) {
-  using Grip = LensView::Grip;
+bool pullsRight(InsetView::Grip grip) {
+  using Grip = InsetView::Grip;
   return grip == Grip::right || grip == Grip::topRight || grip == Grip::bottomRight;
 }
-bool pullsTop(LensView::Grip grip) {
-  using Grip = LensView::Grip;
+bool pullsTop(InsetView::Grip grip) {
+  using Grip = InsetView::Grip;
   return grip == Grip::top || grip == Grip::topLeft || grip == Grip::topRight;
 }
-bool pullsBottom(LensView::Grip grip) {
-  using Grip = LensView::Grip;
+bool pullsBottom(InsetView::Grip grip) {
+  using Grip = InsetView::Grip;
   return grip == Grip::bottom || grip == Grip::bottomLeft || grip == Grip::bottomRight;
 }
 
@@ -55,7 +55,7 @@ Span spanned(int from, int to, int least, int room) {
 
 }  // namespace
 
-void LensView::toggle() {
+void InsetView::toggle() {
   if (on) {
     close();
   } else {
@@ -63,19 +63,19 @@ void LensView::toggle() {
   }
 }
 
-void LensView::close() {
+void InsetView::close() {
   const bool difference = showsDifference;
-  *this = LensView();
+  *this = InsetView();
   showsDifference = difference;
 }
 
-void LensView::grab(Grip taken, ImVec2 at) {
+void InsetView::grab(Grip taken, ImVec2 at) {
   grip = taken;
   grabbedAt = at;
   grabbed = rect;
 }
 
-void LensView::drag(ImVec2 to, int viewportWidth, int viewportHeight) {
+void InsetView::drag(ImVec2 to, int viewportWidth, int viewportHeight) {
   if (grip == Grip::none) return;
   const int dx = static_cast<int>(std::lround(to.x - grabbedAt.x)),
             dy = static_cast<int>(std::lround(to.y - grabbedAt.y));
@@ -98,7 +98,7 @@ void LensView::drag(ImVec2 to, int viewportWidth, int viewportHeight) {
   rect = {across.begin, down.begin, across.end - across.begin, down.end - down.begin};
 }
 
-void LensView::letGo(int viewportWidth, int viewportHeight) {
+void InsetView::letGo(int viewportWidth, int viewportHeight) {
   if (grip == Grip::place && !placed) {
     rect = {static_cast<int>(grabbedAt.x) - kUsualWidth / 2, static_cast<int>(grabbedAt.y) - kUsualHeight / 2,
             kUsualWidth, kUsualHeight};
@@ -108,14 +108,14 @@ void LensView::letGo(int viewportWidth, int viewportHeight) {
   grip = Grip::none;
 }
 
-void LensView::keepWithin(int viewportWidth, int viewportHeight) {
+void InsetView::keepWithin(int viewportWidth, int viewportHeight) {
   rect.width = std::min(rect.width, viewportWidth);
   rect.height = std::min(rect.height, viewportHeight);
   rect.x = std::clamp(rect.x, 0, viewportWidth - rect.width);
   rect.y = std::clamp(rect.y, 0, viewportHeight - rect.height);
 }
 
-LensView::Grip LensView::gripAt(ImVec2 at, float reach) const {
+InsetView::Grip InsetView::gripAt(ImVec2 at, float reach) const {
   if (!on) return Grip::none;
   if (!placed) return Grip::place;
   const auto left = static_cast<float>(rect.x), top = static_cast<float>(rect.y);
@@ -128,8 +128,8 @@ LensView::Grip LensView::gripAt(ImVec2 at, float reach) const {
   return l ? Grip::left : r ? Grip::right : Grip::none;
 }
 
-ImGuiMouseCursor cursorOf(LensView::Grip grip) {
-  using Grip = LensView::Grip;
+ImGuiMouseCursor cursorOf(InsetView::Grip grip) {
+  using Grip = InsetView::Grip;
   switch (grip) {
     case Grip::none:
       return ImGuiMouseCursor_Arrow;
@@ -153,7 +153,7 @@ ImGuiMouseCursor cursorOf(LensView::Grip grip) {
   return ImGuiMouseCursor_Arrow;
 }
 
-ImVec2 besideLens(const LensRect& rect, ImVec2 size, float gap, int viewportWidth) {
+ImVec2 besideInset(const InsetRect& rect, ImVec2 size, float gap, int viewportWidth) {
   const float above = static_cast<float>(rect.y) - gap - size.y;
   const float x =
       std::clamp(static_cast<float>(rect.x), 0.0f, std::max(0.0f, static_cast<float>(viewportWidth) - size.x));

@@ -1,4 +1,4 @@
-#include "app/editor/controllers/lens_model.h"
+#include "app/editor/controllers/inset_model.h"
 
 #include <fmt/core.h>
 
@@ -31,7 +31,7 @@ std::string signedText(double value) {
   return (value < 0 ? "\xE2\x88\x92" : "+") + digits;
 }
 
-void describeDifference(const Difference* found, LensModel& model) {
+void describeDifference(const Difference* found, InsetModel& model) {
   constexpr int kSteps = 32;
   if (!found) {
     model.caption = "difference, waiting for samples";
@@ -57,10 +57,10 @@ std::optional<Drape> fittingPiece(const Drape& drape, double bytes, double limit
   return fitting;
 }
 
-LensModel lensModel(const LensStatus& status, const LensFrame* shown, bool difference, double limit_bytes,
-                    const Drape& drape) {
-  using Phase = LensStatus::Phase;
-  LensModel model;
+InsetModel insetModel(const InsetStatus& status, const InsetFrame* shown, bool difference, double limit_bytes,
+                      const Drape& drape) {
+  using Phase = InsetStatus::Phase;
+  InsetModel model;
   switch (status.phase) {
     case Phase::closed:
       break;

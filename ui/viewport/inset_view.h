@@ -5,31 +5,32 @@
 namespace loomlight {
 
 /// Pixels of the viewport, from its top left.
-struct LensRect {
+struct InsetRect {
   int x = 0, y = 0, width = 0, height = 0;
-  bool operator==(const LensRect&) const = default;
+  bool operator==(const InsetRect&) const = default;
 };
 
-/// The truth lens as the mouse handles it. Pure: what is drawn and what is traced in it are others' affairs.
-struct LensView {
+/// The reference inset (the truth lens, in the words of the window) as the mouse handles it. Pure: what is drawn and
+/// what is traced in it are others' affairs.
+struct InsetView {
   static constexpr int kNarrowest = 96, kLowest = 64;  ///< pixels
   enum class Grip { none, place, move, left, right, top, bottom, topLeft, topRight, bottomLeft, bottomRight };
 
   bool on = false;      ///< chosen; without a place the next drag gives it one
   bool placed = false;  ///< `rect` is where it is
   bool showsDifference = false;
-  LensRect rect;
+  InsetRect rect;
   Grip grip = Grip::none;  ///< what the mouse holds
   ImVec2 grabbedAt{0, 0};  ///< where it took hold, in the viewport
-  LensRect grabbed;        ///< and the rectangle then
+  InsetRect grabbed;       ///< and the rectangle then
 
   void toggle();
   void close();
   /// Takes hold at a point of the viewport. `grip` as gripAt() says, or move by the bar.
   void grab(Grip taken, ImVec2 at);
-  /// The mouse is there now. The lens stays within the viewport and never gets too small to be used.
+  /// The mouse is there now. The inset stays within the viewport and never gets too small to be used.
   void drag(ImVec2 to, int viewportWidth, int viewportHeight);
-  /// A click instead of a drag places a lens of usual size around the point.
+  /// A click instead of a drag places an inset of usual size around the point.
   void letGo(int viewportWidth, int viewportHeight);
   /// Back into a viewport that has become smaller.
   void keepWithin(int viewportWidth, int viewportHeight);
@@ -38,9 +39,9 @@ struct LensView {
 };
 
 /// The mouse cursor that says what a grip does.
-ImGuiMouseCursor cursorOf(LensView::Grip grip);
+ImGuiMouseCursor cursorOf(InsetView::Grip grip);
 
-/// Where a box of this size goes beside the lens: above its top left corner, or inside where there is no room.
-ImVec2 besideLens(const LensRect& rect, ImVec2 size, float gap, int viewportWidth);
+/// Where a box of this size goes beside the inset: above its top left corner, or inside where there is no room.
+ImVec2 besideInset(const InsetRect& rect, ImVec2 size, float gap, int viewportWidth);
 
 }  // namespace loomlight

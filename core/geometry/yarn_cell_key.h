@@ -9,17 +9,17 @@ namespace loomlight {
 
 /// All that the fibres of one yarn in one crossing cell depend on, and nothing more: equal keys have equal fibres,
 /// voxel for voxel. Colour and optics are not in it.
-struct CellKey {
+struct YarnCellKey {
   System system = System::warp;
   int yarn = 0;   ///< geometry class of the yarn: equal for yarns that differ only in colour
   int phase = 0;  ///< where in the yarn's own period this cell lies, 0 <= phase < YarnGeometry::period
   PathNode previous, here, next;
-  bool operator==(const CellKey&) const = default;
+  bool operator==(const YarnCellKey&) const = default;
 };
-uint64_t hash(const CellKey& key);
+uint64_t hash(const YarnCellKey& key);
 /// For the standard library's tables.
-struct CellKeyHash {
-  size_t operator()(const CellKey& key) const { return hash(key); }
+struct YarnCellKeyHash {
+  size_t operator()(const YarnCellKey& key) const { return hash(key); }
 };
 
 }  // namespace loomlight

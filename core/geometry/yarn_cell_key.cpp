@@ -1,10 +1,10 @@
-#include "core/geometry/cell_key.h"
+#include "core/geometry/yarn_cell_key.h"
 
 #include "core/base/hash.h"
 
 namespace loomlight {
 
-uint64_t hash(const CellKey& key) {
+uint64_t hash(const YarnCellKey& key) {
   uint64_t h = hashCombine(0, static_cast<int>(key.system));
   h = hashCombine(h, key.yarn);
   h = hashCombine(h, key.phase);

@@ -6,22 +6,22 @@
 
 namespace loomlight {
 
-/// A window that is done part by part, from the middle outwards: that is where one looks.
-class Parts {
+/// A window that is traced in square buckets, from the middle outwards: that is where one looks.
+class Buckets {
  public:
-  /// `side`: of a part, pixels; those at the right and the bottom may be smaller. A side of 0: all in one.
-  Parts(const PixelRect& window, int side);
+  /// `side`: of a bucket, pixels; those at the right and the bottom may be smaller. A side of 0: all in one.
+  Buckets(const PixelRect& window, int side);
 
   bool finished() const { return done_ == order_.size(); }
-  PixelRect next() const { return part(order_[done_]); }
+  PixelRect next() const { return bucket(order_[done_]); }
   void finishNext() { isDone_[order_[done_++]] = true; }
 
-  /// How much of a pixel of the window may be seen of what is done: 0 where nothing is, and rising to 1 within a part
+  /// How much of a pixel of the window may be seen of what is done: 0 where nothing is, and rising to 1 within a bucket
   /// from its borders with others that are still to be done, so that none of these borders is a line.
   float shown(int x, int y) const;
 
  private:
-  PixelRect part(size_t index) const;
+  PixelRect bucket(size_t index) const;
 
   PixelRect window_;
   int width_, height_, columns_, rows_;

@@ -1,4 +1,4 @@
-#include "core/fabric/model/place.h"
+#include "core/fabric/model/field_path.h"
 
 #include <fmt/format.h>
 
@@ -6,15 +6,15 @@
 
 namespace loomlight {
 
-std::string Place::path() const {
-  std::string path = parent_ ? parent_->path() : std::string();
-  if (index_ >= 0) return path + fmt::format("[{}]", index_);
-  if (!path.empty() && !key_.empty()) path += '.';
-  return path + std::string(key_);
+std::string FieldPath::text() const {
+  std::string text = parent_ ? parent_->text() : std::string();
+  if (index_ >= 0) return text + fmt::format("[{}]", index_);
+  if (!text.empty() && !key_.empty()) text += '.';
+  return text + std::string(key_);
 }
 
-void Place::reject(std::string_view expected, std::string_view got) const {
-  const std::string where = path();
+void FieldPath::reject(std::string_view expected, std::string_view got) const {
+  const std::string where = text();
   throw InputError(
       fmt::format("{}: {}{}expected {}, got {}", source_, where, where.empty() ? "" : ": ", expected, got));
 }

@@ -3,15 +3,15 @@
 #include <string>
 #include <vector>
 
-#include "ui/viewport/lens_view.h"
+#include "ui/viewport/inset_view.h"
 #include "ui/widgets/ui.h"
 
 namespace loomlight {
 
-/// What the lens shows; put together by the editor each frame.
-struct LensModel {
+/// What the inset shows; put together by the editor each frame.
+struct InsetModel {
   ImTextureID picture{};  ///< of `window`; null: the cloth below is seen through it
-  LensRect window;        ///< may reach a little beyond the lens
+  InsetRect window;       ///< may reach a little beyond the inset
   std::string caption;    ///< what is seen: "fibres, 12 spp"
   bool laying = false;
   double progress = 0;        ///< of laying, 0..1
@@ -22,16 +22,16 @@ struct LensModel {
   std::string scaleEnd;       ///< what the last one stands for
 };
 
-struct LensEdit {
+struct InsetEdit {
   bool remedy = false;
   bool changeLimit = false;
 };
 
 /// The frame, the bar that moves it, and what is seen in it, over a viewport whose top left corner is `origin`.
-LensEdit lensOverlay(Ui& ui, const LensModel& model, LensView& view, ImVec2 origin, int viewportWidth,
-                     int viewportHeight);
+InsetEdit insetOverlay(Ui& ui, const InsetModel& model, InsetView& view, ImVec2 origin, int viewportWidth,
+                       int viewportHeight);
 
-/// The button of the strip that opens and closes the lens.
-void lensButton(Ui& ui, LensView& view, float size);
+/// The button of the strip that opens and closes the inset.
+void insetButton(Ui& ui, InsetView& view, float size);
 
 }  // namespace loomlight

@@ -1,4 +1,4 @@
-#include "render/display/parts.h"
+#include "render/display/buckets.h"
 
 #include <gtest/gtest.h>
 
@@ -9,19 +9,19 @@ namespace {
 
 constexpr PixelRect kWindow{10, 20, 100, 70};
 
-TEST(Parts, CoverTheWindowOnceFromTheMiddleOutwards) {
+TEST(Buckets, CoverTheWindowOnceFromTheMiddleOutwards) {
   for (const int side : {0, 7, 32, 1000}) {
     SCOPED_TRACE(side);
     std::vector<int> times(static_cast<size_t>(kWindow.width) * kWindow.height);
     double last = 0;
-    for (Parts parts(kWindow, side); !parts.finished(); parts.finishNext()) {
-      const PixelRect part = parts.next();
-      const double x = part.x + 0.5 * part.width - (kWindow.x + 0.5 * kWindow.width);
-      const double y = part.y + 0.5 * part.height - (kWindow.y + 0.5 * kWindow.height);
+    for (Buckets buckets(kWindow, side); !buckets.finished(); buckets.finishNext()) {
+      const PixelRect bucket = buckets.next();
+      const double x = bucket.x + 0.5 * bucket.width - (kWindow.x + 0.5 * kWindow.width);
+      const double y = bucket.y + 0.5 * bucket.height - (kWindow.y + 0.5 * kWindow.height);
       EXPECT_GE(std::hypot(x, y), last);
       last = std::hypot(x, y);
-      for (int v = part.y; v < part.y + part.height; ++v)
-        for (int u = part.x; u < part.x + part.width; ++u)
+      for (int v = bucket.y; v < bucket.y + bucket.height; ++v)
+        for (int u = bucket.x; u < bucket.x + bucket.width; ++u)
           ++times.at(static_cast<size_t>(v - kWindow.y) * kWindow.width + static_cast<size_t>(u - kWindow.x));
     }
     for (const int n : times) ASSERT_EQ(n, 1);
@@ -29,35 +29,35 @@ TEST(Parts, CoverTheWindowOnceFromTheMiddleOutwards) {
 }
 
 // What is done fades into what is not: no step between neighbours is more than the ramp's, and nothing is shown early.
-TEST(Parts, HaveNoSharpBorders) {
+TEST(Buckets, HaveNoSharpBorders) {
   constexpr int kSide = 32;
-  Parts parts(kWindow, kSide);
+  Buckets buckets(kWindow, kSide);
   const auto isDone = [&](int x, int y, const std::vector<PixelRect>& done) {
     for (const PixelRect& p : done)
       if (x >= p.x && x < p.x + p.width && y >= p.y && y < p.y + p.height) return true;
     return false;
   };
   std::vector<PixelRect> done;
-  while (!parts.finished()) {
-    done.push_back(parts.next());
-    parts.finishNext();
+  while (!buckets.finished()) {
+    done.push_back(buckets.next());
+    buckets.finishNext();
     for (int y = kWindow.y; y < kWindow.y + kWindow.height; ++y)
       for (int x = kWindow.x; x < kWindow.x + kWindow.width; ++x) {
-        const float shown = parts.shown(x, y);
+        const float shown = buckets.shown(x, y);
         ASSERT_GE(shown, 0.0f);
         ASSERT_LE(shown, 1.0f);
         if (!isDone(x, y, done)) {
           ASSERT_EQ(shown, 0.0f);
         }
         if (x > kWindow.x) {
-          ASSERT_NEAR(shown, parts.shown(x - 1, y), 1.5f / (0.25f * kSide) + 1e-5f);
+          ASSERT_NEAR(shown, buckets.shown(x - 1, y), 1.5f / (0.25f * kSide) + 1e-5f);
         }
         if (y > kWindow.y) {
-          ASSERT_NEAR(shown, parts.shown(x, y - 1), 1.5f / (0.25f * kSide) + 1e-5f);
+          ASSERT_NEAR(shown, buckets.shown(x, y - 1), 1.5f / (0.25f * kSide) + 1e-5f);
         }
       }
   }
-  EXPECT_EQ(parts.shown(kWindow.x, kWindow.y), 1.0f);
+  EXPECT_EQ(buckets.shown(kWindow.x, kWindow.y), 1.0f);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace loomlight {
 /// The order in which Tab goes from one number to the next: that in which they are drawn, within one panel or dialog.
 /// Texts have a place in it, so that Tab goes on from them, but are not gone to: whoever types numbers does not rename
 /// the cloth.
-class FieldWalk {
+class TabOrder {
  public:
   /// A field says where it is, each time that it is drawn; `panel`: what Tab does not leave.
   void pass(ImGuiID field, ImGuiID panel, bool isNumber);
