@@ -143,7 +143,7 @@ Grid ourDensity(const ClothVolume& volume, const Region& region) {
     VoxelContent content;
     volume.contentAt(glm::vec3(region.centre_mm(voxel)), content);
     for (int i = 0; i < content.count; ++i)
-      for (const Component& component : content.parts[i].components)
+      for (const Component& component : content.spans[i].components)
         density.at(voxel) += static_cast<double>(component.lengthDensity());
   });
   return density;

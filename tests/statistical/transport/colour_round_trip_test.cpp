@@ -71,12 +71,12 @@ class Picture {
   }
   /// Of what is cloth, linear.
   Rgb mean(const Colouring& dyed) const {
-    const std::vector<PathRecords::Sums> picture = records_.dyed({dyed, Rgb(1)}, 2);
+    const std::vector<PathRecords::Sums> picture = records_.recoloured({dyed, Rgb(1)}, 2);
     glm::dvec3 sum(0.0);
     double covered = 0;
     for (int y = kMiddle.y; y < kMiddle.y + kMiddle.height; ++y)
       for (int x = kMiddle.x; x < kMiddle.x + kMiddle.width; ++x) {
-        sum += glm::dvec3(picture[static_cast<size_t>(y) * kSide + static_cast<size_t>(x)].dyed);
+        sum += glm::dvec3(picture[static_cast<size_t>(y) * kSide + static_cast<size_t>(x)].recoloured);
         covered += static_cast<double>(film_.alpha(x, y)) * kSamples;
       }
     return Rgb(sum / covered);
