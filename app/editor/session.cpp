@@ -101,7 +101,7 @@ void Session::follow() {
 void Session::run(Command command) {
   switch (command) {
     case Command::newFabric:
-      return leaveFor(Afterwards::beginAnew);
+      return leaveFor({Errand::Kind::beginAnew});
     case Command::open:
       return browse(FileTask::open);
     case Command::save:

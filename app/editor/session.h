@@ -52,9 +52,9 @@ class Session {
   /// Says why a file could not be opened.
   void sayUnopened(const std::string& problem) { questions_.say("This file cannot be opened", problem); }
   /// Asks about unsaved work first, once.
-  void askToQuit() { leaveFor(QuestionController::Afterwards::quit); }
+  void askToQuit() { leaveFor({Errand::Kind::quit}); }
   /// Offers what an editor that did not end well has left behind, once no dialog is in the way.
-  void offerRecovery() { questions_.recoveryDue = true; }
+  void offerRecovery() { recoveryIsDue_ = true; }
 
   bool isOver() const { return window_.isOver; }
   /// The end has come as it should: nothing is left to be taken up again.
@@ -74,7 +74,6 @@ class Session {
  private:
   void openColours(const std::string& file);
   using Question = QuestionController::Question;
-  using Afterwards = QuestionController::Afterwards;
 
   struct Help {
     KeysDialog keys;
@@ -109,7 +108,7 @@ class Session {
 
   // session_files.cpp: cloths from files and into them
   /// Goes on with it at once where nothing is unsaved; else asks first.
-  void leaveFor(Afterwards next);
+  void leaveFor(Errand next);
   void goOn();
   void answered(const QuestionController::Answer& answer);
   void openRecent(const std::string& file);
@@ -139,6 +138,8 @@ class Session {
   ProfileController profiles_;
   FileController files_;
   QuestionController questions_;
+  Errand errand_;               ///< goes on once the work is saved, or need not be
+  bool recoveryIsDue_ = false;  ///< an offer is to be made
   PreferencesDialog preferences_;
   Help help_;
   WindowWish window_;

@@ -28,9 +28,9 @@ fs::path absolute(const std::string& file) {
 
 }  // namespace
 
-void Session::leaveFor(Afterwards next) {
-  if (questions_.isAsking(Question::unsaved) && questions_.afterwards == next) return;
-  questions_.afterwards = next;
+void Session::leaveFor(Errand next) {
+  if (questions_.isAsking(Question::unsaved) && errand_ == next) return;
+  errand_ = std::move(next);
   if (files_.service().isReading()) files_.service().cancel();  // a copy that was taken up stays where it is
   if (files_.service().busy()) return;                          // fileDone() comes back here
   if (!document_.document().isDirty()) return goOn();
@@ -43,18 +43,19 @@ void Session::goOn() {
   const auto open = [this](FileService::Work work, const std::string& file) {
     files_.service().open(work, file, document_.fabric(), document_.document().state());
   };
-  switch (std::exchange(questions_.afterwards, Afterwards::nothing)) {
-    case Afterwards::quit:
+  const Errand errand = std::exchange(errand_, {});
+  switch (errand.kind) {
+    case Errand::Kind::quit:
       window_.isOver = true;
       break;
-    case Afterwards::beginAnew:
+    case Errand::Kind::beginAnew:
       viewport_.view().fitWanted = true;
       return startOver(Document(newFabric()));
-    case Afterwards::open:
-      return open(FileService::Work::open, questions_.pendingFile);
-    case Afterwards::takeUp:
-      return open(FileService::Work::takeUp, questions_.leftBehind);
-    case Afterwards::nothing:
+    case Errand::Kind::open:
+      return open(FileService::Work::open, errand.file);
+    case Errand::Kind::takeUp:
+      return open(FileService::Work::takeUp, errand.file);
+    case Errand::Kind::none:
       break;
   }
 }
@@ -62,16 +63,16 @@ void Session::goOn() {
 void Session::answered(const QuestionController::Answer& answer) {
   switch (answer.question) {
     case Question::unsaved:
-      if (answer.answer == 0) questions_.afterwards = Afterwards::nothing;
+      if (answer.answer == 0) errand_ = {};
       if (answer.answer == 1) goOn();
       if (answer.answer == 2) run(Command::save);
       break;
     case Question::forgetRecent:
-      if (answer.answer == 1) forget(settings_.recent, questions_.pendingFile);
+      if (answer.answer == 1) forget(settings_.recent, answer.file);
       break;
     case Question::recover:
-      if (answer.answer == 1) document_.throwAway(questions_.leftBehind);
-      if (answer.answer == 2) leaveFor(Afterwards::takeUp);
+      if (answer.answer == 1) document_.throwAway(answer.file);
+      if (answer.answer == 2) leaveFor({Errand::Kind::takeUp, answer.file});
       break;
     case Question::said:
     case Question::none:
@@ -92,20 +93,17 @@ void Session::openRecent(const std::string& file) {
   lookFor(settings_.recent);
   std::error_code ignored;
   if (fs::is_regular_file(file, ignored)) return openFile(file);
-  questions_.pendingFile = file;
   questions_.ask(Question::forgetRecent, "This file is missing", file + " is not there any more.",
-                 {"Keep in the list", "Forget it"}, 0);
+                 {"Keep in the list", "Forget it"}, 0, file);
 }
 
 /// What has waited until no dialog is open: work that another editor left, and files that were dropped.
 void Session::openPending() {
-  if (questions_.recoveryDue && !dialogIsOpen()) {
-    questions_.recoveryDue = false;
-    if (const auto left = Autosave::leftBehind(stateFolder())) {
-      questions_.leftBehind = left->string();
+  if (recoveryIsDue_ && !dialogIsOpen()) {
+    recoveryIsDue_ = false;
+    if (const auto left = Autosave::leftBehind(stateFolder()))
       questions_.ask(Question::recover, "Unsaved work was found", aboutLeftWork(*left) + " Take it up again?",
-                     {"Later", "Throw away", "Take up"}, 2);
-    }
+                     {"Later", "Throw away", "Take up"}, 2, left->string());
   }
   while (!dialogIsOpen()) {
     const auto file = files_.takeDropped();
@@ -136,8 +134,7 @@ void Session::openFile(const std::string& file) {
     draft_.openPicture(file);
     lookNextIn(file);
   } else if (isFabricFile(file) || isWeavingFile(file)) {
-    questions_.pendingFile = file;
-    leaveFor(Afterwards::open);
+    leaveFor({Errand::Kind::open, file});
   } else {
     sayUnopened(
         file +
@@ -186,7 +183,7 @@ void Session::takeUp(Fabric fabric, const std::string& left) {
 void Session::fileDone(FileService::Result result) {
   using Work = FileService::Work;
   const bool written = result.work >= Work::save;
-  if (!result.problem.empty() || result.cancelled) questions_.afterwards = Afterwards::nothing;
+  if (!result.problem.empty() || result.cancelled) errand_ = {};
   if (result.cancelled) return;
   if (!result.problem.empty() && result.work == Work::usePreset)
     return questions_.say("This preset cannot be used", result.problem);
@@ -199,10 +196,9 @@ void Session::fileDone(FileService::Result result) {
   switch (result.work) {
     case Work::open:
       if (!editedSince) return opened(std::move(result));
-      questions_.pendingFile = result.file;
-      return leaveFor(Afterwards::open);
+      return leaveFor({Errand::Kind::open, result.file});
     case Work::takeUp:
-      if (editedSince) return leaveFor(Afterwards::takeUp);
+      if (editedSince) return leaveFor({Errand::Kind::takeUp, result.file});
       return takeUp(std::move(*result.fabric), result.file);
     case Work::usePreset:
       return dress(*result.fabric);
@@ -217,7 +213,7 @@ void Session::fileDone(FileService::Result result) {
       for (const std::string& remark : result.remarks) text += "\n\n" + remark;
       questions_.say("Exported", text);
   }
-  if (questions_.afterwards != Afterwards::nothing) leaveFor(questions_.afterwards);
+  if (errand_.kind != Errand::Kind::none) leaveFor(errand_);
 }
 
 fs::path Session::folderToLookIn() const {

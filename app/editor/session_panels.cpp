@@ -146,8 +146,7 @@ void Session::drawDialogs(Ui& ui) {
   // The browser stands in for the dialogs while it names their files.
   if (!files_.isBrowsing() && snapshots_.dialogIsOpen()) drawSnapshot(ui);
   if (const auto chosen = files_.drawBrowser(ui)) fileChosen(*chosen);
-  if (!files_.isBrowsing() && !questions_.isOpen() && !files_.service().busy())
-    questions_.afterwards = Afterwards::nothing;  // no file was named
+  if (!files_.isBrowsing() && !questions_.isOpen() && !files_.service().busy()) errand_ = {};  // no file was named
   if (auto result = files_.drawBusy(ui)) fileDone(std::move(*result));
   if (const auto answer = questions_.draw(ui)) answered(*answer);
   drawPreferences(ui);

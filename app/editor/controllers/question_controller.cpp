@@ -5,8 +5,8 @@
 namespace loomlight {
 
 void QuestionController::ask(Question question, std::string title, std::string text, std::vector<std::string> answers,
-                             int safe) {
-  question_ = question;
+                             int safe, std::string file) {
+  asked_ = {question, std::move(file)};
   message_.show(std::move(title), std::move(text), std::move(answers), safe);
 }
 
@@ -17,7 +17,8 @@ void QuestionController::say(std::string title, std::string text) {
 std::optional<QuestionController::Answer> QuestionController::draw(Ui& ui) {
   const auto answer = message_.draw(ui);
   if (!answer) return std::nullopt;
-  return Answer{std::exchange(question_, Question::none), *answer};
+  asked_.answer = *answer;
+  return std::exchange(asked_, {});
 }
 
 }  // namespace loomlight

@@ -8,33 +8,36 @@
 
 namespace loomlight {
 
-/// What the designer is told and asked, one thing at a time, and what waits for the answer.
+/// What unsaved work stands in the way of.
+struct Errand {
+  enum class Kind { none, quit, beginAnew, open, takeUp };
+  Kind kind = Kind::none;
+  std::string file{};  ///< that is to be opened, or taken up
+  bool operator==(const Errand&) const = default;
+};
+
+/// What the designer is told and asked, one thing at a time.
 class QuestionController {
  public:
   enum class Question { none, said, unsaved, forgetRecent, recover };
-  /// What unsaved work stands in the way of.
-  enum class Afterwards { nothing, quit, beginAnew, open, takeUp };
 
-  /// `safe`: the answer that loses nothing, which Enter gives.
-  void ask(Question question, std::string title, std::string text, std::vector<std::string> answers, int safe);
+  /// `safe`: the answer that loses nothing, which Enter gives. `file`: that it is asked of, if any.
+  void ask(Question question, std::string title, std::string text, std::vector<std::string> answers, int safe,
+           std::string file = {});
   void say(std::string title, std::string text);
   bool isOpen() const { return message_.isOpen(); }
-  bool isAsking(Question question) const { return question_ == question && message_.isOpen(); }
+  bool isAsking(Question question) const { return asked_.question == question && message_.isOpen(); }
   struct Answer {
     Question question = Question::none;
+    std::string file;  ///< that it was asked of
     int answer = 0;
   };
   /// Once.
   std::optional<Answer> draw(Ui& ui);
 
-  Afterwards afterwards = Afterwards::nothing;  ///< once the work is saved, or need not be
-  std::string pendingFile;                      ///< to be opened once the designer has agreed
-  std::string leftBehind;    ///< the copy of unsaved work that was found, and is asked about or taken up
-  bool recoveryDue = false;  ///< an offer is to be made
-
  private:
   MessageDialog message_;
-  Question question_ = Question::none;
+  Answer asked_;  ///< but for the answer
 };
 
 }  // namespace loomlight
