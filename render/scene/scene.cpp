@@ -186,6 +186,8 @@ std::shared_ptr<const Scene> makeScene(std::shared_ptr<const Fabric> fabric, con
   const Stages colours = Stage::colour | Stage::brightness | Stage::light | Stage::optics;
   scene.colouring = previous && !change.stages.any(colours) ? previous->colouring : colouringOf(*fabric);
   scene.roulette_per_mm = leastAbsorption_per_mm(scene.colouring);
+  scene.sampling.seed = fabric->render.seed;
+  scene.sampling.maxEvents = static_cast<uint32_t>(fabric->render.maxDepth);
   scene.lighting = previous && !change.stages.any(Stage::light | Stage::brightness)
                        ? previous->lighting
                        : std::make_shared<const Lighting>(fabric->light, CameraRays(fabric->camera, 1, 1).eye_mm(),

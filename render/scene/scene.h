@@ -12,13 +12,20 @@
 
 namespace loomlight {
 
-/// How paths are sampled: the noise and the cost of a picture, never what it converges to. All that is on has earned
-/// its place in `bench converge`.
+/// How paths are sampled: the noise and the cost of a picture, never what it converges to but for where paths end. All
+/// that is on has earned its place in `bench converge`.
 struct PathSampling {
+  uint64_t seed = 0;          ///< another gives another pattern of noise
+  uint32_t maxEvents = 1;     ///< fibres met on a path, at most; the last one sends on the light of lamps alone
   bool stratified = true;     ///< camera, first events and first lamps are spread evenly over a pixel's samples
   bool roulette = true;       ///< paths of little worth end by chance
   bool lampsByChance = true;  ///< where a fibre would send on little of a lamp, it is seldom looked for
   bool lamps = true;          ///< lamps of some size are looked for, by importance; else paths find them by chance
+
+  /// Paths that find all their light by themselves, and end for no other reason than their length.
+  static PathSampling plain(uint32_t maxEvents) {
+    return {.maxEvents = maxEvents, .stratified = false, .roulette = false, .lampsByChance = false, .lamps = false};
+  }
 };
 
 /// Everything a path needs, immutable and shared: an edit makes a new Scene from what did not change.

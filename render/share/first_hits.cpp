@@ -55,14 +55,14 @@ bool FirstHits::trace(uint32_t perPixel, const Scene& scene, const Medium& mediu
   };
   constexpr uint32_t kNew = kPast - 1;
   const CameraRays camera(scene.fabric->camera, width_, height_);
-  const uint64_t seed = hashCombine(scene.fabric->render.seed, uint64_t{0xF1257});
+  const uint64_t seed = hashCombine(scene.sampling.seed, uint64_t{0xF1257});
   std::vector<Strip> strips(static_cast<size_t>((height_ + kRows - 1) / kRows));
   parallelFor(strips.size(), task.threads, [&](size_t number) {
     if (task.stopped()) return;
     Strip& strip = strips[number];
     LightCellKeys keys(scene);
     TraceCounts counts;
-    PathIntegrator integrator(scene, medium, PathRules::of(scene), PathIntegrator::kBatch);
+    PathIntegrator integrator(scene, medium, scene.sampling, PathIntegrator::kBatch);
     std::vector<FirstFibre> firsts(PathIntegrator::kBatch);
     std::vector<PathStart> starts;
     std::vector<size_t> pixels;  // of the paths

@@ -52,11 +52,11 @@ struct PathIntegrator::Event {
         wo(frame.toLocal(-collision.incoming)) {}
 };
 
-PathIntegrator::PathIntegrator(const Scene& scene, const Medium& medium, const PathRules& rules, size_t most)
+PathIntegrator::PathIntegrator(const Scene& scene, const Medium& medium, const PathSampling& sampling, size_t most)
     : scene_(scene),
-      rules_(rules),
+      sampling_(sampling),
       seesDirectLightApart_(medium.seesDirectLightApart()),
-      lamps_(scene.lighting->wantsSampling() && (rules.sampling.lamps || scene.lighting->isDelta())),
+      lamps_(scene.lighting->wantsSampling() && (sampling.lamps || scene.lighting->isDelta())),
       materials_(scene.cloth->materials.size()),
       medium_(medium.batch(most)),
       states_(most),
@@ -66,7 +66,7 @@ PathIntegrator::PathIntegrator(const Scene& scene, const Medium& medium, const P
 
 /// Of the next `use` (flight, lamp, fibre) of a path that has met so many fibres.
 void PathIntegrator::stratify(PathStart& path, uint32_t events, uint32_t use) const {
-  if (!rules_.sampling.stratified) return;
+  if (!sampling_.stratified) return;
   const uint32_t dimension = kFirstDimension + events * kDimensionsPerEvent + use * kDimensionsPerUse;
   path.random.stratify(dimension, events < kStratifiedEvents ? kDimensionsPerUse : 0);
 }
@@ -76,7 +76,7 @@ void PathIntegrator::stratify(PathStart& path, uint32_t events, uint32_t use) co
 /// makes pictures noisy. `value` is the sum of Q, 1/sr; the least chance keeps all possible.
 float PathIntegrator::lightSamplingProbability(float value, uint32_t events) const {
   constexpr float kCertain = 0.5f, kLeast = 0.05f;  // of the first event always: it is what the eye sees
-  return !rules_.sampling.lampsByChance || events == 1 ? 1.0f : std::clamp(value / kCertain, kLeast, 1.0f);
+  return !sampling_.lampsByChance || events == 1 ? 1.0f : std::clamp(value / kCertain, kLeast, 1.0f);
 }
 
 /// Ends the path at random, the likelier the more of its light has been absorbed; if it goes on, it is as bright as
@@ -213,7 +213,7 @@ void PathIntegrator::scatter(std::span<PathStart> paths) {
     State& state = states_[path];
     PathSink& sink = *paths[path].sink;
     Random& random = paths[path].random;
-    if (state.events >= rules_.maxEvents) {
+    if (state.events >= sampling_.maxEvents) {
       sink.ends(PathEnd::deepest);
       continue;
     }
@@ -222,7 +222,7 @@ void PathIntegrator::scatter(std::span<PathStart> paths) {
     const FibreBcsdf::Sample scattered = lamps_ ? event.bcsdf.sample(event.wo, event.at.offset, random)
                                                 : event.bcsdf.sampleWithoutPdf(event.wo, event.at.offset, random);
     lengths_mm(path)[static_cast<size_t>(event.at.material)] += scattered.length * event.at.optics.fibreRadius_mm;
-    if (rules_.sampling.roulette && state.events > kRouletteAfter && !survives(path, random)) {
+    if (sampling_.roulette && state.events > kRouletteAfter && !survives(path, random)) {
       sink.ends(PathEnd::roulette);
       continue;
     }

@@ -12,21 +12,6 @@
 
 namespace loomlight {
 
-/// How paths are followed.
-struct PathRules {
-  PathSampling sampling;
-  uint32_t maxEvents = 1;  ///< fibres met on a path, at most; the last one sends on the light of lamps alone
-
-  /// As the pictures of a scene have it.
-  static PathRules of(const Scene& scene) {
-    return {scene.sampling, static_cast<uint32_t>(scene.fabric->render.maxDepth)};
-  }
-  /// Paths that find all their light by themselves, and end for no other reason than their length.
-  static PathRules plain(uint32_t maxEvents) {
-    return {{.stratified = false, .roulette = false, .lampsByChance = false, .lamps = false}, maxEvents};
-  }
-};
-
 /// A path as it sets out, and who hears of it.
 struct PathStart {
   Ray ray;
@@ -50,7 +35,7 @@ class PathIntegrator {
   static constexpr size_t kBatch = 256;           ///< paths that are under way at once, at most
 
   /// For batches of up to `most` paths, at most kBatch.
-  PathIntegrator(const Scene& scene, const Medium& medium, const PathRules& rules, size_t most = 1);
+  PathIntegrator(const Scene& scene, const Medium& medium, const PathSampling& sampling, size_t most = 1);
 
   /// Follows them to their ends; their cost is added to `counts`. False where `task` (may be null) was stopped: then
   /// some have not ended.
@@ -88,7 +73,7 @@ class PathIntegrator {
   bool sampleLight(uint32_t path, Random& random, ShadowRay& ray, Lamp& lamp);
 
   const Scene& scene_;
-  PathRules rules_;
+  PathSampling sampling_;
   bool seesDirectLightApart_, lamps_;
   size_t materials_;
   std::unique_ptr<MediumBatch> medium_;

@@ -81,8 +81,8 @@ bool walkBlock(const Scene& scene, const Medium& medium, const KindOf& kindOf, u
   constexpr size_t kTriesPerWalk = 64;  // what so few eyes see is not on the face
   const glm::dvec2 window = window_mm(*scene.fabric);
   const double above = 2 * scene.cloth->volume->geometry().halfThickness_mm();
-  const uint32_t deepest = PathRules::of(scene).maxEvents + 1;  // no lamp is looked for from the last one
-  PathIntegrator integrator(scene, medium, PathRules::plain(deepest), most);
+  const uint32_t deepest = scene.sampling.maxEvents + 1;  // no lamp is looked for from the last one
+  PathIntegrator integrator(scene, medium, PathSampling::plain(deepest), most);
   std::vector<char> wanted(kinds.size());
   std::vector<LengthTally> tallies(most, LengthTally(kindOf, wanted));
   std::vector<PathStart> starts;
@@ -121,7 +121,7 @@ std::optional<std::vector<PathLengthTally>> tallyKinds(const Scene& scene, const
   std::vector<std::vector<PathLengthTally>> blocks((count + kBlock - 1) / kBlock, std::vector<PathLengthTally>(kinds));
   std::atomic<size_t> done{0};
   parallelFor(blocks.size(), task.threads, [&](size_t b) {
-    if (walkBlock(scene, medium, kindOf, hashCombine(scene.fabric->render.seed, b), kBlock, blocks[b], task))
+    if (walkBlock(scene, medium, kindOf, hashCombine(scene.sampling.seed, b), kBlock, blocks[b], task))
       task.report(static_cast<double>(++done) / static_cast<double>(blocks.size()));
   });
   if (task.stopped()) return std::nullopt;

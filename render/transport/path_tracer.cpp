@@ -57,7 +57,7 @@ void PathTracer::PixelSink::ends(PathEnd why) {
 }
 
 PathTracer::PathTracer(const Scene& scene, const Medium& medium, const CameraRays& camera, size_t most)
-    : scene_(scene), camera_(camera), integrator_(scene, medium, PathRules::of(scene), most) {}
+    : scene_(scene), camera_(camera), integrator_(scene, medium, scene.sampling, most) {}
 
 bool PathTracer::trace(std::span<const PixelSample> wanted, TraceCounts& counts, const Task* task) {
   sinks_.clear();
@@ -65,7 +65,7 @@ bool PathTracer::trace(std::span<const PixelSample> wanted, TraceCounts& counts,
   for (const PixelSample& of : wanted) sinks_.emplace_back(scene_, of.listener);
   for (size_t i = 0; i < wanted.size(); ++i) {
     const PixelSample& of = wanted[i];
-    const uint64_t pixel = hashCombine(hashCombine(hashCombine(scene_.fabric->render.seed, of.x), of.y), 0);
+    const uint64_t pixel = hashCombine(hashCombine(hashCombine(scene_.sampling.seed, of.x), of.y), 0);
     Random random(pixel, of.index);
     if (scene_.sampling.stratified) random.stratify(0, PathIntegrator::kFirstDimension);
     const float dx = random.uniform(), dy = random.uniform();

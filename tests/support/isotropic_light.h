@@ -26,7 +26,7 @@ inline EventCount eventsUnderIsotropicLight(const Scene& scene, const Medium& me
   const glm::vec2 reach(wholeRepeats(geometry.repeatEnds() * geometry.warpPitch_mm()),
                         wholeRepeats(geometry.repeatPicks() * geometry.weftPitch_mm()));
   const auto top = static_cast<float>(geometry.halfThickness_mm()) + 1e-3f;
-  PathIntegrator integrator(scene, medium, PathRules::plain(std::numeric_limits<uint32_t>::max()));
+  PathIntegrator integrator(scene, medium, PathSampling::plain(std::numeric_limits<uint32_t>::max()));
   PathSink nobody;
   for (int i = 0; i < paths; ++i) {
     const float u = random.uniform(), v = random.uniform(), a = random.uniform(), b = random.uniform();
