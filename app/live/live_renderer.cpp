@@ -46,15 +46,15 @@ std::shared_ptr<const Medium> makeLiveMedium(const Scene& scene, const std::shar
 }
 
 /// Null pointers when stopped.
-BuiltCloth makeCloth(const ViewRequest& request, const Task& task, const BuiltCloth& previous,
+BuiltCloth makeCloth(const ViewRequest& request, const Task& task, const RecentCloths::Base& base,
                      const ScenePreviews* first) {
-  const Traceable& old = previous.traceable;
+  const Traceable& old = base.cloth.traceable;
   BuiltCloth made;
   made.visibility = request.visibility;
   Traceable& cloth = made.traceable;
-  cloth.scene = makeScene(request.fabric, task, old.scene.get(), first);
+  cloth.scene = makeScene(request.fabric, task, SceneBase{old.scene.get(), base.edit}, first);
   if (!cloth.scene) return {};
-  const bool sameTables = !isReport(*request.fabric) || made.visibility == previous.visibility;
+  const bool sameTables = !isReport(*request.fabric) || made.visibility == base.cloth.visibility;
   const bool serves = old.medium && sameTables && old.scene->cloth == cloth.scene->cloth;
   cloth.medium = serves ? old.medium : makeLiveMedium(*cloth.scene, made.visibility, task);
   return cloth.medium ? made : BuiltCloth{};
@@ -150,7 +150,8 @@ void LiveRenderer::Workers::build(const ViewRequest& request, Builder::Job& job)
       },
       [&](std::shared_ptr<const Scene> sketch) { showSketch(request, std::move(sketch), task, job); }};
   const bool showsVolume = request.fabric->render.method == Method::volume;
-  const BuiltCloth base = recent.baseFor(*request.fabric);
+  const RecentCloths::Base base = recent.baseFor(*request.fabric);
+  const std::shared_ptr<const Scene>& before = base.cloth.traceable.scene;
   BuiltCloth built;
   std::string error;
   try {
@@ -168,7 +169,7 @@ void LiveRenderer::Workers::build(const ViewRequest& request, Builder::Job& job)
     buildMayBeCancelled = made.scene || !error.empty();
     if (made.scene) {
       status.builtGeneration = request.generation;
-      if (!base.traceable.scene || made.scene->cloth->volume != base.traceable.scene->cloth->volume) {
+      if (!before || made.scene->cloth->volume != before->cloth->volume) {
         status.bricksVoxelised += made.scene->cloth->volume->bricksVoxelised();
         status.buildSeconds = spent.count();
       }

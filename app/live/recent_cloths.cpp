@@ -1,17 +1,21 @@
 #include "app/live/recent_cloths.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
-#include "core/fabric/model/changes.h"
 #include "render/scene/fibre_bricks.h"
 
 namespace loomlight {
 
-BuiltCloth RecentCloths::baseFor(const Fabric& fabric) const {
-  for (const Entry& entry : entries_)
-    if (!changes(*entry.cloth.traceable.scene->fabric, fabric).cloth()) return entry.cloth;
-  return entries_.empty() ? BuiltCloth{} : entries_.front().cloth;
+RecentCloths::Base RecentCloths::baseFor(const Fabric& fabric) const {
+  std::optional<Base> newest;
+  for (const Entry& entry : entries_) {
+    Base base{entry.cloth, changes(*entry.cloth.traceable.scene->fabric, fabric)};
+    if (!base.edit.cloth()) return base;
+    if (!newest) newest = std::move(base);
+  }
+  return newest.value_or(Base{});
 }
 
 void RecentCloths::keep(BuiltCloth cloth) {

@@ -22,9 +22,14 @@ class RecentCloths {
   /// not share. Explicit fibres in one tree are kept of the newest alone.
   explicit RecentCloths(size_t budget_bytes) : budget_bytes_(budget_bytes) {}
 
+  /// A cloth that another is made from, and what the edit between them has put out of date.
+  struct Base {
+    BuiltCloth cloth;
+    Changes edit;
+  };
   /// What a cloth of this fabric is best made from: the newest whose volume and shell it can have as they are, or else
   /// the newest. One of null pointers where there is none.
-  BuiltCloth baseFor(const Fabric& fabric) const;
+  Base baseFor(const Fabric& fabric) const;
   /// Makes it the newest; the oldest are let go until the budget is kept. It must have a scene.
   void keep(BuiltCloth cloth);
 

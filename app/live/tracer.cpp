@@ -143,11 +143,14 @@ void Tracer::begin(const Request& before) {
   const Request& request = taken_.request;
   const bool sameSize = request.width == before.width && request.height == before.height;
   const bool better = picture_ && sameSize && request.generation == before.generation;
-  if (!better && sameSize && recolour()) return;
   const Fabric& fabric = *request.cloth.scene->fabric;
   PreviewHave have{better, sameSize, better ? picture_->divider() : 0, {}, {}};
   if (picture_) have.sincePicture = changes(*picture_->scene().fabric, fabric);
-  if (clearFabric_) have.sinceClear = changes(*clearFabric_, fabric);
+  if (!better && sameSize && recolour(have.sincePicture)) return;
+  if (clearFabric_) {
+    const bool isPicture = picture_ && picture_->scene().fabric == clearFabric_;
+    have.sinceClear = isPicture ? have.sincePicture : changes(*clearFabric_, fabric);
+  }
   const PreviewStart start = previewStart(have);
   const double secondsPerPath = start.knowsCost ? picture_->secondsPerPath() : 0;
   const std::shared_ptr<const Frame> earlier = start.reached > 0 ? newestFrame() : nullptr;
@@ -188,20 +191,22 @@ std::shared_ptr<const Frame> Tracer::newestFrame() const {
 
 /// Answers a change of colour from the paths that have been traced already, and begins to trace new ones behind. False
 /// where they cannot tell.
-bool Tracer::recolour() {
-  const Request& request = taken_.request;
+bool Tracer::recolour(const std::optional<Changes>& sincePicture) {
+  const Scene& wanted = *taken_.request.cloth.scene;
   std::optional<Refinement>& known = recoloured_ ? recoloured_ : picture_;
-  if (!known || known->samples() == 0 || &known->medium() != request.cloth.medium.get()) return false;
-  const auto recolouring = recolouringBetween(known->scene(), *request.cloth.scene);
+  if (!known || known->samples() == 0 || &known->medium() != taken_.request.cloth.medium.get()) return false;
+  const Changes edit = recoloured_ ? changes(*recoloured_->scene().fabric, *wanted.fabric) : *sincePicture;
+  auto recolouring = recolouringBetween(known->scene(), wanted, edit);
   if (!recolouring) return false;
   clear_.reset();
-  if (recolouring->light == Rgb(1) && recolouring->colouring == known->scene().colouring) {
+  if (!edit.picture()) {
     if (recoloured_) picture_ = std::exchange(recoloured_, std::nullopt);  // back to the colours that it was traced in
     picturePending_ = framed(picture_->frame());
   } else {
     const double secondsPerPath = known->secondsPerPath();
     if (!recoloured_) recoloured_ = std::exchange(picture_, std::nullopt);
-    picturePending_ = framed(recoloured_->recoloured(*recolouring, threads_, varianceToBeat_));
+    recolouring_ = std::move(*recolouring);
+    picturePending_ = framed(recoloured_->recoloured(recolouring_, threads_, varianceToBeat_));
     beginPicture(secondsPerPath, nullptr, {});
     picture_->skipCoarse();
   }
@@ -227,8 +232,7 @@ void Tracer::beginPicture(double secondsPerPath, std::unique_ptr<SharedLight> li
 void Tracer::showOtherwise() {
   if (!picture_) return;
   if (recoloured_) {
-    const auto recolouring = recolouringBetween(recoloured_->scene(), picture_->scene());
-    picturePending_ = framed(recoloured_->recoloured(*recolouring, threads_, varianceToBeat_));
+    picturePending_ = framed(recoloured_->recoloured(recolouring_, threads_, varianceToBeat_));
   } else if (picture_->begun() && worthShowing()) {
     showPicture();
   }

@@ -88,7 +88,7 @@ class Tracer {
   bool mayGoOn(Subject next) const;
   Subject nextToTrace() const;
   void begin(const Request& before);
-  bool recolour();
+  bool recolour(const std::optional<Changes>& sincePicture);
   std::shared_ptr<const Frame> newestFrame() const;
   void beginPicture(double secondsPerPath, std::unique_ptr<SharedLight> light, const Changes& edit);
   Frame cleared(Frame fresh) const;
@@ -118,6 +118,7 @@ class Tracer {
   bool isNews_ = false;  ///< shown_ has changed since it was brought
   std::optional<Refinement> picture_, inset_;
   std::optional<Refinement> recoloured_;  ///< the old picture, shown in other colours until picture_ is as good
+  Recolouring recolouring_;               ///< into these
   double varianceToBeat_ = 0;             ///< of it
   double spentBeforeInset_s_ = 0;         ///< on the picture, before the inset was opened
   double insetSecondsPerPath_ = 0;        ///< of the last inset

@@ -5,7 +5,6 @@
 
 #include "core/base/parallel.h"
 #include "core/base/rgb.h"
-#include "core/fabric/model/changes.h"
 
 // How it works. Paths on record say what light they would bring in the other colours. Where all of a pixel's samples
 // are on record, that is its new colour. Elsewhere the film's colour is multiplied by the ratio of new to old light,
@@ -55,13 +54,12 @@ double luminanceVariance(Rgb variance) {
 
 }  // namespace
 
-std::optional<Recolouring> recolouringBetween(const Scene& traced, const Scene& wanted) {
-  const Fabric& from = *traced.fabric;
-  const Fabric& to = *wanted.fabric;
-  if (!changes(from, to).stages.within(Stage::colour | Stage::brightness | Stage::label)) return std::nullopt;
-  if (!(from.light.intensity > 0)) return std::nullopt;
-  const Rgb tint = Lighting::tint(to.light) / Lighting::tint(from.light);
-  return Recolouring{wanted.colouring, static_cast<float>(to.light.intensity / from.light.intensity) * tint};
+std::optional<Recolouring> recolouringBetween(const Scene& traced, const Scene& wanted, const Changes& edit) {
+  const Light &from = traced.fabric->light, &to = wanted.fabric->light;
+  if (!edit.stages.within(Stage::colour | Stage::brightness | Stage::label) || !(from.intensity > 0))
+    return std::nullopt;
+  const Rgb tint = Lighting::tint(to) / Lighting::tint(from);
+  return Recolouring{wanted.colouring, static_cast<float>(to.intensity / from.intensity) * tint};
 }
 
 Recoloured recolour(const Film& film, const PathRecords& records, const Recolouring& recolouring, int threads) {

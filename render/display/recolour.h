@@ -3,15 +3,16 @@
 #include <optional>
 #include <vector>
 
+#include "core/fabric/model/changes.h"
 #include "render/film/film.h"
 #include "render/scene/scene.h"
 #include "render/transport/path_records.h"
 
 namespace loomlight {
 
-/// What makes the picture of one scene that of the other: nullopt where they differ in more than how much fibres absorb
-/// and how brightly and of which colour the lamps shine.
-std::optional<Recolouring> recolouringBetween(const Scene& traced, const Scene& wanted);
+/// What makes the picture of one scene that of the other: nullopt where the edit between them has changed more than how
+/// much fibres absorb and how brightly and of which colour the lamps shine.
+std::optional<Recolouring> recolouringBetween(const Scene& traced, const Scene& wanted, const Changes& edit);
 
 /// A picture in other colours than it was traced in.
 struct Recoloured {

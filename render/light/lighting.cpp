@@ -44,20 +44,14 @@ std::filesystem::file_time_type writtenAt(const Light& light) {
 
 }  // namespace
 
-Lighting::Lighting(const Light& light, glm::vec3 eye_mm, float reach_mm, const Lighting* previous)
-    : kind_(light.kind),
-      file_(light.file),
-      written_(writtenAt(light)),
-      light_(makeLight(light, eye_mm, reach_mm, previous && previous->shows(*this) ? &previous->light_ : nullptr)),
+Lighting::Lighting(const Light& light, glm::vec3 eye_mm, float reach_mm, const Lighting* sameAround)
+    : written_(writtenAt(light)),
+      light_(makeLight(light, eye_mm, reach_mm,
+                       sameAround && sameAround->written_ == written_ ? &sameAround->light_ : nullptr)),
       tint_(tint(light)) {}
 
 Rgb Lighting::tint(const Light& light) {
   return light.illuminant == StandardIlluminant::blackBody ? Rgb(1) : blackBodyTint(light.temperature_K);
-}
-
-/// Whether another one has the same surroundings, brighter or turned perhaps.
-bool Lighting::shows(const Lighting& other) const {
-  return kind_ == other.kind_ && file_ == other.file_ && written_ == other.written_;
 }
 
 Lighting::Lighting(const Light& light, glm::vec3 eye_mm) : Lighting(light, eye_mm, glm::length(eye_mm)) {}

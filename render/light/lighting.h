@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <optional>
-#include <string>
 #include <variant>
 
 #include "core/base/random.h"
@@ -18,10 +17,10 @@ namespace loomlight {
 class Lighting {
  public:
   /// Loads or computes the environment. `eye_mm` is where the headlight shines from, `reach_mm` how far away intensity
-  /// 1 lights white paper to radiance 1: the camera's distance from what it looks at. The image of `previous` serves
-  /// again where it is of the same surroundings, and its file has not been written since. Throws InputError for a bad
-  /// file.
-  Lighting(const Light& light, glm::vec3 eye_mm, float reach_mm, const Lighting* previous = nullptr);
+  /// 1 lights white paper to radiance 1: the camera's distance from what it looks at. `sameAround` (may be null) has
+  /// the same surroundings (no Stage::surroundings): its image serves again, unless the file has been written since.
+  /// Throws InputError for a bad file.
+  Lighting(const Light& light, glm::vec3 eye_mm, float reach_mm, const Lighting* sameAround = nullptr);
   /// Looking at the origin.
   Lighting(const Light& light, glm::vec3 eye_mm);
 
@@ -41,10 +40,6 @@ class Lighting {
   static Rgb tint(const Light& light);
 
  private:
-  bool shows(const Lighting& other) const;
-
-  LightKind kind_;
-  std::string file_;                         ///< of the environment
   std::filesystem::file_time_type written_;  ///< the file; the earliest of all where there is none
   std::variant<UniformLight, SkyLight, EnvironmentLight, Headlight, DirectionalLight> light_;
   Rgb tint_;  ///< of its temperature; directions are chosen without it

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "core/base/stopwatch.h"
-#include "core/fabric/model/changes.h"
 #include "core/fabric/model/yarn_count.h"
 #include "render/scene/cells_in_view.h"
 #include "render/scene/fibre_bricks.h"
@@ -56,13 +55,14 @@ std::shared_ptr<const Shell> makeShell(const Piece& piece, const ClothGeometry& 
       Shell::flat(geometry.ends() * geometry.warpPitch_mm(), geometry.picks() * geometry.weftPitch_mm(), half));
 }
 
-std::vector<Material> makeMaterials(const Fabric& fabric, const Changes& change, const Scene* previous) {
+std::vector<Material> makeMaterials(const Fabric& fabric, const SceneBase& base) {
+  const std::vector<int>& changed = base.edit.fibres;
   std::vector<Material> materials;
   for (size_t i = 0; i < fabric.fibres.size(); ++i) {
     const Fibre& fibre = fabric.fibres[i];
-    const bool known = previous && !std::binary_search(change.fibres.begin(), change.fibres.end(), static_cast<int>(i));
+    const bool known = base.scene && !std::binary_search(changed.begin(), changed.end(), static_cast<int>(i));
     materials.push_back(
-        known ? previous->cloth->materials[i]
+        known ? base.scene->cloth->materials[i]
               : Material{std::make_shared<const FibreBcsdf>(fibre), static_cast<float>(fibre.refractiveIndex)});
   }
   return materials;
@@ -103,41 +103,40 @@ struct Unfinished {
 };
 
 /// The shell and what hangs on it.
-void lay(Unfinished& made, const Piece& piece, const ClothGeometry& geometry, const Changes& change,
-         const Scene* previous) {
+void lay(Unfinished& made, const Piece& piece, const ClothGeometry& geometry, const SceneBase& base) {
   TraceData& cloth = made.cloth;
-  const bool sameShell = previous && !change.stages.any(Stage::drape | Stage::grid) &&
-                         previous->cloth->volume->geometry().halfThickness_mm() == geometry.halfThickness_mm();
-  cloth.shell = sameShell ? previous->cloth->shell : makeShell(piece, geometry);
-  cloth.entry = sameShell ? previous->cloth->entry : std::make_shared<const ShellEntry>(cloth.shell);
+  const bool sameShell = base.keeps(Stage::drape | Stage::grid) &&
+                         base.scene->cloth->volume->geometry().halfThickness_mm() == geometry.halfThickness_mm();
+  cloth.shell = sameShell ? base.scene->cloth->shell : makeShell(piece, geometry);
+  cloth.entry = sameShell ? base.scene->cloth->entry : std::make_shared<const ShellEntry>(cloth.shell);
   made.lookUpYarns(geometry);
 }
 
 /// Shows the scene with yarns that were made in no time. False when stopped.
 bool showSketch(Unfinished sketched, const Piece& piece, std::shared_ptr<const ClothGeometry> sketch,
-                const Changes& change, const Scene* previous, const ScenePreviews& first, const Task& task) {
+                const SceneBase& base, const ScenePreviews& first, const Task& task) {
   const Fabric& fabric = *sketched.scene.fabric;
-  lay(sketched, piece, *sketch, change, previous);
+  lay(sketched, piece, *sketch, base);
   const CellRect inView =
       cellsInView(fabric.camera, first.aspect, *sketch, *sketched.cloth.shell, *sketched.cloth.entry);
   auto volume = ClothVolume::sketch(std::move(sketch), fabric.render.resolution, inView, task,
-                                    previous ? previous->cloth->volume.get() : nullptr);
+                                    base.scene ? base.scene->cloth->volume.get() : nullptr);
   if (!volume) return false;
   first.show(sketched.with(std::move(volume)));
   return !task.stopped();
 }
 
 /// Volume, shell and yarns: all of them, or what the edit leaves of the previous scene's. False when stopped.
-bool makeCloth(Unfinished& made, const Changes& change, const Scene* previous, const ScenePreviews* first,
-               const Task& task) {
+bool makeCloth(Unfinished& made, const SceneBase& base, const ScenePreviews* first, const Task& task) {
   const Fabric& fabric = *made.scene.fabric;
   TraceData& cloth = made.cloth;
-  const ClothVolume* volumeBefore = previous ? previous->cloth->volume.get() : nullptr;
-  if (previous && !change.cloth()) {
-    cloth.volume = previous->cloth->volume;
-    cloth.shell = previous->cloth->shell;
-    cloth.entry = previous->cloth->entry;
-    cloth.fibres = previous->cloth->fibres;
+  const TraceData* before = base.scene ? base.scene->cloth.get() : nullptr;
+  const ClothVolume* volumeBefore = before ? before->volume.get() : nullptr;
+  if (before && !base.edit.cloth()) {
+    cloth.volume = before->volume;
+    cloth.shell = before->shell;
+    cloth.entry = before->entry;
+    cloth.fibres = before->fibres;
     made.lookUpYarns(cloth.volume->geometry());
     return true;
   }
@@ -149,12 +148,12 @@ bool makeCloth(Unfinished& made, const Changes& change, const Scene* previous, c
   auto geometry = makeGeometry(volumeBefore ? &volumeBefore->geometry() : nullptr, first != nullptr);
   if (task.stopped()) return false;
   if (geometry->isSketched()) {
-    if (!showSketch(made, piece, geometry, change, previous, *first, task)) return false;
+    if (!showSketch(made, piece, geometry, base, *first, task)) return false;
     geometry = makeGeometry(geometry.get(), false);  // all but the sketched yarns are as they should be
     if (task.stopped()) return false;
   }
   made.scene.seconds.geometry = watch.lap();
-  lay(made, piece, *geometry, change, previous);
+  lay(made, piece, *geometry, base);
   made.scene.seconds.accelerate = watch.lap();
   const auto build = [&](const PreviewSink* look) {
     return ClothVolume::build(geometry, fabric.render.resolution, task, volumeBefore, look);
@@ -169,41 +168,46 @@ bool makeCloth(Unfinished& made, const Changes& change, const Scene* previous, c
   }
   made.scene.seconds.voxelise = watch.lap();
   if (!cloth.volume) return false;
-  const bool sameYarns =
-      previous && previous->cloth->fibres && volumeBefore->geometry().yarns().sameShapes(geometry->yarns());
-  cloth.fibres = sameYarns ? previous->cloth->fibres : FibreBricks::of(*cloth.volume, std::move(geometry));
+  const bool sameYarns = before && before->fibres && volumeBefore->geometry().yarns().sameShapes(geometry->yarns());
+  cloth.fibres = sameYarns ? before->fibres : FibreBricks::of(*cloth.volume, std::move(geometry));
   return true;
 }
 
 }  // namespace
 
-std::shared_ptr<const Scene> makeScene(std::shared_ptr<const Fabric> fabric, const Task& task, const Scene* previous,
+std::shared_ptr<const Scene> makeScene(std::shared_ptr<const Fabric> fabric, const Task& task, const SceneBase& base,
                                        const ScenePreviews* first) {
-  const Changes change = previous ? changes(*previous->fabric, *fabric) : Changes{};
   Unfinished made;
   Scene& scene = made.scene;
   scene.fabric = fabric;
-  const Stages colours = Stage::colour | Stage::brightness | Stage::light | Stage::optics;
-  scene.colouring = previous && !change.stages.any(colours) ? previous->colouring : colouringOf(*fabric);
+  scene.colouring = base.keeps(Stage::colour | Stage::brightness | Stage::light | Stage::optics) ? base.scene->colouring
+                                                                                                 : colouringOf(*fabric);
   scene.roulette_per_mm = leastAbsorption_per_mm(scene.colouring);
   scene.sampling.seed = fabric->render.seed;
   scene.sampling.maxEvents = static_cast<uint32_t>(fabric->render.maxDepth);
-  scene.lighting = previous && !change.stages.any(Stage::light | Stage::brightness)
-                       ? previous->lighting
-                       : std::make_shared<const Lighting>(fabric->light, CameraRays(fabric->camera, 1, 1).eye_mm(),
-                                                          static_cast<float>(fabric->camera.distance_mm),
-                                                          previous ? previous->lighting.get() : nullptr);
-  if (previous && !change.medium()) {
-    scene.cloth = previous->cloth;
+  scene.lighting =
+      base.keeps(Stage::light | Stage::brightness)
+          ? base.scene->lighting
+          : std::make_shared<const Lighting>(fabric->light, CameraRays(fabric->camera, 1, 1).eye_mm(),
+                                             static_cast<float>(fabric->camera.distance_mm),
+                                             base.keeps(Stage::surroundings) ? base.scene->lighting.get() : nullptr);
+  if (base.scene && !base.edit.medium()) {
+    scene.cloth = base.scene->cloth;
     return std::make_shared<const Scene>(std::move(scene));
   }
-  made.cloth.materials = makeMaterials(*fabric, change, previous);
+  made.cloth.materials = makeMaterials(*fabric, base);
   made.cloth.method = fabric->render.method;
   made.cloth.estimator = fabric->render.estimator;
   made.cloth.eventLaw = fabric->render.eventLaw;
-  if (!makeCloth(made, change, previous, first, task)) return nullptr;
+  if (!makeCloth(made, base, first, task)) return nullptr;
   scene.cloth = std::make_shared<const TraceData>(std::move(made.cloth));
   return std::make_shared<const Scene>(std::move(scene));
+}
+
+std::shared_ptr<const Scene> makeScene(std::shared_ptr<const Fabric> fabric, const Task& task, const Scene* previous,
+                                       const ScenePreviews* first) {
+  const SceneBase base{previous, previous ? changes(*previous->fabric, *fabric) : Changes{}};
+  return makeScene(std::move(fabric), task, base, first);
 }
 
 }  // namespace loomlight

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/fabric/model/changes.h"
 #include "core/fabric/model/fabric.h"
 #include "render/light/lighting.h"
 #include "render/scene/camera_rays.h"
@@ -52,9 +53,21 @@ struct ScenePreviews {
   std::function<void(std::shared_ptr<const Scene> preview)> show;
 };
 
-/// Builds the scene of a fabric, reusing from `previous` (may be null) every part that the edit did not touch. Returns
-/// null when stopped; throws InputError for files that cannot be used. What `first` (may be null) is shown in between
-/// changes nothing; none of it may be a `previous`.
+/// A scene that is there already, null if there is none, and what the edit since then has put out of date in it.
+struct SceneBase {
+  const Scene* scene = nullptr;
+  Changes edit;
+
+  /// Whether what these stages make serves again.
+  bool keeps(Stages stages) const { return scene && !edit.stages.any(stages); }
+};
+
+/// Builds the scene of a fabric, reusing from `base` every part that the edit did not touch. Returns null when stopped;
+/// throws InputError for files that cannot be used. What `first` (may be null) is shown in between changes nothing;
+/// none of it may be a base.
+std::shared_ptr<const Scene> makeScene(std::shared_ptr<const Fabric> fabric, const Task& task, const SceneBase& base,
+                                       const ScenePreviews* first = nullptr);
+/// Based on `previous` (may be null), which it is compared with.
 std::shared_ptr<const Scene> makeScene(std::shared_ptr<const Fabric> fabric, const Task& task,
                                        const Scene* previous = nullptr, const ScenePreviews* first = nullptr);
 

@@ -17,7 +17,8 @@ SharedFate sharedFate(const Changes& edit) {
   if (stages.within(Stage::label | Stage::camera)) return {Cells::prior, false};
   // Keys know crossings and the threads around; those further away matter little.
   if (edit.crossingsAlone()) return {Cells::prior, false};
-  if (stages.within(Stage::label | Stage::light | Stage::brightness | Stage::colour | Stage::optics))
+  if (stages.within(Stage::label | Stage::light | Stage::surroundings | Stage::brightness | Stage::colour |
+                    Stage::optics))
     return {Cells::places, true};
   return {Cells::none, false};
 }

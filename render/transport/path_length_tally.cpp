@@ -209,8 +209,8 @@ Fabric colourPatch(Fabric fabric) {
 }
 
 bool walkedAlike(const Fabric& a, const Fabric& b) {
-  return changes(a, b).stages.within(Stage::drape | Stage::colour | Stage::brightness | Stage::light | Stage::camera |
-                                     Stage::label);
+  return changes(a, b).stages.within(Stage::drape | Stage::colour | Stage::brightness | Stage::light |
+                                     Stage::surroundings | Stage::camera | Stage::label);
 }
 
 std::optional<PathLengthTally> tallyPathLengths(const Scene& scene, const Medium& medium, const ClothPart& part,

@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/random.h"
+#include "core/fabric/model/changes.h"
 #include "core/fabric/model/yarn_count.h"
 #include "core/geometry/cloth_geometry.h"
 #include "core/shell/shell.h"
@@ -59,6 +60,23 @@ YarnSection sectionIn(const ClothGeometry& cloth, const YarnCellKey& key, double
   return section;
 }
 
+/// Of a mesh that can be read.
+std::optional<MeshExtent> extentOf(const Drape& drape) {
+  if (!hasOwnExtent(drape)) return std::nullopt;
+  try {
+    const DrapeMesh mesh = makeDrape(drape);
+    if (mesh.positions.empty()) return std::nullopt;
+    glm::vec3 lower = mesh.positions.front(), upper = lower;
+    for (const glm::vec3& p : mesh.positions) {
+      lower = glm::min(lower, p);
+      upper = glm::max(upper, p);
+    }
+    return MeshExtent{0.5f * (lower + upper), 0.5 * glm::length(upper - lower)};
+  } catch (const InputError&) {
+    return std::nullopt;  // the builder reads it too, and tells the user
+  }
+}
+
 }  // namespace
 
 YarnSection yarnSection(const ClothGeometry& cloth, const Fabric& fabric, int yarn) {
@@ -89,26 +107,6 @@ std::string FabricStatsWorker::problem() const {
   return told ? told->problem : "";
 }
 
-std::optional<MeshExtent> FabricStatsWorker::extentOf(const Drape& drape) {
-  if (!hasOwnExtent(drape)) return std::nullopt;
-  if (drape == measured_) return measuredExtent_;
-  measured_ = drape;
-  measuredExtent_.reset();
-  try {
-    const DrapeMesh mesh = makeDrape(drape);
-    if (mesh.positions.empty()) return std::nullopt;
-    glm::vec3 lower = mesh.positions.front(), upper = lower;
-    for (const glm::vec3& p : mesh.positions) {
-      lower = glm::min(lower, p);
-      upper = glm::max(upper, p);
-    }
-    measuredExtent_ = MeshExtent{0.5f * (lower + upper), 0.5 * glm::length(upper - lower)};
-  } catch (const InputError&) {
-    return std::nullopt;  // the builder reads it too, and tells the user
-  }
-  return measuredExtent_;
-}
-
 FabricStats FabricStatsWorker::statsOf(const Fabric& fabric) {
   FabricStats stats;
   stats.floats = floats(fabric.weave);
@@ -123,7 +121,8 @@ FabricStatsWorker::Result FabricStatsWorker::tell(const Request& request) {
   auto stats = std::make_shared<FabricStats>(known ? *last_ : compute_(*request.fabric));
   if (!known) {
     stats->fabric = request.fabric;
-    stats->mesh = extentOf(request.fabric->drape);
+    const bool sameDrape = last_ && !changes(*last_->fabric, *request.fabric).stages.any(Stage::drape);
+    stats->mesh = sameDrape ? last_->mesh : extentOf(request.fabric->drape);
   }
   stats->yarn = yarn;
   if (!known || stats->longFloats.limit_mm != request.longFloat_mm) {

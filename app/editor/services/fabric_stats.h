@@ -62,13 +62,10 @@ class FabricStatsWorker {
   };
   static FabricStats statsOf(const Fabric& fabric);
   Result tell(const Request& request);
-  std::optional<MeshExtent> extentOf(const Drape& drape);
 
   // The thread's own:
   Compute compute_;
   std::shared_ptr<const FabricStats> last_;
-  Drape measured_;  ///< the mesh that was read last, and its extent
-  std::optional<MeshExtent> measuredExtent_;
 
   Worker<Request, Result> worker_;  // last: it ends before what it uses is gone
 };

@@ -8,12 +8,29 @@
 namespace loomlight {
 namespace {
 
+template <class Object>
+Stages between(const Object& a, const Object& b);
+
+/// The stages of a field whose values differ.
+template <class Value>
+Stages stagesOf(const FieldInfo& info, const Value&, const Value&) {
+  return info.stages;
+}
+
+/// Dyes have fields of their own: what one is called colours nothing.
+Stages stagesOf(const FieldInfo& info, const Absorption& a, const Absorption& b) {
+  if (a.primaries != b.primaries || a.bands != b.bands || a.dyes.size() != b.dyes.size()) return info.stages;
+  Stages stages;
+  for (size_t i = 0; i < a.dyes.size(); ++i) stages |= between(a.dyes[i], b.dyes[i]);
+  return stages;
+}
+
 /// The stages of all fields in which two objects differ.
 template <class Object>
 Stages between(const Object& a, const Object& b) {
   Stages stages;
   forEachField<Object>([&](const auto& field) {
-    if (!(a.*field.member == b.*field.member)) stages |= field.info.stages;
+    if (!(a.*field.member == b.*field.member)) stages |= stagesOf(field.info, a.*field.member, b.*field.member);
   });
   return stages;
 }

@@ -53,6 +53,16 @@ constexpr FieldInfo fieldInfo(Value Object::* member) {
   return found;
 }
 
+/// A new object that has the other's values where a field touches any of these stages, and else its own.
+template <class Object>
+Object onlyOf(Stages stages, const Object& other) {
+  Object object;
+  forEachField<Object>([&](const auto& field) {
+    if (field.info.stages.any(stages)) object.*field.member = other.*field.member;
+  });
+  return object;
+}
+
 /// Whether all plain members are equal. Keys of other versions (UnknownKeys) are not plain members.
 template <class Object>
 bool equalFields(const Object& a, const Object& b) {

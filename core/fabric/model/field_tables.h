@@ -104,7 +104,7 @@ template <>
 struct FieldTable<Light> {
   using enum Stage;
   static constexpr auto fields = std::make_tuple(
-      Field{&Light::kind, {light, "kind", "Light", "", 0, 0, "What shines on the cloth."}},
+      Field{&Light::kind, {light | surroundings, "kind", "Light", "", 0, 0, "What shines on the cloth."}},
       Field{&Light::intensity,
             {brightness, "intensity", "Intensity", "×", 0, 1000, "Factor on the brightness of the light.", true}},
       Field{&Light::temperature_K,
@@ -121,7 +121,8 @@ struct FieldTable<Light> {
       Field{&Light::turbidity,
             {light, "turbidity", "Haze", "", 2, 10, "Haze of the sky: 2 is clear, 10 is hazy (turbidity)."}},
       Field{&Light::file,
-            {light, "file", "Environment", "", 0, 0, "A picture of the surroundings: latitude-longitude EXR."}},
+            {light | surroundings, "file", "Environment", "", 0, 0,
+             "A picture of the surroundings: latitude-longitude EXR."}},
       Field{&Light::illuminant,
             {colour | brightness, "illuminant", "Lamp spectrum", "", 0, 0,
              "The spectrum of white light: D65 is daylight, A a light bulb, F2, F7 and F11 (TL84) are fluorescent "

@@ -43,6 +43,7 @@ class TileMap {
   /// How a cloth came out of another.
   struct Change {
     const ClothGeometry& before;
+    bool inWeaveAlone = false;          ///< ClothGeometry::differsInWeaveOnly()
     ClassNames names;                   ///< of the classes of `before`
     std::vector<WeaveCrossing> places;  ///< changes of the weave, as of weaveChanges()
   };
@@ -145,7 +146,7 @@ class TileMap {
   static void renumber(Band& band, ShapeTable& all);
   void countCells(const Task& task);
   Kept keptOf(const ClothGeometry& geometry, const ClothGeometry& before, int formerAcross, int formerAlong) const;
-  bool reshape(const ClothGeometry& geometry, const ClothGeometry& before, const Task& task, ShapeTable& table);
+  bool reshape(const ClothGeometry& geometry, const Change& change, const Task& task, ShapeTable& table);
   void editRow(const ClothGeometry& geometry, int across, std::span<const int> places, bool counting,
                ShapeTable& table);
   void addShapes(const ShapeTable& table);

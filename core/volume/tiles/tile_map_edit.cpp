@@ -52,10 +52,10 @@ std::vector<CellSpan> reachedFrom(std::span<const int> places, int count) {
 
 void TileMap::edit(const ClothGeometry& geometry, const Change& change, const Task& task) {
   for (ShapeCode& code : codes_) code = renamed(system_, code, change.names);
-  if (!geometry.differsInWeaveOnly(change.before))
+  if (!change.inWeaveAlone)
     for (size_t i = 0; i < shapes_.size(); ++i) shapes_[i] = geometry.shapeKey(system_, codes_[i]);
   ShapeTable table(geometry, system_, shapes_, codes_);
-  const bool sameCells = !reshape(geometry, change.before, task, table);
+  const bool sameCells = !reshape(geometry, change, task, table);
   if (task.stopped()) return;
 
   const bool warp = system_ == System::warp;
@@ -71,13 +71,13 @@ void TileMap::edit(const ClothGeometry& geometry, const Change& change, const Ta
 
 /// Makes it the map of the geometry but for the changes of the weave. False where all cells lie as they did, each in
 /// its phase: then their counts hold.
-bool TileMap::reshape(const ClothGeometry& geometry, const ClothGeometry& before, const Task& task, ShapeTable& table) {
+bool TileMap::reshape(const ClothGeometry& geometry, const Change& change, const Task& task, ShapeTable& table) {
   const int yarnCount = yarnCount_, cells = cells_, across = repeatAcross_, along = repeatAlong_;
   findExtent(geometry);
   const bool sameRepeat = across == repeatAcross_ && along == repeatAlong_ &&
-                          WeaveSides(geometry.weave(), system_) == WeaveSides(before.weave(), system_);
-  if (sameRepeat && geometry.differsInWeaveOnly(before)) return false;
-  readRows(geometry, task, keptOf(geometry, before, across, along), table);
+                          WeaveSides(geometry.weave(), system_) == WeaveSides(change.before.weave(), system_);
+  if (sameRepeat && change.inWeaveAlone) return false;
+  readRows(geometry, task, keptOf(geometry, change.before, across, along), table);
 
   const auto yarns = yarns_;
   placeYarns(geometry);

@@ -105,8 +105,8 @@ bool ClothVolume::editTiles(const ClothVolume& previous, const Task& task) {
   // To read a crossing anew in an edit costs some fifty times what it costs in a whole repeat.
   auto changed = weaveChanges(before.weave(), weave, std::max<size_t>(64, crossings / 64));
   if (!changed) return false;
-  const bool weaveOnly = grid_ == previous.grid_ && geometry_->differsInWeaveOnly(before);
-  const TileMap::Change change{before, std::move(*names), std::move(*changed)};
+  const TileMap::Change change{before, geometry_->differsInWeaveOnly(before), std::move(*names), std::move(*changed)};
+  const bool weaveOnly = grid_ == previous.grid_ && change.inWeaveAlone;
   tiles_ = previous.tiles_;
   for (TileMap& tiles : tiles_) {
     if (!weaveOnly) tiles.dropBricks(pool_);

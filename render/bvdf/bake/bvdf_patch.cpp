@@ -3,14 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/fabric/model/field_tables.h"
 #include "core/fabric/model/yarn_count.h"
 
-// How it works. What local visibility depends on is copied from the fabric and nothing else: the corner of a large
-// weave, yarns of one shape as one yarn, a mean fibre, white light. The patch of it is some whole repeats wide, and
-// is cut down until its fibres are few enough to be traced one by one.
+// How it works. What local visibility depends on is copied from the fabric by the stages of its fields: the corner of a
+// large weave, yarns of one shape as one yarn, a mean fibre, white light. The patch of it is some whole repeats wide,
+// and is cut down until its fibres are few enough to be traced one by one.
 
 namespace loomlight {
 namespace {
+
+constexpr Stages kSeen = Stage::shape | Stage::grid;  // of a fabric, in a table
 
 constexpr int kCrossings = 12;     // a side, at least: some of every phase of the twist
 constexpr int kMaxCrossings = 48;  // a side; a larger repeat is cut off
@@ -49,18 +52,13 @@ void mergeYarns(const Fabric& fabric, Fabric& merged) {
   merged.fibres.clear();
   for (size_t i = 0; i < classes.size(); ++i) {
     if (classes[i] < static_cast<int>(merged.yarns.size())) continue;
-    Yarn yarn = fabric.yarns[i];
-    const Fibre of = meanFibre(yarn, fabric.fibres);
+    Yarn yarn = onlyOf(kSeen, fabric.yarns[i]);
     yarn.name.clear();
-    yarn.unknown = {};
     yarn.fibre = classes[i];
     yarn.blendFibre.reset();
     merged.yarns.push_back(yarn);
-    Fibre fibre;
-    fibre.name.clear();
-    fibre.radius_um = of.radius_um;
-    fibre.density_g_cm3 = of.density_g_cm3;
-    merged.fibres.push_back(fibre);
+    merged.fibres.push_back(onlyOf(kSeen, meanFibre(fabric.yarns[i], fabric.fibres)));
+    merged.fibres.back().name.clear();
   }
   for (int& yarn : merged.warpSequence) yarn = classes[yarn];
   for (int& yarn : merged.weftSequence) yarn = classes[yarn];
@@ -69,18 +67,14 @@ void mergeYarns(const Fabric& fabric, Fabric& merged) {
 }  // namespace
 
 Fabric BvdfPatch::reduced(const Fabric& fabric) {
-  Fabric patch;
+  Fabric patch = onlyOf(kSeen, fabric);
   patch.name.clear();
   patch.weave = cornerOf(fabric.weave);
   patch.warpSequence = fabric.warpSequence;
   patch.weftSequence = fabric.weftSequence;
-  patch.ends_per_cm = fabric.ends_per_cm;
-  patch.picks_per_cm = fabric.picks_per_cm;
-  patch.press = fabric.press;
-  patch.crimpBalance = fabric.crimpBalance;
   mergeYarns(fabric, patch);
   patch.light.kind = LightKind::dome;
-  patch.render.resolution = fabric.render.resolution;
+  patch.render = onlyOf(kSeen, fabric.render);
 
   const ClothGeometry geometry(patch, 1, 1);
   int ends = sideOf(geometry.repeatEnds()), picks = sideOf(geometry.repeatPicks());

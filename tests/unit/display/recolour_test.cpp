@@ -77,10 +77,15 @@ double squaredError(const Recoloured& picture, const Film& truth) {
   return sum;
 }
 
+std::optional<Recolouring> recolouringTo(const Scene& traced, const Fabric& wanted) {
+  const SceneBase base{&traced, changes(*traced.fabric, wanted)};
+  return recolouringBetween(traced, *makeScene(std::make_shared<const Fabric>(wanted), Task{}, base), base.edit);
+}
+
 TEST(RecolouringBetween, IsKnownForColourAndBrightnessAlone) {
   const auto blue = test::sceneOf(blueCotton());
   const auto red = test::sceneOf(withColour(blueCotton(), Rgb(1, 50, 60)));
-  const auto recolouring = recolouringBetween(*blue, *makeScene(red->fabric, Task{}, blue.get()));
+  const auto recolouring = recolouringTo(*blue, *red->fabric);
   ASSERT_TRUE(recolouring);
   EXPECT_EQ(recolouring->colouring.primaries_per_mm[0], Rgb(1, 50, 60));
   EXPECT_EQ(recolouring->light, Rgb(1));
@@ -88,7 +93,7 @@ TEST(RecolouringBetween, IsKnownForColourAndBrightnessAlone) {
   const auto after = [&](auto&& edit) {
     Fabric fabric = blueCotton();
     edit(fabric);
-    return recolouringBetween(*blue, *makeScene(std::make_shared<const Fabric>(std::move(fabric)), Task{}, blue.get()));
+    return recolouringTo(*blue, fabric);
   };
   EXPECT_EQ(after([](Fabric& f) { f.light.intensity *= 3; })->light, Rgb(3));
   EXPECT_EQ(after([](Fabric& f) { f.light.temperature_K = 2700; })->light, blackBodyTint(2700));
@@ -159,8 +164,7 @@ TEST(Recolour, UnderAWarmLampIsThePictureTracedUnderIt) {
   Fabric warm = blueCotton();
   warm.light.temperature_K = 2700;
   const Picture neutral(blueCotton(), 8, 800), traced(warm, 8, 800);
-  const auto recolouring =
-      recolouringBetween(*neutral.scene, *makeScene(std::make_shared<const Fabric>(warm), Task{}, neutral.scene.get()));
+  const auto recolouring = recolouringTo(*neutral.scene, warm);
   ASSERT_TRUE(recolouring);
   ASSERT_GT(recolouring->light.r, 2 * recolouring->light.b);
   const Recoloured warmed = recolour(neutral.film, neutral.records, *recolouring, 1);

@@ -30,7 +30,8 @@ Fabric twisted(int step) {
 BuiltCloth built(const Fabric& fabric, const RecentCloths& recent) {
   BuiltCloth cloth;
   Traceable& made = cloth.traceable;
-  made.scene = makeScene(std::make_shared<const Fabric>(fabric), Task{}, recent.baseFor(fabric).traceable.scene.get());
+  made.scene =
+      makeScene(std::make_shared<const Fabric>(fabric), Task{}, recent.baseFor(fabric).cloth.traceable.scene.get());
   return cloth;
 }
 
@@ -43,7 +44,7 @@ const ClothVolume* show(const Fabric& fabric, RecentCloths& recent) {
 
 TEST(RecentCloths, BringBackTheVeryVolume) {
   RecentCloths recent(kPlenty);
-  EXPECT_EQ(recent.baseFor(twill()).traceable.scene, nullptr);
+  EXPECT_EQ(recent.baseFor(twill()).cloth.traceable.scene, nullptr);
   const ClothVolume* first = show(twill(), recent);
   Fabric painted = twill();
   painted.weave = painted.weave.with(1, 0, true);
@@ -88,12 +89,12 @@ TEST(RecentCloths, KeepWithinTheirBudget) {
   EXPECT_GT(recent.count(), 2u);
   EXPECT_LT(recent.count(), 8u);
   // What was used last is there still, what was used first is not.
-  const ClothVolume* volume = recent.baseFor(twisted(6)).traceable.scene->cloth->volume.get();
+  const ClothVolume* volume = recent.baseFor(twisted(6)).cloth.traceable.scene->cloth->volume.get();
   EXPECT_EQ(show(twisted(6), recent), volume);
   EXPECT_EQ(built(twisted(7), recent).traceable.scene->cloth->volume,
-            recent.baseFor(twisted(7)).traceable.scene->cloth->volume);
+            recent.baseFor(twisted(7)).cloth.traceable.scene->cloth->volume);
   EXPECT_NE(built(twisted(0), recent).traceable.scene->cloth->volume,
-            recent.baseFor(twisted(0)).traceable.scene->cloth->volume);
+            recent.baseFor(twisted(0)).cloth.traceable.scene->cloth->volume);
 
   RecentCloths none(0);
   show(twisted(0), none);
@@ -124,7 +125,7 @@ TEST(RecentCloths, CountAtLeastWhatTheyTake) {
     fabric.yarns[0].count_tex = 20 + step / 2;
     fabric.weave = twill().weave.with(step % 2, step % 4, step % 3 == 0);
     show(fabric, recent);
-    const auto newest = recent.baseFor(fabric).traceable.scene->cloth->volume;
+    const auto newest = recent.baseFor(fabric).cloth.traceable.scene->cloth->volume;
     volumes.insert(newest);
     EXPECT_GE(recent.bytes() + brickBytes({newest}), brickBytes(volumes));
   }

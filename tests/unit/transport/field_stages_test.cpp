@@ -135,8 +135,11 @@ void expectMadeAgain(const Changes& change, const Cloth& before, const Cloth& af
   expectMade("medium", change.medium(), before.medium, after.medium);
   expectMade("lighting", change.stages.any(Stage::light | Stage::brightness), before.scene->lighting,
              after.scene->lighting);
-  if (change.stages.any(Stage::drape)) expectMade("shell", true, then.shell, now.shell);
-  if (!change.cloth()) expectMade("shell", false, then.shell, now.shell);
+  if (change.stages.any(Stage::drape) || !change.cloth()) {
+    expectMade("shell", change.stages.any(Stage::drape), then.shell, now.shell);
+    expectMade("entry", change.stages.any(Stage::drape), then.entry, now.entry);
+  }
+  if (!change.cloth()) expectMade("fibres", false, then.fibres, now.fibres);
   for (int i = 0; i < static_cast<int>(std::min(then.materials.size(), now.materials.size())); ++i)
     expectMade("material", std::count(change.fibres.begin(), change.fibres.end(), i) > 0, then.materials[i].bcsdf,
                now.materials[i].bcsdf);
@@ -200,15 +203,24 @@ TEST_P(FieldStages, OfAFibre) {
   expectAllOf<Fibre>({blend(), blendByNumber()}, [](Fabric& fabric) -> Fibre& { return fabric.fibres[0]; });
 }
 
-TEST_P(FieldStages, OfABlendedFibre) {
-  const auto measured = [](Fabric& f) {
+/// Its second fibre is dyed by a recipe.
+Fabric dyedBlend() {
+  return blendWith([](Fabric& f) {
     Spectrum bands;
     bands.fill(10);
     f.fibres[1].absorption_per_mm = Absorption(bands);
     f.fibres[1].absorption_per_mm.dyes = {{"red", 2, bands}};
-  };
-  expectAllOf<Fibre>({blend(), blendByNumber(), blendWith(measured)},
+  });
+}
+
+TEST_P(FieldStages, OfABlendedFibre) {
+  expectAllOf<Fibre>({blend(), blendByNumber(), dyedBlend()},
                      [](Fabric& fabric) -> Fibre& { return fabric.fibres[1]; });
+}
+
+TEST_P(FieldStages, OfADye) {
+  expectAllOf<Dyestuff>({dyedBlend()},
+                        [](Fabric& fabric) -> Dyestuff& { return fabric.fibres[1].absorption_per_mm.dyes[0]; });
 }
 
 TEST_P(FieldStages, OfAYarn) {
@@ -237,6 +249,9 @@ TEST_P(FieldStages, OfTheLight) {
   writeExr(folder.file("sky.exr"), test::surroundings(sky, 16));
   sky.azimuth_deg = 10;
   writeExr(folder.file("another sky.exr"), test::surroundings(sky, 16));
+  std::filesystem::last_write_time(folder.file("another sky.exr"),
+                                   std::filesystem::last_write_time(folder.file("sky.exr")));  // nothing tells of it
+  const auto overcast = [](Fabric& f) { f.light.kind = LightKind::overcast; };
   const auto surrounded = [&](Fabric& f) {
     f.light.kind = LightKind::environment;
     f.light.file = folder.file("sky.exr");
@@ -247,7 +262,7 @@ TEST_P(FieldStages, OfTheLight) {
     f.light.illuminant = StandardIlluminant::file;
     f.light.illuminantFile = folder.file("lamp.txt");
   };
-  expectAllOf<Light>({blend(), blendWith(surrounded), blendWith(measured)},
+  expectAllOf<Light>({blend(), blendWith(overcast), blendWith(surrounded), blendWith(measured)},
                      [](Fabric& fabric) -> Light& { return fabric.light; });
 }
 
@@ -268,26 +283,35 @@ TEST_P(FieldStages, OfWhatIsNoConstruction) {
   const auto noted = [](Fabric& f) {
     f.draft = Draft{};
     f.colourways.resize(1);
-    f.wif = std::make_shared<const WifOrigin>();
+    WifOrigin origin;
+    origin.yarns.resize(1);
+    f.wif = std::make_shared<const WifOrigin>(origin);
   };
   const Cloth cloth = made(test::sceneOf(blendWith(noted)));
+  const Picture picture = cloth.picture();
   const auto expectLabels = [&]<class Object>(const Object&, auto&& select) {
     forEachField<Object>([&](const auto& field) {
       Fabric fabric = cloth.fabric();
       Object& object = select(fabric);
       object.*field.member = another(object.*field.member, field.info);
       EXPECT_EQ(field.info.stages, Stages(Stage::label)) << field.info.key;
-      EXPECT_FALSE(changes(cloth.fabric(), fabric).picture()) << field.info.key;
+      const Changes change = changes(cloth.fabric(), fabric);
+      EXPECT_FALSE(change.picture()) << field.info.key;
+      const Cloth after = edited(cloth, fabric);
+      expectMadeAgain(change, cloth, after);
+      EXPECT_TRUE(after.picture() == picture) << field.info.key;
     });
   };
   expectLabels(Draft{}, [](Fabric& fabric) -> Draft& { return *fabric.draft; });
   expectLabels(MillData{}, [](Fabric& fabric) -> MillData& { return fabric.mill; });
   expectLabels(Colourway{}, [](Fabric& fabric) -> Colourway& { return fabric.colourways[0]; });
-  expectLabels(WifOrigin{}, [](Fabric& fabric) -> WifOrigin& {
+  const auto originOf = [](Fabric& fabric) -> WifOrigin& {
     const auto origin = std::make_shared<WifOrigin>(*fabric.wif);
     fabric.wif = origin;
     return *origin;
-  });
+  };
+  expectLabels(WifOrigin{}, originOf);
+  expectLabels(WifYarn{}, [&](Fabric& fabric) -> WifYarn& { return originOf(fabric).yarns[0]; });
 }
 
 // The members of a fabric that are no plain fields.

@@ -118,6 +118,17 @@ TEST(Changes, YarnShapeRebuildsItsOwnBricks) {
   }
 }
 
+TEST(Changes, WhatADyeIsCalledColoursNothing) {
+  Fabric before = base(), after = before;
+  before.fibres[0].absorption_per_mm.dyes = after.fibres[0].absorption_per_mm.dyes = {Dyestuff{}};
+  after.fibres[0].absorption_per_mm.dyes[0].name = "madder";
+  EXPECT_EQ(changes(before, after).stages, Stages(Stage::label));
+  after.fibres[0].absorption_per_mm.dyes[0].amount_percent = 2;
+  EXPECT_EQ(changes(before, after).stages, Stage::label | Stage::colour);
+  after.fibres[0].absorption_per_mm.dyes.clear();
+  EXPECT_EQ(changes(before, after).stages, Stages(Stage::colour));
+}
+
 TEST(Changes, OfOpticsNameTheirFibres) {
   EXPECT_THAT(of([](Fabric& f) { f.fibres[1].scaleTilt_deg = 3; }).fibres, ElementsAre(1));
   EXPECT_THAT(of([](Fabric& f) { f.fibres[0].absorption_per_mm = Rgb(3); }).fibres, IsEmpty());

@@ -7,6 +7,7 @@
 
 #include "core/fabric/model/choice_names.h"
 #include "core/fabric/model/field_tables.h"
+#include "core/fabric/model/wif_origin.h"
 
 namespace loomlight {
 namespace {
@@ -16,7 +17,8 @@ static_assert(fieldInfo(&Fabric::ends_per_cm).min == 0.2);
 
 template <class T>
 class FieldTableOf : public testing::Test {};
-using Tables = testing::Types<Dyestuff, Fibre, Yarn, Drape, Light, Camera, RenderSettings, Draft, MillData, Fabric>;
+using Tables = testing::Types<Dyestuff, Fibre, Yarn, Drape, Light, Camera, RenderSettings, Draft, Colourway, MillData,
+                              WifYarn, WifOrigin, Fabric>;
 TYPED_TEST_SUITE(FieldTableOf, Tables);
 
 TYPED_TEST(FieldTableOf, KeysAreUniqueAndEveryEntryIsExplained) {
