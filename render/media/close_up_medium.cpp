@@ -59,7 +59,12 @@ class CloseUpBatch final : public MediumBatch {
     }
   }
   size_t offsetsAcross(uint32_t path, const Collision& met, std::span<float> offsets, Random& random) const override {
-    return groups_[paths_[path].amongFibres].batch->offsetsAcross(path, met, offsets, random);
+    return batchOf(path).offsetsAcross(path, met, offsets, random);
+  }
+  const ScenePoint& place(uint32_t path) const override { return batchOf(path).place(path); }
+  void copy(uint32_t path, uint32_t to) override {
+    paths_[to] = paths_[path];
+    batchOf(path).copy(path, to);
   }
 
  private:
@@ -78,7 +83,7 @@ class CloseUpBatch final : public MediumBatch {
     std::vector<ShadowRay> shadows;
   };
 
-  MediumBatch& batchOf(uint32_t path) { return *groups_[paths_[path].amongFibres].batch; }
+  MediumBatch& batchOf(uint32_t path) const { return *groups_[paths_[path].amongFibres].batch; }
 
   template <class Asked>
   void divide(std::span<const Asked> asked) {

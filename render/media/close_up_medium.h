@@ -22,7 +22,6 @@ class CloseUpMedium final : public Medium {
  public:
   explicit CloseUpMedium(std::shared_ptr<const TraceData> cloth);
 
-  std::unique_ptr<MediumPath> path() const override { return volume_.path(); }
   std::unique_ptr<MediumBatch> batch(size_t paths) const override;
 
  private:

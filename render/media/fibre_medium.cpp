@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "render/media/batch_of.h"
 #include "render/media/fibre_collision.h"
 #include "render/media/fibre_exit.h"
-#include "render/media/lone_path.h"
 #include "render/scene/fibre_bvh.h"
 
 namespace loomlight {
@@ -32,11 +32,10 @@ void expectWithin(const FibreSize& size, double limit_bytes) {
 }
 
 /// Paths among fibres.
-class FibreBatch final : public MediumBatch {
+class FibreBatch final : public PathStates<OwnFibre> {
  public:
-  FibreBatch(const FibreMedium& medium, size_t paths) : medium_(medium), rays_(medium.rays()), paths_(paths) {}
+  FibreBatch(const FibreMedium& medium, size_t paths) : PathStates(paths), medium_(medium), rays_(medium.rays()) {}
 
-  void begin(uint32_t path, const ScenePoint& from, const RayCone&) override { paths_[path] = {from, {}}; }
   void collide(std::span<const PathRay> pathRays, std::span<std::optional<Collision>> met,
                TraceCounts& counts) override {
     for (size_t i = 0; i < pathRays.size(); ++i)
@@ -50,7 +49,7 @@ class FibreBatch final : public MediumBatch {
     counts.rays += rays.size();
     for (ShadowRay& ray : rays) {
       const Path& path = paths_[ray.path];
-      ray.visible = rays_->isFree(path.place, ray.direction, ray.distance, path.leaving) ? 1.0f : 0.0f;
+      ray.visible = rays_->isFree(path.place, ray.direction, ray.distance, path.memory) ? 1.0f : 0.0f;
     }
   }
   size_t offsetsAcross(uint32_t, const Collision& met, std::span<float> offsets, Random&) const override {
@@ -58,27 +57,19 @@ class FibreBatch final : public MediumBatch {
     return 1;
   }
 
-  struct Path {
-    ScenePoint place;
-    OwnFibre leaving;
-  };
-  Path& operator[](uint32_t path) { return paths_[path]; }
-  const Path& operator[](uint32_t path) const { return paths_[path]; }
-
  private:
   std::optional<Collision> collide(Path& path, glm::vec3 direction, TraceCounts& counts) {
     ++counts.rays;
-    const auto met = rays_->meet(path.place, direction, path.leaving);
+    const auto met = rays_->meet(path.place, direction, path.memory);
     if (!met) return std::nullopt;
     ++counts.events;
     const Collision c = collisionAt(medium_.cloth(), met->place, direction, met->hit);
-    path.leaving = {c.fibre, kOwnFibreRadii * c.optics.fibreRadius_mm};
+    path.memory = {c.fibre, kOwnFibreRadii * c.optics.fibreRadius_mm};
     return c;
   }
 
   const FibreMedium& medium_;
   std::unique_ptr<FibreRays> rays_;
-  std::vector<Path> paths_;
 };
 
 }  // namespace
@@ -116,10 +107,6 @@ size_t FibreMedium::acceleratorBytes() const {
 
 std::unique_ptr<FibreRays> FibreMedium::rays() const {
   return bvh_ ? raysInto(*bvh_) : raysIntoBricks(*cloth_);
-}
-
-std::unique_ptr<MediumPath> FibreMedium::path() const {
-  return std::make_unique<LonePath<FibreMedium, FibreBatch>>(*this);
 }
 
 std::unique_ptr<MediumBatch> FibreMedium::batch(size_t paths) const {

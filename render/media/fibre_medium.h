@@ -36,7 +36,6 @@ class FibreMedium final : public Medium {
   size_t geometryBytes() const;
   size_t acceleratorBytes() const;  ///< as Embree reports its allocations
 
-  std::unique_ptr<MediumPath> path() const override;
   std::unique_ptr<MediumBatch> batch(size_t paths) const override;
 
   // What a batch is made of:

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "render/media/lone_path.h"
-
 // How it works. Flights and shadow rays are both walks until an optical depth is used up: that of a flight is drawn
 // from an exponential, that of a shadow ray is where nothing is worth following any further. LaneWalker walks them in
 // vector registers and tells, in any order, which met fibres and which left; here these ends become collisions and
@@ -14,38 +12,6 @@ namespace loomlight {
 namespace {
 
 constexpr float kNever = std::numeric_limits<float>::infinity();
-
-/// Turns what flights find into collisions.
-class Meetings final : public DepthRayEnds {
- public:
-  Meetings(const LoomlightMedium& medium, LoomlightBatch& paths, std::span<const PathRay> pathRays,
-           std::span<const DepthRay> rays, std::span<std::optional<Collision>> met)
-      : medium_(medium), paths_(paths), pathRays_(pathRays), rays_(rays), met_(met) {}
-
-  void found(size_t i, const FoundFibres& fibres) override {
-    const PathRay& pathRay = pathRays_[i];
-    LoomlightBatch::Path& path = paths_[pathRay.path];
-    met_[i] = medium_.meet(path.place, pathRay.direction, fibres, *pathRay.random, path.memory);
-    medium_.remember(*met_[i], path.memory);
-  }
-  void left(size_t i, float, int tet) override {
-    const PathRay& pathRay = pathRays_[i];
-    const float distance = rays_[i].tMax_mm;
-    met_[i].reset();
-    if (distance == kNever) return;
-    LoomlightBatch::Path& path = paths_[pathRay.path];
-    const ScenePoint place{path.place.world + distance * pathRay.direction, tet};
-    met_[i] = medium_.meetBefore(place, pathRay.direction, distance, *pathRay.random, path.memory);
-    medium_.remember(*met_[i], path.memory);
-  }
-
- private:
-  const LoomlightMedium& medium_;
-  LoomlightBatch& paths_;
-  std::span<const PathRay> pathRays_;
-  std::span<const DepthRay> rays_;
-  std::span<std::optional<Collision>> met_;
-};
 
 /// Exact down to e^-4; below that 0 or e^-4, because what hardly gets through is not worth walking for.
 constexpr float kExactDepth = 4.0f;
@@ -67,8 +33,40 @@ class Visibilities final : public DepthRayEnds {
 
 }  // namespace
 
+/// Turns what flights find into collisions.
+class LoomlightBatch::Meetings final : public DepthRayEnds {
+ public:
+  Meetings(const LoomlightMedium& medium, std::span<Path> paths, std::span<const PathRay> pathRays,
+           std::span<const DepthRay> rays, std::span<std::optional<Collision>> met)
+      : medium_(medium), paths_(paths), pathRays_(pathRays), rays_(rays), met_(met) {}
+
+  void found(size_t i, const FoundFibres& fibres) override {
+    const PathRay& pathRay = pathRays_[i];
+    Path& path = paths_[pathRay.path];
+    met_[i] = medium_.meet(path.place, pathRay.direction, fibres, *pathRay.random, path.memory);
+    medium_.remember(*met_[i], path.memory);
+  }
+  void left(size_t i, float, int tet) override {
+    const PathRay& pathRay = pathRays_[i];
+    const float distance = rays_[i].tMax_mm;
+    met_[i].reset();
+    if (distance == kNever) return;
+    Path& path = paths_[pathRay.path];
+    const ScenePoint place{path.place.world + distance * pathRay.direction, tet};
+    met_[i] = medium_.meetBefore(place, pathRay.direction, distance, *pathRay.random, path.memory);
+    medium_.remember(*met_[i], path.memory);
+  }
+
+ private:
+  const LoomlightMedium& medium_;
+  std::span<Path> paths_;
+  std::span<const PathRay> pathRays_;
+  std::span<const DepthRay> rays_;
+  std::span<std::optional<Collision>> met_;
+};
+
 LoomlightBatch::LoomlightBatch(const LoomlightMedium& medium, size_t paths)
-    : medium_(medium), paths_(paths), walker_(medium.cloth(), medium.walkRules()) {}
+    : PathStates(paths), medium_(medium), walker_(medium.cloth(), medium.walkRules()) {}
 
 void LoomlightBatch::collide(std::span<const PathRay> pathRays, std::span<std::optional<Collision>> met,
                              TraceCounts& counts) {
@@ -81,7 +79,7 @@ void LoomlightBatch::collide(std::span<const PathRay> pathRays, std::span<std::o
     const float depth = -std::log(1 - pathRay.random->uniform());
     rays_.push_back({path.place, pathRay.direction, toBefore, depth, &path.memory.known});
   }
-  Meetings meetings(medium_, *this, pathRays, rays_, met);
+  Meetings meetings(medium_, paths_, pathRays, rays_, met);
   counts.rays += pathRays.size();
   counts.steps += walker_.walk(rays_, meetings);
   for (const auto& collision : met) counts.events += collision ? 1 : 0;
@@ -104,10 +102,6 @@ void LoomlightBatch::transmit(std::span<ShadowRay> rays, TraceCounts& counts) {
   Visibilities visibilities(shadows_, rays_);
   counts.rays += rays.size();
   counts.steps += walker_.walk(rays_, visibilities);
-}
-
-std::unique_ptr<MediumPath> LoomlightMedium::path() const {
-  return std::make_unique<LonePath<LoomlightMedium, LoomlightBatch>>(*this);
 }
 
 std::unique_ptr<MediumBatch> LoomlightMedium::batch(size_t paths) const {

@@ -2,16 +2,16 @@
 
 #include <vector>
 
+#include "render/media/batch_of.h"
 #include "render/media/loomlight_medium.h"
 
 namespace loomlight {
 
 /// Paths through LoomlightMedium, side by side in lanes. The medium must outlive it.
-class LoomlightBatch final : public MediumBatch {
+class LoomlightBatch final : public PathStates<LoomlightMedium::Memory> {
  public:
   LoomlightBatch(const LoomlightMedium& medium, size_t paths);
 
-  void begin(uint32_t path, const ScenePoint& from, const RayCone&) override { paths_[path] = {from, {}}; }
   void collide(std::span<const PathRay> pathRays, std::span<std::optional<Collision>> met,
                TraceCounts& counts) override;
   void leave(uint32_t path, const Collision& met, glm::vec3 wi, int order) override {
@@ -22,17 +22,10 @@ class LoomlightBatch final : public MediumBatch {
     return medium_.offsetsAcross(met, paths_[path].memory, offsets, random);
   }
 
-  /// A path on its way: where it stands, and what it remembers.
-  struct Path {
-    ScenePoint place;
-    LoomlightMedium::Memory memory;
-  };
-  Path& operator[](uint32_t path) { return paths_[path]; }
-  const Path& operator[](uint32_t path) const { return paths_[path]; }
-
  private:
+  class Meetings;
+
   const LoomlightMedium& medium_;
-  std::vector<Path> paths_;
   LaneWalker walker_;
   // Of one call:
   std::vector<DepthRay> rays_;

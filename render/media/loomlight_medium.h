@@ -55,7 +55,6 @@ class LoomlightMedium final : public Medium {
     Meeting meeting;
   };
 
-  std::unique_ptr<MediumPath> path() const override;
   std::unique_ptr<MediumBatch> batch(size_t paths) const override;
 
   // What a batch is made of:

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "core/base/random.h"
 #include "render/scene/camera_rays.h"
@@ -76,36 +77,6 @@ inline int drawMaterial(const YarnOptics& yarn, Random& random) {
   return yarn.blendShare > 0 && random.uniform() < yarn.blendShare ? yarn.blendMaterial : yarn.material;
 }
 
-/// One path on its way through a medium, with all that this medium remembers of it. Its flights follow each other:
-/// begin(), then collide() and leave() in turn until nothing is met any more. Between leave() and the next collide()
-/// any number of shadow rays may be cast from where it stands, and it may leave the same collision again, another way.
-class MediumPath {
- public:
-  virtual ~MediumPath() = default;
-
-  /// A new path, which sets out from there and knows nothing yet.
-  virtual void begin(const ScenePoint& from) = 0;
-  /// The first fibre along a ray; nullopt when the ray leaves the scene. `direction` is unit.
-  virtual std::optional<Collision> collide(glm::vec3 direction, Random& random, TraceCounts& counts) = 0;
-  /// Goes to where light that takes mode `order` (p) out of the fibre just met into direction wi sets out again.
-  virtual void leave(const Collision& met, glm::vec3 wi, int order) = 0;
-  /// An unbiased estimate of the probability that a ray from here meets no fibre within `distance`.
-  virtual float transmittance(glm::vec3 direction, float distance, Random& random, TraceCounts& counts) const = 0;
-
-  /// Where across the fibre just met the ray may as well have met it, as far as nobody could tell: values of
-  /// Collision::offset, each as likely as the others, of which `met`'s own is the first. Fills at least one, at most
-  /// all of `offsets`, and returns how many. The mean of any function over them has the expectation that it has at the
-  /// first alone, and less variance.
-  virtual size_t offsetsAcross(const Collision& met, std::span<float> offsets, Random& random) const {
-    (void)random;
-    offsets[0] = met.offset;
-    return 1;
-  }
-
-  virtual const ScenePoint& place() const = 0;            ///< where it stands
-  virtual std::unique_ptr<MediumPath> clone() const = 0;  ///< to go on two ways from here
-};
-
 /// The next flight of one path of a batch.
 struct PathRay {
   uint32_t path = 0;
@@ -119,24 +90,62 @@ struct ShadowRay {
   glm::vec3 direction{0, 0, -1};  ///< unit
   float distance = 0;             ///< mm
   Random* random = nullptr;       ///< the path's own
-  float visible = 0;              ///< what comes of it: MediumPath::transmittance()
+  float visible = 0;              ///< what comes of it
 };
 
-/// Many paths on their way through a medium side by side, each as a MediumPath is: what one medium can do for many rays
-/// at once costs less than the same for one after the other. No path knows of the others, whichever are asked together.
+/// Many paths on their way through a medium side by side, numbered from 0, with all that this medium remembers of each:
+/// what one medium can do for many rays at once costs less than the same for one after the other. The flights of a path
+/// follow each other: begin(), then collide() and leave() in turn until nothing is met any more. Between leave() and
+/// the next collide() any number of shadow rays may be cast from where it stands, and it may leave the same collision
+/// again, another way. No path knows of the others, whichever are asked together.
 class MediumBatch {
  public:
   virtual ~MediumBatch() = default;
 
-  /// `cone`: of the path's first ray, where that is an eye's.
+  /// A new path, which sets out from there and knows nothing yet. `cone`: of its first ray, where that is an eye's.
   virtual void begin(uint32_t path, const ScenePoint& from, const RayCone& cone) = 0;
-  /// Every flight's first fibre, as MediumPath::collide(); one entry of `met` for each. No path flies twice.
+  /// The first fibre along every ray, in `met`; nullopt where the ray leaves the scene. No path flies twice.
   virtual void collide(std::span<const PathRay> pathRays, std::span<std::optional<Collision>> met,
                        TraceCounts& counts) = 0;
+  /// Goes to where light that takes mode `order` (p) out of the fibre just met into direction wi sets out again.
   virtual void leave(uint32_t path, const Collision& met, glm::vec3 wi, int order) = 0;
-  /// Sets `visible` of each. No path has two.
+  /// Sets `visible` of each: an unbiased estimate of the probability that it meets no fibre. No path has two.
   virtual void transmit(std::span<ShadowRay> rays, TraceCounts& counts) = 0;
+  /// Where across the fibre just met the ray may as well have met it, as far as nobody could tell: values of
+  /// Collision::offset, each as likely as the others, of which `met`'s own is the first. Fills at least one, at most
+  /// all of `offsets`, and returns how many. The mean of any function over them has the expectation that it has at the
+  /// first alone, and less variance.
   virtual size_t offsetsAcross(uint32_t path, const Collision& met, std::span<float> offsets, Random& random) const = 0;
+
+  virtual const ScenePoint& place(uint32_t path) const = 0;  ///< where it stands
+  virtual void copy(uint32_t path, uint32_t to) = 0;         ///< `to` goes on from there, another way
+};
+
+/// The one path of a batch, for those who have no more.
+class MediumPath {
+ public:
+  explicit MediumPath(std::unique_ptr<MediumBatch> batch) : batch_(std::move(batch)) {}
+
+  void begin(const ScenePoint& from) { batch_->begin(0, from, {}); }
+  std::optional<Collision> collide(glm::vec3 direction, Random& random, TraceCounts& counts) {
+    const PathRay pathRay{0, direction, &random};
+    std::optional<Collision> met;
+    batch_->collide({&pathRay, 1}, {&met, 1}, counts);
+    return met;
+  }
+  void leave(const Collision& met, glm::vec3 wi, int order) { batch_->leave(0, met, wi, order); }
+  float transmittance(glm::vec3 direction, float distance, Random& random, TraceCounts& counts) {
+    ShadowRay ray{0, direction, distance, &random};
+    batch_->transmit({&ray, 1}, counts);
+    return ray.visible;
+  }
+  size_t offsetsAcross(const Collision& met, std::span<float> offsets, Random& random) const {
+    return batch_->offsetsAcross(0, met, offsets, random);
+  }
+  const ScenePoint& place() const { return batch_->place(0); }
+
+ private:
+  std::unique_ptr<MediumBatch> batch_;
 };
 
 /// The cloth, as light meets it: everything that paths ask of it, and nothing about how it is stored. Immutable, and
@@ -145,13 +154,13 @@ class Medium {
  public:
   virtual ~Medium() = default;
 
-  /// A path through it, for one thread and as many paths after each other as it likes. The medium must outlive it.
-  virtual std::unique_ptr<MediumPath> path() const = 0;
-  /// The same for so many paths at once, numbered from 0: one after the other, unless the medium knows better.
-  virtual std::unique_ptr<MediumBatch> batch(size_t paths) const;
+  /// So many paths through it, for one thread and as many after each other as it likes. The medium must outlive them.
+  virtual std::unique_ptr<MediumBatch> batch(size_t paths) const = 0;
+  /// One.
+  MediumPath path() const { return MediumPath(batch(1)); }
 
-  /// Whether light that comes straight from a lamp to the first fibre of a path is seen by transmittance() alone,
-  /// whatever the flight that goes on from there meets: the report's way. False where both are one law.
+  /// Whether light that comes straight from a lamp to the first fibre of a path is seen by transmit() alone, whatever
+  /// the flight that goes on from there meets: the report's way. False where both are one law.
   virtual bool seesDirectLightApart() const { return false; }
 };
 

@@ -1,7 +1,7 @@
 #include "render/media/report_medium.h"
 
 #include "render/bvdf/local_cell.h"
-#include "render/media/path_through.h"
+#include "render/media/batch_of.h"
 
 namespace loomlight {
 namespace {
@@ -26,8 +26,8 @@ float distanceThroughCell(const TraceData& data, const ScenePoint& from, glm::ve
 ReportMedium::ReportMedium(std::shared_ptr<const TraceData> cloth, std::shared_ptr<const BvdfSet> bvdf)
     : cloth_(std::move(cloth)), volume_(cloth_, EventLaw::report), bvdf_(std::move(bvdf)) {}
 
-std::unique_ptr<MediumPath> ReportMedium::path() const {
-  return std::make_unique<PathThrough<ReportMedium>>(*this);
+std::unique_ptr<MediumBatch> ReportMedium::batch(size_t paths) const {
+  return std::make_unique<BatchOf<ReportMedium>>(*this, paths);
 }
 
 std::optional<Collision> ReportMedium::collide(const ScenePoint& from, Memory& memory, glm::vec3 direction,

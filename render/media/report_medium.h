@@ -23,7 +23,7 @@ class ReportMedium final : public Medium {
     glm::vec3 tangent{1, 0, 0}, incoming{0, 0, -1};
   };
 
-  std::unique_ptr<MediumPath> path() const override;
+  std::unique_ptr<MediumBatch> batch(size_t paths) const override;
   bool seesDirectLightApart() const override { return true; }
   std::optional<Collision> collide(const ScenePoint& from, Memory& memory, glm::vec3 direction, Random& random,
                                    TraceCounts& counts) const;

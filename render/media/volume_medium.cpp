@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/media/batch_of.h"
 #include "render/media/cloth_walk.h"
 #include "render/media/fibre_tangent.h"
-#include "render/media/path_through.h"
 #include "render/media/voxel_extinction.h"
 
 namespace loomlight {
 
-std::unique_ptr<MediumPath> VolumeMedium::path() const {
-  return std::make_unique<PathThrough<VolumeMedium>>(*this);
+std::unique_ptr<MediumBatch> VolumeMedium::batch(size_t paths) const {
+  return std::make_unique<BatchOf<VolumeMedium>>(*this, paths);
 }
 
 std::optional<Collision> VolumeMedium::collide(const ScenePoint& from, Memory&, glm::vec3 direction, Random& random,

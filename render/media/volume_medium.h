@@ -19,7 +19,7 @@ class VolumeMedium final : public Medium {
 
   struct Memory {};  ///< of a path: none
 
-  std::unique_ptr<MediumPath> path() const override;
+  std::unique_ptr<MediumBatch> batch(size_t paths) const override;
   std::optional<Collision> collide(const ScenePoint& from, Memory&, glm::vec3 direction, Random& random,
                                    TraceCounts& counts) const;
   glm::vec3 exit(const Collision& met, glm::vec3, int) const { return met.place.world; }

@@ -110,7 +110,7 @@ void PathIntegrator::gatherEscaped(uint32_t path, float visible, PathSink& sink)
 /// when no light comes of it.
 ///
 /// Nobody sees where across the fibre the path met it, and narrow modes send the lamp's light on from few of these
-/// places: so the light is the mean over several of them (MediumPath::offsetsAcross), and one of them, chosen in
+/// places: so the light is the mean over several of them (MediumBatch::offsetsAcross), and one of them, chosen in
 /// proportion, says how the light goes on, through the fibre and out of it. Each place counts with the weight that it
 /// would have alone, since a path that finds the lamp by itself leaves from one place.
 bool PathIntegrator::sampleLight(uint32_t path, Random& random, ShadowRay& ray, Lamp& lamp) {

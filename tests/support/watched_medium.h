@@ -4,7 +4,7 @@
 #include <functional>
 #include <memory>
 
-#include "tests/support/path_around.h"
+#include "tests/support/batch_around.h"
 
 namespace loomlight::test {
 
@@ -19,23 +19,24 @@ class WatchedMedium : public Medium {
 
   uint64_t paths() const { return paths_; }
 
-  std::unique_ptr<MediumPath> path() const override { return std::make_unique<Path>(*this); }
+  std::unique_ptr<MediumBatch> batch(size_t paths) const override { return std::make_unique<Batch>(*this, paths); }
   bool seesDirectLightApart() const override { return medium_->seesDirectLightApart(); }
 
  private:
-  class Path final : public PathAround {
+  class Batch final : public BatchAround {
    public:
-    explicit Path(const WatchedMedium& medium) : PathAround(medium.medium_->path()), watched_(medium) {}
-    void begin(const ScenePoint& from) override {
+    Batch(const WatchedMedium& medium, size_t paths) : BatchAround(medium.medium_->batch(paths)), watched_(medium) {}
+    void begin(uint32_t path, const ScenePoint& from, const RayCone& cone) override {
       watched_.onPath_(++watched_.paths_);
-      PathAround::begin(from);
-    }
-    std::optional<Collision> collide(glm::vec3 direction, Random& random, TraceCounts& counts) override {
-      if (watched_.onFlight_) watched_.onFlight_(++watched_.flights_);
-      return PathAround::collide(direction, random, counts);
+      BatchAround::begin(path, from, cone);
     }
 
    private:
+    std::optional<Collision> fly(const PathRay& pathRay, TraceCounts& counts) override {
+      if (watched_.onFlight_) watched_.onFlight_(++watched_.flights_);
+      return BatchAround::fly(pathRay, counts);
+    }
+
     const WatchedMedium& watched_;
   };
 

@@ -89,7 +89,7 @@ std::unique_ptr<BvdfBaker> BvdfBaker::begin(const Fabric& fabric, BvdfResolution
 
 std::vector<BvdfBaker::Shadow> BvdfBaker::traceBlock(uint64_t block) const {
   const Scene& scene = patch_->scene();
-  const auto path = patch_->fibres().path();
+  MediumPath path = patch_->fibres().path();
   const float side = block % 2 == 0 ? 1.0f : -1.0f;  // face and back in turn
   Random random(hashCombine(hashCombine(0, block), kBakerVersion));
   TraceCounts counts;
@@ -102,7 +102,7 @@ std::vector<BvdfBaker::Shadow> BvdfBaker::traceBlock(uint64_t block) const {
     glm::vec3 wo = direction(theta, phi);
     wo.z = side * std::max(wo.z, 1e-3f);
     wo = glm::normalize(wo);
-    const auto hit = firstHit(*patch_, *path, wo, random);
+    const auto hit = firstHit(*patch_, path, wo, random);
     if (!hit) continue;
 
     const int table = tableOfClass_[hit->yarn];
@@ -121,9 +121,9 @@ std::vector<BvdfBaker::Shadow> BvdfBaker::traceBlock(uint64_t block) const {
                                           (static_cast<float>(column) + b) / kLightPhis * (2 * kPiF));
       const glm::vec3 wi = frame * wiLocal;
       // Reflected light leaves where it came in, light through the fibre beyond it.
-      path->leave(*hit, wi, glm::dot(wi, surface) > 0 ? 0 : 1);
-      const float exit = cell.exit(toCloth + path->place().world, wi);
-      const bool met = exit > 0 && path->transmittance(wi, exit, random, counts) == 0;
+      path.leave(*hit, wi, glm::dot(wi, surface) > 0 ? 0 : 1);
+      const float exit = cell.exit(toCloth + path.place().world, wi);
+      const bool met = exit > 0 && path.transmittance(wi, exit, random, counts) == 0;
       const BvdfBin bin = BvdfBin::at(bvdfAngles(wiLocal, woLocal), resolution_);
       shadows.push_back({static_cast<uint32_t>(bin.index(resolution_)), hotSpots_[table].occlusion(wiLocal, woLocal),
                          static_cast<uint8_t>(table), met});

@@ -36,7 +36,7 @@ TEST_P(ReportFurnace, IsOffByWhatDirectLightGainsAndNoMore) {
   TraceCounts counts;
   Random random(8);
   test::SampledMean radiance, gain;
-  const auto path = report.path();
+  MediumPath path = report.path();
   for (int y = 0; y < 48; ++y)
     for (int x = 0; x < 48; ++x)
       for (uint32_t i = 0; i < 8; ++i) {
@@ -45,16 +45,16 @@ TEST_P(ReportFurnace, IsOffByWhatDirectLightGainsAndNoMore) {
 
         const float dx = random.uniform(), dy = random.uniform();
         const Ray ray = camera.ray(static_cast<float>(x) + dx, static_cast<float>(y) + dy);
-        path->begin({ray.origin, -1});
-        const auto hit = path->collide(ray.direction, random, counts);
+        path.begin({ray.origin, -1});
+        const auto hit = path.collide(ray.direction, random, counts);
         if (!hit) continue;
         const FibreFrame frame(hit->tangent);
         const auto scattered =
             scene->cloth->materials[0].bcsdf->sample(frame.toLocal(-ray.direction), hit->offset, random);
         const glm::vec3 on = frame.toWorld(scattered.wi);
-        path->leave(*hit, on, scattered.order);
-        gain.add(path->transmittance(on, kFar, random, counts) -
-                 plain.transmittance(path->place(), {}, on, kFar, random, counts));
+        path.leave(*hit, on, scattered.order);
+        gain.add(path.transmittance(on, kFar, random, counts) -
+                 plain.transmittance(path.place(), {}, on, kFar, random, counts));
       }
   EXPECT_GT(gain.mean(), 0.03);
   const double error = std::hypot(radiance.standardError(), gain.standardError());

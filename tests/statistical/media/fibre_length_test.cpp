@@ -38,13 +38,13 @@ test::SampledMean lengthSeen(const Scene& scene, const Medium& medium, glm::vec3
   Random random(3);
   TraceCounts counts;
   test::SampledMean length;
-  const auto path = medium.path();
+  MediumPath path = medium.path();
   for (int i = 0; i < 300'000; ++i) {
     const float x = random.uniform(), y = random.uniform(), z = random.uniform();
     const glm::vec3 place =
         glm::mix(scene.cloth->shell->lower_mm(), scene.cloth->shell->upper_mm(), glm::vec3(x, y, z));
-    path->begin({place, 0});
-    const auto met = path->collide(direction, random, counts);
+    path.begin({place, 0});
+    const auto met = path.collide(direction, random, counts);
     const bool near = met && met->distance_mm < kShort_mm;
     length.add(near ? 1 / glm::length(glm::cross(met->tangent, direction)) : 0);
   }

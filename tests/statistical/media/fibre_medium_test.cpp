@@ -56,13 +56,13 @@ TEST(FibreMedium, CoversWhatTheVolumeCovers) {
     Random random(3);
     TraceCounts counts;
     double both[2] = {0, 0}, depth[2] = {0, 0};
-    const std::unique_ptr<MediumPath> paths[2] = {volume.path(), fibres->path()};
+    MediumPath paths[2] = {volume.path(), fibres->path()};
     for (int y = 0; y < 64; ++y)
       for (int x = 0; x < 64; ++x) {
         const Ray ray = camera.ray(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
         for (int m = 0; m < 2; ++m) {
-          paths[m]->begin({ray.origin, -1});
-          if (const auto hit = paths[m]->collide(ray.direction, random, counts)) {
+          paths[m].begin({ray.origin, -1});
+          if (const auto hit = paths[m].collide(ray.direction, random, counts)) {
             both[m] += 1;
             depth[m] += hit->distance_mm;
           }
@@ -125,16 +125,16 @@ TEST(FibreMedium, NothingShadowsLightFromTheEye) {
   Random random(2);
   TraceCounts counts;
   int hits = 0, shadowed = 0;
-  const auto path = fibres->path();
+  MediumPath path = fibres->path();
   for (int i = 0; i < 20000; ++i) {
     const float x = 32 * random.uniform(), y = 32 * random.uniform();
     const Ray ray = camera.ray(x, y);
-    path->begin({ray.origin, -1});
-    const auto hit = path->collide(ray.direction, random, counts);
+    path.begin({ray.origin, -1});
+    const auto hit = path.collide(ray.direction, random, counts);
     if (!hit) continue;
     ++hits;
-    path->leave(*hit, -ray.direction, 0);
-    shadowed += path->transmittance(-ray.direction, hit->distance_mm, random, counts) == 0;
+    path.leave(*hit, -ray.direction, 0);
+    shadowed += path.transmittance(-ray.direction, hit->distance_mm, random, counts) == 0;
   }
   EXPECT_GT(hits, 10000);
   EXPECT_LT(shadowed, 1e-3 * hits);  // where rounding decides between two fibres that nearly touch on the way

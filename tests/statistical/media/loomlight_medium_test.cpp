@@ -61,15 +61,15 @@ TEST(LoomlightMedium, SeesNoShadowWithTheLightBehindTheEye) {
   Random random(2);
   TraceCounts counts;
   double visible[2] = {0, 0}, hits[2] = {0, 0};
-  const std::unique_ptr<MediumPath> paths[2] = {loomlight.path(), plain.path()};
+  MediumPath paths[2] = {loomlight.path(), plain.path()};
   for (int i = 0; i < 4000; ++i) {
     const float x = 32 * random.uniform(), y = 32 * random.uniform();
     const Ray ray = camera.ray(x, y);
     for (int m = 0; m < 2; ++m) {
-      paths[m]->begin({ray.origin, -1});
-      if (const auto hit = paths[m]->collide(ray.direction, random, counts)) {
-        paths[m]->leave(*hit, -ray.direction, 0);
-        const float t = paths[m]->transmittance(-ray.direction, hit->distance_mm, random, counts);
+      paths[m].begin({ray.origin, -1});
+      if (const auto hit = paths[m].collide(ray.direction, random, counts)) {
+        paths[m].leave(*hit, -ray.direction, 0);
+        const float t = paths[m].transmittance(-ray.direction, hit->distance_mm, random, counts);
         if (m == 0) {
           ASSERT_GT(t, 0.999f);
         }

@@ -29,23 +29,23 @@ template <class M>
 Outcome compare(const Scene& scene, const M& medium, int paths) {
   const CameraRays camera(scene.fabric->camera, 64, 64);
   const glm::vec3 lamp = glm::normalize(glm::vec3(0.4f, 0.3f, 0.9f));
-  const auto path = medium.path();
+  MediumPath path = medium.path();
   Random random(7);
   TraceCounts counts;
   Outcome outcome;
   for (int i = 0; i < paths; ++i) {
     const float x = 64 * random.uniform(), y = 64 * random.uniform();
     const Ray ray = camera.ray(x, y);
-    path->begin({ray.origin, -1});
+    path.begin({ray.origin, -1});
     glm::vec3 direction = ray.direction;
     for (int event = 0; event < 6; ++event) {
-      const auto met = path->collide(direction, random, counts);
+      const auto met = path.collide(direction, random, counts);
       if (!met) break;
       const FibreBcsdf& bcsdf = *scene.cloth->materials[static_cast<size_t>(met->material)].bcsdf;
       const FibreFrame frame(met->tangent);
       const glm::vec3 wo = frame.toLocal(-direction), wi = frame.toLocal(lamp);
       std::array<float, 6> offsets;
-      const size_t count = path->offsetsAcross(*met, offsets, random);
+      const size_t count = path.offsetsAcross(*met, offsets, random);
       EXPECT_GE(count, 1u);
       EXPECT_EQ(offsets[0], met->offset);
       double mean = 0, square = 0, light = 0;
@@ -64,7 +64,7 @@ Outcome compare(const Scene& scene, const M& medium, int paths) {
       ++outcome.collisions;
       const auto scattered = bcsdf.sample(wo, met->offset, random);
       direction = frame.toWorld(scattered.wi);
-      path->leave(*met, direction, scattered.order);
+      path.leave(*met, direction, scattered.order);
     }
   }
   return outcome;

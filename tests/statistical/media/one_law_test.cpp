@@ -73,11 +73,18 @@ class Comparison {
 
   Comparison(const Medium& medium, uint64_t seed) : medium_(medium), random_(seed) {}
 
-  /// `from` has met so many fibres.
-  void add(const MediumPath& from, int events, glm::vec3 direction, bool back) {
+  /// Path 0 has met so many fibres; path 1 is there to fly on from there.
+  void add(MediumBatch& paths, int events, glm::vec3 direction, bool back) {
     if (medium_.seesDirectLightApart() && events == 1) return;  // two laws, as the report has it
-    const auto seen = [&](float distance) { return 0.5f * from.transmittance(direction, distance, random_, counts_); };
-    const auto flight = from.clone()->collide(direction, random_, counts_);
+    const auto seen = [&](float distance) {
+      ShadowRay ray{0, direction, distance, &random_};
+      paths.transmit({&ray, 1}, counts_);
+      return 0.5f * ray.visible;
+    };
+    paths.copy(0, 1);
+    const PathRay on{1, direction, &random_};
+    std::optional<Collision> flight;
+    paths.collide({&on, 1}, {&flight, 1}, counts_);
     // Just before and just behind the end: explicit fibres block all at once.
     const float value = flight ? seen(flight->distance_mm * (1 - kAside)) + seen(flight->distance_mm * (1 + kAside))
                                : seen(std::numeric_limits<float>::infinity());
@@ -112,28 +119,30 @@ TEST_P(OneLaw, FlightsGetAsFarAsShadowRaysSee) {
   Comparison comparison(*medium, 5);
   Random random(6);
   TraceCounts counts;
-  const auto way = medium->path();
+  const auto way = medium->batch(2);
   const int paths = GetParam().drape == DrapeKind::flat ? 40000 : 8000;  // a drape takes longer
   for (int path = 0; path < paths; ++path) {
     const float x = random.uniform(), y = random.uniform();
     const Ray ray = camera.ray(x, y);
-    way->begin({ray.origin, -1});
+    way->begin(0, {ray.origin, -1}, {});
     glm::vec3 direction = ray.direction;
     comparison.add(*way, 0, direction, false);
     for (int event = 1; event <= Comparison::kEvents; ++event) {
-      const auto met = way->collide(direction, random, counts);
+      const PathRay pathRay{0, direction, &random};
+      std::optional<Collision> met;
+      way->collide({&pathRay, 1}, {&met, 1}, counts);
       if (!met) break;
       const glm::vec3 anywhere = onSphere(random);
       const int order = static_cast<int>(random.below(3));
-      way->leave(*met, anywhere, order);
+      way->leave(0, *met, anywhere, order);
       comparison.add(*way, event, anywhere, false);
       const glm::vec3 back = glm::normalize(0.3f * onSphere(random) - direction);
-      way->leave(*met, back, order);
+      way->leave(0, *met, back, order);
       comparison.add(*way, event, back, true);
       const FibreFrame frame(met->tangent);
       const auto scattered = bcsdf.sample(frame.toLocal(-direction), met->offset, random);
       direction = frame.toWorld(scattered.wi);
-      way->leave(*met, direction, scattered.order);
+      way->leave(0, *met, direction, scattered.order);
     }
   }
   const int runs = (Comparison::kStrata + 1) * static_cast<int>(cases().size());

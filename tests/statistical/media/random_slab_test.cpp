@@ -99,11 +99,11 @@ TEST_F(RandomSlab, LetsTheExponentialOfItsDepthThrough) {
       Random random(17);
       TraceCounts counts;
       double through = 0;
-      const auto path = medium->path();
+      MediumPath path = medium->path();
       for (int i = 0; i < kWays; ++i) {
         const Way way = anyWay(length, random);
-        path->begin(way.from);
-        through += path->transmittance(way.direction, static_cast<float>(length), random, counts);
+        path.begin(way.from);
+        through += path.transmittance(way.direction, static_cast<float>(length), random, counts);
       }
       EXPECT_NEAR(through / kWays, expected, 3 * standardError(expected, length, kWays)) << name << ", " << radii;
     }
@@ -124,17 +124,17 @@ TEST_F(RandomSlab, ScattersOnceToFirstOrderInItsDepth) {
       Random random(19);
       TraceCounts counts;
       double once = 0, light = 0, squares = 0;
-      const auto path = medium->path();
+      MediumPath path = medium->path();
       for (int i = 0; i < kWays; ++i) {
         const Way way = anyWay(length, random);
-        path->begin(way.from);
-        const auto hit = path->collide(way.direction, random, counts);
+        path.begin(way.from);
+        const auto hit = path.collide(way.direction, random, counts);
         if (!hit || hit->distance_mm >= length) continue;
         const FibreFrame own(hit->tangent);
         const float value = bcsdf.evaluate(own.toLocal(-way.direction), own.toLocal(way.direction), hit->offset).sum();
-        path->leave(*hit, way.direction, 1);
+        path.leave(*hit, way.direction, 1);
         const float rest = static_cast<float>(length) - hit->distance_mm;
-        const float free = path->transmittance(way.direction, rest, random, counts);
+        const float free = path.transmittance(way.direction, rest, random, counts);
         once += free;
         light += free * value;
         squares += free * value * free * value;

@@ -8,7 +8,7 @@
 #include "render/media/loomlight_medium.h"
 #include "render/media/volume_medium.h"
 #include "render/transport/path_tracer.h"
-#include "tests/support/path_around.h"
+#include "tests/support/batch_around.h"
 #include "tests/support/test_cloth.h"
 
 namespace loomlight {
@@ -30,21 +30,23 @@ Fabric dyedCloth() {
 class OneCollision final : public Medium {
  public:
   OneCollision(const Medium& of, const Collision& collision) : of_(of), collision_(collision) {}
-  std::unique_ptr<MediumPath> path() const override { return std::make_unique<Path>(*this); }
+  std::unique_ptr<MediumBatch> batch(size_t paths) const override { return std::make_unique<Batch>(*this, paths); }
 
  private:
-  class Path final : public test::PathAround {
+  class Batch final : public test::BatchAround {
    public:
-    explicit Path(const OneCollision& medium) : PathAround(medium.of_.path()), next_(medium.collision_) {}
-    std::optional<Collision> collide(glm::vec3, Random&, TraceCounts&) override {
-      return std::exchange(next_, std::nullopt);
+    Batch(const OneCollision& medium, size_t paths) : BatchAround(medium.of_.batch(paths)), next_(medium.collision_) {}
+    void transmit(std::span<ShadowRay> rays, TraceCounts&) override {
+      for (ShadowRay& ray : rays) ray.visible = 1;
     }
-    float transmittance(glm::vec3, float, Random&, TraceCounts&) const override { return 1; }
-    size_t offsetsAcross(const Collision& met, std::span<float> offsets, Random& random) const override {
-      return MediumPath::offsetsAcross(met, offsets, random);
+    size_t offsetsAcross(uint32_t, const Collision& met, std::span<float> offsets, Random&) const override {
+      offsets[0] = met.offset;
+      return 1;
     }
 
    private:
+    std::optional<Collision> fly(const PathRay&, TraceCounts&) override { return std::exchange(next_, std::nullopt); }
+
     std::optional<Collision> next_;
   };
 
@@ -58,12 +60,12 @@ std::vector<Collision> collisions(const Scene& scene, const Medium& medium, int 
   Random random(4);
   TraceCounts counts;
   std::vector<Collision> met;
-  const auto path = medium.path();
+  MediumPath path = medium.path();
   while (static_cast<int>(met.size()) < count) {
     const float x = 64 * random.uniform(), y = 64 * random.uniform();
     const Ray ray = camera.ray(x, y);
-    path->begin({ray.origin, -1});
-    if (const auto hit = path->collide(ray.direction, random, counts)) met.push_back(*hit);
+    path.begin({ray.origin, -1});
+    if (const auto hit = path.collide(ray.direction, random, counts)) met.push_back(*hit);
   }
   return met;
 }

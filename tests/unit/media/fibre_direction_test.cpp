@@ -19,12 +19,12 @@ int meet(const Scene& scene, const Medium& medium, Visit&& visit) {
   Random random(11);
   TraceCounts counts;
   int met = 0;
-  const auto path = medium.path();
+  MediumPath path = medium.path();
   for (int i = 0; i < kRays; ++i) {
     const float x = random.uniform() - 0.5f, y = random.uniform() - 0.5f;
     const glm::vec3 down = glm::normalize(glm::vec3(0.2f, 0.3f, -1));
-    path->begin({glm::vec3(x, y, 0) - 10.0f * down, -1});
-    const auto collision = path->collide(down, random, counts);
+    path.begin({glm::vec3(x, y, 0) - 10.0f * down, -1});
+    const auto collision = path.collide(down, random, counts);
     if (!collision) continue;
     ++met;
     visit(*collision);

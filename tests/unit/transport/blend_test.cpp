@@ -62,15 +62,15 @@ TEST(Blend, LightMeetsEachKindAsOftenAsThereIs) {
 TEST(Blend, AnExplicitFibreIsAlwaysOfOneKind) {
   const auto scene = test::sceneOf(blended(0.3));
   const auto fibres = FibreMedium::build(scene->cloth, {}, Task{});
-  const auto path = fibres->path();
+  MediumPath path = fibres->path();
   Random random(1);
   TraceCounts counts;
   std::map<uint64_t, int> kinds;
   int again = 0;
   for (int i = 0; i < 20000; ++i) {
     const float x = random.uniform() - 0.5f, y = random.uniform() - 0.5f;
-    path->begin({{x, y, 1}, -1});
-    const auto met = path->collide({0, 0, -1}, random, counts);
+    path.begin({{x, y, 1}, -1});
+    const auto met = path.collide({0, 0, -1}, random, counts);
     if (!met) continue;
     const auto [known, isNew] = kinds.emplace(met->fibre, met->material);
     EXPECT_EQ(known->second, met->material);

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "render/media/volume_medium.h"
-#include "tests/support/path_around.h"
+#include "tests/support/batch_around.h"
 #include "tests/support/sampled_mean.h"
 #include "tests/support/test_cloth.h"
 #include "tests/support/white_light.h"
@@ -19,17 +19,19 @@ class Onlooker final : public Medium {
  public:
   explicit Onlooker(const Scene& scene) : volume_(scene.cloth), upper_mm_(scene.cloth->shell->upper_mm()) {}
 
-  std::unique_ptr<MediumPath> path() const override { return std::make_unique<Path>(*this); }
+  std::unique_ptr<MediumBatch> batch(size_t paths) const override { return std::make_unique<Batch>(*this, paths); }
 
   mutable std::atomic<int> wrong{0};
 
  private:
-  class Path final : public test::PathAround {
+  class Batch final : public test::BatchAround {
    public:
-    explicit Path(const Onlooker& medium) : PathAround(medium.volume_.path()), onlooker_(medium) {}
-    std::optional<Collision> collide(glm::vec3 d, Random&, TraceCounts&) override {
+    Batch(const Onlooker& medium, size_t paths) : BatchAround(medium.volume_.batch(paths)), onlooker_(medium) {}
+
+   private:
+    std::optional<Collision> fly(const PathRay& pathRay, TraceCounts&) override {
       const float half = onlooker_.upper_mm_.z;
-      const glm::vec3 o = place().world;
+      const glm::vec3 o = place(pathRay.path).world, d = pathRay.direction;
       const glm::vec2 in = glm::vec2(o) + (half - o.z) / d.z * glm::vec2(d);
       const glm::vec2 out = glm::vec2(o) + (-half - o.z) / d.z * glm::vec2(d);
       const glm::vec2 room = glm::vec2(onlooker_.upper_mm_) - 4 * half;
@@ -39,7 +41,6 @@ class Onlooker final : public Medium {
       return std::nullopt;
     }
 
-   private:
     const Onlooker& onlooker_;
   };
 

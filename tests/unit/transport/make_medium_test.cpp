@@ -75,10 +75,10 @@ TEST(TraceData, OutlivesItsSceneInTheMedium) {
     Random random(1);
     TraceCounts counts;
     const glm::vec3 down(0, 0, -1);
-    const auto path = medium->path();
+    MediumPath path = medium->path();
     for (int i = 0; i < 100; ++i) {
-      path->begin({-5.0f * down, -1});
-      (void)path->collide(down, random, counts);
+      path.begin({-5.0f * down, -1});
+      (void)path.collide(down, random, counts);
     }
     EXPECT_GT(counts.events, 0u) << kind;
   }
