@@ -30,8 +30,9 @@ Fabric twisted(int step) {
 BuiltCloth built(const Fabric& fabric, const RecentCloths& recent) {
   BuiltCloth cloth;
   Traceable& made = cloth.traceable;
+  const RecentCloths::Base base = recent.baseFor(fabric);
   made.scene =
-      makeScene(std::make_shared<const Fabric>(fabric), Task{}, recent.baseFor(fabric).cloth.traceable.scene.get());
+      makeScene(std::make_shared<const Fabric>(fabric), Task{}, SceneBase{base.cloth.traceable.scene.get(), base.edit});
   return cloth;
 }
 
