@@ -21,6 +21,7 @@ class LoomlightBatch final : public PathStates<LoomlightMedium::Memory> {
   size_t offsetsAcross(uint32_t path, const Collision& met, std::span<float> offsets, Random& random) const override {
     return medium_.offsetsAcross(met, paths_[path].memory, offsets, random);
   }
+  const KnownFibres& known(uint32_t path) const { return paths_[path].memory.known; }
 
  private:
   class Meetings;

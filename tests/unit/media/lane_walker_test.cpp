@@ -51,9 +51,9 @@ Rays raysOf(const Scene& scene, const LoomlightMedium& medium, int paths) {
   TraceCounts counts;
   Rays all;
   const auto add = [&](glm::vec3 direction, float tMax) {
-    all.known.push_back(std::make_unique<KnownFibres>(batch[0].memory.known));
+    all.known.push_back(std::make_unique<KnownFibres>(batch.known(0)));
     const float depth = -std::log(1 - random.uniform());
-    all.rays.push_back({batch[0].place, direction, tMax, depth, all.known.back().get()});
+    all.rays.push_back({batch.place(0), direction, tMax, depth, all.known.back().get()});
   };
   for (int i = 0; i < paths; ++i) {
     const float x = 64 * random.uniform(), y = 64 * random.uniform();

@@ -77,6 +77,10 @@ Value another(const Value& value, const FieldInfo& info) {
     if (more.bands) (*more.bands)[20] += 5;
     for (Dyestuff& dye : more.dyes) dye.amount_percent *= 1.5;
     return more;
+  } else if constexpr (std::is_same_v<Value, Spectrum>) {
+    Spectrum more = value;
+    more[20] += 5;
+    return more;
   } else if constexpr (std::is_same_v<Value, Rgb> || std::is_same_v<Value, glm::dvec3>) {
     return value + Value(0.3);
   } else if constexpr (std::is_enum_v<Value>) {
