@@ -18,6 +18,12 @@
 #include "core/base/text.h"
 #include "core/shell/mesh_check.h"
 
+// How it works. OpenMesh's readers of OBJ, PLY and OFF hand over what they find, and a SoupImporter takes it as it
+// stands: positions, and triangles with a texture coordinate a corner (polygons as fans). No half-edges are built,
+// since they would drop faces unsaid; what is wrong with the mesh is found and mended later (mesh_repair). Files are
+// checked before the readers see them. Coordinates are in the file's own unit. Cost: linear in the file; one file at
+// a time, because the readers share a global object.
+
 namespace loomlight {
 namespace {
 

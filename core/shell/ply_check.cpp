@@ -9,6 +9,11 @@
 #include "core/shell/mesh_file.h"
 #include "core/shell/mesh_text.h"
 
+// How it works. Before OpenMesh reads a PLY, its header is parsed and its body gone through, text or binary, without
+// trusting a count: there must be vertices with x, y, z and texture coordinates, then faces whose one list names 3
+// corners or more, and as many values as the header announces. What passes cannot make the reader take more memory
+// than the file is worth, or read beyond it. Cost: one pass over the file.
+
 namespace loomlight {
 namespace {
 

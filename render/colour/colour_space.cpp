@@ -2,6 +2,11 @@
 
 #include <cmath>
 
+// How it works. Linear sRGB becomes CIE XYZ by the matrix of its primaries, here divided by the white, so that white
+// is (1, 1, 1); XYZ becomes CIELAB by the cube root that goes on as a line below (6/29)^3 (CIE 15). The difference
+// of two colours is CIEDE2000 (Sharma, Wu and Dalal 2005), which weights lightness, chroma and hue as the eye does.
+// Angles are in degrees, as in the paper. Cost: some hundred operations a pair.
+
 namespace loomlight {
 namespace {
 

@@ -11,6 +11,11 @@
 #include "core/base/file.h"
 #include "render/colour/illuminants.h"
 
+// How it works. A text of two columns, wavelength in nm and power, is read line by line; # begins a comment, and one
+// line of headings may come first. Powers between its wavelengths lie on a line, those beyond its ends are as at the
+// end. The spectrum is taken at every nm that is visible and scaled so that its largest value is 100. Cost: linear
+// in the file.
+
 namespace loomlight {
 namespace {
 

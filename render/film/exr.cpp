@@ -1,4 +1,3 @@
-// EXR by OpenEXR 3. What a hostile file could make the library allocate is checked before the library sees the file.
 #include <ImfChannelList.h>
 #include <ImfChromaticities.h>
 #include <ImfFrameBuffer.h>
@@ -23,6 +22,13 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "render/film/image.h"
+
+// How it works. OpenEXR 3 reads and writes. What a hostile file could make it allocate is checked before it sees the
+// file: a HeaderGuard goes through the attributes of every header (OpenEXR file layout) without believing any of
+// their numbers, and refuses deep images, attributes of another size than their type has, sides above 16384 pixels,
+// more than 1024 channels and more than 2 GB of pixels. Every channel is read as floats of 32 bits. A file is
+// written into memory first, compressed without loss (ZIP), because OpenEXR's own files swallow that a disk is full;
+// its bytes then take the place of the old file at once. Cost: one pass over the pixels, and twice their memory.
 
 namespace loomlight {
 namespace {

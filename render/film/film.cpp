@@ -12,6 +12,13 @@
 #include "core/base/parallel.h"
 #include "render/film/fixed_point.h"
 
+// How it works. A sample is rounded to quanta (fixed_point.h) and added to the 128 bytes of integer sums of its
+// pixel. Sums of integers do not depend on their order, so the same samples give the same film for any threads,
+// tiles and parts, and two films merge by adding. What a pixel shows of yarn and crossing is of its sample with the
+// lowest number, which no order changes either. Of n samples with luminances L the mean is sum(L) / n, and its
+// variance (mean(L^2) - mean(L)^2) / (n - 1). Cost: a sample touches one pixel, which is two lines of cache; there
+// are no locks.
+
 namespace loomlight {
 namespace {
 

@@ -1,5 +1,3 @@
-// The film as channels of an image, and back. A sum is split into parts that a float holds exactly, so that ordinary
-// EXR channels carry it: 64 bits in three parts of 22, signed 32 bits in two parts of 16, lowest first.
 #include <fmt/core.h>
 
 #include <array>
@@ -10,6 +8,11 @@
 #include "core/base/parallel.h"
 #include "render/film/film.h"
 #include "render/film/fixed_point.h"
+
+// How it works. The film becomes channels of an image, and is made of them again. A sum is split into parts that a
+// float holds exactly, so that ordinary EXR channels carry it: 64 bits in three parts of 22, 22 and 20, signed 32
+// bits in two parts of 16, lowest first. What is read is checked pixel by pixel: parts that are no such integers,
+// and sums that so many samples cannot have, are damage. Cost: one pass over the channels.
 
 namespace loomlight {
 namespace {

@@ -1,5 +1,3 @@
-// PNG by libpng. It leaves where it fails by a jump, so what it calls and what lies between is free of destructors:
-// attempt() is the only place that is jumped to.
 #include <fmt/core.h>
 #include <png.h>
 
@@ -17,6 +15,12 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "render/film/image.h"
+
+// How it works. libpng reads and writes (ISO/IEC 15948). It leaves where it fails by a jump, so what it calls and
+// what lies between is free of destructors: attempt() is the only place that is jumped to. What a hostile file could
+// make it allocate is refused before: a chunk that is longer than the file, and more pixels than deflate can pack
+// into the file's bytes. Pixels are read as 8 bits a channel in colour, whatever the file has; they are written in 8
+// bits as sRGB, or in 16 bits as plain numbers, the density as pixels per metre. Cost: one pass over the pixels.
 
 namespace loomlight {
 namespace {

@@ -12,6 +12,13 @@
 #include "render/media/fibre_exit.h"
 #include "render/scene/fibre_bvh.h"
 
+// How it works. The cloth is all of its fibres, without statistics. planFibres() chooses how they are laid: the
+// whole piece or one of its repeats as curves in a tree of Embree's (FibreBvh), or each kind of cell once, met cell
+// by cell (FibreBricks). A path's next event is the first surface that its ray comes to from outside; a shadow ray
+// sees all or nothing. A ray does not see the fibre that it leaves within three radii, as the BCSDF has dealt with
+// the whole of that fibre's section; where fibres lie packed it goes on from where light really comes out
+// (fibreExit). Lengths are in mm. Cost: one query of a tree for each ray and, with bricks, each cell on its way.
+
 namespace loomlight {
 namespace {
 

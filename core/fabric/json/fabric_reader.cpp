@@ -14,6 +14,12 @@
 #include "core/fabric/model/wif_origin.h"
 #include "core/fabric/wif/wif_reader.h"
 
+// How it works. Each object is read through its table of fields (field_tables.h): known keys are taken out one by
+// one, checked against the range in the table, and what remains is kept as text for the way back. Which field an
+// error is in, its FieldPath knows. What is not in the tables, because it is a list or may be written in several
+// ways (weave, draft, sequences, colours, bands), has a function of its own. The fabric is validated as a whole at
+// the end. Cost: linear in the values.
+
 namespace loomlight {
 namespace {
 

@@ -8,6 +8,13 @@
 #include "core/fabric/wif/wif_numbered.h"
 #include "core/fabric/wif/wif_reader.h"
 
+// How it works. Colours are gathered as they are written: those of [COLOR TABLE], and those that Color= of [WARP]
+// and [WEFT] spells out, of which the ones without a number come behind all others. They are brought to red, green
+// and blue in the palette's range: from hexadecimal digits, from hue, saturation and value. The range is what [COLOR
+// PALETTE] says, or else the smallest usual one that all of them fit into. They stay whole numbers in that range
+// where they are such, so that a file is written as it was read; others become steps of 1/65535. Every end and pick
+// then gets the number of its own line, or of its system, or 0: the yarn's own colour. Cost: linear in the lines.
+
 namespace loomlight {
 namespace {
 

@@ -11,6 +11,13 @@
 #include "core/fabric/wif/wif_numbered.h"
 #include "core/fabric/wif/wif_reader.h"
 
+// How it works. Threading, tie-up, treadling and liftplan are sections of lines N=list: what end, treadle or pick N
+// has. How many ends and picks there are is what Threads= says, or as far as the lines go. Lists are sorted, every
+// number once, counted from 1. Where a liftplan and a treadling stand side by side, the liftplan counts; if the two
+// weave different cloths that is said. A file may name more shafts than a loom has: lifts of shafts that no end
+// hangs on are dropped, and shafts that always go together become one. The draft is checked like any other at the
+// end. Cost: linear in the numbers of the lists, and a drawdown of each where there are both.
+
 namespace loomlight {
 namespace {
 

@@ -10,6 +10,12 @@
 #include "core/fabric/wif/wif_numbered.h"
 #include "core/fabric/wif/wif_values.h"
 
+// How it works. A weaving file (WIF 1.1 of 1997) is read in steps, each of which puts up with what can be understood
+// and notes it as a warning: bytes become text (text_encoding), text sections (wif_sections); then it is found from
+// which number the file counts (wif_counting); with that, the draft is read, then colours, sizes and whatever is
+// only kept for the way back. Where no sense can be made of it, an InputError says what was expected. Cost: linear
+// in the text.
+
 namespace loomlight {
 namespace {
 

@@ -8,6 +8,12 @@
 #include "core/fabric/wif/wif_numbered.h"
 #include "core/fabric/wif/wif_reader.h"
 
+// How it works. What a fabric has no place for is kept, so that a file which is written again still has it: colours
+// by their numbers, spacing and thickness in the file's own unit and to a millionth of it, and line by line whatever
+// nothing here reads. Of equal keys the last one counts. Lines that are numbered by ends or picks are counted from
+// 1; private sections of programs stay as they are, letter by letter. Sections come in the order of the format.
+// Cost: linear in the lines.
+
 namespace loomlight {
 namespace {
 

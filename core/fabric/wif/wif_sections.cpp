@@ -12,6 +12,12 @@
 #include "core/fabric/wif/text_encoding.h"
 #include "core/fabric/wif/wif_values.h"
 
+// How it works. One pass, line by line: [a heading], key=value, ; a comment. A value that ends in a comma or a
+// backslash goes on in the next line that has no key. Sections that the format knows are found by their names in
+// capitals; all others are private to a program and kept as they are. A section that comes twice goes on where it
+// was. Everything points into the text, but for joined values; the number of lines and of sections is bounded, and
+// with them the memory. Cost: linear in the text.
+
 namespace loomlight {
 namespace {
 

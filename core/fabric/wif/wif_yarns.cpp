@@ -18,6 +18,13 @@
 #include "core/fabric/yarn/presets.h"
 #include "core/fabric/yarn/yarn_edit.h"
 
+// How it works. Every end and pick of a file is of a kind: which yarn of mine it is made from, of which colour, how
+// many times as thick. Where that makes more kinds than a fabric has yarns, some stand in for others (wif_stand_ins,
+// Gonzalez 1985), by their distance in colour and thickness. Each kind that is left becomes a yarn: dyed in its
+// colour, with one fibre for each colour, and with a count that is larger by the square of its thickness. The
+// sequences are cut to their shortest period. Cost: linear in ends and picks, and the number of kinds times that of
+// yarns.
+
 namespace loomlight {
 namespace {
 
