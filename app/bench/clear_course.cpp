@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <limits>
 
-#include "core/base/hash.h"
+#include "core/base/checksum.h"
 #include "core/base/rgb.h"
 #include "core/fabric/json/fabric_json.h"
 #include "render/colour/tone.h"
@@ -97,8 +97,8 @@ ClearReference::ClearReference(const Fabric& fabric, int width, int height, uint
     : width_(width), height_(height) {
   Fabric seeded = fabric;
   seeded.render.seed = kReferenceSeed;
-  uint64_t key = hashCombine(hashCombine(hashCombine(0, width), height), samples);
-  for (const char c : fabricToJson(seeded)) key = hashCombine(key, c);
+  const uint64_t key =
+      hashBytes(hashCombine(hashCombine(hashCombine(0, width), height), samples), fabricToJson(seeded));
   std::filesystem::create_directories(folder);
   const std::string file = fmt::format("{}/{:016x}.exr", folder, key);
   const std::vector<PixelRect> rects = windowsIn(width, height);

@@ -11,10 +11,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr double kForEver_s = 1e9;
 
-double secondsSince(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
 }  // namespace
 
 LiveClock::LiveClock(int width, int height, int threads)

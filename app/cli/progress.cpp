@@ -8,6 +8,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/base/stopwatch.h"
+
 namespace loomlight {
 namespace {
 
@@ -73,7 +75,7 @@ void Progress::update(double fraction) {
   std::lock_guard lock(mutex_);
   if (!(fraction > fraction_)) return;
   fraction_ = std::min(fraction, 1.0);
-  const double elapsed_s = std::chrono::duration<double>(Clock::now() - started_).count();
+  const double elapsed_s = secondsSince(started_);
   if (style_ == ProgressStyle::json) {
     writeJson(elapsed_s);
     return;

@@ -10,6 +10,7 @@
 #include <memory>
 #include <new>
 
+#include "app/export/cairo_output.h"
 #include "app/export/pdf_profile.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
@@ -24,6 +25,8 @@ namespace {
 
 using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
 using Canvas = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
+
+constexpr const char* kWhat = "the draft";  ///< is drawn: for messages
 
 /// Lengths in the unit of the surface: points of a page, or pixels.
 struct SheetSize {
@@ -231,16 +234,6 @@ class Sheet {
   std::optional<Draft> draft_;
 };
 
-cairo_status_t append(void* closure, const unsigned char* data, unsigned int length) {
-  static_cast<std::string*>(closure)->append(reinterpret_cast<const char*>(data), length);
-  return CAIRO_STATUS_SUCCESS;
-}
-
-void check(cairo_status_t status, const std::string& file) {
-  if (status != CAIRO_STATUS_SUCCESS)
-    throw InputError(fmt::format("{}: expected to draw the draft, got: {}", file, cairo_status_to_string(status)));
-}
-
 /// The windows of a repeat of which each is at most so large.
 std::vector<Window> windowsOf(const Weave& weave, int mostEnds, int mostPicks) {
   std::vector<Window> windows;
@@ -268,16 +261,16 @@ std::string pdfOf(const Sheet& sheet, const Weave& weave, const std::string& fil
     }
   }
   std::string bytes;
-  const Surface surface(cairo_pdf_surface_create_for_stream(append, &bytes, size.width, size.height),
+  const Surface surface(cairo_pdf_surface_create_for_stream(appendTo, &bytes, size.width, size.height),
                         cairo_surface_destroy);
   for (const Window& window : windows) {
     const Canvas canvas(cairo_create(surface.get()), cairo_destroy);
     sheet.draw(canvas.get(), size, window);
-    check(cairo_status(canvas.get()), file);
+    expectDrawn(cairo_status(canvas.get()), file, kWhat);
     cairo_surface_show_page(surface.get());
   }
   cairo_surface_finish(surface.get());
-  check(cairo_surface_status(surface.get()), file);
+  expectDrawn(cairo_surface_status(surface.get()), file, kWhat);
   return withSrgbProfile(bytes);
 }
 
@@ -300,9 +293,9 @@ std::string pngOf(Sheet sheet, const Weave& weave, const std::string& file) {
   const Canvas canvas(cairo_create(surface.get()), cairo_destroy);
   cairo_set_antialias(canvas.get(), size.cell >= 1 ? CAIRO_ANTIALIAS_NONE : CAIRO_ANTIALIAS_DEFAULT);
   sheet.draw(canvas.get(), size, {0, weave.ends(), 0, weave.picks()});
-  check(cairo_status(canvas.get()), file);
+  expectDrawn(cairo_status(canvas.get()), file, kWhat);
   std::string bytes;
-  check(cairo_surface_write_to_png_stream(surface.get(), append, &bytes), file);
+  expectDrawn(cairo_surface_write_to_png_stream(surface.get(), appendTo, &bytes), file, kWhat);
   return bytes;
 }
 

@@ -4,8 +4,7 @@
 
 #include "core/fabric/yarn/band_colour.h"
 #include "render/colour/colour_difference.h"
-#include "render/transport/make_medium.h"
-#include "render/transport/path_length_tally.h"
+#include "render/transport/cloth_walks.h"
 
 namespace loomlight {
 namespace {
@@ -26,15 +25,15 @@ FaceColour colourOf(const std::string& name, const PathLengthTally& walks, const
 
 std::optional<std::vector<FaceColour>> faceColours(const Fabric& fabric, const Task& task) {
   constexpr int kMostFibres = 3;
-  const auto scene = makeScene(std::make_shared<const Fabric>(colourPatch(fabric)), task);
-  const auto medium = scene ? makeMedium(*scene, defaultMemoryLimit_bytes(), task) : nullptr;
-  if (!medium) return std::nullopt;
+  const auto patch = makeColourPatch(fabric, task);
+  if (!patch) return std::nullopt;
   const Colouring colouring = colouringInDaylight(fabric);
   std::vector<FaceColour> colours;
   const int fibres = fabric.fibres.size() > 1 ? std::min(static_cast<int>(fabric.fibres.size()), kMostFibres) : 0;
   for (int material = -1; material < fibres; ++material) {
     const bool isAll = material < 0;
-    const auto walks = tallyPathLengths(*scene, *medium, isAll ? wholePiece() : partOfFibre(material), kWalks, task);
+    const auto walks =
+        tallyPathLengths(*patch->scene, *patch->medium, isAll ? wholePiece() : partOfFibre(material), kWalks, task);
     if (!walks) return std::nullopt;
     if (walks->lit() > 0)
       colours.push_back(

@@ -1,23 +1,17 @@
 #include "app/export/paper.h"
 
 #include <cairo-pdf.h>
-#include <fmt/format.h>
 
 #include <memory>
 #include <sstream>
 
+#include "app/export/cairo_output.h"
 #include "app/export/pdf_profile.h"
-#include "core/base/error.h"
 
 namespace loomlight {
 namespace {
 
 constexpr double kPoints = 72 / 25.4;  ///< in a millimetre
-
-cairo_status_t append(void* closure, const unsigned char* data, unsigned int length) {
-  static_cast<std::string*>(closure)->append(reinterpret_cast<const char*>(data), length);
-  return CAIRO_STATUS_SUCCESS;
-}
 
 void choose(cairo_t* canvas, const Paper::Font& font) {
   cairo_select_font_face(canvas, "sans-serif", CAIRO_FONT_SLANT_NORMAL,
@@ -30,7 +24,8 @@ void choose(cairo_t* canvas, const Paper::Font& font) {
 
 Paper::Paper(double width_mm, double height_mm, double pixels_per_mm)
     : width_mm_(width_mm), height_mm_(height_mm), pixels_per_mm_(pixels_per_mm), isPdf_(pixels_per_mm <= 0) {
-  if (isPdf_) surface_ = cairo_pdf_surface_create_for_stream(append, &bytes_, width_mm * kPoints, height_mm * kPoints);
+  if (isPdf_)
+    surface_ = cairo_pdf_surface_create_for_stream(appendTo, &bytes_, width_mm * kPoints, height_mm * kPoints);
   begin();
 }
 
@@ -172,11 +167,10 @@ std::string Paper::bytes(const std::string& file) {
       cairo_set_source_surface(canvas_, full_[i], 0, height * static_cast<double>(i));
       cairo_paint(canvas_);
     }
-    cairo_surface_write_to_png_stream(surface_, append, &bytes_);
+    cairo_surface_write_to_png_stream(surface_, appendTo, &bytes_);
   }
   for (const cairo_status_t status : {cairo_status(canvas_), cairo_surface_status(surface_)})
-    if (status != CAIRO_STATUS_SUCCESS && status != CAIRO_STATUS_SURFACE_FINISHED)
-      throw InputError(fmt::format("{}: expected to draw the sheet, got: {}", file, cairo_status_to_string(status)));
+    expectDrawn(status, file, "the sheet");
   return isPdf_ ? withSrgbProfile(bytes_) : bytes_;
 }
 

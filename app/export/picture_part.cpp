@@ -4,15 +4,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
 
 #include "app/export/picture.h"
+#include "core/base/checksum.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
-#include "core/base/hash.h"
 #include "core/fabric/json/fabric_json.h"
 #include "render/film/image.h"
 
@@ -37,14 +36,7 @@ constexpr std::array<std::pair<const char*, std::string SampleOrigin::*>, 5> kOr
      {"lamp", &SampleOrigin::lamp}}};
 
 std::string digestOf(const std::string& file) {
-  const std::string content = readFile(file, kMaxFileBytes);
-  uint64_t digest = mixBits(content.size());
-  for (size_t i = 0; i < content.size(); i += sizeof(uint64_t)) {
-    uint64_t word = 0;
-    std::memcpy(&word, content.data() + i, std::min(sizeof(word), content.size() - i));
-    digest = hashCombine(digest, word);
-  }
-  return fmt::format("{:016x}", digest);
+  return fmt::format("{:016x}", checksum(readFile(file, kMaxFileBytes)));
 }
 
 std::string partText(const PartInfo& info) {

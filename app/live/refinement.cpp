@@ -5,6 +5,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/rgb.h"
+#include "core/base/stopwatch.h"
 #include "render/display/denoise.h"
 #include "render/display/despeckle.h"
 #include "render/display/recolour.h"
@@ -12,17 +13,13 @@
 // How it works. advance() does what the scheduler plans: a pass at a fraction of the resolution into a film of its own,
 // or further samples of the fine film, bucket by bucket. What came before stands in (StandIn) and gives way sample by
 // sample, so that every frame is a mean of what is traced and what was shown. A frame is read off the film, given the
-// light that repeats share, then less noise, and is labelled with its Quality last.
+// light that repeats share, then less noise, and is labelled with its PreviewQuality last.
 
 namespace loomlight {
 namespace {
 
 /// Samples at which the viewport goes to sleep.
 constexpr uint32_t kMostSamples = 1024;
-
-double secondsSince(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 int coarser(int pixels, int divider) {
   return (pixels + divider - 1) / divider;

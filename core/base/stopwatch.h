@@ -5,6 +5,11 @@
 
 namespace loomlight {
 
+/// Wall time that has gone by since then, s.
+inline double secondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
 /// Wall time, lap by lap.
 class Stopwatch {
  public:

@@ -9,9 +9,16 @@
 #include <fstream>
 #include <string_view>
 
+#include "core/base/checksum.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
-#include "core/base/hash.h"
+
+// How it works. The tables of one recipe are one file, named by the recipe's checksum: a line that says what it is,
+// the recipe itself with its length, how many rays were traced, the tables with their resolutions, hot spots and
+// ratios, and a checksum of all that, in the processor's order of bytes. A file counts only where checksum and
+// recipe agree and every number is plausible; else the tables are baked again. A file's time of modification says
+// when it was used last: beyond so many bytes those go that were used longest ago. Programs may share the folder, as
+// files are replaced whole and one that has gone is no error. Cost: reading and writing are linear in bytes.
 
 namespace loomlight {
 namespace {
@@ -22,17 +29,6 @@ constexpr std::string_view kMagic = "loomlight bvdf 1\n";
 constexpr std::string_view kExtension = ".bvdf";
 constexpr size_t kMaxFileBytes = size_t{1} << 30;
 constexpr uint32_t kMaxTables = 64, kMaxSide = 256;
-
-uint64_t checksum(std::string_view bytes) {
-  uint64_t sum = bytes.size();
-  for (; bytes.size() >= 8; bytes.remove_prefix(8)) {
-    uint64_t word = 0;
-    std::memcpy(&word, bytes.data(), 8);
-    sum = hashCombine(sum, word);
-  }
-  for (const char byte : bytes) sum = hashCombine(sum, byte);
-  return sum;
-}
 
 template <class T>
 void append(std::string& bytes, const T& value) {

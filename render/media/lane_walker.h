@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "core/volume/traverse/recent_cells.h"
 #include "render/media/cloth_walk.h"
 #include "render/media/known_fibre.h"
 #include "render/walk/walk_lanes.h"
@@ -26,21 +27,19 @@ struct DepthRay {
   const KnownFibres* known = nullptr;  ///< of its path
 };
 
-/// The bricks of cells that were asked for of late: rays come into the same few cells again and again. For one thread.
+/// The bricks of cells that were asked for of late. For one thread.
 class CellCache {
  public:
   explicit CellCache(const ClothVolume& volume) : volume_(volume) {}
   const ClothVolume::CellBricks& bricksIn(glm::ivec3 cell) {
-    ClothVolume::CellBricks& known = cells_[static_cast<size_t>(cell.x & 7) | static_cast<size_t>(cell.y & 7) << 3];
-    if (known.cell != cell) known = volume_.bricksIn(cell);
-    return known;
+    return cells_.at(cell, [&](ClothVolume::CellBricks& bricks) { bricks = volume_.bricksIn(cell); });
   }
   /// What the voxel around a point of cloth space holds; nothing outside of the piece.
   void contentAt(glm::vec3 cloth_mm, VoxelContent& content);
 
  private:
   const ClothVolume& volume_;
-  std::array<ClothVolume::CellBricks, 64> cells_;
+  RecentCells<ClothVolume::CellBricks> cells_;
 };
 
 /// Where a ray has used up its depth: it meets a fibre whose axis is in this voxel.

@@ -122,24 +122,25 @@ std::unique_ptr<const FibreBricks::Brick> FibreBricks::make(const YarnCellKey& k
 }
 
 const FibreBricks::Reader::Cell& FibreBricks::Reader::at(glm::ivec3 cell) {
-  Cell& known = cells_[static_cast<size_t>(cell.x & 7) | static_cast<size_t>(cell.y & 7) << 3];
-  if (known.cell == cell) return known;
+  return cells_.at(cell, [&](Cell& reaching) { gather(cell, reaching); });
+}
+
+/// The bricks that reach into a cell, with the places of their own cells.
+void FibreBricks::Reader::gather(glm::ivec3 cell, Cell& reaching) const {
   const ClothGeometry& geometry = volume_.geometry();
-  const ClothVolume::CellBricks reaching = volume_.bricksIn(cell);
-  known.count = reaching.count;
-  for (int i = 0; i < reaching.count; ++i) {
-    const ClothVolume::CellBricks::Brick& of = reaching.bricks[i];
+  const ClothVolume::CellBricks bricks = volume_.bricksIn(cell);
+  reaching.count = bricks.count;
+  for (int i = 0; i < bricks.count; ++i) {
+    const ClothVolume::CellBricks::Brick& of = bricks.bricks[i];
     const bool warp = of.system == System::warp;
     const int end = warp ? of.index : cell.x, pick = warp ? cell.y : of.index;
-    known.bricks[i] = {&bricks_.brick(geometry.key(of.system, pick, end)),
-                       {(end - cell.x + 0.5) * geometry.warpPitch_mm(), (pick - cell.y + 0.5) * geometry.weftPitch_mm(),
-                        -volume_.grid().zLower_mm},
-                       of.system,
-                       end,
-                       pick};
+    reaching.bricks[i] = {&bricks_.brick(geometry.key(of.system, pick, end)),
+                          {(end - cell.x + 0.5) * geometry.warpPitch_mm(),
+                           (pick - cell.y + 0.5) * geometry.weftPitch_mm(), -volume_.grid().zLower_mm},
+                          of.system,
+                          end,
+                          pick};
   }
-  known.cell = cell;
-  return known;
 }
 
 template <class Visit>

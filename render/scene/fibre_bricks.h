@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/volume/traverse/cloth_volume.h"
+#include "core/volume/traverse/recent_cells.h"
 #include "render/scene/fibre_hit.h"
 
 namespace loomlight {
@@ -91,6 +92,7 @@ class FibreBricks::Reader {
     std::array<Reaching, VoxelContent::kMaxSpans> bricks;
   };
   const Cell& at(glm::ivec3 cell);
+  void gather(glm::ivec3 cell, Cell& reaching) const;
   /// visit(Cell, the ray at t = 0 from the cell's corner, t there and where it leaves) in each cell of the ray in turn,
   /// until that returns true.
   template <class Visit>
@@ -98,7 +100,7 @@ class FibreBricks::Reader {
 
   const FibreBricks& bricks_;
   const ClothVolume& volume_;
-  std::array<Cell, 64> cells_;
+  RecentCells<Cell> cells_;
 };
 
 }  // namespace loomlight

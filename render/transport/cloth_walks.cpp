@@ -1,17 +1,24 @@
 #include "render/transport/cloth_walks.h"
 
-#include <memory>
-
 #include "core/base/memory.h"
 #include "render/transport/make_medium.h"
 
 namespace loomlight {
 
+std::optional<ColourPatch> makeColourPatch(const Fabric& fabric, const Task& task,
+                                           std::shared_ptr<const Scene>* shared) {
+  ColourPatch patch;
+  patch.scene = makeScene(std::make_shared<const Fabric>(colourPatch(fabric)), task, shared ? shared->get() : nullptr);
+  if (!patch.scene) return std::nullopt;
+  if (shared) *shared = patch.scene;
+  patch.medium = makeMedium(*patch.scene, defaultMemoryLimit_bytes(), task);
+  return patch.medium ? std::optional(std::move(patch)) : std::nullopt;
+}
+
 std::optional<PathLengthTally> walkThrough(const Fabric& fabric, const ClothPart& part, size_t count,
                                            const Task& task) {
-  const auto scene = makeScene(std::make_shared<const Fabric>(colourPatch(fabric)), task);
-  const auto medium = scene ? makeMedium(*scene, defaultMemoryLimit_bytes(), task) : nullptr;
-  return medium ? tallyPathLengths(*scene, *medium, part, count, task) : std::nullopt;
+  const auto patch = makeColourPatch(fabric, task);
+  return patch ? tallyPathLengths(*patch->scene, *patch->medium, part, count, task) : std::nullopt;
 }
 
 }  // namespace loomlight

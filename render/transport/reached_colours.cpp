@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/base/memory.h"
-#include "render/transport/make_medium.h"
+#include "render/transport/cloth_walks.h"
 
 namespace loomlight {
 namespace {
@@ -19,33 +18,17 @@ Fabric plainClothOf(Fabric fabric, int yarn) {
   return fabric;
 }
 
-/// A patch of a cloth, ready for walks.
-struct Patch {
-  std::shared_ptr<const Scene> scene;
-  std::unique_ptr<const Medium> medium;
-};
-
-/// nullopt when stopped.
-std::optional<Patch> patchOf(const Fabric& fabric, const Task& task, std::shared_ptr<const Scene>* shared) {
-  Patch patch;
-  patch.scene = makeScene(std::make_shared<const Fabric>(colourPatch(fabric)), task, shared ? shared->get() : nullptr);
-  if (!patch.scene) return std::nullopt;
-  if (shared) *shared = patch.scene;
-  patch.medium = makeMedium(*patch.scene, defaultMemoryLimit_bytes(), task);
-  return patch.medium ? std::optional(std::move(patch)) : std::nullopt;
-}
-
 }  // namespace
 
 std::optional<std::vector<PathLengthTally>> walkYarns(const Fabric& fabric, size_t count, const Task& task,
                                                       std::shared_ptr<const Scene>* shared) {
-  const auto patch = patchOf(fabric, task, shared);
+  const auto patch = makeColourPatch(fabric, task, shared);
   auto walks = patch ? tallyYarns(*patch->scene, *patch->medium, count, task) : std::nullopt;
   if (!walks) return std::nullopt;
   std::shared_ptr<const Scene> plain = patch->scene;  // the next is to find the cloth itself, not these
   for (size_t i = 0; i < walks->size(); ++i) {
     if ((*walks)[i].count >= kFewestWalks) continue;
-    const auto alone = patchOf(plainClothOf(fabric, static_cast<int>(i)), task, &plain);
+    const auto alone = makeColourPatch(plainClothOf(fabric, static_cast<int>(i)), task, &plain);
     auto seen = alone ? tallyPathLengths(*alone->scene, *alone->medium, wholePiece(), count, task) : std::nullopt;
     if (!seen) return std::nullopt;
     (*walks)[i] = std::move(*seen);

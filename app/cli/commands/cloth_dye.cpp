@@ -14,8 +14,8 @@
 #include "core/fabric/model/validate.h"
 #include "core/fabric/yarn/band_colour.h"
 #include "render/colour/colour_space.h"
+#include "render/transport/cloth_walks.h"
 #include "render/transport/colour_solver.h"
-#include "render/transport/make_medium.h"
 
 namespace loomlight {
 namespace {
@@ -96,12 +96,11 @@ bool walk(const Fabric& fabric, std::vector<Dyeing>& dyeings) {
   Task task;
   task.stop = interrupt.token();
   task.progress = [&](double fraction) { progress.update((static_cast<double>(done) + fraction) / parts); };
-  const auto scene = makeScene(std::make_shared<const Fabric>(colourPatch(fabric)), task);
-  const auto medium = scene ? makeMedium(*scene, defaultMemoryLimit_bytes(), task) : nullptr;
-  if (!medium) return false;
+  const auto patch = makeColourPatch(fabric, task);
+  if (!patch) return false;
   for (Dyeing& dyeing : dyeings) {
     ++done;
-    auto walks = tallyPathLengths(*scene, *medium, dyeing.part, kDyeWalks, task);
+    auto walks = tallyPathLengths(*patch->scene, *patch->medium, dyeing.part, kDyeWalks, task);
     if (!walks) return false;
     dyeing.walks = std::move(*walks);
   }

@@ -8,7 +8,7 @@
 
 #include "app/export/handover/cloth_facts.h"
 #include "app/export/handover/fit_json.h"
-#include "core/base/hash.h"
+#include "core/base/checksum.h"
 #include "core/base/rgb.h"
 #include "core/fabric/json/fabric_json.h"
 
@@ -19,11 +19,8 @@ using Json = nlohmann::ordered_json;
 
 /// Version 4, variant 1, of the fabric's own bits.
 std::string idOf(const Fabric& fabric) {
-  uint64_t high = 0, low = 1;
-  for (const char c : fabricToJson(fabric)) {
-    high = hashCombine(high, c);
-    low = hashCombine(low, c);
-  }
+  const std::string text = fabricToJson(fabric);
+  uint64_t high = hashBytes(0, text), low = hashBytes(1, text);
   high = (high & ~uint64_t{0xF000}) | 0x4000;
   low = (low & ~(uint64_t{3} << 62)) | uint64_t{2} << 62;
   return fmt::format("{:08x}-{:04x}-{:04x}-{:04x}-{:012x}", high >> 32, high >> 16 & 0xFFFF, high & 0xFFFF, low >> 48,
