@@ -1,7 +1,6 @@
 #include "render/share/first_hits.h"
 
 #include <algorithm>
-#include <atomic>
 
 #include "core/base/parallel.h"
 #include "render/scene/camera_rays.h"
@@ -31,6 +30,69 @@ class FirstFibre final : public PathSink {
   bool stopped_ = false;
 };
 
+/// A path of a strip that met a fibre, or passed the cloth.
+struct StripHit {
+  size_t pixel;
+  uint32_t cell;  ///< kNew: the next of the strip's new paths
+};
+constexpr uint32_t kNew = FirstHits::kPast - 1;
+
+struct Strip {
+  std::vector<StripHit> hits;
+  std::vector<LightCellPath> fresh;  ///< of cells that are not known yet
+};
+
+/// Follows the paths of one strip, batch by batch.
+class StripTracer {
+ public:
+  StripTracer(const Scene& scene, const Medium& medium, const CellSums& cells, const Task& task, Strip& strip)
+      : cells_(cells),
+        task_(task),
+        strip_(strip),
+        keys_(scene),
+        integrator_(scene, medium, scene.sampling, PathIntegrator::kBatch) {}
+
+  /// False when stopped, as follow().
+  bool add(size_t pixel, const Ray& ray, const Random& random) {
+    pixels_.push_back(pixel);
+    starts_.push_back({ray, random, &firsts_[starts_.size()]});
+    return starts_.size() < PathIntegrator::kBatch || follow();
+  }
+
+  /// All that were added, to their ends.
+  bool follow() {
+    if (!integrator_.follow(starts_, counts_, &task_)) return false;
+    for (size_t i = 0; i < starts_.size(); ++i) {
+      if (const Collision* const met = firsts_[i].met())
+        lookUp(pixels_[i], *met, starts_[i].random);
+      else
+        strip_.hits.push_back({pixels_[i], FirstHits::kPast});
+    }
+    starts_.clear();
+    pixels_.clear();
+    return true;
+  }
+
+ private:
+  void lookUp(size_t pixel, const Collision& met, Random& random) {
+    const float jx = random.uniform(), jy = random.uniform();
+    const LightCellPath path = keys_.of(met, glm::vec2(jx, jy) - 0.5f);
+    const auto cell = cells_.find(path);
+    strip_.hits.push_back({pixel, cell.value_or(kNew)});
+    if (!cell) strip_.fresh.push_back(path);
+  }
+
+  const CellSums& cells_;
+  const Task& task_;
+  Strip& strip_;
+  LightCellKeys keys_;
+  TraceCounts counts_;
+  PathIntegrator integrator_;
+  std::vector<FirstFibre> firsts_ = std::vector<FirstFibre>(PathIntegrator::kBatch);
+  std::vector<PathStart> starts_;
+  std::vector<size_t> pixels_;  ///< of the paths
+};
+
 }  // namespace
 
 FirstHits::FirstHits(int width, int height)
@@ -45,45 +107,12 @@ FirstHits::FirstHits(int width, int height)
 
 bool FirstHits::trace(uint32_t perPixel, const Scene& scene, const Medium& medium, CellSums& cells, const Task& task) {
   if (perPixel <= have_) return true;
-  struct Hit {
-    size_t pixel;
-    uint32_t cell;  ///< kNew: the next of the strip's new paths
-  };
-  struct Strip {
-    std::vector<Hit> hits;
-    std::vector<LightCellPath> fresh;
-  };
-  constexpr uint32_t kNew = kPast - 1;
   const CameraRays camera(scene.fabric->camera, width_, height_);
   const uint64_t seed = hashCombine(scene.sampling.seed, uint64_t{0xF1257});
   std::vector<Strip> strips(static_cast<size_t>((height_ + kRows - 1) / kRows));
   parallelFor(strips.size(), task.threads, [&](size_t number) {
     if (task.stopped()) return;
-    Strip& strip = strips[number];
-    LightCellKeys keys(scene);
-    TraceCounts counts;
-    PathIntegrator integrator(scene, medium, scene.sampling, PathIntegrator::kBatch);
-    std::vector<FirstFibre> firsts(PathIntegrator::kBatch);
-    std::vector<PathStart> starts;
-    std::vector<size_t> pixels;  // of the paths
-    const auto follow = [&] {
-      if (!integrator.follow(starts, counts, &task)) return false;
-      for (size_t i = 0; i < starts.size(); ++i) {
-        if (!firsts[i].met()) {
-          strip.hits.push_back({pixels[i], kPast});
-          continue;
-        }
-        Random& random = starts[i].random;
-        const float jx = random.uniform(), jy = random.uniform();
-        const LightCellPath path = keys.of(*firsts[i].met(), glm::vec2(jx, jy) - 0.5f);
-        const auto cell = cells.find(path);
-        strip.hits.push_back({pixels[i], cell.value_or(kNew)});
-        if (!cell) strip.fresh.push_back(path);
-      }
-      starts.clear();
-      pixels.clear();
-      return true;
-    };
+    StripTracer tracer(scene, medium, cells, task, strips[number]);
     const int top = static_cast<int>(number) * kRows;
     for (int y = top; y < std::min(height_, top + kRows); ++y)
       for (int x = 0; x < width_; ++x)
@@ -93,17 +122,15 @@ bool FirstHits::trace(uint32_t perPixel, const Scene& scene, const Medium& mediu
           Random random(hashCombine(hashCombine(seed, x), y), i);
           random.stratify(0, PathIntegrator::kFirstDimension);
           const float dx = random.uniform(), dy = random.uniform();
-          pixels.push_back(pixel);
-          starts.push_back(
-              {camera.ray(static_cast<float>(x) + dx, static_cast<float>(y) + dy), random, &firsts[starts.size()]});
-          if (starts.size() == PathIntegrator::kBatch && !follow()) return;
+          const Ray ray = camera.ray(static_cast<float>(x) + dx, static_cast<float>(y) + dy);
+          if (!tracer.add(pixel, ray, random)) return;
         }
-    follow();
+    tracer.follow();
   });
   if (task.stopped()) return false;
   for (const Strip& strip : strips) {
     auto fresh = strip.fresh.begin();
-    for (const Hit& hit : strip.hits) put(hit.pixel, hit.cell == kNew ? cells.add(*fresh++) : hit.cell);
+    for (const StripHit& hit : strip.hits) put(hit.pixel, hit.cell == kNew ? cells.add(*fresh++) : hit.cell);
   }
   have_ = perPixel;
   return true;

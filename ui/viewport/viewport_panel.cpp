@@ -148,6 +148,42 @@ StripColumns stripColumns(Ui& ui, float room) {
   return columns;
 }
 
+std::optional<Fabric> lightChoice(Ui& ui, const Fabric& fabric, bool labelled) {
+  int kind = static_cast<int>(fabric.light.kind);
+  if (!choiceField(ui, {"view.light", labelled ? "Light" : "", "Light: what shines on the cloth", true},
+                   lightNames(fabric.light), kind))
+    return std::nullopt;
+  Fabric edited = fabric;
+  edited.light = withKind(fabric.light, static_cast<LightKind>(kind));
+  return edited;
+}
+
+std::optional<Fabric> drapeChoice(Ui& ui, const Fabric& fabric, bool labelled) {
+  int kind = static_cast<int>(fabric.drape.kind);
+  const auto names = drapeNames(fabric.drape);
+  if (!choiceField(ui, {"view.drape", labelled ? "Drape" : "", "Drape: the surface the cloth lies on", true}, names,
+                   kind))
+    return std::nullopt;
+  Fabric edited = fabric;
+  edited.drape.kind = static_cast<DrapeKind>(kind);
+  return edited;
+}
+
+void exposureField(Ui& ui, bool labelled, double& exposure_stops) {
+  NumberStyle style;
+  style.unit = "EV";
+  style.min = -kMostExposure_stops;
+  style.max = kMostExposure_stops;
+  style.decimals = 1;
+  style.perPixel = 0.02;
+  numberField(ui,
+              {"view.exposure", labelled ? "Exposure" : "",
+               "Exposure: brightness of the display, in stops: +1 is twice as bright. It "
+               "changes neither the light nor the cloth. Colours are shown in sRGB, with the white of daylight (D65).",
+               true},
+              style, exposure_stops);
+}
+
 /// The strip below the picture: what is changed most often while looking. In a narrow window the choices need the room
 /// more than what keys and menus do too.
 std::optional<Fabric> quickChoices(Ui& ui, const Fabric& fabric, ViewportView& view) {
@@ -167,40 +203,14 @@ std::optional<Fabric> quickChoices(Ui& ui, const Fabric& fabric, ViewportView& v
     ImGui::EndChild();
     x += width + gap;
   };
-  column("light", columns.choice, [&] {
-    int kind = static_cast<int>(fabric.light.kind);
-    if (choiceField(ui, {"view.light", columns.choicesLabelled ? "Light" : "", "Light: what shines on the cloth", true},
-                    lightNames(fabric.light), kind)) {
-      edited = fabric;
-      edited->light = withKind(fabric.light, static_cast<LightKind>(kind));
-    }
-  });
+  column("light", columns.choice, [&] { edited = lightChoice(ui, fabric, columns.choicesLabelled); });
   column("drape", columns.choice, [&] {
-    int kind = static_cast<int>(fabric.drape.kind);
-    const auto names = drapeNames(fabric.drape);
-    if (choiceField(
-            ui, {"view.drape", columns.choicesLabelled ? "Drape" : "", "Drape: the surface the cloth lies on", true},
-            names, kind)) {
-      edited = fabric;
-      edited->drape.kind = static_cast<DrapeKind>(kind);
-      view.fitWanted = true;
-    }
+    auto draped = drapeChoice(ui, fabric, columns.choicesLabelled);
+    if (!draped) return;
+    edited = std::move(draped);
+    view.fitWanted = true;
   });
-  column("exposure", columns.exposure, [&] {
-    NumberStyle style;
-    style.unit = "EV";
-    style.min = -kMostExposure_stops;
-    style.max = kMostExposure_stops;
-    style.decimals = 1;
-    style.perPixel = 0.02;
-    numberField(
-        ui,
-        {"view.exposure", columns.exposureLabelled ? "Exposure" : "",
-         "Exposure: brightness of the display, in stops: +1 is twice as bright. It "
-         "changes neither the light nor the cloth. Colours are shown in sRGB, with the white of daylight (D65).",
-         true},
-        style, view.exposure_stops);
-  });
+  column("exposure", columns.exposure, [&] { exposureField(ui, columns.exposureLabelled, view.exposure_stops); });
   const float right = ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x;
   if (tools > 1) {
     ImGui::SetCursorPos(ImVec2(right - fit - tools * (between + inset), y));
