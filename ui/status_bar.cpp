@@ -21,8 +21,8 @@ void figure(Ui& ui, const char* id, float x, const std::string& text, const char
 
 std::string floatsText(const StatusModel& model) {
   const std::string longest =
-      model.unboundThreads > 0 ? std::string("endless float")
-                               : fmt::format("longest float {} ({:.1f} mm)", model.longestFloat, model.longestFloat_mm);
+      model.unboundYarns > 0 ? std::string("endless float")
+                             : fmt::format("longest float {} ({:.1f} mm)", model.longestFloat, model.longestFloat_mm);
   return model.longFloats == 0 ? longest
                                : fmt::format("{}, {} over {:.1f}", longest, model.longFloats, model.longFloat_mm);
 }

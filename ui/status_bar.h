@@ -11,8 +11,8 @@ namespace loomlight {
 struct StatusModel {
   double arealMass_g_m2 = 0;
   double coverPercent = 0;
-  int unboundThreads = 0;  ///< that float without end
-  int longestFloat = 0;    ///< crossings, of those that are bound
+  int unboundYarns = 0;  ///< that float without end
+  int longestFloat = 0;  ///< crossings, of those that are bound
   double longestFloat_mm = 0;
   int64_t longFloats = 0;   ///< how many are longer than
   double longFloat_mm = 0;  ///< the limit that is set for them

@@ -23,7 +23,7 @@ struct Extent {
 constexpr Extent kFull{40, 30, 2, 16, 128};
 constexpr Extent kQuick{24, 16, 1, 4, 16};
 
-/// A flat piece of forty threads, which fills most of the picture.
+/// A flat piece of forty ends, which fills most of the picture.
 Fabric swatchOf(Fabric fabric, const Extent& extent) {
   fabric.drape = Drape{};
   fabric.drape.width_mm = 40 * fabric.warpPitch_mm();

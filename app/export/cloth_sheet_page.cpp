@@ -7,8 +7,8 @@
 #include <map>
 
 #include "core/base/rgb.h"
-#include "core/fabric/weave/thread_order.h"
 #include "core/fabric/weave/weave_code.h"
+#include "core/fabric/weave/yarn_order.h"
 #include "core/fabric/yarn/cloth_states.h"
 #include "core/fabric/yarn/derived.h"
 #include "core/fabric/yarn/yarn_name.h"
@@ -26,26 +26,26 @@ constexpr double kEnd_mm = kSheetWidth_mm - kSheetMargin_mm, kBottom_mm = kSheet
 constexpr double kLine_mm = 3.6, kBetween_mm = 4.5;
 constexpr Paper::Font kTitle{5.2, true}, kHeading{3.0, true}, kBody{2.6}, kQuiet{2.6, false, 0.4};
 
-/// Threads of one yarn side by side.
+/// Ends or picks of one yarn side by side.
 struct Stripe {
-  int yarn = 0, threads = 0;
+  int yarn = 0, width = 0;
 };
 
 std::vector<Stripe> stripesOf(const std::vector<int>& sequence) {
   std::vector<Stripe> stripes;
   for (const int yarn : sequence) {
     if (stripes.empty() || stripes.back().yarn != yarn) stripes.push_back({yarn, 0});
-    ++stripes.back().threads;
+    ++stripes.back().width;
   }
   return stripes;
 }
 
-/// Threads of each yarn in a repeat.
+/// Ends or picks of each yarn in a repeat.
 std::vector<Stripe> sumsOf(const std::vector<int>& sequence) {
   std::map<int, int> counts;
   for (const int yarn : sequence) ++counts[yarn];
   std::vector<Stripe> sums;
-  for (const auto& [yarn, threads] : counts) sums.push_back({yarn, threads});
+  for (const auto& [yarn, width] : counts) sums.push_back({yarn, width});
   return sums;
 }
 
@@ -212,7 +212,7 @@ class SheetWriter {
     const double headed = y + kLine_mm + 0.6;
     if (rows.size() > rowsIn(headed + kLine_mm)) {
       rows = sumsOf(sequence);
-      y = paper_.paragraph(x, y, threadOrderText(sequence), kBody, width, 4) + 0.6;
+      y = paper_.paragraph(x, y, yarnOrderText(sequence), kBody, width, 4) + 0.6;
     }
     const char* const heads[] = {label, "", threads, "cm"};
     for (size_t i = 0; i < std::size(heads); ++i) paper_.text(columns[i], y, heads[i], kQuiet);
@@ -223,8 +223,8 @@ class SheetWriter {
     for (size_t i = 0; i < shown; ++i, y += kLine_mm) {
       paper_.text(columns[0], y, yarnLetters(rows[i].yarn), kBody, 6);
       yarnSwatch(columns[1], y, rows[i].yarn);
-      paper_.text(columns[2], y, fmt::format("{}", rows[i].threads), kBody, 12);
-      paper_.text(columns[3], y, cm(rows[i].threads), kBody, end - columns[3]);
+      paper_.text(columns[2], y, fmt::format("{}", rows[i].width), kBody, 12);
+      paper_.text(columns[3], y, cm(rows[i].width), kBody, end - columns[3]);
     }
     if (shown < rows.size()) {
       paper_.text(columns[0], y, fmt::format("and {} more yarns", rows.size() - shown), kQuiet, width);

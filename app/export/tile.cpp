@@ -19,7 +19,7 @@
 namespace loomlight {
 namespace {
 
-constexpr int kMostThreads = 2000;
+constexpr int kMostYarns = 2000;
 constexpr double kMargin_mm = 3;  ///< of cloth around a tile: light goes no further within it
 
 /// The least common multiple of the periods of the yarns that run along `along` in a piece of the repeat.
@@ -27,7 +27,7 @@ int64_t twistPeriod(const ClothGeometry& geometry, System system) {
   const bool warp = system == System::warp;
   int64_t period = 1;
   const int yarns = warp ? geometry.repeatEnds() : geometry.repeatPicks();
-  for (int i = 0; i < yarns && period <= kMostThreads; ++i) {
+  for (int i = 0; i < yarns && period <= kMostYarns; ++i) {
     const YarnCellKey key = warp ? geometry.key(system, 0, i) : geometry.key(system, i, 0);
     period = std::lcm(period, static_cast<int64_t>(geometry.yarn(system, key.yarn).period));
   }
@@ -81,19 +81,19 @@ TileExtent tileExtent(const Fabric& fabric, bool joinTwist) {
   const int64_t twistEnds = lcm(ends, twistPeriod(geometry, System::weft));
   const int64_t twistPicks = lcm(picks, twistPeriod(geometry, System::warp));
   const bool joins =
-      twistEnds <= std::max<int64_t>(ends, kMostThreads) && twistPicks <= std::max<int64_t>(picks, kMostThreads);
+      twistEnds <= std::max<int64_t>(ends, kMostYarns) && twistPicks <= std::max<int64_t>(picks, kMostYarns);
   return {static_cast<int>(joins ? twistEnds : ends), static_cast<int>(joins ? twistPicks : picks), joins};
 }
 
-double pixelsPerThread(const Fabric& fabric, const TileExtent& extent, int longestSide) {
+double pixelsPerYarn(const Fabric& fabric, const TileExtent& extent, int longestSide) {
   const double width_mm = extent.ends * fabric.warpPitch_mm(), height_mm = extent.picks * fabric.weftPitch_mm();
   return longestSide / std::max(width_mm, height_mm) * std::min(fabric.warpPitch_mm(), fabric.weftPitch_mm());
 }
 
 int usualTileSide(const Fabric& fabric, const TileExtent& extent) {
-  constexpr double kPerThread = 16;
+  constexpr double kPerYarn = 16;
   constexpr int kStep = 64, kLeast = 1024, kMost = 16384;
-  const double wanted = kPerThread / pixelsPerThread(fabric, extent, 1);
+  const double wanted = kPerYarn / pixelsPerYarn(fabric, extent, 1);
   return std::clamp(kStep * static_cast<int>(std::ceil(std::min<double>(wanted, kMost) / kStep)), kLeast, kMost);
 }
 

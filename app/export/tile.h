@@ -20,13 +20,13 @@ struct TileExtent {
   bool twistJoins = true;
 };
 /// The smallest rectangle of crossings that repeats: weave, order of colours, and where `joinTwist` and up to 2000
-/// threads a side, twist. Throws InputError where colours alone take more than Weave::kMaxSide.
+/// ends or picks a side, twist. Throws InputError where colours alone take more than Weave::kMaxSide.
 TileExtent tileExtent(const Fabric& fabric, bool joinTwist = true);
 
-/// Pixels across the finer of its threads, in a picture of it whose longer side has so many.
-double pixelsPerThread(const Fabric& fabric, const TileExtent& extent, int longestSide);
+/// Pixels across the finer of its yarns, in a picture of it whose longer side has so many.
+double pixelsPerYarn(const Fabric& fabric, const TileExtent& extent, int longestSide);
 /// Fewer show no yarn, but a colour for each thread.
-inline constexpr double kFewestPixelsPerThread = 8;
+inline constexpr double kFewestPixelsPerYarn = 8;
 /// A longer side of 16 pixels for each thread, and of 1024 at least: as far as a picture can be so large.
 int usualTileSide(const Fabric& fabric, const TileExtent& extent);
 

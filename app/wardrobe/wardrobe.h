@@ -16,10 +16,10 @@ inline constexpr Allowance kMassAllowance{0.05}, kThicknessAllowance{0.20};
 
 /// What the trade says of a finished cloth.
 struct TradeFigures {
-  const char* construction;  ///< counts of warp x weft / threads to the inch, or as that trade quotes it
+  const char* construction;  ///< counts of warp x weft / ends x picks to the inch, or as that trade quotes it
   double mass_g_m2 = 0;
   double thickness_mm = 0;  ///< as a gauge feels it, under about 1 kPa
-  double cover = 0;         ///< share of the plane under round threads, by Peirce, of that construction
+  double cover = 0;         ///< share of the plane under round yarns, by Peirce, of that construction
   const char* source;       ///< of construction, mass and thickness: read where, or recalled
   Allowance thickness = kThicknessAllowance;
 };

@@ -54,7 +54,7 @@ void keepWithin(DiscCentres& centres, double rim) {
     if (const double reach = glm::length(p); reach > rim) p *= rim / reach;
 }
 
-/// As threads that push one another aside: discs apart at every stage, within the rim, and straight from stage to
+/// As rods that push one another aside: discs apart at every stage, within the rim, and straight from stage to
 /// stage, the less so the nearer to the end. Where there is too little room for all, they overlap.
 void partFibres(std::vector<DiscCentres>& stages, const HelicalFibres& fibres, int turns, double rim,
                 const Task& task) {

@@ -93,7 +93,7 @@ void laySections(YarnModel& m, const Task& task) {
   const FibreLayout onTheirWay = m.source.sketched ? FibreLayout::random : g.layout;
   const PlyLayout layout = layoutOf(g, onTheirWay);
   HelicalFibres fibres = roomOfFibres(g, layout.section);
-  if (m.source.sketched) fibres.radius_mm *= 0.1;  // thin threads hardly have to be parted
+  if (m.source.sketched) fibres.radius_mm *= 0.1;  // thin fibres hardly have to be parted
   m.patterns = layout.patterns;
   const double pattern_mm = g.period * g.cellLength_mm / std::max(1, m.patterns);
   m.plies.clear();

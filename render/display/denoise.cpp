@@ -29,7 +29,7 @@ constexpr int kDistances[] = {1, 2, 4, 2, 1};
 
 /// Differences of so many standard deviations are no noise.
 constexpr float kMostDeviations = 3;
-/// Of the depth: more than this apart are two folds, or a thread and what is seen past it.
+/// Of the depth: more than this apart are two folds, or a yarn and what is seen past it.
 constexpr float kSameDepth = 0.05f;
 
 // What a pixel shows, where it is no yarn.

@@ -21,7 +21,7 @@ bool sameCrossing(const Film::Hit& a, const Film::Hit& b) {
 }
 
 /// For each pixel of the new picture, whether the old one shows nothing like it there: about the same pixels, as a
-/// sample may lie anywhere in a coarse one and the next thread may have moved a little.
+/// sample may lie anywhere in a coarse one and the next yarn may have moved a little.
 std::vector<bool> newlySeen(const Frame& fresh, const Frame& old) {
   assert(fresh.width >= (old.width + fresh.divider - 1) / fresh.divider);
   const int size = fresh.divider, around = std::max(1, size / 4);
@@ -113,7 +113,7 @@ Frame patched(Frame fresh, const Frame& old, const Weave& weaveNow, const Weave&
   std::vector<bool> changed = newlySeen(fresh, old);
   for (size_t i = 0; i < changed.size(); ++i) {
     if (!changed[i]) continue;
-    // A single sample falls through gaps where one of many has met a thread: that one says what is there.
+    // A single sample falls through gaps where one of many has met a yarn: that one says what is there.
     const Film::Hit& hit = fresh.hits[i].end >= 0 ? fresh.hits[i] : old.hits[middleOf(i, fresh, old)];
     changed[i] = isNearTurned(weaveNow, weaveThen, hit);
   }

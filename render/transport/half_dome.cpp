@@ -71,7 +71,7 @@ Rgb look(const Scene& scene, const Medium& medium, const View& view, size_t came
   const int pixels = view.columns * view.rows;
   const int rounds = (samples + pixels - 1) / pixels;
   // Fewer samples than pixels go to every nth pixel. An odd number, as the columns are a power of two: so each of them
-  // gets its part, and none of the phases of a thread is left out.
+  // gets its part, and none of the phases of a yarn is left out.
   const int stride = std::max(1, pixels / samples - (pixels / samples + 1) % 2);
   const int x0 = (view.width - view.columns) / 2, y0 = (view.height - view.rows) / 2;
   std::vector<PixelSample> wanted;

@@ -14,9 +14,9 @@ namespace loomlight {
 inline constexpr size_t kChipWalks = 4096;
 
 /// Light walked through a cloth for each of its yarns, from those walks that met it first: they tell what it shows in
-/// any dye and under any lamp. A yarn that the face hardly shows, or that no thread uses, is walked through as plain
-/// cloth of it alone at the same sett. `shared` (may be null): a scene whose parts may be used again, and the new one.
-/// nullopt when stopped. Throws InputError for files that cannot be used.
+/// any dye and under any lamp. A yarn that the face hardly shows, or that no end or pick uses, is walked through as
+/// plain cloth of it alone at the same sett. `shared` (may be null): a scene whose parts may be used again, and the new
+/// one. nullopt when stopped. Throws InputError for files that cannot be used.
 std::optional<std::vector<PathLengthTally>> walkYarns(const Fabric& fabric, size_t count, const Task& task,
                                                       std::shared_ptr<const Scene>* shared = nullptr);
 

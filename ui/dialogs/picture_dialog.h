@@ -30,8 +30,8 @@ struct PictureOrder {
   std::optional<CellRect> into;   ///< the crossings of the cloth that it fills; where not given, it is the whole weave
 };
 
-/// Makes a jacquard of a picture: its size in threads, how many colours, and what is woven in the place of each; or
-/// fills a selection with it. Shows the cloth that comes of it. Stays open while others read the picture, and while
+/// Makes a jacquard of a picture: its size in ends and picks, how many colours, and what is woven in the place of each;
+/// or fills a selection with it. Shows the cloth that comes of it. Stays open while others read the picture, and while
 /// they weave it.
 class PictureDialog {
  public:

@@ -36,10 +36,10 @@ void TileDialog::sizeRows(Ui& ui, const TileModel& model, double fewestPixels) {
           ui, {"tile.size", "Longer side", "Of the tile. At first 16 pixels for each thread, and 1024 at least."}, "px",
           16, 16384, longestSide_))
     ownSide_ = longestSide_;
-  const double perThread = longestSide_ / s.threadsAlongLonger;
+  const double perYarn = longestSide_ / s.yarnsAlongLonger;
   readout(ui, {"tile.per_thread", "Per thread", "Pixels across the finer of its threads"},
-          known(fmt::format("{:.1f} px", perThread)));
-  const bool few = size && perThread < fewestPixels;
+          known(fmt::format("{:.1f} px", perYarn)));
+  const bool few = size && perYarn < fewestPixels;
   hint(ui,
        !model.problem.empty() ? model.problem
        : few                  ? fmt::format("Below {:g} pixels a thread is a mere colour, no yarn.", fewestPixels)

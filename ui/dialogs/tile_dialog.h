@@ -13,8 +13,8 @@ struct TileSize {
   int ends = 1, picks = 1;
   int repeatsAcross = 1, repeatsDown = 1;  ///< of the weave
   double width_mm = 1, height_mm = 1;
-  double threadsAlongLonger = 1;  ///< its longer side, over the pitch of the finer threads
-  int usualSide = 1024;           ///< pixels of the longer side that show its yarns well
+  double yarnsAlongLonger = 1;  ///< its longer side, over the pitch of the finer yarns
+  int usualSide = 1024;         ///< pixels of the longer side that show its yarns well
 };
 
 /// What is known of them; nothing while it is worked out.
@@ -37,7 +37,7 @@ class TileDialog {
   int longestSide() const { return longestSide_; }
   bool joinsTwist() const { return joinsTwist_; }
   int samplesPerPixel() const { return samplesPerPixel_; }
-  /// `fewestPixels`: for a thread, below which it is said that there are few.
+  /// `fewestPixels`: for a yarn, below which it is said that there are few.
   Result draw(Ui& ui, const TileModel& model, double fewestPixels, const RenderJob& job);
 
  private:

@@ -21,7 +21,7 @@ std::vector<double> weightsOf(const std::vector<int>& sequence, size_t yarns) {
 
 void stripeFields(Ui& ui, StripeChance& stripes) {
   wholeNumberField(ui, {"order.threads", "Threads", "How many threads the order has until it repeats"}, "", 2, 4096,
-                   stripes.threads);
+                   stripes.length);
   if (wholeNumberField(ui, {"order.narrowest", "Narrowest stripe", "Threads that a stripe has at least"}, "", 1, 512,
                        stripes.narrowest))
     stripes.widest = std::max(stripes.widest, stripes.narrowest);
@@ -64,15 +64,15 @@ std::optional<Fabric> colourOrderTools(Ui& ui, const Fabric& fabric, const std::
   view.weft = system == 1;
   const std::vector<int>& own = view.weft ? fabric.weftSequence : fabric.warpSequence;
   const std::vector<int>& other = view.weft ? fabric.warpSequence : fabric.weftSequence;
-  const StripedThreads threads{yarnColours, yarnNames, view.weft ? fabric.weftPitch_mm() : fabric.warpPitch_mm(),
-                               view.weft ? "Picks" : "Ends"};
+  const StripedSystem striped{yarnColours, yarnNames, view.weft ? fabric.weftPitch_mm() : fabric.warpPitch_mm(),
+                              view.weft ? "Picks" : "Ends"};
   StripeRows& rows = view.weft ? view.weftStripes : view.warpStripes;
   rows.follow(own);
-  std::optional<std::vector<int>> made = stripeBar(ui, threads, rows);
+  std::optional<std::vector<int>> made = stripeBar(ui, striped, rows);
   if (auto order = orderButtons(ui, own, other, view.weft ? fabric.weave.picks() : fabric.weave.ends(), view.weft))
     made = std::move(order);
   if (foldingHeading(ui, "order.stripes", words::stripes.label, words::stripes.help, view.stripesOpen))
-    if (auto set = stripeTable(ui, threads, rows)) made = std::move(set);
+    if (auto set = stripeTable(ui, striped, rows)) made = std::move(set);
 
   if (foldingHeading(ui, "order.chance", words::randomStripes.label, words::randomStripes.help, view.randomOpen)) {
     if (button(ui, "order.random", "New stripes", -1, fabric.yarns.size() > 1, words::randomStripes.help)) {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/fabric/model/fabric.h"
-#include "core/fabric/weave/thread_sequence.h"
+#include "core/fabric/weave/yarn_sequence.h"
 #include "ui/draft/stripe_table.h"
 #include "ui/widgets/ui.h"
 

@@ -136,8 +136,8 @@ std::string barUnderMouse(const Fabric& fabric, const std::vector<std::string>& 
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const auto under = [](const Box& box) { return ImGui::IsMouseHoveringRect(box.min, box.max); };
   const CrossingIndex at = frame.at(mouse);
-  const auto said = [&](const char* thread, int index, int yarn) {
-    return fmt::format("{} {}: {}; a click gives it the selected yarn", thread, index + 1,
+  const auto said = [&](const char* name, int index, int yarn) {
+    return fmt::format("{} {}: {}; a click gives it the selected yarn", name, index + 1,
                        yarnNames[static_cast<size_t>(yarn)]);
   };
   if (under(layout.warpBar)) return said("end", at.end, fabric.warpYarn(at.end));

@@ -134,7 +134,7 @@ void drawBar(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& yarnColour
   const float side = warp ? frame.cell : frame.cellHeight();
   const int step = std::max(1, static_cast<int>(std::ceil(1.0f / side)));
   const int first = warp ? frame.firstEnd() : frame.firstPick(), last = warp ? frame.lastEnd() : frame.lastPick();
-  const float gap = side >= 3 * ui.scale ? 1.0f : 0.0f;  // threads are counted as long as a gap leaves anything of them
+  const float gap = side >= 3 * ui.scale ? 1.0f : 0.0f;  // ends are counted as long as a gap leaves anything of them
   for (int i = first; i <= last; i += step) {
     const int yarn = warp ? fabric.warpYarn(i) : fabric.weftYarn(i);
     const Box cell = frame.cells(i, i, step, step);
@@ -144,7 +144,7 @@ void drawBar(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& yarnColour
     const float opacity = i >= 0 && i < period ? 1.0f : 0.7f;
     draw.AddRectFilled(a, b, packed(yarnColours[static_cast<size_t>(yarn)], opacity));
     if (gap == 0) continue;
-    // Seen between threads as dark, or as light, as the panel too.
+    // Seen between ends as dark, or as light, as the panel too.
     const ImVec2 end(warp ? cell.max.x : bar.max.x, warp ? bar.max.y : cell.max.y);
     draw.AddRectFilled(ImVec2(warp ? b.x : a.x, warp ? a.y : b.y), end, packed(ui.theme.text, 0.35f));
   }
@@ -164,7 +164,7 @@ void ringCrossing(Ui& ui, const DraftFrame& frame, const CrossingIndex& crossing
 void ringFloat(Ui& ui, const DraftFrame& frame, const FloatRun& run) {
   const bool warp = run.system == System::warp;
   const Box box =
-      warp ? frame.cells(run.first, run.thread, run.cells, 1) : frame.cells(run.thread, run.first, 1, run.cells);
+      warp ? frame.cells(run.first, run.across, run.cells, 1) : frame.cells(run.across, run.first, 1, run.cells);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const ImVec2 a(box.min.x - ui.px(2), box.min.y - ui.px(2)), b(box.max.x + ui.px(2), box.max.y + ui.px(2));
   draw.AddRect(a, b, packed(ui.theme.onAccent), 0, 0, ui.px(4));

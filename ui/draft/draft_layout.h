@@ -5,7 +5,7 @@
 namespace loomlight {
 
 /// Where the parts of a draft are: threading above the drawdown, treadling (or liftplan) at its right, the tie-up in
-/// the corner between them; shaft 1 and treadle 1 lie next to the cloth. Bars show the yarn of each thread.
+/// the corner between them; shaft 1 and treadle 1 lie next to the cloth. Bars show the yarn of each end and pick.
 struct DraftLayout {
   Box cloth, warpBar, weftBar, threading, tieUp, treadling;
   Box endRuler, pickRuler;  ///< empty without rulers

@@ -79,8 +79,8 @@ void fitDraft(DraftView& view, const Weave& weave, ImVec2 size, float scale) {
 void showFloat(DraftView& view, const FloatRun& run) {
   const bool warp = run.system == System::warp;
   const auto middle = static_cast<float>(run.first) + 0.5f * static_cast<float>(run.cells);
-  const auto thread = static_cast<float>(run.thread) + 0.5f;
-  view.origin = ImVec2((warp ? thread : middle) - 0.5f * view.seen.x, (warp ? middle : thread) - 0.5f * view.seen.y);
+  const auto across = static_cast<float>(run.across) + 0.5f;
+  view.origin = ImVec2((warp ? across : middle) - 0.5f * view.seen.x, (warp ? middle : across) - 0.5f * view.seen.y);
 }
 
 void zoomDraft(DraftView& view, const DraftFrame& frame, ImVec2 pointer, float clicks) {

@@ -75,13 +75,13 @@ void listField(Ui& ui, const LongFloats& floats, int chosen, DraftView& view) {
 std::string floatText(const FloatRun& run) {
   const bool warp = run.system == System::warp;
   const char* const system = warp ? "warp" : "weft";
-  const char* const thread = warp ? "end" : "pick";
-  if (run.isEndless) return fmt::format("{} {} never interlaces", thread, run.thread + 1);
+  const char* const name = warp ? "end" : "pick";
+  if (run.isEndless) return fmt::format("{} {} never interlaces", name, run.across + 1);
   const std::string over =
       run.cells == 1 ? fmt::format("{} {}", warp ? "pick" : "end", run.first + 1)
                      : fmt::format("{} {} to {}", warp ? "picks" : "ends", run.first + 1, run.first + run.cells);
-  return fmt::format("{:.1f} mm {} float, {}, {} {}, {}", run.length_mm, system, run.onFace ? "face" : "back", thread,
-                     run.thread + 1, over);
+  return fmt::format("{:.1f} mm {} float, {}, {} {}, {}", run.length_mm, system, run.onFace ? "face" : "back", name,
+                     run.across + 1, over);
 }
 
 void floatRow(Ui& ui, const LongFloats* floats, DraftPreferences& preferences, DraftView& view) {

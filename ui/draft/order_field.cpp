@@ -9,7 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/fabric/model/validate.h"
-#include "core/fabric/weave/thread_order.h"
+#include "core/fabric/weave/yarn_order.h"
 #include "core/fabric/yarn/yarn_edit.h"
 #include "core/fabric/yarn/yarn_name.h"
 #include "ui/widgets/field_row.h"
@@ -53,7 +53,7 @@ std::optional<std::vector<int>> taken(const std::string& text, int yarns, OrderT
   typing.problem.clear();
   typing.wanted.clear();
   try {
-    std::vector<int> sequence = threadOrderFromText(text, kMaxKinds, kMaxSequence);
+    std::vector<int> sequence = yarnOrderFromText(text, kMaxKinds, kMaxSequence);
     const int most = *std::max_element(sequence.begin(), sequence.end());
     if (most < yarns) return sequence;
     typing.problem = fmt::format("There is no yarn {} yet.", yarnLetters(yarns));
@@ -66,7 +66,7 @@ std::optional<std::vector<int>> taken(const std::string& text, int yarns, OrderT
   return std::nullopt;
 }
 
-/// What the order comes to, in threads and mm; or what is wrong, and the way out.
+/// What the order comes to, in ends or picks and mm; or what is wrong, and the way out.
 std::optional<Fabric> lineBelow(Ui& ui, const std::string& id, const Fabric& fabric, std::vector<int> Fabric::* system,
                                 double pitch_mm, OrderText& typing) {
   std::optional<Fabric> edited;
@@ -106,7 +106,7 @@ std::optional<Fabric> lineBelow(Ui& ui, const std::string& id, const Fabric& fab
 std::optional<Fabric> orderField(Ui& ui, const RowText& text, const Fabric& fabric, std::vector<int> Fabric::* system,
                                  double pitch_mm, OrderText& typing) {
   const std::vector<int>& sequence = fabric.*system;
-  if (!typing.open && typing.sequence != sequence) typing = {false, false, threadOrderText(sequence), sequence, {}, {}};
+  if (!typing.open && typing.sequence != sequence) typing = {false, false, yarnOrderText(sequence), sequence, {}, {}};
   ImGui::TextDisabled("%s", text.label);
   const float width = ImGui::GetContentRegionAvail().x;
   Typing now{width - 2 * ImGui::GetStyle().FramePadding.x - ui.px(8), !typing.open};

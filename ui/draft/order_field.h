@@ -9,7 +9,7 @@
 
 namespace loomlight {
 
-/// A thread order as it was typed. Groups stay as they were written for as long as they say what the cloth has.
+/// A yarn order as it was typed. Groups stay as they were written for as long as they say what the cloth has.
 struct OrderText {
   bool open = false;    ///< it is being typed
   bool edited = false;  ///< and is another one than it was
@@ -20,7 +20,7 @@ struct OrderText {
 };
 
 /// A field as wide as the panel that grows with its text, and the line below: what the order comes to, or why the text
-/// is none, with the yarn that it lacks on offer. `pitch_mm`: between threads. Returns the fabric after an edit.
+/// is none, with the yarn that it lacks on offer. `pitch_mm`: between ends or picks. Returns the fabric after an edit.
 std::optional<Fabric> orderField(Ui& ui, const RowText& text, const Fabric& fabric, std::vector<int> Fabric::* system,
                                  double pitch_mm, OrderText& typing);
 

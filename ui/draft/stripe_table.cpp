@@ -16,19 +16,19 @@ namespace {
 constexpr size_t kMostRows = 48;  // a jacquard's thousands are set in the order's text, or in the bars
 constexpr float kBar = 24, kSwatch = 24, kLetter = 26, kButton = 24, kGap = 6;  // at scale 1
 
-int threadsOf(const std::vector<Stripe>& stripes) {
-  int threads = 0;
-  for (const Stripe& stripe : stripes) threads += stripe.threads;
-  return threads;
+int widthOf(const std::vector<Stripe>& stripes) {
+  int width = 0;
+  for (const Stripe& stripe : stripes) width += stripe.width;
+  return width;
 }
 
 /// The edge between stripes that the mouse may take, as far from it as a finger's width at most; -1: none.
-int edgeUnder(const Ui& ui, const std::vector<Stripe>& stripes, float x, float perThread) {
-  int nearest = -1, threads = 0;
+int edgeUnder(const Ui& ui, const std::vector<Stripe>& stripes, float x, float perYarn) {
+  int nearest = -1, width = 0;
   float closest = ui.px(6);
   for (size_t i = 0; i < stripes.size(); ++i) {
-    threads += stripes[i].threads;
-    const float away = std::abs(x - perThread * static_cast<float>(threads));
+    width += stripes[i].width;
+    const float away = std::abs(x - perYarn * static_cast<float>(width));
     if (away > closest) continue;
     closest = away;
     nearest = static_cast<int>(i);
@@ -36,32 +36,32 @@ int edgeUnder(const Ui& ui, const std::vector<Stripe>& stripes, float x, float p
   return nearest;
 }
 
-/// Moves the edge after a stripe to a thread, as far as every stripe keeps one and the order has room.
-void moveEdge(std::vector<Stripe>& stripes, int edge, int thread) {
+/// Moves the edge after a stripe to an end or pick, as far as every stripe keeps one and the order has room.
+void moveEdge(std::vector<Stripe>& stripes, int edge, int to) {
   const auto i = static_cast<size_t>(edge);
   int begin = 0;
-  for (size_t k = 0; k < i; ++k) begin += stripes[k].threads;
+  for (size_t k = 0; k < i; ++k) begin += stripes[k].width;
   if (i + 1 == stripes.size()) {
-    stripes[i].threads = std::clamp(thread - begin, 1, kMaxSequence - begin);
+    stripes[i].width = std::clamp(to - begin, 1, kMaxSequence - begin);
     return;
   }
-  const int both = stripes[i].threads + stripes[i + 1].threads;
-  stripes[i].threads = std::clamp(thread - begin, 1, both - 1);
-  stripes[i + 1].threads = both - stripes[i].threads;
+  const int both = stripes[i].width + stripes[i + 1].width;
+  stripes[i].width = std::clamp(to - begin, 1, both - 1);
+  stripes[i + 1].width = both - stripes[i].width;
 }
 
-void drawBar(Ui& ui, const StripedThreads& threads, const std::vector<Stripe>& stripes, float perThread, ImVec2 min,
+void drawBar(Ui& ui, const StripedSystem& system, const std::vector<Stripe>& stripes, float perYarn, ImVec2 min,
              ImVec2 max) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.PushClipRect(min, max, true);
   draw.AddRectFilled(min, max, packed(ui.theme.field));
   int at = 0;
   for (size_t i = 0; i < stripes.size(); ++i) {
-    const float begin = min.x + perThread * static_cast<float>(at);
-    at += stripes[i].threads;
-    const float end = min.x + perThread * static_cast<float>(at);
+    const float begin = min.x + perYarn * static_cast<float>(at);
+    at += stripes[i].width;
+    const float end = min.x + perYarn * static_cast<float>(at);
     draw.AddRectFilled(ImVec2(begin, min.y), ImVec2(end, max.y),
-                       packed(threads.yarnColours[static_cast<size_t>(stripes[i].yarn)]));
+                       packed(system.yarnColours[static_cast<size_t>(stripes[i].yarn)]));
     // Neighbours of one yarn are told apart, where there is room for it.
     if (end - begin > ui.px(4)) draw.AddLine(ImVec2(end, min.y), ImVec2(end, max.y), packed(ui.theme.panel), ui.px(1));
     if (ui.probe.watching())
@@ -95,17 +95,15 @@ struct Columns {
 };
 
 /// Which yarn a stripe is of: a swatch that opens the others.
-bool colourCell(Ui& ui, const std::string& row, const Columns& columns, const StripedThreads& threads, Stripe& stripe) {
-  const auto colourOf = [&](int yarn) { return threads.yarnColours[static_cast<size_t>(yarn)]; };
-  const auto nameOf = [&](int yarn) {
-    return yarnLetters(yarn) + "   " + threads.yarnNames[static_cast<size_t>(yarn)];
-  };
+bool colourCell(Ui& ui, const std::string& row, const Columns& columns, const StripedSystem& system, Stripe& stripe) {
+  const auto colourOf = [&](int yarn) { return system.yarnColours[static_cast<size_t>(yarn)]; };
+  const auto nameOf = [&](int yarn) { return yarnLetters(yarn) + "   " + system.yarnNames[static_cast<size_t>(yarn)]; };
   bool changed = false;
   if (swatch(ui, (row + "_colour").c_str(), colourOf(stripe.yarn), columns.swatch, false, nameOf(stripe.yarn).c_str()))
     ImGui::OpenPopup((row + "_yarns").c_str());
   if (ImGui::BeginPopup((row + "_yarns").c_str())) {
     constexpr int kPerLine = 8;
-    for (int yarn = 0; yarn < static_cast<int>(threads.yarnColours.size()); ++yarn) {
+    for (int yarn = 0; yarn < static_cast<int>(system.yarnColours.size()); ++yarn) {
       if (yarn % kPerLine != 0) ImGui::SameLine(0, ui.px(4));
       const std::string id = fmt::format("{}_yarn_{}", row, yarn);
       if (!swatch(ui, id.c_str(), colourOf(yarn), ui.px(28), yarn == stripe.yarn, nameOf(yarn).c_str())) continue;
@@ -121,23 +119,23 @@ bool colourCell(Ui& ui, const std::string& row, const Columns& columns, const St
   return changed;
 }
 
-bool widthCell(Ui& ui, const std::string& row, double pitch_mm, int room, int& threads) {
+bool widthCell(Ui& ui, const std::string& row, double pitch_mm, int room, int& width) {
   NumberStyle style;
   style.min = 0.1 * pitch_mm;
   style.max = 0.1 * pitch_mm * room;
-  double width_cm = 0.1 * pitch_mm * threads;
+  double width_cm = 0.1 * pitch_mm * width;
   if (!numberField(ui, {row + "_cm", "", "Width of this stripe in cm, to whole threads", true}, style, width_cm))
     return false;
-  const int before = threads;
-  threads = std::clamp(static_cast<int>(std::lround(10 * width_cm / pitch_mm)), 1, room);
-  return threads != before;
+  const int before = width;
+  width = std::clamp(static_cast<int>(std::lround(10 * width_cm / pitch_mm)), 1, room);
+  return width != before;
 }
 
-void headings(Ui& ui, const Columns& columns, const StripedThreads& threads) {
+void headings(Ui& ui, const Columns& columns, const StripedSystem& system) {
   ImGui::PushFont(ui.fonts.small);
   ImGui::TextColored(ui.theme.textQuiet, "%s", words::stripeColour.label);
   ImGui::SameLine(columns.first + ui.px(8));
-  ImGui::TextColored(ui.theme.textQuiet, "%s", threads.threads);
+  ImGui::TextColored(ui.theme.textQuiet, "%s", system.name);
   ImGui::SameLine(columns.second + ui.px(8));
   ImGui::TextColored(ui.theme.textQuiet, "cm");
   ImGui::PopFont();
@@ -151,61 +149,61 @@ void StripeRows::follow(const std::vector<int>& sequence) {
   dragged = -1;
 }
 
-std::optional<std::vector<int>> stripeBar(Ui& ui, const StripedThreads& threads, StripeRows& rows) {
+std::optional<std::vector<int>> stripeBar(Ui& ui, const StripedSystem& system, StripeRows& rows) {
   const ImVec2 size(ImGui::GetContentRegionAvail().x, ui.px(kBar)), min = ImGui::GetCursorScreenPos();
   const ImVec2 max(min.x + size.x, min.y + size.y);
   ImGui::InvisibleButton("order.bar", size);
   ui.probe.recordItem("order.bar");
-  // While an edge is dragged a thread keeps its width: the last edge would run away under the mouse.
-  const float perThread =
-      rows.dragged >= 0 ? rows.perThread : size.x / static_cast<float>(std::max(1, threadsOf(rows.stripes)));
+  // While an edge is dragged an end keeps its width: the last edge would run away under the mouse.
+  const float perYarn =
+      rows.dragged >= 0 ? rows.perYarn : size.x / static_cast<float>(std::max(1, widthOf(rows.stripes)));
   const float x = ImGui::GetIO().MousePos.x - min.x;
-  const int under = edgeUnder(ui, rows.stripes, x, perThread);
+  const int under = edgeUnder(ui, rows.stripes, x, perYarn);
   if (ImGui::IsItemActivated()) {
     rows.dragged = under;
-    rows.perThread = perThread;
+    rows.perYarn = perYarn;
   }
   if (!ImGui::IsItemActive()) rows.dragged = -1;
   if (rows.dragged >= 0 || (under >= 0 && ImGui::IsItemHovered())) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   std::optional<std::vector<int>> edited;
   if (rows.dragged >= 0) {
     const std::vector<Stripe> before = rows.stripes;
-    moveEdge(rows.stripes, rows.dragged, static_cast<int>(std::lround(x / perThread)));
+    moveEdge(rows.stripes, rows.dragged, static_cast<int>(std::lround(x / perYarn)));
     if (rows.stripes != before) edited = sequenceOf(rows.stripes);
   }
-  drawBar(ui, threads, rows.stripes, perThread, min, max);
+  drawBar(ui, system, rows.stripes, perYarn, min, max);
   if (rows.dragged < 0) tooltipFor(ui, "order.bar", min, max, words::stripeBar.help);
   return edited;
 }
 
-std::optional<std::vector<int>> stripeTable(Ui& ui, const StripedThreads& threads, StripeRows& rows) {
+std::optional<std::vector<int>> stripeTable(Ui& ui, const StripedSystem& system, StripeRows& rows) {
   const Columns columns(ui);
-  headings(ui, columns, threads);
-  const int all = threadsOf(rows.stripes);
-  const int yarns = static_cast<int>(threads.yarnColours.size());
+  headings(ui, columns, system);
+  const int all = widthOf(rows.stripes);
+  const int yarns = static_cast<int>(system.yarnColours.size());
   const float side = ui.px(kButton);
   bool changed = false;
   std::optional<size_t> added, removed;
   for (size_t i = 0; i < std::min(rows.stripes.size(), kMostRows); ++i) {
     Stripe& stripe = rows.stripes[i];
-    const int room = kMaxSequence - all + stripe.threads;
+    const int room = kMaxSequence - all + stripe.width;
     const std::string row = fmt::format("order.stripe_{}", i);
-    changed |= colourCell(ui, row, columns, threads, stripe);
+    changed |= colourCell(ui, row, columns, system, stripe);
     changed |= cell(row + "t", columns.first, columns.width, [&] {
-      return wholeNumberField(ui, {row + "_threads", "", "Threads of this stripe", true}, "", 1, room, stripe.threads);
+      return wholeNumberField(ui, {row + "_threads", "", "Threads of this stripe", true}, "", 1, room, stripe.width);
     });
     changed |= cell(row + "w", columns.second, columns.width,
-                    [&] { return widthCell(ui, row, threads.pitch_mm, room, stripe.threads); });
+                    [&] { return widthCell(ui, row, system.pitch_mm, room, stripe.width); });
     ImGui::SameLine(columns.add);
     const Word &add = words::addStripe, &remove = words::removeStripe;
-    if (button(ui, (row + "_add").c_str(), add.label, side, stripe.threads <= kMaxSequence - all, add.help)) added = i;
+    if (button(ui, (row + "_add").c_str(), add.label, side, stripe.width <= kMaxSequence - all, add.help)) added = i;
     ImGui::SameLine(columns.remove);
     if (button(ui, (row + "_remove").c_str(), remove.label, side, rows.stripes.size() > 1, remove.help)) removed = i;
   }
   if (rows.stripes.size() > kMostRows) hint(ui, fmt::format("and {} more", rows.stripes.size() - kMostRows));
   if (added) {
     const Stripe& like = rows.stripes[*added];
-    const Stripe another{(like.yarn + 1) % yarns, like.threads};
+    const Stripe another{(like.yarn + 1) % yarns, like.width};
     rows.stripes.insert(rows.stripes.begin() + static_cast<ptrdiff_t>(*added) + 1, another);
   } else if (removed) {
     rows.stripes.erase(rows.stripes.begin() + static_cast<ptrdiff_t>(*removed));

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/fabric/weave/thread_sequence.h"
+#include "core/fabric/weave/yarn_sequence.h"
 #include "ui/widgets/ui.h"
 
 namespace loomlight {
@@ -13,28 +13,28 @@ namespace loomlight {
 /// order, so that no row goes while its colour is chosen.
 struct StripeRows {
   std::vector<Stripe> stripes;
-  int dragged = -1;     ///< the edge after that stripe is dragged; -1: none
-  float perThread = 0;  ///< pixels of the bar, while an edge is dragged
+  int dragged = -1;   ///< the edge after that stripe is dragged; -1: none
+  float perYarn = 0;  ///< pixels of the bar, while an edge is dragged
 
   /// Those that the order has, where it is another one than these make up.
   void follow(const std::vector<int>& sequence);
 };
 
-/// The threads whose stripes are shown.
-struct StripedThreads {
+/// The ends or picks whose stripes are shown.
+struct StripedSystem {
   const std::vector<ImVec4>& yarnColours;  ///< for the display
   const std::vector<std::string>& yarnNames;
-  double pitch_mm = 1;       ///< between threads
-  const char* threads = "";  ///< what they are called: Ends, or Picks
+  double pitch_mm = 1;    ///< between ends or picks
+  const char* name = "";  ///< what they are called: Ends, or Picks
 };
 
 // Both return the order after an edit; `rows` are up to date.
 
-/// One repeat, as wide as the panel, whose edges can be dragged: one between two stripes gives threads of the one to
+/// One repeat, as wide as the panel, whose edges can be dragged: one between two stripes gives ends of the one to
 /// the other, the last one makes the last stripe wider or narrower.
-std::optional<std::vector<int>> stripeBar(Ui& ui, const StripedThreads& threads, StripeRows& rows);
-/// A line for each stripe: its colour, its threads and its width, any of which can be set, and buttons to add another
-/// one after it and to take it away.
-std::optional<std::vector<int>> stripeTable(Ui& ui, const StripedThreads& threads, StripeRows& rows);
+std::optional<std::vector<int>> stripeBar(Ui& ui, const StripedSystem& system, StripeRows& rows);
+/// A line for each stripe: its colour, its ends or picks and its width, any of which can be set, and buttons to add
+/// another one after it and to take it away.
+std::optional<std::vector<int>> stripeTable(Ui& ui, const StripedSystem& system, StripeRows& rows);
 
 }  // namespace loomlight

@@ -55,7 +55,7 @@ std::string sizeText(const Fabric& fabric, int64_t ends, int64_t picks, bool inc
   return fmt::format("{:.1f} \xC3\x97 {:.1f} mm", width_mm, height_mm);
 }
 
-/// Threads, and below them the size.
+/// Ends and picks, and below them the size.
 void repeatRows(Ui& ui, const Fabric& fabric, const std::string& id, const Word& word, const char* size, int64_t ends,
                 int64_t picks, bool inches) {
   readout(ui, {id + "_threads", word.label, word.help}, fmt::format("{} \xC3\x97 {}", ends, picks));

@@ -77,14 +77,14 @@ nlohmann::ordered_json needsJson(const Fabric& fabric, const Information& of) {
   return json;
 }
 
-/// Threads count from 1, as in a draft.
+/// Ends and picks count from 1, as in a draft.
 nlohmann::ordered_json longFloatsJson(const LongFloats& of) {
   nlohmann::ordered_json json{{"limit_mm", of.limit_mm}, {"count", of.count}};
   json["longest"] = nlohmann::ordered_json::array();
   for (const FloatRun& run : of.longest)
     json["longest"].push_back({{"system", run.system == System::warp ? "warp" : "weft"},
                                {"face", run.onFace},
-                               {"thread", run.thread + 1},
+                               {"thread", run.across + 1},
                                {"first", run.first + 1},
                                {"cells", run.cells},
                                {"endless", run.isEndless},
@@ -208,7 +208,7 @@ void printLongFloats(const LongFloats& of) {
     const FloatRun& run = of.longest[i];
     const bool isWarp = run.system == System::warp;
     line("", fmt::format("{:.2f} mm", run.length_mm),
-         fmt::format("{} {}, from {} {} over {}{}, on the {}", isWarp ? "end" : "pick", run.thread + 1,
+         fmt::format("{} {}, from {} {} over {}{}, on the {}", isWarp ? "end" : "pick", run.across + 1,
                      isWarp ? "pick" : "end", run.first + 1, run.cells, run.isEndless ? ", bound by none" : "",
                      run.onFace ? "face" : "back"));
   }

@@ -33,7 +33,7 @@ void tellFigures(const FabricStats& stats, const ClothMeasures& measures, Status
   const double warp_mm = floatLength_mm(*stats.fabric, System::warp, warp);
   const double weft_mm = floatLength_mm(*stats.fabric, System::weft, weft);
   model.figuresKnown = true;
-  model.unboundThreads = stats.floats.idleEnds + stats.floats.idlePicks;
+  model.unboundYarns = stats.floats.idleEnds + stats.floats.idlePicks;
   model.longestFloat = warp_mm >= weft_mm ? warp : weft;
   model.longestFloat_mm = std::max(warp_mm, weft_mm);
   model.longFloats = stats.longFloats.count;

@@ -20,7 +20,7 @@ TileSize sizeOf(const Fabric& fabric, const TileExtent& extent) {
   size.repeatsDown = extent.picks / fabric.weave.picks();
   size.width_mm = extent.ends * fabric.warpPitch_mm();
   size.height_mm = extent.picks * fabric.weftPitch_mm();
-  size.threadsAlongLonger = 1 / pixelsPerThread(fabric, extent, 1);
+  size.yarnsAlongLonger = 1 / pixelsPerYarn(fabric, extent, 1);
   size.usualSide = usualTileSide(fabric, extent);
   return size;
 }
@@ -56,7 +56,7 @@ bool TileController::draw(Ui& ui, const Fabric& fabric, ViewService& seen) {
   const std::string before = dialog_.file();
   const auto sizes = sizes_.newest();
   const TileDialog::Result result =
-      dialog_.draw(ui, sizes ? *sizes : TileModel{}, kFewestPixelsPerThread, rendering_.progress());
+      dialog_.draw(ui, sizes ? *sizes : TileModel{}, kFewestPixelsPerYarn, rendering_.progress());
   if (dialog_.file() != before) rendering_.forget();
   if (result.cancel) rendering_.cancel();
   if (!result.start || rendering_.isRunning()) return result.chooseFile;

@@ -25,8 +25,8 @@ std::shared_ptr<const PictureSource> sourceOf(const std::string& file, const std
 
 /// The fabric's weave with the picture in it.
 Weave weaveWith(const PictureOrder& order, const Fabric& fabric) {
-  const Raster threads = resampled(order.source->raster, order.ends, order.picks);
-  Weave weave = weaveOf(reduced(threads, order.palette), order.structures);
+  const Raster crossings = resampled(order.source->raster, order.ends, order.picks);
+  Weave weave = weaveOf(reduced(crossings, order.palette), order.structures);
   if (!order.into) return weave;
   return withPart(fabric.weave, order.into->pick, order.into->end, weave);
 }
@@ -58,10 +58,10 @@ void PictureService::weave(PictureOrder order, std::shared_ptr<const Fabric> fab
 void PictureService::preview(PictureOrder order, std::shared_ptr<const Fabric> fabric, std::vector<Rgb> yarnColours,
                              int side) {
   previews_.ask([order = std::move(order), fabric = std::move(fabric), colours = std::move(yarnColours), side] {
-    constexpr int kMostThreads = 2048;  // several for each pixel
+    constexpr int kMostYarns = 2048;  // several for each pixel
     PictureOrder shown = order;
     if (!order.into) {
-      const double fewer = std::min(1.0, static_cast<double>(kMostThreads) / std::max(order.ends, order.picks));
+      const double fewer = std::min(1.0, static_cast<double>(kMostYarns) / std::max(order.ends, order.picks));
       shown.ends = std::max(1, static_cast<int>(fewer * order.ends));
       shown.picks = std::max(1, static_cast<int>(fewer * order.picks));
     }

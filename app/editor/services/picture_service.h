@@ -27,7 +27,7 @@ class PictureService {
   /// In the place of the fabric's weave, or of the crossings that the order is for.
   void weave(PictureOrder order, std::shared_ptr<const Fabric> fabric, const LoomLimits& limits);
   /// The cloth that would come of it in the colours of its yarns (linear), as a draft shows it: `side` pixels a side.
-  /// One that has more threads than the preview has room for is made with fewer.
+  /// One that has more ends or picks than the preview has room for is made with fewer.
   void preview(PictureOrder order, std::shared_ptr<const Fabric> fabric, std::vector<Rgb> yarnColours, int side);
   /// The newest of what was asked for, once.
   std::optional<Pixels8> takePreview();

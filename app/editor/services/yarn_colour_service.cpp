@@ -15,7 +15,8 @@
 namespace loomlight {
 namespace {
 
-/// Whether the walks of one fabric's yarns are those of the other's. Yarns that no thread uses are walked through too.
+/// Whether the walks of one fabric's yarns are those of the other's. Yarns that no end or pick uses are walked through
+/// too.
 bool yarnsWalkedAlike(const Fabric& a, const Fabric& b) {
   if (a.yarns.size() != b.yarns.size() || !walkedAlike(a, b)) return false;
   for (int i = 0; i < static_cast<int>(a.yarns.size()); ++i)

@@ -9,9 +9,9 @@
 namespace loomlight {
 namespace {
 
-int yarnAt(const std::vector<int>& sequence, int thread) {
+int yarnAt(const std::vector<int>& sequence, int index) {
   assert(!sequence.empty());
-  return sequence[wrap(thread, static_cast<int>(sequence.size()))];
+  return sequence[wrap(index, static_cast<int>(sequence.size()))];
 }
 
 }  // namespace

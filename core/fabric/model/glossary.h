@@ -130,7 +130,7 @@ inline constexpr Word backOfCloth{"Back of the cloth", "The cloth and its draft 
 // Colour orders
 inline constexpr Word warpOrder{"Warp order"};
 inline constexpr Word weftOrder{"Weft order"};
-inline constexpr Word threadOrder{
+inline constexpr Word yarnOrder{
     "Order",
     "Which yarns the threads are of, repeating: 4A 2B is four of the first yarn, then two of the second; 3(4A "
     "2B) is that three times. Enter takes it."};

@@ -90,7 +90,7 @@ MadeStructure makeDiamond(const Values& v) {
   return named(std::move(name), diamondTwill(v[0], v[1]));
 }
 
-/// `count` dark threads, as many light ones.
+/// `count` dark yarns, as many light ones.
 Values striped(int count) {
   Values colours(static_cast<size_t>(2 * count), 0);
   std::fill(colours.begin() + count, colours.end(), 1);

@@ -14,7 +14,7 @@ enum class Slant { z, s };
 enum class Face { warp, weft };
 
 Weave plainWeave();
-/// Threads go in groups: `ends` side by side and `picks` side by side, >= 1. Basket 2/2 is basket(2, 2); (1, 2) is a
+/// Yarns go in groups: `ends` side by side and `picks` side by side, >= 1. Basket 2/2 is basket(2, 2); (1, 2) is a
 /// warp rib, (2, 1) a weft rib.
 Weave basket(int ends, int picks);
 /// Each end goes over `over` picks and under `under`, >= 1 both; the next end does the same one pick later.
@@ -45,7 +45,7 @@ Weave crepe();
 /// Pattern picks float in blocks over plain ground picks, on four shafts, after a pointed order of blocks of
 /// `blockEnds` ends, even.
 Weave overshot(int blockEnds);
-/// Two cloths above each other, each a twill (1/1: plain), woven thread by thread in turn.
+/// Two cloths above each other, each a twill (1/1: plain), woven yarn by yarn in turn.
 Weave doubleCloth(int over, int under);
 
 struct Structure {

@@ -1,7 +1,7 @@
 #include "core/fabric/weave/turned_over.h"
 
-#include "core/fabric/weave/thread_sequence.h"
 #include "core/fabric/weave/weave_edit.h"
+#include "core/fabric/weave/yarn_sequence.h"
 
 namespace loomlight {
 

@@ -20,7 +20,7 @@ using Column = std::vector<uint8_t>;  ///< of an end, pick by pick: whether it i
 constexpr int kMostPicks = 99;
 constexpr int64_t kMostCrossings = 1'000'000;  ///< of basic weaves; larger ones are not looked through for a repeat
 
-/// Of the same thread, so many picks later.
+/// Of the same end, so many picks later.
 Column later(const Column& column, int picks) {
   Column shifted = column;
   std::rotate(shifted.rbegin(), shifted.rbegin() + picks, shifted.rend());

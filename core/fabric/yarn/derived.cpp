@@ -9,12 +9,19 @@
 #include "core/fabric/model/yarn_count.h"
 #include "core/fabric/yarn/long_floats.h"
 
+// How it works. What follows from a fabric without its geometry, by the formulas of the trade. Cover (Peirce 1937):
+// K = ends or picks per inch / sqrt(cotton count), 28 where round yarns touch, and for both systems together Kw + Kf
+// - Kw Kf / 28. Floats: each end and pick is a ring of crossings; one pass over the rows counts the runs of all of
+// them at once. Mass: tex times length in a square metre, crimp included. Jamming: Peirce's condition that yarns
+// which touch at every interlacing fill the repeat; above 1 they do not fit. Cost: one pass over the weave for
+// floats and interlacings, one over the sequences for means.
+
 namespace loomlight {
 namespace {
 
-/// Mean of f(yarn, its fibre) over the threads of a system.
+/// Mean of f(yarn, its fibre) over the ends or picks of a system.
 template <class F>
-double meanOverThreads(const Fabric& fabric, System system, F&& f) {
+double meanOverYarns(const Fabric& fabric, System system, F&& f) {
   const std::vector<int>& sequence = system == System::warp ? fabric.warpSequence : fabric.weftSequence;
   double sum = 0;
   for (const int index : sequence) {
@@ -24,7 +31,7 @@ double meanOverThreads(const Fabric& fabric, System system, F&& f) {
   return sum / static_cast<double>(sequence.size());
 }
 
-/// The runs of one thread, met crossing by crossing; the run at the start joins the one at the end.
+/// The runs of one end or pick, met crossing by crossing; the run at the start joins the one at the end.
 class RunCounter {
  public:
   void meet(bool up) {
@@ -36,7 +43,7 @@ class RunCounter {
       length_ = 1;
     }
   }
-  /// Ends the thread. False if it never changed sides.
+  /// Ends it. False if it never changed sides.
   bool finish() {
     if (!changed_) return false;
     if (up_ == firstUp_) {
@@ -75,16 +82,16 @@ class RunCounter {
 
 CoverFactors coverFactors(const Fabric& fabric) {
   constexpr double kClosed = 28;
-  // K = threads per inch / sqrt(Ne) with Ne = 590.5 / T.
+  // K = ends or picks per inch / sqrt(Ne) with Ne = 590.5 / T.
   const auto factor = [&](System system, double threads_per_cm) {
-    return 2.54 * threads_per_cm * meanOverThreads(fabric, system, [](const Yarn& yarn, const Fibre& fibre) {
+    return 2.54 * threads_per_cm * meanOverYarns(fabric, system, [](const Yarn& yarn, const Fibre& fibre) {
              return std::sqrt(1.0 / countFromTex(yarnCount_tex(yarn, fibre), CountSystem::cotton));
            });
   };
   CoverFactors k;
   k.warp = factor(System::warp, fabric.ends_per_cm);
   k.weft = factor(System::weft, fabric.picks_per_cm);
-  // Threads that touch cover all there is: those that are closer lie over each other.
+  // Yarns that touch cover all there is: those that are closer lie over each other.
   const double warp = std::min(k.warp, kClosed), weft = std::min(k.weft, kClosed);
   k.cloth = warp + weft - warp * weft / kClosed;
   k.fraction = k.cloth / kClosed;
@@ -149,11 +156,11 @@ Binding binding(const Weave& weave) {
 }
 
 double meanCount_tex(const Fabric& fabric, System system) {
-  return meanOverThreads(fabric, system, yarnCount_tex);
+  return meanOverYarns(fabric, system, yarnCount_tex);
 }
 
 double meanDiameter_mm(const Fabric& fabric, System system) {
-  return meanOverThreads(fabric, system, yarnDiameter_mm);
+  return meanOverYarns(fabric, system, yarnDiameter_mm);
 }
 
 double arealMass_g_m2(const Fabric& fabric, double crimpWarp, double crimpWeft) {
@@ -183,7 +190,7 @@ std::vector<std::string> warnings(const Fabric& fabric, const Floats& floats, co
     said.push_back(
         fmt::format("The sett is jammed: {:.3g} ends and {:.3g} picks per cm are closer than these yarns fit.",
                     fabric.ends_per_cm, fabric.picks_per_cm));
-  // Threads that nothing binds are told of below.
+  // Ends and picks that nothing binds are told of below.
   const int64_t bound = tooLong.count - floats.idleEnds - floats.idlePicks;
   const double longest_mm = std::max(floatLength_mm(fabric, System::warp, floats.warp()),
                                      floatLength_mm(fabric, System::weft, floats.weft()));

@@ -8,8 +8,8 @@
 
 namespace loomlight {
 
-/// Peirce's cover factors: threads per inch over the square root of the cotton count, averaged over the yarn sequences.
-/// At 28 round threads touch; most cloths lie near 12 each way.
+/// Peirce's cover factors: ends or picks per inch over the square root of the cotton count, averaged over the yarn
+/// sequences. At 28 round yarns touch; most cloths lie near 12 each way.
 struct CoverFactors {
   double warp = 0;
   double weft = 0;
@@ -19,7 +19,8 @@ struct CoverFactors {
 CoverFactors coverFactors(const Fabric& fabric);
 
 /// Longest floats of a weave, in crossings; the repeat goes on for ever, so floats run on over its edges. A warp float
-/// lies on the face where the warp is over. Threads that never change sides have no float: they are counted apart.
+/// lies on the face where the warp is over. Ends and picks that never change sides have no float: they are counted
+/// apart.
 struct Floats {
   int warpFace = 0;
   int warpBack = 0;
@@ -42,7 +43,8 @@ struct CrossingShape {
 };
 CrossingShape crossingShape(const Fabric& fabric);
 
-/// Until weave and order of colours repeat together: threads of the pattern. The smallest number that both divide.
+/// Until weave and order of colours repeat together: ends or picks of the pattern. The smallest number that both
+/// divide.
 int64_t patternEnds(const Fabric& fabric);
 int64_t patternPicks(const Fabric& fabric);
 
@@ -61,8 +63,8 @@ double meanCount_tex(const Fabric& fabric, System system);
 /// Mean diameter of a system's yarns over its sequence, as if they were round, mm.
 double meanDiameter_mm(const Fabric& fabric, System system);
 
-/// Mass of a square metre, g: 0.1 (n1 T1 (1 + c1) + n2 T2 (1 + c2)), threads per cm and tex. The crimps are what the
-/// geometry measures, or a guess.
+/// Mass of a square metre, g: 0.1 (n1 T1 (1 + c1) + n2 T2 (1 + c2)), ends and picks per cm and tex. The crimps are what
+/// the geometry measures, or a guess.
 double arealMass_g_m2(const Fabric& fabric, double crimpWarp, double crimpWeft);
 
 /// How close the sett is to the closest that the yarns allow, by Peirce's geometry of round yarns that touch: at 1 the
@@ -71,7 +73,7 @@ double arealMass_g_m2(const Fabric& fabric, double crimpWarp, double crimpWeft);
 double jamming(const Fabric& fabric);
 
 struct LongFloats;
-/// What a weaver would object to, in plain words: jammed sett, floats longer than they may be, threads with no
+/// What a weaver would object to, in plain words: jammed sett, floats longer than they may be, yarns with no
 /// interlacing. `floats` and `tooLong`: of this fabric.
 std::vector<std::string> warnings(const Fabric& fabric, const Floats& floats, const LongFloats& tooLong);
 

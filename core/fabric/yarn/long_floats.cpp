@@ -4,8 +4,8 @@
 
 #include "core/fabric/yarn/derived.h"
 
-// How it works. Every thread is a ring of crossings, cut where it changes sides: each part is a float, whose length
-// follows from the sett. The longest are kept by cutting a growing list down to a few now and then, so that a
+// How it works. Every end and pick is a ring of crossings, cut where it changes sides: each part is a float, whose
+// length follows from the sett. The longest are kept by cutting a growing list down to a few now and then, so that a
 // jacquard of millions of floats takes no more memory than a plain cloth.
 
 namespace loomlight {
@@ -30,7 +30,7 @@ bool comesFirst(const FloatRun& a, const FloatRun& b) {
   if (a.isEndless != b.isEndless) return a.isEndless;
   if (a.length_mm != b.length_mm) return a.length_mm > b.length_mm;
   if (a.system != b.system) return a.system < b.system;
-  return a.thread != b.thread ? a.thread < b.thread : a.first < b.first;
+  return a.across != b.across ? a.across < b.across : a.first < b.first;
 }
 
 }  // namespace
@@ -61,12 +61,12 @@ LongFloats longFloats(const Fabric& fabric, double limit_mm) {
   const FloatLimits limits = floatLimits(fabric, limit_mm);
   LongFloats found;
   found.limit_mm = limit_mm;
-  const auto noteOf = [&](System system, int thread) {
+  const auto noteOf = [&](System system, int across) {
     const int most = system == System::warp ? limits.warp : limits.weft;
-    return [&found, &fabric, system, thread, most](int first, int cells, bool up, bool isEndless) {
+    return [&found, &fabric, system, across, most](int first, int cells, bool up, bool isEndless) {
       if (!isEndless && cells <= most) return;
       ++found.count;
-      found.longest.push_back({system, up == (system == System::warp), thread, first, cells, isEndless,
+      found.longest.push_back({system, up == (system == System::warp), across, first, cells, isEndless,
                                floatLength_mm(fabric, system, cells)});
       if (found.longest.size() < 4 * LongFloats::kMostListed) return;
       std::partial_sort(found.longest.begin(), found.longest.begin() + LongFloats::kMostListed, found.longest.end(),

@@ -21,8 +21,8 @@ Fabric withYarn(Fabric fabric, int index, Yarn yarn, Fibre fibre);
 /// gets a fibre of its own where there is room for one; its name is not that of the old one, which it is not.
 Fabric withYarnCopied(Fabric fabric, int index);
 
-/// The fabric without a yarn that no thread uses, and without the fibres that were spun for it alone, in no colourway
-/// either.
+/// The fabric without a yarn that no end or pick uses, and without the fibres that were spun for it alone, in no
+/// colourway either.
 Fabric withoutYarn(Fabric fabric, int index);
 
 /// The fabric with another fibre in the place of that yarn's first, or added where other yarns are spun of it too;

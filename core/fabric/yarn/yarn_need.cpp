@@ -7,11 +7,11 @@
 namespace loomlight {
 namespace {
 
-/// How often each yarn comes among the first `threads` of a sequence.
-std::vector<double> threadsOfYarns(const std::vector<int>& sequence, double threads, size_t yarns) {
+/// How often each yarn comes among the first `count` of a sequence.
+std::vector<double> countsOfYarns(const std::vector<int>& sequence, double count, size_t yarns) {
   std::vector<double> counts(yarns, 0);
   const auto period = static_cast<double>(sequence.size());
-  const double whole = std::floor(threads / period), rest = threads - whole * period;
+  const double whole = std::floor(count / period), rest = count - whole * period;
   for (size_t i = 0; i < sequence.size(); ++i)
     counts[static_cast<size_t>(sequence[i])] += whole + (static_cast<double>(i) < rest ? 1 : 0);
   return counts;
@@ -25,9 +25,9 @@ std::vector<YarnNeed> yarnNeed(const Fabric& fabric, const PieceSize& piece, dou
   const double picks = std::round(100 * piece.length_m * fabric.picks_per_cm);
   const MillData& mill = fabric.mill;
   const double selvedges = 2.0 * mill.selvedgeEnds;
-  std::vector<double> warp = threadsOfYarns(fabric.warpSequence, ends + (mill.selvedgeYarn ? 0 : selvedges), yarns);
+  std::vector<double> warp = countsOfYarns(fabric.warpSequence, ends + (mill.selvedgeYarn ? 0 : selvedges), yarns);
   if (mill.selvedgeYarn) warp[static_cast<size_t>(*mill.selvedgeYarn)] += selvedges;
-  const std::vector<double> weft = threadsOfYarns(fabric.weftSequence, picks, yarns);
+  const std::vector<double> weft = countsOfYarns(fabric.weftSequence, picks, yarns);
   std::vector<YarnNeed> needs(yarns);
   for (size_t i = 0; i < yarns; ++i) {
     const Yarn& yarn = fabric.yarns[i];

@@ -19,8 +19,8 @@ struct YarnNeed {
   double mass_kg = 0;
 };
 
-/// Of every yarn of the fabric: its threads, counted along the sequences from the first end and pick, each as long as
-/// the piece and its crimp (ClothMeasures); and the ends of its selvedges.
+/// Of every yarn of the fabric: its ends and picks, counted along the sequences from the first end and pick, each as
+/// long as the piece and its crimp (ClothMeasures); and the ends of its selvedges.
 std::vector<YarnNeed> yarnNeed(const Fabric& fabric, const PieceSize& piece, double crimpWarp, double crimpWeft);
 
 }  // namespace loomlight

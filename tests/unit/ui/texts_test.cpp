@@ -3,34 +3,34 @@
 #include <tuple>
 
 #include "core/base/error.h"
-#include "core/fabric/weave/thread_order.h"
+#include "core/fabric/weave/yarn_order.h"
 #include "ui/inspector/count_text.h"
 #include "ui/widgets/number_text.h"
 
 namespace loomlight {
 namespace {
 
-TEST(ThreadOrder, ReadsBackWhatItWrites) {
+TEST(YarnOrder, ReadsBackWhatItWrites) {
   const std::vector<int> sequences[] = {{0}, {0, 0, 0, 1, 1}, {2, 0, 2, 2}, {25, 26, 26, 51, 0}};
   for (const std::vector<int>& sequence : sequences)
-    EXPECT_EQ(threadOrderFromText(threadOrderText(sequence), 64, 100), sequence) << threadOrderText(sequence);
+    EXPECT_EQ(yarnOrderFromText(yarnOrderText(sequence), 64, 100), sequence) << yarnOrderText(sequence);
 }
 
-TEST(ThreadOrder, ReadsWhatWeaversWrite) {
-  EXPECT_EQ(threadOrderFromText(" 2a b,3C ", 3, 100), (std::vector<int>{0, 0, 1, 2, 2, 2}));
-  EXPECT_EQ(threadOrderFromText("4A2B", 2, 100), (std::vector<int>{0, 0, 0, 0, 1, 1}));
+TEST(YarnOrder, ReadsWhatWeaversWrite) {
+  EXPECT_EQ(yarnOrderFromText(" 2a b,3C ", 3, 100), (std::vector<int>{0, 0, 1, 2, 2, 2}));
+  EXPECT_EQ(yarnOrderFromText("4A2B", 2, 100), (std::vector<int>{0, 0, 0, 0, 1, 1}));
 }
 
-TEST(ThreadOrder, GroupsRepeat) {
-  EXPECT_EQ(threadOrderFromText("2(A 2B) C", 3, 100), (std::vector<int>{0, 1, 1, 0, 1, 1, 2}));
-  EXPECT_EQ(threadOrderFromText("2 ( 2(A B)C )", 3, 100), (std::vector<int>{0, 1, 0, 1, 2, 0, 1, 0, 1, 2}));
+TEST(YarnOrder, GroupsRepeat) {
+  EXPECT_EQ(yarnOrderFromText("2(A 2B) C", 3, 100), (std::vector<int>{0, 1, 1, 0, 1, 1, 2}));
+  EXPECT_EQ(yarnOrderFromText("2 ( 2(A B)C )", 3, 100), (std::vector<int>{0, 1, 0, 1, 2, 0, 1, 0, 1, 2}));
   for (const char* text : {"2(A", "A)", "()", "3()", "99(2A)", "9999999(9999999(9999999A))", "((((((((((A))))))))))"})
-    EXPECT_THROW(threadOrderFromText(text, 2, 100), InputError) << text;
+    EXPECT_THROW(yarnOrderFromText(text, 2, 100), InputError) << text;
 }
 
-TEST(ThreadOrder, RefusesWhatIsNone) {
+TEST(YarnOrder, RefusesWhatIsNone) {
   for (const char* text : {"", "   ", "4", "0A", "4C", "4A ?", "99999999999A", "AAAAAAAAAAAAAAAAAAAAAAAA", "101A"})
-    EXPECT_THROW(threadOrderFromText(text, 2, 100), InputError) << text;
+    EXPECT_THROW(yarnOrderFromText(text, 2, 100), InputError) << text;
 }
 
 void expectCount(const char* text, double tex, std::optional<int> plies, CountSystem usual = CountSystem::tex) {

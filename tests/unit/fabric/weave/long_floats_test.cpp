@@ -52,9 +52,9 @@ TEST(LongFloats, OfAWarpSatinTheWeftFloatsOnTheBack) {
     EXPECT_EQ(run.system, System::weft);
     EXPECT_FALSE(run.onFace);
     EXPECT_EQ(run.cells, 7);
-    EXPECT_TRUE(fabric.weave.warpOver(run.thread, run.first));
-    EXPECT_FALSE(fabric.weave.warpOver(run.thread, run.first - 1)) << "nothing binds it there";
-    EXPECT_FALSE(fabric.weave.warpOver(run.thread, run.first + run.cells));
+    EXPECT_TRUE(fabric.weave.warpOver(run.across, run.first));
+    EXPECT_FALSE(fabric.weave.warpOver(run.across, run.first - 1)) << "nothing binds it there";
+    EXPECT_FALSE(fabric.weave.warpOver(run.across, run.first + run.cells));
   }
 }
 
@@ -63,8 +63,8 @@ TEST(LongFloats, AThreadThatNothingBindsComesFirst) {
   const LongFloats found = longFloats(fabric, 50);
   ASSERT_EQ(found.count, 2) << "the first and the last end";
   EXPECT_TRUE(found.longest[0].isEndless);
-  EXPECT_EQ(found.longest[0].thread, 0);
-  EXPECT_EQ(found.longest[1].thread, 3);
+  EXPECT_EQ(found.longest[0].across, 0);
+  EXPECT_EQ(found.longest[1].across, 3);
 }
 
 TEST(LongFloats, OfManyTheLongestAreListed) {
@@ -77,7 +77,7 @@ TEST(LongFloats, OfManyTheLongestAreListed) {
   const LongFloats found = longFloats(fabric, 0.6);
   EXPECT_GT(found.count, 100000);
   EXPECT_EQ(found.longest.size(), LongFloats::kMostListed);
-  EXPECT_EQ(found.longest.front().thread, 7);
+  EXPECT_EQ(found.longest.front().across, 7);
   EXPECT_GE(found.longest.front().cells, 20);
 }
 

@@ -1,8 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/fabric/weave/thread_order.h"
-#include "core/fabric/weave/thread_sequence.h"
+#include "core/fabric/weave/yarn_order.h"
+#include "core/fabric/weave/yarn_sequence.h"
 
 namespace loomlight {
 namespace {
@@ -21,9 +21,9 @@ TEST(Stripes, TheLastOneIsMadeLongerToRepeatWithTheWeave) {
   EXPECT_THAT(balanced({0, 1, 1}, 1), ElementsAre(0, 1, 1));
 }
 
-TEST(ThreadOrder, GroupsStayGroups) {
+TEST(YarnOrder, GroupsStayGroups) {
   for (const char* text : {"4(2A 2B) 3A 4B", "10A 2B 8C 2B 6D 2B 8E 2B", "2(3(A B) 4C)", "6A 4B", "3(4A 2B)"})
-    EXPECT_EQ(threadOrderText(threadOrderFromText(text, 5, 1000)), text);
+    EXPECT_EQ(yarnOrderText(yarnOrderFromText(text, 5, 1000)), text);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "core/fabric/weave/thread_order.h"
+#include "core/fabric/weave/yarn_order.h"
 
 #include <fmt/core.h>
 
@@ -8,8 +8,14 @@
 #include <span>
 
 #include "core/base/error.h"
-#include "core/fabric/weave/thread_sequence.h"
+#include "core/fabric/weave/yarn_sequence.h"
 #include "core/fabric/yarn/yarn_name.h"
+
+// How it works. An order is a list of runs (4A) and groups (3(4A 2B)), read by recursive descent: a group is written
+// out where its bracket closes, and what would be too long is refused before it takes memory. Yarns are lettered
+// like columns of a spreadsheet: A to Z, then AA. An order is written from the left: the group of up to 64 runs that
+// leaves least to be written comes next, its inside likewise; where none repeats, one run. That text need not be the
+// shortest, but reads back as the same order. Cost: for each run, up to 64 comparisons of what follows.
 
 namespace loomlight {
 namespace {
@@ -17,8 +23,8 @@ namespace {
 /// Runs and groups of runs, read from the left.
 class OrderReader {
  public:
-  OrderReader(std::string_view text, int yarnCount, size_t maxThreads)
-      : at_(text.data()), end_(text.data() + text.size()), yarnCount_(yarnCount), maxThreads_(maxThreads) {}
+  OrderReader(std::string_view text, int yarnCount, size_t most)
+      : at_(text.data()), end_(text.data() + text.size()), yarnCount_(yarnCount), most_(most) {}
 
   std::vector<int> read() {
     std::vector<int> sequence = group(0);
@@ -47,8 +53,8 @@ class OrderReader {
       } else {
         part = {yarn()};
       }
-      if (count * part.size() > maxThreads_ - sequence.size())
-        throw InputError(fmt::format("expected at most {} threads", maxThreads_));
+      if (count * part.size() > most_ - sequence.size())
+        throw InputError(fmt::format("expected at most {} threads", most_));
       for (size_t i = 0; i < count; ++i) sequence.insert(sequence.end(), part.begin(), part.end());
     }
     return sequence;
@@ -60,7 +66,7 @@ class OrderReader {
     int count = 0;
     const auto [next, error] = std::from_chars(at_, end_, count);
     if (error != std::errc() || count < 1)
-      throw InputError(fmt::format("expected a number from 1 to {} before a yarn's letter", maxThreads_));
+      throw InputError(fmt::format("expected a number from 1 to {} before a yarn's letter", most_));
     at_ = next;
     skipBlanks();
     return static_cast<size_t>(count);
@@ -82,7 +88,7 @@ class OrderReader {
   const char* at_;
   const char* const end_;
   int yarnCount_;
-  size_t maxThreads_;
+  size_t most_;
 };
 
 /// Runs that come again and again one after the other.
@@ -112,8 +118,8 @@ std::string textOf(std::span<const Stripe> runs) {
     const Group group = groupAt(runs.subspan(i));
     if (group.times > 1)
       text += fmt::format("{}({})", group.times, textOf(runs.subspan(i, group.runs)));
-    else if (runs[i].threads > 1)
-      text += std::to_string(runs[i].threads) + yarnLetters(runs[i].yarn);
+    else if (runs[i].width > 1)
+      text += std::to_string(runs[i].width) + yarnLetters(runs[i].yarn);
     else
       text += yarnLetters(runs[i].yarn);
     i += group.runs * group.times;
@@ -123,13 +129,13 @@ std::string textOf(std::span<const Stripe> runs) {
 
 }  // namespace
 
-std::string threadOrderText(const std::vector<int>& sequence) {
+std::string yarnOrderText(const std::vector<int>& sequence) {
   const std::vector<Stripe> runs = stripesOf(sequence);
   return textOf(runs);
 }
 
-std::vector<int> threadOrderFromText(std::string_view text, int yarnCount, int maxThreads) {
-  return OrderReader(text, yarnCount, static_cast<size_t>(maxThreads)).read();
+std::vector<int> yarnOrderFromText(std::string_view text, int yarnCount, int most) {
+  return OrderReader(text, yarnCount, static_cast<size_t>(most)).read();
 }
 
 }  // namespace loomlight

@@ -1,4 +1,4 @@
-#include "core/fabric/weave/thread_sequence.h"
+#include "core/fabric/weave/yarn_sequence.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace {
 
 using Sequence = std::vector<int>;
 
-TEST(ThreadSequence, MirrorsOnItsOutermostThreads) {
+TEST(YarnSequence, MirrorsOnItsOutermostThreads) {
   EXPECT_EQ(mirrored({0, 1, 2}), (Sequence{0, 1, 2, 1}));
   EXPECT_EQ(mirrored({0, 0, 1, 2}), (Sequence{0, 0, 1, 2, 1, 0}));
   EXPECT_EQ(mirrored({0, 1}), (Sequence{0, 1}));

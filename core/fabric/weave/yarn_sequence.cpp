@@ -1,4 +1,4 @@
-#include "core/fabric/weave/thread_sequence.h"
+#include "core/fabric/weave/yarn_sequence.h"
 
 #include <algorithm>
 #include <cassert>
@@ -55,15 +55,14 @@ std::vector<Stripe> stripesOf(const std::vector<int>& sequence) {
   std::vector<Stripe> stripes;
   for (const int yarn : sequence) {
     if (stripes.empty() || stripes.back().yarn != yarn) stripes.push_back({yarn, 0});
-    ++stripes.back().threads;
+    ++stripes.back().width;
   }
   return stripes;
 }
 
 std::vector<int> sequenceOf(const std::vector<Stripe>& stripes) {
   std::vector<int> sequence;
-  for (const Stripe& stripe : stripes)
-    sequence.insert(sequence.end(), static_cast<size_t>(stripe.threads), stripe.yarn);
+  for (const Stripe& stripe : stripes) sequence.insert(sequence.end(), static_cast<size_t>(stripe.width), stripe.yarn);
   return sequence;
 }
 
@@ -75,17 +74,17 @@ std::vector<int> balanced(std::vector<int> sequence, int repeat) {
 }
 
 std::vector<int> randomStripes(const std::vector<double>& weights, const StripeChance& chance) {
-  assert(chance.threads >= 1 && chance.narrowest >= 1 && chance.narrowest <= chance.widest);
+  assert(chance.length >= 1 && chance.narrowest >= 1 && chance.narrowest <= chance.widest);
   assert(std::accumulate(weights.begin(), weights.end(), 0.0) > 0);
   Random random(chance.seed);
-  const auto threads = static_cast<size_t>(chance.threads);
+  const auto length = static_cast<size_t>(chance.length);
   std::vector<int> sequence;
   int yarn = -1;
-  while (sequence.size() < threads) {
+  while (sequence.size() < length) {
     yarn = drawYarn(weights, yarn, random);
     const auto width = static_cast<size_t>(chance.narrowest) +
                        random.below(static_cast<uint32_t>(chance.widest - chance.narrowest + 1));
-    sequence.insert(sequence.end(), std::min(width, threads - sequence.size()), yarn);
+    sequence.insert(sequence.end(), std::min(width, length - sequence.size()), yarn);
   }
   return sequence;
 }
