@@ -17,6 +17,12 @@
 #include "core/base/hash.h"
 #include "core/base/utf8.h"
 
+// How it works. A file is written beside the one that it replaces, under a name of its own, brought to the disk
+// (fsync), and takes its place by a rename, after which the folder is brought to the disk too: whatever happens,
+// either the whole old file is there or the whole new one. Links are followed, permissions are kept, and where
+// writing is stopped or fails, nothing is left behind. Reading is bounded, and refuses what is no regular file: a
+// pipe would hang.
+
 namespace loomlight {
 namespace {
 

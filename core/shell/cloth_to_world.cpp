@@ -4,6 +4,11 @@
 #include <cmath>
 #include <limits>
 
+// How it works. The prisms of a shell are sorted by counting into a grid over the plane of the texture, with about
+// one cell for each. A point of cloth space is looked for in the prisms of its cell: of all their tetrahedra the one
+// that it lies deepest in is its own, so that points in a face are not lost to rounding. A flat piece is a
+// translation. Lengths are in mm. Cost: a few tetrahedra for each point.
+
 namespace loomlight {
 namespace {
 

@@ -6,6 +6,11 @@
 
 #include "render/light/lat_long.h"
 
+// How it works. Light is sampled from the sun with a chance as large as its share of the power, else from a table of
+// the sky's luminance (SphereTable); what is sampled is weighted by the density of both together (Veach 1997,
+// one-sample model). The sun is a cap of a quarter of a degree; its cosine has no digits left there, so it is
+// measured by the chord. Cost: one search in the table.
+
 namespace loomlight {
 namespace {
 

@@ -6,6 +6,11 @@
 #include "render/scene/fibre_bricks.h"
 #include "render/scene/fibre_bvh.h"
 
+// How it works. Among the fibres of a piece that is laid as a whole, a ray is one query of its tree, in world space.
+// Among bricks, a ray goes through the shell, in each tetrahedron of which it is straight in cloth space too, with
+// the path parameter unchanged; there the bricks of each cell are asked, and what is met is bent back into the
+// world: tangents by the drape, normals by its inverse transpose.
+
 namespace loomlight {
 namespace {
 

@@ -184,6 +184,36 @@ void tellProbe(Ui& ui, const DraftView& view, const Draft* draft, const DraftFra
   ui.probe.fact("draft.selection", s ? fmt::format("{} {} {} {}", s->pick, s->end, s->picks, s->ends) : "none");
 }
 
+/// What is under the mouse, in words: a crossing, a yarn of a bar, or a part of the draft.
+std::string underMouse(const Fabric& fabric, const Draft* draft, const DraftView& view, const DraftFrame& frame,
+                       const DraftLayout& layout) {
+  if (view.hovered) {
+    const CrossingIndex c = inRepeat(*view.hovered, fabric.weave);
+    return fmt::format("end {}, pick {}", c.end + 1, c.pick + 1);
+  }
+  std::string under = barUnderMouse(fabric, view.yarnNames, frame, layout);
+  return under.empty() && draft ? partUnderMouse(*draft, frame, layout) : under;
+}
+
+/// The drawdown with its bars and rulers, and what is marked in it. `lit`: the crossing that is seen in the picture.
+void drawCanvas(Ui& ui, const Fabric& shown, const std::vector<ImVec4>& yarnColours,
+                const DraftPreferences& preferences, const DraftView& view, const DraftFrame& frame,
+                const DraftLayout& layout, std::optional<CrossingIndex> lit) {
+  drawWeave(ui, shown, yarnColours, frame, view.inColour, view.marksFloats ? preferences.longFloat_mm : 0);
+  drawBar(ui, shown, yarnColours, frame, System::warp, layout.warpBar);
+  drawBar(ui, shown, yarnColours, frame, System::weft, layout.weftBar);
+  if (preferences.rulers) {
+    drawRuler(ui, shown, frame, System::weft, preferences.inches, layout.endRuler);
+    drawRuler(ui, shown, frame, System::warp, preferences.inches, layout.pickRuler);
+  }
+  ImGui::GetWindowDrawList()->PushClipRect(layout.cloth.min, layout.cloth.max, true);
+  if (view.selection) drawSelection(ui, frame, *view.selection);
+  if (view.marksFloats && view.chosenFloat) ringFloat(ui, frame, *view.chosenFloat);
+  if (view.hovered && view.stroke == DraftView::Stroke::none) ringCrossing(ui, frame, *view.hovered);
+  if (lit) ringCrossing(ui, frame, *lit);
+  ImGui::GetWindowDrawList()->PopClipRect();
+}
+
 }  // namespace
 
 std::optional<Fabric> draftCanvas(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& yarnColours, int brushYarn,
@@ -214,14 +244,7 @@ std::optional<Fabric> draftCanvas(Ui& ui, const Fabric& fabric, const std::vecto
   }
   view.hovered.reset();
   if (hovered) view.hovered = frame.at(ImGui::GetIO().MousePos);
-  std::string place;
-  if (hovered) {
-    const CrossingIndex c = inRepeat(*view.hovered, fabric.weave);
-    place = fmt::format("end {}, pick {}", c.end + 1, c.pick + 1);
-  } else {
-    place = barUnderMouse(fabric, view.yarnNames, frame, layout);
-    if (place.empty() && draft) place = partUnderMouse(*draft, frame, layout);
-  }
+  std::string under = underMouse(fabric, draft, view, frame, layout);
 
   if (!edited) edited = barStroke(ui, fabric, view, frame, System::warp, layout.warpBar, brushYarn);
   if (!edited) edited = barStroke(ui, fabric, view, frame, System::weft, layout.weftBar, brushYarn);
@@ -233,27 +256,16 @@ std::optional<Fabric> draftCanvas(Ui& ui, const Fabric& fabric, const std::vecto
     }
 
   const Fabric& shown = edited ? *edited : fabric;
-  drawWeave(ui, shown, yarnColours, frame, view.inColour, view.marksFloats ? preferences.longFloat_mm : 0);
-  drawBar(ui, shown, yarnColours, frame, System::warp, layout.warpBar);
-  drawBar(ui, shown, yarnColours, frame, System::weft, layout.weftBar);
-  if (preferences.rulers) {
-    drawRuler(ui, shown, frame, System::weft, preferences.inches, layout.endRuler);
-    drawRuler(ui, shown, frame, System::warp, preferences.inches, layout.pickRuler);
-  }
-  ImGui::GetWindowDrawList()->PushClipRect(cloth.min, cloth.max, true);
-  if (view.selection) drawSelection(ui, frame, *view.selection);
-  if (view.marksFloats && view.chosenFloat) ringFloat(ui, frame, *view.chosenFloat);
-  if (hovered && view.stroke == DraftView::Stroke::none) ringCrossing(ui, frame, *view.hovered);
-  if (lit) ringCrossing(ui, frame, inRepeat(*lit, fabric.weave));
-  ImGui::GetWindowDrawList()->PopClipRect();
+  if (lit) lit = inRepeat(*lit, fabric.weave);
+  drawCanvas(ui, shown, yarnColours, preferences, view, frame, layout, lit);
   tellProbe(ui, view, draftBeside(shown, preferences, view), frame);
 
   ImGui::SetCursorScreenPos(ImVec2(corner.x, corner.y + size.y));
   const std::string& became = remark.empty() ? view.remark : remark;
-  if (place.empty() && became.empty() && view.marksFloats)
-    place = view.chosenFloat ? floatText(*view.chosenFloat)
+  if (under.empty() && became.empty() && view.marksFloats)
+    under = view.chosenFloat ? floatText(*view.chosenFloat)
                              : fmt::format("marked: floats longer than {:.1f} mm", preferences.longFloat_mm);
-  sayLine(ui, view, place, became);
+  sayLine(ui, view, under, became);
   return edited;
 }
 

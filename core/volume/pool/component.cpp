@@ -1,5 +1,10 @@
 #include "core/volume/pool/component.h"
 
+// How it works. A direction is projected onto the octahedron |x| + |y| + |z| = 1 and unfolded into a square (Meyer
+// et al. 2010), of which the upper half is enough for lines. The map is not conformal, so that of the four codes
+// around a direction the nearest is taken (Cigolle et al. 2014). A length density is the upper bits of a float,
+// rounded. Eight are encoded side by side. Cost: some hundred vector operations for eight.
+
 namespace loomlight {
 namespace {
 
