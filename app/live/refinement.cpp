@@ -99,7 +99,7 @@ Refinement::Pass Refinement::beginPass() const {
   const uint32_t more = plan.divider == 1 ? plan.samples - history_.samples : 1;
   const double seconds = static_cast<double>(all.width) * all.height * more * history_.secondsPerPath;
   const bool split = begun() && seconds > 2 * passBudget_s(history_);
-  return {plan, Buckets(all, split ? std::max(kSmallestBucket, kBucket / plan.divider) : 0)};
+  return {plan, PictureBuckets(all, split ? std::max(kSmallestBucket, kBucket / plan.divider) : 0)};
 }
 
 bool Refinement::advance(const Task& task) {

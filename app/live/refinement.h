@@ -7,8 +7,8 @@
 
 #include "app/live/pass_scheduler.h"
 #include "core/base/task.h"
-#include "render/display/buckets.h"
 #include "render/display/frame.h"
+#include "render/display/picture_buckets.h"
 #include "render/display/stand_in.h"
 #include "render/media/medium.h"
 #include "render/scene/scene.h"
@@ -87,7 +87,7 @@ class Refinement {
   /// A pass under way: what is to be done, and how far it is.
   struct Pass {
     PassPlan plan;
-    Buckets buckets;
+    PictureBuckets buckets;
   };
 
   Film& filmFor(int divider);

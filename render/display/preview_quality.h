@@ -15,7 +15,7 @@ namespace loomlight {
 /// | bricks of another phase      | ClothVolume::build() with a PreviewSink | sketch     | likewise                  |
 /// | scenes of these              | makeScene() with ScenePreviews          | sketch     | the scene is there        |
 /// | fewer pixels                 | nextPass(), Frame::divider              | coarse     | the first full pass       |
-/// | buckets of a pass            | Buckets, Refinement                     | coarse     | the pass is done          |
+/// | buckets of a pass            | PictureBuckets, Refinement              | coarse     | the pass is done          |
 /// | patches in the clear picture | patched(), where crossings were turned  | coarse+    | the new one is as clear   |
 /// | the clear picture, reframed  | reframed() to the viewport's new size   | coarse+    | likewise                  |
 /// | the same in other colours    | recolour(), from PathRecords            | recoloured | the new one is as clear   |

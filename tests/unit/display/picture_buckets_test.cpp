@@ -1,4 +1,4 @@
-#include "render/display/buckets.h"
+#include "render/display/picture_buckets.h"
 
 #include <gtest/gtest.h>
 
@@ -9,12 +9,12 @@ namespace {
 
 constexpr PixelRect kWindow{10, 20, 100, 70};
 
-TEST(Buckets, CoverTheWindowOnceFromTheMiddleOutwards) {
+TEST(PictureBuckets, CoverTheWindowOnceFromTheMiddleOutwards) {
   for (const int side : {0, 7, 32, 1000}) {
     SCOPED_TRACE(side);
     std::vector<int> times(static_cast<size_t>(kWindow.width) * kWindow.height);
     double last = 0;
-    for (Buckets buckets(kWindow, side); !buckets.finished(); buckets.finishNext()) {
+    for (PictureBuckets buckets(kWindow, side); !buckets.finished(); buckets.finishNext()) {
       const PixelRect bucket = buckets.next();
       const double x = bucket.x + 0.5 * bucket.width - (kWindow.x + 0.5 * kWindow.width);
       const double y = bucket.y + 0.5 * bucket.height - (kWindow.y + 0.5 * kWindow.height);
@@ -29,9 +29,9 @@ TEST(Buckets, CoverTheWindowOnceFromTheMiddleOutwards) {
 }
 
 // What is done fades into what is not: no step between neighbours is more than the ramp's, and nothing is shown early.
-TEST(Buckets, HaveNoSharpBorders) {
+TEST(PictureBuckets, HaveNoSharpBorders) {
   constexpr int kSide = 32;
-  Buckets buckets(kWindow, kSide);
+  PictureBuckets buckets(kWindow, kSide);
   const auto isDone = [&](int x, int y, const std::vector<PixelRect>& done) {
     for (const PixelRect& p : done)
       if (x >= p.x && x < p.x + p.width && y >= p.y && y < p.y + p.height) return true;

@@ -7,10 +7,10 @@
 namespace loomlight {
 
 /// A window that is traced in square buckets, from the middle outwards: that is where one looks.
-class Buckets {
+class PictureBuckets {
  public:
   /// `side`: of a bucket, pixels; those at the right and the bottom may be smaller. A side of 0: all in one.
-  Buckets(const PixelRect& window, int side);
+  PictureBuckets(const PixelRect& window, int side);
 
   bool finished() const { return done_ == order_.size(); }
   PixelRect next() const { return bucket(order_[done_]); }

@@ -1,4 +1,4 @@
-#include "render/display/buckets.h"
+#include "render/display/picture_buckets.h"
 
 #include <algorithm>
 #include <numeric>
@@ -15,7 +15,7 @@ int bucketsAlong(int pixels, int side) {
 
 }  // namespace
 
-Buckets::Buckets(const PixelRect& window, int side)
+PictureBuckets::PictureBuckets(const PixelRect& window, int side)
     : window_(window),
       width_(side > 0 ? side : window.width),
       height_(side > 0 ? side : window.height),
@@ -33,12 +33,12 @@ Buckets::Buckets(const PixelRect& window, int side)
   std::stable_sort(order_.begin(), order_.end(), [&](size_t a, size_t b) { return fromMiddle(a) < fromMiddle(b); });
 }
 
-PixelRect Buckets::bucket(size_t index) const {
+PixelRect PictureBuckets::bucket(size_t index) const {
   const int x = static_cast<int>(index) % columns_ * width_, y = static_cast<int>(index) / columns_ * height_;
   return {window_.x + x, window_.y + y, std::min(width_, window_.width - x), std::min(height_, window_.height - y)};
 }
 
-float Buckets::shown(int x, int y) const {
+float PictureBuckets::shown(int x, int y) const {
   const int column = (x - window_.x) / width_, row = (y - window_.y) / height_;
   const auto done = [&](int c, int r) {
     const bool outside = c < 0 || r < 0 || c >= columns_ || r >= rows_;
