@@ -152,7 +152,7 @@ class Exchange {
       const float most = kMostDeviations * kMostDeviations * (v[x] + ov[other + x]);
       const float rest = std::max(0.0f, 1 - (apart * apart + kTiny) / (most + kTiny));
       const bool near = std::abs(z[x] - oz[other + x]) <= 0.5f * kSameDepth * (z[x] + oz[other + x]);
-      weight[x] = near & alike(yarn[x], otherYarn[other + x]) ? kDirections[k].share * rest * rest : 0.0f;
+      weight[x] = (near & alike(yarn[x], otherYarn[other + x])) ? kDirections[k].share * rest * rest : 0.0f;
     }
   }
 
