@@ -26,7 +26,6 @@ using nlohmann::json;
 
 constexpr const char* kPartKey = "loomlight.part";
 constexpr size_t kMaxFileBytes = size_t{1} << 32;
-constexpr int kMaxSide = 16384;
 
 constexpr std::array<std::pair<const char*, std::string SampleOrigin::*>, 5> kOriginKeys{
     {{"program", &SampleOrigin::program},
