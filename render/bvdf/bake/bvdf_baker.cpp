@@ -96,9 +96,10 @@ std::vector<BvdfBaker::Shadow> BvdfBaker::traceBlock(uint64_t block) const {
   std::vector<Shadow> shadows;
   shadows.reserve(size_t{kEyeThetas} * kEyePhis * kShadowRays);
   for (int eye = 0; eye < kEyeThetas * kEyePhis; ++eye) {
+    const int row = eye / kEyePhis, column = eye % kEyePhis;
     const float u = random.uniform(), v = random.uniform();
-    const float theta = (static_cast<float>(eye / kEyePhis) + u) / kEyeThetas * (0.5f * kPiF);
-    const float phi = (static_cast<float>(eye % kEyePhis) + v) / kEyePhis * (2 * kPiF);
+    const float theta = (static_cast<float>(row) + u) / kEyeThetas * (0.5f * kPiF);
+    const float phi = (static_cast<float>(column) + v) / kEyePhis * (2 * kPiF);
     glm::vec3 wo = direction(theta, phi);
     wo.z = side * std::max(wo.z, 1e-3f);
     wo = glm::normalize(wo);
