@@ -9,6 +9,7 @@
 #include "core/base/rgb.h"
 #include "core/fabric/weave/weave_code.h"
 #include "core/fabric/weave/yarn_order.h"
+#include "core/fabric/weave/yarn_sequence.h"
 #include "core/fabric/yarn/cloth_states.h"
 #include "core/fabric/yarn/derived.h"
 #include "core/fabric/yarn/yarn_name.h"
@@ -25,20 +26,6 @@ constexpr double kColumn_mm = 90, kGap_mm = 6, kRight_mm = kSheetMargin_mm + kCo
 constexpr double kEnd_mm = kSheetWidth_mm - kSheetMargin_mm, kBottom_mm = kSheetHeight_mm - kSheetMargin_mm;
 constexpr double kLine_mm = 3.6, kBetween_mm = 4.5;
 constexpr Paper::Font kTitle{5.2, true}, kHeading{3.0, true}, kBody{2.6}, kQuiet{2.6, false, 0.4};
-
-/// Ends or picks of one yarn side by side.
-struct Stripe {
-  int yarn = 0, width = 0;
-};
-
-std::vector<Stripe> stripesOf(const std::vector<int>& sequence) {
-  std::vector<Stripe> stripes;
-  for (const int yarn : sequence) {
-    if (stripes.empty() || stripes.back().yarn != yarn) stripes.push_back({yarn, 0});
-    ++stripes.back().width;
-  }
-  return stripes;
-}
 
 /// Ends or picks of each yarn in a repeat.
 std::vector<Stripe> sumsOf(const std::vector<int>& sequence) {

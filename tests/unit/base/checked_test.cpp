@@ -5,20 +5,15 @@
 
 #include "core/base/sprague.h"
 
-// Why a build is called checked. A flag that is lost would show nowhere else: an assertion that is compiled out cannot
-// fail.
+// Why a build is called checked; only such a build has these tests. A flag that is lost would show nowhere else: an
+// assertion that is compiled out cannot fail.
 
 namespace loomlight {
 namespace {
 
 class Checked : public testing::Test {
  protected:
-  void SetUp() override {
-#ifndef LOOMLIGHT_CHECKED
-    GTEST_SKIP() << "only a build with LOOMLIGHT_CHECKED keeps its assertions";
-#endif
-    GTEST_FLAG_SET(death_test_style, "threadsafe");
-  }
+  void SetUp() override { GTEST_FLAG_SET(death_test_style, "threadsafe"); }
 };
 
 TEST_F(Checked, OurAssertionsAreOn) {
