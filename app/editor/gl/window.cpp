@@ -115,7 +115,12 @@ void Window::noticeInput() {
   glfwSetScrollCallback(window_, [](GLFWwindow* window, double, double) { counted(window); });
   glfwSetKeyCallback(window_, [](GLFWwindow* window, int, int, int, int) { counted(window); });
   glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned) { seen(window); });
-  glfwSetWindowSizeCallback(window_, [](GLFWwindow* window, int, int) { seen(window); });
+  static constexpr auto placed = [](GLFWwindow* window, int, int) {
+    seen(window);
+    static_cast<Window*>(glfwGetWindowUserPointer(window))->pixels_per_mm_.reset();
+  };
+  glfwSetWindowSizeCallback(window_, placed);
+  glfwSetWindowPosCallback(window_, placed);
   glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) { seen(window); });
 }
 
@@ -169,7 +174,12 @@ GLFWmonitor* Window::monitor() const {
   return glfwGetPrimaryMonitor();
 }
 
-double Window::pixels_per_mm() const {
+double Window::pixels_per_mm() {
+  if (!pixels_per_mm_) pixels_per_mm_ = askDisplay_per_mm();
+  return *pixels_per_mm_;
+}
+
+double Window::askDisplay_per_mm() const {
   constexpr double kUsual = 96 / 25.4;
   GLFWmonitor* const monitor = this->monitor();
   const GLFWvidmode* const mode = monitor ? glfwGetVideoMode(monitor) : nullptr;

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,7 +29,7 @@ class Window {
 
   float scale() const { return scale_; }
   /// Of the display that the window is on, as it says; 96 to the inch where it does not.
-  double pixels_per_mm() const;
+  double pixels_per_mm();
   /// Makes the interface larger or smaller than the monitor asks for. Not within a frame.
   void setInterfaceSize(float factor);
   const Fonts& fonts() const { return fonts_; }
@@ -56,6 +57,7 @@ class Window {
  private:
   /// That the middle of the window is on, or the first where it is on none; null without any.
   GLFWmonitor* monitor() const;
+  double askDisplay_per_mm() const;
   float wantedScale() const;
   void followScale();
   void noticeInput();
@@ -65,6 +67,7 @@ class Window {
   bool fullScreen_ = false;
   bool inputSeen_ = false;
   uint64_t inputCount_ = 0;
+  std::optional<double> pixels_per_mm_;  ///< of the display; null: the window has been placed since it was asked
   int placeX_ = 0, placeY_ = 0, placeWidth_ = 0, placeHeight_ = 0;
   Theme theme_ = Theme::dark();
   Fonts fonts_;
