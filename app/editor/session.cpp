@@ -93,7 +93,7 @@ void Session::follow() {
     document_.edit(std::move(dyed->fabric), inspector_.place(), dyed->gesture);
   yarnColours_.follow(document_.fabric());
   const InspectorView& inspector = inspector_.view();
-  viewport_.follow(document_.fabric(), inspector.yarn, inspector.visibilityShown && panels, settings_.fibreMemory_GB,
+  viewport_.follow(document_.fabric(), inspector.yarn, inspector.visibilityShown && panels, settings_.limits,
                    {draft_.view().back, settings_.draft.longFloat_mm});
   document_.keepCopy();
 }

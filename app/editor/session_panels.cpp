@@ -84,7 +84,7 @@ void Session::drawDraft(Ui& ui) {
 
 void Session::drawViewport(Ui& ui) {
   ViewportController::Edit edit =
-      viewport_.draw(ui, document_.fabric(), draft_.view().hovered, profiles_.proof(), settings_.fibreMemory_GB);
+      viewport_.draw(ui, document_.fabric(), draft_.view().hovered, profiles_.proof(), settings_.limits.fibreMemory_GB);
   help_.hints.turned |= edit.turned;
   if (edit.fabric) document_.edit(std::move(*edit.fabric));
   if (edit.camera) look(*edit.camera);
@@ -158,12 +158,12 @@ void Session::drawDialogs(Ui& ui) {
 
 void Session::drawPreferences(Ui& ui) {
   if (files_.isBrowsing()) return;
-  const PreferencesDialog::Facts facts{1e-9 * static_cast<double>(physicalMemory_bytes()),
+  const PreferencesDialog::Facts facts{kSampleLimits[1], 1e-9 * static_cast<double>(physicalMemory_bytes()),
                                        viewport_.displayPixels_per_mm(), profiles_.names()};
-  const bool chooses =
-      preferences_.draw(ui, facts,
-                        {settings_.darkTheme, settings_.interfaceSize, inspector_.view().units, settings_.draft,
-                         profiles_.colours(), settings_.rulerFactor, settings_.fibreMemory_GB});
+  const bool chooses = preferences_.draw(
+      ui, facts,
+      {settings_.darkTheme, settings_.interfaceSize, inspector_.view().units, settings_.draft, profiles_.colours(),
+       settings_.rulerFactor, settings_.limits.samples, settings_.limits.fibreMemory_GB});
   if (chooses) browse(FileTask::profile);
 }
 

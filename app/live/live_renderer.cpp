@@ -318,6 +318,10 @@ void LiveRenderer::denoise(bool wanted) {
   workers_->tracer.denoise(wanted);
 }
 
+void LiveRenderer::restAt(uint32_t samples) {
+  workers_->tracer.restAt(samples);
+}
+
 void LiveRenderer::shareLight(bool wanted) {
   workers_->tracer.shareLight(wanted);
 }

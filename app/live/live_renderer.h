@@ -85,9 +85,10 @@ class LiveRenderer {
   /// The newest that has been built, or is being built and has all its yarns; null before the first.
   std::shared_ptr<const Scene> scene() const;
   LiveStatus status() const;
-  void denoise(bool wanted);     ///< whether frames have a copy with less noise for the display
-  void shareLight(bool wanted);  ///< whether the next pictures show light that repeats share; true unless told
-  void pause(bool paused);       ///< stops tracing (a snapshot needs the cores); the picture stays
+  void denoise(bool wanted);      ///< whether frames have a copy with less noise for the display
+  void restAt(uint32_t samples);  ///< a pixel, at which pictures rest; kUsualRest unless told
+  void shareLight(bool wanted);   ///< whether the next pictures show light that repeats share; true unless told
+  void pause(bool paused);        ///< stops tracing (a snapshot needs the cores); the picture stays
 
  private:
   struct Workers;

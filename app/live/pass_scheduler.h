@@ -4,6 +4,9 @@
 
 namespace loomlight {
 
+/// Samples a pixel at which a picture in the window rests, unless another number is asked for.
+inline constexpr uint32_t kUsualRest = 1024;
+
 /// What the tracer should do next: bring a picture of 1/divider of the resolution to `samples` samples a pixel.
 struct PassPlan {
   int divider = 1;

@@ -18,9 +18,6 @@
 namespace loomlight {
 namespace {
 
-/// Samples at which the viewport goes to sleep.
-constexpr uint32_t kMostSamples = 1024;
-
 int coarser(int pixels, int divider) {
   return (pixels + divider - 1) / divider;
 }
@@ -74,7 +71,12 @@ void Refinement::shareLight(std::unique_ptr<SharedLight> earlier, const Changes&
 }
 
 bool Refinement::converged() const {
-  return !pass_ && nextPass(history_, kMostSamples).samples == 0;
+  return !pass_ && nextPass(history_, samplesWanted()).samples == 0;
+}
+
+/// What stands in gives way to as many samples as it has itself, even if fewer are wanted by now.
+uint32_t Refinement::samplesWanted() const {
+  return fading() ? std::max(rest_, standIn_->samples()) : rest_;
 }
 
 Film& Refinement::filmFor(int divider) {
@@ -92,7 +94,7 @@ Film& Refinement::filmFor(int divider) {
 /// The first pass of all is not split: there is nothing that could be seen around its buckets.
 Refinement::Pass Refinement::beginPass() const {
   constexpr uint32_t kFadeSteps = 8;  // at least, however quick the machine
-  PassPlan plan = nextPass(history_, kMostSamples);
+  PassPlan plan = nextPass(history_, samplesWanted());
   if (fading())
     plan.samples = std::min(plan.samples, history_.samples + std::max(1u, standIn_->samples() / kFadeSteps));
   const PixelRect all = covering(window_, plan.divider);

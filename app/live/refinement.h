@@ -53,6 +53,8 @@ class Refinement {
   uint32_t worth_samples() const { return fading() ? standIn_->samples() : history_.samples; }
   /// Whether frames with hits have a copy with less noise for the display.
   void denoise(bool wanted) { denoised_ = wanted; }
+  /// So many samples a pixel are enough; those that there are stay.
+  void restAt(uint32_t samples) { rest_ = samples; }
   /// From now on keeps what recolouring needs, within so many bytes. Before the first pass.
   void keepPaths(size_t bytes);
 
@@ -90,6 +92,7 @@ class Refinement {
     PictureBuckets buckets;
   };
 
+  uint32_t samplesWanted() const;
   Film& filmFor(int divider);
   Pass beginPass() const;
   void endPass();
@@ -109,7 +112,8 @@ class Refinement {
   std::optional<Film> coarse_;            ///< of a 1/coarseDivider_ of the resolution
   int coarseDivider_ = 0;
   bool denoised_ = false, asTraced_ = false;
-  int threads_ = 1;  ///< of the last pass
+  uint32_t rest_ = kUsualRest;  ///< samples a pixel
+  int threads_ = 1;             ///< of the last pass
   std::optional<Pass> pass_;
   std::optional<StandIn> standIn_;
   PixelRect window_;

@@ -73,6 +73,10 @@ void Tracer::denoise(bool wanted) {
   want([&](Wanted& all) { all.denoised = wanted; });
 }
 
+void Tracer::restAt(uint32_t samples) {
+  want([&](Wanted& wanted) { wanted.rest = samples; });
+}
+
 void Tracer::shareLight(bool wanted) {
   want([&](Wanted& all) { all.shared = wanted; });
 }
@@ -131,6 +135,8 @@ void Tracer::take(const Wanted& wanted) {
   const bool isDenoising = taken_.denoised != before.denoised;
   for (auto* picture : {&picture_, &recoloured_})
     if (*picture) (*picture)->denoise(taken_.denoised);
+  for (auto* picture : {&picture_, &inset_})
+    if (*picture) (*picture)->restAt(taken_.rest);
   if (isRequest)
     begin(before.request);
   else if (isDenoising)
@@ -225,6 +231,7 @@ void Tracer::beginPicture(double secondsPerPath, std::unique_ptr<SharedLight> li
     picture_->shareLight(std::move(light), edit);
   picture_->keepPaths(kPathBytes);
   picture_->denoise(taken_.denoised);
+  picture_->restAt(taken_.rest);
 }
 
 /// What there is with less noise, or as it is, at once; a picture that stands in for a better one stays as it is until
@@ -270,6 +277,7 @@ void Tracer::openInset() {
     inset_.emplace(Traceable{taken_.request.cloth.scene, taken_.fibres.medium}, taken_.request.width,
                    taken_.request.height, insetSecondsPerPath_);
     inset_->asTraced();
+    inset_->restAt(taken_.rest);
     spentBeforeInset_s_ = picture_->spent_s();
   }
   if (window == inset_->window()) return;

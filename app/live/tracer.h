@@ -53,6 +53,8 @@ class Tracer {
   void pause(bool paused);  ///< the picture stays
   /// Whether frames have a copy with less noise for the display. The inset has none: it is there for the truth.
   void denoise(bool wanted);
+  /// Samples a pixel at which pictures rest, until something else is to be seen.
+  void restAt(uint32_t samples);
   /// Whether the next pictures show light that repeats of the cloth share (render/share); they do unless told
   /// otherwise.
   void shareLight(bool wanted);
@@ -69,6 +71,7 @@ class Tracer {
     std::optional<PixelRect> inset;
     Traceable fibres;
     bool denoised = false, shared = true, paused = false;
+    uint32_t rest = kUsualRest;  ///< samples a pixel
   };
   struct Shown {
     std::shared_ptr<const Frame> frame;

@@ -77,17 +77,30 @@ bool PreferencesDialog::draw(Ui& ui, const Facts& facts, PreferenceValues values
   values.draft.inches = length == 1;
   heading(ui, "The usual piece");
   pieceSizeRows(ui, "preferences", values.units.piece);
-  heading(ui, "Truth lens");
+  heading(ui, "Viewport");
+  NumberStyle samples;
+  samples.unit = "samples";
+  samples.min = 1;
+  samples.max = facts.mostSamples;
+  samples.decimals = 0;
+  samples.logarithmic = true;
+  double wanted = values.samples;
+  numberField(ui,
+              {"preferences.samples", "Picture rests at",
+               "Samples a pixel: the picture grows clearer until it has so many, and then leaves the processor alone."},
+              samples, wanted);
+  values.samples = static_cast<int>(std::lround(wanted));
   NumberStyle memory;
   memory.unit = "GB";
   memory.min = 0.1;
   memory.max = std::max(memory.min, facts.machine_GB);
   memory.decimals = 1;
-  numberField(ui,
-              {"preferences.fibre_memory", "Memory at most",
-               "The lens lays every single fibre of the piece. Where that would take more memory than this, it says so "
-               "and leaves it."},
-              memory, values.fibreMemory_GB);
+  numberField(
+      ui,
+      {"preferences.fibre_memory", "Lens takes at most",
+       "The truth lens lays every single fibre of the piece. Where that would take more memory than this, it says so "
+       "and leaves it."},
+      memory, values.fibreMemory_GB);
   endModalRows("preferences.rows");
   if (closedBelow(ui, "preferences.close")) open_ = false;
   endModal();

@@ -20,6 +20,7 @@ struct PreferenceValues {
   DraftPreferences& draft;
   DisplayColours& colours;
   double& rulerFactor;     ///< how much longer a millimetre of the display is than the system says
+  int& samples;            ///< a pixel, at which the picture rests
   double& fibreMemory_GB;  ///< what the fibres of the truth lens may take
 };
 
@@ -29,6 +30,7 @@ class PreferencesDialog {
   bool isOpen() const { return open_; }
   /// What there is to say beside the values.
   struct Facts {
+    int mostSamples = 1;       ///< that a pixel may be asked for
     double machine_GB = 0;     ///< the memory that there is
     double pixels_per_mm = 0;  ///< of the display, as the system says
     ProfileNames profiles;

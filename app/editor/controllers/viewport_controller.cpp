@@ -150,7 +150,7 @@ void ViewportController::lookUnderPointer() {
 }
 
 void ViewportController::follow(const std::shared_ptr<const Fabric>& fabric, int yarn, bool visibilityShown,
-                                double fibreMemory_GB, const DraftSight& draft) {
+                                const ViewLimits& limits, const DraftSight& draft) {
   if (flat_ && fabric->drape != flat_->instead) leaveFlat();  // another drape is wanted
   ViewState state;
   state.flat = flatSight();
@@ -158,9 +158,10 @@ void ViewportController::follow(const std::shared_ptr<const Fabric>& fabric, int
   state.width = view_.width;
   state.height = view_.height;
   state.denoised = view_.denoised;
+  state.rest = static_cast<uint32_t>(limits.samples);
   const InsetView& inset = view_.inset;
   if (inset.on && inset.placed)
-    state.inset = {{inset.rect.x, inset.rect.y, inset.rect.width, inset.rect.height}, 1e9 * fibreMemory_GB};
+    state.inset = {{inset.rect.x, inset.rect.y, inset.rect.width, inset.rect.height}, 1e9 * limits.fibreMemory_GB};
   state.yarn = yarn;
   state.visibilityShown = visibilityShown;
   state.back = draft.back;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "app/editor/model/settings.h"
 #include "app/editor/services/view_service.h"
 #include "ui/flat_menu.h"
 #include "ui/viewport/viewport_panel.h"
@@ -38,7 +39,7 @@ class ViewportController {
     bool back = false;                          ///< the draft is seen from behind, and the cloth with it
     double longFloat_mm = kUsualFloatLimit_mm;  ///< beyond which floats are listed
   };
-  void follow(const std::shared_ptr<const Fabric>& fabric, int yarn, bool visibilityShown, double fibreMemory_GB,
+  void follow(const std::shared_ptr<const Fabric>& fabric, int yarn, bool visibilityShown, const ViewLimits& limits,
               const DraftSight& draft);
   void tellProbe(WidgetProbe& probe, int yarn) const;
 

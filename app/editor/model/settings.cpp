@@ -135,7 +135,10 @@ Settings readSettings(const std::filesystem::path& file) {
     settings.dock.draftWidth = std::clamp(valueOf(json, "draft_width", settings.dock.draftWidth), 0.0f, 4000.0f);
     settings.dock.inspectorWidth =
         std::clamp(valueOf(json, "inspector_width", settings.dock.inspectorWidth), 0.0f, 4000.0f);
-    settings.fibreMemory_GB = std::clamp(valueOf(json, "fibre_memory_gb", settings.fibreMemory_GB), 0.1, 65536.0);
+    settings.limits.fibreMemory_GB =
+        std::clamp(valueOf(json, "fibre_memory_gb", settings.limits.fibreMemory_GB), 0.1, 65536.0);
+    settings.limits.samples =
+        std::clamp(valueOf(json, "viewport_samples", settings.limits.samples), kSampleLimits[0], kSampleLimits[1]);
     settings.folder = valueOf(json, "folder", settings.folder);
     settings.recent = recentFiles(valueOf(json, "recent", nlohmann::json::array()));
     settings.hintsSeen = valueOf(json, "hints_seen", true);
@@ -163,7 +166,8 @@ void writeSettings(const std::filesystem::path& file, const Settings& settings) 
                                {"ruler_factor", settings.rulerFactor},
                                {"draft_width", settings.dock.draftWidth},
                                {"inspector_width", settings.dock.inspectorWidth},
-                               {"fibre_memory_gb", settings.fibreMemory_GB},
+                               {"fibre_memory_gb", settings.limits.fibreMemory_GB},
+                               {"viewport_samples", settings.limits.samples},
                                {"draft_origin", kOrigins[static_cast<int>(settings.draft.origin)]},
                                {"draft_inches", settings.draft.inches},
                                {"draft_rulers", settings.draft.rulers},

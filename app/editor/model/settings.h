@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/editor/model/recent_files.h"
+#include "app/live/pass_scheduler.h"
 #include "ui/dialogs/display_colours.h"
 #include "ui/dock_layout.h"
 #include "ui/draft/draft_view.h"
@@ -16,6 +17,13 @@ namespace loomlight {
 
 /// Three eighths of the machine's memory: fibres of the viewport may take as much beside those of the inset.
 double defaultFibreMemory_GB();
+
+/// What the viewport may take.
+struct ViewLimits {
+  double fibreMemory_GB = defaultFibreMemory_GB();  ///< for the truth lens
+  int samples = kUsualRest;                         ///< a pixel, at which the picture rests
+};
+inline constexpr int kSampleLimits[] = {1, 65536};
 
 /// How pictures and drafts are looked at.
 struct ViewSettings {
@@ -36,11 +44,11 @@ struct Settings {
   DisplayColours colours;
   SnapshotOptions snapshot;
   TradeUnits units;
-  BookShelf books;                                  ///< that colours were chosen from; the open one is to be opened
-  double fibreMemory_GB = defaultFibreMemory_GB();  ///< that the truth lens may use
-  std::string folder;                               ///< where files were last opened or saved
-  std::vector<RecentFile> recent;                   ///< the last one first
-  bool hintsSeen = false;  ///< what to try first is known; false where there are no settings yet
+  ViewLimits limits;
+  BookShelf books;                 ///< that colours were chosen from; the open one is to be opened
+  std::string folder;              ///< where files were last opened or saved
+  std::vector<RecentFile> recent;  ///< the last one first
+  bool hintsSeen = false;          ///< what to try first is known; false where there are no settings yet
 };
 
 /// A file that is missing or makes no sense gives the defaults: losing them costs a drag of a splitter.

@@ -95,6 +95,7 @@ void ViewService::follow(const ViewState& state) {
   const bool another = state.fabric != state_.fabric;
   followPicture(state);
   if (state.denoised != state_.denoised) renderer_.denoise(state.denoised);
+  if (state.rest != state_.rest) renderer_.restAt(state.rest);
   if (another || state.yarn != state_.yarn || state.longFloat_mm != state_.longFloat_mm)
     stats_.request(state.fabric, state.yarn, builtAsSeen(), state.longFloat_mm);
   if (state.inset != state_.inset) renderer_.inset(state.inset);

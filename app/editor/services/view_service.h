@@ -29,6 +29,7 @@ struct ViewState {
   std::shared_ptr<const Fabric> fabric;  ///< null before the first frame
   int width = 0, height = 0;             ///< pixels of the picture
   bool denoised = false;
+  uint32_t rest = kUsualRest;                 ///< samples a pixel at which the picture rests
   std::optional<InsetRequest> inset;          ///< null: closed
   int yarn = 0;                               ///< whose section and visibility are shown
   std::optional<FlatSight> flat;              ///< null: as it is draped

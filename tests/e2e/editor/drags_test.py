@@ -96,7 +96,7 @@ def colour(editor):
 
 
 def test():
-    with window(WIDTH, HEIGHT) as editor:
+    with window(WIDTH, HEIGHT, 2 * SAMPLES) as editor:
         editor.start(PROGRAM, [square_fabric(editor.home)])
         for moves in (stroke, twist, colour):
             moves(editor)

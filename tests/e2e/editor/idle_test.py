@@ -57,9 +57,7 @@ def nothing_between_them(editor):
 
 def test():
     with window(WIDTH, HEIGHT) as editor:
-        # So far away that a thousand samples are soon there.
-        camera = {"distance_mm": 5000, "elevation_deg": 75}
-        editor.start(PROGRAM, [small_cloth(editor.home, "At rest", camera=camera)])
+        editor.start(PROGRAM, [small_cloth(editor.home, "At rest")])
         editor.wait_until("the picture is finished", lambda: editor.fact("phase") == "converged")
         editor.wait_until("the yarn is seen close up", lambda: editor.fact("yarn.close_up") == "there")
         editor.click_at(WIDTH - 3, HEIGHT - 3)  # the last that somebody does

@@ -69,7 +69,7 @@ class Editor:
 
     scale = 1
 
-    def __init__(self, display, width, height):
+    def __init__(self, display, width, height, samples):
         self.process = None
         self.input = display.input
         self.home = tempfile.mkdtemp(prefix="loomlight-editor-")
@@ -78,7 +78,8 @@ class Editor:
         self.log_file = os.path.join(self.home, "log.txt")
         self.width, self.height = width, height
         self.settings_file = os.path.join(self.home, "config", "loomlight", "editor.json")
-        self.write_settings({"hints_seen": True})  # somebody who has been here before
+        # Of somebody who has been here before, and whose pictures are soon at rest: the processors are for the tests.
+        self.write_settings({"hints_seen": True, "viewport_samples": samples})
         self.environment = {**os.environ, "DISPLAY": display.name, "HOME": self.home,
                             "XDG_DATA_HOME": self.home + "/data", "XDG_STATE_HOME": self.home + "/state",
                             "XDG_CONFIG_HOME": self.home + "/config", "XDG_CACHE_HOME": self.home + "/cache",
@@ -255,12 +256,12 @@ class Editor:
 
 
 @contextlib.contextmanager
-def window(width, height):
-    """An editor to start, on a display of its own."""
+def window(width, height, samples=4):
+    """An editor to start, on a display of its own, whose pictures rest at so many samples a pixel."""
     display = Display(width, height)
     editor = None
     try:
-        editor = Editor(display, width, height)
+        editor = Editor(display, width, height, samples)
         yield editor
     finally:
         if editor:

@@ -70,6 +70,17 @@ TEST_F(PreferencesTest, ASettInInches) {
   editor.until("typed inches become centimetres", [&] { return editor.fact("cloth.per_cm") == "30.0 \u00d7 20.0"; });
 }
 
+TEST_F(PreferencesTest, ThePictureRestsAtTheSamplesAskedFor) {
+  openPreferences();
+  editor.enter("preferences.samples", "2");
+  editor.click("preferences.close");
+  editor.leave();
+  EXPECT_EQ(readSettings(settingsFile()).limits.samples, 2);
+  editor.startOn(file);
+  editor.until("the picture is finished", [&] { return editor.fact("phase") == "converged"; });
+  EXPECT_EQ(editor.fact("shown_samples"), "2");
+}
+
 /// An open list, then a number that is being typed, then the dialog.
 TEST_F(PreferencesTest, EscapeLeavesOneThing) {
   const std::string choice = "preferences.count_system/Ne (cotton count)";

@@ -57,6 +57,41 @@ TEST_F(RefinementTest, AWindowTracesItsPixelsOnlyAndFindsThemAgain) {
   EXPECT_EQ(refinement.samples(), had);
 }
 
+TEST_F(RefinementTest, RestsAtTheSamplesAskedForAndGoesOnWhereMoreAreWanted) {
+  Refinement refinement(cloth, kWidth, kHeight, 0);
+  const auto untilAtRest = [&] {
+    while (!refinement.converged()) ASSERT_TRUE(refinement.advance(Task{{}, {}, 1}));
+  };
+  refinement.restAt(3);
+  untilAtRest();
+  EXPECT_EQ(refinement.samples(), 3u);
+  refinement.restAt(5);
+  EXPECT_FALSE(refinement.converged());
+  untilAtRest();
+  EXPECT_EQ(refinement.samples(), 5u);
+  refinement.restAt(2);
+  EXPECT_TRUE(refinement.converged());
+  EXPECT_EQ(refinement.samples(), 5u) << "those that there are stay";
+}
+
+TEST_F(RefinementTest, DoesNotRestBeforeWhatStandsInIsGone) {
+  constexpr int kEarlier = 6;
+  Frame earlier;
+  earlier.width = kWidth;
+  earlier.height = kHeight;
+  earlier.window = {0, 0, kWidth, kHeight};
+  earlier.samples = kEarlier;
+  earlier.rgba.resize(size_t{kWidth} * kHeight);
+  earlier.hits.resize(earlier.rgba.size());
+  Refinement refinement(cloth, kWidth, kHeight, 0);
+  refinement.standIn(std::make_shared<const Frame>(earlier));
+  refinement.skipCoarse();
+  refinement.restAt(2);
+  while (!refinement.converged()) ASSERT_TRUE(refinement.advance(Task{{}, {}, 1}));
+  EXPECT_FALSE(refinement.fading());
+  EXPECT_EQ(refinement.samples(), static_cast<uint32_t>(kEarlier));
+}
+
 TEST_F(RefinementTest, ACoarseWindowCoversAllThatWasAskedFor) {
   Refinement refinement(cloth, kWidth, kHeight, 1e-3);  // so slow a cloth begins coarsely
   const PixelRect window{13, 7, 30, 22};
