@@ -2,56 +2,108 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <span>
+#include <tuple>
 
-// How it works. A sweep pushes every pair of fibres that overlap apart by half of what is wanting each. Pairs that
-// could overlap are found by buckets, with some slack; the list serves until a fibre has moved by half of that slack.
-// Distance is measured as the fibres lie in the yarn, pressed and inclined, not in the round section
-// (HelicalFibres::apartSquare).
+// How it works. A sweep pushes every pair of fibres that overlap apart by half of what is wanting each. Distance is
+// measured as the fibres lie in the yarn, pressed and inclined, not in the round section (HelicalFibres::apartSquare).
+// Pairs that could overlap are found with some slack, and serve until a fibre has moved by half of that slack. They are
+// looked for ring by ring about the axis: fibres that are inclined reach far around it and no farther towards it, so
+// that squares as wide as their reach would hold fifty times the pairs that touch.
 
 namespace loomlight {
 namespace {
 
-/// Buckets of points on a square grid, by counting sort: discs of diameter `cell` or less that meet
-/// lie in neighbouring buckets.
-class Buckets {
+/// Fibres in rings about the axis, and by their angle within each ring. Two that touch lie in one ring or in two that
+/// are neighbours, if no fibres farther apart in radius than a ring is thick can touch.
+class Rings {
  public:
-  Buckets(const DiscCentres& points, double cell) : cell_(cell) {
-    for (const glm::dvec2& p : points) extent_ = std::max({extent_, std::abs(p.x), std::abs(p.y)});
-    side_ = static_cast<int>(std::min(2 * extent_ / cell_, 4000.0)) + 1;
-    start_.assign(static_cast<size_t>(side_) * side_ + 1, 0);
-    for (const glm::dvec2& p : points) ++start_[indexOf(p) + 1];
-    for (size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];
-    members_.resize(points.size());
-    std::vector<int> next(start_.begin(), start_.end() - 1);
-    for (size_t i = 0; i < points.size(); ++i) members_[next[indexOf(points[i])]++] = static_cast<int>(i);
+  Rings(const DiscCentres& points, double thickness) : thickness_(thickness) {
+    members_.reserve(points.size());
+    for (size_t i = 0; i < points.size(); ++i)
+      members_.push_back({static_cast<int>(std::min(glm::length(points[i]) / thickness, kMostRings)),
+                          std::atan2(points[i].y, points[i].x), static_cast<int>(i)});
+    std::sort(members_.begin(), members_.end(), [](const Member& a, const Member& b) {
+      return std::tie(a.ring, a.angle, a.index) < std::tie(b.ring, b.angle, b.index);
+    });
+    start_.assign(members_.empty() ? 1 : static_cast<size_t>(members_.back().ring) + 3, 0);
+    for (const Member& m : members_) ++start_[static_cast<size_t>(m.ring) + 1];
+    std::partial_sum(start_.begin(), start_.end(), start_.begin());
   }
 
-  /// Calls visit(j) for every point that may lie within a cell of p.
-  template <class Visit>
-  void near(glm::dvec2 p, Visit&& visit) const {
-    const int column = along(p.x), row = along(p.y);
-    for (int y = std::max(0, row - 1); y <= std::min(side_ - 1, row + 1); ++y)
-      for (int x = std::max(0, column - 1); x <= std::min(side_ - 1, column + 1); ++x)
-        for (int k = start_[y * side_ + x]; k < start_[y * side_ + x + 1]; ++k) visit(members_[k]);
+  /// Calls visit(i, j) once for every two that may lie within reach(radius) of each other, `radius` being as far out as
+  /// their rings go, in the points' unit.
+  template <class Reach, class Visit>
+  void pairs(const Reach& reach, const Visit& visit) const {
+    const int rings = static_cast<int>(start_.size()) - 2;
+    for (int ring = 0; ring < rings; ++ring) {
+      const double angle = widestAngle(ring * thickness_, reach((ring + 2) * thickness_));
+      const Span own = of(ring), next = of(ring + 1);
+      for (size_t a = 0; a < own.size(); ++a) {
+        onward(own, a, angle, visit);
+        around(next, own[a], angle, visit);
+      }
+    }
   }
 
  private:
-  int along(double x) const { return std::clamp(static_cast<int>((x + extent_) / cell_), 0, side_ - 1); }
-  int indexOf(glm::dvec2 p) const { return along(p.y) * side_ + along(p.x); }
+  static constexpr double kMostRings = 1e6;
+  struct Member {
+    int ring;
+    double angle;  ///< radians, -pi to pi
+    int index;
+  };
+  using Span = std::span<const Member>;
 
-  double cell_, extent_ = 0;
-  int side_ = 1;
-  std::vector<int> start_, members_;
+  Span of(int ring) const {
+    return Span(members_).subspan(start_[static_cast<size_t>(ring)],
+                                  start_[static_cast<size_t>(ring) + 1] - start_[static_cast<size_t>(ring)]);
+  }
+
+  /// As two points see each other from the axis that lie at least `innermost` from it and at most `reach` apart.
+  static double widestAngle(double innermost, double reach) {
+    return reach < 2 * innermost ? 2 * std::asin(0.5 * reach / innermost) : kPi;
+  }
+
+  /// Those of its own ring that follow member `a` within an angle.
+  template <class Visit>
+  static void onward(Span ring, size_t a, double angle, const Visit& visit) {
+    if (angle >= kPi) {
+      for (size_t b = a + 1; b < ring.size(); ++b) visit(ring[a].index, ring[b].index);
+      return;
+    }
+    for (size_t step = 1; step < ring.size(); ++step) {
+      const bool wraps = a + step >= ring.size();
+      const Member& b = ring[wraps ? a + step - ring.size() : a + step];
+      if (b.angle + (wraps ? 2 * kPi : 0) - ring[a].angle > angle) return;
+      visit(ring[a].index, b.index);
+    }
+  }
+
+  /// Those of another ring within an angle of a member, on both sides.
+  template <class Visit>
+  static void around(Span ring, const Member& a, double angle, const Visit& visit) {
+    if (angle >= kPi) {
+      for (const Member& b : ring) visit(a.index, b.index);
+      return;
+    }
+    const double from = a.angle - angle, first = from < -kPi ? from + 2 * kPi : from;
+    const auto begin = std::lower_bound(ring.begin(), ring.end(), first,
+                                        [](const Member& b, double wanted) { return b.angle < wanted; });
+    const auto offset = static_cast<size_t>(begin - ring.begin());
+    for (size_t step = 0; step < ring.size(); ++step) {
+      const bool wraps = offset + step >= ring.size();
+      const Member& b = ring[wraps ? offset + step - ring.size() : offset + step];
+      if (b.angle + (wraps ? 2 * kPi : 0) - first > 2 * angle) return;
+      visit(a.index, b.index);
+    }
+  }
+
+  double thickness_;
+  std::vector<Member> members_;
+  std::vector<size_t> start_;  ///< of each ring in members_, and of two empty ones beyond the last
 };
-
-/// How far from one another fibres may lie in the round section and touch, at most.
-double farthestTouch(const DiscCentres& centres, const HelicalFibres& fibres) {
-  double square = 0;
-  for (const glm::dvec2& p : centres) square = std::max(square, glm::dot(p, p));
-  const auto& [up, across] = fibres.section;
-  return 2 * fibres.radius_mm /
-         (fibres.cosineAt(square * std::max(up, across) * std::max(up, across)) * std::min(up, across));
-}
 
 }  // namespace
 
@@ -72,13 +124,13 @@ void Parting::findNeighbours(const DiscCentres& centres) {
   looked_ = centres;
   neighbours_.clear();
   const double near = 2 * fibres_.radius_mm + slack_mm_;
-  const double narrowest = std::min(fibres_.section.up, fibres_.section.across);
-  const Buckets buckets(centres, farthestTouch(centres, fibres_) + slack_mm_ / narrowest);
-  for (int i = 0; i < static_cast<int>(centres.size()); ++i)
-    buckets.near(centres[i], [&](int j) {
-      if (j <= i) return;
-      if (fibres_.apartSquare(centres[i], centres[j]) < near * near) neighbours_.emplace_back(i, j);
-    });
+  const auto [narrowest, widest] = std::minmax(fibres_.section.up, fibres_.section.across);
+  // What is foreshortened is the way around the axis: towards it, fibres are as near as they look.
+  const double thickness = near / narrowest;
+  const auto reach = [&](double radius) { return thickness / fibres_.cosineAt(radius * radius * widest * widest); };
+  Rings(centres, thickness).pairs(reach, [&](int i, int j) {
+    if (fibres_.apartSquare(centres[i], centres[j]) < near * near) neighbours_.emplace_back(i, j);
+  });
 }
 
 double Parting::sweep(DiscCentres& centres) {
