@@ -60,7 +60,6 @@ class Frames {
       const bool input = window_.waitForEvents(sleeps ? std::min(wakeIn, kLongestSleep_s) : 0);
       framesLeft = input || sleeps ? kFramesPerEvent - 1 : framesLeft - 1;
       shown.drop(window_.takeDroppedFiles());
-      if constexpr (requires { shown.displayIs(1.0); }) shown.displayIs(window_.pixels_per_mm());
       if (window_.closeWanted()) {
         window_.refuseClose();
         shown.askToQuit();
@@ -85,6 +84,7 @@ class Frames {
     probe_.fact("inputs", std::to_string(window_.inputCount()));
     probe_.fact("sleeps_then", sleepsThen ? "yes" : "no");
     Ui ui{theme, window_.fonts(), probe_, memory_, window_.scale(), seconds()};
+    ui.pixels_per_mm = window_.pixels_per_mm();
     const double before_s = threadSeconds();
     shown.frame(ui);
     watch_.count(threadSeconds() - before_s, probe_);

@@ -71,6 +71,7 @@ std::string Session::title() const {
 
 void Session::frame(Ui& ui) {
   Stopwatch watch;
+  viewport_.displayIs(ui.pixels_per_mm);
   if (viewport_.take()) snapshots_.followView(document_.fabric(), viewport_.service());
   work_s_ = watch.lap();
   document_.beginFrame(heldNow());

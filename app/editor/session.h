@@ -59,8 +59,6 @@ class Session {
   bool isOver() const { return window_.isOver; }
   /// The end has come as it should: nothing is left to be taken up again.
   void close() { document_.endWell(); }
-  /// Of the display, as the system says; until then as most are. The window may be moved to another one.
-  void displayIs(double pixels_per_mm) { viewport_.displayIs(pixels_per_mm); }
   /// `display`: the profile (ICC) that the system has for the display; empty: it says none.
   void startProfiles(std::string display) { profiles_.start(std::move(display)); }
   /// Through which all that is drawn is shown; null: the display is sRGB.

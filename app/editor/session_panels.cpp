@@ -159,7 +159,7 @@ void Session::drawDialogs(Ui& ui) {
 void Session::drawPreferences(Ui& ui) {
   if (files_.isBrowsing()) return;
   const PreferencesDialog::Facts facts{kSampleLimits[1], 1e-9 * static_cast<double>(physicalMemory_bytes()),
-                                       viewport_.displayPixels_per_mm(), profiles_.names()};
+                                       ui.pixels_per_mm, profiles_.names()};
   const bool chooses = preferences_.draw(
       ui, facts,
       {settings_.darkTheme, settings_.interfaceSize, inspector_.view().units, settings_.draft, profiles_.colours(),

@@ -39,6 +39,8 @@ struct Ui {
   float scale = 1;
   double time = 0;      ///< seconds
   double wakeIn = 1e9;  ///< the window draws again after so long even when nothing happens
+  /// Of the display that the window is on, as the system says; else as most are.
+  double pixels_per_mm = 96 / 25.4;
 
   float px(float atScale1) const { return atScale1 * scale; }
   void wakeWithin(double seconds) { wakeIn = std::min(wakeIn, seconds); }

@@ -44,7 +44,6 @@ class ViewportController {
   void tellProbe(WidgetProbe& probe, int yarn) const;
 
   void displayIs(double pixels_per_mm) { display_pixels_per_mm_ = pixels_per_mm; }
-  double displayPixels_per_mm() const { return display_pixels_per_mm_; }
   /// A camera that shows the cloth as large as it is, straight from above. `rulerFactor`: how much longer a ruler finds
   /// the display's millimetres than the system says.
   Camera atActualSize(const Fabric& fabric, double rulerFactor) const;
