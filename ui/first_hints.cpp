@@ -1,11 +1,12 @@
 #include "ui/first_hints.h"
 
 #include "ui/widgets/fields.h"
+#include "ui/words/hint_words.h"
 
 namespace loomlight {
 namespace {
 
-void line(Ui& ui, const char* id, bool done, const char* what, const char* brings) {
+void line(Ui& ui, const char* id, bool done, const words::HintLine& said) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float size = ImGui::GetFontSize(), radius = 0.36f * size;
   const ImVec2 centre(at.x + radius, at.y + 0.5f * size);
@@ -15,10 +16,10 @@ void line(Ui& ui, const char* id, bool done, const char* what, const char* bring
   else
     draw.AddCircle(centre, radius, packed(ui.theme.textQuiet), 0, ui.px(1.5f));
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + size + ui.px(6));
-  ImGui::TextUnformatted(what);
+  ImGui::TextUnformatted(said.what);
   ImGui::SetCursorPosY(ImGui::GetCursorPosY() - ui.px(4));  // what belongs together stands together
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + size + ui.px(6));
-  ImGui::TextDisabled("%s", brings);
+  ImGui::TextDisabled("%s", said.brings);
   ui.probe.fact(id, done ? "done" : "open");
 }
 
@@ -37,17 +38,17 @@ void firstHints(Ui& ui, ImVec2 min, ImVec2 size, FirstHints& hints) {
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
   ImGui::PushFont(ui.fonts.strong);
-  ImGui::TextUnformatted("Three things to try");
+  ImGui::TextUnformatted(words::hints::title);
   ImGui::PopFont();
   ImGui::Dummy(ImVec2(0, ui.px(4)));
-  line(ui, "hints.drew", hints.drew, "Click or drag in the draft", "The cloth is woven as you draw it.");
-  line(ui, "hints.turned", hints.turned, "Drag the cloth to turn it", "The wheel goes in, down to fibres.");
-  line(ui, "hints.set", hints.set, "Drag a number on the right", "Twist, count, fibre: the yarn follows.");
+  line(ui, "hints.drew", hints.drew, words::hints::draw);
+  line(ui, "hints.turned", hints.turned, words::hints::turn);
+  line(ui, "hints.set", hints.set, words::hints::set);
   const float width = ui.px(88);
   ImGui::AlignTextToFramePadding();
-  ImGui::TextDisabled("F1 lists all keys");
+  ImGui::TextDisabled("%s", words::hints::allKeys);
   ImGui::SameLine(ImGui::GetWindowWidth() - edge - width);
-  if (button(ui, "hints.close", "Got it", width)) hints.wanted = false;
+  if (button(ui, "hints.close", words::hints::close, width)) hints.wanted = false;
   ImGui::End();
   ImGui::PopStyleColor();
   ImGui::PopStyleVar(2);

@@ -2,7 +2,10 @@
 
 #include <fmt/core.h>
 
+#include "core/fabric/model/glossary.h"
 #include "ui/widgets/fields.h"
+#include "ui/words/common_words.h"
+#include "ui/words/status_words.h"
 
 namespace loomlight {
 namespace {
@@ -20,11 +23,11 @@ void figure(Ui& ui, const char* id, float x, const std::string& text, const char
 }
 
 std::string floatsText(const StatusModel& model) {
-  const std::string longest =
-      model.unboundYarns > 0 ? std::string("endless float")
-                             : fmt::format("longest float {} ({:.1f} mm)", model.longestFloat, model.longestFloat_mm);
+  const std::string longest = model.unboundYarns > 0
+                                  ? std::string(words::status::endlessFloat)
+                                  : fmt::format(words::status::longestFloat, model.longestFloat, model.longestFloat_mm);
   return model.longFloats == 0 ? longest
-                               : fmt::format("{}, {} over {:.1f}", longest, model.longFloats, model.longFloat_mm);
+                               : fmt::format(words::status::longFloats, longest, model.longFloats, model.longFloat_mm);
 }
 
 }  // namespace
@@ -41,39 +44,27 @@ void statusBar(Ui& ui, const StatusModel& model) {
     if (model.figuresKnown && from + ImGui::CalcTextSize(text.c_str()).x < right)
       figure(ui, id, from, text, tooltip, quiet);
   };
-  clothFigure("status.mass", 0, fmt::format("{:.0f} g/m\xC2\xB2", model.arealMass_g_m2),
-              "Areal mass: what one square metre of this cloth weighs.");
-  clothFigure(
-      "status.cover", 88, fmt::format("cover {:.0f} %", model.coverPercent),
-      "Share of the area that yarns hide when the cloth is seen flat, from straight above. Peirce's cover factors, on "
-      "the page of the cloth, are another figure: how many threads there are for their thickness.");
-  clothFigure("status.thickness", 184, fmt::format("{:.2f} mm thick", model.thickness_mm),
-              "From the lowest to the highest fibre, loose hairs left out.");
-  clothFigure("status.float", 304, floatsText(model),
-              "The most crossings that a thread passes over or under without interlacing, and how many floats of one "
-              "repeat are longer than the limit set beside Floats: long ones snag.");
+  clothFigure("status.mass", 0, fmt::format("{:.0f} g/m\xC2\xB2", model.arealMass_g_m2), words::status::massHelp);
+  clothFigure("status.cover", 88, fmt::format(words::status::cover, model.coverPercent), words::status::coverHelp);
+  clothFigure("status.thickness", 184, fmt::format(words::status::thickness, model.thickness_mm),
+              words::thickness.help);
+  clothFigure("status.float", 304, floatsText(model), words::status::floatHelp);
   const std::string more = model.moreWarnings > 0 ? fmt::format("  (+{})", model.moreWarnings) : std::string();
   const float left = x + ui.px(520);
   const float room = right - left - ImGui::CalcTextSize(more.c_str()).x;
   if (!model.warning.empty() && room > ui.px(40))
     figure(ui, "status.warning", left, shortened(model.warning, room) + more, model.warning.c_str(), ui.theme.warning);
   if (!model.background.empty())
-    figure(ui, "status.background", width - ui.px(434), model.background,
-           "How often light is stopped within the yarns is measured in the background, to be used once it is known. "
-           "Until then it is lent by the most similar yarns that have been measured before.",
-           quiet);
+    figure(ui, "status.background", width - ui.px(434), model.background, words::status::visibilityHelp, quiet);
   else if (!model.lamp.empty())
-    figure(
-        ui, "status.lamp", width - ui.px(434), model.lamp,
-        "The lamp whose spectrum the colours are seen by, as in a light booth (J takes the next). The eye is adapted "
-        "to it: white is white, and what moves is what dyers call metamerism.",
-        quiet);
-  figure(ui, "status.work", width - ui.px(314), model.work, "What the workers behind the picture are doing.", quiet);
+    figure(ui, "status.lamp", width - ui.px(434), model.lamp, words::status::lampHelp, quiet);
+  figure(ui, "status.work", width - ui.px(314), model.work, words::status::workHelp, quiet);
   figure(ui, "status.samples", width - ui.px(150),
-         model.samples > 0 ? fmt::format("{} spp", model.samples) : std::string("preview"),
-         "Samples per pixel: light paths traced through every pixel. More is smoother.", quiet);
-  figure(ui, "status.seconds", width - ui.px(72), fmt::format("{:.1f} s", model.seconds),
-         "Time since this picture was begun.", quiet);
+         model.samples > 0 ? fmt::format(words::common::samplesPerPixel, model.samples)
+                           : std::string(words::common::preview),
+         words::status::samplesHelp, quiet);
+  figure(ui, "status.seconds", width - ui.px(72), fmt::format("{:.1f} s", model.seconds), words::status::secondsHelp,
+         quiet);
   ImGui::PopFont();
 }
 

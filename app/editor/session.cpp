@@ -1,5 +1,6 @@
 #include "app/editor/session.h"
 
+#include <fmt/core.h>
 #include <imgui_internal.h>
 
 #include <utility>
@@ -12,6 +13,8 @@
 #include "ui/widgets/choices.h"
 #include "ui/widgets/fields.h"
 #include "ui/widgets/keys.h"
+#include "ui/words/file_words.h"
+#include "ui/words/message_words.h"
 
 namespace loomlight {
 namespace {
@@ -66,7 +69,9 @@ Settings Session::settingsToKeep() const {
 }
 
 std::string Session::title() const {
-  return document_.fabric()->name + (document_.document().isDirty() ? " (edited)" : "") + " - Loomlight";
+  const std::string& name = document_.fabric()->name;
+  return document_.document().isDirty() ? fmt::format(words::messages::windowTitleEdited, name)
+                                        : fmt::format(words::messages::windowTitle, name);
 }
 
 void Session::frame(Ui& ui) {
@@ -178,9 +183,7 @@ void Session::run(Command command) {
     case Command::showKeys:
       return help_.keys.show();
     case Command::showAbout:
-      return questions_.say("Loomlight " LOOMLIGHT_VERSION,
-                            "Woven cloth, seen as it will look: path-traced from the optics of its fibres.\n\n"
-                            "Colours are shown in sRGB with the white of daylight (D65). Apache License 2.0.");
+      return questions_.say(fmt::format(words::messages::aboutTitle, LOOMLIGHT_VERSION), words::messages::about);
   }
 }
 
@@ -197,7 +200,7 @@ void Session::run(DraftCommand command) {
     case DraftCommand::exportDraft:
       return browse(FileTask::exportDraft);
     case DraftCommand::exportTile:
-      return tile_.show(freeFile(fileCalledAsCloth(" tile.json")).string(), document_.fabric());
+      return tile_.show(freeFile(fileCalledAsCloth(words::files::tileEnding)).string(), document_.fabric());
     default:
       const EditPlace place = draft_.place();
       if (auto edited = draft_.run(command, *document_.fabric(), settings_.draft))

@@ -27,6 +27,7 @@
 #include "ui/first_hints.h"
 #include "ui/status_bar.h"
 #include "ui/widgets/commands.h"
+#include "ui/words/message_words.h"
 
 namespace loomlight {
 
@@ -50,7 +51,7 @@ class Session {
   /// answer is taken for a question that was not asked.
   void drop(const std::vector<std::string>& files) { files_.drop(files); }
   /// Says why a file could not be opened.
-  void sayUnopened(const std::string& problem) { questions_.say("This file cannot be opened", problem); }
+  void sayUnopened(const std::string& problem) { questions_.say(words::messages::unopenedTitle, problem); }
   /// Asks about unsaved work first, once.
   void askToQuit() { leaveFor({Errand::Kind::quit}); }
   /// Offers what an editor that did not end well has left behind, once no dialog is in the way.

@@ -15,6 +15,9 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/fabric/wif/wif_fabric.h"
+#include "ui/words/common_words.h"
+#include "ui/words/file_words.h"
+#include "ui/words/message_words.h"
 
 namespace loomlight {
 namespace fs = std::filesystem;
@@ -34,9 +37,9 @@ void Session::leaveFor(Errand next) {
   if (files_.service().isReading()) files_.service().cancel();  // a copy that was taken up stays where it is
   if (files_.service().busy()) return;                          // fileDone() comes back here
   if (!document_.document().isDirty()) return goOn();
-  questions_.ask(Question::unsaved, "Unsaved work",
-                 fmt::format("\"{}\" has changes that are not saved.", document_.fabric()->name),
-                 {"Cancel", "Don't save", "Save"}, 2);
+  questions_.ask(Question::unsaved, words::messages::unsavedTitle,
+                 fmt::format(words::messages::unsaved, document_.fabric()->name),
+                 {words::common::cancel, words::messages::dontSave, words::common::save}, 2);
 }
 
 void Session::goOn() {
@@ -93,8 +96,8 @@ void Session::openRecent(const std::string& file) {
   lookFor(settings_.recent);
   std::error_code ignored;
   if (fs::is_regular_file(file, ignored)) return openFile(file);
-  questions_.ask(Question::forgetRecent, "This file is missing", file + " is not there any more.",
-                 {"Keep in the list", "Forget it"}, 0, file);
+  questions_.ask(Question::forgetRecent, words::messages::missingTitle, fmt::format(words::messages::missing, file),
+                 {words::messages::keepInList, words::messages::forgetIt}, 0, file);
 }
 
 /// What has waited until no dialog is open: work that another editor left, and files that were dropped.
@@ -102,8 +105,9 @@ void Session::openPending() {
   if (recoveryIsDue_ && !dialogIsOpen()) {
     recoveryIsDue_ = false;
     if (const auto left = Autosave::leftBehind(stateFolder()))
-      questions_.ask(Question::recover, "Unsaved work was found", aboutLeftWork(*left) + " Take it up again?",
-                     {"Later", "Throw away", "Take up"}, 2, left->string());
+      questions_.ask(Question::recover, words::messages::leftTitle,
+                     fmt::format(words::messages::takeItUp, aboutLeftWork(*left)),
+                     {words::messages::later, words::messages::throwAway, words::messages::takeUp}, 2, left->string());
   }
   while (!dialogIsOpen()) {
     const auto file = files_.takeDropped();
@@ -136,11 +140,7 @@ void Session::openFile(const std::string& file) {
   } else if (isFabricFile(file) || isWeavingFile(file)) {
     leaveFor({Errand::Kind::open, file});
   } else {
-    sayUnopened(
-        file +
-        ": expected a cloth (.loomlight, .json), a draft (.wif, .dtx), a picture (.png), a mesh "
-        "(.obj, .ply, .off), an environment (.exr), a palette (.ase, .aco, .gpl, .csv), a measured swatch (.cxf, "
-        ".qtx, .csv, CGATS .txt) or a colour profile (.icc, .icm)");
+    sayUnopened(fmt::format(words::messages::unknownKind, file));
   }
 }
 
@@ -155,7 +155,7 @@ void Session::openColours(const std::string& file) {
     else
       inspector_.open(colours.palette, absolute(file).string());
     if (!colours.remarks.empty())
-      questions_.say("The colours were read", fmt::format("{}", fmt::join(colours.remarks, "\n\n")));
+      questions_.say(words::messages::coloursRead, fmt::format("{}", fmt::join(colours.remarks, "\n\n")));
   } catch (const InputError& error) {
     sayUnopened(error.what());
   }
@@ -186,11 +186,10 @@ void Session::fileDone(FileService::Result result) {
   if (!result.problem.empty() || result.cancelled) errand_ = {};
   if (result.cancelled) return;
   if (!result.problem.empty() && result.work == Work::usePreset)
-    return questions_.say("This preset cannot be used", result.problem);
+    return questions_.say(words::messages::presetUnusedTitle, result.problem);
   if (!result.problem.empty() && !written) return sayUnopened(result.problem);
   if (!result.problem.empty())
-    return questions_.say("The file could not be written",
-                          result.problem + "\n\nNothing is lost: the cloth is still here.");
+    return questions_.say(words::messages::unwrittenTitle, fmt::format(words::messages::unwritten, result.problem));
   // Workers go on while a file is read: what they have edited since is asked about too.
   const bool editedSince = !written && result.state != document_.document().state() && document_.document().isDirty();
   switch (result.work) {
@@ -209,9 +208,9 @@ void Session::fileDone(FileService::Result result) {
     case Work::exportTo:
     case Work::renderTo:
       lookNextIn(result.file);
-      std::string text = "Written: " + result.file;
+      std::string text = fmt::format(words::messages::written, result.file);
       for (const std::string& remark : result.remarks) text += "\n\n" + remark;
-      questions_.say("Exported", text);
+      questions_.say(words::messages::exported, text);
   }
   if (errand_.kind != Errand::Kind::none) leaveFor(errand_);
 }
@@ -241,9 +240,9 @@ fs::path Session::startOf(FileTask task) const {
     case FileTask::exportBitmap:
       return fileCalledAsCloth(".png");
     case FileTask::sheet:
-      return fileCalledAsCloth(" sheet.pdf");
+      return fileCalledAsCloth(words::files::sheetEnding);
     case FileTask::colourwaySheet:
-      return fileCalledAsCloth(" colourways.pdf");
+      return fileCalledAsCloth(words::files::colourwaysEnding);
     default:
       return folderToLookIn();
   }

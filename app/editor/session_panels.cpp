@@ -8,6 +8,8 @@
 #include "core/base/memory.h"
 #include "ui/menu_bar.h"
 #include "ui/widgets/choices.h"
+#include "ui/words/message_words.h"
+#include "ui/words/status_words.h"
 
 namespace loomlight {
 
@@ -138,7 +140,7 @@ void Session::drawFabricDialogs(Ui& ui) {
   const EditPlace place = draft_.place();
   DraftController::Edit edit = draft_.drawDialogs(ui, document_.fabric(), yarnColours_, settings_.draft);
   if (edit.fabric) document_.edit(std::move(*edit.fabric), place);
-  if (!edit.problem.empty()) questions_.say("This picture cannot be used", edit.problem);
+  if (!edit.problem.empty()) questions_.say(words::messages::unwovenTitle, edit.problem);
 }
 
 void Session::drawDialogs(Ui& ui) {
@@ -178,15 +180,16 @@ StatusModel Session::statusToSay() const {
   const ViewService& seen = viewport_.service();
   StatusModel model = statusModel(seen.stats().get(), seen.status(), seen.visibilityStatus(), seen.frame());
   const Light& light = document_.fabric()->light;
-  if (light.illuminant != StandardIlluminant::d65) model.lamp = fmt::format("under {}", lampName(light.illuminant));
+  if (light.illuminant != StandardIlluminant::d65)
+    model.lamp = fmt::format(words::status::lamp, lampName(light.illuminant));
   const auto insist = [&model](const std::string& about, const std::string& problem) {
     if (problem.empty()) return;
     model.warning = about + problem;
     model.moreWarnings = 0;
   };
-  insist("The cloth's figures are not known: ", seen.insightProblem());
-  insist("The view that was kept will not last: ", snapshots_.problem());
-  insist("Unsaved work is not kept safe: ", document_.autosave().problem());
+  insist(words::status::figuresUnknown, seen.insightProblem());
+  insist(words::status::viewNotKept, snapshots_.problem());
+  insist(words::status::workNotSafe, document_.autosave().problem());
   insist("", document_.refusal());
   return model;
 }

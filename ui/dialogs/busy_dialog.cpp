@@ -4,6 +4,7 @@
 
 #include "ui/widgets/fields.h"
 #include "ui/widgets/modal.h"
+#include "ui/words/common_words.h"
 
 namespace loomlight {
 namespace {
@@ -37,14 +38,15 @@ bool BusyDialog::draw(Ui& ui, const std::optional<std::string>& text, bool canCa
   if (!seen) ImGui::GetStyle().Colors[ImGuiCol_ModalWindowDimBg].w = 0;  // the theme brings it back with the next frame
   ImGui::PushStyleVar(ImGuiStyleVar_Alpha, seen ? ImGui::GetStyle().Alpha : 0.0f);
   bool cancelled = false;
-  if (beginModal(ui, "One moment##busy", ImVec2(ui.px(480), 0), open_, opening_)) {
+  if (beginModal(ui, (std::string(words::common::oneMoment) + "##busy").c_str(), ImVec2(ui.px(480), 0), open_,
+                 opening_)) {
     ImGui::TextUnformatted(shortened(text_, ui.px(440)).c_str());
     ImGui::Dummy(ImVec2(0, ui.px(4)));
     movingBar(ui, seconds);
     ImGui::Dummy(ImVec2(0, ui.px(8)));
     ImGui::SetCursorPosX(ImGui::GetWindowWidth() - ui.px(136));
     if (canCancel)
-      cancelled = button(ui, "busy.cancel", "Cancel", ui.px(120)) || modalCancelled(ui);
+      cancelled = button(ui, "busy.cancel", words::common::cancel, ui.px(120)) || modalCancelled(ui);
     else
       ImGui::Dummy(ImVec2(ui.px(120), ImGui::GetFrameHeight()));  // the dialog keeps its size
     if (seen) ui.probe.fact("busy", text_);

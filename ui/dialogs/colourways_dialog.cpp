@@ -10,6 +10,8 @@
 #include "core/fabric/model/validate.h"
 #include "ui/widgets/fields.h"
 #include "ui/widgets/modal.h"
+#include "ui/words/common_words.h"
+#include "ui/words/dialog_words.h"
 
 namespace loomlight {
 namespace {
@@ -83,7 +85,8 @@ void ColourwaysDialog::cards(Ui& ui, const Fabric& fabric, const ColourwayLooks&
     if (i % perLine_ != 0) ImGui::SameLine();
     const Colourway* const colourway = i > 0 ? &fabric.colourways[static_cast<size_t>(i - 1)] : nullptr;
     const auto look = static_cast<size_t>(i);
-    card(ui, i, colourway ? colourway->name.c_str() : "As it is now", looks.pictures[look], looks.yarnColours[look]);
+    card(ui, i, colourway ? colourway->name.c_str() : words::colourways::asItIsNow, looks.pictures[look],
+         looks.yarnColours[look]);
   }
   ImGui::PopStyleVar();
   ImGui::EndChild();
@@ -96,43 +99,43 @@ std::optional<Fabric> ColourwaysDialog::actions(Ui& ui, const Fabric& fabric) {
   std::optional<Fabric> edited;
   const auto edit = [&]() -> Fabric& { return edited ? *edited : edited.emplace(fabric); };
   // The row is there for the cloth as it is too, so that a choice moves nothing.
-  std::string name = kept ? fabric.colourways[index].name : "As it is now";
+  std::string name = kept ? fabric.colourways[index].name : words::colourways::asItIsNow;
   ImGui::BeginChild("name", ImVec2(ui.px(412), ImGui::GetFrameHeight()));
   if (!kept) ImGui::BeginDisabled();
-  if (textField(ui, {"colourways.name", "Name", "What this colourway is called.", true}, name) && kept)
+  if (textField(ui, {"colourways.name", words::colourways::name, true}, name) && kept)
     edit().colourways[index].name = name;
   if (!kept) ImGui::EndDisabled();
   ImGui::EndChild();
   ImGui::Dummy(ImVec2(0, ui.px(4)));
   const float width = ui.px(132);
-  if (button(ui, "colourways.keep", "Keep as it is", width, room, "Add the colours that the cloth has now")) {
-    edit().colourways.push_back(colourwayOf(fabric, nameFor(fabric, "Colourway")));
+  if (button(ui, "colourways.keep", words::colourways::keep.label, width, room, words::colourways::keep.help)) {
+    edit().colourways.push_back(colourwayOf(fabric, nameFor(fabric, words::colourways::newName)));
     chosen_ = static_cast<int>(edit().colourways.size());
   }
   ImGui::SameLine();
-  if (button(ui, "colourways.use", "Use", width, kept, "Dye the cloth in these colours"))
+  if (button(ui, "colourways.use", words::colourways::use.label, width, kept, words::colourways::use.help))
     edited = inColourway(fabric, fabric.colourways[index]);
   ImGui::SameLine();
-  if (button(ui, "colourways.copy", "Duplicate", width, kept && room, "Add another one that begins as this one")) {
+  if (button(ui, "colourways.copy", words::colourways::duplicate.label, width, kept && room,
+             words::colourways::duplicate.help)) {
     Colourway copy = fabric.colourways[index];
     copy.name = nameFor(fabric, copy.name);
     edit().colourways.insert(edit().colourways.begin() + static_cast<ptrdiff_t>(index) + 1, std::move(copy));
     ++chosen_;
   }
   ImGui::SameLine();
-  if (button(ui, "colourways.remove", "Remove", width, kept)) {
+  if (button(ui, "colourways.remove", words::common::remove, width, kept)) {
     edit().colourways.erase(edit().colourways.begin() + static_cast<ptrdiff_t>(index));
     --chosen_;
   }
   ImGui::SameLine();
-  if (button(ui, "colourways.print", "Print\xE2\x80\xA6", width, true,
-             "A page with all of them at 1 : 1, as they look in a light booth")) {
+  if (button(ui, "colourways.print", words::colourways::print.label, width, true, words::colourways::print.help)) {
     printWanted_ = true;
     open_ = false;
     ImGui::CloseCurrentPopup();
   }
   ImGui::SameLine(ImGui::GetWindowWidth() - ui.px(16) - width);
-  if (button(ui, "colourways.close", "Close", width) || modalCancelled(ui)) {
+  if (button(ui, "colourways.close", words::common::close, width) || modalCancelled(ui)) {
     open_ = false;
     ImGui::CloseCurrentPopup();
   }
@@ -142,7 +145,7 @@ std::optional<Fabric> ColourwaysDialog::actions(Ui& ui, const Fabric& fabric) {
 std::optional<Fabric> ColourwaysDialog::draw(Ui& ui, const Fabric& fabric, const ColourwayLooks& looks) {
   if (!open_) return std::nullopt;
   chosen_ = std::clamp(chosen_, 0, static_cast<int>(fabric.colourways.size()));
-  if (!beginModal(ui, "Colourways", ImGui::GetIO().DisplaySize, open_, opening_)) return std::nullopt;
+  if (!beginModal(ui, words::colourways::title, ImGui::GetIO().DisplaySize, open_, opening_)) return std::nullopt;
   const ImVec2 room = ImGui::GetContentRegionAvail();
   cards(ui, fabric, looks, ImVec2(room.x, room.y - 2 * ImGui::GetFrameHeightWithSpacing() - ui.px(16)));
   std::optional<Fabric> edited = actions(ui, fabric);

@@ -5,6 +5,7 @@
 
 #include "ui/widgets/member_fields.h"
 #include "ui/widgets/modal.h"
+#include "ui/words/picture_words.h"
 
 namespace loomlight {
 void MessageDialog::show(std::string title, std::string text, std::vector<std::string> answers, int enter) {
@@ -53,17 +54,14 @@ void SnapshotDialog::show(const RenderSettings& settings, std::string file) {
 SnapshotDialog::Result SnapshotDialog::draw(Ui& ui, double seen_mm, const RenderJob& job) {
   Result result;
   if (!open_) return result;
-  if (!beginModal(ui, "Snapshot", ImVec2(ui.px(480), 0), open_, opening_)) {
+  if (!beginModal(ui, words::snapshot::title, ImVec2(ui.px(480), 0), open_, opening_)) {
     result.cancel = job.running;
     return result;
   }
   ImGui::BeginDisabled(job.running);
   bool changed = snapshotOptionRows(ui, options_, settings_, seen_mm);
   changed |= memberField(ui, "snapshot", settings_, &RenderSettings::samplesPerPixel);
-  textField(ui,
-            {"snapshot.file", "File",
-             "Where the picture goes: .png as the display shows it, .exr with all its light and layers"},
-            file_);
+  textField(ui, {"snapshot.file", words::snapshot::file}, file_);
   result.chooseFile = chooseFileButton(ui, "snapshot", file_);
   ImGui::EndDisabled();
   if (changed) result.settings = settings_;

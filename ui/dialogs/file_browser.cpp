@@ -1,5 +1,6 @@
 #include "ui/dialogs/file_browser.h"
 
+#include <fmt/core.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
@@ -8,6 +9,8 @@
 #include "core/base/text.h"
 #include "ui/widgets/field_row.h"
 #include "ui/widgets/modal.h"
+#include "ui/words/common_words.h"
+#include "ui/words/file_words.h"
 
 namespace loomlight {
 namespace fs = std::filesystem;
@@ -95,7 +98,7 @@ void FileBrowser::drawHead(Ui& ui) {
   ImGui::PopFont();
   ImGui::SameLine(left + path + gap);
   ImGui::SetNextItemWidth(width);
-  ImGui::InputTextWithHint("##filter", "Show only names with\xE2\x80\xA6", &filter_);
+  ImGui::InputTextWithHint("##filter", words::files::filter, &filter_);
   ui.probe.recordItem("browser.filter");
 }
 
@@ -118,7 +121,7 @@ bool FileBrowser::drawEntries(Ui& ui, float width, float height) {
   ImGui::BeginChild("entries", ImVec2(width, height), false, ImGuiWindowFlags_AlwaysUseWindowPadding);
   bool decided = false;
   std::optional<fs::path> into;
-  if (folder_.has_parent_path() && folder_ != folder_.root_path() && ImGui::Selectable("\xE2\x86\x91  Up"))
+  if (folder_.has_parent_path() && folder_ != folder_.root_path() && ImGui::Selectable(words::files::up))
     into = folder_.parent_path();
   std::vector<const Entry*> shown;
   for (const Entry& entry : entries_)
@@ -157,7 +160,7 @@ bool FileBrowser::drawEntries(Ui& ui, float width, float height) {
       }
     }
   }
-  if (shown.empty()) hint(ui, entries_.empty() ? "Nothing here that this dialog can use." : "Nothing is called that.");
+  if (shown.empty()) hint(ui, entries_.empty() ? words::files::nothingHere : words::common::nothingCalledThat);
   ImGui::EndChild();
   ImGui::PopStyleColor(2);
   if (into) enter(*into);
@@ -166,7 +169,7 @@ bool FileBrowser::drawEntries(Ui& ui, float width, float height) {
 
 std::optional<std::string> FileBrowser::decide(bool mayReplace) {
   if (typed_.empty()) {
-    problem_ = "Type a name, or choose a file.";
+    problem_ = words::files::noName;
     return std::nullopt;
   }
   fs::path file = named();
@@ -178,12 +181,12 @@ std::optional<std::string> FileBrowser::decide(bool mayReplace) {
   }
   if (purpose_ == Purpose::save && !accepts(file)) file += extensions_.front();
   if (purpose_ == Purpose::open && !fs::exists(file, error)) {
-    problem_ = error ? error.message() + ": " + file.string() : "There is no " + file.string();
+    problem_ = error ? error.message() + ": " + file.string() : fmt::format(words::files::isNotThere, file.string());
     return std::nullopt;
   }
   if (purpose_ == Purpose::save && fs::exists(file, error) && (toReplace_ != file.string() || !mayReplace)) {
     toReplace_ = file.string();
-    problem_ = file.filename().string() + " exists already.";
+    problem_ = fmt::format(words::common::existsAlready, file.filename().string());
     return std::nullopt;
   }
   return file.string();
@@ -204,7 +207,7 @@ void FileBrowser::drawName(Ui& ui, bool begin, bool& decided) {
     return 0;
   };
   std::string text = typed_;
-  decided |= ImGui::InputTextWithHint("##name", "File name or path", &text,
+  decided |= ImGui::InputTextWithHint("##name", words::files::nameOrPath, &text,
                                       ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackHistory,
                                       onArrow, this);
   typed_ = text;
@@ -232,9 +235,11 @@ std::optional<std::string> FileBrowser::draw(Ui& ui, const FilePreview& preview)
   textLine(ui, "browser.problem", problem_, ui.theme.warning);
   const float width = ui.px(112);
   ImGui::SetCursorPosX(ImGui::GetWindowWidth() - 2 * width - ui.px(24));
-  const bool close = button(ui, "browser.cancel", "Cancel", width) || modalCancelled(ui);
+  const bool close = button(ui, "browser.cancel", words::common::cancel, width) || modalCancelled(ui);
   ImGui::SameLine();
-  const char* does = purpose_ == Purpose::open ? "Open" : toReplace_.empty() ? "Save" : "Replace";
+  const char* does = purpose_ == Purpose::open ? words::files::open
+                     : toReplace_.empty()      ? words::common::save
+                                               : words::common::replace;
   const bool pressed = mainButton(ui, "browser.ok", does, width);
   decided |= modalConfirmed(ui);
   std::optional<std::string> file;

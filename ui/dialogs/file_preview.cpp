@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ui/widgets/fields.h"
+#include "ui/words/file_words.h"
 
 namespace loomlight {
 
@@ -22,7 +23,7 @@ void drawFilePreview(Ui& ui, const FilePreview& preview, float width, float heig
   }
   ImGui::Dummy(ImVec2(width, high + ui.px(4)));
   for (const std::string& line : preview.lines) hint(ui, line);
-  if (preview.isComing) hint(ui, "Looking into it\xE2\x80\xA6");
+  if (preview.isComing) hint(ui, words::files::isLookedInto);
   ImGui::EndChild();
   std::string all;
   for (const std::string& line : preview.lines) all += line + "\n";

@@ -7,6 +7,7 @@
 #include "ui/widgets/field_row.h"
 #include "ui/widgets/modal.h"
 #include "ui/words/key_words.h"
+#include "ui/words/menu_words.h"
 
 namespace loomlight {
 namespace {
@@ -30,7 +31,7 @@ void group(Ui& ui, const char* title, std::span<const words::KeyLine> lines) {
 }  // namespace
 
 void KeysDialog::draw(Ui& ui) {
-  if (!open_ || !beginModal(ui, words::keys::title, ImVec2(ui.px(1080), 0), open_, opening_)) return;
+  if (!open_ || !beginModal(ui, words::menu::keysAndMouse.label, ImVec2(ui.px(1080), 0), open_, opening_)) return;
   const float row = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
   const float height =
       row * static_cast<float>(std::size(words::keys::onTheCloth) + std::size(words::keys::everywhere)) + ui.px(88);

@@ -10,6 +10,9 @@
 
 #include "ui/widgets/fields.h"
 #include "ui/widgets/modal.h"
+#include "ui/words/common_words.h"
+#include "ui/words/menu_words.h"
+#include "ui/words/picture_words.h"
 
 namespace loomlight {
 namespace {
@@ -19,10 +22,10 @@ constexpr int kWarpOver = 0, kWeftOver = 1, kFirstShade = 2, kShades = 7;
 
 /// Uncut areas, the shades between weft and warp, and all that the palette of the draft offers.
 std::vector<Structure> assignable() {
-  std::vector<Structure> structures{{"Warp over", Weave(std::vector<Weave::Row>{{1}})},
-                                    {"Weft over", Weave(std::vector<Weave::Row>{{0}})}};
+  std::vector<Structure> structures{{words::picture::warpOver, Weave(std::vector<Weave::Row>{{1}})},
+                                    {words::menu::weftOver.label, Weave(std::vector<Weave::Row>{{0}})}};
   for (int raised = 1; raised <= kShades; ++raised)
-    structures.push_back({fmt::format("Shaded satin {}/8", raised), shadedSatin(8, 3, raised)});
+    structures.push_back({fmt::format(words::picture::shadedSatin, raised), shadedSatin(8, 3, raised)});
   for (Structure& structure : structurePalette()) structures.push_back(std::move(structure));
   return structures;
 }
@@ -93,13 +96,10 @@ void PictureDialog::drawColours(float size) const {
 }
 
 void PictureDialog::drawPreview(Ui& ui, ImTextureID woven, float size) {
-  static constexpr const char* kNames[] = {"Woven", "Colours"};
   int chosen = showsColours_ ? 1 : 0;
   ImGui::BeginGroup();
   ImGui::BeginChild("picture.what", ImVec2(size, ImGui::GetFrameHeight()));
-  if (segmentField(ui,
-                   {"picture.shown", "", "The cloth in its present yarns, or the colours that are told apart.", true},
-                   kNames, chosen))
+  if (segmentField(ui, {"picture.shown", "", words::picture::shownHelp, true}, words::picture::shownAs, chosen))
     showsColours_ = chosen == 1;
   ImGui::EndChild();
   if (showsColours_) {
@@ -119,44 +119,36 @@ void PictureDialog::drawPreview(Ui& ui, ImTextureID woven, float size) {
 /// How large it is woven: as the selection, or as many threads as are wanted.
 void PictureDialog::targetRows(Ui& ui) {
   if (selection_) {
-    static constexpr const char* kNames[] = {"Selection", "Whole weave"};
     int chosen = fillsSelection_ ? 0 : 1;
-    if (segmentField(ui,
-                     {"picture.into", "Fills",
-                      "The crossings that are selected in the draft, or in the place of the whole weave."},
-                     kNames, chosen)) {
+    if (segmentField(ui, {"picture.into", words::picture::into}, words::picture::intoNames, chosen)) {
       fillsSelection_ = chosen == 0;
       changed_ = true;
     }
   }
   if (fillsSelection_) {
-    readout(ui, {"picture.selection", "Ends and picks", "Of the selection, which the picture fills."},
+    readout(ui, {"picture.selection", words::picture::selection},
             fmt::format("{} \xC3\x97 {}", selection_->ends, selection_->picks));
     return;
   }
-  changed_ |=
-      wholeNumberField(ui, {"picture.ends", "Ends", "How many ends the picture is wide: the repeat of the weave."}, "",
-                       1, Weave::kMaxSide, ends_);
-  changed_ |=
-      wholeNumberField(ui, {"picture.picks", "Picks", "How many picks it is high."}, "", 1, Weave::kMaxSide, picks_);
-  if (button(ui, "picture.proportions", "Picks in proportion", 0, true,
-             "As many picks as leave the picture its proportions, at the cloth's sett.")) {
+  changed_ |= wholeNumberField(ui, {"picture.ends", words::picture::ends}, "", 1, Weave::kMaxSide, ends_);
+  changed_ |= wholeNumberField(ui, {"picture.picks", words::picture::picks}, "", 1, Weave::kMaxSide, picks_);
+  if (button(ui, "picture.proportions", words::picture::proportions.label, 0, true, words::picture::proportions.help)) {
     picks_ = proportionalPicks();
     changed_ = true;
   }
 }
 
 void PictureDialog::drawFields(Ui& ui) {
-  hint(ui, fmt::format("{}: {} \xC3\x97 {} pixels", name_, source_->raster.width, source_->raster.height));
+  hint(ui, fmt::format(words::picture::about, name_, source_->raster.width, source_->raster.height));
   targetRows(ui);
-  if (wholeNumberField(ui, {"picture.colours", "Colours", "That are told apart."}, "", 1, kMostColours, colours_))
+  if (wholeNumberField(ui, {"picture.colours", words::picture::colours}, "", 1, kMostColours, colours_))
     reducePalette();
   ImGui::Dummy(ImVec2(0, ui.px(4)));
   std::vector<const char*> names;
   for (const Structure& structure : structures_) names.push_back(structure.name.c_str());
   for (size_t i = 0; i < preview_.palette.size(); ++i)
     if (mergedInto_[i] == i) colourRow(ui, i, names);
-  hint(ui, "Drag a colour on another to weave both alike.");
+  hint(ui, words::picture::dragToMerge);
 }
 
 /// Both are woven alike from now on, and shown as one.
@@ -172,9 +164,9 @@ void PictureDialog::colourRow(Ui& ui, size_t colour, const std::vector<const cha
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float height = ImGui::GetFrameHeight();
   const std::string label = fmt::format("         {:.0f} %", 100 * share);
-  changed_ |= choiceField(
-      ui, {fmt::format("picture.structure_{}", colour), label.c_str(), "What is woven in the place of this colour."},
-      names, assigned_[colour]);
+  changed_ |=
+      choiceField(ui, {fmt::format("picture.structure_{}", colour), label.c_str(), words::picture::structureHelp},
+                  names, assigned_[colour]);
   const ImVec2 after = ImGui::GetCursorPos();
   const ImVec2 min(at.x, at.y + ui.px(2)), max(at.x + ui.px(24), at.y + height - ui.px(2));
   ImGui::SetCursorScreenPos(min);
@@ -221,7 +213,7 @@ std::optional<PictureOrder> PictureDialog::takeChanged() {
 }
 
 std::optional<PictureOrder> PictureDialog::draw(Ui& ui, ImTextureID woven) {
-  if (!open_ || !beginModal(ui, "Weave from a picture", ImVec2(ui.px(720), 0), open_, opening_)) return std::nullopt;
+  if (!open_ || !beginModal(ui, words::picture::title, ImVec2(ui.px(720), 0), open_, opening_)) return std::nullopt;
   const float side = ui.px(kPreviewSide), height = side + ImGui::GetFrameHeightWithSpacing();
   if (source_) {
     ImGui::BeginDisabled(weaving_);
@@ -234,17 +226,18 @@ std::optional<PictureOrder> PictureDialog::draw(Ui& ui, ImTextureID woven) {
     ui.probe.fact("picture.colours", std::to_string(preview_.palette.size()));
   } else {
     ImGui::BeginChild("picture.reading", ImVec2(0, height));
-    hint(ui, fmt::format("{} is being read\xE2\x80\xA6", name_));
+    hint(ui, fmt::format(words::picture::isBeingRead, name_));
     ImGui::EndChild();
   }
   ui.probe.fact("picture.state", !source_ ? "reading" : weaving_ ? "weaving" : "ready");
   const float width = ui.px(120);
   ImGui::SetCursorPosX(ImGui::GetWindowWidth() - 2 * width - ui.px(24));
-  const bool cancelled = button(ui, "picture.close", "Cancel", width) || modalCancelled(ui);
+  const bool cancelled = button(ui, "picture.close", words::common::cancel, width) || modalCancelled(ui);
   ImGui::SameLine();
   const bool canWeave = source_ && !weaving_;
-  const bool weaves = mainButton(ui, "picture.weave", weaving_ ? "Weaving\xE2\x80\xA6" : "Weave", width, canWeave) ||
-                      (canWeave && modalConfirmed(ui));
+  const bool weaves =
+      mainButton(ui, "picture.weave", weaving_ ? words::picture::weaving : words::picture::weave, width, canWeave) ||
+      (canWeave && modalConfirmed(ui));
   if (cancelled || std::exchange(closing_, false)) {
     open_ = false;
     ImGui::CloseCurrentPopup();

@@ -6,16 +6,18 @@
 
 #include "ui/widgets/fields.h"
 #include "ui/widgets/modal.h"
+#include "ui/words/dialog_words.h"
+#include "ui/words/menu_words.h"
 
 namespace loomlight {
 
 namespace {
 
 void lookRows(Ui& ui, bool& darkTheme, float& interfaceSize) {
-  heading(ui, "Look");
-  static constexpr const char* kThemes[] = {"Dark", "Light"};
+  heading(ui, words::preferences::look);
+  static constexpr const char* kThemes[] = {words::menu::darkTheme.label, words::menu::lightTheme.label};
   int theme = darkTheme ? 0 : 1;
-  segmentField(ui, {"preferences.theme", "Theme", "The cloth is seen on the same grey in both."}, kThemes, theme);
+  segmentField(ui, {"preferences.theme", words::preferences::theme}, kThemes, theme);
   darkTheme = theme == 0;
   static constexpr const char* kNames[] = {"75 %", "100 %", "125 %", "150 %", "200 %"};
   static_assert(std::size(kNames) == std::size(kInterfaceSizes));
@@ -23,17 +25,14 @@ void lookRows(Ui& ui, bool& darkTheme, float& interfaceSize) {
     return std::abs(a - interfaceSize) < std::abs(b - interfaceSize);
   });
   int size = static_cast<int>(nearest - std::begin(kInterfaceSizes));
-  if (segmentField(ui,
-                   {"preferences.size", "Size of the interface",
-                    "100 % is what the monitor asks for. A small window holds it to what leaves room for the cloth."},
-                   kNames, size))
+  if (segmentField(ui, {"preferences.size", words::preferences::size}, kNames, size))
     interfaceSize = kInterfaceSizes[size];
 }
 
 /// A bar as long as the editor believes 50 mm to be; what a ruler reads of it sets that right.
 void rulerRow(Ui& ui, double pixels_per_mm, double& factor) {
   constexpr double kBar_mm = 50;
-  heading(ui, "Actual size");
+  heading(ui, words::menu::actualSize.label);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const auto length = static_cast<float>(kBar_mm * pixels_per_mm / factor);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -52,55 +51,46 @@ void rulerRow(Ui& ui, double pixels_per_mm, double& factor) {
   style.max = 200;
   style.decimals = 1;
   double read_mm = kBar_mm;
-  if (numberField(
-          ui,
-          {"preferences.ruler", "A ruler reads",
-           "Hold a ruler to the bar above and type what it reads: from then on 1 : 1 is 1 : 1 on this display."},
-          style, read_mm))
+  if (numberField(ui, {"preferences.ruler", words::preferences::ruler}, style, read_mm))
     factor = std::clamp(factor * read_mm / kBar_mm, kRulerFactor[0], kRulerFactor[1]);
 }
 
-}  // namespace
-
-bool PreferencesDialog::draw(Ui& ui, const Facts& facts, PreferenceValues values) {
-  if (!open_ || !beginModal(ui, "Preferences", ImVec2(ui.px(560), 0), open_, opening_)) return false;
-  beginModalRows(ui, "preferences.rows");
-  lookRows(ui, values.darkTheme, values.interfaceSize);
-  const bool chooses = displayColourRows(ui, facts.profiles, values.colours);
-  rulerRow(ui, facts.pixels_per_mm, values.rulerFactor);
-  heading(ui, "Units");
-  countSystemRow(ui, "preferences", values.units.count);
-  twistUnitRow(ui, "preferences", values.units.twistAsMultiplier);
-  static constexpr const char* kLengths[] = {"cm", "inch"};
-  int length = values.draft.inches ? 1 : 0;
-  segmentField(ui, {"preferences.lengths", "Lengths in", "Of rulers, setts and repeats."}, kLengths, length);
-  values.draft.inches = length == 1;
-  heading(ui, "The usual piece");
-  pieceSizeRows(ui, "preferences", values.units.piece);
-  heading(ui, "Viewport");
+void viewportRows(Ui& ui, const PreferencesDialog::Facts& facts, PreferenceValues values) {
+  heading(ui, words::preferences::viewport);
   NumberStyle samples;
-  samples.unit = "samples";
+  samples.unit = words::preferences::samples;
   samples.min = 1;
   samples.max = facts.mostSamples;
   samples.decimals = 0;
   samples.logarithmic = true;
   double wanted = values.samples;
-  numberField(ui,
-              {"preferences.samples", "Picture rests at",
-               "Samples a pixel: the picture grows clearer until it has so many, and then leaves the processor alone."},
-              samples, wanted);
+  numberField(ui, {"preferences.samples", words::preferences::rest}, samples, wanted);
   values.samples = static_cast<int>(std::lround(wanted));
   NumberStyle memory;
   memory.unit = "GB";
   memory.min = 0.1;
   memory.max = std::max(memory.min, facts.machine_GB);
   memory.decimals = 1;
-  numberField(
-      ui,
-      {"preferences.fibre_memory", "Lens takes at most",
-       "The truth lens lays every single fibre of the piece. Where that would take more memory than this, it says so "
-       "and leaves it."},
-      memory, values.fibreMemory_GB);
+  numberField(ui, {"preferences.fibre_memory", words::preferences::lensMemory}, memory, values.fibreMemory_GB);
+}
+
+}  // namespace
+
+bool PreferencesDialog::draw(Ui& ui, const Facts& facts, PreferenceValues values) {
+  if (!open_ || !beginModal(ui, words::preferences::title, ImVec2(ui.px(560), 0), open_, opening_)) return false;
+  beginModalRows(ui, "preferences.rows");
+  lookRows(ui, values.darkTheme, values.interfaceSize);
+  const bool chooses = displayColourRows(ui, facts.profiles, values.colours);
+  rulerRow(ui, facts.pixels_per_mm, values.rulerFactor);
+  heading(ui, words::preferences::units);
+  countSystemRow(ui, "preferences", values.units.count);
+  twistUnitRow(ui, "preferences", values.units.twistAsMultiplier);
+  int length = values.draft.inches ? 1 : 0;
+  segmentField(ui, {"preferences.lengths", words::preferences::lengths}, words::preferences::lengthUnits, length);
+  values.draft.inches = length == 1;
+  heading(ui, words::preferences::usualPiece);
+  pieceSizeRows(ui, "preferences", values.units.piece);
+  viewportRows(ui, facts, values);
   endModalRows("preferences.rows");
   if (closedBelow(ui, "preferences.close")) open_ = false;
   endModal();

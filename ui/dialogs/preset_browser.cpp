@@ -9,6 +9,9 @@
 #include "core/fabric/wif/wif_values.h"
 #include "ui/widgets/field_row.h"
 #include "ui/widgets/modal.h"
+#include "ui/words/common_words.h"
+#include "ui/words/menu_words.h"
+#include "ui/words/preset_words.h"
 
 namespace loomlight {
 namespace {
@@ -20,29 +23,22 @@ constexpr float kCardWidth = 168, kPictureHeight = 120, kGap = 12;
 bool matchesSearch(const std::string& text, const std::string& search) {
   std::istringstream wanted(lowerCase(search));
   for (std::string beginning; wanted >> beginning;) {
-    std::istringstream words(lowerCase(text));
+    std::istringstream all(lowerCase(text));
     bool found = false;
-    for (std::string word; words >> word;) found |= word.compare(0, beginning.size(), beginning) == 0;
+    for (std::string word; all >> word;) found |= word.compare(0, beginning.size(), beginning) == 0;
     if (!found) return false;
   }
   return true;
 }
 
 void PresetBrowser::head(Ui& ui) {
-  static constexpr const char* kKinds[] = {"Fabrics", "Yarns", "Fibres", "Colours"};
   int kind = static_cast<int>(kind_);
   ImGui::BeginChild("kind", ImVec2(ui.px(400), ImGui::GetFrameHeight()));
-  if (segmentField(ui,
-                   {"presets.kind", "Show", "Yarns bring their fibre along; colours are those of all fibres.", true},
-                   kKinds, kind))
-    chosen_.clear();
+  if (segmentField(ui, {"presets.kind", words::presets::kind, true}, words::presets::kinds, kind)) chosen_.clear();
   ImGui::EndChild();
   kind_ = static_cast<PresetKind>(kind);
   ImGui::SameLine(0, ui.px(24));
-  textField(
-      ui,
-      {"presets.search", "Search", "Beginnings of words in names, descriptions and tags, such as: cotton twi", true},
-      search_);
+  textField(ui, {"presets.search", words::presets::search, true}, search_);
 }
 
 void PresetBrowser::card(Ui& ui, size_t index, const PresetCard& card) {
@@ -72,7 +68,8 @@ void PresetBrowser::card(Ui& ui, size_t index, const PresetCard& card) {
   const bool chosen = chosen_ == card.name;
   if (chosen || ImGui::IsItemHovered())
     draw.AddRect(min, max, packed(chosen ? ui.theme.accent : ui.theme.textQuiet), ui.px(4), 0, ui.px(2));
-  const std::string about = card.tags.empty() ? card.about : card.about + "\nTags: " + card.tags;
+  const std::string about =
+      card.tags.empty() ? card.about : card.about + fmt::format(words::presets::tagsBelow, card.tags);
   tooltipFor(ui, id.c_str(), min, max, tooltipWith(cut, about.c_str()).c_str());
 }
 
@@ -88,7 +85,7 @@ void PresetBrowser::grid(Ui& ui, const std::vector<PresetCard>& cards, PresetBro
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) edit.use = i;
   }
   ImGui::PopStyleVar();
-  if (shown == 0) hint(ui, cards.empty() ? "One moment\xE2\x80\xA6" : "Nothing is called that.");
+  if (shown == 0) hint(ui, cards.empty() ? words::presets::coming : words::common::nothingCalledThat);
 }
 
 void PresetBrowser::actions(Ui& ui, const std::vector<PresetCard>& cards, const std::string& lastChange,
@@ -100,33 +97,34 @@ void PresetBrowser::actions(Ui& ui, const std::vector<PresetCard>& cards, const 
   const float width = ui.px(96);
   const ImVec2 field(0.5f * (ImGui::GetContentRegionAvail().x - ui.px(24)) - ui.px(8) - width, ImGui::GetFrameHeight());
   ImGui::BeginChild("name", field);
-  textField(ui, {"presets.name", "Name", "Of the chosen one; Rename gives it this name.", true}, newName_);
+  textField(ui, {"presets.name", words::presets::name, true}, newName_);
   ImGui::EndChild();
   ImGui::SameLine();
-  if (button(ui, "presets.rename", "Rename", width, own && !newName_.empty() && newName_ != chosen_)) {
+  if (button(ui, "presets.rename", words::presets::rename, width, own && !newName_.empty() && newName_ != chosen_)) {
     edit.rename = {index, newName_};
     chosen_ = newName_;
   }
   ImGui::SameLine(0, ui.px(24));
   ImGui::BeginChild("tags", field);
-  textField(
-      ui, {"presets.tags", "Tags", "Words to find the chosen one by; Tag keeps them. Any preset can have some.", true},
-      newTags_);
+  textField(ui, {"presets.tags", words::presets::tags, true}, newTags_);
   ImGui::EndChild();
   ImGui::SameLine();
-  if (button(ui, "presets.tag", "Tag", width, any && newTags_ != found->tags)) edit.tag = {index, newTags_};
+  if (button(ui, "presets.tag", words::presets::tag, width, any && newTags_ != found->tags))
+    edit.tag = {index, newTags_};
   const bool enter = any && modalConfirmed(ui);
-  if (mainButton(ui, "presets.use", "Use", width, any, "Double click and Enter do it too") || enter) edit.use = index;
+  if (mainButton(ui, "presets.use", words::presets::use.label, width, any, words::presets::use.help) || enter)
+    edit.use = index;
   ImGui::SameLine();
-  if (button(ui, "presets.keep", "Keep this", width, true, "Keep what the cloth has now")) edit.keep = true;
+  if (button(ui, "presets.keep", words::presets::keep.label, width, true, words::presets::keep.help)) edit.keep = true;
   ImGui::SameLine();
-  if (button(ui, "presets.duplicate", "Duplicate", width, any)) edit.duplicate = index;
+  if (button(ui, "presets.duplicate", words::presets::duplicate, width, any)) edit.duplicate = index;
   ImGui::SameLine();
-  if (button(ui, "presets.remove", "Remove", width, own)) edit.remove = index;
+  if (button(ui, "presets.remove", words::common::remove, width, own)) edit.remove = index;
   ImGui::SameLine();
-  if (button(ui, "presets.undo", "Undo", width, !lastChange.empty(), lastChange.c_str())) edit.undo = true;
+  if (button(ui, "presets.undo", words::menu::undo.label, width, !lastChange.empty(), lastChange.c_str()))
+    edit.undo = true;
   ImGui::SameLine(ImGui::GetWindowWidth() - ui.px(16) - width);
-  if (button(ui, "presets.close", "Close", width) || modalCancelled(ui) || edit.use) {
+  if (button(ui, "presets.close", words::common::close, width) || modalCancelled(ui) || edit.use) {
     open_ = false;
     ImGui::CloseCurrentPopup();
   }
@@ -135,7 +133,7 @@ void PresetBrowser::actions(Ui& ui, const std::vector<PresetCard>& cards, const 
 PresetBrowserEdit PresetBrowser::draw(Ui& ui, const std::vector<PresetCard>& cards, const std::string& lastChange,
                                       const std::string& problem) {
   PresetBrowserEdit edit;
-  if (!open_ || !beginModal(ui, "Presets", ImVec2(ui.px(756), ui.px(600)), open_, opening_)) return edit;
+  if (!open_ || !beginModal(ui, words::presets::title, ImVec2(ui.px(756), ui.px(600)), open_, opening_)) return edit;
   head(ui);
   const float below = 2 * ImGui::GetFrameHeightWithSpacing() + ui.px(28);
   ImGui::BeginChild("grid", ImVec2(0, ImGui::GetContentRegionAvail().y - below));

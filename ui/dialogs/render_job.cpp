@@ -7,13 +7,16 @@
 
 #include "ui/widgets/field_row.h"
 #include "ui/widgets/modal.h"
+#include "ui/words/common_words.h"
+#include "ui/words/file_words.h"
+#include "ui/words/picture_words.h"
 
 namespace loomlight {
 
 bool chooseFileButton(Ui& ui, const std::string& dialog, const std::string& file) {
   ImGui::Dummy(ImVec2(0, 0));
   ImGui::SameLine(std::floor(ImGui::GetContentRegionAvail().x * kLabelShare) + ui.px(16));
-  const bool pressed = button(ui, (dialog + ".browse").c_str(), "Choose\xE2\x80\xA6");
+  const bool pressed = button(ui, (dialog + ".browse").c_str(), words::files::choose);
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
   const std::string name = std::filesystem::path(file).filename().string();
@@ -25,7 +28,8 @@ RenderJobAnswer renderJobRows(Ui& ui, const std::string& dialog, const RenderJob
   ImGui::ProgressBar(static_cast<float>(job.fraction), ImVec2(-1, ui.px(4)), "");
   std::error_code ignored;
   const bool replaces = !job.running && std::filesystem::exists(file, ignored);
-  const std::string there = replaces ? std::filesystem::path(file).filename().string() + " exists already." : "";
+  const std::string there =
+      replaces ? fmt::format(words::common::existsAlready, std::filesystem::path(file).filename().string()) : "";
   const std::string said = job.running           ? fmt::format("{:.0f} %", 100 * job.fraction)
                            : job.outcome.empty() ? there
                                                  : job.outcome;
@@ -37,12 +41,14 @@ RenderJobAnswer renderJobRows(Ui& ui, const std::string& dialog, const RenderJob
   ImGui::SetCursorPosX(ImGui::GetWindowWidth() - 2 * width - ui.px(24));
   const bool done = !job.running && !job.outcome.empty() && !job.failed;
   const auto& leave = done ? mainButton : button;
-  const bool left = leave(ui, (dialog + ".close").c_str(), job.running ? "Cancel" : "Close", width, true, "");
+  const bool left = leave(ui, (dialog + ".close").c_str(), job.running ? words::common::cancel : words::common::close,
+                          width, true, "");
   const bool dismiss = left || modalCancelled(ui) || (done && modalConfirmed(ui));
   ImGui::SameLine();
   const bool canStart = !job.running && !file.empty();
   const auto& begin = done ? button : mainButton;
-  answer.start = begin(ui, (dialog + ".start").c_str(), replaces ? "Replace" : "Render", width, canStart, "");
+  answer.start = begin(ui, (dialog + ".start").c_str(), replaces ? words::common::replace : words::rendering::render,
+                       width, canStart, "");
   // What is there goes by the button alone, which says so.
   answer.start |= canStart && !done && !replaces && modalConfirmed(ui);
   (job.running ? answer.cancel : answer.close) = dismiss;

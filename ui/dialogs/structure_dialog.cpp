@@ -10,6 +10,8 @@
 #include "ui/draft/structure_thumbnail.h"
 #include "ui/widgets/fields.h"
 #include "ui/widgets/modal.h"
+#include "ui/words/common_words.h"
+#include "ui/words/dialog_words.h"
 
 namespace loomlight {
 namespace {
@@ -35,10 +37,10 @@ void drawMade(Ui& ui, const MadeStructure& made, const ImVec4 (&darkLight)[2], I
 /// are.
 void sayFacts(Ui& ui, const MadeStructure& made) {
   const Floats f = floats(made.weave);
-  std::string facts =
-      fmt::format("{} ends, {} picks; floats of {} and {}", made.weave.ends(), made.weave.picks(), f.warp(), f.weft());
-  if (const auto draft = smallestDraft(made.weave, 256)) facts += fmt::format("; {} shafts", draft->shafts);
-  if (const auto code = isoWeaveCode(made.weave)) facts += "; ISO 9354 " + *code;
+  std::string facts = fmt::format(words::structures::facts, made.weave.ends(), made.weave.picks(), f.warp(), f.weft());
+  if (const auto draft = smallestDraft(made.weave, 256))
+    facts += fmt::format(words::structures::andShafts, draft->shafts);
+  if (const auto code = isoWeaveCode(made.weave)) facts += fmt::format(words::structures::andIsoCode, *code);
   const bool fails = !made.problem.empty();
   ImGui::BeginChild("structures.facts", ImVec2(0, 3 * ui.fonts.small->FontSize));
   hint(ui, fails ? made.problem : facts, fails ? ui.theme.warning : ui.theme.textQuiet);
@@ -105,14 +107,13 @@ void StructureDialog::drawChosen(Ui& ui, const std::optional<CellRect>& selectio
   for (size_t i = 0; i < kind.parameters.size(); ++i)
     if (parameterRow(ui, kind.parameters[i], values_[i])) made_ = kind.make(values_);
   hint(ui, kind.about);
-  hint(ui, selection
-               ? fmt::format("It will fill the selection of {} ends and {} picks.", selection->ends, selection->picks)
-               : std::string("It will be the whole repeat; select a part of the draft to fill only that."));
+  hint(ui, selection ? fmt::format(words::structures::fillsSelection, selection->ends, selection->picks)
+                     : std::string(words::structures::fillsRepeat));
 }
 
 std::optional<MadeStructure> StructureDialog::draw(Ui& ui, const std::optional<CellRect>& selection,
                                                    const ImVec4 (&darkLight)[2]) {
-  if (!open_ || !beginModal(ui, "Structures", ImVec2(ui.px(800), 0), open_, opening_)) return std::nullopt;
+  if (!open_ || !beginModal(ui, words::structures::title, ImVec2(ui.px(800), 0), open_, opening_)) return std::nullopt;
   bool apply = false;
   const float height = std::min(ui.px(520), roomAboveButtons(ui));
   drawKinds(ui, darkLight, ui.px(464), height, apply);
@@ -122,12 +123,13 @@ std::optional<MadeStructure> StructureDialog::draw(Ui& ui, const std::optional<C
   ImGui::EndChild();
   const float width = ui.px(120);
   ImGui::SetCursorPosX(ImGui::GetWindowWidth() - 2 * width - ui.px(24));
-  if (button(ui, "structures.close", "Close", width) || modalCancelled(ui)) {
+  if (button(ui, "structures.close", words::common::close, width) || modalCancelled(ui)) {
     open_ = false;
     ImGui::CloseCurrentPopup();
   }
   ImGui::SameLine();
-  apply |= mainButton(ui, "structures.apply", "Apply", width, made_.problem.empty()) || modalConfirmed(ui);
+  apply |=
+      mainButton(ui, "structures.apply", words::structures::apply, width, made_.problem.empty()) || modalConfirmed(ui);
   endModal();
   if (!apply || !made_.problem.empty()) return std::nullopt;
   return made_;

@@ -4,6 +4,7 @@
 
 #include "ui/widgets/fields.h"
 #include "ui/widgets/modal.h"
+#include "ui/words/dialog_words.h"
 
 namespace loomlight {
 
@@ -16,33 +17,24 @@ void TileDialog::show(std::string file) {
 /// How much cloth it is, and how finely it is shown. All rows are there from the beginning: what comes to be known
 /// moves nothing.
 void TileDialog::sizeRows(Ui& ui, const TileModel& model, double fewestPixels) {
-  switchField(
-      ui,
-      {"tile.twist", "Twist joins",
-       "On: the twist of every yarn comes round as well, so that each fibre goes on in the next tile; that may "
-       "take several repeats. Off: weave and colours alone come round, and at the edges fibres do not quite meet."},
-      joinsTwist_);
+  switchField(ui, {"tile.twist", words::tile::twist}, joinsTwist_);
   const std::optional<TileSize>& size = joinsTwist_ ? model.joined : model.plain;
   const auto known = [&](const std::string& text) { return size ? text : std::string("\xE2\x80\x93"); };
   const TileSize s = size.value_or(TileSize{});
-  readout(ui, {"tile.threads", "Threads", "Ends and picks of the tile"},
-          known(fmt::format("{} \xC3\x97 {}", s.ends, s.picks)));
-  readout(ui, {"tile.repeats", "Weave repeats", "Across and up the tile"},
+  readout(ui, {"tile.threads", words::tile::threads}, known(fmt::format("{} \xC3\x97 {}", s.ends, s.picks)));
+  readout(ui, {"tile.repeats", words::tile::repeats},
           known(fmt::format("{} \xC3\x97 {}", s.repeatsAcross, s.repeatsDown)));
-  readout(ui, {"tile.size_mm", "Size", "Of the tile, as cloth"},
+  readout(ui, {"tile.size_mm", words::tile::size},
           known(fmt::format("{:.1f} \xC3\x97 {:.1f} mm", s.width_mm, s.height_mm)));
   longestSide_ = ownSide_.value_or(s.usualSide);
-  if (wholeNumberField(
-          ui, {"tile.size", "Longer side", "Of the tile. At first 16 pixels for each thread, and 1024 at least."}, "px",
-          16, 16384, longestSide_))
+  if (wholeNumberField(ui, {"tile.size", words::tile::longerSide}, "px", 16, 16384, longestSide_))
     ownSide_ = longestSide_;
   const double perYarn = longestSide_ / s.yarnsAlongLonger;
-  readout(ui, {"tile.per_thread", "Per thread", "Pixels across the finer of its threads"},
-          known(fmt::format("{:.1f} px", perYarn)));
+  readout(ui, {"tile.per_thread", words::tile::perThread}, known(fmt::format("{:.1f} px", perYarn)));
   const bool few = size && perYarn < fewestPixels;
   hint(ui,
        !model.problem.empty() ? model.problem
-       : few                  ? fmt::format("Below {:g} pixels a thread is a mere colour, no yarn.", fewestPixels)
+       : few                  ? fmt::format(words::tile::tooFew, fewestPixels)
                               : std::string(" "),
        ui.theme.warning);
   ui.probe.fact("tile.few_pixels", few ? "yes" : "no");
@@ -51,18 +43,15 @@ void TileDialog::sizeRows(Ui& ui, const TileModel& model, double fewestPixels) {
 TileDialog::Result TileDialog::draw(Ui& ui, const TileModel& model, double fewestPixels, const RenderJob& job) {
   Result result;
   if (!open_) return result;
-  if (!beginModal(ui, "Texture tile", ImVec2(ui.px(480), 0), open_, opening_)) {
+  if (!beginModal(ui, words::tile::title, ImVec2(ui.px(480), 0), open_, opening_)) {
     result.cancel = job.running;
     return result;
   }
-  hint(ui,
-       "One seamless tile as base colour, normal, height, opacity and yarn, for Blender, CLO, Substance and others. A "
-       ".json beside them has its size in mm, mass and thickness.");
+  hint(ui, words::tile::about);
   ImGui::BeginDisabled(job.running);
   sizeRows(ui, model, fewestPixels);
-  wholeNumberField(ui, {"tile.samples", "Samples", "Light paths through every pixel: more are smoother."}, "per px", 1,
-                   65536, samplesPerPixel_);
-  textField(ui, {"tile.file", "File", "The .json; the maps are named after it."}, file_);
+  wholeNumberField(ui, {"tile.samples", words::tile::samples}, words::tile::perPixel, 1, 65536, samplesPerPixel_);
+  textField(ui, {"tile.file", words::tile::file}, file_);
   result.chooseFile = chooseFileButton(ui, "tile", file_);
   ImGui::EndDisabled();
   const RenderJobAnswer answer = renderJobRows(ui, "tile", job, file_);

@@ -7,6 +7,8 @@
 
 #include "ui/widgets/field_row.h"
 #include "ui/widgets/modal.h"
+#include "ui/words/common_words.h"
+#include "ui/words/dialog_words.h"
 
 namespace loomlight {
 namespace {
@@ -29,17 +31,16 @@ void sizeRows(Ui& ui, const WifDialog::Content& content, WifSizeChoice chosen) {
     size(0, shown(content.mine.*member, unit, decimals), chosen == WifSizeChoice::keep);
     size(1, shown(content.file.*member, unit, decimals), chosen == WifSizeChoice::file);
   };
-  row("Ends", &WifSett::ends_per_cm, "/cm", 1);
-  row("Picks", &WifSett::picks_per_cm, "/cm", 1);
-  row("Warp yarn", &WifSett::warpDiameter_mm, "mm", 2);
-  row("Weft yarn", &WifSett::weftDiameter_mm, "mm", 2);
+  row(words::ends.label, &WifSett::ends_per_cm, "/cm", 1);
+  row(words::picks.label, &WifSett::picks_per_cm, "/cm", 1);
+  row(words::wif::warpYarn, &WifSett::warpDiameter_mm, "mm", 2);
+  row(words::wif::weftYarn, &WifSett::weftDiameter_mm, "mm", 2);
 }
 
 /// Each with its place in the file below it.
 void warningRows(Ui& ui, const std::vector<WifWarning>& warnings) {
   ImGui::Dummy(ImVec2(0, ui.px(4)));
-  heading(ui, warnings.size() == 1 ? "One thing in the file was read as it was probably meant"
-                                   : "Some things in the file were read as they were probably meant");
+  heading(ui, warnings.size() == 1 ? words::wif::oneWarning : words::wif::warnings);
   const ImVec2 spacing = ImGui::GetStyle().ItemSpacing;
   const float inner = ImGui::GetContentRegionAvail().x - ui.px(24);
   float height = ui.px(16);
@@ -62,13 +63,8 @@ void warningRows(Ui& ui, const std::vector<WifWarning>& warnings) {
 
 /// Whether what the file only counts stays; true where that changes.
 bool threadsField(Ui& ui, const std::string& cut, WifThreadChoice& threads) {
-  static constexpr const char* kNames[] = {"All", "The named"};
   int chosen = static_cast<int>(threads);
-  const bool changed = segmentField(ui,
-                                    {"wif.threads", "Threads",
-                                     "The file counts more threads than its draft names. The others hang on no shaft, "
-                                     "or lift none; they can be cut off."},
-                                    kNames, chosen);
+  const bool changed = segmentField(ui, {"wif.threads", words::wif::threads}, words::wif::threadChoices, chosen);
   threads = static_cast<WifThreadChoice>(chosen);
   hint(ui, cut);
   return changed;
@@ -88,20 +84,15 @@ void WifDialog::show(Content content) {
 }
 
 std::optional<WifChoices> WifDialog::draw(Ui& ui) {
-  if (!open_ || !beginModal(ui, "WIF draft", ImVec2(ui.px(600), 0), open_, opening_)) return std::nullopt;
+  if (!open_ || !beginModal(ui, words::wifDraft.label, ImVec2(ui.px(600), 0), open_, opening_)) return std::nullopt;
   bool changed = false;
   ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(content_.summary.c_str());
   ImGui::PopTextWrapPos();
   ImGui::Dummy(ImVec2(0, ui.px(4)));
   if (says(content_.file)) {
-    static constexpr const char* kNames[] = {"Keep mine", "The file's"};
     int chosen = static_cast<int>(choices_.sizes);
-    if (segmentField(ui,
-                     {"wif.sizes", "Sett and thickness",
-                      "The cloth has the file's. Many programs write a default of their own here, whatever the cloth: "
-                      "keep yours then. Thick and thin threads keep their proportions either way."},
-                     kNames, chosen)) {
+    if (segmentField(ui, {"wif.sizes", words::wif::sizes}, words::wif::sizeChoices, chosen)) {
       choices_.sizes = static_cast<WifSizeChoice>(chosen);
       changed = true;
     }
@@ -111,14 +102,15 @@ std::optional<WifChoices> WifDialog::draw(Ui& ui) {
     if (choices_.sizes == WifSizeChoice::keep) ink.w = 0;
     for (const WifWarning& warning : content_.beyond) hint(ui, warning.sentence, ink);
   } else {
-    hint(ui, "It says nothing of sett and thickness; those of your cloth are kept.");
+    hint(ui, words::wif::saysNoSizes);
   }
   if (!content_.cut.empty()) changed = threadsField(ui, content_.cut, choices_.threads) || changed;
   if (!content_.warnings.empty()) warningRows(ui, content_.warnings);
   ui.probe.fact("wif.warnings", std::to_string(content_.warnings.size()));
   ImGui::Dummy(ImVec2(0, ui.px(4)));
   ImGui::SetCursorPosX(ImGui::GetWindowWidth() - ui.px(136));
-  if (mainButton(ui, "wif.close", "Close", ui.px(120)) || modalCancelled(ui) || modalConfirmed(ui) || closing_) {
+  if (mainButton(ui, "wif.close", words::common::close, ui.px(120)) || modalCancelled(ui) || modalConfirmed(ui) ||
+      closing_) {
     open_ = false;
     ImGui::CloseCurrentPopup();
   }

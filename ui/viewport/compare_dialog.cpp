@@ -4,6 +4,8 @@
 
 #include "ui/widgets/fields.h"
 #include "ui/widgets/modal.h"
+#include "ui/words/common_words.h"
+#include "ui/words/viewport_words.h"
 
 namespace loomlight {
 namespace {
@@ -57,16 +59,10 @@ void CompareDialog::drawSlider(Ui& ui, const Model& model, ImVec2 min, ImVec2 ma
 void CompareDialog::draw(Ui& ui, const Model& model) {
   if (!open_) return;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  if (!beginModal(ui, "Compare", ImVec2(0.9f * screen.x, 0.9f * screen.y), open_, opening_)) return;
-  static constexpr const char* kWays[] = {"Slider", "Side by side", "Difference"};
+  if (!beginModal(ui, words::views::compare.label, ImVec2(0.9f * screen.x, 0.9f * screen.y), open_, opening_)) return;
   int way = static_cast<int>(way_);
   ImGui::BeginChild("way", ImVec2(ui.px(460), ImGui::GetFrameHeight()));
-  segmentField(ui,
-               {"compare.way", "See them by",
-                "Slider: drag the line. Difference: black where they are alike, four times as bright as they are "
-                "apart, on the mean of 3 by 3 pixels, which evens out noise.",
-                true},
-               kWays, way);
+  segmentField(ui, {"compare.way", words::views::way, true}, words::views::ways, way);
   ImGui::EndChild();
   way_ = static_cast<Way>(way);
   const ImVec2 corner = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
@@ -92,7 +88,7 @@ void CompareDialog::draw(Ui& ui, const Model& model) {
   ui.probe.record("compare.picture", min, max);
   const float width = ui.px(120);
   ImGui::SetCursorScreenPos(ImVec2(corner.x + room.x - width, bottom + ui.px(12)));
-  if (button(ui, "compare.close", "Close", width) || modalCancelled(ui)) {
+  if (button(ui, "compare.close", words::common::close, width) || modalCancelled(ui)) {
     open_ = false;
     ImGui::CloseCurrentPopup();
   }

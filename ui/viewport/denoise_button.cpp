@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "ui/widgets/fields.h"
+#include "ui/words/viewport_words.h"
 
 namespace loomlight {
 
@@ -22,9 +23,7 @@ void denoiseButton(Ui& ui, bool& on, float width) {
   for (const ImVec2& grain : kGrains)
     draw.AddCircleFilled({centre.x + ui.px(grain.x), centre.y + ui.px(grain.y)}, ui.px(1), ink);
   ui.probe.record("view.denoise", min, max);
-  tooltipFor(ui, "view.denoise", min, max,
-             "Denoised preview (N): light is shared among pixels that noise alone sets apart. Fine detail may be lost "
-             "until more samples have come. Snapshots and kept views never have it.");
+  tooltipFor(ui, "view.denoise", min, max, words::viewport::denoiseHelp);
 }
 
 }  // namespace loomlight

@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "ui/widgets/fields.h"
+#include "ui/words/menu_words.h"
+#include "ui/words/viewport_words.h"
 
 namespace loomlight {
 namespace {
@@ -102,7 +104,7 @@ void drawCross(Ui& ui, ImVec2 centre, bool lit) {
 void bar(Ui& ui, InsetView& view, ImVec2 origin, int viewportWidth, int viewportHeight) {
   ImGui::PushFont(ui.fonts.small);
   const float height = ui.px(24), segment = ui.px(72), inset = ui.px(2), cross = ui.px(22);
-  const float title = ImGui::CalcTextSize("Truth lens").x + ui.px(16);
+  const float title = ImGui::CalcTextSize(words::menu::truthLens.label).x + ui.px(16);
   const float buttons = 2 * segment + cross + 3 * inset;
   const auto insetWidth = static_cast<float>(view.rect.width);
   const ImVec2 size(std::max(insetWidth, title + buttons), height);
@@ -114,18 +116,15 @@ void bar(Ui& ui, InsetView& view, ImVec2 origin, int viewportWidth, int viewport
   float x = max.x - cross - inset;
   bool closed = barButton(ui, "lens.close", "", {x, y}, {cross, tall}, false);
   drawCross(ui, {x + 0.5f * cross, y + 0.5f * tall}, ImGui::IsItemHovered());
-  tooltipFor(ui, "lens.close", ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), "Close the lens (Esc)");
+  tooltipFor(ui, "lens.close", ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), words::lens::closeHelp);
   x -= segment + inset;
-  if (barButton(ui, "lens.difference", "Difference", {x, y}, {segment, tall}, view.showsDifference))
+  if (barButton(ui, "lens.difference", words::lens::difference.label, {x, y}, {segment, tall}, view.showsDifference))
     view.showsDifference = true;
-  tooltipFor(ui, "lens.difference", ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
-             "Where the volume's brightness differs from the fibres' by more than noise explains. Black: no difference "
-             "is known.");
+  tooltipFor(ui, "lens.difference", ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), words::lens::difference.help);
   x -= segment;
-  if (barButton(ui, "lens.fibres", "Fibres", {x, y}, {segment, tall}, !view.showsDifference))
+  if (barButton(ui, "lens.fibres", words::lens::fibres.label, {x, y}, {segment, tall}, !view.showsDifference))
     view.showsDifference = false;
-  tooltipFor(ui, "lens.fibres", ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
-             "The same pixels, traced through every single fibre of the cloth: no statistics");
+  tooltipFor(ui, "lens.fibres", ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), words::lens::fibres.help);
   ImGui::SetCursorScreenPos(min);
   ImGui::InvisibleButton("lens.bar", {x - min.x, height});
   ui.probe.recordItem("lens.bar");
@@ -136,7 +135,7 @@ void bar(Ui& ui, InsetView& view, ImVec2 origin, int viewportWidth, int viewport
   if (ImGui::IsItemDeactivated()) view.letGo(viewportWidth, viewportHeight);
   if (held || ImGui::IsItemHovered()) ImGui::SetMouseCursor(cursorOf(InsetView::Grip::move));
   draw.AddText({min.x + ui.px(8), min.y + 0.5f * (height - ImGui::GetFontSize())}, packed(Theme::dark().text),
-               "Truth lens");
+               words::menu::truthLens.label);
   ImGui::EndChild();
   ImGui::PopFont();
   if (closed) view.close();
@@ -167,12 +166,12 @@ InsetEdit troubleBox(Ui& ui, const InsetModel& model, const InsetView& view, ImV
   ImGui::SetCursorScreenPos(plus(min, {pad, pad + text + pad}));
   const float half = 0.5f * (wrap - ui.px(8));
   if (!model.remedy.empty()) {
-    edit.remedy = button(ui, "lens.remedy", model.remedy.c_str(), half, true, "Undo brings the old size back");
+    edit.remedy = button(ui, "lens.remedy", model.remedy.c_str(), half, true, words::lens::remedyHelp);
     ImGui::SameLine();
   }
   if (model.limitMatters)
-    edit.changeLimit = button(ui, "lens.limit", "Change the limit\xE2\x80\xA6", half, true,
-                              "How much memory the fibres of the lens may take");
+    edit.changeLimit =
+        button(ui, "lens.limit", words::lens::changeLimit.label, half, true, words::lens::changeLimit.help);
   ImGui::EndChild();
   return edit;
 }
@@ -224,9 +223,7 @@ void insetButton(Ui& ui, InsetView& view, float size) {
                  ui.px(1.25f));
   }
   ui.probe.record("view.lens", min, max);
-  tooltipFor(ui, "view.lens", min, max,
-             "Truth lens (L): drag a rectangle over the cloth, and see the same pixels traced through every single "
-             "fibre");
+  tooltipFor(ui, "view.lens", min, max, words::lens::help);
 }
 
 }  // namespace loomlight

@@ -6,20 +6,21 @@
 #include <cmath>
 
 #include "ui/widgets/member_fields.h"
+#include "ui/words/picture_words.h"
 
 namespace loomlight {
 namespace {
 
 constexpr double kMmPerInch = 25.4;
 
-bool lengthField(Ui& ui, const char* id, const char* label, double& length_mm) {
+bool lengthField(Ui& ui, const char* id, const Word& word, double& length_mm) {
   NumberStyle style;
   style.unit = "mm";
   style.min = kPrintSide_mm[0];
   style.max = kPrintSide_mm[1];
   style.decimals = 1;
   style.logarithmic = true;
-  return numberField(ui, {id, label, "On paper"}, style, length_mm);
+  return numberField(ui, {id, word}, style, length_mm);
 }
 
 void resolutionField(Ui& ui, double& dpi) {
@@ -29,21 +30,20 @@ void resolutionField(Ui& ui, double& dpi) {
   style.max = kPrintResolution_dpi[1];
   style.decimals = 0;
   style.logarithmic = true;
-  numberField(ui, {"snapshot.dpi", "Resolution", "Pixels on an inch of paper: 300 for print, 150 for a large poster"},
-              style, dpi);
+  numberField(ui, {"snapshot.dpi", words::snapshot::resolution}, style, dpi);
 }
 
 /// Width, height and resolution of the print; the pixels follow.
 bool printRows(Ui& ui, SnapshotOptions& options, RenderSettings& settings) {
-  lengthField(ui, "snapshot.width_mm", "Width", options.width_mm);
-  lengthField(ui, "snapshot.height_mm", "Height", options.height_mm);
+  lengthField(ui, "snapshot.width_mm", words::snapshot::width, options.width_mm);
+  lengthField(ui, "snapshot.height_mm", words::snapshot::height, options.height_mm);
   resolutionField(ui, options.dpi);
   const int width = pixelsOfPrint(options.width_mm, options.dpi);
   const int height = pixelsOfPrint(options.height_mm, options.dpi);
   const bool changed = width != settings.width || height != settings.height;
   settings.width = width;
   settings.height = height;
-  readout(ui, {"snapshot.pixels", "Pixels", "Of the picture"}, fmt::format("{} \xC3\x97 {}", width, height));
+  readout(ui, {"snapshot.pixels", words::snapshot::pixels}, fmt::format("{} \xC3\x97 {}", width, height));
   return changed;
 }
 
@@ -54,23 +54,19 @@ bool pixelRows(Ui& ui, SnapshotOptions& options, RenderSettings& settings) {
   changed |= memberField(ui, "snapshot", settings, &RenderSettings::height);
   resolutionField(ui, options.dpi);
   const auto length_mm = [&](int pixels) { return pixels / options.dpi * kMmPerInch; };
-  readout(ui, {"snapshot.paper", "On paper", "How large the picture is printed at this resolution"},
+  readout(ui, {"snapshot.paper", words::snapshot::paper},
           fmt::format("{:.0f} \xC3\x97 {:.0f} mm", length_mm(settings.width), length_mm(settings.height)));
   return changed;
 }
 
 /// How much cloth there is to be seen, which is another thing than how large the paper is.
 void clothRows(Ui& ui, SnapshotOptions& options, const RenderSettings& settings, double seen_mm) {
-  static constexpr const char* kScales[] = {"As seen", "1 : 1"};
   int scale = options.actualSize ? 1 : 0;
-  segmentField(ui,
-               {"snapshot.scale", "Cloth on paper",
-                "As seen: as much cloth as the viewport shows. 1 : 1: a centimetre of cloth is a centimetre of paper."},
-               kScales, scale);
+  segmentField(ui, {"snapshot.scale", words::snapshot::scale}, words::snapshot::scales, scale);
   options.actualSize = scale == 1;
   const double paper_mm = settings.height / options.dpi * kMmPerInch;
   const double height_mm = options.actualSize ? paper_mm : seen_mm;
-  readout(ui, {"snapshot.cloth", "Cloth shown", "Where the camera looks"},
+  readout(ui, {"snapshot.cloth", words::snapshot::cloth},
           fmt::format("{:.1f} \xC3\x97 {:.1f} mm", height_mm * settings.width / settings.height, height_mm));
 }
 
@@ -82,21 +78,16 @@ int pixelsOfPrint(double length_mm, double dpi) {
 }
 
 bool snapshotOptionRows(Ui& ui, SnapshotOptions& options, RenderSettings& settings, double seen_mm) {
-  static constexpr const char* kUnits[] = {"Pixels", "Print, mm"};
   int unit = options.inMillimetres ? 1 : 0;
-  if (segmentField(ui, {"snapshot.size_in", "Size in", "For a screen, or for a print of a size."}, kUnits, unit) &&
-      unit == 1) {
+  if (segmentField(ui, {"snapshot.size_in", words::snapshot::sizeIn}, words::snapshot::sizeUnits, unit) && unit == 1) {
     options.width_mm = settings.width / options.dpi * kMmPerInch;
     options.height_mm = settings.height / options.dpi * kMmPerInch;
   }
   options.inMillimetres = unit == 1;
   const bool changed = options.inMillimetres ? printRows(ui, options, settings) : pixelRows(ui, options, settings);
   clothRows(ui, options, settings, seen_mm);
-  switchField(ui,
-              {"snapshot.scale_bar", "Scale bar",
-               "A bar of a round length below the picture, right where the camera looks; .png only."},
-              options.scaleBar);
-  textField(ui, {"snapshot.caption", "Caption", "Stands below the picture; .png only. Empty: none."}, options.caption);
+  switchField(ui, {"snapshot.scale_bar", words::snapshot::scaleBar}, options.scaleBar);
+  textField(ui, {"snapshot.caption", words::snapshot::caption}, options.caption);
   return changed;
 }
 

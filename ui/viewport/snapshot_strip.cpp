@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "ui/widgets/fields.h"
+#include "ui/words/common_words.h"
+#include "ui/words/viewport_words.h"
 
 namespace loomlight {
 namespace {
@@ -39,7 +41,7 @@ void drawItems(Ui& ui, const std::vector<SnapshotItem>& items, SnapshotStripView
     const bool chosen = std::find(view.chosen.begin(), view.chosen.end(), i) != view.chosen.end();
     if (chosen || ImGui::IsItemHovered())
       draw.AddRect(min, max, packed(chosen ? ui.theme.accent : ui.theme.textQuiet), ui.px(4), 0, ui.px(2));
-    const std::string tooltip = item.name + "\nA click chooses it; a double click brings its cloth and view back.";
+    const std::string tooltip = item.name + "\n" + words::views::choiceHelp;
     tooltipFor(ui, id.c_str(), min, max, tooltip.c_str());
   }
 }
@@ -59,15 +61,15 @@ SnapshotStripEdit snapshotStrip(Ui& ui, const std::vector<SnapshotItem>& items, 
   ImGui::SameLine(0, ui.px(8));
   ImGui::BeginGroup();
   const float width = 0.5f * ui.px(kButtonsWidth - 16);
-  if (button(ui, "snapshot.keep", "Keep view", width, true, "Add the view as it is now (K)")) edit.keep = true;
+  if (button(ui, "snapshot.keep", words::views::keep.label, width, true, words::views::keep.help)) edit.keep = true;
   ImGui::SameLine(0, ui.px(8));
   const bool one = view.chosen.size() == 1, two = view.chosen.size() == 2;
-  if (button(ui, "snapshot.compare", "Compare", width, two, "Choose two views to compare them"))
+  if (button(ui, "snapshot.compare", words::views::compare.label, width, two, words::views::compare.help))
     edit.compare = {view.chosen[0], view.chosen[1]};
-  if (button(ui, "snapshot.restore", "Restore", width, one, "Bring back the cloth and the view of the one chosen"))
+  if (button(ui, "snapshot.restore", words::views::restore.label, width, one, words::views::restore.help))
     edit.restore = view.chosen[0];
   ImGui::SameLine(0, ui.px(8));
-  if (button(ui, "snapshot.remove", "Remove", width, one)) edit.remove = view.chosen[0];
+  if (button(ui, "snapshot.remove", words::common::remove, width, one)) edit.remove = view.chosen[0];
   ImGui::EndGroup();
   return edit;
 }

@@ -2,13 +2,17 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <span>
 
 #include "ui/viewport/camera_moves.h"
 #include "ui/viewport/denoise_button.h"
 #include "ui/widgets/choices.h"
 #include "ui/widgets/fields.h"
 #include "ui/widgets/keys.h"
+#include "ui/words/viewport_words.h"
 
 namespace loomlight {
 namespace {
@@ -99,12 +103,14 @@ void drawOverlays(Ui& ui, const ViewportModel& model, const InsetView& inset, Im
     draw.AddRectFilled(min, ImVec2(along, min.y + ui.px(3)), packed(ui.theme.accent));
   }
   if (!model.picture) {
-    const char* text = "Building the cloth\xE2\x80\xA6";
+    const char* text = words::viewport::building;
     const ImVec2 size = ImGui::CalcTextSize(text);
     pill(ui, ImVec2(0.5f * (min.x + max.x - size.x), 0.5f * (min.y + max.y - size.y)), text, Theme::dark().text);
   }
   if (model.denoised || model.proofed) {
-    const char* text = !model.proofed ? "Denoised" : model.denoised ? "Denoised, as printed" : "As printed";
+    const char* text = !model.proofed   ? words::viewport::denoised
+                       : model.denoised ? words::viewport::denoisedAsPrinted
+                                        : words::viewport::asPrinted;
     pill(ui, ImVec2(max.x - edge - ImGui::CalcTextSize(text).x - ui.px(16), min.y + edge), text, Theme::dark().text);
   }
   float top = min.y + edge;
@@ -114,16 +120,22 @@ void drawOverlays(Ui& ui, const ViewportModel& model, const InsetView& inset, Im
   }
   if (!model.error.empty()) pill(ui, ImVec2(min.x + edge, top), model.error, Theme::dark().warning);
   if (inset.on && !inset.placed) {
-    const char* text = "Drag a rectangle over the cloth";
+    const char* text = words::lens::dragRectangle;
     pill(ui, ImVec2(0.5f * (min.x + max.x - ImGui::CalcTextSize(text).x) - edge, min.y + edge), text,
          Theme::dark().text);
   }
   if (model.under) {
     const float y = max.y - edge - ImGui::GetFontSize() - ui.px(8);
     pill(ui, ImVec2(min.x + edge, y),
-         fmt::format("End {}, pick {}  \xC2\xB7  {}", model.under->end + 1, model.under->pick + 1, model.underYarn),
+         fmt::format(words::viewport::crossing, model.under->end + 1, model.under->pick + 1, model.underYarn),
          Theme::dark().text);
   }
+}
+
+float widest(std::span<const char* const> names) {
+  float width = 0;
+  for (const char* const name : names) width = std::max(width, ImGui::CalcTextSize(name).x);
+  return width;
 }
 
 /// Where the choices below the picture are. They share what the buttons leave; exposure, a number that says its unit,
@@ -137,10 +149,10 @@ StripColumns stripColumns(Ui& ui, float room) {
   const auto labelled = [&](const char* label, float field) {
     return ImGui::CalcTextSize(label).x + ui.px(12) + field;
   };
-  const float number = ui.px(84), list = ImGui::CalcTextSize("One direction").x + ui.px(40);
-  const float longest = labelled("Drape", list);
+  const float number = ui.px(84), list = widest(lightNames({})) + ui.px(40);
+  const float longest = labelled(words::viewport::drape.label, list);
   StripColumns columns;
-  columns.exposure = labelled("Exposure", number);
+  columns.exposure = labelled(words::viewport::exposure.label, number);
   columns.exposureLabelled = room - columns.exposure >= 2 * longest;
   if (!columns.exposureLabelled) columns.exposure = number;
   columns.choicesLabelled = room - columns.exposure >= 2 * longest;
@@ -150,7 +162,7 @@ StripColumns stripColumns(Ui& ui, float room) {
 
 std::optional<Fabric> lightChoice(Ui& ui, const Fabric& fabric, bool labelled) {
   int kind = static_cast<int>(fabric.light.kind);
-  if (!choiceField(ui, {"view.light", labelled ? "Light" : "", "Light: what shines on the cloth", true},
+  if (!choiceField(ui, {"view.light", labelled ? words::viewport::light.label : "", words::viewport::light.help, true},
                    lightNames(fabric.light), kind))
     return std::nullopt;
   Fabric edited = fabric;
@@ -161,8 +173,8 @@ std::optional<Fabric> lightChoice(Ui& ui, const Fabric& fabric, bool labelled) {
 std::optional<Fabric> drapeChoice(Ui& ui, const Fabric& fabric, bool labelled) {
   int kind = static_cast<int>(fabric.drape.kind);
   const auto names = drapeNames(fabric.drape);
-  if (!choiceField(ui, {"view.drape", labelled ? "Drape" : "", "Drape: the surface the cloth lies on", true}, names,
-                   kind))
+  if (!choiceField(ui, {"view.drape", labelled ? words::viewport::drape.label : "", words::viewport::drape.help, true},
+                   names, kind))
     return std::nullopt;
   Fabric edited = fabric;
   edited.drape.kind = static_cast<DrapeKind>(kind);
@@ -176,12 +188,8 @@ void exposureField(Ui& ui, bool labelled, double& exposure_stops) {
   style.max = kMostExposure_stops;
   style.decimals = 1;
   style.perPixel = 0.02;
-  numberField(ui,
-              {"view.exposure", labelled ? "Exposure" : "",
-               "Exposure: brightness of the display, in stops: +1 is twice as bright. It "
-               "changes neither the light nor the cloth. Colours are shown in sRGB, with the white of daylight (D65).",
-               true},
-              style, exposure_stops);
+  const char* const label = labelled ? words::viewport::exposure.label : "";
+  numberField(ui, {"view.exposure", label, words::viewport::exposure.help, true}, style, exposure_stops);
 }
 
 /// The strip below the picture: what is changed most often while looking. In a narrow window the choices need the room
@@ -222,7 +230,7 @@ std::optional<Fabric> quickChoices(Ui& ui, const Fabric& fabric, ViewportView& v
   }
   if (fit == 0) return edited;
   ImGui::SetCursorPos(ImVec2(right - fit, y));
-  if (button(ui, "view.fit", "Fit", fit, true, "Show the whole cloth (F)")) view.fitWanted = true;
+  if (button(ui, "view.fit", words::viewport::fit.label, fit, true, words::viewport::fit.help)) view.fitWanted = true;
   return edited;
 }
 

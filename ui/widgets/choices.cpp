@@ -3,13 +3,27 @@
 #include <cctype>
 
 #include "core/fabric/model/choice_names.h"
+#include "ui/words/choice_words.h"
 
 namespace loomlight {
+namespace {
+
+/// The names of an enumeration's values: as many as it has, which a lost comma between two would not leave.
+template <class Enum, size_t count>
+std::span<const char* const> namesOf(const char* const (&names)[count]) {
+  static_assert(count == ChoiceNames<Enum>::names.size());
+  return names;
+}
+
+/// The last of the names is that of a file.
+std::span<const char* const> choosable(std::span<const char* const> names, const std::string& file) {
+  return file.empty() ? names.first(names.size() - 1) : names;
+}
+
+}  // namespace
 
 std::span<const char* const> lightNames(const Light& light) {
-  static constexpr const char* kNames[] = {"Sunny sky",  "Overcast",    "Window",    "Light booth",   "White dome",
-                                           "All around", "From behind", "Headlight", "One direction", "Picture"};
-  return std::span(kNames).first(std::size(kNames) - (light.file.empty() ? 1 : 0));
+  return choosable(namesOf<LightKind>(words::choices::lights), light.file);
 }
 
 Light withKind(Light light, LightKind kind) {
@@ -20,36 +34,28 @@ Light withKind(Light light, LightKind kind) {
 }
 
 std::span<const char* const> drapeNames(const Drape& drape) {
-  static constexpr const char* kNames[] = {"Flat", "Cylinder", "Sphere", "Folds", "Cushion", "Skirt", "Mesh"};
-  return std::span(kNames).first(std::size(kNames) - (drape.file.empty() ? 1 : 0));
+  return choosable(namesOf<DrapeKind>(words::choices::drapes), drape.file);
 }
 
 std::span<const char* const> fibreSectionNames() {
-  static constexpr const char* kNames[] = {"Round", "Kidney", "Triangle", "Trilobal", "Serrated", "Polygon"};
-  return kNames;
+  return namesOf<FibreSection>(words::choices::fibreSections);
 }
 
 std::span<const char* const> twistNames() {
-  static constexpr const char* kNames[] = {"S", "Z"};
-  return kNames;
+  return namesOf<TwistDirection>(words::choices::twists);
 }
 
 std::span<const char* const> layoutNames() {
-  static constexpr const char* kNames[] = {"Random", "Packed"};
-  return kNames;
+  return namesOf<FibreLayout>(words::choices::fibreLayouts);
 }
 
 std::span<const char* const> illuminantNames(const Light& light) {
-  static constexpr const char* kNames[] = {"D65, daylight",   "D55, sunlight",  "D50, print booth",  "A, light bulb",
-                                           "E, equal energy", "F2, cool white", "F7, daylight tube", "F11, shop (TL84)",
-                                           "LED B1, 2700 K",  "LED B2, 3000 K", "LED B3, 4100 K",    "LED B4, 5100 K",
-                                           "LED B5, 6600 K",  "Black body",     "Measured lamp"};
-  return std::span(kNames).first(std::size(kNames) - (light.illuminantFile.empty() ? 1 : 0));
+  return choosable(namesOf<StandardIlluminant>(words::choices::illuminants), light.illuminantFile);
 }
 
 std::string lampName(StandardIlluminant lamp) {
-  if (lamp == StandardIlluminant::blackBody) return "black body";
-  if (lamp == StandardIlluminant::file) return "own lamp";
+  if (lamp == StandardIlluminant::blackBody) return words::choices::blackBody;
+  if (lamp == StandardIlluminant::file) return words::choices::ownLamp;
   std::string name = choiceName(lamp);
   for (char& c : name) c = c == '_' ? ' ' : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   return name;
@@ -71,22 +77,19 @@ StandardIlluminant nextLamp(StandardIlluminant lamp) {
 
 std::span<const char* const> observerNames() {
   static constexpr const char* kNames[] = {"2\xC2\xB0", "10\xC2\xB0"};
-  return kNames;
+  return namesOf<Observer>(kNames);
 }
 
 std::span<const char* const> methodNames() {
-  static constexpr const char* kNames[] = {"Volume", "Fibres"};
-  return kNames;
+  return namesOf<Method>(words::choices::methods);
 }
 
 std::span<const char* const> estimatorNames() {
-  static constexpr const char* kNames[] = {"None", "Report", "Loomlight"};
-  return kNames;
+  return namesOf<Estimator>(words::choices::estimators);
 }
 
 std::span<const char* const> eventLawNames() {
-  static constexpr const char* kNames[] = {"Projected", "Report"};
-  return kNames;
+  return namesOf<EventLaw>(words::choices::eventLaws);
 }
 
 }  // namespace loomlight

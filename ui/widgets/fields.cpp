@@ -9,6 +9,7 @@
 #include "core/base/rgb.h"
 #include "ui/widgets/field_row.h"
 #include "ui/widgets/keys.h"
+#include "ui/words/field_words.h"
 
 namespace loomlight {
 namespace {
@@ -199,9 +200,8 @@ bool segmentField(Ui& ui, const RowText& text, std::span<const char* const> name
 }
 
 bool switchField(Ui& ui, const RowText& text, bool& value) {
-  static constexpr const char* kNames[] = {"Off", "On"};
   int chosen = value ? 1 : 0;
-  if (!segmentField(ui, text, kNames, chosen)) return false;
+  if (!segmentField(ui, text, words::fields::offOn, chosen)) return false;
   value = chosen == 1;
   return true;
 }

@@ -6,6 +6,7 @@
 
 #include "ui/widgets/fields.h"
 #include "ui/widgets/keys.h"
+#include "ui/words/common_words.h"
 
 namespace loomlight {
 namespace {
@@ -74,7 +75,7 @@ bool modalConfirmed(const Ui& ui) {
 bool closedBelow(Ui& ui, const char* id) {
   ImGui::Dummy(ImVec2(0, ui.px(4)));
   ImGui::SetCursorPosX(ImGui::GetWindowWidth() - ui.px(136));
-  const bool closed = button(ui, id, "Close", ui.px(120)) || modalCancelled(ui) || modalConfirmed(ui);
+  const bool closed = button(ui, id, words::common::close, ui.px(120)) || modalCancelled(ui) || modalConfirmed(ui);
   if (closed) ImGui::CloseCurrentPopup();
   return closed;
 }

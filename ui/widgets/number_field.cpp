@@ -9,6 +9,7 @@
 #include "ui/widgets/fields.h"
 #include "ui/widgets/keys.h"
 #include "ui/widgets/number_text.h"
+#include "ui/words/field_words.h"
 
 namespace loomlight {
 namespace {
@@ -106,10 +107,10 @@ void drawValue(Ui& ui, const NumberStyle& style, double value, const ImRect& box
 }
 
 std::string objectionTo(std::string_view text, const NumberStyle& style) {
-  if (hasDoubtfulComma(text)) return "A comma before three digits may mean either: write a point, or no comma";
+  if (hasDoubtfulComma(text)) return words::fields::doubtfulComma;
   if (std::string own = style.objection ? style.objection(text) : ""; !own.empty()) return own;
-  return fmt::format("Expected a number from {:g} to {:g}{}{}{}{}", style.min, style.max, *style.unit ? " " : "",
-                     style.unit, *style.otherwise ? ", or " : "", style.otherwise);
+  return fmt::format(words::fields::expected, style.min, style.max, *style.unit ? " " : "", style.unit,
+                     *style.otherwise ? words::fields::orOtherwise : "", style.otherwise);
 }
 
 /// The open text of a field. True when it was accepted.

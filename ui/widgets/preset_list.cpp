@@ -1,16 +1,18 @@
 #include "ui/widgets/preset_list.h"
 
 #include "ui/widgets/fields.h"
+#include "ui/words/menu_words.h"
+#include "ui/words/preset_words.h"
 
 namespace loomlight {
 
 std::optional<PresetChoice> presetList(Ui& ui, const std::vector<std::string>& own,
                                        const std::vector<std::string>& samples, bool& browse) {
   if (ImGui::GetContentRegionAvail().y < ui.px(kLowestPresetList) - 1) {
-    browse = button(ui, "presets.browse", "Presets\xE2\x80\xA6", 0, true, "Cloths to start from, by pictures (Ctrl+B)");
+    browse = button(ui, "presets.browse", words::menu::presets.label, 0, true, words::presets::browseHelp);
     return std::nullopt;
   }
-  heading(ui, "Presets");
+  heading(ui, words::presets::title);
   std::optional<PresetChoice> chosen;
   ImGui::BeginChild("presets", ImVec2(0, 0));
   auto list = [&](const std::vector<std::string>& names, bool isSample) {
@@ -19,8 +21,7 @@ std::optional<PresetChoice> presetList(Ui& ui, const std::vector<std::string>& o
       if (ImGui::Selectable(names[i].c_str())) chosen = {isSample, i};
       const std::string id = (isSample ? "sample/" : "preset/") + names[i];
       ui.probe.recordItem(id);
-      tooltipFor(ui, id.c_str(), ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
-                 "Puts this cloth on the present drape, in the present light.");
+      tooltipFor(ui, id.c_str(), ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), words::presets::choiceHelp);
       ImGui::PopID();
     }
   };

@@ -10,7 +10,6 @@ struct KeyLine {
 
 namespace keys {
 
-inline constexpr const char* title = "Keys and mouse";
 inline constexpr const char* clothTitle = "On the cloth";
 inline constexpr const char* draftTitle = "In the draft";
 inline constexpr const char* numbersTitle = "On numbers";

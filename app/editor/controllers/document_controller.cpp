@@ -5,6 +5,7 @@
 #include "app/editor/model/user_folders.h"
 #include "core/base/error.h"
 #include "core/fabric/model/validate.h"
+#include "ui/words/error_words.h"
 
 namespace loomlight {
 
@@ -25,7 +26,7 @@ void DocumentController::edit(Fabric fabric, const EditPlace& place) {
 
 void DocumentController::edit(Fabric fabric, const EditPlace& place, uint64_t gesture) {
   try {
-    validate(fabric, "this edit");
+    validate(fabric, words::errors::thisEdit);
     refusal_.clear();
     document_.edit(std::move(fabric), gesture, place);
   } catch (const InputError& error) {

@@ -8,6 +8,8 @@
 #include "core/fabric/wif/wif_fabric.h"
 #include "core/fabric/yarn/derived.h"
 #include "ui/widgets/yarn_colours.h"
+#include "ui/words/common_words.h"
+#include "ui/words/dialog_words.h"
 
 namespace loomlight {
 namespace {
@@ -18,14 +20,13 @@ WifSett settOf(const Fabric& fabric) {
 }
 
 std::string summaryOf(const Fabric& fabric) {
-  std::string summary =
-      fmt::format("\"{}\": {} ends, {} picks", fabric.name, fabric.weave.ends(), fabric.weave.picks());
+  std::string summary = fmt::format(words::wif::cloth, fabric.name, fabric.weave.ends(), fabric.weave.picks());
   if (fabric.draft) {
-    summary += fmt::format(", {} shafts", fabric.draft->shafts);
-    summary += fabric.draft->liftplan.empty() ? fmt::format(", {} treadles", fabric.draft->treadles)
-                                              : std::string(", with a liftplan");
+    summary += fmt::format(words::common::andShafts, fabric.draft->shafts);
+    summary += fabric.draft->liftplan.empty() ? fmt::format(words::wif::andTreadles, fabric.draft->treadles)
+                                              : std::string(words::wif::andLiftplan);
   }
-  if (fabric.wif && !fabric.wif->program.empty()) summary += fmt::format(". Written by {}", fabric.wif->program);
+  if (fabric.wif && !fabric.wif->program.empty()) summary += fmt::format(words::wif::writtenBy, fabric.wif->program);
   return summary + ".";
 }
 
@@ -34,8 +35,7 @@ std::string namedOf(const Fabric& fabric, const WifNamed& named) {
   if (named == WifNamed{}) return {};
   const int ends = named.ends > 0 ? named.ends : fabric.weave.ends();
   const int picks = named.picks > 0 ? named.picks : fabric.weave.picks();
-  return fmt::format("It names {} of {} ends and {} of {} picks.", ends, fabric.weave.ends(), picks,
-                     fabric.weave.picks());
+  return fmt::format(words::wif::named, ends, fabric.weave.ends(), picks, fabric.weave.picks());
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 
 #include "app/editor/model/user_folders.h"
 #include "app/export/program_folders.h"
+#include "ui/words/file_words.h"
+#include "ui/words/preset_words.h"
 
 namespace loomlight {
 namespace {
@@ -24,19 +26,19 @@ std::vector<std::string> endingsThatOpen() {
 const Asked& askedFor(FileTask task) {
   using Purpose = FileBrowser::Purpose;
   static const Asked kAsked[] = {
-      {FileTask::open, Purpose::open, "Open", endingsThatOpen()},
-      {FileTask::saveAs, Purpose::save, "Save the cloth", {".loomlight", ".json"}},
-      {FileTask::mesh, Purpose::open, "Choose a mesh", {".obj", ".ply", ".off"}},
-      {FileTask::environment, Purpose::open, "Choose an environment", {".exr"}},
-      {FileTask::snapshot, Purpose::save, "Where the snapshot goes", {".png", ".exr"}},
-      {FileTask::profile, Purpose::open, "Choose a colour profile", {".icc", ".icm"}},
-      {FileTask::picture, Purpose::open, "Choose a picture", {".png"}},
-      {FileTask::exportWif, Purpose::save, "Export as WIF draft", {".wif"}},
-      {FileTask::exportDraft, Purpose::save, "Export the draft for print", {".pdf", ".png"}},
-      {FileTask::exportTile, Purpose::save, "Where the tile goes", {".json"}},
-      {FileTask::sheet, Purpose::save, "Where the cloth sheet goes", {".pdf", ".png"}},
-      {FileTask::colourwaySheet, Purpose::save, "Where the colourways go", {".pdf", ".png"}},
-      {FileTask::exportBitmap, Purpose::save, "Export the weave", {".png", ".tif", ".bmp"}},
+      {FileTask::open, Purpose::open, words::files::open, endingsThatOpen()},
+      {FileTask::saveAs, Purpose::save, words::files::saveCloth, {".loomlight", ".json"}},
+      {FileTask::mesh, Purpose::open, words::files::chooseMesh, {".obj", ".ply", ".off"}},
+      {FileTask::environment, Purpose::open, words::files::chooseEnvironment, {".exr"}},
+      {FileTask::snapshot, Purpose::save, words::files::snapshotFile, {".png", ".exr"}},
+      {FileTask::profile, Purpose::open, words::files::chooseProfile, {".icc", ".icm"}},
+      {FileTask::picture, Purpose::open, words::files::choosePicture, {".png"}},
+      {FileTask::exportWif, Purpose::save, words::files::exportWif, {".wif"}},
+      {FileTask::exportDraft, Purpose::save, words::files::exportDraft, {".pdf", ".png"}},
+      {FileTask::exportTile, Purpose::save, words::files::tileFile, {".json"}},
+      {FileTask::sheet, Purpose::save, words::files::sheetFile, {".pdf", ".png"}},
+      {FileTask::colourwaySheet, Purpose::save, words::files::colourwaysFile, {".pdf", ".png"}},
+      {FileTask::exportBitmap, Purpose::save, words::files::exportWeave, {".png", ".tif", ".bmp"}},
   };
   for (const Asked& asked : kAsked)
     if (asked.task == task) return asked;
@@ -49,8 +51,8 @@ void FileController::browse(FileTask task, const std::filesystem::path& start) {
   task_ = task;
   previews_.forget();  // files change between two looks at them
   std::vector<FileBrowser::Bookmark> bookmarks = {
-      {"Home", homeFolder()}, {"Presets", presetFolder()}, {"Computer", "/"}};
-  if (const auto samples = sampleFolder()) bookmarks.push_back({"Samples", *samples});
+      {words::files::home, homeFolder()}, {words::presets::title, presetFolder()}, {words::files::computer, "/"}};
+  if (const auto samples = sampleFolder()) bookmarks.push_back({words::files::samples, *samples});
   const Asked& asked = askedFor(task);
   browser_.show(asked.purpose, asked.title, asked.endings, start, bookmarks);
 }
@@ -66,8 +68,10 @@ std::optional<FileService::Result> FileController::drawBusy(Ui& ui) {
   auto result = service_.take();
   std::optional<std::string> text;
   if (const auto& busy = service_.busy()) {
-    const char* does = service_.isReading() ? "Opening" : service_.canCancel() ? "Writing" : "Finishing";
-    text = fmt::format("{} {}\xE2\x80\xA6", does, std::filesystem::path(busy->file).filename().string());
+    const std::string name = std::filesystem::path(busy->file).filename().string();
+    text = service_.isReading()   ? fmt::format(words::files::opening, name)
+           : service_.canCancel() ? fmt::format(words::files::writing, name)
+                                  : fmt::format(words::files::finishing, name);
   }
   if (busy_.draw(ui, text, service_.canCancel())) service_.cancel();
   return result;

@@ -1,10 +1,12 @@
 #include "app/editor/controllers/first_opening.h"
-#include "ui/widgets/keys.h"
 
 #include <fmt/core.h>
 
 #include <filesystem>
 #include <utility>
+
+#include "ui/widgets/keys.h"
+#include "ui/words/file_words.h"
 
 namespace loomlight {
 
@@ -21,7 +23,7 @@ void FirstOpening::frame(Ui& ui) {
     return;
   }
   if (ImGui::GetIO().KeyCtrl && letterPressed('Q')) askToQuit();
-  const std::string text = fmt::format("Opening {}\xE2\x80\xA6", std::filesystem::path(file_).filename().string());
+  const std::string text = fmt::format(words::files::opening, std::filesystem::path(file_).filename().string());
   if (!busyDialog_.draw(ui, text, files_.canCancel())) return;
   files_.cancel();
   over_ = true;

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "ui/widgets/fields.h"
+#include "ui/words/common_words.h"
+#include "ui/words/viewport_words.h"
 
 namespace loomlight {
 namespace {
@@ -14,9 +16,9 @@ std::string memoryText(double bytes) {
 }
 
 std::string countText(double count) {
-  if (count < 0.95e6) return fmt::format("{:.0f} thousand", count * 1e-3);
-  if (count < 0.95e9) return fmt::format("{:.1f} million", count * 1e-6);
-  return fmt::format("{:.1f} billion", count * 1e-9);
+  if (count < 0.95e6) return fmt::format(words::lens::thousand, count * 1e-3);
+  if (count < 0.95e9) return fmt::format(words::lens::million, count * 1e-6);
+  return fmt::format(words::lens::billion, count * 1e-9);
 }
 
 /// To two digits, downwards.
@@ -34,11 +36,11 @@ std::string signedText(double value) {
 void describeDifference(const Difference* found, InsetModel& model) {
   constexpr int kSteps = 32;
   if (!found) {
-    model.caption = "difference, waiting for samples";
+    model.caption = words::lens::differenceWaiting;
     return;
   }
-  model.caption = fmt::format("difference \xC3\x97{:g}, mean {} \xC2\xB1 {:.1f} %", Difference::kGain,
-                              signedText(found->mean_percent), found->error_percent);
+  model.caption = fmt::format(words::lens::differenceSeen, Difference::kGain, signedText(found->mean_percent),
+                              found->error_percent);
   for (const Rgb& colour : differenceScale(kSteps)) model.scale.push_back(toDisplayColour(colour));
   model.scaleEnd = fmt::format("{:g} %", 100 / Difference::kGain);
 }
@@ -65,42 +67,40 @@ InsetModel insetModel(const InsetStatus& status, const InsetFrame* shown, bool d
     case Phase::closed:
       break;
     case Phase::waiting:
-      model.caption = "waiting for the cloth";
+      model.caption = words::lens::waiting;
       break;
     case Phase::needless:
-      model.trouble =
-          "The whole picture shows every fibre already. Choose the method Volume on the Scene page to compare the two.";
+      model.trouble = words::lens::needless;
       break;
     case Phase::laying:
       model.laying = true;
       model.progress = status.progress;
-      model.caption =
-          fmt::format("laying {} fibre segments{}, {}: {:.0f} %", countText(status.segments),
-                      status.isWholePiece ? "" : " of one repeat", memoryText(status.bytes), 100 * status.progress);
+      model.caption = fmt::format(words::lens::laying, countText(status.segments),
+                                  status.isWholePiece ? "" : words::lens::ofOneRepeat, memoryText(status.bytes),
+                                  100 * status.progress);
       break;
     case Phase::tooLarge:
-      model.trouble = fmt::format(
-          "Every fibre of this piece, {} segments, would take {} of memory. The limit is {}. A smaller piece shows the "
-          "same cloth{}.",
-          countText(status.segments), memoryText(status.bytes), memoryText(limit_bytes),
-          drape.kind == DrapeKind::flat ? "" : "; laid flat, one repeat can stand for all of it");
+      model.trouble =
+          fmt::format(words::lens::tooLarge, countText(status.segments), memoryText(status.bytes),
+                      memoryText(limit_bytes), drape.kind == DrapeKind::flat ? "" : words::lens::orLaidFlat);
       if (const auto fitting = fittingPiece(drape, status.bytes, limit_bytes))
-        model.remedy = fmt::format("Make it {:g} \xC3\x97 {:g} mm", fitting->width_mm, fitting->height_mm);
+        model.remedy = fmt::format(words::lens::makeSmaller, fitting->width_mm, fitting->height_mm);
       model.limitMatters = true;
       break;
     case Phase::failed:
-      model.trouble = "The fibres could not be laid: " + status.error;
+      model.trouble = fmt::format(words::lens::failed, status.error);
       break;
     case Phase::tracing:
     case Phase::converged:
       if (!shown) {
-        model.caption = "fibres, starting";
+        model.caption = words::lens::starting;
       } else if (difference) {
         describeDifference(shown->difference.get(), model);
       } else {
         const int samples = shown->fibres->samples;
-        model.caption = fmt::format("fibres{}, {}", status.isWholePiece ? "" : " of one repeat",
-                                    samples > 0 ? fmt::format("{} spp", samples) : std::string("preview"));
+        model.caption = fmt::format(
+            words::lens::seen, status.isWholePiece ? "" : words::lens::ofOneRepeat,
+            samples > 0 ? fmt::format(words::common::samplesPerPixel, samples) : std::string(words::common::preview));
       }
       break;
   }

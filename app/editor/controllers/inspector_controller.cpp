@@ -9,6 +9,7 @@
 #include "core/fabric/palette/colour_code.h"
 #include "core/fabric/yarn/band_colour.h"
 #include "ui/widgets/yarn_colours.h"
+#include "ui/words/error_words.h"
 
 namespace loomlight {
 
@@ -74,8 +75,8 @@ void InspectorController::wantCode(const ClothPart& part, const std::string& cod
   else if (written)
     view.want(part, {bookColour(*written).linear, {}, code});
   else
-    view.refusal = fmt::format("\"{}\" is no colour: expected #1a2b3c, Lab 30 5 -12{}.", code,
-                               view.book ? ", or a name of " + view.book->name : "");
+    view.refusal = fmt::format(words::errors::noColour, code,
+                               view.book ? fmt::format(words::errors::orOfBook, view.book->name) : "");
 }
 
 void InspectorController::dyeLike(const Fabric& fabric, const MeasuredSwatch& swatch) {

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include "ui/words/message_words.h"
+
 namespace loomlight {
 
 void PresetController::showBrowser() {
@@ -35,9 +37,9 @@ std::optional<PresetController::Message> PresetController::follow(bool mayTell) 
     problem_ = outcome->problem;
     return std::nullopt;
   }
-  if (!outcome->problem.empty()) return Message{"The presets could not be changed", outcome->problem};
+  if (!outcome->problem.empty()) return Message{words::messages::presetsUnchanged, outcome->problem};
   if (outcome->kept.empty()) return std::nullopt;
-  return Message{"Kept as preset", fmt::format("\"{}\" is among the presets now.", outcome->kept)};
+  return Message{words::messages::presetKeptTitle, fmt::format(words::messages::presetKept, outcome->kept)};
 }
 
 }  // namespace loomlight

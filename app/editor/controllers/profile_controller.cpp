@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "ui/words/error_words.h"
 
 namespace loomlight {
 
@@ -34,7 +35,7 @@ void ProfileController::open(const std::string& file) {
 ProfileController::Read ProfileController::read(const Source& source) {
   try {
     const IccProfile profile =
-        source.file.empty() ? iccProfile(source.bytes, "the system's profile") : readIccProfile(source.file);
+        source.file.empty() ? iccProfile(source.bytes, words::errors::systemProfile) : readIccProfile(source.file);
     const bool isDisplay = profile.device == IccProfile::Device::display;
     auto cube = std::make_shared<const ColourCube>(isDisplay ? loomlight::displayCube(profile) : proofCube(profile));
     return {source, profile.device, {profile.description, std::move(cube)}, {}};

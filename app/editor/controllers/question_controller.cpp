@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "ui/words/message_words.h"
+
 namespace loomlight {
 
 void QuestionController::ask(Question question, std::string title, std::string text, std::vector<std::string> answers,
@@ -11,7 +13,7 @@ void QuestionController::ask(Question question, std::string title, std::string t
 }
 
 void QuestionController::say(std::string title, std::string text) {
-  ask(Question::said, std::move(title), std::move(text), {"OK"}, 0);
+  ask(Question::said, std::move(title), std::move(text), {words::messages::ok}, 0);
 }
 
 std::optional<QuestionController::Answer> QuestionController::draw(Ui& ui) {

@@ -1,11 +1,14 @@
 #include "app/editor/controllers/snapshot_controller.h"
 
+#include <fmt/core.h>
+
 #include <utility>
 
 #include "app/editor/model/picture_label.h"
 #include "app/export/snapshot.h"
 #include "render/display/display_picture.h"
 #include "render/scene/camera_rays.h"
+#include "ui/words/picture_words.h"
 
 namespace loomlight {
 namespace {
@@ -78,7 +81,7 @@ SnapshotController::Edit SnapshotController::drawDialog(Ui& ui, const std::share
     rendering_.start([edited, file = dialog_.file(), tone,
                       print = printOf(dialog_.options(), *edited)](const Task& task) -> std::optional<std::string> {
       if (!writeSnapshot(edited, file, tone, print, task)) return std::nullopt;
-      return "Saved " + file;
+      return fmt::format(words::snapshot::saved, file);
     });
   }
   return {result.settings, result.chooseFile};

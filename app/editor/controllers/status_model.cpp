@@ -4,28 +4,31 @@
 
 #include <algorithm>
 
+#include "ui/words/status_words.h"
+
 namespace loomlight {
 namespace {
 
 std::string workOf(const LiveStatus& status, const Frame* shown) {
   const std::string help = !shown                     ? ""
-                           : !shown->denoised.empty() ? ", denoised"
-                           : shown->shared            ? ", shared"
-                           : !shown->helped.empty()   ? ", smoothed"
+                           : !shown->denoised.empty() ? words::status::andDenoised
+                           : shown->shared            ? words::status::andShared
+                           : !shown->helped.empty()   ? words::status::andSmoothed
                                                       : "";
-  if (shown && shown->quality == PreviewQuality::sketch) return "first look" + help;
+  if (shown && shown->quality == PreviewQuality::sketch) return fmt::format(words::status::firstLook, help);
   switch (status.phase) {
     case LiveStatus::Phase::idle:
-      return "waiting" + help;
+      return fmt::format(words::status::waiting, help);
     case LiveStatus::Phase::voxelising:
-      return fmt::format("building {:3.0f} %{}", 100 * status.buildProgress, help);
+      return fmt::format(words::status::building, 100 * status.buildProgress, help);
     case LiveStatus::Phase::tracing:
-      if (!shown || shown->quality != PreviewQuality::recoloured) return "refining" + help;
-      return help.empty() ? "recoloured, refining" : "recoloured" + help;  // all three would need more room
+      if (!shown || shown->quality != PreviewQuality::recoloured) return fmt::format(words::status::refining, help);
+      if (help.empty()) return words::status::recolouredRefining;
+      return fmt::format(words::status::recoloured, help);  // all three would need more room
     case LiveStatus::Phase::converged:
       break;
   }
-  return "converged" + help;
+  return fmt::format(words::status::converged, help);
 }
 
 void tellFigures(const FabricStats& stats, const ClothMeasures& measures, StatusModel& model) {
@@ -59,7 +62,8 @@ StatusModel statusModel(const FabricStats* stats, const LiveStatus& status, cons
     model.seconds = shown->seconds;
   }
   if (baking.baking)
-    model.background = fmt::format("{} {:3.0f} %", baking.borrowing ? "borrowed" : "visibility", 100 * baking.progress);
+    model.background = baking.borrowing ? fmt::format(words::status::borrowed, 100 * baking.progress)
+                                        : fmt::format(words::status::visibility, 100 * baking.progress);
   model.work = workOf(status, shown);
   return model;
 }

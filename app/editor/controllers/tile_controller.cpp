@@ -7,6 +7,7 @@
 
 #include "app/export/tile.h"
 #include "render/transport/make_medium.h"
+#include "ui/words/dialog_words.h"
 
 namespace loomlight {
 
@@ -69,7 +70,7 @@ bool TileController::draw(Ui& ui, const Fabric& fabric, ViewService& seen) {
        order = TileOrder{dialog_.longestSide(), dialog_.joinsTwist()}](const Task& task) -> std::optional<std::string> {
         const auto tile = makeTile(fabric, stem, order, defaultMemoryLimit_bytes(), task);
         if (!tile) return std::nullopt;
-        return fmt::format("Written: {}.json and {} maps beside it", stem, tile->files.size() - 1);
+        return fmt::format(words::tile::written, stem, tile->files.size() - 1);
       });
   return result.chooseFile;
 }

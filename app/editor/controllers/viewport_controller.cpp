@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/editor/controllers/inset_model.h"
+#include "ui/words/viewport_words.h"
 
 namespace loomlight {
 namespace {
@@ -92,7 +93,7 @@ ViewportController::Edit ViewportController::draw(Ui& ui, const std::shared_ptr<
   if (stats && stats->fabric->drape == fabric->drape) model.mesh = stats->mesh;
   if (flat_) {
     const glm::dvec2& piece_mm = flat_->sight.piece_mm;
-    model.flat = flatClothText(flat_->cloth) + ", flat";
+    model.flat = fmt::format(words::viewport::flat, flatClothText(flat_->cloth));
     if (flat_->cloth.inRepeats)
       model.flat += fmt::format(" \xC2\xB7 {:.1f} \xC3\x97 {:.1f} mm", piece_mm.x, piece_mm.y);
     if (std::exchange(view_.fitWanted, false))

@@ -1,9 +1,12 @@
 #include "app/editor/gl/gl_program.h"
 
+#include <fmt/core.h>
+
 #include <stdexcept>
 #include <string>
 
 #include "shader_text.h"
+#include "ui/words/error_words.h"
 
 namespace loomlight {
 namespace {
@@ -19,7 +22,7 @@ GLuint compile(GLenum kind, std::string_view text) {
   if (ok) return shader;
   char log[1024] = "";
   glGetShaderInfoLog(shader, sizeof log, nullptr, log);
-  throw std::runtime_error(std::string("display shader: ") + log);
+  throw std::runtime_error(fmt::format(words::errors::shader, log));
 }
 
 }  // namespace
@@ -38,7 +41,7 @@ GLuint linkedProgram(std::string_view fragmentShader) {
   if (ok) return program;
   char log[1024] = "";
   glGetProgramInfoLog(program, sizeof log, nullptr, log);
-  throw std::runtime_error(std::string("display shader: ") + log);
+  throw std::runtime_error(fmt::format(words::errors::shader, log));
 }
 
 GLuint madeTexture(GLenum kind, GLint filter) {

@@ -5,6 +5,7 @@
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +13,7 @@
 
 #include "app/editor/display/interface_scale.h"
 #include "core/base/error.h"
+#include "ui/words/error_words.h"
 
 namespace loomlight {
 namespace {
@@ -19,7 +21,7 @@ namespace {
 std::string lastError() {
   const char* description = nullptr;
   glfwGetError(&description);
-  return description ? description : "no reason was given";
+  return description ? description : words::errors::noReason;
 }
 
 /// Pixels per unit of the interface. Where the system scales windows itself, coordinates are scaled already.
@@ -36,7 +38,7 @@ float monitorScale(GLFWwindow* window) {
 }  // namespace
 
 Window::Window(const std::string& title, int width, int height, float scale) {
-  if (!glfwInit()) throw InputError("the window could not be opened: " + lastError());
+  if (!glfwInit()) throw InputError(fmt::format(words::errors::noWindow, lastError()));
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
@@ -51,7 +53,7 @@ Window::Window(const std::string& title, int width, int height, float scale) {
   if (!window_) {
     const std::string reason = lastError();
     glfwTerminate();
-    throw InputError("the window could not be opened (OpenGL 3.3 is needed): " + reason);
+    throw InputError(fmt::format(words::errors::noOpenGl, reason));
   }
   glfwSetWindowSizeLimits(window_, 960, 600, GLFW_DONT_CARE, GLFW_DONT_CARE);
   glfwMakeContextCurrent(window_);

@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/fabric/json/fabric_json.h"
+#include "ui/words/error_words.h"
 
 namespace loomlight {
 namespace fs = std::filesystem;
@@ -90,7 +91,7 @@ void Autosave::makeFolder() {
   const fs::path folder = file_.parent_path();
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) throw InputError(fmt::format("{}: the folder could not be made: {}", folder.string(), error.message()));
+  if (error) throw InputError(fmt::format(words::errors::folderNotMade, folder.string(), error.message()));
   if (!fs::exists(lockOf(file_), error)) running_ = FileLock::make(lockOf(file_));
 }
 

@@ -9,6 +9,7 @@
 #include "core/fabric/yarn/band_colour.h"
 #include "render/colour/colour_space.h"
 #include "render/colour/tristimulus.h"
+#include "ui/words/file_words.h"
 
 namespace loomlight {
 namespace {
@@ -56,7 +57,7 @@ ColourBook colourBook(const Palette& palette) {
   ColourBook book{palette.name, {}};
   for (const NamedColour& colour : palette.colours) {
     BookColour shown = bookColour(colour);
-    if (shown.name.empty()) shown.name = fmt::format("no. {}", book.colours.size() + 1);
+    if (shown.name.empty()) shown.name = fmt::format(words::files::unnamedColour, book.colours.size() + 1);
     book.colours.push_back(std::move(shown));
   }
   return book;

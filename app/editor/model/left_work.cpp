@@ -8,6 +8,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "ui/words/message_words.h"
+
 namespace loomlight {
 namespace fs = std::filesystem;
 namespace {
@@ -48,15 +50,15 @@ std::string whenWritten(const fs::path& file) {
   const std::time_t seconds = time.time_since_epoch().count();
   std::tm local{};
   if (!localtime_r(&seconds, &local)) return {};
-  return fmt::format(" on {} {:%B at %H:%M}", local.tm_mday, local);
+  return fmt::format(words::messages::leftWhen, local.tm_mday, local);
 }
 
 }  // namespace
 
 std::string aboutLeftWork(const fs::path& left) {
   const std::string name = nameIn(beginningOf(left));
-  const std::string what = name.empty() ? "A cloth" : "\"" + name + "\"";
-  return fmt::format("{} was last edited{}, and the editor ended before it was saved.", what, whenWritten(left));
+  const std::string what = name.empty() ? words::messages::leftUnnamed : fmt::format(words::messages::leftCloth, name);
+  return fmt::format(words::messages::left, what, whenWritten(left));
 }
 
 }  // namespace loomlight

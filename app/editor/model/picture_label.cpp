@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "font_data.h"
+#include "ui/words/error_words.h"
 
 namespace loomlight {
 namespace {
@@ -28,7 +29,7 @@ class TextLine {
         FT_New_Memory_Face(library_, bytes, static_cast<FT_Long>(kFontRegular.size()), 0, &face_) != 0 ||
         FT_Request_Size(face_, &size) != 0) {
       FT_Done_FreeType(library_);
-      throw std::runtime_error("the built-in font cannot be read");
+      throw std::runtime_error(words::errors::font);
     }
   }
   ~TextLine() { FT_Done_FreeType(library_); }  // and with it the face

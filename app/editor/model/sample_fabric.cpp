@@ -9,6 +9,7 @@
 #include "core/fabric/json/fabric_json.h"
 #include "core/fabric/yarn/yarn_edit.h"
 #include "sample_text.h"
+#include "ui/words/preset_words.h"
 
 namespace loomlight {
 namespace {
@@ -18,14 +19,14 @@ struct Sample {
   const std::string_view& json;
 };
 constexpr Sample kSamples[] = {
-    {"Blue cloth", kBlueCloth},
-    {"Colourful cloth", kColourfulCloth},
-    {"Black and white cloth", kBlackAndWhiteCloth},
-    {"Green cloth", kGreenCloth},
-    {"Denim", kDenim},
-    {"Sheer silk", kSheerSilk},
-    {"Wool suiting", kWoolSuiting},
-    {"Jacquard damask", kJacquard},
+    {words::samples::blueCloth, kBlueCloth},
+    {words::samples::colourfulCloth, kColourfulCloth},
+    {words::samples::blackAndWhiteCloth, kBlackAndWhiteCloth},
+    {words::samples::greenCloth, kGreenCloth},
+    {words::samples::denim, kDenim},
+    {words::samples::sheerSilk, kSheerSilk},
+    {words::samples::woolSuiting, kWoolSuiting},
+    {words::samples::jacquard, kJacquard},
 };
 
 constexpr size_t kOfTheirOwn = std::size(kSamples);  // the others are the wardrobe's

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/fabric/json/fabric_json.h"
+#include "ui/words/error_words.h"
 
 namespace loomlight {
 namespace fs = std::filesystem;
@@ -48,10 +49,10 @@ KeptView ViewFolder::read(const std::string& id) const {
   std::map<std::string, std::string> texts;
   Pixels8 picture = readPng(file, &texts);
   const auto found = texts.find(kFabricKey);
-  if (found == texts.end()) throw InputError(fmt::format("{}: expected a kept view, found no fabric in it", file));
+  if (found == texts.end()) throw InputError(fmt::format(words::errors::noView, file));
   Fabric fabric = workingNames(fabricFromJson(found->second, file), file);
   KeptView view{id, std::make_shared<const Fabric>(std::move(fabric)), std::move(picture)};
-  if (view.picture.channels != 3) throw InputError(fmt::format("{}: expected a picture without alpha", file));
+  if (view.picture.channels != 3) throw InputError(fmt::format(words::errors::viewWithAlpha, file));
   return view;
 }
 

@@ -12,6 +12,7 @@
 #include "core/fabric/model/yarn_count.h"
 #include "core/fabric/yarn/presets.h"
 #include "core/fabric/yarn/yarn_edit.h"
+#include "ui/words/preset_words.h"
 
 namespace loomlight {
 namespace {
@@ -47,20 +48,21 @@ Fabric clothOf(const std::string& name, const Yarn& yarn, const Fibre& fibre) {
 }
 
 std::string aboutCloth(const Fabric& fabric) {
-  std::string about = fmt::format("{} ends, {} picks in the repeat; {:.0f} \xC3\x97 {:.0f} per cm", fabric.weave.ends(),
-                                  fabric.weave.picks(), fabric.ends_per_cm, fabric.picks_per_cm);
+  std::string about = fmt::format(words::presets::cloth, fabric.weave.ends(), fabric.weave.picks(), fabric.ends_per_cm,
+                                  fabric.picks_per_cm);
   for (const Fibre& fibre : fabric.fibres) about += "; " + fibre.name;
   return fabric.description.empty() ? about : fabric.description + "\n" + about;
 }
 
 std::string aboutYarn(const Yarn& yarn, const Fibre& fibre) {
-  std::string folded = fmt::format("{} {}", yarn.plies, yarn.plies == 1 ? "ply" : "plies");
-  if (yarn.cords > 1) folded = fmt::format("{} x {}, cabled", yarn.cords, folded);
+  std::string folded =
+      yarn.plies == 1 ? fmt::format(words::presets::ply, yarn.plies) : fmt::format(words::presets::plies, yarn.plies);
+  if (yarn.cords > 1) folded = fmt::format(words::presets::cabled, yarn.cords, folded);
   return fmt::format("{:.1f} tex, {}, {}", yarnCount_tex(yarn, fibre), folded, fibre.name);
 }
 
 std::string aboutFibre(const Fibre& fibre) {
-  return fmt::format("{:.1f} \u00B5m across, {:.2f} dtex", 2 * fibre.radius_um, fibreFineness_dtex(fibre));
+  return fmt::format(words::presets::fibre, 2 * fibre.radius_um, fibreFineness_dtex(fibre));
 }
 
 std::string aboutOf(PresetKind kind, const Fabric& fabric) {
@@ -75,7 +77,7 @@ std::string aboutOf(PresetKind kind, const Fabric& fabric) {
       break;
   }
   const size_t fibres = fabric.fibres.size();
-  return fibres == 1 ? "colour of one fibre" : fmt::format("colours of {} fibres", fibres);
+  return fibres == 1 ? words::presets::colour : fmt::format(words::presets::colours, fibres);
 }
 
 /// What came with the program.

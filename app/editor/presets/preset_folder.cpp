@@ -7,6 +7,7 @@
 #include "app/export/file_name.h"
 #include "core/base/error.h"
 #include "core/fabric/json/fabric_json.h"
+#include "ui/words/error_words.h"
 
 namespace loomlight {
 namespace fs = std::filesystem;
@@ -35,7 +36,7 @@ PresetFolder::Stamp PresetFolder::stampOf(const std::string& name) const {
 void PresetFolder::makeFolder(const fs::path& folder) const {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) throw InputError(folder.string() + ": the folder for presets could not be made: " + error.message());
+  if (error) throw InputError(fmt::format(words::errors::presetFolderNotMade, folder.string(), error.message()));
 }
 
 Fabric PresetFolder::load(const std::string& name) const {
@@ -63,7 +64,7 @@ std::string PresetFolder::rename(const std::string& name, const std::string& to)
   std::string renamed = keep(std::move(fabric));
   std::error_code error;
   fs::remove(fileOf(name), error);
-  if (error) throw InputError(fileOf(name).string() + ": could not be removed: " + error.message());
+  if (error) throw InputError(fmt::format(words::errors::notRemoved, fileOf(name).string(), error.message()));
   refresh();
   return renamed;
 }
@@ -74,16 +75,16 @@ PresetFolder::Removed PresetFolder::remove(const std::string& name) {
   const fs::path kept = freeFile(bin / (name + ".json"));
   std::error_code error;
   fs::rename(fileOf(name), kept, error);
-  if (error) throw InputError(fileOf(name).string() + ": could not be removed: " + error.message());
+  if (error) throw InputError(fmt::format(words::errors::notRemoved, fileOf(name).string(), error.message()));
   refresh();
   return {name, kept};
 }
 
 void PresetFolder::putBack(const Removed& removed) {
-  if (isTaken(fileOf(removed.name))) throw InputError("another preset has that name now: " + removed.name);
+  if (isTaken(fileOf(removed.name))) throw InputError(fmt::format(words::errors::nameIsTaken, removed.name));
   std::error_code error;
   fs::rename(removed.file, fileOf(removed.name), error);
-  if (error) throw InputError(removed.file.string() + ": could not be put back: " + error.message());
+  if (error) throw InputError(fmt::format(words::errors::notPutBack, removed.file.string(), error.message()));
   refresh();
 }
 

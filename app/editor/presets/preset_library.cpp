@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "ui/words/preset_words.h"
 
 namespace loomlight {
 namespace fs = std::filesystem;
@@ -82,8 +83,7 @@ std::string PresetLibrary::problem() const {
   for (const Shelf& shelf : shelves_) {
     if (!shelf.tags.problem().empty()) return shelf.tags.problem();
     for (const auto& [name, read] : shelf.read)
-      if (read.tooMany)
-        return fmt::format("Not all is shown: with \"{}\" it would need more memory than there is.", name);
+      if (read.tooMany) return fmt::format(words::presets::tooMany, name);
   }
   return {};
 }
@@ -100,7 +100,7 @@ void PresetLibrary::tagAnew(PresetKind kind, const std::string& name, const std:
 
 std::string PresetLibrary::keep(PresetKind kind, Fabric fabric, const std::string& tags, const char* done) {
   const std::string name = of(kind).store.keep(std::move(fabric));
-  changed(fmt::format("{} \"{}\".", done, name), [this, kind, name]() -> TagAgain {
+  changed(fmt::format(words::presets::done, done, name), [this, kind, name]() -> TagAgain {
     of(kind).store.remove(name);
     return [this, kind, name] { tagAnew(kind, name, ""); };
   });
@@ -116,7 +116,7 @@ void PresetLibrary::rename(PresetKind kind, const std::string& before, const std
     tagAnew(kind, to, tags);
     tagAnew(kind, from, "");
   };
-  changed(fmt::format("Renamed \"{}\" to \"{}\".", before, after), [this, kind, before, after, moveTags]() -> TagAgain {
+  changed(fmt::format(words::presets::renamed, before, after), [this, kind, before, after, moveTags]() -> TagAgain {
     const std::string again = of(kind).store.rename(after, before);
     return [moveTags, after, again] { moveTags(after, again); };
   });
@@ -126,7 +126,7 @@ void PresetLibrary::rename(PresetKind kind, const std::string& before, const std
 void PresetLibrary::remove(PresetKind kind, const std::string& name) {
   const std::string tags = of(kind).tags.of(name);
   const PresetFolder::Removed removed = of(kind).store.remove(name);
-  changed(fmt::format("Removed \"{}\".", name), [this, kind, removed, tags]() -> TagAgain {
+  changed(fmt::format(words::presets::removed, name), [this, kind, removed, tags]() -> TagAgain {
     of(kind).store.putBack(removed);
     return [this, kind, removed, tags] { tagAnew(kind, removed.name, tags); };
   });
@@ -136,7 +136,7 @@ void PresetLibrary::remove(PresetKind kind, const std::string& name) {
 void PresetLibrary::tag(PresetKind kind, const std::string& name, bool own, const std::string& tags) {
   const std::string key = tagKey(name, own), before = of(kind).tags.of(key);
   of(kind).tags.set(key, tags);
-  changed(fmt::format("Tagged \"{}\".", name), [this, kind, key, before]() -> TagAgain {
+  changed(fmt::format(words::presets::tagged, name), [this, kind, key, before]() -> TagAgain {
     of(kind).tags.set(key, before);
     return [] {};
   });

@@ -11,6 +11,7 @@
 #include "app/editor/presets/preset.h"
 #include "app/editor/presets/preset_folder.h"
 #include "app/editor/presets/preset_tags.h"
+#include "ui/words/preset_words.h"
 
 namespace loomlight {
 
@@ -32,7 +33,8 @@ class PresetLibrary {
   // Changes of what is kept; each can be taken back. They throw InputError, and have changed nothing then, or all but
   // the tags.
   /// `done`: what it is called. Returns the name that it got.
-  std::string keep(PresetKind kind, Fabric fabric, const std::string& tags = "", const char* done = "Kept");
+  std::string keep(PresetKind kind, Fabric fabric, const std::string& tags = "",
+                   const char* done = words::presets::kept);
   void rename(PresetKind kind, const std::string& before, const std::string& name);
   void remove(PresetKind kind, const std::string& name);
   void tag(PresetKind kind, const std::string& name, bool own, const std::string& tags);

@@ -1,10 +1,13 @@
 #include "app/editor/presets/preset_tags.h"
 
+#include <fmt/core.h>
+
 #include <nlohmann/json.hpp>
 
 #include "app/export/file_name.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "ui/words/error_words.h"
 
 namespace loomlight {
 namespace fs = std::filesystem;
@@ -18,9 +21,9 @@ PresetTags::PresetTags(std::filesystem::path file) : file_(std::move(file)) {
   } catch (const InputError& error) {
     problem_ = error.what();
   } catch (const nlohmann::json::exception&) {
-    problem_ = file_.string() + ": expected the tags of presets";
+    problem_ = fmt::format(words::errors::noTags, file_.string());
   }
-  if (!problem_.empty()) problem_ += ". New tags go into another file, and this one is kept beside it.";
+  if (!problem_.empty()) problem_ = fmt::format(words::errors::tagsGoElsewhere, problem_);
 }
 
 /// What cannot be read now may be read again by hand, or by a newer version.
@@ -30,7 +33,7 @@ void PresetTags::putAside() {
   // Whatever is there: writing could not replace a folder, and would end where a link leads.
   if (!fs::exists(fs::symlink_status(file_, error))) return problem_.clear();
   fs::rename(file_, freeFile(file_.string() + ".unreadable"), error);
-  if (error) throw InputError(file_.string() + ": could not be put aside: " + error.message());
+  if (error) throw InputError(fmt::format(words::errors::notPutAside, file_.string(), error.message()));
   problem_.clear();
 }
 

@@ -21,6 +21,8 @@
 #include "render/display/display_picture.h"
 #include "render/display/raster.h"
 #include "render/transport/reached_colours.h"
+#include "ui/words/common_words.h"
+#include "ui/words/file_words.h"
 
 namespace loomlight {
 namespace fs = std::filesystem;
@@ -36,7 +38,7 @@ bool isLight(const PictureExtent& extent, double bytesPerPixel) {
 }
 
 std::string sizeText(uintmax_t bytes) {
-  if (bytes < 1000) return "under 1 kB";
+  if (bytes < 1000) return words::files::tiny;
   const double kB = 1e-3 * static_cast<double>(bytes);
   return kB < 1000 ? fmt::format("{:.0f} kB", kB) : fmt::format("{:.1f} MB", 1e-3 * kB);
 }
@@ -75,12 +77,12 @@ Pixels8 displayed(const Image& image) {
 }
 
 std::string pixelsText(const PictureExtent& extent) {
-  return fmt::format("{} \xC3\x97 {} pixels", extent.width, extent.height);
+  return fmt::format(words::common::pixels, extent.width, extent.height);
 }
 
 std::string clothText(const Fabric& fabric) {
-  std::string text = fmt::format("{} ends, {} picks", fabric.weave.ends(), fabric.weave.picks());
-  if (fabric.draft) text += fmt::format(", {} shafts", fabric.draft->shafts);
+  std::string text = fmt::format(words::common::endsAndPicks, fabric.weave.ends(), fabric.weave.picks());
+  if (fabric.draft) text += fmt::format(words::common::andShafts, fabric.draft->shafts);
   return text;
 }
 
@@ -126,7 +128,7 @@ FilePreviewService::Look FilePreviewService::lookInto(const std::string& file, c
     const uintmax_t bytes = fs::file_size(file);
     look.lines.push_back(sizeText(bytes) + dateText(file));
     if (bytes > kMostBytes) {
-      look.lines.push_back("Too large to be looked into.");
+      look.lines.emplace_back(words::files::tooLarge);
       return look;
     }
     const std::string extension = lowerExtension(file);
@@ -137,7 +139,7 @@ FilePreviewService::Look FilePreviewService::lookInto(const std::string& file, c
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception&) {
-    look.lines.push_back(isFabricFile(file) ? "It holds no cloth." : "It cannot be read.");
+    look.lines.emplace_back(isFabricFile(file) ? words::files::holdsNoCloth : words::files::cannotBeRead);
   }
   return look;
 }

@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "ui/words/preset_words.h"
+
 namespace loomlight {
 
 PresetService::PresetService(std::filesystem::path folder, DisplayDriver& driver, std::function<void()> wake)
@@ -98,7 +100,7 @@ void PresetService::duplicate(size_t card) {
   change([kind = kind_, preset = presets_[card]](PresetLibrary& cabinet) {
     Fabric fabric = *preset.fabric;
     fabric.name = preset.name;
-    return cabinet.keep(kind, std::move(fabric), preset.tags, "Duplicated as");
+    return cabinet.keep(kind, std::move(fabric), preset.tags, words::presets::duplicated);
   });
 }
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/base/parallel.h"
+#include "ui/words/picture_words.h"
 
 namespace loomlight {
 
@@ -17,7 +18,7 @@ RenderService::RenderService()
             task.threads = std::max(1, hardwareThreads() - 1);  // the window keeps its core
             task.progress = [&job](double fraction) { job.bring({{true, fraction, "", false}, false}); };
             const std::optional<std::string> written = work(task);
-            return Told{{false, 1, written.value_or("Cancelled; nothing was written."), false}, written.has_value()};
+            return Told{{false, 1, written.value_or(words::rendering::cancelled), false}, written.has_value()};
           },
           [](const Work&, const std::string& problem) { return Told{{false, 1, problem, true}, false}; },
           Backlog::newest, Priority::picture) {}

@@ -125,9 +125,9 @@ TEST_F(WeavingFiles, PicksThatAreOnlyCountedCanBeCutOff) {
   std::string text = kRosepath;
   text.replace(text.find("Threads=4"), 9, "Threads=40");
   open(write("rosepath.wif", text));
-  editor.edits("the named are left", [&] { editor.click("wif.threads/The named"); });
+  editor.edits("the named are left", [&] { editor.click("wif.threads/Named only"); });
   editor.edits("all are back", [&] { editor.click("wif.threads/All"); });
-  editor.edits("the named are left", [&] { editor.click("wif.threads/The named"); });
+  editor.edits("the named are left", [&] { editor.click("wif.threads/Named only"); });
   editor.click("wif.close");
   const Fabric fabric = editor.savedAs(editor.homeFile("rosepath.json"));
   EXPECT_EQ(fabric.weave.picks(), 4);
