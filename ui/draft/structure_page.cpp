@@ -5,6 +5,7 @@
 #include "ui/draft/draft_panel.h"
 #include "ui/draft/structure_thumbnail.h"
 #include "ui/widgets/fields.h"
+#include "ui/words/draft_words.h"
 
 namespace loomlight {
 namespace {
@@ -74,8 +75,8 @@ std::optional<Fabric> structurePage(Ui& ui, const Fabric& fabric, const DraftPre
   const int lines = (count + perLine - 1) / perLine;
   ImGui::SetCursorPos(ImVec2(corner.x - inset, corner.y + static_cast<float>(lines) * (slot.height + gap)));
   ImGui::Dummy(ImVec2(0, ui.px(2)));
-  view.libraryWanted = button(ui, "structures.open", "All structures\xE2\x80\xA6", 0, true,
-                              "Every structure with its numbers, for the whole repeat or a selection.");
+  const Word& library = words::draft::allStructures;
+  view.libraryWanted = button(ui, "structures.open", library.label, 0, true, library.help);
   return edited;
 }
 

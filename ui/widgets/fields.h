@@ -5,8 +5,10 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "core/base/units.h"
+#include "core/fabric/model/glossary.h"
 #include "ui/widgets/ui.h"
 
 namespace loomlight {
@@ -16,8 +18,13 @@ namespace loomlight {
 struct RowText {
   std::string id;
   const char* label;
-  const char* tooltip = "";
-  bool standsAlone = false;  ///< its label takes what it needs, rather than a column that rows share
+  const char* tooltip;
+  bool standsAlone;  ///< its label takes what it needs, rather than a column that rows share
+
+  RowText(std::string id, const char* label, const char* tooltip = "", bool standsAlone = false)
+      : id(std::move(id)), label(label), tooltip(tooltip), standsAlone(standsAlone) {}
+  RowText(std::string id, const Word& word, bool standsAlone = false)
+      : RowText(std::move(id), word.label, word.help, standsAlone) {}
 };
 
 /// How a number is shown and edited. Dragging scrubs it (Shift fine, Ctrl coarse), a click types it.
