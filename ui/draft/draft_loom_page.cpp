@@ -3,6 +3,7 @@
 #include "ui/draft/draft_panel.h"
 #include "ui/widgets/fields.h"
 #include "ui/words/draft_words.h"
+#include "ui/words/panel_words.h"
 
 namespace loomlight {
 namespace {
@@ -26,16 +27,34 @@ std::optional<Fabric> loomRow(Ui& ui, const Fabric& fabric, DraftView& view) {
   return edited;
 }
 
-std::optional<Fabric> draftRows(Ui& ui, const Fabric& fabric, const Draft& draft) {
-  int shafts = draft.shafts, treadles = draft.treadles, shed = draft.risingShed ? 0 : 1;
+/// A row of what there is none of. It stays, and says why: the rows below keep their places, also under a mouse that is
+/// changing what the loom can weave.
+void noneRow(Ui& ui, const char* id, const Word& word, const char* why, const char* instead = words::panels::none) {
+  readout(ui, {id, word.label, why}, instead);
+}
+
+/// `draft`: null for a jacquard.
+std::optional<Fabric> draftRows(Ui& ui, const Fabric& fabric, const Draft* draft) {
+  if (!draft) {
+    noneRow(ui, "loom.shafts", words::shafts, words::loomPage::ofJacquard);
+    noneRow(ui, "loom.treadles", words::treadles, words::loomPage::ofJacquard);
+    noneRow(ui, "loom.shed", words::loomPage::shed, words::loomPage::ofJacquard);
+    return std::nullopt;
+  }
+  std::optional<Fabric> edited;
+  int shafts = draft->shafts, treadles = draft->treadles, shed = draft->risingShed ? 0 : 1;
   if (wholeNumberField(ui, {"loom.shafts", words::shafts}, "", 1, kMostShafts, shafts))
-    return withDraft(fabric, withShaftCount(draft, shafts));
-  if (!draft.liftplan.empty()) return std::nullopt;
+    edited = withDraft(fabric, withShaftCount(*draft, shafts));
+  if (!draft->liftplan.empty()) {
+    noneRow(ui, "loom.treadles", words::treadles, words::loomPage::treadlesOfLiftplan);
+    noneRow(ui, "loom.shed", words::loomPage::shed, words::loomPage::shedOfLiftplan, words::loomPage::sheds[0]);
+    return edited;
+  }
   if (wholeNumberField(ui, {"loom.treadles", words::treadles}, "", 1, kMostShafts, treadles))
-    return withDraft(fabric, withTreadleCount(draft, treadles));
+    edited = withDraft(fabric, withTreadleCount(*draft, treadles));
   if (segmentField(ui, {"loom.shed", words::loomPage::shed}, words::loomPage::sheds, shed))
-    return withDraft(fabric, withShed(draft, shed == 0));
-  return std::nullopt;
+    edited = withDraft(fabric, withShed(*draft, shed == 0));
+  return edited;
 }
 
 std::optional<Fabric> repeatRows(Ui& ui, const Fabric& fabric, DraftView& view) {
@@ -71,8 +90,7 @@ void preferenceRows(Ui& ui, DraftPreferences& preferences, DraftView& view) {
 
 std::optional<Fabric> loomPage(Ui& ui, const Fabric& fabric, DraftPreferences& preferences, DraftView& view) {
   std::optional<Fabric> edited = loomRow(ui, fabric, view);
-  if (const Draft* draft = draftBeside(fabric, preferences, view))
-    if (auto drafted = draftRows(ui, fabric, *draft)) edited = std::move(drafted);
+  if (auto drafted = draftRows(ui, fabric, draftBeside(fabric, preferences, view))) edited = std::move(drafted);
   if (auto resized = repeatRows(ui, fabric, view)) edited = std::move(resized);
   preferenceRows(ui, preferences, view);
   return edited;

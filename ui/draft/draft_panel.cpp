@@ -4,7 +4,6 @@
 
 #include "core/fabric/model/glossary.h"
 #include "ui/draft/float_row.h"
-#include "ui/widgets/panel_controls.h"
 #include "ui/widgets/preset_list.h"
 #include "ui/words/draft_words.h"
 #include "ui/words/panel_words.h"
@@ -53,13 +52,7 @@ std::optional<Fabric> draftPanel(Ui& ui, const Fabric& fabric, const std::vector
   pageTabs(ui, words::panels::draftTabs, kIds, open);
   view.page = static_cast<DraftView::Page>(open);
   const float left = std::max(page, ImGui::GetContentRegionAvail().y - presets);
-  // The scroll bar lives in the panel's margin, always, so that rows are as wide on a page that needs none.
-  const float margin = ImGui::GetStyle().ScrollbarSize;
-  ImGui::PushStyleColor(ImGuiCol_ScrollbarGrab, view.pageScrolls ? ui.theme.fieldFill : ImVec4(0, 0, 0, 0));
-  ImGui::BeginChild(kPages[open], ImVec2(room.x + margin, left), false,
-                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysVerticalScrollbar);
-  ImGui::PopStyleColor();
-  view.pageScrolls = ImGui::GetScrollMaxY() > 0;
+  beginPage(ui, kPages[open], left, view.scroll);
   std::optional<Fabric> paged;
   switch (view.page) {
     case DraftView::Page::structures:
@@ -72,7 +65,7 @@ std::optional<Fabric> draftPanel(Ui& ui, const Fabric& fabric, const std::vector
       paged = orderPage(ui, fabric, yarnColours, view);
       break;
   }
-  ImGui::EndChild();
+  endPage(view.scroll);
   return paged ? std::move(paged) : std::move(edited);
 }
 

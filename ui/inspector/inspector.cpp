@@ -6,7 +6,6 @@
 
 #include "core/fabric/yarn/yarn_name.h"
 #include "ui/widgets/fields.h"
-#include "ui/widgets/panel_controls.h"
 #include "ui/words/panel_words.h"
 
 namespace loomlight {
@@ -36,14 +35,7 @@ InspectorResult inspector(Ui& ui, const Fabric& fabric, const InspectorModel& mo
   pageTabs(ui, words::panels::inspectorTabs, kIds, open);
   view.page = static_cast<InspectorView::Page>(open);
   static constexpr const char* kPages[] = {"yarn page", "fibre page", "cloth page", "scene page"};
-  // The scroll bar lives in the panel's margin, always, so that rows are as wide on a page that needs none.
-  const float margin = ImGui::GetStyle().ScrollbarSize;
-  const ImVec4 grab = view.pageScrolls ? ui.theme.fieldFill : ImVec4(0, 0, 0, 0);
-  ImGui::PushStyleColor(ImGuiCol_ScrollbarGrab, grab);
-  ImGui::BeginChild(kPages[open], ImVec2(ImGui::GetContentRegionAvail().x + margin, 0), false,
-                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysVerticalScrollbar);
-  ImGui::PopStyleColor();
-  view.pageScrolls = ImGui::GetScrollMaxY() > 0;
+  beginPage(ui, kPages[open], 0, view.scroll);
   view.visibilityShown = view.visibilityOpen && view.page == InspectorView::Page::yarn;
   InspectorResult result;
   switch (view.page) {
@@ -60,7 +52,7 @@ InspectorResult inspector(Ui& ui, const Fabric& fabric, const InspectorModel& mo
       result = scenePage(ui, fabric);
       break;
   }
-  ImGui::EndChild();
+  endPage(view.scroll);
   return result;
 }
 

@@ -69,6 +69,12 @@ inline constexpr Word shed{"Shed",
                            "cloth stays."};
 inline constexpr const char* sheds[] = {"Rising", "Sinking"};
 
+// Why a row has no number
+inline constexpr const char* ofJacquard = "None: as a jacquard every end is lifted by itself.";
+inline constexpr const char* treadlesOfLiftplan = "None: the liftplan says which shafts each pick lifts.";
+inline constexpr const char* shedOfLiftplan =
+    "The liftplan says which shafts each pick lifts, so the shed is a rising one.";
+
 inline constexpr Word endsOfRepeat{"Repeat, ends",
                                    "Warp threads until the weave repeats. A larger repeat goes on as the old one."};
 inline constexpr Word picksOfRepeat{"Repeat, picks",
