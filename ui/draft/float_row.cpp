@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "ui/widgets/fields.h"
+#include "ui/widgets/field_row.h"
 #include "ui/words/draft_words.h"
 
 namespace loomlight {
@@ -53,10 +53,12 @@ void listField(Ui& ui, const LongFloats& floats, int chosen, DraftView& view) {
     return;
   }
   const float room = ImGui::GetContentRegionAvail().x;
-  const std::string preview = shortened(shown, room - ui.px(16));
+  std::string cut;
+  const std::string preview = fitted(ui, "draft.float_list", shown.c_str(), room - ui.px(16), cut);
   ImGui::SetNextItemWidth(room);
   if (!ImGui::BeginCombo("##floats", preview.c_str(), ImGuiComboFlags_HeightLarge | ImGuiComboFlags_NoArrowButton)) {
     ui.probe.recordItem("draft.float_list");
+    tooltipFor(ui, "draft.float_list", ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), cut.c_str());
     return;
   }
   ImGuiListClipper lines;

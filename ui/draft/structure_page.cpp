@@ -25,6 +25,7 @@ int thumbnailsPerLine(const ThumbnailSlot& slot, float gap, float room) {
   return std::max(1, static_cast<int>((room + gap) / (slot.width + gap)));
 }
 
+/// A name that has not the room is read in a tooltip.
 void nameBelow(Ui& ui, const std::string& name, ImVec2 at, const ThumbnailSlot& slot) {
   ImGui::PushFont(ui.fonts.small);
   const std::string shown = shortened(name, slot.width);
@@ -32,6 +33,9 @@ void nameBelow(Ui& ui, const std::string& name, ImVec2 at, const ThumbnailSlot& 
       ImVec2(at.x + 0.5f * (slot.width - ImGui::CalcTextSize(shown.c_str()).x), at.y + slot.size + ui.px(2)));
   ImGui::TextColored(ui.theme.textQuiet, "%s", shown.c_str());
   ImGui::PopFont();
+  const std::string id = "structure/" + name + "/name";
+  ui.probe.recordItem(id);
+  if (shown != name) tooltipFor(ui, id.c_str(), ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), name.c_str());
 }
 
 /// The largest with which all of them fit into the room; with cells of whole pixels.

@@ -95,7 +95,7 @@ void wantedRow(Ui& ui, const ClothPart& part, const Wanted& wanted, const ClothC
   ui.probe.record("fibre.cloth_colour_reached", ImVec2(std::floor(0.5f * (min.x + max.x)), min.y), max);
   picker(ui, part, wanted, model, view);
   ImGui::PopID();
-  endRow(ui, text, min, max);
+  endRow(ui, text, min, max, row.cut);
 }
 
 /// How far off it is, and what can be done about that.
@@ -107,7 +107,7 @@ void differenceRow(Ui& ui, const ClothPart& part, const Wanted& wanted, const Cl
   const FieldRow row = beginRow(ui, text);
   const ImVec2 min = ImGui::GetCursorScreenPos(), max(min.x + row.width, min.y + row.height);
   remedy(ui, "fibre.cloth_colour_nearest", row.width, part, wanted, model, view);
-  endRow(ui, text, min, ImVec2(min.x, max.y));
+  endRow(ui, text, min, ImVec2(min.x, max.y), row.cut);
 }
 
 std::string remark(const ClothPart& part, const ClothColourModel& model, const Wanted& wanted) {

@@ -92,7 +92,7 @@ void stateRow(Ui& ui, const char* id, const Word& word, Ends&& ends, Picks&& pic
   cell(" ends", ends);
   ImGui::SameLine(0, gap);
   cell(" picks", picks);
-  endRow(ui, text, min, ImVec2(min.x + row.width, min.y + row.height));
+  endRow(ui, text, min, ImVec2(min.x + row.width, min.y + row.height), row.cut);
 }
 
 /// What the columns are of.

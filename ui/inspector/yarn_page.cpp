@@ -63,11 +63,15 @@ std::string sizeText(const YarnSection* section, double diameter_mm) {
   return wide == high ? fmt::format(words::yarnPage::round, wide) : fmt::format("{} \xC3\x97 {} mm", wide, high);
 }
 
-/// One line however long its numbers are, so that what stands below keeps its place.
-void quietLine(Ui& ui, const std::string& text) {
+/// One line however long its numbers are, so that what stands below keeps its place; what is cut off is read in a
+/// tooltip.
+void quietLine(Ui& ui, const char* id, const std::string& text) {
   ImGui::PushFont(ui.fonts.small);
-  ImGui::TextColored(ui.theme.textQuiet, "%s", shortened(text, ImGui::GetContentRegionAvail().x).c_str());
+  const std::string shown = shortened(text, ImGui::GetContentRegionAvail().x);
+  ImGui::TextColored(ui.theme.textQuiet, "%s", shown.c_str());
   ImGui::PopFont();
+  ui.probe.recordItem(id);
+  if (shown != text) tooltipFor(ui, id, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), text.c_str());
 }
 
 }  // namespace
@@ -88,8 +92,9 @@ std::optional<Fabric> yarnPage(Ui& ui, const Fabric& fabric, const InspectorMode
   drawYarnSection(ui, model.section ? *model.section : YarnSection{}, colours, half);
   ImGui::SameLine(0, ui.px(8));
   drawYarnCloseUp(ui, model.closeUp, half);
-  quietLine(ui, fmt::format(words::yarnPage::summary, countText(yarnCount_tex(yarn, fibre), view.units.count),
-                            sizeText(model.section, yarnDiameter_mm(yarn, fibre)), fibresInYarn(yarn, fibre)));
+  quietLine(ui, "yarn.summary",
+            fmt::format(words::yarnPage::summary, countText(yarnCount_tex(yarn, fibre), view.units.count),
+                        sizeText(model.section, yarnDiameter_mm(yarn, fibre)), fibresInYarn(yarn, fibre)));
 
   const std::string& called = model.yarns.names[static_cast<size_t>(view.yarn)];
   bool changed = textField(ui, rowText("yarn", &Yarn::name), yarn.name, called.c_str());
