@@ -165,7 +165,7 @@ void opticsRows(Ui& ui, Fibre& fibre, const FibrePreset* kind, bool& changed) {
 std::optional<Fabric> fibrePage(Ui& ui, const Fabric& fabric, const InspectorModel& model, InspectorView& view) {
   yarnChooser(ui, model.yarns, view.yarn, "inspector");
   const Yarn& yarn = fabric.yarns[static_cast<size_t>(view.yarn)];
-  hint(ui, fmt::format(words::fibrePage::fibreOf, model.yarns.names[static_cast<size_t>(view.yarn)]));
+  quietLine(ui, "fibre.of", fmt::format(words::fibrePage::fibreOf, model.yarns.names[static_cast<size_t>(view.yarn)]));
   blendRow(ui, yarn, view);
   const int index = shownFibre(fabric, view);
   Fibre fibre = fabric.fibres[static_cast<size_t>(index)];

@@ -23,6 +23,15 @@ void yarnChooser(Ui& ui, const ShownYarns& yarns, int& yarn, const char* prefix)
   ImGui::PopStyleVar();
 }
 
+void quietLine(Ui& ui, const char* id, const std::string& text) {
+  ImGui::PushFont(ui.fonts.small);
+  const std::string shown = shortened(text, ImGui::GetContentRegionAvail().x);
+  ImGui::TextColored(ui.theme.textQuiet, "%s", shown.c_str());
+  ImGui::PopFont();
+  ui.probe.recordItem(id);
+  if (shown != text) tooltipFor(ui, id, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), text.c_str());
+}
+
 int shownFibre(const Fabric& fabric, const InspectorView& view) {
   const Yarn& yarn = fabric.yarns[std::min(static_cast<size_t>(view.yarn), fabric.yarns.size() - 1)];
   return view.secondFibre && yarn.blendFibre ? *yarn.blendFibre : yarn.fibre;

@@ -66,4 +66,8 @@ InspectorResult scenePage(Ui& ui, const Fabric& fabric);
 /// A swatch for each yarn; a click selects.
 void yarnChooser(Ui& ui, const ShownYarns& yarns, int& yarn, const char* prefix);
 
+/// One small line however long its names and numbers are, so that what stands below keeps its place; what is cut off is
+/// read in a tooltip.
+void quietLine(Ui& ui, const char* id, const std::string& text);
+
 }  // namespace loomlight

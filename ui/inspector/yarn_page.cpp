@@ -63,17 +63,6 @@ std::string sizeText(const YarnSection* section, double diameter_mm) {
   return wide == high ? fmt::format(words::yarnPage::round, wide) : fmt::format("{} \xC3\x97 {} mm", wide, high);
 }
 
-/// One line however long its numbers are, so that what stands below keeps its place; what is cut off is read in a
-/// tooltip.
-void quietLine(Ui& ui, const char* id, const std::string& text) {
-  ImGui::PushFont(ui.fonts.small);
-  const std::string shown = shortened(text, ImGui::GetContentRegionAvail().x);
-  ImGui::TextColored(ui.theme.textQuiet, "%s", shown.c_str());
-  ImGui::PopFont();
-  ui.probe.recordItem(id);
-  if (shown != text) tooltipFor(ui, id, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), text.c_str());
-}
-
 }  // namespace
 
 std::optional<Fabric> yarnPage(Ui& ui, const Fabric& fabric, const InspectorModel& model, InspectorView& view) {
