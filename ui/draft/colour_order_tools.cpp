@@ -5,6 +5,8 @@
 #include "core/fabric/model/glossary.h"
 #include "core/fabric/model/validate.h"
 #include "ui/widgets/fields.h"
+#include "ui/words/panel_words.h"
+#include "ui/words/stripe_words.h"
 
 namespace loomlight {
 namespace {
@@ -20,13 +22,10 @@ std::vector<double> weightsOf(const std::vector<int>& sequence, size_t yarns) {
 }
 
 void stripeFields(Ui& ui, StripeChance& stripes) {
-  wholeNumberField(ui, {"order.threads", "Threads", "How many threads the order has until it repeats"}, "", 2, 4096,
-                   stripes.length);
-  if (wholeNumberField(ui, {"order.narrowest", "Narrowest stripe", "Threads that a stripe has at least"}, "", 1, 512,
-                       stripes.narrowest))
+  wholeNumberField(ui, {"order.threads", words::stripe::length}, "", 2, 4096, stripes.length);
+  if (wholeNumberField(ui, {"order.narrowest", words::stripe::narrowest}, "", 1, 512, stripes.narrowest))
     stripes.widest = std::max(stripes.widest, stripes.narrowest);
-  if (wholeNumberField(ui, {"order.widest", "Widest stripe", "Threads that a stripe has at most"}, "", 1, 512,
-                       stripes.widest))
+  if (wholeNumberField(ui, {"order.widest", words::stripe::widest}, "", 1, 512, stripes.widest))
     stripes.narrowest = std::min(stripes.narrowest, stripes.widest);
 }
 
@@ -58,14 +57,13 @@ std::optional<std::vector<int>> orderButtons(Ui& ui, const std::vector<int>& own
 
 std::optional<Fabric> colourOrderTools(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& yarnColours,
                                        const std::vector<std::string>& yarnNames, ColourOrderView& view) {
-  static constexpr const char* kSystems[] = {"Warp", "Weft"};
   int system = view.weft ? 1 : 0;
-  segmentField(ui, {"order.system", "Stripes of", "Whose colour order the tools below work on."}, kSystems, system);
+  segmentField(ui, {"order.system", words::stripe::of}, words::panels::systems, system);
   view.weft = system == 1;
   const std::vector<int>& own = view.weft ? fabric.weftSequence : fabric.warpSequence;
   const std::vector<int>& other = view.weft ? fabric.warpSequence : fabric.weftSequence;
   const StripedSystem striped{yarnColours, yarnNames, view.weft ? fabric.weftPitch_mm() : fabric.warpPitch_mm(),
-                              view.weft ? "Picks" : "Ends"};
+                              view.weft ? words::picks.label : words::ends.label};
   StripeRows& rows = view.weft ? view.weftStripes : view.warpStripes;
   rows.follow(own);
   std::optional<std::vector<int>> made = stripeBar(ui, striped, rows);
@@ -75,7 +73,7 @@ std::optional<Fabric> colourOrderTools(Ui& ui, const Fabric& fabric, const std::
     if (auto set = stripeTable(ui, striped, rows)) made = std::move(set);
 
   if (foldingHeading(ui, "order.chance", words::randomStripes.label, words::randomStripes.help, view.randomOpen)) {
-    if (button(ui, "order.random", "New stripes", -1, fabric.yarns.size() > 1, words::randomStripes.help)) {
+    if (button(ui, "order.random", words::stripe::newStripes, -1, fabric.yarns.size() > 1, words::randomStripes.help)) {
       made = randomStripes(weightsOf(own, fabric.yarns.size()), view.stripes);
       ++view.stripes.seed;
     }

@@ -14,6 +14,7 @@
 #include "ui/draft/weave_menu.h"
 #include "ui/widgets/field_row.h"
 #include "ui/widgets/keys.h"
+#include "ui/words/draft_words.h"
 
 namespace loomlight {
 namespace {
@@ -136,12 +137,9 @@ std::string barUnderMouse(const Fabric& fabric, const std::vector<std::string>& 
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const auto under = [](const Box& box) { return ImGui::IsMouseHoveringRect(box.min, box.max); };
   const CrossingIndex at = frame.at(mouse);
-  const auto said = [&](const char* name, int index, int yarn) {
-    return fmt::format("{} {}: {}; a click gives it the selected yarn", name, index + 1,
-                       yarnNames[static_cast<size_t>(yarn)]);
-  };
-  if (under(layout.warpBar)) return said("end", at.end, fabric.warpYarn(at.end));
-  if (under(layout.weftBar)) return said("pick", at.pick, fabric.weftYarn(at.pick));
+  const auto nameOf = [&](int yarn) -> const std::string& { return yarnNames[static_cast<size_t>(yarn)]; };
+  if (under(layout.warpBar)) return fmt::format(words::draft::endOfBar, at.end + 1, nameOf(fabric.warpYarn(at.end)));
+  if (under(layout.weftBar)) return fmt::format(words::draft::pickOfBar, at.pick + 1, nameOf(fabric.weftYarn(at.pick)));
   return {};
 }
 
@@ -168,7 +166,7 @@ void sayLine(Ui& ui, DraftView& view, const std::string& place, const std::strin
   if (warns) tellIfClipped(ui, "draft.line", said.c_str(), ImGui::GetContentRegionAvail().x + ui.px(1));
   if (!said.empty())
     tooltipFor(ui, "draft.line", ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
-               warns ? (remark + " What the loom has is set under Loom, below.").c_str() : said.c_str());
+               warns ? fmt::format(words::draft::setUnderLoom, remark).c_str() : said.c_str());
   if (warns && ImGui::IsItemClicked()) view.page = DraftView::Page::loom;
   ui.probe.fact("draft.remark", remark);
 }
@@ -189,7 +187,7 @@ std::string underMouse(const Fabric& fabric, const Draft* draft, const DraftView
                        const DraftLayout& layout) {
   if (view.hovered) {
     const CrossingIndex c = inRepeat(*view.hovered, fabric.weave);
-    return fmt::format("end {}, pick {}", c.end + 1, c.pick + 1);
+    return fmt::format(words::draft::crossing, c.end + 1, c.pick + 1);
   }
   std::string under = barUnderMouse(fabric, view.yarnNames, frame, layout);
   return under.empty() && draft ? partUnderMouse(*draft, frame, layout) : under;
@@ -263,8 +261,8 @@ std::optional<Fabric> draftCanvas(Ui& ui, const Fabric& fabric, const std::vecto
   ImGui::SetCursorScreenPos(ImVec2(corner.x, corner.y + size.y));
   const std::string& became = remark.empty() ? view.remark : remark;
   if (under.empty() && became.empty() && view.marksFloats)
-    under = view.chosenFloat ? floatText(*view.chosenFloat)
-                             : fmt::format("marked: floats longer than {:.1f} mm", preferences.longFloat_mm);
+    under =
+        view.chosenFloat ? floatText(*view.chosenFloat) : fmt::format(words::floats::marked, preferences.longFloat_mm);
   sayLine(ui, view, under, became);
   return edited;
 }

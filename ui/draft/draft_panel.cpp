@@ -4,8 +4,9 @@
 
 #include "core/fabric/model/glossary.h"
 #include "ui/draft/float_row.h"
-#include "ui/widgets/panel_controls.h"
 #include "ui/widgets/preset_list.h"
+#include "ui/words/draft_words.h"
+#include "ui/words/panel_words.h"
 
 namespace loomlight {
 namespace {
@@ -14,19 +15,17 @@ namespace {
 void panelHead(Ui& ui, DraftView& view) {
   const float gap = ui.px(4);
   bool selects = view.tool == DraftView::Tool::select;
-  toggleButton(
-      ui, "draft.select", "Select",
-      "Drag pulls a rectangle, to be copied, mirrored or given a structure; the right button lists what can be "
-      "done. Ctrl+drag selects at any time.",
-      selects);
+  const auto toggle = [&](const char* id, const Word& word, bool& on) {
+    toggleButton(ui, id, word.label, word.help, on);
+  };
+  toggle("draft.select", words::draft::select, selects);
   view.tool = selects ? DraftView::Tool::select : DraftView::Tool::draw;
   ImGui::SameLine(0, gap);
-  toggleButton(ui, "draft.colour", "Colour", "The yarn that lies on top; else point paper: dark is warp over.",
-               view.inColour);
+  toggle("draft.colour", words::draft::inColour, view.inColour);
   ImGui::SameLine(0, gap);
-  toggleButton(ui, "draft.back", "Back", words::backOfCloth.help, view.back);
+  toggle("draft.back", words::draft::back, view.back);
   ImGui::SameLine(0, gap);
-  toggleButton(ui, "draft.floats", "Floats", words::checkFloats.help, view.marksFloats);
+  toggle("draft.floats", words::draft::floats, view.marksFloats);
 }
 
 }  // namespace
@@ -47,19 +46,13 @@ std::optional<Fabric> draftPanel(Ui& ui, const Fabric& fabric, const std::vector
   std::optional<Fabric> edited =
       draftCanvas(ui, fabric, yarnColours, brushYarn, preferences, view, lit, ImVec2(room.x, height));
 
-  static constexpr const char* kPages[] = {"Structures", "Loom", "Colours"};
   static constexpr const char* kIds[] = {"draft.tab_structures", "draft.tab_loom", "draft.tab_colours"};
+  static constexpr const char* kPages[] = {"structures page", "loom page", "colours page"};
   int open = static_cast<int>(view.page);
-  pageTabs(ui, kPages, kIds, open);
+  pageTabs(ui, words::panels::draftTabs, kIds, open);
   view.page = static_cast<DraftView::Page>(open);
   const float left = std::max(page, ImGui::GetContentRegionAvail().y - presets);
-  // The scroll bar lives in the panel's margin, always, so that rows are as wide on a page that needs none.
-  const float margin = ImGui::GetStyle().ScrollbarSize;
-  ImGui::PushStyleColor(ImGuiCol_ScrollbarGrab, view.pageScrolls ? ui.theme.fieldFill : ImVec4(0, 0, 0, 0));
-  ImGui::BeginChild(kPages[open], ImVec2(room.x + margin, left), false,
-                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysVerticalScrollbar);
-  ImGui::PopStyleColor();
-  view.pageScrolls = ImGui::GetScrollMaxY() > 0;
+  beginPage(ui, kPages[open], left, view.scroll);
   std::optional<Fabric> paged;
   switch (view.page) {
     case DraftView::Page::structures:
@@ -72,7 +65,7 @@ std::optional<Fabric> draftPanel(Ui& ui, const Fabric& fabric, const std::vector
       paged = orderPage(ui, fabric, yarnColours, view);
       break;
   }
-  ImGui::EndChild();
+  endPage(view.scroll);
   return paged ? std::move(paged) : std::move(edited);
 }
 

@@ -9,6 +9,7 @@
 
 #include "core/base/modulo.h"
 #include "ui/widgets/fields.h"
+#include "ui/words/draft_words.h"
 
 namespace loomlight {
 namespace {
@@ -252,15 +253,13 @@ std::string partUnderMouse(const Draft& draft, const DraftFrame& frame, const Dr
     if (cell.pick < 1 || cell.pick > table.numbers) return {};
     switch (table.part) {
       case DraftPart::threading:
-        return fmt::format("threading: end {}, shaft {}; Ctrl: several", wrap(cell.end, table.lines) + 1, cell.pick);
+        return fmt::format(words::draft::threading, wrap(cell.end, table.lines) + 1, cell.pick);
       case DraftPart::tieUp:
-        return cell.end < 0 || cell.end >= table.lines
-                   ? ""
-                   : fmt::format("tie-up: treadle {}, shaft {}", cell.end + 1, cell.pick);
+        return cell.end < 0 || cell.end >= table.lines ? "" : fmt::format(words::draft::tieUp, cell.end + 1, cell.pick);
       case DraftPart::treadling:
-        return fmt::format("treadling: pick {}, treadle {}; Ctrl: several", wrap(cell.end, table.lines) + 1, cell.pick);
+        return fmt::format(words::draft::treadling, wrap(cell.end, table.lines) + 1, cell.pick);
       case DraftPart::liftplan:
-        return fmt::format("liftplan: pick {}, shaft {}", wrap(cell.end, table.lines) + 1, cell.pick);
+        return fmt::format(words::draft::liftplan, wrap(cell.end, table.lines) + 1, cell.pick);
     }
   }
   return {};

@@ -14,6 +14,7 @@
 #include "ui/draft/colour_order_tools.h"
 #include "ui/draft/order_field.h"
 #include "ui/widgets/crossing_index.h"
+#include "ui/widgets/panel_controls.h"
 
 namespace loomlight {
 
@@ -71,7 +72,7 @@ struct DraftView {
 
   enum class Page { structures, loom, colours };
   Page page = Page::structures;
-  bool pageScrolls = false;
+  PageScroll scroll;
   bool libraryWanted = false;  ///< the library of structures was asked for in this frame
 
   OrderText warpOrder, weftOrder;

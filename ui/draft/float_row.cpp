@@ -4,7 +4,8 @@
 
 #include <algorithm>
 
-#include "ui/widgets/fields.h"
+#include "ui/widgets/field_row.h"
+#include "ui/words/draft_words.h"
 
 namespace loomlight {
 namespace {
@@ -16,13 +17,7 @@ void limitField(Ui& ui, double& limit_mm) {
   style.max = 100;
   style.decimals = 1;
   style.logarithmic = true;
-  numberField(
-      ui,
-      {"draft.long_float", "Over",
-       "Floats that are longer are marked: the length that lies free between the crossings that bind it, on the "
-       "face and on the back.",
-       true},
-      style, limit_mm);
+  numberField(ui, {"draft.long_float", words::floats::limit, true}, style, limit_mm);
 }
 
 void choose(DraftView& view, const FloatRun& run) {
@@ -37,11 +32,17 @@ int chosenAmong(const LongFloats& floats, const DraftView& view) {
   return found == floats.longest.end() ? -1 : static_cast<int>(found - floats.longest.begin());
 }
 
+/// What the list says while it is shut.
+std::string listText(const LongFloats& floats, int chosen) {
+  if (floats.count == 0) return words::floats::none;
+  if (chosen >= 0) return fmt::format(words::floats::chosen, chosen + 1, floats.count);
+  return floats.count == 1 ? fmt::format(words::floats::one, floats.count)
+                           : fmt::format(words::floats::several, floats.count);
+}
+
 void listField(Ui& ui, const LongFloats& floats, int chosen, DraftView& view) {
   const auto listed = static_cast<int>(floats.longest.size());
-  const std::string shown = floats.count == 0 ? "none"
-                            : chosen < 0 ? fmt::format("{} {}", floats.count, floats.count == 1 ? "float" : "floats")
-                                         : fmt::format("{} of {}", chosen + 1, floats.count);
+  const std::string shown = listText(floats, chosen);
   ui.probe.fact("draft.floats_shown", shown);
   if (listed == 0) {  // an empty list would open
     ImGui::BeginDisabled();
@@ -51,10 +52,13 @@ void listField(Ui& ui, const LongFloats& floats, int chosen, DraftView& view) {
     ImGui::EndDisabled();
     return;
   }
-  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
-  if (!ImGui::BeginCombo("##floats", shortened(shown, ImGui::GetContentRegionAvail().x - ui.px(16)).c_str(),
-                         ImGuiComboFlags_HeightLarge | ImGuiComboFlags_NoArrowButton)) {
+  const float room = ImGui::GetContentRegionAvail().x;
+  std::string cut;
+  const std::string preview = fitted(ui, "draft.float_list", shown.c_str(), room - ui.px(16), cut);
+  ImGui::SetNextItemWidth(room);
+  if (!ImGui::BeginCombo("##floats", preview.c_str(), ImGuiComboFlags_HeightLarge | ImGuiComboFlags_NoArrowButton)) {
     ui.probe.recordItem("draft.float_list");
+    tooltipFor(ui, "draft.float_list", ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), cut.c_str());
     return;
   }
   ImGuiListClipper lines;
@@ -73,15 +77,19 @@ void listField(Ui& ui, const LongFloats& floats, int chosen, DraftView& view) {
 }  // namespace
 
 std::string floatText(const FloatRun& run) {
+  namespace said = words::floats;
   const bool warp = run.system == System::warp;
-  const char* const system = warp ? "warp" : "weft";
-  const char* const name = warp ? "end" : "pick";
-  if (run.isEndless) return fmt::format("{} {} never interlaces", name, run.across + 1);
-  const std::string over =
-      run.cells == 1 ? fmt::format("{} {}", warp ? "pick" : "end", run.first + 1)
-                     : fmt::format("{} {} to {}", warp ? "picks" : "ends", run.first + 1, run.first + run.cells);
-  return fmt::format("{:.1f} mm {} float, {}, {} {}, {}", run.length_mm, system, run.onFace ? "face" : "back", name,
-                     run.across + 1, over);
+  const int across = run.across + 1, first = run.first + 1, last = run.first + run.cells;
+  if (run.isEndless)
+    return warp ? fmt::format(said::endNeverInterlaces, across) : fmt::format(said::pickNeverInterlaces, across);
+  const char* const side = run.onFace ? said::face : said::back;
+  if (warp) {
+    const std::string over =
+        first == last ? fmt::format(said::overPick, first) : fmt::format(said::overPicks, first, last);
+    return fmt::format(said::ofWarp, run.length_mm, side, across, over);
+  }
+  const std::string over = first == last ? fmt::format(said::overEnd, first) : fmt::format(said::overEnds, first, last);
+  return fmt::format(said::ofWeft, run.length_mm, side, across, over);
 }
 
 void floatRow(Ui& ui, const LongFloats* floats, DraftPreferences& preferences, DraftView& view) {
@@ -96,9 +104,11 @@ void floatRow(Ui& ui, const LongFloats* floats, DraftPreferences& preferences, D
   const int chosen = chosenAmong(known, view);
   const auto go = [&](int to) { choose(view, known.longest[static_cast<size_t>((to + listed) % listed)]); };
   ImGui::SameLine(0, gap);
-  if (button(ui, "draft.float_before", "<", step, listed > 0, "The float before")) go(chosen < 0 ? -1 : chosen - 1);
+  if (button(ui, "draft.float_before", words::floats::before.label, step, listed > 0, words::floats::before.help))
+    go(chosen < 0 ? -1 : chosen - 1);
   ImGui::SameLine(0, gap);
-  if (button(ui, "draft.float_next", ">", step, listed > 0, "The next float, from the longest on")) go(chosen + 1);
+  if (button(ui, "draft.float_next", words::floats::next.label, step, listed > 0, words::floats::next.help))
+    go(chosen + 1);
   ImGui::SameLine(0, gap);
   ImGui::BeginChild("float list", ImVec2(all - ui.px(112) - 2 * step - 3 * gap, ImGui::GetFrameHeight()));
   if (floats) listField(ui, known, chosen, view);

@@ -13,6 +13,7 @@
 #include "core/fabric/yarn/yarn_edit.h"
 #include "core/fabric/yarn/yarn_name.h"
 #include "ui/widgets/field_row.h"
+#include "ui/words/stripe_words.h"
 
 namespace loomlight {
 namespace {
@@ -56,7 +57,7 @@ std::optional<std::vector<int>> taken(const std::string& text, int yarns, OrderT
     std::vector<int> sequence = yarnOrderFromText(text, kMaxKinds, kMaxSequence);
     const int most = *std::max_element(sequence.begin(), sequence.end());
     if (most < yarns) return sequence;
-    typing.problem = fmt::format("There is no yarn {} yet.", yarnLetters(yarns));
+    typing.problem = fmt::format(words::order::noSuchYarn, yarnLetters(yarns));
     typing.wanted = std::move(sequence);
   } catch (const InputError& error) {
     typing.problem = error.what();
@@ -72,9 +73,10 @@ std::optional<Fabric> lineBelow(Ui& ui, const std::string& id, const Fabric& fab
   std::optional<Fabric> edited;
   const float top = ImGui::GetCursorPosY(), height = ImGui::GetFrameHeight();
   const std::vector<int>& sequence = fabric.*system;
-  const std::string comesTo =
-      fmt::format("{} {} \xC2\xB7 {:.1f} mm", sequence.size(), sequence.size() == 1 ? "thread" : "threads",
-                  pitch_mm * static_cast<double>(sequence.size()));
+  const size_t threads = sequence.size();
+  const double length_mm = pitch_mm * static_cast<double>(threads);
+  const std::string comesTo = threads == 1 ? fmt::format(words::order::oneThread, threads, length_mm)
+                                           : fmt::format(words::order::severalThreads, threads, length_mm);
   const bool fails = !typing.problem.empty();
   const float offer = typing.wanted.empty() ? 0 : ui.px(104);
   ImGui::AlignTextToFramePadding();
@@ -87,8 +89,8 @@ std::optional<Fabric> lineBelow(Ui& ui, const std::string& id, const Fabric& fab
   if (offer > 0) {
     const int last = *std::max_element(typing.wanted.begin(), typing.wanted.end());
     ImGui::SameLine(ImGui::GetContentRegionMax().x - offer);
-    if (button(ui, (id + "_add").c_str(), "Add the yarn", offer, true,
-               "Adds what the order names beyond the yarns that there are, each a copy of the last one")) {
+    const Word& add = words::order::addYarn;
+    if (button(ui, (id + "_add").c_str(), add.label, offer, true, add.help)) {
       edited = fabric;
       while (static_cast<int>(edited->yarns.size()) <= last)
         edited = withYarnCopied(*edited, static_cast<int>(edited->yarns.size()) - 1);
@@ -112,7 +114,7 @@ std::optional<Fabric> orderField(Ui& ui, const RowText& text, const Fabric& fabr
   Typing now{width - 2 * ImGui::GetStyle().FramePadding.x - ui.px(8), !typing.open};
   std::string shown = typing.text;
   const bool tooLong = shown.size() > kLongest;
-  if (tooLong) shown = fmt::format("{} threads", sequence.size());
+  if (tooLong) shown = fmt::format(words::order::onlyCounted, sequence.size());
   breakLines(shown.data(), static_cast<int>(shown.size()), now.room);
   const auto lines = static_cast<float>(1 + std::count(shown.begin(), shown.end(), '\n'));
   const ImVec2 size(width, std::min(lines, 6.0f) * ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().FramePadding.y);

@@ -9,6 +9,7 @@
 #include "core/fabric/model/validate.h"
 #include "core/fabric/yarn/yarn_name.h"
 #include "ui/widgets/fields.h"
+#include "ui/words/stripe_words.h"
 
 namespace loomlight {
 namespace {
@@ -124,8 +125,7 @@ bool widthCell(Ui& ui, const std::string& row, double pitch_mm, int room, int& w
   style.min = 0.1 * pitch_mm;
   style.max = 0.1 * pitch_mm * room;
   double width_cm = 0.1 * pitch_mm * width;
-  if (!numberField(ui, {row + "_cm", "", "Width of this stripe in cm, to whole threads", true}, style, width_cm))
-    return false;
+  if (!numberField(ui, {row + "_cm", "", words::stripe::widthHelp, true}, style, width_cm)) return false;
   const int before = width;
   width = std::clamp(static_cast<int>(std::lround(10 * width_cm / pitch_mm)), 1, room);
   return width != before;
@@ -190,7 +190,7 @@ std::optional<std::vector<int>> stripeTable(Ui& ui, const StripedSystem& system,
     const std::string row = fmt::format("order.stripe_{}", i);
     changed |= colourCell(ui, row, columns, system, stripe);
     changed |= cell(row + "t", columns.first, columns.width, [&] {
-      return wholeNumberField(ui, {row + "_threads", "", "Threads of this stripe", true}, "", 1, room, stripe.width);
+      return wholeNumberField(ui, {row + "_threads", "", words::stripe::threadsHelp, true}, "", 1, room, stripe.width);
     });
     changed |= cell(row + "w", columns.second, columns.width,
                     [&] { return widthCell(ui, row, system.pitch_mm, room, stripe.width); });
@@ -200,7 +200,7 @@ std::optional<std::vector<int>> stripeTable(Ui& ui, const StripedSystem& system,
     ImGui::SameLine(columns.remove);
     if (button(ui, (row + "_remove").c_str(), remove.label, side, rows.stripes.size() > 1, remove.help)) removed = i;
   }
-  if (rows.stripes.size() > kMostRows) hint(ui, fmt::format("and {} more", rows.stripes.size() - kMostRows));
+  if (rows.stripes.size() > kMostRows) hint(ui, fmt::format(words::stripe::more, rows.stripes.size() - kMostRows));
   if (added) {
     const Stripe& like = rows.stripes[*added];
     const Stripe another{(like.yarn + 1) % yarns, like.width};

@@ -5,6 +5,7 @@
 #include "ui/draft/draft_panel.h"
 #include "ui/draft/structure_thumbnail.h"
 #include "ui/widgets/fields.h"
+#include "ui/words/draft_words.h"
 
 namespace loomlight {
 namespace {
@@ -24,6 +25,7 @@ int thumbnailsPerLine(const ThumbnailSlot& slot, float gap, float room) {
   return std::max(1, static_cast<int>((room + gap) / (slot.width + gap)));
 }
 
+/// A name that has not the room is read in a tooltip.
 void nameBelow(Ui& ui, const std::string& name, ImVec2 at, const ThumbnailSlot& slot) {
   ImGui::PushFont(ui.fonts.small);
   const std::string shown = shortened(name, slot.width);
@@ -31,6 +33,9 @@ void nameBelow(Ui& ui, const std::string& name, ImVec2 at, const ThumbnailSlot& 
       ImVec2(at.x + 0.5f * (slot.width - ImGui::CalcTextSize(shown.c_str()).x), at.y + slot.size + ui.px(2)));
   ImGui::TextColored(ui.theme.textQuiet, "%s", shown.c_str());
   ImGui::PopFont();
+  const std::string id = "structure/" + name + "/name";
+  ui.probe.recordItem(id);
+  if (shown != name) tooltipFor(ui, id.c_str(), ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), name.c_str());
 }
 
 /// The largest with which all of them fit into the room; with cells of whole pixels.
@@ -74,8 +79,8 @@ std::optional<Fabric> structurePage(Ui& ui, const Fabric& fabric, const DraftPre
   const int lines = (count + perLine - 1) / perLine;
   ImGui::SetCursorPos(ImVec2(corner.x - inset, corner.y + static_cast<float>(lines) * (slot.height + gap)));
   ImGui::Dummy(ImVec2(0, ui.px(2)));
-  view.libraryWanted = button(ui, "structures.open", "All structures\xE2\x80\xA6", 0, true,
-                              "Every structure with its numbers, for the whole repeat or a selection.");
+  const Word& library = words::draft::allStructures;
+  view.libraryWanted = button(ui, "structures.open", library.label, 0, true, library.help);
   return edited;
 }
 

@@ -7,6 +7,7 @@
 #include "core/fabric/model/glossary.h"
 #include "ui/widgets/field_row.h"
 #include "ui/widgets/keys.h"
+#include "ui/words/fibre_words.h"
 
 namespace loomlight {
 namespace {
@@ -41,12 +42,8 @@ void chips(Ui& ui, ImVec2 min, ImVec2 max, bool stacked, const Wanted& wanted, c
 }
 
 std::string differenceText(const Wanted& wanted, const ClothColourModel& model) {
-  return wanted && model.state == State::known ? fmt::format(
-                                                     "\xCE\x94"
-                                                     "E {:.1f}",
-                                                     model.difference)
-                                               : "\xCE\x94"
-                                                 "E \xE2\x80\x93";
+  if (!wanted || model.state != State::known) return words::clothColour::noDifference;
+  return fmt::format(words::clothColour::difference, model.difference);
 }
 
 /// What can be done about a difference: take what there is, or dye once more where the cloth has become another one.
@@ -88,7 +85,7 @@ void picker(Ui& ui, const ClothPart& part, const Wanted& wanted, const ClothColo
 
 void wantedRow(Ui& ui, const ClothPart& part, const Wanted& wanted, const ClothColourModel& model,
                ClothColourView& view) {
-  const RowText text{kRow, words::inThisCloth.label, words::inThisCloth.help};
+  const RowText text{kRow, words::inThisCloth};
   const FieldRow row = beginRow(ui, text);
   const ImVec2 min = ImGui::GetCursorScreenPos(), max(min.x + row.width, min.y + row.height);
   ImGui::PushID(kRow);
@@ -98,7 +95,7 @@ void wantedRow(Ui& ui, const ClothPart& part, const Wanted& wanted, const ClothC
   ui.probe.record("fibre.cloth_colour_reached", ImVec2(std::floor(0.5f * (min.x + max.x)), min.y), max);
   picker(ui, part, wanted, model, view);
   ImGui::PopID();
-  endRow(ui, text, min, max);
+  endRow(ui, text, min, max, row.cut);
 }
 
 /// How far off it is, and what can be done about that.
@@ -110,44 +107,43 @@ void differenceRow(Ui& ui, const ClothPart& part, const Wanted& wanted, const Cl
   const FieldRow row = beginRow(ui, text);
   const ImVec2 min = ImGui::GetCursorScreenPos(), max(min.x + row.width, min.y + row.height);
   remedy(ui, "fibre.cloth_colour_nearest", row.width, part, wanted, model, view);
-  endRow(ui, text, ImVec2(min.x, min.y), ImVec2(min.x, max.y));
+  endRow(ui, text, min, ImVec2(min.x, max.y), row.cut);
 }
 
 std::string remark(const ClothPart& part, const ClothColourModel& model, const Wanted& wanted) {
+  namespace said = words::clothColour;
   switch (model.state) {
     case State::measuring:
-      return "Measuring what light does in this cloth.";
+      return said::measuring;
     case State::hidden:
-      return part.kind == ClothPart::Kind::yarn ? "This yarn never lies on the face, so it shows no colour."
-                                                : "This fibre never lies on the face, so it shows no colour.";
+      return part.kind == ClothPart::Kind::yarn ? said::yarnIsHidden : said::fibreIsHidden;
     case State::failed:
-      return "The colour of this cloth cannot be measured.";
+      return said::failed;
     case State::known:
       break;
   }
-  if (!wanted) return "Pick the colour that the cloth should have, or drop a measured swatch here.";
-  if (model.tooLight && model.tooDark) return "Not to be had of this fibre; this is the nearest.";
-  if (model.tooLight) return "Lighter than this cloth can be, as light comes through; this is the nearest.";
-  if (model.tooDark) return "Darker than fibres can be, as their surface reflects; this is the nearest.";
+  if (!wanted) return said::pick;
+  if (model.tooLight && model.tooDark) return said::notToBeHad;
+  if (model.tooLight) return said::tooLight;
+  if (model.tooDark) return said::tooDark;
   const bool reached = model.difference < kSeen;
-  if (wanted->measured && reached) return "As " + wanted->name + " was measured.";
-  return reached ? "Reached." : "The cloth has changed since.";
+  if (wanted->measured && reached) return fmt::format(said::asMeasured, wanted->name);
+  return reached ? said::reached : said::clothChanged;
 }
 
 /// Whether a fibre takes the dye, a yarn, or the woven piece.
 void dyedRow(Ui& ui, ClothColourView& view) {
-  static constexpr const char* kNames[] = {"Fibre", "Yarn", "Piece"};
   static constexpr ClothPart::Kind kKinds[] = {ClothPart::Kind::fibre, ClothPart::Kind::yarn, ClothPart::Kind::piece};
   int chosen = 0;
   while (kKinds[chosen] != view.dyes) ++chosen;
-  if (segmentField(ui, {"fibre.dyed", words::dyedAs.label, words::dyedAs.help}, kNames, chosen)) view.refusal.clear();
+  if (segmentField(ui, {"fibre.dyed", words::dyedAs}, words::clothColour::dyed, chosen)) view.refusal.clear();
   view.dyes = kKinds[chosen];
 }
 
 /// A colour as it is written or called.
 void codeRow(Ui& ui, bool canBeDyed, ClothColourView& view) {
-  const char* const example = view.book ? "#1a2b3c, Lab 30 5 -12 or a name" : "#1a2b3c or Lab 30 5 -12";
-  const RowText text{"fibre.colour_code", words::colourCode.label, words::colourCode.help};
+  const char* const example = view.book ? words::clothColour::codeOrNameLooksLike : words::clothColour::codeLooksLike;
+  const RowText text{"fibre.colour_code", words::colourCode};
   if (!canBeDyed) ImGui::BeginDisabled();
   if (enteredField(ui, text, view.code, example) && canBeDyed && !view.code.empty()) view.entered = view.code;
   if (!canBeDyed) ImGui::EndDisabled();

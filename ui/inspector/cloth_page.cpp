@@ -7,11 +7,13 @@
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/mill_rows.h"
 #include "ui/widgets/member_fields.h"
+#include "ui/words/cloth_words.h"
+#include "ui/words/panel_words.h"
 
 namespace loomlight {
 namespace {
 
-constexpr const char* kUnknown = "\xE2\x80\x93";
+constexpr const char* kUnknown = words::panels::none;
 constexpr double kMmPerInch = 25.4;
 
 bool settRows(Ui& ui, bool inches, double& ends, double& picks) {
@@ -29,20 +31,19 @@ bool settRows(Ui& ui, bool inches, double& ends, double& picks) {
     perCm = std::clamp(value / cmPerUnit, info.min, info.max);
     return true;
   };
-  heading(ui, "Sett");
+  heading(ui, words::clothPage::sett);
   bool changed = settField(&Fabric::ends_per_cm, ends);
   changed |= settField(&Fabric::picks_per_cm, picks);
   if (inches)
-    readout(ui, {"cloth.per_cm", "Per cm", "Ends and picks on one centimetre"},
-            fmt::format("{:.1f} \xC3\x97 {:.1f}", ends, picks));
+    readout(ui, {"cloth.per_cm", words::clothPage::perCm}, fmt::format("{:.1f} \xC3\x97 {:.1f}", ends, picks));
   else
-    readout(ui, {"cloth.per_inch", "Per inch", "Ends and picks on one inch"},
+    readout(ui, {"cloth.per_inch", words::clothPage::perInch},
             fmt::format("{:.0f} \xC3\x97 {:.0f}", 0.1 * kMmPerInch * ends, 0.1 * kMmPerInch * picks));
   return changed;
 }
 
 bool finishRows(Ui& ui, Fabric& fabric) {
-  heading(ui, "Finish");
+  heading(ui, words::clothPage::finish);
   bool changed = memberField(ui, "cloth", fabric, &Fabric::press, 2);
   changed |= memberField(ui, "cloth", fabric, &Fabric::crimpBalance, 2);
   return changed;
@@ -63,46 +64,43 @@ void repeatRows(Ui& ui, const Fabric& fabric, const std::string& id, const Word&
 }
 
 void clothRows(Ui& ui, const Fabric& fabric, const InspectorModel& model, CountSystem counts) {
-  heading(ui, "This cloth");
+  heading(ui, words::clothPage::thisCloth);
   auto measured = [&](const std::string& text) { return model.measured ? text : std::string(kUnknown); };
-  const auto worded = [](const char* id, const Word& word) { return RowText{id, word.label, word.help}; };
-  readout(ui, worded("cloth.mass", words::mass), measured(fmt::format("{:.0f} g/m\xC2\xB2", model.arealMass_g_m2)));
-  readout(ui, worded("cloth.thickness", words::thickness), measured(fmt::format("{:.2f} mm", model.thickness_mm)));
+  readout(ui, {"cloth.mass", words::mass}, measured(fmt::format("{:.0f} g/m\xC2\xB2", model.arealMass_g_m2)));
+  readout(ui, {"cloth.thickness", words::thickness}, measured(fmt::format("{:.2f} mm", model.thickness_mm)));
   const Weave& weave = fabric.weave;
   repeatRows(ui, fabric, "cloth.repeat", words::weaveRepeat, words::weaveSize.label, weave.ends(), weave.picks(),
              model.inches);
   repeatRows(ui, fabric, "cloth.pattern", words::patternRepeat, words::patternSize.label, patternEnds(fabric),
              patternPicks(fabric), model.inches);
   const CoverFactors cover = coverFactors(fabric);
-  readout(ui, worded("cloth.warp_cover", words::warpCover), fmt::format("{:.1f}", cover.warp));
-  readout(ui, worded("cloth.weft_cover", words::weftCover), fmt::format("{:.1f}", cover.weft));
-  readout(ui, worded("cloth.cover", words::clothCover), fmt::format("{:.1f}", cover.cloth));
-  readout(ui, {"cloth.crimp_warp", "Warp crimp", "How much longer the warp yarn is than the cloth it lies in"},
+  readout(ui, {"cloth.warp_cover", words::warpCover}, fmt::format("{:.1f}", cover.warp));
+  readout(ui, {"cloth.weft_cover", words::weftCover}, fmt::format("{:.1f}", cover.weft));
+  readout(ui, {"cloth.cover", words::clothCover}, fmt::format("{:.1f}", cover.cloth));
+  readout(ui, {"cloth.crimp_warp", words::clothPage::warpCrimp},
           measured(fmt::format("{:.1f} %", 100 * model.crimpWarp)));
-  readout(ui, {"cloth.crimp_weft", "Weft crimp", "How much longer the weft yarn is than the cloth it lies in"},
+  readout(ui, {"cloth.crimp_weft", words::clothPage::weftCrimp},
           measured(fmt::format("{:.1f} %", 100 * model.crimpWeft)));
-  readout(ui, {"cloth.warp_count", "Warp count", "Mean count of the warp yarns"},
+  readout(ui, {"cloth.warp_count", words::clothPage::warpCount},
           countText(meanCount_tex(fabric, System::warp), counts));
-  readout(ui, {"cloth.weft_count", "Weft count", "Mean count of the weft yarns"},
+  readout(ui, {"cloth.weft_count", words::clothPage::weftCount},
           countText(meanCount_tex(fabric, System::weft), counts));
 }
 
 void bindingRows(Ui& ui, const Fabric& fabric, const InspectorModel& model) {
-  heading(ui, "Binding");
+  heading(ui, words::clothPage::binding);
   auto floatText = [&](System system, int cells, int unbound) {
-    if (unbound > 0) return fmt::format("{} unbound", unbound);
+    if (unbound > 0) return fmt::format(words::clothPage::unbound, unbound);
     return fmt::format("{} \xC2\xB7 {:.1f} mm", cells, floatLength_mm(fabric, system, cells));
   };
   const bool known = model.floats && model.binding;
-  readout(ui, {"cloth.warp_float", words::longestWarpFloat.label, words::longestWarpFloat.help},
+  readout(ui, {"cloth.warp_float", words::longestWarpFloat},
           known ? floatText(System::warp, model.floats->warp(), model.floats->idleEnds) : kUnknown);
-  readout(ui, {"cloth.weft_float", words::longestWeftFloat.label, words::longestWeftFloat.help},
+  readout(ui, {"cloth.weft_float", words::longestWeftFloat},
           known ? floatText(System::weft, model.floats->weft(), model.floats->idlePicks) : kUnknown);
-  readout(ui,
-          {"cloth.balance", "Warp on the face",
-           "Share of the crossings with the warp on top: at 50 % face and back are alike"},
+  readout(ui, {"cloth.balance", words::clothPage::warpOnFace},
           known ? fmt::format("{:.0f} %", 100 * model.binding->warpOnFace) : kUnknown);
-  readout(ui, {"cloth.interlacings", "Interlacings", "Changes of side in one repeat, of all its ends and picks"},
+  readout(ui, {"cloth.interlacings", words::clothPage::interlacings},
           known ? fmt::format("{}", model.binding->warpInterlacings + model.binding->weftInterlacings) : kUnknown);
 }
 
@@ -116,14 +114,14 @@ std::string massText(double mass_kg) {
 }
 
 void needRow(Ui& ui, const std::string& id, const char* label, const YarnNeed& need) {
-  const std::string tooltip = fmt::format("{}: warp {}, weft {}. Loom waste and shrinkage are not counted.", label,
-                                          lengthText(need.warp_m), lengthText(need.weft_m));
+  const std::string tooltip =
+      fmt::format(words::clothPage::needHelp, label, lengthText(need.warp_m), lengthText(need.weft_m));
   readout(ui, {id, label, tooltip.c_str()},
           fmt::format("{} \xC2\xB7 {}", lengthText(need.warp_m + need.weft_m), massText(need.mass_kg)));
 }
 
 void pieceRows(Ui& ui, const Fabric& fabric, const InspectorModel& model, PieceSize& piece) {
-  heading(ui, "Yarn for a piece");
+  heading(ui, words::clothPage::yarnForPiece);
   pieceSizeRows(ui, "cloth", piece);
   const double crimpWarp = model.measured ? model.crimpWarp : 0, crimpWeft = model.measured ? model.crimpWeft : 0;
   const std::vector<YarnNeed> needs = yarnNeed(fabric, piece, crimpWarp, crimpWeft);
@@ -138,8 +136,8 @@ void pieceRows(Ui& ui, const Fabric& fabric, const InspectorModel& model, PieceS
     warp.mass_kg += needs[i].mass_kg * needs[i].warp_m / all_m;
     weft.mass_kg += needs[i].mass_kg * needs[i].weft_m / all_m;
   }
-  needRow(ui, "cloth.need_warp", "Warp", warp);
-  needRow(ui, "cloth.need_weft", "Weft", weft);
+  needRow(ui, "cloth.need_warp", words::panels::systems[0], warp);
+  needRow(ui, "cloth.need_weft", words::panels::systems[1], weft);
   if (used < 2) return;
   for (size_t i = 0; i < needs.size(); ++i)
     if (needs[i].warp_m + needs[i].weft_m > 0)
@@ -147,9 +145,9 @@ void pieceRows(Ui& ui, const Fabric& fabric, const InspectorModel& model, PieceS
 }
 
 void remarks(Ui& ui, const InspectorModel& model) {
-  heading(ui, "Remarks");
+  heading(ui, words::clothPage::remarks);
   if (!model.warnings || model.warnings->empty()) {
-    hint(ui, model.warnings ? "Nothing that a weaver would object to." : kUnknown);
+    hint(ui, model.warnings ? words::clothPage::noRemarks : kUnknown);
     return;
   }
   ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.warning);

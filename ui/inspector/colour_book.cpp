@@ -7,6 +7,7 @@
 
 #include "core/base/text.h"
 #include "core/fabric/model/glossary.h"
+#include "ui/words/fibre_words.h"
 
 namespace loomlight {
 namespace {
@@ -47,15 +48,14 @@ void bookRow(Ui& ui, BookShelf& shelf) {
   for (const std::string& file : shelf.files) names.push_back(std::filesystem::path(file).stem().string());
   const bool isOpen = shelf.open >= 0;
   if (isOpen) {
-    names.push_back("None");
-    names.push_back("Forget " + names[static_cast<size_t>(shelf.open)]);
+    names.push_back(words::bookRows::none);
+    names.push_back(fmt::format(words::bookRows::forget, names[static_cast<size_t>(shelf.open)]));
   }
   std::vector<const char*> choices;
   for (const std::string& name : names) choices.push_back(name.c_str());
   int chosen = shelf.open;
-  const char* const otherwise = shelf.files.empty() ? "Drop a palette here" : "None";
-  if (!choiceField(ui, {"book.choice", words::colourBook.label, words::colourBook.help}, choices, chosen, otherwise))
-    return;
+  const char* const otherwise = shelf.files.empty() ? words::bookRows::dropHere : words::bookRows::none;
+  if (!choiceField(ui, {"book.choice", words::colourBook}, choices, chosen, otherwise)) return;
   const int count = static_cast<int>(shelf.files.size());
   if (chosen < count)
     shelf.wanted = chosen;
@@ -66,7 +66,7 @@ void bookRow(Ui& ui, BookShelf& shelf) {
 }
 
 const BookColour* colourBookRows(Ui& ui, const ColourBook& book, std::string& search) {
-  textField(ui, {"book.search", words::findColour.label, words::findColour.help}, search, book.name.c_str());
+  textField(ui, {"book.search", words::findColour}, search, book.name.c_str());
   std::vector<const BookColour*> found;
   for (const BookColour& colour : book.colours)
     if (contains(colour.name, search)) found.push_back(&colour);
@@ -80,7 +80,7 @@ const BookColour* colourBookRows(Ui& ui, const ColourBook& book, std::string& se
   // only those that are seen are drawn.
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
   ImGui::BeginChild("book", ImVec2(0, chip * static_cast<float>(std::min(rowsOf(book.colours.size()), kMostRows))));
-  if (found.empty()) hint(ui, "No colour of " + book.name + " has this in its name.");
+  if (found.empty()) hint(ui, fmt::format(words::bookRows::nothingFound, book.name));
   ImGuiListClipper clipper;
   clipper.Begin(rows, chip);
   while (clipper.Step())

@@ -11,6 +11,7 @@
 #include "ui/inspector/inspector.h"
 #include "ui/widgets/choices.h"
 #include "ui/widgets/member_fields.h"
+#include "ui/words/fibre_words.h"
 
 namespace loomlight {
 namespace {
@@ -43,14 +44,9 @@ bool presetRow(Ui& ui, Fibre& fibre, const std::vector<FibrePreset>& presets, co
   constexpr int kAll = 7;
   const bool whole = kind && agreement(fibre, kind->fibre) == kAll;
   int chosen = whole ? static_cast<int>(kind - presets.data()) : -1;
-  const std::string otherwise = kind ? "Much like " + kind->fibre.name : "Own values";
-  if (!choiceField(ui,
-                   {"fibre.preset", "Kind",
-                    "Fills in fineness, optics and section, and keeps the colour, and a name of your own. The numbers "
-                    "below say where they "
-                    "are from."},
-                   names, chosen, otherwise.c_str()))
-    return false;
+  const std::string otherwise =
+      kind ? fmt::format(words::fibrePage::muchLike, kind->fibre.name) : words::fibrePage::ownValues;
+  if (!choiceField(ui, {"fibre.preset", words::fibrePage::preset}, names, chosen, otherwise.c_str())) return false;
   Fibre filled = presets[static_cast<size_t>(chosen)].fibre;
   const bool namedAsKind = std::any_of(presets.begin(), presets.end(),
                                        [&](const FibrePreset& preset) { return preset.fibre.name == fibre.name; });
@@ -72,10 +68,10 @@ bool sourcedField(Ui& ui, Fibre& fibre, double Fibre::* member, int decimals, co
   style.decimals = decimals;
   std::string help = info.help;
   if (kind && kind->fibre.*member == fibre.*member)
-    help += fmt::format("\n\nOf {}: {}.", kind->fibre.name, kind->sources.*source);
+    help = fmt::format(words::fibrePage::sourceOf, info.help, kind->fibre.name, kind->sources.*source);
   else if (kind)
-    help += fmt::format("\n\nYour own; {} has {:.{}f} {} ({}).", kind->fibre.name, kind->fibre.*member, decimals,
-                        info.unit, kind->sources.*source);
+    help = fmt::format(words::fibrePage::ownNumber, info.help, kind->fibre.name, kind->fibre.*member, decimals,
+                       info.unit, kind->sources.*source);
   return numberField(ui, {std::string("fibre.") + info.key, info.label, help.c_str()}, style, fibre.*member);
 }
 
@@ -83,10 +79,10 @@ bool absorptionRows(Ui& ui, Fibre& fibre) {
   static constexpr const char* kIds[] = {"fibre.absorption_r", "fibre.absorption_g", "fibre.absorption_b"};
   static constexpr const char* kLabels[] = {words::depthRed.label, words::depthGreen.label, words::depthBlue.label};
   const Absorption& known = fibre.absorption_per_mm;
-  const std::string said = known.bands          ? "36 bands"
-                           : known.dyes.empty() ? "three depths"
-                                                : fmt::format("a recipe of {} dyes", known.dyes.size());
-  readout(ui, {"fibre.absorption_known", words::absorptionKnown.label, words::absorptionKnown.help}, said);
+  const std::string said = known.bands          ? words::fibrePage::bands
+                           : known.dyes.empty() ? words::fibrePage::threeDepths
+                                                : fmt::format(words::fibrePage::recipe, known.dyes.size());
+  readout(ui, {"fibre.absorption_known", words::absorptionKnown}, said);
   const FieldInfo info = fieldInfo(&Fibre::absorption_per_mm);
   NumberStyle style;
   style.unit = info.unit;
@@ -122,9 +118,8 @@ void blendRow(Ui& ui, const Yarn& yarn, InspectorView& view) {
     view.secondFibre = false;
     return;
   }
-  static constexpr const char* kNames[] = {"First", "Second"};
   int chosen = view.secondFibre ? 1 : 0;
-  segmentField(ui, {"fibre.of_blend", "Of the blend", "This yarn is spun of two fibres."}, kNames, chosen);
+  segmentField(ui, {"fibre.of_blend", words::fibrePage::ofBlend}, words::fibrePage::fibresOfBlend, chosen);
   view.secondFibre = chosen == 1;
 }
 
@@ -142,23 +137,22 @@ bool finenessField(Ui& ui, Fibre& fibre) {
   style.max = at(radius.max);
   style.logarithmic = true;
   style.parse = [&](std::string_view text) { return finenessFromText(text, fibre.density_g_cm3); };
-  style.otherwise = "1.5 den or 18.5 mic";
+  style.otherwise = words::fibrePage::finenessLooksLike;
   double fineness_dtex = fibreFineness_dtex(fibre);
-  if (!numberField(ui, {"fibre.fineness", words::fibreFineness.label, words::fibreFineness.help}, style, fineness_dtex))
-    return false;
+  if (!numberField(ui, {"fibre.fineness", words::fibreFineness}, style, fineness_dtex)) return false;
   fibre.radius_um = std::clamp(fibreRadius_um(fineness_dtex, fibre.density_g_cm3), radius.min, radius.max);
   return true;
 }
 
 void finenessRows(Ui& ui, Fibre& fibre, const FibrePreset* kind, bool& changed) {
-  heading(ui, "Fineness");
+  heading(ui, words::fibrePage::fineness);
   changed |= sourcedField(ui, fibre, &Fibre::radius_um, 1, kind, &FibreSources::fineness);
   changed |= sourcedField(ui, fibre, &Fibre::density_g_cm3, 2, kind, &FibreSources::density);
   changed |= finenessField(ui, fibre);
 }
 
 void opticsRows(Ui& ui, Fibre& fibre, const FibrePreset* kind, bool& changed) {
-  heading(ui, "Optics");
+  heading(ui, words::fibrePage::optics);
   changed |= sourcedField(ui, fibre, &Fibre::refractiveIndex, 3, kind, &FibreSources::refractiveIndex);
   changed |= sourcedField(ui, fibre, &Fibre::longitudinalRoughness, 2, kind, &FibreSources::roughness);
   changed |= sourcedField(ui, fibre, &Fibre::azimuthalRoughness, 2, kind, &FibreSources::roughness);
@@ -171,7 +165,7 @@ void opticsRows(Ui& ui, Fibre& fibre, const FibrePreset* kind, bool& changed) {
 std::optional<Fabric> fibrePage(Ui& ui, const Fabric& fabric, const InspectorModel& model, InspectorView& view) {
   yarnChooser(ui, model.yarns, view.yarn, "inspector");
   const Yarn& yarn = fabric.yarns[static_cast<size_t>(view.yarn)];
-  hint(ui, fmt::format("The fibre of {}.", model.yarns.names[static_cast<size_t>(view.yarn)]));
+  quietLine(ui, "fibre.of", fmt::format(words::fibrePage::fibreOf, model.yarns.names[static_cast<size_t>(view.yarn)]));
   blendRow(ui, yarn, view);
   const int index = shownFibre(fabric, view);
   Fibre fibre = fabric.fibres[static_cast<size_t>(index)];
@@ -180,10 +174,10 @@ std::optional<Fabric> fibrePage(Ui& ui, const Fabric& fabric, const InspectorMod
 
   bool changed = textField(ui, rowText("fibre", &Fibre::name), fibre.name);
   changed |= presetRow(ui, fibre, presets, kind);
-  heading(ui, "Colour");
+  heading(ui, words::fibrePage::colour);
   clothColourRows(ui, view.clothColour.dyed(view.yarn, index), model.clothColour, view.clothColour);
   Rgb colour = fibreReflectance(fibre);
-  if (colourField(ui, {"fibre.colour", words::looseStock.label, words::looseStock.help}, colour)) {
+  if (colourField(ui, {"fibre.colour", words::looseStock}, colour)) {
     dye(fibre, colour);
     changed = true;
   }
@@ -193,8 +187,8 @@ std::optional<Fabric> fibrePage(Ui& ui, const Fabric& fabric, const InspectorMod
 
   const std::string others = usersOf(fabric, index, view.yarn, model.yarns);
   if (!others.empty()) {
-    hint(ui, "Also the fibre of " + others + ".");
-    if (button(ui, "fibre.own", "Give this yarn its own", 0, static_cast<int>(fabric.fibres.size()) < kMaxKinds)) {
+    hint(ui, fmt::format(words::fibrePage::alsoFibreOf, others));
+    if (button(ui, "fibre.own", words::fibrePage::giveOwn, 0, static_cast<int>(fabric.fibres.size()) < kMaxKinds)) {
       Fabric edited = fabric;
       Yarn& own = edited.yarns[static_cast<size_t>(view.yarn)];
       (view.secondFibre ? *own.blendFibre : own.fibre) = static_cast<int>(fabric.fibres.size());

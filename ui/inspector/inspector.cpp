@@ -6,7 +6,7 @@
 
 #include "core/fabric/yarn/yarn_name.h"
 #include "ui/widgets/fields.h"
-#include "ui/widgets/panel_controls.h"
+#include "ui/words/panel_words.h"
 
 namespace loomlight {
 
@@ -23,6 +23,15 @@ void yarnChooser(Ui& ui, const ShownYarns& yarns, int& yarn, const char* prefix)
   ImGui::PopStyleVar();
 }
 
+void quietLine(Ui& ui, const char* id, const std::string& text) {
+  ImGui::PushFont(ui.fonts.small);
+  const std::string shown = shortened(text, ImGui::GetContentRegionAvail().x);
+  ImGui::TextColored(ui.theme.textQuiet, "%s", shown.c_str());
+  ImGui::PopFont();
+  ui.probe.recordItem(id);
+  if (shown != text) tooltipFor(ui, id, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), text.c_str());
+}
+
 int shownFibre(const Fabric& fabric, const InspectorView& view) {
   const Yarn& yarn = fabric.yarns[std::min(static_cast<size_t>(view.yarn), fabric.yarns.size() - 1)];
   return view.secondFibre && yarn.blendFibre ? *yarn.blendFibre : yarn.fibre;
@@ -30,20 +39,12 @@ int shownFibre(const Fabric& fabric, const InspectorView& view) {
 
 InspectorResult inspector(Ui& ui, const Fabric& fabric, const InspectorModel& model, InspectorView& view) {
   view.yarn = std::clamp(view.yarn, 0, static_cast<int>(fabric.yarns.size()) - 1);
-  static constexpr const char* kTabs[] = {"Yarn", "Fibre", "Cloth", "Scene"};
   static constexpr const char* kIds[] = {"tab.yarn", "tab.fibre", "tab.cloth", "tab.scene"};
   int open = static_cast<int>(view.page);
-  pageTabs(ui, kTabs, kIds, open);
+  pageTabs(ui, words::panels::inspectorTabs, kIds, open);
   view.page = static_cast<InspectorView::Page>(open);
-  // The scroll bar lives in the panel's margin, always, so that rows are as wide on a page that needs none.
-  const float margin = ImGui::GetStyle().ScrollbarSize;
-  const ImVec4 grab = view.pageScrolls ? ui.theme.fieldFill : ImVec4(0, 0, 0, 0);
-  ImGui::PushStyleColor(ImGuiCol_ScrollbarGrab, grab);
   static constexpr const char* kPages[] = {"yarn page", "fibre page", "cloth page", "scene page"};
-  ImGui::BeginChild(kPages[static_cast<int>(view.page)], ImVec2(ImGui::GetContentRegionAvail().x + margin, 0), false,
-                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysVerticalScrollbar);
-  ImGui::PopStyleColor();
-  view.pageScrolls = ImGui::GetScrollMaxY() > 0;
+  beginPage(ui, kPages[open], 0, view.scroll);
   view.visibilityShown = view.visibilityOpen && view.page == InspectorView::Page::yarn;
   InspectorResult result;
   switch (view.page) {
@@ -60,7 +61,7 @@ InspectorResult inspector(Ui& ui, const Fabric& fabric, const InspectorModel& mo
       result = scenePage(ui, fabric);
       break;
   }
-  ImGui::EndChild();
+  endPage(view.scroll);
   return result;
 }
 

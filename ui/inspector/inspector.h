@@ -10,6 +10,7 @@
 #include "ui/inspector/yarn_section.h"
 #include "ui/widgets/commands.h"
 #include "ui/widgets/crossing_index.h"
+#include "ui/widgets/panel_controls.h"
 #include "ui/widgets/ui.h"
 #include "ui/widgets/yarn_colours.h"
 
@@ -23,7 +24,7 @@ struct InspectorView {
   bool secondFibre = false;  ///< of a blend, on the page of fibres
   ClothColourView clothColour;
   TradeUnits units;
-  bool pageScrolls = false;
+  PageScroll scroll;
   bool visibilityOpen = false;   ///< the section of local visibility
   bool visibilityShown = false;  ///< it is open, and on the page that is drawn
 };
@@ -64,5 +65,9 @@ InspectorResult scenePage(Ui& ui, const Fabric& fabric);
 
 /// A swatch for each yarn; a click selects.
 void yarnChooser(Ui& ui, const ShownYarns& yarns, int& yarn, const char* prefix);
+
+/// One small line however long its names and numbers are, so that what stands below keeps its place; what is cut off is
+/// read in a tooltip.
+void quietLine(Ui& ui, const char* id, const std::string& text);
 
 }  // namespace loomlight

@@ -8,12 +8,13 @@
 #include "core/fabric/yarn/cloth_states.h"
 #include "ui/widgets/field_row.h"
 #include "ui/widgets/member_fields.h"
+#include "ui/words/cloth_words.h"
+#include "ui/words/panel_words.h"
 
 namespace loomlight {
 namespace {
 
 constexpr double kCmPerInch = 2.54;
-constexpr const char* kUnknown = "\xE2\x80\x93";
 
 /// A number that may be left unsaid, with `none` in its place then; shown to the inch where that is wanted.
 bool figureField(Ui& ui, const RowText& text, const FieldInfo& info, const char* unit, double perUnit, const char* none,
@@ -33,7 +34,7 @@ bool figureField(Ui& ui, const RowText& text, const FieldInfo& info, const char*
 
 /// A list of ends is taken while it is typed; what is none is refused below the field.
 bool dentingField(Ui& ui, std::vector<int>& endsPerDent) {
-  const RowText text{"mill.ends_per_dent", words::endsPerDent.label, words::endsPerDent.help};
+  const RowText text{"mill.ends_per_dent", words::endsPerDent};
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 max(corner.x + ImGui::GetContentRegionAvail().x, corner.y + ImGui::GetFrameHeight());
   const ImGuiID id = ImGui::GetID(text.id.c_str());
@@ -48,8 +49,7 @@ bool dentingField(Ui& ui, std::vector<int>& endsPerDent) {
     } else {
       memory.failed = id;
       memory.failedAt = ui.time;
-      memory.failure =
-          fmt::format("Expected ends of one dent after the other, 0 to {}: 2, or 3 3 0", MillData::kMostInDent);
+      memory.failure = fmt::format(words::mill::dentingExpected, MillData::kMostInDent);
     }
   }
   constexpr double kShown_s = 6;
@@ -65,23 +65,22 @@ bool selvedgeRows(Ui& ui, const std::vector<std::string>& yarnNames, MillData& m
   bool changed = memberField(ui, "mill", mill, &MillData::selvedgeEnds);
   if (mill.selvedgeEnds == 0) return changed;
   changed |= memberField(ui, "mill", mill, &MillData::selvedgeEndsPerDent);
-  std::vector<std::string> yarns{"As the warp"};
+  std::vector<std::string> yarns{words::mill::asWarp};
   yarns.insert(yarns.end(), yarnNames.begin(), yarnNames.end());
   std::vector<const char*> names;
   for (const std::string& yarn : yarns) names.push_back(yarn.c_str());
   int chosen = mill.selvedgeYarn ? *mill.selvedgeYarn + 1 : 0;
-  if (choiceField(ui, {"mill.selvedge_yarn", words::selvedgeYarn.label, "What the selvedges are warped with."}, names,
-                  chosen)) {
+  if (choiceField(ui, {"mill.selvedge_yarn", words::mill::selvedgeYarn}, names, chosen)) {
     mill.selvedgeYarn = chosen == 0 ? std::nullopt : std::optional(chosen - 1);
     changed = true;
   }
-  return textField(ui, rowText("mill", &MillData::selvedgeWeave), mill.selvedgeWeave, "as the cloth") || changed;
+  return textField(ui, rowText("mill", &MillData::selvedgeWeave), mill.selvedgeWeave, words::mill::asCloth) || changed;
 }
 
 /// A row of the table of setts: a name, and what is drawn for ends and for picks.
 template <class Ends, class Picks>
 void stateRow(Ui& ui, const char* id, const Word& word, Ends&& ends, Picks&& picks) {
-  const RowText text{id, word.label, word.help};
+  const RowText text{id, word};
   const FieldRow row = beginRow(ui, text);
   const ImVec2 min = ImGui::GetCursorScreenPos();
   const float gap = ui.px(6), half = std::floor(0.5f * (row.width - gap));
@@ -93,7 +92,7 @@ void stateRow(Ui& ui, const char* id, const Word& word, Ends&& ends, Picks&& pic
   cell(" ends", ends);
   ImGui::SameLine(0, gap);
   cell(" picks", picks);
-  endRow(ui, text, min, ImVec2(min.x + row.width, min.y + row.height));
+  endRow(ui, text, min, ImVec2(min.x + row.width, min.y + row.height), row.cut);
 }
 
 /// What the columns are of.
@@ -106,7 +105,7 @@ void columnNames(Ui& ui, const char* unit) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("%s", text.c_str());
   };
-  stateRow(ui, "cloth.states", {""}, [&] { name("ends"); }, [&] { name("picks"); });
+  stateRow(ui, "cloth.states", {""}, [&] { name(words::mill::ends); }, [&] { name(words::mill::picks); });
 }
 
 /// The cells of a state that is reckoned or known otherwise.
@@ -132,21 +131,20 @@ bool countedState(Ui& ui, const char* id, const Word& word, const ClothState& kn
   return changed;
 }
 
-void shrinkageRow(Ui& ui, const char* id, const char* label, const char* tooltip, const ClothState& before,
-                  const ClothState& after) {
+void shrinkageRow(Ui& ui, const char* id, const Word& word, const ClothState& before, const ClothState& after) {
   const auto text = [](const std::optional<double>& percent) {
-    return percent ? fmt::format("{:.1f} %", *percent) : std::string(kUnknown);
+    return percent ? fmt::format("{:.1f} %", *percent) : words::panels::none;
   };
   const std::optional<double> width = shrinkage_percent(before.ends, after.ends);
   const std::optional<double> length = shrinkage_percent(before.picks, after.picks);
-  if (width || length) readout(ui, {id, label, tooltip}, fmt::format("{} \xC3\x97 {}", text(width), text(length)));
+  if (width || length) readout(ui, {id, word}, fmt::format("{} \xC3\x97 {}", text(width), text(length)));
 }
 
 bool stateRows(Ui& ui, const Fabric& fabric, const InspectorModel& model, MillData& mill) {
   const double perUnit = model.inches ? kCmPerInch : 1;
   const auto crimps = model.measured ? std::optional(Crimps{model.crimpWarp, model.crimpWeft}) : std::nullopt;
   const ClothStates states = clothStates(fabric, crimps);
-  heading(ui, "Sett from reed to wash");
+  heading(ui, words::mill::setts);
   columnNames(ui, model.inches ? "/in" : "/cm");
   shownState(ui, "cloth.reed_state", words::reedState, states.reed, perUnit);
   bool changed = countedState(ui, "cloth.loom_state", words::loomState, states.loom, perUnit, mill,
@@ -154,12 +152,8 @@ bool stateRows(Ui& ui, const Fabric& fabric, const InspectorModel& model, MillDa
   shownState(ui, "cloth.finished_state", words::finishedState, states.finished, perUnit);
   changed |= countedState(ui, "cloth.washed_state", words::washedState, states.washed, perUnit, mill,
                           &MillData::washedEnds_per_cm, &MillData::washedPicks_per_cm);
-  shrinkageRow(ui, "cloth.contraction", "Shrinks from reed",
-               "By how much the finished cloth is narrower, and shorter, than it lay in the reed.", states.reed,
-               states.finished);
-  shrinkageRow(ui, "cloth.washing_shrinkage", "Shrinks in wash",
-               "By how much the washed cloth is narrower, and shorter, than the finished one.", states.finished,
-               states.washed);
+  shrinkageRow(ui, "cloth.contraction", words::mill::contraction, states.reed, states.finished);
+  shrinkageRow(ui, "cloth.washing_shrinkage", words::mill::washingShrinkage, states.finished, states.washed);
   return changed;
 }
 
@@ -167,9 +161,10 @@ bool stateRows(Ui& ui, const Fabric& fabric, const InspectorModel& model, MillDa
 
 bool millRows(Ui& ui, Fabric& fabric, const InspectorModel& model) {
   const FieldInfo reed = fieldInfo(&MillData::reed_per_10cm);
-  heading(ui, "Reed and selvedges");
-  bool changed = figureField(ui, rowText("mill", &MillData::reed_per_10cm), reed, model.inches ? "dents/in" : reed.unit,
-                             model.inches ? 0.1 * kCmPerInch : 1, kUnknown, fabric.mill.reed_per_10cm);
+  heading(ui, words::mill::reedAndSelvedges);
+  bool changed = figureField(ui, rowText("mill", &MillData::reed_per_10cm), reed,
+                             model.inches ? words::mill::dentsPerInch : reed.unit, model.inches ? 0.1 * kCmPerInch : 1,
+                             words::panels::none, fabric.mill.reed_per_10cm);
   changed |= dentingField(ui, fabric.mill.endsPerDent);
   changed |= selvedgeRows(ui, model.yarns.names, fabric.mill);
   return stateRows(ui, fabric, model, fabric.mill) || changed;

@@ -1,6 +1,7 @@
 #include "ui/inspector/inspector.h"
 #include "ui/widgets/choices.h"
 #include "ui/widgets/member_fields.h"
+#include "ui/words/scene_words.h"
 
 namespace loomlight {
 namespace {
@@ -30,9 +31,8 @@ bool lightRows(Ui& ui, Light& light, InspectorResult& result) {
   if (turns) changed |= memberField(ui, "light", light, &Light::azimuth_deg, 0, 1);
   if (aimed) changed |= memberField(ui, "light", light, &Light::elevation_deg, 0, 0.5);
   if (light.kind == LightKind::sky) changed |= memberField(ui, "light", light, &Light::turbidity, 1);
-  if (button(ui, "light.browse", "Choose an environment\xE2\x80\xA6", 0, true,
-             "A latitude-longitude picture (EXR) that lights the cloth from all around"))
-    result.command = Command::chooseEnvironment;
+  const Word& choose = words::scenePage::chooseEnvironment;
+  if (button(ui, "light.browse", choose.label, 0, true, choose.help)) result.command = Command::chooseEnvironment;
   return changed;
 }
 
@@ -45,9 +45,8 @@ bool drapeRows(Ui& ui, Drape& drape, InspectorResult& result) {
     changed |= memberField(ui, "drape", drape, &Drape::height_mm, 1);
     if (drape.kind != DrapeKind::flat) changed |= memberField(ui, "drape", drape, &Drape::radius_mm, 1);
   }
-  if (button(ui, "drape.browse", "Choose a mesh\xE2\x80\xA6", 0, true,
-             "OBJ, PLY or OFF with texture coordinates: the cloth lies on it as the coordinates say"))
-    result.command = Command::chooseMesh;
+  const Word& choose = words::scenePage::chooseMesh;
+  if (button(ui, "drape.browse", choose.label, 0, true, choose.help)) result.command = Command::chooseMesh;
   return changed;
 }
 
@@ -67,13 +66,13 @@ InspectorResult scenePage(Ui& ui, const Fabric& fabric) {
   Drape drape = fabric.drape;
   Camera camera = fabric.camera;
   RenderSettings render = fabric.render;
-  heading(ui, "Light");
+  heading(ui, words::scenePage::light);
   bool changed = lightRows(ui, light, result);
-  heading(ui, "Drape");
+  heading(ui, words::scenePage::drape);
   changed |= drapeRows(ui, drape, result);
-  heading(ui, "Camera");
+  heading(ui, words::scenePage::camera);
   if (cameraRows(ui, camera)) result.camera = camera;
-  heading(ui, "Detail");
+  heading(ui, words::scenePage::detail);
   changed |= resolutionRow(ui, render);
   changed |= memberChoice(ui, "scene", render, &RenderSettings::observer, observerNames());
   changed |= memberChoice(ui, "scene", render, &RenderSettings::method, methodNames());

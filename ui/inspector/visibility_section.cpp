@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ui/widgets/fields.h"
+#include "ui/words/yarn_words.h"
 
 namespace loomlight {
 namespace {
@@ -34,29 +35,24 @@ void drawSquares(Ui& ui, const VisibilityModel& model) {
   ImGui::Dummy(ImVec2(all, rows * row));
   ui.probe.recordItem("visibility.picture");
   tooltipFor(ui, "visibility.picture", ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
-             "Down a square, the eye goes from straight above the cloth to grazing; to the right, the light goes from "
-             "straight above to straight below. From square to square the light turns about the cloth's normal, away "
-             "from the eye, which looks across the yarn.");
+             words::yarnPage::visibilityAxes);
 }
 
 }  // namespace
 
 void visibilitySection(Ui& ui, const VisibilityModel& model, bool& open) {
   const bool wasOpen = open;
-  if (!foldingHeading(ui, "visibility.fold", "Local visibility",
-                      "How freely light reaches a fibre past its neighbours (the yarn's BVDF, which the estimator "
-                      "\"Report\" uses)",
-                      open))
-    return;
+  const Word& word = words::yarnPage::visibility;
+  if (!foldingHeading(ui, "visibility.fold", word.label, word.help, open)) return;
   drawSquares(ui, model);
   if (!model.error.empty()) {
     hint(ui, model.error);
   } else if (!model.picture && !model.baking) {
-    hint(ui, "Measuring begins\xE2\x80\xA6");
+    hint(ui, words::yarnPage::visibilityBegins);
   } else if (model.baking) {
-    hint(ui, fmt::format("White: free. Black: in shadow.  \xC2\xB7  measuring, {:.0f} %", 100 * model.progress));
+    hint(ui, fmt::format(words::yarnPage::visibilityProgress, 100 * model.progress));
   } else {
-    hint(ui, fmt::format("White: free. Black: in shadow.  \xC2\xB7  {:.1f} million rays", model.rays * 1e-6));
+    hint(ui, fmt::format(words::yarnPage::visibilityDone, model.rays * 1e-6));
   }
   if (!wasOpen) ImGui::SetScrollHereY(1);
 }

@@ -12,6 +12,7 @@
 #include "ui/inspector/trade_units.h"
 #include "ui/widgets/choices.h"
 #include "ui/widgets/member_fields.h"
+#include "ui/words/yarn_words.h"
 
 namespace loomlight {
 namespace {
@@ -54,7 +55,7 @@ bool countRow(Ui& ui, CountSystem system, const Fibre& fibre, Yarn& yarn, std::o
   style.max = countFromTex((isIndirect(system) ? info.min : info.max) / parts, system);
   style.logarithmic = true;
   style.decimals = 1;
-  style.otherwise = "a count like 30/2 Ne or 167 dtex f48";
+  style.otherwise = words::yarnPage::countLooksLike;
   style.parse = [&](std::string_view text) -> std::optional<double> {
     typed = countFromText(text, system);
     if (typed && !isPossible(*typed, yarn, fibre)) typed.reset();
@@ -64,16 +65,11 @@ bool countRow(Ui& ui, CountSystem system, const Fibre& fibre, Yarn& yarn, std::o
     const std::optional<CountEntry> meant = countFromText(text, system);
     const std::optional<double> dtex = meant ? typedFilament_dtex(*meant, yarn) : std::nullopt;
     if (!dtex) return {};
-    if (yarn.blendFibre) return "A blend has no filaments of one fineness: give its count alone";
-    return fmt::format("Filaments of {:.3g} dtex are beyond what a fibre can be", *dtex);
+    if (yarn.blendFibre) return words::yarnPage::blendHasNoFilaments;
+    return fmt::format(words::yarnPage::filamentsBeyondFibres, *dtex);
   };
   double count = countFromTex(yarn.count_tex / parts, system);
-  const bool changed = numberField(ui,
-                                   {"yarn.count_tex", info.label,
-                                    "How thick the yarn is. Typed counts are understood in every system: 30/2 Ne, "
-                                    "2/60 Nm, 150 den, 20 tex x 2, and of cables 20/2/3 Ne. Plies and cabling are set "
-                                    "with it, and with filaments, 167 dtex f48, the fineness of the fibre."},
-                                   style, count);
+  const bool changed = numberField(ui, {"yarn.count_tex", words::yarnPage::typedCount}, style, count);
   if (!changed && !typed) return false;
   Yarn edited = yarn;
   edited.count_tex =
@@ -103,7 +99,7 @@ bool twistRow(Ui& ui, const char* label, bool asMultiplier, double tex, double Y
     return turns ? std::optional(shown(*turns)) : std::nullopt;
   };
   double value = shown(yarn.*member);
-  const std::string help = std::string(info.help) + " Typed twists may be in t/m, tpi or TM.";
+  const std::string help = fmt::format(words::yarnPage::typedTwist, info.help);
   if (!numberField(ui, {std::string("yarn.") + info.key, label, help.c_str()}, style, value)) return false;
   yarn.*member = std::clamp(asMultiplier ? twist_per_m(value, tex) : value, info.min, info.max);
   return true;
@@ -112,14 +108,9 @@ bool twistRow(Ui& ui, const char* label, bool asMultiplier, double tex, double Y
 }  // namespace
 
 bool countRows(Ui& ui, const Fibre& fibre, TradeUnits& units, Yarn& yarn, std::optional<double>& filament_dtex) {
-  static constexpr const char* kNames[] = {"Count", "Fibres"};
   int way = yarn.fibresPerPly ? 1 : 0;
   bool changed = false;
-  if (segmentField(ui,
-                   {"yarn.mass_by", "Fineness by",
-                    "A spinner says how thick a yarn is by its count. For few, coarse fibres it is easier to say how "
-                    "many there are."},
-                   kNames, way)) {
+  if (segmentField(ui, {"yarn.mass_by", words::yarnPage::massBy}, words::yarnPage::massWays, way)) {
     changed = true;
     if (way == 0) {
       yarn.count_tex = std::clamp(yarnCount_tex(yarn, fibre), 0.5, 5000.0);
@@ -190,7 +181,7 @@ bool bulkRows(Ui& ui, const Fibre& fibre, Yarn& yarn) {
   style.decimals = 3;
   style.logarithmic = true;
   double wanted = diameter_mm;
-  if (numberField(ui, {"yarn.diameter_mm", words::diameter.label, words::diameter.help}, style, wanted)) {
+  if (numberField(ui, {"yarn.diameter_mm", words::diameter}, style, wanted)) {
     const double ratio = diameter_mm / wanted;
     yarn.packing = std::clamp(yarn.packing * ratio * ratio, packing.min, packing.max);
     changed = true;
@@ -203,15 +194,11 @@ bool fibreRows(Ui& ui, std::vector<Fibre>& fibres, Yarn& yarn) {
   for (const Fibre& fibre : fibres) names.push_back(fibre.name.c_str());
   bool changed = choiceField(ui, rowText("yarn", &Yarn::fibre), names, yarn.fibre);
   const int count = static_cast<int>(fibres.size());
-  std::vector<const char*> blends = {"Nothing"};
+  std::vector<const char*> blends = {words::yarnPage::noBlend};
   blends.insert(blends.end(), names.begin(), names.end());
-  if (count < kMaxKinds) blends.push_back("A new fibre");
+  if (count < kMaxKinds) blends.push_back(words::yarnPage::newFibre);
   int second = yarn.blendFibre.value_or(-1) + 1;
-  if (choiceField(ui,
-                  {"yarn.blend_fibre", "Blended with",
-                   "A second fibre spun together with the first, evenly mixed: two dyes make a melange. Both lie with "
-                   "their mean thickness. A new fibre begins as the first one, to be dyed on the fibre's page."},
-                  blends, second)) {
+  if (choiceField(ui, {"yarn.blend_fibre", words::yarnPage::blend}, blends, second)) {
     yarn.blendFibre = second > 0 ? std::optional(second - 1) : std::nullopt;
     if (second == count + 1) {
       fibres.push_back(fibres[static_cast<size_t>(yarn.fibre)]);

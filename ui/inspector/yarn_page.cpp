@@ -11,6 +11,7 @@
 #include "ui/widgets/choices.h"
 #include "ui/widgets/member_fields.h"
 #include "ui/widgets/yarn_colours.h"
+#include "ui/words/yarn_words.h"
 
 namespace loomlight {
 namespace {
@@ -26,14 +27,14 @@ std::optional<Fabric> yarnList(Ui& ui, const Fabric& fabric, const InspectorMode
   yarnChooser(ui, model.yarns, view.yarn, "inspector");
   std::optional<Fabric> edited;
   const float half = 0.5f * (ImGui::GetContentRegionAvail().x - ui.px(8));
-  if (button(ui, "yarn.copy", "New from this", half, static_cast<int>(fabric.yarns.size()) < kMaxKinds,
-             "Add a yarn that begins as a copy of this one")) {
+  if (button(ui, "yarn.copy", words::yarnPage::copy.label, half, static_cast<int>(fabric.yarns.size()) < kMaxKinds,
+             words::yarnPage::copy.help)) {
     edited = withYarnCopied(fabric, view.yarn);
     view.yarn = static_cast<int>(fabric.yarns.size());
   }
   ImGui::SameLine();
   const bool removable = fabric.yarns.size() > 1 && !isUsed(fabric, view.yarn);
-  if (button(ui, "yarn.remove", "Remove", half, removable, "A yarn can be removed when no end and no pick uses it")) {
+  if (button(ui, "yarn.remove", words::yarnPage::remove.label, half, removable, words::yarnPage::remove.help)) {
     edited = withoutYarn(fabric, view.yarn);
     view.clothColour.wanted.clear();  // fibres have other numbers now
     view.yarn = std::max(0, view.yarn - 1);
@@ -47,11 +48,7 @@ std::optional<Fabric> presetRow(Ui& ui, const Fabric& fabric, int index) {
   std::vector<const char*> names;
   for (const YarnPreset& preset : presets) names.push_back(preset.yarn.name.c_str());
   int chosen = -1;
-  if (!choiceField(ui,
-                   {"yarn.preset", "Start from",
-                    "A yarn of the trade to start from: count, twist, bulk and hairs, and its fibre; the colour "
-                    "stays."},
-                   names, chosen, "Trade yarns"))
+  if (!choiceField(ui, {"yarn.preset", words::yarnPage::preset}, names, chosen, words::yarnPage::tradeYarns))
     return std::nullopt;
   const YarnPreset& preset = presets[static_cast<size_t>(chosen)];
   const Fibre& old = fabric.fibres[static_cast<size_t>(fabric.yarns[static_cast<size_t>(index)].fibre)];
@@ -63,14 +60,7 @@ std::optional<Fabric> presetRow(Ui& ui, const Fabric& fabric, int index) {
 std::string sizeText(const YarnSection* section, double diameter_mm) {
   const std::string wide = fmt::format("{:.2f}", section ? 2 * section->halfWidth_mm : diameter_mm);
   const std::string high = section ? fmt::format("{:.2f}", 2 * section->halfHeight_mm) : wide;
-  return wide == high ? wide + " mm across" : fmt::format("{} \xC3\x97 {} mm", wide, high);
-}
-
-/// One line however long its numbers are, so that what stands below keeps its place.
-void quietLine(Ui& ui, const std::string& text) {
-  ImGui::PushFont(ui.fonts.small);
-  ImGui::TextColored(ui.theme.textQuiet, "%s", shortened(text, ImGui::GetContentRegionAvail().x).c_str());
-  ImGui::PopFont();
+  return wide == high ? fmt::format(words::yarnPage::round, wide) : fmt::format("{} \xC3\x97 {} mm", wide, high);
 }
 
 }  // namespace
@@ -91,9 +81,9 @@ std::optional<Fabric> yarnPage(Ui& ui, const Fabric& fabric, const InspectorMode
   drawYarnSection(ui, model.section ? *model.section : YarnSection{}, colours, half);
   ImGui::SameLine(0, ui.px(8));
   drawYarnCloseUp(ui, model.closeUp, half);
-  quietLine(
-      ui, fmt::format("{} \xC2\xB7 {} \xC2\xB7 {:.0f} fibres", countText(yarnCount_tex(yarn, fibre), view.units.count),
-                      sizeText(model.section, yarnDiameter_mm(yarn, fibre)), fibresInYarn(yarn, fibre)));
+  quietLine(ui, "yarn.summary",
+            fmt::format(words::yarnPage::summary, countText(yarnCount_tex(yarn, fibre), view.units.count),
+                        sizeText(model.section, yarnDiameter_mm(yarn, fibre)), fibresInYarn(yarn, fibre)));
 
   const std::string& called = model.yarns.names[static_cast<size_t>(view.yarn)];
   bool changed = textField(ui, rowText("yarn", &Yarn::name), yarn.name, called.c_str());

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ui/widgets/fields.h"
+#include "ui/words/yarn_words.h"
 
 namespace loomlight {
 namespace {
@@ -84,7 +85,7 @@ void drawYarnCloseUp(Ui& ui, ImTextureID picture, ImVec2 size) {
   if (picture)
     draw.AddImageRounded(picture, min, max, ImVec2(0.5f - u, 0.5f - v), ImVec2(0.5f + u, 0.5f + v), IM_COL32_WHITE,
                          ui.px(4));
-  tooltipFor(ui, "yarn.close_up", min, max, "This yarn under a sky, every fibre traced as it is.");
+  tooltipFor(ui, "yarn.close_up", min, max, words::yarnPage::closeUp);
 }
 
 }  // namespace loomlight

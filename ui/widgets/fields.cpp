@@ -218,7 +218,8 @@ bool textRow(Ui& ui, const RowText& text, std::string& value, const char* whenEm
   ImGui::PopItemFlag();
   ui.memory.tabOrder.pass(ImGui::GetItemID(), panelOfFields(), false);
   if (ImGui::IsItemActivated()) ui.memory.tabOrder.standOn(ImGui::GetItemID(), false);
-  const bool goesOn = ImGui::CalcTextSize(value.c_str()).x > row.width - ui.px(16);
+  const char* const shown = value.empty() ? whenEmpty : value.c_str();
+  const bool goesOn = ImGui::CalcTextSize(shown).x > row.width - ui.px(16);
   if (goesOn && !ImGui::IsItemActive()) {  // a text that goes on fades out
     const ImVec2 max(min.x + row.width, min.y + row.height);
     const ImVec4& field = ImGui::IsItemHovered() ? ui.theme.fieldHover : ui.theme.field;
@@ -230,7 +231,7 @@ bool textRow(Ui& ui, const RowText& text, std::string& value, const char* whenEm
   }
   ImGui::PopID();
   RowText explained = text;  // what fades out is read there
-  const std::string whole = goesOn ? value + "\n\n" + text.tooltip : text.tooltip;
+  const std::string whole = tooltipWith(goesOn ? shown : "", text.tooltip);
   explained.tooltip = whole.c_str();
   endRow(ui, explained, min, ImVec2(min.x + row.width, min.y + row.height), row.cut);
   return changed;

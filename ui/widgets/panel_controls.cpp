@@ -55,4 +55,27 @@ bool pageTabs(Ui& ui, std::span<const char* const> names, std::span<const char* 
   return open != before;
 }
 
+void beginPage(Ui& ui, const char* id, float height, PageScroll& scroll) {
+  // The bar is there always, so that rows are as wide on a page that needs none.
+  const float width = ImGui::GetContentRegionAvail().x + ImGui::GetStyle().ScrollbarSize;
+  ImGui::PushStyleColor(ImGuiCol_ScrollbarGrab, scroll.isNeeded ? ui.theme.fieldFill : ImVec4(0, 0, 0, 0));
+  ImGui::BeginChild(id, ImVec2(width, height), false,
+                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysVerticalScrollbar);
+  ImGui::PopStyleColor();
+  scroll.isNeeded = ImGui::GetScrollMaxY() > 0;
+}
+
+void endPage(PageScroll& scroll) {
+  const float height = ImGui::GetWindowHeight(), bottom = ImGui::GetWindowPos().y + height;
+  const ImVec2 end = ImGui::GetCursorScreenPos();
+  if (end.y < bottom && height == scroll.height) {
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));  // which would be rounded, and the page creep
+    ImGui::SetCursorScreenPos(ImVec2(end.x, bottom));
+    ImGui::Dummy(ImVec2(0, 0));
+    ImGui::PopStyleVar();
+  }
+  scroll.height = height;
+  ImGui::EndChild();
+}
+
 }  // namespace loomlight

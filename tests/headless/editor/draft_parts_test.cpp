@@ -111,6 +111,20 @@ void scrollTo(HeadlessEditor& editor, const std::string& over, const std::string
   throw HeadlessEditor::Vain(wanted + " does not come into sight over " + over);
 }
 
+/// What there is of a draft is said above what the loom has: where that leaves none, its rows stay, and say so.
+TEST_F(DraftParts, ALoomOfFewerShaftsMovesNoRow) {
+  editor.click("draft.tab_loom");
+  scrollTo(editor, "loom.shafts", "loom.most_shafts");
+  const HeadlessEditor::Rect before = editor.rect("loom.most_shafts");
+  editor.enter("loom.most_shafts", "3");
+  weaver.showsDraft("jacquard");
+  editor.until("there are no shafts", [&] { return editor.fact("loom.shafts") == "\u2013"; });
+  EXPECT_EQ(editor.rect("loom.most_shafts"), before);
+  editor.enter("loom.most_shafts", "8");
+  weaver.showsDraft("treadles", "4");
+  EXPECT_EQ(editor.rect("loom.most_shafts"), before);
+}
+
 TEST_F(DraftParts, ALargerRepeatGoesOnAsTheOldOne) {
   const Rows before = haveDraft();
   editor.click("draft.tab_loom");

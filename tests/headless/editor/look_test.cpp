@@ -144,6 +144,19 @@ TEST_F(LookAtSmall, TooltipsStandBesideTheDraft) {
   EXPECT_EQ(editor.fact("tooltip"), "") << "whoever has pressed the button knows what it does";
 }
 
+/// A name that is broken off, and what stands in a field that is empty, are read whole where the mouse rests.
+TEST_F(LookAtSmall, WhatIsCutIsReadInATooltip) {
+  const std::string name = "structure/Broken twill 3/1/name";
+  const HeadlessEditor::Rect tab = editor.rect("draft.tab_structures");
+  for (int turns = 0; turns < 12 && editor.rect(name).y1 > editor.screen().y - 110; ++turns)
+    editor.wheelAt(ImVec2(tab.x1, tab.y1 + 60), -1);
+  editor.move(editor.centre(name));
+  editor.until("the name is whole", [&] { return editor.fact("tooltip") == "Broken twill 3/1"; });
+  editor.click("tab.fibre");
+  editor.move(editor.centre("fibre.colour_code"));
+  editor.until("so is the example", [&] { return editor.fact("tooltip").starts_with("#1a2b3c or Lab 30 5 -12\n"); });
+}
+
 /// 1, 2 and 3 look from above, aslant and along the cloth.
 TEST_F(LookAtSmall, KeysTurnTheCloth) {
   for (const char* key : {"3", "2", "1"}) {

@@ -97,6 +97,26 @@ TEST_F(YarnPages, FoldedAndCabledCounts) {
   EXPECT_EQ(yarn().cords, 1);
 }
 
+/// Rows that an edit takes away make the page shorter; at its end, too, what is edited stays under the mouse.
+TEST_F(YarnPages, WhatIsEditedStaysWhereItIs) {
+  types("yarn.count_tex", "30/2/3 Ne");
+  const ImVec2 page = editor.centre("yarn.count_tex");
+  const auto scroll = [&](float clicks) {
+    for (int turns = 0; turns < 30; ++turns) editor.wheelAt(page, clicks);
+  };
+  const HeadlessEditor::Rect first = editor.rect("yarn.cords");
+  scroll(-1);
+  const HeadlessEditor::Rect last = editor.rect("yarn.cords");
+  ASSERT_LT(last.y0, first.y0) << "the page has room for all";
+  types("yarn.cords", "1");
+  editor.until("the twist of a cable goes", [&] { return !editor.shows("yarn.cable_twist_per_m"); });
+  for (int i = 0; i < 5; ++i) editor.frame();
+  EXPECT_EQ(editor.rect("yarn.cords"), last);
+  scroll(1);
+  scroll(-1);
+  EXPECT_GT(editor.rect("yarn.cords").y0, last.y0) << "the room of rows that went is kept for ever";
+}
+
 TEST_F(YarnPages, MetricCountTwistMultiplierAndDiameter) {
   types("yarn.count_tex", "30/2 Ne");
   editor.choose("yarn.count_system", "Nm (km per kg)");
