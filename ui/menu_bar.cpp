@@ -66,6 +66,7 @@ class Menus {
     item("menu.keep_view", words::menu::keepView, Command::keepView);
     item("menu.lens", words::menu::truthLens, Command::truthLens, true, model_.insetOn);
     item("menu.next_lamp", words::menu::nextLamp, Command::boothLamp);
+    item("menu.booth", words::menu::boothSideBySide, Command::boothSideBySide, true, model_.boothSideBySide);
     item("menu.denoise", words::menu::denoise, Command::denoise, true, model_.denoised);
     ImGui::Separator();
     item("menu.soft_proof", model_.knowsPrinter ? words::menu::softProof : words::menu::chooseProof, Command::softProof,

@@ -20,6 +20,7 @@ struct MenuModel {
   bool panelsShown = true;
   bool insetOn = false;
   bool denoised = false;
+  bool boothSideBySide = false;
   bool proofs = false, warnsOfGamut = false;
   bool knowsPrinter = false;  ///< whose prints can be shown
   WeaveMenuModel weave;

@@ -9,6 +9,7 @@
 #include "app/editor/model/user_folders.h"
 #include "app/export/file_name.h"
 #include "core/base/stopwatch.h"
+#include "core/fabric/model/booth_lamps.h"
 #include "core/fabric/weave/structure_edit.h"
 #include "ui/widgets/choices.h"
 #include "ui/widgets/fields.h"
@@ -45,6 +46,7 @@ Session::Session(Document document, Settings settings, DisplayDriver& driver, co
   viewport_.view().denoised = view.denoised;
   viewport_.view().filmic = view.filmic;
   viewport_.view().exposure_stops = view.exposure_stops;
+  viewport_.view().booth = view.booth;
   draft_.view().inColour = view.draftInColour;
   draft_.view().back = view.draftBack;
   draft_.view().marksFloats = view.marksFloats;
@@ -59,8 +61,8 @@ Settings Session::settingsToKeep() const {
   const ViewportView& viewport = viewport_.view();
   const DraftView& draft = draft_.view();
   settings.hintsSeen = !help_.hints.wanted;
-  settings.view = {viewport.denoised, viewport.filmic, viewport.exposure_stops,
-                   draft.inColour,    draft.back,      draft.marksFloats};
+  settings.view = {viewport.denoised, viewport.filmic,   viewport.exposure_stops, draft.inColour,
+                   draft.back,        draft.marksFloats, viewport.booth};
   settings.snapshot = snapshots_.options();
   settings.units = inspector_.view().units;
   settings.books = inspector_.view().clothColour.books;
@@ -155,7 +157,10 @@ void Session::run(Command command) {
     case Command::truthLens:
       return viewport_.view().inset.toggle();
     case Command::boothLamp:
-      return document_.change([](Fabric& fabric) { fabric.light.illuminant = nextLamp(fabric.light.illuminant); });
+      return document_.change(
+          [](Fabric& fabric) { fabric.light = underLamp(fabric.light, nextLamp(fabric.light.illuminant)); });
+    case Command::boothSideBySide:
+      return viewport_.showBooth(!viewport_.view().booth);
     case Command::denoise:
       viewport_.view().denoised = !viewport_.view().denoised;
       break;
@@ -232,7 +237,7 @@ void Session::readKeys() {
   if (letterPressed('F')) run(io.KeyShift ? Command::fitDraft : Command::fitView);
   if (letterPressed('K')) run(Command::keepView);
   if (letterPressed('L')) run(Command::truthLens);
-  if (letterPressed('J')) run(Command::boothLamp);
+  if (letterPressed('J')) run(io.KeyShift ? Command::boothSideBySide : Command::boothLamp);
   if (letterPressed('N')) run(Command::denoise);
   if (letterPressed('X')) run(Command::swapBrushes);
   if (letterPressed('Y')) run(io.KeyShift ? Command::gamutWarning : Command::softProof);

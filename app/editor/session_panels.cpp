@@ -23,6 +23,7 @@ void Session::drawPanels(Ui& ui) {
   menu.panelsShown = settings_.dock.panelsShown;
   menu.insetOn = viewport_.view().inset.on;
   menu.denoised = viewport_.view().denoised;
+  menu.boothSideBySide = viewport_.view().booth;
   menu.proofs = profiles_.colours().proofs;
   menu.warnsOfGamut = profiles_.colours().warnsOfGamut;
   menu.knowsPrinter = profiles_.knowsPrinter();

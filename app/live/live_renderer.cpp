@@ -322,6 +322,10 @@ void LiveRenderer::restAt(uint32_t samples) {
   workers_->tracer.restAt(samples);
 }
 
+void LiveRenderer::booth(bool wanted) {
+  workers_->tracer.booth(wanted);
+}
+
 void LiveRenderer::shareLight(bool wanted) {
   workers_->tracer.shareLight(wanted);
 }

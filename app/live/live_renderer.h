@@ -87,6 +87,7 @@ class LiveRenderer {
   LiveStatus status() const;
   void denoise(bool wanted);      ///< whether frames have a copy with less noise for the display
   void restAt(uint32_t samples);  ///< a pixel, at which pictures rest; kUsualRest unless told
+  void booth(bool wanted);        ///< whether frames are divided among the lamps of a booth
   void shareLight(bool wanted);   ///< whether the next pictures show light that repeats share; true unless told
   void pause(bool paused);        ///< stops tracing (a snapshot needs the cores); the picture stays
 

@@ -57,9 +57,21 @@ void Refinement::look(const PixelRect& window) {
   start_ = Clock::now();
 }
 
-void Refinement::keepPaths(size_t bytes) {
-  records_ = std::make_unique<PathRecords>(fine_.width(), fine_.height(),
-                                           static_cast<int>(scene().cloth->materials.size()), bytes);
+void Refinement::keepPaths(size_t bytes, bool ofCoarse) {
+  records_ = recordsFor(fine_, bytes);
+  coarsePaths_bytes_ = ofCoarse ? bytes : 0;
+}
+
+std::unique_ptr<PathRecords> Refinement::recordsFor(const Film& film, size_t bytes) const {
+  return std::make_unique<PathRecords>(film.width(), film.height(), static_cast<int>(scene().cloth->materials.size()),
+                                       bytes);
+}
+
+Refinement::Paths Refinement::paths() const {
+  const auto has = [](const std::unique_ptr<PathRecords>& records) { return records && records->bytes() > 0; };
+  if (history_.samples > 0 && has(records_)) return {&fine_, records_.get()};
+  const bool isFilled = history_.divider > 0 && history_.divider <= coarseDivider_;  // no finer pass is under way in it
+  return isFilled && has(coarseRecords_) ? Paths{&*coarse_, coarseRecords_.get()} : Paths{};
 }
 
 void Refinement::shareLight(std::unique_ptr<SharedLight> earlier, const Changes& edit) {
@@ -87,6 +99,7 @@ Film& Refinement::filmFor(int divider) {
   if (divider != coarseDivider_) {
     coarse_.emplace(coarser(fine_.width(), divider), coarser(fine_.height(), divider));
     coarseDivider_ = divider;
+    if (coarsePaths_bytes_ > 0) coarseRecords_ = recordsFor(*coarse_, coarsePaths_bytes_);
   }
   return *coarse_;
 }
@@ -101,7 +114,8 @@ Refinement::Pass Refinement::beginPass() const {
   const uint32_t more = plan.divider == 1 ? plan.samples - history_.samples : 1;
   const double seconds = static_cast<double>(all.width) * all.height * more * history_.secondsPerPath;
   const bool split = begun() && seconds > 2 * passBudget_s(history_);
-  return {plan, PictureBuckets(all, split ? std::max(kSmallestBucket, kBucket / plan.divider) : 0)};
+  const int tiles = kBucket / plan.divider / PathRecords::kTile;  // whole ones, each of which one thread records
+  return {plan, PictureBuckets(all, split ? std::max(kSmallestBucket, tiles * PathRecords::kTile) : 0)};
 }
 
 bool Refinement::advance(const Task& task) {
@@ -117,7 +131,7 @@ bool Refinement::advance(const Task& task) {
   const PassPlan& plan = pass_->plan;
   Film& film = filmFor(plan.divider);
   const CameraRays camera(scene().fabric->camera, film.width(), film.height());
-  PathRecords* records = plan.divider == 1 ? records_.get() : nullptr;
+  PathRecords* records = plan.divider == 1 ? records_.get() : coarseRecords_.get();
   const auto start = Clock::now();
   const double budget = passBudget_s(history_);
   uint64_t paths = 0;
@@ -146,6 +160,7 @@ void Refinement::endPass() {
   history_.divider = plan.divider;
   if (plan.divider == 1) {
     history_.samples = plan.samples;
+    if (records_ && records_->bytes() > 0) coarseRecords_.reset();
     if (!fading()) standIn_.reset();
   } else {
     Frame coarse = traced(*coarse_, plan.divider);

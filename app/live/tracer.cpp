@@ -77,6 +77,10 @@ void Tracer::restAt(uint32_t samples) {
   want([&](Wanted& wanted) { wanted.rest = samples; });
 }
 
+void Tracer::booth(bool wanted) {
+  want([&](Wanted& all) { all.booth = wanted; });
+}
+
 void Tracer::shareLight(bool wanted) {
   want([&](Wanted& all) { all.shared = wanted; });
 }
@@ -132,14 +136,15 @@ Tracer::Shown Tracer::givenUp(const std::string& reason) {
 void Tracer::take(const Wanted& wanted) {
   const Wanted before = std::exchange(taken_, wanted);
   const bool isRequest = taken_.requests != before.requests;
-  const bool isDenoising = taken_.denoised != before.denoised;
+  const bool isBooth = taken_.booth != before.booth, isDenoising = taken_.denoised != before.denoised;
+  if (isBooth) booth_ = taken_.booth ? std::optional(BoothView{}) : std::nullopt;
   for (auto* picture : {&picture_, &recoloured_})
     if (*picture) (*picture)->denoise(taken_.denoised);
   for (auto* picture : {&picture_, &inset_})
     if (*picture) (*picture)->restAt(taken_.rest);
   if (isRequest)
     begin(before.request);
-  else if (isDenoising)
+  else if (isDenoising || isBooth)
     showOtherwise();
   if (isRequest || taken_.fibres.medium != before.fibres.medium || taken_.inset != before.inset) openInset();
 }
@@ -169,6 +174,7 @@ void Tracer::begin(const Request& before) {
   std::unique_ptr<SharedLight> light = picture_ ? picture_->takeSharedLight() : nullptr;
   picturePending_.reset();
   recoloured_.reset();
+  if (booth_) better ? booth_->renew() : booth_->forget();
   shown_.state.error.clear();
   if (request.width <= 0 || request.height <= 0) {
     picture_.reset();
@@ -207,12 +213,13 @@ bool Tracer::recolour(const std::optional<Changes>& sincePicture) {
   clear_.reset();
   if (!edit.picture()) {
     if (recoloured_) picture_ = std::exchange(recoloured_, std::nullopt);  // back to the colours that it was traced in
-    picturePending_ = framed(picture_->frame());
+    if (booth_) booth_->learn(*picture_, threads_);
+    picturePending_ = pictured(picture_->frame());
   } else {
     const double secondsPerPath = known->secondsPerPath();
     if (!recoloured_) recoloured_ = std::exchange(picture_, std::nullopt);
     recolouring_ = std::move(*recolouring);
-    picturePending_ = framed(recoloured_->recoloured(recolouring_, threads_, varianceToBeat_));
+    showRecoloured();
     beginPicture(secondsPerPath, nullptr, {});
     picture_->skipCoarse();
   }
@@ -229,7 +236,7 @@ void Tracer::beginPicture(double secondsPerPath, std::unique_ptr<SharedLight> li
   picture_.emplace(request.cloth, request.width, request.height, secondsPerPath);
   if (taken_.shared && SharedLight::serves(*request.cloth.scene, request.width, request.height))
     picture_->shareLight(std::move(light), edit);
-  picture_->keepPaths(kPathBytes);
+  picture_->keepPaths(kPathBytes, taken_.booth);
   picture_->denoise(taken_.denoised);
   picture_->restAt(taken_.rest);
 }
@@ -239,7 +246,7 @@ void Tracer::beginPicture(double secondsPerPath, std::unique_ptr<SharedLight> li
 void Tracer::showOtherwise() {
   if (!picture_) return;
   if (recoloured_) {
-    picturePending_ = framed(recoloured_->recoloured(recolouring_, threads_, varianceToBeat_));
+    showRecoloured();
   } else if (picture_->begun() && worthShowing()) {
     showPicture();
   }
@@ -258,6 +265,13 @@ std::shared_ptr<Frame> Tracer::framed(Frame frame) const {
   shared->generation = taken_.request.generation;
   if (taken_.request.sketch) shared->quality = PreviewQuality::sketch;
   return shared;
+}
+
+/// The viewport's picture, divided where that is asked for.
+std::shared_ptr<Frame> Tracer::pictured(Frame frame) const {
+  frame.booth.clear();  // of a clear picture that helps this one
+  if (booth_) frame.booth = booth_->divided(frame);
+  return framed(std::move(frame));
 }
 
 /// Brings the inset in line with what is wanted of it and what it can look at.
@@ -313,16 +327,23 @@ void Tracer::tracePicture(const std::stop_token& stop) {
 
 void Tracer::showPicture() {
   Frame frame = picture_->frame();
+  if (booth_) booth_->follow(*picture_, threads_);
   if (clear_ && wantsHelp(frame.samples, clear_->samples)) {
-    picturePending_ = framed(cleared(std::move(frame)));
+    picturePending_ = pictured(cleared(std::move(frame)));
     if (picturePending_->samples == 0) picture_->standIn(picturePending_);
     return;
   }
-  picturePending_ = framed(std::move(frame));
+  picturePending_ = pictured(std::move(frame));
   if (picturePending_->quality <= PreviewQuality::coarse) return;
   clear_ = picturePending_;
   clearFabric_ = taken_.request.cloth.scene->fabric;
   clearHelp_ = ClearHelp::patched;
+}
+
+/// The old picture in the colours that are wanted.
+void Tracer::showRecoloured() {
+  if (booth_) booth_->learn(*recoloured_, *taken_.request.cloth.scene->fabric, recolouring_, threads_);
+  picturePending_ = pictured(recoloured_->recoloured(recolouring_, threads_, varianceToBeat_));
 }
 
 /// Whether the picture is no worse than the one that stands in for it.

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "app/live/booth_view.h"
 #include "app/live/pass_scheduler.h"
 #include "app/live/preview_policy.h"
 #include "app/live/refinement.h"
@@ -55,6 +56,8 @@ class Tracer {
   void denoise(bool wanted);
   /// Samples a pixel at which pictures rest, until something else is to be seen.
   void restAt(uint32_t samples);
+  /// Whether frames are divided, to be seen under the lamps of a booth.
+  void booth(bool wanted);
   /// Whether the next pictures show light that repeats of the cloth share (render/share); they do unless told
   /// otherwise.
   void shareLight(bool wanted);
@@ -70,7 +73,7 @@ class Tracer {
     uint64_t requests = 0;  ///< that have come; the picture begins anew with each
     std::optional<PixelRect> inset;
     Traceable fibres;
-    bool denoised = false, shared = true, paused = false;
+    bool denoised = false, booth = false, shared = true, paused = false;
     uint32_t rest = kUsualRest;  ///< samples a pixel
   };
   struct Shown {
@@ -98,7 +101,9 @@ class Tracer {
   void showOtherwise();
   bool worthShowing() const;
   std::shared_ptr<Frame> framed(Frame frame) const;
+  std::shared_ptr<Frame> pictured(Frame frame) const;
   void showPicture();
+  void showRecoloured();
   void openInset();
   void tracePicture(const std::stop_token& stop);
   void traceInset(const std::stop_token& stop);
@@ -130,6 +135,7 @@ class Tracer {
   std::shared_ptr<const Frame> clear_;
   std::shared_ptr<const Fabric> clearFabric_;
   ClearHelp clearHelp_ = ClearHelp::none;        ///< of it for the picture under way
+  std::optional<BoothView> booth_;               ///< where it is asked for
   std::shared_ptr<const Frame> picturePending_;  ///< traced, not shown yet
   std::shared_ptr<const Frame> insetPending_;
   std::shared_ptr<const Difference> difference_;

@@ -18,6 +18,7 @@ struct Frame {
   std::vector<glm::vec4> rgba;      ///< as traced: linear, premultiplied by alpha; row by row from the top left
   std::vector<glm::vec4> helped;    ///< for the display alone: with less noise as long as it is young; empty: as rgba
   std::vector<glm::vec4> denoised;  ///< for the display alone: with less noise; empty where not asked for
+  std::vector<glm::vec4> booth;     ///< for the display alone: divided (booth.h); empty where not asked for, or unknown
   std::vector<Film::Hit> hits;      ///< yarn and crossing per pixel; -1 where there is no cloth. Empty in the inset
   std::vector<float> variances;     ///< of the luminance; empty where unknown, or where no noise was taken
   PixelRect window;                 ///< what it covers of the viewport
@@ -30,7 +31,10 @@ struct Frame {
 
   /// What the display shows where nothing is asked for.
   std::span<const glm::vec4> plain() const { return helped.empty() ? rgba : helped; }
-  std::span<const glm::vec4> shown() const { return denoised.empty() ? plain() : denoised; }
+  /// The view as it is shown where it is not divided.
+  std::span<const glm::vec4> whole() const { return denoised.empty() ? plain() : denoised; }
+  std::span<const glm::vec4> shown() const { return isDivided() ? booth : whole(); }
+  bool isDivided() const { return !booth.empty(); }
 };
 
 }  // namespace loomlight

@@ -33,16 +33,10 @@ struct Pool {
   }
 };
 
-/// A channel that has hardly any light, or less than none, is taken to change as all of the light does. Where there is
-/// nothing to divide by, nothing is known but the lamps.
-Rgb ratio(Rgb a, Rgb b, Rgb light) {
-  constexpr float kLeast = 1e-4f;  // of the luminance
-  const float before = luminance(b);
-  const auto divide = [&](float x, float y, float unknown) {
-    if (y > kLeast * before && y > 0) return x / y;
-    return before > 0 ? luminance(a) / before : unknown;
-  };
-  return {divide(a.r, b.r, light.r), divide(a.g, b.g, light.g), divide(a.b, b.b, light.b)};
+/// How brightly lamps shine beside others. One that is off shows nothing in any colours.
+Rgb brightness(const Light& from, const Light& to) {
+  if (!(from.intensity > 0)) return Rgb(1);
+  return static_cast<float>(to.intensity / from.intensity) * Lighting::tint(to) / Lighting::tint(from);
 }
 
 /// Of the luminance, from that of the channels, whose noise is that of the paths and hence nearly the same.
@@ -54,12 +48,25 @@ double luminanceVariance(Rgb variance) {
 
 }  // namespace
 
+Recolouring recolouringTo(const Fabric& wanted, const Light& traced) {
+  return {colouringOf(wanted), brightness(traced, wanted.light)};
+}
+
 std::optional<Recolouring> recolouringBetween(const Scene& traced, const Scene& wanted, const Changes& edit) {
-  const Light &from = traced.fabric->light, &to = wanted.fabric->light;
+  const Light& from = traced.fabric->light;
   if (!edit.stages.within(Stage::colour | Stage::brightness | Stage::label) || !(from.intensity > 0))
     return std::nullopt;
-  const Rgb tint = Lighting::tint(to) / Lighting::tint(from);
-  return Recolouring{wanted.colouring, static_cast<float>(to.intensity / from.intensity) * tint};
+  return Recolouring{wanted.colouring, brightness(from, wanted.fabric->light)};
+}
+
+Rgb changeOfLight(Rgb from, Rgb to, Rgb unknown) {
+  constexpr float kLeast = 1e-4f;  // of the luminance
+  const float before = luminance(from);
+  const auto divide = [&](float x, float y, float otherwise) {
+    if (y > kLeast * before && y > 0) return x / y;
+    return before > 0 ? luminance(to) / before : otherwise;
+  };
+  return {divide(to.r, from.r, unknown.r), divide(to.g, from.g, unknown.g), divide(to.b, from.b, unknown.b)};
 }
 
 Recoloured recolour(const Film& film, const PathRecords& records, const Recolouring& recolouring, int threads) {
@@ -81,7 +88,8 @@ Recoloured recolour(const Film& film, const PathRecords& records, const Recolour
         for (int u = std::max(0, x - 1); u <= std::min(width - 1, x + 1); ++u)
           if (film.hit(u, v).yarn == yarn) around.add(at(u, v));
       const bool complete = own.samples > 0 && own.samples == film.samples(x, y);
-      const Rgb change = ratio(around.recoloured, around.traced, recolouring.light);
+      // Where there are no paths, nothing is known but the lamps.
+      const Rgb change = changeOfLight(around.traced, around.recoloured, recolouring.light);
       const Rgb colour = complete ? own.recoloured / static_cast<float>(own.samples) : film.mean(x, y) * change;
       const size_t i = row * static_cast<size_t>(width) + static_cast<size_t>(x);
       result.rgba[i] = glm::vec4(colour, film.alpha(x, y));

@@ -10,9 +10,15 @@
 
 namespace loomlight {
 
+/// The colours of the wanted fabric, for a picture that was traced in that light.
+Recolouring recolouringTo(const Fabric& wanted, const Light& traced);
 /// What makes the picture of one scene that of the other: nullopt where the edit between them has changed more than how
 /// much fibres absorb and how brightly and of which colour the lamps shine.
 std::optional<Recolouring> recolouringBetween(const Scene& traced, const Scene& wanted, const Changes& edit);
+
+/// The ratio of two lights, channel by channel. A channel that has hardly any light, or less than none, is taken to
+/// change as all of the light does; where there is none to divide by, the ratio is `unknown`.
+Rgb changeOfLight(Rgb from, Rgb to, Rgb unknown);
 
 /// A picture in other colours than it was traced in.
 struct Recoloured {

@@ -124,15 +124,20 @@ void PathRecords::sum(const Tile& tile, const Recolouring& recolouring, std::spa
   }
 }
 
-std::vector<PathRecords::Sums> PathRecords::recoloured(const Recolouring& recolouring, int threads) const {
-  std::vector<Sums> picture(static_cast<size_t>(width_) * static_cast<size_t>(height_));
+std::vector<PathRecords::Sums> PathRecords::recoloured(const Recolouring& recolouring, const PixelRect& window,
+                                                       int threads) const {
+  std::vector<Sums> picture(static_cast<size_t>(window.width) * static_cast<size_t>(window.height));
   parallelFor(tiles_.size(), threads, [&](size_t i) {
+    const int column = static_cast<int>(i % columns_) * kTile, row = static_cast<int>(i / columns_) * kTile;
+    const int left = std::max(column, window.x), right = std::min(column + kTile, window.x + window.width);
+    const int top = std::max(row, window.y), bottom = std::min(row + kTile, window.y + window.height);
+    if (left >= right || top >= bottom) return;
     std::array<Sums, kTile * kTile> sums{};
     sum(tiles_[i], recolouring, sums);
-    const int left = static_cast<int>(i % columns_) * kTile, top = static_cast<int>(i / columns_) * kTile;
-    for (int y = top; y < std::min(top + kTile, height_); ++y)
-      for (int x = left; x < std::min(left + kTile, width_); ++x)
-        picture[static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x)] = sums[inTile(x, y)];
+    for (int y = top; y < bottom; ++y)
+      for (int x = left; x < right; ++x)
+        picture[static_cast<size_t>(y - window.y) * static_cast<size_t>(window.width) +
+                static_cast<size_t>(x - window.x)] = sums[inTile(x, y)];
   });
   return picture;
 }

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "render/film/pixel_rect.h"
 #include "render/transport/path_sink.h"
 
 namespace loomlight {
@@ -57,7 +58,11 @@ class PathRecords {
     uint32_t samples = 0;
   };
   /// Of all pixels, row by row from the top left.
-  std::vector<Sums> recoloured(const Recolouring& recolouring, int threads) const;
+  std::vector<Sums> recoloured(const Recolouring& recolouring, int threads) const {
+    return recoloured(recolouring, {0, 0, width_, height_}, threads);
+  }
+  /// Of those in a window.
+  std::vector<Sums> recoloured(const Recolouring& recolouring, const PixelRect& window, int threads) const;
 
  private:
   struct Tile {

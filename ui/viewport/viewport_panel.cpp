@@ -7,8 +7,10 @@
 #include <iterator>
 #include <span>
 
+#include "ui/viewport/booth_overlay.h"
 #include "ui/viewport/camera_moves.h"
 #include "ui/viewport/denoise_button.h"
+#include "ui/viewport/pill.h"
 #include "ui/widgets/choices.h"
 #include "ui/widgets/fields.h"
 #include "ui/widgets/keys.h"
@@ -17,22 +19,12 @@
 namespace loomlight {
 namespace {
 
-/// A label on the picture that reads on any cloth.
-void pill(Ui& ui, ImVec2 corner, const std::string& text, const ImVec4& colour) {
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-  const float pad = ui.px(8);
-  draw.AddRectFilled(corner, ImVec2(corner.x + size.x + 2 * pad, corner.y + size.y + pad), IM_COL32(18, 18, 19, 205),
-                     ui.px(4));
-  draw.AddText(ImVec2(corner.x + pad, corner.y + 0.5f * pad), packed(colour), text.c_str());
-}
-
-std::optional<Camera> mouseMoves(const Camera& camera, ViewportView& view, ImVec2 min, ImVec2 max) {
+std::optional<Camera> mouseMoves(const Camera& camera, ViewportView& view, ImVec2 min, ImVec2 max, bool divided) {
   const ImGuiIO& io = ImGui::GetIO();
   std::optional<Camera> moved;
   if (ImGui::IsItemHovered() && io.MouseWheel != 0) {
-    const double x = io.MousePos.x - 0.5 * (min.x + max.x), y = io.MousePos.y - 0.5 * (min.y + max.y);
-    moved = zoomed(camera, io.MouseWheel, x, y, view.height);
+    const ImVec2 at = fromMiddle(io.MousePos, min, max, divided);
+    moved = zoomed(camera, io.MouseWheel, at.x, at.y, view.height);
   }
   if (!ImGui::IsItemActive()) {
     view.drag = ViewportView::Drag::none;
@@ -124,12 +116,12 @@ void drawOverlays(Ui& ui, const ViewportModel& model, const InsetView& inset, Im
     pill(ui, ImVec2(0.5f * (min.x + max.x - ImGui::CalcTextSize(text).x) - edge, min.y + edge), text,
          Theme::dark().text);
   }
+  std::string under;
   if (model.under) {
-    const float y = max.y - edge - ImGui::GetFontSize() - ui.px(8);
-    pill(ui, ImVec2(min.x + edge, y),
-         fmt::format(words::viewport::crossing, model.under->end + 1, model.under->pick + 1, model.underYarn),
-         Theme::dark().text);
+    under = fmt::format(words::viewport::crossing, model.under->end + 1, model.under->pick + 1, model.underYarn);
+    pill(ui, ImVec2(min.x + edge, max.y - edge - ImGui::GetFontSize() - ui.px(8)), under, Theme::dark().text);
   }
+  ui.probe.fact("view.under", under);
 }
 
 float widest(std::span<const char* const> names) {
@@ -252,7 +244,7 @@ ViewportEdit viewportPanel(Ui& ui, const Fabric& fabric, const ViewportModel& mo
   // A picture of other proportions than the panel's stands in its middle until the next one comes.
   const ImVec2 corner(std::floor(0.5f * (min.x + max.x - model.pictureSize.x)), min.y);
   edit.picked = clickedAt(view, corner, model.pictureSize);
-  if (!withInset) edit.camera = mouseMoves(fabric.camera, view, min, max);
+  if (!withInset) edit.camera = mouseMoves(fabric.camera, view, min, max, model.divided);
   if (!edit.camera) edit.camera = viewKeys(fabric.camera);
   view.pointer.reset();
   if (ImGui::IsItemHovered() && !withInset && view.drag == ViewportView::Drag::none) {
@@ -264,6 +256,7 @@ ViewportEdit viewportPanel(Ui& ui, const Fabric& fabric, const ViewportModel& mo
   draw.AddRectFilled(min, max, packed(ui.theme.surround));
   if (model.picture)
     draw.AddImage(model.picture, corner, ImVec2(corner.x + model.pictureSize.x, corner.y + model.pictureSize.y));
+  if (model.divided) boothOverlay(ui, corner, ImVec2(corner.x + model.pictureSize.x, corner.y + model.pictureSize.y));
   drawOverlays(ui, model, view.inset, min, max);
   edit.inset = insetOverlay(ui, model.inset, view.inset, min, view.width, view.height);
   draw.PopClipRect();

@@ -21,6 +21,7 @@ struct ViewportModel {
   std::string underYarn;               ///< name of the yarn seen there
   bool denoised = false;               ///< the picture is; the panel says so
   bool proofed = false;                ///< likewise: shown as it prints
+  bool divided = false;                ///< among the lamps of the booth
   bool building = false;
   double buildProgress = 1;
   std::string flat;                ///< what of flat cloth is looked at in the drape's place; empty: the drape
@@ -36,6 +37,7 @@ struct ViewportView {
   double exposure_stops = 0;
   bool filmic = true;
   bool denoised = false;               ///< the display takes noise from the picture
+  bool booth = false;                  ///< its middle is seen under all lamps of the booth, side by side
   bool fitWanted = false;              ///< frame the whole cloth at the next frame
   int width = 0, height = 0;           ///< pixels that the picture should have
   std::optional<ImVec2> pointer;       ///< mouse over the picture, 0..1 from the top left

@@ -1,7 +1,9 @@
 #include "ui/widgets/choices.h"
 
+#include <algorithm>
 #include <cctype>
 
+#include "core/fabric/model/booth_lamps.h"
 #include "core/fabric/model/choice_names.h"
 #include "ui/words/choice_words.h"
 
@@ -53,6 +55,10 @@ std::span<const char* const> illuminantNames(const Light& light) {
   return choosable(namesOf<StandardIlluminant>(words::choices::illuminants), light.illuminantFile);
 }
 
+const char* lampLabel(StandardIlluminant lamp) {
+  return words::choices::illuminants[static_cast<size_t>(lamp)];
+}
+
 std::string lampName(StandardIlluminant lamp) {
   if (lamp == StandardIlluminant::blackBody) return words::choices::blackBody;
   if (lamp == StandardIlluminant::file) return words::choices::ownLamp;
@@ -62,17 +68,9 @@ std::string lampName(StandardIlluminant lamp) {
 }
 
 StandardIlluminant nextLamp(StandardIlluminant lamp) {
-  using enum StandardIlluminant;
-  switch (lamp) {
-    case d65:
-      return f11;
-    case f11:
-      return a;
-    case a:
-      return ledB3;
-    default:
-      return d65;
-  }
+  const auto* const now = std::find(kBoothLamps.begin(), kBoothLamps.end(), lamp);
+  const bool isLast = now == kBoothLamps.end() || now + 1 == kBoothLamps.end();
+  return isLast ? kBoothLamps.front() : *(now + 1);
 }
 
 std::span<const char* const> observerNames() {

@@ -18,9 +18,11 @@ std::span<const char* const> fibreSectionNames();
 std::span<const char* const> twistNames();
 std::span<const char* const> layoutNames();
 std::span<const char* const> illuminantNames(const Light& light);
+/// As lists and labels say it: "F11, shop (TL84)".
+const char* lampLabel(StandardIlluminant lamp);
 /// In few letters: "F11".
 std::string lampName(StandardIlluminant lamp);
-/// Of the lamps that a light booth switches through the one after this: daylight, shop, bulb, white diode, and again.
+/// Of kBoothLamps the one after this, and the first after the last and after every other.
 StandardIlluminant nextLamp(StandardIlluminant lamp);
 std::span<const char* const> observerNames();
 std::span<const char* const> methodNames();

@@ -25,7 +25,8 @@ enum class Command {
   brushNext,
   swapBrushes,
   truthLens,
-  boothLamp,  // the next of those that a light booth has
+  boothLamp,        // the next of those that a light booth has
+  boothSideBySide,  // all of them at once
   denoise,
   softProof,  // the picture as a printer prints it
   gamutWarning,

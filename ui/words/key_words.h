@@ -24,7 +24,7 @@ inline constexpr KeyLine onTheCloth[] = {
     {"1, 2, 3", "From above, aslant, low"},
     {"K", "Keep this view below"},
     {"L", "Truth lens; Esc closes"},
-    {"J", "The next lamp of the booth"},
+    {"J, Shift+J", "Next booth lamp, all at once"},
     {"N", "Denoised preview"},
     {"Y, Shift+Y", "Soft proof, gamut warning"},
     {"Esc", "From flat cloth to its drape"},

@@ -40,6 +40,7 @@ inline constexpr MenuWord fitDraft{"Fit the draft", "Shift+F"};
 inline constexpr MenuWord keepView{"Keep this view", "K"};
 inline constexpr MenuWord truthLens{"Truth lens", "L"};
 inline constexpr MenuWord nextLamp{"Next lamp of the booth", "J"};
+inline constexpr MenuWord boothSideBySide{"Booth side by side", "Shift+J"};
 inline constexpr MenuWord denoise{"Denoised preview", "N"};
 inline constexpr MenuWord gamutWarning{"Gamut warning", "Shift+Y"};
 inline constexpr MenuWord panels{"Panels", "P"};

@@ -3,9 +3,14 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "app/editor/controllers/inset_model.h"
+#include "core/fabric/model/booth_lamps.h"
+#include "core/fabric/model/choice_names.h"
+#include "render/display/booth.h"
 #include "ui/words/viewport_words.h"
 
 namespace loomlight {
@@ -21,12 +26,21 @@ int shownWidth(const Frame& frame, int width, int height) {
 }
 
 /// Linear, red, green and blue: the mean of all pixels, which noise leaves where it is.
-std::string lightOf(const Frame& frame) {
-  const auto& pixels = frame.shown();
+std::string lightOf(std::span<const glm::vec4> pixels) {
   glm::dvec3 sum(0.0);
   for (const glm::vec4& pixel : pixels) sum += glm::dvec3(pixel);
   if (!pixels.empty()) sum /= static_cast<double>(pixels.size());
   return fmt::format("{:.6f} {:.6f} {:.6f}", sum.r, sum.g, sum.b);
+}
+
+/// What a divided frame shows under one lamp.
+std::vector<glm::vec4> quarterOf(const Frame& frame, size_t lamp) {
+  std::vector<glm::vec4> quarter;
+  size_t i = 0;
+  for (int y = 0; y < frame.height; ++y)
+    for (int x = 0; x < frame.width; ++x, ++i)
+      if (boothPixel(x, y, frame.width, frame.height).lamp == lamp) quarter.push_back(frame.booth[i]);
+  return quarter;
 }
 
 }  // namespace
@@ -69,6 +83,7 @@ ViewportController::Edit ViewportController::draw(Ui& ui, const std::shared_ptr<
                                                   const std::optional<CrossingIndex>& hovered, const SoftProof& proof,
                                                   double fibreMemory_GB) {
   const LiveStatus status = service_.status();
+  if (view_.inset.on) view_.booth = false;  // the lens has its place in the whole view
   std::optional<ViewportPicture::Outline> outline;
   const Weave& weave = fabric->weave;
   // A coarse first pass has pixels larger than crossings; an outline of them would only be blocks.
@@ -85,6 +100,7 @@ ViewportController::Edit ViewportController::draw(Ui& ui, const std::shared_ptr<
   model.under = underPointer_;
   model.underYarn = underPointerYarn_;
   model.denoised = shown && !shown->denoised.empty();
+  model.divided = shown && shown->isDivided();
   model.proofed = proof.prints != nullptr;
   model.building = status.phase == LiveStatus::Phase::voxelising && status.buildProgress < 1;
   model.buildProgress = status.buildProgress;
@@ -160,6 +176,7 @@ void ViewportController::follow(const std::shared_ptr<const Fabric>& fabric, int
   state.height = view_.height;
   state.denoised = view_.denoised;
   state.rest = static_cast<uint32_t>(limits.samples);
+  state.booth = view_.booth;
   const InsetView& inset = view_.inset;
   if (inset.on && inset.placed)
     state.inset = {{inset.rect.x, inset.rect.y, inset.rect.width, inset.rect.height}, 1e9 * limits.fibreMemory_GB};
@@ -178,7 +195,11 @@ void ViewportController::tellProbe(WidgetProbe& probe, int yarn) const {
   probe.fact("built_generation", std::to_string(status.builtGeneration));
   probe.fact("shown_generation", std::to_string(shown ? shown->generation : 0));
   probe.fact("shown_samples", std::to_string(shown ? shown->samples : 0));
-  probe.fact("shown_light", shown ? lightOf(*shown) : "");
+  probe.fact("shown_light", shown ? lightOf(shown->whole()) : "");
+  const bool divided = shown && shown->isDivided();
+  for (size_t lamp = 0; lamp < kBoothLamps.size(); ++lamp)
+    probe.fact(std::string("booth.light.") + choiceName(kBoothLamps[lamp]),
+               divided ? lightOf(quarterOf(*shown, lamp)) : "");
   static constexpr const char* kPhases[] = {"idle", "voxelising", "tracing", "converged"};
   probe.fact("phase", kPhases[static_cast<int>(status.phase)]);
   probe.fact("shown_sketch", shown && shown->quality == PreviewQuality::sketch ? "yes" : "no");

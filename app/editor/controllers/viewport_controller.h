@@ -53,6 +53,11 @@ class ViewportController {
   void leaveFlat() { flat_.reset(); }
   /// Moves the camera that looks at flat cloth; false where there is none.
   bool lookAtFlat(const Camera& camera);
+  /// The middle of the view under all lamps of the booth. It is a view; the lens closes.
+  void showBooth(bool wanted) {
+    view_.booth = wanted;
+    if (wanted) view_.inset.close();
+  }
   FlatMenuModel flatMenu() const { return {flatRepeats_, flatSide_cm_, flat_.has_value()}; }
   ViewportView& view() { return view_; }
   const ViewportView& view() const { return view_; }

@@ -56,6 +56,7 @@ ViewSettings viewSettings(const nlohmann::json& json, ViewSettings view) {
   view.draftInColour = valueOf(json, "draft_in_colour", view.draftInColour);
   view.draftBack = valueOf(json, "draft_back", view.draftBack);
   view.marksFloats = valueOf(json, "draft_marks_floats", view.marksFloats);
+  view.booth = valueOf(json, "booth_side_by_side", view.booth);
   return view;
 }
 
@@ -185,6 +186,7 @@ void writeSettings(const std::filesystem::path& file, const Settings& settings) 
                                {"draft_in_colour", settings.view.draftInColour},
                                {"draft_back", settings.view.draftBack},
                                {"draft_marks_floats", settings.view.marksFloats},
+                               {"booth_side_by_side", settings.view.booth},
                                {"snapshot_in_mm", settings.snapshot.inMillimetres},
                                {"snapshot_width_mm", settings.snapshot.width_mm},
                                {"snapshot_height_mm", settings.snapshot.height_mm},

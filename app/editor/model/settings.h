@@ -30,6 +30,7 @@ struct ViewSettings {
   bool denoised = false, filmic = true;
   double exposure_stops = 0;
   bool draftInColour = false, draftBack = false, marksFloats = false;
+  bool booth = false;  ///< all its lamps, side by side
 };
 
 /// What the editor remembers from one session to the next; nothing of the fabric.

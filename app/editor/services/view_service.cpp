@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/fabric/weave/turned_over.h"
+#include "render/display/booth.h"
 #include "render/display/changed_rect.h"
 
 namespace loomlight {
@@ -60,7 +61,11 @@ bool ViewService::take(bool showsDifference) {
 /// Of the picture what is new: while a pass comes part by part most of it stays, and crossings seldom change at all.
 void ViewService::upload(const Frame& newest) {
   const int width = newest.width, height = newest.height;
-  if (!frame_ || frame_->width != width || frame_->height != height) {
+  if (newest.isDivided()) {
+    picture_->upload(width, height, newest.shown(), boothHits(newest));
+    return;
+  }
+  if (!frame_ || frame_->isDivided() || frame_->width != width || frame_->height != height) {
     picture_->upload(width, height, newest.shown(), newest.hits);
     return;
   }
@@ -96,6 +101,7 @@ void ViewService::follow(const ViewState& state) {
   followPicture(state);
   if (state.denoised != state_.denoised) renderer_.denoise(state.denoised);
   if (state.rest != state_.rest) renderer_.restAt(state.rest);
+  if (state.booth != state_.booth) renderer_.booth(state.booth);
   if (another || state.yarn != state_.yarn || state.longFloat_mm != state_.longFloat_mm)
     stats_.request(state.fabric, state.yarn, builtAsSeen(), state.longFloat_mm);
   if (state.inset != state_.inset) renderer_.inset(state.inset);
@@ -146,8 +152,9 @@ std::optional<Film::Hit> ViewService::hitAt(ImVec2 place) const {
   const auto index = [](float along, int count) {
     return std::clamp(static_cast<int>(along * static_cast<float>(count)), 0, count - 1);
   };
-  const int x = index(place.x, frame_->width), y = index(place.y, frame_->height);
-  Film::Hit hit = frame_->hits[static_cast<size_t>(y) * static_cast<size_t>(frame_->width) + x];
+  BoothPixel at{0, index(place.x, frame_->width), index(place.y, frame_->height)};
+  if (frame_->isDivided()) at = boothPixel(at.x, at.y, frame_->width, frame_->height);
+  Film::Hit hit = frame_->hits[static_cast<size_t>(at.y) * static_cast<size_t>(frame_->width) + at.x];
   if (hit.yarn < 0) return std::nullopt;
   if (state_.back) hit.end = turnedEnd(hit.end);
   return hit;

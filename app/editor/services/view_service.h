@@ -30,6 +30,7 @@ struct ViewState {
   int width = 0, height = 0;             ///< pixels of the picture
   bool denoised = false;
   uint32_t rest = kUsualRest;                 ///< samples a pixel at which the picture rests
+  bool booth = false;                         ///< divided among the lamps of the booth
   std::optional<InsetRequest> inset;          ///< null: closed
   int yarn = 0;                               ///< whose section and visibility are shown
   std::optional<FlatSight> flat;              ///< null: as it is draped
