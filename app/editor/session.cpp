@@ -52,6 +52,7 @@ Session::Session(Document document, Settings settings, DisplayDriver& driver, co
   draft_.view().marksFloats = view.marksFloats;
   inspector_.view().units = settings_.units;
   inspector_.view().clothColour.books = settings_.books;
+  inspector_.view().clothColour.tolerance_cmc = settings_.tolerance_cmc;
   snapshots_.setOptions(settings_.snapshot);
   if (!document_.document().file().empty()) remember(document_.document().file());
 }
@@ -66,6 +67,7 @@ Settings Session::settingsToKeep() const {
   settings.snapshot = snapshots_.options();
   settings.units = inspector_.view().units;
   settings.books = inspector_.view().clothColour.books;
+  settings.tolerance_cmc = inspector_.view().clothColour.tolerance_cmc;
   settings.colours = profiles_.colours();
   return settings;
 }

@@ -2,6 +2,9 @@
 
 #include <utility>
 
+#include "core/base/error.h"
+#include "core/fabric/model/booth_lamps.h"
+#include "render/scene/colouring.h"
 #include "render/transport/cloth_walks.h"
 
 namespace loomlight {
@@ -9,6 +12,25 @@ namespace {
 
 std::shared_ptr<const Fabric> readyFor(const ColourWish& wish) {
   return std::make_shared<const Fabric>(readyToDye(*wish.fabric, wish.part));
+}
+
+/// Empty where the cloth's own lamp is a file that cannot be used: the picture says so.
+std::vector<LampJudgement> judgementsOf(const Spectrum& standard, const Spectrum& cloth, const Fabric& fabric) {
+  std::vector<StandardIlluminant> lamps{fabric.light.illuminant};
+  for (const StandardIlluminant lamp : kBoothLamps)
+    if (lamp != lamps.front()) lamps.push_back(lamp);
+  const auto weightsOf = [&](StandardIlluminant lamp) {
+    return tristimulusWeights(illuminantOf(underLamp(fabric.light, lamp)), fabric.render.observer);
+  };
+  std::vector<LampJudgement> judgements;
+  try {
+    const TristimulusWeights reference = weightsOf(kBoothLamps.front());
+    for (const StandardIlluminant lamp : lamps)
+      judgements.push_back({lamp, judged(standard, cloth, weightsOf(lamp), reference)});
+  } catch (const InputError&) {
+    return {};
+  }
+  return judgements;
 }
 
 std::shared_ptr<const ColourAnswer> answerTo(const ColourWish& wish, const Fabric& ready,
@@ -21,7 +43,9 @@ std::shared_ptr<const ColourAnswer> answerTo(const ColourWish& wish, const Fabri
   answer->colour = walks.colour(colouring);
   const std::vector<int> dyed = fibresOf(ready, wish.part);
   if (wish.wanted) answer->solved = solveColour(walks, absorptionsOf(ready), dyed, *wish.wanted);
-  if (wish.measured) answer->matched = solveReflectance(walks, colouring, dyed, *wish.measured);
+  if (!wish.measured) return answer;
+  answer->matched = solveReflectance(walks, colouring, dyed, *wish.measured);
+  answer->judgements = judgementsOf(*wish.measured, walks.reflectance(colouring).mean, ready);
   return answer;
 }
 

@@ -4,8 +4,10 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/live/worker.h"
+#include "render/colour/colour_difference.h"
 #include "render/transport/colour_solver.h"
 
 namespace loomlight {
@@ -20,6 +22,12 @@ struct ColourWish {
   uint64_t number = 0;               ///< the asker's, to know the answer by
 };
 
+/// Beside a measured standard, as dyers judge it.
+struct LampJudgement {
+  StandardIlluminant lamp = StandardIlluminant::d65;
+  Judgement of;
+};
+
 /// The dyes are for the fibres of the part in the fabric that is readyToDye().
 struct ColourAnswer {
   ColourWish wish;
@@ -27,6 +35,9 @@ struct ColourAnswer {
   Rgb colour{0};      ///< that the cloth shows now
   std::optional<SolvedColour> solved;
   std::optional<SolvedReflectance> matched;
+  /// Of the cloth as it is beside what was measured, by the fabric's observer: under its own lamp, then under the
+  /// others of a booth. Metamerism is told from the booth's first. Empty where nothing was measured.
+  std::vector<LampJudgement> judgements;
 };
 
 /// Answers the newest wish on a thread of its own, at low priority: light is walked through the cloth once for each

@@ -33,6 +33,15 @@ double cmcDifference(const Lab& standard, const Lab& sample, double l, double c)
   return std::hypot(dL / (l * sL), dC / (c * sC), std::sqrt(dH2) / sH);
 }
 
+Judgement judged(const Spectrum& standard, const Spectrum& sample, const TristimulusWeights& lamp,
+                 const TristimulusWeights& reference) {
+  Judgement judgement{labUnder(lamp, standard), labUnder(lamp, sample)};
+  judgement.ciede2000 = ciede2000(judgement.standard, judgement.sample);
+  judgement.cmc = cmcDifference(judgement.standard, judgement.sample);
+  judgement.metamerism = metamerismIndex(standard, sample, reference, lamp);
+  return judgement;
+}
+
 double metamerismIndex(const Spectrum& standard, const Spectrum& sample, const TristimulusWeights& reference,
                        const TristimulusWeights& test) {
   const glm::dvec3 wanted = weighted(reference, standard), got = weighted(reference, sample);

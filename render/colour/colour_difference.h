@@ -18,6 +18,17 @@ glm::dvec3 linearUnder(const TristimulusWeights& weights, const Lab& lab);
 /// the ellipsoid is. The textile trade takes l = 2 and c = 1 to pass or fail.
 double cmcDifference(const Lab& standard, const Lab& sample, double l = 2, double c = 1);
 
+/// What dyers say of a sample beside a standard under one lamp.
+struct Judgement {
+  Lab standard, sample;
+  double ciede2000 = 0;
+  double cmc = 0;         ///< CMC(2:1)
+  double metamerism = 0;  ///< special index, for the change to this lamp from the reference
+  bool passes(double tolerance_cmc) const { return cmc <= tolerance_cmc; }
+};
+Judgement judged(const Spectrum& standard, const Spectrum& sample, const TristimulusWeights& lamp,
+                 const TristimulusWeights& reference);
+
 /// The special metamerism index for a change of illuminant (CIE 15:2018, 9.2): the CIEDE2000 that is between standard
 /// and sample under `test` when they match under `reference`. Where they do not quite, the sample's X, Y and Z are
 /// first multiplied by what is missing there. 0 for two that match under both, whatever their spectra.

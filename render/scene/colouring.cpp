@@ -6,12 +6,10 @@
 #include <string>
 
 #include "core/fabric/model/choice_names.h"
-#include "render/colour/illuminants.h"
 #include "render/colour/primaries.h"
 #include "render/colour/tristimulus.h"
 
 namespace loomlight {
-namespace {
 
 Illuminant illuminantOf(const Light& light) {
   if (light.illuminant == StandardIlluminant::blackBody)
@@ -21,6 +19,8 @@ Illuminant illuminantOf(const Light& light) {
   std::replace(name.begin(), name.end(), '_', '-');
   return illuminantNamed(name);
 }
+
+namespace {
 
 EyeResponse responseOf(const Illuminant& illuminant, Observer observer, const Primaries& primaries, bool isIdentity) {
   EyeResponse response;

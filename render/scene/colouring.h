@@ -7,6 +7,7 @@
 
 #include "core/base/spectrum.h"
 #include "core/fabric/model/fabric.h"
+#include "render/colour/illuminants.h"
 
 namespace loomlight {
 
@@ -37,6 +38,9 @@ struct Colouring {
   void setBands(size_t material, const Spectrum& absorption_per_mm);
   friend bool operator==(const Colouring&, const Colouring&) = default;
 };
+
+/// The spectrum of a light's lamps. Throws InputError for a bad file.
+Illuminant illuminantOf(const Light& light);
 
 /// Of the fabric's fibres under its lamps.
 Colouring colouringOf(const Fabric& fabric);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/fabric/model/glossary.h"
+#include "ui/inspector/tolerance_rows.h"
 #include "ui/widgets/field_row.h"
 #include "ui/widgets/keys.h"
 #include "ui/words/fibre_words.h"
@@ -171,6 +172,7 @@ void clothColourRows(Ui& ui, const ClothPart& part, const ClothColourModel& mode
   const bool canBeDyed = model.state == State::known || model.state == State::measuring;
   codeRow(ui, canBeDyed, view);
   remarkLines(ui, view.refusal.empty() ? remark(part, model, wanted) : view.refusal);
+  toleranceRows(ui, model, view.tolerance_cmc);
   bookRow(ui, view.books);
   if (!view.book) return;
   const BookColour* const chosen = colourBookRows(ui, *view.book, view.search);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/spectrum.h"
+#include "core/fabric/model/fabric.h"
 #include "core/fabric/yarn/cloth_part.h"
 #include "ui/inspector/colour_book.h"
 #include "ui/widgets/fields.h"
@@ -20,7 +21,18 @@ struct ClothColourModel {
   Rgb colour{0};          ///< linear; of the cloth as it is, where it is known
   double difference = 0;  ///< CIEDE2000 from what is wanted, where something is
   bool tooLight = false, tooDark = false;
+
+  /// Beside what is wanted, under one lamp.
+  struct Judged {
+    StandardIlluminant lamp = StandardIlluminant::d65;
+    double cmc = 0, ciede2000 = 0;  ///< CMC(2:1) is what passes or fails
+    double metamerism = 0;          ///< special index, for the change from daylight to this lamp
+  };
+  std::optional<Judged> present;  ///< under the lamp of the cloth; a picked colour has no spectrum, and only daylight
+  std::optional<Judged> worst;    ///< the worst of the booth's other lamps; none of a picked colour
 };
+
+inline constexpr double kTolerance_cmc[] = {0.05, 20};  ///< from, to
 
 /// A colour that the cloth is to have, as it was picked or as it was measured.
 struct WantedColour {
@@ -39,6 +51,7 @@ struct ClothColourView {
   std::string refusal;                     ///< why the last one was not
   std::shared_ptr<const ColourBook> book;  ///< null while there is none
   std::string search;                      ///< in the book
+  double tolerance_cmc = 1;                ///< the largest CMC(2:1) that passes
   BookShelf books;
 
   /// What takes the dye where this yarn and this fibre are looked at.

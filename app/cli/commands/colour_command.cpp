@@ -34,10 +34,9 @@ struct Lamp {
 };
 
 /// What is said of a sample under one lamp.
-struct Judgement {
-  Lab lab, standard;
-  double ciede2000 = 0, cmc = 0, metamerism = 0;  ///< against the standard
-  bool passes = true;
+struct Finding {
+  Lab lab;
+  std::optional<Judgement> beside;  ///< the standard, where there is one
 };
 
 /// nullopt when stopped.
@@ -56,18 +55,11 @@ std::optional<Sample> sampleFrom(const std::string& file, const FabricOptions& o
   return Sample{fabric.name, walks->reflectance(colouringInDaylight(fabric))};
 }
 
-Judgement judge(const Sample& sample, const Sample* standard, const Lamp& lamp, const Lamp& reference,
-                double tolerance) {
-  Judgement judgement;
-  judgement.lab = labUnder(lamp.weights, sample.reflectance.mean);
-  if (!standard) return judgement;
-  judgement.standard = labUnder(lamp.weights, standard->reflectance.mean);
-  judgement.ciede2000 = ciede2000(judgement.standard, judgement.lab);
-  judgement.cmc = cmcDifference(judgement.standard, judgement.lab);
-  judgement.passes = judgement.cmc <= tolerance;
-  judgement.metamerism =
-      metamerismIndex(standard->reflectance.mean, sample.reflectance.mean, reference.weights, lamp.weights);
-  return judgement;
+Finding find(const Sample& sample, const Sample* standard, const Lamp& lamp, const Lamp& reference) {
+  if (!standard) return {labUnder(lamp.weights, sample.reflectance.mean), {}};
+  const Judgement judgement =
+      judged(standard->reflectance.mean, sample.reflectance.mean, lamp.weights, reference.weights);
+  return {judgement.sample, judgement};
 }
 
 nlohmann::ordered_json toJson(const Lab& lab) {
@@ -84,19 +76,19 @@ nlohmann::ordered_json toJson(const Sample& sample) {
 }
 
 void printJson(const Sample& sample, const Sample* standard, const std::vector<Lamp>& lamps,
-               const std::vector<Judgement>& judgements, const ColourCommand& command) {
+               const std::vector<Finding>& findings, const ColourCommand& command) {
   nlohmann::ordered_json json = toJson(sample);
   json["observer_degrees"] = command.observer == Observer::degrees2 ? 2 : 10;
   if (standard) json["standard"] = toJson(*standard);
   if (standard) json["tolerance_cmc_2_1"] = command.tolerance;
   for (size_t i = 0; i < lamps.size(); ++i) {
-    nlohmann::ordered_json under{{"name", lamps[i].name}, {"lab", toJson(judgements[i].lab)}};
-    if (standard) {
-      under["standard_lab"] = toJson(judgements[i].standard);
-      under["ciede2000"] = judgements[i].ciede2000;
-      under["cmc_2_1"] = judgements[i].cmc;
-      under["metamerism_index"] = judgements[i].metamerism;
-      under["passes"] = judgements[i].passes;
+    nlohmann::ordered_json under{{"name", lamps[i].name}, {"lab", toJson(findings[i].lab)}};
+    if (const auto& beside = findings[i].beside) {
+      under["standard_lab"] = toJson(beside->standard);
+      under["ciede2000"] = beside->ciede2000;
+      under["cmc_2_1"] = beside->cmc;
+      under["metamerism_index"] = beside->metamerism;
+      under["passes"] = beside->passes(command.tolerance);
     }
     json["illuminants"].push_back(std::move(under));
   }
@@ -108,20 +100,20 @@ std::string text(const Lab& lab) {
 }
 
 void printTable(const Sample& sample, const Sample* standard, const std::vector<Lamp>& lamps,
-                const std::vector<Judgement>& judgements, const ColourCommand& command) {
+                const std::vector<Finding>& findings, const ColourCommand& command) {
   fmt::print("{}, by the CIE observer for {} degrees, lit from everywhere and seen from above\n", sample.name,
              command.observer == Observer::degrees2 ? 2 : 10);
   fmt::print("reflectance, %:");
   for (size_t j = 2; j < kBands; j += 4)
     fmt::print("  {:.1f} at {}", 100 * sample.reflectance.mean[j], bandWavelength_nm(j));
   fmt::print(" nm\n");
-  for (size_t i = 0; i < lamps.size(); ++i) fmt::print("{:8} {}\n", lamps[i].name, text(judgements[i].lab));
+  for (size_t i = 0; i < lamps.size(); ++i) fmt::print("{:8} {}\n", lamps[i].name, text(findings[i].lab));
   if (!standard) return;
   fmt::print("against {}, tolerance {} CMC(2:1)\n", standard->name, command.tolerance);
   for (size_t i = 0; i < lamps.size(); ++i) {
-    const Judgement& of = judgements[i];
+    const Judgement& of = *findings[i].beside;
     fmt::print("{:8} {}   CIEDE2000 {:.2f}  CMC(2:1) {:.2f}  {}", lamps[i].name, text(of.standard), of.ciede2000,
-               of.cmc, of.passes ? "pass" : "FAIL");
+               of.cmc, of.passes(command.tolerance) ? "pass" : "FAIL");
     if (i > 0) fmt::print("  metamerism {:.2f} from {}", of.metamerism, lamps[0].name);
     fmt::print("\n");
   }
@@ -141,13 +133,14 @@ int run(const ColourCommand& command) {
     if (!standard) return Interrupt::kExitStatus;
   }
   const Sample* const against = standard ? &*standard : nullptr;
-  std::vector<Judgement> judgements;
-  for (const Lamp& lamp : lamps) judgements.push_back(judge(*sample, against, lamp, lamps[0], command.tolerance));
+  std::vector<Finding> findings;
+  for (const Lamp& lamp : lamps) findings.push_back(find(*sample, against, lamp, lamps[0]));
   if (command.json)
-    printJson(*sample, against, lamps, judgements, command);
+    printJson(*sample, against, lamps, findings, command);
   else
-    printTable(*sample, against, lamps, judgements, command);
-  return judgements[0].passes ? 0 : 1;
+    printTable(*sample, against, lamps, findings, command);
+  const auto& underFirst = findings[0].beside;
+  return !underFirst || underFirst->passes(command.tolerance) ? 0 : 1;
 }
 
 }  // namespace loomlight

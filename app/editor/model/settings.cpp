@@ -9,6 +9,7 @@
 #include "core/base/file.h"
 #include "core/base/memory.h"
 #include "ui/dialogs/preferences_dialog.h"
+#include "ui/inspector/cloth_colour.h"
 #include "ui/viewport/viewport_panel.h"
 
 namespace loomlight {
@@ -147,6 +148,8 @@ Settings readSettings(const std::filesystem::path& file) {
     settings.colours = displayColours(json, settings.colours);
     settings.units = tradeUnits(json, settings.units);
     settings.books = bookShelf(json);
+    settings.tolerance_cmc =
+        std::clamp(valueOf(json, "tolerance_cmc", settings.tolerance_cmc), kTolerance_cmc[0], kTolerance_cmc[1]);
     settings.view = viewSettings(json, settings.view);
     settings.snapshot = snapshotOptions(json, settings.snapshot);
   } catch (const InputError&) {
@@ -199,6 +202,7 @@ void writeSettings(const std::filesystem::path& file, const Settings& settings) 
                                {"piece_width_cm", settings.units.piece.width_cm},
                                {"colour_books", settings.books.files},
                                {"colour_book", settings.books.open},
+                               {"tolerance_cmc", settings.tolerance_cmc},
                                {"folder", settings.folder},
                                {"recent", recent},
                                {"hints_seen", settings.hintsSeen}};

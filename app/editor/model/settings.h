@@ -47,6 +47,7 @@ struct Settings {
   TradeUnits units;
   ViewLimits limits;
   BookShelf books;                 ///< that colours were chosen from; the open one is to be opened
+  double tolerance_cmc = 1;        ///< the largest CMC(2:1) that passes
   std::string folder;              ///< where files were last opened or saved
   std::vector<RecentFile> recent;  ///< the last one first
   bool hintsSeen = false;          ///< what to try first is known; false where there are no settings yet

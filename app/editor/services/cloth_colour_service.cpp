@@ -1,8 +1,31 @@
 #include "app/editor/services/cloth_colour_service.h"
 
+#include "render/colour/colour_difference.h"
 #include "render/colour/colour_space.h"
 
 namespace loomlight {
+namespace {
+
+using Judged = ClothColourModel::Judged;
+
+/// A colour that was picked has no spectrum: it can be judged in the light that it was picked for alone.
+void judgeInDaylight(ClothColourModel& model, const Rgb& wanted) {
+  const Lab standard = labFromLinear(glm::dvec3(wanted)), sample = labFromLinear(glm::dvec3(model.colour));
+  model.present = {StandardIlluminant::d65, cmcDifference(standard, sample), ciede2000(standard, sample), 0};
+}
+
+void judge(ClothColourModel& model, const std::vector<LampJudgement>& judgements) {
+  for (size_t i = 0; i < judgements.size(); ++i) {
+    const Judgement& of = judgements[i].of;
+    const Judged judged{judgements[i].lamp, of.cmc, of.ciede2000, of.metamerism};
+    if (i == 0)
+      model.present = judged;
+    else if (!model.worst || judged.cmc > model.worst->cmc)
+      model.worst = judged;
+  }
+}
+
+}  // namespace
 
 ClothColourModel ClothColourService::model(const ClothPart& part, const ClothColourView& view) const {
   using State = ClothColourModel::State;
@@ -24,7 +47,9 @@ ClothColourModel ClothColourService::model(const ClothPart& part, const ClothCol
   if (answer->matched && answer->wish.measured == wanted->second.measured) {
     model.tooLight = answer->matched->tooLight > 0;
     model.tooDark = answer->matched->tooDark > 0;
+    judge(model, answer->judgements);
   }
+  if (!wanted->second.measured && answer->seen) judgeInDaylight(model, wanted->second.colour);
   return model;
 }
 

@@ -119,6 +119,26 @@ TEST(MetamerismIndex, IsTheDifferenceUnderTheOtherLightOfTwoThatMatch) {
   EXPECT_LT(metamerismIndex(standard, sample, d65, d65), 1e-9);
 }
 
+/// A pair that matches by day and parts in the shop: each figure is of the lamp that it is said of, and CMC decides.
+TEST(Judged, IsUnderItsLampAndPassesByCmc) {
+  const TristimulusWeights d65 = under("D65"), f11 = under("F11");
+  const Spectrum standard = slope(0.3f, 0.6f), sample = slope(0.32f, 0.6f);
+  Spectrum waves;
+  for (size_t j = 0; j < kBands; ++j) waves[j] = 0.1f * std::sin(0.9f * static_cast<float>(j));
+  const Spectrum metamer = plus(standard, unseen(waves, d65));
+  const Judgement byDay = judged(standard, metamer, d65, d65), inShop = judged(standard, metamer, f11, d65);
+  EXPECT_TRUE(byDay.passes(0.01));
+  EXPECT_FALSE(inShop.passes(0.5));
+  EXPECT_NEAR(inShop.metamerism, inShop.ciede2000, 1e-3) << "all of it is the lamp's doing";
+  const Judgement off = judged(standard, sample, f11, d65);
+  EXPECT_EQ(off.standard.L, labUnder(f11, standard).L);
+  EXPECT_EQ(off.sample.b, labUnder(f11, sample).b);
+  EXPECT_EQ(off.cmc, cmcDifference(off.standard, off.sample)) << "the standard says how large the ellipsoid is";
+  EXPECT_EQ(off.ciede2000, ciede2000(off.standard, off.sample));
+  EXPECT_TRUE(off.passes(off.cmc));
+  EXPECT_FALSE(off.passes(0.99 * off.cmc));
+}
+
 /// A sample that is lighter throughout is no metamer: the correction takes the whole difference away.
 TEST(MetamerismIndex, IsNoneForTheSameSpectrumInAnotherStrength) {
   const Spectrum standard = slope(0.3f, 0.6f), sample = slope(0.36f, 0.72f);

@@ -1,0 +1,51 @@
+#include "ui/inspector/tolerance_rows.h"
+
+#include <fmt/core.h>
+
+#include "ui/widgets/choices.h"
+#include "ui/words/booth_words.h"
+
+namespace loomlight {
+namespace {
+
+using Judged = std::optional<ClothColourModel::Judged>;
+
+/// Words say whether it passes: a colour alone would be lost on who sees colours otherwise, and on paper.
+std::string verdictOf(const Judged& judged, double tolerance_cmc) {
+  if (!judged) return words::booth::unknown;
+  return fmt::format(words::booth::verdict, judged->cmc,
+                     judged->cmc <= tolerance_cmc ? words::booth::passes : words::booth::fails);
+}
+
+std::string helpOf(const Word& word, const Judged& judged) {
+  return judged ? word.help + fmt::format(words::booth::figures, judged->cmc, judged->ciede2000) : word.help;
+}
+
+void verdictRow(Ui& ui, const char* id, const std::string& label, const Word& word, const Judged& judged,
+                double tolerance_cmc) {
+  const std::string help = helpOf(word, judged);
+  readout(ui, {id, label.c_str(), help.c_str()}, verdictOf(judged, tolerance_cmc));
+}
+
+}  // namespace
+
+void toleranceRows(Ui& ui, const ClothColourModel& model, double& tolerance_cmc) {
+  namespace said = words::booth;
+  NumberStyle style;
+  style.unit = said::toleranceUnit;
+  style.min = kTolerance_cmc[0];
+  style.max = kTolerance_cmc[1];
+  style.logarithmic = true;
+  numberField(ui, {"fibre.tolerance", said::tolerance.label, said::tolerance.help}, style, tolerance_cmc);
+  const StandardIlluminant own = model.present ? model.present->lamp : StandardIlluminant::d65;
+  verdictRow(ui, "fibre.verdict", fmt::format(said::present.label, lampName(own)), said::present, model.present,
+             tolerance_cmc);
+  const std::string worst =
+      model.worst ? fmt::format(said::worst.label, lampName(model.worst->lamp)) : said::worstOfNone;
+  verdictRow(ui, "fibre.verdict_worst", worst, said::worst, model.worst, tolerance_cmc);
+  ui.probe.fact("fibre.verdict_worst_lamp", model.worst ? lampName(model.worst->lamp) : "");
+  readout(ui, {"fibre.metamerism", said::metamerism.label, said::metamerism.help},
+          model.worst ? fmt::format("{:.2f}", model.worst->metamerism) : said::unknown);
+}
+
+}  // namespace loomlight

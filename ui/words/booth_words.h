@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/fabric/model/glossary.h"
+
+/// What is said where a cloth is judged by the lamps of a light booth. Words with braces are filled in.
+namespace loomlight::words::booth {
+
+inline constexpr Word tolerance{
+    "Tolerance",
+    "How far the cloth may be from what is wanted and still pass: CMC(2:1), as ISO 105-J03 has it for textiles."};
+inline constexpr const char* toleranceUnit = "CMC";
+
+inline constexpr Word present{"Under {}",  // the lamp of the cloth
+                              "Wanted against reached under the lamp of the cloth, by the observer of the scene: "
+                              "CMC(2:1), which passes or fails. "
+                              "A picked colour has no spectrum, and is judged in daylight (D65, 2\xC2\xB0)."};
+inline constexpr Word worst{
+    "Worst in {}",  // one of the booth's other lamps
+    "The same under that of the light booth's other lamps by which the cloth is furthest from what was measured. Of a "
+    "picked colour nothing is known there, as it has no spectrum."};
+inline constexpr const char* worstOfNone = "Worst lamp";
+inline constexpr Word metamerism{"Metamerism",
+                                 "How much of the difference in the worst lamp is that lamp's doing: the CIEDE2000 "
+                                 "that is left there of a pair made "
+                                 "to match in daylight (special metamerism index, CIE 15)."};
+
+inline constexpr const char* verdict = "{:.2f}  {}";  // CMC(2:1), and what follows from it
+inline constexpr const char* passes = "pass";
+inline constexpr const char* fails = "FAIL";
+inline constexpr const char* figures = " CMC(2:1) {:.2f}, CIEDE2000 {:.2f}.";
+inline constexpr const char* unknown = "\xE2\x80\x93";
+
+}  // namespace loomlight::words::booth
