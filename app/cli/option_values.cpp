@@ -1,17 +1,16 @@
 #include "app/cli/option_values.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <limits>
 
 #include "app/cli/usage_error.h"
-#include "core/base/text.h"
 #include "core/fabric/model/choice_names.h"
 #include "core/fabric/model/field_tables.h"
+#include "core/fabric/model/lamp_name.h"
 
 namespace loomlight {
 namespace {
@@ -170,19 +169,16 @@ ViewChoice parseView(const std::string& option, const std::string& text) {
 }
 
 IlluminantChoice parseIlluminant(const std::string& option, const std::string& text) {
-  std::string name = lowerCase(text);
-  std::replace(name.begin(), name.end(), '-', '_');
-  if (name == "tl84") name = "f11";
-  const auto known = choiceFromName<StandardIlluminant>(name);
-  if (known && *known != StandardIlluminant::blackBody && *known != StandardIlluminant::file) return {*known, {}, ""};
-  if (name.size() > 1 && name.back() == 'k' && std::isdigit(static_cast<unsigned char>(name.front()))) {
+  const std::optional<NamedLamp> lamp = lampFromName(text);
+  if (lamp && lamp->illuminant == StandardIlluminant::blackBody) {
     const FieldInfo info = fieldInfo(&Light::temperature_K);
-    const double temperature_K = parseNumber(option, name.substr(0, name.size() - 1), info.min, info.max);
-    return {StandardIlluminant::blackBody, temperature_K, ""};
+    if (!(lamp->temperature_K >= info.min && lamp->temperature_K <= info.max))
+      refuse(option, fmt::format("a black body of {} to {} K", info.min, info.max), text);
+    return {lamp->illuminant, lamp->temperature_K, ""};
   }
+  if (lamp) return {lamp->illuminant, {}, ""};
   if (text.find('.') == std::string::npos)
-    refuse(option, "D65, D55, D50, A, E, F2, F7, F11, LED-B1 to LED-B5, a black body such as 2856K, or a text file",
-           text);
+    refuse(option, fmt::format("{}, a black body such as 2856K, or a text file", fmt::join(lampNames(), ", ")), text);
   return {StandardIlluminant::file, {}, text};
 }
 

@@ -62,7 +62,7 @@ struct IlluminantChoice {
   std::optional<double> temperature_K;
   std::string file;
 };
-/// D65, a, TL84, LED-B3; 2856K; or the name of a file, which has a dot.
+/// What lampFromName() knows, or the name of a file, which has a dot.
 IlluminantChoice parseIlluminant(const std::string& option, const std::string& text);
 /// 2 or 10, degrees.
 Observer parseObserver(const std::string& option, const std::string& text);

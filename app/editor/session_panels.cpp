@@ -182,7 +182,7 @@ StatusModel Session::statusToSay() const {
   StatusModel model = statusModel(seen.stats().get(), seen.status(), seen.visibilityStatus(), seen.frame());
   const Light& light = document_.fabric()->light;
   if (light.illuminant != StandardIlluminant::d65)
-    model.lamp = fmt::format(words::status::lamp, lampName(light.illuminant));
+    model.lamp = fmt::format(words::status::lamp, lampWord(light.illuminant));
   const auto insist = [&model](const std::string& about, const std::string& problem) {
     if (problem.empty()) return;
     model.warning = about + problem;

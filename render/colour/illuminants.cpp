@@ -4,10 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
+#include <cassert>
 #include <cmath>
 #include <optional>
-#include <string_view>
 
 #include "core/base/error.h"
 #include "render/colour/illuminant_tables.h"
@@ -63,59 +62,50 @@ Illuminant illuminantA() {
   return everyNm("A", [&](double nm) { return 100 * body(nm) / body(560); });
 }
 
-Illuminant blackBody(double kelvin) {
-  return everyNm(fmt::format("{:g} K", kelvin),
-                 [=](double nm) { return 100 * planck(nm, kelvin) / planck(560, kelvin); });
+Illuminant ofBlackBody(std::string name, double kelvin) {
+  return everyNm(std::move(name), [=](double nm) { return 100 * planck(nm, kelvin) / planck(560, kelvin); });
 }
 
-std::string capitals(std::string_view text) {
-  std::string upper(text);
-  for (char& c : upper)
-    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-  return upper;
-}
-
-/// Fluorescent lamps have two names more: FL2, and that of the maker whose lamp stands in every shop.
-bool isCalled(const LampTable& lamp, const std::string& name) {
-  const std::string usual = lamp.name;
-  return name == usual || (usual.starts_with('F') && name == "FL" + usual.substr(1)) ||
-         (usual == "F11" && name == "TL84");
-}
-
-/// The temperature in "2856 K" and "2856k".
-std::optional<double> temperature_K(std::string_view name) {
-  double kelvin = 0;
-  const auto [rest, error] = std::from_chars(name.data(), name.data() + name.size(), kelvin);
-  const std::string_view unit = name.substr(static_cast<size_t>(rest - name.data()));
-  if (error != std::errc() || (unit != "K" && unit != " K")) return std::nullopt;
-  return kelvin;
+Illuminant tabulated(const std::string& name) {
+  const std::span<const LampTable> lamps = lampTables();
+  const auto lamp =
+      std::find_if(lamps.begin(), lamps.end(), [&](const LampTable& table) { return name == table.name; });
+  assert(lamp != lamps.end());
+  return everyNm(name, [&](double nm) { return between(lamp->power, kLampFirst_nm, kLampStep_nm, nm); });
 }
 
 }  // namespace
 
-std::vector<std::string> illuminantNames() {
-  std::vector<std::string> names{"D50", "D55", "D65", "A", "E"};
-  for (const LampTable& lamp : lampTables()) names.emplace_back(lamp.name);
-  return names;
+Illuminant illuminantOf(const NamedLamp& lamp) {
+  using enum StandardIlluminant;
+  const std::string name = lampName(lamp);
+  switch (lamp.illuminant) {
+    case d65:
+      return daylight(name, nominalDaylight_K(6500));
+    case d55:
+      return daylight(name, nominalDaylight_K(5500));
+    case d50:
+      return daylight(name, nominalDaylight_K(5000));
+    case a:
+      return illuminantA();
+    case e:
+      return everyNm(name, [](double) { return 100.0; });
+    case blackBody:
+      return ofBlackBody(name, lamp.temperature_K);
+    default:
+      return tabulated(name);
+  }
 }
 
 Illuminant illuminantNamed(const std::string& name) {
-  const std::string upper = capitals(name);
-  for (const int hundreds : {50, 55, 65})
-    if (const std::string series = fmt::format("D{}", hundreds); upper == series)
-      return daylight(series, nominalDaylight_K(100 * hundreds));
-  if (upper == "A") return illuminantA();
-  if (upper == "E") return everyNm("E", [](double) { return 100.0; });
-  for (const LampTable& lamp : lampTables())
-    if (isCalled(lamp, upper))
-      return everyNm(lamp.name, [&](double nm) { return between(lamp.power, kLampFirst_nm, kLampStep_nm, nm); });
-  if (const std::optional<double> kelvin = temperature_K(upper)) {
-    if (!(*kelvin >= 1000 && *kelvin <= 25000))
-      throw InputError(fmt::format("illuminant \"{}\": expected a black body of 1000 to 25000 K", name));
-    return blackBody(*kelvin);
-  }
-  throw InputError(fmt::format("illuminant \"{}\": expected one of {}, or a black body as \"2856 K\"", name,
-                               fmt::join(illuminantNames(), ", ")));
+  const std::optional<NamedLamp> lamp = lampFromName(name);
+  if (!lamp)
+    throw InputError(fmt::format("illuminant \"{}\": expected one of {}, or a black body as \"2856 K\"", name,
+                                 fmt::join(lampNames(), ", ")));
+  const bool isBlackBody = lamp->illuminant == StandardIlluminant::blackBody;
+  if (isBlackBody && !(lamp->temperature_K >= 1000 && lamp->temperature_K <= 25000))
+    throw InputError(fmt::format("illuminant \"{}\": expected a black body of 1000 to 25000 K", name));
+  return illuminantOf(*lamp);
 }
 
 Spectrum bandPower(const Illuminant& illuminant) {

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "core/base/spectrum.h"
+#include "core/fabric/model/lamp_name.h"
 #include "render/colour/observer.h"
 
 namespace loomlight {
@@ -14,11 +14,11 @@ struct Illuminant {
   PerNm<double> power{};
 };
 
-/// The names that illuminantNamed() knows besides temperatures: D50, D55, D65, A, E, F2, F7, F11, LED-B1 to LED-B5.
-std::vector<std::string> illuminantNames();
+/// The spectrum of a lamp that has a name (CIE 15:2018).
+Illuminant illuminantOf(const NamedLamp& lamp);
 
-/// An illuminant of the CIE (CIE 15:2018) by its name, in capitals or not; "TL84" is F11, and "FL2" is F2. "2856 K" is
-/// the black body of that temperature, 1000 to 25000 K. Throws InputError for other names; it lists those there are.
+/// That of the lamp of this name (lampFromName()); black bodies are of 1000 to 25000 K. Throws InputError for other
+/// names; it lists those there are.
 Illuminant illuminantNamed(const std::string& name);
 
 /// The illuminant of that name, or, for the name of a file, of its two columns: wavelength in nm, ascending, at least

@@ -1,23 +1,15 @@
 #include "render/scene/colouring.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <string>
 
-#include "core/fabric/model/choice_names.h"
 #include "render/colour/primaries.h"
 #include "render/colour/tristimulus.h"
 
 namespace loomlight {
 
 Illuminant illuminantOf(const Light& light) {
-  if (light.illuminant == StandardIlluminant::blackBody)
-    return illuminantNamed(fmt::format("{} K", light.temperature_K));
   if (light.illuminant == StandardIlluminant::file) return illuminantCalled(light.illuminantFile);
-  std::string name = choiceName(light.illuminant);
-  std::replace(name.begin(), name.end(), '_', '-');
-  return illuminantNamed(name);
+  return illuminantOf(NamedLamp{light.illuminant, light.temperature_K});
 }
 
 namespace {

@@ -38,12 +38,12 @@ void toleranceRows(Ui& ui, const ClothColourModel& model, double& tolerance_cmc)
   style.logarithmic = true;
   numberField(ui, {"fibre.tolerance", said::tolerance.label, said::tolerance.help}, style, tolerance_cmc);
   const StandardIlluminant own = model.present ? model.present->lamp : StandardIlluminant::d65;
-  verdictRow(ui, "fibre.verdict", fmt::format(said::present.label, lampName(own)), said::present, model.present,
+  verdictRow(ui, "fibre.verdict", fmt::format(said::present.label, lampWord(own)), said::present, model.present,
              tolerance_cmc);
   const std::string worst =
-      model.worst ? fmt::format(said::worst.label, lampName(model.worst->lamp)) : said::worstOfNone;
+      model.worst ? fmt::format(said::worst.label, lampWord(model.worst->lamp)) : said::worstOfNone;
   verdictRow(ui, "fibre.verdict_worst", worst, said::worst, model.worst, tolerance_cmc);
-  ui.probe.fact("fibre.verdict_worst_lamp", model.worst ? lampName(model.worst->lamp) : "");
+  ui.probe.fact("fibre.verdict_worst_lamp", model.worst ? lampWord(model.worst->lamp) : "");
   readout(ui, {"fibre.metamerism", said::metamerism.label, said::metamerism.help},
           model.worst ? fmt::format("{:.2f}", model.worst->metamerism) : said::unknown);
 }

@@ -1,10 +1,10 @@
 #include "ui/widgets/choices.h"
 
 #include <algorithm>
-#include <cctype>
 
 #include "core/fabric/model/booth_lamps.h"
 #include "core/fabric/model/choice_names.h"
+#include "core/fabric/model/lamp_name.h"
 #include "ui/words/choice_words.h"
 
 namespace loomlight {
@@ -59,12 +59,10 @@ const char* lampLabel(StandardIlluminant lamp) {
   return words::choices::illuminants[static_cast<size_t>(lamp)];
 }
 
-std::string lampName(StandardIlluminant lamp) {
+std::string lampWord(StandardIlluminant lamp) {
   if (lamp == StandardIlluminant::blackBody) return words::choices::blackBody;
   if (lamp == StandardIlluminant::file) return words::choices::ownLamp;
-  std::string name = choiceName(lamp);
-  for (char& c : name) c = c == '_' ? ' ' : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  return name;
+  return lampName({lamp});
 }
 
 StandardIlluminant nextLamp(StandardIlluminant lamp) {

@@ -21,7 +21,7 @@ std::span<const char* const> illuminantNames(const Light& light);
 /// As lists and labels say it: "F11, shop (TL84)".
 const char* lampLabel(StandardIlluminant lamp);
 /// In few letters: "F11".
-std::string lampName(StandardIlluminant lamp);
+std::string lampWord(StandardIlluminant lamp);
 /// Of kBoothLamps the one after this, and the first after the last and after every other.
 StandardIlluminant nextLamp(StandardIlluminant lamp);
 std::span<const char* const> observerNames();

@@ -11,8 +11,8 @@ inline constexpr const char* twists[] = {"S", "Z"};
 inline constexpr const char* fibreLayouts[] = {"Random", "Packed"};
 inline constexpr const char* illuminants[] = {
     "D65, daylight",  "D55, sunlight",     "D50, print booth", "A, light bulb",  "E, equal energy",
-    "F2, cool white", "F7, daylight tube", "F11, shop (TL84)", "LED B1, 2700 K", "LED B2, 3000 K",
-    "LED B3, 4100 K", "LED B4, 5100 K",    "LED B5, 6600 K",   "Black body",     "Measured lamp"};
+    "F2, cool white", "F7, daylight tube", "F11, shop (TL84)", "LED-B1, 2700 K", "LED-B2, 3000 K",
+    "LED-B3, 4100 K", "LED-B4, 5100 K",    "LED-B5, 6600 K",   "Black body",     "Measured lamp"};
 inline constexpr const char* methods[] = {"Volume", "Fibres"};
 inline constexpr const char* estimators[] = {"None", "Report", "Loomlight"};
 inline constexpr const char* eventLaws[] = {"Projected", "Report"};

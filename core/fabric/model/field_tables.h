@@ -126,7 +126,7 @@ struct FieldTable<Light> {
       Field{&Light::illuminant,
             {colour | brightness, "illuminant", "Lamp spectrum", "", 0, 0,
              "The spectrum of white light: D65 is daylight, A a light bulb, F2, F7 and F11 (TL84) are fluorescent "
-             "tubes, LED B1 to B5 white diodes. The eye is adapted to it, so white stays white, and dyes shift."}},
+             "tubes, LED-B1 to LED-B5 white diodes. The eye is adapted to it, so white stays white, and dyes shift."}},
       Field{&Light::illuminantFile,
             {colour, "illuminant_file", "Measured spectrum", "", 0, 0,
              "A measured lamp: a text file of two columns, nm and power."}});

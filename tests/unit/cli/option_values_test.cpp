@@ -103,5 +103,20 @@ TEST(OptionValues, LightsHaveTheirDetails) {
     EXPECT_THAT(complaint([&] { parseLight("--light", text); }), HasSubstr("--light")) << text;
 }
 
+TEST(OptionValues, LampsAreNamedAsEverywhere) {
+  const auto lamp = [](const std::string& text) { return parseIlluminant("--illuminant", text); };
+  for (const char* name : {"LED-B3", "led_b3", "LED B3"})
+    EXPECT_EQ(lamp(name).illuminant, StandardIlluminant::ledB3) << name;
+  EXPECT_EQ(lamp("TL84").illuminant, StandardIlluminant::f11);
+  EXPECT_EQ(lamp("FL2").illuminant, StandardIlluminant::f2);
+  for (const char* name : {"2856K", "2856 k"}) {
+    EXPECT_EQ(lamp(name).illuminant, StandardIlluminant::blackBody) << name;
+    EXPECT_EQ(lamp(name).temperature_K, 2856) << name;
+  }
+  EXPECT_EQ(lamp("lamps/own.txt").file, "lamps/own.txt");
+  EXPECT_FALSE(lamp("D50").temperature_K.has_value());
+  for (const char* name : {"D66", "100 K", "neon"}) EXPECT_THROW(lamp(name), UsageError) << name;
+}
+
 }  // namespace
 }  // namespace loomlight

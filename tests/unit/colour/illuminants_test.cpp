@@ -60,7 +60,7 @@ TEST(Illuminants, AreNamedAsPeopleNameThem) {
   EXPECT_EQ(illuminantNamed("FL2").name, "F2");
   EXPECT_EQ(illuminantNamed("led-b3").name, "LED-B3");
   EXPECT_EQ(illuminantNamed("2856k").name, "2856 K");
-  for (const std::string& name : illuminantNames()) EXPECT_EQ(illuminantNamed(name).name, name);
+  for (const std::string& name : lampNames()) EXPECT_EQ(illuminantNamed(name).name, name);
 }
 
 TEST(Illuminants, BlackBodyOf2856KelvinIsA) {

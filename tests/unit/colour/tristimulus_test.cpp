@@ -44,7 +44,7 @@ TEST(TristimulusWeights, AgreeWithAnIndependentImplementation) {
 }
 
 TEST(TristimulusWeights, MakeAWhiteOfLuminanceOneUnderEveryLight) {
-  for (const std::string& name : illuminantNames())
+  for (const std::string& name : lampNames())
     for (const Observer observer : {Observer::degrees2, Observer::degrees10})
       EXPECT_NEAR(whiteXyz(tristimulusWeights(illuminantNamed(name), observer)).y, 1, 1e-6) << name;
 }
@@ -63,7 +63,7 @@ TEST(TristimulusWeights, OfALineAreTheFunctionsAtItsWavelength) {
 }
 
 TEST(LinearWeights, LeaveGreysGreyUnderEveryLight) {
-  for (const std::string& name : illuminantNames())
+  for (const std::string& name : lampNames())
     for (const Observer observer : {Observer::degrees2, Observer::degrees10}) {
       const glm::dvec3 linear = weighted(linearWeights(illuminantNamed(name), observer), grey(0.25f));
       for (int c = 0; c < 3; ++c) EXPECT_NEAR(linear[c], 0.25, 1e-6) << name;

@@ -1,0 +1,33 @@
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "core/fabric/model/booth_lamps.h"
+#include "core/fabric/model/choice_names.h"
+#include "core/fabric/model/lamp_name.h"
+#include "ui/widgets/choices.h"
+
+namespace loomlight {
+namespace {
+
+/// What a list says of a lamp begins with the name by which options and files know it.
+TEST(LampLabels, BeginWithTheNameOfTheLamp) {
+  for (size_t i = 0; i < ChoiceNames<StandardIlluminant>::names.size(); ++i) {
+    const auto lamp = static_cast<StandardIlluminant>(i);
+    if (lamp == StandardIlluminant::blackBody || lamp == StandardIlluminant::file) continue;
+    EXPECT_TRUE(std::string(lampLabel(lamp)).starts_with(lampName({lamp}) + ",")) << lampLabel(lamp);
+    EXPECT_EQ(lampWord(lamp), lampName({lamp}));
+  }
+}
+
+TEST(LampLabels, NextLampGoesThroughTheBooth) {
+  StandardIlluminant lamp = kBoothLamps.back();
+  for (const StandardIlluminant next : kBoothLamps) {
+    lamp = nextLamp(lamp);
+    EXPECT_EQ(lamp, next);
+  }
+  EXPECT_EQ(nextLamp(StandardIlluminant::f2), kBoothLamps.front());
+}
+
+}  // namespace
+}  // namespace loomlight
