@@ -35,6 +35,7 @@ Session::Session(Document document, Settings settings, DisplayDriver& driver, co
       snapshots_(viewFolder(), driver, wake),
       presets_(presetFolder(), driver, wake),
       tile_(wake),
+      handover_(wake),
       profiles_(settings_.colours, wake),
       files_(driver, wake) {
   help_.hints.wanted = !settings_.hintsSeen;
@@ -139,6 +140,8 @@ void Session::run(Command command) {
       return look(viewport_.atActualSize(*document_.fabric(), settings_.rulerFactor));
     case Command::sheet:
       return browse(FileTask::sheet);
+    case Command::handover:
+      return handover_.show(freeFile(fileCalledAsCloth(" hand-over")).string(), document_.fabric());
     case Command::brushBefore:
       return inspector_.stepYarn(-1, document_.fabric()->yarns.size());
     case Command::brushNext:

@@ -12,6 +12,7 @@
 #include "app/editor/controllers/document_controller.h"
 #include "app/editor/controllers/draft_controller.h"
 #include "app/editor/controllers/file_controller.h"
+#include "app/editor/controllers/handover_controller.h"
 #include "app/editor/controllers/inspector_controller.h"
 #include "app/editor/controllers/preset_controller.h"
 #include "app/editor/controllers/profile_controller.h"
@@ -133,6 +134,7 @@ class Session {
   SnapshotController snapshots_;
   PresetController presets_;
   TileController tile_;
+  HandoverController handover_;
   ProfileController profiles_;
   FileController files_;
   QuestionController questions_;

@@ -234,6 +234,8 @@ fs::path Session::startOf(FileTask task) const {
       return snapshots_.file();
     case FileTask::exportTile:
       return tile_.file();
+    case FileTask::handover:
+      return handover_.folder();
     case FileTask::exportWif:
       return fileCalledAsCloth(".wif");
     case FileTask::exportDraft:
@@ -263,6 +265,8 @@ void Session::fileChosen(const FileController::Chosen& chosen) {
       return snapshots_.setFile(chosen.file);
     case FileTask::exportTile:
       return tile_.setFile(chosen.file);
+    case FileTask::handover:
+      return handover_.setFolder(chosen.file);
     case FileTask::exportWif:
     case FileTask::exportBitmap:
     case FileTask::exportDraft:

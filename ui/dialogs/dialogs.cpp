@@ -64,7 +64,7 @@ SnapshotDialog::Result SnapshotDialog::draw(Ui& ui, double seen_mm, const Render
             {"snapshot.file", "File",
              "Where the picture goes: .png as the display shows it, .exr with all its light and layers"},
             file_);
-  result.chooseFile = chooseFileButton(ui, "snapshot", file_);
+  result.chooseFile = opening_ = chooseFileButton(ui, "snapshot", file_);  // it comes back when the browser has gone
   ImGui::EndDisabled();
   if (changed) result.settings = settings_;
 

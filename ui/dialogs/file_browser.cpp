@@ -157,14 +157,25 @@ bool FileBrowser::drawEntries(Ui& ui, float width, float height) {
       }
     }
   }
-  if (shown.empty()) hint(ui, entries_.empty() ? "Nothing here that this dialog can use." : "Nothing is called that.");
+  const char* const none =
+      purpose_ == Purpose::folder ? "No folder in this one." : "Nothing here that this dialog can use.";
+  if (shown.empty()) hint(ui, entries_.empty() ? none : "Nothing is called that.");
   ImGui::EndChild();
   ImGui::PopStyleColor(2);
   if (into) enter(*into);
   return decided;
 }
 
+std::optional<std::string> FileBrowser::decideFolder() {
+  const fs::path folder = typed_.empty() ? folder_ : named();
+  std::error_code ignored;
+  if (!fs::exists(folder, ignored) || fs::is_directory(folder, ignored)) return folder.string();
+  problem_ = folder.filename().string() + " is a file, and no folder.";
+  return std::nullopt;
+}
+
 std::optional<std::string> FileBrowser::decide(bool mayReplace) {
+  if (purpose_ == Purpose::folder) return decideFolder();
   if (typed_.empty()) {
     problem_ = "Type a name, or choose a file.";
     return std::nullopt;
@@ -204,9 +215,9 @@ void FileBrowser::drawName(Ui& ui, bool begin, bool& decided) {
     return 0;
   };
   std::string text = typed_;
-  decided |= ImGui::InputTextWithHint("##name", "File name or path", &text,
-                                      ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackHistory,
-                                      onArrow, this);
+  decided |= ImGui::InputTextWithHint(
+      "##name", purpose_ == Purpose::folder ? "Name of a new folder in this one, or path" : "File name or path", &text,
+      ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackHistory, onArrow, this);
   typed_ = text;
   if (typed_ != before) toReplace_.clear();
   ui.probe.recordItem("browser.name");
@@ -222,7 +233,7 @@ std::optional<std::string> FileBrowser::draw(Ui& ui, const FilePreview& preview)
   ImGui::SameLine();
   constexpr float kLeastList = 320;  // names come first where there is little room
   const float room = ImGui::GetContentRegionAvail().x, list = room - ui.px(kPreviewWidth) - gap;
-  const bool previews = list >= ui.px(kLeastList);
+  const bool previews = purpose_ != Purpose::folder && list >= ui.px(kLeastList);
   bool decided = drawEntries(ui, previews ? list : room, height);
   if (previews) {
     ImGui::SameLine(0, gap);
@@ -234,7 +245,10 @@ std::optional<std::string> FileBrowser::draw(Ui& ui, const FilePreview& preview)
   ImGui::SetCursorPosX(ImGui::GetWindowWidth() - 2 * width - ui.px(24));
   const bool close = button(ui, "browser.cancel", "Cancel", width) || modalCancelled(ui);
   ImGui::SameLine();
-  const char* does = purpose_ == Purpose::open ? "Open" : toReplace_.empty() ? "Save" : "Replace";
+  const char* does = purpose_ == Purpose::open     ? "Open"
+                     : purpose_ == Purpose::folder ? "Choose"
+                     : toReplace_.empty()          ? "Save"
+                                                   : "Replace";
   const bool pressed = mainButton(ui, "browser.ok", does, width);
   decided |= modalConfirmed(ui);
   std::optional<std::string> file;

@@ -34,6 +34,7 @@ const Asked& askedFor(FileTask task) {
       {FileTask::exportWif, Purpose::save, "Export as WIF draft", {".wif"}},
       {FileTask::exportDraft, Purpose::save, "Export the draft for print", {".pdf", ".png"}},
       {FileTask::exportTile, Purpose::save, "Where the tile goes", {".json"}},
+      {FileTask::handover, Purpose::folder, "Where the hand-over goes", {}},
       {FileTask::sheet, Purpose::save, "Where the cloth sheet goes", {".pdf", ".png"}},
       {FileTask::colourwaySheet, Purpose::save, "Where the colourways go", {".pdf", ".png"}},
       {FileTask::exportBitmap, Purpose::save, "Export the weave", {".png", ".tif", ".bmp"}},
