@@ -73,7 +73,7 @@ std::string Session::title() const {
 void Session::frame(Ui& ui) {
   Stopwatch watch;
   viewport_.displayIs(ui.pixels_per_mm);
-  if (viewport_.take()) snapshots_.followView(document_.fabric(), viewport_.service());
+  if (viewport_.take()) snapshots_.followView(sightNow(), viewport_.service());
   work_s_ = watch.lap();
   document_.beginFrame(heldNow());
   walkNumbers(ui);
@@ -122,7 +122,7 @@ void Session::run(Command command) {
       viewport_.service().pause(true);  // its pictures are looked at now
       return inspector_.showColourways();
     case Command::keepView:
-      return snapshots_.keepView(document_.fabric(), viewport_.tone(), viewport_.service());
+      return snapshots_.keepView(sightNow(), viewport_.service());
     case Command::chooseMesh:
       return browse(FileTask::mesh);
     case Command::chooseEnvironment:

@@ -94,6 +94,7 @@ class Session {
   void drawSnapshot(Ui& ui);
   bool dialogIsOpen() const;
   StatusModel statusToSay() const;
+  SnapshotController::Sight sightNow() const { return {document_.fabric(), viewport_.flatView(), viewport_.tone()}; }
   void tellProbe(Ui& ui) const;
 
   // session.cpp: what is done

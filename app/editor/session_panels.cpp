@@ -93,9 +93,10 @@ void Session::drawViewport(Ui& ui) {
 }
 
 void Session::drawStrip(Ui& ui) {
-  auto restored = snapshots_.drawStrip(ui, document_.fabric(), viewport_.tone(), viewport_.service());
+  auto restored = snapshots_.drawStrip(ui, sightNow(), viewport_.service());
   if (!restored) return;
-  document_.edit(std::move(*restored));
+  viewport_.lookAs(restored->flat, restored->fabric);
+  document_.edit(std::move(restored->fabric));
   draft_.fit();
 }
 
@@ -113,8 +114,7 @@ void Session::drawInspector(Ui& ui) {
 }
 
 void Session::drawSnapshot(Ui& ui) {
-  const SnapshotController::Edit edit =
-      snapshots_.drawDialog(ui, document_.fabric(), viewport_.tone(), viewport_.service());
+  const SnapshotController::Edit edit = snapshots_.drawDialog(ui, sightNow(), viewport_.service());
   if (edit.settings) document_.renderAs(*edit.settings);
   if (edit.chooseFile) browse(FileTask::snapshot);
 }
