@@ -258,7 +258,7 @@ class SheetWriter {
       if (yarn.blendFibre)
         fibre = fmt::format("{:.0f} % {}, {}", 100 * (1 - yarn.blendShare.value_or(0.5)), fibre,
                             fabric_.fibres[static_cast<size_t>(*yarn.blendFibre)].name);
-      const std::string cells[] = {yarnName(fabric_, index, content_.yarnColours[i], options_.counts),
+      const std::string cells[] = {yarnName(fabric_, index, content_.coloursOfNames[i], options_.counts),
                                    writtenCount(yarn, meanFibre(yarn, fabric_.fibres), options_.counts), twistOf(yarn),
                                    fibre, fmt::format("{:.2f}", needs[i].mass_kg)};
       for (size_t k = 0; k < std::size(cells); ++k)

@@ -83,6 +83,7 @@ ClothSheetContent blankContent(const Fabric& fabric) {
                                      {88.8f, -88.8f, -88.8f},
                                      88.8});
   content.yarnColours.resize(fabric.yarns.size(), Rgb(1));
+  content.coloursOfNames = content.yarnColours;
   return content;
 }
 
