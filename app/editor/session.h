@@ -124,6 +124,7 @@ class Session {
   void browse(FileTask task) { files_.browse(task, startOf(task)); }
   void fileChosen(const FileController::Chosen& chosen);
   void exportTo(FileTask task, const std::string& file);
+  void printDraft(const std::string& file);
   void writeSheet(FileTask task, const std::string& file);
 
   Settings settings_;

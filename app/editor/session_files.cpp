@@ -269,8 +269,9 @@ void Session::fileChosen(const FileController::Chosen& chosen) {
       return handover_.setFolder(chosen.file);
     case FileTask::exportWif:
     case FileTask::exportBitmap:
-    case FileTask::exportDraft:
       return exportTo(chosen.task, chosen.file);
+    case FileTask::exportDraft:
+      return printDraft(chosen.file);
     case FileTask::sheet:
     case FileTask::colourwaySheet:
       return writeSheet(chosen.task, chosen.file);
@@ -293,14 +294,19 @@ void Session::writeSheet(FileTask task, const std::string& file) {
 }
 
 void Session::exportTo(FileTask task, const std::string& file) {
-  const DraftCorner corner{settings_.draft.startsRight(), settings_.draft.startsAtTop()};
-  files_.service().exportTo(file, [task, file, corner, fabric = document_.fabric()]() -> std::vector<std::string> {
+  files_.service().exportTo(file, [task, file, fabric = document_.fabric()]() -> std::vector<std::string> {
     if (task == FileTask::exportWif) return writeWifFabric(*fabric, file);
-    if (task == FileTask::exportDraft)
-      writeDraftSheet(file, *fabric, corner);
-    else
-      writeWeaveBitmap(file, *fabric);
+    writeWeaveBitmap(file, *fabric);
     return {};
+  });
+}
+
+void Session::printDraft(const std::string& file) {
+  const DraftCorner corner{settings_.draft.startsRight(), settings_.draft.startsAtTop()};
+  files_.service().renderTo(file, [file, corner, fabric = document_.fabric()](const std::stop_token& stop) {
+    Task colours;
+    colours.stop = stop;
+    return writeDraftSheet(file, *fabric, corner, colours);
   });
 }
 

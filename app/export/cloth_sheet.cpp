@@ -97,7 +97,7 @@ class SheetFile {
     expectWritable(file);
   }
   double pixels_per_mm() const { return isPng_ ? 200 / 25.4 : 0; }
-  void write(Paper& paper) const { writeFileAtomically(file_, paper.bytes(file_)); }
+  void write(Paper& paper) const { paper.write(file_); }
 
  private:
   const std::string& file_;
