@@ -12,6 +12,7 @@ namespace loomlight {
 struct FlatCloth {
   bool inRepeats = true;
   double count = 1;
+  bool operator==(const FlatCloth&) const = default;
 };
 /// Width and height, as far as a piece can be so large.
 glm::dvec2 pieceOf_mm(const Fabric& fabric, const FlatCloth& cloth);

@@ -40,6 +40,7 @@ class Menus {
     ImGui::Separator();
     item("menu.snapshot", words::menu::snapshot, Command::snapshot);
     item("menu.sheet", words::menu::sheet, Command::sheet);
+    item("menu.handover", words::menu::handover, Command::handover);
     ImGui::Separator();
     item("menu.quit", words::menu::quit, Command::quit);
     ImGui::EndMenu();

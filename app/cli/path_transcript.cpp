@@ -1,5 +1,4 @@
 #include "app/cli/path_transcript.h"
-#include "core/fabric/yarn/yarn_name.h"
 
 #include <fmt/format.h>
 
@@ -37,7 +36,8 @@ bool PathTranscript::meets(const Collision& at, uint32_t event) {
   const auto out = std::back_inserter(text_);
   fmt::format_to(out, "event {}: {} {} at crossing {},{}, yarn {} '{}' of '{}', {}\n", event,
                  at.yarnId.system == System::warp ? "end" : "pick", at.yarnId.index, at.end, at.pick, at.yarn,
-                 yarnName(fabric, at.yarn), fabric.fibres[static_cast<size_t>(at.material)].name, placeText(at));
+                 names_[static_cast<size_t>(at.yarn)], fabric.fibres[static_cast<size_t>(at.material)].name,
+                 placeText(at));
   fmt::format_to(out, "  flight    {:.9g} mm, to {} mm\n", at.distance_mm, vectorText(at.place.world));
   fmt::format_to(out, "  fibre     tangent {}, radius {:.9g} mm, h {:.9g}\n", vectorText(at.tangent),
                  at.optics.fibreRadius_mm, at.offset);

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "render/scene/scene.h"
 #include "render/transport/path_sink.h"
@@ -13,8 +15,8 @@ namespace loomlight {
 /// pictures.
 class PathTranscript final : public PathSink {
  public:
-  /// The scene must outlive it.
-  explicit PathTranscript(const Scene& scene) : scene_(scene) {}
+  /// The scene must outlive it. `names`: of its yarns.
+  PathTranscript(const Scene& scene, std::vector<std::string> names) : scene_(scene), names_(std::move(names)) {}
 
   bool meets(const Collision& at, uint32_t event) override;
   void gathers(const PathLight& light, std::span<const float> lengths_mm, uint32_t events) override;
@@ -27,6 +29,7 @@ class PathTranscript final : public PathSink {
   std::string placeText(const Collision& at) const;
 
   const Scene& scene_;
+  std::vector<std::string> names_;
   std::string text_;
   Collision last_;
   Rgb direct_{0}, indirect_{0};

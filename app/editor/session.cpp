@@ -39,6 +39,7 @@ Session::Session(Document document, Settings settings, DisplayDriver& driver, co
       snapshots_(viewFolder(), driver, wake),
       presets_(presetFolder(), driver, wake),
       tile_(wake),
+      handover_(wake),
       profiles_(settings_.colours, wake),
       files_(driver, wake) {
   help_.hints.wanted = !settings_.hintsSeen;
@@ -81,7 +82,7 @@ std::string Session::title() const {
 void Session::frame(Ui& ui) {
   Stopwatch watch;
   viewport_.displayIs(ui.pixels_per_mm);
-  if (viewport_.take()) snapshots_.followView(document_.fabric(), viewport_.service());
+  if (viewport_.take()) snapshots_.followView(sightNow(), viewport_.service());
   work_s_ = watch.lap();
   document_.beginFrame(heldNow());
   walkNumbers(ui);
@@ -130,7 +131,7 @@ void Session::run(Command command) {
       viewport_.service().pause(true);  // its pictures are looked at now
       return inspector_.showColourways();
     case Command::keepView:
-      return snapshots_.keepView(document_.fabric(), viewport_.tone(), viewport_.service());
+      return snapshots_.keepView(sightNow(), viewport_.service());
     case Command::chooseMesh:
       return browse(FileTask::mesh);
     case Command::chooseEnvironment:
@@ -148,6 +149,8 @@ void Session::run(Command command) {
       return look(viewport_.atActualSize(*document_.fabric(), settings_.rulerFactor));
     case Command::sheet:
       return browse(FileTask::sheet);
+    case Command::handover:
+      return handover_.show(freeFile(fileCalledAsCloth(" hand-over")).string(), document_.fabric());
     case Command::brushBefore:
       return inspector_.stepYarn(-1, document_.fabric()->yarns.size());
     case Command::brushNext:

@@ -12,6 +12,7 @@
 #include "app/editor/controllers/document_controller.h"
 #include "app/editor/controllers/draft_controller.h"
 #include "app/editor/controllers/file_controller.h"
+#include "app/editor/controllers/handover_controller.h"
 #include "app/editor/controllers/inspector_controller.h"
 #include "app/editor/controllers/preset_controller.h"
 #include "app/editor/controllers/profile_controller.h"
@@ -94,6 +95,7 @@ class Session {
   void drawSnapshot(Ui& ui);
   bool dialogIsOpen() const;
   StatusModel statusToSay() const;
+  SnapshotController::Sight sightNow() const { return {document_.fabric(), viewport_.flatView(), viewport_.tone()}; }
   void tellProbe(Ui& ui) const;
 
   // session.cpp: what is done
@@ -123,6 +125,7 @@ class Session {
   void browse(FileTask task) { files_.browse(task, startOf(task)); }
   void fileChosen(const FileController::Chosen& chosen);
   void exportTo(FileTask task, const std::string& file);
+  void printDraft(const std::string& file);
   void writeSheet(FileTask task, const std::string& file);
 
   Settings settings_;
@@ -134,6 +137,7 @@ class Session {
   SnapshotController snapshots_;
   PresetController presets_;
   TileController tile_;
+  HandoverController handover_;
   ProfileController profiles_;
   FileController files_;
   QuestionController questions_;

@@ -233,6 +233,8 @@ fs::path Session::startOf(FileTask task) const {
       return snapshots_.file();
     case FileTask::exportTile:
       return tile_.file();
+    case FileTask::handover:
+      return handover_.folder();
     case FileTask::exportWif:
       return fileCalledAsCloth(".wif");
     case FileTask::exportDraft:
@@ -262,10 +264,13 @@ void Session::fileChosen(const FileController::Chosen& chosen) {
       return snapshots_.setFile(chosen.file);
     case FileTask::exportTile:
       return tile_.setFile(chosen.file);
+    case FileTask::handover:
+      return handover_.setFolder(chosen.file);
     case FileTask::exportWif:
     case FileTask::exportBitmap:
-    case FileTask::exportDraft:
       return exportTo(chosen.task, chosen.file);
+    case FileTask::exportDraft:
+      return printDraft(chosen.file);
     case FileTask::sheet:
     case FileTask::colourwaySheet:
       return writeSheet(chosen.task, chosen.file);
@@ -288,14 +293,19 @@ void Session::writeSheet(FileTask task, const std::string& file) {
 }
 
 void Session::exportTo(FileTask task, const std::string& file) {
-  const DraftCorner corner{settings_.draft.startsRight(), settings_.draft.startsAtTop()};
-  files_.service().exportTo(file, [task, file, corner, fabric = document_.fabric()]() -> std::vector<std::string> {
+  files_.service().exportTo(file, [task, file, fabric = document_.fabric()]() -> std::vector<std::string> {
     if (task == FileTask::exportWif) return writeWifFabric(*fabric, file);
-    if (task == FileTask::exportDraft)
-      writeDraftSheet(file, *fabric, corner);
-    else
-      writeWeaveBitmap(file, *fabric);
+    writeWeaveBitmap(file, *fabric);
     return {};
+  });
+}
+
+void Session::printDraft(const std::string& file) {
+  const DraftCorner corner{settings_.draft.startsRight(), settings_.draft.startsAtTop()};
+  files_.service().renderTo(file, [file, corner, fabric = document_.fabric()](const std::stop_token& stop) {
+    Task colours;
+    colours.stop = stop;
+    return writeDraftSheet(file, *fabric, corner, colours);
   });
 }
 

@@ -96,9 +96,10 @@ void Session::drawViewport(Ui& ui) {
 }
 
 void Session::drawStrip(Ui& ui) {
-  auto restored = snapshots_.drawStrip(ui, document_.fabric(), viewport_.tone(), viewport_.service());
+  auto restored = snapshots_.drawStrip(ui, sightNow(), viewport_.service());
   if (!restored) return;
-  document_.edit(std::move(*restored));
+  viewport_.lookAs(restored->flat, restored->fabric);
+  document_.edit(std::move(restored->fabric));
   draft_.fit();
 }
 
@@ -116,8 +117,7 @@ void Session::drawInspector(Ui& ui) {
 }
 
 void Session::drawSnapshot(Ui& ui) {
-  const SnapshotController::Edit edit =
-      snapshots_.drawDialog(ui, document_.fabric(), viewport_.tone(), viewport_.service());
+  const SnapshotController::Edit edit = snapshots_.drawDialog(ui, sightNow(), viewport_.service());
   if (edit.settings) document_.renderAs(*edit.settings);
   if (edit.chooseFile) browse(FileTask::snapshot);
 }
@@ -156,6 +156,7 @@ void Session::drawDialogs(Ui& ui) {
   help_.keys.draw(ui);
   snapshots_.drawComparison(ui);
   if (!files_.isBrowsing() && tile_.draw(ui, *document_.fabric(), viewport_.service())) browse(FileTask::exportTile);
+  if (!files_.isBrowsing() && handover_.draw(ui, *document_.fabric(), viewport_.service())) browse(FileTask::handover);
   drawFabricDialogs(ui);
 }
 
@@ -173,7 +174,7 @@ void Session::drawPreferences(Ui& ui) {
 bool Session::dialogIsOpen() const {
   return files_.service().busy() || files_.isBrowsing() || questions_.isOpen() || snapshots_.dialogIsOpen() ||
          snapshots_.comparisonIsOpen() || preferences_.isOpen() || help_.keys.isOpen() || draft_.dialogIsOpen() ||
-         tile_.isOpen() || inspector_.colourwaysAreOpen() || presets_.isOpen();
+         tile_.isOpen() || handover_.isOpen() || inspector_.colourwaysAreOpen() || presets_.isOpen();
 }
 
 /// What is unsafe comes before what is worth knowing of the cloth.

@@ -81,9 +81,10 @@ std::optional<ClothSheetContent> tracedContent(const Fabric& fabric, const Cloth
   auto faces = faceColours(fabric, quiet);
   if (!faces) return std::nullopt;
   content.faces = std::move(*faces);
-  auto yarns = reachedColours(fabric, quiet);
-  if (!yarns) return std::nullopt;
-  content.yarnColours = std::move(*yarns);
+  const auto walks = walkYarns(fabric, kChipWalks, quiet);
+  if (!walks) return std::nullopt;
+  content.yarnColours = reachedColours(*walks, colouringOf(fabric));
+  content.coloursOfNames = coloursForNames(*walks, content.yarnColours);
   return content;
 }
 
@@ -96,7 +97,7 @@ class SheetFile {
     expectWritable(file);
   }
   double pixels_per_mm() const { return isPng_ ? 200 / 25.4 : 0; }
-  void write(Paper& paper) const { writeFileAtomically(file_, paper.bytes(file_)); }
+  void write(Paper& paper) const { paper.write(file_); }
 
  private:
   const std::string& file_;

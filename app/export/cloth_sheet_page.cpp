@@ -108,7 +108,8 @@ class SheetWriter {
     std::string said;
     constexpr double kPoints = 72 / 25.4;
     paper_.draw(x, y, [&](cairo_t* canvas) {
-      said = drawDraft(canvas, fabric_, options_.corner, kColumn_mm * kPoints, kSheetCloth_mm * kPoints);
+      said = drawDraft(canvas, fabric_, content_.yarnColours, options_.corner, kColumn_mm * kPoints,
+                       kSheetCloth_mm * kPoints);
     });
     paper_.text(x, y + kSheetCloth_mm + 3, said, kQuiet, kColumn_mm);
     return y + kSheetCloth_mm + 3 + kLine_mm;
@@ -195,8 +196,11 @@ class SheetWriter {
     const double columns[] = {x, x + 7, x + 15, x + 28}, end = x + width;
     const auto cm = [&](double count) { return fmt::format("{:.2f}", 0.1 * pitch_mm * count); };
     std::vector<Stripe> rows = stripesOf(sequence);
-    const auto rowsIn = [&](double from) { return static_cast<size_t>(std::max(0.0, (bottom - from) / kLine_mm)); };
-    const double headed = y + kLine_mm + 0.6;
+    constexpr double kBelowRule_mm = 0.6;  // more than between lines
+    const auto rowsIn = [&](double from) {
+      return static_cast<size_t>(std::max(0.0, (bottom - kBelowRule_mm - from) / kLine_mm));
+    };
+    const double headed = y + kLine_mm + kBelowRule_mm;
     if (rows.size() > rowsIn(headed + kLine_mm)) {
       rows = sumsOf(sequence);
       y = paper_.paragraph(x, y, yarnOrderText(sequence), kBody, width, 4) + 0.6;
@@ -204,7 +208,7 @@ class SheetWriter {
     const char* const heads[] = {label, "", threads, "cm"};
     for (size_t i = 0; i < std::size(heads); ++i) paper_.text(columns[i], y, heads[i], kQuiet);
     paper_.line(x, y + 1.2, end, y + 1.2, 0.15);
-    y += kLine_mm + 0.6;
+    y += kLine_mm + kBelowRule_mm;
     const size_t room = std::max<size_t>(2, rowsIn(y));
     const size_t shown = rows.size() + 1 > room ? room - 2 : rows.size();
     for (size_t i = 0; i < shown; ++i, y += kLine_mm) {
@@ -218,6 +222,7 @@ class SheetWriter {
       y += kLine_mm;
     }
     paper_.line(x, y - kLine_mm + 1.2, end, y - kLine_mm + 1.2, 0.15);
+    y += kBelowRule_mm;
     paper_.text(columns[0], y, "repeat", kQuiet, 14);
     paper_.text(columns[2], y, fmt::format("{}", sequence.size()), kBody, 12);
     paper_.text(columns[3], y, cm(static_cast<double>(sequence.size())), kBody, end - columns[3]);
@@ -258,7 +263,7 @@ class SheetWriter {
       if (yarn.blendFibre)
         fibre = fmt::format("{:.0f} % {}, {}", 100 * (1 - yarn.blendShare.value_or(0.5)), fibre,
                             fabric_.fibres[static_cast<size_t>(*yarn.blendFibre)].name);
-      const std::string cells[] = {yarnName(fabric_, index, content_.yarnColours[i], options_.counts),
+      const std::string cells[] = {yarnName(fabric_, index, content_.coloursOfNames[i], options_.counts),
                                    writtenCount(yarn, meanFibre(yarn, fabric_.fibres), options_.counts), twistOf(yarn),
                                    fibre, fmt::format("{:.2f}", needs[i].mass_kg)};
       for (size_t k = 0; k < std::size(cells); ++k)

@@ -23,7 +23,8 @@ struct ClothSheetContent {
   std::vector<Pixels8> colourways;  ///< of the first ones
   ClothMeasures measures;
   std::vector<FaceColour> faces;
-  std::vector<Rgb> yarnColours;  ///< that the cloth reaches, linear
+  std::vector<Rgb> yarnColours;     ///< that the cloth reaches, linear
+  std::vector<Rgb> coloursOfNames;  ///< by which the yarns are called (coloursForNames())
 };
 
 /// Lays the sheet out: on one page where it fits, as it does with a dozen yarns; what is beyond goes on the next.

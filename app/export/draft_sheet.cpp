@@ -18,7 +18,7 @@
 #include "core/base/text.h"
 #include "core/fabric/weave/draft_edit.h"
 #include "core/fabric/yarn/derived.h"
-#include "core/fabric/yarn/yarn_reflectance.h"
+#include "render/transport/reached_colours.h"
 
 namespace loomlight {
 namespace {
@@ -44,8 +44,8 @@ struct Window {
 /// The draft and how it is laid out on any page: bars of colour, threading and treadling beside the drawdown.
 class Sheet {
  public:
-  Sheet(const Fabric& fabric, const DraftCorner& corner)
-      : fabric_(fabric), corner_(corner), shape_(crossingShape(fabric)) {
+  Sheet(const Fabric& fabric, std::span<const Rgb> yarnColours, const DraftCorner& corner)
+      : fabric_(fabric), yarnColours_(yarnColours), corner_(corner), shape_(crossingShape(fabric)) {
     // What nobody could thread is drawn without a threading.
     constexpr LoomLimits kLoom{64, 64};
     draft_ = fabric.draft ? fabric.draft : deriveDraft(fabric.weave, kLoom).draft;
@@ -128,8 +128,7 @@ class Sheet {
   }
 
   void setYarn(cairo_t* canvas, int yarn) const {
-    const Fibre& fibre = fabric_.fibres[static_cast<size_t>(fabric_.yarns[static_cast<size_t>(yarn)].fibre)];
-    const Rgb linear = fibreReflectance(fibre);
+    const Rgb& linear = yarnColours_[static_cast<size_t>(yarn)];
     const Rgb display = srgbFromLinear(glm::clamp(linear, Rgb(0.0f), Rgb(1.0f)));
     cairo_set_source_rgb(canvas, display.x, display.y, display.z);
   }
@@ -229,6 +228,7 @@ class Sheet {
   }
 
   const Fabric& fabric_;
+  std::span<const Rgb> yarnColours_;
   DraftCorner corner_;
   CrossingShape shape_;
   std::optional<Draft> draft_;
@@ -274,7 +274,7 @@ std::string pdfOf(const Sheet& sheet, const Weave& weave, const std::string& fil
   return withSrgbProfile(bytes);
 }
 
-std::string pngOf(Sheet sheet, const Weave& weave, const std::string& file) {
+Pixels8 pictureOf(Sheet sheet, const Weave& weave, const std::string& file) {
   constexpr double kLargestSide = 8192, kLargestCell = 16;
   SheetSize size;
   size.margin = 16;
@@ -294,16 +294,15 @@ std::string pngOf(Sheet sheet, const Weave& weave, const std::string& file) {
   cairo_set_antialias(canvas.get(), size.cell >= 1 ? CAIRO_ANTIALIAS_NONE : CAIRO_ANTIALIAS_DEFAULT);
   sheet.draw(canvas.get(), size, {0, weave.ends(), 0, weave.picks()});
   expectDrawn(cairo_status(canvas.get()), file, kWhat);
-  std::string bytes;
-  expectDrawn(cairo_surface_write_to_png_stream(surface.get(), appendTo, &bytes), file, kWhat);
-  return bytes;
+  return pixelsOf(surface.get());
 }
 
 }  // namespace
 
-std::string drawDraft(cairo_t* canvas, const Fabric& fabric, const DraftCorner& corner, double width, double height) {
+std::string drawDraft(cairo_t* canvas, const Fabric& fabric, std::span<const Rgb> yarnColours,
+                      const DraftCorner& corner, double width, double height) {
   constexpr double kMillimetre = 72 / 25.4, kLargestCell = 4 * kMillimetre, kLegibleCell = 1.2 * kMillimetre;
-  const Sheet sheet(fabric, corner);
+  const Sheet sheet(fabric, yarnColours, corner);
   const Weave& weave = fabric.weave;
   SheetSize size{width, height, 0, 0, 0, 0.15};
   const double whole = std::min(width / sheet.across(weave.ends()), height / sheet.down(weave.picks()));
@@ -320,13 +319,19 @@ std::string drawDraft(cairo_t* canvas, const Fabric& fabric, const DraftCorner& 
   return sheet.figures(window);
 }
 
-void writeDraftSheet(const std::string& file, const Fabric& fabric, const DraftCorner& corner) {
+bool writeDraftSheet(const std::string& file, const Fabric& fabric, const DraftCorner& corner, const Task& task) {
   const std::string extension = lowerExtension(file);
   if (extension != ".pdf" && extension != ".png")
     throw InputError(fmt::format("{}: expected the name of a draft that ends in .pdf or .png", file));
   expectWritable(file);
-  const Sheet sheet(fabric, corner);
-  writeFileAtomically(file, extension == ".pdf" ? pdfOf(sheet, fabric.weave, file) : pngOf(sheet, fabric.weave, file));
+  const auto colours = reachedColours(fabric, task);
+  if (!colours) return false;
+  const Sheet sheet(fabric, *colours, corner);
+  if (extension == ".pdf")
+    writeFileAtomically(file, pdfOf(sheet, fabric.weave, file));
+  else
+    writePng(file, pictureOf(sheet, fabric.weave, file));
+  return true;
 }
 
 }  // namespace loomlight

@@ -7,6 +7,7 @@
 
 #include "app/export/cairo_output.h"
 #include "app/export/pdf_profile.h"
+#include "core/base/file.h"
 
 namespace loomlight {
 namespace {
@@ -153,25 +154,24 @@ void Paper::draw(double x, double y, const std::function<void(cairo_t*)>& how) {
   cairo_restore(canvas_);
 }
 
-std::string Paper::bytes(const std::string& file) {
+void Paper::write(const std::string& file) {
   if (isPdf_) {
     cairo_surface_show_page(surface_);
     cairo_surface_finish(surface_);
-  } else {
-    const int width = cairo_image_surface_get_width(surface_), height = cairo_image_surface_get_height(surface_);
-    full_.push_back(surface_);
-    surface_ = cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height * static_cast<int>(full_.size()));
-    cairo_destroy(canvas_);
-    canvas_ = cairo_create(surface_);
-    for (size_t i = 0; i < full_.size(); ++i) {
-      cairo_set_source_surface(canvas_, full_[i], 0, height * static_cast<double>(i));
-      cairo_paint(canvas_);
-    }
-    cairo_surface_write_to_png_stream(surface_, appendTo, &bytes_);
   }
   for (const cairo_status_t status : {cairo_status(canvas_), cairo_surface_status(surface_)})
     expectDrawn(status, file, "the sheet");
-  return isPdf_ ? withSrgbProfile(bytes_) : bytes_;
+  if (isPdf_) {
+    writeFileAtomically(file, withSrgbProfile(bytes_));
+    return;
+  }
+  Pixels8 sheet = pixelsOf(full_.empty() ? surface_ : full_.front());
+  for (size_t page = 1; page <= full_.size(); ++page) {
+    const Pixels8 next = pixelsOf(page < full_.size() ? full_[page] : surface_);
+    sheet.bytes.insert(sheet.bytes.end(), next.bytes.begin(), next.bytes.end());
+    sheet.height += next.height;
+  }
+  writePng(file, sheet, {}, 25.4 * pixels_per_mm_);
 }
 
 }  // namespace loomlight

@@ -48,8 +48,8 @@ class Paper {
   };
   const std::vector<Box>& boxes() const { return boxes_; }
 
-  /// The pages as a file. Throws InputError naming `file` where that failed.
-  std::string bytes(const std::string& file);
+  /// The pages as a file, once. Throws InputError naming it where that failed.
+  void write(const std::string& file);
 
  private:
   void begin();

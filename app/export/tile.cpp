@@ -10,7 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/fabric/model/validate.h"
-#include "core/geometry/cloth_geometry.h"
+#include "render/transport/yarn_names.h"
 
 // How it works. A tile is a whole number of repeats: of the weave, of both colour orders and, where that is not too
 // long, of the twist of the yarns, each by the least common multiple. It is rendered as the middle of a larger piece,
@@ -167,9 +167,12 @@ std::optional<TileReport> makeTile(const Fabric& fabric, const std::string& stem
   validate(*tile, "the tile");
   const auto picture = renderWhole(tile, {limit_bytes, FibreExtent::oneRepeat}, task);
   if (!picture) return std::nullopt;
-  const ClothMeasures measures = picture->scene->cloth->volume->geometry().measure();
-  return writeTile(stem, tileMaps(picture->film, *tile), fabric, extent, measures.thickness_mm,
-                   measures.arealMass_g_m2);
+  Task naming = task;
+  naming.progress = nullptr;  // it takes a moment
+  const auto names = yarnNames(fabric, naming);
+  if (!names) return std::nullopt;
+  return writeTile(stem, tileMaps(picture->film, *tile), fabric, extent,
+                   picture->scene->cloth->volume->geometry().measure(), *names);
 }
 
 }  // namespace loomlight

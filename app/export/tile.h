@@ -6,6 +6,7 @@
 
 #include "core/base/task.h"
 #include "core/fabric/model/fabric.h"
+#include "core/geometry/cloth_geometry.h"
 #include "render/film/film.h"
 #include "render/film/image.h"
 
@@ -58,9 +59,10 @@ struct TileReport {
 };
 /// Writes STEM.exr (all maps, linear; the opacity is a layer, as an alpha would mean colours that it has darkened),
 /// STEM_basecolor.png, _normal.png (y up), _height.png, _opacity.png, _yarn.png and STEM.json, which says what they
-/// are. The pictures carry their size as dots per inch. Each file is whole or not there. Throws InputError.
+/// are. The pictures carry their size as dots per inch. Each file is whole or not there. `names`: of the fabric's
+/// yarns. Throws InputError.
 TileReport writeTile(const std::string& stem, const TileMaps& maps, const Fabric& fabric, const TileExtent& extent,
-                     double thickness_mm, double arealMass_g_m2);
+                     const ClothMeasures& measures, const std::vector<std::string>& names);
 
 struct TileOrder {
   int longestSide = 0;  ///< pixels; 0: usualTileSide()

@@ -8,7 +8,6 @@
 #include "app/export/tile.h"
 #include "core/base/file.h"
 #include "core/base/rgb.h"
-#include "core/fabric/yarn/yarn_name.h"
 
 namespace loomlight {
 namespace {
@@ -76,7 +75,7 @@ std::string hex(const Rgb& colour) {
 }  // namespace
 
 TileReport writeTile(const std::string& stem, const TileMaps& maps, const Fabric& fabric, const TileExtent& extent,
-                     double thickness_mm, double arealMass_g_m2) {
+                     const ClothMeasures& measures, const std::vector<std::string>& names) {
   TileReport report;
   const auto named = [&](const char* ending) {
     report.files.push_back(stem + ending);
@@ -97,9 +96,8 @@ TileReport writeTile(const std::string& stem, const TileMaps& maps, const Fabric
   write("_yarn.png", picture(maps, [&](size_t i) { return idColour(maps.yarn[i]); }));
 
   nlohmann::ordered_json yarns = nlohmann::ordered_json::array();
-  for (size_t i = 0; i < fabric.yarns.size(); ++i)
-    yarns.push_back(
-        {{"id", i}, {"name", yarnName(fabric, static_cast<int>(i))}, {"color", hex(idColour(static_cast<int>(i)))}});
+  for (size_t i = 0; i < names.size(); ++i)
+    yarns.push_back({{"id", i}, {"name", names[i]}, {"color", hex(idColour(static_cast<int>(i)))}});
   const nlohmann::ordered_json json = {
       {"name", fabric.name},
       {"program", "Loomlight " LOOMLIGHT_VERSION},
@@ -110,8 +108,8 @@ TileReport writeTile(const std::string& stem, const TileMaps& maps, const Fabric
       {"twist_joins", extent.twistJoins},
       {"width_px", maps.width},
       {"height_px", maps.height},
-      {"areal_mass_g_m2", arealMass_g_m2},
-      {"thickness_mm", thickness_mm},
+      {"areal_mass_g_m2", measures.arealMass_g_m2},
+      {"thickness_mm", measures.thickness_mm},
       {"maps",
        {{"all",
          {{"file", fileName(".exr")},

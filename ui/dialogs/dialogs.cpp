@@ -62,7 +62,7 @@ SnapshotDialog::Result SnapshotDialog::draw(Ui& ui, double seen_mm, const Render
   bool changed = snapshotOptionRows(ui, options_, settings_, seen_mm);
   changed |= memberField(ui, "snapshot", settings_, &RenderSettings::samplesPerPixel);
   textField(ui, {"snapshot.file", words::snapshot::file}, file_);
-  result.chooseFile = chooseFileButton(ui, "snapshot", file_);
+  result.chooseFile = opening_ = chooseFileButton(ui, "snapshot", file_);  // it comes back when the browser has gone
   ImGui::EndDisabled();
   if (changed) result.settings = settings_;
 

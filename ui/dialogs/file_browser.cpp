@@ -160,14 +160,24 @@ bool FileBrowser::drawEntries(Ui& ui, float width, float height) {
       }
     }
   }
-  if (shown.empty()) hint(ui, entries_.empty() ? words::files::nothingHere : words::common::nothingCalledThat);
+  const char* const none = purpose_ == Purpose::folder ? words::files::noFolderHere : words::files::nothingHere;
+  if (shown.empty()) hint(ui, entries_.empty() ? none : words::common::nothingCalledThat);
   ImGui::EndChild();
   ImGui::PopStyleColor(2);
   if (into) enter(*into);
   return decided;
 }
 
+std::optional<std::string> FileBrowser::decideFolder() {
+  const fs::path folder = typed_.empty() ? folder_ : named();
+  std::error_code ignored;
+  if (!fs::exists(folder, ignored) || fs::is_directory(folder, ignored)) return folder.string();
+  problem_ = fmt::format(words::files::isNoFolder, folder.filename().string());
+  return std::nullopt;
+}
+
 std::optional<std::string> FileBrowser::decide(bool mayReplace) {
+  if (purpose_ == Purpose::folder) return decideFolder();
   if (typed_.empty()) {
     problem_ = words::files::noName;
     return std::nullopt;
@@ -207,9 +217,9 @@ void FileBrowser::drawName(Ui& ui, bool begin, bool& decided) {
     return 0;
   };
   std::string text = typed_;
-  decided |= ImGui::InputTextWithHint("##name", words::files::nameOrPath, &text,
-                                      ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackHistory,
-                                      onArrow, this);
+  decided |= ImGui::InputTextWithHint(
+      "##name", purpose_ == Purpose::folder ? words::files::folderOrPath : words::files::nameOrPath, &text,
+      ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackHistory, onArrow, this);
   typed_ = text;
   if (typed_ != before) toReplace_.clear();
   ui.probe.recordItem("browser.name");
@@ -225,7 +235,7 @@ std::optional<std::string> FileBrowser::draw(Ui& ui, const FilePreview& preview)
   ImGui::SameLine();
   constexpr float kLeastList = 320;  // names come first where there is little room
   const float room = ImGui::GetContentRegionAvail().x, list = room - ui.px(kPreviewWidth) - gap;
-  const bool previews = list >= ui.px(kLeastList);
+  const bool previews = purpose_ != Purpose::folder && list >= ui.px(kLeastList);
   bool decided = drawEntries(ui, previews ? list : room, height);
   if (previews) {
     ImGui::SameLine(0, gap);
@@ -237,9 +247,10 @@ std::optional<std::string> FileBrowser::draw(Ui& ui, const FilePreview& preview)
   ImGui::SetCursorPosX(ImGui::GetWindowWidth() - 2 * width - ui.px(24));
   const bool close = button(ui, "browser.cancel", words::common::cancel, width) || modalCancelled(ui);
   ImGui::SameLine();
-  const char* does = purpose_ == Purpose::open ? words::files::open
-                     : toReplace_.empty()      ? words::common::save
-                                               : words::common::replace;
+  const char* does = purpose_ == Purpose::open     ? words::files::open
+                     : purpose_ == Purpose::folder ? words::files::take
+                     : toReplace_.empty()          ? words::common::save
+                                                   : words::common::replace;
   const bool pressed = mainButton(ui, "browser.ok", does, width);
   decided |= modalConfirmed(ui);
   std::optional<std::string> file;

@@ -9,17 +9,18 @@
 
 namespace loomlight {
 
-/// A dialog that names a file. Places on the left, the folder in the middle, a look at what is chosen on the right, a
-/// path that can be typed below.
+/// A dialog that names a file, or a folder. Places on the left, the folder in the middle, a look at what is chosen on
+/// the right, a path that can be typed below.
 class FileBrowser {
  public:
   struct Bookmark {
     std::string name;
     std::filesystem::path path;
   };
-  enum class Purpose { open, save };
+  enum class Purpose { open, save, folder };
 
-  /// `extensions` with their dots (".json"); the first is appended to a typed name that has none of them.
+  /// `extensions` with their dots (".json"); the first is appended to a typed name that has none of them. A folder has
+  /// none: it is the one that is entered, or a new one in it where a name is typed.
   void show(Purpose purpose, std::string title, std::vector<std::string> extensions, const std::filesystem::path& start,
             std::vector<Bookmark> bookmarks);
   bool isOpen() const { return open_; }
@@ -50,6 +51,7 @@ class FileBrowser {
   bool drawEntries(Ui& ui, float width, float height);
   /// `mayReplace`: by the button, which says so; a key that is pressed twice must not.
   std::optional<std::string> decide(bool mayReplace);
+  std::optional<std::string> decideFolder();
 
   bool open_ = false;
   bool opening_ = false;

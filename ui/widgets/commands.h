@@ -21,6 +21,7 @@ enum class Command {
   fitView,
   actualSize,
   sheet,
+  handover,
   brushBefore,
   brushNext,
   swapBrushes,

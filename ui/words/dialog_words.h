@@ -94,6 +94,22 @@ inline constexpr const char* written = "Written: {}.json and {} maps beside it";
 
 }  // namespace tile
 
+namespace handover {
+
+inline constexpr const char* title = "Hand-over";
+inline constexpr const char* about =
+    "Both sides of one seamless tile for CLO, Browzwear, Blender and others: maps, U3M, glTF and MaterialX, with what "
+    "renderers of surfaces need fitted to this cloth.";
+inline constexpr Word measure{"To measure", "Light paths for each of the cameras that gloss and sheen are fitted to."};
+inline constexpr const char* paths = "paths";
+inline constexpr Word colourways{
+    "All colourways", "On: beside the colours it has now, every colourway of the cloth, each in a folder of its own."};
+inline constexpr Word folder{"Folder", "Made where there is none; the files are named after the cloth."};
+inline constexpr const char* cancelled = "Cancelled; written whole: {} of {} folders";
+inline constexpr const char* written = "Written: {} files in {}";
+
+}  // namespace handover
+
 namespace wif {
 
 inline constexpr Word threads{"Threads",

@@ -29,6 +29,7 @@ inline constexpr MenuWord savePreset{"Keep as preset"};
 inline constexpr MenuWord presets{"Presets\xE2\x80\xA6", "Ctrl+B"};
 inline constexpr MenuWord snapshot{"Snapshot\xE2\x80\xA6", "Ctrl+P"};
 inline constexpr MenuWord sheet{"Cloth sheet\xE2\x80\xA6", ".pdf"};
+inline constexpr MenuWord handover{"Hand-over\xE2\x80\xA6", ".u3m .glb"};
 inline constexpr MenuWord quit{"Quit", "Ctrl+Q"};
 inline constexpr MenuWord undo{"Undo", "Ctrl+Z"};
 inline constexpr MenuWord redo{"Redo", "Ctrl+Shift+Z"};

@@ -14,9 +14,9 @@
 #include "core/base/text.h"
 #include "core/fabric/json/fabric_json.h"
 #include "core/fabric/model/validate.h"
-#include "core/fabric/yarn/yarn_name.h"
 #include "render/bvdf/bake/bvdf_baker.h"
 #include "render/bvdf/bvdf_picture.h"
+#include "render/transport/yarn_names.h"
 
 namespace loomlight {
 namespace {
@@ -34,26 +34,31 @@ BvdfOptions bakeOptions(const BvdfCommand& command) {
 }
 
 /// The tables' names, and what else is needed to make them again.
-std::map<std::string, std::string> metadata(const Fabric& fabric, const BvdfSet& set) {
+std::map<std::string, std::string> metadata(const Fabric& fabric, const std::vector<std::string>& names,
+                                            const BvdfSet& set) {
   const BvdfResolution& r = set.tables.front().resolution();
   std::string yarns;
-  for (size_t i = 0; i < fabric.yarns.size(); ++i)
-    yarns += fmt::format("{}{}: {}.p", i ? ", " : "", yarnName(fabric, static_cast<int>(i)), set.tableOfYarn[i]);
+  for (size_t i = 0; i < names.size(); ++i)
+    yarns += fmt::format("{}{}: {}.p", i ? ", " : "", names[i], set.tableOfYarn[i]);
   return {{"bvdf.bins", fmt::format("theta_o {}, phi_o {}, theta_i {}, phi_i {}", r.thetaO, r.phiO, r.thetaI, r.phiI)},
           {"bvdf.rays", std::to_string(set.rays)},
           {"bvdf.yarns", yarns},
           {"bvdf.fabric", fabricToJson(fabric)}};
 }
 
-void write(const std::string& output, const Fabric& fabric, const BvdfSet& set) {
+/// False when stopped, and then nothing is written.
+bool write(const std::string& output, const Fabric& fabric, const BvdfSet& set, const Task& task) {
   std::filesystem::path picture = output;
   if (lowerExtension(output) == ".exr") {
+    const auto names = yarnNames(fabric, task);
+    if (!names) return false;
     Image table = bvdfImage(set);
-    table.metadata = metadata(fabric, set);
+    table.metadata = metadata(fabric, *names, set);
     writeExr(output, table);
     picture.replace_extension(".png");
   }
   writePng(picture.string(), bvdfPicture(set));
+  return true;
 }
 
 }  // namespace
@@ -74,8 +79,7 @@ int run(const BvdfCommand& command) {
                     command.threads > 0 ? command.threads : hardwareThreads()};
     set = bakeBvdf(fabric, bakeOptions(command), BvdfCache(BvdfCache::userFolder()), task);
   }
-  if (!set) return Interrupt::kExitStatus;
-  write(command.output, fabric, *set);
+  if (!set || !write(command.output, fabric, *set, interrupt.task(command.threads))) return Interrupt::kExitStatus;
   fmt::print("{}: {} table{} of {} rays, {}\n", command.output, set->tables.size(), set->tables.size() == 1 ? "" : "s",
              set->rays, durationText(whole.lap()));
   return 0;

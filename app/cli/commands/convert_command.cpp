@@ -62,7 +62,8 @@ int run(const ConvertCommand& command) {
     for (const std::string& remark : writeWifFabric(fabric, command.output))
       fmt::print(stderr, "{}: {}\n", command.output, remark);
   } else if (extension == ".pdf" || (extension == ".png" && command.drawsDraft)) {
-    writeDraftSheet(command.output, fabric, {});
+    const Interrupt interrupt;
+    if (!writeDraftSheet(command.output, fabric, {}, interrupt.task(0))) return Interrupt::kExitStatus;
   } else if (extension == ".png" || extension == ".bmp" || extension == ".tif" || extension == ".tiff") {
     writeWeaveBitmap(command.output, fabric);
   } else {

@@ -21,7 +21,7 @@ struct HandoverCommand {
   double memoryLimit_bytes = defaultMemoryLimit_bytes();
 };
 
-/// Writes a cloth in the formats of other programs (app/export/handover/handover.h). Exit status 0, or that of an
+/// Writes a cloth in the formats of other programs (app/export/handover/cloth_handover.h). Exit status 0, or that of an
 /// interrupt. Throws InputError.
 int run(const HandoverCommand& command);
 

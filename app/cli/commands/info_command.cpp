@@ -17,8 +17,8 @@
 #include "core/fabric/yarn/cloth_states.h"
 #include "core/fabric/yarn/derived.h"
 #include "core/fabric/yarn/long_floats.h"
-#include "core/fabric/yarn/yarn_name.h"
 #include "render/scene/scene.h"
+#include "render/transport/yarn_names.h"
 
 namespace loomlight {
 namespace {
@@ -45,14 +45,15 @@ struct Information {
   ClothMeasures measures;
   ClothStates states;
   PieceSize orderedPiece;
-  std::vector<YarnNeed> needs;  ///< of the yarns, for that piece
+  std::vector<YarnNeed> needs;         ///< of the yarns, for that piece
+  std::vector<std::string> yarnNames;  ///< of the same
   std::vector<std::string> warnings;
   VolumeCounts volume;
   int pieceEnds = 0, piecePicks = 0;
 };
 
-std::string selvedgeYarnName(const Fabric& fabric) {
-  return fabric.mill.selvedgeYarn ? yarnName(fabric, *fabric.mill.selvedgeYarn) : std::string();
+std::string selvedgeYarnName(const Fabric& fabric, const Information& of) {
+  return fabric.mill.selvedgeYarn ? of.yarnNames[static_cast<size_t>(*fabric.mill.selvedgeYarn)] : std::string();
 }
 
 /// In the order in which a cloth goes through them, by their keys.
@@ -61,7 +62,7 @@ std::array<std::pair<const char*, const ClothState*>, 4> namedStates(const Cloth
 }
 
 /// Of those yarns that are woven.
-nlohmann::ordered_json needsJson(const Fabric& fabric, const Information& of) {
+nlohmann::ordered_json needsJson(const Information& of) {
   nlohmann::ordered_json json;
   json["length_m"] = of.orderedPiece.length_m;
   json["width_cm"] = of.orderedPiece.width_cm;
@@ -69,10 +70,8 @@ nlohmann::ordered_json needsJson(const Fabric& fabric, const Information& of) {
   for (size_t i = 0; i < of.needs.size(); ++i) {
     const YarnNeed& need = of.needs[i];
     if (need.warp_m + need.weft_m > 0)
-      json["yarns"].push_back({{"name", yarnName(fabric, static_cast<int>(i))},
-                               {"warp_m", need.warp_m},
-                               {"weft_m", need.weft_m},
-                               {"mass_kg", need.mass_kg}});
+      json["yarns"].push_back(
+          {{"name", of.yarnNames[i]}, {"warp_m", need.warp_m}, {"weft_m", need.weft_m}, {"mass_kg", need.mass_kg}});
   }
   return json;
 }
@@ -99,7 +98,7 @@ void addMill(nlohmann::ordered_json& json, const Fabric& fabric, const Informati
   json["ends_per_dent"] = mill.endsPerDent;
   json["selvedge"] = {{"ends", mill.selvedgeEnds},
                       {"ends_per_dent", mill.selvedgeEndsPerDent},
-                      {"yarn", selvedgeYarnName(fabric)},
+                      {"yarn", selvedgeYarnName(fabric, of)},
                       {"weave", mill.selvedgeWeave}};
   const auto settJson = [](const KnownSett& sett) {
     nlohmann::ordered_json known{{"per_cm", nullptr}, {"from", sourceText(sett.source)}};
@@ -154,7 +153,7 @@ nlohmann::ordered_json toJson(const Fabric& fabric, const Information& of) {
   json["crimp_weft"] = of.measures.crimpWeft;
   json["press"] = fabric.press;
   addMill(json, fabric, of);
-  json["yarn_need"] = needsJson(fabric, of);
+  json["yarn_need"] = needsJson(of);
   json["warnings"] = of.warnings;
   json["piece_ends"] = of.pieceEnds;
   json["piece_picks"] = of.piecePicks;
@@ -174,7 +173,7 @@ void printMill(const Fabric& fabric, const Information& of) {
   if (mill.reed_per_10cm > 0)
     line("reed", fmt::format("{:g}", mill.reed_per_10cm),
          fmt::format("dents/10 cm, ends per dent {}", dentingText(mill.endsPerDent)));
-  const std::string selvedges = selvedgeText(mill, selvedgeYarnName(fabric));
+  const std::string selvedges = selvedgeText(mill, selvedgeYarnName(fabric, of));
   if (!selvedges.empty()) line("selvedges", "", selvedges);
   const char* const labels[] = {"sett in the reed", "sett in loom state", "sett, finished", "sett, washed"};
   const auto states = namedStates(of.states);
@@ -190,12 +189,12 @@ void printMill(const Fabric& fabric, const Information& of) {
          fmt::format("cm, with the selvedges, for {:g} cm finished", of.orderedPiece.width_cm));
 }
 
-void printNeeds(const Fabric& fabric, const Information& of) {
+void printNeeds(const Information& of) {
   fmt::print("\nYarn for a piece of {:g} m x {:g} cm\n", of.orderedPiece.length_m, of.orderedPiece.width_cm);
   for (size_t i = 0; i < of.needs.size(); ++i) {
     const YarnNeed& need = of.needs[i];
     if (need.warp_m + need.weft_m > 0)
-      line(yarnName(fabric, static_cast<int>(i)), fmt::format("{:.0f} m", need.warp_m + need.weft_m),
+      line(of.yarnNames[i], fmt::format("{:.0f} m", need.warp_m + need.weft_m),
            fmt::format("{:.3f} kg; warp {:.0f} m, weft {:.0f} m", need.mass_kg, need.warp_m, need.weft_m));
   }
 }
@@ -268,7 +267,7 @@ void printTable(const Fabric& fabric, const Information& of) {
   line("press", fmt::format("{:g}", fabric.press), "0 washed, 0.5 pressed, 1 calendered");
   fmt::print("  All of this is of the finished cloth, at the setts given.\n");
   printMill(fabric, of);
-  printNeeds(fabric, of);
+  printNeeds(of);
   fmt::print("\nVolume\n");
   line("piece", fmt::format("{} x {}", of.pieceEnds, of.piecePicks), "ends x picks");
   line("resolution", fmt::format("{}", fabric.render.resolution), "voxels per yarn diameter");
@@ -287,9 +286,10 @@ int run(const InfoCommand& command) {
   const Interrupt interrupt;
   FabricInput input = readInput(command.input, command.wif);
   Fabric fabric = withOptions(std::move(input.fabric), command.options);
-  fabric.light = Light{};
-  fabric.light.kind = LightKind::dome;  // nothing here depends on light, so no environment need be loaded
   validate(fabric, command.input);
+  const auto named = std::make_shared<const Fabric>(fabric);  // under its own lamps
+  fabric.light = Light{};
+  fabric.light.kind = LightKind::dome;  // no figure depends on light, so no environment need be loaded
 
   std::shared_ptr<const Scene> scene;
   {
@@ -299,7 +299,8 @@ int run(const InfoCommand& command) {
     task.progress = [&progress](double fraction) { progress.update(fraction); };
     scene = makeScene(std::make_shared<const Fabric>(fabric), task);
   }
-  if (!scene) return Interrupt::kExitStatus;
+  auto names = scene ? yarnNames(*named, interrupt.task(0)) : std::nullopt;
+  if (!names) return Interrupt::kExitStatus;
   const ClothGeometry& geometry = scene->cloth->volume->geometry();
   Information information;
   information.floats = floats(fabric.weave);
@@ -311,6 +312,7 @@ int run(const InfoCommand& command) {
   information.states = clothStates(fabric, Crimps{information.measures.crimpWarp, information.measures.crimpWeft});
   information.orderedPiece = command.piece;
   information.needs = yarnNeed(fabric, command.piece, information.measures.crimpWarp, information.measures.crimpWeft);
+  information.yarnNames = std::move(*names);
   information.warnings = std::move(input.warnings);
   for (std::string& warning : warnings(fabric, information.floats, information.longFloats))
     information.warnings.push_back(std::move(warning));

@@ -9,6 +9,7 @@
 #include "core/fabric/model/choice_names.h"
 #include "core/fabric/model/validate.h"
 #include "render/transport/path_tracer.h"
+#include "render/transport/yarn_names.h"
 
 namespace loomlight {
 
@@ -25,9 +26,10 @@ int run(const TraceCommand& command) {
   const Task task = interrupt.task(command.threads);
   const auto scene = makeScene(fabric, task);
   const auto medium = scene ? makeMedium(*scene, {command.memoryLimit_bytes, command.fibreExtent}, task) : nullptr;
-  if (!medium) return Interrupt::kExitStatus;
+  auto names = medium ? yarnNames(*fabric, task) : std::nullopt;
+  if (!names) return Interrupt::kExitStatus;
 
-  PathTranscript transcript(*scene);
+  PathTranscript transcript(*scene, std::move(*names));
   TraceCounts counts;
   tracePath(*scene, *medium, CameraRays(fabric->camera, settings.width, settings.height), pixel.x, pixel.y,
             command.sample, counts, &transcript);

@@ -36,6 +36,7 @@ const Asked& askedFor(FileTask task) {
       {FileTask::exportWif, Purpose::save, words::files::exportWif, {".wif"}},
       {FileTask::exportDraft, Purpose::save, words::files::exportDraft, {".pdf", ".png"}},
       {FileTask::exportTile, Purpose::save, words::files::tileFile, {".json"}},
+      {FileTask::handover, Purpose::folder, words::files::handoverFolder, {}},
       {FileTask::sheet, Purpose::save, words::files::sheetFile, {".pdf", ".png"}},
       {FileTask::colourwaySheet, Purpose::save, words::files::colourwaysFile, {".pdf", ".png"}},
       {FileTask::exportBitmap, Purpose::save, words::files::exportWeave, {".png", ".tif", ".bmp"}},

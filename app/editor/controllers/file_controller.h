@@ -27,6 +27,7 @@ enum class FileTask {
   exportBitmap,
   exportDraft,
   exportTile,
+  handover,
   sheet,
   colourwaySheet,
   picture,

@@ -37,48 +37,46 @@ void SnapshotController::setFile(const std::string& file) {
   rendering_.forget();
 }
 
-void SnapshotController::keepView(const std::shared_ptr<const Fabric>& fabric, const Tone& tone,
-                                  const ViewService& seen) {
-  viewToKeep_ = {fabric, tone, {}, 0};
-  followView(fabric, seen);
+void SnapshotController::keepView(const Sight& now, const ViewService& seen) {
+  viewToKeep_ = {now, {}, 0};
+  followView(now, seen);
 }
 
-/// An edit that comes before the picture has taken its place.
-void SnapshotController::followView(const std::shared_ptr<const Fabric>& fabric, const ViewService& seen) {
+/// What is looked at may be another cloth, or the same from elsewhere, before the picture has taken its place.
+void SnapshotController::followView(const Sight& now, const ViewService& seen) {
   ViewToKeep& view = viewToKeep_;
-  if (view.fabric != fabric) view = {};
-  if (!view.fabric || !seen.shows(view.fabric)) return;
+  if (!view.sight.isOf(now)) view = {};
+  if (!view.sight.fabric || !seen.shows(view.sight.fabric, view.sight.flat)) return;
   const Frame& frame = *seen.frame();
   constexpr int kWorthIt = 2;  // times the samples, to be seen
   if (view.id.empty())
-    view.id = shelf_.keep(view.fabric, displayPicture(frame, view.tone));
+    view.id = shelf_.keep(view.sight.fabric, view.sight.flat, displayPicture(frame, view.sight.tone));
   else if (frame.samples > 0 && frame.samples >= kWorthIt * view.samples)
-    shelf_.renew(view.id, displayPicture(frame, view.tone));
+    shelf_.renew(view.id, displayPicture(frame, view.sight.tone));
   else
     return;
   view.samples = frame.samples;
 }
 
-SnapshotController::Edit SnapshotController::drawDialog(Ui& ui, const std::shared_ptr<const Fabric>& fabric,
-                                                        const Tone& tone, ViewService& seen) {
+SnapshotController::Edit SnapshotController::drawDialog(Ui& ui, const Sight& now, ViewService& seen) {
   if (rendering_.isRunning()) ui.wakeWithin(0.1);
   if (const auto written = rendering_.follow()) {
     seen.pause(false);
-    if (*written) keepView(fabric, tone, seen);
+    if (*written) keepView(now, seen);
   }
   const std::string before = dialog_.file();
   const SnapshotDialog::Result result =
-      dialog_.draw(ui, heightSeen_mm(seen.asSeen(fabric)->camera), rendering_.progress());
+      dialog_.draw(ui, heightSeen_mm(seen.asSeen(now.fabric)->camera), rendering_.progress());
   if (result.settings || dialog_.file() != before) rendering_.forget();
   if (result.cancel) rendering_.cancel();
   if (result.start && !rendering_.isRunning()) {
-    const auto edited = std::make_shared<Fabric>(*seen.asSeen(fabric));
+    const auto edited = std::make_shared<Fabric>(*seen.asSeen(now.fabric));
     if (result.settings) edited->render = *result.settings;
     const SnapshotOptions& options = dialog_.options();
     constexpr double kMmPerInch = 25.4;
     if (options.actualSize) edited->camera = atScale(edited->camera, edited->render.height, options.dpi / kMmPerInch);
     seen.pause(true);
-    rendering_.start([edited, file = dialog_.file(), tone,
+    rendering_.start([edited, file = dialog_.file(), tone = now.tone,
                       print = printOf(dialog_.options(), *edited)](const Task& task) -> std::optional<std::string> {
       if (!writeSnapshot(edited, file, tone, print, task)) return std::nullopt;
       return fmt::format(words::snapshot::saved, file);
@@ -87,14 +85,15 @@ SnapshotController::Edit SnapshotController::drawDialog(Ui& ui, const std::share
   return {result.settings, result.chooseFile};
 }
 
-std::optional<Fabric> SnapshotController::drawStrip(Ui& ui, const std::shared_ptr<const Fabric>& fabric,
-                                                    const Tone& tone, const ViewService& seen) {
+std::optional<SnapshotController::Restored> SnapshotController::drawStrip(Ui& ui, const Sight& now,
+                                                                          const ViewService& seen) {
   const SnapshotStripEdit result = snapshotStrip(ui, shelf_.items(), strip_);
-  if (result.keep) keepView(fabric, tone, seen);
-  std::optional<Fabric> restored;
+  if (result.keep) keepView(now, seen);
+  std::optional<Restored> restored;
   if (result.restore) {
-    restored = shelf_.fabric(static_cast<size_t>(*result.restore));
-    restored->render = fabric->render;
+    const KeptView& kept = shelf_.view(static_cast<size_t>(*result.restore));
+    restored = Restored{*kept.fabric, kept.flat};
+    restored->fabric.render = now.fabric->render;
   }
   if (result.compare) {
     shelf_.compare(static_cast<size_t>(result.compare->first), static_cast<size_t>(result.compare->second));

@@ -19,17 +19,27 @@ class SnapshotController {
   SnapshotController(std::filesystem::path folder, DisplayDriver& driver, std::function<void()> wake)
       : shelf_(std::move(folder), driver, std::move(wake)) {}
 
+  /// What is looked at now.
+  struct Sight {
+    std::shared_ptr<const Fabric> fabric;
+    std::optional<FlatView> flat;  ///< null: as it is draped
+    Tone tone;
+    bool isOf(const Sight& other) const { return fabric == other.fabric && flat == other.flat; }
+  };
   /// What the dialog asks for in a frame.
   struct Edit {
     std::optional<RenderSettings> settings;
     bool chooseFile = false;
   };
-  Edit drawDialog(Ui& ui, const std::shared_ptr<const Fabric>& fabric, const Tone& tone, ViewService& seen);
+  Edit drawDialog(Ui& ui, const Sight& now, ViewService& seen);
   /// Two kept views against each other.
   void drawComparison(Ui& ui) { compare_.draw(ui, shelf_.comparison()); }
-  /// The fabric of the view that is wanted back.
-  std::optional<Fabric> drawStrip(Ui& ui, const std::shared_ptr<const Fabric>& fabric, const Tone& tone,
-                                  const ViewService& seen);
+  /// The view that is wanted back: its fabric, and how it lies flat.
+  struct Restored {
+    Fabric fabric;
+    std::optional<FlatView> flat;  ///< null: as it is draped
+  };
+  std::optional<Restored> drawStrip(Ui& ui, const Sight& now, const ViewService& seen);
   bool dialogIsOpen() const { return dialog_.isOpen(); }
   bool comparisonIsOpen() const { return compare_.isOpen(); }
   bool stripIsShown() const { return !shelf_.empty(); }
@@ -42,9 +52,9 @@ class SnapshotController {
   void setOptions(SnapshotOptions options) { dialog_.setOptions(std::move(options)); }
 
   /// Keeps the view: once there is a picture of the cloth itself, and as long as it is seen, better and better.
-  void keepView(const std::shared_ptr<const Fabric>& fabric, const Tone& tone, const ViewService& seen);
+  void keepView(const Sight& now, const ViewService& seen);
   /// When the picture is another one.
-  void followView(const std::shared_ptr<const Fabric>& fabric, const ViewService& seen);
+  void followView(const Sight& now, const ViewService& seen);
   /// At the end of a frame.
   void follow() { shelf_.follow(); }
   /// Why the newest view will not last; empty while all is well.
@@ -53,10 +63,9 @@ class SnapshotController {
  private:
   /// Of which a picture joins the strip as soon as there is one, and is renewed while it gets better.
   struct ViewToKeep {
-    std::shared_ptr<const Fabric> fabric;  ///< usually null
-    Tone tone;                             ///< as it was seen
-    std::string id;                        ///< on the shelf; empty until it is there
-    int samples = 0;                       ///< of the picture there
+    Sight sight;      ///< as it was seen; its fabric is usually null
+    std::string id;   ///< on the shelf; empty until it is there
+    int samples = 0;  ///< of the picture there
   };
 
   SnapshotStore shelf_;

@@ -11,37 +11,8 @@
 
 namespace loomlight {
 
-namespace {
-
-TileSize sizeOf(const Fabric& fabric, const TileExtent& extent) {
-  TileSize size;
-  size.ends = extent.ends;
-  size.picks = extent.picks;
-  size.repeatsAcross = extent.ends / fabric.weave.ends();
-  size.repeatsDown = extent.picks / fabric.weave.picks();
-  size.width_mm = extent.ends * fabric.warpPitch_mm();
-  size.height_mm = extent.picks * fabric.weftPitch_mm();
-  size.yarnsAlongLonger = 1 / pixelsPerYarn(fabric, extent, 1);
-  size.usualSide = usualTileSide(fabric, extent);
-  return size;
-}
-
-}  // namespace
-
-TileController::TileController(std::function<void()> wake)
-    : sizes_(
-          std::move(wake),
-          [](const std::shared_ptr<const Fabric>& fabric, const auto&) {
-            const TileExtent joined = tileExtent(*fabric), plain = tileExtent(*fabric, false);
-            return TileModel{sizeOf(*fabric, joined), sizeOf(*fabric, plain), {}};
-          },
-          [](const std::shared_ptr<const Fabric>&, const std::string& problem) {
-            return TileModel{std::nullopt, std::nullopt, problem};
-          }) {}
-
 void TileController::show(std::string file, const std::shared_ptr<const Fabric>& fabric) {
   rendering_.forget();
-  sizes_.forget();
   sizes_.ask(fabric);
   dialog_.show(std::move(file));
 }
@@ -55,9 +26,7 @@ bool TileController::draw(Ui& ui, const Fabric& fabric, ViewService& seen) {
   if (rendering_.isRunning()) ui.wakeWithin(0.1);
   if (rendering_.follow().has_value()) seen.pause(false);
   const std::string before = dialog_.file();
-  const auto sizes = sizes_.newest();
-  const TileDialog::Result result =
-      dialog_.draw(ui, sizes ? *sizes : TileModel{}, kFewestPixelsPerYarn, rendering_.progress());
+  const TileDialog::Result result = dialog_.draw(ui, sizes_.newest(), kFewestPixelsPerYarn, rendering_.progress());
   if (dialog_.file() != before) rendering_.forget();
   if (result.cancel) rendering_.cancel();
   if (!result.start || rendering_.isRunning()) return result.chooseFile;

@@ -3,10 +3,11 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "app/editor/services/render_service.h"
+#include "app/editor/services/tile_size_service.h"
 #include "app/editor/services/view_service.h"
-#include "app/live/worker.h"
 #include "ui/dialogs/tile_dialog.h"
 
 namespace loomlight {
@@ -14,7 +15,7 @@ namespace loomlight {
 /// The dialog of a seamless tile for other programs, and the rendering of it.
 class TileController {
  public:
-  explicit TileController(std::function<void()> wake);
+  explicit TileController(std::function<void()> wake) : sizes_(std::move(wake)) {}
 
   /// Whether a file is to be chosen.
   bool draw(Ui& ui, const Fabric& fabric, ViewService& seen);
@@ -26,8 +27,7 @@ class TileController {
  private:
   RenderService rendering_;
   TileDialog dialog_;
-  Worker<std::shared_ptr<const Fabric>, TileModel>
-      sizes_;  ///< a large repeat takes longer than a frame to look through
+  TileSizeService sizes_;
 };
 
 }  // namespace loomlight

@@ -58,12 +58,16 @@ void ViewportController::layFlat(const Fabric& fabric, const FlatCloth& cloth) {
   else
     flatSide_cm_ = cloth.count;
   const glm::dvec2 piece_mm = pieceOf_mm(fabric, cloth);
-  const Camera& from = flat_ ? flat_->sight.camera : fabric.camera;
-  flat_ = Flat{cloth, {piece_mm, aboveFlat(from, piece_mm.x, piece_mm.y, aspect())}, fabric.drape};
+  const Camera& from = flat_ ? flat_->view.sight.camera : fabric.camera;
+  flat_ = Flat{{cloth, {piece_mm, aboveFlat(from, piece_mm.x, piece_mm.y, aspect())}}, fabric.drape};
+}
+
+void ViewportController::lookAs(const std::optional<FlatView>& flat, const Fabric& fabric) {
+  flat_ = flat ? std::optional(Flat{*flat, fabric.drape}) : std::nullopt;
 }
 
 bool ViewportController::lookAtFlat(const Camera& camera) {
-  if (flat_) flat_->sight.camera = camera;
+  if (flat_) flat_->view.sight.camera = camera;
   return flat_.has_value();
 }
 
@@ -108,12 +112,12 @@ ViewportController::Edit ViewportController::draw(Ui& ui, const std::shared_ptr<
   const std::shared_ptr<const FabricStats> stats = service_.stats();
   if (stats && stats->fabric->drape == fabric->drape) model.mesh = stats->mesh;
   if (flat_) {
-    const glm::dvec2& piece_mm = flat_->sight.piece_mm;
-    model.flat = fmt::format(words::viewport::flat, flatClothText(flat_->cloth));
-    if (flat_->cloth.inRepeats)
+    const glm::dvec2& piece_mm = flat_->view.sight.piece_mm;
+    model.flat = fmt::format(words::viewport::flat, flatClothText(flat_->view.cloth));
+    if (flat_->view.cloth.inRepeats)
       model.flat += fmt::format(" \xC2\xB7 {:.1f} \xC3\x97 {:.1f} mm", piece_mm.x, piece_mm.y);
     if (std::exchange(view_.fitWanted, false))
-      flat_->sight.camera = aboveFlat(flat_->sight.camera, piece_mm.x, piece_mm.y, aspect());
+      flat_->view.sight.camera = aboveFlat(flat_->view.sight.camera, piece_mm.x, piece_mm.y, aspect());
   }
   ui.probe.fact("flat", model.flat);
   const bool liesFlat = flat_.has_value();
@@ -129,7 +133,7 @@ ViewportController::Edit ViewportController::draw(Ui& ui, const std::shared_ptr<
   if (!result.inset.remedy) return edit;
   const auto drape = fittingPiece(seen.drape, status.inset.bytes, 1e9 * fibreMemory_GB);
   if (drape && flat_) {
-    flat_->sight.piece_mm = {drape->width_mm, drape->height_mm};
+    flat_->view.sight.piece_mm = {drape->width_mm, drape->height_mm};
     view_.fitWanted = true;
   } else if (drape) {
     edit.fabric = *fabric;
@@ -151,7 +155,7 @@ InsetModel ViewportController::insetModelFor(const InsetStatus& status, const Fa
 }
 
 Camera ViewportController::atActualSize(const Fabric& fabric, double rulerFactor) const {
-  return atScale(turnedTo(flat_ ? flat_->sight.camera : fabric.camera, Viewpoint::above), view_.height,
+  return atScale(turnedTo(flat_ ? flat_->view.sight.camera : fabric.camera, Viewpoint::above), view_.height,
                  display_pixels_per_mm_ / rulerFactor);
 }
 

@@ -51,6 +51,10 @@ class ViewportController {
   /// view: the fabric stays as it is.
   void layFlat(const Fabric& fabric, const FlatCloth& cloth);
   void leaveFlat() { flat_.reset(); }
+  /// How the cloth is looked at; null: as it is draped.
+  std::optional<FlatView> flatView() const { return flat_ ? std::optional(flat_->view) : std::nullopt; }
+  /// Looks at a fabric in such a way again.
+  void lookAs(const std::optional<FlatView>& flat, const Fabric& fabric);
   /// Moves the camera that looks at flat cloth; false where there is none.
   bool lookAtFlat(const Camera& camera);
   /// The middle of the view under all lamps of the booth. It is a view; the lens closes.
@@ -69,12 +73,11 @@ class ViewportController {
 
  private:
   struct Flat {
-    FlatCloth cloth;
-    FlatSight sight;
+    FlatView view;
     Drape instead;  ///< of which drape
   };
   double aspect() const { return static_cast<double>(std::max(view_.width, 1)) / std::max(view_.height, 1); }
-  std::optional<FlatSight> flatSight() const { return flat_ ? std::optional(flat_->sight) : std::nullopt; }
+  std::optional<FlatSight> flatSight() const { return flat_ ? std::optional(flat_->view.sight) : std::nullopt; }
   /// What was edited of the cloth as it lies flat becomes an edit of the cloth on its drape, or nothing.
   std::optional<Fabric> onItsDrape(Fabric edited, const Fabric& fabric);
   InsetModel insetModelFor(const InsetStatus& status, const Fabric& fabric, const SoftProof& proof,

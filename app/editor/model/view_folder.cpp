@@ -15,7 +15,7 @@ namespace loomlight {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char* kFabricKey = "loomlight.fabric";
+constexpr const char *kFabricKey = "loomlight.fabric", *kFlatKey = "loomlight.flat";
 constexpr const char* kPrefix = "view-";  // what else lies in the folder is none of ours
 constexpr const char* kExtension = ".png";
 
@@ -51,7 +51,8 @@ KeptView ViewFolder::read(const std::string& id) const {
   const auto found = texts.find(kFabricKey);
   if (found == texts.end()) throw InputError(fmt::format(words::errors::noView, file));
   Fabric fabric = workingNames(fabricFromJson(found->second, file), file);
-  KeptView view{id, std::make_shared<const Fabric>(std::move(fabric)), std::move(picture)};
+  KeptView view{id, std::make_shared<const Fabric>(std::move(fabric)), std::nullopt, std::move(picture)};
+  if (const auto flat = texts.find(kFlatKey); flat != texts.end()) view.flat = flatViewFromJson(flat->second, file);
   if (view.picture.channels != 3) throw InputError(fmt::format(words::errors::viewWithAlpha, file));
   return view;
 }
@@ -60,7 +61,9 @@ void ViewFolder::keep(const KeptView& view) const {
   const std::string file = fileOf(view.id).string();
   std::error_code error;
   fs::create_directories(folder_, error);  // where it cannot be made, writing says so
-  writePng(file, view.picture, {{kFabricKey, fabricToJson(localNames(*view.fabric, file))}});
+  std::map<std::string, std::string> texts{{kFabricKey, fabricToJson(localNames(*view.fabric, file))}};
+  if (view.flat) texts[kFlatKey] = flatViewToJson(*view.flat);
+  writePng(file, view.picture, texts);
 
   std::vector<std::string> kept = ids();
   std::reverse(kept.begin(), kept.end());

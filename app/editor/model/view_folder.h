@@ -3,9 +3,11 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "app/editor/model/flat_view.h"
 #include "core/fabric/model/fabric.h"
 #include "render/film/image.h"
 
@@ -15,10 +17,11 @@ namespace loomlight {
 struct KeptView {
   std::string id;  ///< names its file; later ones sort behind
   std::shared_ptr<const Fabric> fabric;
+  std::optional<FlatView> flat;  ///< that was looked at in the place of the fabric's own drape and camera
   Pixels8 picture;
 };
 
-/// Kept views on disk, from one session to the next: a PNG each, with the fabric in it as a text.
+/// Kept views on disk, from one session to the next: a PNG each, with the fabric in it as a text, and how it lies flat.
 class ViewFolder {
  public:
   /// At most so many, and so many bytes of them; then the oldest go.

@@ -28,7 +28,7 @@ SnapshotStore::SnapshotStore(std::filesystem::path folder, DisplayDriver& driver
   const std::vector<std::string> ids = folder_.ids();
   for (size_t i = ids.size() - std::min(ids.size(), kBudget.views); i < ids.size(); ++i) {
     ++awaited_;
-    disk_.ask({Order::Work::read, {ids[i], {}, {}}});
+    disk_.ask({Order::Work::read, {ids[i], {}, {}, {}}});
   }
 }
 
@@ -62,8 +62,9 @@ void SnapshotStore::add(KeptView view) {
   kept_.insert(place, std::move(kept));
 }
 
-std::string SnapshotStore::keep(std::shared_ptr<const Fabric> fabric, Pixels8 picture) {
-  const KeptView kept{ViewFolder::newId(), std::move(fabric), std::move(picture)};
+std::string SnapshotStore::keep(std::shared_ptr<const Fabric> fabric, const std::optional<FlatView>& flat,
+                                Pixels8 picture) {
+  const KeptView kept{ViewFolder::newId(), std::move(fabric), flat, std::move(picture)};
   add(kept);
   disk_.ask({Order::Work::keep, kept});
   while (kept_.size() > kBudget.views) remove(0);
@@ -81,7 +82,7 @@ void SnapshotStore::renew(const std::string& id, Pixels8 picture) {
 }
 
 void SnapshotStore::remove(size_t index) {
-  disk_.ask({Order::Work::remove, {kept_[index].view.id, {}, {}}});
+  disk_.ask({Order::Work::remove, {kept_[index].view.id, {}, {}, {}}});
   kept_.erase(kept_.begin() + static_cast<ptrdiff_t>(index));
 }
 

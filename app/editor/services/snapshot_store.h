@@ -26,7 +26,7 @@ class SnapshotStore {
   /// Takes what has been read; once a frame.
   void follow();
   /// Returns what to renew() it by.
-  std::string keep(std::shared_ptr<const Fabric> fabric, Pixels8 picture);
+  std::string keep(std::shared_ptr<const Fabric> fabric, const std::optional<FlatView>& flat, Pixels8 picture);
   /// With a better picture of the same, unless it has been removed meanwhile.
   void renew(const std::string& id, Pixels8 picture);
   void remove(size_t index);
@@ -34,7 +34,7 @@ class SnapshotStore {
   bool empty() const { return kept_.empty() && awaited_ == 0; }
   /// Why the newest view will not last; empty while all is well.
   const std::string& problem() const { return problem_; }
-  const Fabric& fabric(size_t index) const { return *kept_[index].view.fabric; }
+  const KeptView& view(size_t index) const { return kept_[index].view; }
   std::vector<SnapshotItem> items() const;
 
   void compare(size_t first, size_t second);

@@ -22,17 +22,6 @@ std::shared_ptr<const Fabric> bakedFor(const ViewState& state) {
 
 }  // namespace
 
-Fabric asSeen(Fabric fabric, bool back, const std::optional<FlatSight>& flat) {
-  if (back) fabric = turnedOver(std::move(fabric));
-  if (!flat) return fabric;
-  fabric.drape = {};
-  fabric.drape.kind = DrapeKind::flat;
-  fabric.drape.width_mm = flat->piece_mm.x;
-  fabric.drape.height_mm = flat->piece_mm.y;
-  fabric.camera = flat->camera;
-  return fabric;
-}
-
 ViewService::ViewService(DisplayDriver& driver, const std::function<void()>& wake, int threads)
     : stats_(wake),
       visibility_(wake, BvdfOptions{}, BvdfCache(BvdfCache::userFolder())),
@@ -142,8 +131,9 @@ std::shared_ptr<const Scene> ViewService::builtAsSeen() const {
   return built_ && built_->fabric == seen_ ? built_ : nullptr;
 }
 
-bool ViewService::shows(const std::shared_ptr<const Fabric>& fabric) const {
-  return frame_ && frame_->width > 0 && fabric == state_.fabric && frame_->generation == generation_ &&
+bool ViewService::shows(const std::shared_ptr<const Fabric>& fabric, const std::optional<FlatView>& flat) const {
+  const bool isAsked = fabric == state_.fabric && (flat ? std::optional(flat->sight) : std::nullopt) == state_.flat;
+  return isAsked && frame_ && frame_->width > 0 && frame_->generation == generation_ &&
          frame_->quality != PreviewQuality::sketch;
 }
 

@@ -8,21 +8,13 @@
 #include <optional>
 
 #include "app/editor/display/display_driver.h"
+#include "app/editor/model/flat_view.h"
 #include "app/editor/services/fabric_stats.h"
 #include "app/live/live_renderer.h"
 #include "app/live/visibility_worker.h"
 #include "ui/inspector/visibility_section.h"
 
 namespace loomlight {
-
-/// Flat cloth that is looked at in the place of the drape, by a camera of its own.
-struct FlatSight {
-  glm::dvec2 piece_mm{0.0};
-  Camera camera;
-  bool operator==(const FlatSight&) const = default;
-};
-/// The fabric as it is looked at: turned over, where its back is; and lying flat.
-Fabric asSeen(Fabric fabric, bool back, const std::optional<FlatSight>& flat);
 
 /// What of a fabric is looked at.
 struct ViewState {
@@ -62,8 +54,8 @@ class ViewService {
   VisibilityWorker::Status visibilityStatus() const { return visibility_.status(); }
   const BakedVisibility* visibility() const { return shownVisibility_.get(); }
 
-  /// Whether the picture is of this very fabric, and no first look.
-  bool shows(const std::shared_ptr<const Fabric>& fabric) const;
+  /// Whether the picture is of this very fabric, as it lies flat or is draped, and no first look.
+  bool shows(const std::shared_ptr<const Fabric>& fabric, const std::optional<FlatView>& flat) const;
   /// Of the picture, at a place of 0..1 from the top left.
   std::optional<Film::Hit> hitAt(ImVec2 place) const;
   ImTextureID picture(int width, int height, const Tone& tone, const SoftProof& proof,

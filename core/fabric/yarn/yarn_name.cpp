@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "core/fabric/yarn/colour_name.h"
-#include "core/fabric/yarn/yarn_reflectance.h"
 
 namespace loomlight {
 namespace {
@@ -42,10 +41,6 @@ std::string yarnName(const Fabric& fabric, int index, const Rgb& colour, CountSy
   const Yarn& yarn = fabric.yarns[static_cast<size_t>(index)];
   if (!yarn.name.empty()) return yarn.name;
   return fmt::format("{} {}", colourName(colour), writtenCount(yarn, meanFibre(yarn, fabric.fibres), system));
-}
-
-std::string yarnName(const Fabric& fabric, int index, CountSystem system) {
-  return yarnName(fabric, index, yarnReflectance(fabric, fabric.yarns[static_cast<size_t>(index)]), system);
 }
 
 }  // namespace loomlight

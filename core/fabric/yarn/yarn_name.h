@@ -11,10 +11,9 @@ namespace loomlight {
 std::string writtenCount(const Yarn& yarn, const Fibre& fibre, CountSystem system);
 
 /// What a yarn is called: the name that somebody gave it, or where that is empty its colour and its count ("navy 2/60
-/// Nm"), which follow what the yarn becomes. `colour`: that it is called by (coloursForNames()), linear.
+/// Nm"), which follow what the yarn becomes. `colour`: that the cloth reaches with it, as it is called
+/// (coloursForNames()), linear.
 std::string yarnName(const Fabric& fabric, int index, const Rgb& colour, CountSystem system = CountSystem::tex);
-/// The same by the colour of its dye in a thick mass, where nobody knows the cloth's.
-std::string yarnName(const Fabric& fabric, int index, CountSystem system = CountSystem::tex);
 
 /// The letter that stands for a yarn in an order of threads: "A" for yarn 0, "Z" for 25, "AA" for 26.
 std::string yarnLetters(int index);

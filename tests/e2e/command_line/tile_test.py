@@ -27,6 +27,19 @@ class Tile(CommandLineTest):
             self.assertAlmostEqual(pixels_per_m * sidecar["width_mm"] / 1000, width, delta=0.5, msg=name)
         self.assertTrue((self.folder / "maps" / sidecar["maps"]["all"]["file"]).read_bytes().startswith(b"v/1\x01"))
 
+    def test_yarns_are_called_alike_everywhere(self):
+        nameless = [{"name": "", "fibre": fibre, "count_tex": tex} for fibre, tex in ((0, 16), (1, 20))]
+        fabric = self.fabric(yarns=nameless)
+        self.run_program("tile", fabric, "-o", "maps", "--size", "24", "--spp", "1")
+        sidecar = json.loads((self.folder / "maps" / "small_twill.json").read_text())
+        called = [yarn["name"] for yarn in sidecar["maps"]["yarn"]["yarns"]]
+        self.assertRegex(called[0], r"^[a-z ]+ 16 tex$")
+        need = json.loads(self.run_program("info", fabric, "--json"))["yarn_need"]
+        self.assertEqual([yarn["name"] for yarn in need["yarns"]], called)
+        self.assertIn(called[0], self.run_program("info", fabric))
+        traced = [self.run_program("trace", fabric, "--pixel", f"{x},12", "--sample", 0) for x in range(4, 28, 4)]
+        self.assertTrue(any(f"'{name}' of" in text for text in traced for name in called), traced)
+
     def test_the_same_tile_has_the_same_bytes(self):
         for folder in ("a", "b"):
             self.run_program("tile", self.fabric(), "-o", folder, "--size", "24", "--spp", "1")

@@ -96,6 +96,57 @@ TEST_F(KeptViews, OneIsBroughtBack) {
   editor.until("undo takes it back", [&] { return editor.fact("cloth.per_inch").starts_with("23 "); });
 }
 
+/// How the cloth is looked at is a part of the view.
+TEST_F(KeptViews, FlatClothComesBackFlatAndDrapedClothDraped) {
+  const auto restore = [&](const std::string& which) {
+    editor.click(which);
+    editor.edits("the cloth is back", [&] { editor.click("snapshot.restore"); });
+  };
+  const auto heightSeen = [&] {
+    editor.key("ctrl+p");
+    editor.centre("snapshot.close");
+    const std::string said = editor.fact("snapshot.cloth");
+    editor.click("snapshot.close");
+    return said;
+  };
+  keepOne();  // draped
+  editor.click("menu.view");
+  editor.click("menu.flat");
+  editor.click("menu.flat_repeats");
+  editor.until("it lies flat", [&] { return editor.fact("flat").starts_with("4 \u00d7 4 repeats, flat"); });
+  editor.wheelAt(editor.centre("viewport"), 2);
+  const std::string said = editor.fact("flat"), seen = heightSeen();
+  editor.untilPictured();
+  editor.key("k");
+  editor.until("the flat view is kept", [&] { return editor.shows("snapshot.item_1"); });
+
+  restore("snapshot.item_0");
+  editor.until("it is draped again", [&] { return editor.fact("flat").empty(); });
+  EXPECT_NE(heightSeen(), seen);
+  editor.click("snapshot.item_0");  // chosen no more
+  restore("snapshot.item_1");
+  editor.until("it lies flat again", [&] { return editor.fact("flat") == said; });
+  EXPECT_EQ(heightSeen(), seen) << "from another distance";
+}
+
+/// A better picture of flat cloth from elsewhere is none of the view that was kept.
+TEST_F(KeptViews, AFlatViewKeepsItsPictureWhenTheCameraMoves) {
+  editor.click("menu.view");
+  editor.click("menu.flat");
+  editor.click("menu.flat_repeat");
+  editor.until("it lies flat", [&] { return editor.fact("flat").starts_with("One repeat"); });
+  editor.untilPictured();
+  keepOne();
+  const uint64_t generation = editor.number("generation"), first = editor.number("shown_samples");
+  editor.wheelAt(editor.centre("viewport"), -6);
+  editor.until("it is looked at from elsewhere", [&] { return editor.number("generation") > generation; });
+  editor.untilPictured();
+  const std::vector<uint8_t> kept = pictureIn("snapshot.item_0").bytes;
+  const uint64_t much = 2 * std::max(first, editor.number("shown_samples"));  // when views are renewed
+  editor.until("the other picture is much better", [&] { return editor.number("shown_samples") >= much; });
+  EXPECT_EQ(pictureIn("snapshot.item_0").bytes, kept);
+}
+
 /// A print of 12 x 9 mm at 127 dpi is 60 x 45 pixels, and has a band below for bar and caption.
 TEST_F(KeptViews, APrintHasItsSizeAndJoinsTheStrip) {
   editor.key("ctrl+p");

@@ -185,7 +185,8 @@ TEST_F(WeavingFiles, ATileIsExported) {
   editor.enter("tile.size", "32");
   editor.enter("tile.samples", "1");
   const std::string file = editor.homeFile("tile.json");
-  editor.enter("tile.file", file);
+  editor.click("tile.browse");
+  editor.nameFile(file);
   editor.click("tile.start");
   editor.until("the tile is written", [&] { return editor.fact("tile.outcome").starts_with("Written"); });
   editor.click("tile.close");

@@ -48,7 +48,7 @@ TEST_P(Transcript, AddsUpToWhatTheFilmGot) {
       for (const uint32_t sample : {0u, 5u}) {
         Film film(kSide, kSide), told(kSide, kSide);
         renderUpTo(1, *scene, *medium, camera, film, {x, y, 1, 1}, Task{}, sample);
-        PathTranscript transcript(*scene);
+        PathTranscript transcript(*scene, {"cotton"});
         TraceCounts counts;
         tracePath(*scene, *medium, camera, x, y, sample, counts, &transcript);
         PathSample read;
@@ -68,11 +68,10 @@ INSTANTIATE_TEST_SUITE_P(EveryMedium, Transcript,
 
 TEST(PathTranscript, SaysWhatWasMetAndWhyThePathEnded) {
   Fabric fabric = dyedCloth();
-  fabric.yarns[0].name = "madder";
   fabric.render.maxDepth = 1;
   const auto scene = test::sceneOf(fabric);
   const auto medium = test::kLoomlight.make(*scene);
-  PathTranscript transcript(*scene);
+  PathTranscript transcript(*scene, {"madder"});
   TraceCounts counts;
   tracePath(*scene, *medium, CameraRays(fabric.camera, 8, 8), 4, 4, 0, counts, &transcript);
   EXPECT_THAT(transcript.text(), testing::HasSubstr("event 1: "));

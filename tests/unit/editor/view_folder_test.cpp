@@ -12,7 +12,7 @@ namespace loomlight {
 namespace {
 
 KeptView viewOf(const std::string& id, int side = 8) {
-  KeptView view{id, std::make_shared<const Fabric>(sampleFabric()), {side, side, 3, {}}};
+  KeptView view{id, std::make_shared<const Fabric>(sampleFabric()), {}, {side, side, 3, {}}};
   uint32_t noise = 1;
   for (int i = 0; i < 3 * side * side; ++i)
     view.picture.bytes.push_back(static_cast<uint8_t>((noise = noise * 1664525u + 1013904223u) >> 24));
@@ -33,6 +33,29 @@ TEST(ViewFolder, ViewsComeBackInTheirOrder) {
   EXPECT_EQ(back.picture.bytes, second.picture.bytes);
   folder.remove(first.id);
   EXPECT_EQ(folder.ids(), std::vector<std::string>{second.id});
+}
+
+TEST(ViewFolder, FlatClothComesBackFlat) {
+  const test::ScratchFolder scratch;
+  const ViewFolder folder(scratch.file("views"), {});
+  KeptView view = viewOf("view-a");
+  view.flat = FlatView{{false, 12.5}, {{125.0, 124.75}, {}}};
+  view.flat->sight.camera.elevation_deg = 81.5;
+  view.flat->sight.camera.distance_mm = 333.25;
+  folder.keep(view);
+  const KeptView back = folder.read("view-a");
+  EXPECT_EQ(back.flat, view.flat);
+  EXPECT_EQ(*back.fabric, *view.fabric) << "the cloth keeps its own drape and camera";
+  folder.keep(viewOf("view-b"));
+  EXPECT_EQ(folder.read("view-b").flat, std::nullopt);
+}
+
+TEST(ViewFolder, FlatClothThatIsNoneIsRefused) {
+  for (const char* text : {"", "{}", "[1]", R"({"in_repeats": true, "count": 1})",
+                           R"({"in_repeats": true, "count": 0, "sight": {"loomlight_version": 1}})",
+                           R"({"in_repeats": 1, "count": 1, "sight": {"loomlight_version": 1}})",
+                           R"({"in_repeats": true, "count": 1, "sight": {"drape": {"width_mm": -1}}})"})
+    EXPECT_THROW(flatViewFromJson(text, "a view"), InputError) << text;
 }
 
 TEST(ViewFolder, OldestGoBeyondTheNumber) {

@@ -17,6 +17,7 @@
 namespace loomlight {
 namespace {
 
+using testing::HasSubstr;
 using testing::StartsWith;
 
 /// Coarse white fibres in an open twill, which are soon traced.
@@ -52,6 +53,35 @@ TEST_F(ClothSheet, IsAPage) {
   EXPECT_THAT(write(fabric), StartsWith("%PDF-"));
 }
 
+/// As all our pictures do, it says that its colours are sRGB; and how large it is: 200 dots an inch are 7874 a metre.
+TEST_F(ClothSheet, IsAPictureThatPrintsAtItsSize) {
+  const std::string metre = {0, 0, 0x1E, static_cast<char>(0xC2)};
+  const std::string png = write(openCloth(), "sheet.png");
+  EXPECT_THAT(png, HasSubstr("sRGB"));
+  EXPECT_THAT(png, HasSubstr("pHYs" + metre + metre + '\1'));
+  const PictureExtent page = readPngExtent(folder_.file("sheet.png"));
+  EXPECT_EQ(page.width, 1653);
+  EXPECT_EQ(page.height, 2338);
+}
+
+TEST_F(ClothSheet, PagesOfAPictureLieBelowEachOther) {
+  Paper paper(kSheetWidth_mm, kSheetHeight_mm, 2);
+  const Pixels8 black{1, 1, 3, {0, 0, 0}};
+  layOutColourways(paper, "Moss", std::vector<NamedPiece>(40, {"Moss", black}));
+  paper.write(folder_.file("pages.png"));
+  const Pixels8 sheet = readPng(folder_.file("pages.png"));
+  ASSERT_GE(sheet.height, 3 * 594);
+  ASSERT_EQ(sheet.height % 594, 0);
+  const auto isBlack = [&](int page, double x_mm, double y_mm) {
+    const auto row = static_cast<size_t>(594 * page + 2 * y_mm), column = static_cast<size_t>(2 * x_mm);
+    return sheet.bytes[3 * (row * static_cast<size_t>(sheet.width) + column)] == 0;
+  };
+  for (int page = 0; page < sheet.height / 594; ++page) {
+    EXPECT_TRUE(isBlack(page, 40, 60)) << "the first piece of page " << page;
+    EXPECT_FALSE(isBlack(page, 5, 60)) << "the margin";
+  }
+}
+
 TEST_F(ClothSheet, TakesAJacquardAndSixtyYarns) {
   Fabric fabric = openCloth();
   fabric.weave = damaskJacquard(400, 300);
@@ -83,6 +113,7 @@ ClothSheetContent blankContent(const Fabric& fabric) {
                                      {88.8f, -88.8f, -88.8f},
                                      88.8});
   content.yarnColours.resize(fabric.yarns.size(), Rgb(1));
+  content.coloursOfNames = content.yarnColours;
   return content;
 }
 
@@ -164,6 +195,19 @@ TEST(ClothSheetPage, OrdersAreTables) {
   const Boxes boxes = layOut(fabric);
   for (const char* const cell : {"ends", "6", "0.30", "0.10", "4", "0.20", "12", "0.60"})
     EXPECT_TRUE(says(boxes, cell)) << cell;
+}
+
+/// Below the rule that closes a table there is as much room as below the one that opens it.
+TEST(ClothSheetPage, TheSumOfAnOrderKeepsClearOfTheRuleAboveIt) {
+  Fabric fabric = openCloth();
+  fabric.ends_per_cm = 20;
+  fabric.warpSequence.assign(12, 0);  // a single stripe of 0.60 cm, and the repeat, which is as long
+  const Boxes boxes = layOut(fabric);
+  std::vector<double> bottoms;
+  for (const Paper::Box& box : boxes)
+    if (box.text == "0.60") bottoms.push_back(box.y + box.height);
+  ASSERT_EQ(bottoms.size(), 2u);
+  EXPECT_NEAR(bottoms[1] - bottoms[0], 4.2, 0.01);
 }
 
 TEST(ClothSheetPage, TellsTheStatesOfTheCloth) {

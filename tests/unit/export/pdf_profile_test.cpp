@@ -8,7 +8,9 @@
 #include <string>
 
 #include "app/export/paper.h"
+#include "core/base/file.h"
 #include "render/colour/icc_profile.h"
+#include "tests/support/scratch_folder.h"
 
 namespace loomlight {
 namespace {
@@ -21,7 +23,9 @@ class PdfProfile : public testing::Test {
     paper.text(10, 10, "Charmeuse", {});
     paper.fill(10, 20, 30, 10, Rgb(0.8f, 0.1f, 0.1f));
     paper.picture(10, 40, 20, 20, {2, 1, 3, {255, 0, 0, 0, 255, 0}});
-    bytes = paper.bytes("sheet.pdf");
+    const test::ScratchFolder folder;
+    paper.write(folder.file("sheet.pdf"));
+    bytes = readFile(folder.file("sheet.pdf"), 10'000'000);
     ASSERT_EQ(qpdf_read_memory(pdf, "sheet", bytes.data(), bytes.size(), nullptr), QPDF_SUCCESS);
     ASSERT_EQ(qpdf_get_num_pages(pdf), 1);
     resources = at(qpdf_get_page_n(pdf, 0), "/Resources");

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "core/base/rgb.h"
-#include "core/fabric/yarn/colour.h"
 #include "core/fabric/yarn/colour_name.h"
 
 namespace loomlight {
@@ -21,18 +20,13 @@ TEST(YarnName, IsColourAndCountUntilSomebodyNamesIt) {
   fabric.yarns[0].name.clear();
   fabric.yarns[0].count_tex = 2 * 1000.0 / 60;
   fabric.yarns[0].plies = 2;
-  Fibre& fibre = fabric.fibres[0];
-  fibre.absorption_per_mm =
-      absorptionFromColour(linearFromSrgb(Rgb(0.1f, 0.14f, 0.29f)), fibre.azimuthalRoughness, fibre.radius_um);
-  EXPECT_EQ(yarnName(fabric, 0, CountSystem::metric), "navy 2/60 Nm");
-  EXPECT_EQ(yarnName(fabric, 0), "navy 16.7 tex x 2");
-  fibre.absorption_per_mm = Rgb(0.0f);
+  const Rgb navy = linearFromSrgb(Rgb(0.1f, 0.14f, 0.29f)), white(1);
+  EXPECT_EQ(yarnName(fabric, 0, navy, CountSystem::metric), "navy 2/60 Nm");
+  EXPECT_EQ(yarnName(fabric, 0, navy), "navy 16.7 tex x 2");
   fabric.yarns[0].plies = 1;
-  EXPECT_EQ(yarnName(fabric, 0), "white 33.3 tex") << "it does not follow what the yarn becomes";
-  EXPECT_EQ(yarnName(fabric, 0, linearFromSrgb(Rgb(0.1f, 0.14f, 0.29f))), "navy 33.3 tex")
-      << "where the cloth reaches it";
+  EXPECT_EQ(yarnName(fabric, 0, white), "white 33.3 tex") << "it does not follow what the yarn becomes";
   fabric.yarns[0].name = "Aunt Mary's";
-  EXPECT_EQ(yarnName(fabric, 0), "Aunt Mary's");
+  EXPECT_EQ(yarnName(fabric, 0, white), "Aunt Mary's");
 }
 
 TEST(WrittenCount, IsThatOfTheTrade) {
