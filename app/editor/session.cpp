@@ -150,7 +150,7 @@ void Session::run(Command command) {
     case Command::sheet:
       return browse(FileTask::sheet);
     case Command::handover:
-      return handover_.show(freeFile(fileCalledAsCloth(" hand-over")).string(), document_.fabric());
+      return handover_.show(freeFile(fileCalledAsCloth(words::files::handoverEnding)).string(), document_.fabric());
     case Command::brushBefore:
       return inspector_.stepYarn(-1, document_.fabric()->yarns.size());
     case Command::brushNext:

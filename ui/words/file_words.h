@@ -52,6 +52,7 @@ inline constexpr const char* finishing = "Finishing {}\xE2\x80\xA6";
 
 // What is added to the cloth's name to name a file
 inline constexpr const char* tileEnding = " tile.json";
+inline constexpr const char* handoverEnding = " hand-over";
 inline constexpr const char* sheetEnding = " sheet.pdf";
 inline constexpr const char* colourwaysEnding = " colourways.pdf";
 

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/fabric/json/fabric_json.h"
 #include "core/fabric/weave/turned_over.h"
+#include "ui/words/error_words.h"
 
 namespace loomlight {
 namespace {
@@ -47,7 +48,7 @@ FlatView flatViewFromJson(const std::string& text, const std::string& sourceName
     if (view.cloth.count > 0 && std::isfinite(view.cloth.count)) return view;
   } catch (const nlohmann::json::exception&) {  // it is said below
   }
-  throw InputError(fmt::format("{}: expected a piece of flat cloth that is looked at, got: {}", sourceName, text));
+  throw InputError(fmt::format(words::errors::noFlatView, sourceName, text));
 }
 
 }  // namespace loomlight
