@@ -142,7 +142,9 @@ void Paper::picture(double x, double y, double width, double height, const Pixel
   cairo_translate(canvas_, x, y);
   cairo_scale(canvas_, width / pixels.width, height / pixels.height);
   cairo_set_source_surface(canvas_, image.get(), 0, 0);
-  cairo_paint(canvas_);
+  cairo_pattern_set_extend(cairo_get_source(canvas_), CAIRO_EXTEND_PAD);  // else it is mixed with paper at its edges
+  cairo_rectangle(canvas_, 0, 0, pixels.width, pixels.height);
+  cairo_fill(canvas_);
   cairo_restore(canvas_);
 }
 

@@ -97,6 +97,7 @@ def look_at_wide_cloth(editor):
     """Fibres are laid for each kind of cell once: of cloth on a cylinder, a foot wide, within next to no memory."""
     editor.click("menu.edit")
     editor.click("menu.preferences")
+    editor.wheel(*editor.centre("preferences.lengths"), clicks=12)  # to the end of the page
     editor.click("preferences.fibre_memory")
     editor.key("ctrl+a")
     editor.type("0.1")
