@@ -166,7 +166,7 @@ TEST_F(Sight, AThreadThatNothingBindsFloatsWithoutEnd) {
     if (weaver.rows()[static_cast<size_t>(3 - pick)][0] != '#')
       editor.edits("warp over", [&] { editor.clickAt(weaver.crossing(pick, 0)); });
   editor.until("it is said", [&] { return editor.fact("status.float") == "endless float, 1 over 9.0"; });
-  EXPECT_EQ(editor.fact("draft.floats_shown"), "1 float");
+  editor.until("it is listed", [&] { return editor.fact("draft.floats_shown") == "1 float"; });
 }
 
 TEST_F(Sight, ATileSaysHowLargeItIsAndWhenItHasTooFewPixels) {
