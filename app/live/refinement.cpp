@@ -57,14 +57,14 @@ void Refinement::look(const PixelRect& window) {
   start_ = Clock::now();
 }
 
-void Refinement::keepPaths(size_t bytes, bool ofCoarse) {
-  records_ = recordsFor(fine_, bytes);
-  coarsePaths_bytes_ = ofCoarse ? bytes : 0;
+void Refinement::keepPaths(size_t bytes) {
+  paths_bytes_ = bytes;
+  records_ = recordsFor(fine_);
 }
 
-std::unique_ptr<PathRecords> Refinement::recordsFor(const Film& film, size_t bytes) const {
+std::unique_ptr<PathRecords> Refinement::recordsFor(const Film& film) const {
   return std::make_unique<PathRecords>(film.width(), film.height(), static_cast<int>(scene().cloth->materials.size()),
-                                       bytes);
+                                       paths_bytes_);
 }
 
 Refinement::Paths Refinement::paths() const {
@@ -99,7 +99,7 @@ Film& Refinement::filmFor(int divider) {
   if (divider != coarseDivider_) {
     coarse_.emplace(coarser(fine_.width(), divider), coarser(fine_.height(), divider));
     coarseDivider_ = divider;
-    if (coarsePaths_bytes_ > 0) coarseRecords_ = recordsFor(*coarse_, coarsePaths_bytes_);
+    if (paths_bytes_ > 0) coarseRecords_ = recordsFor(*coarse_);
   }
   return *coarse_;
 }

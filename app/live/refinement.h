@@ -55,9 +55,9 @@ class Refinement {
   void denoise(bool wanted) { denoised_ = wanted; }
   /// So many samples a pixel are enough; those that there are stay.
   void restAt(uint32_t samples) { rest_ = samples; }
-  /// From now on keeps what recolouring needs, within so many bytes; of coarse passes too, one after the other, where
-  /// that is asked for. Before the first pass.
-  void keepPaths(size_t bytes, bool ofCoarse = false);
+  /// From now on keeps what recolouring needs, within so many bytes; of coarse passes too, one after the other. Before
+  /// the first pass.
+  void keepPaths(size_t bytes);
 
   /// From now on shows light that repeats share, while it is better than the film. `earlier` (may be null) is that of
   /// another picture, and `edit` what came between.
@@ -102,7 +102,7 @@ class Refinement {
 
   uint32_t samplesWanted() const;
   Film& filmFor(int divider);
-  std::unique_ptr<PathRecords> recordsFor(const Film& film, size_t bytes) const;
+  std::unique_ptr<PathRecords> recordsFor(const Film& film) const;
   Pass beginPass() const;
   void endPass();
   Frame traced(const Film& film, int divider) const;
@@ -120,7 +120,7 @@ class Refinement {
   std::unique_ptr<SharedLight> shared_;   ///< null where none is shared
   std::optional<Film> coarse_;            ///< of a 1/coarseDivider_ of the resolution
   int coarseDivider_ = 0;
-  size_t coarsePaths_bytes_ = 0;                ///< that its paths may take; 0: they are not kept
+  size_t paths_bytes_ = 0;                      ///< that the paths of either may take; 0: they are not kept
   std::unique_ptr<PathRecords> coarseRecords_;  ///< of coarse_
   bool denoised_ = false, asTraced_ = false;
   uint32_t rest_ = kUsualRest;  ///< samples a pixel

@@ -236,7 +236,7 @@ void Tracer::beginPicture(double secondsPerPath, std::unique_ptr<SharedLight> li
   picture_.emplace(request.cloth, request.width, request.height, secondsPerPath);
   if (taken_.shared && SharedLight::serves(*request.cloth.scene, request.width, request.height))
     picture_->shareLight(std::move(light), edit);
-  picture_->keepPaths(kPathBytes, taken_.booth);
+  picture_->keepPaths(kPathBytes);
   picture_->denoise(taken_.denoised);
   picture_->restAt(taken_.rest);
 }

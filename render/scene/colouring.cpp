@@ -35,9 +35,9 @@ EyeResponse responseOf(const Light& light, Observer observer) {
   return responseOf(illuminantOf(light), observer, isSky ? daylightPrimaries() : colourPrimaries(), isDaylight);
 }
 
-Colouring colouringOf(const std::vector<Fibre>& fibres, EyeResponse eye) {
+Colouring colouringOf(const std::vector<Fibre>& fibres, const EyeResponse& eye) {
   Colouring colouring;
-  colouring.eye = std::move(eye);
+  colouring.eye = eye;
   for (const Fibre& fibre : fibres) colouring.primaries_per_mm.push_back(fibre.absorption_per_mm.primaries);
   for (size_t k = 0; k < fibres.size(); ++k) {
     const Absorption& absorption = fibres[k].absorption_per_mm;
