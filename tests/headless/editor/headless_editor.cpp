@@ -47,8 +47,8 @@ HeadlessEditor::HeadlessEditor(Screen screen) : home_(freshHome()), screen_(scre
   io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
   io.ConfigInputTextCursorBlink = false;
   io.MouseDragThreshold = 3;
-  settings_.hintsSeen = true;    // somebody who has been here before
-  settings_.limits.samples = 4;  // pictures are soon at rest, as the processors are for the tests
+  settings_.hintsSeen = true;  // somebody who has been here before
+  settings_.limits.samples = screen.samples;
 }
 
 HeadlessEditor::~HeadlessEditor() {

@@ -27,6 +27,7 @@ class HeadlessEditor {
   struct Screen {
     int width = 1280, height = 720;
     float scale = 1;
+    int samples = 1;  ///< a pixel at which the picture rests, soon, as the processors are for other tests too
   };
   HeadlessEditor() : HeadlessEditor(Screen{}) {}
   explicit HeadlessEditor(Screen screen);

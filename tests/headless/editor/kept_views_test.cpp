@@ -44,7 +44,7 @@ class KeptViews : public testing::Test {
     return *picture;
   }
 
-  HeadlessEditor editor{{960, 600, 1}};  // of few pixels, so that samples come soon
+  HeadlessEditor editor{{960, 600, 1, 4}};  // of few pixels, so that samples come soon
 };
 
 TEST_F(KeptViews, ThePictureGetsBetterWithItsView) {
