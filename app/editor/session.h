@@ -95,7 +95,9 @@ class Session {
   void drawSnapshot(Ui& ui);
   bool dialogIsOpen() const;
   StatusModel statusToSay() const;
-  SnapshotController::Sight sightNow() const { return {document_.fabric(), viewport_.flatView(), viewport_.tone()}; }
+  SnapshotController::Sight sightNow() const {
+    return {document_.fabric(), {draft_.view().back, viewport_.flatView()}, viewport_.tone()};
+  }
   void tellProbe(Ui& ui) const;
 
   // session.cpp: what is done

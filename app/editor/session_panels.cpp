@@ -98,7 +98,8 @@ void Session::drawViewport(Ui& ui) {
 void Session::drawStrip(Ui& ui) {
   auto restored = snapshots_.drawStrip(ui, sightNow(), viewport_.service());
   if (!restored) return;
-  viewport_.lookAs(restored->flat, restored->fabric);
+  draft_.view().back = restored->view.back;
+  viewport_.lookAs(restored->view.flat, restored->fabric);
   document_.edit(std::move(restored->fabric));
   draft_.fit();
 }

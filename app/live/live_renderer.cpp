@@ -11,6 +11,7 @@
 #include "app/live/worker.h"
 #include "core/base/memory.h"
 #include "core/base/parallel.h"
+#include "core/base/stopwatch.h"
 #include "render/bvdf/bake/bvdf_baker.h"
 #include "render/media/report_medium.h"
 #include "render/transport/make_medium.h"
@@ -83,7 +84,11 @@ struct LiveRenderer::Workers {
             Backlog::newest, Priority::picture) {}
 
   using Builder = Worker<ViewRequest, std::monostate>;  // what it makes goes to the tracer and into `status`
+  using Clock = std::chrono::steady_clock;
   void build(const ViewRequest& request, Builder::Job& job);
+  void tellProgress(double fraction, Clock::time_point& told);
+  void tellBuilt(const ViewRequest& request, const std::shared_ptr<const Scene>& made, const Scene* before,
+                 const std::string& error, double seconds);
   void showSketch(const ViewRequest& request, std::shared_ptr<const Scene> first, const Task& task, Builder::Job& job);
   void tell(const std::string& problem);
   void count();
@@ -121,37 +126,18 @@ void LiveRenderer::Workers::tell(const std::string& problem) {
 }
 
 void LiveRenderer::Workers::build(const ViewRequest& request, Builder::Job& job) {
-  using Clock = std::chrono::steady_clock;
-  constexpr std::chrono::milliseconds kTelling{40};  // how far a build is; a quick one says nothing
+  if (builder.isWaiting()) return;  // it came before this one could be stopped
   const auto start = Clock::now();
   auto told = start;
-  if (builder.isWaiting()) return;  // it came before this one could be stopped
-  Task task;
-  task.stop = job.stop();
-  task.threads = threads;
-  task.progress = [this, &told, kTelling](double fraction) {
-    {
-      std::lock_guard lock(mutex);
-      const auto now = Clock::now();
-      if (now - told < kTelling) return;
-      told = now;
-      building = true;
-      status.buildProgress = fraction;
-    }
-    wake();
-  };
+  const Task task{job.stop(), [this, &told](double fraction) { tellProgress(fraction, told); }, threads};
   // A sketch is worth a picture of its own where the whole takes longer than a picture does.
   constexpr double kWorthWaiting_s = 0.05;
   const ScenePreviews first{
       static_cast<double>(request.width) / std::max(1, request.height),
-      [start](double fraction) {
-        const std::chrono::duration<double> spent = Clock::now() - start;
-        return spent.count() * (1 / fraction - 1) > kWorthWaiting_s;
-      },
+      [start](double fraction) { return secondsSince(start) * (1 / fraction - 1) > kWorthWaiting_s; },
       [&](std::shared_ptr<const Scene> sketch) { showSketch(request, std::move(sketch), task, job); }};
   const bool showsVolume = request.fabric->render.method == Method::volume;
   const RecentCloths::Base base = recent.baseFor(*request.fabric);
-  const std::shared_ptr<const Scene>& before = base.cloth.traceable.scene;
   BuiltCloth built;
   std::string error;
   try {
@@ -159,24 +145,8 @@ void LiveRenderer::Workers::build(const ViewRequest& request, Builder::Job& job)
   } catch (const std::exception&) {
     error = problemCaught();
   }
-  const Traceable& made = built.traceable;
-  const std::chrono::duration<double> spent = Clock::now() - start;
-  {
-    std::lock_guard lock(mutex);
-    building = false;
-    status.buildProgress = 1;
-    status.error = error;
-    buildMayBeCancelled = made.scene || !error.empty();
-    if (made.scene) {
-      status.builtGeneration = request.generation;
-      if (!before || made.scene->cloth->volume != before->cloth->volume) {
-        status.bricksVoxelised += made.scene->cloth->volume->bricksVoxelised();
-        status.buildSeconds = spent.count();
-      }
-      status.notices = made.scene->cloth->shell->repairs();
-      scene = woven = made.scene;
-    }
-  }
+  const Traceable made = built.traceable;
+  tellBuilt(request, made.scene, base.cloth.traceable.scene.get(), error, secondsSince(start));
   if (made.scene) {
     tracer.show({made, request.width, request.height, request.generation});
     layFibres();
@@ -184,6 +154,38 @@ void LiveRenderer::Workers::build(const ViewRequest& request, Builder::Job& job)
   wake();
   if (made.scene) recent.keep(std::move(built));
   count();
+}
+
+/// Says how far a build is, now and then: a quick one says nothing. `told`: when that was last.
+void LiveRenderer::Workers::tellProgress(double fraction, Clock::time_point& told) {
+  constexpr std::chrono::milliseconds kTelling{40};
+  {
+    std::lock_guard lock(mutex);
+    const auto now = Clock::now();
+    if (now - told < kTelling) return;
+    told = now;
+    building = true;
+    status.buildProgress = fraction;
+  }
+  wake();
+}
+
+/// Says what has become of a build; `made` is null where it failed or was stopped, `before` where nothing served it.
+void LiveRenderer::Workers::tellBuilt(const ViewRequest& request, const std::shared_ptr<const Scene>& made,
+                                      const Scene* before, const std::string& error, double seconds) {
+  std::lock_guard lock(mutex);
+  building = false;
+  status.buildProgress = 1;
+  status.error = error;
+  buildMayBeCancelled = made || !error.empty();
+  if (!made) return;
+  status.builtGeneration = request.generation;
+  if (!before || made->cloth->volume != before->cloth->volume) {
+    status.bricksVoxelised += made->cloth->volume->bricksVoxelised();
+    status.buildSeconds = seconds;
+  }
+  status.notices = made->cloth->shell->repairs();
+  scene = woven = made;
 }
 
 /// Has a picture traced of what is there of a cloth. From then on its builder may be stopped: a drag moves the picture.

@@ -176,6 +176,7 @@ void tellProbe(Ui& ui, const DraftView& view, const Draft* draft, const DraftFra
   const Box first = frame.cells(0, 0);
   ui.probe.record("draft.cell_0_0", first.min, first.max);
   ui.probe.fact("draft.kind", !draft ? "jacquard" : draft->liftplan.empty() ? "treadles" : "liftplan");
+  ui.probe.fact("draft.side", frame.back ? "back" : "face");
   ui.probe.fact("draft.shafts", std::to_string(draft ? draft->shafts : 0));
   ui.probe.fact("draft.treadles", std::to_string(draft ? draft->treadles : 0));
   const auto& s = view.selection;

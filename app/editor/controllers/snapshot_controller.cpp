@@ -46,11 +46,11 @@ void SnapshotController::keepView(const Sight& now, const ViewService& seen) {
 void SnapshotController::followView(const Sight& now, const ViewService& seen) {
   ViewToKeep& view = viewToKeep_;
   if (!view.sight.isOf(now)) view = {};
-  if (!view.sight.fabric || !seen.shows(view.sight.fabric, view.sight.flat)) return;
+  if (!view.sight.fabric || !seen.shows(view.sight.fabric, view.sight.view)) return;
   const Frame& frame = *seen.frame();
   constexpr int kWorthIt = 2;  // times the samples, to be seen
   if (view.id.empty())
-    view.id = shelf_.keep(view.sight.fabric, view.sight.flat, displayPicture(frame, view.sight.tone));
+    view.id = shelf_.keep(view.sight.fabric, view.sight.view, displayPicture(frame, view.sight.tone));
   else if (frame.samples > 0 && frame.samples >= kWorthIt * view.samples)
     shelf_.renew(view.id, displayPicture(frame, view.sight.tone));
   else
@@ -92,7 +92,7 @@ std::optional<SnapshotController::Restored> SnapshotController::drawStrip(Ui& ui
   std::optional<Restored> restored;
   if (result.restore) {
     const KeptView& kept = shelf_.view(static_cast<size_t>(*result.restore));
-    restored = Restored{*kept.fabric, kept.flat};
+    restored = Restored{*kept.fabric, kept.lookedAt};
     restored->fabric.render = now.fabric->render;
   }
   if (result.compare) {

@@ -22,9 +22,9 @@ class SnapshotController {
   /// What is looked at now.
   struct Sight {
     std::shared_ptr<const Fabric> fabric;
-    std::optional<FlatView> flat;  ///< null: as it is draped
+    ClothView view;
     Tone tone;
-    bool isOf(const Sight& other) const { return fabric == other.fabric && flat == other.flat; }
+    bool isOf(const Sight& other) const { return fabric == other.fabric && view == other.view; }
   };
   /// What the dialog asks for in a frame.
   struct Edit {
@@ -34,10 +34,10 @@ class SnapshotController {
   Edit drawDialog(Ui& ui, const Sight& now, ViewService& seen);
   /// Two kept views against each other.
   void drawComparison(Ui& ui) { compare_.draw(ui, shelf_.comparison()); }
-  /// The view that is wanted back: its fabric, and how it lies flat.
+  /// The view that is wanted back.
   struct Restored {
     Fabric fabric;
-    std::optional<FlatView> flat;  ///< null: as it is draped
+    ClothView view;
   };
   std::optional<Restored> drawStrip(Ui& ui, const Sight& now, const ViewService& seen);
   bool dialogIsOpen() const { return dialog_.isOpen(); }

@@ -23,6 +23,12 @@ struct FlatView {
   FlatSight sight;
   bool operator==(const FlatView&) const = default;
 };
+/// How a cloth is looked at, beside its own drape and camera.
+struct ClothView {
+  bool back = false;             ///< from behind
+  std::optional<FlatView> flat;  ///< null: as it is draped
+  bool operator==(const ClothView&) const = default;
+};
 /// As a text for a file.
 std::string flatViewToJson(const FlatView& view);
 /// Throws InputError, naming `sourceName`, for anything else.

@@ -15,7 +15,8 @@ namespace loomlight {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char *kFabricKey = "loomlight.fabric", *kFlatKey = "loomlight.flat";
+constexpr const char *kFabricKey = "loomlight.fabric", *kFlatKey = "loomlight.flat", *kSideKey = "loomlight.side";
+constexpr const char* kBack = "back";
 constexpr const char* kPrefix = "view-";  // what else lies in the folder is none of ours
 constexpr const char* kExtension = ".png";
 
@@ -51,8 +52,11 @@ KeptView ViewFolder::read(const std::string& id) const {
   const auto found = texts.find(kFabricKey);
   if (found == texts.end()) throw InputError(fmt::format(words::errors::noView, file));
   Fabric fabric = workingNames(fabricFromJson(found->second, file), file);
-  KeptView view{id, std::make_shared<const Fabric>(std::move(fabric)), std::nullopt, std::move(picture)};
-  if (const auto flat = texts.find(kFlatKey); flat != texts.end()) view.flat = flatViewFromJson(flat->second, file);
+  KeptView view{id, std::make_shared<const Fabric>(std::move(fabric)), {}, std::move(picture)};
+  if (const auto flat = texts.find(kFlatKey); flat != texts.end())
+    view.lookedAt.flat = flatViewFromJson(flat->second, file);
+  const auto side = texts.find(kSideKey);
+  view.lookedAt.back = side != texts.end() && side->second == kBack;
   if (view.picture.channels != 3) throw InputError(fmt::format(words::errors::viewWithAlpha, file));
   return view;
 }
@@ -62,7 +66,8 @@ void ViewFolder::keep(const KeptView& view) const {
   std::error_code error;
   fs::create_directories(folder_, error);  // where it cannot be made, writing says so
   std::map<std::string, std::string> texts{{kFabricKey, fabricToJson(localNames(*view.fabric, file))}};
-  if (view.flat) texts[kFlatKey] = flatViewToJson(*view.flat);
+  if (view.lookedAt.flat) texts[kFlatKey] = flatViewToJson(*view.lookedAt.flat);
+  if (view.lookedAt.back) texts[kSideKey] = kBack;
   writePng(file, view.picture, texts);
 
   std::vector<std::string> kept = ids();

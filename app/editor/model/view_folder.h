@@ -17,11 +17,12 @@ namespace loomlight {
 struct KeptView {
   std::string id;  ///< names its file; later ones sort behind
   std::shared_ptr<const Fabric> fabric;
-  std::optional<FlatView> flat;  ///< that was looked at in the place of the fabric's own drape and camera
+  ClothView lookedAt;
   Pixels8 picture;
 };
 
-/// Kept views on disk, from one session to the next: a PNG each, with the fabric in it as a text, and how it lies flat.
+/// Kept views on disk, from one session to the next: a PNG each, with the fabric and how it was looked at in it as
+/// texts.
 class ViewFolder {
  public:
   /// At most so many, and so many bytes of them; then the oldest go.

@@ -62,9 +62,8 @@ void SnapshotStore::add(KeptView view) {
   kept_.insert(place, std::move(kept));
 }
 
-std::string SnapshotStore::keep(std::shared_ptr<const Fabric> fabric, const std::optional<FlatView>& flat,
-                                Pixels8 picture) {
-  const KeptView kept{ViewFolder::newId(), std::move(fabric), flat, std::move(picture)};
+std::string SnapshotStore::keep(std::shared_ptr<const Fabric> fabric, const ClothView& view, Pixels8 picture) {
+  const KeptView kept{ViewFolder::newId(), std::move(fabric), view, std::move(picture)};
   add(kept);
   disk_.ask({Order::Work::keep, kept});
   while (kept_.size() > kBudget.views) remove(0);

@@ -26,7 +26,7 @@ class SnapshotStore {
   /// Takes what has been read; once a frame.
   void follow();
   /// Returns what to renew() it by.
-  std::string keep(std::shared_ptr<const Fabric> fabric, const std::optional<FlatView>& flat, Pixels8 picture);
+  std::string keep(std::shared_ptr<const Fabric> fabric, const ClothView& view, Pixels8 picture);
   /// With a better picture of the same, unless it has been removed meanwhile.
   void renew(const std::string& id, Pixels8 picture);
   void remove(size_t index);

@@ -131,8 +131,9 @@ std::shared_ptr<const Scene> ViewService::builtAsSeen() const {
   return built_ && built_->fabric == seen_ ? built_ : nullptr;
 }
 
-bool ViewService::shows(const std::shared_ptr<const Fabric>& fabric, const std::optional<FlatView>& flat) const {
-  const bool isAsked = fabric == state_.fabric && (flat ? std::optional(flat->sight) : std::nullopt) == state_.flat;
+bool ViewService::shows(const std::shared_ptr<const Fabric>& fabric, const ClothView& view) const {
+  const auto flat = view.flat ? std::optional(view.flat->sight) : std::nullopt;
+  const bool isAsked = fabric == state_.fabric && view.back == state_.back && flat == state_.flat;
   return isAsked && frame_ && frame_->width > 0 && frame_->generation == generation_ &&
          frame_->quality != PreviewQuality::sketch;
 }

@@ -54,8 +54,8 @@ class ViewService {
   VisibilityWorker::Status visibilityStatus() const { return visibility_.status(); }
   const BakedVisibility* visibility() const { return shownVisibility_.get(); }
 
-  /// Whether the picture is of this very fabric, as it lies flat or is draped, and no first look.
-  bool shows(const std::shared_ptr<const Fabric>& fabric, const std::optional<FlatView>& flat) const;
+  /// Whether the picture is of this very fabric, looked at so, and no first look.
+  bool shows(const std::shared_ptr<const Fabric>& fabric, const ClothView& view) const;
   /// Of the picture, at a place of 0..1 from the top left.
   std::optional<Film::Hit> hitAt(ImVec2 place) const;
   ImTextureID picture(int width, int height, const Tone& tone, const SoftProof& proof,

@@ -129,6 +129,22 @@ TEST_F(KeptViews, FlatClothComesBackFlatAndDrapedClothDraped) {
   EXPECT_EQ(heightSeen(), seen) << "from another distance";
 }
 
+TEST_F(KeptViews, TheBackComesBackFromBehind) {
+  const auto turn = [&](const std::string& side) {
+    editor.click("draft.back");
+    editor.until("the " + side + " is seen", [&] { return editor.fact("draft.side") == side; });
+    editor.untilPictured();
+  };
+  turn("back");
+  keepOne();
+  const std::vector<uint8_t> kept = pictureIn("snapshot.item_0").bytes;
+  turn("face");
+  EXPECT_EQ(pictureIn("snapshot.item_0").bytes, kept) << "the picture of the face is none of the back";
+  editor.click("snapshot.item_0");
+  editor.click("snapshot.restore");
+  editor.until("the back is seen again", [&] { return editor.fact("draft.side") == "back"; });
+}
+
 /// A better picture of flat cloth from elsewhere is none of the view that was kept.
 TEST_F(KeptViews, AFlatViewKeepsItsPictureWhenTheCameraMoves) {
   editor.click("menu.view");

@@ -35,19 +35,21 @@ TEST(ViewFolder, ViewsComeBackInTheirOrder) {
   EXPECT_EQ(folder.ids(), std::vector<std::string>{second.id});
 }
 
-TEST(ViewFolder, FlatClothComesBackFlat) {
+TEST(ViewFolder, ClothComesBackAsItWasLookedAt) {
   const test::ScratchFolder scratch;
   const ViewFolder folder(scratch.file("views"), {});
   KeptView view = viewOf("view-a");
-  view.flat = FlatView{{false, 12.5}, {{125.0, 124.75}, {}}};
-  view.flat->sight.camera.elevation_deg = 81.5;
-  view.flat->sight.camera.distance_mm = 333.25;
-  folder.keep(view);
-  const KeptView back = folder.read("view-a");
-  EXPECT_EQ(back.flat, view.flat);
-  EXPECT_EQ(*back.fabric, *view.fabric) << "the cloth keeps its own drape and camera";
-  folder.keep(viewOf("view-b"));
-  EXPECT_EQ(folder.read("view-b").flat, std::nullopt);
+  FlatView flat{{false, 12.5}, {{125.0, 124.75}, {}}};
+  flat.sight.camera.elevation_deg = 81.5;
+  flat.sight.camera.distance_mm = 333.25;
+  for (const ClothView& lookedAt :
+       {ClothView{}, ClothView{false, flat}, ClothView{true, std::nullopt}, ClothView{true, flat}}) {
+    view.lookedAt = lookedAt;
+    folder.keep(view);
+    const KeptView back = folder.read("view-a");
+    EXPECT_EQ(back.lookedAt, lookedAt);
+    EXPECT_EQ(*back.fabric, *view.fabric) << "the cloth keeps its own drape and camera";
+  }
 }
 
 TEST(ViewFolder, FlatClothThatIsNoneIsRefused) {
