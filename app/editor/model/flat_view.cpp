@@ -38,6 +38,7 @@ std::string flatViewToJson(const FlatView& view) {
 }
 
 FlatView flatViewFromJson(const std::string& text, const std::string& sourceName) {
+  const auto refused = [&] { return InputError(fmt::format(words::errors::noFlatView, sourceName, text)); };
   try {
     const nlohmann::json json = nlohmann::json::parse(text);
     FlatView view;
@@ -45,10 +46,11 @@ FlatView flatViewFromJson(const std::string& text, const std::string& sourceName
     json.at(kCount).get_to(view.cloth.count);
     const Fabric lying = fabricFromJson(json.at(kSight).dump(), sourceName);
     view.sight = {{lying.drape.width_mm, lying.drape.height_mm}, lying.camera};
-    if (view.cloth.count > 0 && std::isfinite(view.cloth.count)) return view;
-  } catch (const nlohmann::json::exception&) {  // it is said below
+    if (!(view.cloth.count > 0) || !std::isfinite(view.cloth.count)) throw refused();
+    return view;
+  } catch (const nlohmann::json::exception&) {
+    throw refused();
   }
-  throw InputError(fmt::format(words::errors::noFlatView, sourceName, text));
 }
 
 }  // namespace loomlight
