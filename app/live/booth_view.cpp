@@ -9,7 +9,7 @@ namespace loomlight {
 void BoothView::follow(const Refinement& picture, int threads) {
   const Refinement::Paths paths = picture.paths();
   if (!paths.film) return;
-  const bool isAsFine = paths.film->width() == factors_.width && paths.film->height() == factors_.height;
+  const bool isAsFine = paths.film->width() == changes_.width && paths.film->height() == changes_.height;
   if (!isAsFine || 2 * paths.records->bytes() >= 3 * bytes_) learn(picture, threads);
 }
 
@@ -22,12 +22,12 @@ void BoothView::learn(const Refinement& picture, const Fabric& wanted, const Rec
     lit.light = underLamp(wanted.light, kBoothLamps[i]);
     lamps[i] = recolouringTo(lit, picture.scene().fabric->light);
   }
-  factors_ = boothFactors(*paths.film, *paths.records, shown, lamps, threads);
+  changes_ = boothChanges(*paths.film, *paths.records, shown, lamps, threads);
   bytes_ = paths.records->bytes();
 }
 
 std::vector<glm::vec4> BoothView::divided(const Frame& frame) const {
-  return factors_.width > 0 ? boothPicture(frame, factors_) : std::vector<glm::vec4>();
+  return changes_.width > 0 ? boothPicture(frame, changes_) : std::vector<glm::vec4>();
 }
 
 }  // namespace loomlight

@@ -12,7 +12,7 @@ namespace loomlight {
 class BoothView {
  public:
   /// What comes is another view.
-  void forget() { factors_ = {}; }
+  void forget() { changes_ = {}; }
   /// What comes is the same view, better: its first paths take the place of those that are known.
   void renew() { bytes_ = 0; }
   /// From a picture that is shown as it is traced.
@@ -30,7 +30,7 @@ class BoothView {
  private:
   void learn(const Refinement& picture, const Fabric& wanted, const Recolouring* shown, int threads);
 
-  BoothFactors factors_;
+  BoothChanges changes_;
   size_t bytes_ = 0;  ///< of the paths that they are from
 };
 

@@ -8,7 +8,6 @@
 #include "core/base/stopwatch.h"
 #include "render/display/denoise.h"
 #include "render/display/despeckle.h"
-#include "render/display/recolour.h"
 
 // How it works. advance() does what the scheduler plans: a pass at a fraction of the resolution into a film of its own,
 // or further samples of the fine film, bucket by bucket. What came before stands in (StandIn) and gives way sample by
@@ -214,7 +213,7 @@ std::vector<float> Refinement::variances(const Frame& frame) const {
     for (int x = window_.x; x < window_.x + window_.width; ++x) {
       // In other colours noise is in proportion.
       const float shown = luminance(Rgb(frame.rgba[variances.size()]));
-      const float traced = luminance(Rgb(faded(light(fine_, x, y), x, y, Rgb(1))));
+      const float traced = luminance(Rgb(faded(light(fine_, x, y), x, y, LightChange{})));
       const float scale = frame.quality == PreviewQuality::recoloured && traced > 0 ? shown / traced : 1.0f;
       const float own = fine_.variance(x, y);
       variances.push_back(scale * scale * (mixed ? standIn_->variance(x, y, fine_.samples(x, y), own) : own));
@@ -257,7 +256,7 @@ Frame Refinement::recoloured(const Recolouring& recolouring, int threads, double
   frame.rgba = std::move(picture.rgba);
   if (sharesLight()) {
     share(frame);
-    for (size_t i = 0; i < frame.helped.size(); ++i) frame.helped[i] *= glm::vec4(picture.change[i], 1);
+    for (size_t i = 0; i < frame.helped.size(); ++i) frame.helped[i] = picture.change[i](frame.helped[i]);
   }
   for (int y = 0; fading() && y < fine_.height(); ++y)
     for (int x = 0; x < fine_.width(); ++x) {
@@ -270,9 +269,9 @@ Frame Refinement::recoloured(const Recolouring& recolouring, int threads, double
 }
 
 /// A pixel at full resolution with its share of what stands in for it, whose light changes so.
-glm::vec4 Refinement::faded(const glm::vec4& own, int x, int y, Rgb change) const {
+glm::vec4 Refinement::faded(const glm::vec4& own, int x, int y, const LightChange& change) const {
   const float share = standIn_ ? standIn_->share(fine_.samples(x, y)) : 0;
-  return share > 0 ? glm::mix(own, glm::vec4(change, 1) * standIn_->light(x, y, 1), share) : own;
+  return share > 0 ? glm::mix(own, change(standIn_->light(x, y, 1)), share) : own;
 }
 
 /// The window as it has been traced so far, with what stands in for it.

@@ -9,6 +9,7 @@
 #include "core/base/task.h"
 #include "render/display/frame.h"
 #include "render/display/picture_buckets.h"
+#include "render/display/recolour.h"
 #include "render/display/stand_in.h"
 #include "render/media/medium.h"
 #include "render/scene/scene.h"
@@ -106,7 +107,7 @@ class Refinement {
   Pass beginPass() const;
   void endPass();
   Frame traced(const Film& film, int divider) const;
-  glm::vec4 faded(const glm::vec4& own, int x, int y, Rgb change) const;
+  glm::vec4 faded(const glm::vec4& own, int x, int y, const LightChange& change) const;
   void finish(Frame& frame) const;
   void takeNoise(Frame& frame) const;
   bool sharesLight() const;

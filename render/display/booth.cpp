@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "core/base/parallel.h"
-#include "render/display/recolour.h"
 
 namespace loomlight {
 namespace {
@@ -44,7 +43,7 @@ BoothPixel boothPixel(int x, int y, int width, int height) {
           piece.y + y - (low ? piece.height : 0)};
 }
 
-const LampFactors& BoothFactors::at(int x, int y, int ofWidth, int ofHeight) const {
+const LampChanges& BoothChanges::at(int x, int y, int ofWidth, int ofHeight) const {
   const PixelRect piece = boothPiece(width, height);
   const auto along = [](int place, int of, int known, int first, int count) {
     return std::clamp(static_cast<int>((2 * int64_t{place} + 1) * known / (2 * int64_t{of})) - first, 0, count - 1);
@@ -54,11 +53,11 @@ const LampFactors& BoothFactors::at(int x, int y, int ofWidth, int ofHeight) con
   return pixels[static_cast<size_t>(row) * static_cast<size_t>(piece.width) + static_cast<size_t>(column)];
 }
 
-BoothFactors boothFactors(const Film& film, const PathRecords& records, const Recolouring* shown,
+BoothChanges boothChanges(const Film& film, const PathRecords& records, const Recolouring* shown,
                           std::span<const Recolouring, kBoothLamps.size()> lamps, int threads) {
   const PixelRect piece = boothPiece(film.width(), film.height());
-  BoothFactors factors{film.width(), film.height(), {}};
-  factors.pixels.resize(static_cast<size_t>(piece.width) * static_cast<size_t>(piece.height));
+  BoothChanges changes{film.width(), film.height(), {}};
+  changes.pixels.resize(static_cast<size_t>(piece.width) * static_cast<size_t>(piece.height));
   std::vector<Sums> asShown;
   if (shown) asShown = records.recoloured(*shown, piece, threads);
   for (size_t lamp = 0; lamp < lamps.size(); ++lamp) {
@@ -69,23 +68,23 @@ BoothFactors boothFactors(const Film& film, const PathRecords& records, const Re
         const Rgb to = around(film, piece, x, y, [&](size_t i) { return under[i].recoloured; });
         const Rgb from =
             around(film, piece, x, y, [&](size_t i) { return shown ? asShown[i].recoloured : under[i].traced; });
-        factors.pixels[row * static_cast<size_t>(piece.width) + static_cast<size_t>(column)][lamp] =
+        changes.pixels[row * static_cast<size_t>(piece.width) + static_cast<size_t>(column)][lamp] =
             changeOfLight(from, to, Rgb(1.0f));
       }
     });
   }
-  return factors;
+  return changes;
 }
 
-std::vector<glm::vec4> boothPicture(const Frame& frame, const BoothFactors& factors) {
+std::vector<glm::vec4> boothPicture(const Frame& frame, const BoothChanges& changes) {
   const std::span<const glm::vec4> whole = frame.whole();
   std::vector<glm::vec4> picture;
   picture.reserve(whole.size());
   for (int y = 0; y < frame.height; ++y)
     for (int x = 0; x < frame.width; ++x) {
       const BoothPixel from = boothPixel(x, y, frame.width, frame.height);
-      const Rgb factor = factors.at(from.x, from.y, frame.width, frame.height)[from.lamp];
-      picture.push_back(whole[indexIn(frame, from)] * glm::vec4(factor, 1.0f));
+      const LightChange& change = changes.at(from.x, from.y, frame.width, frame.height)[from.lamp];
+      picture.push_back(change(whole[indexIn(frame, from)]));
     }
   return picture;
 }

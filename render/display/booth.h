@@ -7,6 +7,7 @@
 
 #include "core/fabric/model/booth_lamps.h"
 #include "render/display/frame.h"
+#include "render/display/recolour.h"
 #include "render/transport/path_records.h"
 
 namespace loomlight {
@@ -15,8 +16,8 @@ namespace loomlight {
 // four have the same threads at the same scale, so what differs between them is the lamp's doing; a strip of the whole
 // for each lamp would set threads side by side that differ anyway.
 
-/// By what the light of a pixel changes under each of kBoothLamps, beside what is shown of it.
-using LampFactors = std::array<Rgb, kBoothLamps.size()>;
+/// How the light of a pixel changes under each of kBoothLamps, beside what is shown of it.
+using LampChanges = std::array<LightChange, kBoothLamps.size()>;
 
 /// The part of a picture that every quarter shows, or all but a pixel of it: half of each side, in the middle.
 PixelRect boothPiece(int width, int height);
@@ -28,23 +29,23 @@ struct BoothPixel {
 };
 BoothPixel boothPixel(int x, int y, int width, int height);
 
-/// The factors of a picture's middle.
-struct BoothFactors {
+/// The changes of a picture's middle.
+struct BoothChanges {
   int width = 0, height = 0;        ///< pixels of the picture; 0: nothing is known
-  std::vector<LampFactors> pixels;  ///< of its boothPiece(), row by row
+  std::vector<LampChanges> pixels;  ///< of its boothPiece(), row by row
 
   /// At a pixel of a picture of the same view, of any size.
-  const LampFactors& at(int x, int y, int ofWidth, int ofHeight) const;
+  const LampChanges& at(int x, int y, int ofWidth, int ofHeight) const;
 };
 
 /// From the paths on record of a film: the ratio of their light under a lamp to that as it is shown, of the pixels
 /// around on the same yarn, so that it has little noise (see recolour.h). `lamps`: the colours of the cloth under each
 /// of kBoothLamps; `shown`: those that it is shown in, null where these are the ones that it was traced in.
-BoothFactors boothFactors(const Film& film, const PathRecords& records, const Recolouring* shown,
+BoothChanges boothChanges(const Film& film, const PathRecords& records, const Recolouring* shown,
                           std::span<const Recolouring, kBoothLamps.size()> lamps, int threads);
 
-/// What a frame shows, divided. The factors are of the same view.
-std::vector<glm::vec4> boothPicture(const Frame& frame, const BoothFactors& factors);
+/// What a frame shows, divided. The changes are of the same view.
+std::vector<glm::vec4> boothPicture(const Frame& frame, const BoothChanges& changes);
 /// The crossings of a frame, divided likewise.
 std::vector<Film::Hit> boothHits(const Frame& frame);
 

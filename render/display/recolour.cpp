@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/base/parallel.h"
-#include "core/base/rgb.h"
 
 // How it works. Paths on record say what light they would bring in the other colours. Where all of a pixel's samples
 // are on record, that is its new colour. Elsewhere the film's colour is multiplied by the ratio of new to old light,
@@ -59,14 +58,18 @@ std::optional<Recolouring> recolouringBetween(const Scene& traced, const Scene& 
   return Recolouring{wanted.colouring, brightness(from, wanted.fabric->light)};
 }
 
-Rgb changeOfLight(Rgb from, Rgb to, Rgb unknown) {
-  constexpr float kLeast = 1e-4f;  // of the luminance
-  const float before = luminance(from);
-  const auto divide = [&](float x, float y, float otherwise) {
-    if (y > kLeast * before && y > 0) return x / y;
-    return before > 0 ? luminance(to) / before : otherwise;
-  };
-  return {divide(to.r, from.r, unknown.r), divide(to.g, from.g, unknown.g), divide(to.b, from.b, unknown.b)};
+LightChange changeOfLight(Rgb from, Rgb to, Rgb lamps) {
+  constexpr float kHardlyAny = 0.15f;  // of the luminance: as the green of scarlet has
+  const float all = luminance(from);
+  LightChange change{lamps};
+  if (!(all > 0)) return change;
+  for (int channel = 0; channel < 3; ++channel) {
+    if (from[channel] > kHardlyAny * all)
+      change.factor[channel] = to[channel] / from[channel];
+    else
+      change.more[channel] = (to[channel] - lamps[channel] * from[channel]) / all;
+  }
+  return change;
 }
 
 Recoloured recolour(const Film& film, const PathRecords& records, const Recolouring& recolouring, int threads) {
@@ -88,16 +91,16 @@ Recoloured recolour(const Film& film, const PathRecords& records, const Recolour
         for (int u = std::max(0, x - 1); u <= std::min(width - 1, x + 1); ++u)
           if (film.hit(u, v).yarn == yarn) around.add(at(u, v));
       const bool complete = own.samples > 0 && own.samples == film.samples(x, y);
-      // Where there are no paths, nothing is known but the lamps.
-      const Rgb change = changeOfLight(around.traced, around.recoloured, recolouring.light);
-      const Rgb colour = complete ? own.recoloured / static_cast<float>(own.samples) : film.mean(x, y) * change;
+      const LightChange change = changeOfLight(around.traced, around.recoloured, recolouring.light);
+      const Rgb colour = complete ? own.recoloured / static_cast<float>(own.samples) : change(film.mean(x, y));
       const size_t i = row * static_cast<size_t>(width) + static_cast<size_t>(x);
       result.rgba[i] = glm::vec4(colour, film.alpha(x, y));
       result.change[i] = change;
       if (around.freedom <= 0) continue;
-      const Rgb ofFilm = change * change * around.tracedTraced / static_cast<float>(film.samples(x, y));
-      const Rgb ofChange = (around.recolouredRecoloured - 2.0f * change * around.tracedRecoloured +
-                            change * change * around.tracedTraced) /
+      const Rgb& factor = change.factor;
+      const Rgb ofFilm = factor * factor * around.tracedTraced / static_cast<float>(film.samples(x, y));
+      const Rgb ofChange = (around.recolouredRecoloured - 2.0f * factor * around.tracedRecoloured +
+                            factor * factor * around.tracedTraced) /
                            around.samples;
       const Rgb all = around.recolouredRecoloured / static_cast<float>(std::max(1u, own.samples));
       variances[row] += luminanceVariance((complete ? all : ofFilm + ofChange) / around.freedom);

@@ -92,19 +92,32 @@ TEST(BoothPixel, EveryQuarterShowsTheMiddle) {
   }
 }
 
+// Scarlet has hardly any green by daylight: what noise has left of it says nothing by its ratio.
+TEST(LightChange, AWeakChannelIsNoSpark) {
+  const Rgb to(0.5f, 0.03f, 0.04f);
+  for (const float green : {-0.001f, 0.0f, 1e-5f, 0.002f, 0.01f}) {
+    const Rgb from(0.4f, green, 0.02f), quiet(0.2f, 0.006f, 0.01f);
+    const LightChange change = changeOfLight(from, to, Rgb(1));
+    expectNear(change(from), to, 1e-6f);
+    EXPECT_NEAR(change(quiet).r, 0.25f, 1e-6f) << "what is strong changes by its ratio";
+    // The luminance of `quiet` is about half of that of `from`, so it takes up half of what green is gained.
+    EXPECT_NEAR(change(quiet).g, 0.006f + 0.5f * (to.g - green), 0.004f) << green;
+  }
+}
+
 TEST(Booth, EachQuarterHasTheColourOfItsLamp) {
   const Fabric fabric = dyed();
   const Lamps lamps = lampsOf(fabric);
   constexpr float kLength_mm = 0.04f;
   const Walked records(fabric, [](int, int) { return kLength_mm; });
-  const BoothFactors factors = boothFactors(Film(kWidth, kHeight), records, nullptr, lamps, 1);
+  const BoothChanges changes = boothChanges(Film(kWidth, kHeight), records, nullptr, lamps, 1);
   const Rgb inDaylight = seen(kLength_mm, colouringOf(fabric));
   for (size_t i = 0; i < lamps.size(); ++i) {
     const Rgb underLamp = seen(kLength_mm, colouringOf(lit(fabric, kBoothLamps[i])));
     for (size_t k = 0; k < i; ++k)
       EXPECT_GT(glm::length(underLamp - seen(kLength_mm, lamps[k].colouring)), 0.02f) << "lamps that look alike";
     const Frame frame = frameOf(kWidth, kHeight);
-    const std::vector<glm::vec4> picture = boothPicture(frame, factors);
+    const std::vector<glm::vec4> picture = boothPicture(frame, changes);
     ASSERT_EQ(picture.size(), frame.rgba.size());
     for (int y = 0; y < kHeight; ++y)
       for (int x = 0; x < kWidth; ++x) {
@@ -125,34 +138,36 @@ TEST(Booth, OfARecolouredPictureIsThatOfTheNewDye) {
   wanted.fibres[0].absorption_per_mm = Absorption(test::narrowDye(25));
   const Recolouring shown = recolouringTo(wanted, traced.light);
   const Walked records(traced, [](int, int) { return 0.04f; });
-  const BoothFactors factors = boothFactors(Film(kWidth, kHeight), records, &shown, lampsOf(wanted), 2);
-  const LampFactors& at = factors.at(kWidth / 2, kHeight / 2, kWidth, kHeight);
-  expectNear(at[0], Rgb(1), 1e-5f);
+  const BoothChanges changes = boothChanges(Film(kWidth, kHeight), records, &shown, lampsOf(wanted), 2);
+  const LampChanges& at = changes.at(kWidth / 2, kHeight / 2, kWidth, kHeight);
   const Rgb asShown = seen(0.04f, colouringOf(wanted));
+  expectNear(at[0](asShown), asShown, 1e-5f);
   for (size_t i = 1; i < at.size(); ++i)
-    expectNear(at[i], seen(0.04f, colouringOf(lit(wanted, kBoothLamps[i]))) / asShown, 1e-4f);
+    expectNear(at[i](asShown), seen(0.04f, colouringOf(lit(wanted, kBoothLamps[i]))), 1e-4f);
 }
 
 // The paths of a coarse pass say what they know to a fine frame, at the same place.
 TEST(Booth, APassServesAPictureOfAnySize) {
   const Fabric fabric = dyed();
   const auto length_mm = [](int x, int y) { return 0.01f + 0.001f * static_cast<float>(x / 10 + 3 * (y / 6)); };
-  const BoothFactors factors =
-      boothFactors(Film(kWidth, kHeight), Walked(fabric, length_mm), nullptr, lampsOf(fabric), 1);
+  const BoothChanges changes =
+      boothChanges(Film(kWidth, kHeight), Walked(fabric, length_mm), nullptr, lampsOf(fabric), 1);
   for (const int y : {8, 15})  // in the middle of steps, where all around are alike
     for (const int x : {14, 25})
       for (size_t i = 0; i < kBoothLamps.size(); ++i) {
-        const Rgb expected = seen(length_mm(x, y), colouringOf(lit(fabric, kBoothLamps[i]))) /
-                             seen(length_mm(x, y), colouringOf(fabric));
-        expectNear(factors.at(x, y, kWidth, kHeight)[i], expected, 1e-4f);
-        expectNear(factors.at(4 * x + 3, 4 * y, 4 * kWidth, 4 * kHeight)[i], expected, 1e-4f);
+        const Rgb inDaylight = seen(length_mm(x, y), colouringOf(fabric));
+        const Rgb expected = seen(length_mm(x, y), colouringOf(lit(fabric, kBoothLamps[i])));
+        expectNear(changes.at(x, y, kWidth, kHeight)[i](inDaylight), expected, 1e-4f);
+        expectNear(changes.at(4 * x + 3, 4 * y, 4 * kWidth, 4 * kHeight)[i](inDaylight), expected, 1e-4f);
       }
 }
 
 TEST(Booth, WhereThereAreNoPathsLightStaysAsItIs) {
   const PathRecords none(kWidth, kHeight, 1, size_t{1} << 20);
-  const BoothFactors factors = boothFactors(Film(kWidth, kHeight), none, nullptr, lampsOf(dyed()), 1);
-  for (const Rgb& factor : factors.at(kWidth / 2, kHeight / 2, kWidth, kHeight)) EXPECT_EQ(factor, Rgb(1));
+  const BoothChanges changes = boothChanges(Film(kWidth, kHeight), none, nullptr, lampsOf(dyed()), 1);
+  const Rgb light(0.5f, 0.01f, 0.2f);
+  for (const LightChange& change : changes.at(kWidth / 2, kHeight / 2, kWidth, kHeight))
+    EXPECT_EQ(change(light), light);
 }
 
 TEST(Booth, CrossingsAreDividedAsThePictureIs) {
