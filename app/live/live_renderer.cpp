@@ -145,7 +145,7 @@ void LiveRenderer::Workers::build(const ViewRequest& request, Builder::Job& job)
   } catch (const std::exception&) {
     error = problemCaught();
   }
-  const Traceable made = built.traceable;
+  const Traceable& made = built.traceable;
   tellBuilt(request, made.scene, base.cloth.traceable.scene.get(), error, secondsSince(start));
   if (made.scene) {
     tracer.show({made, request.width, request.height, request.generation});

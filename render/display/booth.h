@@ -38,9 +38,10 @@ struct BoothChanges {
   const LampChanges& at(int x, int y, int ofWidth, int ofHeight) const;
 };
 
-/// From the paths on record of a film: the ratio of their light under a lamp to that as it is shown, of the pixels
-/// around on the same yarn, so that it has little noise (see recolour.h). `lamps`: the colours of the cloth under each
-/// of kBoothLamps; `shown`: those that it is shown in, null where these are the ones that it was traced in.
+/// From the paths on record of a film: how their light under a lamp differs from that as it is shown, of the pixels
+/// around on the same yarn, so that it has little noise (changeOfLight() in recolour.h). `lamps`: the colours of the
+/// cloth under each of kBoothLamps; `shown`: those that it is shown in, null where these are the ones that it was
+/// traced in.
 BoothChanges boothChanges(const Film& film, const PathRecords& records, const Recolouring* shown,
                           std::span<const Recolouring, kBoothLamps.size()> lamps, int threads);
 

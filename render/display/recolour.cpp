@@ -8,7 +8,8 @@
 // How it works. Paths on record say what light they would bring in the other colours. Where all of a pixel's samples
 // are on record, that is its new colour. Elsewhere the film's colour is multiplied by the ratio of new to old light,
 // over the pixels around that show the same yarn: both lights come along the same paths, so the ratio has little noise.
-// The variance of either follows from the samples' second moments.
+// A channel too weak for a ratio gets the difference of both instead, which has as little (a control variate). The
+// variance of either follows from the samples' second moments.
 
 namespace loomlight {
 namespace {

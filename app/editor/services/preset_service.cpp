@@ -8,7 +8,7 @@
 
 namespace loomlight {
 
-PresetService::PresetService(std::filesystem::path folder, DisplayDriver& driver, std::function<void()> wake)
+PresetService::PresetService(std::filesystem::path folder, DisplayDriver& driver, const std::function<void()>& wake)
     : folder_(std::move(folder)),
       thumbnails_(driver, wake),
       disk_(

@@ -43,7 +43,7 @@ class Booth : public testing::Test {
     return mean;
   }
   /// Of all its light, the share that is red, green and blue.
-  static Rgb hue(Rgb light) { return light / (light.r + light.g + light.b); }
+  static Rgb chromaticity(Rgb light) { return light / (light.r + light.g + light.b); }
   void untilDivided() {
     editor.until("the picture is divided", [&] { return editor.shows("booth.f11"); });
   }
@@ -57,14 +57,14 @@ TEST_F(Booth, EachQuarterShowsWhatItsLampShows) {
   for (size_t i = 0; i < kBoothLamps.size(); ++i) {
     ASSERT_EQ(editor.saved().light.illuminant, kBoothLamps[i]);
     editor.until("the picture rests", [&] { return editor.number("shown_samples") == 1; });
-    alone.push_back(hue(light("shown_light")));
+    alone.push_back(chromaticity(light("shown_light")));
     editor.edits("the next lamp", [&] { editor.key("j"); });
     editor.untilPictured();
   }
   editor.key("shift+j");
   untilDivided();
   for (size_t i = 0; i < alone.size(); ++i) {
-    const Rgb quarter = hue(light("booth.light." + nameOf(kBoothLamps[i])));
+    const Rgb quarter = chromaticity(light("booth.light." + nameOf(kBoothLamps[i])));
     for (size_t k = 0; k < alone.size(); ++k) {
       if (k == i) continue;
       EXPECT_LT(2 * glm::length(quarter - alone[i]), glm::length(alone[k] - alone[i])) << i << k;
