@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,42 +15,73 @@ namespace {
 
 constexpr int kCells = 10;  // of a thumbnail, along each side
 
-/// A thumbnail with its name below, which has this much room.
-struct ThumbnailSlot {
-  float size = 0, width = 0, height = 0;
+/// Thumbnails side by side, each with its name below, which takes a second line where it must.
+struct ThumbnailGrid {
+  float size = 0;             ///< of a thumbnail, along each side
+  float gap = 0;              ///< between slots
+  float slotWidth = 0;        ///< what a name has
+  int perLine = 1;            ///< slots
+  std::vector<float> tops{};  ///< of the lines, and last where they end
+
+  ImVec2 at(int i) const {
+    return {static_cast<float>(i % perLine) * (slotWidth + gap), tops[static_cast<size_t>(i / perLine)]};
+  }
 };
 
-ThumbnailSlot slotOf(Ui& ui, float size) {
-  return {size, std::max(size, ui.px(66)), size + ui.px(2) + ui.fonts.small->FontSize};
+/// The name in one line, or in two where it is too long for one.
+std::vector<std::string> linesOf(const std::string& name, float width) {
+  if (ImGui::CalcTextSize(name.c_str()).x <= width) return {name};
+  const size_t space = name.find(' ');
+  if (space == std::string::npos) return {shortened(name, width)};
+  return {shortened(name.substr(0, space), width), shortened(name.substr(space + 1), width)};
 }
 
-int thumbnailsPerLine(const ThumbnailSlot& slot, float gap, float room) {
-  return std::max(1, static_cast<int>((room + gap) / (slot.width + gap)));
+ThumbnailGrid gridOf(Ui& ui, const std::vector<Structure>& palette, float size, float room) {
+  ThumbnailGrid grid{size, ui.px(6)};
+  const float least = std::max(size, ui.px(66));
+  grid.perLine = std::max(1, static_cast<int>((room + grid.gap) / (least + grid.gap)));
+  grid.slotWidth = (room + grid.gap) / static_cast<float>(grid.perLine) - grid.gap;
+  grid.tops.push_back(0);
+  const int count = static_cast<int>(palette.size());
+  for (int first = 0; first < count; first += grid.perLine) {
+    size_t lines = 1;
+    for (int i = first; i < std::min(count, first + grid.perLine); ++i)
+      lines = std::max(lines, linesOf(palette[static_cast<size_t>(i)].name, grid.slotWidth).size());
+    grid.tops.push_back(grid.tops.back() + size + ui.px(2) + static_cast<float>(lines) * ImGui::GetFontSize() +
+                        grid.gap);
+  }
+  return grid;
 }
 
-/// A name that has not the room is read in a tooltip.
-void nameBelow(Ui& ui, const std::string& name, ImVec2 at, const ThumbnailSlot& slot) {
+/// The one with the largest thumbnails with which all of them fit into the room; with cells of whole pixels.
+ThumbnailGrid largestGrid(Ui& ui, const std::vector<Structure>& palette, ImVec2 room) {
+  const float step = kCells, smallest = step * std::round(ui.px(30) / step);
+  ThumbnailGrid grid = gridOf(ui, palette, smallest, room.x);
+  for (float size = smallest + step; size <= ui.px(80); size += step) {
+    ThumbnailGrid larger = gridOf(ui, palette, size, room.x);
+    if (larger.tops.back() <= room.y) grid = std::move(larger);
+  }
+  return grid;
+}
+
+/// A name that has not the room is read in a tooltip. `at`: the slot.
+void nameBelow(Ui& ui, const std::string& name, ImVec2 at, const ThumbnailGrid& grid) {
   ImGui::PushFont(ui.fonts.small);
-  const std::string shown = shortened(name, slot.width);
-  ImGui::SetCursorPos(
-      ImVec2(at.x + 0.5f * (slot.width - ImGui::CalcTextSize(shown.c_str()).x), at.y + slot.size + ui.px(2)));
-  ImGui::TextColored(ui.theme.textQuiet, "%s", shown.c_str());
+  const std::vector<std::string> lines = linesOf(name, grid.slotWidth);
+  ImGui::SetCursorPos(ImVec2(at.x, at.y + grid.size + ui.px(2)));
+  ImGui::BeginGroup();
+  for (size_t i = 0; i < lines.size(); ++i) {
+    const float width = ImGui::CalcTextSize(lines[i].c_str()).x;
+    ImGui::SetCursorPos(ImVec2(at.x + 0.5f * (grid.slotWidth - width),
+                               at.y + grid.size + ui.px(2) + static_cast<float>(i) * ImGui::GetFontSize()));
+    ImGui::TextColored(ui.theme.textQuiet, "%s", lines[i].c_str());
+  }
+  ImGui::EndGroup();
   ImGui::PopFont();
   const std::string id = "structure/" + name + "/name";
   ui.probe.recordItem(id);
-  if (shown != name) tooltipFor(ui, id.c_str(), ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), name.c_str());
-}
-
-/// The largest with which all of them fit into the room; with cells of whole pixels.
-float thumbnailSize(Ui& ui, int count, float gap, ImVec2 room) {
-  const float step = kCells, smallest = step * std::round(ui.px(30) / step);
-  float size = smallest;
-  for (float larger = smallest + step; larger <= ui.px(80); larger += step) {
-    const ThumbnailSlot slot = slotOf(ui, larger);
-    const int perLine = thumbnailsPerLine(slot, gap, room.x), lines = (count + perLine - 1) / perLine;
-    if (static_cast<float>(lines) * (slot.height + gap) <= room.y) size = larger;
-  }
-  return size;
+  if (fmt::format("{}", fmt::join(lines, " ")) != name)
+    tooltipFor(ui, id.c_str(), ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), name.c_str());
 }
 
 }  // namespace
@@ -55,20 +89,18 @@ float thumbnailSize(Ui& ui, int count, float gap, ImVec2 room) {
 std::optional<Fabric> structurePage(Ui& ui, const Fabric& fabric, const DraftPreferences& preferences,
                                     DraftView& view) {
   std::optional<Fabric> edited;
-  const float gap = ui.px(6), inset = ui.px(2), under = ImGui::GetFrameHeightWithSpacing() + ui.px(12);
-  const int count = static_cast<int>(view.palette.size());
-  const ImVec2 all = ImGui::GetContentRegionAvail(), room(all.x - inset, all.y - under);
-  const float size = thumbnailSize(ui, count, gap, room);
-  const ThumbnailSlot slot = slotOf(ui, size);
-  const int perLine = thumbnailsPerLine(slot, gap, room.x);
+  const float inset = ui.px(2), under = ImGui::GetFrameHeightWithSpacing() + ui.px(12);
+  const ImVec2 all = ImGui::GetContentRegionAvail();
+  ImGui::PushFont(ui.fonts.small);
+  const ThumbnailGrid grid = largestGrid(ui, view.palette, ImVec2(all.x - inset, all.y - under));
+  ImGui::PopFont();
   const ImVec2 corner(ImGui::GetCursorPosX() + inset, ImGui::GetCursorPosY() + inset);
-  for (int i = 0; i < count; ++i) {
-    const Structure& structure = view.palette[static_cast<size_t>(i)];
-    const ImVec2 at(corner.x + static_cast<float>(i % perLine) * (slot.width + gap),
-                    corner.y + static_cast<float>(i / perLine) * (slot.height + gap));
-    nameBelow(ui, structure.name, at, slot);
-    ImGui::SetCursorPos(ImVec2(at.x + 0.5f * (slot.width - size), at.y));
-    if (structureThumbnail(ui, "structure/" + structure.name, structure, size, kCells,
+  for (size_t i = 0; i < view.palette.size(); ++i) {
+    const Structure& structure = view.palette[i];
+    const ImVec2 inGrid = grid.at(static_cast<int>(i)), at(corner.x + inGrid.x, corner.y + inGrid.y);
+    nameBelow(ui, structure.name, at, grid);
+    ImGui::SetCursorPos(ImVec2(at.x + 0.5f * (grid.slotWidth - grid.size), at.y));
+    if (structureThumbnail(ui, "structure/" + structure.name, structure, grid.size, kCells,
                            structure.weave == fabric.weave)) {
       Rewoven result = withStructure(fabric, view.selection, structure.weave, preferences.loom);
       edited = std::move(result.fabric);
@@ -76,8 +108,7 @@ std::optional<Fabric> structurePage(Ui& ui, const Fabric& fabric, const DraftPre
       if (!view.selection) view.cell = 0;
     }
   }
-  const int lines = (count + perLine - 1) / perLine;
-  ImGui::SetCursorPos(ImVec2(corner.x - inset, corner.y + static_cast<float>(lines) * (slot.height + gap)));
+  ImGui::SetCursorPos(ImVec2(corner.x - inset, corner.y + grid.tops.back()));
   ImGui::Dummy(ImVec2(0, ui.px(2)));
   const Word& library = words::draft::allStructures;
   view.libraryWanted = button(ui, "structures.open", library.label, 0, true, library.help);

@@ -8,11 +8,11 @@
 
 namespace loomlight {
 
-PresetService::PresetService(std::filesystem::path folder, DisplayDriver& driver, const std::function<void()>& wake)
+PresetService::PresetService(std::filesystem::path folder, DisplayDriver& driver, std::function<void()> wake)
     : folder_(std::move(folder)),
       thumbnails_(driver, wake),
       disk_(
-          wake, [this](const Job& job, const auto&) { return done(job); },
+          std::move(wake), [this](const Job& job, const auto&) { return done(job); },
           [this](const Job&, const std::string& problem) {
             return Brought{cabinet_ ? stateOf(*cabinet_) : State{}, {}, 0, Outcome{"", problem}};
           },

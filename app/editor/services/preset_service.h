@@ -21,7 +21,7 @@ namespace loomlight {
 class PresetService {
  public:
   /// `wake` is called from that thread when there is something to take().
-  PresetService(std::filesystem::path folder, DisplayDriver& driver, const std::function<void()>& wake);
+  PresetService(std::filesystem::path folder, DisplayDriver& driver, std::function<void()> wake);
   ~PresetService() { lookAway(); }
 
   /// What has been read by now, with pictures, which are rendered for as long as they are asked for. Reads on until
