@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/hash.h"
 #include "core/base/stopwatch.h"
 #include "core/fabric/model/yarn_count.h"
 #include "render/scene/cells_in_view.h"
@@ -183,7 +184,9 @@ std::shared_ptr<const Scene> makeScene(std::shared_ptr<const Fabric> fabric, con
   scene.colouring = base.keeps(Stage::colour | Stage::brightness | Stage::light | Stage::optics) ? base.scene->colouring
                                                                                                  : colouringOf(*fabric);
   scene.roulette_per_mm = leastAbsorption_per_mm(scene.colouring);
-  scene.sampling.seed = fabric->render.seed;
+  // Seeds that a user counts up differ in their lowest bits alone, as numbers of pixels do: unmixed, the pixels of one
+  // seed would have the random numbers of other pixels of the next.
+  scene.sampling.seed = mixBits(fabric->render.seed);
   scene.sampling.maxEvents = static_cast<uint32_t>(fabric->render.maxDepth);
   scene.lighting =
       base.keeps(Stage::light | Stage::brightness)

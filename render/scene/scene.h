@@ -16,7 +16,7 @@ namespace loomlight {
 /// How paths are sampled: the noise and the cost of a picture, never what it converges to but for where paths end. All
 /// that is on has earned its place in `bench converge`.
 struct PathSampling {
-  uint64_t seed = 0;          ///< another gives another pattern of noise
+  uint64_t seed = 0;          ///< of bits that are mixed; another gives another pattern of noise
   uint32_t maxEvents = 1;     ///< fibres met on a path, at most; the last one sends on the light of lamps alone
   bool stratified = true;     ///< camera, first events and first lamps are spread evenly over a pixel's samples
   bool roulette = true;       ///< paths of little worth end by chance

@@ -1,9 +1,14 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <string>
+#include <vector>
 
 #include "render/media/volume_medium.h"
+#include "render/transport/cloth_walks.h"
+#include "render/transport/path_integrator.h"
 #include "render/transport/path_tracer.h"
 #include "tests/support/every_medium.h"
 
@@ -101,6 +106,23 @@ TEST_F(ReproducibleFilm, WithAnotherSeedIsAnother) {
   const Film a = render(2, 1);
   scene_ = test::sceneOf(other);
   EXPECT_NE(a.toImage(false).find("G")->values, render(2, 1).toImage(false).find("G")->values);
+}
+
+/// Two seeds that follow each other make two independent measurements, not one in another order.
+TEST(Seeds, ThatAreCountedUpShareNoWalks) {
+  const auto lengthsOf = [](uint64_t seed) {
+    Fabric fabric = dyedCotton();
+    fabric.render.seed = seed;
+    std::vector<float> lengths_mm = walkThrough(fabric, wholePiece(), 2 * PathIntegrator::kBatch, {})->lengths_mm;
+    std::sort(lengths_mm.begin(), lengths_mm.end());
+    return lengths_mm;
+  };
+  const auto even = lengthsOf(2), odd = lengthsOf(3);
+  std::vector<float> shared;
+  std::set_intersection(even.begin(), even.end(), odd.begin(), odd.end(), std::back_inserter(shared));
+  // Lengths of no walk at all are 0 in both.
+  EXPECT_LT(std::count_if(shared.begin(), shared.end(), [](float length_mm) { return length_mm > 0; }),
+            static_cast<ptrdiff_t>(even.size() / 100));
 }
 
 }  // namespace
