@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/fabric/model/field_tables.h"
 #include "core/fabric/yarn/derived.h"
@@ -36,25 +37,49 @@ void numbers(Ui& ui, const FlatMenuModel& model, FlatMenuChoice& choice) {
 
 }  // namespace
 
-glm::dvec2 pieceOf_mm(const Fabric& fabric, const FlatCloth& cloth) {
+FlatPiece pieceOf(const Fabric& fabric, const FlatCloth& cloth) {
   const FieldInfo range = fieldInfo(&Drape::width_mm);
-  const auto length = [&](int64_t threads, double pitch_mm) {
-    const double mm = cloth.inRepeats ? cloth.count * static_cast<double>(threads) * pitch_mm : 10 * cloth.count;
-    return std::clamp(mm, range.min, range.max);
-  };
-  return {length(patternEnds(fabric), fabric.warpPitch_mm()), length(patternPicks(fabric), fabric.weftPitch_mm())};
+  FlatPiece piece;
+  if (!cloth.inRepeats) {
+    piece.size_mm = glm::dvec2(std::clamp(10 * cloth.count, range.min, range.max));
+    return piece;
+  }
+  const glm::dvec2 repeat_mm(static_cast<double>(patternEnds(fabric)) * fabric.warpPitch_mm(),
+                             static_cast<double>(patternPicks(fabric)) * fabric.weftPitch_mm());
+  const double longer_mm = std::max(repeat_mm.x, repeat_mm.y);
+  for (const int i : {0, 1}) {
+    // So many repeats of stripes that go one way would be a ribbon.
+    const double times = 2 * repeat_mm[i] > longer_mm ? 1 : std::round(longer_mm / repeat_mm[i]);
+    piece.repeats[i] = cloth.count * times;
+    piece.size_mm[i] = std::clamp(piece.repeats[i] * repeat_mm[i], range.min, range.max);
+  }
+  return piece;
 }
 
-std::string flatClothText(const FlatCloth& cloth) {
-  if (cloth.inRepeats && cloth.count == 1) return words::menu::oneRepeat.label;
-  return fmt::format("{0:g} \xC3\x97 {0:g} {1}", cloth.count, cloth.inRepeats ? words::menu::repeats.label : "cm");
+std::string flatPieceText(const Fabric& fabric, const FlatCloth& cloth) {
+  const FlatPiece piece = pieceOf(fabric, cloth);
+  if (!cloth.inRepeats) return fmt::format("{0:g} \xC3\x97 {0:g} cm", cloth.count);
+  const std::string size = fmt::format(" \xC2\xB7 {:.1f} \xC3\x97 {:.1f} mm", piece.size_mm.x, piece.size_mm.y);
+  if (piece.repeats == glm::dvec2(1.0)) return words::menu::oneRepeat.label + size;
+  return fmt::format("{:g} \xC3\x97 {:g} {}", piece.repeats.x, piece.repeats.y, words::menu::repeats.label) + size;
 }
+
+namespace {
+
+/// As the menu offers it.
+std::string textOf(const FlatCloth& cloth) {
+  if (!cloth.inRepeats) return fmt::format("{0:g} \xC3\x97 {0:g} cm", cloth.count);
+  return cloth.count == 1 ? std::string(words::menu::oneRepeat.label)
+                          : fmt::format("{:g} {}", cloth.count, words::menu::repeats.label);
+}
+
+}  // namespace
 
 FlatMenuChoice flatMenu(Ui& ui, const FlatMenuModel& model) {
   FlatMenuChoice choice;
   if (!beginMenu(ui, "menu.flat", words::menu::flatCloth.label)) return choice;
   const auto offer = [&](const char* id, const FlatCloth& cloth) {
-    if (ImGui::MenuItem(flatClothText(cloth).c_str())) choice.cloth = cloth;
+    if (ImGui::MenuItem(textOf(cloth).c_str())) choice.cloth = cloth;
     ui.probe.recordItem(id);
   };
   offer("menu.flat_repeat", {true, 1});

@@ -8,15 +8,19 @@
 
 namespace loomlight {
 
-/// So much cloth, lying flat and seen straight from above: as many repeats of the pattern each way, or centimetres.
+/// So much cloth, lying flat and seen straight from above: as many repeats of the pattern each way (of one that is
+/// less than half as long as it is wide, or as wide as long, as many as make the piece square), or centimetres.
 struct FlatCloth {
   bool inRepeats = true;
   double count = 1;
   bool operator==(const FlatCloth&) const = default;
 };
-/// Width and height, as far as a piece can be so large.
-glm::dvec2 pieceOf_mm(const Fabric& fabric, const FlatCloth& cloth);
-std::string flatClothText(const FlatCloth& cloth);
+struct FlatPiece {
+  glm::dvec2 size_mm{0.0};  ///< width and height, as far as a piece can be so large
+  glm::dvec2 repeats{0.0};  ///< of the pattern, across and along; 0 where it is measured in centimetres
+};
+FlatPiece pieceOf(const Fabric& fabric, const FlatCloth& cloth);
+std::string flatPieceText(const Fabric& fabric, const FlatCloth& cloth);
 
 /// What the menu offers beside a single repeat.
 struct FlatMenuModel {

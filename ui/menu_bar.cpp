@@ -1,5 +1,7 @@
 #include "ui/menu_bar.h"
 
+#include "ui/widgets/field_row.h"
+#include "ui/widgets/fields.h"
 #include "ui/words/menu_words.h"
 
 namespace loomlight {
@@ -97,13 +99,18 @@ class Menus {
 
 /// The cloth's name, at the right end of the bar.
 void title(Ui& ui, const MenuModel& model) {
-  const std::string right = model.title + (model.edited ? words::menu::edited.label : "");
+  const char* const edited = model.edited ? words::menu::edited.label : "";
+  const float room = ImGui::GetContentRegionAvail().x - ui.px(32) - ImGui::CalcTextSize(edited).x;
+  std::string cut;
+  const std::string right = fitted(ui, "title", model.title.c_str(), room, cut) + edited;
   const ImVec2 size = ImGui::CalcTextSize(right.c_str());
   const ImVec2 bar = ImGui::GetWindowPos();
   const ImVec2 at(bar.x + ImGui::GetWindowWidth() - size.x - ui.px(16),
                   bar.y + 0.5f * (ImGui::GetWindowHeight() - size.y));
   ImGui::GetWindowDrawList()->AddText(at, packed(ui.theme.text), right.c_str());
-  ui.probe.record("title", at, ImVec2(at.x + size.x, at.y + size.y));
+  const ImVec2 far(at.x + size.x, at.y + size.y);
+  ui.probe.record("title", at, far);
+  tooltipFor(ui, "title", at, far, cut.c_str());
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "core/fabric/model/glossary.h"
 #include "ui/widgets/fields.h"
 #include "ui/words/common_words.h"
@@ -10,7 +12,8 @@
 namespace loomlight {
 namespace {
 
-void figure(Ui& ui, const char* id, float x, const std::string& text, const char* tooltip, const ImVec4& colour) {
+/// Returns where it ends.
+float figure(Ui& ui, const char* id, float x, const std::string& text, const char* tooltip, const ImVec4& colour) {
   const ImVec2 window = ImGui::GetWindowPos();
   const float y = window.y + 0.5f * (ImGui::GetWindowHeight() - ImGui::GetFontSize());
   const ImVec2 at(window.x + x, y);
@@ -20,6 +23,7 @@ void figure(Ui& ui, const char* id, float x, const std::string& text, const char
   ui.probe.record(id, at, max);
   ui.probe.fact(id, text);
   tooltipFor(ui, id, at, max, tooltip);
+  return x + size.x;
 }
 
 std::string floatsText(const StatusModel& model) {
@@ -39,10 +43,11 @@ void statusBar(Ui& ui, const StatusModel& model) {
   const float x = ui.px(16);
   // The places are reserved, so that nothing moves. In a narrow window figures end before what the workers say begins.
   const float right = width - ui.px(model.background.empty() && model.lamp.empty() ? 330 : 450);
+  float end = x;  // of what is said of the cloth
   const auto clothFigure = [&](const char* id, float place, const std::string& text, const char* tooltip) {
     const float from = x + ui.px(place);
     if (model.figuresKnown && from + ImGui::CalcTextSize(text.c_str()).x < right)
-      figure(ui, id, from, text, tooltip, quiet);
+      end = figure(ui, id, from, text, tooltip, quiet);
   };
   clothFigure("status.mass", 0, fmt::format("{:.0f} g/m\xC2\xB2", model.arealMass_g_m2), words::status::massHelp);
   clothFigure("status.cover", 88, fmt::format(words::status::cover, model.coverPercent), words::status::coverHelp);
@@ -50,7 +55,7 @@ void statusBar(Ui& ui, const StatusModel& model) {
               words::thickness.help);
   clothFigure("status.float", 304, floatsText(model), words::status::floatHelp);
   const std::string more = model.moreWarnings > 0 ? fmt::format("  (+{})", model.moreWarnings) : std::string();
-  const float left = x + ui.px(520);
+  const float left = std::max(x + ui.px(520), end + ui.px(16));
   const float room = right - left - ImGui::CalcTextSize(more.c_str()).x;
   if (!model.warning.empty() && room > ui.px(40))
     figure(ui, "status.warning", left, shortened(model.warning, room) + more, model.warning.c_str(), ui.theme.warning);

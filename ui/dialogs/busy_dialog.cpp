@@ -40,7 +40,7 @@ bool BusyDialog::draw(Ui& ui, const std::optional<std::string>& text, bool canCa
   bool cancelled = false;
   if (beginModal(ui, (std::string(words::common::oneMoment) + "##busy").c_str(), ImVec2(ui.px(480), 0), open_,
                  opening_)) {
-    ImGui::TextUnformatted(shortened(text_, ui.px(440)).c_str());
+    textLine(ui, "busy.text", text_, ui.theme.text, ui.px(440));
     ImGui::Dummy(ImVec2(0, ui.px(4)));
     movingBar(ui, seconds);
     ImGui::Dummy(ImVec2(0, ui.px(8)));

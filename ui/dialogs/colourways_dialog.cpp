@@ -8,6 +8,7 @@
 #include "core/base/fresh_name.h"
 #include "core/fabric/model/colourways.h"
 #include "core/fabric/model/validate.h"
+#include "ui/widgets/field_row.h"
 #include "ui/widgets/fields.h"
 #include "ui/widgets/modal.h"
 #include "ui/words/common_words.h"
@@ -16,7 +17,7 @@
 namespace loomlight {
 namespace {
 
-constexpr float kNarrowest = 200, kWidest = 640, kAspect = 232.0f / 168, kWidestAspect = 2, kSwatch = 14, kGap = 12;
+constexpr float kNarrowest = 200, kAspect = 232.0f / 168, kWidestAspect = 2, kSwatch = 14, kGap = 12;
 
 /// A name that no colourway has yet.
 std::string nameFor(const Fabric& fabric, const std::string& wish) {
@@ -36,7 +37,7 @@ void ColourwaysDialog::fitPictures(const Ui& ui, ImVec2 room, int count) {
     const int lines = (count + perLine - 1) / perLine;
     const auto across = static_cast<float>(perLine), down = static_cast<float>(lines);
     const float width = (room.x - gap * (across - 1)) / across, height = (room.y - gap * (down - 1)) / down - line;
-    const ImVec2 size(std::min({width, kWidestAspect * height, ui.px(kWidest)}), std::min(height, width / kAspect));
+    const ImVec2 size(std::min(width, kWidestAspect * height), std::min(height, width / kAspect));
     if (size.x * size.y <= best.x * best.y || size.y <= 0) continue;
     best = size;
     perLine_ = perLine;
@@ -67,13 +68,15 @@ void ColourwaysDialog::card(Ui& ui, int index, const char* name, ImTextureID pic
   const float pad = ui.px(8), swatch = ui.px(kSwatch);
   float x = max.x - pad - swatch * static_cast<float>(std::min<size_t>(colours.size(), 6));
   const float y = corner.y + 0.5f * (line - swatch);
-  const std::string text = shortened(name, x - min.x - 2 * pad);
+  std::string cut;
+  const std::string text = fitted(ui, id, name, x - min.x - 2 * pad, cut);
   draw.AddText(ImVec2(min.x + pad, corner.y + 0.5f * (line - ImGui::GetFontSize())), packed(ui.theme.text),
                text.c_str());
   for (size_t i = 0; i < std::min<size_t>(colours.size(), 6); ++i, x += swatch)
     draw.AddRectFilled(ImVec2(x, y), ImVec2(x + swatch, y + swatch), packed(colours[i]));
   if (index == chosen_ || ImGui::IsItemHovered())
     draw.AddRect(min, max, packed(index == chosen_ ? ui.theme.accent : ui.theme.textQuiet), ui.px(4), 0, ui.px(2));
+  tooltipFor(ui, id.c_str(), min, max, cut.c_str());
 }
 
 void ColourwaysDialog::cards(Ui& ui, const Fabric& fabric, const ColourwayLooks& looks, ImVec2 size) {

@@ -51,7 +51,7 @@ void SnapshotDialog::show(const RenderSettings& settings, std::string file) {
   open_ = opening_ = true;
 }
 
-SnapshotDialog::Result SnapshotDialog::draw(Ui& ui, double seen_mm, const RenderJob& job) {
+SnapshotDialog::Result SnapshotDialog::draw(Ui& ui, const ClothInView& seen, const RenderJob& job) {
   Result result;
   if (!open_) return result;
   if (!beginModal(ui, words::snapshot::title, ImVec2(ui.px(480), 0), open_, opening_)) {
@@ -59,7 +59,7 @@ SnapshotDialog::Result SnapshotDialog::draw(Ui& ui, double seen_mm, const Render
     return result;
   }
   ImGui::BeginDisabled(job.running);
-  bool changed = snapshotOptionRows(ui, options_, settings_, seen_mm);
+  bool changed = snapshotOptionRows(ui, options_, settings_, seen);
   changed |= memberField(ui, "snapshot", settings_, &RenderSettings::samplesPerPixel);
   textField(ui, {"snapshot.file", words::snapshot::file}, file_);
   result.chooseFile = opening_ = chooseFileButton(ui, "snapshot", file_);  // it comes back when the browser has gone

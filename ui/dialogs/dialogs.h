@@ -44,8 +44,7 @@ class SnapshotDialog {
   const SnapshotOptions& options() const { return options_; }
   void setOptions(SnapshotOptions options) { options_ = std::move(options); }
   bool isOpen() const { return open_; }
-  /// `seen_mm`: how much cloth the camera sees, from top to bottom.
-  Result draw(Ui& ui, double seen_mm, const RenderJob& job);
+  Result draw(Ui& ui, const ClothInView& seen, const RenderJob& job);
 
  private:
   bool open_ = false, opening_ = false;

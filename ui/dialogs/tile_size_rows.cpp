@@ -6,9 +6,19 @@
 #include "ui/words/dialog_words.h"
 
 namespace loomlight {
+namespace {
+
+/// Some twists come round after hundreds of repeats only: such a tile is a piece of cloth.
+bool isFarLarger(const TileSize& joined, const TileSize& plain) {
+  constexpr int kFew = 8;
+  return joined.ends > kFew * plain.ends || joined.picks > kFew * plain.picks;
+}
+
+}  // namespace
 
 void TileSizeRows::draw(Ui& ui, const std::string& dialog, const TileModel& model, double fewestPixels) {
-  switchField(ui, {dialog + ".twist", words::tile::twist}, joinsTwist_);
+  joinsTwist_ = ownTwist_.value_or(!model.joined || !model.plain || !isFarLarger(*model.joined, *model.plain));
+  if (switchField(ui, {dialog + ".twist", words::tile::twist}, joinsTwist_)) ownTwist_ = joinsTwist_;
   const std::optional<TileSize>& size = joinsTwist_ ? model.joined : model.plain;
   const auto known = [&](const std::string& text) { return size ? text : std::string("\xE2\x80\x93"); };
   const TileSize s = size.value_or(TileSize{});

@@ -34,6 +34,7 @@ class TileSizeRows {
   void draw(Ui& ui, const std::string& dialog, const TileModel& model, double fewestPixels);
 
  private:
+  std::optional<bool> ownTwist_;  ///< that was chosen; else joined where that takes a few repeats
   bool joinsTwist_ = true;
   std::optional<int> ownSide_;  ///< that was set; else the usual one of the tile
   int longestSide_ = 1024;

@@ -33,16 +33,22 @@ void panelHead(Ui& ui, DraftView& view) {
 std::optional<Fabric> draftPanel(Ui& ui, const Fabric& fabric, const std::vector<ImVec4>& yarnColours, int brushYarn,
                                  const LongFloats* floats, DraftPreferences& preferences, DraftView& view,
                                  std::optional<CrossingIndex> lit) {
+  const ImVec2 head = ImGui::GetCursorScreenPos(), all = ImGui::GetContentRegionAvail();
+  // Beside the panel: what stands below the buttons may be drawn at.
+  ui.tooltipCorner = ImVec2(ImGui::GetWindowPos().x + ImGui::GetWindowWidth() + ui.px(8), head.y);
   panelHead(ui, view);
+  const float buttons = ImGui::GetCursorScreenPos().y - head.y;
   if (view.marksFloats) floatRow(ui, floats, preferences, view);
-  const ImVec2 room = ImGui::GetContentRegionAvail();
+  ui.tooltipCorner.reset();
+  const float rows = ImGui::GetCursorScreenPos().y - head.y;
+  const ImVec2 room(all.x, all.y - buttons);
   // What stands below keeps its place: tabs, a page, and the presets. Of a tall window all three get more; in a low one
-  // the draft comes before presets, which have their dialog too.
+  // the draft comes before presets, which have their dialog too. A row of floats takes its room from the draft alone.
   const float spare = room.y - ui.px(720);
   const float page = ui.px(190) + 0.25f * std::max(0.0f, spare);
   const float presets = spare > 0 ? ui.px(kLowestPresetList) + 0.25f * spare : ImGui::GetFrameHeightWithSpacing();
   const float below = 2 * ImGui::GetFrameHeightWithSpacing() + ui.px(24) + page + presets;
-  const float height = std::max(ui.px(180), std::min(1.3f * room.x, room.y - below));
+  const float height = std::max(ui.px(180), std::min(1.3f * room.x, room.y - below)) - (rows - buttons);
   std::optional<Fabric> edited =
       draftCanvas(ui, fabric, yarnColours, brushYarn, preferences, view, lit, ImVec2(room.x, height));
 

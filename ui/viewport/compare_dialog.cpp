@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ui/widgets/field_row.h"
 #include "ui/widgets/fields.h"
 #include "ui/widgets/modal.h"
 #include "ui/words/common_words.h"
@@ -28,13 +29,17 @@ void drawPicture(ImTextureID picture, ImVec2 min, ImVec2 max) {
 void CompareDialog::drawNames(Ui& ui, const Model& model, float left, float middle, float right) const {
   const float gap = ui.px(16), top = ImGui::GetCursorScreenPos().y;
   ImGui::PushFont(ui.fonts.small);
-  const std::string first = shortened(model.firstName, middle - left - gap);
-  const std::string second = shortened(model.secondName, right - middle - gap);
+  std::string firstCut, secondCut;
+  const std::string first = fitted(ui, "compare.first", model.firstName.c_str(), middle - left - gap, firstCut);
+  const std::string second = fitted(ui, "compare.second", model.secondName.c_str(), right - middle - gap, secondCut);
   const float at = way_ == Way::sideBySide ? middle : right - ImGui::CalcTextSize(second.c_str()).x;
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.AddText(ImVec2(left, top), packed(ui.theme.textQuiet), first.c_str());
   draw.AddText(ImVec2(at, top), packed(ui.theme.textQuiet), second.c_str());
+  const float bottom = top + ImGui::GetFontSize();
   ImGui::PopFont();
+  tooltipFor(ui, "compare.first", ImVec2(left, top), ImVec2(middle - gap, bottom), firstCut.c_str());
+  tooltipFor(ui, "compare.second", ImVec2(at, top), ImVec2(right, bottom), secondCut.c_str());
 }
 
 /// The first on the left of a line that follows the mouse, the second on its right: both of the height of the first, so

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <utility>
 
 #include "ui/widgets/member_fields.h"
 #include "ui/words/picture_words.h"
@@ -60,14 +62,29 @@ bool pixelRows(Ui& ui, SnapshotOptions& options, RenderSettings& settings) {
 }
 
 /// How much cloth there is to be seen, which is another thing than how large the paper is.
-void clothRows(Ui& ui, SnapshotOptions& options, const RenderSettings& settings, double seen_mm) {
-  int scale = options.actualSize ? 1 : 0;
-  segmentField(ui, {"snapshot.scale", words::snapshot::scale}, words::snapshot::scales, scale);
-  options.actualSize = scale == 1;
+void clothRows(Ui& ui, SnapshotOptions& options, const RenderSettings& settings, const ClothInView& seen) {
+  if (!seen.piece_mm && options.scale == SnapshotScale::wholePiece) options.scale = SnapshotScale::asSeen;
+  const std::span<const char* const> scales = words::snapshot::scales;
+  int scale = static_cast<int>(options.scale);
+  segmentField(ui, {"snapshot.scale", words::snapshot::scale}, scales.first(seen.piece_mm ? 3 : 2), scale);
+  options.scale = static_cast<SnapshotScale>(scale);
   const double paper_mm = settings.height / options.dpi * kMmPerInch;
-  const double height_mm = options.actualSize ? paper_mm : seen_mm;
+  const double height_mm = options.scale == SnapshotScale::actualSize   ? paper_mm
+                           : options.scale == SnapshotScale::wholePiece ? seen.piece_mm->y
+                                                                        : seen.height_mm;
   readout(ui, {"snapshot.cloth", words::snapshot::cloth},
           fmt::format("{:.1f} \xC3\x97 {:.1f} mm", height_mm * settings.width / settings.height, height_mm));
+}
+
+/// The height follows the width, in the proportions of the piece.
+bool inProportion(SnapshotOptions& options, RenderSettings& settings, const glm::dvec2& piece_mm) {
+  const FieldInfo pixels = fieldInfo(&RenderSettings::height);
+  const double ratio = piece_mm.y / piece_mm.x;
+  options.height_mm = std::clamp(options.width_mm * ratio, kPrintSide_mm[0], kPrintSide_mm[1]);
+  const int height = options.inMillimetres
+                         ? pixelsOfPrint(options.height_mm, options.dpi)
+                         : static_cast<int>(std::lround(std::clamp(settings.width * ratio, pixels.min, pixels.max)));
+  return std::exchange(settings.height, height) != height;
 }
 
 }  // namespace
@@ -77,15 +94,16 @@ int pixelsOfPrint(double length_mm, double dpi) {
   return static_cast<int>(std::lround(std::clamp(length_mm / kMmPerInch * dpi, info.min, info.max)));
 }
 
-bool snapshotOptionRows(Ui& ui, SnapshotOptions& options, RenderSettings& settings, double seen_mm) {
+bool snapshotOptionRows(Ui& ui, SnapshotOptions& options, RenderSettings& settings, const ClothInView& seen) {
   int unit = options.inMillimetres ? 1 : 0;
   if (segmentField(ui, {"snapshot.size_in", words::snapshot::sizeIn}, words::snapshot::sizeUnits, unit) && unit == 1) {
     options.width_mm = settings.width / options.dpi * kMmPerInch;
     options.height_mm = settings.height / options.dpi * kMmPerInch;
   }
   options.inMillimetres = unit == 1;
-  const bool changed = options.inMillimetres ? printRows(ui, options, settings) : pixelRows(ui, options, settings);
-  clothRows(ui, options, settings, seen_mm);
+  bool changed = options.inMillimetres ? printRows(ui, options, settings) : pixelRows(ui, options, settings);
+  clothRows(ui, options, settings, seen);
+  if (options.scale == SnapshotScale::wholePiece) changed |= inProportion(options, settings, *seen.piece_mm);
   switchField(ui, {"snapshot.scale_bar", words::snapshot::scaleBar}, options.scaleBar);
   textField(ui, {"snapshot.caption", words::snapshot::caption}, options.caption);
   return changed;

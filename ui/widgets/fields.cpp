@@ -105,7 +105,7 @@ void textLine(Ui& ui, const char* id, const std::string& text, const ImVec4& col
   tooltipFor(ui, id, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), cut.c_str());
 }
 
-void tooltipFor(Ui& ui, const char* id, ImVec2 min, ImVec2 max, const char* text, const std::optional<ImVec2>& at) {
+void tooltipFor(Ui& ui, const char* id, ImVec2 min, ImVec2 max, const char* text) {
   if (!*text) return;
   const ImGuiID key = ImGui::GetID(id);
   FieldMemory& memory = ui.memory;
@@ -126,12 +126,14 @@ void tooltipFor(Ui& ui, const char* id, ImVec2 min, ImVec2 max, const char* text
     ui.wakeWithin(kRestSeconds - rested + 0.01);
     return;
   }
-  if (at) ImGui::SetNextWindowPos(*at);
+  if (ui.tooltipCorner) ImGui::SetNextWindowPos(*ui.tooltipCorner);
   ImGui::BeginTooltip();
   ui.probe.fact("tooltip", text);
   ImGui::PushTextWrapPos(ui.px(320));
   ImGui::TextUnformatted(text);
   ImGui::PopTextWrapPos();
+  const ImVec2 corner = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  ui.probe.record("tooltip", corner, ImVec2(corner.x + size.x, corner.y + size.y));
   ImGui::EndTooltip();
 }
 

@@ -84,9 +84,7 @@ void hint(Ui& ui, const std::string& text, const ImVec4& colour);
 /// all there is.
 void textLine(Ui& ui, const char* id, const std::string& text, const ImVec4& colour, float width = 0);
 /// Shows `text` when the mouse has rested on the rectangle for a moment; not while it is pressed, nor after a click.
-/// `at`: where, if not at the mouse.
-void tooltipFor(Ui& ui, const char* id, ImVec2 min, ImVec2 max, const char* text,
-                const std::optional<ImVec2>& at = std::nullopt);
+void tooltipFor(Ui& ui, const char* id, ImVec2 min, ImVec2 max, const char* text);
 
 /// Says below a field what is wrong with its text, over whatever is there.
 void problemBelow(Ui& ui, ImVec2 min, ImVec2 max, const std::string& problem);

@@ -16,9 +16,7 @@ bool toggleButton(Ui& ui, const char* id, const char* name, const char* tooltip,
   draw.AddText(ImVec2(min.x + ui.px(8), min.y + 0.5f * (size.y - text.y)),
                packed(on ? ui.theme.onAccent : ui.theme.textQuiet), name);
   ui.probe.record(id, min, max);
-  // Beside the panel: what stands below the button may be drawn at.
-  const ImVec2 beside(ImGui::GetWindowPos().x + ImGui::GetWindowWidth() + ui.px(8), min.y);
-  tooltipFor(ui, id, min, max, tooltip, beside);
+  tooltipFor(ui, id, min, max, tooltip);
   return clicked;
 }
 

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 
 #include "ui/widgets/fonts.h"
@@ -41,6 +42,8 @@ struct Ui {
   double wakeIn = 1e9;  ///< the window draws again after so long even when nothing happens
   /// Of the display that the window is on, as the system says; else as most are.
   double pixels_per_mm = 96 / 25.4;
+  /// Where tooltips of what is drawn now open, if not at the mouse: beside what they would hide.
+  std::optional<ImVec2> tooltipCorner{};
 
   float px(float atScale1) const { return atScale1 * scale; }
   void wakeWithin(double seconds) { wakeIn = std::min(wakeIn, seconds); }

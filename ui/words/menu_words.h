@@ -10,7 +10,7 @@ struct MenuWord {
   const char* keys = "";
 };
 
-/// All that menus say, here alone, so that another language needs no other place.
+/// All that menus say.
 namespace words::menu {
 
 inline constexpr MenuWord file{"File"};

@@ -47,8 +47,9 @@ inline constexpr Word pixels{"Pixels", "Of the picture"};
 inline constexpr Word paper{"On paper", "How large the picture is printed at this resolution"};
 inline constexpr Word scale{
     "Cloth on paper",
-    "As seen: as much cloth as the viewport shows. 1 : 1: a centimetre of cloth is a centimetre of paper."};
-inline constexpr const char* scales[] = {"As seen", "1 : 1"};
+    "As seen: as much cloth as the viewport shows. 1 : 1: a centimetre of cloth is a centimetre of paper. Whole piece, "
+    "of flat cloth: its repeats or centimetres and nothing beside them; the height follows the width."};
+inline constexpr const char* scales[] = {"As seen", "1 : 1", "Whole piece"};
 inline constexpr Word cloth{"Cloth shown", "Where the camera looks"};
 inline constexpr Word scaleBar{"Scale bar",
                                "A bar of a round length below the picture, right where the camera looks; .png only."};

@@ -12,7 +12,7 @@ inline constexpr const char* building = "Building the cloth\xE2\x80\xA6";
 inline constexpr const char* denoised = "Denoised";
 inline constexpr const char* asPrinted = "As printed";
 inline constexpr const char* denoisedAsPrinted = "Denoised, as printed";
-inline constexpr const char* flat = "{}, flat";
+inline constexpr const char* flat = "Flat \xC2\xB7 {}";
 inline constexpr const char* crossing = "End {}, pick {}  \xC2\xB7  {}";
 
 // Below it

@@ -25,6 +25,16 @@ SnapshotPrint printOf(const SnapshotOptions& options, const Fabric& fabric) {
   return print;
 }
 
+/// Where it looks from, for as much cloth as is wanted.
+Camera cameraOf(const Fabric& seen, const SnapshotOptions& options, const std::optional<glm::dvec2>& piece_mm) {
+  constexpr double kMmPerInch = 25.4;
+  const int width = seen.render.width, height = seen.render.height;
+  if (options.scale == SnapshotScale::actualSize) return atScale(seen.camera, height, options.dpi / kMmPerInch);
+  if (options.scale == SnapshotScale::wholePiece && piece_mm)
+    return aboveFlat(seen.camera, piece_mm->x, piece_mm->y, static_cast<double>(width) / height);
+  return seen.camera;
+}
+
 }  // namespace
 
 void SnapshotController::show(const RenderSettings& settings, std::string file) {
@@ -65,16 +75,16 @@ SnapshotController::Edit SnapshotController::drawDialog(Ui& ui, const Sight& now
     if (*written) keepView(now, seen);
   }
   const std::string before = dialog_.file();
-  const SnapshotDialog::Result result =
-      dialog_.draw(ui, heightSeen_mm(seen.asSeen(now.fabric)->camera), rendering_.progress());
+  ClothInView inView{heightSeen_mm(seen.asSeen(now.fabric)->camera)};
+  if (now.view.flat) inView.piece_mm = now.view.flat->sight.piece_mm;
+  const SnapshotDialog::Result result = dialog_.draw(ui, inView, rendering_.progress());
   if (result.settings || dialog_.file() != before) rendering_.forget();
   if (result.cancel) rendering_.cancel();
   if (result.start && !rendering_.isRunning()) {
     const auto edited = std::make_shared<Fabric>(*seen.asSeen(now.fabric));
     if (result.settings) edited->render = *result.settings;
     const SnapshotOptions& options = dialog_.options();
-    constexpr double kMmPerInch = 25.4;
-    if (options.actualSize) edited->camera = atScale(edited->camera, edited->render.height, options.dpi / kMmPerInch);
+    edited->camera = cameraOf(*edited, options, inView.piece_mm);
     seen.pause(true);
     rendering_.start([edited, file = dialog_.file(), tone = now.tone,
                       print = printOf(dialog_.options(), *edited)](const Task& task) -> std::optional<std::string> {

@@ -57,7 +57,7 @@ void ViewportController::layFlat(const Fabric& fabric, const FlatCloth& cloth) {
     flatRepeats_ = static_cast<int>(cloth.count);
   else
     flatSide_cm_ = cloth.count;
-  const glm::dvec2 piece_mm = pieceOf_mm(fabric, cloth);
+  const glm::dvec2 piece_mm = pieceOf(fabric, cloth).size_mm;
   const Camera& from = flat_ ? flat_->view.sight.camera : fabric.camera;
   flat_ = Flat{{cloth, {piece_mm, aboveFlat(from, piece_mm.x, piece_mm.y, aspect())}}, fabric.drape};
 }
@@ -113,9 +113,7 @@ ViewportController::Edit ViewportController::draw(Ui& ui, const std::shared_ptr<
   if (stats && stats->fabric->drape == fabric->drape) model.mesh = stats->mesh;
   if (flat_) {
     const glm::dvec2& piece_mm = flat_->view.sight.piece_mm;
-    model.flat = fmt::format(words::viewport::flat, flatClothText(flat_->view.cloth));
-    if (flat_->view.cloth.inRepeats)
-      model.flat += fmt::format(" \xC2\xB7 {:.1f} \xC3\x97 {:.1f} mm", piece_mm.x, piece_mm.y);
+    model.flat = fmt::format(words::viewport::flat, flatPieceText(*fabric, flat_->view.cloth));
     if (std::exchange(view_.fitWanted, false))
       flat_->view.sight.camera = aboveFlat(flat_->view.sight.camera, piece_mm.x, piece_mm.y, aspect());
   }

@@ -84,7 +84,7 @@ SnapshotOptions snapshotOptions(const nlohmann::json& json, SnapshotOptions opti
       std::clamp(valueOf(json, "snapshot_height_mm", options.height_mm), kPrintSide_mm[0], kPrintSide_mm[1]);
   options.dpi =
       std::clamp(valueOf(json, "snapshot_dpi", options.dpi), kPrintResolution_dpi[0], kPrintResolution_dpi[1]);
-  options.actualSize = valueOf(json, "snapshot_actual_size", options.actualSize);
+  options.scale = valueOf(json, "snapshot_actual_size", false) ? SnapshotScale::actualSize : SnapshotScale::asSeen;
   options.scaleBar = valueOf(json, "snapshot_scale_bar", options.scaleBar);
   return options;
 }
@@ -194,7 +194,7 @@ void writeSettings(const std::filesystem::path& file, const Settings& settings) 
                                {"snapshot_width_mm", settings.snapshot.width_mm},
                                {"snapshot_height_mm", settings.snapshot.height_mm},
                                {"snapshot_dpi", settings.snapshot.dpi},
-                               {"snapshot_actual_size", settings.snapshot.actualSize},
+                               {"snapshot_actual_size", settings.snapshot.scale == SnapshotScale::actualSize},
                                {"snapshot_scale_bar", settings.snapshot.scaleBar},
                                {"count_unit", countUnit(settings.units.count)},
                                {"twist_multiplier", settings.units.twistAsMultiplier},

@@ -6,6 +6,7 @@
 #include "core/fabric/model/changes.h"
 #include "core/fabric/model/colourways.h"
 #include "core/fabric/yarn/yarn_reflectance.h"
+#include "render/light/lighting.h"
 
 // How it works. Light is walked through the cloth once for each construction; how much the fibres absorb, and under
 // which lamp they are seen, is arithmetic on those walks. So the walks are kept by what they depend on, those of the
@@ -88,6 +89,11 @@ std::optional<YarnColourService::Answer> YarnColourService::find(Request fabric,
   known->named = coloursForNames(*walks, known->now);
   for (const Colourway& colourway : fabric->colourways)
     known->colourways.push_back(reachedColours(*walks, colouringOf(inColourway(*fabric, colourway))));
+  // Names are of daylight; what is shown is as warm or cold as the light is.
+  const Rgb tint = Lighting::tint(fabric->light);
+  for (Rgb& colour : known->now) colour *= tint;
+  for (std::vector<Rgb>& colours : known->colourways)
+    for (Rgb& colour : colours) colour *= tint;
   return known;
 }
 

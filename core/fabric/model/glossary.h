@@ -2,7 +2,8 @@
 
 /// The words of the trade, as weavers, spinners and dyers use them (WIF 1.1 for drafts, ISO 2 and ISO 8159 for twist
 /// and plies, ISO 3572 and ISO 8388 for weaves and fabrics). Labels come from here, so that a thing is called one name
-/// everywhere, and another language needs one file. The help explains the physics where the trade has no word for it.
+/// everywhere; another language needs this file, and those of ui/words. The help explains the physics where the trade
+/// has no word for it.
 namespace loomlight {
 
 struct Word {

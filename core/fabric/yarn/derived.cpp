@@ -190,14 +190,16 @@ std::vector<std::string> warnings(const Fabric& fabric, const Floats& floats, co
     said.push_back(
         fmt::format("The sett is jammed: {:.3g} ends and {:.3g} picks per cm are closer than these yarns fit.",
                     fabric.ends_per_cm, fabric.picks_per_cm));
-  // Ends and picks that nothing binds are told of below.
-  const int64_t bound = tooLong.count - floats.idleEnds - floats.idlePicks;
+  const int unbound = floats.idleEnds + floats.idlePicks;
   const double longest_mm = std::max(floatLength_mm(fabric, System::warp, floats.warp()),
                                      floatLength_mm(fabric, System::weft, floats.weft()));
-  if (bound > 0)
-    said.push_back(fmt::format("{} of a repeat {} longer than {:g} mm, up to {:.1f} mm: long floats catch.",
-                               bound == 1 ? "1 float" : fmt::format("{} floats", bound), bound == 1 ? "is" : "are",
-                               tooLong.limit_mm, longest_mm));
+  // Ends and picks that nothing binds are counted among them, and told of once more below.
+  if (tooLong.count > unbound)
+    said.push_back(fmt::format("{} of a repeat {} longer than {:g} mm, {}up to {:.1f} mm: long floats catch.",
+                               tooLong.count == 1 ? "1 float" : fmt::format("{} floats", tooLong.count),
+                               tooLong.count == 1 ? "is" : "are", tooLong.limit_mm,
+                               unbound > 0 ? fmt::format("{} without end, the others ", unbound) : std::string(),
+                               longest_mm));
   const auto idle = [&](int count, int all, const char* one, const char* many) {
     if (count > 0)
       said.push_back(fmt::format("{} of {} {} of the repeat never interlace{}: nothing holds {} in the cloth.", count,

@@ -113,7 +113,7 @@ TEST_F(KeptViews, FlatClothComesBackFlatAndDrapedClothDraped) {
   editor.click("menu.view");
   editor.click("menu.flat");
   editor.click("menu.flat_repeats");
-  editor.until("it lies flat", [&] { return editor.fact("flat").starts_with("4 \u00d7 4 repeats, flat"); });
+  editor.until("it lies flat", [&] { return editor.fact("flat").starts_with("Flat \u00b7 4 \u00d7 4 repeats"); });
   editor.wheelAt(editor.centre("viewport"), 2);
   const std::string said = editor.fact("flat"), seen = heightSeen();
   editor.untilPictured();
@@ -150,7 +150,7 @@ TEST_F(KeptViews, AFlatViewKeepsItsPictureWhenTheCameraMoves) {
   editor.click("menu.view");
   editor.click("menu.flat");
   editor.click("menu.flat_repeat");
-  editor.until("it lies flat", [&] { return editor.fact("flat").starts_with("One repeat"); });
+  editor.until("it lies flat", [&] { return editor.fact("flat").starts_with("Flat \u00b7 One repeat"); });
   editor.untilPictured();
   keepOne();
   const uint64_t generation = editor.number("generation"), first = editor.number("shown_samples");

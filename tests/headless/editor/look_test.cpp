@@ -116,6 +116,16 @@ TEST_P(LookAt, EveryDialogIsWhole) {
   expectWhole("the tile");
 }
 
+/// A row of floats takes room from the draft alone: tabs and presets stay under the mouse.
+TEST_P(LookAt, ARowOfFloatsMovesNothing) {
+  const HeadlessEditor::Rect tab = editor.rect("draft.tab_colours");
+  const bool hadPresets = editor.shows("sample/Blue cloth");
+  editor.click("draft.floats");
+  editor.centre("draft.long_float");
+  EXPECT_EQ(editor.rect("draft.tab_colours").y0, tab.y0);
+  EXPECT_EQ(editor.shows("sample/Blue cloth"), hadPresets);
+}
+
 INSTANTIATE_TEST_SUITE_P(AtSize, LookAt, testing::ValuesIn(kLooks),
                          [](const auto& look) { return std::string(look.param.name); });
 
@@ -142,14 +152,36 @@ TEST_F(LookAtSmall, TooltipsStandBesideTheDraft) {
   EXPECT_EQ(editor.fact("tooltip"), "") << "whoever has pressed the button knows what it does";
 }
 
+/// Neither do those of the row that lists floats.
+TEST_F(LookAtSmall, TooltipsOfTheFloatRowStandBesideTheDraftToo) {
+  editor.click("draft.floats");
+  for (const char* const of : {"draft.long_float", "draft.float_before", "draft.float_next"}) {
+    editor.move(editor.centre(of));
+    editor.until(of, [&] { return !editor.fact("tooltip").empty(); });
+    EXPECT_GE(editor.rect("tooltip").x0, editor.rect("draft.canvas").x1) << of;
+    editor.move(editor.centre("status.work"));
+    editor.until("it has gone", [&] { return !editor.shows("tooltip"); });
+  }
+}
+
+/// A name of any length leaves the menus alone, and figures leave what is said beside them alone.
+TEST_F(LookAtSmall, NothingIsWrittenOverAnother) {
+  editor.click("tab.cloth");
+  editor.edits("a long name", [&] { editor.enter("cloth.name", std::string(200, 'm')); });
+  EXPECT_GT(editor.rect("title").x0, editor.rect("menu.help").x1);
+  editor.click("draft.floats");
+  editor.enter("draft.long_float", "0.1");
+  editor.until("floats are warned of", [&] { return editor.shows("status.warning"); });
+  EXPECT_GT(editor.rect("status.warning").x0, editor.rect("status.float").x1);
+}
+
 /// A name that is broken off, and what stands in a field that is empty, are read whole where the mouse rests.
 TEST_F(LookAtSmall, WhatIsCutIsReadInATooltip) {
-  const std::string name = "structure/Broken twill 3/1/name";
-  const HeadlessEditor::Rect tab = editor.rect("draft.tab_structures");
-  for (int turns = 0; turns < 12 && editor.rect(name).y1 > editor.screen().y - 110; ++turns)
-    editor.wheelAt(ImVec2(tab.x1, tab.y1 + 60), -1);
-  editor.move(editor.centre(name));
-  editor.until("the name is whole", [&] { return editor.fact("tooltip") == "Broken twill 3/1"; });
+  const std::string name(200, 'm');
+  editor.click("tab.cloth");
+  editor.edits("a long name", [&] { editor.enter("cloth.name", name); });
+  editor.move(editor.centre("title"));
+  editor.until("the name is whole", [&] { return editor.fact("tooltip") == name; });
   editor.click("tab.fibre");
   editor.move(editor.centre("fibre.colour_code"));
   editor.until("so is the example", [&] { return editor.fact("tooltip").starts_with("#1a2b3c or Lab 30 5 -12\n"); });

@@ -64,10 +64,10 @@ TEST_F(Sight, SoManyRepeatsOrCentimetresLieFlatAndAreNoEdit) {
     editor.untilPictured();
     EXPECT_EQ(editor.fact("error"), "");
   };
-  flatly("menu.flat_repeats", "4 \u00d7 4 repeats, flat");
+  flatly("menu.flat_repeats", "Flat \u00b7 4 \u00d7 4 repeats");
   const double width_mm = 4.0 * static_cast<double>(patternEnds(draped)) * draped.warpPitch_mm();
   EXPECT_THAT(editor.fact("flat"), HasSubstr(fmt::format("{:.1f}", width_mm)));
-  flatly("menu.flat_cm", "10 \u00d7 10 cm, flat");
+  flatly("menu.flat_cm", "Flat \u00b7 10 \u00d7 10 cm");
   editor.wheelAt(editor.centre("viewport"), 2);
   EXPECT_EQ(editor.fact("dirty"), "no");
   editor.key("ctrl+z");  // takes nothing back
@@ -79,7 +79,7 @@ TEST_F(Sight, SoManyRepeatsOrCentimetresLieFlatAndAreNoEdit) {
 TEST_F(Sight, FlatClothOfAnyNumberOfRepeats) {
   view("menu.flat");
   editor.enter("menu.flat_count", "7");
-  editor.until("seven repeats", [&] { return editor.fact("flat").starts_with("7 \u00d7 7 repeats"); });
+  editor.until("seven repeats", [&] { return editor.fact("flat").starts_with("Flat \u00b7 7 \u00d7 7 repeats"); });
   editor.key("Escape");
   editor.until("the menu is shut", [&] { return !editor.shows("menu.flat_count"); });
   editor.key("Escape");
@@ -92,7 +92,7 @@ TEST_F(Sight, FlatClothIsEditedLikeAnyOther) {
   editor.click("menu.flat_repeat");
   const Fabric draped = editor.saved();
   editor.edits("a crossing", [&] { editor.clickAt(weaver.crossing(0, 0)); });
-  EXPECT_TRUE(editor.fact("flat").starts_with("One repeat"));
+  EXPECT_TRUE(editor.fact("flat").starts_with("Flat \u00b7 One repeat"));
   EXPECT_EQ(editor.saved().drape, draped.drape);
   editor.edits("another drape", [&] { editor.choose("view.drape", "Cylinder"); });
   EXPECT_EQ(editor.fact("flat"), "");
@@ -108,6 +108,32 @@ TEST_F(Sight, ASnapshotOfFlatClothSaysHowMuchItShows) {
   const std::string high = fmt::format("{:.1f} mm", 100 * std::max(1.0f, (r.y1 - r.y0) / (r.x1 - r.x0)));
   editor.until("all ten centimetres are seen", [&] { return editor.fact("snapshot.cloth").ends_with(high); });
   editor.key("Escape");
+}
+
+/// Or it shows the piece and nothing beside it: its picture has the proportions of the cloth.
+TEST_F(Sight, ASnapshotShowsTheWholePieceAndNoMore) {
+  view("menu.flat");
+  editor.click("menu.flat_cm");
+  editor.key("ctrl+p");
+  editor.enter("snapshot.width", "321");
+  editor.click("snapshot.scale/Whole piece");
+  editor.until("it is ten by ten centimetres",
+               [&] { return editor.fact("snapshot.cloth") == "100.0 \u00d7 100.0 mm"; });
+  editor.key("Escape");
+  editor.until("the dialog is shut", [&] { return !editor.shows("snapshot.close"); });
+  EXPECT_EQ(editor.saved().render.width, 321);
+  EXPECT_EQ(editor.saved().render.height, 321);
+}
+
+/// Stripes that go one way are a square piece too, not a ribbon.
+TEST_F(Sight, RepeatsOfStripesAreAsManyAsMakeASquare) {
+  Fabric striped = editor.saved();
+  striped.warpSequence.assign(48, 0);
+  std::fill_n(striped.warpSequence.begin(), 24, 1);
+  const FlatPiece piece = pieceOf(striped, {true, 1});
+  EXPECT_EQ(piece.repeats.x, 1);
+  EXPECT_GT(piece.repeats.y, 1);
+  EXPECT_NEAR(piece.size_mm.y / piece.size_mm.x, 1, 0.5 / piece.repeats.y) << "to half a repeat";
 }
 
 /// The lamps of a light booth, one after the other.

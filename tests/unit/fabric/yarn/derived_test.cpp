@@ -1,5 +1,6 @@
 #include "core/fabric/yarn/derived.h"
 
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -210,6 +211,17 @@ std::vector<std::string> warningsOf(const Fabric& fabric, double floatLimit_mm =
 
 TEST(Warnings, NoneForTheReferenceCloth) {
   EXPECT_TRUE(warningsOf(printCloth()).empty());
+}
+
+/// The count is that of the list of floats: those that nothing binds are among them.
+TEST(Warnings, CountFloatsAsTheListDoes) {
+  Fabric loose = printCloth();
+  loose.ends_per_cm = loose.picks_per_cm = 4;
+  loose.weave =
+      fromPicture({"..#######", "..######.", "..#####.#", "..####.##", "..###.###", "..##.####", "..#.#####"});
+  EXPECT_THAT(warningsOf(loose), testing::Contains(testing::StartsWith(fmt::format(
+                                     "{} floats of a repeat are longer than 4 mm, {} without end, the others up to ",
+                                     longFloats(loose, 4).count, floats(loose.weave).idleEnds))));
 }
 
 TEST(Warnings, NameJammedSettLongFloatsAndIdleThreads) {
