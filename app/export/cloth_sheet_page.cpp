@@ -36,6 +36,11 @@ std::vector<Stripe> sumsOf(const std::vector<int>& sequence) {
   return sums;
 }
 
+/// Whether the order is the same from its other end.
+bool comesBack(const std::vector<Stripe>& stripes) {
+  return std::equal(stripes.begin(), stripes.begin() + static_cast<ptrdiff_t>(stripes.size() / 2), stripes.rbegin());
+}
+
 std::string twistOf(const Yarn& yarn) {
   const auto turns = [](double per_m, TwistDirection way) {
     return fmt::format("{:.0f} {}", per_m, way == TwistDirection::z ? "Z" : "S");
@@ -189,8 +194,9 @@ class SheetWriter {
     paper_.fill(x, y - 2.4, 5, 2.8, srgbFromLinear(glm::clamp(reached, Rgb(0.0f), Rgb(1.0f))));
   }
 
-  /// A table of threads in the room down to `bottom`: stripe by stripe where they all fit; else the order as weavers
-  /// write it, and how many threads of each yarn it has.
+  /// A table of threads in the room down to `bottom`: stripe by stripe where they all fit; else, of an order that comes
+  /// back the way it went, one half of it; else the order as weavers write it, and how many threads of each yarn it
+  /// has.
   void orderTable(double x, double y, double width, const char* label, const char* threads,
                   const std::vector<int>& sequence, double pitch_mm, double bottom) {
     const double columns[] = {x, x + 7, x + 15, x + 28}, end = x + width;
@@ -200,8 +206,12 @@ class SheetWriter {
     const auto rowsIn = [&](double from) {
       return static_cast<size_t>(std::max(0.0, (bottom - kBelowRule_mm - from) / kLine_mm));
     };
-    const double headed = y + kLine_mm + kBelowRule_mm;
-    if (rows.size() > rowsIn(headed + kLine_mm)) {
+    const size_t most = rowsIn(y + 2 * kLine_mm + kBelowRule_mm);
+    const size_t half = rows.size() / 2 + 1;
+    const bool isHalf = rows.size() > most && half < most && comesBack(rows);
+    if (isHalf) {
+      rows.resize(half);
+    } else if (rows.size() > most) {
       rows = sumsOf(sequence);
       y = paper_.paragraph(x, y, yarnOrderText(sequence), kBody, width, 4) + 0.6;
     }
@@ -216,6 +226,10 @@ class SheetWriter {
       yarnSwatch(columns[1], y, rows[i].yarn);
       paper_.text(columns[2], y, fmt::format("{}", rows[i].width), kBody, 12);
       paper_.text(columns[3], y, cm(rows[i].width), kBody, end - columns[3]);
+    }
+    if (isHalf) {
+      paper_.text(columns[0], y, "then back, mirrored", kQuiet, width);
+      y += kLine_mm;
     }
     if (shown < rows.size()) {
       paper_.text(columns[0], y, fmt::format("and {} more yarns", rows.size() - shown), kQuiet, width);
@@ -306,17 +320,18 @@ class SheetWriter {
     y_ = paper_.paragraph(kSheetMargin_mm, y_, fabric_.description, kBody, kEnd_mm - kSheetMargin_mm, kMostLines);
   }
 
-  /// Along the lower edge.
+  /// Along the lower edge; smaller before they need a page of their own.
   void colourways() {
     if (content_.colourways.empty()) return;
-    constexpr double kBelow_mm = kLine_mm, kHigh_mm = kHeading.size_mm + 2 + kSheetColourway_mm + kBelow_mm;
-    expectRoom(kHigh_mm);
-    const double top = kBottom_mm - kSheetColourway_mm - kBelow_mm;
+    constexpr double kBelow_mm = kLine_mm, kAbove_mm = kHeading.size_mm + 2, kSmallest_mm = 15;
+    expectRoom(kAbove_mm + kSmallest_mm + kBelow_mm);
+    const double side_mm = std::min(kSheetColourway_mm, kBottom_mm - kBelow_mm - kAbove_mm - y_);
+    const double top = kBottom_mm - side_mm - kBelow_mm;
     heading(kSheetMargin_mm, top - 2, "Colourways");
     double x = kSheetMargin_mm;
     for (size_t i = 0; i < content_.colourways.size(); ++i, x += kSheetColourway_mm + 6) {
-      paper_.picture(x, top, kSheetColourway_mm, kSheetColourway_mm, content_.colourways[i]);
-      paper_.text(x, top + kSheetColourway_mm + 3, fabric_.colourways[i].name, kBody, kSheetColourway_mm + 4);
+      paper_.picture(x, top, side_mm, side_mm, content_.colourways[i]);
+      paper_.text(x, top + side_mm + 3, fabric_.colourways[i].name, kBody, kSheetColourway_mm + 4);
     }
   }
 

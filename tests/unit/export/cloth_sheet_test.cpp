@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "app/export/cloth_sheet_page.h"
@@ -208,6 +209,24 @@ TEST(ClothSheetPage, TheSumOfAnOrderKeepsClearOfTheRuleAboveIt) {
     if (box.text == "0.60") bottoms.push_back(box.y + box.height);
   ASSERT_EQ(bottoms.size(), 2u);
   EXPECT_NEAR(bottoms[1] - bottoms[0], 4.2, 0.01);
+}
+
+/// One page is what a mill accepts: seventeen stripes are told by half of them, and pictures of colourways are smaller
+/// before they ask for a page of their own.
+TEST(ClothSheetPage, ATartanInFourColourwaysIsOnePage) {
+  Fabric fabric = readFabric(LOOMLIGHT_SAMPLES "/cloths/tartan.json");
+  for (const char* const name : {"Day", "Night", "Moor", "Shore"})
+    fabric.colourways.push_back(colourwayOf(fabric, name));
+  fabric.mill.reed_per_10cm = 48;
+  fabric.mill.endsPerDent = {4};
+  fabric.mill.selvedgeEnds = 16;
+  fabric.mill.selvedgeWeave = "basket 2/2";
+  const Boxes boxes = layOut(fabric);
+  expectApart(boxes);
+  EXPECT_EQ(boxes.back().page, 0);
+  EXPECT_EQ(std::count_if(boxes.begin(), boxes.end(), [](const Paper::Box& box) { return box.text == "1.70"; }), 1)
+      << "34 ends of 0.5 mm, on the way there alone";
+  EXPECT_TRUE(says(boxes, "then back, mirrored"));
 }
 
 TEST(ClothSheetPage, TellsTheStatesOfTheCloth) {
