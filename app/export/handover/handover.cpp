@@ -22,11 +22,15 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string fitLine(const char* side, const SurfaceFit& fit) {
-  const auto percent = [](const FitError& error) { return error.mean > 0 ? 100 * error.rms / error.mean : 0.0; };
+  const auto percent = [](const FitError& error) {
+    const double of = error.mean > 0 ? 100 / error.mean : 0.0;
+    return error.rms > 0 ? fmt::format("{:.1f} %", of * error.rms)
+                         : fmt::format("less than the measurement's noise of {:.1f} %", of * error.noise);
+  };
   return fmt::format(
       "{}: roughness {:.2f}, specular {:.2f}, anisotropy {:.2f}, sheen {:.3f} with roughness {:.2f}; RMS over "
       "directions "
-      "{:.1f} % of the mean {:.3f} ({:.1f} % from afar), through it {:.1f} % of {:.3f}",
+      "{} of the mean {:.3f} ({} from afar), through it {} of {:.3f}",
       side, fit.surface.roughness, fit.surface.specular, fit.surface.anisotropy,
       std::max({fit.surface.sheenColour.r, fit.surface.sheenColour.g, fit.surface.sheenColour.b}),
       fit.surface.sheenRoughness, percent(fit.reflected), fit.reflected.mean, percent(fit.fromAfar),

@@ -40,7 +40,10 @@ SurfaceFit surfaceOf(std::span<const double> values) {
 }
 
 std::vector<Unknown> unknownsFrom(double roughness, double sheen) {
-  std::vector<Unknown> unknowns(kCount, {1, 0, 2});  // of the weights
+  // A weight near 0 would leave a map that is black in that channel: where the gloss of the fit is too bright in one
+  // colour, the map still has the hue of the cloth.
+  constexpr double kLeastWeight = 0.5;
+  std::vector<Unknown> unknowns(kCount, {1, kLeastWeight, 2});
   unknowns[kSpecular] = {0.5, 0, 1};
   unknowns[kRoughness] = {roughness, 0.1, 1};
   unknowns[kAnisotropy] = {0.3, 0, 1};

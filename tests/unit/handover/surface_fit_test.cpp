@@ -97,6 +97,16 @@ TEST(SurfaceFit, StatesTheErrorOfWhatItCannotFit) {
   EXPECT_GT(fit.reflected.rms, 0.3 * fit.reflected.mean);
 }
 
+/// A dark blue cloth whose highlights are blue too, which no gloss of a dielectric is: red is too little everywhere.
+TEST(SurfaceFit, LeavesTheMapsTheirHue) {
+  const std::vector<SurfaceSample> samples = wovenSamples();
+  std::vector<Observation> reflected = halfDomes(false), transmitted = halfDomes(true);
+  for (Observation& one : reflected) one.factor = Rgb(0, 0.02f, 0.1f);
+  for (Observation& one : transmitted) one.factor = Rgb(0.01f);
+  const SurfaceFit fit = fitSurface(samples, reflected, transmitted);
+  for (int c = 0; c < 3; ++c) EXPECT_GE(fit.reflectedWeight[c], 0.5f);
+}
+
 TEST(Principled, TakesLightInAndOutTheSameWay) {
   SurfacePoint at;
   at.normal = glm::normalize(glm::vec3(0.2f, -0.1f, 1));
