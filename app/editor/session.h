@@ -97,7 +97,7 @@ class Session {
   bool dialogIsOpen() const;
   StatusModel statusToSay() const;
   SnapshotController::Sight sightNow() const {
-    return {document_.fabric(), {draft_.view().back, viewport_.flatView()}, viewport_.tone()};
+    return {document_.fabric(), {draft_.view().back, viewport_.flatView()}, viewport_.tone(document_.fabric()->light)};
   }
   void tellProbe(Ui& ui) const;
 
