@@ -14,6 +14,8 @@ uniform vec3 accent;           // sRGB
 uniform sampler3D prints;      // sRGB colours as a printer prints them, and the difference; see render/colour/soft_proof.h
 uniform bool proofs;           // the print is shown
 uniform float outOfGamut;      // the difference beyond which a colour is marked
+uniform bool marksBeyondSrgb;  // what sRGB has not is marked
+uniform float beyondSrgb;      // part of the largest channel that another must be below 0
 uniform vec3 gamutWarning;     // sRGB
 
 const float kKnee = 0.7;
@@ -36,6 +38,11 @@ vec3 proofed(vec3 c) {
   return print.a > outOfGamut ? gamutWarning : print.rgb;
 }
 
+bool isBeyondSrgb(vec3 light) {
+  float most = max(light.r, max(light.g, light.b)), least = min(light.r, min(light.g, light.b));
+  return most > 0.0 && least < -beyondSrgb * most;
+}
+
 bool isLit(ivec2 pixel) {
   ivec2 c = texelFetch(crossings, clamp(pixel, ivec2(0), textureSize(crossings, 0) - 1), 0).rg;
   if (c.r == kNoCloth) return false;
@@ -48,10 +55,12 @@ void main() {
   vec4 light = texture(picture, uv);
   // max() would keep a NaN; the comparison turns it black.
   vec3 c = light.rgb * exposure + (1.0 - light.a) * background;
+  bool marked = marksBeyondSrgb && isBeyondSrgb(c);
   c = mix(vec3(0.0), min(c, vec3(1e30)), greaterThan(c, vec3(0.0)));
   if (filmic) c = shoulder(c);
   c = encode(min(c, vec3(1.0)));
   if (proofs) c = proofed(clamp(c, 0.0, 1.0));
+  if (marked) c = gamutWarning;
   if (lit.w > 0) {
     ivec2 pixel = ivec2(uv * vec2(textureSize(crossings, 0)));
     if (isLit(pixel)) {

@@ -25,6 +25,8 @@ class Menus {
   void item(const char* id, const MenuWord& word, Command command, bool enabled = true, bool ticked = false) {
     if (ImGui::MenuItem(word.label, word.keys, ticked, enabled)) choice_.command = command;
     ui_.probe.recordItem(id);
+    ui_.probe.fact(id, ticked ? "ticked" : "");
+    tooltipFor(ui_, id, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), word.help);
   }
 
   void file() {
@@ -70,12 +72,12 @@ class Menus {
     item("menu.lens", words::menu::truthLens, Command::truthLens, true, model_.insetOn);
     item("menu.next_lamp", words::menu::nextLamp, Command::boothLamp);
     item("menu.booth", words::menu::boothSideBySide, Command::boothSideBySide, true, model_.boothSideBySide);
+    item("menu.plain_tone", words::menu::plainTone, Command::plainTone, !model_.judgesColour, model_.plainTone);
     item("menu.denoise", words::menu::denoise, Command::denoise, true, model_.denoised);
     ImGui::Separator();
     item("menu.soft_proof", model_.knowsPrinter ? words::menu::softProof : words::menu::chooseProof, Command::softProof,
          true, model_.knowsPrinter && model_.proofs);
-    item("menu.gamut_warning", words::menu::gamutWarning, Command::gamutWarning, model_.knowsPrinter && model_.proofs,
-         model_.warnsOfGamut);
+    item("menu.gamut_warning", words::menu::gamutWarning, Command::gamutWarning, true, model_.warnsOfGamut);
     ImGui::Separator();
     item("menu.panels", words::menu::panels, Command::togglePanels, true, model_.panelsShown);
     item("menu.fullscreen", words::menu::fullscreen, Command::fullScreen);

@@ -21,6 +21,8 @@ struct MenuModel {
   bool insetOn = false;
   bool denoised = false;
   bool boothSideBySide = false;
+  bool plainTone = false;
+  bool judgesColour = false;  ///< in a booth, where the tone is always plain
   bool proofs = false, warnsOfGamut = false;
   bool knowsPrinter = false;  ///< whose prints can be shown
   WeaveMenuModel weave;

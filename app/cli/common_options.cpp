@@ -119,11 +119,16 @@ void addFibreExtent(CLI::App& app, FibreExtent& extent) {
       [&extent](const auto& option, const auto& text) { extent = parseFibreExtent(option, text); });
 }
 
-void addExposure(CLI::App& app, Tone& tone) {
+void addTone(CLI::App& app, Tone& tone) {
   addValue(app, "--exposure", "STOPS", "brighter or darker; only a .png has it",
            [&tone](const auto& option, const auto& text) {
              tone.exposure_stops = static_cast<float>(parseNumber(option, text, -20, 20));
            });
+  addValue(
+      app, "--tone", "plain|filmic",
+      "of a .png; plain, for judging colour: linear up to white, which is a perfect diffuser in light of intensity "
+      "1; filmic where not given: what is bright is bent to fit",
+      [&tone](const auto& option, const auto& text) { tone.filmic = parseIsFilmic(option, text); });
 }
 
 void addProgress(CLI::App& app, ProgressStyle& style) {

@@ -48,7 +48,8 @@ void addPictureOptions(CLI::App& app, FabricOptions& options);
 void addThreads(CLI::App& app, int& threads);
 void addMemoryLimit(CLI::App& app, double& limit_bytes);
 void addFibreExtent(CLI::App& app, FibreExtent& extent);
-void addExposure(CLI::App& app, Tone& tone);
+/// --exposure and --tone.
+void addTone(CLI::App& app, Tone& tone);
 void addProgress(CLI::App& app, ProgressStyle& style);
 
 }  // namespace loomlight

@@ -131,6 +131,12 @@ ProgressStyle parseProgress(const std::string& option, const std::string& text) 
   return parseChoice<ProgressStyle>(option, text);
 }
 
+bool parseIsFilmic(const std::string& option, const std::string& text) {
+  const bool filmic = text == "filmic";
+  if (!filmic && text != "plain") refuse(option, "plain or filmic", text);
+  return filmic;
+}
+
 WifSizeChoice parseWifSizes(const std::string& option, const std::string& text) {
   return parseChoice<WifSizeChoice>(option, text);
 }

@@ -69,6 +69,8 @@ Observer parseObserver(const std::string& option, const std::string& text);
 
 EventLaw parseEventLaw(const std::string& option, const std::string& text);
 ProgressStyle parseProgress(const std::string& option, const std::string& text);
+/// plain or filmic: whether what is bright is bent to fit.
+bool parseIsFilmic(const std::string& option, const std::string& text);
 WifSizeChoice parseWifSizes(const std::string& option, const std::string& text);
 WifThreadChoice parseWifThreads(const std::string& option, const std::string& text);
 

@@ -166,6 +166,9 @@ void Session::run(Command command) {
           [](Fabric& fabric) { fabric.light = underLamp(fabric.light, nextLamp(fabric.light.illuminant)); });
     case Command::boothSideBySide:
       return viewport_.showBooth(!viewport_.view().booth);
+    case Command::plainTone:
+      viewport_.view().filmic = !viewport_.view().filmic;
+      break;
     case Command::denoise:
       viewport_.view().denoised = !viewport_.view().denoised;
       break;

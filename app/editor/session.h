@@ -46,7 +46,7 @@ class Session {
   double workSeconds() const { return work_s_; }
   void run(Command command);
   void run(DraftCommand command);
-  /// Opens a fabric, or uses a mesh, an environment or a measured swatch, by what the file is.
+  /// Opens a fabric, or uses a mesh, an environment, a lamp or a measured swatch, by what the file is.
   void openFile(const std::string& file);
   /// Opens files that were dropped on the window, one after the other. Each waits until no dialog is open, so that no
   /// answer is taken for a question that was not asked.
@@ -73,6 +73,7 @@ class Session {
 
  private:
   void openColours(const std::string& file);
+  void openLamp(const std::string& file);
   using Question = QuestionController::Question;
 
   struct Help {
@@ -96,7 +97,7 @@ class Session {
   bool dialogIsOpen() const;
   StatusModel statusToSay() const;
   SnapshotController::Sight sightNow() const {
-    return {document_.fabric(), {draft_.view().back, viewport_.flatView()}, viewport_.tone()};
+    return {document_.fabric(), {draft_.view().back, viewport_.flatView()}, viewport_.tone(document_.fabric()->light)};
   }
   void tellProbe(Ui& ui) const;
 

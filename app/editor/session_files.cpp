@@ -14,7 +14,9 @@
 #include "app/export/weave_bitmap.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/fabric/model/booth_lamps.h"
 #include "core/fabric/wif/wif_fabric.h"
+#include "render/colour/illuminants.h"
 #include "ui/words/common_words.h"
 #include "ui/words/file_words.h"
 #include "ui/words/message_words.h"
@@ -137,6 +139,8 @@ void Session::openFile(const std::string& file) {
   } else if (extension == ".png") {
     draft_.openPicture(file);
     lookNextIn(file);
+  } else if (!isFabricFile(file) && isIlluminantFile(file)) {  // a draft may be a .txt as well
+    openLamp(file);
   } else if (isFabricFile(file) || isWeavingFile(file)) {
     leaveFor({Errand::Kind::open, file});
   } else {
@@ -159,6 +163,21 @@ void Session::openColours(const std::string& file) {
   } catch (const InputError& error) {
     sayUnopened(error.what());
   }
+}
+
+/// The cloth is seen by the spectrum of this lamp.
+void Session::openLamp(const std::string& file) {
+  const std::string whole = absolute(file).string();
+  try {
+    illuminantCalled(whole);
+  } catch (const InputError& error) {
+    return sayUnopened(error.what());
+  }
+  lookNextIn(file);
+  document_.change([&](Fabric& fabric) {
+    fabric.light = underLamp(fabric.light, StandardIlluminant::file);
+    fabric.light.illuminantFile = whole;
+  });
 }
 
 void Session::opened(FileService::Result result) {

@@ -24,6 +24,8 @@ void Session::drawPanels(Ui& ui) {
   menu.insetOn = viewport_.view().inset.on;
   menu.denoised = viewport_.view().denoised;
   menu.boothSideBySide = viewport_.view().booth;
+  menu.plainTone = viewport_.view().isPlain(document_.fabric()->light);
+  menu.judgesColour = viewport_.view().isForJudging(document_.fabric()->light);
   menu.proofs = profiles_.colours().proofs;
   menu.warnsOfGamut = profiles_.colours().warnsOfGamut;
   menu.knowsPrinter = profiles_.knowsPrinter();

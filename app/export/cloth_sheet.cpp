@@ -22,7 +22,8 @@ namespace {
 
 constexpr double kFine = 150 / 25.4, kCoarse = 100 / 25.4;  // pixels to the mm
 
-/// A square of the cloth, flat under a light booth, seen from straight above without perspective.
+/// A square of the cloth, flat under a light booth, seen from straight above without perspective. Its picture is shown
+/// in the plain tone, as the chips of colour beside it are: white paper would be white.
 Fabric pieceOf(const Fabric& fabric, double side_mm, double pixels_per_mm, int samples) {
   constexpr double kAround_mm = 4;  // light comes through from the cloth around it
   Fabric piece = fabric;
@@ -69,12 +70,12 @@ std::optional<ClothSheetContent> tracedContent(const Fabric& fabric, const Cloth
   ClothSheetContent content;
   const auto whole = tracer.traced(fabric, kSheetCloth_mm, kFine);
   if (!whole) return std::nullopt;
-  content.cloth = toPixels(whole->film, Tone{});
+  content.cloth = toPixels(whole->film, plainTone());
   content.measures = whole->scene->cloth->volume->geometry().measure();
   for (size_t i = 0; i < count; ++i) {
     const auto picture = tracer.traced(inColourway(fabric, fabric.colourways[i]), kSheetColourway_mm, kCoarse);
     if (!picture) return std::nullopt;
-    content.colourways.push_back(toPixels(picture->film, Tone{}));
+    content.colourways.push_back(toPixels(picture->film, plainTone()));
   }
   Task quiet = task;
   quiet.progress = nullptr;  // it takes a moment
@@ -128,7 +129,7 @@ bool writeColourwaySheet(const std::string& file, const Fabric& fabric, const Cl
   for (const Colourway& colourway : colourways) {
     const auto picture = tracer.traced(inColourway(fabric, colourway), side_mm, kFine);
     if (!picture) return false;
-    pieces.push_back({colourway.name, toPixels(picture->film, Tone{})});
+    pieces.push_back({colourway.name, toPixels(picture->film, plainTone())});
   }
   Paper paper(kSheetWidth_mm, kSheetHeight_mm, sheet.pixels_per_mm());
   layOutColourways(paper, fabric.name, pieces);

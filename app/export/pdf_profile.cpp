@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "render/colour/icc_profile.h"
+#include "render/film/srgb_profile.h"
 
 // How it works. cairo writes colours as numbers of an unnamed device. PDF lets the resources of a page, and of each
 // form on it, say what that device is (DefaultRGB, ISO 32000-1, 8.6.5.6), so no drawing has to be written anew. Forms

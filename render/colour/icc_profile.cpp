@@ -234,19 +234,6 @@ IccProfile readIccProfile(const std::string& file) {
   return iccProfile(readFile(file, kMostBytes), file);
 }
 
-std::string sRgbProfile() {
-  const Profile profile(cmsCreate_sRGBProfile());
-  cmsUInt32Number size = 0;
-  cmsSaveProfileToMem(profile.get(), nullptr, &size);
-  std::string bytes(size, '\0');
-  cmsSaveProfileToMem(profile.get(), bytes.data(), &size);
-  // When it was made is of no interest, and would make each file another one: the day of the standard in its place.
-  constexpr std::array<char, 12> kMade = {0x07, static_cast<char>(0xCF), 0, 10, 0, 18, 0, 0, 0, 0, 0, 0};
-  constexpr size_t kDate = 24;
-  std::copy(kMade.begin(), kMade.end(), bytes.begin() + kDate);
-  return bytes;
-}
-
 ColourCube displayCube(const IccProfile& display) {
   std::vector<glm::vec4> corners;
   for (const glm::vec3& sent : DisplayWay(display).sent(cornerColours())) corners.emplace_back(shown(sent), 1.0f);

@@ -22,8 +22,6 @@ struct IccProfile {
 IccProfile readIccProfile(const std::string& file);
 /// Of bytes that came from elsewhere (the window system); `from` stands for the file in messages.
 IccProfile iccProfile(std::string bytes, const std::string& from);
-/// sRGB as a profile (IEC 61966-2-1), for files that carry one.
-std::string sRgbProfile();
 
 /// What a display must be sent for sRGB colours to be seen: relative colorimetric, with black as dark as the display
 /// has it (black point compensation). The fourth number is 1. Colours that the display has not are cut off.

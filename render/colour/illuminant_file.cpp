@@ -45,6 +45,22 @@ std::optional<double> numberIn(std::string_view word) {
   return number;
 }
 
+std::string_view withoutComment(std::string_view text) {
+  return text.substr(0, text.find('#'));
+}
+
+bool isBlank(std::string_view text) {
+  return std::all_of(text.begin(), text.end(), isBetween);
+}
+
+/// The next line of a text, which goes on behind it.
+std::string_view nextLine(std::string_view& rest) {
+  const size_t end = std::min(rest.find('\n'), rest.size());
+  const std::string_view line = rest.substr(0, end);
+  rest.remove_prefix(std::min(end + 1, rest.size()));
+  return line;
+}
+
 std::optional<Line> lineOf(std::string_view text) {
   const std::optional<double> nm = numberIn(nextWord(text)), power = numberIn(nextWord(text));
   if (!nm || !power || !nextWord(text).empty()) return std::nullopt;
@@ -58,8 +74,8 @@ class Reader {
 
   void line(std::string_view text) {
     ++number_;
-    text = text.substr(0, text.find('#'));
-    if (std::all_of(text.begin(), text.end(), isBetween)) return;
+    text = withoutComment(text);
+    if (isBlank(text)) return;
     const std::optional<Line> line = lineOf(text);
     if (!line && lines_.empty() && !headings_) {
       headings_ = true;
@@ -96,11 +112,7 @@ class Reader {
 std::vector<Line> readLines(const std::string& file) {
   const std::string content = readFile(file, kMostBytes);
   Reader reader(file);
-  for (std::string_view rest = content; !rest.empty();) {
-    const size_t end = std::min(rest.find('\n'), rest.size());
-    reader.line(rest.substr(0, end));
-    rest.remove_prefix(std::min(end + 1, rest.size()));
-  }
+  for (std::string_view rest = content; !rest.empty();) reader.line(nextLine(rest));
   return reader.take();
 }
 
@@ -131,6 +143,22 @@ bool looksLikeAFile(const std::string& name) {
 }
 
 }  // namespace
+
+bool isIlluminantFile(const std::string& file) {
+  std::string content;
+  try {
+    content = readFile(file, kMostBytes);
+  } catch (const InputError&) {
+    return false;  // who opens it will say why
+  }
+  int headings = 0;
+  for (std::string_view rest = content; !rest.empty() && headings < 2;) {
+    const std::string_view line = withoutComment(nextLine(rest));
+    if (lineOf(line)) return true;
+    if (!isBlank(line)) ++headings;
+  }
+  return false;
+}
 
 Illuminant illuminantCalled(const std::string& nameOrFile) {
   try {

@@ -27,6 +27,10 @@ Illuminant illuminantNamed(const std::string& name);
 /// InputError.
 Illuminant illuminantCalled(const std::string& nameOrFile);
 
+/// Whether a file is one of two columns, by its first line of numbers; nothing is said of the rest. A table of one
+/// measured reflectance looks the same.
+bool isIlluminantFile(const std::string& file);
+
 /// The power of a light in each band, as a spectrophotometer of 10 nm sees it: the mean under a triangle that is 20 nm
 /// wide at its foot.
 Spectrum bandPower(const Illuminant& illuminant);

@@ -21,6 +21,12 @@ struct Tone {
   Rgb background{0.18f};  ///< linear; behind the cloth, where alpha < 1
   friend bool operator==(const Tone&, const Tone&) = default;
 };
+/// For judging colour: light as it is, up to white, which is radiance 1: that of a perfect diffuser in light of
+/// intensity 1. What is brighter is cut off.
+inline Tone plainTone() {
+  return {.exposure_stops = 0, .filmic = false};
+}
+
 /// Of an opaque pixel: in [0, 1], sRGB-encoded.
 Rgb toDisplay(Rgb linear, const Tone& tone);
 /// Three channels, composited over the background.

@@ -15,12 +15,14 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "render/film/image.h"
+#include "render/film/srgb_profile.h"
 
 // How it works. libpng reads and writes (ISO/IEC 15948). It leaves where it fails by a jump, so what it calls and
 // what lies between is free of destructors: attempt() is the only place that is jumped to. What a hostile file could
 // make it allocate is refused before: a chunk that is longer than the file, and more pixels than deflate can pack
 // into the file's bytes. Pixels are read as 8 bits a channel in colour, whatever the file has; they are written in 8
-// bits as sRGB, or in 16 bits as plain numbers, the density as pixels per metre. Cost: one pass over the pixels.
+// bits as sRGB, which their profile says (a file that has one has no chunk for sRGB beside it), or in 16 bits as plain
+// numbers, the density as pixels per metre. Cost: one pass over the pixels.
 
 namespace loomlight {
 namespace {
@@ -160,12 +162,8 @@ struct Form {
   double dpi = 0;
 };
 
-/// `rows`: as the file has them, but numbers of 16 bits as the processor has them. Throws InputError.
-void write(const std::string& file, const Form& form, const uint8_t* rows,
-           const std::map<std::string, std::string>& text) {
-  if (form.width < 1 || form.height < 1 || form.width > kMaxSide || form.height > kMaxSide)
-    throw InputError(fmt::format("{}: cannot be written with {} x {} pixels, expected 1 to {} a side", file, form.width,
-                                 form.height, kMaxSide));
+/// They point into `text`. Throws InputError.
+std::vector<png_text> textsOf(const std::string& file, const std::map<std::string, std::string>& text) {
   std::vector<png_text> texts;
   for (const auto& [key, value] : text) {
     if (key.empty() || key.size() > 79 || key.find('\0') != std::string::npos)
@@ -177,10 +175,21 @@ void write(const std::string& file, const Form& form, const uint8_t* rows,
     entry.itxt_length = value.size();
     texts.push_back(entry);
   }
+  return texts;
+}
+
+/// `rows`: as the file has them, but numbers of 16 bits as the processor has them. Throws InputError.
+void write(const std::string& file, const Form& form, const uint8_t* rows,
+           const std::map<std::string, std::string>& text) {
+  if (form.width < 1 || form.height < 1 || form.width > kMaxSide || form.height > kMaxSide)
+    throw InputError(fmt::format("{}: cannot be written with {} x {} pixels, expected 1 to {} a side", file, form.width,
+                                 form.height, kMaxSide));
+  std::vector<png_text> texts = textsOf(file, text);
   struct Output {
     std::string png;
     bool isFull = false;
   } output;
+  const std::string profile = form.isColour ? sRgbProfile() : "";
   Complaint complaint{};
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &complaint, complain, ignore);
   png_infop info = png ? png_create_info_struct(png) : nullptr;
@@ -206,7 +215,9 @@ void write(const std::string& file, const Form& form, const uint8_t* rows,
     png_set_IHDR(png, info, static_cast<png_uint_32>(form.width), static_cast<png_uint_32>(form.height), form.bits,
                  kColourTypes[form.channels - 1], PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                  PNG_FILTER_TYPE_DEFAULT);
-    if (form.isColour) png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+    if (form.isColour)
+      png_set_iCCP(png, info, "sRGB", PNG_COMPRESSION_TYPE_BASE, reinterpret_cast<png_const_bytep>(profile.data()),
+                   static_cast<png_uint_32>(profile.size()));
     if (form.dpi > 0) {
       constexpr double kInchesPerMetre = 1 / 0.0254;
       const auto perMetre = static_cast<png_uint_32>(std::lround(std::clamp(form.dpi * kInchesPerMetre, 1.0, 1e9)));

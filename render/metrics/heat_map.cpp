@@ -19,11 +19,10 @@ Rgb heatColour(double value) {
 
 Pixels8 heatMap(const std::vector<float>& values, int width, int height, double range) {
   assert(values.size() == static_cast<size_t>(width) * static_cast<size_t>(height) && range > 0);
-  const Tone tone{.exposure_stops = 0, .filmic = false};
   Pixels8 pixels{width, height, 3, {}};
   pixels.bytes.reserve(3 * values.size());
   for (const float value : values) {
-    const Rgb colour = toDisplay(heatColour(value / range), tone);
+    const Rgb colour = toDisplay(heatColour(value / range), plainTone());
     for (int i = 0; i < 3; ++i) pixels.bytes.push_back(static_cast<uint8_t>(colour[i] * 255 + 0.5f));
   }
   return pixels;

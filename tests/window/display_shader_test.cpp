@@ -130,6 +130,30 @@ TEST(DisplayShader, ShowsTheSameProofAsTheCode) {
   }
 }
 
+/// Without a print what sRGB has not is marked, where that was asked for; with one the printer's gamut is meant.
+TEST(DisplayShader, MarksTheSameColoursBeyondSrgbAsTheCode) {
+  Window window("Shader", 960, 600, 1);
+  const Tone tone;
+  std::vector<glm::vec4> lights;
+  for (int i = 0; i < 200; ++i) lights.emplace_back(0.5f, 0.2f, 0.001f * static_cast<float>(i % 50 - 40) + 1e-4f, 1);
+  const Frame frame = blocksOf(lights);
+  for (const SoftProof& proof : {SoftProof{}, SoftProof{nullptr, true}, SoftProof{palePrints(), false}}) {
+    const std::vector<uint8_t> shader = shownByShader(frame, tone, proof);
+    int marked = 0;
+    for (int y = kBlock / 2; y < frame.height; y += kBlock)
+      for (int x = kBlock / 2; x < frame.width; x += kBlock) {
+        const size_t i = static_cast<size_t>(y) * static_cast<size_t>(frame.width) + static_cast<size_t>(x);
+        const Rgb light(frame.rgba[i]);
+        const bool marks = proof.warnsOfGamut && isBeyondSrgb(light);
+        const Rgb expected = marks ? kGamutWarning : proofed(toDisplay(light, tone), proof);
+        marked += marks ? 1 : 0;
+        for (int c = 0; c < 3; ++c)
+          ASSERT_NEAR(shader[4 * i + static_cast<size_t>(c)], 255 * expected[c], 1.5f) << light.b;
+      }
+    EXPECT_EQ(marked > 10, proof.warnsOfGamut);
+  }
+}
+
 /// All that is drawn between begin() and end().
 TEST(DisplayPass, BringsWhatIsDrawnThroughTheCube) {
   Window window("Shader", 960, 600, 1);

@@ -13,7 +13,7 @@ struct DisplayColours {
   std::string displayFile;         ///< of Source::file; empty: none was chosen
   std::string printerFile;         ///< whose prints can be shown; empty: none was chosen
   bool proofs = false;             ///< the picture is shown as that printer prints it
-  bool warnsOfGamut = false;       ///< and what it cannot print is marked
+  bool warnsOfGamut = false;       ///< what it cannot print is marked, or of the picture itself what sRGB has not
 };
 
 /// What the profiles call themselves; empty where there is none.

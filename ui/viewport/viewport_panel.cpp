@@ -87,6 +87,19 @@ std::optional<ImVec2> clickedAt(const ViewportView& view, ImVec2 min, ImVec2 siz
   return placeIn(min, size, io.MousePos);
 }
 
+/// In which ways the picture is shown that are not those of every day.
+std::string waysShown(const ViewportModel& model) {
+  std::string ways;
+  const auto add = [&ways](bool holds, const char* way) {
+    if (holds) ways += (ways.empty() ? "" : words::viewport::between) + std::string(way);
+  };
+  add(model.plain, words::viewport::plain);
+  add(model.denoised, words::viewport::denoised);
+  add(model.proofed, words::viewport::asPrinted);
+  add(model.warned, words::viewport::warned);
+  return ways;
+}
+
 void drawOverlays(Ui& ui, const ViewportModel& model, const InsetView& inset, ImVec2 min, ImVec2 max) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const float edge = ui.px(8);
@@ -99,12 +112,9 @@ void drawOverlays(Ui& ui, const ViewportModel& model, const InsetView& inset, Im
     const ImVec2 size = ImGui::CalcTextSize(text);
     pill(ui, ImVec2(0.5f * (min.x + max.x - size.x), 0.5f * (min.y + max.y - size.y)), text, Theme::dark().text);
   }
-  if (model.denoised || model.proofed) {
-    const char* text = !model.proofed   ? words::viewport::denoised
-                       : model.denoised ? words::viewport::denoisedAsPrinted
-                                        : words::viewport::asPrinted;
-    pill(ui, ImVec2(max.x - edge - ImGui::CalcTextSize(text).x - ui.px(16), min.y + edge), text, Theme::dark().text);
-  }
+  const std::string ways = waysShown(model);
+  ui.probe.fact("view.ways", ways);
+  if (!ways.empty()) pill(ui, ImVec2(max.x - edge - pillSize(ui, ways).x, min.y + edge), ways, Theme::dark().text);
   float top = min.y + edge;
   if (!model.flat.empty()) {
     pill(ui, ImVec2(min.x + edge, top), model.flat, Theme::dark().text);
@@ -173,20 +183,25 @@ std::optional<Fabric> drapeChoice(Ui& ui, const Fabric& fabric, bool labelled) {
   return edited;
 }
 
-void exposureField(Ui& ui, bool labelled, double& exposure_stops) {
+/// In the plain tone it is 0; the designer's own comes back with the curve.
+void exposureField(Ui& ui, bool labelled, bool plain, double& exposure_stops) {
+  const char* const label = labelled ? words::viewport::exposure.label : "";
+  if (plain) {
+    readout(ui, {"view.exposure", label, words::viewport::noExposureHelp, true}, words::viewport::noExposure);
+    return;
+  }
   NumberStyle style;
   style.unit = "EV";
   style.min = -kMostExposure_stops;
   style.max = kMostExposure_stops;
   style.decimals = 1;
   style.perPixel = 0.02;
-  const char* const label = labelled ? words::viewport::exposure.label : "";
   numberField(ui, {"view.exposure", label, words::viewport::exposure.help, true}, style, exposure_stops);
 }
 
 /// The strip below the picture: what is changed most often while looking. In a narrow window the choices need the room
 /// more than what keys and menus do too.
-std::optional<Fabric> quickChoices(Ui& ui, const Fabric& fabric, ViewportView& view) {
+std::optional<Fabric> quickChoices(Ui& ui, const Fabric& fabric, bool plain, ViewportView& view) {
   std::optional<Fabric> edited;
   const float all = ImGui::GetContentRegionAvail().x;
   const bool narrow = all < ui.px(400);
@@ -210,7 +225,8 @@ std::optional<Fabric> quickChoices(Ui& ui, const Fabric& fabric, ViewportView& v
     edited = std::move(draped);
     view.fitWanted = true;
   });
-  column("exposure", columns.exposure, [&] { exposureField(ui, columns.exposureLabelled, view.exposure_stops); });
+  column("exposure", columns.exposure,
+         [&] { exposureField(ui, columns.exposureLabelled, plain, view.exposure_stops); });
   const float right = ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x;
   if (tools > 1) {
     ImGui::SetCursorPos(ImVec2(right - fit - tools * (between + inset), y));
@@ -262,7 +278,7 @@ ViewportEdit viewportPanel(Ui& ui, const Fabric& fabric, const ViewportModel& mo
   draw.PopClipRect();
 
   ImGui::SetCursorScreenPos(ImVec2(min.x + ImGui::GetStyle().WindowPadding.x, max.y + ui.px(8)));
-  edit.fabric = quickChoices(ui, fabric, view);
+  edit.fabric = quickChoices(ui, fabric, model.plain, view);
   const bool sizeIsKnown = !hasOwnExtent(fabric.drape) || model.mesh;
   if (view.fitWanted && sizeIsKnown) {
     const Fabric& shown = edit.fabric ? *edit.fabric : fabric;

@@ -21,6 +21,8 @@ struct ViewportModel {
   std::string underYarn;               ///< name of the yarn seen there
   bool denoised = false;               ///< the picture is; the panel says so
   bool proofed = false;                ///< likewise: shown as it prints
+  bool warned = false;                 ///< likewise: colours that are cut off are marked
+  bool plain = false;                  ///< likewise: no curve of tone, and no exposure but 0
   bool divided = false;                ///< among the lamps of the booth
   bool building = false;
   double buildProgress = 1;
@@ -35,7 +37,7 @@ constexpr double kMostExposure_stops = 8;  ///< up, and down
 /// How the picture is looked at; kept between frames, no part of the fabric.
 struct ViewportView {
   double exposure_stops = 0;
-  bool filmic = true;
+  bool filmic = true;                  ///< what is bright is bent to fit; false: the plain tone
   bool denoised = false;               ///< the display takes noise from the picture
   bool booth = false;                  ///< its middle is seen under all lamps of the booth, side by side
   bool fitWanted = false;              ///< frame the whole cloth at the next frame
@@ -45,6 +47,10 @@ struct ViewportView {
   enum class Drag { none, orbit, pan };
   Drag drag = Drag::none;
   InsetView inset;
+
+  /// What is seen under the lamps of a booth is there to be judged, and always plain.
+  bool isForJudging(const Light& light) const { return booth || light.kind == LightKind::booth; }
+  bool isPlain(const Light& light) const { return !filmic || isForJudging(light); }
 };
 
 struct ViewportEdit {

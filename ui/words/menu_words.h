@@ -4,10 +4,11 @@
 
 namespace loomlight {
 
-/// A line of a menu, and the keys that do it without the menu.
+/// A line of a menu, the keys that do it without the menu, and what is to be known of it.
 struct MenuWord {
   const char* label;
   const char* keys = "";
+  const char* help = "";
 };
 
 /// All that menus say.
@@ -42,8 +43,16 @@ inline constexpr MenuWord keepView{"Keep this view", "K"};
 inline constexpr MenuWord truthLens{"Truth lens", "L"};
 inline constexpr MenuWord nextLamp{"Next lamp of the booth", "J"};
 inline constexpr MenuWord boothSideBySide{"Booth side by side", "Shift+J"};
+inline constexpr MenuWord plainTone{
+    "Plain tone, for judging colour", "",
+    "Light is shown as it is, without a curve: in light of intensity 1 a perfect diffuser is the display's white, what "
+    "is brighter is cut off, and exposure is 0. Without it what is bright is bent to fit, and the same white is shown "
+    "at 85 % of the display's light. Cloth in the light booth is always shown plain."};
 inline constexpr MenuWord denoise{"Denoised preview", "N"};
-inline constexpr MenuWord gamutWarning{"Gamut warning", "Shift+Y"};
+inline constexpr MenuWord gamutWarning{
+    "Gamut warning", "Shift+Y",
+    "Marks colours that are not shown as they are: with the soft proof on what the printer cannot print, without it "
+    "what sRGB has not, in which the window is drawn."};
 inline constexpr MenuWord panels{"Panels", "P"};
 inline constexpr MenuWord fullscreen{"Full screen", "F11"};
 inline constexpr MenuWord darkTheme{"Dark"};

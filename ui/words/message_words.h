@@ -33,8 +33,8 @@ inline constexpr const char* forgetIt = "Forget it";
 inline constexpr const char* unopenedTitle = "This file cannot be opened";
 inline constexpr const char* unknownKind =
     "{}: expected a cloth (.loomlight, .json), a draft (.wif, .dtx), a picture (.png), a mesh (.obj, .ply, .off), an "
-    "environment (.exr), a palette (.ase, .aco, .gpl, .csv), a measured swatch (.cxf, .qtx, .csv, CGATS .txt) or a "
-    "colour profile (.icc, .icm)";
+    "environment (.exr), a palette (.ase, .aco, .gpl, .csv), a measured swatch (.cxf, .qtx, .csv, CGATS .txt), a "
+    "lamp (two columns of text: nm and power) or a colour profile (.icc, .icm)";
 inline constexpr const char* coloursRead = "The colours were read";
 inline constexpr const char* unwovenTitle = "This picture cannot be used";
 inline constexpr const char* unwrittenTitle = "The file could not be written";

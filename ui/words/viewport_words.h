@@ -11,7 +11,9 @@ namespace viewport {
 inline constexpr const char* building = "Building the cloth\xE2\x80\xA6";
 inline constexpr const char* denoised = "Denoised";
 inline constexpr const char* asPrinted = "As printed";
-inline constexpr const char* denoisedAsPrinted = "Denoised, as printed";
+inline constexpr const char* plain = "Plain tone";
+inline constexpr const char* warned = "Gamut warning";
+inline constexpr const char* between = "  \xC2\xB7  ";  // of those that hold
 inline constexpr const char* flat = "Flat \xC2\xB7 {}";
 inline constexpr const char* crossing = "End {}, pick {}  \xC2\xB7  {}";
 
@@ -22,6 +24,9 @@ inline constexpr Word exposure{
     "Exposure",
     "Exposure: brightness of the display, in stops: +1 is twice as bright. It changes neither the light nor the cloth. "
     "How colours reach this display, as sRGB or by its profile (ICC), is chosen in the preferences."};
+inline constexpr const char* noExposure = "0 EV";
+inline constexpr const char* noExposureHelp =
+    "Exposure: 0, as the tone is plain (menu View) and colours can be judged. The booth is always shown so.";
 inline constexpr Word fit{"Fit", "Show the whole cloth (F)"};
 inline constexpr const char* denoiseHelp =
     "Denoised preview (N): light is shared among pixels that noise alone sets apart. Fine detail may be lost until "

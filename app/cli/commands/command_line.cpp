@@ -80,7 +80,7 @@ void addMerge(CLI::App& app, MergeCommand& command) {
   app.add_flag("--partial", command.partial,
                "merge what there is, into a larger part, where some of the picture is missing");
   app.add_flag("--keep-sums", command.keepSums, "keep in the .exr what --resume and merge need");
-  addExposure(app, command.tone);
+  addTone(app, command.tone);
   addProgress(app, command.progress);
 }
 
@@ -96,7 +96,7 @@ void addRender(CLI::App& app, RenderCommand& command) {
   addPartOptions(app, command.part);
   addSeriesOptions(app, command);
   addPathOptions(app, command);
-  addExposure(app, command.tone);
+  addTone(app, command.tone);
   app.add_option("--stats", command.stats, "write counts and times of every stage, as JSON")->type_name("FILE.json");
   app.add_flag("--keep-sums", command.keepSums, "keep in the .exr what --resume needs");
   app.add_option("--resume", command.resume, "go on with this picture until it has --spp samples")

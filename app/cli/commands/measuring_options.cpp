@@ -109,7 +109,7 @@ void addBrdf(CLI::App& app, BrdfCommand& command) {
   addThreads(app, command.threads);
   addMemoryLimit(app, command.memoryLimit_bytes);
   addFibreExtent(app, command.fibreExtent);
-  addExposure(app, command.tone);
+  addTone(app, command.tone);
 }
 
 void addBvdf(CLI::App& app, BvdfCommand& command) {

@@ -17,10 +17,10 @@ struct Asked {
   std::vector<std::string> endings;
 };
 
-/// All that Session::openFile() knows: cloths, drafts, pictures to weave, environments, meshes, colours.
+/// All that Session::openFile() knows: cloths, drafts, pictures to weave, environments, meshes, colours, lamps.
 std::vector<std::string> endingsThatOpen() {
-  return {".loomlight", ".json", ".wif", ".dtx", ".png", ".exr", ".obj", ".ply", ".off",
-          ".ase",       ".aco",  ".gpl", ".csv", ".cxf", ".qtx", ".txt", ".icc", ".icm"};
+  return {".loomlight", ".json", ".wif", ".dtx", ".png", ".exr", ".obj", ".ply", ".off", ".ase",
+          ".aco",       ".gpl",  ".csv", ".cxf", ".qtx", ".txt", ".spd", ".icc", ".icm"};
 }
 
 const Asked& askedFor(FileTask task) {

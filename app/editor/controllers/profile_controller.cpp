@@ -86,8 +86,7 @@ std::shared_ptr<const ColourCube> ProfileController::displayCube() const {
 }
 
 SoftProof ProfileController::proof() const {
-  if (!colours_.proofs) return {};
-  return {printer_.cube, colours_.warnsOfGamut};
+  return {colours_.proofs ? printer_.cube : nullptr, colours_.warnsOfGamut};
 }
 
 }  // namespace loomlight

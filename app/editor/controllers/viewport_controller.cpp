@@ -45,10 +45,10 @@ std::vector<glm::vec4> quarterOf(const Frame& frame, size_t lamp) {
 
 }  // namespace
 
-Tone ViewportController::tone() const {
+Tone ViewportController::tone(const Light& light) const {
+  if (view_.isPlain(light)) return plainTone();
   Tone tone;
   tone.exposure_stops = static_cast<float>(view_.exposure_stops);
-  tone.filmic = view_.filmic;
   return tone;
 }
 
@@ -98,14 +98,16 @@ ViewportController::Edit ViewportController::draw(Ui& ui, const std::shared_ptr<
     outline = {inRepeat(*hovered, weave), weave.ends(), weave.picks(), Rgb(accent.x, accent.y, accent.z)};
   ViewportModel model;
   const int pictureWidth = shown ? shownWidth(*shown, view_.width, view_.height) : view_.width;
-  model.picture = service_.picture(pictureWidth, view_.height, tone(), proof, outline);
+  model.picture = service_.picture(pictureWidth, view_.height, tone(fabric->light), proof, outline);
   model.pictureSize = ImVec2(static_cast<float>(pictureWidth), static_cast<float>(view_.height));
   lookUnderPointer();
   model.under = underPointer_;
   model.underYarn = underPointerYarn_;
   model.denoised = shown && !shown->denoised.empty();
   model.divided = shown && shown->isDivided();
+  model.plain = view_.isPlain(fabric->light);
   model.proofed = proof.prints != nullptr;
+  model.warned = proof.warnsOfGamut;
   model.building = status.phase == LiveStatus::Phase::voxelising && status.buildProgress < 1;
   model.buildProgress = status.buildProgress;
   model.error = status.error;
@@ -148,7 +150,7 @@ InsetModel ViewportController::insetModelFor(const InsetStatus& status, const Fa
   if (!frame || !view_.inset.on) return model;
   const PixelRect& window = frame->fibres->window;
   model.window = {window.x, window.y, window.width, window.height};
-  model.picture = service_.insetPicture(tone(), proof);
+  model.picture = service_.insetPicture(tone(fabric.light), proof);
   return model;
 }
 

@@ -67,7 +67,8 @@ class ViewportController {
   const ViewportView& view() const { return view_; }
   ViewService& service() { return service_; }
   const ViewService& service() const { return service_; }
-  Tone tone() const;
+  /// How cloth in this light is shown.
+  Tone tone(const Light& light) const;
   /// The crossing of the cloth under the mouse.
   const std::optional<CrossingIndex>& underPointer() const { return underPointer_; }
 

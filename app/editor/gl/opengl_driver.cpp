@@ -157,6 +157,8 @@ void OpenGlViewport::useProof(const SoftProof& proof) {
   glUniform1i(at("prints"), 2);
   glUniform1i(at("proofs"), proof.prints != nullptr);
   glUniform1f(at("outOfGamut"), proof.warnsOfGamut ? kOutOfGamut_deltaE : std::numeric_limits<float>::max());
+  glUniform1i(at("marksBeyondSrgb"), proof.warnsOfGamut && !proof.prints);
+  glUniform1f(at("beyondSrgb"), kBeyondSrgb);
   glUniform3f(at("gamutWarning"), kGamutWarning.r, kGamutWarning.g, kGamutWarning.b);
 }
 

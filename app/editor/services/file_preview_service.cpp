@@ -15,8 +15,10 @@
 #include "app/export/file_name.h"
 #include "core/base/text.h"
 #include "core/fabric/json/fabric_json.h"
+#include "core/fabric/swatch/measured_swatch.h"
 #include "core/fabric/weave/picture_weave.h"
 #include "core/fabric/wif/wif_fabric.h"
+#include "render/colour/illuminants.h"
 #include "render/colour/tone.h"
 #include "render/display/display_picture.h"
 #include "render/display/raster.h"
@@ -135,7 +137,8 @@ FilePreviewService::Look FilePreviewService::lookInto(const std::string& file, c
     if (extension == ".png") showPng(file);
     if (extension == ".exr") showExr(file);
     if (isFabricFile(file)) showCloth(readFabric(file));
-    if (isWeavingFile(file)) showCloth(readWifFabric(file, Fabric{}, WifSizeChoice::keep).fabric);
+    if (isWeavingFile(file) && !isSwatchFile(file) && !isIlluminantFile(file))
+      showCloth(readWifFabric(file, Fabric{}, WifSizeChoice::keep).fabric);
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception&) {

@@ -154,10 +154,8 @@ std::optional<Film::Hit> ViewService::hitAt(ImVec2 place) const {
 ImTextureID ViewService::insetPicture(const Tone& tone, const SoftProof& proof) {
   if (!insetFrame_) return {};
   // Colours of the difference go to the display as they are, whatever the exposure.
-  Tone neutral;
-  neutral.filmic = false;
   const PixelRect& window = insetFrame_->fibres->window;
-  return insetPicture_->display(window.width, window.height, insetIsDifference_ ? neutral : tone,
+  return insetPicture_->display(window.width, window.height, insetIsDifference_ ? plainTone() : tone,
                                 insetIsDifference_ ? SoftProof{} : proof, std::nullopt);
 }
 

@@ -54,6 +54,26 @@ class Render(CommandLineTest):
             self.run_program("render", fabric, "-o", f"{stops}.exr", "--exposure", stops)
         self.assertEqual(self.bytes_of("-2.exr"), self.bytes_of("1.exr"))
 
+    def test_the_plain_tone_has_no_curve(self):
+        # Three stops up, the brightest of the white yarns have up to eight times the light of white.
+        fabric = self.fabric()
+        options = ("--light", "dome", "--exposure", 3)
+        plain = self.picture(fabric, *options, "--tone", "plain")
+        filmic = self.picture(fabric, *options, "--tone", "filmic")
+        self.assertEqual(filmic, self.picture(fabric, *options), "which is the usual")
+        knee = 217  # 0.7 of white is just above it
+        for bent, straight in zip(filmic, plain):
+            if max(bent) <= knee:
+                self.assertEqual(straight, bent, "what is dark is not bent")
+            else:
+                self.assertTrue(all(s >= b for s, b in zip(straight, bent)), (straight, bent))
+        self.assertEqual(max(map(max, plain)), 255, "what is brighter than white is cut off")
+        self.assertLess(max(map(max, filmic)), 255, "which the curve never reaches")
+        self.assertTrue(any(max(bent) <= knee for bent in filmic))
+        for tone in ("plain", "filmic"):
+            self.run_program("render", fabric, "-o", f"{tone}.exr", "--tone", tone)
+        self.assertEqual(self.bytes_of("plain.exr"), self.bytes_of("filmic.exr"))
+
     def test_a_log_has_plain_lines(self):
         fabric = self.fabric()
         text = self.run_program("render", fabric, "-o", "out.png")

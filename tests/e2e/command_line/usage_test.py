@@ -21,6 +21,7 @@ class Usage(CommandLineTest):
             ("--max-depth", "0"),
             ("--event-law", "other"),
             ("--exposure", "nan"),
+            ("--tone", "cinema"),
             ("--uv-scale", "0"),
         ):
             with self.subTest(option=option, value=value):

@@ -121,6 +121,30 @@ TEST_F(Booth, TheSameCrossingIsUnderTheMouseInEveryQuarter) {
   EXPECT_THAT(found, testing::Each(found[0]));
 }
 
+/// Colours are judged there: whatever else was chosen, no curve bends them, and no exposure shifts them.
+TEST_F(Booth, IsShownInThePlainTone) {
+  editor.enter("view.exposure", "2");
+  EXPECT_EQ(editor.fact("view.ways"), "");
+  const auto untilPlain = [&](bool plain) {
+    editor.until(plain ? "the tone is plain" : "the tone has its curve again",
+                 [&] { return (editor.fact("view.ways") == "Plain tone") == plain; });
+    EXPECT_EQ(editor.fact("view.exposure"), plain ? "0 EV" : "") << "the field says nothing that does not hold";
+  };
+  editor.key("shift+j");
+  untilPlain(true);
+  editor.click("menu.view");
+  EXPECT_EQ(editor.fact("menu.plain_tone"), "ticked");
+  editor.click("menu.plain_tone");  // in vain
+  editor.key("Escape");
+  untilPlain(true);
+  editor.key("shift+j");
+  untilPlain(false);
+  editor.edits("the light is the booth's", [&] { editor.choose("view.light", "Light booth"); });
+  untilPlain(true);
+  editor.edits("it is another", [&] { editor.choose("view.light", "Overcast"); });
+  untilPlain(false);
+}
+
 /// The lens has its place in the whole view: either is shut for the other.
 TEST_F(Booth, GivesWayToTheLensAndTheLensToIt) {
   editor.key("shift+j");

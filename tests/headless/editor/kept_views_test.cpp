@@ -145,6 +145,24 @@ TEST_F(KeptViews, TheBackComesBackFromBehind) {
   editor.until("the back is seen again", [&] { return editor.fact("draft.side") == "back"; });
 }
 
+/// In light that is too strong the curve nears white, and the plain tone cuts off there. Kept views and snapshots are
+/// as the cloth is shown, in either.
+TEST_F(KeptViews, PicturesHaveTheToneThatIsShown) {
+  editor.click("tab.scene");
+  editor.edits("the light is strong", [&] { editor.enter("light.intensity", "8"); });
+  editor.untilPictured();
+  keepOne();
+  const auto brightest = [](const Pixels8& picture) {
+    return *std::max_element(picture.bytes.begin(), picture.bytes.end());
+  };
+  EXPECT_LT(brightest(pictureIn("snapshot.item_0")), 255);
+  editor.click("menu.view");
+  editor.click("menu.plain_tone");
+  editor.key("k");
+  editor.until("the plain view is kept", [&] { return editor.shows("snapshot.item_1"); });
+  EXPECT_EQ(brightest(pictureIn("snapshot.item_1")), 255);
+}
+
 /// A better picture of flat cloth from elsewhere is none of the view that was kept.
 TEST_F(KeptViews, AFlatViewKeepsItsPictureWhenTheCameraMoves) {
   editor.click("menu.view");

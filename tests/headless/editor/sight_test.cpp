@@ -9,6 +9,7 @@
 
 #include "core/fabric/yarn/derived.h"
 #include "tests/headless/editor/weaver.h"
+#include "tests/support/scratch_folder.h"
 
 namespace loomlight {
 namespace {
@@ -148,6 +149,59 @@ TEST_F(Sight, JTakesTheNextLampOfTheBooth) {
     EXPECT_EQ(editor.shows("status.lamp"), lamp != StandardIlluminant::d65);
     editor.untilPictured();
   }
+}
+
+TEST_F(Sight, ThePlainToneIsAViewAndIsRemembered) {
+  const auto waysAre = [&](const std::string& ways) {
+    editor.until("it is shown: " + ways, [&] { return editor.fact("view.ways") == ways; });
+  };
+  const std::string file = editor.fact("file");
+  view("menu.plain_tone");
+  waysAre("Plain tone");
+  EXPECT_EQ(editor.fact("view.exposure"), "0 EV");
+  EXPECT_EQ(editor.fact("dirty"), "no");
+  editor.leave();
+  editor.startOn(file);
+  waysAre("Plain tone");
+  view("menu.plain_tone");
+  waysAre("");
+}
+
+/// Without a printer it is what sRGB has not that is marked.
+TEST_F(Sight, TheGamutWarningNeedsNoPrinter) {
+  for (const char* const ways : {"Gamut warning", ""}) {
+    editor.key("shift+y");
+    editor.until("the picture says so", [&] { return editor.fact("view.ways") == ways; });
+  }
+}
+
+/// The spectrum of a lamp, as text of two columns; its name's ending is that of a draft as well, or of nothing.
+TEST_F(Sight, ALampThatIsDroppedShinesOnTheCloth) {
+  for (const char* name : {"tube.txt", "tube.spd"}) {
+    const std::string lamp = editor.homeFile(name);
+    test::putBytes(lamp, "nm power\n380 1\n540 1\n550 9\n560 1\n730 1\n");
+    editor.edits("it is the cloth's lamp", [&] { editor.drop(lamp); });
+    const Light light = editor.saved().light;
+    EXPECT_EQ(light.illuminant, StandardIlluminant::file);
+    EXPECT_EQ(light.illuminantFile, lamp);
+    EXPECT_EQ(light.kind, smallTwill().light.kind) << "where light comes from is another matter";
+    editor.untilPictured();
+    EXPECT_EQ(editor.fact("error"), "");
+    EXPECT_EQ(editor.fact("status.lamp"), "under own lamp");
+  }
+  editor.edits("one step takes it back", [&] { editor.key("ctrl+z"); });
+  editor.edits("and the other", [&] { editor.key("ctrl+z"); });
+  EXPECT_EQ(editor.saved().light.illuminant, StandardIlluminant::d65);
+}
+
+TEST_F(Sight, ALampThatIsBrokenIsSaidAndChangesNothing) {
+  const std::string lamp = editor.homeFile("broken.txt");
+  test::putBytes(lamp, "380 1\n480 -1\n730 1\n");
+  editor.drop(lamp);
+  editor.until("it is said", [&] { return editor.shows("message.answer_0"); });
+  EXPECT_THAT(editor.fact("message"), HasSubstr("line 2: expected a power of 0 or more"));
+  editor.answer();
+  EXPECT_EQ(editor.fact("dirty"), "no");
 }
 
 /// With the draft the cloth is turned over: what is under the mouse is the same crossing, seen from behind.

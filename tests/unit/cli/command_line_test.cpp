@@ -53,6 +53,7 @@ TEST(CommandLine, RenderTakesAllItsOptions) {
                                              "--max-depth",  "99",
                                              "--event-law",  "report",
                                              "--exposure",   "-1",
+                                             "--tone",       "plain",
                                              "--stats",      "s.json",
                                              "--keep-sums",  "--resume",
                                              "c.exr",        "--uv-scale",
@@ -78,6 +79,7 @@ TEST(CommandLine, RenderTakesAllItsOptions) {
   EXPECT_EQ(render.fibreExtent, FibreExtent::oneRepeat);
   EXPECT_EQ(render.options.eventLaw, EventLaw::report);
   EXPECT_FLOAT_EQ(render.tone.exposure_stops, -1);
+  EXPECT_FALSE(render.tone.filmic);
   EXPECT_EQ(render.stats, "s.json");
   EXPECT_TRUE(render.keepSums);
   EXPECT_EQ(render.resume, "c.exr");
@@ -225,7 +227,7 @@ TEST(CommandLine, HelpNamesEveryCommandAndOption) {
   const std::string render = parsed<TextCommand>({"render", "--help"}).text;
   for (const char* option :
        {"--size", "--spp", "--seed", "--threads", "--view", "--drape", "--light", "--method", "--resolution",
-        "--max-depth", "--estimator", "--memory-limit", "--event-law", "--exposure", "--stats", "--resume"})
+        "--max-depth", "--estimator", "--memory-limit", "--event-law", "--exposure", "--tone", "--stats", "--resume"})
     EXPECT_THAT(render, HasSubstr(option));
   EXPECT_THAT(parsed<TextCommand>({"--version"}).text, HasSubstr(LOOMLIGHT_VERSION));
 }

@@ -11,6 +11,7 @@
 #include "core/base/error.h"
 #include "core/base/rgb.h"
 #include "render/colour/colour_space.h"
+#include "render/film/srgb_profile.h"
 #include "tests/support/colour_profiles.h"
 #include "tests/support/scratch_folder.h"
 

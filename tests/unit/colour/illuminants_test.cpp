@@ -120,6 +120,19 @@ TEST_F(IlluminantFile, IsReadInAllItsPunctuation) {
   EXPECT_EQ(powerAt(light, 780), powerAt(light, 730));
 }
 
+TEST_F(IlluminantFile, IsKnownByItsFirstLineOfNumbers) {
+  const auto isOne = [&](const std::string& text) {
+    test::putBytes(folder_.file("some.txt"), text);
+    return isIlluminantFile(folder_.file("some.txt"));
+  };
+  EXPECT_TRUE(isOne("# of a shop\nnm power\n\n380 1\n"));
+  EXPECT_TRUE(isOne("300,0.03\n")) << "it is short, which is said when it is read";
+  EXPECT_FALSE(isOne(""));
+  EXPECT_FALSE(isOne("380 1 7\n390 1 7\n400 1 7\n"));
+  EXPECT_FALSE(isOne("[WIF]\nVersion=1.1\n380 1\n")) << "a draft";
+  EXPECT_FALSE(isIlluminantFile(folder_.file("none.txt")));
+}
+
 TEST_F(IlluminantFile, SaysWhereItIsWrong) {
   using testing::HasSubstr;
   EXPECT_THAT(complaint("380 1\n480 x\n730 1\n"), HasSubstr("lamp.txt: line 2: expected two numbers"));

@@ -55,6 +55,13 @@ TEST(Tone, WithoutShoulderItClips) {
   EXPECT_NEAR(toDisplay(Rgb(3), plain).r, 1, 1e-6f);
 }
 
+/// A perfect diffuser in light of intensity 1 is white, and half of its light is half of white's.
+TEST(Tone, PlainIsLinearUpToThePerfectDiffuser) {
+  EXPECT_FLOAT_EQ(toDisplay(Rgb(1), plainTone()).r, 1);
+  for (float v = 0; v <= 1; v += 0.01f) EXPECT_NEAR(linearShown(Rgb(v), plainTone()).g, v, 2e-6f);
+  EXPECT_EQ(toDisplay(Rgb(2, 1, 0.5f), plainTone()), toDisplay(Rgb(1, 1, 0.5f), plainTone())) << "each for itself";
+}
+
 TEST(Tone, AnyFloatGivesAColour) {
   constexpr float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
   for (const bool filmic : {false, true}) {

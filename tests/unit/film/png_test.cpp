@@ -1,10 +1,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <png.h>
+#include <zlib.h>
 
 #include "core/base/error.h"
 #include "core/base/random.h"
 #include "render/film/image.h"
+#include "render/film/srgb_profile.h"
 #include "tests/support/scratch_folder.h"
 
 namespace loomlight {
@@ -128,8 +130,7 @@ TEST(Png, TextsAndColourSpaceStandBeforeThePixels) {
   const std::vector<Chunk> chunks = chunksOf(bytesOf(folder.file("a.png")));
   ASSERT_GE(chunks.size(), 6u);
   EXPECT_EQ(chunks[0].type, "IHDR");
-  EXPECT_EQ(chunks[1].type, "sRGB");
-  EXPECT_EQ(chunks[1].data, std::string(1, '\0'));
+  EXPECT_EQ(chunks[1].type, "iCCP");
   EXPECT_EQ(chunks[2].type, "iTXt");
   EXPECT_EQ(chunks[2].data, "Software" + std::string(5, '\0') + "Loomlight äöü");
   EXPECT_EQ(chunks[3].type, "iTXt");
@@ -137,6 +138,38 @@ TEST(Png, TextsAndColourSpaceStandBeforeThePixels) {
   EXPECT_EQ(chunks[4].type, "IDAT");
   EXPECT_EQ(chunks.back().type, "IEND");
   EXPECT_EQ(readPng(folder.file("a.png")).bytes, noise(8, 8, 3).bytes);
+}
+
+/// One profile, and nothing beside it that would say the same: a reader need not choose.
+TEST(Png, ColoursCarryTheirProfile) {
+  const test::ScratchFolder folder;
+  for (const int channels : {3, 4}) {
+    writePng(folder.file("a.png"), noise(3, 2, channels));
+    std::vector<std::string> profiles;
+    for (const Chunk& chunk : chunksOf(bytesOf(folder.file("a.png")))) {
+      EXPECT_NE(chunk.type, "sRGB");
+      EXPECT_NE(chunk.type, "gAMA");
+      if (chunk.type == "iCCP") profiles.push_back(chunk.data);
+    }
+    ASSERT_EQ(profiles.size(), 1u);
+    const std::string name("sRGB\0\0", 6);  // the second 0: deflated
+    ASSERT_EQ(profiles[0].substr(0, name.size()), name);
+    std::string profile(100'000, '\0');
+    uLongf size = profile.size();
+    ASSERT_EQ(
+        uncompress(reinterpret_cast<Bytef*>(profile.data()), &size,
+                   reinterpret_cast<const Bytef*>(profiles[0].data() + name.size()), profiles[0].size() - name.size()),
+        Z_OK);
+    EXPECT_EQ(profile.substr(0, size), sRgbProfile());
+  }
+}
+
+/// A picture is the same whenever it is made, so its profile has no date of now.
+TEST(Png, TheProfileIsOfTheDayOfTheStandard) {
+  const std::string profile = sRgbProfile();
+  EXPECT_EQ(bigEndian(profile, 24) >> 16, 1999u);
+  EXPECT_EQ(bigEndian(profile, 0), profile.size());
+  EXPECT_EQ(profile.substr(36, 4), "acsp");
 }
 
 TEST(Png, NamesOfTextsKeepToTheFormat) {
@@ -209,7 +242,7 @@ TEST(Png, NumbersKeepTheir16Bits) {
     Random random(7);
     for (int i = 0; i < 31 * 17 * channels; ++i) numbers.values.push_back(static_cast<uint16_t>(random.next()));
     writePng(folder.file("a.png"), numbers, 300);
-    for (const Chunk& chunk : chunksOf(bytesOf(folder.file("a.png")))) EXPECT_NE(chunk.type, "sRGB") << "no colours";
+    for (const Chunk& chunk : chunksOf(bytesOf(folder.file("a.png")))) EXPECT_NE(chunk.type, "iCCP") << "no colours";
     // As a reader that is not ours has them: without a colour space, 16 bits are linear.
     png_image image{};
     image.version = PNG_IMAGE_VERSION;
