@@ -108,7 +108,7 @@ std::optional<Fabric> lineBelow(Ui& ui, const std::string& id, const Fabric& fab
 std::optional<Fabric> orderField(Ui& ui, const RowText& text, const Fabric& fabric, std::vector<int> Fabric::* system,
                                  double pitch_mm, OrderText& typing) {
   const std::vector<int>& sequence = fabric.*system;
-  if (!typing.open && typing.sequence != sequence) typing = {false, false, yarnOrderText(sequence), sequence, {}, {}};
+  if (!typing.open && typing.sequence != sequence) typing = {false, false, yarnOrderText(sequence), sequence, typing.lines, {}, {}};
   ImGui::TextDisabled("%s", text.label);
   const float width = ImGui::GetContentRegionAvail().x;
   Typing now{width - 2 * ImGui::GetStyle().FramePadding.x - ui.px(8), !typing.open};
@@ -116,8 +116,10 @@ std::optional<Fabric> orderField(Ui& ui, const RowText& text, const Fabric& fabr
   const bool tooLong = shown.size() > kLongest;
   if (tooLong) shown = fmt::format(words::order::onlyCounted, sequence.size());
   breakLines(shown.data(), static_cast<int>(shown.size()), now.room);
-  const auto lines = static_cast<float>(1 + std::count(shown.begin(), shown.end(), '\n'));
-  const ImVec2 size(width, std::min(lines, 6.0f) * ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().FramePadding.y);
+  // An edge of stripes that is dragged writes another order: what stands below the field stays under the mouse.
+  if (typing.open || !ImGui::IsAnyMouseDown())
+    typing.lines = std::min(6.0f, static_cast<float>(1 + std::count(shown.begin(), shown.end(), '\n')));
+  const ImVec2 size(width, typing.lines * ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().FramePadding.y);
   const ImVec2 min = ImGui::GetCursorScreenPos(), max(min.x + size.x, min.y + size.y);
   ImGui::PushID(text.id.c_str());
   ImGui::PushItemFlag(ImGuiItemFlags_NoTabStop, true);

@@ -15,6 +15,7 @@ struct OrderText {
   bool edited = false;  ///< and is another one than it was
   std::string text;
   std::vector<int> sequence;  ///< that the text stood for, or stood beside when it was refused
+  float lines = 1;            ///< that the field has room for
   std::string problem;        ///< why it was refused; the text stays, to be mended
   std::vector<int> wanted;    ///< what it asks for where it names yarns that are not there; else empty
 };

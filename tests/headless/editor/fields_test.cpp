@@ -183,6 +183,35 @@ TEST_F(Orders, AnEdgeIsDraggedInTheBar) {
   EXPECT_THAT(warp(), ElementsAre(0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0)) << "every stripe keeps a thread";
 }
 
+/// A wider stripe may make the order above a line longer: the bar waits for the mouse to let go.
+TEST_F(Orders, TheBarStaysUnderTheMouseThatDragsIt) {
+  const auto height = [&](const std::string& order) {
+    editor.edits(order, [&] { editor.enter("draft.warp_order", order); });
+    editor.frame();
+    const HeadlessEditor::Rect field = editor.rect("draft.warp_order");
+    return field.y1 - field.y0;
+  };
+  const float one = height("2B");
+  std::string stripes = "9B";  // as many as one line has room for, and a first one as long as fits
+  while (height("9A " + stripes + (stripes.ends_with("B") ? " 9A" : " 9B")) == one)
+    stripes += stripes.ends_with("B") ? " 9A" : " 9B";
+  std::string first = "9A ";
+  while (height("1" + first + stripes) == one) first = "1" + first;
+  height(first + stripes);
+  bringUp("order.bar");
+  const HeadlessEditor::Rect bar = editor.rect("order.bar");
+  const ImVec2 edge(bar.x1 - 2, 0.5f * (bar.y0 + bar.y1));  // of the last stripe
+  editor.move(edge);
+  editor.press();
+  editor.edits("the last stripe grows", [&] { editor.move(ImVec2(edge.x + 300, edge.y)); });
+  EXPECT_EQ(editor.rect("order.bar").y0, bar.y0);
+  editor.release();
+  editor.until("the order takes another line", [&] {
+    const HeadlessEditor::Rect field = editor.rect("draft.warp_order");
+    return field.y1 - field.y0 > one;
+  });
+}
+
 TEST_F(Orders, StripesAreColouredAddedAndTakenAway) {
   editor.edits("an order", [&] { editor.enter("draft.warp_order", "4A 6B"); });
   bringUp("order.stripe_1_add");
