@@ -10,7 +10,6 @@
 
 #include "core/base/parallel.h"
 #include "core/fabric/model/changes.h"
-#include "core/fabric/yarn/yarn_reflectance.h"
 #include "core/geometry/cloth_geometry.h"
 #include "render/transport/path_integrator.h"
 
@@ -191,12 +190,6 @@ Reflectance PathLengthTally::reflectance(const Colouring& colouring) const {
     measured.standardError[j] = static_cast<float>(std::sqrt(std::max(0.0, squares[j] / n - mean * mean) / (n - 1)));
   }
   return measured;
-}
-
-std::vector<Rgb> absorptionsOf(const Fabric& fabric) {
-  std::vector<Rgb> absorptions;
-  for (const Fibre& fibre : fabric.fibres) absorptions.push_back(absorptionOfPrimaries(fibre));
-  return absorptions;
 }
 
 Fabric colourPatch(Fabric fabric) {

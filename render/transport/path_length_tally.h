@@ -33,10 +33,6 @@ struct PathLengthTally {
   Reflectance reflectance(const Colouring& colouring) const;
 };
 
-/// Of every fibre three numbers, 1/mm, that stand for all that is known of it (absorptionOfPrimaries()): what
-/// PathLengthTally::colour() is asked for.
-std::vector<Rgb> absorptionsOf(const Fabric& fabric);
-
 /// The fabric on a flat patch for tallyPathLengths: its repeat, as far as that is not too large, and what light travels
 /// sideways around it.
 Fabric colourPatch(Fabric fabric);

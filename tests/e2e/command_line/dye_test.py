@@ -91,8 +91,8 @@ class Dye(CommandLineTest):
         """CIEDE2000 of the dyed cloth under a lamp, as the program says and as `colour` measures it."""
         said = self.run_program("convert", self.fabric(), "dyed.json", "--cloth-colour", "piece=pink.csv", *options)
         self.assertRegex(said, f"cannot be had, .* the nearest under {lamp} is .*under {lamp}, 10 degrees")
-        measured = json.loads(self.run_program("colour", "dyed.json", "--standard", "pink.csv", "--illuminant", "D65,F11",
-                                               "--json", status=1))
+        measured = json.loads(self.run_both("colour", "dyed.json", "--standard", "pink.csv", "--illuminant", "D65,F11",
+                                            "--json", status=1).stdout)
         under = {each["name"]: each["ciede2000"] for each in measured["illuminants"]}
         self.assertAlmostEqual(float(re.search(r"off by ([0-9.]+)", said)[1]), under[lamp], delta=0.7)
         return under
@@ -113,7 +113,7 @@ class Dye(CommandLineTest):
         bands = [200 * math.exp(-(((nm - 560) / 25) ** 2)) for nm in range(380, 740, 10)]
         yarn = CLOSED["yarns"][0]
         narrow = {"name": "narrow", "radius_um": 9,
-                  "absorption_per_mm": {"from_nm": 380, "step_nm": 10, "values": bands}}
+                  "absorption_per_mm": {"bands": {"from_nm": 380, "step_nm": 10, "values": bands}}}
         two = {"yarns": [yarn, {**yarn, "fibre": 1}], "weft_sequence": [1], "fibres": [*CLOSED["fibres"], narrow]}
         said = self.run_program("convert", self.fabric(**{**CLOSED, **two}), "dyed.json", "--cloth-colour", "1=#806040")
         self.assertRegex(said, NEAR)

@@ -7,7 +7,6 @@
 
 #include "core/fabric/weave/structures.h"
 #include "render/colour/colour_difference.h"
-#include "render/colour/primaries.h"
 #include "render/colour/tristimulus.h"
 #include "tests/statistical/transport/rendered_colour.h"
 
@@ -104,9 +103,13 @@ TEST(ColourSolver, SheerClothCannotBeWhite) {
 // Where bands are out of reach, cutting each off spoils the hue: a search over smooth reflectances finds some that are
 // nearer by a quarter and more.
 TEST(ColourSolver, OfSheerClothSwatchesOutOfReachAreNearerThanCutOff) {
-  Fabric fabric = test::whiteCotton();
-  fabric.ends_per_cm = fabric.picks_per_cm = 20;
-  fabric.yarns[0].count_tex = 4;
+  Fabric fabric = test::whiteCotton();  // organza of two raw silks twisted together
+  fabric.ends_per_cm = 48;
+  fabric.picks_per_cm = 44;
+  fabric.yarns[0].count_tex = 4.67;
+  fabric.yarns[0].plies = 2;
+  fabric.fibres[0].radius_um = 5.56;
+  fabric.fibres[0].section = FibreSection::triangle;
   fabric.render.resolution = 4;
   const PatchOfCloth patch(fabric);
   const auto walks = tallyPathLengths(*patch.scene, *patch.medium, partOfFibre(0), 8192, Task{});
@@ -122,11 +125,15 @@ TEST(ColourSolver, OfSheerClothSwatchesOutOfReachAreNearerThanCutOff) {
   const TristimulusWeights daylight = tristimulusWeights(illuminantNamed("D65"), Observer::degrees10);
   struct Named {
     const char* name;
-    Rgb linear;
+    double plain, height, centre_nm, width_nm;
   };
-  for (const Named& named : {Named{"pale pink", Rgb(1.0f, 0.53f, 0.6f)}, Named{"navy", Rgb(0.0f, 0.0f, 0.2f)},
-                             Named{"maroon", Rgb(0.2f, 0.0f, 0.0f)}, Named{"orange", Rgb(1.0f, 0.38f, 0.0f)}}) {
-    const Spectrum swatch = mixed(colourPrimaries(), named.linear);
+  for (const Named& named : {Named{"pale pink", 0.4, 0.45, 650, 60}, Named{"navy", 0.002, 0.04, 450, 40},
+                             Named{"maroon", 0.01, 0.2, 700, 60}, Named{"orange", 0.02, 0.75, 660, 70}}) {
+    Spectrum swatch;
+    for (size_t j = 0; j < kBands; ++j) {
+      const double away = (bandWavelength_nm(j) - named.centre_nm) / named.width_nm;
+      swatch[j] = static_cast<float>(named.plain + named.height * std::exp(-away * away));
+    }
     const SolvedReflectance solved = solveReflectance(*walks, colouringInDaylight(fabric), kFirst, swatch, daylight);
     EXPECT_GT(solved.tooLight + solved.tooDark, 0u);
     Spectrum cutOff;
