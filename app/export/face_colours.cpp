@@ -5,11 +5,10 @@
 #include "core/fabric/yarn/band_colour.h"
 #include "render/colour/colour_difference.h"
 #include "render/transport/cloth_walks.h"
+#include "render/transport/dye_walks.h"
 
 namespace loomlight {
 namespace {
-
-constexpr size_t kWalks = kDyeWalks / 2;
 
 FaceColour colourOf(const std::string& name, const PathLengthTally& walks, const Colouring& colouring) {
   const Spectrum reflectance = walks.reflectance(colouring).mean;
@@ -32,8 +31,7 @@ std::optional<std::vector<FaceColour>> faceColours(const Fabric& fabric, const T
   const int fibres = fabric.fibres.size() > 1 ? std::min(static_cast<int>(fabric.fibres.size()), kMostFibres) : 0;
   for (int material = -1; material < fibres; ++material) {
     const bool isAll = material < 0;
-    const auto walks =
-        tallyPathLengths(*patch->scene, *patch->medium, isAll ? wholePiece() : partOfFibre(material), kWalks, task);
+    const auto walks = walkForDyes(*patch->scene, *patch->medium, isAll ? wholePiece() : partOfFibre(material), task);
     if (!walks) return std::nullopt;
     if (walks->lit() > 0)
       colours.push_back(

@@ -5,7 +5,7 @@
 #include "core/base/error.h"
 #include "core/fabric/model/booth_lamps.h"
 #include "render/scene/colouring.h"
-#include "render/transport/cloth_walks.h"
+#include "render/transport/dye_walks.h"
 
 namespace loomlight {
 namespace {
@@ -14,14 +14,25 @@ std::shared_ptr<const Fabric> readyFor(const ColourWish& wish) {
   return std::make_shared<const Fabric>(readyToDye(*wish.fabric, wish.part));
 }
 
-/// Empty where the cloth's own lamp is a file that cannot be used: the picture says so.
+TristimulusWeights weightsUnder(const Light& light) {
+  return tristimulusWeights(illuminantOf(light), Observer::degrees10);
+}
+
+/// The cloth's own lamp, or daylight where it is a file that cannot be used: the picture says so.
+TristimulusWeights lampOf(const Fabric& fabric) {
+  try {
+    return weightsUnder(fabric.light);
+  } catch (const InputError&) {
+    return weightsUnder(underLamp(fabric.light, StandardIlluminant::d65));
+  }
+}
+
+/// Empty where the cloth's own lamp is a file that cannot be used.
 std::vector<LampJudgement> judgementsOf(const Spectrum& standard, const Spectrum& cloth, const Fabric& fabric) {
   std::vector<StandardIlluminant> lamps{fabric.light.illuminant};
   for (const StandardIlluminant lamp : kBoothLamps)
     if (lamp != lamps.front()) lamps.push_back(lamp);
-  const auto weightsOf = [&](StandardIlluminant lamp) {
-    return tristimulusWeights(illuminantOf(underLamp(fabric.light, lamp)), fabric.render.observer);
-  };
+  const auto weightsOf = [&](StandardIlluminant lamp) { return weightsUnder(underLamp(fabric.light, lamp)); };
   std::vector<LampJudgement> judgements;
   try {
     const TristimulusWeights reference = weightsOf(kBoothLamps.front());
@@ -33,8 +44,7 @@ std::vector<LampJudgement> judgementsOf(const Spectrum& standard, const Spectrum
   return judgements;
 }
 
-std::shared_ptr<const ColourAnswer> answerTo(const ColourWish& wish, const Fabric& ready,
-                                             const PathLengthTally& walks) {
+std::shared_ptr<ColourAnswer> answerTo(const ColourWish& wish, const Fabric& ready, const PathLengthTally& walks) {
   auto answer = std::make_shared<ColourAnswer>();
   answer->wish = wish;
   answer->seen = walks.lit() > 0;
@@ -42,9 +52,9 @@ std::shared_ptr<const ColourAnswer> answerTo(const ColourWish& wish, const Fabri
   const Colouring colouring = colouringInDaylight(ready);
   answer->colour = walks.colour(colouring);
   const std::vector<int> dyed = fibresOf(ready, wish.part);
-  if (wish.wanted) answer->solved = solveColour(walks, absorptionsOf(ready), dyed, *wish.wanted);
+  if (wish.wanted) answer->solved = solveColour(walks, colouring, dyed, *wish.wanted);
   if (!wish.measured) return answer;
-  answer->matched = solveReflectance(walks, colouring, dyed, *wish.measured);
+  answer->matched = solveReflectance(walks, colouring, dyed, *wish.measured, lampOf(ready));
   answer->judgements = judgementsOf(*wish.measured, walks.reflectance(colouring).mean, ready);
   return answer;
 }
@@ -86,18 +96,21 @@ std::shared_ptr<const Fabric> ColourWorker::makeWalks(ColourWish& wish, Answerin
       job.giveWayTo(std::move(*newer));
     }
   };
-  auto walks = walkThrough(*first, wish.part, kDyeWalks, task);
+  auto walks = walkForDyes(*first, wish.part, task);
   if (!walks) return nullptr;
   walked_ = first;
   walkedPart_ = wish.part;
   walks_ = std::move(*walks);
+  error_ = colourError(walks_);
   return ready;
 }
 
 std::optional<ColourWorker::Result> ColourWorker::answer(ColourWish wish, Answering::Job& job) {
   const auto ready = makeWalks(wish, job);
   if (!ready) return std::nullopt;
-  last_ = answerTo(wish, *ready, walks_);
+  const auto answered = answerTo(wish, *ready, walks_);
+  answered->error = error_;
+  last_ = answered;
   return Result{last_, ""};
 }
 

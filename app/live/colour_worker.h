@@ -33,10 +33,12 @@ struct ColourAnswer {
   ColourWish wish;
   bool seen = false;  ///< it lies on top somewhere
   Rgb colour{0};      ///< that the cloth shows now
+  double error = 0;   ///< standard error of the colours, CIEDE2000: of what light has been walked (colourError())
   std::optional<SolvedColour> solved;
   std::optional<SolvedReflectance> matched;
-  /// Of the cloth as it is beside what was measured, by the fabric's observer: under its own lamp, then under the
-  /// others of a booth. Metamerism is told from the booth's first. Empty where nothing was measured.
+  /// Of the cloth as it is beside what was measured, by the observer of 10 degrees, whatever the scene's: so dyers
+  /// judge. Under the cloth's own lamp, then under the others of a booth. Metamerism is told from the booth's first.
+  /// Empty where nothing was measured.
   std::vector<LampJudgement> judgements;
 };
 
@@ -64,6 +66,7 @@ class ColourWorker {
   std::shared_ptr<const Fabric> walked_;  ///< ready to dye, through whose cloth walks_ are
   ClothPart walkedPart_;
   PathLengthTally walks_;
+  double error_ = 0;  ///< of the walks
 
   Answering worker_;  // last: it ends before what it uses is gone
 };

@@ -15,10 +15,4 @@ std::optional<ColourPatch> makeColourPatch(const Fabric& fabric, const Task& tas
   return patch.medium ? std::optional(std::move(patch)) : std::nullopt;
 }
 
-std::optional<PathLengthTally> walkThrough(const Fabric& fabric, const ClothPart& part, size_t count,
-                                           const Task& task) {
-  const auto patch = makeColourPatch(fabric, task);
-  return patch ? tallyPathLengths(*patch->scene, *patch->medium, part, count, task) : std::nullopt;
-}
-
 }  // namespace loomlight

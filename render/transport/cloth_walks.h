@@ -21,8 +21,4 @@ struct ColourPatch {
 std::optional<ColourPatch> makeColourPatch(const Fabric& fabric, const Task& task,
                                            std::shared_ptr<const Scene>* shared = nullptr);
 
-/// tallyPathLengths() through a patch of the fabric that is made for it; nullopt when stopped. `part`: that is met
-/// first. Throws InputError for files that cannot be used.
-std::optional<PathLengthTally> walkThrough(const Fabric& fabric, const ClothPart& part, size_t count, const Task& task);
-
 }  // namespace loomlight

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "render/colour/nearest_colour.h"
+#include "render/colour/nearest_reflectance.h"
+#include "render/colour/primaries.h"
 #include "render/transport/path_light.h"
 
 // How it works. A walk through the cloth is known by its lengths inside each material, so its light is a product of
@@ -14,12 +16,15 @@
 // wanted value between the two has one absorption, found by Newton's method on the logarithm. Where a fibre is dyed
 // in several materials at once, their lengths add up. Wanted values out of reach are first brought to the nearest
 // that is.
+//
+// A dye of three numbers among fibres known in bands makes no three channels apart: what is left of a primary's
+// spectrum shows a little in the others too. That little changes slowly, so the channels are solved in turn, each with
+// what the others last added to it, until they settle.
 
 namespace loomlight {
 namespace {
 
 constexpr double kMostAbsorption = 10000;  // of a valid fabric
-constexpr float kTolerance = 1e-3f;        // of reflectance: less is not seen
 
 /// The length of each walk inside the materials that are dyed, mm.
 std::vector<double> lengthsInside(const PathLengthTally& walks, std::span<const int> dyed) {
@@ -75,17 +80,6 @@ double absorptionFor(const Channel& channel, double wanted) {
   return sigma;
 }
 
-std::vector<double> channelWeights(const PathLengthTally& walks, const std::vector<Rgb>& absorption_per_mm,
-                                   int channel) {
-  std::vector<double> weights;
-  for (size_t i = 0; i < walks.lengths_mm.size(); i += walks.materials) {
-    double exponent = 0;
-    for (size_t k = 0; k < walks.materials; ++k) exponent += absorption_per_mm[k][channel] * walks.lengths_mm[i + k];
-    weights.push_back(std::exp(-exponent));
-  }
-  return weights;
-}
-
 /// What a channel can be.
 struct Range {
   double darkest = 0, lightest = 1;
@@ -93,41 +87,99 @@ struct Range {
   explicit Range(const Channel& channel)
       : darkest(channel.at(kMostAbsorption).colour), lightest(channel.at(0).colour) {}
   /// As dark as can be asks for no more dye than makes a difference.
-  double darkestWorthwhile() const { return std::min(darkest + kTolerance, lightest); }
-  bool isTooLight(double wanted) const { return wanted > lightest + kTolerance; }
-  bool isTooDark(double wanted) const { return wanted < darkest - kTolerance; }
+  double darkestWorthwhile() const { return std::min(darkest + unseen(darkest), lightest); }
+  bool isTooLight(double wanted) const { return wanted > lightest + unseen(lightest); }
+  bool isTooDark(double wanted) const { return wanted < darkest - unseen(darkest); }
+
+ private:
+  /// By how much a reflectance may be off: below 0.2 of lightness. In the dark that is a share of it.
+  static double unseen(double reflectance) { return std::min(1e-3, 0.01 * reflectance); }
 };
+
+/// What each primary of the dyed fibres' light adds to each channel of what is seen.
+class PrimaryChannels {
+ public:
+  /// `colouring`: without the dye.
+  PrimaryChannels(const PathLengthTally& walks, const Colouring& colouring, const std::vector<double>& lengths_mm) {
+    const bool isApart = !colouring.isSpectral() && !colouring.eye.whole;
+    std::array<std::vector<double>, 9> weights;
+    for (size_t i = 0; i < walks.lengths_mm.size(); i += walks.materials) {
+      const auto lengths = std::span(walks.lengths_mm).subspan(i, walks.materials);
+      for (int c = 0; c < 3; ++c) {
+        Rgb primary(0.0f);
+        primary[c] = 1;
+        const Rgb seen = colourOf({primary}, lengths, colouring);
+        for (int o = 0; o < 3; ++o)
+          if (o == c || !isApart) weights[at(o, c)].push_back(seen[o]);
+      }
+    }
+    for (std::vector<double>& of : weights) channels_.emplace_back(lengths_mm, std::move(of), walks.count);
+  }
+  /// What primary c gives to its own channel.
+  const Channel& own(int c) const { return channels_[at(c, c)]; }
+  /// What the other two give to channel `o` with these absorptions.
+  double others(int o, const Rgb& absorption_per_mm) const {
+    double sum = 0;
+    for (int c = 0; c < 3; ++c)
+      if (c != o) sum += channels_[at(o, c)].at(absorption_per_mm[c]).colour;
+    return sum;
+  }
+
+ private:
+  static size_t at(int o, int c) { return static_cast<size_t>(3 * o + c); }
+  std::vector<Channel> channels_;
+};
+
+/// The materials forget what they absorb.
+void bleach(Colouring& colouring, std::span<const int> materials) {
+  for (const int material : materials) {
+    const auto k = static_cast<size_t>(material);
+    colouring.primaries_per_mm[k] = Rgb(0.0f);
+    if (!colouring.isSpectral(k)) continue;
+    colouring.bands_per_mm[k] = Spectrum{};
+    colouring.knownInBands &= ~(uint64_t{1} << k);
+  }
+}
 
 }  // namespace
 
-SolvedColour solveColour(const PathLengthTally& walks, std::vector<Rgb> absorption_per_mm, std::span<const int> dyed,
+SolvedColour solveColour(const PathLengthTally& walks, Colouring colouring, std::span<const int> dyed,
                          const Rgb& wanted) {
-  assert(walks.lit() > 0 && absorption_per_mm.size() == walks.materials);
+  constexpr int kMostRounds = 30;
+  constexpr float kSettled = 1e-5f;  // of the colour
+  constexpr float kBlack = 1e-4f;    // darker has no logarithm
+  assert(walks.lit() > 0 && colouring.primaries_per_mm.size() == walks.materials);
   SolvedColour solved;
   const std::vector<double> lengths_mm = lengthsInside(walks, dyed);
-  for (const int material : dyed) absorption_per_mm[static_cast<size_t>(material)] = Rgb(0.0f);
-  std::vector<Channel> channels;
-  Rgb darkest, lightest;
-  for (int c = 0; c < 3; ++c) {
-    channels.emplace_back(lengths_mm, channelWeights(walks, absorption_per_mm, c), walks.count);
-    const Range range(channels.back());
-    solved.tooLight |= range.isTooLight(wanted[c]);
-    solved.tooDark |= range.isTooDark(wanted[c]);
-    lightest[c] = static_cast<float>(range.lightest);
-    darkest[c] = static_cast<float>(range.darkestWorthwhile());
+  bleach(colouring, dyed);
+  const PrimaryChannels primaries(walks, colouring, lengths_mm);
+  Rgb before(0.0f);
+  for (int round = 0; round < kMostRounds; ++round) {
+    Rgb darkest(0.0f), lightest(0.0f), others(0.0f);
+    solved.tooLight = solved.tooDark = false;
+    for (int c = 0; c < 3; ++c) {
+      const Range range(primaries.own(c));
+      others[c] = static_cast<float>(primaries.others(c, solved.absorption_per_mm));
+      solved.tooLight |= range.isTooLight(wanted[c] - others[c]);
+      solved.tooDark |= range.isTooDark(wanted[c] - others[c]);
+      lightest[c] = std::max(static_cast<float>(range.lightest) + others[c], kBlack);
+      darkest[c] = std::clamp(static_cast<float>(range.darkestWorthwhile()) + others[c], kBlack, lightest[c]);
+    }
+    // Each channel has a dye of its own, so all between the two can be had.
+    const Rgb target = nearestColour(wanted, darkest, lightest);
+    for (int c = 0; c < 3; ++c)
+      solved.absorption_per_mm[c] =
+          target[c] < lightest[c] ? static_cast<float>(absorptionFor(primaries.own(c), target[c] - others[c])) : 0.0f;
+    if (glm::all(glm::lessThan(glm::abs(others - before), Rgb(kSettled)))) break;
+    before = others;
   }
-  // Each channel has a dye of its own, so all between the two can be had.
-  const Rgb target = nearestColour(wanted, darkest, lightest);
-  for (int c = 0; c < 3; ++c)
-    if (target[c] < lightest[c])
-      solved.absorption_per_mm[c] = static_cast<float>(absorptionFor(channels[static_cast<size_t>(c)], target[c]));
-  for (const int material : dyed) absorption_per_mm[static_cast<size_t>(material)] = solved.absorption_per_mm;
-  solved.reached = walks.colour(absorption_per_mm);
+  for (const int material : dyed) colouring.primaries_per_mm[static_cast<size_t>(material)] = solved.absorption_per_mm;
+  solved.reached = walks.colour(colouring);
   return solved;
 }
 
 SolvedReflectance solveReflectance(const PathLengthTally& walks, Colouring colouring, std::span<const int> dyed,
-                                   const Spectrum& wanted) {
+                                   const Spectrum& wanted, const TristimulusWeights& lamp) {
   assert(walks.lit() > 0 && colouring.primaries_per_mm.size() == walks.materials);
   const std::vector<double> lengths_mm = lengthsInside(walks, dyed);
   for (const int material : dyed) colouring.setBands(static_cast<size_t>(material), Spectrum{});
@@ -137,14 +189,24 @@ SolvedReflectance solveReflectance(const PathLengthTally& walks, Colouring colou
     for (size_t j = 0; j < kBands; ++j) weights[j].push_back(left[j]);
   }
   SolvedReflectance solved;
+  std::vector<Channel> bands;
+  Spectrum darkest, lightest;
   for (size_t j = 0; j < kBands; ++j) {
-    const Channel band(lengths_mm, std::move(weights[j]), walks.count);
-    const Range range(band);
+    bands.emplace_back(lengths_mm, std::move(weights[j]), walks.count);
+    const Range range(bands.back());
     solved.tooLight += range.isTooLight(wanted[j]);
     solved.tooDark += range.isTooDark(wanted[j]);
-    const double target = std::max(static_cast<double>(wanted[j]), range.darkestWorthwhile());
-    if (target < range.lightest) solved.absorption_per_mm[j] = static_cast<float>(absorptionFor(band, target));
+    lightest[j] = static_cast<float>(range.lightest);
+    darkest[j] = static_cast<float>(range.darkestWorthwhile());
   }
+  // Each band has a dye of its own, so all between the two can be had.
+  Spectrum target;
+  if (solved.tooLight + solved.tooDark > 0)
+    target = nearestReflectance(wanted, darkest, lightest, lamp);
+  else
+    for (size_t j = 0; j < kBands; ++j) target[j] = std::clamp(wanted[j], darkest[j], lightest[j]);
+  for (size_t j = 0; j < kBands; ++j)
+    if (target[j] < lightest[j]) solved.absorption_per_mm[j] = static_cast<float>(absorptionFor(bands[j], target[j]));
   for (const int material : dyed) colouring.setBands(static_cast<size_t>(material), solved.absorption_per_mm);
   solved.reached = walks.reflectance(colouring).mean;
   return solved;

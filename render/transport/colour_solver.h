@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "render/colour/tristimulus.h"
 #include "render/transport/path_length_tally.h"
 
 namespace loomlight {
@@ -15,10 +16,11 @@ struct SolvedColour {
   bool tooDark = false;      ///< wanted is darker, in some channel, than what fibres mirror from their surfaces
 };
 
-/// The one absorption of the `dyed` materials with which the walks give the wanted colour (linear, 1 is white paper),
-/// those of all others as they are; where a channel cannot be reached, the one that looks nearest (nearestColour()) of
-/// all that can. `walks` are of light that met a dyed material first, and some of them came back to the sky.
-SolvedColour solveColour(const PathLengthTally& walks, std::vector<Rgb> absorption_per_mm, std::span<const int> dyed,
+/// The one absorption of the `dyed` materials, in three numbers, with which the walks give the wanted colour (linear, 1
+/// is white paper), those of all others as they are in `colouring`, by its eye; where a channel cannot be reached, the
+/// one that looks nearest (nearestColour()) of all that can. `walks` are of light that met a dyed material first, and
+/// some of them came back to the sky.
+SolvedColour solveColour(const PathLengthTally& walks, Colouring colouring, std::span<const int> dyed,
                          const Rgb& wanted);
 
 /// How they absorb in each band, where the cloth reflects as measured.
@@ -28,9 +30,9 @@ struct SolvedReflectance {
   size_t tooLight = 0, tooDark = 0;  ///< bands in which wanted lies beyond what this cloth can reflect
 };
 
-/// The same band by band, for a reflectance as a spectrophotometer measures it: bands that cannot be reached are as
-/// near as they can be. Other materials are as they are in `colouring`.
+/// The same band by band, for a reflectance as a spectrophotometer measures it. Where a band cannot be reached, all are
+/// what looks nearest to it (nearestReflectance()) under `lamp`.
 SolvedReflectance solveReflectance(const PathLengthTally& walks, Colouring colouring, std::span<const int> dyed,
-                                   const Spectrum& wanted);
+                                   const Spectrum& wanted, const TristimulusWeights& lamp);
 
 }  // namespace loomlight

@@ -10,7 +10,6 @@
 
 #include "core/base/parallel.h"
 #include "core/fabric/model/changes.h"
-#include "core/fabric/yarn/yarn_reflectance.h"
 #include "core/geometry/cloth_geometry.h"
 #include "render/transport/path_integrator.h"
 
@@ -116,12 +115,15 @@ bool walkBlock(const Scene& scene, const Medium& medium, const KindOf& kindOf, u
 
 /// Of each kind `count` walks. nullopt when stopped.
 std::optional<std::vector<PathLengthTally>> tallyKinds(const Scene& scene, const Medium& medium, size_t kinds,
-                                                       const KindOf& kindOf, size_t count, const Task& task) {
+                                                       const KindOf& kindOf, size_t count, const Task& task,
+                                                       uint64_t stream = 0) {
   constexpr size_t kBlock = PathIntegrator::kBatch;
+  // Mixed, since seeds and streams that differ in a few low bits would give the same blocks in another order.
+  const uint64_t seed = mixBits(scene.sampling.seed + mixBits(stream));
   std::vector<std::vector<PathLengthTally>> blocks((count + kBlock - 1) / kBlock, std::vector<PathLengthTally>(kinds));
   std::atomic<size_t> done{0};
   parallelFor(blocks.size(), task.threads, [&](size_t b) {
-    if (walkBlock(scene, medium, kindOf, hashCombine(scene.sampling.seed, b), kBlock, blocks[b], task))
+    if (walkBlock(scene, medium, kindOf, hashCombine(seed, b), kBlock, blocks[b], task))
       task.report(static_cast<double>(++done) / static_cast<double>(blocks.size()));
   });
   if (task.stopped()) return std::nullopt;
@@ -190,12 +192,6 @@ Reflectance PathLengthTally::reflectance(const Colouring& colouring) const {
   return measured;
 }
 
-std::vector<Rgb> absorptionsOf(const Fabric& fabric) {
-  std::vector<Rgb> absorptions;
-  for (const Fibre& fibre : fabric.fibres) absorptions.push_back(absorptionOfPrimaries(fibre));
-  return absorptions;
-}
-
 Fabric colourPatch(Fabric fabric) {
   const double margin = 2 * kMarginThicknesses * ClothGeometry(fabric, 1, 1).halfThickness_mm();
   const glm::dvec2 window = window_mm(fabric);
@@ -214,9 +210,9 @@ bool walkedAlike(const Fabric& a, const Fabric& b) {
 }
 
 std::optional<PathLengthTally> tallyPathLengths(const Scene& scene, const Medium& medium, const ClothPart& part,
-                                                size_t count, const Task& task) {
+                                                size_t count, const Task& task, uint64_t stream) {
   auto tallies =
-      tallyKinds(scene, medium, 1, [&](const Collision& at) { return isOf(at, part) ? 0 : -1; }, count, task);
+      tallyKinds(scene, medium, 1, [&](const Collision& at) { return isOf(at, part) ? 0 : -1; }, count, task, stream);
   return tallies ? std::optional(std::move(tallies->front())) : std::nullopt;
 }
 

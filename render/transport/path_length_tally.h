@@ -10,9 +10,6 @@
 
 namespace loomlight {
 
-/// How many walks tell the colour of a cloth: a standard error of half a percent of it.
-inline constexpr size_t kDyeWalks = 8192;
-
 /// What a spectrophotometer says of a cloth.
 struct Reflectance {
   Spectrum mean{};           ///< 1 is a perfect diffuser
@@ -36,10 +33,6 @@ struct PathLengthTally {
   Reflectance reflectance(const Colouring& colouring) const;
 };
 
-/// Of every fibre three numbers, 1/mm, that stand for all that is known of it (absorptionOfPrimaries()): what
-/// PathLengthTally::colour() is asked for.
-std::vector<Rgb> absorptionsOf(const Fabric& fabric);
-
 /// The fabric on a flat patch for tallyPathLengths: its repeat, as far as that is not too large, and what light travels
 /// sideways around it.
 Fabric colourPatch(Fabric fabric);
@@ -48,9 +41,10 @@ Fabric colourPatch(Fabric fabric);
 bool walkedAlike(const Fabric& a, const Fabric& b);
 
 /// `count` walks that first meet a fibre of the part, over the middle of the scene, which is that of a colourPatch();
-/// fewer where hardly any does, none where it never lies on top. A function of the scene's seed. nullopt when stopped.
+/// fewer where hardly any does, none where it never lies on top. A function of the scene's seed; walks of different
+/// `stream` are independent. nullopt when stopped.
 std::optional<PathLengthTally> tallyPathLengths(const Scene& scene, const Medium& medium, const ClothPart& part,
-                                                size_t count, const Task& task);
+                                                size_t count, const Task& task, uint64_t stream = 0);
 /// The same for each yarn of the fabric at once; more walks of yarns that show more than others.
 std::optional<std::vector<PathLengthTally>> tallyYarns(const Scene& scene, const Medium& medium, size_t count,
                                                        const Task& task);

@@ -6,6 +6,7 @@
 
 #include "core/fabric/model/glossary.h"
 #include "ui/inspector/tolerance_rows.h"
+#include "ui/widgets/choices.h"
 #include "ui/widgets/field_row.h"
 #include "ui/widgets/keys.h"
 #include "ui/words/fibre_words.h"
@@ -124,9 +125,10 @@ std::string remark(const ClothPart& part, const ClothColourModel& model, const W
       break;
   }
   if (!wanted) return said::pick;
-  if (model.tooLight && model.tooDark) return said::notToBeHad;
-  if (model.tooLight) return said::tooLight;
-  if (model.tooDark) return said::tooDark;
+  const std::string lamp = lampWord(model.present ? model.present->lamp : StandardIlluminant::d65);
+  if (model.tooLight && model.tooDark) return fmt::format(said::notToBeHad, lamp);
+  if (model.tooLight) return fmt::format(said::tooLight, lamp);
+  if (model.tooDark) return fmt::format(said::tooDark, lamp);
   const bool reached = model.difference < kSeen;
   if (wanted->measured && reached) return fmt::format(said::asMeasured, wanted->name);
   return reached ? said::reached : said::clothChanged;

@@ -17,13 +17,13 @@ std::string verdictOf(const Judged& judged, double tolerance_cmc) {
                      judged->cmc <= tolerance_cmc ? words::booth::passes : words::booth::fails);
 }
 
-std::string helpOf(const Word& word, const Judged& judged) {
-  return judged ? word.help + fmt::format(words::booth::figures, judged->cmc, judged->ciede2000) : word.help;
+std::string helpOf(const Word& word, const Judged& judged, double error) {
+  return judged ? word.help + fmt::format(words::booth::figures, judged->cmc, judged->ciede2000, error) : word.help;
 }
 
-void verdictRow(Ui& ui, const char* id, const std::string& label, const Word& word, const Judged& judged,
+void verdictRow(Ui& ui, const char* id, const std::string& label, const Word& word, const Judged& judged, double error,
                 double tolerance_cmc) {
-  const std::string help = helpOf(word, judged);
+  const std::string help = helpOf(word, judged, error);
   readout(ui, {id, label.c_str(), help.c_str()}, verdictOf(judged, tolerance_cmc));
 }
 
@@ -39,10 +39,10 @@ void toleranceRows(Ui& ui, const ClothColourModel& model, double& tolerance_cmc)
   numberField(ui, {"fibre.tolerance", said::tolerance.label, said::tolerance.help}, style, tolerance_cmc);
   const StandardIlluminant own = model.present ? model.present->lamp : StandardIlluminant::d65;
   verdictRow(ui, "fibre.verdict", fmt::format(said::present.label, lampWord(own)), said::present, model.present,
-             tolerance_cmc);
+             model.error, tolerance_cmc);
   const std::string worst =
       model.worst ? fmt::format(said::worst.label, lampWord(model.worst->lamp)) : said::worstOfNone;
-  verdictRow(ui, "fibre.verdict_worst", worst, said::worst, model.worst, tolerance_cmc);
+  verdictRow(ui, "fibre.verdict_worst", worst, said::worst, model.worst, model.error, tolerance_cmc);
   ui.probe.fact("fibre.verdict_worst_lamp", model.worst ? lampWord(model.worst->lamp) : "");
   readout(ui, {"fibre.metamerism", said::metamerism.label, said::metamerism.help},
           model.worst ? fmt::format("{:.2f}", model.worst->metamerism) : said::unknown);

@@ -11,8 +11,8 @@ inline constexpr Word tolerance{
 inline constexpr const char* toleranceUnit = "CMC";
 
 inline constexpr Word present{"Under {}",  // the lamp of the cloth
-                              "Wanted against reached under the lamp of the cloth, by the observer of the scene: "
-                              "CMC(2:1), which passes or fails. "
+                              "Wanted against reached under the lamp of the cloth, for the observer of "
+                              "10\xC2\xB0, as dyers judge: CMC(2:1), which passes or fails. "
                               "A picked colour has no spectrum, and is judged in daylight (D65, 2\xC2\xB0)."};
 inline constexpr Word worst{
     "Worst in {}",  // one of the booth's other lamps
@@ -27,7 +27,7 @@ inline constexpr Word metamerism{"Metamerism",
 inline constexpr const char* verdict = "{:.2f}  {}";  // CMC(2:1), and what follows from it
 inline constexpr const char* passes = "pass";
 inline constexpr const char* fails = "FAIL";
-inline constexpr const char* figures = " CMC(2:1) {:.2f}, CIEDE2000 {:.2f}.";
+inline constexpr const char* figures = " CMC(2:1) {:.2f}, CIEDE2000 {:.2f}, known to \xC2\xB1 {:.2f}.";
 inline constexpr const char* unknown = "\xE2\x80\x93";
 
 }  // namespace loomlight::words::booth

@@ -52,9 +52,11 @@ inline constexpr const char* yarnIsHidden = "This yarn never lies on the face, s
 inline constexpr const char* fibreIsHidden = "This fibre never lies on the face, so it shows no colour.";
 inline constexpr const char* failed = "The colour of this cloth cannot be measured.";
 inline constexpr const char* pick = "Pick the colour that the cloth should have, or drop a measured swatch here.";
-inline constexpr const char* notToBeHad = "Not to be had of this fibre; this is the nearest.";
-inline constexpr const char* tooLight = "Lighter than this cloth can be, as light comes through; this is the nearest.";
-inline constexpr const char* tooDark = "Darker than fibres can be, as their surface reflects; this is the nearest.";
+inline constexpr const char* notToBeHad = "Not to be had of this fibre; this is the nearest under {}.";
+inline constexpr const char* tooLight =
+    "Lighter than this cloth can be, as light comes through; this is the nearest under {}.";
+inline constexpr const char* tooDark =
+    "Darker than fibres can be, as their surface reflects; this is the nearest under {}.";
 inline constexpr const char* asMeasured = "As {} was measured.";
 inline constexpr const char* reached = "Reached.";
 inline constexpr const char* clothChanged = "The cloth has changed since.";

@@ -13,19 +13,26 @@
 #include "core/base/rgb.h"
 #include "core/fabric/model/validate.h"
 #include "core/fabric/yarn/band_colour.h"
-#include "render/colour/colour_space.h"
+#include "render/colour/colour_difference.h"
 #include "render/transport/cloth_walks.h"
 #include "render/transport/colour_solver.h"
+#include "render/transport/dye_walks.h"
 
 namespace loomlight {
 namespace {
 
+/// The lamp that what cannot be had is nearest under, and that measured swatches are judged by.
+struct Lamp {
+  std::string name;
+  TristimulusWeights weights;
+};
+
 /// A wanted colour on its way.
 struct Dyeing {
-  ClothPart part;                    ///< a fibre, or the piece
-  Rgb wanted{0};                     ///< linear
-  std::optional<Spectrum> measured;  ///< wanted in bands
-  PathLengthTally walks;
+  ClothPart part;                          ///< a fibre, or the piece
+  Rgb wanted{0};                           ///< linear
+  std::optional<Spectrum> measured;        ///< wanted in bands
+  PathLengthTally walks, judging;          ///< that the dye is solved with, and others
   bool tooLight = false, tooDark = false;  ///< for this cloth
 };
 
@@ -90,8 +97,8 @@ std::vector<Dyeing> dyeingsOf(const Fabric& fabric, const std::vector<ClothColou
 bool walk(const Fabric& fabric, std::vector<Dyeing>& dyeings) {
   const Interrupt interrupt;
   Progress progress("walking light through the cloth");
-  // Of the progress, the construction and each fibre have equal parts.
-  const double parts = 1.0 + static_cast<double>(dyeings.size());
+  // Of the progress, the construction and each fibre's walks have equal parts.
+  const double parts = 1.0 + 2 * static_cast<double>(dyeings.size());
   size_t done = 0;
   Task task;
   task.stop = interrupt.token();
@@ -99,30 +106,32 @@ bool walk(const Fabric& fabric, std::vector<Dyeing>& dyeings) {
   const auto patch = makeColourPatch(fabric, task);
   if (!patch) return false;
   for (Dyeing& dyeing : dyeings) {
-    ++done;
-    auto walks = tallyPathLengths(*patch->scene, *patch->medium, dyeing.part, kDyeWalks, task);
-    if (!walks) return false;
-    dyeing.walks = std::move(*walks);
+    for (const DyeWalks use : {DyeWalks::toSolve, DyeWalks::toJudge}) {
+      ++done;
+      auto walks = walkForDyes(*patch->scene, *patch->medium, dyeing.part, task, use);
+      if (!walks) return false;
+      (use == DyeWalks::toSolve ? dyeing.walks : dyeing.judging) = std::move(*walks);
+    }
   }
   return true;
 }
 
 /// Dyes one fibre, the others as they are, or all alike. Whether that changed what is seen.
-bool dye(Fabric& fabric, Dyeing& dyeing) {
+bool dye(Fabric& fabric, Dyeing& dyeing, const Lamp& lamp) {
   constexpr float kSettled = 1e-3f;  // of a dye
   const std::vector<int> dyed = fibresOf(fabric, dyeing.part);
   Absorption absorption = fabric.fibres[static_cast<size_t>(dyed.front())].absorption_per_mm;
   bool settled = absorption.isSpectral() == dyeing.measured.has_value();
   if (dyeing.measured) {
     const SolvedReflectance solved =
-        solveReflectance(dyeing.walks, colouringInDaylight(fabric), dyed, *dyeing.measured);
+        solveReflectance(dyeing.walks, colouringInDaylight(fabric), dyed, *dyeing.measured, lamp.weights);
     const Spectrum now = solved.absorption_per_mm, before = absorption.inBands();
     for (size_t j = 0; j < kBands; ++j) settled &= std::abs(now[j] - before[j]) <= kSettled * now[j];
     dyeing.tooLight = solved.tooLight > 0;
     dyeing.tooDark = solved.tooDark > 0;
     absorption = Absorption(now);
   } else {
-    const SolvedColour solved = solveColour(dyeing.walks, absorptionsOf(fabric), dyed, dyeing.wanted);
+    const SolvedColour solved = solveColour(dyeing.walks, colouringInDaylight(fabric), dyed, dyeing.wanted);
     const Rgb now = solved.absorption_per_mm, before = absorption.primaries;
     settled &= glm::all(glm::lessThanEqual(glm::abs(now - before), kSettled * now));
     dyeing.tooLight = solved.tooLight;
@@ -134,11 +143,11 @@ bool dye(Fabric& fabric, Dyeing& dyeing) {
 }
 
 /// Light that met one fibre goes through others too: each is dyed anew until no dye changes what is seen.
-void solve(Fabric& fabric, std::vector<Dyeing>& dyeings) {
+void solve(Fabric& fabric, std::vector<Dyeing>& dyeings, const Lamp& lamp) {
   constexpr int kMostRounds = 50;
   for (int round = 0; round < kMostRounds; ++round) {
     bool changed = false;
-    for (Dyeing& dyeing : dyeings) changed |= dye(fabric, dyeing);
+    for (Dyeing& dyeing : dyeings) changed |= dye(fabric, dyeing, lamp);
     if (!changed) break;
   }
 }
@@ -148,32 +157,41 @@ std::string whyNot(const Dyeing& dyeing) {
   return dyeing.tooLight ? "lighter than this cloth can be" : "darker than fibres can be, as their surface reflects";
 }
 
-void tell(const std::string& name, const Dyeing& dyeing, const Rgb& shown) {
-  const double difference = ciede2000(labFromLinear(glm::dvec3(dyeing.wanted)), labFromLinear(glm::dvec3(shown)));
-  const std::string reached = fmt::format("{}, off by {:.1f} (CIEDE2000)", textOf(shown), difference);
+/// What the cloth shows, told by walks that its dyes were not solved with.
+void tell(const std::string& name, const Dyeing& dyeing, const Colouring& colouring, const Lamp& lamp) {
+  const Rgb shown = dyeing.judging.colour(colouring);
+  double difference = ciede2000(labFromLinear(glm::dvec3(dyeing.wanted)), labFromLinear(glm::dvec3(shown)));
+  if (dyeing.measured)
+    difference = ciede2000(labUnder(lamp.weights, *dyeing.measured),
+                           labUnder(lamp.weights, dyeing.judging.reflectance(colouring).mean));
+  const std::string by = dyeing.measured ? fmt::format("CIEDE2000 under {}, 10 degrees", lamp.name) : "CIEDE2000";
+  const std::string reached = fmt::format("{}, off by {:.1f} ({})", textOf(shown), difference, by);
   const std::string wanted = textOf(dyeing.wanted);
   if (dyeing.tooLight || dyeing.tooDark)
-    fmt::print("{}: {} cannot be had, it is {}: the nearest is {}\n", name, wanted, whyNot(dyeing), reached);
+    fmt::print("{}: {} cannot be had, it is {}: the nearest under {} is {}\n", name, wanted, whyNot(dyeing),
+               dyeing.measured ? lamp.name : "D65", reached);
   else
     fmt::print("{}: {} is wanted, the cloth shows {}\n", name, wanted, reached);
 }
 
 }  // namespace
 
-std::optional<Fabric> dyed(Fabric fabric, const std::vector<ClothColour>& wanted, const std::string& source) {
+std::optional<Fabric> dyed(Fabric fabric, const std::vector<ClothColour>& wanted, const std::string& illuminant,
+                           const std::string& source) {
   validate(fabric, source);
+  const Lamp lamp{illuminant, tristimulusWeights(illuminantCalled(illuminant), Observer::degrees10)};
   std::vector<Dyeing> dyeings = dyeingsOf(fabric, wanted, source);
   if (!walk(fabric, dyeings)) return std::nullopt;
   for (const Dyeing& dyeing : dyeings)
-    if (dyeing.walks.lit() == 0)
+    if (dyeing.walks.lit() == 0 || dyeing.judging.lit() == 0)
       throw InputError(
           fmt::format("{}: --cloth-colour: expected a fibre that lies on the face, where it shows its colour, got {}",
                       source, nameOf(dyeing.part, fabric.fibres)));
-  solve(fabric, dyeings);
+  solve(fabric, dyeings, lamp);
   const Colouring colouring = colouringInDaylight(fabric);
   for (const Dyeing& dyeing : dyeings)
     tell(dyeing.part == wholePiece() ? "the piece" : fabric.fibres[static_cast<size_t>(dyeing.part.index)].name, dyeing,
-         dyeing.walks.colour(colouring));
+         colouring, lamp);
   return fabric;
 }
 

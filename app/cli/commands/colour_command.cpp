@@ -11,7 +11,7 @@
 #include "app/cli/progress.h"
 #include "app/cli/swatches.h"
 #include "render/colour/colour_difference.h"
-#include "render/transport/cloth_walks.h"
+#include "render/transport/dye_walks.h"
 
 // How it works. Light is walked through the cloth once, and its reflectance in every band is read off the lengths that
 // it has gone inside the fibres. All else is arithmetic on reflectances: CIELAB under each lamp, the differences
@@ -19,8 +19,6 @@
 
 namespace loomlight {
 namespace {
-
-constexpr size_t kWalks = 2 * kDyeWalks;
 
 /// A cloth or a swatch, as it reflects.
 struct Sample {
@@ -50,7 +48,7 @@ std::optional<Sample> sampleFrom(const std::string& file, const FabricOptions& o
   Progress progress("walking light through the cloth");
   Task task = interrupt.task(command.threads);
   task.progress = [&progress](double fraction) { progress.update(fraction); };
-  const auto walks = walkThrough(fabric, wholePiece(), kWalks, task);
+  const auto walks = walkForDyes(fabric, wholePiece(), task);
   if (!walks) return std::nullopt;
   return Sample{fabric.name, walks->reflectance(colouringInDaylight(fabric))};
 }

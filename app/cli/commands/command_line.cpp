@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -141,6 +142,10 @@ void addConvert(CLI::App& app, ConvertCommand& command) {
       [&command](const auto& option, const auto& text) {
         command.clothColours.push_back(parseClothColour(option, text));
       });
+  app.add_option("--illuminant", command.illuminant,
+                 "the lamp under which the cloth comes as near as it can to a measured swatch that it cannot reflect "
+                 "like: as of colour; D65 where not given")
+      ->type_name("NAME");
   addWifChoices(app, command.wif);
 }
 
@@ -152,6 +157,9 @@ void checkConvert(const ConvertCommand& command) {
     if (!structure.warpColours.empty())
       throw UsageError(fmt::format("--weave-colour: expected a structure of one colour, got {}", structure.name));
   if (command.repeat && command.colours.empty()) throw UsageError("--repeat: expected --weave-colour as well");
+  const auto isMeasured = [](const ClothColour& wish) { return !wish.swatch.empty(); };
+  if (command.illuminant && std::none_of(command.clothColours.begin(), command.clothColours.end(), isMeasured))
+    throw UsageError("--illuminant: expected --cloth-colour with a measured swatch as well");
   if (!command.clothColours.empty() && !command.drawsDraft && lowerExtension(command.output) == ".png")
     throw UsageError("--cloth-colour: expected an OUT with colours, got a weave bitmap, which has none");
 }

@@ -51,7 +51,7 @@ int run(const ConvertCommand& command) {
   if (command.structure) fabric = withStructure(fabric, {}, *command.structure, {}).fabric;
   if (!command.clothColours.empty()) {
     expectWritable(command.output);
-    auto inColour = dyed(std::move(fabric), command.clothColours, command.input);
+    auto inColour = dyed(std::move(fabric), command.clothColours, command.illuminant.value_or("D65"), command.input);
     if (!inColour) return Interrupt::kExitStatus;
     fabric = std::move(*inColour);
   }

@@ -22,6 +22,7 @@ struct ConvertCommand {
   std::vector<MadeStructure> colours;
   std::optional<PictureSize> repeat;      ///< ends and picks of the picture; its pixels where not given
   std::vector<ClothColour> clothColours;  ///< what the cloth is to look like, of some of its fibres
+  std::optional<std::string> illuminant;  ///< under which a measured one that cannot be had is nearest; D65
   WifChoices wif;
 };
 

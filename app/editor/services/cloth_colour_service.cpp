@@ -18,10 +18,12 @@ void judge(ClothColourModel& model, const std::vector<LampJudgement>& judgements
   for (size_t i = 0; i < judgements.size(); ++i) {
     const Judgement& of = judgements[i].of;
     const Judged judged{judgements[i].lamp, of.cmc, of.ciede2000, of.metamerism};
-    if (i == 0)
+    if (i == 0) {
       model.present = judged;
-    else if (!model.worst || judged.cmc > model.worst->cmc)
+      model.difference = judged.ciede2000;
+    } else if (!model.worst || judged.cmc > model.worst->cmc) {
       model.worst = judged;
+    }
   }
 }
 
@@ -36,6 +38,7 @@ ClothColourModel ClothColourService::model(const ClothPart& part, const ClothCol
   if (!answer || answer == forgotten_ || answer->wish.part != part) return model;
   model.state = answer->seen ? State::known : State::hidden;
   model.colour = answer->colour;
+  model.error = answer->error;
   const auto wanted = view.wanted.find(part);
   if (wanted == view.wanted.end()) return model;
   model.difference =

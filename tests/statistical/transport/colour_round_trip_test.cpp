@@ -11,6 +11,7 @@
 #include "render/colour/illuminants.h"
 #include "render/colour/tristimulus.h"
 #include "render/transport/colour_solver.h"
+#include "render/transport/dye_walks.h"
 #include "render/transport/path_records.h"
 #include "tests/statistical/transport/rendered_colour.h"
 
@@ -50,9 +51,9 @@ Spectrum flatSpectrum(double value) {
   return bands;
 }
 
-PathLengthTally walksOf(const Fabric& fabric, size_t count) {
+PathLengthTally walksOf(const Fabric& fabric) {
   const PatchOfCloth patch(fabric);
-  auto walks = tallyPathLengths(*patch.scene, *patch.medium, partOfFibre(0), count, Task{});
+  auto walks = walkForDyes(*patch.scene, *patch.medium, partOfFibre(0), Task{});
   EXPECT_TRUE(walks.has_value());
   return walks.value_or(PathLengthTally{});
 }
@@ -84,7 +85,7 @@ class Picture {
 
  private:
   static constexpr int kSide = 128;
-  static constexpr uint32_t kSamples = 12;
+  static constexpr uint32_t kSamples = 48;
   static constexpr PixelRect kMiddle{kSide / 4, kSide / 4, kSide / 2, kSide / 2};
   Film film_{kSide, kSide};
   PathRecords records_{kSide, kSide, 1, size_t{256} << 20};
@@ -106,19 +107,24 @@ std::vector<Spectrum> swatchesBelow(const Spectrum& undyed) {
   return swatches;
 }
 
+TristimulusWeights inDaylight() {
+  return tristimulusWeights(illuminantNamed("D65"), Observer::degrees10);
+}
+
 class ColourRoundTrip : public testing::TestWithParam<Construction> {};
 
-/// The picture is of other paths than the solution: both have their noise. The tally's is .35 % of the light, some .1
-/// of lightness; the picture's is of that size.
+/// The picture is of other paths than the solution: both have their noise. The tally's standard error is kDyeError at
+/// the worst of colours; of the picture's samples, as many as its paths or more, it is no larger. So 0.5 is at
+/// least 2.3 of their standard errors together, of the darkest colours; of most it is far more.
 TEST_P(ColourRoundTrip, AMeasuredSwatchIsWhatThePictureShows) {
   const Fabric fabric = undyed(GetParam());
-  const PathLengthTally walks = walksOf(fabric, 2 * kDyeWalks);
+  const PathLengthTally walks = walksOf(fabric);
   const Picture picture(fabric);
   const Colouring white = colouringInDaylight(fabric);
   const LinearWeights daylight = linearWeights(illuminantNamed("D65"), Observer::degrees2);
   for (const Spectrum& swatch : swatchesBelow(walks.reflectance(white).mean)) {
     constexpr std::array<int, 1> kFirst = {0};
-    const SolvedReflectance solved = solveReflectance(walks, white, kFirst, swatch);
+    const SolvedReflectance solved = solveReflectance(walks, white, kFirst, swatch, inDaylight());
     EXPECT_EQ(solved.tooLight, 0u);
     if (solved.tooDark > 0) continue;  // darker than what the surfaces of these fibres mirror
     Colouring dyed = white;
@@ -137,7 +143,7 @@ INSTANTIATE_TEST_SUITE_P(Constructions, ColourRoundTrip, testing::ValuesIn(const
 /// here.
 TEST(ColourOfDyedCloth, KubelkaMunkIsInProportionToTheDye) {
   const Fabric fabric = undyed(constructions()[1]);
-  const PathLengthTally walks = walksOf(fabric, kDyeWalks);
+  const PathLengthTally walks = walksOf(fabric);
   const auto strength = [&](double absorption_per_mm) {
     Colouring dyed = colouringInDaylight(fabric);
     dyed.setBands(0, flatSpectrum(absorption_per_mm));

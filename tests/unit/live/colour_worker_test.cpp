@@ -6,6 +6,7 @@
 
 #include "core/fabric/model/booth_lamps.h"
 #include "render/scene/colouring.h"
+#include "render/transport/dye_walks.h"
 #include "tests/support/narrow_dye.h"
 #include "tests/support/test_cloth.h"
 #include "tests/unit/live/worker_window.h"
@@ -17,7 +18,7 @@ Fabric smallCloth() {
   Fabric fabric = test::whiteCotton();
   fabric.render.resolution = 2;
   fabric.fibres[0].absorption_per_mm = Absorption(test::narrowDye(40));
-  fabric.render.observer = Observer::degrees10;
+  fabric.render.observer = Observer::degrees2;  // the picture's: it has no say where dyers judge
   return fabric;
 }
 
@@ -71,6 +72,34 @@ TEST_F(ColourJudged, UnderTheClothsLampFirstAndThenUnderTheOthersOfTheBooth) {
       }
     }
   }
+}
+
+// White is out of reach: it is come near to under the cloth's lamp, and another lamp has another nearest.
+TEST_F(ColourJudged, WhatCannotBeHadIsNearestUnderTheClothsLamp) {
+  Spectrum pink;
+  for (size_t j = 0; j < kBands; ++j) pink[j] = j > 22 ? 1.0f : 0.75f;
+  std::vector<SolvedReflectance> solved;
+  for (const StandardIlluminant lamp : {StandardIlluminant::d65, StandardIlluminant::f11}) {
+    Fabric fabric = smallCloth();
+    fabric.light.illuminant = lamp;
+    judgementsOf(fabric, pink);
+    ASSERT_TRUE(worker.newest()->matched);
+    solved.push_back(*worker.newest()->matched);
+    EXPECT_GT(solved.back().tooLight, 0u);
+  }
+  const auto off = [&](const char* lamp, const SolvedReflectance& of) {
+    const TristimulusWeights weights = tristimulusWeights(illuminantNamed(lamp), Observer::degrees10);
+    return ciede2000(labUnder(weights, pink), labUnder(weights, of.reached));
+  };
+  EXPECT_NE(solved[0].reached, solved[1].reached);
+  EXPECT_LE(off("D65", solved[0]), off("D65", solved[1]) + 0.1) << "but for what smoothness is worth";
+  EXPECT_LE(off("F11", solved[1]), off("F11", solved[0]) + 0.1);
+}
+
+TEST_F(ColourJudged, SaysHowWellTheColourIsKnown) {
+  judgementsOf(smallCloth(), grey());
+  EXPECT_GT(worker.newest()->error, 0);
+  EXPECT_LT(worker.newest()->error, 1.1 * kDyeError);
 }
 
 // Once it is dyed as measured there is nothing left to judge.

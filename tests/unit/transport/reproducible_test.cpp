@@ -113,7 +113,9 @@ TEST(Seeds, ThatAreCountedUpShareNoWalks) {
   const auto lengthsOf = [](uint64_t seed) {
     Fabric fabric = dyedCotton();
     fabric.render.seed = seed;
-    std::vector<float> lengths_mm = walkThrough(fabric, wholePiece(), 2 * PathIntegrator::kBatch, {})->lengths_mm;
+    const auto patch = makeColourPatch(fabric, {});
+    std::vector<float> lengths_mm =
+        tallyPathLengths(*patch->scene, *patch->medium, wholePiece(), 2 * PathIntegrator::kBatch, {})->lengths_mm;
     std::sort(lengths_mm.begin(), lengths_mm.end());
     return lengths_mm;
   };

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "render/transport/path_length_tally.h"
+
+namespace loomlight {
+
+/// Light is walked through a cloth until its colour is known this well: colourError().
+inline constexpr double kDyeError = 0.15;
+/// So many walks at first, which tell how many it takes; and at the most.
+inline constexpr size_t kFirstDyeWalks = 8192, kMostDyeWalks = 32 * kFirstDyeWalks;
+
+/// How well walks tell a colour: its standard error, as the root of the mean square of CIEDE2000, at the worst of greys
+/// and colours whose darkest channel has from all to a sixteenth of the undyed cloth's light, or as little as surfaces
+/// mirror. Dark and deep ones are known least, as few walks show them.
+double colourError(const PathLengthTally& walks);
+
+/// Walks that judge are not those that a dye was solved with: those fit it better than the cloth does.
+enum class DyeWalks { toSolve, toJudge };
+
+/// As many walks as tell the colour of a part of the cloth to kDyeError, whatever its dyes; fewer where kMostDyeWalks
+/// do not, and where the part is hardly ever met first. nullopt when stopped.
+std::optional<PathLengthTally> walkForDyes(const Scene& scene, const Medium& medium, const ClothPart& part,
+                                           const Task& task, DyeWalks use = DyeWalks::toSolve);
+/// The same through a patch of the fabric that is made for it. Throws InputError for files that cannot be used.
+std::optional<PathLengthTally> walkForDyes(const Fabric& fabric, const ClothPart& part, const Task& task,
+                                           DyeWalks use = DyeWalks::toSolve);
+
+}  // namespace loomlight

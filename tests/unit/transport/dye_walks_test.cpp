@@ -1,0 +1,64 @@
+#include "render/transport/dye_walks.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/base/random.h"
+#include "render/colour/colour_space.h"
+
+namespace loomlight {
+namespace {
+
+/// A third of the walks is lost, one in fifty never goes inside.
+PathLengthTally someWalks(uint64_t seed, size_t count) {
+  PathLengthTally walks;
+  walks.materials = 1;
+  walks.count = count;
+  Random random(seed);
+  for (size_t i = 0; i < count; ++i) {
+    const float fate = random.uniform(), length_mm = -0.05f * std::log(1 - random.uniform());
+    if (fate < 0.02f)
+      walks.lengths_mm.push_back(0);
+    else if (fate < 0.67f)
+      walks.lengths_mm.push_back(length_mm);
+  }
+  return walks;
+}
+
+Lab labOf(const PathLengthTally& walks, const Rgb& absorption_per_mm) {
+  return labFromLinear(glm::dvec3(walks.colour({absorption_per_mm})));
+}
+
+/// By so much tallies of other walks really are off, in any of these dyes; and in the worst of them by hardly less.
+TEST(DyeWalks, TheErrorIsThatOfManyTallies) {
+  constexpr size_t kCount = 4096;
+  constexpr int kTallies = 200;
+  const double error = colourError(someWalks(1, kCount));
+  const PathLengthTally truth = someWalks(2, 400 * kCount);
+  double worst = 0;
+  for (const Rgb& dye : {Rgb(0.0f), Rgb(16.0f), Rgb(128.0f), Rgb(0.0f, 128.0f, 128.0f), Rgb(128.0f, 0.0f, 128.0f),
+                         Rgb(128.0f, 128.0f, 16.0f), Rgb(16.0f, 16.0f, 128.0f)}) {
+    const Lab expected = labOf(truth, dye);
+    double squares = 0;
+    for (int i = 0; i < kTallies; ++i) {
+      const double off = ciede2000(expected, labOf(someWalks(mixBits(static_cast<uint64_t>(i + 10)), kCount), dye));
+      squares += off * off;
+    }
+    worst = std::max(worst, std::sqrt(squares / kTallies));
+  }
+  // 200 tallies know a root of the mean square to a twentieth; three of that, and as much for the one tally's guess.
+  EXPECT_LT(worst, 1.3 * error);
+  EXPECT_GT(worst, 0.6 * error) << "none of these dyes need be the worst";
+}
+
+TEST(DyeWalks, FourTimesTheWalksHalveTheError) {
+  EXPECT_NEAR(colourError(someWalks(3, 40000)) / colourError(someWalks(3, 10000)), 0.5, 0.05);
+}
+
+TEST(DyeWalks, NothingIsKnownToErrWhereNothingIsSeen) {
+  EXPECT_EQ(colourError(PathLengthTally{}), 0);
+}
+
+}  // namespace
+}  // namespace loomlight
