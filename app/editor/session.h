@@ -46,8 +46,9 @@ class Session {
   double workSeconds() const { return work_s_; }
   void run(Command command);
   void run(DraftCommand command);
-  /// Opens a fabric, or uses a mesh, an environment, a lamp or a measured swatch, by what the file is.
-  void openFile(const std::string& file);
+  /// Opens a fabric, or uses a mesh, an environment, a lamp or a measured swatch, by what the file is. `yarn`: that it
+  /// was dropped on.
+  void openFile(const std::string& file, const std::optional<int>& yarn = {});
   /// Opens files that were dropped on the window, one after the other. Each waits until no dialog is open, so that no
   /// answer is taken for a question that was not asked.
   void drop(const std::vector<std::string>& files) { files_.drop(files); }
@@ -72,8 +73,10 @@ class Session {
   std::string title() const;
 
  private:
-  void openColours(const std::string& file);
+  void openColours(const std::string& file, const std::optional<int>& yarn);
   void openLamp(const std::string& file);
+  /// Of the cloth in the viewport.
+  std::optional<int> yarnUnderPointer();
   using Question = QuestionController::Question;
 
   struct Help {

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -111,14 +112,23 @@ void Session::openPending() {
                      fmt::format(words::messages::takeItUp, aboutLeftWork(*left)),
                      {words::messages::later, words::messages::throwAway, words::messages::takeUp}, 2, left->string());
   }
+  files_.placeDropped(yarnUnderPointer());
   while (!dialogIsOpen()) {
-    const auto file = files_.takeDropped();
-    if (!file) return;
-    openFile(*file);
+    const auto dropped = files_.takeDropped();
+    if (!dropped) return;
+    openFile(dropped->file, dropped->yarn);
   }
 }
 
-void Session::openFile(const std::string& file) {
+/// The picture may be of an older fabric that had more yarns.
+std::optional<int> Session::yarnUnderPointer() {
+  const auto& pointer = viewport_.view().pointer;
+  const auto hit = pointer ? viewport_.service().hitAt(*pointer) : std::nullopt;
+  if (!hit) return std::nullopt;
+  return std::min(hit->yarn, static_cast<int>(document_.fabric()->yarns.size()) - 1);
+}
+
+void Session::openFile(const std::string& file, const std::optional<int>& yarn) {
   const std::string extension = lowerExtension(file);
   if (extension == ".obj" || extension == ".ply" || extension == ".off") {
     document_.change([&](Fabric& fabric) {
@@ -132,7 +142,7 @@ void Session::openFile(const std::string& file) {
       fabric.light.file = file;
     });
   } else if (isSwatchFile(file) || isPaletteFile(file)) {
-    openColours(file);
+    openColours(file, yarn);
   } else if (extension == ".icc" || extension == ".icm") {
     profiles_.open(file);
     lookNextIn(file);
@@ -148,14 +158,14 @@ void Session::openFile(const std::string& file) {
   }
 }
 
-/// One measured swatch dyes the fibre that is looked at, so that the cloth reflects as was measured; several, and the
-/// colours of a palette, are there to choose from.
-void Session::openColours(const std::string& file) {
+/// One measured swatch dyes the yarn that it was dropped on, or what is looked at, so that the cloth reflects as was
+/// measured; several, and the colours of a palette, are there to choose from.
+void Session::openColours(const std::string& file, const std::optional<int>& yarn) {
   settings_.dock.panelsShown = true;  // where it is told what came of it
   try {
     const ColourFile colours = readColourFile(file);
     if (colours.swatch)
-      inspector_.dyeLike(*document_.fabric(), *colours.swatch);
+      inspector_.dyeLike(*document_.fabric(), *colours.swatch, yarn);
     else
       inspector_.open(colours.palette, absolute(file).string());
     if (!colours.remarks.empty())

@@ -68,6 +68,11 @@ std::optional<ClothSheetContent> tracedContent(const Fabric& fabric, const Cloth
   const double small = kSheetColourway_mm * kCoarse, large = kSheetCloth_mm * kFine;
   PieceTracer tracer(options, task, large * large + static_cast<double>(count) * small * small);
   ClothSheetContent content;
+  Task quiet = task;
+  quiet.progress = nullptr;                                          // what is no picture takes a moment
+  auto matches = standardMatches(fabric, options.standards, quiet);  // first, as a wrong part is soon told
+  if (!matches) return std::nullopt;
+  content.matches = std::move(*matches);
   const auto whole = tracer.traced(fabric, kSheetCloth_mm, kFine);
   if (!whole) return std::nullopt;
   content.cloth = toPixels(whole->film, plainTone());
@@ -77,8 +82,6 @@ std::optional<ClothSheetContent> tracedContent(const Fabric& fabric, const Cloth
     if (!picture) return std::nullopt;
     content.colourways.push_back(toPixels(picture->film, plainTone()));
   }
-  Task quiet = task;
-  quiet.progress = nullptr;  // it takes a moment
   auto faces = faceColours(fabric, quiet);
   if (!faces) return std::nullopt;
   content.faces = std::move(*faces);

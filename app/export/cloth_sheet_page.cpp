@@ -76,6 +76,7 @@ class SheetWriter {
     y_ = belowFigures + kBetween_mm;
     yarns();
     colours();
+    standards();
     notes();
     colourways();
   }
@@ -307,6 +308,39 @@ class SheetWriter {
       paper_.text(columns[2], y_, text(face.daylight), kBody, columns[3] - columns[2] - 2);
       paper_.text(columns[3], y_, text(face.bulb), kBody, columns[4] - columns[3] - 2);
       paper_.text(columns[4], y_, fmt::format("{:.1f}", face.inconstancy), kBody, kEnd_mm - columns[4]);
+      y_ += kLine_mm;
+    }
+    y_ += kBetween_mm;
+  }
+
+  /// As a dyer reports it.
+  void standards() {
+    if (content_.matches.empty()) return;
+    const double columns[] = {kSheetMargin_mm,      kSheetMargin_mm + 14,  kSheetMargin_mm + 50,
+                              kSheetMargin_mm + 84, kSheetMargin_mm + 127, kSheetMargin_mm + 168};
+    expectRoom(3.3 * kLine_mm);
+    y_ = heading(kSheetMargin_mm, y_,
+                 fmt::format("Beside its standard, tolerance {:g} CMC(2:1)", options_.tolerance_cmc));
+    const char* const heads[] = {
+        "", "Where it lies on top", "Standard", "D65: CIEDE2000, CMC(2:1)", "A: the same", "metamerism"};
+    for (size_t i = 0; i < std::size(heads); ++i) paper_.text(columns[i], y_, heads[i], kQuiet);
+    paper_.line(kSheetMargin_mm, y_ + 1.2, kEnd_mm, y_ + 1.2, 0.15);
+    y_ += kLine_mm + 0.6;
+    const auto verdict = [&](const Judgement& judgement) {
+      return fmt::format("{:.2f},  {:.2f}  {}", judgement.ciede2000, judgement.cmc,
+                         judgement.passes(options_.tolerance_cmc) ? "pass" : "FAIL");
+    };
+    for (const StandardMatch& match : content_.matches) {
+      expectRoom(kLine_mm);
+      const Rgb chips[] = {match.wanted, match.shown};
+      for (size_t i = 0; i < std::size(chips); ++i)
+        paper_.fill(columns[0] + 2 + 5 * static_cast<double>(i), y_ - 2.4, 5, 2.8,
+                    srgbFromLinear(glm::clamp(chips[i], Rgb(0.0f), Rgb(1.0f))));
+      const std::string cells[] = {match.of, match.standard, verdict(match.daylight), verdict(match.bulb),
+                                   fmt::format("{:.2f}", match.bulb.metamerism)};
+      for (size_t k = 0; k < std::size(cells); ++k)
+        paper_.text(columns[k + 1], y_, cells[k], kBody,
+                    (k + 2 < std::size(columns) ? columns[k + 2] : kEnd_mm) - columns[k + 1] - 2);
       y_ += kLine_mm;
     }
     y_ += kBetween_mm;

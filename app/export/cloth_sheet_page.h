@@ -23,6 +23,7 @@ struct ClothSheetContent {
   std::vector<Pixels8> colourways;  ///< of the first ones
   ClothMeasures measures;
   std::vector<FaceColour> faces;
+  std::vector<StandardMatch> matches;
   std::vector<Rgb> yarnColours;     ///< that the cloth reaches, linear
   std::vector<Rgb> coloursOfNames;  ///< by which the yarns are called (coloursForNames())
 };

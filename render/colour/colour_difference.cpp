@@ -33,6 +33,13 @@ double cmcDifference(const Lab& standard, const Lab& sample, double l, double c)
   return std::hypot(dL / (l * sL), dC / (c * sC), std::sqrt(dH2) / sH);
 }
 
+LchDifference lchDifference(const Lab& standard, const Lab& sample) {
+  const double one = std::hypot(standard.a, standard.b), other = std::hypot(sample.a, sample.b);
+  const double turn =
+      std::atan2(standard.a * sample.b - standard.b * sample.a, standard.a * sample.a + standard.b * sample.b);
+  return {sample.L - standard.L, other - one, 2 * std::sqrt(one * other) * std::sin(turn / 2)};
+}
+
 Judgement judged(const Spectrum& standard, const Spectrum& sample, const TristimulusWeights& lamp,
                  const TristimulusWeights& reference) {
   Judgement judgement{labUnder(lamp, standard), labUnder(lamp, sample)};

@@ -18,6 +18,13 @@ glm::dvec3 linearUnder(const TristimulusWeights& weights, const Lab& lab);
 /// the ellipsoid is. The textile trade takes l = 2 and c = 1 to pass or fail.
 double cmcDifference(const Lab& standard, const Lab& sample, double l = 2, double c = 1);
 
+/// How a sample is off, in the words of a dyer: lighter (+) or darker, fuller (+) or duller, and by its hue, + where
+/// that goes from red to yellow, green and blue. The squares of the three add up to that of the distance in CIELAB.
+struct LchDifference {
+  double L = 0, C = 0, H = 0;
+};
+LchDifference lchDifference(const Lab& standard, const Lab& sample);
+
 /// What dyers say of a sample beside a standard under one lamp.
 struct Judgement {
   Lab standard, sample;

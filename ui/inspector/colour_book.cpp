@@ -89,7 +89,10 @@ const BookColour* colourBookRows(Ui& ui, const ColourBook& book, std::string& se
         if (i > row * columns) ImGui::SameLine();
         const BookColour& colour = *found[static_cast<size_t>(i)];
         const std::string id = fmt::format("book.{}", i);
-        if (swatch(ui, id.c_str(), toDisplayColour(colour.linear), chip, false, colour.name.c_str())) chosen = &colour;
+        const WhiteLab& lab = colour.lab;
+        const std::string said = fmt::format(words::bookRows::colour, colour.name, lab.L, lab.a, lab.b, lab.illuminant,
+                                             lab.observer_degrees);
+        if (swatch(ui, id.c_str(), toDisplayColour(colour.linear), chip, false, said.c_str())) chosen = &colour;
       }
   ImGui::EndChild();
   ImGui::PopStyleVar();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/spectrum.h"
+#include "core/fabric/palette/palette.h"
 #include "ui/widgets/fields.h"
 
 namespace loomlight {
@@ -14,6 +15,7 @@ struct BookColour {
   std::string name;                  ///< as it is bought; not empty
   Rgb linear{0};                     ///< in daylight
   std::optional<Spectrum> measured;  ///< its reflectance in bands, 1 is a perfect diffuser
+  WhiteLab lab;                      ///< in daylight, D65; for 10 degrees where that is known
 };
 
 /// Colours to choose from, of a file of the designer's own.

@@ -51,7 +51,7 @@ inline constexpr const char* measuring = "Measuring what light does in this clot
 inline constexpr const char* yarnIsHidden = "This yarn never lies on the face, so it shows no colour.";
 inline constexpr const char* fibreIsHidden = "This fibre never lies on the face, so it shows no colour.";
 inline constexpr const char* failed = "The colour of this cloth cannot be measured.";
-inline constexpr const char* pick = "Pick the colour that the cloth should have, or drop a measured swatch here.";
+inline constexpr const char* pick = "Pick the colour that the cloth should have, or drop a measured swatch on a yarn.";
 inline constexpr const char* notToBeHad = "Not to be had of this fibre; this is the nearest under {}.";
 inline constexpr const char* tooLight =
     "Lighter than this cloth can be, as light comes through; this is the nearest under {}.";
@@ -69,6 +69,8 @@ namespace bookRows {
 inline constexpr const char* none = "None";
 inline constexpr const char* forget = "Forget {}";
 inline constexpr const char* dropHere = "Drop a palette here";
+// Of a chip: its name, CIELAB, and the lamp and observer of that.
+inline constexpr const char* colour = "{}\nL* {:.1f}  a* {:.1f}  b* {:.1f}  ({}, {}\xC2\xB0)";
 inline constexpr const char* nothingFound = "No colour of {} has this in its name.";
 
 }  // namespace bookRows

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "app/cli/interrupt.h"
+#include "app/cli/part_names.h"
 #include "app/cli/progress.h"
 #include "app/cli/swatches.h"
 #include "core/base/error.h"
@@ -48,41 +48,14 @@ std::string textOf(const Rgb& linear) {
   return fmt::format("#{:02x}{:02x}{:02x}", std::lround(shown.r), std::lround(shown.g), std::lround(shown.b));
 }
 
-/// A fibre's number and name, or that it is the piece.
-std::string nameOf(const ClothPart& part, const std::vector<Fibre>& fibres) {
-  if (part == wholePiece()) return "the piece";
-  return fmt::format("{} '{}'", part.index + 1, fibres[static_cast<size_t>(part.index)].name);
-}
-
-/// Names come first: a fibre may be called "2", or "piece".
-ClothPart partNamed(const std::string& name, const std::vector<Fibre>& fibres, const std::string& source) {
-  const auto isNamed = [&name](const Fibre& fibre) { return fibre.name == name; };
-  const auto found = std::find_if(fibres.begin(), fibres.end(), isNamed);
-  if (found != fibres.end()) {
-    if (std::count_if(found, fibres.end(), isNamed) == 1) return partOfFibre(static_cast<int>(found - fibres.begin()));
-    throw InputError(
-        fmt::format("{}: --cloth-colour: expected the number of the fibre, as several are named '{}'", source, name));
-  }
-  if (name == "piece") return wholePiece();
-  int number = 0;
-  const char* const end = name.data() + name.size();
-  const auto [stopped, error] = std::from_chars(name.data(), end, number);
-  if (error == std::errc{} && stopped == end && number >= 1 && number <= static_cast<int>(fibres.size()))
-    return partOfFibre(number - 1);
-  std::string names;
-  for (int i = 0; i < static_cast<int>(fibres.size()); ++i) names += nameOf(partOfFibre(i), fibres) + ", ";
-  throw InputError(fmt::format(
-      "{}: --cloth-colour: expected one of the fabric's fibres, {}or 'piece' for all; got '{}'", source, names, name));
-}
-
 std::vector<Dyeing> dyeingsOf(const Fabric& fabric, const std::vector<ClothColour>& wanted, const std::string& source) {
   std::vector<Dyeing> dyeings;
   for (const ClothColour& wish : wanted) {
-    const ClothPart part = partNamed(wish.fibre, fabric.fibres, source);
+    const ClothPart part = partNamed(wish.fibre, fabric, NamedParts::fibres, fmt::format("{}: --cloth-colour", source));
     for (const Dyeing& other : dyeings)
       if (other.part == part || other.part == wholePiece() || part == wholePiece())
         throw InputError(fmt::format("{}: --cloth-colour: expected one colour for each fibre, got two for {}", source,
-                                     nameOf(std::max(part, other.part), fabric.fibres)));
+                                     partText(std::max(part, other.part), fabric)));
     Dyeing& dyeing = dyeings.emplace_back();
     dyeing.part = part;
     dyeing.wanted = linearColour(wish.colour);
@@ -186,7 +159,7 @@ std::optional<Fabric> dyed(Fabric fabric, const std::vector<ClothColour>& wanted
     if (dyeing.walks.lit() == 0 || dyeing.judging.lit() == 0)
       throw InputError(
           fmt::format("{}: --cloth-colour: expected a fibre that lies on the face, where it shows its colour, got {}",
-                      source, nameOf(dyeing.part, fabric.fibres)));
+                      source, partText(dyeing.part, fabric)));
   solve(fabric, dyeings, lamp);
   const Colouring colouring = colouringInDaylight(fabric);
   for (const Dyeing& dyeing : dyeings)

@@ -137,8 +137,8 @@ void addConvert(CLI::App& app, ConvertCommand& command) {
   addValues(
       app, "--cloth-colour", "FIBRE=#RRGGBB|Lab|FILE",
       "dye a fibre, by its name or its number from 1, so that the cloth has this colour (#RRGGBB, or Lab "
-      "L a b in daylight) where it lies on top, or reflects like a measured swatch (CGATS .txt, .cxf, .qtx, .csv); "
-      "once for each fibre, or piece=... for all alike",
+      "L a b in daylight) where it lies on top, or reflects like a measured swatch (CGATS .txt, .cxf, .qtx, .csv; "
+      "FILE:NAME for one of several); once for each fibre, or piece=... for all alike",
       [&command](const auto& option, const auto& text) {
         command.clothColours.push_back(parseClothColour(option, text));
       });
@@ -210,8 +210,22 @@ void addSheet(CLI::App& app, SheetCommand& command) {
            [&command](const auto& option, const auto& text) {
              command.options.samplesPerPixel = static_cast<int>(parseWhole(option, text, 1, 65536));
            });
+  addValues(
+      app, "--standard", "[PART=]FILE",
+      "judge the cloth beside a measured swatch (CGATS .txt, .cxf, .qtx, .csv; FILE:NAME for one of several), or a "
+      "yarn or fibre of that name where it lies on top; once for each",
+      [&command](const auto&, const auto& text) { command.standards.push_back(text); });
+  addValue(app, "--tolerance", "N", "the largest CMC(2:1) that passes; 1 where not given",
+           [&command](const auto& option, const auto& text) {
+             command.options.tolerance_cmc = parseNumber(option, text, 0, 100);
+           });
   addThreads(app, command.threads);
   addMemoryLimit(app, command.options.memoryLimit_bytes);
+}
+
+void checkSheet(const SheetCommand& command) {
+  if (command.colourways && !command.standards.empty())
+    throw UsageError("--standard: expected no --colourways, whose page judges none of them");
 }
 
 void addThumbnail(CLI::App& app, ThumbnailCommand& command) {
@@ -328,7 +342,8 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   commands.add(app, "tile", "a seamless tile for other programs: color, normal, height, opacity", addTile);
   commands.add(app, "handover", "both sides for CLO, Browzwear, Blender and others: U3M, glTF, MaterialX, maps",
                addHandover);
-  commands.add(app, "sheet", "a page for the mill: cloth at 1 : 1, draft, colour orders, yarns, sett, mass", addSheet);
+  commands.add(app, "sheet", "a page for the mill: cloth at 1 : 1, draft, colour orders, yarns, sett, mass", addSheet,
+               {}, checkSheet);
   commands.add(app, "colour", "what a spectrophotometer and a light booth say of a cloth, alone or beside a standard",
                addColour);
   commands.add(app, "thumbnail", "a small picture of the weave, for file managers", addThumbnail);

@@ -127,11 +127,20 @@ void addBvdf(CLI::App& app, BvdfCommand& command) {
 }
 
 void addColour(CLI::App& app, ColourCommand& command) {
-  addInput(app, "FABRIC", command.input);
-  app.add_option("--standard", command.standard,
-                 "what it ought to look like: a measured swatch (CGATS .txt, .cxf, .qtx, .csv), or a fabric")
+  addInput(app, "FABRIC", command.sample.file);
+  app.add_option("--part", command.sample.part,
+                 "only where this lies on top: a yarn's or a fibre's name, or its number, as 'yarn 2' or 1 of a fibre; "
+                 "all of the piece where not given")
+      ->type_name("NAME");
+  app.add_option("--standard", command.standard.file,
+                 "what it ought to look like: a measured swatch (CGATS .txt, .cxf, .qtx, .csv; FILE:NAME for one of "
+                 "several), or a fabric. Exit status 3 where it does not under the first lamp")
       ->type_name("FILE");
-  app.add_option("--standard-colourway", command.standardOptions.colourway, "the standard's colours of this name")
+  app.add_option("--standard-part", command.standard.part,
+                 "of the standard only this, as --part; without --standard of FABRIC itself")
+      ->type_name("NAME");
+  app.add_option("--standard-colourway", command.standard.options.colourway,
+                 "the standard's colours of this name; without --standard those of FABRIC itself")
       ->type_name("NAME");
   app.add_option("--illuminant", command.illuminants,
                  "lamps to judge by, with commas between; D65,F11,A where not given. Also 2856 K, or a text file of nm "
@@ -142,7 +151,7 @@ void addColour(CLI::App& app, ColourCommand& command) {
            [&command](const auto& option, const auto& text) { command.observer = parseObserver(option, text); });
   addValue(app, "--tolerance", "N", "the largest CMC(2:1) that passes; 1 where not given",
            [&command](const auto& option, const auto& text) { command.tolerance = parseNumber(option, text, 0, 100); });
-  addColourway(app, command.options);
+  addColourway(app, command.sample.options);
   addWifChoices(app, command.wif);
   addThreads(app, command.threads);
   app.add_flag("--json", command.json, "JSON instead of a table");

@@ -78,11 +78,16 @@ std::optional<FileService::Result> FileController::drawBusy(Ui& ui) {
   return result;
 }
 
-std::optional<std::string> FileController::takeDropped() {
+void FileController::placeDropped(const std::optional<int>& yarn) {
+  for (std::string& file : arriving_) dropped_.push_back({std::move(file), yarn});
+  arriving_.clear();
+}
+
+std::optional<FileController::Dropped> FileController::takeDropped() {
   if (dropped_.empty()) return std::nullopt;
-  std::optional<std::string> file(std::move(dropped_.front()));
+  std::optional<Dropped> next(std::move(dropped_.front()));
   dropped_.pop_front();
-  return file;
+  return next;
 }
 
 }  // namespace loomlight

@@ -53,9 +53,16 @@ class FileController {
 
   FileService& service() { return service_; }
   const FileService& service() const { return service_; }
-  void drop(const std::vector<std::string>& files) { dropped_.insert(dropped_.end(), files.begin(), files.end()); }
+
+  struct Dropped {
+    std::string file;
+    std::optional<int> yarn;  ///< of the cloth, that it was dropped on
+  };
+  void drop(const std::vector<std::string>& files) { arriving_.insert(arriving_.end(), files.begin(), files.end()); }
+  /// In the frame after it: what has been dropped lies on this yarn.
+  void placeDropped(const std::optional<int>& yarn);
   /// The next of those dropped.
-  std::optional<std::string> takeDropped();
+  std::optional<Dropped> takeDropped();
 
  private:
   FileService service_;
@@ -63,7 +70,8 @@ class FileController {
   FilePreviewService previews_;
   BusyDialog busy_;
   FileTask task_ = FileTask::none;
-  std::deque<std::string> dropped_;  ///< files that wait until no dialog is open
+  std::vector<std::string> arriving_;  ///< files that were dropped since the last frame
+  std::deque<Dropped> dropped_;        ///< that wait until no dialog is open
 };
 
 }  // namespace loomlight

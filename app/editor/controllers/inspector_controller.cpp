@@ -79,10 +79,17 @@ void InspectorController::wantCode(const ClothPart& part, const std::string& cod
                                view.book ? fmt::format(words::errors::orOfBook, view.book->name) : "");
 }
 
-void InspectorController::dyeLike(const Fabric& fabric, const MeasuredSwatch& swatch) {
+void InspectorController::dyeLike(const Fabric& fabric, const MeasuredSwatch& swatch, const std::optional<int>& yarn) {
   view_.page = InspectorView::Page::fibre;
+  if (yarn) {
+    view_.yarn = *yarn;
+    view_.clothColour.dyes = ClothPart::Kind::yarn;
+  }
+  std::string name = swatch.name;
+  if (const std::string_view specularly = specularText(swatch.specular); !specularly.empty())
+    name += fmt::format(" ({})", specularly);
   const Spectrum measured = bandReflectance(swatch);
-  view_.clothColour.want(dyed(fabric), {linearFromReflectance(measured), measured, swatch.name});
+  view_.clothColour.want(dyed(fabric), {linearFromReflectance(measured), measured, std::move(name)});
 }
 
 void InspectorController::open(const Palette& palette, const std::string& file) {

@@ -43,8 +43,9 @@ class InspectorController {
   /// At the end of a frame: asks the workers for what was drawn.
   std::optional<Dyed> follow(const std::shared_ptr<const Fabric>& fabric, uint64_t gesture, bool isShown);
 
-  /// Opens the page of fibres and wants of the one looked at that the cloth reflects as was measured.
-  void dyeLike(const Fabric& fabric, const MeasuredSwatch& swatch);
+  /// Opens the page of fibres and wants of the yarn, or without one of what is looked at, that the cloth reflects as
+  /// was measured. The yarn is looked at from then on, and dyed alone.
+  void dyeLike(const Fabric& fabric, const MeasuredSwatch& swatch, const std::optional<int>& yarn);
   /// The same page, with these colours to choose from, which are those of that file.
   void open(const Palette& palette, const std::string& file);
 

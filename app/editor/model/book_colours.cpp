@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/fabric/yarn/band_colour.h"
+#include "render/colour/colour_difference.h"
 #include "render/colour/colour_space.h"
 #include "render/colour/tristimulus.h"
 #include "ui/words/file_words.h"
@@ -29,6 +30,19 @@ Rgb linearOf(const WhiteLab& lab) {
   return Rgb(linearFromWhiteXyz(xyz / d65Xyz()));
 }
 
+/// Of a colour of three numbers no more is known than how it looks to the observer of displays.
+WhiteLab labByDay(const NamedColour& colour, const Rgb& linear) {
+  constexpr const char* kDaylight = "D65";
+  constexpr int kTrade_degrees = 10, kDisplay_degrees = 2;
+  if (colour.reflectance) {
+    const Lab lab = labUnder(tristimulusWeights(illuminantNamed(kDaylight), Observer::degrees10), *colour.reflectance);
+    return {lab.L, lab.a, lab.b, kDaylight, kTrade_degrees};
+  }
+  if (colour.lab && colour.lab->illuminant == kDaylight) return *colour.lab;
+  const Lab lab = labFromLinear(glm::dvec3(linear));
+  return {lab.L, lab.a, lab.b, kDaylight, kDisplay_degrees};
+}
+
 ColourFile colourFile(Palette palette) {
   std::vector<std::string> remarks = std::move(palette.remarks);
   return {std::nullopt, std::move(palette), std::move(remarks)};
@@ -45,11 +59,12 @@ ColourFile colourFile(SwatchFile file, const std::string& name) {
 }  // namespace
 
 BookColour bookColour(const NamedColour& colour) {
-  BookColour shown{colour.name, colour.linear, colour.reflectance};
+  BookColour shown{colour.name, colour.linear, colour.reflectance, {}};
   if (colour.reflectance)
     shown.linear = linearFromReflectance(*colour.reflectance);
   else if (colour.lab)
     shown.linear = linearOf(*colour.lab);
+  shown.lab = labByDay(colour, shown.linear);
   return shown;
 }
 

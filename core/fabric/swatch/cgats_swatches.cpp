@@ -10,8 +10,9 @@
 
 // How it works. CGATS.17 is words between blanks, some of them in quotes: keywords with a value, the names of the
 // fields between BEGIN_DATA_FORMAT and END_DATA_FORMAT, and as many words for each set between BEGIN_DATA and END_DATA.
-// "#" starts a comment. A file may hold several such tables. (lcms2 reads CGATS too, but opens further files that a
-// file names, and takes half a gigabyte when it is told of enough sets.)
+// "#" starts a comment. A file may hold several such tables. Its unit may be said by SPECTRAL_NORM, as Argyll does.
+// (lcms2 reads CGATS too, but opens further files that a file names, and takes half a gigabyte when it is told of
+// enough sets.)
 
 namespace loomlight {
 namespace {
@@ -53,21 +54,33 @@ class Reader {
   Reader(std::string_view text, const std::string& source) : words_(text), source_(source) {}
 
   std::vector<RawSwatch> all() {
+    std::string_view previous;
     while (const auto word = words_.next()) {
       if (*word == "BEGIN_DATA_FORMAT") {
         readFields();
       } else if (*word == "BEGIN_DATA") {
         readSets();
       } else {
+        if (previous == "SPECTRAL_NORM") unit_ = unitOf(*word);
         preamble_.append(*word).append(" ");
+        previous = *word;
       }
     }
     return std::move(swatches_);
   }
+  ReflectanceUnit unit() const { return unit_; }
 
  private:
   [[noreturn]] void wrong(const std::string& expected) const {
     throw InputError(fmt::format("{}: line {}: {}", source_, words_.line(), expected));
+  }
+
+  /// Of the value that stands for a perfect diffuser.
+  ReflectanceUnit unitOf(std::string_view diffuser) const {
+    const std::optional<double> value = swatchNumber(diffuser);
+    if (value == 100) return ReflectanceUnit::percent;
+    if (value == 1) return ReflectanceUnit::fraction;
+    wrong("SPECTRAL_NORM: expected 100 for percent, or 1 for fractions");
   }
 
   std::string_view nextBefore(const char* end) {
@@ -88,6 +101,9 @@ class Reader {
 
   void readSets() {
     if (fields_.empty()) wrong("expected fields between BEGIN_DATA_FORMAT and END_DATA_FORMAT before BEGIN_DATA");
+    expectNoKubelkaMunk(preamble_, source_);
+    if (const auto said = specularIn(preamble_); said != SpecularComponent::unknown) specular_ = said;
+    preamble_.clear();
     std::vector<std::string_view> set;
     for (;;) {
       const std::string_view word = nextBefore("END_DATA");
@@ -103,7 +119,7 @@ class Reader {
   void take(const std::vector<std::string_view>& set) {
     RawSwatch swatch;
     swatch.place = fmt::format("line {}", words_.line());
-    swatch.specular = specularIn(preamble_);
+    swatch.specular = specular_;
     std::string_view id;
     for (size_t i = 0; i < set.size(); ++i) {
       if (fields_[i] == "SAMPLE_NAME") swatch.name = set[i];
@@ -123,15 +139,20 @@ class Reader {
 
   Words words_;
   const std::string& source_;
-  std::string preamble_;  ///< all words outside of tables
+  std::string preamble_;                                     ///< the words before this table, outside of others
+  SpecularComponent specular_ = SpecularComponent::unknown;  ///< as was said last
   std::vector<std::string> fields_;
+  ReflectanceUnit unit_ = ReflectanceUnit::unsaid;
   std::vector<RawSwatch> swatches_;
 };
 
 }  // namespace
 
 SwatchFile swatchesFromCgats(std::string_view text, const std::string& source) {
-  return swatchesOf(Reader(text, source).all(), ReflectanceUnit::guess, source);
+  Reader reader(text, source);
+  std::vector<RawSwatch> swatches = reader.all();
+  return swatchesOf(std::move(swatches), reader.unit(), source,
+                    "; a line SPECTRAL_NORM \"100\" says percent, SPECTRAL_NORM \"1\" fractions");
 }
 
 }  // namespace loomlight

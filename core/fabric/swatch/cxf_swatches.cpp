@@ -78,7 +78,7 @@ SwatchFile swatchesFromCxf(std::string_view text, const std::string& source) {
   for (const pugi::xml_node& object : cxfNamed(cxf.document(), "Object"))
     for (const pugi::xml_node& spectrum : cxfNamed(object, "ReflectanceSpectrum"))
       swatches.push_back(swatchOf(object, spectrum, all, source));
-  return swatchesOf(std::move(swatches), ReflectanceUnit::guess, source);
+  return swatchesOf(std::move(swatches), ReflectanceUnit::usuallyFraction, source);
 }
 
 }  // namespace loomlight

@@ -14,6 +14,18 @@
 
 namespace loomlight {
 
+std::string_view specularText(SpecularComponent specular) {
+  switch (specular) {
+    case SpecularComponent::included:
+      return "SCI, specular included";
+    case SpecularComponent::excluded:
+      return "SCE, specular excluded";
+    case SpecularComponent::unknown:
+      break;
+  }
+  return {};
+}
+
 Spectrum bandReflectance(const MeasuredSwatch& swatch) {
   const auto last = static_cast<double>(swatch.values.size() - 1);
   Spectrum bands;

@@ -12,6 +12,9 @@ namespace loomlight {
 /// nearly the same either way; two measurements that are compared should agree in it.
 enum class SpecularComponent { unknown, included, excluded };
 
+/// "SCI, specular included", as instruments say it; empty where it is unknown.
+std::string_view specularText(SpecularComponent specular);
+
 /// One measurement of a spectrophotometer.
 struct MeasuredSwatch {
   std::string name;                  ///< never empty

@@ -49,6 +49,7 @@ class Reader {
 
   void take(std::string_view key, std::string_view value) {
     if (key == "NAME") now_.name = value;
+    if (key == "VIEWING") expectNoKubelkaMunk(value, source_);
     if (key == "VIEWING") now_.specular = specularIn(value);
     if (key == "REFLLOW") first_nm_ = number(value);
     if (key == "REFLINTERVAL") step_nm_ = number(value);

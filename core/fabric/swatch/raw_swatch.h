@@ -16,7 +16,8 @@ inline constexpr size_t kMostSwatchBytes = 8'000'000;
 inline constexpr size_t kMostSwatches = 20'000;
 inline constexpr size_t kMostSwatchValues = 1000;
 
-enum class ReflectanceUnit { guess, percent, fraction };
+/// What a file says of its numbers. `usuallyFraction`: its format says so, but not all who write it heed that.
+enum class ReflectanceUnit { unsaid, percent, fraction, usuallyFraction };
 
 /// A measurement as it is written: nothing about it is checked but that these are numbers.
 struct RawSwatch {
@@ -27,8 +28,10 @@ struct RawSwatch {
 };
 
 /// Checked, in order, in one unit. Throws InputError, naming `source` and the place, for wavelengths that do not ascend
-/// in equal steps or leave out a part of 400 to 700 nm, and for values that no reflectance has.
-SwatchFile swatchesOf(std::vector<RawSwatch> raw, ReflectanceUnit unit, const std::string& source);
+/// in equal steps or leave out a part of 400 to 700 nm, for values that no reflectance has, and for those that may be
+/// of either unit where none is said. `howToSay`: how a file of the format says its unit.
+SwatchFile swatchesOf(std::vector<RawSwatch> raw, ReflectanceUnit unit, const std::string& source,
+                      std::string_view howToSay = {});
 
 /// The readers. `text` is UTF-8; all throw InputError, naming `source`.
 SwatchFile swatchesFromCgats(std::string_view text, const std::string& source);
@@ -38,6 +41,13 @@ SwatchFile swatchesFromTable(std::string_view text, const std::string& source);
 
 /// SCI, SCE, or in words, anywhere in a text.
 SpecularComponent specularIn(std::string_view text);
+
+/// Whether a text has a word, in capitals or not, that is no part of a longer one.
+bool saysWord(std::string_view text, std::string_view lowerCaseWord);
+
+/// Throws InputError, naming `source`, where a file says that its numbers are K/S (Kubelka and Munk), which a dyehouse
+/// calculates from reflectances: they would pass for percents.
+void expectNoKubelkaMunk(std::string_view text, const std::string& source);
 
 /// The wavelength in the title of a column: "400", "400 nm", "R400", "SPECTRAL_NM400"; in [200, 1200].
 std::optional<double> wavelengthIn(std::string_view title);

@@ -16,7 +16,9 @@ using Row = TextTable::Row;
 
 class Reader {
  public:
-  Reader(std::string_view text, const std::string& source) : table_(text, source), specular_(specularIn(text)) {}
+  Reader(std::string_view text, const std::string& source) : table_(text, source), specular_(specularIn(text)) {
+    expectNoKubelkaMunk(text, source);
+  }
 
   std::vector<RawSwatch> all() const {
     for (size_t i = 0; i < table_.rows().size(); ++i)
@@ -24,12 +26,21 @@ class Reader {
     return beside();
   }
 
-  ReflectanceUnit unit() const { return table_.hasPercentSign() ? ReflectanceUnit::percent : ReflectanceUnit::guess; }
+  ReflectanceUnit unit() const {
+    if (table_.hasPercentSign()) return ReflectanceUnit::percent;
+    return saysFraction() ? ReflectanceUnit::fraction : ReflectanceUnit::unsaid;
+  }
 
  private:
   static size_t wavelengthsAmong(const Row& row) {
     return static_cast<size_t>(std::count_if(row.cells.begin(), row.cells.end(),
                                              [](std::string_view cell) { return wavelengthIn(cell).has_value(); }));
+  }
+
+  bool saysFraction() const {
+    const auto says = [](std::string_view cell) { return saysWord(cell, "fraction") || saysWord(cell, "fractions"); };
+    return std::any_of(table_.rows().begin(), table_.rows().end(),
+                       [&](const Row& row) { return std::any_of(row.cells.begin(), row.cells.end(), says); });
   }
 
   RawSwatch swatchAt(int line) const {
@@ -107,7 +118,8 @@ class Reader {
 
 SwatchFile swatchesFromTable(std::string_view text, const std::string& source) {
   const Reader reader(text, source);
-  return swatchesOf(reader.all(), reader.unit(), source);
+  return swatchesOf(reader.all(), reader.unit(), source,
+                    "; write % or \"fraction\" into the line of titles, as in \"nm (fraction)\"");
 }
 
 }  // namespace loomlight

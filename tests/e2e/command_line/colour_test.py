@@ -42,8 +42,9 @@ class Colour(CommandLineTest):
         for under in same["illuminants"]:
             self.assertEqual((under["ciede2000"], under["cmc_2_1"], under["metamerism_index"]), (0, 0, 0))
             self.assertTrue(under["passes"])
-        said = self.run_program("colour", self.cloth([24, 8, 2]), "--standard", "standard.json", status=1)
+        said = self.run_program("colour", self.cloth([24, 8, 2]), "--standard", "standard.json", status=3)
         self.assertEqual(said, "", "it is no error")
+        self.run_program("colour", self.cloth([24, 8, 2]), "--standard", "none.json", status=1)
         said = self.run_program("colour", self.cloth([24, 8, 2]), "--standard", "standard.json", "--tolerance", "50")
         self.assertIn("pass", said)
 
@@ -65,6 +66,79 @@ class Colour(CommandLineTest):
         self.assertAlmostEqual(d65["metamerism_index"], 0, delta=1e-6)
         self.assertGreater(f11["metamerism_index"], 0.3)
         self.assertGreater(a["metamerism_index"], 0.3)
+
+    def swatch_file(self, name="book.csv", said="values in %"):
+        rows = [f"nm ({said}),navy,brown"] + [f"{nm},{6 - nm / 200:.3f},{nm / 20:.3f}" for nm in range(400, 710, 10)]
+        (self.folder / name).write_text("\n".join(rows))
+        return name
+
+    def test_two_yarns_are_set_beside_each_other(self):
+        # Navy warp and brown weft: each alone is nearer to a cloth of its own dye than the piece is.
+        yarn = CLOSED["yarns"][0]
+        fibres = [
+            {"name": "navy", "radius_um": 9, "absorption_per_mm": [30, 20, 6]},
+            {"name": "brown", "radius_um": 9, "absorption_per_mm": [4, 10, 30]},
+            {"name": "hidden", "radius_um": 9},
+        ]
+        yarns = [{**yarn, "name": "warp"}, {**yarn, "name": "brown", "fibre": 1}, {**yarn, "name": "twin", "fibre": 0}]
+        self.fabric(**{**CLOSED, "fibres": fibres, "yarns": yarns, "weft_sequence": [1]}).rename(self.folder / "two.json")
+        words = ("--json", "--tolerance", 100, "--illuminant", "D65")
+        said = json.loads(
+            self.run_program("colour", "two.json", "--part", "warp", "--standard-part", "brown", *words)
+        )
+        self.assertEqual((said["part"], said["standard"]["part"]), ("yarn 1 'warp'", "yarn 2 'brown'"))
+        under = said["illuminants"][0]
+        sample, standard = under["lab"], under["standard_lab"]
+        self.assertLess(sample["b"], 0)
+        self.assertGreater(standard["b"], 0)
+        self.assertGreater(under["cmc_2_1"], 10)
+        delta = under["delta"]
+        self.assertAlmostEqual(delta["L"], sample["L"] - standard["L"], delta=1e-9)
+        chroma = math.hypot(sample["a"], sample["b"]) - math.hypot(standard["a"], standard["b"])
+        self.assertAlmostEqual(delta["C"], chroma, delta=1e-9)
+        self.assertAlmostEqual(
+            math.hypot(*delta.values()), math.hypot(*(sample[c] - standard[c] for c in "Lab")), delta=1e-9
+        )
+        for part, other in (("navy", "warp"), ("1", "yarn 1")):
+            said = json.loads(self.run_program("colour", "two.json", "--part", part, *words))
+            self.assertEqual(said["part"], "fibre 1 'navy'", "a fibre that two yarns are spun of is not one of them")
+            self.assertNotIn("standard", said)
+            said = json.loads(self.run_program("colour", "two.json", "--part", other, *words))
+            self.assertEqual(said["part"], "yarn 1 'warp'")
+        text = self.run_program("colour", "two.json", "--part", "warp", "--standard-part", "brown", status=3, messages=True)
+        self.assertEqual(text, "", "a FAIL is no error")
+        said = self.run_program("colour", "two.json", "--part", "red", status=1)
+        self.assertIn("yarn 1 'warp', yarn 2 'brown', yarn 3 'twin', 1 'navy', 2 'brown', 3 'hidden', or 'piece'", said)
+        said = self.run_program("colour", "two.json", "--part", "hidden", status=1)
+        self.assertIn("lies on the face, where it shows its colour, got fibre 3 'hidden'", said)
+        said = self.run_program("colour", self.swatch_file(), "--part", "navy", status=1)
+        self.assertIn("expected a fabric", said)
+
+    def test_a_swatch_of_several_is_chosen_by_its_name(self):
+        self.swatch_file()
+        names = {}
+        for choice in ("book.csv", "book.csv:navy", "book.csv:brown", "book.csv:2"):
+            done = self.run_both("colour", choice, "--json")
+            names[choice] = json.loads(done.stdout)["name"]
+            self.assertEqual("the first of 2" in done.stderr, choice == "book.csv")
+        self.assertEqual(list(names.values()), ["navy", "navy", "brown", "brown"])
+        said = self.run_program("colour", "book.csv:red", status=1)
+        self.assertIn("book.csv: expected one of its swatches, 'navy', 'brown'; got 'red'", said)
+        self.swatch_file("a:navy.csv")
+        said = json.loads(self.run_program("colour", "a:navy.csv:brown", "--json"))
+        self.assertEqual(said["name"], "brown", "a colon in the name of a file parts nothing")
+        self.assertIn("none.csv", self.run_program("colour", "none.csv:navy", status=1))
+        said = self.run_program("convert", self.cloth([1, 2, 3]), "a.json", "--cloth-colour", "1=book.csv:red", status=1)
+        self.assertIn("got 'red'", said)
+
+    def test_it_says_whether_the_specular_is_in_a_measurement(self):
+        sci, sce = self.swatch_file("sci.csv", "% SCI"), self.swatch_file("sce.csv", "% SCE")
+        done = self.run_both("colour", sci + ":navy", "--standard", sce + ":navy")
+        self.assertIn("navy (SCI, specular included), by the CIE observer", done.stdout)
+        self.assertIn("against navy (SCE, specular excluded)", done.stdout)
+        self.assertIn("were measured in different ways", done.stderr)
+        self.assertNotIn("different ways", self.run_both("colour", sci, "--standard", sci).stderr)
+        self.assertEqual(json.loads(self.run_program("colour", sce, "--json"))["specular"], "excluded")
 
     def test_what_it_cannot_use_is_said(self):
         said = self.run_program("colour", self.cloth([1, 2, 3]), "--illuminant", "D66", status=1)

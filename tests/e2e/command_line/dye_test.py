@@ -123,12 +123,12 @@ class Dye(CommandLineTest):
         fabric = self.fabric(fibres=fibres)
         for wishes, expected, status in (
             (["red=#102030"], "one of the fabric's fibres, 1 'face', 2 'back', 3 'same', 4 'same', or 'piece' for all; got 'red'", 1),
-            (["piece=#102030", "face=#203040"], "one colour for each fibre, got two for 1 'face'", 1),
+            (["piece=#102030", "face=#203040"], "one colour for each fibre, got two for fibre 1 'face'", 1),
             (["5=#102030"], "got '5'", 1),
             (["0=#102030"], "got '0'", 1),
             (["same=#102030"], "several are named 'same'", 1),
-            (["1=#102030", "face=#203040"], "one colour for each fibre, got two for 1 'face'", 1),
-            (["3=#102030"], "a fibre that lies on the face, where it shows its colour, got 3 'same'", 1),
+            (["1=#102030", "face=#203040"], "one colour for each fibre, got two for fibre 1 'face'", 1),
+            (["3=#102030"], "a fibre that lies on the face, where it shows its colour, got fibre 3 'same'", 1),
             (["1=red"], "expected FIBRE=#RRGGBB", 2),
             (["#102030"], "expected FIBRE=#RRGGBB", 2),
             (["1=#10203"], "expected FIBRE=#RRGGBB", 2),

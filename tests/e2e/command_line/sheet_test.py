@@ -12,6 +12,25 @@ class Sheet(CommandLineTest):
         self.run_program("sheet", self.fabric(), "-o", "ways.pdf", "--colourways", "--spp", "1")
         self.assertTrue(self.bytes_of("ways.pdf").startswith(b"%PDF-"))
 
+    def test_it_judges_by_standards(self):
+        for name in ("book.csv", "a=b.csv"):
+            rows = ["nm (%),navy,brown"] + [f"{nm},5,{nm / 20}" for nm in range(400, 710, 20)]
+            (self.folder / name).write_text("\n".join(rows))
+        words = ("sheet", self.fabric(), "-o", "sheet.pdf", "--spp", "1")
+        standards = ("--standard", "book.csv:brown", "--standard", "blue=book.csv:navy", "--standard", "warp=a=b.csv")
+        said = self.run_both(*words, *standards, "--tolerance", "2")
+        self.assertIn("a=b.csv: the first of 2 swatches is taken", said.stderr)
+        self.assertTrue(self.bytes_of("sheet.pdf").startswith(b"%PDF-"))
+        for standard, expected in (
+            ("red=book.csv", "--standard: expected one of the fabric's yarns and fibres"),
+            ("book.csv:red", "expected one of its swatches, 'navy', 'brown'; got 'red'"),
+            ("none.csv", "none.csv"),
+            ("blue=none.csv", "none.csv"),
+        ):
+            with self.subTest(standard=standard):
+                self.assertIn(expected, self.run_program(*words, "--standard", standard, status=1))
+        self.run_program(*words, "--colourways", "--standard", "book.csv", status=2)
+
     def test_it_is_a_pdf(self):
         self.assertIn(".pdf", self.run_program("sheet", self.fabric(), "-o", "sheet.txt", status=1))
 

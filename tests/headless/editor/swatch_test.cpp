@@ -58,10 +58,52 @@ TEST_F(Swatches, OneThatIsBrokenIsSaidAndDyesNothing) {
   EXPECT_EQ(editor.saved().fibres[0].absorption_per_mm, before);
 }
 
+/// Where it is dropped it dyes: the yarn there alone, though another has its fibre.
+TEST(SwatchOnTheCloth, DyesTheYarnUnderTheMouse) {
+  Fabric cloth = smallTwill();
+  for (Yarn& yarn : cloth.yarns) yarn.fibre = 0;
+  const test::ScratchFolder folder;
+  std::string text = "nm (% SCE),brown\n";
+  for (int nm = 380; nm <= 740; nm += 20) text += fmt::format("{},{}\n", nm, 5 + (nm - 380) * 0.012);
+  test::putBytes(folder.file("brown.csv"), text);
+  HeadlessEditor editor{{1280, 900, 1}};
+  editor.start(cloth);
+  editor.untilPictured();
+  const ImVec2 middle = editor.centre("viewport");
+  // Along a line over the cloth both yarns are met; in the midst of one, as edges move while the picture refines.
+  const auto findYarn = [&](const std::string& yarn) {
+    constexpr int kStep = 2, kWide = 4;
+    for (int i = 0, found = 0; i < 150; ++i) {
+      editor.clickAt(ImVec2(middle.x + static_cast<float>(kStep * i), middle.y));
+      found = editor.fact("yarn") == yarn ? found + 1 : 0;
+      if (found == kWide) return ImVec2(middle.x + static_cast<float>(kStep * (i - kWide / 2)), middle.y);
+    }
+    ADD_FAILURE() << "no yarn " << yarn;
+    return middle;
+  };
+  const ImVec2 weft = findYarn("1");
+  findYarn("0");  // which is looked at from now on
+  editor.move(weft);
+  editor.edits("the cloth is dyed", [&] { editor.drop(folder.file("brown.csv")); });
+  EXPECT_EQ(editor.fact("yarn"), "1");
+  const Fabric dyed = editor.saved();
+  EXPECT_EQ(dyed.yarns[0], cloth.yarns[0]);
+  EXPECT_EQ(dyed.fibres[0], cloth.fibres[0]) << "the warp has its colour still";
+  EXPECT_NE(dyed.yarns[1].fibre, 0);
+  EXPECT_TRUE(dyed.fibres[static_cast<size_t>(dyed.yarns[1].fibre)].absorption_per_mm.isSpectral());
+  editor.until("it is said how it was measured", [&] {
+    return editor.fact("fibre.cloth_colour_remark") == "As brown (SCE, specular excluded) was measured.";
+  });
+}
+
 /// A palette gives colours to choose from.
 TEST_F(Swatches, AColourOfAPaletteDyesByAClickOrByItsName) {
   editor.drop(file("autumn.gpl", "GIMP Palette\nName: Autumn\n#\n120 60 30 rust\n60 70 90 slate\n90 100 50 moss\n"));
   editor.until("its colours are there", [&] { return editor.fact("book.found") == "3 of 3"; });
+  editor.move(editor.centre("book.0"));
+  editor.until("its numbers are said", [&] {
+    return editor.fact("tooltip").starts_with("rust\nL* ") && editor.fact("tooltip").ends_with("(D65, 2\xC2\xB0)");
+  });
   editor.edits("a click dyes", [&] { editor.click("book.0"); });
   Rgb dye = editor.saved().fibres[0].absorption_per_mm.primaries;
   EXPECT_GT(dye.b, dye.r) << "rust";

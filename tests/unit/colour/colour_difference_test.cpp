@@ -53,6 +53,25 @@ TEST(CmcDifference, OfAGreyHasNoHueToBeWrong) {
   EXPECT_TRUE(std::isfinite(cmcDifference({0, 0, 0}, {100, 0, 0})));
 }
 
+TEST(LchDifference, AddsUpToTheDistanceInCielab) {
+  for (const Pair& pair : kReference) {
+    const LchDifference by = lchDifference(pair.standard, pair.sample);
+    const double distance =
+        std::hypot(pair.sample.L - pair.standard.L, pair.sample.a - pair.standard.a, pair.sample.b - pair.standard.b);
+    EXPECT_NEAR(std::hypot(by.L, by.C, by.H), distance, 1e-9);
+  }
+}
+
+/// Each is the sample's less the standard's; a hue grows from red over yellow and green to blue.
+TEST(LchDifference, SaysWhichWayTheSampleIsOff) {
+  EXPECT_EQ(lchDifference({40, 20, 0}, {43, 20, 0}).L, 3);
+  EXPECT_EQ(lchDifference({40, 20, 0}, {40, 15, 0}).C, -5);
+  EXPECT_GT(lchDifference({40, 20, 0}, {40, 20, 1}).H, 0) << "a red that is yellower";
+  EXPECT_LT(lchDifference({40, 20, 0}, {40, 20, -1}).H, 0) << "a red that is bluer";
+  EXPECT_GT(lchDifference({40, -20, 1}, {40, -20, -1}).H, 0) << "a green that is bluer, across the half turn";
+  EXPECT_EQ(lchDifference({40, 0, 0}, {40, 3, 4}).H, 0) << "a grey has no hue";
+}
+
 TristimulusWeights under(const char* illuminant) {
   return tristimulusWeights(illuminantNamed(illuminant), Observer::degrees10);
 }

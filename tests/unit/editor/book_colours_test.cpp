@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/base/error.h"
 #include "render/colour/colour_space.h"
 #include "render/colour/tristimulus.h"
@@ -26,6 +28,16 @@ TEST(BookColours, LabOfDaylightIsWhatADisplayShows) {
   const Lab lab{52, 40, -12};
   const BookColour shown = bookColour({"x", Rgb(0), WhiteLab{lab.L, lab.a, lab.b, "D65", 2}, {}});
   EXPECT_LT(ciede2000(labFromLinear(glm::dvec3(shown.linear)), lab), 0.05);
+  EXPECT_EQ(shown.lab.L, lab.L);
+  EXPECT_EQ(shown.lab.observer_degrees, 2);
+}
+
+/// What is known for another white is said as it is by day.
+TEST(BookColours, AreToldByDay) {
+  const BookColour shown = bookColour({"x", Rgb(0), WhiteLab{52, 40, -12, "D50", 2}, {}});
+  EXPECT_EQ(shown.lab.illuminant, "D65");
+  const Lab told{shown.lab.L, shown.lab.a, shown.lab.b};
+  EXPECT_LT(ciede2000(labFromLinear(glm::dvec3(shown.linear)), told), 0.05);
 }
 
 TEST(BookColours, AReflectanceCountsBeforeNumbers) {
@@ -34,6 +46,8 @@ TEST(BookColours, AReflectanceCountsBeforeNumbers) {
   const BookColour shown = bookColour({"x", Rgb(1, 0, 0), WhiteLab{90, 0, 0, "D50", 2}, grey});
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(shown.linear[c], 0.2f, 1e-3);
   EXPECT_EQ(*shown.measured, grey);
+  EXPECT_NEAR(shown.lab.L, 116 * std::cbrt(0.2) - 16, 1e-3);
+  EXPECT_EQ(shown.lab.observer_degrees, 10);
 }
 
 TEST(BookColours, AFileIsTakenForWhatItHolds) {

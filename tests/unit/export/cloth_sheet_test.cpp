@@ -120,11 +120,13 @@ ClothSheetContent blankContent(const Fabric& fabric) {
 
 using Boxes = std::vector<Paper::Box>;
 
-Boxes layOut(const Fabric& fabric) {
+Boxes layOut(const Fabric& fabric, const std::vector<StandardMatch>& matches = {}) {
   Paper paper(kSheetWidth_mm, kSheetHeight_mm);
   ClothSheetOptions options;
   options.width_cm = 8888;
-  layOutClothSheet(paper, fabric, options, blankContent(fabric));
+  ClothSheetContent content = blankContent(fabric);
+  content.matches = matches;
+  layOutClothSheet(paper, fabric, options, content);
   return paper.boxes();
 }
 
@@ -186,6 +188,28 @@ TEST(ClothSheetPage, NothingOverlapsWhereAllIsAsWideAsItCanBe) {
   const Boxes boxes = layOut(fabric);
   expectApart(boxes);
   EXPECT_TRUE(says(boxes, "BL")) << "the last of 64 yarns, on another page";
+}
+
+StandardMatch matchOf(const std::string& of, const std::string& standard, double cmc, double difference) {
+  Judgement judgement;
+  judgement.ciede2000 = difference;
+  judgement.cmc = cmc;
+  judgement.metamerism = difference;
+  return {of, standard, Rgb(1), Rgb(1), judgement, judgement};
+}
+
+/// What is wide is cut off.
+TEST(ClothSheetPage, JudgesTheClothBesideItsStandards) {
+  const std::string wide = "a standard of which there is very much to be said and written down";
+  StandardMatch close = matchOf("Cloth", "lot 7", 0.88, 0.77);
+  close.bulb.cmc = 1.23;
+  const Boxes boxes = layOut(openCloth(), {close, matchOf(wide, wide, 888.88, 188.88)});
+  expectApart(boxes);
+  for (const char* const text : {"Beside its standard, tolerance 1 CMC(2:1)", "Cloth", "lot 7", "0.77,  0.88  pass",
+                                 "0.77,  1.23  FAIL", "188.88,  888.88  FAIL", "0.77"})
+    EXPECT_TRUE(says(boxes, text)) << text;
+  expectApart(layOut(openCloth(), std::vector<StandardMatch>(99, close)));
+  for (const Paper::Box& box : layOut(openCloth())) EXPECT_THAT(box.text, testing::Not(StartsWith("Beside")));
 }
 
 TEST(ClothSheetPage, OrdersAreTables) {

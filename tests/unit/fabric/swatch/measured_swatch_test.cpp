@@ -87,6 +87,24 @@ TEST(MeasuredSwatch, OfABlackInPercentIsNoMirror) {
   EXPECT_NEAR(swatchesFrom(text, "a.csv").swatches[0].values[0], 0.012, 1e-9);
 }
 
+TEST(MeasuredSwatch, SaysWhereAFileMixesWaysToMeasure) {
+  const auto mixed = HasSubstr("Only two that agree");
+  std::string text = csvOfRows();
+  EXPECT_THAT(swatchesFrom(text, "a.csv").remarks, testing::Not(testing::Contains(mixed)));
+  text.replace(text.find("ecru"), 4, "ecru (SCI)");
+  const SwatchFile file = swatchesFrom(text, "a.csv");
+  EXPECT_THAT(file.remarks, testing::Contains(mixed));
+  EXPECT_EQ(file.swatches[0].specular, SpecularComponent::excluded);
+  EXPECT_EQ(file.swatches[1].specular, SpecularComponent::included);
+  // Of two tables of CGATS each says its own.
+  std::string other = cgatsText();
+  other.replace(other.find("excluded"), 8, "included");
+  const SwatchFile both = swatchesFrom(cgatsText() + other, "a.txt");
+  EXPECT_EQ(both.swatches[0].specular, SpecularComponent::excluded);
+  EXPECT_EQ(both.swatches[3].specular, SpecularComponent::included);
+  EXPECT_THAT(both.remarks, testing::Contains(mixed));
+}
+
 TEST(MeasuredSwatch, SaysThatBrightenersAreNotModelled) {
   std::string text;
   for (int nm = 400; nm <= 700; nm += 10) text += fmt::format("{},{}\n", nm, nm == 440 ? 119.3 : 88.0);

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/base/error.h"
 #include "core/fabric/swatch/measured_swatch.h"
 #include "tests/support/mutated.h"
@@ -37,10 +39,62 @@ TEST(MistakenSwatch, WithMissingBandsSaysWhatIsThere) {
   std::string text;
   for (int nm = 450; nm <= 650; nm += 10) text += fmt::format("{},0.2\n", nm);
   EXPECT_THAT(complaint(text), HasSubstr("there is 450 to 650 nm"));
-  EXPECT_THAT(complaint(with(csvOfRows(), "500;15,00;30,00\n", "")), HasSubstr("equal steps"));
   EXPECT_THAT(complaint("400,0.1\n700,0.2\n"), HasSubstr("1 to 20 nm apart"));
   // Micrometres are a wrong unit.
   EXPECT_THAT(complaint("0.40,0.1\n0.41,0.1\n0.70,0.2\n"), HasSubstr("0.4 to 0.7 nm"));
+}
+
+/// In steps of 10 nm, or another, without those that are left out.
+std::string tableWithout(std::vector<int> leftOut, int step_nm = 10) {
+  std::string text;
+  for (int nm = 400; nm <= 700; nm += step_nm)
+    if (std::find(leftOut.begin(), leftOut.end(), nm) == leftOut.end()) text += fmt::format("{},0.2\n", nm);
+  return text;
+}
+
+TEST(MistakenSwatch, WithAGapSaysWhichWavelengthIsMissing) {
+  EXPECT_EQ(swatchesFrom(tableWithout({}), "a.csv").swatches.size(), 1u);
+  EXPECT_THAT(complaint(tableWithout({550})), AllOf(HasSubstr("10 nm as most are"), HasSubstr("550 nm is missing")));
+  EXPECT_THAT(complaint(tableWithout({410})), HasSubstr("410 nm is missing"));
+  EXPECT_THAT(complaint(tableWithout({690})), HasSubstr("690 nm is missing"));
+  EXPECT_THAT(complaint(tableWithout({550, 560, 570})), HasSubstr("550 to 570 nm are missing"));
+  EXPECT_THAT(complaint(tableWithout({500, 600}, 20)), AllOf(HasSubstr("20 nm as"), HasSubstr("500 nm is missing")));
+  EXPECT_THAT(complaint(with(tableWithout({}), "550,", "553,")), HasSubstr("553 nm does not fit behind 540 nm"));
+  EXPECT_THAT(complaint(with(tableWithout({}), "550,", "540,")), HasSubstr("540 nm does not fit behind 540 nm"));
+}
+
+/// From .95 to 1.6: a deep black in percent, or what a brightener does to a white.
+std::string betweenUnits(const std::string& title) {
+  std::string text = title;
+  for (int nm = 400; nm <= 700; nm += 10) text += fmt::format("{},{}\n", nm, nm < 640 ? 0.95 : 1.6);
+  return text;
+}
+
+TEST(MistakenSwatch, WithoutAUnitIsNotGuessedWhereItMayBeEither) {
+  EXPECT_THAT(complaint(betweenUnits("")), AllOf(HasSubstr("says its unit"), HasSubstr("\"nm (fraction)\"")));
+  const auto first = [](const std::string& text) { return swatchesFrom(text, "lot.txt").swatches[0].values[0]; };
+  EXPECT_NEAR(first(betweenUnits("nm (%),black\n")), 0.0095, 1e-12);
+  EXPECT_NEAR(first(betweenUnits("nm (fraction),white\n")), 0.95, 1e-12);
+  const auto cgats = [](const std::string& said) {
+    return with(with(cgatsText(), "0.3500", "1.6"), "NUMBER_OF_SETS", said + "\nNUMBER_OF_SETS");
+  };
+  EXPECT_THAT(complaint(cgats("")), HasSubstr("SPECTRAL_NORM"));
+  EXPECT_NEAR(first(cgats("SPECTRAL_NORM \"100.0\"")), 0.0005, 1e-12);
+  EXPECT_NEAR(first(cgats("SPECTRAL_NORM \"1\"")), 0.05, 1e-12);
+  EXPECT_THAT(complaint(cgats("SPECTRAL_NORM \"7\"")), HasSubstr("SPECTRAL_NORM: expected 100"));
+  // CxF is of fractions, and says so by being CxF.
+  EXPECT_NEAR(first(with(cxfText(), "0.3500", "1.1")), 0.05, 1e-12);
+  EXPECT_THAT(complaint(with(betweenUnits("nm (fraction),a\n"), "400,0.95", "400,12")), HasSubstr("400 nm"));
+}
+
+TEST(MistakenSwatch, OfKubelkaAndMunkIsNoReflectance) {
+  std::string rows;
+  for (int nm = 400; nm <= 700; nm += 10) rows += fmt::format("{},{}\n", nm, 12.5 - 0.02 * (nm - 400));
+  EXPECT_EQ(swatchesFrom("nm,R\n" + rows, "a.csv").swatches.size(), 1u);
+  EXPECT_THAT(complaint("nm,K/S\n" + rows), HasSubstr("K/S"));
+  EXPECT_THAT(complaint("# k/s of the lot\n" + rows), HasSubstr("K/S"));
+  EXPECT_THAT(complaint(with(cgatsText(), "ORIGINATOR", "DESCRIPTOR \"K/S values\"\nORIGINATOR")), HasSubstr("K/S"));
+  EXPECT_THAT(complaint(with(qtxText(), "VIEWING=%R", "VIEWING=K/S")), HasSubstr("K/S"));
 }
 
 TEST(MistakenSwatch, WithImpossibleValuesSaysWhere) {

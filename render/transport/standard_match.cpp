@@ -1,0 +1,47 @@
+#include "render/transport/standard_match.h"
+
+#include <fmt/format.h>
+
+#include "core/base/error.h"
+#include "core/fabric/yarn/band_colour.h"
+#include "render/transport/cloth_walks.h"
+#include "render/transport/dye_walks.h"
+
+namespace loomlight {
+namespace {
+
+StandardMatch matchOf(const ClothStandard& standard, const Spectrum& reflectance) {
+  const auto weights = [](const char* lamp) { return tristimulusWeights(illuminantNamed(lamp), Observer::degrees10); };
+  const TristimulusWeights daylight = weights("D65");
+  return {standard.of,
+          standard.name,
+          linearFromReflectance(standard.reflectance),
+          linearFromReflectance(reflectance),
+          judged(standard.reflectance, reflectance, daylight, daylight),
+          judged(standard.reflectance, reflectance, weights("A"), daylight)};
+}
+
+}  // namespace
+
+std::optional<std::vector<StandardMatch>> standardMatches(const Fabric& fabric,
+                                                          const std::vector<ClothStandard>& standards,
+                                                          const Task& task) {
+  std::vector<StandardMatch> matches;
+  if (standards.empty()) return matches;
+  const auto patch = makeColourPatch(fabric, task);
+  if (!patch) return std::nullopt;
+  const Colouring colouring = colouringInDaylight(fabric);
+  for (const ClothStandard& standard : standards) {
+    const auto walks = walkForDyes(*patch->scene, *patch->medium, standard.part, task, DyeWalks::toJudge);
+    if (!walks) return std::nullopt;
+    if (walks->lit() == 0)
+      throw InputError(
+          fmt::format("{}: expected a standard of a part that lies on the face, where it shows its colour, "
+                      "got one of {}",
+                      standard.name, standard.of));
+    matches.push_back(matchOf(standard, walks->reflectance(colouring).mean));
+  }
+  return matches;
+}
+
+}  // namespace loomlight
