@@ -108,7 +108,8 @@ std::optional<Fabric> lineBelow(Ui& ui, const std::string& id, const Fabric& fab
 std::optional<Fabric> orderField(Ui& ui, const RowText& text, const Fabric& fabric, std::vector<int> Fabric::* system,
                                  double pitch_mm, OrderText& typing) {
   const std::vector<int>& sequence = fabric.*system;
-  if (!typing.open && typing.sequence != sequence) typing = {false, false, yarnOrderText(sequence), sequence, typing.lines, {}, {}};
+  if (!typing.open && typing.sequence != sequence)
+    typing = {false, false, yarnOrderText(sequence), sequence, typing.lines, {}, {}};
   ImGui::TextDisabled("%s", text.label);
   const float width = ImGui::GetContentRegionAvail().x;
   Typing now{width - 2 * ImGui::GetStyle().FramePadding.x - ui.px(8), !typing.open};
