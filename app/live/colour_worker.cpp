@@ -96,7 +96,7 @@ std::shared_ptr<const Fabric> ColourWorker::makeWalks(ColourWish& wish, Answerin
       job.giveWayTo(std::move(*newer));
     }
   };
-  auto walks = walkForDyes(*first, wish.part, task);
+  auto walks = walkForDyes(*first, wish.part, task, DyeWalks::toSolve, kLiveDyeError);
   if (!walks) return nullptr;
   walked_ = first;
   walkedPart_ = wish.part;

@@ -77,13 +77,13 @@ double colourError(const PathLengthTally& walks) {
 }
 
 std::optional<PathLengthTally> walkForDyes(const Scene& scene, const Medium& medium, const ClothPart& part,
-                                           const Task& task, DyeWalks use) {
+                                           const Task& task, DyeWalks use, double error) {
   constexpr double kFirstShare = 0.2;  // of the progress that is shown
   PathLengthTally tally;
   for (uint64_t round = 0; round < kMostDyeWalks / kFirstDyeWalks; ++round) {
     size_t wanted = kFirstDyeWalks;
     if (round > 0) {
-      const double missing = colourError(tally) / kDyeError;
+      const double missing = colourError(tally) / error;
       const double needed = std::ceil(static_cast<double>(tally.count) * missing * missing);
       if (needed <= static_cast<double>(tally.count) || tally.count >= kMostDyeWalks) break;
       wanted = std::min(kMostDyeWalks, static_cast<size_t>(needed)) - tally.count;
@@ -103,9 +103,9 @@ std::optional<PathLengthTally> walkForDyes(const Scene& scene, const Medium& med
 }
 
 std::optional<PathLengthTally> walkForDyes(const Fabric& fabric, const ClothPart& part, const Task& task,
-                                           DyeWalks use) {
+                                           DyeWalks use, double error) {
   const auto patch = makeColourPatch(fabric, task);
-  return patch ? walkForDyes(*patch->scene, *patch->medium, part, task, use) : std::nullopt;
+  return patch ? walkForDyes(*patch->scene, *patch->medium, part, task, use, error) : std::nullopt;
 }
 
 }  // namespace loomlight

@@ -6,6 +6,8 @@ namespace loomlight {
 
 /// Light is walked through a cloth until its colour is known this well: colourError().
 inline constexpr double kDyeError = 0.15;
+/// Where a colour was picked and not measured; and where somebody waits for the answer, which costs a seventh.
+inline constexpr double kPickedDyeError = 0.3, kLiveDyeError = 0.4;
 /// So many walks at first, which tell how many it takes; and at the most.
 inline constexpr size_t kFirstDyeWalks = 8192, kMostDyeWalks = 32 * kFirstDyeWalks;
 
@@ -17,12 +19,13 @@ double colourError(const PathLengthTally& walks);
 /// Walks that judge are not those that a dye was solved with: those fit it better than the cloth does.
 enum class DyeWalks { toSolve, toJudge };
 
-/// As many walks as tell the colour of a part of the cloth to kDyeError, whatever its dyes; fewer where kMostDyeWalks
+/// As many walks as tell the colour of a part of the cloth to this error, whatever its dyes; fewer where kMostDyeWalks
 /// do not, and where the part is hardly ever met first. nullopt when stopped.
 std::optional<PathLengthTally> walkForDyes(const Scene& scene, const Medium& medium, const ClothPart& part,
-                                           const Task& task, DyeWalks use = DyeWalks::toSolve);
+                                           const Task& task, DyeWalks use = DyeWalks::toSolve,
+                                           double error = kDyeError);
 /// The same through a patch of the fabric that is made for it. Throws InputError for files that cannot be used.
 std::optional<PathLengthTally> walkForDyes(const Fabric& fabric, const ClothPart& part, const Task& task,
-                                           DyeWalks use = DyeWalks::toSolve);
+                                           DyeWalks use = DyeWalks::toSolve, double error = kDyeError);
 
 }  // namespace loomlight

@@ -81,7 +81,8 @@ bool walk(const Fabric& fabric, std::vector<Dyeing>& dyeings) {
   for (Dyeing& dyeing : dyeings) {
     for (const DyeWalks use : {DyeWalks::toSolve, DyeWalks::toJudge}) {
       ++done;
-      auto walks = walkForDyes(*patch->scene, *patch->medium, dyeing.part, task, use);
+      const double error = dyeing.measured ? kDyeError : kPickedDyeError;
+      auto walks = walkForDyes(*patch->scene, *patch->medium, dyeing.part, task, use, error);
       if (!walks) return false;
       (use == DyeWalks::toSolve ? dyeing.walks : dyeing.judging) = std::move(*walks);
     }
