@@ -31,7 +31,8 @@ std::optional<std::vector<FaceColour>> faceColours(const Fabric& fabric, const T
   const int fibres = fabric.fibres.size() > 1 ? std::min(static_cast<int>(fabric.fibres.size()), kMostFibres) : 0;
   for (int material = -1; material < fibres; ++material) {
     const bool isAll = material < 0;
-    const auto walks = walkForDyes(*patch->scene, *patch->medium, isAll ? wholePiece() : partOfFibre(material), task);
+    const auto walks = walkForDyes(*patch->scene, *patch->medium, isAll ? wholePiece() : partOfFibre(material), task,
+                                   DyeWalks::toJudge, kToldError);
     if (!walks) return std::nullopt;
     if (walks->lit() > 0)
       colours.push_back(

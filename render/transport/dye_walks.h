@@ -4,10 +4,10 @@
 
 namespace loomlight {
 
-/// Light is walked through a cloth until its colour is known this well: colourError().
-inline constexpr double kDyeError = 0.15;
-/// Where a colour was picked and not measured; and where somebody waits for the answer, which costs a seventh.
-inline constexpr double kPickedDyeError = 0.3, kLiveDyeError = 0.4;
+/// Light is walked through a cloth until its colour is known this well, by colourError(): where a measured swatch is to
+/// be matched; where a colour is told, judged or was only picked, which costs a quarter of it; and where somebody waits
+/// for the answer, a seventh.
+inline constexpr double kDyeError = 0.15, kToldError = 0.3, kLiveDyeError = 0.4;
 /// So many walks at first, which tell how many it takes; and at the most.
 inline constexpr size_t kFirstDyeWalks = 8192, kMostDyeWalks = 32 * kFirstDyeWalks;
 

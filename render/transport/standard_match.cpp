@@ -32,7 +32,7 @@ std::optional<std::vector<StandardMatch>> standardMatches(const Fabric& fabric,
   if (!patch) return std::nullopt;
   const Colouring colouring = colouringInDaylight(fabric);
   for (const ClothStandard& standard : standards) {
-    const auto walks = walkForDyes(*patch->scene, *patch->medium, standard.part, task, DyeWalks::toJudge);
+    const auto walks = walkForDyes(*patch->scene, *patch->medium, standard.part, task, DyeWalks::toJudge, kToldError);
     if (!walks) return std::nullopt;
     if (walks->lit() == 0)
       throw InputError(

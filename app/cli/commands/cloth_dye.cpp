@@ -81,7 +81,7 @@ bool walk(const Fabric& fabric, std::vector<Dyeing>& dyeings) {
   for (Dyeing& dyeing : dyeings) {
     for (const DyeWalks use : {DyeWalks::toSolve, DyeWalks::toJudge}) {
       ++done;
-      const double error = dyeing.measured ? kDyeError : kPickedDyeError;
+      const double error = dyeing.measured && use == DyeWalks::toSolve ? kDyeError : kToldError;
       auto walks = walkForDyes(*patch->scene, *patch->medium, dyeing.part, task, use, error);
       if (!walks) return false;
       (use == DyeWalks::toSolve ? dyeing.walks : dyeing.judging) = std::move(*walks);

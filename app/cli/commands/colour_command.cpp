@@ -68,7 +68,7 @@ std::optional<Sample> wovenSample(const ColourSide& side, const ColourCommand& c
   Progress progress("walking light through the cloth");
   Task task = interrupt.task(command.threads);
   task.progress = [&progress](double fraction) { progress.update(fraction); };
-  const auto walks = walkForDyes(fabric, part, task, DyeWalks::toJudge);
+  const auto walks = walkForDyes(fabric, part, task, DyeWalks::toJudge, kToldError);
   if (!walks) return std::nullopt;
   if (walks->lit() == 0)
     throw InputError(fmt::format("{}: expected a part that lies on the face, where it shows its colour, got {}",
