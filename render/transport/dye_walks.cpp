@@ -102,8 +102,8 @@ std::optional<PathLengthTally> walkForDyes(const Scene& scene, const Medium& med
   return tally;
 }
 
-std::optional<PathLengthTally> walkForDyes(const Fabric& fabric, const ClothPart& part, const Task& task,
-                                           DyeWalks use, double error) {
+std::optional<PathLengthTally> walkForDyes(const Fabric& fabric, const ClothPart& part, const Task& task, DyeWalks use,
+                                           double error) {
   const auto patch = makeColourPatch(fabric, task);
   return patch ? walkForDyes(*patch->scene, *patch->medium, part, task, use, error) : std::nullopt;
 }
