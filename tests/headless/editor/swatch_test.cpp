@@ -29,7 +29,7 @@ class Swatches : public testing::Test {
     return fmt::format("{}\n{}\n", head, row);
   }
   test::ScratchFolder folder;
-  HeadlessEditor editor{{1280, 900, 1}};
+  HeadlessEditor editor{{1024, 640, 1}};
 };
 
 TEST_F(Swatches, ADroppedOneDyesTheFibreInBandsInOneStep) {
@@ -66,9 +66,10 @@ TEST(SwatchOnTheCloth, DyesTheYarnUnderTheMouse) {
   std::string text = "nm (% SCE),brown\n";
   for (int nm = 380; nm <= 740; nm += 20) text += fmt::format("{},{}\n", nm, 5 + (nm - 380) * 0.012);
   test::putBytes(folder.file("brown.csv"), text);
-  HeadlessEditor editor{{1280, 900, 1}};
+  HeadlessEditor editor{{1024, 640, 1}};
   editor.start(cloth);
-  editor.untilPictured();
+  // A first look is coarser than a yarn; the picture rests at one sample.
+  editor.until("each yarn is seen", [&] { return editor.number("shown_samples") == 1; });
   const ImVec2 middle = editor.centre("viewport");
   // Along a line over the cloth both yarns are met; in the midst of one, as edges move while the picture refines.
   const auto findYarn = [&](const std::string& yarn) {
@@ -134,7 +135,7 @@ TEST(PieceDyeing, DyesAllFibresAlike) {
   cloth.yarns.push_back(cloth.yarns[0]);
   cloth.yarns[1].fibre = 1;
   cloth.weftSequence = {1};
-  HeadlessEditor editor{{1280, 900, 1}};
+  HeadlessEditor editor{{1024, 640, 1}};
   editor.start(cloth);
   editor.click("tab.fibre");
   editor.click("fibre.dyed/Piece");
@@ -148,7 +149,7 @@ TEST(PieceDyeing, DyesAllFibresAlike) {
 TEST(YarnDyeing, LeavesYarnsAsTheyAreThatShareItsFibre) {
   Fabric cloth = smallTwill();
   for (Yarn& yarn : cloth.yarns) yarn.fibre = 0;
-  HeadlessEditor editor{{1280, 900, 1}};
+  HeadlessEditor editor{{1024, 640, 1}};
   editor.start(cloth);
   editor.click("tab.fibre");
   editor.click("fibre.dyed/Yarn");

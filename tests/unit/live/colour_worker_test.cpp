@@ -99,7 +99,7 @@ TEST_F(ColourJudged, WhatCannotBeHadIsNearestUnderTheClothsLamp) {
 TEST_F(ColourJudged, SaysHowWellTheColourIsKnown) {
   judgementsOf(smallCloth(), grey());
   EXPECT_GT(worker.newest()->error, 0);
-  EXPECT_LT(worker.newest()->error, 1.1 * kDyeError);
+  EXPECT_LT(worker.newest()->error, 1.1 * kLiveDyeError);
 }
 
 // Once it is dyed as measured there is nothing left to judge.
