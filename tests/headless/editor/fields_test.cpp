@@ -1,4 +1,5 @@
 /// Typing: where Tab goes, what Enter and Esc do, what one undo takes back, and what is no edit at all.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -192,12 +193,21 @@ TEST_F(Orders, TheBarStaysUnderTheMouseThatDragsIt) {
     return field.y1 - field.y0;
   };
   const float one = height("2B");
-  std::string stripes = "9B";  // as many as one line has room for, and a first one as long as fits
-  while (height("9A " + stripes + (stripes.ends_with("B") ? " 9A" : " 9B")) == one)
-    stripes += stripes.ends_with("B") ? " 9A" : " 9B";
-  std::string first = "9A ";
-  while (height("1" + first + stripes) == one) first = "1" + first;
-  height(first + stripes);
+  // As many stripes as one line has room for, and then as many of two digits: the last, of one, is one digit short of a
+  // second line.
+  constexpr std::array kWidths{9, 4, 7, 2, 5, 8, 3, 6, 9, 7, 2, 8, 4, 6, 3, 5, 9, 2, 7, 4};  // no repeat in them
+  const auto order = [&](int wide, int stripes) {
+    std::string text;
+    for (int i = 0; i < stripes; ++i)
+      text += fmt::format("{}{}{}", i > 0 ? " " : "", kWidths[i] + (i < wide ? 10 : 0), i % 2 == 0 ? 'A' : 'B');
+    return text;
+  };
+  int stripes = 4, wide = 0;
+  while (height(order(0, stripes + 1)) == one) ASSERT_LT(++stripes, static_cast<int>(kWidths.size()));
+  while (wide + 1 < stripes && height(order(wide + 1, stripes)) == one) ++wide;
+  ASSERT_LT(wide + 1, stripes);
+  height(order(wide, stripes));
+  const size_t sizeBefore = warp().size();
   bringUp("order.bar");
   const HeadlessEditor::Rect bar = editor.rect("order.bar");
   const ImVec2 edge(bar.x1 - 2, 0.5f * (bar.y0 + bar.y1));  // of the last stripe
@@ -205,11 +215,9 @@ TEST_F(Orders, TheBarStaysUnderTheMouseThatDragsIt) {
   editor.press();
   editor.edits("the last stripe grows", [&] { editor.move(ImVec2(edge.x + 300, edge.y)); });
   EXPECT_EQ(editor.rect("order.bar").y0, bar.y0);
+  EXPECT_GT(warp().size(), sizeBefore);
   editor.release();
-  editor.until("the order takes another line", [&] {
-    const HeadlessEditor::Rect field = editor.rect("draft.warp_order");
-    return field.y1 - field.y0 > one;
-  });
+  EXPECT_GT(editor.rect("order.bar").y0, bar.y0) << "the order takes another line";
 }
 
 TEST_F(Orders, StripesAreColouredAddedAndTakenAway) {
