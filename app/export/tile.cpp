@@ -34,6 +34,11 @@ int64_t twistPeriod(const ClothGeometry& geometry, System system) {
   return period;
 }
 
+Fabric evenlySpun(Fabric fabric) {
+  for (Yarn& yarn : fabric.yarns) yarn.evennessCv_percent = yarn.slubs_per_m = 0;
+  return fabric;
+}
+
 /// The camera of a picture without perspective sees, at a distance of one, twice the tangent of ten degrees.
 double heightSeenAtOne() {
   return 2 * std::tan(10 * kPi / 180);
@@ -67,7 +72,8 @@ void fillHoles(const std::vector<float>& opacity, int width, int height, std::ve
 
 }  // namespace
 
-TileExtent tileExtent(const Fabric& fabric, bool joinTwist) {
+TileExtent tileExtent(const Fabric& uneven, bool joinTwist) {
+  const Fabric fabric = evenlySpun(uneven);
   const ClothGeometry geometry(fabric, fabric.weave.ends(), fabric.weave.picks());
   const auto lcm = [](int64_t a, int64_t b) { return std::lcm(a, b); };
   const int64_t ends =
@@ -98,7 +104,7 @@ int usualTileSide(const Fabric& fabric, const TileExtent& extent) {
 }
 
 Fabric tileScene(const Fabric& fabric, const TileExtent& extent, int longestSide, ClothSide side) {
-  Fabric scene = fabric;
+  Fabric scene = evenlySpun(fabric);
   const double width_mm = extent.ends * fabric.warpPitch_mm(), height_mm = extent.picks * fabric.weftPitch_mm();
   const double pixels_per_mm = longestSide / std::max(width_mm, height_mm);
   scene.render.width = std::max(1, static_cast<int>(std::lround(width_mm * pixels_per_mm)));
@@ -165,7 +171,7 @@ std::optional<TileReport> makeTile(const Fabric& fabric, const std::string& stem
   const int side = order.longestSide > 0 ? order.longestSide : usualTileSide(fabric, extent);
   const auto tile = std::make_shared<const Fabric>(tileScene(fabric, extent, side));
   validate(*tile, "the tile");
-  const auto picture = renderWhole(tile, {limit_bytes, FibreExtent::oneRepeat}, task);
+  const auto picture = renderWhole(tile, {limit_bytes, FibreExtent::oneRepeat}, task, extent.tiling());
   if (!picture) return std::nullopt;
   Task naming = task;
   naming.progress = nullptr;  // it takes a moment

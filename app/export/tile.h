@@ -19,6 +19,8 @@ struct TileExtent {
   /// The twist of every yarn comes round as well, so that each fibre goes on in the next tile. Where that would take
   /// too large a tile, only weave and colours do.
   bool twistJoins = true;
+
+  Tiling tiling() const { return {ends, picks}; }
 };
 /// The smallest rectangle of crossings that repeats: weave, order of colours, and where `joinTwist` and up to 2000
 /// ends or picks a side, twist. Throws InputError where colours alone take more than Weave::kMaxSide.
@@ -35,8 +37,10 @@ int usualTileSide(const Fabric& fabric, const TileExtent& extent);
 /// the vertical axis of the front's picture: column c of one lies behind column width - 1 - c of the other, rows stay.
 enum class ClothSide { front, back };
 
-/// The fabric as it is rendered for a tile: flat, several tiles wide, in white light from everywhere, seen straight
-/// from above its side without perspective; the picture is the tile in the middle. `longestSide`: pixels, 16..16384.
+/// The fabric as it is rendered for a tile, together with its tiling(): of yarns that are even and without slubs, as
+/// every one of these would come again in each tile; flat, several tiles wide, in white light from everywhere, seen
+/// straight from above its side without perspective; the picture is the tile in the middle. `longestSide`:
+/// pixels, 16..16384.
 Fabric tileScene(const Fabric& fabric, const TileExtent& extent, int longestSide, ClothSide side = ClothSide::front);
 
 /// The maps, row by row from the top left, the first pick at the bottom; of the front the first end is at the left, of

@@ -23,6 +23,6 @@ std::optional<Film> tracedFilm(const Scene& scene, const Medium& medium, const T
 /// A fabric built and traced to its own RenderSettings, with one progress for both. Nothing when stopped. Throws
 /// InputError.
 std::optional<WholePicture> renderWhole(std::shared_ptr<const Fabric> fabric, const FibreOptions& fibres,
-                                        const Task& task);
+                                        const Task& task, const Tiling& tiling = {});
 
 }  // namespace loomlight

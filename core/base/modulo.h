@@ -11,8 +11,8 @@ constexpr int wrap(int i, int n) {
   return r < 0 ? r + n : r;
 }
 
-/// The remainder by a divisor that is used often: two multiplications instead of a division (Lemire, Kaser and Kurz
-/// 2019, "Faster remainder by direct computation"). Exact for all 32-bit numbers.
+/// Remainder and quotient by a divisor that is used often: multiplications instead of a division (Lemire, Kaser and
+/// Kurz 2019, "Faster remainder by direct computation"). Exact for all 32-bit numbers.
 class Modulo {
  public:
   constexpr Modulo() = default;  ///< by 1
@@ -20,6 +20,9 @@ class Modulo {
       : inverse_(std::numeric_limits<uint64_t>::max() / divisor + 1), divisor_(divisor) {}
   constexpr uint32_t operator()(uint32_t n) const {
     return static_cast<uint32_t>(static_cast<Wide>(inverse_ * n) * divisor_ >> 64);
+  }
+  constexpr uint32_t quotient(uint32_t n) const {
+    return divisor_ == 1 ? n : static_cast<uint32_t>(static_cast<Wide>(inverse_) * n >> 64);
   }
 
  private:

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <span>
 
-#include "core/geometry/stations.h"
-
 // How it works. All fibres of a cell have their points at the same stations along the yarn (stations.cpp), which know
 // the angles of ply, cord and yarn there. In the round section a fibre's place is the sum of three turned vectors: of
 // the cord about the yarn, of the ply about the cord, of the fibre about the ply (where it has migrated to). That sum
@@ -194,17 +192,18 @@ double CellStrands::length_mm() const {
 }
 
 CellStrands layStrands(const YarnModel& yarn, const PathNode& previous, const PathNode& here, const PathNode& next,
-                       int phase, double pitch_mm) {
-  const std::vector<Station> stations = layStations(yarn, previous, here, next, phase, pitch_mm);
+                       const CellOfYarn& cell, double pitch_mm) {
+  const std::vector<Station> stations = layStations(yarn, previous, here, next, cell, pitch_mm);
+  const std::vector<YarnModel::FlyawayUse>& flyaways = yarn.flyawaysAt[static_cast<size_t>(cell.phase)];
   const float edge = static_cast<float>(0.5 * pitch_mm);
   CellStrands out;
   out.fibreRadius_mm = static_cast<float>(yarn.geometry.fibreRadius_mm);
-  out.points.reserve((yarn.fibreCount() + yarn.flyawaysAt[phase].size()) * (stations.size() + 1));
-  out.strands.reserve(yarn.fibreCount() + yarn.flyawaysAt[phase].size());
+  out.points.reserve((yarn.fibreCount() + flyaways.size()) * (stations.size() + 1));
+  out.strands.reserve(yarn.fibreCount() + flyaways.size());
   StrandClipper clipper(out, edge);
   layBody(yarn, stations, clipper);
   std::vector<glm::vec3> line;
-  for (const YarnModel::FlyawayUse& use : yarn.flyawaysAt[phase])
+  for (const YarnModel::FlyawayUse& use : flyaways)
     layFlyaway(yarn, yarn.flyaways[use.index], use.shift, stations, line, clipper);
   return out;
 }

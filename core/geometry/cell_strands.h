@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/units.h"
+#include "core/geometry/stations.h"
 #include "core/geometry/yarn_model.h"
 #include "core/geometry/yarn_path.h"
 
@@ -24,7 +25,8 @@ struct CellStrands {
   std::vector<glm::vec3> points;
   std::vector<Strand> strands;
   /// The yarn's, but for the percent or two (0.3 % in open cloth) by which bending and the cell's own length change the
-  /// take-up of the twist: with this radius the cell weighs the yarn's count times the length of its axis, exactly.
+  /// take-up of the twist: with this radius the cell weighs the yarn's count times the length of its axis, exactly; of
+  /// an uneven yarn, times what its stretch has of the count there.
   float fibreRadius_mm = 0;
 
   size_t segments() const { return points.size() - strands.size(); }
@@ -35,6 +37,6 @@ struct CellStrands {
 /// the yarn's, migrating between core and surface (Zhao et al. 2016, Eq. 3), then pressed, and cut off at the ends of
 /// the cell. Every fibre's points lie at the cell's stations (stations.h). With the yarn's own fibre radius.
 CellStrands layStrands(const YarnModel& yarn, const PathNode& previous, const PathNode& here, const PathNode& next,
-                       int phase, double pitch_mm);
+                       const CellOfYarn& cell, double pitch_mm);
 
 }  // namespace loomlight

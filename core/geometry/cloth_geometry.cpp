@@ -5,8 +5,8 @@
 namespace loomlight {
 
 ClothGeometry::ClothGeometry(const Fabric& fabric, int ends, int picks, const ClothGeometry* previous, bool sketched,
-                             const Task& task)
-    : yarns_(fabric, previous ? &previous->yarns_ : nullptr, sketched, task),
+                             const Task& task, const Tiling& tiling)
+    : yarns_(fabric, previous ? &previous->yarns_ : nullptr, sketched, task, tiling),
       codes_(fabric.weave, {yarns_.classes(System::warp), yarns_.classes(System::weft)}),
       ends_(ends),
       picks_(picks) {
@@ -17,13 +17,15 @@ YarnCellKey ClothGeometry::key(System system, int pick, int end) const {
   ShapeCode code;
   codes_.read(system, system == System::warp ? end : pick, system == System::warp ? pick : end, {&code, 1});
   YarnCellKey key = shapeKey(system, code);
-  key.phase = phase(system, pick, end);
+  const YarnTable::Place at = place(system, pick, end);
+  key.phase = at.phase;
+  if (const auto& spool = yarns_.spool(system, key.yarn)) key.stretch = spool->kind(at.stretch);
   return key;
 }
 
-int ClothGeometry::phase(System system, int pick, int end) const {
+YarnTable::Place ClothGeometry::place(System system, int pick, int end) const {
   const int along = system == System::warp ? pick : end, across = system == System::warp ? end : pick;
-  return yarns_.phase(system, geometryClass(system, across), across, along);
+  return yarns_.place(system, geometryClass(system, across), across, along);
 }
 
 bool ClothGeometry::differsInWeaveOnly(const ClothGeometry& other) const {

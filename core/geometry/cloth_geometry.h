@@ -31,7 +31,7 @@ class ClothGeometry {
   /// there for a first look, their fibres where they are but for overlaps; those that `previous` has are as they should
   /// be. Once `task` is stopped the rest is made in no time, to be thrown away.
   ClothGeometry(const Fabric& fabric, int ends, int picks, const ClothGeometry* previous = nullptr,
-                bool sketched = false, const Task& task = oneThread());
+                bool sketched = false, const Task& task = oneThread(), const Tiling& tiling = {});
 
   /// The yarns, whatever the weave; and what they do in each cell, whatever their shape.
   const YarnTable& yarns() const { return yarns_; }
@@ -42,10 +42,11 @@ class ClothGeometry {
   /// The yarn of `system` in cell (pick, end); any integers: the cloth goes on beyond its edges as its repeat does.
   /// Costs about a dozen look-ups.
   YarnCellKey key(System system, int pick, int end) const;
-  /// The key up to the phase: that of all cells of a code, with phase 0.
+  /// The key up to the phase and the stretch: that of all cells of a code, with both 0.
   YarnCellKey shapeKey(System system, ShapeCode code) const { return yarns_.shapeKey(system, shapeOf(code)); }
-  /// The phase of key() alone.
-  int phase(System system, int pick, int end) const;
+  /// Where on its yarn the cell lies.
+  YarnTable::Place place(System system, int pick, int end) const;
+  int phase(System system, int pick, int end) const { return place(system, pick, end).phase; }
   /// Whether this is the same piece but for its weave: a cell whose code is the same has the same fibres.
   bool differsInWeaveOnly(const ClothGeometry& other) const;
 

@@ -11,7 +11,7 @@ namespace {
 /// Segments of the fibres of a cell, averaged over its phases.
 double segmentsOf(const YarnModel& yarn, const YarnCellKey& key) {
   const YarnGeometry& g = yarn.geometry;
-  const auto stations = layStations(yarn, key.previous, key.here, key.next, 0, g.pitch_mm);
+  const auto stations = layStations(yarn, key.previous, key.here, key.next, {}, g.pitch_mm);
   double steps = 0;
   for (size_t i = 0; i + 1 < stations.size(); ++i)
     if (stations[i + 1].s_mm > -0.5 * g.pitch_mm && stations[i].s_mm < 0.5 * g.pitch_mm) ++steps;

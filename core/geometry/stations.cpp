@@ -32,8 +32,9 @@ class TwistEasing {
 
 class CellStations {
  public:
-  CellStations(const YarnModel& yarn, double pitch_mm) : yarn_(yarn), pitch_(pitch_mm) {
-    const double reach = yarn.bodyReach_mm * yarn.geometry.highest();
+  CellStations(const YarnModel& yarn, const Stretch& stretch, double pitch_mm)
+      : yarn_(yarn), stretch_(stretch), pitch_(pitch_mm) {
+    const double reach = yarn.bodyReach_mm * yarn.geometry.highest() * yarn.thickest();
     reach_ = reach;
     const int fibres = std::max(1, static_cast<int>(yarn.fibreCount()));
     maxStations_ = std::clamp(kMaxPointsPerCell / fibres, kLeastMaxStations, kMaxStations);
@@ -98,7 +99,7 @@ class CellStations {
     const double bend = inPly * spin * spin + g.plyOrbit_mm * swing * swing + g.cordOrbit_mm * cable * cable +
                         wanderBend + 2 * wander * spin;
     const double easing = section.slope() / length_mm, easingBend = section.bend() / (length_mm * length_mm);
-    const double scale = section.largest();
+    const double scale = section.largest() * yarn_.thickest();
     return {scale * slope + easing * yarn_.bodyReach_mm,
             scale * bend + 2 * easing * slope + easingBend * yarn_.bodyReach_mm};
   }
@@ -121,9 +122,12 @@ class CellStations {
     Station x;
     const double tilt = std::clamp(std::sin(at.angle), -maxTilt_, maxTilt_);
     x.s_mm = static_cast<float>(s_mm + at.s_mm);
-    x.z_mm = static_cast<float>(at.z_mm);
-    x.up = static_cast<float>(section.up);
-    x.across = static_cast<float>(std::min(section.across, yarn_.widest()));
+    // Where it is thick the yarn lies further out: what it crosses stays where it is, and touches it still.
+    const double thick = stretch_.radiusAt(t, g.period);
+    const double outwards = at.z_mm * std::min(1.0, g.halfHeight_mm() / std::max(crown_mm, 1e-9));
+    x.z_mm = static_cast<float>(at.z_mm + (thick - 1) * outwards);
+    x.up = static_cast<float>(section.up * thick);
+    x.across = static_cast<float>(std::min(section.across * thick, yarn_.widest()));
     x.crown_mm = static_cast<float>(crown_mm);
     x.normalS = static_cast<float>(-tilt);
     x.normalZ = static_cast<float>(std::sqrt(1 - tilt * tilt));
@@ -142,6 +146,7 @@ class CellStations {
   }
 
   const YarnModel& yarn_;
+  const Stretch& stretch_;
   double pitch_, reach_ = 0, maxTilt_ = 1;
   double slope_ = 0, bend_ = 0;  ///< of the fibres' migration, mm
   int maxStations_ = kMaxStations;
@@ -151,10 +156,10 @@ class CellStations {
 }  // namespace
 
 std::vector<Station> layStations(const YarnModel& yarn, const PathNode& previous, const PathNode& here,
-                                 const PathNode& next, int phase, double pitch_mm) {
-  CellStations stations(yarn, pitch_mm);
-  stations.add(previous, here, -pitch_mm, phase - 1, false);
-  stations.add(here, next, 0, phase, true);
+                                 const PathNode& next, const CellOfYarn& cell, double pitch_mm) {
+  CellStations stations(yarn, cell.stretch, pitch_mm);
+  stations.add(previous, here, -pitch_mm, cell.phase - 1, false);
+  stations.add(here, next, 0, cell.phase, true);
   return stations.take();
 }
 

@@ -28,10 +28,16 @@ inline constexpr double kSagitta = 0.1;
 inline constexpr int kMaxStations = 1024;
 inline constexpr int kLeastMaxStations = 32;
 
+/// Which cell of its yarn is laid.
+struct CellOfYarn {
+  int phase = 0;
+  Stretch stretch;
+};
+
 /// The stations of a cell from `previous` through `here` to `next`, in order, and those beside it whose fibres spill
 /// in: the fibres lie in planes normal to the path, so the cell's ends cut them at different stations. Each transition
 /// has its stations from its own nodes, so both cells that share a transition have the same stations in it.
 std::vector<Station> layStations(const YarnModel& yarn, const PathNode& previous, const PathNode& here,
-                                 const PathNode& next, int phase, double pitch_mm);
+                                 const PathNode& next, const CellOfYarn& cell, double pitch_mm);
 
 }  // namespace loomlight

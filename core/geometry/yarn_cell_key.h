@@ -11,8 +11,9 @@ namespace loomlight {
 /// voxel for voxel. Colour and optics are not in it.
 struct YarnCellKey {
   System system = System::warp;
-  int yarn = 0;   ///< geometry class of the yarn: equal for yarns that differ only in colour
-  int phase = 0;  ///< where in the yarn's own period this cell lies, 0 <= phase < YarnGeometry::period
+  int yarn = 0;     ///< geometry class of the yarn: equal for yarns that differ only in colour
+  int phase = 0;    ///< where in the yarn's own period this cell lies, 0 <= phase < YarnGeometry::period
+  int stretch = 0;  ///< of an uneven yarn, the kind of stretch that the cell lies in (Spool::kind); else 0
   PathNode previous, here, next;
   bool operator==(const YarnCellKey&) const = default;
 };

@@ -102,6 +102,14 @@ void pressSections(YarnGeometry& g, const Yarn& yarn, double press) {
   if (!rigid) fit(g, g.free = {kFree.up / flatter, kFree.across * flatter}, unused);
 }
 
+/// A monofilament is drawn, not spun: it is even.
+Evenness evennessOf(const Yarn& yarn) {
+  if (yarn.fibresPerPly == 1) return {};
+  Evenness evenness{.massCv = yarn.evennessCv_percent / 100};
+  if (yarn.slubs_per_m > 0) evenness = {evenness.massCv, yarn.slubs_per_m * 1e-3, yarn.slubLength_mm, yarn.slubRatio};
+  return evenness;
+}
+
 }  // namespace
 
 double YarnGeometry::coreRadius_mm() const {
@@ -151,6 +159,7 @@ YarnGeometry outlineYarn(const Yarn& yarn, const Fibre& fibre, double pitch_mm, 
   g.disorder = std::tan(yarn.fibreDisorder_deg * kPi / 180);
   g.hairiness_per_mm = yarn.hairiness_per_mm;
   g.hairLength_mm = yarn.hairiness_per_mm > 0 ? yarn.hairLength_mm : 0.0;
+  g.evenness = evennessOf(yarn);
   g.layout = yarn.layout;
   setPlyRadius(g, plyRadius_mm(g, yarn, fibre));
   const bool monofilament = yarn.fibresPerPly == 1;
@@ -162,7 +171,7 @@ YarnGeometry outlineYarn(const Yarn& yarn, const Fibre& fibre, double pitch_mm, 
 void resolveTwist(YarnGeometry& g, const Yarn& yarn, double cellLength_mm) {
   g.cellLength_mm = cellLength_mm;
   const Twist twist = possibleTwist(g, yarn, cellLength_mm);
-  const bool varied = g.migration > 0 || g.disorder > 0 || g.hairiness_per_mm > 0;
+  const bool varied = g.migration > 0 || g.disorder > 0 || g.hairiness_per_mm > 0 || !g.evenness.isEven();
   double best = -1;
   for (int period = varied ? kMinVariedPeriod : kMinPeriod; period <= kMaxPeriod; ++period) {
     const double length_mm = cellLength_mm * period;

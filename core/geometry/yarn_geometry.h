@@ -7,6 +7,7 @@
 
 #include "core/fabric/model/fabric.h"
 #include "core/geometry/pressing.h"
+#include "core/geometry/spool.h"
 
 namespace loomlight {
 
@@ -38,6 +39,7 @@ struct YarnGeometry {
   double disorder = 0;  ///< of fibres, to their helix: RMS slope, along either axis
   double hairiness_per_mm = 0;
   double hairLength_mm = 0;
+  Evenness evenness;
   FibreLayout layout = FibreLayout::packed;
   uint64_t seed = 0;
 

@@ -140,9 +140,14 @@ double looseLength_mm(const YarnModel& m) {
 /// Fibres a ply that a cell has room for in memory, at the stations it needs.
 int fibreLimit(const YarnModel& m) {
   const PathNode straight = m.straightNode();
-  const size_t stations = layStations(m, straight, straight, straight, 0, m.geometry.cellLength_mm).size();
+  const size_t stations = layStations(m, straight, straight, straight, {}, m.geometry.cellLength_mm).size();
   const int byPoints = kMaxPointsPerCell / (m.geometry.singles() * static_cast<int>(stations));
   return std::clamp(byPoints, 1, std::min(kMaxFibresPerPly, kMaxFibresInYarn / m.geometry.singles()));
+}
+
+void spin(YarnModel& m) {
+  const YarnGeometry& g = m.geometry;
+  m.spool = g.evenness.isEven() ? nullptr : std::make_shared<Spool>(g.evenness, g.period, g.cellLength_mm, g.seed);
 }
 
 void measureStraight(YarnModel& m) {
@@ -150,7 +155,7 @@ void measureStraight(YarnModel& m) {
   m.straightLength_mm.clear();
   for (int phase = 0; phase < m.geometry.period; ++phase)
     m.straightLength_mm.push_back(
-        layStrands(m, straight, straight, straight, phase, m.geometry.cellLength_mm).length_mm());
+        layStrands(m, straight, straight, straight, {phase, {}}, m.geometry.cellLength_mm).length_mm());
 }
 
 /// Fibre length per length of yarn.
@@ -163,11 +168,12 @@ double meanTakeUp(const YarnModel& m) {
 }  // namespace
 
 double YarnModel::reachUp_mm() const {
-  const double scale = geometry.highest();
+  // A thicker place also lies further out, by as much (CellStations::place).
+  const double scale = geometry.highest() * thickest();
   double reach = bodyReach_mm * scale;
   for (const Flyaway& f : flyaways)
     reach = std::max(reach, f.lies ? geometry.halfHeight_mm() + f.rise_mm : f.root_mm * scale + f.rise_mm);
-  return reach + 1.05 * geometry.fibreRadius_mm;
+  return reach + (thickest() - 1) * geometry.halfHeight_mm() + 1.05 * thickest() * geometry.fibreRadius_mm;
 }
 
 YarnSource sourceOf(const YarnGeometry& resolved, const Yarn& yarn, const Fibre& fibre) {
@@ -217,7 +223,15 @@ std::shared_ptr<const YarnModel> makeYarnModel(const YarnSource& source, const T
     if (!source.fibresPerPly) g.fibreRadius_mm = std::sqrt(area / (kPi * meanTakeUp(*model)));
   }
   g.count_tex = 1e6 * g.fibreMass_g_mm() * meanTakeUp(*model);
+  spin(*model);  // last: fibres lie where they would in an even yarn
   return model;
+}
+
+std::shared_ptr<const YarnModel> withEvenness(const YarnModel& model, const Evenness& evenness) {
+  auto other = std::make_shared<YarnModel>(model);
+  other->source.resolved.evenness = other->geometry.evenness = evenness;
+  spin(*other);
+  return other;
 }
 
 }  // namespace loomlight

@@ -38,6 +38,7 @@ struct YarnModel {
     double shift;
   };
   std::vector<std::vector<FlyawayUse>> flyawaysAt;
+  std::shared_ptr<const Spool> spool;     ///< null where the yarn is even
   std::vector<double> straightLength_mm;  ///< per phase: of all fibres in a straight cell of length cellLength
 
   size_t fibreCount() const {
@@ -46,6 +47,10 @@ struct YarnModel {
   /// Factor across of the widest section that stays in the cells beside its own: a few fat fibres may reach far beyond
   /// their ply.
   double widest() const { return 1.499 * geometry.crossPitch_mm / bodyReach_mm; }
+  /// Of a kind that its spool has; of an even yarn, 0.
+  Stretch stretch(int kind) const { return spool ? spool->stretch(kind) : Stretch{}; }
+  /// Factor on its radius, where it is thickest.
+  double thickest() const { return spool ? spool->largestRadius() : 1.0; }
   /// Where the yarn lies straight, its section is the usual one.
   PathNode straightNode() const {
     return {0.0f, static_cast<float>(geometry.usual().up), static_cast<float>(geometry.usual().across)};
@@ -60,6 +65,8 @@ struct YarnModel {
 /// straight cell, gets thicker fibres instead, each for a bundle: the mass stays. A given number of fibres keeps its
 /// radius, and the count follows. Once the task is stopped the model is made in no time, to be thrown away.
 std::shared_ptr<const YarnModel> makeYarnModel(const YarnSource& source, const Task& task = oneThread());
+/// The same yarn, spun more or less evenly: its fibres lie as they did.
+std::shared_ptr<const YarnModel> withEvenness(const YarnModel& model, const Evenness& evenness);
 /// Whether to sketch the yarn first saves time that is felt.
 bool isWorthSketching(const YarnSource& source);
 YarnSource sourceOf(const YarnGeometry& resolved, const Yarn& yarn, const Fibre& fibre);

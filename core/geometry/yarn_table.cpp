@@ -18,8 +18,26 @@
 // their source is equal.
 
 namespace loomlight {
-YarnTable::YarnTable(const Fabric& fabric, const YarnTable* previous, bool sketched, const Task& task)
-    : warpPitch_mm_(fabric.warpPitch_mm()), weftPitch_mm_(fabric.weftPitch_mm()) {
+namespace {
+
+/// The yarn of this source, where these have it, or one that is it but for its evenness; else null.
+std::shared_ptr<const YarnModel> reused(const std::vector<std::shared_ptr<const YarnModel>>& models,
+                                        const YarnSource& source) {
+  YarnSource other = source;
+  for (const auto& model : models) {
+    if (!model) continue;
+    other.resolved.evenness = model->source.resolved.evenness;
+    if (!(model->source == other)) continue;
+    return model->source == source ? model : withEvenness(*model, source.resolved.evenness);
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+YarnTable::YarnTable(const Fabric& fabric, const YarnTable* previous, bool sketched, const Task& task,
+                     const Tiling& tiling)
+    : warpPitch_mm_(fabric.warpPitch_mm()), weftPitch_mm_(fabric.weftPitch_mm()), tiling_(tiling) {
   resolve(fabric, previous, sketched, task);
   findThickness();
 }
@@ -62,9 +80,7 @@ void YarnTable::resolve(const Fabric& fabric, const YarnTable* previous, bool sk
       const Yarn& yarn = *yarnOf[own];
       resolveTwist(outline, yarn, 0.5 * (outline.pitch_mm + interlaced));
       YarnSource source = sourceOf(outline, yarn, meanFibre(yarn, fabric.fibres));
-      if (previous)
-        for (const auto& model : previous->of(system).models)
-          if (model && model->source == source) mine.models[own] = model;
+      if (previous) mine.models[own] = reused(previous->of(system).models, source);
       if (mine.models[own]) continue;
       source.sketched = (sketched || task.stopped()) && isWorthSketching(source);
       mine.models[own] = makeYarnModel(source, task);
@@ -130,13 +146,21 @@ PathNode YarnTable::node(System system, int own, const CellShape::Node& at) cons
 
 YarnCellKey YarnTable::shapeKey(System system, const CellShape& shape) const {
   const auto nodeAt = [&](const CellShape::Node& at) { return node(system, shape.own, at); };
-  return {system, shape.own, 0, nodeAt(shape.previous), nodeAt(shape.here), nodeAt(shape.next)};
+  return {system, shape.own, 0, 0, nodeAt(shape.previous), nodeAt(shape.here), nodeAt(shape.next)};
 }
 
-int YarnTable::phase(System system, int geometryClass, int across, int along) const {
-  const YarnGeometry& g = model(system, geometryClass).geometry;
-  const int start = static_cast<int>(mixBits(g.seed ^ static_cast<uint32_t>(across)) % static_cast<uint64_t>(g.period));
-  return (wrap(along, g.period) + start) % g.period;
+YarnTable::Place YarnTable::place(System system, int geometryClass, int across, int along) const {
+  const YarnModel& yarn = model(system, geometryClass);
+  const int period = yarn.geometry.period;
+  const int repeat = system == System::warp ? tiling_.ends : tiling_.picks;
+  const int thread = repeat > 0 ? wrap(across, repeat) : across;
+  const uint64_t bits = mixBits(yarn.geometry.seed ^ static_cast<uint32_t>(thread));
+  const int start = static_cast<int>(bits % static_cast<uint64_t>(period)) + wrap(along, period);
+  Place place{start % period};
+  if (!yarn.spool) return place;
+  const int periods = (along - wrap(along, period)) / period + start / period;
+  place.stretch = (static_cast<uint32_t>(bits >> 40) + static_cast<uint32_t>(periods)) % Spool::kStretches;
+  return place;
 }
 
 bool YarnTable::sameShapes(const YarnTable& other) const {
@@ -148,7 +172,8 @@ bool YarnTable::sameShapes(const YarnTable& other) const {
            std::equal(a.models.begin(), a.models.end(), b.models.begin(), b.models.end(), sameModel);
   };
   return sameSystem(systems_[0], other.systems_[0]) && sameSystem(systems_[1], other.systems_[1]) &&
-         warpPitch_mm_ == other.warpPitch_mm_ && weftPitch_mm_ == other.weftPitch_mm_ && sameNodes(other);
+         tiling_ == other.tiling_ && warpPitch_mm_ == other.warpPitch_mm_ && weftPitch_mm_ == other.weftPitch_mm_ &&
+         sameNodes(other);
 }
 
 std::optional<ClassNames> YarnTable::namesOfClasses(const YarnTable& other) const {
@@ -210,9 +235,11 @@ bool YarnTable::sameNodes(const YarnTable& other) const {
 CellStrands YarnTable::strands(const YarnCellKey& key) const {
   const YarnModel& yarn = model(key.system, key.yarn);
   const YarnGeometry& g = yarn.geometry;
-  CellStrands cell = layStrands(yarn, key.previous, key.here, key.next, key.phase, g.pitch_mm);
+  const Stretch stretch = yarn.stretch(key.stretch);
+  CellStrands cell = layStrands(yarn, key.previous, key.here, key.next, {key.phase, stretch}, g.pitch_mm);
   const double straight = yarn.straightLength_mm[key.phase] * axisLength_mm(key) / g.cellLength_mm;
-  cell.fibreRadius_mm = static_cast<float>(g.fibreRadius_mm * std::sqrt(straight / cell.length_mm()));
+  const double mass = stretch.massOfCell(key.phase, g.period);
+  cell.fibreRadius_mm = static_cast<float>(g.fibreRadius_mm * std::sqrt(mass * straight / cell.length_mm()));
   return cell;
 }
 

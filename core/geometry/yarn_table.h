@@ -16,11 +16,18 @@
 
 namespace loomlight {
 
+/// After how many ends and picks a piece repeats thread for thread, so that such pieces join side by side; 0: never. In
+/// cloth no thread is like another, for each begins somewhere else along its yarn.
+struct Tiling {
+  int ends = 0, picks = 0;
+  bool operator==(const Tiling&) const = default;
+};
+
 /// The yarns of a cloth, and how each bends where it crosses any other: all of its shape that no weave changes.
 class YarnTable {
  public:
   /// As ClothGeometry.
-  YarnTable(const Fabric& fabric, const YarnTable* previous, bool sketched, const Task& task);
+  YarnTable(const Fabric& fabric, const YarnTable* previous, bool sketched, const Task& task, const Tiling& tiling);
   bool isSketched() const;  ///< any of the yarns
 
   double warpPitch_mm() const { return warpPitch_mm_; }
@@ -37,10 +44,18 @@ class YarnTable {
   /// Of a class that occurs in the system's sequence.
   const YarnModel& model(System system, int geometryClass) const;
 
-  YarnCellKey shapeKey(System system, const CellShape& shape) const;  ///< with phase 0
+  YarnCellKey shapeKey(System system, const CellShape& shape) const;  ///< with phase and stretch 0
   /// Where in its period a yarn is in a cell. It counts on along the yarn from a start that differs from yarn to yarn,
   /// so that neighbours are not in step.
-  int phase(System system, int geometryClass, int across, int along) const;
+  struct Place {
+    int phase = 0;
+    uint32_t stretch = 0;  ///< of its spool, < Spool::kStretches; 0 where the yarn is even
+  };
+  Place place(System system, int geometryClass, int across, int along) const;
+  /// The spool of a class that occurs in the system's sequence; null where the yarn is even.
+  const std::shared_ptr<const Spool>& spool(System system, int geometryClass) const {
+    return model(system, geometryClass).spool;
+  }
 
   /// The fibres of a cell. A pure function of the key (and of these yarns).
   CellStrands strands(const YarnCellKey& key) const;
@@ -71,6 +86,7 @@ class YarnTable {
   std::vector<Crossing> crossings_;  ///< warp class * classCount + weft class
   int classCount_ = 0;
   double warpPitch_mm_ = 0, weftPitch_mm_ = 0, halfThickness_mm_ = 0;
+  Tiling tiling_;
 };
 
 }  // namespace loomlight

@@ -50,6 +50,7 @@ int repeatAlong(const ClothGeometry& geometry, System system, int piece) {
       warp ? std::min(geometry.repeatEnds(), geometry.ends()) : std::min(geometry.repeatPicks(), geometry.picks());
   for (int i = 0; i < yarns && repeat < piece; ++i) {
     const YarnCellKey key = warp ? geometry.key(system, 0, i) : geometry.key(system, i, 0);
+    if (geometry.yarns().spool(system, key.yarn)) return piece;  // uneven yarns never repeat
     repeat = std::lcm(repeat, static_cast<int64_t>(geometry.yarn(system, key.yarn).period));
   }
   const int64_t crossings = (kMinCrossings + repeat - 1) / repeat * repeat;

@@ -144,7 +144,7 @@ bool makeCloth(Unfinished& made, const SceneBase& base, const ScenePreviews* fir
   Stopwatch watch;
   const Piece piece = makePiece(fabric);
   const auto makeGeometry = [&](const ClothGeometry* known, bool sketched) {
-    return std::make_shared<const ClothGeometry>(fabric, piece.ends, piece.picks, known, sketched, task);
+    return std::make_shared<const ClothGeometry>(fabric, piece.ends, piece.picks, known, sketched, task, base.tiling);
   };
   auto geometry = makeGeometry(volumeBefore ? &volumeBefore->geometry() : nullptr, first != nullptr);
   if (task.stopped()) return false;

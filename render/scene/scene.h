@@ -57,6 +57,7 @@ struct ScenePreviews {
 struct SceneBase {
   const Scene* scene = nullptr;
   Changes edit;
+  Tiling tiling = {};  ///< of a cloth that is made anew
 
   /// Whether what these stages make serves again.
   bool keeps(Stages stages) const { return scene && !edit.stages.any(stages); }

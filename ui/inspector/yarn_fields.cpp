@@ -168,6 +168,16 @@ void twistNewStrands(const Yarn& before, Yarn& yarn) {
   }
 }
 
+bool evennessRows(Ui& ui, Yarn& yarn) {
+  if (yarn.fibresPerPly == 1) return false;  // drawn, not spun
+  bool changed = memberField(ui, "yarn", yarn, &Yarn::evennessCv_percent, 1, 0.05);
+  changed |= memberField(ui, "yarn", yarn, &Yarn::slubs_per_m, 1, 0.05);
+  if (yarn.slubs_per_m <= 0) return changed;
+  changed |= memberField(ui, "yarn", yarn, &Yarn::slubLength_mm, 0);
+  changed |= memberField(ui, "yarn", yarn, &Yarn::slubRatio, 2);
+  return changed;
+}
+
 bool bulkRows(Ui& ui, const Fibre& fibre, Yarn& yarn) {
   bool changed = memberField(ui, "yarn", yarn, &Yarn::packing, 2);
   const FieldInfo packing = fieldInfo(&Yarn::packing);

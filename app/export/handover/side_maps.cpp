@@ -60,7 +60,7 @@ class TileStudio {
   bool build(const Task& task) {
     const auto first = std::make_shared<const Fabric>(sceneOf(ClothSide::front));
     validate(*first, "the tile");
-    built_ = makeScene(first, task);
+    built_ = makeScene(first, task, SceneBase{nullptr, {}, extent_.tiling()});
     medium_ = built_ ? makeMedium(*built_, {limit_bytes_, FibreExtent::oneRepeat}, task) : nullptr;
     return medium_ != nullptr;
   }

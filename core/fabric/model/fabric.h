@@ -52,12 +52,16 @@ struct Yarn {
   int cords = 1;                  ///< plied yarns that are cabled together, 1..6; 1: the yarn is no cable
   double cableTwist_per_m = 0.0;  ///< turns of the cords about the axis of the yarn, 0..5000; cords > 1 only
   TwistDirection cableTwistDirection = TwistDirection::z;
-  double packing = 0.55;           ///< fibre volume over ply volume, 0.05..0.85
-  double flattening = 1.2;         ///< how readily it flattens, 1..4: goes with the width over height of its section
-  double hairiness_per_mm = 0.0;   ///< loose fibre ends and loops per mm of yarn, 0..50
-  double hairLength_mm = 0.6;      ///< how far they reach, 0.05..3
-  double migration = 0.0;          ///< 0..1: how far fibres wander between core and surface
-  double fibreDisorder_deg = 0.0;  ///< how far fibres stray from their helix: RMS angle, along either axis, 0..20
+  double packing = 0.55;            ///< fibre volume over ply volume, 0.05..0.85
+  double flattening = 1.2;          ///< how readily it flattens, 1..4: goes with the width over height of its section
+  double hairiness_per_mm = 0.0;    ///< loose fibre ends and loops per mm of yarn, 0..50
+  double hairLength_mm = 0.6;       ///< how far they reach, 0.05..3
+  double migration = 0.0;           ///< 0..1: how far fibres wander between core and surface
+  double evennessCv_percent = 0.0;  ///< Uster's CVm: of the mass of 8 mm of yarn, between its slubs, 0..40
+  double slubs_per_m = 0.0;         ///< thick places that are spun in on purpose, 0..50
+  double slubLength_mm = 30.0;      ///< of a slub at half its height, on average, 5..500
+  double slubRatio = 1.8;           ///< of a slub's mass to the yarn's between slubs, 1.1..4
+  double fibreDisorder_deg = 0.0;   ///< how far fibres stray from their helix: RMS angle, along either axis, 0..20
   FibreLayout layout = FibreLayout::packed;
   UnknownKeys unknown;
   friend bool operator==(const Yarn&, const Yarn&);

@@ -78,6 +78,12 @@ struct FieldTable<Yarn> {
             {shape, "migration", words::fibreInterchange.label, "", 0, 1, words::fibreInterchange.help}},
       Field{&Yarn::fibreDisorder_deg,
             {shape, "fibre_disorder_deg", words::parallelism.label, "°", 0, 20, words::parallelism.help}},
+      Field{&Yarn::evennessCv_percent,
+            {shape, "evenness_cv_percent", words::evenness.label, "%", 0, 40, words::evenness.help}},
+      Field{&Yarn::slubs_per_m, {shape, "slubs_per_m", words::slubs.label, "1/m", 0, 50, words::slubs.help}},
+      Field{&Yarn::slubLength_mm,
+            {shape, "slub_length_mm", words::slubLength.label, "mm", 5, 500, words::slubLength.help, true}},
+      Field{&Yarn::slubRatio, {shape, "slub_ratio", words::slubRatio.label, "×", 1.1, 4, words::slubRatio.help}},
       Field{&Yarn::layout, {shape, "layout", words::fibreLayout.label, "", 0, 0, words::fibreLayout.help}});
 };
 

@@ -107,6 +107,14 @@ inline constexpr Word parallelism{"Fibre straying",
                                   "How far fibres stray from lying side by side: filaments 1, compact and worsted "
                                   "yarns 4 to 5, ring-spun cotton 6 to "
                                   "9, rotor and woollen yarns 11 to 15."};
+inline constexpr Word evenness{"Unevenness",
+                               "How unevenly the yarn is spun: by how much the mass of 8 mm of it varies (Uster CVm). "
+                               "Filament 0 to 2, combed cotton and worsted 11 to 14, carded and rotor yarns 14 to 18, "
+                               "woollen and flax 20 and more."};
+inline constexpr Word slubs{"Slubs", "Thick places that are spun in on purpose, on a metre of yarn."};
+inline constexpr Word slubLength{"Slub length",
+                                 "Of a slub, on average; single ones are up to a third shorter or longer."};
+inline constexpr Word slubRatio{"Slub thickness", "How heavy a slub is, as a multiple of the yarn between slubs."};
 inline constexpr Word fibreLayout{
     "Fibre layout", "How fibres lie in the section: at random, overlaps allowed, or side by side without overlap."};
 

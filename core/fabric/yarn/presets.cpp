@@ -193,6 +193,7 @@ Yarn ringSpun(const char* name, double count_tex, double twistMultiplier) {
   yarn.hairLength_mm = 0.5;
   yarn.migration = 0.25;
   yarn.fibreDisorder_deg = 6;
+  yarn.evennessCv_percent = 15;
   return yarn;
 }
 
@@ -200,6 +201,7 @@ Yarn ringSpun(const char* name, double count_tex, double twistMultiplier) {
 Yarn twoPly(Yarn single, double plyingTwist_per_m) {
   single.count_tex *= 2;
   single.plies = 2;
+  single.evennessCv_percent = 10.5;  // of two independent singles, over the square root of two
   single.yarnTwist_per_m = plyingTwist_per_m;
   single.yarnTwistDirection = TwistDirection::s;
   single.flattening = 1.15;
@@ -211,6 +213,7 @@ Yarn cable(const char* name, Yarn plied, int cords, double cabling_per_m) {
   plied.name = name;
   plied.count_tex *= cords;
   plied.cords = cords;
+  plied.evennessCv_percent = 6;
   plied.cableTwist_per_m = cabling_per_m;
   plied.flattening = 1.05;
   return plied;
@@ -258,15 +261,17 @@ std::vector<FibrePreset> fibrePresets() {
 std::vector<YarnPreset> yarnPresets() {
   const char* const spun =
       "count, twist: handbook (TM 3.8-4.5); packing: handbook (0.5-0.6); hairs: measured (Zhao 2016); "
-      "flattening, migration, disorder: guess";
+      "evenness: handbook, recalled (Uster Statistics); flattening, migration, disorder: guess";
   const char* const flat = "count: handbook; packing: handbook, recalled (0.7-0.8); twist, flattening, disorder: guess";
   Yarn worsted = twoPly(ringSpun("Worsted wool 2/60 Nm", tex(60, CountSystem::metric), 2.8), 430);
   worsted.packing = 0.5;
   worsted.hairiness_per_mm = 5;
   worsted.fibreDisorder_deg = 4;
+  worsted.evennessCv_percent = 12.5;
   Yarn linen = ringSpun("Linen NeL 40", tex(40, CountSystem::linen), 3.0);
   linen.packing = 0.6;
   linen.hairiness_per_mm = 2;
+  linen.evennessCv_percent = 22;
   return {
       {ringSpun("Cotton Ne 30", tex(30, CountSystem::cotton), 4.0), fibreNamed("cotton"), spun},
       {ringSpun("Cotton Ne 7, denim warp", tex(7, CountSystem::cotton), 4.4), fibreNamed("cotton"), spun},
@@ -275,12 +280,15 @@ std::vector<YarnPreset> yarnPresets() {
        fibreNamed("cotton"),
        "count: handbook (cabled as sewing and crochet threads are); twist: guess (each level takes back 65 % of the "
        "one "
-       "before); packing: handbook (0.5-0.6); hairs: measured on singles (Zhao 2016); flattening, migration, disorder: "
-       "guess"},
+       "before); packing: handbook (0.5-0.6); hairs: measured on singles (Zhao 2016); evenness: of six "
+       "independent singles; flattening, migration, disorder: guess"},
       {worsted, fibreNamed("wool"),
        "count: handbook; twist: guess (plying at 65 % of the singles' twist); packing: handbook, recalled (0.45-0.55); "
-       "hairs, flattening, migration, disorder: guess"},
-      {linen, fibreNamed("linen"), "count: handbook; twist, packing, hairs, flattening, migration, disorder: guess"},
+       "evenness: handbook, recalled (Uster Statistics); hairs, flattening, migration, disorder: guess"},
+      {linen, fibreNamed("linen"),
+       "count: handbook; evenness: handbook, recalled (wet-spun line); twist, packing, hairs, flattening, migration, "
+       "disorder: "
+       "guess"},
       {filament("Silk 20/22 den", tex(21, CountSystem::denier), 150, 0.7, 1.3), fibreNamed("silk"), flat},
       {filament("Silk crepe 20/22 den x 2", tex(42, CountSystem::denier), 2400, 0.75, 1.05), fibreNamed("silk"), flat},
       {filament("Viscose 84 dtex", 8.4, 120, 0.7, 1.4), fibreNamed("viscose"), flat},

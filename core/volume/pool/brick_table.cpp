@@ -33,10 +33,10 @@ void BrickTable::resize(size_t kinds) {
   bricks_ = data.bricks.data();
 }
 
-void BrickTable::keepOnly(const std::vector<uint64_t>& cellsOf) {
+void BrickTable::keepOnly(const std::vector<uint64_t>& cellsOf, size_t together) {
   bool dropped = false;
   for (size_t kind = 0; kind < size(); ++kind) {
-    if (cellsOf[kind] > 0 || (*this)[kind] == BrickPool::kNone) continue;
+    if (cellsOf[kind / together] > 0 || (*this)[kind] == BrickPool::kNone) continue;
     own().bricks.set(kind, BrickPool::kNone);
     dropped = true;
   }

@@ -15,6 +15,7 @@ class BrickTable {
   explicit BrickTable(std::shared_ptr<BrickPool> pool) { start(std::move(pool), 0); }
 
   size_t size() const { return data_->bricks.size(); }
+  std::shared_ptr<BrickPool> pool() const { return data_->bricks.pool(); }
   /// kNone where it is missing.
   BrickPool::Id operator[](size_t kind) const { return data_->bricks[kind]; }
   /// What the traversal needs.
@@ -29,8 +30,8 @@ class BrickTable {
   void resize(size_t kinds);
   /// As many kinds, no bricks; those to come are of this pool.
   void clear(std::shared_ptr<BrickPool> pool) { start(std::move(pool), size()); }
-  /// Leaves those bricks only whose kinds have cells.
-  void keepOnly(const std::vector<uint64_t>& cellsOf);
+  /// Leaves those bricks only whose kinds have cells, these being counted for so many kinds at a time.
+  void keepOnly(const std::vector<uint64_t>& cellsOf, size_t together);
 
  private:
   struct Data {

@@ -64,7 +64,7 @@ void TileMap::PhaseCounts::addSpan(int from, int to, const Occurrences& occurren
     int phase = (occurrences.phase[i] + from) % period_;
     for (int along = from; along < to; ++along) {
       const uint32_t shape = low[along] | (high ? static_cast<uint32_t>(high[along]) << 16 : 0);
-      cellsOf[index({shape, phase})] += cells;
+      cellsOf[phaseIndex(shape, phase)] += cells;
       if (++phase == period_) phase = 0;
     }
   }

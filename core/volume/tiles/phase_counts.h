@@ -15,7 +15,7 @@ class TileMap::PhaseCounts {
 
   /// Adds the cell at `along` to the counts of a shape by phase; or takes it away, `sign` being -1 (modulo 2^64).
   void add(int along, uint64_t* cellsOf, uint64_t sign = 1) const;
-  /// Adds all cells of the yarn to the counts of all shapes, by index().
+  /// Adds all cells of the yarn to the counts of all shapes, by phaseIndex().
   void addAll(std::span<uint64_t> cellsOf) const;
 
  private:

@@ -19,17 +19,19 @@ namespace loomlight {
 
 class ShapeTable;
 
-/// Which brick each cell of one system's yarns has. Cells of equal key but for the phase are of one shape; a repeat is
-/// a map of shapes, and the phase of a cell is that of its yarn's first cell, counted on along the yarn. So a piece of
-/// any size costs one repeat, two bytes a crossing as long as there are fewer than 65536 shapes, and eight bytes a
-/// yarn. Copies share the map, yarn by yarn, until one of them is edited.
+/// Which brick each cell of one system's yarns has. Cells of equal key but for phase and stretch are of one shape; a
+/// repeat is a map of shapes; the phase of a cell is that of its yarn's first cell, counted on along the yarn, and so
+/// is its stretch of the yarn's spool. So a piece of any size costs one repeat, two bytes a crossing as long as there
+/// are fewer than 65536 shapes, and eight bytes a yarn. Copies share the map, yarn by yarn, until one of them is
+/// edited.
 class TileMap {
  public:
   /// A yarn's cells are addressed by its own index (end or pick), `across`, and where along it, `along` (pick or end).
-  /// Of cells: a shape in one phase. All of a kind have one brick.
+  /// Of cells: a shape in one phase, of an uneven yarn in one kind of stretch. All of a kind have one brick.
   struct Kind {
     uint32_t shape = 0;
     int phase = 0;
+    int stretch = 0;  ///< Spool::kind(); 0 of even yarns
   };
 
   TileMap() = default;
@@ -55,11 +57,12 @@ class TileMap {
   /// Whether most of its shapes are of former edits: time to read it anew.
   bool isWorn() const;
 
-  /// All shapes there are, and some that there were before an edit; their keys have phase 0.
+  /// All shapes there are, and some that there were before an edit; their keys have phase and stretch 0.
   const std::vector<YarnCellKey>& shapes() const { return shapes_; }
   YarnCellKey key(Kind kind) const;
-  /// Of the piece.
-  uint64_t cells(Kind kind) const { return cellsOf_[index(kind)]; }
+  /// Of the piece; of an uneven yarn how many there would be, were the piece so large that every stretch of the spool
+  /// is in it.
+  double cells(Kind kind) const;
   /// BrickPool::kNone where the piece has no such cell, and where it is missing.
   BrickPool::Id brick(Kind kind) const { return bricks_[index(kind)]; }
   std::vector<Kind> missing() const;
@@ -75,12 +78,19 @@ class TileMap {
   /// the map is for show: its bricks are not those of its keys.
   void standIn();
   std::vector<ClothGeometry::CellCount> cellCounts() const;  ///< of the piece, by shape
+  /// visit(kind), of every kind that there may be, in order.
+  template <class Visit>
+  void forEachKind(const Visit& visit) const {
+    for (uint32_t shape = 0; shape < shapes_.size(); ++shape)
+      for (int phase = 0; phase < kMaxPeriod; ++phase)
+        for (int stretch = 0; stretch < stretchKinds_; ++stretch) visit(Kind{shape, phase, stretch});
+  }
   void place(Kind kind, BrickPool::Id brick) { bricks_.place(index(kind), brick); }
   /// All are missing then; those to come are of this pool.
   void dropBricks(std::shared_ptr<BrickPool> pool) { bricks_.clear(std::move(pool)); }
 
   /// 0 <= across < yarns of the piece, 0 <= along < cells of a yarn. The brick of the cell: four reads that wait for
-  /// one another, no division.
+  /// one another, two more where yarns are uneven, no division.
   const BrickPool::Entry& at(int across, int along) const { return bricks_.entry(indexAt(across, along)); }
   BrickPool::Id brickAt(int across, int along) const { return bricks_[indexAt(across, along)]; }
   bool anyReachesBelow() const { return bricks_.anyReachesBelow(); }
@@ -106,8 +116,9 @@ class TileMap {
     void set(size_t from, std::span<const uint32_t> shapes);
   };
   struct PlacedYarn {
-    uint32_t row;            ///< which yarn of the repeat it is
-    uint16_t phase, period;  ///< of its first cell
+    uint32_t row;           ///< which yarn of the repeat it is
+    uint16_t stretch;       ///< of its first cell
+    uint8_t phase, period;  ///< of its first cell
     bool operator==(const PlacedYarn&) const = default;
   };
   /// What of a former map's rows stands as it is: the cells [from, to) of the first so many yarns; or all their cells,
@@ -131,9 +142,14 @@ class TileMap {
     const PlacedYarn& yarn = yarns_[across];
     const auto cell = static_cast<uint32_t>(along);
     const uint32_t phase = kByPeriod[yarn.period](yarn.phase + cell);
-    return index({shapeAt(yarn.row, inRepeat_(cell)), static_cast<int>(phase)});
+    const size_t brick = phaseIndex(shapeAt(yarn.row, inRepeat_(cell)), static_cast<int>(phase));
+    if (stretchKinds_ == 1) return brick;
+    const Spool* const spool = spoolOf_[yarn.row];
+    const uint32_t stretch = yarn.stretch + kByPeriod[yarn.period].quotient(yarn.phase + cell);
+    return brick * stretchKinds_ + (spool ? spool->kind(stretch) : 0);
   }
-  static size_t index(Kind kind) { return static_cast<size_t>(kind.shape) * kMaxPeriod + kind.phase; }
+  static size_t phaseIndex(uint32_t shape, int phase) { return static_cast<size_t>(shape) * kMaxPeriod + phase; }
+  size_t index(Kind kind) const { return phaseIndex(kind.shape, kind.phase) * stretchKinds_ + kind.stretch; }
   uint32_t shapeAt(uint32_t row, uint32_t inRepeat) const {
     const uint32_t low = low_[row][inRepeat];
     return high_.empty() || !high_[row] ? low : low | static_cast<uint32_t>(high_[row][inRepeat]) << 16;
@@ -141,6 +157,7 @@ class TileMap {
   void pointTo(size_t number, const Row& row);
   void findExtent(const ClothGeometry& geometry);
   void placeYarns(const ClothGeometry& geometry);
+  void takeSpools(const ClothGeometry& geometry);
   void readRows(const ClothGeometry& geometry, const Task& task, const Kept& kept, ShapeTable& table);
   void readBand(const ClothGeometry& geometry, const Task& task, const Kept& kept, Band& band) const;
   static void renumber(Band& band, ShapeTable& all);
@@ -159,10 +176,12 @@ class TileMap {
   SharedList<Row> rows_;                       ///< per yarn of the repeat
   std::vector<const uint16_t*> low_, high_;    ///< of each row; `high_` is empty where no row has any
   std::vector<YarnCellKey> shapes_;
-  std::vector<ShapeCode> codes_;  ///< one of each shape
-  // By shape and phase, index():
-  std::vector<uint64_t> cellsOf_;
-  BrickTable bricks_;
+  std::vector<ShapeCode> codes_;                      ///< one of each shape
+  int stretchKinds_ = 1;                              ///< that any of the yarns has
+  std::vector<std::shared_ptr<const Spool>> spools_;  ///< by geometry class; null of even yarns
+  std::vector<const Spool*> spoolOf_;                 ///< per yarn of the repeat; empty where all are even
+  std::vector<uint64_t> cellsOf_;                     ///< by phaseIndex()
+  BrickTable bricks_;                                 ///< by index()
 };
 
 }  // namespace loomlight

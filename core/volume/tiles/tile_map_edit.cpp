@@ -66,7 +66,7 @@ void TileMap::edit(const ClothGeometry& geometry, const Change& change, const Ta
     for (int across = yarn.first; across < repeatAcross_; across += WeaveSides(geometry.weave(), system_).across)
       editRow(geometry, across, yarn.second, sameCells, table);
   if (!sameCells) countCells(task);
-  bricks_.keepOnly(cellsOf_);
+  bricks_.keepOnly(cellsOf_, static_cast<size_t>(stretchKinds_));
 }
 
 /// Makes it the map of the geometry but for the changes of the weave. False where all cells lie as they did, each in
@@ -81,6 +81,7 @@ bool TileMap::reshape(const ClothGeometry& geometry, const Change& change, const
 
   const auto yarns = yarns_;
   placeYarns(geometry);
+  takeSpools(geometry);
   if (!sameRepeat || yarnCount != yarnCount_ || cells != cells_ ||
       !std::equal(yarns.get(), yarns.get() + yarnCount, yarns_.get()))
     return true;
@@ -120,8 +121,8 @@ void TileMap::editRow(const ClothGeometry& geometry, int across, std::span<const
       row->set(static_cast<size_t>(along), after);
       if (!counting) continue;
       addShapes(table);
-      phases.add(along, &cellsOf_[index({before, 0})], ~uint64_t{0});
-      phases.add(along, &cellsOf_[index({after, 0})]);
+      phases.add(along, &cellsOf_[phaseIndex(before, 0)], ~uint64_t{0});
+      phases.add(along, &cellsOf_[phaseIndex(after, 0)]);
     }
   };
   const std::vector<CellSpan> spans = reachedFrom(places, weaveAlong);

@@ -168,9 +168,8 @@ void TileMap::addShapes(const ShapeTable& table) {
     shapes_.push_back(table.shape(shape));
     codes_.push_back(table.code(shape));
   }
-  const size_t size = index({table.end(), 0});
-  cellsOf_.resize(size);
-  bricks_.resize(size);
+  cellsOf_.resize(phaseIndex(table.end(), 0));
+  bricks_.resize(index({table.end()}));
 }
 
 void TileMap::countCells(const Task& task) {

@@ -24,25 +24,21 @@ float unlikeness(const YarnCellKey& a, const YarnCellKey& b) {
 /// By index(). Too many crossings to go through are all there are.
 std::vector<bool> TileMap::kindsIn(const CellRect& rect) const {
   constexpr double kMost = 1 << 20;
-  std::vector<bool> kinds(cellsOf_.size(), static_cast<double>(rect.ends) * rect.picks > kMost);
+  std::vector<bool> kinds(bricks_.size(), static_cast<double>(rect.ends) * rect.picks > kMost);
   if (kinds.empty() || kinds.front()) return kinds;
   const bool warp = system_ == System::warp;
   const int across = warp ? rect.end : rect.pick, along = warp ? rect.pick : rect.end;
   const int acrossEnd = std::min(yarnCount_, across + (warp ? rect.ends : rect.picks));
   const int alongEnd = std::min(cells_, along + (warp ? rect.picks : rect.ends));
-  for (int i = std::max(0, across); i < acrossEnd; ++i) {
-    const PlacedYarn& yarn = yarns_[i];
-    for (int j = std::max(0, along); j < alongEnd; ++j) {
-      const uint32_t phase = (yarn.phase + static_cast<uint32_t>(j)) % yarn.period;
-      kinds[index({shapeAt(yarn.row, static_cast<uint32_t>(j % repeatAlong_)), static_cast<int>(phase)})] = true;
-    }
-  }
+  for (int i = std::max(0, across); i < acrossEnd; ++i)
+    for (int j = std::max(0, along); j < alongEnd; ++j) kinds[indexAt(i, j)] = true;
   return kinds;
 }
 
 bool TileMap::hasBrick(uint32_t shape) const {
-  for (int phase = 0; phase < kMaxPeriod; ++phase)
-    if (brick({shape, phase})) return true;
+  const size_t first = index({shape}), end = index({shape + 1});
+  for (size_t kind = first; kind < end; ++kind)
+    if (bricks_[kind]) return true;
   return false;
 }
 
@@ -104,9 +100,11 @@ void TileMap::standIn() {
   for (size_t i = 0; i < kinds.size(); ++i) {
     const Kind kind = kinds[i];
     if (i == 0 || kind.shape != kinds[i - 1].shape) by = likest(kind.shape);
-    int phase = kind.phase;
-    while (!brick({by, phase})) phase = (phase + 1) % kMaxPeriod;
-    place(kind, brick({by, phase}));
+    // From its own phase and stretch on, the next that has one.
+    const size_t first = index({by}), count = index({by + 1}) - first;
+    size_t at = index(kind) - index({kind.shape});
+    while (!bricks_[first + at]) at = (at + 1) % count;
+    place(kind, bricks_[first + at]);
   }
 }
 

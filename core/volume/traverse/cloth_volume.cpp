@@ -137,7 +137,7 @@ void ClothVolume::reuseBricks(const ClothVolume& previous) {
       key.yarn = *entry->second;
       const auto found = oldShapes.find(key);
       if (found == oldShapes.end()) continue;
-      if (const auto brick = old.brick({found->second, kind.phase})) tiles.place(kind, brick);
+      if (const auto brick = old.brick({found->second, kind.phase, kind.stretch})) tiles.place(kind, brick);
     }
   }
 }
@@ -184,25 +184,25 @@ bool ClothVolume::makeBricks(std::span<const MissingBrick> bricks, size_t done, 
 template <class Visit>
 void ClothVolume::forEachBrick(const Visit& visit) const {
   for (const TileMap& tiles : tiles_)
-    for (uint32_t shape = 0; shape < tiles.shapes().size(); ++shape)
-      for (int phase = 0; phase < kMaxPeriod; ++phase)
-        if (const auto brick = tiles.brick({shape, phase})) visit((*pool_)[brick], tiles.cells({shape, phase}));
+    tiles.forEachKind([&](TileMap::Kind kind) {
+      if (const auto brick = tiles.brick(kind)) visit((*pool_)[brick], tiles.cells(kind));
+    });
 }
 
 size_t ClothVolume::brickBytes() const {
   size_t bytes = 0;
-  forEachBrick([&](const BrickPool::Entry& brick, uint64_t) { bytes += brick.bytes(); });
+  forEachBrick([&](const BrickPool::Entry& brick, double) { bytes += brick.bytes(); });
   return bytes;
 }
 
 VolumeCounts ClothVolume::counts() const {
   VolumeCounts counts;
-  forEachBrick([&](const BrickPool::Entry& brick, uint64_t cells) {
+  forEachBrick([&](const BrickPool::Entry& brick, double cells) {
     ++counts.bricks;
     counts.voxels += brick.voxels;
     counts.components += brick.components;
     counts.segments += brick.segments;
-    counts.segmentsRepresented += static_cast<double>(cells) * static_cast<double>(brick.segments);
+    counts.segmentsRepresented += cells * static_cast<double>(brick.segments);
   });
   counts.bytes = sizeof(ClothVolume) + brickBytes();
   for (const TileMap& tiles : tiles_) counts.bytes += tiles.bytes();

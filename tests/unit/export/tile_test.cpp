@@ -66,6 +66,26 @@ TEST(Tile, ThePictureIsExactlyTheTileInTheMiddle) {
   EXPECT_NEAR(scene.ends_per_cm, fabric.ends_per_cm, 0.01 * fabric.ends_per_cm);
 }
 
+TEST(Tile, EveryThreadGoesOnInTheNextTile) {
+  Fabric fabric = openCloth();
+  fabric.yarns[0].evennessCv_percent = 15;
+  fabric.yarns[0].slubs_per_m = 5;
+  const TileExtent extent = tileExtent(fabric);
+  ASSERT_TRUE(extent.twistJoins);
+  const auto scene = std::make_shared<const Fabric>(tileScene(fabric, extent, 100));
+  const auto built = makeScene(scene, {}, SceneBase{nullptr, {}, extent.tiling()});
+  const ClothGeometry& geometry = built->cloth->volume->geometry();
+  for (const System system : {System::warp, System::weft})
+    for (int pick = 0; pick < extent.picks; ++pick)
+      for (int end = 0; end < extent.ends; ++end) {
+        ASSERT_EQ(geometry.key(system, pick, end), geometry.key(system, pick, end + extent.ends));
+        ASSERT_EQ(geometry.key(system, pick, end), geometry.key(system, pick + extent.picks, end));
+      }
+  std::set<int> phases;  // and within a tile threads differ
+  for (int end = 0; end < extent.ends; ++end) phases.insert(geometry.key(System::warp, 0, end).phase);
+  EXPECT_GT(phases.size(), 1u);
+}
+
 TEST(Tile, AWhiteClothHasAWhiteBaseColourAndItsHoles) {
   const Fabric fabric = openCloth();
   const Fabric scene = tileScene(fabric, tileExtent(fabric), 96);

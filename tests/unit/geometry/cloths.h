@@ -95,8 +95,19 @@ inline Fabric mixed() {
   return f;
 }
 
+/// Unevenly spun, with slubs.
+inline Fabric slubby() {
+  Fabric f = hairy();
+  f.name = "slubby";
+  f.yarns[0].evennessCv_percent = 20;
+  f.yarns[0].slubs_per_m = 12;
+  f.yarns[0].slubLength_mm = 10;
+  f.yarns[0].slubRatio = 2;
+  return f;
+}
+
 inline std::vector<Fabric> all() {
-  return {plain(), twill(), twill(FibreLayout::random), pliedSatin(), cabled(), hairy(), mixed()};
+  return {plain(), twill(), twill(FibreLayout::random), pliedSatin(), cabled(), hairy(), mixed(), slubby()};
 }
 
 }  // namespace loomlight::cloths

@@ -13,8 +13,9 @@
 namespace loomlight {
 namespace {
 
+/// What does not depend on where along its yarn the cell lies.
 YarnCellKey withoutPhase(YarnCellKey key) {
-  key.phase = 0;
+  key.phase = key.stretch = 0;
   return key;
 }
 

@@ -40,8 +40,15 @@ Weighed weigh(const ClothGeometry& cloth, System system, int index) {
   return sum;
 }
 
+/// But for uneven yarns, which weigh their count over a kilometre (spool_test.cpp).
+std::vector<Fabric> evenCloths() {
+  std::vector<Fabric> even = cloths::all();
+  std::erase_if(even, [](const Fabric& fabric) { return fabric.yarns[0].evennessCv_percent > 0; });
+  return even;
+}
+
 TEST(YarnMass, SegmentsWeighTheCount) {
-  for (const Fabric& fabric : cloths::all()) {
+  for (const Fabric& fabric : evenCloths()) {
     SCOPED_TRACE(fabric.name);
     const ClothGeometry cloth(fabric, 16, 16);
     for (const System system : {System::warp, System::weft}) {
@@ -90,7 +97,7 @@ TEST(YarnMass, ThickBundlesStandForTooManyFibres) {
 }
 
 TEST(ArealMass, SegmentsWeighWhatSettCountAndCrimpSay) {
-  for (const Fabric& fabric : cloths::all()) {
+  for (const Fabric& fabric : evenCloths()) {
     SCOPED_TRACE(fabric.name);
     const ClothGeometry cloth(fabric, 4096, 4096);
     const ClothMeasures measures = cloth.measure();

@@ -192,7 +192,7 @@ TEST(Strands, ChordsKeepToTheSagitta) {
         YarnModel fine = *coarse;
         fine.geometry.fibreRadius_mm /= 100;
         const auto lay = [&](const YarnModel& model) {
-          return layStrands(model, key.previous, key.here, key.next, key.phase, geometry.pitch_mm);
+          return layStrands(model, key.previous, key.here, key.next, {key.phase, {}}, geometry.pitch_mm);
         };
         const CellStrands chords = lay(*coarse), curves = lay(fine);
         ASSERT_EQ(chords.strands.size(), curves.strands.size());

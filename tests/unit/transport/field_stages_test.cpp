@@ -22,8 +22,9 @@ namespace {
 
 constexpr uint32_t kSamples = 2;
 
-/// A small blend in which no field is idle: cabled, plied and twisted, hairy, migrating, its number of fibres from its
-/// count. Paths are so short that many end by their length. A second yarn, of another shape, is not in use.
+/// A small blend in which no field is idle: cabled, plied and twisted, hairy, migrating, uneven with slubs, its number
+/// of fibres from its count. Paths are so short that many end by their length. A second yarn, of another shape, is not
+/// in use.
 Fabric blend() {
   Fabric fabric;
   fabric.fibres = {Fibre{}, Fibre{}, Fibre{}};
@@ -41,6 +42,8 @@ Fabric blend() {
   yarn.cableTwist_per_m = 300;
   yarn.hairiness_per_mm = 5;
   yarn.migration = 0.3;
+  yarn.evennessCv_percent = 12;
+  yarn.slubs_per_m = 20;
   fabric.yarns[1].count_tex = 4;
   fabric.ends_per_cm = fabric.picks_per_cm = 24;
   fabric.drape.width_mm = fabric.drape.height_mm = 1;

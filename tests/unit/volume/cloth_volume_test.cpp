@@ -92,16 +92,17 @@ TEST(ClothVolume, IntegratesToTheLengthOfItsFibres) {
 }
 
 TEST(ClothVolume, EqualKeysHaveEqualContent) {
-  const Fabric fabric = hairyTwill();
-  const auto volume = volumeOf(fabric, 9, 9, 4);
-  const auto geometry = geometryOf(fabric, 9, 9);  // another object, to have nothing in common
-  for (int pick = 0; pick < 9; ++pick)
-    for (int end = 0; end < 9; ++end)
-      for (const System system : {System::warp, System::weft}) {
-        const YarnCellKey key = geometry->key(system, pick, end);
-        EXPECT_EQ(voxelise(geometry->strands(key), system, volume->grid()).view(), volume->brick(system, pick, end))
-            << pick << " " << end;
-      }
+  for (const Fabric& fabric : {hairyTwill(), slubbyTwill()}) {
+    const auto volume = volumeOf(fabric, 9, 40, 4);
+    const auto geometry = geometryOf(fabric, 9, 40);  // another object, to have nothing in common
+    for (int pick = 0; pick < 40; ++pick)
+      for (int end = 0; end < 9; ++end)
+        for (const System system : {System::warp, System::weft}) {
+          const YarnCellKey key = geometry->key(system, pick, end);
+          EXPECT_EQ(voxelise(geometry->strands(key), system, volume->grid()).view(), volume->brick(system, pick, end))
+              << pick << " " << end;
+        }
+  }
 }
 
 TEST(ClothVolume, StoresEachKeyOnceAndNoneThatThePieceLacks) {

@@ -19,7 +19,7 @@ Fabric edited(const Fabric& before, Random& random) {
   const int ends = fabric.weave.ends(), picks = fabric.weave.picks();
   const auto place = [&] { return std::pair(random.below(picks), random.below(ends)); };
   const auto yarn = [&]() -> Yarn& { return fabric.yarns[random.below(static_cast<uint32_t>(fabric.yarns.size()))]; };
-  switch (random.below(16)) {
+  switch (random.below(18)) {
     case 0: {  // paste an area, over the edge too
       const auto [pick, end] = place();
       const uint32_t height = 1 + random.below(6), width = 1 + random.below(6);
@@ -52,6 +52,12 @@ Fabric edited(const Fabric& before, Random& random) {
       break;
     case 8:
       std::swap(fabric.yarns[0], fabric.yarns[1]);
+      break;
+    case 9:
+      yarn().evennessCv_percent = 10 * random.below(3);
+      break;
+    case 10:
+      yarn().slubs_per_m = 20 * random.below(2);
       break;
     default: {
       const auto [pick, end] = place();
@@ -99,7 +105,7 @@ TEST(Edits, LeaveWhatAFreshBuildMakes) {
   for (uint64_t seed = 1; seed <= 6; ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);
-    Fabric fabric = hairyTwill();
+    Fabric fabric = seed % 2 == 0 ? hairyTwill() : slubbyTwill();
     fabric.fibres[0].radius_um = 25;  // few
     fabric.yarns[0].hairiness_per_mm = 0;
     fabric.weave = fabric.weave.resized(16, 12);

@@ -258,7 +258,7 @@ TEST(March, GoesOnFromWhereItStands) {
 }
 
 TEST(March, NamesTheYarnAndTheCell) {
-  const auto volume = volumeOf(hairyTwill(), 6, 6, 4);
+  const auto volume = volumeOf(slubbyTwill(), 6, 6, 4);
   const ClothGeometry& geometry = volume->geometry();
   const VoxelGrid& grid = volume->grid();
   int warp = 0, weft = 0, neighbours = 0;

@@ -85,32 +85,33 @@ TEST(PreviewSink, ShowsWhatIsSeenAsItWillBeBeforeTheRestIsMade) {
 }
 
 TEST(PreviewSink, HasABrickOfTheRightShapeInEveryCellThatIsSeenAndOneOfTheRightYarnInAllOthers) {
-  const Fabric fabric = hairyTwill();
-  const auto geometry = geometryOf(fabric, 40, 36);
-  const auto fresh = ClothVolume::build(geometry, 1, oneThread());
-  const CellRect all = whole(*geometry), rect{3, 5, 2, 2};
-  Looker looker(rect);
-  ClothVolume::build(geometry, 1, oneThread(), nullptr, &looker.look);
-  ASSERT_EQ(looker.sketches.size(), 2u);
-  looker.sketches.push_back(ClothVolume::sketch(geometry, 1, rect, oneThread()));
-  const auto shapeOf = [&](System system, int pick, int end) {
-    YarnCellKey key = geometry->key(system, pick, end);
-    key.phase = 0;
-    return key;
-  };
-  for (const auto& sketch : looker.sketches) {
-    ASSERT_LT(sketch->counts().segments, fresh->counts().segments * 40);  // walks all bricks: none is missing
-    forEachYarn(all, [&](System system, int pick, int end) {
-      const BrickView shown = sketch->brick(system, pick, end);
-      const bool seen = rect.contains(pick, end);
-      bool known = false;
-      forEachYarn(all, [&](System other, int p, int e) {
-        if (known || other != system || !(fresh->brick(other, p, e) == shown)) return;
-        const YarnCellKey a = shapeOf(system, pick, end), b = shapeOf(other, p, e);
-        known = seen ? a == b : a.yarn == b.yarn;
+  for (const Fabric& fabric : {hairyTwill(), slubbyTwill()}) {
+    const auto geometry = geometryOf(fabric, 40, 36);
+    const auto fresh = ClothVolume::build(geometry, 1, oneThread());
+    const CellRect all = whole(*geometry), rect{3, 5, 2, 2};
+    Looker looker(rect);
+    ClothVolume::build(geometry, 1, oneThread(), nullptr, &looker.look);
+    ASSERT_EQ(looker.sketches.size(), 2u);
+    looker.sketches.push_back(ClothVolume::sketch(geometry, 1, rect, oneThread()));
+    const auto shapeOf = [&](System system, int pick, int end) {
+      YarnCellKey key = geometry->key(system, pick, end);
+      key.phase = key.stretch = 0;
+      return key;
+    };
+    for (const auto& sketch : looker.sketches) {
+      ASSERT_LT(sketch->counts().segments, fresh->counts().segments * 40);  // walks all bricks: none is missing
+      forEachYarn(all, [&](System system, int pick, int end) {
+        const BrickView shown = sketch->brick(system, pick, end);
+        const bool seen = rect.contains(pick, end);
+        bool known = false;
+        forEachYarn(all, [&](System other, int p, int e) {
+          if (known || other != system || !(fresh->brick(other, p, e) == shown)) return;
+          const YarnCellKey a = shapeOf(system, pick, end), b = shapeOf(other, p, e);
+          known = seen ? a == b : a.yarn == b.yarn;
+        });
+        ASSERT_TRUE(known) << pick << " " << end << (seen ? " seen" : "");
       });
-      ASSERT_TRUE(known) << pick << " " << end << (seen ? " seen" : "");
-    });
+    }
   }
 }
 

@@ -38,6 +38,15 @@ inline Fabric hairyTwill() {
   return fabric;
 }
 
+/// The same of yarns that are unevenly spun, the warp with slubs.
+inline Fabric slubbyTwill() {
+  Fabric fabric = hairyTwill();
+  for (Yarn& yarn : fabric.yarns) yarn.evennessCv_percent = 20;
+  fabric.yarns[0].slubs_per_m = 15;
+  fabric.yarns[0].slubLength_mm = 8;
+  return fabric;
+}
+
 /// A jacquard: a repeat of `side` crossings a side, floats scattered at random.
 inline Fabric jacquard(int side) {
   Fabric fabric = plainFabric();

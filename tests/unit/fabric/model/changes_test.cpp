@@ -161,6 +161,7 @@ TEST(Changes, OfWhatAYarnDoesNotUseAreNone) {
   EXPECT_FALSE(of([](Fabric& f) { f.yarns[0].yarnTwist_per_m = 300; }).picture()) << "a single has no plies to twist";
   EXPECT_FALSE(of([](Fabric& f) { f.yarns[0].cableTwist_per_m = 300; }).picture()) << "it is no cable";
   EXPECT_FALSE(of([](Fabric& f) { f.yarns[0].hairLength_mm = 1; }).picture()) << "it has no hairs";
+  EXPECT_FALSE(of([](Fabric& f) { f.yarns[0].slubRatio = 3; }).picture()) << "it has no slubs";
   EXPECT_FALSE(of([](Fabric& f) { f.yarns[0].yarnTwistDirection = TwistDirection::z; }).picture()) << "nor a twist";
   EXPECT_FALSE(of([](Fabric& f) { f.yarns[2].count_tex = 70; }).picture()) << "no thread uses it";
   Fabric counted = base();

@@ -1,0 +1,108 @@
+#include "core/geometry/spool.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/base/random.h"
+
+// How it works. Whether the yarn is light or heavy is drawn anew about every evenness cut; a part of the draws is the
+// same over a decimetre, which is what shows as streaks in the cloth, as the faults of a drafting frame do. Slubs come
+// at random distances. The light and the heavy lie as far apart as gives the coefficient of variation that is asked
+// for: it grows in proportion, so it is measured once on the spool itself, with one of a hundred percent.
+
+namespace loomlight {
+namespace {
+
+enum State : uint8_t { light, heavy, slub };
+
+constexpr double kLongWave_mm = 100, kLongWaves = 0.35;  ///< of the draws, those that hold for so long
+
+std::vector<uint8_t> drawStates(double stretch_mm, uint64_t seed) {
+  const auto run = [stretch_mm](double length_mm) {
+    return std::max(1u, static_cast<uint32_t>(length_mm / stretch_mm));
+  };
+  const uint32_t quickRun = run(kEvennessCut_mm), slowRun = run(kLongWave_mm);
+  std::vector<uint8_t> states(Spool::kStretches);
+  for (uint32_t i = 0; i < Spool::kStretches; ++i) {
+    Random quick(hashCombine(seed, i / quickRun)), slow(hashCombine(~seed, i / slowRun));
+    const bool isLongWave = quick.uniform() < kLongWaves;
+    states[i] = (isLongWave ? slow : quick).uniform() < 0.5f ? light : heavy;
+  }
+  return states;
+}
+
+/// Exponential distances, as between events that know nothing of each other. A slub begins and ends over a stretch
+/// each, so at half its height it is as many stretches long as it has ends of stretches.
+void addSlubs(const Evenness& evenness, double stretch_mm, uint64_t seed, std::vector<uint8_t>& states) {
+  if (evenness.slubs_per_mm <= 0) return;
+  Random random(hashCombine(seed, -1));
+  const double apart_mm = std::max(0.0, 1 / evenness.slubs_per_mm - evenness.slubLength_mm);
+  const double end_mm = stretch_mm * (Spool::kStretches - 1);
+  for (double at_mm = 0;;) {
+    at_mm += stretch_mm - apart_mm * std::log1p(-random.uniformDouble());
+    const double length_mm = evenness.slubLength_mm * (2 + 2 * random.uniformDouble()) / 3;
+    if (at_mm + length_mm > end_mm) return;
+    const auto first = static_cast<size_t>(at_mm / stretch_mm);
+    const auto ends = std::max<size_t>(1, static_cast<size_t>(std::lround(length_mm / stretch_mm)));
+    std::fill_n(states.begin() + static_cast<std::ptrdiff_t>(first), std::min(ends, states.size() - first), slub);
+    at_mm += length_mm;
+  }
+}
+
+/// Coefficient of variation of cuts of a yarn whose mass is 0 where it is light, and 2 where it is heavy.
+double variationOfCuts(const std::vector<uint8_t>& states, int period, double cell_mm) {
+  std::array<std::vector<double>, 4> cells;  // their masses, by the states that a stretch goes from and to
+  for (size_t kind = 0; kind < cells.size(); ++kind)
+    for (int phase = 0; phase < period; ++phase)
+      cells[kind].push_back(Stretch{kind < 2 ? 0.0f : 2.0f, kind % 2 == 0 ? 0.0f : 2.0f}.massOfCell(phase, period));
+  std::vector<double> until{0};  // mass up to each cell
+  until.reserve(states.size() * static_cast<size_t>(period) + 1);
+  for (size_t i = 0; i < states.size(); ++i)
+    for (const double mass : cells[static_cast<size_t>(2 * states[i] + states[(i + 1) % states.size()])])
+      until.push_back(until.back() + mass);
+  const size_t cut = std::max<size_t>(1, static_cast<size_t>(std::lround(kEvennessCut_mm / cell_mm)));
+  double sum = 0, squares = 0, count = 0;
+  for (size_t i = 0; i + cut < until.size(); ++i, ++count) {
+    const double mass = until[i + cut] - until[i];
+    sum += mass;
+    squares += mass * mass;
+  }
+  const double mean = sum / count;
+  return std::sqrt(std::max(0.0, squares / count - mean * mean)) / mean;
+}
+
+}  // namespace
+
+double Stretch::massAt(double t, int period) const {
+  if (from == to) return from;
+  const double x = std::clamp(t / (period - 1), 0.0, 1.0);
+  return from + (static_cast<double>(to) - from) * x * x * (3 - 2 * x);
+}
+
+double Stretch::massOfCell(int phase, int period) const {
+  constexpr int kSteps = 8;
+  double sum = 0;
+  for (int i = 0; i < kSteps; ++i) sum += massAt(phase - 0.5 + (i + 0.5) / kSteps, period);
+  return sum / kSteps;
+}
+
+Spool::Spool(const Evenness& evenness, int period, double cell_mm, uint64_t seed)
+    : states_(evenness.slubs_per_mm > 0 ? 3 : 2), stateAt_(drawStates(period * cell_mm, seed)) {
+  constexpr double kMostApart = 0.9;  // nothing is lighter than a tenth
+  const double apart =
+      evenness.massCv > 0 ? std::min(kMostApart, evenness.massCv / variationOfCuts(stateAt_, period, cell_mm)) : 0.0;
+  addSlubs(evenness, period * cell_mm, seed, stateAt_);
+
+  const std::array<double, 3> masses{1 - apart, 1 + apart, evenness.slubMass};
+  double mean = 0;
+  for (const uint8_t state : stateAt_) mean += masses[state] / kStretches;
+  for (size_t i = 0; i < masses.size(); ++i) massOf_[i] = static_cast<float>(masses[i] / mean);
+  shares_.resize(static_cast<size_t>(kinds()));
+  for (uint32_t i = 0; i < kStretches; ++i) shares_[static_cast<size_t>(kind(i))] += 1.0 / kStretches;
+}
+
+double Spool::largestRadius() const {
+  return std::sqrt(*std::max_element(massOf_, massOf_ + states_));
+}
+
+}  // namespace loomlight

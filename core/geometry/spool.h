@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace loomlight {
+
+/// How the thickness of a yarn varies along it.
+struct Evenness {
+  double massCv = 0;  ///< coefficient of variation of the mass of kEvennessCut_mm of yarn between its slubs (CVm), 0..1
+  double slubs_per_mm = 0;
+  double slubLength_mm = 0;  ///< at half their height, on average
+  double slubMass = 1;       ///< of a length of slub, over that of the yarn between
+
+  bool isEven() const { return massCv == 0 && slubs_per_mm == 0; }
+  bool operator==(const Evenness&) const = default;
+};
+/// The length of the pieces that an evenness tester (Uster) compares.
+inline constexpr double kEvennessCut_mm = 8;
+
+/// A stretch of yarn, one period long, which goes from one mass per length to another; both over the yarn's mean.
+struct Stretch {
+  float from = 1, to = 1;
+
+  /// `t`: cells from the middle of the stretch's first cell, -1..period. Constant over the whole of the first cell and
+  /// of the last, and half a cell beyond, so that stretches join wherever the one ends as the other begins.
+  double massAt(double t, int period) const;
+  /// Factor on the radius, of a yarn that is equally compact everywhere.
+  double radiusAt(double t, int period) const { return std::sqrt(massAt(t, period)); }
+  /// Of the mass, over a cell.
+  double massOfCell(int phase, int period) const;
+};
+
+/// A long piece of yarn as it was spun, whose ends join: all threads of the yarn in a cloth are taken from it, each
+/// from a place of its own. The mass per length is light or heavy at each end of a stretch, or that of a slub; so there
+/// are few kinds of stretches, and cells of one kind share a brick. Immutable.
+class Spool {
+ public:
+  /// Of a yarn whose twist has a period of so many cells, each with so much yarn. A pure function of its arguments.
+  Spool(const Evenness& evenness, int period, double cell_mm, uint64_t seed);
+
+  static constexpr uint32_t kStretches = uint32_t{1} << 16;
+  int kinds() const { return states_ * states_; }
+  /// Of a stretch, counted on beyond the spool's end. Two loads.
+  int kind(uint32_t stretch) const {
+    return stateAt_[stretch % kStretches] * states_ + stateAt_[(stretch + 1) % kStretches];
+  }
+  Stretch stretch(int kind) const { return {massOf_[kind / states_], massOf_[kind % states_]}; }
+  /// Of all stretches, those of a kind.
+  double share(int kind) const { return shares_[static_cast<size_t>(kind)]; }
+  double largestRadius() const;  ///< factor on the yarn's radius
+  size_t bytes() const { return sizeof(Spool) + stateAt_.capacity() + shares_.capacity() * sizeof(double); }
+
+ private:
+  int states_ = 2;
+  std::vector<uint8_t> stateAt_;  ///< where stretch i begins
+  float massOf_[3] = {1, 1, 1};   ///< by state: light, heavy, slub; over the yarn's mean
+  std::vector<double> shares_;    ///< by kind
+};
+/// The most kinds that any has.
+inline constexpr int kMaxStretchKinds = 9;
+
+}  // namespace loomlight

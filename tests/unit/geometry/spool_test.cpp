@@ -1,0 +1,130 @@
+#include "core/geometry/spool.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <unordered_map>
+#include <vector>
+
+#include "core/geometry/cloth_geometry.h"
+#include "tests/unit/geometry/cloths.h"
+
+namespace loomlight {
+namespace {
+
+/// The mass of an end's cells one by one, over that of its count: weighed from the fibres that lie in them.
+std::vector<double> massesAlong(const ClothGeometry& cloth, int end, int cells) {
+  std::unordered_map<YarnCellKey, double, YarnCellKeyHash> weighed;
+  std::vector<double> masses;
+  for (int pick = 0; pick < cells; ++pick) {
+    const YarnCellKey key = cloth.key(System::warp, pick, end);
+    const auto [entry, isNew] = weighed.try_emplace(key);
+    if (isNew) {
+      const CellStrands cell = cloth.strands(key);
+      const YarnGeometry& yarn = cloth.yarn(System::warp, key.yarn);
+      const double mass_g =
+          cell.length_mm() * kPi * cell.fibreRadius_mm * cell.fibreRadius_mm * yarn.fibreDensity_g_cm3 * 1e-3;
+      entry->second = mass_g * 1e6 / (yarn.count_tex * cloth.yarns().axisLength_mm(key));
+    }
+    masses.push_back(entry->second);
+  }
+  return masses;
+}
+
+double mean(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double value : values) sum += value;
+  return sum / static_cast<double>(values.size());
+}
+
+/// Coefficient of variation of the mass of pieces of so many cells that lie end to end.
+double variationOfPieces(const std::vector<double>& masses, int cells) {
+  std::vector<double> pieces;
+  for (size_t i = 0; i + static_cast<size_t>(cells) <= masses.size(); i += static_cast<size_t>(cells)) {
+    double piece = 0;
+    for (int j = 0; j < cells; ++j) piece += masses[i + static_cast<size_t>(j)] / cells;
+    pieces.push_back(piece);
+  }
+  double squares = 0;
+  const double middle = mean(pieces);
+  for (const double piece : pieces) squares += (piece - middle) * (piece - middle);
+  return std::sqrt(squares / static_cast<double>(pieces.size())) / middle;
+}
+
+Fabric uneven(double cv_percent, double picks_per_cm) {
+  Fabric f = cloths::plain();
+  f.picks_per_cm = picks_per_cm;
+  f.ends_per_cm = picks_per_cm;
+  f.yarns[0].evennessCv_percent = cv_percent;
+  return f;
+}
+
+/// Cells of as much yarn as a length of it.
+int cellsOf(const ClothGeometry& cloth, double length_mm) {
+  return static_cast<int>(std::lround(length_mm / cloth.yarn(System::warp, 0).cellLength_mm));
+}
+
+TEST(Evenness, AKilometreOfYarnVariesAsAsked) {
+  for (const double cv_percent : {8.0, 15.0, 25.0})
+    for (const double picks_per_cm : {11.0, 25.0}) {
+      SCOPED_TRACE(testing::Message() << cv_percent << " %, " << picks_per_cm << " picks/cm");
+      const ClothGeometry cloth(uneven(cv_percent, picks_per_cm), 4, 4);
+      const std::vector<double> masses = massesAlong(cloth, 1, cellsOf(cloth, 1e6));
+      EXPECT_NEAR(mean(masses), 1, 0.01);
+      EXPECT_NEAR(100 * variationOfPieces(masses, cellsOf(cloth, kEvennessCut_mm)), cv_percent, 0.1 * cv_percent);
+      // Of independent pieces a decimetre would vary by a fourth of that; long waves are what streaks come of.
+      EXPECT_GT(100 * variationOfPieces(masses, cellsOf(cloth, 100)), 0.35 * cv_percent);
+    }
+}
+
+TEST(Evenness, ThreadsDiffer) {
+  const ClothGeometry cloth(uneven(15, 20), 40, 40);
+  const int decimetre = cellsOf(cloth, 100);
+  std::vector<double> ends;
+  for (int end = 0; end < 200; ++end) ends.push_back(mean(massesAlong(cloth, end, decimetre)));
+  EXPECT_GT(variationOfPieces(ends, 1), 0.04);
+}
+
+TEST(Evenness, SlubsAreAsManyAndAsLongAndThickAsAsked) {
+  Fabric f = uneven(0, 20);
+  f.yarns[0].slubs_per_m = 5;
+  f.yarns[0].slubLength_mm = 40;
+  f.yarns[0].slubRatio = 2;
+  const ClothGeometry cloth(f, 4, 4);
+  const std::vector<double> masses = massesAlong(cloth, 0, cellsOf(cloth, 2e5));
+  EXPECT_NEAR(mean(masses), 1, 0.02);
+  const auto [least, most] = std::minmax_element(masses.begin(), masses.end());
+  EXPECT_NEAR(*most / *least, 2, 0.02);
+  const double half = 0.5 * (*least + *most);
+  int slubs = 0, cells = 0;
+  for (size_t i = 1; i < masses.size(); ++i) {
+    cells += masses[i] > half;
+    slubs += masses[i] > half && masses[i - 1] <= half;
+  }
+  // A thousand slubs come by chance: three standard deviations are a tenth.
+  EXPECT_NEAR(slubs, 1000, 100);
+  EXPECT_NEAR(cells * cloth.yarn(System::warp, 0).cellLength_mm / slubs, 40, 4);
+}
+
+TEST(Evenness, AnEvenYarnHasOneKindOfCells) {
+  for (const Fabric& fabric : cloths::all()) {
+    const ClothGeometry cloth(fabric, 40, 40);
+    EXPECT_EQ(cloth.key(System::warp, 33, 7).stretch, 0);
+    EXPECT_EQ(cloth.yarns().spool(System::weft, cloth.geometryClass(System::weft, 0)) != nullptr,
+              fabric.name == cloths::slubby().name);
+  }
+}
+
+TEST(Evenness, FibresStayWhereTheyAreInTheirYarn) {
+  // A slider that is dragged must not part all fibres anew: the yarn is the one before but for its spool.
+  const ClothGeometry before(uneven(10, 20), 4, 4), after(uneven(20, 20), 4, 4, &before);
+  const YarnModel &a = before.yarns().model(System::warp, 0), &b = after.yarns().model(System::warp, 0);
+  EXPECT_EQ(a.plies[0].place(3), b.plies[0].place(3));
+  const ClothGeometry anew(uneven(20, 20), 4, 4);
+  const YarnCellKey key = anew.key(System::warp, 3, 2);
+  EXPECT_EQ(after.key(System::warp, 3, 2), key);
+  EXPECT_EQ(after.strands(key).points, anew.strands(key).points);
+}
+
+}  // namespace
+}  // namespace loomlight
