@@ -68,10 +68,11 @@ TEST_F(BothSides, BehindAColumnOfTheFrontLiesItsMirrorImage) {
 
 TEST_F(BothSides, TheDarkWarpIsOnTheFaceAndTheWhiteWeftOnTheBack) {
   EXPECT_LT(meanOf(sides().front.reflected), 0.8 * meanOf(sides().back.reflected));
-  // What comes through is the same from both sides: paths may be walked either way.
+  // Paths may be walked either way, so beam for beam as much comes through from one side as from the other. What is
+  // compared here is the light from a whole hemisphere into one direction, which for unlike sides is alike, not equal.
   const double front = meanOf(sides().front.transmitted), back = meanOf(sides().back.transmitted);
   EXPECT_GT(front, 0.02);
-  EXPECT_NEAR(front / back, 1, 0.1);
+  EXPECT_NEAR(front / back, 1, 0.2);
 }
 
 TEST_F(BothSides, HeightsRiseTowardsTheEyeOfEitherSide) {
