@@ -28,7 +28,7 @@ std::optional<Film> tracedFilm(const Scene& scene, const Medium& medium, const T
 std::optional<WholePicture> renderWhole(std::shared_ptr<const Fabric> fabric, const FibreOptions& fibres,
                                         const Task& task, const Tiling& tiling) {
   constexpr double kBuildShare = 0.1;  // of the progress
-  const auto scene = makeScene(fabric, partOf(task, 0, kBuildShare), SceneBase{nullptr, {}, tiling});
+  const auto scene = makeScene(std::move(fabric), partOf(task, 0, kBuildShare), SceneBase{nullptr, {}, tiling});
   const auto medium = scene ? makeMedium(*scene, fibres, partOf(task, 0, kBuildShare)) : nullptr;
   auto film = medium ? tracedFilm(*scene, *medium, partOf(task, kBuildShare, 1)) : std::nullopt;
   if (!film) return std::nullopt;

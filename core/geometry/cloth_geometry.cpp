@@ -14,7 +14,7 @@ ClothGeometry::ClothGeometry(const Fabric& fabric, int ends, int picks, const Cl
 }
 
 YarnCellKey ClothGeometry::key(System system, int pick, int end) const {
-  ShapeCode code;
+  ShapeCode code{};
   codes_.read(system, system == System::warp ? end : pick, system == System::warp ? pick : end, {&code, 1});
   YarnCellKey key = shapeKey(system, code);
   const YarnTable::Place at = place(system, pick, end);

@@ -176,32 +176,33 @@ bool makeCloth(Unfinished& made, const SceneBase& base, const ScenePreviews* fir
 
 }  // namespace
 
-std::shared_ptr<const Scene> makeScene(std::shared_ptr<const Fabric> fabric, const Task& task, const SceneBase& base,
+std::shared_ptr<const Scene> makeScene(std::shared_ptr<const Fabric> asked, const Task& task, const SceneBase& base,
                                        const ScenePreviews* first) {
   Unfinished made;
   Scene& scene = made.scene;
-  scene.fabric = fabric;
+  scene.fabric = std::move(asked);
+  const Fabric& fabric = *scene.fabric;
   scene.colouring = base.keeps(Stage::colour | Stage::brightness | Stage::light | Stage::optics) ? base.scene->colouring
-                                                                                                 : colouringOf(*fabric);
+                                                                                                 : colouringOf(fabric);
   scene.roulette_per_mm = leastAbsorption_per_mm(scene.colouring);
   // Seeds that a user counts up differ in their lowest bits alone, as numbers of pixels do: unmixed, the pixels of one
   // seed would have the random numbers of other pixels of the next.
-  scene.sampling.seed = mixBits(fabric->render.seed);
-  scene.sampling.maxEvents = static_cast<uint32_t>(fabric->render.maxDepth);
+  scene.sampling.seed = mixBits(fabric.render.seed);
+  scene.sampling.maxEvents = static_cast<uint32_t>(fabric.render.maxDepth);
   scene.lighting =
       base.keeps(Stage::light | Stage::brightness)
           ? base.scene->lighting
-          : std::make_shared<const Lighting>(fabric->light, CameraRays(fabric->camera, 1, 1).eye_mm(),
-                                             static_cast<float>(fabric->camera.distance_mm),
+          : std::make_shared<const Lighting>(fabric.light, CameraRays(fabric.camera, 1, 1).eye_mm(),
+                                             static_cast<float>(fabric.camera.distance_mm),
                                              base.keeps(Stage::surroundings) ? base.scene->lighting.get() : nullptr);
   if (base.scene && !base.edit.medium()) {
     scene.cloth = base.scene->cloth;
     return std::make_shared<const Scene>(std::move(scene));
   }
-  made.cloth.materials = makeMaterials(*fabric, base);
-  made.cloth.method = fabric->render.method;
-  made.cloth.estimator = fabric->render.estimator;
-  made.cloth.eventLaw = fabric->render.eventLaw;
+  made.cloth.materials = makeMaterials(fabric, base);
+  made.cloth.method = fabric.render.method;
+  made.cloth.estimator = fabric.render.estimator;
+  made.cloth.eventLaw = fabric.render.eventLaw;
   if (!makeCloth(made, base, first, task)) return nullptr;
   scene.cloth = std::make_shared<const TraceData>(std::move(made.cloth));
   return std::make_shared<const Scene>(std::move(scene));

@@ -174,10 +174,9 @@ void clothColourRows(Ui& ui, const ClothPart& part, const ClothColourModel& mode
   const bool canBeDyed = model.state == State::known || model.state == State::measuring;
   codeRow(ui, canBeDyed, view);
   remarkLines(ui, view.refusal.empty() ? remark(part, model, wanted) : view.refusal);
-  toleranceRows(ui, model, view.tolerance_cmc);
   bookRow(ui, view.books);
-  if (!view.book) return;
-  const BookColour* const chosen = colourBookRows(ui, *view.book, view.search);
+  const BookColour* const chosen = view.book ? colourBookRows(ui, *view.book, view.search) : nullptr;
+  toleranceRows(ui, model, view.tolerance_cmc);
   if (!chosen || !canBeDyed) return;
   view.want(part, {chosen->linear, chosen->measured, chosen->name});
   view.code = chosen->name;

@@ -134,7 +134,7 @@ size_t TileMap::bytes() const {
                           kMaxPeriod * (sizeof(uint64_t) + static_cast<size_t>(stretchKinds_) * sizeof(BrickPool::Id));
   const size_t perRow = sizeof(Row) + sizeof(rows_[0]) + sizeof(low_[0]) +
                         static_cast<size_t>(repeatAlong_) * (used > 0x10000 ? 2 : 1) * sizeof(uint16_t);
-  size_t spools = spoolOf_.size() * sizeof(spoolOf_[0]);
+  size_t spools = spoolOf_.size() * sizeof(const Spool*);
   for (const auto& spool : spools_) spools += spool ? spool->bytes() : 0;
   return static_cast<size_t>(yarnCount_) * sizeof(PlacedYarn) + rows_.size() * perRow + used * perShape + spools;
 }

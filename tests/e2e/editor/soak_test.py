@@ -52,9 +52,10 @@ class Hand:
         self.done = []
 
     def anywhere_in(self, rect):
+        """But for the window's first row and column: GLFW takes a motion to (0, 0) for one that it made itself."""
         x0, y0, x1, y1 = rect
         x, y = self.random.uniform(x0, x1), self.random.uniform(y0, y1)
-        return min(max(x, 0), WIDTH - 1), min(max(y, 0), HEIGHT - 1)
+        return min(max(x, 1), WIDTH - 1), min(max(y, 1), HEIGHT - 1)
 
     def act(self):
         widgets = {name: rect for name, rect in self.editor.widgets().items() if is_touched(name)}
