@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/fabric/model/validate.h"
+#include "core/fabric/yarn/yarn_edit.h"
 #include "render/transport/yarn_names.h"
 
 // How it works. A tile is a whole number of repeats: of the weave, of both colour orders and, where that is not too
@@ -32,11 +33,6 @@ int64_t twistPeriod(const ClothGeometry& geometry, System system) {
     period = std::lcm(period, static_cast<int64_t>(geometry.yarn(system, key.yarn).period));
   }
   return period;
-}
-
-Fabric evenlySpun(Fabric fabric) {
-  for (Yarn& yarn : fabric.yarns) yarn.evennessCv_percent = yarn.slubs_per_m = 0;
-  return fabric;
 }
 
 /// The camera of a picture without perspective sees, at a distance of one, twice the tangent of ten degrees.

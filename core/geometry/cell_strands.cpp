@@ -153,8 +153,10 @@ void layFlyaway(const YarnModel& yarn, const Flyaway& flyaway, double shift, con
   const auto place = [&](const Station& a, const Station& b, double t) {
     const double x = b.t > a.t ? (t - a.t) / (b.t - a.t) : 0.0;
     const auto mix = [x](float from, float to) { return from + x * (static_cast<double>(to) - from); };
-    const AxisPosition axis{
-        mix(a.z_mm, b.z_mm), mix(a.crown_mm, b.crown_mm), {mix(a.up, b.up), mix(a.across, b.across)}};
+    const AxisPosition axis{mix(a.z_mm, b.z_mm),
+                            mix(a.crown_mm, b.crown_mm),
+                            mix(a.lift_mm, b.lift_mm),
+                            {mix(a.up, b.up), mix(a.across, b.across)}};
     const double bodyUp = yarn.bodyReach_mm * axis.section.up;
     const glm::dvec2 offset = flyawayOffset(flyaway, yarn.geometry, t - shift, axis);
     // Beyond the body hairs stand straight up, or long ones would lean over into cells further along the yarn.

@@ -24,6 +24,10 @@ struct CellStrands {
   };
   std::vector<glm::vec3> points;
   std::vector<Strand> strands;
+  /// What each weighs, over a fibre of the yarn: above 1 where an uneven yarn is thick. There the yarn has more fibres;
+  /// statistics count each line as so many of the yarn's own radius, and where lines themselves are traced they are as
+  /// much thicker.
+  float fibresEach = 1;
   /// The yarn's, but for the percent or two (0.3 % in open cloth) by which bending and the cell's own length change the
   /// take-up of the twist: with this radius the cell weighs the yarn's count times the length of its axis, exactly; of
   /// an uneven yarn, times what its stretch has of the count there.

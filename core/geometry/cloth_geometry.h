@@ -46,7 +46,6 @@ class ClothGeometry {
   YarnCellKey shapeKey(System system, ShapeCode code) const { return yarns_.shapeKey(system, shapeOf(code)); }
   /// Where on its yarn the cell lies.
   YarnTable::Place place(System system, int pick, int end) const;
-  int phase(System system, int pick, int end) const { return place(system, pick, end).phase; }
   /// Whether this is the same piece but for its weave: a cell whose code is the same has the same fibres.
   bool differsInWeaveOnly(const ClothGeometry& other) const;
 
@@ -68,7 +67,7 @@ class ClothGeometry {
 
   /// Over one repeat, or the piece where that is smaller.
   ClothMeasures measure() const;
-  /// Cells of one shape: a key with phase 0, and how many there are.
+  /// Cells of one shape: a key with phase and stretch 0, and how many there are.
   struct CellCount {
     YarnCellKey shape;
     double cells = 0;

@@ -81,7 +81,8 @@ glm::dvec2 flyawayOffset(const Flyaway& f, const YarnGeometry& g, double t, cons
   const double lifted = std::min(1.0, x / kLifted), share = lifted * lifted * (3 - 2 * lifted);
   const double root = std::cos(f.angle) * f.root_mm * axis.section.up;
   const double side = root < 0 ? -1 : 1;
-  const double onCloth = side * (axis.crown_mm + g.halfHeight_mm() + f.rise_mm * (0.6 + 0.4 * bump)) - axis.here_mm;
+  const double top = axis.crown_mm + axis.lift_mm + g.halfHeight_mm();
+  const double onCloth = side * (top + f.rise_mm * (0.6 + 0.4 * bump)) - axis.here_mm;
   const double across = std::sin(f.angle) * f.root_mm * axis.section.across + f.drift_mm * (x + f.curl * bump * bump);
   return {bentBack(across), root + share * (onCloth - root)};
 }

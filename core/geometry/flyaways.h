@@ -27,9 +27,10 @@ struct Flyaway {
 std::vector<Flyaway> placeFlyaways(const YarnGeometry& geometry, double budget_mm);
 inline constexpr int kMaxFlyaways = 4096;
 
-/// How high the yarn's axis lies in the cloth, and would if the yarn were uppermost there; and its section.
+/// How high the yarn's axis lies in the cloth, and would if the yarn were uppermost there and even; how much higher its
+/// top lies, as it is thick there; and its section.
 struct AxisPosition {
-  double here_mm = 0, crown_mm = 0;
+  double here_mm = 0, crown_mm = 0, lift_mm = 0;
   SectionScale section;
 };
 

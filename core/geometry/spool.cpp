@@ -31,12 +31,13 @@ std::vector<uint8_t> drawStates(double stretch_mm, uint64_t seed) {
   return states;
 }
 
-/// Exponential distances, as between events that know nothing of each other. A slub begins and ends over a stretch
-/// each, so at half its height it is as many stretches long as it has ends of stretches.
+/// Exponential distances, as between events that know nothing of each other, but a stretch between slubs at least. A
+/// slub begins and ends over a stretch each, so at half its height it is as many stretches long as it has ends of
+/// stretches.
 void addSlubs(const Evenness& evenness, double stretch_mm, uint64_t seed, std::vector<uint8_t>& states) {
   if (evenness.slubs_per_mm <= 0) return;
   Random random(hashCombine(seed, -1));
-  const double apart_mm = std::max(0.0, 1 / evenness.slubs_per_mm - evenness.slubLength_mm);
+  const double apart_mm = std::max(0.0, 1 / evenness.slubs_per_mm - evenness.slubLength_mm - stretch_mm);
   const double end_mm = stretch_mm * (Spool::kStretches - 1);
   for (double at_mm = 0;;) {
     at_mm += stretch_mm - apart_mm * std::log1p(-random.uniformDouble());
@@ -103,6 +104,10 @@ Spool::Spool(const Evenness& evenness, int period, double cell_mm, uint64_t seed
 
 double Spool::largestRadius() const {
   return std::sqrt(*std::max_element(massOf_, massOf_ + states_));
+}
+
+double Spool::smallestRadius() const {
+  return std::sqrt(*std::min_element(massOf_, massOf_ + states_));
 }
 
 }  // namespace loomlight

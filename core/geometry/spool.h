@@ -24,8 +24,8 @@ inline constexpr double kEvennessCut_mm = 8;
 struct Stretch {
   float from = 1, to = 1;
 
-  /// `t`: cells from the middle of the stretch's first cell, -1..period. Constant over the whole of the first cell and
-  /// of the last, and half a cell beyond, so that stretches join wherever the one ends as the other begins.
+  /// `t`: cells from the middle of the stretch's first cell, -1..period. Constant up to that middle, and from the
+  /// middle of the last cell on, so that stretches join wherever the one ends as the other begins.
   double massAt(double t, int period) const;
   /// Factor on the radius, of a yarn that is equally compact everywhere.
   double radiusAt(double t, int period) const { return std::sqrt(massAt(t, period)); }
@@ -50,7 +50,8 @@ class Spool {
   Stretch stretch(int kind) const { return {massOf_[kind / states_], massOf_[kind % states_]}; }
   /// Of all stretches, those of a kind.
   double share(int kind) const { return shares_[static_cast<size_t>(kind)]; }
-  double largestRadius() const;  ///< factor on the yarn's radius
+  double largestRadius() const;   ///< factor on the yarn's radius
+  double smallestRadius() const;  ///< likewise
   size_t bytes() const { return sizeof(Spool) + stateAt_.capacity() + shares_.capacity() * sizeof(double); }
 
  private:

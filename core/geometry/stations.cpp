@@ -86,7 +86,7 @@ class CellStations {
     double slope, bend;
   };
   /// Of the place in the round section, times the section's factors: from the twists, migration, the easing of the
-  /// section, and the products of these.
+  /// section, how thickness changes, and the products of these. The same for all stretches, which share transitions.
   Rates ratesOf(const SectionEasing& section, double length_mm, double cellsPerMm) const {
     const YarnGeometry& g = yarn_.geometry;
     const double turn = 2 * kPi * cellsPerMm / g.period;
@@ -100,8 +100,21 @@ class CellStations {
                         wanderBend + 2 * wander * spin;
     const double easing = section.slope() / length_mm, easingBend = section.bend() / (length_mm * length_mm);
     const double scale = section.largest() * yarn_.thickest();
-    return {scale * slope + easing * yarn_.bodyReach_mm,
-            scale * bend + 2 * easing * slope + easingBend * yarn_.bodyReach_mm};
+    const auto [thickSlope, thickBend] = thicknessRates(cellsPerMm);
+    const double swollen = section.largest() * yarn_.bodyReach_mm + g.halfHeight_mm();  // it moves outwards, too
+    return {scale * slope + easing * yarn_.bodyReach_mm + thickSlope * swollen,
+            scale * bend + 2 * (easing + section.largest() * thickSlope) * slope + easingBend * yarn_.bodyReach_mm +
+                2 * easing * thickSlope * yarn_.bodyReach_mm + thickBend * swollen};
+  }
+  /// Bounds on the derivatives of the factor on the radius, the root of a mass that eases from any state to any other
+  /// by the cubic 3 x^2 - 2 x^3 (Stretch::massAt).
+  Rates thicknessRates(double cellsPerMm) const {
+    const double thinnest = yarn_.thinnest(), thickest = yarn_.thickest();
+    const double apart = thickest * thickest - thinnest * thinnest;
+    if (apart == 0) return {0, 0};
+    const double perMm = cellsPerMm / (yarn_.geometry.period - 1);
+    const double slope = 1.5 * apart * perMm, bend = 6 * apart * perMm * perMm;
+    return {slope / (2 * thinnest), bend / (2 * thinnest) + slope * slope / (4 * thinnest * thinnest * thinnest)};
   }
 
   /// Of stations on a piece, so that chords stay within the sagitta: h^2 / 8 times the second derivative of the
@@ -129,6 +142,7 @@ class CellStations {
     x.up = static_cast<float>(section.up * thick);
     x.across = static_cast<float>(std::min(section.across * thick, yarn_.widest()));
     x.crown_mm = static_cast<float>(crown_mm);
+    x.lift_mm = static_cast<float>(std::max(0.0, 2 * (thick - 1) * g.halfHeight_mm()));
     x.normalS = static_cast<float>(-tilt);
     x.normalZ = static_cast<float>(std::sqrt(1 - tilt * tilt));
     x.spill_mm = static_cast<float>(1.001 * std::abs(tilt) * reach_);

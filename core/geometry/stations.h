@@ -12,7 +12,8 @@ struct Station {
   float s_mm = 0, z_mm = 0;          ///< of the axis, in the frame of the cell
   float normalS = 0, normalZ = 1;    ///< direction of "up" in the section
   float up = 1, across = 1;          ///< factors of the section
-  float crown_mm = 0;                ///< of the axis, above the mid-plane, were it uppermost here
+  float crown_mm = 0;                ///< of the axis, above the mid-plane, were it uppermost here and even
+  float lift_mm = 0;                 ///< by which a thick yarn's top lies higher than an even one's
   float spill_mm = 0;                ///< how far fibres of the body may lie from s along the yarn
   float spinCos = 1, spinSin = 0;    ///< angle of the plies' sections, all twists
   float orbitCos = 1, orbitSin = 0;  ///< angle of the plies about their cord's axis

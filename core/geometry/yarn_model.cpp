@@ -125,7 +125,7 @@ double looseLength_mm(const YarnModel& m) {
   double total = 0;
   for (const Flyaway& f : m.flyaways) {
     constexpr int kSteps = 16;
-    const AxisPosition straight{0, 0, m.geometry.usual()};
+    const AxisPosition straight{0, 0, 0, m.geometry.usual()};
     for (int i = 0; i < kSteps; ++i) {
       const auto at = [&](int k) { return f.start + (f.end - f.start) * k / kSteps; };
       const glm::dvec2 d =
@@ -172,7 +172,7 @@ double YarnModel::reachUp_mm() const {
   const double scale = geometry.highest() * thickest();
   double reach = bodyReach_mm * scale;
   for (const Flyaway& f : flyaways)
-    reach = std::max(reach, f.lies ? geometry.halfHeight_mm() + f.rise_mm : f.root_mm * scale + f.rise_mm);
+    reach = std::max(reach, f.lies ? thickest() * geometry.halfHeight_mm() + f.rise_mm : f.root_mm * scale + f.rise_mm);
   return reach + (thickest() - 1) * geometry.halfHeight_mm() + 1.05 * thickest() * geometry.fibreRadius_mm;
 }
 

@@ -51,6 +51,7 @@ struct YarnModel {
   Stretch stretch(int kind) const { return spool ? spool->stretch(kind) : Stretch{}; }
   /// Factor on its radius, where it is thickest.
   double thickest() const { return spool ? spool->largestRadius() : 1.0; }
+  double thinnest() const { return spool ? spool->smallestRadius() : 1.0; }
   /// Where the yarn lies straight, its section is the usual one.
   PathNode straightNode() const {
     return {0.0f, static_cast<float>(geometry.usual().up), static_cast<float>(geometry.usual().across)};

@@ -23,12 +23,13 @@ namespace {
 /// The yarn of this source, where these have it, or one that is it but for its evenness; else null.
 std::shared_ptr<const YarnModel> reused(const std::vector<std::shared_ptr<const YarnModel>>& models,
                                         const YarnSource& source) {
+  for (const auto& model : models)
+    if (model && model->source == source) return model;
   YarnSource other = source;
   for (const auto& model : models) {
     if (!model) continue;
     other.resolved.evenness = model->source.resolved.evenness;
-    if (!(model->source == other)) continue;
-    return model->source == source ? model : withEvenness(*model, source.resolved.evenness);
+    if (model->source == other) return withEvenness(*model, source.resolved.evenness);
   }
   return nullptr;
 }
@@ -239,7 +240,9 @@ CellStrands YarnTable::strands(const YarnCellKey& key) const {
   CellStrands cell = layStrands(yarn, key.previous, key.here, key.next, {key.phase, stretch}, g.pitch_mm);
   const double straight = yarn.straightLength_mm[key.phase] * axisLength_mm(key) / g.cellLength_mm;
   const double mass = stretch.massOfCell(key.phase, g.period);
-  cell.fibreRadius_mm = static_cast<float>(g.fibreRadius_mm * std::sqrt(mass * straight / cell.length_mm()));
+  const double thicker = mass * straight / cell.length_mm();
+  cell.fibreRadius_mm = static_cast<float>(g.fibreRadius_mm * std::sqrt(thicker));
+  if (yarn.spool) cell.fibresEach = static_cast<float>(thicker);
   return cell;
 }
 

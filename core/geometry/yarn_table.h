@@ -30,6 +30,7 @@ class YarnTable {
   YarnTable(const Fabric& fabric, const YarnTable* previous, bool sketched, const Task& task, const Tiling& tiling);
   bool isSketched() const;  ///< any of the yarns
 
+  const Tiling& tiling() const { return tiling_; }
   double warpPitch_mm() const { return warpPitch_mm_; }
   double weftPitch_mm() const { return weftPitch_mm_; }
   /// All fibres, hairs too, lie in |z| <= this.

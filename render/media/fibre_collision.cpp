@@ -25,7 +25,8 @@ Collision collisionAt(const TraceData& cloth, const ScenePoint& place, glm::vec3
   c.yarnId = {hit.system, hit.system == System::warp ? hit.end : hit.pick};
   c.yarn = cloth.volume->geometry().yarnIndex(c.yarnId.system, c.yarnId.index);
   c.optics = cloth.yarns[static_cast<int>(hit.system)][c.yarn];
-  c.axis = c.place.world - c.optics.fibreRadius_mm * hit.normal;
+  c.radius_mm = hit.radius_mm;
+  c.axis = c.place.world - c.radius_mm * hit.normal;
   Random kind(mixBits(hit.fibre));  // a fibre is what it is, whoever meets it
   c.material = drawMaterial(c.optics, kind);
   return c;

@@ -17,10 +17,9 @@ glm::vec3 fibreExit(const TraceData& cloth, const Collision& collision, glm::vec
   const glm::vec3 normal(0, (out.y * cosine - out.z * sine) / across, (out.z * cosine + out.y * sine) / across);
   // sin(theta_t) = sin(theta_o) / eta: of every traverse, 2 r cos(gamma_t) tan(theta_t) = chord r sin(theta_t).
   const Material& material = cloth.materials[collision.material];
-  const float radius = collision.optics.fibreRadius_mm;
   const float chord = material.bcsdf->modes(back, sine).chord;
-  const float along = -static_cast<float>(order) * chord * radius * back.x / material.refractiveIndex;
-  return collision.axis + along * collision.tangent + radius * frame.toWorld(normal);
+  const float along = -static_cast<float>(order) * chord * collision.radius_mm * back.x / material.refractiveIndex;
+  return collision.axis + along * collision.tangent + collision.radius_mm * frame.toWorld(normal);
 }
 
 }  // namespace loomlight

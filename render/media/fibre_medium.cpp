@@ -71,7 +71,7 @@ class FibreBatch final : public PathStates<OwnFibre> {
     if (!met) return std::nullopt;
     ++counts.events;
     const Collision c = collisionAt(medium_.cloth(), met->place, direction, met->hit);
-    path.memory = {c.fibre, kOwnFibreRadii * c.optics.fibreRadius_mm};
+    path.memory = {c.fibre, kOwnFibreRadii * c.radius_mm};
     return c;
   }
 

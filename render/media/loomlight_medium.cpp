@@ -127,6 +127,7 @@ Collision LoomlightMedium::meet(const ScenePoint& from, glm::vec3 direction, con
         chooseComponent(cloth_->yarns, content, s.drape, direction, random.uniform(), EventLaw::projected, share);
     c.tangent = eitherWay(projectedTangent(met.fibres, direction, random), random);
     c.optics = *met.optics;
+    c.radius_mm = c.optics.fibreRadius_mm;
     c.yarnId = met.yarnId;
     c.yarn = met.yarn;
     c.end = content.end;
@@ -192,6 +193,7 @@ Collision LoomlightMedium::meetBefore(const ScenePoint& place, glm::vec3 directi
   c.end = fibre.end;
   c.pick = fibre.pick;
   c.optics = cloth_->yarns[static_cast<int>(fibre.yarnId.system)][fibre.yarn];
+  c.radius_mm = fibre.radius_mm;
   c.material = drawMaterial(c.optics, random);
   memory.meeting.inOneVoxel = false;
   return c;
@@ -201,7 +203,7 @@ void LoomlightMedium::remember(const Collision& met, Memory& memory) const {
   if (!ingredients_.hotSpot) return;
   KnownFibres& known = memory.known;
   known.before = known.leaving;
-  known.leaving = {met.axis, met.tangent, met.optics.fibreRadius_mm, met.yarnId, met.yarn, met.end, met.pick};
+  known.leaving = {met.axis, met.tangent, met.radius_mm, met.yarnId, met.yarn, met.end, met.pick};
   known.pastSegments = {RaySegment{met.place.world, met.incoming, met.distance_mm}, known.pastSegments[0]};
 }
 

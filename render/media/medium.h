@@ -45,11 +45,14 @@ struct Collision {
   glm::vec3 normal{0, 0, 1};  ///< of the cloth's face; of the fibre's surface where fibres are explicit
   glm::vec3 axis{0};          ///< nearest point of the fibre's axis; media whose fibres have a radius
   YarnOptics optics;          ///< of its yarn
-  int material = 0;           ///< of this fibre: that of the yarn, or in a blend one of its two
-  YarnId yarnId;              ///< whose fibre it is
-  int yarn = 0;               ///< index into Fabric::yarns
-  int end = 0, pick = 0;      ///< the crossing cell
-  uint64_t fibre = 0;         ///< which; explicit fibres only
+  /// Of the fibre as it lies there. Explicit fibres are thicker where their yarn is, as a line cannot become several;
+  /// what light is lost inside of them is counted by their yarn's radius, as real fibres only become more.
+  float radius_mm = 0;
+  int material = 0;       ///< of this fibre: that of the yarn, or in a blend one of its two
+  YarnId yarnId;          ///< whose fibre it is
+  int yarn = 0;           ///< index into Fabric::yarns
+  int end = 0, pick = 0;  ///< the crossing cell
+  uint64_t fibre = 0;     ///< which; explicit fibres only
 };
 
 /// Where the axis of the fibre is, from where its surface is met and at which offset.
@@ -57,7 +60,7 @@ inline glm::vec3 axisOf(const Collision& met) {
   const glm::vec3 forward = met.incoming - glm::dot(met.incoming, met.tangent) * met.tangent;
   const glm::vec3 b = glm::cross(met.tangent, met.incoming);
   const glm::vec3 normal = (met.offset * b - std::sqrt(1 - met.offset * met.offset) * forward) / glm::length(b);
-  return met.place.world - met.optics.fibreRadius_mm * normal;
+  return met.place.world - met.radius_mm * normal;
 }
 
 /// Fills offsets across a fibre at equal distances over -1..1, beginning with `first`: each is uniform if that is.

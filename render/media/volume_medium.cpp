@@ -43,6 +43,7 @@ std::optional<Collision> VolumeMedium::collide(const ScenePoint& from, Memory&, 
     c.offset = 2.0f * random.uniform() - 1.0f;
     c.normal = walk.drape().normal();
     c.optics = *met.optics;
+    c.radius_mm = c.optics.fibreRadius_mm;
     c.material = drawMaterial(c.optics, random);
     c.yarnId = met.yarnId;
     c.yarn = met.yarn;

@@ -185,6 +185,7 @@ std::optional<FibreHit> FibreBricks::Reader::meet(const ClothRay& ray) {
       nearest = {from + found.ray.tfar,
                  glm::normalize(glm::vec3(hit.Ng_x, hit.Ng_y, hit.Ng_z)),
                  of.brick->curves.tangent(hit.primID),
+                 of.brick->curves.radius_mm(hit.primID),
                  of.system,
                  of.end,
                  of.pick,

@@ -222,6 +222,7 @@ std::optional<FibreHit> FibreBvh::meet(const FibreRay& ray) const {
   hit.distance_mm = query.ray.tfar;
   hit.normal = glm::normalize(glm::vec3(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z));
   hit.tangent = yarn.curves().tangent(fibre.segment);
+  hit.radius_mm = yarn.curves().radius_mm(fibre.segment);
   hit.system = yarn.system();
   const int cell = fibre.firstCell + yarn.cellOf(fibre.segment);
   hit.end = yarn.system() == System::warp ? fibre.across : cell;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <numeric>
 
@@ -41,19 +42,27 @@ FibreSize sizeOf(const ClothGeometry& geometry, double segmentsPerCrossing, int6
   return size;
 }
 
+/// Uneven yarns never repeat. They are cut off after as much, which has some of each of their thick and thin places.
+constexpr double kCutOff_mm = 100;
+
 /// Crossings along the yarns of a system after which all that they are made of repeats: at least kMinCrossings, at most
-/// `piece`, which needs no repeat.
+/// `piece`, which needs no repeat. Where yarns come again in the next tile, tiles.
 int repeatAlong(const ClothGeometry& geometry, System system, int piece) {
   const bool warp = system == System::warp;
   int64_t repeat = warp ? geometry.repeatPicks() : geometry.repeatEnds();
+  int64_t least = kMinCrossings;
   const int yarns =
       warp ? std::min(geometry.repeatEnds(), geometry.ends()) : std::min(geometry.repeatPicks(), geometry.picks());
   for (int i = 0; i < yarns && repeat < piece; ++i) {
     const YarnCellKey key = warp ? geometry.key(system, 0, i) : geometry.key(system, i, 0);
-    if (geometry.yarns().spool(system, key.yarn)) return piece;  // uneven yarns never repeat
-    repeat = std::lcm(repeat, static_cast<int64_t>(geometry.yarn(system, key.yarn).period));
+    const YarnGeometry& yarn = geometry.yarn(system, key.yarn);
+    repeat = std::lcm(repeat, static_cast<int64_t>(yarn.period));
+    if (geometry.yarns().spool(system, key.yarn))
+      least = std::max(least, static_cast<int64_t>(std::ceil(kCutOff_mm / yarn.pitch_mm)));
   }
-  const int64_t crossings = (kMinCrossings + repeat - 1) / repeat * repeat;
+  const Tiling& tiling = geometry.yarns().tiling();
+  if (const int tile = warp ? tiling.picks : tiling.ends; tile > 0) repeat = tile;
+  const int64_t crossings = (least + repeat - 1) / repeat * repeat;
   return static_cast<int>(std::min<int64_t>(crossings, piece));
 }
 

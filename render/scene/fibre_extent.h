@@ -29,8 +29,8 @@ struct FibreOptions {
 /// A repeat is one of the weave, of the yarns' shapes, and of the twist: a whole number of the periods of every yarn
 /// that runs along it (YarnGeometry::period), so that each fibre goes on seamlessly in the next copy. In the piece
 /// itself every yarn begins its twist where it likes and none repeats its neighbour; in copies the first ones' do. That
-/// is another arrangement of the same yarns, and where nothing varies along yarns the very same cloth. Colours follow
-/// their sequences over the whole piece.
+/// is another arrangement of the same yarns, and where nothing varies along yarns the very same cloth. Uneven yarns are
+/// cut off after a decimetre, where their thickness has a step. Colours follow their sequences over the whole piece.
 struct FibreSize {
   int ends = 1, picks = 1;
   glm::ivec2 copies{1};

@@ -11,6 +11,7 @@ struct FibreHit {
   float distance_mm = 0;
   glm::vec3 normal{0, 0, 1};   ///< of the fibre's surface, unit
   glm::vec3 tangent{1, 0, 0};  ///< unit
+  float radius_mm = 0;         ///< of the fibre there
   System system = System::warp;
   int end = 0, pick = 0;
   uint64_t fibre = 0;  ///< which of the whole cloth; never 0

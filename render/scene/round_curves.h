@@ -23,6 +23,7 @@ class RoundCurves {
     const uint32_t first = segments_[segment];
     return glm::normalize(glm::vec3(vertices_[first + 1]) - glm::vec3(vertices_[first]));
   }
+  float radius_mm(uint32_t segment) const { return vertices_[segments_[segment]].w; }
   uint32_t strandOf(uint32_t segment) const { return strandOfSegment_[segment]; }  ///< number in its cell
   size_t bytes() const {
     return vertices_.size() * sizeof(glm::vec4) + (segments_.size() + strandOfSegment_.size()) * sizeof(uint32_t);

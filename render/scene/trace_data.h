@@ -24,7 +24,7 @@ struct Material {
 struct YarnOptics {
   int material = 0;          ///< index into TraceData::materials
   bool packed = false;       ///< FibreLayout::packed: its fibres do not overlap
-  float fibreRadius_mm = 0;  ///< of the geometry; differs between warp and weft by less than a rounding of fibre counts
+  float fibreRadius_mm = 0;  ///< of an even yarn: uneven ones have more of them where they are thick
   int blendMaterial = 0;     ///< the second material of a blended yarn (Yarn::blendFibre)
   float blendShare = 0;      ///< how many of its fibres are of that one, by number, 0..1; 0: no blend
 };

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <utility>
 
 #include "core/base/parallel.h"
+#include "core/fabric/yarn/yarn_edit.h"
 #include "core/geometry/cloth_geometry.h"
 #include "render/transport/path_tracer.h"
 
@@ -93,6 +95,7 @@ Rgb look(const Scene& scene, const Medium& medium, const View& view, size_t came
 }  // namespace
 
 Fabric halfDomePatch(Fabric fabric, const HalfDomeGrid& grid) {
+  fabric = evenlySpun(std::move(fabric));
   const double half = ClothGeometry(fabric, 1, 1).halfThickness_mm();
   const double steepest = std::tan(grid.inclination_deg(grid.inclinations - 1) * kRadians);
   // Half the diagonal of the window, whose rows are rounded; the way of a ray down to the mid-plane; and what light

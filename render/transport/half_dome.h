@@ -31,7 +31,8 @@ struct HalfDomeMeasure {
 };
 
 /// The fabric on a flat patch for measureHalfDome: so large that a picture of its middle sees no edge under any
-/// inclination of the grid, and hardly any light that came in through one.
+/// inclination of the grid, and hardly any light that came in through one. Its yarns are evenly spun, as it is to stand
+/// for all of the cloth.
 Fabric halfDomePatch(Fabric fabric, const HalfDomeGrid& grid);
 
 /// Orthographic cameras over the middle of the scene's patch, made by halfDomePatch with the same grid. Their pictures

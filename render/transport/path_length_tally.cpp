@@ -10,6 +10,7 @@
 
 #include "core/base/parallel.h"
 #include "core/fabric/model/changes.h"
+#include "core/fabric/yarn/yarn_edit.h"
 #include "core/geometry/cloth_geometry.h"
 #include "render/transport/path_integrator.h"
 
@@ -193,6 +194,7 @@ Reflectance PathLengthTally::reflectance(const Colouring& colouring) const {
 }
 
 Fabric colourPatch(Fabric fabric) {
+  fabric = evenlySpun(std::move(fabric));
   const double margin = 2 * kMarginThicknesses * ClothGeometry(fabric, 1, 1).halfThickness_mm();
   const glm::dvec2 window = window_mm(fabric);
   fabric.drape = Drape{};

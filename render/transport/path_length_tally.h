@@ -34,7 +34,7 @@ struct PathLengthTally {
 };
 
 /// The fabric on a flat patch for tallyPathLengths: its repeat, as far as that is not too large, and what light travels
-/// sideways around it.
+/// sideways around it. Its yarns are evenly spun, as it is to stand for all of the cloth.
 Fabric colourPatch(Fabric fabric);
 
 /// Whether walks through the patch of one fabric tell the colours of the other's: it is flat, under its own sky.

@@ -39,10 +39,13 @@ std::optional<YarnCellKey> cellOf(const ClothGeometry& cloth, const Fabric& fabr
   return std::nullopt;
 }
 
-/// `secondShare`: how many of the fibres are the second ones of a blend.
+/// Of the yarn where it is as thick as on average. `secondShare`: how many of the fibres are the second ones of a
+/// blend.
 YarnSection sectionIn(const ClothGeometry& cloth, const YarnCellKey& key, double secondShare) {
-  const double diameter_mm = cloth.yarn(key.system, key.yarn).diameter_mm();
-  const CellStrands strands = cloth.strands(key);
+  const YarnModel& yarn = cloth.yarns().model(key.system, key.yarn);
+  const double diameter_mm = yarn.geometry.diameter_mm();
+  const CellStrands strands =
+      layStrands(yarn, key.previous, key.here, key.next, {key.phase, {}}, yarn.geometry.pitch_mm);
   YarnSection section;
   section.fibreRadius_mm = strands.fibreRadius_mm;
   section.halfWidth_mm = 0.5 * diameter_mm * key.here.across;

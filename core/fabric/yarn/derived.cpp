@@ -184,6 +184,8 @@ double jamming(const Fabric& fabric) {
   return term(fabric.warpPitch_mm(), d1, b.weftInterlacings) + term(fabric.weftPitch_mm(), d2, b.warpInterlacings);
 }
 
+constexpr double kMostSlub_percent = 70;  // beyond, what lies between two slubs is shorter than the slopes to them
+
 std::vector<std::string> warnings(const Fabric& fabric, const Floats& floats, const LongFloats& tooLong) {
   std::vector<std::string> said;
   if (jamming(fabric) > 1.0)
@@ -206,6 +208,12 @@ std::vector<std::string> warnings(const Fabric& fabric, const Floats& floats, co
                                  all, count == 1 && all == 1 ? one : many, count == 1 ? "s" : "",
                                  count == 1 ? "it" : "them"));
   };
+  for (const Yarn& yarn : fabric.yarns)
+    if (const double slub_percent = 0.1 * yarn.slubs_per_m * yarn.slubLength_mm; slub_percent > kMostSlub_percent)
+      said.push_back(
+          fmt::format("{:g} slubs per m of {:g} mm are {:.0f} % of their yarn: there will be fewer, as more "
+                      "than {:g} % find no room.",
+                      yarn.slubs_per_m, yarn.slubLength_mm, slub_percent, kMostSlub_percent));
   idle(floats.idleEnds, fabric.weave.ends(), "end", "ends");
   idle(floats.idlePicks, fabric.weave.picks(), "pick", "picks");
   return said;

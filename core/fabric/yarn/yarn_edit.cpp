@@ -95,4 +95,9 @@ Fabric withFibre(Fabric fabric, int yarn, Fibre fibre) {
   return fabric;
 }
 
+Fabric evenlySpun(Fabric fabric) {
+  for (Yarn& yarn : fabric.yarns) yarn.evennessCv_percent = yarn.slubs_per_m = 0;
+  return fabric;
+}
+
 }  // namespace loomlight

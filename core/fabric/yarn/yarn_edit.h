@@ -29,4 +29,8 @@ Fabric withoutYarn(Fabric fabric, int index);
 /// where there is no room for one more, those change with it.
 Fabric withFibre(Fabric fabric, int yarn, Fibre fibre);
 
+/// The fabric with all of its yarns as thick everywhere as they are on average: for what stands for the whole cloth,
+/// and is too small to have some of each thick and thin place.
+Fabric evenlySpun(Fabric fabric);
+
 }  // namespace loomlight

@@ -91,6 +91,7 @@ void LeafFiller::measure(const CellStrands& strands, const CellStrands::Strand& 
   static const SectionOffsets offsets;
   const Float32x4 radius = Float32x4{} + std::sqrt(9.0f / 8.0f) * strands.fibreRadius_mm * side;
   const auto about = [&](Float32x4 axis, size_t i) { return frame(axis + radius * offsets[strand.first + i]); };
+  const double share = 0.5 * strands.fibresEach;  // each of its two lines has half
   Float32x4 end = toCloth(source[0], system), at = about(end, 0);
   Int32x4 voxel = VoxelFrame::voxelOf(at), crossings{};
   FibreMoments sum;
@@ -99,7 +100,7 @@ void LeafFiller::measure(const CellStrands& strands, const CellStrands::Strand& 
   for (size_t i = 1; i < count; ++i) {
     const Float32x4 start = std::exchange(end, toCloth(source[i], system)), from = std::exchange(at, about(end, i));
     const Float64x4 along = __builtin_convertvector(end, Float64x4) - __builtin_convertvector(start, Float64x4);
-    sum.add(FibreMoments::ofSegment(along), 0.5);
+    sum.add(FibreMoments::ofSegment(along), share);
     const Int32x4 left = std::exchange(voxel, VoxelFrame::voxelOf(at));
     const Int32x4 upwards = voxel > left;  // -1 where it is so
     const Float32x4 face = __builtin_convertvector(left - upwards, Float32x4);

@@ -9,7 +9,7 @@
 
 namespace loomlight {
 
-/// Numbers the shapes of cells, that is keys up to the phase, in the order in which they are met.
+/// Numbers the shapes of cells, that is keys up to phase and stretch, in the order in which they are met.
 class ShapeTable {
  public:
   ShapeTable(const ClothGeometry& geometry, System system) : geometry_(&geometry), system_(system) {}

@@ -115,10 +115,17 @@ void TileMap::shareRows(const TileMap& other) {
   rows_ = SharedList<Row>(rows);
 }
 
+size_t TileMap::spoolBytes() const {
+  size_t bytes = spoolOf_.size() * sizeof(const Spool*);
+  for (const auto& spool : spools_) bytes += spool ? spool->bytes() : 0;
+  return bytes;
+}
+
 size_t TileMap::bytesBeside(const TileMap& other) const {
   size_t bytes = shapes_.capacity() * sizeof(shapes_[0]) + codes_.capacity() * sizeof(codes_[0]) +
                  cellsOf_.capacity() * sizeof(cellsOf_[0]) + bricks_.bytesBeside(other.bricks_) + rows_.bytes() +
                  (low_.capacity() + high_.capacity()) * sizeof(low_[0]);
+  if (spools_ != other.spools_) bytes += spoolBytes();
   if (yarns_ != other.yarns_) bytes += static_cast<size_t>(yarnCount_) * sizeof(PlacedYarn);
   rows_.forEachBeside(other.rows_, [&bytes](const auto& row) { bytes += row->bytes(); });
   return bytes;
@@ -134,9 +141,7 @@ size_t TileMap::bytes() const {
                           kMaxPeriod * (sizeof(uint64_t) + static_cast<size_t>(stretchKinds_) * sizeof(BrickPool::Id));
   const size_t perRow = sizeof(Row) + sizeof(rows_[0]) + sizeof(low_[0]) +
                         static_cast<size_t>(repeatAlong_) * (used > 0x10000 ? 2 : 1) * sizeof(uint16_t);
-  size_t spools = spoolOf_.size() * sizeof(const Spool*);
-  for (const auto& spool : spools_) spools += spool ? spool->bytes() : 0;
-  return static_cast<size_t>(yarnCount_) * sizeof(PlacedYarn) + rows_.size() * perRow + used * perShape + spools;
+  return static_cast<size_t>(yarnCount_) * sizeof(PlacedYarn) + rows_.size() * perRow + used * perShape + spoolBytes();
 }
 
 }  // namespace loomlight

@@ -63,7 +63,7 @@ class TileMap {
   /// Of the piece; of an uneven yarn how many there would be, were the piece so large that every stretch of the spool
   /// is in it.
   double cells(Kind kind) const;
-  /// BrickPool::kNone where the piece has no such cell, and where it is missing.
+  /// BrickPool::kNone where it is missing, and where the piece has no cell of that shape and phase.
   BrickPool::Id brick(Kind kind) const { return bricks_[index(kind)]; }
   std::vector<Kind> missing() const;
   /// The missing kinds in the order in which a picture of these crossings of the piece needs them. With the first
@@ -158,6 +158,7 @@ class TileMap {
   void findExtent(const ClothGeometry& geometry);
   void placeYarns(const ClothGeometry& geometry);
   void takeSpools(const ClothGeometry& geometry);
+  size_t spoolBytes() const;
   void readRows(const ClothGeometry& geometry, const Task& task, const Kept& kept, ShapeTable& table);
   void readBand(const ClothGeometry& geometry, const Task& task, const Kept& kept, Band& band) const;
   static void renumber(Band& band, ShapeTable& all);

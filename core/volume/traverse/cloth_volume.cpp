@@ -11,12 +11,12 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 
-// How it works. A volume is built in two steps. The tile map says which kind of brick (shape and phase of a yarn's
-// cell) each cell has; after an edit of the weave it is that of the volume before with the changed crossings read anew
-// (editTiles), else it is read from the codes of all cells (readTiles). Then the kinds without a brick get theirs: from
-// the volume before where shape, phase and yarn are equal (reuseBricks), else from their strands, in parallel, those in
-// view first (makeBricks). A volume that is shown on the way lends missing kinds the brick of another phase
-// (completed).
+// How it works. A volume is built in two steps. The tile map says which kind of brick (shape, phase and stretch of a
+// yarn's cell) each cell has; after an edit of the weave it is that of the volume before with the changed crossings
+// read anew (editTiles), else it is read from the codes of all cells (readTiles). Then the kinds without a brick get
+// theirs: from the volume before where kind and yarn are equal (reuseBricks), else from their strands, in parallel,
+// those in view first (makeBricks). A volume that is shown on the way lends missing kinds the brick of another phase or
+// stretch (completed).
 
 namespace loomlight {
 

@@ -19,7 +19,7 @@ struct VolumeCounts {
   size_t components = 0;           ///< in those
   size_t bytes = 0;                ///< bricks, tile map and tables: all that the volume keeps
   size_t segments = 0;             ///< fibre segments that were voxelised, once per distinct brick
-  double segmentsRepresented = 0;  ///< by the whole piece of cloth
+  double segmentsRepresented = 0;  ///< by the whole piece of cloth, whose uneven yarns have an average of all stretches
 };
 
 /// A voxel that a ray crosses, as the traversal shows it to its visitor: up to six spans, of different yarns.
@@ -45,13 +45,14 @@ class ClothVolume {
   /// Builds the volume, reusing the bricks of `previous` (may be null) where grid, yarns and keys agree, and what its
   /// tile maps have in common with the new ones. The same, brick for brick, as without. Returns null when
   /// stopped. Throws InputError where the distinct bricks would take more than kMaxBytes. `look` (may be null) is shown
-  /// a first volume when every cell in view has a brick of its shape in any phase, and a second when every cell in view
-  /// has its own, as far as it wants them; cells out of view come last. The volume is the same without.
+  /// a first volume when every cell in view has a brick of its shape in any phase and stretch, and a second when every
+  /// cell in view has its own, as far as it wants them; cells out of view come last. The volume is the same without.
   static std::shared_ptr<const ClothVolume> build(std::shared_ptr<const ClothGeometry> geometry, int resolution,
                                                   const Task& task, const ClothVolume* previous = nullptr,
                                                   const PreviewSink* look = nullptr);
   /// A volume for a first look at these crossings of the piece, of the fewest bricks: all cells have one, those that
-  /// are seen one of their shape, though it may be of another phase. It cannot be a `previous`. Null when stopped.
+  /// are seen one of their shape, though it may be of another phase or stretch. It cannot be a `previous`. Null when
+  /// stopped.
   static std::shared_ptr<const ClothVolume> sketch(std::shared_ptr<const ClothGeometry> geometry, int resolution,
                                                    const CellRect& inView, const Task& task,
                                                    const ClothVolume* previous = nullptr);

@@ -54,6 +54,7 @@ void mergeYarns(const Fabric& fabric, Fabric& merged) {
     if (classes[i] < static_cast<int>(merged.yarns.size())) continue;
     Yarn yarn = onlyOf(kSeen, fabric.yarns[i]);
     yarn.name.clear();
+    yarn.evennessCv_percent = yarn.slubs_per_m = 0;  // the patch has too few stretches for some of each
     yarn.fibre = classes[i];
     yarn.blendFibre.reset();
     merged.yarns.push_back(yarn);

@@ -103,16 +103,20 @@ TEST(SharedBcsdf, IsTheIdenticalForEveryMedium) {
 // Media whose fibres have a radius mean the same by h: how far aside of the fibre's axis the ray passes, along tangent
 // x direction, in radii.
 TEST(SharedBcsdf, OffsetsAreThoseOfTheRayFromTheAxis) {
-  const auto scene = test::sceneOf(dyedCloth());
-  const auto fibres = FibreMedium::build(scene->cloth, {}, Task{});
-  const LoomlightMedium ours(scene->cloth);
-  const Medium* media[] = {fibres.get(), &ours};
-  for (const Medium* medium : media)
-    for (const Collision& c : collisions(*scene, *medium, 500)) {
-      const glm::vec3 across = glm::normalize(glm::cross(c.tangent, c.incoming));
-      const float aside = glm::dot(c.place.world - c.axis, across) / c.optics.fibreRadius_mm;
-      ASSERT_NEAR(aside, c.offset, 0.02);  // places are known to about a thousandth of a radius, from 8 mm away
-    }
+  Fabric uneven = dyedCloth();
+  for (Yarn& yarn : uneven.yarns) yarn.evennessCv_percent = 25;
+  for (const Fabric& fabric : {dyedCloth(), uneven}) {
+    const auto scene = test::sceneOf(fabric);
+    const auto fibres = FibreMedium::build(scene->cloth, {}, Task{});
+    const LoomlightMedium ours(scene->cloth);
+    const Medium* media[] = {fibres.get(), &ours};
+    for (const Medium* medium : media)
+      for (const Collision& c : collisions(*scene, *medium, 500)) {
+        const glm::vec3 across = glm::normalize(glm::cross(c.tangent, c.incoming));
+        const float aside = glm::dot(c.place.world - c.axis, across) / c.radius_mm;
+        ASSERT_NEAR(aside, c.offset, 0.02);  // places are known to about a thousandth of a radius, from 8 mm away
+      }
+  }
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ TEST(CellKeys, RepeatUpToThePhase) {
           const YarnCellKey key = withoutPhase(cloth.key(system, pick, end));
           EXPECT_EQ(key, withoutPhase(cloth.key(system, pick + cloth.repeatPicks(), end)));
           EXPECT_EQ(key, withoutPhase(cloth.key(system, pick, end - cloth.repeatEnds())));
-          EXPECT_EQ(cloth.phase(system, pick, end), cloth.key(system, pick, end).phase);
+          EXPECT_EQ(cloth.place(system, pick, end).phase, cloth.key(system, pick, end).phase);
         }
   }
 }
@@ -161,7 +161,8 @@ TEST(CellKeys, NeighbouringYarnsAreNotInStep) {
   const int period = cloth.yarn(System::warp, 0).period;
   std::set<int> steps;
   for (int end = 0; end < 64; ++end)
-    steps.insert((cloth.phase(System::warp, 0, end + 1) - cloth.phase(System::warp, 0, end) + period) % period);
+    steps.insert((cloth.place(System::warp, 0, end + 1).phase - cloth.place(System::warp, 0, end).phase + period) %
+                 period);
   EXPECT_EQ(static_cast<int>(steps.size()), period);
 }
 

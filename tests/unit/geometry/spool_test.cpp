@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <unordered_map>
 #include <vector>
@@ -77,6 +78,24 @@ TEST(Evenness, AKilometreOfYarnVariesAsAsked) {
     }
 }
 
+TEST(Evenness, AThickPlaceHasMoreFibresOfTheYarnsOwnRadius) {
+  const ClothGeometry cloth(uneven(25, 20), 40, 40);
+  const YarnModel& yarn = cloth.yarns().model(System::warp, 0);
+  const YarnGeometry& g = yarn.geometry;
+  double least = 1, most = 1;
+  for (int end = 0; end < 40; ++end) {
+    const YarnCellKey key = cloth.key(System::warp, 5, end);
+    const CellStrands cell = cloth.strands(key);
+    const double mass_g = cell.fibresEach * cell.length_mm() * g.fibreMass_g_mm();
+    const double mass = mass_g * 1e6 / (g.count_tex * cloth.yarns().axisLength_mm(key));
+    EXPECT_NEAR(mass, yarn.stretch(key.stretch).massOfCell(key.phase, g.period), 0.001);
+    least = std::min(least, mass);
+    most = std::max(most, mass);
+  }
+  EXPECT_LT(least, 0.8);
+  EXPECT_GT(most, 1.2);
+}
+
 TEST(Evenness, ThreadsDiffer) {
   const ClothGeometry cloth(uneven(15, 20), 40, 40);
   const int decimetre = cellsOf(cloth, 100);
@@ -85,8 +104,9 @@ TEST(Evenness, ThreadsDiffer) {
   EXPECT_GT(variationOfPieces(ends, 1), 0.04);
 }
 
-TEST(Evenness, SlubsAreAsManyAndAsLongAndThickAsAsked) {
-  Fabric f = uneven(0, 20);
+/// Slubs of 40 mm and twice the mass, 5 to a metre.
+void expectSlubs(double picks_per_cm) {
+  Fabric f = uneven(0, picks_per_cm);
   f.yarns[0].slubs_per_m = 5;
   f.yarns[0].slubLength_mm = 40;
   f.yarns[0].slubRatio = 2;
@@ -106,24 +126,42 @@ TEST(Evenness, SlubsAreAsManyAndAsLongAndThickAsAsked) {
   EXPECT_NEAR(cells * cloth.yarn(System::warp, 0).cellLength_mm / slubs, 40, 4);
 }
 
+TEST(Evenness, SlubsAreAsManyAndAsLongAndThickAsAsked) {
+  expectSlubs(20);
+  expectSlubs(4);  // stretches of two centimetres
+}
+
 TEST(Evenness, AnEvenYarnHasOneKindOfCells) {
   for (const Fabric& fabric : cloths::all()) {
     const ClothGeometry cloth(fabric, 40, 40);
-    EXPECT_EQ(cloth.key(System::warp, 33, 7).stretch, 0);
-    EXPECT_EQ(cloth.yarns().spool(System::weft, cloth.geometryClass(System::weft, 0)) != nullptr,
-              fabric.name == cloths::slubby().name);
+    const bool uneven = fabric.name == cloths::slubby().name;
+    EXPECT_EQ(cloth.yarns().spool(System::weft, cloth.geometryClass(System::weft, 0)) != nullptr, uneven);
+    for (int end = 0; end < 40 && !uneven; ++end) EXPECT_EQ(cloth.key(System::warp, 33, end).stretch, 0);
   }
 }
 
 TEST(Evenness, FibresStayWhereTheyAreInTheirYarn) {
-  // A slider that is dragged must not part all fibres anew: the yarn is the one before but for its spool.
-  const ClothGeometry before(uneven(10, 20), 4, 4), after(uneven(20, 20), 4, 4, &before);
-  const YarnModel &a = before.yarns().model(System::warp, 0), &b = after.yarns().model(System::warp, 0);
-  EXPECT_EQ(a.plies[0].place(3), b.plies[0].place(3));
-  const ClothGeometry anew(uneven(20, 20), 4, 4);
-  const YarnCellKey key = anew.key(System::warp, 3, 2);
-  EXPECT_EQ(after.key(System::warp, 3, 2), key);
-  EXPECT_EQ(after.strands(key).points, anew.strands(key).points);
+  // A slider that is dragged must not part all fibres anew: the yarn is the one before but for its spool. Where fibres
+  // are parted anew in a sketch, they are not parted at all.
+  const auto manyFibres = [](double cv_percent) {
+    Fabric f = uneven(cv_percent, 14);
+    f.yarns[0].count_tex = 60;
+    f.yarns[0].migration = 0.3;
+    return f;
+  };
+  constexpr bool kSketched = true;
+  const ClothGeometry before(manyFibres(10), 4, 4), after(manyFibres(20), 4, 4, &before, kSketched);
+  ASSERT_TRUE(ClothGeometry(manyFibres(20), 4, 4, nullptr, kSketched).yarns().isSketched());
+  EXPECT_FALSE(after.yarns().isSketched());
+  const ClothGeometry anew(manyFibres(20), 4, 4);
+  for (int pick = 0; pick < 4; ++pick) {
+    const YarnCellKey key = anew.key(System::warp, pick, 2);
+    EXPECT_EQ(after.key(System::warp, pick, 2), key);
+    const CellStrands kept = after.strands(key), laid = anew.strands(key);
+    EXPECT_EQ(kept.points, laid.points);
+    EXPECT_EQ(kept.fibreRadius_mm, laid.fibreRadius_mm);
+    EXPECT_EQ(kept.fibresEach, laid.fibresEach);
+  }
 }
 
 }  // namespace

@@ -191,8 +191,11 @@ TEST(Strands, ChordsKeepToTheSagitta) {
         // The same fibres at stations for fibres a hundred times finer: as good as the curves themselves.
         YarnModel fine = *coarse;
         fine.geometry.fibreRadius_mm /= 100;
+        // Where a slub begins, in the middle of the slope to it.
+        const bool uneven = coarse->spool != nullptr;
+        const CellOfYarn place{uneven ? geometry.period / 2 : key.phase, uneven ? coarse->stretch(2) : Stretch{}};
         const auto lay = [&](const YarnModel& model) {
-          return layStrands(model, key.previous, key.here, key.next, {key.phase, {}}, geometry.pitch_mm);
+          return layStrands(model, key.previous, key.here, key.next, place, geometry.pitch_mm);
         };
         const CellStrands chords = lay(*coarse), curves = lay(fine);
         ASSERT_EQ(chords.strands.size(), curves.strands.size());

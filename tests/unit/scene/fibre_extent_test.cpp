@@ -36,7 +36,7 @@ TEST(FibreExtent, ARepeatIsOneOfWeaveYarnsAndTwist) {
       ASSERT_EQ(geometry.key(System::warp, pick, end), geometry.key(System::warp, pick + size.picks, end));
       ASSERT_EQ(geometry.key(System::weft, pick, end), geometry.key(System::weft, pick, end + size.ends));
       YarnCellKey beside = geometry.key(System::warp, pick, end + size.ends);
-      beside.phase = geometry.phase(System::warp, pick, end);
+      beside.phase = geometry.place(System::warp, pick, end).phase;
       ASSERT_EQ(geometry.key(System::warp, pick, end), beside);
     }
 }

@@ -65,7 +65,7 @@ TEST(VoxelGrid, AbsurdClothsGetACoarserLeaf) {
 }
 
 TEST(ClothVolume, IntegratesToTheLengthOfItsFibres) {
-  for (const Fabric& fabric : {plainFabric(), hairyTwill()}) {
+  for (const Fabric& fabric : {plainFabric(), hairyTwill(), slubbyTwill()}) {
     const auto volume = volumeOf(fabric, 4, 4, 8);
     const ClothGeometry& geometry = volume->geometry();
     const auto sumOverCells = [](const auto& lengthIn) {
@@ -75,8 +75,10 @@ TEST(ClothVolume, IntegratesToTheLengthOfItsFibres) {
           for (const System system : {System::warp, System::weft}) sum += lengthIn(system, pick, end);
       return sum;
     };
-    const double expected = sumOverCells(
-        [&](System system, int pick, int end) { return lengthOf(geometry.strands(geometry.key(system, pick, end))); });
+    const double expected = sumOverCells([&](System system, int pick, int end) {
+      const CellStrands cell = geometry.strands(geometry.key(system, pick, end));
+      return cell.fibresEach * lengthOf(cell);  // a thick place has more fibres, of the yarn's own radius
+    });
     std::vector<double> lengths;
     for (int level = 0; level < volume->grid().levels(); ++level) {
       const auto coarse = volume->atLevel(level, Task{});

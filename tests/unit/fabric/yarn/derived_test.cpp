@@ -213,6 +213,15 @@ TEST(Warnings, NoneForTheReferenceCloth) {
   EXPECT_TRUE(warningsOf(printCloth()).empty());
 }
 
+TEST(Warnings, SaySlubsThatFindNoRoom) {
+  Fabric slubby = printCloth();
+  slubby.yarns[0].slubs_per_m = 20;
+  slubby.yarns[0].slubLength_mm = 30;
+  EXPECT_TRUE(warningsOf(slubby).empty());
+  slubby.yarns[0].slubs_per_m = 40;
+  EXPECT_THAT(warningsOf(slubby), testing::ElementsAre(HasSubstr("40 slubs per m of 30 mm are 120 % of their yarn")));
+}
+
 /// The count is that of the list of floats: those that nothing binds are among them.
 TEST(Warnings, CountFloatsAsTheListDoes) {
   Fabric loose = printCloth();
