@@ -181,6 +181,7 @@ void addTiling(CLI::App& app, TilingCommand& command) {
   addSampling(app, command.options, fmt::format("samples per pixel; {} where not given", TilingCommand::kSamples));
   addColourway(app, command.options);
   addResolution(app, command.options);
+  addWifChoices(app, command.wif);
   addThreads(app, command.threads);
   addMemoryLimit(app, command.memoryLimit_bytes);
 }
@@ -200,6 +201,7 @@ void addHandover(CLI::App& app, HandoverCommand& command) {
 
 void addSheet(CLI::App& app, SheetCommand& command) {
   addInput(app, "FABRIC", command.input);
+  addWifChoices(app, command.wif);
   app.add_option("-o,--output", command.output, "the page, a .pdf")->type_name("OUT.pdf")->required();
   app.add_flag("--colourways", command.colourways, "all colourways at 1 : 1, in the place of the sheet");
   addValue(app, "--width", "CM", "of the finished cloth; 150 where not given",

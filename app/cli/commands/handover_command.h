@@ -4,6 +4,7 @@
 
 #include "app/cli/fabric_options.h"
 #include "app/export/handover/digital_cloth.h"
+#include "core/fabric/wif/wif_fabric.h"
 #include "render/transport/make_medium.h"
 
 namespace loomlight {
@@ -17,6 +18,7 @@ struct HandoverCommand {
   DigitalClothOrder order;
   FabricOptions options;       ///< samples, seed, method, colourway, resolution
   bool allColourways = false;  ///< each in a folder of its own, beside that of the fabric's own colours
+  WifChoices wif;              ///< of a draft
   int threads = 0;             ///< 0: all
   double memoryLimit_bytes = defaultMemoryLimit_bytes();
 };

@@ -50,7 +50,7 @@ StandardChoice standardChoice(const std::string& text) {
 
 int run(const SheetCommand& command) {
   Stopwatch whole;
-  const Fabric fabric = fabricFromFile(command.input);
+  const Fabric fabric = fabricFromFile(command.input, command.wif);
   ClothSheetOptions options = command.options;
   options.standards = standardsOf(command, fabric);
   const Interrupt interrupt;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/export/cloth_sheet.h"
+#include "core/fabric/wif/wif_fabric.h"
 
 namespace loomlight {
 
@@ -14,6 +15,7 @@ struct SheetCommand {
   ClothSheetOptions options;           ///< but for the standards
   std::vector<std::string> standards;  ///< a swatch (swatchFrom()) for the piece, or PART=SWATCH (partNamed())
   bool colourways = false;             ///< all of them at 1 : 1, in the place of the sheet of the cloth
+  WifChoices wif;                      ///< of a draft
   int threads = 0;                     ///< 0: all
 };
 

@@ -15,7 +15,7 @@
 namespace loomlight {
 int run(const TileCommand& command) {
   Stopwatch whole;
-  Fabric fabric = fabricFromFile(command.input);
+  Fabric fabric = fabricFromFile(command.input, command.wif);
   fabric.render.samplesPerPixel = TileCommand::kSamples;
   fabric = withOptions(std::move(fabric), command.options);
   std::error_code failed;

@@ -4,6 +4,7 @@
 
 #include "app/cli/fabric_options.h"
 #include "app/export/tile.h"
+#include "core/fabric/wif/wif_fabric.h"
 #include "render/transport/make_medium.h"
 
 namespace loomlight {
@@ -16,6 +17,7 @@ struct TileCommand {
   std::string folder;  ///< made where there is none; the files are named after the fabric
   TileOrder order;
   FabricOptions options;  ///< samples, seed, method, colourway, resolution
+  WifChoices wif;         ///< of a draft
   int threads = 0;        ///< 0: all
   double memoryLimit_bytes = defaultMemoryLimit_bytes();
 };

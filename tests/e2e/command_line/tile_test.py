@@ -27,6 +27,16 @@ class Tile(CommandLineTest):
             self.assertAlmostEqual(pixels_per_m * sidecar["width_mm"] / 1000, width, delta=0.5, msg=name)
         self.assertTrue((self.folder / "maps" / sidecar["maps"]["all"]["file"]).read_bytes().startswith(b"v/1\x01"))
 
+    def test_a_draft_has_the_sett_of_its_file_where_that_is_asked_for(self):
+        self.run_program("convert", self.fabric(ends_per_cm=31, picks_per_cm=27), "draft.wif")
+        widths = {}
+        for sizes in ("file", "keep"):
+            self.run_program("tile", "draft.wif", "--wif-sizes", sizes, "-o", sizes, "--size", "24", "--spp", "1")
+            sidecar = json.loads(next((self.folder / sizes).glob("*.json")).read_text())
+            widths[sizes] = sidecar["width_mm"] / sidecar["ends"]
+        self.assertAlmostEqual(widths["file"], 10 / 31, delta=0.002)
+        self.assertGreater(abs(widths["keep"] - widths["file"]), 0.01)
+
     def test_yarns_are_called_alike_everywhere(self):
         nameless = [{"name": "", "fibre": fibre, "count_tex": tex} for fibre, tex in ((0, 16), (1, 20))]
         fabric = self.fabric(yarns=nameless)
