@@ -37,7 +37,8 @@ glm::dvec2 window_mm(const Fabric& fabric) {
   size_t& longer = ends > picks ? ends : picks;
   longer = std::min(longer, std::max(kMostOfWeave, kMostCrossings / std::min(ends, picks)));
   const auto side = [](size_t threads, double pitch_mm) {
-    return pitch_mm * static_cast<double>((kFewest + threads - 1) / threads * threads);
+    const size_t whole = (kFewest + threads - 1) / threads * threads;
+    return pitch_mm * static_cast<double>(whole);
   };
   return {side(ends, fabric.warpPitch_mm()), side(picks, fabric.weftPitch_mm())};
 }
