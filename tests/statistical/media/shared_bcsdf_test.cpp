@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -103,19 +104,33 @@ TEST(SharedBcsdf, IsTheIdenticalForEveryMedium) {
 // Media whose fibres have a radius mean the same by h: how far aside of the fibre's axis the ray passes, along tangent
 // x direction, in radii.
 TEST(SharedBcsdf, OffsetsAreThoseOfTheRayFromTheAxis) {
+  const auto scene = test::sceneOf(dyedCloth());
+  const auto fibres = FibreMedium::build(scene->cloth, {}, Task{});
+  const LoomlightMedium ours(scene->cloth);
+  const Medium* media[] = {fibres.get(), &ours};
+  for (const Medium* medium : media)
+    for (const Collision& c : collisions(*scene, *medium, 500)) {
+      const glm::vec3 across = glm::normalize(glm::cross(c.tangent, c.incoming));
+      const float aside = glm::dot(c.place.world - c.axis, across) / c.radius_mm;
+      ASSERT_NEAR(aside, c.offset, 0.02);  // places are known to about a thousandth of a radius, from 8 mm away
+    }
+}
+
+// Where a yarn is thick its explicit fibres are, and light leaves them from the surface that it came to.
+TEST(SharedBcsdf, RadiiAreThoseOfTheFibresThatAreLaid) {
   Fabric uneven = dyedCloth();
   for (Yarn& yarn : uneven.yarns) yarn.evennessCv_percent = 25;
-  for (const Fabric& fabric : {dyedCloth(), uneven}) {
-    const auto scene = test::sceneOf(fabric);
-    const auto fibres = FibreMedium::build(scene->cloth, {}, Task{});
-    const LoomlightMedium ours(scene->cloth);
-    const Medium* media[] = {fibres.get(), &ours};
-    for (const Medium* medium : media)
-      for (const Collision& c : collisions(*scene, *medium, 500)) {
-        const glm::vec3 across = glm::normalize(glm::cross(c.tangent, c.incoming));
-        const float aside = glm::dot(c.place.world - c.axis, across) / c.radius_mm;
-        ASSERT_NEAR(aside, c.offset, 0.02);  // places are known to about a thousandth of a radius, from 8 mm away
-      }
+  const auto scene = test::sceneOf(uneven);
+  const ClothGeometry& geometry = scene->cloth->volume->geometry();
+  for (const FibreExtent extent : {FibreExtent::wholePiece, FibreExtent::bricks}) {
+    const auto fibres = FibreMedium::build(scene->cloth, {std::numeric_limits<double>::infinity(), extent}, Task{});
+    int thicker = 0;
+    for (const Collision& c : collisions(*scene, *fibres, 100)) {
+      const YarnCellKey key = geometry.key(c.yarnId.system, c.pick, c.end);
+      ASSERT_EQ(c.radius_mm, geometry.strands(key).fibreRadius_mm);
+      thicker += c.radius_mm > 1.05f * c.optics.fibreRadius_mm;
+    }
+    EXPECT_GT(thicker, 10);
   }
 }
 
