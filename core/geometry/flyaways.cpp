@@ -78,7 +78,7 @@ glm::dvec2 flyawayOffset(const Flyaway& f, const YarnGeometry& g, double t, cons
     const double across = std::sin(angle) * (f.root_mm * axis.section.across + rise);
     return {bentBack(across), std::cos(angle) * (f.root_mm * axis.section.up + rise)};
   }
-  const double lifted = std::min(1.0, x / kLifted), share = lifted * lifted * (3 - 2 * lifted);
+  const double share = glm::smoothstep(0.0, kLifted, x);
   const double root = std::cos(f.angle) * f.root_mm * axis.section.up;
   const double side = root < 0 ? -1 : 1;
   const double top = axis.crown_mm + axis.lift_mm + g.halfHeight_mm();

@@ -48,7 +48,7 @@ Yielding yieldingOf(double press, double packing, int floatState) {
 }
 
 SectionScale SectionEasing::at(double share) const {
-  const double onWay = share * share * (3 - 2 * share), sine = std::sin(kPi * share), eased = kEased * sine * sine;
+  const double onWay = glm::smoothstep(0.0, 1.0, share), sine = std::sin(kPi * share), eased = kEased * sine * sine;
   return {mix(mix(from_.up, to_.up, onWay), free_.up, eased),
           mix(mix(from_.across, to_.across, onWay), free_.across, eased)};
 }

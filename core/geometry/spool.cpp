@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/base/random.h"
+#include "core/base/units.h"
 
 // How it works. Whether the yarn is light or heavy is drawn anew about every evenness cut; a part of the draws is the
 // same over a decimetre, which is what shows as streaks in the cloth, as the faults of a drafting frame do. Slubs come
@@ -76,8 +77,7 @@ double variationOfCuts(const std::vector<uint8_t>& states, int period, double ce
 
 double Stretch::massAt(double t, int period) const {
   if (from == to) return from;
-  const double x = std::clamp(t / (period - 1), 0.0, 1.0);
-  return from + (static_cast<double>(to) - from) * x * x * (3 - 2 * x);
+  return from + (static_cast<double>(to) - from) * glm::smoothstep(0.0, period - 1.0, t);
 }
 
 double Stretch::massOfCell(int phase, int period) const {

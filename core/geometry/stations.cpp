@@ -107,7 +107,7 @@ class CellStations {
                 2 * easing * thickSlope * yarn_.bodyReach_mm + thickBend * swollen};
   }
   /// Bounds on the derivatives of the factor on the radius, the root of a mass that eases from any state to any other
-  /// by the cubic 3 x^2 - 2 x^3 (Stretch::massAt).
+  /// by smoothstep (Stretch::massAt).
   Rates thicknessRates(double cellsPerMm) const {
     const double thinnest = yarn_.thinnest(), thickest = yarn_.thickest();
     const double apart = thickest * thickest - thinnest * thinnest;

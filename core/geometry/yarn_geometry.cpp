@@ -60,7 +60,7 @@ double plyRadius_mm(const YarnGeometry& g, const Yarn& yarn, const Fibre& fibre)
   if (!yarn.fibresPerPly)
     return std::sqrt(yarn.count_tex * 1e-3 / (singlesIn(yarn) * fibre.density_g_cm3 * yarn.packing * kPi));
   const double r = fibre.radius_um * kMmPerUm;
-  if (*yarn.fibresPerPly == 1) return r;
+  if (isMonofilament(yarn)) return r;
   YarnGeometry trial = g;
   double takeUp = 1;
   for (int i = 0; i < 20; ++i) {
@@ -85,7 +85,7 @@ void fit(const YarnGeometry& g, SectionScale& section, double& rest_mm) {
 void pressSections(YarnGeometry& g, const Yarn& yarn, double press) {
   constexpr double kUsualFlattening = 1.2;  // of the yarns that the law was found for
   constexpr SectionScale kFree = {0.92, 0.97};
-  const bool rigid = yarn.fibresPerPly == 1;
+  const bool rigid = isMonofilament(yarn);
   // Plies give way into the gaps between them: as high as a single of their area, they are wider by what they keep.
   const double single = g.plyRadius_mm * std::sqrt(static_cast<double>(g.singles()));
   const double flatter = rigid ? 1.0 : std::sqrt(yarn.flattening / kUsualFlattening) * g.coreRadius_mm() / single;
@@ -102,9 +102,8 @@ void pressSections(YarnGeometry& g, const Yarn& yarn, double press) {
   if (!rigid) fit(g, g.free = {kFree.up / flatter, kFree.across * flatter}, unused);
 }
 
-/// A monofilament is drawn, not spun: it is even.
 Evenness evennessOf(const Yarn& yarn) {
-  if (yarn.fibresPerPly == 1) return {};
+  if (isMonofilament(yarn)) return {};
   Evenness evenness{.massCv = yarn.evennessCv_percent / 100};
   if (yarn.slubs_per_m > 0) evenness = {evenness.massCv, yarn.slubs_per_m * 1e-3, yarn.slubLength_mm, yarn.slubRatio};
   return evenness;
@@ -162,8 +161,7 @@ YarnGeometry outlineYarn(const Yarn& yarn, const Fibre& fibre, double pitch_mm, 
   g.evenness = evennessOf(yarn);
   g.layout = yarn.layout;
   setPlyRadius(g, plyRadius_mm(g, yarn, fibre));
-  const bool monofilament = yarn.fibresPerPly == 1;
-  g.fibreArea_mm2 = (monofilament ? 1.0 : yarn.packing) * g.singles() * kPi * g.plyRadius_mm * g.plyRadius_mm;
+  g.fibreArea_mm2 = (isMonofilament(yarn) ? 1.0 : yarn.packing) * g.singles() * kPi * g.plyRadius_mm * g.plyRadius_mm;
   pressSections(g, yarn, press);
   return g;
 }

@@ -46,12 +46,12 @@ class YarnTable {
   const YarnModel& model(System system, int geometryClass) const;
 
   YarnCellKey shapeKey(System system, const CellShape& shape) const;  ///< with phase and stretch 0
-  /// Where in its period a yarn is in a cell. It counts on along the yarn from a start that differs from yarn to yarn,
-  /// so that neighbours are not in step.
   struct Place {
-    int phase = 0;
+    int phase = 0;         ///< in its period
     uint32_t stretch = 0;  ///< of its spool, < Spool::kStretches; 0 where the yarn is even
   };
+  /// Where along itself a yarn is in a cell. It counts on from a start that differs from yarn to yarn, so that
+  /// neighbours are not in step.
   Place place(System system, int geometryClass, int across, int along) const;
   /// The spool of a class that occurs in the system's sequence; null where the yarn is even.
   const std::shared_ptr<const Spool>& spool(System system, int geometryClass) const {

@@ -56,7 +56,7 @@ float PictureBuckets::shown(int x, int y) const {
       const float across = u < 0 ? left : u > 0 ? right : 0.0f, down = v < 0 ? top : v > 0 ? bottom : 0.0f;
       shown = std::min(shown, glm::length(glm::vec2(across, down)) / soft);
     }
-  return shown * shown * (3 - 2 * shown);
+  return glm::smoothstep(0.0f, 1.0f, shown);
 }
 
 }  // namespace loomlight

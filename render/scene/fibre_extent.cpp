@@ -49,19 +49,19 @@ constexpr double kCutOff_mm = 100;
 /// `piece`, which needs no repeat. Where yarns come again in the next tile, tiles.
 int repeatAlong(const ClothGeometry& geometry, System system, int piece) {
   const bool warp = system == System::warp;
-  int64_t repeat = warp ? geometry.repeatPicks() : geometry.repeatEnds();
+  const Tiling& tiling = geometry.yarns().tiling();
+  const int tile = warp ? tiling.picks : tiling.ends;
+  int64_t repeat = tile > 0 ? tile : warp ? geometry.repeatPicks() : geometry.repeatEnds();
   int64_t least = kMinCrossings;
   const int yarns =
       warp ? std::min(geometry.repeatEnds(), geometry.ends()) : std::min(geometry.repeatPicks(), geometry.picks());
-  for (int i = 0; i < yarns && repeat < piece; ++i) {
+  for (int i = 0; tile == 0 && i < yarns && repeat < piece; ++i) {
     const YarnCellKey key = warp ? geometry.key(system, 0, i) : geometry.key(system, i, 0);
     const YarnGeometry& yarn = geometry.yarn(system, key.yarn);
     repeat = std::lcm(repeat, static_cast<int64_t>(yarn.period));
     if (geometry.yarns().spool(system, key.yarn))
       least = std::max(least, static_cast<int64_t>(std::ceil(kCutOff_mm / yarn.pitch_mm)));
   }
-  const Tiling& tiling = geometry.yarns().tiling();
-  if (const int tile = warp ? tiling.picks : tiling.ends; tile > 0) repeat = tile;
   const int64_t crossings = (least + repeat - 1) / repeat * repeat;
   return static_cast<int>(std::min<int64_t>(crossings, piece));
 }

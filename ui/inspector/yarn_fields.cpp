@@ -7,6 +7,7 @@
 
 #include "core/base/fresh_name.h"
 #include "core/fabric/model/validate.h"
+#include "core/fabric/model/yarn_count.h"
 #include "core/fabric/yarn/presets.h"
 #include "ui/inspector/count_text.h"
 #include "ui/inspector/trade_units.h"
@@ -169,7 +170,7 @@ void twistNewStrands(const Yarn& before, Yarn& yarn) {
 }
 
 bool evennessRows(Ui& ui, Yarn& yarn) {
-  if (yarn.fibresPerPly == 1) return false;  // drawn, not spun
+  if (isMonofilament(yarn)) return false;
   bool changed = memberField(ui, "yarn", yarn, &Yarn::evennessCv_percent, 1, 0.05);
   changed |= memberField(ui, "yarn", yarn, &Yarn::slubs_per_m, 1, 0.05);
   if (yarn.slubs_per_m <= 0) return changed;

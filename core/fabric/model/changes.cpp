@@ -46,7 +46,7 @@ Yarn inUse(Yarn yarn) {
   if (yarn.yarnTwist_per_m == 0) yarn.yarnTwistDirection = none.yarnTwistDirection;
   if (yarn.cableTwist_per_m == 0) yarn.cableTwistDirection = none.cableTwistDirection;
   if (yarn.hairiness_per_mm == 0) yarn.hairLength_mm = none.hairLength_mm;
-  if (yarn.fibresPerPly == 1) yarn.evennessCv_percent = yarn.slubs_per_m = 0;  // drawn, not spun
+  if (isMonofilament(yarn)) yarn.evennessCv_percent = yarn.slubs_per_m = 0;
   if (yarn.slubs_per_m == 0) {
     yarn.slubLength_mm = none.slubLength_mm;
     yarn.slubRatio = none.slubRatio;

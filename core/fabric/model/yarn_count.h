@@ -33,6 +33,11 @@ constexpr int singlesIn(const Yarn& yarn) {
   return yarn.cords * yarn.plies;
 }
 
+/// Of one thick fibre a ply: drawn, not spun, so it is rigid, compact and even.
+constexpr bool isMonofilament(const Yarn& yarn) {
+  return yarn.fibresPerPly == 1;
+}
+
 /// Linear density of the finished yarn, tex: its count, or singles * fibresPerPly * fibre where that is given. Take-up
 /// by twist is not in it: the geometry finds that, and scales its fibres so that a given count is met exactly.
 double yarnCount_tex(const Yarn& yarn, const Fibre& fibre);

@@ -184,9 +184,8 @@ double jamming(const Fabric& fabric) {
   return term(fabric.warpPitch_mm(), d1, b.weftInterlacings) + term(fabric.weftPitch_mm(), d2, b.warpInterlacings);
 }
 
-constexpr double kMostSlub_percent = 70;  // beyond, what lies between two slubs is shorter than the slopes to them
-
 std::vector<std::string> warnings(const Fabric& fabric, const Floats& floats, const LongFloats& tooLong) {
+  constexpr double kMostSlub_percent = 70;  // beyond, what lies between two slubs is shorter than the slopes to them
   std::vector<std::string> said;
   if (jamming(fabric) > 1.0)
     said.push_back(

@@ -287,8 +287,7 @@ std::vector<YarnPreset> yarnPresets() {
        "evenness: handbook, recalled (Uster Statistics); hairs, flattening, migration, disorder: guess"},
       {linen, fibreNamed("linen"),
        "count: handbook; evenness: handbook, recalled (wet-spun line); twist, packing, hairs, flattening, migration, "
-       "disorder: "
-       "guess"},
+       "disorder: guess"},
       {filament("Silk 20/22 den", tex(21, CountSystem::denier), 150, 0.7, 1.3), fibreNamed("silk"), flat},
       {filament("Silk crepe 20/22 den x 2", tex(42, CountSystem::denier), 2400, 0.75, 1.05), fibreNamed("silk"), flat},
       {filament("Viscose 84 dtex", 8.4, 120, 0.7, 1.4), fibreNamed("viscose"), flat},

@@ -95,8 +95,13 @@ Fabric withFibre(Fabric fabric, int yarn, Fibre fibre) {
   return fabric;
 }
 
+Yarn evenlySpun(Yarn yarn) {
+  yarn.evennessCv_percent = yarn.slubs_per_m = 0;
+  return yarn;
+}
+
 Fabric evenlySpun(Fabric fabric) {
-  for (Yarn& yarn : fabric.yarns) yarn.evennessCv_percent = yarn.slubs_per_m = 0;
+  for (Yarn& yarn : fabric.yarns) yarn = evenlySpun(std::move(yarn));
   return fabric;
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/fabric/model/field_tables.h"
 #include "core/fabric/model/yarn_count.h"
+#include "core/fabric/yarn/yarn_edit.h"
 
 // How it works. What local visibility depends on is copied from the fabric by the stages of its fields: the corner of a
 // large weave, yarns of one shape as one yarn, a mean fibre, white light. The patch of it is some whole repeats wide,
@@ -52,9 +53,8 @@ void mergeYarns(const Fabric& fabric, Fabric& merged) {
   merged.fibres.clear();
   for (size_t i = 0; i < classes.size(); ++i) {
     if (classes[i] < static_cast<int>(merged.yarns.size())) continue;
-    Yarn yarn = onlyOf(kSeen, fabric.yarns[i]);
+    Yarn yarn = evenlySpun(onlyOf(kSeen, fabric.yarns[i]));
     yarn.name.clear();
-    yarn.evennessCv_percent = yarn.slubs_per_m = 0;  // the patch has too few stretches for some of each
     yarn.fibre = classes[i];
     yarn.blendFibre.reset();
     merged.yarns.push_back(yarn);
