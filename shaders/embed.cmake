@@ -8,9 +8,9 @@ if(CMAKE_SCRIPT_MODE_FILE)
   file(READ ${INPUT} hex HEX)
   string(REGEX REPLACE "([0-9a-f][0-9a-f])" "0x\\1," bytes "${hex}")
   string(REGEX REPLACE "((0x..,){32})" "\\1\n" bytes "${bytes}")
-  file(WRITE ${OUTPUT} "#include \"${HEADER}\"\n\nnamespace {\nalignas(16) constexpr unsigned char bytes[] = {\n"
+  file(WRITE ${OUTPUT} "#include \"${HEADER}\"\n\nnamespace {\nalignas(16) constexpr unsigned char ${SYMBOL}Bytes[] = {\n"
                        "${bytes}\n};\n}\n\nnamespace loomlight {\nconst std::string_view ${SYMBOL}{reinterpret_cast<"
-                       "const char*>(bytes), sizeof(bytes)};\n}\n")
+                       "const char*>(${SYMBOL}Bytes), sizeof(${SYMBOL}Bytes)};\n}\n")
   return()
 endif()
 

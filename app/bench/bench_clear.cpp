@@ -20,13 +20,13 @@ namespace {
 
 using Row = std::vector<std::string>;
 
-struct Extent {
+struct ClearExtent {
   int width, height;
   uint32_t referenceSamples;
   double seconds;
 };
-constexpr Extent kFull{640, 400, 1024, 12};
-constexpr Extent kQuick{160, 100, 64, 2};
+constexpr ClearExtent kFullClear{640, 400, 1024, 12};
+constexpr ClearExtent kQuickClear{160, 100, 64, 2};
 
 const std::vector<double> kTimes_s{0.3, 1, 3, 10};
 constexpr double kClear[] = {0.10, 0.05, 0.03};
@@ -46,7 +46,7 @@ class ClearBench {
  public:
   ClearBench(const ClearBenchCommand& command, Task task)
       : command_(command),
-        extent_(command.quick ? kQuick : kFull),
+        extent_(command.quick ? kQuickClear : kFullClear),
         task_(std::move(task)),
         page_(command.folder, "clear", "From an edit to a clear picture") {
     if (command.seconds > 0) extent_.seconds = command.seconds;
@@ -143,7 +143,7 @@ class ClearBench {
   }
 
   const ClearBenchCommand& command_;
-  Extent extent_;
+  ClearExtent extent_;
   Task task_;
   ReportPage page_;
   std::vector<Row> rows_, courses_;

@@ -8,6 +8,7 @@
 #include "app/bench/bench_accuracy.h"
 #include "app/bench/bench_figures.h"
 #include "app/bench/bench_table1.h"
+#include "app/bench/quantile.h"
 #include "app/cli/inputs.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/volume_json.h"
@@ -20,7 +21,7 @@
 namespace loomlight {
 namespace {
 
-struct Row {
+struct ResolutionRow {
   int resolution = 0;
   VolumeCounts volume;
   // Processor time, all threads together:
@@ -29,13 +30,8 @@ struct Row {
   TraceCounts trace;
 };
 
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
-}
-
 /// False when stopped.
-bool measure(const Fabric& fabric, int rounds, const Task& task, Row& row) {
+bool measure(const Fabric& fabric, int rounds, const Task& task, ResolutionRow& row) {
   row.resolution = fabric.render.resolution;
   const auto scene = makeScene(std::make_shared<const Fabric>(fabric), task);
   if (!scene) return false;
@@ -58,24 +54,24 @@ bool measure(const Fabric& fabric, int rounds, const Task& task, Row& row) {
     trace.push_back(watch.lap());
     row.trace = pass.counts;
   }
-  row.voxelise_s = median(voxelise);
-  row.trace_s = median(trace);
+  row.voxelise_s = quantile(voxelise, 0.5);
+  row.trace_s = quantile(trace, 0.5);
   return true;
 }
 
 double ratio(double amount, double of) {
   return of > 0 ? amount / of : 0;
 }
-double pathsPerSecond(const Row& row) {
+double pathsPerSecond(const ResolutionRow& row) {
   return ratio(static_cast<double>(row.trace.paths), row.trace_s);
 }
 
-void printTable(const std::vector<Row>& rows) {
+void printTable(const std::vector<ResolutionRow>& rows) {
   fmt::print(
       "| resolution | bricks | voxels | components | MB | voxelise, CPU s | segments/s "
       "| paths/s/core | events/path | ns/event | rays/path | voxels/ray |\n"
       "|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
-  for (const Row& row : rows) {
+  for (const ResolutionRow& row : rows) {
     const auto paths = static_cast<double>(row.trace.paths), events = static_cast<double>(row.trace.events),
                rays = static_cast<double>(row.trace.rays), steps = static_cast<double>(row.trace.steps);
     fmt::print("| {} | {} | {} | {} | {:.2f} | {:.3f} | {:.2e} | {:.0f} | {:.2f} | {:.0f} | {:.2f} | {:.2f} |\n",
@@ -86,9 +82,9 @@ void printTable(const std::vector<Row>& rows) {
   }
 }
 
-void printJson(const std::vector<Row>& rows) {
+void printJson(const std::vector<ResolutionRow>& rows) {
   auto list = nlohmann::ordered_json::array();
-  for (const Row& row : rows) {
+  for (const ResolutionRow& row : rows) {
     nlohmann::ordered_json json;
     json["resolution"] = row.resolution;
     addVolume(json, row.volume);
@@ -114,7 +110,7 @@ int run(const BenchCommand& command) {
   Fabric fabric = withOptions(fabricFromFile(command.input), command.options);
   if (!command.options.samplesPerPixel) fabric.render.samplesPerPixel = BenchCommand::kSamples;
   validate(fabric, command.input);
-  std::vector<Row> rows(command.resolutions.size());
+  std::vector<ResolutionRow> rows(command.resolutions.size());
   for (size_t i = 0; i < rows.size(); ++i) {
     fabric.render.resolution = command.resolutions[i];
     fmt::print(stderr, "loomlight: measuring at resolution {}\n", command.resolutions[i]);

@@ -15,16 +15,16 @@
 namespace loomlight {
 namespace {
 
-struct Extent {
+struct ConvergeExtent {
   int width, height, rounds;
   uint32_t samples, referenceSamples;
 };
 
-constexpr Extent kFull{40, 30, 2, 16, 128};
-constexpr Extent kQuick{24, 16, 1, 4, 16};
+constexpr ConvergeExtent kFullConverge{40, 30, 2, 16, 128};
+constexpr ConvergeExtent kQuickConverge{24, 16, 1, 4, 16};
 
 /// A flat piece of forty ends, which fills most of the picture.
-Fabric swatchOf(Fabric fabric, const Extent& extent) {
+Fabric swatchOf(Fabric fabric, const ConvergeExtent& extent) {
   fabric.drape = Drape{};
   fabric.drape.width_mm = 40 * fabric.warpPitch_mm();
   fabric.drape.height_mm = fabric.drape.width_mm;
@@ -39,7 +39,7 @@ struct LightCase {
   const char* name;
   LightKind kind;
 };
-constexpr LightCase kLights[] = {
+constexpr LightCase kLightCases[] = {
     {"sun and sky", LightKind::sky}, {"white dome", LightKind::dome}, {"headlight", LightKind::headlight}};
 
 using Row = std::vector<std::string>;
@@ -54,14 +54,16 @@ struct Outcome {
 class ConvergeBench {
  public:
   ConvergeBench(const ConvergeBenchCommand& command, Task task)
-      : extent_(command.quick ? kQuick : kFull), task_(std::move(task)), page_(command.folder, "converge", kTitle) {}
+      : extent_(command.quick ? kQuickConverge : kFullConverge),
+        task_(std::move(task)),
+        page_(command.folder, "converge", kTitle) {}
 
   /// False when stopped.
   bool run(std::vector<BenchCloth> cloths) {
     for (BenchCloth& cloth : cloths) {
       cloth.fabric = swatchOf(std::move(cloth.fabric), extent_);
       std::shared_ptr<const Scene> scene;
-      for (const LightCase& light : kLights) {
+      for (const LightCase& light : kLightCases) {
         cloth.fabric.light = Light{};
         cloth.fabric.light.kind = light.kind;
         scene = makeScene(std::make_shared<const Fabric>(cloth.fabric), task_, scene.get());
@@ -81,7 +83,7 @@ class ConvergeBench {
         "which relMSE forgives, until one path meets it and outweighs them all.",
         extent_.width, extent_.height, extent_.referenceSamples, extent_.rounds));
     std::vector<Row> rows;
-    for (const LightCase& light : kLights)
+    for (const LightCase& light : kLightCases)
       for (const SamplingVariant& variant : samplingVariants()) {
         const Outcome& o = outcomes_[light.name + ("/" + variant.name)];
         if (o.pictures == 0 || variant.name == samplingVariants().front().name) continue;
@@ -132,7 +134,7 @@ class ConvergeBench {
                      fmt::format("{:.3f}", point.seconds)});
   }
 
-  Extent extent_;
+  ConvergeExtent extent_;
   Task task_;
   ReportPage page_;
   std::map<std::string, Outcome> outcomes_;

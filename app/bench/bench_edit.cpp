@@ -11,6 +11,7 @@
 #include "app/bench/edit_script.h"
 #include "app/bench/live_clock.h"
 #include "app/bench/machine_facts.h"
+#include "app/bench/quantile.h"
 #include "app/bench/studies/report_page.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
@@ -67,12 +68,6 @@ struct Bench {
   int height() const { return quick ? 48 : 400; }
 };
 
-double quantile(std::vector<double> values, double part) {
-  if (values.empty()) return 0;
-  const auto nth = values.begin() + std::lround(part * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), nth, values.end());
-  return *nth;
-}
 double median(const std::vector<double>& values) {
   return quantile(values, 0.5);
 }

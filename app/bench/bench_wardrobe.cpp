@@ -14,7 +14,7 @@ namespace {
 
 using Row = std::vector<std::string>;
 
-std::string percent(double share) {
+std::string inPercent(double share) {
   return fmt::format("{:+.0f} %", 100 * share);
 }
 
@@ -28,10 +28,10 @@ Row rowOf(const ClothComparison& of) {
   return {of.cloth->name,
           fmt::format("{:g}", trade.mass_g_m2),
           fmt::format("{:.1f}", of.ours.arealMass_g_m2),
-          percent(of.massOff()),
+          inPercent(of.massOff()),
           fmt::format("{:.2f}", trade.thickness_mm),
           fmt::format("{:.2f}", of.ours.thickness_mm),
-          percent(of.thicknessOff()),
+          inPercent(of.thicknessOff()),
           fmt::format("{:.2f}", trade.cover),
           fmt::format("{:.2f}", of.cover),
           fmt::format("{:.1f} x {:.1f}", 100 * of.ours.crimpWarp, 100 * of.ours.crimpWeft),

@@ -38,11 +38,12 @@ constexpr NamedDrape kDrapes[] = {{"flat", DrapeKind::flat, 1, 1, 0, 58, 1.42},
                                   {"folds", DrapeKind::folds, 4, 2, 1.0 / 8, 20, 5},
                                   {"skirt", DrapeKind::skirt, 0, 2, 1.0 / 2, 20, 8}};
 
-struct NamedLight {
+struct ClearLight {
   const char* name;
   LightKind kind;
 };
-constexpr NamedLight kLights[] = {{"dome", LightKind::dome}, {"window", LightKind::window}, {"sky", LightKind::sky}};
+constexpr ClearLight kClearLights[] = {
+    {"dome", LightKind::dome}, {"window", LightKind::window}, {"sky", LightKind::sky}};
 
 Fabric posed(const NamedCloth& cloth, const NamedDrape& drape, LightKind light) {
   Fabric fabric = fabricFromJson(std::string(cloth.json), cloth.name);
@@ -126,7 +127,7 @@ bool ClearChoice::operator()(const Names& all, const std::string& one) const {
 
 std::vector<std::string> clearNames() {
   Names names = namesOf(cloths());
-  for (const Names& more : {namesOf(kDrapes), namesOf(kLights), namesOf(allEdits())})
+  for (const Names& more : {namesOf(kDrapes), namesOf(kClearLights), namesOf(allEdits())})
     names.insert(names.end(), more.begin(), more.end());
   return names;
 }
@@ -135,9 +136,9 @@ std::vector<ClearSetting> clearSettings(const ClearChoice& choice, bool quick) {
   std::vector<ClearSetting> settings;
   for (const NamedCloth& cloth : cloths())
     for (const NamedDrape& drape : kDrapes)
-      for (const NamedLight& light : kLights)
+      for (const ClearLight& light : kClearLights)
         if (choice(namesOf(cloths()), cloth.name) && choice(namesOf(kDrapes), drape.name) &&
-            choice(namesOf(kLights), light.name))
+            choice(namesOf(kClearLights), light.name))
           settings.push_back({cloth.name, drape.name, light.name, posed(cloth, drape, light.kind)});
   if (quick && !settings.empty()) settings.erase(settings.begin() + 1, settings.end());
   return settings;

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kLargest_mm = 1e5;
 /// Triangles thinner than this, area over squared longest side, are lines as far as float can tell.
-constexpr double kThinnest = 1e-6;
+constexpr double kThinnestTriangle = 1e-6;
 /// Mean stretch of the mesh against its texture that is worth a word.
 constexpr double kStretchWorthNoting = 1.5;
 
@@ -34,7 +34,7 @@ double signedDoubleArea(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
 template <class Vec>
 bool isLine(double doubledArea, const Vec& a, const Vec& b, const Vec& c) {
   const double longest = std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
-  return !(doubledArea > kThinnest * longest * longest);
+  return !(doubledArea > kThinnestTriangle * longest * longest);
 }
 
 class Repair {

@@ -10,14 +10,14 @@
 // prism of three tetrahedra. Where the mesh bends too sharply for that thickness, a tetrahedron has hardly any volume
 // left or is turned inside out. All vertices of such triangles are then made thinner by a constant factor, and all
 // triangles are tested again, until none is unsound: thickness only ever shrinks, so this ends. A triangle whose
-// normals point away from it, or that would have to become thinner than kThinnest, is left out.
+// normals point away from it, or that would have to become thinner than kThinnestLayer, is left out.
 
 namespace loomlight {
 namespace {
 
 constexpr double kLeastVolume = 0.1;  ///< of the volume the tetrahedron would have without curvature
 constexpr double kThinning = 0.85;    ///< factor a step
-constexpr double kThinnest = 0.02;
+constexpr double kThinnestLayer = 0.02;
 
 std::vector<glm::vec3> weldedNormals(const DrapeMesh& mesh, const std::vector<uint32_t>& welded) {
   std::vector<glm::dvec3> sums(mesh.normals.size(), glm::dvec3(0));
@@ -116,7 +116,7 @@ class Thinning {
       if (!(glm::dot(glm::dvec3(layers_.normals[triangle[corner]]), normal) > least)) return true;
       thickest = std::max(thickest, scale_[welded_[triangle[corner]]]);
     }
-    return thickest < kThinnest;
+    return thickest < kThinnestLayer;
   }
 
   void sayWhatWasDone() {

@@ -29,7 +29,6 @@ Bvdf::Bvdf(BvdfResolution resolution, HotSpot hotSpot, std::vector<float> ratios
 }
 
 float Bvdf::occlusion(glm::vec3 wi, glm::vec3 wo) const {
-  constexpr auto kPiF = static_cast<float>(kPi);
   const BvdfAngles angles = bvdfAngles(wi, wo);
   const Between thetaO(angles.thetaO, kPiF / 2, resolution_.thetaO), phiO(angles.phiO, kPiF, resolution_.phiO),
       thetaI(angles.thetaI, kPiF, resolution_.thetaI), phiI(angles.phiI, 2 * kPiF, resolution_.phiI);

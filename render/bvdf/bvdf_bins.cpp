@@ -9,8 +9,6 @@
 namespace loomlight {
 namespace {
 
-constexpr auto kPiF = static_cast<float>(kPi);
-
 int binOf(float angle, float range, int bins) {
   return std::clamp(static_cast<int>(angle / range * static_cast<float>(bins)), 0, bins - 1);
 }

@@ -9,8 +9,6 @@
 namespace loomlight {
 namespace {
 
-constexpr auto kPiF = static_cast<float>(kPi);
-
 glm::vec3 direction(float theta, float phi) {
   return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
 }

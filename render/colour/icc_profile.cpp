@@ -21,7 +21,7 @@
 namespace loomlight {
 namespace {
 
-constexpr size_t kMostBytes = 64'000'000;  // tables of many inks take a few million
+constexpr size_t kMostProfileBytes = 64'000'000;  // tables of many inks take a few million
 
 /// A context of Little CMS that keeps its last complaint, in place of one for the whole process.
 class Context {
@@ -231,7 +231,7 @@ IccProfile iccProfile(std::string bytes, const std::string& from) {
 }
 
 IccProfile readIccProfile(const std::string& file) {
-  return iccProfile(readFile(file, kMostBytes), file);
+  return iccProfile(readFile(file, kMostProfileBytes), file);
 }
 
 ColourCube displayCube(const IccProfile& display) {

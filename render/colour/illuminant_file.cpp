@@ -19,7 +19,7 @@
 namespace loomlight {
 namespace {
 
-constexpr size_t kMostBytes = 4'000'000;
+constexpr size_t kMostLampBytes = 4'000'000;
 
 struct Line {
   double nm, power;
@@ -110,7 +110,7 @@ class Reader {
 };
 
 std::vector<Line> readLines(const std::string& file) {
-  const std::string content = readFile(file, kMostBytes);
+  const std::string content = readFile(file, kMostLampBytes);
   Reader reader(file);
   for (std::string_view rest = content; !rest.empty();) reader.line(nextLine(rest));
   return reader.take();
@@ -147,7 +147,7 @@ bool looksLikeAFile(const std::string& name) {
 bool isIlluminantFile(const std::string& file) {
   std::string content;
   try {
-    content = readFile(file, kMostBytes);
+    content = readFile(file, kMostLampBytes);
   } catch (const InputError&) {
     return false;  // who opens it will say why
   }

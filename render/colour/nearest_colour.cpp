@@ -7,19 +7,19 @@
 namespace loomlight {
 namespace {
 
-constexpr float kFirstStep = 0.5f, kLastStep = 1e-3f;  // factors less one
+constexpr float kFirstFactor = 0.5f, kLastFactor = 1e-3f;  // factors less one
 constexpr double kLightnessTolerance = 2;
 
 /// Downhill by factors on one, two or all channels, which get finer where none leads further.
-class Descent {
+class ColourDescent {
  public:
-  Descent(const Rgb& wanted, const Rgb& darkest, const Rgb& lightest)
+  ColourDescent(const Rgb& wanted, const Rgb& darkest, const Rgb& lightest)
       : wanted_(labFromLinear(glm::dvec3(wanted))), darkest_(darkest), lightest_(lightest) {}
 
   void startFrom(const Rgb& colour) {
     Rgb here = glm::clamp(colour, darkest_, lightest_);
     double distance = distanceTo(here);
-    for (float step = kFirstStep; step > kLastStep;)
+    for (float step = kFirstFactor; step > kLastFactor;)
       if (!improve(1 + step, here, distance) && !improve(1 / (1 + step), here, distance)) step *= 0.5f;
     if (distance >= distance_) return;
     distance_ = distance;
@@ -56,7 +56,7 @@ class Descent {
 
 Rgb nearestColour(const Rgb& wanted, const Rgb& darkest, const Rgb& lightest) {
   if (glm::clamp(wanted, darkest, lightest) == wanted) return wanted;
-  Descent descent(wanted, darkest, lightest);
+  ColourDescent descent(wanted, darkest, lightest);
   descent.startFrom(wanted);
   // The same hue, as light as it can be had: where cutting off has lost it there is no way back downhill.
   float brightness = 1;

@@ -24,9 +24,10 @@ constexpr int kMostSteps = 400;
 constexpr double kUneven = 0.02;  // of CIEDE2000: what it is worth that multipliers differ by one less
 constexpr float kBlack = 1e-4f;   // a reflectance of 0 has no logarithm
 
-class Descent {
+class ReflectanceDescent {
  public:
-  Descent(const Spectrum& wanted, const Spectrum& darkest, const Spectrum& lightest, const TristimulusWeights& weights)
+  ReflectanceDescent(const Spectrum& wanted, const Spectrum& darkest, const Spectrum& lightest,
+                     const TristimulusWeights& weights)
       : wanted_(wanted),
         darkest_(darkest),
         lightest_(lightest),
@@ -102,7 +103,7 @@ Spectrum nearestReflectance(const Spectrum& wanted, const Spectrum& darkest, con
     if (wanted[j] > lightest[j]) brightness = std::min(brightness, std::log(double{lightest[j]} / wanted[j]));
   }
   if (isReached) return wanted;
-  Descent descent(wanted, darkest, lightest, weights);
+  ReflectanceDescent descent(wanted, darkest, lightest, weights);
   descent.startFrom({});
   if (brightness < 0) descent.startFrom({brightness, brightness, brightness});
   return descent.nearest();

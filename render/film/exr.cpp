@@ -33,7 +33,6 @@
 namespace loomlight {
 namespace {
 
-constexpr int64_t kMaxSide = 16384;
 constexpr int64_t kMaxChannels = 1024;
 constexpr uint64_t kMaxBytes = uint64_t{1} << 31;  ///< of the pixels in memory; a 4K picture with all its sums fits
 

@@ -22,7 +22,6 @@
 namespace loomlight {
 namespace {
 
-constexpr int kMaxSide = 16384;
 constexpr int kMaxId = 1 << 24;  ///< beyond it a float channel no longer holds every integer
 
 int clampId(int id) {

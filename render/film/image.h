@@ -7,6 +7,8 @@
 
 namespace loomlight {
 
+constexpr int kMaxSide = 16384;  ///< the longest side of a picture, pixels
+
 /// Named float channels over one rectangle, row by row from the top left; the in-memory form of an EXR.
 struct Image {
   struct Channel {

@@ -27,7 +27,6 @@
 namespace loomlight {
 namespace {
 
-constexpr int kMaxSide = 16384;
 constexpr size_t kMaxFileBytes = size_t{1} << 30;
 
 /// What libpng says is wrong, in a place that no jump leaves unfreed.

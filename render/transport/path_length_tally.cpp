@@ -24,18 +24,18 @@ namespace loomlight {
 namespace {
 
 constexpr size_t kFewest = 8, kMostOfWeave = 128;  // crossings a side; a jacquard's repeat takes long to build
-constexpr size_t kMostOfColours = 4096, kMostCrossings = size_t{1} << 16;  // a side, and of both together
+constexpr size_t kMostOfColours = 4096, kMostOfBoth = size_t{1} << 16;  // a side, and of both together
 constexpr double kMarginThicknesses = 6;  // around the window: hardly any light comes from farther
 
 /// The part of the cloth that is looked at: a repeat of weave and colours, centred.
-glm::dvec2 window_mm(const Fabric& fabric) {
+glm::dvec2 windowSides_mm(const Fabric& fabric) {
   const auto repeat = [](int weave, size_t colours) {
     return std::max(std::min(static_cast<size_t>(weave), kMostOfWeave), std::min(colours, kMostOfColours));
   };
   size_t ends = repeat(fabric.weave.ends(), fabric.warpSequence.size());
   size_t picks = repeat(fabric.weave.picks(), fabric.weftSequence.size());
   size_t& longer = ends > picks ? ends : picks;
-  longer = std::min(longer, std::max(kMostOfWeave, kMostCrossings / std::min(ends, picks)));
+  longer = std::min(longer, std::max(kMostOfWeave, kMostOfBoth / std::min(ends, picks)));
   const auto side = [](size_t threads, double pitch_mm) {
     const size_t whole = (kFewest + threads - 1) / threads * threads;
     return pitch_mm * static_cast<double>(whole);
@@ -80,7 +80,7 @@ class LengthTally final : public PathSink {
 bool walkBlock(const Scene& scene, const Medium& medium, const KindOf& kindOf, uint64_t seed, size_t most,
                std::vector<PathLengthTally>& kinds, const Task& task) {
   constexpr size_t kTriesPerWalk = 64;  // what so few eyes see is not on the face
-  const glm::dvec2 window = window_mm(*scene.fabric);
+  const glm::dvec2 window = windowSides_mm(*scene.fabric);
   const double above = 2 * scene.cloth->volume->geometry().halfThickness_mm();
   const uint32_t deepest = scene.sampling.maxEvents + 1;  // no lamp is looked for from the last one
   PathIntegrator integrator(scene, medium, PathSampling::plain(deepest), most);
@@ -197,7 +197,7 @@ Reflectance PathLengthTally::reflectance(const Colouring& colouring) const {
 Fabric colourPatch(Fabric fabric) {
   fabric = evenlySpun(std::move(fabric));
   const double margin = 2 * kMarginThicknesses * ClothGeometry(fabric, 1, 1).halfThickness_mm();
-  const glm::dvec2 window = window_mm(fabric);
+  const glm::dvec2 window = windowSides_mm(fabric);
   fabric.drape = Drape{};
   fabric.drape.width_mm = std::clamp(window.x + 2 * margin, 1.0, 1e4);
   fabric.drape.height_mm = std::clamp(window.y + 2 * margin, 1.0, 1e4);

@@ -11,7 +11,7 @@
 namespace loomlight::fuzz {
 namespace {
 
-constexpr int kMostSteps = 40, kMostThreads = 24;
+constexpr int kMostSteps = 40, kMostYarnsASide = 24;
 
 CellRect rectIn(const Weave& weave, Choices& choices) {
   return {choices.from(0, weave.picks() - 1), choices.from(0, weave.ends() - 1), choices.from(1, 8),
@@ -55,7 +55,7 @@ Draft withOtherDraft(const Draft& draft, Choices& choices) {
     case 1:
       return withTreadleCount(draft, choices.from(1, 12));
     case 2: {
-      const int ends = choices.from(1, kMostThreads), picks = choices.from(1, kMostThreads);
+      const int ends = choices.from(1, kMostYarnsASide), picks = choices.from(1, kMostYarnsASide);
       Draft other = resized(draft, ends, picks);
       expect(drawdown(other) == drawdown(draft).resized(ends, picks), "a draft of another size weaves another cloth");
       return other;
@@ -74,7 +74,7 @@ Draft withOtherDraft(const Draft& draft, Choices& choices) {
 Weave withOtherWeave(const Weave& weave, Choices& choices) {
   switch (choices.below(8)) {
     case 0:
-      return weave.resized(choices.from(1, kMostThreads), choices.from(1, kMostThreads));
+      return weave.resized(choices.from(1, kMostYarnsASide), choices.from(1, kMostYarnsASide));
     case 1:
       return mirroredEnds(weave);
     case 2:
@@ -141,7 +141,7 @@ void fuzzEdits(std::string_view bytes) {
   Fabric fabric;
   for (int step = 0; step < kMostSteps && !choices.isOver(); ++step) {
     Fabric next = edited(fabric, choices);
-    if (std::max(next.weave.ends(), next.weave.picks()) > 4 * kMostThreads) break;  // a structure's repeat
+    if (std::max(next.weave.ends(), next.weave.picks()) > 4 * kMostYarnsASide) break;  // a structure's repeat
     try {
       validate(next, "an edit");  // knows that the draft weaves the weave
     } catch (const InputError& error) {

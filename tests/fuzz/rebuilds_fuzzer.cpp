@@ -9,7 +9,7 @@ namespace {
 
 using volume_test::geometryOf;
 
-constexpr int kMostSteps = 4;
+constexpr int kMostRebuilds = 4;
 
 /// Small, of a handful of fibres: it is the maps that this is about.
 Fabric fewFibres() {
@@ -19,7 +19,7 @@ Fabric fewFibres() {
   return fabric;
 }
 
-Fabric edited(Fabric fabric, Choices& choices) {
+Fabric reshaped(Fabric fabric, Choices& choices) {
   Yarn& yarn = fabric.yarns[choices.below(2)];
   const auto sequence = [&choices] {
     std::vector<int> yarns(static_cast<size_t>(choices.from(1, 4)));
@@ -75,12 +75,12 @@ void fuzzRebuilds(std::string_view bytes) {
   int ends = choices.from(1, 12), picks = choices.from(1, 12);
   auto geometry = geometryOf(fabric, ends, picks);
   auto volume = ClothVolume::build(geometry, 1, one);
-  for (int step = 0; step < kMostSteps && !choices.isOver(); ++step) {
+  for (int step = 0; step < kMostRebuilds && !choices.isOver(); ++step) {
     if (choices.below(8) == 0) {
       std::swap(fabric, before);  // undone, or done again
     } else {
       before = fabric;
-      fabric = edited(std::move(fabric), choices);
+      fabric = reshaped(std::move(fabric), choices);
     }
     if (choices.below(8) == 0) {  // a piece of another size
       ends = choices.from(1, 16);

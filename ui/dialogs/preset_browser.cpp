@@ -16,7 +16,7 @@
 namespace loomlight {
 namespace {
 
-constexpr float kCardWidth = 168, kPictureHeight = 120, kGap = 12;
+constexpr float kCardWidth = 168, kPictureHeight = 120, kCardGap = 12;
 
 }  // namespace
 
@@ -74,9 +74,9 @@ void PresetBrowser::card(Ui& ui, size_t index, const PresetCard& card) {
 }
 
 void PresetBrowser::grid(Ui& ui, const std::vector<PresetCard>& cards, PresetBrowserEdit& edit) {
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(kGap), ui.px(kGap)));
-  const float room = ImGui::GetContentRegionAvail().x + ui.px(kGap);
-  const int perLine = std::max(1, static_cast<int>(room / ui.px(kCardWidth + kGap)));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(kCardGap), ui.px(kCardGap)));
+  const float room = ImGui::GetContentRegionAvail().x + ui.px(kCardGap);
+  const int perLine = std::max(1, static_cast<int>(room / ui.px(kCardWidth + kCardGap)));
   int shown = 0;
   for (size_t i = 0; i < cards.size(); ++i) {
     if (!matchesSearch(cards[i].name + " " + cards[i].about + " " + cards[i].tags, search_)) continue;

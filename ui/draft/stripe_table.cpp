@@ -15,7 +15,7 @@ namespace loomlight {
 namespace {
 
 constexpr size_t kMostRows = 48;  // a jacquard's thousands are set in the order's text, or in the bars
-constexpr float kBar = 24, kSwatch = 24, kLetter = 26, kButton = 24, kGap = 6;  // at scale 1
+constexpr float kStripeBar = 24, kSwatch = 24, kLetter = 26, kButton = 24, kStripeGap = 6;  // at scale 1
 
 int widthOf(const std::vector<Stripe>& stripes) {
   int width = 0;
@@ -88,10 +88,10 @@ struct Columns {
       : left(ImGui::GetCursorPosX()),
         swatch(ui.px(kSwatch)),
         first(left + swatch + ui.px(kLetter)),
-        width(0.5f * (ImGui::GetContentRegionAvail().x - swatch - ui.px(kLetter + 2 * kButton + 3 * kGap))),
-        second(first + width + ui.px(kGap)),
-        add(second + width + ui.px(kGap)),
-        remove(add + ui.px(kButton + kGap)) {}
+        width(0.5f * (ImGui::GetContentRegionAvail().x - swatch - ui.px(kLetter + 2 * kButton + 3 * kStripeGap))),
+        second(first + width + ui.px(kStripeGap)),
+        add(second + width + ui.px(kStripeGap)),
+        remove(add + ui.px(kButton + kStripeGap)) {}
   float left, swatch, first, width, second, add, remove;
 };
 
@@ -114,7 +114,7 @@ bool colourCell(Ui& ui, const std::string& row, const Columns& columns, const St
     }
     ImGui::EndPopup();
   }
-  ImGui::SameLine(columns.left + columns.swatch + ui.px(kGap));
+  ImGui::SameLine(columns.left + columns.swatch + ui.px(kStripeGap));
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(yarnLetters(stripe.yarn).c_str());
   return changed;
@@ -150,7 +150,7 @@ void StripeRows::follow(const std::vector<int>& sequence) {
 }
 
 std::optional<std::vector<int>> stripeBar(Ui& ui, const StripedSystem& system, StripeRows& rows) {
-  const ImVec2 size(ImGui::GetContentRegionAvail().x, ui.px(kBar)), min = ImGui::GetCursorScreenPos();
+  const ImVec2 size(ImGui::GetContentRegionAvail().x, ui.px(kStripeBar)), min = ImGui::GetCursorScreenPos();
   const ImVec2 max(min.x + size.x, min.y + size.y);
   ImGui::InvisibleButton("order.bar", size);
   ui.probe.recordItem("order.bar");

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/cli/interrupt.h"
+#include "app/cli/judging_lamp.h"
 #include "app/cli/part_names.h"
 #include "app/cli/progress.h"
 #include "app/cli/swatches.h"
@@ -20,12 +21,6 @@
 
 namespace loomlight {
 namespace {
-
-/// The lamp that what cannot be had is nearest under, and that measured swatches are judged by.
-struct Lamp {
-  std::string name;
-  TristimulusWeights weights;
-};
 
 /// A wanted colour on its way.
 struct Dyeing {
@@ -91,7 +86,7 @@ bool walk(const Fabric& fabric, std::vector<Dyeing>& dyeings) {
 }
 
 /// Dyes one fibre, the others as they are, or all alike. Whether that changed what is seen.
-bool dye(Fabric& fabric, Dyeing& dyeing, const Lamp& lamp) {
+bool dye(Fabric& fabric, Dyeing& dyeing, const JudgingLamp& lamp) {
   constexpr float kSettled = 1e-3f;  // of a dye
   const std::vector<int> dyed = fibresOf(fabric, dyeing.part);
   Absorption absorption = fabric.fibres[static_cast<size_t>(dyed.front())].absorption_per_mm;
@@ -117,7 +112,7 @@ bool dye(Fabric& fabric, Dyeing& dyeing, const Lamp& lamp) {
 }
 
 /// Light that met one fibre goes through others too: each is dyed anew until no dye changes what is seen.
-void solve(Fabric& fabric, std::vector<Dyeing>& dyeings, const Lamp& lamp) {
+void solve(Fabric& fabric, std::vector<Dyeing>& dyeings, const JudgingLamp& lamp) {
   constexpr int kMostRounds = 50;
   for (int round = 0; round < kMostRounds; ++round) {
     bool changed = false;
@@ -132,7 +127,7 @@ std::string whyNot(const Dyeing& dyeing) {
 }
 
 /// What the cloth shows, told by walks that its dyes were not solved with.
-void tell(const std::string& name, const Dyeing& dyeing, const Colouring& colouring, const Lamp& lamp) {
+void tell(const std::string& name, const Dyeing& dyeing, const Colouring& colouring, const JudgingLamp& lamp) {
   const Rgb shown = dyeing.judging.colour(colouring);
   double difference = ciede2000(labFromLinear(glm::dvec3(dyeing.wanted)), labFromLinear(glm::dvec3(shown)));
   if (dyeing.measured)
@@ -153,7 +148,7 @@ void tell(const std::string& name, const Dyeing& dyeing, const Colouring& colour
 std::optional<Fabric> dyed(Fabric fabric, const std::vector<ClothColour>& wanted, const std::string& illuminant,
                            const std::string& source) {
   validate(fabric, source);
-  const Lamp lamp{illuminant, tristimulusWeights(illuminantCalled(illuminant), Observer::degrees10)};
+  const JudgingLamp lamp = judgingLamp(illuminant, Observer::degrees10);
   std::vector<Dyeing> dyeings = dyeingsOf(fabric, wanted, source);
   if (!walk(fabric, dyeings)) return std::nullopt;
   for (const Dyeing& dyeing : dyeings)

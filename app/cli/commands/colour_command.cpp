@@ -8,6 +8,7 @@
 #include "app/cli/fabric_options.h"
 #include "app/cli/inputs.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/judging_lamp.h"
 #include "app/cli/part_names.h"
 #include "app/cli/progress.h"
 #include "app/cli/swatches.h"
@@ -36,11 +37,6 @@ struct Sample {
       more += fmt::format(" ({})", specularly);
     return name + more;
   }
-};
-
-struct Lamp {
-  std::string name;
-  TristimulusWeights weights;
 };
 
 /// What is said of a sample under one lamp.
@@ -100,7 +96,7 @@ void warnOfSpecular(const Sample& sample, const Sample& standard) {
                sample.text(), standard.text());
 }
 
-Finding find(const Sample& sample, const Sample* standard, const Lamp& lamp, const Lamp& reference) {
+Finding find(const Sample& sample, const Sample* standard, const JudgingLamp& lamp, const JudgingLamp& reference) {
   if (!standard) return {labUnder(lamp.weights, sample.reflectance.mean), {}};
   const Judgement judgement =
       judged(standard->reflectance.mean, sample.reflectance.mean, lamp.weights, reference.weights);
@@ -123,7 +119,7 @@ nlohmann::ordered_json toJson(const Sample& sample) {
   return json;
 }
 
-void printJson(const Sample& sample, const Sample* standard, const std::vector<Lamp>& lamps,
+void printJson(const Sample& sample, const Sample* standard, const std::vector<JudgingLamp>& lamps,
                const std::vector<Finding>& findings, const ColourCommand& command) {
   nlohmann::ordered_json json = toJson(sample);
   json["observer_degrees"] = command.observer == Observer::degrees2 ? 2 : 10;
@@ -149,7 +145,7 @@ std::string text(const Lab& lab) {
   return fmt::format("L* {:5.1f}  a* {:6.1f}  b* {:6.1f}", lab.L, lab.a, lab.b);
 }
 
-void printTable(const Sample& sample, const Sample* standard, const std::vector<Lamp>& lamps,
+void printTable(const Sample& sample, const Sample* standard, const std::vector<JudgingLamp>& lamps,
                 const std::vector<Finding>& findings, const ColourCommand& command) {
   fmt::print("{}, by the CIE observer for {} degrees{}\n", sample.text(),
              command.observer == Observer::degrees2 ? 2 : 10,
@@ -175,9 +171,8 @@ void printTable(const Sample& sample, const Sample* standard, const std::vector<
 }  // namespace
 
 int run(const ColourCommand& command) {
-  std::vector<Lamp> lamps;
-  for (const std::string& name : command.illuminants)
-    lamps.push_back({name, tristimulusWeights(illuminantCalled(name), command.observer)});
+  std::vector<JudgingLamp> lamps;
+  for (const std::string& name : command.illuminants) lamps.push_back(judgingLamp(name, command.observer));
   const auto sample = sampleFrom(command.sample, command);
   if (!sample) return Interrupt::kExitStatus;
   std::optional<Sample> standard;
@@ -188,7 +183,7 @@ int run(const ColourCommand& command) {
   }
   const Sample* const against = standard ? &*standard : nullptr;
   std::vector<Finding> findings;
-  for (const Lamp& lamp : lamps) findings.push_back(find(*sample, against, lamp, lamps[0]));
+  for (const JudgingLamp& lamp : lamps) findings.push_back(find(*sample, against, lamp, lamps[0]));
   if (command.json)
     printJson(*sample, against, lamps, findings, command);
   else

@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char *kFabricKey = "loomlight.fabric", *kFlatKey = "loomlight.flat", *kSideKey = "loomlight.side";
 constexpr const char* kBack = "back";
-constexpr const char* kPrefix = "view-";  // what else lies in the folder is none of ours
+constexpr const char* kViewPrefix = "view-";  // what else lies in the folder is none of ours
 constexpr const char* kExtension = ".png";
 
 }  // namespace
@@ -27,7 +27,7 @@ ViewFolder::ViewFolder(fs::path folder, Budget budget) : folder_(std::move(folde
 std::string ViewFolder::newId() {
   using namespace std::chrono;
   const auto now_ns = duration_cast<nanoseconds>(system_clock::now().time_since_epoch()).count();
-  return fmt::format("{}{:020}-{}", kPrefix, now_ns, getpid());
+  return fmt::format("{}{:020}-{}", kViewPrefix, now_ns, getpid());
 }
 
 fs::path ViewFolder::fileOf(const std::string& id) const {
@@ -39,7 +39,7 @@ std::vector<std::string> ViewFolder::ids() const {
   std::error_code error;
   for (fs::directory_iterator it(folder_, error), end; !error && it != end; it.increment(error)) {
     const std::string id = it->path().stem().string();
-    if (it->path().extension() == kExtension && id.starts_with(kPrefix)) ids.push_back(id);
+    if (it->path().extension() == kExtension && id.starts_with(kViewPrefix)) ids.push_back(id);
   }
   std::sort(ids.begin(), ids.end());
   return ids;

@@ -6,7 +6,6 @@
 namespace loomlight {
 namespace {
 
-constexpr auto kPiF = static_cast<float>(kPi);
 constexpr float kNormalReflectance = 0.04f;  ///< of glass of index 1.5
 
 /// Distribution of the sheen's fibres, by the sine of the half vector with the normal.

@@ -27,7 +27,7 @@ std::string idOf(const Fabric& fabric) {
                      low & 0xFFFF'FFFF'FFFF);
 }
 
-Json colour(const Rgb& encoded) {
+Json encodedColour(const Rgb& encoded) {
   return {{"r", std::clamp(encoded.r, 0.0f, 1.0f)},
           {"g", std::clamp(encoded.g, 0.0f, 1.0f)},
           {"b", std::clamp(encoded.b, 0.0f, 1.0f)}};
@@ -50,8 +50,8 @@ class Visualisation {
     const float sheen = std::max({surface.sheenColour.r, surface.sheenColour.g, surface.sheenColour.b});
     Json normal = constant(flat);
     normal["texture"] = {{"scale", 1}, {"image", image(textures_.normal)}};
-    Json base = constant(colour(srgbFromLinear(means.base)));
-    base["texture"] = {{"mode", "multiply"}, {"factor", colour(Rgb(1))}, {"image", image(textures_.base)}};
+    Json base = constant(encodedColour(srgbFromLinear(means.base)));
+    base["texture"] = {{"mode", "multiply"}, {"factor", encodedColour(Rgb(1))}, {"image", image(textures_.base)}};
     return {{"alpha", scalar(means.opacity, textures_.opacity)},
             {"anisotropy_value", scalar(means.anisotropy, textures_.anisotropy)},
             {"anisotropy_rotation", scalar(means.anisotropyRotation, textures_.anisotropyRotation)},
@@ -72,7 +72,7 @@ class Visualisation {
             // That of a clear body, which cloth is not: its diffuse transmission is in the custom section.
             {"transmission", constant(0)},
             {"basecolor", base},
-            {"subsurface_color", constant(colour(Rgb(1)))},
+            {"subsurface_color", constant(encodedColour(Rgb(1)))},
             {"shader", "principled"},
             {"preview", nullptr}};
   }

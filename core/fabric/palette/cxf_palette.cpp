@@ -25,9 +25,9 @@ std::string wordIn(const pugi::xml_node& node, const char* name) {
   return {};
 }
 
-class Reader {
+class CxfReader {
  public:
-  Reader(std::string_view text, const std::string& source) : cxf_(text, source), source_(source) {
+  CxfReader(std::string_view text, const std::string& source) : cxf_(text, source), source_(source) {
     for (const pugi::xml_node& node : cxfNamed(cxf_.document(), "ColorSpecification"))
       specifications_[node.attribute("Id").value()] = node;
     if (cxfNamed(cxf_.document(), "ReflectanceSpectrum").empty()) return;
@@ -85,7 +85,7 @@ class Reader {
 }  // namespace
 
 Palette paletteFromCxf(std::string_view text, const std::string& source) {
-  return Reader(text, source).all();
+  return CxfReader(text, source).all();
 }
 
 }  // namespace loomlight

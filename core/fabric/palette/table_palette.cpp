@@ -64,9 +64,9 @@ Columns columnsIn(const TextTable::Row& row) {
   return columns;
 }
 
-class Reader {
+class TableReader {
  public:
-  Reader(std::string_view text, const std::string& source) : table_(text, source), source_(source) {}
+  TableReader(std::string_view text, const std::string& source) : table_(text, source), source_(source) {}
 
   /// Empty where the table is none of colours.
   Palette all() {
@@ -141,7 +141,7 @@ class Reader {
 }  // namespace
 
 Palette paletteFromTable(std::string_view text, const std::string& source) {
-  Palette palette = Reader(text, source).all();
+  Palette palette = TableReader(text, source).all();
   return palette.colours.empty() ? paletteOf(swatchesFromTable(text, source)) : palette;
 }
 

@@ -49,9 +49,9 @@ class Words {
   int number_ = 0;
 };
 
-class Reader {
+class CgatsReader {
  public:
-  Reader(std::string_view text, const std::string& source) : words_(text), source_(source) {}
+  CgatsReader(std::string_view text, const std::string& source) : words_(text), source_(source) {}
 
   std::vector<RawSwatch> all() {
     std::string_view previous;
@@ -149,7 +149,7 @@ class Reader {
 }  // namespace
 
 SwatchFile swatchesFromCgats(std::string_view text, const std::string& source) {
-  Reader reader(text, source);
+  CgatsReader reader(text, source);
   std::vector<RawSwatch> swatches = reader.all();
   return swatchesOf(std::move(swatches), reader.unit(), source,
                     "; a line SPECTRAL_NORM \"100\" says percent, SPECTRAL_NORM \"1\" fractions");

@@ -15,9 +15,9 @@
 namespace loomlight {
 namespace {
 
-class Reader {
+class QtxReader {
  public:
-  explicit Reader(const std::string& source) : source_(source) {}
+  explicit QtxReader(const std::string& source) : source_(source) {}
 
   void line(std::string_view text) {
     ++number_;
@@ -101,7 +101,7 @@ class Reader {
 }  // namespace
 
 SwatchFile swatchesFromQtx(std::string_view text, const std::string& source) {
-  Reader reader(source);
+  QtxReader reader(source);
   while (!text.empty()) reader.line(takeLine(text));
   return swatchesOf(reader.all(), ReflectanceUnit::percent, source);
 }

@@ -14,9 +14,9 @@ namespace {
 constexpr size_t kTitles = 6;  // of wavelengths make a line of titles
 using Row = TextTable::Row;
 
-class Reader {
+class TableReader {
  public:
-  Reader(std::string_view text, const std::string& source) : table_(text, source), specular_(specularIn(text)) {
+  TableReader(std::string_view text, const std::string& source) : table_(text, source), specular_(specularIn(text)) {
     expectNoKubelkaMunk(text, source);
   }
 
@@ -117,7 +117,7 @@ class Reader {
 }  // namespace
 
 SwatchFile swatchesFromTable(std::string_view text, const std::string& source) {
-  const Reader reader(text, source);
+  const TableReader reader(text, source);
   return swatchesOf(reader.all(), reader.unit(), source,
                     "; write % or \"fraction\" into the line of titles, as in \"nm (fraction)\"");
 }

@@ -60,13 +60,13 @@ std::vector<Column> endsOf(const Weave& weave) {
 }
 
 /// Ends that weave alike, side by side.
-struct Group {
+struct EndGroup {
   Column column;
   int ends = 0;
 };
 
-std::vector<Group> groupsOf(const std::vector<Column>& ends) {
-  std::vector<Group> groups;
+std::vector<EndGroup> groupsOf(const std::vector<Column>& ends) {
+  std::vector<EndGroup> groups;
   for (const Column& column : ends) {
     if (groups.empty() || groups.back().column != column) groups.push_back({column, 0});
     ++groups.back().ends;
@@ -93,14 +93,14 @@ std::vector<int> floatsOf(const Column& column) {
   return floats;
 }
 
-bool alternate(const std::vector<Group>& groups) {
+bool alternate(const std::vector<EndGroup>& groups) {
   for (size_t i = 1; i < groups.size(); ++i)
     if (groups[i].column != inverse(groups[i - 1].column)) return false;
   return groups.size() % 2 == 0;
 }
 
 /// By how many picks each group is behind the one before, all round; 0 where they are not alike.
-int stepOf(const std::vector<Group>& groups) {
+int stepOf(const std::vector<EndGroup>& groups) {
   const int picks = static_cast<int>(groups[0].column.size());
   for (int step = 1; step < picks; ++step) {
     bool all = true;
@@ -121,10 +121,10 @@ std::optional<std::string> isoWeaveCode(const Weave& weave) {
   if (static_cast<int64_t>(weave.ends()) * weave.picks() > kMostCrossings) return std::nullopt;
   const std::vector<Column> columns = endsOf(weave);
   const int picks = static_cast<int>(columns[0].size());
-  const std::vector<Group> groups = groupsOf(columns);
+  const std::vector<EndGroup> groups = groupsOf(columns);
   if (picks > kMostPicks || groups.size() < 2 || riseOf(groups[0].column) < 0) return std::nullopt;
   std::vector<int> ends;
-  for (const Group& group : groups) ends.push_back(group.ends);
+  for (const EndGroup& group : groups) ends.push_back(group.ends);
   const bool even = std::equal(ends.begin() + 1, ends.end(), ends.begin());
   if (*std::max_element(ends.begin(), ends.end()) > kMostPicks) return std::nullopt;
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/base/parallel.h"
+#include "core/base/units.h"
 #include "core/fabric/json/fabric_json.h"
 #include "render/bvdf/bake/bvdf_patch.h"
 #include "render/bvdf/bvdf_counts.h"
@@ -21,7 +22,6 @@
 namespace loomlight {
 namespace {
 
-constexpr auto kPiF = static_cast<float>(kPi);
 constexpr int kBakerVersion = 3;  // of the fibres' geometry, the rays and the tables: raise it when any of them changes
 constexpr int kBlocks = 32;       // a pass
 constexpr int kEyeThetas = 8, kEyePhis = 16;       // strata of a block

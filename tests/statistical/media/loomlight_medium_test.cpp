@@ -28,11 +28,11 @@ Fabric openWeave() {
   return fabric;
 }
 
-struct Mean {
+struct MeanRadiance {
   double radiance = 0, alpha = 0, standardError = 0;
 };
 
-Mean render(const Scene& scene, const Medium& medium, int side, uint32_t samples) {
+MeanRadiance render(const Scene& scene, const Medium& medium, int side, uint32_t samples) {
   const CameraRays camera(scene.fabric->camera, side, side);
   TraceCounts counts;
   const double paths = static_cast<double>(side) * side * samples;
@@ -102,9 +102,9 @@ TEST(LoomlightMedium, IsNearerToTheFibresThanThePlainVolume) {
   fabric.camera.distance_mm = 8;
   const auto scene = test::sceneOf(fabric);
   const auto fibres = FibreMedium::build(scene->cloth, 4e9, Task{});
-  const Mean truth = render(*scene, *fibres, 48, 24);
-  const Mean ours = render(*scene, LoomlightMedium(scene->cloth), 48, 24);
-  const Mean plain = render(*scene, VolumeMedium(scene->cloth), 48, 24);
+  const MeanRadiance truth = render(*scene, *fibres, 48, 24);
+  const MeanRadiance ours = render(*scene, LoomlightMedium(scene->cloth), 48, 24);
+  const MeanRadiance plain = render(*scene, VolumeMedium(scene->cloth), 48, 24);
   const double noise = 3 * truth.standardError / truth.radiance;
   EXPECT_LT(std::abs(ours.radiance / truth.radiance - 1), 0.05 + noise);
   EXPECT_LT(std::abs(ours.radiance / truth.radiance - 1), std::abs(plain.radiance / truth.radiance - 1));

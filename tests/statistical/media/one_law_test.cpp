@@ -57,7 +57,7 @@ Fabric packedCloth(DrapeKind drape) {
   return fabric;
 }
 
-glm::vec3 onSphere(Random& random) {
+glm::vec3 onUnitSphere(Random& random) {
   const float z = 2 * random.uniform() - 1, phi = static_cast<float>(2 * kPi) * random.uniform();
   const float sine = std::sqrt(1 - z * z);
   return {sine * std::cos(phi), sine * std::sin(phi), z};
@@ -67,11 +67,11 @@ glm::vec3 onSphere(Random& random) {
 /// to end in the first half of the light's loss as in the second. So its mean is a half, and half of what is left when
 /// nothing was met stands for flights that leave. Kept of all departures, and apart for those that know so many fibres
 /// (none, one, two, more) and for ways back along the last flight, which the memory of it clears.
-class Comparison {
+class LawComparison {
  public:
   static constexpr int kEvents = 4, kStrata = 2 * kEvents;
 
-  Comparison(const Medium& medium, uint64_t seed) : medium_(medium), random_(seed) {}
+  LawComparison(const Medium& medium, uint64_t seed) : medium_(medium), random_(seed) {}
 
   /// Path 0 has met so many fibres; path 1 is there to fly on from there.
   void add(MediumBatch& paths, int events, glm::vec3 direction, bool back) {
@@ -116,7 +116,7 @@ TEST_P(OneLaw, FlightsGetAsFarAsShadowRaysSee) {
   const auto medium = GetParam().medium.make(*scene);
   const FibreBcsdf& bcsdf = *scene->cloth->materials[0].bcsdf;
   const CameraRays camera(fabric.camera, 1, 1);
-  Comparison comparison(*medium, 5);
+  LawComparison comparison(*medium, 5);
   Random random(6);
   TraceCounts counts;
   const auto way = medium->batch(2);
@@ -127,16 +127,16 @@ TEST_P(OneLaw, FlightsGetAsFarAsShadowRaysSee) {
     way->begin(0, {ray.origin, -1}, {});
     glm::vec3 direction = ray.direction;
     comparison.add(*way, 0, direction, false);
-    for (int event = 1; event <= Comparison::kEvents; ++event) {
+    for (int event = 1; event <= LawComparison::kEvents; ++event) {
       const PathRay pathRay{0, direction, &random};
       std::optional<Collision> met;
       way->collide({&pathRay, 1}, {&met, 1}, counts);
       if (!met) break;
-      const glm::vec3 anywhere = onSphere(random);
+      const glm::vec3 anywhere = onUnitSphere(random);
       const int order = static_cast<int>(random.below(3));
       way->leave(0, *met, anywhere, order);
       comparison.add(*way, event, anywhere, false);
-      const glm::vec3 back = glm::normalize(0.3f * onSphere(random) - direction);
+      const glm::vec3 back = glm::normalize(0.3f * onUnitSphere(random) - direction);
       way->leave(0, *met, back, order);
       comparison.add(*way, event, back, true);
       const FibreFrame frame(met->tangent);
@@ -145,7 +145,7 @@ TEST_P(OneLaw, FlightsGetAsFarAsShadowRaysSee) {
       way->leave(0, *met, direction, scattered.order);
     }
   }
-  const int runs = (Comparison::kStrata + 1) * static_cast<int>(cases().size());
+  const int runs = (LawComparison::kStrata + 1) * static_cast<int>(cases().size());
   const auto expectOneHalf = [runs](const test::SampledMean& seen) {
     EXPECT_TRUE(test::isWithinNoise(seen.mean(), 0.5, seen.standardError(), runs));
   };

@@ -28,7 +28,7 @@ BvdfSet someTables(float seed) {
   return set;
 }
 
-bool same(const BvdfSet& a, const BvdfSet& b) {
+bool sameTables(const BvdfSet& a, const BvdfSet& b) {
   if (a.rays != b.rays || a.tables.size() != b.tables.size()) return false;
   for (size_t i = 0; i < a.tables.size(); ++i)
     if (!(a.tables[i].resolution() == b.tables[i].resolution()) ||
@@ -47,8 +47,8 @@ TEST(BvdfCache, GivesBackTheIdenticalTables) {
   cache.keep("plain weave", someTables(1));
   cache.keep("twill", someTables(2));
   ASSERT_TRUE(cache.find("plain weave"));
-  EXPECT_TRUE(same(*cache.find("plain weave"), someTables(1)));
-  EXPECT_TRUE(same(*cache.find("twill"), someTables(2)));
+  EXPECT_TRUE(sameTables(*cache.find("plain weave"), someTables(1)));
+  EXPECT_TRUE(sameTables(*cache.find("twill"), someTables(2)));
   EXPECT_FALSE(cache.find("satin"));
 }
 

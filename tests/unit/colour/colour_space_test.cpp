@@ -39,13 +39,13 @@ TEST(ColourSpace, ThereAndBackIsTheSame) {
   }
 }
 
-struct Pair {
+struct LabPair {
   Lab one, other;
   double difference;
 };
 
 // Sharma, Wu, Dalal 2005, Table 1: all 34, chosen by the authors to catch every wrong branch.
-const Pair kPublished[] = {
+const LabPair kPublished[] = {
     {{50.0000, 2.6772, -79.7751}, {50.0000, 0.0000, -82.7485}, 2.0425},
     {{50.0000, 3.1571, -77.2803}, {50.0000, 0.0000, -82.7485}, 2.8615},
     {{50.0000, 2.8361, -74.0200}, {50.0000, 0.0000, -82.7485}, 3.4412},
@@ -83,13 +83,13 @@ const Pair kPublished[] = {
 };
 
 TEST(Ciede2000, AgreesWithThePublishedPairs) {
-  for (const Pair& pair : kPublished) {
+  for (const LabPair& pair : kPublished) {
     EXPECT_NEAR(ciede2000(pair.one, pair.other), pair.difference, 0.5e-4 + 1e-9) << "pair " << &pair - kPublished + 1;
   }
 }
 
 TEST(Ciede2000, IsSymmetricAndZeroForTheSame) {
-  for (const Pair& pair : kPublished) {
+  for (const LabPair& pair : kPublished) {
     EXPECT_NEAR(ciede2000(pair.other, pair.one), ciede2000(pair.one, pair.other), 1e-9);
     EXPECT_EQ(ciede2000(pair.one, pair.one), 0);
   }

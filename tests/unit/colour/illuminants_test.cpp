@@ -19,13 +19,13 @@ glm::dvec2 chromaticity(const Illuminant& light, Observer observer) {
   return glm::dvec2(xyz.x, xyz.y) / (xyz.x + xyz.y + xyz.z);
 }
 
-struct Published {
+struct PublishedWhite {
   const char* name;
   glm::dvec2 of2, of10;
 };
 
 // CIE 15:2004, tables T.3 and T.8. Those of lamps are sums at 5 nm, which spiky spectra tell from sums at 1 nm.
-const Published kPublished[] = {
+const PublishedWhite kPublishedWhites[] = {
     {"A", {0.44758, 0.40745}, {0.45117, 0.40594}},   {"D65", {0.31272, 0.32903}, {0.31381, 0.33098}},
     {"D50", {0.34567, 0.35851}, {0.34773, 0.35952}}, {"D55", {0.33243, 0.34744}, {0.33412, 0.34877}},
     {"F2", {0.3721, 0.3751}, {0.37925, 0.36733}},    {"F7", {0.3129, 0.3292}, {0.31569, 0.32960}},
@@ -33,7 +33,7 @@ const Published kPublished[] = {
 };
 
 TEST(Illuminants, HaveTheChromaticitiesOfTheStandard) {
-  for (const Published& published : kPublished) {
+  for (const PublishedWhite& published : kPublishedWhites) {
     const Illuminant light = illuminantNamed(published.name);
     const glm::dvec2 of2 = chromaticity(light, Observer::degrees2), of10 = chromaticity(light, Observer::degrees10);
     for (int i = 0; i < 2; ++i) {

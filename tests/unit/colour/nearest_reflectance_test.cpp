@@ -11,7 +11,7 @@
 namespace loomlight {
 namespace {
 
-TristimulusWeights under(const char* lamp) {
+TristimulusWeights weightsUnder(const char* lamp) {
   return tristimulusWeights(illuminantNamed(lamp), Observer::degrees10);
 }
 
@@ -52,19 +52,20 @@ const std::vector<Spectrum> kOutOfReach = {hill(0.55, 0.35, 700, 90),   // a pal
 TEST(NearestReflectance, WhatCanBeHadIsItself) {
   const Reach reach;
   const Spectrum wanted = hill(0.05, 0.15, 520, 60);
-  EXPECT_EQ(nearestReflectance(wanted, reach.darkest, reach.lightest, under("D65")), wanted);
+  EXPECT_EQ(nearestReflectance(wanted, reach.darkest, reach.lightest, weightsUnder("D65")), wanted);
 }
 
 TEST(NearestReflectance, IsWithinReachAndNeverFurtherThanCuttingOff) {
   const Reach reach;
   for (const char* lamp : {"D65", "A", "F11", "LED-B3"})
     for (const Spectrum& wanted : kOutOfReach) {
-      const Spectrum nearest = nearestReflectance(wanted, reach.darkest, reach.lightest, under(lamp));
+      const Spectrum nearest = nearestReflectance(wanted, reach.darkest, reach.lightest, weightsUnder(lamp));
       for (size_t j = 0; j < kBands; ++j) {
         EXPECT_GE(nearest[j], reach.darkest[j]);
         EXPECT_LE(nearest[j], reach.lightest[j]);
       }
-      EXPECT_LE(distance(under(lamp), wanted, nearest), distance(under(lamp), wanted, reach.clipped(wanted)));
+      EXPECT_LE(distance(weightsUnder(lamp), wanted, nearest),
+                distance(weightsUnder(lamp), wanted, reach.clipped(wanted)));
     }
 }
 
@@ -75,7 +76,7 @@ TEST(NearestReflectance, NoneOfManyOthersIsNearer) {
   Random random(11);
   for (const char* lamp : {"D65", "F11"})
     for (const Spectrum& wanted : kOutOfReach) {
-      const TristimulusWeights weights = under(lamp);
+      const TristimulusWeights weights = weightsUnder(lamp);
       const double off = distance(weights, wanted, nearestReflectance(wanted, reach.darkest, reach.lightest, weights));
       for (int i = 0; i < 3000; ++i) {
         std::array<double, 5> waves;
@@ -94,14 +95,15 @@ TEST(NearestReflectance, FindsAnotherSpectrumOfTheSameColour) {
   const Reach reach;
   Spectrum wanted = hill(0.05, 0.15, 600, 80);
   wanted[12] = 0.5f;  // one band alone is out of reach
-  EXPECT_LT(distance(under("D65"), wanted, nearestReflectance(wanted, reach.darkest, reach.lightest, under("D65"))),
+  EXPECT_LT(distance(weightsUnder("D65"), wanted,
+                     nearestReflectance(wanted, reach.darkest, reach.lightest, weightsUnder("D65"))),
             0.05);
-  EXPECT_GT(distance(under("D65"), wanted, reach.clipped(wanted)), 1);
+  EXPECT_GT(distance(weightsUnder("D65"), wanted, reach.clipped(wanted)), 1);
 }
 
 TEST(NearestReflectance, IsAsSmoothAsWhatIsWanted) {
   const Reach reach;
-  const Spectrum nearest = nearestReflectance(kOutOfReach[0], reach.darkest, reach.lightest, under("F11"));
+  const Spectrum nearest = nearestReflectance(kOutOfReach[0], reach.darkest, reach.lightest, weightsUnder("F11"));
   for (size_t j = 1; j < kBands; ++j) EXPECT_LT(std::abs(std::log2(nearest[j] / nearest[j - 1])), 1) << j;
 }
 

@@ -9,16 +9,16 @@
 namespace loomlight {
 namespace {
 
-constexpr int kWidth = 40, kHeight = 30;
+constexpr int kPatchWidth = 40, kPatchHeight = 30;
 constexpr PixelRect kWindow{10, 5, 24, 20};
 
 /// A grey film of noise around `brightness` of the pixel.
 template <class Brightness>
 Film noise(Brightness&& brightness, uint32_t samples, uint64_t seed) {
-  Film film(kWidth, kHeight);
+  Film film(kPatchWidth, kPatchHeight);
   Random random(seed);
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x)
+  for (int y = 0; y < kPatchHeight; ++y)
+    for (int x = 0; x < kPatchWidth; ++x)
       for (uint32_t i = 0; i < samples; ++i) {
         PathSample sample;
         sample.alpha = 1;

@@ -35,11 +35,11 @@ Recolouring recolouringOf(const Scene& scene) {
 }
 
 /// A picture of a scene, with the paths of some of its samples.
-class Picture {
+class RecolouredPicture {
  public:
-  Picture(const Fabric& fabric, uint32_t samples, size_t bytesPerPixel)
-      : Picture(test::sceneOf(fabric), samples, bytesPerPixel) {}
-  Picture(std::shared_ptr<const Scene> of, uint32_t samples, size_t bytesPerPixel)
+  RecolouredPicture(const Fabric& fabric, uint32_t samples, size_t bytesPerPixel)
+      : RecolouredPicture(test::sceneOf(fabric), samples, bytesPerPixel) {}
+  RecolouredPicture(std::shared_ptr<const Scene> of, uint32_t samples, size_t bytesPerPixel)
       : scene(std::move(of)), records(kSide, kSide, 1, kPixels * bytesPerPixel) {
     const auto medium = makeMedium(*scene, 1e9, Task{});
     const CameraRays camera(scene->fabric->camera, kSide, kSide);
@@ -107,7 +107,7 @@ TEST(RecolouringBetween, IsKnownForColourAndBrightnessAlone) {
 }
 
 TEST(Recolour, InTheSameColoursIsTheFilm) {
-  const Picture blue(blueCotton(), 16, 800);
+  const RecolouredPicture blue(blueCotton(), 16, 800);
   const Recoloured same = recolour(blue.film, blue.records, recolouringOf(*blue.scene), 2);
   ASSERT_LT(blue.records.samples(16, 16), 16u);
   double change = 0;
@@ -124,7 +124,7 @@ TEST(Recolour, KnowsItsNoise) {
   Fabric underDome = blueCotton();
   underDome.light.kind = LightKind::dome;
   constexpr uint32_t kSamples = 16;
-  const Picture blue(underDome, kSamples, 400);
+  const RecolouredPicture blue(underDome, kSamples, 400);
   ASSERT_GE(blue.records.samples(16, 16), kSamples / 2);  // how many there is room for hangs on who is first
   ASSERT_LT(blue.records.samples(16, 16), kSamples);
   const auto medium = makeMedium(*blue.scene, 1e9, Task{});
@@ -151,7 +151,7 @@ TEST(Recolour, KnowsItsNoise) {
 }
 
 TEST(Recolour, UnderBrighterLampsIsTheFilmBrighter) {
-  const Picture blue(blueCotton(), 16, 800);
+  const RecolouredPicture blue(blueCotton(), 16, 800);
   Recolouring recolouring = recolouringOf(*blue.scene);
   recolouring.light = Rgb(4);
   const Recoloured bright = recolour(blue.film, blue.records, recolouring, 1);
@@ -163,7 +163,7 @@ TEST(Recolour, UnderBrighterLampsIsTheFilmBrighter) {
 TEST(Recolour, UnderAWarmLampIsThePictureTracedUnderIt) {
   Fabric warm = blueCotton();
   warm.light.temperature_K = 2700;
-  const Picture neutral(blueCotton(), 8, 800), traced(warm, 8, 800);
+  const RecolouredPicture neutral(blueCotton(), 8, 800), traced(warm, 8, 800);
   const auto recolouring = recolouringTo(*neutral.scene, warm);
   ASSERT_TRUE(recolouring);
   ASSERT_GT(recolouring->light.r, 2 * recolouring->light.b);
@@ -177,11 +177,11 @@ TEST(Recolour, UnderAWarmLampIsThePictureTracedUnderIt) {
 
 // With all samples on record nothing is estimated: it is the picture that the same paths bring in the other colours.
 TEST(Recolour, OfPathsAllOnRecordIsExact) {
-  const Picture blue(blueCotton(), 4, 1 << 14);
+  const RecolouredPicture blue(blueCotton(), 4, 1 << 14);
   const Recolouring recolouring{{{Rgb(1, 50, 60)}}, Rgb(1)};
   Scene inRed = *blue.scene;
   inRed.colouring = recolouring.colouring;  // its paths end where those of the blue one do
-  const Picture red(std::make_shared<const Scene>(inRed), 4, 0);
+  const RecolouredPicture red(std::make_shared<const Scene>(inRed), 4, 0);
   const Recoloured recoloured = recolour(blue.film, blue.records, recolouring, 1);
   constexpr float kQuantum = 0x1p-24f;  // of the film, whose sums are rounded
   double change = 0;
@@ -200,8 +200,8 @@ TEST(Recolour, UsesTheSamplesThatAreNotOnRecord) {
   const Fabric redder = withColour(blueCotton(), Rgb(25, 24, 6));
   Fabric other = redder;
   other.render.seed = 77;
-  const Picture truth(other, 128, 0);
-  const Picture many(blueCotton(), 64, 800), few(blueCotton(), 4, 800);
+  const RecolouredPicture truth(other, 128, 0);
+  const RecolouredPicture many(blueCotton(), 64, 800), few(blueCotton(), 4, 800);
   ASSERT_LT(many.records.samples(0, 0), 16u);
   const Recolouring recolouring = recolouringOf(*truth.scene);
   const Recoloured fromMany = recolour(many.film, many.records, recolouring, 2);
@@ -217,7 +217,7 @@ TEST(Recolour, OfADarkClothInLighterColoursIsUnbiased) {
   dome.light.kind = LightKind::dome;
   Fabric paleDome = pale;
   paleDome.light.kind = LightKind::dome;
-  const Picture traced(dome, 32, 1 << 14), truth(paleDome, 64, 0);
+  const RecolouredPicture traced(dome, 32, 1 << 14), truth(paleDome, 64, 0);
   const Rgb recoloured = meanOf(recolour(traced.film, traced.records, recolouringOf(*truth.scene), 2));
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(recoloured[c] / truth.mean()[c], 1, 0.03);
 }

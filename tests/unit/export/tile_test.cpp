@@ -12,7 +12,7 @@ namespace loomlight {
 namespace {
 
 /// A few coarse white fibres in an open twill.
-Fabric openCloth() {
+Fabric openWeave() {
   Fabric fabric;
   fabric.weave = twill(2, 1);
   fabric.ends_per_cm = 10;
@@ -36,7 +36,7 @@ Film rendered(const Fabric& scene) {
 }
 
 TEST(Tile, HoldsWholeRepeatsOfWeaveColoursAndTwist) {
-  Fabric fabric = openCloth();
+  Fabric fabric = openWeave();
   fabric.warpSequence = {0, 0, 0, 0, 0};
   const TileExtent extent = tileExtent(fabric);
   EXPECT_EQ(extent.ends % 15, 0);  // 3 of the weave, 5 of the colours
@@ -48,7 +48,7 @@ TEST(Tile, HoldsWholeRepeatsOfWeaveColoursAndTwist) {
 }
 
 TEST(Tile, ThePictureIsExactlyTheTileInTheMiddle) {
-  const Fabric fabric = openCloth();
+  const Fabric fabric = openWeave();
   const TileExtent extent = tileExtent(fabric);
   const Fabric scene = tileScene(fabric, extent, 100);
   validate(scene, "tile");
@@ -67,7 +67,7 @@ TEST(Tile, ThePictureIsExactlyTheTileInTheMiddle) {
 }
 
 TEST(Tile, EveryThreadGoesOnInTheNextTile) {
-  Fabric fabric = openCloth();
+  Fabric fabric = openWeave();
   fabric.yarns[0].evennessCv_percent = 15;
   fabric.yarns[0].slubs_per_m = 5;
   const TileExtent extent = tileExtent(fabric);
@@ -87,7 +87,7 @@ TEST(Tile, EveryThreadGoesOnInTheNextTile) {
 }
 
 TEST(Tile, AWhiteClothHasAWhiteBaseColourAndItsHoles) {
-  const Fabric fabric = openCloth();
+  const Fabric fabric = openWeave();
   const Fabric scene = tileScene(fabric, tileExtent(fabric), 96);
   const TileMaps maps = tileMaps(rendered(scene), scene);
   double opacity = 0, reflected = 0;
@@ -116,7 +116,7 @@ TEST(Tile, AWhiteClothHasAWhiteBaseColourAndItsHoles) {
 
 /// Mean difference of neighbouring columns of the opacity: within the tile, and from its last to its first.
 TEST(Tile, OppositeEdgesMeet) {
-  const Fabric fabric = openCloth();
+  const Fabric fabric = openWeave();
   const Fabric scene = tileScene(fabric, tileExtent(fabric), 192);
   const TileMaps maps = tileMaps(rendered(scene), scene);
   const auto step = [&](int x) {

@@ -44,7 +44,7 @@ ExrBytes smallFile() {
 }
 
 /// What reading these bytes complains of.
-std::string complaint(const std::string& bytes) {
+std::string exrComplaint(const std::string& bytes) {
   const test::ScratchFolder folder;
   putBytes(folder.file("bad.exr"), bytes);
   const std::string message = test::messageOf<InputError>([&] { readExr(folder.file("bad.exr")); });
@@ -156,35 +156,35 @@ TEST(Exr, ReadsHalfAndUintFromAnyWindow) {
 TEST(Exr, RefusesSubsampledChannels) {
   ExrBytes exr = smallFile();
   exr.channels[0].sampling = 2;
-  EXPECT_THAT(complaint(exr.all()), AllOf(HasSubstr("half"), HasSubstr("subsampled")));
+  EXPECT_THAT(exrComplaint(exr.all()), AllOf(HasSubstr("half"), HasSubstr("subsampled")));
   exr.channels[0].name = "\xFF\x07";
-  EXPECT_THAT(complaint(exr.all()), HasSubstr("channel ?? is"));
+  EXPECT_THAT(exrComplaint(exr.all()), HasSubstr("channel ?? is"));
 }
 
 TEST(Exr, RefusesDeepFiles) {
   ExrBytes exr = smallFile();
   exr.versionFlags = 0x800;
-  EXPECT_THAT(complaint(exr.all()), HasSubstr("deep"));
+  EXPECT_THAT(exrComplaint(exr.all()), HasSubstr("deep"));
 }
 
 TEST(Exr, RefusesHugeClaimsWithoutBelievingThem) {
   ExrBytes wide = smallFile();
   wide.width = 2000000000;
-  EXPECT_THAT(complaint(wide.header()), HasSubstr("2000000000 x 2 pixels is too large"));
+  EXPECT_THAT(exrComplaint(wide.header()), HasSubstr("2000000000 x 2 pixels is too large"));
   ExrBytes high = smallFile();
   high.height = 16385;
-  EXPECT_THAT(complaint(high.header()), HasSubstr("4 x 16385 pixels is too large"));
+  EXPECT_THAT(exrComplaint(high.header()), HasSubstr("4 x 16385 pixels is too large"));
   ExrBytes negative = smallFile();
   negative.width = -5;
-  EXPECT_THAT(complaint(negative.header()), HasSubstr("damaged"));
+  EXPECT_THAT(exrComplaint(negative.header()), HasSubstr("damaged"));
   ExrBytes full = smallFile();
   full.width = full.height = 16384;
   full.channels.resize(4);
   for (size_t i = 0; i < 4; ++i) full.channels[i].name = std::string(20, static_cast<char>('a' + i));
-  EXPECT_THAT(complaint(full.header()), HasSubstr("2 GB"));
+  EXPECT_THAT(exrComplaint(full.header()), HasSubstr("2 GB"));
   ExrBytes attribute = smallFile();
   attribute.extraAttributes = ExrBytes::attribute("comments", "string", "short", 2000000000);
-  EXPECT_THAT(complaint(attribute.header()), HasSubstr("damaged"));
+  EXPECT_THAT(exrComplaint(attribute.header()), HasSubstr("damaged"));
 }
 
 // OpenEXR goes on reading where it takes an attribute to end, and finds there what a check by these sizes has passed
@@ -194,7 +194,7 @@ TEST(Exr, RefusesAttributesThatEndElsewhereThanTheySay) {
   const auto refused = [](const std::string& attribute) {
     ExrBytes exr = smallFile();
     exr.extraAttributes = attribute;
-    return complaint(exr.all()).find("damaged EXR header") != std::string::npos;
+    return exrComplaint(exr.all()).find("damaged EXR header") != std::string::npos;
   };
   EXPECT_TRUE(refused(ExrBytes::attribute("place", "v2f", std::string(8, '\0') + hidden)));
   EXPECT_TRUE(refused(ExrBytes::attribute("turn", "m44f", "")));
@@ -215,12 +215,12 @@ TEST(Exr, ReadsAttributesOfOtherPrograms) {
 }
 
 TEST(Exr, RefusesWhatIsNoExr) {
-  EXPECT_THAT(complaint(""), HasSubstr("damaged EXR header"));
-  EXPECT_THAT(complaint("These are the threads of a story, and no picture at all."), HasSubstr("not an EXR file"));
+  EXPECT_THAT(exrComplaint(""), HasSubstr("damaged EXR header"));
+  EXPECT_THAT(exrComplaint("These are the threads of a story, and no picture at all."), HasSubstr("not an EXR file"));
   Random random(1);
   std::string garbage(5000, ' ');
   for (char& c : garbage) c = static_cast<char>(random.next());
-  EXPECT_THAT(complaint(garbage), HasSubstr("not an EXR file"));
+  EXPECT_THAT(exrComplaint(garbage), HasSubstr("not an EXR file"));
 }
 
 TEST(Exr, RefusesWhatIsNoFile) {

@@ -20,18 +20,18 @@ using test::addAll;
 using test::expectSameSums;
 using test::randomSample;
 
-constexpr int kWidth = 5, kHeight = 3;
+constexpr int kFilmWidth = 5, kFilmHeight = 3;
 constexpr uint32_t kSamples = 60;
 
 TEST(Film, OrderOfSamplesDoesNotMatter) {
   std::vector<uint32_t> order(kSamples);
   std::iota(order.begin(), order.end(), 0u);
-  Film forwards(kWidth, kHeight);
+  Film forwards(kFilmWidth, kFilmHeight);
   addAll(forwards, order);
   Random random(7);
   for (int trial = 0; trial < 5; ++trial) {
     for (size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random.below(static_cast<uint32_t>(i))]);
-    Film shuffled(kWidth, kHeight);
+    Film shuffled(kFilmWidth, kFilmHeight);
     addAll(shuffled, order);
     expectSameSums(forwards, shuffled);
   }
@@ -40,16 +40,16 @@ TEST(Film, OrderOfSamplesDoesNotMatter) {
 TEST(Film, SplitSamplesMergeToTheSameSums) {
   std::vector<uint32_t> all(kSamples);
   std::iota(all.begin(), all.end(), 0u);
-  Film whole(kWidth, kHeight);
+  Film whole(kFilmWidth, kFilmHeight);
   addAll(whole, all);
   // Dealt to three films at random, merged in both orders.
   std::vector<uint32_t> parts[3];
   Random random(11);
   for (const uint32_t i : all) parts[random.below(3)].push_back(i);
   for (const bool backwards : {false, true}) {
-    Film merged(kWidth, kHeight);
+    Film merged(kFilmWidth, kFilmHeight);
     for (int k = 0; k < 3; ++k) {
-      Film part(kWidth, kHeight);
+      Film part(kFilmWidth, kFilmHeight);
       addAll(part, parts[backwards ? 2 - k : k]);
       merged.merge(part);
     }
@@ -209,21 +209,21 @@ TEST(Film, BrightestSamplesSaturateWithoutLosingTheirSums) {
 }
 
 TEST(Film, ClearForgetsEverything) {
-  Film film(kWidth, kHeight);
+  Film film(kFilmWidth, kFilmHeight);
   addAll(film, {0, 1, 2});
   film.clear();
-  expectSameSums(film, Film(kWidth, kHeight));
+  expectSameSums(film, Film(kFilmWidth, kFilmHeight));
 }
 
 TEST(Film, DisplayBufferIsMeanAndAlpha) {
-  Film film(kWidth, kHeight);
+  Film film(kFilmWidth, kFilmHeight);
   addAll(film, {0, 1, 2});
   std::vector<glm::vec4> rgba(1);
   film.toDisplayBuffer(rgba);
-  ASSERT_EQ(rgba.size(), static_cast<size_t>(kWidth * kHeight));
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x)
-      EXPECT_EQ(rgba[static_cast<size_t>(y * kWidth + x)], glm::vec4(film.mean(x, y), film.alpha(x, y)));
+  ASSERT_EQ(rgba.size(), static_cast<size_t>(kFilmWidth * kFilmHeight));
+  for (int y = 0; y < kFilmHeight; ++y)
+    for (int x = 0; x < kFilmWidth; ++x)
+      EXPECT_EQ(rgba[static_cast<size_t>(y * kFilmWidth + x)], glm::vec4(film.mean(x, y), film.alpha(x, y)));
 }
 
 TEST(Film, RefusesImpossibleSizes) {

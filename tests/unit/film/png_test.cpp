@@ -55,7 +55,7 @@ std::vector<Chunk> chunksOf(const std::string& png) {
   return chunks;
 }
 
-std::string complaint(const std::string& bytes) {
+std::string pngComplaint(const std::string& bytes) {
   const test::ScratchFolder folder;
   putBytes(folder.file("bad.png"), bytes);
   const std::string message = test::messageOf<InputError>([&] { readPng(folder.file("bad.png")); });
@@ -180,9 +180,9 @@ TEST(Png, NamesOfTextsKeepToTheFormat) {
 }
 
 TEST(Png, RefusesWhatIsNoPng) {
-  EXPECT_THAT(complaint(""), HasSubstr("not a PNG file"));
-  EXPECT_THAT(complaint("P3 2 2 255 0 0 0"), HasSubstr("not a PNG file"));
-  EXPECT_THAT(complaint(std::string(100, '\xff')), HasSubstr("not a PNG file"));
+  EXPECT_THAT(pngComplaint(""), HasSubstr("not a PNG file"));
+  EXPECT_THAT(pngComplaint("P3 2 2 255 0 0 0"), HasSubstr("not a PNG file"));
+  EXPECT_THAT(pngComplaint(std::string(100, '\xff')), HasSubstr("not a PNG file"));
   const test::ScratchFolder folder;
   EXPECT_THROW(readPng(folder.file("none.png")), InputError);
   EXPECT_THROW(readPng(folder.file("")), InputError);
@@ -193,7 +193,7 @@ TEST(Png, RefusesHugeClaims) {
   writePng(folder.file("a.png"), noise(2, 2, 3));
   std::string bytes = bytesOf(folder.file("a.png"));
   bytes[17] = '\x01';  // 65538 pixels wide
-  EXPECT_THAT(complaint(bytes), HasSubstr("16384"));
+  EXPECT_THAT(pngComplaint(bytes), HasSubstr("16384"));
 }
 
 /// The file with other dimensions, and the checksum that goes with them.
@@ -212,12 +212,12 @@ TEST(Png, HugeClaimsAreRefusedByTheHeader) {
   writePng(folder.file("a.png"), noise(2, 2, 3));
   const std::string sound = bytesOf(folder.file("a.png"));
   ASSERT_EQ(claiming(sound, 2, 2), sound);
-  EXPECT_THAT(complaint(claiming(sound, 16385, 2)), HasSubstr("IHDR"));
-  EXPECT_THAT(complaint(claiming(sound, 2, 1u << 30)), HasSubstr("IHDR"));
-  EXPECT_THAT(complaint(claiming(sound, 16384, 16384)), HasSubstr("too short for 16384 x 16384 pixels"))
+  EXPECT_THAT(pngComplaint(claiming(sound, 16385, 2)), HasSubstr("IHDR"));
+  EXPECT_THAT(pngComplaint(claiming(sound, 2, 1u << 30)), HasSubstr("IHDR"));
+  EXPECT_THAT(pngComplaint(claiming(sound, 16384, 16384)), HasSubstr("too short for 16384 x 16384 pixels"))
       << "its pixels would take 800 MB, and are not there";
   const size_t behindHeader = 33;
-  EXPECT_THAT(complaint(std::string(sound).insert(behindHeader, std::string("\x44\x49\x48\0zTXt", 8))),
+  EXPECT_THAT(pngComplaint(std::string(sound).insert(behindHeader, std::string("\x44\x49\x48\0zTXt", 8))),
               HasSubstr("it breaks off"))
       << "a chunk of a gigabyte";
   putBytes(folder.file("b.png"), claiming(sound, 16385, 2));
@@ -228,10 +228,10 @@ TEST(Png, SaysWhatIsWrongWithADamagedFile) {
   const test::ScratchFolder folder;
   writePng(folder.file("a.png"), noise(20, 20, 3));
   const std::string sound = bytesOf(folder.file("a.png"));
-  EXPECT_THAT(complaint(sound.substr(0, sound.size() / 2)), HasSubstr("damaged PNG file: it breaks off"));
+  EXPECT_THAT(pngComplaint(sound.substr(0, sound.size() / 2)), HasSubstr("damaged PNG file: it breaks off"));
   std::string turned = sound;
   turned[turned.size() / 2] = static_cast<char>(turned[turned.size() / 2] ^ 1);
-  EXPECT_THAT(complaint(turned), HasSubstr("damaged PNG file: IDAT"));
+  EXPECT_THAT(pngComplaint(turned), HasSubstr("damaged PNG file: IDAT"));
 }
 
 // Heights and normals: 256 steps of either show as terraces.
@@ -259,7 +259,7 @@ TEST(Png, TruncationBeforeTheEndIsRefused) {
   writePng(folder.file("a.png"), noise(20, 20, 3));
   const std::string bytes = bytesOf(folder.file("a.png"));
   const size_t endOfPixels = bytes.size() - 12 - 4;  // the IEND chunk, the last CRC
-  for (size_t length = 0; length < endOfPixels; length += 13) complaint(bytes.substr(0, length));
+  for (size_t length = 0; length < endOfPixels; length += 13) pngComplaint(bytes.substr(0, length));
 }
 
 TEST(Png, DamagedBytesNeverDoMoreThanThrow) {

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "core/base/units.h"
 #include "render/colour/spectrum.h"
 #include "render/light/daylight.h"
 #include "render/light/lat_long.h"
@@ -16,8 +17,6 @@
 
 namespace loomlight {
 namespace {
-
-constexpr float kPiF = static_cast<float>(kPi);
 
 Lighting make(LightKind kind, double intensity = 1) {
   Light light;

@@ -14,7 +14,7 @@
 namespace loomlight {
 namespace {
 
-Fabric smallCloth() {
+Fabric dyedCotton() {
   Fabric fabric = test::whiteCotton();
   fabric.render.resolution = 2;
   fabric.fibres[0].absorption_per_mm = Absorption(test::narrowDye(40));
@@ -50,7 +50,7 @@ class ColourJudged : public testing::Test {
 TEST_F(ColourJudged, UnderTheClothsLampFirstAndThenUnderTheOthersOfTheBooth) {
   for (const StandardIlluminant own :
        {StandardIlluminant::d65, StandardIlluminant::a, StandardIlluminant::f2, StandardIlluminant::blackBody}) {
-    Fabric fabric = smallCloth();
+    Fabric fabric = dyedCotton();
     fabric.light.illuminant = own;
     fabric.light.temperature_K = 4000;
     const std::vector<LampJudgement> judgements = judgementsOf(fabric, grey());
@@ -80,7 +80,7 @@ TEST_F(ColourJudged, WhatCannotBeHadIsNearestUnderTheClothsLamp) {
   for (size_t j = 0; j < kBands; ++j) pink[j] = j > 22 ? 1.0f : 0.75f;
   std::vector<SolvedReflectance> solved;
   for (const StandardIlluminant lamp : {StandardIlluminant::d65, StandardIlluminant::f11}) {
-    Fabric fabric = smallCloth();
+    Fabric fabric = dyedCotton();
     fabric.light.illuminant = lamp;
     judgementsOf(fabric, pink);
     ASSERT_TRUE(worker.newest()->matched);
@@ -97,14 +97,14 @@ TEST_F(ColourJudged, WhatCannotBeHadIsNearestUnderTheClothsLamp) {
 }
 
 TEST_F(ColourJudged, SaysHowWellTheColourIsKnown) {
-  judgementsOf(smallCloth(), grey());
+  judgementsOf(dyedCotton(), grey());
   EXPECT_GT(worker.newest()->error, 0);
   EXPECT_LT(worker.newest()->error, 1.1 * kLiveDyeError);
 }
 
 // Once it is dyed as measured there is nothing left to judge.
 TEST_F(ColourJudged, AClothThatReflectsAsMeasuredMatchesUnderEveryLamp) {
-  Fabric fabric = smallCloth();
+  Fabric fabric = dyedCotton();
   judgementsOf(fabric, grey());
   ASSERT_TRUE(worker.newest()->matched);
   fabric.fibres[0].absorption_per_mm = Absorption(worker.newest()->matched->absorption_per_mm);
@@ -112,11 +112,11 @@ TEST_F(ColourJudged, AClothThatReflectsAsMeasuredMatchesUnderEveryLamp) {
 }
 
 TEST_F(ColourJudged, NotBesideAColourWithoutASpectrum) {
-  EXPECT_TRUE(judgementsOf(smallCloth(), {}).empty());
+  EXPECT_TRUE(judgementsOf(dyedCotton(), {}).empty());
 }
 
 TEST_F(ColourJudged, ALampThatCannotBeReadCostsTheColourNothing) {
-  Fabric fabric = smallCloth();
+  Fabric fabric = dyedCotton();
   fabric.light.illuminant = StandardIlluminant::file;
   fabric.light.illuminantFile = "no such lamp.txt";
   EXPECT_TRUE(judgementsOf(fabric, grey()).empty());

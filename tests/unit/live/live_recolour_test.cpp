@@ -13,7 +13,7 @@ ViewRequest view(const Fabric& fabric, uint64_t generation) {
   return {std::make_shared<const Fabric>(fabric), 64, 48, generation, nullptr};
 }
 
-Fabric smallCloth() {
+Fabric redCotton() {
   Fabric fabric = test::whiteCotton();
   fabric.render.resolution = 4;
   fabric.drape.width_mm = fabric.drape.height_mm = 6;
@@ -37,7 +37,7 @@ class LiveRecolour : public testing::Test {
 };
 
 TEST_F(LiveRecolour, AColourIsShownOnTheFinishedPictureAndTracedAnewBehind) {
-  Fabric fabric = smallCloth();
+  Fabric fabric = redCotton();
   show(fabric, 1);
   ASSERT_TRUE(waitFor(1, 16));
   for (uint64_t generation = 2; generation < 10; ++generation) {
@@ -52,7 +52,7 @@ TEST_F(LiveRecolour, AColourIsShownOnTheFinishedPictureAndTracedAnewBehind) {
 }
 
 TEST_F(LiveRecolour, BackInItsOwnColoursThePictureGoesOn) {
-  const Fabric fabric = smallCloth();
+  const Fabric fabric = redCotton();
   show(fabric, 1);
   ASSERT_TRUE(waitFor(1, 16));
   Fabric darker = fabric;
@@ -73,7 +73,7 @@ TEST_F(LiveRecolour, BackInItsOwnColoursThePictureGoesOn) {
 }
 
 TEST_F(LiveRecolour, WhatIsNoColourIsTracedAnew) {
-  Fabric fabric = smallCloth();
+  Fabric fabric = redCotton();
   show(fabric, 1);
   ASSERT_TRUE(waitFor(1, 16));
   fabric.fibres[0].refractiveIndex += 0.1;

@@ -16,7 +16,7 @@ namespace {
 
 using test::WatchedMedium;
 
-constexpr int kWidth = 96, kHeight = 72;  // a cloth of unknown speed begins at half of this resolution
+constexpr int kTraceWidth = 96, kTraceHeight = 72;  // a cloth of unknown speed begins at half of this resolution
 
 // What is shown while a cloth is built has been answered already: the cloth itself goes on from there, and may be
 // stopped like any later pass.
@@ -45,13 +45,13 @@ TEST(Tracer, TheSamePictureBetterGoesOnFromACoarseOneAndCanBeStopped) {
         wake();
       },
       1);
-  tracer.show({{scene, sketch}, kWidth, kHeight, 1});
+  tracer.show({{scene, sketch}, kTraceWidth, kTraceHeight, 1});
   ASSERT_TRUE(window.waitFor([&] { return tracer.frame() != nullptr; }));
   ASSERT_EQ(tracer.frame()->divider, 2);
-  tracer.show({{scene, built}, kWidth, kHeight, 1});
+  tracer.show({{scene, built}, kTraceWidth, kTraceHeight, 1});
   builtSent.count_down();
   builtBegun.wait();
-  tracer.show({{scene, medium}, kWidth, kHeight, 2});
+  tracer.show({{scene, medium}, kTraceWidth, kTraceHeight, 2});
   editSent.count_down();
   ASSERT_TRUE(window.waitFor([&] { return tracer.frame()->generation == 2; }));
   EXPECT_LE(built->paths(), PathIntegrator::kBatch) << "no path set out but with the one that was held up";
@@ -79,9 +79,9 @@ TEST(Tracer, TheSamePictureBetterIsNeverCoarser) {
         },
         1);
     newest = [&] { return tracer.frame(); };
-    tracer.show({{scene, sketch}, kWidth, kHeight, 1});
+    tracer.show({{scene, sketch}, kTraceWidth, kTraceHeight, 1});
     ASSERT_TRUE(window.waitFor([&] { return tracer.frame() != nullptr; }));
-    tracer.show({{scene, medium}, kWidth, kHeight, 1});
+    tracer.show({{scene, medium}, kTraceWidth, kTraceHeight, 1});
     builtSent.count_down();
     ASSERT_TRUE(window.waitFor([&] { return tracer.frame()->samples > 0; }));
   }
@@ -105,11 +105,11 @@ TEST(Tracer, AnotherSizeOfTheViewportKeepsWhatWasSeen) {
         },
         1);
     newest = [&] { return tracer.frame(); };
-    tracer.show({{scene, medium}, kWidth, kHeight, 1});
+    tracer.show({{scene, medium}, kTraceWidth, kTraceHeight, 1});
     ASSERT_TRUE(window.waitFor([&] { return tracer.frame() && tracer.frame()->samples > 1; }));
-    tracer.show({{scene, medium}, 2 * kWidth, kHeight, 2});
+    tracer.show({{scene, medium}, 2 * kTraceWidth, kTraceHeight, 2});
     ASSERT_TRUE(window.waitFor([&] { return tracer.frame()->generation == 2 && tracer.frame()->samples > 1; }));
-    EXPECT_EQ(tracer.frame()->width, 2 * kWidth);
+    EXPECT_EQ(tracer.frame()->width, 2 * kTraceWidth);
   }
   EXPECT_EQ(std::count(dividers.begin(), dividers.end(), 1), std::ssize(dividers)) << "a coarse one is a step back";
 }
@@ -144,7 +144,7 @@ TEST(Tracer, TracesFromTheMomentThatItIsAsked) {
       std::make_shared<const WatchedMedium>(makeMedium(*scene, 1e9, Task{}), [&](uint64_t) { looked.wait(); });
   Tracer tracer([] {}, 1);
   EXPECT_EQ(tracer.state().picture, Tracer::State::Phase::idle);
-  tracer.show({{scene, held}, kWidth, kHeight, 1});
+  tracer.show({{scene, held}, kTraceWidth, kTraceHeight, 1});
   EXPECT_EQ(tracer.state().picture, Tracer::State::Phase::tracing);
   looked.count_down();
 }

@@ -10,7 +10,7 @@
 namespace loomlight {
 namespace {
 
-glm::vec3 direction(double theta_deg, double phi) {
+glm::vec3 directionAt(double theta_deg, double phi) {
   const double t = theta_deg * kPi / 180;
   return glm::vec3(std::sin(t), std::cos(t) * std::cos(phi), std::cos(t) * std::sin(phi));
 }
@@ -35,7 +35,7 @@ double meanOverOffset(Function&& f) {
 
 /// Geometrical optics of a smooth cylinder in three dimensions, vector by vector: knows nothing of the Bravais index.
 struct TracedCylinder {
-  std::array<glm::dvec3, 3> leaving;  ///< direction after R, TT, TRT
+  std::array<glm::dvec3, 3> leaving;  ///< directionAt after R, TT, TRT
   std::array<double, 3> share;
   double chord = 0;
 
@@ -73,7 +73,7 @@ TEST(DielectricCylinder, AgreesWithTracingRaysThroughIt) {
   for (const double index : {1.05, 1.35, 1.55, 2.5}) {
     for (const double theta : {-80.0, -30.0, 0.0, 45.0, 75.0}) {
       for (const double h : {-0.99, -0.6, 0.0, 0.2, 0.9}) {
-        const glm::vec3 wo = direction(theta, 0.7);
+        const glm::vec3 wo = directionAt(theta, 0.7);
         const TracedCylinder traced(wo, h, index);
         const optics::CylinderHit hit(wo, static_cast<float>(h), static_cast<float>(index));
         EXPECT_NEAR(hit.chord / traced.chord, 1, 1e-5);
@@ -110,7 +110,7 @@ TEST(FibreBcsdf, SharesOfASmoothFibreAreThoseOfABruteForceTrace) {
   for (const auto& reference : references) {
     for (size_t mode = 0; mode < 4; ++mode) {
       const double share =
-          meanOverOffset([&](float h) { return fibre.modes(direction(reference.theta_deg, 1), h).share[mode]; });
+          meanOverOffset([&](float h) { return fibre.modes(directionAt(reference.theta_deg, 1), h).share[mode]; });
       EXPECT_NEAR(share, reference.share[mode], 1e-3) << reference.theta_deg << " mode " << mode;
     }
   }
@@ -123,7 +123,7 @@ TEST(FibreBcsdf, AlbedoFollowsFromTheLengthsInside) {
   for (const auto& [absorption, albedo] : references) {
     const double sigma = absorption;
     const double mean = meanOverOffset([&](float h) {
-      const FibreBcsdf::Modes m = fibre.modes(direction(0, 0), h);
+      const FibreBcsdf::Modes m = fibre.modes(directionAt(0, 0), h);
       const double t = std::exp(-sigma * m.chord);
       return m.share[0] + m.share[1] * t + m.share[2] * t * t +
              m.share[3] * (1 - m.inside) * t * t * t / (1 - m.inside * t);
@@ -137,7 +137,7 @@ TEST(FibreBcsdf, SharesAddUpToOne) {
     const FibreBcsdf fibre = clearFibre(index);
     for (const double theta : {0.0, 60.0, 89.9, 90.0}) {
       for (const float h : {-1.0f, -0.5f, 0.0f, 0.99f, 1.0f}) {
-        const FibreBcsdf::Modes m = fibre.modes(direction(theta, 2), h);
+        const FibreBcsdf::Modes m = fibre.modes(directionAt(theta, 2), h);
         EXPECT_NEAR(m.share[0] + m.share[1] + m.share[2] + m.share[3], 1, 1e-6);
         for (const float share : m.share) EXPECT_GE(share, 0);
       }

@@ -12,7 +12,7 @@ namespace loomlight {
 namespace {
 
 constexpr int kSide = 24;
-constexpr uint32_t kSamples = 6;
+constexpr uint32_t kRecordedSamples = 6;
 constexpr size_t kPlenty = size_t{64} << 20;
 
 /// Cotton crossed with silk, each with a dye of its own.
@@ -41,7 +41,9 @@ Scene dyed(Scene scene) {
 class Traced {
  public:
   explicit Traced(size_t bytes) : records(kSide, kSide, 2, bytes) {}
-  Traced(const Scene& scene, const Medium& medium, size_t bytes) : Traced(bytes) { bringTo(kSamples, scene, medium); }
+  Traced(const Scene& scene, const Medium& medium, size_t bytes) : Traced(bytes) {
+    bringTo(kRecordedSamples, scene, medium);
+  }
   void bringTo(uint32_t samples, const Scene& scene, const Medium& medium) {
     const CameraRays camera(scene.fabric->camera, kSide, kSide);
     renderUpTo(samples, scene, medium, camera, film, {0, 0, kSide, kSide}, Task{}, 0, &records);
@@ -76,9 +78,9 @@ TEST(PathRecords, RecolouredIsWhatTheSamePathsTracedInTheNewColoursBring) {
       for (int y = 0; y < kSide; ++y)
         for (int x = 0; x < kSide; ++x) {
           const PathRecords::Sums sums = at(recoloured, x, y);
-          ASSERT_EQ(sums.samples, kSamples);
-          expectEqual(sums.traced / float{kSamples}, first.film.mean(x, y));
-          expectEqual(sums.recoloured / float{kSamples}, second.film.mean(x, y));
+          ASSERT_EQ(sums.samples, kRecordedSamples);
+          expectEqual(sums.traced / float{kRecordedSamples}, first.film.mean(x, y));
+          expectEqual(sums.recoloured / float{kRecordedSamples}, second.film.mean(x, y));
           change += glm::length(sums.recoloured - sums.traced);
         }
       EXPECT_GT(change, 10) << "the colours are others";
@@ -103,7 +105,7 @@ TEST(PathRecords, AreSeenByOtherLampsInBandsToo) {
   for (int y = 0; y < kSide; ++y)
     for (int x = 0; x < kSide; ++x) {
       const PathRecords::Sums sums = at(recoloured, x, y);
-      expectEqual(sums.recoloured / float{kSamples}, second.film.mean(x, y));
+      expectEqual(sums.recoloured / float{kRecordedSamples}, second.film.mean(x, y));
       change += glm::length(sums.recoloured - sums.traced);
     }
   EXPECT_GT(change, 1) << "the lamp is another";
@@ -127,13 +129,13 @@ TEST(PathRecords, WithLittleRoomKeepTheFirstSamplesOfAllPixelsAlike) {
   const auto medium = makeMedium(*scene, 1e9, Task{});
   constexpr size_t kLittle = size_t{300} * kSide * kSide;
   Traced traced(kLittle);
-  for (uint32_t samples = 1; samples <= kSamples; ++samples) {
+  for (uint32_t samples = 1; samples <= kRecordedSamples; ++samples) {
     traced.bringTo(samples, *scene, *medium);
     EXPECT_LE(traced.records.bytes(), kLittle);
   }
   const uint32_t kept = traced.records.samples(0, 0);
   ASSERT_GT(kept, 0u);
-  ASSERT_LT(kept, kSamples);
+  ASSERT_LT(kept, kRecordedSamples);
   const auto picture = traced.records.recoloured({scene->colouring, Rgb(1)}, 1);
   const CameraRays camera(scene->fabric->camera, kSide, kSide);
   TraceCounts counts;
@@ -162,7 +164,7 @@ TEST(PathRecords, OfAPictureContinuedAreThoseOfOneRun) {
   const auto medium = makeMedium(*scene, 1e9, Task{});
   const Traced whole(*scene, *medium, kPlenty);
   Traced parts(kPlenty);
-  for (const uint32_t samples : {1u, 4u, kSamples}) parts.bringTo(samples, *scene, *medium);
+  for (const uint32_t samples : {1u, 4u, kRecordedSamples}) parts.bringTo(samples, *scene, *medium);
   const Recolouring recolouring{{{Rgb(3), Rgb(70)}}, Rgb(1)};
   const auto a = parts.records.recoloured(recolouring, 1), b = whole.records.recoloured(recolouring, 2);
   for (size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i].recoloured, b[i].recoloured);

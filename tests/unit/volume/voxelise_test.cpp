@@ -30,7 +30,7 @@ void addStrand(CellStrands& strands, const std::vector<glm::vec3>& points, int p
   strands.strands.push_back(strand);
 }
 
-double lengthOf(const CellStrands& strands) {
+double fibreLength(const CellStrands& strands) {
   double length = 0;
   for (const auto& strand : strands.strands)
     for (uint32_t i = strand.first; i + 1 < strand.first + strand.count; ++i)
@@ -49,7 +49,7 @@ void forEachVoxel(const Brick& brick, const Visit& visit) {
       }
 }
 
-double lengthOf(const Brick& brick, const VoxelGrid& grid) {
+double fibreLength(const Brick& brick, const VoxelGrid& grid) {
   double length = 0;
   forEachVoxel(brick, [&](glm::ivec3 v, std::span<const Component> components) {
     for (const Component c : components) length += c.lengthDensity() * grid.volume_mm3(v);
@@ -134,7 +134,7 @@ TEST(Voxelise, LengthIsConservedAtEveryLevel) {
   for (const System system : {System::warp, System::weft})
     for (const int plies : {1, 2, 5}) {
       const CellStrands strands = wanderingFibres(200, 0.3f, plies, 7, system);
-      const double length = lengthOf(strands);
+      const double length = fibreLength(strands);
       ASSERT_EQ(oddGrid().levels(), 5);
       for (int level = 0; level < 5; ++level) {
         const VoxelGrid grid = oddGrid().atLevel(level);
@@ -142,7 +142,7 @@ TEST(Voxelise, LengthIsConservedAtEveryLevel) {
         EXPECT_EQ(brick.cell, grid.perCell());
         // What is left is the rounding of the shortest component of the level.
         const double bound = brick.components.size() > 100 ? 1e-6 : 2.5e-4;
-        EXPECT_NEAR(lengthOf(brick, grid) / length, 1, bound) << "level " << level << ", plies " << plies;
+        EXPECT_NEAR(fibreLength(brick, grid) / length, 1, bound) << "level " << level << ", plies " << plies;
       }
     }
 }
@@ -276,7 +276,7 @@ TEST(Voxelise, PointsWithoutLengthOrBeyondTheCellDoNoHarm) {
   addStrand(strands, {{0, 0, 0}, {0, 0, 0}});
   addStrand(strands, {{-9, 0.26f, -1}, {9, -0.26f, 1}});
   const Brick brick = voxelise(strands, System::warp, oddGrid());
-  EXPECT_NEAR(lengthOf(brick, oddGrid()) / lengthOf(strands), 1, 1e-4);
+  EXPECT_NEAR(fibreLength(brick, oddGrid()) / fibreLength(strands), 1, 1e-4);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/fabric/weave/jacquard.h"
+#include "tests/unit/fabric/json/fabric_with.h"
 
 namespace loomlight {
 namespace {
@@ -29,10 +30,6 @@ std::string complaint(std::string_view text) {
 }
 
 /// A file of this version with one more entry.
-std::string with(const std::string& entry) {
-  return "{\"loomlight_version\": 1, " + entry + "}";
-}
-
 TEST(FabricJson, KeysLeftOutHaveTheirDefaults) {
   EXPECT_EQ(fabricFromJson("{\"loomlight_version\": 1}", "x.json"), Fabric{});
 }
@@ -120,7 +117,7 @@ TEST(FabricJson, SpectraAndRecipesComeBack) {
 
 TEST(FabricJson, OtherSamplesAreReadOffAtTheBands) {
   const Fabric f = fabricFromJson(
-      with(
+      test::fabricWith(
           R"("fibres": [{"absorption_per_mm": {"bands": {"from_nm": 400, "step_nm": 100, "values": [2, 4, 8, 10]}}}])"),
       "x.json");
   const Spectrum& bands = *f.fibres[0].absorption_per_mm.bands;
@@ -133,7 +130,7 @@ TEST(FabricJson, OtherSamplesAreReadOffAtTheBands) {
 
 TEST(FabricJson, BadSpectraAreRefusedWhereTheyAre) {
   const auto of = [](const std::string& absorption) {
-    return complaint(with(R"("fibres": [{"absorption_per_mm": )" + absorption + "}]"));
+    return complaint(test::fabricWith(R"("fibres": [{"absorption_per_mm": )" + absorption + "}]"));
   };
   EXPECT_EQ(of(R"({"bands": [1, 2]})"),
             "x.json: fibres[0].absorption_per_mm.bands: expected a list of 36 numbers, from 380 to 730 nm, got 2");
@@ -158,7 +155,7 @@ TEST(FabricJson, BadSpectraAreRefusedWhereTheyAre) {
 }
 
 TEST(FabricJson, FirstWeaveTextIsTheTopOfThePicture) {
-  const Fabric f = fabricFromJson(with(R"("weave": ["##.", "..#"])"), "x.json");
+  const Fabric f = fabricFromJson(test::fabricWith(R"("weave": ["##.", "..#"])"), "x.json");
   EXPECT_TRUE(f.weave.at(1, 0) && f.weave.at(1, 1) && !f.weave.at(1, 2)) << "the first text is the last pick";
   EXPECT_TRUE(!f.weave.at(0, 0) && !f.weave.at(0, 1) && f.weave.at(0, 2));
 }
@@ -166,14 +163,14 @@ TEST(FabricJson, FirstWeaveTextIsTheTopOfThePicture) {
 TEST(FabricJson, DraftMakesTheWeaveAndIsWrittenInItsPlace) {
   const std::string draft = R"("draft": {"shafts": 2, "treadles": 2, "threading": [1, 2, [1, 2]], "tie_up": [1, 2],
     "treadling": [1, 2], "note": "kept"})";
-  const Fabric f = fabricFromJson(with(draft), "x.json");
+  const Fabric f = fabricFromJson(test::fabricWith(draft), "x.json");
   ASSERT_TRUE(f.draft);
   EXPECT_EQ(f.weave, Weave(std::vector<Weave::Row>{{1, 0, 1}, {0, 1, 1}}));
   const std::string text = fabricToJson(f);
   EXPECT_THAT(text, testing::Not(HasSubstr("\"weave\"")));
   EXPECT_THAT(text, HasSubstr("\"note\": \"kept\""));
   EXPECT_EQ(fabricFromJson(text, "x.json"), f);
-  EXPECT_EQ(complaint(with(draft + R"(, "weave": ["##"])")),
+  EXPECT_EQ(complaint(test::fabricWith(draft + R"(, "weave": ["##"])")),
             "x.json: draft: expected a draft that makes the weave, got another weave");
 }
 
@@ -200,27 +197,27 @@ TEST(FabricJson, NewerVersionsAreRefusedAndNoVersionToo) {
 }
 
 TEST(FabricJson, MessagesNameFilePlaceAndExpectation) {
-  EXPECT_EQ(complaint(with(R"("yarns": [{}, {"ply_twist_per_m": -3}])")),
+  EXPECT_EQ(complaint(test::fabricWith(R"("yarns": [{}, {"ply_twist_per_m": -3}])")),
             "x.json: yarns[1].ply_twist_per_m: expected a number from 0 to 5000, got -3");
-  EXPECT_EQ(complaint(with(R"("yarns": [{"plies": 2.5}])")),
+  EXPECT_EQ(complaint(test::fabricWith(R"("yarns": [{"plies": 2.5}])")),
             "x.json: yarns[0].plies: expected a whole number from 1 to 8, got 2.5");
-  EXPECT_EQ(complaint(with(R"("yarns": [{"plies": true}])")),
+  EXPECT_EQ(complaint(test::fabricWith(R"("yarns": [{"plies": true}])")),
             "x.json: yarns[0].plies: expected a whole number from 1 to 8, got true");
-  EXPECT_EQ(complaint(with(R"("fibres": [{"absorption_per_mm": [1, "deep", 1]}])")),
+  EXPECT_EQ(complaint(test::fabricWith(R"("fibres": [{"absorption_per_mm": [1, "deep", 1]}])")),
             "x.json: fibres[0].absorption_per_mm[1]: expected a number from 0 to 10000, got \"deep\"");
-  EXPECT_EQ(complaint(with(R"("fibres": [{"absorption_per_mm": [1, 2]}])")),
+  EXPECT_EQ(complaint(test::fabricWith(R"("fibres": [{"absorption_per_mm": [1, 2]}])")),
             "x.json: fibres[0].absorption_per_mm: expected a list of 3 numbers, got 2");
-  EXPECT_EQ(complaint(with(R"("yarns": [{"layout": "tidy"}])")),
+  EXPECT_EQ(complaint(test::fabricWith(R"("yarns": [{"layout": "tidy"}])")),
             "x.json: yarns[0].layout: expected \"random\" or \"packed\", got \"tidy\"");
-  EXPECT_EQ(complaint(with(R"("weave": ["#.", "#.#"])")),
+  EXPECT_EQ(complaint(test::fabricWith(R"("weave": ["#.", "#.#"])")),
             "x.json: weave[1]: expected 2 ends as in the first pick listed, got 3");
-  EXPECT_EQ(complaint(with(R"("weave": ["#.", "#x"])")),
+  EXPECT_EQ(complaint(test::fabricWith(R"("weave": ["#.", "#x"])")),
             "x.json: weave[1]: expected only \"#\" (warp over) and \".\" (weft over), got \"x\" at 2");
-  EXPECT_EQ(complaint(with(R"("drape": [])")), "x.json: drape: expected an object, got a list");
-  EXPECT_EQ(complaint(with(R"("name": 7)")), "x.json: name: expected a text, got 7");
-  EXPECT_EQ(complaint(with(R"("warp_sequence": [0, 1])")),
+  EXPECT_EQ(complaint(test::fabricWith(R"("drape": [])")), "x.json: drape: expected an object, got a list");
+  EXPECT_EQ(complaint(test::fabricWith(R"("name": 7)")), "x.json: name: expected a text, got 7");
+  EXPECT_EQ(complaint(test::fabricWith(R"("warp_sequence": [0, 1])")),
             "x.json: warp_sequence[1]: expected the number of a yarn from 0 to 0, got 1");
-  EXPECT_EQ(complaint(with(R"("render": {"seed": -1})")),
+  EXPECT_EQ(complaint(test::fabricWith(R"("render": {"seed": -1})")),
             "x.json: render.seed: expected a whole number from 0 to 18446744073709551615, got -1");
 }
 

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/random.h"
 #include "core/fabric/json/fabric_json.h"
+#include "tests/unit/fabric/json/fabric_with.h"
 
 namespace loomlight {
 namespace {
@@ -34,10 +35,6 @@ void expectRefused(const std::string& text, const std::string& what) {
   }
 }
 
-std::string with(const std::string& entry) {
-  return "{\"loomlight_version\": 1, " + entry + "}";
-}
-
 TEST(HostileJson, NotJsonAtAll) {
   expectRefused("", "nothing");
   expectRefused(" \n\t", "white space");
@@ -51,7 +48,7 @@ TEST(HostileJson, NotJsonAtAll) {
   expectRefused("{\"name\": \"\xff\xfe\"}", "no UTF-8");
   expectRefused("{'loomlight_version': 1}", "other quotes");
   expectRefused("{\"loomlight_version\": 1,}", "a comma too many");
-  expectRefused(with("\"name\": \"a\" /* note */"), "a comment");
+  expectRefused(test::fabricWith("\"name\": \"a\" /* note */"), "a comment");
 }
 
 TEST(HostileJson, RandomBytes) {
@@ -87,12 +84,12 @@ TEST(HostileJson, DeepNesting) {
   const std::vector<std::string> openings = {"[", "{\"a\":", "[{\"a\":"};
   for (const std::string& opening : openings) {
     expectRefused(repeated(opening, 2'000'000), "deep nesting");
-    expectRefused(with("\"x\": " + repeated(opening, 100'000)), "deep nesting inside");
+    expectRefused(test::fabricWith("\"x\": " + repeated(opening, 100'000)), "deep nesting inside");
   }
 }
 
 TEST(HostileJson, ModerateNestingOfUnknownKeysIsKept) {
-  const std::string text = with("\"x\": " + std::string(60, '[') + std::string(60, ']'));
+  const std::string text = test::fabricWith("\"x\": " + std::string(60, '[') + std::string(60, ']'));
   const Fabric fabric = fabricFromJson(text, "x.json");
   EXPECT_EQ(fabricToJson(fabricFromJson(fabricToJson(fabric), "x.json")), fabricToJson(fabric));
 }
@@ -100,15 +97,15 @@ TEST(HostileJson, ModerateNestingOfUnknownKeysIsKept) {
 TEST(HostileJson, NumbersBeyondAllRanges) {
   for (const std::string number :
        {"1e400", "-1e400", "1e308", "-1e308", "99999999999999999999", "1e-400", "-0.0000001", "2147483648"})
-    expectRefused(with("\"ends_per_cm\": " + number), number);
-  expectRefused(with("\"ends_per_cm\": NaN"), "NaN");
-  expectRefused(with("\"ends_per_cm\": Infinity"), "Infinity");
-  expectRefused(with("\"ends_per_cm\": " + std::string(100'000, '9')), "a number of 100000 digits");
-  expectRefused(with("\"yarns\": [{\"plies\": 1e300}]"), "a huge whole number");
-  expectRefused(with("\"yarns\": [{\"plies\": 4294967297}]"), "a number that would wrap to 1");
-  expectRefused(with("\"warp_sequence\": [1e19]"), "a huge index");
-  expectRefused(with("\"render\": {\"seed\": 18446744073709551616}"), "a seed of 65 bits");
-  expectRefused(with("\"loomlight_version\": 1"), "two versions");
+    expectRefused(test::fabricWith("\"ends_per_cm\": " + number), number);
+  expectRefused(test::fabricWith("\"ends_per_cm\": NaN"), "NaN");
+  expectRefused(test::fabricWith("\"ends_per_cm\": Infinity"), "Infinity");
+  expectRefused(test::fabricWith("\"ends_per_cm\": " + std::string(100'000, '9')), "a number of 100000 digits");
+  expectRefused(test::fabricWith("\"yarns\": [{\"plies\": 1e300}]"), "a huge whole number");
+  expectRefused(test::fabricWith("\"yarns\": [{\"plies\": 4294967297}]"), "a number that would wrap to 1");
+  expectRefused(test::fabricWith("\"warp_sequence\": [1e19]"), "a huge index");
+  expectRefused(test::fabricWith("\"render\": {\"seed\": 18446744073709551616}"), "a seed of 65 bits");
+  expectRefused(test::fabricWith("\"loomlight_version\": 1"), "two versions");
   expectRefused("{\"loomlight_version\": 1e18}", "a huge version");
 }
 
@@ -120,7 +117,7 @@ TEST(HostileJson, WrongTypesEverywhere) {
                                 "weft_sequence", "yarns", "fibres", "drape", "light", "camera", "render"}) {
     for (const std::string value : {"null", "true", "{}", "[]", "[[]]", "[{}]", "[null]", "\"\"", "-1", "[\"\"]"}) {
       try {
-        fabricFromJson(with(fmt::format("\"{}\": {}", key, value)), "x.json");
+        fabricFromJson(test::fabricWith(fmt::format("\"{}\": {}", key, value)), "x.json");
         EXPECT_TRUE(fitting.count({key, value})) << key << " " << value;
       } catch (const InputError& error) {
         EXPECT_EQ(std::string(error.what()).rfind("x.json: " + key, 0), 0u) << error.what();
@@ -130,11 +127,11 @@ TEST(HostileJson, WrongTypesEverywhere) {
 }
 
 TEST(HostileJson, KeysGivenTwice) {
-  expectRefused(with("\"name\": \"a\", \"name\": \"b\""), "a name twice");
-  expectRefused(with("\"yarns\": [{\"plies\": 1, \"plies\": 2}]"), "plies twice");
-  expectRefused(with("\"x\": {\"y\": [{}, {\"z\": 1, \"z\": 1}]}"), "an unknown key twice");
+  expectRefused(test::fabricWith("\"name\": \"a\", \"name\": \"b\""), "a name twice");
+  expectRefused(test::fabricWith("\"yarns\": [{\"plies\": 1, \"plies\": 2}]"), "plies twice");
+  expectRefused(test::fabricWith("\"x\": {\"y\": [{}, {\"z\": 1, \"z\": 1}]}"), "an unknown key twice");
   try {
-    fabricFromJson(with("\"yarns\": [{}, {\"plies\": 1, \"plies\": 2}]"), "x.json");
+    fabricFromJson(test::fabricWith("\"yarns\": [{}, {\"plies\": 1, \"plies\": 2}]"), "x.json");
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(), "x.json: yarns[1].plies: expected every key once, got it twice");
   }
@@ -142,7 +139,7 @@ TEST(HostileJson, KeysGivenTwice) {
 
 TEST(HostileJson, NumbersBeyondAllAreSaidWithTheirPlace) {
   try {
-    fabricFromJson(with("\"yarns\": [{}, {\"count_tex\": 1e99999}]"), "x.json");
+    fabricFromJson(test::fabricWith("\"yarns\": [{}, {\"count_tex\": 1e99999}]"), "x.json");
     ADD_FAILURE() << "expected to be refused";
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(),
@@ -151,20 +148,20 @@ TEST(HostileJson, NumbersBeyondAllAreSaidWithTheirPlace) {
 }
 
 TEST(HostileJson, MillionsOfValues) {
-  expectRefused(with("\"x\": [" + repeated("0,", 6'000'000) + "0]"), "six million numbers");
-  expectRefused(with("\"yarns\": [" + repeated("{},", 100'000) + "{}]"), "too many yarns");
-  expectRefused(with("\"warp_sequence\": [" + repeated("0,", 16384) + "0]"), "too long a sequence");
+  expectRefused(test::fabricWith("\"x\": [" + repeated("0,", 6'000'000) + "0]"), "six million numbers");
+  expectRefused(test::fabricWith("\"yarns\": [" + repeated("{},", 100'000) + "{}]"), "too many yarns");
+  expectRefused(test::fabricWith("\"warp_sequence\": [" + repeated("0,", 16384) + "0]"), "too long a sequence");
   std::string keys;
   for (int i = 0; i < 5000; ++i) keys += fmt::format("\"k{}\": 0, ", i);
-  expectRefused(with(keys + "\"z\": 0"), "too many keys");
+  expectRefused(test::fabricWith(keys + "\"z\": 0"), "too many keys");
 }
 
 TEST(HostileJson, WeavesOfWrongSizes) {
-  expectRefused(with("\"weave\": []"), "no picks");
-  expectRefused(with("\"weave\": [\"\"]"), "no ends");
-  expectRefused(with("\"weave\": [\"" + std::string(16385, '#') + "\"]"), "too many ends");
-  expectRefused(with("\"weave\": [" + repeated("\"#\",", 16384) + "\"#\"]"), "too many picks");
-  const Fabric widest = fabricFromJson(with("\"weave\": [\"" + std::string(16384, '#') + "\"]"), "x.json");
+  expectRefused(test::fabricWith("\"weave\": []"), "no picks");
+  expectRefused(test::fabricWith("\"weave\": [\"\"]"), "no ends");
+  expectRefused(test::fabricWith("\"weave\": [\"" + std::string(16385, '#') + "\"]"), "too many ends");
+  expectRefused(test::fabricWith("\"weave\": [" + repeated("\"#\",", 16384) + "\"#\"]"), "too many picks");
+  const Fabric widest = fabricFromJson(test::fabricWith("\"weave\": [\"" + std::string(16384, '#') + "\"]"), "x.json");
   EXPECT_EQ(widest.weave.ends(), 16384);
 }
 
@@ -177,12 +174,12 @@ TEST(HostileJson, DraftOfMostWorkComesToAnEnd) {
     treadling += fmt::format("{}[{},{}]", i > 0 ? "," : "", i % 4096 + 1, (i / 4096 * 1000 + i) % 4096 + 1);
   }
   const std::string loom = "\"shafts\": 4096, \"treadles\": 4096, \"tie_up\": [" + tieUp + "], ";
-  const Fabric fabric = fabricFromJson(
-      with("\"draft\": {" + loom + "\"threading\": [" + threading + "], \"treadling\": [" + treadling + "]}"),
-      "x.json");
+  const Fabric fabric = fabricFromJson(test::fabricWith("\"draft\": {" + loom + "\"threading\": [" + threading +
+                                                        "], \"treadling\": [" + treadling + "]}"),
+                                       "x.json");
   EXPECT_EQ(fabric.weave.picks(), 16384);
-  expectRefused(with("\"draft\": {" + loom + "\"threading\": [" + repeated("[1,2,3,4,5,6,7,8],", 16383) +
-                     "[1,2,3,4,5,6,7,8,9]], \"treadling\": [1]}"),
+  expectRefused(test::fabricWith("\"draft\": {" + loom + "\"threading\": [" + repeated("[1,2,3,4,5,6,7,8],", 16383) +
+                                 "[1,2,3,4,5,6,7,8,9]], \"treadling\": [1]}"),
                 "more shafts an end than the limit");
 }
 
