@@ -9,63 +9,76 @@
 
 #include "core/base/error.h"
 
-// How it works. nlohmann's parser reads; a guard hears of each list, object, key and value as it is met, and refuses
-// what the parser would take: depths above 64, millions of values, a key given twice. It keeps one level for each
-// list or object that is open, from which it puts the path together once something is wrong. Writing is a recursion
-// over the value. Cost: linear in the text; a look-up in a tree for each key.
+// How it works. nlohmann's parser reads twice. The first time a guard hears of each list, object, key and value as it
+// is met, and refuses what the parser would take: depths above 64, millions of values, a key given twice. It keeps one
+// level for each list or object that is open, from which it puts the path together once something is wrong. The second
+// time the value is made. (The parser can do both at once, but then looks through all elements of a list whenever one
+// of them ends: a list of a million would take it hours.) Writing is a recursion over the value. Cost: linear in the
+// text; a look-up in a tree for each key.
 
 namespace loomlight {
 namespace {
 
-constexpr int kMaxDepth = 64;
+constexpr size_t kMaxDepth = 64;
 /// A value takes up to some 100 bytes, whatever it is: a file of 280 million commas must not need 30 GB.
 constexpr size_t kMaxValues = 5'000'000;
 constexpr size_t kMaxKeys = 4096;
 
-/// Follows the parser and refuses what it would accept: it knows no limits, and lets the last of two equal keys win.
-class Guard {
+/// Hears of all that the parser meets and refuses what it would accept: it knows no limits, and lets the last of two
+/// equal keys win.
+class Guard : public nlohmann::json_sax<nlohmann::json> {
  public:
   explicit Guard(const std::string& source) : source_(source) {}
 
-  bool operator()(int depth, nlohmann::json::parse_event_t event, const nlohmann::json& parsed) {
-    using Event = nlohmann::json::parse_event_t;
-    switch (event) {
-      case Event::object_start:
-      case Event::array_start:
-        countValue();
-        if (depth >= kMaxDepth) refuse(fmt::format("lists and objects nested at most {} deep", kMaxDepth), "more");
-        open_.emplace_back();
-        break;
-      case Event::object_end:
-      case Event::array_end:
-        open_.pop_back();
-        break;
-      case Event::key:
-        addKey(parsed.get_ref<const std::string&>());
-        break;
-      case Event::value:
-        countValue();
-        break;
-    }
+  bool null() override { return countValue(); }
+  bool boolean(bool) override { return countValue(); }
+  bool number_integer(number_integer_t) override { return countValue(); }
+  bool number_unsigned(number_unsigned_t) override { return countValue(); }
+  bool number_float(number_float_t, const string_t&) override { return countValue(); }
+  bool string(string_t&) override { return countValue(); }
+  bool binary(binary_t&) override { return countValue(); }
+  bool start_object(size_t) override { return open(); }
+  bool start_array(size_t) override { return open(); }
+  bool end_object() override { return close(); }
+  bool end_array() override { return close(); }
+  bool key(string_t& key) override {
+    addKey(key);
     return true;
   }
+  bool parse_error(size_t, const std::string&, const nlohmann::json::exception& error) override {
+    constexpr int kNumberOutOfRange = 406;
+    if (error.id == kNumberOutOfRange) refuseNumber();
+    return false;
+  }
 
+ private:
   /// The value that comes now, which the parser has not taken: the only one that is written well and still is none.
   [[noreturn]] void refuseNumber() {
     countValue();
     refuse("a number within the range of floating point", "one beyond it");
   }
 
- private:
   struct Level {
     std::set<std::string, std::less<>> keys;
     const std::string* key = nullptr;  ///< the last one; null in a list
     size_t values = 0;
   };
 
-  void countValue() {
+  bool countValue() {
     if (++values_ > kMaxValues) refuse(fmt::format("at most {} values", kMaxValues), "more");
     if (!open_.empty()) ++open_.back().values;
+    return true;
+  }
+
+  bool open() {
+    countValue();
+    if (open_.size() >= kMaxDepth) refuse(fmt::format("lists and objects nested at most {} deep", kMaxDepth), "more");
+    open_.emplace_back();
+    return true;
+  }
+  bool close() {
+    open_.pop_back();
+    return true;
   }
 
   void addKey(const std::string& key) {
@@ -175,15 +188,11 @@ void append(std::string& out, const Json& value, size_t indent) {
 
 nlohmann::json parseJson(std::string_view text, const std::string& source) {
   Guard guard(source);
+  nlohmann::json::sax_parse(text.begin(), text.end(), &guard);
   try {
-    return nlohmann::json::parse(text.begin(), text.end(),
-                                 [&guard](int depth, nlohmann::json::parse_event_t event, nlohmann::json& parsed) {
-                                   return guard(depth, event, parsed);
-                                 });
+    return nlohmann::json::parse(text.begin(), text.end());
   } catch (const nlohmann::json::parse_error& error) {
     throw syntaxError(text, source, error);
-  } catch (const nlohmann::json::out_of_range&) {
-    guard.refuseNumber();
   }
 }
 
