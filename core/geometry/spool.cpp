@@ -24,10 +24,16 @@ std::vector<uint8_t> drawStates(double stretch_mm, uint64_t seed) {
   };
   const uint32_t quickRun = run(kEvennessCut_mm), slowRun = run(kLongWave_mm);
   std::vector<uint8_t> states(Spool::kStretches);
+  uint8_t quickState = light, slowState = light;
+  bool isLongWave = false;
   for (uint32_t i = 0; i < Spool::kStretches; ++i) {
-    Random quick(hashCombine(seed, i / quickRun)), slow(hashCombine(~seed, i / slowRun));
-    const bool isLongWave = quick.uniform() < kLongWaves;
-    states[i] = (isLongWave ? slow : quick).uniform() < 0.5f ? light : heavy;
+    if (i % slowRun == 0) slowState = Random(hashCombine(~seed, i / slowRun)).uniform() < 0.5f ? light : heavy;
+    if (i % quickRun == 0) {
+      Random quick(hashCombine(seed, i / quickRun));
+      isLongWave = quick.uniform() < kLongWaves;
+      quickState = quick.uniform() < 0.5f ? light : heavy;
+    }
+    states[i] = isLongWave ? slowState : quickState;
   }
   return states;
 }
@@ -51,21 +57,28 @@ void addSlubs(const Evenness& evenness, double stretch_mm, uint64_t seed, std::v
   }
 }
 
-/// Coefficient of variation of cuts of a yarn whose mass is 0 where it is light, and 2 where it is heavy.
+/// Coefficient of variation of cuts of a yarn whose mass is 0 where it is light, and 2 where it is heavy: of a cut from
+/// each stretch on, which begin in all of its cells by turns.
 double variationOfCuts(const std::vector<uint8_t>& states, int period, double cell_mm) {
-  std::array<std::vector<double>, 4> cells;  // their masses, by the states that a stretch goes from and to
-  for (size_t kind = 0; kind < cells.size(); ++kind)
+  const auto cells = static_cast<size_t>(period), stretches = states.size();
+  const auto kindAt = [&](size_t i) { return static_cast<size_t>(2 * states[i] + states[(i + 1) % stretches]); };
+  std::array<std::vector<double>, 4> upTo;  // mass up to a cell, by the states that a stretch goes from and to
+  for (size_t kind = 0; kind < upTo.size(); ++kind) {
+    const Stretch stretch{kind < 2 ? 0.0f : 2.0f, kind % 2 == 0 ? 0.0f : 2.0f};
+    upTo[kind].push_back(0);
     for (int phase = 0; phase < period; ++phase)
-      cells[kind].push_back(Stretch{kind < 2 ? 0.0f : 2.0f, kind % 2 == 0 ? 0.0f : 2.0f}.massOfCell(phase, period));
-  std::vector<double> until{0};  // mass up to each cell
-  until.reserve(states.size() * static_cast<size_t>(period) + 1);
-  for (size_t i = 0; i < states.size(); ++i)
-    for (const double mass : cells[static_cast<size_t>(2 * states[i] + states[(i + 1) % states.size()])])
-      until.push_back(until.back() + mass);
+      upTo[kind].push_back(upTo[kind].back() + stretch.massOfCell(phase, period));
+  }
+  std::vector<double> before{0};  // mass up to a stretch
+  before.reserve(stretches + 1);
+  for (size_t i = 0; i < stretches; ++i) before.push_back(before.back() + upTo[kindAt(i)].back());
+
   const size_t cut = std::max<size_t>(1, static_cast<size_t>(std::lround(kEvennessCut_mm / cell_mm)));
   double sum = 0, squares = 0, count = 0;
-  for (size_t i = 0; i + cut < until.size(); ++i, ++count) {
-    const double mass = until[i + cut] - until[i];
+  for (size_t i = 0; i < stretches; ++i, ++count) {
+    const size_t from = i % cells, last = i + (from + cut) / cells, to = (from + cut) % cells;
+    if (last >= stretches) break;
+    const double mass = before[last] + upTo[kindAt(last)][to] - before[i] - upTo[kindAt(i)][from];
     sum += mass;
     squares += mass * mass;
   }

@@ -106,7 +106,7 @@ TEST(Edits, LeaveWhatAFreshBuildMakes) {
     SCOPED_TRACE(seed);
     Random random(seed);
     Fabric fabric = seed % 2 == 0 ? hairyTwill() : slubbyTwill();
-    fabric.fibres[0].radius_um = 25;  // few
+    fabric.fibres[0].radius_um = 45;  // few
     fabric.yarns[0].hairiness_per_mm = 0;
     fabric.weave = fabric.weave.resized(16, 12);
     // A piece of several repeats, of less than one, or of one and a bit.
