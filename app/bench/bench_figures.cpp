@@ -40,6 +40,7 @@ bool addLargePieces(ReportPage& page, const ReportBench& bench, const Task& task
       settings.width = 64;
       settings.height = 32;
       settings.samplesPerPixel = 4;
+      for (Fibre& fibre : cloth.fabric.fibres) fibre.radius_um *= 2;  // a quarter of them, soon parted
     }
     cloth.fabric.camera =
         cameraOf(ViewChoice{cloth.fabric.camera.azimuth_deg, cloth.fabric.camera.elevation_deg, {}, {}}, cloth.fabric,
