@@ -71,8 +71,8 @@ class ReflectanceDescent {
     Multipliers best = here;
     double least = distance;
     for (int neighbour = 0; neighbour < 27; ++neighbour) {
-      const Multipliers next{here[0] + step * (neighbour % 3 - 1), here[1] + step * (neighbour / 3 % 3 - 1),
-                             here[2] + step * (neighbour / 9 - 1)};
+      const int along[] = {neighbour % 3 - 1, neighbour / 3 % 3 - 1, neighbour / 9 - 1};
+      const Multipliers next{here[0] + step * along[0], here[1] + step * along[1], here[2] + step * along[2]};
       const double at = distanceTo(next);
       if (at >= least) continue;
       least = at;
