@@ -63,10 +63,10 @@ struct SceneBase {
   bool keeps(Stages stages) const { return scene && !edit.stages.any(stages); }
 };
 
-/// Builds the scene of a fabric, reusing from `base` every part that the edit did not touch. Returns null when stopped;
-/// throws InputError for files that cannot be used. What `first` (may be null) is shown in between changes nothing;
-/// none of it may be a base.
-std::shared_ptr<const Scene> makeScene(std::shared_ptr<const Fabric> fabric, const Task& task, const SceneBase& base,
+/// Builds the scene of the fabric that is asked for, reusing from `base` every part that the edit did not touch.
+/// Returns null when stopped; throws InputError for files that cannot be used. What `first` (may be null) is shown in
+/// between changes nothing; none of it may be a base.
+std::shared_ptr<const Scene> makeScene(std::shared_ptr<const Fabric> asked, const Task& task, const SceneBase& base,
                                        const ScenePreviews* first = nullptr);
 /// Based on `previous` (may be null), which it is compared with.
 std::shared_ptr<const Scene> makeScene(std::shared_ptr<const Fabric> fabric, const Task& task,

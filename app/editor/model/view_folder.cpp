@@ -55,8 +55,10 @@ KeptView ViewFolder::read(const std::string& id) const {
   KeptView view{id, std::make_shared<const Fabric>(std::move(fabric)), {}, std::move(picture)};
   if (const auto flat = texts.find(kFlatKey); flat != texts.end())
     view.lookedAt.flat = flatViewFromJson(flat->second, file);
-  const auto side = texts.find(kSideKey);
-  view.lookedAt.back = side != texts.end() && side->second == kBack;
+  if (const auto side = texts.find(kSideKey); side != texts.end()) {
+    if (side->second != kBack) throw InputError(fmt::format(words::errors::noSide, file, kBack, side->second));
+    view.lookedAt.back = true;
+  }
   if (view.picture.channels != 3) throw InputError(fmt::format(words::errors::viewWithAlpha, file));
   return view;
 }

@@ -207,12 +207,14 @@ std::vector<std::string> warnings(const Fabric& fabric, const Floats& floats, co
                                  all, count == 1 && all == 1 ? one : many, count == 1 ? "s" : "",
                                  count == 1 ? "it" : "them"));
   };
-  for (const Yarn& yarn : fabric.yarns)
-    if (const double slub_percent = 0.1 * yarn.slubs_per_m * yarn.slubLength_mm; slub_percent > kMostSlub_percent)
-      said.push_back(
-          fmt::format("{:g} slubs per m of {:g} mm are {:.0f} % of their yarn: there will be fewer, as more "
-                      "than {:g} % find no room.",
-                      yarn.slubs_per_m, yarn.slubLength_mm, slub_percent, kMostSlub_percent));
+  for (const Yarn& yarn : fabric.yarns) {
+    const double slub_percent = 0.1 * yarn.slubs_per_m * yarn.slubLength_mm;
+    if (slub_percent <= kMostSlub_percent || isMonofilament(yarn)) continue;
+    said.push_back(
+        fmt::format("{:g} slubs per m of {:g} mm are {:.0f} % of their yarn: there will be fewer, as more "
+                    "than {:g} % find no room.",
+                    yarn.slubs_per_m, yarn.slubLength_mm, slub_percent, kMostSlub_percent));
+  }
   idle(floats.idleEnds, fabric.weave.ends(), "end", "ends");
   idle(floats.idlePicks, fabric.weave.picks(), "pick", "picks");
   return said;

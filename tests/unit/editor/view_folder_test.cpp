@@ -60,6 +60,20 @@ TEST(ViewFolder, FlatClothThatIsNoneIsRefused) {
     EXPECT_THROW(flatViewFromJson(text, "a view"), InputError) << text;
 }
 
+TEST(ViewFolder, ASideThatIsNoneIsRefused) {
+  const test::ScratchFolder scratch;
+  const ViewFolder folder(scratch.file("."), {});
+  KeptView view = viewOf("view-a");
+  view.lookedAt.back = true;
+  folder.keep(view);
+  std::map<std::string, std::string> texts;
+  const Pixels8 picture = readPng(scratch.file("view-a.png"), &texts);
+  ASSERT_EQ(texts["loomlight.side"], "back");
+  texts["loomlight.side"] = "left";
+  writePng(scratch.file("view-a.png"), picture, texts);
+  EXPECT_THROW(folder.read("view-a"), InputError);
+}
+
 TEST(ViewFolder, OldestGoBeyondTheNumber) {
   const test::ScratchFolder scratch;
   const ViewFolder folder(scratch.file("views"), {3, 1'000'000'000});

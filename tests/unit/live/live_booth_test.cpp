@@ -7,6 +7,7 @@
 #include "render/display/booth.h"
 #include "tests/support/narrow_dye.h"
 #include "tests/support/test_cloth.h"
+#include "tests/unit/live/small_view.h"
 #include "tests/unit/live/worker_window.h"
 
 namespace loomlight {
@@ -26,9 +27,7 @@ class LiveBooth : public testing::Test {
  protected:
   using Light4 = std::array<Rgb, kBoothLamps.size()>;
 
-  void show(const Fabric& fabric) {
-    renderer.request({std::make_shared<const Fabric>(fabric), 64, 48, ++generation, nullptr});
-  }
+  void show(const Fabric& fabric) { renderer.request(test::smallView(fabric, ++generation)); }
   template <class Condition>
   bool waitFor(const Condition& condition) {
     return window.waitFor([&] {
@@ -55,7 +54,7 @@ class LiveBooth : public testing::Test {
     Fabric fabric = dyedCloth();
     fabric.light = underLamp(fabric.light, lamp);
     LiveRenderer alone(window.waker(), 1);
-    alone.request({std::make_shared<const Fabric>(fabric), 64, 48, 1, nullptr});
+    alone.request(test::smallView(fabric, 1));
     EXPECT_TRUE(window.waitFor([&] { return alone.frame() && alone.frame()->samples >= 32; }));
     const auto frame = alone.frame();
     const PixelRect piece = boothPiece(frame->width, frame->height);

@@ -2,6 +2,7 @@
 
 #include "app/live/live_renderer.h"
 #include "tests/support/test_cloth.h"
+#include "tests/unit/live/small_view.h"
 #include "tests/unit/live/worker_window.h"
 
 namespace loomlight {
@@ -18,9 +19,7 @@ class LiveDenoise : public testing::Test {
     fabric.light.kind = LightKind::dome;
     fabric.fibres[0].absorption_per_mm = Rgb(20, 4, 2);
   }
-  void show(uint64_t generation) {
-    renderer.request({std::make_shared<const Fabric>(fabric), 64, 48, generation, nullptr});
-  }
+  void show(uint64_t generation) { renderer.request(test::smallView(fabric, generation)); }
   template <class Condition>
   bool waitForFrame(Condition&& condition) {
     return window.waitFor([&] {

@@ -2,16 +2,13 @@
 
 #include "app/live/live_renderer.h"
 #include "tests/support/test_cloth.h"
+#include "tests/unit/live/small_view.h"
 #include "tests/unit/live/worker_window.h"
 
 namespace loomlight {
 namespace {
 
 using Window = test::WorkerWindow;
-
-ViewRequest view(const Fabric& fabric, uint64_t generation) {
-  return {std::make_shared<const Fabric>(fabric), 64, 48, generation, nullptr};
-}
 
 Fabric redCotton() {
   Fabric fabric = test::whiteCotton();
@@ -25,7 +22,7 @@ Fabric redCotton() {
 
 class LiveRecolour : public testing::Test {
  protected:
-  void show(const Fabric& fabric, uint64_t generation) { renderer.request(view(fabric, generation)); }
+  void show(const Fabric& fabric, uint64_t generation) { renderer.request(test::smallView(fabric, generation)); }
   bool waitFor(uint64_t generation, int samples) {
     return window.waitFor([&] {
       const auto frame = renderer.frame();

@@ -13,11 +13,13 @@
 #include "render/transport/make_medium.h"
 #include "render/transport/path_tracer.h"
 #include "tests/support/test_cloth.h"
+#include "tests/unit/live/small_view.h"
 #include "tests/unit/live/worker_window.h"
 
 namespace loomlight {
 namespace {
 
+using test::smallView;
 using Window = test::WorkerWindow;
 
 Fabric smallCloth() {
@@ -27,15 +29,11 @@ Fabric smallCloth() {
   return fabric;
 }
 
-ViewRequest viewRequest(const Fabric& fabric, uint64_t generation) {
-  return {std::make_shared<const Fabric>(fabric), 64, 48, generation, nullptr};
-}
-
 TEST(LiveRenderer, ShowsTheFabric) {
   Window window;
   LiveRenderer renderer(window.waker(), 2);
   EXPECT_EQ(renderer.frame(), nullptr);
-  renderer.request(viewRequest(smallCloth(), 1));
+  renderer.request(smallView(smallCloth(), 1));
   ASSERT_TRUE(window.waitFor([&] { return renderer.frame() && renderer.frame()->samples > 0; }));
   const auto frame = renderer.frame();
   EXPECT_EQ(frame->generation, 1u);
@@ -58,13 +56,13 @@ TEST(LiveRenderer, ShowsExplicitFibres) {
   Fabric fabric = smallCloth();
   fabric.drape.width_mm = fabric.drape.height_mm = 3;
   fabric.render.method = Method::fibres;
-  renderer.request(viewRequest(fabric, 1));
+  renderer.request(smallView(fabric, 1));
   ASSERT_TRUE(window.waitFor([&] { return renderer.frame() && renderer.frame()->generation == 1; }));
   fabric.camera.azimuth_deg += 20;
-  renderer.request(viewRequest(fabric, 2));
+  renderer.request(smallView(fabric, 2));
   ASSERT_TRUE(window.waitFor([&] { return renderer.frame()->generation == 2; }));
   fabric.render.method = Method::volume;
-  renderer.request(viewRequest(fabric, 3));
+  renderer.request(smallView(fabric, 3));
   ASSERT_TRUE(window.waitFor([&] { return renderer.frame()->generation == 3; }));
   EXPECT_EQ(renderer.status().error, "");
 }
@@ -78,7 +76,7 @@ TEST(LiveRenderer, EndsOnTheNewestOfManyEdits) {
     fabric.weave = fabric.weave.with(static_cast<int>(i % 2), static_cast<int>(i % 3 % 2), i % 5 < 2);
     fabric.yarns[0].plyTwist_per_m = 300.0 + 10.0 * static_cast<double>(i);
     fabric.camera.azimuth_deg = static_cast<double>(i);
-    renderer.request(viewRequest(fabric, i));
+    renderer.request(smallView(fabric, i));
   }
   EXPECT_TRUE(window.waitFor([&] { return renderer.frame() && renderer.frame()->generation == kEdits; }));
 }
@@ -135,13 +133,13 @@ TEST(LiveRenderer, EditsDuringBuildsLeaveWhatAFreshBuildMakes) {
         history.push_back(history.back());
         edit(history.back(), random);
       }
-      renderer.request(viewRequest(history[now], ++generation));
+      renderer.request(smallView(history[now], ++generation));
       // At once, or somewhere in the middle of what the edit sets going.
       std::this_thread::sleep_for(std::chrono::microseconds(random.below(4) == 0 ? 0 : random.below(20'000)));
     }
     Fabric last = history[now];
     last.yarns[0].plyTwist_per_m = 777;
-    renderer.request(viewRequest(last, ++generation));
+    renderer.request(smallView(last, ++generation));
     // What is shown before all is built is another picture; at the end it may go on for one more pass.
     constexpr int kLongestPass = 64;
     ASSERT_TRUE(window.waitFor([&] { return renderer.status().builtGeneration == generation; }));
@@ -184,7 +182,7 @@ TEST(LiveRenderer, ShowsEveryOtherEditOfAClothThatTakesLongToBuild) {
   fabric.ends_per_cm = fabric.picks_per_cm = 11;
   for (uint64_t generation = 1; generation <= kEdits; ++generation) {
     fabric.yarns[0].plyTwist_per_m = 200.0 + 20.0 * static_cast<double>(generation);
-    renderer.request(viewRequest(fabric, generation));
+    renderer.request(smallView(fabric, generation));
     ASSERT_TRUE(window.waitFor([&] { return renderer.frame() && renderer.frame()->generation == generation; }));
   }
   EXPECT_GT(seenEarly, 0u) << "no picture was there before its volume";
@@ -195,12 +193,12 @@ TEST(LiveRenderer, AMaterialEditTouchesNoVoxel) {
   Window window;
   LiveRenderer renderer(window.waker(), 1);
   Fabric fabric = smallCloth();
-  renderer.request(viewRequest(fabric, 1));
+  renderer.request(smallView(fabric, 1));
   ASSERT_TRUE(window.waitFor([&] { return renderer.status().builtGeneration == 1; }));
   const double before = renderer.status().buildSeconds;
   fabric.fibres[0].absorption_per_mm = Rgb(50, 5, 5);
   fabric.fibres[0].refractiveIndex = 1.6;
-  renderer.request(viewRequest(fabric, 2));
+  renderer.request(smallView(fabric, 2));
   ASSERT_TRUE(window.waitFor([&] { return renderer.frame() && renderer.frame()->generation == 2; }));
   EXPECT_EQ(renderer.status().buildSeconds, before);  // set anew by every voxelisation
 }
@@ -214,7 +212,7 @@ TEST(LiveRenderer, UndoAndRedoVoxeliseNothing) {
   uint64_t generation = 0;
   const auto bricksFor = [&](const Fabric& shown) {
     const uint64_t before = renderer.status().bricksVoxelised;
-    renderer.request(viewRequest(shown, ++generation));
+    renderer.request(smallView(shown, ++generation));
     EXPECT_TRUE(window.waitFor([&] { return renderer.status().builtGeneration == generation; }));
     return renderer.status().bricksVoxelised - before;
   };
@@ -232,10 +230,10 @@ TEST(LiveRenderer, SaysWhatIsWrongAndGoesOn) {
   Fabric broken = smallCloth();
   broken.drape.kind = DrapeKind::mesh;
   broken.drape.file = "no-such-mesh.obj";
-  renderer.request(viewRequest(broken, 1));
+  renderer.request(smallView(broken, 1));
   ASSERT_TRUE(window.waitFor([&] { return !renderer.status().error.empty(); }));
   EXPECT_NE(renderer.status().error.find("no-such-mesh.obj"), std::string::npos);
-  renderer.request(viewRequest(smallCloth(), 2));
+  renderer.request(smallView(smallCloth(), 2));
   EXPECT_TRUE(window.waitFor([&] { return renderer.frame() && renderer.frame()->generation == 2; }));
   // A first look may come before its cloth is known to be right.
   EXPECT_TRUE(window.waitFor([&] { return renderer.status().error.empty(); }));
@@ -245,7 +243,7 @@ TEST(LiveRenderer, EndsInTheMiddleOfWork) {
   Window window;
   for (int i = 0; i < 5; ++i) {
     LiveRenderer renderer(window.waker(), 2);
-    renderer.request(viewRequest(smallCloth(), 1));
+    renderer.request(smallView(smallCloth(), 1));
     if (i % 2) window.waitFor([&] { return renderer.frame() != nullptr; });
   }
 }
@@ -257,7 +255,7 @@ TEST(LiveRenderer, BetterTablesReplaceAPictureWithoutGoingBack) {
   Fabric fabric = smallCloth();
   fabric.render.estimator = Estimator::report;
   fabric.fibres[0].absorption_per_mm = Rgb(2000);  // dark: most of what is seen has been scattered once
-  ViewRequest request = viewRequest(fabric, 1);
+  ViewRequest request = smallView(fabric, 1);
   renderer.request(request);
   ASSERT_TRUE(window.waitFor([&] { return renderer.frame() && renderer.frame()->samples >= 16; }));
   EXPECT_EQ(renderer.status().error, "");
@@ -293,7 +291,7 @@ TEST(ReferenceInset, ShowsTheVeryPixelsThatBricksOfFibresShow) {
   Fabric fabric = smallCloth();
   fabric.drape.width_mm = fabric.drape.height_mm = 3;
   fabric.camera.distance_mm = 6;
-  renderer.request(viewRequest(fabric, 1));
+  renderer.request(smallView(fabric, 1));
   const PixelRect place{20, 10, 24, 16};
   renderer.inset(InsetRequest{place, 4e9});
   ASSERT_TRUE(
@@ -329,7 +327,7 @@ TEST(ReferenceInset, ComparesBothPicturesAndTheVolumeGoesOn) {
   fabric.light.kind = LightKind::headlight;
   fabric.fibres[0].absorption_per_mm = Rgb(2000);  // dark: all that is seen has been scattered once
   fabric.render.estimator = Estimator::none;
-  renderer.request(viewRequest(fabric, 1));
+  renderer.request(smallView(fabric, 1));
   const PixelRect place{20, 10, 24, 16};
   renderer.inset(InsetRequest{place, 4e9});
   constexpr int kSamples = 64;  // as many as the pictures below: with half of the noise that would hide the difference
@@ -371,7 +369,7 @@ TEST(ReferenceInset, FollowsTheCameraKeepsTheFibresAndRelaysThemAfterAnEdit) {
   LiveRenderer renderer(window.waker(), 2);
   Fabric fabric = smallCloth();
   fabric.drape.width_mm = fabric.drape.height_mm = 3;
-  renderer.request(viewRequest(fabric, 1));
+  renderer.request(smallView(fabric, 1));
   renderer.inset(InsetRequest{{20, 10, 24, 16}, 4e9});
   const auto shows = [&](uint64_t generation) {
     return renderer.insetFrame() && renderer.insetFrame()->fibres->generation == generation;
@@ -379,7 +377,7 @@ TEST(ReferenceInset, FollowsTheCameraKeepsTheFibresAndRelaysThemAfterAnEdit) {
   ASSERT_TRUE(window.waitFor([&] { return shows(1); }));
   bool laying = false;
   fabric.camera.azimuth_deg += 20;
-  renderer.request(viewRequest(fabric, 2));
+  renderer.request(smallView(fabric, 2));
   ASSERT_TRUE(window.waitFor([&] {
     laying |= renderer.status().inset.phase == InsetStatus::Phase::laying;
     return shows(2);
@@ -387,7 +385,7 @@ TEST(ReferenceInset, FollowsTheCameraKeepsTheFibresAndRelaysThemAfterAnEdit) {
   EXPECT_FALSE(laying);
   const double segments = renderer.status().inset.segments;
   fabric.yarns[0].count_tex *= 2;
-  renderer.request(viewRequest(fabric, 3));
+  renderer.request(smallView(fabric, 3));
   ASSERT_TRUE(window.waitFor([&] { return shows(3); }));
   EXPECT_GT(renderer.status().inset.segments, 1.2 * segments);
 }
@@ -395,7 +393,7 @@ TEST(ReferenceInset, FollowsTheCameraKeepsTheFibresAndRelaysThemAfterAnEdit) {
 TEST(ReferenceInset, SaysWhatItWouldTakeAndRefusesBeyondTheLimit) {
   Window window;
   LiveRenderer renderer(window.waker(), 1);
-  renderer.request(viewRequest(smallCloth(), 1));
+  renderer.request(smallView(smallCloth(), 1));
   renderer.inset(InsetRequest{{20, 10, 24, 16}, 1e5});
   ASSERT_TRUE(window.waitFor([&] { return renderer.status().inset.phase == InsetStatus::Phase::tooLarge; }));
   EXPECT_GT(renderer.status().inset.bytes, 1e5);
@@ -413,20 +411,20 @@ TEST(ReferenceInset, IsNeedlessOverExplicitFibresAndEndsInTheMiddleOfWork) {
   Fabric fabric = smallCloth();
   renderer.inset(InsetRequest{{0, 0, 24, 16}, 4e9});
   EXPECT_EQ(renderer.status().inset.phase, InsetStatus::Phase::waiting);
-  renderer.request(viewRequest(fabric, 1));
+  renderer.request(smallView(fabric, 1));
   ASSERT_TRUE(window.waitFor([&] { return renderer.insetFrame() != nullptr; }));
   fabric.drape.width_mm = fabric.drape.height_mm = 2;
   fabric.render.method = Method::fibres;
-  renderer.request(viewRequest(fabric, 2));
+  renderer.request(smallView(fabric, 2));
   EXPECT_TRUE(window.waitFor([&] { return renderer.status().inset.phase == InsetStatus::Phase::needless; }));
   fabric.render.method = Method::volume;
-  renderer.request(viewRequest(fabric, 3));
+  renderer.request(smallView(fabric, 3));
   EXPECT_TRUE(window.waitFor([&] {
     const auto frame = renderer.insetFrame();
     return frame && frame->fibres->generation == 3;
   }));
   fabric.drape.width_mm = fabric.drape.height_mm = 6;
-  renderer.request(viewRequest(fabric, 4));
+  renderer.request(smallView(fabric, 4));
   EXPECT_TRUE(window.waitFor([&] { return renderer.status().builtGeneration == 4; }));
 }
 

@@ -220,6 +220,8 @@ TEST(Warnings, SaySlubsThatFindNoRoom) {
   EXPECT_TRUE(warningsOf(slubby).empty());
   slubby.yarns[0].slubs_per_m = 40;
   EXPECT_THAT(warningsOf(slubby), testing::ElementsAre(HasSubstr("40 slubs per m of 30 mm are 120 % of their yarn")));
+  slubby.yarns[0].fibresPerPly = 1;
+  EXPECT_TRUE(warningsOf(slubby).empty()) << "a monofilament is drawn without slubs";
 }
 
 /// The count is that of the list of floats: those that nothing binds are among them.
