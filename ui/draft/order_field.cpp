@@ -67,25 +67,33 @@ std::optional<std::vector<int>> taken(const std::string& text, int yarns, OrderT
   return std::nullopt;
 }
 
-/// What the order comes to, in ends or picks and mm; or what is wrong, and the way out.
-std::optional<Fabric> lineBelow(Ui& ui, const std::string& id, const Fabric& fabric, std::vector<int> Fabric::* system,
-                                double pitch_mm, OrderText& typing) {
-  std::optional<Fabric> edited;
-  const float top = ImGui::GetCursorPosY(), height = ImGui::GetFrameHeight();
-  const std::vector<int>& sequence = fabric.*system;
-  const size_t threads = sequence.size();
-  const double length_mm = pitch_mm * static_cast<double>(threads);
+/// The field's name, and at the end of its line what the order comes to, in threads and mm: a line of its own would
+/// push the stripes below out of sight.
+void lineAbove(Ui& ui, const RowText& text, size_t threads, double length_mm) {
   const std::string comesTo = threads == 1 ? fmt::format(words::order::oneThread, threads, length_mm)
                                            : fmt::format(words::order::severalThreads, threads, length_mm);
-  const bool fails = !typing.problem.empty();
+  ImGui::TextDisabled("%s", text.label);
+  ImGui::SameLine(0, ui.px(16));
+  const std::string shown = shortened(comesTo, ImGui::GetContentRegionAvail().x);
+  ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(shown.c_str()).x);
+  ImGui::TextColored(ui.theme.textQuiet, "%s", shown.c_str());
+  const std::string id = text.id + "_threads";
+  ui.probe.recordItem(id);
+  tooltipFor(ui, id.c_str(), ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), comesTo.c_str());
+}
+
+/// What is wrong with the order that is typed, where something is, and the way out.
+std::optional<Fabric> lineBelow(Ui& ui, const std::string& id, const Fabric& fabric, std::vector<int> Fabric::* system,
+                                OrderText& typing) {
+  ui.probe.fact(id + "_problem", typing.problem);
+  if (typing.problem.empty()) return std::nullopt;
+  std::optional<Fabric> edited;
+  const float top = ImGui::GetCursorPosY(), height = ImGui::GetFrameHeight();
   const float offer = typing.wanted.empty() ? 0 : ui.px(104);
   ImGui::AlignTextToFramePadding();
-  const std::string& said = fails ? typing.problem : comesTo;
-  ImGui::TextColored(fails ? ui.theme.error : ui.theme.textQuiet, "%s",
-                     shortened(said, ImGui::GetContentRegionAvail().x - offer).c_str());
+  ImGui::TextColored(ui.theme.error, "%s", shortened(typing.problem, ImGui::GetContentRegionAvail().x - offer).c_str());
   ui.probe.recordItem(id + "_line");
-  ui.probe.fact(id + "_problem", typing.problem);
-  tooltipFor(ui, (id + "_line").c_str(), ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), said.c_str());
+  tooltipFor(ui, (id + "_line").c_str(), ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), typing.problem.c_str());
   if (offer > 0) {
     const int last = *std::max_element(typing.wanted.begin(), typing.wanted.end());
     ImGui::SameLine(ImGui::GetContentRegionMax().x - offer);
@@ -110,7 +118,7 @@ std::optional<Fabric> orderField(Ui& ui, const RowText& text, const Fabric& fabr
   const std::vector<int>& sequence = fabric.*system;
   if (!typing.open && typing.sequence != sequence)
     typing = {false, false, yarnOrderText(sequence), sequence, typing.lines, {}, {}};
-  ImGui::TextDisabled("%s", text.label);
+  lineAbove(ui, text, sequence.size(), pitch_mm * static_cast<double>(sequence.size()));
   const float width = ImGui::GetContentRegionAvail().x;
   Typing now{width - 2 * ImGui::GetStyle().FramePadding.x - ui.px(8), !typing.open};
   std::string shown = typing.text;
@@ -154,7 +162,7 @@ std::optional<Fabric> orderField(Ui& ui, const RowText& text, const Fabric& fabr
       typing.edited = true;
     }
   }
-  auto added = lineBelow(ui, text.id, fabric, system, pitch_mm, typing);
+  auto added = lineBelow(ui, text.id, fabric, system, typing);
   return added ? std::move(added) : std::move(edited);
 }
 
