@@ -185,6 +185,19 @@ TEST_F(Orders, AnEdgeIsDraggedInTheBar) {
   EXPECT_THAT(warp(), ElementsAre(0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0)) << "every stripe keeps a thread";
 }
 
+TEST_F(Orders, WhatTheyComeToStandsBesideTheirNamesAndOnlyAProblemTakesALine) {
+  editor.edits("an order", [&] { editor.enter("draft.warp_order", "4A 6B"); });
+  editor.frame();
+  const HeadlessEditor::Rect field = editor.rect("draft.warp_order"), threads = editor.rect("draft.warp_order_threads");
+  EXPECT_LE(threads.y1, field.y0);
+  EXPECT_FALSE(editor.shows("draft.warp_order_line"));
+  const float next = editor.rect("draft.weft_order").y0;
+  editor.enter("draft.warp_order", "4A 2(B");
+  editor.until("it is refused", [&] { return editor.shows("draft.warp_order_line"); });
+  EXPECT_GE(editor.rect("draft.warp_order_line").y0, field.y1);
+  EXPECT_GT(editor.rect("draft.weft_order").y0, next);
+}
+
 /// A wider stripe may make the order above a line longer: the bar waits for the mouse to let go.
 TEST_F(Orders, TheBarStaysUnderTheMouseThatDragsIt) {
   const auto height = [&](const std::string& order) {
