@@ -1,5 +1,7 @@
 """`render` makes pictures of every sample, on every kind of surface, under every light."""
 
+import json
+
 from harness import SAMPLES, CommandLineTest, main, read_png
 
 
@@ -10,13 +12,21 @@ class Render(CommandLineTest):
         self.assertEqual((width, height), (32, 24))
         return [pixel for row in rows for pixel in row]
 
+    def coarser(self, sample):
+        """A quarter of its fibres: those of a carpet take many seconds to be laid."""
+        fabric = json.loads(sample.read_text())
+        for fibre in fabric["fibres"]:
+            fibre["radius_um"] *= 2
+        (self.folder / sample.name).write_text(json.dumps(fabric))
+        return sample.name
+
     def test_every_sample_lies_flat_and_on_a_cylinder(self):
         samples = sorted(SAMPLES.glob("*.json"))
         self.assertGreaterEqual(len(samples), 7)
         for sample in samples:
             for drape in ("flat", "cylinder"):
                 with self.subTest(sample=sample.name, drape=drape):
-                    pixels = self.picture(sample, "--resolution", 2, "--drape", drape)
+                    pixels = self.picture(self.coarser(sample), "--resolution", 2, "--drape", drape)
                     self.assertGreater(len(set(pixels)), 50, "a cloth has texture")
 
     def test_every_light_shows_the_cloth(self):
