@@ -56,7 +56,7 @@ KeptView ViewFolder::read(const std::string& id) const {
   if (const auto flat = texts.find(kFlatKey); flat != texts.end())
     view.lookedAt.flat = flatViewFromJson(flat->second, file);
   if (const auto side = texts.find(kSideKey); side != texts.end()) {
-    if (side->second != kBack) throw InputError(fmt::format(words::errors::noSide, file, kBack, side->second));
+    if (side->second != kBack) throw InputError(fmt::format(words::errors::noSide, file, kSideKey, kBack));
     view.lookedAt.back = true;
   }
   if (view.picture.channels != 3) throw InputError(fmt::format(words::errors::viewWithAlpha, file));

@@ -12,21 +12,24 @@ class Render(CommandLineTest):
         self.assertEqual((width, height), (32, 24))
         return [pixel for row in rows for pixel in row]
 
-    def coarser(self, sample):
-        """A quarter of its fibres: those of a carpet take many seconds to be laid."""
+    def soon_laid(self, sample):
+        """The sample; or, of the two whose thick yarns take many seconds to be laid, a copy of a quarter of the fibres."""
+        if sample.stem not in ("carpet", "blanket"):
+            return sample
         fabric = json.loads(sample.read_text())
         for fibre in fabric["fibres"]:
             fibre["radius_um"] *= 2
-        (self.folder / sample.name).write_text(json.dumps(fabric))
-        return sample.name
+        copy = self.folder / sample.name
+        copy.write_text(json.dumps(fabric))
+        return copy
 
     def test_every_sample_lies_flat_and_on_a_cylinder(self):
         samples = sorted(SAMPLES.glob("*.json"))
         self.assertGreaterEqual(len(samples), 7)
-        for sample in samples:
+        for sample in map(self.soon_laid, samples):
             for drape in ("flat", "cylinder"):
                 with self.subTest(sample=sample.name, drape=drape):
-                    pixels = self.picture(self.coarser(sample), "--resolution", 2, "--drape", drape)
+                    pixels = self.picture(sample, "--resolution", 2, "--drape", drape)
                     self.assertGreater(len(set(pixels)), 50, "a cloth has texture")
 
     def test_every_light_shows_the_cloth(self):
