@@ -24,6 +24,8 @@ using BitsTag = hn::RebindToUnsigned<RealTag>;
 /// Which lanes something holds for.
 struct Mask {
   hn::Mask<RealTag> in;
+  HWY_INLINE Mask() {}  // not set, as a vector is not
+  HWY_INLINE Mask(hn::Mask<RealTag> m) : in(m) {}
 };
 HWY_INLINE Mask operator&(Mask a, Mask b) {
   return {hn::And(a.in, b.in)};
