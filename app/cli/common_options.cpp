@@ -24,10 +24,15 @@ void addValues(CLI::App& app, const std::string& name, const std::string& value,
       ->allow_extra_args(false);
 }
 
-void addInput(CLI::App& app, const std::string& name, std::string& input) {
-  app.add_option(name, input, "a fabric (.json, .loomlight), draft (.wif, .dtx), weave bitmap (.png) or picture (.exr)")
+void addInputFile(CLI::App& app, const std::string& name, std::string& file) {
+  app.add_option(name, file, "a fabric (.json, .loomlight), draft (.wif, .dtx), weave bitmap (.png) or picture (.exr)")
       ->type_name("")
       ->required();
+}
+
+void addInput(CLI::App& app, const std::string& name, FabricSource& input) {
+  addInputFile(app, name, input.file);
+  addWifChoices(app, input.wif);
 }
 
 void addResolution(CLI::App& app, FabricOptions& options) {

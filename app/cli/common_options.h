@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/cli/fabric_options.h"
+#include "app/cli/inputs.h"
 #include "app/cli/option_values.h"
 #include "app/cli/progress.h"
 #include "core/fabric/model/field_tables.h"
@@ -33,7 +34,9 @@ int parseWholeField(const std::string& option, const std::string& text, Number O
   return static_cast<int>(parseWhole(option, text, static_cast<int64_t>(info.min), static_cast<int64_t>(info.max)));
 }
 
-void addInput(CLI::App& app, const std::string& name, std::string& input);
+void addInputFile(CLI::App& app, const std::string& name, std::string& file);
+/// The file of a fabric, and addWifChoices().
+void addInput(CLI::App& app, const std::string& name, FabricSource& input);
 /// Whether sett and yarn counts of a draft are used: most drafts have those that some program writes by default; and
 /// whether threads that it only counts are.
 void addWifChoices(CLI::App& app, WifChoices& choices);

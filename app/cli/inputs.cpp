@@ -16,7 +16,8 @@ namespace loomlight {
 namespace {
 
 /// What was said of a draft, and which options would have taken more from it.
-FabricInput readDraft(const std::string& file, const WifChoices& choices) {
+FabricInput readDraft(const FabricSource& source) {
+  const auto& [file, choices] = source;
   WifImport import = readWifFabric(file, Fabric{}, WifSizeChoice::keep);
   FabricInput input{std::move(import.fabric), {}};
   const auto say = [&](const std::string& sentence) {
@@ -46,11 +47,12 @@ FabricInput readDraft(const std::string& file, const WifChoices& choices) {
 
 }  // namespace
 
-FabricInput readInput(const std::string& file, const WifChoices& choices) {
+FabricInput readInput(const FabricSource& source) {
+  const std::string& file = source.file;
   const std::string extension = lowerExtension(file);
   if (isFabricFile(file)) return {readFabric(file), {}};
   if (extension == ".exr") return {fabricOfPicture(file), {}};
-  if (isWeavingFile(file)) return readDraft(file, choices);
+  if (isWeavingFile(file)) return readDraft(source);
   if (extension == ".png") {
     Fabric fabric;
     fabric.name = std::filesystem::path(file).stem().string();
@@ -63,8 +65,8 @@ FabricInput readInput(const std::string& file, const WifChoices& choices) {
       file));
 }
 
-Fabric fabricFromFile(const std::string& file, const WifChoices& choices) {
-  FabricInput input = readInput(file, choices);
+Fabric fabricFrom(const FabricSource& source) {
+  FabricInput input = readInput(source);
   for (const std::string& warning : input.warnings) fmt::print(stderr, "{}\n", warning);
   return std::move(input.fabric);
 }

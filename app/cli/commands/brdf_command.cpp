@@ -25,7 +25,7 @@ std::string stemOf(const std::string& output) {
 }
 
 Fabric patch(const BrdfCommand& command) {
-  Fabric fabric = withOptions(fabricFromFile(command.input), command.options);
+  Fabric fabric = withOptions(fabricFrom(command.input), command.options);
   if (!command.options.light) {
     fabric.light = Light{};
     fabric.light.kind = LightKind::directional;
@@ -40,7 +40,7 @@ Fabric patch(const BrdfCommand& command) {
     throw UsageError("--light: expected directional, dome, back or furnace, whose irradiance is known");
   if (paperRadiance(fabric.light) < 1e-3)
     throw UsageError("--light-angle: expected light that does not graze the cloth, got almost 90 degrees or darkness");
-  validate(fabric, command.input);
+  validate(fabric, command.input.file);
   return halfDomePatch(std::move(fabric), command.grid);
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/cli/fabric_options.h"
+#include "app/cli/inputs.h"
 #include "render/colour/tone.h"
 #include "render/transport/half_dome.h"
 #include "render/transport/make_medium.h"
@@ -13,7 +14,7 @@ namespace loomlight {
 /// loomlight brdf FABRIC -o OUT: how a flat patch of the fabric reflects, seen by cameras on a half-dome (Fig. 15 of
 /// the report).
 struct BrdfCommand {
-  std::string input;
+  FabricSource input;
   std::string output;  ///< of OUT.exr, OUT.png and OUT.csv; one of these endings may be there and is left away
   FabricOptions options;
   HalfDomeGrid grid;

@@ -70,8 +70,8 @@ int run(const BvdfCommand& command) {
     throw InputError(fmt::format("{}: expected the name of tables (.exr) or of their picture (.png)", command.output));
   expectWritable(command.output);
   const Interrupt interrupt;
-  const Fabric fabric = withOptions(fabricFromFile(command.input), command.options);
-  validate(fabric, command.input);
+  const Fabric fabric = withOptions(fabricFrom(command.input), command.options);
+  validate(fabric, command.input.file);
   std::shared_ptr<const BvdfSet> set;
   {
     Progress progress("baking local visibility");

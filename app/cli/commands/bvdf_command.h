@@ -5,12 +5,13 @@
 #include <string>
 
 #include "app/cli/fabric_options.h"
+#include "app/cli/inputs.h"
 
 namespace loomlight {
 
 /// loomlight bvdf FABRIC -o OUT
 struct BvdfCommand {
-  std::string input;
+  FabricSource input;
   std::string output;  ///< .exr: the tables, and the picture beside them as .png; .png: the picture alone
   FabricOptions options;
   bool full = false;             ///< the report's 32 x 64^3 bins

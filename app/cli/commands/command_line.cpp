@@ -44,7 +44,6 @@ template <class PathCommand>
 void addPathOptions(CLI::App& app, PathCommand& command) {
   addPictureOptions(app, command.options);
   addFabricOptions(app, command.options);
-  addWifChoices(app, command.wif);
   addThreads(app, command.threads);
   addMemoryLimit(app, command.memoryLimit_bytes);
   addFibreExtent(app, command.fibreExtent);
@@ -94,6 +93,7 @@ void addRender(CLI::App& app, RenderCommand& command) {
       ->type_name("OUT")
       ->required();
   app.add_option("--list", command.list, "a text file with the name of a fabric in each line")->type_name("FILE");
+  addWifChoices(app, command.wif);
   addPartOptions(app, command.part);
   addSeriesOptions(app, command);
   addPathOptions(app, command);
@@ -107,7 +107,6 @@ void addRender(CLI::App& app, RenderCommand& command) {
 void addInfo(CLI::App& app, InfoCommand& command) {
   addInput(app, "FABRIC", command.input);
   addFabricOptions(app, command.options);
-  addWifChoices(app, command.wif);
   addValue(app, "--piece", "MxCM", "length in metres and width in cm that yarn is needed for; 10x150 where not given",
            [&command](const auto& option, const auto& text) { command.piece = parsePieceSize(option, text); });
   addValue(app, "--float-limit", "MM", "floats that are longer are listed with their places; 4 where not given",
@@ -146,7 +145,6 @@ void addConvert(CLI::App& app, ConvertCommand& command) {
                  "the lamp under which the cloth comes as near as it can to a measured swatch that it cannot reflect "
                  "like: as of colour; D65 where not given")
       ->type_name("NAME");
-  addWifChoices(app, command.wif);
 }
 
 void checkConvert(const ConvertCommand& command) {
@@ -181,7 +179,6 @@ void addTiling(CLI::App& app, TilingCommand& command) {
   addSampling(app, command.options, fmt::format("samples per pixel; {} where not given", TilingCommand::kSamples));
   addColourway(app, command.options);
   addResolution(app, command.options);
-  addWifChoices(app, command.wif);
   addThreads(app, command.threads);
   addMemoryLimit(app, command.memoryLimit_bytes);
 }
@@ -201,7 +198,6 @@ void addHandover(CLI::App& app, HandoverCommand& command) {
 
 void addSheet(CLI::App& app, SheetCommand& command) {
   addInput(app, "FABRIC", command.input);
-  addWifChoices(app, command.wif);
   app.add_option("-o,--output", command.output, "the page, a .pdf")->type_name("OUT.pdf")->required();
   app.add_flag("--colourways", command.colourways, "all colourways at 1 : 1, in the place of the sheet");
   addValue(app, "--width", "CM", "of the finished cloth; 150 where not given",
@@ -231,7 +227,7 @@ void checkSheet(const SheetCommand& command) {
 }
 
 void addThumbnail(CLI::App& app, ThumbnailCommand& command) {
-  addInput(app, "FABRIC", command.input);
+  addInputFile(app, "FABRIC", command.input);
   app.add_option("-o,--output", command.output, "the picture, a PNG whatever its name")->type_name("OUT")->required();
   addValue(app, "--size", "N", "pixels a side; 256 where not given", [&command](const auto& option, const auto& text) {
     command.side = static_cast<int>(parseWhole(option, text, 16, 2048));
@@ -282,17 +278,17 @@ ReportBenchCommand reportBench(ReportBenchCommand::Suite suite, const char* fold
 /// The words that choose a command, each with the options that it takes.
 class CommandWords {
  public:
-  /// `options`: what they are where none is given. `check`: throws UsageError for those that do not go together.
+  /// `check`: throws UsageError for those that do not go together.
   template <class Options>
   void add(CLI::App& under, const char* word, const char* help, void (*addOptions)(CLI::App&, Options&),
-           std::type_identity_t<Options> options = {}, void (*check)(const std::type_identity_t<Options>&) = nullptr) {
-    CLI::App* const app = under.add_subcommand(word, help);
-    const auto given = std::make_shared<Options>(std::move(options));
-    addOptions(*app, *given);
-    choices_.emplace_back(app, [given, check]() -> Command {
-      if (check) check(*given);
-      return *given;
-    });
+           void (*check)(const std::type_identity_t<Options>&) = nullptr) {
+    addGiven(under, word, help, addOptions, std::make_shared<Options>(), check);
+  }
+  /// `options`: what they are where none is given.
+  template <class Options>
+  void addBench(CLI::App& under, const char* word, const char* help, void (*addOptions)(CLI::App&, Options&),
+                std::type_identity_t<Options> options) {
+    addGiven<Options>(under, word, help, addOptions, std::make_shared<Options>(std::move(options)), nullptr);
   }
   /// None where no word was given.
   std::optional<Command> chosen() const {
@@ -302,27 +298,38 @@ class CommandWords {
   }
 
  private:
+  template <class Options>
+  void addGiven(CLI::App& under, const char* word, const char* help, void (*addOptions)(CLI::App&, Options&),
+                const std::shared_ptr<Options>& given, void (*check)(const Options&)) {
+    CLI::App* const app = under.add_subcommand(word, help);
+    addOptions(*app, *given);
+    choices_.emplace_back(app, [given, check]() -> Command {
+      if (check) check(*given);
+      return *given;
+    });
+  }
+
   std::vector<std::pair<CLI::App*, std::function<Command()>>> choices_;
 };
 
 void addBenches(CommandWords& words, CLI::App& benches) {
   using Suite = ReportBenchCommand::Suite;
   words.add(benches, "volume", "voxels, memory and speed at several resolutions", addVolumeBench);
-  words.add(benches, "table1", "Table 1 of the report: explicit fibres and the volume", addReportBench,
-            reportBench(Suite::table1, "bench-table1"));
-  words.add(benches, "figures", "the report's figures, ours beside explicit fibres", addReportBench,
-            reportBench(Suite::figures, "bench-figures"));
-  words.add(benches, "accuracy", "how near the volume comes to its own fibres, by every estimator", addReportBench,
-            reportBench(Suite::accuracy, "bench-accuracy"));
-  words.add(benches, "edit", "how soon the editor shows an edit, of every kind and on cloths of every size",
-            addEditBench, {"bench-edit"});
+  words.addBench(benches, "table1", "Table 1 of the report: explicit fibres and the volume", addReportBench,
+                 reportBench(Suite::table1, "bench-table1"));
+  words.addBench(benches, "figures", "the report's figures, ours beside explicit fibres", addReportBench,
+                 reportBench(Suite::figures, "bench-figures"));
+  words.addBench(benches, "accuracy", "how near the volume comes to its own fibres, by every estimator", addReportBench,
+                 reportBench(Suite::accuracy, "bench-accuracy"));
+  words.addBench(benches, "edit", "how soon the editor shows an edit, of every kind and on cloths of every size",
+                 addEditBench, {"bench-edit"});
   words.add(benches, "ui", "how long the window's thread does anything but draw while all is rebuilt", addUi);
-  words.add(benches, "converge", "how fast pictures converge, with each way of sampling paths on and off",
-            addConvergeBench, {"bench-converge"});
-  words.add(benches, "clear", "how soon after an edit the editor's picture is clear, on every drape and light",
-            addClearBench, {"bench-clear"});
-  words.add(benches, "cloths", "what the trade says of cloths that have a name, beside what ours turn out as",
-            addClothsBench, {"bench-cloths"});
+  words.addBench(benches, "converge", "how fast pictures converge, with each way of sampling paths on and off",
+                 addConvergeBench, {"bench-converge"});
+  words.addBench(benches, "clear", "how soon after an edit the editor's picture is clear, on every drape and light",
+                 addClearBench, {"bench-clear"});
+  words.addBench(benches, "cloths", "what the trade says of cloths that have a name, beside what ours turn out as",
+                 addClothsBench, {"bench-cloths"});
 }
 
 }  // namespace
@@ -336,16 +343,15 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   addEdit(app, edit.options);
   addEdit(*app.add_subcommand("edit", "open the editor (also without this word)"), edit.options);
   CommandWords commands;
-  commands.add(app, "render", "render a fabric to a picture", addRender, {}, checkRender);
-  commands.add(app, "merge", "put together what was rendered in parts, to the bit of one run", addMerge, {},
-               checkMerge);
+  commands.add(app, "render", "render a fabric to a picture", addRender, checkRender);
+  commands.add(app, "merge", "put together what was rendered in parts, to the bit of one run", addMerge, checkMerge);
   commands.add(app, "info", "what follows from a fabric: mass, cover, floats, voxels", addInfo);
-  commands.add(app, "convert", "between fabrics, drafts and weave bitmaps", addConvert, {}, checkConvert);
+  commands.add(app, "convert", "between fabrics, drafts and weave bitmaps", addConvert, checkConvert);
   commands.add(app, "tile", "a seamless tile for other programs: color, normal, height, opacity", addTile);
   commands.add(app, "handover", "both sides for CLO, Browzwear, Blender and others: U3M, glTF, MaterialX, maps",
                addHandover);
   commands.add(app, "sheet", "a page for the mill: cloth at 1 : 1, draft, colour orders, yarns, sett, mass", addSheet,
-               {}, checkSheet);
+               checkSheet);
   commands.add(app, "colour", "what a spectrophotometer and a light booth say of a cloth, alone or beside a standard",
                addColour);
   commands.add(app, "thumbnail", "a small picture of the weave, for file managers", addThumbnail);
@@ -353,13 +359,13 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   bool keysAlone = false;
   CLI::App* const schemas = app.add_subcommand("schema", "what a fabric's file may say, as a JSON schema");
   schemas->add_flag("--keys", keysAlone, "a list of all keys, for people");
-  commands.add(app, "brdf", "how a flat patch reflects, seen from a half-dome of cameras", addBrdf, {}, checkBrdf);
+  commands.add(app, "brdf", "how a flat patch reflects, seen from a half-dome of cameras", addBrdf, checkBrdf);
   CLI::App* const benches =
       app.add_subcommand("bench", "measure: what a volume costs, or the report's table and figures");
   std::vector<std::string> noSuite;  // what stands where a suite should
   benches->add_option("SUITE", noSuite)->group("");
   addBenches(commands, *benches);
-  commands.add(app, "compare", "how far a picture is from its reference", addCompare, {}, checkCompare);
+  commands.add(app, "compare", "how far a picture is from its reference", addCompare, checkCompare);
   commands.add(app, "bvdf", "bake the local visibility of a fabric's yarns (Fig. 8)", addBvdf);
 
   try {

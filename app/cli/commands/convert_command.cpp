@@ -25,23 +25,23 @@ namespace {
 Fabric fabricFromPicture(const ConvertCommand& command) {
   std::vector<Weave> structures;
   for (const MadeStructure& structure : command.colours) structures.push_back(structure.weave);
-  const WovenPicture woven = readWovenPicture(command.input, structures, command.repeat);
+  const WovenPicture woven = readWovenPicture(command.input.file, structures, command.repeat);
   for (size_t i = 0; i < structures.size(); ++i) {
     const Rgb8& colour = woven.picture.palette[i];
     fmt::print("#{:02x}{:02x}{:02x}, {:.1f} %: {}\n", colour[0], colour[1], colour[2], 100 * woven.picture.shares[i],
                command.colours[i].name);
   }
   Fabric fabric;
-  fabric.name = std::filesystem::path(command.input).stem().string();
+  fabric.name = std::filesystem::path(command.input.file).stem().string();
   return rewoven(fabric, woven.weave, {}).fabric;
 }
 
 }  // namespace
 
 int run(const ConvertCommand& command) {
-  Fabric fabric = command.colours.empty() ? fabricFromFile(command.input, command.wif) : fabricFromPicture(command);
+  Fabric fabric = command.colours.empty() ? fabricFrom(command.input) : fabricFromPicture(command);
   if (!command.like.empty()) {
-    Fabric like = fabricFromFile(command.like);
+    Fabric like = fabricFrom({command.like, {}});
     like.name = fabric.name;
     like.weave = fabric.weave;
     like.draft = fabric.draft;
@@ -51,7 +51,8 @@ int run(const ConvertCommand& command) {
   if (command.structure) fabric = withStructure(fabric, {}, *command.structure, {}).fabric;
   if (!command.clothColours.empty()) {
     expectWritable(command.output);
-    auto inColour = dyed(std::move(fabric), command.clothColours, command.illuminant.value_or("D65"), command.input);
+    auto inColour =
+        dyed(std::move(fabric), command.clothColours, command.illuminant.value_or("D65"), command.input.file);
     if (!inColour) return Interrupt::kExitStatus;
     fabric = std::move(*inColour);
   }

@@ -31,7 +31,7 @@ bool handOver(const HandoverPart& part, const HandoverCommand& command, const In
 }  // namespace
 
 int run(const HandoverCommand& command) {
-  Fabric fabric = fabricFromFile(command.input, command.wif);
+  Fabric fabric = fabricFrom(command.input);
   fabric.render.samplesPerPixel = HandoverCommand::kSamples;
   fabric = withOptions(std::move(fabric), command.options);
   const Interrupt interrupt;

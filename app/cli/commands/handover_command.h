@@ -3,8 +3,8 @@
 #include <string>
 
 #include "app/cli/fabric_options.h"
+#include "app/cli/inputs.h"
 #include "app/export/handover/digital_cloth.h"
-#include "core/fabric/wif/wif_fabric.h"
 #include "render/transport/make_medium.h"
 
 namespace loomlight {
@@ -13,12 +13,11 @@ namespace loomlight {
 struct HandoverCommand {
   static constexpr int kSamples = 32;  ///< a pixel, for each of four pictures
 
-  std::string input;
+  FabricSource input;
   std::string folder;  ///< made where there is none; the files are named after the fabric
   DigitalClothOrder order;
   FabricOptions options;       ///< samples, seed, method, colourway, resolution
   bool allColourways = false;  ///< each in a folder of its own, beside that of the fabric's own colours
-  WifChoices wif;              ///< of a draft
   int threads = 0;             ///< 0: all
   double memoryLimit_bytes = defaultMemoryLimit_bytes();
 };

@@ -284,9 +284,9 @@ void printTable(const Fabric& fabric, const Information& of) {
 
 int run(const InfoCommand& command) {
   const Interrupt interrupt;
-  FabricInput input = readInput(command.input, command.wif);
+  FabricInput input = readInput(command.input);
   Fabric fabric = withOptions(std::move(input.fabric), command.options);
-  validate(fabric, command.input);
+  validate(fabric, command.input.file);
   const auto named = std::make_shared<const Fabric>(fabric);  // under its own lamps
   fabric.light = Light{};
   fabric.light.kind = LightKind::dome;  // no figure depends on light, so no environment need be loaded

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "app/cli/fabric_options.h"
-#include "core/fabric/wif/wif_fabric.h"
+#include "app/cli/inputs.h"
 #include "core/fabric/yarn/long_floats.h"
 #include "core/fabric/yarn/yarn_need.h"
 
@@ -11,9 +11,8 @@ namespace loomlight {
 
 /// loomlight info FABRIC: what follows from a fabric, without a picture.
 struct InfoCommand {
-  std::string input;
+  FabricSource input;
   FabricOptions options;
-  WifChoices wif;
   PieceSize piece;                             ///< that yarn is needed for
   double floatLimit_mm = kUsualFloatLimit_mm;  ///< longer floats are listed; 0.1..100
   bool json = false;

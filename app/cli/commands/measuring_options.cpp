@@ -127,7 +127,7 @@ void addBvdf(CLI::App& app, BvdfCommand& command) {
 }
 
 void addColour(CLI::App& app, ColourCommand& command) {
-  addInput(app, "FABRIC", command.sample.file);
+  addInputFile(app, "FABRIC", command.sample.file);
   app.add_option("--part", command.sample.part,
                  "only where this lies on top: a yarn's or a fibre's name, or its number, as 'yarn 2' or 1 of a fibre; "
                  "all of the piece where not given")

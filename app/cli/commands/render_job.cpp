@@ -77,7 +77,7 @@ Begun begin(const RenderCommand& command, const RenderJob& job) {
   std::optional<PicturePart> part;
   if (!command.resume.empty()) part = readPart(command.resume);
   Fabric fabric =
-      withOptions(job.input.empty() ? part->info.fabric : fabricFromFile(job.input, command.wif), command.options);
+      withOptions(job.input.empty() ? part->info.fabric : fabricFrom({job.input, command.wif}), command.options);
   if (job.frame) fabric = inFrame(std::move(fabric), command.turn.value_or(Turntable{}), *job.frame);
   validate(fabric, job.input.empty() ? command.resume : job.input);
   const RenderSettings settings = fabric.render;

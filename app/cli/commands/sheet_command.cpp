@@ -22,7 +22,7 @@ std::vector<ClothStandard> standardsOf(const SheetCommand& command, const Fabric
     ClothStandard& standard = standards.emplace_back();
     if (!choice.part.empty())
       standard.part =
-          partNamed(choice.part, fabric, NamedParts::yarnsAndFibres, fmt::format("{}: --standard", command.input));
+          partNamed(choice.part, fabric, NamedParts::yarnsAndFibres, fmt::format("{}: --standard", command.input.file));
     standard.of = standard.part == wholePiece() ? "Cloth" : partText(standard.part, fabric);
     const MeasuredSwatch swatch = swatchFrom(choice.swatch);
     standard.name = swatch.name;
@@ -50,7 +50,7 @@ StandardChoice standardChoice(const std::string& text) {
 
 int run(const SheetCommand& command) {
   Stopwatch whole;
-  const Fabric fabric = fabricFromFile(command.input, command.wif);
+  const Fabric fabric = fabricFrom(command.input);
   ClothSheetOptions options = command.options;
   options.standards = standardsOf(command, fabric);
   const Interrupt interrupt;

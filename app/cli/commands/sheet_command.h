@@ -3,19 +3,18 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/inputs.h"
 #include "app/export/cloth_sheet.h"
-#include "core/fabric/wif/wif_fabric.h"
 
 namespace loomlight {
 
 /// loomlight sheet FABRIC -o OUT.pdf
 struct SheetCommand {
-  std::string input;
+  FabricSource input;
   std::string output;
   ClothSheetOptions options;           ///< but for the standards
   std::vector<std::string> standards;  ///< a swatch (swatchFrom()) for the piece, or PART=SWATCH (partNamed())
   bool colourways = false;             ///< all of them at 1 : 1, in the place of the sheet of the cloth
-  WifChoices wif;                      ///< of a draft
   int threads = 0;                     ///< 0: all
 };
 

@@ -7,7 +7,7 @@
 namespace loomlight {
 
 int run(const ThumbnailCommand& command) {
-  const Fabric fabric = fabricFromFile(command.input);
+  const Fabric fabric = fabricFrom({command.input, {}});
   writePng(command.output, draftPicture(fabric, *soonReachedColours(fabric, Task{}), command.side));
   return 0;
 }

@@ -15,7 +15,7 @@
 namespace loomlight {
 int run(const TileCommand& command) {
   Stopwatch whole;
-  Fabric fabric = fabricFromFile(command.input, command.wif);
+  Fabric fabric = fabricFrom(command.input);
   fabric.render.samplesPerPixel = TileCommand::kSamples;
   fabric = withOptions(std::move(fabric), command.options);
   std::error_code failed;

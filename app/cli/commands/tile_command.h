@@ -3,8 +3,8 @@
 #include <string>
 
 #include "app/cli/fabric_options.h"
+#include "app/cli/inputs.h"
 #include "app/export/tile.h"
-#include "core/fabric/wif/wif_fabric.h"
 #include "render/transport/make_medium.h"
 
 namespace loomlight {
@@ -13,11 +13,10 @@ namespace loomlight {
 struct TileCommand {
   static constexpr int kSamples = 128;
 
-  std::string input;
+  FabricSource input;
   std::string folder;  ///< made where there is none; the files are named after the fabric
   TileOrder order;
   FabricOptions options;  ///< samples, seed, method, colourway, resolution
-  WifChoices wif;         ///< of a draft
   int threads = 0;        ///< 0: all
   double memoryLimit_bytes = defaultMemoryLimit_bytes();
 };

@@ -14,9 +14,8 @@
 namespace loomlight {
 
 int run(const TraceCommand& command) {
-  auto fabric =
-      std::make_shared<const Fabric>(withOptions(fabricFromFile(command.input, command.wif), command.options));
-  validate(*fabric, command.input);
+  auto fabric = std::make_shared<const Fabric>(withOptions(fabricFrom(command.input), command.options));
+  validate(*fabric, command.input.file);
   const RenderSettings& settings = fabric->render;
   const PixelChoice pixel = command.pixel;
   if (pixel.x >= settings.width || pixel.y >= settings.height)

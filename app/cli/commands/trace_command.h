@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/cli/fabric_options.h"
+#include "app/cli/inputs.h"
 #include "render/transport/make_medium.h"
 
 namespace loomlight {
@@ -11,9 +12,8 @@ namespace loomlight {
 /// loomlight trace FABRIC --pixel X,Y --sample N: the path of one sample of one pixel again, in words. With the options
 /// that a picture was rendered with, or with the picture itself as FABRIC, it is the very path that this picture holds.
 struct TraceCommand {
-  std::string input;
+  FabricSource input;
   FabricOptions options;
-  WifChoices wif;
   PixelChoice pixel;
   uint32_t sample = 0;
   int threads = 0;  ///< to build with; 0: all

@@ -31,6 +31,17 @@ class Sheet(CommandLineTest):
                 self.assertIn(expected, self.run_program(*words, "--standard", standard, status=1))
         self.run_program(*words, "--colourways", "--standard", "book.csv", status=2)
 
+    def test_a_draft_has_the_sett_of_its_file_where_that_is_asked_for(self):
+        self.run_program("convert", self.fabric(ends_per_cm=31, picks_per_cm=27), "draft.wif")
+        pages = {}
+        for sizes in ("file", "keep"):
+            self.run_program("convert", "draft.wif", f"{sizes}.json", "--wif-sizes", sizes)
+            for source in ("draft.wif", f"{sizes}.json"):
+                self.run_program("sheet", source, "--wif-sizes", sizes, "-o", "page.pdf", "--spp", "1")
+                pages[source, sizes] = self.bytes_of("page.pdf")
+            self.assertEqual(pages["draft.wif", sizes], pages[f"{sizes}.json", sizes])
+        self.assertNotEqual(pages["draft.wif", "file"], pages["draft.wif", "keep"])
+
     def test_it_is_a_pdf(self):
         self.assertIn(".pdf", self.run_program("sheet", self.fabric(), "-o", "sheet.txt", status=1))
 
