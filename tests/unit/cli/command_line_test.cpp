@@ -121,22 +121,22 @@ TEST(CommandLine, ASkyHasItsSunAboveTheHorizon) {
 
 TEST(CommandLine, InfoConvertAndBench) {
   const auto info = parsed<InfoCommand>({"info", "a.json", "--json", "--resolution", "2"});
-  EXPECT_EQ(info.input, "a.json");
+  EXPECT_EQ(info.input.file, "a.json");
   EXPECT_TRUE(info.json);
   EXPECT_EQ(info.options.resolution, 2);
   const auto convert = parsed<ConvertCommand>({"convert", "a.png", "b.json", "--like", "c.json"});
-  EXPECT_EQ(convert.input, "a.png");
+  EXPECT_EQ(convert.input.file, "a.png");
   EXPECT_EQ(convert.output, "b.json");
   EXPECT_EQ(convert.like, "c.json");
-  EXPECT_EQ(convert.wif.sizes, WifSizeChoice::keep);
-  EXPECT_EQ(parsed<ConvertCommand>({"convert", "a.wif", "b.json", "--wif-sizes", "file"}).wif.sizes,
+  EXPECT_EQ(convert.input.wif.sizes, WifSizeChoice::keep);
+  EXPECT_EQ(parsed<ConvertCommand>({"convert", "a.wif", "b.json", "--wif-sizes", "file"}).input.wif.sizes,
             WifSizeChoice::file);
-  EXPECT_EQ(parsed<InfoCommand>({"info", "a.wif", "--wif-sizes", "file"}).wif.sizes, WifSizeChoice::file);
+  EXPECT_EQ(parsed<InfoCommand>({"info", "a.wif", "--wif-sizes", "file"}).input.wif.sizes, WifSizeChoice::file);
   const PieceSize piece = parsed<InfoCommand>({"info", "a.json", "--piece", "2.5x90"}).piece;
   EXPECT_DOUBLE_EQ(piece.length_m, 2.5);
   EXPECT_DOUBLE_EQ(piece.width_cm, 90);
   EXPECT_DOUBLE_EQ(info.piece.length_m, PieceSize{}.length_m);
-  EXPECT_EQ(parsed<ConvertCommand>({"convert", "a.wif", "b.json", "--wif-threads", "named"}).wif.threads,
+  EXPECT_EQ(parsed<ConvertCommand>({"convert", "a.wif", "b.json", "--wif-threads", "named"}).input.wif.threads,
             WifThreadChoice::named);
   EXPECT_THAT(complaint({"convert", "a.wif", "b.json", "--wif-threads", "some"}), HasSubstr("--wif-threads: expected"));
   EXPECT_THAT(complaint({"convert", "a.wif", "b.json", "--wif-sizes", "mine"}), HasSubstr("--wif-sizes: expected"));
@@ -167,7 +167,9 @@ TEST(CommandLine, ConvertTakesSeveralColoursOfTheCloth) {
 TEST(CommandLine, BrdfTakesCamerasAndALight) {
   const auto brdf = parsed<BrdfCommand>(
       {"brdf", "a.json", "-o", "out", "--light-angle", "45", "--cameras", "32x8", "--spp", "99", "--method", "fibres"});
-  EXPECT_EQ(brdf.input, "a.json");
+  EXPECT_EQ(brdf.input.file, "a.json");
+  EXPECT_EQ(parsed<BrdfCommand>({"brdf", "a.wif", "--wif-sizes", "file", "-o", "b"}).input.wif.sizes,
+            WifSizeChoice::file);
   EXPECT_EQ(brdf.output, "out");
   EXPECT_DOUBLE_EQ(brdf.lightAngle_deg.value(), 45);
   EXPECT_EQ(brdf.grid.azimuths, 32);
