@@ -147,6 +147,8 @@ void layBody(const YarnModel& yarn, const std::vector<Station>& stations, Strand
   }
 }
 
+constexpr double kWrapStep = 0.5;  // radians: chords stay within 3 % of the radius
+
 /// A loose fibre has its points at the stations too, and at its ends.
 void layFlyaway(const YarnModel& yarn, const Flyaway& flyaway, double shift, const std::vector<Station>& stations,
                 std::vector<glm::vec3>& line, StrandClipper& clipper) {
@@ -169,8 +171,13 @@ void layFlyaway(const YarnModel& yarn, const Flyaway& flyaway, double shift, con
   for (size_t i = 0; i + 1 < stations.size(); ++i) {
     const Station &a = stations[i], &b = stations[i + 1];
     if (b.t <= start || a.t >= end) continue;
-    if (line.empty()) place(a, b, std::max(start, a.t));
-    place(a, b, std::min(end, b.t));
+    const double from = std::max(start, a.t), to = std::min(end, b.t);
+    if (line.empty()) place(a, b, from);
+    // Wrapper fibres go around between stations.
+    const double turned = std::abs(flyaway.angleSpan) * (to - from) / (end - start);
+    const int steps = 1 + static_cast<int>(turned / kWrapStep);
+    for (int k = 1; k < steps; ++k) place(a, b, from + (to - from) * k / steps);
+    place(a, b, to);
   }
   clipper.add(line, 0, true);
 }

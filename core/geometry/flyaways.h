@@ -18,12 +18,14 @@ struct Flyaway {
   double drift_mm = 0;              ///< where it lies: how far across the yarn it goes
   double curl = 0;                  ///< where it lies: how far it swings aside on the way, as a share of that
   bool loop = false, lies = false;
+  bool isRaised = false;   ///< of one that lies: it leans, and rises to its tip
   bool backwards = false;  ///< rises towards its start
 };
 
 /// The loose fibres of one period: hairinessPerMm of them, three in five ends and the rest loops (the ratio of Zhao's
-/// cotton), reaching an exponentially distributed distance of at most hairLength; four ends in five lie. Fewer where
-/// they would be more than kMaxFlyaways, or longer in all than `budget_mm`. A pure function of its arguments.
+/// cotton), reaching an exponentially distributed distance of at most hairLength; four ends in five lie, or all are
+/// raised (HairLie). Then the wrapper fibres, whose turns keep to the surface. Fewer of either where they would be more
+/// than kMaxFlyaways, or longer in all than `budget_mm`. A pure function of its arguments.
 std::vector<Flyaway> placeFlyaways(const YarnGeometry& geometry, double budget_mm);
 inline constexpr int kMaxFlyaways = 4096;
 

@@ -158,6 +158,7 @@ YarnGeometry outlineYarn(const Yarn& yarn, const Fibre& fibre, double pitch_mm, 
   g.disorder = std::tan(yarn.fibreDisorder_deg * kPi / 180);
   g.hairiness_per_mm = yarn.hairiness_per_mm;
   g.hairLength_mm = yarn.hairiness_per_mm > 0 ? yarn.hairLength_mm : 0.0;
+  g.wrappers_per_mm = isMonofilament(yarn) ? 0.0 : 0.1 * yarn.wrappers_per_cm;
   g.evenness = evennessOf(yarn);
   g.layout = yarn.layout;
   setPlyRadius(g, plyRadius_mm(g, yarn, fibre));
@@ -169,7 +170,8 @@ YarnGeometry outlineYarn(const Yarn& yarn, const Fibre& fibre, double pitch_mm, 
 void resolveTwist(YarnGeometry& g, const Yarn& yarn, double cellLength_mm) {
   g.cellLength_mm = cellLength_mm;
   const Twist twist = possibleTwist(g, yarn, cellLength_mm);
-  const bool varied = g.migration > 0 || g.disorder > 0 || g.hairiness_per_mm > 0 || !g.evenness.isEven();
+  const bool varied =
+      g.migration > 0 || g.disorder > 0 || g.hairiness_per_mm > 0 || g.wrappers_per_mm > 0 || !g.evenness.isEven();
   double best = -1;
   for (int period = varied ? kMinVariedPeriod : kMinPeriod; period <= kMaxPeriod; ++period) {
     const double length_mm = cellLength_mm * period;

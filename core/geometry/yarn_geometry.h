@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/fabric/model/fabric.h"
+#include "core/fabric/model/finish.h"
 #include "core/geometry/pressing.h"
 #include "core/geometry/spool.h"
 
@@ -39,6 +40,8 @@ struct YarnGeometry {
   double disorder = 0;  ///< of fibres, to their helix: RMS slope, along either axis
   double hairiness_per_mm = 0;
   double hairLength_mm = 0;
+  HairLie hairLie;
+  double wrappers_per_mm = 0;
   Evenness evenness;
   FibreLayout layout = FibreLayout::packed;
   uint64_t seed = 0;

@@ -111,7 +111,7 @@ void laySections(YarnModel& m, const Task& task) {
 
 void placeLooseFibres(YarnModel& m, double budget_mm) {
   const YarnGeometry& g = m.geometry;
-  if (g.hairiness_per_mm > 0) m.flyaways = placeFlyaways(g, budget_mm);
+  if (g.hairiness_per_mm > 0 || g.wrappers_per_mm > 0) m.flyaways = placeFlyaways(g, budget_mm);
   m.flyawaysAt.resize(static_cast<size_t>(g.period));
   for (int phase = 0; phase < g.period; ++phase)
     for (size_t i = 0; i < m.flyaways.size(); ++i)
@@ -124,10 +124,10 @@ void placeLooseFibres(YarnModel& m, double budget_mm) {
 double looseLength_mm(const YarnModel& m) {
   double total = 0;
   for (const Flyaway& f : m.flyaways) {
-    constexpr int kSteps = 16;
+    const int steps = 16 + static_cast<int>(2 * std::abs(f.angleSpan));  // six to a turn, and a few
     const AxisPosition straight{0, 0, 0, m.geometry.usual()};
-    for (int i = 0; i < kSteps; ++i) {
-      const auto at = [&](int k) { return f.start + (f.end - f.start) * k / kSteps; };
+    for (int i = 0; i < steps; ++i) {
+      const auto at = [&](int k) { return f.start + (f.end - f.start) * k / steps; };
       const glm::dvec2 d =
           flyawayOffset(f, m.geometry, at(i + 1), straight) - flyawayOffset(f, m.geometry, at(i), straight);
       const double ds = (at(i + 1) - at(i)) * m.geometry.cellLength_mm;

@@ -8,6 +8,7 @@
 
 #include "core/base/hash.h"
 #include "core/base/stopwatch.h"
+#include "core/fabric/model/finish.h"
 #include "core/fabric/model/yarn_count.h"
 #include "render/scene/cells_in_view.h"
 #include "render/scene/fibre_bricks.h"
@@ -60,7 +61,7 @@ std::vector<Material> makeMaterials(const Fabric& fabric, const SceneBase& base)
   const std::vector<int>& changed = base.edit.fibres;
   std::vector<Material> materials;
   for (size_t i = 0; i < fabric.fibres.size(); ++i) {
-    const Fibre& fibre = fabric.fibres[i];
+    const Fibre fibre = withFinishedSurface(fabric.fibres[i], fabric);
     const bool known = base.scene && !std::binary_search(changed.begin(), changed.end(), static_cast<int>(i));
     materials.push_back(
         known ? base.scene->cloth->materials[i]
@@ -77,9 +78,11 @@ std::vector<YarnOptics> makeYarnOptics(const Fabric& fabric, const ClothGeometry
     const int index = static_cast<int>(i);
     const YarnCellKey key = system == System::warp ? geometry.key(system, 0, index) : geometry.key(system, index, 0);
     const Yarn& yarn = fabric.yarns[sequence[i]];
-    optics[sequence[i]] = {yarn.fibre, yarn.layout == FibreLayout::packed,
+    optics[sequence[i]] = {yarn.fibre,
+                           yarn.layout == FibreLayout::packed,
                            static_cast<float>(geometry.yarn(system, key.yarn).fibreRadius_mm),
                            yarn.blendFibre.value_or(yarn.fibre),
+                           static_cast<float>(0.01 * yarn.shadeVariation_percent),
                            static_cast<float>(blendNumberShare(yarn, fabric.fibres))};
   }
   return optics;

@@ -26,6 +26,7 @@ struct YarnOptics {
   bool packed = false;       ///< FibreLayout::packed: its fibres do not overlap
   float fibreRadius_mm = 0;  ///< of an even yarn: uneven ones have more of them where they are thick
   int blendMaterial = 0;     ///< the second material of a blended yarn (Yarn::blendFibre)
+  float shadeVariation = 0;  ///< of its threads (thread_shade.h), 0..1
   float blendShare = 0;      ///< how many of its fibres are of that one, by number, 0..1; 0: no blend
 };
 

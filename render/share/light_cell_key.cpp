@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/hash.h"
+#include "render/scene/thread_shade.h"
 
 // How it works. A key is a hash that grows from level to level: yarn, fibre and the side seen; then edges near by and
 // how the cloth lies; then the crossings around and a block of voxels; then the voxel. The key as it stands at each
@@ -89,6 +90,7 @@ LightCellPath LightCellKeys::of(const Collision& first, glm::vec2 jitter) {
   level(0);
   key = hashCombine(hashCombine(hashCombine(key, static_cast<int>(first.yarnId.system)), first.yarn), first.material);
   key = hashCombine(key, sideOf(toEye));
+  if (first.optics.shadeVariation > 0) key = hashCombine(key, shadeClass(first.yarnId.system, first.yarnId.index));
   level(1);
   key = hashCombine(hashCombine(key, edges(first.pick, first.end)), lie);
   level(2);

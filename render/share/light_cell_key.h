@@ -24,7 +24,8 @@ inline constexpr uint64_t kLightCellLevelBits = 7;
 ///
 /// Places in one cell agree in:
 /// - level 0: nothing
-/// - level 1: warp or weft, yarn, material, the side of the cloth frame that the eye is on (6)
+/// - level 1: warp or weft, yarn, material, how deeply the thread is dyed, the side of the cloth frame that the eye is
+///   on (6)
 /// - level 2: the cut edges that are near; how the cloth lies in the world, in steps of some 14 degrees
 /// - level 3: which side the yarns cross on here and around (3 x 3), which yarns they are, block of 4 x 4 x 4 voxels
 /// - level 4: voxel

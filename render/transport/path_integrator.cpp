@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "render/optics/fibre_frame.h"
+#include "render/scene/thread_shade.h"
 
 // How it works. Many paths go on side by side, one event at a time, so that the medium can walk them in vector
 // registers: all fly to their next fibre (fly), a lamp is looked for from each (sampleLights), and each fibre sends its
@@ -32,6 +33,12 @@ int likelyOrder(const FibreBcsdf::Value& value, Random& random) {
   return order;
 }
 
+/// Factor on the absorption of the thread that was met.
+float shadeOf(const Collision& at) {
+  const float variation = at.optics.shadeVariation;
+  return variation > 0 ? shadeFactor(variation, shadeClass(at.yarnId.system, at.yarnId.index)) : 1.0f;
+}
+
 /// Balance heuristic (Veach 1997).
 float misWeight(float own, float other) {
   return own / (own + other);
@@ -43,13 +50,15 @@ struct PathIntegrator::Event {
   const Collision& at;
   const FibreBcsdf& bcsdf;
   FibreFrame frame;
-  glm::vec3 wo;  ///< in the fibre's frame
+  glm::vec3 wo;    ///< in the fibre's frame
+  float depth_mm;  ///< the fibre's radius, times how deeply its thread is dyed
 
   Event(const Collision& collision, const Scene& scene)
       : at(collision),
         bcsdf(*scene.cloth->materials[static_cast<size_t>(collision.material)].bcsdf),
         frame(collision.tangent),
-        wo(frame.toLocal(-collision.incoming)) {}
+        wo(frame.toLocal(-collision.incoming)),
+        depth_mm(collision.optics.fibreRadius_mm * shadeOf(collision)) {}
 };
 
 PathIntegrator::PathIntegrator(const Scene& scene, const Medium& medium, const PathSampling& sampling, size_t most)
@@ -151,7 +160,7 @@ bool PathIntegrator::sampleLight(uint32_t path, Random& random, ShadowRay& ray, 
   }
   ray = {path, light->wi, light->distance, &random};
   lamp = {light->radiance, sum / static_cast<float>(count), chance * light->pdf * value.sum(),
-          PathLight{Rgb(0), value.q, at.material, value.chord * at.optics.fibreRadius_mm, value.inside}};
+          PathLight{Rgb(0), value.q, at.material, value.chord * event.depth_mm, value.inside}};
   return true;
 }
 
@@ -221,7 +230,7 @@ void PathIntegrator::scatter(std::span<PathStart> paths) {
     const Event event(*state.at, scene_);
     const FibreBcsdf::Sample scattered = lamps_ ? event.bcsdf.sample(event.wo, event.at.offset, random)
                                                 : event.bcsdf.sampleWithoutPdf(event.wo, event.at.offset, random);
-    lengths_mm(path)[static_cast<size_t>(event.at.material)] += scattered.length * event.at.optics.fibreRadius_mm;
+    lengths_mm(path)[static_cast<size_t>(event.at.material)] += scattered.length * event.depth_mm;
     if (sampling_.roulette && state.events > kRouletteAfter && !survives(path, random)) {
       sink.ends(PathEnd::roulette);
       continue;

@@ -46,6 +46,9 @@ bool finishRows(Ui& ui, Fabric& fabric) {
   heading(ui, words::clothPage::finish);
   bool changed = memberField(ui, "cloth", fabric, &Fabric::press, 2);
   changed |= memberField(ui, "cloth", fabric, &Fabric::crimpBalance, 2);
+  changed |= switchField(ui, rowText("cloth", &Fabric::singed), fabric.singed);
+  changed |= switchField(ui, rowText("cloth", &Fabric::brushed), fabric.brushed);
+  changed |= switchField(ui, rowText("cloth", &Fabric::mercerised), fabric.mercerised);
   return changed;
 }
 

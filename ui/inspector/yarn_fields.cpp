@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/fresh_name.h"
+#include "core/fabric/model/finish.h"
 #include "core/fabric/model/validate.h"
 #include "core/fabric/model/yarn_count.h"
 #include "core/fabric/yarn/presets.h"
@@ -177,6 +178,25 @@ bool evennessRows(Ui& ui, Yarn& yarn) {
   changed |= memberField(ui, "yarn", yarn, &Yarn::slubLength_mm, 0);
   changed |= memberField(ui, "yarn", yarn, &Yarn::slubRatio, 2);
   return changed;
+}
+
+bool hairRows(Ui& ui, const Fibre& fibre, Yarn& yarn) {
+  bool changed = memberField(ui, "yarn", yarn, &Yarn::hairiness_per_mm, 1, 0.05);
+  if (yarn.hairiness_per_mm > 0) {
+    changed |= memberField(ui, "yarn", yarn, &Yarn::hairLength_mm, 2);
+    NumberStyle style;
+    style.max = std::max(40.0, hairinessH(yarn, fibre));
+    style.decimals = 1;
+    style.perPixel = 0.05;
+    double wanted = hairinessH(yarn, fibre);
+    if (numberField(ui, {"yarn.hairiness_h", words::hairinessH}, style, wanted)) {
+      yarn = withHairinessH(std::move(yarn), fibre, wanted);
+      changed = true;
+    }
+    readout(ui, {"yarn.mean_hair", words::meanHairLength},
+            fmt::format("{:.2f} mm", meanHairLength_mm(yarn.hairLength_mm, yarnDiameter_mm(yarn, fibre))));
+  }
+  return changed | memberField(ui, "yarn", yarn, &Yarn::wrappers_per_cm, 1, 0.05);
 }
 
 bool bulkRows(Ui& ui, const Fibre& fibre, Yarn& yarn) {

@@ -16,6 +16,8 @@ bool twistRows(Ui& ui, const Fibre& fibre, TradeUnits& units, Yarn& yarn);
 void twistNewStrands(const Yarn& before, Yarn& yarn);
 /// Packing, and the diameter that goes with it: either can be set, and the other follows.
 bool bulkRows(Ui& ui, const Fibre& fibre, Yarn& yarn);
+/// Its loose and its wrapper fibres. The hairiness can be set by the number of hairs, or by H.
+bool hairRows(Ui& ui, const Fibre& fibre, Yarn& yarn);
 /// How evenly it is spun, and its slubs.
 bool evennessRows(Ui& ui, Yarn& yarn);
 /// What it is spun of, one fibre or a blend of two; a new one can be added to the list for that.

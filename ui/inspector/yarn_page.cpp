@@ -98,9 +98,9 @@ std::optional<Fabric> yarnPage(Ui& ui, const Fabric& fabric, const InspectorMode
   changed |= memberChoice(ui, "yarn", yarn, &Yarn::layout, layoutNames());
   changed |= memberField(ui, "yarn", yarn, &Yarn::migration, 2);
   changed |= memberField(ui, "yarn", yarn, &Yarn::fibreDisorder_deg, 1);
-  changed |= memberField(ui, "yarn", yarn, &Yarn::hairiness_per_mm, 1, 0.05);
-  if (yarn.hairiness_per_mm > 0) changed |= memberField(ui, "yarn", yarn, &Yarn::hairLength_mm, 2);
+  changed |= hairRows(ui, fibre, yarn);
   changed |= evennessRows(ui, yarn);
+  changed |= memberField(ui, "yarn", yarn, &Yarn::shadeVariation_percent, 1, 0.05);
   visibilitySection(ui, model.visibility, view.visibilityOpen);
   if (filled || !changed) return filled;
   twistNewStrands(fabric.yarns[static_cast<size_t>(view.yarn)], yarn);

@@ -23,6 +23,8 @@ Fabric plainClothOf(const Fabric& fabric, int yarn) {
   plain.ends_per_cm = fabric.ends_per_cm;
   plain.picks_per_cm = fabric.picks_per_cm;
   plain.press = fabric.press;
+  plain.singed = fabric.singed;
+  plain.brushed = fabric.brushed;
   plain.crimpBalance = fabric.crimpBalance;
   return plain;
 }

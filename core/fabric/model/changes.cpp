@@ -87,7 +87,7 @@ void compareMaterials(const Fabric& before, const Fabric& after, Changes& change
     stages |= between(inUse(before.yarns[i]), inUse(after.yarns[i]));
   for (size_t i = 0; i < after.fibres.size(); ++i) {
     const Stages own = i < before.fibres.size() ? between(before.fibres[i], after.fibres[i]) : Stage::optics;
-    if (own.any(Stage::optics)) changes.fibres.push_back(static_cast<int>(i));
+    if (own.any(Stage::optics) || before.mercerised != after.mercerised) changes.fibres.push_back(static_cast<int>(i));
     stages |= own;
   }
   changes.stages |= stages - Stage::shape;

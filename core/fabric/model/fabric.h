@@ -61,7 +61,9 @@ struct Yarn {
   double slubs_per_m = 0.0;         ///< thick places that are spun in on purpose, 0..50
   double slubLength_mm = 30.0;      ///< of a slub at half its height, on average, 5..500
   double slubRatio = 1.8;           ///< of a slub's mass to the yarn's between slubs, 1.1..4
-  double fibreDisorder_deg = 0.0;   ///< how far fibres stray from their helix: RMS angle, along either axis, 0..20
+  double wrappers_per_cm = 0.0;     ///< fibres that are wound tightly around the body (rotor yarns), 0..40
+  double shadeVariation_percent = 0.0;  ///< of the depth of its dye, from thread to thread, 0..40
+  double fibreDisorder_deg = 0.0;       ///< how far fibres stray from their helix: RMS angle, along either axis, 0..20
   FibreLayout layout = FibreLayout::packed;
   UnknownKeys unknown;
   friend bool operator==(const Yarn&, const Yarn&);
@@ -166,6 +168,9 @@ struct Fabric {
   double ends_per_cm = 20.0;         ///< 0.2..500
   double picks_per_cm = 20.0;
   double press = 0.5;                  ///< finish: 0 washed and relaxed, 0.5 pressed, 1 calendered
+  bool singed = false;                 ///< finish: loose fibres are burnt off
+  bool brushed = false;                ///< finish: loose fibres are raised on the face, along the warp
+  bool mercerised = false;             ///< finish: cotton is swollen in lye, round and lustrous
   double crimpBalance = 1.0;           ///< of warp against weft, 0.25..4; 1: their stiffness and setts decide
   std::vector<Yarn> yarns{Yarn{}};     ///< 1..64
   std::vector<Fibre> fibres{Fibre{}};  ///< 1..64

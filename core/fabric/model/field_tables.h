@@ -74,6 +74,10 @@ struct FieldTable<Yarn> {
             {shape, "hairiness_per_mm", words::hairiness.label, "1/mm", 0, 50, words::hairiness.help}},
       Field{&Yarn::hairLength_mm,
             {shape, "hair_length_mm", words::hairLength.label, "mm", 0.05, 3, words::hairLength.help, true}},
+      Field{&Yarn::wrappers_per_cm,
+            {shape, "wrappers_per_cm", words::wrappers.label, "1/cm", 0, 40, words::wrappers.help}},
+      Field{&Yarn::shadeVariation_percent,
+            {optics, "shade_variation_percent", words::shadeVariation.label, "%", 0, 40, words::shadeVariation.help}},
       Field{&Yarn::migration,
             {shape, "migration", words::fibreInterchange.label, "", 0, 1, words::fibreInterchange.help}},
       Field{&Yarn::fibreDisorder_deg,
@@ -244,6 +248,9 @@ struct FieldTable<Fabric> {
       Field{&Fabric::picks_per_cm,
             {grid, "picks_per_cm", words::picks.label, "/cm", 0.2, 500, words::picks.help, true}},
       Field{&Fabric::press, {grid, "press", words::press.label, "", 0, 1, words::press.help}},
+      Field{&Fabric::singed, {grid, "singed", words::singed.label, "", 0, 0, words::singed.help}},
+      Field{&Fabric::brushed, {grid, "brushed", words::brushed.label, "", 0, 0, words::brushed.help}},
+      Field{&Fabric::mercerised, {optics, "mercerised", words::mercerised.label, "", 0, 0, words::mercerised.help}},
       Field{&Fabric::crimpBalance,
             {grid, "crimp_balance", words::crimpBalance.label, "×", 0.25, 4, words::crimpBalance.help, true}});
 };

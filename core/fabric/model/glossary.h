@@ -98,8 +98,21 @@ inline constexpr Word diameter{"Diameter",
                                "and the compactness follows."};
 inline constexpr Word flattening{
     "Flattening", "How readily the yarn's section flattens in the cloth: 1.2 as most do, more for a wider one."};
-inline constexpr Word hairiness{"Hairiness", "Loose fibre ends and loops on one millimetre of yarn."};
-inline constexpr Word hairLength{"Hair length", "How far loose fibres reach."};
+inline constexpr Word hairiness{"Hairs", "Loose fibre ends and loops on one millimetre of yarn."};
+inline constexpr Word hairLength{"Hair length", "How far the longest loose fibres reach; most are a quarter as long."};
+inline constexpr Word hairinessH{
+    "Hairiness H",
+    "Millimetres of loose fibre on one millimetre of yarn (Uster H): compact yarns 3 to 4, "
+    "ring-spun ones 4 to 7. Set it where it was measured, and the number of hairs "
+    "follows."};
+inline constexpr Word meanHairLength{"Mean hair", "From root to tip, of all ends and loops."};
+inline constexpr Word wrappers{"Wrapper fibres",
+                               "Fibres wound tightly around the yarn, on one centimetre: rotor (open-end) yarns have 2 "
+                               "to 6, ring-spun ones none."};
+inline constexpr Word shadeVariation{"Shade variation",
+                                     "By how much the depth of the dye differs from thread to thread (coefficient of "
+                                     "variation). 3 is hardly seen; 15 to "
+                                     "25 streaks denim, whose indigo is dyed in ropes; piece-dyed cloth has 0."};
 inline constexpr Word fibreInterchange{
     "Interchange",
     "How far fibres wander between the core and the surface of the yarn, which holds it together (fibre migration)."};
@@ -167,7 +180,16 @@ inline constexpr Word ends{"Ends", "Warp yarns, side by side on one centimetre."
 inline constexpr Word picks{"Picks", "Weft yarns, side by side on one centimetre."};
 inline constexpr Word press{"Pressing",
                             "How the cloth was finished: 0 washed and relaxed, 0.5 pressed, 1 calendered, thin and "
-                            "flat."};
+                            "flat, no hair standing."};
+inline constexpr Word singed{"Singed",
+                             "Loose fibres are burnt off, as poplin and suiting are: few are left, and short."};
+inline constexpr Word brushed{"Brushed",
+                              "Loose fibres are drawn out and raised on the face, all one way along the warp, as on "
+                              "flannel. It takes yarns that have hairs."};
+inline constexpr Word mercerised{
+    "Mercerised",
+    "Cotton is swollen in lye: its fibres become round and smooth, and lustrous. It acts on "
+    "fibres whose section is a kidney."};
 inline constexpr Word crimpBalance{
     "Crimp balance", "Above 1 the warp takes more of the crimp, below 1 the weft; at 1 stiffness and sett decide."};
 

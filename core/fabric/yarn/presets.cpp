@@ -197,6 +197,16 @@ Yarn ringSpun(const char* name, double count_tex, double twistMultiplier) {
   return yarn;
 }
 
+/// Spun in a rotor: bulkier, straying more, with wrapper fibres and fewer hairs.
+Yarn rotorSpun(const char* name, double count_tex, double twistMultiplier) {
+  Yarn yarn = ringSpun(name, count_tex, twistMultiplier);
+  yarn.packing = 0.5;
+  yarn.hairiness_per_mm = 2.5;
+  yarn.fibreDisorder_deg = 11;
+  yarn.wrappers_per_cm = 4;
+  return yarn;
+}
+
 /// Two singles, twisted the other way; 60 to 70 % of their twist makes a yarn that does not kink.
 Yarn twoPly(Yarn single, double plyingTwist_per_m) {
   single.count_tex *= 2;
@@ -275,6 +285,10 @@ std::vector<YarnPreset> yarnPresets() {
   return {
       {ringSpun("Cotton Ne 30", tex(30, CountSystem::cotton), 4.0), fibreNamed("cotton"), spun},
       {ringSpun("Cotton Ne 7, denim warp", tex(7, CountSystem::cotton), 4.4), fibreNamed("cotton"), spun},
+      {rotorSpun("Cotton Ne 10, rotor", tex(10, CountSystem::cotton), 4.6), fibreNamed("cotton"),
+       "count, twist: handbook (open-end TM 4.5-5); evenness: handbook, recalled (Uster Statistics); fewer hairs than "
+       "ring yarn: measured by others, how many: guess; packing, flattening, migration, disorder, wrapper fibres: "
+       "guess"},
       {twoPly(ringSpun("Cotton 8/2", tex(8, CountSystem::cotton), 3.6), 250), fibreNamed("cotton"), spun},
       {cable("Cotton cable 30/2/3", twoPly(ringSpun("", tex(30, CountSystem::cotton), 4.0), 560), 3, 365),
        fibreNamed("cotton"),

@@ -96,7 +96,7 @@ Fabric withFibre(Fabric fabric, int yarn, Fibre fibre) {
 }
 
 Yarn evenlySpun(Yarn yarn) {
-  yarn.evennessCv_percent = yarn.slubs_per_m = 0;
+  yarn.evennessCv_percent = yarn.slubs_per_m = yarn.shadeVariation_percent = 0;
   return yarn;
 }
 

@@ -22,9 +22,9 @@ namespace {
 
 constexpr uint32_t kSamples = 2;
 
-/// A small blend in which no field is idle: cabled, plied and twisted, hairy, migrating, uneven with slubs, its number
-/// of fibres from its count. Paths are so short that many end by their length. A second yarn, of another shape, is not
-/// in use.
+/// A small blend in which no field is idle: cabled, plied and twisted, hairy, migrating, uneven with slubs, wrapped,
+/// its threads of several shades, its number of fibres from its count. Paths are so short that many end by their
+/// length. A second yarn, of another shape, is not in use.
 Fabric blend() {
   Fabric fabric;
   fabric.fibres = {Fibre{}, Fibre{}, Fibre{}};
@@ -44,6 +44,8 @@ Fabric blend() {
   yarn.migration = 0.3;
   yarn.evennessCv_percent = 12;
   yarn.slubs_per_m = 20;
+  yarn.shadeVariation_percent = 12;
+  yarn.wrappers_per_cm = 10;
   fabric.yarns[1].count_tex = 4;
   fabric.ends_per_cm = fabric.picks_per_cm = 24;
   fabric.drape.width_mm = fabric.drape.height_mm = 1;
@@ -283,7 +285,8 @@ TEST_P(FieldStages, OfTheRenderSettings) {
 }
 
 TEST_P(FieldStages, OfTheFabric) {
-  expectAllOf<Fabric>({blend()}, [](Fabric& fabric) -> Fabric& { return fabric; });
+  const auto cotton = [](Fabric& f) { f.fibres[0].section = FibreSection::kidney; };  // which mercerising acts on
+  expectAllOf<Fabric>({blend(), blendWith(cotton)}, [](Fabric& fabric) -> Fabric& { return fabric; });
 }
 
 TEST_P(FieldStages, OfWhatIsNoConstruction) {

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/fabric/model/fabric.h"
+
+namespace loomlight {
+
+/// How the loose fibres of a yarn lie on the finished cloth.
+struct HairLie {
+  double lyingShare = 0.8;  ///< of the ends that are no loops: the rest stand free
+  bool isRaised = false;    ///< brushed: all ends are drawn up on the face, one way
+  double heading = 0;       ///< raised: where to, from along the yarn towards its side u, radians
+  bool operator==(const HairLie&) const = default;
+};
+
+/// The yarn with the hair that the finish leaves it: singeing burns most of it off, short; brushing draws more and
+/// longer ends out of it. Nothing else of it changes.
+Yarn withFinishedHair(Yarn yarn, const Fabric& fabric);
+/// Of the yarns of a system. Calendering, the upper half of Fabric::press, lays the last of what stands free. Cloth is
+/// brushed along the warp, towards the higher picks.
+HairLie hairLieOf(const Fabric& fabric, System system);
+/// The fibre as the finish leaves it. Mercerising swells cotton, whose section is a kidney, until it is round and
+/// smooth; it does nothing to a fibre of another section. Neither fineness nor dye change.
+Fibre withFinishedSurface(Fibre fibre, const Fabric& fabric);
+
+/// How long a loose fibre is, from its root to its tip, on average: loops, ends that stand, and ends that lie.
+/// `hairLength_mm` is how far they reach at most, the diameter that of the round yarn. Hairs of more than a few pitches
+/// of the cloth are laid shorter.
+double meanHairLength_mm(double hairLength_mm, double diameter_mm, double lyingShare = 0.8);
+/// Hairiness H as Uster testers give it: mm of loose fibre on 1 mm of yarn. That of the yarn as it is spun.
+double hairinessH(const Yarn& yarn, const Fibre& fibre);
+/// The yarn with as many hairs of its length as give it that H, within their range.
+Yarn withHairinessH(Yarn yarn, const Fibre& fibre, double hairiness);
+
+}  // namespace loomlight

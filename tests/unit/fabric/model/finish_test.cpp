@@ -1,0 +1,71 @@
+#include "core/fabric/model/finish.h"
+
+#include <gtest/gtest.h>
+
+#include "core/fabric/model/changes.h"
+#include "core/fabric/model/yarn_count.h"
+
+namespace loomlight {
+namespace {
+
+TEST(Finish, MercerisingMakesCottonRoundAndLustrousAndNothingElse) {
+  Fibre cotton;
+  cotton.section = FibreSection::kidney;
+  Fabric fabric;
+  EXPECT_EQ(withFinishedSurface(cotton, fabric), cotton);
+  fabric.mercerised = true;
+  const Fibre swollen = withFinishedSurface(cotton, fabric);
+  EXPECT_EQ(swollen.section, FibreSection::round);
+  EXPECT_LT(swollen.longitudinalRoughness, cotton.longitudinalRoughness);
+  EXPECT_LT(swollen.azimuthalRoughness, cotton.azimuthalRoughness);
+  Fibre rest = swollen;
+  rest.section = cotton.section;
+  rest.longitudinalRoughness = cotton.longitudinalRoughness;
+  rest.azimuthalRoughness = cotton.azimuthalRoughness;
+  EXPECT_EQ(rest, cotton);
+
+  cotton.section = FibreSection::trilobal;
+  EXPECT_EQ(withFinishedSurface(cotton, fabric), cotton) << "lye does nothing to it";
+}
+
+TEST(Finish, MercerisingLeavesEveryVoxel) {
+  Fabric before, after;
+  before.fibres.resize(2);
+  after = before;
+  after.mercerised = true;
+  const Changes change = changes(before, after);
+  EXPECT_EQ(change.stages, Stages(Stage::optics));
+  EXPECT_EQ(change.fibres, (std::vector<int>{0, 1}));
+}
+
+TEST(Finish, TheHairOfAYarnIsWhatSingeingAndBrushingChange) {
+  Yarn yarn;
+  yarn.hairiness_per_mm = 40;
+  yarn.hairLength_mm = 2;
+  Fabric fabric;
+  EXPECT_EQ(withFinishedHair(yarn, fabric), yarn);
+  for (bool Fabric::* finish : {&Fabric::singed, &Fabric::brushed}) {
+    fabric = {};
+    fabric.*finish = true;
+    Yarn finished = withFinishedHair(yarn, fabric);
+    EXPECT_NE(finished.hairiness_per_mm, yarn.hairiness_per_mm);
+    EXPECT_NE(finished.hairLength_mm, yarn.hairLength_mm);
+    EXPECT_LE(finished.hairiness_per_mm, 50) << "the most that a yarn may have";
+    EXPECT_LE(finished.hairLength_mm, 3);
+    finished.hairiness_per_mm = yarn.hairiness_per_mm;
+    finished.hairLength_mm = yarn.hairLength_mm;
+    EXPECT_EQ(finished, yarn);
+  }
+}
+
+TEST(Hairiness, IsSetByWhatTestersMeasure) {
+  Yarn yarn;
+  const Fibre fibre;
+  yarn.hairiness_per_mm = 3;
+  for (const double wanted : {0.5, 4.0, 12.0})
+    EXPECT_NEAR(hairinessH(withHairinessH(yarn, fibre, wanted), fibre), wanted, 1e-12);
+  EXPECT_EQ(withHairinessH(yarn, fibre, 1e6).hairiness_per_mm, 50);
+}
+
+}  // namespace
+}  // namespace loomlight
