@@ -8,6 +8,8 @@
 #include <string>
 
 #include "core/fabric/json/fabric_json.h"
+#include "core/fabric/model/field_tables.h"
+#include "core/fabric/model/finish.h"
 #include "tests/headless/editor/headless_editor.h"
 
 namespace loomlight {
@@ -61,6 +63,27 @@ TEST_F(YarnPages, WhatFollowsForTheCloth) {
   // A plain weave shows as much warp as weft.
   editor.until("the weave is counted", [&] { return editor.fact("cloth.balance") == "50 %"; });
   EXPECT_THAT(editor.fact("cloth.warp_float"), StartsWith("1 "));
+}
+
+TEST_F(YarnPages, HairinessIsSetAsTestersMeasureIt) {
+  EXPECT_FALSE(editor.shows("yarn.hairiness_h")) << "it has no hair";
+  types("yarn.hairiness_per_mm", "4");
+  types("yarn.hairiness_h", "5");
+  const Yarn hairy = yarn();
+  EXPECT_NEAR(hairinessH(hairy, Fibre{}), 5, 0.01);
+  EXPECT_NEAR(measured("yarn.mean_hair"), 5 / hairy.hairiness_per_mm, 0.01);
+  types("yarn.wrappers_per_cm", "3");
+  EXPECT_EQ(yarn().wrappers_per_cm, 3);
+}
+
+TEST_F(YarnPages, AFinishIsSwitchedOn) {
+  editor.click("tab.cloth");
+  for (bool Fabric::* finish : {&Fabric::singed, &Fabric::brushed, &Fabric::mercerised}) {
+    EXPECT_FALSE(editor.saved().*finish);
+    const std::string row = std::string("cloth.") + fieldInfo(finish).key;
+    editor.edits(row, [&] { editor.click(row); });
+    EXPECT_TRUE(editor.saved().*finish);
+  }
 }
 
 TEST_F(YarnPages, APieceIsReckoned) {
