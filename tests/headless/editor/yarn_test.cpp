@@ -52,6 +52,31 @@ class YarnPages : public testing::Test {
   HeadlessEditor editor{{1280, 900, 1}};
 };
 
+TEST(TallYarnPage, HairinessIsSetAsTestersMeasureIt) {
+  HeadlessEditor editor{{1280, 1400, 1}};  // all rows are in sight
+  Fabric cloth = printCloth();
+  cloth.yarns[0].hairiness_per_mm = 4;
+  editor.start(cloth);
+  editor.edits("a hairiness", [&] { editor.enter("yarn.hairiness_h", "5"); });
+  const Yarn hairy = editor.saved().yarns[0];
+  EXPECT_NEAR(hairinessH(hairy, Fibre{}), 5, 0.01);
+  editor.until("it is shown", [&] { return !editor.fact("yarn.mean_hair").empty(); });
+  EXPECT_NEAR(std::stod(editor.fact("yarn.mean_hair")), 5 / hairy.hairiness_per_mm, 0.01);
+  editor.edits("wrapper fibres", [&] { editor.enter("yarn.wrappers_per_cm", "3"); });
+  EXPECT_EQ(editor.saved().yarns[0].wrappers_per_cm, 3);
+}
+
+TEST(TallClothPage, AFinishIsSwitchedOn) {
+  HeadlessEditor editor{{1280, 1400, 1}};
+  editor.start(printCloth());
+  editor.click("tab.cloth");
+  for (bool Fabric::* finish : {&Fabric::singed, &Fabric::brushed, &Fabric::mercerised}) {
+    const std::string row = std::string("cloth.") + fieldInfo(finish).key;
+    editor.edits(row, [&] { editor.click(row + "/On"); });
+    EXPECT_TRUE(editor.saved().*finish) << row;
+  }
+}
+
 TEST_F(YarnPages, WhatFollowsForTheCloth) {
   editor.click("tab.cloth");
   editor.until("cover is shown", [&] { return editor.fact("cloth.cover") == "20.1"; });
@@ -63,27 +88,6 @@ TEST_F(YarnPages, WhatFollowsForTheCloth) {
   // A plain weave shows as much warp as weft.
   editor.until("the weave is counted", [&] { return editor.fact("cloth.balance") == "50 %"; });
   EXPECT_THAT(editor.fact("cloth.warp_float"), StartsWith("1 "));
-}
-
-TEST_F(YarnPages, HairinessIsSetAsTestersMeasureIt) {
-  EXPECT_FALSE(editor.shows("yarn.hairiness_h")) << "it has no hair";
-  types("yarn.hairiness_per_mm", "4");
-  types("yarn.hairiness_h", "5");
-  const Yarn hairy = yarn();
-  EXPECT_NEAR(hairinessH(hairy, Fibre{}), 5, 0.01);
-  EXPECT_NEAR(measured("yarn.mean_hair"), 5 / hairy.hairiness_per_mm, 0.01);
-  types("yarn.wrappers_per_cm", "3");
-  EXPECT_EQ(yarn().wrappers_per_cm, 3);
-}
-
-TEST_F(YarnPages, AFinishIsSwitchedOn) {
-  editor.click("tab.cloth");
-  for (bool Fabric::* finish : {&Fabric::singed, &Fabric::brushed, &Fabric::mercerised}) {
-    EXPECT_FALSE(editor.saved().*finish);
-    const std::string row = std::string("cloth.") + fieldInfo(finish).key;
-    editor.edits(row, [&] { editor.click(row); });
-    EXPECT_TRUE(editor.saved().*finish);
-  }
 }
 
 TEST_F(YarnPages, APieceIsReckoned) {
