@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/base/units.h"
+#include "core/fabric/model/weave.h"
+
+namespace loomlight {
+
+/// A yarn as a bundle of strands: all that the relaxation knows of it.
+struct RelaxedYarn {
+  double count_tex = 30;
+  double density_g_cm3 = 1.52;
+  double packing = 0.5;      ///< of the fibres in the free yarn
+  double twist_per_m = 700;  ///< what holds its section round
+};
+
+/// One repeat of a weave of one warp and one weft yarn, that goes on for ever.
+struct RelaxedCloth {
+  Weave weave{{{1, 0}, {0, 1}}};
+  double ends_per_cm = 20, picks_per_cm = 20;
+  RelaxedYarn warp, weft;
+};
+
+struct Relaxation {
+  double stiffnessPower = 2;        ///< a yarn's bending stiffness goes by its count to this, for equal fibres
+  double tension_cN_tex = 0.5;      ///< on the loom, both systems
+  double washedTension_cN_tex = 0;  ///< and off it
+  double friction = 0.3;            ///< Coulomb's, between strands
+  double plates = 1;                ///< presses the washed cloth to this part of its thickness; 1: not
+  int loomSteps = 250, washedSteps = 2500;
+};
+
+struct RelaxedMeasures {
+  double crimpWarp = 0, crimpWeft = 0;
+  double thickness_mm = 0;  ///< between the planes that one in a hundred of the strands' crowns goes beyond
+  double overlap = 0;       ///< deepest of two strands, over the sum of their radii
+  double drift = 0;         ///< what the crimps have changed by in the last fifth of the steps
+};
+
+/// The shape that yarns of hard, bendable strands take, found by steps with nothing assumed of their sections or
+/// heights: an oracle for the closed-form law. It knows nothing of core/geometry.
+RelaxedMeasures relax(const RelaxedCloth& cloth, const Relaxation& how);
+
+}  // namespace loomlight

@@ -1,0 +1,90 @@
+#include "tests/bench/relaxation_cloths.h"
+
+namespace loomlight {
+namespace {
+
+constexpr double kCotton = 1.52, kWool = 1.31, kPolyester = 1.38, kSilk = 1.34, kLinen = 1.50;
+
+Weave plain() {
+  return {};
+}
+/// Each pick is up for the first `up` of `ends`, and one step on from the last.
+Weave stepped(size_t ends, size_t up, size_t step) {
+  std::vector<Weave::Row> rows(ends, Weave::Row(ends, 0));
+  for (size_t pick = 0; pick < ends; ++pick)
+    for (size_t i = 0; i < up; ++i) rows[pick][(pick * step + i) % ends] = 1;
+  return Weave(rows);
+}
+Weave basket() {
+  return Weave(std::vector<Weave::Row>{{1, 1, 0, 0}, {1, 1, 0, 0}, {0, 0, 1, 1}, {0, 0, 1, 1}});
+}
+/// Two picks in a shed: warp rib.
+Weave rib() {
+  return Weave(std::vector<Weave::Row>{{1, 0}, {1, 0}, {0, 1}, {0, 1}});
+}
+Weave honeycomb() {
+  return Weave(std::vector<Weave::Row>{{1, 0, 0, 0, 0, 0},
+                                       {1, 1, 0, 0, 0, 1},
+                                       {1, 1, 1, 0, 1, 1},
+                                       {1, 1, 1, 1, 1, 1},
+                                       {1, 1, 1, 0, 1, 1},
+                                       {1, 1, 0, 0, 0, 1}});
+}
+
+RelaxedYarn cotton(double tex, double twist_per_m) {
+  return {tex, kCotton, 0.5, twist_per_m};
+}
+RelaxedCloth cloth(const Weave& weave, double ends, double picks, const RelaxedYarn& warp, const RelaxedYarn& weft) {
+  return {weave, ends, picks, warp, weft};
+}
+
+}  // namespace
+
+std::vector<Construction> constructions() {
+  const RelaxedYarn worsted = {33.3, kWool, 0.5, 560}, filament = {4.67, kSilk, 0.7, 300};
+  const RelaxedYarn satin = {29.5, kPolyester, 0.7, 100}, linen = {56, kLinen, 0.5, 420};
+  const RelaxedYarn fine = cotton(14.8, 1000), sheeting = cotton(19.7, 850), middle = cotton(30, 700);
+  return {
+      {"denim, 3/1 twill", true, cloth(stepped(4, 3, 1), 26, 17, cotton(84, 480), cotton(66, 480))},
+      {"poplin, plain, setts unlike", true, cloth(plain(), 50, 28, fine, fine)},
+      {"sheeting, plain", true, cloth(plain(), 30, 26, sheeting, sheeting)},
+      {"worsted, 2/2 twill", true, cloth(stepped(4, 2, 1), 28, 25, worsted, worsted)},
+      {"satin of 5, filament", true, cloth(stepped(5, 4, 2), 34, 24, satin, satin)},
+      {"basket, 2/2", true, cloth(basket(), 30, 30, cotton(30.3, 700), cotton(30.3, 700))},
+      {"organza, plain, filament", true, cloth(plain(), 48, 44, filament, filament)},
+      {"honeycomb of 6", false, cloth(honeycomb(), 20, 20, cotton(40, 600), cotton(40, 600))},
+      {"plain, balanced", false, cloth(plain(), 22, 22, middle, middle)},
+      {"plain, counts 2 : 1", false, cloth(plain(), 24, 20, cotton(20, 850), cotton(40, 600))},
+      {"plain, counts 1 : 2", false, cloth(plain(), 20, 20, cotton(50, 550), cotton(25, 760))},
+      {"drill, 2/1 twill", false, cloth(stepped(3, 2, 1), 34, 20, middle, middle)},
+      {"serge, 2/2 twill, wool", false, cloth(stepped(4, 2, 1), 24, 22, {44, kWool, 0.5, 480}, {44, kWool, 0.5, 480})},
+      {"satin of 8, cotton", false, cloth(stepped(8, 7, 3), 44, 26, cotton(20, 850), cotton(20, 850))},
+      {"warp rib of 2", false, cloth(rib(), 28, 24, middle, middle)},
+      {"linen, plain", false, cloth(plain(), 14, 13, linen, linen)},
+      {"taffeta, plain, filament", false,
+       cloth(plain(), 44, 30, {8.4, kPolyester, 0.7, 150}, {8.4, kPolyester, 0.7, 100})},
+  };
+}
+
+Fabric fabricOf(const RelaxedCloth& cloth) {
+  Fabric fabric;
+  fabric.weave = cloth.weave;
+  fabric.ends_per_cm = cloth.ends_per_cm;
+  fabric.picks_per_cm = cloth.picks_per_cm;
+  fabric.press = 0;
+  fabric.fibres.assign(2, fabric.fibres[0]);
+  fabric.yarns.assign(2, fabric.yarns[0]);
+  for (size_t i = 0; i < 2; ++i) {
+    const RelaxedYarn& yarn = i == 0 ? cloth.warp : cloth.weft;
+    fabric.fibres[i].density_g_cm3 = yarn.density_g_cm3;
+    fabric.yarns[i].fibre = static_cast<int>(i);
+    fabric.yarns[i].count_tex = yarn.count_tex;
+    fabric.yarns[i].packing = yarn.packing;
+    fabric.yarns[i].plyTwist_per_m = yarn.twist_per_m;
+  }
+  fabric.warpSequence = {0};
+  fabric.weftSequence = {1};
+  return fabric;
+}
+
+}  // namespace loomlight

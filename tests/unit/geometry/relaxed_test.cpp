@@ -1,0 +1,67 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "core/geometry/cloth_geometry.h"
+#include "tests/bench/relaxation_cloths.h"
+#include "tests/unit/geometry/cloths.h"
+
+namespace loomlight {
+namespace {
+
+RelaxedCloth construction(const std::string& name) {
+  for (const Construction& of : constructions())
+    if (of.name == name) return of.cloth;
+  throw std::invalid_argument(name);
+}
+ClothMeasures inClosedForm(const RelaxedCloth& cloth) {
+  const Fabric fabric = fabricOf(cloth);
+  return ClothGeometry(fabric, fabric.weave.ends(), fabric.weave.picks(), nullptr, true).measure();
+}
+
+TEST(RelaxedCloth, OfEqualSystemsCrimpsEqually) {
+  Relaxation quick;
+  quick.loomSteps = 100;
+  quick.washedSteps = 300;
+  const RelaxedMeasures cloth = relax(construction("plain, balanced"), quick);
+  EXPECT_NEAR(cloth.crimpWarp, cloth.crimpWeft, 0.003);
+  EXPECT_GT(cloth.crimpWarp, 0.04);
+  EXPECT_LT(cloth.overlap, 0.02) << "its strands are hard";
+}
+
+// Both systems start out as high as each other: the relaxation finds by itself that the warp takes nearly all of it.
+TEST(ClosedForm, IsNearTheRelaxedPoplin) {
+  const RelaxedCloth poplin = construction("poplin, plain, setts unlike");
+  Relaxation tight;
+  tight.washedSteps = 1200;
+  tight.washedTension_cN_tex = tight.tension_cN_tex;
+  const RelaxedMeasures relaxed = relax(poplin, tight);
+  const ClothMeasures ours = inClosedForm(poplin);
+  EXPECT_NEAR(ours.crimpWarp, relaxed.crimpWarp, 0.02);
+  EXPECT_NEAR(ours.crimpWeft, relaxed.crimpWeft, 0.02);
+  EXPECT_NEAR(ours.thickness_mm / relaxed.thickness_mm, 1, 0.15);
+}
+
+// What is published of a poplin whose setts are unlike: 14 and 2 %.
+TEST(ClosedForm, GivesPoplinItsPublishedCrimps) {
+  const ClothMeasures poplin = inClosedForm(construction("poplin, plain, setts unlike"));
+  EXPECT_NEAR(poplin.crimpWarp, 0.14, 0.02);
+  EXPECT_NEAR(poplin.crimpWeft, 0.02, 0.02);
+}
+
+// Round yarns in a square plain cloth as close as they go lie the root of three diameters apart, and climb by 60
+// degrees (Peirce 1937): crimp is 2 pi / (3 root 3) - 1 = 20.9 %. A monofilament stays round.
+TEST(ClosedForm, GivesJammedRoundSquareClothItsCrimp) {
+  Fabric fabric = cloths::plain();
+  fabric.yarns[0].fibresPerPly = 1;
+  fabric.fibres[0].radius_um = 100;
+  fabric.ends_per_cm = fabric.picks_per_cm = 10 / (0.2 * std::sqrt(3.0));
+  const ClothMeasures jammed = ClothGeometry(fabric, 4, 4).measure();
+  EXPECT_NEAR(jammed.crimpWarp, 2 * kPi / (3 * std::sqrt(3.0)) - 1, 0.02);
+  EXPECT_NEAR(jammed.crimpWeft, jammed.crimpWarp, 1e-6);
+}
+
+}  // namespace
+}  // namespace loomlight
