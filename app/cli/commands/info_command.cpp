@@ -167,6 +167,22 @@ void line(const std::string& label, const std::string& value, const std::string&
   fmt::print("  {:<22}{:>14}{}{}\n", label, value, remark.empty() ? "" : "  ", remark);
 }
 
+/// What is known of it; that the rest is not reckoned is said.
+void printShrinkage(const ClothStates& states) {
+  const auto text = [](const std::optional<double>& percent) {
+    return percent ? fmt::format("{:.1f}", *percent) : std::string("?");
+  };
+  const auto shrinks = [&](const char* label, const ClothState& before, const ClothState& after) {
+    const std::optional<double> width = shrinkage_percent(before.ends, after.ends);
+    const std::optional<double> length = shrinkage_percent(before.picks, after.picks);
+    if (width || length) line(label, fmt::format("{} x {}", text(width), text(length)), "%, width x length");
+  };
+  shrinks("shrinks from the reed", states.reed, states.finished);
+  shrinks("shrinks off the loom", states.loom, states.finished);
+  shrinks("shrinks in the wash", states.finished, states.washed);
+  fmt::print("  Shrinkage is not modelled: setts off the loom and after the wash are what the mill has counted.\n");
+}
+
 void printMill(const Fabric& fabric, const Information& of) {
   fmt::print("\nFrom the reed to the wash\n");
   const MillData& mill = fabric.mill;
@@ -187,6 +203,7 @@ void printMill(const Fabric& fabric, const Information& of) {
   if (const auto width_cm = reedWidth_cm(fabric, of.states, of.orderedPiece.width_cm))
     line("width in the reed", fmt::format("{:.1f}", *width_cm),
          fmt::format("cm, with the selvedges, for {:g} cm finished", of.orderedPiece.width_cm));
+  printShrinkage(of.states);
 }
 
 void printNeeds(const Information& of) {
