@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <string>
 
@@ -53,6 +54,7 @@ void printTable(double stiffnessPower, const std::string& name) {
       drift = std::max(drift, relaxed.drift);
     }
     fmt::print("| {:.2f}, {:.1f} |\n", overlap, 100 * drift);
+    std::fflush(stdout);  // the whole takes minutes
     ++all;
   }
   fmt::print("\nWithin 2 points of crimp and 15 % of thickness: {} of {} slack, {} under tension.\n", within[0], all,
