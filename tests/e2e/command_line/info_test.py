@@ -103,6 +103,10 @@ class Info(CommandLineTest):
         for line in ("dents/10 cm, ends per dent 3 0", "24 each side, 4 per dent, plain", "ends: reed and denting; picks: "
                      "from crimp", "area covered"):
             self.assertIn(line, table)
+        # 19 ends become 20 on a centimetre that was wider by a twentieth; of 18 picks 19 are counted after the wash.
+        self.assertRegex(table, r"shrinks off the loom +5\.0 x \?  %")
+        self.assertRegex(table, r"shrinks in the wash +\? x 5\.3  %")
+        self.assertIn("Shrinkage is not modelled", table)
 
     def test_the_table_has_units(self):
         table = self.run_program("info", self.fabric())

@@ -99,7 +99,7 @@ TEST(YarnPath, CrimpOfAPoplinOfUnequalSettIsTheHandbooks) {
 
 /// Crimp and thickness of yarns relaxed as bundles of hard threads, with tension, bending, contact and friction: ranges
 /// over what such a solver can be started from. The law was read off the same threads, so that this holds its port.
-struct RelaxedCloth {
+struct WashedCloth {
   const char* name;
   Weave weave;
   double ends_per_cm, picks_per_cm, warp_tex, weft_tex, packing;
@@ -112,14 +112,13 @@ TEST(YarnPath, CrimpAndThicknessAreThoseOfRelaxedYarns) {
   const Weave plain = cloths::plain().weave;
   std::vector<std::vector<uint8_t>> satin(5, std::vector<uint8_t>(5, 0));
   for (size_t pick = 0; pick < 5; ++pick) satin[pick][2 * pick % 5] = 1;
-  const RelaxedCloth relaxed[] = {
-      {"denim", denim, 26, 17, 84, 66, 0.5, {7.5, 10.8}, {2.3, 7.6}, {0.62, 0.71}},
-      {"poplin", plain, 50, 28, 14.8, 14.8, 0.5, {12.5, 14}, {2, 3.7}, {0.25, 0.30}},
-      {"sheeting", plain, 30, 26, 19.7, 19.7, 0.5, {8.1, 8.1}, {6.0, 6.0}, {0.25, 0.29}},
-      {"satin", Weave(satin), 34, 24, 29.5, 29.5, 0.7, {5.4, 5.4}, {2.1, 2.1}, {0.38, 0.41}},
-      {"basket", basket, 30, 30, 30.3, 30.3, 0.5, {7.0, 7.0}, {7.0, 7.0}, {0.39, 0.39}},
-      {"organza", plain, 48, 44, 4.67, 4.67, 0.7, {5.4, 5.4}, {4.8, 4.8}, {0.13, 0.14}}};
-  for (const RelaxedCloth& cloth : relaxed) {
+  const WashedCloth relaxed[] = {{"denim", denim, 26, 17, 84, 66, 0.5, {7.5, 10.8}, {2.3, 7.6}, {0.62, 0.71}},
+                                 {"poplin", plain, 50, 28, 14.8, 14.8, 0.5, {12.5, 14}, {2, 3.7}, {0.25, 0.30}},
+                                 {"sheeting", plain, 30, 26, 19.7, 19.7, 0.5, {8.1, 8.1}, {6.0, 6.0}, {0.25, 0.29}},
+                                 {"satin", Weave(satin), 34, 24, 29.5, 29.5, 0.7, {5.4, 5.4}, {2.1, 2.1}, {0.38, 0.41}},
+                                 {"basket", basket, 30, 30, 30.3, 30.3, 0.5, {7.0, 7.0}, {7.0, 7.0}, {0.39, 0.39}},
+                                 {"organza", plain, 48, 44, 4.67, 4.67, 0.7, {5.4, 5.4}, {4.8, 4.8}, {0.13, 0.14}}};
+  for (const WashedCloth& cloth : relaxed) {
     SCOPED_TRACE(cloth.name);
     Fabric fabric = cottonCloth(cloth.ends_per_cm, cloth.picks_per_cm, cloth.warp_tex, cloth.weft_tex);
     fabric.weave = cloth.weave;

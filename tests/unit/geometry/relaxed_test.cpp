@@ -21,7 +21,7 @@ ClothMeasures inClosedForm(const RelaxedCloth& cloth) {
   return ClothGeometry(fabric, fabric.weave.ends(), fabric.weave.picks(), nullptr, true).measure();
 }
 
-TEST(RelaxedCloth, OfEqualSystemsCrimpsEqually) {
+TEST(Relaxation, OfEqualSystemsCrimpsEqually) {
   Relaxation quick;
   quick.loomSteps = 100;
   quick.washedSteps = 300;
@@ -29,19 +29,6 @@ TEST(RelaxedCloth, OfEqualSystemsCrimpsEqually) {
   EXPECT_NEAR(cloth.crimpWarp, cloth.crimpWeft, 0.003);
   EXPECT_GT(cloth.crimpWarp, 0.04);
   EXPECT_LT(cloth.overlap, 0.02) << "its strands are hard";
-}
-
-// Both systems start out as high as each other: how they share the height is found by the relaxation itself.
-TEST(ClosedForm, IsNearARelaxedSheeting) {
-  const RelaxedCloth sheeting = construction("sheeting, plain");
-  Relaxation tight;
-  tight.washedSteps = 1000;
-  tight.washedTension_cN_tex = tight.tension_cN_tex;
-  const RelaxedMeasures relaxed = relax(sheeting, tight);
-  const ClothMeasures ours = inClosedForm(sheeting);
-  EXPECT_NEAR(ours.crimpWarp, relaxed.crimpWarp, 0.02);
-  EXPECT_NEAR(ours.crimpWeft, relaxed.crimpWeft, 0.02);
-  EXPECT_NEAR(ours.thickness_mm / relaxed.thickness_mm, 1, 0.15);
 }
 
 // What is published of a poplin whose setts are unlike: 14 and 2 %.
