@@ -7,6 +7,7 @@
 #include <latch>
 #include <new>
 #include <stdexcept>
+#include <thread>
 
 #include "tests/support/wakes.h"
 
@@ -68,6 +69,19 @@ TEST(Worker, OfWhatWaitsOnlyTheNewestIsDone) {
   ASSERT_TRUE(of.wakes.until([&] { return of.worker.newest() == 19; }));
   EXPECT_EQ(of.worker.take(), 19);
   EXPECT_EQ(of.done, (std::vector<int>{0, 19}));
+}
+
+// ThreadSanitizer sees where the answer is read without its lock.
+TEST(Worker, MayBeAskedWhetherItWaitsAtAnyMoment) {
+  Doubtful of(Backlog::every);
+  for (int i = 1; i <= 200; ++i) of.worker.ask(i);
+  while (of.worker.isWaiting()) std::this_thread::yield();
+  int last = 0;
+  ASSERT_TRUE(of.wakes.until([&] {
+    while (const std::optional<int> come = of.worker.take()) last = *come;
+    return last == 200;
+  }));
+  EXPECT_EQ(of.done.size(), 200u);
 }
 
 TEST(Worker, DoesEverythingInOrderBeforeItEnds) {
