@@ -28,7 +28,7 @@ struct Begun {
   Film film;                 ///< of the whole picture
   SampleBox box;             ///< the samples that are wanted
   uint32_t samples = 0;      ///< in every pixel of its window
-  std::string program = "";  ///< that traced what there is
+  std::string program = {};  ///< that traced what there is
 };
 
 SampleBox boxOf(const PartChoice& choice, const RenderSettings& settings, const SampleBox& fallback) {
@@ -49,7 +49,7 @@ SampleBox boxOf(const PartChoice& choice, const RenderSettings& settings, const 
   return SampleBox::of(window, first, samples);
 }
 
-Begun goOn(const RenderCommand& command, PicturePart part, std::shared_ptr<const Fabric> fabric,
+Begun goOn(const RenderCommand& command, PicturePart part, const std::shared_ptr<const Fabric>& fabric,
            const std::string& input) {
   const RenderSettings& settings = fabric->render;
   expectSameFabric(*fabric, input.empty() ? command.resume : input, part.info.fabric, command.resume);
