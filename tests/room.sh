@@ -119,6 +119,9 @@ enter_room() { # offline|full|"" USER SCRIPT
       mount --rbind /sys "$room/sys"
       mkdir -p "$room/dev/shm"
       mount -t tmpfs -o mode=1777 shm "$room/dev/shm"
+      mkdir -p "$room/dev/pts"
+      mount -t devpts -o newinstance,ptmxmode=0666,mode=0620 devpts "$room/dev/pts"
+      ln -sfn pts/ptmx "$room/dev/ptmx"
       if [[ -n $full ]]; then
         mkdir -p "$room$full"
         mount -t tmpfs -o size=8m,mode=1777 full "$room$full"

@@ -326,7 +326,7 @@ TEST_P(FieldStages, OfWhatIsNoConstruction) {
 
 // The members of a fabric that are no plain fields.
 TEST_P(FieldStages, OfListsAndTheWeave) {
-  const Cloth cloth = made(test::sceneOf(blendWith([this](Fabric& f) { GetParam().askFor(f); })));
+  const Cloth cloth = made(test::sceneOf(blendWith([](Fabric& f) { GetParam().askFor(f); })));
   const Picture picture = cloth.picture();
   const auto isSeen = [&](auto&& edit) {
     Fabric fabric = cloth.fabric();
