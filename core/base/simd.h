@@ -39,6 +39,9 @@ template <class Vector>
 Vector magnitude(Vector a) {
   return most(a, -a);
 }
+inline float squareRoot(float a) {
+  return std::sqrt(a);
+}
 inline Float32x4 squareRoot(Float32x4 a) {
   return Float32x4{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])};
 }

@@ -145,10 +145,9 @@ Rgb EnvironmentLight::escape(glm::vec3 d) const {
 }
 
 std::optional<LightSample> EnvironmentLight::sample(glm::vec3, Random& random) const {
+  if (!(intensity_ > 0 && map_->table.power() > 0)) return std::nullopt;
   const SphereTable::Sample chosen = map_->table.sample(random);
-  const Rgb radiance = intensity_ * lookUp(chosen.direction);
-  if (radiance == Rgb(0)) return std::nullopt;
-  return LightSample{toWorld(chosen.direction), std::numeric_limits<float>::infinity(), radiance, chosen.pdf, false};
+  return LightSample{toWorld(chosen.direction), std::numeric_limits<float>::infinity(), chosen.pdf};
 }
 
 }  // namespace loomlight

@@ -69,9 +69,11 @@ bool Lighting::isDelta() const {
 }
 
 std::optional<LightSample> Lighting::sample(glm::vec3 p, Random& random) const {
-  auto sample = std::visit([&](const auto& light) { return light.sample(p, random); }, light_);
-  if (sample) sample->radiance *= tint_;
-  return sample;
+  return std::visit([&](const auto& light) { return light.sample(p, random); }, light_);
+}
+
+Rgb Lighting::radiance(const LightSample& sample) const {
+  return sample.isDelta() ? tint_ * sample.irradiance : escape(sample.wi);
 }
 
 float Lighting::pdf(glm::vec3 d) const {

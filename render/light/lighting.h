@@ -32,6 +32,9 @@ class Lighting {
   bool isDelta() const;
   /// One light, one direction; nullopt when nothing can arrive at p.
   std::optional<LightSample> sample(glm::vec3 p, Random& random) const;
+  /// What arrives from there, unless something is in the way: of all lights of some size; of a delta light its
+  /// irradiance across wi. May be 0.
+  Rgb radiance(const LightSample& sample) const;
   /// The pdf with which sample() chooses the non-delta direction d.
   float pdf(glm::vec3 d) const;
 

@@ -16,9 +16,8 @@ std::optional<LightSample> UniformLight::sample(glm::vec3, Random& random) const
   const float side = random.uniform() < chanceAbove() ? 1.0f : -1.0f;
   const float z = side * (1 - random.uniform());  // never 0
   const glm::vec3 wi = latLongDirection(random.uniform(), z);
-  const Rgb radiance = escape(wi);
-  if (radiance == Rgb(0)) return std::nullopt;
-  return LightSample{wi, kInfinity, radiance, pdf(wi), false};
+  if (escape(wi) == Rgb(0)) return std::nullopt;
+  return LightSample{wi, kInfinity, pdf(wi)};
 }
 
 float UniformLight::pdf(glm::vec3 d) const {
@@ -33,7 +32,7 @@ std::optional<LightSample> Headlight::sample(glm::vec3 p, Random&) const {
   const float distance2 = glm::dot(way, way);
   if (!(distance2 > 0) || power_ <= 0) return std::nullopt;
   const float distance = std::sqrt(distance2);
-  return LightSample{way / distance, distance, Rgb(power_ / distance2), 1, true};
+  return LightSample{way / distance, distance, 1, power_ / distance2};
 }
 
 DirectionalLight::DirectionalLight(const Light& light)
@@ -42,7 +41,7 @@ DirectionalLight::DirectionalLight(const Light& light)
 
 std::optional<LightSample> DirectionalLight::sample(glm::vec3, Random&) const {
   if (irradiance_ <= 0) return std::nullopt;
-  return LightSample{direction_, kInfinity, Rgb(irradiance_), 1, true};
+  return LightSample{direction_, kInfinity, 1, irradiance_};
 }
 
 }  // namespace loomlight

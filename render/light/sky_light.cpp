@@ -53,17 +53,13 @@ bool SkyLight::inSun(glm::vec3 d) const {
 }
 
 Rgb SkyLight::escape(glm::vec3 d) const {
-  return radiance(d, inSun(d));
+  Rgb radiance = daylight_.radiance(d);
+  if (inSun(d) && d.z > 0) radiance += daylight_.sunRadiance();
+  return radiance * intensity_;
 }
 
 float SkyLight::pdf(glm::vec3 d) const {
   return mixture(table_.pdf(d), inSun(d));
-}
-
-Rgb SkyLight::radiance(glm::vec3 d, bool inSun) const {
-  Rgb radiance = daylight_.radiance(d);
-  if (inSun && d.z > 0) radiance += daylight_.sunRadiance();
-  return radiance * intensity_;
 }
 
 float SkyLight::mixture(float tablePdf, bool inSun) const {
@@ -77,6 +73,7 @@ glm::vec3 SkyLight::sunPoint(float share, float angle) const {
 }
 
 std::optional<LightSample> SkyLight::sample(glm::vec3, Random& random) const {
+  if (!(intensity_ > 0 && (table_.power() > 0 || sunChance_ > 0))) return std::nullopt;
   SphereTable::Sample chosen;
   if (random.uniform() < sunChance_) {
     const float share = random.uniform();
@@ -85,13 +82,10 @@ std::optional<LightSample> SkyLight::sample(glm::vec3, Random& random) const {
   } else {
     chosen = table_.sample(random);
   }
-  const glm::vec3 wi = chosen.direction;
-  const bool sun = inSun(wi);
-  const LightSample sample{wi, std::numeric_limits<float>::infinity(), radiance(wi, sun), mixture(chosen.pdf, sun),
-                           false};
+  const float pdf = mixture(chosen.pdf, inSun(chosen.direction));
   // A direction on the very edge of the sun may round out of it, over a part of the table that is never drawn.
-  if (!(sample.pdf > 0) || sample.radiance == Rgb(0)) return std::nullopt;
-  return sample;
+  if (!(pdf > 0)) return std::nullopt;
+  return LightSample{chosen.direction, std::numeric_limits<float>::infinity(), pdf};
 }
 
 }  // namespace loomlight

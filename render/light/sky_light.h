@@ -22,7 +22,6 @@ class SkyLight {
 
  private:
   bool inSun(glm::vec3 d) const;
-  Rgb radiance(glm::vec3 d, bool inSun) const;
   float mixture(float tablePdf, bool inSun) const;
   /// A point of the disc: `share` of its area lies further in, `angle` is about its centre.
   glm::vec3 sunPoint(float share, float angle) const;

@@ -24,16 +24,18 @@ class AzimuthalLobes {
   AzimuthalLobes(double roughness, FibreSection section, double index);
 
   /// Density over the azimuth of wi relative to wo for every mode; of its cosine and sine only the ratio counts.
-  Float32x4 density(const CylinderHit& hit, float cosine, float sine) const {
-    const Float32x4 c = cosine * hit.turnCosine - sine * hit.turnSine;
-    const Float32x4 s = cosine * hit.turnSine + sine * hit.turnCosine;
-    const Float32x4 decay = exponential(-angle(s, c) * inverseScale_);
-    const Float32x4 root = 1 + decay;
-    return norm_ * decay / (root * root);
+  Float32x4 density(const CylinderHit<float>& hit, float cosine, float sine) const {
+    return logistic(cosine, sine, sideBySide(hit.turnCosine), sideBySide(hit.turnSine), inverseScale_, norm_);
+  }
+  /// The same for one mode, at several offsets side by side.
+  Float32x4 density(size_t mode, const CylinderHit<Float32x4>& hit, float cosine, float sine) const {
+    return mode == 3 ? broadcast<Float32x4>(0.25f * norm_[3])
+                     : logistic(cosine, sine, hit.turnCosine[mode], hit.turnSine[mode],
+                                broadcast<Float32x4>(inverseScale_[mode]), broadcast<Float32x4>(norm_[mode]));
   }
 
   /// Azimuth of wi relative to wo; mode 0 to 3.
-  SinCos sample(size_t mode, const CylinderHit& hit, Random& random) const {
+  SinCos sample(size_t mode, const CylinderHit<float>& hit, Random& random) const {
     const float u = 2 * random.uniform() - 1;
     const Inverse& inverse = inverse_[mode];
     if (inverse.scale == 0) return sinCosPi(u);
@@ -48,6 +50,15 @@ class AzimuthalLobes {
   static double normalDeviation(FibreSection section);
 
  private:
+  static Float32x4 logistic(float cosine, float sine, Float32x4 turnCosine, Float32x4 turnSine, Float32x4 inverseScale,
+                            Float32x4 norm) {
+    const Float32x4 c = cosine * turnCosine - sine * turnSine;
+    const Float32x4 s = cosine * turnSine + sine * turnCosine;
+    const Float32x4 decay = exponential(-angle(s, c) * inverseScale);
+    const Float32x4 root = 1 + decay;
+    return norm * decay / (root * root);
+  }
+
   struct Inverse {
     float scale = 0;  ///< of the logistic, in units of pi; 0: uniform
     float reach = 0;  ///< twice the probability between the centre and pi before trimming

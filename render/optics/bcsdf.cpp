@@ -11,12 +11,8 @@ using namespace optics;
 
 namespace {
 
-std::array<float, FibreBcsdf::kLobes> toArray(Float32x4 lanes) {
-  return {lanes[0], lanes[1], lanes[2], lanes[3]};
-}
-
 /// Chooses R, TT, TRT or the residual. Sums of comparisons, since no processor can predict this branch.
-size_t chooseMode(Float32x4 share, float u) {
+size_t chooseMode(const std::array<float, FibreBcsdf::kLobes>& share, float u) {
   const float two = share[0] + share[1], three = two + share[2];
   // Rounding of the sums must not choose a residual that cannot be.
   return size_t{u >= share[0]} + size_t{u >= two} + size_t{u >= three && share[3] > 0};
@@ -36,7 +32,7 @@ FibreBcsdf::FibreBcsdf(const Fibre& fibre)
       about_(fibre.azimuthalRoughness, fibre.section, fibre.refractiveIndex) {}
 
 FibreBcsdf::Sample FibreBcsdf::draw(glm::vec3 wo, float h, Random& random, bool withPdf) const {
-  const CylinderHit hit(wo, h, index_);
+  const CylinderHit<float> hit(wo, h, index_);
   const LongitudinalLobes::Outgoing o = along_.outgoing({hit.sineO, hit.cosineO});
   const size_t mode = chooseMode(hit.share, random.uniform());
   const Inclination i = along_.sample(mode, o, random);
@@ -47,7 +43,8 @@ FibreBcsdf::Sample FibreBcsdf::draw(glm::vec3 wo, float h, Random& random, bool 
                i.cosine * (turn.sine * hit.azimuthO.x + turn.cosine * hit.azimuthO.y)};
   sample.order = mode < 3 ? static_cast<int>(mode) : drawOrder(hit.inside, random.uniform());
   sample.length = static_cast<float>(sample.order) * hit.chord;
-  if (withPdf) sample.pdf = sum(hit.share * along_.density(o, i) * about_.density(hit, turn.cosine, turn.sine));
+  if (withPdf)
+    sample.pdf = sum(sideBySide(hit.share) * along_.density(o, i) * about_.density(hit, turn.cosine, turn.sine));
   return sample;
 }
 
@@ -58,20 +55,28 @@ FibreBcsdf::Value FibreBcsdf::evaluate(glm::vec3 wo, glm::vec3 wi, float h) cons
 }
 
 void FibreBcsdf::evaluate(glm::vec3 wo, glm::vec3 wi, std::span<const float> offsets, std::span<Value> values) const {
+  constexpr size_t kSideBySide = 4;
   const Inclination i(wi.x, std::min(1.0f, std::sqrt(wi.y * wi.y + wi.z * wi.z)));
   Float32x4 along{};
-  for (size_t k = 0; k < offsets.size(); ++k) {
-    const CylinderHit hit(wo, offsets[k], index_);
-    if (k == 0) along = along_.density(along_.outgoing({hit.sineO, hit.cosineO}), i);
+  for (size_t first = 0; first < offsets.size(); first += kSideBySide) {
+    const size_t count = std::min(offsets.size() - first, kSideBySide);
+    Float32x4 h{};
+    for (size_t k = 0; k < count; ++k) h[k] = offsets[first + k];
+    const CylinderHit<Float32x4> hit(wo, h, index_);
+    if (first == 0) along = along_.density(along_.outgoing({hit.sineO, hit.cosineO}), i);
     const float cosine = wi.y * hit.azimuthO.x + wi.z * hit.azimuthO.y;
     const float sine = wi.z * hit.azimuthO.x - wi.y * hit.azimuthO.y;
-    values[k] = {toArray(hit.share * along * about_.density(hit, cosine, sine)), hit.chord, hit.inside};
+    std::array<Float32x4, kLobes> q;
+    for (size_t mode = 0; mode < kLobes; ++mode)
+      q[mode] = hit.share[mode] * along[mode] * about_.density(mode, hit, cosine, sine);
+    for (size_t k = 0; k < count; ++k)
+      values[first + k] = {{q[0][k], q[1][k], q[2][k], q[3][k]}, hit.chord[k], hit.inside[k]};
   }
 }
 
 FibreBcsdf::Modes FibreBcsdf::modes(glm::vec3 wo, float h) const {
-  const CylinderHit hit(wo, h, index_);
-  return {toArray(hit.share), hit.chord, hit.inside};
+  const CylinderHit<float> hit(wo, h, index_);
+  return {hit.share, hit.chord, hit.inside};
 }
 
 }  // namespace loomlight

@@ -20,7 +20,8 @@ Float32x4 meanShare(double cosine, double index) {
   for (int k = 0; k < kPoints; ++k) {
     const double gamma = 0.5 * kPi * (k + 0.5) / kPoints;
     const auto weight = static_cast<float>(std::cos(gamma));
-    sum += weight * CylinderHit(wo, static_cast<float>(std::sin(gamma)), static_cast<float>(index)).share;
+    const CylinderHit<float> hit(wo, static_cast<float>(std::sin(gamma)), static_cast<float>(index));
+    sum += weight * sideBySide(hit.share);
     weights += weight;
   }
   return sum / weights;

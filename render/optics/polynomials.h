@@ -16,6 +16,10 @@ namespace loomlight::optics {
 inline float withinOne(float x) {
   return std::max(-1.0f, std::min(1.0f, x));
 }
+inline Float32x4 withinOne(Float32x4 x) {
+  const Float32x4 one = broadcast<Float32x4>(1.0f);
+  return most(-one, least(x, one));
+}
 /// c0 + c1 x + c2 x^2 + ..., by pairs (Estrin), so that few operations wait for another: the latency of these chains is
 /// what a path waits for. The polynomials below are Chebyshev interpolants of the functions named.
 template <class T, size_t N>

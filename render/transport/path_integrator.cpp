@@ -137,8 +137,9 @@ bool PathIntegrator::sampleLight(uint32_t path, Random& random, ShadowRay& ray, 
   float pdfs = 0, sum = 0;
   for (size_t k = 0; k < count; ++k) {
     const float pdf = values[k].sum();
-    weighted[k] =
-        pdf > 0 && !light->delta ? pdf * misWeight(lightSamplingProbability(pdf, state.events) * light->pdf, pdf) : pdf;
+    weighted[k] = pdf > 0 && !light->isDelta()
+                      ? pdf * misWeight(lightSamplingProbability(pdf, state.events) * light->pdf, pdf)
+                      : pdf;
     pdfs += pdf;
     sum += weighted[k];
   }
@@ -150,6 +151,8 @@ bool PathIntegrator::sampleLight(uint32_t path, Random& random, ShadowRay& ray, 
     for (float rest = random.uniform() * sum; chosen + 1 < count && (rest -= weighted[chosen]) >= 0;) ++chosen;
   const FibreBcsdf::Value& value = values[chosen];
   if (!(value.sum() > 0)) return false;  // rounding chose it
+  const Rgb radiance = scene_.lighting->radiance(*light);
+  if (radiance == Rgb(0)) return false;
   if (chosen == 0) {
     medium_->leave(path, at, light->wi, likelyOrder(value, random));
   } else {
@@ -159,7 +162,7 @@ bool PathIntegrator::sampleLight(uint32_t path, Random& random, ShadowRay& ray, 
     medium_->leave(path, across, light->wi, likelyOrder(value, random));
   }
   ray = {path, light->wi, light->distance, &random};
-  lamp = {light->radiance, sum / static_cast<float>(count), chance * light->pdf * value.sum(),
+  lamp = {radiance, sum / static_cast<float>(count), chance * light->pdf * value.sum(),
           PathLight{Rgb(0), value.q, at.material, value.chord * event.depth_mm, value.inside}};
   return true;
 }

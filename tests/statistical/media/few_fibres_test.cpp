@@ -120,7 +120,7 @@ TEST_F(FewFibres, OneShowsTheIntegralOfItsBcsdfInParallelLight) {
     const FibreFrame frame(glm::vec3(fibre.tangent()));
     Random random(1);
     const auto light = lit->lighting->sample(glm::vec3(fibre.a), random);
-    ASSERT_TRUE(light && light->delta);
+    ASSERT_TRUE(light && light->isDelta());
     const Material& material = lit->cloth->materials[0];
     glm::dvec3 scattered(0);
     constexpr int kOffsets = 2000;
@@ -138,7 +138,7 @@ TEST_F(FewFibres, OneShowsTheIntegralOfItsBcsdfInParallelLight) {
     }
     const double shown_mm = 2 * std::tan(10 * kPi / 180) * fabric.camera.distance_mm;
     const glm::dvec3 expected =
-        scattered * glm::dvec3(light->radiance) / double{light->pdf} * 2.0 * fibre.radius / shown_mm;
+        scattered * glm::dvec3(lit->lighting->radiance(*light)) / double{light->pdf} * 2.0 * fibre.radius / shown_mm;
     for (int c = 0; c < 3; ++c) {
       EXPECT_NEAR(mean[c], expected[c], 4 * error[c]) << elevation_deg;
       EXPECT_LT(error[c], 0.02 * expected[c]);

@@ -165,7 +165,7 @@ TEST(EnvironmentLight, AnImageOfTheSkyLightsLikeTheSky) {
     constexpr int n = 200000;
     for (int i = 0; i < n; ++i) {
       const auto s = lighting.sample({0, 0, 0}, r);
-      if (s && s->wi.z > 0) sum += luminance(s->radiance) * s->wi.z / s->pdf;
+      if (s && s->wi.z > 0) sum += luminance(lighting.radiance(*s)) * s->wi.z / s->pdf;
     }
     return sum / n;
   };

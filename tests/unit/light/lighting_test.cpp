@@ -61,7 +61,7 @@ TEST(Lighting, TemperatureTintsWhatArrivesAndLeavesTheDirectionsAlone) {
       if (!a) continue;
       EXPECT_EQ(a->wi, b->wi);
       EXPECT_EQ(a->pdf, b->pdf);
-      EXPECT_EQ(warm * a->radiance, b->radiance);
+      EXPECT_EQ(warm * neutral.radiance(*a), tinted.radiance(*b));
       EXPECT_EQ(warm * neutral.escape(a->wi), tinted.escape(a->wi));
     }
   }
@@ -78,12 +78,12 @@ TEST(Lighting, HeadlightFallsWithTheSquareOfTheDistance) {
   const Lighting lighting = make(LightKind::headlight, 2);
   const auto atOrigin = lighting.sample({0, 0, 0}, random), closer = lighting.sample({0, 0, 30}, random);
   ASSERT_TRUE(atOrigin && closer);
-  EXPECT_TRUE(atOrigin->delta);
+  EXPECT_TRUE(atOrigin->isDelta());
   EXPECT_EQ(atOrigin->pdf, 1);
   EXPECT_EQ(atOrigin->distance, 60);
   EXPECT_EQ(atOrigin->wi, glm::vec3(0, 0, 1));
-  EXPECT_NEAR(atOrigin->radiance.g, 2 * kPiF, 1e-5f);
-  EXPECT_NEAR(closer->radiance.g, 8 * kPiF, 1e-4f);
+  EXPECT_NEAR(lighting.radiance(*atOrigin).g, 2 * kPiF, 1e-5f);
+  EXPECT_NEAR(lighting.radiance(*closer).g, 8 * kPiF, 1e-4f);
   EXPECT_FALSE(lighting.sample({0, 0, 60}, random).has_value());
   EXPECT_TRUE(lighting.wantsSampling());
   EXPECT_EQ(lighting.escape({0, 0, 1}), Rgb(0));
@@ -96,11 +96,12 @@ TEST(Lighting, DirectionalLightComesFromItsAngles) {
   light.azimuth_deg = 90;
   light.elevation_deg = 30;
   Random random(1);
-  const auto sample = Lighting(light, {0, 0, 60}).sample({5, 5, 5}, random);
+  const Lighting lighting(light, {0, 0, 60});
+  const auto sample = lighting.sample({5, 5, 5}, random);
   ASSERT_TRUE(sample);
-  EXPECT_TRUE(sample->delta);
+  EXPECT_TRUE(sample->isDelta());
   EXPECT_NEAR(glm::distance(sample->wi, glm::vec3(0, std::cos(kPiF / 6), 0.5f)), 0, 1e-6f);
-  EXPECT_NEAR(sample->radiance.r, kPiF, 1e-5f);
+  EXPECT_NEAR(lighting.radiance(*sample).r, kPiF, 1e-5f);
   EXPECT_EQ(sample->distance, std::numeric_limits<float>::infinity());
 }
 
@@ -144,9 +145,10 @@ TEST(Headlight, IsAsBrightOnWhatTheCameraLooksAtWhereverThatIs) {
   Random random(1);
   for (const glm::vec3 target : {glm::vec3(0, 0, 0), glm::vec3(12, 0, 0), glm::vec3(-300, 40, 2)}) {
     const glm::vec3 eye = target + glm::vec3(0, 0, 10);
-    const auto sample = Lighting(light, eye, 10).sample(target, random);
+    const Lighting lighting(light, eye, 10);
+    const auto sample = lighting.sample(target, random);
     ASSERT_TRUE(sample);
-    EXPECT_NEAR(sample->radiance.g, kPi, 1e-4);  // of a delta light: its irradiance
+    EXPECT_NEAR(lighting.radiance(*sample).g, kPi, 1e-4);  // of a delta light: its irradiance
   }
 }
 

@@ -21,7 +21,7 @@ double paper(const Lighting& light) {
   constexpr int kSamples = 60000;
   for (int i = 0; i < kSamples; ++i)
     if (const auto sample = light.sample(glm::vec3(0), random); sample && sample->wi.z > 0)
-      sum += sample->radiance.g * sample->wi.z / (kPi * sample->pdf);
+      sum += light.radiance(*sample).g * sample->wi.z / (kPi * sample->pdf);
   return sum / kSamples;
 }
 

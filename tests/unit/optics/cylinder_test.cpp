@@ -75,7 +75,7 @@ TEST(DielectricCylinder, AgreesWithTracingRaysThroughIt) {
       for (const double h : {-0.99, -0.6, 0.0, 0.2, 0.9}) {
         const glm::vec3 wo = directionAt(theta, 0.7);
         const TracedCylinder traced(wo, h, index);
-        const optics::CylinderHit hit(wo, static_cast<float>(h), static_cast<float>(index));
+        const optics::CylinderHit<float> hit(wo, static_cast<float>(h), static_cast<float>(index));
         EXPECT_NEAR(hit.chord / traced.chord, 1, 1e-5);
         for (size_t mode = 0; mode < 3; ++mode) {
           EXPECT_NEAR(hit.share[mode], traced.share[mode], 1e-5);
@@ -92,11 +92,11 @@ TEST(DielectricCylinder, AgreesWithTracingRaysThroughIt) {
 
 TEST(DielectricCylinder, FresnelAtNormalIncidenceAndAtBrewstersAngle) {
   const float n = 1.5f;
-  EXPECT_NEAR(optics::fresnel(1, n, n), 0.04, 1e-7);
+  EXPECT_NEAR(optics::fresnel<float>(1, n, n), 0.04, 1e-7);
   const float cosine = 1 / std::sqrt(1 + n * n);  // there the reflection is all s-polarised: ((n^2 - 1) / (n^2 + 1))^2
   const float s = (n * n - 1) / (n * n + 1);
-  EXPECT_NEAR(optics::fresnel(cosine, std::sqrt(n * n - 1 + cosine * cosine), n), 0.5f * s * s, 1e-6);
-  EXPECT_EQ(optics::fresnel(0, 1, n), 1.0f);
+  EXPECT_NEAR(optics::fresnel<float>(cosine, std::sqrt(n * n - 1 + cosine * cosine), n), 0.5f * s * s, 1e-6);
+  EXPECT_EQ(optics::fresnel<float>(0, 1, n), 1.0f);
 }
 
 TEST(FibreBcsdf, SharesOfASmoothFibreAreThoseOfABruteForceTrace) {
