@@ -41,31 +41,29 @@ struct AntitheticPoints {
 /// of these flights came from: that one is met for itself, so a voxel must not count it again.
 class CorrelatedShare {
  public:
-  /// `known`: null where all counts.
-  CorrelatedShare(const KnownFibres* known, const FoundFibres& found, const VoxelGrid& grid, const glm::mat3& toCloth)
+  CorrelatedShare(const KnownFibres& known, const FoundFibres& found, const VoxelGrid& grid, const glm::mat3& toCloth)
       : known_(known), middle_(found.middle), lower_(grid.lower_mm(found.content.voxel)) {
-    if (!known || known->before.radius_mm <= 0) return;
     const ShellSegment& s = found.segment;
-    const KnownFibre& before = known->before;
+    const KnownFibre& before = known.before;
+    if (before.radius_mm <= 0) return;
     before_.emplace(s.clothOrigin + toCloth * (before.axis - s.origin), glm::normalize(toCloth * before.tangent),
                     before.radius_mm, grid);
   }
 
   float operator()(const FibreDistribution& fibres, const YarnOptics& optics,
                    const VoxelContent::YarnSpan& span) const {
-    if (!known_) return 1;
     float absent = 0;
-    for (const RaySegment& past : known_->pastSegments)
+    for (const RaySegment& past : known_.pastSegments)
       if (past.length_mm > 0)
         absent = std::max(absent, knownAbsent(past, middle_, fibres.direction, fibres.spread, optics.fibreRadius_mm));
     float before = 0;
-    if (before_ && YarnId{span.system, span.index} == known_->before.yarnId && optics.packed)
+    if (before_ && YarnId{span.system, span.index} == known_.before.yarnId && optics.packed)
       before = std::min(1.0f, before_->lengthDensity(lower_) / fibres.lengthDensity);
     return (1 - absent) * (1 - before);
   }
 
  private:
-  const KnownFibres* known_;
+  const KnownFibres& known_;
   glm::vec3 middle_;  ///< of the ray in the voxel, world
   glm::vec3 lower_;   ///< corner of the voxel
   std::optional<FibreInVoxels> before_;
@@ -86,8 +84,8 @@ class OffsetAcross {
   glm::vec2 towards_;
 };
 
-bool isWithin(glm::vec3 place, glm::vec3 size) {
-  return glm::all(glm::greaterThanEqual(place, glm::vec3(0))) && glm::all(glm::lessThan(place, size));
+inline bool isWithin(glm::vec3 place, glm::vec3 size) {
+  return std::min({place.x, place.y, place.z}) >= 0 && place.x < size.x && place.y < size.y && place.z < size.z;
 }
 
 }  // namespace
@@ -134,7 +132,10 @@ Collision LoomlightMedium::meet(const ScenePoint& from, glm::vec3 direction, con
     c.pick = content.pick;
   };
   const auto takeFound = [&] {
-    take(found.content, CorrelatedShare(ingredients_.hotSpot ? &memory.known : nullptr, found, grid, toCloth));
+    if (ingredients_.hotSpot && hasSeveralComponents(found.content))
+      take(found.content, CorrelatedShare(memory.known, found, grid, toCloth));
+    else
+      take(found.content, WholeExtinction{});
   };
   if (!ingredients_.finiteRadius) {
     takeFound();

@@ -86,13 +86,18 @@ struct MetComponent {
   int yarn;  ///< index into Fabric::yarns
 };
 
+/// Whether it takes a choice which component of a voxel with content is met.
+inline bool hasSeveralComponents(const VoxelContent& content) {
+  return content.count > 1 || content.spans[0].components.size() > 1;
+}
+
 /// Of a voxel with content, in proportion to what counts of extinction; u in [0, 1). EventLaw::report chooses by
 /// density alone (Eq. 12), which is biased where components are seen at different angles.
 template <class Share = WholeExtinction>
 MetComponent chooseComponent(const YarnTables& yarns, const VoxelContent& content, const LocalDrape& drape,
                              glm::vec3 direction, float u, EventLaw law, const Share& share = {}) {
   int chosen = 0;
-  if (content.count > 1 || content.spans[0].components.size() > 1) {
+  if (hasSeveralComponents(content)) {
     std::array<float, 2 * VoxelContent::kMaxSpans> weights;
     int count = 0;
     float sum = 0;
