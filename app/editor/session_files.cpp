@@ -211,7 +211,7 @@ void Session::takeUp(Fabric fabric, const std::string& left) {
 
 void Session::fileDone(FileService::Result result) {
   using Work = FileService::Work;
-  const bool written = result.work >= Work::save;
+  const bool written = !FileService::reads(result.work);
   if (!result.problem.empty() || result.cancelled) errand_ = {};
   if (result.cancelled) return;
   if (!result.problem.empty() && result.work == Work::usePreset)

@@ -85,10 +85,10 @@ std::optional<ClothSheetContent> tracedContent(const Fabric& fabric, const Cloth
   auto faces = faceColours(fabric, quiet);
   if (!faces) return std::nullopt;
   content.faces = std::move(*faces);
-  const auto walks = walkYarns(fabric, kChipWalks, quiet);
-  if (!walks) return std::nullopt;
-  content.yarnColours = reachedColours(*walks, colouringOf(fabric));
-  content.coloursOfNames = coloursForNames(*walks, content.yarnColours);
+  const auto paths = tracePathsToYarns(fabric, kChipPaths, quiet);
+  if (!paths) return std::nullopt;
+  content.yarnColours = reachedColours(*paths, colouringOf(fabric));
+  content.coloursOfNames = coloursForNames(*paths, content.yarnColours);
   return content;
 }
 

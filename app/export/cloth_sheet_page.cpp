@@ -336,7 +336,7 @@ class SheetWriter {
       for (size_t i = 0; i < std::size(chips); ++i)
         paper_.fill(columns[0] + 2 + 5 * static_cast<double>(i), y_ - 2.4, 5, 2.8,
                     srgbFromLinear(glm::clamp(chips[i], Rgb(0.0f), Rgb(1.0f))));
-      const std::string cells[] = {match.of, match.standard, verdict(match.daylight), verdict(match.bulb),
+      const std::string cells[] = {match.partName, match.standard, verdict(match.daylight), verdict(match.bulb),
                                    fmt::format("{:.2f}", match.bulb.metamerism)};
       for (size_t k = 0; k < std::size(cells); ++k)
         paper_.text(columns[k + 1], y_, cells[k], kBody,

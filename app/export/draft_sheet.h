@@ -18,7 +18,7 @@ struct DraftCorner {
 /// One repeat as a weaver prints it: drawdown with colours, threading, tie-up and treadling or liftplan where its draft
 /// is of a loom, under a line that says what it is. `.pdf`: A4 pages, as many as keep the crossings legible. `.png`:
 /// one picture. A jacquard too large for that is drawn as a whole, with a dot for each crossing. Yarns have the colours
-/// that the cloth reaches (reachedColours()), for which light is walked through it. False, and nothing is written, when
+/// that the cloth reaches (reachedColours()), for which light is traced through it. False, and nothing is written, when
 /// stopped. Throws InputError when the file cannot be written, or has another extension.
 bool writeDraftSheet(const std::string& file, const Fabric& fabric, const DraftCorner& corner, const Task& task);
 

@@ -5,7 +5,7 @@
 #include "core/base/error.h"
 #include "core/fabric/model/booth_lamps.h"
 #include "render/scene/colouring.h"
-#include "render/transport/dye_walks.h"
+#include "render/transport/dye_paths.h"
 
 namespace loomlight {
 namespace {
@@ -44,18 +44,18 @@ std::vector<LampJudgement> judgementsOf(const Spectrum& standard, const Spectrum
   return judgements;
 }
 
-std::shared_ptr<ColourAnswer> answerTo(const ColourWish& wish, const Fabric& ready, const PathLengthTally& walks) {
+std::shared_ptr<ColourAnswer> answerTo(const ColourWish& wish, const Fabric& ready, const PathLengthTally& paths) {
   auto answer = std::make_shared<ColourAnswer>();
   answer->wish = wish;
-  answer->seen = walks.lit() > 0;
+  answer->seen = paths.lit() > 0;
   if (!answer->seen) return answer;
   const Colouring colouring = colouringInDaylight(ready);
-  answer->colour = walks.colour(colouring);
+  answer->colour = paths.colour(colouring);
   const std::vector<int> dyed = fibresOf(ready, wish.part);
-  if (wish.wanted) answer->solved = solveColour(walks, colouring, dyed, *wish.wanted);
+  if (wish.wanted) answer->solved = solveColour(paths, colouring, dyed, *wish.wanted);
   if (!wish.measured) return answer;
-  answer->matched = solveReflectance(walks, colouring, dyed, *wish.measured, lampOf(ready));
-  answer->judgements = judgementsOf(*wish.measured, walks.reflectance(colouring).mean, ready);
+  answer->matched = solveReflectance(paths, colouring, dyed, *wish.measured, lampOf(ready));
+  answer->judgements = judgementsOf(*wish.measured, paths.reflectance(colouring).mean, ready);
   return answer;
 }
 
@@ -76,11 +76,11 @@ std::string ColourWorker::error() const {
   return result ? result->error : "";
 }
 
-/// Makes walks for the wish, which may be replaced under way by one that the same walks serve. Its fabric, ready to
+/// Makes paths for the wish, which may be replaced under way by one that the same paths serve. Its fabric, ready to
 /// dye; null when stopped.
-std::shared_ptr<const Fabric> ColourWorker::makeWalks(ColourWish& wish, Answering::Job& job) {
+std::shared_ptr<const Fabric> ColourWorker::makePaths(ColourWish& wish, Answering::Job& job) {
   std::shared_ptr<const Fabric> ready = readyFor(wish);
-  if (walked_ && walkedPart_ == wish.part && walkedAlike(*walked_, *ready)) return ready;
+  if (traced_ && tracedPart_ == wish.part && tracedAlike(*traced_, *ready)) return ready;
   const auto first = ready;
   Task task;
   task.stop = job.stop();
@@ -89,26 +89,26 @@ std::shared_ptr<const Fabric> ColourWorker::makeWalks(ColourWish& wish, Answerin
     auto newer = job.takeNewer();
     if (!newer) return;
     auto newerReady = readyFor(*newer);
-    if (newer->part == wish.part && walkedAlike(*newerReady, *first)) {
+    if (newer->part == wish.part && tracedAlike(*newerReady, *first)) {
       wish = std::move(*newer);
       ready = std::move(newerReady);
     } else {
       job.giveWayTo(std::move(*newer));
     }
   };
-  auto walks = walkForDyes(*first, wish.part, task, DyeWalks::toSolve, kLiveDyeError);
-  if (!walks) return nullptr;
-  walked_ = first;
-  walkedPart_ = wish.part;
-  walks_ = std::move(*walks);
-  error_ = colourError(walks_);
+  auto paths = tracePathsForDyes(*first, wish.part, task, DyePaths::toSolve, kLiveDyeError);
+  if (!paths) return nullptr;
+  traced_ = first;
+  tracedPart_ = wish.part;
+  paths_ = std::move(*paths);
+  error_ = colourError(paths_);
   return ready;
 }
 
 std::optional<ColourWorker::Result> ColourWorker::answer(ColourWish wish, Answering::Job& job) {
-  const auto ready = makeWalks(wish, job);
+  const auto ready = makePaths(wish, job);
   if (!ready) return std::nullopt;
-  const auto answered = answerTo(wish, *ready, walks_);
+  const auto answered = answerTo(wish, *ready, paths_);
   answered->error = error_;
   last_ = answered;
   return Result{last_, ""};

@@ -25,7 +25,7 @@ struct ColourWish {
 /// Beside a measured standard, as dyers judge it.
 struct LampJudgement {
   StandardIlluminant lamp = StandardIlluminant::d65;
-  Judgement of;
+  Judgement judgement;
 };
 
 /// The dyes are for the fibres of the part in the fabric that is readyToDye().
@@ -33,7 +33,7 @@ struct ColourAnswer {
   ColourWish wish;
   bool seen = false;  ///< it lies on top somewhere
   Rgb colour{0};      ///< that the cloth shows now
-  double error = 0;   ///< standard error of the colours, CIEDE2000: of what light has been walked (colourError())
+  double error = 0;   ///< standard error of the colours, CIEDE2000: of what light has been traced (colourError())
   std::optional<SolvedColour> solved;
   std::optional<SolvedReflectance> matched;
   /// Of the cloth as it is beside what was measured, by the observer of 10 degrees, whatever the scene's: so dyers
@@ -42,7 +42,7 @@ struct ColourAnswer {
   std::vector<LampJudgement> judgements;
 };
 
-/// Answers the newest wish on a thread of its own, at low priority: light is walked through the cloth once for each
+/// Answers the newest wish on a thread of its own, at low priority: light is traced through the cloth once for each
 /// construction; every further colour takes a moment. No call here waits.
 class ColourWorker {
  public:
@@ -59,14 +59,14 @@ class ColourWorker {
   };
   using Answering = Worker<ColourWish, Result>;
   std::optional<Result> answer(ColourWish wish, Answering::Job& job);
-  std::shared_ptr<const Fabric> makeWalks(ColourWish& wish, Answering::Job& job);
+  std::shared_ptr<const Fabric> makePaths(ColourWish& wish, Answering::Job& job);
 
   // The thread's own:
   std::shared_ptr<const ColourAnswer> last_;
-  std::shared_ptr<const Fabric> walked_;  ///< ready to dye, through whose cloth walks_ are
-  ClothPart walkedPart_;
-  PathLengthTally walks_;
-  double error_ = 0;  ///< of the walks
+  std::shared_ptr<const Fabric> traced_;  ///< ready to dye, through whose cloth paths_ are
+  ClothPart tracedPart_;
+  PathLengthTally paths_;
+  double error_ = 0;  ///< of the paths
 
   Answering worker_;  // last: it ends before what it uses is gone
 };

@@ -41,8 +41,8 @@ struct InsetStatus {
     laying,     ///< fibres
     tooLarge,   ///< they would take more than the limit
     failed,     ///< for another reason: `error`
-    tracing,    ///
-    converged,  ///
+    tracing,    ///< fibres are laid, and samples are still to come
+    converged,  ///< all samples that are asked for are there
   };
   Phase phase = Phase::closed;
   double progress = 0;             ///< 0..1, of laying

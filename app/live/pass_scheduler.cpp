@@ -24,8 +24,8 @@ int firstDivider(const PassHistory& h) {
   const double secondsPerPath = h.secondsPerPath > 0 ? h.secondsPerPath : kUsualSecondsPerPath;
   int divider = 1;
   const auto takesLongerThan = [&](double seconds) { return pathsAt(h, divider) * secondsPerPath > seconds; };
-  while (divider < h.coarsest && takesLongerThan(kFirstPictureSeconds)) ++divider;
-  while (divider < kCoarsest && takesLongerThan(h.patience_s)) ++divider;
+  while (divider < h.first.coarsest && takesLongerThan(kFirstPictureSeconds)) ++divider;
+  while (divider < kCoarsest && takesLongerThan(h.first.patience_s)) ++divider;
   return divider;
 }
 

@@ -14,6 +14,13 @@ struct PassPlan {
   bool operator==(const PassPlan&) const = default;
 };
 
+/// How coarse the first pass may be: its divider is at most `coarsest`, as long as it takes no longer than `patience_s`
+/// on all threads; a slower cloth begins as coarse as any, at 32.
+struct FirstPass {
+  int coarsest = 32;
+  double patience_s = 0.1;
+};
+
 /// What it has done since the last restart.
 struct PassHistory {
   int width = 0, height = 0;  ///< of the full picture
@@ -21,8 +28,7 @@ struct PassHistory {
   int divider = 0;            ///< of the last pass; 0: none yet
   uint32_t samples = 0;       ///< at full resolution
   double seconds = 0;         ///< since the restart
-  int coarsest = 32;          ///< divider that the first pass has at most, if it then takes no longer than...
-  double patience_s = 0.1;    ///< ...this; otherwise 32
+  FirstPass first{};
 };
 
 /// What passes that take longer than one sample are to take: a quarter of the picture's age, as the eye sees progress

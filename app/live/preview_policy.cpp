@@ -16,11 +16,9 @@ PreviewStart previewStart(const PreviewHave& have) {
   if (have.sameRequest && have.divider > 0) {
     start.reached = have.divider;
   } else if (have.sameRequest || sameView) {
-    start.coarsest = kLegible;
-    start.patience_s = kPatience_s;
+    start.first = {kLegible, kPatience_s};
   } else if (start.knowsCost) {
-    start.coarsest = kInMotion;
-    start.patience_s = kFollowing_s;
+    start.first = {kInMotion, kFollowing_s};
   }
   return start;
 }

@@ -2,12 +2,13 @@
 
 #include <optional>
 
+#include "app/live/pass_scheduler.h"
 #include "core/fabric/model/changes.h"
 
 namespace loomlight {
 
-// What the tracer shows until the picture is there (render/display/quality.h), decided by what it has and what is
-// wanted alone: no clock, no thread, no pixels. How fine and how long each pass is, and of which picture, says
+// What the tracer shows until the picture is there (render/display/preview_quality.h), decided by what it has and what
+// is wanted alone: no clock, no thread, no pixels. How fine and how long each pass is, and of which picture, says
 // pass_scheduler.h.
 
 /// What there is to see when a scene comes that is to be traced.
@@ -23,8 +24,7 @@ struct PreviewHave {
 struct PreviewStart {
   bool knowsCost = false;  ///< a path takes about as long as in the picture under way
   int reached = 0;         ///< goes on with passes finer than this, and what is shown fades into it; 0: begins anew
-  int coarsest = 32;       ///< divider of the first pass at most, if that then takes no longer than...
-  double patience_s = 0.1;
+  FirstPass first;         ///< where it begins anew
 };
 PreviewStart previewStart(const PreviewHave& have);
 

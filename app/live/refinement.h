@@ -35,12 +35,8 @@ class Refinement {
   Refinement(Traceable cloth, int width, int height, double secondsPerPath);
 
   void look(const PixelRect& window);  ///< within the film
-  /// The first pass has this divider at most, because the old picture says more than a coarser one would; it is coarser
-  /// all the same where the pass would take longer than `patience_s`.
-  void beginAt(int divider, double patience_s) {
-    history_.coarsest = divider;
-    history_.patience_s = patience_s;
-  }
+  /// Before the first pass: no coarser than this, because the old picture says more than a coarser one would.
+  void beginWith(const FirstPass& first) { history_.first = first; }
   /// Leaves out all passes whose divider is this or larger: for a picture that another one stands in for, or that is
   /// not shown before it has many samples.
   void skipCoarse(int divider = 1) { history_.divider = divider; }
@@ -66,7 +62,9 @@ class Refinement {
   /// Null where none is shared; it is then no longer.
   std::unique_ptr<SharedLight> takeSharedLight() { return std::move(shared_); }
 
-  bool begun() const { return history_.divider != 0; }  ///< the window has been filled, if coarsely
+  bool begun() const {
+    return history_.divider != 0;
+  }  ///< a pass has filled the window, or those that would were left out
   bool converged() const;
   int divider() const { return history_.divider; }
   uint32_t samples() const { return history_.samples; }

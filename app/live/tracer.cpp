@@ -187,7 +187,7 @@ void Tracer::begin(const Request& before) {
     picture_->standIn(earlier);
     picture_->skipCoarse(start.reached);
   } else {
-    picture_->beginAt(start.coarsest, start.patience_s);
+    picture_->beginWith(start.first);
   }
   spentBeforeInset_s_ = 0;
   if (!better) {  // the inset is of another scene; openInset() makes a new one where the same fibres serve

@@ -126,8 +126,8 @@ class Tracer {
   bool isNews_ = false;  ///< shown_ has changed since it was brought
   std::optional<Refinement> picture_, inset_;
   std::optional<Refinement> recoloured_;  ///< the old picture, shown in other colours until picture_ is as good
-  Recolouring recolouring_;               ///< into these
-  double varianceToBeat_ = 0;             ///< of it
+  Recolouring recolouring_;               ///< the colours that recoloured_ is shown in
+  double varianceToBeat_ = 0;             ///< noise of recoloured_, which picture_ must not exceed to take its place
   double spentBeforeInset_s_ = 0;         ///< on the picture, before the inset was opened
   double insetSecondsPerPath_ = 0;        ///< of the last inset
   /// The last picture with samples at full resolution, and of what: while crossings alone change, or the viewport's

@@ -23,7 +23,7 @@ struct DepthRay {
   ScenePoint from;
   glm::vec3 direction{0, 0, -1};       ///< unit
   float tMax_mm = 0;                   ///< no farther than this
-  float depth = 0;                     ///< so much it has
+  float depth = 0;                     ///< optical depth that it may use up before it stops
   const KnownFibres* known = nullptr;  ///< of its path
 };
 
@@ -47,7 +47,7 @@ struct FoundFibres {
   const ShellSegment& segment;
   const VoxelContent& content;
   float t_mm;        ///< where the light is, from where the ray began
-  float ahead_mm;    ///< of the light, the axes: c
+  float ahead_mm;    ///< distance by which the axes of fibres lie ahead of the light: c of LoomlightMedium
   float whole;       ///< extinction of the voxel, 1/mm
   glm::vec3 middle;  ///< of the ray in the voxel, world
   CellCache& cells;  ///< to look around in

@@ -159,7 +159,7 @@ class Medium {
 
   /// So many paths through it, for one thread and as many after each other as it likes. The medium must outlive them.
   virtual std::unique_ptr<MediumBatch> batch(size_t paths) const = 0;
-  /// One.
+  /// A path alone.
   MediumPath path() const { return MediumPath(batch(1)); }
 
   /// Whether light that comes straight from a lamp to the first fibre of a path is seen by transmit() alone, whatever

@@ -10,8 +10,8 @@
 #include "render/colour/primaries.h"
 #include "render/transport/path_light.h"
 
-// How it works. A walk through the cloth is known by its lengths inside each material, so its light is a product of
-// exponentials of the absorptions, and the colour of the cloth a mean of those over all walks. As a function of one
+// How it works. A path through the cloth is known by its lengths inside each material, so its light is a product of
+// exponentials of the absorptions, and the colour of the cloth a mean of those over all paths. As a function of one
 // absorption, in one channel or band, that mean falls from what undyed fibres give to what black ones do: so each
 // wanted value between the two has one absorption, found by Newton's method on the logarithm. Where a fibre is dyed
 // in several materials at once, their lengths add up. Wanted values out of reach are first brought to the nearest
@@ -26,22 +26,22 @@ namespace {
 
 constexpr double kMostAbsorption = 10000;  // of a valid fabric
 
-/// The length of each walk inside the materials that are dyed, mm.
-std::vector<double> lengthsInside(const PathLengthTally& walks, std::span<const int> dyed) {
+/// The length of each path inside the materials that are dyed, mm.
+std::vector<double> lengthsInside(const PathLengthTally& paths, std::span<const int> dyed) {
   std::vector<double> lengths;
-  for (size_t i = 0; i < walks.lengths_mm.size(); i += walks.materials) {
+  for (size_t i = 0; i < paths.lengths_mm.size(); i += paths.materials) {
     double length = 0;
-    for (const int material : dyed) length += walks.lengths_mm[i + static_cast<size_t>(material)];
+    for (const int material : dyed) length += paths.lengths_mm[i + static_cast<size_t>(material)];
     lengths.push_back(length);
   }
   return lengths;
 }
 
-/// One channel or band of the walks as a function of one absorption: mean of weight exp(-sigma length).
+/// One channel or band of the paths as a function of one absorption: mean of weight exp(-sigma length).
 class Channel {
  public:
-  /// `lengths_mm`: of each walk inside what is dyed. `weights`: what the other materials leave of its light. `count`:
-  /// of all walks, those that did not come out too.
+  /// `lengths_mm`: of each path inside what is dyed. `weights`: what the other materials leave of its light. `count`:
+  /// of all paths, those that did not come out too.
   Channel(const std::vector<double>& lengths_mm, std::vector<double> weights, size_t count)
       : lengths_mm_(lengths_mm), weights_(std::move(weights)) {
     for (double& weight : weights_) weight /= static_cast<double>(count);
@@ -100,11 +100,11 @@ struct Range {
 class PrimaryChannels {
  public:
   /// `colouring`: without the dye.
-  PrimaryChannels(const PathLengthTally& walks, const Colouring& colouring, const std::vector<double>& lengths_mm) {
+  PrimaryChannels(const PathLengthTally& paths, const Colouring& colouring, const std::vector<double>& lengths_mm) {
     const bool isApart = !colouring.isSpectral() && !colouring.eye.whole;
     std::array<std::vector<double>, 9> weights;
-    for (size_t i = 0; i < walks.lengths_mm.size(); i += walks.materials) {
-      const auto lengths = std::span(walks.lengths_mm).subspan(i, walks.materials);
+    for (size_t i = 0; i < paths.lengths_mm.size(); i += paths.materials) {
+      const auto lengths = std::span(paths.lengths_mm).subspan(i, paths.materials);
       for (int c = 0; c < 3; ++c) {
         Rgb primary(0.0f);
         primary[c] = 1;
@@ -113,7 +113,7 @@ class PrimaryChannels {
           if (o == c || !isApart) weights[at(o, c)].push_back(seen[o]);
       }
     }
-    for (std::vector<double>& of : weights) channels_.emplace_back(lengths_mm, std::move(of), walks.count);
+    for (std::vector<double>& of : weights) channels_.emplace_back(lengths_mm, std::move(of), paths.count);
   }
   /// What primary c gives to its own channel.
   const Channel& own(int c) const { return channels_[at(c, c)]; }
@@ -143,16 +143,16 @@ void bleach(Colouring& colouring, std::span<const int> materials) {
 
 }  // namespace
 
-SolvedColour solveColour(const PathLengthTally& walks, Colouring colouring, std::span<const int> dyed,
+SolvedColour solveColour(const PathLengthTally& paths, Colouring colouring, std::span<const int> dyed,
                          const Rgb& wanted) {
   constexpr int kMostRounds = 30;
   constexpr float kSettled = 1e-5f;  // of the colour
   constexpr float kBlack = 1e-4f;    // darker has no logarithm
-  assert(walks.lit() > 0 && colouring.primaries_per_mm.size() == walks.materials);
+  assert(paths.lit() > 0 && colouring.primaries_per_mm.size() == paths.materials);
   SolvedColour solved;
-  const std::vector<double> lengths_mm = lengthsInside(walks, dyed);
+  const std::vector<double> lengths_mm = lengthsInside(paths, dyed);
   bleach(colouring, dyed);
-  const PrimaryChannels primaries(walks, colouring, lengths_mm);
+  const PrimaryChannels primaries(paths, colouring, lengths_mm);
   Rgb before(0.0f);
   for (int round = 0; round < kMostRounds; ++round) {
     Rgb darkest(0.0f), lightest(0.0f), others(0.0f);
@@ -174,25 +174,25 @@ SolvedColour solveColour(const PathLengthTally& walks, Colouring colouring, std:
     before = others;
   }
   for (const int material : dyed) colouring.primaries_per_mm[static_cast<size_t>(material)] = solved.absorption_per_mm;
-  solved.reached = walks.colour(colouring);
+  solved.reached = paths.colour(colouring);
   return solved;
 }
 
-SolvedReflectance solveReflectance(const PathLengthTally& walks, Colouring colouring, std::span<const int> dyed,
+SolvedReflectance solveReflectance(const PathLengthTally& paths, Colouring colouring, std::span<const int> dyed,
                                    const Spectrum& wanted, const TristimulusWeights& lamp) {
-  assert(walks.lit() > 0 && colouring.primaries_per_mm.size() == walks.materials);
-  const std::vector<double> lengths_mm = lengthsInside(walks, dyed);
+  assert(paths.lit() > 0 && colouring.primaries_per_mm.size() == paths.materials);
+  const std::vector<double> lengths_mm = lengthsInside(paths, dyed);
   for (const int material : dyed) colouring.setBands(static_cast<size_t>(material), Spectrum{});
   std::array<std::vector<double>, kBands> weights;
-  for (size_t i = 0; i < walks.lengths_mm.size(); i += walks.materials) {
-    const Spectrum left = leftInBands(std::span(walks.lengths_mm).subspan(i, walks.materials), colouring);
+  for (size_t i = 0; i < paths.lengths_mm.size(); i += paths.materials) {
+    const Spectrum left = leftInBands(std::span(paths.lengths_mm).subspan(i, paths.materials), colouring);
     for (size_t j = 0; j < kBands; ++j) weights[j].push_back(left[j]);
   }
   SolvedReflectance solved;
   std::vector<Channel> bands;
   Spectrum darkest, lightest;
   for (size_t j = 0; j < kBands; ++j) {
-    bands.emplace_back(lengths_mm, std::move(weights[j]), walks.count);
+    bands.emplace_back(lengths_mm, std::move(weights[j]), paths.count);
     const Range range(bands.back());
     solved.tooLight += range.isTooLight(wanted[j]);
     solved.tooDark += range.isTooDark(wanted[j]);
@@ -208,7 +208,7 @@ SolvedReflectance solveReflectance(const PathLengthTally& walks, Colouring colou
   for (size_t j = 0; j < kBands; ++j)
     if (target[j] < lightest[j]) solved.absorption_per_mm[j] = static_cast<float>(absorptionFor(bands[j], target[j]));
   for (const int material : dyed) colouring.setBands(static_cast<size_t>(material), solved.absorption_per_mm);
-  solved.reached = walks.reflectance(colouring).mean;
+  solved.reached = paths.reflectance(colouring).mean;
   return solved;
 }
 

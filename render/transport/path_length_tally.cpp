@@ -18,7 +18,7 @@
 // is asked for first, the path is followed until it leaves the cloth, and the lengths that it has gone inside the
 // fibres of each material are written down. The colour of the cloth for any absorptions is then the mean of
 // exp(-absorption . lengths) over the paths, without tracing them again. Where several kinds of fibres are asked for,
-// each has a tally of its own, and walks are begun until every one has enough or too many have been begun in vain.
+// each has a tally of its own, and paths are begun until every one has enough or too many have been begun in vain.
 
 namespace loomlight {
 namespace {
@@ -43,7 +43,7 @@ glm::dvec2 windowSides_mm(const Fabric& fabric) {
   return {side(ends, fabric.warpPitch_mm()), side(picks, fabric.weftPitch_mm())};
 }
 
-/// Which of several tallies a walk that begins with this collision goes into; -1: none.
+/// Which of several tallies a path that begins with this collision goes into; -1: none.
 using KindOf = std::function<int(const Collision&)>;
 
 /// What one path has gone through, if it met a kind first that is wanted, and came back to the sky.
@@ -76,7 +76,7 @@ class LengthTally final : public PathSink {
   std::vector<float> lengths_mm_;
 };
 
-/// A block of walks, of each kind as many as `most`; false when stopped.
+/// A block of paths, of each kind as many as `most`; false when stopped.
 bool walkBlock(const Scene& scene, const Medium& medium, const KindOf& kindOf, uint64_t seed, size_t most,
                std::vector<PathLengthTally>& kinds, const Task& task) {
   constexpr size_t kTriesPerWalk = 64;  // what so few eyes see is not on the face
@@ -115,7 +115,7 @@ bool walkBlock(const Scene& scene, const Medium& medium, const KindOf& kindOf, u
   return !task.stopped();
 }
 
-/// Of each kind `count` walks. nullopt when stopped.
+/// Of each kind `count` paths. nullopt when stopped.
 std::optional<std::vector<PathLengthTally>> tallyKinds(const Scene& scene, const Medium& medium, size_t kinds,
                                                        const KindOf& kindOf, size_t count, const Task& task,
                                                        uint64_t stream = 0) {
@@ -207,7 +207,7 @@ Fabric colourPatch(Fabric fabric) {
   return fabric;
 }
 
-bool walkedAlike(const Fabric& a, const Fabric& b) {
+bool tracedAlike(const Fabric& a, const Fabric& b) {
   return changes(a, b).stages.within(Stage::drape | Stage::colour | Stage::brightness | Stage::light |
                                      Stage::surroundings | Stage::camera | Stage::label);
 }

@@ -13,16 +13,16 @@ namespace loomlight {
 /// What a spectrophotometer says of a cloth.
 struct Reflectance {
   Spectrum mean{};           ///< 1 is a perfect diffuser
-  Spectrum standardError{};  ///< bands err together, since all see the same walks
+  Spectrum standardError{};  ///< bands err together, since all see the same paths
 };
 
 /// Light on its way from an eye straight above the cloth back to a white sky, black below: how a spectrophotometer
 /// looks at cloth. Absorption enters a path only as exp(-sum sigma_k L_k), so the lengths L_k that it has gone inside
-/// each fibre material are all that its colour depends on: one set of walks answers for every dye.
+/// each fibre material are all that its colour depends on: one set of paths answers for every dye.
 struct PathLengthTally {
   size_t materials = 0;           ///< of the scene
-  size_t count = 0;               ///< walks that met the part in question first
-  std::vector<float> lengths_mm;  ///< of those that came out to the sky: walk by walk, one length for each material
+  size_t count = 0;               ///< paths that met the part in question first
+  std::vector<float> lengths_mm;  ///< of those that came out to the sky: path by path, one length for each material
 
   size_t lit() const { return materials > 0 ? lengths_mm.size() / materials : 0; }
   /// What shows, where that part lies on top, with these absorptions (1/mm, per material). 1 is white paper.
@@ -37,15 +37,15 @@ struct PathLengthTally {
 /// sideways around it. Its yarns are evenly spun, as it is to stand for all of the cloth.
 Fabric colourPatch(Fabric fabric);
 
-/// Whether walks through the patch of one fabric tell the colours of the other's: it is flat, under its own sky.
-bool walkedAlike(const Fabric& a, const Fabric& b);
+/// Whether paths through the patch of one fabric tell the colours of the other's: it is flat, under its own sky.
+bool tracedAlike(const Fabric& a, const Fabric& b);
 
-/// `count` walks that first meet a fibre of the part, over the middle of the scene, which is that of a colourPatch();
-/// fewer where hardly any does, none where it never lies on top. A function of the scene's seed; walks of different
+/// `count` paths that first meet a fibre of the part, over the middle of the scene, which is that of a colourPatch();
+/// fewer where hardly any does, none where it never lies on top. A function of the scene's seed; paths of different
 /// `stream` are independent. nullopt when stopped.
 std::optional<PathLengthTally> tallyPathLengths(const Scene& scene, const Medium& medium, const ClothPart& part,
                                                 size_t count, const Task& task, uint64_t stream = 0);
-/// The same for each yarn of the fabric at once; more walks of yarns that show more than others.
+/// The same for each yarn of the fabric at once; more paths of yarns that show more than others.
 std::optional<std::vector<PathLengthTally>> tallyYarns(const Scene& scene, const Medium& medium, size_t count,
                                                        const Task& task);
 

@@ -4,8 +4,8 @@
 
 #include "core/base/error.h"
 #include "core/fabric/yarn/band_colour.h"
-#include "render/transport/cloth_walks.h"
-#include "render/transport/dye_walks.h"
+#include "render/transport/colour_patch.h"
+#include "render/transport/dye_paths.h"
 
 namespace loomlight {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 StandardMatch matchOf(const ClothStandard& standard, const Spectrum& reflectance) {
   const auto weights = [](const char* lamp) { return tristimulusWeights(illuminantNamed(lamp), Observer::degrees10); };
   const TristimulusWeights daylight = weights("D65");
-  return {standard.of,
+  return {standard.partName,
           standard.name,
           linearFromReflectance(standard.reflectance),
           linearFromReflectance(reflectance),
@@ -32,14 +32,15 @@ std::optional<std::vector<StandardMatch>> standardMatches(const Fabric& fabric,
   if (!patch) return std::nullopt;
   const Colouring colouring = colouringInDaylight(fabric);
   for (const ClothStandard& standard : standards) {
-    const auto walks = walkForDyes(*patch->scene, *patch->medium, standard.part, task, DyeWalks::toJudge, kToldError);
-    if (!walks) return std::nullopt;
-    if (walks->lit() == 0)
+    const auto paths =
+        tracePathsForDyes(*patch->scene, *patch->medium, standard.part, task, DyePaths::toJudge, kToldError);
+    if (!paths) return std::nullopt;
+    if (paths->lit() == 0)
       throw InputError(
           fmt::format("{}: expected a standard of a part that lies on the face, where it shows its colour, "
                       "got one of {}",
-                      standard.name, standard.of));
-    matches.push_back(matchOf(standard, walks->reflectance(colouring).mean));
+                      standard.name, standard.partName));
+    matches.push_back(matchOf(standard, paths->reflectance(colouring).mean));
   }
   return matches;
 }

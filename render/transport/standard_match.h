@@ -13,14 +13,14 @@ namespace loomlight {
 /// What a cloth ought to reflect like where a part of it lies on top.
 struct ClothStandard {
   ClothPart part;
-  std::string of;    ///< the part, as people call it
-  std::string name;  ///< of what was measured
+  std::string partName;  ///< as people call the part
+  std::string name;      ///< of what was measured
   Spectrum reflectance{};
 };
 
 /// A cloth beside a standard of it, by the CIE observer for 10 degrees, as the textile trade judges.
 struct StandardMatch {
-  std::string of, standard;
+  std::string partName, standard;
   Rgb wanted{0}, shown{0};   ///< linear, in daylight
   Judgement daylight, bulb;  ///< under CIE D65 and A; metamerism is told from D65
 };

@@ -11,9 +11,9 @@ namespace loomlight {
 std::optional<std::vector<std::string>> yarnNames(const Fabric& fabric, const Task& task, CountSystem system) {
   std::vector<Rgb> colours(fabric.yarns.size());  // nobody asks for those of yarns that have names
   if (std::any_of(fabric.yarns.begin(), fabric.yarns.end(), [](const Yarn& yarn) { return yarn.name.empty(); })) {
-    const auto walks = walkYarns(fabric, kChipWalks, task);
-    if (!walks) return std::nullopt;
-    colours = coloursForNames(*walks, reachedColours(*walks, colouringOf(fabric)));
+    const auto paths = tracePathsToYarns(fabric, kChipPaths, task);
+    if (!paths) return std::nullopt;
+    colours = coloursForNames(*paths, reachedColours(*paths, colouringOf(fabric)));
   }
   std::vector<std::string> names;
   names.reserve(colours.size());

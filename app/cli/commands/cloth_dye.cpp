@@ -15,9 +15,9 @@
 #include "core/fabric/model/validate.h"
 #include "core/fabric/yarn/band_colour.h"
 #include "render/colour/colour_difference.h"
-#include "render/transport/cloth_walks.h"
+#include "render/transport/colour_patch.h"
 #include "render/transport/colour_solver.h"
-#include "render/transport/dye_walks.h"
+#include "render/transport/dye_paths.h"
 
 namespace loomlight {
 namespace {
@@ -27,7 +27,7 @@ struct Dyeing {
   ClothPart part;                          ///< a fibre, or the piece
   Rgb wanted{0};                           ///< linear
   std::optional<Spectrum> measured;        ///< wanted in bands
-  PathLengthTally walks, judging;          ///< that the dye is solved with, and others
+  PathLengthTally paths, judging;          ///< that the dye is solved with, and others
   bool tooLight = false, tooDark = false;  ///< for this cloth
 };
 
@@ -61,11 +61,11 @@ std::vector<Dyeing> dyeingsOf(const Fabric& fabric, const std::vector<ClothColou
   return dyeings;
 }
 
-/// Walks light through the cloth for each. False when stopped.
-bool walk(const Fabric& fabric, std::vector<Dyeing>& dyeings) {
+/// Traces light through the cloth for each. False when stopped.
+bool tracePaths(const Fabric& fabric, std::vector<Dyeing>& dyeings) {
   const Interrupt interrupt;
-  Progress progress("walking light through the cloth");
-  // Of the progress, the construction and each fibre's walks have equal parts.
+  Progress progress("tracing light through the cloth");
+  // Of the progress, the construction and each fibre's paths have equal parts.
   const double parts = 1.0 + 2 * static_cast<double>(dyeings.size());
   size_t done = 0;
   Task task;
@@ -74,12 +74,12 @@ bool walk(const Fabric& fabric, std::vector<Dyeing>& dyeings) {
   const auto patch = makeColourPatch(fabric, task);
   if (!patch) return false;
   for (Dyeing& dyeing : dyeings) {
-    for (const DyeWalks use : {DyeWalks::toSolve, DyeWalks::toJudge}) {
+    for (const DyePaths use : {DyePaths::toSolve, DyePaths::toJudge}) {
       ++done;
-      const double error = dyeing.measured && use == DyeWalks::toSolve ? kDyeError : kToldError;
-      auto walks = walkForDyes(*patch->scene, *patch->medium, dyeing.part, task, use, error);
-      if (!walks) return false;
-      (use == DyeWalks::toSolve ? dyeing.walks : dyeing.judging) = std::move(*walks);
+      const double error = dyeing.measured && use == DyePaths::toSolve ? kDyeError : kToldError;
+      auto paths = tracePathsForDyes(*patch->scene, *patch->medium, dyeing.part, task, use, error);
+      if (!paths) return false;
+      (use == DyePaths::toSolve ? dyeing.paths : dyeing.judging) = std::move(*paths);
     }
   }
   return true;
@@ -93,14 +93,14 @@ bool dye(Fabric& fabric, Dyeing& dyeing, const JudgingLamp& lamp) {
   bool settled = absorption.isSpectral() == dyeing.measured.has_value();
   if (dyeing.measured) {
     const SolvedReflectance solved =
-        solveReflectance(dyeing.walks, colouringInDaylight(fabric), dyed, *dyeing.measured, lamp.weights);
+        solveReflectance(dyeing.paths, colouringInDaylight(fabric), dyed, *dyeing.measured, lamp.weights);
     const Spectrum now = solved.absorption_per_mm, before = absorption.inBands();
     for (size_t j = 0; j < kBands; ++j) settled &= std::abs(now[j] - before[j]) <= kSettled * now[j];
     dyeing.tooLight = solved.tooLight > 0;
     dyeing.tooDark = solved.tooDark > 0;
     absorption = Absorption(now);
   } else {
-    const SolvedColour solved = solveColour(dyeing.walks, colouringInDaylight(fabric), dyed, dyeing.wanted);
+    const SolvedColour solved = solveColour(dyeing.paths, colouringInDaylight(fabric), dyed, dyeing.wanted);
     const Rgb now = solved.absorption_per_mm, before = absorption.primaries;
     settled &= glm::all(glm::lessThanEqual(glm::abs(now - before), kSettled * now));
     dyeing.tooLight = solved.tooLight;
@@ -126,7 +126,7 @@ std::string whyNot(const Dyeing& dyeing) {
   return dyeing.tooLight ? "lighter than this cloth can be" : "darker than fibres can be, as their surface reflects";
 }
 
-/// What the cloth shows, told by walks that its dyes were not solved with.
+/// What the cloth shows, told by paths that its dyes were not solved with.
 void tell(const std::string& name, const Dyeing& dyeing, const Colouring& colouring, const JudgingLamp& lamp) {
   const Rgb shown = dyeing.judging.colour(colouring);
   double difference = ciede2000(labFromLinear(glm::dvec3(dyeing.wanted)), labFromLinear(glm::dvec3(shown)));
@@ -150,9 +150,9 @@ std::optional<Fabric> dyed(Fabric fabric, const std::vector<ClothColour>& wanted
   validate(fabric, source);
   const JudgingLamp lamp = judgingLamp(illuminant, Observer::degrees10);
   std::vector<Dyeing> dyeings = dyeingsOf(fabric, wanted, source);
-  if (!walk(fabric, dyeings)) return std::nullopt;
+  if (!tracePaths(fabric, dyeings)) return std::nullopt;
   for (const Dyeing& dyeing : dyeings)
-    if (dyeing.walks.lit() == 0 || dyeing.judging.lit() == 0)
+    if (dyeing.paths.lit() == 0 || dyeing.judging.lit() == 0)
       throw InputError(
           fmt::format("{}: --cloth-colour: expected a fibre that lies on the face, where it shows its colour, got {}",
                       source, partText(dyeing.part, fabric)));

@@ -14,9 +14,9 @@
 #include "app/cli/swatches.h"
 #include "core/base/error.h"
 #include "render/colour/colour_difference.h"
-#include "render/transport/dye_walks.h"
+#include "render/transport/dye_paths.h"
 
-// How it works. Light is walked through the cloth once, and its reflectance in every band is read off the lengths that
+// How it works. Light is traced through the cloth once, and its reflectance in every band is read off the lengths that
 // it has gone inside the fibres. All else is arithmetic on reflectances: CIELAB under each lamp, the differences
 // between two, and how much of a difference is a lamp's doing (metamerism).
 
@@ -61,16 +61,16 @@ std::optional<Sample> wovenSample(const ColourSide& side, const ColourCommand& c
   const ClothPart part =
       side.part.empty() ? wholePiece() : partNamed(side.part, fabric, NamedParts::yarnsAndFibres, side.file);
   const Interrupt interrupt;
-  Progress progress("walking light through the cloth");
+  Progress progress("tracing light through the cloth");
   Task task = interrupt.task(command.threads);
   task.progress = [&progress](double fraction) { progress.update(fraction); };
-  const auto walks = walkForDyes(fabric, part, task, DyeWalks::toJudge, kToldError);
-  if (!walks) return std::nullopt;
-  if (walks->lit() == 0)
+  const auto paths = tracePathsForDyes(fabric, part, task, DyePaths::toJudge, kToldError);
+  if (!paths) return std::nullopt;
+  if (paths->lit() == 0)
     throw InputError(fmt::format("{}: expected a part that lies on the face, where it shows its colour, got {}",
                                  side.file, partText(part, fabric)));
   return Sample{fabric.name, part == wholePiece() ? "" : partText(part, fabric),
-                walks->reflectance(colouringInDaylight(fabric))};
+                paths->reflectance(colouringInDaylight(fabric))};
 }
 
 std::optional<Sample> sampleFrom(const ColourSide& side, const ColourCommand& command) {

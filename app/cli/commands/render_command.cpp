@@ -6,7 +6,7 @@
 #include <map>
 #include <new>
 
-#include "app/cli/commands/render_job.h"
+#include "app/cli/commands/render_picture.h"
 #include "app/cli/usage_error.h"
 #include "core/base/error.h"
 
@@ -14,7 +14,7 @@ namespace loomlight {
 namespace {
 
 /// The pictures of a command: each fabric, in each frame that is wanted.
-std::vector<RenderJob> jobsOf(const RenderCommand& command) {
+std::vector<RenderOrder> jobsOf(const RenderCommand& command) {
   std::vector<std::string> inputs = command.inputs;
   if (!command.list.empty())
     for (std::string& name : namesInList(command.list)) inputs.push_back(std::move(name));
@@ -26,7 +26,7 @@ std::vector<RenderJob> jobsOf(const RenderCommand& command) {
     frames.clear();
     for (int frame = range.first; frame <= range.last; ++frame) frames.emplace_back(frame);
   }
-  std::vector<RenderJob> jobs;
+  std::vector<RenderOrder> jobs;
   for (const std::string& input : inputs)
     for (const std::optional<int>& frame : frames)
       jobs.push_back(
@@ -35,9 +35,9 @@ std::vector<RenderJob> jobsOf(const RenderCommand& command) {
 }
 
 /// Throws UsageError where one picture would be written over another.
-void expectDistinct(const std::vector<RenderJob>& jobs) {
-  std::map<std::string, const RenderJob*> taken;
-  for (const RenderJob& job : jobs) {
+void expectDistinct(const std::vector<RenderOrder>& jobs) {
+  std::map<std::string, const RenderOrder*> taken;
+  for (const RenderOrder& job : jobs) {
     const auto [other, isNew] = taken.try_emplace(job.output, &job);
     if (isNew) continue;
     const std::string& before = other->second->input;
@@ -50,7 +50,7 @@ void expectDistinct(const std::vector<RenderJob>& jobs) {
   }
 }
 
-void tellBegun(const RenderCommand& command, const std::vector<RenderJob>& jobs, size_t i) {
+void tellBegun(const RenderCommand& command, const std::vector<RenderOrder>& jobs, size_t i) {
   if (command.progress == ProgressStyle::plain) {
     fmt::print(stderr, "loomlight: picture {} of {}: {}\n", i + 1, jobs.size(), jobs[i].output);
     return;
@@ -59,7 +59,7 @@ void tellBegun(const RenderCommand& command, const std::vector<RenderJob>& jobs,
 }
 
 /// Renders one of several pictures. False where it failed, which is told.
-bool tried(const RenderCommand& command, const RenderJob& job, const Interrupt& interrupt, BuiltCloth& built,
+bool tried(const RenderCommand& command, const RenderOrder& job, const Interrupt& interrupt, ReusableCloth& built,
            int& status) {
   try {
     status = renderPicture(command, job, interrupt, built);
@@ -73,8 +73,8 @@ bool tried(const RenderCommand& command, const RenderJob& job, const Interrupt& 
   return false;
 }
 
-int renderAll(const RenderCommand& command, const std::vector<RenderJob>& jobs, const Interrupt& interrupt) {
-  BuiltCloth built;
+int renderAll(const RenderCommand& command, const std::vector<RenderOrder>& jobs, const Interrupt& interrupt) {
+  ReusableCloth built;
   std::vector<std::string> failed;
   for (size_t i = 0; i < jobs.size(); ++i) {
     tellBegun(command, jobs, i);
@@ -93,10 +93,10 @@ int renderAll(const RenderCommand& command, const std::vector<RenderJob>& jobs, 
 }  // namespace
 
 int run(const RenderCommand& command) {
-  const std::vector<RenderJob> jobs = jobsOf(command);
+  const std::vector<RenderOrder> jobs = jobsOf(command);
   expectDistinct(jobs);
   const Interrupt interrupt;
-  BuiltCloth built;
+  ReusableCloth built;
   return jobs.size() == 1 ? renderPicture(command, jobs.front(), interrupt, built)
                           : renderAll(command, jobs, interrupt);
 }

@@ -23,7 +23,7 @@ std::vector<ClothStandard> standardsOf(const SheetCommand& command, const Fabric
     if (!choice.part.empty())
       standard.part =
           partNamed(choice.part, fabric, NamedParts::yarnsAndFibres, fmt::format("{}: --standard", command.input.file));
-    standard.of = standard.part == wholePiece() ? "Cloth" : partText(standard.part, fabric);
+    standard.partName = standard.part == wholePiece() ? "Cloth" : partText(standard.part, fabric);
     const MeasuredSwatch swatch = swatchFrom(choice.swatch);
     standard.name = swatch.name;
     if (const std::string_view specularly = specularText(swatch.specular); !specularly.empty())

@@ -171,7 +171,7 @@ void ViewportController::lookUnderPointer() {
 }
 
 void ViewportController::follow(const std::shared_ptr<const Fabric>& fabric, int yarn, bool visibilityShown,
-                                const ViewLimits& limits, const DraftSight& draft) {
+                                const ViewLimits& limits, const ClothSide& side) {
   if (flat_ && fabric->drape != flat_->instead) leaveFlat();  // another drape is wanted
   ViewState state;
   state.flat = flatSight();
@@ -186,8 +186,8 @@ void ViewportController::follow(const std::shared_ptr<const Fabric>& fabric, int
     state.inset = {{inset.rect.x, inset.rect.y, inset.rect.width, inset.rect.height}, 1e9 * limits.fibreMemory_GB};
   state.yarn = yarn;
   state.visibilityShown = visibilityShown;
-  state.back = draft.back;
-  state.longFloat_mm = draft.longFloat_mm;
+  state.back = side.back;
+  state.longFloat_mm = side.longFloat_mm;
   service_.follow(state);
 }
 

@@ -25,7 +25,7 @@ class ViewportController {
     std::optional<Camera> camera;  ///< looking around is no edit of the cloth
     std::optional<int> yarn;       ///< that was clicked at
     bool preferences = false;      ///< are asked for: the inset needs more memory
-    bool turned = false;           ///< the cloth was
+    bool turned = false;           ///< the cloth was turned over in this frame
   };
   /// `hovered`: the crossing under the mouse in the draft, which is outlined in the picture. `proof`: how the picture
   /// is shown, and the inset in it.
@@ -34,13 +34,14 @@ class ViewportController {
 
   /// Takes what the workers have brought. Returns whether the picture is another one.
   bool take() { return service_.take(view_.inset.showsDifference); }
-  /// Has the workers follow the fabric, and one yarn of it, whose visibility is on the screen or not.
-  struct DraftSight {
-    bool back = false;                          ///< the draft is seen from behind, and the cloth with it
-    double longFloat_mm = kUsualFloatLimit_mm;  ///< beyond which floats are listed
+  /// Which side of the cloth is looked at, and what on it.
+  struct ClothSide {
+    bool back = false;                          ///< seen from behind, the draft and the cloth with it
+    double longFloat_mm = kUsualFloatLimit_mm;  ///< floats beyond it are listed
   };
+  /// Has the workers follow the fabric, and one yarn of it, whose visibility is on the screen or not.
   void follow(const std::shared_ptr<const Fabric>& fabric, int yarn, bool visibilityShown, const ViewLimits& limits,
-              const DraftSight& draft);
+              const ClothSide& side);
   void tellProbe(WidgetProbe& probe, int yarn) const;
 
   void displayIs(double pixels_per_mm) { display_pixels_per_mm_ = pixels_per_mm; }

@@ -16,8 +16,8 @@ void judgeInDaylight(ClothColourModel& model, const Rgb& wanted) {
 
 void judge(ClothColourModel& model, const std::vector<LampJudgement>& judgements) {
   for (size_t i = 0; i < judgements.size(); ++i) {
-    const Judgement& of = judgements[i].of;
-    const Judged judged{judgements[i].lamp, of.cmc, of.ciede2000, of.metamerism};
+    const Judgement& judgement = judgements[i].judgement;
+    const Judged judged{judgements[i].lamp, judgement.cmc, judgement.ciede2000, judgement.metamerism};
     if (i == 0) {
       model.present = judged;
       model.difference = judged.ciede2000;

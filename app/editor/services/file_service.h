@@ -20,7 +20,9 @@ namespace loomlight {
 /// The destructor waits for what was to be written. A read that was cancelled goes on unseen, and holds up nothing.
 class FileService {
  public:
-  enum class Work { open, takeUp, usePreset, save, exportTo, renderTo };  ///< what reads, then what writes
+  enum class Work { open, takeUp, usePreset, save, exportTo, renderTo };
+  /// Whether it reads a file; the others write one.
+  static bool reads(Work work) { return work == Work::open || work == Work::takeUp || work == Work::usePreset; }
 
   /// Reads a cloth, a weaving file with `mine`, and throws InputError.
   using Read = std::function<WifImport(const std::string& file, const Fabric& mine)>;
@@ -42,8 +44,8 @@ class FileService {
     std::string file;
   };
   const std::optional<Busy>& busy() const { return busy_; }
-  bool isReading() const { return busy_ && busy_->work < Work::save; }
-  /// An export is not, once it was asked for; a save only once.
+  bool isReading() const { return busy_ && reads(busy_->work); }
+  /// An export cannot be cancelled; anything else can be, once.
   bool canCancel() const { return busy_ && busy_->work != Work::exportTo && !cancelled_; }
   /// Nothing will come of what was to be read. What was to be saved will say how far it came.
   void cancel();

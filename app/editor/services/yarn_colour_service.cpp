@@ -8,18 +8,18 @@
 #include "core/fabric/yarn/yarn_reflectance.h"
 #include "render/light/lighting.h"
 
-// How it works. Light is walked through the cloth once for each construction; how much the fibres absorb, and under
-// which lamp they are seen, is arithmetic on those walks. So the walks are kept by what they depend on, those of the
-// last few constructions: a dye, a lamp, a step of undo is answered in a moment. While a new construction is walked
+// How it works. Light is traced through the cloth once for each construction; how much the fibres absorb, and under
+// which lamp they are seen, is arithmetic on those paths. So the paths are kept by what they depend on, those of the
+// last few constructions: a dye, a lamp, a step of undo is answered in a moment. While a new construction is traced
 // through, every yarn keeps the colour that it had.
 
 namespace loomlight {
 namespace {
 
-/// Whether the walks of one fabric's yarns are those of the other's. Yarns that no end or pick uses are walked through
+/// Whether the paths of one fabric's yarns are those of the other's. Yarns that no end or pick uses are traced through
 /// too.
-bool yarnsWalkedAlike(const Fabric& a, const Fabric& b) {
-  if (a.yarns.size() != b.yarns.size() || !walkedAlike(a, b)) return false;
+bool yarnsTracedAlike(const Fabric& a, const Fabric& b) {
+  if (a.yarns.size() != b.yarns.size() || !tracedAlike(a, b)) return false;
   for (int i = 0; i < static_cast<int>(a.yarns.size()); ++i)
     if (!sameShape(a, i, b, i)) return false;
   return true;
@@ -51,15 +51,15 @@ YarnColourService::YarnColourService(std::function<void()> wake)
           // Of a cloth that cannot be made no more is known than before.
           [this](const Request&, const std::string&) { return worker_.newest().value_or(nullptr); }) {}
 
-/// Makes walks for the fabric where there are none, which may be replaced under way by one that the same walks serve.
+/// Makes paths for the fabric where there are none, which may be replaced under way by one that the same paths serve.
 /// Null when stopped.
-const std::vector<PathLengthTally>* YarnColourService::walksFor(Request& fabric, Finding::Job& job) {
+const std::vector<PathLengthTally>* YarnColourService::pathsFor(Request& fabric, Finding::Job& job) {
   constexpr size_t kMostKept = 8;
-  const auto found = std::find_if(walked_.begin(), walked_.end(),
-                                  [&](const Walked& walked) { return yarnsWalkedAlike(*walked.fabric, *fabric); });
-  if (found != walked_.end()) {
-    std::rotate(walked_.begin(), found, std::next(found));
-    return &walked_.front().walks;
+  const auto found = std::find_if(traced_.begin(), traced_.end(),
+                                  [&](const Traced& traced) { return yarnsTracedAlike(*traced.fabric, *fabric); });
+  if (found != traced_.end()) {
+    std::rotate(traced_.begin(), found, std::next(found));
+    return &traced_.front().paths;
   }
   const Request first = fabric;
   Task task;
@@ -68,27 +68,27 @@ const std::vector<PathLengthTally>* YarnColourService::walksFor(Request& fabric,
   task.progress = [&](double) {
     auto newer = job.takeNewer();
     if (!newer) return;
-    if (yarnsWalkedAlike(**newer, *first))
+    if (yarnsTracedAlike(**newer, *first))
       fabric = std::move(*newer);
     else
       job.giveWayTo(std::move(*newer));
   };
-  auto walks = walkYarns(*first, kChipWalks, task, &scene_);
-  if (!walks) return nullptr;
-  walked_.push_front({first, std::move(*walks)});
-  if (walked_.size() > kMostKept) walked_.pop_back();
-  return &walked_.front().walks;
+  auto paths = tracePathsToYarns(*first, kChipPaths, task, &scene_);
+  if (!paths) return nullptr;
+  traced_.push_front({first, std::move(*paths)});
+  if (traced_.size() > kMostKept) traced_.pop_back();
+  return &traced_.front().paths;
 }
 
 std::optional<YarnColourService::Answer> YarnColourService::find(Request fabric, Finding::Job& job) {
-  const std::vector<PathLengthTally>* const walks = walksFor(fabric, job);
-  if (!walks) return std::nullopt;
+  const std::vector<PathLengthTally>* const paths = pathsFor(fabric, job);
+  if (!paths) return std::nullopt;
   auto known = std::make_shared<Known>();
   known->fabric = fabric;
-  known->now = reachedColours(*walks, colouringOf(*fabric));
-  known->named = coloursForNames(*walks, known->now);
+  known->now = reachedColours(*paths, colouringOf(*fabric));
+  known->named = coloursForNames(*paths, known->now);
   for (const Colourway& colourway : fabric->colourways)
-    known->colourways.push_back(reachedColours(*walks, colouringOf(inColourway(*fabric, colourway))));
+    known->colourways.push_back(reachedColours(*paths, colouringOf(inColourway(*fabric, colourway))));
   // Names are of daylight; what is shown is as warm or cold as the light is.
   const Rgb tint = Lighting::tint(fabric->light);
   for (Rgb& colour : known->now) colour *= tint;

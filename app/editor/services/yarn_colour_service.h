@@ -41,20 +41,20 @@ class YarnColourService {
     std::vector<Rgb> now, named;
     std::vector<std::vector<Rgb>> colourways;
   };
-  struct Walked {
+  struct Traced {
     std::shared_ptr<const Fabric> fabric;
-    std::vector<PathLengthTally> walks;
+    std::vector<PathLengthTally> paths;
   };
   using Request = std::shared_ptr<const Fabric>;
   using Answer = std::shared_ptr<const Known>;
   using Finding = Worker<Request, Answer>;
   std::optional<Answer> find(Request fabric, Finding::Job& job);
-  const std::vector<PathLengthTally>* walksFor(Request& fabric, Finding::Job& job);
+  const std::vector<PathLengthTally>* pathsFor(Request& fabric, Finding::Job& job);
   std::vector<Rgb> shown(const Fabric& fabric, std::vector<Rgb> Known::* which) const;
   Answer known() const;  ///< null while nothing is known of this cloth
 
   // The thread's own:
-  std::deque<Walked> walked_;           ///< the constructions that were looked at last, the newest first
+  std::deque<Traced> traced_;           ///< the constructions that were looked at last, the newest first
   std::shared_ptr<const Scene> scene_;  ///< the last, whose parts the next may share
 
   Request asked_;

@@ -24,7 +24,7 @@ float sheenLobe(float alpha, float cosineHalf, float cosineIn, float cosineOut) 
 struct Frame {
   glm::vec3 along, across, normal;
 
-  explicit Frame(const SurfacePoint& at) : normal(at.normal) {
+  explicit Frame(const PrincipledPoint& at) : normal(at.normal) {
     const glm::vec3 axis(at.drawnOut, 0);
     along = glm::normalize(axis - glm::dot(axis, normal) * normal);
     across = glm::cross(normal, along);
@@ -75,7 +75,7 @@ float SheenAlbedo::operator()(float cosine) const {
   return std::lerp(values_[below], values_[below + 1], place - static_cast<float>(below));
 }
 
-Rgb reflectedLight(const Principled& surface, const SheenAlbedo& sheen, const SurfacePoint& at, glm::vec3 in,
+Rgb reflectedLight(const Principled& surface, const SheenAlbedo& sheen, const PrincipledPoint& at, glm::vec3 in,
                    glm::vec3 out) {
   const Frame frame(at);
   const glm::vec3 i = frame.of(in), o = frame.of(out);
@@ -92,7 +92,7 @@ Rgb reflectedLight(const Principled& surface, const SheenAlbedo& sheen, const Su
   return i.z * (leftBySheen(surface, sheen, i.z, o.z) * base + fuzz * surface.sheenColour);
 }
 
-Rgb transmittedLight(const Principled& surface, const SheenAlbedo& sheen, const SurfacePoint& at, glm::vec3 in,
+Rgb transmittedLight(const Principled& surface, const SheenAlbedo& sheen, const PrincipledPoint& at, glm::vec3 in,
                      glm::vec3 out) {
   const float cosineIn = -glm::dot(at.normal, in), cosineOut = glm::dot(at.normal, out);
   if (cosineIn <= 0 || cosineOut <= 0) return Rgb(0);

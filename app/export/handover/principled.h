@@ -26,7 +26,7 @@ struct Principled {
 };
 
 /// A point of such a surface. Directions are in the picture's frame: x right, y up, z towards the eye.
-struct SurfacePoint {
+struct PrincipledPoint {
   glm::vec3 normal{0, 0, 1};
   glm::vec2 drawnOut{1, 0};          ///< in the plane of the picture: the axis along which highlights are long; unit
   float anisotropyScale = 1;         ///< on Principled::anisotropy, 0..1
@@ -49,10 +49,10 @@ class SheenAlbedo {
 /// What a surface does with light from `in` that is seen from `out`, unit vectors that point away from it: f times the
 /// cosine of `in` with the normal, 1/sr. 0 where the shading normal faces away from either where it is not behind the
 /// picture's plane.
-Rgb reflectedLight(const Principled& surface, const SheenAlbedo& sheen, const SurfacePoint& at, glm::vec3 in,
+Rgb reflectedLight(const Principled& surface, const SheenAlbedo& sheen, const PrincipledPoint& at, glm::vec3 in,
                    glm::vec3 out);
 /// The same of light from behind: in.z < 0.
-Rgb transmittedLight(const Principled& surface, const SheenAlbedo& sheen, const SurfacePoint& at, glm::vec3 in,
+Rgb transmittedLight(const Principled& surface, const SheenAlbedo& sheen, const PrincipledPoint& at, glm::vec3 in,
                      glm::vec3 out);
 
 }  // namespace loomlight

@@ -20,7 +20,7 @@ Slopes slopesOf(float roughness, float anisotropy) {
 }  // namespace
 
 SidePixel sidePixel(const DigitalSide& side, size_t pixel) {
-  const SurfacePoint at = surfacePoint(side.maps, side.roughnessScales, pixel);
+  const PrincipledPoint at = surfacePoint(side.maps, side.roughnessScales, pixel);
   SidePixel out;
   out.reflected = glm::clamp(side.fit.reflectedWeight * at.reflected, 0.0f, 1.0f);
   out.transmitted = glm::clamp(side.fit.transmittedWeight * at.transmitted, 0.0f, 1.0f);

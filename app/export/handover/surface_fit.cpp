@@ -78,7 +78,7 @@ std::vector<SurfaceSample> fromAfar(std::span<const SurfaceSample> samples) {
   glm::vec3 normal(0);
   glm::vec2 axes(0);  // with doubled angles, as both ends of an axis are the same
   for (const SurfaceSample& sample : samples) {
-    const SurfacePoint& at = sample.point;
+    const PrincipledPoint& at = sample.point;
     const glm::vec2 axis = at.drawnOut;
     mean.opacity += sample.opacity;
     mean.point.reflected += sample.opacity * at.reflected;
@@ -137,7 +137,7 @@ Rgb predictedFactor(const SurfaceFit& fit, const SheenAlbedo& sheen, std::span<c
   const bool isThrough = seen.in.z < 0;
   Rgb sum(0);
   for (const SurfaceSample& sample : samples) {
-    SurfacePoint at = sample.point;
+    PrincipledPoint at = sample.point;
     at.reflected *= fit.reflectedWeight;
     at.transmitted *= fit.transmittedWeight;
     sum += sample.opacity * (isThrough ? transmittedLight(fit.surface, sheen, at, seen.in, seen.out)

@@ -18,7 +18,7 @@ struct Observation {
 
 /// A pixel of the maps that stands for many.
 struct SurfaceSample {
-  SurfacePoint point;
+  PrincipledPoint point;
   float opacity = 1;
 };
 

@@ -31,8 +31,8 @@ std::vector<float> roughnessScales(const SideMaps& side, const Fabric& fabric) {
   return roots;
 }
 
-SurfacePoint surfacePoint(const SideMaps& side, const std::vector<float>& scales, size_t pixel) {
-  SurfacePoint at;
+PrincipledPoint surfacePoint(const SideMaps& side, const std::vector<float>& scales, size_t pixel) {
+  PrincipledPoint at;
   at.normal = side.tile.normal[pixel];
   const glm::vec2 along = side.along[pixel];
   at.anisotropyScale = std::min(1.0f, glm::length(along));

@@ -12,7 +12,7 @@ namespace loomlight {
 std::vector<float> roughnessScales(const SideMaps& side, const Fabric& fabric);
 
 /// What a pixel is as a surface: its highlight is drawn out across its fibres. `scales`: roughnessScales().
-SurfacePoint surfacePoint(const SideMaps& side, const std::vector<float>& scales, size_t pixel);
+PrincipledPoint surfacePoint(const SideMaps& side, const std::vector<float>& scales, size_t pixel);
 
 /// At most `count` pixels, spread evenly over the tile, whose colours are scaled so that their mean is that of all.
 std::vector<SurfaceSample> surfaceSamples(const SideMaps& side, const Fabric& fabric, int count);

@@ -11,7 +11,7 @@
 #include "render/colour/illuminants.h"
 #include "render/colour/tristimulus.h"
 #include "render/transport/colour_solver.h"
-#include "render/transport/dye_walks.h"
+#include "render/transport/dye_paths.h"
 #include "render/transport/path_records.h"
 #include "tests/statistical/transport/rendered_colour.h"
 
@@ -53,9 +53,9 @@ Spectrum flatSpectrum(double value) {
 
 PathLengthTally walksOf(const Fabric& fabric) {
   const PatchOfCloth patch(fabric);
-  auto walks = walkForDyes(*patch.scene, *patch.medium, partOfFibre(0), Task{});
-  EXPECT_TRUE(walks.has_value());
-  return walks.value_or(PathLengthTally{});
+  auto paths = tracePathsForDyes(*patch.scene, *patch.medium, partOfFibre(0), Task{});
+  EXPECT_TRUE(paths.has_value());
+  return paths.value_or(PathLengthTally{});
 }
 
 /// A picture of the middle of the cloth from straight above, of paths that can be seen in any dye.
@@ -118,13 +118,13 @@ class ColourRoundTrip : public testing::TestWithParam<Construction> {};
 /// least 2.3 of their standard errors together, of the darkest colours; of most it is far more.
 TEST_P(ColourRoundTrip, AMeasuredSwatchIsWhatThePictureShows) {
   const Fabric fabric = undyed(GetParam());
-  const PathLengthTally walks = walksOf(fabric);
+  const PathLengthTally paths = walksOf(fabric);
   const Picture picture(fabric);
   const Colouring white = colouringInDaylight(fabric);
   const LinearWeights daylight = linearWeights(illuminantNamed("D65"), Observer::degrees2);
-  for (const Spectrum& swatch : swatchesBelow(walks.reflectance(white).mean)) {
+  for (const Spectrum& swatch : swatchesBelow(paths.reflectance(white).mean)) {
     constexpr std::array<int, 1> kFirst = {0};
-    const SolvedReflectance solved = solveReflectance(walks, white, kFirst, swatch, inDaylight());
+    const SolvedReflectance solved = solveReflectance(paths, white, kFirst, swatch, inDaylight());
     EXPECT_EQ(solved.tooLight, 0u);
     if (solved.tooDark > 0) continue;  // darker than what the surfaces of these fibres mirror
     Colouring dyed = white;
@@ -143,11 +143,11 @@ INSTANTIATE_TEST_SUITE_P(Constructions, ColourRoundTrip, testing::ValuesIn(const
 /// here.
 TEST(ColourOfDyedCloth, KubelkaMunkIsInProportionToTheDye) {
   const Fabric fabric = undyed(constructions()[1]);
-  const PathLengthTally walks = walksOf(fabric);
+  const PathLengthTally paths = walksOf(fabric);
   const auto strength = [&](double absorption_per_mm) {
     Colouring dyed = colouringInDaylight(fabric);
     dyed.setBands(0, flatSpectrum(absorption_per_mm));
-    const double R = walks.reflectance(dyed).mean[10];
+    const double R = paths.reflectance(dyed).mean[10];
     return (1 - R) * (1 - R) / (2 * R);
   };
   const double ground = strength(0);

@@ -108,7 +108,7 @@ TEST(SurfaceFit, LeavesTheMapsTheirHue) {
 }
 
 TEST(Principled, TakesLightInAndOutTheSameWay) {
-  SurfacePoint at;
+  PrincipledPoint at;
   at.normal = glm::normalize(glm::vec3(0.2f, -0.1f, 1));
   at.drawnOut = glm::normalize(glm::vec2(0.3f, 0.9f));
   at.reflected = Rgb(0.4f);
@@ -123,7 +123,7 @@ TEST(Principled, TakesLightInAndOutTheSameWay) {
 
 /// Albedo over the half-dome by quadrature, for light from `angle_deg`.
 double albedo(const Principled& surface, double angle_deg) {
-  SurfacePoint at;
+  PrincipledPoint at;
   at.reflected = Rgb(1);
   const SheenAlbedo sheen(surface.sheenRoughness);
   double sum = 0;
@@ -150,7 +150,7 @@ TEST(Principled, AWhiteSurfaceSendsBackNoMoreThanItGets) {
 TEST(Principled, ItsHighlightIsLongAlongTheAxis) {
   const Principled surface{1, 0.3f, 0.8f, Rgb(0), 0.5f};
   const SheenAlbedo sheen(surface.sheenRoughness);
-  SurfacePoint at;
+  PrincipledPoint at;
   at.drawnOut = {0, 1};
   const glm::vec3 normal(0, 0, 1);
   const Rgb along = reflectedLight(surface, sheen, at, normal, direction(40, 90));

@@ -6,7 +6,7 @@
 
 #include "core/fabric/model/booth_lamps.h"
 #include "render/scene/colouring.h"
-#include "render/transport/dye_walks.h"
+#include "render/transport/dye_paths.h"
 #include "tests/support/narrow_dye.h"
 #include "tests/support/test_cloth.h"
 #include "tests/unit/live/worker_window.h"
@@ -63,12 +63,12 @@ TEST_F(ColourJudged, UnderTheClothsLampFirstAndThenUnderTheOthersOfTheBooth) {
       Light light = fabric.light;
       light.illuminant = judgement.lamp;
       const Lab expected = labUnder(tristimulusWeights(illuminantOf(light), Observer::degrees10), grey());
-      EXPECT_EQ(judgement.of.standard.L, expected.L);
-      EXPECT_EQ(judgement.of.standard.a, expected.a);
-      EXPECT_EQ(judgement.of.standard.b, expected.b);
-      EXPECT_GT(judgement.of.cmc, 1) << "this cloth is no grey";
+      EXPECT_EQ(judgement.judgement.standard.L, expected.L);
+      EXPECT_EQ(judgement.judgement.standard.a, expected.a);
+      EXPECT_EQ(judgement.judgement.standard.b, expected.b);
+      EXPECT_GT(judgement.judgement.cmc, 1) << "this cloth is no grey";
       if (judgement.lamp == kBoothLamps.front()) {
-        EXPECT_NEAR(judgement.of.metamerism, 0, 1e-6);
+        EXPECT_NEAR(judgement.judgement.metamerism, 0, 1e-6);
       }
     }
   }
@@ -108,7 +108,7 @@ TEST_F(ColourJudged, AClothThatReflectsAsMeasuredMatchesUnderEveryLamp) {
   judgementsOf(fabric, grey());
   ASSERT_TRUE(worker.newest()->matched);
   fabric.fibres[0].absorption_per_mm = Absorption(worker.newest()->matched->absorption_per_mm);
-  for (const LampJudgement& judgement : judgementsOf(fabric, grey())) EXPECT_LT(judgement.of.cmc, 0.1);
+  for (const LampJudgement& judgement : judgementsOf(fabric, grey())) EXPECT_LT(judgement.judgement.cmc, 0.1);
 }
 
 TEST_F(ColourJudged, NotBesideAColourWithoutASpectrum) {

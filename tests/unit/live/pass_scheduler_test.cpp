@@ -41,8 +41,8 @@ TEST(PassScheduler, FirstPictureIsQuick) {
 TEST(PassScheduler, BeginsNoCoarserThanIsLegible) {
   PassHistory slow{800, 600, 1e-3};
   EXPECT_GT(nextPass(slow, 64).divider, 8);
-  slow.coarsest = 8;
-  slow.patience_s = 10;
+  slow.first.coarsest = 8;
+  slow.first.patience_s = 10;
   EXPECT_EQ(nextPass(slow, 64), (PassPlan{8, 1}));
 }
 
@@ -51,8 +51,8 @@ TEST(PassScheduler, IsCoarserThanIsLegibleRatherThanSlow) {
   for (const int height : {600, 1080, 2160}) {
     const int width = 16 * height / 9;
     PassHistory history{width, height, kPerPath_s};
-    history.coarsest = 12;
-    history.patience_s = kAtMost_s;
+    history.first.coarsest = 12;
+    history.first.patience_s = kAtMost_s;
     const auto seconds = [&](int divider) { return kPerPath_s * (width / divider) * (height / divider); };
     const int divider = nextPass(history, 64).divider;
     EXPECT_GE(divider, 12);

@@ -27,9 +27,12 @@ struct Machine {
   }
   /// The dividers of the passes of a picture, until it has so many samples.
   std::vector<int> play(const PreviewStart& start, uint32_t samples) {
-    PassHistory history{1280, 720, start.knowsCost ? secondsPerPath : 0, start.reached};
-    history.coarsest = start.coarsest;
-    history.patience_s = start.patience_s;
+    PassHistory history;
+    history.width = 1280;
+    history.height = 720;
+    history.secondsPerPath = start.knowsCost ? secondsPerPath : 0;
+    history.divider = start.reached;
+    history.first = start.first;
     const double begun_s = now_s;
     std::vector<int> dividers;
     while (history.samples < samples) {
@@ -88,7 +91,7 @@ TEST(PreviewStart, KnowsNothingOfAnotherDrape) {
 
 TEST(PreviewStart, OfAnotherSizeIsNoViewSeenBefore) {
   const PreviewHave have{false, false, 1, of({}), of({})};
-  EXPECT_EQ(previewStart(have).coarsest, 12);
+  EXPECT_EQ(previewStart(have).first.coarsest, 12);
 }
 
 TEST(ClearHelp, IsThePictureWhereItIsTheSame) {

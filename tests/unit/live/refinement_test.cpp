@@ -124,7 +124,7 @@ TEST_F(RefinementTest, ALongPassComesInParts) {
   constexpr int kWide = 300, kHigh = 200;
   constexpr double kSlow_s = 1e-3;  // a path, as expected: a minute for the picture
   Refinement whole(cloth, kWide, kHigh, kSlow_s);
-  whole.beginAt(2, 1e9);
+  whole.beginWith({2, 1e9});
   ASSERT_TRUE(whole.advance(Task{{}, {}, 1}));
   const Frame coarse = whole.frame();
   ASSERT_EQ(coarse.divider, 2);

@@ -69,8 +69,8 @@ TEST(ReachedColours, FindARareStripeOfAWideOrder) {
     std::fill_n(fabric.warpSequence.begin() + place, 20, 1);
     const auto scene = test::sceneOf(colourPatch(fabric));
     const auto medium = makeMedium(*scene, defaultMemoryLimit_bytes(), Task{});
-    const auto walks = tallyYarns(*scene, *medium, kFewWalks, Task{});
-    EXPECT_GE((*walks)[1].count, kFewWalks) << "of threads from " << place;
+    const auto paths = tallyYarns(*scene, *medium, kFewWalks, Task{});
+    EXPECT_GE((*paths)[1].count, kFewWalks) << "of threads from " << place;
   }
 }
 
@@ -78,10 +78,10 @@ TEST(ReachedColours, ASheerWhiteIsCalledWhiteThoughBlackShinesThrough) {
   Fabric fabric = whiteAndRed();
   fabric.weftSequence = {0};
   fabric.ends_per_cm = fabric.picks_per_cm = 12;
-  const auto walks = *walkYarns(fabric, kFewWalks, Task{});
-  const std::vector<Rgb> reached = reachedColours(walks, colouringOf(fabric));
+  const auto paths = *tracePathsToYarns(fabric, kFewWalks, Task{});
+  const std::vector<Rgb> reached = reachedColours(paths, colouringOf(fabric));
   EXPECT_LT(reached[0].g, 0.6f);
-  const std::vector<Rgb> called = coloursForNames(walks, reached);
+  const std::vector<Rgb> called = coloursForNames(paths, reached);
   for (int c = 0; c < 3; ++c) EXPECT_GT(called[0][c], 0.95f);
   EXPECT_GT(called[1].r, 3 * called[1].g) << "red stays red";
 }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "render/media/volume_medium.h"
-#include "render/transport/cloth_walks.h"
+#include "render/transport/colour_patch.h"
 #include "render/transport/path_integrator.h"
 #include "render/transport/path_tracer.h"
 #include "tests/support/every_medium.h"
@@ -122,7 +122,7 @@ TEST(Seeds, ThatAreCountedUpShareNoWalks) {
   const auto even = lengthsOf(2), odd = lengthsOf(3);
   std::vector<float> shared;
   std::set_intersection(even.begin(), even.end(), odd.begin(), odd.end(), std::back_inserter(shared));
-  // Lengths of no walk at all are 0 in both.
+  // Lengths of no path at all are 0 in both.
   EXPECT_LT(std::count_if(shared.begin(), shared.end(), [](float length_mm) { return length_mm > 0; }),
             static_cast<ptrdiff_t>(even.size() / 100));
 }

@@ -35,7 +35,7 @@ TEST(StandardMatches, JudgeThePartThatTheyAreOf) {
   const auto first = standardMatches(fabric, {{partOfYarn(1), "weft", "lot 7", flat}}, {});
   ASSERT_TRUE(first && first->size() == 1);
   const StandardMatch& weft = first->front();
-  EXPECT_EQ(weft.of, "weft");
+  EXPECT_EQ(weft.partName, "weft");
   EXPECT_EQ(weft.standard, "lot 7");
   EXPECT_FALSE(weft.daylight.passes(1));
   EXPECT_EQ(weft.daylight.metamerism, 0);

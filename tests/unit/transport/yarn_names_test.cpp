@@ -35,8 +35,8 @@ TEST(YarnNames, AreByTheColourThatTheClothReaches) {
     const Fabric fabric = whiteAndGrey(0.5f * std::pow(1.8f, static_cast<float>(step)));
     const auto names = yarnNames(fabric, {}, CountSystem::metric);
     ASSERT_TRUE(names);
-    const auto walks = walkYarns(fabric, kChipWalks, {});
-    const std::vector<Rgb> called = coloursForNames(*walks, reachedColours(*walks, colouringOf(fabric)));
+    const auto paths = tracePathsToYarns(fabric, kChipPaths, {});
+    const std::vector<Rgb> called = coloursForNames(*paths, reachedColours(*paths, colouringOf(fabric)));
     for (int i = 0; i < 2; ++i)
       EXPECT_EQ((*names)[static_cast<size_t>(i)],
                 yarnName(fabric, i, called[static_cast<size_t>(i)], CountSystem::metric));

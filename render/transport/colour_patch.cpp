@@ -1,4 +1,4 @@
-#include "render/transport/cloth_walks.h"
+#include "render/transport/colour_patch.h"
 
 #include "core/base/memory.h"
 #include "render/transport/make_medium.h"

@@ -1,4 +1,4 @@
-#include "render/transport/dye_walks.h"
+#include "render/transport/dye_paths.h"
 
 #include <gtest/gtest.h>
 
@@ -10,28 +10,28 @@
 namespace loomlight {
 namespace {
 
-/// A third of the walks is lost, one in fifty never goes inside.
+/// A third of the paths is lost, one in fifty never goes inside.
 PathLengthTally someWalks(uint64_t seed, size_t count) {
-  PathLengthTally walks;
-  walks.materials = 1;
-  walks.count = count;
+  PathLengthTally paths;
+  paths.materials = 1;
+  paths.count = count;
   Random random(seed);
   for (size_t i = 0; i < count; ++i) {
     const float fate = random.uniform(), length_mm = -0.05f * std::log(1 - random.uniform());
     if (fate < 0.02f)
-      walks.lengths_mm.push_back(0);
+      paths.lengths_mm.push_back(0);
     else if (fate < 0.67f)
-      walks.lengths_mm.push_back(length_mm);
+      paths.lengths_mm.push_back(length_mm);
   }
-  return walks;
+  return paths;
 }
 
-Lab labOf(const PathLengthTally& walks, const Rgb& absorption_per_mm) {
-  return labFromLinear(glm::dvec3(walks.colour({absorption_per_mm})));
+Lab labOf(const PathLengthTally& paths, const Rgb& absorption_per_mm) {
+  return labFromLinear(glm::dvec3(paths.colour({absorption_per_mm})));
 }
 
-/// By so much tallies of other walks really are off, in any of these dyes; and in the worst of them by hardly less.
-TEST(DyeWalks, TheErrorIsThatOfManyTallies) {
+/// By so much tallies of other paths really are off, in any of these dyes; and in the worst of them by hardly less.
+TEST(DyePaths, TheErrorIsThatOfManyTallies) {
   constexpr size_t kCount = 4096;
   constexpr int kTallies = 200;
   const double error = colourError(someWalks(1, kCount));
@@ -52,11 +52,11 @@ TEST(DyeWalks, TheErrorIsThatOfManyTallies) {
   EXPECT_GT(worst, 0.6 * error) << "none of these dyes need be the worst";
 }
 
-TEST(DyeWalks, FourTimesTheWalksHalveTheError) {
+TEST(DyePaths, FourTimesTheWalksHalveTheError) {
   EXPECT_NEAR(colourError(someWalks(3, 40000)) / colourError(someWalks(3, 10000)), 0.5, 0.05);
 }
 
-TEST(DyeWalks, NothingIsKnownToErrWhereNothingIsSeen) {
+TEST(DyePaths, NothingIsKnownToErrWhereNothingIsSeen) {
   EXPECT_EQ(colourError(PathLengthTally{}), 0);
 }
 

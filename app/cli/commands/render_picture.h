@@ -10,14 +10,14 @@
 namespace loomlight {
 
 /// One picture of a command.
-struct RenderJob {
+struct RenderOrder {
   std::string input;          ///< empty: that of the picture to resume
   std::string output, stats;  ///< stats may be empty
   std::optional<int> frame;   ///< of the command's turn
 };
 
 /// What was built for a picture, for the next one to use of it what is the same.
-struct BuiltCloth {
+struct ReusableCloth {
   std::shared_ptr<const Scene> scene;
   std::shared_ptr<const Medium> medium;
   MediumCost cost;
@@ -25,6 +25,7 @@ struct BuiltCloth {
 
 /// Renders a picture, or the part of it that the command asks for, and writes it. Exit status: 0, or 130 where it was
 /// stopped. Throws InputError and UsageError.
-int renderPicture(const RenderCommand& command, const RenderJob& job, const Interrupt& interrupt, BuiltCloth& built);
+int renderPicture(const RenderCommand& command, const RenderOrder& job, const Interrupt& interrupt,
+                  ReusableCloth& built);
 
 }  // namespace loomlight

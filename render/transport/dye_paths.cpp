@@ -1,23 +1,23 @@
-#include "render/transport/dye_walks.h"
+#include "render/transport/dye_paths.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "render/colour/colour_space.h"
-#include "render/transport/cloth_walks.h"
+#include "render/transport/colour_patch.h"
 
 namespace loomlight {
 namespace {
 
 /// What comes back of white light where all fibres absorb alike.
-double greyOf(const PathLengthTally& walks, double absorption_per_mm) {
+double greyOf(const PathLengthTally& paths, double absorption_per_mm) {
   double sum = 0;
-  for (size_t i = 0; i < walks.lengths_mm.size(); i += walks.materials) {
+  for (size_t i = 0; i < paths.lengths_mm.size(); i += paths.materials) {
     double length_mm = 0;
-    for (size_t k = 0; k < walks.materials; ++k) length_mm += walks.lengths_mm[i + k];
+    for (size_t k = 0; k < paths.materials; ++k) length_mm += paths.lengths_mm[i + k];
     sum += std::exp(-absorption_per_mm * length_mm);
   }
-  return sum / static_cast<double>(walks.count);
+  return sum / static_cast<double>(paths.count);
 }
 
 /// Channels with less of a dye and with more of it.
@@ -27,12 +27,12 @@ struct TwoDepths {
                                                   ///< it, and what they err by themselves
 };
 
-/// The light of a walk in one dye times its light in another is that in both together.
-TwoDepths depthsOf(const PathLengthTally& walks, double less_per_mm, double more_per_mm) {
-  const auto n = static_cast<double>(walks.count);
-  TwoDepths depths{greyOf(walks, less_per_mm), greyOf(walks, more_per_mm)};
+/// The light of a path in one dye times its light in another is that in both together.
+TwoDepths depthsOf(const PathLengthTally& paths, double less_per_mm, double more_per_mm) {
+  const auto n = static_cast<double>(paths.count);
+  TwoDepths depths{greyOf(paths, less_per_mm), greyOf(paths, more_per_mm)};
   const auto covariance = [&](double one_per_mm, double other_per_mm, double means) {
-    return (greyOf(walks, one_per_mm + other_per_mm) - means) / (n - 1);
+    return (greyOf(paths, one_per_mm + other_per_mm) - means) / (n - 1);
   };
   depths.byBoth = std::sqrt(std::max(0.0, covariance(less_per_mm, less_per_mm, depths.light * depths.light)));
   if (depths.byBoth > 0)
@@ -60,14 +60,14 @@ void append(PathLengthTally& tally, const PathLengthTally& more) {
 
 }  // namespace
 
-double colourError(const PathLengthTally& walks) {
+double colourError(const PathLengthTally& paths) {
   constexpr double kDarkest = 1.0 / 16, kFirst_per_mm = 1, kMost_per_mm = 1024;  // there surfaces alone are left
-  if (walks.lit() == 0 || walks.count < 2) return 0;
-  const double undyed = greyOf(walks, 0);
+  if (paths.lit() == 0 || paths.count < 2) return 0;
+  const double undyed = greyOf(paths, 0);
   double worst = 0, dark = undyed;
   for (double more_per_mm = kFirst_per_mm; dark > kDarkest * undyed && more_per_mm <= kMost_per_mm; more_per_mm *= 2)
     for (const double less_per_mm : {0.0, more_per_mm / 8}) {
-      const TwoDepths depths = depthsOf(walks, less_per_mm, more_per_mm);
+      const TwoDepths depths = depthsOf(paths, less_per_mm, more_per_mm);
       dark = depths.dark;
       for (int channels = 0; channels < 8; ++channels)
         worst =
@@ -76,36 +76,36 @@ double colourError(const PathLengthTally& walks) {
   return worst;
 }
 
-std::optional<PathLengthTally> walkForDyes(const Scene& scene, const Medium& medium, const ClothPart& part,
-                                           const Task& task, DyeWalks use, double error) {
+std::optional<PathLengthTally> tracePathsForDyes(const Scene& scene, const Medium& medium, const ClothPart& part,
+                                                 const Task& task, DyePaths use, double error) {
   constexpr double kFirstShare = 0.2;  // of the progress that is shown
   PathLengthTally tally;
-  for (uint64_t round = 0; round < kMostDyeWalks / kFirstDyeWalks; ++round) {
-    size_t wanted = kFirstDyeWalks;
+  for (uint64_t round = 0; round < kMostDyePaths / kFirstDyePaths; ++round) {
+    size_t wanted = kFirstDyePaths;
     if (round > 0) {
       const double missing = colourError(tally) / error;
       const double needed = std::ceil(static_cast<double>(tally.count) * missing * missing);
-      if (needed <= static_cast<double>(tally.count) || tally.count >= kMostDyeWalks) break;
-      wanted = std::min(kMostDyeWalks, static_cast<size_t>(needed)) - tally.count;
+      if (needed <= static_cast<double>(tally.count) || tally.count >= kMostDyePaths) break;
+      wanted = std::min(kMostDyePaths, static_cast<size_t>(needed)) - tally.count;
     }
     Task more = task;
     more.progress = [&](double fraction) {
       task.report(round == 0 ? kFirstShare * fraction
                              : kFirstShare + (1 - kFirstShare) * (round == 1 ? fraction : 1.0));
     };
-    const auto walked =
-        tallyPathLengths(scene, medium, part, wanted, more, 2 * round + (use == DyeWalks::toJudge ? 1 : 0));
-    if (!walked) return std::nullopt;
-    append(tally, *walked);
-    if (walked->count < wanted / 2) break;  // hardly any meets it
+    const auto traced =
+        tallyPathLengths(scene, medium, part, wanted, more, 2 * round + (use == DyePaths::toJudge ? 1 : 0));
+    if (!traced) return std::nullopt;
+    append(tally, *traced);
+    if (traced->count < wanted / 2) break;  // hardly any meets it
   }
   return tally;
 }
 
-std::optional<PathLengthTally> walkForDyes(const Fabric& fabric, const ClothPart& part, const Task& task, DyeWalks use,
-                                           double error) {
+std::optional<PathLengthTally> tracePathsForDyes(const Fabric& fabric, const ClothPart& part, const Task& task,
+                                                 DyePaths use, double error) {
   const auto patch = makeColourPatch(fabric, task);
-  return patch ? walkForDyes(*patch->scene, *patch->medium, part, task, use, error) : std::nullopt;
+  return patch ? tracePathsForDyes(*patch->scene, *patch->medium, part, task, use, error) : std::nullopt;
 }
 
 }  // namespace loomlight

@@ -1,4 +1,4 @@
-#include "app/cli/commands/render_job.h"
+#include "app/cli/commands/render_picture.h"
 
 #include <fmt/format.h>
 
@@ -73,7 +73,7 @@ Begun goOn(const RenderCommand& command, PicturePart part, const std::shared_ptr
   return {fabric, std::move(film), wanted, samples, part.info.origin.program};
 }
 
-Begun begin(const RenderCommand& command, const RenderJob& job) {
+Begun begin(const RenderCommand& command, const RenderOrder& job) {
   std::optional<PicturePart> part;
   if (!command.resume.empty()) part = readPart(command.resume);
   Fabric fabric =
@@ -89,7 +89,7 @@ Begun begin(const RenderCommand& command, const RenderJob& job) {
 }
 
 /// Traces until every pixel has its samples. Returns false when stopped.
-bool trace(const BuiltCloth& built, Begun& picture, Task task, ProgressStyle style, TraceCounts& counts) {
+bool trace(const ReusableCloth& built, Begun& picture, Task task, ProgressStyle style, TraceCounts& counts) {
   const RenderSettings& settings = picture.fabric->render;
   const CameraRays camera(picture.fabric->camera, settings.width, settings.height);
   const auto firstSample = static_cast<uint32_t>(picture.box.low.z);
@@ -152,7 +152,7 @@ std::shared_ptr<const Medium> buildMedium(const Scene& scene, const FibreOptions
 
 /// Builds what differs from what was built before. False when stopped.
 bool build(const std::shared_ptr<const Fabric>& fabric, const FibreOptions& options, Task task, ProgressStyle style,
-           BuiltCloth& built) {
+           ReusableCloth& built) {
   std::shared_ptr<const Scene> scene;
   {
     Progress progress("voxelising", style);
@@ -186,7 +186,7 @@ void write(const std::string& output, const Begun& picture, const Tone& tone, bo
   }
 }
 
-void tellWritten(const RenderJob& job, uint32_t samples, bool complete, double seconds) {
+void tellWritten(const RenderOrder& job, uint32_t samples, bool complete, double seconds) {
   const nlohmann::ordered_json line{{"stage", "written"},
                                     {"output", job.output},
                                     {"samples_per_pixel", samples},
@@ -197,7 +197,8 @@ void tellWritten(const RenderJob& job, uint32_t samples, bool complete, double s
 
 }  // namespace
 
-int renderPicture(const RenderCommand& command, const RenderJob& job, const Interrupt& interrupt, BuiltCloth& built) {
+int renderPicture(const RenderCommand& command, const RenderOrder& job, const Interrupt& interrupt,
+                  ReusableCloth& built) {
   Stopwatch whole;
   checkPictureName(job.output);
   if (!job.stats.empty()) expectWritable(job.stats);
