@@ -126,7 +126,7 @@ class PrimaryChannels {
   }
 
  private:
-  static size_t at(int o, int c) { return static_cast<size_t>(3 * o + c); }
+  static size_t at(int o, int c) { return 3 * static_cast<size_t>(o) + static_cast<size_t>(c); }
   std::vector<Channel> channels_;
 };
 

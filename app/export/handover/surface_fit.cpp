@@ -48,7 +48,7 @@ std::vector<Unknown> unknownsFrom(double roughness, double sheen) {
   unknowns[kRoughness] = {roughness, 0.1, 1};
   unknowns[kAnisotropy] = {0.3, 0, 1};
   unknowns[kSheenRoughness] = {0.5, 0.15, 1};
-  for (int c = 0; c < 3; ++c) unknowns[static_cast<size_t>(kSheen + c)] = {sheen, 0, 1};
+  for (int c = 0; c < 3; ++c) unknowns[size_t{kSheen} + static_cast<size_t>(c)] = {sheen, 0, 1};
   return unknowns;
 }
 
