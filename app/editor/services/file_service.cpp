@@ -40,7 +40,7 @@ FileService::FileService(std::function<void()> wake, Read read)
           },
           failed<ReadOrder>, Backlog::hanging),
       writes_(
-          wake,
+          std::move(wake),
           [](const WriteOrder& order, const auto& job) {
             Result result = order.about;
             result.cancelled = job.isStopped();
