@@ -84,7 +84,7 @@ class OffsetAcross {
   glm::vec2 towards_;
 };
 
-inline bool isWithin(glm::vec3 place, glm::vec3 size) {
+bool isWithin(glm::vec3 place, glm::vec3 size) {
   return std::min({place.x, place.y, place.z}) >= 0 && place.x < size.x && place.y < size.y && place.z < size.z;
 }
 

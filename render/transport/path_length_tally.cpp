@@ -77,9 +77,9 @@ class LengthTally final : public PathSink {
 };
 
 /// A block of paths, of each kind as many as `most`; false when stopped.
-bool walkBlock(const Scene& scene, const Medium& medium, const KindOf& kindOf, uint64_t seed, size_t most,
-               std::vector<PathLengthTally>& kinds, const Task& task) {
-  constexpr size_t kTriesPerWalk = 64;  // what so few eyes see is not on the face
+bool traceBlock(const Scene& scene, const Medium& medium, const KindOf& kindOf, uint64_t seed, size_t most,
+                std::vector<PathLengthTally>& kinds, const Task& task) {
+  constexpr size_t kTriesPerPath = 64;  // what so few eyes see is not on the face
   const glm::dvec2 window = windowSides_mm(*scene.fabric);
   const double above = 2 * scene.cloth->volume->geometry().halfThickness_mm();
   const uint32_t deepest = scene.sampling.maxEvents + 1;  // no lamp is looked for from the last one
@@ -88,7 +88,7 @@ bool walkBlock(const Scene& scene, const Medium& medium, const KindOf& kindOf, u
   std::vector<LengthTally> tallies(most, LengthTally(kindOf, wanted));
   std::vector<PathStart> starts;
   TraceCounts counts;
-  for (size_t tries = 0; tries < most * kTriesPerWalk && !task.stopped();) {
+  for (size_t tries = 0; tries < most * kTriesPerPath && !task.stopped();) {
     size_t missing = 0;
     for (size_t k = 0; k < kinds.size(); ++k) {
       missing += most - std::min(most, kinds[k].count);
@@ -125,7 +125,7 @@ std::optional<std::vector<PathLengthTally>> tallyKinds(const Scene& scene, const
   std::vector<std::vector<PathLengthTally>> blocks((count + kBlock - 1) / kBlock, std::vector<PathLengthTally>(kinds));
   std::atomic<size_t> done{0};
   parallelFor(blocks.size(), task.threads, [&](size_t b) {
-    if (walkBlock(scene, medium, kindOf, hashCombine(seed, b), kBlock, blocks[b], task))
+    if (traceBlock(scene, medium, kindOf, hashCombine(seed, b), kBlock, blocks[b], task))
       task.report(static_cast<double>(++done) / static_cast<double>(blocks.size()));
   });
   if (task.stopped()) return std::nullopt;

@@ -23,7 +23,7 @@ class PathTracer {
   /// Each a pure function of (scene, medium, camera, seed, x, y, index), whichever are traced together. Adds their cost
   /// to `counts`. False where `task` (may be null) was stopped: then there are none.
   bool trace(std::span<const PixelSample> wanted, TraceCounts& counts, const Task* task = nullptr);
-  // Of the last call, by place in its list:
+  // Of the last call, by index into its list:
   const PathSample& sample(size_t i) const { return sinks_[i].sample(); }
   /// Where the path met its first fibre; null where it met none.
   const Collision* first(size_t i) const { return sinks_[i].sample().alpha > 0 ? &sinks_[i].first() : nullptr; }

@@ -9,7 +9,7 @@ namespace loomlight {
 namespace {
 
 /// Fewer paths that meet a yarn tell nothing of its colour.
-constexpr size_t kFewestWalks = 64;
+constexpr size_t kFewestPaths = 64;
 
 Fabric plainClothOf(Fabric fabric, int yarn) {
   fabric.weave = Weave(std::vector<Weave::Row>{{1, 0}, {0, 1}});
@@ -27,7 +27,7 @@ std::optional<std::vector<PathLengthTally>> tracePathsToYarns(const Fabric& fabr
   if (!paths) return std::nullopt;
   std::shared_ptr<const Scene> plain = patch->scene;  // the next is to find the cloth itself, not these
   for (size_t i = 0; i < paths->size(); ++i) {
-    if ((*paths)[i].count >= kFewestWalks) continue;
+    if ((*paths)[i].count >= kFewestPaths) continue;
     const auto alone = makeColourPatch(plainClothOf(fabric, static_cast<int>(i)), task, &plain);
     auto seen = alone ? tallyPathLengths(*alone->scene, *alone->medium, wholePiece(), count, task) : std::nullopt;
     if (!seen) return std::nullopt;

@@ -225,18 +225,18 @@ void Window::setFullScreen(bool on) {
   GLFWmonitor* const monitor = this->monitor();
   if (!monitor) return;
   if (on) {
-    glfwGetWindowPos(window_, &placeX_, &placeY_);
-    glfwGetWindowSize(window_, &placeWidth_, &placeHeight_);
+    glfwGetWindowPos(window_, &windowedX_, &windowedY_);
+    glfwGetWindowSize(window_, &windowedWidth_, &windowedHeight_);
     const GLFWvidmode* mode = glfwGetVideoMode(monitor);
     glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
   } else {
-    glfwSetWindowMonitor(window_, nullptr, placeX_, placeY_, placeWidth_, placeHeight_, GLFW_DONT_CARE);
+    glfwSetWindowMonitor(window_, nullptr, windowedX_, windowedY_, windowedWidth_, windowedHeight_, GLFW_DONT_CARE);
   }
   fullScreen_ = on;
 }
 
 ImVec2 Window::sizeInWindow() const {
-  int width = placeWidth_, height = placeHeight_;
+  int width = windowedWidth_, height = windowedHeight_;
   if (!fullScreen_) glfwGetWindowSize(window_, &width, &height);
   return ImVec2(static_cast<float>(width), static_cast<float>(height));
 }

@@ -68,7 +68,7 @@ class Window {
   bool inputSeen_ = false;
   uint64_t inputCount_ = 0;
   std::optional<double> pixels_per_mm_;  ///< of the display; null: the window has been placed since it was asked
-  int placeX_ = 0, placeY_ = 0, placeWidth_ = 0, placeHeight_ = 0;
+  int windowedX_ = 0, windowedY_ = 0, windowedWidth_ = 0, windowedHeight_ = 0;
   Theme theme_ = Theme::dark();
   Fonts fonts_;
   std::unique_ptr<DisplayPass> displayPass_ = std::make_unique<DisplayPass>();  ///< ends before its context

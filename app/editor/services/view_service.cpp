@@ -138,12 +138,12 @@ bool ViewService::shows(const std::shared_ptr<const Fabric>& fabric, const Cloth
          frame_->quality != PreviewQuality::sketch;
 }
 
-std::optional<Film::Hit> ViewService::hitAt(ImVec2 place) const {
+std::optional<Film::Hit> ViewService::hitAt(ImVec2 fraction) const {
   if (!frame_ || frame_->hits.empty()) return std::nullopt;
   const auto index = [](float along, int count) {
     return std::clamp(static_cast<int>(along * static_cast<float>(count)), 0, count - 1);
   };
-  BoothPixel at{0, index(place.x, frame_->width), index(place.y, frame_->height)};
+  BoothPixel at{0, index(fraction.x, frame_->width), index(fraction.y, frame_->height)};
   if (frame_->isDivided()) at = boothPixel(at.x, at.y, frame_->width, frame_->height);
   Film::Hit hit = frame_->hits[static_cast<size_t>(at.y) * static_cast<size_t>(frame_->width) + at.x];
   if (hit.yarn < 0) return std::nullopt;

@@ -56,8 +56,8 @@ class ViewService {
 
   /// Whether the picture is of this very fabric, looked at so, and no first look.
   bool shows(const std::shared_ptr<const Fabric>& fabric, const ClothView& view) const;
-  /// Of the picture, at a place of 0..1 from the top left.
-  std::optional<Film::Hit> hitAt(ImVec2 place) const;
+  /// Of the picture, at fractions of its width and height from the top left.
+  std::optional<Film::Hit> hitAt(ImVec2 fraction) const;
   ImTextureID picture(int width, int height, const Tone& tone, const SoftProof& proof,
                       std::optional<ViewportPicture::Outline> outline);
   /// The fabric as it is looked at now.
