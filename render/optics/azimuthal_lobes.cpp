@@ -43,9 +43,9 @@ AzimuthalLobes::AzimuthalLobes(double roughness, FibreSection section, double in
     const double reach = std::tanh(0.5 * kPi / scale);
     inverseScale_[mode] = static_cast<float>(1 / scale);
     norm_[mode] = static_cast<float>(1 / (scale * reach));
-    inverse_[mode] = {static_cast<float>(scale / kPi), static_cast<float>(reach)};
+    scale_[mode] = static_cast<float>(scale / kPi);
+    reach_[mode] = static_cast<float>(reach);
   }
-  norm_[3] = static_cast<float>(4 / (2 * kPi));  // decay 1, so that decay / (1 + decay)^2 is a quarter
 }
 
 }  // namespace loomlight::optics

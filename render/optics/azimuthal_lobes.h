@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/base/random.h"
+#include "core/base/random_lanes.h"
 #include "core/base/units.h"
 #include "core/fabric/model/fabric.h"
 #include "render/optics/dielectric_cylinder.h"
@@ -24,47 +24,40 @@ class AzimuthalLobes {
   AzimuthalLobes(double roughness, FibreSection section, double index);
 
   /// Density over the azimuth of wi relative to wo for every mode; of its cosine and sine only the ratio counts.
-  Float32x4 density(const CylinderHit<float>& hit, float cosine, float sine) const {
-    return logistic(cosine, sine, sideBySide(hit.turnCosine), sideBySide(hit.turnSine), inverseScale_, norm_);
-  }
-  /// The same for one mode, at several offsets side by side.
-  Float32x4 density(size_t mode, const CylinderHit<Float32x4>& hit, float cosine, float sine) const {
-    return mode == 3 ? broadcast<Float32x4>(0.25f * norm_[3])
-                     : logistic(cosine, sine, hit.turnCosine[mode], hit.turnSine[mode],
-                                broadcast<Float32x4>(inverseScale_[mode]), broadcast<Float32x4>(norm_[mode]));
+  template <class T>
+  ModesOf<T> density(const CylinderHit<T>& hit, T cosine, T sine) const {
+    ModesOf<T> result;
+    for (size_t mode = 0; mode < 3; ++mode) {
+      const T c = cosine * hit.turnCosine[mode] - sine * hit.turnSine[mode];
+      const T s = cosine * hit.turnSine[mode] + sine * hit.turnCosine[mode];
+      const T decay = exponential<T>(-angle(s, c) * inverseScale_[mode]), root = 1 + decay;
+      result[mode] = norm_[mode] * decay / (root * root);
+    }
+    result[3] = broadcast<T>(1 / (2 * kPi));
+    return result;
   }
 
   /// Azimuth of wi relative to wo; mode 0 to 3.
-  SinCos sample(size_t mode, const CylinderHit<float>& hit, Random& random) const {
-    const float u = 2 * random.uniform() - 1;
-    const Inverse& inverse = inverse_[mode];
-    if (inverse.scale == 0) return sinCosPi(u);
-    const float w = u * inverse.reach;
-    const float x = std::clamp(inverse.scale * logarithm((1 + w) / (1 - w)), -1.0f, 1.0f);
-    const SinCos deviation = sinCosPi(x);
-    const float c = hit.turnCosine[mode], s = -hit.turnSine[mode];
-    return {c * deviation.sine + s * deviation.cosine, c * deviation.cosine - s * deviation.sine};
+  template <class T>
+  SinCos<T> sample(WholeOf<T> mode, const CylinderHit<T>& hit, RandomLanes<T>& random) const {
+    const T u = 2 * random.uniform() - 1;
+    const T scale = chosen<T>(mode, scale_), reach = chosen<T>(mode, reach_);
+    const T w = u * reach;
+    const T x = most(broadcast<T>(-1.0), least(scale * logarithm<T>((1 + w) / (1 - w)), broadcast<T>(1.0)));
+    const auto isUniform = mode == 3;
+    const SinCos<T> deviation = sinCosPi<T>(isUniform ? u : x);
+    const T c = chosen<T>(mode, hit.turnCosine), s = -chosen<T>(mode, hit.turnSine);
+    const T sine = c * deviation.sine + s * deviation.cosine, cosine = c * deviation.cosine - s * deviation.sine;
+    return {isUniform ? deviation.sine : sine, isUniform ? deviation.cosine : cosine};
   }
 
   /// Standard deviation of the angle between normal and radius, over the outline; radians.
   static double normalDeviation(FibreSection section);
 
  private:
-  static Float32x4 logistic(float cosine, float sine, Float32x4 turnCosine, Float32x4 turnSine, Float32x4 inverseScale,
-                            Float32x4 norm) {
-    const Float32x4 c = cosine * turnCosine - sine * turnSine;
-    const Float32x4 s = cosine * turnSine + sine * turnCosine;
-    const Float32x4 decay = exponential(-angle(s, c) * inverseScale);
-    const Float32x4 root = 1 + decay;
-    return norm * decay / (root * root);
-  }
-
-  struct Inverse {
-    float scale = 0;  ///< of the logistic, in units of pi; 0: uniform
-    float reach = 0;  ///< twice the probability between the centre and pi before trimming
-  };
-  Float32x4 inverseScale_{}, norm_{};
-  std::array<Inverse, 4> inverse_{};
+  ModesOf<float> inverseScale_{}, norm_{};  ///< the residual is uniform, and has none
+  ModesOf<float> scale_{};                  ///< of the logistic, in units of pi
+  ModesOf<float> reach_{};                  ///< twice the probability between the centre and pi before trimming
 };
 
 }  // namespace loomlight::optics

@@ -12,16 +12,22 @@ using namespace optics;
 namespace {
 
 /// Chooses R, TT, TRT or the residual. Sums of comparisons, since no processor can predict this branch.
-size_t chooseMode(const std::array<float, FibreBcsdf::kLobes>& share, float u) {
-  const float two = share[0] + share[1], three = two + share[2];
+template <class T>
+WholeOf<T> chooseMode(const std::array<T, FibreBcsdf::kLobes>& share, T u) {
+  const T two = share[0] + share[1], three = two + share[2];
+  const auto one = [](MaskOf<T> mask) { return mask ? WholeOf<T>{} + 1 : WholeOf<T>{}; };
   // Rounding of the sums must not choose a residual that cannot be.
-  return size_t{u >= share[0]} + size_t{u >= two} + size_t{u >= three && share[3] > 0};
+  return one(u >= share[0]) + one(u >= two) + one((u >= three) & (share[3] > 0));
 }
 
 /// Of the residual: 3 + k with probability (1 - f) f^k.
-int drawOrder(float inside, float u) {
-  constexpr float kMost = 1e6f;
-  return 3 + static_cast<int>(std::min(kMost, logarithm(1 - u) / logarithm(inside)));
+template <class T>
+WholeOf<T> drawOrder(T inside, T u) {
+  return 3 + truncated<T>(least(broadcast<T>(1e6), logarithm<T>(1 - u) / logarithm<T>(inside)));
+}
+
+Vec3Of<float> numbersOf(glm::vec3 v) {
+  return {v.x, v.y, v.z};
 }
 
 }  // namespace
@@ -31,51 +37,72 @@ FibreBcsdf::FibreBcsdf(const Fibre& fibre)
       along_(fibre.longitudinalRoughness, fibre.refractiveIndex, fibre.scaleTilt_deg * kPi / 180),
       about_(fibre.azimuthalRoughness, fibre.section, fibre.refractiveIndex) {}
 
-FibreBcsdf::Sample FibreBcsdf::draw(glm::vec3 wo, float h, Random& random, bool withPdf) const {
-  const CylinderHit<float> hit(wo, h, index_);
-  const LongitudinalLobes::Outgoing o = along_.outgoing({hit.sineO, hit.cosineO});
-  const size_t mode = chooseMode(hit.share, random.uniform());
-  const Inclination i = along_.sample(mode, o, random);
-  const SinCos turn = about_.sample(mode, hit, random);
+template <class T>
+inline FibreBcsdf::SampleOf<T> FibreBcsdf::drawOf(const Vec3Of<T>& wo, T h, RandomLanes<T>& random,
+                                                  bool withPdf) const {
+  const CylinderHit<T> hit(wo, h, index_);
+  const auto o = along_.outgoing<T>({hit.sineO, hit.cosineO});
+  const WholeOf<T> mode = chooseMode<T>(hit.share, random.uniform());
+  const Inclination<T> i = along_.sample<T>(mode, o, random);
+  const SinCos<T> turn = about_.sample<T>(mode, hit, random);
 
-  Sample sample;
-  sample.wi = {i.sine, i.cosine * (turn.cosine * hit.azimuthO.x - turn.sine * hit.azimuthO.y),
-               i.cosine * (turn.sine * hit.azimuthO.x + turn.cosine * hit.azimuthO.y)};
-  sample.order = mode < 3 ? static_cast<int>(mode) : drawOrder(hit.inside, random.uniform());
-  sample.length = static_cast<float>(sample.order) * hit.chord;
-  if (withPdf)
-    sample.pdf = sum(sideBySide(hit.share) * along_.density(o, i) * about_.density(hit, turn.cosine, turn.sine));
+  SampleOf<T> sample;
+  sample.wi = {i.sine, i.cosine * (turn.cosine * hit.azimuthOCosine - turn.sine * hit.azimuthOSine),
+               i.cosine * (turn.sine * hit.azimuthOCosine + turn.cosine * hit.azimuthOSine)};
+  sample.order = mode;
+  const MaskOf<T> residual = mode == 3;
+  if (any(residual)) sample.order = residual ? drawOrder<T>(hit.inside, random.uniform(residual)) : mode;
+  sample.length = toFloats<T>(sample.order) * hit.chord;
+  if (withPdf) {
+    const std::array<T, kLobes> along = along_.density<T>(o, i), about = about_.density<T>(hit, turn.cosine, turn.sine);
+    std::array<T, kLobes> q;
+    for (size_t k = 0; k < kLobes; ++k) q[k] = hit.share[k] * along[k] * about[k];
+    sample.pdf = (q[0] + q[1]) + (q[2] + q[3]);
+  }
   return sample;
+}
+
+template <class T>
+inline void FibreBcsdf::evaluateAll(const Vec3Of<T>& wo, const Vec3Of<T>& wi, std::span<const T> offsets,
+                                    std::span<ValueOf<T>> values) const {
+  const Inclination<T> i(wi.x, least(squareRoot<T>(wi.y * wi.y + wi.z * wi.z), broadcast<T>(1.0)));
+  std::array<T, kLobes> along{};
+  for (size_t at = 0; at < offsets.size(); ++at) {
+    const CylinderHit<T> hit(wo, offsets[at], index_);
+    if (at == 0) along = along_.density<T>(along_.outgoing<T>({hit.sineO, hit.cosineO}), i);
+    const T cosine = wi.y * hit.azimuthOCosine + wi.z * hit.azimuthOSine;
+    const T sine = wi.z * hit.azimuthOCosine - wi.y * hit.azimuthOSine;
+    const std::array<T, kLobes> about = about_.density<T>(hit, cosine, sine);
+    for (size_t k = 0; k < kLobes; ++k) values[at].q[k] = hit.share[k] * along[k] * about[k];
+    values[at].chord = hit.chord;
+    values[at].inside = hit.inside;
+  }
+}
+
+FibreBcsdf::Sample FibreBcsdf::draw(glm::vec3 wo, float h, Random& random, bool withPdf) const {
+  RandomLanes<float> numbers(random);
+  const SampleOf<float> s = drawOf<float>(numbersOf(wo), h, numbers, withPdf);
+  return {{s.wi.x, s.wi.y, s.wi.z}, s.order, s.length, s.pdf};
 }
 
 FibreBcsdf::Value FibreBcsdf::evaluate(glm::vec3 wo, glm::vec3 wi, float h) const {
   Value value;
-  evaluate(wo, wi, {&h, 1}, {&value, 1});
+  evaluateAll<float>(numbersOf(wo), numbersOf(wi), {&h, 1}, {&value, 1});
   return value;
 }
 
-void FibreBcsdf::evaluate(glm::vec3 wo, glm::vec3 wi, std::span<const float> offsets, std::span<Value> values) const {
-  constexpr size_t kSideBySide = 4;
-  const Inclination i(wi.x, std::min(1.0f, std::sqrt(wi.y * wi.y + wi.z * wi.z)));
-  Float32x4 along{};
-  for (size_t first = 0; first < offsets.size(); first += kSideBySide) {
-    const size_t count = std::min(offsets.size() - first, kSideBySide);
-    Float32x4 h{};
-    for (size_t k = 0; k < count; ++k) h[k] = offsets[first + k];
-    const CylinderHit<Float32x4> hit(wo, h, index_);
-    if (first == 0) along = along_.density(along_.outgoing({hit.sineO, hit.cosineO}), i);
-    const float cosine = wi.y * hit.azimuthO.x + wi.z * hit.azimuthO.y;
-    const float sine = wi.z * hit.azimuthO.x - wi.y * hit.azimuthO.y;
-    std::array<Float32x4, kLobes> q;
-    for (size_t mode = 0; mode < kLobes; ++mode)
-      q[mode] = hit.share[mode] * along[mode] * about_.density(mode, hit, cosine, sine);
-    for (size_t k = 0; k < count; ++k)
-      values[first + k] = {{q[0][k], q[1][k], q[2][k], q[3][k]}, hit.chord[k], hit.inside[k]};
-  }
+FibreBcsdf::SampleOf<FibreBcsdf::Lanes> FibreBcsdf::sample(const Vec3Of<Lanes>& wo, Lanes h, RandomLanes<Lanes>& random,
+                                                           bool withPdf) const {
+  return drawOf<Lanes>(wo, h, random, withPdf);
+}
+
+void FibreBcsdf::evaluate(const Vec3Of<Lanes>& wo, const Vec3Of<Lanes>& wi, std::span<const Lanes> offsets,
+                          std::span<ValueOf<Lanes>> values) const {
+  evaluateAll<Lanes>(wo, wi, offsets, values);
 }
 
 FibreBcsdf::Modes FibreBcsdf::modes(glm::vec3 wo, float h) const {
-  const CylinderHit<float> hit(wo, h, index_);
+  const CylinderHit<float> hit(numbersOf(wo), h, index_);
   return {hit.share, hit.chord, hit.inside};
 }
 

@@ -14,14 +14,15 @@ namespace {
 /// Shares of the modes, averaged over the offset h, by the midpoint rule in its arcsine: periodic and smooth.
 Float32x4 meanShare(double cosine, double index) {
   constexpr int kPoints = 24;
-  const glm::vec3 wo(std::sqrt(std::max(0.0, 1 - cosine * cosine)), cosine, 0.0);
+  const auto sine = static_cast<float>(std::sqrt(std::max(0.0, 1 - cosine * cosine)));
   Float32x4 sum{};
   float weights = 0;
   for (int k = 0; k < kPoints; ++k) {
     const double gamma = 0.5 * kPi * (k + 0.5) / kPoints;
     const auto weight = static_cast<float>(std::cos(gamma));
-    const CylinderHit<float> hit(wo, static_cast<float>(std::sin(gamma)), static_cast<float>(index));
-    sum += weight * sideBySide(hit.share);
+    const CylinderHit<float> hit({sine, static_cast<float>(cosine), 0}, static_cast<float>(std::sin(gamma)),
+                                 static_cast<float>(index));
+    sum += weight * Float32x4{hit.share[0], hit.share[1], hit.share[2], hit.share[3]};
     weights += weight;
   }
   return sum / weights;
@@ -60,7 +61,7 @@ class Quadrature {
         ci[lane] = cosine_[k + lane];
         root[lane] = std::sqrt(c * ci[lane] * inverse);
       }
-      const BesselI0 bessel = besselI0(root);
+      const BesselI0<Float32x4> bessel = besselI0(root);
       const auto side = [&](Float32x4 difference) {
         const Float32x4 versine = 0.5f * (difference * difference + (c - ci) * (c - ci));
         return bessel.factor * exponential(-bessel.rest - versine * inverse);
@@ -95,11 +96,11 @@ LongitudinalLobes::LongitudinalLobes(double roughness, double index, double scal
     inverseDeviation_[mode] = static_cast<float>(1 / std::sqrt(v));
     norm_[mode] = static_cast<float>(normOf(v));
     solve(mode, v, index);
-    inverse_[mode].variance = static_cast<float>(v);
+    variance_[mode] = static_cast<float>(v);
     for (size_t row = 1; row <= kRows; ++row) {
       // Between two rows a * cosine is at most the larger a times the larger cosine.
       const float largest = std::max(incoming_[row - 1][mode], incoming_[row][mode]);
-      inverse_[mode].bound = std::max(inverse_[mode].bound, largest * static_cast<float>(row) / kRows);
+      bound_[mode] = std::max(bound_[mode], largest * static_cast<float>(row) / kRows);
     }
   }
 }

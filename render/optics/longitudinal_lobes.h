@@ -5,18 +5,19 @@
 #include <cmath>
 #include <vector>
 
-#include "core/base/random.h"
+#include "core/base/random_lanes.h"
 #include "core/base/units.h"
 #include "render/optics/polynomials.h"
 
 namespace loomlight::optics {
 
 /// An inclination to the plane across the fibre; the cosine lies in [0, 1].
+template <class T>
 struct Inclination {
-  float sine, cosine;
-  float root;  ///< of the cosine
+  T sine, cosine;
+  T root;  ///< of the cosine
 
-  Inclination(float sine, float cosine) : sine(sine), cosine(cosine), root(std::sqrt(cosine)) {}
+  Inclination(T sine, T cosine) : sine(sine), cosine(cosine), root(squareRoot(cosine)) {}
 };
 
 /// Scattering along the fibre. d'Eon et al. 2011 give the density of the inclination i of wi, for a lobe of variance v
@@ -33,49 +34,65 @@ class LongitudinalLobes {
   LongitudinalLobes(double roughness, double index, double scaleTilt_rad);
 
   /// Where wo lies, as every mode sees it: shifted by the tilt of the scales.
+  template <class T>
   struct Outgoing {
-    Float32x4 sine, cosine, root;
-    Float32x4 factor;  ///< a(o) / A(o)
+    ModesOf<T> sine, cosine, root;
+    ModesOf<T> factor;  ///< a(o) / A(o)
   };
-  Outgoing outgoing(Inclination o) const {
+  template <class T>
+  Outgoing<T> outgoing(const Inclination<T>& o) const {
     if (!tilted_)
-      return {broadcast<Float32x4>(o.sine), broadcast<Float32x4>(o.cosine), broadcast<Float32x4>(o.root),
-              lookUp(outgoing_, o)};
-    Outgoing shifted;
+      return {{o.sine, o.sine, o.sine, o.sine},
+              {o.cosine, o.cosine, o.cosine, o.cosine},
+              {o.root, o.root, o.root, o.root},
+              lookUp(outgoing_, o.cosine)};
+    Outgoing<T> shifted;
     for (size_t mode = 0; mode < kModes; ++mode) {
-      const float sine = o.sine * tilt_[mode].cosine + o.cosine * tilt_[mode].sine;
-      const Inclination s(sine, std::abs(o.cosine * tilt_[mode].cosine - o.sine * tilt_[mode].sine));
+      const float tiltSine = tilt_[mode].sine, tiltCosine = tilt_[mode].cosine;
+      const Inclination<T> s(o.sine * tiltCosine + o.cosine * tiltSine,
+                             magnitude<T>(o.cosine * tiltCosine - o.sine * tiltSine));
       shifted.sine[mode] = s.sine;
       shifted.cosine[mode] = s.cosine;
       shifted.root[mode] = s.root;
-      shifted.factor[mode] = lookUp(outgoing_, mode, s);
+      shifted.factor[mode] = lookUp(outgoing_, broadcastWhole<T>(mode), s.cosine);
     }
     return shifted;
   }
 
   /// Density of i per radian and cos_i, for every mode.
-  Float32x4 density(const Outgoing& o, Inclination i) const {
-    // 1 - cos(o + i) as half a squared distance: narrow lobes would not survive the difference.
-    const Float32x4 sines = o.sine + i.sine, cosines = o.cosine - i.cosine;
-    const Float32x4 versine = 0.5f * (sines * sines + cosines * cosines);
-    const BesselI0 bessel = besselI0(o.root * i.root * inverseDeviation_);
-    const Float32x4 decay = exponential(-bessel.rest - versine * inverseVariance_);
-    return o.factor * lookUp(incoming_, i) * i.cosine * norm_ * bessel.factor * decay;
+  template <class T>
+  ModesOf<T> density(const Outgoing<T>& o, const Inclination<T>& i) const {
+    ModesOf<T> result = lookUp(incoming_, i.cosine);
+    for (size_t mode = 0; mode < kModes; ++mode) {
+      // 1 - cos(o + i) as half a squared distance: narrow lobes would not survive the difference.
+      const T sines = o.sine[mode] + i.sine, cosines = o.cosine[mode] - i.cosine;
+      const T versine = 0.5f * (sines * sines + cosines * cosines);
+      const BesselI0<T> bessel = besselI0<T>(o.root[mode] * i.root * inverseDeviation_[mode]);
+      const T decay = exponential<T>(-bessel.rest - versine * inverseVariance_[mode]);
+      result[mode] = o.factor[mode] * result[mode] * i.cosine * norm_[mode] * bessel.factor * decay;
+    }
+    return result;
   }
 
   /// Draws i from exactly that density: M by the inverse of its distribution (d'Eon et al. 2013), the rest by
   /// rejection.
-  Inclination sample(size_t mode, const Outgoing& o, Random& random) const {
-    const Inverse& inverse = inverse_[mode];
-    for (;;) {
+  template <class T>
+  Inclination<T> sample(WholeOf<T> mode, const Outgoing<T>& o, RandomLanes<T>& random) const {
+    const T variance = chosen<T>(mode, variance_), bound = chosen<T>(mode, bound_);
+    const T sineO = chosen<T>(mode, o.sine), cosineO = chosen<T>(mode, o.cosine);
+    MaskOf<T> open = everywhere<T>();
+    T sine{}, cosine{};
+    do {
       // An exponential variable has no memory: what is left of it modulo 2 is the same law trimmed to [0, 2].
-      const float decay = inverse.variance * -logarithm(1 - random.uniform());
-      const float versine = decay - 2 * std::floor(0.5f * decay);
-      const float across = std::sqrt(versine * (2 - versine)) * sinCosPi(2 * random.uniform() - 1).cosine;
-      const float sine = withinOne((versine - 1) * o.sine[mode] + across * o.cosine[mode]);
-      const Inclination i(sine, std::sqrt((1 - sine) * (1 + sine)));
-      if (random.uniform() * inverse.bound < lookUp(incoming_, mode, i) * i.cosine) return i;
-    }
+      const T decay = variance * -logarithm<T>(1 - random.uniform(open));
+      const T versine = decay - 2 * toFloats<T>(truncated<T>(0.5f * decay));
+      const T across = squareRoot<T>(versine * (2 - versine)) * sinCosPi<T>(2 * random.uniform(open) - 1).cosine;
+      const T s = withinOne<T>((versine - 1) * sineO + across * cosineO), c = squareRoot<T>((1 - s) * (1 + s));
+      sine = open ? s : sine;
+      cosine = open ? c : cosine;
+      open = open & (random.uniform(open) * bound >= lookUp(incoming_, mode, c) * c);
+    } while (any(open));
+    return {sine, cosine};
   }
 
   /// Bytes of the tables.
@@ -85,35 +102,46 @@ class LongitudinalLobes {
   static constexpr size_t kModes = 4;
   static constexpr size_t kRows = 512;
 
-  struct Inverse {
-    float variance = 0;  ///< v
-    float bound = 0;     ///< largest a(i) cos_i
-  };
-
   /// Functions of the cosine: one row for each of kRows equal steps from 0 to 1, and one more to interpolate with.
   using Table = std::vector<Float32x4>;
-  struct TablePosition {
-    size_t row;
-    float next;
-  };
-  static TablePosition positionOf(Inclination t) {
-    const float x = t.cosine * static_cast<float>(kRows);
-    return {static_cast<size_t>(static_cast<int>(x)), x - std::floor(x)};
+  template <class T>
+  static WholeOf<T> broadcastWhole(size_t n) {
+    return WholeOf<T>{} + static_cast<int32_t>(n);
   }
-  static Float32x4 lookUp(const Table& table, Inclination t) {
-    const TablePosition p = positionOf(t);
-    return table[p.row] + p.next * (table[p.row + 1] - table[p.row]);
+  /// For every mode.
+  static ModesOf<float> lookUp(const Table& table, float cosine) {
+    const float x = cosine * static_cast<float>(kRows);
+    const auto row = static_cast<size_t>(static_cast<int>(x));
+    const Float32x4 found = table[row] + (x - std::floor(x)) * (table[row + 1] - table[row]);
+    return {found[0], found[1], found[2], found[3]};
   }
-  static float lookUp(const Table& table, size_t mode, Inclination t) {
-    const TablePosition p = positionOf(t);
-    return table[p.row][mode] + p.next * (table[p.row + 1][mode] - table[p.row][mode]);
+  static ModesOf<Float32x8> lookUp(const Table& table, Float32x8 cosine) {
+    const Float32x8 x = cosine * static_cast<float>(kRows);
+    const Int32x8 row = truncated(x);
+    const Float32x8 next = x - toFloats<Float32x8>(row);
+    std::array<Float32x4, 8> found;
+    for (size_t lane = 0; lane < 8; ++lane) {
+      const Float32x4* rows = &table[static_cast<size_t>(row[lane])];
+      found[lane] = rows[0] + next[lane] * (rows[1] - rows[0]);
+    }
+    return transposed(found);
+  }
+  /// For one mode of each.
+  template <class T>
+  static T lookUp(const Table& table, WholeOf<T> mode, T cosine) {
+    const T x = cosine * static_cast<float>(kRows);
+    const WholeOf<T> row = truncated(x), place = row * static_cast<int32_t>(kModes) + mode;
+    const auto* numbers = reinterpret_cast<const float*>(table.data());
+    const T here = gathered(numbers, place), there = gathered(numbers + kModes, place);
+    return here + (x - toFloats<T>(row)) * (there - here);
   }
   void solve(size_t mode, double variance, double index);
 
   bool tilted_;
-  std::array<SinCos, kModes> tilt_{};
-  Float32x4 inverseVariance_{}, inverseDeviation_{}, norm_{};
-  std::array<Inverse, kModes> inverse_{};
+  std::array<SinCos<float>, kModes> tilt_{};
+  ModesOf<float> inverseVariance_{}, inverseDeviation_{}, norm_{};
+  ModesOf<float> variance_{};  ///< v
+  ModesOf<float> bound_{};     ///< largest a(i) cos_i
   Table outgoing_, incoming_;  ///< a / A, and a
 };
 

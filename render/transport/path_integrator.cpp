@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cassert>
 #include <limits>
+#include <numeric>
 
-#include "render/optics/fibre_frame.h"
 #include "render/scene/thread_shade.h"
+#include "render/transport/event_lanes.h"
 
 // How it works. Many paths go on side by side, one event at a time, so that the medium can walk them in vector
 // registers: all fly to their next fibre (fly), a lamp is looked for from each (sampleLights), and each fibre sends its
@@ -17,9 +18,6 @@ namespace loomlight {
 namespace {
 
 constexpr uint32_t kRouletteAfter = 4;  // events
-
-/// Places across a fibre from which a lamp is looked for at once.
-constexpr size_t kOffsets = 4;
 
 /// Numbers of a path's first events that are stratified: so many each for the flight, the lamp and the fibre. Later
 /// events differ too much from path to path to gain.
@@ -39,26 +37,40 @@ float shadeOf(const Collision& at) {
   return variation > 0 ? shadeFactor(variation, shadeClass(at.yarnId.system, at.yarnId.index)) : 1.0f;
 }
 
-/// Balance heuristic (Veach 1997).
-float misWeight(float own, float other) {
+/// Balance heuristic (Veach 1997); of one path, or of several side by side.
+template <class T>
+T misWeight(T own, T other) {
   return own / (own + other);
+}
+
+/// How likely a collision looks for a lamp; see PathIntegrator::lightSamplingProbability().
+template <class T>
+T chanceToLook(T value) {
+  constexpr float kCertain = 0.5f, kLeast = 0.05f;
+  return most(broadcast<T>(kLeast), least(value / kCertain, broadcast<T>(1)));
+}
+
+/// Calls visit(paths of one material, at most EventLanes::kMost) for all that are sorted by it; `of` maps to the path.
+template <class Item, class Material, class Visit>
+void forEachEight(std::span<const Item> items, Material&& material, Visit&& visit) {
+  for (size_t first = 0; first < items.size();) {
+    size_t last = first + 1;
+    while (last < items.size() && last - first < EventLanes::kMost && material(items[last]) == material(items[first]))
+      ++last;
+    visit(items.subspan(first, last - first));
+    first = last;
+  }
 }
 
 }  // namespace
 
-struct PathIntegrator::Event {
-  const Collision& at;
-  const FibreBcsdf& bcsdf;
-  FibreFrame frame;
-  glm::vec3 wo;    ///< in the fibre's frame
-  float depth_mm;  ///< the fibre's radius, times how deeply its thread is dyed
-
-  Event(const Collision& collision, const Scene& scene)
-      : at(collision),
-        bcsdf(*scene.cloth->materials[static_cast<size_t>(collision.material)].bcsdf),
-        frame(collision.tangent),
-        wo(frame.toLocal(-collision.incoming)),
-        depth_mm(collision.optics.fibreRadius_mm * shadeOf(collision)) {}
+/// Side by side: the values at each offset, and the sums over them.
+struct PathIntegrator::Looked {
+  using Lanes = EventLanes::Lanes;
+  std::array<FibreBcsdf::ValueOf<Lanes>, kOffsets> values;
+  std::array<Lanes, kOffsets> weighted;  ///< by the balance heuristic; 0 beyond a look's offsets
+  Lanes sum{};                           ///< of `weighted`
+  Lanes chance{};                        ///< that a lamp is looked for
 };
 
 PathIntegrator::PathIntegrator(const Scene& scene, const Medium& medium, const PathSampling& sampling, size_t most)
@@ -74,18 +86,35 @@ PathIntegrator::PathIntegrator(const Scene& scene, const Medium& medium, const P
 }
 
 /// Of the next `use` (flight, lamp, fibre) of a path that has met so many fibres.
-void PathIntegrator::stratify(PathStart& path, uint32_t events, uint32_t use) const {
+void PathIntegrator::stratify(uint32_t path, uint32_t events, uint32_t use) {
   if (!sampling_.stratified) return;
   const uint32_t dimension = kFirstDimension + events * kDimensionsPerEvent + use * kDimensionsPerUse;
-  path.random.stratify(dimension, events < kStratifiedEvents ? kDimensionsPerUse : 0);
+  randomOf(path).stratify(dimension, events < kStratifiedEvents ? kDimensionsPerUse : 0);
 }
 
 /// How likely a collision looks for a lamp: each look costs a walk out of the cloth. The more of the lamp's light the
 /// fibre would send on, the likelier, so that no look brings much more than another: narrow modes, met rarely, are what
-/// makes pictures noisy. `value` is the sum of Q, 1/sr; the least chance keeps all possible.
+/// makes pictures noisy. `value` is the sum of Q, 1/sr; the least chance keeps all possible. Certain at the first
+/// event: it is what the eye sees.
 float PathIntegrator::lightSamplingProbability(float value, uint32_t events) const {
-  constexpr float kCertain = 0.5f, kLeast = 0.05f;  // of the first event always: it is what the eye sees
-  return !sampling_.lampsByChance || events == 1 ? 1.0f : std::clamp(value / kCertain, kLeast, 1.0f);
+  return !sampling_.lampsByChance || events == 1 ? 1.0f : chanceToLook(value);
+}
+
+/// The fibre's radius, times how deeply its thread is dyed.
+float PathIntegrator::depth_mm(uint32_t path) const {
+  const Collision& at = *states_[path].at;
+  return at.optics.fibreRadius_mm * shadeOf(at);
+}
+
+/// The active paths, so that those whose fibres are of one material stand together.
+void PathIntegrator::sortByMaterial() {
+  if (materials_ < 2) return;
+  std::array<uint32_t, kMaxMaterials + 1> begin{};
+  for (const uint32_t path : active_) ++begin[static_cast<size_t>(materialOf(path)) + 1];
+  for (size_t k = 1; k <= materials_; ++k) begin[k] += begin[k - 1];
+  sorted_.resize(active_.size());
+  for (const uint32_t path : active_) sorted_[begin[static_cast<size_t>(materialOf(path))]++] = path;
+  active_.swap(sorted_);
 }
 
 /// Ends the path at random, the likelier the more of its light has been absorbed; if it goes on, it is as bright as
@@ -100,79 +129,95 @@ bool PathIntegrator::survives(uint32_t path, Random& random) {
   return true;
 }
 
-void PathIntegrator::gather(uint32_t path, PathLight light, PathSink& sink) {
+void PathIntegrator::gather(uint32_t path, PathLight light) {
   light.radiance *= states_[path].weight;
-  sink.gathers(light, lengths_mm(path), states_[path].events);
+  sinkOf(path).gathers(light, lengths_mm(path), states_[path].events);
 }
 
 /// What the path finds where it leaves the scene, or would leave it where it is `visible`.
-void PathIntegrator::gatherEscaped(uint32_t path, float visible, PathSink& sink) {
+void PathIntegrator::gatherEscaped(uint32_t path, float visible) {
   const State& state = states_[path];
   const Rgb radiance = scene_.lighting->escape(state.direction);
   if (visible == 0 || radiance == Rgb(0)) return;
   const float looked = lamps_ ? lightSamplingProbability(state.scatterPdf, state.events) : 0.0f;
   const float weight = lamps_ ? misWeight(state.scatterPdf, looked * scene_.lighting->pdf(state.direction)) : 1.0f;
-  gather(path, {radiance * (weight * visible)}, sink);
+  gather(path, {radiance * (weight * visible)});
 }
 
-/// One lamp, looked for from a collision: the shadow ray to it, and what it brings where nothing is in the way. False
-/// when no light comes of it.
+/// What the fibres send on of the light that was looked for.
 ///
-/// Nobody sees where across the fibre the path met it, and narrow modes send the lamp's light on from few of these
+/// Nobody sees where across the fibre a path met it, and narrow modes send the lamp's light on from few of these
 /// places: so the light is the mean over several of them (MediumBatch::offsetsAcross), and one of them, chosen in
 /// proportion, says how the light goes on, through the fibre and out of it. Each place counts with the weight that it
 /// would have alone, since a path that finds the lamp by itself leaves from one place.
-bool PathIntegrator::sampleLight(uint32_t path, Random& random, ShadowRay& ray, Lamp& lamp) {
-  const State& state = states_[path];
-  const Event event(*state.at, scene_);
-  const Collision& at = event.at;
-  const auto light = scene_.lighting->sample(at.place.world, random);
-  if (!light || light->pdf <= 0) return false;
-  std::array<float, kOffsets> offsets;
-  std::array<FibreBcsdf::Value, kOffsets> values;
-  const size_t count = medium_->offsetsAcross(path, at, offsets, random);
-  event.bcsdf.evaluate(event.wo, event.frame.toLocal(light->wi), {offsets.data(), count}, {values.data(), count});
-
-  std::array<float, kOffsets> weighted;
-  float pdfs = 0, sum = 0;
-  for (size_t k = 0; k < count; ++k) {
-    const float pdf = values[k].sum();
-    weighted[k] = pdf > 0 && !light->isDelta()
-                      ? pdf * misWeight(lightSamplingProbability(pdf, state.events) * light->pdf, pdf)
-                      : pdf;
-    pdfs += pdf;
-    sum += weighted[k];
+PathIntegrator::Looked PathIntegrator::evaluate(std::span<const Look> looks) const {
+  using Lanes = EventLanes::Lanes;
+  const size_t count = looks.size();
+  const EventLanes event(count, [&](size_t i) -> const Collision& { return *states_[looks[i].path].at; });
+  const Vec3Of<Lanes> wi = EventLanes::columns(count, [&](size_t i) { return looks[i].light.wi; });
+  std::array<Lanes, kOffsets> offsets, isOne;
+  for (size_t k = 0; k < kOffsets; ++k) {
+    offsets[k] = EventLanes::column(count, [&](size_t i) { return looks[i].offsets[k]; });
+    isOne[k] = EventLanes::column(count, [&](size_t i) { return k < looks[i].count ? 1.0f : 0.0f; });
   }
-  if (!(sum > 0)) return false;
-  const float chance = lightSamplingProbability(pdfs / static_cast<float>(count), state.events);
-  if (random.uniform() >= chance) return false;
+  Looked looked;
+  const auto material = static_cast<size_t>(materialOf(looks[0].path));
+  scene_.cloth->materials[material].bcsdf->evaluate(event.wo, event.frame.toLocal(wi), offsets, looked.values);
+
+  const Lanes lightPdf = EventLanes::column(count, [&](size_t i) { return looks[i].light.pdf; });
+  const Lanes isDelta = EventLanes::column(count, [&](size_t i) { return looks[i].light.isDelta() ? 1.0f : 0.0f; });
+  const Lanes isCertain = EventLanes::column(
+      count, [&](size_t i) { return !sampling_.lampsByChance || states_[looks[i].path].events == 1 ? 1.0f : 0.0f; });
+  const auto chanceOf = [&](Lanes value) { return isCertain > 0 ? isCertain : chanceToLook(value); };
+  Lanes pdfs{}, number{};
+  for (size_t k = 0; k < kOffsets; ++k) {
+    const Lanes pdf = isOne[k] > 0 ? looked.values[k].sum() : Lanes{};
+    const Lanes byBoth = pdf * misWeight<Lanes>(chanceOf(pdf) * lightPdf, pdf);
+    looked.weighted[k] = ((pdf > 0) & (isDelta == 0)) ? byBoth : pdf;
+    pdfs += pdf;
+    looked.sum += looked.weighted[k];
+    number += isOne[k];
+  }
+  looked.chance = chanceOf(pdfs / number);
+  return looked;
+}
+
+/// Of one look: where chance does not leave it, and light may come of it, the shadow ray and what it brings where
+/// nothing is in the way.
+void PathIntegrator::chooseOffset(const Look& look, const Looked& looked, size_t lane, Random& random) {
+  const Collision& at = *states_[look.path].at;
+  const float chance = looked.chance[lane], sum = looked.sum[lane];
+  if (!(sum > 0) || random.uniform() >= chance) return;
   size_t chosen = 0;
-  if (count > 1)
-    for (float rest = random.uniform() * sum; chosen + 1 < count && (rest -= weighted[chosen]) >= 0;) ++chosen;
-  const FibreBcsdf::Value& value = values[chosen];
-  if (!(value.sum() > 0)) return false;  // rounding chose it
-  const Rgb radiance = scene_.lighting->radiance(*light);
-  if (radiance == Rgb(0)) return false;
+  if (look.count > 1)
+    for (float rest = random.uniform() * sum; chosen + 1 < look.count && (rest -= looked.weighted[chosen][lane]) >= 0;)
+      ++chosen;
+  FibreBcsdf::Value value;
+  for (size_t mode = 0; mode < value.q.size(); ++mode) value.q[mode] = looked.values[chosen].q[mode][lane];
+  if (!(value.sum() > 0)) return;  // rounding chose it
+  const Rgb radiance = scene_.lighting->radiance(look.light);
+  if (radiance == Rgb(0)) return;
   if (chosen == 0) {
-    medium_->leave(path, at, light->wi, likelyOrder(value, random));
+    medium_->leave(look.path, at, look.light.wi, likelyOrder(value, random));
   } else {
     Collision across = at;
-    across.offset = offsets[chosen];
+    across.offset = look.offsets[chosen];
     across.axis = axisOf(across);
-    medium_->leave(path, across, light->wi, likelyOrder(value, random));
+    medium_->leave(look.path, across, look.light.wi, likelyOrder(value, random));
   }
-  ray = {path, light->wi, light->distance, &random};
-  lamp = {radiance, sum / static_cast<float>(count), chance * light->pdf * value.sum(),
-          PathLight{Rgb(0), value.q, at.material, value.chord * event.depth_mm, value.inside}};
-  return true;
+  shadowRays_.push_back({look.path, look.light.wi, look.light.distance, &random});
+  lampsFound_.push_back(
+      {radiance, sum / static_cast<float>(look.count), chance * look.light.pdf * value.sum(),
+       PathLight{Rgb(0), value.q, at.material, looked.values[chosen].chord[lane] * depth_mm(look.path),
+                 looked.values[chosen].inside[lane]}});
 }
 
 /// All active paths fly to their next fibre; those that leave the scene, or have been heard enough of, end.
-void PathIntegrator::fly(std::span<PathStart> paths, TraceCounts& counts) {
+void PathIntegrator::fly(TraceCounts& counts) {
   pathRays_.clear();
   for (const uint32_t path : active_) {
-    stratify(paths[path], states_[path].events, 0);
-    pathRays_.push_back({path, states_[path].direction, &paths[path].random});
+    stratify(path, states_[path].events, 0);
+    pathRays_.push_back({path, states_[path].direction, &randomOf(path)});
   }
   met_.resize(pathRays_.size());
   medium_->collide(pathRays_, met_, counts);
@@ -180,33 +225,41 @@ void PathIntegrator::fly(std::span<PathStart> paths, TraceCounts& counts) {
   for (size_t i = 0; i < pathRays_.size(); ++i) {
     const uint32_t path = pathRays_[i].path;
     State& state = states_[path];
-    PathSink& sink = *paths[path].sink;
     if (!met_[i]) {  // what the camera sees past the cloth is the backdrop's affair: alpha
-      if (state.events > 0 && !state.addedAlready) gatherEscaped(path, 1, sink);
-      sink.ends(PathEnd::left);
+      if (state.events > 0 && !state.addedAlready) gatherEscaped(path, 1);
+      end(path, PathEnd::left);
       continue;
     }
     state.at = met_[i];
     ++state.events;
-    if (sink.meets(*state.at, state.events))
+    if (sinkOf(path).meets(*state.at, state.events))
       active_[kept++] = path;
     else
-      sink.ends(PathEnd::stopped);
+      end(path, PathEnd::stopped);
   }
   active_.resize(kept);
 }
 
-void PathIntegrator::sampleLights(std::span<PathStart> paths, TraceCounts& counts) {
+void PathIntegrator::sampleLights(TraceCounts& counts) {
+  looks_.clear();
+  for (const uint32_t path : active_) {
+    stratify(path, states_[path].events - 1, 1);
+    Random& random = randomOf(path);
+    const Collision& at = *states_[path].at;
+    const auto light = scene_.lighting->sample(at.place.world, random);
+    if (!light || light->pdf <= 0) continue;
+    Look& look = looks_.emplace_back(Look{path, *light, {}, 0});
+    look.count = static_cast<uint32_t>(medium_->offsetsAcross(path, at, look.offsets, random));
+  }
   shadowRays_.clear();
   lampsFound_.clear();
-  ShadowRay ray;
-  Lamp lamp;
-  for (const uint32_t path : active_) {
-    stratify(paths[path], states_[path].events - 1, 1);
-    if (!sampleLight(path, paths[path].random, ray, lamp)) continue;
-    shadowRays_.push_back(ray);
-    lampsFound_.push_back(lamp);
-  }
+  forEachEight(
+      std::span<const Look>(looks_), [&](const Look& look) { return materialOf(look.path); },
+      [&](std::span<const Look> eight) {
+        const Looked looked = evaluate(eight);
+        for (size_t lane = 0; lane < eight.size(); ++lane)
+          chooseOffset(eight[lane], looked, lane, randomOf(eight[lane].path));
+      });
   medium_->transmit(shadowRays_, counts);
   for (size_t i = 0; i < shadowRays_.size(); ++i) {
     const ShadowRay& seen = shadowRays_[i];
@@ -214,67 +267,106 @@ void PathIntegrator::sampleLights(std::span<PathStart> paths, TraceCounts& count
     const Lamp& found = lampsFound_[i];
     PathLight light = found.light;
     light.radiance = found.radiance * (seen.visible * found.mean / found.divisor);
-    gather(seen.path, light, *paths[seen.path].sink);
+    gather(seen.path, light);
   }
 }
 
 /// The fibres send all active paths on, but for those that end there.
-void PathIntegrator::scatter(std::span<PathStart> paths) {
+void PathIntegrator::scatter() {
   size_t kept = 0;
   for (const uint32_t path : active_) {
-    State& state = states_[path];
-    PathSink& sink = *paths[path].sink;
-    Random& random = paths[path].random;
-    if (state.events >= sampling_.maxEvents) {
-      sink.ends(PathEnd::deepest);
-      continue;
-    }
-    stratify(paths[path], state.events - 1, 2);
-    const Event event(*state.at, scene_);
-    const FibreBcsdf::Sample scattered = lamps_ ? event.bcsdf.sample(event.wo, event.at.offset, random)
-                                                : event.bcsdf.sampleWithoutPdf(event.wo, event.at.offset, random);
-    lengths_mm(path)[static_cast<size_t>(event.at.material)] += scattered.length * event.depth_mm;
-    if (sampling_.roulette && state.events > kRouletteAfter && !survives(path, random)) {
-      sink.ends(PathEnd::roulette);
-      continue;
-    }
-    state.scatterPdf = scattered.pdf;
-    state.direction = event.frame.toWorld(scattered.wi);
-    sink.scatters(scattered, state.direction, state.weight);
-    medium_->leave(path, event.at, state.direction, scattered.order);
-    active_[kept++] = path;
+    if (states_[path].events >= sampling_.maxEvents)
+      end(path, PathEnd::deepest);
+    else
+      active_[kept++] = path;
   }
+  active_.resize(kept);
+  kept = 0;
+  forEachEight(
+      std::span<const uint32_t>(active_), [&](uint32_t path) { return materialOf(path); },
+      [&](std::span<const uint32_t> eight) {
+        const size_t first = kept;
+        std::copy(eight.begin(), eight.end(), active_.begin() + static_cast<std::ptrdiff_t>(first));
+        kept += scatterEight({&active_[first], eight.size()});
+      });
   active_.resize(kept);
 }
 
+/// Of one material; those that go on come first, and are counted.
+size_t PathIntegrator::scatterEight(std::span<uint32_t> eight) {
+  const EventLanes event(eight.size(), [&](size_t i) -> const Collision& { return *states_[eight[i]].at; });
+  std::array<Random*, EventLanes::kMost> randoms{};
+  for (size_t i = 0; i < eight.size(); ++i) {
+    stratify(eight[i], states_[eight[i]].events - 1, 2);
+    randoms[i] = &randomOf(eight[i]);
+  }
+  const auto material = static_cast<size_t>(materialOf(eight[0]));
+  RandomLanes<EventLanes::Lanes> random(randoms);
+  const auto scattered = scene_.cloth->materials[material].bcsdf->sample(event.wo, event.offset, random, lamps_);
+  const auto directions = event.frame.toWorld(scattered.wi);
+  size_t kept = 0;
+  for (size_t i = 0; i < eight.size(); ++i) {
+    const uint32_t path = eight[i];
+    State& state = states_[path];
+    lengths_mm(path)[material] += scattered.length[i] * depth_mm(path);
+    if (sampling_.roulette && state.events > kRouletteAfter && !survives(path, *randoms[i])) {
+      end(path, PathEnd::roulette);
+      continue;
+    }
+    state.scatterPdf = scattered.pdf[i];
+    state.direction = {directions.x[i], directions.y[i], directions.z[i]};
+    sinkOf(path).scatters({{scattered.wi.x[i], scattered.wi.y[i], scattered.wi.z[i]},
+                           scattered.order[i],
+                           scattered.length[i],
+                           scattered.pdf[i]},
+                          state.direction, state.weight);
+    medium_->leave(path, *state.at, state.direction, scattered.order[i]);
+    eight[kept++] = path;
+  }
+  return kept;
+}
+
 /// Where the medium sees light apart that comes straight from a lamp to the first fibre: that light.
-void PathIntegrator::seeDirectLightApart(std::span<PathStart> paths, TraceCounts& counts) {
+void PathIntegrator::seeDirectLightApart(TraceCounts& counts) {
   constexpr float kFar = std::numeric_limits<float>::infinity();
   shadowRays_.clear();
   for (const uint32_t path : active_) {
     states_[path].addedAlready = states_[path].events == 1;
-    if (states_[path].addedAlready) shadowRays_.push_back({path, states_[path].direction, kFar, &paths[path].random});
+    if (states_[path].addedAlready) shadowRays_.push_back({path, states_[path].direction, kFar, &randomOf(path)});
   }
   medium_->transmit(shadowRays_, counts);
-  for (const ShadowRay& ray : shadowRays_) gatherEscaped(ray.path, ray.visible, *paths[ray.path].sink);
+  for (const ShadowRay& ray : shadowRays_) gatherEscaped(ray.path, ray.visible);
+}
+
+/// The path's place is free for another.
+void PathIntegrator::end(uint32_t path, PathEnd why) {
+  sinkOf(path).ends(why);
+  free_.push_back(path);
+}
+
+/// Sends `start` out at a place that is free.
+void PathIntegrator::begin(PathStart& start) {
+  const uint32_t path = free_.back();
+  free_.pop_back();
+  states_[path] = {.start = &start, .at = {}, .direction = start.ray.direction};
+  std::ranges::fill(lengths_mm(path), 0.0f);
+  medium_->begin(path, {start.ray.origin, -1}, start.ray.cone);
+  active_.push_back(path);
 }
 
 bool PathIntegrator::follow(std::span<PathStart> paths, TraceCounts& counts, const Task* task) {
-  assert(paths.size() <= states_.size());
-  std::fill(lengths_mm_.begin(), lengths_mm_.end(), 0.0f);
   active_.clear();
-  for (uint32_t path = 0; path < paths.size(); ++path) {
-    states_[path] = {.at = {}, .direction = paths[path].ray.direction};
-    medium_->begin(path, {paths[path].ray.origin, -1}, paths[path].ray.cone);
-    active_.push_back(path);
-  }
+  free_.resize(states_.size());
+  std::iota(free_.rbegin(), free_.rend(), 0u);
   counts.paths += paths.size();
-  while (!active_.empty()) {
+  for (size_t next = 0; next < paths.size() || !active_.empty();) {
     if (task && task->stopped()) return false;
-    fly(paths, counts);
-    if (lamps_) sampleLights(paths, counts);
-    scatter(paths);
-    if (seesDirectLightApart_) seeDirectLightApart(paths, counts);
+    for (; next < paths.size() && !free_.empty(); ++next) begin(paths[next]);
+    fly(counts);
+    sortByMaterial();
+    if (lamps_) sampleLights(counts);
+    scatter();
+    if (seesDirectLightApart_) seeDirectLightApart(counts);
   }
   return true;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -25,8 +26,9 @@ struct PathStart {
 /// inside the fibres of each material, of which colour is made where light is met (path_light.h).
 ///
 /// Paths go on side by side, stage by stage: all fly, then all look for their lamps, then all are sent on (a wavefront:
-/// Laine et al. 2013). So each stage's code and tables stay at hand, and the medium sees many rays at once. What
-/// becomes of a path does not depend on the others, since it has random numbers of its own.
+/// Laine et al. 2013). So each stage's code and tables stay at hand, and many paths are computed side by side. Where
+/// one has ended the next begins, so that all places are taken while there are paths. What becomes of a path does not
+/// depend on the others, since it has random numbers of its own.
 ///
 /// One thread, as many batches after each other as it likes. Scene and medium must outlive it.
 class PathIntegrator {
@@ -34,43 +36,62 @@ class PathIntegrator {
   static constexpr uint32_t kFirstDimension = 2;  ///< of stratified numbers; those below are the camera's
   static constexpr size_t kBatch = 256;           ///< paths that are under way at once, at most
 
-  /// For batches of up to `most` paths, at most kBatch.
+  /// With so many under way at once, at most kBatch.
   PathIntegrator(const Scene& scene, const Medium& medium, const PathSampling& sampling, size_t most = 1);
 
-  /// Follows them to their ends; their cost is added to `counts`. False where `task` (may be null) was stopped: then
-  /// some have not ended.
+  /// Follows them, as many as there are, to their ends; their cost is added to `counts`. False where `task` (may be
+  /// null) was stopped: then some have not ended.
   bool follow(std::span<PathStart> paths, TraceCounts& counts, const Task* task = nullptr);
   /// One path alone.
   void follow(const Ray& ray, Random& random, PathSink& sink, TraceCounts& counts);
 
  private:
   static constexpr size_t kMaxMaterials = 64;  // of a valid fabric
-  struct Event;                                // a fibre, as a path has come to it
   /// A path between two fibres.
   struct State {
+    PathStart* start = nullptr;
     std::optional<Collision> at;
     glm::vec3 direction{0, 0, -1};
     float scatterPdf = 0, weight = 1;
     uint32_t events = 0;
     bool addedAlready = false;  ///< what this flight may bring straight from a lamp to the first fibre
   };
+  static constexpr size_t kOffsets = 4;  // places across a fibre from which a lamp is looked for at once
+  /// A look for a lamp from where a path has met a fibre.
+  struct Look {
+    uint32_t path = 0;
+    LightSample light;
+    std::array<float, kOffsets> offsets{};  ///< across the fibre, where the path may as well have met it
+    uint32_t count = 0;                     ///< of them
+  };
+  /// What eight looks come to.
+  struct Looked;
   /// A lamp's light on its way to a path, unless it is in shadow.
   struct Lamp {
     Rgb radiance{0};
     float mean = 0, divisor = 1;  ///< radiance counts with their quotient
     PathLight light;              ///< all but its radiance
   };
+  Random& randomOf(uint32_t path) { return states_[path].start->random; }
+  PathSink& sinkOf(uint32_t path) { return *states_[path].start->sink; }
   std::span<float> lengths_mm(uint32_t path) { return {&lengths_mm_[path * materials_], materials_}; }
-  void fly(std::span<PathStart> paths, TraceCounts& counts);
-  void sampleLights(std::span<PathStart> paths, TraceCounts& counts);
-  void scatter(std::span<PathStart> paths);
-  void seeDirectLightApart(std::span<PathStart> paths, TraceCounts& counts);
-  void stratify(PathStart& path, uint32_t events, uint32_t use) const;
+  void begin(PathStart& start);
+  void end(uint32_t path, PathEnd why);
+  void fly(TraceCounts& counts);
+  void sampleLights(TraceCounts& counts);
+  void scatter();
+  size_t scatterEight(std::span<uint32_t> eight);
+  void seeDirectLightApart(TraceCounts& counts);
+  void stratify(uint32_t path, uint32_t events, uint32_t use);
   float lightSamplingProbability(float value, uint32_t events) const;
+  void sortByMaterial();
+  int materialOf(uint32_t path) const { return states_[path].at->material; }
+  float depth_mm(uint32_t path) const;
+  Looked evaluate(std::span<const Look> looks) const;
+  void chooseOffset(const Look& look, const Looked& looked, size_t lane, Random& random);
   bool survives(uint32_t path, Random& random);
-  void gather(uint32_t path, PathLight light, PathSink& sink);
-  void gatherEscaped(uint32_t path, float visible, PathSink& sink);
-  bool sampleLight(uint32_t path, Random& random, ShadowRay& ray, Lamp& lamp);
+  void gather(uint32_t path, PathLight light);
+  void gatherEscaped(uint32_t path, float visible);
 
   const Scene& scene_;
   PathSampling sampling_;
@@ -79,8 +100,11 @@ class PathIntegrator {
   std::unique_ptr<MediumBatch> medium_;
   std::vector<State> states_;
   std::vector<float> lengths_mm_;  ///< of each path so far, inside the fibres of each material
-  std::vector<uint32_t> active_;   ///< the paths that have not ended
+  std::vector<uint32_t> active_;   ///< the places of the paths that are under way
+  std::vector<uint32_t> free_;     ///< the other places
   // Of one stage:
+  std::vector<uint32_t> sorted_;
+  std::vector<Look> looks_;
   std::vector<PathRay> pathRays_;
   std::vector<std::optional<Collision>> met_;
   std::vector<ShadowRay> shadowRays_;

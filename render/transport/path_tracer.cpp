@@ -6,13 +6,54 @@
 
 #include "core/base/parallel.h"
 
-// How it works. A picture is traced in tiles, each by one thread. A tile sends the next sample of all its pixels
-// together through the integrator, until every pixel has what is wanted. Sample i of a pixel draws from a stream that
-// depends on (seed, pixel, i) alone, and sums in the film are integers, so neither tiles nor threads show in the
-// picture.
+// How it works. A picture is traced in blocks, each by one thread. It sends samples of all pixels of its block through
+// the integrator, some thousand at a time, so that as many paths are under way as it takes, until every pixel has what
+// is wanted. Sample i of a pixel draws from a stream that depends on (seed, pixel, i) alone, and sums in the film are
+// integers, so neither blocks nor threads show in the picture.
 
 namespace loomlight {
 namespace {
+
+/// Paths that a thread follows before it looks at the film again: many more than are under way at once.
+constexpr size_t kAtATime = 4 * PathIntegrator::kBatch;
+
+/// The parts of a window that threads take: squares of two tiles a side, or of one where there are few. They do not
+/// depend on how many threads there are.
+class Blocks {
+ public:
+  explicit Blocks(const PixelRect& window) : window_(window) {
+    constexpr int kMany = 256;  // tiles
+    constexpr int kTile = PathRecords::kTile;
+    const bool many = window.width * window.height >= kMany * kTile * kTile;
+    side_ = many ? 2 * kTile : kTile;
+    columns_ = (window.width + side_ - 1) / side_;
+    rows_ = (window.height + side_ - 1) / side_;
+  }
+  size_t count() const { return static_cast<size_t>(columns_) * static_cast<size_t>(rows_); }
+  PixelRect block(size_t number) const {
+    const int left = static_cast<int>(number) % columns_ * side_, top = static_cast<int>(number) / columns_ * side_;
+    return {window_.x + left, window_.y + top, std::min(side_, window_.width - left),
+            std::min(side_, window_.height - top)};
+  }
+
+ private:
+  PixelRect window_;
+  int side_, columns_, rows_;
+};
+
+/// The samples that pixels lack, the next ones first, at most `most` of a pixel.
+void listMissing(const PixelRect& block, const Film& film, uint32_t samples, uint32_t most,
+                 std::vector<PixelSample>& missing) {
+  missing.clear();
+  size_t before = 0;
+  for (uint32_t beyond = 0; beyond < most && missing.size() < kAtATime; ++beyond) {
+    for (int y = block.y; y < block.y + block.height; ++y)
+      for (int x = block.x; x < block.x + block.width; ++x)
+        if (const uint32_t next = film.samples(x, y) + beyond; next < samples) missing.push_back({x, y, next, nullptr});
+    if (missing.size() == before) return;
+    before = missing.size();
+  }
+}
 
 void recordFirstHit(const Collision& at, PathSample& sample) {
   sample.alpha = 1;
@@ -90,44 +131,44 @@ PassResult renderUpTo(uint32_t samples, const Scene& scene, const Medium& medium
 PassResult renderUpTo(uint32_t samples, const Scene& scene, const Medium& medium, const CameraRays& camera, Film& film,
                       const PixelRect& window, const Task& task, uint32_t firstSample, PathRecords* records,
                       FirstFibreSink* first) {
-  constexpr int kTile = PathRecords::kTile;
-  assert(!records || (window.x % kTile == 0 && window.y % kTile == 0));  // no two threads in one of its tiles
-  const int columns = (window.width + kTile - 1) / kTile, rows = (window.height + kTile - 1) / kTile;
-  std::vector<TraceCounts> tileCounts(static_cast<size_t>(columns) * rows);
-  std::atomic<size_t> tilesDone{0};
-  if (first) first->begin(tileCounts.size());
-  parallelFor(tileCounts.size(), task.threads, [&](size_t tile) {
-    const int left = window.x + static_cast<int>(tile % columns) * kTile;
-    const int top = window.y + static_cast<int>(tile / columns) * kTile;
-    const int right = std::min(left + kTile, window.x + window.width);
-    const int bottom = std::min(top + kTile, window.y + window.height);
-    PathTracer tracer(scene, medium, camera, static_cast<size_t>((right - left) * (bottom - top)));
-    std::vector<PathLog> logs(records ? kTile * kTile : 0);
+  // No two threads in one tile of the records.
+  assert(!records || (window.x % PathRecords::kTile == 0 && window.y % PathRecords::kTile == 0));
+  const Blocks blocks(window);
+  std::vector<TraceCounts> counts(blocks.count());
+  std::atomic<size_t> done{0};
+  if (first) first->begin(blocks.count());
+  parallelFor(blocks.count(), task.threads, [&](size_t number) {
+    const PixelRect block = blocks.block(number);
+    PathTracer tracer(scene, medium, camera, PathIntegrator::kBatch);
+    std::vector<PathLog> logs;
     std::vector<PixelSample> wanted;
-    while (!task.stopped()) {  // the next sample of every pixel that lacks some
-      wanted.clear();
-      for (int y = top; y < bottom; ++y)
-        for (int x = left; x < right; ++x)
-          if (const uint32_t next = film.samples(x, y); next < samples) {
-            PathLog* log = records && records->takes(x, y, next) ? &logs[wanted.size()] : nullptr;
-            if (log) log->clear();
-            wanted.push_back({x, y, firstSample + next, log});
-          }
+    const uint32_t most = records ? 1 : samples;  // of a pixel: records are kept one after the other
+    while (!task.stopped()) {
+      listMissing(block, film, samples, most, wanted);
       if (wanted.empty()) break;
-      if (!tracer.trace(wanted, tileCounts[tile], &task)) return;
+      if (records) logs.resize(wanted.size());
+      for (size_t i = 0; i < wanted.size(); ++i) {
+        PixelSample& next = wanted[i];
+        if (records && records->takes(next.x, next.y, next.index)) {
+          logs[i].clear();
+          next.listener = &logs[i];
+        }
+        next.index += firstSample;
+      }
+      if (!tracer.trace(wanted, counts[number], &task)) return;
       for (size_t i = 0; i < wanted.size(); ++i) {
         const auto& [x, y, index, log] = wanted[i];
         const PathSample& sample = tracer.sample(i);
         film.add(x, y, index, sample);
-        if (first) first->sample(tile, x, y, tracer.first(i), sample);
+        if (first) first->sample(number, x, y, tracer.first(i), sample);
         if (log) records->add(x, y, sample.direct + sample.indirect, *static_cast<const PathLog*>(log));
       }
     }
-    task.report(static_cast<double>(++tilesDone) / static_cast<double>(tileCounts.size()));
+    task.report(static_cast<double>(++done) / static_cast<double>(blocks.count()));
   });
   if (records) records->settle();
   PassResult result;
-  for (const TraceCounts& c : tileCounts) result.counts += c;
+  for (const TraceCounts& c : counts) result.counts += c;
   result.complete = !task.stopped();
   return result;
 }

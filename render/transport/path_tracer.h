@@ -17,7 +17,7 @@ struct PixelSample {
 /// Traces the samples of pixels, for one thread. Scene, medium and camera must outlive it.
 class PathTracer {
  public:
-  /// For so many at once, at most PathIntegrator::kBatch.
+  /// With so many under way at once, at most PathIntegrator::kBatch.
   PathTracer(const Scene& scene, const Medium& medium, const CameraRays& camera, size_t most = 1);
 
   /// Each a pure function of (scene, medium, camera, seed, x, y, index), whichever are traced together. Adds their cost
@@ -67,14 +67,15 @@ struct PassResult {
 class FirstFibreSink {
  public:
   virtual ~FirstFibreSink() = default;
-  virtual void begin(size_t tiles) = 0;
-  /// From the one thread that traces this tile, in the order of its samples. `first`: null where a path met nothing.
-  virtual void sample(size_t tile, int x, int y, const Collision* first, const PathSample& sample) = 0;
+  virtual void begin(size_t blocks) = 0;
+  /// From the one thread that traces this block of the picture, in the order of its samples. `first`: null where a path
+  /// met nothing.
+  virtual void sample(size_t block, int x, int y, const Collision* first, const PathSample& sample) = 0;
 };
 
 /// Brings every pixel of the film to `samples` samples, numbered from `firstSample` on: traces those that are missing,
-/// so that a stopped or resumed picture goes on where each of its pixels is. Checks stop each time that the paths of a
-/// tile have met a fibre; samples that have not ended then are dropped.
+/// so that a stopped or resumed picture goes on where each of its pixels is. Checks stop each time that the
+/// paths under way have met a fibre; samples that are not in the film then are dropped, a thousand a thread at most.
 PassResult renderUpTo(uint32_t samples, const Scene& scene, const Medium& medium, const CameraRays& camera, Film& film,
                       const Task& task, uint32_t firstSample = 0);
 /// Brings the pixels of a window of the film to `samples` samples, the ones that they would have in the whole picture.

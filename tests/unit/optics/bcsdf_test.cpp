@@ -56,19 +56,78 @@ double transfer(const FibreBcsdf& bcsdf, double o, double i) {
   return sum * (0.5 * kPi / kOffsets) * (2 * kPi / kAzimuths);
 }
 
-TEST(FibreBcsdf, ValuesAtManyOffsetsAreThoseAtEach) {
-  const FibreBcsdf bcsdf(fibreOf(0.2, 0.3, 1.55, 3));
-  const std::array<float, 5> offsets{-1, -0.4f, 0, 0.7f, 1};
-  std::array<FibreBcsdf::Value, 5> values;
-  const glm::vec3 wo = direction(0.4, 1.1), wi = direction(-0.3, -2.0);
-  bcsdf.evaluate(wo, wi, offsets, values);
-  for (size_t k = 0; k < offsets.size(); ++k) {
-    const FibreBcsdf::Value alone = bcsdf.evaluate(wo, wi, offsets[k]);
-    EXPECT_EQ(values[k].q, alone.q);
-    EXPECT_EQ(values[k].chord, alone.chord);
-    EXPECT_EQ(values[k].inside, alone.inside);
+/// Rays that come from everywhere, side by side.
+struct EightRays {
+  std::vector<glm::vec3> wo, wi;
+  std::vector<float> h;
+  Vec3Of<Float32x8> woLanes{}, wiLanes{};
+  Float32x8 hLanes{};
+
+  explicit EightRays(Random& random) {
+    for (int i = 0; i < 8; ++i) {
+      wo.push_back(direction(3 * (random.uniform() - 0.5), 6.28 * random.uniform()));
+      wi.push_back(direction(3 * (random.uniform() - 0.5), 6.28 * random.uniform()));
+      h.push_back(2 * random.uniform() - 1);
+      put(woLanes, i, wo.back());
+      put(wiLanes, i, wi.back());
+      hLanes[i] = h.back();
+    }
   }
-  EXPECT_NE(values[0].q, values[1].q);
+  static void put(Vec3Of<Float32x8>& lanes, int i, glm::vec3 v) {
+    lanes.x[i] = v.x;
+    lanes.y[i] = v.y;
+    lanes.z[i] = v.z;
+  }
+};
+
+TEST(FibreBcsdf, ValuesOfManyRaysAtManyOffsetsAreToTheBitThoseOfEachAlone) {
+  Random random(3);
+  for (const double tilt_deg : {0.0, 3.0}) {
+    const FibreBcsdf bcsdf(fibreOf(0.2, 0.3, 1.55, tilt_deg));
+    for (int i = 0; i < 200; ++i) {
+      const EightRays rays(random);
+      const std::array<Float32x8, 2> offsets{rays.hLanes, -rays.hLanes};
+      std::array<FibreBcsdf::ValueOf<Float32x8>, 2> values;
+      bcsdf.evaluate(rays.woLanes, rays.wiLanes, offsets, values);
+      for (size_t at = 0; at < 2; ++at)
+        for (size_t lane = 0; lane < 8; ++lane) {
+          const auto alone = bcsdf.evaluate(rays.wo[lane], rays.wi[lane], at == 0 ? rays.h[lane] : -rays.h[lane]);
+          for (size_t mode = 0; mode < FibreBcsdf::kLobes; ++mode)
+            ASSERT_EQ(values[at].q[mode][lane], alone.q[mode]) << lane << " " << mode;
+          ASSERT_EQ(values[at].chord[lane], alone.chord);
+          ASSERT_EQ(values[at].inside[lane], alone.inside);
+        }
+    }
+  }
+}
+
+TEST(FibreBcsdf, SamplesOfManyRaysAreToTheBitThoseOfEachAlone) {
+  Random random(4);
+  std::array<int, FibreBcsdf::kLobes> modes{};
+  for (const double tilt_deg : {0.0, 3.0}) {
+    const FibreBcsdf bcsdf(fibreOf(0.4, 0.3, 1.55, tilt_deg));
+    for (int i = 0; i < 500; ++i) {
+      const EightRays rays(random);
+      std::vector<Random> own, alone;
+      for (uint64_t lane = 0; lane < 8; ++lane) own.emplace_back(hashCombine(lane, static_cast<uint64_t>(i)));
+      alone = own;
+      RandomLanes<Float32x8> numbers(std::array<Random*, 8>{&own[0], &own[1], &own[2], &own[3], &own[4], &own[5],
+                                                            &own[6], nullptr});  // a lane that is not in use
+      const auto together = bcsdf.sample(rays.woLanes, rays.hLanes, numbers, true);
+      for (size_t lane = 0; lane < 7; ++lane) {
+        const FibreBcsdf::Sample one = bcsdf.sample(rays.wo[lane], rays.h[lane], alone[lane]);
+        ASSERT_EQ(together.wi.x[lane], one.wi.x);
+        ASSERT_EQ(together.wi.y[lane], one.wi.y);
+        ASSERT_EQ(together.wi.z[lane], one.wi.z);
+        ASSERT_EQ(together.order[lane], one.order);
+        ASSERT_EQ(together.length[lane], one.length);
+        ASSERT_EQ(together.pdf[lane], one.pdf);
+        ASSERT_EQ(own[lane].next(), alone[lane].next()) << "each has drawn as many numbers";
+        ++modes[static_cast<size_t>(std::min(one.order, 3))];
+      }
+    }
+  }
+  for (const int count : modes) EXPECT_GT(count, 0) << "every mode was drawn";
 }
 
 TEST(FibreBcsdf, WhiteFurnace) {

@@ -75,7 +75,7 @@ TEST(DielectricCylinder, AgreesWithTracingRaysThroughIt) {
       for (const double h : {-0.99, -0.6, 0.0, 0.2, 0.9}) {
         const glm::vec3 wo = directionAt(theta, 0.7);
         const TracedCylinder traced(wo, h, index);
-        const optics::CylinderHit<float> hit(wo, static_cast<float>(h), static_cast<float>(index));
+        const optics::CylinderHit<float> hit({wo.x, wo.y, wo.z}, static_cast<float>(h), static_cast<float>(index));
         EXPECT_NEAR(hit.chord / traced.chord, 1, 1e-5);
         for (size_t mode = 0; mode < 3; ++mode) {
           EXPECT_NEAR(hit.share[mode], traced.share[mode], 1e-5);

@@ -30,7 +30,7 @@ TEST(Polynomials, AngleFollowsThePairAllTheWayRound) {
 
 TEST(Polynomials, SineAndCosineOfHalfTurns) {
   for (float y = -1; y <= 1; y += 0.00073f) {
-    const SinCos pair = sinCosPi(y);
+    const SinCos<float> pair = sinCosPi(y);
     EXPECT_NEAR(pair.sine, std::sin(3.14159265358979 * y), 6e-7) << y;
     EXPECT_NEAR(pair.cosine, std::cos(3.14159265358979 * y), 6e-7) << y;
   }
@@ -52,7 +52,7 @@ TEST(Polynomials, LogarithmIsAccurateWhereSamplersUseIt) {
 
 TEST(Polynomials, BesselFunctionAgainstTheStandardLibrary) {
   for (double x = 0.01; x < 600; x *= 1.031) {
-    const BesselI0 value = besselI0(broadcast<Float32x4>(static_cast<float>(std::sqrt(x))));
+    const BesselI0<Float32x4> value = besselI0(broadcast<Float32x4>(static_cast<float>(std::sqrt(x))));
     const double scaled = static_cast<double>(value.factor[1]) * std::exp(-static_cast<double>(value.rest[1]));
     EXPECT_NEAR(scaled / (std::cyl_bessel_i(0.0, x) * std::exp(-x)), 1.0, 2e-6) << x;
   }

@@ -79,6 +79,35 @@ TEST_P(ReproducibleMedium, ForAnyNumberOfThreads) {
   }
 }
 
+// Two materials and a lamp, so that paths are sorted by what they meet; as many under way as there is place for.
+TEST_P(ReproducibleMedium, HoweverManyPathsAreUnderWayAtOnce) {
+  Fabric fabric = dyedCotton();
+  fabric.fibres.push_back(fabric.fibres[0]);
+  fabric.fibres[1].refractiveIndex = 1.7;
+  fabric.yarns.push_back(fabric.yarns[0]);
+  fabric.yarns[1].fibre = 1;
+  fabric.weftSequence = {1};
+  GetParam().askFor(fabric);
+  const auto scene = test::sceneOf(fabric);
+  const auto medium = made(GetParam(), *scene, 1);
+  const CameraRays camera(fabric.camera, kWidth, kHeight);
+  std::vector<PixelSample> wanted;
+  for (uint32_t i = 0; i < 40; ++i)
+    for (int x = 0; x < 12; ++x) wanted.push_back({12 + x, 11, i, nullptr});
+  const auto coloursOf = [&](size_t most) {
+    PathTracer tracer(*scene, *medium, camera, most);
+    TraceCounts counts;
+    EXPECT_TRUE(tracer.trace(wanted, counts));
+    std::vector<Rgb> colours;
+    for (size_t i = 0; i < wanted.size(); ++i) colours.push_back(tracer.sample(i).direct + tracer.sample(i).indirect);
+    return std::pair(colours, counts.events);
+  };
+  const auto [alone, events] = coloursOf(1);
+  EXPECT_GT(events, wanted.size());
+  EXPECT_EQ(coloursOf(5), std::pair(alone, events));
+  EXPECT_EQ(coloursOf(PathIntegrator::kBatch), std::pair(alone, events));
+}
+
 INSTANTIATE_TEST_SUITE_P(Every, ReproducibleMedium,
                          testing::Values(test::kPlain, test::kReportsLaw, test::kReport, test::kLoomlight,
                                          test::kLoomlightAtRandom, test::kFibres, test::kFibresAtRandom,

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+
+#include "core/base/random.h"
+#include "core/base/simd.h"
+
+namespace loomlight {
+
+/// Uniform numbers in [0, 1) for T: for one number from one generator, for several side by side from one of each.
+template <class T>
+class RandomLanes;
+
+template <>
+class RandomLanes<float> {
+ public:
+  explicit RandomLanes(Random& random) : random_(random) {}
+  float uniform() { return random_.uniform(); }
+  /// Draws where the mask holds; else 0.
+  float uniform(bool mask) { return mask ? random_.uniform() : 0.0f; }
+
+ private:
+  Random& random_;
+};
+
+template <>
+class RandomLanes<Float32x8> {
+ public:
+  static constexpr size_t kCount = 8;
+  /// Null where a lane is not in use: it gets zeros.
+  explicit RandomLanes(const std::array<Random*, kCount>& random) : random_(random) {}
+  Float32x8 uniform() { return uniform(~Int32x8{}); }
+  /// The lanes of the mask draw, each from its own; the others get 0.
+  Float32x8 uniform(Int32x8 mask) {
+    Float32x8 u{};
+    for (size_t lane = 0; lane < kCount; ++lane)
+      if (mask[lane] != 0 && random_[lane]) u[lane] = random_[lane]->uniform();
+    return u;
+  }
+
+ private:
+  std::array<Random*, kCount> random_;
+};
+
+}  // namespace loomlight
