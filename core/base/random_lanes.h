@@ -15,6 +15,7 @@ template <>
 class RandomLanes<float> {
  public:
   explicit RandomLanes(Random& random) : random_(random) {}
+  bool inUse() const { return true; }
   float uniform() { return random_.uniform(); }
   /// Draws where the mask holds; else 0.
   float uniform(bool mask) { return mask ? random_.uniform() : 0.0f; }
@@ -29,7 +30,13 @@ class RandomLanes<Float32x8> {
   static constexpr size_t kCount = 8;
   /// Null where a lane is not in use: it gets zeros.
   explicit RandomLanes(const std::array<Random*, kCount>& random) : random_(random) {}
-  Float32x8 uniform() { return uniform(~Int32x8{}); }
+  /// Which lanes have numbers. Who draws until something holds need not wait for the others.
+  Int32x8 inUse() const {
+    Int32x8 mask{};
+    for (size_t lane = 0; lane < kCount; ++lane) mask[lane] = random_[lane] ? -1 : 0;
+    return mask;
+  }
+  Float32x8 uniform() { return uniform(inUse()); }
   /// The lanes of the mask draw, each from its own; the others get 0.
   Float32x8 uniform(Int32x8 mask) {
     Float32x8 u{};

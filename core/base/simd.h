@@ -86,14 +86,6 @@ T squareRoot(T a) {
 inline float sum(Float32x4 a) {
   return (a[0] + a[1]) + (a[2] + a[3]);
 }
-/// The mask of all lanes.
-template <class T>
-MaskOf<T> everywhere() {
-  if constexpr (std::is_same_v<T, float>)
-    return true;
-  else
-    return ~MaskOf<T>{};
-}
 inline bool any(bool mask) {
   return mask;
 }

@@ -28,7 +28,7 @@ class PathStates : public MediumBatch {
 /// date when a fibre is met:
 ///
 ///   std::optional<Collision> collide(from, Memory&, direction, random, counts) const;
-///   glm::vec3 exit(collision, wi, order) const;  where in the world light comes out of the fibre
+///   glm::vec3 exit(collision, wi, inside) const;  where in the world light comes out of the fibre
 ///   float transmittance(from, const Memory&, direction, distance, random, counts) const;
 ///   size_t offsetsAcross(met, const Memory&, offsets, random) const;
 template <class M>
@@ -44,8 +44,8 @@ class BatchOf final : public PathStates<typename M::Memory> {
       counts.events += met[i] ? 1 : 0;
     }
   }
-  void leave(uint32_t path, const Collision& met, glm::vec3 wi, int order) override {
-    this->paths_[path].place = {medium_.exit(met, wi, order), met.place.tet};
+  void leave(uint32_t path, const Collision& met, glm::vec3 wi, float inside) override {
+    this->paths_[path].place = {medium_.exit(met, wi, inside), met.place.tet};
   }
   void transmit(std::span<ShadowRay> rays, TraceCounts& counts) override {
     for (ShadowRay& ray : rays) {

@@ -45,8 +45,8 @@ class CloseUpBatch final : public MediumBatch {
       for (size_t k = 0; k < group.members.size(); ++k) met[group.members[k]] = group.met[k];
     }
   }
-  void leave(uint32_t path, const Collision& met, glm::vec3 wi, int order) override {
-    batchOf(path).leave(path, met, wi, order);
+  void leave(uint32_t path, const Collision& met, glm::vec3 wi, float inside) override {
+    batchOf(path).leave(path, met, wi, inside);
   }
   void transmit(std::span<ShadowRay> rays, TraceCounts& counts) override {
     if (!anyAmongFibres_) return groups_[0].batch->transmit(rays, counts);

@@ -14,8 +14,8 @@ class LoomlightBatch final : public PathStates<LoomlightMedium::Memory> {
 
   void collide(std::span<const PathRay> pathRays, std::span<std::optional<Collision>> met,
                TraceCounts& counts) override;
-  void leave(uint32_t path, const Collision& met, glm::vec3 wi, int order) override {
-    paths_[path].place = {medium_.exit(met, wi, order), met.place.tet};
+  void leave(uint32_t path, const Collision& met, glm::vec3 wi, float inside) override {
+    paths_[path].place = {medium_.exit(met, wi, inside), met.place.tet};
   }
   void transmit(std::span<ShadowRay> rays, TraceCounts& counts) override;
   size_t offsetsAcross(uint32_t path, const Collision& met, std::span<float> offsets, Random& random) const override {

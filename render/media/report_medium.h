@@ -27,7 +27,7 @@ class ReportMedium final : public Medium {
   bool seesDirectLightApart() const override { return true; }
   std::optional<Collision> collide(const ScenePoint& from, Memory& memory, glm::vec3 direction, Random& random,
                                    TraceCounts& counts) const;
-  glm::vec3 exit(const Collision& met, glm::vec3, int) const { return met.place.world; }
+  glm::vec3 exit(const Collision& met, glm::vec3, float) const { return met.place.world; }
   /// From the first event: direct light. As exact as that of VolumeMedium.
   size_t offsetsAcross(const Collision& met, const Memory&, std::span<float> offsets, Random&) const {
     return evenOffsets(met.offset, offsets);

@@ -22,7 +22,7 @@ class VolumeMedium final : public Medium {
   std::unique_ptr<MediumBatch> batch(size_t paths) const override;
   std::optional<Collision> collide(const ScenePoint& from, Memory&, glm::vec3 direction, Random& random,
                                    TraceCounts& counts) const;
-  glm::vec3 exit(const Collision& met, glm::vec3, int) const { return met.place.world; }
+  glm::vec3 exit(const Collision& met, glm::vec3, float) const { return met.place.world; }
   /// Nobody sees where across: evenly spread, from that of `met` on.
   size_t offsetsAcross(const Collision& met, const Memory&, std::span<float> offsets, Random&) const {
     return evenOffsets(met.offset, offsets);

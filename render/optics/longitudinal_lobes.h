@@ -80,7 +80,7 @@ class LongitudinalLobes {
   Inclination<T> sample(WholeOf<T> mode, const Outgoing<T>& o, RandomLanes<T>& random) const {
     const T variance = chosen<T>(mode, variance_), bound = chosen<T>(mode, bound_);
     const T sineO = chosen<T>(mode, o.sine), cosineO = chosen<T>(mode, o.cosine);
-    MaskOf<T> open = everywhere<T>();
+    MaskOf<T> open = random.inUse();
     T sine{}, cosine{};
     do {
       // An exponential variable has no memory: what is left of it modulo 2 is the same law trimmed to [0, 2].

@@ -197,19 +197,20 @@ void PathIntegrator::chooseOffset(const Look& look, const Looked& looked, size_t
   if (!(value.sum() > 0)) return;  // rounding chose it
   const Rgb radiance = scene_.lighting->radiance(look.light);
   if (radiance == Rgb(0)) return;
+  const float chord = looked.values[chosen].chord[lane];
+  const float inside = static_cast<float>(likelyOrder(value, random)) * chord;
   if (chosen == 0) {
-    medium_->leave(look.path, at, look.light.wi, likelyOrder(value, random));
+    medium_->leave(look.path, at, look.light.wi, inside);
   } else {
     Collision across = at;
     across.offset = look.offsets[chosen];
     across.axis = axisOf(across);
-    medium_->leave(look.path, across, look.light.wi, likelyOrder(value, random));
+    medium_->leave(look.path, across, look.light.wi, inside);
   }
   shadowRays_.push_back({look.path, look.light.wi, look.light.distance, &random});
   lampsFound_.push_back(
       {radiance, sum / static_cast<float>(look.count), chance * look.light.pdf * value.sum(),
-       PathLight{Rgb(0), value.q, at.material, looked.values[chosen].chord[lane] * depth_mm(look.path),
-                 looked.values[chosen].inside[lane]}});
+       PathLight{Rgb(0), value.q, at.material, chord * depth_mm(look.path), looked.values[chosen].inside[lane]}});
 }
 
 /// All active paths fly to their next fibre; those that leave the scene, or have been heard enough of, end.
@@ -230,7 +231,7 @@ void PathIntegrator::fly(TraceCounts& counts) {
       end(path, PathEnd::left);
       continue;
     }
-    state.at = met_[i];
+    state.at = &*met_[i];
     ++state.events;
     if (sinkOf(path).meets(*state.at, state.events))
       active_[kept++] = path;
@@ -320,7 +321,7 @@ size_t PathIntegrator::scatterEight(std::span<uint32_t> eight) {
                            scattered.length[i],
                            scattered.pdf[i]},
                           state.direction, state.weight);
-    medium_->leave(path, *state.at, state.direction, scattered.order[i]);
+    medium_->leave(path, *state.at, state.direction, scattered.length[i]);
     eight[kept++] = path;
   }
   return kept;
@@ -348,7 +349,7 @@ void PathIntegrator::end(uint32_t path, PathEnd why) {
 void PathIntegrator::begin(PathStart& start) {
   const uint32_t path = free_.back();
   free_.pop_back();
-  states_[path] = {.start = &start, .at = {}, .direction = start.ray.direction};
+  states_[path] = {.start = &start, .direction = start.ray.direction};
   std::ranges::fill(lengths_mm(path), 0.0f);
   medium_->begin(path, {start.ray.origin, -1}, start.ray.cone);
   active_.push_back(path);

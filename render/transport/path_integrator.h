@@ -50,7 +50,7 @@ class PathIntegrator {
   /// A path between two fibres.
   struct State {
     PathStart* start = nullptr;
-    std::optional<Collision> at;
+    const Collision* at = nullptr;  ///< in `met_`, until it flies on
     glm::vec3 direction{0, 0, -1};
     float scatterPdf = 0, weight = 1;
     uint32_t events = 0;

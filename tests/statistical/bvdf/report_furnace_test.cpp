@@ -52,7 +52,7 @@ TEST_P(ReportFurnace, IsOffByWhatDirectLightGainsAndNoMore) {
         const auto scattered =
             scene->cloth->materials[0].bcsdf->sample(frame.toLocal(-ray.direction), hit->offset, random);
         const glm::vec3 on = frame.toWorld(scattered.wi);
-        path.leave(*hit, on, scattered.order);
+        path.leave(*hit, on, scattered.length);
         gain.add(path.transmittance(on, kFar, random, counts) -
                  plain.transmittance(path.place(), {}, on, kFar, random, counts));
       }

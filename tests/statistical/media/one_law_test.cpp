@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/fabric/model/choice_names.h"
+#include "render/media/fibre_exit.h"
 #include "render/optics/fibre_frame.h"
 #include "tests/support/every_medium.h"
 #include "tests/support/mesh_drape.h"
@@ -133,16 +134,16 @@ TEST_P(OneLaw, FlightsGetAsFarAsShadowRaysSee) {
       way->collide({&pathRay, 1}, {&met, 1}, counts);
       if (!met) break;
       const glm::vec3 anywhere = onUnitSphere(random);
-      const int order = static_cast<int>(random.below(3));
-      way->leave(0, *met, anywhere, order);
+      const float inside = static_cast<float>(random.below(3)) * traverse(*scene->cloth, *met);
+      way->leave(0, *met, anywhere, inside);
       comparison.add(*way, event, anywhere, false);
       const glm::vec3 back = glm::normalize(0.3f * onUnitSphere(random) - direction);
-      way->leave(0, *met, back, order);
+      way->leave(0, *met, back, inside);
       comparison.add(*way, event, back, true);
       const FibreFrame frame(met->tangent);
       const auto scattered = bcsdf.sample(frame.toLocal(-direction), met->offset, random);
       direction = frame.toWorld(scattered.wi);
-      way->leave(0, *met, direction, scattered.order);
+      way->leave(0, *met, direction, scattered.length);
     }
   }
   const int runs = (LawComparison::kStrata + 1) * static_cast<int>(cases().size());
