@@ -1,5 +1,6 @@
 #include <benchmark/benchmark.h>
 
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -65,6 +66,51 @@ void evaluate(benchmark::State& state) {
   }
 }
 
+/// The same directions, eight side by side.
+struct EightQueries {
+  Vec3Of<Float32x8> wo{};
+  Float32x8 h{};
+};
+std::vector<EightQueries> byEights(const std::vector<Query>& list) {
+  std::vector<EightQueries> result(list.size() / 8);
+  for (size_t i = 0; i < list.size(); ++i) {
+    EightQueries& eight = result[i / 8];
+    const size_t lane = i % 8;
+    eight.wo.x[lane] = list[i].wo.x;
+    eight.wo.y[lane] = list[i].wo.y;
+    eight.wo.z[lane] = list[i].wo.z;
+    eight.h[lane] = list[i].h;
+  }
+  return result;
+}
+
+void sampleEight(benchmark::State& state) {
+  const FibreBcsdf bcsdf(fibreOf(state));
+  const std::vector<EightQueries> list = byEights(queries());
+  std::vector<Random> random;
+  std::array<Random*, 8> each;
+  for (uint64_t lane = 0; lane < 8; ++lane) random.emplace_back(lane);
+  for (size_t lane = 0; lane < 8; ++lane) each[lane] = &random[lane];
+  RandomLanes<Float32x8> numbers(each);
+  size_t i = 0;
+  for (auto _ : state) {
+    const EightQueries& query = list[i++ % list.size()];
+    benchmark::DoNotOptimize(bcsdf.sample(query.wo, query.h, numbers, true));
+  }
+}
+
+void evaluateEight(benchmark::State& state) {
+  const FibreBcsdf bcsdf(fibreOf(state));
+  const std::vector<EightQueries> list = byEights(queries());
+  std::array<FibreBcsdf::ValueOf<Float32x8>, 1> values;
+  size_t i = 0;
+  for (auto _ : state) {
+    const EightQueries& query = list[i++ % list.size()];
+    bcsdf.evaluate(query.wo, list[i % list.size()].wo, {&query.h, 1}, values);
+    benchmark::DoNotOptimize(values);
+  }
+}
+
 void construct(benchmark::State& state) {
   const Fibre fibre = fibreOf(state);
   for (auto _ : state) benchmark::DoNotOptimize(FibreBcsdf(fibre));
@@ -74,6 +120,8 @@ void construct(benchmark::State& state) {
 BENCHMARK(sample)->Args({5, 0})->Args({30, 0})->Args({80, 0})->Args({30, 3});
 BENCHMARK(sampleWithoutPdf)->Args({5, 0})->Args({30, 0})->Args({80, 0})->Args({30, 3});
 BENCHMARK(evaluate)->Args({5, 0})->Args({30, 0})->Args({80, 0})->Args({30, 3});
+BENCHMARK(sampleEight)->Args({5, 0})->Args({30, 0})->Args({80, 0})->Args({30, 3});
+BENCHMARK(evaluateEight)->Args({5, 0})->Args({30, 0})->Args({80, 0})->Args({30, 3});
 BENCHMARK(construct)->Args({5, 0})->Args({30, 0})->Unit(benchmark::kMillisecond);
 
 }  // namespace
