@@ -10,10 +10,11 @@
 
 // How it works. Many paths go on side by side, one event at a time, so that the medium can walk them in vector
 // registers: all fly to their next fibre (fly), a lamp is looked for from each (sampleLights), and each fibre sends its
-// path on (scatter). Light reaches a path in two ways, from a lamp that was looked for and from one that it ran into by
-// itself; both count, each by the balance heuristic (Veach 1997). Colour is not known here: a path carries the lengths
-// that it has gone inside the fibres of each material, and its sink makes light of them. What a path does is a function
-// of its own random numbers alone, whichever others go beside it.
+// path on (scatter). For the last two, paths are sorted by the material of their fibres, and go through the fibre's
+// optics eight at a time. Light reaches a path in two ways, from a lamp that was looked for and from one that it ran
+// into by itself; both count, each by the balance heuristic (Veach 1997). Colour is not known here: a path carries the
+// lengths that it has gone inside the fibres of each material, and its sink makes light of them. What a path does is a
+// function of its own random numbers alone, whichever others go beside it.
 namespace loomlight {
 namespace {
 
@@ -50,7 +51,7 @@ T chanceToLook(T value) {
   return most(broadcast<T>(kLeast), least(value / kCertain, broadcast<T>(1)));
 }
 
-/// Calls visit(paths of one material, at most EventLanes::kMost) for all that are sorted by it; `of` maps to the path.
+/// Calls visit(some items of one material, at most EventLanes::kMost) until all have been; they are sorted by it.
 template <class Item, class Material, class Visit>
 void forEachEight(std::span<const Item> items, Material&& material, Visit&& visit) {
   for (size_t first = 0; first < items.size();) {
