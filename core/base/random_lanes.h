@@ -19,6 +19,12 @@ class RandomLanes<float> {
   float uniform() { return random_.uniform(); }
   /// Draws where the mask holds; else 0.
   float uniform(bool mask) { return mask ? random_.uniform() : 0.0f; }
+  /// Two numbers where the mask holds; else 0.
+  void uniformPair(bool mask, float& first, float& second) {
+    const Random::Pair both = mask ? random_.uniformPair() : Random::Pair{0, 0};
+    first = both.first;
+    second = both.second;
+  }
 
  private:
   Random& random_;
@@ -36,13 +42,27 @@ class RandomLanes<Float32x8> {
     for (size_t lane = 0; lane < kCount; ++lane) mask[lane] = random_[lane] ? -1 : 0;
     return mask;
   }
-  Float32x8 uniform() { return uniform(inUse()); }
+  Float32x8 uniform() {
+    Float32x8 u{};
+    for (size_t lane = 0; lane < kCount; ++lane)
+      if (random_[lane]) u[lane] = random_[lane]->uniform();
+    return u;
+  }
   /// The lanes of the mask draw, each from its own; the others get 0.
   Float32x8 uniform(Int32x8 mask) {
     Float32x8 u{};
     for (size_t lane = 0; lane < kCount; ++lane)
       if (mask[lane] != 0 && random_[lane]) u[lane] = random_[lane]->uniform();
     return u;
+  }
+  void uniformPair(Int32x8 mask, Float32x8& first, Float32x8& second) {
+    first = second = Float32x8{};
+    for (size_t lane = 0; lane < kCount; ++lane) {
+      if (mask[lane] == 0 || !random_[lane]) continue;
+      const Random::Pair both = random_[lane]->uniformPair();
+      first[lane] = both.first;
+      second[lane] = both.second;
+    }
   }
 
  private:

@@ -42,13 +42,25 @@ constexpr uint32_t pascal(uint32_t index) {
   return index ^ ((index >> 16) & 0x0000FFFFu);
 }
 
+/// What the coordinates of two dimensions have in common: a point of a sequence that belongs to `seed`.
+struct PairOfDimensions {
+  uint64_t hash;
+  uint32_t shuffled;  ///< the index
+  constexpr PairOfDimensions(uint64_t seed, uint32_t index, uint32_t dimension)
+      : hash(mixBits(seed ^ (dimension >> 1))),
+        shuffled(reverseBits(permuteNested(reverseBits(index), static_cast<uint32_t>(hash)))) {}
+
+  /// 32 bits of the first of both, or the second.
+  constexpr uint32_t coordinate(uint32_t which) const {
+    const auto ofDimension = static_cast<uint32_t>(mixBits(hash + 1 + which) >> 32);
+    // The first dimension is the index, its bits reversed: reversed again it is the index itself.
+    return reverseBits(permuteNested(which ? pascal(shuffled) : shuffled, ofDimension));
+  }
+};
+
 /// 32 bits of coordinate `dimension` of point `index` of the sequence that belongs to `seed`.
 constexpr uint32_t coordinate(uint64_t seed, uint32_t index, uint32_t dimension) {
-  const uint64_t ofPair = mixBits(seed ^ (dimension >> 1));
-  const uint32_t shuffled = reverseBits(permuteNested(reverseBits(index), static_cast<uint32_t>(ofPair)));
-  const auto ofDimension = static_cast<uint32_t>(mixBits(ofPair + 1 + (dimension & 1)) >> 32);
-  // The first dimension is the index, its bits reversed: reversed again it is the index itself.
-  return reverseBits(permuteNested(dimension & 1 ? pascal(shuffled) : shuffled, ofDimension));
+  return PairOfDimensions(seed, index, dimension).coordinate(dimension & 1);
 }
 
 }  // namespace stratified

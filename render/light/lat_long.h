@@ -6,6 +6,7 @@
 
 #include "core/base/rgb.h"
 #include "core/base/units.h"
+#include "render/optics/polynomials.h"
 
 /// The sphere of directions as a rectangle. (u, v) in [0, 1]: v runs from the zenith (+z) down, in proportion to the
 /// angle; u is 1/2 towards +x and grows to the right as seen from inside, that is with falling azimuth, so that
@@ -13,16 +14,16 @@
 namespace loomlight {
 
 inline glm::vec3 latLongDirection(float u, float cosTheta) {
-  const float azimuth = static_cast<float>(2 * kPi) * (0.5f - u);
+  const optics::SinCos<float> azimuth = optics::sinCosPi(1 - 2 * u);
   const float r = std::sqrt(std::max(0.0f, (1 - cosTheta) * (1 + cosTheta)));
-  return {r * std::cos(azimuth), r * std::sin(azimuth), cosTheta};
+  return {r * azimuth.cosine, r * azimuth.sine, cosTheta};
 }
 
 inline float latLongU(glm::vec3 d) {
-  return 0.5f - std::atan2(d.y, d.x) * static_cast<float>(0.5 / kPi);
+  return 0.5f - std::copysign(optics::angle(d.y, d.x), d.y) * static_cast<float>(0.5 / kPi);
 }
 inline float latLongV(glm::vec3 d) {
-  return std::acos(std::clamp(d.z, -1.0f, 1.0f)) * static_cast<float>(1 / kPi);
+  return optics::angle(std::sqrt(d.x * d.x + d.y * d.y), d.z) * static_cast<float>(1 / kPi);
 }
 
 /// The cell, of n along the side, that t in [0, 1] lies in.

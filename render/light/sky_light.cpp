@@ -66,18 +66,18 @@ float SkyLight::mixture(float tablePdf, bool inSun) const {
   return (1 - sunChance_) * tablePdf + (inSun ? sunChance_ * static_cast<float>(1 / kSunSolidAngle) : 0.0f);
 }
 
-glm::vec3 SkyLight::sunPoint(float share, float angle) const {
-  const float cap = share * static_cast<float>(kSunCap);
+glm::vec3 SkyLight::sunPoint(Random::Pair u) const {
+  const float cap = u.first * static_cast<float>(kSunCap);
   const float r = std::sqrt(cap * (2 - cap));
-  return glm::normalize((1 - cap) * daylight_.sunDirection() + r * (std::cos(angle) * sunX_ + std::sin(angle) * sunY_));
+  const optics::SinCos<float> about = optics::sinCosPi(2 * u.second - 1);
+  return glm::normalize((1 - cap) * daylight_.sunDirection() + r * (about.cosine * sunX_ + about.sine * sunY_));
 }
 
 std::optional<LightSample> SkyLight::sample(glm::vec3, Random& random) const {
   if (!(intensity_ > 0 && (table_.power() > 0 || sunChance_ > 0))) return std::nullopt;
   SphereTable::Sample chosen;
   if (random.uniform() < sunChance_) {
-    const float share = random.uniform();
-    chosen.direction = sunPoint(share, random.uniform() * static_cast<float>(2 * kPi));
+    chosen.direction = sunPoint(random.uniformPair());
     chosen.pdf = table_.pdf(chosen.direction);
   } else {
     chosen = table_.sample(random);

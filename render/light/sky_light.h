@@ -23,8 +23,8 @@ class SkyLight {
  private:
   bool inSun(glm::vec3 d) const;
   float mixture(float tablePdf, bool inSun) const;
-  /// A point of the disc: `share` of its area lies further in, `angle` is about its centre.
-  glm::vec3 sunPoint(float share, float angle) const;
+  /// A point of the disc: the first is the share of its area that lies further in, the second how far about its centre.
+  glm::vec3 sunPoint(Random::Pair u) const;
 
   Daylight daylight_;
   float intensity_;

@@ -85,8 +85,15 @@ class ShellWalk {
     int face = 0;
     const float tExit = std::max(t_, shell_.exit(tet_, origin_, direction_, face));
     const bool flat = shell_.isFlat();
-    segment_ = {tet_, origin_, t_, std::min(tExit, tMax_), passed_, shell_.toCloth(tet_, origin_), direction_, {}};
-    if (!flat) {
+    segment_.tet = tet_;
+    segment_.origin = origin_;
+    segment_.tEnter = t_;
+    segment_.tLeave = std::min(tExit, tMax_);
+    segment_.passed = passed_;
+    segment_.clothOrigin = shell_.toCloth(tet_, origin_);
+    if (flat) {
+      segment_.clothDirection = direction_;
+    } else {
       segment_.drape.frame = shell_.frame(tet_, origin_ + 0.5f * (t_ + segment_.tLeave) * direction_);
       segment_.drape.densityScale = 1.0f / std::abs(glm::determinant(segment_.drape.frame));
       segment_.drape.isometric = false;

@@ -13,7 +13,7 @@ Collision collisionAt(const TraceData& cloth, const ScenePoint& place, glm::vec3
   c.distance_mm = hit.distance_mm;
   c.incoming = direction;
   Random root(~hit.fibre);  // apart from the number that decides its material
-  c.tangent = eitherWay(hit.tangent, root);
+  c.tangent = hit.tangent * eitherWay(root);
   const glm::vec3 across = glm::cross(c.tangent, direction);
   // h is the sine, about the axis, from the normal to the way back.
   const float width = glm::length(across);

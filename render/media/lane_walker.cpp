@@ -23,14 +23,32 @@ int32_t numberOf(YarnId yarn) {
 
 }  // namespace
 
-void CellCache::contentAt(glm::vec3 cloth_mm, VoxelContent& content) {
-  glm::ivec3 cell, voxel;
-  content.count = 0;
-  if (volume_.locate(cloth_mm, cell, voxel)) bricksIn(cell).content(volume_, voxel, content);
+void CellCache::find(glm::ivec3 cell, Known& known) const {
+  known.bricks = cloth_.volume->bricksIn(cell);
+  for (int i = 0; i < known.bricks.count; ++i) {
+    const ClothVolume::CellBricks::Brick& brick = known.bricks.bricks[i];
+    const YarnOptics& optics = cloth_.yarns[static_cast<int>(brick.system)][brick.yarn];
+    known.yarns[i] = {numberOf({brick.system, brick.index}), optics.fibreRadius_mm, optics.packed ? 1.0f : 0.0f};
+  }
+}
+
+void CellCache::fill(glm::ivec3 cell, CellLanes& lanes, size_t lane) {
+  const Known& known = at(cell);
+  lanes.count[lane] = known.bricks.count;
+  for (int i = 0; i < known.bricks.count; ++i) {
+    const ClothVolume::CellBricks::Brick& brick = known.bricks.bricks[i];
+    CellLanes::Slot& slot = lanes.slots[i];
+    put(slot.shift, lane, brick.shift);
+    put(slot.size, lane, brick.box.size);
+    slot.firstBlock[lane] = static_cast<int32_t>(brick.firstBlock);
+    slot.yarn[lane] = known.yarns[i].number;
+    slot.radius_mm[lane] = known.yarns[i].radius_mm;
+    slot.packed[lane] = known.yarns[i].packed;
+  }
 }
 
 LaneWalker::LaneWalker(const TraceData& cloth, const Rules& rules)
-    : cloth_(cloth), lanes_(std::make_unique<WalkLanes>()), cells_(*cloth.volume) {
+    : cloth_(cloth), lanes_(std::make_unique<WalkLanes>()), cells_(cloth) {
   const ClothVolume& volume = *cloth.volume;
   field_.blocks = volume.blocks();
   field_.components = volume.components();
@@ -60,7 +78,7 @@ uint64_t LaneWalker::walk(std::span<const DepthRay> rays, DepthRayEnds& ends) {
       const DepthRay& ray = rays[own.number];
       bool goesOn = false;
       if (stop == WalkStop::met)
-        tellFound(lane, ray, ends);
+        tellFound(lane, ends);
       else
         goesOn = (stop == WalkStop::leftCell && leaveCell(lane)) || enterSegment(lane, ray);
       if (goesOn) continue;
@@ -111,12 +129,8 @@ bool LaneWalker::enterSegment(size_t lane, const DepthRay& ray) {
     l.lightEnd[lane] = s.tLeave;
     l.lastEnd[lane] = -1;
     l.lastFilled[lane] = 0;
-    constexpr float kNever = 1e30f;  // a face so far off is never come to
-    for (int axis = 0; axis < 3; ++axis) {
-      const float d = s.clothDirection[axis];
-      l.inverse[axis][lane] = d != 0 ? std::clamp(1 / d, -kNever, kNever) : kNever;
-      l.upwards[axis][lane] = d < 0 ? 0 : 1;
-    }
+    put(l.inverse, lane, own.march->inverse());
+    put(l.upwards, lane, own.march->upwards());
     put(l.voxel, lane, own.march->voxel());
     if (!field_.flat) {
       for (int column = 0; column < 3; ++column) put(l.frame[column], lane, s.drape.frame[column]);
@@ -151,9 +165,14 @@ void LaneWalker::setBefore(size_t lane, const DepthRay& ray) {
   columns.radius_mm[lane] = before.radius_mm;
   if (before.radius_mm <= 0) return;
   const ShellSegment& s = rays_[lane].shell->segment();
-  const glm::mat3 toCloth = cloth_.shell->isFlat() ? glm::mat3(1.0f) : cloth_.shell->tets()[s.tet].toCloth;
-  rays_[lane].before_mm = glm::dvec3(s.clothOrigin + toCloth * (before.axis - s.origin));
-  put(columns.tangent, lane, glm::normalize(toCloth * before.tangent));
+  glm::vec3 toAxis = before.axis - s.origin, tangent = before.tangent;
+  if (!field_.flat) {
+    const glm::mat3& toCloth = cloth_.shell->tets()[s.tet].toCloth;
+    toAxis = toCloth * toAxis;
+    tangent = glm::normalize(toCloth * tangent);
+  }
+  rays_[lane].toBefore_mm = toAxis;
+  put(columns.tangent, lane, tangent);
   columns.yarn[lane] = numberOf(before.yarnId);
 }
 
@@ -163,22 +182,10 @@ void LaneWalker::enterCell(size_t lane) {
   WalkLanes& l = *lanes_;
   put(l.start_mm, lane, own.march->start_mm());
   if (field_.hotSpot && l.before.radius_mm[lane] > 0)
-    put(l.before.axis_mm, lane, glm::vec3(own.before_mm - own.march->corner_mm()));
+    put(l.before.axis_mm, lane, own.march->start_mm() + own.toBefore_mm);
   if (own.march->cell() == own.slotsOf) return;
-  const ClothVolume::CellBricks& cell = cells_.bricksIn(own.march->cell());
-  own.slotsOf = cell.cell;
-  l.slotCount[lane] = cell.count;
-  for (int i = 0; i < cell.count; ++i) {
-    const ClothVolume::CellBricks::Brick& brick = cell.bricks[i];
-    const YarnOptics& optics = cloth_.yarns[static_cast<int>(brick.system)][brick.yarn];
-    WalkLanes::Slot& slot = l.slots[i];
-    put(slot.shift, lane, brick.shift);
-    put(slot.size, lane, brick.box.size);
-    slot.firstBlock[lane] = static_cast<int32_t>(brick.firstBlock);
-    slot.yarn[lane] = numberOf({brick.system, brick.index});
-    slot.radius_mm[lane] = optics.fibreRadius_mm;
-    slot.packed[lane] = optics.packed ? 1.0f : 0.0f;
-  }
+  own.slotsOf = own.march->cell();
+  cells_.fill(own.slotsOf, l.cell, lane);
 }
 
 /// Goes to the cell that the ray's voxel is in; false where that is beyond the piece.
@@ -195,15 +202,25 @@ bool LaneWalker::leaveCell(size_t lane) {
   return true;
 }
 
-void LaneWalker::tellFound(size_t lane, const DepthRay& ray, DepthRayEnds& ends) {
+void LaneWalker::tellFound(size_t lane, DepthRayEnds& ends) {
+  const Ray& own = rays_[lane];
   const WalkLanes& l = *lanes_;
-  const ShellSegment& s = rays_[lane].shell->segment();
-  VoxelContent content;
-  const glm::ivec3 voxel(l.voxel[0][lane], l.voxel[1][lane], l.voxel[2][lane]);
-  cells_.bricksIn(rays_[lane].march->cell()).content(*cloth_.volume, voxel, content);
-  const glm::vec3 middle = s.origin + l.middle[lane] * ray.direction;
-  const float t = s.passed + l.tMet[lane];
-  ends.found(rays_[lane].number, {s, content, t, l.ahead[lane], l.whole[lane], middle, cells_});
+  const ShellSegment& s = own.shell->segment();
+  FoundFibres& found = ends.found(own.number);
+  found.ray = own.number;
+  found.t_mm = s.passed + l.tMet[lane];
+  found.tet = s.tet;
+  found.drape = s.drape;
+  found.cell = own.march->cell();
+  found.ahead_mm = l.ahead[lane];
+  found.toMiddle_mm = l.middle[lane] - l.tMet[lane];
+  found.whole = l.found.whole[lane];
+  found.component = l.found.component[lane];
+  found.slot = l.found.slot[lane];
+  for (int axis = 0; axis < 3; ++axis) {
+    found.voxel[axis] = l.voxel[axis][lane];
+    found.inCell_mm[axis] = l.start_mm[axis][lane] + l.tMet[lane] * s.clothDirection[axis];
+  }
 }
 
 }  // namespace loomlight

@@ -30,34 +30,53 @@ struct DepthRay {
 /// The bricks of cells that were asked for of late. For one thread.
 class CellCache {
  public:
-  explicit CellCache(const ClothVolume& volume) : volume_(volume) {}
-  const ClothVolume::CellBricks& bricksIn(glm::ivec3 cell) {
-    return cells_.at(cell, [&](ClothVolume::CellBricks& bricks) { bricks = volume_.bricksIn(cell); });
-  }
-  /// What the voxel around a point of cloth space holds; nothing outside of the piece.
-  void contentAt(glm::vec3 cloth_mm, VoxelContent& content);
+  explicit CellCache(const TraceData& cloth) : cloth_(cloth) {}
+  const ClothVolume::CellBricks& bricksIn(glm::ivec3 cell) { return at(cell).bricks; }
+  /// Fills in the bricks of a cell as a lane has them.
+  void fill(glm::ivec3 cell, CellLanes& lanes, size_t lane);
 
  private:
-  const ClothVolume& volume_;
-  RecentCells<ClothVolume::CellBricks> cells_;
+  /// What CellLanes has of a brick beside those of ClothVolume::CellBricks.
+  struct Yarn {
+    int32_t number;
+    float radius_mm, packed;
+  };
+  struct Known {
+    glm::ivec3 cell{-1};
+    ClothVolume::CellBricks bricks;
+    std::array<Yarn, CellLanes::kSlots> yarns;
+  };
+  const Known& at(glm::ivec3 cell) {
+    return cells_.at(cell, [&](Known& known) { find(cell, known); });
+  }
+  void find(glm::ivec3 cell, Known& known) const;
+
+  const TraceData& cloth_;
+  RecentCells<Known> cells_;
 };
 
 /// Where a ray has used up its depth: it meets a fibre whose axis is in this voxel.
 struct FoundFibres {
-  const ShellSegment& segment;
-  const VoxelContent& content;
-  float t_mm;        ///< where the light is, from where the ray began
-  float ahead_mm;    ///< distance by which the axes of fibres lie ahead of the light: c of LoomlightMedium
-  float whole;       ///< extinction of the voxel, 1/mm
-  glm::vec3 middle;  ///< of the ray in the voxel, world
-  CellCache& cells;  ///< to look around in
+  size_t ray = 0;          ///< the number of the ray
+  float t_mm = 0;          ///< where the light is, from where the ray began
+  int tet = -1;            ///< of the shell, there
+  LocalDrape drape;        ///< there
+  glm::ivec3 cell{0};      ///< of the weave
+  glm::ivec3 voxel{0};     ///< counted from the corner of the cell
+  glm::vec3 inCell_mm{0};  ///< where the light is, cloth space, from that corner
+  float ahead_mm = 0;      ///< distance by which the axes of fibres lie ahead of the light: c of LoomlightMedium
+  float toMiddle_mm = 0;   ///< along the ray, from the light to the middle of its way through the voxel
+  float whole = 0;         ///< extinction of the voxel, 1/mm
+  int component = 0;       ///< of the voxel, as FoundLanes has it
+  int slot = 0;            ///< the brick of the cell in which that is
 };
 
 /// Hears how rays end, by their numbers.
 class DepthRayEnds {
  public:
   virtual ~DepthRayEnds() = default;
-  virtual void found(size_t ray, const FoundFibres& fibres) = 0;
+  /// Where to put what a ray has found; it is filled in by the time that the walk is over.
+  virtual FoundFibres& found(size_t ray) = 0;
   /// So much is left of its depth where it leaves the cloth, or comes to tMax; `tet`: where that was.
   virtual void left(size_t ray, float depth, int tet) = 0;
 };
@@ -77,6 +96,9 @@ class LaneWalker {
   /// All of them to their ends, in any order. Returns how many stretches of voxels with content they went along.
   uint64_t walk(std::span<const DepthRay> rays, DepthRayEnds& ends);
 
+  const WalkField& field() const { return field_; }
+  CellCache& cells() { return cells_; }
+
  private:
   /// What a lane's ray is, beside its columns.
   struct Ray {
@@ -84,7 +106,7 @@ class LaneWalker {
     int tet = -1;
     std::optional<ShellWalk> shell;
     std::optional<ClothVolume::CellMarch> march;
-    glm::dvec3 before_mm{0};        ///< axis of the fibre before, cloth space
+    glm::vec3 toBefore_mm{0};       ///< from its origin to the axis of the fibre before, cloth space
     glm::ivec3 slotsOf{-1};         ///< the cell whose bricks its columns have
     bool pastSegmentsTold = false;  ///< its columns have the flights before
   };
@@ -94,7 +116,7 @@ class LaneWalker {
   bool leaveCell(size_t lane);
   void setPastSegments(size_t lane, const DepthRay& ray);
   void setBefore(size_t lane, const DepthRay& ray);
-  void tellFound(size_t lane, const DepthRay& ray, DepthRayEnds& ends);
+  void tellFound(size_t lane, DepthRayEnds& ends);
 
   const TraceData& cloth_;
   WalkField field_;

@@ -6,8 +6,8 @@
 
 // How it works. Flights and shadow rays are both walks until an optical depth is used up: that of a flight is drawn
 // from an exponential, that of a shadow ray is where nothing is worth following any further. LaneWalker walks them in
-// vector registers and tells, in any order, which met fibres and which left; here these ends become collisions and
-// visibility.
+// vector registers and tells, in any order, which met fibres and which left; LoomlightMeetings makes collisions of the
+// former, eight at a time, and what is left of shadow rays' depths becomes visibility.
 namespace loomlight {
 namespace {
 
@@ -21,7 +21,10 @@ class Visibilities final : public DepthRayEnds {
  public:
   Visibilities(std::span<ShadowRay* const> shadows, std::span<const DepthRay> rays) : shadows_(shadows), rays_(rays) {}
 
-  void found(size_t i, const FoundFibres&) override { shadows_[i]->visible = 0; }
+  FoundFibres& found(size_t i) override {
+    shadows_[i]->visible = 0;
+    return anything_;
+  }
   void left(size_t i, float depth, int) override {
     shadows_[i]->visible = std::exp(-std::min(rays_[i].depth - depth, kExactDepth));
   }
@@ -29,23 +32,19 @@ class Visibilities final : public DepthRayEnds {
  private:
   std::span<ShadowRay* const> shadows_;
   std::span<const DepthRay> rays_;
+  FoundFibres anything_;  ///< nobody asks what is in the way
 };
 
 }  // namespace
 
-/// Turns what flights find into collisions.
-class LoomlightBatch::Meetings final : public DepthRayEnds {
+/// Keeps what flights find, and has those that end at the fibre before meet it.
+class LoomlightBatch::Flights final : public DepthRayEnds {
  public:
-  Meetings(const LoomlightMedium& medium, std::span<Path> paths, std::span<const PathRay> pathRays,
-           std::span<const DepthRay> rays, std::span<std::optional<Collision>> met)
-      : medium_(medium), paths_(paths), pathRays_(pathRays), rays_(rays), met_(met) {}
+  Flights(const LoomlightMedium& medium, std::span<Path> paths, std::span<const PathRay> pathRays,
+          std::span<const DepthRay> rays, std::vector<FoundFibres>& found, std::span<std::optional<Collision>> met)
+      : medium_(medium), paths_(paths), pathRays_(pathRays), rays_(rays), found_(found), met_(met) {}
 
-  void found(size_t i, const FoundFibres& fibres) override {
-    const PathRay& pathRay = pathRays_[i];
-    Path& path = paths_[pathRay.path];
-    met_[i] = medium_.meet(path.place, pathRay.direction, fibres, *pathRay.random, path.memory);
-    medium_.remember(*met_[i], path.memory);
-  }
+  FoundFibres& found(size_t) override { return found_.emplace_back(); }
   void left(size_t i, float, int tet) override {
     const PathRay& pathRay = pathRays_[i];
     const float distance = rays_[i].tMax_mm;
@@ -62,11 +61,12 @@ class LoomlightBatch::Meetings final : public DepthRayEnds {
   std::span<Path> paths_;
   std::span<const PathRay> pathRays_;
   std::span<const DepthRay> rays_;
+  std::vector<FoundFibres>& found_;
   std::span<std::optional<Collision>> met_;
 };
 
 LoomlightBatch::LoomlightBatch(const LoomlightMedium& medium, size_t paths)
-    : PathStates(paths), medium_(medium), walker_(medium.cloth(), medium.walkRules()) {}
+    : PathStates(paths), medium_(medium), walker_(medium.cloth(), medium.walkRules()), meetings_(medium, walker_) {}
 
 void LoomlightBatch::collide(std::span<const PathRay> pathRays, std::span<std::optional<Collision>> met,
                              TraceCounts& counts) {
@@ -79,10 +79,28 @@ void LoomlightBatch::collide(std::span<const PathRay> pathRays, std::span<std::o
     const float depth = -std::log(1 - pathRay.random->uniform());
     rays_.push_back({path.place, pathRay.direction, toBefore, depth, &path.memory.known});
   }
-  Meetings meetings(medium_, paths_, pathRays, rays_, met);
+  found_.clear();
+  Flights flights(medium_, paths_, pathRays, rays_, found_, met);
   counts.rays += pathRays.size();
-  counts.steps += walker_.walk(rays_, meetings);
+  counts.steps += walker_.walk(rays_, flights);
+  meetAll(pathRays, met);
   for (const auto& collision : met) counts.events += collision ? 1 : 0;
+}
+
+/// Makes collisions of what was found.
+void LoomlightBatch::meetAll(std::span<const PathRay> pathRays, std::span<std::optional<Collision>> met) {
+  for (size_t first = 0; first < found_.size(); first += LoomlightMeetings::kMost) {
+    std::array<LoomlightMeetings::Meeting, LoomlightMeetings::kMost> meetings;
+    const size_t count = std::min(meetings.size(), found_.size() - first);
+    for (size_t i = 0; i < count; ++i) {
+      const FoundFibres& found = found_[first + i];
+      const PathRay& pathRay = pathRays[found.ray];
+      Path& path = paths_[pathRay.path];
+      meetings[i] = {&found, &path.place, pathRay.direction, pathRay.random, &path.memory, &met[found.ray]};
+    }
+    meetings_.meet({meetings.data(), count});
+    for (size_t i = 0; i < count; ++i) medium_.remember(**meetings[i].met, *meetings[i].memory);
+  }
 }
 
 void LoomlightBatch::transmit(std::span<ShadowRay> rays, TraceCounts& counts) {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "render/media/batch_of.h"
-#include "render/media/loomlight_medium.h"
+#include "render/media/loomlight_meetings.h"
 
 namespace loomlight {
 
@@ -24,12 +24,15 @@ class LoomlightBatch final : public PathStates<LoomlightMedium::Memory> {
   const KnownFibres& known(uint32_t path) const { return paths_[path].memory.known; }
 
  private:
-  class Meetings;
+  class Flights;
+  void meetAll(std::span<const PathRay> pathRays, std::span<std::optional<Collision>> met);
 
   const LoomlightMedium& medium_;
   LaneWalker walker_;
+  LoomlightMeetings meetings_;
   // Of one call:
   std::vector<DepthRay> rays_;
+  std::vector<FoundFibres> found_;
   std::vector<ShadowRay*> shadows_;  ///< those of `rays_`
 };
 

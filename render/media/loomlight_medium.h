@@ -42,8 +42,8 @@ class LoomlightMedium final : public Medium {
   explicit LoomlightMedium(std::shared_ptr<const TraceData> cloth) : LoomlightMedium(std::move(cloth), Ingredients{}) {}
 
   /// How the last fibre was met: from which two antithetic points of the hemisphere about the ray its axis was chosen
-  /// (above), where both led into one voxel.
-  struct Meeting {
+  /// (above), where both led into the voxel that the walk had found.
+  struct HowMet {
     bool inOneVoxel = false;
     glm::vec3 points[2]{};  ///< the one that was taken first; along the axes of FibreFrame about the ray, and along it
     glm::vec3 inVoxel_mm{0};  ///< where the light was, in cloth space, from the voxel's lower corner
@@ -52,7 +52,7 @@ class LoomlightMedium final : public Medium {
   /// Of a path. What is known of fibres is nothing without the hot spot.
   struct Memory {
     KnownFibres known;
-    Meeting meeting;
+    HowMet howMet;
   };
 
   std::unique_ptr<MediumBatch> batch(size_t paths) const override;
@@ -61,9 +61,8 @@ class LoomlightMedium final : public Medium {
   const TraceData& cloth() const { return *cloth_; }
   const Ingredients& ingredients() const { return ingredients_; }
   LaneWalker::Rules walkRules() const { return {farthest_mm_, ingredients_.packing, ingredients_.hotSpot}; }
-  /// Which of the fibres that were found along a ray from there is met, and how.
-  Collision meet(const ScenePoint& from, glm::vec3 direction, const FoundFibres& found, Random& random,
-                 Memory& memory) const;
+  float radius_mm() const { return radius_mm_; }  ///< see below
+  glm::mat3 toClothOf(int tet) const;             ///< d cloth / d world
   /// With the fibre before, as the cylinder that it is.
   Collision meetBefore(const ScenePoint& place, glm::vec3 direction, float distance_mm, Random& random,
                        Memory& memory) const;
@@ -73,8 +72,6 @@ class LoomlightMedium final : public Medium {
   size_t offsetsAcross(const Collision& met, const Memory& memory, std::span<float> offsets, Random& random) const;
 
  private:
-  glm::mat3 toClothOf(int tet) const;  ///< d cloth / d world
-
   std::shared_ptr<const TraceData> cloth_;
   Ingredients ingredients_;
   float radius_mm_ = 0;    ///< of fibres, the mean over the cloth's yarns: points are drawn before it is known whose

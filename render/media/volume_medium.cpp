@@ -36,9 +36,9 @@ std::optional<Collision> VolumeMedium::collide(const ScenePoint& from, Memory&, 
     c.incoming = direction;
     if (law_ == EventLaw::report) {
       const float u1 = random.uniform(), u2 = random.uniform();
-      c.tangent = eitherWay(sampleTangent(met.fibres, u1, u2), random);
+      c.tangent = sampleTangent(met.fibres, u1, u2) * eitherWay(random);
     } else {
-      c.tangent = eitherWay(projectedTangent(met.fibres, direction, random), random);
+      c.tangent = projectedTangent(met.fibres, direction, random) * eitherWay(random);
     }
     c.offset = 2.0f * random.uniform() - 1.0f;
     c.normal = walk.drape().normal();

@@ -84,9 +84,11 @@ class LongitudinalLobes {
     T sine{}, cosine{};
     do {
       // An exponential variable has no memory: what is left of it modulo 2 is the same law trimmed to [0, 2].
-      const T decay = variance * -logarithm<T>(1 - random.uniform(open));
+      T u1, u2;
+      random.uniformPair(open, u1, u2);
+      const T decay = variance * -logarithm<T>(1 - u1);
       const T versine = decay - 2 * toFloats<T>(truncated<T>(0.5f * decay));
-      const T across = squareRoot<T>(versine * (2 - versine)) * sinCosPi<T>(2 * random.uniform(open) - 1).cosine;
+      const T across = squareRoot<T>(versine * (2 - versine)) * sinCosPi<T>(2 * u2 - 1).cosine;
       const T s = withinOne<T>((versine - 1) * sineO + across * cosineO), c = squareRoot<T>((1 - s) * (1 + s));
       sine = open ? s : sine;
       cosine = open ? c : cosine;

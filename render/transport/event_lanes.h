@@ -4,6 +4,7 @@
 #include <cassert>
 #include <span>
 
+#include "core/base/columns.h"
 #include "render/media/medium.h"
 #include "render/optics/bcsdf.h"
 #include "render/optics/fibre_frame.h"
@@ -30,21 +31,12 @@ struct EventLanes {
   template <class Number>
   static Lanes column(size_t count, Number&& number) {
     assert(0 < count && count <= kMost);
-    Lanes lanes{};
-    for (size_t lane = 0; lane < kMost; ++lane) lanes[lane] = number(std::min(lane, count - 1));
-    return lanes;
+    return columnOf<Lanes>(count, number);
   }
   template <class Vector>
   static Vec3Of<Lanes> columns(size_t count, Vector&& vector) {
     assert(0 < count && count <= kMost);
-    Vec3Of<Lanes> lanes{};
-    for (size_t lane = 0; lane < kMost; ++lane) {
-      const glm::vec3 v = vector(std::min(lane, count - 1));
-      lanes.x[lane] = v.x;
-      lanes.y[lane] = v.y;
-      lanes.z[lane] = v.z;
-    }
-    return lanes;
+    return columnsOf<Lanes>(count, vector);
   }
 };
 

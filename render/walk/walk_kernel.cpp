@@ -11,7 +11,7 @@
 #define HWY_TARGET_INCLUDE "render/walk/walk_kernel.cpp"
 #include <hwy/foreach_target.h>
 
-#include "render/walk/fibre_lanes-inl.h"
+#include "render/walk/voxel_lanes-inl.h"
 #include "render/walk/walk_lanes.h"
 #include "render/walk/walk_target.h"
 
@@ -32,7 +32,8 @@ class Step {
         goes_(Whole::of(&lanes.stop[lane]) == code(WalkStop::none)),
         size_{Real(field.size_mm[0]), Real(field.size_mm[1]), Real(field.size_mm[2])},
         voxel_{Whole::of(&lanes.voxel[0][lane]), Whole::of(&lanes.voxel[1][lane]), Whole::of(&lanes.voxel[2][lane])},
-        enter_(Real::of(&lanes.t[lane])) {}
+        enter_(Real::of(&lanes.t[lane])),
+        voxelLanes_(field, lanes.cell, lane) {}
 
   HWY_INLINE bool anyGoes() const { return any(goes_); }
 
@@ -42,7 +43,7 @@ class Step {
     Whole stop = Whole::of(&lanes_.stop[lane_]);
     for (int empty = 0;; ++empty) {
       findFace();
-      findBricks();
+      occupied_ = voxelLanes_.open(voxel_, goes_ & (enter_ < leave_));
       const Mask passes = goes_ & ~occupied_;
       if (empty == kMostEmpty || !any(passes)) break;
       leaveVoxel(passes, stop);
@@ -78,111 +79,36 @@ class Step {
     leave_ = least(faceAt_, Real::of(&lanes_.tEnd[lane_]));
   }
 
-  /// Which bricks hold anything in the voxel.
-  HWY_INLINE void findBricks() {
-    occupied_ = Whole(0) == Whole(1);
-    const Mask crosses = goes_ & (enter_ < leave_);
-    const Whole count = Whole::of(&lanes_.slotCount[lane_]);
-    const Whole number = numberInBlock();
-    const Whole bit = bitNumber(number & Whole(31)), word = wordOf(number);
-    const Whole own[3] = {shiftedRightSigned<2>(voxel_[0]), shiftedRightSigned<2>(voxel_[1]),
-                          shiftedRightSigned<2>(voxel_[2])};
-    for (slots_ = 0; slots_ < WalkLanes::kSlots; ++slots_) {
-      const Mask there = crosses & (Whole(slots_) < count);
-      if (!any(there)) break;
-      const WalkLanes::Slot& brick = lanes_.slots[slots_];
-      Whole block[3], size[3];
-      Mask inside = there;
-      for (int axis = 0; axis < 3; ++axis) {
-        block[axis] = own[axis] + Whole::of(&brick.shift[axis][lane_]);
-        size[axis] = Whole::of(&brick.size[axis][lane_]);
-        inside = inside & (Whole(-1) < block[axis]) & (block[axis] < size[axis]);
-      }
-      const Whole at = Whole::of(&brick.firstBlock[lane_]) + (block[2] * size[1] + block[1]) * size[0] + block[0];
-      byte_[slots_] = choose(inside, at, Whole(0)) * Whole(static_cast<int32_t>(sizeof(BrickBlock)));
-      occupiedWord_[slots_] = gatherBytes(field_.blocks, byte_[slots_] + word);
-      holds_[slots_] = inside & ~((occupiedWord_[slots_] & bit) == Whole(0));
-      occupied_ = occupied_ | holds_[slots_];
-    }
-  }
-
-  HWY_INLINE Whole numberInBlock() const {
-    return (voxel_[0] & Whole(3)) | shiftedLeft<2>(voxel_[1] & Whole(3)) | shiftedLeft<4>(voxel_[2] & Whole(3));
-  }
-  /// Byte of the half of a block's 64 bits in which that of a voxel is.
-  HWY_INLINE static Whole wordOf(Whole number) { return shiftedRight<3>(number & Whole(32)); }
-
-  /// Over all components of the voxel: VoxelExtinction. Which of its bricks a ray has anything of differs from ray to
-  /// ray, and most have of one alone: so each ray takes the first of its own, then those that have more the next.
+  /// Over all components of the voxel: VoxelExtinction.
   HWY_INLINE void sumFibres() {
-    total_ = whole_ = solid_ = packed_ = Real(0.0f);
+    total_ = solid_ = packed_ = Real(0.0f);
+    found_ = Contents();
     middle_ = Real(0.5f) * (enter_ + leave_);
-    const Whole number = numberInBlock();
-    const Whole bit = bitNumber(number & Whole(31)), below = bit - Whole(1), word = wordOf(number);
-    const Mask upper = Whole(31) < number;
-    for (Mask holds = takeBrick(); any(holds); holds = takeBrick()) {
-      const Whole second = gatherBytes(field_.blocks, taken_.byte + word + Whole(8));
-      Whole before = setBits(taken_.occupiedWord & below) + setBits(second & below);
-      if (any(holds & upper)) {
-        const Whole low = gatherBytes(field_.blocks, taken_.byte);
-        const Whole secondLow = gatherBytes(field_.blocks, taken_.byte + Whole(8));
-        before = choose(upper, before + (setBits(low) + setBits(secondLow)), before);
-      }
-      const Whole component = gatherBytes(field_.blocks, taken_.byte + Whole(16)) + before;
-      addFibres(holds, component);
-      const Mask twice = holds & ~((second & bit) == Whole(0));
-      if (any(twice)) addFibres(twice, component + Whole(1));
-    }
+    const auto add = [this](Mask holds, Whole component, const VoxelLanes::Taken& taken)
+                         HWY_ATTR { addFibres(holds, component, taken); };
+    voxelLanes_.forEachComponent(add);
   }
 
-  /// The next brick of each ray with anything in the voxel; which rays have one.
-  HWY_INLINE Mask takeBrick() {
-    Mask has = goes_ & ~goes_;
-    taken_.byte = taken_.occupiedWord = taken_.yarn = Whole(0);
-    taken_.radius = taken_.packed = Real(0.0f);
-    for (int slot = 0; slot < slots_; ++slot) {
-      const Mask takes = holds_[slot] & ~has;
-      const WalkLanes::Slot& brick = lanes_.slots[slot];
-      taken_.byte = choose(takes, byte_[slot], taken_.byte);
-      taken_.occupiedWord = choose(takes, occupiedWord_[slot], taken_.occupiedWord);
-      taken_.yarn = choose(takes, Whole::of(&brick.yarn[lane_]), taken_.yarn);
-      taken_.radius = choose(takes, Real::of(&brick.radius_mm[lane_]), taken_.radius);
-      taken_.packed = choose(takes, Real::of(&brick.packed[lane_]), taken_.packed);
-      has = has | takes;
-      holds_[slot] = holds_[slot] & ~takes;
-    }
-    return has;
-  }
-
-  /// Adds the components of these numbers, of the bricks that are taken.
-  HWY_INLINE void addFibres(Mask holds, Whole component) {
-    FibreLanes fibres = decode(field_.components, choose(holds, component, Whole(0)));
-    if (!field_.flat) {
-      const Vector frame[3] = {vectorOf(lanes_.frame[0], lane_), vectorOf(lanes_.frame[1], lane_),
-                               vectorOf(lanes_.frame[2], lane_)};
-      fibres = inWorld(fibres, frame, Real::of(&lanes_.densityScale[lane_]));
-    }
-    const Real cosine = dot(vectorOf(lanes_.direction, lane_), fibres.direction);
-    const Real sineSquare = most(Real(0.0f), Real(1.0f) - cosine * cosine);
-    const Real extinction = orZero(holds, Real(2.0f) * taken_.radius * fibres.lengthDensity *
-                                              projectedLength(field_.spreads, sineSquare, fibres.spread));
-    const Real section = Real(static_cast<float>(kPi)) * taken_.radius * taken_.radius;
+  HWY_INLINE void addFibres(Mask holds, Whole component, const VoxelLanes::Taken& taken) {
+    const FibreLanes fibres = fibresOf(field_, lanes_, lane_, holds, component);
+    const Real extinction = extinctionOf(field_, holds, fibres, vectorOf(lanes_.direction, lane_), taken.radius);
+    const Real section = Real(static_cast<float>(kPi)) * taken.radius * taken.radius;
     const Real solid = orZero(holds, section * fibres.lengthDensity);
-    whole_ = whole_ + extinction;
+    found_.add(holds, component, taken.slot, extinction);
     solid_ = solid_ + solid;
-    packed_ = packed_ + solid * taken_.packed;
-    total_ = total_ + (field_.hotSpot ? extinction * shareLeft(holds, fibres) : extinction);
+    packed_ = packed_ + solid * taken.packed;
+    total_ = total_ + (field_.hotSpot ? extinction * shareLeft(holds, fibres, taken) : extinction);
   }
 
   /// What the flights before and the fibre that the last of them came from leave of such fibres.
-  HWY_INLINE Real shareLeft(Mask holds, const FibreLanes& fibres) {
+  HWY_INLINE Real shareLeft(Mask holds, const FibreLanes& fibres, const VoxelLanes::Taken& taken) {
     const Vector onRay = vectorOf(lanes_.direction, lane_) * middle_;
     Real absent(0.0f);
     for (const WalkLanes::PastSegment& past : lanes_.pastSegments)
-      absent = most(absent, PastSegmentLanes(past, lane_, onRay).absent(fibres, taken_.radius));
+      absent = most(absent, PastSegmentLanes(past, lane_, onRay).absent(fibres, taken.radius));
     const Real left = Real(1.0f) - absent;
-    const Mask own = holds & (taken_.yarn == Whole::of(&lanes_.before.yarn[lane_])) &
-                     (Real(0.0f) < Real::of(&lanes_.before.radius_mm[lane_])) & (Real(0.0f) < taken_.packed);
+    const Mask own = holds & (taken.yarn == Whole::of(&lanes_.before.yarn[lane_])) &
+                     (Real(0.0f) < Real::of(&lanes_.before.radius_mm[lane_])) & (Real(0.0f) < taken.packed);
     if (!any(own)) return left;
     const Vector lower{toReal(voxel_[0]) * size_.x, toReal(voxel_[1]) * size_.y, toReal(voxel_[2]) * size_.z};
     const Real known = lengthDensityOf(lanes_.before, lane_, lower, size_);
@@ -199,8 +125,8 @@ class Step {
     choose(occupied_, leave_, lastEnd).to(&lanes_.lastEnd[lane_]);
     choose(occupied_, filled, lastFilled).to(&lanes_.lastFilled[lane_]);
 
-    const Mask some = occupied_ & (Real(0.0f) < whole_);
-    const Real ahead = least(Real(0.5f) * solid_ / choose(some, whole_, Real(1.0f)), Real(field_.farthest_mm));
+    const Mask some = occupied_ & (Real(0.0f) < found_.whole);
+    const Real ahead = least(Real(0.5f) * solid_ / choose(some, found_.whole, Real(1.0f)), Real(field_.farthest_mm));
     const Real start = most(enter_, Real::of(&lanes_.lightStart[lane_]) + ahead),
                stop = least(leave_, Real::of(&lanes_.lightEnd[lane_]) + ahead);
     const Mask along = some & (start < stop);
@@ -219,7 +145,7 @@ class Step {
         choose(beyond < Real(0.0f), left / choose(met_, sigmaNear, one), near + beyond / choose(met_, sigma, one));
     (start - ahead + within).to(&lanes_.tMet[lane_]);
     ahead.to(&lanes_.ahead[lane_]);
-    whole_.to(&lanes_.whole[lane_]);
+    found_.to(lanes_.found, lane_);
     middle_.to(&lanes_.middle[lane_]);
   }
 
@@ -245,19 +171,13 @@ class Step {
   Vector size_;
   Whole voxel_[3];
   Real enter_;
+  VoxelLanes voxelLanes_;
   // As it finds out:
   Mask through_[3];  ///< the face that it leaves by
   Real faceAt_, leave_, middle_;
-  Real total_, whole_, solid_, packed_;
+  Real total_, solid_, packed_;
+  Contents found_;
   Mask occupied_, met_;
-  struct Taken {
-    Whole byte, occupiedWord, yarn;
-    Real radius, packed;
-  } taken_;                                ///< of each ray, the brick whose fibres are summed
-  int slots_ = 0;                          ///< so many bricks reach into the cell of any ray
-  Whole byte_[WalkLanes::kSlots];          ///< of the block that the voxel is in
-  Whole occupiedWord_[WalkLanes::kSlots];  ///< BrickBlock::occupied, the half with the voxel's bit
-  Mask holds_[WalkLanes::kSlots];
 };
 
 void walkLanes(const WalkField& field, WalkLanes& lanes) {
@@ -273,6 +193,25 @@ void walkLanes(const WalkField& field, WalkLanes& lanes) {
   }
 }
 
+void lookLanes(const WalkField& field, LookLanes& lanes) {
+  for (size_t lane = 0; lane < kWalkLanes; lane += hn::Lanes(RealTag())) {
+    const Mask wanted = Whole::of(&lanes.wanted[lane]) == Whole(1);
+    if (!any(wanted)) continue;
+    const Whole voxel[3] = {Whole::of(&lanes.voxel[0][lane]), Whole::of(&lanes.voxel[1][lane]),
+                            Whole::of(&lanes.voxel[2][lane])};
+    Contents found;
+    const auto add = [&](Mask holds, Whole component, const VoxelLanes::Taken& taken) HWY_ATTR {
+      const FibreLanes fibres = fibresOf(field, lanes, lane, holds, component);
+      found.add(holds, component, taken.slot,
+                extinctionOf(field, holds, fibres, vectorOf(lanes.direction, lane), taken.radius));
+    };
+    VoxelLanes voxels(field, lanes.cell, lane);
+    voxels.open(voxel, wanted);
+    voxels.forEachComponent(add);
+    found.to(lanes.found, lane);
+  }
+}
+
 const char* targetName() {
   return hwy::TargetName(HWY_TARGET);
 }
@@ -284,10 +223,15 @@ HWY_AFTER_NAMESPACE();
 namespace loomlight {
 
 HWY_EXPORT(walkLanes);
+HWY_EXPORT(lookLanes);
 HWY_EXPORT(targetName);
 
 void walk(const WalkField& field, WalkLanes& lanes) {
   HWY_DYNAMIC_DISPATCH(walkLanes)(field, lanes);
+}
+
+void look(const WalkField& field, LookLanes& lanes) {
+  HWY_DYNAMIC_DISPATCH(lookLanes)(field, lanes);
 }
 
 const char* walkTarget() {

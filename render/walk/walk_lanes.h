@@ -46,9 +46,31 @@ struct WalkField {
 /// Why a ray stopped.
 enum class WalkStop : int32_t {
   none,         ///< it goes on; lanes without a ray have any other
-  met,          ///< its optical depth is used up: tMet, ahead, whole and middle say where
+  met,          ///< its optical depth is used up: tMet, ahead, middle and found say where and what
   leftCell,     ///< it stands at a voxel beyond its cell
   leftSegment,  ///< it came to the end of its segment
+};
+
+/// The bricks that reach into the cell of each ray.
+struct CellLanes {
+  static constexpr int kSlots = 6;  ///< VoxelContent::kMaxSpans
+  LaneInts count;
+  struct Slot {
+    LaneInts shift[3];  ///< from blocks of the cell to those of the brick
+    LaneInts size[3];   ///< of the brick, in blocks
+    LaneInts firstBlock;
+    LaneInts yarn;         ///< which end or pick: 2 index + system
+    LaneFloats radius_mm;  ///< of its fibres
+    LaneFloats packed;     ///< 1: its fibres do not overlap; else 0
+  } slots[kSlots];
+};
+
+/// Which fibres a voxel of each ray holds.
+struct FoundLanes {
+  LaneFloats whole;    ///< extinction, 1/mm
+  LaneInts component;  ///< the number of the voxel's component, if it has one alone; kNone or kSeveral if not
+  LaneInts slot;       ///< whose brick that component is in
+  static constexpr int32_t kNone = -1, kSeveral = -2;
 };
 
 /// Up to kWalkLanes rays, each in a segment of the cloth in which cloth space is an affine image of the world (a
@@ -56,8 +78,6 @@ enum class WalkStop : int32_t {
 /// where it begins. Positions in cloth space are counted from the lower corner of the ray's cell, so
 /// that floats are as exact on a wide cloth as on a small one.
 struct alignas(64) WalkLanes {
-  static constexpr int kSlots = 6;  ///< bricks that reach into one cell: VoxelContent::kMaxSpans
-
   alignas(64) LaneInts stop;  ///< WalkStop
 
   // The ray:
@@ -90,27 +110,32 @@ struct alignas(64) WalkLanes {
     LaneInts yarn;          ///< as Slot::yarn
   } before;
 
-  // The bricks that reach into the cell:
-  LaneInts slotCount;
-  struct Slot {
-    LaneInts shift[3];  ///< from blocks of the cell to those of the brick
-    LaneInts size[3];   ///< of the brick, in blocks
-    LaneInts firstBlock;
-    LaneInts yarn;         ///< which end or pick: 2 index + system
-    LaneFloats radius_mm;  ///< of its fibres
-    LaneFloats packed;     ///< 1: its fibres do not overlap; else 0
-  } slots[kSlots];
+  CellLanes cell;  ///< that it is in
 
   // Of a ray that has met a fibre:
   LaneFloats tMet;    ///< where the light is
   LaneFloats ahead;   ///< of the light, the axes: c, mm
-  LaneFloats whole;   ///< extinction of the voxel, 1/mm
   LaneFloats middle;  ///< of the ray in the voxel
+  FoundLanes found;   ///< in the voxel
 };
 
 /// Lets all rays with WalkStop::none go on until at least one of them stops, or there are none. The walk is that of
 /// LoomlightMedium. Cost: about one step of all lanes for each voxel that the longest of them crosses; a step reads one
 /// block for each brick in reach, and where it holds anything the component and four numbers of the table I(alpha, s).
 void walk(const WalkField& field, WalkLanes& lanes);
+
+/// Looks for fibres that some rays meet, each in one voxel.
+struct alignas(64) LookLanes {
+  alignas(64) LaneInts wanted;  ///< 1 where a ray looks; else 0
+  LaneFloats direction[3];      ///< unit, of the world
+  LaneInts voxel[3];            ///< counted from the corner of the cell
+  LaneFloats frame[3][3];       ///< as WalkLanes'
+  LaneFloats densityScale;      ///< as WalkLanes'
+  CellLanes cell;
+  FoundLanes found;  ///< what is there, all of it: whatever the ray knows of fibres
+};
+
+/// Fills in what was found. Cost: about one step of walk().
+void look(const WalkField& field, LookLanes& lanes);
 
 }  // namespace loomlight

@@ -90,9 +90,9 @@ class ClothVolume {
   /// The bricks that reach into a cell.
   struct CellBricks;
   CellBricks bricksIn(glm::ivec3 cell) const;
-  /// The cell that a point lies in, and which of its voxels; false outside the piece. In float: half a voxel is far
-  /// beyond its rounding on any piece that one sees whole.
-  bool locate(glm::vec3 cloth_mm, glm::ivec3& cell, glm::ivec3& voxel) const;
+  /// Of a point that is counted from the corner of `cell`: goes to the cell that it lies in, and tells which of its
+  /// voxels; false outside the piece.
+  bool locate(glm::vec3 inCell_mm, glm::ivec3& cell, glm::ivec3& voxel) const;
   const BrickBlock* blocks() const { return blocks_; }
   const Component* components() const { return components_; }
 

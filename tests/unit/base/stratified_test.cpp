@@ -59,6 +59,26 @@ TEST(Stratified, EachPointIsUniform) {
     }
 }
 
+// Two numbers that are drawn at once are two dimensions that are stratified together, and none of the next purpose.
+TEST(Stratified, APairOfNumbersIsAPairOfDimensions) {
+  constexpr uint64_t kSeed = 9;
+  const auto number = [](uint32_t index, uint32_t dimension) {
+    return static_cast<float>(stratified::coordinate(kSeed, index, dimension) >> 8) * 0x1p-24f;
+  };
+  for (uint32_t index = 0; index < 100; ++index) {
+    Random random(kSeed, index);
+    random.stratify(4, 7);
+    EXPECT_EQ(random.uniform(), number(index, 4));
+    for (const uint32_t dimension : {6u, 8u}) {
+      const Random::Pair pair = random.uniformPair();
+      EXPECT_EQ(pair.first, number(index, dimension));
+      EXPECT_EQ(pair.second, number(index, dimension + 1));
+    }
+    EXPECT_NE(random.uniformPair().first, number(index, 10));  // 11 belongs to whoever comes next
+    EXPECT_NE(random.uniform(), number(index, 10));
+  }
+}
+
 // Different pairs of dimensions know nothing of each other.
 TEST(Stratified, PairsAreIndependent) {
   constexpr int kSeeds = 200, kPoints = 64;

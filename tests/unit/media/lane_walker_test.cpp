@@ -19,21 +19,28 @@ using test::WalkEnd;
 /// Keeps how each ray ends.
 class Ends final : public DepthRayEnds {
  public:
-  explicit Ends(size_t rays) : ends_(rays), told_(rays) {}
-  void found(size_t ray, const FoundFibres& fibres) override {
+  Ends(const TraceData& cloth, size_t rays) : perCell_(cloth.volume->grid().cell), ends_(rays), told_(rays) {}
+  FoundFibres& found(size_t ray) override {
     ++told_[ray];
-    ends_[ray] = {true, fibres.t_mm, 0, fibres.content.voxel};
+    return found_.emplace_back();
   }
   void left(size_t ray, float depth, int) override {
     ++told_[ray];
     ends_[ray] = {false, 0, depth, {}};
   }
-  const std::vector<WalkEnd>& ends() const { return ends_; }
+  const std::vector<WalkEnd>& ends() {
+    for (const FoundFibres& found : found_)
+      ends_[found.ray] = {true, found.t_mm, 0, found.cell * perCell_ + found.voxel};
+    return ends_;
+  }
+  const std::vector<FoundFibres>& found() const { return found_; }
   bool allToldOnce() const {
     return std::all_of(told_.begin(), told_.end(), [](int times) { return times == 1; });
   }
 
  private:
+  glm::ivec3 perCell_;
+  std::vector<FoundFibres> found_;
   std::vector<WalkEnd> ends_;
   std::vector<int> told_;
 };
@@ -103,7 +110,7 @@ TEST_P(LaneWalks, GoAsFarAsEachRayAlone) {
   const LoomlightMedium medium(scene->cloth);
   const Rays all = raysOf(*scene, medium, 1500);
   LaneWalker walker(*scene->cloth, medium.walkRules());
-  Ends lanes(all.rays.size());
+  Ends lanes(*scene->cloth, all.rays.size());
   EXPECT_GT(walker.walk(all.rays, lanes), all.rays.size());
   EXPECT_TRUE(lanes.allToldOnce());
   const glm::vec3 size = scene->cloth->volume->grid().size_mm;
@@ -129,7 +136,7 @@ TEST_P(LaneWalks, AreTheSameInAnyCompanyAndOfAnyWidth) {
   const Rays all = raysOf(*scene, medium, 200);
   const auto together = [&] {
     LaneWalker walker(*scene->cloth, medium.walkRules());
-    Ends ends(all.rays.size());
+    Ends ends(*scene->cloth, all.rays.size());
     walker.walk(all.rays, ends);
     return ends.ends();
   };
@@ -142,7 +149,7 @@ TEST_P(LaneWalks, AreTheSameInAnyCompanyAndOfAnyWidth) {
   const std::vector<WalkEnd> expected = together();
   LaneWalker walker(*scene->cloth, medium.walkRules());
   for (size_t i = 0; i < all.rays.size(); ++i) {
-    Ends alone(1);
+    Ends alone(*scene->cloth, 1);
     walker.walk({&all.rays[i], 1}, alone);
     expectSame(alone.ends()[0], expected[i]);
   }
@@ -152,6 +159,67 @@ TEST_P(LaneWalks, AreTheSameInAnyCompanyAndOfAnyWidth) {
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
     const std::vector<WalkEnd> ends = together();
     for (size_t i = 0; i < ends.size(); ++i) expectSame(ends[i], expected[i]);
+  }
+  hwy::SetSupportedTargetsForTest(0);
+  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+}
+
+// What a ray has found, whoever looks into that voxel finds, on every instruction set; and it is what the voxel holds,
+// within what the lanes' table of I(alpha, s) is off.
+TEST_P(LaneWalks, FindWhatIsInTheVoxel) {
+  const auto scene = this->scene();
+  const TraceData& cloth = *scene->cloth;
+  const LoomlightMedium medium(scene->cloth);
+  const Rays all = raysOf(*scene, medium, 300);
+  LaneWalker walker(cloth, medium.walkRules());
+  Ends ends(cloth, all.rays.size());
+  walker.walk(all.rays, ends);
+  ASSERT_GT(ends.found().size(), 100u);
+  size_t several = 0;
+  for (const FoundFibres& found : ends.found()) {
+    const glm::vec3 direction = all.rays[found.ray].direction;
+    VoxelContent content;
+    walker.cells().bricksIn(found.cell).content(*cloth.volume, found.voxel, content);
+    const float whole = sumExtinction(cloth.yarns, content, found.drape, direction).whole;
+    EXPECT_NEAR(found.whole, whole, 1e-4f * whole);
+    several += hasSeveralComponents(content) ? 1 : 0;
+    if (hasSeveralComponents(content)) {
+      EXPECT_EQ(found.component, FoundLanes::kSeveral);
+    } else {
+      const VoxelContent::YarnSpan& only = content.spans[0];
+      const auto& brick = walker.cells().bricksIn(found.cell).bricks[static_cast<size_t>(found.slot)];
+      EXPECT_EQ(cloth.volume->components() + found.component, &only.components[0]);
+      EXPECT_EQ(YarnId(brick.system, brick.index), YarnId(only.system, only.index));
+    }
+  }
+  EXPECT_GT(several, 0u);
+  for (const int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    SCOPED_TRACE(hwy::TargetName(target));
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    for (size_t first = 0; first + kWalkLanes <= ends.found().size(); first += kWalkLanes) {
+      LookLanes looks{};
+      const auto foundIn = [&](size_t lane) -> const FoundFibres& { return ends.found()[first + lane]; };
+      for (size_t lane = 0; lane < kWalkLanes; ++lane) {
+        const FoundFibres& found = foundIn(lane);
+        looks.wanted[lane] = 1;
+        for (int axis = 0; axis < 3; ++axis) {
+          looks.direction[axis][lane] = all.rays[found.ray].direction[axis];
+          looks.voxel[axis][lane] = found.voxel[axis];
+          for (int column = 0; column < 3; ++column) looks.frame[column][axis][lane] = found.drape.frame[column][axis];
+        }
+        looks.densityScale[lane] = found.drape.densityScale;
+        walker.cells().fill(found.cell, looks.cell, lane);
+      }
+      look(walker.field(), looks);
+      for (size_t lane = 0; lane < kWalkLanes; ++lane) {
+        EXPECT_EQ(looks.found.whole[lane], foundIn(lane).whole);
+        EXPECT_EQ(looks.found.component[lane], foundIn(lane).component);
+        if (foundIn(lane).component >= 0) {
+          EXPECT_EQ(looks.found.slot[lane], foundIn(lane).slot);
+        }
+      }
+    }
   }
   hwy::SetSupportedTargetsForTest(0);
   hwy::GetChosenTarget().Update(hwy::SupportedTargets());

@@ -1,0 +1,260 @@
+#include "render/media/loomlight_meetings.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/columns.h"
+#include "render/media/across_fibre.h"
+#include "render/media/antithetic_points.h"
+#include "render/media/fibre_tangent.h"
+#include "render/media/voxel_extinction.h"
+
+// How it works. A walk has found the voxel in which the depth of a ray is used up. Two antithetic points of the
+// hemisphere about the ray (AntitheticPoints) say where the axis of the fibre could lie instead, and the extinction of
+// the voxels there how likely each of the two is: where that is another voxel, render/walk looks into it, for all
+// meetings at once. Then a component is drawn of the voxel that was taken, a tangent of it, and how the fibre lies
+// across the ray follows from the point. Whatever changes the extinction in a voxel, such as a way that is known to be
+// free, changes the walk and these draws alike, or a white furnace would not stay white.
+//
+// Most voxels hold one component, which the walk names; where there are several, one ray after the other chooses.
+namespace loomlight {
+namespace {
+
+/// The share of extinction that a voxel's fibres have left near the flights before, and beside the fibre that the last
+/// of these flights came from: that one is met for itself, so a voxel must not count it again.
+class CorrelatedShare {
+ public:
+  CorrelatedShare(const LoomlightMeetings::Meeting& meeting, glm::vec3 light, const VoxelGrid& grid,
+                  const glm::mat3& toCloth)
+      : known_(meeting.memory->known),
+        middle_(light + meeting.found->toMiddle_mm * meeting.direction),
+        lower_(glm::vec3(meeting.found->voxel) * grid.size_mm) {
+    const KnownFibre& before = known_.before;
+    if (before.radius_mm <= 0) return;
+    before_.emplace(meeting.found->inCell_mm + toCloth * (before.axis - light),
+                    glm::normalize(toCloth * before.tangent), before.radius_mm, grid);
+  }
+
+  float operator()(const FibreDistribution& fibres, const YarnOptics& optics,
+                   const VoxelContent::YarnSpan& span) const {
+    float absent = 0;
+    for (const RaySegment& past : known_.pastSegments)
+      if (past.length_mm > 0)
+        absent = std::max(absent, knownAbsent(past, middle_, fibres.direction, fibres.spread, optics.fibreRadius_mm));
+    float before = 0;
+    if (before_ && YarnId{span.system, span.index} == known_.before.yarnId && optics.packed)
+      before = std::min(1.0f, before_->lengthDensity(lower_) / fibres.lengthDensity);
+    return (1 - absent) * (1 - before);
+  }
+
+ private:
+  const KnownFibres& known_;
+  glm::vec3 middle_;  ///< of the ray in the voxel, world
+  glm::vec3 lower_;   ///< corner of the voxel, from that of its cell
+  std::optional<FibreInVoxels> before_;
+};
+
+glm::vec3 lightOf(const LoomlightMeetings::Meeting& meeting) {
+  return meeting.from->world + meeting.found->t_mm * meeting.direction;
+}
+
+}  // namespace
+
+struct LoomlightMeetings::Fibres {
+  Vectors direction{};
+  Lanes spread{};
+  Lanes radius_mm{};
+
+  void put(size_t lane, const FibreDistribution& fibres, float radius) {
+    direction.x[lane] = fibres.direction.x;
+    direction.y[lane] = fibres.direction.y;
+    direction.z[lane] = fibres.direction.z;
+    spread[lane] = fibres.spread;
+    radius_mm[lane] = radius;
+  }
+};
+
+LoomlightMeetings::LoomlightMeetings(const LoomlightMedium& medium, LaneWalker& walker)
+    : medium_(medium), cloth_(medium.cloth()), walker_(walker), looks_(std::make_unique<LookLanes>()) {
+  *looks_ = {};
+}
+
+void LoomlightMeetings::meet(std::span<const Meeting> meetings) {
+  const size_t count = meetings.size();
+  std::array<Random*, kMost> randoms{};
+  for (size_t lane = 0; lane < count; ++lane) randoms[lane] = meetings[lane].random;
+  RandomLanes<Lanes> random(randoms);
+  const auto direction = columnsOf<Lanes>(count, [&](size_t i) { return meetings[i].direction; });
+  Lanes offset{};
+  if (medium_.ingredients().finiteRadius) {
+    lookForAxes(meetings, direction, random);
+  } else {
+    offset = 2 * random.uniform() - 1;
+    takenLook_ = broadcast<Lanes>(-1);
+    inOneVoxel_ = random.inUse();
+  }
+  Fibres fibres;
+  for (size_t lane = 0; lane < count; ++lane) {
+    meetings[lane].met->emplace();
+    choose(meetings[lane], lane, fibres);
+  }
+  const Vectors drawn = projectedTangent<Lanes>(fibres.direction, fibres.spread, direction, random);
+  Lanes way = broadcast<Lanes>(1);
+  for (size_t lane = 0; lane < count; ++lane) way[lane] = eitherWay(*meetings[lane].random);
+  const Vectors tangent = way * drawn;
+  if (medium_.ingredients().finiteRadius) offset = OffsetAcross<Lanes>(direction, tangent)(points_[0]);
+  const Vectors inwards = -fibres.radius_mm * surfaceNormal<Lanes>(direction, tangent, offset);
+
+  for (size_t lane = 0; lane < count; ++lane) {
+    const Meeting& meeting = meetings[lane];
+    const auto vectorOf = [&](const Vectors& v) { return glm::vec3(v.x[lane], v.y[lane], v.z[lane]); };
+    Collision& c = **meeting.met;
+    c.place = {lightOf(meeting), meeting.found->tet};
+    c.distance_mm = meeting.found->t_mm;
+    c.incoming = meeting.direction;
+    c.tangent = vectorOf(tangent);
+    c.offset = offset[lane];
+    c.normal = meeting.found->drape.normal();
+    c.axis = c.place.world + vectorOf(inwards);
+    c.radius_mm = c.optics.fibreRadius_mm;
+    c.material = drawMaterial(c.optics, *meeting.random);
+    LoomlightMedium::HowMet& how = meeting.memory->howMet;
+    how.inOneVoxel = inOneVoxel_[lane] != 0;
+    how.points[0] = vectorOf(points_[0]);
+    how.points[1] = vectorOf(points_[1]);
+    how.inVoxel_mm = meeting.found->inCell_mm - glm::vec3(meeting.found->voxel) * cloth_.volume->grid().size_mm;
+    how.ahead_mm = meeting.found->ahead_mm;
+  }
+}
+
+/// Draws the two points of each meeting, and which of them is taken.
+void LoomlightMeetings::lookForAxes(std::span<const Meeting> meetings, const Vectors& direction,
+                                    RandomLanes<Lanes>& random) {
+  const size_t count = meetings.size();
+  const FibreFrameOf<Vectors> frame(direction);  // about the ray
+  const AntitheticPoints<Lanes> w(random);
+  const Lanes ahead = columnOf<Lanes>(count, [&](size_t i) { return meetings[i].found->ahead_mm; });
+  const auto shift = [&](const Vectors& point) {
+    return broadcast<Lanes>(medium_.radius_mm()) * (point.x * frame.y + point.y * frame.z) +
+           (2 * ahead * point.z) * direction;
+  };
+  looks_->wanted.fill(0);
+  const Mask firstStays = lookThere(meetings, 0, shift(w.first)), secondStays = lookThere(meetings, 1, shift(w.second));
+  inOneVoxel_ = firstStays & secondStays;
+  if (any(~inOneVoxel_)) look(walker_.field(), *looks_);
+
+  const Lanes found = columnOf<Lanes>(count, [&](size_t i) { return meetings[i].found->whole; });
+  Lanes elsewhere[2];
+  for (size_t point = 0; point < 2; ++point)
+    for (size_t lane = 0; lane < kMost; ++lane) {
+      const size_t look = point * kMost + lane;
+      elsewhere[point][lane] = looks_->wanted[look] ? looks_->found.whole[look] : 0.0f;
+    }
+  const Lanes first = firstStays ? found : elsewhere[0], second = secondStays ? found : elsewhere[1];
+  const Mask takesFirst = random.uniform() * (first + second) < first;
+  points_[0] = {takesFirst ? w.first.x : w.second.x, takesFirst ? w.first.y : w.second.y,
+                takesFirst ? w.first.z : w.second.z};
+  points_[1] = {takesFirst ? w.second.x : w.first.x, takesFirst ? w.second.y : w.first.y,
+                takesFirst ? w.second.z : w.first.z};
+  const Lanes own = broadcast<Lanes>(-1);
+  const Lanes lanes = {0, 1, 2, 3, 4, 5, 6, 7};
+  takenLook_ = takesFirst ? (elsewhere[0] > 0 ? lanes : own) : (elsewhere[1] > 0 ? lanes + kMost : own);
+}
+
+/// Of one of the points of each meeting, which leads so far from the light, in the world: for which the axis is in the
+/// very voxel that was found. For the others a look is wanted.
+LoomlightMeetings::Mask LoomlightMeetings::lookThere(std::span<const Meeting> meetings, size_t point,
+                                                     const Vectors& shift) {
+  const size_t count = meetings.size();
+  const glm::vec3 size = cloth_.volume->grid().size_mm;
+  Vectors inCloth = shift;
+  if (!cloth_.shell->isFlat()) {
+    const auto column = [&](int k) {
+      return columnsOf<Lanes>(count, [&](size_t i) { return cloth_.shell->tets()[meetings[i].found->tet].toCloth[k]; });
+    };
+    inCloth = shift.x * column(0) + shift.y * column(1) + shift.z * column(2);
+  }
+  const auto light = columnsOf<Lanes>(count, [&](size_t i) { return meetings[i].found->inCell_mm; });
+  const auto voxel = columnsOf<Lanes>(count, [&](size_t i) { return glm::vec3(meetings[i].found->voxel); });
+  const Vectors axis = light + inCloth;
+  const Vectors inVoxel = axis - Vectors{size.x * voxel.x, size.y * voxel.y, size.z * voxel.z};
+  const Mask stays = (inVoxel.x >= 0) & (inVoxel.y >= 0) & (inVoxel.z >= 0) & (inVoxel.x < size.x) &
+                     (inVoxel.y < size.y) & (inVoxel.z < size.z);
+  for (size_t lane = 0; lane < count; ++lane)
+    if (stays[lane] == 0) wantLook(meetings[lane], point * kMost + lane, {axis.x[lane], axis.y[lane], axis.z[lane]});
+  return stays;
+}
+
+/// Into the voxel around a point, which is counted from the corner of the cell in which the light is. Outside of the
+/// piece there is none.
+void LoomlightMeetings::wantLook(const Meeting& meeting, size_t lane, glm::vec3 axis_mm) {
+  glm::ivec3 cell = meeting.found->cell, voxel;
+  if (!cloth_.volume->locate(axis_mm, cell, voxel)) return;
+  LookLanes& l = *looks_;
+  l.wanted[lane] = 1;
+  cells_[lane] = cell;
+  for (int axis = 0; axis < 3; ++axis) {
+    l.direction[axis][lane] = meeting.direction[axis];
+    l.voxel[axis][lane] = voxel[axis];
+  }
+  if (const LocalDrape& drape = meeting.found->drape; !drape.isometric) {
+    for (int column = 0; column < 3; ++column)
+      for (int row = 0; row < 3; ++row) l.frame[column][row][lane] = drape.frame[column][row];
+    l.densityScale[lane] = drape.densityScale;
+  }
+  walker_.cells().fill(cell, l.cell, lane);
+}
+
+/// The component that a meeting is with.
+void LoomlightMeetings::choose(const Meeting& meeting, size_t lane, Fibres& fibres) {
+  const auto look = static_cast<int>(takenLook_[lane]);
+  if (look < 0) return chooseFound(meeting, lane, fibres);
+  const auto i = static_cast<size_t>(look);
+  const FoundLanes& there = looks_->found;
+  if (there.component[i] >= 0) return take(meeting, lane, cells_[i], there.component[i], there.slot[i], fibres);
+  VoxelContent content;
+  const glm::ivec3 voxel(looks_->voxel[0][i], looks_->voxel[1][i], looks_->voxel[2][i]);
+  walker_.cells().bricksIn(cells_[i]).content(*cloth_.volume, voxel, content);
+  chooseAmong(meeting, lane, content, fibres, WholeExtinction{});
+}
+
+/// In the voxel that the walk has found.
+void LoomlightMeetings::chooseFound(const Meeting& meeting, size_t lane, Fibres& fibres) {
+  const FoundFibres& found = *meeting.found;
+  if (found.component >= 0) return take(meeting, lane, found.cell, found.component, found.slot, fibres);
+  VoxelContent content;
+  walker_.cells().bricksIn(found.cell).content(*cloth_.volume, found.voxel, content);
+  if (!medium_.ingredients().hotSpot) return chooseAmong(meeting, lane, content, fibres, WholeExtinction{});
+  const CorrelatedShare share(meeting, lightOf(meeting), cloth_.volume->grid(), medium_.toClothOf(found.tet));
+  chooseAmong(meeting, lane, content, fibres, share);
+}
+
+template <class Share>
+void LoomlightMeetings::chooseAmong(const Meeting& meeting, size_t lane, const VoxelContent& content, Fibres& fibres,
+                                    const Share& share) {
+  const MetComponent met = chooseComponent(cloth_.yarns, content, meeting.found->drape, meeting.direction,
+                                           meeting.random->uniform(), EventLaw::projected, share);
+  fibres.put(lane, met.fibres, met.optics->fibreRadius_mm);
+  Collision& c = **meeting.met;
+  c.optics = *met.optics;
+  c.yarnId = met.yarnId;
+  c.yarn = met.yarn;
+  c.end = content.end;
+  c.pick = content.pick;
+}
+
+/// The one component of a voxel, in the brick at that slot of its cell.
+void LoomlightMeetings::take(const Meeting& meeting, size_t lane, glm::ivec3 cell, int component, int slot,
+                             Fibres& fibres) {
+  const ClothVolume::CellBricks::Brick& brick = walker_.cells().bricksIn(cell).bricks[static_cast<size_t>(slot)];
+  Collision& c = **meeting.met;
+  c.optics = cloth_.yarns[static_cast<size_t>(brick.system)][static_cast<size_t>(brick.yarn)];
+  c.yarnId = {brick.system, brick.index};
+  c.yarn = brick.yarn;
+  c.end = cell.x;
+  c.pick = cell.y;
+  fibres.put(lane, inWorld(cloth_.volume->components()[component].decode(), meeting.found->drape),
+             c.optics.fibreRadius_mm);
+}
+
+}  // namespace loomlight

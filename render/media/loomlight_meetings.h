@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "render/media/loomlight_medium.h"
+
+namespace loomlight {
+
+/// Makes collisions of what rays have found in the voxels of LoomlightMedium, eight rays side by side: where the axis
+/// of the fibre lies, of which component it is, and its tangent. For one thread; the medium and the walker must outlive
+/// it.
+class LoomlightMeetings {
+ public:
+  static constexpr size_t kMost = 8;
+  /// A ray of a path that has found fibres.
+  struct Meeting {
+    const FoundFibres* found = nullptr;
+    const ScenePoint* from = nullptr;  ///< where the ray began
+    glm::vec3 direction{0, 0, -1};
+    Random* random = nullptr;
+    LoomlightMedium::Memory* memory = nullptr;  ///< of the path; how the fibre was met is kept in it
+    std::optional<Collision>* met = nullptr;    ///< takes the collision
+  };
+
+  LoomlightMeetings(const LoomlightMedium& medium, LaneWalker& walker);
+
+  /// At most kMost. What becomes of one does not depend on the others.
+  void meet(std::span<const Meeting> meetings);
+
+ private:
+  using Lanes = Float32x8;
+  using Mask = MaskOf<Lanes>;
+  using Vectors = Vec3Of<Lanes>;
+  /// Which fibres each meeting is with.
+  struct Fibres;
+  void lookForAxes(std::span<const Meeting> meetings, const Vectors& direction, RandomLanes<Lanes>& random);
+  Mask lookThere(std::span<const Meeting> meetings, size_t point, const Vectors& shift);
+  void wantLook(const Meeting& meeting, size_t lane, glm::vec3 axis_mm);
+  void choose(const Meeting& meeting, size_t lane, Fibres& fibres);
+  void chooseFound(const Meeting& meeting, size_t lane, Fibres& fibres);
+  template <class Share>
+  void chooseAmong(const Meeting& meeting, size_t lane, const VoxelContent& content, Fibres& fibres,
+                   const Share& share);
+  void take(const Meeting& meeting, size_t lane, glm::ivec3 cell, int component, int slot, Fibres& fibres);
+
+  const LoomlightMedium& medium_;
+  const TraceData& cloth_;
+  LaneWalker& walker_;
+  std::unique_ptr<LookLanes> looks_;            ///< of each meeting one from its first point, then one from its second
+  std::array<glm::ivec3, kWalkLanes> cells_{};  ///< in which they look
+  // Of one call:
+  std::array<Vectors, 2> points_{};  ///< the two that axes were looked for by, the one that was taken first
+  Lanes takenLook_{};                ///< the look whose voxel the axis is in; -1: the voxel that was found
+  Mask inOneVoxel_{};                ///< both points led into the voxel that was found
+};
+
+}  // namespace loomlight
