@@ -45,8 +45,7 @@ TEST(ReachedColours, AreThoseOfThePicture) {
     for (int yarn = 0; yarn < 2; ++yarn) {
       const auto i = static_cast<size_t>(yarn);
       const Rgb rendered = renderedColour(fabric, yarn);
-      EXPECT_LT(colourDifference(reached[i], rendered), kChip)
-          << "lamp " << static_cast<int>(lamp) << ", yarn " << i;
+      EXPECT_LT(colourDifference(reached[i], rendered), kChip) << "lamp " << static_cast<int>(lamp) << ", yarn " << i;
       EXPECT_LT(colourDifference((*soon)[i], rendered), kSoon) << "lamp " << static_cast<int>(lamp) << ", yarn " << i;
     }
   }
