@@ -13,6 +13,11 @@ def bell(centre_nm, width_nm, height):
     return [round(height * math.exp(-(((380 + 10 * j - centre_nm) / width_nm) ** 2)), 4) for j in range(36)]
 
 
+def without_progress(messages):
+    """A machine that is slow today also hears how far the work has come."""
+    return [line for line in messages.splitlines() if not line.startswith("tracing light")]
+
+
 class Colour(CommandLineTest):
     def cloth(self, absorption):
         fabric = {**CLOSED, "fibres": [{"name": "fibre", "radius_um": 9, "absorption_per_mm": absorption}]}
@@ -43,7 +48,7 @@ class Colour(CommandLineTest):
             self.assertEqual((under["ciede2000"], under["cmc_2_1"], under["metamerism_index"]), (0, 0, 0))
             self.assertTrue(under["passes"])
         said = self.run_program("colour", self.cloth([24, 8, 2]), "--standard", "standard.json", status=3)
-        self.assertEqual(said, "", "it is no error")
+        self.assertEqual(without_progress(said), [], "it is no error")
         self.run_program("colour", self.cloth([24, 8, 2]), "--standard", "none.json", status=1)
         said = self.run_program("colour", self.cloth([24, 8, 2]), "--standard", "standard.json", "--tolerance", "50")
         self.assertIn("pass", said)
@@ -106,7 +111,7 @@ class Colour(CommandLineTest):
             said = json.loads(self.run_program("colour", "two.json", "--part", other, *words))
             self.assertEqual(said["part"], "yarn 1 'warp'")
         text = self.run_program("colour", "two.json", "--part", "warp", "--standard-part", "brown", status=3, messages=True)
-        self.assertEqual(text, "", "a FAIL is no error")
+        self.assertEqual(without_progress(text), [], "a FAIL is no error")
         said = self.run_program("colour", "two.json", "--part", "red", status=1)
         self.assertIn("yarn 1 'warp', yarn 2 'brown', yarn 3 'twin', 1 'navy', 2 'brown', 3 'hidden', or 'piece'", said)
         said = self.run_program("colour", "two.json", "--part", "hidden", status=1)
