@@ -1,8 +1,10 @@
 """Ctrl-C keeps what has been rendered, and it can be gone on with."""
 
+import os
 import signal
+import subprocess
 
-from harness import HANGS_S, CommandLineTest, main, samples_said
+from harness import HANGS_S, LOOMLIGHT, ROOT, CommandLineTest, main, samples_said
 
 
 class Interrupt(CommandLineTest):
@@ -29,6 +31,28 @@ class Interrupt(CommandLineTest):
         process.communicate(timeout=HANGS_S)
         self.assertEqual(process.returncode, 130)
         self.assertTrue((self.folder / "part.png").exists())
+
+    def test_a_part_of_a_farm_that_is_asked_to_end_is_gone_on_with(self):
+        size, samples = "48x32", 400
+        words = [ROOT / "samples/farm/part", 0, 1, 1, self.fabric(), "out.exr", size, samples, "--progress", "json"]
+        part = subprocess.Popen(list(map(str, words)), cwd=self.folder, stdin=subprocess.DEVNULL,
+                                stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
+                                env={**os.environ, "LOOMLIGHT": LOOMLIGHT}, start_new_session=True)
+        self.addCleanup(part.stderr.close)
+        while '"rendering"' not in (line := part.stderr.readline()):
+            self.assertNotEqual(line, "", "it ended before it was stopped")
+        os.killpg(part.pid, signal.SIGTERM)  # the script and the program alike, as Slurm does at a limit of time
+        said = part.stderr.read()
+        self.assertEqual(part.wait(timeout=HANGS_S), 130, said)
+        parts = self.folder / "out.exr.parts"
+        self.assertEqual([file.name for file in parts.iterdir()], ["kept.0.exr"], said)
+        again = subprocess.run(list(map(str, words)), cwd=self.folder, stdin=subprocess.DEVNULL, capture_output=True,
+                               env={**os.environ, "LOOMLIGHT": LOOMLIGHT}, timeout=HANGS_S, text=True)
+        self.assertEqual(again.returncode, 0, again.stderr)
+        self.assertEqual([file.name for file in parts.iterdir()], ["part.0.exr"])
+        self.run_program("merge", "out.exr.parts/part.0.exr", "-o", "out.exr")
+        self.run_program("render", self.fabric(), "-o", "whole.exr", "--size", size, "--spp", samples)
+        self.assertEqual(self.bytes_of("out.exr"), self.bytes_of("whole.exr"))
 
 
 main()
