@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/memory.h"
 #include "render/display/patch.h"
 #include "render/display/recolour.h"
 #include "render/display/reframe.h"
@@ -107,6 +108,8 @@ void Tracer::trace(const Wanted& wanted, const Tracing::Job& job) {
     bring(job);
     if (job.isStopped()) return;
   }
+  // Cloths and pictures come and go with every edit; nobody waits for anything now.
+  if (nextToTrace() == Subject::none) releaseFreeMemory();
 }
 
 /// A scene that has come during a pause is shown all the same, by its first pass.

@@ -8,6 +8,7 @@ import os
 import random
 import string
 import subprocess
+import time
 
 from small_cloth import small_cloth
 from window_driver import Failure, expect, read_json, run, window
@@ -87,6 +88,11 @@ class Hand:
         if any(shown.startswith("browser.") for shown in self.editor.widgets()):
             self.editor.key("Escape")  # files are for other tests
 
+    def rest(self):
+        """Until the picture is finished: then the editor hands back what it no longer needs."""
+        self.editor.wait_until("the picture is at rest", lambda: self.editor.fact("phase") in ("converged", "idle"))
+        time.sleep(0.5)
+
     def come_back(self):
         """Closes whatever is open, and undoes."""
         for _ in range(8):
@@ -117,6 +123,7 @@ def test():
                     hand.act()
                 hand.come_back()
                 expect(editor.fact("error") == "", editor.fact("error"))
+                hand.rest()
                 memory.append(memory_mb(editor.process))
         except Failure as failure:
             raise Failure(f"seed {SEED}, part {part}: {failure}\nafter: " + "; ".join(hand.done[-60:])) from failure
