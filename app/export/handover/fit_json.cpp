@@ -29,6 +29,7 @@ Json sideJson(const DigitalSide& side, const SideTextures& textures) {
         {"anisotropy", fit.surface.anisotropy},
         {"sheen_color_linear", colour(fit.surface.sheenColour)},
         {"sheen_roughness", fit.surface.sheenRoughness},
+        {"normal_strength", fit.normalStrength},
         {"reflected_weight", colour(fit.reflectedWeight)},
         {"transmitted_weight", colour(fit.transmittedWeight)}}},
       {"fit",

@@ -9,6 +9,7 @@
 #include "app/export/handover/cloth_facts.h"
 #include "app/export/handover/fit_json.h"
 #include "app/export/handover/gltf.h"
+#include "app/export/handover/jfab.h"
 #include "app/export/handover/materialx.h"
 #include "app/export/handover/restricted_zip.h"
 #include "app/export/handover/textures.h"
@@ -90,6 +91,7 @@ HandoverReport writeHandover(const std::string& folder, const std::string& name,
   written(name + "_back.glb", glbBytes(cloth, ClothSide::back, scratch));
   written(name + ".mtlx", materialXText(cloth, ClothSide::front, front));
   written(name + "_back.mtlx", materialXText(cloth, ClothSide::back, back));
+  written(name + ".jfab", jfabText(cloth, front));
   written(name + ".handover.json", sidecar(cloth, front, back));
   report.lines = {fitLine("front", cloth.front.fit), fitLine("back", cloth.back.fit)};
   return report;

@@ -51,6 +51,10 @@ float leftBySheen(const Principled& surface, const SheenAlbedo& sheen, float cos
 
 }  // namespace
 
+glm::vec3 flattened(glm::vec3 normal, float strength) {
+  return glm::normalize(glm::vec3(strength * normal.x, strength * normal.y, normal.z));
+}
+
 SheenAlbedo::SheenAlbedo(float sheenRoughness) {
   constexpr int kAzimuths = 24, kCosines = 24;
   const float alpha = sheenRoughness * sheenRoughness;

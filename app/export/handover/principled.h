@@ -34,6 +34,9 @@ struct PrincipledPoint {
   Rgb reflected{0}, transmitted{0};  ///< of the diffuse parts, linear
 };
 
+/// A normal whose slopes are `strength` times as steep, 0..1.
+glm::vec3 flattened(glm::vec3 normal, float strength);
+
 /// Albedo of the sheen of colour 1 in light from (or a view into) a direction, over its cosine with the normal: one
 /// roughness, made once for many evaluations.
 class SheenAlbedo {

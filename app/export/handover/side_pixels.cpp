@@ -25,7 +25,7 @@ SidePixel sidePixel(const DigitalSide& side, size_t pixel) {
   out.reflected = glm::clamp(side.fit.reflectedWeight * at.reflected, 0.0f, 1.0f);
   out.transmitted = glm::clamp(side.fit.transmittedWeight * at.transmitted, 0.0f, 1.0f);
   out.opacity = side.maps.tile.opacity[pixel];
-  out.normal = at.normal;
+  out.normal = flattened(at.normal, side.fit.normalStrength);
   out.drawnOut = at.drawnOut;
   out.roughness = std::clamp(side.fit.surface.roughness * at.roughnessScale, 0.05f, 1.0f);
   out.anisotropy = side.fit.surface.anisotropy * at.anisotropyScale;

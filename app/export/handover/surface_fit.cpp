@@ -1,8 +1,12 @@
-// How it works. The unknowns are the five numbers of the principled surface (with a sheen of three channels: seven) and
-// three weights of the colour maps. A prediction is what a renderer would show of the patch: the mean over pixels,
-// each with its normal, axis and colours. Residuals are the differences of reflectance factors, times the root of the
-// projected solid angle, so that what they sum up to is power, and grazing directions do not rule the fit. A wide and
-// a narrow gloss, with and without sheen, are tried as starts, as the sum of squares has more than one valley.
+// How it works. The unknowns are the five numbers of the principled surface (with a sheen of three channels: seven),
+// three weights of the colour maps and one of the normals. A prediction is what a renderer would show of the patch: the
+// mean over pixels, each with its normal, axis and colours; and, with as much weight, one pixel of their means, which
+// programs show that filter maps from afar. A gloss fitted to pixels alone is narrow, as their normals spread it, and
+// from afar it would be a mirror's. Residuals are the differences of ln(1 + factor / mean) of each channel, times the
+// root of the projected solid angle: dark cloths are twenty times as bright at a glance along them as from above, which
+// would count for all the rest, and a fit of the factors themselves shows them pale from above (Loew et al. 2012 fit
+// logarithms for the same reason). A wide and a narrow gloss, with and without sheen, are tried as starts, as the sum
+// of squares has more than one valley.
 #include "app/export/handover/surface_fit.h"
 
 #include <algorithm>
@@ -22,7 +26,8 @@ enum Parameter {
   kSheenRoughness,
   kSheen,
   kReflected = kSheen + 3,
-  kCount = kReflected + 3
+  kNormals = kReflected + 3,
+  kCount
 };
 
 SurfaceFit surfaceOf(std::span<const double> values) {
@@ -32,6 +37,7 @@ SurfaceFit surfaceOf(std::span<const double> values) {
   fit.surface.roughness = at(kRoughness);
   fit.surface.anisotropy = at(kAnisotropy);
   fit.surface.sheenRoughness = at(kSheenRoughness);
+  fit.normalStrength = at(kNormals);
   for (int c = 0; c < 3; ++c) {
     fit.surface.sheenColour[c] = at(kSheen + c);
     fit.reflectedWeight[c] = at(kReflected + c);
@@ -43,11 +49,13 @@ std::vector<Unknown> unknownsFrom(double roughness, double sheen) {
   // A weight near 0 would leave a map that is black in that channel: where the gloss of the fit is too bright in one
   // colour, the map still has the hue of the cloth.
   constexpr double kLeastWeight = 0.5;
+  constexpr double kLeastSlopes = 0.5;  // flat maps would fit most cloths best, and show no thread
   std::vector<Unknown> unknowns(kCount, {1, kLeastWeight, 2});
   unknowns[kSpecular] = {0.5, 0, 1};
   unknowns[kRoughness] = {roughness, 0.1, 1};
   unknowns[kAnisotropy] = {0.3, 0, 1};
   unknowns[kSheenRoughness] = {0.5, 0.15, 1};
+  unknowns[kNormals] = {0.75, kLeastSlopes, 1};
   for (int c = 0; c < 3; ++c) unknowns[size_t{kSheen} + static_cast<size_t>(c)] = {sheen, 0, 1};
   return unknowns;
 }
@@ -68,6 +76,13 @@ FitError errorOf(const SurfaceFit& fit, std::span<const SurfaceSample> samples, 
   error.rms = std::sqrt(std::max(0.0, error.rms - error.noise) / weights);
   error.noise = std::sqrt(error.noise / weights);
   return error;
+}
+
+/// With the normals that the maps of this fit have.
+std::vector<SurfaceSample> asFitted(std::span<const SurfaceSample> samples, const SurfaceFit& fit) {
+  std::vector<SurfaceSample> fitted(samples.begin(), samples.end());
+  for (SurfaceSample& sample : fitted) sample.point.normal = flattened(sample.point.normal, fit.normalStrength);
+  return fitted;
 }
 
 /// All pixels seen as one.
@@ -99,17 +114,34 @@ std::vector<SurfaceSample> fromAfar(std::span<const SurfaceSample> samples) {
   return {mean};
 }
 
+/// Of the factors, by weight; a channel that is nearly black counts by the brightest.
+Rgb meanFactor(std::span<const Observation> seen) {
+  constexpr float kLeastShare = 0.01f;
+  Rgb sum(0);
+  float weights = 0;
+  for (const Observation& one : seen) {
+    sum += one.weight * one.factor;
+    weights += one.weight;
+  }
+  const Rgb mean = sum / weights;
+  return glm::max(mean, Rgb(std::max(1e-6f, kLeastShare * std::max({mean.r, mean.g, mean.b}))));
+}
+
 LeastSquares fitFrom(std::span<const Unknown> unknowns, std::span<const SurfaceSample> samples,
                      std::span<const Observation> seen) {
+  const Rgb mean = meanFactor(seen);
+  const auto brightness = [mean](const Rgb& factor) { return glm::log(Rgb(1) + glm::max(factor, Rgb(0)) / mean); };
   return leastSquares(unknowns, [&](std::span<const double> values) {
     const SurfaceFit fit = surfaceOf(values);
     const SheenAlbedo sheen(fit.surface.sheenRoughness);
+    const std::vector<SurfaceSample> near = asFitted(samples, fit), afar = fromAfar(near);
     std::vector<double> residuals;
-    residuals.reserve(3 * seen.size());
-    for (const Observation& one : seen) {
-      const Rgb difference = predictedFactor(fit, sheen, samples, one) - one.factor;
-      for (int c = 0; c < 3; ++c) residuals.push_back(std::sqrt(one.weight) * difference[c]);
-    }
+    residuals.reserve(6 * seen.size());
+    for (const auto* patch : {&near, &afar})
+      for (const Observation& one : seen) {
+        const Rgb difference = brightness(predictedFactor(fit, sheen, *patch, one)) - brightness(one.factor);
+        for (int c = 0; c < 3; ++c) residuals.push_back(std::sqrt(0.5 * one.weight) * difference[c]);
+      }
     return residuals;
   });
 }
@@ -157,10 +189,11 @@ SurfaceFit fitSurface(std::span<const SurfaceSample> samples, std::span<const Ob
   const auto best = std::min_element(fits.begin(), fits.end(),
                                      [](const LeastSquares& a, const LeastSquares& b) { return a.sum < b.sum; });
   SurfaceFit fit = surfaceOf(best->values);
-  fit.transmittedWeight = transmittedWeight(fit, samples, transmitted);
-  fit.reflected = errorOf(fit, samples, reflected);
-  fit.transmitted = errorOf(fit, samples, transmitted);
-  fit.fromAfar = errorOf(fit, fromAfar(samples), reflected);
+  const std::vector<SurfaceSample> near = asFitted(samples, fit);
+  fit.transmittedWeight = transmittedWeight(fit, near, transmitted);
+  fit.reflected = errorOf(fit, near, reflected);
+  fit.transmitted = errorOf(fit, near, transmitted);
+  fit.fromAfar = errorOf(fit, fromAfar(near), reflected);
   return fit;
 }
 

@@ -31,19 +31,25 @@ struct FitError {
 /// The principled surface that stands for one side of a cloth, and how well it does.
 struct SurfaceFit {
   Principled surface;
+  /// What the slopes of the normals are multiplied by: geometry is steeper than what a surface without shadows can
+  /// show.
+  float normalStrength = 1;
   /// What the maps of reflected and transmitted light are multiplied by to be those of the diffuse parts.
   Rgb reflectedWeight{1}, transmittedWeight{1};
   FitError reflected, transmitted;
   FitError fromAfar;  ///< of reflected light, where all pixels are seen as one: their mean normal and mean colour
 };
 
-/// Fits the parameters to what was measured, by least squares over directions (least_squares.h), from several starts;
+/// Fits the parameters to what was measured, by least squares of logarithms over directions (least_squares.h), from
+/// several starts;
 /// the transmitted light then takes a weight alone. What the fit predicts of a patch is the mean over `samples`, each
-/// as a surface of its own. `samples`, `reflected`, `transmitted`: at least one of each.
+/// as a surface of its own, and, with as much weight, all of them seen as one: garments are looked at from so far that
+/// programs average the maps. `samples`, `reflected`, `transmitted`: at least one of each.
 SurfaceFit fitSurface(std::span<const SurfaceSample> samples, std::span<const Observation> reflected,
                       std::span<const Observation> transmitted, int threads = 0);
 
-/// What a fitted patch sends on, as an observation of it would be; its in, out alone are read.
+/// What a fitted patch sends on, as an observation of it would be; its in, out alone are read. The normals of `samples`
+/// are taken as they are.
 Rgb predictedFactor(const SurfaceFit& fit, const SheenAlbedo& sheen, std::span<const SurfaceSample> samples,
                     const Observation& seen);
 

@@ -13,7 +13,7 @@ class Handover(CommandLineTest):
         said = self.run_program("handover", self.fabric(), "-o", "out", *FEW)
         self.assertIn("RMS over directions", said)
         folder = self.folder / "out"
-        for ending in (".u3m", ".u3ma", ".glb", "_back.glb", ".mtlx", "_back.mtlx", ".handover.json"):
+        for ending in (".u3m", ".u3ma", ".glb", "_back.glb", ".mtlx", "_back.mtlx", ".jfab", ".handover.json"):
             self.assertTrue((folder / f"small_twill{ending}").stat().st_size > 0, ending)
         sidecar = json.loads((folder / "small_twill.handover.json").read_text())
         for side in ("front", "back"):

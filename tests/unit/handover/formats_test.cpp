@@ -201,6 +201,25 @@ TEST_F(HandedOver, TheMaterialXNamesFilesThatAreThere) {
   EXPECT_EQ(found, 6);
 }
 
+TEST_F(HandedOver, TheFabricOfCloHasMassThicknessAndItsPictureAtTrueSize) {
+  const Json json = Json::parse(read("two_sides.jfab"));
+  EXPECT_EQ(json["qsFabricNameUTF8"], cloth->fabric.name);
+  const Json& physical = json["mapPhysical"];
+  EXPECT_NEAR(1e6 * physical["fDensity"].get<double>(), cloth->measures.arealMass_g_m2, 1e-9);
+  EXPECT_NEAR(physical["fThickness"].get<double>(), cloth->measures.thickness_mm, 1e-9);
+  const Json& texture = json["mapMaterial2D"]["listFaceMaterial"][0]["listTexture"][0];
+  EXPECT_EQ(readPngExtent((folder->path() / texture["qsFileName"].get<std::string>()).string()).width,
+            cloth->front.maps.tile.width);
+  EXPECT_NEAR(texture["v2Size"][0].get<double>(), cloth->width_mm(), 1e-9);
+  EXPECT_NEAR(texture["v2Size"][1].get<double>(), cloth->height_mm(), 1e-9);
+  int percent = 0;
+  const std::string content = json["fabricContent"];
+  const std::regex share("([0-9]+)% ");
+  for (std::sregex_iterator i(content.begin(), content.end(), share), none; i != none; ++i)
+    percent += std::stoi((*i)[1]);
+  EXPECT_NEAR(percent, 100, 1) << content;
+}
+
 TEST(ClothFacts, WeavesHaveTheNamesOfTheTrade) {
   EXPECT_EQ(constructionOf(plainWeave()).type, "Plain weave");
   EXPECT_EQ(constructionOf(twill(2, 1, Slant::z)).type, "Twill - right hand (Z)");

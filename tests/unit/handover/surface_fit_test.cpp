@@ -57,12 +57,20 @@ void show(const SurfaceFit& truth, std::span<const SurfaceSample> samples, std::
 
 class FitOfKnown : public testing::TestWithParam<Principled> {};
 
+/// One surface all over, which looks the same from near and from afar.
+std::vector<SurfaceSample> evenSamples() {
+  std::vector<SurfaceSample> samples = wovenSamples();
+  for (SurfaceSample& sample : samples) sample = samples.front();
+  for (SurfaceSample& sample : samples) sample.point.normal = {0, 0, 1};
+  return samples;
+}
+
 TEST_P(FitOfKnown, TheModelsOwnLobesGiveTheirParametersBack) {
   SurfaceFit truth;
   truth.surface = GetParam();
   truth.reflectedWeight = Rgb(0.8f, 0.9f, 1.1f);
   truth.transmittedWeight = Rgb(1.2f, 0.7f, 1.0f);
-  const std::vector<SurfaceSample> samples = wovenSamples();
+  const std::vector<SurfaceSample> samples = evenSamples();
   std::vector<Observation> reflected = halfDomes(false), transmitted = halfDomes(true);
   show(truth, samples, reflected);
   show(truth, samples, transmitted);
@@ -95,6 +103,49 @@ TEST(SurfaceFit, StatesTheErrorOfWhatItCannotFit) {
   for (Observation& one : transmitted) one.factor = Rgb(0.1f);
   const SurfaceFit fit = fitSurface(samples, reflected, transmitted);
   EXPECT_GT(fit.reflected.rms, 0.3 * fit.reflected.mean);
+}
+
+/// Of samples without anisotropy.
+SurfaceSample meanOf(std::span<const SurfaceSample> samples) {
+  SurfaceSample mean = samples.front();
+  mean.point.normal = glm::vec3(0);
+  mean.point.reflected = Rgb(0);
+  for (const SurfaceSample& sample : samples) {
+    mean.point.normal += sample.point.normal;
+    mean.point.reflected += sample.point.reflected / static_cast<float>(samples.size());
+  }
+  mean.point.normal = glm::normalize(mean.point.normal);
+  return mean;
+}
+
+double rmsOf(const SurfaceFit& fit, const SurfaceSample& sample, std::span<const Observation> seen) {
+  const SheenAlbedo sheen(fit.surface.sheenRoughness);
+  double sum = 0, weights = 0;
+  for (const Observation& one : seen) {
+    const Rgb difference = predictedFactor(fit, sheen, {&sample, 1}, one) - one.factor;
+    sum += one.weight * glm::dot(difference, difference) / 3;
+    weights += one.weight;
+  }
+  return std::sqrt(sum / weights);
+}
+
+/// Threads of narrow gloss whose normals spread it: the gloss of one pixel, seen from afar without their spread, would
+/// be a mirror's, with an error of many times the mean.
+TEST(SurfaceFit, StandsForTheClothFromAfarToo) {
+  std::vector<SurfaceSample> samples = wovenSamples();
+  for (SurfaceSample& sample : samples) {
+    sample.point.reflected *= 0.1f;
+    sample.point.normal = glm::normalize(glm::vec3(3, 3, 1) * sample.point.normal);
+  }
+  SurfaceFit truth;
+  truth.surface = {1, 0.3f, 0, Rgb(0), 0.5f};
+  std::vector<Observation> reflected = halfDomes(false), transmitted = halfDomes(true);
+  show(truth, samples, reflected);
+  show(truth, samples, transmitted);
+  const SurfaceFit fit = fitSurface(samples, reflected, transmitted);
+  EXPECT_LT(fit.fromAfar.rms, 0.25 * rmsOf(truth, meanOf(samples), reflected)) << "no better than that of the pixels";
+  EXPECT_GT(fit.surface.roughness, 1.3 * truth.surface.roughness) << "the spread of the normals is in the gloss now";
+  EXPECT_GE(fit.normalStrength, 0.5f) << "the maps still show threads";
 }
 
 /// A dark blue cloth whose highlights are blue too, which no gloss of a dielectric is: red is too little everywhere.
