@@ -47,7 +47,7 @@ T misWeight(T own, T other) {
 /// How likely a collision looks for a lamp; see PathIntegrator::lightSamplingProbability().
 template <class T>
 T chanceToLook(T value) {
-  constexpr float kCertain = 0.5f, kLeast = 0.05f;
+  constexpr float kCertain = 0.2f, kLeast = 0.05f;
   return most(broadcast<T>(kLeast), least(value / kCertain, broadcast<T>(1)));
 }
 
