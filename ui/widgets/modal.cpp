@@ -36,7 +36,8 @@ bool beginModal(Ui& ui, const char* title, ImVec2 size, bool& open, bool& openin
                                     ImGuiWindowFlags_NoSavedSettings);
   if (!open) return false;
   // As it is before the fields answer to the keys of this frame.
-  ui.memory.keysAreTaken = ui.memory.typing != 0 || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId) || opensNow;
+  const bool isTyping = ui.memory.typing != 0 && ImGui::GetFrameCount() - ui.memory.typedAt <= 1;
+  ui.memory.keysAreTaken = isTyping || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId) || opensNow;
   const std::string text(title);
   heading(ui, text.substr(0, text.find("##")).c_str());
   ImGui::Dummy(ImVec2(0, ui.px(4)));

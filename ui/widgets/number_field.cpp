@@ -119,6 +119,7 @@ bool typeValue(Ui& ui, const NumberStyle& style, double& value, ImGuiID id, floa
   ImGui::SetNextItemWidth(width);
   if (memory.justOpened) ImGui::SetKeyboardFocusHere();
   ImGui::PushItemFlag(ImGuiItemFlags_NoTabStop, true);  // Tab is ours
+  memory.typedAt = ImGui::GetFrameCount();
   const bool confirmed = ImGui::InputText("##text", &memory.text,
                                           ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   ImGui::PopItemFlag();
@@ -126,6 +127,14 @@ bool typeValue(Ui& ui, const NumberStyle& style, double& value, ImGuiID id, floa
   const bool cancelled = ImGui::IsItemDeactivated() && keyPressed(ImGuiKey_Escape);
   const bool left = ImGui::IsItemDeactivated() && !memory.justOpened;
   memory.justOpened = false;
+  // A dialog that opens in the same moment takes the keys before the text has them, and would never close by Escape.
+  constexpr int kFramesToListen = 4;
+  memory.unheard = ImGui::IsItemActive() ? 0 : memory.unheard + 1;
+  if (memory.unheard > 0) ui.wakeWithin(0);
+  if (memory.unheard > kFramesToListen) {
+    memory.typing = 0;
+    return false;
+  }
   if (cancelled) {
     memory.typing = 0;
     memory.tabOrder.standOn(id, true);
@@ -152,6 +161,8 @@ void openText(Ui& ui, const NumberStyle& style, double value, ImGuiID id) {
   ui.memory.typing = id;
   ui.memory.text = written(style, value);
   ui.memory.justOpened = true;
+  ui.memory.typedAt = ImGui::GetFrameCount();
+  ui.memory.unheard = 0;
   ui.wakeWithin(0);
 }
 

@@ -76,6 +76,33 @@ TEST_F(Fields, EscapeRestoresANumber) {
   EXPECT_EQ(editor.saved().ends_per_cm, before);
 }
 
+/// Random actions once left a dialog that no Escape closed: the field that Tab had come to lay behind it.
+TEST(FieldsBehindADialog, DoNotKeepItsEscape) {
+  HeadlessEditor editor{{960, 600, 1}};  // where the list of presets has room, and not all fields have
+  editor.start(smallTwill());
+  editor.click("tab.cloth");
+  const auto presets = [&] {
+    editor.click("presets.browse");
+    editor.until("the presets are shown", [&] { return editor.fact("dialog") == "open"; });
+    editor.key("Escape");
+    editor.until("they are closed", [&] { return editor.fact("dialog") == "none"; });
+  };
+  const auto goBack = [&] {
+    editor.hold("shift");
+    editor.key("Tab");
+    editor.let("shift");
+  };
+  editor.click("cloth.press");
+  presets();
+  for (int i = 0; i < 4; ++i) {
+    goBack();
+    presets();
+    goBack();
+    editor.key("x");
+    presets();
+  }
+}
+
 TEST_F(Fields, OneUndoTakesBackOneField) {
   const double before = smallTwill().ends_per_cm;
   editor.click("cloth.name");
