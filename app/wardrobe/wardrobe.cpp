@@ -14,7 +14,8 @@ namespace {
 constexpr const char* kNap = "the nap that raising makes, which a gauge rests on, is not modelled";
 constexpr Allowance kRaisedSuiting{0.40, kNap}, kRaisedBlanket{0.70, kNap},
     kDeepens{0.70, "the cells of a honeycomb deepen as it shrinks, which is not modelled"},
-    kSpreads{0.35, "filaments with hardly a twist spread at crossings more than the law of pressing lets them"};
+    kSpreads{0.35, "filaments with hardly a twist spread at crossings more than the law of pressing lets them"},
+    kCrinkles{0.35, "crepe yarns crinkle as the cloth shrinks, which is not modelled"};
 
 const WardrobeCloth kCloths[] = {
     {"poplin",
@@ -116,7 +117,7 @@ const WardrobeCloth kCloths[] = {
      "Georgette",
      kWardrobeGeorgette,
      {"20/22 den: 2 crepe x 50 / 2 crepe x 43 per cm", 35, 0.16, 0.55,
-      "mass: by its name, 8 momme (merchants: 8 to 12); construction, thickness: recalled, 0.14 to 0.18"}},
+      "mass: by its name, 8 momme (merchants: 8 to 12); construction, thickness: recalled, 0.14 to 0.18", kCrinkles}},
     {"organza",
      "Organza",
      kWardrobeOrganza,

@@ -6,26 +6,37 @@
 namespace loomlight {
 namespace {
 
-double mass(const YarnGeometry& yarn) {
-  return yarn.fibreArea_mm2 * yarn.fibreDensity_g_cm3;
+/// How hard a yarn is to lift at a crossing, by its float state: as a beam under the loom's tension over one pitch.
+/// Tension goes by the mass, and bending stiffness by its square (equal fibres).
+double stiffness(const YarnGeometry& yarn, size_t floatState) {
+  // Over tension, mm2 for a yarn of 1 g/m. A yarn that bends both ways is held level at both ends; a float hardly is.
+  constexpr std::array<double, 2> kBending = {20, 1};
+  const double mass_g_m = yarn.fibreArea_mm2 * yarn.fibreDensity_g_cm3;
+  return mass_g_m / yarn.pitch_mm * (1 + kBending[floatState] * mass_g_m / (yarn.pitch_mm * yarn.pitch_mm));
 }
 
 }  // namespace
 
 Crossing cross(const YarnGeometry& warp, const YarnGeometry& weft, double balance) {
-  constexpr double kYielding = 2.5;
-  const double toOne = std::pow(warp.pitch_mm / weft.pitch_mm, kYielding) * std::pow(mass(weft) / mass(warp), 2);
-  const double warpShare = 1 - 1 / (1 + balance * toOne);
+  constexpr size_t kInFloat = kFloatStates - 1;
   const double warpMost = 0.5 * steepestClimb_mm(warp.pitch_mm), weftMost = 0.5 * steepestClimb_mm(weft.pitch_mm);
   Crossing c;
-  for (size_t state = 0; state < kFloatStates; ++state) {
+  for (size_t state = 0; state < kInFloat; ++state) {
     const double apart = warp.rest_mm[state] + weft.rest_mm[state];
+    const double warpShare = 1 - 1 / (1 + balance * stiffness(weft, state) / stiffness(warp, state));
     double& warpHeight = c.warpHeight_mm[state];
     double& weftHeight = c.weftHeight_mm[state];
     warpHeight = std::min(apart * warpShare, warpMost);
     weftHeight = std::min(apart - warpHeight, weftMost);
     warpHeight = std::min(apart - weftHeight, warpMost);
   }
+  const auto inFloat = [](double end, double rest, double otherEnd, double otherRest) {
+    return std::max(end, rest + otherRest - std::max(otherEnd, otherRest));
+  };
+  const double warpEnd = c.warpHeight_mm[kInFloat - 1], weftEnd = c.weftHeight_mm[kInFloat - 1];
+  const double warpRest = warp.rest_mm[kInFloat], weftRest = weft.rest_mm[kInFloat];
+  c.warpHeight_mm[kInFloat] = std::min(inFloat(warpEnd, warpRest, weftEnd, weftRest), warpMost);
+  c.weftHeight_mm[kInFloat] = std::min(inFloat(weftEnd, weftRest, warpEnd, warpRest), weftMost);
   return c;
 }
 

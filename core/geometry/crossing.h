@@ -14,10 +14,13 @@ struct Crossing {
   bool operator==(const Crossing&) const = default;
 };
 
-/// The yarns rest on each other, and share the height by how readily they bend: stiffness goes by the square of the
-/// mass (equal fibres), what a length between crossings yields by its power of 2.5, between bending (3) and tension
-/// (1). `balance` (1) multiplies the warp's share against the weft's. No yarn climbs steeper than kSteepestPath: where
-/// the pitch of one is too short the other bends more, and where both are, they press into each other.
+/// The yarns rest on each other, and share the height by how hard each is to lift: a beam under the loom's tension over
+/// its pitch, whose bending counts for most where it bends both ways, and for little where a float begins. Inside a
+/// float each rises by itself, as far as its section and finish say, and no lower than at the float's ends. `balance`
+/// (1) multiplies the warp's share against the weft's. No yarn climbs steeper than kSteepestPath: where the pitch of
+/// one is too short the other bends more, and where both are, they press into each other. The law was found on relaxed
+/// yarns (tests/bench/relaxation.h), of which half were not used for it. It does not know where a yarn's partner floats
+/// and it does not: in ribs, the yarn that floats bends too little.
 Crossing cross(const YarnGeometry& warp, const YarnGeometry& weft, double balance);
 
 }  // namespace loomlight

@@ -14,12 +14,17 @@ constexpr double kEased = 0.25;  // of the way to the free section
 using StateRow = std::array<Yielding, kFloatStates>;
 constexpr double kSquarer = 1.06;  // area of a superellipse of exponent 2.4 over that of the ellipse in it
 
-constexpr std::array<StateRow, 3> kSpun = {{
-    {{{{0.70, 1.05}, 0.70}, {{0.76, 1.00}, 0.73}, {{0.83, 0.96}, 0.80}}},  // washed
+using Finishes = std::array<StateRow, 3>;
+constexpr Finishes kSpun = {{
+    {{{{0.68, 1.08}, 0.68}, {{0.75, 1.05}, 0.75}, {{0.87, 0.95}, 1.20}}},  // washed
     {{{{0.65, 1.10}, 0.66}, {{0.69, 1.09}, 0.67}, {{0.72, 0.97}, 0.75}}},  // pressed
     {{{{0.59, 1.16}, 0.64}, {{0.63, 1.10}, 0.65}, {{0.69, 1.05}, 0.73}}},  // calendered
 }};
-constexpr Yielding kFilament = {{0.86, 1.06}, 0.83};
+constexpr Finishes kFilament = {{
+    {{{{0.70, 1.29}, 0.70}, {{0.73, 1.24}, 0.73}, {{0.90, 1.05}, 1.20}}},
+    {{{{0.69, 1.31}, 0.69}, {{0.72, 1.26}, 0.72}, {{0.84, 1.07}, 0.88}}},
+    {{{{0.68, 1.33}, 0.68}, {{0.70, 1.29}, 0.70}, {{0.80, 1.12}, 0.84}}},
+}};
 
 double mix(double a, double b, double share) {
   return a + share * (b - a);
@@ -27,6 +32,11 @@ double mix(double a, double b, double share) {
 Yielding mix(const Yielding& a, const Yielding& b, double share) {
   return {{mix(a.section.up, b.section.up, share), mix(a.section.across, b.section.across, share)},
           mix(a.apart, b.apart, share)};
+}
+
+Yielding finished(const Finishes& of, double press, size_t state) {
+  const double row = 2 * std::clamp(press, 0.0, 1.0);
+  return row < 1 ? mix(of[0][state], of[1][state], row) : mix(of[1][state], of[2][state], row - 1);
 }
 
 }  // namespace
@@ -37,11 +47,8 @@ double packingAtCrossings(double packing) {
 
 Yielding yieldingOf(double press, double packing, int floatState) {
   const auto state = static_cast<size_t>(floatState);
-  const double row = 2 * std::clamp(press, 0.0, 1.0);
-  const Yielding spun =
-      row < 1 ? mix(kSpun[0][state], kSpun[1][state], row) : mix(kSpun[1][state], kSpun[2][state], row - 1);
   const double filament = (packingAtCrossings(packing) - kSpunPacking) / (kFilamentPacking - kSpunPacking);
-  Yielding yielding = mix(spun, kFilament, filament);
+  Yielding yielding = mix(finished(kSpun, press, state), finished(kFilament, press, state), filament);
   yielding.apart = std::max(yielding.apart, yielding.section.up);
   yielding.section.across *= kSquarer;
   return yielding;

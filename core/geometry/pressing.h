@@ -23,11 +23,12 @@ struct Yielding {
 /// The packing that the law takes a yarn of this packing at, 0.5..0.7: pressing closes looser ones and opens denser.
 double packingAtCrossings(double packing);
 
-/// Heights, widths and distances of yarns that were relaxed as bundles of digital elements, with tension, bending,
-/// contact and plates, over eight constructions from organza to denim. Spun yarn of packing 0.5 has a row for each
-/// finish, `press` 0 (washed), 0.5 (pressed) and 1 (calendered); filament of packing 0.7 has one; all between are
-/// interpolated. The sections there are superellipses of exponent 2.4; ours are ellipses as high, and wider by the 6 %
-/// that keep their area. The packing in them is 0.59 to 0.72. Yarns lie no nearer than they are high together.
+/// Heights, widths and distances of yarns at their crossings. Washed (`press` 0), they are read off yarns that were
+/// relaxed as bundles of hard strands under the loom's tension (tests/bench/relaxation.h); pressed (0.5) and calendered
+/// (1), off an earlier such study with plates. Rows of spun yarn of packing 0.5 and of filament of packing 0.7; all
+/// between are interpolated. Filament spreads more, and comes to the same packing, 0.6 to 0.74. Sections there are
+/// superellipses of exponent 2.4; ours are ellipses as high, and wider by the 6 % that keep their area. Yarns lie no
+/// nearer than they are high together; inside a washed float they rise clear of each other.
 Yielding yieldingOf(double press, double packing, int floatState);
 
 /// The section of a yarn between two crossings, C1: from one's to the other's, and halfway eased a quarter of the way

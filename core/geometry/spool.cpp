@@ -93,6 +93,12 @@ double Stretch::massAt(double t, int period) const {
   return from + (static_cast<double>(to) - from) * glm::smoothstep(0.0, period - 1.0, t);
 }
 
+double Stretch::twistAt(double t, int period) const {
+  if (from == to) return t;
+  const double cells = period - 1.0, share = std::clamp(t / cells, 0.0, 1.0);
+  return t + twistSwing() * cells * (1 - std::cos(2 * kPi * share)) / (2 * kPi);
+}
+
 double Stretch::massOfCell(int phase, int period) const {
   constexpr int kSteps = 8;
   double sum = 0;

@@ -29,6 +29,13 @@ struct Stretch {
   double massAt(double t, int period) const;
   /// Factor on the radius, of a yarn that is equally compact everywhere.
   double radiusAt(double t, int period) const { return std::sqrt(massAt(t, period)); }
+  /// Twist runs into thin places: how much of it, over the mean, the middle of the lighter half has more than the yarn,
+  /// and that of the heavier half less. Positive where the stretch grows heavier.
+  double twistSwing() const { return (static_cast<double>(to) - from) / (static_cast<double>(to) + from); }
+  /// The place of an even yarn, in cells, up to which it has as much twist as this stretch up to `t`. The same at the
+  /// ends of the stretch, and as fast there, so that fibres go on; halfway between, both halves have a twist that goes
+  /// by one over their mass, as that of yarns does which are equally stiff in torsion for their mass.
+  double twistAt(double t, int period) const;
   /// Of the mass, over a cell.
   double massOfCell(int phase, int period) const;
 };

@@ -50,7 +50,7 @@ class CellStations {
     const Transition path(from, to, pitch_);
     const TwistEasing easing(path.length_mm(), yarn_.geometry.cellLength_mm);
     const SectionEasing section({from.up, from.across}, {to.up, to.across}, yarn_.geometry.free);
-    const Rates rates = ratesOf(section, path.length_mm(), easing.maxCellsPerMm());
+    const Rates rates = ratesOf(section, path.length_mm(), easing.maxCellsPerMm(), swingOn(phase));
     const auto crownAt = [&](double share) {
       return std::abs(from.height_mm) + share * (std::abs(to.height_mm) - std::abs(from.height_mm));
     };
@@ -85,19 +85,25 @@ class CellStations {
   struct Rates {
     double slope, bend;
   };
+  /// How unevenly the transition from a phase on is twisted: not at all where two stretches share it.
+  double swingOn(double phase) const {
+    const int period = yarn_.geometry.period;
+    return phase < 0 || phase > period - 2 ? 0.0 : std::abs(stretch_.twistSwing());
+  }
   /// Of the place in the round section, times the section's factors: from the twists, migration, the easing of the
-  /// section, how thickness changes, and the products of these. The same for all stretches, which share transitions.
-  Rates ratesOf(const SectionEasing& section, double length_mm, double cellsPerMm) const {
+  /// section, how thickness changes, and the products of these. The same for both stretches that share a transition.
+  Rates ratesOf(const SectionEasing& section, double length_mm, double cellsPerMm, double swing) const {
     const YarnGeometry& g = yarn_.geometry;
-    const double turn = 2 * kPi * cellsPerMm / g.period;
-    const double spin = turn * std::abs(g.fibreSpin()), swing = turn * std::abs(g.plySpin());
+    const double twistPerMm = (1 + swing) * cellsPerMm, turn = 2 * kPi * twistPerMm / g.period;
+    const double spin = turn * std::abs(g.fibreSpin()), orbit = turn * std::abs(g.plySpin());
     const double cable = turn * std::abs(g.cableTurns);
-    const double patterns = cellsPerMm * yarn_.patterns / g.period;
+    const double patterns = twistPerMm * yarn_.patterns / g.period;
     const double wander = patterns * slope_, wanderBend = patterns * patterns * bend_;
     const double inPly = yarn_.bodyReach_mm - g.plyOrbit_mm - g.cordOrbit_mm;
-    const double slope = inPly * spin + g.plyOrbit_mm * swing + g.cordOrbit_mm * cable + wander;
-    const double bend = inPly * spin * spin + g.plyOrbit_mm * swing * swing + g.cordOrbit_mm * cable * cable +
-                        wanderBend + 2 * wander * spin;
+    const double slope = inPly * spin + g.plyOrbit_mm * orbit + g.cordOrbit_mm * cable + wander;
+    const double hastened = swing == 0 ? 0.0 : 2 * kPi * swing * cellsPerMm / (g.period - 1);
+    const double bend = inPly * spin * spin + g.plyOrbit_mm * orbit * orbit + g.cordOrbit_mm * cable * cable +
+                        wanderBend + 2 * wander * spin + hastened * slope;
     const double easing = section.slope() / length_mm, easingBend = section.bend() / (length_mm * length_mm);
     const double scale = section.largest() * yarn_.thickest();
     const auto [thickSlope, thickBend] = thicknessRates(cellsPerMm);
@@ -147,7 +153,7 @@ class CellStations {
     x.normalZ = static_cast<float>(std::sqrt(1 - tilt * tilt));
     x.spill_mm = static_cast<float>(1.001 * std::abs(tilt) * reach_);
     x.t = t;
-    const double turn = 2 * kPi * t / g.period;
+    const double twisted = stretch_.twistAt(t, g.period), turn = 2 * kPi * twisted / g.period;
     const auto direction = [](double angle, float& cosine, float& sine) {
       cosine = static_cast<float>(std::cos(angle));
       sine = static_cast<float>(std::sin(angle));
@@ -155,7 +161,7 @@ class CellStations {
     direction(turn * g.fibreSpin(), x.spinCos, x.spinSin);
     direction(turn * g.plySpin(), x.orbitCos, x.orbitSin);
     direction(turn * g.cableTurns, x.cableCos, x.cableSin);
-    if (!yarn_.plies.empty()) x.migration = yarn_.plies[0].at(t * yarn_.patterns / g.period);
+    if (!yarn_.plies.empty()) x.migration = yarn_.plies[0].at(twisted * yarn_.patterns / g.period);
     stations_.push_back(x);
   }
 

@@ -10,8 +10,8 @@
 // the repeat) that cannot be compressed. A step moves the beads as tension and bending want, implicitly, and draws them
 // towards the axis of their yarn as a twist under tension does; then contacts push apart what overlaps, and friction
 // holds back what slides. All beads are as mobile, so where nothing moves any more all forces balance: those of tension
-// and bending per bead, and the equal and opposite ones of contacts. First with the tension of the loom, then without;
-// last between plates. The length of step follows from how far it moves the beads.
+// and bending per bead, and the equal and opposite ones of contacts. First with the tension of the loom, then with what
+// is kept of it; last between plates. The length of step follows from how far it moves the beads.
 
 namespace loomlight {
 namespace {
@@ -56,6 +56,7 @@ struct YarnSystem {
   int axis = 0;                ///< along x or y
   size_t first = 0;            ///< bead
   int threads = 0, beads = 0;  ///< beads of a strand
+  int crossings = 0;           ///< along a thread
   double length_mm = 0;        ///< of the repeat along the yarn
   double stiffness = 0;        ///< of a strand, cN mm2
   std::vector<double> kernel;
@@ -79,15 +80,15 @@ class Solver {
 
   RelaxedMeasures run() {
     run(how_.loomSteps, how_.tension_cN_tex);
-    run(4 * how_.washedSteps / 5, how_.washedTension_cN_tex);
+    run(4 * how_.washedSteps / 5, how_.keptTension_cN_tex);
     const RelaxedMeasures before = measure();
-    run(how_.washedSteps / 5, how_.washedTension_cN_tex);
+    run(how_.washedSteps / 5, how_.keptTension_cN_tex);
     RelaxedMeasures after = measure();
     if (how_.plates < 1) {
       const double gap = how_.plates * after.thickness_mm;
       for (int i = 1; i <= 100; ++i) {
         plate_ = 0.5 * (after.thickness_mm + (gap - after.thickness_mm) * i / 100);
-        run(2, how_.washedTension_cN_tex);
+        run(2, how_.keptTension_cN_tex);
       }
       after = measure();
     }
@@ -100,7 +101,7 @@ class Solver {
     YarnSystem& of = systems_[system];
     const double bead = beadRadius_mm(yarn), pitch = length_mm / crossings;
     const int perPitch = std::max(8, static_cast<int>(std::ceil(1.15 * pitch / bead)));
-    of = {yarn, axis, beads_.at.size(), threads, perPitch * crossings, length_mm, 0, {}};
+    of = {yarn, axis, beads_.at.size(), threads, perPitch * crossings, crossings, length_mm, 0, {}};
     of.stiffness = kStiffness_cN_mm2 * std::pow(yarn.count_tex / kStiffnessAt_tex, how_.stiffnessPower) / kStrands;
     const auto places = strandPlaces(freeRadius_mm(yarn), bead);
     const double apart = std::max(freeRadius_mm(cloth_.warp), 2.0 * beadRadius_mm(cloth_.warp) * 2.5) +
@@ -111,11 +112,7 @@ class Solver {
         for (int i = 0; i < of.beads; ++i) {
           const double along = static_cast<double>(i) / perPitch;
           const int cell = static_cast<int>(along);
-          const auto side = [&](int crossing) {
-            const int c = crossing % crossings;
-            const bool warpOver = system == 0 ? cloth_.weave.warpOver(c, thread) : cloth_.weave.warpOver(thread, c);
-            return warpOver == (system == 0) ? 0.5 * apart : -0.5 * apart;
-          };
+          const auto side = [&](int crossing) { return isUp(system, thread, crossing) ? 0.5 * apart : -0.5 * apart; };
           const double onWay = glm::smoothstep(0.0, 1.0, along - cell);
           const double z = side(cell) + onWay * (side(cell + 1) - side(cell));
           const glm::dvec2 place = places[static_cast<size_t>(strand)];
@@ -126,6 +123,11 @@ class Solver {
           beads_.radius_mm.push_back(bead);
           beads_.strand.push_back(static_cast<int>(system) * 100'000 + thread * kStrands + strand);
         }
+  }
+
+  bool isUp(size_t system, int thread, int crossing) const {
+    const int count = systems_[system].crossings, c = (crossing % count + count) % count;
+    return cloth_.weave.warpOver(system == 0 ? c : thread, system == 0 ? thread : c) == (system == 0);
   }
 
   void run(int steps, double tension_cN_tex) {
@@ -234,8 +236,43 @@ class Solver {
     std::sort(tops.begin(), tops.end());
     std::sort(bottoms.begin(), bottoms.end());
     const size_t hundredth = tops.size() / 100;
-    return {axisLength(systems_[0]) / systems_[0].length_mm - 1, axisLength(systems_[1]) / systems_[1].length_mm - 1,
-            tops[tops.size() - 1 - hundredth] - bottoms[hundredth], overlap_, 0};
+    RelaxedMeasures measures;
+    measures.crimpWarp = axisLength(systems_[0]) / systems_[0].length_mm - 1;
+    measures.crimpWeft = axisLength(systems_[1]) / systems_[1].length_mm - 1;
+    measures.thickness_mm = tops[tops.size() - 1 - hundredth] - bottoms[hundredth];
+    measures.overlap = overlap_;
+    const double middle = 0.5 * (tops[tops.size() - 1 - hundredth] + bottoms[hundredth]);
+    for (size_t system = 0; system < 2; ++system) measures.crossings[system] = measureCrossings(system, middle);
+    return measures;
+  }
+  std::array<RelaxedCrossings, 3> measureCrossings(size_t system, double middle_mm) const {
+    const YarnSystem& of = systems_[system];
+    std::array<RelaxedCrossings, 3> all{};
+    for (int thread = 0; thread < of.threads; ++thread)
+      for (int crossing = 0; crossing < of.crossings; ++crossing) {
+        const bool up = isUp(system, thread, crossing);
+        const int state = (isUp(system, thread, crossing - 1) == up) + (isUp(system, thread, crossing + 1) == up);
+        RelaxedCrossings& mean = all[static_cast<size_t>(state)];
+        dvec3 least(1e9), most(-1e9);
+        const int i = crossing * of.beads / of.crossings;
+        for (int strand = 0; strand < kStrands; ++strand) {
+          const dvec3& at = beads_.at[of.bead(thread, strand, i)];
+          least = glm::min(least, at);
+          most = glm::max(most, at);
+        }
+        const double bead = beadRadius_mm(of.yarn), height = axisAt(of, thread, i).z - middle_mm;
+        mean.count += 1;
+        mean.height_mm += up ? height : -height;
+        mean.halfUp_mm += 0.5 * (most.z - least.z) + bead;
+        mean.halfAcross_mm += 0.5 * (most[1 - of.axis] - least[1 - of.axis]) + bead;
+      }
+    for (RelaxedCrossings& mean : all) {
+      if (mean.count == 0) continue;
+      mean.height_mm /= mean.count;
+      mean.halfUp_mm /= mean.count;
+      mean.halfAcross_mm /= mean.count;
+    }
+    return all;
   }
 
   const RelaxedCloth& cloth_;

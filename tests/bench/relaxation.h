@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -26,10 +27,18 @@ struct RelaxedCloth {
 struct Relaxation {
   double stiffnessPower = 2;        ///< a yarn's bending stiffness goes by its count to this, for equal fibres
   double tension_cN_tex = 0.5;      ///< on the loom, both systems
-  double washedTension_cN_tex = 0;  ///< and off it
+  double keptTension_cN_tex = 0.5;  ///< and off it: friction keeps in cloth what the loom gave
   double friction = 0.3;            ///< Coulomb's, between strands
   double plates = 1;                ///< presses the washed cloth to this part of its thickness; 1: not
   int loomSteps = 250, washedSteps = 2500;
+};
+
+/// How the yarns of a system lie at their crossings of one float state: at how many of its two neighbours along the
+/// yarn it is on the same side. Means over these crossings.
+struct RelaxedCrossings {
+  int count = 0;
+  double height_mm = 0;                     ///< of the yarn's axis from the middle of the cloth, towards its side
+  double halfUp_mm = 0, halfAcross_mm = 0;  ///< of the section, as far as its strands reach
 };
 
 struct RelaxedMeasures {
@@ -37,6 +46,7 @@ struct RelaxedMeasures {
   double thickness_mm = 0;  ///< between the planes that one in a hundred of the strands' crowns goes beyond
   double overlap = 0;       ///< deepest of two strands, over the sum of their radii
   double drift = 0;         ///< what the crimps have changed by in the last fifth of the steps
+  std::array<std::array<RelaxedCrossings, 3>, 2> crossings{};  ///< of warp and weft, by float state
 };
 
 /// The shape that yarns of hard, bendable strands take, found by steps with nothing assumed of their sections or

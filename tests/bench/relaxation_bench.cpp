@@ -1,18 +1,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
 
+#include "core/base/units.h"
 #include "core/geometry/cloth_geometry.h"
 #include "tests/bench/relaxation_cloths.h"
 
 // Crimp and thickness of cloth that nothing presses: ours in closed form, beside yarns of hard strands that were
-// relaxed, without any tension and with the loom's. bench_relaxation [POWER [NAME]]: the power of a yarn's count that
-// its stiffness goes by (2), and only the constructions of such a name.
+// relaxed; then how these lie at their crossings, which the law's rows are read off. bench_relaxation [POWER [TENSION
+// [NAME]]]: the power of a yarn's count that its stiffness goes by (2), the tension that is kept in the cloth (0.5
+// cN/tex), and only the constructions of such a name. The whole takes minutes of the processor.
 namespace loomlight {
 namespace {
 
@@ -26,45 +27,61 @@ Gap gapOf(const ClothMeasures& ours, const RelaxedMeasures& relaxed) {
           100 * std::abs(ours.thickness_mm / relaxed.thickness_mm - 1)};
 }
 
-void printTable(double stiffnessPower, const std::string& name) {
-  fmt::print("Stiffness goes by the count to the power of {:g}. Crimp in %, warp / weft; thickness in mm.\n\n",
-             stiffnessPower);
-  fmt::print("| construction | fitted | ours | slack | off by | under tension | off by | overlap, drift |\n");
-  fmt::print("| --- | --- | --- | --- | --- | --- | --- | --- |\n");
-  std::array<int, 2> within{};
-  int all = 0;
+std::string crossingsText(const Construction& of, const RelaxedMeasures& relaxed) {
+  std::string text;
+  for (size_t system = 0; system < 2; ++system) {
+    const RelaxedYarn& yarn = system == 0 ? of.cloth.warp : of.cloth.weft;
+    const double radius_mm = std::sqrt(yarn.count_tex * 1e-3 / (yarn.density_g_cm3 * yarn.packing * kPi));
+    for (size_t state = 0; state < 3; ++state) {
+      const RelaxedCrossings& mean = relaxed.crossings[system][state];
+      if (mean.count == 0) continue;
+      text +=
+          fmt::format("| {} | {} | {} | {:.2f} | {:.2f} | {:.2f} |\n", of.name, system == 0 ? "warp" : "weft", state,
+                      mean.height_mm / radius_mm, mean.halfUp_mm / radius_mm, mean.halfAcross_mm / radius_mm);
+    }
+  }
+  return text;
+}
+
+void printTables(const Relaxation& how, const std::string& name) {
+  fmt::print(
+      "Stiffness goes by the count to the power of {:g}, {:g} cN/tex are kept. Crimp in %, warp / weft; thickness "
+      "in mm.\n\n",
+      how.stiffnessPower, how.keptTension_cN_tex);
+  fmt::print("| construction | fitted | ours | relaxed | off by | overlap, drift |\n");
+  fmt::print("| --- | --- | --- | --- | --- | --- |\n");
+  int within = 0, all = 0;
+  std::string crossings;
   for (const Construction& of : constructions()) {
     if (std::string(of.name).find(name) == std::string::npos) continue;
     const Fabric fabric = fabricOf(of.cloth);
     const ClothMeasures ours =
         ClothGeometry(fabric, fabric.weave.ends(), fabric.weave.picks(), nullptr, true).measure();
-    fmt::print("| {} | {} | {:.1f} / {:.1f}, {:.3f} ", of.name, of.wasFitted ? "yes" : "no", 100 * ours.crimpWarp,
-               100 * ours.crimpWeft, ours.thickness_mm);
-    double overlap = 0, drift = 0;
-    for (const bool slack : {true, false}) {
-      Relaxation how;
-      how.stiffnessPower = stiffnessPower;
-      if (!slack) how.washedTension_cN_tex = how.tension_cN_tex;
-      const RelaxedMeasures relaxed = relax(of.cloth, how);
-      const Gap gap = gapOf(ours, relaxed);
-      fmt::print("| {:.1f} / {:.1f}, {:.3f} | {:.1f}, {:.0f} % ", 100 * relaxed.crimpWarp, 100 * relaxed.crimpWeft,
-                 relaxed.thickness_mm, gap.crimp, gap.thickness);
-      within[slack ? 0 : 1] += gap.isWithin();
-      overlap = std::max(overlap, relaxed.overlap);
-      drift = std::max(drift, relaxed.drift);
-    }
-    fmt::print("| {:.2f}, {:.1f} |\n", overlap, 100 * drift);
-    std::fflush(stdout);  // the whole takes minutes
+    const RelaxedMeasures relaxed = relax(of.cloth, how);
+    const Gap gap = gapOf(ours, relaxed);
+    fmt::print("| {} | {} | {:.1f} / {:.1f}, {:.3f} | {:.1f} / {:.1f}, {:.3f} | {:.1f}, {:.0f} % | {:.2f}, {:.1f} |\n",
+               of.name, of.wasFitted ? "yes" : "no", 100 * ours.crimpWarp, 100 * ours.crimpWeft, ours.thickness_mm,
+               100 * relaxed.crimpWarp, 100 * relaxed.crimpWeft, relaxed.thickness_mm, gap.crimp, gap.thickness,
+               relaxed.overlap, 100 * relaxed.drift);
+    std::fflush(stdout);
+    within += gap.isWithin();
     ++all;
+    crossings += crossingsText(of, relaxed);
   }
-  fmt::print("\nWithin 2 points of crimp and 15 % of thickness: {} of {} slack, {} under tension.\n", within[0], all,
-             within[1]);
+  fmt::print("\nWithin 2 points of crimp and 15 % of thickness: {} of {}.\n", within, all);
+  fmt::print("\nAt crossings, over the free radius; state: neighbours along the yarn on the same side.\n\n");
+  fmt::print(
+      "| construction | yarn | state | height | half up | half across |\n| --- | --- | --- | --- | --- | --- |\n");
+  fmt::print("{}", crossings);
 }
 
 }  // namespace
 }  // namespace loomlight
 
 int main(int count, char** words) {
-  loomlight::printTable(count > 1 ? std::atof(words[1]) : 2.0, count > 2 ? words[2] : "");
+  loomlight::Relaxation how;
+  if (count > 1) how.stiffnessPower = std::atof(words[1]);
+  if (count > 2) how.keptTension_cN_tex = std::atof(words[2]);
+  loomlight::printTables(how, count > 3 ? words[3] : "");
   return 0;
 }

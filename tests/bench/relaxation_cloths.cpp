@@ -38,6 +38,14 @@ RelaxedCloth cloth(const Weave& weave, double ends, double picks, const RelaxedY
   return {weave, ends, picks, warp, weft};
 }
 
+RelaxedMeasures found(double crimpWarp_percent, double crimpWeft_percent, double thickness_mm) {
+  RelaxedMeasures measures;
+  measures.crimpWarp = 0.01 * crimpWarp_percent;
+  measures.crimpWeft = 0.01 * crimpWeft_percent;
+  measures.thickness_mm = thickness_mm;
+  return measures;
+}
+
 }  // namespace
 
 std::vector<Construction> constructions() {
@@ -45,24 +53,27 @@ std::vector<Construction> constructions() {
   const RelaxedYarn satin = {29.5, kPolyester, 0.7, 100}, linen = {56, kLinen, 0.5, 420};
   const RelaxedYarn fine = cotton(14.8, 1000), sheeting = cotton(19.7, 850), middle = cotton(30, 700);
   return {
-      {"denim, 3/1 twill", true, cloth(stepped(4, 3, 1), 26, 17, cotton(84, 480), cotton(66, 480))},
-      {"poplin, plain, setts unlike", true, cloth(plain(), 50, 28, fine, fine)},
-      {"sheeting, plain", true, cloth(plain(), 30, 26, sheeting, sheeting)},
-      {"worsted, 2/2 twill", true, cloth(stepped(4, 2, 1), 28, 25, worsted, worsted)},
-      {"satin of 5, filament", true, cloth(stepped(5, 4, 2), 34, 24, satin, satin)},
-      {"basket, 2/2", true, cloth(basket(), 30, 30, cotton(30.3, 700), cotton(30.3, 700))},
-      {"organza, plain, filament", true, cloth(plain(), 48, 44, filament, filament)},
-      {"honeycomb of 6", false, cloth(honeycomb(), 20, 20, cotton(40, 600), cotton(40, 600))},
-      {"plain, balanced", false, cloth(plain(), 22, 22, middle, middle)},
-      {"plain, counts 2 : 1", false, cloth(plain(), 24, 20, cotton(20, 850), cotton(40, 600))},
-      {"plain, counts 1 : 2", false, cloth(plain(), 20, 20, cotton(50, 550), cotton(25, 760))},
-      {"drill, 2/1 twill", false, cloth(stepped(3, 2, 1), 34, 20, middle, middle)},
-      {"serge, 2/2 twill, wool", false, cloth(stepped(4, 2, 1), 24, 22, {44, kWool, 0.5, 480}, {44, kWool, 0.5, 480})},
-      {"satin of 8, cotton", false, cloth(stepped(8, 7, 3), 44, 26, cotton(20, 850), cotton(20, 850))},
-      {"warp rib of 2", false, cloth(rib(), 28, 24, middle, middle)},
-      {"linen, plain", false, cloth(plain(), 14, 13, linen, linen)},
+      {"denim, 3/1 twill", true, cloth(stepped(4, 3, 1), 26, 17, cotton(84, 480), cotton(66, 480)),
+       found(8.5, 11.1, 0.705)},
+      {"poplin, plain, setts unlike", true, cloth(plain(), 50, 28, fine, fine), found(14, 1.5, 0.278)},
+      {"sheeting, plain", true, cloth(plain(), 30, 26, sheeting, sheeting), found(8.3, 5, 0.26)},
+      {"worsted, 2/2 twill", true, cloth(stepped(4, 2, 1), 28, 25, worsted, worsted), found(6.6, 6.7, 0.436)},
+      {"satin of 5, filament", true, cloth(stepped(5, 4, 2), 34, 24, satin, satin), found(3.1, 3.4, 0.415)},
+      {"basket, 2/2", true, cloth(basket(), 30, 30, cotton(30.3, 700), cotton(30.3, 700)), found(6.5, 6.5, 0.383)},
+      {"organza, plain, filament", true, cloth(plain(), 48, 44, filament, filament), found(3.9, 3.2, 0.119)},
+      {"honeycomb of 6", false, cloth(honeycomb(), 20, 20, cotton(40, 600), cotton(40, 600)), found(1.9, 1.9, 0.496)},
+      {"plain, balanced", false, cloth(plain(), 22, 22, middle, middle), found(6.3, 6.2, 0.309)},
+      {"plain, counts 2 : 1", false, cloth(plain(), 24, 20, cotton(20, 850), cotton(40, 600)), found(13.7, 0.9, 0.361)},
+      {"plain, counts 1 : 2", false, cloth(plain(), 20, 20, cotton(50, 550), cotton(25, 760)), found(1.4, 15.4, 0.385)},
+      {"drill, 2/1 twill", true, cloth(stepped(3, 2, 1), 34, 20, middle, middle), found(7, 4.2, 0.399)},
+      {"serge, 2/2 twill, wool", false, cloth(stepped(4, 2, 1), 24, 22, {44, kWool, 0.5, 480}, {44, kWool, 0.5, 480}),
+       found(6.6, 6.6, 0.5)},
+      {"satin of 8, cotton", false, cloth(stepped(8, 7, 3), 44, 26, cotton(20, 850), cotton(20, 850)),
+       found(1.9, 1.9, 0.359)},
+      {"warp rib of 2", false, cloth(rib(), 28, 24, middle, middle), found(8.7, 1.6, 0.44), true},
+      {"linen, plain", false, cloth(plain(), 14, 13, linen, linen), found(4.4, 3.6, 0.418)},
       {"taffeta, plain, filament", false,
-       cloth(plain(), 44, 30, {8.4, kPolyester, 0.7, 150}, {8.4, kPolyester, 0.7, 100})},
+       cloth(plain(), 44, 30, {8.4, kPolyester, 0.7, 150}, {8.4, kPolyester, 0.7, 100}), found(5.1, 1.9, 0.173)},
   };
 }
 

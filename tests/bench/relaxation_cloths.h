@@ -12,6 +12,9 @@ struct Construction {
   const char* name;
   bool wasFitted;  ///< one of the eight that the law's constants were read off
   RelaxedCloth cloth;
+  RelaxedMeasures relaxed;  ///< as bench_relaxation found it: crimps and thickness
+  /// One yarn floats where its partners bend both ways, which a law that knows no partners gets wrong.
+  bool isRib = false;
 };
 std::vector<Construction> constructions();
 

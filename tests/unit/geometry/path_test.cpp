@@ -21,9 +21,9 @@ TEST(YarnPath, YarnsRestOnEachOtherWhereTheyCross) {
         const double warpHigh = warp.here.up * cloth.yarn(System::warp, warp.yarn).coreRadius_mm();
         const double weftHigh = weft.here.up * cloth.yarn(System::weft, weft.yarn).coreRadius_mm();
         const double apart = std::abs(warp.here.height_mm - weft.here.height_mm);
-        // Where their float states differ, each keeps the height of its own: the law's rows differ by up to 14 %.
+        // Where their float states differ, each keeps the height of its own. Inside a float yarns rise further.
         ASSERT_GT(apart, 0.93 * (warpHigh + weftHigh)) << pick << ", " << end;
-        ASSERT_LT(apart, 1.07 * (warpHigh + weftHigh)) << pick << ", " << end;
+        ASSERT_LT(apart, 1.25 * (warpHigh + weftHigh)) << pick << ", " << end;
       }
   }
 }
@@ -36,8 +36,12 @@ TEST(YarnPath, HeightsAddUpToTheDistanceOfTheAxes) {
     const YarnGeometry &warp = cloth.yarn(System::warp, 0), &weft = cloth.yarn(System::weft, 0);
     const YarnCellKey over = cloth.key(System::warp, 0, 0), under = cloth.key(System::weft, 0, 0);
     EXPECT_NEAR(std::abs(over.here.height_mm - under.here.height_mm), warp.rest_mm[0] + weft.rest_mm[0], 1e-6);
-    // Equal yarns: the ratio is that of the pitches, 22 to 20, to the power of 2.5, times the balance.
-    EXPECT_NEAR(std::abs(over.here.height_mm / under.here.height_mm), balance * std::pow(22.0 / 20, 2.5), 1e-4);
+    // Equal yarns of 1 g/m are 20 mm2 as stiff in bending as in tension: F = T h / p (1 + 20 m / p^2).
+    const auto stiffness = [mass_g_m = 1e-3 * fabric.yarns[0].count_tex](double pitch_mm) {
+      return (1 + 20 * mass_g_m / (pitch_mm * pitch_mm)) / pitch_mm;
+    };
+    EXPECT_NEAR(std::abs(over.here.height_mm / under.here.height_mm),
+                balance * stiffness(weft.pitch_mm) / stiffness(warp.pitch_mm), 1e-3);
   }
 }
 
@@ -102,7 +106,7 @@ TEST(YarnPath, CrimpOfAPoplinOfUnequalSettIsTheHandbooks) {
 struct WashedCloth {
   const char* name;
   Weave weave;
-  double ends_per_cm, picks_per_cm, warp_tex, weft_tex, packing;
+  double ends_per_cm, picks_per_cm, warp_tex, weft_tex, packing, density_g_cm3;
   double warpCrimp[2], weftCrimp[2], thickness_mm[2];
 };
 
@@ -112,18 +116,20 @@ TEST(YarnPath, CrimpAndThicknessAreThoseOfRelaxedYarns) {
   const Weave plain = cloths::plain().weave;
   std::vector<std::vector<uint8_t>> satin(5, std::vector<uint8_t>(5, 0));
   for (size_t pick = 0; pick < 5; ++pick) satin[pick][2 * pick % 5] = 1;
-  const WashedCloth relaxed[] = {{"denim", denim, 26, 17, 84, 66, 0.5, {7.5, 10.8}, {2.3, 7.6}, {0.62, 0.71}},
-                                 {"poplin", plain, 50, 28, 14.8, 14.8, 0.5, {12.5, 14}, {2, 3.7}, {0.25, 0.30}},
-                                 {"sheeting", plain, 30, 26, 19.7, 19.7, 0.5, {8.1, 8.1}, {6.0, 6.0}, {0.25, 0.29}},
-                                 {"satin", Weave(satin), 34, 24, 29.5, 29.5, 0.7, {5.4, 5.4}, {2.1, 2.1}, {0.38, 0.41}},
-                                 {"basket", basket, 30, 30, 30.3, 30.3, 0.5, {7.0, 7.0}, {7.0, 7.0}, {0.39, 0.39}},
-                                 {"organza", plain, 48, 44, 4.67, 4.67, 0.7, {5.4, 5.4}, {4.8, 4.8}, {0.13, 0.14}}};
+  const WashedCloth relaxed[] = {
+      {"denim", denim, 26, 17, 84, 66, 0.5, 1.52, {7.5, 10.8}, {2.3, 7.6}, {0.62, 0.71}},
+      {"poplin", plain, 50, 28, 14.8, 14.8, 0.5, 1.52, {12.5, 14}, {2, 3.7}, {0.25, 0.30}},
+      {"sheeting", plain, 30, 26, 19.7, 19.7, 0.5, 1.52, {8.1, 8.1}, {6.0, 6.0}, {0.25, 0.29}},
+      {"satin", Weave(satin), 34, 24, 29.5, 29.5, 0.7, 1.38, {5.4, 5.4}, {2.1, 2.1}, {0.38, 0.41}},
+      {"basket", basket, 30, 30, 30.3, 30.3, 0.5, 1.52, {7.0, 7.0}, {7.0, 7.0}, {0.39, 0.39}},
+      {"organza", plain, 48, 44, 4.67, 4.67, 0.7, 1.34, {5.4, 5.4}, {4.8, 4.8}, {0.13, 0.14}}};
   for (const WashedCloth& cloth : relaxed) {
     SCOPED_TRACE(cloth.name);
     Fabric fabric = cottonCloth(cloth.ends_per_cm, cloth.picks_per_cm, cloth.warp_tex, cloth.weft_tex);
     fabric.weave = cloth.weave;
     fabric.press = 0;
     for (Yarn& yarn : fabric.yarns) yarn.packing = cloth.packing;
+    for (Fibre& fibre : fabric.fibres) fibre.density_g_cm3 = cloth.density_g_cm3;
     const ClothMeasures measures = ClothGeometry(fabric, 8, 8).measure();
     EXPECT_GT(100 * measures.crimpWarp, cloth.warpCrimp[0] - 2);
     EXPECT_LT(100 * measures.crimpWarp, cloth.warpCrimp[1] + 2);

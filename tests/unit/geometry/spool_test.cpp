@@ -9,6 +9,7 @@
 
 #include "core/geometry/cloth_geometry.h"
 #include "tests/unit/geometry/cloths.h"
+#include "tests/unit/geometry/turning.h"
 
 namespace loomlight {
 namespace {
@@ -94,6 +95,67 @@ TEST(Evenness, AThickPlaceHasMoreFibresOfTheYarnsOwnRadius) {
   }
   EXPECT_LT(least, 0.8);
   EXPECT_GT(most, 1.2);
+}
+
+/// A warp that floats over everything, whose fibres turn with the twist alone.
+Fabric unevenAndStraight(double cv_percent) {
+  Fabric f = uneven(cv_percent, 20);
+  f.weave = Weave(std::vector<std::vector<uint8_t>>{{1}});
+  f.yarns[0].flattening = 1;
+  f.yarns[0].migration = f.yarns[0].fibreDisorder_deg = 0;
+  return f;
+}
+
+/// Turns per mm of the fibres of a cell, about where they lie: a thick yarn lies further out.
+double turnedIn(const ClothGeometry& cloth, const YarnCellKey& key) {
+  const CellStrands cell = roundStrands(cloth, key);
+  double height_mm = 0;
+  for (const glm::vec3& p : cell.points) height_mm += p.z / static_cast<double>(cell.points.size());
+  return handedness(cell, height_mm);
+}
+
+TEST(Evenness, TwistRunsIntoThinPlaces) {
+  const ClothGeometry cloth(unevenAndStraight(20), 4, 4);
+  const YarnGeometry& yarn = cloth.yarn(System::warp, 0);
+  const YarnModel& model = cloth.yarns().model(System::warp, 0);
+  YarnCellKey key = cloth.key(System::warp, 0, 0);
+  int mixed = 0;
+  for (key.stretch = 0; key.stretch < model.spool->kinds(); ++key.stretch) {
+    const Stretch stretch = model.stretch(key.stretch);
+    // Of both halves, the cell in the middle left out where there is one: turns and mass.
+    double turns[2] = {0, 0}, masses[2] = {0, 0}, all = 0;
+    for (key.phase = 0; key.phase < yarn.period; ++key.phase) {
+      const double turned = turnedIn(cloth, key);
+      all += turned / yarn.period;
+      if (2 * key.phase + 1 == yarn.period) continue;
+      const int half = 2 * key.phase < yarn.period ? 0 : 1;
+      turns[half] += turned;
+      masses[half] += stretch.massOfCell(key.phase, yarn.period);
+    }
+    const double turns_per_mm = yarn.plyTurns / (yarn.period * yarn.pitch_mm);
+    EXPECT_NEAR(all, turns_per_mm, 0.01 * turns_per_mm) << "no twist is lost";
+    EXPECT_NEAR(turns[0] / turns[1], masses[1] / masses[0], 0.1 * masses[1] / masses[0]);
+    mixed += stretch.from != stretch.to;
+    if (stretch.from < stretch.to) {
+      EXPECT_GT(turns[0], 1.1 * turns[1]);
+    }
+  }
+  EXPECT_EQ(mixed, 2);
+}
+
+TEST(Evenness, AKilometreHasTheTwistThatIsAsked) {
+  const ClothGeometry cloth(unevenAndStraight(15), 4, 4);
+  const YarnGeometry& yarn = cloth.yarn(System::warp, 0);
+  std::unordered_map<YarnCellKey, double, YarnCellKeyHash> known;
+  double turns = 0, cells = 0;
+  for (; cells * yarn.pitch_mm < 1e6; ++cells) {
+    const YarnCellKey key = cloth.key(System::warp, static_cast<int>(cells), 1);
+    const auto [entry, isNew] = known.try_emplace(key);
+    if (isNew) entry->second = turnedIn(cloth, key);
+    turns += entry->second;
+  }
+  const double asked_per_mm = 1e-3 * cloths::plain().yarns[0].plyTwist_per_m;
+  EXPECT_NEAR(turns / cells, asked_per_mm, 0.1 * asked_per_mm);
 }
 
 TEST(Evenness, ThreadsDiffer) {
