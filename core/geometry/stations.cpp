@@ -85,10 +85,13 @@ class CellStations {
   struct Rates {
     double slope, bend;
   };
-  /// How unevenly the transition from a phase on is twisted: not at all where two stretches share it.
+  /// By how much faster than evenly the transition from a phase on is twisted, at most: 0 where two stretches share it.
   double swingOn(double phase) const {
-    const int period = yarn_.geometry.period;
-    return phase < 0 || phase > period - 2 ? 0.0 : std::abs(stretch_.twistSwing());
+    const double cells = yarn_.geometry.period - 1.0, most = stretch_.twistSwing(), fastest = most > 0 ? 0.25 : 0.75;
+    if (most == 0 || phase < 0 || phase + 1 > cells) return 0;
+    const double from = phase / cells, to = (phase + 1) / cells;
+    if (from < fastest && fastest < to) return std::abs(most);
+    return std::max(most * std::sin(2 * kPi * from), most * std::sin(2 * kPi * to));
   }
   /// Of the place in the round section, times the section's factors: from the twists, migration, the easing of the
   /// section, how thickness changes, and the products of these. The same for both stretches that share a transition.
@@ -101,7 +104,7 @@ class CellStations {
     const double wander = patterns * slope_, wanderBend = patterns * patterns * bend_;
     const double inPly = yarn_.bodyReach_mm - g.plyOrbit_mm - g.cordOrbit_mm;
     const double slope = inPly * spin + g.plyOrbit_mm * orbit + g.cordOrbit_mm * cable + wander;
-    const double hastened = swing == 0 ? 0.0 : 2 * kPi * swing * cellsPerMm / (g.period - 1);
+    const double hastened = swing == 0 ? 0.0 : 2 * kPi * std::abs(stretch_.twistSwing()) * cellsPerMm / (g.period - 1);
     const double bend = inPly * spin * spin + g.plyOrbit_mm * orbit * orbit + g.cordOrbit_mm * cable * cable +
                         wanderBend + 2 * wander * spin + hastened * slope;
     const double easing = section.slope() / length_mm, easingBend = section.bend() / (length_mm * length_mm);
