@@ -34,7 +34,7 @@ void firstHints(Ui& ui, ImVec2 min, ImVec2 size, FirstHints& hints) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.px(6));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(edge, edge));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, ui.theme.popup);
-  ImGui::Begin("first hints", nullptr,
+  ImGui::Begin("first_hints", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
   ImGui::PushFont(ui.fonts.strong);

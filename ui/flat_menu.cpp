@@ -16,7 +16,7 @@ namespace {
 
 /// Numbers that are set take effect at once.
 void numbers(Ui& ui, const FlatMenuModel& model, FlatMenuChoice& choice) {
-  ImGui::BeginChild("flat numbers", ImVec2(ui.px(224), 2 * ImGui::GetFrameHeight() + ui.px(4)));
+  ImGui::BeginChild("flat_numbers", ImVec2(ui.px(224), 2 * ImGui::GetFrameHeight() + ui.px(4)));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(8), ui.px(4)));
   int repeats = model.repeats;
   if (wholeNumberField(ui, {"menu.flat_count", words::menu::flatCount.label, words::menu::flatCount.help}, "", 1, 100,

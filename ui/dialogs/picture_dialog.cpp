@@ -174,7 +174,7 @@ void PictureDialog::colourRow(Ui& ui, size_t colour, const std::vector<const cha
   ImGui::InvisibleButton(id.c_str(), ImVec2(max.x - min.x, max.y - min.y));
   ui.probe.recordItem(id);
   ImGui::GetWindowDrawList()->AddRectFilled(min, max, displayed(preview_.palette[colour]), ui.px(3));
-  constexpr const char* kPayload = "colour of a picture";
+  constexpr const char* kPayload = "picture_colour";
   if (ImGui::BeginDragDropSource(ImGuiDragDropFlags_SourceNoPreviewTooltip)) {
     ImGui::SetDragDropPayload(kPayload, &colour, sizeof colour);
     const ImVec2 mouse = ImGui::GetIO().MousePos;

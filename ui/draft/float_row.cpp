@@ -95,7 +95,7 @@ std::string floatText(const FloatRun& run) {
 void floatRow(Ui& ui, const LongFloats* floats, DraftPreferences& preferences, DraftView& view) {
   const float all = ImGui::GetContentRegionAvail().x, gap = ui.px(4), step = ui.px(28);
   const float top = ImGui::GetCursorPosY();
-  ImGui::BeginChild("float limit", ImVec2(ui.px(112), ImGui::GetFrameHeight()));
+  ImGui::BeginChild("float_limit", ImVec2(ui.px(112), ImGui::GetFrameHeight()));
   limitField(ui, preferences.longFloat_mm);
   ImGui::EndChild();
   const LongFloats none;
@@ -110,7 +110,7 @@ void floatRow(Ui& ui, const LongFloats* floats, DraftPreferences& preferences, D
   if (button(ui, "draft.float_next", words::floats::next.label, step, listed > 0, words::floats::next.help))
     go(chosen + 1);
   ImGui::SameLine(0, gap);
-  ImGui::BeginChild("float list", ImVec2(all - ui.px(112) - 2 * step - 3 * gap, ImGui::GetFrameHeight()));
+  ImGui::BeginChild("float_list", ImVec2(all - ui.px(112) - 2 * step - 3 * gap, ImGui::GetFrameHeight()));
   if (floats) listField(ui, known, chosen, view);
   ImGui::EndChild();
   ImGui::SetCursorPosY(top + ImGui::GetFrameHeightWithSpacing());

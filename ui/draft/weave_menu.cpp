@@ -6,7 +6,7 @@
 namespace loomlight {
 namespace {
 
-constexpr const char* kSelectionMenu = "selection menu";
+constexpr const char* kSelectionMenu = "selection_menu";
 
 class Items {
  public:

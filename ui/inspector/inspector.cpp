@@ -43,7 +43,7 @@ InspectorResult inspector(Ui& ui, const Fabric& fabric, const InspectorModel& mo
   int open = static_cast<int>(view.page);
   pageTabs(ui, words::panels::inspectorTabs, kIds, open);
   view.page = static_cast<InspectorView::Page>(open);
-  static constexpr const char* kPages[] = {"yarn page", "fibre page", "cloth page", "scene page"};
+  static constexpr const char* kPages[] = {"yarn_page", "fibre_page", "cloth_page", "scene_page"};
   beginPage(ui, kPages[open], 0, view.scroll);
   view.visibilityShown = view.visibilityOpen && view.page == InspectorView::Page::yarn;
   InspectorResult result;
