@@ -29,24 +29,25 @@ void stripeFields(Ui& ui, StripeChance& stripes) {
     stripes.narrowest = std::min(stripes.narrowest, stripes.widest);
 }
 
-/// Buttons, two in a line, that make another order of one. `other`: the other system's.
+/// Buttons, three in a line, that make another order of one. `other`: the other system's.
 std::optional<std::vector<int>> orderButtons(Ui& ui, const std::vector<int>& own, const std::vector<int>& other,
                                              int weaveRepeat, bool weft) {
-  const float half = 0.5f * (ImGui::GetContentRegionAvail().x - ui.px(8));
+  const float third = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
   const bool twiceFits = 2 * own.size() <= kMaxSequence;
   std::vector<int> even = balanced(own, weaveRepeat);
   const Word& copy = weft ? words::copyWarp : words::copyWeft;
   std::optional<std::vector<int>> made;
   const auto tool = [&](const char* id, const Word& word, bool enabled, const auto& make) {
-    if (button(ui, id, word.label, half, enabled, word.help)) made = make();
+    if (button(ui, id, word.label, third, enabled, word.help)) made = make();
   };
   tool("order.mirror", words::mirrorOrder, own.size() > 2 && 2 * own.size() - 2 <= kMaxSequence,
        [&] { return mirrored(own); });
   ImGui::SameLine();
   tool("order.reverse", words::reverseOrder, own.size() > 1, [&] { return reversed(own); });
-  tool("order.repeat", words::repeatOrder, twiceFits, [&] { return repeated(own, 2); });
   ImGui::SameLine();
+  tool("order.repeat", words::repeatOrder, twiceFits, [&] { return repeated(own, 2); });
   tool("order.widen", words::doubleThreads, twiceFits, [&] { return widened(own, 2); });
+  ImGui::SameLine();
   tool("order.copy", copy, own != other, [&] { return other; });
   ImGui::SameLine();
   tool("order.balance", words::balance, even != own && even.size() <= kMaxSequence, [&] { return even; });
@@ -63,7 +64,7 @@ std::optional<Fabric> colourOrderTools(Ui& ui, const Fabric& fabric, const std::
   const std::vector<int>& own = view.weft ? fabric.weftSequence : fabric.warpSequence;
   const std::vector<int>& other = view.weft ? fabric.warpSequence : fabric.weftSequence;
   const StripedSystem striped{yarnColours, yarnNames, view.weft ? fabric.weftPitch_mm() : fabric.warpPitch_mm(),
-                              view.weft ? words::picks.label : words::ends.label};
+                              view.weft ? words::stripe::picks : words::stripe::ends};
   StripeRows& rows = view.weft ? view.weftStripes : view.warpStripes;
   rows.follow(own);
   std::optional<std::vector<int>> made = stripeBar(ui, striped, rows);

@@ -45,7 +45,7 @@ std::optional<Fabric> draftPanel(Ui& ui, const Fabric& fabric, const std::vector
   // What stands below keeps its place: tabs, a page, and the presets. Of a tall window all three get more; in a low one
   // the draft comes before presets, which have their dialog too. A row of floats takes its room from the draft alone.
   const float spare = room.y - ui.px(720);
-  const float page = ui.px(190) + 0.25f * std::max(0.0f, spare);
+  const float page = ui.px(202) + 0.25f * std::max(0.0f, spare);
   const float presets = spare > 0 ? ui.px(kLowestPresetList) + 0.25f * spare : ImGui::GetFrameHeightWithSpacing();
   const float below = 2 * ImGui::GetFrameHeightWithSpacing() + ui.px(24) + page + presets;
   const float height = std::max(ui.px(180), std::min(1.3f * room.x, room.y - below)) - (rows - buttons);
@@ -53,11 +53,13 @@ std::optional<Fabric> draftPanel(Ui& ui, const Fabric& fabric, const std::vector
       draftCanvas(ui, fabric, yarnColours, brushYarn, preferences, view, lit, ImVec2(room.x, height));
 
   static constexpr const char* kIds[] = {"draft.tab_structures", "draft.tab_loom", "draft.tab_colours"};
-  static constexpr const char* kPages[] = {"structures page", "loom page", "colours page"};
+  static constexpr const char* kPages[] = {"structures_page", "loom_page", "colours_page"};
   int open = static_cast<int>(view.page);
   pageTabs(ui, words::panels::draftTabs, kIds, open);
   view.page = static_cast<DraftView::Page>(open);
-  const float left = std::max(page, ImGui::GetContentRegionAvail().y - presets);
+  // Stripes have a table: there the presets are a button, as in a low window.
+  const float shelf = view.page == DraftView::Page::colours ? ImGui::GetFrameHeightWithSpacing() : presets;
+  const float left = std::max(page, ImGui::GetContentRegionAvail().y - shelf);
   beginPage(ui, kPages[open], left, view.scroll);
   std::optional<Fabric> paged;
   switch (view.page) {

@@ -100,7 +100,8 @@ bool colourCell(Ui& ui, const std::string& row, const Columns& columns, const St
   const auto colourOf = [&](int yarn) { return system.yarnColours[static_cast<size_t>(yarn)]; };
   const auto nameOf = [&](int yarn) { return yarnLetters(yarn) + "   " + system.yarnNames[static_cast<size_t>(yarn)]; };
   bool changed = false;
-  if (swatch(ui, (row + "_colour").c_str(), colourOf(stripe.yarn), columns.swatch, false, nameOf(stripe.yarn).c_str()))
+  const std::string about = nameOf(stripe.yarn) + "\n" + words::stripeColour.help;
+  if (swatch(ui, (row + "_colour").c_str(), colourOf(stripe.yarn), columns.swatch, false, about.c_str()))
     ImGui::OpenPopup((row + "_yarns").c_str());
   if (ImGui::BeginPopup((row + "_yarns").c_str())) {
     constexpr int kPerLine = 8;
@@ -122,6 +123,7 @@ bool colourCell(Ui& ui, const std::string& row, const Columns& columns, const St
 
 bool widthCell(Ui& ui, const std::string& row, double pitch_mm, int room, int& width) {
   NumberStyle style;
+  style.unit = "cm";
   style.min = 0.1 * pitch_mm;
   style.max = 0.1 * pitch_mm * room;
   double width_cm = 0.1 * pitch_mm * width;
@@ -129,16 +131,6 @@ bool widthCell(Ui& ui, const std::string& row, double pitch_mm, int room, int& w
   const int before = width;
   width = std::clamp(static_cast<int>(std::lround(10 * width_cm / pitch_mm)), 1, room);
   return width != before;
-}
-
-void headings(Ui& ui, const Columns& columns, const StripedSystem& system) {
-  ImGui::PushFont(ui.fonts.small);
-  ImGui::TextColored(ui.theme.textQuiet, "%s", words::stripeColour.label);
-  ImGui::SameLine(columns.first + ui.px(8));
-  ImGui::TextColored(ui.theme.textQuiet, "%s", system.name);
-  ImGui::SameLine(columns.second + ui.px(8));
-  ImGui::TextColored(ui.theme.textQuiet, "cm");
-  ImGui::PopFont();
 }
 
 }  // namespace
@@ -178,7 +170,6 @@ std::optional<std::vector<int>> stripeBar(Ui& ui, const StripedSystem& system, S
 
 std::optional<std::vector<int>> stripeTable(Ui& ui, const StripedSystem& system, StripeRows& rows) {
   const Columns columns(ui);
-  headings(ui, columns, system);
   const int all = widthOf(rows.stripes);
   const int yarns = static_cast<int>(system.yarnColours.size());
   const float side = ui.px(kButton);
@@ -190,7 +181,8 @@ std::optional<std::vector<int>> stripeTable(Ui& ui, const StripedSystem& system,
     const std::string row = fmt::format("order.stripe_{}", i);
     changed |= colourCell(ui, row, columns, system, stripe);
     changed |= cell(row + "t", columns.first, columns.width, [&] {
-      return wholeNumberField(ui, {row + "_threads", "", words::stripe::threadsHelp, true}, "", 1, room, stripe.width);
+      return wholeNumberField(ui, {row + "_threads", "", words::stripe::threadsHelp, true}, system.unit, 1, room,
+                              stripe.width);
     });
     changed |= cell(row + "w", columns.second, columns.width,
                     [&] { return widthCell(ui, row, system.pitch_mm, room, stripe.width); });

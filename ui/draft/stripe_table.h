@@ -25,7 +25,7 @@ struct StripedSystem {
   const std::vector<ImVec4>& yarnColours;  ///< for the display
   const std::vector<std::string>& yarnNames;
   double pitch_mm = 1;    ///< between ends or picks
-  const char* name = "";  ///< what they are called: Ends, or Picks
+  const char* unit = "";  ///< what they are called behind a number
 };
 
 // Both return the order after an edit; `rows` are up to date.

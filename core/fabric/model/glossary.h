@@ -160,15 +160,14 @@ inline constexpr Word mirrorOrder{"Mirror", "There and back again, turning on th
 inline constexpr Word reverseOrder{"Reverse", "The other way round."};
 inline constexpr Word repeatOrder{"Repeat", "All stripes once more, to be varied."};
 inline constexpr Word doubleThreads{"Double", "Every thread twice: stripes become twice as wide."};
-inline constexpr Word copyWeft{"Copy from weft", "The same order both ways, as in a tartan."};
-inline constexpr Word copyWarp{"Copy from warp", copyWeft.help};
+inline constexpr Word copyWeft{"Copy weft", "Takes the other order: the same both ways, as in a tartan."};
+inline constexpr Word copyWarp{"Copy warp", copyWeft.help};
 inline constexpr Word stripes{"Stripes", "The stripes of one repeat, from the first thread on."};
 inline constexpr Word stripeBar{"", "Drag an edge between two stripes; the last edge makes the last one wider."};
 inline constexpr Word stripeColour{"Colour", "Which yarn this stripe is of."};
 inline constexpr Word addStripe{"+", "Another stripe after this one."};
 inline constexpr Word removeStripe{"\xE2\x88\x92", "Takes this stripe away."};
-inline constexpr Word balance{"Balance to the repeat",
-                              "Makes the last stripe longer, so that the order repeats with the weave."};
+inline constexpr Word balance{"Balance", "Makes the last stripe longer, so that the order repeats with the weave."};
 inline constexpr Word randomStripes{
     "Random stripes",
     "Another order each time, with as much of each yarn as the present one; undo brings back the last."};

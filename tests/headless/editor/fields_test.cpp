@@ -226,6 +226,21 @@ TEST_F(Orders, WhatTheyComeToStandsBesideTheirNamesAndOnlyAProblemTakesALine) {
 }
 
 /// A wider stripe may make the order above a line longer: the bar waits for the mouse to let go.
+/// In a window as most have it, of orders that take a line each.
+TEST(OrdersAtUsualSize, TheTableOpensAboveTheFold) {
+  HeadlessEditor editor({1440, 900});
+  Fabric fabric = smallTwill();
+  fabric.warpSequence = {0, 0, 0, 0, 1, 1};
+  editor.start(fabric);
+  editor.click("draft.tab_colours");
+  editor.until("stripes are shown", [&] { return editor.shows("order.stripe_1_threads"); });
+  EXPECT_LE(editor.rect("order.stripe_1_threads").y1, editor.rect("presets.browse").y0);
+  const HeadlessEditor::Rect tab = editor.rect("draft.tab_colours");
+  editor.click("draft.tab_loom");
+  editor.frame();
+  EXPECT_EQ(editor.rect("draft.tab_colours"), tab) << "tabs stay under the mouse";
+}
+
 TEST_F(Orders, TheBarStaysUnderTheMouseThatDragsIt) {
   const auto height = [&](const std::string& order) {
     editor.edits(order, [&] { editor.enter("draft.warp_order", order); });
