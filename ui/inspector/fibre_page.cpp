@@ -5,6 +5,7 @@
 #include "core/fabric/model/validate.h"
 #include "core/fabric/model/yarn_count.h"
 #include "core/fabric/yarn/colour.h"
+#include "core/fabric/yarn/dyeing.h"
 #include "core/fabric/yarn/presets.h"
 #include "core/fabric/yarn/yarn_reflectance.h"
 #include "ui/inspector/count_text.h"
@@ -179,6 +180,7 @@ std::optional<Fabric> fibrePage(Ui& ui, const Fabric& fabric, const InspectorMod
   Rgb colour = fibreReflectance(fibre);
   if (colourField(ui, {"fibre.colour", words::looseStock}, colour)) {
     dye(fibre, colour);
+    fibre.name = nameOnceDyed(fabric, index);
     changed = true;
   }
   changed |= absorptionRows(ui, fibre);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/cli/interrupt.h"
 #include "app/cli/judging_lamp.h"
@@ -14,6 +15,7 @@
 #include "core/base/rgb.h"
 #include "core/fabric/model/validate.h"
 #include "core/fabric/yarn/band_colour.h"
+#include "core/fabric/yarn/dyeing.h"
 #include "render/colour/colour_difference.h"
 #include "render/transport/colour_patch.h"
 #include "render/transport/colour_solver.h"
@@ -25,6 +27,7 @@ namespace {
 /// A wanted colour on its way.
 struct Dyeing {
   ClothPart part;                          ///< a fibre, or the piece
+  std::string name;                        ///< of that, before it was dyed
   Rgb wanted{0};                           ///< linear
   std::optional<Spectrum> measured;        ///< wanted in bands
   PathLengthTally paths, judging;          ///< that the dye is solved with, and others
@@ -53,6 +56,7 @@ std::vector<Dyeing> dyeingsOf(const Fabric& fabric, const std::vector<ClothColou
                                      partText(std::max(part, other.part), fabric)));
     Dyeing& dyeing = dyeings.emplace_back();
     dyeing.part = part;
+    dyeing.name = part == wholePiece() ? "the piece" : fabric.fibres[static_cast<size_t>(part.index)].name;
     dyeing.wanted = linearColour(wish.colour);
     if (wish.swatch.empty()) continue;
     dyeing.measured = reflectanceFrom(wish.swatch);
@@ -107,7 +111,7 @@ bool dye(Fabric& fabric, Dyeing& dyeing, const JudgingLamp& lamp) {
     dyeing.tooDark = solved.tooDark;
     absorption = now;
   }
-  for (const int fibre : dyed) fabric.fibres[static_cast<size_t>(fibre)].absorption_per_mm = absorption;
+  fabric = dyedAlike(std::move(fabric), dyeing.part, absorption);
   return !settled;
 }
 
@@ -127,7 +131,7 @@ std::string whyNot(const Dyeing& dyeing) {
 }
 
 /// What the cloth shows, told by paths that its dyes were not solved with.
-void tell(const std::string& name, const Dyeing& dyeing, const Colouring& colouring, const JudgingLamp& lamp) {
+void tell(const Dyeing& dyeing, const Colouring& colouring, const JudgingLamp& lamp) {
   const Rgb shown = dyeing.judging.colour(colouring);
   double difference = ciede2000(labFromLinear(glm::dvec3(dyeing.wanted)), labFromLinear(glm::dvec3(shown)));
   if (dyeing.measured)
@@ -137,10 +141,10 @@ void tell(const std::string& name, const Dyeing& dyeing, const Colouring& colour
   const std::string reached = fmt::format("{}, off by {:.1f} ({})", textOf(shown), difference, by);
   const std::string wanted = textOf(dyeing.wanted);
   if (dyeing.tooLight || dyeing.tooDark)
-    fmt::print("{}: {} cannot be had, it is {}: the nearest under {} is {}\n", name, wanted, whyNot(dyeing),
+    fmt::print("{}: {} cannot be had, it is {}: the nearest under {} is {}\n", dyeing.name, wanted, whyNot(dyeing),
                dyeing.measured ? lamp.name : "D65", reached);
   else
-    fmt::print("{}: {} is wanted, the cloth shows {}\n", name, wanted, reached);
+    fmt::print("{}: {} is wanted, the cloth shows {}\n", dyeing.name, wanted, reached);
 }
 
 }  // namespace
@@ -158,9 +162,7 @@ std::optional<Fabric> dyed(Fabric fabric, const std::vector<ClothColour>& wanted
                       source, partText(dyeing.part, fabric)));
   solve(fabric, dyeings, lamp);
   const Colouring colouring = colouringInDaylight(fabric);
-  for (const Dyeing& dyeing : dyeings)
-    tell(dyeing.part == wholePiece() ? "the piece" : fabric.fibres[static_cast<size_t>(dyeing.part.index)].name, dyeing,
-         colouring, lamp);
+  for (const Dyeing& dyeing : dyeings) tell(dyeing, colouring, lamp);
   return fabric;
 }
 

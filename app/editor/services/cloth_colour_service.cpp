@@ -1,5 +1,6 @@
 #include "app/editor/services/cloth_colour_service.h"
 
+#include "core/fabric/yarn/dyeing.h"
 #include "render/colour/colour_difference.h"
 #include "render/colour/colour_space.h"
 
@@ -76,12 +77,9 @@ std::optional<Fabric> ClothColourService::follow(const std::shared_ptr<const Fab
       (!answer->solved && !answer->matched))
     return std::nullopt;
   doneWish_ = answer->wish.number;
-  Fabric dyed = readyToDye(*fabric, part);
-  for (const int fibre : fibresOf(dyed, part))
-    dyed.fibres[static_cast<size_t>(fibre)].absorption_per_mm = answer->matched
-                                                                    ? Absorption(answer->matched->absorption_per_mm)
-                                                                    : Absorption(answer->solved->absorption_per_mm);
-  return dyed;
+  return dyedAlike(
+      readyToDye(*fabric, part), part,
+      answer->matched ? Absorption(answer->matched->absorption_per_mm) : Absorption(answer->solved->absorption_per_mm));
 }
 
 }  // namespace loomlight

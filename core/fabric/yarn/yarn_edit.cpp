@@ -40,6 +40,13 @@ std::string kindName(const std::string& fibreName) {
   return end != std::string::npos && end > 0 && kind[end] == ' ' ? kind.substr(0, end) : kind;
 }
 
+bool isWoven(const Fabric& fabric, int yarn) {
+  const auto has = [yarn](const std::vector<int>& order) {
+    return std::find(order.begin(), order.end(), yarn) != order.end();
+  };
+  return has(fabric.warpSequence) || has(fabric.weftSequence);
+}
+
 Fabric withYarn(Fabric fabric, int index, Yarn yarn, Fibre fibre) {
   Yarn& own = fabric.yarns[static_cast<size_t>(index)];
   yarn.name = own.name;

@@ -13,6 +13,9 @@ std::string fibreNameFor(const Fabric& fabric, const std::string& like);
 /// What is left of a fibre's name when its colour goes: "polyester" of "polyester, ultramarine", and of "polyester 2".
 std::string kindName(const std::string& fibreName);
 
+/// Whether an end or a pick of the fabric is of that yarn.
+bool isWoven(const Fabric& fabric, int yarn);
+
 /// The fabric with its yarn of that index like `yarn`, spun of `fibre`: that takes the place of the old one's fibre, or
 /// is added where other yarns are spun of it too. A blend ends; the name stays.
 Fabric withYarn(Fabric fabric, int index, Yarn yarn, Fibre fibre);
