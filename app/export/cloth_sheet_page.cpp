@@ -380,7 +380,7 @@ class SheetWriter {
 }  // namespace
 
 double colourwaySide_mm(size_t pieces) {
-  return pieces <= 4 ? 88 : 58;
+  return pieces <= 4 ? 88 : pieces <= 6 ? 79 : 58;
 }
 
 void layOutColourways(Paper& paper, const std::string& title, const std::vector<NamedPiece>& pieces) {

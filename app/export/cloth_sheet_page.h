@@ -37,7 +37,7 @@ struct NamedPiece {
   std::string name;
   Pixels8 picture;  ///< square
 };
-/// How large each of so many pieces is shown: two or three side by side.
+/// How large each of so many pieces is shown: two or three side by side, as large as a page has room for.
 double colourwaySide_mm(size_t pieces);
 /// In rows, on as many pages as they take.
 void layOutColourways(Paper& paper, const std::string& title, const std::vector<NamedPiece>& pieces);

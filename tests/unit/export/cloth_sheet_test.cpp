@@ -153,6 +153,25 @@ bool says(const Boxes& boxes, const std::string& text) {
   return std::any_of(boxes.begin(), boxes.end(), [&](const Paper::Box& box) { return box.text == text; });
 }
 
+/// As large as so many can be, for a repeat of stripes is wide; and on one page as long as they are a dozen.
+TEST(ClothSheetPage, ColourwaysFillThePage) {
+  for (const size_t count : {1u, 2u, 4u, 5u, 6u, 7u, 12u}) {
+    SCOPED_TRACE(count);
+    Paper paper(kSheetWidth_mm, kSheetHeight_mm);
+    layOutColourways(paper, "Tartan", std::vector<NamedPiece>(count, {"Hunting", Pixels8{1, 1, 3, {255, 255, 255}}}));
+    expectApart(paper.boxes());
+    double end_mm = 0;
+    for (const Paper::Box& box : paper.boxes()) {
+      EXPECT_EQ(box.page, 0);
+      end_mm = std::max(end_mm, box.y + box.height);
+    }
+    const bool isFull = count == 5 || count == 6 || count == 12;
+    if (isFull) {
+      EXPECT_GT(end_mm, 0.85 * kSheetHeight_mm);
+    }
+  }
+}
+
 TEST(ClothSheetPage, NothingOverlapsInAnySample) {
   for (const char* const folder : {LOOMLIGHT_SAMPLES, LOOMLIGHT_SAMPLES "/cloths"})
     for (const auto& file : std::filesystem::directory_iterator(folder)) {
