@@ -6,22 +6,15 @@
 #include "core/fabric/model/yarn_count.h"
 #include "core/fabric/yarn/presets.h"
 #include "core/fabric/yarn/yarn_edit.h"
+#include "core/fabric/yarn/yarn_reflectance.h"
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/yarn_fields.h"
 #include "ui/widgets/choices.h"
 #include "ui/widgets/member_fields.h"
-#include "ui/widgets/yarn_colours.h"
 #include "ui/words/yarn_words.h"
 
 namespace loomlight {
 namespace {
-
-bool isUsed(const Fabric& fabric, int yarn) {
-  auto has = [&](const std::vector<int>& sequence) {
-    return std::find(sequence.begin(), sequence.end(), yarn) != sequence.end();
-  };
-  return has(fabric.warpSequence) || has(fabric.weftSequence);
-}
 
 std::optional<Fabric> yarnList(Ui& ui, const Fabric& fabric, const InspectorModel& model, InspectorView& view) {
   yarnChooser(ui, model.yarns, view.yarn, "inspector");
@@ -33,7 +26,7 @@ std::optional<Fabric> yarnList(Ui& ui, const Fabric& fabric, const InspectorMode
     view.yarn = static_cast<int>(fabric.yarns.size());
   }
   ImGui::SameLine();
-  const bool removable = fabric.yarns.size() > 1 && !isUsed(fabric, view.yarn);
+  const bool removable = fabric.yarns.size() > 1 && !isWoven(fabric, view.yarn);
   if (button(ui, "yarn.remove", words::yarnPage::remove.label, half, removable, words::yarnPage::remove.help)) {
     edited = withoutYarn(fabric, view.yarn);
     view.clothColour.wanted.clear();  // fibres have other numbers now
@@ -63,6 +56,17 @@ std::string sizeText(const YarnSection* section, double diameter_mm) {
   return wide == high ? fmt::format(words::yarnPage::round, wide) : fmt::format("{} \xC3\x97 {} mm", wide, high);
 }
 
+/// As the yarn looks in the cloth. The two fibres of a blend are told apart by how they differ in a thick mass:
+/// together they are as light, and of the hue, that the yarn is.
+YarnFibreColours sectionColours(const Yarn& yarn, const std::vector<Fibre>& fibres, const ImVec4& reached) {
+  if (!yarn.blendFibre) return {reached, reached};
+  const Rgb first = fibreReflectance(fibres[static_cast<size_t>(yarn.fibre)]);
+  const Rgb second = fibreReflectance(fibres[static_cast<size_t>(*yarn.blendFibre)]);
+  const Rgb both = glm::mix(first, second, static_cast<float>(yarn.blendShare.value_or(0.5)));
+  const Rgb seen = toLinearColour(reached) / glm::max(both, Rgb(1e-4f));
+  return {toDisplayColour(first * seen), toDisplayColour(second * seen)};
+}
+
 }  // namespace
 
 std::optional<Fabric> yarnPage(Ui& ui, const Fabric& fabric, const InspectorModel& model, InspectorView& view) {
@@ -71,12 +75,7 @@ std::optional<Fabric> yarnPage(Ui& ui, const Fabric& fabric, const InspectorMode
   std::vector<Fibre> fibres = fabric.fibres;
   const Fibre fibre = meanFibre(yarn, fibres);
 
-  // The two fibres of a blend are told apart by their own colours.
-  const ImVec4& reached = model.yarns.colours[static_cast<size_t>(view.yarn)];
-  const YarnFibreColours colours = !yarn.blendFibre
-                                       ? YarnFibreColours{reached, reached}
-                                       : YarnFibreColours{fibreColour(fibres[static_cast<size_t>(yarn.fibre)]),
-                                                          fibreColour(fibres[static_cast<size_t>(*yarn.blendFibre)])};
+  const YarnFibreColours colours = sectionColours(yarn, fibres, model.yarns.colours[static_cast<size_t>(view.yarn)]);
   const ImVec2 half(0.5f * (ImGui::GetContentRegionAvail().x - ui.px(8)), ui.px(kCloseUpHeight));
   drawYarnSection(ui, model.section ? *model.section : YarnSection{}, colours, half);
   ImGui::SameLine(0, ui.px(8));

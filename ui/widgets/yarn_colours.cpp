@@ -1,7 +1,6 @@
 #include "ui/widgets/yarn_colours.h"
 
 #include "core/fabric/yarn/yarn_name.h"
-#include "core/fabric/yarn/yarn_reflectance.h"
 #include "ui/widgets/fields.h"
 
 namespace loomlight {
@@ -20,10 +19,6 @@ std::vector<ImVec4> displayColours(std::span<const Rgb> linear) {
   colours.reserve(linear.size());
   for (const Rgb& colour : linear) colours.push_back(toDisplayColour(colour));
   return colours;
-}
-
-ImVec4 fibreColour(const Fibre& fibre) {
-  return toDisplayColour(fibreReflectance(fibre));
 }
 
 }  // namespace loomlight

@@ -23,7 +23,4 @@ ShownYarns shownYarns(const Fabric& fabric, std::span<const Rgb> reached, std::s
 
 std::vector<ImVec4> displayColours(std::span<const Rgb> linear);
 
-/// How a fibre looks in a thick mass, for the display.
-ImVec4 fibreColour(const Fibre& fibre);
-
 }  // namespace loomlight
