@@ -72,6 +72,7 @@ class Menus {
     item("menu.lens", words::menu::truthLens, Command::truthLens, true, model_.insetOn);
     item("menu.next_lamp", words::menu::nextLamp, Command::boothLamp);
     item("menu.booth", words::menu::boothSideBySide, Command::boothSideBySide, true, model_.boothSideBySide);
+    item("menu.colour_difference", words::menu::colourDifference, Command::colourDifference);
     item("menu.plain_tone", words::menu::plainTone, Command::plainTone, !model_.judgesColour, model_.plainTone);
     item("menu.denoise", words::menu::denoise, Command::denoise, true, model_.denoised);
     ImGui::Separator();

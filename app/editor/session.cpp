@@ -130,6 +130,9 @@ void Session::run(Command command) {
     case Command::colourways:
       viewport_.service().pause(true);  // its pictures are looked at now
       return inspector_.showColourways();
+    case Command::colourDifference:
+      viewport_.service().pause(true);  // its figures are waited for now
+      return inspector_.showColourDifference();
     case Command::keepView:
       return snapshots_.keepView(sightNow(), viewport_.service());
     case Command::chooseMesh:

@@ -160,6 +160,10 @@ void Session::drawDialogs(Ui& ui) {
   snapshots_.drawComparison(ui);
   if (!files_.isBrowsing() && tile_.draw(ui, *document_.fabric(), viewport_.service())) browse(FileTask::exportTile);
   if (!files_.isBrowsing() && handover_.draw(ui, *document_.fabric(), viewport_.service())) browse(FileTask::handover);
+  if (inspector_.colourDifferenceIsOpen()) {
+    inspector_.drawColourDifference(ui, document_.fabric(), yarnColours_);
+    if (!inspector_.colourDifferenceIsOpen()) viewport_.service().pause(false);
+  }
   drawFabricDialogs(ui);
 }
 
@@ -177,7 +181,8 @@ void Session::drawPreferences(Ui& ui) {
 bool Session::dialogIsOpen() const {
   return files_.service().busy() || files_.isBrowsing() || questions_.isOpen() || snapshots_.dialogIsOpen() ||
          snapshots_.comparisonIsOpen() || preferences_.isOpen() || help_.keys.isOpen() || draft_.dialogIsOpen() ||
-         tile_.isOpen() || handover_.isOpen() || inspector_.colourwaysAreOpen() || presets_.isOpen();
+         tile_.isOpen() || handover_.isOpen() || inspector_.colourwaysAreOpen() ||
+         inspector_.colourDifferenceIsOpen() || presets_.isOpen();
 }
 
 /// What is unsafe comes before what is worth knowing of the cloth.

@@ -13,6 +13,7 @@ namespace loomlight {
 namespace {
 
 constexpr int kWidth = 640, kHeight = 400;
+constexpr uint32_t kSamples = 8;
 constexpr size_t kRecords = size_t{256} << 20;  // as the window keeps (app/live/tracer.cpp)
 
 enum class Known { byThreeNumbers, inBands };
@@ -46,7 +47,7 @@ void recolourPicture(benchmark::State& state, const char* file, LightKind light,
   const CameraRays camera(scene->fabric->camera, kWidth, kHeight);
   Film film(kWidth, kHeight);
   PathRecords records(kWidth, kHeight, static_cast<int>(scene->cloth->materials.size()), kRecords);
-  for (uint32_t samples = 1; samples <= 16; ++samples)
+  for (uint32_t samples = 1; samples <= kSamples; ++samples)
     renderUpTo(samples, *scene, *medium, camera, film, {0, 0, kWidth, kHeight}, Task{}, 0, &records);
   Recolouring recolouring{scene->colouring, Rgb(1)};
   for (auto _ : state) {

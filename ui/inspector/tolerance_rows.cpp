@@ -10,13 +10,6 @@ namespace {
 
 using Judged = std::optional<ClothColourModel::Judged>;
 
-/// Words say whether it passes: a colour alone would be lost on who sees colours otherwise, and on paper.
-std::string verdictOf(const Judged& judged, double tolerance_cmc) {
-  if (!judged) return words::booth::unknown;
-  return fmt::format(words::booth::verdict, judged->cmc,
-                     judged->cmc <= tolerance_cmc ? words::booth::passes : words::booth::fails);
-}
-
 std::string helpOf(const Word& word, const Judged& judged, double error) {
   return judged ? word.help + fmt::format(words::booth::figures, judged->cmc, judged->ciede2000, error) : word.help;
 }
@@ -24,19 +17,29 @@ std::string helpOf(const Word& word, const Judged& judged, double error) {
 void verdictRow(Ui& ui, const char* id, const std::string& label, const Word& word, const Judged& judged, double error,
                 double tolerance_cmc) {
   const std::string help = helpOf(word, judged, error);
-  readout(ui, {id, label.c_str(), help.c_str()}, verdictOf(judged, tolerance_cmc));
+  readout(ui, {id, label.c_str(), help.c_str()},
+          judged ? verdictText(judged->cmc, tolerance_cmc) : words::booth::unknown);
 }
 
 }  // namespace
 
-void toleranceRows(Ui& ui, const ClothColourModel& model, double& tolerance_cmc) {
-  namespace said = words::booth;
+void toleranceField(Ui& ui, const char* id, double& tolerance_cmc) {
   NumberStyle style;
-  style.unit = said::toleranceUnit;
+  style.unit = words::booth::toleranceUnit;
   style.min = kTolerance_cmc[0];
   style.max = kTolerance_cmc[1];
   style.logarithmic = true;
-  numberField(ui, {"fibre.tolerance", said::tolerance.label, said::tolerance.help}, style, tolerance_cmc);
+  numberField(ui, {id, words::booth::tolerance}, style, tolerance_cmc);
+}
+
+/// Words say whether it passes: a colour alone would be lost on who sees colours otherwise, and on paper.
+std::string verdictText(double cmc, double tolerance_cmc) {
+  return fmt::format(words::booth::verdict, cmc, cmc <= tolerance_cmc ? words::booth::passes : words::booth::fails);
+}
+
+void toleranceRows(Ui& ui, const ClothColourModel& model, double& tolerance_cmc) {
+  namespace said = words::booth;
+  toleranceField(ui, "fibre.tolerance", tolerance_cmc);
   const StandardIlluminant own = model.present ? model.present->lamp : StandardIlluminant::d65;
   verdictRow(ui, "fibre.verdict", fmt::format(said::present.label, lampWord(own)), said::present, model.present,
              model.error, tolerance_cmc);

@@ -28,6 +28,7 @@ enum class Command {
   truthLens,
   boothLamp,        // the next of those that a light booth has
   boothSideBySide,  // all of them at once
+  colourDifference,
   plainTone,
   denoise,
   softProof,  // the picture as a printer prints it

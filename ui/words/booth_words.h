@@ -24,6 +24,23 @@ inline constexpr Word metamerism{"Metamerism",
                                  "that is left there of a pair made "
                                  "to match in daylight (special metamerism index, CIE 15)."};
 
+// Two yarns of the cloth beside each other
+inline constexpr const char* differenceTitle = "Colour difference";
+inline constexpr Word standard{"Standard", "What the other is judged by."};
+inline constexpr Word sample{"Sample", "What is judged."};
+inline constexpr Word inColourway{"In colourway", "As the cloth is now, or in colours that it keeps under a name."};
+inline constexpr const char* lamp = "Lamp";
+inline constexpr const char* sideBySide = "As it looks";
+inline constexpr const char* standardLab = "Standard L* a* b*";
+inline constexpr const char* sampleLab = "Sample L* a* b*";
+inline constexpr const char* ciede2000Column = "CIEDE2000";
+inline constexpr const char* cmcColumn = "CMC(2:1)";
+inline constexpr const char* howKnown =
+    "Of the cloth where each lies on top, lit from everywhere and seen from above, for the observer of 10\xC2\xB0; "
+    "each colour is known to \xC2\xB1 {:.2f} CIEDE2000.";
+inline constexpr const char* measuring = "Light is being traced through the cloth\xE2\x80\xA6";
+inline constexpr const char* isHidden = "{} lies on top nowhere on the face, where its colour would be seen.";
+
 inline constexpr const char* verdict = "{:.2f}  {}";  // CMC(2:1), and what follows from it
 inline constexpr const char* passes = "pass";
 inline constexpr const char* fails = "FAIL";

@@ -43,6 +43,7 @@ inline constexpr MenuWord keepView{"Keep this view", "K"};
 inline constexpr MenuWord truthLens{"Truth lens", "L"};
 inline constexpr MenuWord nextLamp{"Next lamp of the booth", "J"};
 inline constexpr MenuWord boothSideBySide{"Booth side by side", "Shift+J"};
+inline constexpr MenuWord colourDifference{"Colour difference\xE2\x80\xA6"};
 inline constexpr MenuWord plainTone{
     "Plain tone, for judging colour", "",
     "Light is shown as it is, without a curve: in light of intensity 1 a perfect diffuser is the display's white, what "

@@ -9,6 +9,7 @@
 #include "core/fabric/palette/colour_code.h"
 #include "core/fabric/yarn/band_colour.h"
 #include "ui/widgets/yarn_colours.h"
+#include "ui/words/dialog_words.h"
 #include "ui/words/error_words.h"
 
 namespace loomlight {
@@ -45,6 +46,17 @@ std::optional<Fabric> InspectorController::drawColourways(Ui& ui, const std::sha
   for (size_t i = 0; i < fabric->colourways.size(); ++i)
     looks.yarnColours.push_back(displayColours(yarnColours.ofColourway(*fabric, i)));
   return colourways_.draw(ui, *fabric, looks);
+}
+
+void InspectorController::drawColourDifference(Ui& ui, const std::shared_ptr<const Fabric>& fabric,
+                                               const YarnColourService& yarnColours) {
+  ColourDifferenceModel model;
+  model.yarns = shownYarns(*fabric, yarnColours.of(*fabric), yarnColours.forNames(*fabric), view_.units.count).names;
+  model.colourways.emplace_back(words::colourways::asItIsNow);
+  for (const Colourway& colourway : fabric->colourways) model.colourways.push_back(colourway.name);
+  differences_.follow(fabric, colourDifference_.pair(*fabric));
+  differences_.tell(model);
+  colourDifference_.draw(ui, model, view_.clothColour.tolerance_cmc);
 }
 
 std::optional<InspectorController::Dyed> InspectorController::follow(const std::shared_ptr<const Fabric>& fabric,

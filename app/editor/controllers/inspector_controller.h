@@ -7,22 +7,24 @@
 #include "app/editor/model/document.h"
 #include "app/editor/services/cloth_colour_service.h"
 #include "app/editor/services/colour_book_service.h"
+#include "app/editor/services/colour_difference_service.h"
 #include "app/editor/services/side_pictures.h"
 #include "app/editor/services/view_service.h"
 #include "app/editor/services/yarn_colour_service.h"
 #include "core/fabric/palette/palette.h"
 #include "core/fabric/swatch/measured_swatch.h"
+#include "ui/dialogs/colour_difference_dialog.h"
 #include "ui/dialogs/colourways_dialog.h"
 #include "ui/inspector/inspector.h"
 
 namespace loomlight {
 
-/// The panel of yarns, fibres, cloth and scene, and the dialog of the cloth's colourways, with the workers that find
-/// dyes and render small pictures beside them.
+/// The panel of yarns, fibres, cloth and scene, and the dialogs of the cloth's colourways and colours, with the workers
+/// that find dyes and render small pictures beside them.
 class InspectorController {
  public:
   InspectorController(DisplayDriver& driver, const std::function<void()>& wake)
-      : colours_(wake), books_(wake), pictures_(driver, wake) {}
+      : colours_(wake), differences_(wake), books_(wake), pictures_(driver, wake) {}
 
   /// What the panel asks for in a frame. `inches`: of setts and lengths.
   InspectorResult draw(Ui& ui, const std::shared_ptr<const Fabric>& fabric, const YarnColourService& yarnColours,
@@ -33,6 +35,9 @@ class InspectorController {
   void showColourways() { colourways_.show(); }
   bool colourwaysAreOpen() const { return colourways_.isOpen(); }
   bool takeColourwaysPrint() { return colourways_.takePrint(); }
+  void drawColourDifference(Ui& ui, const std::shared_ptr<const Fabric>& fabric, const YarnColourService& yarnColours);
+  void showColourDifference() { colourDifference_.show(); }
+  bool colourDifferenceIsOpen() const { return colourDifference_.isOpen(); }
 
   /// A colour that was asked for arrives later than the gesture that asked for it, and is still one step of undo with
   /// it.
@@ -71,9 +76,11 @@ class InspectorController {
 
   InspectorView view_;
   ClothColourService colours_;
+  ColourDifferenceService differences_;
   ColourBookService books_;
   SidePictures pictures_;
   ColourwaysDialog colourways_;
+  ColourDifferenceDialog colourDifference_;
   int lookedAt_ = 0, before_ = 1;                ///< yarns
   uint64_t colourWish_ = 0, colourGesture_ = 0;  ///< the newest wish for a colour, and the gesture that made it
 };

@@ -96,11 +96,15 @@ TEST_P(LookAt, EveryMenuIsWhole) {
 TEST_P(LookAt, EveryDialogIsWhole) {
   const struct {
     const char *menu, *item, *close;
-  } dialogs[] = {
-      {"menu.file", "menu.open", "browser.cancel"},          {"menu.file", "menu.snapshot", "snapshot.close"},
-      {"menu.file", "menu.handover", "handover.close"},      {"menu.edit", "menu.preferences", "preferences.close"},
-      {"menu.weave", "menu.structures", "structures.close"}, {"menu.help", "menu.keys", "keys.close"},
-      {"menu.file", "menu.presets", "presets.close"},        {"menu.edit", "menu.colourways", "colourways.close"}};
+  } dialogs[] = {{"menu.file", "menu.open", "browser.cancel"},
+                 {"menu.file", "menu.snapshot", "snapshot.close"},
+                 {"menu.file", "menu.handover", "handover.close"},
+                 {"menu.edit", "menu.preferences", "preferences.close"},
+                 {"menu.weave", "menu.structures", "structures.close"},
+                 {"menu.help", "menu.keys", "keys.close"},
+                 {"menu.file", "menu.presets", "presets.close"},
+                 {"menu.edit", "menu.colourways", "colourways.close"},
+                 {"menu.view", "menu.colour_difference", "difference.close"}};
   for (const auto& dialog : dialogs) {
     editor.click(dialog.menu);
     editor.click(dialog.item);

@@ -121,6 +121,26 @@ TEST(SpectralColour, WhiteStaysWhiteUnderEveryLamp) {
   }
 }
 
+// Under light of equal power, which favours none; whatever the fibre's modes and the observer.
+TEST(SpectralColour, AWhiteClothUnderEIsWhiteInEveryBand) {
+  Fabric fabric = white();
+  for (Fibre& fibre : fabric.fibres) fibre.absorption_per_mm = Absorption(flat(0));
+  fabric.light.illuminant = StandardIlluminant::e;
+  for (const Observer observer : {Observer::degrees2, Observer::degrees10}) {
+    fabric.render.observer = observer;
+    const Colouring colouring = colouringOf(fabric);
+    for (const float left : leftInBands(kLengths_mm, colouring)) EXPECT_NEAR(left, 1, 1e-3);
+    // What each band adds to what is seen is what it adds of a perfect diffuser.
+    const LinearWeights diffuser = linearWeights(illuminantNamed("E"), observer);
+    for (size_t o = 0; o < 3; ++o)
+      for (size_t j = 0; j < kBands; ++j) {
+        float seen = 0;
+        for (const Spectrum& primary : colouring.eye.bands[o]) seen += primary[j];
+        EXPECT_NEAR(seen, diffuser.rows[o][j], 1e-3) << bandWavelength_nm(j) << " nm";
+      }
+  }
+}
+
 // Chips are coloured where nothing is known of lamps and observers.
 TEST(SpectralColour, AChipIsSeenInDaylight) {
   const LinearWeights daylight = linearWeights(illuminantNamed("D65"), Observer::degrees2);
