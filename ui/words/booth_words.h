@@ -36,8 +36,7 @@ inline constexpr const char* sampleLab = "Sample L* a* b*";
 inline constexpr const char* ciede2000Column = "CIEDE2000";
 inline constexpr const char* cmcColumn = "CMC(2:1)";
 inline constexpr const char* howKnown =
-    "Of the cloth where each lies on top, lit from everywhere and seen from above, for the observer of 10\xC2\xB0; "
-    "each colour is known to \xC2\xB1 {:.2f} CIEDE2000.";
+    "Each colour is known to \xC2\xB1 {:.2f} CIEDE2000. Lit from everywhere, seen from above, for 10\xC2\xB0.";
 inline constexpr const char* measuring = "Light is being traced through the cloth\xE2\x80\xA6";
 inline constexpr const char* isHidden = "{} lies on top nowhere on the face, where its colour would be seen.";
 
