@@ -44,10 +44,13 @@ def expect_whole_png(file):
         place = end + 4
 
 
+def names_in(folder):
+    return os.listdir(folder) if os.path.isdir(folder) else []
+
+
 def expect_whole_files(folder, begins, ends, check):
     """Of these names; writers that were killed may leave other ones."""
-    names = os.listdir(folder) if os.path.isdir(folder) else ()
-    found = [name for name in names if name.startswith(begins) and name.endswith(ends) and name[0] != "."]
+    found = [name for name in names_in(folder) if name.startswith(begins) and name.endswith(ends) and name[0] != "."]
     for name in found:
         check(os.path.join(folder, name))
     return len(found)
@@ -75,7 +78,10 @@ def test():
             elif action == "view":
                 editor.wait_until("the edited cloth is shown", lambda: editor.number("shown_samples") > 0 and
                                   editor.fact("shown_generation") == editor.fact("generation"))
+                there = names_in(os.path.join(data, "views"))
                 editor.input.key("k", 1)
+                editor.wait_until("its picture is being written",
+                                  lambda: names_in(os.path.join(data, "views")) != there)
             elif action == "preset":
                 editor.key("ctrl+b")
                 editor.move(*editor.centre("presets.keep"))
