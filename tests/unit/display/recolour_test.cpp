@@ -210,16 +210,23 @@ TEST(Recolour, UsesTheSamplesThatAreNotOnRecord) {
   EXPECT_LT(fromMany.variance, 0.25 * fromFew.variance);
 }
 
-// Lighter than what was traced, whose paths ended earlier: those that went on speak for those that did not.
+// Lighter than what was traced, whose paths ended earlier: those that went on speak for those that did not. The ratio
+// of two such pictures differs by 1.6 % from seed to seed (standard deviation): the bound is 3.5 of that of their mean.
 TEST(Recolour, OfADarkClothInLighterColoursIsUnbiased) {
   const Fabric dark = withColour(blueCotton(), Rgb(30, 20, 15)), pale = withColour(blueCotton(), Rgb(15, 10, 8));
   Fabric dome = dark;
   dome.light.kind = LightKind::dome;
   Fabric paleDome = pale;
   paleDome.light.kind = LightKind::dome;
-  const RecolouredPicture traced(dome, 32, 1 << 14), truth(paleDome, 64, 0);
-  const Rgb recoloured = meanOf(recolour(traced.film, traced.records, recolouringOf(*truth.scene), 2));
-  for (int c = 0; c < 3; ++c) EXPECT_NEAR(recoloured[c] / truth.mean()[c], 1, 0.03);
+  constexpr int kPairs = 8;
+  Rgb ratio(0);
+  for (int pair = 0; pair < kPairs; ++pair) {
+    dome.render.seed = 2 * pair;
+    paleDome.render.seed = 2 * pair + 1;
+    const RecolouredPicture traced(dome, 32, 1 << 14), truth(paleDome, 64, 0);
+    ratio += meanOf(recolour(traced.film, traced.records, recolouringOf(*truth.scene), 2)) / truth.mean() / Rgb(kPairs);
+  }
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(ratio[c], 1, 0.02);
 }
 
 }  // namespace
