@@ -11,6 +11,7 @@
 #include "render/colour/colour_difference.h"
 #include "render/scene/colouring.h"
 #include "render/transport/dye_paths.h"
+#include "ui/widgets/fields.h"
 #include "ui/words/booth_words.h"
 
 namespace loomlight {
