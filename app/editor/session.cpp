@@ -131,7 +131,7 @@ void Session::run(Command command) {
       viewport_.service().pause(true);  // its pictures are looked at now
       return inspector_.showColourways();
     case Command::colourDifference:
-      viewport_.service().pause(true);  // its figures are waited for now
+      viewport_.service().pause(true);  // its figures take the processor for some seconds
       return inspector_.showColourDifference();
     case Command::keepView:
       return snapshots_.keepView(sightNow(), viewport_.service());

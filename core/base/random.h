@@ -55,8 +55,11 @@ class Random {
   [[gnu::noinline]] constexpr uint32_t stratifiedBits() { return stratified::coordinate(seed_, index_, dimension_++); }
   [[gnu::noinline]] constexpr Pair stratifiedPair() {
     const uint32_t even = dimension_ + (dimension_ & 1);  // an odd one that is left is not drawn
-    dimension_ = even + 2 <= end_ ? even + 2 : end_;
-    if (dimension_ != even + 2) return uniformPair();
+    if (even + 2 > end_) {
+      dimension_ = end_;
+      return uniformPair();
+    }
+    dimension_ = even + 2;
     const stratified::PairOfDimensions pair(seed_, index_, even);
     return {fraction(pair.coordinate(0)), fraction(pair.coordinate(1))};
   }

@@ -11,6 +11,12 @@ namespace loomlight {
 template <class T>
 class RandomLanes;
 
+/// Two of them that were drawn at once.
+template <class T>
+struct RandomPair {
+  T first, second;
+};
+
 template <>
 class RandomLanes<float> {
  public:
@@ -20,10 +26,10 @@ class RandomLanes<float> {
   /// Draws where the mask holds; else 0.
   float uniform(bool mask) { return mask ? random_.uniform() : 0.0f; }
   /// Two numbers where the mask holds; else 0.
-  void uniformPair(bool mask, float& first, float& second) {
-    const Random::Pair both = mask ? random_.uniformPair() : Random::Pair{0, 0};
-    first = both.first;
-    second = both.second;
+  RandomPair<float> uniformPair(bool mask) {
+    if (!mask) return {0, 0};
+    const Random::Pair both = random_.uniformPair();
+    return {both.first, both.second};
   }
 
  private:
@@ -42,12 +48,7 @@ class RandomLanes<Float32x8> {
     for (size_t lane = 0; lane < kCount; ++lane) mask[lane] = random_[lane] ? -1 : 0;
     return mask;
   }
-  Float32x8 uniform() {
-    Float32x8 u{};
-    for (size_t lane = 0; lane < kCount; ++lane)
-      if (random_[lane]) u[lane] = random_[lane]->uniform();
-    return u;
-  }
+  Float32x8 uniform() { return uniform(inUse()); }
   /// The lanes of the mask draw, each from its own; the others get 0.
   Float32x8 uniform(Int32x8 mask) {
     Float32x8 u{};
@@ -55,14 +56,15 @@ class RandomLanes<Float32x8> {
       if (mask[lane] != 0 && random_[lane]) u[lane] = random_[lane]->uniform();
     return u;
   }
-  void uniformPair(Int32x8 mask, Float32x8& first, Float32x8& second) {
-    first = second = Float32x8{};
+  RandomPair<Float32x8> uniformPair(Int32x8 mask) {
+    RandomPair<Float32x8> pairs{};
     for (size_t lane = 0; lane < kCount; ++lane) {
       if (mask[lane] == 0 || !random_[lane]) continue;
       const Random::Pair both = random_[lane]->uniformPair();
-      first[lane] = both.first;
-      second[lane] = both.second;
+      pairs.first[lane] = both.first;
+      pairs.second[lane] = both.second;
     }
+    return pairs;
   }
 
  private:

@@ -19,8 +19,9 @@ struct Crossing {
 /// float each rises by itself, as far as its section and finish say, and no lower than at the float's ends. `balance`
 /// (1) multiplies the warp's share against the weft's. No yarn climbs steeper than kSteepestPath: where the pitch of
 /// one is too short the other bends more, and where both are, they press into each other. The law was found on relaxed
-/// yarns (tests/bench/relaxation.h), of which half were not used for it. It does not know where a yarn's partner floats
-/// and it does not: in ribs, the yarn that floats bends too little.
+/// yarns (tests/bench/relaxation.h), of which half were not used for it. The law takes both yarns
+/// of a crossing to be in the same float state. In a rib one of them floats and the other does not: there the one that
+/// floats bends too little.
 Crossing cross(const YarnGeometry& warp, const YarnGeometry& weft, double balance);
 
 }  // namespace loomlight

@@ -14,10 +14,8 @@ struct AntitheticPoints {
   explicit AntitheticPoints(RandomLanes<T>& random) {
     T x{}, y{}, square = broadcast<T>(1);
     for (MaskOf<T> pending = random.inUse(); any(pending);) {
-      T u, v;
-      random.uniformPair(pending, u, v);
-      u = 2 * u - 1;
-      v = 2 * v - 1;
+      const auto [first, second] = random.uniformPair(pending);
+      const T u = 2 * first - 1, v = 2 * second - 1;
       const T inDisc = u * u + v * v;
       x = pending ? u : x;
       y = pending ? v : y;

@@ -17,8 +17,7 @@ Vec3Of<T> projectedTangent(const Vec3Of<T>& mean, T spread, const Vec3Of<T>& dir
   Vec3Of<T> tangent = mean;
   MaskOf<T> pending = random.inUse() & (spread > 0);
   for (int i = 0; i < kTrials && any(pending); ++i) {
-    T u1, u2;
-    random.uniformPair(pending, u1, u2);
+    const auto [u1, u2] = random.uniformPair(pending);
     const T radius = squareRoot(-2 * optics::logarithm<T>(1 - u1));
     const T half = spread * radius * static_cast<float>(1 / kPi);  // turns, of half a circle each; below 2
     const auto tilt = optics::sinCosPi<T>(half > 1 ? half - 2 : half);

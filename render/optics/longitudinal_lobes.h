@@ -84,8 +84,7 @@ class LongitudinalLobes {
     T sine{}, cosine{};
     do {
       // An exponential variable has no memory: what is left of it modulo 2 is the same law trimmed to [0, 2].
-      T u1, u2;
-      random.uniformPair(open, u1, u2);
+      const auto [u1, u2] = random.uniformPair(open);
       const T decay = variance * -logarithm<T>(1 - u1);
       const T versine = decay - 2 * toFloats<T>(truncated<T>(0.5f * decay));
       const T across = squareRoot<T>(versine * (2 - versine)) * sinCosPi<T>(2 * u2 - 1).cosine;

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <cassert>
-#include <span>
-
 #include "core/base/columns.h"
 #include "render/media/medium.h"
 #include "render/optics/bcsdf.h"
@@ -24,20 +20,9 @@ struct EventLanes {
   /// `met(i)` is the i-th of so many collisions.
   template <class Met>
   EventLanes(size_t count, Met&& met)
-      : frame(columns(count, [&](size_t i) { return met(i).tangent; })),
-        wo(frame.toLocal(-columns(count, [&](size_t i) { return met(i).incoming; }))),
-        offset(column(count, [&](size_t i) { return met(i).offset; })) {}
-
-  template <class Number>
-  static Lanes column(size_t count, Number&& number) {
-    assert(0 < count && count <= kMost);
-    return columnOf<Lanes>(count, number);
-  }
-  template <class Vector>
-  static Vec3Of<Lanes> columns(size_t count, Vector&& vector) {
-    assert(0 < count && count <= kMost);
-    return columnsOf<Lanes>(count, vector);
-  }
+      : frame(columnsOf<Lanes>(count, [&](size_t i) { return met(i).tangent; })),
+        wo(frame.toLocal(-columnsOf<Lanes>(count, [&](size_t i) { return met(i).incoming; }))),
+        offset(columnOf<Lanes>(count, [&](size_t i) { return met(i).offset; })) {}
 };
 
 }  // namespace loomlight

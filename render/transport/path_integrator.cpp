@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "core/base/columns.h"
 #include "render/scene/thread_shade.h"
 #include "render/transport/event_lanes.h"
 
@@ -155,19 +156,19 @@ PathIntegrator::Looked PathIntegrator::evaluate(std::span<const Look> looks) con
   using Lanes = EventLanes::Lanes;
   const size_t count = looks.size();
   const EventLanes event(count, [&](size_t i) -> const Collision& { return *states_[looks[i].path].at; });
-  const Vec3Of<Lanes> wi = EventLanes::columns(count, [&](size_t i) { return looks[i].light.wi; });
+  const Vec3Of<Lanes> wi = columnsOf<Lanes>(count, [&](size_t i) { return looks[i].light.wi; });
   std::array<Lanes, kOffsets> offsets, isOne;
   for (size_t k = 0; k < kOffsets; ++k) {
-    offsets[k] = EventLanes::column(count, [&](size_t i) { return looks[i].offsets[k]; });
-    isOne[k] = EventLanes::column(count, [&](size_t i) { return k < looks[i].count ? 1.0f : 0.0f; });
+    offsets[k] = columnOf<Lanes>(count, [&](size_t i) { return looks[i].offsets[k]; });
+    isOne[k] = columnOf<Lanes>(count, [&](size_t i) { return k < looks[i].count ? 1.0f : 0.0f; });
   }
   Looked looked;
   const auto material = static_cast<size_t>(materialOf(looks[0].path));
   scene_.cloth->materials[material].bcsdf->evaluate(event.wo, event.frame.toLocal(wi), offsets, looked.values);
 
-  const Lanes lightPdf = EventLanes::column(count, [&](size_t i) { return looks[i].light.pdf; });
-  const Lanes isDelta = EventLanes::column(count, [&](size_t i) { return looks[i].light.isDelta() ? 1.0f : 0.0f; });
-  const Lanes isCertain = EventLanes::column(
+  const Lanes lightPdf = columnOf<Lanes>(count, [&](size_t i) { return looks[i].light.pdf; });
+  const Lanes isDelta = columnOf<Lanes>(count, [&](size_t i) { return looks[i].light.isDelta() ? 1.0f : 0.0f; });
+  const Lanes isCertain = columnOf<Lanes>(
       count, [&](size_t i) { return !sampling_.lampsByChance || states_[looks[i].path].events == 1 ? 1.0f : 0.0f; });
   const auto chanceOf = [&](Lanes value) { return isCertain > 0 ? isCertain : chanceToLook(value); };
   Lanes pdfs{}, number{};

@@ -17,18 +17,9 @@ namespace {
 
 namespace said = words::booth;
 
-std::vector<const char*> pointers(const std::vector<std::string>& names) {
-  std::vector<const char*> all;
-  all.reserve(names.size());
-  for (const std::string& name : names) all.push_back(name.c_str());
-  return all;
-}
-
 void side(Ui& ui, const std::string& id, const Word& word, const ColourDifferenceModel& model, ColouredYarn& of) {
-  of.yarn = std::min(of.yarn, static_cast<int>(model.yarns.size()) - 1);
-  of.colourway = std::min(of.colourway, static_cast<int>(model.colourways.size()) - 1);
-  choiceField(ui, {id, word}, pointers(model.yarns), of.yarn);
-  choiceField(ui, {id + "_colourway", said::inColourway}, pointers(model.colourways), of.colourway);
+  choiceField(ui, {id, word}, choicesOf(model.yarns), of.yarn);
+  choiceField(ui, {id + "_colourway", said::inColourway}, choicesOf(model.colourways), of.colourway);
 }
 
 /// Standard and sample edge to edge, as one compares swatches.
@@ -94,13 +85,12 @@ void table(Ui& ui, const ColourDifferenceModel& model, double tolerance_cmc) {
 
 }  // namespace
 
-ColourPair ColourDifferenceDialog::pair(const Fabric& fabric) const {
-  ColourPair pair = pair_;
-  for (ColouredYarn* const of : {&pair.standard, &pair.sample}) {
+const ColourPair& ColourDifferenceDialog::pairOf(const Fabric& fabric) {
+  for (ColouredYarn* const of : {&pair_.standard, &pair_.sample}) {
     of->yarn = std::min(of->yarn, static_cast<int>(fabric.yarns.size()) - 1);
     of->colourway = std::min(of->colourway, static_cast<int>(fabric.colourways.size()));
   }
-  return pair;
+  return pair_;
 }
 
 void ColourDifferenceDialog::draw(Ui& ui, const ColourDifferenceModel& model, double& tolerance_cmc) {

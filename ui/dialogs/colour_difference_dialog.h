@@ -45,8 +45,8 @@ class ColourDifferenceDialog {
   /// The first two yarns, unless others were chosen before.
   void show() { open_ = opening_ = true; }
   bool isOpen() const { return open_; }
-  /// Within what the fabric has.
-  ColourPair pair(const Fabric& fabric) const;
+  /// What is compared, within what the fabric has; to be asked before each draw().
+  const ColourPair& pairOf(const Fabric& fabric);
   /// `tolerance_cmc` may be edited.
   void draw(Ui& ui, const ColourDifferenceModel& model, double& tolerance_cmc);
 

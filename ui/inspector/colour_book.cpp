@@ -51,8 +51,7 @@ void bookRow(Ui& ui, BookShelf& shelf) {
     names.push_back(words::bookRows::none);
     names.push_back(fmt::format(words::bookRows::forget, names[static_cast<size_t>(shelf.open)]));
   }
-  std::vector<const char*> choices;
-  for (const std::string& name : names) choices.push_back(name.c_str());
+  const std::vector<const char*> choices = choicesOf(names);
   int chosen = shelf.open;
   const char* const otherwise = shelf.files.empty() ? words::bookRows::dropHere : words::bookRows::none;
   if (!choiceField(ui, {"book.choice", words::colourBook}, choices, chosen, otherwise)) return;

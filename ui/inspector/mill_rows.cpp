@@ -67,8 +67,7 @@ bool selvedgeRows(Ui& ui, const std::vector<std::string>& yarnNames, MillData& m
   changed |= memberField(ui, "mill", mill, &MillData::selvedgeEndsPerDent);
   std::vector<std::string> yarns{words::mill::asWarp};
   yarns.insert(yarns.end(), yarnNames.begin(), yarnNames.end());
-  std::vector<const char*> names;
-  for (const std::string& yarn : yarns) names.push_back(yarn.c_str());
+  const std::vector<const char*> names = choicesOf(yarns);
   int chosen = mill.selvedgeYarn ? *mill.selvedgeYarn + 1 : 0;
   if (choiceField(ui, {"mill.selvedge_yarn", words::mill::selvedgeYarn}, names, chosen)) {
     mill.selvedgeYarn = chosen == 0 ? std::nullopt : std::optional(chosen - 1);

@@ -137,6 +137,13 @@ void tooltipFor(Ui& ui, const char* id, ImVec2 min, ImVec2 max, const char* text
   ImGui::EndTooltip();
 }
 
+std::vector<const char*> choicesOf(const std::vector<std::string>& names) {
+  std::vector<const char*> choices;
+  choices.reserve(names.size());
+  for (const std::string& name : names) choices.push_back(name.c_str());
+  return choices;
+}
+
 bool choiceField(Ui& ui, const RowText& text, std::span<const char* const> names, int& chosen, const char* otherwise) {
   FieldRow row = beginRow(ui, text);
   const ImVec2 min = ImGui::GetCursorScreenPos();

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "core/base/units.h"
 #include "core/fabric/model/glossary.h"
@@ -49,6 +50,8 @@ bool wholeNumberField(Ui& ui, const RowText& text, const char* unit, int min, in
 /// Tab and Shift+Tab open the next number of the panel, or the one before; asked once, at the beginning of a frame.
 void walkNumbers(Ui& ui);
 
+/// Names as choiceField() takes them; they must outlive it.
+std::vector<const char*> choicesOf(const std::vector<std::string>& names);
 /// One of a few names, in a list that opens; `chosen` may be -1 for none of them, shown as `otherwise`.
 bool choiceField(Ui& ui, const RowText& text, std::span<const char* const> names, int& chosen,
                  const char* otherwise = "");

@@ -54,7 +54,7 @@ void InspectorController::drawColourDifference(Ui& ui, const std::shared_ptr<con
   model.yarns = shownYarns(*fabric, yarnColours.of(*fabric), yarnColours.forNames(*fabric), view_.units.count).names;
   model.colourways.emplace_back(words::colourways::asItIsNow);
   for (const Colourway& colourway : fabric->colourways) model.colourways.push_back(colourway.name);
-  differences_.follow(fabric, colourDifference_.pair(*fabric));
+  differences_.follow(fabric, colourDifference_.pairOf(*fabric));
   differences_.tell(model);
   colourDifference_.draw(ui, model, view_.clothColour.tolerance_cmc);
 }

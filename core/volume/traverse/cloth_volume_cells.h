@@ -2,12 +2,8 @@
 
 // How rays come into the cells of ClothVolume, apart from its declaration; included by cloth_volume.h.
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 
-#include "core/base/simd.h"
 #include "core/volume/traverse/cloth_volume_march.h"
 
 namespace loomlight {
@@ -68,34 +64,14 @@ inline void ClothVolume::CellBricks::content(const ClothVolume& volume, glm::ive
 }
 
 /// A ray that is about to march through a piece, cell by cell. All in numbers that are counted from the cell, so that
-/// floats will do. Leaves alone: grid().level is 0. Rays that are not finite meet nothing. As RayInPiece, but for its
-/// three axes side by side.
-class ClothVolume::CellMarch {
+/// floats will do. Leaves alone: grid().level is 0.
+class ClothVolume::CellMarch : public RayInPiece {
  public:
   /// For t in [t0, t1] of the ray origin + t direction: cloth space, direction of any length.
   CellMarch(const ClothVolume& volume, glm::vec3 origin, glm::vec3 direction, float t0, float t1)
-      : volume_(&volume),
-        o_{origin.x, origin.y, origin.z - static_cast<double>(volume.grid_.zLower_mm), 0},
-        d_{direction.x, direction.y, direction.z, 0},
-        t_(std::max(t0, std::numeric_limits<float>::lowest())),
-        tEnd_(t1) {
-    constexpr double kFar = std::numeric_limits<double>::infinity();
-    if (!(t0 < t1) || !std::isfinite(glm::dot(origin, glm::vec3(1)) + glm::dot(direction, glm::vec3(1)))) return;
-    const Float64x4 size = numbersOf(volume.cell_mm_ * glm::dvec3(volume.cells_));
-    const Float64x4 d = d_;
-    const Int64x4 moves = d != 0, within = (o_ >= 0) & (o_ < size);
-    inverse_ = 1 / (moves ? d : broadcast<Float64x4>(1));
-    const Float64x4 a = -o_ * inverse_, b = (size - o_) * inverse_, far = broadcast<Float64x4>(kFar);
-    const Float64x4 enter = moves ? least(a, b) : (within ? -far : far), leave = moves ? most(a, b) : far;
-    t_ = std::max({t_, enter[0], enter[1], enter[2]});
-    tEnd_ = std::min({tEnd_, leave[0], leave[1], leave[2]});
-    inPiece_ = t_ < tEnd_;
-    constexpr double kNever = 1e30;  // a face so far off is never come to
-    inverse_ = moves ? most(broadcast<Float64x4>(-kNever), least(inverse_, broadcast<Float64x4>(kNever)))
-                     : broadcast<Float64x4>(kNever);
-    if (inPiece_) enterCell(truncated(numbersWithin(o_ + t_ * d_, volume.perCell_, volume.cells_)));
+      : RayInPiece(volume, origin, direction, t0, t1) {
+    if (inPiece_) enterCell(cellAtStart());
   }
-  bool inPiece() const { return inPiece_; }
 
   // In the piece:
   float enter() const { return static_cast<float>(t_); }     ///< of the ray's t
@@ -103,40 +79,36 @@ class ClothVolume::CellMarch {
   glm::ivec3 cell() const { return {cell_[0], cell_[1], cell_[2]}; }
   /// The voxel in which it comes into the piece, counted from the corner of its cell.
   glm::ivec3 voxel() const {
-    const Int32x4 voxel = truncated(numbersWithin(inCell_ + t_ * d_, volume_->perVoxel_, volume_->grid_.cell));
+    const Int32x4 voxel = numbersWithin(inCell_ + t_ * d_, volume_->perVoxel_, volume_->grid_.cell);
     return {voxel[0], voxel[1], voxel[2]};
   }
   /// The ray's origin, from the corner of the cell that it is in.
   glm::vec3 start_mm() const { return {inCell_[0], inCell_[1], inCell_[2]}; }
-  /// 1 / its direction; huge where it does not move.
-  glm::vec3 inverse() const { return {inverse_[0], inverse_[1], inverse_[2]}; }
-  /// 1 where it moves to greater coordinates, else 0; where it does not move, 1.
-  glm::ivec3 upwards() const { return {d_[0] < 0 ? 0 : 1, d_[1] < 0 ? 0 : 1, d_[2] < 0 ? 0 : 1}; }
+  /// 1 / its direction; huge where it hardly moves.
+  glm::vec3 inverse() const {
+    constexpr double kNever = 1e30;  // a face so far off is never come to
+    const Float64x4 d = d_, never = broadcast<Float64x4>(kNever);
+    const Float64x4 inverse = d != 0 ? most(-never, least(inverse_, never)) : never;
+    return {inverse[0], inverse[1], inverse[2]};
+  }
+  /// 0 where it moves to lesser coordinates, else 1.
+  glm::ivec3 upwards() const { return upwards_; }
   /// Goes to the next cell in an axis; false where that leaves the piece.
   bool leaveCell(int axis) {
     Int32x4 next = cell_;
-    next[axis] += d_[axis] > 0 ? 1 : -1;
+    next[axis] += 2 * upwards_[axis] - 1;
     enterCell(next);
     return static_cast<unsigned>(next[axis]) < static_cast<unsigned>(volume_->cells_[axis]);
   }
 
  private:
-  static Float64x4 numbersOf(glm::dvec3 v) { return Float64x4{v.x, v.y, v.z, 1}; }
-  /// Lengths in units of which there are so many.
-  static Float64x4 numbersWithin(Float64x4 length, glm::dvec3 perLength, glm::ivec3 count) {
-    return most(Float64x4{}, least(length * numbersOf(perLength), numbersOf(glm::dvec3(count - 1))));
-  }
   void enterCell(Int32x4 cell) {
     cell_ = cell;
     inCell_ = o_ - __builtin_convertvector(cell, Float64x4) * numbersOf(volume_->cell_mm_);
   }
 
-  const ClothVolume* volume_;
-  // In double: at the far side of a wide cloth a float's step is no longer small beside a voxel.
-  Float64x4 o_, d_, inverse_{}, inCell_{};
-  double t_, tEnd_;  ///< where it comes into the piece, and leaves it
+  Float64x4 inCell_{};  ///< its origin, from the corner of the cell
   Int32x4 cell_{};
-  bool inPiece_ = false;
 };
 
 }  // namespace loomlight

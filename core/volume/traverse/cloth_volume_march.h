@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/simd.h"
 #include "core/volume/traverse/cloth_volume.h"
 
 namespace loomlight {
@@ -61,52 +62,45 @@ inline void ClothVolume::look(const Reaches& reaches, int voxel, VoxelContent& c
   content.count = count;
 }
 
-/// A ray, clipped to a piece. Rays that are not finite meet nothing.
+/// A ray, clipped to a piece, its three axes side by side. Rays that are not finite meet nothing.
 class ClothVolume::RayInPiece {
  public:
   bool inPiece() const { return inPiece_; }
 
  protected:
   RayInPiece(const ClothVolume& volume, glm::vec3 origin, glm::vec3 direction, float t0, float t1)
-      : volume_(&volume), o_(origin), d_(direction), tEnd_(t1) {
+      : volume_(&volume),
+        o_{origin.x, origin.y, origin.z - static_cast<double>(volume.grid_.zLower_mm), 0},
+        d_{direction.x, direction.y, direction.z, 0},
+        t_(std::max(t0, std::numeric_limits<float>::lowest())),
+        tEnd_(t1),
+        upwards_(direction.x < 0 ? 0 : 1, direction.y < 0 ? 0 : 1, direction.z < 0 ? 0 : 1) {
     if (!(t0 < t1) || !std::isfinite(glm::dot(origin, glm::vec3(1)) + glm::dot(direction, glm::vec3(1)))) return;
-    o_.z -= volume.grid_.zLower_mm;
-    for (int axis = 0; axis < 3; ++axis) {
-      upwards_[axis] = d_[axis] > 0 ? 1 : 0;
-      inverse_[axis] = d_[axis] != 0 ? 1 / d_[axis] : 0;
-    }
-    t_ = std::max(t0, std::numeric_limits<float>::lowest());
-    inPiece_ = clip();
+    constexpr double kFar = std::numeric_limits<double>::infinity();
+    const Float64x4 d = d_, far = broadcast<Float64x4>(kFar);
+    const Float64x4 size = numbersOf(volume.cell_mm_ * glm::dvec3(volume.cells_));
+    const Int64x4 moves = d != 0, within = (o_ >= 0) & (o_ < size);
+    inverse_ = 1 / (moves ? d : broadcast<Float64x4>(1));
+    const Float64x4 a = -o_ * inverse_, b = (size - o_) * inverse_;
+    const Float64x4 enter = moves ? least(a, b) : (within ? -far : far), leave = moves ? most(a, b) : far;
+    t_ = std::max({t_, enter[0], enter[1], enter[2]});
+    tEnd_ = std::min({tEnd_, leave[0], leave[1], leave[2]});
+    inPiece_ = t_ < tEnd_;
   }
 
-  /// The cell at t, in an axis.
-  int cellAt(int axis) const {
-    const double position = o_[axis] + t_ * d_[axis];
-    return std::clamp(static_cast<int>(position * volume_->perCell_[axis]), 0, volume_->cells_[axis] - 1);
+  static Float64x4 numbersOf(glm::dvec3 v) { return Float64x4{v.x, v.y, v.z, 1}; }
+  /// Lengths in units of which there are so many: from 0 to the last.
+  static Int32x4 numbersWithin(Float64x4 length, glm::dvec3 perLength, glm::ivec3 count) {
+    return truncated(most(Float64x4{}, least(length * numbersOf(perLength), numbersOf(glm::dvec3(count - 1)))));
   }
-
+  /// The cell that it is in at t.
+  Int32x4 cellAtStart() const { return numbersWithin(o_ + t_ * d_, volume_->perCell_, volume_->cells_); }
   const ClothVolume* volume_;
   // In double: at the far side of a wide cloth a float's step is no longer small beside a voxel.
-  glm::dvec3 o_, d_, inverse_{0};
-  glm::ivec3 upwards_{0};  ///< 1 where it moves to greater coordinates; numbers, for no branch predicts signs
-  double t_ = 0, tEnd_;    ///< how far it has come, and goes
+  Float64x4 o_, d_, inverse_{};  ///< 1 / d, and 1 where it does not move; the fourth number counts for nothing
+  double t_, tEnd_;              ///< how far it has come, and goes
+  glm::ivec3 upwards_;           ///< 0 where it moves to lesser coordinates, else 1; numbers: no branch predicts signs
   bool inPiece_ = false;
-
- private:
-  /// Clips [t, tEnd] to the piece; false if nothing is left.
-  bool clip() {
-    const glm::dvec3 size = volume_->cell_mm_ * glm::dvec3(volume_->cells_);
-    for (int axis = 0; axis < 3; ++axis) {
-      if (d_[axis] == 0) {
-        if (!(o_[axis] >= 0 && o_[axis] < size[axis])) return false;
-        continue;
-      }
-      const double a = -o_[axis] * inverse_[axis], b = (size[axis] - o_[axis]) * inverse_[axis];
-      t_ = std::max(t_, std::min(a, b));
-      tEnd_ = std::min(tEnd_, std::max(a, b));
-    }
-    return t_ < tEnd_;
-  }
 };
 
 /// A ray on its way through a piece: it stops at each voxel with content, and goes on from there when it is asked to,
@@ -167,8 +161,9 @@ class ClothVolume::March : public RayInPiece {
 
   /// Goes to the block at t.
   void start() {
+    const Int32x4 cell = cellAtStart();
     for (int axis = 0; axis < 3; ++axis) {
-      cell_[axis] = cellAt(axis);
+      cell_[axis] = cell[axis];
       enterCell(axis);
       block_[axis] = voxelAt(axis) >> 2;
       tBlock_[axis] = faceAhead(axis, lastVoxel(axis));
