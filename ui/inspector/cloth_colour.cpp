@@ -51,11 +51,14 @@ std::string differenceText(const Wanted& wanted, const ClothColourModel& model) 
 /// What can be done about a difference: take what there is, or dye once more where the cloth has become another one.
 void remedy(Ui& ui, const char* id, float width, const ClothPart& part, const Wanted& wanted,
             const ClothColourModel& model, ClothColourView& view) {
-  const bool known = wanted && model.state == State::known;
+  // What the cloth was before its last edit is no colour to take: it would undo that.
+  const bool known = wanted && model.state == State::known && model.isCurrent;
   const bool isOut = model.tooLight || model.tooDark;
   const bool again = known && !isOut && model.difference >= kSeen;
+  const bool helps = known && (isOut || again);
   const Word& word = again ? words::dyeAgain : words::takeNearest;
-  if (!button(ui, id, word.label, width, known && (isOut || again), word.help)) return;
+  ui.probe.fact(id, helps ? word.label : "");
+  if (!button(ui, id, word.label, width, helps, word.help)) return;
   if (again)
     view.want(part, *wanted);
   else

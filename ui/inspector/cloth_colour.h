@@ -18,9 +18,10 @@ namespace loomlight {
 struct ClothColourModel {
   enum class State { measuring, known, hidden, failed };
   State state = State::measuring;
-  Rgb colour{0};          ///< linear; of the cloth as it is, where it is known
-  double difference = 0;  ///< CIEDE2000 from what is wanted, where something is: as `present` has it
-  double error = 0;       ///< standard error of the colour, CIEDE2000
+  Rgb colour{0};           ///< linear; of the cloth, where it is known
+  bool isCurrent = false;  ///< it is the colour of the cloth as it is now, not as it was before an edit
+  double difference = 0;   ///< CIEDE2000 from what is wanted, where something is: as `present` has it
+  double error = 0;        ///< standard error of the colour, CIEDE2000
   bool tooLight = false, tooDark = false;
 
   /// Beside what is wanted, under one lamp.

@@ -33,7 +33,8 @@ InspectorResult InspectorController::draw(Ui& ui, const std::shared_ptr<const Fa
   model.yarns = shownYarns(*fabric, yarnColours.of(*fabric), yarnColours.forNames(*fabric), view_.units.count);
   if (view_.page == InspectorView::Page::yarn && view_.yarn < static_cast<int>(fabric->yarns.size()))
     model.closeUp = pictures_.closeUp(fabric, view_.yarn, ui.scale);
-  if (view_.page == InspectorView::Page::fibre) model.clothColour = colours_.model(dyed(*fabric), view_.clothColour);
+  if (view_.page == InspectorView::Page::fibre)
+    model.clothColour = colours_.model(fabric, dyed(*fabric), view_.clothColour);
   model.visibility = seen.visibilityModel(view_.yarn);
   model.inches = inches;
   return inspector(ui, *fabric, model, view_);

@@ -30,7 +30,8 @@ void judge(ClothColourModel& model, const std::vector<LampJudgement>& judgements
 
 }  // namespace
 
-ClothColourModel ClothColourService::model(const ClothPart& part, const ClothColourView& view) const {
+ClothColourModel ClothColourService::model(const std::shared_ptr<const Fabric>& fabric, const ClothPart& part,
+                                           const ClothColourView& view) const {
   using State = ClothColourModel::State;
   ClothColourModel model;
   const std::shared_ptr<const ColourAnswer> answer = worker_.newest();
@@ -40,6 +41,9 @@ ClothColourModel ClothColourService::model(const ClothPart& part, const ClothCol
   model.state = answer->seen ? State::known : State::hidden;
   model.colour = answer->colour;
   model.error = answer->error;
+  // A dye that was found and is not handed out yet is about to make another cloth.
+  const bool dyes = (answer->solved || answer->matched) && answer->wish.number > doneWish_;
+  model.isCurrent = answer->wish.fabric == fabric && !dyes;
   const auto wanted = view.wanted.find(part);
   if (wanted == view.wanted.end()) return model;
   model.difference =

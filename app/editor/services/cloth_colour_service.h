@@ -16,7 +16,8 @@ class ClothColourService {
   explicit ClothColourService(std::function<void()> wake) : worker_(std::move(wake)) {}
 
   /// `part`: that is looked at.
-  ClothColourModel model(const ClothPart& part, const ClothColourView& view) const;
+  ClothColourModel model(const std::shared_ptr<const Fabric>& fabric, const ClothPart& part,
+                         const ClothColourView& view) const;
   /// Asks for what the page wants to know. The fabric after an edit, once an answer to a wanted colour is there: each
   /// is handed out once, and only while what it dyes is looked at and still wanted.
   std::optional<Fabric> follow(const std::shared_ptr<const Fabric>& fabric, const ClothPart& part,

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "core/fabric/model/glossary.h"
 #include "core/fabric/yarn/yarn_reflectance.h"
 #include "tests/headless/editor/weaver.h"
 #include "tests/support/scratch_folder.h"
@@ -173,6 +174,9 @@ TEST_F(Swatches, OneClickTakesTheNearest) {
     return editor.fact("fibre.cloth_colour_remark").starts_with("Lighter") &&
            editor.fact("fibre.cloth_colour_difference") != "\u0394E 0.0";
   });
+  // Not before the cloth is measured as it has become: what it was before is not the nearest.
+  editor.until("it can be taken",
+               [&] { return editor.fact("fibre.cloth_colour_nearest") == words::takeNearest.label; });
   const Fabric nearest = editor.saved();
   editor.click("fibre.cloth_colour_nearest");
   editor.until("it is wanted now", [&] { return editor.fact("fibre.cloth_colour_difference") == "\u0394E 0.0"; });
