@@ -27,10 +27,11 @@ void chips(Ui& ui, const ColourDifferenceModel::UnderLamp* under) {
   const ImVec2 min = ImGui::GetCursorScreenPos(), size(ImGui::GetContentRegionAvail().x, ImGui::GetFrameHeight());
   const ImVec2 max(min.x + size.x, min.y + size.y), middle(min.x + 0.5f * size.x, max.y);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  draw.AddRectFilled(min, max, packed(ui.theme.field));
   if (under) {
     draw.AddRectFilled(min, middle, packed(under->standard.colour));
     draw.AddRectFilled(ImVec2(middle.x, min.y), max, packed(under->sample.colour));
+  } else {
+    draw.AddRect(min, max, packed(ui.theme.line));  // what is not known is no white
   }
   ImGui::Dummy(size);
 }

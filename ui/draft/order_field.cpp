@@ -67,19 +67,25 @@ std::optional<std::vector<int>> taken(const std::string& text, int yarns, OrderT
   return std::nullopt;
 }
 
-/// The field's name, and at the end of its line what the order comes to, in threads and mm: a line of its own would
-/// push the stripes below out of sight.
-void lineAbove(Ui& ui, const RowText& text, size_t threads, double length_mm) {
-  const std::string comesTo = threads == 1 ? fmt::format(words::order::oneThread, threads, length_mm)
-                                           : fmt::format(words::order::severalThreads, threads, length_mm);
+/// How many ends or picks an order has, and how far they reach.
+std::string lengthText(bool isWarp, size_t threads, double length_mm) {
+  const char* const one = isWarp ? words::order::oneEnd : words::order::onePick;
+  const char* const several = isWarp ? words::order::severalEnds : words::order::severalPicks;
+  return fmt::format(fmt::runtime(threads == 1 ? one : several), threads, length_mm);
+}
+
+/// The field's name, and at the end of its line what the order comes to: a line of its own would push the stripes below
+/// out of sight.
+void lineAbove(Ui& ui, const RowText& text, const std::string& comesTo) {
   ImGui::TextDisabled("%s", text.label);
-  ImGui::SameLine(0, ui.px(16));
-  const std::string shown = shortened(comesTo, ImGui::GetContentRegionAvail().x);
+  ImGui::SameLine(0, ui.px(12));
+  std::string cut;
+  const std::string shown = fitted(ui, text.id + "_threads", comesTo.c_str(), ImGui::GetContentRegionAvail().x, cut);
   ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(shown.c_str()).x);
   ImGui::TextColored(ui.theme.textQuiet, "%s", shown.c_str());
   const std::string id = text.id + "_threads";
   ui.probe.recordItem(id);
-  tooltipFor(ui, id.c_str(), ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), comesTo.c_str());
+  tooltipFor(ui, id.c_str(), ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), cut.c_str());
 }
 
 /// What is wrong with the order that is typed, where something is, and the way out.
@@ -118,7 +124,8 @@ std::optional<Fabric> orderField(Ui& ui, const RowText& text, const Fabric& fabr
   const std::vector<int>& sequence = fabric.*system;
   if (!typing.open && typing.sequence != sequence)
     typing = {false, false, yarnOrderText(sequence), sequence, typing.lines, {}, {}};
-  lineAbove(ui, text, sequence.size(), pitch_mm * static_cast<double>(sequence.size()));
+  const double length_mm = pitch_mm * static_cast<double>(sequence.size());
+  lineAbove(ui, text, lengthText(system == &Fabric::warpSequence, sequence.size(), length_mm));
   const float width = ImGui::GetContentRegionAvail().x;
   Typing now{width - 2 * ImGui::GetStyle().FramePadding.x - ui.px(8), !typing.open};
   std::string shown = typing.text;

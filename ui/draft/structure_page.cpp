@@ -28,6 +28,18 @@ struct ThumbnailGrid {
   }
 };
 
+/// What the widest line of a name needs that stands in two.
+float widestWord(const std::vector<Structure>& palette) {
+  float widest = 0;
+  for (const Structure& structure : palette) {
+    const size_t space = std::min(structure.name.find(' '), structure.name.size());
+    const char *const name = structure.name.c_str(), *const end = name + structure.name.size();
+    widest = std::max(widest, ImGui::CalcTextSize(name, name + space).x);
+    if (name + space < end) widest = std::max(widest, ImGui::CalcTextSize(name + space + 1, end).x);
+  }
+  return std::ceil(widest);
+}
+
 /// The name in one line, or in two where it is too long for one.
 std::vector<std::string> linesOf(const std::string& name, float width) {
   if (ImGui::CalcTextSize(name.c_str()).x <= width) return {name};
@@ -38,7 +50,7 @@ std::vector<std::string> linesOf(const std::string& name, float width) {
 
 ThumbnailGrid gridOf(Ui& ui, const std::vector<Structure>& palette, float size, float room) {
   ThumbnailGrid grid{size, ui.px(6)};
-  const float least = std::max(size, ui.px(66));
+  const float least = std::max(size, widestWord(palette));
   grid.perLine = std::max(1, static_cast<int>((room + grid.gap) / (least + grid.gap)));
   grid.slotWidth = (room + grid.gap) / static_cast<float>(grid.perLine) - grid.gap;
   grid.tops.push_back(0);
@@ -80,8 +92,9 @@ void nameBelow(Ui& ui, const std::string& name, ImVec2 at, const ThumbnailGrid& 
   ImGui::PopFont();
   const std::string id = "structure/" + name + "/name";
   ui.probe.recordItem(id);
-  if (fmt::format("{}", fmt::join(lines, " ")) != name)
-    tooltipFor(ui, id.c_str(), ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), name.c_str());
+  if (fmt::format("{}", fmt::join(lines, " ")) == name) return;
+  if (ui.probe.watching()) ui.probe.fact("shortened.structure/" + name, name);
+  tooltipFor(ui, id.c_str(), ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), name.c_str());
 }
 
 }  // namespace

@@ -229,13 +229,14 @@ bool textRow(Ui& ui, const RowText& text, std::string& value, const char* whenEm
   if (ImGui::IsItemActivated()) ui.memory.tabOrder.standOn(ImGui::GetItemID(), false);
   const char* const shown = value.empty() ? whenEmpty : value.c_str();
   const bool goesOn = ImGui::CalcTextSize(shown).x > row.width - ui.px(16);
+  if (goesOn && value.empty() && ui.probe.watching()) ui.probe.fact("shortened." + text.id, whenEmpty);
   if (goesOn && !ImGui::IsItemActive()) {  // a text that goes on fades out
     const ImVec2 max(min.x + row.width, min.y + row.height);
     const ImVec4& field = ImGui::IsItemHovered() ? ui.theme.fieldHover : ui.theme.field;
     const ImU32 clear = packed(field, 0), full = packed(field);
     const float rounding = ImGui::GetStyle().FrameRounding, end = max.x - 2 * rounding;
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    draw.AddRectFilledMultiColor(ImVec2(end - ui.px(32), min.y), ImVec2(end, max.y), clear, full, full, clear);
+    draw.AddRectFilledMultiColor(ImVec2(end - ui.px(16), min.y), ImVec2(end, max.y), clear, full, full, clear);
     draw.AddRectFilled(ImVec2(end, min.y), max, full, rounding, ImDrawFlags_RoundCornersRight);
   }
   ImGui::PopID();

@@ -12,12 +12,16 @@ namespace loomlight {
 namespace {
 
 constexpr float kEdge = 24;  // from the window's
+constexpr int kSettles = 3;  // frames until a dialog that is as high as its rows knows how high they are
 
 }  // namespace
 
 bool beginModal(Ui& ui, const char* title, ImVec2 size, bool& open, bool& opening) {
   const bool opensNow = std::exchange(opening, false);  // the key that brings a dialog up must not answer it
-  if (opensNow) ImGui::OpenPopup(title);
+  if (opensNow) {
+    ImGui::OpenPopup(title);
+    ui.memory.dialogOpened = ImGui::GetFrameCount();
+  }
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const float edge = ui.px(kEdge);
   size.x = std::min(size.x, screen.x - 2 * edge);
@@ -27,14 +31,18 @@ bool beginModal(Ui& ui, const char* title, ImVec2 size, bool& open, bool& openin
   const ImVec2 last = ui.memory.screen;
   const bool resized = last.x != screen.x || last.y != screen.y;
   const bool leaves = before && before->Active && before->Pos.y + before->Size.y > screen.y - ui.px(4);
+  const bool settles = ImGui::GetFrameCount() - ui.memory.dialogOpened <= kSettles;
   ui.memory.screen = screen;
+  if (settles) ui.wakeWithin(0);
   ImGui::SetNextWindowPos(ImVec2(0.5f * screen.x, 0.5f * screen.y),
-                          resized || leaves ? ImGuiCond_Always : ImGuiCond_Appearing, ImVec2(0.5f, 0.5f));
+                          resized || leaves || settles ? ImGuiCond_Always : ImGuiCond_Appearing, ImVec2(0.5f, 0.5f));
   ImGui::SetNextWindowSize(size, ImGuiCond_Always);
   open = ImGui::BeginPopupModal(title, nullptr,
                                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                                     ImGuiWindowFlags_NoSavedSettings);
   if (!open) return false;
+  const ImVec2 corner = ImGui::GetWindowPos(), whole = ImGui::GetWindowSize();
+  ui.probe.record("modal", corner, ImVec2(corner.x + whole.x, corner.y + whole.y));
   // As it is before the fields answer to the keys of this frame.
   const bool isTyping = ui.memory.typing != 0 && ImGui::GetFrameCount() - ui.memory.typedAt <= 1;
   ui.memory.keysAreTaken = isTyping || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId) || opensNow;

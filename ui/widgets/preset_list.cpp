@@ -7,14 +7,14 @@
 namespace loomlight {
 
 std::optional<PresetChoice> presetList(Ui& ui, const std::vector<std::string>& own,
-                                       const std::vector<std::string>& samples, bool& browse) {
+                                       const std::vector<std::string>& samples, PageScroll& scroll, bool& browse) {
   if (ImGui::GetContentRegionAvail().y < ui.px(kLowestPresetList) - 1) {
     browse = button(ui, "presets.browse", words::menu::presets.label, 0, true, words::presets::browseHelp);
     return std::nullopt;
   }
   heading(ui, words::presets::title);
   std::optional<PresetChoice> chosen;
-  ImGui::BeginChild("presets", ImVec2(0, 0));
+  beginPage(ui, "presets", 0, scroll);
   auto list = [&](const std::vector<std::string>& names, bool isSample) {
     for (size_t i = 0; i < names.size(); ++i) {
       ImGui::PushID(isSample ? static_cast<int>(i) : -1 - static_cast<int>(i));
@@ -28,7 +28,7 @@ std::optional<PresetChoice> presetList(Ui& ui, const std::vector<std::string>& o
   list(own, false);
   if (!own.empty()) ImGui::Separator();
   list(samples, true);
-  ImGui::EndChild();
+  endPage(scroll);
   return chosen;
 }
 

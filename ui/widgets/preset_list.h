@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/widgets/ui.h"
+#include "ui/widgets/panel_controls.h"
 
 namespace loomlight {
 
@@ -20,6 +20,6 @@ inline constexpr float kLowestPresetList = 110;
 /// clicked. Where less than kLowestPresetList is left a button stands in for the list, and `browse` is true when the
 /// browser of presets is asked for.
 std::optional<PresetChoice> presetList(Ui& ui, const std::vector<std::string>& own,
-                                       const std::vector<std::string>& samples, bool& browse);
+                                       const std::vector<std::string>& samples, PageScroll& scroll, bool& browse);
 
 }  // namespace loomlight

@@ -28,7 +28,8 @@ struct FieldMemory {
   bool scrubMoved = false;
   bool keysAreTaken = false;  ///< Escape and Enter are not for the dialog in this frame
   TabOrder tabOrder;
-  ImVec2 screen{0, 0};  ///< in which dialogs have found their places
+  ImVec2 screen{0, 0};   ///< in which dialogs have found their places
+  int dialogOpened = 0;  ///< the frame in which the last one was
   ImGuiID restingOn = 0;
   double restingSince = 0;
 };

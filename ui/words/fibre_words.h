@@ -44,8 +44,8 @@ inline constexpr const char* noDifference =
     "\xCE\x94"
     "E \xE2\x80\x93";
 inline constexpr const char* dyed[] = {words::fibreName.label, words::yarnName.label, "Piece"};
-inline constexpr const char* codeLooksLike = "#1a2b3c or Lab 30 5 -12";
-inline constexpr const char* codeOrNameLooksLike = "#1a2b3c, Lab 30 5 -12 or a name";
+inline constexpr const char* codeLooksLike = "Hex or Lab";
+inline constexpr const char* codeOrNameLooksLike = "Hex, Lab or name";
 
 inline constexpr const char* measuring = "Measuring what light does in this cloth.";
 inline constexpr const char* yarnIsHidden = "This yarn never lies on the face, so it shows no colour.";

@@ -7,8 +7,10 @@ namespace loomlight::words {
 /// What the page of colours says of an order of yarns.
 namespace order {
 
-inline constexpr const char* oneThread = "{} thread \xC2\xB7 {:.1f} mm";
-inline constexpr const char* severalThreads = "{} threads \xC2\xB7 {:.1f} mm";
+inline constexpr const char* oneEnd = "{} end \xC2\xB7 {:.1f} mm";
+inline constexpr const char* severalEnds = "{} ends \xC2\xB7 {:.1f} mm";
+inline constexpr const char* onePick = "{} pick \xC2\xB7 {:.1f} mm";
+inline constexpr const char* severalPicks = "{} picks \xC2\xB7 {:.1f} mm";
 inline constexpr const char* onlyCounted = "{} threads";  // where they are too many to be written
 inline constexpr const char* noSuchYarn = "There is no yarn {} yet.";
 inline constexpr Word addYarn{"Add the yarn",

@@ -29,8 +29,8 @@ class PresetController {
   bool isOpen() const { return browser_.isOpen(); }
 
   /// `browse`: the browser is asked for instead.
-  std::optional<PresetChoice> drawList(Ui& ui, bool& browse) const {
-    return presetList(ui, service_.names(), samples_, browse);
+  std::optional<PresetChoice> drawList(Ui& ui, bool& browse) {
+    return presetList(ui, service_.names(), samples_, scroll_, browse);
   }
   /// Of a choice of the designer's own.
   std::string fileOf(const PresetChoice& choice) const { return service_.fileOf(service_.names()[choice.index]); }
@@ -46,6 +46,7 @@ class PresetController {
  private:
   PresetService service_;
   PresetBrowser browser_;
+  PageScroll scroll_;    // of the list
   std::string problem_;  ///< why the last change was not made
   const std::vector<std::string> samples_ = sampleNames();
 };

@@ -225,7 +225,6 @@ TEST_F(Orders, WhatTheyComeToStandsBesideTheirNamesAndOnlyAProblemTakesALine) {
   EXPECT_GT(editor.rect("draft.weft_order").y0, next);
 }
 
-/// A wider stripe may make the order above a line longer: the bar waits for the mouse to let go.
 /// In a window as most have it, of orders that take a line each.
 TEST(OrdersAtUsualSize, TheTableOpensAboveTheFold) {
   HeadlessEditor editor({1440, 900});
@@ -241,6 +240,7 @@ TEST(OrdersAtUsualSize, TheTableOpensAboveTheFold) {
   EXPECT_EQ(editor.rect("draft.tab_colours"), tab) << "tabs stay under the mouse";
 }
 
+/// A wider stripe may make the order above a line longer: the bar waits for the mouse to let go.
 TEST_F(Orders, TheBarStaysUnderTheMouseThatDragsIt) {
   const auto height = [&](const std::string& order) {
     editor.edits(order, [&] { editor.enter("draft.warp_order", order); });

@@ -3,6 +3,7 @@
 /// larger or smaller.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -130,6 +131,36 @@ TEST_P(LookAt, ARowOfFloatsMovesNothing) {
   EXPECT_EQ(editor.shows("sample/Blue cloth"), hadPresets);
 }
 
+/// Dialogs that are as high as their rows open in the middle too.
+TEST_P(LookAt, DialogsOpenInTheMiddle) {
+  for (const auto& [menu, item, close] : {std::array{"menu.edit", "menu.preferences", "preferences.close"},
+                                          std::array{"menu.file", "menu.handover", "handover.close"},
+                                          std::array{"menu.view", "menu.colour_difference", "difference.close"}}) {
+    editor.click(menu);
+    editor.click(item);
+    editor.centre(close);
+    const HeadlessEditor::Rect dialog = editor.rect("modal");
+    EXPECT_NEAR(dialog.y0, editor.screen().y - dialog.y1, 2) << item;
+    editor.key("Escape");
+    editor.until("Esc closes the dialog", [&, name = close] { return !editor.shows(name); });
+  }
+}
+
+/// No name in the panel of structures is broken off, and what orders come to is said whole, whatever the size.
+TEST_P(LookAt, WhatThePanelOfTheDraftSaysIsSaidWhole) {
+  editor.click("draft.tab_structures");
+  for (const auto& [name, text] : editor.snapshot().facts)
+    EXPECT_FALSE(name.starts_with("shortened.structure/")) << text;
+  editor.edits("a long order", [&] {
+    editor.click("draft.tab_colours");
+    editor.enter("draft.warp_order", "100A 100B");
+  });
+  editor.edits("another", [&] { editor.enter("draft.weft_order", "100A 100B"); });
+  editor.frame();
+  for (const char* order : {"draft.warp_order_threads", "draft.weft_order_threads"})
+    EXPECT_EQ(editor.fact(std::string("shortened.") + order), "") << order;
+}
+
 INSTANTIATE_TEST_SUITE_P(AtSize, LookAt, testing::ValuesIn(kLooks),
                          [](const auto& look) { return std::string(look.param.name); });
 
@@ -179,16 +210,15 @@ TEST_F(LookAtSmall, NothingIsWrittenOverAnother) {
   EXPECT_GT(editor.rect("status.warning").x0, editor.rect("status.float").x1);
 }
 
-/// A name that is broken off, and what stands in a field that is empty, are read whole where the mouse rests.
+/// A name that is broken off is read whole where the mouse rests.
 TEST_F(LookAtSmall, WhatIsCutIsReadInATooltip) {
   const std::string name(200, 'm');
   editor.click("tab.cloth");
   editor.edits("a long name", [&] { editor.enter("cloth.name", name); });
   editor.move(editor.centre("title"));
   editor.until("the name is whole", [&] { return editor.fact("tooltip") == name; });
-  editor.click("tab.fibre");
-  editor.move(editor.centre("fibre.colour_code"));
-  editor.until("so is the example", [&] { return editor.fact("tooltip").starts_with("#1a2b3c or Lab 30 5 -12\n"); });
+  editor.move(editor.centre("cloth.name"));
+  editor.until("so is the field that it fades out in", [&] { return editor.fact("tooltip").starts_with(name + "\n"); });
 }
 
 /// 1, 2 and 3 look from above, aslant and along the cloth.
