@@ -13,7 +13,11 @@ namespace {
 
 /// How the draft is used and seen.
 void panelHead(Ui& ui, DraftView& view) {
-  const float gap = ui.px(4);
+  float buttons = 0;
+  for (const Word& word : {words::draft::select, words::draft::inColour, words::draft::back, words::draft::floats})
+    buttons += ImGui::CalcTextSize(word.label).x + ui.px(16);
+  // Where the panel is narrow they stand closer, and end where the draft does.
+  const float gap = std::clamp((ImGui::GetContentRegionAvail().x - buttons) / 3, ui.px(1), ui.px(4));
   bool selects = view.tool == DraftView::Tool::select;
   const auto toggle = [&](const char* id, const Word& word, bool& on) {
     toggleButton(ui, id, word.label, word.help, on);

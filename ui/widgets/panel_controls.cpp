@@ -7,6 +7,7 @@ namespace loomlight {
 bool toggleButton(Ui& ui, const char* id, const char* name, const char* tooltip, bool& on) {
   const ImVec2 text = ImGui::CalcTextSize(name);
   const ImVec2 size(text.x + ui.px(16), ImGui::GetFrameHeight()), min = ImGui::GetCursorScreenPos();
+  tellIfClipped(ui, id, name, ImGui::GetContentRegionAvail().x - ui.px(8));
   const bool clicked = ImGui::InvisibleButton(id, size);
   const ImVec2 max(min.x + size.x, min.y + size.y);
   if (clicked) on = !on;

@@ -68,6 +68,18 @@ TEST_F(Fields, TabGoesOnFromANameAndFromWhereEnterWasPressed) {
   EXPECT_EQ(fabric.picks_per_cm, 19);
 }
 
+/// Where no field is open Tab opens one: panels are hidden by a key of their own.
+TEST_F(Fields, TabHidesNoPanels) {
+  editor.key("Tab");
+  for (int i = 0; i < 5; ++i) editor.frame();
+  EXPECT_TRUE(editor.shows("draft.select")) << "the panels are gone";
+  EXPECT_EQ(editor.fact("text_input"), "yes") << "no number is open";
+  editor.key("Escape");
+  editor.until("Esc leaves the number", [&] { return editor.fact("text_input") == "no"; });
+  editor.key("p");
+  editor.until("P hides the panels", [&] { return !editor.shows("draft.select"); });
+}
+
 TEST_F(Fields, EscapeRestoresANumber) {
   const double before = smallTwill().ends_per_cm;
   editor.click("cloth.ends_per_cm");

@@ -178,10 +178,21 @@ class LookAtSmall : public testing::Test {
   HeadlessEditor editor{{1280, 720, 1}};
 };
 
-/// What has been cut is read where the mouse rests, and nothing covers the draft from a button above it.
+/// What buttons above the draft do is said beside it, and tables that are drawn at are covered by nothing.
 TEST_F(LookAtSmall, TooltipsStandBesideTheDraft) {
-  editor.move(editor.centre("draft.floats"));
-  editor.until("the button is explained", [&] { return !editor.fact("tooltip").empty(); });
+  for (const char* const table : {"draft.tieup_0_1", "draft.threading_0_1"}) {
+    editor.move(editor.centre(table));
+    for (int i = 0; i < 60; ++i) editor.frame();
+    EXPECT_FALSE(editor.shows("tooltip")) << table;
+  }
+  for (const char* const of : {"draft.select", "draft.colour", "draft.back", "draft.floats"}) {
+    editor.move(editor.centre(of));
+    editor.until(of, [&] { return !editor.fact("tooltip").empty(); });
+    EXPECT_GE(editor.rect("tooltip").x0, editor.rect("draft.canvas").x1) << of;
+    if (of == std::string("draft.floats")) continue;
+    editor.move(editor.centre("status.work"));
+    editor.until("it has gone", [&] { return !editor.shows("tooltip"); });
+  }
   editor.click("draft.floats");
   for (int i = 0; i < 60; ++i) editor.frame();
   EXPECT_EQ(editor.fact("tooltip"), "") << "whoever has pressed the button knows what it does";
