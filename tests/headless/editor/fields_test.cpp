@@ -72,7 +72,7 @@ TEST_F(Fields, TabGoesOnFromANameAndFromWhereEnterWasPressed) {
 TEST_F(Fields, TabHidesNoPanels) {
   editor.key("Tab");
   for (int i = 0; i < 5; ++i) editor.frame();
-  EXPECT_TRUE(editor.shows("draft.select")) << "the panels are gone";
+  ASSERT_TRUE(editor.shows("draft.select")) << "the panels are gone";
   EXPECT_EQ(editor.fact("text_input"), "yes") << "no number is open";
   editor.key("Escape");
   editor.until("Esc leaves the number", [&] { return editor.fact("text_input") == "no"; });
