@@ -49,7 +49,7 @@ std::vector<std::string> linesOf(const std::string& name, float width) {
 }
 
 ThumbnailGrid gridOf(Ui& ui, const std::vector<Structure>& palette, float size, float room) {
-  ThumbnailGrid grid{size, ui.px(6)};
+  ThumbnailGrid grid{size, ui.px(3)};
   const float least = std::max(size, widestWord(palette));
   grid.perLine = std::max(1, static_cast<int>((room + grid.gap) / (least + grid.gap)));
   grid.slotWidth = (room + grid.gap) / static_cast<float>(grid.perLine) - grid.gap;

@@ -149,6 +149,7 @@ TEST_P(LookAt, DialogsOpenInTheMiddle) {
 /// No name in the panel of structures is broken off, and what orders come to is said whole, whatever the size.
 TEST_P(LookAt, WhatThePanelOfTheDraftSaysIsSaidWhole) {
   editor.click("draft.tab_structures");
+  EXPECT_EQ(editor.rect("structure/Warp rib").y0, editor.rect("structure/Plain").y0) << "they need not stand in twos";
   for (const auto& [name, text] : editor.snapshot().facts)
     EXPECT_FALSE(name.starts_with("shortened.structure/")) << text;
   editor.edits("a long order", [&] {
