@@ -15,15 +15,12 @@ Illuminant illuminantOf(const Light& light) {
 namespace {
 
 EyeResponse responseOf(const Illuminant& illuminant, Observer observer, const Primaries& primaries, bool isIdentity) {
-  EyeResponse response;
-  const LinearWeights weights = linearWeights(illuminant, observer);
+  EyeResponse response{primaries, linearWeights(illuminant, observer).rows, {}};
   glm::mat3 whole(0.0f);
   for (size_t o = 0; o < 3; ++o)
     for (size_t c = 0; c < 3; ++c)
-      for (size_t j = 0; j < kBands; ++j) {
-        response.bands[o][c][j] = weights.rows[o][j] * primaries[c][j];
-        whole[static_cast<int>(c)][static_cast<int>(o)] += response.bands[o][c][j];
-      }
+      for (size_t j = 0; j < kBands; ++j)
+        whole[static_cast<int>(c)][static_cast<int>(o)] += response.primaries[c][j] * response.channels[o][j];
   if (!isIdentity) response.whole = whole;
   return response;
 }

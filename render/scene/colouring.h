@@ -11,10 +11,10 @@
 
 namespace loomlight {
 
-/// What light shows to an eye that is adapted to the lamps, in linear Rec. 709, primary by primary: `bands[o][c][j]` is
+/// What light shows to an eye that is adapted to the lamps, in linear Rec. 709: `primaries[c][j] * channels[o][j]` is
 /// what primary c of light that is left over in band j adds to channel o. Whatever the lamps, white stays (1, 1, 1).
 struct EyeResponse {
-  std::array<std::array<Spectrum, 3>, 3> bands{};
+  std::array<Spectrum, 3> primaries{}, channels{};
   /// The sum over all bands: of light of which nothing is lost. nullopt where it is the identity.
   std::optional<glm::mat3> whole;
   friend bool operator==(const EyeResponse&, const EyeResponse&) = default;

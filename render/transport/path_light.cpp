@@ -6,8 +6,9 @@
 #include "render/colour/primaries.h"
 
 // How it works. Light comes in primaries, each with a spectrum of its own; fibres known in bands dim each band by an
-// exponential of the lengths that the path has gone in them. The eye's response says what a primary adds in each band
-// to each channel, so that the colour is the sum over primaries and bands. Four bands are computed side by side.
+// exponential of the lengths that the path has gone in them. The eye's response says what a primary has in each band,
+// and what that adds to each channel, so that the colour is the sum over primaries and bands. Four bands are computed
+// side by side.
 
 namespace loomlight {
 namespace {
@@ -54,11 +55,10 @@ Rgb path_light_detail::colourInBands(const Rgb& primaries, const PathLight& ligh
       const Spectrum& own_per_mm = colouring.bands_per_mm[static_cast<size_t>(light.material)];
       left *= sentOn(light, optics::exponential(-fourOf(own_per_mm, j) * light.traverse_mm));
     }
-    for (size_t o = 0; o < 3; ++o) {
-      const std::array<Spectrum, 3>& seen = colouring.eye.bands[o];
-      channels[o] += left * (fourOf(seen[0], j) * primaries.r + fourOf(seen[1], j) * primaries.g +
-                             fourOf(seen[2], j) * primaries.b);
-    }
+    const EyeResponse& eye = colouring.eye;
+    left *= fourOf(eye.primaries[0], j) * primaries.r + fourOf(eye.primaries[1], j) * primaries.g +
+            fourOf(eye.primaries[2], j) * primaries.b;
+    for (size_t o = 0; o < 3; ++o) channels[o] += left * fourOf(eye.channels[o], j);
   }
   return {sum(channels[0]), sum(channels[1]), sum(channels[2])};
 }

@@ -135,7 +135,7 @@ TEST(SpectralColour, AWhiteClothUnderEIsWhiteInEveryBand) {
     for (size_t o = 0; o < 3; ++o)
       for (size_t j = 0; j < kBands; ++j) {
         float seen = 0;
-        for (const Spectrum& primary : colouring.eye.bands[o]) seen += primary[j];
+        for (const Spectrum& primary : colouring.eye.primaries) seen += primary[j] * colouring.eye.channels[o][j];
         EXPECT_NEAR(seen, diffuser.rows[o][j], 1e-3) << bandWavelength_nm(j) << " nm";
       }
   }
