@@ -4,10 +4,12 @@
 #include <limits>
 
 #include "core/base/parallel.h"
+#include "render/transport/light_batches.h"
 
 // How it works. Samples are written one behind the other into a strip of numbers for each tile, with all that their
-// colour depends on but the dyes. Other dyes are then a pass over the strip. Beside the sums of both colours it gives
-// those of their squares and products, from which render/display/recolour.cpp knows the noise of their ratio.
+// colour depends on but the dyes. Other dyes are then one pass over the strip, in which the lights of all samples get
+// their colours side by side, and another, which adds these up sample by sample. Beside the sums of both colours it
+// gives those of their squares and products, from which render/display/recolour.cpp knows the noise of their ratio.
 namespace loomlight {
 namespace {
 
@@ -95,12 +97,12 @@ void PathRecords::cut(Tile& tile, uint32_t samples) {
 
 void PathRecords::sum(const Tile& tile, const Recolouring& recolouring, std::span<Sums> sums) const {
   const float* const end = tile.words.data() + tile.words.size();
+  LightBatches lights(recolouring.colouring, materials_);
+  std::vector<uint32_t> lightsOf;  // each sample
   for (const float* word = tile.words.data(); word < end;) {
-    Sums& pixel = sums[static_cast<size_t>(word[0])];
-    const Rgb traced(word[2], word[3], word[4]);
+    uint32_t count = 0;
     const float* const next = word + kSampleHead + static_cast<size_t>(word[1]);
-    Rgb recoloured(0.0f);
-    for (word += kSampleHead; word < next;) {
+    for (word += kSampleHead; word < next; ++count) {
       PathLight light;
       const auto fibre = static_cast<int>(word[0]);
       light.radiance = recolouring.light * Rgb(word[1], word[2], word[3]);
@@ -113,14 +115,24 @@ void PathRecords::sum(const Tile& tile, const Recolouring& recolouring, std::spa
         light.inside = word[FibreBcsdf::kLobes + 1];
         word += kFibreWords;
       }
-      recoloured += colourOf(light, lengths_mm, recolouring.colouring);
+      lights.add(light, lengths_mm);
     }
+    lightsOf.push_back(count);
+  }
+  const float* word = tile.words.data();
+  const Rgb* colour = lights.colours().data();
+  for (const uint32_t count : lightsOf) {
+    const Rgb traced(word[2], word[3], word[4]);
+    Rgb recoloured(0.0f);
+    for (uint32_t i = 0; i < count; ++i) recoloured += *colour++;
+    Sums& pixel = sums[static_cast<size_t>(word[0])];
     pixel.traced += traced;
     pixel.recoloured += recoloured;
     pixel.tracedTraced += traced * traced;
     pixel.tracedRecoloured += traced * recoloured;
     pixel.recolouredRecoloured += recoloured * recoloured;
     ++pixel.samples;
+    word += kSampleHead + static_cast<size_t>(word[1]);
   }
 }
 
