@@ -13,7 +13,8 @@ namespace loomlight {
 /// until as many are together as are computed side by side. The colours are colourOf() of each, to the bit.
 class LightBatches {
  public:
-  LightBatches(const Colouring& colouring, size_t materials);
+  /// Memory is made ready for so many lights at most; more may come.
+  LightBatches(const Colouring& colouring, size_t materials, size_t most = 0);
 
   void add(const PathLight& light, std::span<const float> lengths_mm);
   /// Of all lights that were added, in that order.

@@ -73,7 +73,6 @@ class Lights {
 
   HWY_INLINE Vector colour() const {
     const Vector primaries = inPrimaries();
-    if (!colouring_.isSpectral()) return colouring_.eye.whole ? seenWhole(primaries) : primaries;
     const bool isSent =
         lights_.material != LightLanes::kNoFibre && colouring_.isSpectral(static_cast<size_t>(lights_.material));
     if (lights_.isWithin) return isSent ? inBands<true, true>(primaries) : inBands<true, false>(primaries);
@@ -108,14 +107,6 @@ class Lights {
       exponent = exponent - Real(colouring_.bands_per_mm[k][band]) * length(k);
     }
     return exponential(exponent);
-  }
-
-  HWY_INLINE Vector seenWhole(const Vector& primaries) const {
-    const glm::mat3& whole = *colouring_.eye.whole;
-    const auto row = [&](int o) HWY_ATTR {
-      return Real(whole[0][o]) * primaries.x + Real(whole[1][o]) * primaries.y + Real(whole[2][o]) * primaries.z;
-    };
-    return {row(0), row(1), row(2)};
   }
 
   const LightLanes& lights_;

@@ -26,7 +26,8 @@ struct alignas(64) LightLanes {
   bool isWithin = false;           ///< whether any has gone through fibres; if not, lengths_mm is not read
 };
 
-/// Of each light what colourOf() says of it, to the bit, whatever instruction set the processor has.
+/// Of each light what colourOf() says of it, to the bit, whatever instruction set the processor has. Some material is
+/// known in bands.
 void colourLights(LightLanes& lights, const Colouring& colouring);
 
 }  // namespace loomlight

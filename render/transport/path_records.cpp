@@ -97,7 +97,7 @@ void PathRecords::cut(Tile& tile, uint32_t samples) {
 
 void PathRecords::sum(const Tile& tile, const Recolouring& recolouring, std::span<Sums> sums) const {
   const float* const end = tile.words.data() + tile.words.size();
-  LightBatches lights(recolouring.colouring, materials_);
+  LightBatches lights(recolouring.colouring, materials_, tile.words.size() / (kLightHead + materials_));
   std::vector<uint32_t> lightsOf;  // each sample
   for (const float* word = tile.words.data(); word < end;) {
     uint32_t count = 0;
