@@ -2,12 +2,14 @@
 #include <cmath>
 
 #include "core/base/parallel.h"
+#include "render/share/block_gains.h"
 #include "render/share/shared_picture.h"
 
 // How it works. Two pictures of the same are blended: that of cells, which has little noise and an error of its own,
-// and the film, which has noise alone. How large the cells' error is, is estimated over the whole picture by how
-// much further the two are apart than the film's noise explains. A pixel then trusts the film by that error over
-// error and noise, and after so many samples alone.
+// and the film, which has noise alone. First blocks of pixels of the cells' picture are brightened as the film is
+// (block_gains.h), which takes away what is wrong alike over many pixels. How large the error is that is left, is
+// estimated over the whole picture by how much further the two are apart than the film's noise explains. A pixel then
+// trusts the film by that error over error and noise, and after so many samples alone.
 
 namespace loomlight {
 namespace {
@@ -50,9 +52,20 @@ double relativeError2(const SharedPicture& shared, const Film& film, int threads
   return std::max(0.0, all.difference2 - chance * all.noise) / all.light2;
 }
 
+/// To the light that the film knows of.
+void brighten(SharedPicture& shared, const Film& film, int threads) {
+  const BlockGains gains(shared, film, threads);
+  parallelFor(static_cast<size_t>(shared.height), threads, [&](size_t row) {
+    for (int x = 0; x < shared.width; ++x)
+      shared.light[row * static_cast<size_t>(shared.width) + static_cast<size_t>(x)] *=
+          gains.at(x, static_cast<int>(row));
+  });
+}
+
 }  // namespace
 
-std::vector<glm::vec4> corrected(const SharedPicture& shared, const Film& film, uint32_t samplesAlone, int threads) {
+std::vector<glm::vec4> corrected(SharedPicture shared, const Film& film, uint32_t samplesAlone, int threads) {
+  brighten(shared, film, threads);
   const auto error2 = static_cast<float>(relativeError2(shared, film, threads));
   std::vector<glm::vec4> picture(shared.light.size());
   parallelFor(static_cast<size_t>(shared.height), threads, [&](size_t row) {

@@ -30,7 +30,8 @@ inline constexpr uint64_t kLightCellLevelBits = 7;
 /// - level 3: which side the yarns cross on here and around (3 x 3), which yarns they are, block of 4 x 4 x 4 voxels
 /// - level 4: voxel
 ///
-/// Where the cloth lies is no part of it, but under the headlight: on a flat piece nothing casts a shadow.
+/// Where the cloth lies is no part of it, but under the headlight. What shade it is in there is not known to its cells,
+/// but seen in the film (block_gains.h).
 ///
 /// One thread, as many places as it likes. The scene must outlive it.
 class LightCellKeys {

@@ -24,7 +24,7 @@ SharedFate sharedFate(const Changes& edit) {
 }
 
 bool SharedLight::serves(const Scene& scene, int width, int height) {
-  if (!scene.cloth->shell->isFlat() || scene.cloth->method != Method::volume) return false;
+  if (scene.cloth->method != Method::volume) return false;
   const Camera& camera = scene.fabric->camera;
   const float pixel_mm = CameraRays(camera, width, height).pixelSize_mm(static_cast<float>(camera.distance_mm));
   return closeUpChance(*scene.cloth, pixel_mm) == 0;

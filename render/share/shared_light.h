@@ -31,9 +31,8 @@ class SharedLight {
   /// Samples of a pixel from which on the film is shown alone.
   static constexpr uint32_t kFilmAlone = 1024;
 
-  /// Whether repeats of a scene's cloth lie so much alike that light can be shared: on a flat piece. Draped, light
-  /// turns within the paths that a cell has. Explicit fibres would be blurred to voxels, as in a close-up, which a
-  /// picture may be that is so wide.
+  /// Whether light can be shared: explicit fibres would be blurred to voxels, as in a close-up, which a picture may be
+  /// that is so wide.
   static bool serves(const Scene& scene, int width, int height);
 
   SharedLight(std::shared_ptr<const Scene> scene, std::shared_ptr<const Medium> medium, int width, int height);

@@ -17,10 +17,10 @@ struct SharedPicture {
 };
 SharedPicture sharedPicture(const FirstHits& hits, const CellMeans& means, int threads);
 
-/// The picture of cells, which has hardly any noise but an error of its own, blended with a film of the same paths,
-/// which has noise alone: pixel by pixel in proportion to how little each of them is off. The film's noise is known
-/// from the cells and falls with its samples; the error of the cells is estimated from how far they are from the film.
-/// So the picture converges to the film, and is exactly that from `samplesAlone` samples on.
-std::vector<glm::vec4> corrected(const SharedPicture& shared, const Film& film, uint32_t samplesAlone, int threads);
+/// The picture of cells, which has hardly any noise but an error of its own, brought nearer to a film of the same
+/// paths, which has noise alone: by what the film knows of places that are in another light than their cells, and pixel
+/// by pixel as its noise falls. So the picture converges to the film, and is exactly that from `samplesAlone` samples
+/// on.
+std::vector<glm::vec4> corrected(SharedPicture shared, const Film& film, uint32_t samplesAlone, int threads);
 
 }  // namespace loomlight

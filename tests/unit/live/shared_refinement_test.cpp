@@ -45,11 +45,11 @@ TEST_F(SharedRefinement, IsSeenAtFullResolutionBeforeTheFilmIs) {
   EXPECT_EQ(frame.hits.size(), frame.helped.size());
 }
 
-TEST_F(SharedRefinement, ServesFlatVolumesAlone) {
+TEST_F(SharedRefinement, ServesVolumesOnEveryDrape) {
   EXPECT_TRUE(SharedLight::serves(*cloth.scene, kWidth, kHeight));
   Fabric bent = *cloth.scene->fabric, fibres = bent;
   bent.drape.kind = DrapeKind::cylinder;
-  EXPECT_FALSE(SharedLight::serves(*test::sceneOf(bent), kWidth, kHeight));
+  EXPECT_TRUE(SharedLight::serves(*test::sceneOf(bent), kWidth, kHeight));
   fibres.render.method = Method::fibres;
   EXPECT_FALSE(SharedLight::serves(*test::sceneOf(fibres), kWidth, kHeight));
 }
