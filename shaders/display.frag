@@ -43,12 +43,25 @@ bool isBeyondSrgb(vec3 light) {
   return most > 0.0 && least < -beyondSrgb * most;
 }
 
+ivec2 crossingAt(ivec2 pixel) {
+  return texelFetch(crossings, clamp(pixel, ivec2(0), textureSize(crossings, 0) - 1), 0).rg;
+}
+
 bool isLit(ivec2 pixel) {
-  ivec2 c = texelFetch(crossings, clamp(pixel, ivec2(0), textureSize(crossings, 0) - 1), 0).rg;
+  ivec2 c = crossingAt(pixel);
   if (c.r == kNoCloth) return false;
   ivec2 repeat = lit.zw;
   ivec2 within = c - repeat * ivec2(floor(vec2(c) / vec2(repeat)));
   return within == lit.xy;
+}
+
+// Whether the crossing around this pixel of its is so wide that an outline leaves most of it to be seen. Outlines of
+// narrow ones would lie over the cloth as specks.
+bool isWide(ivec2 pixel) {
+  const ivec2 across = ivec2(6, 0), down = ivec2(0, 6);
+  ivec2 own = crossingAt(pixel);
+  return (crossingAt(pixel + across) == own || crossingAt(pixel - across) == own) &&
+         (crossingAt(pixel + down) == own || crossingAt(pixel - down) == own);
 }
 
 void main() {
@@ -66,7 +79,7 @@ void main() {
     if (isLit(pixel)) {
       bool edge = !(isLit(pixel + ivec2(1, 0)) && isLit(pixel - ivec2(1, 0)) && isLit(pixel + ivec2(0, 1)) &&
                     isLit(pixel - ivec2(0, 1)));
-      c = mix(c, accent, edge ? 0.9 : 0.18);
+      c = mix(c, accent, edge && isWide(pixel) ? 0.9 : 0.18);
     }
   }
   display = vec4(c, 1.0);

@@ -1,19 +1,17 @@
 #include "render/transport/light_batches.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace loomlight {
 
 LightBatches::LightBatches(const Colouring& colouring, size_t materials, size_t most)
     : colouring_(colouring), batches_(2 * (materials + 1)) {
+  assert(colouring.isSpectral());
   colours_.reserve(most);
 }
 
 void LightBatches::add(const PathLight& light, std::span<const float> lengths_mm) {
-  if (!colouring_.isSpectral()) {  // little to compute: the lanes need not know how
-    colours_.push_back(colourOf(light, lengths_mm, colouring_));
-    return;
-  }
   const bool isWithin = std::any_of(lengths_mm.begin(), lengths_mm.end(), [](float length) { return length > 0; });
   const int material = light.traverse_mm > 0 ? light.material : LightLanes::kNoFibre;
   std::unique_ptr<Batch>& kind = batches_[2 * static_cast<size_t>(material + 1) + (isWithin ? 1 : 0)];

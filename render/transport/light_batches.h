@@ -10,7 +10,8 @@
 namespace loomlight {
 
 /// Gives many lights that paths have met their colours, faster than one by one: those that need the same are gathered
-/// until as many are together as are computed side by side. The colours are colourOf() of each, to the bit.
+/// until as many are together as are computed side by side. The colours are colourOf() of each, to the bit. For cloth
+/// with fibres that are known in bands: lights of others take so little that gathering them would cost more.
 class LightBatches {
  public:
   /// Memory is made ready for so many lights at most; more may come.

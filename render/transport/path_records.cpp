@@ -95,44 +95,76 @@ void PathRecords::cut(Tile& tile, uint32_t samples) {
   tile.samples = kept;
 }
 
+const float* PathRecords::readLight(const float* word, Rgb lamp, PathLight& light,
+                                    std::span<const float>& lengths_mm) const {
+  light = PathLight{};
+  const auto fibre = static_cast<int>(word[0]);
+  light.radiance = lamp * Rgb(word[1], word[2], word[3]);
+  lengths_mm = {word + kLightHead, materials_};
+  word += kLightHead + materials_;
+  if (fibre == 0) return word;
+  light.material = fibre - 1;
+  std::copy_n(word, FibreBcsdf::kLobes, light.modes.begin());
+  light.traverse_mm = word[FibreBcsdf::kLobes];
+  light.inside = word[FibreBcsdf::kLobes + 1];
+  return word + kFibreWords;
+}
+
+void PathRecords::Sums::add(Rgb asTraced, Rgb inOtherColours) {
+  traced += asTraced;
+  recoloured += inOtherColours;
+  tracedTraced += asTraced * asTraced;
+  tracedRecoloured += asTraced * inOtherColours;
+  recolouredRecoloured += inOtherColours * inOtherColours;
+  ++samples;
+}
+
 void PathRecords::sum(const Tile& tile, const Recolouring& recolouring, std::span<Sums> sums) const {
+  if (recolouring.colouring.isSpectral())
+    sumInBands(tile, recolouring, sums);
+  else
+    sumOfThree(tile, recolouring, sums);
+}
+
+/// Three numbers take so little that each light is coloured as it is read.
+void PathRecords::sumOfThree(const Tile& tile, const Recolouring& recolouring, std::span<Sums> sums) const {
+  const float* const end = tile.words.data() + tile.words.size();
+  PathLight light;
+  std::span<const float> lengths_mm;
+  for (const float* word = tile.words.data(); word < end;) {
+    const float* const sample = word;
+    const float* const next = word + kSampleHead + static_cast<size_t>(word[1]);
+    Rgb recoloured(0.0f);
+    for (word += kSampleHead; word < next;) {
+      word = readLight(word, recolouring.light, light, lengths_mm);
+      recoloured += colourOf(light, lengths_mm, recolouring.colouring);
+    }
+    sums[static_cast<size_t>(sample[0])].add(Rgb(sample[2], sample[3], sample[4]), recoloured);
+  }
+}
+
+/// Lights are gathered first, and then coloured many at a time.
+void PathRecords::sumInBands(const Tile& tile, const Recolouring& recolouring, std::span<Sums> sums) const {
   const float* const end = tile.words.data() + tile.words.size();
   LightBatches lights(recolouring.colouring, materials_, tile.words.size() / (kLightHead + materials_));
   std::vector<uint32_t> lightsOf;  // each sample
+  PathLight light;
+  std::span<const float> lengths_mm;
   for (const float* word = tile.words.data(); word < end;) {
-    uint32_t count = 0;
     const float* const next = word + kSampleHead + static_cast<size_t>(word[1]);
+    uint32_t& count = lightsOf.emplace_back(0);
     for (word += kSampleHead; word < next; ++count) {
-      PathLight light;
-      const auto fibre = static_cast<int>(word[0]);
-      light.radiance = recolouring.light * Rgb(word[1], word[2], word[3]);
-      const std::span<const float> lengths_mm(word + kLightHead, materials_);
-      word += kLightHead + materials_;
-      if (fibre > 0) {
-        light.material = fibre - 1;
-        std::copy_n(word, FibreBcsdf::kLobes, light.modes.begin());
-        light.traverse_mm = word[FibreBcsdf::kLobes];
-        light.inside = word[FibreBcsdf::kLobes + 1];
-        word += kFibreWords;
-      }
+      word = readLight(word, recolouring.light, light, lengths_mm);
       lights.add(light, lengths_mm);
     }
-    lightsOf.push_back(count);
   }
-  const float* word = tile.words.data();
+  const float* sample = tile.words.data();
   const Rgb* colour = lights.colours().data();
   for (const uint32_t count : lightsOf) {
-    const Rgb traced(word[2], word[3], word[4]);
     Rgb recoloured(0.0f);
     for (uint32_t i = 0; i < count; ++i) recoloured += *colour++;
-    Sums& pixel = sums[static_cast<size_t>(word[0])];
-    pixel.traced += traced;
-    pixel.recoloured += recoloured;
-    pixel.tracedTraced += traced * traced;
-    pixel.tracedRecoloured += traced * recoloured;
-    pixel.recolouredRecoloured += recoloured * recoloured;
-    ++pixel.samples;
-    word += kSampleHead + static_cast<size_t>(word[1]);
+    sums[static_cast<size_t>(sample[0])].add(Rgb(sample[2], sample[3], sample[4]), recoloured);
+    sample += kSampleHead + static_cast<size_t>(sample[1]);
   }
 }
 

@@ -56,6 +56,7 @@ class PathRecords {
     Rgb traced{0}, recoloured{0};  ///< as they were traced, and in other colours
     Rgb tracedTraced{0}, tracedRecoloured{0}, recolouredRecoloured{0};
     uint32_t samples = 0;
+    void add(Rgb asTraced, Rgb inOtherColours);  ///< a sample
   };
   /// Of all pixels, row by row from the top left.
   std::vector<Sums> recoloured(const Recolouring& recolouring, int threads) const {
@@ -74,7 +75,11 @@ class PathRecords {
   static size_t inTile(int x, int y) { return static_cast<size_t>(y % kTile) * kTile + x % kTile; }
   bool makeRoom(std::vector<float>& words, size_t more);
   void cut(Tile& tile, uint32_t samples);
+  /// The light on record at `word`, and its lengths within fibres; returns where the next one is.
+  const float* readLight(const float* word, Rgb lamp, PathLight& light, std::span<const float>& lengths_mm) const;
   void sum(const Tile& tile, const Recolouring& recolouring, std::span<Sums> sums) const;
+  void sumOfThree(const Tile& tile, const Recolouring& recolouring, std::span<Sums> sums) const;
+  void sumInBands(const Tile& tile, const Recolouring& recolouring, std::span<Sums> sums) const;
 
   int width_, height_;
   size_t materials_, columns_, budget_;

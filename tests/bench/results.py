@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Puts the pages of `loomlight bench accuracy`, `table1`, `figures`, `edit`, `converge` and `cloths` together as RESULTS.md, with a
-few small pictures.
+"""Puts the pages of `loomlight bench accuracy`, `table1`, `figures`, `edit`, `clear`, `converge` and `cloths` together
+as RESULTS.md, with a few small pictures.
 
     tests/bench/results.py --run build/app/loomlight RUNS    measures first: over an hour on two idle cores
     tests/bench/results.py RUNS                              only writes, from the suites that are in RUNS
@@ -15,7 +15,9 @@ import shutil
 import subprocess
 
 HERE = pathlib.Path(__file__).resolve().parent
-SUITES = ("accuracy", "table1", "figures", "edit", "converge", "cloths")
+SUITES = ("accuracy", "table1", "figures", "edit", "clear", "converge", "cloths")
+# All of `clear` would take hours.
+OPTIONS = {"clear": ("--only", "denim,sheer_silk,dome,sky,open", "--seconds", "10", "--reference", "256")}
 PICTURES = ("accuracy_plain_filament", "blue", "black_and_white", "fig1", "fig4", "fig7", "fig8", "fig11-14_blue")
 LARGEST_BYTES = 100_000
 
@@ -29,7 +31,7 @@ def measure(program, runs):
     runs.mkdir(parents=True, exist_ok=True)
     (runs / "commit").write_text(commit() + "\n")
     for suite in SUITES:
-        subprocess.run((program, "bench", suite, "-o", runs / suite), check=True)
+        subprocess.run((program, "bench", suite, *OPTIONS.get(suite, ()), "-o", runs / suite), check=True)
 
 
 def page_of(suite, runs, pictures):

@@ -202,6 +202,39 @@ TEST(DisplayShader, FollowsTonePictureAndSize) {
   EXPECT_LT(shown(0.1f, tone, 16), first) << "another picture";
 }
 
+/// How far the accent lies over grey cloth of the crossing (0, 0) of a repeat of 2 x 2, at most: 0 to 1. Each crossing
+/// is so many pixels wide.
+double strongestAccent(int pixelsOfCrossing) {
+  constexpr int kSide = 64;
+  OpenGlDriver driver;
+  const auto viewport = driver.makeViewport();
+  const std::vector<glm::vec4> grey(kSide * kSide, glm::vec4(0.2f, 0.2f, 0.2f, 1));
+  std::vector<Film::Hit> hits;
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x) hits.push_back({0, x / pixelsOfCrossing, y / pixelsOfCrossing, 1});
+  viewport->upload(kSide, kSide, grey, hits);
+  const auto redsWith = [&](const std::optional<ViewportPicture::Outline>& outline) {
+    glBindTexture(GL_TEXTURE_2D, textureNumber(viewport->display(kSide, kSide, Tone{}, SoftProof{}, outline)));
+    std::vector<uint8_t> bytes(4 * kSide * kSide);
+    glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+    return bytes;
+  };
+  ViewportPicture::Outline outline;
+  outline.ends = outline.picks = 2;
+  outline.colour = Rgb(1, 0, 0);
+  const std::vector<uint8_t> plain = redsWith(std::nullopt), outlined = redsWith(outline);
+  double most = 0;
+  for (size_t i = 0; i < plain.size(); i += 4) most = std::max(most, (outlined[i] - plain[i]) / (255.0 - plain[i]));
+  return most;
+}
+
+/// Seen small, outlines in every repeat would lie over the cloth as specks.
+TEST(DisplayShader, OutlinesCrossingsThatAreWideAndTintsThoseThatAreNot) {
+  Window window("Shader", 960, 600, 1);
+  EXPECT_NEAR(strongestAccent(16), 0.9, 0.02);
+  EXPECT_NEAR(strongestAccent(4), 0.18, 0.02);
+}
+
 /// Rows of the picture lie further apart than those of the part.
 TEST(DisplayShader, TakesAPartOfThePictureAlone) {
   Window window("Shader", 960, 600, 1);

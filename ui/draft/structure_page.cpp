@@ -48,9 +48,10 @@ std::vector<std::string> linesOf(const std::string& name, float width) {
   return {shortened(name.substr(0, space), width), shortened(name.substr(space + 1), width)};
 }
 
-ThumbnailGrid gridOf(Ui& ui, const std::vector<Structure>& palette, float size, float room) {
+/// `name`: the least that a name has, in pixels.
+ThumbnailGrid gridOf(Ui& ui, const std::vector<Structure>& palette, float size, float name, float room) {
   ThumbnailGrid grid{size, ui.px(3)};
-  const float least = std::max(size, widestWord(palette));
+  const float least = std::max(size, name);
   grid.perLine = std::max(1, static_cast<int>((room + grid.gap) / (least + grid.gap)));
   grid.slotWidth = (room + grid.gap) / static_cast<float>(grid.perLine) - grid.gap;
   grid.tops.push_back(0);
@@ -65,12 +66,15 @@ ThumbnailGrid gridOf(Ui& ui, const std::vector<Structure>& palette, float size, 
   return grid;
 }
 
-/// The one with the largest thumbnails with which all of them fit into the room; with cells of whole pixels.
+/// The one with the largest thumbnails with which all of them fit into the room; with cells of whole pixels. Where not
+/// even the smallest fit with their names whole, names are shortened: a structure out of sight is worse.
 ThumbnailGrid largestGrid(Ui& ui, const std::vector<Structure>& palette, ImVec2 room) {
   const float step = kCells, smallest = step * std::round(ui.px(30) / step);
-  ThumbnailGrid grid = gridOf(ui, palette, smallest, room.x);
+  const float whole = widestWord(palette);
+  ThumbnailGrid grid = gridOf(ui, palette, smallest, whole, room.x);
+  if (grid.tops.back() > room.y) grid = gridOf(ui, palette, smallest, ui.px(62), room.x);
   for (float size = smallest + step; size <= ui.px(80); size += step) {
-    ThumbnailGrid larger = gridOf(ui, palette, size, room.x);
+    ThumbnailGrid larger = gridOf(ui, palette, size, whole, room.x);
     if (larger.tops.back() <= room.y) grid = std::move(larger);
   }
   return grid;
