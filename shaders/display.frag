@@ -59,9 +59,12 @@ bool isLit(ivec2 pixel) {
 // narrow ones would lie over the cloth as specks.
 bool isWide(ivec2 pixel) {
   const ivec2 across = ivec2(6, 0), down = ivec2(0, 6);
-  ivec2 own = crossingAt(pixel);
-  return (crossingAt(pixel + across) == own || crossingAt(pixel - across) == own) &&
-         (crossingAt(pixel + down) == own || crossingAt(pixel - down) == own);
+  ivec2 own = crossingAt(pixel), last = textureSize(crossings, 0) - 1;
+  bool left = pixel.x >= across.x && crossingAt(pixel - across) == own;
+  bool right = pixel.x + across.x <= last.x && crossingAt(pixel + across) == own;
+  bool above = pixel.y >= down.y && crossingAt(pixel - down) == own;
+  bool below = pixel.y + down.y <= last.y && crossingAt(pixel + down) == own;
+  return (left || right) && (above || below);
 }
 
 void main() {
