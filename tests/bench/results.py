@@ -17,7 +17,7 @@ import subprocess
 HERE = pathlib.Path(__file__).resolve().parent
 SUITES = ("accuracy", "table1", "figures", "edit", "clear", "converge", "cloths")
 # All of `clear` would take hours.
-OPTIONS = {"clear": ("--only", "denim,sheer_silk,dome,sky,open", "--seconds", "10", "--reference", "256")}
+OPTIONS = {"clear": ("--only", "denim,dome,sky,open", "--seconds", "6", "--reference", "256")}
 PICTURES = ("accuracy_plain_filament", "blue", "black_and_white", "fig1", "fig4", "fig7", "fig8", "fig11-14_blue")
 LARGEST_BYTES = 100_000
 
