@@ -15,10 +15,22 @@ namespace {
 
 constexpr int kSide = 2;      // of the smallest blocks, in pixels
 constexpr size_t kSizes = 6;  // of blocks, each twice as wide as the one before
-constexpr float kVariesBy =
-    4;  // the square of a mean of some paths: 2 of its own squares, and more where paths are rare
+// The square of a mean of some paths varies by 2 of its own squares, and by more where paths are rare.
+constexpr float kVariesBy = 4;
 
 }  // namespace
+
+/// What both are means over, weighted by their pixels.
+void BlockGains::Block::operator+=(const Block& part) {
+  if (part.pixels == 0) return;
+  const float all = pixels + part.pixels, more = part.pixels / all;
+  light = glm::mix(light, part.light, more);
+  difference = glm::mix(difference, part.difference, more);
+  noise = (1 - more) * (1 - more) * noise + more * more * part.noise;
+  light2 = glm::mix(light2, part.light2, more);
+  square = glm::mix(square, part.square, more);
+  pixels = all;
+}
 
 Rgb BlockGains::Block::gain() const {
   const float least = 1e-3f * std::sqrt(light2) + 1e-12f;  // of no light, none is made
@@ -58,20 +70,14 @@ BlockGains::Blocks BlockGains::smallest(const SharedPicture& shared, const Film&
         // Of as much cloth in both, or how much there is of it would pass for light.
         const float alpha = shared.alpha[i];
         const Rgb light = film.alpha(x, y) * shared.light[i], difference = alpha * film.mean(x, y) - light;
-        Block& sum = blocks.at(x / kSide, static_cast<int>(row));
-        sum.light += light;
-        sum.difference += difference;
-        sum.square += glm::dot(difference, difference);
-        sum.noise += alpha * alpha * shared.variances[i] / static_cast<float>(samples);
-        sum.light2 += glm::dot(light, light);
-        ++sum.pixels;
+        blocks.at(x / kSide, static_cast<int>(row)) +=
+            Block{light,
+                  difference,
+                  alpha * alpha * shared.variances[i] / static_cast<float>(samples),
+                  glm::dot(light, light),
+                  glm::dot(difference, difference),
+                  1};
       }
-    for (int x = 0; x < blocks.width; ++x) {
-      Block& sum = blocks.at(x, static_cast<int>(row));
-      const float share = 1 / std::max(1.0f, sum.pixels);
-      sum = {share * sum.light,  share * sum.difference, share * share * sum.noise,
-             share * sum.light2, share * sum.square,     sum.pixels};
-    }
   });
   return blocks;
 }
@@ -79,21 +85,7 @@ BlockGains::Blocks BlockGains::smallest(const SharedPicture& shared, const Film&
 BlockGains::Blocks BlockGains::ofTwiceTheSize(const Blocks& small) {
   Blocks blocks((small.width + 1) / 2, (small.height + 1) / 2);
   for (int y = 0; y < small.height; ++y)
-    for (int x = 0; x < small.width; ++x) {
-      const Block& part = small.at(x, y);
-      Block& sum = blocks.at(x / 2, y / 2);
-      sum.light += part.pixels * part.light;
-      sum.difference += part.pixels * part.difference;
-      sum.noise += part.pixels * part.pixels * part.noise;
-      sum.light2 += part.pixels * part.light2;
-      sum.square += part.pixels * part.square;
-      sum.pixels += part.pixels;
-    }
-  for (Block& sum : blocks.all) {
-    const float share = 1 / std::max(1.0f, sum.pixels);
-    sum = {share * sum.light,  share * sum.difference, share * share * sum.noise,
-           share * sum.light2, share * sum.square,     sum.pixels};
-  }
+    for (int x = 0; x < small.width; ++x) blocks.at(x / 2, y / 2) += small.at(x, y);
   return blocks;
 }
 
@@ -123,27 +115,28 @@ float BlockGains::relativeError2(const Blocks& blocks, const Blocks* larger) {
   return static_cast<float>(std::max(0.0, apart2 - chance * noise) / light2);
 }
 
-BlockGains::BlockGains(const SharedPicture& shared, const Film& film, int threads)
-    : blocks_(smallest(shared, film, threads)) {
-  std::vector<Blocks> sizes{std::move(blocks_)};
+/// From the largest blocks down, differences become what is known of the cells' error.
+BlockGains::Blocks BlockGains::freedOfNoise(Blocks smallest) {
+  std::vector<Blocks> sizes{std::move(smallest)};
   while (sizes.size() < kSizes) sizes.push_back(ofTwiceTheSize(sizes.back()));
   std::vector<float> errors2;
   for (size_t k = 0; k < kSizes; ++k)
     errors2.push_back(relativeError2(sizes[k], k + 1 < kSizes ? &sizes[k + 1] : nullptr));
-  // From the largest blocks down, differences become what is known of the cells' error.
   for (size_t k = kSizes; k-- > 0;)
     for (int y = 0; y < sizes[k].height; ++y)
       for (int x = 0; x < sizes[k].width; ++x) {
         Block& block = sizes[k].at(x, y);
-        const Rgb around =
-            k + 1 < kSizes ? sizes[k + 1].gain((static_cast<float>(x) + 0.5f) / 2, (static_cast<float>(y) + 0.5f) / 2)
-                           : Rgb(1);
+        const float middleX = (static_cast<float>(x) + 0.5f) / 2, middleY = (static_cast<float>(y) + 0.5f) / 2;
+        const Rgb around = k + 1 < kSizes ? sizes[k + 1].gain(middleX, middleY) : Rgb(1);
         const float error2 = errors2[k] * block.light2;
         const float trust = error2 > 0 && block.pixels > 0 ? error2 / (error2 + block.likelyNoise()) : 0.0f;
         block.difference = glm::mix((around - 1.0f) * block.light, block.difference, trust);
       }
-  blocks_ = std::move(sizes.front());
+  return std::move(sizes.front());
 }
+
+BlockGains::BlockGains(const SharedPicture& shared, const Film& film, int threads)
+    : blocks_(freedOfNoise(smallest(shared, film, threads))) {}
 
 Rgb BlockGains::at(int x, int y) const {
   return blocks_.gain((static_cast<float>(x) + 0.5f) / kSide, (static_cast<float>(y) + 0.5f) / kSide);

@@ -26,6 +26,7 @@ class BlockGains {
     float square = 0;   ///< of the pixels' own differences, mean over them
     float pixels = 0;   ///< with samples
 
+    void operator+=(const Block& part);
     Rgb gain() const;
     float likelyNoise() const;
   };
@@ -47,6 +48,7 @@ class BlockGains {
   static Blocks smallest(const SharedPicture& shared, const Film& film, int threads);
   static Blocks ofTwiceTheSize(const Blocks& small);
   static float relativeError2(const Blocks& blocks, const Blocks* larger);
+  static Blocks freedOfNoise(Blocks smallest);
 
   Blocks blocks_;  ///< the smallest
 };

@@ -95,19 +95,18 @@ void PathRecords::cut(Tile& tile, uint32_t samples) {
   tile.samples = kept;
 }
 
-const float* PathRecords::readLight(const float* word, Rgb lamp, PathLight& light,
-                                    std::span<const float>& lengths_mm) const {
-  light = PathLight{};
-  const auto fibre = static_cast<int>(word[0]);
+PathRecords::Recorded PathRecords::lightAt(const float* word, Rgb lamp) const {
+  Recorded found{{}, {word + kLightHead, materials_}, word + kLightHead + materials_};
+  PathLight& light = found.light;
   light.radiance = lamp * Rgb(word[1], word[2], word[3]);
-  lengths_mm = {word + kLightHead, materials_};
-  word += kLightHead + materials_;
-  if (fibre == 0) return word;
+  const auto fibre = static_cast<int>(word[0]);
+  if (fibre == 0) return found;
   light.material = fibre - 1;
-  std::copy_n(word, FibreBcsdf::kLobes, light.modes.begin());
-  light.traverse_mm = word[FibreBcsdf::kLobes];
-  light.inside = word[FibreBcsdf::kLobes + 1];
-  return word + kFibreWords;
+  std::copy_n(found.next, FibreBcsdf::kLobes, light.modes.begin());
+  light.traverse_mm = found.next[FibreBcsdf::kLobes];
+  light.inside = found.next[FibreBcsdf::kLobes + 1];
+  found.next += kFibreWords;
+  return found;
 }
 
 void PathRecords::Sums::add(Rgb asTraced, Rgb inOtherColours) {
@@ -129,15 +128,14 @@ void PathRecords::sum(const Tile& tile, const Recolouring& recolouring, std::spa
 /// Three numbers take so little that each light is coloured as it is read.
 void PathRecords::sumOfThree(const Tile& tile, const Recolouring& recolouring, std::span<Sums> sums) const {
   const float* const end = tile.words.data() + tile.words.size();
-  PathLight light;
-  std::span<const float> lengths_mm;
   for (const float* word = tile.words.data(); word < end;) {
     const float* const sample = word;
     const float* const next = word + kSampleHead + static_cast<size_t>(word[1]);
     Rgb recoloured(0.0f);
     for (word += kSampleHead; word < next;) {
-      word = readLight(word, recolouring.light, light, lengths_mm);
-      recoloured += colourOf(light, lengths_mm, recolouring.colouring);
+      const Recorded one = lightAt(word, recolouring.light);
+      recoloured += colourOf(one.light, one.lengths_mm, recolouring.colouring);
+      word = one.next;
     }
     sums[static_cast<size_t>(sample[0])].add(Rgb(sample[2], sample[3], sample[4]), recoloured);
   }
@@ -148,14 +146,13 @@ void PathRecords::sumInBands(const Tile& tile, const Recolouring& recolouring, s
   const float* const end = tile.words.data() + tile.words.size();
   LightBatches lights(recolouring.colouring, materials_, tile.words.size() / (kLightHead + materials_));
   std::vector<uint32_t> lightsOf;  // each sample
-  PathLight light;
-  std::span<const float> lengths_mm;
   for (const float* word = tile.words.data(); word < end;) {
     const float* const next = word + kSampleHead + static_cast<size_t>(word[1]);
     uint32_t& count = lightsOf.emplace_back(0);
     for (word += kSampleHead; word < next; ++count) {
-      word = readLight(word, recolouring.light, light, lengths_mm);
-      lights.add(light, lengths_mm);
+      const Recorded one = lightAt(word, recolouring.light);
+      lights.add(one.light, one.lengths_mm);
+      word = one.next;
     }
   }
   const float* sample = tile.words.data();

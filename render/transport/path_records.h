@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/film/pixel_rect.h"
+#include "render/transport/path_light.h"
 #include "render/transport/path_sink.h"
 
 namespace loomlight {
@@ -75,8 +76,12 @@ class PathRecords {
   static size_t inTile(int x, int y) { return static_cast<size_t>(y % kTile) * kTile + x % kTile; }
   bool makeRoom(std::vector<float>& words, size_t more);
   void cut(Tile& tile, uint32_t samples);
-  /// The light on record at `word`, and its lengths within fibres; returns where the next one is.
-  const float* readLight(const float* word, Rgb lamp, PathLight& light, std::span<const float>& lengths_mm) const;
+  struct Recorded {
+    PathLight light;
+    std::span<const float> lengths_mm;  ///< within fibres of each material
+    const float* next;                  ///< where the next one is on record
+  };
+  Recorded lightAt(const float* word, Rgb lamp) const;
   void sum(const Tile& tile, const Recolouring& recolouring, std::span<Sums> sums) const;
   void sumOfThree(const Tile& tile, const Recolouring& recolouring, std::span<Sums> sums) const;
   void sumInBands(const Tile& tile, const Recolouring& recolouring, std::span<Sums> sums) const;

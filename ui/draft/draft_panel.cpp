@@ -15,7 +15,7 @@ namespace {
 void panelHead(Ui& ui, DraftView& view) {
   float buttons = 0;
   for (const Word& word : {words::draft::select, words::draft::inColour, words::draft::back, words::draft::floats})
-    buttons += ImGui::CalcTextSize(word.label).x + ui.px(16);
+    buttons += toggleWidth(ui, word.label);
   // Where the panel is narrow they stand closer, and end where the draft does.
   const float gap = std::clamp((ImGui::GetContentRegionAvail().x - buttons) / 3, ui.px(1), ui.px(4));
   bool selects = view.tool == DraftView::Tool::select;

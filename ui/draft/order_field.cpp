@@ -77,13 +77,13 @@ std::string lengthText(bool isWarp, size_t threads, double length_mm) {
 /// The field's name, and at the end of its line what the order comes to: a line of its own would push the stripes below
 /// out of sight.
 void lineAbove(Ui& ui, const RowText& text, const std::string& comesTo) {
+  const std::string id = text.id + "_threads";
   ImGui::TextDisabled("%s", text.label);
   ImGui::SameLine(0, ui.px(12));
   std::string cut;
-  const std::string shown = fitted(ui, text.id + "_threads", comesTo.c_str(), ImGui::GetContentRegionAvail().x, cut);
+  const std::string shown = fitted(ui, id, comesTo.c_str(), ImGui::GetContentRegionAvail().x, cut);
   ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(shown.c_str()).x);
   ImGui::TextColored(ui.theme.textQuiet, "%s", shown.c_str());
-  const std::string id = text.id + "_threads";
   ui.probe.recordItem(id);
   tooltipFor(ui, id.c_str(), ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), cut.c_str());
 }

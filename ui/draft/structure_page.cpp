@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/fabric/weave/structure_edit.h"
 #include "ui/draft/draft_panel.h"
@@ -28,14 +29,19 @@ struct ThumbnailGrid {
   }
 };
 
+/// The two lines that a name stands in where it is too long for one; the second may be empty.
+std::pair<std::string, std::string> halves(const std::string& name) {
+  const size_t space = name.find(' ');
+  if (space == std::string::npos) return {name, ""};
+  return {name.substr(0, space), name.substr(space + 1)};
+}
+
 /// What the widest line of a name needs that stands in two.
-float widestWord(const std::vector<Structure>& palette) {
+float widestHalf(const std::vector<Structure>& palette) {
   float widest = 0;
   for (const Structure& structure : palette) {
-    const size_t space = std::min(structure.name.find(' '), structure.name.size());
-    const char *const name = structure.name.c_str(), *const end = name + structure.name.size();
-    widest = std::max(widest, ImGui::CalcTextSize(name, name + space).x);
-    if (name + space < end) widest = std::max(widest, ImGui::CalcTextSize(name + space + 1, end).x);
+    const auto [first, second] = halves(structure.name);
+    widest = std::max({widest, ImGui::CalcTextSize(first.c_str()).x, ImGui::CalcTextSize(second.c_str()).x});
   }
   return std::ceil(widest);
 }
@@ -43,9 +49,9 @@ float widestWord(const std::vector<Structure>& palette) {
 /// The name in one line, or in two where it is too long for one.
 std::vector<std::string> linesOf(const std::string& name, float width) {
   if (ImGui::CalcTextSize(name.c_str()).x <= width) return {name};
-  const size_t space = name.find(' ');
-  if (space == std::string::npos) return {shortened(name, width)};
-  return {shortened(name.substr(0, space), width), shortened(name.substr(space + 1), width)};
+  const auto [first, second] = halves(name);
+  if (second.empty()) return {shortened(first, width)};
+  return {shortened(first, width), shortened(second, width)};
 }
 
 /// `name`: the least that a name has, in pixels.
@@ -70,7 +76,7 @@ ThumbnailGrid gridOf(Ui& ui, const std::vector<Structure>& palette, float size, 
 /// even the smallest fit with their names whole, names are shortened: a structure out of sight is worse.
 ThumbnailGrid largestGrid(Ui& ui, const std::vector<Structure>& palette, ImVec2 room) {
   const float step = kCells, smallest = step * std::round(ui.px(30) / step);
-  const float whole = widestWord(palette);
+  const float whole = widestHalf(palette);
   ThumbnailGrid grid = gridOf(ui, palette, smallest, whole, room.x);
   if (grid.tops.back() > room.y) grid = gridOf(ui, palette, smallest, ui.px(62), room.x);
   for (float size = smallest + step; size <= ui.px(80); size += step) {

@@ -4,9 +4,13 @@
 
 namespace loomlight {
 
+float toggleWidth(const Ui& ui, const char* name) {
+  return ImGui::CalcTextSize(name).x + ui.px(16);
+}
+
 bool toggleButton(Ui& ui, const char* id, const char* name, const char* tooltip, bool& on) {
   const ImVec2 text = ImGui::CalcTextSize(name);
-  const ImVec2 size(text.x + ui.px(16), ImGui::GetFrameHeight()), min = ImGui::GetCursorScreenPos();
+  const ImVec2 size(toggleWidth(ui, name), ImGui::GetFrameHeight()), min = ImGui::GetCursorScreenPos();
   tellIfClipped(ui, id, name, ImGui::GetContentRegionAvail().x - ui.px(8));
   const bool clicked = ImGui::InvisibleButton(id, size);
   const ImVec2 max(min.x + size.x, min.y + size.y);

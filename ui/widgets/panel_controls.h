@@ -6,6 +6,8 @@
 
 namespace loomlight {
 
+/// How wide a toggleButton() of this name is, in pixels.
+float toggleWidth(const Ui& ui, const char* name);
 /// A button that is on or off, as wide as its name needs. True when it changed.
 bool toggleButton(Ui& ui, const char* id, const char* name, const char* tooltip, bool& on);
 

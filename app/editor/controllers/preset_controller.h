@@ -46,7 +46,7 @@ class PresetController {
  private:
   PresetService service_;
   PresetBrowser browser_;
-  PageScroll scroll_;    // of the list
+  PageScroll scroll_;    ///< of the list
   std::string problem_;  ///< why the last change was not made
   const std::vector<std::string> samples_ = sampleNames();
 };

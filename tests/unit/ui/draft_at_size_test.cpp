@@ -5,59 +5,42 @@
 #include <memory>
 
 #include "core/fabric/weave/jacquard.h"
+#include "tests/support/windowless_ui.h"
 #include "ui/draft/draft_panel.h"
 
 namespace loomlight {
 namespace {
 
-/// Dear ImGui without a window: what a panel would have drawn is counted.
+/// The draft in a panel: what it would have drawn is counted.
 class HeadlessDesk {
  public:
   static constexpr int kWidth = 600, kHeight = 1000;  ///< pixels of the panel
 
-  HeadlessDesk() : context_(ImGui::CreateContext()) {
-    ImGuiIO& io = ImGui::GetIO();
-    io.DisplaySize = ImVec2(1920, 1080);
-    io.IniFilename = nullptr;
-    io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
-    fonts_ = loadFonts(*io.Fonts, 1);
-    unsigned char* pixels = nullptr;
-    int width = 0, height = 0;
-    io.Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
-  }
-  ~HeadlessDesk() { ImGui::DestroyContext(context_); }
-
   /// A frame of the draft's panel alone, which may edit the fabric; returns how many corners it drew.
   int draw(Fabric& fabric, DraftView& view, ImVec2 mouse = ImVec2(-1, -1), bool pressed = false) {
     ImGuiIO& io = ImGui::GetIO();
-    io.DeltaTime = 1.0f / 60;
     io.MousePos = mouse;
     io.MouseDown[ImGuiMouseButton_Left] = pressed;
-    ImGui::NewFrame();
-    probe_.beginFrame();
-    Ui ui{theme_, fonts_, probe_, memory_, 1, 0};
-    ImGui::SetNextWindowPos(ImVec2(0, 0));
-    ImGui::SetNextWindowSize(ImVec2(kWidth, kHeight));
-    ImGui::Begin("draft", nullptr, ImGuiWindowFlags_NoDecoration);
-    const std::vector<ImVec4> colours(fabric.yarns.size(), ImVec4(0.2f, 0.3f, 0.5f, 1));
-    if (auto edited = draftPanel(ui, fabric, colours, 0, nullptr, preferences_, view, std::nullopt))
-      fabric = std::move(*edited);
-    ImGui::End();
-    ImGui::Render();
+    ui_.frame(theme_, [&](Ui& ui) {
+      ImGui::SetNextWindowPos(ImVec2(0, 0));
+      ImGui::SetNextWindowSize(ImVec2(kWidth, kHeight));
+      ImGui::Begin("draft", nullptr, ImGuiWindowFlags_NoDecoration);
+      const std::vector<ImVec4> colours(fabric.yarns.size(), ImVec4(0.2f, 0.3f, 0.5f, 1));
+      if (auto edited = draftPanel(ui, fabric, colours, 0, nullptr, preferences_, view, std::nullopt))
+        fabric = std::move(*edited);
+      ImGui::End();
+    });
     return ImGui::GetDrawData()->TotalVtxCount;
   }
 
   ImVec2 centreOfCloth() const {
-    const WidgetProbe::Rect& cloth = probe_.snapshot().widgets.at("draft.canvas");
+    const WidgetProbe::Rect& cloth = ui_.probe().snapshot().widgets.at("draft.canvas");
     return ImVec2(0.5f * (cloth.x0 + cloth.x1), 0.5f * (cloth.y0 + cloth.y1));
   }
 
  private:
-  ImGuiContext* context_;
+  test::WindowlessUi ui_{ImVec2(1920, 1080)};
   Theme theme_ = Theme::dark();
-  Fonts fonts_;
-  WidgetProbe probe_{true};
-  FieldMemory memory_;
   DraftPreferences preferences_;
 };
 

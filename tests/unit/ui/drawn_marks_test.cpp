@@ -6,6 +6,7 @@
 #include <set>
 #include <vector>
 
+#include "tests/support/windowless_ui.h"
 #include "ui/draft/draft_drawing.h"
 #include "ui/widgets/fields.h"
 #include "ui/widgets/panel_controls.h"
@@ -15,39 +16,23 @@ namespace {
 
 class DrawnMarks : public testing::Test {
  protected:
-  DrawnMarks() : context_(ImGui::CreateContext()) {
-    ImGuiIO& io = ImGui::GetIO();
-    io.DisplaySize = ImVec2(1024, 640);
-    io.IniFilename = nullptr;
-    fonts_ = loadFonts(*io.Fonts, 1);
-    unsigned char* pixels = nullptr;
-    int width = 0, height = 0;
-    io.Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
-  }
-  ~DrawnMarks() override { ImGui::DestroyContext(context_); }
-
   /// The corners of what is drawn in a panel, in a theme.
   std::vector<ImDrawVert> drawn(const Theme& theme, const std::function<void(Ui&)>& content) {
-    ImGui::GetIO().DeltaTime = 1.0f / 60;
-    ImGui::NewFrame();
-    probe_.beginFrame();
-    Ui ui{theme, fonts_, probe_, memory_, 1, 0};
-    ImGui::SetNextWindowPos(ImVec2(0, 0));
-    ImGui::SetNextWindowSize(ImVec2(264, 600));
-    ImGui::Begin("panel", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoBackground);
-    content(ui);
-    const ImDrawList& list = *ImGui::GetWindowDrawList();
-    std::vector<ImDrawVert> corners(list.VtxBuffer.begin(), list.VtxBuffer.end());
-    ImGui::End();
-    ImGui::Render();
+    std::vector<ImDrawVert> corners;
+    ui_.frame(theme, [&](Ui& ui) {
+      ImGui::SetNextWindowPos(ImVec2(0, 0));
+      ImGui::SetNextWindowSize(ImVec2(264, 600));
+      ImGui::Begin("panel", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoBackground);
+      content(ui);
+      const ImDrawList& list = *ImGui::GetWindowDrawList();
+      corners.assign(list.VtxBuffer.begin(), list.VtxBuffer.end());
+      ImGui::End();
+    });
     return corners;
   }
 
  private:
-  ImGuiContext* context_;
-  Fonts fonts_;
-  WidgetProbe probe_{true};
-  FieldMemory memory_;
+  test::WindowlessUi ui_{ImVec2(1024, 640)};
 };
 
 /// As narrow as the smallest window has it, a bar of 36 ends of one yarn is no block: where each end stops is seen.
