@@ -28,8 +28,12 @@ PixelRect covering(const PixelRect& window, int divider) {
           coarser(window.y + window.height, divider) - top};
 }
 
-constexpr int kBucket = 8 * PathRecords::kTile;  // pixels a side: some tenths of a second on two cores
-constexpr int kSmallestBucket = 2 * PathRecords::kTile;
+/// The side of a bucket, in pixels: so many that it takes no longer than a pass may, in whole tiles of the film, each
+/// of which one thread records; but not so few that lanes run empty.
+int bucketSide(double pathsInBudget, int divider) {
+  const int tiles = static_cast<int>(std::sqrt(pathsInBudget)) / PathRecords::kTile;
+  return PathRecords::kTile * std::max(2, std::clamp(tiles, 4, 8) / divider);
+}
 
 glm::vec4 light(const Film& film, int x, int y) {
   return glm::vec4(film.mean(x, y), film.alpha(x, y));
@@ -111,10 +115,9 @@ Refinement::Pass Refinement::beginPass() const {
     plan.samples = std::min(plan.samples, history_.samples + std::max(1u, standIn_->samples() / kFadeSteps));
   const PixelRect all = covering(window_, plan.divider);
   const uint32_t more = plan.divider == 1 ? plan.samples - history_.samples : 1;
-  const double seconds = static_cast<double>(all.width) * all.height * more * history_.secondsPerPath;
-  const bool split = begun() && seconds > 2 * passBudget_s(history_);
-  const int tiles = kBucket / plan.divider / PathRecords::kTile;  // whole ones, each of which one thread records
-  return {plan, PictureBuckets(all, split ? std::max(kSmallestBucket, tiles * PathRecords::kTile) : 0)};
+  const double secondsPerPixel = more * history_.secondsPerPath, budget_s = passBudget_s(history_);
+  const bool split = begun() && static_cast<double>(all.width) * all.height * secondsPerPixel > 2 * budget_s;
+  return {plan, PictureBuckets(all, split ? bucketSide(budget_s / secondsPerPixel, plan.divider) : 0)};
 }
 
 bool Refinement::advance(const Task& task) {

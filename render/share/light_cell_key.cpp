@@ -74,7 +74,8 @@ LightCellPath LightCellKeys::of(const Collision& first, glm::vec2 jitter) {
   if (!shell.isFlat()) {
     constexpr float kSteps = 4;
     const glm::mat3 frame = shell.frame(first.place.tet, first.place.world);
-    const glm::vec3 u = glm::normalize(frame[0]), v = glm::normalize(frame[1]), n = first.normal;
+    const glm::vec3 u = glm::normalize(frame[0]), v = glm::normalize(frame[1]);
+    const glm::vec3 n = glm::normalize(glm::cross(frame[0], frame[1]));  // an explicit fibre has a normal of its own
     toEye = {glm::dot(toEye, u), glm::dot(toEye, v), glm::dot(toEye, n)};
     lie = hashCombine(directionBin(n, kSteps, jitter), sideOf(u));
   }

@@ -31,8 +31,8 @@ class SharedLight {
   /// Samples of a pixel from which on the film is shown alone.
   static constexpr uint32_t kFilmAlone = 1024;
 
-  /// Whether light can be shared: explicit fibres would be blurred to voxels, as in a close-up, which a picture may be
-  /// that is so wide.
+  /// Whether it pays to share light: not where all fibres are explicit, nor so near, in a picture that is so large,
+  /// that a voxel would be seen as a block of one colour.
   static bool serves(const Scene& scene, int width, int height);
 
   SharedLight(std::shared_ptr<const Scene> scene, std::shared_ptr<const Medium> medium, int width, int height);
