@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/parallel.h"
+#include "render/share/error_sums.h"
 
 // How it works. Film and cells are compared in blocks of 2, 4, 8 ... 64 pixels each way. At every size a block trusts
 // its own difference, over that of the larger ones around it, by E / (E + N) (empirical Bayes): N is its noise, E how
@@ -21,7 +22,7 @@ constexpr float kVariesBy = 4;
 }  // namespace
 
 /// What both are means over, weighted by their pixels.
-void BlockGains::Block::operator+=(const Block& part) {
+void BlockGains::Both::operator+=(const Both& part) {
   if (part.pixels == 0) return;
   const float all = pixels + part.pixels, more = part.pixels / all;
   light = glm::mix(light, part.light, more);
@@ -32,34 +33,32 @@ void BlockGains::Block::operator+=(const Block& part) {
   pixels = all;
 }
 
-Rgb BlockGains::Block::gain() const {
+/// What the cells' light is to be multiplied with for such a difference.
+Rgb BlockGains::Both::gain(Rgb difference) const {
   const float least = 1e-3f * std::sqrt(light2) + 1e-12f;  // of no light, none is made
-  Rgb gain;
-  for (int c = 0; c < 3; ++c) gain[c] = std::max(0.0f, 1 + difference[c] / std::max(least, light[c]));
-  return gain;
+  return glm::max(Rgb(0), 1.0f + difference / glm::max(Rgb(least), light));
 }
 
 /// Of the difference. Cells that are in the shade here and there let expect more noise than there is in the shade, so
 /// the block's own pixels have a say, as far as they are many.
-float BlockGains::Block::likelyNoise() const {
+float BlockGains::Both::likelyNoise() const {
   constexpr float kMany = 64;
   const float own = std::max(0.0f, square - glm::dot(difference, difference)) / std::max(1.0f, pixels);
   return (kMany * noise + pixels * own) / (kMany + pixels);
 }
 
-Rgb BlockGains::Blocks::gain(float x, float y) const {
+/// Between the centres of blocks; `x` and `y` in blocks from the top left.
+Rgb BlockGains::between(const Gains& gains, float x, float y) {
   const float left = std::floor(x - 0.5f), top = std::floor(y - 0.5f);
   const float across = x - 0.5f - left, down = y - 0.5f - top;
-  const auto gainOf = [&](int i, int j) {
-    return at(std::clamp(static_cast<int>(left) + i, 0, width - 1),
-              std::clamp(static_cast<int>(top) + j, 0, height - 1))
-        .gain();
-  };
-  return glm::mix(glm::mix(gainOf(0, 0), gainOf(1, 0), across), glm::mix(gainOf(0, 1), gainOf(1, 1), across), down);
+  const int x0 = std::max(0, static_cast<int>(left)), x1 = std::min(static_cast<int>(left) + 1, gains.width - 1);
+  const int y0 = std::max(0, static_cast<int>(top)), y1 = std::min(static_cast<int>(top) + 1, gains.height - 1);
+  return glm::mix(glm::mix(gains.at(x0, y0), gains.at(x1, y0), across),
+                  glm::mix(gains.at(x0, y1), gains.at(x1, y1), across), down);
 }
 
-BlockGains::Blocks BlockGains::smallest(const SharedPicture& shared, const Film& film, int threads) {
-  Blocks blocks((shared.width + kSide - 1) / kSide, (shared.height + kSide - 1) / kSide);
+BlockGains::Blocks<BlockGains::Both> BlockGains::smallest(const SharedPicture& shared, const Film& film, int threads) {
+  Blocks<Both> blocks((shared.width + kSide - 1) / kSide, (shared.height + kSide - 1) / kSide);
   parallelFor(static_cast<size_t>(blocks.height), threads, [&](size_t row) {
     const int top = static_cast<int>(row) * kSide;
     for (int y = top; y < std::min(shared.height, top + kSide); ++y)
@@ -71,75 +70,72 @@ BlockGains::Blocks BlockGains::smallest(const SharedPicture& shared, const Film&
         const float alpha = shared.alpha[i];
         const Rgb light = film.alpha(x, y) * shared.light[i], difference = alpha * film.mean(x, y) - light;
         blocks.at(x / kSide, static_cast<int>(row)) +=
-            Block{light,
-                  difference,
-                  alpha * alpha * shared.variances[i] / static_cast<float>(samples),
-                  glm::dot(light, light),
-                  glm::dot(difference, difference),
-                  1};
+            Both{light,
+                 difference,
+                 alpha * alpha * shared.variances[i] / static_cast<float>(samples),
+                 glm::dot(light, light),
+                 glm::dot(difference, difference),
+                 1};
       }
   });
   return blocks;
 }
 
-BlockGains::Blocks BlockGains::ofTwiceTheSize(const Blocks& small) {
-  Blocks blocks((small.width + 1) / 2, (small.height + 1) / 2);
+BlockGains::Blocks<BlockGains::Both> BlockGains::ofTwiceTheSize(const Blocks<Both>& small) {
+  Blocks<Both> blocks((small.width + 1) / 2, (small.height + 1) / 2);
   for (int y = 0; y < small.height; ++y)
     for (int x = 0; x < small.width; ++x) blocks.at(x / 2, y / 2) += small.at(x, y);
   return blocks;
 }
 
 /// How large the square of the cells' error is in blocks of this size, beside that in blocks of twice the size, as a
-/// share of the square of their light. So much more noise than expected as there may be by chance is no error.
-/// `larger`: null for the largest blocks, where it is all of their error.
-float BlockGains::relativeError2(const Blocks& blocks, const Blocks* larger) {
-  double apart2 = 0, noise = 0, light2 = 0, count = 0;
+/// share of the square of their light. `larger`: null for the largest blocks, where it is all of their error.
+float BlockGains::relativeError2(const Blocks<Both>& blocks, const Blocks<Both>* larger) {
+  ErrorSums sums;
   for (int y = 0; y < blocks.height; ++y)
     for (int x = 0; x < blocks.width; ++x) {
-      const Block& block = blocks.at(x, y);
+      const Both& block = blocks.at(x, y);
       if (block.pixels == 0) continue;
       Rgb apart = block.difference;
       float expected = block.noise;
       if (larger) {
-        const Block& around = larger->at(x / 2, y / 2);
-        apart -= (around.gain() - 1.0f) * block.light;
+        const Both& around = larger->at(x / 2, y / 2);
+        apart -= (around.gain(around.difference) - 1.0f) * block.light;
         expected += around.noise - 2 * block.pixels / around.pixels * block.noise;  // the block is a part of it
       }
-      apart2 += glm::dot(apart, apart);
-      noise += std::max(0.0f, expected);
-      light2 += block.light2;
-      ++count;
+      sums += {glm::dot(apart, apart), std::max(0.0f, expected), block.light2, 1};
     }
-  if (light2 <= 0) return 0;
-  const double chance = 1 + 3 * std::sqrt(kVariesBy / count);
-  return static_cast<float>(std::max(0.0, apart2 - chance * noise) / light2);
+  return sums.relativeError2(kVariesBy);
 }
 
 /// From the largest blocks down, differences become what is known of the cells' error.
-BlockGains::Blocks BlockGains::freedOfNoise(Blocks smallest) {
-  std::vector<Blocks> sizes{std::move(smallest)};
+BlockGains::Gains BlockGains::freedOfNoise(Blocks<Both> smallest) {
+  std::vector<Blocks<Both>> sizes{std::move(smallest)};
   while (sizes.size() < kSizes) sizes.push_back(ofTwiceTheSize(sizes.back()));
-  std::vector<float> errors2;
-  for (size_t k = 0; k < kSizes; ++k)
-    errors2.push_back(relativeError2(sizes[k], k + 1 < kSizes ? &sizes[k + 1] : nullptr));
-  for (size_t k = kSizes; k-- > 0;)
-    for (int y = 0; y < sizes[k].height; ++y)
-      for (int x = 0; x < sizes[k].width; ++x) {
-        Block& block = sizes[k].at(x, y);
-        const float middleX = (static_cast<float>(x) + 0.5f) / 2, middleY = (static_cast<float>(y) + 0.5f) / 2;
-        const Rgb around = k + 1 < kSizes ? sizes[k + 1].gain(middleX, middleY) : Rgb(1);
-        const float error2 = errors2[k] * block.light2;
+  Gains larger((sizes.back().width + 1) / 2, (sizes.back().height + 1) / 2);
+  std::ranges::fill(larger.all, Rgb(1));  // still larger ones are as the cells have it
+  for (size_t k = kSizes; k-- > 0;) {
+    const Blocks<Both>& blocks = sizes[k];
+    const float relative2 = relativeError2(blocks, k + 1 < kSizes ? &sizes[k + 1] : nullptr);
+    Gains gains(blocks.width, blocks.height);
+    for (int y = 0; y < blocks.height; ++y)
+      for (int x = 0; x < blocks.width; ++x) {
+        const Both& block = blocks.at(x, y);
+        const Rgb around = between(larger, (static_cast<float>(x) + 0.5f) / 2, (static_cast<float>(y) + 0.5f) / 2);
+        const float error2 = relative2 * block.light2;
         const float trust = error2 > 0 && block.pixels > 0 ? error2 / (error2 + block.likelyNoise()) : 0.0f;
-        block.difference = glm::mix((around - 1.0f) * block.light, block.difference, trust);
+        gains.at(x, y) = block.gain(glm::mix((around - 1.0f) * block.light, block.difference, trust));
       }
-  return std::move(sizes.front());
+    larger = std::move(gains);
+  }
+  return larger;
 }
 
 BlockGains::BlockGains(const SharedPicture& shared, const Film& film, int threads)
-    : blocks_(freedOfNoise(smallest(shared, film, threads))) {}
+    : gains_(freedOfNoise(smallest(shared, film, threads))) {}
 
 Rgb BlockGains::at(int x, int y) const {
-  return blocks_.gain((static_cast<float>(x) + 0.5f) / kSide, (static_cast<float>(y) + 0.5f) / kSide);
+  return between(gains_, (static_cast<float>(x) + 0.5f) / kSide, (static_cast<float>(y) + 0.5f) / kSide);
 }
 
 }  // namespace loomlight

@@ -17,8 +17,23 @@ class BlockGains {
   Rgb at(int x, int y) const;
 
  private:
-  /// Film and cells in blocks of one size, row by row.
-  struct Block {
+  /// What is known of blocks of one size, row by row.
+  template <class Known>
+  struct Blocks {
+    Blocks(int w, int h) : width(w), height(h), all(static_cast<size_t>(w) * static_cast<size_t>(h)) {}
+    int width, height;
+    std::vector<Known> all;
+
+    Known& at(int x, int y) { return all[index(x, y)]; }
+    const Known& at(int x, int y) const { return all[index(x, y)]; }
+
+   private:
+    size_t index(int x, int y) const {
+      return static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x);
+    }
+  };
+  /// Film and cells in a block.
+  struct Both {
     Rgb light{0};       ///< of the cells, mean over its pixels
     Rgb difference{0};  ///< of the film from that
     float noise = 0;    ///< variance of the difference, summed over the channels
@@ -26,31 +41,19 @@ class BlockGains {
     float square = 0;   ///< of the pixels' own differences, mean over them
     float pixels = 0;   ///< with samples
 
-    void operator+=(const Block& part);
-    Rgb gain() const;
+    void operator+=(const Both& part);
+    Rgb gain(Rgb difference) const;
     float likelyNoise() const;
   };
-  struct Blocks {
-    Blocks(int w, int h) : width(w), height(h), all(static_cast<size_t>(w) * static_cast<size_t>(h)) {}
-    int width, height;
-    std::vector<Block> all;
+  using Gains = Blocks<Rgb>;
 
-    Block& at(int x, int y) { return all[index(x, y)]; }
-    const Block& at(int x, int y) const { return all[index(x, y)]; }
-    /// Between the centres of blocks; `x` and `y` in blocks from the top left.
-    Rgb gain(float x, float y) const;
+  static Blocks<Both> smallest(const SharedPicture& shared, const Film& film, int threads);
+  static Blocks<Both> ofTwiceTheSize(const Blocks<Both>& small);
+  static float relativeError2(const Blocks<Both>& blocks, const Blocks<Both>* larger);
+  static Gains freedOfNoise(Blocks<Both> smallest);
+  static Rgb between(const Gains& gains, float x, float y);
 
-   private:
-    size_t index(int x, int y) const {
-      return static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x);
-    }
-  };
-  static Blocks smallest(const SharedPicture& shared, const Film& film, int threads);
-  static Blocks ofTwiceTheSize(const Blocks& small);
-  static float relativeError2(const Blocks& blocks, const Blocks* larger);
-  static Blocks freedOfNoise(Blocks smallest);
-
-  Blocks blocks_;  ///< the smallest
+  Gains gains_;  ///< of the smallest
 };
 
 }  // namespace loomlight

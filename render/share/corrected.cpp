@@ -3,6 +3,7 @@
 
 #include "core/base/parallel.h"
 #include "render/share/block_gains.h"
+#include "render/share/error_sums.h"
 #include "render/share/shared_picture.h"
 
 // How it works. Two pictures of the same are blended: that of cells, which has little noise and an error of its own,
@@ -14,42 +15,23 @@
 namespace loomlight {
 namespace {
 
-/// Sums over the rows of a picture, in order, so that they are the same from any number of threads.
-struct RowSums {
-  double difference2 = 0;  ///< of the film's light from that of the cells, squared
-  double noise = 0;        ///< of the film, as the cells let expect it
-  double light2 = 0;       ///< of the cells, squared
-  double pixels = 0;       ///< with samples
-};
-
-/// The square of the cells' own error, as a share of the square of their light: how much further the film is from them
-/// than its noise explains. Over the whole picture, or a few lucky paths would vouch for each other; and so much more
-/// noise than expected as there may be by chance is no error of the cells.
-double relativeError2(const SharedPicture& shared, const Film& film, int threads) {
-  std::vector<RowSums> rows(static_cast<size_t>(shared.height));
+/// The square of the cells' own error, as a share of the square of their light.
+float relativeError2(const SharedPicture& shared, const Film& film, int threads) {
+  constexpr double kVariesBy = 10;  // single paths vary a lot
+  std::vector<ErrorSums> rows(static_cast<size_t>(shared.height));
   parallelFor(rows.size(), threads, [&](size_t row) {
-    RowSums& sums = rows[row];
     for (int x = 0; x < shared.width; ++x) {
       const uint32_t samples = film.samples(x, static_cast<int>(row));
       if (samples == 0) continue;
       const size_t i = row * static_cast<size_t>(shared.width) + static_cast<size_t>(x);
-      const Rgb difference = film.mean(x, static_cast<int>(row)) - shared.light[i];
-      sums.difference2 += glm::dot(difference, difference);
-      sums.noise += shared.variances[i] / static_cast<float>(samples);
-      sums.light2 += glm::dot(shared.light[i], shared.light[i]);
-      ++sums.pixels;
+      const Rgb apart = film.mean(x, static_cast<int>(row)) - shared.light[i];
+      rows[row] += {glm::dot(apart, apart), shared.variances[i] / static_cast<float>(samples),
+                    glm::dot(shared.light[i], shared.light[i]), 1};
     }
   });
-  RowSums all;
-  for (const RowSums& row : rows) {
-    all.difference2 += row.difference2;
-    all.noise += row.noise;
-    all.light2 += row.light2;
-    all.pixels += row.pixels;
-  }
-  if (all.light2 <= 0) return 0;
-  const double chance = 1 + 3 * std::sqrt(10 / all.pixels);  // single paths vary a lot
-  return std::max(0.0, all.difference2 - chance * all.noise) / all.light2;
+  ErrorSums all;  // row by row, so that they are the same from any number of threads
+  for (const ErrorSums& row : rows) all += row;
+  return all.relativeError2(kVariesBy);
 }
 
 /// To the light that the film knows of.
@@ -66,7 +48,7 @@ void brighten(SharedPicture& shared, const Film& film, int threads) {
 
 std::vector<glm::vec4> corrected(SharedPicture shared, const Film& film, uint32_t samplesAlone, int threads) {
   brighten(shared, film, threads);
-  const auto error2 = static_cast<float>(relativeError2(shared, film, threads));
+  const float error2 = relativeError2(shared, film, threads);
   std::vector<glm::vec4> picture(shared.light.size());
   parallelFor(static_cast<size_t>(shared.height), threads, [&](size_t row) {
     for (int x = 0; x < shared.width; ++x) {
