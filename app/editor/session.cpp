@@ -117,11 +117,11 @@ void Session::run(Command command) {
       return browse(FileTask::open);
     case Command::save:
       if (document_.document().file().empty()) return browse(FileTask::saveAs);
-      return files_.service().save(document_.document().file(), document_.fabric(), document_.document().state());
+      return files_.service().save(document_.document().file(), document_.cloth(), document_.document().state());
     case Command::saveAs:
       return browse(FileTask::saveAs);
     case Command::savePreset:
-      return presets_.keep(*document_.fabric());
+      return presets_.keep(*document_.cloth());
     case Command::snapshot:
       return snapshots_.show(document_.fabric()->render, freeFile(fileCalledAsCloth(".png")).string());
     case Command::presets:
@@ -153,7 +153,7 @@ void Session::run(Command command) {
     case Command::sheet:
       return browse(FileTask::sheet);
     case Command::handover:
-      return handover_.show(freeFile(fileCalledAsCloth(words::files::handoverEnding)).string(), document_.fabric());
+      return handover_.show(freeFile(fileCalledAsCloth(words::files::handoverEnding)).string(), document_.cloth());
     case Command::brushBefore:
       return inspector_.stepYarn(-1, document_.fabric()->yarns.size());
     case Command::brushNext:
@@ -165,8 +165,7 @@ void Session::run(Command command) {
     case Command::truthLens:
       return viewport_.view().inset.toggle();
     case Command::boothLamp:
-      return document_.change(
-          [](Fabric& fabric) { fabric.light = underLamp(fabric.light, nextLamp(fabric.light.illuminant)); });
+      return document_.judgeUnder(nextLamp(document_.cloth()->light.illuminant, document_.document().judgedUnder()));
     case Command::boothSideBySide:
       return viewport_.showBooth(!viewport_.view().booth);
     case Command::plainTone:
@@ -216,7 +215,7 @@ void Session::run(DraftCommand command) {
     case DraftCommand::exportDraft:
       return browse(FileTask::exportDraft);
     case DraftCommand::exportTile:
-      return tile_.show(freeFile(fileCalledAsCloth(words::files::tileEnding)).string(), document_.fabric());
+      return tile_.show(freeFile(fileCalledAsCloth(words::files::tileEnding)).string(), document_.cloth());
     default:
       const EditPlace place = draft_.place();
       if (auto edited = draft_.run(command, *document_.fabric(), settings_.draft))
@@ -278,7 +277,7 @@ void Session::look(const Camera& camera) {
 
 void Session::applyPreset(const PresetChoice& choice) {
   if (choice.isSample) return dress(sampleFabric(choice.index));
-  files_.service().open(FileService::Work::usePreset, presets_.fileOf(choice), document_.fabric(),
+  files_.service().open(FileService::Work::usePreset, presets_.fileOf(choice), document_.cloth(),
                         document_.document().state());
 }
 

@@ -100,7 +100,10 @@ class Session {
   bool dialogIsOpen() const;
   StatusModel statusToSay() const;
   SnapshotController::Sight sightNow() const {
-    return {document_.fabric(), {draft_.view().back, viewport_.flatView()}, viewport_.tone(document_.fabric()->light)};
+    return {document_.fabric(),
+            document_.cloth(),
+            {draft_.view().back, viewport_.flatView(), document_.document().judgedUnder()},
+            viewport_.tone(document_.fabric()->light)};
   }
   void tellProbe(Ui& ui) const;
 

@@ -47,7 +47,7 @@ void Session::leaveFor(Errand next) {
 
 void Session::goOn() {
   const auto open = [this](FileService::Work work, const std::string& file) {
-    files_.service().open(work, file, document_.fabric(), document_.document().state());
+    files_.service().open(work, file, document_.cloth(), document_.document().state());
   };
   const Errand errand = std::exchange(errand_, {});
   switch (errand.kind) {
@@ -288,7 +288,7 @@ void Session::fileChosen(const FileController::Chosen& chosen) {
     case FileTask::profile:
       return openFile(chosen.file);
     case FileTask::saveAs:
-      return files_.service().save(chosen.file, document_.fabric(), document_.document().state());
+      return files_.service().save(chosen.file, document_.cloth(), document_.document().state());
     case FileTask::snapshot:
       return snapshots_.setFile(chosen.file);
     case FileTask::exportTile:
@@ -313,7 +313,7 @@ void Session::writeSheet(FileTask task, const std::string& file) {
   options.width_cm = inspector_.view().units.piece.width_cm;
   options.counts = inspector_.view().units.count;
   options.corner = {settings_.draft.startsRight(), settings_.draft.startsAtTop()};
-  files_.service().renderTo(file, [task, file, options, fabric = document_.fabric()](const std::stop_token& stop) {
+  files_.service().renderTo(file, [task, file, options, fabric = document_.cloth()](const std::stop_token& stop) {
     Task render;
     render.stop = stop;
     const auto write = task == FileTask::sheet ? writeClothSheet : writeColourwaySheet;
@@ -322,7 +322,7 @@ void Session::writeSheet(FileTask task, const std::string& file) {
 }
 
 void Session::exportTo(FileTask task, const std::string& file) {
-  files_.service().exportTo(file, [task, file, fabric = document_.fabric()]() -> std::vector<std::string> {
+  files_.service().exportTo(file, [task, file, fabric = document_.cloth()]() -> std::vector<std::string> {
     if (task == FileTask::exportWif) return writeWifFabric(*fabric, file);
     writeWeaveBitmap(file, *fabric);
     return {};
@@ -331,7 +331,7 @@ void Session::exportTo(FileTask task, const std::string& file) {
 
 void Session::printDraft(const std::string& file) {
   const DraftCorner corner{settings_.draft.startsRight(), settings_.draft.startsAtTop()};
-  files_.service().renderTo(file, [file, corner, fabric = document_.fabric()](const std::stop_token& stop) {
+  files_.service().renderTo(file, [file, corner, fabric = document_.cloth()](const std::stop_token& stop) {
     Task colours;
     colours.stop = stop;
     return writeDraftSheet(file, *fabric, corner, colours);

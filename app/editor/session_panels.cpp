@@ -102,14 +102,18 @@ void Session::drawStrip(Ui& ui) {
   if (!restored) return;
   draft_.view().back = restored->view.back;
   viewport_.lookAs(restored->view.flat, restored->fabric);
+  document_.judgeUnder(std::nullopt);  // the lamp of the cloth is taken for what it is
   document_.edit(std::move(restored->fabric));
+  document_.judgeUnder(restored->view.judgedUnder);
   draft_.fit();
 }
 
 void Session::drawInspector(Ui& ui) {
   const EditPlace place = inspector_.place();
+  const bool judged = document_.document().judgedUnder().has_value();
+  const auto ownLamp = judged ? std::optional(document_.cloth()->light.illuminant) : std::nullopt;
   InspectorResult result =
-      inspector_.draw(ui, document_.fabric(), yarnColours_, viewport_.service(), settings_.draft.inches);
+      inspector_.draw(ui, document_.fabric(), yarnColours_, viewport_.service(), ownLamp, settings_.draft.inches);
   help_.hints.set |= result.fabric.has_value();
   if (result.fabric) document_.edit(std::move(*result.fabric), place);
   if (result.camera) {
@@ -128,7 +132,7 @@ void Session::drawSnapshot(Ui& ui) {
 /// Those that put something into the fabric.
 void Session::drawFabricDialogs(Ui& ui) {
   if (presets_.isOpen()) {
-    const Fabric& now = *document_.fabric();
+    const Fabric& now = *document_.cloth();
     const int yarn = std::min(inspector_.view().yarn, static_cast<int>(now.yarns.size()) - 1);
     auto used = presets_.drawBrowser(ui, now, yarn, shownFibre(now, inspector_.view()));
     if (used) document_.edit(std::move(used->fabric));
@@ -158,8 +162,8 @@ void Session::drawDialogs(Ui& ui) {
   drawPreferences(ui);
   help_.keys.draw(ui);
   snapshots_.drawComparison(ui);
-  if (!files_.isBrowsing() && tile_.draw(ui, *document_.fabric(), viewport_.service())) browse(FileTask::exportTile);
-  if (!files_.isBrowsing() && handover_.draw(ui, *document_.fabric(), viewport_.service())) browse(FileTask::handover);
+  if (!files_.isBrowsing() && tile_.draw(ui, *document_.cloth(), viewport_.service())) browse(FileTask::exportTile);
+  if (!files_.isBrowsing() && handover_.draw(ui, *document_.cloth(), viewport_.service())) browse(FileTask::handover);
   if (inspector_.colourDifferenceIsOpen()) {
     inspector_.drawColourDifference(ui, document_.fabric(), yarnColours_);
     if (!inspector_.colourDifferenceIsOpen()) viewport_.service().pause(false);

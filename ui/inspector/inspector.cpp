@@ -58,7 +58,7 @@ InspectorResult inspector(Ui& ui, const Fabric& fabric, const InspectorModel& mo
       result.fabric = clothPage(ui, fabric, model, view);
       break;
     case InspectorView::Page::scene:
-      result = scenePage(ui, fabric);
+      result = scenePage(ui, fabric, model);
       break;
   }
   endPage(view.scroll);

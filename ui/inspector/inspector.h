@@ -39,10 +39,11 @@ struct InspectorModel {
   const Binding* binding = nullptr;
   const std::vector<std::string>* warnings = nullptr;  ///< in plain words
   ShownYarns yarns;
-  ImTextureID closeUp{};         ///< of the yarn looked at
-  bool inches = false;           ///< setts and lengths to the inch; else to the centimetre
-  ClothColourModel clothColour;  ///< of the part that takes the dye
-  VisibilityModel visibility;    ///< of the yarn looked at
+  ImTextureID closeUp{};                      ///< of the yarn looked at
+  std::optional<StandardIlluminant> ownLamp;  ///< of a cloth that is judged by another
+  bool inches = false;                        ///< setts and lengths to the inch; else to the centimetre
+  ClothColourModel clothColour;               ///< of the part that takes the dye
+  VisibilityModel visibility;                 ///< of the yarn looked at
 };
 
 struct InspectorResult {
@@ -61,7 +62,7 @@ int shownFibre(const Fabric& fabric, const InspectorView& view);
 std::optional<Fabric> yarnPage(Ui& ui, const Fabric& fabric, const InspectorModel& model, InspectorView& view);
 std::optional<Fabric> fibrePage(Ui& ui, const Fabric& fabric, const InspectorModel& model, InspectorView& view);
 std::optional<Fabric> clothPage(Ui& ui, const Fabric& fabric, const InspectorModel& model, InspectorView& view);
-InspectorResult scenePage(Ui& ui, const Fabric& fabric);
+InspectorResult scenePage(Ui& ui, const Fabric& fabric, const InspectorModel& model);
 
 /// A swatch for each yarn; a click selects.
 void yarnChooser(Ui& ui, const ShownYarns& yarns, int& yarn, const char* prefix);

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "ui/inspector/inspector.h"
 #include "ui/widgets/choices.h"
 #include "ui/widgets/member_fields.h"
@@ -18,12 +20,13 @@ bool resolutionRow(Ui& ui, RenderSettings& render) {
   return true;
 }
 
-bool lightRows(Ui& ui, Light& light, InspectorResult& result) {
+bool lightRows(Ui& ui, Light& light, const std::optional<StandardIlluminant>& ownLamp, InspectorResult& result) {
   const LightKind before = light.kind;
   bool changed = memberChoice(ui, "light", light, &Light::kind, lightNames(light));
   if (light.kind != before) light = withKind(light, light.kind);
   changed |= memberField(ui, "light", light, &Light::intensity, 2);
   changed |= memberChoice(ui, "light", light, &Light::illuminant, illuminantNames(light));
+  if (ownLamp) quietLine(ui, "light.own_lamp", fmt::format(words::scenePage::onlyToJudge, lampWord(*ownLamp)));
   changed |= memberField(ui, "light", light, &Light::temperature_K, 0);
   const bool aimed = light.kind == LightKind::sky || light.kind == LightKind::directional;
   const bool turns = aimed || light.kind == LightKind::environment || light.kind == LightKind::window ||
@@ -60,14 +63,14 @@ bool cameraRows(Ui& ui, Camera& camera) {
 
 }  // namespace
 
-InspectorResult scenePage(Ui& ui, const Fabric& fabric) {
+InspectorResult scenePage(Ui& ui, const Fabric& fabric, const InspectorModel& model) {
   InspectorResult result;
   Light light = fabric.light;
   Drape drape = fabric.drape;
   Camera camera = fabric.camera;
   RenderSettings render = fabric.render;
   heading(ui, words::scenePage::light);
-  bool changed = lightRows(ui, light, result);
+  bool changed = lightRows(ui, light, model.ownLamp, result);
   heading(ui, words::scenePage::drape);
   changed |= drapeRows(ui, drape, result);
   heading(ui, words::scenePage::camera);

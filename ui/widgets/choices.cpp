@@ -1,8 +1,5 @@
 #include "ui/widgets/choices.h"
 
-#include <algorithm>
-
-#include "core/fabric/model/booth_lamps.h"
 #include "core/fabric/model/choice_names.h"
 #include "core/fabric/model/lamp_name.h"
 #include "ui/words/choice_words.h"
@@ -63,12 +60,6 @@ std::string lampWord(StandardIlluminant lamp) {
   if (lamp == StandardIlluminant::blackBody) return words::choices::blackBody;
   if (lamp == StandardIlluminant::file) return words::choices::ownLamp;
   return lampName({lamp});
-}
-
-StandardIlluminant nextLamp(StandardIlluminant lamp) {
-  const auto* const now = std::find(kBoothLamps.begin(), kBoothLamps.end(), lamp);
-  const bool isLast = now == kBoothLamps.end() || now + 1 == kBoothLamps.end();
-  return isLast ? kBoothLamps.front() : *(now + 1);
 }
 
 std::span<const char* const> observerNames() {

@@ -22,8 +22,6 @@ std::span<const char* const> illuminantNames(const Light& light);
 const char* lampLabel(StandardIlluminant lamp);
 /// In few letters: "F11".
 std::string lampWord(StandardIlluminant lamp);
-/// Of kBoothLamps the one after this, and the first after the last and after every other.
-StandardIlluminant nextLamp(StandardIlluminant lamp);
 std::span<const char* const> observerNames();
 std::span<const char* const> methodNames();
 std::span<const char* const> estimatorNames();

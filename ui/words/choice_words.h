@@ -18,7 +18,7 @@ inline constexpr const char* estimators[] = {"None", "Report", "Loomlight"};
 inline constexpr const char* eventLaws[] = {"Projected", "Report"};
 
 // Lamps that have no short name of the trade
-inline constexpr const char* blackBody = "black body";
-inline constexpr const char* ownLamp = "own lamp";
+inline constexpr const char* blackBody = "a black body";
+inline constexpr const char* ownLamp = "a measured lamp";
 
 }  // namespace loomlight::words::choices

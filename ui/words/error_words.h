@@ -14,6 +14,7 @@ inline constexpr const char* folderNotMade = "{}: the folder could not be made: 
 inline constexpr const char* noView = "{}: expected a kept view, found no fabric in it";
 inline constexpr const char* noFlatView = "{}: expected a piece of flat cloth that is looked at, got: {}";
 inline constexpr const char* noSide = "{}: {}: expected \"{}\" or nothing, got another text";
+inline constexpr const char* noLamp = "{}: {}: expected the name of a lamp or nothing, got \"{}\"";
 inline constexpr const char* viewWithAlpha = "{}: expected a picture without alpha";
 
 inline constexpr const char* presetFolderNotMade = "{}: the folder for presets could not be made: {}";

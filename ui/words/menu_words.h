@@ -41,7 +41,9 @@ inline constexpr MenuWord actualSize{"Actual size", "Ctrl+1"};
 inline constexpr MenuWord fitDraft{"Fit the draft", "Shift+F"};
 inline constexpr MenuWord keepView{"Keep this view", "K"};
 inline constexpr MenuWord truthLens{"Truth lens", "L"};
-inline constexpr MenuWord nextLamp{"Next lamp of the booth", "J"};
+inline constexpr MenuWord nextLamp{"Next lamp of the booth", "J",
+                                   "The cloth is judged by one lamp of a light booth after the other, and by its own "
+                                   "again at last, which it keeps."};
 inline constexpr MenuWord boothSideBySide{"Booth side by side", "Shift+J"};
 inline constexpr MenuWord colourDifference{"Colour difference\xE2\x80\xA6"};
 inline constexpr MenuWord plainTone{

@@ -12,7 +12,7 @@ inline constexpr const char* coverHelp =
 inline constexpr const char* thickness = "{:.2f} mm thick";
 inline constexpr const char* endlessFloat = "endless float";
 inline constexpr const char* longestFloat = "longest float {} ({:.1f} mm)";
-inline constexpr const char* longFloats = "{}, {} over {:.1f}";
+inline constexpr const char* longFloats = "{}, {} over {:.1f} mm";
 inline constexpr const char* floatHelp =
     "The most crossings that a thread passes over or under without interlacing, and how many floats of one repeat are "
     "longer than the limit set beside Floats: long ones snag.";
@@ -31,7 +31,8 @@ inline constexpr const char* visibilityHelp =
 
 inline constexpr const char* lamp = "under {}";
 inline constexpr const char* lampHelp =
-    "The lamp whose spectrum the colours are seen by, as in a light booth (J takes the next). The eye is adapted to "
+    "The lamp whose spectrum the colours are seen by, as in a light booth (J takes the next, which is no edit of the "
+    "cloth). The eye is adapted to "
     "it: white is white, and what moves is what dyers call metamerism.";
 
 // The work, and what has helped the picture that is shown meanwhile

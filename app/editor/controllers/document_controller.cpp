@@ -50,7 +50,7 @@ void DocumentController::keepCopy() {
   if (document_.revision() == keptRevision_) return;
   keptRevision_ = document_.revision();
   if (document_.isDirty())
-    autosave_.keep(document_.fabric());
+    autosave_.keep(document_.cloth());
   else
     autosave_.forget();
 }

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "app/editor/model/autosave.h"
@@ -16,7 +17,8 @@ class DocumentController {
   DocumentController(Document document, std::function<void()> wake);
 
   const Document& document() const { return document_; }
-  const std::shared_ptr<const Fabric>& fabric() const { return document_.fabric(); }
+  const std::shared_ptr<const Fabric>& fabric() const { return document_.fabric(); }  ///< as it is looked at
+  const std::shared_ptr<const Fabric>& cloth() const { return document_.cloth(); }    ///< as it is kept in files
   const Autosave& autosave() const { return autosave_; }
   const std::string& refusal() const { return refusal_; }  ///< why the last edit was not taken; empty if it was
 
@@ -42,6 +44,7 @@ class DocumentController {
     edit(std::move(fabric));
   }
   void lookFrom(const Camera& camera) { document_.lookFrom(camera); }
+  void judgeUnder(std::optional<StandardIlluminant> lamp) { document_.judgeUnder(lamp); }
   void renderAs(const RenderSettings& settings) { document_.renderAs(settings); }
   EditPlace undo() { return document_.undo(); }
   EditPlace redo() { return document_.redo(); }

@@ -15,7 +15,8 @@
 namespace loomlight {
 
 InspectorResult InspectorController::draw(Ui& ui, const std::shared_ptr<const Fabric>& fabric,
-                                          const YarnColourService& yarnColours, const ViewService& seen, bool inches) {
+                                          const YarnColourService& yarnColours, const ViewService& seen,
+                                          const std::optional<StandardIlluminant>& ownLamp, bool inches) {
   const ClothMeasures measures = seen.status().measures;
   const std::shared_ptr<const FabricStats> stats = seen.stats();
   InspectorModel model;
@@ -36,6 +37,7 @@ InspectorResult InspectorController::draw(Ui& ui, const std::shared_ptr<const Fa
   if (view_.page == InspectorView::Page::fibre)
     model.clothColour = colours_.model(fabric, dyed(*fabric), view_.clothColour);
   model.visibility = seen.visibilityModel(view_.yarn);
+  model.ownLamp = ownLamp;
   model.inches = inches;
   return inspector(ui, *fabric, model, view_);
 }

@@ -26,9 +26,10 @@ class InspectorController {
   InspectorController(DisplayDriver& driver, const std::function<void()>& wake)
       : colours_(wake), differences_(wake), books_(wake), pictures_(driver, wake) {}
 
-  /// What the panel asks for in a frame. `inches`: of setts and lengths.
+  /// What the panel asks for in a frame. `ownLamp`: of a cloth that is judged by another. `inches`: of setts and
+  /// lengths.
   InspectorResult draw(Ui& ui, const std::shared_ptr<const Fabric>& fabric, const YarnColourService& yarnColours,
-                       const ViewService& seen, bool inches);
+                       const ViewService& seen, const std::optional<StandardIlluminant>& ownLamp, bool inches);
   /// The fabric after an edit.
   std::optional<Fabric> drawColourways(Ui& ui, const std::shared_ptr<const Fabric>& fabric,
                                        const YarnColourService& yarnColours);

@@ -60,7 +60,7 @@ void SnapshotController::followView(const Sight& now, const ViewService& seen) {
   const Frame& frame = *seen.frame();
   constexpr int kWorthIt = 2;  // times the samples, to be seen
   if (view.id.empty())
-    view.id = shelf_.keep(view.sight.fabric, view.sight.view, displayPicture(frame, view.sight.tone));
+    view.id = shelf_.keep(view.sight.cloth, view.sight.view, displayPicture(frame, view.sight.tone));
   else if (frame.samples > 0 && frame.samples >= kWorthIt * view.samples)
     shelf_.renew(view.id, displayPicture(frame, view.sight.tone));
   else

@@ -21,7 +21,7 @@ class SnapshotController {
 
   /// What is looked at now.
   struct Sight {
-    std::shared_ptr<const Fabric> fabric;
+    std::shared_ptr<const Fabric> fabric, cloth;  ///< under the lamp that it is judged by; under its own
     ClothView view;
     Tone tone;
     bool isOf(const Sight& other) const { return fabric == other.fabric && view == other.view; }

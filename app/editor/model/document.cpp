@@ -1,7 +1,10 @@
 #include "app/editor/model/document.h"
 
 #include <algorithm>
+#include <tuple>
 #include <vector>
+
+#include "core/fabric/model/booth_lamps.h"
 
 namespace loomlight {
 namespace {
@@ -42,6 +45,12 @@ std::shared_ptr<const Fabric> seenFrom(const std::shared_ptr<const Fabric>& fabr
   return moved;
 }
 
+/// What of a light is its lamp.
+template <class AnyLight>
+auto lampOf(AnyLight& light) {
+  return std::tie(light.illuminant, light.temperature_K, light.illuminantFile);
+}
+
 }  // namespace
 
 size_t Document::memoryForUndo_bytes(uint64_t physical_bytes) {
@@ -51,6 +60,7 @@ size_t Document::memoryForUndo_bytes(uint64_t physical_bytes) {
 
 Document::Document(Fabric fabric, std::string file, size_t mostBytes) : mostBytes_(mostBytes), file_(std::move(file)) {
   push({std::make_shared<const Fabric>(std::move(fabric)), 0, {}, 0});
+  look();
 }
 
 void Document::push(Step step) {
@@ -65,6 +75,16 @@ void Document::push(Step step) {
 }
 
 void Document::edit(Fabric fabric, uint64_t gesture, const EditPlace& place) {
+  if (judgedUnder_) {
+    const auto own = lampOf(cloth()->light);
+    if (lampOf(fabric.light) == lampOf(seen_->light)) {
+      lampOf(fabric.light) = own;
+    } else if (lampOf(fabric.light) != own) {
+      judgedUnder_.reset();
+    } else if (fabric == *cloth()) {  // its own lamp was wanted, and nothing else
+      return judgeUnder(std::nullopt);
+    }
+  }
   ++revision_;
   const bool continues = gesture == gesture_ && now_ > 0 && !canRedo();
   gesture_ = gesture;
@@ -72,17 +92,39 @@ void Document::edit(Fabric fabric, uint64_t gesture, const EditPlace& place) {
   for (const size_t kept = continues ? now_ : now_ + 1; steps_.size() > kept; steps_.pop_back())
     bytes_ -= steps_.back().bytes;
   push({std::make_shared<const Fabric>(std::move(fabric)), nextId_++, first, 0});
+  look();
+}
+
+/// The cloth under the lamp that it is judged by.
+void Document::look() {
+  seen_ = cloth();
+  if (!judgedUnder_) return;
+  auto lit = std::make_shared<Fabric>(*seen_);
+  lit->light = underLamp(lit->light, *judgedUnder_);
+  seen_ = std::move(lit);
 }
 
 void Document::lookFrom(const Camera& camera) {
-  steps_[now_].fabric = seenFrom(fabric(), camera);
+  keepAsLookedAt(seenFrom(cloth(), camera));
+}
+
+void Document::judgeUnder(std::optional<StandardIlluminant> lamp) {
+  if (judgedUnder_ == lamp) return;
+  judgedUnder_ = lamp;
+  look();
 }
 
 void Document::renderAs(const RenderSettings& settings) {
-  if (fabric()->render == settings) return;
-  auto sized = std::make_shared<Fabric>(*fabric());
+  if (cloth()->render == settings) return;
+  auto sized = std::make_shared<Fabric>(*cloth());
   sized->render = settings;
-  steps_[now_].fabric = std::move(sized);
+  keepAsLookedAt(std::move(sized));
+}
+
+void Document::keepAsLookedAt(std::shared_ptr<const Fabric> fabric) {
+  if (fabric == cloth()) return;
+  steps_[now_].fabric = std::move(fabric);
+  look();
 }
 
 EditPlace Document::undo() {
@@ -99,10 +141,11 @@ EditPlace Document::redo() {
 }
 
 void Document::go(size_t step) {
-  // Undo takes back what was done to the cloth, not where one stands to look at it.
-  const Camera camera = fabric()->camera;
+  // Undo takes back what was done to the cloth, not where one stands to look at it, nor by which lamp.
+  const Camera camera = cloth()->camera;
   now_ = step;
-  steps_[now_].fabric = seenFrom(fabric(), camera);
+  steps_[now_].fabric = seenFrom(cloth(), camera);
+  look();
   gesture_ = 0;
   ++revision_;
 }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "core/base/memory.h"
@@ -30,16 +31,23 @@ class Document {
   explicit Document(Fabric fabric, std::string file = {},
                     size_t mostBytes = memoryForUndo_bytes(physicalMemory_bytes()));
 
-  const std::shared_ptr<const Fabric>& fabric() const { return steps_[now_].fabric; }
+  /// As it is looked at: under the lamp that it is judged by.
+  const std::shared_ptr<const Fabric>& fabric() const { return seen_; }
+  /// As it is kept: under its own lamp.
+  const std::shared_ptr<const Fabric>& cloth() const { return steps_[now_].fabric; }
   const std::string& file() const { return file_; }  ///< empty while it has none
   bool isDirty() const { return state() != savedState_; }
   /// Counts up with every edit and every undo; looking around is none.
   uint64_t revision() const { return revision_; }
 
-  /// All edits of one gesture (a drag, a text being typed) are one step of undo.
+  /// All edits of one gesture (a drag, a text being typed) are one step of undo. A cloth that is judged keeps its own
+  /// lamp; where a third is wanted that is the cloth's, and judging ends.
   void edit(Fabric fabric, uint64_t gesture, const EditPlace& place = {});
   /// Looking around: no step of undo, no reason to ask at the end.
   void lookFrom(const Camera& camera);
+  /// The cloth is judged by another lamp, as in a light booth; null: its own shines. Likewise no edit.
+  void judgeUnder(std::optional<StandardIlluminant> lamp);
+  std::optional<StandardIlluminant> judgedUnder() const { return judgedUnder_; }
   /// How large pictures of it are to be, and how fine: no edit of the cloth either.
   void renderAs(const RenderSettings& settings);
   bool canUndo() const { return now_ > 0; }
@@ -61,10 +69,14 @@ class Document {
     size_t bytes = 0;  ///< about, that it does not share with the one before
   };
   void push(Step step);
+  void keepAsLookedAt(std::shared_ptr<const Fabric> fabric);
+  void look();
   void go(size_t step);
 
   std::deque<Step> steps_;
   size_t now_ = 0;
+  std::optional<StandardIlluminant> judgedUnder_;
+  std::shared_ptr<const Fabric> seen_;
   size_t bytes_ = 0, mostBytes_;  ///< of all steps
   std::string file_;
   uint64_t nextId_ = 1, savedState_ = 0, revision_ = 0, gesture_ = 0;

@@ -25,8 +25,9 @@ struct FlatView {
 };
 /// How a cloth is looked at, beside its own drape and camera.
 struct ClothView {
-  bool back = false;             ///< from behind
-  std::optional<FlatView> flat;  ///< null: as it is draped
+  bool back = false;                                ///< from behind
+  std::optional<FlatView> flat;                     ///< null: as it is draped
+  std::optional<StandardIlluminant> judgedUnder{};  ///< another lamp than its own; null: its own
   bool operator==(const ClothView&) const = default;
 };
 /// As a text for a file.

@@ -9,13 +9,15 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/fabric/json/fabric_json.h"
+#include "core/fabric/model/choice_names.h"
 #include "ui/words/error_words.h"
 
 namespace loomlight {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char *kFabricKey = "loomlight.fabric", *kFlatKey = "loomlight.flat", *kSideKey = "loomlight.side";
+constexpr const char *kFabricKey = "loomlight.fabric", *kFlatKey = "loomlight.flat", *kSideKey = "loomlight.side",
+                     *kLampKey = "loomlight.lamp";
 constexpr const char* kBack = "back";
 constexpr const char* kViewPrefix = "view-";  // what else lies in the folder is none of ours
 constexpr const char* kExtension = ".png";
@@ -59,6 +61,10 @@ KeptView ViewFolder::read(const std::string& id) const {
     if (side->second != kBack) throw InputError(fmt::format(words::errors::noSide, file, kSideKey, kBack));
     view.lookedAt.back = true;
   }
+  if (const auto lamp = texts.find(kLampKey); lamp != texts.end()) {
+    view.lookedAt.judgedUnder = choiceFromName<StandardIlluminant>(lamp->second);
+    if (!view.lookedAt.judgedUnder) throw InputError(fmt::format(words::errors::noLamp, file, kLampKey, lamp->second));
+  }
   if (view.picture.channels != 3) throw InputError(fmt::format(words::errors::viewWithAlpha, file));
   return view;
 }
@@ -70,6 +76,7 @@ void ViewFolder::keep(const KeptView& view) const {
   std::map<std::string, std::string> texts{{kFabricKey, fabricToJson(localNames(*view.fabric, file))}};
   if (view.lookedAt.flat) texts[kFlatKey] = flatViewToJson(*view.lookedAt.flat);
   if (view.lookedAt.back) texts[kSideKey] = kBack;
+  if (view.lookedAt.judgedUnder) texts[kLampKey] = choiceName(*view.lookedAt.judgedUnder);
   writePng(file, view.picture, texts);
 
   std::vector<std::string> kept = ids();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "core/fabric/model/fabric.h"
 
@@ -16,5 +17,9 @@ inline Light underLamp(Light light, StandardIlluminant lamp) {
   if (lamp != StandardIlluminant::blackBody) light.temperature_K = Light{}.temperature_K;
   return light;
 }
+
+/// By which lamp of the booth to judge after `judged`, of a cloth whose own lamp is `own`: round the booth, from its
+/// own and back to it. Null: by the cloth's own.
+std::optional<StandardIlluminant> nextLamp(StandardIlluminant own, std::optional<StandardIlluminant> judged);
 
 }  // namespace loomlight

@@ -24,10 +24,10 @@ void HeadlessInput::wheel(float clicks) {
 }
 
 void HeadlessInput::key(const std::string& name, bool down) {
-  static const std::map<std::string, ImGuiKey> named = {{"Tab", ImGuiKey_Tab},          {"Left", ImGuiKey_LeftArrow},
-                                                        {"Right", ImGuiKey_RightArrow}, {"Up", ImGuiKey_UpArrow},
-                                                        {"Down", ImGuiKey_DownArrow},   {"Delete", ImGuiKey_Delete},
-                                                        {"Return", ImGuiKey_Enter},     {"Escape", ImGuiKey_Escape}};
+  static const std::map<std::string, ImGuiKey> named = {
+      {"Tab", ImGuiKey_Tab},      {"Left", ImGuiKey_LeftArrow}, {"Right", ImGuiKey_RightArrow},
+      {"Up", ImGuiKey_UpArrow},   {"Down", ImGuiKey_DownArrow}, {"Delete", ImGuiKey_Delete},
+      {"Return", ImGuiKey_Enter}, {"Escape", ImGuiKey_Escape},  {"space", ImGuiKey_Space}};
   ImGuiIO& io = ImGui::GetIO();
   if (name == "ctrl") return holdControl(io, down);
   if (name == "shift") return holdShift(io, down);

@@ -96,6 +96,19 @@ TEST_F(KeptViews, OneIsBroughtBack) {
   editor.until("undo takes it back", [&] { return editor.fact("cloth.per_inch").starts_with("23 "); });
 }
 
+/// So is the lamp that it is judged by; the cloth keeps its own.
+TEST_F(KeptViews, AViewUnderAnotherLampComesBackUnderIt) {
+  editor.key("j");
+  editor.until("it is judged", [&] { return editor.fact("status.lamp") == "under F11"; });
+  keepOne();
+  for (int lamp = 0; lamp < 3; ++lamp) editor.key("j");
+  editor.until("its own lamp shines", [&] { return !editor.shows("status.lamp"); });
+  editor.click("snapshot.item_0");
+  editor.edits("the view is back", [&] { editor.click("snapshot.restore"); });
+  EXPECT_EQ(editor.fact("status.lamp"), "under F11");
+  EXPECT_EQ(editor.saved().light.illuminant, StandardIlluminant::d65);
+}
+
 /// How the cloth is looked at is a part of the view.
 TEST_F(KeptViews, FlatClothComesBackFlatAndDrapedClothDraped) {
   const auto restore = [&](const std::string& which) {

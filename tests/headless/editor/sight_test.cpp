@@ -43,6 +43,24 @@ TEST_F(Sight, ActualSizeIsActualAndStraightFromAbove) {
   EXPECT_LT(scale(), 0.5) << "a piece of 4 mm fills the window";
 }
 
+/// As in programs for pictures: with Space held a drag moves what is looked at, and neither turns the cloth nor draws.
+TEST_F(Sight, SpaceMovesWhatIsLookedAt) {
+  const auto drag = [&](ImVec2 from) { editor.drag(from, ImVec2(from.x + 30, from.y - 20)); };
+  const ImVec2 middle = editor.centre("viewport");
+  const Fabric before = editor.saved();
+  editor.hold("space");
+  drag(middle);
+  drag(weaver.crossing(0, 0));
+  editor.let("space");
+  const Camera panned = editor.savedAs(editor.homeFile("panned.json")).camera;
+  EXPECT_EQ(editor.fact("dirty"), "no");
+  EXPECT_EQ(weaver.rows(), rowsOf(before.weave));
+  EXPECT_EQ(panned.azimuth_deg, before.camera.azimuth_deg);
+  EXPECT_NE(panned.target_mm, before.camera.target_mm);
+  drag(middle);
+  EXPECT_NE(editor.savedAs(editor.homeFile("turned.json")).camera.azimuth_deg, panned.azimuth_deg);
+}
+
 /// A ruler reads 25 mm of what is believed to be 50: the display is twice as fine.
 TEST_F(Sight, ARulerCorrectsActualSize) {
   editor.click("menu.edit");
@@ -137,18 +155,41 @@ TEST_F(Sight, RepeatsOfStripesAreAsManyAsMakeASquare) {
   EXPECT_NEAR(piece.size_mm.y / piece.size_mm.x, 1, 0.5 / piece.repeats.y) << "to half a repeat";
 }
 
-/// The lamps of a light booth, one after the other.
-TEST_F(Sight, JTakesTheNextLampOfTheBooth) {
+/// The lamps of a light booth, one after the other. The cloth is looked at and not edited: what is saved, and handed
+/// over, has its own lamp.
+TEST_F(Sight, JTakesTheNextLampOfTheBoothAndEditsNothing) {
   editor.untilPictured();
   EXPECT_FALSE(editor.shows("status.lamp")) << "daylight goes without saying";
-  const StandardIlluminant lamps[] = {StandardIlluminant::f11, StandardIlluminant::a, StandardIlluminant::ledB3,
-                                      StandardIlluminant::d65};
-  for (const StandardIlluminant lamp : lamps) {
-    editor.edits("the next lamp", [&] { editor.key("j"); });
-    EXPECT_EQ(editor.saved().light.illuminant, lamp);
-    EXPECT_EQ(editor.shows("status.lamp"), lamp != StandardIlluminant::d65);
+  const Fabric cloth = editor.saved();
+  for (const char* const lamp : {"under F11", "under A", "under LED-B3", ""}) {
+    const uint64_t generation = editor.number("generation");
+    editor.key("j");
+    editor.until("the cloth is pictured anew", [&] { return editor.number("generation") > generation; });
+    EXPECT_EQ(editor.shows("status.lamp") ? editor.fact("status.lamp") : "", lamp);
+    EXPECT_EQ(editor.fact("dirty"), "no");
+    EXPECT_EQ(editor.savedAs(editor.homeFile(fmt::format("judged {}.json", lamp))), cloth);
     editor.untilPictured();
   }
+}
+
+/// The page of the scene shows the lamp by which the cloth is seen, and says which it keeps; one that is chosen there
+/// is the cloth's.
+TEST_F(Sight, ThePageOfTheSceneSaysWhichLampIsOnlyToJudge) {
+  editor.click("tab.scene");
+  EXPECT_FALSE(editor.shows("light.own_lamp"));
+  editor.key("j");
+  editor.until("it says so", [&] { return editor.shows("light.own_lamp"); });
+  EXPECT_EQ(editor.fact("light.illuminant"), "F11, shop (TL84)");
+  editor.edits("half the light", [&] { editor.enter("light.intensity", "0.5"); });
+  EXPECT_TRUE(editor.shows("light.own_lamp")) << "another number of the light leaves the lamp alone";
+  EXPECT_EQ(editor.saved().light.illuminant, StandardIlluminant::d65);
+  editor.choose("light.illuminant", "D65, daylight");
+  editor.until("its own lamp ends judging", [&] { return !editor.shows("light.own_lamp"); });
+  EXPECT_EQ(editor.fact("dirty"), "no");
+  editor.key("j");
+  editor.edits("a lamp of its own", [&] { editor.choose("light.illuminant", "D50, print booth"); });
+  EXPECT_FALSE(editor.shows("light.own_lamp"));
+  EXPECT_EQ(editor.saved().light.illuminant, StandardIlluminant::d50);
 }
 
 TEST_F(Sight, ThePlainToneIsAViewAndIsRemembered) {
@@ -187,7 +228,7 @@ TEST_F(Sight, ALampThatIsDroppedShinesOnTheCloth) {
     EXPECT_EQ(light.kind, smallTwill().light.kind) << "where light comes from is another matter";
     editor.untilPictured();
     EXPECT_EQ(editor.fact("error"), "");
-    EXPECT_EQ(editor.fact("status.lamp"), "under own lamp");
+    EXPECT_EQ(editor.fact("status.lamp"), "under a measured lamp");
   }
   editor.edits("one step takes it back", [&] { editor.key("ctrl+z"); });
   editor.edits("and the other", [&] { editor.key("ctrl+z"); });
@@ -245,7 +286,7 @@ TEST_F(Sight, AThreadThatNothingBindsFloatsWithoutEnd) {
   for (int pick = 0; pick < 4; ++pick)
     if (weaver.rows()[static_cast<size_t>(3 - pick)][0] != '#')
       editor.edits("warp over", [&] { editor.clickAt(weaver.crossing(pick, 0)); });
-  editor.until("it is said", [&] { return editor.fact("status.float") == "endless float, 1 over 9.0"; });
+  editor.until("it is said", [&] { return editor.fact("status.float") == "endless float, 1 over 9.0 mm"; });
   editor.until("it is listed", [&] { return editor.fact("draft.floats_shown") == "1 float"; });
 }
 

@@ -57,7 +57,8 @@ TEST_F(Tolerance, IsJudgedUnderTheLampOfTheCloth) {
   editor.edits("one step takes it back", [&] { editor.key("ctrl+z"); });
   untilVerdict("FAIL");
   const std::string inDaylight = editor.fact("fibre.verdict");
-  editor.edits("the shop's lamp", [&] { editor.key("j"); });
+  editor.key("j");
+  editor.until("the shop's lamp", [&] { return editor.fact("status.lamp") == "under F11"; });
   editor.until("it is judged there", [&] { return editor.fact("fibre.verdict") != inDaylight; });
   EXPECT_NE(editor.fact("fibre.verdict_worst_lamp"), "F11");
 }
@@ -91,7 +92,8 @@ TEST_F(Tolerance, IsANumberThatIsRemembered) {
 TEST_F(Tolerance, APickedColourIsJudgedInDaylightAlone) {
   untilMeasured();
   EXPECT_EQ(editor.fact("fibre.verdict"), "\u2013") << "nothing is wanted";
-  editor.edits("the shop's lamp", [&] { editor.key("j"); });
+  editor.key("j");
+  editor.until("the shop's lamp", [&] { return editor.fact("status.lamp") == "under F11"; });
   editor.edits("a code dyes", [&] { editor.enter("fibre.colour_code", "Lab 35 20 -40"); });
   untilVerdict("pass");
   EXPECT_EQ(editor.fact("fibre.verdict_worst"), "\u2013");

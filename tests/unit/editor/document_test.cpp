@@ -53,6 +53,75 @@ TEST(Document, LookingAroundIsNoWorkAndSurvivesUndo) {
   EXPECT_EQ(document.fabric()->camera.azimuth_deg, 34);
 }
 
+TEST(Document, JudgingByAnotherLampIsNoEditAndSurvivesUndo) {
+  Document document(named("first"));
+  document.judgeUnder(StandardIlluminant::f11);
+  EXPECT_EQ(document.fabric()->light.illuminant, StandardIlluminant::f11);
+  EXPECT_EQ(*document.cloth(), named("first"));
+  EXPECT_FALSE(document.isDirty());
+  EXPECT_FALSE(document.canUndo());
+  Fabric edited = *document.fabric();
+  edited.name = "a";
+  edited.light.intensity = 2;
+  document.edit(edited, 1);
+  EXPECT_EQ(document.fabric()->light.illuminant, StandardIlluminant::f11) << "it is judged still";
+  EXPECT_EQ(document.cloth()->light.illuminant, StandardIlluminant::d65);
+  EXPECT_EQ(document.cloth()->light.intensity, 2);
+  document.undo();
+  EXPECT_EQ(*document.cloth(), named("first"));
+  EXPECT_EQ(document.fabric()->light.illuminant, StandardIlluminant::f11);
+  document.judgeUnder(std::nullopt);
+  EXPECT_EQ(document.fabric(), document.cloth());
+}
+
+/// A lamp with a tint of its own has it back.
+TEST(Document, AClothThatIsJudgedKeepsTheLampItHas) {
+  Fabric warm = named("warm");
+  warm.light.illuminant = StandardIlluminant::blackBody;
+  warm.light.temperature_K = 3000;
+  Document document(warm);
+  document.judgeUnder(StandardIlluminant::a);
+  Fabric edited = *document.fabric();
+  edited.name = "a";
+  document.edit(edited, 1);
+  EXPECT_EQ(document.cloth()->light, warm.light);
+}
+
+TEST(Document, AThirdLampIsTheClothsAndItsOwnEndsJudging) {
+  Document document(named("first"));
+  const auto chosen = [&](StandardIlluminant lamp) {
+    Fabric fabric = *document.fabric();
+    fabric.light.illuminant = lamp;
+    return fabric;
+  };
+  document.judgeUnder(StandardIlluminant::f11);
+  document.edit(chosen(StandardIlluminant::d65), 1);
+  EXPECT_FALSE(document.judgedUnder());
+  EXPECT_FALSE(document.canUndo()) << "it had that lamp before";
+  EXPECT_EQ(document.fabric()->light.illuminant, StandardIlluminant::d65);
+  document.judgeUnder(StandardIlluminant::f11);
+  document.edit(chosen(StandardIlluminant::d50), 2);
+  EXPECT_FALSE(document.judgedUnder());
+  EXPECT_EQ(document.cloth()->light.illuminant, StandardIlluminant::d50);
+  document.undo();
+  EXPECT_EQ(document.cloth()->light.illuminant, StandardIlluminant::d65);
+}
+
+/// What is made of the cloth as it is kept is as good.
+TEST(Document, AnEditThatKnowsNothingOfTheLampGoesOnBeingJudged) {
+  Document document(named("first"));
+  document.judgeUnder(StandardIlluminant::a);
+  document.edit(named("a"), 1);
+  EXPECT_EQ(document.judgedUnder(), StandardIlluminant::a);
+  EXPECT_EQ(*document.cloth(), named("a"));
+  EXPECT_EQ(document.fabric()->light.illuminant, StandardIlluminant::a);
+  Camera camera;
+  camera.azimuth_deg = 12;
+  document.lookFrom(camera);
+  EXPECT_EQ(document.fabric()->camera, camera);
+  EXPECT_EQ(document.fabric()->light.illuminant, StandardIlluminant::a);
+}
+
 TEST(Document, UndoToWhatWasSavedIsNotDirty) {
   Document document(named("first"));
   document.edit(named("a"), 1);

@@ -42,8 +42,8 @@ TEST(ViewFolder, ClothComesBackAsItWasLookedAt) {
   FlatView flat{{false, 12.5}, {{125.0, 124.75}, {}}};
   flat.sight.camera.elevation_deg = 81.5;
   flat.sight.camera.distance_mm = 333.25;
-  for (const ClothView& lookedAt :
-       {ClothView{}, ClothView{false, flat}, ClothView{true, std::nullopt}, ClothView{true, flat}}) {
+  for (const ClothView& lookedAt : {ClothView{}, ClothView{false, flat}, ClothView{true, std::nullopt},
+                                    ClothView{true, flat}, ClothView{false, std::nullopt, StandardIlluminant::ledB3}}) {
     view.lookedAt = lookedAt;
     folder.keep(view);
     const KeptView back = folder.read("view-a");
@@ -60,18 +60,23 @@ TEST(ViewFolder, FlatClothThatIsNoneIsRefused) {
     EXPECT_THROW(flatViewFromJson(text, "a view"), InputError) << text;
 }
 
-TEST(ViewFolder, ASideThatIsNoneIsRefused) {
+TEST(ViewFolder, ASideOrALampThatIsNoneIsRefused) {
   const test::ScratchFolder scratch;
   const ViewFolder folder(scratch.file("."), {});
   KeptView view = viewOf("view-a");
   view.lookedAt.back = true;
+  view.lookedAt.judgedUnder = StandardIlluminant::f11;
   folder.keep(view);
   std::map<std::string, std::string> texts;
   const Pixels8 picture = readPng(scratch.file("view-a.png"), &texts);
   ASSERT_EQ(texts["loomlight.side"], "back");
-  texts["loomlight.side"] = "left";
-  writePng(scratch.file("view-a.png"), picture, texts);
-  EXPECT_THROW(folder.read("view-a"), InputError);
+  ASSERT_EQ(texts["loomlight.lamp"], "f11");
+  for (const char* const key : {"loomlight.side", "loomlight.lamp"}) {
+    std::map<std::string, std::string> broken = texts;
+    broken[key] = "left";
+    writePng(scratch.file("view-a.png"), picture, broken);
+    EXPECT_THROW(folder.read("view-a"), InputError) << key;
+  }
 }
 
 TEST(ViewFolder, OldestGoBeyondTheNumber) {

@@ -2,7 +2,6 @@
 
 #include <string>
 
-#include "core/fabric/model/booth_lamps.h"
 #include "core/fabric/model/choice_names.h"
 #include "core/fabric/model/lamp_name.h"
 #include "ui/widgets/choices.h"
@@ -18,15 +17,6 @@ TEST(LampLabels, BeginWithTheNameOfTheLamp) {
     EXPECT_TRUE(std::string(lampLabel(lamp)).starts_with(lampName({lamp}) + ",")) << lampLabel(lamp);
     EXPECT_EQ(lampWord(lamp), lampName({lamp}));
   }
-}
-
-TEST(LampLabels, NextLampGoesThroughTheBooth) {
-  StandardIlluminant lamp = kBoothLamps.back();
-  for (const StandardIlluminant next : kBoothLamps) {
-    lamp = nextLamp(lamp);
-    EXPECT_EQ(lamp, next);
-  }
-  EXPECT_EQ(nextLamp(StandardIlluminant::f2), kBoothLamps.front());
 }
 
 }  // namespace
