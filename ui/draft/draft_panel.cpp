@@ -11,6 +11,8 @@
 namespace loomlight {
 namespace {
 
+constexpr float kStructuresHeight = 300;  ///< at scale 1: of the structures, where panels are as wide as at first
+
 /// How the draft is used and seen.
 void panelHead(Ui& ui, DraftView& view) {
   float buttons = 0;
@@ -46,12 +48,15 @@ std::optional<Fabric> draftPanel(Ui& ui, const Fabric& fabric, const std::vector
   ui.tooltipCorner.reset();
   const float rows = ImGui::GetCursorScreenPos().y - head.y;
   const ImVec2 room(all.x, all.y - buttons);
-  // What stands below keeps its place: tabs, a page, and the presets. Of a tall window all three get more; in a low one
-  // the draft comes before presets, which have their dialog too. A row of floats takes its room from the draft alone.
-  const float spare = room.y - ui.px(720);
-  const float page = ui.px(202) + 0.25f * std::max(0.0f, spare);
-  const float presets = spare > 0 ? ui.px(kLowestPresetList) + 0.25f * spare : ImGui::GetFrameHeightWithSpacing();
-  const float below = 2 * ImGui::GetFrameHeightWithSpacing() + ui.px(24) + page + presets;
+  // What stands below keeps its place: tabs, a page, and the presets. In a low window the draft comes before all of
+  // them; then the page, in which all structures are in sight with their names; presets have their dialog too. A row of
+  // floats takes its room from the draft alone.
+  const float row = ImGui::GetFrameHeightWithSpacing(), spare = room.y - ui.px(720);
+  const float shared = spare > 0 ? ui.px(322) + 0.5f * spare : ui.px(202) + row;  // by page and presets
+  const float wanted = std::max(ui.px(kStructuresHeight), 0.6f * shared);
+  const bool listed = shared - wanted >= ui.px(kLowestPresetList);
+  const float presets = listed ? shared - wanted : row, page = shared - presets;
+  const float below = 2 * row + ui.px(24) + shared;
   const float height = std::max(ui.px(180), std::min(1.3f * room.x, room.y - below)) - (rows - buttons);
   std::optional<Fabric> edited =
       draftCanvas(ui, fabric, yarnColours, brushYarn, preferences, view, lit, ImVec2(room.x, height));
@@ -62,7 +67,7 @@ std::optional<Fabric> draftPanel(Ui& ui, const Fabric& fabric, const std::vector
   pageTabs(ui, words::panels::draftTabs, kIds, open);
   view.page = static_cast<DraftView::Page>(open);
   // Stripes have a table: there the presets are a button, as in a low window.
-  const float shelf = view.page == DraftView::Page::colours ? ImGui::GetFrameHeightWithSpacing() : presets;
+  const float shelf = view.page == DraftView::Page::colours ? row : presets;
   const float left = std::max(page, ImGui::GetContentRegionAvail().y - shelf);
   beginPage(ui, kPages[open], left, view.scroll);
   std::optional<Fabric> paged;

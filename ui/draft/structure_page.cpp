@@ -20,6 +20,7 @@ constexpr int kCells = 10;  // of a thumbnail, along each side
 struct ThumbnailGrid {
   float size = 0;             ///< of a thumbnail, along each side
   float gap = 0;              ///< between slots
+  float lineGap = 0;          ///< below a name: more than above it, so that it is seen whose it is
   float slotWidth = 0;        ///< what a name has
   int perLine = 1;            ///< slots
   std::vector<float> tops{};  ///< of the lines, and last where they end
@@ -56,7 +57,7 @@ std::vector<std::string> linesOf(const std::string& name, float width) {
 
 /// `name`: the least that a name has, in pixels.
 ThumbnailGrid gridOf(Ui& ui, const std::vector<Structure>& palette, float size, float name, float room) {
-  ThumbnailGrid grid{size, ui.px(3)};
+  ThumbnailGrid grid{size, ui.px(3), ui.px(5)};
   const float least = std::max(size, name);
   grid.perLine = std::max(1, static_cast<int>((room + grid.gap) / (least + grid.gap)));
   grid.slotWidth = (room + grid.gap) / static_cast<float>(grid.perLine) - grid.gap;
@@ -66,8 +67,7 @@ ThumbnailGrid gridOf(Ui& ui, const std::vector<Structure>& palette, float size, 
     size_t lines = 1;
     for (int i = first; i < std::min(count, first + grid.perLine); ++i)
       lines = std::max(lines, linesOf(palette[static_cast<size_t>(i)].name, grid.slotWidth).size());
-    grid.tops.push_back(grid.tops.back() + size + ui.px(2) + static_cast<float>(lines) * ImGui::GetFontSize() +
-                        grid.gap);
+    grid.tops.push_back(grid.tops.back() + size + static_cast<float>(lines) * ImGui::GetFontSize() + grid.lineGap);
   }
   return grid;
 }
@@ -90,12 +90,12 @@ ThumbnailGrid largestGrid(Ui& ui, const std::vector<Structure>& palette, ImVec2 
 void nameBelow(Ui& ui, const std::string& name, ImVec2 at, const ThumbnailGrid& grid) {
   ImGui::PushFont(ui.fonts.small);
   const std::vector<std::string> lines = linesOf(name, grid.slotWidth);
-  ImGui::SetCursorPos(ImVec2(at.x, at.y + grid.size + ui.px(2)));
+  ImGui::SetCursorPos(ImVec2(at.x, at.y + grid.size));
   ImGui::BeginGroup();
   for (size_t i = 0; i < lines.size(); ++i) {
     const float width = ImGui::CalcTextSize(lines[i].c_str()).x;
     ImGui::SetCursorPos(ImVec2(at.x + 0.5f * (grid.slotWidth - width),
-                               at.y + grid.size + ui.px(2) + static_cast<float>(i) * ImGui::GetFontSize()));
+                               at.y + grid.size + static_cast<float>(i) * ImGui::GetFontSize()));
     ImGui::TextColored(ui.theme.textQuiet, "%s", lines[i].c_str());
   }
   ImGui::EndGroup();
@@ -112,7 +112,7 @@ void nameBelow(Ui& ui, const std::string& name, ImVec2 at, const ThumbnailGrid& 
 std::optional<Fabric> structurePage(Ui& ui, const Fabric& fabric, const DraftPreferences& preferences,
                                     DraftView& view) {
   std::optional<Fabric> edited;
-  const float inset = ui.px(2), under = ImGui::GetFrameHeightWithSpacing() + ui.px(12);
+  const float inset = ui.px(2), under = ImGui::GetFrameHeightWithSpacing() + ui.px(8);
   const ImVec2 all = ImGui::GetContentRegionAvail();
   ImGui::PushFont(ui.fonts.small);
   const ThumbnailGrid grid = largestGrid(ui, view.palette, ImVec2(all.x - inset, all.y - under));

@@ -89,6 +89,7 @@ bool barButton(Ui& ui, const char* id, const char* label, ImVec2 min, ImVec2 siz
   draw.AddText({min.x + 0.5f * (size.x - text.x), min.y + 0.5f * (size.y - text.y)},
                packed(chosen || ImGui::IsItemHovered() ? theme.text : theme.textQuiet), label);
   ui.probe.recordItem(id);
+  if (ui.probe.watching() && text.x > size.x) ui.probe.fact(std::string("clipped.") + id, label);
   return pressed;
 }
 

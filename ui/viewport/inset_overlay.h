@@ -12,7 +12,7 @@ namespace loomlight {
 struct InsetModel {
   ImTextureID picture{};  ///< of `window`; null: the cloth below is seen through it
   InsetRect window;       ///< may reach a little beyond the inset
-  std::string caption;    ///< what is seen: "fibres, 12 spp"
+  std::string caption;    ///< what is seen: "fibres, 12 samples"
   bool laying = false;
   double progress = 0;        ///< of laying, 0..1
   std::string trouble;        ///< why there is nothing to be seen; empty if there is or soon will be

@@ -1,7 +1,5 @@
 #include "ui/viewport/viewport_panel.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -10,7 +8,7 @@
 #include "ui/viewport/booth_overlay.h"
 #include "ui/viewport/camera_moves.h"
 #include "ui/viewport/denoise_button.h"
-#include "ui/viewport/pill.h"
+#include "ui/viewport/view_labels.h"
 #include "ui/widgets/choices.h"
 #include "ui/widgets/fields.h"
 #include "ui/widgets/keys.h"
@@ -85,53 +83,6 @@ std::optional<ImVec2> clickedAt(const ViewportView& view, ImVec2 min, ImVec2 siz
   if (!ImGui::IsItemDeactivated() || view.drag != ViewportView::Drag::orbit) return std::nullopt;
   if (io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] > kStill * kStill) return std::nullopt;
   return placeIn(min, size, io.MousePos);
-}
-
-/// In which ways the picture is shown that are not those of every day.
-std::string waysShown(const ViewportModel& model) {
-  std::string ways;
-  const auto add = [&ways](bool holds, const char* way) {
-    if (holds) ways += (ways.empty() ? "" : words::viewport::between) + std::string(way);
-  };
-  add(model.plain, words::viewport::plain);
-  add(model.denoised, words::viewport::denoised);
-  add(model.proofed, words::viewport::asPrinted);
-  add(model.warned, words::viewport::warned);
-  return ways;
-}
-
-void drawOverlays(Ui& ui, const ViewportModel& model, const InsetView& inset, ImVec2 min, ImVec2 max) {
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const float edge = ui.px(8);
-  if (model.building) {
-    const float along = min.x + static_cast<float>(model.buildProgress) * (max.x - min.x);
-    draw.AddRectFilled(min, ImVec2(along, min.y + ui.px(3)), packed(ui.theme.accent));
-  }
-  if (!model.picture) {
-    const char* text = words::viewport::building;
-    const ImVec2 size = ImGui::CalcTextSize(text);
-    pill(ui, ImVec2(0.5f * (min.x + max.x - size.x), 0.5f * (min.y + max.y - size.y)), text, Theme::dark().text);
-  }
-  const std::string ways = waysShown(model);
-  ui.probe.fact("view.ways", ways);
-  if (!ways.empty()) pill(ui, ImVec2(max.x - edge - pillSize(ui, ways).x, min.y + edge), ways, Theme::dark().text);
-  float top = min.y + edge;
-  if (!model.flat.empty()) {
-    pill(ui, ImVec2(min.x + edge, top), model.flat, Theme::dark().text);
-    top += ImGui::GetFontSize() + ui.px(12);
-  }
-  if (!model.error.empty()) pill(ui, ImVec2(min.x + edge, top), model.error, Theme::dark().warning);
-  if (inset.on && !inset.placed) {
-    const char* text = words::lens::dragRectangle;
-    pill(ui, ImVec2(0.5f * (min.x + max.x - ImGui::CalcTextSize(text).x) - edge, min.y + edge), text,
-         Theme::dark().text);
-  }
-  std::string under;
-  if (model.under) {
-    under = fmt::format(words::viewport::crossing, model.under->end + 1, model.under->pick + 1, model.underYarn);
-    pill(ui, ImVec2(min.x + edge, max.y - edge - ImGui::GetFontSize() - ui.px(8)), under, Theme::dark().text);
-  }
-  ui.probe.fact("view.under", under);
 }
 
 float widest(std::span<const char* const> names) {
@@ -273,7 +224,7 @@ ViewportEdit viewportPanel(Ui& ui, const Fabric& fabric, const ViewportModel& mo
   if (model.picture)
     draw.AddImage(model.picture, corner, ImVec2(corner.x + model.pictureSize.x, corner.y + model.pictureSize.y));
   if (model.divided) boothOverlay(ui, corner, ImVec2(corner.x + model.pictureSize.x, corner.y + model.pictureSize.y));
-  drawOverlays(ui, model, view.inset, min, max);
+  viewLabels(ui, model, view.inset, min, max);
   edit.inset = insetOverlay(ui, model.inset, view.inset, min, view.width, view.height);
   draw.PopClipRect();
 

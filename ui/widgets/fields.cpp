@@ -92,8 +92,7 @@ FieldRow beginRow(Ui& ui, const RowText& text) {
 void endRow(Ui& ui, const RowText& text, ImVec2 min, ImVec2 max, const std::string& cut) {
   ui.probe.record(text.id, min, max);
   const float left = ImGui::GetWindowPos().x + ImGui::GetStyle().WindowPadding.x;
-  if (!ImGui::IsAnyItemActive() && ui.memory.failed == 0)
-    tooltipFor(ui, text.id.c_str(), ImVec2(left, min.y), max, tooltipWith(cut, text.tooltip).c_str());
+  tooltipFor(ui, text.id.c_str(), ImVec2(left, min.y), max, tooltipWith(cut, text.tooltip).c_str());
 }
 
 void textLine(Ui& ui, const char* id, const std::string& text, const ImVec4& colour, float width) {
@@ -112,7 +111,9 @@ void tooltipFor(Ui& ui, const char* id, ImVec2 min, ImVec2 max, const char* text
   const bool isOver = ImGui::IsMouseHoveringRect(min, max);
   if (isOver && memory.restingOn == key && ImGui::IsAnyMouseDown())
     memory.restingSince = std::numeric_limits<double>::max();  // until it comes again
-  if (!isOver || (!ImGui::IsWindowHovered() && !ImGui::IsAnyMouseDown())) {
+  // While a field is typed into, the mouse still rests where it was.
+  const bool isWindows = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
+  if (!isOver || (!isWindows && !ImGui::IsAnyMouseDown())) {
     if (memory.restingOn == key) memory.restingOn = 0;
     return;
   }
@@ -120,7 +121,7 @@ void tooltipFor(Ui& ui, const char* id, ImVec2 min, ImVec2 max, const char* text
     memory.restingOn = key;
     memory.restingSince = ui.time;
   }
-  if (memory.restingSince > ui.time) return;
+  if (memory.restingSince > ui.time || ImGui::IsAnyItemActive() || memory.failed != 0) return;
   const double rested = ui.time - memory.restingSince;
   if (rested < kRestSeconds) {
     ui.wakeWithin(kRestSeconds - rested + 0.01);
@@ -154,6 +155,7 @@ bool choiceField(Ui& ui, const RowText& text, std::span<const char* const> names
   const char* shown = chosen >= 0 && chosen < static_cast<int>(names.size()) ? names[chosen] : otherwise;
   const float room = row.width - ui.px(28);
   const std::string preview = fitted(ui, text.id, shown, room, row.cut);
+  if (ui.probe.watching()) ui.probe.fact(text.id, shown);
   const bool open =
       ImGui::BeginCombo("##choice", preview.c_str(), ImGuiComboFlags_HeightLarge | ImGuiComboFlags_NoArrowButton);
   if (!open) drawChevron(ui, ImVec2(max.x - ui.px(14), 0.5f * (min.y + max.y)));

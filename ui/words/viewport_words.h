@@ -42,6 +42,7 @@ inline constexpr const char* help =
 inline constexpr const char* dragRectangle = "Drag a rectangle over the cloth";
 inline constexpr const char* closeHelp = "Close the lens (Esc)";
 inline constexpr Word difference{
+    "Difference",
     "Where the volume's brightness differs from the fibres' by more than noise explains. Black: no difference is "
     "known."};
 inline constexpr Word fibres{"Fibres",

@@ -3,8 +3,10 @@
 /// larger or smaller.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -60,6 +62,16 @@ class LookAt : public testing::TestWithParam<Look> {
     const HeadlessEditor::Rect r = editor.rect(widget);
     EXPECT_TRUE(0 <= r.x0 && r.x0 < r.x1 && r.x1 <= editor.screen().x) << widget << " " << r.x0 << " " << r.x1;
     EXPECT_TRUE(0 <= r.y0 && r.y0 < r.y1 && r.y1 <= editor.screen().y) << widget << " " << r.y0 << " " << r.y1;
+  }
+
+  /// Where the next line of structures begins.
+  float below(const std::string& structure) const {
+    const float line = editor.rect(structure).y0;
+    float next = editor.screen().y;
+    for (const auto& [name, place] : editor.snapshot().widgets)
+      if (name.starts_with("structure/") && place.y0 > line && !name.ends_with("/name"))
+        next = std::min(next, place.y0);
+    return next;
   }
 
   HeadlessEditor editor{GetParam().screen};
@@ -121,6 +133,20 @@ TEST_P(LookAt, EveryDialogIsWhole) {
   expectWhole("the tile");
 }
 
+/// The truth lens is as wide as its names, which stand beside each other, in a small rectangle too.
+TEST_P(LookAt, TheLensIsWhole) {
+  editor.key("l");
+  const ImVec2 middle = editor.centre("viewport");
+  const float step = 20 * GetParam().screen.scale;
+  editor.drag(middle, ImVec2(middle.x + step, middle.y + step));
+  editor.until("it is placed", [&] { return editor.shows("lens.close"); });
+  expectWhole("the lens");
+  const char* const bar[] = {"lens.bar", "lens.fibres", "lens.difference", "lens.close"};
+  for (size_t i = 0; i + 1 < std::size(bar); ++i)
+    EXPECT_LE(editor.rect(bar[i]).x1, editor.rect(bar[i + 1]).x0) << bar[i];
+  for (const char* part : bar) expectInside(part);
+}
+
 /// A row of floats takes room from the draft alone: tabs and presets stay under the mouse.
 TEST_P(LookAt, ARowOfFloatsMovesNothing) {
   const HeadlessEditor::Rect tab = editor.rect("draft.tab_colours");
@@ -150,6 +176,15 @@ TEST_P(LookAt, DialogsOpenInTheMiddle) {
 TEST_P(LookAt, WhatThePanelOfTheDraftSaysIsSaidWhole) {
   editor.click("draft.tab_structures");
   EXPECT_EQ(editor.rect("structure/Warp rib").y0, editor.rect("structure/Plain").y0) << "they need not stand in twos";
+  const HeadlessEditor::Rect plain = editor.rect("structure/Plain"), name = editor.rect("structure/Plain/name");
+  const float gap = below("structure/Plain") - name.y1, above = name.y0 - plain.y1;
+  EXPECT_GT(gap, 2 * above) << "it is seen whose name it is";
+  if (GetParam().screen.height / GetParam().screen.scale >= 900) {  // of the last one the name is read too
+    const HeadlessEditor::Rect last = editor.rect("structure/Sateen 8/name");
+    expectInside("structure/Sateen 8/name");
+    EXPECT_LT(last.y1, editor.rect(editor.shows("presets.browse") ? "presets.browse" : "sample/Blue cloth").y0);
+    expectInside("structures.open");
+  }
   for (const auto& [name, text] : editor.snapshot().facts)
     EXPECT_FALSE(name.starts_with("shortened.structure/")) << text;
   editor.edits("a long order", [&] {
@@ -208,6 +243,24 @@ TEST_F(LookAtSmall, TooltipsOfTheFloatRowStandBesideTheDraftToo) {
     EXPECT_GE(editor.rect("tooltip").x0, editor.rect("draft.canvas").x1) << of;
     editor.move(editor.centre("status.work"));
     editor.until("it has gone", [&] { return !editor.shows("tooltip"); });
+  }
+}
+
+/// What a field is for is no news to whoever has just typed into it, and would cover what is said of that.
+TEST_F(LookAtSmall, NoTooltipCoversWhatIsSaidOfATypedText) {
+  editor.click("tab.cloth");
+  for (const auto& [field, text] : {std::pair("cloth.description", "twill"), std::pair("cloth.ends_per_cm", "9999")}) {
+    editor.click(field);
+    editor.type(text);
+    editor.key("Return");
+    for (int i = 0; i < 90; ++i) editor.frame();
+    EXPECT_EQ(editor.fact("tooltip"), "") << field;
+    editor.move(editor.centre("status.work"));
+    editor.frame();
+    editor.move(editor.centre(field));
+    editor.until("it is read when the mouse comes again", [&] { return !editor.fact("tooltip").empty(); });
+    editor.move(editor.centre("status.work"));
+    editor.until("it has gone", [&] { return editor.fact("tooltip").empty(); });
   }
 }
 
