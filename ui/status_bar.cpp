@@ -6,7 +6,7 @@
 
 #include "core/fabric/model/glossary.h"
 #include "ui/widgets/fields.h"
-#include "ui/words/common_words.h"
+#include "ui/widgets/number_text.h"
 #include "ui/words/status_words.h"
 
 namespace loomlight {
@@ -42,7 +42,7 @@ void statusBar(Ui& ui, const StatusModel& model) {
   const float width = ImGui::GetWindowWidth();
   const float x = ui.px(16);
   // The places are reserved, so that nothing moves. In a narrow window figures end before what the workers say begins.
-  const float right = width - ui.px(model.background.empty() && model.lamp.empty() ? 330 : 450);
+  const float right = width - ui.px(model.background.empty() && model.lamp.empty() ? 338 : 458);
   float end = x;  // of what is said of the cloth
   const auto clothFigure = [&](const char* id, float place, const std::string& text, const char* tooltip) {
     const float from = x + ui.px(place);
@@ -60,15 +60,12 @@ void statusBar(Ui& ui, const StatusModel& model) {
   if (!model.warning.empty() && room > ui.px(40))
     figure(ui, "status.warning", left, shortened(model.warning, room) + more, model.warning.c_str(), ui.theme.warning);
   if (!model.background.empty())
-    figure(ui, "status.background", width - ui.px(434), model.background, words::status::visibilityHelp, quiet);
+    figure(ui, "status.background", width - ui.px(442), model.background, words::status::visibilityHelp, quiet);
   else if (!model.lamp.empty())
-    figure(ui, "status.lamp", width - ui.px(434), model.lamp, words::status::lampHelp, quiet);
-  figure(ui, "status.work", width - ui.px(314), model.work, words::status::workHelp, quiet);
-  figure(ui, "status.samples", width - ui.px(150),
-         model.samples > 0 ? fmt::format(words::common::samplesPerPixel, model.samples)
-                           : std::string(words::common::preview),
-         words::status::samplesHelp, quiet);
-  figure(ui, "status.seconds", width - ui.px(72), fmt::format("{:.1f} s", model.seconds), words::status::secondsHelp,
+    figure(ui, "status.lamp", width - ui.px(442), model.lamp, words::status::lampHelp, quiet);
+  figure(ui, "status.work", width - ui.px(322), model.work, words::status::workHelp, quiet);
+  figure(ui, "status.samples", width - ui.px(162), sampleText(model.samples), words::status::samplesHelp, quiet);
+  figure(ui, "status.seconds", width - ui.px(66), fmt::format("{:.1f} s", model.seconds), words::status::secondsHelp,
          quiet);
   ImGui::PopFont();
 }

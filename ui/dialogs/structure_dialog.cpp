@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/fabric/weave/draft_derivation.h"
 #include "core/fabric/weave/weave_code.h"
@@ -31,6 +32,13 @@ void drawMade(Ui& ui, const MadeStructure& made, const ImVec4 (&darkLight)[2], I
       const float x = min.x + cell * static_cast<float>(end), y = min.y + size - cell * static_cast<float>(pick + 1);
       draw.AddRectFilled(ImVec2(x, y), ImVec2(x + cell, y + cell), packed(darkLight[yarn]));
     }
+}
+
+/// Two yarns that an eye hardly tells apart would hide what an effect of colours is.
+bool lookAlike(const ImVec4 (&darkLight)[2]) {
+  constexpr float kHardlySeen = 0.06f;  // of the display's range
+  const ImVec4 &a = darkLight[0], &b = darkLight[1];
+  return std::max({std::abs(a.x - b.x), std::abs(a.y - b.y), std::abs(a.z - b.z)}) < kHardlySeen;
 }
 
 /// What the structure is in numbers, or why there is none: three lines always, so that the rows below stay where they
@@ -93,7 +101,8 @@ void StructureDialog::drawKinds(Ui& ui, const ImVec4 (&darkLight)[2], float widt
   ImGui::EndChild();
 }
 
-void StructureDialog::drawChosen(Ui& ui, const std::optional<CellRect>& selection, const ImVec4 (&darkLight)[2]) {
+void StructureDialog::drawChosen(Ui& ui, const std::optional<CellRect>& selection, const ImVec4 (&darkLight)[2],
+                                 bool alike) {
   const StructureKind& kind = structureLibrary()[kind_];
   const float side = ui.px(192);
   drawMade(ui, made_, darkLight, ImGui::GetCursorScreenPos(), side, 32);
@@ -107,6 +116,9 @@ void StructureDialog::drawChosen(Ui& ui, const std::optional<CellRect>& selectio
   for (size_t i = 0; i < kind.parameters.size(); ++i)
     if (parameterRow(ui, kind.parameters[i], values_[i])) made_ = kind.make(values_);
   hint(ui, kind.about);
+  const bool hidden = alike && !made_.warpColours.empty();
+  ui.probe.fact("structures.alike", hidden ? "yes" : "no");
+  if (hidden) hint(ui, words::structures::alikeYarns, ui.theme.warning);
   hint(ui, selection ? fmt::format(words::structures::fillsSelection, selection->ends, selection->picks)
                      : std::string(words::structures::fillsRepeat));
 }
@@ -116,10 +128,12 @@ std::optional<MadeStructure> StructureDialog::draw(Ui& ui, const std::optional<C
   if (!open_ || !beginModal(ui, words::structures::title, ImVec2(ui.px(800), 0), open_, opening_)) return std::nullopt;
   bool apply = false;
   const float height = std::min(ui.px(520), roomAboveButtons(ui));
-  drawKinds(ui, darkLight, ui.px(464), height, apply);
+  const bool alike = lookAlike(darkLight);
+  const ImVec4 shown[2] = {alike ? ui.theme.ink : darkLight[0], alike ? ui.theme.paper : darkLight[1]};
+  drawKinds(ui, shown, ui.px(464), height, apply);
   ImGui::SameLine(0, ui.px(16));
   ImGui::BeginChild("structures.chosen", ImVec2(0, height));
-  drawChosen(ui, selection, darkLight);
+  drawChosen(ui, selection, shown, alike);
   ImGui::EndChild();
   const float width = ui.px(120);
   ImGui::SetCursorPosX(ImGui::GetWindowWidth() - 2 * width - ui.px(24));

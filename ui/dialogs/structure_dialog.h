@@ -19,7 +19,7 @@ class StructureDialog {
 
  private:
   void drawKinds(Ui& ui, const ImVec4 (&darkLight)[2], float width, float height, bool& apply);
-  void drawChosen(Ui& ui, const std::optional<CellRect>& selection, const ImVec4 (&darkLight)[2]);
+  void drawChosen(Ui& ui, const std::optional<CellRect>& selection, const ImVec4 (&darkLight)[2], bool alike);
   void choose(size_t kind);
 
   bool open_ = false, opening_ = false;

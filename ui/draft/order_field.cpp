@@ -5,6 +5,8 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <optional>
+#include <set>
 #include <utility>
 
 #include "core/base/error.h"
@@ -49,6 +51,15 @@ int breakWhileTyped(ImGuiInputTextCallbackData* data) {
   return 0;
 }
 
+/// The first yarn that an order names beyond those that there are and beyond one that is neither there nor named.
+std::optional<int> beyondGap(const std::vector<int>& sequence, int yarns) {
+  const std::set<int> named(sequence.begin(), sequence.end());
+  int next = yarns;
+  for (auto it = named.lower_bound(yarns); it != named.end(); ++it, ++next)
+    if (*it != next) return *it;
+  return std::nullopt;
+}
+
 /// The order of a text, or why there is none, said in `typing`.
 std::optional<std::vector<int>> taken(const std::string& text, int yarns, OrderText& typing) {
   typing.problem.clear();
@@ -57,7 +68,12 @@ std::optional<std::vector<int>> taken(const std::string& text, int yarns, OrderT
     std::vector<int> sequence = yarnOrderFromText(text, kMaxKinds, kMaxSequence);
     const int most = *std::max_element(sequence.begin(), sequence.end());
     if (most < yarns) return sequence;
-    typing.problem = fmt::format(words::order::noSuchYarn, yarnLetters(yarns));
+    const std::string next = yarnLetters(yarns);
+    if (const auto far = beyondGap(sequence, yarns)) {
+      typing.problem = fmt::format(words::order::yarnBeyondNext, yarnLetters(*far), next);
+      return std::nullopt;
+    }
+    typing.problem = fmt::format(words::order::noSuchYarn, next);
     typing.wanted = std::move(sequence);
   } catch (const InputError& error) {
     typing.problem = error.what();

@@ -233,6 +233,7 @@ bool numberField(Ui& ui, const RowText& text, const NumberStyle& style, double& 
     if (lit) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     changed = scrubValue(ui, style, value, id);
     drawValue(ui, style, value, box, lit);
+    if (ui.probe.watching()) ui.probe.fact(text.id, fmt::format("{} {}", written(style, value), style.unit));
     if (ui.memory.tabOrder.isSeenOn(id))
       ImGui::GetWindowDrawList()->AddRect(box.Min, box.Max, packed(ui.theme.accent), ImGui::GetStyle().FrameRounding);
   }

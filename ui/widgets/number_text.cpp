@@ -1,9 +1,13 @@
 #include "ui/widgets/number_text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <string>
+
+#include "ui/words/common_words.h"
 
 namespace loomlight {
 namespace {
@@ -43,6 +47,11 @@ std::optional<LeadingNumber> leadingNumber(std::string_view text) {
   if (error != std::errc() || !std::isfinite(leading.value)) return std::nullopt;
   leading.length = static_cast<size_t>(end - number.data());
   return leading;
+}
+
+std::string sampleText(int samples) {
+  if (samples <= 0) return words::common::preview;
+  return samples == 1 ? std::string(words::common::oneSample) : fmt::format(words::common::samples, samples);
 }
 
 }  // namespace loomlight

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace loomlight {
@@ -17,5 +18,8 @@ struct LeadingNumber {
 std::optional<LeadingNumber> leadingNumber(std::string_view text);
 /// Whether the text begins with such a number.
 bool hasDoubtfulComma(std::string_view text);
+
+/// How many samples a picture has for each of its pixels, in words; before the first it is a preview.
+std::string sampleText(int samples);
 
 }  // namespace loomlight

@@ -20,6 +20,7 @@ inline constexpr const char* endsAndPicks = "{} ends, {} picks";
 inline constexpr const char* andShafts = ", {} shafts";
 inline constexpr const char* pixels = "{} \xC3\x97 {} pixels";
 inline constexpr const char* preview = "preview";
-inline constexpr const char* samplesPerPixel = "{} spp";
+inline constexpr const char* oneSample = "1 sample";
+inline constexpr const char* samples = "{} samples";
 
 }  // namespace loomlight::words::common

@@ -33,8 +33,8 @@ inline constexpr const char* units = "Units";
 inline constexpr Word lengths{"Lengths in", "Of rulers, setts and repeats."};
 inline constexpr const char* lengthUnits[] = {"cm", "inch"};
 inline constexpr const char* usualPiece = "The usual piece";
-inline constexpr const char* viewport = "Viewport";
-inline constexpr const char* samples = "samples";
+inline constexpr const char* viewport = "Picture of the cloth";
+inline constexpr const char *sample = "sample", *samples = "samples";
 inline constexpr Word rest{
     "Picture rests at",
     "Samples a pixel: the picture grows clearer until it has so many, and then leaves the processor alone."};
@@ -65,7 +65,9 @@ inline constexpr const char* title = "Structures";
 inline constexpr const char* facts = "{} ends, {} picks; floats of {} and {}";
 inline constexpr const char* andShafts = "; {} shafts";
 inline constexpr const char* andIsoCode = "; ISO 9354 {}";
-inline constexpr const char* fillsSelection = "It will fill the selection of {} ends and {} picks.";
+inline constexpr const char* alikeYarns =
+    "Both yarns look alike: dyed apart they show the effect, as it is drawn here.";
+inline constexpr const char* fillsSelection = "It will fill the selection, {} by {} threads.";
 inline constexpr const char* fillsRepeat = "It will be the whole repeat; select a part of the draft to fill only that.";
 inline constexpr const char* apply = "Apply";
 

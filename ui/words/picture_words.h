@@ -13,9 +13,8 @@ inline constexpr const char* isBeingRead = "{} is being read\xE2\x80\xA6";
 inline constexpr const char* about = "{}: {} \xC3\x97 {} pixels";
 inline constexpr const char* shownAs[] = {"Woven", "Colours"};
 inline constexpr const char* shownHelp = "The cloth in its present yarns, or the colours that are told apart.";
-inline constexpr Word into{"Fills",
-                           "The crossings that are selected in the draft, or in the place of the whole weave."};
-inline constexpr const char* intoNames[] = {"Selection", "Whole weave"};
+inline constexpr Word into{"Fills", "The crossings that are selected in the draft, or the repeat: all of the weave."};
+inline constexpr const char* intoNames[] = {"Selection", "Repeat"};
 inline constexpr Word selection{"Ends and picks", "Of the selection, which the picture fills."};
 inline constexpr Word ends{words::ends.label, "How many ends the picture is wide: the repeat of the weave."};
 inline constexpr Word picks{words::picks.label, "How many picks it is high."};

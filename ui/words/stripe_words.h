@@ -13,6 +13,7 @@ inline constexpr const char* onePick = "{} pick \xC2\xB7 {:.1f} mm";
 inline constexpr const char* severalPicks = "{} picks \xC2\xB7 {:.1f} mm";
 inline constexpr const char* onlyCounted = "{} threads";  // where they are too many to be written
 inline constexpr const char* noSuchYarn = "There is no yarn {} yet.";
+inline constexpr const char* yarnBeyondNext = "There is no yarn {}; next is {}.";
 inline constexpr Word addYarn{"Add the yarn",
                               "Adds what the order names beyond the yarns that there are, each a copy of the last one"};
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "ui/widgets/fields.h"
-#include "ui/words/common_words.h"
+#include "ui/widgets/number_text.h"
 #include "ui/words/viewport_words.h"
 
 namespace loomlight {
@@ -98,9 +98,8 @@ InsetModel insetModel(const InsetStatus& status, const InsetFrame* shown, bool d
         describeDifference(shown->difference.get(), model);
       } else {
         const int samples = shown->fibres->samples;
-        model.caption = fmt::format(
-            words::lens::seen, status.isWholePiece ? "" : words::lens::ofOneRepeat,
-            samples > 0 ? fmt::format(words::common::samplesPerPixel, samples) : std::string(words::common::preview));
+        model.caption =
+            fmt::format(words::lens::seen, status.isWholePiece ? "" : words::lens::ofOneRepeat, sampleText(samples));
       }
       break;
   }

@@ -16,7 +16,7 @@ struct FieldTable<Dyestuff> {
       Field{&Dyestuff::amount_percent,
             {colour, "amount_percent", "Amount", "%", 0, 100, "On weight of fibre, as a recipe has it."}},
       Field{&Dyestuff::absorption_per_mm,
-            {colour, "absorption_per_mm", "Absorption", "1/mm", 0, 10000, "Of a fibre with 1 % of it, in each band."}});
+            {colour, "absorption_per_mm", "Absorption", "/mm", 0, 10000, "Of a fibre with 1 % of it, in each band."}});
 };
 
 template <>
@@ -31,7 +31,7 @@ struct FieldTable<Fibre> {
       Field{&Fibre::refractiveIndex,
             {optics, "refractive_index", words::refractiveIndex.label, "", 1.01, 3, words::refractiveIndex.help}},
       Field{&Fibre::absorption_per_mm,
-            {colour, "absorption_per_mm", words::depthOfShade.label, "1/mm", 0, 10000, words::depthOfShade.help, true}},
+            {colour, "absorption_per_mm", words::depthOfShade.label, "/mm", 0, 10000, words::depthOfShade.help, true}},
       Field{&Fibre::longitudinalRoughness,
             {optics, "longitudinal_roughness", words::lustreAlong.label, "", 0.05, 1, words::lustreAlong.help}},
       Field{&Fibre::azimuthalRoughness,
@@ -71,11 +71,11 @@ struct FieldTable<Yarn> {
       Field{&Yarn::packing, {shape, "packing", words::compactness.label, "", 0.05, 0.85, words::compactness.help}},
       Field{&Yarn::flattening, {shape, "flattening", words::flattening.label, "", 1, 4, words::flattening.help}},
       Field{&Yarn::hairiness_per_mm,
-            {shape, "hairiness_per_mm", words::hairiness.label, "1/mm", 0, 50, words::hairiness.help}},
+            {shape, "hairiness_per_mm", words::hairiness.label, "/mm", 0, 50, words::hairiness.help}},
       Field{&Yarn::hairLength_mm,
             {shape, "hair_length_mm", words::hairLength.label, "mm", 0.05, 3, words::hairLength.help, true}},
       Field{&Yarn::wrappers_per_cm,
-            {shape, "wrappers_per_cm", words::wrappers.label, "1/cm", 0, 40, words::wrappers.help}},
+            {shape, "wrappers_per_cm", words::wrappers.label, "/cm", 0, 40, words::wrappers.help}},
       Field{&Yarn::shadeVariation_percent,
             {optics, "shade_variation_percent", words::shadeVariation.label, "%", 0, 40, words::shadeVariation.help}},
       Field{&Yarn::migration,
@@ -84,7 +84,7 @@ struct FieldTable<Yarn> {
             {shape, "fibre_disorder_deg", words::parallelism.label, "°", 0, 20, words::parallelism.help}},
       Field{&Yarn::evennessCv_percent,
             {shape, "evenness_cv_percent", words::evenness.label, "%", 0, 40, words::evenness.help}},
-      Field{&Yarn::slubs_per_m, {shape, "slubs_per_m", words::slubs.label, "1/m", 0, 50, words::slubs.help}},
+      Field{&Yarn::slubs_per_m, {shape, "slubs_per_m", words::slubs.label, "/m", 0, 50, words::slubs.help}},
       Field{&Yarn::slubLength_mm,
             {shape, "slub_length_mm", words::slubLength.label, "mm", 5, 500, words::slubLength.help, true}},
       Field{&Yarn::slubRatio, {shape, "slub_ratio", words::slubRatio.label, "×", 1.1, 4, words::slubRatio.help}},

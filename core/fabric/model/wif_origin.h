@@ -42,7 +42,7 @@ struct FieldTable<WifYarn> {
   static constexpr auto fields = std::make_tuple(
       Field{&WifYarn::colour, {label, "colour", "Colour", "", 0, kMaxWifNumber, "Number in the file; 0 for none."}},
       Field{&WifYarn::absorption_per_mm,
-            {label, "absorption_per_mm", "Absorption", "1/mm", 0, 10000, "What its fibre was given for that."}});
+            {label, "absorption_per_mm", "Absorption", "/mm", 0, 10000, "What its fibre was given for that."}});
 };
 
 template <>

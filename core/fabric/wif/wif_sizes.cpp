@@ -45,6 +45,7 @@ void scaleYarns(Fabric& fabric, const WifSett& sett, Warnings& warnings) {
       done[index] = true;
       Yarn& yarn = fabric.yarns[index];
       yarn = heavier(yarn, meanFibre(yarn, fabric.fibres), *factor * *factor, held);
+      if (std::lround(1000 * *factor) != 1000) yarn.name.clear();  // it may name a count, and is another yarn
     }
   }
   if (held) warnings.push_back(heldYarns());

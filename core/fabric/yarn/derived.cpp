@@ -178,7 +178,8 @@ double jamming(const Fabric& fabric) {
     if (interlacings == 0) return 0.0;
     const double perInterlacing = cells / static_cast<double>(interlacings);
     const double room = perInterlacing * pitch - (perInterlacing - 1.0) * diameter;
-    const double ratio = std::max(room, 0.0) / (d1 + d2);
+    const double ratio = room / (d1 + d2);
+    if (ratio < 0.0) return 1.0 - ratio;  // nor do they fit side by side without the others between them
     return ratio < 1.0 ? std::sqrt(1.0 - ratio * ratio) : 0.0;
   };
   return term(fabric.warpPitch_mm(), d1, b.weftInterlacings) + term(fabric.weftPitch_mm(), d2, b.warpInterlacings);

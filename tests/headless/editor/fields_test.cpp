@@ -192,6 +192,20 @@ TEST_F(Orders, AYarnThatIsNotThereIsRefusedAndOffered) {
   EXPECT_EQ(editor.fact("draft.warp_order_problem"), "");
 }
 
+/// A letter that is far away is a slip: nobody wants all yarns between.
+TEST_F(Orders, AYarnBeyondTheNextIsNamedAndNotOffered) {
+  const std::vector<int> before = warp();
+  editor.enter("draft.warp_order", "6A 4Z");
+  editor.until("it is refused",
+               [&] { return editor.fact("draft.warp_order_problem") == "There is no yarn Z; next is C."; });
+  EXPECT_FALSE(editor.shows("draft.warp_order_add"));
+  EXPECT_EQ(warp(), before);
+  editor.enter("draft.warp_order", "4A 4C 4D");
+  editor.until("two that follow are offered", [&] { return editor.shows("draft.warp_order_add"); });
+  editor.edits("they are added", [&] { editor.click("draft.warp_order_add"); });
+  EXPECT_EQ(editor.saved().yarns.size(), 4u);
+}
+
 TEST_F(Orders, WhatIsNoOrderIsRefusedAloudAndStaysToBeMended) {
   const std::vector<int> before = warp();
   editor.enter("draft.warp_order", "4A 2(B");

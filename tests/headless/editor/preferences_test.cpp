@@ -72,7 +72,10 @@ TEST_F(PreferencesTest, ASettInInches) {
 
 TEST_F(PreferencesTest, ThePictureRestsAtTheSamplesAskedFor) {
   openPreferences();
+  editor.enter("preferences.samples", "1");
+  editor.until("one is one sample", [&] { return editor.fact("preferences.samples") == "1 sample"; });
   editor.enter("preferences.samples", "2");
+  editor.until("two are samples", [&] { return editor.fact("preferences.samples") == "2 samples"; });
   editor.click("preferences.close");
   editor.leave();
   EXPECT_EQ(readSettings(settingsFile()).limits.samples, 2);

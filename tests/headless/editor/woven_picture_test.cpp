@@ -116,7 +116,7 @@ TEST_F(WovenPicture, MayTakeThePlaceOfTheWholeWeaveAllTheSame) {
   editor.until("selected", [&] { return editor.fact("draft.selection") == "0 0 2 2"; });
   openPicture();
   EXPECT_FALSE(editor.shows("picture.ends"));
-  editor.click("picture.into/Whole weave");
+  editor.click("picture.into/Repeat");
   editor.edits("the picture is woven", [&] { editor.click("picture.weave"); });
   EXPECT_EQ(editor.savedAs(editor.homeFile("rings.json")).weave.ends(), 96);
 }

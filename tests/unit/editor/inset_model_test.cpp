@@ -54,7 +54,7 @@ TEST(InsetModel, CaptionsWhatIsSeen) {
   InsetStatus status;
   status.phase = Phase::tracing;
   InsetFrame frame = frameWith(12);
-  EXPECT_EQ(insetModel(status, &frame, false, 8e9, flat(20, 20)).caption, "fibres, 12 spp");
+  EXPECT_EQ(insetModel(status, &frame, false, 8e9, flat(20, 20)).caption, "fibres, 12 samples");
   EXPECT_EQ(insetModel(status, &frame, true, 8e9, flat(20, 20)).caption, "difference, waiting for samples");
   auto difference = std::make_shared<Difference>();
   difference->mean_percent = 1.26;
@@ -67,7 +67,7 @@ TEST(InsetModel, CaptionsWhatIsSeen) {
   EXPECT_EQ(model.scaleEnd, "25 %");
   EXPECT_GT(model.scale.size(), 8u);
   status.isWholePiece = false;
-  EXPECT_EQ(insetModel(status, &frame, false, 8e9, flat(20, 20)).caption, "fibres of one repeat, 12 spp");
+  EXPECT_EQ(insetModel(status, &frame, false, 8e9, flat(20, 20)).caption, "fibres of one repeat, 12 samples");
   status.isWholePiece = true;
   frame = frameWith(0);
   EXPECT_EQ(insetModel(status, &frame, false, 8e9, flat(20, 20)).caption, "fibres, preview");

@@ -246,6 +246,16 @@ TEST(Samples, TheFirstStartShowsAHandsBreadth) {
   EXPECT_EQ(fabric.drape.kind, DrapeKind::folds);
 }
 
+/// A new cloth is fitted into the window, and as large as a hand.
+TEST(Samples, ANewClothIsAHandsBreadth) {
+  const Drape drape = newFabric().drape;
+  EXPECT_EQ(drape.kind, DrapeKind::flat);
+  for (const double side_mm : {drape.width_mm, drape.height_mm}) {
+    EXPECT_GT(side_mm, 80);
+    EXPECT_LT(side_mm, 120);
+  }
+}
+
 TEST(Settings, ComeBackAndSurviveNonsense) {
   const Folder folder;
   const fs::path file = folder.path / "editor.json";

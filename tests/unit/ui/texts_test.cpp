@@ -152,6 +152,12 @@ TEST(NumberText, TakesPointsAndCommas) {
     EXPECT_FALSE(hasDoubtfulComma(text)) << text;
 }
 
+TEST(SampleText, CountsAsPeopleDo) {
+  EXPECT_EQ(sampleText(0), "preview");
+  EXPECT_EQ(sampleText(1), "1 sample");
+  EXPECT_EQ(sampleText(2), "2 samples");
+}
+
 TEST(TwistText, KnowsTurnsPerMetrePerInchAndMultipliers) {
   EXPECT_NEAR(twistFromText("780 t/m", 20).value(), 780, 1e-12);
   EXPECT_NEAR(twistFromText("20tpi", 20).value(), 20 / 0.0254, 1e-9);

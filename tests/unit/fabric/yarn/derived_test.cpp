@@ -205,6 +205,18 @@ TEST(Jamming, FloatsLeaveRoomForCloserSetts) {
   EXPECT_LT(jamming(twill), jamming(plain));
 }
 
+/// Ends of a twill that do not even fit side by side are jammed, however far apart its picks are.
+TEST(Jamming, EndsThatHaveNoRoomSideBySideAreJammed) {
+  Fabric twill = printCloth();
+  twill.weave = fromPicture({"##..", "#..#", "..##", ".##."});
+  const double d = yarnDiameter_mm(twill.yarns[0], twill.fibres[0]);
+  twill.picks_per_cm = 10 / (4 * d);
+  twill.ends_per_cm = 10 / (0.75 * d);
+  EXPECT_LE(jamming(twill), 1) << "with room for the picks between them they are dense";
+  twill.ends_per_cm = 10 / (0.45 * d);
+  EXPECT_GT(jamming(twill), 1);
+}
+
 std::vector<std::string> warningsOf(const Fabric& fabric, double floatLimit_mm = kUsualFloatLimit_mm) {
   return warnings(fabric, floats(fabric.weave), longFloats(fabric, floatLimit_mm));
 }
