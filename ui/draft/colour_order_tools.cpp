@@ -64,6 +64,7 @@ std::optional<Fabric> colourOrderTools(Ui& ui, const Fabric& fabric, const std::
   const std::vector<int>& own = view.weft ? fabric.weftSequence : fabric.warpSequence;
   const std::vector<int>& other = view.weft ? fabric.warpSequence : fabric.weftSequence;
   const StripedSystem striped{yarnColours, yarnNames, view.weft ? fabric.weftPitch_mm() : fabric.warpPitch_mm(),
+                              view.weft ? words::stripe::pick : words::stripe::end,
                               view.weft ? words::stripe::picks : words::stripe::ends};
   StripeRows& rows = view.weft ? view.weftStripes : view.warpStripes;
   rows.follow(own);

@@ -24,8 +24,8 @@ struct StripeRows {
 struct StripedSystem {
   const std::vector<ImVec4>& yarnColours;  ///< for the display
   const std::vector<std::string>& yarnNames;
-  double pitch_mm = 1;    ///< between ends or picks
-  const char* unit = "";  ///< what they are called behind a number
+  double pitch_mm = 1;                  ///< between ends or picks
+  const char *one = "", *several = "";  ///< what they are called behind a number
 };
 
 // Both return the order after an edit; `rows` are up to date.

@@ -25,8 +25,8 @@ namespace stripe {
 inline constexpr Word of{"Stripes of", "Whose colour order the tools below work on."};
 
 // The table of them
-inline constexpr const char* ends = "ends";
-inline constexpr const char* picks = "picks";
+inline constexpr const char *end = "end", *ends = "ends";
+inline constexpr const char *pick = "pick", *picks = "picks";
 inline constexpr const char* threadsHelp = "Threads of this stripe";
 inline constexpr const char* widthHelp = "Width of this stripe in cm, to whole threads";
 inline constexpr const char* more = "and {} more";

@@ -167,6 +167,25 @@ TEST_F(DraftParts, UndoShowsWhereTheEditWas) {
   editor.until("undo shows where it was", [&] { return editor.rect("draft.cell_0_0") == zoomed; });
 }
 
+/// Yarns that look alike hide what an effect of colours does: it is drawn all the same, and said.
+TEST(StructuresInColour, SayWhereBothYarnsLookAlike) {
+  for (const bool alike : {false, true}) {
+    Fabric cloth = smallTwill();
+    if (alike) cloth.yarns[1].fibre = cloth.yarns[0].fibre;
+    HeadlessEditor editor;
+    editor.start(cloth);
+    editor.until("colours are known", [&] { return editor.fact("yarn_colours") == "known"; });
+    editor.click("menu.weave");
+    editor.click("menu.structures");
+    editor.click("library/Twill");
+    editor.until("a twill has no colours", [&] { return editor.fact("structures.alike") == "no"; });
+    editor.click("library/Houndstooth");
+    editor.until("it is said where they are alike",
+                 [&] { return editor.fact("structures.name").starts_with("Houndstooth"); });
+    EXPECT_EQ(editor.fact("structures.alike"), alike ? "yes" : "no");
+  }
+}
+
 TEST_F(DraftParts, StructuresAreTakenFromTheLibrary) {
   editor.click("menu.weave");
   editor.click("menu.structures");

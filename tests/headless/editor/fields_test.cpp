@@ -223,6 +223,10 @@ TEST_F(Orders, StripesAreSetByThreadsOrByWidth) {
   bringUp("order.stripe_1_cm");
   editor.edits("a width, to whole threads", [&] { editor.enter("order.stripe_1_cm", "0.25"); });
   EXPECT_EQ(warp().size(), 8 + std::lround(0.25 * smallTwill().ends_per_cm));
+  bringUp("order.stripe_0_threads");
+  EXPECT_EQ(editor.fact("order.stripe_0_threads"), "8 ends");
+  editor.edits("one", [&] { editor.enter("order.stripe_0_threads", "1"); });
+  editor.until("one is an end", [&] { return editor.fact("order.stripe_0_threads") == "1 end"; });
 }
 
 TEST_F(Orders, AnEdgeIsDraggedInTheBar) {

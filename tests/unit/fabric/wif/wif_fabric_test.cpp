@@ -139,6 +139,20 @@ TEST(WifFabric, TheFilesThicknessReachesEveryYarn) {
     EXPECT_NEAR(yarnDiameter_mm(f.yarns[yarn], f.fibres[f.yarns[yarn].fibre]), 0.4, 1e-4) << yarn;
 }
 
+/// A name may say a count, and what is thicker is another yarn.
+TEST(WifFabric, AYarnOfAnotherThicknessLosesItsName) {
+  const auto named = [](Fabric fabric) {
+    for (Yarn& yarn : fabric.yarns) yarn.name = "Ne 40 combed";
+    return fabric;
+  };
+  std::vector<WifWarning> warnings;
+  const Fabric taken = withWifSizes(named(imported(twillFile())), warnings);
+  EXPECT_EQ(taken.yarns[taken.warpYarn(0)].name, "");
+  EXPECT_EQ(taken.yarns[taken.weftYarn(0)].name, "Ne 40 combed") << "the file does not say how thick";
+  const Fabric again = withWifSizes(named(taken), warnings);
+  EXPECT_EQ(again.yarns[again.warpYarn(0)].name, "Ne 40 combed") << "it is as thick as the file says";
+}
+
 TEST(WifFabric, ThickThreadsAreThickerByTheirRatio) {
   const std::string text = twillFile() + "[WARP THICKNESS]\n3=0.08\n";
   const Fabric f = imported(text);
