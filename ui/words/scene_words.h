@@ -6,7 +6,7 @@
 namespace loomlight::words::scenePage {
 
 inline constexpr const char* light = "Light";
-inline constexpr const char* onlyToJudge = "Only to judge by (J). The cloth keeps {}.";
+inline constexpr const char* onlyToJudge = "To judge by; the cloth keeps {}.";
 inline constexpr Word chooseEnvironment{"Choose an environment\xE2\x80\xA6",
                                         "A latitude-longitude picture (EXR) that lights the cloth from all around"};
 inline constexpr const char* drape = "Drape";
