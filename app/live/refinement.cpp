@@ -28,11 +28,12 @@ PixelRect covering(const PixelRect& window, int divider) {
           coarser(window.y + window.height, divider) - top};
 }
 
-/// The side of a bucket, in pixels: so many that it takes no longer than a pass may, in whole tiles of the film, each
-/// of which one thread records; but not so few that lanes run empty.
-int bucketSide(double pathsInBudget, int divider) {
-  const int tiles = static_cast<int>(std::sqrt(pathsInBudget)) / PathRecords::kTile;
-  return PathRecords::kTile * std::max(2, std::clamp(tiles, 4, 8) / divider);
+/// The side of a bucket, in pixels: whole tiles of the film, each of which one thread records, and so many that it
+/// takes no longer than a pass may; but not so few that lanes run empty.
+int bucketSide(double pixelsInBudget, int divider) {
+  constexpr int kFewest = 4, kMost = 8, kFewestOfCoarse = 2;  // tiles a side
+  const int tiles = std::clamp(static_cast<int>(std::sqrt(pixelsInBudget)) / PathRecords::kTile, kFewest, kMost);
+  return PathRecords::kTile * std::max(kFewestOfCoarse, tiles / divider);
 }
 
 glm::vec4 light(const Film& film, int x, int y) {

@@ -22,7 +22,7 @@ constexpr float kVariesBy = 4;
 }  // namespace
 
 /// What both are means over, weighted by their pixels.
-void BlockGains::Both::operator+=(const Both& part) {
+void BlockGains::Block::operator+=(const Block& part) {
   if (part.pixels == 0) return;
   const float all = pixels + part.pixels, more = part.pixels / all;
   light = glm::mix(light, part.light, more);
@@ -34,14 +34,14 @@ void BlockGains::Both::operator+=(const Both& part) {
 }
 
 /// What the cells' light is to be multiplied with for such a difference.
-Rgb BlockGains::Both::gain(Rgb difference) const {
+Rgb BlockGains::Block::gain(Rgb difference) const {
   const float least = 1e-3f * std::sqrt(light2) + 1e-12f;  // of no light, none is made
   return glm::max(Rgb(0), 1.0f + difference / glm::max(Rgb(least), light));
 }
 
 /// Of the difference. Cells that are in the shade here and there let expect more noise than there is in the shade, so
 /// the block's own pixels have a say, as far as they are many.
-float BlockGains::Both::likelyNoise() const {
+float BlockGains::Block::likelyNoise() const {
   constexpr float kMany = 64;
   const float own = std::max(0.0f, square - glm::dot(difference, difference)) / std::max(1.0f, pixels);
   return (kMany * noise + pixels * own) / (kMany + pixels);
@@ -57,8 +57,8 @@ Rgb BlockGains::between(const Gains& gains, float x, float y) {
                   glm::mix(gains.at(x0, y1), gains.at(x1, y1), across), down);
 }
 
-BlockGains::Blocks<BlockGains::Both> BlockGains::smallest(const SharedPicture& shared, const Film& film, int threads) {
-  Blocks<Both> blocks((shared.width + kSide - 1) / kSide, (shared.height + kSide - 1) / kSide);
+BlockGains::Grid<BlockGains::Block> BlockGains::smallest(const SharedPicture& shared, const Film& film, int threads) {
+  Grid<Block> blocks((shared.width + kSide - 1) / kSide, (shared.height + kSide - 1) / kSide);
   parallelFor(static_cast<size_t>(blocks.height), threads, [&](size_t row) {
     const int top = static_cast<int>(row) * kSide;
     for (int y = top; y < std::min(shared.height, top + kSide); ++y)
@@ -70,19 +70,19 @@ BlockGains::Blocks<BlockGains::Both> BlockGains::smallest(const SharedPicture& s
         const float alpha = shared.alpha[i];
         const Rgb light = film.alpha(x, y) * shared.light[i], difference = alpha * film.mean(x, y) - light;
         blocks.at(x / kSide, static_cast<int>(row)) +=
-            Both{light,
-                 difference,
-                 alpha * alpha * shared.variances[i] / static_cast<float>(samples),
-                 glm::dot(light, light),
-                 glm::dot(difference, difference),
-                 1};
+            Block{light,
+                  difference,
+                  alpha * alpha * shared.variances[i] / static_cast<float>(samples),
+                  glm::dot(light, light),
+                  glm::dot(difference, difference),
+                  1};
       }
   });
   return blocks;
 }
 
-BlockGains::Blocks<BlockGains::Both> BlockGains::ofTwiceTheSize(const Blocks<Both>& small) {
-  Blocks<Both> blocks((small.width + 1) / 2, (small.height + 1) / 2);
+BlockGains::Grid<BlockGains::Block> BlockGains::ofTwiceTheSize(const Grid<Block>& small) {
+  Grid<Block> blocks((small.width + 1) / 2, (small.height + 1) / 2);
   for (int y = 0; y < small.height; ++y)
     for (int x = 0; x < small.width; ++x) blocks.at(x / 2, y / 2) += small.at(x, y);
   return blocks;
@@ -90,16 +90,16 @@ BlockGains::Blocks<BlockGains::Both> BlockGains::ofTwiceTheSize(const Blocks<Bot
 
 /// How large the square of the cells' error is in blocks of this size, beside that in blocks of twice the size, as a
 /// share of the square of their light. `larger`: null for the largest blocks, where it is all of their error.
-float BlockGains::relativeError2(const Blocks<Both>& blocks, const Blocks<Both>* larger) {
+float BlockGains::relativeError2(const Grid<Block>& blocks, const Grid<Block>* larger) {
   ErrorSums sums;
   for (int y = 0; y < blocks.height; ++y)
     for (int x = 0; x < blocks.width; ++x) {
-      const Both& block = blocks.at(x, y);
+      const Block& block = blocks.at(x, y);
       if (block.pixels == 0) continue;
       Rgb apart = block.difference;
       float expected = block.noise;
       if (larger) {
-        const Both& around = larger->at(x / 2, y / 2);
+        const Block& around = larger->at(x / 2, y / 2);
         apart -= (around.gain(around.difference) - 1.0f) * block.light;
         expected += around.noise - 2 * block.pixels / around.pixels * block.noise;  // the block is a part of it
       }
@@ -109,18 +109,18 @@ float BlockGains::relativeError2(const Blocks<Both>& blocks, const Blocks<Both>*
 }
 
 /// From the largest blocks down, differences become what is known of the cells' error.
-BlockGains::Gains BlockGains::freedOfNoise(Blocks<Both> smallest) {
-  std::vector<Blocks<Both>> sizes{std::move(smallest)};
+BlockGains::Gains BlockGains::freedOfNoise(Grid<Block> smallest) {
+  std::vector<Grid<Block>> sizes{std::move(smallest)};
   while (sizes.size() < kSizes) sizes.push_back(ofTwiceTheSize(sizes.back()));
   Gains larger((sizes.back().width + 1) / 2, (sizes.back().height + 1) / 2);
   std::ranges::fill(larger.all, Rgb(1));  // still larger ones are as the cells have it
   for (size_t k = kSizes; k-- > 0;) {
-    const Blocks<Both>& blocks = sizes[k];
+    const Grid<Block>& blocks = sizes[k];
     const float relative2 = relativeError2(blocks, k + 1 < kSizes ? &sizes[k + 1] : nullptr);
     Gains gains(blocks.width, blocks.height);
     for (int y = 0; y < blocks.height; ++y)
       for (int x = 0; x < blocks.width; ++x) {
-        const Both& block = blocks.at(x, y);
+        const Block& block = blocks.at(x, y);
         const Rgb around = between(larger, (static_cast<float>(x) + 0.5f) / 2, (static_cast<float>(y) + 0.5f) / 2);
         const float error2 = relative2 * block.light2;
         const float trust = error2 > 0 && block.pixels > 0 ? error2 / (error2 + block.likelyNoise()) : 0.0f;

@@ -17,23 +17,23 @@ class BlockGains {
   Rgb at(int x, int y) const;
 
  private:
-  /// What is known of blocks of one size, row by row.
-  template <class Known>
-  struct Blocks {
-    Blocks(int w, int h) : width(w), height(h), all(static_cast<size_t>(w) * static_cast<size_t>(h)) {}
+  /// One of each for blocks of one size, row by row.
+  template <class OfBlock>
+  struct Grid {
+    Grid(int w, int h) : width(w), height(h), all(static_cast<size_t>(w) * static_cast<size_t>(h)) {}
     int width, height;
-    std::vector<Known> all;
+    std::vector<OfBlock> all;
 
-    Known& at(int x, int y) { return all[index(x, y)]; }
-    const Known& at(int x, int y) const { return all[index(x, y)]; }
+    OfBlock& at(int x, int y) { return all[index(x, y)]; }
+    const OfBlock& at(int x, int y) const { return all[index(x, y)]; }
 
    private:
     size_t index(int x, int y) const {
       return static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x);
     }
   };
-  /// Film and cells in a block.
-  struct Both {
+  /// Film and cells in it.
+  struct Block {
     Rgb light{0};       ///< of the cells, mean over its pixels
     Rgb difference{0};  ///< of the film from that
     float noise = 0;    ///< variance of the difference, summed over the channels
@@ -41,16 +41,16 @@ class BlockGains {
     float square = 0;   ///< of the pixels' own differences, mean over them
     float pixels = 0;   ///< with samples
 
-    void operator+=(const Both& part);
+    void operator+=(const Block& part);
     Rgb gain(Rgb difference) const;
     float likelyNoise() const;
   };
-  using Gains = Blocks<Rgb>;
+  using Gains = Grid<Rgb>;
 
-  static Blocks<Both> smallest(const SharedPicture& shared, const Film& film, int threads);
-  static Blocks<Both> ofTwiceTheSize(const Blocks<Both>& small);
-  static float relativeError2(const Blocks<Both>& blocks, const Blocks<Both>* larger);
-  static Gains freedOfNoise(Blocks<Both> smallest);
+  static Grid<Block> smallest(const SharedPicture& shared, const Film& film, int threads);
+  static Grid<Block> ofTwiceTheSize(const Grid<Block>& small);
+  static float relativeError2(const Grid<Block>& blocks, const Grid<Block>* larger);
+  static Gains freedOfNoise(Grid<Block> smallest);
   static Rgb between(const Gains& gains, float x, float y);
 
   Gains gains_;  ///< of the smallest

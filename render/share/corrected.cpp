@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "core/base/parallel.h"
 #include "render/share/block_gains.h"

@@ -8,7 +8,8 @@ namespace {
 /// Paths that a cell of a picture which has changed a little counts for.
 constexpr uint32_t kPriorPaths = 16;
 
-/// Of 12 pixels, in a close-up of denim, they are clearer than the film for the first minute; of 50 they are worse.
+/// In close-ups of denim voxels of 12 pixels make a clearer picture than the film in its first seconds, and voxels of
+/// 50 pixels do not.
 constexpr float kWidestVoxel_pixels = 16;
 
 }  // namespace
