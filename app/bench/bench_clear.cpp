@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/bench/clear_course.h"
+#include "app/bench/clear_drag.h"
 #include "app/bench/clear_settings.h"
 #include "app/bench/machine_facts.h"
 #include "app/bench/studies/report_page.h"
@@ -30,6 +30,7 @@ constexpr ClearExtent kQuickClear{160, 100, 64, 2};
 
 const std::vector<double> kTimes_s{0.3, 1, 3, 10};
 constexpr double kClear[] = {0.10, 0.05, 0.03};
+constexpr double kDragInterval_s = 0.05;
 
 void expectKnown(const std::vector<std::string>& names) {
   const std::vector<std::string> known = clearNames();
@@ -72,6 +73,15 @@ class ClearBench {
     for (const double flip : kClear) header.push_back(fmt::format("s to {:.2f}", flip));
     header.insert(header.end(), {"worst step back", "samples at the end"});
     page_.table("clear", header, rows_);
+    if (!drags_.empty()) {
+      page_.paragraph(fmt::format(
+          "While somebody drags, a step each {} s: pictures that were shown, each against the view that it is of.",
+          kDragInterval_s));
+      page_.table("drag",
+                  {"cloth", "drape", "light", "edit", "light shared", "pictures", "s between them", "FLIP, mean",
+                   "FLIP, worst"},
+                  drags_);
+    }
     page_.csv("clear_course", {"cloth", "drape", "light", "edit", "light shared", "s", "samples", "FLIP"}, courses_);
     page_.paragraph(fmt::format("Measured on {}", machineFacts(task_.threads)));
     return page_.finish();
@@ -80,31 +90,42 @@ class ClearBench {
  private:
   bool study(const ClearSetting& setting, const std::vector<ClearEdit>& edits) {
     for (const ClearEdit& edit : edits) {
-      const Fabric edited = edit.apply(setting.fabric);
+      const std::vector<Fabric> steps = edit.steps(setting.fabric);
+      const Fabric& edited = steps.back();
       validate(edited, edit.name);
-      const ClearReference reference(edited, extent_.width, extent_.height, extent_.referenceSamples,
-                                     command_.folder + "/references", task_);
+      const ClearReference reference(edited, references(extent_.referenceSamples), task_);
       if (task_.stopped()) return false;
       for (const bool shared : {false, true}) {
         using Sharing = ClearBenchCommand::Sharing;
         if (command_.sharing == (shared ? Sharing::off : Sharing::on)) continue;
-        if (!measure(setting, edit, edited, reference, shared)) return false;
+        if (!measure(setting, edit, steps, reference, shared)) return false;
       }
     }
     return true;
   }
 
-  bool measure(const ClearSetting& setting, const ClearEdit& edit, const Fabric& edited,
+  ClearReferenceTask references(uint32_t samples) const {
+    return {extent_.width, extent_.height, samples, command_.folder + "/references"};
+  }
+
+  bool measure(const ClearSetting& setting, const ClearEdit& edit, const std::vector<Fabric>& steps,
                const ClearReference& reference, bool shared) {
     LiveClock clock(extent_.width, extent_.height, command_.threads);
     clock.shareLight(shared);
     const auto nothing = [](const std::shared_ptr<const Frame>&, double) {};
     if (edit.name != "open" && !clock.watch(setting.fabric, extent_.seconds, nothing, task_.stop)) return false;
+    const std::span dragged(steps.data(), steps.size() - 1);
+    const std::vector<DragPicture> inDrag = watchDrag(clock, dragged, kDragInterval_s, reference, task_.stop);
     std::vector<std::shared_ptr<const Frame>> pictures;
-    const ClearCourse course =
-        watchClear(clock, edited, reference, extent_.seconds, kTimes_s, command_.pictures ? &pictures : nullptr, task_);
+    const ClearCourse course = watchClear(clock, steps.back(), reference, extent_.seconds, kTimes_s,
+                                          command_.pictures ? &pictures : nullptr, task_);
     if (task_.stopped()) return false;
     add(setting, edit, shared, course);
+    if (!dragged.empty()) {
+      clock.pause(true);
+      addDrag(setting, edit, shared, courseOf(inDrag, dragged, references(extent_.referenceSamples / 8), task_));
+      if (task_.stopped()) return false;
+    }
     for (size_t i = 0; i < pictures.size(); ++i)
       if (pictures[i]) addPicture(setting, edit, shared, kTimes_s[i], *pictures[i]);
     fmt::print(stderr, "loomlight: {}, {}, light {}: {:.3f} after 1 s\n", setting.name(), edit.name,
@@ -131,6 +152,12 @@ class ClearBench {
     }
   }
 
+  void addDrag(const ClearSetting& setting, const ClearEdit& edit, bool shared, const DragCourse& course) {
+    drags_.push_back({setting.cloth, setting.drape, setting.light, edit.name, shared ? "yes" : "no",
+                      std::to_string(course.pictures), fmt::format("{:.3f}", course.interval_s),
+                      fmt::format("{:.3f}", course.flip), fmt::format("{:.3f}", course.worstFlip)});
+  }
+
   void addPicture(const ClearSetting& setting, const ClearEdit& edit, bool shared, double time_s, const Frame& frame) {
     Frame shown = frame;
     shown.rgba.assign(frame.shown().begin(), frame.shown().end());
@@ -146,7 +173,7 @@ class ClearBench {
   ClearExtent extent_;
   Task task_;
   ReportPage page_;
-  std::vector<Row> rows_, courses_;
+  std::vector<Row> rows_, drags_, courses_;
 };
 
 }  // namespace

@@ -92,16 +92,15 @@ double ClearCourse::worstStepBack() const {
   return worst;
 }
 
-ClearReference::ClearReference(const Fabric& fabric, int width, int height, uint32_t samples, const std::string& folder,
-                               const Task& task)
-    : width_(width), height_(height) {
+ClearReference::ClearReference(const Fabric& fabric, const ClearReferenceTask& of, const Task& task)
+    : width_(of.width), height_(of.height) {
   Fabric seeded = fabric;
   seeded.render.seed = kReferenceSeed;
   const uint64_t key =
-      hashBytes(hashCombine(hashCombine(hashCombine(0, width), height), samples), fabricToJson(seeded));
-  std::filesystem::create_directories(folder);
-  const std::string file = fmt::format("{}/{:016x}.exr", folder, key);
-  const std::vector<PixelRect> rects = windowsIn(width, height);
+      hashBytes(hashCombine(hashCombine(hashCombine(0, width_), height_), of.samples), fabricToJson(seeded));
+  std::filesystem::create_directories(of.folder);
+  const std::string file = fmt::format("{}/{:016x}.exr", of.folder, key);
+  const std::vector<PixelRect> rects = windowsIn(width_, height_);
   if (std::filesystem::exists(file)) {
     windows_ = windowsFrom(readLinearPicture(file), rects);
     return;
@@ -110,10 +109,10 @@ ClearReference::ClearReference(const Fabric& fabric, int width, int height, uint
   if (!scene) return;
   const auto medium = makeMedium(*scene, defaultMemoryLimit_bytes(), task);
   if (!medium) return;
-  Film film(width, height);
-  const CameraRays camera(seeded.camera, width, height);
+  Film film(width_, height_);
+  const CameraRays camera(seeded.camera, width_, height_);
   for (const PixelRect& rect : rects) {
-    if (!renderUpTo(samples, *scene, *medium, camera, film, rect, task).complete) return;
+    if (!renderUpTo(of.samples, *scene, *medium, camera, film, rect, task).complete) return;
     LinearPicture& window = windows_.emplace_back();
     window = {rect.width, rect.height, {}};
     for (int y = rect.y; y < rect.y + rect.height; ++y)

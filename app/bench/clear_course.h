@@ -25,14 +25,20 @@ struct ClearCourse {
   double worstStepBack() const;
 };
 
+/// How a picture is traced that others are compared with.
+struct ClearReferenceTask {
+  int width = 0, height = 0;
+  uint32_t samples = 0;
+  std::string folder;  ///< where it is kept for the next time
+};
+
 /// What is measured of a picture: windows spread evenly over it, in display light, so that the picture that it
 /// converges to may be traced without tracing all of it.
 class ClearReference {
  public:
-  /// Traces the windows of the fabric's picture with so many samples of another seed, or reads them from `folder`,
-  /// where they are kept for the next time. Nothing to compare with when stopped.
-  ClearReference(const Fabric& fabric, int width, int height, uint32_t samples, const std::string& folder,
-                 const Task& task);
+  /// Traces the windows of the fabric's picture with samples of another seed, or reads them where they are kept.
+  /// Nothing to compare with when stopped.
+  ClearReference(const Fabric& fabric, const ClearReferenceTask& of, const Task& task);
 
   /// What the display shows of a frame, in these windows.
   std::vector<LinearPicture> windowsOf(const Frame& frame) const;

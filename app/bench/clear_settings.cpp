@@ -105,6 +105,12 @@ const std::vector<ClearEdit>& allEdits() {
          f.camera.azimuth_deg += 15;
          return f;
        }},
+      {"drag",
+       [](Fabric f) {
+         f.camera.azimuth_deg += 2;
+         return f;
+       },
+       20},
   };
   return edits;
 }
@@ -117,6 +123,12 @@ Names namesOf(const List& list) {
 }
 
 }  // namespace
+
+std::vector<Fabric> ClearEdit::steps(const Fabric& fabric) const {
+  std::vector<Fabric> all{apply(fabric)};
+  while (all.size() < static_cast<size_t>(times)) all.push_back(apply(all.back()));
+  return all;
+}
 
 bool ClearChoice::operator()(const Names& all, const std::string& one) const {
   const auto named = [&](const std::string& name) {

@@ -88,6 +88,27 @@ std::vector<double> LiveClock::play(std::span<const Fabric> fabrics, double inte
   return lookUntil(done, kForEver_s, stop) ? waited_s : std::vector<double>{};
 }
 
+bool LiveClock::drag(std::span<const Fabric> steps, double interval_s,
+                     const std::function<void(std::shared_ptr<const Frame>, size_t, double)>& look,
+                     const std::stop_token& stop) {
+  const uint64_t first = generation_ + 1;
+  const auto start = Clock::now();
+  std::shared_ptr<const Frame> last;
+  const auto lookAgain = [&] {
+    auto frame = renderer_.frame();
+    if (!frame || frame == last || frame->generation < first) return false;
+    last = std::move(frame);
+    look(last, last->generation - first, secondsSince(start));
+    return false;
+  };
+  for (size_t sent = 0; sent < steps.size(); ++sent) {
+    send(steps[sent]);
+    const double next_s = interval_s * static_cast<double>(sent + 1);
+    if (!lookUntil(lookAgain, next_s - secondsSince(start), stop)) return false;
+  }
+  return true;
+}
+
 bool LiveClock::watch(const Fabric& fabric, double seconds,
                       const std::function<void(std::shared_ptr<const Frame>, double)>& look,
                       const std::stop_token& stop) {

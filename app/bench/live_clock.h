@@ -41,6 +41,11 @@ class LiveClock {
   bool watch(const Fabric& fabric, double seconds,
              const std::function<void(std::shared_ptr<const Frame> shown, double since_s)>& look,
              const std::stop_token& stop);
+  /// Sends one fabric after another at this interval, as a mouse does that moves, and tells `look` of every picture of
+  /// them that is shown meanwhile: of which, and how long after the first was sent. False when stopped.
+  bool drag(std::span<const Fabric> steps, double interval_s,
+            const std::function<void(std::shared_ptr<const Frame> shown, size_t step, double since_s)>& look,
+            const std::stop_token& stop);
 
   LiveStatus status() const { return renderer_.status(); }
   void shareLight(bool wanted) { renderer_.shareLight(wanted); }

@@ -26,6 +26,7 @@ int firstDivider(const PassHistory& h) {
   const auto takesLongerThan = [&](double seconds) { return pathsAt(h, divider) * secondsPerPath > seconds; };
   while (divider < h.first.coarsest && takesLongerThan(kFirstPictureSeconds)) ++divider;
   while (divider < kCoarsest && takesLongerThan(h.first.patience_s)) ++divider;
+  if (divider > 1) divider = (divider + h.first.finer - 1) / h.first.finer * h.first.finer;
   return divider;
 }
 

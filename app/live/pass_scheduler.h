@@ -19,6 +19,7 @@ struct PassPlan {
 struct FirstPass {
   int coarsest = 32;
   double patience_s = 0.1;
+  int finer = 1;  ///< shown with so many times its pixels each way, where light is known (SharedLight::known)
 };
 
 /// What it has done since the last restart.

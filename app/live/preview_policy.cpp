@@ -8,6 +8,7 @@ namespace loomlight {
 
 PreviewStart previewStart(const PreviewHave& have) {
   constexpr int kLegible = 8, kInMotion = 12;              // coarser ones say nothing of the weave
+  constexpr int kFiner = 3;                                // a first fibre takes about a ninth of a path's time
   constexpr double kPatience_s = 0.3, kFollowing_s = 0.1;  // the first pass of a scene cannot be stopped
   PreviewStart start;
   // On another drape the cloth may fill the picture as it did not before, or be slower to trace.
@@ -18,7 +19,7 @@ PreviewStart previewStart(const PreviewHave& have) {
   } else if (have.sameRequest || sameView) {
     start.first = {kLegible, kPatience_s};
   } else if (start.knowsCost) {
-    start.first = {kInMotion, kFollowing_s};
+    start.first = {kInMotion, kFollowing_s, kFiner};
   }
   return start;
 }

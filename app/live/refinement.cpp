@@ -84,6 +84,7 @@ void Refinement::shareLight(std::unique_ptr<SharedLight> earlier, const Changes&
     shared_->moveTo(cloth_.scene, cloth_.medium, fine_.width(), fine_.height(), edit);
   else
     shared_ = std::make_unique<SharedLight>(cloth_.scene, cloth_.medium, fine_.width(), fine_.height());
+  knowsLight_ = shared_->knows();
 }
 
 bool Refinement::converged() const {
@@ -153,13 +154,39 @@ bool Refinement::advance(const Task& task) {
   spent_s_ += seconds;
   if (!complete) return false;
   if (paths > 0) history_.secondsPerPath = seconds / static_cast<double>(paths);
+  const bool isFirst = history_.divider == 0;
   if (pass_->buckets.finished()) endPass();
+  return !isFirst || !knowsLight_ || showKnownLight(task);
+}
+
+/// The first pass, with the detail of light that was known before it. False when stopped.
+bool Refinement::showKnownLight(const Task& task) {
+  const int finer = history_.first.finer;
+  if (finer == 1 || history_.divider == 1) return true;
+  const auto start = Clock::now();
+  auto view = shared_->known(*coarse_, finer, task);
+  spent_s_ += secondsSince(start);
+  if (!view) return false;
+  const SharedPicture& picture = view->picture;
+  Frame frame;
+  frame.divider = history_.divider / finer;
+  frame.width = picture.width;
+  frame.height = picture.height;
+  frame.window = {0, 0, picture.width * frame.divider, picture.height * frame.divider};
+  for (size_t i = 0; i < picture.light.size(); ++i) frame.rgba.emplace_back(picture.light[i], picture.alpha[i]);
+  frame.hits = std::move(view->hits);
+  frame.helped = frame.rgba;
+  frame.shared = true;
+  finish(frame);
+  frame.quality = PreviewQuality::coarse;
+  known_ = std::move(frame);
   return true;
 }
 
 void Refinement::endPass() {
   const PassPlan plan = pass_->plan;
   pass_.reset();
+  known_.reset();
   history_.divider = plan.divider;
   if (plan.divider == 1) {
     history_.samples = plan.samples;
@@ -227,6 +254,7 @@ std::vector<float> Refinement::variances(const Frame& frame) const {
 
 Frame Refinement::frame() const {
   const bool shared = sharesLight();
+  if (known_ && !shared) return *known_;
   const int divider = shared || fineBegun_ || !coarse_ ? 1 : coarseDivider_;
   Frame frame = traced(divider == 1 ? fine_ : *coarse_, divider);
   if (shared) share(frame);

@@ -104,6 +104,7 @@ class Refinement {
   std::unique_ptr<PathRecords> recordsFor(const Film& film) const;
   Pass beginPass() const;
   void endPass();
+  bool showKnownLight(const Task& task);
   Frame traced(const Film& film, int divider) const;
   glm::vec4 faded(const glm::vec4& own, int x, int y, const LightChange& change) const;
   void finish(Frame& frame) const;
@@ -117,6 +118,7 @@ class Refinement {
   bool fineBegun_ = false;
   std::unique_ptr<PathRecords> records_;  ///< of fine_; null where none are kept
   std::unique_ptr<SharedLight> shared_;   ///< null where none is shared
+  bool knowsLight_ = false;               ///< from the picture before
   std::optional<Film> coarse_;            ///< of a 1/coarseDivider_ of the resolution
   int coarseDivider_ = 0;
   size_t paths_bytes_ = 0;                      ///< that the paths of either may take; 0: they are not kept
@@ -126,6 +128,7 @@ class Refinement {
   int threads_ = 1;             ///< of the last pass
   std::optional<Pass> pass_;
   std::optional<StandIn> standIn_;
+  std::optional<Frame> known_;  ///< the first pass, in light that was known before; until a finer one is seen
   PixelRect window_;
   PassHistory history_;
   Clock::time_point start_;

@@ -190,7 +190,9 @@ void Tracer::begin(const Request& before) {
     picture_->standIn(earlier);
     picture_->skipCoarse(start.reached);
   } else {
-    picture_->beginWith(start.first);
+    FirstPass first = start.first;
+    if (booth_) first.finer = 1;  // lamps are told apart by the light of paths
+    picture_->beginWith(first);
   }
   spentBeforeInset_s_ = 0;
   if (!better) {  // the inset is of another scene; openInset() makes a new one where the same fibres serve

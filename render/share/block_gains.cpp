@@ -134,8 +134,8 @@ BlockGains::Gains BlockGains::freedOfNoise(Grid<Block> smallest) {
 BlockGains::BlockGains(const SharedPicture& shared, const Film& film, int threads)
     : gains_(freedOfNoise(smallest(shared, film, threads))) {}
 
-Rgb BlockGains::at(int x, int y) const {
-  return between(gains_, (static_cast<float>(x) + 0.5f) / kSide, (static_cast<float>(y) + 0.5f) / kSide);
+Rgb BlockGains::at(glm::vec2 place) const {
+  return between(gains_, place.x / kSide, place.y / kSide);
 }
 
 }  // namespace loomlight

@@ -13,8 +13,11 @@ class BlockGains {
  public:
   BlockGains(const SharedPicture& shared, const Film& film, int threads);
 
-  /// What the cells' light is to be multiplied with in this pixel, channel by channel. Never negative.
-  Rgb at(int x, int y) const;
+  /// What the cells' light is to be multiplied with here, in pixels from the top left, channel by channel. Never
+  /// negative.
+  Rgb at(glm::vec2 place) const;
+  /// In the middle of a pixel.
+  Rgb at(int x, int y) const { return at(glm::vec2(x, y) + 0.5f); }
 
  private:
   /// One of each for blocks of one size, row by row.

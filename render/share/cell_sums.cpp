@@ -58,6 +58,12 @@ std::optional<uint32_t> CellSums::find(const LightCellPath& path) const {
   return find(path.finest());
 }
 
+std::optional<uint32_t> CellSums::nearest(const LightCellPath& path) const {
+  for (auto key = path.keys.rbegin(); key != path.keys.rend(); ++key)
+    if (const auto cell = find(*key)) return cell;
+  return std::nullopt;
+}
+
 std::optional<uint32_t> CellSums::make(uint64_t key, uint32_t parent) {
   const size_t slot = slotOf(key);
   if (slots_[slot] != 0) return slots_[slot] - 1;

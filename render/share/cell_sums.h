@@ -25,6 +25,8 @@ class CellSums {
 
   /// The finest cell, where it is known. Safe from many threads while nothing is added.
   std::optional<uint32_t> find(const LightCellPath& path) const;
+  /// The finest of the cells that is known; none where no light is known at all.
+  std::optional<uint32_t> nearest(const LightCellPath& path) const;
   /// Makes the cells that are not there yet; returns the finest that there is room for.
   uint32_t add(const LightCellPath& path);
   /// Light that a path has brought from there: to the cell and to all that it lies in.

@@ -78,6 +78,12 @@ bool SharedLight::addHits(uint32_t perPixel, const Task& task) {
   return hits_->trace(perPixel, *scene_, *medium_, *cells_, task);
 }
 
+std::optional<KnownView> SharedLight::known(const Film& coarse, int finer, const Task& task) const {
+  auto view = knownView(*scene_, *medium_, *cells_, finer * coarse.width(), finer * coarse.height(), task);
+  if (view) brightenTo(view->picture, coarse, finer, task.threads);
+  return view;
+}
+
 std::vector<glm::vec4> SharedLight::picture(const Film& film, int threads) const {
   return corrected(sharedPicture(*hits_, CellMeans(*cells_), threads), film, kFilmAlone, threads);
 }

@@ -5,6 +5,7 @@
 
 #include "core/fabric/model/changes.h"
 #include "render/share/cell_deposits.h"
+#include "render/share/known_view.h"
 #include "render/share/shared_picture.h"
 
 namespace loomlight {
@@ -50,8 +51,14 @@ class SharedLight {
   /// False when stopped.
   bool addHits(uint32_t perPixel, const Task& task);
 
+  /// Whether light of an earlier picture is known.
+  bool knows() const { return cells_->size() > 0 && (*cells_)[0].paths > 0; }
+  /// The view as it is known by what the cells have from an earlier picture and from a coarse film of this one, whose
+  /// pixels are `finer` of its own each way. None when stopped.
+  std::optional<KnownView> known(const Film& coarse, int finer, const Task& task) const;
+
   /// Whether there is anything to show.
-  bool shows() const { return hits() > 0 && cells_->size() > 0 && (*cells_)[0].paths > 0; }
+  bool shows() const { return hits() > 0 && knows(); }
   /// Linear, premultiplied, of the film's size.
   std::vector<glm::vec4> picture(const Film& film, int threads) const;
 

@@ -63,6 +63,18 @@ TEST(PassScheduler, IsCoarserThanIsLegibleRatherThanSlow) {
   }
 }
 
+TEST(PassScheduler, DividesAFirstPassSoThatAFinerPictureHasWholePixels) {
+  for (const double secondsPerPath : {1e-8, 1e-6, 7e-6, 3e-5, 1e-3}) {
+    PassHistory history{799, 601, secondsPerPath};
+    const int alone = nextPass(history, 64).divider;
+    history.first.finer = 3;
+    const int divider = nextPass(history, 64).divider;
+    EXPECT_GE(divider, alone);
+    EXPECT_LT(divider, alone + 3);
+    EXPECT_TRUE(divider == 1 || divider % 3 == 0) << divider;
+  }
+}
+
 TEST(PassScheduler, RefinesStepByStepAndStops) {
   const auto plans = play(800, 600, 5e-6, 256, false);
   ASSERT_FALSE(plans.empty());

@@ -80,6 +80,7 @@ TEST(PreviewStart, FollowsAMovingCamera) {
     EXPECT_LE(machine.secondsOf({first, 1}, 0), 0.1) << "the first pass cannot be stopped";
   }
   EXPECT_LE(Machine{1e-6}.play(start, 1).front(), 12);
+  EXPECT_GT(start.first.finer, 1) << "the light of the view before is known";
 }
 
 TEST(PreviewStart, KnowsNothingOfAnotherDrape) {

@@ -45,6 +45,33 @@ TEST_F(SharedRefinement, IsSeenAtFullResolutionBeforeTheFilmIs) {
   EXPECT_EQ(frame.hits.size(), frame.helped.size());
 }
 
+TEST_F(SharedRefinement, TheFirstPictureOfAMovedViewHasTheDetailOfTheOneBefore) {
+  constexpr FirstPass kMoving{12, 0.1, 3};
+  Refinement before = sharing();
+  refine(before, 1);
+  Fabric turned = *cloth.scene->fabric;
+  turned.camera.azimuth_deg += 10;
+  const Changes edit = changes(*cloth.scene->fabric, turned);
+  const Traceable moved{makeScene(std::make_shared<const Fabric>(turned), Task{}, cloth.scene.get()), cloth.medium};
+  for (const bool known : {true, false}) {
+    Refinement after(moved, kWidth, kHeight, kSlow_s);
+    after.shareLight(known ? before.takeSharedLight() : nullptr, edit);
+    after.beginWith(kMoving);
+    ASSERT_TRUE(after.advance(Task{{}, {}, 1}));
+    const int divider = after.divider();
+    ASSERT_GT(divider, 1);
+    const Frame frame = after.frame();
+    EXPECT_EQ(frame.shared, known);
+    EXPECT_EQ(frame.divider, known ? divider / 3 : divider);
+    EXPECT_EQ(frame.quality, PreviewQuality::coarse);
+    EXPECT_EQ(frame.plain().size(), static_cast<size_t>(frame.width) * static_cast<size_t>(frame.height));
+    EXPECT_EQ(frame.hits.size(), frame.plain().size());
+    EXPECT_GE(frame.width * frame.divider, kWidth);
+    refine(after, 1);  // it goes on from there
+    EXPECT_EQ(after.frame().divider, 1);
+  }
+}
+
 TEST_F(SharedRefinement, ServesVolumesOnEveryDrape) {
   EXPECT_TRUE(SharedLight::serves(*cloth.scene, kWidth, kHeight));
   Fabric bent = *cloth.scene->fabric, fibres = bent;

@@ -44,6 +44,15 @@ TEST(CellSums, ADepositIsInEveryCellAbove) {
   EXPECT_EQ(sums[0].sumOfSquares(), 1 + 4 + 9 + 0.75);
 }
 
+TEST(CellSums, TheNearestIsTheFinestThatIsKnown) {
+  CellSums sums;
+  EXPECT_FALSE(sums.nearest(path(1)));
+  const uint32_t cell = sums.add(path(1, 2));
+  EXPECT_EQ(sums.nearest(path(1, 2)), cell);
+  EXPECT_EQ(sums.nearest(path(1, 3)), sums[sums[sums[cell].parent].parent].parent);
+  EXPECT_EQ(sums.nearest(path(9, 2)), 0u);
+}
+
 TEST(CellSums, TwoHalvesAreTheWhole) {
   CellSums whole, left, right;
   Random random(1);

@@ -1,0 +1,91 @@
+#include "render/share/known_view.h"
+
+#include <algorithm>
+
+#include "core/base/parallel.h"
+#include "render/scene/camera_rays.h"
+#include "render/share/block_gains.h"
+#include "render/transport/path_tracer.h"
+
+// How it works. A path through each pixel ends at its first fibre. Of the cells that this lies in, the finest that is
+// known says what light comes from there, and how much that of single paths varies. A film of fewer pixels, whose paths
+// have found the light of this very view, is compared with the mean over so many pixels, block by block
+// (block_gains.h).
+
+namespace loomlight {
+namespace {
+
+class EndsAtFirstFibre final : public PathSink {
+ public:
+  bool meets(const Collision&, uint32_t) override { return false; }
+};
+
+/// Each pixel the mean over `side` x `side`.
+SharedPicture reduced(const SharedPicture& fine, int side) {
+  const int width = fine.width / side, height = fine.height / side;
+  const size_t pixels = static_cast<size_t>(width) * static_cast<size_t>(height);
+  SharedPicture coarse{width, height, std::vector<Rgb>(pixels), std::vector<float>(pixels), std::vector<float>(pixels)};
+  const float share = 1.0f / static_cast<float>(side * side);
+  for (int y = 0; y < height * side; ++y)
+    for (int x = 0; x < width * side; ++x) {
+      const size_t from = static_cast<size_t>(y) * static_cast<size_t>(fine.width) + static_cast<size_t>(x);
+      const size_t to = static_cast<size_t>(y / side) * static_cast<size_t>(width) + static_cast<size_t>(x / side);
+      coarse.light[to] += share * fine.light[from];
+      coarse.alpha[to] += share * fine.alpha[from];
+      coarse.variances[to] += share * (fine.variances[from] + glm::dot(fine.light[from], fine.light[from]));
+    }
+  for (size_t i = 0; i < pixels; ++i)
+    coarse.variances[i] = std::max(0.0f, coarse.variances[i] - glm::dot(coarse.light[i], coarse.light[i]));
+  return coarse;
+}
+
+}  // namespace
+
+std::optional<KnownView> knownView(const Scene& scene, const Medium& medium, const CellSums& cells, int width,
+                                   int height, const Task& task) {
+  const size_t pixels = static_cast<size_t>(width) * static_cast<size_t>(height);
+  KnownView view{{width, height, std::vector<Rgb>(pixels), std::vector<float>(pixels), std::vector<float>(pixels)},
+                 std::vector<Film::Hit>(pixels)};
+  constexpr int kStripRows = 4;  // that one thread does at a time
+  const CellMeans means(cells);
+  const CameraRays camera(scene.fabric->camera, width, height);
+  parallelFor(static_cast<size_t>((height + kStripRows - 1) / kStripRows), task.threads, [&](size_t strip) {
+    if (task.stopped()) return;
+    PathTracer tracer(scene, medium, camera, PathIntegrator::kBatch);
+    LightCellKeys keys(scene);
+    EndsAtFirstFibre end;
+    TraceCounts counts;
+    std::vector<PixelSample> paths;
+    const int top = static_cast<int>(strip) * kStripRows;
+    for (int y = top; y < std::min(height, top + kStripRows); ++y)
+      for (int x = 0; x < width; ++x) paths.push_back({x, y, 0, &end});
+    if (!tracer.trace(paths, counts, &task)) return;
+    for (size_t i = 0; i < paths.size(); ++i) {
+      const Collision* const first = tracer.first(i);
+      if (!first) continue;
+      const auto& [x, y, index, listener] = paths[i];
+      const size_t pixel = static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x);
+      view.hits[pixel] = {first->yarn, first->end, first->pick, first->distance_mm};
+      view.picture.alpha[pixel] = 1;
+      Random random(hashCombine(hashCombine(scene.sampling.seed, x), y), 0);
+      const float jx = random.uniform(), jy = random.uniform();
+      const auto cell = cells.nearest(keys.of(*first, glm::vec2(jx, jy) - 0.5f));
+      if (!cell) continue;
+      const CellMeans::Mean& mean = means[*cell];
+      view.picture.light[pixel] = mean.colour;
+      view.picture.variances[pixel] = std::max(0.0f, mean.square - glm::dot(mean.colour, mean.colour));
+    }
+  });
+  return task.stopped() ? std::nullopt : std::optional(std::move(view));
+}
+
+void brightenTo(SharedPicture& picture, const Film& coarse, int finer, int threads) {
+  const BlockGains gains(reduced(picture, finer), coarse, threads);
+  parallelFor(static_cast<size_t>(picture.height), threads, [&](size_t row) {
+    for (int x = 0; x < picture.width; ++x)
+      picture.light[row * static_cast<size_t>(picture.width) + static_cast<size_t>(x)] *=
+          gains.at((glm::vec2(x, row) + 0.5f) / static_cast<float>(finer));
+  });
+}
+
+}  // namespace loomlight
