@@ -46,15 +46,19 @@ T polynomial(T x, C... c) {
   return polynomial(x, std::array<T, sizeof...(C)>{(T{} + c)...});
 }
 
-/// e^x for x <= 0, relative error below 5e-6 (2e-7 for x > -1). Never below e^-40, which keeps products of two normal.
+/// Without what follows the point; of floats of at most 2^31.
 template <class T>
-T exponential(T x) {
-  const T t = most(x, broadcast<T>(-40.0f)) * 1.44269504f;
-  const WholeOf<T> whole = truncated(t);  // towards zero, so that the rest is in (-1, 0]
-  const T power = polynomial(t - toFloats<T>(whole), 1.0f, 0.6931470452f, 0.2402243312f, 0.05549093212f,
-                             0.009579859973f, 0.001275540135f, 0.0001093289239f);
-  return power * std::bit_cast<T>((whole + 127) << 23);
+T towardsZero(T x) {
+  return toFloats<T>(truncated(x));
 }
+
+/// 2^n for a whole n in [-126, 127]: the lowest bits of a float of 2^23 and more are a whole number, here the exponent.
+template <class T>
+T powerOfTwo(T n) {
+  return std::bit_cast<T>(std::bit_cast<WholeOf<T>>(n + (0x1p23f + 127)) << 23);
+}
+
+#include "render/optics/exponential-inl.h"
 
 /// |atan2(sine, cosine)|, in [0, pi]; absolute error below 6e-7. The pair need not be normalised; (0, 0) gives 0.
 template <class T>

@@ -1,66 +1,87 @@
 #include "render/transport/path_light.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 
 #include "render/colour/primaries.h"
-
-// How it works. Light comes in primaries, each with a spectrum of its own; fibres known in bands dim each band by an
-// exponential of the lengths that the path has gone in them. The eye's response says what a primary has in each band,
-// and what that adds to each channel, so that the colour is the sum over primaries and bands. Four bands are computed
-// side by side.
+#include "render/optics/polynomials.h"
 
 namespace loomlight {
 namespace {
 
-constexpr size_t kSideBySide = 4;
-static_assert(kBands % kSideBySide == 0);
+using optics::exponential;
 
-Float32x4 fourOf(const Spectrum& spectrum, size_t band) {
-  Float32x4 four;
-  std::memcpy(&four, &spectrum[band], sizeof(four));
-  return four;
-}
+#include "render/transport/path_light-inl.h"
 
-/// exp(-sum sigma_k L_k) in four bands.
-Float32x4 attenuationInBands(const Colouring& colouring, std::span<const float> lengths_mm, size_t band) {
-  Float32x4 exponent{};
-  for (uint64_t rest = colouring.knownInBands; rest != 0; rest &= rest - 1) {
-    const auto k = static_cast<size_t>(std::countr_zero(rest));
-    if (lengths_mm[k] > 0) exponent -= fourOf(colouring.bands_per_mm[k], band) * lengths_mm[k];
+/// As the formulas read it.
+class OneLight {
+ public:
+  using Number = float;
+  using Bands = Float32x4;
+  static constexpr size_t kSideBySide = 4;
+  static constexpr int kNoFibre = -1;
+
+  OneLight(const PathLight& light, std::span<const float> lengths_mm)
+      : light_(light),
+        lengths_mm_(lengths_mm),
+        isWithin_(std::any_of(lengths_mm.begin(), lengths_mm.end(), [](float length) { return length > 0; })) {}
+
+  static Float32x4 of(const Rgb& rgb, size_t) { return Float32x4{rgb.r, rgb.g, rgb.b, 0}; }
+  static Float32x4 of(const Spectrum& spectrum, size_t j) {
+    Float32x4 four;
+    std::memcpy(&four, &spectrum[j], sizeof(four));
+    return four;
   }
-  return optics::exponential(exponent);
-}
+
+  int sender() const { return light_.traverse_mm > 0 ? light_.material : kNoFibre; }
+  float mode(size_t p) const { return light_.modes[p]; }
+  float traverse_mm() const { return light_.traverse_mm; }
+  float inside() const { return light_.inside; }
+  Float32x4 radiance(size_t c) const {
+    const Float32x4 all = of(light_.radiance, c);
+    return sender() == kNoFibre ? all * mode(0) : all;
+  }
+  bool isWithin() const { return isWithin_; }
+  bool isWithin(size_t k) const { return lengths_mm_[k] > 0; }
+  float length_mm(size_t k) const { return lengths_mm_[k]; }
+
+  static std::array<float, 3> apart(const std::array<Float32x4, 1>& rgb) { return {rgb[0][0], rgb[0][1], rgb[0][2]}; }
+  static float sum(const std::array<Float32x4, 1>& partial) { return loomlight::sum(partial[0]); }
+
+ private:
+  const PathLight& light_;
+  std::span<const float> lengths_mm_;
+  bool isWithin_;
+};
 
 }  // namespace
 
+Rgb attenuation(std::span<const Rgb> absorption_per_mm, std::span<const float> lengths_mm) {
+  Rgb exponent(0.0f);
+  for (size_t k = 0; k < lengths_mm.size(); ++k) exponent -= absorption_per_mm[k] * lengths_mm[k];
+  const Float32x4 left = exponential(OneLight::of(exponent, 0));
+  return {left[0], left[1], left[2]};
+}
+
 Spectrum leftInBands(std::span<const float> lengths_mm, const Colouring& colouring) {
-  const Rgb primaries = attenuation(colouring.primaries_per_mm, lengths_mm);
-  Spectrum left = mixed(colourPrimaries(), primaries);
+  Spectrum left = mixed(colourPrimaries(), attenuation(colouring.primaries_per_mm, lengths_mm));
   if (!colouring.isSpectral()) return left;
-  for (size_t j = 0; j < kBands; j += kSideBySide) {
-    const Float32x4 four = attenuationInBands(colouring, lengths_mm, j);
-    for (size_t i = 0; i < kSideBySide; ++i) left[j + i] *= four[i];
+  const PathLight any;
+  const OneLight light(any, lengths_mm);
+  InAllBands<OneLight> exponents;
+  findExponents(light, colouring, exponents);
+  size_t band = 0;
+  for (const Float32x4 exponent : exponents) {
+    const Float32x4 four = exponential(exponent);
+    for (size_t i = 0; i < OneLight::kSideBySide; ++i) left[band++] *= four[i];
   }
   return left;
 }
 
-Rgb path_light_detail::colourInBands(const Rgb& primaries, const PathLight& light, std::span<const float> lengths_mm,
-                                     const Colouring& colouring) {
-  const bool isSentInBands = light.traverse_mm > 0 && colouring.isSpectral(static_cast<size_t>(light.material));
-  std::array<Float32x4, 3> channels{};
-  for (size_t j = 0; j < kBands; j += kSideBySide) {
-    Float32x4 left = attenuationInBands(colouring, lengths_mm, j);
-    if (isSentInBands) {
-      const Spectrum& own_per_mm = colouring.bands_per_mm[static_cast<size_t>(light.material)];
-      left *= sentOn(light, optics::exponential(-fourOf(own_per_mm, j) * light.traverse_mm));
-    }
-    const EyeResponse& eye = colouring.eye;
-    left *= fourOf(eye.primaries[0], j) * primaries.r + fourOf(eye.primaries[1], j) * primaries.g +
-            fourOf(eye.primaries[2], j) * primaries.b;
-    for (size_t o = 0; o < 3; ++o) channels[o] += left * fourOf(eye.channels[o], j);
-  }
-  return {sum(channels[0]), sum(channels[1]), sum(channels[2])};
+Rgb colourOf(const PathLight& light, std::span<const float> lengths_mm, const Colouring& colouring) {
+  const std::array<float, 3> colour = colourOf(OneLight(light, lengths_mm), colouring);
+  return {colour[0], colour[1], colour[2]};
 }
 
 }  // namespace loomlight

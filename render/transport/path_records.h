@@ -1,26 +1,32 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "render/film/pixel_rect.h"
-#include "render/transport/path_light.h"
+#include "render/transport/light_columns.h"
 #include "render/transport/path_sink.h"
 
 namespace loomlight {
 
-/// All light that one path has met, uncoloured, in the form in which PathRecords keeps it.
+/// All light that one path has met, uncoloured.
 class PathLog final : public PathSink {
  public:
-  void clear() { words_.clear(); }
+  void clear();
   void gathers(const PathLight& light, std::span<const float> lengths_mm, uint32_t events) override;
-  std::span<const float> words() const { return words_; }
+
+  size_t size() const { return lights_.size(); }
+  const PathLight& light(size_t i) const { return lights_[i]; }
+  std::span<const float> lengths_mm(size_t i) const {
+    const size_t materials = lengths_mm_.size() / lights_.size();
+    return std::span(lengths_mm_).subspan(i * materials, materials);
+  }
 
  private:
-  std::vector<float> words_;
+  std::vector<PathLight> lights_;
+  std::vector<float> lengths_mm_;  ///< light after light
 };
 
 /// What the colours of a picture come from: fibres and lamps, and how brightly these shine beside what they shone with
@@ -42,8 +48,8 @@ class PathRecords {
 
   int width() const { return width_; }
   int height() const { return height_; }
-  uint32_t samples(int x, int y) const { return tileOf(x, y).samples[inTile(x, y)]; }
-  size_t bytes() const { return bytes_; }
+  uint32_t samples(int x, int y) const { return tileOf(x, y).kept[inTile(x, y)]; }
+  size_t bytes() const { return budget_.taken(); }
 
   /// Whether sample `index` of the pixel is the next to be kept.
   bool takes(int x, int y, uint32_t index) const;
@@ -67,30 +73,26 @@ class PathRecords {
   std::vector<Sums> recoloured(const Recolouring& recolouring, const PixelRect& window, int threads) const;
 
  private:
+  struct Sample {
+    Rgb traced;      ///< its colour when it was traced
+    uint32_t pixel;  ///< of the tile
+  };
   struct Tile {
-    std::vector<float> words;  ///< sample after sample
-    std::array<uint32_t, kTile * kTile> samples{};
+    std::vector<Sample> samples;
+    std::vector<LightColumns> lights;            ///< that they have met; the kinds ascend
+    std::array<uint32_t, kTile * kTile> kept{};  ///< samples of each pixel
   };
   Tile& tileOf(int x, int y) { return tiles_[static_cast<size_t>(y / kTile) * columns_ + x / kTile]; }
   const Tile& tileOf(int x, int y) const { return const_cast<PathRecords*>(this)->tileOf(x, y); }
-  static size_t inTile(int x, int y) { return static_cast<size_t>(y % kTile) * kTile + x % kTile; }
-  bool makeRoom(std::vector<float>& words, size_t more);
+  static uint32_t inTile(int x, int y) { return static_cast<uint32_t>(y % kTile * kTile + x % kTile); }
+  bool addLights(Tile& tile, const PathLog& log);
   void cut(Tile& tile, uint32_t samples);
-  struct Recorded {
-    PathLight light;
-    std::span<const float> lengths_mm;  ///< within fibres of each material
-    const float* next;                  ///< where the next one is on record
-  };
-  Recorded lightAt(const float* word, Rgb lamp) const;
-  void sum(const Tile& tile, const Recolouring& recolouring, std::span<Sums> sums) const;
-  void sumOfThree(const Tile& tile, const Recolouring& recolouring, std::span<Sums> sums) const;
-  void sumInBands(const Tile& tile, const Recolouring& recolouring, std::span<Sums> sums) const;
+  static void sum(const Tile& tile, const Recolouring& recolouring, std::span<Sums> sums);
 
   int width_, height_;
-  size_t materials_, columns_, budget_;
+  size_t materials_, columns_;
+  RecordBudget budget_;
   std::vector<Tile> tiles_;
-  std::atomic<size_t> bytes_{0};
-  std::atomic<bool> full_{false};
   bool settled_ = false;
 };
 

@@ -178,6 +178,20 @@ HWY_INLINE Real realOfBits(Whole bits) {
   return hn::BitCast(RealTag(), bits.in);
 }
 
+/// The same number in all lanes.
+template <class T>
+HWY_INLINE T broadcast(float x) {
+  return T(x);
+}
+/// Without what follows the point.
+HWY_INLINE Real towardsZero(Real a) {
+  return hn::Trunc(a.in);
+}
+/// 2^n for a whole n in [-126, 127]: the lowest bits of a float of 2^23 and more are a whole number, here its exponent.
+HWY_INLINE Real powerOfTwo(Real n) {
+  return realOfBits(shiftedLeft<23>(hn::BitCast(WholeTag(), (n + Real(0x1p23f + 127)).in)));
+}
+
 struct Vector {
   Real x, y, z;
 };

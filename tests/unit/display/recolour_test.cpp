@@ -124,7 +124,7 @@ TEST(Recolour, KnowsItsNoise) {
   Fabric underDome = blueCotton();
   underDome.light.kind = LightKind::dome;
   constexpr uint32_t kSamples = 16;
-  const RecolouredPicture blue(underDome, kSamples, 400);
+  const RecolouredPicture blue(underDome, kSamples, 300);
   ASSERT_GE(blue.records.samples(16, 16), kSamples / 2);  // how many there is room for hangs on who is first
   ASSERT_LT(blue.records.samples(16, 16), kSamples);
   const auto medium = makeMedium(*blue.scene, 1e9, Task{});

@@ -151,6 +151,51 @@ TEST(PathRecords, WithLittleRoomKeepTheFirstSamplesOfAllPixelsAlike) {
     }
 }
 
+/// Bytes that the light of these samples of all pixels takes: 16 of each sample, and numbers of 4 bytes of each light.
+size_t bytesNeeded(uint32_t samples, const Scene& scene, const Medium& medium) {
+  const CameraRays camera(scene.fabric->camera, kSide, kSide);
+  TraceCounts counts;
+  size_t bytes = size_t{16} * samples * kSide * kSide;
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x)
+      for (uint32_t i = 0; i < samples; ++i) {
+        PathLog log;
+        tracePath(scene, medium, camera, x, y, i, counts, &log);
+        for (size_t light = 0; light < log.size(); ++light) {
+          const LightColumns::Kind kind = LightColumns::kindOf(log.light(light), log.lengths_mm(light));
+          const size_t ofAll = 4, ofFibre = 6,
+                       ofLengths = 2;  // radiance and sample; modes, traverse, inside; materials
+          bytes +=
+              4 * (ofAll + (kind.material == LightColumns::kNoFibre ? 0 : ofFibre) + (kind.isWithin ? ofLengths : 0));
+        }
+      }
+  return bytes;
+}
+
+// No more is held in reserve than a quarter, and of each kind of a tile's lights a block that is not full.
+TEST(PathRecords, KeepAsManySamplesAsThereIsRoomFor) {
+  const auto scene = test::sceneOf(twoDyes(LightKind::sky));
+  const auto medium = makeMedium(*scene, 1e9, Task{});
+  constexpr uint32_t kWanted = 4;
+  constexpr size_t kTiles = 4, kKinds = 6, kMostNumbers = 12;
+  const size_t perTile = kKinds * (sizeof(LightColumns) + 4 * kMostNumbers * kWalkLanes);
+  const size_t needed = bytesNeeded(kWanted, *scene, *medium);
+  const auto brought = [&](size_t bytes, uint32_t samples) {
+    Traced traced(bytes);
+    for (uint32_t i = 1; i <= samples; ++i) traced.bringTo(i, *scene, *medium);
+    return traced.records.recoloured({scene->colouring, Rgb(1)}, 1);
+  };
+  const auto kept = brought(needed * 5 / 4 + kTiles * perTile, kWanted);
+  for (const PathRecords::Sums& sums : kept) ASSERT_EQ(sums.samples, kWanted);
+  // Where there is room for one less, these are the same.
+  const auto cut = brought(needed * 9 / 10, kWanted), whole = brought(kPlenty, kWanted - 1);
+  for (size_t i = 0; i < cut.size(); ++i) {
+    ASSERT_EQ(cut[i].samples, kWanted - 1);
+    ASSERT_EQ(cut[i].recoloured, whole[i].recoloured);
+    ASSERT_EQ(cut[i].traced, whole[i].traced);
+  }
+}
+
 TEST(PathRecords, WithoutRoomForOneSampleKeepNone) {
   const auto scene = test::sceneOf(twoDyes(LightKind::sky));
   const auto medium = makeMedium(*scene, 1e9, Task{});

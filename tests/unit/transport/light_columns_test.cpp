@@ -1,9 +1,10 @@
-#include "render/transport/light_batches.h"
+#include "render/transport/light_lanes.h"
 
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
 
 #include <cmath>
+#include <map>
 
 #include "core/base/random.h"
 
@@ -72,40 +73,73 @@ void onEveryTarget(const Function& function) {
   hwy::GetChosenTarget().Update(hwy::SupportedTargets());
 }
 
-/// To the bit.
-void expectColours(LightBatches& batches, const std::vector<Met>& met, const Colouring& colouring) {
-  const std::span<const Rgb> colours = batches.colours();
-  ASSERT_EQ(colours.size(), met.size());
-  for (size_t i = 0; i < met.size(); ++i)
-    ASSERT_EQ(colours[i], colourOf(met[i].light, met[i].lengths_mm, colouring)) << i;
-}
+/// Lights on record, each of a sample of its own.
+class Recorded {
+ public:
+  explicit Recorded(const std::vector<Met>& met) {
+    for (uint32_t i = 0; i < met.size(); ++i) {
+      const Met& one = met[i];
+      const LightColumns::Kind kind = LightColumns::kindOf(one.light, one.lengths_mm);
+      LightColumns& lights = kinds_.try_emplace(kind, kind, kMaterials).first->second;
+      EXPECT_TRUE(lights.add(one.light, one.lengths_mm, i, budget));
+    }
+  }
+  /// These, to the bit.
+  void expect(const std::vector<Met>& met, const Colouring& colouring) const {
+    std::vector<Rgb> colours(met.size(), Rgb(0));
+    for (const auto& [kind, lights] : kinds_) addColours(lights, colouring, Rgb(1), colours);
+    for (size_t i = 0; i < met.size(); ++i)
+      ASSERT_EQ(colours[i], colourOf(met[i].light, met[i].lengths_mm, colouring)) << i;
+  }
+  void renumber(const std::vector<uint32_t>& numbers) {
+    for (auto& [kind, lights] : kinds_) lights.renumber(numbers, budget);
+  }
+  RecordBudget budget{size_t{1} << 20};
+
+ private:
+  std::map<LightColumns::Kind, LightColumns> kinds_;
+};
 
 // A picture in other colours is the one that would have been traced in them, wherever either was computed.
-TEST(LightBatches, GiveEachLightTheColourThatItHasAlone) {
+TEST(LightColumns, GiveEachLightTheColourThatItHasAlone) {
   const std::vector<Met> met = lights(500);
-  for (const size_t inBands : {1, 2, 3})
+  const Recorded recorded(met);
+  for (const size_t inBands : {0, 1, 2, 3})
     for (const StandardIlluminant lamp : {StandardIlluminant::d65, StandardIlluminant::f11}) {
       SCOPED_TRACE(inBands);
       const Colouring colouring = colouringOf(inBands, lamp);
-      onEveryTarget([&] {
-        LightBatches batches(colouring, kMaterials);
-        for (const Met& one : met) batches.add(one.light, one.lengths_mm);
-        expectColours(batches, met, colouring);
-      });
+      onEveryTarget([&] { recorded.expect(met, colouring); });
     }
 }
-
-// Lanes that are not filled hold what was in them before.
-TEST(LightBatches, MayBeAskedBeforeTheyAreFull) {
-  const Colouring colouring = colouringOf(2, StandardIlluminant::d65);
-  const std::vector<Met> met = lights(60);
-  LightBatches batches(colouring, kMaterials);
-  EXPECT_TRUE(batches.colours().empty());
+TEST(LightColumns, ForgetTheLightsOfSamplesThatAreDropped) {
+  const std::vector<Met> met = lights(500);
+  Recorded recorded(met);
+  const size_t before = recorded.budget.taken();
+  std::vector<Met> kept;
+  std::vector<uint32_t> numbers;
   for (size_t i = 0; i < met.size(); ++i) {
-    batches.add(met[i].light, met[i].lengths_mm);
-    if (i % 7 == 0) expectColours(batches, {met.begin(), met.begin() + static_cast<ptrdiff_t>(i) + 1}, colouring);
+    const bool isKept = i % 3 == 0;
+    numbers.push_back(isKept ? static_cast<uint32_t>(kept.size()) : LightColumns::kNone);
+    if (isKept) kept.push_back(met[i]);
   }
-  expectColours(batches, met, colouring);
+  recorded.renumber(numbers);
+  recorded.expect(kept, colouringOf(2, StandardIlluminant::d65));
+  EXPECT_LT(recorded.budget.taken(), before / 2);
+  recorded.renumber(std::vector<uint32_t>(kept.size(), LightColumns::kNone));
+  EXPECT_EQ(recorded.budget.taken(), 0u);
+}
+
+TEST(LightColumns, LampsThatShineBrighterAddInProportion) {
+  const Met one = lights(1)[0];
+  RecordBudget budget(size_t{1} << 20);
+  LightColumns lights(LightColumns::kindOf(one.light, one.lengths_mm), kMaterials);
+  ASSERT_TRUE(lights.add(one.light, one.lengths_mm, 0, budget));
+  Rgb colour(0), brighter(0);
+  const Colouring colouring = colouringOf(1, StandardIlluminant::d65);
+  addColours(lights, colouring, Rgb(1), {&colour, 1});
+  addColours(lights, colouring, Rgb(4), {&brighter, 1});  // a power of two: exact
+  ASSERT_NE(colour, Rgb(0));
+  EXPECT_EQ(brighter, 4.0f * colour);
 }
 
 }  // namespace
