@@ -14,22 +14,20 @@
 namespace loomlight {
 namespace {
 
-/// Samples on record of some pixels, per channel.
+/// Samples on record of some pixels, as PathRecords::Sums.
 struct Pool {
-  Rgb traced{0}, recoloured{0};                                       ///< sums
-  Rgb tracedTraced{0}, tracedRecoloured{0}, recolouredRecoloured{0};  ///< sums about the means of each pixel
+  Rgb traced{0}, recoloured{0};
+  Rgb tracedTraced{0}, tracedRecoloured{0}, recolouredRecoloured{0};
   float samples = 0, freedom = 0;
 
   void add(const PathRecords::Sums& s) {
     traced += s.traced;
     recoloured += s.recoloured;
-    const auto n = static_cast<float>(s.samples);
-    samples += n;
-    if (n < 2) return;
-    tracedTraced += s.tracedTraced - s.traced * s.traced / n;
-    tracedRecoloured += s.tracedRecoloured - s.traced * s.recoloured / n;
-    recolouredRecoloured += s.recolouredRecoloured - s.recoloured * s.recoloured / n;
-    freedom += n - 1;
+    tracedTraced += s.tracedTraced;
+    tracedRecoloured += s.tracedRecoloured;
+    recolouredRecoloured += s.recolouredRecoloured;
+    samples += static_cast<float>(s.samples);
+    if (s.samples > 1) freedom += static_cast<float>(s.samples - 1);
   }
 };
 
@@ -78,6 +76,13 @@ Recoloured recolour(const Film& film, const PathRecords& records, const Recolour
   const std::vector<PathRecords::Sums> sums = records.recoloured(recolouring, threads);
   const auto at = [&](int x, int y) -> const PathRecords::Sums& { return sums[static_cast<size_t>(y) * width + x]; };
 
+  std::vector<int> yarns(sums.size());
+  const auto yarnAt = [&](int x, int y) -> int& { return yarns[static_cast<size_t>(y) * width + x]; };
+  parallelFor(static_cast<size_t>(height), threads, [&](size_t row) {
+    const int y = static_cast<int>(row);
+    for (int x = 0; x < width; ++x) yarnAt(x, y) = film.hit(x, y).yarn;
+  });
+
   Recoloured result;
   result.rgba.resize(sums.size());
   result.change.resize(sums.size());
@@ -85,12 +90,12 @@ Recoloured recolour(const Film& film, const PathRecords& records, const Recolour
   parallelFor(variances.size(), threads, [&](size_t row) {
     const int y = static_cast<int>(row);
     for (int x = 0; x < width; ++x) {
-      const int yarn = film.hit(x, y).yarn;
+      const int yarn = yarnAt(x, y);
       const PathRecords::Sums& own = at(x, y);
       Pool around;
       for (int v = std::max(0, y - 1); v <= std::min(height - 1, y + 1); ++v)
         for (int u = std::max(0, x - 1); u <= std::min(width - 1, x + 1); ++u)
-          if (film.hit(u, v).yarn == yarn) around.add(at(u, v));
+          if (yarnAt(u, v) == yarn) around.add(at(u, v));
       const bool complete = own.samples > 0 && own.samples == film.samples(x, y);
       const LightChange change = changeOfLight(around.traced, around.recoloured, recolouring.light);
       const Rgb colour = complete ? own.recoloured / static_cast<float>(own.samples) : change(film.mean(x, y));

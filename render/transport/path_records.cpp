@@ -14,6 +14,18 @@
 //
 // Lights of a sample are summed kind by kind, and within a kind as they were met, whoever traced them and when.
 namespace loomlight {
+namespace {
+
+/// From sums of products to those of products of what differs from the means; one sample differs by nothing.
+void moveToMeans(PathRecords::Sums& s) {
+  if (s.samples == 0) return;
+  const auto n = static_cast<float>(s.samples);
+  s.tracedTraced = n > 1 ? s.tracedTraced - s.traced * s.traced / n : Rgb(0.0f);
+  s.tracedRecoloured = n > 1 ? s.tracedRecoloured - s.traced * s.recoloured / n : Rgb(0.0f);
+  s.recolouredRecoloured = n > 1 ? s.recolouredRecoloured - s.recoloured * s.recoloured / n : Rgb(0.0f);
+}
+
+}  // namespace
 
 void PathLog::clear() {
   lights_.clear();
@@ -92,23 +104,24 @@ void PathRecords::cut(Tile& tile, uint32_t samples) {
   budget_.shrink(tile.lights);
 }
 
-void PathRecords::Sums::add(Rgb asTraced, Rgb inOtherColours) {
-  traced += asTraced;
-  recoloured += inOtherColours;
-  tracedTraced += asTraced * asTraced;
-  tracedRecoloured += asTraced * inOtherColours;
-  recolouredRecoloured += inOtherColours * inOtherColours;
-  ++samples;
-}
-
-void PathRecords::sum(const Tile& tile, const Recolouring& recolouring, std::span<Sums> sums) {
+std::array<PathRecords::Sums, PathRecords::kTile * PathRecords::kTile> PathRecords::sum(
+    const Tile& tile, const Recolouring& recolouring) {
   std::vector<Rgb> recoloured(tile.samples.size(), Rgb(0.0f));
   for (const LightColumns& lights : tile.lights)
     addColours(lights, recolouring.colouring, recolouring.light, recoloured);
+  std::array<Sums, kTile * kTile> sums{};
   for (size_t i = 0; i < recoloured.size(); ++i) {
-    const Sample& sample = tile.samples[i];
-    sums[sample.pixel].add(sample.traced, recoloured[i]);
+    const Rgb was = tile.samples[i].traced, is = recoloured[i];
+    Sums& ofPixel = sums[tile.samples[i].pixel];
+    ofPixel.traced += was;
+    ofPixel.recoloured += is;
+    ofPixel.tracedTraced += was * was;
+    ofPixel.tracedRecoloured += was * is;
+    ofPixel.recolouredRecoloured += is * is;
+    ++ofPixel.samples;
   }
+  for (Sums& ofPixel : sums) moveToMeans(ofPixel);
+  return sums;
 }
 
 std::vector<PathRecords::Sums> PathRecords::recoloured(const Recolouring& recolouring, const PixelRect& window,
@@ -119,8 +132,7 @@ std::vector<PathRecords::Sums> PathRecords::recoloured(const Recolouring& recolo
     const int left = std::max(column, window.x), right = std::min(column + kTile, window.x + window.width);
     const int top = std::max(row, window.y), bottom = std::min(row + kTile, window.y + window.height);
     if (left >= right || top >= bottom) return;
-    std::array<Sums, kTile * kTile> sums{};
-    sum(tiles_[i], recolouring, sums);
+    const std::array<Sums, kTile * kTile> sums = sum(tiles_[i], recolouring);
     for (int y = top; y < bottom; ++y)
       for (int x = left; x < right; ++x)
         picture[static_cast<size_t>(y - window.y) * static_cast<size_t>(window.width) +

@@ -60,10 +60,9 @@ class PathRecords {
 
   /// Over the kept samples of a pixel, per channel.
   struct Sums {
-    Rgb traced{0}, recoloured{0};  ///< as they were traced, and in other colours
-    Rgb tracedTraced{0}, tracedRecoloured{0}, recolouredRecoloured{0};
+    Rgb traced{0}, recoloured{0};                                       ///< as they were traced, and in other colours
+    Rgb tracedTraced{0}, tracedRecoloured{0}, recolouredRecoloured{0};  ///< of products, about the means
     uint32_t samples = 0;
-    void add(Rgb asTraced, Rgb inOtherColours);  ///< a sample
   };
   /// Of all pixels, row by row from the top left.
   std::vector<Sums> recoloured(const Recolouring& recolouring, int threads) const {
@@ -87,7 +86,7 @@ class PathRecords {
   static uint32_t inTile(int x, int y) { return static_cast<uint32_t>(y % kTile * kTile + x % kTile); }
   bool addLights(Tile& tile, const PathLog& log);
   void cut(Tile& tile, uint32_t samples);
-  static void sum(const Tile& tile, const Recolouring& recolouring, std::span<Sums> sums);
+  static std::array<Sums, kTile * kTile> sum(const Tile& tile, const Recolouring& recolouring);
 
   int width_, height_;
   size_t materials_, columns_;
