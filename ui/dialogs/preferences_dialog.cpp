@@ -58,7 +58,8 @@ void rulerRow(Ui& ui, double pixels_per_mm, double& factor) {
 void viewportRows(Ui& ui, const PreferencesDialog::Facts& facts, PreferenceValues values) {
   heading(ui, words::preferences::viewport);
   NumberStyle samples;
-  samples.unit = values.samples == 1 ? words::preferences::sample : words::preferences::samples;
+  samples.unit = words::preferences::samples;
+  samples.unitOfOne = words::preferences::sample;
   samples.min = 1;
   samples.max = facts.mostSamples;
   samples.decimals = 0;

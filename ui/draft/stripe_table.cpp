@@ -181,9 +181,8 @@ std::optional<std::vector<int>> stripeTable(Ui& ui, const StripedSystem& system,
     const std::string row = fmt::format("order.stripe_{}", i);
     changed |= colourCell(ui, row, columns, system, stripe);
     changed |= cell(row + "t", columns.first, columns.width, [&] {
-      const char* const unit = stripe.width == 1 ? system.one : system.several;
-      return wholeNumberField(ui, {row + "_threads", "", words::stripe::threadsHelp, true}, unit, 1, room,
-                              stripe.width);
+      return wholeNumberField(ui, {row + "_threads", "", words::stripe::threadsHelp, true}, system.several, 1, room,
+                              stripe.width, system.one);
     });
     changed |= cell(row + "w", columns.second, columns.width,
                     [&] { return widthCell(ui, row, system.pitch_mm, room, stripe.width); });

@@ -31,6 +31,7 @@ struct RowText {
 /// How a number is shown and edited. Dragging scrubs it (Shift fine, Ctrl coarse), a click types it.
 struct NumberStyle {
   const char* unit = "";
+  const char* unitOfOne = "";  ///< in its place behind a 1, where that is another word: "end" of "ends"
   double min = 0, max = 1;
   int decimals = 2;
   bool logarithmic = false;  ///< scrubs by factors; needs min > 0
@@ -45,7 +46,8 @@ struct NumberStyle {
 
 /// True when the value changed. It stays within [min, max]; text that is no such number is refused beside the field.
 bool numberField(Ui& ui, const RowText& text, const NumberStyle& style, double& value);
-bool wholeNumberField(Ui& ui, const RowText& text, const char* unit, int min, int max, int& value);
+bool wholeNumberField(Ui& ui, const RowText& text, const char* unit, int min, int max, int& value,
+                      const char* unitOfOne = "");
 
 /// Tab and Shift+Tab open the next number of the panel, or the one before; asked once, at the beginning of a frame.
 void walkNumbers(Ui& ui);

@@ -40,20 +40,9 @@ std::string written(const NumberStyle& style, double value) {
   return text;
 }
 
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
-  return text;
-}
-
-std::optional<double> parsePlain(std::string_view text, std::string_view unit) {
-  text = trimmed(text);
-  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
-  const std::optional<LeadingNumber> leading = leadingNumber(text);
-  if (!leading) return std::nullopt;
-  const std::string_view rest = trimmed(text.substr(leading->length));
-  if (rest.empty() || rest == unit) return leading->value;
-  return std::nullopt;
+/// What stands behind the value.
+const char* unitOf(const NumberStyle& style, double value) {
+  return value == 1 && *style.unitOfOne ? style.unitOfOne : style.unit;
 }
 
 /// Where a logarithmic scale begins, for ranges that begin at 0 too.
@@ -93,14 +82,15 @@ void drawValue(Ui& ui, const NumberStyle& style, double value, const ImRect& box
     draw.PopClipRect();
   }
   const std::string number = value == 0 && *style.none ? style.none : written(style, value);
-  const ImVec2 unitSize = ImGui::CalcTextSize(style.unit);
+  const char* const unit = unitOf(style, value);
+  const ImVec2 unitSize = ImGui::CalcTextSize(unit);
   const ImVec2 numberSize = ImGui::CalcTextSize(number.c_str());
   const float pad = ui.px(8);
   const float y = box.Min.y + 0.5f * (box.GetHeight() - numberSize.y);
   float x = box.Max.x - pad;
-  if (*style.unit) {
+  if (*unit) {
     x -= unitSize.x;
-    draw.AddText(ImVec2(x, y), packed(ui.theme.textQuiet), style.unit);
+    draw.AddText(ImVec2(x, y), packed(ui.theme.textQuiet), unit);
     x -= ui.px(4);
   }
   draw.AddText(ImVec2(x - numberSize.x, y), packed(ui.theme.text), number.c_str());
@@ -143,7 +133,7 @@ bool typeValue(Ui& ui, const NumberStyle& style, double& value, ImGuiID id, floa
   if (!entered && !left) return false;
   memory.typing = 0;
   if (confirmed) memory.tabOrder.standOn(id, true);
-  std::optional<double> typed = parsePlain(memory.text, style.unit);
+  std::optional<double> typed = numberIn(style.unit, memory.text);
   if (!typed && style.parse) typed = style.parse(memory.text);
   if (typed && *typed >= style.min && *typed <= style.max) {
     const bool changed = *typed != value;
@@ -233,7 +223,7 @@ bool numberField(Ui& ui, const RowText& text, const NumberStyle& style, double& 
     if (lit) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     changed = scrubValue(ui, style, value, id);
     drawValue(ui, style, value, box, lit);
-    if (ui.probe.watching()) ui.probe.fact(text.id, fmt::format("{} {}", written(style, value), style.unit));
+    if (ui.probe.watching()) ui.probe.fact(text.id, fmt::format("{} {}", written(style, value), unitOf(style, value)));
     if (ui.memory.tabOrder.isSeenOn(id))
       ImGui::GetWindowDrawList()->AddRect(box.Min, box.Max, packed(ui.theme.accent), ImGui::GetStyle().FrameRounding);
   }
@@ -262,9 +252,11 @@ void walkNumbers(Ui& ui) {
   ui.wakeWithin(0);
 }
 
-bool wholeNumberField(Ui& ui, const RowText& text, const char* unit, int min, int max, int& value) {
+bool wholeNumberField(Ui& ui, const RowText& text, const char* unit, int min, int max, int& value,
+                      const char* unitOfOne) {
   NumberStyle style;
   style.unit = unit;
+  style.unitOfOne = unitOfOne;
   style.min = min;
   style.max = max;
   style.decimals = 0;

@@ -19,6 +19,11 @@ std::optional<LeadingNumber> leadingNumber(std::string_view text);
 /// Whether the text begins with such a number.
 bool hasDoubtfulComma(std::string_view text);
 
+/// The number of a text that says nothing else but its unit, in the singular or the plural and with blanks or without:
+/// "8 ends", "8end" and "8" where the unit is "end" or "ends", "600turn/m" where it is "turns/m". nullopt for any
+/// other.
+std::optional<double> numberIn(std::string_view unit, std::string_view text);
+
 /// How many samples a picture has for each of its pixels, in words; before the first it is a preview.
 std::string sampleText(int samples);
 

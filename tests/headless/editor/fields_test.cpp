@@ -227,6 +227,8 @@ TEST_F(Orders, StripesAreSetByThreadsOrByWidth) {
   EXPECT_EQ(editor.fact("order.stripe_0_threads"), "8 ends");
   editor.edits("one", [&] { editor.enter("order.stripe_0_threads", "1"); });
   editor.until("one is an end", [&] { return editor.fact("order.stripe_0_threads") == "1 end"; });
+  editor.edits("ends again", [&] { editor.enter("order.stripe_0_threads", "7 ends"); });
+  editor.until("they are taken", [&] { return editor.fact("order.stripe_0_threads") == "7 ends"; });
 }
 
 TEST_F(Orders, AnEdgeIsDraggedInTheBar) {

@@ -1,11 +1,20 @@
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include <set>
+#include <string>
 #include <tuple>
+#include <vector>
 
 #include "core/base/error.h"
+#include "core/fabric/model/field_tables.h"
 #include "core/fabric/weave/yarn_order.h"
 #include "ui/inspector/count_text.h"
 #include "ui/widgets/number_text.h"
+#include "ui/words/booth_words.h"
+#include "ui/words/cloth_words.h"
+#include "ui/words/dialog_words.h"
+#include "ui/words/stripe_words.h"
 
 namespace loomlight {
 namespace {
@@ -150,6 +159,79 @@ TEST(NumberText, TakesPointsAndCommas) {
   EXPECT_TRUE(hasDoubtfulComma(" 1,125 mm"));
   for (const char* text : {"0,125", "1,12", "1,1250", "1.125", "mm 1,125", ""})
     EXPECT_FALSE(hasDoubtfulComma(text)) << text;
+}
+
+/// Of all fields, from the tables that they are made of and from the words.
+std::vector<std::string> unitsOfFields() {
+  std::vector<std::string> units = {"px",
+                                    "/in",
+                                    "EV",
+                                    "dpi",
+                                    "GB",
+                                    "TM",
+                                    "dtex",
+                                    "/2/3 Ne",
+                                    words::mill::dentsPerInch,
+                                    words::booth::toleranceUnit,
+                                    words::tile::perPixel,
+                                    words::handover::paths,
+                                    words::preferences::sample,
+                                    words::preferences::samples,
+                                    words::stripe::end,
+                                    words::stripe::ends,
+                                    words::stripe::pick,
+                                    words::stripe::picks};
+  const auto add = [&](const auto& field) {
+    if (*field.info.unit) units.emplace_back(field.info.unit);
+  };
+  forEachField<Fibre>(add);
+  forEachField<Yarn>(add);
+  forEachField<Drape>(add);
+  forEachField<Light>(add);
+  forEachField<Camera>(add);
+  forEachField<RenderSettings>(add);
+  forEachField<MillData>(add);
+  forEachField<Fabric>(add);
+  for (const CountSystem system : {CountSystem::tex, CountSystem::dtex, CountSystem::denier, CountSystem::metric,
+                                   CountSystem::cotton, CountSystem::worsted, CountSystem::linen})
+    units.emplace_back(countUnit(system));
+  return units;
+}
+
+TEST(NumberText, TakesEveryUnitOfAFieldWithABlankAndWithout) {
+  for (const std::string& unit : unitsOfFields())
+    for (const std::string& text : {"8 " + unit, "8" + unit, " +8  " + unit + " ", std::string("8")})
+      EXPECT_EQ(numberIn(unit, text), 8) << text << " in " << unit;
+}
+
+/// What a field shows behind a 1 is typed with an 8 in its place, and the other way round.
+TEST(NumberText, TakesUnitsInTheSingularAndThePlural) {
+  const std::pair<const char*, const char*> pairs[] = {
+      {"end", "ends"},         {"pick", "picks"},   {"turn/m", "turns/m"}, {"dent/10 cm", "dents/10 cm"},
+      {"dent/in", "dents/in"}, {"event", "events"}, {"path", "paths"},     {"sample", "samples"}};
+  std::set<std::string> known;
+  for (const auto& [one, several] : pairs) {
+    known.insert(several);
+    for (const char* const unit : {one, several}) {
+      EXPECT_EQ(numberIn(unit, fmt::format("1 {}", one)), 1) << unit;
+      EXPECT_EQ(numberIn(unit, fmt::format("8 {}", several)), 8) << unit;
+      EXPECT_EQ(numberIn(unit, fmt::format("8{}", several)), 8) << unit;
+    }
+  }
+  EXPECT_EQ(numberIn("dents/10 cm", "80 dent / 10cm"), 80);
+  for (const std::string& unit : unitsOfFields()) {
+    const std::string word = unit.substr(0, unit.find_first_of(" /"));
+    if (word.size() < 4 || word.back() != 's') continue;
+    EXPECT_EQ(known.count(unit), 1u) << unit << " has a singular, which is not tried here";
+  }
+}
+
+TEST(NumberText, TakesNoOtherUnit) {
+  for (const char* text : {"8 picks", "8 ends/cm", "8 en", "8 s", "ends", "", "8 8 ends", "8 ends x"})
+    EXPECT_FALSE(numberIn("ends", text).has_value()) << text;
+  EXPECT_FALSE(numberIn("m", "8 ms").has_value()) << "signs have no plural";
+  EXPECT_FALSE(numberIn("mm", "8 m").has_value());
+  EXPECT_FALSE(numberIn("", "8 mm").has_value());
 }
 
 TEST(SampleText, CountsAsPeopleDo) {
