@@ -135,7 +135,7 @@ class Session {
   void fileChosen(const FileController::Chosen& chosen);
   void exportTo(FileTask task, const std::string& file);
   void printDraft(const std::string& file);
-  void writeSheet(FileTask task, const std::string& file);
+  void writeSheet(FileTask what, const std::string& file);
 
   Settings settings_;
   DocumentController document_;

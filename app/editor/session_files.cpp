@@ -212,6 +212,7 @@ void Session::takeUp(Fabric fabric, const std::string& left) {
 void Session::fileDone(FileService::Result result) {
   using Work = FileService::Work;
   const bool written = !FileService::reads(result.work);
+  if (result.work == Work::renderTo) viewport_.service().pause(false);
   if (!result.problem.empty() || result.cancelled) errand_ = {};
   if (result.cancelled) return;
   if (!result.problem.empty() && result.work == Work::usePreset)
@@ -308,16 +309,15 @@ void Session::fileChosen(const FileController::Chosen& chosen) {
   }
 }
 
-void Session::writeSheet(FileTask task, const std::string& file) {
+void Session::writeSheet(FileTask what, const std::string& file) {
   ClothSheetOptions options;
   options.width_cm = inspector_.view().units.piece.width_cm;
   options.counts = inspector_.view().units.count;
   options.corner = {settings_.draft.startsRight(), settings_.draft.startsAtTop()};
-  files_.service().renderTo(file, [task, file, options, fabric = document_.cloth()](const std::stop_token& stop) {
-    Task render;
-    render.stop = stop;
-    const auto write = task == FileTask::sheet ? writeClothSheet : writeColourwaySheet;
-    return write(file, *fabric, options, render);
+  viewport_.service().pause(true);  // the processor is for the sheet
+  files_.service().renderTo(file, [what, file, options, fabric = document_.cloth()](const Task& task) {
+    const auto write = what == FileTask::sheet ? writeClothSheet : writeColourwaySheet;
+    return write(file, *fabric, options, task);
   });
 }
 
@@ -331,9 +331,9 @@ void Session::exportTo(FileTask task, const std::string& file) {
 
 void Session::printDraft(const std::string& file) {
   const DraftCorner corner{settings_.draft.startsRight(), settings_.draft.startsAtTop()};
-  files_.service().renderTo(file, [file, corner, fabric = document_.cloth()](const std::stop_token& stop) {
-    Task colours;
-    colours.stop = stop;
+  files_.service().renderTo(file, [file, corner, fabric = document_.cloth()](const Task& task) {
+    Task colours = task;
+    colours.progress = nullptr;  // they take a moment
     return writeDraftSheet(file, *fabric, corner, colours);
   });
 }

@@ -10,6 +10,7 @@
 
 #include "app/export/cloth_sheet_page.h"
 #include "app/export/picture.h"
+#include "app/export/task_part.h"
 #include "app/export/whole_picture.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
@@ -40,52 +41,72 @@ Fabric pieceOf(const Fabric& fabric, double side_mm, double pixels_per_mm, int s
   return piece;
 }
 
-/// Traces pieces one after the other, with one progress for all: so many pixels.
-class PieceTracer {
- public:
-  PieceTracer(const ClothSheetOptions& options, const Task& task, double pixels)
-      : options_(options), task_(task), pixels_(pixels) {}
+/// What it takes to find a colour that is told as figures: about as much as so many samples of a picture.
+constexpr double kColourWork = 200'000;
 
-  std::optional<WholePicture> traced(const Fabric& cloth, double side_mm, double pixels_per_mm) {
-    const auto piece = std::make_shared<const Fabric>(pieceOf(cloth, side_mm, pixels_per_mm, options_.samplesPerPixel));
-    const double share = std::pow(side_mm * pixels_per_mm, 2) / pixels_;
-    Task part = task_;
-    part.progress = [this, done = done_, share](double fraction) { task_.report(done + share * fraction); };
-    auto picture = renderWhole(piece, {options_.memoryLimit_bytes, FibreExtent::automatic}, part);
-    done_ += share;
-    return picture;
+double pictureWork(double side_mm, double pixels_per_mm, int samples) {
+  return std::pow(side_mm * pixels_per_mm, 2) * samples;
+}
+
+/// Work that is done step by step, with one progress for all.
+class Steps {
+ public:
+  Steps(const Task& whole, double work) : whole_(whole), work_(work) {}
+
+  /// Begins the next, and takes the one before it for done.
+  Task next(double work) {
+    const double from = done_ / work_;
+    done_ += work;
+    whole_.report(from);
+    return partOf(whole_, from, done_ / work_);
+  }
+  /// The same of what does not say how far it is.
+  Task nextQuiet(double work) {
+    Task step = next(work);
+    step.progress = nullptr;
+    return step;
   }
 
  private:
-  const ClothSheetOptions& options_;
-  const Task& task_;
-  double pixels_, done_ = 0;
+  const Task& whole_;
+  double work_, done_ = 0;
 };
+
+std::optional<WholePicture> tracedPiece(const Fabric& cloth, double side_mm, double pixels_per_mm,
+                                        const ClothSheetOptions& options, Steps& steps) {
+  return renderWhole(std::make_shared<const Fabric>(pieceOf(cloth, side_mm, pixels_per_mm, options.samplesPerPixel)),
+                     {options.memoryLimit_bytes, FibreExtent::automatic},
+                     steps.next(pictureWork(side_mm, pixels_per_mm, options.samplesPerPixel)));
+}
 
 std::optional<ClothSheetContent> tracedContent(const Fabric& fabric, const ClothSheetOptions& options,
                                                const Task& task) {
   const size_t count = std::min(fabric.colourways.size(), kSheetColourways);
-  const double small = kSheetColourway_mm * kCoarse, large = kSheetCloth_mm * kFine;
-  PieceTracer tracer(options, task, large * large + static_cast<double>(count) * small * small);
+  const int samples = options.samplesPerPixel;
+  const double standardsWork = static_cast<double>(options.standards.size()) * kColourWork;
+  const double facesWork = static_cast<double>(facesToTell(fabric)) * kColourWork;
+  Steps steps(task, standardsWork + pictureWork(kSheetCloth_mm, kFine, samples) +
+                        static_cast<double>(count) * pictureWork(kSheetColourway_mm, kCoarse, samples) + facesWork +
+                        kColourWork);
   ClothSheetContent content;
-  Task quiet = task;
-  quiet.progress = nullptr;                                          // what is no picture takes a moment
-  auto matches = standardMatches(fabric, options.standards, quiet);  // first, as a wrong part is soon told
+  // First, as a wrong part is soon told.
+  auto matches = standardMatches(fabric, options.standards, steps.nextQuiet(standardsWork));
   if (!matches) return std::nullopt;
   content.matches = std::move(*matches);
-  const auto whole = tracer.traced(fabric, kSheetCloth_mm, kFine);
+  const auto whole = tracedPiece(fabric, kSheetCloth_mm, kFine, options, steps);
   if (!whole) return std::nullopt;
   content.cloth = toPixels(whole->film, plainTone());
   content.measures = whole->scene->cloth->volume->geometry().measure();
   for (size_t i = 0; i < count; ++i) {
-    const auto picture = tracer.traced(inColourway(fabric, fabric.colourways[i]), kSheetColourway_mm, kCoarse);
+    const auto picture =
+        tracedPiece(inColourway(fabric, fabric.colourways[i]), kSheetColourway_mm, kCoarse, options, steps);
     if (!picture) return std::nullopt;
     content.colourways.push_back(toPixels(picture->film, plainTone()));
   }
-  auto faces = faceColours(fabric, quiet);
+  auto faces = faceColours(fabric, steps.next(facesWork));
   if (!faces) return std::nullopt;
   content.faces = std::move(*faces);
-  const auto paths = tracePathsToYarns(fabric, kChipPaths, quiet);
+  const auto paths = tracePathsToYarns(fabric, kChipPaths, steps.nextQuiet(kColourWork));
   if (!paths) return std::nullopt;
   content.yarnColours = reachedColours(*paths, colouringOf(fabric));
   content.coloursOfNames = coloursForNames(*paths, content.yarnColours);
@@ -127,10 +148,11 @@ bool writeColourwaySheet(const std::string& file, const Fabric& fabric, const Cl
   std::vector<Colourway> colourways{colourwayOf(fabric, "As it is now")};
   colourways.insert(colourways.end(), fabric.colourways.begin(), fabric.colourways.end());
   const double side_mm = colourwaySide_mm(colourways.size());
-  PieceTracer tracer(options, task, static_cast<double>(colourways.size()) * std::pow(side_mm * kFine, 2));
+  const double pieceWork = pictureWork(side_mm, kFine, options.samplesPerPixel);
+  Steps steps(task, static_cast<double>(colourways.size()) * pieceWork);
   std::vector<NamedPiece> pieces;
   for (const Colourway& colourway : colourways) {
-    const auto picture = tracer.traced(inColourway(fabric, colourway), side_mm, kFine);
+    const auto picture = tracedPiece(inColourway(fabric, colourway), side_mm, kFine, options, steps);
     if (!picture) return false;
     pieces.push_back({colourway.name, toPixels(picture->film, plainTone())});
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/export/task_part.h"
 #include "core/fabric/yarn/band_colour.h"
 #include "render/colour/colour_difference.h"
 #include "render/transport/colour_patch.h"
@@ -22,17 +23,27 @@ FaceColour colourOf(const std::string& name, const PathLengthTally& paths, const
 
 }  // namespace
 
-std::optional<std::vector<FaceColour>> faceColours(const Fabric& fabric, const Task& task) {
+int facesToTell(const Fabric& fabric) {
   constexpr int kMostFibres = 3;
-  const auto patch = makeColourPatch(fabric, task);
+  const int fibres = static_cast<int>(fabric.fibres.size());
+  return 1 + (fibres > 1 ? std::min(fibres, kMostFibres) : 0);
+}
+
+std::optional<std::vector<FaceColour>> faceColours(const Fabric& fabric, const Task& task) {
+  Task quiet = task;
+  quiet.progress = nullptr;  // the patch takes a moment
+  const auto patch = makeColourPatch(fabric, quiet);
   if (!patch) return std::nullopt;
   const Colouring colouring = colouringInDaylight(fabric);
   std::vector<FaceColour> colours;
-  const int fibres = fabric.fibres.size() > 1 ? std::min(static_cast<int>(fabric.fibres.size()), kMostFibres) : 0;
-  for (int material = -1; material < fibres; ++material) {
-    const bool isAll = material < 0;
-    const auto paths = tracePathsForDyes(*patch->scene, *patch->medium, isAll ? wholePiece() : partOfFibre(material),
-                                         task, DyePaths::toJudge, kToldError);
+  const int faces = facesToTell(fabric);
+  for (int face = 0; face < faces; ++face) {
+    const bool isAll = face == 0;
+    const int material = face - 1;
+    const auto paths =
+        tracePathsForDyes(*patch->scene, *patch->medium, isAll ? wholePiece() : partOfFibre(material),
+                          partOf(task, static_cast<double>(face) / faces, static_cast<double>(face + 1) / faces),
+                          DyePaths::toJudge, kToldError);
     if (!paths) return std::nullopt;
     if (paths->lit() > 0)
       colours.push_back(

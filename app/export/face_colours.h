@@ -19,6 +19,9 @@ struct FaceColour {
   double inconstancy = 0;  ///< CIEDE2000 between the two: how far the lamp moves it
 };
 
+/// How many faceColours() tells at most.
+int facesToTell(const Fabric& fabric);
+
 /// Of all of the face, and of at most three of its fibres where it has several. nullopt when stopped. Throws InputError
 /// for files that cannot be used.
 std::optional<std::vector<FaceColour>> faceColours(const Fabric& fabric, const Task& task);

@@ -1,5 +1,7 @@
 #include "ui/dialogs/busy_dialog.h"
 
+#include <fmt/core.h>
+
 #include <cmath>
 
 #include "ui/widgets/fields.h"
@@ -11,11 +13,12 @@ namespace {
 
 constexpr double kUnseen_s = 0.3;
 
-/// Goes to and fro, as nobody knows how far the work is.
-void movingBar(Ui& ui, double seconds) {
+/// Fills as the work is done; goes to and fro where nobody knows how far it is.
+void workBar(Ui& ui, const std::optional<double>& fraction, double seconds) {
   const ImVec2 min = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x, height = ui.px(4), part = 0.25f * width;
-  const float at = (width - part) * static_cast<float>(0.5 - 0.5 * std::cos(2 * seconds));
+  const float width = ImGui::GetContentRegionAvail().x, height = ui.px(4);
+  const float part = fraction ? static_cast<float>(*fraction) * width : 0.25f * width;
+  const float at = fraction ? 0 : (width - part) * static_cast<float>(0.5 - 0.5 * std::cos(2 * seconds));
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.AddRectFilled(min, ImVec2(min.x + width, min.y + height), packed(ui.theme.field), ui.px(2));
   draw.AddRectFilled(ImVec2(min.x + at, min.y), ImVec2(min.x + at + part, min.y + height), packed(ui.theme.accent),
@@ -25,13 +28,13 @@ void movingBar(Ui& ui, double seconds) {
 
 }  // namespace
 
-bool BusyDialog::draw(Ui& ui, const std::optional<std::string>& text, bool canCancel) {
-  if (text && !open_) {
+bool BusyDialog::draw(Ui& ui, const std::optional<BusyWork>& work) {
+  if (work && !open_) {
     open_ = opening_ = true;
     since_ = ui.time;
   }
   if (!open_) return false;
-  if (text) text_ = *text;
+  if (work) work_ = *work;
   const double seconds = ui.time - since_;
   const bool seen = seconds >= kUnseen_s;
   ui.wakeWithin(seen ? 0.05 : kUnseen_s - seconds);
@@ -40,24 +43,28 @@ bool BusyDialog::draw(Ui& ui, const std::optional<std::string>& text, bool canCa
   bool cancelled = false;
   if (beginModal(ui, (std::string(words::common::oneMoment) + "##busy").c_str(), ImVec2(ui.px(480), 0), open_,
                  opening_)) {
-    textLine(ui, "busy.text", text_, ui.theme.text, ui.px(440));
+    textLine(ui, "busy.text", work_.text, ui.theme.text, ui.px(440));
     ImGui::Dummy(ImVec2(0, ui.px(4)));
-    movingBar(ui, seconds);
+    workBar(ui, work_.fraction, seconds);
     ImGui::Dummy(ImVec2(0, ui.px(8)));
-    ImGui::SetCursorPosX(ImGui::GetWindowWidth() - ui.px(136));
-    if (canCancel)
+    const std::string done = work_.fraction ? fmt::format("{:.0f} %", 100 * *work_.fraction) : "";
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextColored(ui.theme.textQuiet, "%s", done.c_str());
+    ImGui::SameLine(ImGui::GetWindowWidth() - ui.px(136));
+    if (work && work->canCancel)
       cancelled = button(ui, "busy.cancel", words::common::cancel, ui.px(120)) || modalCancelled(ui);
     else
       ImGui::Dummy(ImVec2(ui.px(120), ImGui::GetFrameHeight()));  // the dialog keeps its size
-    if (seen) ui.probe.fact("busy", text_);
-    if (!text) {
+    if (seen) ui.probe.fact("busy", work_.text);
+    if (seen) ui.probe.fact("busy.done", done);
+    if (!work) {
       open_ = false;
       ImGui::CloseCurrentPopup();
     }
     endModal();
   }
   ImGui::PopStyleVar();
-  return cancelled && text.has_value();
+  return cancelled && work.has_value();
 }
 
 }  // namespace loomlight

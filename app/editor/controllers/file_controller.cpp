@@ -67,14 +67,15 @@ std::optional<FileController::Chosen> FileController::drawBrowser(Ui& ui) {
 
 std::optional<FileService::Result> FileController::drawBusy(Ui& ui) {
   auto result = service_.take();
-  std::optional<std::string> text;
+  std::optional<BusyWork> work;
   if (const auto& busy = service_.busy()) {
     const std::string name = std::filesystem::path(busy->file).filename().string();
-    text = service_.isReading()   ? fmt::format(words::files::opening, name)
-           : service_.canCancel() ? fmt::format(words::files::writing, name)
-                                  : fmt::format(words::files::finishing, name);
+    work = BusyWork{service_.isReading()   ? fmt::format(words::files::opening, name)
+                    : service_.canCancel() ? fmt::format(words::files::writing, name)
+                                           : fmt::format(words::files::finishing, name),
+                    service_.fraction(), service_.canCancel()};
   }
-  if (busy_.draw(ui, text, service_.canCancel())) service_.cancel();
+  if (busy_.draw(ui, work)) service_.cancel();
   return result;
 }
 

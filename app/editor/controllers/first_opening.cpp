@@ -24,7 +24,7 @@ void FirstOpening::frame(Ui& ui) {
   }
   if (ImGui::GetIO().KeyCtrl && letterPressed('Q')) askToQuit();
   const std::string text = fmt::format(words::files::opening, std::filesystem::path(file_).filename().string());
-  if (!busyDialog_.draw(ui, text, files_.canCancel())) return;
+  if (!busyDialog_.draw(ui, BusyWork{text, std::nullopt, files_.canCancel()})) return;
   files_.cancel();
   over_ = true;
 }

@@ -56,6 +56,7 @@ WifImport FileService::readCloth(const std::string& file, const Fabric& mine) {
 void FileService::begin(const Result& about) {
   busy_ = Busy{about.work, about.file};
   cancelled_ = false;
+  fraction_ = 0;
 }
 
 void FileService::open(Work work, std::string file, std::shared_ptr<const Fabric> mine, uint64_t state) {
@@ -80,12 +81,21 @@ void FileService::exportTo(std::string file, std::function<std::vector<std::stri
   writes_.ask(std::move(order));
 }
 
-void FileService::renderTo(std::string file, std::function<bool(const std::stop_token&)> write) {
-  WriteOrder order{
-      about(Work::renderTo, std::move(file), 0),
-      [write = std::move(write)](const std::stop_token& stop, Result& result) { result.cancelled = !write(stop); }};
+void FileService::renderTo(std::string file, std::function<bool(const Task&)> write) {
+  WriteOrder order{about(Work::renderTo, std::move(file), 0),
+                   [this, write = std::move(write)](const std::stop_token& stop, Result& result) {
+                     Task task;
+                     task.stop = stop;
+                     task.progress = [this](double fraction) { fraction_ = fraction; };
+                     result.cancelled = !write(task);
+                   }};
   begin(order.about);
   writes_.ask(std::move(order));
+}
+
+std::optional<double> FileService::fraction() const {
+  const double done = busy_ && busy_->work == Work::renderTo ? fraction_.load() : 0;
+  return done > 0 ? std::optional(done) : std::nullopt;
 }
 
 void FileService::cancel() {

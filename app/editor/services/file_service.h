@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "app/live/worker.h"
+#include "core/base/task.h"
 #include "core/fabric/model/fabric.h"
 #include "core/fabric/wif/wif_fabric.h"
 
@@ -36,8 +38,9 @@ class FileService {
   void save(std::string file, std::shared_ptr<const Fabric> fabric, uint64_t state);
   /// `write` throws, or returns what there is to say of the file that it has written.
   void exportTo(std::string file, std::function<std::vector<std::string>()> write);
-  /// The same of what takes a while and can be cancelled: then `write` returns false, and leaves no file.
-  void renderTo(std::string file, std::function<bool(const std::stop_token&)> write);
+  /// The same of what takes a while, may say how far it is, and can be cancelled: then `write` returns false and leaves
+  /// no file.
+  void renderTo(std::string file, std::function<bool(const Task&)> write);
 
   struct Busy {
     Work work;
@@ -45,6 +48,8 @@ class FileService {
   };
   const std::optional<Busy>& busy() const { return busy_; }
   bool isReading() const { return busy_ && reads(busy_->work); }
+  /// How much is done of what is rendered to a file, 0 to 1, once that says so.
+  std::optional<double> fraction() const;
   /// An export cannot be cancelled; anything else can be, once.
   bool canCancel() const { return busy_ && busy_->work != Work::exportTo && !cancelled_; }
   /// Nothing will come of what was to be read. What was to be saved will say how far it came.
@@ -77,9 +82,10 @@ class FileService {
   void begin(const Result& about);
 
   std::optional<Busy> busy_;
-  bool cancelled_ = false;  ///< what is busy_
+  bool cancelled_ = false;            ///< what is busy_
+  std::atomic<double> fraction_ = 0;  ///< of what is busy_; told by the thread that writes
   Worker<ReadOrder, Result> reads_;
-  Worker<WriteOrder, Result> writes_;
+  Worker<WriteOrder, Result> writes_;  // last: it ends before what it uses is gone
 };
 
 }  // namespace loomlight

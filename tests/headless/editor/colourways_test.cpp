@@ -1,6 +1,7 @@
 /// Colourways side by side: as large as there is room for, and on paper.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 
 #include "core/fabric/model/colourways.h"
@@ -58,6 +59,11 @@ TEST(Colourways, GoOnPaper) {
   editor.nameFile(file);
   editor.until("they are rendered for the page",
                [&] { return editor.fact("busy").find("colourways.pdf") != std::string::npos; });
+  const auto done = [&] { return std::atoi(editor.fact("busy.done").c_str()); };
+  editor.until("it is known how far they are", [&] { return done() > 0; });
+  const int before = done();
+  editor.until("they come on", [&] { return done() > before; });
+  EXPECT_LE(done(), 100);
   editor.click("busy.cancel");
   editor.until("it ends", [&] { return editor.fact("dialog") == "none"; });
   EXPECT_FALSE(std::filesystem::exists(file)) << "nothing is written by halves";

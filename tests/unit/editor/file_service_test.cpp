@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <future>
+#include <thread>
 
 #include "core/fabric/json/fabric_json.h"
 #include "tests/support/scratch_folder.h"
@@ -87,6 +88,30 @@ TEST_F(FileServiceTest, OnlyWhatCanBeStoppedOffersIt) {
   service_.cancel();
   EXPECT_FALSE(service_.canCancel()) << "once is enough";
   EXPECT_TRUE(result());
+}
+
+/// Nobody knows how far it is before it says so; the next begins anew.
+TEST_F(FileServiceTest, TellsHowMuchIsRendered) {
+  std::promise<void> looked, begun;
+  service_.renderTo(at("a.pdf"), [&](const Task& task) {
+    task.report(0.25);
+    begun.set_value();
+    looked.get_future().wait();
+    return true;
+  });
+  begun.get_future().wait();
+  EXPECT_EQ(service_.fraction(), 0.25);
+  looked.set_value();
+  EXPECT_TRUE(result());
+  EXPECT_FALSE(service_.fraction()) << "it is over";
+  service_.renderTo(at("b.pdf"), [](const Task& task) {
+    while (!task.stopped()) std::this_thread::yield();
+    return false;
+  });
+  EXPECT_FALSE(service_.fraction()) << "that of the one before";
+  service_.cancel();
+  const auto cancelled = result();
+  EXPECT_TRUE(cancelled && cancelled->cancelled);
 }
 
 TEST_F(FileServiceTest, ASaveThatIsCancelledSaysWhetherItCameTooLate) {

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <mutex>
+#include <vector>
 
 #include "app/export/cloth_sheet_page.h"
 #include "core/base/error.h"
@@ -52,6 +54,25 @@ TEST_F(ClothSheet, IsAPage) {
   Fabric fabric = openCloth();
   fabric.colourways = {colourwayOf(fabric, "Moss")};
   EXPECT_THAT(write(fabric), StartsWith("%PDF-"));
+}
+
+/// Colours are traced after the pictures, for some seconds, in which a full bar would say that all is done.
+TEST_F(ClothSheet, TellsHowFarItIsUntilTheEnd) {
+  std::mutex mutex;
+  std::vector<double> told;
+  Task task;
+  task.progress = [&](double fraction) {
+    const std::lock_guard lock(mutex);
+    if (told.empty() || fraction > told.back()) told.push_back(fraction);
+  };
+  Fabric fabric = openCloth();
+  fabric.colourways = {colourwayOf(fabric, "Moss")};
+  ClothSheetOptions options;
+  options.samplesPerPixel = 1;
+  ASSERT_TRUE(writeClothSheet(folder_.file("sheet.pdf"), fabric, options, task));
+  ASSERT_FALSE(told.empty());
+  EXPECT_GT(told.back(), 0.5);
+  EXPECT_LT(told.back(), 1) << "it is full before the end";
 }
 
 /// As all our pictures do, it says that its colours are sRGB; and how large it is: 200 dots an inch are 7874 a metre.
