@@ -229,7 +229,11 @@ class SheetWriter {
       paper_.text(columns[3], y, cm(rows[i].width), kBody, end - columns[3]);
     }
     if (isHalf) {
-      paper_.text(columns[0], y, "then back, mirrored", kQuiet, width);
+      const auto named = [](const Stripe& stripe) {
+        return fmt::format("{} {}", yarnLetters(stripe.yarn), stripe.width);
+      };
+      paper_.text(columns[0], y, fmt::format("back from {} to {}", named(rows[half - 2]), named(rows[0])), kQuiet,
+                  width);
       y += kLine_mm;
     }
     if (shown < rows.size()) {

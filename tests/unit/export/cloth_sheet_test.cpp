@@ -290,7 +290,7 @@ TEST(ClothSheetPage, ATartanInFourColourwaysIsOnePage) {
   EXPECT_EQ(boxes.back().page, 0);
   EXPECT_EQ(std::count_if(boxes.begin(), boxes.end(), [](const Paper::Box& box) { return box.text == "1.70"; }), 1)
       << "34 ends of 0.5 mm, on the way there alone";
-  EXPECT_TRUE(says(boxes, "then back, mirrored"));
+  EXPECT_TRUE(says(boxes, "back from A 6 to B 20"));
 }
 
 TEST(ClothSheetPage, TellsTheStatesOfTheCloth) {
