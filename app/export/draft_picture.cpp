@@ -33,8 +33,9 @@ std::function<Rgb(int pick, int end)> colouring(const Fabric& fabric, std::span<
 
 }  // namespace
 
-Pixels8 draftPicture(const Fabric& fabric, std::span<const Rgb> yarnColours, int side) {
-  constexpr int kFewest = 32;  // crossings a side
+Pixels8 draftPicture(const Fabric& fabric, std::span<const Rgb> yarnColours, int width, int height) {
+  constexpr int kFewest = 32;  // crossings along the longer side
+  const int side = std::max(width, height);
   const CrossingShape shape = crossingShape(fabric);
   const double longest = std::max(fabric.weave.ends() * shape.width, fabric.weave.picks() * shape.height);
   const double unit = side / std::max(static_cast<double>(std::min(kFewest, side)), longest);
@@ -43,10 +44,10 @@ Pixels8 draftPicture(const Fabric& fabric, std::span<const Rgb> yarnColours, int
   const double acrossPixel = pitch(shape.width), downPixel = pitch(shape.height);  // crossings from pixel to pixel
   const int samples = whole ? 1 : 16;
   const auto colourAt = colouring(fabric, yarnColours);
-  Pixels8 picture{side, side, 3, {}};
-  picture.bytes.reserve(static_cast<size_t>(side) * side * 3);
-  for (int y = side - 1; y >= 0; --y)
-    for (int x = 0; x < side; ++x) {
+  Pixels8 picture{width, height, 3, {}};
+  picture.bytes.reserve(static_cast<size_t>(width) * static_cast<size_t>(height) * 3);
+  for (int y = height - 1; y >= 0; --y)
+    for (int x = 0; x < width; ++x) {
       Rgb sum(0.0f);
       for (int i = 0; i < samples; ++i) {
         // Spread evenly, and in step with no weave (Roberts's sequence).

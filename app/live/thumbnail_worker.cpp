@@ -32,8 +32,9 @@ Pixels8 quietPicture(const Film& film, uint32_t samples, Method method) {
 
 }  // namespace
 
-ThumbnailWorker::ThumbnailWorker(std::function<void()> wake)
-    : worker_(
+ThumbnailWorker::ThumbnailWorker(std::function<void()> wake, Sketch sketch)
+    : sketch_(std::move(sketch)),
+      worker_(
           std::move(wake),
           [this](const Orders& orders, auto& job) {
             fulfil(orders, job);
@@ -71,6 +72,16 @@ std::shared_ptr<const Thumbnail> ThumbnailWorker::rendered(const ThumbnailOrder&
   return thumbnail;
 }
 
+void ThumbnailWorker::sketchMissing(const Orders& orders, Rendering::Job& job) {
+  for (const ThumbnailOrder& order : orders) {
+    if (job.isStopped()) return;
+    std::shared_ptr<const Thumbnail>& thumbnail = done_[order.name];
+    if (thumbnail) continue;
+    thumbnail = std::make_shared<const Thumbnail>(Thumbnail{order.fabric, sketch_(*order.fabric), 0, ""});
+    job.bring(std::make_shared<const Thumbnails>(done_));
+  }
+}
+
 void ThumbnailWorker::fulfil(const Orders& orders, Rendering::Job& job) {
   constexpr uint32_t kFewSamples = 1;
   Task task;
@@ -79,6 +90,7 @@ void ThumbnailWorker::fulfil(const Orders& orders, Rendering::Job& job) {
   task.progress = [&](double) {
     if (worker_.isWaiting()) job.giveWay();
   };
+  sketchMissing(orders, job);
   for (const bool first : {true, false})
     for (const ThumbnailOrder& order : orders) {
       const auto wanted = static_cast<uint32_t>(order.fabric->render.samplesPerPixel);

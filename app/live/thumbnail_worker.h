@@ -25,16 +25,18 @@ struct ThumbnailOrder {
 struct Thumbnail {
   std::shared_ptr<const Fabric> fabric;  ///< of which it is
   Pixels8 picture;                       ///< three channels, as the display shows it
-  uint32_t samples = 0;
-  std::string error;  ///< why there is none
+  uint32_t samples = 0;                  ///< 0: it is a sketch
+  std::string error;                     ///< why there is none
 };
 
 /// Renders small pictures on a thread of its own, in the order of the newest list: first all of them with a few
-/// samples, then all with their own number. What is there already is kept, and cloths that differ in colour
-/// alone share their voxels. No call here waits.
+/// samples, then all with their own number; before that, where there is none yet, it sketches them. What is there
+/// already is kept, and cloths that differ in colour alone share their voxels. No call here waits.
 class ThumbnailWorker {
  public:
-  explicit ThumbnailWorker(std::function<void()> wake);
+  /// Draws in a moment what stands in for the picture of a fabric, in three channels and of its size.
+  using Sketch = std::function<Pixels8(const Fabric&)>;
+  ThumbnailWorker(std::function<void()> wake, Sketch sketch);
 
   void request(std::vector<ThumbnailOrder> orders) { worker_.ask(std::move(orders)); }
   /// The newest of that name; null before the first.
@@ -45,9 +47,11 @@ class ThumbnailWorker {
   using Thumbnails = std::map<std::string, std::shared_ptr<const Thumbnail>>;
   using Rendering = Worker<Orders, std::shared_ptr<const Thumbnails>>;
   void fulfil(const Orders& orders, Rendering::Job& job);
+  void sketchMissing(const Orders& orders, Rendering::Job& job);
   std::shared_ptr<const Thumbnail> rendered(const ThumbnailOrder& order, uint32_t samples, const Task& task);
 
   // The thread's own:
+  const Sketch sketch_;
   Thumbnails done_;
   std::shared_ptr<const Scene> scene_;  ///< the last, whose parts the next may share
 

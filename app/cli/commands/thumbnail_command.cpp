@@ -8,7 +8,7 @@ namespace loomlight {
 
 int run(const ThumbnailCommand& command) {
   const Fabric fabric = fabricFrom({command.input, {}});
-  writePng(command.output, draftPicture(fabric, *soonReachedColours(fabric, Task{}), command.side));
+  writePng(command.output, draftPicture(fabric, *soonReachedColours(fabric, Task{}), command.side, command.side));
   return 0;
 }
 

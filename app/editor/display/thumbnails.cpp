@@ -1,8 +1,14 @@
 #include "app/editor/display/thumbnails.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "app/editor/display/cloth_sketch.h"
 
 namespace loomlight {
+
+Thumbnails::Thumbnails(DisplayDriver& driver, std::function<void()> wake)
+    : driver_(driver), worker_(std::move(wake), clothSketch) {}
 
 ImTextureID Thumbnails::of(const std::string& name, const std::shared_ptr<const Fabric>& fabric) {
   wanted_.push_back({name, fabric});

@@ -15,9 +15,10 @@ namespace loomlight {
 /// until another frame asks for something else. All of it in the thread of the window.
 class Thumbnails {
  public:
-  Thumbnails(DisplayDriver& driver, std::function<void()> wake) : driver_(driver), worker_(std::move(wake)) {}
+  Thumbnails(DisplayDriver& driver, std::function<void()> wake);
 
-  /// The newest picture of that name, null until there is one; it may be of the fabric before an edit for a moment.
+  /// The newest picture of that name, null until there is one, which soon is a sketch; it may be of the fabric before
+  /// an edit for a moment.
   ImTextureID of(const std::string& name, const std::shared_ptr<const Fabric>& fabric);
   /// At the end of a frame: hands what it asked for to the worker.
   void follow();

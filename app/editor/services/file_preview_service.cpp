@@ -121,7 +121,7 @@ FilePreviewService::Look FilePreviewService::lookInto(const std::string& file, c
     task.stop = job.stop();
     task.threads = 1;
     const auto colours = soonReachedColours(fabric, task);
-    if (colours) look.picture = draftPicture(fabric, *colours, kSide);
+    if (colours) look.picture = draftPicture(fabric, *colours, kSide, kSide);
     look.isComing = false;
   };
   try {

@@ -68,7 +68,7 @@ void PictureService::preview(PictureOrder order, std::shared_ptr<const Fabric> f
     Fabric cloth = *fabric;
     cloth.draft.reset();
     cloth.weave = weaveWith(shown, *fabric);
-    return draftPicture(cloth, colours, side);
+    return draftPicture(cloth, colours, side, side);
   });
 }
 

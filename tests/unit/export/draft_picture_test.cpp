@@ -28,7 +28,7 @@ std::map<Pixel, int> coloursIn(const Pixels8& picture) {
 }
 
 Pixels8 pictureOf(const Fabric& fabric, int side) {
-  return draftPicture(fabric, yarnReflectances(fabric), side);
+  return draftPicture(fabric, yarnReflectances(fabric), side, side);
 }
 
 Fabric twoColours(Weave weave) {
