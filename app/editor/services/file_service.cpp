@@ -47,7 +47,7 @@ FileService::FileService(std::function<void()> wake, Read read)
             if (!result.cancelled) order.write(job.stop(), result);
             return result;
           },
-          failed<WriteOrder>, Backlog::every) {}
+          failed<WriteOrder>, Backlog::every, Priority::picture) {}  // it is waited for, and renders
 
 WifImport FileService::readCloth(const std::string& file, const Fabric& mine) {
   return isWeavingFile(file) ? readWifFabric(file, mine, WifSizeChoice::keep) : WifImport{readFabric(file), {}};
