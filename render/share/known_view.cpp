@@ -23,8 +23,7 @@ class EndsAtFirstFibre final : public PathSink {
 /// Each pixel the mean over `side` x `side`.
 SharedPicture reduced(const SharedPicture& fine, int side) {
   const int width = fine.width / side, height = fine.height / side;
-  const size_t pixels = static_cast<size_t>(width) * static_cast<size_t>(height);
-  SharedPicture coarse{width, height, std::vector<Rgb>(pixels), std::vector<float>(pixels), std::vector<float>(pixels)};
+  SharedPicture coarse(width, height);
   const float share = 1.0f / static_cast<float>(side * side);
   for (int y = 0; y < height * side; ++y)
     for (int x = 0; x < width * side; ++x) {
@@ -34,7 +33,7 @@ SharedPicture reduced(const SharedPicture& fine, int side) {
       coarse.alpha[to] += share * fine.alpha[from];
       coarse.variances[to] += share * (fine.variances[from] + glm::dot(fine.light[from], fine.light[from]));
     }
-  for (size_t i = 0; i < pixels; ++i)
+  for (size_t i = 0; i < coarse.variances.size(); ++i)
     coarse.variances[i] = std::max(0.0f, coarse.variances[i] - glm::dot(coarse.light[i], coarse.light[i]));
   return coarse;
 }
@@ -43,9 +42,8 @@ SharedPicture reduced(const SharedPicture& fine, int side) {
 
 std::optional<KnownView> knownView(const Scene& scene, const Medium& medium, const CellSums& cells, int width,
                                    int height, const Task& task) {
-  const size_t pixels = static_cast<size_t>(width) * static_cast<size_t>(height);
-  KnownView view{{width, height, std::vector<Rgb>(pixels), std::vector<float>(pixels), std::vector<float>(pixels)},
-                 std::vector<Film::Hit>(pixels)};
+  KnownView view{SharedPicture(width, height), {}};
+  view.hits.resize(view.picture.light.size());
   constexpr int kStripRows = 4;  // that one thread does at a time
   const CellMeans means(cells);
   const CameraRays camera(scene.fabric->camera, width, height);

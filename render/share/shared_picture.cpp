@@ -11,9 +11,7 @@
 namespace loomlight {
 
 SharedPicture sharedPicture(const FirstHits& hits, const CellMeans& means, int threads) {
-  const size_t pixels = static_cast<size_t>(hits.width()) * static_cast<size_t>(hits.height());
-  SharedPicture picture{hits.width(), hits.height(), std::vector<Rgb>(pixels), std::vector<float>(pixels),
-                        std::vector<float>(pixels)};
+  SharedPicture picture(hits.width(), hits.height());
   parallelFor(static_cast<size_t>(hits.height()), threads, [&](size_t row) {
     for (int x = 0; x < hits.width(); ++x) {
       CellMeans::Mean sum;

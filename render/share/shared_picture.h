@@ -9,7 +9,15 @@ namespace loomlight {
 
 /// A picture of cells: each pixel the mean of the cells that it shows. Row by row from the top left.
 struct SharedPicture {
-  int width = 0, height = 0;
+  /// Black and empty at first.
+  SharedPicture(int w, int h)
+      : width(w),
+        height(h),
+        light(static_cast<size_t>(w) * static_cast<size_t>(h)),
+        alpha(light.size()),
+        variances(light.size()) {}
+
+  int width, height;
   std::vector<Rgb> light;  ///< linear, premultiplied
   std::vector<float> alpha;
   /// Of one path through the pixel, as the cells let expect it, summed over the channels.

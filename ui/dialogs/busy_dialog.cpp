@@ -55,8 +55,10 @@ bool BusyDialog::draw(Ui& ui, const std::optional<BusyWork>& work) {
       cancelled = button(ui, "busy.cancel", words::common::cancel, ui.px(120)) || modalCancelled(ui);
     else
       ImGui::Dummy(ImVec2(ui.px(120), ImGui::GetFrameHeight()));  // the dialog keeps its size
-    if (seen) ui.probe.fact("busy", work_.text);
-    if (seen) ui.probe.fact("busy.done", done);
+    if (seen) {
+      ui.probe.fact("busy", work_.text);
+      ui.probe.fact("busy.done", done);
+    }
     if (!work) {
       open_ = false;
       ImGui::CloseCurrentPopup();

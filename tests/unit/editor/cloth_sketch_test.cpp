@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <set>
 
@@ -12,28 +11,19 @@
 #include "core/fabric/weave/structures.h"
 #include "core/fabric/yarn/presets.h"
 #include "core/fabric/yarn/yarn_reflectance.h"
+#include "tests/support/picture_colours.h"
 
 namespace loomlight {
 namespace {
 
-using Pixel = std::array<int, 3>;
-
-Pixel pixelAt(const Pixels8& picture, int x, int y) {
-  const size_t at = 3 * (static_cast<size_t>(y) * static_cast<size_t>(picture.width) + static_cast<size_t>(x));
-  return {picture.bytes[at], picture.bytes[at + 1], picture.bytes[at + 2]};
-}
+using test::coloursIn;
+using test::Pixel;
+using test::pixelAt;
 
 Pixel shown(const Rgb& linear) {
   const Rgb display = srgbFromLinear(linear);
-  const auto step = [&](int c) { return static_cast<int>(std::lround(255 * display[c])); };
+  const auto step = [&](int c) { return static_cast<uint8_t>(std::lround(255 * display[c])); };
   return {step(0), step(1), step(2)};
-}
-
-std::set<Pixel> coloursIn(const Pixels8& picture) {
-  std::set<Pixel> colours;
-  for (int y = 0; y < picture.height; ++y)
-    for (int x = 0; x < picture.width; ++x) colours.insert(pixelAt(picture, x, y));
-  return colours;
 }
 
 Fabric twoColours() {
@@ -53,7 +43,9 @@ TEST(ClothSketch, IsTheDraftInTheColoursOfItsYarns) {
   EXPECT_EQ(sketch.height, 64);
   ASSERT_EQ(sketch.bytes.size(), 3u * 96 * 64);
   const std::vector<Rgb> yarns = yarnReflectances(fabric);
-  EXPECT_EQ(coloursIn(sketch), (std::set<Pixel>{shown(yarns[0]), shown(yarns[1])}));
+  std::set<Pixel> colours;
+  for (const auto& [colour, count] : coloursIn(sketch)) colours.insert(colour);
+  EXPECT_EQ(colours, (std::set<Pixel>{shown(yarns[0]), shown(yarns[1])}));
 }
 
 TEST(ClothSketch, OfOneYarnIsAStrandOfItsColour) {

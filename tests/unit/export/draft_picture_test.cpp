@@ -2,30 +2,20 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <map>
 
 #include "core/fabric/weave/structure_edit.h"
 #include "core/fabric/weave/structures.h"
 #include "core/fabric/yarn/presets.h"
 #include "core/fabric/yarn/yarn_reflectance.h"
+#include "tests/support/picture_colours.h"
 
 namespace loomlight {
 namespace {
 
-using Pixel = std::array<uint8_t, 3>;
-
-Pixel pixelAt(const Pixels8& picture, int x, int y) {
-  const size_t at = 3 * (static_cast<size_t>(y) * static_cast<size_t>(picture.width) + static_cast<size_t>(x));
-  return {picture.bytes[at], picture.bytes[at + 1], picture.bytes[at + 2]};
-}
-
-std::map<Pixel, int> coloursIn(const Pixels8& picture) {
-  std::map<Pixel, int> counts;
-  for (int y = 0; y < picture.height; ++y)
-    for (int x = 0; x < picture.width; ++x) ++counts[pixelAt(picture, x, y)];
-  return counts;
-}
+using test::coloursIn;
+using test::Pixel;
+using test::pixelAt;
 
 Pixels8 pictureOf(const Fabric& fabric, int side) {
   return draftPicture(fabric, yarnReflectances(fabric), side, side);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "render/scene/camera_rays.h"
 #include "render/share/shared_light.h"
 #include "render/transport/make_medium.h"
@@ -116,9 +118,10 @@ TEST_F(KnownViewTest, IsNoneWhenStopped) {
 // Satin shines where it did not: the film of few pixels knows, and tells the finer picture.
 TEST(BrightenTo, MovesSheenToWhereItIsNow) {
   constexpr int kSide = 32;
-  constexpr size_t kPixels = size_t{kFiner * kSide} * (kFiner * kSide);
-  SharedPicture picture{kFiner * kSide, kFiner * kSide, std::vector<Rgb>(kPixels, Rgb(0.2f)),
-                        std::vector<float>(kPixels, 1.0f), std::vector<float>(kPixels, 0.04f)};
+  SharedPicture picture(kFiner * kSide, kFiner * kSide);
+  std::ranges::fill(picture.light, Rgb(0.2f));
+  std::ranges::fill(picture.alpha, 1.0f);
+  std::ranges::fill(picture.variances, 0.04f);
   Film coarse(kSide, kSide);
   Random random(7);
   for (int y = 0; y < kSide; ++y)

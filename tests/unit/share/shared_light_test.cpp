@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "render/media/close_up_medium.h"
@@ -190,9 +191,11 @@ TEST(SharedLight, GoesOnAfterAnEdit) {
 
 /// Of cells that say: one half, with so much noise a path.
 SharedPicture grey(float variance) {
-  constexpr size_t kPixels = 64 * 64;
-  return {64, 64, std::vector<Rgb>(kPixels, Rgb(0.5f)), std::vector<float>(kPixels, 1.0f),
-          std::vector<float>(kPixels, variance)};
+  SharedPicture picture(64, 64);
+  std::ranges::fill(picture.light, Rgb(0.5f));
+  std::ranges::fill(picture.alpha, 1.0f);
+  std::ranges::fill(picture.variances, variance);
+  return picture;
 }
 
 TEST(Corrected, ComesToTheFilmAsItsSamplesGrow) {
