@@ -36,7 +36,7 @@ TEST(ClearSettings, ANameChoosesAmongItsOwnKindAlone) {
   EXPECT_EQ(clearSettings(denim, false).size(), 4u * 3u);
   EXPECT_EQ(clearSettings(foldedDenim, false).size(), 3u);
   EXPECT_EQ(clearSettings(all, true).size(), 1u);
-  EXPECT_EQ(clearEdits(denim).size(), 7u);
+  EXPECT_EQ(clearEdits(denim).size(), clearEdits(all).size());
   ASSERT_EQ(clearEdits(foldedDenim).size(), 1u);
   EXPECT_EQ(clearEdits(foldedDenim).front().name, "light");
 }
@@ -48,6 +48,18 @@ TEST(ClearSettings, EveryEditOfEverySettingIsAnEdit) {
       EXPECT_NO_THROW(validate(edited, setting.name()));
       EXPECT_EQ(changes(setting.fabric, edited).picture(), edit.name != "open") << setting.name() << edit.name;
     }
+}
+
+TEST(ClearEdits, ADragTurnsTheCameraStepByStep) {
+  const std::vector<ClearEdit> drags = clearEdits({{"drag"}});
+  ASSERT_EQ(drags.size(), 1u);
+  Fabric before;
+  const std::vector<Fabric> steps = drags.front().steps(before);
+  EXPECT_EQ(steps.size(), 20u);
+  for (const Fabric& step : steps) {
+    EXPECT_NEAR(step.camera.azimuth_deg, before.camera.azimuth_deg + 2, 1e-9);
+    before = step;
+  }
 }
 
 }  // namespace
