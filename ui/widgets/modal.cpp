@@ -44,7 +44,7 @@ bool beginModal(Ui& ui, const char* title, ImVec2 size, bool& open, bool& openin
   const ImVec2 corner = ImGui::GetWindowPos(), whole = ImGui::GetWindowSize();
   ui.probe.record("modal", corner, ImVec2(corner.x + whole.x, corner.y + whole.y));
   // As it is before the fields answer to the keys of this frame.
-  const bool isTyping = ui.memory.typing != 0 && ImGui::GetFrameCount() - ui.memory.typedAt <= 1;
+  const bool isTyping = ui.memory.typing != 0;
   ui.memory.keysAreTaken = isTyping || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId) || opensNow;
   const std::string text(title);
   heading(ui, text.substr(0, text.find("##")).c_str());

@@ -205,6 +205,12 @@ bool scrubValue(Ui& ui, const NumberStyle& style, double& value, ImGuiID id) {
   return changed;
 }
 
+/// A page or a panel that is left takes with it the field that was open or held there: it is not so when it comes back.
+void closeWhatIsGone(FieldMemory& memory) {
+  if (memory.typing != 0 && ImGui::GetFrameCount() - memory.typedAt > 1) memory.typing = 0;
+  if (!ImGui::IsAnyItemActive()) memory.scrubbing = 0;
+}
+
 }  // namespace
 
 bool numberField(Ui& ui, const RowText& text, const NumberStyle& style, double& value) {
@@ -238,6 +244,7 @@ ImGuiID panelOfFields() {
 }
 
 void walkNumbers(Ui& ui) {
+  closeWhatIsGone(ui.memory);
   TabOrder& tabOrder = ui.memory.tabOrder;
   const ImGuiIO& io = ImGui::GetIO();
   if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) tabOrder.hide();

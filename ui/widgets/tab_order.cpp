@@ -4,11 +4,18 @@
 #include <utility>
 
 namespace loomlight {
+namespace {
+
+constexpr int kFramesToArrive = 2;  // one for the text that is left and taken, one to open
+
+}  // namespace
 
 void TabOrder::pass(ImGuiID field, ImGuiID panel, bool isNumber) {
   if (const int now = ImGui::GetFrameCount(); now != frame_) {
     frame_ = now;
     drawn_ = std::exchange(drawing_, {});
+    // The field gone to would have been drawn by now: its page was left, and must not open it when it comes back.
+    if (now > wantedIn_ + kFramesToArrive) stay();
   }
   drawing_.push_back({field, panel, isNumber});
 }
@@ -33,6 +40,7 @@ void TabOrder::go(int step, std::optional<ImGuiID> panel) {
     const Stop& stop = stops[static_cast<size_t>(at)];
     if (!stop.isNumber || stop.panel != *panel) continue;
     wanted_ = stop.field;
+    wantedIn_ = ImGui::GetFrameCount();
     return;
   }
 }

@@ -37,7 +37,7 @@ class TabOrder {
     bool isNumber = false;
   };
   std::vector<Stop> drawn_, drawing_;  ///< of the last whole frame, and of the present one
-  int frame_ = -1;
+  int frame_ = -1, wantedIn_ = -1;     ///< in which a field was drawn last, and in which one was gone to
   ImGuiID standing_ = 0, wanted_ = 0;
   bool isSeen_ = false;
 };

@@ -18,8 +18,8 @@ struct FieldMemory {
   ImGuiID typing = 0;  ///< the field whose text is open; 0: none
   std::string text;
   bool justOpened = false;
-  int typedAt = 0;  ///< the frame in which that text was drawn last; a page that is left takes its open field with it
-  int unheard = 0;  ///< frames since then in which no key could reach it
+  int typedAt = 0;     ///< the frame in which that text was drawn last
+  int unheard = 0;     ///< frames since then in which no key could reach it
   ImGuiID failed = 0;  ///< the field whose text was refused, and why
   std::string failure;
   double failedAt = 0;

@@ -105,7 +105,7 @@ class Hand:
             if self.editor.fact("dirty") == "no":
                 return
             self.editor.key("ctrl+z")
-        raise Failure(f"{MOST_UNDONE} steps back are not at the start")
+        raise Failure(f"{MOST_UNDONE} steps back are not at the start; facts: {self.editor.dump()['facts']}")
 
 
 def test():
