@@ -20,6 +20,7 @@ SEED = int(os.environ.get("LOOMLIGHT_SOAK_SEED", "1"))
 ACTIONS_A_PART = 40
 MOST_UNDONE = 10 * ACTIONS_A_PART  # an action is one step, or a few where a drag passes from one field to the next
 SETTLED_PARTS = 5  # after which caches are as full as they get
+FRAMES_TO_OPEN = 4
 MOST_GROWTH = 1.5  # of the memory from then on
 
 # What ends the editor, begins another document, saves this one, or leads out of its own home.
@@ -93,8 +94,15 @@ class Hand:
         self.editor.wait_until("the picture is at rest", lambda: self.editor.fact("phase") in ("converged", "idle"))
         time.sleep(0.5)
 
+    def settle(self):
+        """A number that was clicked opens some frames later, and would not hear an Escape before."""
+        frame = self.editor.number("frame")
+        self.editor.wait_until("what was begun is there", lambda: self.editor.number("frame") >= frame + FRAMES_TO_OPEN
+                               or self.editor.fact("sleeps_then") == "yes")
+
     def come_back(self):
         """Closes whatever is open, and undoes."""
+        self.settle()
         for _ in range(8):
             if self.editor.fact("dialog") == "none" and self.editor.fact("text_input") == "no":
                 break
