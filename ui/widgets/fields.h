@@ -50,6 +50,7 @@ bool wholeNumberField(Ui& ui, const RowText& text, const char* unit, int min, in
                       const char* unitOfOne = "");
 
 /// Tab and Shift+Tab open the next number of the panel, or the one before; asked once, at the beginning of a frame.
+/// A number that was open, held or about to open when its page was left is none of that from then on.
 void walkNumbers(Ui& ui);
 
 /// Names as choiceField() takes them; they must outlive it.

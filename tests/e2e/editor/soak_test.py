@@ -19,8 +19,8 @@ ACTIONS = int(os.environ.get("LOOMLIGHT_SOAK_ACTIONS", "120"))
 SEED = int(os.environ.get("LOOMLIGHT_SOAK_SEED", "1"))
 ACTIONS_A_PART = 40
 MOST_UNDONE = 10 * ACTIONS_A_PART  # an action is one step, or a few where a drag passes from one field to the next
+FRAMES_TO_OPEN = 4  # that a number which was clicked needs, to hear the keys
 SETTLED_PARTS = 5  # after which caches are as full as they get
-FRAMES_TO_OPEN = 4
 MOST_GROWTH = 1.5  # of the memory from then on
 
 # What ends the editor, begins another document, saves this one, or leads out of its own home.
