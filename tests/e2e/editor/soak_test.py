@@ -20,8 +20,8 @@ SEED = int(os.environ.get("LOOMLIGHT_SOAK_SEED", "1"))
 ACTIONS_A_PART = 40
 MOST_UNDONE = 10 * ACTIONS_A_PART  # an action is one step, or a few where a drag passes from one field to the next
 FRAMES_TO_OPEN = 4  # that a number which was clicked needs, to hear the keys
-SETTLED_PARTS = 5  # after which caches are as full as they get
-MOST_GROWTH = 1.5  # of the memory from then on
+SETTLED_PARTS = 20  # after which caches are as full as they get
+MOST_GROWTH = 1.25  # of the memory from then on
 
 # What ends the editor, begins another document, saves this one, or leads out of its own home.
 NOT_TOUCHED = ("menu.quit", "menu.new", "menu.open", "menu.recent", "menu.save", "menu.save_as", "menu.sheet",
