@@ -69,10 +69,7 @@ class Designer:
 
 def type_file(editor, file):
     editor.key("ctrl+o")
-    editor.click("browser.name")
-    editor.key("ctrl+a")
-    editor.type(file)
-    editor.key("Return")
+    editor.name_file(file)
 
 
 def choose(editor, command):

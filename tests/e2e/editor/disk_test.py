@@ -33,13 +33,6 @@ def answer(editor, said, index=0):
     editor.wait_until("the message is gone", lambda: editor.fact("dialog") == "none")
 
 
-def name_file(editor, file):
-    editor.click("browser.name")
-    editor.key("ctrl+a")
-    editor.type(file)
-    editor.key("Return")
-
-
 def spoil_its_own_folders(editor):
     """What the editor keeps for itself is as hostile as anything else on a disk."""
     presets, views = (os.path.join(editor.home, "data", "loomlight", name) for name in ("presets", "views"))
@@ -97,7 +90,7 @@ def quit_does_not_lose_it(editor):
 
 def read_only_place(editor):
     editor.key("ctrl+shift+s")
-    name_file(editor, "/sys/cloth.json")
+    editor.name_file("/sys/cloth.json")
     answer(editor, "/sys/cloth.json")
     expect(editor.fact("dirty") == "yes", "work that is not on the disk counts as saved")
 
@@ -106,7 +99,7 @@ def elsewhere(editor, folder):
     fill_disk(editor, False)
     file = os.path.join(folder, "elsewhere.json")
     editor.key("ctrl+shift+s")
-    name_file(editor, file)
+    editor.name_file(file)
     editor.wait_until("the cloth is saved elsewhere", lambda: editor.fact("dirty") == "no")
     editor.wait_until("all is safe", lambda: editor.fact("autosave_problem") == "")
     expect(read_json(file)["weave"] != read_json(os.path.join(folder, "long.json"))["weave"], "the edit is not in it")
@@ -125,7 +118,7 @@ def first_file_that_is_none(editor, folder):
 
 def open_cloth(editor, file):
     editor.key("ctrl+o")
-    name_file(editor, file)
+    editor.name_file(file)
     editor.wait_until("the cloth is open", lambda: editor.fact("name") == "Long")
 
 
@@ -140,10 +133,10 @@ def files_that_are_none(editor, folder):
     revision = editor.number("revision")
     for name in ("pipe.json", "endless.wif", "binary.wif", "cut.png"):
         editor.key("ctrl+o")
-        name_file(editor, os.path.join(folder, name))
+        editor.name_file(os.path.join(folder, name))
         answer(editor, name)
     editor.key("ctrl+o")
-    name_file(editor, os.path.join(folder, "loop.json"))
+    editor.name_file(os.path.join(folder, "loop.json"))
     editor.key("Escape")
     editor.key("Escape")
     editor.wait_until("the browser is closed", lambda: editor.fact("dialog") == "none")

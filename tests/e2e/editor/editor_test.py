@@ -77,10 +77,7 @@ def save_elsewhere(editor):
     file = os.path.join(editor.home, "second.json")
     editor.key("ctrl+shift+s")
     editor.wait_until("the file browser opens", lambda: "browser.name" in editor.widgets())
-    editor.click("browser.name")
-    editor.key("ctrl+a")
-    editor.type(file)
-    editor.key("Return")
+    editor.name_file(file)
     editor.wait_until("the second file is written", lambda: editor.fact("file") == file)
     expect(read_json(file)["loomlight_version"] == 1, "the second file is no fabric")
 

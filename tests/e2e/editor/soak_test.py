@@ -114,10 +114,7 @@ class Hand:
     def open_again(self, file):
         """Where a menu was walked by keys, or a drag ended on it, another cloth may have been begun."""
         self.editor.key("ctrl+o")
-        self.editor.click("browser.name")
-        self.editor.key("ctrl+a")
-        self.editor.type(file)
-        self.editor.key("Return")
+        self.editor.name_file(file)
         self.editor.wait_until("the cloth is open again", lambda: self.editor.fact("file") == file
                                and self.editor.fact("dialog") == "none")
 

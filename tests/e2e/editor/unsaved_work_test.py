@@ -24,13 +24,6 @@ def asked(editor):
     editor.wait_until("the editor asks", lambda: "has changes that are not saved" in editor.fact("message"))
 
 
-def name_file(editor, file):
-    editor.click("browser.name")
-    editor.key("ctrl+a")
-    editor.type(file)
-    editor.key("Return")
-
-
 def enter_saves_before_anything_else(editor, file):
     spoil(editor)
     editor.key("ctrl+n")
@@ -50,12 +43,12 @@ def saving_first_may_take_a_name(editor, other):
     """A new cloth has no file yet: it is asked for, and then the other one opens."""
     spoil(editor)
     editor.key("ctrl+o")
-    name_file(editor, other)
+    editor.name_file(other)
     asked(editor)
     editor.key("Return")
     editor.wait_until("a file is asked for", lambda: "browser.name" in editor.widgets())
     file = os.path.join(editor.home, "begun.json")
-    name_file(editor, file)
+    editor.name_file(file)
     editor.wait_until("the other one is open", lambda: editor.fact("name") == "Two")
     expect(os.path.exists(file), "what was there was not saved")
 
@@ -63,7 +56,7 @@ def saving_first_may_take_a_name(editor, other):
 def a_name_that_is_taken(editor, taken):
     old = read_json(taken)
     editor.key("ctrl+shift+s")
-    name_file(editor, taken)
+    editor.name_file(taken)
     editor.key("Return")
     editor.key("Return")
     expect(read_json(taken) == old, "a key that was pressed again replaced a file")
@@ -120,7 +113,7 @@ def a_killed_editor_leaves_its_work(editor):
     expect(editor.fact("file") == "", "it would be saved into a file that was not its own")
     again = os.path.join(editor.home, "again.json")
     editor.key("ctrl+s")
-    name_file(editor, again)
+    editor.name_file(again)
     editor.wait_until("it is saved", lambda: editor.fact("dirty") == "no")
     expect(read_json(again)["weave"] == weave, "another cloth was taken up")
 
@@ -129,14 +122,14 @@ def a_text_is_read_as_what_it_is(editor):
     """WIF drafts come by mail as texts; what is none of ours is named."""
     draft = mailed_draft(editor.home)
     editor.key("ctrl+o")
-    name_file(editor, draft)
+    editor.name_file(draft)
     editor.wait_until("the draft is open", lambda: editor.fact("name") == "By mail")
     editor.click("wif.close")
     editor.wait_until("the dialog closes", lambda: editor.fact("dialog") == "none")
     other = os.path.join(editor.home, "draft.wpo")
     os.rename(draft, other)
     editor.key("ctrl+o")
-    name_file(editor, other)
+    editor.name_file(other)
     editor.wait_until("the editor says what it reads", lambda: "a draft (.wif, .dtx)" in editor.fact("message"))
     editor.key("Return")
     editor.wait_until("the message is gone", lambda: editor.fact("dialog") == "none")

@@ -220,6 +220,13 @@ class Editor:
         self.wait_until("a text field listens", lambda: self.fact("text_input") == "yes")
         self.act(self.input.type, text, answered=True)
 
+    def name_file(self, file):
+        """In the file browser, which is open."""
+        self.click("browser.name")
+        self.key("ctrl+a")
+        self.type(file)
+        self.key("Return")
+
     def screenshot(self, name, widget=None):
         """Writes a PNG of the window, or of one widget, and returns its file."""
         file = os.path.join(self.home, name + ".png")
