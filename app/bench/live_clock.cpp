@@ -115,15 +115,13 @@ bool LiveClock::watch(const Fabric& fabric, double seconds,
   const auto start = Clock::now();
   send(fabric);
   std::shared_ptr<const Frame> last;
-  const auto lookAgain = [&] {
+  const auto seen = [&] {
     auto frame = renderer_.frame();
     if (frame && frame != last && frame->generation >= generation_) look(last = std::move(frame), secondsSince(start));
-    return secondsSince(start) >= seconds;
+    return last != nullptr;
   };
-  while (!lookAgain()) {
-    if (!lookUntil(lookAgain, seconds - secondsSince(start), stop)) return false;
-  }
-  return true;
+  const auto never = [&] { return seen(), false; };
+  return lookUntil(seen, kForEver_s, stop) && lookUntil(never, seconds - secondsSince(start), stop);
 }
 
 }  // namespace loomlight

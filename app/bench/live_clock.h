@@ -36,8 +36,8 @@ class LiveClock {
   /// its own picture or a later one, in seconds; empty when stopped.
   std::vector<double> play(std::span<const Fabric> fabrics, double interval_s, const std::stop_token& stop);
 
-  /// Sends the fabric and tells `look` of every picture of it that is shown within so many seconds, and when. False
-  /// when stopped.
+  /// Sends the fabric and tells `look` of every picture of it that is shown within so many seconds, and when; of the
+  /// first one however late it is. False when stopped.
   bool watch(const Fabric& fabric, double seconds,
              const std::function<void(std::shared_ptr<const Frame> shown, double since_s)>& look,
              const std::stop_token& stop);

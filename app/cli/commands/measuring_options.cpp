@@ -81,7 +81,7 @@ void addClearBench(CLI::App& app, ClearBenchCommand& command) {
            [&command](const auto& option, const auto& text) { command.sharing = parseSharing(option, text); });
   addValue(
       app, "--seconds", "N", "that each edit is looked at; 12 where not given",
-      [&command](const auto& option, const auto& text) { command.seconds = parseNumber(option, text, 0.1, 3600); });
+      [&command](const auto& option, const auto& text) { command.seconds = parseNumber(option, text, 0.001, 3600); });
   addValue(app, "--reference", "N", "samples of the converged pictures; 1024 where not given",
            [&command](const auto& option, const auto& text) {
              command.referenceSamples = static_cast<int>(parseWhole(option, text, 1, 1 << 20));
