@@ -30,6 +30,10 @@ ClearHelp clearHelp(const Changes& sinceClear, const PreviewSize& clear, const P
   return sinceClear.picture() || wouldBlur ? ClearHelp::none : ClearHelp::reframed;
 }
 
+bool isOnlyMoved(const Changes& sinceEarlier) {
+  return sinceEarlier.stages.any(Stage::camera) && sinceEarlier.stages.within(Stage::label | Stage::camera);
+}
+
 bool wantsHelp(int samples, int clearSamples) {
   return samples < std::min(clearSamples, kClearSamples);
 }

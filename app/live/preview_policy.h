@@ -44,6 +44,9 @@ struct PreviewSize {
 
 ClearHelp clearHelp(const Changes& sinceClear, const PreviewSize& clear, const PreviewSize& wanted);
 
+/// Whether pixels of an earlier picture of the same size still show the cloth as it is, from elsewhere.
+bool isOnlyMoved(const Changes& sinceEarlier);
+
 /// Whether a picture of so many samples is helped by a clear one of so many.
 bool wantsHelp(int samples, int clearSamples);
 

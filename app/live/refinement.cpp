@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/base/parallel.h"
 #include "core/base/rgb.h"
@@ -11,8 +12,9 @@
 
 // How it works. advance() does what the scheduler plans: a pass at a fraction of the resolution into a film of its own,
 // or further samples of the fine film, bucket by bucket. What came before stands in (StandIn) and gives way sample by
-// sample, so that every frame is a mean of what is traced and what was shown. A frame is read off the film, given the
-// light that repeats share, then less noise, and is labelled with its PreviewQuality last.
+// sample, so that every frame is a mean of what is traced and what was shown; so does what the view before shows of
+// this one (movedView). A frame is read off the film, given the light that repeats share, then less noise, and is
+// labelled with its PreviewQuality last.
 
 namespace loomlight {
 namespace {
@@ -156,16 +158,53 @@ bool Refinement::advance(const Task& task) {
   if (paths > 0) history_.secondsPerPath = seconds / static_cast<double>(paths);
   const bool isFirst = history_.divider == 0;
   if (pass_->buckets.finished()) endPass();
-  return !isFirst || !knowsLight_ || showKnownLight(task);
+  return !isFirst || showDetail(task);
 }
 
-/// The first pass, with the detail of light that was known before it. False when stopped.
+/// Gives the first pass the detail that was known before it: of the picture before, where that shows nearly all of this
+/// view, or else also of light that is known. False when stopped.
+bool Refinement::showDetail(const Task& task) {
+  constexpr float kFewMissing = 0.02f;  // of the cloth
+  // What is missing stays as coarse as it is until the first whole sample.
+  constexpr float kMostMissing = 0.2f, kMostMissingInKnownLight = 0.5f;
+  const auto start = Clock::now();
+  std::optional<MovedView> view = moved(task.threads);
+  const float missing = view ? missingIn(*view, *coarse_, history_.divider) : 1;
+  const bool complete = missing <= kFewMissing || !knowsLight_ || showKnownLight(task);
+  if (complete && missing <= (known_ ? kMostMissingInKnownLight : kMostMissing)) {
+    brightenTo(*view, *coarse_, history_.divider, task.threads);
+    showMoved(std::move(*view));
+  }
+  spent_s_ += secondsSince(start);
+  return complete;
+}
+
+/// The picture before, if it is needed and there is one; then it is let go.
+std::optional<MovedView> Refinement::moved(int threads) {
+  const std::optional<SeenBefore> before = std::exchange(seenBefore_, std::nullopt);
+  if (!before || history_.divider == 1) return std::nullopt;
+  const CameraRays from(before->camera, fine_.width(), fine_.height());
+  const CameraRays to(scene().fabric->camera, fine_.width(), fine_.height());
+  return movedView(*before->frame, from, to, scene().cloth->shell->thickness_mm(), threads);
+}
+
+/// The view as a stand-in, and around it what there is of this one. Passes that are coarser than it are left out.
+void Refinement::showMoved(MovedView view) {
+  // The picture before may be clear, but its sheen is not that of this view.
+  constexpr int kLeastWorth_samples = 4, kMostWorth_samples = 16;
+  const auto worth_samples = static_cast<uint32_t>(std::clamp(view.samples, kLeastWorth_samples, kMostWorth_samples));
+  Frame frame = filledFrom(known_ ? *known_ : this->frame(), view, threads_);
+  frame.quality = PreviewQuality::coarse;
+  known_.reset();
+  standIn_.emplace(std::make_shared<const Frame>(std::move(frame)), worth_samples, std::move(view.kept));
+  skipCoarse();
+}
+
+/// The first pass with its pixels in light that is known from another view. False when stopped.
 bool Refinement::showKnownLight(const Task& task) {
   const int finer = history_.first.finer;
   if (finer == 1 || history_.divider == 1) return true;
-  const auto start = Clock::now();
   auto view = shared_->known(*coarse_, finer, task);
-  spent_s_ += secondsSince(start);
   if (!view) return false;
   const SharedPicture& picture = view->picture;
   Frame frame;
@@ -221,16 +260,27 @@ void Refinement::finish(Frame& frame) const {
   if (frame.divider > 1) soften(frame.helped.empty() ? frame.rgba : frame.helped, frame.width, frame.height);
 }
 
+/// From 1 without samples to 0 where a picture is clear. What is kept of a moved picture has no noise.
+float Refinement::youth(const Frame& frame, bool isKept) const {
+  const float clear = isKept ? standIn_->share(history_.samples) : 0;
+  return std::max(0.0f, 1 - clear - static_cast<float>(frame.samples) / kClearSamples);
+}
+
 /// Noise darkens a picture, as what is brighter than white is lost to the eye: a young one is shown denoised, which
 /// keeps all light, and less and less so until it is clear. What was traced stays beside it.
 void Refinement::takeNoise(Frame& frame) const {
-  const float youth = frame.shared ? 0 : 1 - static_cast<float>(std::min(frame.samples, kClearSamples)) / kClearSamples;
-  if (youth == 0 && !denoised_) return;
+  const bool isYoung = !frame.shared && youth(frame, false) > 0;
+  if (!isYoung && !denoised_) return;
   frame.variances = variances(frame);
   std::vector<glm::vec4> quiet(frame.plain().begin(), frame.plain().end());
   loomlight::denoise(quiet, {frame.hits, frame.variances}, frame.width, frame.height, threads_);
-  if (youth > 0 && frame.helped.empty()) frame.helped = frame.rgba;
-  for (size_t i = 0; youth > 0 && i < quiet.size(); ++i) frame.helped[i] = glm::mix(frame.helped[i], quiet[i], youth);
+  if (isYoung && frame.helped.empty()) frame.helped = frame.rgba;
+  for (size_t i = 0; isYoung && i < quiet.size(); ++i) {
+    const auto width = static_cast<size_t>(frame.width);
+    const bool isKept =
+        standIn_ && standIn_->isMoved() && standIn_->isFineAt(static_cast<int>(i % width), static_cast<int>(i / width));
+    frame.helped[i] = glm::mix(frame.helped[i], quiet[i], youth(frame, isKept));
+  }
   if (denoised_) frame.denoised = std::move(quiet);
 }
 
@@ -255,11 +305,16 @@ std::vector<float> Refinement::variances(const Frame& frame) const {
 Frame Refinement::frame() const {
   const bool shared = sharesLight();
   if (known_ && !shared) return *known_;
-  const int divider = shared || fineBegun_ || !coarse_ ? 1 : coarseDivider_;
+  const int divider = shared || fineBegun_ || history_.divider == 1 || !coarse_ ? 1 : coarseDivider_;
   Frame frame = traced(divider == 1 ? fine_ : *coarse_, divider);
   if (shared) share(frame);
   finish(frame);
   return frame;
+}
+
+bool Refinement::hasDetail() const {
+  if (standIn_ && standIn_->isMoved()) return standIn_->share(history_.samples) < 0.5f;
+  return history_.samples > 0 || sharesLight();
 }
 
 bool Refinement::sharesLight() const {
@@ -270,12 +325,12 @@ bool Refinement::sharesLight() const {
 void Refinement::share(Frame& frame) const {
   frame.shared = true;
   frame.helped = shared_->picture(fine_, threads_);
-  if (!standIn_ || standIn_->frame().samples == 0) return;
+  if (!standIn_) return;
   for (int y = 0; y < fine_.height(); ++y)
     for (int x = 0; x < fine_.width(); ++x) {
       glm::vec4& own =
           frame.helped[static_cast<size_t>(y) * static_cast<size_t>(fine_.width()) + static_cast<size_t>(x)];
-      const float share = standIn_->share(fine_.samples(x, y));
+      const float share = standIn_->isFineAt(x, y) ? standIn_->shareAt(x, y, fine_.samples(x, y)) : 0;
       if (share > 0) own = glm::mix(own, standIn_->helped(x, y, 1), share);
     }
 }
@@ -302,7 +357,7 @@ Frame Refinement::recoloured(const Recolouring& recolouring, int threads, double
 
 /// A pixel at full resolution with its share of what stands in for it, whose light changes so.
 glm::vec4 Refinement::faded(const glm::vec4& own, int x, int y, const LightChange& change) const {
-  const float share = standIn_ ? standIn_->share(fine_.samples(x, y)) : 0;
+  const float share = standIn_ ? standIn_->shareAt(x, y, fine_.samples(x, y)) : 0;
   return share > 0 ? glm::mix(own, change(standIn_->light(x, y, 1)), share) : own;
 }
 
@@ -310,7 +365,8 @@ glm::vec4 Refinement::faded(const glm::vec4& own, int x, int y, const LightChang
 Frame Refinement::traced(const Film& film, int divider) const {
   const PixelRect pixels = covering(window_, divider);
   // Later passes and those that fade in change too little for borders to be seen.
-  const bool first = pass_ && pass_->plan.divider == divider && standIn_ && standIn_->samples() == 1;
+  const bool first = history_.samples == 0 && pass_ && pass_->plan.divider == divider && standIn_ &&
+                     (standIn_->samples() == 1 || standIn_->isMoved());
   Frame frame;
   frame.divider = divider;
   frame.width = pixels.width;
@@ -324,7 +380,7 @@ Frame Refinement::traced(const Film& film, int divider) const {
     size_t i = row * static_cast<size_t>(frame.width);
     for (int x = pixels.x; x < pixels.x + pixels.width; ++x, ++i) {
       const uint32_t samples = film.samples(x, y);
-      float share = standIn_ ? standIn_->share(samples) : 0;
+      float share = standIn_ ? standIn_->shareAt(divider * x, divider * y, samples) : 0;
       if (first) share = std::max(share, 1 - pass_->buckets.shown(x, y));
       const glm::vec4 own = light(film, x, y);
       frame.rgba[i] = share > 0 ? glm::mix(own, standIn_->light(x, y, divider), share) : own;

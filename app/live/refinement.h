@@ -13,6 +13,7 @@
 #include "render/display/stand_in.h"
 #include "render/media/medium.h"
 #include "render/scene/scene.h"
+#include "render/share/moved_view.h"
 #include "render/share/shared_light.h"
 
 namespace loomlight {
@@ -44,8 +45,15 @@ class Refinement {
   void asTraced() { asTraced_ = true; }
   /// Another picture of the same view, of the window or more, shown where this one is not as good yet.
   void standIn(std::shared_ptr<const Frame> earlier) { standIn_.emplace(std::move(earlier)); }
+  /// A picture of the same cloth in the same light, of the whole window at full resolution, seen by another camera:
+  /// what it shows of this view stands in from the first pass on. Before the first pass.
+  void movedFrom(std::shared_ptr<const Frame> earlier, const Camera& camera) {
+    seenBefore_.emplace(std::move(earlier), camera);
+  }
   /// Whether the picture that stands in is still to be seen.
   bool fading() const { return standIn_ && history_.samples < standIn_->samples(); }
+  /// Whether it shows this same view.
+  bool fadesFromSameView() const { return fading() && !standIn_->isMoved(); }
   /// With so many samples another picture is as good as what this one shows, stand-in included.
   uint32_t worth_samples() const { return fading() ? standIn_->samples() : history_.samples; }
   /// Whether frames with hits have a copy with less noise for the display.
@@ -70,6 +78,8 @@ class Refinement {
   uint32_t samples() const { return history_.samples; }
   double spent_s() const { return spent_s_; }
   double secondsPerPath() const { return history_.secondsPerPath; }
+  /// Whether most of what its pixels show is this view's own, each in its place: traced light, or light that is shared.
+  bool hasDetail() const;
   const Film& film() const { return fine_; }
   /// The paths on record of the finest pass that has filled the picture, and the film they went into; null where there
   /// are none. A large picture may have no room for those of its fine passes.
@@ -99,15 +109,24 @@ class Refinement {
     PictureBuckets buckets;
   };
 
+  struct SeenBefore {
+    std::shared_ptr<const Frame> frame;
+    Camera camera;
+  };
+
   uint32_t samplesWanted() const;
   Film& filmFor(int divider);
   std::unique_ptr<PathRecords> recordsFor(const Film& film) const;
   Pass beginPass() const;
   void endPass();
+  bool showDetail(const Task& task);
   bool showKnownLight(const Task& task);
+  std::optional<MovedView> moved(int threads);
+  void showMoved(MovedView view);
   Frame traced(const Film& film, int divider) const;
   glm::vec4 faded(const glm::vec4& own, int x, int y, const LightChange& change) const;
   void finish(Frame& frame) const;
+  float youth(const Frame& frame, bool isKept) const;
   void takeNoise(Frame& frame) const;
   bool sharesLight() const;
   void share(Frame& frame) const;
@@ -128,6 +147,7 @@ class Refinement {
   int threads_ = 1;             ///< of the last pass
   std::optional<Pass> pass_;
   std::optional<StandIn> standIn_;
+  std::optional<SeenBefore> seenBefore_;
   std::optional<Frame> known_;  ///< the first pass, in light that was known before; until a finer one is seen
   PixelRect window_;
   PassHistory history_;

@@ -11,8 +11,9 @@
 // How it works. What is wanted is one value; each change of it stops the pass under way and is the next job's request.
 // A job takes what is new in it, then traces pass by pass. A scene begins in begin(): other colours are answered from
 // paths on record; the same scene made better goes on from what is shown; anything else begins coarse, helped by the
-// last clear picture as far as that still shows the same (preview_policy.h). The viewport's picture and the inset take
-// passes in turn (nextSubject); what is to be shown is pending until publish(), and bring() hands it to the window.
+// last clear picture as far as that still shows the same (preview_policy.h), or, where only the camera has moved, by
+// what the last picture shows from there (movedView). The viewport's picture and the inset take passes in turn
+// (nextSubject); what is to be shown is pending until publish(), and bring() hands it to the window.
 
 namespace loomlight {
 namespace {
@@ -122,13 +123,16 @@ Subject Tracer::nextToTrace() const {
     if (!refinement) return Contender{};
     return Contender{!refinement->converged(), refinement->divider(), refinement->spent_s() - spentBefore_s};
   };
-  return nextSubject(contender(picture_, spentBeforeInset_s_), contender(inset_, 0));
+  Contender picture = contender(picture_, spentBeforeInset_s_);
+  if (picture.divider == 1 && picture_->samples() == 0) picture.divider = 2;  // another one stands in for it
+  return nextSubject(picture, contender(inset_, 0));
 }
 
 Tracer::Shown Tracer::givenUp(const std::string& reason) {
   picture_.reset();
   recoloured_.reset();
   clear_.reset();
+  detailed_.reset();
   inset_.reset();
   shown_.state.picture = shown_.state.inset = State::Phase::idle;
   shown_.state.error = reason;
@@ -174,6 +178,7 @@ void Tracer::begin(const Request& before) {
                            {request.width, request.height, fabric.weave.ends(), fabric.weave.picks()});
     if (clearHelp_ == ClearHelp::none) clear_.reset();
   }
+  if (detailed_ && !(sameSize && isOnlyMoved(changes(*detailedFabric_, fabric)))) detailed_.reset();
   std::unique_ptr<SharedLight> light = picture_ ? picture_->takeSharedLight() : nullptr;
   picturePending_.reset();
   recoloured_.reset();
@@ -193,6 +198,7 @@ void Tracer::begin(const Request& before) {
     FirstPass first = start.first;
     if (booth_) first.finer = 1;  // lamps are told apart by the light of paths
     picture_->beginWith(first);
+    if (detailed_ && !booth_) picture_->movedFrom(detailed_, detailedFabric_->camera);
   }
   spentBeforeInset_s_ = 0;
   if (!better) {  // the inset is of another scene; openInset() makes a new one where the same fibres serve
@@ -339,7 +345,11 @@ void Tracer::showPicture() {
     return;
   }
   picturePending_ = pictured(std::move(frame));
-  if (picturePending_->quality <= PreviewQuality::coarse) return;
+  if (picture_->hasDetail() && picturePending_->quality > PreviewQuality::sketch) {
+    detailed_ = picturePending_;
+    detailedFabric_ = taken_.request.cloth.scene->fabric;
+  }
+  if (picturePending_->quality <= PreviewQuality::coarse || !picture_->hasDetail()) return;
   clear_ = picturePending_;
   clearFabric_ = taken_.request.cloth.scene->fabric;
   clearHelp_ = ClearHelp::patched;
@@ -365,7 +375,7 @@ void Tracer::traceInset(const std::stop_token& stop) {
 }
 
 void Tracer::lookForDifference() {
-  if (picture_->fading() || recoloured_)
+  if (picture_->fadesFromSameView() || recoloured_)
     return;  // the picture that is shown has been measured; the next one is still too noisy
   difference_.reset();
   if (!inset_ || inset_->divider() != 1 || picture_->divider() != 1) return;

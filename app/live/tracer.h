@@ -134,6 +134,10 @@ class Tracer {
   /// size, its pixels stand in.
   std::shared_ptr<const Frame> clear_;
   std::shared_ptr<const Fabric> clearFabric_;
+  /// The last picture that had detail of its own, and of what: while only the camera moves, it shows what the new one
+  /// sees of it.
+  std::shared_ptr<const Frame> detailed_;
+  std::shared_ptr<const Fabric> detailedFabric_;
   ClearHelp clearHelp_ = ClearHelp::none;        ///< of it for the picture under way
   std::optional<BoothView> booth_;               ///< where it is asked for
   std::shared_ptr<const Frame> picturePending_;  ///< traced, not shown yet

@@ -35,6 +35,7 @@ Shell Shell::flat(double width_mm, double height_mm, double halfThickness_mm) {
   shell.uvUpper_ = glm::vec2(width_mm, height_mm);
   shell.upper_ = glm::vec3(width_mm / 2, height_mm / 2, halfThickness_mm);
   shell.lower_ = -shell.upper_;
+  shell.halfThickness_mm_ = static_cast<float>(halfThickness_mm);
   return shell;
 }
 

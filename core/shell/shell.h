@@ -57,6 +57,7 @@ class Shell {
   /// A flat drape is no mesh at all: world and cloth space differ by a translation, and one box holds everything.
   static Shell flat(double width_mm, double height_mm, double halfThickness_mm);
   bool isFlat() const { return tets_.empty(); }
+  float thickness_mm() const { return 2 * halfThickness_mm_; }
 
   std::span<const Tet> tets() const { return tets_; }
   std::span<const glm::vec3> vertices() const { return vertices_; }

@@ -9,6 +9,18 @@ namespace loomlight {
 StandIn::StandIn(std::shared_ptr<const Frame> earlier)
     : earlier_(std::move(earlier)), samples_(static_cast<uint32_t>(std::clamp(earlier_->samples, 1, 64))) {}
 
+StandIn::StandIn(std::shared_ptr<const Frame> moved, uint32_t samples, std::vector<uint8_t> kept)
+    : earlier_(std::move(moved)), samples_(samples), kept_(std::move(kept)) {}
+
+bool StandIn::isFineAt(int x, int y) const {
+  return isMoved() ? kept_[nearest(x, y, 1)] != 0 : earlier_->samples > 0;
+}
+
+float StandIn::shareAt(int x, int y, uint32_t samples) const {
+  if (isMoved() && !isFineAt(x, y)) return samples == 0 ? 1.0f : 0.0f;
+  return share(samples);
+}
+
 float StandIn::share(uint32_t samples) const {
   return samples >= samples_ ? 0.0f : 1 - static_cast<float>(samples) / static_cast<float>(samples_);
 }

@@ -10,12 +10,22 @@ namespace loomlight {
 /// with its first sample. Of a fine one, each new sample takes the place of one of its own, so that the new picture
 /// comes as fast as it gets good: with x of n samples replaced, the variance is (1 - x)^2 / n + x / n, never more than
 /// the old picture's, and after n samples nothing of that is left.
+///
+/// A moved picture shows another view from where this one is: where it keeps a pixel that one counts as some samples,
+/// and the rest is coarse.
 class StandIn {
  public:
   explicit StandIn(std::shared_ptr<const Frame> earlier);
+  /// A moved picture. `kept` has a value for each of its pixels, 0 where it is coarse; the others count as so many
+  /// samples.
+  StandIn(std::shared_ptr<const Frame> moved, uint32_t samples, std::vector<uint8_t> kept);
 
   /// Its share of a pixel that has so many samples of its own: falls from 1 to exactly 0 at samples().
   float share(uint32_t samples) const;
+  /// The same for this pixel of the viewport, which may be a coarse one.
+  float shareAt(int x, int y, uint32_t samples) const;
+  bool isFineAt(int x, int y) const;
+  bool isMoved() const { return !kept_.empty(); }
   /// How many take its place; at most as many as are clear to the eye, so that it does not linger.
   uint32_t samples() const { return samples_; }
   const Frame& frame() const { return *earlier_; }
@@ -34,6 +44,7 @@ class StandIn {
 
   std::shared_ptr<const Frame> earlier_;
   uint32_t samples_;
+  std::vector<uint8_t> kept_;  ///< empty unless it is a moved picture
 };
 
 }  // namespace loomlight

@@ -39,6 +39,16 @@ Ray CameraRays::ray(float x, float y) const {
   return {eye_, glm::normalize(forward_ + offset), {0, pixel}};
 }
 
+std::optional<CameraRays::Projection> CameraRays::project(const glm::vec3& point) const {
+  const glm::vec3 to = point - eye_;
+  const float along = glm::dot(to, forward_);
+  if (along <= 0) return std::nullopt;
+  const float pixel = pixelSize_mm(along);
+  return Projection{0.5f * static_cast<float>(width_) + glm::dot(to, right_) / pixel,
+                    0.5f * static_cast<float>(height_) - glm::dot(to, up_) / pixel,
+                    orthographic_ ? along : glm::length(to)};
+}
+
 float CameraRays::pixelSize_mm(float distance) const {
   const float pixel = 2.0f * halfHeight_ / static_cast<float>(height_);
   return orthographic_ ? pixel : pixel * distance;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "core/fabric/model/fabric.h"
 
 namespace loomlight {
@@ -26,6 +28,12 @@ class CameraRays {
   CameraRays(const Camera& camera, int width, int height);
   /// x in [0, width), y in [0, height), from the top left; pixel centres at .5. Its cone is a pixel wide.
   Ray ray(float x, float y) const;
+  /// Where the picture shows a point: the inverse of ray(). Nothing for what is not before the camera.
+  struct Projection {
+    float x, y;         ///< pixels, from the top left
+    float distance_mm;  ///< from where the ray to it begins
+  };
+  std::optional<Projection> project(const glm::vec3& point) const;
   glm::vec3 eye_mm() const { return eye_; }
   /// Size of a pixel, mm, at this distance from the eye.
   float pixelSize_mm(float distance) const;

@@ -20,24 +20,6 @@ class EndsAtFirstFibre final : public PathSink {
   bool meets(const Collision&, uint32_t) override { return false; }
 };
 
-/// Each pixel the mean over `side` x `side`.
-SharedPicture reduced(const SharedPicture& fine, int side) {
-  const int width = fine.width / side, height = fine.height / side;
-  SharedPicture coarse(width, height);
-  const float share = 1.0f / static_cast<float>(side * side);
-  for (int y = 0; y < height * side; ++y)
-    for (int x = 0; x < width * side; ++x) {
-      const size_t from = static_cast<size_t>(y) * static_cast<size_t>(fine.width) + static_cast<size_t>(x);
-      const size_t to = static_cast<size_t>(y / side) * static_cast<size_t>(width) + static_cast<size_t>(x / side);
-      coarse.light[to] += share * fine.light[from];
-      coarse.alpha[to] += share * fine.alpha[from];
-      coarse.variances[to] += share * (fine.variances[from] + glm::dot(fine.light[from], fine.light[from]));
-    }
-  for (size_t i = 0; i < coarse.variances.size(); ++i)
-    coarse.variances[i] = std::max(0.0f, coarse.variances[i] - glm::dot(coarse.light[i], coarse.light[i]));
-  return coarse;
-}
-
 }  // namespace
 
 std::optional<KnownView> knownView(const Scene& scene, const Medium& medium, const CellSums& cells, int width,

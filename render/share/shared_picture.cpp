@@ -10,6 +10,23 @@
 // how far their cells differ is the variance that is left to be blurred.
 namespace loomlight {
 
+SharedPicture reduced(const SharedPicture& fine, int side) {
+  const int width = fine.width / side, height = fine.height / side;
+  SharedPicture coarse(width, height);
+  const float share = 1.0f / static_cast<float>(side * side);
+  for (int y = 0; y < height * side; ++y)
+    for (int x = 0; x < width * side; ++x) {
+      const size_t from = static_cast<size_t>(y) * static_cast<size_t>(fine.width) + static_cast<size_t>(x);
+      const size_t to = static_cast<size_t>(y / side) * static_cast<size_t>(width) + static_cast<size_t>(x / side);
+      coarse.light[to] += share * fine.light[from];
+      coarse.alpha[to] += share * fine.alpha[from];
+      coarse.variances[to] += share * (fine.variances[from] + glm::dot(fine.light[from], fine.light[from]));
+    }
+  for (size_t i = 0; i < coarse.variances.size(); ++i)
+    coarse.variances[i] = std::max(0.0f, coarse.variances[i] - glm::dot(coarse.light[i], coarse.light[i]));
+  return coarse;
+}
+
 SharedPicture sharedPicture(const FirstHits& hits, const CellMeans& means, int threads) {
   SharedPicture picture(hits.width(), hits.height());
   parallelFor(static_cast<size_t>(hits.height()), threads, [&](size_t row) {

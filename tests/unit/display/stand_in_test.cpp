@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 namespace loomlight {
 namespace {
 
@@ -56,6 +58,19 @@ TEST(StandIn, LiesWhereItsPixelsAre) {
         EXPECT_EQ(standIn.hit(x, y, divider).yarn,
                   (x * divider + divider / 2 - 16) / own + 100 * ((y * divider + divider / 2 - 32) / own));
       }
+  }
+}
+
+TEST(StandIn, WhatIsNotKeptIsGoneWithTheFirstSample) {
+  std::vector<uint8_t> kept(64, 1);
+  kept[3 + 8 * 2] = 0;
+  const StandIn standIn(frame(1, 0, {0, 0, 8, 8}), 16, kept);
+  EXPECT_EQ(standIn.samples(), 16u);
+  for (const auto& [x, y, isKept] : {std::tuple(3, 2, false), std::tuple(2, 3, true)}) {
+    EXPECT_EQ(standIn.isFineAt(x, y), isKept);
+    EXPECT_EQ(standIn.shareAt(x, y, 0), 1.0f);
+    EXPECT_EQ(standIn.shareAt(x, y, 1), isKept ? standIn.share(1) : 0.0f);
+    EXPECT_EQ(standIn.shareAt(x, y, 16), 0.0f);
   }
 }
 

@@ -125,6 +125,14 @@ TEST(ClearHelp, EndsWhereThePictureIsAsClear) {
   EXPECT_FALSE(wantsHelp(3, 3));
 }
 
+TEST(IsOnlyMoved, WhereTheCameraAloneIsAnother) {
+  EXPECT_TRUE(isOnlyMoved(of(Stage::camera)));
+  EXPECT_TRUE(isOnlyMoved(of(Stage::camera | Stage::label)));
+  EXPECT_FALSE(isOnlyMoved(of({})));
+  EXPECT_FALSE(isOnlyMoved(of(Stage::camera | Stage::light)));
+  EXPECT_FALSE(isOnlyMoved(of(Stage::camera | Stage::drape)));
+}
+
 TEST(Supersedes, DyedPicturesThatHaveNoLessNoise) {
   const RecolouredPicture recoloured{64, false, 0.1};
   EXPECT_FALSE(supersedes(8, 0.11, recoloured));

@@ -72,6 +72,46 @@ TEST_F(SharedRefinement, TheFirstPictureOfAMovedViewHasTheDetailOfTheOneBefore) 
   }
 }
 
+/// Mean distance of what is shown from the means of a film, in linear light.
+double apart(const Frame& frame, const Film& film) {
+  double sum = 0;
+  for (int y = 0; y < film.height(); ++y)
+    for (int x = 0; x < film.width(); ++x) {
+      const auto u = static_cast<size_t>(x / frame.divider), v = static_cast<size_t>(y / frame.divider);
+      sum += glm::distance(Rgb(frame.plain()[v * static_cast<size_t>(frame.width) + u]), film.mean(x, y));
+    }
+  return sum / (film.width() * film.height());
+}
+
+// The picture before has 32 samples, so its noise is less than what is lost where one path stands for many pixels.
+TEST_F(SharedRefinement, AMovedViewIsAsSharpAsThePictureBefore) {
+  Fabric turned = *cloth.scene->fabric;
+  turned.camera.azimuth_deg += 5;
+  const Traceable moved{makeScene(std::make_shared<const Fabric>(turned), Task{}, cloth.scene.get()), cloth.medium};
+  for (const bool sharesLight : {true, false}) {
+    SCOPED_TRACE(sharesLight);
+    Refinement after(moved, kWidth, kHeight, kSlow_s), without(moved, kWidth, kHeight, kSlow_s);
+    for (Refinement* one : {&without, &after}) {
+      Refinement before(cloth, kWidth, kHeight, kSlow_s);
+      if (sharesLight) before.shareLight(nullptr, {});
+      refine(before, 32);
+      if (one == &after) after.movedFrom(std::make_shared<const Frame>(before.frame()), cloth.scene->fabric->camera);
+      if (sharesLight) one->shareLight(before.takeSharedLight(), changes(*cloth.scene->fabric, turned));
+      one->beginWith({12, 0.1, 3});
+      ASSERT_TRUE(one->advance(Task{{}, {}, 1}));
+    }
+    const Frame first = after.frame();
+    EXPECT_EQ(first.divider, 1);
+    EXPECT_EQ(first.samples, 0);
+    EXPECT_EQ(first.quality, PreviewQuality::coarse);
+    ASSERT_EQ(first.plain().size(), static_cast<size_t>(kWidth) * kHeight);
+    EXPECT_FALSE(after.converged());
+    while (after.fading()) refine(after, after.samples() + 1);
+    EXPECT_EQ(apart(after.frame(), after.film()) == 0, !sharesLight) << "nothing of it is left in the light of paths";
+    EXPECT_LT(apart(first, after.film()), apart(without.frame(), after.film()));
+  }
+}
+
 TEST_F(SharedRefinement, ServesVolumesOnEveryDrape) {
   EXPECT_TRUE(SharedLight::serves(*cloth.scene, kWidth, kHeight));
   Fabric bent = *cloth.scene->fabric, fibres = bent;

@@ -91,5 +91,21 @@ TEST(CameraRays, DirectionsAreUnit) {
   }
 }
 
+TEST(CameraRays, ProjectsAPointToThePixelWhoseRayMeetsIt) {
+  for (const double fov : {0.0, 30.0}) {
+    const CameraRays rays(view(20, 40, fov), 64, 48);
+    for (const glm::vec2 pixel : {glm::vec2(3.5f, 40.25f), glm::vec2(32, 24), glm::vec2(80, -9)}) {
+      const Ray ray = rays.ray(pixel.x, pixel.y);
+      const auto seen = rays.project(ray.origin + 41.0f * ray.direction);
+      ASSERT_TRUE(seen);
+      EXPECT_NEAR(seen->x, pixel.x, 1e-2);
+      EXPECT_NEAR(seen->y, pixel.y, 1e-2);
+      EXPECT_NEAR(seen->distance_mm, 41, 1e-3);
+    }
+    const Ray middle = rays.ray(32, 24);
+    EXPECT_FALSE(rays.project(middle.origin - 1.0f * middle.direction));
+  }
+}
+
 }  // namespace
 }  // namespace loomlight

@@ -1,0 +1,249 @@
+#include "render/share/moved_view.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "core/base/parallel.h"
+#include "render/share/block_gains.h"
+#include "render/share/shared_picture.h"
+
+// How it works (after the render cache of Walter et al. 1999). Each pixel of the earlier picture is a point in space,
+// as it knows how far away its fibre is. These points, seen by the new camera, make a map of distances, half as fine as
+// the picture; gaps between them are closed. Each new pixel has a distance from that map, so it is a point in space
+// too, and looks up what the earlier picture shows there, unless something else stood before it.
+
+namespace loomlight {
+namespace {
+
+constexpr float kNothing = std::numeric_limits<float>::infinity();
+constexpr int kCell = 2;  // pixels of the picture for one of the map, each way
+
+size_t indexIn(int width, int x, int y) {
+  return static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x);
+}
+
+bool isWithin(const Frame& picture, const CameraRays::Projection& at) {
+  return at.x >= 0 && at.y >= 0 && at.x < static_cast<float>(picture.width) &&
+         at.y < static_cast<float>(picture.height);
+}
+
+/// How far the nearest cloth is from the camera, for cells of some pixels.
+struct DistanceMap {
+  DistanceMap(int w, int h) : width(w), height(h), all_mm(static_cast<size_t>(w) * static_cast<size_t>(h), kNothing) {}
+
+  /// Whether it has such a cell, with some cloth in it.
+  bool has(int x, int y) const {
+    return x >= 0 && y >= 0 && x < width && y < height && all_mm[indexIn(width, x, y)] < kNothing;
+  }
+
+  int width, height;
+  std::vector<float> all_mm;
+};
+
+/// Points fall into cells in any order, and the nearest stays.
+DistanceMap distancesOf(const Frame& earlier, const CameraRays& from, const CameraRays& to, int threads) {
+  DistanceMap map((earlier.width + kCell - 1) / kCell, (earlier.height + kCell - 1) / kCell);
+  parallelFor(static_cast<size_t>(earlier.height), threads, [&](size_t row) {
+    for (int x = 0; x < earlier.width; ++x) {
+      const Film::Hit& hit = earlier.hits[indexIn(earlier.width, x, static_cast<int>(row))];
+      if (hit.yarn < 0) continue;
+      const Ray ray = from.ray(static_cast<float>(x) + 0.5f, static_cast<float>(row) + 0.5f);
+      const auto seen = to.project(ray.origin + hit.depth_mm * ray.direction);
+      if (!seen || !isWithin(earlier, *seen)) continue;
+      std::atomic_ref<float> cell(
+          map.all_mm[indexIn(map.width, static_cast<int>(seen->x) / kCell, static_cast<int>(seen->y) / kCell)]);
+      float nearest = cell.load(std::memory_order_relaxed);
+      while (seen->distance_mm < nearest &&
+             !cell.compare_exchange_weak(nearest, seen->distance_mm, std::memory_order_relaxed)) {
+      }
+    }
+  });
+  return map;
+}
+
+/// Fibres lie at random depths: means over cells side by side are steadier. A cell without cloth that has some beside
+/// it takes the nearest: it may be a gap between points, and where it is beyond an edge, the earlier picture shows
+/// that.
+DistanceMap smoothed(const DistanceMap& map, float thickness_mm, int threads) {
+  DistanceMap smooth(map.width, map.height);
+  parallelFor(static_cast<size_t>(map.height), threads, [&](size_t row) {
+    const int y = static_cast<int>(row);
+    for (int x = 0; x < map.width; ++x) {
+      const auto overNeighbours = [&](const auto& visit) {
+        for (int v = y - 1; v <= y + 1; ++v)
+          for (int u = x - 1; u <= x + 1; ++u)
+            if (map.has(u, v)) visit(map.all_mm[indexIn(map.width, u, v)]);
+      };
+      float reference = map.all_mm[indexIn(map.width, x, y)];
+      if (reference == kNothing) overNeighbours([&](float distance) { reference = std::min(reference, distance); });
+      float sum = 0;
+      int count = 0;
+      overNeighbours([&](float distance) {
+        if (std::abs(distance - reference) > thickness_mm) return;
+        sum += distance;
+        ++count;
+      });
+      if (count > 0) smooth.all_mm[indexIn(map.width, x, y)] = sum / static_cast<float>(count);
+    }
+  });
+  return smooth;
+}
+
+/// How much distances differ from cell to cell where no edge lies between them, in millimetres.
+float slant_mm(const DistanceMap& map, int x, int y) {
+  const auto along = [&](int u, int v) {
+    float least = kNothing;
+    for (const int side : {-1, 1})
+      if (map.has(x + side * u, y + side * v))
+        least = std::min(least, std::abs(map.all_mm[indexIn(map.width, x + side * u, y + side * v)] -
+                                         map.all_mm[indexIn(map.width, x, y)]));
+    return least == kNothing ? 0 : least;
+  };
+  return along(1, 0) + along(0, 1);
+}
+
+/// Between the centres of pixels, `x` and `y` from the top left; of pixels that `isSame`, the one at this place among
+/// them.
+template <class IsSame>
+glm::vec4 between(std::span<const glm::vec4> picture, int width, int height, float x, float y, const IsSame& isSame) {
+  const float left = std::floor(x - 0.5f), top = std::floor(y - 0.5f);
+  glm::vec4 sum(0);
+  float weights = 0;
+  for (const int v : {0, 1})
+    for (const int u : {0, 1}) {
+      const size_t i = indexIn(width, std::clamp(static_cast<int>(left) + u, 0, width - 1),
+                               std::clamp(static_cast<int>(top) + v, 0, height - 1));
+      if (!isSame(i)) continue;
+      const float across = x - 0.5f - left, down = y - 0.5f - top;
+      const float weight = (u ? across : 1 - across) * (v ? down : 1 - down);
+      sum += weight * picture[i];
+      weights += weight;
+    }
+  return sum / weights;
+}
+
+/// The square of how much the light of one path varies, as a share of that of the picture. What neighbours differ in is
+/// noise and what a pixel's own texture adds, as light itself moves slowly over the picture.
+float relativeNoise2(const SharedPicture& picture, const Film& film) {
+  double apart = 0, texture = 0, light = 0;
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 1; x < picture.width; ++x) {
+      const size_t right = indexIn(picture.width, x, y), left = right - 1;
+      if (picture.alpha[left] == 0 || picture.alpha[right] == 0) continue;
+      const auto difference = [&](int u, size_t i) {
+        return picture.alpha[i] * film.mean(u, y) - film.alpha(u, y) * picture.light[i];
+      };
+      const Rgb both = difference(x, right) - difference(x - 1, left);
+      apart += glm::dot(both, both);
+      for (const size_t i : {left, right}) {
+        texture += picture.variances[i];
+        light += glm::dot(picture.light[i], picture.light[i]);
+      }
+    }
+  return light > 0 ? static_cast<float>(std::max(0.0, apart - texture) / light) : 0.0f;
+}
+
+}  // namespace
+
+MovedView movedView(const Frame& earlier, const CameraRays& from, const CameraRays& to, float thickness_mm,
+                    int threads) {
+  assert(earlier.divider == 1 && earlier.hits.size() == earlier.plain().size());
+  const int width = earlier.width, height = earlier.height;
+  MovedView view{width, height, {}, {}, {}, earlier.samples};
+  view.light.resize(earlier.rgba.size());
+  view.hits.resize(earlier.rgba.size());
+  view.kept.resize(earlier.rgba.size());
+  const DistanceMap map = smoothed(distancesOf(earlier, from, to, threads), thickness_mm, threads);
+  parallelFor(static_cast<size_t>(height), threads, [&](size_t row) {
+    const int y = static_cast<int>(row);
+    for (int x = 0; x < width; ++x) {
+      const int u = x / kCell, v = y / kCell;
+      if (!map.has(u, v)) continue;
+      const Ray ray = to.ray(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
+      const float distance_mm = map.all_mm[indexIn(map.width, u, v)];
+      const auto then = from.project(ray.origin + distance_mm * ray.direction);
+      if (!then || !isWithin(earlier, *then)) continue;
+      const float reach_mm = thickness_mm + slant_mm(map, u, v);
+      Film::Hit hit = earlier.hits[indexIn(width, static_cast<int>(then->x), static_cast<int>(then->y))];
+      if (hit.yarn >= 0 && std::abs(hit.depth_mm - then->distance_mm) > reach_mm) continue;
+      const auto isSame = [&](size_t i) {
+        const Film::Hit& other = earlier.hits[i];
+        return (other.yarn < 0) == (hit.yarn < 0) &&
+               (hit.yarn < 0 || std::abs(other.depth_mm - then->distance_mm) <= reach_mm);
+      };
+      const size_t i = indexIn(width, x, y);
+      view.light[i] = between(earlier.plain(), width, height, then->x, then->y, isSame);
+      if (hit.yarn >= 0) hit.depth_mm = distance_mm;
+      view.hits[i] = hit;
+      view.kept[i] = 1;
+    }
+  });
+  return view;
+}
+
+void brightenTo(MovedView& view, const Film& coarse, int divider, int threads) {
+  SharedPicture all(divider * coarse.width(), divider * coarse.height());
+  parallelFor(static_cast<size_t>(view.height), threads, [&](size_t row) {
+    for (int x = 0; x < view.width; ++x) {
+      const size_t from = indexIn(view.width, x, static_cast<int>(row)),
+                   to = indexIn(all.width, x, static_cast<int>(row));
+      all.light[to] = Rgb(view.light[from]);
+      all.alpha[to] = view.light[from].a;
+    }
+  });
+  SharedPicture small = reduced(all, divider);
+  const float noise2 = relativeNoise2(small, coarse);
+  for (size_t i = 0; i < small.light.size(); ++i)
+    small.variances[i] += noise2 * glm::dot(small.light[i], small.light[i]);
+  const BlockGains gains(small, coarse, threads);
+  parallelFor(static_cast<size_t>(view.height), threads, [&](size_t row) {
+    for (int x = 0; x < view.width; ++x) {
+      glm::vec4& light = view.light[indexIn(view.width, x, static_cast<int>(row))];
+      light = glm::vec4(Rgb(light) * gains.at((glm::vec2(x, row) + 0.5f) / static_cast<float>(divider)), light.a);
+    }
+  });
+}
+
+float missingIn(const MovedView& view, const Film& coarse, int divider) {
+  size_t cloth = 0, missing = 0;
+  for (int y = 0; y < coarse.height(); ++y)
+    for (int x = 0; x < coarse.width(); ++x) {
+      if (coarse.hit(x, y).yarn < 0) continue;
+      ++cloth;
+      const int u = std::min(x * divider + divider / 2, view.width - 1);
+      const int v = std::min(y * divider + divider / 2, view.height - 1);
+      missing += view.kept[indexIn(view.width, u, v)] == 0;
+    }
+  return cloth > 0 ? static_cast<float>(missing) / static_cast<float>(cloth) : 0.0f;
+}
+
+Frame filledFrom(const Frame& fresh, const MovedView& view, int threads) {
+  Frame whole;
+  whole.width = view.width;
+  whole.height = view.height;
+  whole.window = {0, 0, view.width, view.height};
+  whole.rgba = view.light;
+  whole.hits = view.hits;
+  const auto all = [](size_t) { return true; };
+  const auto scale = 1.0f / static_cast<float>(fresh.divider);
+  parallelFor(static_cast<size_t>(view.height), threads, [&](size_t row) {
+    const float v = scale * (static_cast<float>(row) + 0.5f);
+    for (int x = 0; x < view.width; ++x) {
+      const size_t i = indexIn(view.width, x, static_cast<int>(row));
+      if (view.kept[i]) continue;
+      const float u = scale * (static_cast<float>(x) + 0.5f);
+      whole.rgba[i] = between(fresh.plain(), fresh.width, fresh.height, u, v, all);
+      if (!fresh.hits.empty())
+        whole.hits[i] = fresh.hits[indexIn(fresh.width, std::min(static_cast<int>(u), fresh.width - 1),
+                                           std::min(static_cast<int>(v), fresh.height - 1))];
+    }
+  });
+  whole.helped = whole.rgba;
+  return whole;
+}
+
+}  // namespace loomlight
