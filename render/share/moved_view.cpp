@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "core/base/parallel.h"
 #include "render/share/block_gains.h"
@@ -65,9 +66,17 @@ DistanceMap distancesOf(const Frame& earlier, const CameraRays& from, const Came
   return map;
 }
 
-/// Fibres lie at random depths: means over cells side by side are steadier. A cell without cloth that has some beside
-/// it takes the nearest: it may be a gap between points, and where it is beyond an edge, the earlier picture shows
-/// that.
+/// The distance of a cell without cloth that has some on two opposite sides; infinite where it is no such gap.
+float acrossGap(const DistanceMap& map, int x, int y) {
+  float nearest = kNothing;
+  for (const auto& [u, v] : {std::pair(1, 0), std::pair(0, 1), std::pair(1, 1), std::pair(1, -1)})
+    if (map.has(x + u, y + v) && map.has(x - u, y - v))
+      nearest = std::min(
+          {nearest, map.all_mm[indexIn(map.width, x + u, y + v)], map.all_mm[indexIn(map.width, x - u, y - v)]});
+  return nearest;
+}
+
+/// Fibres lie at random depths: means over cells side by side are steadier. Closes gaps of a cell.
 DistanceMap smoothed(const DistanceMap& map, float thickness_mm, int threads) {
   DistanceMap smooth(map.width, map.height);
   parallelFor(static_cast<size_t>(map.height), threads, [&](size_t row) {
@@ -79,7 +88,7 @@ DistanceMap smoothed(const DistanceMap& map, float thickness_mm, int threads) {
             if (map.has(u, v)) visit(map.all_mm[indexIn(map.width, u, v)]);
       };
       float reference = map.all_mm[indexIn(map.width, x, y)];
-      if (reference == kNothing) overNeighbours([&](float distance) { reference = std::min(reference, distance); });
+      if (reference == kNothing) reference = acrossGap(map, x, y);
       float sum = 0;
       int count = 0;
       overNeighbours([&](float distance) {
@@ -157,7 +166,8 @@ MovedView movedView(const Frame& earlier, const CameraRays& from, const CameraRa
   view.light.resize(earlier.rgba.size());
   view.hits.resize(earlier.rgba.size());
   view.kept.resize(earlier.rgba.size());
-  const DistanceMap map = smoothed(distancesOf(earlier, from, to, threads), thickness_mm, threads);
+  const DistanceMap seen = distancesOf(earlier, from, to, threads);
+  const DistanceMap map = smoothed(seen, thickness_mm, threads);
   parallelFor(static_cast<size_t>(height), threads, [&](size_t row) {
     const int y = static_cast<int>(row);
     for (int x = 0; x < width; ++x) {
@@ -169,6 +179,8 @@ MovedView movedView(const Frame& earlier, const CameraRays& from, const CameraRa
       if (!then || !isWithin(earlier, *then)) continue;
       const float reach_mm = thickness_mm + slant_mm(map, u, v);
       Film::Hit hit = earlier.hits[indexIn(width, static_cast<int>(then->x), static_cast<int>(then->y))];
+      // Beyond an edge there may be cloth by now that was hidden then.
+      if (hit.yarn < 0 && !seen.has(u, v)) continue;
       if (hit.yarn >= 0 && std::abs(hit.depth_mm - then->distance_mm) > reach_mm) continue;
       const auto isSame = [&](size_t i) {
         const Film::Hit& other = earlier.hits[i];
