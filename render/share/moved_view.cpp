@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/parallel.h"
+#include "render/display/resample.h"
 #include "render/share/block_gains.h"
 #include "render/share/shared_picture.h"
 
@@ -41,6 +42,9 @@ struct DistanceMap {
     return x >= 0 && y >= 0 && x < width && y < height && all_mm[indexIn(width, x, y)] < kNothing;
   }
 
+  float& at(int x, int y) { return all_mm[indexIn(width, x, y)]; }
+  float at(int x, int y) const { return all_mm[indexIn(width, x, y)]; }
+
   int width, height;
   std::vector<float> all_mm;
 };
@@ -55,8 +59,7 @@ DistanceMap distancesOf(const Frame& earlier, const CameraRays& from, const Came
       const Ray ray = from.ray(static_cast<float>(x) + 0.5f, static_cast<float>(row) + 0.5f);
       const auto seen = to.project(ray.origin + hit.depth_mm * ray.direction);
       if (!seen || !isWithin(earlier, *seen)) continue;
-      std::atomic_ref<float> cell(
-          map.all_mm[indexIn(map.width, static_cast<int>(seen->x) / kCell, static_cast<int>(seen->y) / kCell)]);
+      std::atomic_ref<float> cell(map.at(static_cast<int>(seen->x) / kCell, static_cast<int>(seen->y) / kCell));
       float nearest = cell.load(std::memory_order_relaxed);
       while (seen->distance_mm < nearest &&
              !cell.compare_exchange_weak(nearest, seen->distance_mm, std::memory_order_relaxed)) {
@@ -71,8 +74,7 @@ float acrossGap(const DistanceMap& map, int x, int y) {
   float nearest = kNothing;
   for (const auto& [u, v] : {std::pair(1, 0), std::pair(0, 1), std::pair(1, 1), std::pair(1, -1)})
     if (map.has(x + u, y + v) && map.has(x - u, y - v))
-      nearest = std::min(
-          {nearest, map.all_mm[indexIn(map.width, x + u, y + v)], map.all_mm[indexIn(map.width, x - u, y - v)]});
+      nearest = std::min({nearest, map.at(x + u, y + v), map.at(x - u, y - v)});
   return nearest;
 }
 
@@ -82,21 +84,16 @@ DistanceMap smoothed(const DistanceMap& map, float thickness_mm, int threads) {
   parallelFor(static_cast<size_t>(map.height), threads, [&](size_t row) {
     const int y = static_cast<int>(row);
     for (int x = 0; x < map.width; ++x) {
-      const auto overNeighbours = [&](const auto& visit) {
-        for (int v = y - 1; v <= y + 1; ++v)
-          for (int u = x - 1; u <= x + 1; ++u)
-            if (map.has(u, v)) visit(map.all_mm[indexIn(map.width, u, v)]);
-      };
-      float reference = map.all_mm[indexIn(map.width, x, y)];
-      if (reference == kNothing) reference = acrossGap(map, x, y);
+      const float reference = map.has(x, y) ? map.at(x, y) : acrossGap(map, x, y);
       float sum = 0;
       int count = 0;
-      overNeighbours([&](float distance) {
-        if (std::abs(distance - reference) > thickness_mm) return;
-        sum += distance;
-        ++count;
-      });
-      if (count > 0) smooth.all_mm[indexIn(map.width, x, y)] = sum / static_cast<float>(count);
+      for (int v = y - 1; v <= y + 1; ++v)
+        for (int u = x - 1; u <= x + 1; ++u) {
+          if (!map.has(u, v) || std::abs(map.at(u, v) - reference) > thickness_mm) continue;
+          sum += map.at(u, v);
+          ++count;
+        }
+      if (count > 0) smooth.at(x, y) = sum / static_cast<float>(count);
     }
   });
   return smooth;
@@ -108,8 +105,7 @@ float slant_mm(const DistanceMap& map, int x, int y) {
     float least = kNothing;
     for (const int side : {-1, 1})
       if (map.has(x + side * u, y + side * v))
-        least = std::min(least, std::abs(map.all_mm[indexIn(map.width, x + side * u, y + side * v)] -
-                                         map.all_mm[indexIn(map.width, x, y)]));
+        least = std::min(least, std::abs(map.at(x + side * u, y + side * v) - map.at(x, y)));
     return least == kNothing ? 0 : least;
   };
   return along(1, 0) + along(0, 1);
@@ -174,7 +170,7 @@ MovedView movedView(const Frame& earlier, const CameraRays& from, const CameraRa
       const int u = x / kCell, v = y / kCell;
       if (!map.has(u, v)) continue;
       const Ray ray = to.ray(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
-      const float distance_mm = map.all_mm[indexIn(map.width, u, v)];
+      const float distance_mm = map.at(u, v);
       const auto then = from.project(ray.origin + distance_mm * ray.direction);
       if (!then || !isWithin(earlier, *then)) continue;
       const float reach_mm = thickness_mm + slant_mm(map, u, v);
@@ -240,18 +236,17 @@ Frame filledFrom(const Frame& fresh, const MovedView& view, int threads) {
   whole.window = {0, 0, view.width, view.height};
   whole.rgba = view.light;
   whole.hits = view.hits;
-  const auto all = [](size_t) { return true; };
-  const auto scale = 1.0f / static_cast<float>(fresh.divider);
+  const float ratio = 1.0f / static_cast<float>(fresh.divider);
   parallelFor(static_cast<size_t>(view.height), threads, [&](size_t row) {
-    const float v = scale * (static_cast<float>(row) + 0.5f);
+    const int y = static_cast<int>(row);
+    const Between down(y, ratio, 0, fresh.height);
     for (int x = 0; x < view.width; ++x) {
-      const size_t i = indexIn(view.width, x, static_cast<int>(row));
+      const size_t i = indexIn(view.width, x, y);
       if (view.kept[i]) continue;
-      const float u = scale * (static_cast<float>(x) + 0.5f);
-      whole.rgba[i] = between(fresh.plain(), fresh.width, fresh.height, u, v, all);
+      whole.rgba[i] = resampled(fresh.plain(), fresh.width, Between(x, ratio, 0, fresh.width), down);
       if (!fresh.hits.empty())
-        whole.hits[i] = fresh.hits[indexIn(fresh.width, std::min(static_cast<int>(u), fresh.width - 1),
-                                           std::min(static_cast<int>(v), fresh.height - 1))];
+        whole.hits[i] = fresh.hits[indexIn(fresh.width, std::min(x / fresh.divider, fresh.width - 1),
+                                           std::min(y / fresh.divider, fresh.height - 1))];
     }
   });
   whole.helped = whole.rgba;

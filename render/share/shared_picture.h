@@ -25,6 +25,7 @@ struct SharedPicture {
 };
 /// Each pixel the mean over `side` x `side`; those that do not fill one are left out.
 SharedPicture reduced(const SharedPicture& fine, int side);
+
 SharedPicture sharedPicture(const FirstHits& hits, const CellMeans& means, int threads);
 
 /// The picture of cells, which has hardly any noise but an error of its own, brought nearer to a film of the same
