@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "app/export/file_set.h"
 #include "app/export/tile.h"
 #include "core/base/file.h"
 #include "core/base/rgb.h"
@@ -76,12 +77,14 @@ std::string hex(const Rgb& colour) {
 
 TileReport writeTile(const std::string& stem, const TileMaps& maps, const Fabric& fabric, const TileExtent& extent,
                      const ClothMeasures& measures, const std::vector<std::string>& names) {
+  const std::filesystem::path path(stem);
+  const auto fileName = [&](const char* ending) { return path.filename().string() + ending; };
   TileReport report;
+  FileSet set(path.parent_path().string(), path.filename().string());
   const auto named = [&](const char* ending) {
     report.files.push_back(stem + ending);
-    return report.files.back();
+    return set.add(fileName(ending));
   };
-  const auto fileName = [&](const char* ending) { return std::filesystem::path(stem + ending).filename().string(); };
   const auto [low, high] = std::minmax_element(maps.height_mm.begin(), maps.height_mm.end());
   const float lowest = *low, range = std::max(1e-6f, *high - *low);
   const double dpi = kMmPerInch * maps.width / (extent.ends * fabric.warpPitch_mm());
@@ -131,6 +134,7 @@ TileReport writeTile(const std::string& stem, const TileMaps& maps, const Fabric
         {"yarn", {{"file", fileName("_yarn.png")}, {"encoding", "a color a yarn"}, {"yarns", yarns}}}}}};
   report.json = json.dump(2) + "\n";
   writeFileAtomically(named(".json"), report.json);
+  set.place();
   return report;
 }
 

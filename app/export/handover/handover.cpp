@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "app/export/file_set.h"
 #include "app/export/handover/cloth_facts.h"
 #include "app/export/handover/fit_json.h"
 #include "app/export/handover/gltf.h"
@@ -14,7 +14,6 @@
 #include "app/export/handover/restricted_zip.h"
 #include "app/export/handover/textures.h"
 #include "app/export/handover/u3m.h"
-#include "core/base/error.h"
 #include "core/base/file.h"
 
 namespace loomlight {
@@ -39,6 +38,7 @@ std::string fitLine(const char* side, const SurfaceFit& fit) {
 }
 
 std::string sidecar(const DigitalCloth& cloth, const SideTextures& front, const SideTextures& back) {
+  const ListedName construction = constructionOf(cloth.fabric.weave);
   const Json json = {{"name", cloth.fabric.name},
                      {"program", "Loomlight " LOOMLIGHT_VERSION},
                      {"width_mm", cloth.width_mm()},
@@ -50,7 +50,7 @@ std::string sidecar(const DigitalCloth& cloth, const SideTextures& front, const 
                      {"height_px", cloth.front.maps.tile.height},
                      {"areal_mass_g_m2", cloth.measures.arealMass_g_m2},
                      {"thickness_mm", cloth.measures.thickness_mm},
-                     {"construction", constructionOf(cloth.fabric.weave).type},
+                     {"construction", construction.name.empty() ? construction.type : construction.name},
                      {"back",
                       "turned over about the vertical axis: column c lies behind column width - 1 - c of the "
                       "front, rows stay"},
@@ -62,37 +62,33 @@ std::string sidecar(const DigitalCloth& cloth, const SideTextures& front, const 
 
 HandoverReport writeHandover(const std::string& folder, const std::string& name, const DigitalCloth& cloth,
                              std::chrono::sys_seconds now) {
-  const std::filesystem::path place(folder);
-  std::error_code failed;
-  std::filesystem::create_directories(place / "textures", failed);
-  if (failed)
-    throw InputError(fmt::format("{}: expected a folder that can be made, got: {}", (place / "textures").string(),
-                                 failed.message()));
+  FileSet set(folder, name);
   HandoverReport report;
   const auto written = [&](const std::string& file, const std::string& content) {
-    writeFileAtomically((place / file).string(), content);
+    writeFileAtomically(set.add(file), content);
     report.files.push_back(file);
   };
-  const SideTextures front = writeTextures(folder, name, cloth, ClothSide::front);
-  const SideTextures back = writeTextures(folder, name, cloth, ClothSide::back);
+  const SideTextures front = writeTextures(set, name, cloth, ClothSide::front);
+  const SideTextures back = writeTextures(set, name, cloth, ClothSide::back);
 
   const std::string u3m = u3mText(cloth, front, back, now);
   std::vector<ArchivedFile> packed{{name + ".u3m", u3m}};
   for (const SideTextures* side : {&front, &back})
     for (const std::string& file : side->files()) {
-      packed.push_back({file, readFile((place / file).string(), std::numeric_limits<size_t>::max())});
+      packed.push_back({file, readFile(set.pathOf(file), std::numeric_limits<size_t>::max())});
       report.files.push_back(file);
     }
   written(name + ".u3m", u3m);
   written(name + ".u3ma", restrictedZip(packed, now));
   packed.clear();
-  const std::string scratch = (place / ("textures/." + name + ".png")).string();
+  const std::string scratch = set.pathOf("scratch.png");
   written(name + ".glb", glbBytes(cloth, ClothSide::front, scratch));
   written(name + "_back.glb", glbBytes(cloth, ClothSide::back, scratch));
   written(name + ".mtlx", materialXText(cloth, ClothSide::front, front));
   written(name + "_back.mtlx", materialXText(cloth, ClothSide::back, back));
   written(name + ".jfab", jfabText(cloth, front));
   written(name + ".handover.json", sidecar(cloth, front, back));
+  set.place();
   report.lines = {fitLine("front", cloth.front.fit), fitLine("back", cloth.back.fit)};
   return report;
 }

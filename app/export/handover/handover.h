@@ -19,8 +19,9 @@ struct HandoverReport {
 /// - NAME.u3m, which refers to them, and NAME.u3ma, which holds both;
 /// - NAME.glb and NAME_back.glb: a swatch of either side, with all that it takes;
 /// - NAME.mtlx and NAME_back.mtlx (MaterialX, OpenPBR), which refer to the textures;
+/// - NAME.jfab, for CLO: tried by nobody who has the program;
 /// - NAME.handover.json: sizes, mass, thickness, parameters, errors of the fit, encodings.
-/// `name`: a file's. Each file is whole or not there. Throws InputError.
+/// `name`: a file's. All files are there, or those that were there before. Throws InputError.
 HandoverReport writeHandover(const std::string& folder, const std::string& name, const DigitalCloth& cloth,
                              std::chrono::sys_seconds now);
 

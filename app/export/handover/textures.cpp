@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "app/export/handover/side_pixels.h"
 #include "core/base/rgb.h"
@@ -12,8 +13,8 @@ namespace {
 /// Writes pictures of one side, each from a number or a colour of its pixels.
 class TextureWriter {
  public:
-  TextureWriter(const std::string& folder, std::string stem, const DigitalCloth& cloth, const DigitalSide& side)
-      : folder_(folder), stem_(std::move(stem)), dpi_(cloth.dpiX()), tile_(side.maps.tile) {
+  TextureWriter(FileSet& set, std::string stem, const DigitalCloth& cloth, const DigitalSide& side)
+      : set_(set), stem_(std::move(stem)), dpi_(cloth.dpiX()), tile_(side.maps.tile) {
     for (size_t i = 0; i < tile_.opacity.size(); ++i) pixels_.push_back(sidePixel(side, i));
   }
 
@@ -28,8 +29,8 @@ class TextureWriter {
       for (int c = 0; c < 3; ++c)
         picture.bytes.push_back(static_cast<uint8_t>(std::lround(255 * std::clamp(shown[c], 0.0f, 1.0f))));
     }
-    const std::string file = nameOf(suffix);
-    writePng(folder_ + "/" + file, picture, {}, dpi_);
+    std::string file = nameOf(suffix);
+    writePng(set_.add(file), picture, {}, dpi_);
     return file;
   }
 
@@ -42,15 +43,15 @@ class TextureWriter {
       for (int c = 0; c < 3; ++c)
         picture.values.push_back(static_cast<uint16_t>(std::lround(65535 * std::clamp(numbers[c], 0.0f, 1.0f))));
     }
-    const std::string file = nameOf(suffix);
-    writePng(folder_ + "/" + file, picture, dpi_);
+    std::string file = nameOf(suffix);
+    writePng(set_.add(file), picture, dpi_);
     return file;
   }
 
  private:
   std::string nameOf(const char* suffix) const { return "textures/" + stem_ + suffix + ".png"; }
 
-  const std::string& folder_;
+  FileSet& set_;
   std::string stem_;
   double dpi_;
   const TileMaps& tile_;
@@ -58,7 +59,7 @@ class TextureWriter {
 };
 
 SideTextures::Means meansOf(const std::vector<SidePixel>& pixels) {
-  SideTextures::Means means{Rgb(0), 0, 0, 0, 0};
+  SideTextures::Means means{Rgb(0), 0, 0, 0, 0, 0};
   glm::vec2 axes(0);  // with doubled angles
   for (const SidePixel& pixel : pixels) {
     const DisneyGloss gloss = disneyGloss(pixel.roughness, pixel.anisotropy);
@@ -81,10 +82,9 @@ SideTextures::Means meansOf(const std::vector<SidePixel>& pixels) {
 
 }  // namespace
 
-SideTextures writeTextures(const std::string& folder, const std::string& name, const DigitalCloth& cloth,
-                           ClothSide side) {
+SideTextures writeTextures(FileSet& set, const std::string& name, const DigitalCloth& cloth, ClothSide side) {
   const DigitalSide& of = cloth.of(side);
-  const TextureWriter writer(folder, name + (side == ClothSide::front ? "_" : "_back_"), cloth, of);
+  const TextureWriter writer(set, name + (side == ClothSide::front ? "_" : "_back_"), cloth, of);
   const std::vector<SidePixel>& pixels = writer.pixels();
   const std::vector<float>& height_mm = of.maps.tile.height_mm;
   const auto [low, high] = std::minmax_element(height_mm.begin(), height_mm.end());
@@ -102,6 +102,9 @@ SideTextures writeTextures(const std::string& folder, const std::string& name, c
   files.anisotropyRotation = writer.numbers("ANISOROT", [&](size_t i) { return rotationOf(pixels[i].drawnOut); });
   files.opacity = writer.numbers("ALPHA", [&](size_t i) { return pixels[i].opacity; });
   files.means = meansOf(pixels);
+  const double sum_mm = std::accumulate(height_mm.begin(), height_mm.end(), 0.0);
+  const double mean_mm = sum_mm / static_cast<double>(height_mm.size());
+  files.means.height = static_cast<float>((mean_mm - files.lowest_mm) / range_mm);
   return files;
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "app/export/file_set.h"
 #include "app/export/handover/digital_cloth.h"
 
 namespace loomlight {
@@ -21,6 +22,7 @@ struct SideTextures {
   /// What a program takes that reads no pictures: means over the tile.
   struct Means {
     Rgb base{0};  ///< linear
+    float height = 0.5f;  ///< from lowest_mm, 0, to highest_mm, 1
     float opacity = 1, roughness = 1, anisotropy = 0, anisotropyRotation = 0.5f;
   } means;
 
@@ -29,9 +31,8 @@ struct SideTextures {
   }
 };
 
-/// Writes them under `folder`, which has a folder "textures". All have three channels, as U3M asks for, and the size of
-/// the tile as dots per inch. Throws InputError.
-SideTextures writeTextures(const std::string& folder, const std::string& name, const DigitalCloth& cloth,
-                           ClothSide side);
+/// Adds them to `set`, in a folder "textures". All have three channels, as U3M asks for, and the size of the tile as dots
+/// per inch. Throws InputError.
+SideTextures writeTextures(FileSet& set, const std::string& name, const DigitalCloth& cloth, ClothSide side);
 
 }  // namespace loomlight

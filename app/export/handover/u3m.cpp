@@ -61,7 +61,7 @@ class Visualisation {
             {"ior", constant(1.5)},
             {"metalness", constant(0)},
             {"normal", normal},
-            {"displacement", scalar(0.5f, textures_.height)},
+            {"displacement", scalar(means.height, textures_.height)},
             {"roughness", scalar(means.roughness, textures_.roughness)},
             {"sheen_value", constant(sheen)},
             {"sheen_tint", constant(0)},

@@ -19,8 +19,8 @@ def limit_memory():
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY_LIMIT, MEMORY_LIMIT))
 
 
-def fill_the_disk():
-    resource.setrlimit(resource.RLIMIT_FSIZE, (FULL_AFTER, FULL_AFTER))
+def fill_the_disk(after=FULL_AFTER):
+    resource.setrlimit(resource.RLIMIT_FSIZE, (after, after))
 
 
 def png_header(width, height):
@@ -32,7 +32,7 @@ def png_header(width, height):
 class HostileFiles(CommandLineTest):
     def refused(self, *words, **options):
         message = self.run_program(*words, status=1, **options)
-        self.assertTrue(message.startswith("loomlight: "), message)
+        self.assertRegex(message, r"(?m)^loomlight: ")
         self.assertLess(len(message), 2000)
         return message
 
@@ -159,13 +159,22 @@ class HostileFiles(CommandLineTest):
                 self.assertEqual(self.bytes_of(name), b"what was there")
                 self.assertEqual([f.name for f in self.folder.glob(name + ".*")], [], "something was left beside it")
 
-    def test_a_full_disk_leaves_the_old_tile(self):
-        """It is of several files: none of them changes."""
-        tile = ("tile", self.fabric("ok.json"), "-o", "maps", "--size", "24", "--spp")
-        self.run_program(*tile, "1")
-        before = {file.name: file.read_bytes() for file in (self.folder / "maps").iterdir()}
-        self.assertIn("File too large", self.refused(*tile, "2", preexec_fn=fill_the_disk))
-        self.assertEqual({file.name: file.read_bytes() for file in (self.folder / "maps").iterdir()}, before)
+    def test_a_full_disk_leaves_the_old_set(self):
+        """A tile and a hand-over are of several files: none of them changes."""
+        for number, words in enumerate((("tile", "--size", "24", "--spp"), ("handover", "--size", "24", "--measure", "4", "--spp"))):
+            folder = self.folder / f"maps{number}"
+            words = (words[0], self.fabric("ok.json"), "-o", folder.name, *words[1:])
+
+            def files():
+                return {file.relative_to(folder): file.read_bytes() for file in folder.rglob("*") if file.is_file()}
+
+            with self.subTest(words=words):
+                self.run_program(*words, "1")
+                before = files()
+                for after in (FULL_AFTER, max(map(len, before.values())) // 2):
+                    message = self.refused(*words, "2", preexec_fn=lambda: fill_the_disk(after))
+                    self.assertIn("File too large", message)
+                    self.assertEqual(files(), before, f"full after {after} bytes of a file")
 
     def test_places_that_take_no_files(self):
         for number, (ending, words) in enumerate(self.writers()):
