@@ -10,6 +10,21 @@
 namespace loomlight {
 namespace fs = std::filesystem;
 
+namespace {
+
+/// Bytes, so that a few dozen may be added behind it in any file system.
+constexpr size_t kLongest = 100;
+
+/// Names of devices on Windows, whatever stands behind a dot: no file there can be called so.
+bool isReserved(const std::string& name) {
+  const std::string stem = lowerCase(name.substr(0, name.find('.')));
+  if (stem == "con" || stem == "prn" || stem == "aux" || stem == "nul") return true;
+  const bool isPort = stem.size() == 4 && (stem.rfind("com", 0) == 0 || stem.rfind("lpt", 0) == 0);
+  return isPort && stem[3] >= '1' && stem[3] <= '9';
+}
+
+}  // namespace
+
 bool isFabricFile(const std::string& file) {
   const std::string extension = lowerExtension(file);
   return extension == ".json" || extension == ".loomlight";
@@ -21,21 +36,22 @@ bool isWeavingFile(const std::string& file) {
 }
 
 std::string fileNameOf(const std::string& name) {
-  constexpr size_t kLongest = 100;
   std::string file;
   constexpr std::string_view kRefused = "/\\:*?\"<>|";  // here or by the systems of those that a file is handed to
   for (const char c : wholeCharacters(name, kLongest))
     file += kRefused.find(c) != std::string_view::npos || static_cast<unsigned char>(c) < 32 ? '-' : c;
   while (!file.empty() && (file.front() == '.' || file.front() == ' ')) file.erase(file.begin());
+  if (isReserved(file)) file.insert(file.find('.') == std::string::npos ? file.size() : file.find('.'), 1, '_');
   return file.empty() ? "Untitled" : file;
 }
 
 std::string portableFileName(const std::string& name) {
   std::string plain;
-  for (const char c : name) {
+  for (const char c : wholeCharacters(name, kLongest)) {
     const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-';
     plain += letter || (static_cast<unsigned char>(c) & 0x80) != 0 ? c : '_';
   }
+  if (isReserved(plain)) plain += '_';
   return plain.empty() ? "cloth" : plain;
 }
 

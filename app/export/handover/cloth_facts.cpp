@@ -1,7 +1,6 @@
 #include "app/export/handover/cloth_facts.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <set>
 #include <string_view>
@@ -14,8 +13,9 @@ namespace loomlight {
 namespace {
 
 /// A word in a fibre's name, and the fibre's name in U3M; the first that is found counts.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 34> kFibres{{
+constexpr std::pair<std::string_view, std::string_view> kFibres[] = {
     {"organic cotton", "Organic cotton"},
+    {"recycled cotton", "Recycled Cotton"},
     {"cotton", "Cotton"},
     {"linen", "Linen"},
     {"flax", "Linen"},
@@ -23,14 +23,26 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 34> kFibres{
     {"mohair", "Mohair"},
     {"alpaca", "Alpaca"},
     {"angora", "Angora"},
+    {"camel hair", "Camelhair"},
+    {"camelhair", "Camelhair"},
+    {"camel", "Camelhair"},
+    {"llama", "Llama"},
+    {"guanaco", "Guanaco"},
+    {"vicuna", "Vicugna"},
+    {"vicugna", "Vicugna"},
+    {"yak", "Yack"},
+    {"virgin wool", "Virgin Wool"},
     {"wool", "Wool"},
     {"merino", "Wool"},
     {"cheviot", "Wool"},
     {"wild silk", "Wild Silk"},
     {"tussah", "Wild Silk"},
     {"silk", "Silk"},
+    {"recycled polyester", "Recycled Polyester"},
     {"polyester", "Polyester"},
     {"pet", "Polyester"},
+    {"recycled nylon", "Recycled Polyamide"},
+    {"recycled polyamide", "Recycled Polyamide"},
     {"nylon", "Nylon"},
     {"polyamide", "Polyamid"},
     {"viscose", "Rayon"},
@@ -40,16 +52,20 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 34> kFibres{
     {"cupro", "Cupro"},
     {"triacetate", "Triacetate"},
     {"acetate", "Acetate"},
+    {"modacrylic", "Modacrylic"},
     {"acrylic", "Acrylic"},
     {"polypropylene", "Polypropylen"},
+    {"polyethylene", "Polyethylene"},
     {"aramid", "Aramid"},
     {"hemp", "Hemp"},
     {"jute", "Jute"},
     {"ramie", "Ramie"},
     {"elastane", "Elastane"},
     {"spandex", "Spandex"},
+    {"lycra", "Lycra"},
     {"lurex", "Metallised Polyester"},
-}};
+    {"abaca", "Abaca"},
+};
 
 bool isLetter(char c) {
   return std::isalpha(static_cast<unsigned char>(c)) != 0;

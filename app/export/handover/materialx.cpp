@@ -60,21 +60,34 @@ constexpr const char* kGraph = R"(  <nodegraph name="NG_cloth">
     <normalmap name="normal" type="vector3">
       <input name="in" type="vector3" nodename="slopes" />
     </normalmap>
-    <multiply name="degrees" type="float">
+    <multiply name="angle" type="float">
       <input name="in1" type="float" nodename="rotation" />
-      <input name="in2" type="float" value="360" />
+      <input name="in2" type="float" value="6.2831853" />
     </multiply>
+    <cos name="angle_cos" type="float">
+      <input name="in" type="float" nodename="angle" />
+    </cos>
+    <sin name="angle_sin" type="float">
+      <input name="in" type="float" nodename="angle" />
+    </sin>
     <tangent name="across" type="vector3">
       <input name="space" type="string" value="world" />
     </tangent>
-    <normal name="upright" type="vector3">
+    <bitangent name="up" type="vector3">
       <input name="space" type="string" value="world" />
-    </normal>
-    <rotate3d name="drawn_out" type="vector3">
-      <input name="in" type="vector3" nodename="across" />
-      <input name="amount" type="float" nodename="degrees" />
-      <input name="axis" type="vector3" nodename="upright" />
-    </rotate3d>
+    </bitangent>
+    <multiply name="part_across" type="vector3">
+      <input name="in1" type="vector3" nodename="across" />
+      <input name="in2" type="float" nodename="angle_cos" />
+    </multiply>
+    <multiply name="part_up" type="vector3">
+      <input name="in1" type="vector3" nodename="up" />
+      <input name="in2" type="float" nodename="angle_sin" />
+    </multiply>
+    <add name="drawn_out" type="vector3">
+      <input name="in1" type="vector3" nodename="part_across" />
+      <input name="in2" type="vector3" nodename="part_up" />
+    </add>
     <multiply name="rise_m" type="float">
       <input name="in1" type="float" nodename="height" />
       <input name="in2" type="float" value="{range_m}" />

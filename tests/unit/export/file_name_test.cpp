@@ -11,6 +11,8 @@ TEST(FileName, IsOneThatAnySystemTakes) {
   EXPECT_EQ(fileNameOf(" ..hidden"), "hidden");
   EXPECT_EQ(fileNameOf("two\nlines"), "two-lines");
   EXPECT_EQ(fileNameOf("..."), "Untitled");
+  EXPECT_EQ(fileNameOf("Aux.7 wool"), "Aux_.7 wool") << "a device on Windows";
+  EXPECT_EQ(fileNameOf("auxiliary"), "auxiliary");
   const std::string umlauts = fileNameOf(std::string(99, 'a') + "\xC3\xBC and more");
   EXPECT_EQ(umlauts, std::string(99, 'a')) << "a letter is whole or not there";
 }

@@ -201,6 +201,37 @@ TEST_F(HandedOver, TheMaterialXNamesFilesThatAreThere) {
   EXPECT_EQ(found, 6);
 }
 
+/// A node of a MaterialX graph, with the tangent along x, the bitangent along y and one value in the rotation's picture.
+glm::vec3 valueOf(const std::string& graph, const std::string& node, float rotation) {
+  std::smatch found, input;
+  const std::regex element("<(\\w+) name=\"" + node + "\" type=\"\\w+\">([^]*?)</\\1>");
+  if (!std::regex_search(graph, found, element)) throw std::runtime_error("no node " + node);
+  const std::string kind = found[1], inputs = found[2];
+  if (kind == "image" && node == "rotation") return glm::vec3(rotation);
+  if (kind == "tangent") return {1, 0, 0};
+  if (kind == "bitangent") return {0, 1, 0};
+  const auto in = [&](const char* name) {
+    const std::regex named(std::string("name=\"") + name + "\" type=\"\\w+\" (nodename|value)=\"([^\"]*)\"");
+    if (!std::regex_search(inputs, input, named)) throw std::runtime_error(node + " has no " + name);
+    return input[1] == "value" ? glm::vec3(std::stof(input[2])) : valueOf(graph, input[2], rotation);
+  };
+  if (kind == "cos") return glm::cos(in("in"));
+  if (kind == "sin") return glm::sin(in("in"));
+  if (kind == "add") return in("in1") + in("in2");
+  if (kind == "multiply") return in("in1") * in("in2");
+  throw std::runtime_error("a node of another kind: " + kind);
+}
+
+TEST_F(HandedOver, TheMaterialXTurnsItsAxisAsThePictureSays) {
+  const std::string text = read("two_sides.mtlx");
+  std::smatch axis;
+  ASSERT_TRUE(std::regex_search(
+      text, axis, std::regex("geometry_tangent\" type=\"vector3\" nodegraph=\"NG_cloth\" output=\"(\\w+)_out\"")));
+  const glm::vec2 slanted = glm::normalize(glm::vec2(2, 1));
+  const glm::vec2 shown(valueOf(text, axis[1], rotationOf(slanted)));
+  EXPECT_NEAR(std::abs(glm::dot(shown, slanted)), 1, 1e-5) << shown.x << ", " << shown.y;
+}
+
 TEST_F(HandedOver, TheFabricOfCloHasMassThicknessAndItsPictureAtTrueSize) {
   const Json json = Json::parse(read("two_sides.jfab"));
   EXPECT_EQ(json["qsFabricNameUTF8"], cloth->fabric.name);
@@ -237,6 +268,8 @@ TEST(ClothFacts, FibresAreToldByWordsOfTheirNames) {
   };
   EXPECT_EQ(named("Wool, navy"), (ListedName{"Wool", ""}));
   EXPECT_EQ(named("organic cotton"), (ListedName{"Organic cotton", ""}));
+  EXPECT_EQ(named("recycled polyester"), (ListedName{"Recycled Polyester", ""}));
+  EXPECT_EQ(named("modacrylic"), (ListedName{"Modacrylic", ""}));
   EXPECT_EQ(named("petrol"), (ListedName{"other", "petrol"}));
   fabric.fibres[1].name = "silk";
   const auto parts = compositionOf(fabric, ClothMeasures{});
