@@ -54,5 +54,22 @@ class Interrupt(CommandLineTest):
         self.run_program("render", self.fabric(), "-o", "whole.exr", "--size", size, "--spp", samples)
         self.assertEqual(self.bytes_of("out.exr"), self.bytes_of("whole.exr"))
 
+    def test_a_farm_takes_up_no_parts_of_another_order(self):
+        fabric = self.fabric("farmed.json")
+
+        def check(*order):
+            words = map(str, [ROOT / "samples/farm/part", "--check", *order])
+            ran = subprocess.run(list(words), cwd=self.folder, stdin=subprocess.DEVNULL, capture_output=True, text=True)
+            return ran.returncode, ran.stderr
+
+        self.assertEqual(check(2, 2, fabric, "out.exr", "48x32", 8, "--seed", 3), (0, ""))
+        self.assertEqual(check(2, 2, fabric, "out.exr", "48x32", 8, "--seed", 3), (0, ""), "the same once more")
+        self.assertIn("parts of another order", check(2, 2, fabric, "out.exr", "48x32", 8, "--seed", 4)[1])
+        edited = self.folder / fabric
+        edited.write_text(edited.read_text().replace("ends_per_cm\": ", "ends_per_cm\": 1", 1))
+        self.assertIn("parts of another order", check(2, 2, fabric, "out.exr", "48x32", 8, "--seed", 3)[1])
+        self.assertIn("from 1 to 8 ranges", check(9, 2, fabric, "other.exr", "48x32", 8)[1])
+        self.assertIn("from 1 to 32 strips", check(2, 33, fabric, "other.exr", "48x32", 8)[1])
+
 
 main()
