@@ -15,15 +15,13 @@ namespace loomlight {
 
 namespace {
 
-/// What was said of a draft, and which options would have taken more from it.
+/// What was said of a draft, and which options would have taken more from it; what changes the cloth is said first.
 FabricInput readDraft(const FabricSource& source) {
   const auto& [file, choices] = source;
   WifImport import = readWifFabric(file, Fabric{}, WifSizeChoice::keep);
   FabricInput input{std::move(import.fabric), {}};
-  const auto say = [&](const std::string& sentence) {
-    input.warnings.push_back(fmt::format("{}: {}", file, sentence));
-  };
-  for (const WifWarning& warning : import.warnings) say(inOneLine(warning));
+  std::vector<WifWarning> warnings;
+  const auto say = [&](std::string sentence) { warnings.push_back({std::move(sentence), {}}); };
   if (import.named != WifNamed{}) {
     Fabric cut = cutToNamed(input.fabric, import.named);
     const std::string size = fmt::format("{} ends and {} picks", cut.weave.ends(), cut.weave.picks());
@@ -40,8 +38,11 @@ FabricInput readDraft(const FabricSource& source) {
     sizes = otherWifSizes(input.fabric);
   else
     input.fabric = withWifSizes(std::move(input.fabric), sizes);
-  for (const WifWarning& warning : sizes) say(inOneLine(warning));
+  warnings.insert(warnings.end(), sizes.begin(), sizes.end());
   if (keeps && !sizes.empty()) say("--wif-sizes file takes the file's sett and yarn counts.");
+  warnings.insert(warnings.end(), import.warnings.begin(), import.warnings.end());
+  sortByConcern(warnings);
+  for (const WifWarning& warning : warnings) input.warnings.push_back(fmt::format("{}: {}", file, inOneLine(warning)));
   return input;
 }
 

@@ -93,7 +93,7 @@ std::vector<std::string> namesInList(const std::string& file) {
   const std::filesystem::path folder = std::filesystem::path(file).parent_path();
   std::vector<std::string> names;
   for (std::string line; std::getline(lines, line);) {
-    if (!line.empty() && line.back() == '\r') line.pop_back();
+    line.erase(line.find_last_not_of(" \t\r") + 1);
     if (!line.empty() && line.front() != '#') names.push_back((folder / line).string());
   }
   if (names.empty()) throw InputError(fmt::format("{}: expected the name of a fabric in each line, got none", file));

@@ -90,15 +90,19 @@ glm::dvec3 rgbFromHsv(const glm::dvec3& hsv) {
   return rgb;
 }
 
+std::optional<RealRange> statedRange(const WifEntry* entry) {
+  if (!entry) return std::nullopt;
+  const std::vector<std::string_view> parts = wifList(entry->value);
+  const auto low = parts.size() == 2 ? wifDecimal(parts[0]) : std::nullopt;
+  const auto high = parts.size() == 2 ? wifDecimal(parts[1]) : std::nullopt;
+  constexpr double kMost = 1e9;
+  const bool isRange = low && high && *low < *high && std::abs(*low) <= kMost && std::abs(*high) <= kMost;
+  return isRange ? std::optional(RealRange{*low, *high}) : std::nullopt;
+}
+
 RealRange rangeOf(const WifSections& sections, const std::map<int, Written>& colours, WifWarnings& warnings) {
   const WifEntry* const entry = findEntry(sections, "COLOR PALETTE", "range");
-  if (entry) {
-    const std::vector<std::string_view> parts = wifList(entry->value);
-    const auto low = parts.size() == 2 ? wifDecimal(parts[0]) : std::nullopt;
-    const auto high = parts.size() == 2 ? wifDecimal(parts[1]) : std::nullopt;
-    constexpr double kMost = 1e9;
-    if (low && high && *low < *high && std::abs(*low) <= kMost && std::abs(*high) <= kMost) return {*low, *high};
-  }
+  if (const auto stated = statedRange(entry)) return *stated;
   RealRange range;
   double largest = 0;
   for (const auto& [number, colour] : colours)
@@ -152,25 +156,62 @@ int ownNumber(const WifSections& sections, const WifCounting& counting, System s
   return system == System::warp && isUnnumbered(sections, counting, System::weft) ? last - 1 : last;
 }
 
+std::string formOf(const WifSections& sections) {
+  const WifEntry* const form = findEntry(sections, "COLOR PALETTE", "form");
+  return form ? lowerCase(unquoted(form->value)) : "rgb";
+}
+
+bool isHsv(const WifSections& sections) {
+  const std::string form = formOf(sections);
+  return form == "hsv" || form == "hsb";
+}
+
+/// Whether hue is in degrees, saturation and value per cent, though the format wants all three in one range: where all
+/// numbers are so small, and the range that is stated, if any, does not hold them.
+bool isInDegrees(const std::map<int, Written>& colours, const std::optional<RealRange>& stated) {
+  bool fits = true, outside = !stated;
+  for (const auto& [number, colour] : colours) {
+    if (colour.isHex) continue;
+    const glm::dvec3& hsv = colour.channels;
+    fits = fits && glm::all(glm::greaterThanEqual(hsv, glm::dvec3(0))) && hsv.x <= 360 && hsv.y <= 100 && hsv.z <= 100;
+    outside = outside || hsv.x > stated->high;
+  }
+  return fits && outside;
+}
+
+/// Brings hue, saturation and value into the range that red, green and blue will have.
+RealRange fromDegrees(std::map<int, Written>& colours, WifWarnings& warnings) {
+  warnings.add(0, "COLOR PALETTE", "", "Hue is taken as degrees, saturation and value as per cent.");
+  constexpr double kMost = 65535;  // hues and values of three digits lose nothing
+  for (auto& [number, colour] : colours)
+    if (!colour.isHex) colour.channels *= kMost / glm::dvec3(360, 100, 100);
+  return {0, kMost};
+}
+
+std::string heldTo(const RealRange& range) {
+  return fmt::format("The numbers of a colour go from {:g} to {:g}; others are held to that.", range.low, range.high);
+}
+
 /// Colours of all forms as red, green and blue in the range.
 void toRgb(std::map<int, Written>& colours, const WifSections& sections, const RealRange& range,
            WifWarnings& warnings) {
   const WifEntry* const form = findEntry(sections, "COLOR PALETTE", "form");
-  const std::string name = form ? lowerCase(unquoted(form->value)) : "rgb";
-  const bool isHsv = name == "hsv" || name == "hsb";
-  if (form && name != "rgb")
+  const bool hasHues = isHsv(sections);
+  if (form && formOf(sections) != "rgb")
     warnings.add(form->line, "COLOR PALETTE", entryText(*form),
-                 isHsv ? "Colours are of hue, saturation and value here; they are read so, and exported as red, green "
+                 hasHues ? "Colours are of hue, saturation and value here; they are read so, and exported as red, green "
                          "and blue."
                        : "Colours of another form than RGB and HSV are not known; they are read as red, green and "
                          "blue.");
   const double span = range.high - range.low;
   for (auto& [number, colour] : colours) {
-    if (colour.isHex)
+    if (colour.isHex) {
       colour.channels = range.low + glm::round(colour.channels / 255.0 * span);
-    else if (isHsv)
-      colour.channels =
-          range.low + glm::round(span * rgbFromHsv(glm::clamp((colour.channels - range.low) / span, 0.0, 1.0)));
+    } else if (hasHues) {
+      const glm::dvec3 inside = glm::clamp(colour.channels, range.low, range.high);
+      if (inside != colour.channels) warnings.add(0, "COLOR TABLE", fmt::format("{}", number), heldTo(range));
+      colour.channels = range.low + glm::round(span * rgbFromHsv((inside - range.low) / span));
+    }
   }
 }
 
@@ -183,7 +224,9 @@ WifPalette readWifPalette(const WifSections& sections, const WifCounting& counti
       warnings.add(0, "COLOR PALETTE", "", "A palette is announced, but there are no colours.");
     return {};
   }
-  const RealRange range = rangeOf(sections, colours, warnings);
+  const bool inDegrees =
+      isHsv(sections) && isInDegrees(colours, statedRange(findEntry(sections, "COLOR PALETTE", "range")));
+  const RealRange range = inDegrees ? fromDegrees(colours, warnings) : rangeOf(sections, colours, warnings);
   toRgb(colours, sections, range, warnings);
   bool whole = isWhole(range.low) && isWhole(range.high);
   for (const auto& [number, colour] : colours) whole = whole && colour.channels == glm::floor(colour.channels);
@@ -195,10 +238,7 @@ WifPalette readWifPalette(const WifSections& sections, const WifCounting& counti
                  "Some colours have numbers that are not whole; they are kept in steps of 1/65535.");
   for (const auto& [number, colour] : colours) {
     const glm::dvec3 inside = glm::clamp(colour.channels, range.low, range.high);
-    if (inside != colour.channels)
-      warnings.add(
-          0, "COLOR TABLE", fmt::format("{}", number),
-          fmt::format("The numbers of a colour go from {:g} to {:g}; others are held to that.", range.low, range.high));
+    if (inside != colour.channels) warnings.add(0, "COLOR TABLE", fmt::format("{}", number), heldTo(range));
     const double steps = static_cast<double>(palette.high) - palette.low;
     for (int i = 0; i < 3; ++i)
       palette.colours[number][i] =

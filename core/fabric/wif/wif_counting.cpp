@@ -41,7 +41,7 @@ Named named(const WifSection* section) {
   Named all;
   if (!section) return all;
   for (const WifEntry& entry : section->entries)
-    for (const std::string_view part : wifList(entry.value)) {
+    for (const std::string& part : wifNumbers(entry.value).parts) {
       const std::optional<int> number = wifWhole(part);
       all.zero = all.zero || number == 0;
       all.largest = std::max(all.largest, number.value_or(0));

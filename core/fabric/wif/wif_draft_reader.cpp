@@ -15,14 +15,15 @@
 // has. How many ends and picks there are is what Threads= says, or as far as the lines go. Lists are sorted, every
 // number once, counted from 1. Where a liftplan and a treadling stand side by side, the liftplan counts; if the two
 // weave different cloths that is said. A file may name more shafts than a loom has: lifts of shafts that no end
-// hangs on are dropped, and shafts that always go together become one. The draft is checked like any other at the
-// end. Cost: linear in the numbers of the lists, and a drawdown of each where there are both.
+// hangs on are dropped, and shafts that always go together become one. Of more treadles than a loom has, the lifts are
+// kept. The draft is checked like any other at the end. Cost: linear in the numbers of the lists, and a drawdown of each where there are both.
 
 namespace loomlight {
 namespace {
 
 using Lists = std::vector<std::vector<int>>;
 
+/// So many treadles there may be, too.
 int mostShafts() {
   return static_cast<int>(fieldInfo(&Draft::shafts).max);
 }
@@ -48,17 +49,18 @@ class DraftReader {
     if (lifted) draft.liftplan = lists(liftplan, {counting_.pick, picks}, "pick", shafts());
     if (trodden || !lifted)
       draft.treadling =
-          lists(treadling, {counting_.pick, picks}, "pick", {"treadle", counting_.pressedTreadle, mostShafts()});
+          lists(treadling, {counting_.pick, picks}, "pick", {"treadle", counting_.pressedTreadle, Weave::kMaxSide});
     readTieUp(draft);
     draft.risingShed = risingShed();
     fewerShafts(draft);
     draft.shafts = kinds("Shafts", largest(draft.threading, draft.tieUp, draft.liftplan));
+    fewerTreadles(draft);
 
     if (!threading)
       warnings_.add(0, "THREADING", "", "There is no threading: no end hangs on a shaft, and nothing is lifted.");
     if (!lifted) noteMissing(draft, trodden);
     validateDraft(draft, FieldPath(source_));
-    if (lifted && trodden) noteDisagreement(draft);
+    if (lifted && !draft.treadling.empty()) noteDisagreement(draft);
     return draft;
   }
 
@@ -153,6 +155,12 @@ class DraftReader {
   /// do hang on more, shafts that always go together become one.
   void fewerShafts(Draft& draft) {
     if (largest(draft.threading, {}, {}) <= mostShafts()) {
+      const int lifted = largest(draft.tieUp, draft.liftplan, {});
+      if (lifted <= mostShafts()) return;
+      warnings_.add(0, draft.liftplan.empty() ? "TIEUP" : "LIFTPLAN", "",
+                    fmt::format("Shafts up to {} are lifted, and there can be {}; no end hangs on those beyond, which are "
+                                "left out. The cloth is the same.",
+                                lifted, mostShafts()));
       for (Lists* lists : {&draft.tieUp, &draft.liftplan})
         for (std::vector<int>& list : *lists)
           list.erase(std::upper_bound(list.begin(), list.end(), mostShafts()), list.end());
@@ -171,11 +179,21 @@ class DraftReader {
     draft = withLiftplan(*merged);
   }
 
+  /// A loom has fewer treadles than such a file may name: its draft has a liftplan instead.
+  void fewerTreadles(Draft& draft) {
+    if (draft.treadles <= mostShafts()) return;
+    warnings_.add(0, "TREADLING", "",
+                  fmt::format("The draft uses {} treadles, and there can be {}; what they lift is a liftplan instead. The "
+                              "cloth is the same.",
+                              draft.treadles, mostShafts()));
+    draft = withLiftplan(std::move(draft));
+  }
+
   /// The tie-up, and how many treadles there are: those tied, and as many more as [WEAVING] says. A treadle that is
   /// pressed but neither of the two moves nothing.
   void readTieUp(Draft& draft) {
     const WifSection* const tieUp = sections_.find("TIEUP");
-    draft.treadles = kinds("Treadles", std::min(largestKey(tieUp) + 1 - counting_.tiedTreadle, mostShafts()));
+    draft.treadles = kinds("Treadles", largestKey(tieUp) + 1 - counting_.tiedTreadle);
     if (tieUp || !draft.treadling.empty()) draft.tieUp.resize(static_cast<size_t>(draft.treadles));
     forEachNumbered(
         tieUp, counting_.tiedTreadle, draft.treadles, "treadle", warnings_,
@@ -204,7 +222,7 @@ class DraftReader {
     const WifEntry* const entry = find("WEAVING", key);
     constexpr int kNone = -1;
     const int number = entry ? wifWhole(entry->value).value_or(kNone) : kNone;
-    if (number >= used && number <= mostShafts()) return number;
+    if (number >= used && number <= std::max(used, mostShafts())) return number;
     const std::string counted = lowerCase(key);
     std::string sentence = fmt::format("It is not said how many {} there are; the draft uses {}.", counted, used);
     if (entry) sentence = fmt::format("The number of {} should stand here; the draft uses {}.", counted, used);

@@ -21,9 +21,22 @@ const std::vector<int>& sequenceOf(const Fabric& fabric, System system) {
   return system == System::warp ? fabric.warpSequence : fabric.weftSequence;
 }
 
-/// What a system's yarns are scaled by, so that the one that most of its threads have gets this diameter.
+/// The yarn that most of those threads have that the file makes as thick as most. Yarns of many colours may all be of
+/// that thickness, and each be rarer than one that is thick or thin.
+int usualYarn(const Fabric& fabric, System system) {
+  const std::vector<int>& sequence = sequenceOf(fabric, system);
+  const bool isWarp = system == System::warp;
+  const WifSizes& sizes = isWarp ? fabric.wif->rest.warp : fabric.wif->rest.weft;
+  const std::vector<double> thickness = relativeThickness(sizes, isWarp ? fabric.wif->ends : fabric.wif->picks);
+  std::vector<int> usual;
+  for (size_t thread = 0; thread < thickness.size(); ++thread)
+    if (thickness[thread] == 1) usual.push_back(sequence[thread % sequence.size()]);
+  return mostCommon(usual.empty() ? sequence : usual);
+}
+
+/// What a system's yarns are scaled by, so that the usual one gets this diameter.
 double scaleOf(const Fabric& fabric, System system, double diameter_mm) {
-  const Yarn& usual = fabric.yarns[mostCommon(sequenceOf(fabric, system))];
+  const Yarn& usual = fabric.yarns[usualYarn(fabric, system)];
   return diameter_mm / yarnDiameter_mm(usual, meanFibre(usual, fabric.fibres));
 }
 

@@ -74,9 +74,10 @@ WifNumbers wifNumbers(std::string_view value) {
   std::string text(value);
   const size_t semicolon = text.find(';');
   const auto isDigit = [&](size_t at) { return at < text.size() && text[at] >= '0' && text[at] <= '9'; };
-  if (semicolon != std::string::npos && isDigit(semicolon + 1)) {
-    const bool onlyNumbers =
-        isDigit(semicolon - 1) && text.find_first_not_of("0123456789;,+/&- \t") == std::string::npos;
+  constexpr std::string_view kBlanks = " \t";
+  if (semicolon != std::string::npos && isDigit(text.find_first_not_of(kBlanks, semicolon + 1))) {
+    const size_t before = semicolon == 0 ? std::string::npos : text.find_last_not_of(kBlanks, semicolon - 1);
+    const bool onlyNumbers = isDigit(before) && text.find_first_not_of("0123456789;,+/&- \t") == std::string::npos;
     if (onlyNumbers) std::replace(text.begin(), text.end(), ';', ',');
     numbers.remarks.emplace_back(
         onlyNumbers ? "A semicolon begins a comment in this format; between numbers it is read as a comma."

@@ -74,12 +74,13 @@ class Convert(CommandLineTest):
         self.assertEqual(read_png(self.folder / "weave.png"), read_png(self.folder / "expected.png"))
 
     def test_a_draft_says_which_option_takes_more_of_it(self):
-        draft = ("[WIF]\n[WEAVING]\nShafts=2\nTreadles=2\nRising Shed=1\n[WARP]\nThreads=2\nUnits=cm\nSpacing=.1\n"
+        draft = ("[WIF]\n[CONTENTS]\nNOTES=true\n[WEAVING]\nShafts=2\nTreadles=2\nRising Shed=1\n[WARP]\nThreads=2\nUnits=cm\nSpacing=.1\n"
                  "[WEFT]\nThreads=50\n[THREADING]\n1=1\n2=2\n[TIEUP]\n1=1\n2=2\n[TREADLING]\n1=1\n2=2\n")
         (self.folder / "a.wif").write_text(draft)
         said = self.run_program("convert", "a.wif", "a.json", messages=True)
         self.assertIn("--wif-threads named cuts it to the 2 ends and 2 picks", said)
         self.assertIn("--wif-sizes file takes", said)
+        self.assertLess(said.index("--wif-sizes file takes"), said.index("[CONTENTS]"), "of the cloth before the file")
         said = self.run_program("convert", "a.wif", "b.json", "--wif-threads", "named", "--wif-sizes", "file",
                                 messages=True)
         self.assertNotIn("--wif", said)

@@ -139,6 +139,19 @@ TEST(WifFabric, TheFilesThicknessReachesEveryYarn) {
     EXPECT_NEAR(yarnDiameter_mm(f.yarns[yarn], f.fibres[f.yarns[yarn].fibre]), 0.4, 1e-4) << yarn;
 }
 
+TEST(WifFabric, TheFilesThicknessIsThatOfMostThreadsWhateverTheirColours) {
+  std::string text = replaced(twillFile(), "3=0,0,0\n", "3=0,0,0\n5=1,2,3\n6=4,5,6\n7=7,8,9\n");
+  text = replaced(text, "1=1\n2=1\n3=2\n4=2\n5=1\n6=1\n7=2\n8=2\n", "1=1\n2=2\n3=3\n4=4\n5=5\n6=6\n7=7\n8=7\n");
+  text += "[WARP THICKNESS]\n7=0.08\n8=0.08\n";
+  const Fabric f = imported(text, WifSizeChoice::file);
+  const auto diameter_mm = [&](int end) {
+    const Yarn& yarn = f.yarns[f.warpYarn(end)];
+    return yarnDiameter_mm(yarn, f.fibres[yarn.fibre]);
+  };
+  for (const int end : {0, 1, 2, 3, 4, 5}) EXPECT_NEAR(diameter_mm(end), 0.4, 1e-4) << end;
+  EXPECT_NEAR(diameter_mm(6), 0.8, 1e-4);
+}
+
 /// A name may say a count, and what is thicker is another yarn.
 TEST(WifFabric, AYarnOfAnotherThicknessLosesItsName) {
   const auto named = [](Fabric fabric) {
@@ -405,6 +418,30 @@ TEST(WifFabric, ShaftsBeyondADraftsAreMergedByNeed) {
   for (int end = 0; end < kHooks; ++end) ASSERT_EQ(import.fabric.weave.at(0, end), end % 2 == 1) << end;
   EXPECT_EQ(import.fabric.draft->shafts, 2);
   EXPECT_THAT(inLines(import.warnings), Contains(HasSubstr("The draft names 6000 shafts, and there can be 4096")));
+}
+
+TEST(WifFabric, OfTreadlesBeyondADraftsTheLiftsAreKept) {
+  constexpr int kTreadles = 5000;
+  std::string text = "[WIF]\n[WEAVING]\nRising Shed=1\nShafts=2\nTreadles=5000\n[WARP]\nThreads=2\n[WEFT]\n";
+  text += fmt::format("Threads={}\n[THREADING]\n1=1\n2=2\n", kTreadles);
+  std::string tieUp = "[TIEUP]\n", treadling = "[TREADLING]\n";
+  for (int treadle = 1; treadle <= kTreadles; ++treadle) {
+    tieUp += fmt::format("{}={}\n", treadle, 1 + treadle % 2);
+    treadling += fmt::format("{0}={0}\n", treadle);
+  }
+  const WifImport import = fabricFromWif(text + tieUp + treadling, "x.wif", Fabric{}, WifSizeChoice::keep);
+  for (int pick = 0; pick < kTreadles; ++pick)
+    ASSERT_EQ(import.fabric.weave.at(pick, 0), (pick + 1) % 2 == 0) << pick;
+  EXPECT_THAT(inLines(import.warnings), Contains(HasSubstr("The draft uses 5000 treadles, and there can be 4096")));
+  EXPECT_THAT(inLines(import.warnings), testing::Not(Contains(HasSubstr("another number"))));
+}
+
+TEST(WifFabric, LiftsThatAreLeftOutAreTold) {
+  const std::string text =
+      "[WIF]\n[WEAVING]\nRising Shed=1\n[WARP]\nThreads=2\n[WEFT]\nThreads=2\n[THREADING]\n1=1\n2=2\n"
+      "[LIFTPLAN]\n1=1,5000\n2=2\n";
+  const WifImport import = fabricFromWif(text, "x.wif", Fabric{}, WifSizeChoice::keep);
+  EXPECT_THAT(inLines(import.warnings), Contains(HasSubstr("no end hangs on those beyond, which are left out")));
 }
 
 TEST(WifFabric, TooManyShaftsAreRefusedByNumber) {

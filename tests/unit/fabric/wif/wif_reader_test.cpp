@@ -191,6 +191,12 @@ TEST(WifReader, WhatHasALineZeroCountsFromIt) {
   EXPECT_THAT(warningsOf(all), testing::SizeIs(5)) << "ends, picks, treadles, shafts, colours";
 }
 
+TEST(WifReader, TreadlesOfOtherListsTellWhereTheyAreCountedFrom) {
+  const std::string tied = countedFromZero(twillFile(), {"TIEUP"}, true, false);
+  const std::string pressed = replaced(tied, "4=4\n5=1\n6=2,3\n", "4=3+4\n5=1\n6=2,3\n");
+  EXPECT_THAT(document(pressed).draft.treadling[3], ElementsAre(3, 4)) << "a treadle 4: they count from 1";
+}
+
 TEST(WifReader, ALineZeroBesideTheLastIsASlip) {
   const WifDocument expected = document(twillFile());
   for (const char* section : {"[THREADING]\n", "[TREADLING]\n", "[WARP COLORS]\n", "[COLOR TABLE]\n"}) {
@@ -328,7 +334,7 @@ TEST(WifReader, ThreadsThatAreOnlyCountedAreToldFromTheNamed) {
 }
 
 TEST(WifReader, ListsAreReadHoweverTheyAreParted) {
-  for (const char* list : {"2+3", "2/3", "2&3", "2-3", "2 + 3", "3-2", "2;3"}) {
+  for (const char* list : {"2+3", "2/3", "2&3", "2-3", "2 + 3", "3-2", "2;3", "2; 3", "2 ;3"}) {
     const std::string text = replaced(twillFile(), "6=2,3\n", std::string("6=") + list + "\n");
     EXPECT_THAT(document(text).draft.treadling.back(), ElementsAre(2, 3)) << list;
     EXPECT_THAT(warningsOf(text), testing::SizeIs(1)) << list;
@@ -355,6 +361,23 @@ TEST(WifReader, ColoursAreReadAsTheyAreOftenWritten) {
       replaced(replaced(twillFile(), "Range=0,255", "Range=0,255\nForm=HSV"), "2=17,34,200\n", "2=170,255,102\n");
   EXPECT_EQ(document(hsv).rest.palette.colours.at(2), glm::ivec3(0, 0, 102)) << "a dark blue";
   EXPECT_EQ(document(hsv).rest.palette.colours.at(1), glm::ivec3(255, 0, 0)) << "hue 255 is that of 0";
+}
+
+TEST(WifReader, HuesInDegreesAreTold) {
+  const std::string table = "1=255,255,255\n2=17,34,200\n3=0,0,0\n4=120,80,3\n";
+  for (const char* range : {"Range=0,255\nForm=HSV", "Form=HSV"}) {
+    const std::string text = replaced(replaced(twillFile(), "Range=0,255", range), table,
+                                      "1=0,0,100\n2=240,100,50\n3=120,0,0\n4=300,100,100\n");
+    const WifPalette palette = document(text).rest.palette;
+    const auto shown = [&](int number) { return palette.srgb(palette.colours.at(number)); };
+    constexpr float kHalfStep = 0.5f / 65535;
+    for (const auto& [number, rgb] : {std::pair{1, Rgb(1)}, {2, Rgb(0, 0, 0.5f)}, {3, Rgb(0)}, {4, Rgb(1, 0, 1)}})
+      EXPECT_LE(glm::length(shown(number) - rgb), kHalfStep) << range << ", " << number;
+    EXPECT_THAT(warningsOf(text), Contains(HasSubstr("Hue is taken as degrees")));
+  }
+  const std::string outside =
+      replaced(replaced(twillFile(), "Range=0,255", "Range=0,255\nForm=HSV"), "4=120,80,3\n", "4=300,255,255\n");
+  EXPECT_THAT(warningsOf(outside), Contains(HasSubstr("4: The numbers of a colour go from 0 to 255")));
 }
 
 TEST(WifReader, LikeWarningsAreCounted) {
