@@ -27,6 +27,22 @@ class Handover(CommandLineTest):
             self.assertIsNone(archive.testzip())
             self.assertEqual(archive.read("small_twill.u3m"), (folder / "small_twill.u3m").read_bytes())
 
+    def test_heights_of_both_sides_are_millimetres_that_add_up_to_the_thickness(self):
+        self.run_program("handover", self.fabric(), "-o", "out", *FEW)
+        sidecar = json.loads((self.folder / "out/small_twill.handover.json").read_text())
+
+        def heights_mm(side):
+            told = sidecar["sides"][side]["maps"]["height"]
+            _, _, rows = read_png(self.folder / "out" / told["file"])
+            scale = (told["white_mm"] - told["black_mm"]) / 65535
+            return [[told["black_mm"] + scale * pixel[0] for pixel in row] for row in rows]
+
+        front, back = heights_mm("front"), heights_mm("back")
+        self.assertGreater(len({height for row in front for height in row}), 256, "8 bits have no more")
+        thickest_mm = max(f + b for above, below in zip(front, back) for f, b in zip(above, reversed(below)))
+        self.assertGreater(thickest_mm, 0.95 * sidecar["thickness_mm"])
+        self.assertLess(thickest_mm, 1.3 * sidecar["thickness_mm"], "it has hairs, which no thickness counts")
+
     def test_every_colourway_has_a_folder(self):
         fabric = self.fabric(colourways=[{"name": "Rust", "absorption_per_mm": [[1, 8, 20], [2, 9, 30]]}])
         self.run_program("handover", fabric, "-o", "out", "--colourways", *FEW)
