@@ -125,13 +125,13 @@ void Session::run(Command command) {
     case Command::snapshot:
       return snapshots_.show(document_.fabric()->render, freeFile(fileCalledAsCloth(".png")).string());
     case Command::presets:
-      viewport_.service().pause(true);  // its pictures are looked at now
+      viewport_.service().pause(ViewService::Rival::presets, true);
       return presets_.showBrowser();
     case Command::colourways:
-      viewport_.service().pause(true);  // its pictures are looked at now
+      viewport_.service().pause(ViewService::Rival::colourways, true);
       return inspector_.showColourways();
     case Command::colourDifference:
-      viewport_.service().pause(true);  // its figures take the processor for some seconds
+      viewport_.service().pause(ViewService::Rival::colourDifference, true);
       return inspector_.showColourDifference();
     case Command::keepView:
       return snapshots_.keepView(sightNow(), viewport_.service());

@@ -212,7 +212,7 @@ void Session::takeUp(Fabric fabric, const std::string& left) {
 void Session::fileDone(FileService::Result result) {
   using Work = FileService::Work;
   const bool written = !FileService::reads(result.work);
-  if (result.work == Work::renderTo) viewport_.service().pause(false);
+  if (result.work == Work::renderTo) viewport_.service().pause(ViewService::Rival::sheet, false);
   if (!result.problem.empty() || result.cancelled) errand_ = {};
   if (result.cancelled) return;
   if (!result.problem.empty() && result.work == Work::usePreset)
@@ -314,7 +314,7 @@ void Session::writeSheet(FileTask what, const std::string& file) {
   options.width_cm = inspector_.view().units.piece.width_cm;
   options.counts = inspector_.view().units.count;
   options.corner = {settings_.draft.startsRight(), settings_.draft.startsAtTop()};
-  viewport_.service().pause(true);  // the processor is for the sheet
+  viewport_.service().pause(ViewService::Rival::sheet, true);
   files_.service().renderTo(file, [what, file, options, fabric = document_.cloth()](const Task& task) {
     const auto write = what == FileTask::sheet ? writeClothSheet : writeColourwaySheet;
     return write(file, *fabric, options, task);

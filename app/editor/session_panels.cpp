@@ -137,12 +137,12 @@ void Session::drawFabricDialogs(Ui& ui) {
     auto used = presets_.drawBrowser(ui, now, yarn, shownFibre(now, inspector_.view()));
     if (used) document_.edit(std::move(used->fabric));
     if (used && used->isWhole) draft_.fit();
-    if (!presets_.isOpen()) viewport_.service().pause(false);
+    if (!presets_.isOpen()) viewport_.service().pause(ViewService::Rival::presets, false);
   }
   if (inspector_.colourwaysAreOpen()) {
     if (auto edited = inspector_.drawColourways(ui, document_.fabric(), yarnColours_))
       document_.edit(std::move(*edited));
-    if (!inspector_.colourwaysAreOpen()) viewport_.service().pause(false);
+    if (!inspector_.colourwaysAreOpen()) viewport_.service().pause(ViewService::Rival::colourways, false);
     if (inspector_.takeColourwaysPrint()) browse(FileTask::colourwaySheet);
   }
   const EditPlace place = draft_.place();
@@ -166,7 +166,7 @@ void Session::drawDialogs(Ui& ui) {
   if (!files_.isBrowsing() && handover_.draw(ui, *document_.cloth(), viewport_.service())) browse(FileTask::handover);
   if (inspector_.colourDifferenceIsOpen()) {
     inspector_.drawColourDifference(ui, document_.fabric(), yarnColours_);
-    if (!inspector_.colourDifferenceIsOpen()) viewport_.service().pause(false);
+    if (!inspector_.colourDifferenceIsOpen()) viewport_.service().pause(ViewService::Rival::colourDifference, false);
   }
   drawFabricDialogs(ui);
 }

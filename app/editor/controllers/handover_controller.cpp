@@ -52,7 +52,7 @@ RenderService::Work HandoverController::workOn(const Fabric& fabric) const {
 
 bool HandoverController::draw(Ui& ui, const Fabric& fabric, ViewService& seen) {
   if (rendering_.isRunning()) ui.wakeWithin(0.1);
-  if (rendering_.follow().has_value()) seen.pause(false);
+  if (rendering_.follow().has_value()) seen.pause(ViewService::Rival::handover, false);
   if (!dialog_.isOpen()) return false;
   HandoverModel model;
   model.tile = sizes_.newest();
@@ -64,7 +64,7 @@ bool HandoverController::draw(Ui& ui, const Fabric& fabric, ViewService& seen) {
   if (dialog_.folder() != before) rendering_.forget();
   if (result.cancel) rendering_.cancel();
   if (!result.start || rendering_.isRunning()) return result.chooseFolder;
-  seen.pause(true);
+  seen.pause(ViewService::Rival::handover, true);
   rendering_.start(workOn(fabric));
   return result.chooseFolder;
 }

@@ -71,7 +71,7 @@ void SnapshotController::followView(const Sight& now, const ViewService& seen) {
 SnapshotController::Edit SnapshotController::drawDialog(Ui& ui, const Sight& now, ViewService& seen) {
   if (rendering_.isRunning()) ui.wakeWithin(0.1);
   if (const auto written = rendering_.follow()) {
-    seen.pause(false);
+    seen.pause(ViewService::Rival::snapshot, false);
     if (*written) keepView(now, seen);
   }
   const std::string before = dialog_.file();
@@ -85,7 +85,7 @@ SnapshotController::Edit SnapshotController::drawDialog(Ui& ui, const Sight& now
     if (result.settings) edited->render = *result.settings;
     const SnapshotOptions& options = dialog_.options();
     edited->camera = cameraOf(*edited, options, inView.piece_mm);
-    seen.pause(true);
+    seen.pause(ViewService::Rival::snapshot, true);
     rendering_.start([edited, file = dialog_.file(), tone = now.tone,
                       print = printOf(dialog_.options(), *edited)](const Task& task) -> std::optional<std::string> {
       if (!writeSnapshot(edited, file, tone, print, task)) return std::nullopt;

@@ -24,7 +24,7 @@ void TileController::setFile(const std::string& file) {
 
 bool TileController::draw(Ui& ui, const Fabric& fabric, ViewService& seen) {
   if (rendering_.isRunning()) ui.wakeWithin(0.1);
-  if (rendering_.follow().has_value()) seen.pause(false);
+  if (rendering_.follow().has_value()) seen.pause(ViewService::Rival::tile, false);
   const std::string before = dialog_.file();
   const TileDialog::Result result = dialog_.draw(ui, sizes_.newest(), kFewestPixelsPerYarn, rendering_.progress());
   if (dialog_.file() != before) rendering_.forget();
@@ -33,7 +33,7 @@ bool TileController::draw(Ui& ui, const Fabric& fabric, ViewService& seen) {
   const std::filesystem::path file(dialog_.file());
   Fabric sampled = fabric;
   sampled.render.samplesPerPixel = dialog_.samplesPerPixel();
-  seen.pause(true);
+  seen.pause(ViewService::Rival::tile, true);
   rendering_.start(
       [fabric = std::move(sampled), stem = (file.parent_path() / file.stem()).string(),
        order = TileOrder{dialog_.longestSide(), dialog_.joinsTwist()}](const Task& task) -> std::optional<std::string> {

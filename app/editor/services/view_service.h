@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <bitset>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -42,8 +43,13 @@ class ViewService {
   /// Takes what has come. Returns whether the picture is another one.
   bool take(bool showsDifference);
   void follow(const ViewState& state);
-  /// Stops tracing while others need the cores; the picture stays.
-  void pause(bool paused) { renderer_.pause(paused); }
+  /// What may need the cores more than the picture that is looked at.
+  enum class Rival { snapshot, tile, handover, sheet, presets, colourways, colourDifference, count };
+  /// Stops tracing while any of them does; the picture stays.
+  void pause(Rival rival, bool paused) {
+    rivals_.set(static_cast<size_t>(rival), paused);
+    renderer_.pause(rivals_.any());
+  }
 
   const Frame* frame() const { return frame_.get(); }  ///< the one shown; null before the first
   const InsetFrame* insetFrame() const { return insetFrame_.get(); }
@@ -76,6 +82,7 @@ class ViewService {
   FabricStatsWorker stats_;
   VisibilityWorker visibility_;
   LiveRenderer renderer_;
+  std::bitset<static_cast<size_t>(Rival::count)> rivals_;  ///< that need the cores now
   ViewState state_;                                        ///< what was asked for last
   std::shared_ptr<const Fabric> seen_;                     ///< its fabric as it is looked at
   uint64_t generation_ = 0;                                ///< of the picture

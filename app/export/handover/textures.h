@@ -21,7 +21,7 @@ struct SideTextures {
   float lowest_mm = 0, highest_mm = 0;
   /// What a program takes that reads no pictures: means over the tile.
   struct Means {
-    Rgb base{0};  ///< linear
+    Rgb base{0};          ///< linear
     float height = 0.5f;  ///< from lowest_mm, 0, to highest_mm, 1
     float opacity = 1, roughness = 1, anisotropy = 0, anisotropyRotation = 0.5f;
   } means;
@@ -31,8 +31,8 @@ struct SideTextures {
   }
 };
 
-/// Adds them to `set`, in a folder "textures". All have three channels, as U3M asks for, and the size of the tile as dots
-/// per inch. Throws InputError.
+/// Adds them to `set`, in a folder "textures". All have three channels, as U3M asks for, and the size of the tile as
+/// dots per inch. Throws InputError.
 SideTextures writeTextures(FileSet& set, const std::string& name, const DigitalCloth& cloth, ClothSide side);
 
 }  // namespace loomlight

@@ -199,10 +199,11 @@ void toRgb(std::map<int, Written>& colours, const WifSections& sections, const R
   const bool hasHues = isHsv(sections);
   if (form && formOf(sections) != "rgb")
     warnings.add(form->line, "COLOR PALETTE", entryText(*form),
-                 hasHues ? "Colours are of hue, saturation and value here; they are read so, and exported as red, green "
-                         "and blue."
-                       : "Colours of another form than RGB and HSV are not known; they are read as red, green and "
-                         "blue.");
+                 hasHues
+                     ? "Colours are of hue, saturation and value here; they are read so, and exported as red, green "
+                       "and blue."
+                     : "Colours of another form than RGB and HSV are not known; they are read as red, green and "
+                       "blue.");
   const double span = range.high - range.low;
   for (auto& [number, colour] : colours) {
     if (colour.isHex) {

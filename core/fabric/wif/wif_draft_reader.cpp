@@ -16,7 +16,8 @@
 // number once, counted from 1. Where a liftplan and a treadling stand side by side, the liftplan counts; if the two
 // weave different cloths that is said. A file may name more shafts than a loom has: lifts of shafts that no end
 // hangs on are dropped, and shafts that always go together become one. Of more treadles than a loom has, the lifts are
-// kept. The draft is checked like any other at the end. Cost: linear in the numbers of the lists, and a drawdown of each where there are both.
+// kept. The draft is checked like any other at the end. Cost: linear in the numbers of the lists, and a drawdown of
+// each where there are both.
 
 namespace loomlight {
 namespace {
@@ -157,10 +158,11 @@ class DraftReader {
     if (largest(draft.threading, {}, {}) <= mostShafts()) {
       const int lifted = largest(draft.tieUp, draft.liftplan, {});
       if (lifted <= mostShafts()) return;
-      warnings_.add(0, draft.liftplan.empty() ? "TIEUP" : "LIFTPLAN", "",
-                    fmt::format("Shafts up to {} are lifted, and there can be {}; no end hangs on those beyond, which are "
-                                "left out. The cloth is the same.",
-                                lifted, mostShafts()));
+      warnings_.add(
+          0, draft.liftplan.empty() ? "TIEUP" : "LIFTPLAN", "",
+          fmt::format("Shafts up to {} are lifted, and there can be {}; no end hangs on those beyond, which are "
+                      "left out. The cloth is the same.",
+                      lifted, mostShafts()));
       for (Lists* lists : {&draft.tieUp, &draft.liftplan})
         for (std::vector<int>& list : *lists)
           list.erase(std::upper_bound(list.begin(), list.end(), mostShafts()), list.end());
@@ -182,10 +184,11 @@ class DraftReader {
   /// A loom has fewer treadles than such a file may name: its draft has a liftplan instead.
   void fewerTreadles(Draft& draft) {
     if (draft.treadles <= mostShafts()) return;
-    warnings_.add(0, "TREADLING", "",
-                  fmt::format("The draft uses {} treadles, and there can be {}; what they lift is a liftplan instead. The "
-                              "cloth is the same.",
-                              draft.treadles, mostShafts()));
+    warnings_.add(
+        0, "TREADLING", "",
+        fmt::format("The draft uses {} treadles, and there can be {}; what they lift is a liftplan instead. The "
+                    "cloth is the same.",
+                    draft.treadles, mostShafts()));
     draft = withLiftplan(std::move(draft));
   }
 

@@ -201,7 +201,8 @@ TEST_F(HandedOver, TheMaterialXNamesFilesThatAreThere) {
   EXPECT_EQ(found, 6);
 }
 
-/// A node of a MaterialX graph, with the tangent along x, the bitangent along y and one value in the rotation's picture.
+/// What a node of a MaterialX graph has: the tangent is along x, the bitangent along y, the rotation the same
+/// everywhere.
 glm::vec3 valueOf(const std::string& graph, const std::string& node, float rotation) {
   std::smatch found, input;
   const std::regex element("<(\\w+) name=\"" + node + "\" type=\"\\w+\">([^]*?)</\\1>");

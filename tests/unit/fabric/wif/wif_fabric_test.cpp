@@ -430,8 +430,7 @@ TEST(WifFabric, OfTreadlesBeyondADraftsTheLiftsAreKept) {
     treadling += fmt::format("{0}={0}\n", treadle);
   }
   const WifImport import = fabricFromWif(text + tieUp + treadling, "x.wif", Fabric{}, WifSizeChoice::keep);
-  for (int pick = 0; pick < kTreadles; ++pick)
-    ASSERT_EQ(import.fabric.weave.at(pick, 0), (pick + 1) % 2 == 0) << pick;
+  for (int pick = 0; pick < kTreadles; ++pick) ASSERT_EQ(import.fabric.weave.at(pick, 0), (pick + 1) % 2 == 0) << pick;
   EXPECT_THAT(inLines(import.warnings), Contains(HasSubstr("The draft uses 5000 treadles, and there can be 4096")));
   EXPECT_THAT(inLines(import.warnings), testing::Not(Contains(HasSubstr("another number"))));
 }
