@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/cli/inputs.h"
-#include "app/export/cloth_sheet.h"
+#include "app/export/sheet/cloth_sheet.h"
 
 namespace loomlight {
 
@@ -25,7 +25,7 @@ struct StandardChoice {
 };
 StandardChoice standardChoice(const std::string& text);
 
-/// Writes the page that goes to a mill (app/export/cloth_sheet.h). Exit status 0, or that of an interrupt. Throws
+/// Writes the page that goes to a mill (app/export/sheet/cloth_sheet.h). Exit status 0, or that of an interrupt. Throws
 /// InputError.
 int run(const SheetCommand& command);
 

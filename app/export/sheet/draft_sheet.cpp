@@ -1,4 +1,4 @@
-#include "app/export/draft_sheet.h"
+#include "app/export/sheet/draft_sheet.h"
 
 #include <cairo-pdf.h>
 #include <cairo.h>
@@ -10,8 +10,8 @@
 #include <memory>
 #include <new>
 
-#include "app/export/cairo_output.h"
-#include "app/export/pdf_profile.h"
+#include "app/export/sheet/cairo_output.h"
+#include "app/export/sheet/pdf_profile.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/rgb.h"

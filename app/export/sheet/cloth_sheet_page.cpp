@@ -1,4 +1,4 @@
-#include "app/export/cloth_sheet_page.h"
+#include "app/export/sheet/cloth_sheet_page.h"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "app/export/draft_sheet.h"
+#include "app/export/sheet/draft_sheet.h"
 #include "core/base/task.h"
 #include "core/fabric/model/fabric.h"
 #include "core/fabric/model/yarn_count.h"

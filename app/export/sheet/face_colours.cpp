@@ -1,4 +1,4 @@
-#include "app/export/face_colours.h"
+#include "app/export/sheet/face_colours.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "app/export/cloth_sheet.h"
+#include "app/export/sheet/cloth_sheet.h"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "app/export/cloth_sheet_page.h"
 #include "app/export/picture.h"
+#include "app/export/sheet/cloth_sheet_page.h"
 #include "app/export/task_part.h"
 #include "app/export/whole_picture.h"
 #include "core/base/error.h"

@@ -1,4 +1,4 @@
-#include "app/export/draft_sheet.h"
+#include "app/export/sheet/draft_sheet.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

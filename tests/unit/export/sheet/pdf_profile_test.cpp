@@ -1,4 +1,4 @@
-#include "app/export/pdf_profile.h"
+#include "app/export/sheet/pdf_profile.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "app/export/paper.h"
+#include "app/export/sheet/paper.h"
 #include "core/base/file.h"
 #include "render/colour/icc_profile.h"
 #include "tests/support/scratch_folder.h"

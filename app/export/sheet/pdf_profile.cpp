@@ -1,4 +1,4 @@
-#include "app/export/pdf_profile.h"
+#include "app/export/sheet/pdf_profile.h"
 
 #include <qpdf/qpdf-c.h>
 

@@ -1,12 +1,12 @@
-#include "app/export/paper.h"
+#include "app/export/sheet/paper.h"
 
 #include <cairo-pdf.h>
 
 #include <memory>
 #include <sstream>
 
-#include "app/export/cairo_output.h"
-#include "app/export/pdf_profile.h"
+#include "app/export/sheet/cairo_output.h"
+#include "app/export/sheet/pdf_profile.h"
 #include "core/base/file.h"
 
 namespace loomlight {

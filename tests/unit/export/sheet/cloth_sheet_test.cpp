@@ -1,4 +1,4 @@
-#include "app/export/cloth_sheet.h"
+#include "app/export/sheet/cloth_sheet.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <mutex>
 #include <vector>
 
-#include "app/export/cloth_sheet_page.h"
+#include "app/export/sheet/cloth_sheet_page.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/fabric/json/fabric_json.h"

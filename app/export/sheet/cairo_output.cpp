@@ -1,4 +1,4 @@
-#include "app/export/cairo_output.h"
+#include "app/export/sheet/cairo_output.h"
 
 #include <fmt/format.h>
 

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "app/export/cloth_sheet.h"
-#include "app/export/face_colours.h"
-#include "app/export/paper.h"
+#include "app/export/sheet/cloth_sheet.h"
+#include "app/export/sheet/face_colours.h"
+#include "app/export/sheet/paper.h"
 #include "core/geometry/cloth_geometry.h"
 
 namespace loomlight {
