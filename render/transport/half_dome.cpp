@@ -24,11 +24,10 @@ constexpr int kPixels = 64;  // across a window seen from straight above
 constexpr int kFewestCrossings = 8, kMostCrossings = 48;
 
 /// Side of the square of cloth that the cameras see: enough crossings for a mean, and whole repeats where they are few.
-double window_mm(const Fabric& fabric) {
+double window_mm(const ClothGeometry& geometry) {
   const auto side = [](int repeat, double pitch_mm) {
     return pitch_mm * std::clamp((kFewestCrossings + repeat - 1) / repeat * repeat, kFewestCrossings, kMostCrossings);
   };
-  const ClothGeometry geometry(fabric, 1, 1);
   return std::max(side(geometry.repeatEnds(), geometry.warpPitch_mm()),
                   side(geometry.repeatPicks(), geometry.weftPitch_mm()));
 }
@@ -96,11 +95,12 @@ Rgb look(const Scene& scene, const Medium& medium, const View& view, size_t came
 
 Fabric halfDomePatch(Fabric fabric, const HalfDomeGrid& grid) {
   fabric = evenlySpun(std::move(fabric));
-  const double half = ClothGeometry(fabric, 1, 1).halfThickness_mm();
+  const ClothGeometry geometry(fabric, 1, 1);
+  const double half = geometry.halfThickness_mm();
   const double steepest = std::tan(grid.inclination_deg(grid.inclinations - 1) * kRadians);
   // Half the diagonal of the window, whose rows are rounded; the way of a ray down to the mid-plane; and what light
   // travels sideways inside of the cloth.
-  const double window = window_mm(fabric);
+  const double window = window_mm(geometry);
   const double reach = 0.75 * window * 1.5 + half * steepest + 8 * half;
   fabric.drape = Drape{};
   fabric.drape.width_mm = fabric.drape.height_mm = std::clamp(2 * reach, 1.0, 1e4);
@@ -109,7 +109,8 @@ Fabric halfDomePatch(Fabric fabric, const HalfDomeGrid& grid) {
 
 std::optional<HalfDomeMeasure> measureHalfDome(const Scene& scene, const Medium& medium, const HalfDomeGrid& grid,
                                                int samples, const Task& task) {
-  const double window = window_mm(*scene.fabric), half = scene.cloth->volume->geometry().halfThickness_mm();
+  const ClothGeometry& geometry = scene.cloth->volume->geometry();
+  const double window = window_mm(geometry), half = geometry.halfThickness_mm();
   HalfDomeMeasure measure{grid, std::vector<Rgb>(grid.size()), {}};
   std::vector<TraceCounts> counts(grid.size());
   std::atomic<size_t> done{0};
