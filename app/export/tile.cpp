@@ -70,7 +70,7 @@ void fillHoles(const std::vector<float>& opacity, int width, int height, std::ve
 
 TileExtent tileExtent(const Fabric& uneven, bool joinTwist) {
   const Fabric fabric = evenlySpun(uneven);
-  const ClothGeometry geometry(fabric, fabric.weave.ends(), fabric.weave.picks());
+  const ClothGeometry geometry = ClothGeometry::outline(fabric);
   const auto lcm = [](int64_t a, int64_t b) { return std::lcm(a, b); };
   const int64_t ends =
       lcm(lcm(fabric.weave.ends(), static_cast<int64_t>(fabric.warpSequence.size())), geometry.repeatEnds());

@@ -76,6 +76,10 @@ class ClothGeometry {
   /// instead of each cell.
   ClothMeasures measure(const std::array<std::vector<CellCount>, 2>& counts) const;
 
+  /// A piece of one crossing, sketched: pitches, repeats and twist are those of the cloth, its thickness nearly, and no
+  /// yarn takes long to make.
+  static ClothGeometry outline(const Fabric& fabric) { return ClothGeometry(fabric, 1, 1, nullptr, true); }
+
  private:
   YarnTable yarns_;
   CellCodes codes_;

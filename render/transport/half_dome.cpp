@@ -95,7 +95,7 @@ Rgb look(const Scene& scene, const Medium& medium, const View& view, size_t came
 
 Fabric halfDomePatch(Fabric fabric, const HalfDomeGrid& grid) {
   fabric = evenlySpun(std::move(fabric));
-  const ClothGeometry geometry(fabric, 1, 1);
+  const ClothGeometry geometry = ClothGeometry::outline(fabric);
   const double half = geometry.halfThickness_mm();
   const double steepest = std::tan(grid.inclination_deg(grid.inclinations - 1) * kRadians);
   // Half the diagonal of the window, whose rows are rounded; the way of a ray down to the mid-plane; and what light

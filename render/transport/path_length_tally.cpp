@@ -196,7 +196,7 @@ Reflectance PathLengthTally::reflectance(const Colouring& colouring) const {
 
 Fabric colourPatch(Fabric fabric) {
   fabric = evenlySpun(std::move(fabric));
-  const double margin = 2 * kMarginThicknesses * ClothGeometry(fabric, 1, 1).halfThickness_mm();
+  const double margin = 2 * kMarginThicknesses * ClothGeometry::outline(fabric).halfThickness_mm();
   const glm::dvec2 window = windowSides_mm(fabric);
   fabric.drape = Drape{};
   fabric.drape.width_mm = std::clamp(window.x + 2 * margin, 1.0, 1e4);

@@ -77,7 +77,7 @@ Fabric BvdfPatch::reduced(const Fabric& fabric) {
   patch.light.kind = LightKind::dome;
   patch.render = onlyOf(kSeen, fabric.render);
 
-  const ClothGeometry geometry(patch, 1, 1);
+  const ClothGeometry geometry = ClothGeometry::outline(patch);
   int ends = sideOf(geometry.repeatEnds()), picks = sideOf(geometry.repeatPicks());
   const double each = segmentsPerCrossing(patch);
   while (each * ends * picks > kMaxSegments && std::max(ends, picks) > kMinCrossings) {
