@@ -7,20 +7,12 @@
 namespace loomlight {
 namespace {
 
-DigitalSide fitted(SideMaps maps, MeasuredSide seen, const Fabric& fabric, const DigitalClothOrder& order,
-                   int threads) {
-  DigitalSide side;
-  const MeanColours mean = meanColours(maps);
-  const Rgb measured = albedoAlongNormal(seen.reflected);
-  for (int c = 0; c < 3; ++c)
-    if (measured[c] > 0) side.tileOverMeasured[c] = mean.reflected[c] / measured[c];
-  scaleTo(mean.reflected, seen.reflected);
-  scaleTo(mean.transmitted, seen.transmitted);
-  const std::vector<SurfaceSample> samples = surfaceSamples(maps, fabric, order.fitSamples);
+/// `seen`: scaled to the maps.
+void fit(DigitalSide& side, const MeasuredSide& seen, const Fabric& fabric, const DigitalClothOrder& order,
+         int threads) {
+  const std::vector<SurfaceSample> samples = surfaceSamples(side.maps, fabric, order.fitSamples);
   side.fit = fitSurface(samples, seen.reflected, seen.transmitted, threads);
-  side.roughnessScales = roughnessScales(maps, fabric);
-  side.maps = std::move(maps);
-  return side;
+  side.roughnessScales = roughnessScales(side.maps, fabric);
 }
 
 }  // namespace
@@ -37,9 +29,15 @@ std::optional<DigitalCloth> makeDigitalCloth(const Fabric& fabric, const Digital
   auto measured = measuredSurface(fabric, order.measuringSamples, limit_bytes, partOf(task, kTraced, kMeasured));
   if (!measured) return std::nullopt;
   cloth.measures = sides->measures;
-  cloth.front = fitted(std::move(sides->front), std::move(measured->front), fabric, order, task.threads);
+  cloth.front.maps = std::move(sides->front);
+  cloth.back.maps = std::move(sides->back);
+  const MeanColours front = meanColours(cloth.front.maps), back = meanColours(cloth.back.maps);
+  cloth.front.tileOverMeasured = quotient(front.reflected, albedoAlongNormal(measured->front.reflected));
+  cloth.back.tileOverMeasured = quotient(back.reflected, albedoAlongNormal(measured->back.reflected));
+  scaleToMaps(front, back, *measured);
+  fit(cloth.front, measured->front, fabric, order, task.threads);
   if (task.stopped()) return std::nullopt;
-  cloth.back = fitted(std::move(sides->back), std::move(measured->back), fabric, order, task.threads);
+  fit(cloth.back, measured->back, fabric, order, task.threads);
   if (task.stopped()) return std::nullopt;
   task.report(1);
   return cloth;

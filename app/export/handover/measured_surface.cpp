@@ -127,14 +127,23 @@ Rgb albedoAlongNormal(const std::vector<Observation>& seen) {
 }
 
 void scaleTo(const Rgb& albedo, std::vector<Observation>& seen) {
-  const Rgb is = albedoAlongNormal(seen);
-  Rgb scale(1);
-  for (int c = 0; c < 3; ++c)
-    if (is[c] > 0) scale[c] = albedo[c] / is[c];
+  const Rgb scale = quotient(albedo, albedoAlongNormal(seen));
   for (Observation& one : seen) {
     one.factor *= scale;
     one.variance *= glm::dot(scale, scale) / 3;
   }
+}
+
+// A path of light can be walked either way. A map shows light of half the sky that leaves along the side's own normal.
+// Walked the other way that is light which arrives along this normal and leaves to half the sky: to the same half where
+// the map is of reflected light. Where it is of transmitted light it leaves at the other side. So the front's map of
+// transmitted light belongs to what the back was seen to send of light along the front's normal, and what the front was
+// seen to send of light along the back's normal belongs to the back's map.
+void scaleToMaps(const MeanColours& front, const MeanColours& back, MeasuredSurface& measured) {
+  scaleTo(front.reflected, measured.front.reflected);
+  scaleTo(back.reflected, measured.back.reflected);
+  scaleTo(front.transmitted, measured.back.transmitted);
+  scaleTo(back.transmitted, measured.front.transmitted);
 }
 
 }  // namespace loomlight

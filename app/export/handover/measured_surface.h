@@ -5,6 +5,7 @@
 
 #include "app/export/handover/side_maps.h"
 #include "app/export/handover/surface_fit.h"
+#include "app/export/handover/surface_samples.h"
 
 namespace loomlight {
 
@@ -27,5 +28,8 @@ Rgb albedoAlongNormal(const std::vector<Observation>& seen);
 /// Multiplied so that this albedo becomes `albedo`: cameras see a piece of some crossings, whose colours need not be
 /// those of the whole tile. Black stays.
 void scaleTo(const Rgb& albedo, std::vector<Observation>& seen);
+
+/// Both sides, to the mean colours of their maps.
+void scaleToMaps(const MeanColours& front, const MeanColours& back, MeasuredSurface& measured);
 
 }  // namespace loomlight

@@ -179,6 +179,13 @@ Rgb predictedFactor(const SurfaceFit& fit, const SheenAlbedo& sheen, std::span<c
   return static_cast<float>(kPi) / (count * std::abs(seen.in.z)) * sum;
 }
 
+Rgb quotient(const Rgb& wanted, const Rgb& is) {
+  Rgb scale(1);
+  for (int c = 0; c < 3; ++c)
+    if (is[c] > 0) scale[c] = wanted[c] / is[c];
+  return scale;
+}
+
 SurfaceFit fitSurface(std::span<const SurfaceSample> samples, std::span<const Observation> reflected,
                       std::span<const Observation> transmitted, int threads) {
   constexpr std::array<std::pair<double, double>, 3> kStarts{{{0.6, 0.02}, {0.35, 0.02}, {0.9, 0.2}}};

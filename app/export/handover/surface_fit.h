@@ -53,4 +53,7 @@ SurfaceFit fitSurface(std::span<const SurfaceSample> samples, std::span<const Ob
 Rgb predictedFactor(const SurfaceFit& fit, const SheenAlbedo& sheen, std::span<const SurfaceSample> samples,
                     const Observation& seen);
 
+/// What `is` is to be multiplied by in each channel to be `wanted`; 1 where it is black.
+Rgb quotient(const Rgb& wanted, const Rgb& is);
+
 }  // namespace loomlight

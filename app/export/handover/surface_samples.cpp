@@ -4,18 +4,6 @@
 #include <cmath>
 
 namespace loomlight {
-namespace {
-
-/// Of a channel each; 1 where there is nothing to scale.
-Rgb quotient(const Rgb& wanted, const Rgb& is) {
-  Rgb scale(1);
-  for (int c = 0; c < 3; ++c)
-    if (is[c] > 0) scale[c] = wanted[c] / is[c];
-  return scale;
-}
-
-}  // namespace
-
 std::vector<float> roughnessScales(const SideMaps& side, const Fabric& fabric) {
   std::vector<float> roots;
   for (const Yarn& yarn : fabric.yarns)

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "app/export/handover/surface_samples.h"
 #include "tests/unit/handover/two_sided_cloth.h"
 
@@ -25,7 +27,49 @@ TEST(MeasuredSurface, WhatAWhiteClothDoesNotLetThroughItScatters) {
   EXPECT_GT(through, 0.05);
   // Paths can be walked either way: the maps, lit by half the sky and seen along the normal, have the same mean.
   EXPECT_NEAR(back, meanColours(sides->front).reflected.x, 0.02);
-  EXPECT_NEAR(through, meanColours(sides->back).transmitted.x, 0.02);
+  EXPECT_NEAR(through, meanColours(sides->front).transmitted.x, 0.02);
+}
+
+/// RMS of the noise in albedoAlongNormal(), as a share of it.
+double relativeNoise(const std::vector<Observation>& seen) {
+  double sum = 0;
+  for (const Observation& one : seen)
+    if (std::abs(one.in.z) > 0.9999f) sum += one.weight * one.weight * one.variance;
+  const Rgb albedo = albedoAlongNormal(seen);
+  return 3 * std::sqrt(sum) / (albedo.r + albedo.g + albedo.b);
+}
+
+/// A satin whose face is of dark warp: light along the face's normal is let through by half as much again as light along
+/// the other one, which leaves the dark fibres at a slant. Each map shows one of the two.
+TEST(MeasuredSurface, AMapOfTransmittedLightBelongsToWhatTheOtherSideSends) {
+  Fabric fabric = test::twoSidedCloth();
+  fabric.weave = satin(8, 3);
+  fabric.ends_per_cm = 16;
+  for (Fibre& fibre : fabric.fibres) {
+    fibre.longitudinalRoughness = 0.6;
+    fibre.azimuthalRoughness = 0.9;
+  }
+  fabric.fibres[0].absorption_per_mm = Rgb(150);
+  fabric.render.samplesPerPixel = 16;
+  fabric.render.estimator = Estimator::none;  // as above
+  auto measured = measuredSurface(fabric, 96, 1e9, {});
+  ASSERT_TRUE(measured);
+  const auto sides = tileSides(fabric, tileExtent(fabric, false), 64, 1e9, {});
+  const MeanColours front = meanColours(sides->front), back = meanColours(sides->back);
+  // Ratios, as the piece that is measured need not be quite as bright as the tile.
+  const double maps = front.transmitted.x / back.transmitted.x;
+  const double seen =
+      albedoAlongNormal(measured->back.transmitted).x / albedoAlongNormal(measured->front.transmitted).x;
+  const double fourSigmas =
+      4 * maps * std::hypot(relativeNoise(measured->front.transmitted), relativeNoise(measured->back.transmitted));
+  ASSERT_GT(maps - 1 / maps, 2 * fourSigmas) << "the sides are unlike enough to tell which belongs to which";
+  EXPECT_NEAR(seen, maps, fourSigmas);
+
+  scaleToMaps(front, back, *measured);
+  EXPECT_NEAR(albedoAlongNormal(measured->back.transmitted).x, front.transmitted.x, 1e-5);
+  EXPECT_NEAR(albedoAlongNormal(measured->front.transmitted).x, back.transmitted.x, 1e-5);
+  EXPECT_NEAR(albedoAlongNormal(measured->front.reflected).x, front.reflected.x, 1e-5);
+  EXPECT_NEAR(albedoAlongNormal(measured->back.reflected).x, back.reflected.x, 1e-5);
 }
 
 TEST(MeasuredSurface, TheBackIsSeenFromBelow) {
