@@ -33,7 +33,7 @@ struct DigitalClothOrder {
   int longestSide = 0;  ///< pixels; 0: usualTileSide()
   bool joinTwist = true;
   int measuringSamples = 512;  ///< paths for each camera of the half-domes
-  int fitSamples = 32;         ///< pixels that stand for all in the fit
+  int fitSamples = 64;         ///< pixels that stand for all in the fit
 };
 
 /// Traces, measures and fits. Nothing when stopped. `limit_bytes`: of explicit fibres. Throws InputError.

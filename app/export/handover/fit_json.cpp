@@ -36,6 +36,8 @@ Json sideJson(const DigitalSide& side, const SideTextures& textures) {
        {{"reflected", errorJson(fit.reflected)},
         {"reflected_from_afar", errorJson(fit.fromAfar)},
         {"transmitted", errorJson(fit.transmitted)},
+        {"even_light_over_measured", colour(fit.evenLight)},
+        {"even_light_over_measured_from_afar", colour(fit.evenLightFromAfar)},
         {"tile_over_measured", colour(side.tileOverMeasured)}}},
       {"maps",
        {{"base", {{"file", textures.base}, {"encoding", "sRGB"}}},

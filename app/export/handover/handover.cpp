@@ -27,14 +27,16 @@ std::string fitLine(const char* side, const SurfaceFit& fit) {
     return error.rms > 0 ? fmt::format("{:.1f} %", of * error.rms)
                          : fmt::format("less than the measurement's noise of {:.1f} %", of * error.noise);
   };
+  const auto mean = [](const Rgb& colour) { return (colour.r + colour.g + colour.b) / 3; };
   return fmt::format(
       "{}: roughness {:.2f}, specular {:.2f}, anisotropy {:.2f}, sheen {:.3f} with roughness {:.2f}; RMS over "
       "directions "
-      "{} of the mean {:.3f} ({} from afar), through it {} of {:.3f}",
+      "{} of the mean {:.3f} ({} from afar), through it {} of {:.3f}; in even light {:.2f} of what was measured ({:.2f} "
+      "from afar)",
       side, fit.surface.roughness, fit.surface.specular, fit.surface.anisotropy,
       std::max({fit.surface.sheenColour.r, fit.surface.sheenColour.g, fit.surface.sheenColour.b}),
       fit.surface.sheenRoughness, percent(fit.reflected), fit.reflected.mean, percent(fit.fromAfar),
-      percent(fit.transmitted), fit.transmitted.mean);
+      percent(fit.transmitted), fit.transmitted.mean, mean(fit.evenLight), mean(fit.evenLightFromAfar));
 }
 
 std::string sidecar(const DigitalCloth& cloth, const SideTextures& front, const SideTextures& back) {

@@ -1,12 +1,14 @@
-// How it works. The unknowns are the five numbers of the principled surface (with a sheen of three channels: seven),
-// three weights of the colour maps and one of the normals. A prediction is what a renderer would show of the patch: the
+// How it works. The unknowns are the five numbers of the principled surface (with a sheen of three channels: seven) and
+// a weight of the normals. The weights of the colour maps are no unknowns: they follow from what the maps are colours
+// of, which is the cloth in even light from above, where the fitted surface is to have the same colour. What its gloss
+// and sheen send back there, the maps leave out. Where gloss leaves them too little, what is too much is a residual that
+// outweighs the others, and gloss goes down. A prediction is what a renderer would show of the patch: the
 // mean over pixels, each with its normal, axis and colours; and, with as much weight, one pixel of their means, which
 // programs show that filter maps from afar. A gloss fitted to pixels alone is narrow, as their normals spread it, and
 // from afar it would be a mirror's. Residuals are the differences of ln(1 + factor / mean) of each channel, times the
 // root of the projected solid angle: dark cloths are twenty times as bright at a glance along them as from above, which
 // would count for all the rest, and a fit of the factors themselves shows them pale from above (Loew et al. 2012 fit
-// logarithms for the same reason). A wide and a narrow gloss, with and without sheen, are tried as starts, as the sum
-// of squares has more than one valley.
+// logarithms for the same reason). Several starts are tried, as the sum of squares has more than one valley.
 #include "app/export/handover/surface_fit.h"
 
 #include <algorithm>
@@ -19,44 +21,33 @@
 namespace loomlight {
 namespace {
 
-enum Parameter {
-  kSpecular,
-  kRoughness,
-  kAnisotropy,
-  kSheenRoughness,
-  kSheen,
-  kReflected = kSheen + 3,
-  kNormals = kReflected + 3,
-  kCount
-};
+constexpr glm::vec3 kAbove(0, 0, 1);
 
+/// The anisotropy is fitted by its square, in proportion to which slopes grow: by the anisotropy itself their derivative
+/// is 0 where it is 0, and a fit that came there would never leave.
+enum Parameter { kSpecular, kRoughness, kSquaredAnisotropy, kSheenRoughness, kNormals, kSheen, kCount = kSheen + 3 };
+
+/// Without the weights of the maps.
 SurfaceFit surfaceOf(std::span<const double> values) {
   const auto at = [&](int parameter) { return static_cast<float>(values[static_cast<size_t>(parameter)]); };
   SurfaceFit fit;
   fit.surface.specular = at(kSpecular);
   fit.surface.roughness = at(kRoughness);
-  fit.surface.anisotropy = at(kAnisotropy);
+  fit.surface.anisotropy = std::sqrt(at(kSquaredAnisotropy));
   fit.surface.sheenRoughness = at(kSheenRoughness);
   fit.normalStrength = at(kNormals);
-  for (int c = 0; c < 3; ++c) {
-    fit.surface.sheenColour[c] = at(kSheen + c);
-    fit.reflectedWeight[c] = at(kReflected + c);
-  }
+  for (int c = 0; c < 3; ++c) fit.surface.sheenColour[c] = at(kSheen + c);
   return fit;
 }
 
-std::vector<Unknown> unknownsFrom(double roughness, double sheen) {
-  // A weight near 0 would leave a map that is black in that channel: where the gloss of the fit is too bright in one
-  // colour, the map still has the hue of the cloth.
-  constexpr double kLeastWeight = 0.5;
+std::vector<Unknown> unknownsFrom(const FitStart& start) {
   constexpr double kLeastSlopes = 0.5;  // flat maps would fit most cloths best, and show no thread
-  std::vector<Unknown> unknowns(kCount, {1, kLeastWeight, 2});
+  std::vector<Unknown> unknowns(kCount, {start.sheen, 0, 1});
   unknowns[kSpecular] = {0.5, 0, 1};
-  unknowns[kRoughness] = {roughness, 0.1, 1};
-  unknowns[kAnisotropy] = {0.3, 0, 1};
+  unknowns[kRoughness] = {start.roughness, 0.1, 1};
+  unknowns[kSquaredAnisotropy] = {start.anisotropy * start.anisotropy, 0, 1};
   unknowns[kSheenRoughness] = {0.5, 0.15, 1};
   unknowns[kNormals] = {0.75, kLeastSlopes, 1};
-  for (int c = 0; c < 3; ++c) unknowns[size_t{kSheen} + static_cast<size_t>(c)] = {sheen, 0, 1};
   return unknowns;
 }
 
@@ -114,52 +105,98 @@ std::vector<SurfaceSample> fromAfar(std::span<const SurfaceSample> samples) {
   return {mean};
 }
 
-/// Of the factors, by weight; a channel that is nearly black counts by the brightest.
-Rgb meanFactor(std::span<const Observation> seen) {
+/// A colour to divide by: a channel that is nearly black counts by the brightest.
+Rgb divisor(const Rgb& colour) {
   constexpr float kLeastShare = 0.01f;
+  return glm::max(colour, Rgb(std::max(1e-6f, kLeastShare * std::max({colour.r, colour.g, colour.b}))));
+}
+
+/// Of the factors, by weight.
+Rgb meanFactor(std::span<const Observation> seen) {
   Rgb sum(0);
   float weights = 0;
   for (const Observation& one : seen) {
     sum += one.weight * one.factor;
     weights += one.weight;
   }
-  const Rgb mean = sum / weights;
-  return glm::max(mean, Rgb(std::max(1e-6f, kLeastShare * std::max({mean.r, mean.g, mean.b}))));
+  return sum / weights;
 }
 
-LeastSquares fitFrom(std::span<const Unknown> unknowns, std::span<const SurfaceSample> samples,
-                     std::span<const Observation> seen) {
-  const Rgb mean = meanFactor(seen);
+/// The pixels of one fit, as they are seen from near, and as one.
+struct Patches {
+  std::vector<SurfaceSample> near, afar;
+
+  Patches(std::span<const SurfaceSample> samples, const SurfaceFit& fit)
+      : near(asFitted(samples, fit)), afar(fromAfar(near)) {}
+};
+
+/// Mean of the colours of a patch, holes counted as black.
+Rgb meanColour(std::span<const SurfaceSample> samples, Rgb PrincipledPoint::*colour) {
+  Rgb sum(0);
+  for (const SurfaceSample& sample : samples) sum += sample.opacity * (sample.point.*colour);
+  return sum / static_cast<float>(samples.size());
+}
+
+/// What a patch shows in light of this side's half of the sky, seen straight from above, with this weight on the map.
+Rgb evenlyReflected(const Principled& surface, const SheenAlbedo& sheen, std::span<const SurfaceSample> samples,
+                    const Rgb& weight) {
+  Rgb sum(0);
+  for (const SurfaceSample& sample : samples) {
+    PrincipledPoint at = sample.point;
+    at.reflected *= weight;
+    sum += sample.opacity * evenLightReflected(surface, sheen, at, kAbove);
+  }
+  return sum / static_cast<float>(samples.size());
+}
+
+/// The same of the other half of the sky, with a weight of 1.
+Rgb evenlyTransmitted(const Principled& surface, const SheenAlbedo& sheen, std::span<const SurfaceSample> samples) {
+  Rgb sum(0);
+  for (const SurfaceSample& sample : samples)
+    sum += sample.opacity * evenLightTransmitted(surface, sheen, sample.point, kAbove);
+  return sum / static_cast<float>(samples.size());
+}
+
+/// Gives the maps the weights for which the surface, seen straight from above in even light, is as bright as the
+/// samples' colours: on the average of near and afar. What is too bright even so, of the colour in each channel.
+Rgb weighed(SurfaceFit& fit, const SheenAlbedo& sheen, const Patches& patches) {
+  // A weight near 0 would leave a map that is black in that channel: gloss, which has no hue, would take the cloth's
+  // from its threads.
+  constexpr float kLeastWeight = 0.5f;
+  const auto mean = [&](const auto& of) { return 0.5f * (of(patches.near) + of(patches.afar)); };
+  const auto seen = [&](float weight) {
+    return mean([&](const auto& patch) { return evenlyReflected(fit.surface, sheen, patch, Rgb(weight)); });
+  };
+  const Rgb colour = meanColour(patches.near, &PrincipledPoint::reflected);
+  const Rgb gloss = seen(0), diffuse = seen(1) - gloss;
+  fit.reflectedWeight = glm::max(Rgb(kLeastWeight), quotient(colour - gloss, diffuse));
+  fit.transmittedWeight =
+      quotient(meanColour(patches.near, &PrincipledPoint::transmitted),
+               mean([&](const auto& patch) { return evenlyTransmitted(fit.surface, sheen, patch); }));
+  return glm::max(Rgb(0), gloss + fit.reflectedWeight * diffuse - colour) / divisor(colour);
+}
+
+LeastSquares fitFrom(const FitStart& start, std::span<const SurfaceSample> samples, std::span<const Observation> seen) {
+  // The other squares sum up to a few units, and change by as much with a channel's gloss: a hundredth of the colour
+  // too much counts as little, a tenth more than all the rest.
+  constexpr double kPenalty = 30;
+  const Rgb mean = divisor(meanFactor(seen));
   const auto brightness = [mean](const Rgb& factor) { return glm::log(Rgb(1) + glm::max(factor, Rgb(0)) / mean); };
-  return leastSquares(unknowns, [&](std::span<const double> values) {
-    const SurfaceFit fit = surfaceOf(values);
+  return leastSquares(unknownsFrom(start), [&](std::span<const double> values) {
+    SurfaceFit fit = surfaceOf(values);
     const SheenAlbedo sheen(fit.surface.sheenRoughness);
-    const std::vector<SurfaceSample> near = asFitted(samples, fit), afar = fromAfar(near);
+    const Patches patches(samples, fit);
+    const Rgb excess = weighed(fit, sheen, patches);
     std::vector<double> residuals;
-    residuals.reserve(6 * seen.size());
-    for (const auto* patch : {&near, &afar})
+    residuals.reserve(3 + 6 * seen.size());
+    for (int c = 0; c < 3; ++c) residuals.push_back(kPenalty * excess[c]);
+    for (const auto* patch : {&patches.near, &patches.afar})
       for (const Observation& one : seen) {
         const Rgb difference = brightness(predictedFactor(fit, sheen, *patch, one)) - brightness(one.factor);
         for (int c = 0; c < 3; ++c) residuals.push_back(std::sqrt(0.5 * one.weight) * difference[c]);
       }
     return residuals;
   });
-}
-
-/// The weight of each channel for which the squares of predicted minus measured are least.
-Rgb transmittedWeight(const SurfaceFit& fit, std::span<const SurfaceSample> samples,
-                      std::span<const Observation> seen) {
-  const SheenAlbedo sheen(fit.surface.sheenRoughness);
-  glm::dvec3 products(0), squares(0);
-  for (const Observation& one : seen) {
-    const glm::dvec3 predicted = predictedFactor(fit, sheen, samples, one);
-    products += static_cast<double>(one.weight) * predicted * glm::dvec3(one.factor);
-    squares += static_cast<double>(one.weight) * predicted * predicted;
-  }
-  Rgb weight(1);
-  for (int c = 0; c < 3; ++c)
-    if (squares[c] > 0) weight[c] = static_cast<float>(std::clamp(products[c] / squares[c], 0.0, 2.0));
-  return weight;
 }
 
 }  // namespace
@@ -187,20 +224,21 @@ Rgb quotient(const Rgb& wanted, const Rgb& is) {
 }
 
 SurfaceFit fitSurface(std::span<const SurfaceSample> samples, std::span<const Observation> reflected,
-                      std::span<const Observation> transmitted, int threads) {
-  constexpr std::array<std::pair<double, double>, 3> kStarts{{{0.6, 0.02}, {0.35, 0.02}, {0.9, 0.2}}};
-  std::array<LeastSquares, kStarts.size()> fits;
-  parallelFor(fits.size(), threads, [&](size_t i) {
-    fits[i] = fitFrom(unknownsFrom(kStarts[i].first, kStarts[i].second), samples, reflected);
-  });
+                      std::span<const Observation> transmitted, int threads, std::span<const FitStart> starts) {
+  std::vector<LeastSquares> fits(starts.size());
+  parallelFor(fits.size(), threads, [&](size_t i) { fits[i] = fitFrom(starts[i], samples, reflected); });
   const auto best = std::min_element(fits.begin(), fits.end(),
                                      [](const LeastSquares& a, const LeastSquares& b) { return a.sum < b.sum; });
   SurfaceFit fit = surfaceOf(best->values);
-  const std::vector<SurfaceSample> near = asFitted(samples, fit);
-  fit.transmittedWeight = transmittedWeight(fit, near, transmitted);
-  fit.reflected = errorOf(fit, near, reflected);
-  fit.transmitted = errorOf(fit, near, transmitted);
-  fit.fromAfar = errorOf(fit, fromAfar(near), reflected);
+  const SheenAlbedo sheen(fit.surface.sheenRoughness);
+  const Patches patches(samples, fit);
+  weighed(fit, sheen, patches);
+  fit.reflected = errorOf(fit, patches.near, reflected);
+  fit.transmitted = errorOf(fit, patches.near, transmitted);
+  fit.fromAfar = errorOf(fit, patches.afar, reflected);
+  const Rgb colour = meanColour(patches.near, &PrincipledPoint::reflected);
+  fit.evenLight = quotient(evenlyReflected(fit.surface, sheen, patches.near, fit.reflectedWeight), colour);
+  fit.evenLightFromAfar = quotient(evenlyReflected(fit.surface, sheen, patches.afar, fit.reflectedWeight), colour);
   return fit;
 }
 

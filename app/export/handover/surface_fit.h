@@ -38,15 +38,29 @@ struct SurfaceFit {
   Rgb reflectedWeight{1}, transmittedWeight{1};
   FitError reflected, transmitted;
   FitError fromAfar;  ///< of reflected light, where all pixels are seen as one: their mean normal and mean colour
+  /// What the fit shows straight from above in even light over what was measured there, pixel by pixel and as one. The
+  /// mean of the two is 1.
+  Rgb evenLight{1}, evenLightFromAfar{1};
 };
 
-/// Fits the parameters to what was measured, by least squares of logarithms over directions (least_squares.h), from
-/// several starts;
-/// the transmitted light then takes a weight alone. What the fit predicts of a patch is the mean over `samples`, each
-/// as a surface of its own, and, with as much weight, all of them seen as one: garments are looked at from so far that
-/// programs average the maps. `samples`, `reflected`, `transmitted`: at least one of each.
+/// Where the fit begins: the sum of squares has more than one valley.
+struct FitStart {
+  double roughness = 0.6, anisotropy = 0.3;
+  double sheen = 0.02;
+};
+/// Wide and narrow gloss, the same every way and drawn out, with little sheen and with much.
+inline constexpr FitStart kFitStarts[] = {
+    {0.6, 0.3, 0.02}, {0.35, 0.3, 0.02}, {0.9, 0.3, 0.2}, {0.35, 0.8, 0.02}, {0.6, 0.8, 0.2}};
+
+/// Fits a surface to what was measured, the best of those that it comes to from the starts. Seen straight from above in
+/// even light the surface is as bright as the colours of `samples`, which were measured in such light, in each channel;
+/// among those that are, it is the one that fits by least squares of logarithms over directions (least_squares.h). What
+/// the fit predicts of a patch is the mean over `samples`, each as a surface of its own, and, with as much weight, all
+/// of them seen as one: garments are looked at from so far that programs average the maps. `samples`, `reflected`,
+/// `transmitted`, `starts`: at least one of each.
 SurfaceFit fitSurface(std::span<const SurfaceSample> samples, std::span<const Observation> reflected,
-                      std::span<const Observation> transmitted, int threads = 0);
+                      std::span<const Observation> transmitted, int threads = 0,
+                      std::span<const FitStart> starts = kFitStarts);
 
 /// What a fitted patch sends on, as an observation of it would be; its in, out alone are read. The normals of `samples`
 /// are taken as they are.

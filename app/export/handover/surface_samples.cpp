@@ -46,10 +46,12 @@ std::vector<SurfaceSample> surfaceSamples(const SideMaps& side, const Fabric& fa
   const size_t width = static_cast<size_t>(side.tile.width), height = static_cast<size_t>(side.tile.height);
   std::vector<SurfaceSample> samples;
   MeanColours mean;
-  // A lattice of rank 1 with the golden ratio: even in both directions, and in no step with the threads.
+  // A lattice of rank 1 with the golden ratio: even in both directions, and in no step with the threads. Every other
+  // point is the mirror image of the one before, so that the cloth turned over is seen at the same points.
   constexpr double kGolden = 0.6180339887498949;
   for (int i = 0; i < count; ++i) {
-    const double u = (i + 0.5) / count, v = std::fmod(0.5 + i * kGolden, 1.0);
+    const double across = (i / 2 * 2 + 0.5) / count, u = i % 2 == 0 ? across : 1 - across;
+    const double v = std::fmod(0.5 + i / 2 * kGolden, 1.0);
     const size_t pixel = static_cast<size_t>(v * static_cast<double>(height)) * width +
                          static_cast<size_t>(u * static_cast<double>(width));
     const float opacity = side.tile.opacity[pixel];

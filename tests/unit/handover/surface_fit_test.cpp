@@ -55,6 +55,45 @@ void show(const SurfaceFit& truth, std::span<const SurfaceSample> samples, std::
   for (Observation& one : seen) one.factor = predictedFactor(truth, sheen, samples, one);
 }
 
+/// What a sample shows in light of half the sky, seen straight from above: by quadrature over equal projected solid
+/// angles, 1 where it sends back all light.
+Rgb inEvenLight(const SurfaceFit& fit, const SurfaceSample& sample, bool isThrough) {
+  const SheenAlbedo sheen(fit.surface.sheenRoughness);
+  constexpr int kSteps = 200;
+  Rgb sum(0);
+  for (int i = 0; i < kSteps; ++i)
+    for (int j = 0; j < kSteps; ++j) {
+      Observation one;
+      const double angle = std::asin(std::sqrt((i + 0.5) / kSteps)) * 180 / kPi;
+      one.in = direction(isThrough ? 180 - angle : angle, (j + 0.5) * 360 / kSteps);
+      sum += predictedFactor(fit, sheen, {&sample, 1}, one);
+    }
+  return sum / static_cast<float>(kSteps * kSteps);
+}
+
+/// From diffuse colours to those in even light, which are what maps are of. The weights of the truth become what makes
+/// them diffuse colours again.
+void colourAsInEvenLight(SurfaceFit& truth, std::vector<SurfaceSample>& samples) {
+  const SheenAlbedo sheen(truth.surface.sheenRoughness);
+  const glm::vec3 above(0, 0, 1);
+  Rgb reflected(0), transmitted(0), reflectedDiffuse(0), transmittedDiffuse(0);
+  for (const SurfaceSample& sample : samples) {
+    PrincipledPoint at = sample.point;
+    at.reflected *= truth.reflectedWeight;
+    at.transmitted *= truth.transmittedWeight;
+    reflected += sample.opacity * evenLightReflected(truth.surface, sheen, at, above);
+    transmitted += sample.opacity * evenLightTransmitted(truth.surface, sheen, at, above);
+    reflectedDiffuse += sample.opacity * sample.point.reflected;
+    transmittedDiffuse += sample.opacity * sample.point.transmitted;
+  }
+  for (SurfaceSample& sample : samples) {
+    sample.point.reflected *= reflected / reflectedDiffuse;
+    sample.point.transmitted *= transmitted / transmittedDiffuse;
+  }
+  truth.reflectedWeight *= reflectedDiffuse / reflected;
+  truth.transmittedWeight *= transmittedDiffuse / transmitted;
+}
+
 class FitOfKnown : public testing::TestWithParam<Principled> {};
 
 /// One surface all over, which looks the same from near and from afar.
@@ -70,7 +109,8 @@ TEST_P(FitOfKnown, TheModelsOwnLobesGiveTheirParametersBack) {
   truth.surface = GetParam();
   truth.reflectedWeight = Rgb(0.8f, 0.9f, 1.1f);
   truth.transmittedWeight = Rgb(1.2f, 0.7f, 1.0f);
-  const std::vector<SurfaceSample> samples = evenSamples();
+  std::vector<SurfaceSample> samples = evenSamples();
+  colourAsInEvenLight(truth, samples);
   std::vector<Observation> reflected = halfDomes(false), transmitted = halfDomes(true);
   show(truth, samples, reflected);
   show(truth, samples, transmitted);
@@ -94,6 +134,108 @@ INSTANTIATE_TEST_SUITE_P(Surfaces, FitOfKnown,
                          testing::Values(Principled{0.8f, 0.4f, 0.6f, Rgb(0), 0.5f},
                                          Principled{0.5f, 0.6f, 0.0f, Rgb(0.1f, 0.15f, 0.2f), 0.6f},
                                          Principled{1.0f, 0.3f, 0.3f, Rgb(0.05f), 0.35f}));
+
+/// Adds noise of this share to each factor.
+void disturb(float share, uint64_t seed, std::vector<Observation>& seen) {
+  Random random(seed);
+  for (Observation& one : seen) {
+    const float spread = share * std::sqrt(12.0f) * (random.uniform() - 0.5f);
+    one.variance = share * share * glm::dot(one.factor, one.factor) / 3;
+    one.factor *= 1 + spread;
+  }
+}
+
+struct KnownGloss {
+  float anisotropy;
+  glm::vec2 drawnOut;
+};
+class FitOfGloss : public testing::TestWithParam<KnownGloss> {};
+
+/// A narrow gloss on a dark cloth: how much longer it is one way than the other is found from wherever the fit begins.
+TEST_P(FitOfGloss, IsFoundFromEveryStartAndInNoise) {
+  SurfaceFit truth;
+  truth.surface = {1, 0.4f, GetParam().anisotropy, Rgb(0), 0.5f};
+  std::vector<SurfaceSample> samples = evenSamples();
+  for (SurfaceSample& sample : samples) {
+    sample.point.drawnOut = GetParam().drawnOut;
+    sample.point.reflected *= 0.3f;
+  }
+  samples.resize(4);  // all are the same
+  colourAsInEvenLight(truth, samples);
+  std::vector<Observation> reflected = halfDomes(false), transmitted = halfDomes(true);
+  show(truth, samples, reflected);
+  show(truth, samples, transmitted);
+  std::vector<Observation> noisy = reflected;
+  disturb(0.3f, 11, noisy);
+  for (const FitStart& start : kFitStarts) {
+    const SurfaceFit clean = fitSurface(samples, reflected, transmitted, 0, {&start, 1});
+    EXPECT_NEAR(clean.surface.anisotropy, truth.surface.anisotropy, 0.03) << start.roughness << ' ' << start.anisotropy;
+    const SurfaceFit fit = fitSurface(samples, noisy, transmitted, 0, {&start, 1});
+    EXPECT_NEAR(fit.surface.anisotropy, truth.surface.anisotropy, 0.1) << start.roughness << ' ' << start.anisotropy;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Surfaces, FitOfGloss,
+                         testing::Values(KnownGloss{0, {1, 0}}, KnownGloss{0.8f, {1, 0}}, KnownGloss{0.8f, {0, 1}}));
+
+glm::vec3 turned(glm::vec3 v) {
+  return {-v.x, v.y, v.z};
+}
+
+/// A cloth and its mirror image, each with noise of its own, are the same surface.
+TEST(SurfaceFit, ATwinThatIsTurnedOverIsTheSameSurface) {
+  SurfaceFit truth;
+  truth.surface = {1, 0.4f, 0.7f, Rgb(0), 0.5f};
+  std::vector<SurfaceSample> samples = wovenSamples();
+  for (SurfaceSample& sample : samples) {
+    sample.point.drawnOut = glm::normalize(glm::vec2(1, 0.3f));
+    sample.point.reflected *= 0.2f;
+  }
+  colourAsInEvenLight(truth, samples);
+  std::vector<Observation> reflected = halfDomes(false), transmitted = halfDomes(true);
+  show(truth, samples, reflected);
+  show(truth, samples, transmitted);
+  std::vector<SurfaceSample> twinSamples = samples;
+  for (SurfaceSample& sample : twinSamples) {
+    sample.point.normal = turned(sample.point.normal);
+    sample.point.drawnOut.x *= -1;
+  }
+  std::vector<Observation> twinReflected = reflected;
+  for (Observation& one : twinReflected) {
+    one.in = turned(one.in);
+    one.out = turned(one.out);
+  }
+  disturb(0.2f, 21, reflected);
+  disturb(0.2f, 22, twinReflected);
+  const SurfaceFit fit = fitSurface(samples, reflected, transmitted);
+  const SurfaceFit twin = fitSurface(twinSamples, twinReflected, transmitted);
+  EXPECT_NEAR(fit.surface.anisotropy, twin.surface.anisotropy, 0.05);
+  EXPECT_NEAR(fit.surface.roughness, twin.surface.roughness, 0.03);
+  EXPECT_NEAR(fit.surface.specular, twin.surface.specular, 0.05);
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(fit.reflectedWeight[c], twin.reflectedWeight[c], 0.03);
+}
+
+/// A dark cloth whose light is all gloss, which maps of its hue cannot leave it all: it is no brighter for that.
+TEST(SurfaceFit, ADarkClothIsAsBrightInEvenLightAsItsMaps) {
+  SurfaceFit truth;
+  truth.surface = {1, 0.7f, 0, Rgb(0.02f), 0.5f};
+  std::vector<SurfaceSample> samples = evenSamples();
+  for (SurfaceSample& sample : samples) sample.point.reflected = Rgb(0.002f, 0.004f, 0.02f);
+  colourAsInEvenLight(truth, samples);
+  std::vector<Observation> reflected = halfDomes(false), transmitted = halfDomes(true);
+  show(truth, samples, reflected);
+  show(truth, samples, transmitted);
+  const SurfaceFit fit = fitSurface(samples, reflected, transmitted);
+  const SurfaceSample& one = samples.front();
+  const Rgb colour = one.opacity * one.point.reflected, through = one.opacity * one.point.transmitted;
+  const Rgb shown = inEvenLight(fit, one, false), shownThrough = inEvenLight(fit, one, true);
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_GE(fit.reflectedWeight[c], 0.5f);
+    EXPECT_NEAR(shown[c], colour[c], 0.02 * colour[c]);
+    EXPECT_NEAR(shownThrough[c], through[c], 0.02 * through[c]);
+    EXPECT_NEAR(fit.evenLight[c], shown[c] / colour[c], 0.01);
+  }
+}
 
 TEST(SurfaceFit, StatesTheErrorOfWhatItCannotFit) {
   // A cloth that sends light from everywhere back to where it came from, which no such surface does.
@@ -196,6 +338,26 @@ TEST(Principled, AWhiteSurfaceSendsBackNoMoreThanItGets) {
     EXPECT_LT(albedo({1, 0.5f, 0.5f, Rgb(0.5f), 0.5f}, angle), 1.02);
     EXPECT_GT(albedo({1, 0.5f, 0.5f, Rgb(0.5f), 0.5f}, angle), 0.6);
   }
+}
+
+/// Within 1 to 2 %, which is what the lattice of directions is good for where normals tilt.
+TEST(Principled, InEvenLightItIsTheSumOverHalfTheSky) {
+  SurfaceSample sample;
+  sample.point.reflected = Rgb(0.2f, 0.02f, 0);
+  sample.point.transmitted = Rgb(0.3f);
+  SurfaceFit fit;
+  for (const float roughness : {0.25f, 0.5f, 0.9f})
+    for (const glm::vec3 normal : {glm::vec3(0, 0, 1), glm::vec3(0.4f, 0.2f, 1)}) {
+      sample.point.normal = glm::normalize(normal);
+      fit.surface = {1, roughness, 0.5f, Rgb(0.1f), 0.5f};
+      const SheenAlbedo sheen(fit.surface.sheenRoughness);
+      const glm::vec3 above(0, 0, 1);
+      const Rgb reflected = evenLightReflected(fit.surface, sheen, sample.point, above);
+      const Rgb transmitted = evenLightTransmitted(fit.surface, sheen, sample.point, above);
+      const Rgb expected = inEvenLight(fit, sample, false);
+      for (int c = 0; c < 3; ++c) EXPECT_NEAR(reflected[c], expected[c], 0.01 * expected[c]) << roughness;
+      EXPECT_NEAR(transmitted.x, inEvenLight(fit, sample, true).x, 0.02 * transmitted.x);
+    }
 }
 
 TEST(Principled, ItsHighlightIsLongAlongTheAxis) {
