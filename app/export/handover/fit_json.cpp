@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/export/handover/side_pixels.h"
+
 namespace loomlight {
 namespace {
 
@@ -19,6 +21,7 @@ Json errorJson(const FitError& error) {
 
 Json sideJson(const DigitalSide& side, const SideTextures& textures) {
   const SurfaceFit& fit = side.fit;
+  const DisneySheen sheen = disneySheen(fit.surface);
   return {
       {"surface",
        {{"model",
@@ -39,6 +42,10 @@ Json sideJson(const DigitalSide& side, const SideTextures& textures) {
         {"even_light_over_measured", colour(fit.evenLight)},
         {"even_light_over_measured_from_afar", colour(fit.evenLightFromAfar)},
         {"tile_over_measured", colour(side.tileOverMeasured)}}},
+      {"u3m_sheen",
+       {{"model", "Disney 2012, white: value (1 - cos)^5"},
+        {"value", sheen.value},
+        {"rms_error_of_albedo", sheen.rmsError}}},
       {"maps",
        {{"base", {{"file", textures.base}, {"encoding", "sRGB"}}},
         {"transmitted", {{"file", textures.transmitted}, {"encoding", "sRGB"}}},

@@ -17,6 +17,22 @@ Slopes slopesOf(float roughness, float anisotropy) {
   return {std::lerp(across, 1.0f, anisotropy * anisotropy), across};
 }
 
+/// Albedo of Disney's sheen of value 1, in a view at this cosine with the normal.
+float disneySheenAlbedo(float cosine) {
+  constexpr int kSquares = 24, kAzimuths = 24;
+  const glm::vec3 out(std::sqrt(1 - cosine * cosine), 0, cosine);
+  float sum = 0;
+  for (int i = 0; i < kSquares; ++i)
+    for (int j = 0; j < kAzimuths; ++j) {
+      const float square = (static_cast<float>(i) + 0.5f) / kSquares;  // of the sine: equal projected solid angles
+      const float azimuth = kPiF * (static_cast<float>(j) + 0.5f) / kAzimuths;  // the other half is its mirror image
+      const float sine = std::sqrt(square);
+      const glm::vec3 in(sine * std::cos(azimuth), sine * std::sin(azimuth), std::sqrt(1 - square));
+      sum += std::pow(1 - glm::dot(in, glm::normalize(in + out)), 5.0f);
+    }
+  return kPiF * sum / (kSquares * kAzimuths);
+}
+
 }  // namespace
 
 SidePixel sidePixel(const DigitalSide& side, size_t pixel) {
@@ -49,6 +65,27 @@ DisneyGloss openPbrGloss(float roughness, float anisotropy) {
   const Slopes slopes = slopesOf(roughness, anisotropy);
   const float ratio = slopes.across / slopes.along;
   return {std::sqrt(slopes.along * std::sqrt((1 + ratio * ratio) / 2)), 1 - ratio};
+}
+
+DisneySheen disneySheen(const Principled& surface) {
+  constexpr int kViews = 32;  // of equal projected solid angle
+  const SheenAlbedo charlie(surface.sheenRoughness);
+  const Rgb& colour = surface.sheenColour;
+  const float mean = (colour.r + colour.g + colour.b) / 3, square = glm::dot(colour, colour) / 3;
+  float products = 0, disneySquares = 0, charlieSquares = 0;
+  for (int i = 0; i < kViews; ++i) {
+    const float cosine = std::sqrt((static_cast<float>(i) + 0.5f) / kViews);
+    const float is = disneySheenAlbedo(cosine), wanted = charlie(cosine);
+    products += is * wanted / kViews;
+    disneySquares += is * is / kViews;
+    charlieSquares += wanted * wanted / kViews;
+  }
+  DisneySheen sheen;
+  sheen.value = std::clamp(mean * products / disneySquares, 0.0f, 1.0f);
+  const float errors =
+      square * charlieSquares - 2 * sheen.value * mean * products + sheen.value * sheen.value * disneySquares;
+  sheen.rmsError = std::sqrt(std::max(0.0f, errors));
+  return sheen;
 }
 
 SplitColour splitColour(const Rgb& reflected, const Rgb& transmitted) {

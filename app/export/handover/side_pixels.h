@@ -31,6 +31,14 @@ DisneyGloss disneyGloss(float roughness, float anisotropy);
 /// The same as OpenPBR has them: slopes r^2 sqrt(2 / (1 + (1 - anisotropy)^2)), and (1 - anisotropy) times that.
 DisneyGloss openPbrGloss(float roughness, float anisotropy);
 
+/// The sheen as Disney's surface has it, which has no roughness: `value` times Schlick's (1 - cos)^5 of the angle
+/// between light and half vector, white. The value is that for which its albedo is nearest to glTF's in all views.
+struct DisneySheen {
+  float value = 0;     ///< 0..1
+  float rmsError = 0;  ///< of the albedo, over channels and, by projected solid angle, views
+};
+DisneySheen disneySheen(const Principled& surface);
+
 /// A cloth's light through it, as glTF and OpenPBR split it from what comes back: `share` of the diffuse light goes
 /// through, and is of `through`; the rest is of `base`. The share is no larger than what the brightest channel needs.
 struct SplitColour {

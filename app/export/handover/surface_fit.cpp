@@ -23,8 +23,8 @@ namespace {
 
 constexpr glm::vec3 kAbove(0, 0, 1);
 
-/// The anisotropy is fitted by its square, in proportion to which slopes grow: by the anisotropy itself their derivative
-/// is 0 where it is 0, and a fit that came there would never leave.
+/// The anisotropy is fitted by its square, in proportion to which slopes grow: by itself its derivative is 0 at 0, and
+/// tells a fit that comes there nothing of where to go.
 enum Parameter { kSpecular, kRoughness, kSquaredAnisotropy, kSheenRoughness, kNormals, kSheen, kCount = kSheen + 3 };
 
 /// Without the weights of the maps.

@@ -8,6 +8,7 @@
 
 #include "app/export/handover/cloth_facts.h"
 #include "app/export/handover/fit_json.h"
+#include "app/export/handover/side_pixels.h"
 #include "core/base/checksum.h"
 #include "core/base/rgb.h"
 #include "core/fabric/json/fabric_json.h"
@@ -47,7 +48,6 @@ class Visualisation {
     const SideTextures::Means& means = textures_.means;
     const Principled& surface = side_.fit.surface;
     const Json flat = {{"x", 0}, {"y", 0}, {"z", 1}};
-    const float sheen = std::max({surface.sheenColour.r, surface.sheenColour.g, surface.sheenColour.b});
     Json normal = constant(flat);
     normal["texture"] = {{"scale", 1}, {"image", image(textures_.normal)}};
     Json base = constant(encodedColour(srgbFromLinear(means.base)));
@@ -63,7 +63,7 @@ class Visualisation {
             {"normal", normal},
             {"displacement", scalar(means.height, textures_.height)},
             {"roughness", scalar(means.roughness, textures_.roughness)},
-            {"sheen_value", constant(sheen)},
+            {"sheen_value", constant(disneySheen(surface).value)},
             {"sheen_tint", constant(0)},
             {"specular_value", constant(0.5f * surface.specular)},  // of 0 to 8 %; glTF's 1 is 4 %
             {"specular_tint", constant(0)},

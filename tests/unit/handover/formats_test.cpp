@@ -302,6 +302,29 @@ TEST(SidePixels, EveryConventionHasTheSameSlopes) {
   EXPECT_NEAR(first * inverse, across, 1e-5);
 }
 
+/// (1 - cos)^5 of the angle between light and half vector sends back about 2 % of all light, Charlie's sheen over 10 %.
+TEST(SidePixels, DisneysSheenIsAsBrightAsGltfs) {
+  Principled surface;
+  EXPECT_EQ(disneySheen(surface).value, 0);
+  for (const float roughness : {0.3f, 0.6f, 1.0f}) {
+    constexpr float kColour = 0.01f;
+    surface.sheenColour = Rgb(kColour);
+    surface.sheenRoughness = roughness;
+    const SheenAlbedo charlie(roughness);
+    double squares = 0;
+    for (int i = 0; i < 64; ++i)
+      squares += std::pow(kColour * charlie(static_cast<float>(std::sqrt((i + 0.5) / 64))), 2) / 64;
+    const DisneySheen sheen = disneySheen(surface);
+    EXPECT_GT(sheen.value, 3 * kColour) << roughness;
+    EXPECT_LT(sheen.rmsError, std::sqrt(squares)) << "further off than none at all";
+    surface.sheenColour = Rgb(2 * kColour);
+    EXPECT_NEAR(disneySheen(surface).value, 2 * sheen.value, 1e-5);
+    surface.sheenColour = Rgb(1);
+    EXPECT_EQ(disneySheen(surface).value, 1) << "as much as there can be";
+    EXPECT_GT(disneySheen(surface).rmsError, std::sqrt(squares)) << "which is stated to be too little";
+  }
+}
+
 TEST(SidePixels, SplitLightIsTheLightThatWasSplit) {
   const Rgb reflected(0.3f, 0.2f, 0.1f), transmitted(0.2f, 0.3f, 0.05f);
   const SplitColour split = splitColour(reflected, transmitted);
