@@ -67,7 +67,7 @@ struct LatticePoint {
 LatticePoint latticePoint(int k) {
   constexpr float kGolden = 0.6180340f;
   const auto pair = static_cast<float>(k / 2);
-  const float turns = kGolden * pair + 0.5f * static_cast<float>(k % 2);
+  const float turns = 0.5f * (kGolden * pair + static_cast<float>(k % 2));
   return {2 * (pair + 0.5f) / kLattice, 2 * kPiF * (turns - std::floor(turns))};
 }
 

@@ -1,8 +1,8 @@
 // How it works. The unknowns are the five numbers of the principled surface (with a sheen of three channels: seven) and
 // a weight of the normals. The weights of the colour maps are no unknowns: they follow from what the maps are colours
 // of, which is the cloth in even light from above, where the fitted surface is to have the same colour. What its gloss
-// and sheen send back there, the maps leave out. Where gloss leaves them too little, what is too much is a residual that
-// outweighs the others, and gloss goes down. A prediction is what a renderer would show of the patch: the
+// and sheen send back there, the maps leave out. Where gloss leaves them too little, what is too much is a residual
+// that outweighs the others, and gloss goes down. A prediction is what a renderer would show of the patch: the
 // mean over pixels, each with its normal, axis and colours; and, with as much weight, one pixel of their means, which
 // programs show that filter maps from afar. A gloss fitted to pixels alone is narrow, as their normals spread it, and
 // from afar it would be a mirror's. Residuals are the differences of ln(1 + factor / mean) of each channel, times the

@@ -39,8 +39,8 @@ double relativeNoise(const std::vector<Observation>& seen) {
   return 3 * std::sqrt(sum) / (albedo.r + albedo.g + albedo.b);
 }
 
-/// A satin whose face is of dark warp: light along the face's normal is let through by half as much again as light along
-/// the other one, which leaves the dark fibres at a slant. Each map shows one of the two.
+/// A satin whose face is of dark warp: of light along the face's normal half as much again is let through as of light
+/// along the other one, which leaves the dark fibres at a slant. Each map shows one of the two.
 TEST(MeasuredSurface, AMapOfTransmittedLightBelongsToWhatTheOtherSideSends) {
   Fabric fabric = test::twoSidedCloth();
   fabric.weave = satin(8, 3);
