@@ -131,7 +131,7 @@ struct Patches {
 };
 
 /// Mean of the colours of a patch, holes counted as black.
-Rgb meanColour(std::span<const SurfaceSample> samples, Rgb PrincipledPoint::*colour) {
+Rgb meanColour(std::span<const SurfaceSample> samples, Rgb PrincipledPoint::* colour) {
   Rgb sum(0);
   for (const SurfaceSample& sample : samples) sum += sample.opacity * (sample.point.*colour);
   return sum / static_cast<float>(samples.size());
