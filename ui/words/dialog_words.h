@@ -108,7 +108,8 @@ inline constexpr Word colourways{
     "All colourways", "On: beside the colours it has now, every colourway of the cloth, each in a folder of its own."};
 inline constexpr Word folder{"Folder", "Made where there is none; the files are named after the cloth."};
 inline constexpr const char* cancelled = "Cancelled; written whole: {} of {} folders";
-inline constexpr const char* written = "Written: {} files in {}";
+inline constexpr const char* written =
+    "Written: {} files; the fitted surface is off by {:.0f} % in front, {:.0f} % behind (RMS). In {}";
 
 }  // namespace handover
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/export/handover/cloth_handover.h"
 #include "app/export/task_part.h"
 #include "render/transport/make_medium.h"
@@ -15,14 +17,17 @@ std::optional<std::string> handOverAll(const std::vector<HandoverPart>& parts, c
                                        const Task& task) {
   const auto whole = static_cast<double>(parts.size());
   size_t files = 0;
+  double front_percent = 0, back_percent = 0;  // of the colourway that is furthest off
   for (size_t done = 0; done < parts.size(); ++done) {
     const double from = static_cast<double>(done) / whole;
     const auto report = handOver(parts[done], order, defaultMemoryLimit_bytes(), partOf(task, from, from + 1 / whole));
     if (!report && done == 0) return std::nullopt;
     if (!report) return fmt::format(words::handover::cancelled, done, parts.size());
     files += report->files.size();
+    front_percent = std::max(front_percent, report->front_percent);
+    back_percent = std::max(back_percent, report->back_percent);
   }
-  return fmt::format(words::handover::written, files, parts.front().folder);
+  return fmt::format(words::handover::written, files, front_percent, back_percent, parts.front().folder);
 }
 
 }  // namespace

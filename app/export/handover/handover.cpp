@@ -21,11 +21,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+double percentOf(double error, const FitError& of) {
+  return of.mean > 0 ? 100 * error / of.mean : 0.0;
+}
+
 std::string fitLine(const char* side, const SurfaceFit& fit) {
   const auto percent = [](const FitError& error) {
-    const double of = error.mean > 0 ? 100 / error.mean : 0.0;
-    return error.rms > 0 ? fmt::format("{:.1f} %", of * error.rms)
-                         : fmt::format("less than the measurement's noise of {:.1f} %", of * error.noise);
+    return error.rms > 0 ? fmt::format("{:.1f} %", percentOf(error.rms, error))
+                         : fmt::format("less than the measurement's noise of {:.1f} %", percentOf(error.noise, error));
   };
   const auto mean = [](const Rgb& colour) { return (colour.r + colour.g + colour.b) / 3; };
   return fmt::format(
@@ -91,7 +94,10 @@ HandoverReport writeHandover(const std::string& folder, const std::string& name,
   written(name + ".jfab", jfabText(cloth, front));
   written(name + ".handover.json", sidecar(cloth, front, back));
   set.place();
+  const FitError &onto = cloth.front.fit.reflected, &ontoBack = cloth.back.fit.reflected;
   report.lines = {fitLine("front", cloth.front.fit), fitLine("back", cloth.back.fit)};
+  report.front_percent = percentOf(onto.rms, onto);
+  report.back_percent = percentOf(ontoBack.rms, ontoBack);
   return report;
 }
 

@@ -12,6 +12,8 @@ namespace loomlight {
 struct HandoverReport {
   std::vector<std::string> files;  ///< that were written, within the folder
   std::vector<std::string> lines;  ///< for people: the fit of either side, and its error
+  /// RMS over directions of what is fitted to the front and the back less what was measured, per cent of its mean.
+  double front_percent = 0, back_percent = 0;
 };
 
 /// Writes a cloth in the formats of other programs into a folder, which is there:

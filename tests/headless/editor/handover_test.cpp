@@ -49,6 +49,7 @@ TEST_F(HandOver, WritesAllFormatsInEveryColourwayWhereItIsTold) {
   editor.nameFile(editor.homeFile("maker"));
   editor.click("handover.start");
   editor.until("it is written", [&] { return editor.fact("handover.outcome").starts_with("Written"); });
+  EXPECT_NE(editor.fact("handover.outcome").find(" % behind (RMS)"), std::string::npos) << "how far off the fit is";
   close();
   for (const char* ending : {".u3m", ".u3ma", ".glb", "_back.glb", ".mtlx", "_back.mtlx", ".handover.json"}) {
     EXPECT_TRUE(isThere(std::string("maker/Blue") + ending)) << ending;
