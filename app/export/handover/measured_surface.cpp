@@ -78,7 +78,7 @@ class Goniometer {
       const double share = std::pow(std::sin((j + 1) * step), 2) - std::pow(std::sin(j * step), 2);
       for (int i = 0; i < kAzimuths; ++i) {
         const glm::vec3 out = inPicture(direction(grid.inclination_deg(j), grid.azimuth_deg(i), underneath), side);
-        const auto camera = static_cast<size_t>(j * kAzimuths + i);
+        const auto camera = static_cast<size_t>(j) * kAzimuths + static_cast<size_t>(i);
         const auto scale = static_cast<float>(0.5 / unit);
         const Rgb mean = scale * (halves[0]->radiance[camera] + halves[1]->radiance[camera]);
         const Rgb spread = scale * (halves[0]->radiance[camera] - halves[1]->radiance[camera]);

@@ -66,9 +66,9 @@ struct LatticePoint {
 };
 LatticePoint latticePoint(int k) {
   constexpr float kGolden = 0.6180340f;
-  const auto pair = static_cast<float>(k / 2);
-  const float turns = 0.5f * (kGolden * pair + static_cast<float>(k % 2));
-  return {2 * (pair + 0.5f) / kLattice, 2 * kPiF * (turns - std::floor(turns))};
+  const int pair = k / 2;
+  const float turns = 0.5f * (kGolden * static_cast<float>(pair) + static_cast<float>(k % 2));
+  return {2 * (static_cast<float>(pair) + 0.5f) / kLattice, 2 * kPiF * (turns - std::floor(turns))};
 }
 
 /// Spread as projected solid angle over the half of the sky: as dense as the cosine over pi.

@@ -50,8 +50,9 @@ std::vector<SurfaceSample> surfaceSamples(const SideMaps& side, const Fabric& fa
   // point is the mirror image of the one before, so that the cloth turned over is seen at the same points.
   constexpr double kGolden = 0.6180339887498949;
   for (int i = 0; i < count; ++i) {
-    const double across = (i / 2 * 2 + 0.5) / count, u = i % 2 == 0 ? across : 1 - across;
-    const double v = std::fmod(0.5 + i / 2 * kGolden, 1.0);
+    const int pair = i / 2;
+    const double across = (2 * pair + 0.5) / count, u = i % 2 == 0 ? across : 1 - across;
+    const double v = std::fmod(0.5 + pair * kGolden, 1.0);
     const size_t pixel = static_cast<size_t>(v * static_cast<double>(height)) * width +
                          static_cast<size_t>(u * static_cast<double>(width));
     const float opacity = side.tile.opacity[pixel];
