@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <string_view>
 
 #include "core/base/text.h"
@@ -41,7 +42,7 @@ std::string fileNameOf(const std::string& name) {
   for (const char c : wholeCharacters(name, kLongest))
     file += kRefused.find(c) != std::string_view::npos || static_cast<unsigned char>(c) < 32 ? '-' : c;
   while (!file.empty() && (file.front() == '.' || file.front() == ' ')) file.erase(file.begin());
-  if (isReserved(file)) file.insert(file.find('.') == std::string::npos ? file.size() : file.find('.'), 1, '_');
+  if (isReserved(file)) file.insert(std::min(file.find('.'), file.size()), 1, '_');
   return file.empty() ? "Untitled" : file;
 }
 

@@ -33,12 +33,9 @@ struct Frame {
   glm::vec3 inPicture(glm::vec3 v) const { return v.x * along + v.y * across + v.z * normal; }
 };
 
-/// Slopes of GGX along the drawn-out axis and across it.
 glm::vec2 slopesOf(const Principled& surface, const PrincipledPoint& at) {
-  const float roughness = std::clamp(surface.roughness * at.roughnessScale, 0.05f, 1.0f);
-  const float strength = surface.anisotropy * at.anisotropyScale;
-  const float across = roughness * roughness;
-  return {std::lerp(across, 1.0f, strength * strength), across};
+  return ggxSlopes(std::clamp(surface.roughness * at.roughnessScale, 0.05f, 1.0f),
+                   surface.anisotropy * at.anisotropyScale);
 }
 
 /// D of GGX, of a half vector in the frame of the surface.
@@ -137,6 +134,11 @@ Rgb transmittedLight(const Principled& surface, const SheenAlbedo& sheen, const 
   const float cosineIn = -glm::dot(at.normal, in), cosineOut = glm::dot(at.normal, out);
   if (cosineIn <= 0 || cosineOut <= 0) return Rgb(0);
   return cosineIn * leftBySheen(surface, sheen, cosineIn, cosineOut) / kPiF * at.transmitted;
+}
+
+glm::vec2 ggxSlopes(float roughness, float anisotropy) {
+  const float across = roughness * roughness;
+  return {std::lerp(across, 1.0f, anisotropy * anisotropy), across};
 }
 
 Rgb evenLightReflected(const Principled& surface, const SheenAlbedo& sheen, const PrincipledPoint& at, glm::vec3 out) {

@@ -58,6 +58,9 @@ Rgb reflectedLight(const Principled& surface, const SheenAlbedo& sheen, const Pr
 Rgb transmittedLight(const Principled& surface, const SheenAlbedo& sheen, const PrincipledPoint& at, glm::vec3 in,
                      glm::vec3 out);
 
+/// Slopes of the GGX along the drawn-out axis (x) and across it (y).
+glm::vec2 ggxSlopes(float roughness, float anisotropy);
+
 /// What is seen from `out` while this side's half of the sky is white: a share of that light, 0..1.
 Rgb evenLightReflected(const Principled& surface, const SheenAlbedo& sheen, const PrincipledPoint& at, glm::vec3 out);
 /// The same of the other half.

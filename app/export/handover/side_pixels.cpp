@@ -8,15 +8,6 @@
 namespace loomlight {
 namespace {
 
-/// Of GGX along the drawn-out axis and across it, from glTF's numbers.
-struct Slopes {
-  float along, across;
-};
-Slopes slopesOf(float roughness, float anisotropy) {
-  const float across = roughness * roughness;
-  return {std::lerp(across, 1.0f, anisotropy * anisotropy), across};
-}
-
 /// Albedo of Disney's sheen of value 1, in a view at this cosine with the normal.
 float disneySheenAlbedo(float cosine) {
   constexpr int kSquares = 24, kAzimuths = 24;
@@ -57,14 +48,14 @@ float rotationOf(glm::vec2 drawnOut) {
 }
 
 DisneyGloss disneyGloss(float roughness, float anisotropy) {
-  const Slopes slopes = slopesOf(roughness, anisotropy);
-  return {std::pow(slopes.along * slopes.across, 0.25f), std::min(1.0f, (1 - slopes.across / slopes.along) / 0.9f)};
+  const glm::vec2 slopes = ggxSlopes(roughness, anisotropy);
+  return {std::pow(slopes.x * slopes.y, 0.25f), std::min(1.0f, (1 - slopes.y / slopes.x) / 0.9f)};
 }
 
 DisneyGloss openPbrGloss(float roughness, float anisotropy) {
-  const Slopes slopes = slopesOf(roughness, anisotropy);
-  const float ratio = slopes.across / slopes.along;
-  return {std::sqrt(slopes.along * std::sqrt((1 + ratio * ratio) / 2)), 1 - ratio};
+  const glm::vec2 slopes = ggxSlopes(roughness, anisotropy);
+  const float ratio = slopes.y / slopes.x;
+  return {std::sqrt(slopes.x * std::sqrt((1 + ratio * ratio) / 2)), 1 - ratio};
 }
 
 DisneySheen disneySheen(const Principled& surface) {

@@ -39,7 +39,7 @@ struct SurfaceFit {
   FitError reflected, transmitted;
   FitError fromAfar;  ///< of reflected light, where all pixels are seen as one: their mean normal and mean colour
   /// What the fit shows straight from above in even light over what was measured there, pixel by pixel and as one. The
-  /// mean of the two is 1.
+  /// mean of the two is 1, or above where gloss alone is brighter than a dark cloth.
   Rgb evenLight{1}, evenLightFromAfar{1};
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 namespace loomlight {
+
 std::vector<float> roughnessScales(const SideMaps& side, const Fabric& fabric) {
   std::vector<float> roots;
   for (const Yarn& yarn : fabric.yarns)
