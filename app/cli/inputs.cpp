@@ -60,6 +60,9 @@ FabricInput readInput(const FabricSource& source) {
     fabric.weave = readWeaveBitmap(file);
     return {std::move(fabric), {}};
   }
+  if (const auto program = programOfClosedDraft(file))
+    throw InputError(fmt::format("{}: expected WIF; drafts of {} have no public description, export WIF from there",
+                                 file, *program));
   throw InputError(fmt::format(
       "{}: expected a fabric (.json, .loomlight), a draft (.wif, .dtx), a weave bitmap (.png) or a picture rendered by "
       "Loomlight (.exr)",

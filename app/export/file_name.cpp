@@ -36,6 +36,13 @@ bool isWeavingFile(const std::string& file) {
   return extension == ".wif" || extension == ".dtx" || extension == ".txt";
 }
 
+std::optional<std::string> programOfClosedDraft(const std::string& file) {
+  const std::string extension = lowerExtension(file);
+  if (extension == ".wpo") return "WeavePoint";
+  if (extension == ".twa") return "TempoWeave";
+  return std::nullopt;
+}
+
 std::string fileNameOf(const std::string& name) {
   std::string file;
   constexpr std::string_view kRefused = "/\\:*?\"<>|";  // here or by the systems of those that a file is handed to

@@ -92,11 +92,12 @@ class StrandClipper {
 
 /// Numbers of the stations, list by list: what is computed for every fibre goes through them eight at a time.
 struct StationLists {
-  std::vector<float> s, z, normalS, normalZ, upScale, acrossScale;
+  std::vector<float> s, z, aside, normalS, normalZ, upScale, acrossScale;
   explicit StationLists(const std::vector<Station>& stations) {
     for (const Station& x : stations) {
       s.push_back(x.s_mm);
       z.push_back(x.z_mm);
+      aside.push_back(x.aside_mm);
       normalS.push_back(x.normalS);
       normalZ.push_back(x.normalZ);
       upScale.push_back(x.up);
@@ -140,7 +141,7 @@ void layBody(const YarnModel& yarn, const std::vector<Station>& stations, Strand
       for (size_t i = 0; i < n; ++i) {
         const glm::vec2 fibreAt = plyAt[i] + turned(spin[i], place[i]);
         const float up = at.upScale[i] * fibreAt.x, across = at.acrossScale[i] * fibreAt.y;
-        line[i] = {across, at.s[i] + up * at.normalS[i], at.z[i] + up * at.normalZ[i]};
+        line[i] = {at.aside[i] + across, at.s[i] + up * at.normalS[i], at.z[i] + up * at.normalZ[i]};
       }
       clipper.add(line, static_cast<uint8_t>(single), false);
     }
@@ -158,7 +159,8 @@ void layFlyaway(const YarnModel& yarn, const Flyaway& flyaway, double shift, con
     const AxisPosition axis{mix(a.z_mm, b.z_mm),
                             mix(a.crown_mm, b.crown_mm),
                             mix(a.lift_mm, b.lift_mm),
-                            {mix(a.up, b.up), mix(a.across, b.across)}};
+                            {mix(a.up, b.up), mix(a.across, b.across)},
+                            mix(a.aside_mm, b.aside_mm)};
     const double bodyUp = yarn.bodyReach_mm * axis.section.up;
     const glm::dvec2 offset = flyawayOffset(flyaway, yarn.geometry, t - shift, axis);
     // Beyond the body hairs stand straight up, or long ones would lean over into cells further along the yarn.

@@ -108,7 +108,7 @@ glm::dvec2 flyawayOffset(const Flyaway& f, const YarnGeometry& g, double t, cons
   };
   if (!f.lies) {
     const double across = std::sin(angle) * (f.root_mm * axis.section.across + rise);
-    return {bentBack(across), std::cos(angle) * (f.root_mm * axis.section.up + rise)};
+    return {bentBack(axis.aside_mm + across), std::cos(angle) * (f.root_mm * axis.section.up + rise)};
   }
   const double share = glm::smoothstep(0.0, kLifted, x);
   const double root = std::cos(f.angle) * f.root_mm * axis.section.up;
@@ -117,7 +117,7 @@ glm::dvec2 flyawayOffset(const Flyaway& f, const YarnGeometry& g, double t, cons
   const double height = f.isRaised ? f.rise_mm * x : f.rise_mm * (0.6 + 0.4 * bump);
   const double onCloth = side * (top + height) - axis.here_mm;
   const double across = std::sin(f.angle) * f.root_mm * axis.section.across + f.drift_mm * (x + f.curl * bump * bump);
-  return {bentBack(across), root + share * (onCloth - root)};
+  return {bentBack(axis.aside_mm + across), root + share * (onCloth - root)};
 }
 
 }  // namespace loomlight

@@ -34,9 +34,11 @@ inline constexpr int kMaxFlyaways = 4096;
 struct AxisPosition {
   double here_mm = 0, crown_mm = 0, lift_mm = 0;
   SectionScale section;
+  double aside_mm = 0;  ///< from the middle of the cell
 };
 
-/// Where a loose fibre is at `t` cells, start <= t <= end: offset from the yarn's axis, (u, up), mm.
+/// Where a loose fibre is at `t` cells, start <= t <= end: from the middle of the cell, u, and from the yarn's axis,
+/// up; mm.
 glm::dvec2 flyawayOffset(const Flyaway& flyaway, const YarnGeometry& geometry, double t, const AxisPosition& axis);
 
 }  // namespace loomlight

@@ -9,7 +9,8 @@
 // How it works. Whether the yarn is light or heavy is drawn anew about every evenness cut; a part of the draws is the
 // same over a decimetre, which is what shows as streaks in the cloth, as the faults of a drafting frame do. Slubs come
 // at random distances. The light and the heavy lie as far apart as gives the coefficient of variation that is asked
-// for: it grows in proportion, so it is measured once on the spool itself, with one of a hundred percent.
+// for: it grows in proportion, so it is measured once on the spool itself, with one of a hundred percent. So is how far
+// aside the one and the other lie.
 
 namespace loomlight {
 namespace {
@@ -57,6 +58,10 @@ void addSlubs(const Evenness& evenness, double stretch_mm, uint64_t seed, std::v
   }
 }
 
+double eased(double from, double to, double t, int period) {
+  return from == to ? from : from + (to - from) * glm::smoothstep(0.0, period - 1.0, t);
+}
+
 /// Coefficient of variation of cuts of a yarn whose mass is 0 where it is light, and 2 where it is heavy: of a cut from
 /// each stretch on, which begin in all of its cells by turns.
 double variationOfCuts(const std::vector<uint8_t>& states, int period, double cell_mm) {
@@ -89,8 +94,11 @@ double variationOfCuts(const std::vector<uint8_t>& states, int period, double ce
 }  // namespace
 
 double Stretch::massAt(double t, int period) const {
-  if (from == to) return from;
-  return from + (static_cast<double>(to) - from) * glm::smoothstep(0.0, period - 1.0, t);
+  return eased(from, to, t, period);
+}
+
+double Stretch::asideAt_mm(double t, int period) const {
+  return eased(asideFrom_mm, asideTo_mm, t, period);
 }
 
 double Stretch::twistAt(double t, int period) const {
@@ -119,6 +127,28 @@ Spool::Spool(const Evenness& evenness, int period, double cell_mm, uint64_t seed
   for (size_t i = 0; i < masses.size(); ++i) massOf_[i] = static_cast<float>(masses[i] / mean);
   shares_.resize(static_cast<size_t>(kinds()));
   for (uint32_t i = 0; i < kStretches; ++i) shares_[static_cast<size_t>(kind(i))] += 1.0 / kStretches;
+  if (evenness.aside_mm > 0) setAside(evenness.aside_mm);
+}
+
+void Spool::setAside(double rms_mm) {
+  const std::array<double, 3> sides{-1, 1, 0};
+  double mean = 0;
+  for (const uint8_t state : stateAt_) mean += sides[state] / kStretches;
+  double square = 0;
+  for (int k = 0; k < kinds(); ++k) {
+    const double from = sides[static_cast<size_t>(k / states_)] - mean;
+    const double to = sides[static_cast<size_t>(k % states_)] - mean;
+    // Of from + (to - from) s, where s is a smoothstep: its mean is 1/2, that of its square 13/35.
+    square += share(k) * (from * to + (to - from) * (to - from) * 13 / 35);
+  }
+  for (size_t i = 0; i < sides.size(); ++i)
+    asideOf_mm_[i] = static_cast<float>(rms_mm * (sides[i] - mean) / std::sqrt(square));
+}
+
+double Spool::farthestAside_mm() const {
+  double most = 0;
+  for (int i = 0; i < states_; ++i) most = std::max<double>(most, std::abs(asideOf_mm_[i]));
+  return most;
 }
 
 double Spool::largestRadius() const {

@@ -110,10 +110,11 @@ class CellStations {
     const double easing = section.slope() / length_mm, easingBend = section.bend() / (length_mm * length_mm);
     const double scale = section.largest() * yarn_.thickest();
     const auto [thickSlope, thickBend] = thicknessRates(cellsPerMm);
+    const auto [asideSlope, asideBend] = easingRates(2 * yarn_.farthestAside_mm(), cellsPerMm);
     const double swollen = section.largest() * yarn_.bodyReach_mm + g.halfHeight_mm();  // it moves outwards, too
-    return {scale * slope + easing * yarn_.bodyReach_mm + thickSlope * swollen,
-            scale * bend + 2 * (easing + section.largest() * thickSlope) * slope + easingBend * yarn_.bodyReach_mm +
-                2 * easing * thickSlope * yarn_.bodyReach_mm + thickBend * swollen};
+    return {scale * slope + easing * yarn_.bodyReach_mm + thickSlope * swollen + asideSlope,
+            asideBend + scale * bend + 2 * (easing + section.largest() * thickSlope) * slope +
+                easingBend * yarn_.bodyReach_mm + 2 * easing * thickSlope * yarn_.bodyReach_mm + thickBend * swollen};
   }
   /// Bounds on the derivatives of the factor on the radius, the root of a mass that eases from any state to any other
   /// by smoothstep (Stretch::massAt).
@@ -121,9 +122,15 @@ class CellStations {
     const double thinnest = yarn_.thinnest(), thickest = yarn_.thickest();
     const double apart = thickest * thickest - thinnest * thinnest;
     if (apart == 0) return {0, 0};
-    const double perMm = cellsPerMm / (yarn_.geometry.period - 1);
-    const double slope = 1.5 * apart * perMm, bend = 6 * apart * perMm * perMm;
+    const auto [slope, bend] = easingRates(apart, cellsPerMm);
     return {slope / (2 * thinnest), bend / (2 * thinnest) + slope * slope / (4 * thinnest * thinnest * thinnest)};
+  }
+
+  /// Bounds on the derivatives of what eases from one to another by smoothstep over a stretch.
+  Rates easingRates(double apart, double cellsPerMm) const {
+    if (apart == 0) return {0, 0};
+    const double perMm = cellsPerMm / (yarn_.geometry.period - 1);
+    return {1.5 * apart * perMm, 6 * apart * perMm * perMm};
   }
 
   /// Of stations on a piece, so that chords stay within the sagitta: h^2 / 8 times the second derivative of the
@@ -148,6 +155,7 @@ class CellStations {
     const double thick = stretch_.radiusAt(t, g.period);
     const double outwards = at.z_mm * std::min(1.0, g.halfHeight_mm() / std::max(crown_mm, 1e-9));
     x.z_mm = static_cast<float>(at.z_mm + (thick - 1) * outwards);
+    x.aside_mm = static_cast<float>(stretch_.asideAt_mm(t, g.period));
     x.up = static_cast<float>(section.up * thick);
     x.across = static_cast<float>(std::min(section.across * thick, yarn_.widest()));
     x.crown_mm = static_cast<float>(crown_mm);

@@ -10,6 +10,7 @@ namespace loomlight {
 /// A section of a yarn, where all its fibres have a point: what they share there.
 struct Station {
   float s_mm = 0, z_mm = 0;          ///< of the axis, in the frame of the cell
+  float aside_mm = 0;                ///< likewise, across the cell from its middle
   float normalS = 0, normalZ = 1;    ///< direction of "up" in the section
   float up = 1, across = 1;          ///< factors of the section
   float crown_mm = 0;                ///< of the axis, above the mid-plane, were it uppermost here and even

@@ -46,12 +46,14 @@ struct YarnModel {
   }
   /// Factor across of the widest section that stays in the cells beside its own: a few fat fibres may reach far beyond
   /// their ply.
-  double widest() const { return 1.499 * geometry.crossPitch_mm / bodyReach_mm; }
+  double widest() const { return (1.499 * geometry.crossPitch_mm - farthestAside_mm()) / bodyReach_mm; }
   /// Of a kind that its spool has; of an even yarn, 0.
   Stretch stretch(int kind) const { return spool ? spool->stretch(kind) : Stretch{}; }
   /// Factor on its radius, where it is thickest.
   double thickest() const { return spool ? spool->largestRadius() : 1.0; }
   double thinnest() const { return spool ? spool->smallestRadius() : 1.0; }
+  /// Of its axis, from the middle of the cell.
+  double farthestAside_mm() const { return spool ? spool->farthestAside_mm() : 0.0; }
   /// Where the yarn lies straight, its section is the usual one.
   PathNode straightNode() const {
     return {0.0f, static_cast<float>(geometry.usual().up), static_cast<float>(geometry.usual().across)};

@@ -62,6 +62,8 @@ void YarnTable::resolve(const Fabric& fabric, const YarnTable* previous, bool sk
       YarnGeometry& outline = of.outlines.emplace_back(outlineYarn(
           withFinishedHair(*yarn, fabric), meanFibre(*yarn, fabric.fibres), pitch, crossPitch, fabric.press));
       outline.hairLie = hairLieOf(fabric, system);
+      // Neighbours move independently of each other, so their distance varies by the root of two more than each does.
+      outline.evenness.aside_mm = fabric.settCv_percent / 100 * crossPitch / std::sqrt(2.0);
       outline.seed = mixBits(static_cast<uint64_t>(system));
     }
   }

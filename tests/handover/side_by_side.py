@@ -21,9 +21,9 @@ LIGHTS = {
 
 
 def ours(fabric, light, out, stops, scratch):
-    """Of even yarns, as the tile is."""
+    """Of even yarns in an even sett, as the tile is."""
     yarns = [{**yarn, "evenness_cv_percent": 0, "slubs_per_m": 0} for yarn in fabric["yarns"]]
-    scene = {**fabric, "yarns": yarns, "light": light,
+    scene = {**fabric, "sett_cv_percent": 0, "yarns": yarns, "light": light,
              "drape": {"kind": "flat", "width_mm": 20, "height_mm": 20},
              "camera": {"azimuth_deg": -90, "elevation_deg": 90, "distance_mm": DISTANCE_MM, "fov_deg": 0}}
     file = os.path.join(scratch, "scene.json")

@@ -16,9 +16,9 @@ namespace {
 constexpr const char* kUnknown = words::panels::none;
 constexpr double kMmPerInch = 25.4;
 
-bool settRows(Ui& ui, bool inches, double& ends, double& picks) {
+bool settRows(Ui& ui, bool inches, Fabric& fabric) {
   const double cmPerUnit = inches ? kMmPerInch / 10 : 1;
-  auto settField = [&](double Fabric::* member, double& perCm) {
+  auto settField = [&](double Fabric::* member) {
     const FieldInfo info = fieldInfo(member);
     NumberStyle style;
     style.unit = inches ? "/in" : info.unit;
@@ -26,19 +26,23 @@ bool settRows(Ui& ui, bool inches, double& ends, double& picks) {
     style.max = info.max * cmPerUnit;
     style.logarithmic = true;
     style.decimals = 1;
+    double& perCm = fabric.*member;
     double value = perCm * cmPerUnit;
     if (!numberField(ui, rowText("cloth", member), style, value)) return false;
     perCm = std::clamp(value / cmPerUnit, info.min, info.max);
     return true;
   };
   heading(ui, words::clothPage::sett);
-  bool changed = settField(&Fabric::ends_per_cm, ends);
-  changed |= settField(&Fabric::picks_per_cm, picks);
+  bool changed = settField(&Fabric::ends_per_cm);
+  changed |= settField(&Fabric::picks_per_cm);
+  changed |= memberField(ui, "cloth", fabric, &Fabric::settCv_percent, 1);
   if (inches)
-    readout(ui, {"cloth.per_cm", words::clothPage::perCm}, fmt::format("{:.1f} \xC3\x97 {:.1f}", ends, picks));
+    readout(ui, {"cloth.per_cm", words::clothPage::perCm},
+            fmt::format("{:.1f} \xC3\x97 {:.1f}", fabric.ends_per_cm, fabric.picks_per_cm));
   else
     readout(ui, {"cloth.per_inch", words::clothPage::perInch},
-            fmt::format("{:.0f} \xC3\x97 {:.0f}", 0.1 * kMmPerInch * ends, 0.1 * kMmPerInch * picks));
+            fmt::format("{:.0f} \xC3\x97 {:.0f}", 0.1 * kMmPerInch * fabric.ends_per_cm,
+                        0.1 * kMmPerInch * fabric.picks_per_cm));
   return changed;
 }
 
@@ -167,7 +171,7 @@ std::optional<Fabric> clothPage(Ui& ui, const Fabric& fabric, const InspectorMod
   Fabric edited = fabric;
   bool changed = textField(ui, rowText("cloth", &Fabric::name), edited.name);
   changed |= textField(ui, rowText("cloth", &Fabric::description), edited.description);
-  changed |= settRows(ui, model.inches, edited.ends_per_cm, edited.picks_per_cm);
+  changed |= settRows(ui, model.inches, edited);
   changed |= finishRows(ui, edited);
   changed |= millRows(ui, edited, model);
   clothRows(ui, fabric, model, view.units.count);

@@ -247,6 +247,7 @@ struct FieldTable<Fabric> {
       Field{&Fabric::ends_per_cm, {grid, "ends_per_cm", words::ends.label, "/cm", 0.2, 500, words::ends.help, true}},
       Field{&Fabric::picks_per_cm,
             {grid, "picks_per_cm", words::picks.label, "/cm", 0.2, 500, words::picks.help, true}},
+      Field{&Fabric::settCv_percent, {grid, "sett_cv_percent", words::settCv.label, "%", 0, 20, words::settCv.help}},
       Field{&Fabric::press, {grid, "press", words::press.label, "", 0, 1, words::press.help}},
       Field{&Fabric::singed, {grid, "singed", words::singed.label, "", 0, 0, words::singed.help}},
       Field{&Fabric::brushed, {grid, "brushed", words::brushed.label, "", 0, 0, words::brushed.help}},

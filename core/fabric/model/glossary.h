@@ -177,6 +177,10 @@ inline constexpr Word clothName{"Name", "What this cloth is called."};
 inline constexpr Word description{"Description", "Anything worth saying about it."};
 inline constexpr Word ends{"Ends", "Warp yarns, side by side on one centimetre."};
 inline constexpr Word picks{"Picks", "Weft yarns, side by side on one centimetre."};
+inline constexpr Word settCv{
+    "Unevenness of sett",
+    "How much neighbouring threads differ in their distance, as a coefficient of variation: they wander by some "
+    "hundredths of a millimetre, over centimetres. Of finished cloth a few percent; 0 is as even as point paper."};
 inline constexpr Word press{"Pressing",
                             "How the cloth was finished: 0 washed and relaxed, 0.5 pressed, 1 calendered, thin and "
                             "flat, no hair standing."};

@@ -109,6 +109,7 @@ Yarn evenlySpun(Yarn yarn) {
 
 Fabric evenlySpun(Fabric fabric) {
   for (Yarn& yarn : fabric.yarns) yarn = evenlySpun(std::move(yarn));
+  fabric.settCv_percent = 0;
   return fabric;
 }
 

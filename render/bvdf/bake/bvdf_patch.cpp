@@ -68,7 +68,7 @@ void mergeYarns(const Fabric& fabric, Fabric& merged) {
 }  // namespace
 
 Fabric BvdfPatch::reduced(const Fabric& fabric) {
-  Fabric patch = onlyOf(kSeen, fabric);
+  Fabric patch = evenlySpun(onlyOf(kSeen, fabric));
   patch.name.clear();
   patch.weave = cornerOf(fabric.weave);
   patch.warpSequence = fabric.warpSequence;

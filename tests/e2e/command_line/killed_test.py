@@ -4,12 +4,14 @@ of every kind that it writes.
   LOOMLIGHT_KILLS=1000 ...    as many as that in place of the few of an ordinary run
 """
 
+import io
 import json
 import os
 import random
 import re
 import subprocess
 import time
+import zipfile
 
 from harness import HANGS_S, LOOMLIGHT, SMALL, CommandLineTest, main
 
@@ -18,8 +20,11 @@ SEED = 1
 
 
 def without_date(content):
-    """A PDF says when it was made."""
-    return re.sub(rb"D:[0-9]{14}Z", b"", content)
+    """A PDF says when it was made, and so does a material; an archive says it of every file in it."""
+    if content.startswith(b"PK"):
+        with zipfile.ZipFile(io.BytesIO(content)) as archive:
+            return {name: without_date(archive.read(name)) for name in archive.namelist()}
+    return re.sub(rb"D:[0-9]{14}Z|[0-9-]{10}T[0-9:]{8}Z", b"", content)
 
 
 class Killed(CommandLineTest):
@@ -79,6 +84,39 @@ class Killed(CommandLineTest):
             kept = json.loads(self.bytes_of("kept.json"))
             self.assertIn(kept["name"], ("One", "Other"))
             self.assertEqual(kept["weave"], SMALL["weave"])
+
+    def test_a_hand_over_is_of_whole_files(self):
+        """Those of before while it is made; in the instant in which they are put in their places each is of either."""
+
+        def words(cloth):
+            return ("handover", cloth, "--size", 16, "--spp", 1, "--measure", 1, "--free-twist", "--threads", 1, "-o")
+
+        def files():
+            folder = self.folder / "out"
+            return {str(file.relative_to(folder)): without_date(file.read_bytes()) for file in folder.rglob("*")
+                    if file.is_file() and not any(part.startswith(".") for part in file.relative_to(folder).parts)}
+
+        olive = self.fabric("olive.json", fibres=[{"radius_um": 9, "absorption_per_mm": [9, 4, 30]}] * 2)
+        found = []
+        for cloth in (self.fabric("white.json"), olive):
+            began = time.monotonic()
+            self.assertEqual(self.start(words(cloth), "out").wait(timeout=HANGS_S), 0)
+            took_s = time.monotonic() - began
+            found.append(files())
+        new, old = found
+        self.assertEqual(new.keys(), old.keys())
+        self.assertTrue(new != old)
+        chance = random.Random(SEED + 2)
+        for _ in range(max(4, KILLS // 10)):
+            process = self.start(words("white.json"), "out")
+            time.sleep(chance.uniform(0.3, 1.05) * took_s)
+            process.kill()
+            process.wait()
+            for name, content in files().items():
+                self.assertTrue(content in (old[name], new[name]), f"{name} is torn: {len(content)} bytes")
+        self.assertEqual(self.start(words("white.json"), "out").wait(timeout=HANGS_S), 0)
+        self.assertTrue(files() == new)
+        self.assertEqual(list((self.folder / "out").glob(".*")), [], "nothing is left of the killed ones")
 
 
 main()

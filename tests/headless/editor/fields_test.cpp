@@ -44,7 +44,7 @@ TEST_F(Fields, TabWalksThroughNumbersAndRenamesNothing) {
   editor.key("Tab");
   types("20");
   editor.key("Tab");
-  types("0.25");
+  types("2.5");
   editor.hold("shift");
   editor.key("Tab");
   editor.let("shift");
@@ -53,7 +53,7 @@ TEST_F(Fields, TabWalksThroughNumbersAndRenamesNothing) {
   const Fabric fabric = editor.saved();
   EXPECT_EQ(fabric.ends_per_cm, 31);
   EXPECT_EQ(fabric.picks_per_cm, 21);
-  EXPECT_EQ(fabric.press, 0.25);
+  EXPECT_EQ(fabric.settCv_percent, 2.5);
   EXPECT_EQ(fabric.name, "Blue cloth");
   EXPECT_TRUE(editor.shows("draft.select")) << "the panels are gone";
 }

@@ -24,5 +24,11 @@ TEST(FileName, BothEndingsAreFabrics) {
     EXPECT_FALSE(isFabricFile(file)) << file;
 }
 
+TEST(FileName, TellsWhoseDraftsAreClosed) {
+  EXPECT_EQ(programOfClosedDraft("tea.towel.WPO"), "WeavePoint");
+  EXPECT_EQ(programOfClosedDraft("twill.twa"), "TempoWeave");
+  for (const char* file : {"twill.wif", "wpo", "twill.wpo.txt"}) EXPECT_EQ(programOfClosedDraft(file), std::nullopt);
+}
+
 }  // namespace
 }  // namespace loomlight

@@ -70,6 +70,7 @@ TEST(Tile, EveryThreadGoesOnInTheNextTile) {
   Fabric fabric = openWeave();
   fabric.yarns[0].evennessCv_percent = 15;
   fabric.yarns[0].slubs_per_m = 5;
+  fabric.settCv_percent = 5;
   const TileExtent extent = tileExtent(fabric);
   ASSERT_TRUE(extent.twistJoins);
   const auto scene = std::make_shared<const Fabric>(tileScene(fabric, extent, 100));

@@ -95,7 +95,7 @@ inline Fabric mixed() {
   return f;
 }
 
-/// Unevenly spun, with slubs.
+/// Unevenly spun, with slubs, and woven in an uneven sett.
 inline Fabric slubby() {
   Fabric f = hairy();
   f.name = "slubby";
@@ -103,6 +103,7 @@ inline Fabric slubby() {
   f.yarns[0].slubs_per_m = 12;
   f.yarns[0].slubLength_mm = 10;
   f.yarns[0].slubRatio = 2;
+  f.settCv_percent = 8;
   return f;
 }
 

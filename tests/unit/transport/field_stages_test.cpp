@@ -48,6 +48,7 @@ Fabric blend() {
   yarn.wrappers_per_cm = 10;
   fabric.yarns[1].count_tex = 4;
   fabric.ends_per_cm = fabric.picks_per_cm = 24;
+  fabric.settCv_percent = 6;
   fabric.drape.width_mm = fabric.drape.height_mm = 1;
   fabric.camera.distance_mm = 3;
   fabric.render.resolution = 1;

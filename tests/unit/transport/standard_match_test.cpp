@@ -5,26 +5,13 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/fabric/weave/structures.h"
+#include "tests/support/open_cloth.h"
 
 namespace loomlight {
 namespace {
 
-/// Coarse white fibres in an open twill, which are soon walked through.
-Fabric openCloth() {
-  Fabric fabric;
-  fabric.weave = twill(2, 1);
-  fabric.ends_per_cm = 4;
-  fabric.picks_per_cm = 5;
-  fabric.yarns[0].fibresPerPly = 20;
-  fabric.yarns[0].layout = FibreLayout::random;
-  fabric.fibres[0].radius_um = 40;
-  fabric.render.resolution = 1;
-  return fabric;
-}
-
 TEST(StandardMatches, JudgeThePartThatTheyAreOf) {
-  Fabric fabric = openCloth();
+  Fabric fabric = test::openCloth();
   fabric.fibres.push_back(fabric.fibres[0]);
   fabric.fibres[1].absorption_per_mm = Rgb(20.0f, 8.0f, 2.0f);
   fabric.yarns.push_back(fabric.yarns[0]);

@@ -19,7 +19,7 @@ Fabric edited(const Fabric& before, Random& random) {
   const int ends = fabric.weave.ends(), picks = fabric.weave.picks();
   const auto place = [&] { return std::pair(random.below(picks), random.below(ends)); };
   const auto yarn = [&]() -> Yarn& { return fabric.yarns[random.below(static_cast<uint32_t>(fabric.yarns.size()))]; };
-  switch (random.below(18)) {
+  switch (random.below(19)) {
     case 0: {  // paste an area, over the edge too
       const auto [pick, end] = place();
       const uint32_t height = 1 + random.below(6), width = 1 + random.below(6);
@@ -58,6 +58,9 @@ Fabric edited(const Fabric& before, Random& random) {
       break;
     case 10:
       yarn().slubs_per_m = 20 * random.below(2);
+      break;
+    case 11:
+      fabric.settCv_percent = 5 * random.below(3);
       break;
     default: {
       const auto [pick, end] = place();

@@ -14,7 +14,7 @@
 #include "core/fabric/json/fabric_json.h"
 #include "core/fabric/model/colourways.h"
 #include "core/fabric/weave/jacquard.h"
-#include "core/fabric/weave/structures.h"
+#include "tests/support/open_cloth.h"
 #include "tests/support/scratch_folder.h"
 
 namespace loomlight {
@@ -23,18 +23,11 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-/// Coarse white fibres in an open twill, which are soon traced.
+/// Of a name that needs more than ASCII.
 Fabric openCloth() {
-  Fabric fabric;
+  Fabric fabric = test::openCloth();
   fabric.name = "Open \xE2\x80\x9Ctwill\xE2\x80\x9D";
   fabric.description = "Woven as it comes.";
-  fabric.weave = twill(2, 1);
-  fabric.ends_per_cm = 4;
-  fabric.picks_per_cm = 5;
-  fabric.yarns[0].fibresPerPly = 20;
-  fabric.yarns[0].layout = FibreLayout::random;
-  fabric.fibres[0].radius_um = 40;
-  fabric.render.resolution = 1;
   return fabric;
 }
 
