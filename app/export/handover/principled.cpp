@@ -20,24 +20,6 @@ float sheenLobe(float alpha, float cosineHalf, float cosineIn, float cosineOut) 
   return charlie(alpha, sine) / (4 * (cosineIn + cosineOut - cosineIn * cosineOut));
 }
 
-/// A normal with the axis of its highlight and the axis across, all unit and at right angles.
-struct Frame {
-  glm::vec3 along, across, normal;
-
-  explicit Frame(const PrincipledPoint& at) : normal(at.normal) {
-    const glm::vec3 axis(at.drawnOut, 0);
-    along = glm::normalize(axis - glm::dot(axis, normal) * normal);
-    across = glm::cross(normal, along);
-  }
-  glm::vec3 of(glm::vec3 v) const { return {glm::dot(v, along), glm::dot(v, across), glm::dot(v, normal)}; }
-  glm::vec3 inPicture(glm::vec3 v) const { return v.x * along + v.y * across + v.z * normal; }
-};
-
-glm::vec2 slopesOf(const Principled& surface, const PrincipledPoint& at) {
-  return ggxSlopes(std::clamp(surface.roughness * at.roughnessScale, 0.05f, 1.0f),
-                   surface.anisotropy * at.anisotropyScale);
-}
-
 /// D of GGX, of a half vector in the frame of the surface.
 float ggx(glm::vec2 alpha, glm::vec3 half) {
   const glm::vec3 stretched(half.x / alpha.x, half.y / alpha.y, half.z);
@@ -55,34 +37,43 @@ float largest(const Rgb& colour) {
   return std::max({colour.r, colour.g, colour.b});
 }
 
-/// Point k of a lattice in the unit square, as a place from 0 to 1 and an azimuth, radians. Points come in pairs that
-/// face each other, so that what only tilts between them adds up to nothing.
-constexpr int kLattice = 256;
+/// Points of the unit square as a place from 0 to 1 and the direction of an azimuth. They come in pairs that face each
+/// other, so that what only tilts between them adds up to nothing.
+constexpr size_t kLattice = 256;
 struct LatticePoint {
-  float place, azimuth;
+  float place;
+  glm::vec2 azimuth;
 };
-LatticePoint latticePoint(int k) {
+std::array<LatticePoint, kLattice> makeLattice() {
   constexpr float kGolden = 0.6180340f;
-  const int pair = k / 2;
-  const float turns = 0.5f * (kGolden * static_cast<float>(pair) + static_cast<float>(k % 2));
-  return {2 * (static_cast<float>(pair) + 0.5f) / kLattice, 2 * kPiF * (turns - std::floor(turns))};
+  std::array<LatticePoint, kLattice> lattice;
+  for (size_t k = 0; k < kLattice; ++k) {
+    const auto pair = static_cast<float>(k / 2);
+    const float turns = 0.5f * (kGolden * pair + static_cast<float>(k % 2));
+    const float azimuth = 2 * kPiF * (turns - std::floor(turns));
+    lattice[k] = {2 * (pair + 0.5f) / kLattice, {std::cos(azimuth), std::sin(azimuth)}};
+  }
+  return lattice;
+}
+const std::array<LatticePoint, kLattice>& lattice() {
+  static const std::array<LatticePoint, kLattice> points = makeLattice();
+  return points;
 }
 
 /// Spread as projected solid angle over the half of the sky: as dense as the cosine over pi.
 glm::vec3 cosineDirection(const LatticePoint& point) {
-  const float sine = std::sqrt(point.place);
-  return {sine * std::cos(point.azimuth), sine * std::sin(point.azimuth), std::sqrt(1 - point.place)};
+  return {std::sqrt(point.place) * point.azimuth, std::sqrt(1 - point.place)};
 }
 
 /// Spread as GGX's normals are by the area that they cover: as dense as D times the cosine.
 glm::vec3 ggxNormal(glm::vec2 alpha, const LatticePoint& point) {
   const float slope = std::sqrt(point.place / (1 - point.place));
-  return glm::normalize(
-      glm::vec3(alpha.x * slope * std::cos(point.azimuth), alpha.y * slope * std::sin(point.azimuth), 1));
+  return glm::normalize(glm::vec3(slope * alpha * point.azimuth, 1));
 }
 
-float leftBySheen(const Principled& surface, const SheenAlbedo& sheen, float cosineIn, float cosineOut) {
-  return 1 - largest(surface.sheenColour) * std::max(sheen(cosineIn), sheen(cosineOut));
+float fifthPower(float x) {
+  const float square = x * x;
+  return square * square * x;
 }
 
 }  // namespace
@@ -94,17 +85,20 @@ glm::vec3 flattened(glm::vec3 normal, float strength) {
 SheenAlbedo::SheenAlbedo(float sheenRoughness) {
   constexpr int kAzimuths = 24, kCosines = 24;
   const float alpha = sheenRoughness * sheenRoughness;
+  std::array<glm::vec2, kAzimuths> azimuths;  // the other half is its mirror image
+  for (int k = 0; k < kAzimuths; ++k) {
+    const float azimuth = kPiF * (static_cast<float>(k) + 0.5f) / kAzimuths;
+    azimuths[static_cast<size_t>(k)] = {std::cos(azimuth), std::sin(azimuth)};
+  }
   for (int i = 0; i <= kSteps; ++i) {
     const float cosine = std::max(0.01f, static_cast<float>(i) / kSteps);
     const glm::vec3 in(std::sqrt(1 - cosine * cosine), 0, cosine);
     float sum = 0;
-    for (int j = 0; j < kCosines; ++j)
-      for (int k = 0; k < kAzimuths; ++k) {
-        const float c = (static_cast<float>(j) + 0.5f) / kCosines, s = std::sqrt(1 - c * c);
-        const float azimuth = kPiF * (static_cast<float>(k) + 0.5f) / kAzimuths;  // the other half is its mirror image
-        const glm::vec3 out(s * std::cos(azimuth), s * std::sin(azimuth), c);
-        sum += sheenLobe(alpha, glm::normalize(in + out).z, cosine, c) * c;
-      }
+    for (int j = 0; j < kCosines; ++j) {
+      const float c = (static_cast<float>(j) + 0.5f) / kCosines, s = std::sqrt(1 - c * c);
+      for (const glm::vec2 azimuth : azimuths)
+        sum += sheenLobe(alpha, glm::normalize(in + glm::vec3(s * azimuth, c)).z, cosine, c) * c;
+    }
     values_[static_cast<size_t>(i)] = std::min(1.0f, sum * 2 * kPiF / (kAzimuths * kCosines));
   }
 }
@@ -115,63 +109,82 @@ float SheenAlbedo::operator()(float cosine) const {
   return std::lerp(values_[below], values_[below + 1], place - static_cast<float>(below));
 }
 
-Rgb reflectedLight(const Principled& surface, const SheenAlbedo& sheen, const PrincipledPoint& at, glm::vec3 in,
-                   glm::vec3 out) {
-  const Frame frame(at);
-  const glm::vec3 i = frame.of(in), o = frame.of(out);
-  if (i.z <= 0 || o.z <= 0) return Rgb(0);
-  const glm::vec3 half = glm::normalize(i + o);
-  const float f0 = kNormalReflectance * surface.specular;
-  const float fresnel = f0 + (surface.specular - f0) * std::pow(1 - std::min(1.0f, glm::dot(half, o)), 5.0f);
-  const float gloss = fresnel * glossLobe(slopesOf(surface, at), i, o, half);
-  const Rgb base = Rgb(gloss) + (1 - fresnel) / kPiF * at.reflected;
-  const float fuzz = sheenLobe(surface.sheenRoughness * surface.sheenRoughness, half.z, i.z, o.z);
-  return i.z * (leftBySheen(surface, sheen, i.z, o.z) * base + fuzz * surface.sheenColour);
-}
-
-Rgb transmittedLight(const Principled& surface, const SheenAlbedo& sheen, const PrincipledPoint& at, glm::vec3 in,
-                     glm::vec3 out) {
-  const float cosineIn = -glm::dot(at.normal, in), cosineOut = glm::dot(at.normal, out);
-  if (cosineIn <= 0 || cosineOut <= 0) return Rgb(0);
-  return cosineIn * leftBySheen(surface, sheen, cosineIn, cosineOut) / kPiF * at.transmitted;
-}
-
 glm::vec2 ggxSlopes(float roughness, float anisotropy) {
   const float across = roughness * roughness;
   return {std::lerp(across, 1.0f, anisotropy * anisotropy), across};
 }
 
-Rgb evenLightReflected(const Principled& surface, const SheenAlbedo& sheen, const PrincipledPoint& at, glm::vec3 out) {
-  const Frame frame(at);
-  const glm::vec3 o = frame.of(out);
-  if (o.z <= 0) return Rgb(0);
-  const glm::vec2 alpha = slopesOf(surface, at);
-  Rgb sum(0);
+LitPoint::LitPoint(const Principled& surface, const SheenAlbedo& sheen, const PrincipledPoint& at)
+    : surface_(surface),
+      sheen_(sheen),
+      at_(at),
+      mostSheen_(largest(surface.sheenColour)),
+      alpha_(ggxSlopes(std::clamp(surface.roughness * at.roughnessScale, 0.05f, 1.0f),
+                       surface.anisotropy * at.anisotropyScale)) {
+  const glm::vec3 axis(at.drawnOut, 0);
+  along_ = glm::normalize(axis - glm::dot(axis, at.normal) * at.normal);
+  across_ = glm::cross(at.normal, along_);
+}
+
+float LitPoint::leftBySheen(float cosineIn, float cosineOut) const {
+  return mostSheen_ == 0 ? 1.0f : 1 - mostSheen_ * std::max(sheen_(cosineIn), sheen_(cosineOut));
+}
+
+/// f times the cosine of `in`; directions in the frame of the surface, above it.
+LightParts LitPoint::scattered(glm::vec3 in, glm::vec3 out) const {
+  const glm::vec3 half = glm::normalize(in + out);
+  const float f0 = kNormalReflectance * surface_.specular;
+  const float fresnel = f0 + (surface_.specular - f0) * fifthPower(1 - std::min(1.0f, glm::dot(half, out)));
+  const float left = in.z * leftBySheen(in.z, out.z), gloss = left * fresnel * glossLobe(alpha_, in, out, half);
+  LightParts parts{Rgb(gloss), left * (1 - fresnel) / kPiF};
+  if (mostSheen_ > 0) {
+    const float alpha = surface_.sheenRoughness * surface_.sheenRoughness;
+    parts.gloss += in.z * sheenLobe(alpha, half.z, in.z, out.z) * surface_.sheenColour;
+  }
+  return parts;
+}
+
+Rgb LitPoint::reflected(glm::vec3 in, glm::vec3 out) const {
+  const glm::vec3 i = inFrame(in), o = inFrame(out);
+  if (i.z <= 0 || o.z <= 0) return Rgb(0);
+  const LightParts parts = scattered(i, o);
+  return parts.gloss + parts.diffuse * at_.reflected;
+}
+
+Rgb LitPoint::transmitted(glm::vec3 in, glm::vec3 out) const {
+  const float cosineIn = -glm::dot(at_.normal, in), cosineOut = glm::dot(at_.normal, out);
+  if (cosineIn <= 0 || cosineOut <= 0) return Rgb(0);
+  return cosineIn * leftBySheen(cosineIn, cosineOut) / kPiF * at_.transmitted;
+}
+
+LightParts LitPoint::evenlyReflected(glm::vec3 out) const {
+  const glm::vec3 o = inFrame(out);
+  LightParts sum;
+  if (o.z <= 0) return sum;
   // Looked for in all directions alone, light would be missed in a narrow highlight, and there alone everywhere else:
   // both, each weighted by how dense the two together are (the balance heuristic).
   const auto add = [&](glm::vec3 i) {
-    const glm::vec3 in = frame.inPicture(i);
-    if (in.z <= 0 || i.z <= 0) return;
+    if (i.z <= 0 || inPicture(i).z <= 0) return;
     const glm::vec3 half = glm::normalize(i + o);
-    const float density = i.z / kPiF + ggx(alpha, half) * half.z / (4 * glm::dot(half, o));
-    sum += reflectedLight(surface, sheen, at, in, out) / density;
+    const float density = i.z / kPiF + ggx(alpha_, half) * half.z / (4 * glm::dot(half, o));
+    const LightParts parts = scattered(i, o);
+    sum.gloss += parts.gloss / density;
+    sum.diffuse += parts.diffuse / density;
   };
-  for (int k = 0; k < kLattice; ++k) {
-    const LatticePoint point = latticePoint(k);
+  for (const LatticePoint& point : lattice()) {
     add(cosineDirection(point));
-    add(glm::reflect(-o, ggxNormal(alpha, point)));
+    add(glm::reflect(-o, ggxNormal(alpha_, point)));
   }
-  return sum / static_cast<float>(kLattice);
+  return {sum.gloss / static_cast<float>(kLattice), sum.diffuse / static_cast<float>(kLattice)};
 }
 
-Rgb evenLightTransmitted(const Principled& surface, const SheenAlbedo& sheen, const PrincipledPoint& at,
-                         glm::vec3 out) {
-  const Frame frame(at);
-  Rgb sum(0);
-  for (int k = 0; k < kLattice; ++k) {
-    const glm::vec3 i = cosineDirection(latticePoint(k)), in = -frame.inPicture(i);
-    if (in.z < 0) sum += transmittedLight(surface, sheen, at, in, out) * kPiF / i.z;
-  }
+float LitPoint::evenlyTransmitted(glm::vec3 out) const {
+  const float cosineOut = glm::dot(at_.normal, out);
+  float sum = 0;
+  if (cosineOut <= 0) return sum;
+  // Looked for as densely as cosine over pi, which is all that a diffuse surface sends on, but for its sheen.
+  for (const LatticePoint& point : lattice())
+    if (const glm::vec3 i = cosineDirection(point); inPicture(i).z > 0) sum += leftBySheen(i.z, cosineOut);
   return sum / static_cast<float>(kLattice);
 }
 

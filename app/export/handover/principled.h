@@ -49,21 +49,44 @@ class SheenAlbedo {
   std::array<float, kSteps + 1> values_;
 };
 
-/// What a surface does with light from `in` that is seen from `out`, unit vectors that point away from it: f times the
-/// cosine of `in` with the normal, 1/sr. 0 where the shading normal faces away from either where it is not behind the
-/// picture's plane.
-Rgb reflectedLight(const Principled& surface, const SheenAlbedo& sheen, const PrincipledPoint& at, glm::vec3 in,
-                   glm::vec3 out);
-/// The same of light from behind: in.z < 0.
-Rgb transmittedLight(const Principled& surface, const SheenAlbedo& sheen, const PrincipledPoint& at, glm::vec3 in,
-                     glm::vec3 out);
-
 /// Slopes of the GGX along the drawn-out axis (x) and across it (y).
 glm::vec2 ggxSlopes(float roughness, float anisotropy);
 
-/// What is seen from `out` while this side's half of the sky is white: a share of that light, 0..1.
-Rgb evenLightReflected(const Principled& surface, const SheenAlbedo& sheen, const PrincipledPoint& at, glm::vec3 out);
-/// The same of the other half.
-Rgb evenLightTransmitted(const Principled& surface, const SheenAlbedo& sheen, const PrincipledPoint& at, glm::vec3 out);
+/// What is seen of a surface, in two parts: gloss and sheen, and what its diffuse colour is multiplied by.
+struct LightParts {
+  Rgb gloss{0};
+  float diffuse = 0;
+};
+
+/// A point of a surface, with all that does not depend on where light comes from: made once for many directions, which
+/// are unit vectors that point away from it.
+class LitPoint {
+ public:
+  /// `sheen`: of the surface's roughness; it must live as long.
+  LitPoint(const Principled& surface, const SheenAlbedo& sheen, const PrincipledPoint& at);
+
+  /// What light from `in` sends to `out`: f times the cosine of `in` with the normal, 1/sr. 0 where the shading normal
+  /// faces away from either where it is not behind the picture's plane.
+  Rgb reflected(glm::vec3 in, glm::vec3 out) const;
+  /// The same of light from behind: in.z < 0.
+  Rgb transmitted(glm::vec3 in, glm::vec3 out) const;
+  /// What is seen from `out` while this side's half of the sky is white: a share of that light, 0..1.
+  LightParts evenlyReflected(glm::vec3 out) const;
+  /// The same of the other half: what the colour of transmitted light is multiplied by.
+  float evenlyTransmitted(glm::vec3 out) const;
+
+ private:
+  LightParts scattered(glm::vec3 in, glm::vec3 out) const;
+  float leftBySheen(float cosineIn, float cosineOut) const;
+  glm::vec3 inFrame(glm::vec3 v) const { return {glm::dot(v, along_), glm::dot(v, across_), glm::dot(v, at_.normal)}; }
+  glm::vec3 inPicture(glm::vec3 v) const { return v.x * along_ + v.y * across_ + v.z * at_.normal; }
+
+  Principled surface_;
+  const SheenAlbedo& sheen_;
+  PrincipledPoint at_;
+  float mostSheen_;           ///< of the three channels of its colour
+  glm::vec3 along_, across_;  ///< the axis of the highlight, and that across; at right angles to the normal and unit
+  glm::vec2 alpha_;           ///< GGX's slopes along them
+};
 
 }  // namespace loomlight

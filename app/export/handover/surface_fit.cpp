@@ -56,8 +56,10 @@ FitError errorOf(const SurfaceFit& fit, std::span<const SurfaceSample> samples, 
   const SheenAlbedo sheen(fit.surface.sheenRoughness);
   FitError error;
   double weights = 0;
-  for (const Observation& one : seen) {
-    const Rgb difference = predictedFactor(fit, sheen, samples, one) - one.factor;
+  const std::vector<Rgb> predicted = predictedFactors(fit, sheen, samples, seen);
+  for (size_t i = 0; i < seen.size(); ++i) {
+    const Observation& one = seen[i];
+    const Rgb difference = predicted[i] - one.factor;
     weights += one.weight;
     error.mean += one.weight * (one.factor.r + one.factor.g + one.factor.b) / 3;
     error.rms += one.weight * glm::dot(difference, difference) / 3;
@@ -137,42 +139,42 @@ Rgb meanColour(std::span<const SurfaceSample> samples, Rgb PrincipledPoint::* co
   return sum / static_cast<float>(samples.size());
 }
 
-/// What a patch shows in light of this side's half of the sky, seen straight from above, with this weight on the map.
-Rgb evenlyReflected(const Principled& surface, const SheenAlbedo& sheen, std::span<const SurfaceSample> samples,
-                    const Rgb& weight) {
-  Rgb sum(0);
+/// What a patch shows in light of this side's half of the sky, seen straight from above: its gloss, and its diffuse
+/// part where the map has a weight of 1.
+struct EvenPatch {
+  Rgb gloss{0}, diffuse{0};
+};
+EvenPatch evenlyReflected(const Principled& surface, const SheenAlbedo& sheen, std::span<const SurfaceSample> samples) {
+  EvenPatch sum;
   for (const SurfaceSample& sample : samples) {
-    PrincipledPoint at = sample.point;
-    at.reflected *= weight;
-    sum += sample.opacity * evenLightReflected(surface, sheen, at, kAbove);
+    const LightParts parts = LitPoint(surface, sheen, sample.point).evenlyReflected(kAbove);
+    sum.gloss += sample.opacity * parts.gloss;
+    sum.diffuse += sample.opacity * parts.diffuse * sample.point.reflected;
   }
-  return sum / static_cast<float>(samples.size());
+  const auto count = static_cast<float>(samples.size());
+  return {sum.gloss / count, sum.diffuse / count};
 }
 
-/// The same of the other half of the sky, with a weight of 1.
+/// The same of the other half of the sky.
 Rgb evenlyTransmitted(const Principled& surface, const SheenAlbedo& sheen, std::span<const SurfaceSample> samples) {
   Rgb sum(0);
   for (const SurfaceSample& sample : samples)
-    sum += sample.opacity * evenLightTransmitted(surface, sheen, sample.point, kAbove);
+    sum += sample.opacity * LitPoint(surface, sheen, sample.point).evenlyTransmitted(kAbove) * sample.point.transmitted;
   return sum / static_cast<float>(samples.size());
 }
 
-/// Gives the maps the weights for which the surface, seen straight from above in even light, is as bright as the
-/// samples' colours: on the average of near and afar. What is too bright even so, of the colour in each channel.
-Rgb weighed(SurfaceFit& fit, const SheenAlbedo& sheen, const Patches& patches) {
+/// Gives the map of reflected light the weight for which the surface, seen straight from above in even light, is as
+/// bright as the samples' colours: on the average of near and afar. What is too bright even so, of the colour in each
+/// channel.
+Rgb weighReflected(SurfaceFit& fit, const SheenAlbedo& sheen, const Patches& patches) {
   // A weight near 0 would leave a map that is black in that channel: gloss, which has no hue, would take the cloth's
   // from its threads.
   constexpr float kLeastWeight = 0.5f;
-  const auto mean = [&](const auto& of) { return 0.5f * (of(patches.near) + of(patches.afar)); };
-  const auto seen = [&](float weight) {
-    return mean([&](const auto& patch) { return evenlyReflected(fit.surface, sheen, patch, Rgb(weight)); });
-  };
+  const EvenPatch near = evenlyReflected(fit.surface, sheen, patches.near);
+  const EvenPatch afar = evenlyReflected(fit.surface, sheen, patches.afar);
   const Rgb colour = meanColour(patches.near, &PrincipledPoint::reflected);
-  const Rgb gloss = seen(0), diffuse = seen(1) - gloss;
+  const Rgb gloss = 0.5f * (near.gloss + afar.gloss), diffuse = 0.5f * (near.diffuse + afar.diffuse);
   fit.reflectedWeight = glm::max(Rgb(kLeastWeight), quotient(colour - gloss, diffuse));
-  fit.transmittedWeight =
-      quotient(meanColour(patches.near, &PrincipledPoint::transmitted),
-               mean([&](const auto& patch) { return evenlyTransmitted(fit.surface, sheen, patch); }));
   return glm::max(Rgb(0), gloss + fit.reflectedWeight * diffuse - colour) / divisor(colour);
 }
 
@@ -186,34 +188,38 @@ LeastSquares fitFrom(const FitStart& start, std::span<const SurfaceSample> sampl
     SurfaceFit fit = surfaceOf(values);
     const SheenAlbedo sheen(fit.surface.sheenRoughness);
     const Patches patches(samples, fit);
-    const Rgb excess = weighed(fit, sheen, patches);
+    const Rgb excess = weighReflected(fit, sheen, patches);
     std::vector<double> residuals;
     residuals.reserve(3 + 6 * seen.size());
     for (int c = 0; c < 3; ++c) residuals.push_back(kPenalty * excess[c]);
-    for (const auto* patch : {&patches.near, &patches.afar})
-      for (const Observation& one : seen) {
-        const Rgb difference = brightness(predictedFactor(fit, sheen, *patch, one)) - brightness(one.factor);
-        for (int c = 0; c < 3; ++c) residuals.push_back(std::sqrt(0.5 * one.weight) * difference[c]);
+    for (const auto* patch : {&patches.near, &patches.afar}) {
+      const std::vector<Rgb> predicted = predictedFactors(fit, sheen, *patch, seen);
+      for (size_t i = 0; i < seen.size(); ++i) {
+        const Rgb difference = brightness(predicted[i]) - brightness(seen[i].factor);
+        for (int c = 0; c < 3; ++c) residuals.push_back(std::sqrt(0.5 * seen[i].weight) * difference[c]);
       }
+    }
     return residuals;
   });
 }
 
 }  // namespace
 
-Rgb predictedFactor(const SurfaceFit& fit, const SheenAlbedo& sheen, std::span<const SurfaceSample> samples,
-                    const Observation& seen) {
-  const bool isThrough = seen.in.z < 0;
-  Rgb sum(0);
+std::vector<Rgb> predictedFactors(const SurfaceFit& fit, const SheenAlbedo& sheen,
+                                  std::span<const SurfaceSample> samples, std::span<const Observation> seen) {
+  std::vector<Rgb> sums(seen.size(), Rgb(0));
   for (const SurfaceSample& sample : samples) {
     PrincipledPoint at = sample.point;
     at.reflected *= fit.reflectedWeight;
     at.transmitted *= fit.transmittedWeight;
-    sum += sample.opacity * (isThrough ? transmittedLight(fit.surface, sheen, at, seen.in, seen.out)
-                                       : reflectedLight(fit.surface, sheen, at, seen.in, seen.out));
+    const LitPoint point(fit.surface, sheen, at);
+    for (size_t i = 0; i < seen.size(); ++i)
+      sums[i] += sample.opacity * (seen[i].in.z < 0 ? point.transmitted(seen[i].in, seen[i].out)
+                                                    : point.reflected(seen[i].in, seen[i].out));
   }
   const auto count = static_cast<float>(samples.size());
-  return static_cast<float>(kPi) / (count * std::abs(seen.in.z)) * sum;
+  for (size_t i = 0; i < seen.size(); ++i) sums[i] *= kPiF / (count * std::abs(seen[i].in.z));
+  return sums;
 }
 
 Rgb quotient(const Rgb& wanted, const Rgb& is) {
@@ -232,13 +238,20 @@ SurfaceFit fitSurface(std::span<const SurfaceSample> samples, std::span<const Ob
   SurfaceFit fit = surfaceOf(best->values);
   const SheenAlbedo sheen(fit.surface.sheenRoughness);
   const Patches patches(samples, fit);
-  weighed(fit, sheen, patches);
+  weighReflected(fit, sheen, patches);
+  fit.transmittedWeight = quotient(meanColour(patches.near, &PrincipledPoint::transmitted),
+                                   0.5f * (evenlyTransmitted(fit.surface, sheen, patches.near) +
+                                           evenlyTransmitted(fit.surface, sheen, patches.afar)));
   fit.reflected = errorOf(fit, patches.near, reflected);
   fit.transmitted = errorOf(fit, patches.near, transmitted);
   fit.fromAfar = errorOf(fit, patches.afar, reflected);
   const Rgb colour = meanColour(patches.near, &PrincipledPoint::reflected);
-  fit.evenLight = quotient(evenlyReflected(fit.surface, sheen, patches.near, fit.reflectedWeight), colour);
-  fit.evenLightFromAfar = quotient(evenlyReflected(fit.surface, sheen, patches.afar, fit.reflectedWeight), colour);
+  const auto shown = [&](const std::vector<SurfaceSample>& patch) {
+    const EvenPatch even = evenlyReflected(fit.surface, sheen, patch);
+    return even.gloss + fit.reflectedWeight * even.diffuse;
+  };
+  fit.evenLight = quotient(shown(patches.near), colour);
+  fit.evenLightFromAfar = quotient(shown(patches.afar), colour);
   return fit;
 }
 

@@ -62,10 +62,10 @@ SurfaceFit fitSurface(std::span<const SurfaceSample> samples, std::span<const Ob
                       std::span<const Observation> transmitted, int threads = 0,
                       std::span<const FitStart> starts = kFitStarts);
 
-/// What a fitted patch sends on, as an observation of it would be; its in, out alone are read. The normals of `samples`
+/// What a fitted patch sends on, as observations of it would be; their in, out alone are read. The normals of `samples`
 /// are taken as they are.
-Rgb predictedFactor(const SurfaceFit& fit, const SheenAlbedo& sheen, std::span<const SurfaceSample> samples,
-                    const Observation& seen);
+std::vector<Rgb> predictedFactors(const SurfaceFit& fit, const SheenAlbedo& sheen,
+                                  std::span<const SurfaceSample> samples, std::span<const Observation> seen);
 
 /// What `is` is to be multiplied by in each channel to be `wanted`; 1 where it is black.
 Rgb quotient(const Rgb& wanted, const Rgb& is);

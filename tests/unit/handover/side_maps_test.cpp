@@ -26,7 +26,7 @@ class BothSides : public testing::Test {
   static const TileSides& sides() {
     static const TileSides sides = [] {
       Fabric fabric = test::twoSidedCloth();
-      fabric.render.samplesPerPixel = 128;  // a hole is small, and either side has noise of its own
+      fabric.render.samplesPerPixel = 48;  // a hole is small, and either side has noise of its own
       return sidesOf(fabric, 96);
     }();
     return sides;

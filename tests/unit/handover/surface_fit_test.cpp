@@ -52,7 +52,8 @@ std::vector<SurfaceSample> wovenSamples() {
 
 void show(const SurfaceFit& truth, std::span<const SurfaceSample> samples, std::vector<Observation>& seen) {
   const SheenAlbedo sheen(truth.surface.sheenRoughness);
-  for (Observation& one : seen) one.factor = predictedFactor(truth, sheen, samples, one);
+  const std::vector<Rgb> factors = predictedFactors(truth, sheen, samples, seen);
+  for (size_t i = 0; i < seen.size(); ++i) seen[i].factor = factors[i];
 }
 
 /// What a sample shows in light of half the sky, seen straight from above: by quadrature over equal projected solid
@@ -60,14 +61,14 @@ void show(const SurfaceFit& truth, std::span<const SurfaceSample> samples, std::
 Rgb inEvenLight(const SurfaceFit& fit, const SurfaceSample& sample, bool isThrough) {
   const SheenAlbedo sheen(fit.surface.sheenRoughness);
   constexpr int kSteps = 200;
-  Rgb sum(0);
+  std::vector<Observation> sky;
   for (int i = 0; i < kSteps; ++i)
     for (int j = 0; j < kSteps; ++j) {
-      Observation one;
       const double angle = std::asin(std::sqrt((i + 0.5) / kSteps)) * 180 / kPi;
-      one.in = direction(isThrough ? 180 - angle : angle, (j + 0.5) * 360 / kSteps);
-      sum += predictedFactor(fit, sheen, {&sample, 1}, one);
+      sky.emplace_back().in = direction(isThrough ? 180 - angle : angle, (j + 0.5) * 360 / kSteps);
     }
+  Rgb sum(0);
+  for (const Rgb& factor : predictedFactors(fit, sheen, {&sample, 1}, sky)) sum += factor;
   return sum / static_cast<float>(kSteps * kSteps);
 }
 
@@ -81,8 +82,10 @@ void colourAsInEvenLight(SurfaceFit& truth, std::vector<SurfaceSample>& samples)
     PrincipledPoint at = sample.point;
     at.reflected *= truth.reflectedWeight;
     at.transmitted *= truth.transmittedWeight;
-    reflected += sample.opacity * evenLightReflected(truth.surface, sheen, at, above);
-    transmitted += sample.opacity * evenLightTransmitted(truth.surface, sheen, at, above);
+    const LitPoint point(truth.surface, sheen, at);
+    const LightParts parts = point.evenlyReflected(above);
+    reflected += sample.opacity * (parts.gloss + parts.diffuse * at.reflected);
+    transmitted += sample.opacity * point.evenlyTransmitted(above) * at.transmitted;
     reflectedDiffuse += sample.opacity * sample.point.reflected;
     transmittedDiffuse += sample.opacity * sample.point.transmitted;
   }
@@ -265,8 +268,10 @@ SurfaceSample meanOf(std::span<const SurfaceSample> samples) {
 double rmsOf(const SurfaceFit& fit, const SurfaceSample& sample, std::span<const Observation> seen) {
   const SheenAlbedo sheen(fit.surface.sheenRoughness);
   double sum = 0, weights = 0;
-  for (const Observation& one : seen) {
-    const Rgb difference = predictedFactor(fit, sheen, {&sample, 1}, one) - one.factor;
+  const std::vector<Rgb> predicted = predictedFactors(fit, sheen, {&sample, 1}, seen);
+  for (size_t i = 0; i < seen.size(); ++i) {
+    const Observation& one = seen[i];
+    const Rgb difference = predicted[i] - one.factor;
     sum += one.weight * glm::dot(difference, difference) / 3;
     weights += one.weight;
   }
@@ -310,8 +315,9 @@ TEST(Principled, TakesLightInAndOutTheSameWay) {
   const Principled surface{0.9f, 0.4f, 0.7f, Rgb(0.2f), 0.4f};
   const SheenAlbedo sheen(surface.sheenRoughness);
   const glm::vec3 in = direction(25, 40), out = direction(50, 200);
-  const Rgb there = reflectedLight(surface, sheen, at, in, out) / glm::dot(at.normal, in);
-  const Rgb back = reflectedLight(surface, sheen, at, out, in) / glm::dot(at.normal, out);
+  const LitPoint point(surface, sheen, at);
+  const Rgb there = point.reflected(in, out) / glm::dot(at.normal, in);
+  const Rgb back = point.reflected(out, in) / glm::dot(at.normal, out);
   EXPECT_NEAR(there.x, back.x, 1e-5);
   EXPECT_GT(there.x, 0);
 }
@@ -321,6 +327,7 @@ double albedo(const Principled& surface, double angle_deg) {
   PrincipledPoint at;
   at.reflected = Rgb(1);
   const SheenAlbedo sheen(surface.sheenRoughness);
+  const LitPoint point(surface, sheen, at);
   double sum = 0;
   constexpr int kSteps = 128;
   for (int i = 0; i < kSteps; ++i)
@@ -328,7 +335,7 @@ double albedo(const Principled& surface, double angle_deg) {
       const double square = (i + 0.5) / kSteps;  // of the sine: equal projected solid angles
       const glm::vec3 out = direction(std::asin(std::sqrt(square)) * 180 / kPi, (j + 0.5) * 360 / kSteps);
       // By reciprocity, the light that comes from everywhere into one direction.
-      sum += reflectedLight(surface, sheen, at, out, direction(angle_deg, 30)).x / out.z;
+      sum += point.reflected(out, direction(angle_deg, 30)).x / out.z;
     }
   return sum * kPi / (kSteps * kSteps);
 }
@@ -354,8 +361,10 @@ TEST(Principled, InEvenLightItIsTheSumOverHalfTheSky) {
       fit.surface = {1, roughness, 0.5f, Rgb(0.1f), 0.5f};
       const SheenAlbedo sheen(fit.surface.sheenRoughness);
       const glm::vec3 above(0, 0, 1);
-      const Rgb reflected = evenLightReflected(fit.surface, sheen, sample.point, above);
-      const Rgb transmitted = evenLightTransmitted(fit.surface, sheen, sample.point, above);
+      const LitPoint point(fit.surface, sheen, sample.point);
+      const LightParts parts = point.evenlyReflected(above);
+      const Rgb reflected = parts.gloss + parts.diffuse * sample.point.reflected;
+      const Rgb transmitted = point.evenlyTransmitted(above) * sample.point.transmitted;
       const Rgb expected = inEvenLight(fit, sample, false);
       for (int c = 0; c < 3; ++c) EXPECT_NEAR(reflected[c], expected[c], 0.01 * expected[c]) << roughness;
       EXPECT_NEAR(transmitted.x, inEvenLight(fit, sample, true).x, 0.01 * transmitted.x);
@@ -368,8 +377,9 @@ TEST(Principled, ItsHighlightIsLongAlongTheAxis) {
   PrincipledPoint at;
   at.drawnOut = {0, 1};
   const glm::vec3 normal(0, 0, 1);
-  const Rgb along = reflectedLight(surface, sheen, at, normal, direction(40, 90));
-  const Rgb across = reflectedLight(surface, sheen, at, normal, direction(40, 0));
+  const LitPoint point(surface, sheen, at);
+  const Rgb along = point.reflected(normal, direction(40, 90));
+  const Rgb across = point.reflected(normal, direction(40, 0));
   EXPECT_GT(along.x, 2 * across.x);
 }
 
