@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/fabric/json/fabric_json.h"
+#include "core/fabric/yarn/presets.h"
 
 namespace loomlight {
 
@@ -18,7 +19,7 @@ namespace {
 /// What was said of a draft, and which options would have taken more from it; what changes the cloth is said first.
 FabricInput readDraft(const FabricSource& source) {
   const auto& [file, choices] = source;
-  WifImport import = readWifFabric(file, Fabric{}, WifSizeChoice::keep);
+  WifImport import = readWifFabric(file, plainCotton(), WifSizeChoice::keep);
   FabricInput input{std::move(import.fabric), {}};
   std::vector<WifWarning> warnings;
   const auto say = [&](std::string sentence) { warnings.push_back({std::move(sentence), {}}); };
@@ -55,14 +56,14 @@ FabricInput readInput(const FabricSource& source) {
   if (extension == ".exr") return {fabricOfPicture(file), {}};
   if (isWeavingFile(file)) return readDraft(source);
   if (extension == ".png") {
-    Fabric fabric;
+    Fabric fabric = plainCotton();
     fabric.name = std::filesystem::path(file).stem().string();
     fabric.weave = readWeaveBitmap(file);
     return {std::move(fabric), {}};
   }
-  if (const auto program = programOfClosedDraft(file))
-    throw InputError(fmt::format("{}: expected WIF; drafts of {} have no public description, export WIF from there",
-                                 file, *program));
+  if (const auto program = programOfForeignDraft(file))
+    throw InputError(
+        fmt::format("{}: expected a draft in WIF, which {} can save; its own files are not read", file, *program));
   throw InputError(fmt::format(
       "{}: expected a fabric (.json, .loomlight), a draft (.wif, .dtx), a weave bitmap (.png) or a picture rendered by "
       "Loomlight (.exr)",

@@ -104,7 +104,7 @@ class Frames {
 
 int runEditor(const EditorOptions& options) {
   Settings settings = readSettings(settingsFile());
-  Document document(settings.hintsSeen ? sampleFabric() : welcomeFabric());
+  Document document(welcomeFabric());
   if (options.width > 0) settings.windowWidth = options.width;
   if (options.height > 0) settings.windowHeight = options.height;
   Window window("Loomlight", settings.windowWidth, settings.windowHeight, options.scale);

@@ -153,8 +153,8 @@ void Session::openFile(const std::string& file, const std::optional<int>& yarn) 
     openLamp(file);
   } else if (isFabricFile(file) || isWeavingFile(file)) {
     leaveFor({Errand::Kind::open, file});
-  } else if (const auto program = programOfClosedDraft(file)) {
-    sayUnopened(fmt::format(words::messages::closedDraft, file, *program));
+  } else if (const auto program = programOfForeignDraft(file)) {
+    sayUnopened(fmt::format(words::messages::foreignDraft, file, *program));
   } else {
     sayUnopened(fmt::format(words::messages::unknownKind, file));
   }

@@ -36,7 +36,7 @@ bool isWeavingFile(const std::string& file) {
   return extension == ".wif" || extension == ".dtx" || extension == ".txt";
 }
 
-std::optional<std::string> programOfClosedDraft(const std::string& file) {
+std::optional<std::string> programOfForeignDraft(const std::string& file) {
   const std::string extension = lowerExtension(file);
   if (extension == ".wpo") return "WeavePoint";
   if (extension == ".twa") return "TempoWeave";

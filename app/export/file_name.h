@@ -13,9 +13,8 @@ bool isFabricFile(const std::string& file);
 /// Whether it is to be read as a weaving file: WIF, or .dtx; some come by mail as texts, "draft.wif.txt".
 bool isWeavingFile(const std::string& file);
 
-/// The program whose own drafts end so, of which its makers have published no description: "WeavePoint" for .wpo. They
-/// can be had as WIF from it.
-std::optional<std::string> programOfClosedDraft(const std::string& file);
+/// The program whose own drafts end so, which are not read: "WeavePoint" for .wpo. They can be had as WIF from it.
+std::optional<std::string> programOfForeignDraft(const std::string& file);
 
 /// Makes a file's name of a name for people: without a folder in it, not hidden, of characters that all systems allow,
 /// and so short that a number still fits behind it on any of them.

@@ -9,8 +9,8 @@
 // How it works. Whether the yarn is light or heavy is drawn anew about every evenness cut; a part of the draws is the
 // same over a decimetre, which is what shows as streaks in the cloth, as the faults of a drafting frame do. Slubs come
 // at random distances. The light and the heavy lie as far apart as gives the coefficient of variation that is asked
-// for: it grows in proportion, so it is measured once on the spool itself, with one of a hundred percent. So is how far
-// aside the one and the other lie.
+// for: it grows in proportion, so it is measured once on the spool itself, with one of a hundred percent. How far
+// aside they lie follows from how often each kind of stretch comes.
 
 namespace loomlight {
 namespace {
@@ -127,22 +127,28 @@ Spool::Spool(const Evenness& evenness, int period, double cell_mm, uint64_t seed
   for (size_t i = 0; i < masses.size(); ++i) massOf_[i] = static_cast<float>(masses[i] / mean);
   shares_.resize(static_cast<size_t>(kinds()));
   for (uint32_t i = 0; i < kStretches; ++i) shares_[static_cast<size_t>(kind(i))] += 1.0 / kStretches;
-  if (evenness.aside_mm > 0) setAside(evenness.aside_mm);
+  if (evenness.aside_mm > 0) setAside(evenness.aside_mm, period);
 }
 
-void Spool::setAside(double rms_mm) {
-  const std::array<double, 3> sides{-1, 1, 0};
+void Spool::setAside(double rms_mm, int period) {
+  // RMS distances. Where nearly all is slubs, which stay in the middle, the few places between would have to lie far
+  // beyond the neighbours.
+  constexpr double kFarthest = 2;
+  const std::array<double, 3> sides{-1, 1, 0};  // light, heavy, slub
   double mean = 0;
   for (const uint8_t state : stateAt_) mean += sides[state] / kStretches;
   double square = 0;
   for (int k = 0; k < kinds(); ++k) {
     const double from = sides[static_cast<size_t>(k / states_)] - mean;
     const double to = sides[static_cast<size_t>(k % states_)] - mean;
-    // Of from + (to - from) s, where s is a smoothstep: its mean is 1/2, that of its square 13/35.
-    square += share(k) * (from * to + (to - from) * (to - from) * 13 / 35);
+    // Mean square over the stretch: eased between the middles of its first and last cells (a smoothstep has the mean
+    // 1/2, its square 13/35), and constant for half a cell at either end.
+    const double eased = from * to + (to - from) * (to - from) * 13 / 35, constant = 0.5 * (from * from + to * to);
+    square += share(k) * ((period - 1) * eased + constant) / period;
   }
   for (size_t i = 0; i < sides.size(); ++i)
-    asideOf_mm_[i] = static_cast<float>(rms_mm * (sides[i] - mean) / std::sqrt(square));
+    asideOf_mm_[i] =
+        static_cast<float>(rms_mm * std::clamp((sides[i] - mean) / std::sqrt(square), -kFarthest, kFarthest));
 }
 
 double Spool::farthestAside_mm() const {

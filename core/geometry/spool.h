@@ -15,6 +15,7 @@ struct Evenness {
   double slubMass = 1;       ///< of a length of slub, over that of the yarn between
   double aside_mm = 0;       ///< RMS distance of its axis from where an even sett would have it
 
+  /// Evenly spun, in an even sett: "even" of a yarn means both.
   bool isEven() const { return massCv == 0 && slubs_per_mm == 0 && aside_mm == 0; }
   bool operator==(const Evenness&) const = default;
 };
@@ -47,9 +48,10 @@ struct Stretch {
 
 /// A long piece of yarn as it was spun, whose ends join: all threads of the yarn in a cloth are taken from it, each
 /// from a place of its own. The mass per length is light or heavy at each end of a stretch, or that of a slub; so there
-/// are few kinds of stretches, and cells of one kind share a brick. In a sett that is not even, light places lie to one
-/// side of the cell's middle and heavy ones to the other, since places of their own would take four times the bricks;
-/// which of them a thread has where is no more to be seen than which the next one has. Immutable.
+/// are few kinds of stretches, and cells of one kind share a brick. In an uneven sett the place of the axis follows the
+/// mass: light places lie to one side of the cell's middle, heavy ones to the other, slubs between. Drawn on its own it
+/// would take four times as many kinds of stretches, and bricks. Neighbouring threads are independent all the same, as
+/// each begins elsewhere on the spool. Immutable.
 class Spool {
  public:
   /// Of a yarn whose twist has a period of so many cells, each with so much yarn. A pure function of its arguments.
@@ -73,7 +75,7 @@ class Spool {
   size_t bytes() const { return sizeof(Spool) + stateAt_.capacity() + shares_.capacity() * sizeof(double); }
 
  private:
-  void setAside(double rms_mm);
+  void setAside(double rms_mm, int period);
 
   int states_ = 2;
   std::vector<uint8_t> stateAt_;     ///< where stretch i begins

@@ -125,7 +125,6 @@ class CellStations {
     const auto [slope, bend] = easingRates(apart, cellsPerMm);
     return {slope / (2 * thinnest), bend / (2 * thinnest) + slope * slope / (4 * thinnest * thinnest * thinnest)};
   }
-
   /// Bounds on the derivatives of what eases from one to another by smoothstep over a stretch.
   Rates easingRates(double apart, double cellsPerMm) const {
     if (apart == 0) return {0, 0};

@@ -44,8 +44,8 @@ struct YarnModel {
   size_t fibreCount() const {
     return static_cast<size_t>(geometry.singles()) * static_cast<size_t>(geometry.fibresPerPly);
   }
-  /// Factor across of the widest section that stays in the cells beside its own: a few fat fibres may reach far beyond
-  /// their ply.
+  /// Factor across of the widest section that stays in the cells beside its own wherever its axis wanders: a few fat
+  /// fibres may reach far beyond their ply.
   double widest() const { return (1.499 * geometry.crossPitch_mm - farthestAside_mm()) / bodyReach_mm; }
   /// Of a kind that its spool has; of an even yarn, 0.
   Stretch stretch(int kind) const { return spool ? spool->stretch(kind) : Stretch{}; }

@@ -245,7 +245,7 @@ CellStrands YarnTable::strands(const YarnCellKey& key) const {
   const double mass = stretch.massOfCell(key.phase, g.period);
   const double thicker = mass * straight / cell.length_mm();
   cell.fibreRadius_mm = static_cast<float>(g.fibreRadius_mm * std::sqrt(thicker));
-  if (yarn.spool) cell.fibresEach = static_cast<float>(thicker);
+  if (yarn.thinnest() < yarn.thickest()) cell.fibresEach = static_cast<float>(thicker);
   return cell;
 }
 

@@ -30,7 +30,8 @@ struct FibreOptions {
 /// that runs along it (YarnGeometry::period), so that each fibre goes on seamlessly in the next copy. In the piece
 /// itself every yarn begins its twist where it likes and none repeats its neighbour; in copies the first ones' do. That
 /// is another arrangement of the same yarns, and where nothing varies along yarns the very same cloth. Uneven yarns are
-/// cut off after a decimetre, where their thickness has a step. Colours follow their sequences over the whole piece.
+/// cut off after a decimetre, where their thickness and place have a step. Colours follow their sequences over the
+/// whole piece.
 struct FibreSize {
   int ends = 1, picks = 1;
   glm::ivec2 copies{1};

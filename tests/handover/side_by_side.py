@@ -22,7 +22,8 @@ LIGHTS = {
 
 def ours(fabric, light, out, stops, scratch):
     """Of even yarns in an even sett, as the tile is."""
-    yarns = [{**yarn, "evenness_cv_percent": 0, "slubs_per_m": 0} for yarn in fabric["yarns"]]
+    even = {"evenness_cv_percent": 0, "slubs_per_m": 0, "shade_variation_percent": 0}
+    yarns = [{**yarn, **even} for yarn in fabric["yarns"]]
     scene = {**fabric, "sett_cv_percent": 0, "yarns": yarns, "light": light,
              "drape": {"kind": "flat", "width_mm": 20, "height_mm": 20},
              "camera": {"azimuth_deg": -90, "elevation_deg": 90, "distance_mm": DISTANCE_MM, "fov_deg": 0}}
@@ -43,7 +44,7 @@ def main(fabric_file, folder, out, stops):
             for row, name in zip(rows, ("ours", "blender")):
                 row.append(os.path.join(scratch, f"{name}.{light}.png"))
             ours(fabric, told, rows[0][-1], stops, scratch)
-            subprocess.run(["blender", "-b", "--factory-startup", "--python", HERE / "render_glb.py", "--", glb,
+            subprocess.run(["blender", "-b", "--factory-startup", "--python-exit-code", "1", "--python", HERE / "render_glb.py", "--", glb,
                             rows[1][-1], light, stops], check=True, stdout=subprocess.DEVNULL)
         subprocess.run(["montage", *rows[0], *rows[1], "-tile", "3x2", "-geometry", "256x256+4+4", "-background",
                         "white", "-strip", out], check=True)

@@ -35,8 +35,8 @@ inline constexpr const char* unknownKind =
     "{}: expected a cloth (.loomlight, .json), a draft (.wif, .dtx), a picture (.png), a mesh (.obj, .ply, .off), an "
     "environment (.exr), a palette (.ase, .aco, .gpl, .csv), a measured swatch (.cxf, .qtx, .csv, CGATS .txt), a "
     "lamp (two columns of text: nm and power) or a colour profile (.icc, .icm)";
-inline constexpr const char* closedDraft =
-    "{0}: the makers of {1} have published no description of these files. Export WIF from {1}, and open that";
+inline constexpr const char* foreignDraft =
+    "{0}: files of {1}'s own are not read. Save the draft as WIF in {1}, and open that";
 inline constexpr const char* coloursRead = "The colours were read";
 inline constexpr const char* unwovenTitle = "This picture cannot be used";
 inline constexpr const char* unwrittenTitle = "The file could not be written";

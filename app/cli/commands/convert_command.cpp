@@ -16,6 +16,7 @@
 #include "core/fabric/json/fabric_json.h"
 #include "core/fabric/weave/structure_edit.h"
 #include "core/fabric/wif/wif_fabric.h"
+#include "core/fabric/yarn/presets.h"
 
 namespace loomlight {
 
@@ -31,7 +32,7 @@ Fabric fabricFromPicture(const ConvertCommand& command) {
     fmt::print("#{:02x}{:02x}{:02x}, {:.1f} %: {}\n", colour[0], colour[1], colour[2], 100 * woven.picture.shares[i],
                command.colours[i].name);
   }
-  Fabric fabric;
+  Fabric fabric = plainCotton();
   fabric.name = std::filesystem::path(command.input.file).stem().string();
   return rewoven(fabric, woven.weave, {}).fabric;
 }

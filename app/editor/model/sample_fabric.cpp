@@ -7,6 +7,7 @@
 
 #include "app/wardrobe/wardrobe.h"
 #include "core/fabric/json/fabric_json.h"
+#include "core/fabric/yarn/presets.h"
 #include "core/fabric/yarn/yarn_edit.h"
 #include "sample_text.h"
 #include "ui/words/preset_words.h"
@@ -54,7 +55,16 @@ Fabric newFabric() {
   fabric.colourways.clear();
   fabric.mill = {};
   fabric.wif.reset();
-  for (Yarn& yarn : fabric.yarns) yarn.name.clear();
+  // Spun cotton in the sample's colours.
+  const YarnPreset cotton = yarnPresets().front();
+  for (Yarn& yarn : fabric.yarns) {
+    const int fibre = yarn.fibre;
+    yarn = cotton.yarn;
+    yarn.name.clear();
+    yarn.fibre = fibre;
+  }
+  for (Fibre& fibre : fabric.fibres) fibre = dyedLike(cotton.fibre, fibre);
+  fabric.settCv_percent = plainCotton().settCv_percent;
   // Nothing is called by colours that soon go.
   std::vector<Fibre> named;
   named.swap(fabric.fibres);

@@ -48,7 +48,8 @@ std::array<LatticePoint, kLattice> makeLattice() {
   constexpr float kGolden = 0.6180340f;
   std::array<LatticePoint, kLattice> lattice;
   for (size_t k = 0; k < kLattice; ++k) {
-    const auto pair = static_cast<float>(k / 2);
+    const size_t number = k / 2;
+    const auto pair = static_cast<float>(number);
     const float turns = 0.5f * (kGolden * pair + static_cast<float>(k % 2));
     const float azimuth = 2 * kPiF * (turns - std::floor(turns));
     lattice[k] = {2 * (pair + 0.5f) / kLattice, {std::cos(azimuth), std::sin(azimuth)}};
@@ -182,7 +183,8 @@ float LitPoint::evenlyTransmitted(glm::vec3 out) const {
   const float cosineOut = glm::dot(at_.normal, out);
   float sum = 0;
   if (cosineOut <= 0) return sum;
-  // Looked for as densely as cosine over pi, which is all that a diffuse surface sends on, but for its sheen.
+  // Directions are as dense as the cosine over pi, just as a diffuse surface weighs them: each counts 1, less what the
+  // sheen takes.
   for (const LatticePoint& point : lattice())
     if (const glm::vec3 i = cosineDirection(point); inPicture(i).z > 0) sum += leftBySheen(i.z, cosineOut);
   return sum / static_cast<float>(kLattice);

@@ -52,7 +52,8 @@ class SheenAlbedo {
 /// Slopes of the GGX along the drawn-out axis (x) and across it (y).
 glm::vec2 ggxSlopes(float roughness, float anisotropy);
 
-/// What is seen of a surface, in two parts: gloss and sheen, and what its diffuse colour is multiplied by.
+/// What is seen of a surface, in two parts: gloss with sheen, and what its diffuse colour is multiplied by; 1/sr, or
+/// shares of an even light.
 struct LightParts {
   Rgb gloss{0};
   float diffuse = 0;
@@ -65,8 +66,8 @@ class LitPoint {
   /// `sheen`: of the surface's roughness; it must live as long.
   LitPoint(const Principled& surface, const SheenAlbedo& sheen, const PrincipledPoint& at);
 
-  /// What light from `in` sends to `out`: f times the cosine of `in` with the normal, 1/sr. 0 where the shading normal
-  /// faces away from either where it is not behind the picture's plane.
+  /// What light from `in` sends to `out`: f times the cosine of `in` with the normal, 1/sr. 0 where either lies
+  /// below the tangent plane of the shading normal, though both are on the eye's side of the picture.
   Rgb reflected(glm::vec3 in, glm::vec3 out) const;
   /// The same of light from behind: in.z < 0.
   Rgb transmitted(glm::vec3 in, glm::vec3 out) const;

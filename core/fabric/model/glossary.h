@@ -204,8 +204,8 @@ inline constexpr Word reed{
     "cloth at its own sett."};
 inline constexpr Word endsPerDent{
     "Ends per dent",
-    "Ends in one dent after the other, repeating: 2, or 3 3 0, where 0 is an empty dent. The picture shows all ends "
-    "evenly apart: reed marks and the gaps of empty dents are not modelled."};
+    "Ends in one dent after the other, repeating: 2, or 3 3 0, where 0 is an empty dent. The picture groups no "
+    "ends: reed marks and the gaps of empty dents are not modelled."};
 inline constexpr Word reedState{
     "In the reed",
     "Ends as reed and denting set them. A figure with ~ is reckoned back from the crimp: the weft is laid in straight, "

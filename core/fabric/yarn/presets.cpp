@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/fabric/model/finish.h"
 #include "core/fabric/model/validate.h"
 #include "core/fabric/model/yarn_count.h"
 #include "core/fabric/yarn/colour.h"
@@ -181,7 +182,7 @@ double turns(double twistMultiplier, double tex) {
   return std::round(twist_per_m(twistMultiplier, tex));
 }
 
-/// Spun of staple fibres on a ring: one single, Z, a little hairy. Hairs and loops per mm: cotton of Zhao et al. 2016.
+/// Spun of staple fibres on a ring: one single, Z. Its hairs are for hairy() to say.
 Yarn ringSpun(const char* name, double count_tex, double twistMultiplier) {
   Yarn yarn;
   yarn.name = name;
@@ -189,7 +190,6 @@ Yarn ringSpun(const char* name, double count_tex, double twistMultiplier) {
   yarn.plyTwist_per_m = turns(twistMultiplier, count_tex);
   yarn.packing = 0.55;
   yarn.flattening = 1.25;
-  yarn.hairiness_per_mm = 4.5;
   yarn.hairLength_mm = 0.5;
   yarn.migration = 0.25;
   yarn.fibreDisorder_deg = 6;
@@ -197,11 +197,10 @@ Yarn ringSpun(const char* name, double count_tex, double twistMultiplier) {
   return yarn;
 }
 
-/// Spun in a rotor: bulkier, straying more, with wrapper fibres and fewer hairs.
+/// Spun in a rotor: bulkier, straying more, with wrapper fibres.
 Yarn rotorSpun(const char* name, double count_tex, double twistMultiplier) {
   Yarn yarn = ringSpun(name, count_tex, twistMultiplier);
   yarn.packing = 0.5;
-  yarn.hairiness_per_mm = 2.5;
   yarn.fibreDisorder_deg = 11;
   yarn.wrappers_per_cm = 4;
   return yarn;
@@ -229,6 +228,12 @@ Yarn cable(const char* name, Yarn plied, int cords, double cabling_per_m) {
   return plied;
 }
 
+/// Of a fibre, with as many hairs as make up Uster's H.
+YarnPreset hairy(const Yarn& yarn, double hairinessH, const char* fibreName, std::string provenance) {
+  Fibre fibre = fibreNamed(fibreName);
+  return {withHairinessH(yarn, fibre, hairinessH), std::move(fibre), std::move(provenance)};
+}
+
 /// Endless fibres, hardly twisted, no hairs.
 Yarn filament(const char* name, double count_tex, double twist_per_m, double packing, double flattening) {
   Yarn yarn;
@@ -251,6 +256,17 @@ double twistMultiplier(double twist_per_m, double tex) {
   return twist_per_m * std::sqrt(tex) / 957.0;
 }
 
+Fabric plainCotton() {
+  const YarnPreset cotton = yarnPresets().front();
+  Fabric fabric;
+  fabric.yarns = {cotton.yarn};
+  fabric.fibres = {cotton.fibre};
+  fabric.ends_per_cm = 28;
+  fabric.picks_per_cm = 26;
+  fabric.settCv_percent = 4;
+  return fabric;
+}
+
 Fibre dyed(Fibre fibre, const Rgb& colour) {
   fibre.absorption_per_mm = absorptionFromColour(colour, fibre.azimuthalRoughness, fibre.radius_um);
   return fibre;
@@ -270,38 +286,38 @@ std::vector<FibrePreset> fibrePresets() {
 
 std::vector<YarnPreset> yarnPresets() {
   const char* const spun =
-      "count, twist: handbook (TM 3.8-4.5); packing: handbook (0.5-0.6); hairs: measured (Zhao 2016); "
-      "evenness: handbook, recalled (Uster Statistics); flattening, migration, disorder: guess";
+      "count, twist: handbook (TM 3.8-4.5); packing: handbook (0.5-0.6); hairiness, evenness: "
+      "handbook, recalled (Uster Statistics); length of hairs, flattening, migration, disorder: guess";
   const char* const flat = "count: handbook; packing: handbook, recalled (0.7-0.8); twist, flattening, disorder: guess";
   Yarn worsted = twoPly(ringSpun("Worsted wool 2/60 Nm", tex(60, CountSystem::metric), 2.8), 430);
   worsted.packing = 0.5;
-  worsted.hairiness_per_mm = 5;
   worsted.fibreDisorder_deg = 4;
   worsted.evennessCv_percent = 12.5;
   Yarn linen = ringSpun("Linen NeL 40", tex(40, CountSystem::linen), 3.0);
   linen.packing = 0.6;
-  linen.hairiness_per_mm = 2;
   linen.evennessCv_percent = 22;
   return {
-      {ringSpun("Cotton Ne 30", tex(30, CountSystem::cotton), 4.0), fibreNamed("cotton"), spun},
-      {ringSpun("Cotton Ne 7, denim warp", tex(7, CountSystem::cotton), 4.4), fibreNamed("cotton"), spun},
-      {rotorSpun("Cotton Ne 10, rotor", tex(10, CountSystem::cotton), 4.6), fibreNamed("cotton"),
-       "count, twist: handbook (open-end TM 4.5-5); evenness: handbook, recalled (Uster Statistics); fewer hairs than "
-       "ring yarn: measured by others, how many: guess; packing, flattening, migration, disorder, wrapper fibres: "
-       "guess"},
-      {twoPly(ringSpun("Cotton 8/2", tex(8, CountSystem::cotton), 3.6), 250), fibreNamed("cotton"), spun},
-      {cable("Cotton cable 30/2/3", twoPly(ringSpun("", tex(30, CountSystem::cotton), 4.0), 560), 3, 365),
-       fibreNamed("cotton"),
-       "count: handbook (cabled as sewing and crochet threads are); twist: guess (each level takes back 65 % of the "
-       "one "
-       "before); packing: handbook (0.5-0.6); hairs: measured on singles (Zhao 2016); evenness: of six "
-       "independent singles; flattening, migration, disorder: guess"},
-      {worsted, fibreNamed("wool"),
-       "count: handbook; twist: guess (plying at 65 % of the singles' twist); packing: handbook, recalled (0.45-0.55); "
-       "evenness: handbook, recalled (Uster Statistics); hairs, flattening, migration, disorder: guess"},
-      {linen, fibreNamed("linen"),
-       "count: handbook; evenness: handbook, recalled (wet-spun line); twist, packing, hairs, flattening, migration, "
-       "disorder: guess"},
+      hairy(ringSpun("Cotton Ne 30", tex(30, CountSystem::cotton), 4.0), 5.5, "cotton", spun),
+      hairy(ringSpun("Cotton Ne 7, denim warp", tex(7, CountSystem::cotton), 4.4), 7, "cotton", spun),
+      hairy(rotorSpun("Cotton Ne 10, rotor", tex(10, CountSystem::cotton), 4.6), 4.5, "cotton",
+            "count, twist: handbook (open-end TM 4.5-5); hairiness, evenness: handbook, recalled (Uster Statistics); "
+            "packing, length of hairs, flattening, migration, disorder, wrapper fibres: guess"),
+      hairy(twoPly(ringSpun("Cotton 8/2", tex(8, CountSystem::cotton), 3.6), 250), 5.5, "cotton", spun),
+      hairy(
+          cable("Cotton cable 30/2/3", twoPly(ringSpun("", tex(30, CountSystem::cotton), 4.0), 560), 3, 365), 5,
+          "cotton",
+          "count: handbook (cabled as sewing and crochet threads are); twist: guess (each level takes back 65 % of the "
+          "one "
+          "before); packing: handbook (0.5-0.6); evenness: of six "
+          "independent singles; hairs, flattening, migration, disorder: guess"),
+      hairy(worsted, 5, "wool",
+            "count: handbook; twist: guess (plying at 65 % of the singles' twist); packing: handbook, recalled "
+            "(0.45-0.55); "
+            "evenness: handbook, recalled (Uster Statistics); hairs, flattening, migration, disorder: guess"),
+      hairy(linen, 3, "linen",
+            "count: handbook; evenness: handbook, recalled (wet-spun line); twist, packing, hairs, flattening, "
+            "migration, "
+            "disorder: guess"),
       {filament("Silk 20/22 den", tex(21, CountSystem::denier), 150, 0.7, 1.3), fibreNamed("silk"), flat},
       {filament("Silk crepe 20/22 den x 2", tex(42, CountSystem::denier), 2400, 0.75, 1.05), fibreNamed("silk"), flat},
       {filament("Viscose 84 dtex", 8.4, 120, 0.7, 1.4), fibreNamed("viscose"), flat},

@@ -37,6 +37,9 @@ struct YarnPreset {
 std::vector<FibrePreset> fibrePresets();
 std::vector<YarnPreset> yarnPresets();
 
+/// What is woven where a draft or a bitmap says how, and nothing of yarns: undyed cotton of the first of these.
+Fabric plainCotton();
+
 /// The same fibre with the absorption that shows this colour (linear reflectance of a thick mass of it, colour.h).
 Fibre dyed(Fibre fibre, const Rgb& colour);
 /// The fibre in the colour of another one: with its very absorption where that was measured or is a recipe, else so

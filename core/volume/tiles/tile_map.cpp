@@ -11,9 +11,9 @@
 
 // How it works. A cell's shape depends on the yarns and crossings around it, so it repeats with weave and colours; its
 // phase depends on the twist, which repeats with another period. So the two are kept apart: one repeat of shapes, row
-// by row, and for each yarn of the piece a row and the phase of its first cell. How thick an uneven yarn is there never
-// repeats with either: its spool tells the kind of each stretch, one stretch a period. Rows are shared between copies
-// of the map.
+// by row, and for each yarn of the piece a row and the phase of its first cell. How thick an uneven yarn is there, and
+// how far aside it lies, never repeats with either: its spool tells the kind of each stretch, one stretch a period.
+// Rows are shared between copies of the map.
 namespace loomlight {
 
 TileMap::TileMap(const ClothGeometry& geometry, System system, std::shared_ptr<BrickPool> pool, const Task& task)

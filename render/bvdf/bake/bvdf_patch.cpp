@@ -53,7 +53,7 @@ void mergeYarns(const Fabric& fabric, Fabric& merged) {
   merged.fibres.clear();
   for (size_t i = 0; i < classes.size(); ++i) {
     if (classes[i] < static_cast<int>(merged.yarns.size())) continue;
-    Yarn yarn = evenlySpun(onlyOf(kSeen, fabric.yarns[i]));
+    Yarn yarn = onlyOf(kSeen, fabric.yarns[i]);
     yarn.name.clear();
     yarn.fibre = classes[i];
     yarn.blendFibre.reset();
@@ -68,12 +68,13 @@ void mergeYarns(const Fabric& fabric, Fabric& merged) {
 }  // namespace
 
 Fabric BvdfPatch::reduced(const Fabric& fabric) {
-  Fabric patch = evenlySpun(onlyOf(kSeen, fabric));
+  Fabric patch = onlyOf(kSeen, fabric);
   patch.name.clear();
   patch.weave = cornerOf(fabric.weave);
   patch.warpSequence = fabric.warpSequence;
   patch.weftSequence = fabric.weftSequence;
   mergeYarns(fabric, patch);
+  patch = evenlySpun(std::move(patch));  // a few crossings are no average of thick, thin and displaced places
   patch.light.kind = LightKind::dome;
   patch.render = onlyOf(kSeen, fabric.render);
 

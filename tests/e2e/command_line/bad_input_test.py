@@ -94,9 +94,9 @@ class BadInput(CommandLineTest):
             with self.subTest(name=name):
                 self.assertIn(name, self.refused("info", name))
 
-    def test_drafts_of_closed_formats_are_told_the_way_out(self):
+    def test_drafts_of_other_programs_are_told_the_way_out(self):
         (self.folder / "towel.wpo").write_bytes(b"WP")
-        self.assertIn("export WIF from there", self.refused("info", "towel.wpo"))
+        self.assertIn("which WeavePoint can save", self.refused("info", "towel.wpo"))
 
     def test_pictures_that_are_none(self):
         self.run_program("render", self.fabric(), "-o", "good.exr")

@@ -19,6 +19,7 @@
 #include "app/editor/services/fabric_stats.h"
 #include "core/base/error.h"
 #include "core/fabric/json/fabric_json.h"
+#include "core/fabric/model/validate.h"
 #include "core/fabric/model/yarn_count.h"
 #include "tests/support/wakes.h"
 
@@ -244,6 +245,16 @@ TEST(Samples, TheFirstStartShowsAHandsBreadth) {
   EXPECT_LT(seen_mm, 120);
   EXPECT_GT(std::min(fabric.drape.width_mm, fabric.drape.height_mm), seen_mm) << "cloth up to the edges";
   EXPECT_EQ(fabric.drape.kind, DrapeKind::folds);
+}
+
+TEST(Samples, ANewClothIsOfSpunYarns) {
+  const Fabric fabric = newFabric();
+  EXPECT_NO_THROW(validate(fabric, "a new cloth"));
+  ASSERT_GT(fabric.yarns.size(), 1u);
+  for (const Yarn& yarn : fabric.yarns) {
+    EXPECT_GT(yarn.hairiness_per_mm, 0);
+    EXPECT_GT(yarn.evennessCv_percent, 0);
+  }
 }
 
 /// A new cloth is fitted into the window, and as large as a hand.

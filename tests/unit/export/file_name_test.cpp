@@ -24,10 +24,10 @@ TEST(FileName, BothEndingsAreFabrics) {
     EXPECT_FALSE(isFabricFile(file)) << file;
 }
 
-TEST(FileName, TellsWhoseDraftsAreClosed) {
-  EXPECT_EQ(programOfClosedDraft("tea.towel.WPO"), "WeavePoint");
-  EXPECT_EQ(programOfClosedDraft("twill.twa"), "TempoWeave");
-  for (const char* file : {"twill.wif", "wpo", "twill.wpo.txt"}) EXPECT_EQ(programOfClosedDraft(file), std::nullopt);
+TEST(FileName, TellsWhoseDraftsAreNotRead) {
+  EXPECT_EQ(programOfForeignDraft("tea.towel.WPO"), "WeavePoint");
+  EXPECT_EQ(programOfForeignDraft("twill.twa"), "TempoWeave");
+  for (const char* file : {"twill.wif", "wpo", "twill.wpo.txt"}) EXPECT_EQ(programOfForeignDraft(file), std::nullopt);
 }
 
 }  // namespace

@@ -161,9 +161,9 @@ TEST(Strands, ChordsKeepToTheSagitta) {
         // The same fibres at stations for fibres a hundred times finer: as good as the curves themselves.
         YarnModel fine = *coarse;
         fine.geometry.fibreRadius_mm /= 100;
-        // Where a slub begins, in the middle of the slope to it.
+        // In the middle of a slope: to a slub, and from one side of an uneven sett to the other.
         const bool uneven = coarse->spool != nullptr;
-        const CellOfYarn place{uneven ? geometry.period / 2 : key.phase, uneven ? coarse->stretch(2) : Stretch{}};
+        const CellOfYarn place{uneven ? geometry.period / 2 : key.phase, uneven ? coarse->stretch(2 - i) : Stretch{}};
         const auto lay = [&](const YarnModel& model) {
           return layStrands(model, key.previous, key.here, key.next, place, geometry.pitch_mm);
         };

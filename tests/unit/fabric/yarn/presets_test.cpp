@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/fabric/model/finish.h"
 #include "core/fabric/model/validate.h"
 #include "core/fabric/model/yarn_count.h"
 #include "core/fabric/yarn/derived.h"
@@ -63,6 +64,30 @@ TEST(Presets, EveryFibreAndYarnIsValidInACloth) {
     EXPECT_GE(fibres, 12) << preset.yarn.name;
     EXPECT_LE(fibres, 1000) << preset.yarn.name;
   }
+}
+
+/// The glossary tells designers so of ring-spun yarns, and of rotor yarns a little less.
+TEST(Presets, SpunYarnsAreAsHairyAsTheTradeMeasuresThem) {
+  int spun = 0;
+  for (const YarnPreset& preset : yarnPresets()) {
+    const double hairiness = hairinessH(preset.yarn, preset.fibre);
+    if (hairiness == 0) continue;  // filament
+    ++spun;
+    if (preset.fibre.name == "linen") continue;  // wet-spun, which lays its hair
+    EXPECT_GE(hairiness, 4) << preset.yarn.name;
+    EXPECT_LE(hairiness, 7 + 1e-9) << preset.yarn.name;
+  }
+  EXPECT_GE(spun, 6);
+}
+
+TEST(Presets, WhatADraftIsWovenOfIsSpun) {
+  const Fabric fabric = plainCotton();
+  EXPECT_NO_THROW(validate(fabric, "plain cotton"));
+  EXPECT_TRUE(warnings(fabric, {}, {}).empty());
+  const Yarn& yarn = fabric.yarns[0];
+  for (const double value : {yarn.hairiness_per_mm, yarn.fibreDisorder_deg, yarn.evennessCv_percent, yarn.migration,
+                             yarn.plyTwist_per_m, fabric.settCv_percent})
+    EXPECT_GT(value, 0);
 }
 
 TEST(Presets, TwistMultiplierOfTheTrade) {
