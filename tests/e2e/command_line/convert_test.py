@@ -144,7 +144,7 @@ class Convert(CommandLineTest):
 
     def test_sizes_of_a_draft_are_taken_only_where_wanted(self):
         self.run_program("convert", self.fabric(), "a.wif")
-        for words, picks_per_cm in (((), 20), (("--wif-sizes", "keep"), 20), (("--wif-sizes", "file"), 18)):
+        for words, picks_per_cm in (((), 26), (("--wif-sizes", "keep"), 26), (("--wif-sizes", "file"), 18)):
             self.run_program("convert", "a.wif", "b.json", *words)
             self.assertEqual(json.loads(self.bytes_of("b.json"))["picks_per_cm"], picks_per_cm)
 

@@ -126,13 +126,15 @@ def a_text_is_read_as_what_it_is(editor):
     editor.wait_until("the draft is open", lambda: editor.fact("name") == "By mail")
     editor.click("wif.close")
     editor.wait_until("the dialog closes", lambda: editor.fact("dialog") == "none")
-    other = os.path.join(editor.home, "draft.wpo")
-    os.rename(draft, other)
-    editor.key("ctrl+o")
-    editor.name_file(other)
-    editor.wait_until("the editor says what it reads", lambda: "a draft (.wif, .dtx)" in editor.fact("message"))
-    editor.key("Return")
-    editor.wait_until("the message is gone", lambda: editor.fact("dialog") == "none")
+    for ending, said in (("abc", "a draft (.wif, .dtx)"), ("wpo", "as WIF in WeavePoint")):
+        other = os.path.join(editor.home, f"draft.{ending}")
+        os.rename(draft, other)
+        draft = other
+        editor.key("ctrl+o")
+        editor.name_file(other)
+        editor.wait_until("the editor says what it reads", lambda: said in editor.fact("message"))
+        editor.key("Return")
+        editor.wait_until("the message is gone", lambda: editor.fact("dialog") == "none")
 
 
 def test():
