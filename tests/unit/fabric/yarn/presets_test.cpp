@@ -7,6 +7,7 @@
 #include "core/fabric/model/validate.h"
 #include "core/fabric/model/yarn_count.h"
 #include "core/fabric/yarn/derived.h"
+#include "core/fabric/yarn/long_floats.h"
 #include "core/fabric/yarn/yarn_reflectance.h"
 
 namespace loomlight {
@@ -83,7 +84,7 @@ TEST(Presets, SpunYarnsAreAsHairyAsTheTradeMeasuresThem) {
 TEST(Presets, WhatADraftIsWovenOfIsSpun) {
   const Fabric fabric = plainCotton();
   EXPECT_NO_THROW(validate(fabric, "plain cotton"));
-  EXPECT_TRUE(warnings(fabric, {}, {}).empty());
+  EXPECT_TRUE(warnings(fabric, floats(fabric.weave), longFloats(fabric, kUsualFloatLimit_mm)).empty());
   const Yarn& yarn = fabric.yarns[0];
   for (const double value : {yarn.hairiness_per_mm, yarn.fibreDisorder_deg, yarn.evennessCv_percent, yarn.migration,
                              yarn.plyTwist_per_m, fabric.settCv_percent})
