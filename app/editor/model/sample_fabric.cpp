@@ -56,15 +56,15 @@ Fabric newFabric() {
   fabric.mill = {};
   fabric.wif.reset();
   // Spun cotton in the sample's colours.
-  const YarnPreset cotton = yarnPresets().front();
+  const Fabric cotton = plainCotton();
   for (Yarn& yarn : fabric.yarns) {
     const int fibre = yarn.fibre;
-    yarn = cotton.yarn;
+    yarn = cotton.yarns[0];
     yarn.name.clear();
     yarn.fibre = fibre;
   }
-  for (Fibre& fibre : fabric.fibres) fibre = dyedLike(cotton.fibre, fibre);
-  fabric.settCv_percent = plainCotton().settCv_percent;
+  for (Fibre& fibre : fabric.fibres) fibre = dyedLike(cotton.fibres[0], fibre);
+  fabric.settCv_percent = cotton.settCv_percent;
   // Nothing is called by colours that soon go.
   std::vector<Fibre> named;
   named.swap(fabric.fibres);

@@ -307,17 +307,15 @@ std::vector<YarnPreset> yarnPresets() {
           cable("Cotton cable 30/2/3", twoPly(ringSpun("", tex(30, CountSystem::cotton), 4.0), 560), 3, 365), 5,
           "cotton",
           "count: handbook (cabled as sewing and crochet threads are); twist: guess (each level takes back 65 % of the "
-          "one "
-          "before); packing: handbook (0.5-0.6); evenness: of six "
-          "independent singles; hairs, flattening, migration, disorder: guess"),
+          "one before); packing: handbook (0.5-0.6); evenness: of six independent singles; hairs, flattening, "
+          "migration, disorder: guess"),
       hairy(worsted, 5, "wool",
             "count: handbook; twist: guess (plying at 65 % of the singles' twist); packing: handbook, recalled "
-            "(0.45-0.55); "
-            "evenness: handbook, recalled (Uster Statistics); hairs, flattening, migration, disorder: guess"),
+            "(0.45-0.55); evenness: handbook, recalled (Uster Statistics); hairs, flattening, migration, disorder: "
+            "guess"),
       hairy(linen, 3, "linen",
             "count: handbook; evenness: handbook, recalled (wet-spun line); twist, packing, hairs, flattening, "
-            "migration, "
-            "disorder: guess"),
+            "migration, disorder: guess"),
       {filament("Silk 20/22 den", tex(21, CountSystem::denier), 150, 0.7, 1.3), fibreNamed("silk"), flat},
       {filament("Silk crepe 20/22 den x 2", tex(42, CountSystem::denier), 2400, 0.75, 1.05), fibreNamed("silk"), flat},
       {filament("Viscose 84 dtex", 8.4, 120, 0.7, 1.4), fibreNamed("viscose"), flat},

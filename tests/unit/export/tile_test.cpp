@@ -3,22 +3,20 @@
 #include <gtest/gtest.h>
 
 #include "core/fabric/model/validate.h"
-#include "core/fabric/weave/structures.h"
 #include "core/geometry/cloth_geometry.h"
 #include "render/transport/make_medium.h"
 #include "render/transport/path_tracer.h"
+#include "tests/support/open_cloth.h"
 
 namespace loomlight {
 namespace {
 
 /// A few coarse white fibres in an open twill.
 Fabric openWeave() {
-  Fabric fabric;
-  fabric.weave = twill(2, 1);
+  Fabric fabric = test::openCloth();
   fabric.ends_per_cm = 10;
   fabric.picks_per_cm = 12;
   fabric.yarns[0].fibresPerPly = 40;
-  fabric.yarns[0].layout = FibreLayout::random;
   fabric.fibres[0].radius_um = 15;
   fabric.render.resolution = 2;
   fabric.render.samplesPerPixel = 16;
