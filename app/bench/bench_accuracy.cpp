@@ -55,6 +55,19 @@ void addCloth(ReportPage& page, const std::string& name, const AccuracyStudy& st
                    "and the sun from behind");
 }
 
+/// The same of each. nullopt when stopped.
+std::optional<std::vector<AccuracyStudy>> addCloths(ReportPage& page, const std::vector<BenchCloth>& cloths,
+                                                    const ReportBench& bench, const Task& task) {
+  std::vector<AccuracyStudy> studies;
+  for (const BenchCloth& cloth : cloths) {
+    auto study = studyAccuracy(cloth, bench, task);
+    if (!study) return std::nullopt;
+    addCloth(page, cloth.name, *study);
+    studies.push_back(std::move(*study));
+  }
+  return studies;
+}
+
 /// Of one method, over all cloths: what is measured, in the order of the header. NaN where nothing was.
 struct Summary {
   std::string method;
@@ -119,7 +132,8 @@ std::string figureText(double figure) {
   return std::isnan(figure) ? "-" : fmt::format("{:.2f}", figure);
 }
 
-void addSummaries(ReportPage& page, const std::vector<Summary>& summaries) {
+/// Three tables; `csv`: what their files' names begin with.
+void addSummaries(ReportPage& page, const std::string& csv, const std::vector<Summary>& summaries) {
   std::vector<std::vector<std::string>> rms, errors, worst;
   for (const Summary& summary : summaries) {
     for (auto* rows : {&rms, &errors, &worst}) rows->push_back({summary.method});
@@ -130,13 +144,12 @@ void addSummaries(ReportPage& page, const std::vector<Summary>& summaries) {
       worst.back().push_back(figureText(summary.worst[i]));
     }
   }
-  page.heading("Over all cloths");
   page.paragraph("Root mean square over cloths and channels, less what noise adds to it:");
-  page.table("accuracy", header(), rms);
+  page.table(csv, header(), rms);
   page.paragraph("Its standard error:");
-  page.table("accuracy_error", header(), errors);
+  page.table(csv + "_error", header(), errors);
   page.paragraph("The worst cloth and channel, noise included:");
-  page.table("accuracy_worst", header(), worst);
+  page.table(csv + "_worst", header(), worst);
 }
 
 std::vector<Target> targetsOf(const std::vector<Summary>& summaries) {
@@ -174,17 +187,24 @@ bool benchAccuracy(const ReportBench& bench, const Task& task) {
       "dome, both free of noise (<(A1 - R1)(A2 - R2)> / <R1 R2>; below zero where noise has the last word). ± is one "
       "standard error of noise, of the volume and the fibres together. The yardstick is the first line: how far "
       "explicit fibres are from explicit fibres that lie otherwise in the same yarns.");
-  std::vector<BenchCloth> cloths = accuracyCloths();
-  if (bench.quick) cloths.resize(2);
-  std::vector<AccuracyStudy> studies;
-  for (const BenchCloth& cloth : cloths) {
-    auto study = studyAccuracy(cloth, bench, task);
-    if (!study) return false;
-    addCloth(page, cloth.name, *study);
-    studies.push_back(std::move(*study));
+  std::vector<BenchCloth> cloths = accuracyCloths(), real = realCloths();
+  if (bench.quick) {
+    cloths.resize(2);
+    real.resize(1);
   }
-  const std::vector<Summary> summaries = summarise(studies);
-  addSummaries(page, summaries);
+  const auto studies = addCloths(page, cloths, bench, task);
+  if (!studies) return false;
+  page.heading("Over these cloths");
+  const std::vector<Summary> summaries = summarise(*studies);
+  addSummaries(page, "accuracy", summaries);
+  page.heading("Cloths as they are worn");
+  page.paragraph(
+      "Those above are of even yarns and, but for the wool, of fibres that lie side by side. Those that follow, of "
+      "samples/cloths, have yarns of fibres that stray and stand off, and unevenness in yarns and sett.");
+  const auto realStudies = addCloths(page, real, bench, task);
+  if (!realStudies) return false;
+  page.heading("Over cloths as they are worn");
+  addSummaries(page, "accuracy_real", summarise(*realStudies));
   page.paragraph(fmt::format("Measured in {} on {}", durationText(watch.lap()), machineFacts(task.threads)));
   addTargets(page, "accuracy_targets", targetsOf(summaries));
   fmt::print("{}\n", page.finish());

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/bench/bench_accuracy.h"
+#include "app/bench/bench_close_up.h"
 #include "app/bench/bench_figures.h"
 #include "app/bench/bench_table1.h"
 #include "app/bench/quantile.h"
@@ -134,6 +135,8 @@ int run(const ReportBenchCommand& command) {
         return benchFigures(command.bench, task);
       case ReportBenchCommand::Suite::accuracy:
         return benchAccuracy(command.bench, task);
+      case ReportBenchCommand::Suite::closeup:
+        return benchCloseUp(command.bench, task);
     }
     return false;
   };

@@ -21,10 +21,10 @@ struct BenchCommand {
   bool json = false;
 };
 
-/// loomlight bench table1, figures or accuracy: the report's comparisons, ours beside theirs, and how near ours comes
-/// to the fibres, as a folder with a page, pictures and tables.
+/// loomlight bench table1, figures, accuracy or closeup: the report's comparisons, ours beside theirs, and how near
+/// ours comes to the fibres, as a folder with a page, pictures and tables.
 struct ReportBenchCommand {
-  enum class Suite { table1, figures, accuracy };
+  enum class Suite { table1, figures, accuracy, closeup };
   Suite suite = Suite::table1;
   ReportBench bench;
   int threads = 0;  ///< 0: all

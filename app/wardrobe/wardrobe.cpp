@@ -1,5 +1,8 @@
 #include "app/wardrobe/wardrobe.h"
 
+#include <algorithm>
+#include <cassert>
+
 #include "core/fabric/json/fabric_json.h"
 #include "wardrobe_text.h"
 
@@ -158,6 +161,12 @@ std::span<const WardrobeCloth> wardrobe() {
 
 Fabric fabricOf(const WardrobeCloth& cloth) {
   return fabricFromJson(cloth.json, cloth.name);
+}
+
+Fabric wardrobeFabric(std::string_view file) {
+  const auto found = std::ranges::find(kCloths, file, &WardrobeCloth::file);
+  assert(found != std::end(kCloths));
+  return fabricOf(*found);
 }
 
 }  // namespace loomlight

@@ -36,5 +36,7 @@ struct WardrobeCloth {
 std::span<const WardrobeCloth> wardrobe();
 
 Fabric fabricOf(const WardrobeCloth& cloth);
+/// The cloth of that file's name, which must be one of the wardrobe's.
+Fabric wardrobeFabric(std::string_view file);
 
 }  // namespace loomlight

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Puts the pages of `loomlight bench accuracy`, `table1`, `figures`, `edit`, `clear`, `converge` and `cloths` together
+"""Puts the pages of `loomlight bench accuracy`, `closeup`, `table1`, `figures`, `edit`, `clear`, `converge` and `cloths` together
 as RESULTS.md, with a few small pictures.
 
     tests/bench/results.py --run build/app/loomlight RUNS    measures first: two hours on two idle cores
@@ -19,6 +19,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 CLEAR = ("clear", "--seconds", "6", "--reference", "256", "--only")
 SUITES = {
     "accuracy": ("accuracy",),
+    "closeup": ("closeup",),
     "table1": ("table1",),
     "figures": ("figures",),
     "edit": ("edit",),
@@ -28,7 +29,7 @@ SUITES = {
     "cloths": ("cloths",),
 }
 TITLES = {"clear_edits": "## Every edit of one cloth"}  # instead of those that the suite writes
-PICTURES = ("accuracy_plain_filament", "blue", "black_and_white", "fig1", "fig4", "fig7", "fig8", "fig11-14_blue")
+PICTURES = ("accuracy_plain_filament", "accuracy_raw_denim", "closeup_denim_raw", "blue", "black_and_white", "fig1", "fig4", "fig7", "fig8", "fig11-14_blue")
 LARGEST_BYTES = 100_000
 
 

@@ -1,5 +1,6 @@
 #include "app/bench/studies/accuracy_cloths.h"
 
+#include "app/wardrobe/wardrobe.h"
 #include "core/fabric/weave/structures.h"
 
 namespace loomlight {
@@ -94,6 +95,14 @@ std::vector<BenchCloth> accuracyCloths() {
   return {{"plain filament", plainFilament()}, {"twill, laid at random", reportsTwill()},
           {"dense satin", denseSatin()},       {"sheer silk", sheerSilk()},
           {"spun wool", spunWool()},           {"black and white", blackAndWhite()}};
+}
+
+std::vector<BenchCloth> realCloths() {
+  std::vector<BenchCloth> cloths;
+  for (const auto& [name, file] :
+       {std::pair{"raw denim", "denim_raw"}, {"linen", "linen"}, {"tropical wool", "tropical_wool"}})
+    cloths.push_back({name, wardrobeFabric(file)});
+  return cloths;
 }
 
 }  // namespace loomlight

@@ -43,7 +43,7 @@ Fabric variantOf(Fabric fabric, const Variant& variant) {
 
 std::unique_ptr<const Medium> mediumOf(const Scene& scene, const Variant& variant, const ReportBench& bench,
                                        const Task& task, MediumCost& cost) {
-  if (variant.method == Method::volume && variant.estimator == Estimator::loomlight)
+  if (variant.method == Method::volume && variant.estimator == Estimator::loomlight && !variant.closeUps)
     return std::make_unique<const LoomlightMedium>(scene.cloth, variant.ingredients);
   if (variant.method == Method::volume && variant.estimator == Estimator::report) {
     BvdfOptions options;

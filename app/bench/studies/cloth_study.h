@@ -24,6 +24,7 @@ struct Variant {
   Estimator estimator = Estimator::loomlight;
   int resolution = 8;
   LoomlightMedium::Ingredients ingredients{};  ///< of Estimator::loomlight
+  bool closeUps = false;                       ///< whether such a volume shows fibres to an eye near by, as pictures do
 };
 
 /// The fabric with the settings of a variant.

@@ -4,7 +4,7 @@
 
 namespace loomlight {
 
-/// What `bench table1`, `bench figures` and `bench accuracy` are asked for.
+/// What `bench table1`, `figures`, `accuracy` and `closeup` are asked for.
 struct ReportBench {
   std::string folder;  ///< where page, pictures and tables go
   bool quick = false;  ///< small pieces, few paths: seconds instead of a quarter of an hour, for tests

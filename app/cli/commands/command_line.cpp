@@ -321,6 +321,8 @@ void addBenches(CommandWords& words, CLI::App& benches) {
                  reportBench(Suite::figures, "bench-figures"));
   words.addBench(benches, "accuracy", "how near the volume comes to its own fibres, by every estimator", addReportBench,
                  reportBench(Suite::accuracy, "bench-accuracy"));
+  words.addBench(benches, "closeup", "what close-ups cost beside the volume, and how near they come to fibres",
+                 addReportBench, reportBench(Suite::closeup, "bench-closeup"));
   words.addBench(benches, "edit", "how soon the editor shows an edit, of every kind and on cloths of every size",
                  addEditBench, {"bench-edit"});
   words.add(benches, "ui", "how long the window's thread does anything but draw while all is rebuilt", addUi);
@@ -381,9 +383,9 @@ Command parseCommandLine(const std::vector<std::string>& words) {
   if (*schemas) return TextCommand{keysAlone ? fabricKeys() : fabricSchema()};
   if (auto command = commands.chosen()) return *std::move(command);
   if (*benches)
-    throw UsageError(
-        fmt::format("bench: expected volume, table1, figures, accuracy, edit, clear, cloths, ui or converge, got '{}'",
-                    noSuite.empty() ? "" : noSuite.front()));
+    throw UsageError(fmt::format(
+        "bench: expected volume, table1, figures, accuracy, closeup, edit, clear, cloths, ui or converge, got '{}'",
+        noSuite.empty() ? "" : noSuite.front()));
   return edit;
 }
 

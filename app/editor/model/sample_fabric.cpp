@@ -31,7 +31,6 @@ constexpr Sample kSamples[] = {
 };
 
 constexpr size_t kOfTheirOwn = std::size(kSamples);  // the others are the wardrobe's
-constexpr std::string_view kWelcome = "denim_raw";
 
 }  // namespace
 
@@ -79,9 +78,7 @@ Fabric newFabric() {
 }
 
 Fabric welcomeFabric() {
-  const auto cloths = wardrobe();
-  return fabricOf(
-      *std::find_if(cloths.begin(), cloths.end(), [](const WardrobeCloth& cloth) { return cloth.file == kWelcome; }));
+  return wardrobeFabric("denim_raw");
 }
 
 }  // namespace loomlight

@@ -191,6 +191,7 @@ TEST(CommandLine, BenchKnowsItsSuites) {
   const auto accuracy = parsed<ReportBenchCommand>({"bench", "accuracy"});
   EXPECT_EQ(accuracy.suite, ReportBenchCommand::Suite::accuracy);
   EXPECT_NE(accuracy.bench.folder, table.bench.folder);
+  EXPECT_EQ(parsed<ReportBenchCommand>({"bench", "closeup"}).suite, ReportBenchCommand::Suite::closeup);
   const auto edit = parsed<EditBenchCommand>({"bench", "edit", "--json"});
   EXPECT_TRUE(edit.json);
   EXPECT_FALSE(edit.quick);
