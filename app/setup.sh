@@ -15,7 +15,8 @@ say() { printf 'loomlight: %s\n' "$*" >&2; }
 missing_packages() {
   local package
   while read -r package; do
-    [[ $(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null) == installed ]] || printf '%s\n' "$package"
+    # A line for each architecture that has it.
+    dpkg-query -W -f='${db:Status-Status}\n' "$package" 2>/dev/null | grep -qx installed || printf '%s\n' "$package"
   done < <(sed 's/#.*//; s/[[:space:]]*$//; /^$/d' "$@")
 }
 
@@ -30,7 +31,7 @@ install_packages() {
   mapfile -t missing < <(missing_packages "$@")
   ((${#missing[@]})) || return 0
 
-  local by_hand="please run, as root: apt-get install --no-install-recommends ${missing[*]}"
+  local by_hand="please run, as root: apt-get update && apt-get install --no-install-recommends ${missing[*]}"
   local as_root=()
   if ((EUID != 0)); then
     if ! command -v sudo >/dev/null; then

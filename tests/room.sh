@@ -7,6 +7,7 @@
 : "${root:?app/setup.sh is sourced first}"
 room=""                  # the folder of the room that is open
 rooms_kept=no            # whether rooms stay when they are closed
+rooms_opened=0           # so far, so that one that stays is in nobody's way
 newcomer=/home/newcomer  # the home of a user without rights, in the room
 running=""               # the process that runs in namespaces of its own
 log=""                   # what it says, where that is kept back
@@ -56,7 +57,7 @@ open_room() {
     [[ -d $stale && ! -e $stale/kept && ! -d /proc/${stale##*.} ]] && rm -rf --one-file-system "$stale"
   done
   need_megabytes 6000 "$parent" "a clean room" || exit 1
-  room="$parent/loomlight-room.$release.$$"
+  room="$parent/loomlight-room.$release.$((++rooms_opened)).$$"
   trap 'stop_running; close_room; rm -f "$log"' EXIT
   trap 'exit 130' INT
   trap 'exit 143' TERM HUP

@@ -47,12 +47,17 @@ FabricInput readDraft(const FabricSource& source) {
   return input;
 }
 
+FabricInput withFileNamed(FabricReading reading, const std::string& file) {
+  for (std::string& remark : reading.remarks) remark = fmt::format("{}: {}", file, remark);
+  return {std::move(reading.fabric), std::move(reading.remarks)};
+}
+
 }  // namespace
 
 FabricInput readInput(const FabricSource& source) {
   const std::string& file = source.file;
   const std::string extension = lowerExtension(file);
-  if (isFabricFile(file)) return {readFabric(file), {}};
+  if (isFabricFile(file)) return withFileNamed(openFabric(file), file);
   if (extension == ".exr") return {fabricOfPicture(file), {}};
   if (isWeavingFile(file)) return readDraft(source);
   if (extension == ".png") {

@@ -16,7 +16,7 @@ struct FabricSource {
 
 struct FabricInput {
   Fabric fabric;
-  std::vector<std::string> warnings;  ///< of a weaving file: "FILE: line 12: ..."
+  std::vector<std::string> warnings;  ///< of an old file or a draft: "FILE: line 12: ..."
 };
 
 /// The fabric in a file of any kind that has one: a fabric (.json, .loomlight), a draft (.wif), a weave as a

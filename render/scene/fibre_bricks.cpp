@@ -1,5 +1,7 @@
 #include "render/scene/fibre_bricks.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,8 +17,6 @@
 // cell, so that floats will do on cloth of any size.
 
 namespace loomlight {
-namespace {}  // namespace
-
 struct FibreBricks::Brick {
   Brick() = default;
   ~Brick() {
@@ -71,9 +71,18 @@ struct FibreBricks::Slot {
   std::unique_ptr<const Brick> brick;
 };
 
+std::string FibreBricks::whyNone(const VolumeCounts& counts) {
+  if (counts.segments <= kMostSegments) return "";
+  return fmt::format(
+      "Seen close by, voxels stay voxels: there are {:.0f} million fibre segments in cells that differ, too many to "
+      "show "
+      "fibres, for which there may be {:.0f} million.",
+      1e-6 * static_cast<double>(counts.segments), 1e-6 * static_cast<double>(kMostSegments));
+}
+
 std::shared_ptr<const FibreBricks> FibreBricks::of(const ClothVolume& volume,
                                                    std::shared_ptr<const ClothGeometry> geometry) {
-  if (volume.counts().segments > kMostSegments) return nullptr;
+  if (!whyNone(volume.counts()).empty()) return nullptr;
   return std::shared_ptr<const FibreBricks>(new FibreBricks(std::move(geometry)));
 }
 

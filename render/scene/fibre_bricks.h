@@ -6,6 +6,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
@@ -27,7 +28,10 @@ class FibreBricks {
   /// What the bricks of a cloth may take in all, were every one made: some 70 bytes a segment.
   static constexpr size_t kMostSegments = 25'000'000;
 
-  /// Null where all of a volume's bricks would be more than kMostSegments.
+  /// Why there are none of a volume: where all of its bricks would be more than kMostSegments. A sentence for who looks
+  /// closely, empty where there are.
+  static std::string whyNone(const VolumeCounts& counts);
+  /// Null where there are none.
   static std::shared_ptr<const FibreBricks> of(const ClothVolume& volume,
                                                std::shared_ptr<const ClothGeometry> geometry);
   ~FibreBricks();

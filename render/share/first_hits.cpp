@@ -4,6 +4,7 @@
 
 #include "core/base/parallel.h"
 #include "render/scene/camera_rays.h"
+#include "render/scene/pixel_filter.h"
 #include "render/transport/path_integrator.h"
 
 // How it works. Paths from the eye end at their first fibre; what is kept of one is the number of the cell of light
@@ -121,8 +122,9 @@ bool FirstHits::trace(uint32_t perPixel, const Scene& scene, const Medium& mediu
           if (counts_[pixel] + i - have_ >= most_) break;
           Random random(hashCombine(hashCombine(seed, x), y), i);
           random.stratify(0, PathIntegrator::kFirstDimension);
-          const float dx = random.uniform(), dy = random.uniform();
-          const Ray ray = camera.ray(static_cast<float>(x) + dx, static_cast<float>(y) + dy);
+          const float ux = random.uniform(), uy = random.uniform();
+          const glm::vec2 place = glm::vec2(x, y) + TriangleFilter::sample({ux, uy});
+          const Ray ray = camera.ray(place.x, place.y);
           if (!tracer.add(pixel, ray, random)) return;
         }
     tracer.follow();

@@ -5,6 +5,7 @@
 #include <cassert>
 
 #include "core/base/parallel.h"
+#include "render/scene/pixel_filter.h"
 
 // How it works. A picture is traced in blocks, each by one thread. It sends samples of all pixels of its block through
 // the integrator, some thousand at a time, so that as many paths are under way as it takes, until every pixel has what
@@ -109,8 +110,9 @@ bool PathTracer::trace(std::span<const PixelSample> wanted, TraceCounts& counts,
     const uint64_t pixel = hashCombine(hashCombine(hashCombine(scene_.sampling.seed, of.x), of.y), 0);
     Random random(pixel, of.index);
     if (scene_.sampling.stratified) random.stratify(0, PathIntegrator::kFirstDimension);
-    const float dx = random.uniform(), dy = random.uniform();
-    const Ray ray = camera_.ray(static_cast<float>(of.x) + dx, static_cast<float>(of.y) + dy);
+    const float ux = random.uniform(), uy = random.uniform();
+    const glm::vec2 place = glm::vec2(of.x, of.y) + TriangleFilter::sample({ux, uy});
+    const Ray ray = camera_.ray(place.x, place.y);
     starts_.push_back({ray, random, &sinks_[i]});
   }
   return integrator_.follow(starts_, counts, task);

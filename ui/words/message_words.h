@@ -37,6 +37,7 @@ inline constexpr const char* unknownKind =
     "lamp (two columns of text: nm and power) or a colour profile (.icc, .icm)";
 inline constexpr const char* foreignDraft =
     "{0}: files of {1}'s own are not read. Save the draft as WIF in {1}, and open that";
+inline constexpr const char* looksOtherwise = "It looks other than when it was saved";
 inline constexpr const char* coloursRead = "The colours were read";
 inline constexpr const char* unwovenTitle = "This picture cannot be used";
 inline constexpr const char* unwrittenTitle = "The file could not be written";

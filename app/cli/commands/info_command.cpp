@@ -10,13 +10,16 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
 #include "app/cli/volume_json.h"
+#include "core/fabric/model/finish.h"
 #include "core/fabric/model/validate.h"
 #include "core/fabric/model/wif_origin.h"
+#include "core/fabric/model/yarn_count.h"
 #include "core/fabric/weave/draft_derivation.h"
 #include "core/fabric/weave/weave_code.h"
 #include "core/fabric/yarn/cloth_states.h"
 #include "core/fabric/yarn/derived.h"
 #include "core/fabric/yarn/long_floats.h"
+#include "render/scene/fibre_bricks.h"
 #include "render/scene/scene.h"
 #include "render/transport/yarn_names.h"
 
@@ -73,6 +76,35 @@ nlohmann::ordered_json needsJson(const Information& of) {
       json["yarns"].push_back(
           {{"name", of.yarnNames[i]}, {"warp_m", need.warp_m}, {"weft_m", need.weft_m}, {"mass_kg", need.mass_kg}});
   }
+  return json;
+}
+
+/// How the yarns that are woven are spun, as a laboratory measures them.
+struct SpunYarn {
+  std::string name;
+  double count_tex = 0;
+  double hairinessH = 0;
+  double evennessCv_percent = 0;
+};
+
+std::vector<SpunYarn> spunYarns(const Fabric& fabric, const Information& of) {
+  std::vector<SpunYarn> spun;
+  for (size_t i = 0; i < of.needs.size(); ++i) {
+    if (of.needs[i].warp_m + of.needs[i].weft_m == 0) continue;
+    const Yarn& yarn = fabric.yarns[i];
+    const Fibre& fibre = fabric.fibres[static_cast<size_t>(yarn.fibre)];
+    spun.push_back({of.yarnNames[i], yarnCount_tex(yarn, fibre), hairinessH(yarn, fibre), yarn.evennessCv_percent});
+  }
+  return spun;
+}
+
+nlohmann::ordered_json yarnsJson(const Fabric& fabric, const Information& of) {
+  auto json = nlohmann::ordered_json::array();
+  for (const SpunYarn& yarn : spunYarns(fabric, of))
+    json.push_back({{"name", yarn.name},
+                    {"count_tex", yarn.count_tex},
+                    {"hairiness_h", yarn.hairinessH},
+                    {"evenness_cv_percent", yarn.evennessCv_percent}});
   return json;
 }
 
@@ -153,6 +185,7 @@ nlohmann::ordered_json toJson(const Fabric& fabric, const Information& of) {
   json["crimp_weft"] = of.measures.crimpWeft;
   json["press"] = fabric.press;
   addMill(json, fabric, of);
+  json["yarns"] = yarnsJson(fabric, of);
   json["yarn_need"] = needsJson(of);
   json["warnings"] = of.warnings;
   json["piece_ends"] = of.pieceEnds;
@@ -204,6 +237,13 @@ void printMill(const Fabric& fabric, const Information& of) {
     line("width in the reed", fmt::format("{:.1f}", *width_cm),
          fmt::format("cm, with the selvedges, for {:g} cm finished", of.orderedPiece.width_cm));
   printShrinkage(of.states);
+}
+
+void printYarns(const Fabric& fabric, const Information& of) {
+  fmt::print("\nYarns as they are spun\n");
+  for (const SpunYarn& yarn : spunYarns(fabric, of))
+    line(yarn.name, fmt::format("{:.1f} tex", yarn.count_tex),
+         fmt::format("hairiness H {:.1f}, CVm {:g} %", yarn.hairinessH, yarn.evennessCv_percent));
 }
 
 void printNeeds(const Information& of) {
@@ -284,6 +324,7 @@ void printTable(const Fabric& fabric, const Information& of) {
   line("press", fmt::format("{:g}", fabric.press), "0 washed, 0.5 pressed, 1 calendered");
   fmt::print("  All of this is of the finished cloth, at the setts given.\n");
   printMill(fabric, of);
+  printYarns(fabric, of);
   printNeeds(of);
   fmt::print("\nVolume\n");
   line("piece", fmt::format("{} x {}", of.pieceEnds, of.piecePicks), "ends x picks");
@@ -334,6 +375,8 @@ int run(const InfoCommand& command) {
   for (std::string& warning : warnings(fabric, information.floats, information.longFloats))
     information.warnings.push_back(std::move(warning));
   information.volume = scene->cloth->volume->counts();
+  if (std::string none = FibreBricks::whyNone(information.volume); !none.empty())
+    information.warnings.push_back(std::move(none));
   information.pieceEnds = geometry.ends();
   information.piecePicks = geometry.picks();
   if (command.json)

@@ -9,6 +9,7 @@
 #include "core/fabric/model/yarn_count.h"
 #include "core/geometry/cloth_geometry.h"
 #include "core/shell/shell.h"
+#include "render/scene/fibre_bricks.h"
 
 namespace loomlight {
 namespace {
@@ -130,10 +131,12 @@ FabricStatsWorker::Result FabricStatsWorker::tell(const Request& request) {
     stats->mesh = sameDrape ? last_->mesh : extentOf(request.fabric->drape);
   }
   stats->yarn = yarn;
-  if (!known || stats->longFloats.limit_mm != request.longFloat_mm) {
+  if (!known || stats->longFloats.limit_mm != request.longFloat_mm)
     stats->longFloats = longFloats(*request.fabric, request.longFloat_mm);
-    stats->warnings = warnings(*request.fabric, stats->floats, stats->longFloats);
-  }
+  stats->warnings = warnings(*request.fabric, stats->floats, stats->longFloats);
+  if (std::string none = request.built ? FibreBricks::whyNone(request.built->cloth->volume->counts()) : "";
+      !none.empty())
+    stats->warnings.push_back(std::move(none));
   if (request.built)
     stats->section = yarnSection(request.built->cloth->volume->geometry(), *request.fabric, yarn);
   else if (last_ && last_->yarn == yarn)

@@ -50,7 +50,11 @@ FileService::FileService(std::function<void()> wake, Read read)
           failed<WriteOrder>, Backlog::every, Priority::picture) {}  // it is waited for, and renders
 
 WifImport FileService::readCloth(const std::string& file, const Fabric& mine) {
-  return isWeavingFile(file) ? readWifFabric(file, mine, WifSizeChoice::keep) : WifImport{readFabric(file), {}};
+  if (isWeavingFile(file)) return readWifFabric(file, mine, WifSizeChoice::keep);
+  FabricReading reading = openFabric(file);
+  WifImport cloth{std::move(reading.fabric), {}};
+  for (std::string& remark : reading.remarks) cloth.warnings.push_back({std::move(remark), {}});
+  return cloth;
 }
 
 void FileService::begin(const Result& about) {

@@ -59,7 +59,7 @@ class FileService {
     Work work = Work::open;
     std::string file;
     std::optional<Fabric> fabric;      ///< that was read
-    std::vector<WifWarning> warnings;  ///< about the weaving file that was read
+    std::vector<WifWarning> warnings;  ///< about the file that was read
     WifNamed named;                    ///< of its threads: see cutToNamed()
     std::vector<std::string> remarks;  ///< about what was written
     std::string problem;               ///< why it was not; empty when all went well

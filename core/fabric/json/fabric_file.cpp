@@ -45,8 +45,14 @@ Fabric localNames(Fabric fabric, const std::string& file) {
   return fabric;
 }
 
+FabricReading openFabric(const std::string& file) {
+  FabricReading reading = fabricReadingOf(readFile(file, kMaxFabricBytes), file);
+  reading.fabric = workingNames(std::move(reading.fabric), file);
+  return reading;
+}
+
 Fabric readFabric(const std::string& file) {
-  return workingNames(fabricFromJson(readFile(file, kMaxFabricBytes), file), file);
+  return openFabric(file).fabric;
 }
 
 bool writeFabric(const Fabric& fabric, const std::string& file, const std::stop_token& stop) {

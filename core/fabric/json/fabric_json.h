@@ -3,6 +3,7 @@
 #include <stop_token>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/fabric/model/fabric.h"
 
@@ -15,7 +16,14 @@ inline constexpr int kFabricVersion = 1;
 /// Larger than any fabric that is valid.
 inline constexpr size_t kMaxFabricBytes = 280'000'000;
 
+struct FabricReading {
+  Fabric fabric;
+  std::vector<std::string> remarks;  ///< sentences: what looks otherwise than when the file was written
+};
+
 /// Throws InputError, naming `sourceName`, the place, and what was expected there, for anything but a valid fabric.
+FabricReading fabricReadingOf(std::string_view text, const std::string& sourceName);
+/// The same, without remarks.
 Fabric fabricFromJson(std::string_view text, const std::string& sourceName);
 /// The text of a fabric's file. Equal fabrics give the same bytes, and fabricFromJson() gives an equal fabric back.
 std::string fabricToJson(const Fabric& fabric);
@@ -27,6 +35,8 @@ Fabric localNames(Fabric fabric, const std::string& file);
 Fabric workingNames(Fabric fabric, const std::string& file);
 
 /// The fabric of a file, with workingNames(). Throws InputError.
+FabricReading openFabric(const std::string& file);
+/// The same, without remarks.
 Fabric readFabric(const std::string& file);
 /// Writes whole or not at all (writeFileAtomically), with localNames(). Throws InputError when the file cannot be
 /// written, or the fabric is not valid. False where it was stopped in time.

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -126,6 +127,8 @@ class ObjectReader {
     object_.erase(found);
     return value;
   }
+
+  bool has(const char* key) const { return object_.contains(key); }
 
   /// The value of a key, where it is there.
   template <class Value>
@@ -377,14 +380,28 @@ void checkVersion(const std::optional<json>& version, const FieldPath& path) {
                 version->dump() + ": a newer Loomlight wrote this file, and is needed to read it");
 }
 
+/// Loomlight writes every key, people those that they need: a whole file without a key is older than the key.
+bool isOlderThanPressing(const ObjectReader& reader) {
+  const auto isThere = [&](const char* key) { return reader.has(key); };
+  return !reader.has("press") && std::ranges::all_of(std::array{"weave", "warp_sequence", "weft_sequence", "yarns",
+                                                                "fibres", "drape", "light", "camera", "render"},
+                                                     isThere);
+}
+
 }  // namespace
 
-Fabric fabricFromJson(std::string_view text, const std::string& sourceName) {
+FabricReading fabricReadingOf(std::string_view text, const std::string& sourceName) {
   const FieldPath path(sourceName);
   ObjectReader reader(parseJson(text, sourceName), path);
   checkVersion(reader.take("loomlight_version"), path.at("loomlight_version"));
 
-  Fabric fabric;
+  FabricReading reading;
+  Fabric& fabric = reading.fabric;
+  if (isOlderThanPressing(reader))
+    reading.remarks.push_back(
+        fmt::format("The file is older than the pressing of yarns: it opens pressed by {:g}, as finished cloth is, "
+                    "thinner and less crimped than it was drawn then.",
+                    fabric.press));
   reader.takeFields(fabric);
   const std::optional<json> weave = reader.take("weave");
   if (weave) fabric.weave = readWeave(*weave, path.at("weave"));
@@ -405,7 +422,11 @@ Fabric fabricFromJson(std::string_view text, const std::string& sourceName) {
   if (auto v = reader.take("wif")) fabric.wif = readOrigin(std::move(*v), sourceName, path.at("wif"));
   fabric.unknown = reader.rest();
   validate(fabric, sourceName);
-  return fabric;
+  return reading;
+}
+
+Fabric fabricFromJson(std::string_view text, const std::string& sourceName) {
+  return fabricReadingOf(text, sourceName).fabric;
 }
 
 }  // namespace loomlight

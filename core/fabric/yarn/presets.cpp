@@ -206,6 +206,33 @@ Yarn rotorSpun(const char* name, double count_tex, double twistMultiplier) {
   return yarn;
 }
 
+/// Of the long fibres that combing leaves.
+Yarn combed(Yarn yarn) {
+  yarn.fibreDisorder_deg = 5;
+  yarn.evennessCv_percent = 13.5;
+  return yarn;
+}
+
+/// Spun on a ring from a strand that suction has drawn together, which ties most hairs in.
+Yarn compactSpun(const char* name, double count_tex, double twistMultiplier) {
+  Yarn yarn = combed(ringSpun(name, count_tex, twistMultiplier));
+  yarn.packing = 0.6;
+  yarn.fibreDisorder_deg = 4;
+  return yarn;
+}
+
+/// Of carded wool, condensed and hardly drawn: soft, full, uneven, its fibres lying anyhow.
+Yarn woollenSpun(const char* name, double count_tex, double twistMultiplier) {
+  Yarn yarn = ringSpun(name, count_tex, twistMultiplier);
+  yarn.packing = 0.4;
+  yarn.flattening = 1.2;
+  yarn.hairLength_mm = 1.2;
+  yarn.migration = 0.4;
+  yarn.fibreDisorder_deg = 13;
+  yarn.evennessCv_percent = 17;
+  return yarn;
+}
+
 /// Two singles, twisted the other way; 60 to 70 % of their twist makes a yarn that does not kink.
 Yarn twoPly(Yarn single, double plyingTwist_per_m) {
   single.count_tex *= 2;
@@ -298,6 +325,8 @@ std::vector<YarnPreset> yarnPresets() {
   linen.evennessCv_percent = 22;
   return {
       hairy(ringSpun("Cotton Ne 30", tex(30, CountSystem::cotton), 4.0), 5.5, "cotton", spun),
+      hairy(combed(ringSpun("Cotton Ne 60, combed", tex(60, CountSystem::cotton), 4.0)), 4.5, "cotton", spun),
+      hairy(compactSpun("Cotton Ne 40, compact", tex(40, CountSystem::cotton), 3.8), 3.5, "cotton", spun),
       hairy(ringSpun("Cotton Ne 7, denim warp", tex(7, CountSystem::cotton), 4.4), 7, "cotton", spun),
       hairy(rotorSpun("Cotton Ne 10, rotor", tex(10, CountSystem::cotton), 4.6), 4.5, "cotton",
             "count, twist: handbook (open-end TM 4.5-5); hairiness, evenness: handbook, recalled (Uster Statistics); "
@@ -313,6 +342,9 @@ std::vector<YarnPreset> yarnPresets() {
             "count: handbook; twist: guess (plying at 65 % of the singles' twist); packing: handbook, recalled "
             "(0.45-0.55); evenness: handbook, recalled (Uster Statistics); hairs, flattening, migration, disorder: "
             "guess"),
+      hairy(woollenSpun("Woollen Nm 6", tex(6, CountSystem::metric), 3.6), 10, "wool",
+            "count: handbook (tweeds of Nm 5 to 8); evenness: handbook, recalled; twist, packing, hairs, flattening, "
+            "migration, disorder: guess"),
       hairy(linen, 3, "linen",
             "count: handbook; evenness: handbook, recalled (wet-spun line); twist, packing, hairs, flattening, "
             "migration, disorder: guess"),

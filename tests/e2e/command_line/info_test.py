@@ -108,6 +108,15 @@ class Info(CommandLineTest):
         self.assertRegex(table, r"shrinks in the wash +\? x 5\.3  %")
         self.assertIn("Shrinkage is not modelled", table)
 
+    def test_yarns_are_told_as_a_laboratory_measures_them(self):
+        file = SAMPLES / "cloths/poplin.json"
+        yarn, = json.loads(self.run_program("info", file, "--json", "--resolution", 1))["yarns"]
+        self.assertAlmostEqual(yarn["count_tex"], 590.5 / 40, delta=1)
+        self.assertTrue(3 < yarn["hairiness_h"] < 7, yarn)
+        self.assertEqual(yarn["evenness_cv_percent"], 13.5)
+        self.assertIn(f"hairiness H {yarn['hairiness_h']:.1f}, CVm 13.5 %",
+                      self.run_program("info", file, "--resolution", 1))
+
     def test_the_table_has_units(self):
         table = self.run_program("info", self.fabric())
         for word in ("small twill", "g/m2", "mm", "per cm", "ends x picks", "MB", "Yarn for a piece of 10 m x 150 cm"):

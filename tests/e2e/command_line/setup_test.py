@@ -43,7 +43,7 @@ class Setup(CommandLineTest):
         self.assertNotIn("here-dev", install)
 
     def test_nothing_missing_asks_for_nothing(self):
-        self.tool("dpkg-query", "printf installed")
+        self.tool("dpkg-query", "echo installed; echo installed")
         self.tool("apt-get", "touch called")
         done = self.install()
         self.assertEqual((done.returncode, done.stderr), (0, ""))
@@ -67,13 +67,13 @@ class Setup(CommandLineTest):
                 self.assertEqual(done.returncode, 1)
                 installing, refusal = done.stderr.splitlines()
                 self.assertEqual(installing, "loomlight: installing absent-dev")
-                self.assertIn(f"could not be installed ({reason}); please run, as root: apt-get install", refusal)
+                self.assertIn(f"could not be installed ({reason}); please run, as root: apt-get update", refusal)
 
 
 class SmallTree(CommandLineTest):
     """The scripts in a tree of their own, where the tools that they call are ours."""
 
-    TOOLS = {"dpkg-query": "printf installed"}
+    TOOLS = {"dpkg-query": "echo installed; echo installed"}
 
     def setUp(self):
         super().setUp()
@@ -170,6 +170,11 @@ class TestsRun(SmallTree):
             for words in ((option,), ("-R", "volume", option)):
                 with self.subTest(words=words):
                     self.assertEqual(self.refusal(*words), f"loomlight: {option} takes a name")
+
+    def test_a_word_that_is_no_option(self):
+        for words in (("volume",), ("-R", "volume", "threads")):
+            with self.subTest(words=words):
+                self.assertIn(f'"{words[-1]}" is no option', self.refusal(*words))
 
     def test_an_unknown_preset(self):
         self.assertRegex(self.refusal("--preset", "fast"), '"fast"; there are: release .*clang')

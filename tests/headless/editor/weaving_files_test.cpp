@@ -1,4 +1,5 @@
-/// WIF drafts and weave bitmaps: opened by dialog and by name, their sizes chosen, their warnings shown, exported.
+/// WIF drafts, weave bitmaps and fabrics from before pressing: opened by dialog and by name, their sizes chosen, their
+/// warnings shown, exported.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -6,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/file.h"
+#include "core/fabric/json/fabric_json.h"
 #include "render/film/image.h"
 #include "tests/headless/editor/weaver.h"
 
@@ -108,6 +110,17 @@ TEST_F(WeavingFiles, ADraftIsOpenedWithItsSizes) {
   EXPECT_EQ(fabric.picks_per_cm, 8);
   EXPECT_EQ(fabric.draft.value().threading, kThreading);
   EXPECT_EQ(fabric.drape.width_mm, 4) << "the drape is the designer's own";
+}
+
+TEST_F(WeavingFiles, AFabricFromBeforePressingIsToldOf) {
+  std::string text = fabricToJson(smallTwill());
+  const size_t press = text.find("\"press\"");
+  text.erase(press, text.find('\n', press) + 1 - press);
+  open(write("old.json", text));
+  editor.until("it is told of", [&] { return editor.fact("dialog") == "message"; });
+  editor.until("it is told of", [&] { return editor.fact("dialog") == "open"; });
+  EXPECT_THAT(editor.fact("message"), HasSubstr("older than the pressing of yarns"));
+  editor.answer();
 }
 
 /// Where it is said that the file's sizes are used, they can be refused.

@@ -101,6 +101,15 @@ TEST(FibreBricks, AreBentAsTheDrapeIs) {
   EXPECT_LT(agreement.apart_mm, 1e-3 * agreement.same);
 }
 
+/// What a designer reads in place of fibres.
+TEST(FibreBricks, SayWhyThereAreNone) {
+  VolumeCounts counts;
+  counts.segments = FibreBricks::kMostSegments;
+  EXPECT_EQ(FibreBricks::whyNone(counts), "");
+  counts.segments *= 2;
+  EXPECT_NE(FibreBricks::whyNone(counts).find("50 million fibre segments"), std::string::npos);
+}
+
 TEST(FibreBricks, AreMadeOncePerKeyAndServeAnyWeave) {
   Fabric fabric = smallPiece();
   const auto scene = test::sceneOf(fabric);

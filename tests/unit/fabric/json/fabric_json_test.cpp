@@ -17,7 +17,9 @@
 namespace loomlight {
 namespace {
 
+using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 using testing::StartsWith;
 
 std::string complaint(std::string_view text) {
@@ -249,6 +251,20 @@ TEST(FabricFile, WritesAndReadsBack) {
   EXPECT_THAT(text, HasSubstr("\"file\": \"meshes/folds.obj\"")) << "what lies beside the fabric moves along with it";
   EXPECT_THAT(text, HasSubstr("\"file\": \"/elsewhere/sky.exr\""));
   std::filesystem::remove_all(folder);
+}
+
+TEST(FabricFile, OneFromBeforePressingIsToldOfOnce) {
+  std::string text = fabricToJson(Fabric{});
+  EXPECT_THAT(fabricReadingOf(text, "a.json").remarks, IsEmpty());
+  const size_t press = text.find("  \"press\"");
+  ASSERT_NE(press, std::string::npos);
+  text.erase(press, text.find('\n', press) + 1 - press);
+  const FabricReading old = fabricReadingOf(text, "a.json");
+  EXPECT_EQ(old.fabric, Fabric{});
+  EXPECT_THAT(old.remarks, ElementsAre(HasSubstr("pressed by 0.5")));
+  EXPECT_THAT(fabricReadingOf(fabricToJson(old.fabric), "a.json").remarks, IsEmpty()) << "as it is saved";
+  EXPECT_THAT(fabricReadingOf(R"({"loomlight_version": 1, "yarns": [{}]})", "a.json").remarks, IsEmpty())
+      << "what a person writes has only what they want";
 }
 
 TEST(FabricFile, InvalidFabricLeavesTheOldFileThere) {
