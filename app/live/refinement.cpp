@@ -128,8 +128,10 @@ bool Refinement::advance(const Task& task) {
   threads_ = task.threads;
   if (converged()) return true;
   history_.seconds = secondsSince(start_);
-  if (!pass_ && shared_ && shared_->hits() < hitsWanted(history_)) {
-    const bool complete = shared_->addHits(hitsWanted(history_), task);
+  const bool takesTurns = history_.divider > 2;  // coarse passes are quick, and seen at once
+  if (!pass_ && shared_ && shared_->hits() < hitsWanted(history_) &&
+      !(takesTurns && std::exchange(hitsHadTheirTurn_, !hitsHadTheirTurn_))) {
+    const bool complete = shared_->addHits(hitsWanted(history_), task, passBudget_s(history_));
     spent_s_ += secondsSince(start_) - history_.seconds;
     return complete;
   }

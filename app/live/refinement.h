@@ -138,6 +138,7 @@ class Refinement {
   std::unique_ptr<PathRecords> records_;  ///< of fine_; null where none are kept
   std::unique_ptr<SharedLight> shared_;   ///< null where none is shared
   bool knowsLight_ = false;               ///< from the picture before
+  bool hitsHadTheirTurn_ = false;         ///< and the next coarse pass has it
   std::optional<Film> coarse_;            ///< of a 1/coarseDivider_ of the resolution
   int coarseDivider_ = 0;
   size_t paths_bytes_ = 0;                      ///< that the paths of either may take; 0: they are not kept

@@ -1,8 +1,10 @@
 #include "render/share/first_hits.h"
 
 #include <algorithm>
+#include <chrono>
 
 #include "core/base/parallel.h"
+#include "core/base/stopwatch.h"
 #include "render/scene/camera_rays.h"
 #include "render/scene/pixel_filter.h"
 #include "render/transport/path_integrator.h"
@@ -14,7 +16,8 @@
 namespace loomlight {
 namespace {
 
-constexpr int kRows = 4;  // of pixels that one thread does at a time
+constexpr int kRows = 4;       // of pixels that one thread does at a time
+constexpr int kBandRows = 64;  // between looks at the clock
 
 /// Ends every path at its first fibre, and keeps that.
 class FirstFibre final : public PathSink {
@@ -106,18 +109,29 @@ FirstHits::FirstHits(int width, int height)
       cells_(static_cast<size_t>(width) * static_cast<size_t>(height) * most_),
       counts_(static_cast<size_t>(width) * static_cast<size_t>(height)) {}
 
-bool FirstHits::trace(uint32_t perPixel, const Scene& scene, const Medium& medium, CellSums& cells, const Task& task) {
-  if (perPixel <= have_) return true;
+bool FirstHits::trace(uint32_t perPixel, const Scene& scene, const Medium& medium, CellSums& cells, const Task& task,
+                      double budget_s) {
+  const auto start = std::chrono::steady_clock::now();
+  while (have_ < perPixel) {
+    if (nextRow_ == 0) coming_ = perPixel;
+    if (!traceBand(scene, medium, cells, task)) return false;
+    if (secondsSince(start) > budget_s) break;
+  }
+  return true;
+}
+
+bool FirstHits::traceBand(const Scene& scene, const Medium& medium, CellSums& cells, const Task& task) {
+  const int end = std::min(height_, nextRow_ + kBandRows);
   const CameraRays camera(scene.fabric->camera, width_, height_);
   const uint64_t seed = hashCombine(scene.sampling.seed, uint64_t{0xF1257});
-  std::vector<Strip> strips(static_cast<size_t>((height_ + kRows - 1) / kRows));
+  std::vector<Strip> strips(static_cast<size_t>((end - nextRow_ + kRows - 1) / kRows));
   parallelFor(strips.size(), task.threads, [&](size_t number) {
     if (task.stopped()) return;
     StripTracer tracer(scene, medium, cells, task, strips[number]);
-    const int top = static_cast<int>(number) * kRows;
-    for (int y = top; y < std::min(height_, top + kRows); ++y)
+    const int top = nextRow_ + static_cast<int>(number) * kRows;
+    for (int y = top; y < std::min(end, top + kRows); ++y)
       for (int x = 0; x < width_; ++x)
-        for (uint32_t i = have_; i < perPixel; ++i) {
+        for (uint32_t i = have_; i < coming_; ++i) {
           const size_t pixel = pixelAt(x, y);
           if (counts_[pixel] + i - have_ >= most_) break;
           Random random(hashCombine(hashCombine(seed, x), y), i);
@@ -134,7 +148,8 @@ bool FirstHits::trace(uint32_t perPixel, const Scene& scene, const Medium& mediu
     auto fresh = strip.fresh.begin();
     for (const StripHit& hit : strip.hits) put(hit.pixel, hit.cell == kNew ? cells.add(*fresh++) : hit.cell);
   }
-  have_ = perPixel;
+  nextRow_ = end < height_ ? end : 0;
+  if (nextRow_ == 0) have_ = coming_;
   return true;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -12,7 +13,8 @@
 namespace loomlight {
 
 /// Which cells each pixel of a picture shows: the first fibres of some paths through it, which end there and so cost a
-/// fraction of a path that looks for light. A pure function of (seed, camera, cloth, drape): light and dyes may change.
+/// fraction of a path that looks for light. A pure function of (seed, camera, cloth, drape, what keys are made of):
+/// light and dyes may change, as long as sameLightCells().
 class FirstHits {
  public:
   static constexpr uint32_t kMost = 16;                     ///< of a pixel; fewer in a picture so large that...
@@ -25,9 +27,11 @@ class FirstHits {
   int height() const { return height_; }
   uint32_t most() const { return most_; }      ///< that a pixel may have
   uint32_t perPixel() const { return have_; }  ///< that have been traced for every pixel
-  /// Traces so many for every pixel in all, and makes their cells; a pixel keeps most() of them. False when stopped:
-  /// then it has those that it had.
-  bool trace(uint32_t perPixel, const Scene& scene, const Medium& medium, CellSums& cells, const Task& task);
+  /// Traces so many for every pixel in all, and makes their cells; a pixel keeps most() of them. Where that takes
+  /// longer than `budget_s`, some bands of rows, and the next call goes on. False when stopped: then it has those that
+  /// it had.
+  bool trace(uint32_t perPixel, const Scene& scene, const Medium& medium, CellSums& cells, const Task& task,
+             double budget_s = std::numeric_limits<double>::infinity());
   /// Another one, of a path that has been traced for its light; forgotten where the pixel has enough.
   void put(size_t pixel, uint32_t cell) {
     if (counts_[pixel] < most_) cells_[pixel * most_ + counts_[pixel]++] = cell;
@@ -42,8 +46,12 @@ class FirstHits {
   }
 
  private:
+  bool traceBand(const Scene& scene, const Medium& medium, CellSums& cells, const Task& task);
+
   int width_, height_;
   uint32_t most_, have_ = 0;
+  uint32_t coming_ = 0;  ///< that every pixel has when the round under way is done
+  int nextRow_ = 0;      ///< of that round
   std::vector<uint32_t, ZeroAllocator<uint32_t>> cells_;
   std::vector<uint8_t> counts_;  ///< that each pixel has
 };

@@ -31,12 +31,25 @@ uint64_t directionBin(glm::vec3 d, float steps, glm::vec2 jitter) {
   return hashCombine(hashCombine(mixBits(side), bin.x), bin.y);
 }
 
+/// The eye carries this lamp, so that places in one voxel of a repeat do not look alike.
+bool isNear(const Light& light) {
+  return light.kind == LightKind::headlight;
+}
+
+/// What LightCellKeys::of() asks of a yarn, beside its number.
+bool sameInKeys(const Yarn& a, const Yarn& b) {
+  return a.fibre == b.fibre && a.blendFibre == b.blendFibre && a.blendShare == b.blendShare &&
+         (a.shadeVariation_percent > 0) == (b.shadeVariation_percent > 0);
+}
+
 }  // namespace
 
+bool sameLightCells(const Fabric& before, const Fabric& after) {
+  return isNear(before.light) == isNear(after.light) && std::ranges::equal(before.yarns, after.yarns, sameInKeys);
+}
+
 LightCellKeys::LightCellKeys(const Scene& scene)
-    : cloth_(*scene.cloth),
-      geometry_(scene.cloth->volume->geometry()),
-      lightIsNear_(scene.fabric->light.kind == LightKind::headlight) {}
+    : cloth_(*scene.cloth), geometry_(scene.cloth->volume->geometry()), lightIsNear_(isNear(scene.fabric->light)) {}
 
 uint64_t LightCellKeys::crossingsAround(int pick, int end) const {
   uint64_t warpOver = 0, key = 0;

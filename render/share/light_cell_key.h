@@ -19,6 +19,9 @@ struct LightCellPath {
 };
 inline constexpr uint64_t kLightCellLevelBits = 7;
 
+/// Whether every place of a volume is in the same cells for both fabrics, whatever their light and dyes.
+bool sameLightCells(const Fabric& before, const Fabric& after);
+
 /// Which places of a cloth look alike, as far as one can tell without light: what a cell is. Repeats of the weave lie
 /// in the same cells wherever the same light falls on them in the same way.
 ///

@@ -45,7 +45,9 @@ SharedLight::SharedLight(std::shared_ptr<const Scene> scene, std::shared_ptr<con
 void SharedLight::moveTo(std::shared_ptr<const Scene> scene, std::shared_ptr<const Medium> medium, int width,
                          int height, const Changes& edit) {
   SharedFate fate = sharedFate(edit);
+  // The same fabric may come again with bricks that were still missing.
   const bool sameVolume = scene->cloth->volume == scene_->cloth->volume;
+  const bool sameCells = sameVolume && sameLightCells(*scene_->fabric, *scene->fabric);
   if (cells_->isFull()) fate = {};
   scene_ = std::move(scene);
   medium_ = std::move(medium);
@@ -62,8 +64,7 @@ void SharedLight::moveTo(std::shared_ptr<const Scene> scene, std::shared_ptr<con
       cells_ = std::make_unique<CellSums>();
       break;
   }
-  // The same fabric may come again with bricks that were still missing.
-  if (!fate.hits || !sameVolume || width != hits_->width() || height != hits_->height())
+  if (!fate.hits || !sameCells || width != hits_->width() || height != hits_->height())
     hits_ = std::make_unique<FirstHits>(width, height);
   deposits_ = std::make_unique<CellDeposits>(*scene_, *cells_, *hits_);
 }
@@ -74,8 +75,8 @@ FirstFibreSink* SharedLight::listener(uint32_t samples, int divider) {
   return samples < kEnough ? deposits_.get() : nullptr;
 }
 
-bool SharedLight::addHits(uint32_t perPixel, const Task& task) {
-  return hits_->trace(perPixel, *scene_, *medium_, *cells_, task);
+bool SharedLight::addHits(uint32_t perPixel, const Task& task, double budget_s) {
+  return hits_->trace(perPixel, *scene_, *medium_, *cells_, task, budget_s);
 }
 
 std::optional<KnownView> SharedLight::known(const Film& coarse, int finer, const Task& task) const {

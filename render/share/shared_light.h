@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -48,8 +49,8 @@ class SharedLight {
   /// After that pass.
   void settle() { deposits_->settle(); }
   uint32_t hits() const { return hits_->perPixel(); }  ///< first fibres of every pixel
-  /// False when stopped.
-  bool addHits(uint32_t perPixel, const Task& task);
+  /// So many for every pixel, or what there is time for. False when stopped.
+  bool addHits(uint32_t perPixel, const Task& task, double budget_s = std::numeric_limits<double>::infinity());
 
   /// Whether light of an earlier picture is known.
   bool knows() const { return cells_->size() > 0 && (*cells_)[0].paths > 0; }

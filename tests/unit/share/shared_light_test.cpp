@@ -189,6 +189,43 @@ TEST(SharedLight, GoesOnAfterAnEdit) {
   EXPECT_TRUE(picture.light->shows());  // in the light of before
 }
 
+// What a place's key is made of may change without any voxel: then pixels look for their cells anew.
+TEST(SharedLight, PixelsLookForTheirCellsWhereKeysHaveChanged) {
+  Fabric before = dyed(cloth(LightKind::sky));
+  before.fibres.resize(2, before.fibres[0]);
+  const auto hitsAfter = [&](auto&& edit) {
+    Picture picture(before);
+    EXPECT_TRUE(picture.light->addHits(1, threads(2)));
+    Fabric after = before;
+    edit(after);
+    const auto scene = makeScene(std::make_shared<const Fabric>(after), Task{}, picture.scene.get());
+    picture.light->moveTo(scene, picture.medium, kWidth, kHeight, changes(before, after));
+    return picture.light->hits();
+  };
+  EXPECT_EQ(hitsAfter([](Fabric& f) { f.fibres[0].refractiveIndex += 0.1; }), 1u);
+  EXPECT_EQ(hitsAfter([](Fabric& f) { f.yarns[0].shadeVariation_percent = 5; }), 0u);
+  EXPECT_EQ(hitsAfter([](Fabric& f) { f.yarns[0].fibre = 1; }), 0u);
+  EXPECT_EQ(hitsAfter([](Fabric& f) { f.yarns[0].blendFibre = 1; }), 0u);
+  EXPECT_EQ(hitsAfter([](Fabric& f) { f.light.kind = LightKind::headlight; }), 0u);
+}
+
+TEST(SharedLight, HitsComeInBandsWhereThereIsLittleTime) {
+  Fabric fabric = cloth(LightKind::sky);
+  fabric.drape.width_mm = fabric.drape.height_mm = 2;
+  const auto scene = test::sceneOf(fabric);
+  const std::shared_ptr<const Medium> medium = makeMedium(*scene, 1e9, Task{});
+  constexpr int kNarrow = 4, kTall = 200;
+  SharedLight whole(scene, medium, kNarrow, kTall), inBands(scene, medium, kNarrow, kTall);
+  ASSERT_TRUE(whole.addHits(2, threads(2)));
+  EXPECT_EQ(whole.hits(), 2u);
+  ASSERT_TRUE(inBands.addHits(2, threads(2), 0));
+  EXPECT_EQ(inBands.hits(), 0u) << "no round is done before its last row";
+  int calls = 1;
+  for (; inBands.hits() < 2 && calls < 100; ++calls) ASSERT_TRUE(inBands.addHits(2, threads(2), 0));
+  EXPECT_EQ(inBands.hits(), 2u);
+  EXPECT_GT(calls, 2);
+}
+
 /// Of cells that say: one half, with so much noise a path.
 SharedPicture grey(float variance) {
   SharedPicture picture(64, 64);
