@@ -52,7 +52,8 @@ View viewFrom(const HalfDomeGrid& grid, size_t camera, double window, double hal
   view.rows = std::max(1, static_cast<int>(std::lround(kPixels * cosine)));
   // So far off that all of the picture's plane lies above the cloth. What an orthographic camera shows grows with its
   // distance, so the picture grows too, and only its middle is looked at.
-  const double clear = (1.01 * halfThickness_mm + 0.5 * view.rows * pixel * sine) / cosine + pixel;
+  // A pixel is seen by what lies half a pixel beyond it, too (TriangleFilter).
+  const double clear = (1.01 * halfThickness_mm + 0.5 * (view.rows + 1) * pixel * sine) / cosine + pixel;
   const double seenPerDistance = 2 * std::tan(10 * kRadians);
   view.height = std::max(view.rows, static_cast<int>(std::ceil(clear * seenPerDistance / pixel)));
   view.height += (view.height - view.rows) & 1;
