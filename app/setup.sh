@@ -15,8 +15,8 @@ say() { printf 'loomlight: %s\n' "$*" >&2; }
 missing_packages() {
   local package
   while read -r package; do
-    # A line for each architecture that has it.
-    dpkg-query -W -f='${db:Status-Status}\n' "$package" 2>/dev/null | grep -qx installed || printf '%s\n' "$package"
+    # A word for each architecture that has it.
+    [[ " $(dpkg-query -W -f='${db:Status-Status} ' "$package" 2>/dev/null) " == *" installed "* ]] || printf '%s\n' "$package"
   done < <(sed 's/#.*//; s/[[:space:]]*$//; /^$/d' "$@")
 }
 
