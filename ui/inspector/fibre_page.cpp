@@ -7,6 +7,7 @@
 #include "core/fabric/yarn/colour.h"
 #include "core/fabric/yarn/dyeing.h"
 #include "core/fabric/yarn/presets.h"
+#include "core/fabric/yarn/yarn_edit.h"
 #include "core/fabric/yarn/yarn_reflectance.h"
 #include "ui/inspector/count_text.h"
 #include "ui/inspector/inspector.h"
@@ -193,8 +194,7 @@ std::optional<Fabric> fibrePage(Ui& ui, const Fabric& fabric, const InspectorMod
     if (button(ui, "fibre.own", words::fibrePage::giveOwn, 0, static_cast<int>(fabric.fibres.size()) < kMaxKinds)) {
       Fabric edited = fabric;
       Yarn& own = edited.yarns[static_cast<size_t>(view.yarn)];
-      (view.secondFibre ? *own.blendFibre : own.fibre) = static_cast<int>(fabric.fibres.size());
-      edited.fibres.push_back(fibre);
+      (view.secondFibre ? *own.blendFibre : own.fibre) = addFibre(edited, fibre, index);
       return edited;
     }
   }

@@ -104,7 +104,7 @@ std::optional<Fabric> yarnPage(Ui& ui, const Fabric& fabric, const InspectorMode
   if (filled || !changed) return filled;
   twistNewStrands(fabric.yarns[static_cast<size_t>(view.yarn)], yarn);
   Fabric edited = fabric;
-  edited.fibres = std::move(fibres);
+  if (fibres.size() > edited.fibres.size()) addFibre(edited, std::move(fibres.back()), yarn.fibre);
   Fibre filament = edited.fibres[static_cast<size_t>(yarn.fibre)];
   edited.yarns[static_cast<size_t>(view.yarn)] = std::move(yarn);
   if (!filament_dtex) return edited;

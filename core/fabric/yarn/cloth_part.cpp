@@ -16,17 +16,9 @@ bool isSpunOf(const Yarn& yarn, int fibre) {
 
 /// A fibre like that one, of the same colour in every colourway. Returns its number.
 int copiedFibre(Fabric& fabric, int fibre) {
-  const size_t count = fabric.fibres.size();
-  for (Colourway& colourway : fabric.colourways) {
-    std::vector<Absorption>& dyes = colourway.absorption_per_mm;
-    if (static_cast<size_t>(fibre) >= dyes.size()) continue;  // it keeps its own colour there
-    for (size_t i = dyes.size(); i < count; ++i) dyes.push_back(fabric.fibres[i].absorption_per_mm);
-    dyes.push_back(Absorption(dyes[static_cast<size_t>(fibre)]));
-  }
   Fibre copy = fabric.fibres[static_cast<size_t>(fibre)];
   copy.name = fibreNameFor(fabric, kindName(copy.name));
-  fabric.fibres.push_back(std::move(copy));
-  return static_cast<int>(count);
+  return addFibre(fabric, std::move(copy), fibre);
 }
 
 }  // namespace

@@ -40,6 +40,18 @@ std::string kindName(const std::string& fibreName) {
   return end != std::string::npos && end > 0 && kind[end] == ' ' ? kind.substr(0, end) : kind;
 }
 
+int addFibre(Fabric& fabric, Fibre fibre, int like) {
+  const size_t count = fabric.fibres.size();
+  for (Colourway& colourway : fabric.colourways) {
+    std::vector<Absorption>& dyes = colourway.absorption_per_mm;
+    if (static_cast<size_t>(like) >= dyes.size()) continue;  // both keep their own colours there
+    for (size_t i = dyes.size(); i < count; ++i) dyes.push_back(fabric.fibres[i].absorption_per_mm);
+    dyes.push_back(Absorption(dyes[static_cast<size_t>(like)]));
+  }
+  fabric.fibres.push_back(std::move(fibre));
+  return static_cast<int>(count);
+}
+
 bool isWoven(const Fabric& fabric, int yarn) {
   const auto has = [yarn](const std::vector<int>& order) {
     return std::find(order.begin(), order.end(), yarn) != order.end();
@@ -64,8 +76,7 @@ Fabric withYarnCopied(Fabric fabric, int index) {
   if (fabric.fibres.size() < kMaxKinds) {
     Fibre fibre = fabric.fibres[static_cast<size_t>(copy.fibre)];
     fibre.name = fibreNameFor(fabric, kindName(fibre.name));
-    copy.fibre = static_cast<int>(fabric.fibres.size());
-    fabric.fibres.push_back(std::move(fibre));
+    copy.fibre = addFibre(fabric, std::move(fibre), copy.fibre);
   }
   fabric.yarns.push_back(std::move(copy));
   return fabric;
@@ -94,8 +105,7 @@ Fabric withFibre(Fabric fabric, int yarn, Fibre fibre) {
   for (size_t i = 0; i < fabric.yarns.size(); ++i)
     shared |= i != own && (fabric.yarns[i].fibre == old || fabric.yarns[i].blendFibre == old);
   if (shared && fabric.fibres.size() < kMaxKinds) {
-    fabric.yarns[own].fibre = static_cast<int>(fabric.fibres.size());
-    fabric.fibres.push_back(std::move(fibre));
+    fabric.yarns[own].fibre = addFibre(fabric, std::move(fibre), old);
   } else {
     fabric.fibres[static_cast<size_t>(old)] = std::move(fibre);
   }

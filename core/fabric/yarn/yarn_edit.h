@@ -13,6 +13,10 @@ std::string fibreNameFor(const Fabric& fabric, const std::string& like);
 /// What is left of a fibre's name when its colour goes: "polyester" of "polyester, ultramarine", and of "polyester 2".
 std::string kindName(const std::string& fibreName);
 
+/// One more fibre, of the colour of the fibre numbered `like` in every colourway that has one for that. Returns its
+/// number.
+int addFibre(Fabric& fabric, Fibre fibre, int like);
+
 /// Whether an end or a pick of the fabric is of that yarn.
 bool isWoven(const Fabric& fabric, int yarn);
 

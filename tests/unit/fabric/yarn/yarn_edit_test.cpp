@@ -52,5 +52,26 @@ TEST(YarnEdit, AFibreThatOthersAreSpunOfStaysTheirs) {
   EXPECT_EQ(withFibre(fabric, 0, coarse).fibres.size(), 1u);
 }
 
+/// In a colourway that has a colour for the old fibre, what is spun of the new one keeps that; in one that has none,
+/// neither has. A fibre between them that a colourway is too old to know of keeps its own colour.
+TEST(YarnEdit, AFibreOfItsOwnIsDyedInColourwaysAsTheOldOneIs) {
+  Fabric fabric;
+  fabric.fibres = {Fibre{}, Fibre{}};
+  fabric.fibres[1].absorption_per_mm = Rgb(5);
+  fabric.yarns = {Yarn{}, Yarn{}, Yarn{}};
+  fabric.yarns[2].fibre = 1;
+  fabric.colourways = {Colourway{"navy", {Rgb(1), Rgb(2)}, {}}, Colourway{"red", {Rgb(3)}, {}},
+                       Colourway{"own", {}, {}}};
+  Fibre coarse;
+  coarse.radius_um = 20;
+  for (const Fabric& edited :
+       {withFibre(fabric, 1, coarse), withYarn(fabric, 1, Yarn{}, coarse), withYarnCopied(fabric, 0)}) {
+    ASSERT_EQ(edited.fibres.size(), 3u);
+    EXPECT_EQ(edited.colourways[0].absorption_per_mm, (std::vector<Absorption>{Rgb(1), Rgb(2), Rgb(1)}));
+    EXPECT_EQ(edited.colourways[1].absorption_per_mm, (std::vector<Absorption>{Rgb(3), Rgb(5), Rgb(3)}));
+    EXPECT_TRUE(edited.colourways[2].absorption_per_mm.empty());
+  }
+}
+
 }  // namespace
 }  // namespace loomlight
