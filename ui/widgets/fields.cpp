@@ -145,6 +145,16 @@ std::vector<const char*> choicesOf(const std::vector<std::string>& names) {
   return choices;
 }
 
+/// Dear ImGui ends the name of a widget at "##", but not a text.
+bool listLine(Ui& ui, const std::string& id, const char* name, bool chosen, const char* tooltip) {
+  const bool pressed = ImGui::Selectable("##line", chosen);
+  ui.probe.recordItem(id);
+  tooltipFor(ui, id.c_str(), ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), tooltip);
+  ImGui::SameLine(0, 0);
+  ImGui::TextUnformatted(name);
+  return pressed;
+}
+
 bool choiceField(Ui& ui, const RowText& text, std::span<const char* const> names, int& chosen, const char* otherwise) {
   FieldRow row = beginRow(ui, text);
   const ImVec2 min = ImGui::GetCursorScreenPos();
@@ -156,16 +166,20 @@ bool choiceField(Ui& ui, const RowText& text, std::span<const char* const> names
   const float room = row.width - ui.px(28);
   const std::string preview = fitted(ui, text.id, shown, room, row.cut);
   if (ui.probe.watching()) ui.probe.fact(text.id, shown);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
   const bool open =
-      ImGui::BeginCombo("##choice", preview.c_str(), ImGuiComboFlags_HeightLarge | ImGuiComboFlags_NoArrowButton);
+      ImGui::BeginCombo("##choice", nullptr, ImGuiComboFlags_HeightLarge | ImGuiComboFlags_NoArrowButton);
+  const ImVec2 padding = ImGui::GetStyle().FramePadding;
+  draw.AddText(ImVec2(min.x + padding.x, min.y + padding.y), ImGui::GetColorU32(ImGuiCol_Text), preview.c_str());
   if (!open) drawChevron(ui, ImVec2(max.x - ui.px(14), 0.5f * (min.y + max.y)));
   if (open) {
     for (int i = 0; i < static_cast<int>(names.size()); ++i) {
-      if (ImGui::Selectable(names[i], i == chosen)) {
+      ImGui::PushID(i);
+      if (listLine(ui, text.id + "/" + names[i], names[i], i == chosen)) {
         changed = i != chosen;
         chosen = i;
       }
-      ui.probe.recordItem(text.id + "/" + names[i]);
+      ImGui::PopID();
     }
     if (keyPressed(ImGuiKey_Escape)) ImGui::CloseCurrentPopup();
     ImGui::EndCombo();

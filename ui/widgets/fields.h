@@ -58,6 +58,9 @@ std::vector<const char*> choicesOf(const std::vector<std::string>& names);
 /// One of a few names, in a list that opens; `chosen` may be -1 for none of them, shown as `otherwise`.
 bool choiceField(Ui& ui, const RowText& text, std::span<const char* const> names, int& chosen,
                  const char* otherwise = "");
+/// A line of a list that chooses `name`, which is shown whole whatever is in it. Lines with the same name are told
+/// apart by what the caller has pushed (ImGui::PushID).
+bool listLine(Ui& ui, const std::string& id, const char* name, bool chosen, const char* tooltip = "");
 /// One of two to five short names, side by side.
 bool segmentField(Ui& ui, const RowText& text, std::span<const char* const> names, int& chosen);
 bool switchField(Ui& ui, const RowText& text, bool& value);

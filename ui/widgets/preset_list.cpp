@@ -18,10 +18,8 @@ std::optional<PresetChoice> presetList(Ui& ui, const std::vector<std::string>& o
   auto list = [&](const std::vector<std::string>& names, bool isSample) {
     for (size_t i = 0; i < names.size(); ++i) {
       ImGui::PushID(isSample ? static_cast<int>(i) : -1 - static_cast<int>(i));
-      if (ImGui::Selectable(names[i].c_str())) chosen = {isSample, i};
       const std::string id = (isSample ? "sample/" : "preset/") + names[i];
-      ui.probe.recordItem(id);
-      tooltipFor(ui, id.c_str(), ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), words::presets::choiceHelp);
+      if (listLine(ui, id, names[i].c_str(), false, words::presets::choiceHelp)) chosen = {isSample, i};
       ImGui::PopID();
     }
   };
