@@ -34,11 +34,15 @@ bool matchesSearch(const std::string& text, const std::string& search) {
 void PresetBrowser::head(Ui& ui) {
   int kind = static_cast<int>(kind_);
   ImGui::BeginChild("kind", ImVec2(ui.px(400), ImGui::GetFrameHeight()));
-  if (segmentField(ui, {"presets.kind", words::presets::kind, true}, words::presets::kinds, kind)) chosen_.clear();
+  if (segmentField(ui, {"presets.kind", words::presets::kind, true}, words::presets::kinds, kind)) chosen_.reset();
   ImGui::EndChild();
   kind_ = static_cast<PresetKind>(kind);
   ImGui::SameLine(0, ui.px(24));
   textField(ui, {"presets.search", words::presets::search, true}, search_);
+}
+
+void PresetBrowser::renamed(const std::string& name) {
+  if (!chosen_) chosen_ = {true, newName_ = name};
 }
 
 void PresetBrowser::card(Ui& ui, size_t index, const PresetCard& card) {
@@ -47,8 +51,10 @@ void PresetBrowser::card(Ui& ui, size_t index, const PresetCard& card) {
   const ImVec2 max(min.x + width, min.y + height + line), corner(max.x, min.y + height);
   const std::string id = "presets.card/" + card.name;
   ImGui::PushID(static_cast<int>(index));
-  if (ImGui::InvisibleButton("card", ImVec2(width, height + line)) && chosen_ != card.name) {
-    chosen_ = card.name;
+  bool chosen = chosen_ && chosen_->is(card);
+  if (ImGui::InvisibleButton("card", ImVec2(width, height + line)) && !chosen) {
+    chosen = true;
+    chosen_ = {card.own, card.name};
     newName_ = card.name;
     newTags_ = card.tags;
   }
@@ -65,7 +71,6 @@ void PresetBrowser::card(Ui& ui, size_t index, const PresetCard& card) {
   const std::string text = fitted(ui, id, card.name.c_str(), width - ui.px(16), cut);
   draw.AddText(ImVec2(min.x + ui.px(8), corner.y + 0.5f * (line - ImGui::GetFontSize())),
                packed(card.own ? ui.theme.text : ui.theme.textQuiet), text.c_str());
-  const bool chosen = chosen_ == card.name;
   if (chosen || ImGui::IsItemHovered())
     draw.AddRect(min, max, packed(chosen ? ui.theme.accent : ui.theme.textQuiet), ui.px(4), 0, ui.px(2));
   const std::string about =
@@ -91,18 +96,20 @@ void PresetBrowser::grid(Ui& ui, const std::vector<PresetCard>& cards, PresetBro
 void PresetBrowser::actions(Ui& ui, const std::vector<PresetCard>& cards, const std::string& lastChange,
                             PresetBrowserEdit& edit) {
   const auto found =
-      std::find_if(cards.begin(), cards.end(), [&](const PresetCard& card) { return card.name == chosen_; });
+      std::find_if(cards.begin(), cards.end(), [&](const PresetCard& card) { return chosen_ && chosen_->is(card); });
   const bool any = found != cards.end(), own = any && found->own;
   const auto index = static_cast<size_t>(found - cards.begin());
+  ui.probe.fact("presets.removable", own ? "yes" : "no");
   const float width = ui.px(96);
   const ImVec2 field(0.5f * (ImGui::GetContentRegionAvail().x - ui.px(24)) - ui.px(8) - width, ImGui::GetFrameHeight());
   ImGui::BeginChild("name", field);
   textField(ui, {"presets.name", words::presets::name, true}, newName_);
   ImGui::EndChild();
   ImGui::SameLine();
-  if (button(ui, "presets.rename", words::presets::rename, width, own && !newName_.empty() && newName_ != chosen_)) {
+  if (button(ui, "presets.rename", words::presets::rename, width,
+             own && !newName_.empty() && newName_ != found->name)) {
     edit.rename = {index, newName_};
-    chosen_ = newName_;
+    chosen_.reset();  // until it is known which name it gets
   }
   ImGui::SameLine(0, ui.px(24));
   ImGui::BeginChild("tags", field);

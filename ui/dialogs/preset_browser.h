@@ -34,6 +34,8 @@ class PresetBrowser {
   void show() { open_ = opening_ = true; }
   bool isOpen() const { return open_; }
   PresetKind kind() const { return kind_; }
+  /// The preset that was to be renamed got this name: it is looked at again.
+  void renamed(const std::string& name);
   /// `cards`: none while they are still looked for. `lastChange`: what undo would take back, empty for nothing;
   /// `problem`: why the last change was not made.
   PresetBrowserEdit draw(Ui& ui, const std::vector<PresetCard>& cards, const std::string& lastChange,
@@ -48,7 +50,13 @@ class PresetBrowser {
   bool open_ = false, opening_ = false;
   PresetKind kind_ = PresetKind::fabrics;
   std::string search_;
-  std::string chosen_;  ///< by name: the list changes under it
+  /// By these, as the list changes under it: a designer's own may be called as one is that came with the program.
+  struct Chosen {
+    bool own = false;
+    std::string name;
+    bool is(const PresetCard& card) const { return own == card.own && name == card.name; }
+  };
+  std::optional<Chosen> chosen_;
   std::string newName_, newTags_;
 };
 

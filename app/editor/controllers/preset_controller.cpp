@@ -35,6 +35,7 @@ std::optional<PresetController::Message> PresetController::follow(bool mayTell) 
   if (!outcome) return std::nullopt;
   if (browser_.isOpen()) {
     problem_ = outcome->problem;
+    if (!outcome->renamed.empty()) browser_.renamed(outcome->renamed);
     return std::nullopt;
   }
   if (!outcome->problem.empty()) return Message{words::messages::presetsUnchanged, outcome->problem};

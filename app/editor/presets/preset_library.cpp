@@ -108,10 +108,10 @@ std::string PresetLibrary::keep(PresetKind kind, Fabric fabric, const std::strin
   return name;
 }
 
-void PresetLibrary::rename(PresetKind kind, const std::string& before, const std::string& name) {
+std::string PresetLibrary::rename(PresetKind kind, const std::string& before, const std::string& name) {
   const std::string tags = of(kind).tags.of(before);
   const std::string after = of(kind).store.rename(before, name);
-  if (after == before) return;
+  if (after == before) return after;
   const auto moveTags = [this, kind, tags](const std::string& from, const std::string& to) {
     tagAnew(kind, to, tags);
     tagAnew(kind, from, "");
@@ -121,6 +121,7 @@ void PresetLibrary::rename(PresetKind kind, const std::string& before, const std
     return [moveTags, after, again] { moveTags(after, again); };
   });
   moveTags(before, after);
+  return after;
 }
 
 void PresetLibrary::remove(PresetKind kind, const std::string& name) {

@@ -35,7 +35,8 @@ class PresetLibrary {
   /// `done`: what it is called. Returns the name that it got.
   std::string keep(PresetKind kind, Fabric fabric, const std::string& tags = "",
                    const char* done = words::presets::kept);
-  void rename(PresetKind kind, const std::string& before, const std::string& name);
+  /// Returns the name that it got.
+  std::string rename(PresetKind kind, const std::string& before, const std::string& name);
   void remove(PresetKind kind, const std::string& name);
   void tag(PresetKind kind, const std::string& name, bool own, const std::string& tags);
   void undo();  ///< throws InputError where the newest change cannot be taken back; it can be tried again

@@ -14,7 +14,7 @@ PresetService::PresetService(std::filesystem::path folder, DisplayDriver& driver
       disk_(
           std::move(wake), [this](const Job& job, const auto&) { return done(job); },
           [this](const Job&, const std::string& problem) {
-            return Brought{cabinet_ ? stateOf(*cabinet_) : State{}, {}, 0, Outcome{"", problem}};
+            return Brought{cabinet_ ? stateOf(*cabinet_) : State{}, {}, 0, Outcome{"", "", problem}};
           },
           Backlog::every) {
   disk_.ask([](PresetLibrary& cabinet) { return Brought{stateOf(cabinet), {}, 0, {}}; });
@@ -48,9 +48,9 @@ void PresetService::look() {
   });
 }
 
-void PresetService::change(std::function<std::string(PresetLibrary&)> edit) {
+void PresetService::change(std::function<Outcome(PresetLibrary&)> edit) {
   disk_.ask([edit = std::move(edit)](PresetLibrary& cabinet) {
-    Outcome outcome{edit(cabinet), ""};
+    Outcome outcome = edit(cabinet);
     return Brought{stateOf(cabinet), {}, 0, std::move(outcome)};
   });
   if (looked_ == wanted_) look();
@@ -92,22 +92,22 @@ Fabric PresetService::used(size_t card, const Fabric& now, int yarn, int fibre) 
 }
 
 void PresetService::keep(PresetKind kind, const Fabric& now, int yarn, int fibre) {
-  change(
-      [kind, fabric = toKeep(kind, now, yarn, fibre)](PresetLibrary& cabinet) { return cabinet.keep(kind, fabric); });
+  change([kind, fabric = toKeep(kind, now, yarn, fibre)](PresetLibrary& cabinet) {
+    return Outcome{cabinet.keep(kind, fabric), "", ""};
+  });
 }
 
 void PresetService::duplicate(size_t card) {
   change([kind = kind_, preset = presets_[card]](PresetLibrary& cabinet) {
     Fabric fabric = *preset.fabric;
     fabric.name = preset.name;
-    return cabinet.keep(kind, std::move(fabric), preset.tags, words::presets::duplicated);
+    return Outcome{cabinet.keep(kind, std::move(fabric), preset.tags, words::presets::duplicated), "", ""};
   });
 }
 
 void PresetService::rename(size_t card, const std::string& name) {
   change([kind = kind_, before = presets_[card].name, name](PresetLibrary& cabinet) {
-    cabinet.rename(kind, before, name);
-    return std::string();
+    return Outcome{"", cabinet.rename(kind, before, name), ""};
   });
 }
 
@@ -115,7 +115,7 @@ void PresetService::rename(size_t card, const std::string& name) {
 void PresetService::remove(size_t card) {
   change([kind = kind_, name = presets_[card].name](PresetLibrary& cabinet) {
     cabinet.remove(kind, name);
-    return std::string();
+    return Outcome{};
   });
   presets_.erase(presets_.begin() + static_cast<ptrdiff_t>(card));
 }
@@ -123,7 +123,7 @@ void PresetService::remove(size_t card) {
 void PresetService::tag(size_t card, const std::string& tags) {
   change([kind = kind_, name = presets_[card].name, own = presets_[card].own, tags](PresetLibrary& cabinet) {
     cabinet.tag(kind, name, own, tags);
-    return std::string();
+    return Outcome{};
   });
   presets_[card].tags = tags;
 }
@@ -131,7 +131,7 @@ void PresetService::tag(size_t card, const std::string& tags) {
 void PresetService::undo() {
   change([](PresetLibrary& cabinet) {
     cabinet.undo();
-    return std::string();
+    return Outcome{};
   });
 }
 

@@ -45,6 +45,7 @@ class PresetService {
 
   struct Outcome {
     std::string kept;     ///< the name of what was kept, if that was it
+    std::string renamed;  ///< the name that a preset got instead of its own, if that was it
     std::string problem;  ///< why nothing was changed, or not the tags; empty when all went well
   };
   /// Of the oldest change of which nothing has been told; once.
@@ -70,7 +71,7 @@ class PresetService {
   };
   using Job = std::function<std::optional<Brought>(PresetLibrary&)>;
   void look();
-  void change(std::function<std::string(PresetLibrary&)> edit);
+  void change(std::function<Outcome(PresetLibrary&)> edit);
   // On the thread.
   static State stateOf(const PresetLibrary& cabinet);
   std::optional<Brought> done(const Job& job);

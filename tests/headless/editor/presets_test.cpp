@@ -106,6 +106,44 @@ TEST_F(Presets, AreSearchedRenamedAndRemovedAndAllIsTakenBack) {
   untilCards("undo takes the name back", {"Rust check 2"}, {"Rusty"});
 }
 
+/// A designer's own cloth may be called as one is that came with the program, which lies behind it.
+TEST(PresetsOfOneName, TheOneThatIsClickedIsMeant) {
+  HeadlessEditor editor;
+  Fabric cloth = rustCheck();
+  cloth.name = "Denim";
+  editor.start(cloth);
+  editor.key("ctrl+b");
+  const std::string card = "presets.card/Denim";
+  editor.centre(card);
+  const HeadlessEditor::Rect alone = editor.rect(card);
+  editor.click("presets.keep");
+  editor.until("the cloth is kept", [&] { return !(editor.rect(card) == alone); });
+  editor.click(card);
+  EXPECT_EQ(editor.fact("presets.removable"), "no") << "it came with the program";
+  editor.edits("the other cloth is used", [&] { editor.click("presets.use"); });
+  EXPECT_NE(editor.saved().ends_per_cm, 14);
+}
+
+/// Where the name is taken, it is another one.
+TEST_F(Presets, WhatIsRenamedStaysChosen) {
+  keepCloth();
+  search("rus");
+  duplicate("Rust check");
+  const auto rename = [&](const std::string& name) {
+    editor.click(card(name));
+    editor.click("presets.name");
+    editor.key("ctrl+a");
+    editor.type("Rusty");
+    editor.click("presets.rename");
+  };
+  rename("Rust check 2");
+  untilCards("it has the name", {"Rusty"}, {"Rust check 2"});
+  rename("Rust check");
+  untilCards("the name is taken", {"Rusty", "Rusty 2"}, {"Rust check"});
+  editor.click("presets.remove");
+  untilCards("the one that was renamed is removed", {"Rusty"}, {"Rusty 2"});
+}
+
 /// Also what came with the program is tagged, and the tags go with what they are of.
 TEST_F(Presets, TagsAreSearchedAndDuplicated) {
   keepCloth();
