@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "app/editor/display/interface_scale.h"
+#include "app/editor/display/keyboard_layout.h"
 #include "core/base/error.h"
 #include "ui/words/error_words.h"
 
@@ -72,6 +73,13 @@ Window::Window(const std::string& title, int width, int height, float scale) {
   io.ConfigInputTextCursorBlink = false;  // a sleeping editor would not blink it
   io.MouseDragThreshold = 3;
   ImGui_ImplGlfw_InitForOpenGL(window_, true);
+#if IMGUI_VERSION_NUM < 18700
+  // Later ones ask the keyboard's layout themselves.
+  glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int scancode, int action, int mods) {
+    const int meant = keyOnLayout(key, glfwGetKeyName(key, scancode));
+    ImGui_ImplGlfw_KeyCallback(window, meant, scancode, action, mods);
+  });
+#endif
   ImGui_ImplOpenGL3_Init("#version 330 core");
   givenScale_ = scale;
   scale_ = wantedScale();
