@@ -32,13 +32,9 @@ void FileBrowser::show(Purpose purpose, std::string title, std::vector<std::stri
   open_ = opening_ = true;
   filter_.clear();
   std::error_code ignored;
-  if (fs::is_directory(start, ignored)) {
-    enter(start);
-    typed_.clear();
-  } else {
-    enter(start.parent_path());
-    typed_ = start.filename().string();
-  }
+  const bool isFolder = purpose == Purpose::open || fs::is_directory(start, ignored);
+  enterNearest(isFolder ? start : start.parent_path());
+  typed_ = isFolder ? std::string() : start.filename().string();
 }
 
 bool FileBrowser::accepts(const fs::path& file) const {
@@ -66,6 +62,15 @@ void FileBrowser::enter(const fs::path& folder) {
   if (folder_ != absolute) filter_.clear();
   folder_ = absolute;
   entries_ = std::move(found);
+}
+
+/// The root of all folders holds nobody's work.
+void FileBrowser::enterNearest(fs::path folder) {
+  do {
+    enter(folder);
+    folder = folder.parent_path();
+  } while (!problem_.empty() && folder.has_relative_path());
+  for (size_t i = 0; i < bookmarks_.size() && !problem_.empty(); ++i) enter(bookmarks_[i].path);
 }
 
 fs::path FileBrowser::named() const {

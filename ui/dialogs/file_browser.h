@@ -37,6 +37,8 @@ class FileBrowser {
     bool folder = false;
   };
   void enter(const std::filesystem::path& folder);
+  /// The folder, or what is there still: the nearest above it, or else the first of the bookmarks.
+  void enterNearest(std::filesystem::path folder);
   bool accepts(const std::filesystem::path& file) const;
   /// What is typed, from the folder that is shown.
   std::filesystem::path named() const;
