@@ -114,6 +114,7 @@ int runEditor(const EditorOptions& options) {
   FileService firstFile(
       Window::wake);  // outlives the session: for a read that was given up nobody waits but at the end
   std::string problem;
+  std::vector<WifWarning> warnings;
   std::vector<std::string> dropped;
   // A WIF draft or a picture is opened into the sample, by the session, which says what was wrong in it.
   if (isFabricFile(options.fabricFile)) {
@@ -122,6 +123,7 @@ int runEditor(const EditorOptions& options) {
     if (opening.quits()) return 0;
     document = opening.takeDocument();
     problem = opening.problem();
+    warnings = opening.warnings();
     dropped = opening.dropped();
   }
 
@@ -129,6 +131,7 @@ int runEditor(const EditorOptions& options) {
   session.startProfiles(systemDisplayProfile());
   session.offerRecovery();
   if (!problem.empty()) session.sayUnopened(problem);
+  session.sayLooksOtherwise(options.fabricFile, warnings);
   if (!options.fabricFile.empty() && !isFabricFile(options.fabricFile)) session.openFile(options.fabricFile);
   session.drop(dropped);
   frames.runUntilOver(session);

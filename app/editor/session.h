@@ -54,6 +54,8 @@ class Session {
   void drop(const std::vector<std::string>& files) { files_.drop(files); }
   /// Says why a file could not be opened.
   void sayUnopened(const std::string& problem) { questions_.say(words::messages::unopenedTitle, problem); }
+  /// Says what was remarked when the fabric was read that is shown, where anything was.
+  void sayLooksOtherwise(const std::string& file, const std::vector<WifWarning>& remarks);
   /// Asks about unsaved work first, once.
   void askToQuit() { leaveFor({Errand::Kind::quit}); }
   /// Offers what an editor that did not end well has left behind, once no dialog is in the way.

@@ -192,11 +192,17 @@ void Session::openLamp(const std::string& file) {
   });
 }
 
+void Session::sayLooksOtherwise(const std::string& file, const std::vector<WifWarning>& remarks) {
+  if (remarks.empty()) return;
+  std::string text = file;
+  for (const WifWarning& remark : remarks) text += "\n\n" + remark.sentence;
+  questions_.say(words::messages::looksOtherwise, text);
+}
+
 void Session::opened(FileService::Result result) {
   if (!isWeavingFile(result.file)) {
     startOver(Document(std::move(*result.fabric), result.file));
-    for (const WifWarning& warning : result.warnings)
-      questions_.say(words::messages::looksOtherwise, fmt::format("{}\n\n{}", result.file, warning.sentence));
+    sayLooksOtherwise(result.file, result.warnings);
   } else {
     // As the file says, where it does; the dialog that says so has the designer's own on offer.
     const auto mine = std::make_shared<const Fabric>(std::move(*result.fabric));

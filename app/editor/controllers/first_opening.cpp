@@ -19,6 +19,7 @@ void FirstOpening::frame(Ui& ui) {
   if (auto read = files_.take()) {
     over_ = true;
     problem_ = std::move(read->problem);
+    warnings_ = std::move(read->warnings);
     if (read->fabric) document_ = Document(std::move(*read->fabric), file_);
     return;
   }

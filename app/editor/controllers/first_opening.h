@@ -34,6 +34,7 @@ class FirstOpening {
   bool quits() const { return quits_; }  ///< the program is to end instead
   Document takeDocument() { return std::move(document_); }
   const std::string& problem() const { return problem_; }  ///< why the file was not read; empty when all went well
+  const std::vector<WifWarning>& warnings() const { return warnings_; }  ///< about the file that was read
   const std::vector<std::string>& dropped() const { return dropped_; }
 
  private:
@@ -44,6 +45,7 @@ class FirstOpening {
   BusyDialog busyDialog_;
   std::vector<std::string> dropped_;  ///< files for the session
   std::string problem_;
+  std::vector<WifWarning> warnings_;
   bool over_ = false, quits_ = false;
 };
 

@@ -28,6 +28,7 @@ class FileService {
 
   /// Reads a cloth, a weaving file with `mine`, and throws InputError.
   using Read = std::function<WifImport(const std::string& file, const Fabric& mine)>;
+  static WifImport readCloth(const std::string& file, const Fabric& mine);
 
   /// `wake` is called from other threads when there is something to take().
   explicit FileService(std::function<void()> wake, Read read = readCloth);
@@ -78,7 +79,6 @@ class FileService {
     Result about;
     std::function<void(const std::stop_token&, Result&)> write;
   };
-  static WifImport readCloth(const std::string& file, const Fabric& mine);
   void begin(const Result& about);
 
   std::optional<Busy> busy_;

@@ -66,8 +66,11 @@ std::string HeadlessEditor::start(const Fabric& cloth, const std::string& name) 
 }
 
 void HeadlessEditor::startOn(const std::string& file) {
-  session_ = std::make_unique<Session>(Document(readFabric(file), file), settings_, driver_, wakes_.callback(), 0);
+  WifImport cloth = FileService::readCloth(file, Fabric{});
+  session_ =
+      std::make_unique<Session>(Document(std::move(cloth.fabric), file), settings_, driver_, wakes_.callback(), 0);
   session_->offerRecovery();
+  session_->sayLooksOtherwise(file, cloth.warnings);
   until("the panels are drawn", [this] { return shows("viewport"); });
 }
 

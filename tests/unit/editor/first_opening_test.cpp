@@ -22,7 +22,9 @@ class FirstOpeningTest : public testing::Test {
   FileService files_{[] {},
                      [gone = letGo_.get_future().share()](const std::string&, const Fabric&) {
                        gone.wait();
-                       return WifImport{};
+                       WifImport read;
+                       read.warnings = {{"It is older than the pressing of yarns.", "", {}}};
+                       return read;
                      }};
 };
 
@@ -40,6 +42,14 @@ TEST_F(FirstOpeningTest, CtrlQEndsTheProgramWhileTheFileIsRead) {
   frame(opening);
   EXPECT_TRUE(opening.isOver() && opening.quits());
   letGo_.set_value();
+}
+
+TEST_F(FirstOpeningTest, WhatIsRemarkedInTheFileIsHandedOn) {
+  letGo_.set_value();
+  FirstOpening opening(files_, "old.json", Document(Fabric{}), Settings{});
+  while (!opening.isOver()) frame(opening);
+  ASSERT_EQ(opening.warnings().size(), 1u);
+  EXPECT_EQ(opening.warnings()[0].sentence, "It is older than the pressing of yarns.");
 }
 
 }  // namespace
