@@ -169,6 +169,7 @@ void sayLine(Ui& ui, DraftView& view, const std::string& place, const std::strin
                warns ? fmt::format(words::draft::setUnderLoom, remark).c_str() : said.c_str());
   if (warns && ImGui::IsItemClicked()) view.page = DraftView::Page::loom;
   ui.probe.fact("draft.remark", remark);
+  ui.probe.fact("draft.said", said);
 }
 
 void tellProbe(Ui& ui, const DraftView& view, const Draft* draft, const DraftFrame& frame) {

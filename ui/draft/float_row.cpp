@@ -102,6 +102,7 @@ void floatRow(Ui& ui, const LongFloats* floats, DraftPreferences& preferences, D
   const LongFloats& known = floats ? *floats : none;
   const auto listed = static_cast<int>(known.longest.size());
   const int chosen = chosenAmong(known, view);
+  if (floats && chosen < 0) view.chosenFloat.reset();  // so that nobody is told of it
   const auto go = [&](int to) { choose(view, known.longest[static_cast<size_t>((to + listed) % listed)]); };
   ImGui::SameLine(0, gap);
   if (button(ui, "draft.float_before", words::floats::before.label, step, listed > 0, words::floats::before.help))

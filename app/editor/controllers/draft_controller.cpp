@@ -145,6 +145,8 @@ void DraftController::startOver() {
   fit();
   view_.selection.reset();
   view_.remark.clear();
+  view_.warpOrder = view_.weftOrder = {};
+  view_.chosenFloat.reset();
 }
 
 }  // namespace loomlight

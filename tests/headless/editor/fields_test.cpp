@@ -261,6 +261,15 @@ TEST_F(Orders, AnEdgeIsDraggedInTheBar) {
   EXPECT_THAT(warp(), ElementsAre(0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0)) << "every stripe keeps a thread";
 }
 
+TEST_F(Orders, WhatWasRefusedIsGoneWithItsCloth) {
+  editor.edits("a new cloth", [&] { editor.key("ctrl+n"); });
+  editor.enter("draft.warp_order", "6A 4B");
+  editor.until("it is refused", [&] { return editor.fact("draft.warp_order_problem") == "There is no yarn B yet."; });
+  editor.edits("another new cloth", [&] { editor.key("ctrl+n"); });
+  editor.frame();
+  EXPECT_EQ(editor.fact("draft.warp_order_problem"), "");
+}
+
 TEST_F(Orders, WhatTheyComeToStandsBesideTheirNamesAndOnlyAProblemTakesALine) {
   editor.edits("an order", [&] { editor.enter("draft.warp_order", "4A 6B"); });
   editor.frame();

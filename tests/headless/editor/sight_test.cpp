@@ -273,8 +273,11 @@ TEST_F(Sight, FloatsAreListedAndGoneThrough) {
   editor.until("the first is looked at", [&] { return editor.fact("draft.floats_shown") == "1 of 16"; });
   editor.click("draft.float_before");
   editor.until("the last is looked at", [&] { return editor.fact("draft.floats_shown") == "16 of 16"; });
+  EXPECT_THAT(editor.fact("draft.said"), HasSubstr("float, "));
   editor.enter("draft.long_float", "9");
   editor.until("none is longer", [&] { return editor.fact("draft.floats_shown") == "none"; });
+  editor.until("the one that is long no more is told of no more",
+               [&] { return editor.fact("draft.said") == "marked: floats longer than 9.0 mm"; });
 }
 
 /// One definition: what the status says, what is marked and what is listed. A thread that nothing binds is marked, so
