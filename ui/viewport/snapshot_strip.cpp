@@ -13,13 +13,13 @@ namespace {
 
 constexpr float kPictureHeight = 72, kButtonsWidth = 196;
 
-void choose(std::vector<int>& chosen, int index) {
-  const auto found = std::find(chosen.begin(), chosen.end(), index);
+void choose(std::vector<std::string>& chosen, const std::string& id) {
+  const auto found = std::find(chosen.begin(), chosen.end(), id);
   if (found != chosen.end()) {
     chosen.erase(found);
     return;
   }
-  chosen.push_back(index);
+  chosen.push_back(id);
   if (chosen.size() > 2) chosen.erase(chosen.begin());
 }
 
@@ -32,13 +32,13 @@ void drawItems(Ui& ui, const std::vector<SnapshotItem>& items, SnapshotStripView
     const float width = std::clamp(item.aspect, 0.5f, 3.0f) * height;
     const std::string id = fmt::format("snapshot.item_{}", i);
     const ImVec2 min = ImGui::GetCursorScreenPos(), max(min.x + width, min.y + height);
-    if (ImGui::InvisibleButton(id.c_str(), ImVec2(width, height))) choose(view.chosen, i);
-    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) edit.restore = i;
+    if (ImGui::InvisibleButton(id.c_str(), ImVec2(width, height))) choose(view.chosen, item.id);
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) edit.restore = item.id;
     ui.probe.recordItem(id);
     draw.AddRectFilled(min, max, packed(ui.theme.field), ui.px(4));
     if (item.picture)
       draw.AddImageRounded(item.picture, min, max, ImVec2(0, 0), ImVec2(1, 1), IM_COL32_WHITE, ui.px(4));
-    const bool chosen = std::find(view.chosen.begin(), view.chosen.end(), i) != view.chosen.end();
+    const bool chosen = std::find(view.chosen.begin(), view.chosen.end(), item.id) != view.chosen.end();
     if (chosen || ImGui::IsItemHovered())
       draw.AddRect(min, max, packed(chosen ? ui.theme.accent : ui.theme.textQuiet), ui.px(4), 0, ui.px(2));
     const std::string tooltip = item.name + "\n" + words::views::choiceHelp;
@@ -50,9 +50,9 @@ void drawItems(Ui& ui, const std::vector<SnapshotItem>& items, SnapshotStripView
 
 SnapshotStripEdit snapshotStrip(Ui& ui, const std::vector<SnapshotItem>& items, SnapshotStripView& view) {
   SnapshotStripEdit edit;
-  const int count = static_cast<int>(items.size());
-  view.chosen.erase(std::remove_if(view.chosen.begin(), view.chosen.end(), [&](int i) { return i >= count; }),
-                    view.chosen.end());
+  std::erase_if(view.chosen, [&](const std::string& id) {
+    return std::none_of(items.begin(), items.end(), [&](const SnapshotItem& item) { return item.id == id; });
+  });
   ImGui::SetCursorPosY(ui.px(8));
   ImGui::BeginChild("items", ImVec2(ImGui::GetContentRegionAvail().x - ui.px(kButtonsWidth), ui.px(84)), false,
                     ImGuiWindowFlags_HorizontalScrollbar);

@@ -11,6 +11,7 @@ namespace loomlight {
 
 /// A view of the cloth that was kept, as the strip shows it.
 struct SnapshotItem {
+  std::string id;  ///< it is known by, as the list changes
   ImTextureID picture{};
   float aspect = 1;  ///< width over height
   std::string name;
@@ -18,14 +19,15 @@ struct SnapshotItem {
 
 /// Which of the kept views are chosen, the newest choice last; at most two.
 struct SnapshotStripView {
-  std::vector<int> chosen;
+  std::vector<std::string> chosen;
 };
 
+/// By their ids.
 struct SnapshotStripEdit {
-  bool keep = false;           ///< the present view
-  std::optional<int> restore;  ///< its fabric and camera
-  std::optional<int> remove;
-  std::optional<std::pair<int, int>> compare;
+  bool keep = false;                   ///< the present view
+  std::optional<std::string> restore;  ///< its fabric and camera
+  std::optional<std::string> remove;
+  std::optional<std::pair<std::string, std::string>> compare;
 };
 
 /// Height of the strip at scale 1.

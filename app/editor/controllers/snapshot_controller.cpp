@@ -101,18 +101,15 @@ std::optional<SnapshotController::Restored> SnapshotController::drawStrip(Ui& ui
   if (result.keep) keepView(now, seen);
   std::optional<Restored> restored;
   if (result.restore) {
-    const KeptView& kept = shelf_.view(static_cast<size_t>(*result.restore));
+    const KeptView& kept = shelf_.view(*result.restore);
     restored = Restored{*kept.fabric, kept.lookedAt};
     restored->fabric.render = now.fabric->render;
   }
   if (result.compare) {
-    shelf_.compare(static_cast<size_t>(result.compare->first), static_cast<size_t>(result.compare->second));
+    shelf_.compare(result.compare->first, result.compare->second);
     compare_.show();
   }
-  if (result.remove) {
-    shelf_.remove(static_cast<size_t>(*result.remove));
-    strip_.chosen.clear();
-  }
+  if (result.remove) shelf_.remove(*result.remove);
   return restored;
 }
 

@@ -69,7 +69,7 @@ KeptView ViewFolder::read(const std::string& id) const {
   return view;
 }
 
-void ViewFolder::keep(const KeptView& view) const {
+std::vector<std::string> ViewFolder::keep(const KeptView& view) const {
   const std::string file = fileOf(view.id).string();
   std::error_code error;
   fs::create_directories(folder_, error);  // where it cannot be made, writing says so
@@ -81,12 +81,15 @@ void ViewFolder::keep(const KeptView& view) const {
 
   std::vector<std::string> kept = ids();
   std::reverse(kept.begin(), kept.end());
+  std::vector<std::string> gone;
   uintmax_t bytes = 0;
   for (size_t i = 0; i < kept.size(); ++i) {
     const uintmax_t size = fs::file_size(fileOf(kept[i]), error);
     if (!error) bytes += size;
-    if (kept[i] != view.id && (i >= budget_.views || bytes > budget_.bytes)) remove(kept[i]);
+    if (kept[i] != view.id && (i >= budget_.views || bytes > budget_.bytes)) gone.push_back(kept[i]);
   }
+  for (const std::string& id : gone) remove(id);
+  return gone;
 }
 
 void ViewFolder::remove(const std::string& id) const {

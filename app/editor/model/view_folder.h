@@ -37,7 +37,8 @@ class ViewFolder {
   std::vector<std::string> ids() const;
   /// Throws InputError.
   KeptView read(const std::string& id) const;
-  void keep(const KeptView& view) const;
+  /// Returns those that went for it.
+  std::vector<std::string> keep(const KeptView& view) const;
   void remove(const std::string& id) const;
 
  private:

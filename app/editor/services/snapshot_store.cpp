@@ -17,25 +17,27 @@ float aspectOf(const Pixels8& picture) {
 
 }  // namespace
 
-SnapshotStore::SnapshotStore(std::filesystem::path folder, DisplayDriver& driver, std::function<void()> wake)
-    : folder_(std::move(folder), kBudget),
+SnapshotStore::SnapshotStore(std::filesystem::path folder, DisplayDriver& driver, std::function<void()> wake,
+                             ViewFolder::Budget budget)
+    : budget_(budget),
+      folder_(std::move(folder), budget),
       driver_(driver),
       difference_(driver.makeTexture()),
       disk_(
           std::move(wake), [this](const Order& order, const auto&) { return done(folder_, order); },
-          [](const Order& order, const std::string& problem) { return Done{order.work, std::nullopt, problem}; },
+          [](const Order& order, const std::string& problem) { return Done{order.work, {}, {}, problem}; },
           Backlog::every) {
   const std::vector<std::string> ids = folder_.ids();
-  for (size_t i = ids.size() - std::min(ids.size(), kBudget.views); i < ids.size(); ++i) {
+  for (size_t i = ids.size() - std::min(ids.size(), budget.views); i < ids.size(); ++i) {
     ++awaited_;
     disk_.ask({Order::Work::read, {ids[i], {}, {}, {}}});
   }
 }
 
 SnapshotStore::Done SnapshotStore::done(const ViewFolder& folder, const Order& order) {
-  Done done{order.work, {}, {}};
+  Done done{order.work, {}, {}, {}};
   if (order.work == Order::Work::read) done.view = folder.read(order.view.id);
-  if (order.work == Order::Work::keep) folder.keep(order.view);
+  if (order.work == Order::Work::keep) done.removed = folder.keep(order.view);
   if (order.work == Order::Work::remove) folder.remove(order.view.id);
   return done;
 }
@@ -44,6 +46,7 @@ SnapshotStore::Done SnapshotStore::done(const ViewFolder& folder, const Order& o
 void SnapshotStore::follow() {
   while (auto done = disk_.take()) {
     if (done->work == Order::Work::keep) problem_ = std::move(done->problem);
+    for (const std::string& id : done->removed) std::erase_if(kept_, [&](const Kept& k) { return k.view.id == id; });
     if (done->work != Order::Work::read) continue;
     --awaited_;
     if (done->view) add(std::move(*done->view));
@@ -66,7 +69,7 @@ std::string SnapshotStore::keep(std::shared_ptr<const Fabric> fabric, const Clot
   const KeptView kept{ViewFolder::newId(), std::move(fabric), view, std::move(picture)};
   add(kept);
   disk_.ask({Order::Work::keep, kept});
-  while (kept_.size() > kBudget.views) remove(0);
+  while (kept_.size() > budget_.views) remove(kept_.front().view.id);
   return kept.id;
 }
 
@@ -80,19 +83,24 @@ void SnapshotStore::renew(const std::string& id, Pixels8 picture) {
   disk_.ask({Order::Work::keep, found->view});
 }
 
-void SnapshotStore::remove(size_t index) {
-  disk_.ask({Order::Work::remove, {kept_[index].view.id, {}, {}, {}}});
-  kept_.erase(kept_.begin() + static_cast<ptrdiff_t>(index));
+void SnapshotStore::remove(const std::string& id) {
+  disk_.ask({Order::Work::remove, {id, {}, {}, {}}});
+  kept_.erase(find(id));
+}
+
+std::vector<SnapshotStore::Kept>::const_iterator SnapshotStore::find(const std::string& id) const {
+  return std::find_if(kept_.begin(), kept_.end(), [&](const Kept& k) { return k.view.id == id; });
 }
 
 std::vector<SnapshotItem> SnapshotStore::items() const {
   std::vector<SnapshotItem> items;
-  for (const Kept& kept : kept_) items.push_back({kept.texture->id(), aspectOf(kept.view.picture), kept.name});
+  for (const Kept& kept : kept_)
+    items.push_back({kept.view.id, kept.texture->id(), aspectOf(kept.view.picture), kept.name});
   return items;
 }
 
-void SnapshotStore::compare(size_t first, size_t second) {
-  compared_ = {kept_[first], kept_[second]};
+void SnapshotStore::compare(const std::string& first, const std::string& second) {
+  compared_ = {*find(first), *find(second)};
   difference_->upload(differencePicture(compared_[0].view.picture, compared_[1].view.picture));
 }
 

@@ -21,7 +21,8 @@ namespace loomlight {
 class SnapshotStore {
  public:
   /// `wake` is called from that thread when there is something to follow().
-  SnapshotStore(std::filesystem::path folder, DisplayDriver& driver, std::function<void()> wake);
+  SnapshotStore(std::filesystem::path folder, DisplayDriver& driver, std::function<void()> wake,
+                ViewFolder::Budget budget = {});
 
   /// Takes what has been read; once a frame.
   void follow();
@@ -29,15 +30,15 @@ class SnapshotStore {
   std::string keep(std::shared_ptr<const Fabric> fabric, const ClothView& view, Pixels8 picture);
   /// With a better picture of the same, unless it has been removed meanwhile.
   void renew(const std::string& id, Pixels8 picture);
-  void remove(size_t index);
+  void remove(const std::string& id);
   /// Also while the first are still being read.
   bool empty() const { return kept_.empty() && awaited_ == 0; }
   /// Why the newest view will not last; empty while all is well.
   const std::string& problem() const { return problem_; }
-  const KeptView& view(size_t index) const { return kept_[index].view; }
+  const KeptView& view(const std::string& id) const { return find(id)->view; }
   std::vector<SnapshotItem> items() const;
 
-  void compare(size_t first, size_t second);
+  void compare(const std::string& first, const std::string& second);
   /// Of the pair last compared.
   CompareDialog::Model comparison() const;
 
@@ -53,13 +54,15 @@ class SnapshotStore {
   };
   struct Done {
     Order::Work work;
-    std::optional<KeptView> view;  ///< that was read
+    std::optional<KeptView> view;      ///< that was read
+    std::vector<std::string> removed;  ///< views that there was no more room for
     std::string problem;
   };
   static Done done(const ViewFolder& folder, const Order& order);
   void add(KeptView view);
+  std::vector<Kept>::const_iterator find(const std::string& id) const;
 
-  static constexpr ViewFolder::Budget kBudget{};
+  const ViewFolder::Budget budget_;
   ViewFolder folder_;
   DisplayDriver& driver_;
   std::vector<Kept> kept_;

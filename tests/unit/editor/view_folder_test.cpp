@@ -82,7 +82,8 @@ TEST(ViewFolder, ASideOrALampThatIsNoneIsRefused) {
 TEST(ViewFolder, OldestGoBeyondTheNumber) {
   const test::ScratchFolder scratch;
   const ViewFolder folder(scratch.file("views"), {3, 1'000'000'000});
-  for (const char* id : {"view-a", "view-b", "view-c", "view-d", "view-e"}) folder.keep(viewOf(id));
+  for (const char* id : {"view-a", "view-b", "view-c", "view-d"}) folder.keep(viewOf(id));
+  EXPECT_EQ(folder.keep(viewOf("view-e")), std::vector<std::string>{"view-b"});
   EXPECT_EQ(folder.ids(), (std::vector<std::string>{"view-c", "view-d", "view-e"}));
 }
 
