@@ -262,12 +262,12 @@ TEST_F(Orders, AnEdgeIsDraggedInTheBar) {
 }
 
 TEST_F(Orders, WhatWasRefusedIsGoneWithItsCloth) {
-  editor.edits("a new cloth", [&] { editor.key("ctrl+n"); });
-  editor.enter("draft.warp_order", "6A 4B");
-  editor.until("it is refused", [&] { return editor.fact("draft.warp_order_problem") == "There is no yarn B yet."; });
-  editor.edits("another new cloth", [&] { editor.key("ctrl+n"); });
-  editor.frame();
-  EXPECT_EQ(editor.fact("draft.warp_order_problem"), "");
+  editor.key("ctrl+n");
+  editor.until("a new cloth", [&] { return editor.fact("name") != "Blue cloth"; });
+  editor.enter("draft.warp_order", "2(A");
+  editor.until("it is refused", [&] { return !editor.fact("draft.warp_order_problem").empty(); });
+  editor.key("ctrl+n");
+  editor.until("another new cloth", [&] { return editor.fact("draft.warp_order_problem").empty(); });
 }
 
 TEST_F(Orders, WhatTheyComeToStandsBesideTheirNamesAndOnlyAProblemTakesALine) {

@@ -118,9 +118,8 @@ TEST_F(WeavingFiles, AFabricFromBeforePressingIsToldOf) {
   text.erase(press, text.find('\n', press) + 1 - press);
   const std::string file = write("old.json", text);
   const auto isToldOf = [&] {
-    editor.until("it is told of", [&] {
-      return editor.fact("message").find("older than the pressing of yarns") != std::string::npos;
-    });
+    editor.until("it is told of",
+                 [&] { return editor.fact("message").find("older than the pressing of yarns") != std::string::npos; });
     editor.answer();
     editor.until("once", [&] { return editor.fact("dialog") == "none"; });
   };
